@@ -1,0 +1,35 @@
+# Installs drydock into a fresh prefix, builds the outside project against it, and runs its host from another folder with
+# an empty shader cache, as on a machine that has only the package.
+#
+# cmake -DBUILD=<drydock build folder> -DSOURCE=<this folder> -DWORK=<scratch folder> -P InstalledPackageTest.cmake
+
+function(run_step Name)
+	execute_process(COMMAND ${ARGN} RESULT_VARIABLE Result OUTPUT_VARIABLE Output ERROR_VARIABLE Output)
+	if(NOT Result EQUAL 0)
+		message(FATAL_ERROR "${Name} failed (${Result}):\n${Output}")
+	endif()
+	message(STATUS "${Name}: done")
+endfunction()
+
+file(REMOVE_RECURSE "${WORK}")
+file(MAKE_DIRECTORY "${WORK}/elsewhere")
+run_step("install" ${CMAKE_COMMAND} --install "${BUILD}" --prefix "${WORK}/prefix")
+run_step("configure" ${CMAKE_COMMAND} -S "${SOURCE}" -B "${WORK}/build" -G Ninja
+	-DCMAKE_BUILD_TYPE=Release "-DCMAKE_PREFIX_PATH=${WORK}/prefix")
+run_step("build" ${CMAKE_COMMAND} --build "${WORK}/build")
+execute_process(
+	COMMAND ${CMAKE_COMMAND} -E env "DRYDOCK_CACHE_DIR=${WORK}/cache" "${WORK}/build/OutsideHost"
+	WORKING_DIRECTORY "${WORK}/elsewhere"
+	RESULT_VARIABLE Result OUTPUT_VARIABLE Output ERROR_VARIABLE Errors)
+message(STATUS "host: ${Output}${Errors}")
+if(NOT Result EQUAL 0)
+	message(FATAL_ERROR "the host failed (${Result})")
+endif()
+execute_process(
+	COMMAND "${WORK}/prefix/bin/drydock" --version
+	WORKING_DIRECTORY "${WORK}/elsewhere"
+	RESULT_VARIABLE Result OUTPUT_VARIABLE Output ERROR_VARIABLE Errors)
+if(NOT Result EQUAL 0)
+	message(FATAL_ERROR "the installed program failed (${Result}): ${Output}${Errors}")
+endif()
+message(STATUS "installed program: ${Output}")
