@@ -1,0 +1,147 @@
+// Integer operations that C++ leaves undefined and Direct3D defines: division by zero gives all ones, shift counts use
+// their low five bits, overflow wraps. Source: D3D11 functional specification 22.11, 22.12.
+#pragma once
+
+#include "LanesMath.h"
+
+namespace Drydock::Lanes
+{
+inline namespace DRYDOCK_LANES_SET
+{
+
+namespace Impl
+{
+
+DRYDOCK_LANES_INLINE int32_t Divide(int32_t A, int32_t B)
+{
+	return B == 0 ? -1 : B == -1 ? int32_t(0u - uint32_t(A)) : A / B;
+}
+DRYDOCK_LANES_INLINE uint32_t Divide(uint32_t A, uint32_t B)
+{
+	return B == 0 ? 0xFFFFFFFFu : A / B;
+}
+DRYDOCK_LANES_INLINE int32_t Remainder(int32_t A, int32_t B)
+{
+	return B == 0 ? -1 : B == -1 ? 0 : A % B;
+}
+DRYDOCK_LANES_INLINE uint32_t Remainder(uint32_t A, uint32_t B)
+{
+	return B == 0 ? 0xFFFFFFFFu : A % B;
+}
+DRYDOCK_LANES_INLINE int32_t Modulo(int32_t A, int32_t B)
+{
+	const int32_t R = Remainder(A, B);
+	return B != 0 && R != 0 && (R < 0) != (B < 0) ? R + B : R;
+}
+DRYDOCK_LANES_INLINE uint32_t Modulo(uint32_t A, uint32_t B)
+{
+	return Remainder(A, B);
+}
+
+} // namespace Impl
+
+// One scalar after the other: no vector unit divides integers.
+#define DRYDOCK_LANES_DIVISION(Name, Function)                                                                         \
+	template <CScalar A, CScalar B>                                                                                    \
+	DRYDOCK_LANES_INLINE auto Name(A a, B b)                                                                           \
+	{                                                                                                                  \
+		using T = Meet<A, B>;                                                                                          \
+		if constexpr (CUniform<T>)                                                                                     \
+		{                                                                                                              \
+			return Impl::Function(T(a), T(b));                                                                         \
+		}                                                                                                              \
+		else                                                                                                           \
+		{                                                                                                              \
+			const T x = T(a);                                                                                          \
+			const T y = T(b);                                                                                          \
+			T Result;                                                                                                  \
+			for (int Lane = 0; Lane < int(sizeof(T) / 4); ++Lane)                                                      \
+			{                                                                                                          \
+				Result.V[Lane] = Impl::Function(x.V[Lane], y.V[Lane]);                                                 \
+			}                                                                                                          \
+			return Result;                                                                                             \
+		}                                                                                                              \
+	}                                                                                                                  \
+	template <typename A, typename B, int n>                                                                           \
+	DRYDOCK_LANES_INLINE auto Name(const TVec<A, n>& a, const TVec<B, n>& b)                                           \
+	{                                                                                                                  \
+		return Map([](const A& c, const B& d) { return Name(c, d); }, a, b);                                           \
+	}
+DRYDOCK_LANES_DIVISION(IntDivide, Divide)
+DRYDOCK_LANES_DIVISION(IntRemainder, Remainder)
+DRYDOCK_LANES_DIVISION(IntModulo, Modulo)
+#undef DRYDOCK_LANES_DIVISION
+
+DRYDOCK_LANES_BINARY(Add, x + y)
+DRYDOCK_LANES_BINARY(Subtract, x - y)
+DRYDOCK_LANES_BINARY(Multiply, x * y)
+DRYDOCK_LANES_UNARY(Negate, -x)
+
+// The count may be signed or unsigned, whatever the base is.
+#define DRYDOCK_LANES_SHIFT(Name, Operator)                                                                            \
+	template <CLanes T, CScalar C>                                                                                     \
+	DRYDOCK_LANES_INLINE T Name(T Base, C Count)                                                                       \
+	{                                                                                                                  \
+		using FCount = std::conditional_t<std::is_same_v<C, int32_t> || std::is_same_v<C, uint32_t>, T, C>;            \
+		using FRaw = decltype(Base.V);                                                                                 \
+		if constexpr (CUniform<C>)                                                                                     \
+		{                                                                                                              \
+			return T(FRaw(Base.V Operator int(Count & 31)));                                                           \
+		}                                                                                                              \
+		else                                                                                                           \
+		{                                                                                                              \
+			return T(FRaw(Base.V Operator(FRaw(FCount(Count).V) & 31)));                                               \
+		}                                                                                                              \
+	}                                                                                                                  \
+	template <CUniform T, CScalar C>                                                                                   \
+	DRYDOCK_LANES_INLINE auto Name(T Base, C Count)                                                                    \
+	{                                                                                                                  \
+		if constexpr (CUniform<C>)                                                                                     \
+		{                                                                                                              \
+			return First(Name(Widen(Base), Count));                                                                    \
+		}                                                                                                              \
+		else                                                                                                           \
+		{                                                                                                              \
+			return Name(Varying<int(sizeof(C) / 4), T>(Base), Count);                                                  \
+		}                                                                                                              \
+	}                                                                                                                  \
+	template <typename A, typename B, int n>                                                                           \
+	DRYDOCK_LANES_INLINE auto Name(const TVec<A, n>& a, const TVec<B, n>& b)                                           \
+	{                                                                                                                  \
+		return Map([](const A& c, const B& d) { return Name(c, d); }, a, b);                                           \
+	}
+DRYDOCK_LANES_SHIFT(ShiftLeft, <<)
+DRYDOCK_LANES_SHIFT(ShiftRight, >>) // arithmetic on int, logical on uint
+#undef DRYDOCK_LANES_SHIFT
+
+/** Count bits of Base from Offset; a uint is extended with zeros, an int with its top bit. Count 0 gives 0. */
+template <CScalar T, CScalar C>
+DRYDOCK_LANES_INLINE auto BitFieldExtract(T Base, C Offset, C Count)
+{
+	const auto Raised = ShiftLeft(Base, Subtract(Subtract(C(32), Count), Offset));
+	const auto Field = ShiftRight(Raised, Subtract(C(32), Count));
+	using R = std::remove_cvref_t<decltype(Field)>;
+	return Select(Count == C(0), R(0), Field);
+}
+
+/** Base with Count bits from Offset replaced by the low bits of Insert. */
+template <CScalar T, CScalar C>
+DRYDOCK_LANES_INLINE auto BitFieldInsert(T Base, T Inserted, C Offset, C Count)
+{
+	const auto Ones = ShiftLeft(ShiftRight(ToUint(Base) | ~ToUint(Base), Subtract(C(32), Count)), Offset);
+	const auto Zero = Ones ^ Ones;
+	const auto Bits = Select(Count == C(0), Zero, Ones);
+	const auto Result = (ToUint(Base) & ~Bits) | (ToUint(ShiftLeft(Inserted, Offset)) & Bits);
+	using FSource = decltype(ShiftLeft(Inserted, Offset));
+	if constexpr (std::is_same_v<decltype(AsUint(FSource{})), FSource>)
+	{
+		return Result;
+	}
+	else
+	{
+		return AsInt(Result);
+	}
+}
+
+} // namespace DRYDOCK_LANES_SET
+} // namespace Drydock::Lanes
