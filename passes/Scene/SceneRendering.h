@@ -1,0 +1,44 @@
+// The renderer's view: a view with its rect in the scene textures, its shader map and its uniform buffer.
+// Source: engine file SceneRendering.h (the part that post-processing reads).
+#pragma once
+
+#include "CoreMinimal.h"
+#include "SceneTextures.h"
+#include "SceneView.h"
+
+class FViewInfo : public FSceneView
+{
+public:
+	/** Pixels of the scene textures that this view covers. */
+	FIntRect ViewRect;
+	FGlobalShaderMap* ShaderMap = nullptr;
+
+	/** Scene colour is stored multiplied by this. Above 0 and finite. */
+	float PreExposure = 1.0f;
+
+	/** Compute entries in place of pixel shaders (r.PostProcessing.PreferCompute). */
+	bool bUseComputePasses = false;
+
+	/** Camera matrices and times to start InitViewUniformBuffer from; pipeline/ fills them, defaults are neutral. */
+	FViewUniformShaderParameters UniformParameters;
+
+	/** The scene textures of the frame in progress, or null. */
+	const FSceneTextures* SceneTextures = nullptr;
+
+	DRYDOCK_API FViewInfo();
+
+	/** A view of Rect with neutral camera, settings at their defaults and a built uniform buffer: all that a pass
+	 * needs. BufferExtent: extent of the scene textures, at least Rect.Max. */
+	DRYDOCK_API FViewInfo(
+		const FSceneViewFamily* InFamily, const FIntRect& Rect, FIntPoint BufferExtent, float InPreExposure = 1.0f);
+
+	/** Derives rects, sizes, exposure and samplers from this view's members and creates ViewUniformBuffer. Call it
+	 * after ViewRect, PreExposure and UniformParameters are final. */
+	DRYDOCK_API void InitViewUniformBuffer(FIntPoint BufferExtent);
+
+	const FSceneTextures& GetSceneTexturesChecked() const
+	{
+		check(SceneTextures);
+		return *SceneTextures;
+	}
+};

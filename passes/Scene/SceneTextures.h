@@ -1,0 +1,24 @@
+// The scene textures of one frame, as graph resources. A null one is absent. Source: engine file SceneTextures.h.
+#pragma once
+
+#include "CoreMinimal.h"
+#include "RenderGraphFwd.h"
+#include "SceneTexturesConfig.h"
+
+struct FSceneTextures
+{
+	FSceneTexturesConfig Config;
+
+	FRDGTextureRef Color = nullptr;
+	FRDGTextureRef Depth = nullptr; // reversed device depth: near 1, far 0
+	FRDGTextureRef Velocity = nullptr;
+	FRDGTextureRef GBufferA = nullptr;
+	FRDGTextureRef GBufferB = nullptr;
+	FRDGTextureRef GBufferC = nullptr;
+	FRDGTextureRef GBufferD = nullptr;
+	FRDGTextureRef GBufferE = nullptr;
+	FRDGTextureRef GBufferF = nullptr;
+	FRDGTextureRef ScreenSpaceAO = nullptr;
+	FRDGTextureRef CustomDepth = nullptr;
+	FRDGTextureSRVRef CustomStencil = nullptr;
+};

@@ -1,0 +1,153 @@
+// The view as passes and plugins see it: family, view, the renderer's view (FViewInfo in SceneRendering.h derives it)
+// and the View uniform buffer. Filled by pipeline/. Source: engine file SceneView.h (the part that post-processing
+// reads).
+#pragma once
+
+#include "CoreMinimal.h"
+#include "GlobalShader.h"
+#include "PostProcessSettings.h"
+#include "RHI.h"
+#include "ScreenPass.h"
+#include "ShaderParameterMacros.h"
+#include "ShowFlags.h"
+#include "UniformBuffer.h"
+
+class FSceneInterface;
+class FSceneView;
+class ISceneViewExtension;
+
+/** What shaders read as View.X. Lengths in centimetres, times in seconds, rects and extents in pixels. */
+BEGIN_GLOBAL_SHADER_PARAMETER_STRUCT(FViewUniformShaderParameters, DRYDOCK_API)
+	SHADER_PARAMETER(FMatrix44f, TranslatedWorldToClip)
+	SHADER_PARAMETER(FMatrix44f, TranslatedWorldToView)
+	SHADER_PARAMETER(FMatrix44f, ViewToTranslatedWorld)
+	SHADER_PARAMETER(FMatrix44f, ViewToClip)
+	SHADER_PARAMETER(FMatrix44f, ClipToView)
+	SHADER_PARAMETER(FMatrix44f, ClipToTranslatedWorld)
+	SHADER_PARAMETER(FMatrix44f, SVPositionToTranslatedWorld)
+	SHADER_PARAMETER(FMatrix44f, ScreenToWorld)
+	SHADER_PARAMETER(FMatrix44f, ScreenToTranslatedWorld)
+	SHADER_PARAMETER(FMatrix44f, ClipToPrevClip)
+	SHADER_PARAMETER(FVector3f, ViewForward)
+	SHADER_PARAMETER(FVector3f, ViewUp)
+	SHADER_PARAMETER(FVector3f, ViewRight)
+	SHADER_PARAMETER(FVector3f, WorldCameraOrigin)
+	SHADER_PARAMETER(FVector3f, TranslatedWorldCameraOrigin)
+	SHADER_PARAMETER(FVector3f, PreViewTranslation)
+	SHADER_PARAMETER(FVector4f, InvDeviceZToWorldZTransform)
+	SHADER_PARAMETER(FVector4f, ScreenPositionScaleBias)
+	SHADER_PARAMETER(FVector4f, ViewRectMin)		// xy min of the rect
+	SHADER_PARAMETER(FVector4f, ViewSizeAndInvSize) // xy size of the rect, zw inverse
+	SHADER_PARAMETER(FUintVector4, ViewRectMinAndSize)
+	SHADER_PARAMETER(FVector4f, BufferSizeAndInvSize)	// xy extent of the scene textures, zw inverse
+	SHADER_PARAMETER(FVector4f, BufferBilinearUVMinMax) // xy min, zw max: half a texel inside the rect
+	SHADER_PARAMETER(FVector4f, TemporalAAJitter)
+	SHADER_PARAMETER(FVector4f, FieldOfViewWideAngles)
+	SHADER_PARAMETER(float, PreExposure)
+	SHADER_PARAMETER(float, OneOverPreExposure)
+	SHADER_PARAMETER(float, NearPlane)
+	SHADER_PARAMETER(float, GameTime)
+	SHADER_PARAMETER(float, RealTime)
+	SHADER_PARAMETER(float, DeltaTime)
+	SHADER_PARAMETER(uint32, FrameNumber)
+	SHADER_PARAMETER(uint32, StateFrameIndex)
+	SHADER_PARAMETER(uint32, StateFrameIndexMod8)
+	SHADER_PARAMETER_SAMPLER(SamplerState, SharedPointWrappedSampler)
+	SHADER_PARAMETER_SAMPLER(SamplerState, SharedPointClampedSampler)
+	SHADER_PARAMETER_SAMPLER(SamplerState, SharedBilinearWrappedSampler)
+	SHADER_PARAMETER_SAMPLER(SamplerState, SharedBilinearClampedSampler)
+	SHADER_PARAMETER_SAMPLER(SamplerState, SharedTrilinearWrappedSampler)
+	SHADER_PARAMETER_SAMPLER(SamplerState, SharedTrilinearClampedSampler)
+END_GLOBAL_SHADER_PARAMETER_STRUCT()
+
+/** Time of a frame, in seconds. */
+struct FGameTime
+{
+	float RealTimeSeconds = 0.0f;
+	float WorldTimeSeconds = 0.0f;
+	float DeltaRealTimeSeconds = 0.0f;
+	float DeltaWorldTimeSeconds = 0.0f;
+
+	float GetRealTimeSeconds() const { return RealTimeSeconds; }
+	float GetWorldTimeSeconds() const { return WorldTimeSeconds; }
+	float GetDeltaRealTimeSeconds() const { return DeltaRealTimeSeconds; }
+	float GetDeltaWorldTimeSeconds() const { return DeltaWorldTimeSeconds; }
+};
+
+/** What persists of a view from frame to frame; pipeline/ derives it. */
+class FSceneViewStateInterface
+{
+public:
+	virtual ~FSceneViewStateInterface() = default;
+
+	virtual uint32 GetViewKey() const = 0;
+};
+
+/** Views that are rendered together. */
+class FSceneViewFamily
+{
+public:
+	/** Not owned. */
+	TArray<const FSceneView*> Views;
+	FEngineShowFlags EngineShowFlags;
+	FSceneInterface* Scene = nullptr;
+	FGameTime Time;
+	uint32 FrameNumber = 0;
+	uint64 FrameCounter = 0;
+	bool bIsHDR = false;
+	bool bIsMainViewFamily = true;
+	bool bResolveScene = true;
+	/** Active extensions in calling order. */
+	TArray<TSharedRef<ISceneViewExtension, ESPMode::ThreadSafe>> ViewExtensions;
+	float SecondaryViewFraction = 1.0f;
+
+	ERHIFeatureLevel::Type GetFeatureLevel() const { return GMaxRHIFeatureLevel; }
+	EShaderPlatform GetShaderPlatform() const { return GMaxRHIShaderPlatform; }
+};
+
+enum EAntiAliasingMethod : int32
+{
+	AAM_None = 0,
+	AAM_FXAA = 1,
+	AAM_TemporalAA = 2,
+	AAM_MSAA = 3,
+	AAM_TSR = 4,
+	AAM_MAX = 5,
+};
+
+/** One camera's picture of the scene. */
+class FSceneView
+{
+public:
+	const FSceneViewFamily* Family = nullptr;
+	FSceneViewStateInterface* State = nullptr;
+
+	/** Final settings after defaults, volumes, camera and clamps. */
+	FFinalPostProcessSettings FinalPostProcessSettings;
+
+	/** Null until the renderer has set the view up (FViewInfo::InitViewUniformBuffer). */
+	TUniformBufferRef<FViewUniformShaderParameters> ViewUniformBuffer;
+
+	/** Rects in pixels of the family's output, before the screen percentage. */
+	FIntRect UnconstrainedViewRect;
+	FIntRect UnscaledViewRect;
+
+	FVector ViewLocation = FVector(0.0, 0.0, 0.0);
+	EAntiAliasingMethod AntiAliasingMethod = AAM_None;
+	ERHIFeatureLevel::Type FeatureLevel = GMaxRHIFeatureLevel;
+
+	bool bIsViewInfo = false;
+	bool bIsGameView = true;
+	bool bIsSceneCapture = false;
+	bool bIsReflectionCapture = false;
+	bool bIsPlanarReflection = false;
+	bool bCameraCut = false;
+
+	virtual ~FSceneView() = default;
+
+	ERHIFeatureLevel::Type GetFeatureLevel() const { return FeatureLevel; }
+	EShaderPlatform GetShaderPlatform() const { return GMaxRHIShaderPlatform; }
+
+	/** Views after the first of a family must keep what those before them drew. */
+	DRYDOCK_API ERenderTargetLoadAction GetOverwriteLoadAction() const;
+};
