@@ -1,0 +1,31 @@
+// Runs a program to its end: argument vector, no shell, time limit. Source: drydock, on POSIX.
+#pragma once
+
+#include "DrydockAPI.h"
+
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+struct FChildResult
+{
+	bool bStarted = false;
+	bool bTimedOut = false;
+	int Signal = 0;   // that ended it, 0: none
+	int ExitCode = 0; // where it ended by itself
+	std::string Output; // stdout and stderr together, at most a megabyte
+
+	bool Succeeded() const { return bStarted && !bTimedOut && Signal == 0 && ExitCode == 0; }
+	/** "ended with exit code 2", "was ended by signal 11", "took longer than 60 s". */
+	std::string Describe(int TimeLimitSeconds) const;
+};
+
+/** Arguments[0] is the program, searched in PATH. The child and all it starts are killed when the time is over. */
+DRYDOCK_API FChildResult RunChild(const std::vector<std::string>& Arguments, int TimeLimitSeconds);
+
+/** Full path of an executable: Name itself when it has a slash, else searched in PATH; empty when there is none. */
+DRYDOCK_API std::string FindProgram(const std::string& Name);
+
+} // namespace Drydock

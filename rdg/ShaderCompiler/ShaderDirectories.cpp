@@ -1,0 +1,114 @@
+// Virtual shader directories ("/Engine", "/Project") and where they lie on disk. Source: drydock.
+#include "ShaderCompiler.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <mutex>
+
+namespace Drydock
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+struct FMapping
+{
+	std::string Virtual; // no slash at the end
+	std::string Real;
+};
+
+struct FMappings
+{
+	std::mutex Mutex;
+	std::vector<FMapping> List;
+};
+
+FMappings& GetMappings()
+{
+	static FMappings Mappings;
+	return Mappings;
+}
+
+bool EqualsIgnoringCase(const std::string& A, const std::string& B)
+{
+	return std::equal(A.begin(), A.end(), B.begin(), B.end(), [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); });
+}
+
+/** Shaders written on Windows name files in any case: what is not found as written is looked up by folder listing. */
+std::string FindIgnoringCase(const fs::path& Root, const fs::path& Relative)
+{
+	fs::path Found = Root;
+	for (const fs::path& Part : Relative)
+	{
+		std::error_code Error;
+		if (fs::exists(Found / Part, Error))
+		{
+			Found /= Part;
+			continue;
+		}
+		std::string Match;
+		for (fs::directory_iterator It(Found, Error), End; !Error && It != End; It.increment(Error))
+		{
+			const std::string Name = It->path().filename().string();
+			if (EqualsIgnoringCase(Name, Part.string()) && (Match.empty() || Name < Match))
+			{
+				Match = Name;
+			}
+		}
+		if (Match.empty())
+		{
+			return {};
+		}
+		Found /= Match;
+	}
+	std::error_code Error;
+	return fs::is_regular_file(Found, Error) ? Found.string() : std::string();
+}
+
+} // namespace
+
+void AddShaderDirectory(const std::string& VirtualDirectory, const std::string& RealDirectory)
+{
+	FMapping Mapping{VirtualDirectory, RealDirectory};
+	while (!Mapping.Virtual.empty() && Mapping.Virtual.back() == '/')
+	{
+		Mapping.Virtual.pop_back();
+	}
+	FMappings& Mappings = GetMappings();
+	const std::lock_guard Lock(Mappings.Mutex);
+	Mappings.List.push_back(std::move(Mapping));
+}
+
+std::string FindShaderFile(const std::string& VirtualPath)
+{
+	std::vector<FMapping> Fitting;
+	{
+		FMappings& Mappings = GetMappings();
+		const std::lock_guard Lock(Mappings.Mutex);
+		for (const FMapping& Mapping : Mappings.List)
+		{
+			const std::string Prefix = Mapping.Virtual + "/";
+			if (VirtualPath.size() > Prefix.size() && EqualsIgnoringCase(VirtualPath.substr(0, Prefix.size()), Prefix))
+			{
+				Fitting.push_back(Mapping);
+			}
+		}
+	}
+	// The longest prefix wins ("/Engine/Generated" before "/Engine"), then the latest mapping; the others stand behind it.
+	std::reverse(Fitting.begin(), Fitting.end());
+	std::stable_sort(Fitting.begin(), Fitting.end(), [](const FMapping& A, const FMapping& B) { return A.Virtual.size() > B.Virtual.size(); });
+	for (const FMapping& Mapping : Fitting)
+	{
+		const std::string Found = FindIgnoringCase(Mapping.Real, VirtualPath.substr(Mapping.Virtual.size() + 1));
+		if (!Found.empty())
+		{
+			return Found;
+		}
+	}
+	return {};
+}
+
+} // namespace Drydock

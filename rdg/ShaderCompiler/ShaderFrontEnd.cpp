@@ -1,0 +1,162 @@
+// Source: drydock; options of glslangValidator 12.
+#include "ShaderFrontEnd.h"
+
+#include "ChildProcess.h"
+#include "TemporaryFolder.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+namespace Drydock
+{
+
+namespace
+{
+
+constexpr int TimeLimitSeconds = 60;
+
+bool StartsWith(const std::string& Text, const char* Prefix)
+{
+	return Text.rfind(Prefix, 0) == 0;
+}
+
+/** "/X.usf:12: text" or "/X.usf(12): text" -> file, line and text; false when there is no such head. */
+bool SplitPosition(const std::string& Text, std::string& File, int& Line, std::string& Rest)
+{
+	for (size_t i = 1; i + 1 < Text.size(); ++i)
+	{
+		if ((Text[i] != ':' && Text[i] != '(') || !isdigit(static_cast<unsigned char>(Text[i + 1])))
+		{
+			continue;
+		}
+		char* End = nullptr;
+		const long Number = std::strtol(Text.c_str() + i + 1, &End, 10);
+		const char* const Close = Text[i] == ':' ? ": " : "): ";
+		if (std::strncmp(End, Close, std::strlen(Close)) == 0)
+		{
+			File = Text.substr(0, i);
+			Line = int(Number);
+			Rest = End + std::strlen(Close);
+			return true;
+		}
+	}
+	return false;
+}
+
+std::string Trim(const std::string& Text)
+{
+	const size_t Begin = Text.find_first_not_of(" \t\r");
+	return Begin == std::string::npos ? std::string() : Text.substr(Begin, Text.find_last_not_of(" \t\r") - Begin + 1);
+}
+
+/** What the author meant, where glslang's words do not say it. */
+std::string Explain(const std::string& Message, const FShaderCompileRequest& Request)
+{
+	// 'View_Foo' : unknown variable  ->  the uniform buffer's member as it was written
+	if (Message[0] == '\'' && Message.find("unknown variable") != std::string::npos)
+	{
+		const std::string Name = Message.substr(1, Message.find('\'', 1) - 1);
+		for (const auto& [Buffer, Members] : Request.UniformBuffers)
+		{
+			if (StartsWith(Name, (Buffer + "_").c_str()))
+			{
+				const std::string Member = Name.substr(Buffer.size() + 1);
+				const std::string Nearest = FindNearestName(Member, Members);
+				return "uniform buffer '" + Buffer + "' has no member '" + Member + "'"
+					+ (Nearest.empty() ? std::string() : "; did you mean " + Nearest + "?");
+			}
+		}
+	}
+	if (Message.find("partial image updates") != std::string::npos)
+	{
+		return Message + "; write the whole texel (Out[p] = float4(...)) instead of one component";
+	}
+	return Message;
+}
+
+} // namespace
+
+std::vector<FDiagnostic> ParseFrontEndMessages(const std::string& Output, const FShaderCompileRequest& Request)
+{
+	std::vector<FDiagnostic> Errors;
+	std::istringstream Lines(Output);
+	std::string Text;
+	bool bEntryPointMissing = false;
+	while (std::getline(Lines, Text))
+	{
+		Text = Trim(Text);
+		bEntryPointMissing = bEntryPointMissing || Text.find("Entry point not found") != std::string::npos;
+		const bool bError = StartsWith(Text, "ERROR: ");
+		std::string File;
+		std::string Message;
+		int Line = 0;
+		const bool bPositioned = SplitPosition(bError ? Text.substr(7) : Text, File, Line, Message);
+		const size_t Column = Message.rfind("error at column ", 0) == 0 ? std::strlen("error at column ") : 0;
+		if (!bError && bPositioned && Column)
+		{
+			// The parser's last words repeat the last error with its column.
+			const bool bKnown = !Errors.empty() && Errors.back().File == File && Errors.back().Line == Line;
+			if (!bKnown)
+			{
+				Errors.push_back({ESeverity::Error, 6010, "syntax error", File, Line, 0, {}});
+			}
+			Errors.back().Column = std::atoi(Message.c_str() + Column);
+		}
+		else if (bError && bPositioned)
+		{
+			const FDiagnostic Found{ESeverity::Error, 6010, Explain(Trim(Message), Request), File, Line, 0, {}};
+			const bool bRepeated = !Errors.empty() && Errors.back().Message == Found.Message && Errors.back().Line == Line;
+			if (!bRepeated)
+			{
+				Errors.push_back(Found);
+			}
+		}
+		else if (bError && Text.find("compilation errors") == std::string::npos)
+		{
+			Errors.push_back({ESeverity::Error, 6010, Trim(Text.substr(7)), Request.VirtualPath, 0, 0, {}});
+		}
+	}
+	if (Errors.empty() && bEntryPointMissing)
+	{
+		Errors.push_back({ESeverity::Error, 6011, "entry point '" + Request.EntryPoint + "' does not exist in this shader", Request.VirtualPath, 0, 0, {}});
+	}
+	return Errors;
+}
+
+std::vector<uint32_t> CompileToSpirv(const FShaderSource& Source, const FShaderCompileRequest& Request)
+{
+	const char* const Chosen = std::getenv("DRYDOCK_GLSLANG");
+	const std::string Program = FindProgram(Chosen && *Chosen ? Chosen : "glslangValidator");
+	if (Program.empty())
+	{
+		throw FError({ESeverity::Error, 6012, "cannot compile '" + Request.EntryPoint + "': glslangValidator was not found; install the package glslang-tools", Request.VirtualPath, 0, 0, {}}, ExitUsage);
+	}
+	const FTemporaryFolder Folder;
+	const std::string Input = Folder.Path + "/shader.hlsl";
+	const std::string Output = Folder.Path + "/shader.spv";
+	std::ofstream(Input, std::ios::binary) << Source.Text;
+	// --nan-clamp: min, max and clamp by D3D's NaN rules. hlsl_functionality1: semantics of inputs are kept.
+	const FChildResult Child = RunChild({Program, "-D", "-V", "-g", "--hlsl-offsets", "--nan-clamp", "-fhlsl_functionality1",
+			"--auto-map-bindings", "--auto-map-locations", "-S", Request.Stage == EShaderStage::Pixel ? "frag" : "comp",
+			"-e", Request.EntryPoint, "-o", Output, Input}, TimeLimitSeconds);
+
+	std::vector<FDiagnostic> Errors = ParseFrontEndMessages(Child.Output, Request);
+	if (Errors.empty() && !Child.Succeeded())
+	{
+		Errors.push_back({ESeverity::Error, 6012, "glslangValidator " + Child.Describe(TimeLimitSeconds) + " on '" + Request.EntryPoint + "'", Request.VirtualPath, 0, 0, {}});
+	}
+	if (!Errors.empty())
+	{
+		throw FError(std::move(Errors), ExitUsage);
+	}
+	std::ifstream Stream(Output, std::ios::binary);
+	const std::string Bytes((std::istreambuf_iterator<char>(Stream)), {});
+	std::vector<uint32_t> Words(Bytes.size() / 4);
+	std::memcpy(Words.data(), Bytes.data(), Words.size() * 4);
+	return Words;
+}
+
+} // namespace Drydock
