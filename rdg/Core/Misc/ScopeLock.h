@@ -1,0 +1,32 @@
+// FScopeLock: holds a critical section for a scope. Source: engine Misc/ScopeLock.h.
+#pragma once
+
+#include "HAL/CriticalSection.h"
+#include "Misc/AssertionMacros.h"
+
+class FScopeLock
+{
+public:
+	explicit FScopeLock(FCriticalSection* InSection)
+		: Section(InSection)
+	{
+		check(Section != nullptr);
+		Section->Lock();
+	}
+	~FScopeLock() { Unlock(); }
+	FScopeLock(const FScopeLock&) = delete;
+	FScopeLock& operator=(const FScopeLock&) = delete;
+
+	/** Before the end of the scope. */
+	void Unlock()
+	{
+		if (Section != nullptr)
+		{
+			Section->Unlock();
+			Section = nullptr;
+		}
+	}
+
+private:
+	FCriticalSection* Section;
+};
