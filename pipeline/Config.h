@@ -1,0 +1,143 @@
+// A run's configuration as plain data, with the place of every value in its file. Source: drydock (design of the format:
+// configs/README.md; keys: ConfigKeys.cpp).
+#pragma once
+
+#include "Diagnostics.h"
+#include "PostProcessSettings.h"
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+/** Where a value stands; line 0: it does not, it is a default. */
+struct FConfigPlace
+{
+	int Line = 0;
+	int Column = 0;
+	std::string Pointer;
+};
+
+template <typename T>
+struct TConfigValue
+{
+	T Value{};
+	FConfigPlace Place;
+
+	bool IsSet() const { return Place.Line > 0; }
+};
+
+using FConfigVector = std::array<double, 3>;
+
+/** Settings of a volume or camera: values with their override bits, and where each one is named. */
+struct FConfigSettings
+{
+	FPostProcessSettings Settings;
+	std::map<std::string, FConfigPlace> Places; // of every setting named, inert ones too
+};
+
+struct FConfigScene
+{
+	TConfigValue<std::string> File; // as written; see FConfig::Resolve
+	std::map<std::string, TConfigValue<std::string>> Channels;
+	std::map<std::string, TConfigValue<double>> Defaults;
+};
+
+struct FConfigView
+{
+	TConfigValue<FConfigVector> Location; // cm
+	TConfigValue<std::array<int, 4>> Rect; // MinX, MinY, MaxX, MaxY
+	TConfigValue<double> Exposure{1.0, {}};
+	TConfigValue<double> PreExposure{1.0, {}};
+};
+
+enum class EConfigShape
+{
+	Box,
+	Sphere,
+	Capsule,
+	Convex,
+};
+
+/** Lengths in cm, rotation pitch, yaw, roll in degrees. */
+struct FConfigBounds
+{
+	EConfigShape Shape = EConfigShape::Box;
+	FConfigVector Center = {};
+	FConfigVector Extent = {}; // box: half sizes
+	FConfigVector Rotation = {};
+	double Radius = 0.0;
+	double HalfHeight = 0.0;
+	std::vector<FConfigVector> Points;
+};
+
+struct FConfigVolume
+{
+	std::string Name;
+	bool bEnabled = true;
+	bool bUnbound = false;
+	std::optional<FConfigBounds> Bounds;
+	double Priority = 0.0;
+	double BlendRadius = 100.0;
+	double BlendWeight = 1.0;
+	FConfigSettings Settings;
+	FConfigPlace Place;
+};
+
+struct FConfigCamera
+{
+	double PostProcessBlendWeight = 1.0;
+	FConfigSettings Settings;
+};
+
+struct FConfigVariable
+{
+	std::string Name;
+	std::string Value;
+	FConfigPlace Place;
+};
+
+struct FConfigShowFlag
+{
+	std::string Name;
+	bool bValue = true;
+	FConfigPlace Place;
+};
+
+struct FConfig
+{
+	std::string File; // as given on the command line
+	TConfigValue<std::string> Engine{"5.4", {}};
+	FConfigScene Scene;
+	FConfigView View;
+	std::vector<FConfigVolume> Volumes; // in the order of the file
+	FConfigCamera Camera;
+	FConfigSettings CommandLine; // --pp: after everything else, at full weight
+	std::vector<FConfigVariable> Variables;
+	std::vector<FConfigShowFlag> ShowFlags;
+	std::vector<TConfigValue<std::string>> Dump;
+
+	/** A path of the config, relative to the config's own folder, as one relative to the working folder. */
+	DRYDOCK_API std::string Resolve(const std::string& Path) const;
+};
+
+/** Reads Text; File names it in messages and is what relative paths are relative to. Every mistake that can be found is
+ *  appended to Diagnostics, in the order of the file; where one is an error the result is not to be run. */
+DRYDOCK_API FConfig ReadConfig(const std::string& Text, const std::string& File, std::vector<FDiagnostic>& Diagnostics);
+
+/** Reads a file. Throws FError (exit code 3) when it cannot be opened. */
+DRYDOCK_API FConfig LoadConfig(const std::string& File, std::vector<FDiagnostic>& Diagnostics);
+
+/** Adds `Setting=Value` of the command line. */
+DRYDOCK_API void AddSettingArgument(FConfig& Config, const std::string& Argument, std::vector<FDiagnostic>& Diagnostics);
+
+/** Adds `r.Name=Value` of the command line, which beats the config's. */
+DRYDOCK_API void AddVariableArgument(FConfig& Config, const std::string& Argument, std::vector<FDiagnostic>& Diagnostics);
+
+DRYDOCK_API bool HasErrors(const std::vector<FDiagnostic>& Diagnostics);
+
+} // namespace Drydock

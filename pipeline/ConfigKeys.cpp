@@ -1,0 +1,124 @@
+// Source: drydock (docs: configs/README.md).
+#include "ConfigKeys.h"
+
+#include <algorithm>
+
+namespace Drydock
+{
+
+const std::vector<FConfigKey>& GetConfigKeys()
+{
+	using enum EConfigKind;
+	constexpr bool Required = true;
+	constexpr bool Optional = false;
+	constexpr bool Built = true;
+	constexpr bool Later = false;
+	static const std::vector<FConfigKey> Keys = {
+		{"", "$schema", String, "", 0, Optional, Built, "Path of this schema: gives completion in editors."},
+		{"", "engine", String, "5.3|5.4|5.5|5.6", 0, Optional, Built, "Engine version whose behaviour holds; 5.4 by default."},
+		{"", "plugins", StringArray, "", 0, Optional, Later, "Shared objects to load, relative to the config."},
+		{"", "scene", Object, "scene", 0, Optional, Built, "The rendered frame that goes in; needed by all that builds a frame."},
+		{"", "view", Object, "view", 0, Optional, Built, "The camera; without it the scene file's own."},
+		{"", "views", ObjectArray, "view", 0, Optional, Later, "Several cameras in one frame."},
+		{"", "volumes", ObjectArray, "volume=fromScene", 0, Optional, Built, "Post-process volumes, or \"fromScene\": those that the scene file suggests."},
+		{"", "camera", Object, "camera", 0, Optional, Built, "The camera's own settings, blended after all volumes."},
+		{"", "cvars", Variables, "", 0, Optional, Built, "Console variables by name."},
+		{"", "showFlags", ShowFlags, "", 0, Optional, Built, "Show flags by name."},
+		{"", "extensions", ObjectArray, "extension", 0, Optional, Later, "View extensions, in order of registration."},
+		{"", "passes", ObjectArray, "pass", 0, Optional, Later, "Passes inserted into the chain."},
+		{"", "outputs", Object, "outputs", 0, Optional, Built, "What is written beside the final picture."},
+		{"", "budget", Object, "budget", 0, Optional, Later, "The error or time that an approximation may cost."},
+		{"", "study", Object, "study", 0, Optional, Later, "What a study of accuracy against time varies."},
+
+		{"scene", "file", String, "", 0, Required, Built, "Multi-layer EXR, or an RGB image (EXR, HDR, PNG), relative to the config."},
+		{"scene", "channels", StringMap, "", 0, Optional, Built, "Channel names of this file: {\"depth.Z\": \"Depth.V\"} reads depth.Z from Depth.V."},
+		{"scene", "defaults", NumberMap, "", 0, Optional, Built, "Values for channels that the file lacks: {\"A\": 1}."},
+		{"scene", "padding", NumberArray, "", 4, Optional, Later, "Texels added around the picture: left, top, right, bottom."},
+		{"scene", "units", Object, "units", 0, Optional, Later, "Units of the file, where they are not those of configs/scenes/README.md."},
+		{"scene", "screenPercentage", Number, "", 0, Optional, Built, "Rendered size in percent of the output's; 100 by default."},
+
+		{"units", "depth", String, "m|cm", 0, Optional, Later, "Of depth.Z; m by default."},
+		{"units", "velocity", String, "pixels|ndc", 0, Optional, Later, "Of velocity.X and Y; pixels (y down) by default."},
+		{"units", "normal", String, "rightHanded|leftHanded", 0, Optional, Later, "Of normal.X, Y, Z; rightHanded by default."},
+
+		{"view", "location", Vector3, "", 0, Optional, Built, "Camera position, cm, left-handed, Z up."},
+		{"view", "rotation", Vector3, "", 0, Optional, Later, "Pitch, yaw, roll in degrees."},
+		{"view", "fov", Number, "", 0, Optional, Later, "Horizontal field of view in degrees."},
+		{"view", "rect", NumberArray, "", 4, Optional, Built, "MinX, MinY, MaxX, MaxY in pixels of the scene; all of it by default."},
+		{"view", "exposure", Number, "=auto", 0, Optional, Built, "Exposure scale at default AutoExposureBias; 1 by default. \"auto\": eye adaptation."},
+		{"view", "preExposure", Number, "", 0, Optional, Built, "Scene colour is stored multiplied by this; 1 by default."},
+
+		{"volume", "name", String, "", 0, Optional, Built, "For messages and reports."},
+		{"volume", "bEnabled", Bool, "", 0, Optional, Built, "true by default."},
+		{"volume", "bUnbound", Bool, "", 0, Optional, Built, "Applies everywhere; false by default."},
+		{"volume", "bounds", Object, "bounds", 0, Optional, Built, "Where a bounded volume is."},
+		{"volume", "Priority", Number, "", 0, Optional, Built, "Higher is applied later and wins; 0 by default."},
+		{"volume", "BlendRadius", Number, "", 0, Optional, Built, "Distance around the bounds over which the weight falls to 0, cm; 100 by default."},
+		{"volume", "BlendWeight", Number, "", 0, Optional, Built, "0 to 1; 1 by default."},
+		{"volume", "Settings", Settings, "", 0, Optional, Built, "Naming a setting sets its override bit."},
+
+		{"bounds", "type", String, "box|sphere|capsule|convex", 0, Optional, Built, "box by default."},
+		{"bounds", "min", Vector3, "", 0, Optional, Built, "Box: least corner, cm."},
+		{"bounds", "max", Vector3, "", 0, Optional, Built, "Box: greatest corner, cm."},
+		{"bounds", "center", Vector3, "", 0, Optional, Built, "Box, sphere, capsule: centre, cm."},
+		{"bounds", "extent", Vector3, "", 0, Optional, Built, "Box: half sizes, cm."},
+		{"bounds", "rotation", Vector3, "", 0, Optional, Built, "Box, capsule: pitch, yaw, roll in degrees."},
+		{"bounds", "radius", Number, "", 0, Optional, Built, "Sphere, capsule: radius, cm."},
+		{"bounds", "halfHeight", Number, "", 0, Optional, Built, "Capsule: half height, caps included, cm."},
+		{"bounds", "points", Vector3Array, "", 0, Optional, Built, "Convex: points whose hull it is, cm."},
+
+		{"camera", "PostProcessBlendWeight", Number, "", 0, Optional, Built, "0 to 1; 1 by default."},
+		{"camera", "Settings", Settings, "", 0, Optional, Built, "Naming a setting sets its override bit."},
+
+		{"extension", "type", String, "", 0, Required, Later, "Name of the extension."},
+		{"extension", "pass", String, "", 0, Optional, Later, "After which pass it is called."},
+		{"extension", "*", Anything, "", 0, Optional, Later, "The extension's own parameters."},
+
+		{"pass", "type", String, "", 0, Required, Later, "Name of the pass."},
+		{"pass", "at", String, "", 0, Required, Later, "Hook at which it is inserted."},
+		{"pass", "inputs", StringMap, "", 0, Optional, Later, "Resource for each parameter."},
+		{"pass", "parameters", Object, "parameters", 0, Optional, Later, "Values for its parameters."},
+		{"parameters", "*", Anything, "", 0, Optional, Later, "A number, an array of numbers, a text or true or false."},
+
+		{"outputs", "dump", StringArray, "", 0, Optional, Built, "Patterns with * and ?: a pass, a resource, or Pass.Resource."},
+
+		{"budget", "metric", String, "", 0, Optional, Later, "Error metric that max refers to."},
+		{"budget", "max", Number, "", 0, Optional, Later, "Largest error allowed."},
+		{"budget", "ms", Number, "", 0, Optional, Later, "Longest time allowed, in milliseconds."},
+
+		{"study", "axes", ObjectArray, "axis", 0, Optional, Later, "What is varied."},
+		{"study", "reference", String, "", 0, Optional, Later, "What errors are measured against."},
+		{"study", "metrics", StringArray, "", 0, Optional, Later, "Error metrics."},
+		{"study", "repetitions", Number, "", 0, Optional, Later, "Runs per variant."},
+		{"study", "region", NumberArray, "", 4, Optional, Later, "MinX, MinY, MaxX, MaxY: where errors are measured."},
+		{"axis", "name", String, "", 0, Required, Later, "A setting, a console variable, precision or storage."},
+		{"axis", "values", Anything, "", 0, Required, Later, "The values it takes."},
+	};
+	return Keys;
+}
+
+const FConfigKey* FindConfigKey(const std::string& Object, const std::string& Name)
+{
+	const std::vector<FConfigKey>& Keys = GetConfigKeys();
+	const auto Find = [&](const std::string& Wanted)
+	{
+		const auto Found = std::find_if(Keys.begin(), Keys.end(), [&](const FConfigKey& Key) { return Object == Key.Object && Wanted == Key.Name; });
+		return Found == Keys.end() ? nullptr : &*Found;
+	};
+	const FConfigKey* Exact = Find(Name);
+	return Exact != nullptr ? Exact : Find("*");
+}
+
+std::vector<std::string> SplitAlternatives(const std::string& Text)
+{
+	std::vector<std::string> Parts;
+	for (size_t Begin = 0; Begin < Text.size();)
+	{
+		const size_t Bar = std::min(Text.find('|', Begin), Text.size());
+		Parts.push_back(Text.substr(Begin, Bar - Begin));
+		Begin = Bar + 1;
+	}
+	return Parts;
+}
+
+} // namespace Drydock

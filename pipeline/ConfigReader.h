@@ -1,0 +1,63 @@
+// The steps of reading a config, between Config.cpp and its helpers. Source: drydock.
+#pragma once
+
+#include "Config.h"
+#include "ConfigErrors.h"
+#include "Json.h"
+
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+/** Collects messages about one file. */
+class FConfigMessages
+{
+public:
+	FConfigMessages(const std::string& InFile, std::vector<FDiagnostic>& InDiagnostics)
+		: File(InFile)
+		, Diagnostics(InDiagnostics)
+	{
+	}
+
+	/** At a value. */
+	void Error(EConfigError Code, const FJsonValue& At, const std::string& Message) { Add(ESeverity::Error, Code, At.Line, At.Column, At.Pointer, Message); }
+	void Warn(EConfigError Code, const FJsonValue& At, const std::string& Message) { Add(ESeverity::Warning, Code, At.Line, At.Column, At.Pointer, Message); }
+	/** At the key of a member. */
+	void ErrorAtKey(EConfigError Code, const FJsonValue& At, const std::string& Message) { Add(ESeverity::Error, Code, At.KeyLine, At.KeyColumn, At.Pointer, Message); }
+	void WarnAtKey(EConfigError Code, const FJsonValue& At, const std::string& Message) { Add(ESeverity::Warning, Code, At.KeyLine, At.KeyColumn, At.Pointer, Message); }
+	void Warn(EConfigError Code, const FConfigPlace& At, const std::string& Message) { Add(ESeverity::Warning, Code, At.Line, At.Column, At.Pointer, Message); }
+	void Error(EConfigError Code, const FConfigPlace& At, const std::string& Message) { Add(ESeverity::Error, Code, At.Line, At.Column, At.Pointer, Message); }
+
+private:
+	void Add(ESeverity Severity, EConfigError Code, int Line, int Column, const std::string& Pointer, const std::string& Message);
+
+	const std::string& File;
+	std::vector<FDiagnostic>& Diagnostics;
+};
+
+/** Checks keys and types of a whole config against the list of keys, and says what is not built yet. */
+void ValidateConfigShape(const FJsonValue& Root, FConfigMessages& Messages);
+
+/** The Settings of a volume or camera. Not an object: nothing (that has been reported). */
+FConfigSettings ReadConfigSettings(const FJsonValue& Value, FConfigMessages& Messages);
+
+/** The shape of a bounded volume; empty when it is incomplete, which is reported. */
+std::optional<FConfigBounds> ReadConfigBounds(const FJsonValue& Value, FConfigMessages& Messages);
+
+/** [x, y, z] or {X, Y, Z}; false when it is neither. */
+bool ReadConfigVector(const FJsonValue& Value, FConfigVector& OutVector);
+
+/** "; did you mean X?", or nothing. */
+std::string Suggest(const std::string& Name, const std::vector<std::string>& Candidates);
+
+FConfigPlace PlaceOf(const FJsonValue& Value);
+
+/** Whether a setting acts in this build; else the reason why not, for the message. */
+std::string GetSettingNotBuiltReason(const std::string& Name);
+
+/** Reports an unknown variable, or a value that the variable cannot take. */
+void CheckVariable(const FConfigVariable& Variable, FConfigMessages& Messages);
+
+} // namespace Drydock

@@ -1,0 +1,221 @@
+// The "Settings" object of volumes and camera. Source: drydock; the meaning of override bits is the engine's.
+#include "ConfigReader.h"
+
+#include "PostProcessSettingsReflection.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Drydock
+{
+
+namespace
+{
+
+const std::string OverridePrefix = "bOverride_";
+
+std::string ExpectedText(const FSettingField& Field)
+{
+	switch (Field.Type)
+	{
+	case ESettingType::Bool: return "true or false";
+	case ESettingType::Int: return "a whole number";
+	case ESettingType::Float: return "a number";
+	case ESettingType::Color: return "a colour: [R, G, B], [R, G, B, A] or {\"R\": .., \"G\": .., \"B\": .., \"A\": ..}";
+	case ESettingType::Vector2: return "two numbers: [X, Y] or {\"X\": .., \"Y\": ..}";
+	case ESettingType::Vector4: return "four numbers: [X, Y, Z, W] or {\"X\": .., \"Y\": .., \"Z\": .., \"W\": ..}";
+	case ESettingType::Enum: break;
+	}
+	std::string Text = "one of";
+	for (const char* Name : Field.EnumNames)
+	{
+		Text += std::string(Text.size() > 6 ? ", " : " ") + Name;
+	}
+	return Text;
+}
+
+/** Components of a colour or vector, alpha 1 where it is omitted; false when Value is neither array nor object of them. */
+bool ReadComponents(const FSettingField& Field, const FJsonValue& Value, FSettingValue& OutValue)
+{
+	const char* const Names = Field.Type == ESettingType::Color ? "RGBA" : "XYZW";
+	const size_t NumComponents = static_cast<size_t>(Field.GetNumComponents());
+	const size_t NumGiven = Value.Type == EJsonType::Array ? Value.Elements.size() : Value.Members.size();
+	const bool bAlphaOmitted = Field.Type == ESettingType::Color && NumGiven == 3;
+	if (NumGiven != NumComponents && !bAlphaOmitted)
+	{
+		return false;
+	}
+	OutValue.Components[3] = bAlphaOmitted ? 1.0 : 0.0;
+	for (size_t Index = 0; Index < NumGiven; ++Index)
+	{
+		const FJsonValue* Component = Value.Type == EJsonType::Array ? &Value.Elements[Index] : Value.Find(std::string(1, Names[Index]));
+		if (Component == nullptr || Component->Type != EJsonType::Number)
+		{
+			return false;
+		}
+		OutValue.Components[Index] = Component->Number;
+	}
+	return true;
+}
+
+bool ReadSettingValue(const FSettingField& Field, const FJsonValue& Value, FSettingValue& OutValue)
+{
+	OutValue.Type = Field.Type;
+	switch (Field.Type)
+	{
+	case ESettingType::Bool:
+		OutValue.Components[0] = Value.Bool ? 1.0 : 0.0;
+		return Value.Type == EJsonType::Bool;
+	case ESettingType::Float:
+		OutValue.Components[0] = Value.Number;
+		return Value.Type == EJsonType::Number;
+	case ESettingType::Int:
+		OutValue.Components[0] = Value.Number;
+		return Value.Type == EJsonType::Number && Value.Number == std::floor(Value.Number) && std::fabs(Value.Number) < 2147483648.0;
+	case ESettingType::Enum:
+	{
+		std::string Unused;
+		return (Value.Type == EJsonType::String && SettingFromText(Field, Value.String, OutValue, Unused))
+			|| (Value.Type == EJsonType::Number && SettingFromText(Field, std::to_string(Value.Number), OutValue, Unused));
+	}
+	default:
+		return (Value.Type == EJsonType::Array || Value.Type == EJsonType::Object) && ReadComponents(Field, Value, OutValue);
+	}
+}
+
+/** Whether some number inside was not finite, and so reported already. */
+bool ContainsInvalid(const FJsonValue& Value)
+{
+	return Value.Type == EJsonType::Invalid
+		|| std::any_of(Value.Elements.begin(), Value.Elements.end(), ContainsInvalid)
+		|| std::any_of(Value.Members.begin(), Value.Members.end(), [](const auto& Member) { return ContainsInvalid(Member.second); });
+}
+
+/** JSON numbers are doubles; what float cannot hold would become infinite. */
+bool FitsFloat(const FSettingField& Field, const FSettingValue& Value)
+{
+	const bool bFloat = Field.Type == ESettingType::Float || Field.Type == ESettingType::Color;
+	return !bFloat || std::all_of(std::begin(Value.Components), std::end(Value.Components),
+		[](double Component) { return std::isfinite(static_cast<float>(Component)); });
+}
+
+void ReadSetting(const std::string& Name, const FJsonValue& Value, FConfigSettings& Settings, FConfigMessages& Messages)
+{
+	const FSettingField* Field = FindSettingField(Name);
+	if (Field == nullptr)
+	{
+		Messages.ErrorAtKey(ErrorUnknownSetting, Value, "unknown setting" + Suggest(Name, GetSettingNames()));
+		return;
+	}
+	FSettingValue SettingValue;
+	if (ContainsInvalid(Value))
+	{
+		return;
+	}
+	if (!ReadSettingValue(*Field, Value, SettingValue))
+	{
+		const std::string Suggestion = Field->Type == ESettingType::Enum && Value.Type == EJsonType::String
+			? Suggest(Value.String, std::vector<std::string>(Field->EnumNames.begin(), Field->EnumNames.end()))
+			: "";
+		const EConfigError Code = Suggestion.empty() && Value.Type != EJsonType::String ? ErrorWrongType : Field->Type == ESettingType::Enum ? ErrorUnknownValue : ErrorWrongType;
+		Messages.Error(Code, Value, Name + " is " + ExpectedText(*Field) + Suggestion);
+		return;
+	}
+	if (!FitsFloat(*Field, SettingValue))
+	{
+		Messages.Error(ErrorNumberNotFinite, Value, Name + " is a float: the number is too large for it");
+		return;
+	}
+	if (!Field->IsInRange(SettingValue))
+	{
+		FSettingValue Min{Field->Type, {Field->Range.ClampMin}};
+		FSettingValue Max{Field->Type, {Field->Range.ClampMax}};
+		const std::string Range = std::isinf(Field->Range.ClampMax)
+			? "at least " + SettingToText(*Field, Min)
+			: SettingToText(*Field, Min) + " to " + SettingToText(*Field, Max);
+		Messages.Warn(WarnOutOfRange, Value, Name + " is outside its range, " + Range + "; it is used as it is");
+	}
+	const std::string NotBuilt = GetSettingNotBuiltReason(Name);
+	if (!NotBuilt.empty())
+	{
+		Messages.WarnAtKey(WarnNotBuilt, Value, Name + " is not built yet: " + NotBuilt);
+	}
+	Field->Set(Settings.Settings, SettingValue);
+	Field->SetOverridden(Settings.Settings, true);
+	Settings.Places[Name] = {Value.KeyLine, Value.KeyColumn, Value.Pointer};
+}
+
+/** Override bits come after all values, whatever their order in the file. */
+void ReadOverride(const std::string& Name, const FJsonValue& Value, FConfigSettings& Settings, FConfigMessages& Messages)
+{
+	const std::string Setting = Name.substr(OverridePrefix.size());
+	const FSettingField* Field = FindSettingField(Setting);
+	if (Field == nullptr)
+	{
+		std::vector<std::string> Names = GetSettingNames();
+		for (std::string& Candidate : Names)
+		{
+			Candidate = OverridePrefix + Candidate;
+		}
+		Messages.ErrorAtKey(ErrorUnknownSetting, Value, "unknown setting" + Suggest(Name, Names));
+	}
+	else if (Value.Type != EJsonType::Bool)
+	{
+		Messages.Error(ErrorWrongType, Value, Name + " is true or false");
+	}
+	else if (!Value.Bool && Settings.Places.count(Setting) != 0)
+	{
+		Messages.WarnAtKey(WarnInertValue, Value, Setting + " is given, but its override bit is off: the value has no effect");
+		Field->SetOverridden(Settings.Settings, false);
+	}
+	else
+	{
+		Field->SetOverridden(Settings.Settings, Value.Bool);
+	}
+}
+
+} // namespace
+
+FConfigSettings ReadConfigSettings(const FJsonValue& Value, FConfigMessages& Messages)
+{
+	FConfigSettings Settings;
+	for (const auto& [Name, Member] : Value.Members)
+	{
+		if (Name.rfind(OverridePrefix, 0) != 0)
+		{
+			ReadSetting(Name, Member, Settings, Messages);
+		}
+	}
+	for (const auto& [Name, Member] : Value.Members)
+	{
+		if (Name.rfind(OverridePrefix, 0) == 0)
+		{
+			ReadOverride(Name, Member, Settings, Messages);
+		}
+	}
+	return Settings;
+}
+
+std::string GetSettingNotBuiltReason(const std::string& Name)
+{
+	if (Name.rfind("BloomConvolution", 0) == 0)
+	{
+		return "convolution bloom is another method's; the Gaussian sum runs";
+	}
+	if (Name.rfind("BloomDirtMask", 0) == 0)
+	{
+		return "the bloom is composited without a dirt mask";
+	}
+	if (Name == "SceneFringeIntensity" || Name == "ChromaticAberrationStartOffset")
+	{
+		return "the tonemapper shifts no colours";
+	}
+	const bool bMetering = Name.rfind("AutoExposure", 0) == 0 && Name != "AutoExposureBias";
+	if (bMetering || Name.rfind("Histogram", 0) == 0 || Name.rfind("Camera", 0) == 0)
+	{
+		return "the exposure is the number in view.exposure, times 2 to the power of AutoExposureBias less its default";
+	}
+	return "";
+}
+
+} // namespace Drydock

@@ -1,0 +1,46 @@
+// A first look over JSON text: where each key and value begins, and numbers that no parser can hold. Source: drydock.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+struct FJsonToken
+{
+	size_t Offset = 0;
+	bool bNotFinite = false; // NaN, Infinity, or a number beyond double
+};
+
+struct FJsonScan
+{
+	/** Begin of every key and value in order of appearance, the order in which a SAX parser reports them. */
+	std::vector<FJsonToken> Tokens;
+	/** The text with every non-finite number replaced by a 0 of the same length, so that the rest can still be parsed. */
+	std::string Text;
+};
+
+FJsonScan ScanJson(const std::string& Text);
+
+/** 1-based line and column of an offset; columns count characters, not bytes. */
+struct FTextPosition
+{
+	int Line = 1;
+	int Column = 1;
+};
+
+/** Answers for rising and falling offsets alike. */
+class FTextPositions
+{
+public:
+	explicit FTextPositions(const std::string& Text);
+	FTextPosition Find(size_t Offset) const;
+
+private:
+	const std::string& Text;
+	std::vector<size_t> LineBegins;
+};
+
+} // namespace Drydock

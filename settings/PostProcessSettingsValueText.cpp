@@ -1,0 +1,210 @@
+// Text of single setting values, both ways. Source: drydock; the `(R=..)` form is the engine's.
+#include "PostProcessSettingsReflection.h"
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <strings.h>
+
+namespace Drydock
+{
+
+namespace
+{
+
+std::string Trim(const std::string& Text)
+{
+	const size_t First = Text.find_first_not_of(" \t\r\n");
+	return First == std::string::npos ? "" : Text.substr(First, Text.find_last_not_of(" \t\r\n") - First + 1);
+}
+
+bool IsFloatType(ESettingType Type)
+{
+	return Type == ESettingType::Float || Type == ESettingType::Color;
+}
+
+/** The shortest text of a number, in the precision the field stores it. */
+std::string NumberToText(double Number, bool bFloat)
+{
+	char Buffer[64];
+	const std::to_chars_result Result = bFloat
+		? std::to_chars(Buffer, Buffer + sizeof(Buffer), static_cast<float>(Number))
+		: std::to_chars(Buffer, Buffer + sizeof(Buffer), Number);
+	return std::string(Buffer, Result.ptr);
+}
+
+bool NumberFromText(const std::string& Untrimmed, double& OutNumber)
+{
+	const std::string Text = Trim(Untrimmed);
+	const char* Begin = Text.c_str() + (Text.size() > 1 && Text[0] == '+' ? 1 : 0);
+	const std::from_chars_result Result = std::from_chars(Begin, Text.c_str() + Text.size(), OutNumber);
+	return Result.ec == std::errc() && Result.ptr == Text.c_str() + Text.size() && std::isfinite(OutNumber);
+}
+
+bool FitsType(ESettingType Type, double Number)
+{
+	if (IsFloatType(Type))
+	{
+		return std::fabs(Number) <= std::numeric_limits<float>::max();
+	}
+	if (Type == ESettingType::Int)
+	{
+		return Number == std::floor(Number) && std::fabs(Number) <= std::numeric_limits<int32>::max();
+	}
+	return true;
+}
+
+/** "[1, 2]" and "(R=1,G=2)" to {"1", "2"}; components of the second form in the order given. */
+std::vector<std::string> SplitComponents(const std::string& Text)
+{
+	std::vector<std::string> Parts;
+	std::string Inner = Text;
+	if (Inner.size() >= 2 && ((Inner.front() == '[' && Inner.back() == ']') || (Inner.front() == '(' && Inner.back() == ')')))
+	{
+		Inner = Inner.substr(1, Inner.size() - 2);
+	}
+	for (size_t Begin = 0; Begin <= Inner.size();)
+	{
+		const size_t Comma = std::min(Inner.find(',', Begin), Inner.size());
+		Parts.push_back(Trim(Inner.substr(Begin, Comma - Begin)));
+		Begin = Comma + 1;
+	}
+	return Parts;
+}
+
+/** Drops "R=" from the first component, and so on; false when the names are not the type's, in order. */
+bool StripComponentNames(ESettingType Type, std::vector<std::string>& Parts)
+{
+	const char* const Names = Type == ESettingType::Color ? "RGBA" : "XYZW";
+	for (size_t Index = 0; Index < Parts.size(); ++Index)
+	{
+		const size_t Equals = Parts[Index].find('=');
+		if (Equals == std::string::npos)
+		{
+			continue;
+		}
+		const std::string Name = Trim(Parts[Index].substr(0, Equals));
+		if (Index >= 4 || Name != std::string(1, Names[Index]))
+		{
+			return false;
+		}
+		Parts[Index] = Parts[Index].substr(Equals + 1);
+	}
+	return true;
+}
+
+bool ComponentsFromText(const FSettingField& Field, const std::string& Text, FSettingValue& OutValue, std::string& OutError)
+{
+	std::vector<std::string> Parts = SplitComponents(Text);
+	const size_t Wanted = static_cast<size_t>(Field.GetNumComponents());
+	const bool bAlphaOmitted = Field.Type == ESettingType::Color && Parts.size() == 3;
+	OutError = "expected " + std::to_string(Wanted) + " numbers such as " + SettingToText(Field, Field.Default);
+	if (!StripComponentNames(Field.Type, Parts) || (Parts.size() != Wanted && !bAlphaOmitted))
+	{
+		return false;
+	}
+	OutValue.Components[3] = bAlphaOmitted ? 1.0 : 0.0;
+	for (size_t Index = 0; Index < Parts.size(); ++Index)
+	{
+		if (!NumberFromText(Parts[Index], OutValue.Components[Index]) || !FitsType(Field.Type, OutValue.Components[Index]))
+		{
+			return false;
+		}
+	}
+	OutError.clear();
+	return true;
+}
+
+bool EnumFromText(const FSettingField& Field, const std::string& Text, FSettingValue& OutValue, std::string& OutError)
+{
+	OutError = "expected one of";
+	for (int32 Index = 0; Index < Field.EnumNames.Num(); ++Index)
+	{
+		if (Text == Field.EnumNames[Index])
+		{
+			OutValue.Components[0] = Index;
+			OutError.clear();
+			return true;
+		}
+		OutError += std::string(Index == 0 ? " " : ", ") + Field.EnumNames[Index];
+	}
+	double Number = 0.0;
+	if (NumberFromText(Text, Number) && Number == std::floor(Number) && Number >= 0.0 && Number < Field.EnumNames.Num())
+	{
+		OutValue.Components[0] = Number;
+		OutError.clear();
+		return true;
+	}
+	return false;
+}
+
+bool BoolFromText(const std::string& Text, FSettingValue& OutValue, std::string& OutError)
+{
+	const bool bTrue = strcasecmp(Text.c_str(), "true") == 0 || Text == "1";
+	const bool bFalse = strcasecmp(Text.c_str(), "false") == 0 || Text == "0";
+	OutValue.Components[0] = bTrue ? 1.0 : 0.0;
+	OutError = bTrue || bFalse ? "" : "expected true or false";
+	return bTrue || bFalse;
+}
+
+} // namespace
+
+std::string SettingToText(const FSettingField& Field, const FSettingValue& Value)
+{
+	switch (Field.Type)
+	{
+	case ESettingType::Bool:
+		return Value.Components[0] != 0.0 ? "true" : "false";
+	case ESettingType::Enum:
+	{
+		const int32 Index = static_cast<int32>(Value.Components[0]);
+		return Index >= 0 && Index < Field.EnumNames.Num() ? Field.EnumNames[Index] : std::to_string(Index);
+	}
+	case ESettingType::Float:
+	case ESettingType::Int:
+		return NumberToText(Value.Components[0], IsFloatType(Field.Type));
+	default:
+		break;
+	}
+	std::string Text;
+	for (int32 Index = 0; Index < Field.GetNumComponents(); ++Index)
+	{
+		Text += (Index == 0 ? "[" : ", ") + NumberToText(Value.Components[Index], IsFloatType(Field.Type));
+	}
+	return Text + "]";
+}
+
+bool SettingFromText(const FSettingField& Field, const std::string& UntrimmedText, FSettingValue& OutValue, std::string& OutError)
+{
+	const std::string Text = Trim(UntrimmedText);
+	FSettingValue Value;
+	Value.Type = Field.Type;
+	bool bRead = false;
+	switch (Field.Type)
+	{
+	case ESettingType::Bool:
+		bRead = BoolFromText(Text, Value, OutError);
+		break;
+	case ESettingType::Enum:
+		bRead = EnumFromText(Field, Text, Value, OutError);
+		break;
+	case ESettingType::Float:
+	case ESettingType::Int:
+		bRead = NumberFromText(Text, Value.Components[0]) && FitsType(Field.Type, Value.Components[0]);
+		OutError = bRead ? "" : Field.Type == ESettingType::Int ? "expected a whole number" : "expected a number";
+		break;
+	default:
+		bRead = ComponentsFromText(Field, Text, Value, OutError);
+		break;
+	}
+	if (bRead)
+	{
+		// What is stored is what the field can hold.
+		FPostProcessSettings Scratch;
+		Field.Set(Scratch, Value);
+		OutValue = Field.Get(Scratch);
+	}
+	return bRead;
+}
+
+} // namespace Drydock
