@@ -83,7 +83,7 @@ DRYDOCK_LANES_INLINE TReal<float, N> HalfToFloat(TUint<N> Bits)
 	const FInt Exponent = Half & 0x7C00;
 	const FInt Mantissa = Half & 0x03FF;
 	const FInt Normal = ((Half & 0x7FFF) << 13) + (112 << 23);
-	const FInt Special = (Mantissa << 13) | 0x7F800000;
+	const FInt Special = (Mantissa << 13) | 0x7F800000 | ((Mantissa != 0) & 0x00400000); // a NaN becomes quiet
 	const FInt Small = FInt(FFloat(__builtin_convertvector(Mantissa, FFloat) * 0x1p-24f));
 	FInt Result = Exponent == 0 ? Small : Normal;
 	Result = Exponent == 0x7C00 ? Special : Result;

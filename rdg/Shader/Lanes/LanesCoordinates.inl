@@ -1,0 +1,143 @@
+// From sample coordinates to texels and weights, in lanes. Direct3D's fixed point: uv * size is rounded to the nearest
+// 1/256 (halves up), so that a point sample takes the floor and a bilinear one the fraction of x - 0.5, both exact.
+// Included by the LanesSampling_*.cpp only. Source: D3D11 functional specification 3.2.4.1, 7.18.
+#pragma once
+
+#include "Lanes.h"
+
+namespace Drydock::Lanes
+{
+inline namespace DRYDOCK_LANES_SET
+{
+
+/** One axis of a sample: texels First and First + 1 before addressing, and the weight of the second. */
+template <typename Real, int N>
+struct TAxis
+{
+	TInt<N> First;
+	TReal<Real, N> Weight;
+};
+
+/** Coordinates beyond this many texels stick there: far outside any texture, far inside int32 with its 8 extra bits. */
+constexpr int32_t GFarTexel = 1 << 22;
+
+/** NaN counts as 0. Weight is 0 for point samples. */
+template <typename Real, int N>
+DRYDOCK_LANES_INLINE TAxis<Real, N> MakeAxis(const Real* Coordinates, int32_t Size, bool bPoint, uint8_t SampleBits)
+{
+	using FLanes = TReal<Real, N>;
+	FLanes X;
+	__builtin_memcpy(&X, Coordinates, sizeof(X));
+	X = X * FLanes(Real(Size));
+	X = Select(X == X, X, FLanes(Real(0)));
+	X = Select(X < FLanes(Real(GFarTexel)), X, FLanes(Real(GFarTexel)));
+	X = Select(X > FLanes(Real(-GFarTexel)), X, FLanes(Real(-GFarTexel)));
+
+	TAxis<Real, N> Axis;
+	if (SampleBits == 8)
+	{
+		const FLanes Scaled = X * FLanes(Real(256));
+		const FLanes Whole = Floor(Scaled);
+		// The mask is -1 where the fraction rounds up.
+		const TInt<N> Rounded(__builtin_convertvector(Whole.V, TRaw<int32_t, N>) - (Scaled - Whole >= FLanes(Real(0.5))).V);
+		const TInt<N> Fixed = bPoint ? Rounded : Rounded - TInt<N>(128);
+		Axis.First = TInt<N>(Fixed.V >> 8);
+		Axis.Weight = bPoint ? FLanes(Real(0)) : ToReal<Real>(TInt<N>(Fixed.V & 255)) * FLanes(Real(1.0 / 256));
+	}
+	else
+	{
+		const FLanes Shifted = bPoint ? X : X - FLanes(Real(0.5));
+		const FLanes Whole = Floor(Shifted);
+		Axis.First = TInt<N>(__builtin_convertvector(Whole.V, TRaw<int32_t, N>));
+		Axis.Weight = bPoint ? FLanes(Real(0)) : Shifted - Whole;
+	}
+	return Axis;
+}
+
+/** Texel that an index stands for, -1 for the border. Size is at least 1. */
+DRYDOCK_LANES_INLINE int32_t AddressTexel(int32_t X, int32_t Size, EKernelAddress Mode)
+{
+	if (uint32_t(X) < uint32_t(Size))
+	{
+		return X;
+	}
+	switch (Mode)
+	{
+	case EKernelAddress::Wrap:
+	{
+		const int32_t R = X % Size;
+		return R < 0 ? R + Size : R;
+	}
+	case EKernelAddress::Mirror:
+	{
+		const int32_t Period = 2 * Size;
+		int32_t R = X % Period;
+		R = R < 0 ? R + Period : R;
+		return R < Size ? R : Period - 1 - R;
+	}
+	case EKernelAddress::Clamp:
+		return X < 0 ? 0 : Size - 1;
+	case EKernelAddress::Border:
+		break;
+	}
+	return -1;
+}
+
+template <int N>
+DRYDOCK_LANES_INLINE TInt<N> AddressTexels(TInt<N> X, int32_t Size, EKernelAddress Mode)
+{
+	if (Mode == EKernelAddress::Clamp)
+	{
+		return Min(Max(X, TInt<N>(0)), TInt<N>(Size - 1));
+	}
+	if (AllLanes(ToUint(X) < TUint<N>(uint32_t(Size))))
+	{
+		return X;
+	}
+	for (int Lane = 0; Lane < N; ++Lane)
+	{
+		X.V[Lane] = AddressTexel(X.V[Lane], Size, Mode);
+	}
+	return X;
+}
+
+/** The mips a level falls on: First, and where Weight is not 0 also First + 1. A level between two mips takes the
+ *  nearer one unless the sampler is trilinear. NaN counts as 0. */
+template <typename Real>
+struct TMips
+{
+	int32_t First;
+	Real Weight;
+};
+
+template <typename Real>
+DRYDOCK_LANES_INLINE TMips<Real> SelectMips(Real Level, int32_t NumMips, const FKernelSampler& Sampler)
+{
+	const Real Last = Real(NumMips - 1);
+	Real L = Level + Real(Sampler.MipBias);
+	L = L > 0 ? L : Real(0);
+	L = L < Last ? L : Last;
+	if (Sampler.Filter != EKernelFilter::Trilinear)
+	{
+		return {int32_t(L + Real(0.5)), Real(0)};
+	}
+	if (Sampler.SampleBits == 8)
+	{
+		L = Real(int32_t(L * Real(256) + Real(0.5))) * Real(1.0 / 256);
+	}
+	const int32_t First = int32_t(L);
+	return {First, L - Real(First)};
+}
+
+/** Array layer: nearest, clamped. NaN counts as 0. */
+template <typename Real>
+DRYDOCK_LANES_INLINE int32_t SelectLayer(Real Layer, int32_t NumLayers)
+{
+	const Real Last = Real(NumLayers - 1);
+	Real L = Layer > 0 ? Layer : Real(0);
+	L = L < Last ? L : Last;
+	return int32_t(L + Real(0.5));
+}
+
+} // namespace DRYDOCK_LANES_SET
+} // namespace Drydock::Lanes
