@@ -5,6 +5,7 @@
 #include "PixelFormatConversion.h"
 #include "ShaderKernel.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -19,7 +20,7 @@ class FTestTexture
 public:
 	using FTexel = std::array<double, 4>;
 
-	/** Mips halve, rounding down. bIs3D halves the depth too; layers stay. */
+	/** All texels zero, margins poisoned. Mips halve, rounding down. bIs3D halves the depth too; layers stay. */
 	FTestTexture(ETexelStorage Storage, int32_t SizeX, int32_t SizeY, int32_t SizeZ = 1, int32_t NumMips = 1, bool bIs3D = false)
 		: Bytes(GetTexelStorageInfo(Storage).BytesPerTexel)
 	{
@@ -40,6 +41,7 @@ public:
 		for (FKernelMip& M : Mips)
 		{
 			M.Data = Memory.data() + Place;
+			std::memset(M.Data, 0, size_t(M.SlicePitch) * size_t(M.SizeZ));
 			Place += size_t(M.SlicePitch) * size_t(M.SizeZ) + 64;
 		}
 		Texture = {Mips.data(), NumMips, Storage, uint8_t(bIs3D), 0};
