@@ -1,0 +1,93 @@
+// Objects that own RHI resources for the length of the program, and the plain textures everyone may sample.
+// Source: engine RenderResource.h, RenderUtils.h.
+#pragma once
+
+#include "RHICommandList.h"
+#include "RHIStaticStates.h"
+
+class DRYDOCK_API FRenderResource
+{
+public:
+	virtual ~FRenderResource();
+
+	virtual void InitRHI(FRHICommandListBase&) { InitRHI(); }
+	virtual void InitRHI() {}
+	virtual void ReleaseRHI() {}
+
+	/** Makes the resource's RHI objects unless they exist. */
+	void InitResource(FRHICommandListBase& RHICmdList);
+	void InitResource() { InitResource(FRHICommandListExecutor::GetImmediateCommandList()); }
+	void ReleaseResource();
+	bool IsInitialized() const { return bInitialized; }
+	virtual FString GetFriendlyName() const { return FString(TEXT("undefined")); }
+
+private:
+	bool bInitialized = false;
+};
+
+/** A resource that is made when it is first asked for; the engine makes it when the RHI starts. */
+template <typename ResourceType>
+class TGlobalResource : public ResourceType
+{
+public:
+	using ResourceType::ResourceType;
+};
+
+class DRYDOCK_API FTexture : public FRenderResource
+{
+public:
+	virtual uint32 GetSizeX() const { return TextureRHI.IsValid() ? TextureRHI->GetSizeX() : 0; }
+	virtual uint32 GetSizeY() const { return TextureRHI.IsValid() ? TextureRHI->GetSizeY() : 0; }
+	FRHITexture* GetTextureRHI() const { return TextureRHI; }
+	void ReleaseRHI() override { TextureRHI = nullptr; }
+
+	FTextureRHIRef TextureRHI;
+	FSamplerStateRHIRef SamplerStateRHI;
+};
+
+class DRYDOCK_API FTextureWithSRV : public FTexture
+{
+public:
+	FShaderResourceViewRHIRef ShaderResourceViewRHI;
+};
+
+class DRYDOCK_API FVertexBuffer : public FRenderResource
+{
+public:
+	void ReleaseRHI() override { VertexBufferRHI = nullptr; }
+	FBufferRHIRef VertexBufferRHI;
+};
+
+class DRYDOCK_API FIndexBuffer : public FRenderResource
+{
+public:
+	void ReleaseRHI() override { IndexBufferRHI = nullptr; }
+	FBufferRHIRef IndexBufferRHI;
+};
+
+namespace Drydock
+{
+
+/** One of the plain textures below; converts to the engine's FTexture*. Made on first use, never freed. */
+class DRYDOCK_API FPlainTexture
+{
+public:
+	constexpr FPlainTexture(const TCHAR* InName, uint32 InColor) : Name(InName), Color(InColor) {}
+
+	FTextureWithSRV* Get() const;
+	FTextureWithSRV* operator->() const { return Get(); }
+	operator FTexture*() const { return Get(); }
+	operator FTextureWithSRV*() const { return Get(); }
+
+private:
+	const TCHAR* Name;
+	uint32 Color; // 0xAARRGGBB
+	mutable FTextureWithSRV* Texture = nullptr;
+};
+
+} // namespace Drydock
+
+/** 1x1, PF_B8G8R8A8. Black has alpha 255; transparent black 0. */
+extern DRYDOCK_API const Drydock::FPlainTexture GWhiteTexture;
+extern DRYDOCK_API const Drydock::FPlainTexture GBlackTexture;
+extern DRYDOCK_API const Drydock::FPlainTexture GTransparentBlackTexture;

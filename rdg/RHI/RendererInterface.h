@@ -1,0 +1,71 @@
+// Textures that outlive a graph: their description and their interface. Source: engine RendererInterface.h.
+#pragma once
+
+#include "RHIResources.h"
+
+/** A texture description with the pool's own spellings. */
+struct FPooledRenderTargetDesc : FRHITextureDesc
+{
+	FPooledRenderTargetDesc() = default;
+	FPooledRenderTargetDesc(const FRHITextureDesc& Desc, const TCHAR* InDebugName = TEXT("UnknownTexture"))
+		: FRHITextureDesc(Desc), DebugName(InDebugName)
+	{
+	}
+
+	static FPooledRenderTargetDesc Create2DDesc(FIntPoint Size, EPixelFormat Format, FClearValueBinding ClearValue,
+		ETextureCreateFlags Flags, ETextureCreateFlags TargetableFlags, bool bForceSeparateTargetAndShaderResource = false,
+		uint16 NumMips = 1)
+	{
+		return FRHITextureDesc::Create2DDesc(Size, Format, ClearValue, Flags, TargetableFlags, bForceSeparateTargetAndShaderResource, NumMips);
+	}
+
+	bool Is2DTexture() const { return IsTexture2D(); }
+	bool Is3DTexture() const { return IsTexture3D(); }
+	bool IsCubemap() const { return IsTextureCube(); }
+	bool IsArray() const { return IsTextureArray(); }
+
+	const TCHAR* DebugName = TEXT("UnknownTexture");
+};
+
+inline FRHITextureDesc Translate(const FPooledRenderTargetDesc& Desc)
+{
+	return Desc;
+}
+
+/** The engine once had two textures per target; here both are the same. */
+struct FSceneRenderTargetItem
+{
+	bool IsValid() const { return TargetableTexture.IsValid(); }
+	FRHITexture* GetRHI() const { return TargetableTexture; }
+
+	FTextureRHIRef TargetableTexture;
+	FTextureRHIRef ShaderResourceTexture;
+};
+
+/** A texture that a graph can register and extract. */
+class DRYDOCK_API IPooledRenderTarget
+{
+public:
+	virtual ~IPooledRenderTarget();
+
+	virtual uint32 AddRef() const = 0;
+	virtual uint32 Release() = 0;
+	virtual uint32 GetRefCount() const = 0;
+
+	/** Nobody but the pool holds it. */
+	virtual bool IsFree() const = 0;
+
+	/** The pool will hand it out again. */
+	virtual bool IsTracked() const = 0;
+
+	virtual const FPooledRenderTargetDesc& GetDesc() const = 0;
+	virtual FRHITexture* GetRHI() const = 0;
+	virtual void SetDebugName(const TCHAR* Name) = 0;
+
+	/** Bytes of memory. */
+	virtual uint32 ComputeMemorySize() const = 0;
+
+	FRHITexture* GetTargetableRHI() const { return GetRHI(); }
+	FRHITexture* GetShaderResourceRHI() const { return GetRHI(); }
+	FSceneRenderTargetItem GetRenderTargetItem() const { return {GetRHI(), GetRHI()}; }
+};

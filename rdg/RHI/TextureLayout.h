@@ -1,0 +1,59 @@
+// Where a texture's texels lie in memory: 64-byte-aligned rows, slices, mips and planes, with 64 readable bytes on either
+// side, so that vector loads near an edge stay inside. Source: drydock.
+#pragma once
+
+#include <vector>
+
+#include "RHITextureDesc.h"
+#include "ShaderKernel.h"
+
+namespace Drydock
+{
+
+constexpr size_t GTextureAlignment = 64;
+
+/** What r.Drydock.Storage says; textures keep what they were created with. */
+enum class EStorageOverride : int32
+{
+	Native = 0,
+	Float32 = 1,
+	Float64 = 2,
+};
+
+DRYDOCK_API EStorageOverride GetStorageOverride();
+
+/** r.Drydock.StoreOverflow: a finite value too large for half is stored as 65504 instead of infinity. */
+DRYDOCK_API bool IsStoreOverflowSaturated();
+
+/** The storage the format (and, for 8-bit formats, the sRGB flag) stands for. */
+DRYDOCK_API ETexelStorage GetNativeTexelStorage(const FRHITextureDesc& Desc);
+
+/** The storage a texture created now would get. Integer and depth-stencil formats are never widened. */
+DRYDOCK_API ETexelStorage GetTexelStorage(const FRHITextureDesc& Desc);
+
+struct FTextureMipLayout
+{
+	size_t Offset = 0; // bytes from the texture's memory to texel 0
+	int32 SizeX = 0;
+	int32 SizeY = 0;
+	int32 SizeZ = 0; // depth of a 3D texture's mip, else array slices
+	int32 RowPitch = 0;
+	int64 SlicePitch = 0;
+};
+
+struct FTexturePlaneLayout
+{
+	ETexelStorage Storage = ETexelStorage::Count;
+	std::vector<FTextureMipLayout> Mips;
+};
+
+struct FTextureLayout
+{
+	std::vector<FTexturePlaneLayout> Planes; // one; depth-stencil: depth, stencil
+	size_t SizeInBytes = 0;                  // margins included
+};
+
+/** The layout of a texture created now. Desc must be valid. */
+DRYDOCK_API FTextureLayout ComputeTextureLayout(const FRHITextureDesc& Desc);
+
+} // namespace Drydock
