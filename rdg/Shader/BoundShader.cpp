@@ -1,8 +1,6 @@
 // Running a bound shader, and the lookups of hand-written kernels. Source: drydock.
 #include "BoundShader.h"
 
-#include <cstring>
-
 namespace Drydock
 {
 

@@ -1,0 +1,303 @@
+// Matching by name and type. The messages name the shader class, the parameter, both types, the line of the .usf and of
+// the C++ struct, and the nearest name. Source: drydock.
+#include "ShaderBindingPlan.h"
+
+#include <algorithm>
+
+namespace Drydock
+{
+
+namespace
+{
+
+enum EBindingError
+{
+	MissingParameter = 6101,
+	ParameterType = 6102,
+	ParameterArray = 6103,
+	MissingResource = 6104,
+	ResourceType = 6105,
+	MissingUniformBuffer = 6106,
+};
+
+const char* GetScalarName(EShaderScalar Scalar)
+{
+	switch (Scalar)
+	{
+	case EShaderScalar::Int: return "int";
+	case EShaderScalar::Uint: return "uint";
+	case EShaderScalar::Bool: return "bool";
+	default: return "float";
+	}
+}
+
+std::string WithElements(std::string Type, uint32_t NumElements)
+{
+	return NumElements ? Type + "[" + std::to_string(NumElements) + "]" : Type;
+}
+
+std::string GetTypeName(const FShaderConstant& Constant)
+{
+	std::string Name = GetScalarName(Constant.Scalar);
+	if (Constant.Rows > 1)
+	{
+		Name += std::to_string(Constant.Rows) + "x" + std::to_string(Constant.Columns);
+	}
+	else if (Constant.Columns > 1)
+	{
+		Name += std::to_string(Constant.Columns);
+	}
+	return WithElements(Name, static_cast<uint32_t>(Constant.NumElements));
+}
+
+const char* GetDimensionName(EShaderDimension Dimension)
+{
+	switch (Dimension)
+	{
+	case EShaderDimension::Texture2DArray: return "Texture2DArray";
+	case EShaderDimension::Texture3D: return "Texture3D";
+	case EShaderDimension::TextureCube: return "TextureCube";
+	case EShaderDimension::TypedBuffer: return "Buffer";
+	case EShaderDimension::StructuredBuffer: return "StructuredBuffer";
+	case EShaderDimension::ByteAddressBuffer: return "ByteAddressBuffer";
+	default: return "Texture2D";
+	}
+}
+
+std::string GetTypeName(EResourceList List, const FShaderResource& Resource)
+{
+	if (List == EResourceList::Samplers)
+	{
+		return "SamplerState";
+	}
+	const bool bWrites = List == EResourceList::RWTextures || List == EResourceList::RWBuffers;
+	return std::string(bWrites ? "RW" : "") + GetDimensionName(Resource.Dimension);
+}
+
+bool Accepts(EResourceList List, EUniformBufferBaseType BaseType)
+{
+	switch (List)
+	{
+	case EResourceList::Textures: return BaseType == UBMT_TEXTURE || BaseType == UBMT_SRV || BaseType == UBMT_RDG_TEXTURE || BaseType == UBMT_RDG_TEXTURE_SRV;
+	case EResourceList::RWTextures: return BaseType == UBMT_UAV || BaseType == UBMT_RDG_TEXTURE_UAV;
+	case EResourceList::Samplers: return BaseType == UBMT_SAMPLER;
+	case EResourceList::Buffers: return BaseType == UBMT_SRV || BaseType == UBMT_RDG_BUFFER_SRV;
+	case EResourceList::RWBuffers: return BaseType == UBMT_UAV || BaseType == UBMT_RDG_BUFFER_UAV;
+	}
+	return false;
+}
+
+/** "RWTexture2D<float4>" and "RWTexture2D" name the same kind; text that names no known kind fits everything. */
+bool TypeTextAgrees(const std::string& MacroText, const std::string& HlslType)
+{
+	const std::string Kind = MacroText.substr(0, MacroText.find_first_of("< "));
+	static const char* const Kinds[] = {"Texture2D", "Texture2DArray", "Texture3D", "TextureCube", "Buffer", "StructuredBuffer", "ByteAddressBuffer",
+		"RWTexture2D", "RWTexture2DArray", "RWTexture3D", "RWBuffer", "RWStructuredBuffer", "RWByteAddressBuffer"};
+	const bool bKnown = std::any_of(std::begin(Kinds), std::end(Kinds), [&Kind](const char* Known) { return Kind == Known; });
+	return !bKnown || Kind == HlslType;
+}
+
+class FMatcher
+{
+public:
+	FMatcher(const std::string& InShaderName, const FShaderReflection& InReflection, const FShaderParametersMetadata& InMetadata,
+		std::vector<FDiagnostic>& InDiagnostics)
+		: ShaderName(InShaderName), Reflection(InReflection), Metadata(InMetadata), Diagnostics(InDiagnostics)
+	{
+		Plan.Sources.push_back({&Metadata, UBMT_INVALID, 0, "", true});
+		for (const FHlslMember& Member : Metadata.GetHlslMembers())
+		{
+			if (Member.IsUniformBuffer())
+			{
+				Plan.Sources.push_back({Member.Struct, Member.BaseType, Member.Offset, Member.CodeName, false});
+			}
+		}
+	}
+
+	FShaderBindingPlan Match()
+	{
+		for (const FShaderConstant& Constant : Reflection.Constants)
+		{
+			if (Constant.bUsed)
+			{
+				MatchConstant(Constant);
+			}
+		}
+		MatchResources(EResourceList::Textures, Reflection.Textures);
+		MatchResources(EResourceList::RWTextures, Reflection.RWTextures);
+		MatchResources(EResourceList::Samplers, Reflection.Samplers);
+		MatchResources(EResourceList::Buffers, Reflection.Buffers);
+		MatchResources(EResourceList::RWBuffers, Reflection.RWBuffers);
+		return std::move(Plan);
+	}
+
+private:
+	struct FFound
+	{
+		uint32_t Source = 0;
+		const FHlslMember* Member = nullptr;
+	};
+
+	void Report(EBindingError Code, const std::string& Message)
+	{
+		FDiagnostic Diagnostic;
+		Diagnostic.Code = Code;
+		Diagnostic.Message = ShaderName + ": " + Message;
+		Diagnostics.push_back(Diagnostic);
+	}
+
+	std::string ReadBy(const std::string& Where) const { return "is read by " + (Where.empty() ? std::string("the shader") : Where); }
+
+	/** The struct itself knows members by their flat name, a uniform buffer by `Buffer_Member`. */
+	FFound Find(const std::string& HlslName, bool bConstant)
+	{
+		for (uint32_t Source = 0; Source < Plan.Sources.size(); ++Source)
+		{
+			const std::string Prefix = Source ? std::string(Plan.Sources[Source].Metadata->GetShaderVariableName()) + "_" : "";
+			if (HlslName.compare(0, Prefix.size(), Prefix) != 0)
+			{
+				continue;
+			}
+			for (const FHlslMember& Member : Plan.Sources[Source].Metadata->GetHlslMembers())
+			{
+				if (Member.IsConstant() == bConstant && !Member.IsUniformBuffer() && HlslName.compare(Prefix.size(), std::string::npos, Member.Name) == 0)
+				{
+					return {Source, &Member};
+				}
+			}
+		}
+		return {};
+	}
+
+	std::string Suggest(const std::string& HlslName) const
+	{
+		std::vector<std::string> Names;
+		for (const FHlslMember& Member : Metadata.GetHlslMembers())
+		{
+			Names.push_back(Member.Name);
+		}
+		const std::string Nearest = FindNearestName(HlslName, Names);
+		return Nearest.empty() || Nearest == HlslName ? "" : "; did you mean '" + Nearest + "'?";
+	}
+
+	std::string DescribeCpp(const FHlslMember& Member) const
+	{
+		return "'" + Member.CodeName + "' (" + Member.DeclaredIn->GetFileName() + ":" + std::to_string(Member.FileLine) + ")";
+	}
+
+	void MatchConstant(const FShaderConstant& Constant)
+	{
+		const std::string& BufferName = Reflection.ConstantBuffers[Constant.Buffer].Name;
+		const bool bLoose = BufferName.empty() || BufferName[0] == '$';
+		const FFound Found = Find(Constant.Name, true);
+		if (!Found.Member)
+		{
+			ReportMissingConstant(Constant, bLoose ? "" : BufferName);
+			return;
+		}
+		const FHlslMember& Member = *Found.Member;
+		const bool bFloat = Constant.Scalar == EShaderScalar::Float;
+		if (bFloat != (Member.BaseType == UBMT_FLOAT32) || Constant.Rows != static_cast<int32_t>(Member.NumRows)
+			|| Constant.Columns != static_cast<int32_t>(Member.NumColumns) || (Constant.NumElements > 0) != (Member.NumElements > 0))
+		{
+			Report(ParameterType, "'" + Constant.Name + "' is " + GetTypeName(Constant) + " where it " + ReadBy(Constant.Where) + ", but "
+				+ WithElements(Member.Type, Member.NumElements) + " in " + Found.Member->DeclaredIn->GetStructTypeName() + ": " + DescribeCpp(Member));
+			return;
+		}
+		if (Constant.NumElements > static_cast<int32_t>(Member.NumElements))
+		{
+			Report(ParameterArray, "'" + Constant.Name + "' has " + std::to_string(Constant.NumElements) + " elements where it " + ReadBy(Constant.Where)
+				+ ", but only " + std::to_string(Member.NumElements) + " in " + Found.Member->DeclaredIn->GetStructTypeName() + ": " + DescribeCpp(Member));
+			return;
+		}
+		Plan.Sources[Found.Source].bUsed = true;
+		AddCopies(Constant, Member, Found.Source);
+	}
+
+	void ReportMissingConstant(const FShaderConstant& Constant, const std::string& UniformBuffer)
+	{
+		const auto IsNamed = [&](const FBindingSource& Source)
+		{
+			return Source.BaseType != UBMT_INVALID && UniformBuffer == Source.Metadata->GetShaderVariableName();
+		};
+		const std::string Struct = Metadata.GetStructTypeName();
+		if (!UniformBuffer.empty() && std::none_of(Plan.Sources.begin(), Plan.Sources.end(), IsNamed))
+		{
+			Report(MissingUniformBuffer, "'" + Constant.Name + "' of uniform buffer '" + UniformBuffer + "' " + ReadBy(Constant.Where) + ", but " + Struct
+				+ " has no SHADER_PARAMETER_STRUCT_REF or SHADER_PARAMETER_RDG_UNIFORM_BUFFER of that buffer");
+			return;
+		}
+		Report(MissingParameter, "'" + Constant.Name + "' (" + GetTypeName(Constant) + ") " + ReadBy(Constant.Where) + " but " + Struct
+			+ " has no such member" + Suggest(Constant.Name));
+	}
+
+	/** Elements are 16 bytes apart in C++; matrices are row after row there, and in HLSL as the reflection says. */
+	void AddCopies(const FShaderConstant& Constant, const FHlslMember& Member, uint32_t Source)
+	{
+		constexpr uint32_t ScalarSize = 4;
+		const uint32_t Rows = Member.NumRows;
+		const uint32_t Columns = Member.NumColumns;
+		const uint32_t ElementSize = (Rows * Columns * ScalarSize + 15) / 16 * 16;
+		for (uint32_t Element = 0; Element < std::max(1u, static_cast<uint32_t>(Constant.NumElements)); ++Element)
+		{
+			const uint32_t From = Member.Offset + Element * ElementSize;
+			const uint32_t To = Constant.Offset + Element * Constant.ArrayStride;
+			if (Rows == 1)
+			{
+				Plan.Constants.push_back({Source, From, Constant.Buffer, To, Columns * ScalarSize});
+				continue;
+			}
+			for (uint32_t Row = 0; Row < Rows; ++Row)
+			{
+				for (uint32_t Column = 0; Column < Columns; ++Column)
+				{
+					const uint32_t Target = Constant.bRowMajor ? Row * Constant.MatrixStride + Column * ScalarSize
+						: Column * Constant.MatrixStride + Row * ScalarSize;
+					Plan.Constants.push_back({Source, From + (Row * Columns + Column) * ScalarSize, Constant.Buffer, To + Target, ScalarSize});
+				}
+			}
+		}
+	}
+
+	void MatchResources(EResourceList List, const std::vector<FShaderResource>& Resources)
+	{
+		for (uint32_t Slot = 0; Slot < Resources.size(); ++Slot)
+		{
+			const FShaderResource& Resource = Resources[Slot];
+			const std::string HlslType = GetTypeName(List, Resource);
+			const FFound Found = Find(Resource.Name, false);
+			if (!Found.Member)
+			{
+				Report(MissingResource, "'" + Resource.Name + "' (" + HlslType + ") " + ReadBy(Resource.Where) + " but " + Metadata.GetStructTypeName()
+					+ " has no such member" + Suggest(Resource.Name));
+				continue;
+			}
+			const FHlslMember& Member = *Found.Member;
+			if (!Accepts(List, Member.BaseType) || (List != EResourceList::Samplers && !TypeTextAgrees(Member.Type, HlslType)))
+			{
+				Report(ResourceType, "'" + Resource.Name + "' is " + HlslType + " where it " + ReadBy(Resource.Where) + ", but " + Member.Type + " ("
+					+ GetBaseTypeName(Member.BaseType) + ") in " + Member.DeclaredIn->GetStructTypeName() + ": " + DescribeCpp(Member));
+				continue;
+			}
+			Plan.Sources[Found.Source].bUsed = true;
+			const std::string Prefix = Found.Source ? Plan.Sources[Found.Source].CodeName + "." : "";
+			Plan.Resources.push_back({List, Slot, Found.Source, Member.Offset, Member.BaseType, Prefix + Member.CodeName});
+		}
+	}
+
+	const std::string& ShaderName;
+	const FShaderReflection& Reflection;
+	const FShaderParametersMetadata& Metadata;
+	std::vector<FDiagnostic>& Diagnostics;
+	FShaderBindingPlan Plan;
+};
+
+} // namespace
+
+FShaderBindingPlan MakeShaderBindingPlan(const std::string& ShaderName, const FShaderReflection& Reflection,
+	const FShaderParametersMetadata& Metadata, std::vector<FDiagnostic>& Diagnostics)
+{
+	return FMatcher(ShaderName, Reflection, Metadata, Diagnostics).Match();
+}
+
+} // namespace Drydock

@@ -1,0 +1,71 @@
+// The outcome of matching a shader with a parameter struct: which bytes and which resources go where. Made once, followed
+// by every pass. Used by this folder and its tests. Source: drydock.
+#pragma once
+
+#include "BoundShader.h"
+#include "Diagnostics.h"
+#include "ShaderParameterMetadata.h"
+#include "ShaderReflection.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+/** Where values come from: the parameter struct itself (source 0) or a uniform buffer that one of its members refers to. */
+struct FBindingSource
+{
+	const FShaderParametersMetadata* Metadata = nullptr;
+	EUniformBufferBaseType BaseType = UBMT_INVALID; // how the member refers to the buffer; UBMT_INVALID: the struct itself
+	uint32_t Offset = 0;                            // of that member
+	std::string CodeName;
+	bool bUsed = false;                             // something the shader reads comes from here
+};
+
+/** Copies Size bytes of a source to a constant buffer. */
+struct FConstantCopy
+{
+	uint32_t Source;
+	uint32_t SourceOffset;
+	uint32_t Buffer;
+	uint32_t Offset;
+	uint32_t Size;
+};
+
+enum class EResourceList : uint8_t
+{
+	Textures,
+	RWTextures,
+	Samplers,
+	Buffers,
+	RWBuffers,
+};
+
+/** Puts the resource at an offset of a source into a slot. */
+struct FResourceCopy
+{
+	EResourceList List;
+	uint32_t Slot;
+	uint32_t Source;
+	uint32_t SourceOffset;
+	EUniformBufferBaseType BaseType;
+	std::string CodeName;
+};
+
+struct FShaderBindingPlan
+{
+	std::vector<FBindingSource> Sources;
+	std::vector<FConstantCopy> Constants;
+	std::vector<FResourceCopy> Resources;
+};
+
+/** Appends a message for each thing that the shader reads and the struct does not offer in that type. */
+DRYDOCK_API FShaderBindingPlan MakeShaderBindingPlan(const std::string& ShaderName, const FShaderReflection& Reflection,
+	const FShaderParametersMetadata& Metadata, std::vector<FDiagnostic>& Diagnostics);
+
+/** Packs the constants and takes views of the resources. A resource or uniform buffer that is read and null is a check. */
+DRYDOCK_API void FollowShaderBindingPlan(const FShaderBindingPlan& Plan, const FShaderReflection& Reflection, const void* Parameters, FBoundShader& Out);
+
+} // namespace Drydock

@@ -1,0 +1,23 @@
+// What the shader tier keeps per permutation between passes. Internal to this folder. Source: drydock.
+#pragma once
+
+#include "ShaderBindingPlan.h"
+#include "ShaderCompiler.h"
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+namespace Drydock
+{
+
+struct FShaderState
+{
+	std::mutex Mutex;
+	std::map<std::pair<bool, int32_t>, std::shared_ptr<const FCompiledShader>> Compiled; // by precision and asked-for lanes
+	std::shared_ptr<const FShaderReflection> Reflection;
+	std::map<const FShaderParametersMetadata*, std::shared_ptr<const FShaderBindingPlan>> Plans;
+};
+
+} // namespace Drydock
