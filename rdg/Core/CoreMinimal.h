@@ -3,14 +3,22 @@
 // Source: engine CoreMinimal.h.
 #pragma once
 
+#include "CoreGlobals.h"
 #include "CoreTypes.h"
 #include "Misc/AssertionMacros.h"
 #include "Misc/EnumClassFlags.h"
 #include "Misc/Optional.h"
 #include "Misc/ScopeLock.h"
 
+#include "HAL/IConsoleManager.h"
 #include "HAL/PlatformTime.h"
 #include "HAL/UnrealMemory.h"
+
+#include "Delegates/Delegate.h"
+#include "Logging/LogMacros.h"
+#include "RenderingThread.h"
+#include "Stats/Stats.h"
+#include "UObject/NameTypes.h"
 
 #include "Templates/Function.h"
 #include "Templates/RefCounting.h"
@@ -22,6 +30,7 @@
 
 #include "Containers/Array.h"
 #include "Containers/ArrayView.h"
+#include "Containers/BitArray.h"
 #include "Containers/Map.h"
 #include "Containers/Set.h"
 #include "Containers/StaticArray.h"

@@ -1,0 +1,36 @@
+// Which thread this is: every question is answered yes, because one thread plays all parts. Source: engine CoreGlobals.h.
+#pragma once
+
+#include "CoreTypes.h"
+
+inline bool IsInGameThread()
+{
+	return true;
+}
+inline bool IsInRenderingThread()
+{
+	return true;
+}
+inline bool IsInActualRenderingThread()
+{
+	return true;
+}
+inline bool IsInParallelRenderingThread()
+{
+	return true;
+}
+inline bool IsInRHIThread()
+{
+	return true;
+}
+inline bool IsInAnyRenderingThread()
+{
+	return true;
+}
+inline bool IsRunningCommandlet()
+{
+	return false;
+}
+
+inline constexpr bool GIsEditor = false;
+inline constexpr bool GIsClient = true;

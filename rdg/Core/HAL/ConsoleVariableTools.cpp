@@ -1,0 +1,147 @@
+// Listing, checked setting and resetting of console variables. Source: drydock.
+#include "HAL/ConsoleVariableTools.h"
+
+#include "Diagnostics.h"
+
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+namespace Drydock
+{
+
+namespace
+{
+
+/** Calls Function(Name, Variable) for every variable whose name starts with Prefix. */
+template <typename FunctionType>
+void ForEachVariable(const TCHAR* Prefix, FunctionType Function)
+{
+	IConsoleManager::Get().ForEachConsoleObjectThatStartsWith(
+		FConsoleObjectVisitor::CreateLambda([&Function](const TCHAR* Name, IConsoleObject* Object) {
+			if (IConsoleVariable* Variable = Object->AsVariable())
+			{
+				Function(Name, *Variable);
+			}
+		}),
+		Prefix);
+}
+
+/** Whether the whole of Text is a number of type T. from_chars takes no plus sign; people do. */
+template <typename T>
+bool IsNumber(const TCHAR* Text)
+{
+	std::string_view View(Text);
+	if (View.starts_with('+') && !View.starts_with("+-"))
+	{
+		View.remove_prefix(1);
+	}
+	T Value{};
+	const auto Result = std::from_chars(View.data(), View.data() + View.size(), Value);
+	return Result.ec == std::errc() && Result.ptr == View.data() + View.size() && std::isfinite(static_cast<double>(Value));
+}
+
+bool IsBool(const FString& Text)
+{
+	static const TCHAR* const Words[] = {"true", "false", "on", "off", "yes", "no", "1", "0"};
+	return std::any_of(std::begin(Words), std::end(Words), [&Text](const TCHAR* Word) { return Text == Word; });
+}
+
+/** What a text for this variable has to be, or null if this one is right. */
+const TCHAR* FindExpectation(const IConsoleVariable& Variable, const TCHAR* Text)
+{
+	if (Variable.IsVariableBool())
+	{
+		return IsBool(Text) ? nullptr : "a bool: true, false, on, off, yes, no, 1 or 0";
+	}
+	if (Variable.IsVariableInt())
+	{
+		return IsNumber<int32>(Text) ? nullptr : "an int32: a whole number";
+	}
+	if (Variable.IsVariableFloat())
+	{
+		return IsNumber<float>(Text) ? nullptr : "a float: a number";
+	}
+	return nullptr;
+}
+
+} // namespace
+
+TArray<FConsoleVariableInfo> ListConsoleVariables(const TCHAR* Prefix)
+{
+	TArray<FConsoleVariableInfo> Infos;
+	ForEachVariable(Prefix, [&Infos](const TCHAR* Name, const IConsoleVariable& Variable) {
+		Infos.Add({Name, GetConsoleVariableTypeName(Variable), Variable.GetString(), Variable.GetDefaultValue(),
+			GetConsoleVariableSetByName(Variable.GetFlags()), Variable.GetHelp()});
+	});
+	return Infos;
+}
+
+bool TrySetConsoleVariable(const TCHAR* Name, const TCHAR* Text, EConsoleVariableFlags SetBy, FString& OutError)
+{
+	IConsoleVariable* Variable = IConsoleManager::Get().FindConsoleVariable(Name);
+	if (Variable == nullptr)
+	{
+		std::vector<std::string> Names;
+		ForEachVariable("", [&Names](const TCHAR* Other, const IConsoleVariable&) { Names.emplace_back(Other); });
+		const std::string Nearest = FindNearestName(Name, Names);
+		OutError = FString::Printf("unknown console variable %s", Name);
+		if (!Nearest.empty())
+		{
+			OutError.Appendf("; did you mean %s?", Nearest.c_str());
+		}
+		return false;
+	}
+	if (const TCHAR* Expectation = FindExpectation(*Variable, Text))
+	{
+		OutError = FString::Printf("console variable %s expects %s, not \"%s\"", Name, Expectation, Text);
+		return false;
+	}
+	// Atoi and Atof stop at a plus sign no more than from_chars does, so they read what was checked.
+	if (Variable->IsVariableBool())
+	{
+		Variable->Set(FString(Text).ToBool(), SetBy);
+	}
+	else
+	{
+		Variable->Set(Text, SetBy);
+	}
+	return true;
+}
+
+void ResetConsoleVariables()
+{
+	ForEachVariable("", [](const TCHAR*, IConsoleVariable& Variable) { Variable.ResetToDefault(); });
+}
+
+const TCHAR* GetConsoleVariableSetByName(EConsoleVariableFlags Flags)
+{
+	static const TCHAR* const Names[] = {"Constructor", "Scalability", "GameSetting", "ProjectSetting", "SystemSettingsIni",
+		"PluginLowPriority", "DeviceProfile", "PluginHighPriority", "GameOverride", "ConsoleVariablesIni", "Hotfix", "Preview",
+		"Commandline", "Code", "Console"};
+	const uint32 Priority = static_cast<uint32>(Flags) >> 24;
+	return Priority < UE_ARRAY_COUNT(Names) ? Names[Priority] : "Unknown";
+}
+
+const TCHAR* GetConsoleVariableTypeName(const IConsoleVariable& Variable)
+{
+	return Variable.IsVariableBool() ? "bool" : Variable.IsVariableInt() ? "int32" : Variable.IsVariableFloat() ? "float" : "FString";
+}
+
+FScopedConsoleVariable::FScopedConsoleVariable(const TCHAR* Name, const FString& Value)
+	: Variable(IConsoleManager::Get().FindConsoleVariable(Name))
+{
+	checkf(Variable != nullptr, "There is no console variable %s", Name);
+	OldValue = Variable->GetString();
+	OldSetBy = Variable->GetFlags() & ECVF_SetByMask;
+	Variable->Set(*Value, ECVF_SetByConsole);
+}
+
+FScopedConsoleVariable::~FScopedConsoleVariable()
+{
+	// Down to the old priority by way of the default, which has none.
+	Variable->ResetToDefault();
+	Variable->Set(*OldValue, OldSetBy);
+}
+
+} // namespace Drydock

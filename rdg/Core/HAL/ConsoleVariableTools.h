@@ -1,0 +1,57 @@
+// What drydock's command line, configs and tests do with console variables beyond the engine's interface: list them, set
+// them from text with a check of the type, put them all back. Source: drydock.
+#pragma once
+
+#include "HAL/IConsoleManager.h"
+
+namespace Drydock
+{
+
+struct FConsoleVariableInfo
+{
+	FString Name; // as registered
+	FString Type; // "bool", "int32", "float" or "FString"
+	FString Value;
+	FString Default;
+	FString SetBy; // "Constructor", "Commandline", ...
+	FString Help;
+};
+
+/** All variables whose name starts with Prefix, ignoring case, in alphabetical order. */
+DRYDOCK_API TArray<FConsoleVariableInfo> ListConsoleVariables(const TCHAR* Prefix = TEXT(""));
+
+/** Sets a variable if Text reads as its type: bool takes true/false/on/off/yes/no/1/0, int32 a whole number, float any
+ *  number, FString anything. False, with one sentence that names what was expected, if there is no such variable or Text
+ *  does not fit. A set that loses to a higher priority is no error: it warns. */
+DRYDOCK_API bool TrySetConsoleVariable(const TCHAR* Name, const TCHAR* Text, EConsoleVariableFlags SetBy, FString& OutError);
+
+/** Every variable back to its default, as if nobody had set any. */
+DRYDOCK_API void ResetConsoleVariables();
+
+/** "Constructor", "Scalability", ... "Console" for the priority in Flags. */
+DRYDOCK_API const TCHAR* GetConsoleVariableSetByName(EConsoleVariableFlags Flags);
+
+/** "bool", "int32", "float" or "FString". */
+DRYDOCK_API const TCHAR* GetConsoleVariableTypeName(const IConsoleVariable& Variable);
+
+/** Sets a variable for the length of a scope and puts back the value and the priority it had. For tests. */
+class DRYDOCK_API FScopedConsoleVariable
+{
+public:
+	/** The variable must exist. */
+	FScopedConsoleVariable(const TCHAR* Name, const FString& Value);
+	FScopedConsoleVariable(const TCHAR* Name, int32 Value)
+		: FScopedConsoleVariable(Name, FString::FromInt(Value))
+	{
+	}
+	~FScopedConsoleVariable();
+	FScopedConsoleVariable(const FScopedConsoleVariable&) = delete;
+	FScopedConsoleVariable& operator=(const FScopedConsoleVariable&) = delete;
+
+private:
+	IConsoleVariable* Variable;
+	FString OldValue;
+	EConsoleVariableFlags OldSetBy;
+};
+
+} // namespace Drydock

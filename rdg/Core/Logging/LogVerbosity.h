@@ -1,0 +1,20 @@
+// How much a log line matters. Source: engine Logging/LogVerbosity.h.
+#pragma once
+
+#include "CoreTypes.h"
+
+namespace ELogVerbosity
+{
+enum Type : uint8
+{
+	NoLogging,
+	Fatal, // a failed check
+	Error,
+	Warning,
+	Display,
+	Log,
+	Verbose,
+	VeryVerbose,
+	All = VeryVerbose,
+};
+} // namespace ELogVerbosity
