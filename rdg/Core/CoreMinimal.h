@@ -16,7 +16,6 @@
 
 #include "Delegates/Delegate.h"
 #include "Logging/LogMacros.h"
-#include "RenderingThread.h"
 #include "Stats/Stats.h"
 #include "UObject/NameTypes.h"
 

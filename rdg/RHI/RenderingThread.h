@@ -1,17 +1,8 @@
 // The render thread is the thread one is on: commands run where they are enqueued. Source: engine RenderingThread.h.
 #pragma once
 
+#include "CoreGlobals.h"
 #include "RHICommandList.h"
-
-inline bool IsInRenderingThread()
-{
-	return true;
-}
-
-inline bool IsInParallelRenderingThread()
-{
-	return true;
-}
 
 inline void FlushRenderingCommands() {}
 
