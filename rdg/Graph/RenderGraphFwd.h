@@ -10,6 +10,14 @@ class FRDGResource;
 class FRDGView;
 class FRDGViewableResource;
 
+namespace Drydock
+{
+class FRDGExecutor;
+class IRDGObserver;
+struct FRDGBuilderState;
+struct FRDGCompiledGraph;
+} // namespace Drydock
+
 class FRDGTexture;
 class FRDGTextureSRV;
 class FRDGTextureUAV;
