@@ -1,0 +1,205 @@
+// From a permutation to compiled code: the request, the declarations of its uniform buffers, what is kept, warming.
+// Source: drydock.
+#include "ShaderBinding.h"
+#include "ShaderState.h"
+
+#include "HAL/IConsoleManager.h"
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
+namespace Drydock
+{
+
+namespace
+{
+
+TAutoConsoleVariable<int32> CVarPrecision(
+	TEXT("r.Drydock.Precision"), 0, TEXT("Arithmetic of shaders. 0: float; 1: double, of the float shader's parameters and literals."));
+
+TAutoConsoleVariable<int32> CVarLaneWidth(
+	TEXT("r.Drydock.LaneWidth"), 0, TEXT("Pixels per step of a shader. 0: the widest of this CPU; 4, 8, 16: that many floats (half as many doubles)."));
+
+const char* const GeneratedUniformBuffersPath = "/Engine/Generated/GeneratedUniformBuffers.ush";
+
+/** `cbuffer View { float4 View_Member; ... };` and the buffer's resources as globals. */
+std::string DeclareUniformBuffer(const FShaderParametersMetadata& Struct)
+{
+	const std::string Name = Struct.GetShaderVariableName();
+	std::string Constants;
+	std::string Resources;
+	for (const FHlslMember& Member : Struct.GetHlslMembers())
+	{
+		if (Member.IsConstant())
+		{
+			const std::string Elements = Member.NumElements ? "[" + std::to_string(Member.NumElements) + "]" : "";
+			Constants += "\t" + Member.Type + " " + Name + "_" + Member.Name + Elements + ";\n";
+		}
+		else if (!Member.IsUniformBuffer() && !Member.Type.empty())
+		{
+			Resources += Member.Type + " " + Name + "_" + Member.Name + ";\n";
+		}
+	}
+	return (Constants.empty() ? "" : "cbuffer " + Name + "\n{\n" + Constants + "};\n") + Resources;
+}
+
+void AddUniformBuffers(const FShaderParametersMetadata& Metadata, FShaderCompileRequest& Request)
+{
+	std::vector<const FShaderParametersMetadata*> Structs;
+	for (const FHlslMember& Member : Metadata.GetHlslMembers())
+	{
+		const auto HasSameName = [&Member](const FShaderParametersMetadata* Struct)
+		{
+			return std::string(Struct->GetShaderVariableName()) == Member.Struct->GetShaderVariableName();
+		};
+		if (Member.IsUniformBuffer() && std::none_of(Structs.begin(), Structs.end(), HasSameName))
+		{
+			Structs.push_back(Member.Struct);
+		}
+	}
+	if (Structs.empty())
+	{
+		return;
+	}
+	std::string Text = "#pragma once\n";
+	for (const FShaderParametersMetadata* Struct : Structs)
+	{
+		Text += DeclareUniformBuffer(*Struct);
+		std::vector<std::string> Names;
+		for (const FHlslMember& Member : Struct->GetHlslMembers())
+		{
+			Names.push_back(Member.Name);
+		}
+		Request.UniformBuffers.emplace_back(Struct->GetShaderVariableName(), std::move(Names));
+	}
+	Request.GeneratedFiles.emplace_back(GeneratedUniformBuffersPath, std::move(Text));
+}
+
+} // namespace
+
+FLaneConfig GetShaderLaneConfig()
+{
+	FLaneConfig Config;
+	Config.bDouble = CVarPrecision.GetValueOnAnyThread() == 1;
+	Config.Lanes = CVarLaneWidth.GetValueOnAnyThread() / (Config.bDouble ? 2 : 1);
+	return Config;
+}
+
+FShaderCompileRequest MakeShaderCompileRequest(const FShaderRef& Shader, const FShaderParametersMetadata* Metadata)
+{
+	MapShippedShaders();
+	const FShaderType& Type = *Shader.GetType();
+	checkf(Type.GetFrequency() != SF_Vertex, TEXT("%s is a vertex shader: those are registered, but a CPU draws without them"), Type.GetName());
+
+	FShaderCompileRequest Request;
+	Request.VirtualPath = Type.GetShaderFilename();
+	Request.EntryPoint = Type.GetFunctionName();
+	Request.Stage = Type.GetFrequency() == SF_Pixel ? EShaderStage::Pixel : EShaderStage::Compute;
+	Request.Defines = Type.GetCompilationEnvironment(Shader->GetPermutationId()).GetDefines();
+	Request.Lanes = GetShaderLaneConfig();
+	if (Metadata)
+	{
+		AddUniformBuffers(*Metadata, Request);
+	}
+	return Request;
+}
+
+std::shared_ptr<const FCompiledShader> GetCompiledShader(const FShaderRef& Shader)
+{
+	const FLaneConfig Lanes = GetShaderLaneConfig();
+	FShaderState& State = Shader->GetState();
+	std::lock_guard Lock(State.Mutex);
+	std::shared_ptr<const FCompiledShader>& Compiled = State.Compiled[{Lanes.bDouble, Lanes.Lanes}];
+	if (!Compiled)
+	{
+		Compiled = CompileShader(MakeShaderCompileRequest(Shader, Shader.GetRootParametersMetadata()));
+	}
+	return Compiled;
+}
+
+std::shared_ptr<const FShaderReflection> GetShaderReflection(const FShaderRef& Shader)
+{
+	FShaderState& State = Shader->GetState();
+	std::lock_guard Lock(State.Mutex);
+	for (const auto& [Lanes, Compiled] : State.Compiled)
+	{
+		if (Compiled)
+		{
+			return std::shared_ptr<const FShaderReflection>(Compiled, &Compiled->Reflection);
+		}
+	}
+	if (!State.Reflection)
+	{
+		State.Reflection = std::make_shared<FShaderReflection>(ReflectShader(MakeShaderCompileRequest(Shader, Shader.GetRootParametersMetadata())));
+	}
+	return State.Reflection;
+}
+
+void WarmShaders(const std::vector<FShaderRef>& Shaders, int32 NumThreads)
+{
+	const size_t NumCores = std::max(1u, std::thread::hardware_concurrency());
+	const size_t NumWorkers = std::min(Shaders.size(), NumThreads > 0 ? static_cast<size_t>(NumThreads) : NumCores);
+	std::atomic<size_t> Next = 0;
+	std::vector<std::vector<FDiagnostic>> Failures(Shaders.size());
+	std::vector<std::exception_ptr> Faults(Shaders.size());
+	const auto Work = [&]
+	{
+		for (size_t Index = Next++; Index < Shaders.size(); Index = Next++)
+		{
+			try
+			{
+				GetCompiledShader(Shaders[Index]);
+			}
+			catch (const FError& Error)
+			{
+				Failures[Index] = Error.GetDiagnostics();
+			}
+			catch (...)
+			{
+				Faults[Index] = std::current_exception();
+			}
+		}
+	};
+	std::vector<std::thread> Workers;
+	for (size_t Index = 0; Index < NumWorkers; ++Index)
+	{
+		Workers.emplace_back(Work);
+	}
+	for (std::thread& Worker : Workers)
+	{
+		Worker.join();
+	}
+
+	std::vector<FDiagnostic> All;
+	for (size_t Index = 0; Index < Shaders.size(); ++Index)
+	{
+		if (Faults[Index])
+		{
+			std::rethrow_exception(Faults[Index]);
+		}
+		All.insert(All.end(), Failures[Index].begin(), Failures[Index].end());
+	}
+	if (!All.empty())
+	{
+		throw FError(std::move(All), ExitUsage);
+	}
+}
+
+void ForgetShaders()
+{
+	ForgetCompiledShaders();
+	ForEachShaderType([](const FShaderType& Type)
+	{
+		Type.ForEachShader([](FShader& Shader)
+		{
+			FShaderState& State = Shader.GetState();
+			std::lock_guard Lock(State.Mutex);
+			State.Compiled.clear();
+			State.Reflection.reset();
+			State.Plans.clear();
+		});
+	});
+}
+
+} // namespace Drydock
