@@ -1,0 +1,411 @@
+// Dispatches, draws, clears and copies. Source: engine RHICommandList.h for meaning; the execution is drydock's.
+#include "RHICommandList.h"
+
+#include "PixelFormatConversion.h"
+#include "TextureTransfer.h"
+#include "TileExecutor.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstring>
+
+namespace
+{
+
+using Drydock::FKernelTile;
+
+// Wide, so that lanes are full and rows stream; low, so that a small target still makes tiles for every thread.
+constexpr int32 GTileSizeX = 256;
+constexpr int32 GTileSizeY = 16;
+
+int32 RoundUp(int32 Value, int32 Multiple)
+{
+	return (Value + Multiple - 1) / Multiple * Multiple;
+}
+
+uint64 GetViewBytes(const Drydock::FKernelTexture& View)
+{
+	uint64 Texels = 0;
+	for (int32 Mip = 0; Mip < View.NumMips; ++Mip)
+	{
+		const Drydock::FKernelMip& At = View.Mips[Mip];
+		Texels += uint64(At.SizeX) * uint64(At.SizeY) * uint64(At.SizeZ);
+	}
+	return Texels * Drydock::GetTexelStorageInfo(View.Storage).BytesPerTexel;
+}
+
+uint64 GetBytesBoundForReading(const Drydock::FBoundShader& Shader)
+{
+	uint64 Bytes = 0;
+	for (const Drydock::FKernelTexture& View : Shader.Textures)
+	{
+		Bytes += GetViewBytes(View);
+	}
+	for (const Drydock::FKernelBuffer& View : Shader.Buffers)
+	{
+		Bytes += View.SizeInBytes;
+	}
+	return Bytes;
+}
+
+/** A compute shader's writes are data; each thread is taken to write every view once, and no view more than whole. */
+uint64 GetBytesBoundForWriting(const Drydock::FBoundShader& Shader, uint64 NumThreads)
+{
+	uint64 Bytes = 0;
+	for (const Drydock::FKernelTexture& View : Shader.RWTextures)
+	{
+		Bytes += std::min(GetViewBytes(View), NumThreads * Drydock::GetTexelStorageInfo(View.Storage).BytesPerTexel);
+	}
+	for (const Drydock::FKernelBuffer& View : Shader.RWBuffers)
+	{
+		Bytes += std::min<uint64>(View.SizeInBytes, NumThreads * View.Stride);
+	}
+	return Bytes;
+}
+
+} // namespace
+
+void FRHIComputeCommandList::SetComputePipelineState(FRHIComputeShader*)
+{
+	BoundCompute = Drydock::FBoundShader();
+}
+
+void FRHIComputeCommandList::SetBoundComputeShader(Drydock::FBoundShader&& Shader)
+{
+	BoundCompute = std::move(Shader);
+}
+
+void FRHIComputeCommandList::DispatchComputeShader(uint32 ThreadGroupCountX, uint32 ThreadGroupCountY, uint32 ThreadGroupCountZ)
+{
+	checkf(BoundCompute.IsValid(), TEXT("DispatchComputeShader without a shader: call SetShaderParameters first"));
+	checkf(BoundCompute.GetReflection().Stage == Drydock::EShaderStage::Compute, TEXT("DispatchComputeShader: %s is not a compute shader"),
+		BoundCompute.Name.c_str());
+	const int32* const GroupSize = BoundCompute.GetReflection().GroupSize;
+	const uint32 Counts[3] = {ThreadGroupCountX, ThreadGroupCountY, ThreadGroupCountZ};
+	for (int32 Axis = 0; Axis < 3; ++Axis)
+	{
+		checkf(Counts[Axis] <= 65535, TEXT("%s: %u thread groups; 65535 is the most per axis"), BoundCompute.Name.c_str(), Counts[Axis]);
+	}
+
+	const FKernelTile Whole = {
+		0, 0, 0, int32(Counts[0]) * GroupSize[0], int32(Counts[1]) * GroupSize[1], int32(Counts[2]) * GroupSize[2]};
+	const uint64 NumThreads = uint64(Whole.MaxX) * uint64(Whole.MaxY) * uint64(Whole.MaxZ);
+	if (NumThreads == 0)
+	{
+		return;
+	}
+	// Whole groups per tile: threads of one group share a tile.
+	const FIntVector TileSize(RoundUp(GTileSizeX, GroupSize[0]), RoundUp(GTileSizeY, GroupSize[1]), GroupSize[2]);
+	RunTiles(BoundCompute, BoundCompute.GetArgs(), Whole, TileSize);
+	Counters.BytesWritten += GetBytesBoundForWriting(BoundCompute, NumThreads);
+}
+
+void FRHIComputeCommandList::DispatchIndirectComputeShader(FRHIBuffer* ArgumentBuffer, uint32 ArgumentOffset)
+{
+	uint32 Counts[3];
+	std::memcpy(Counts, LockBuffer(ArgumentBuffer, ArgumentOffset, sizeof(Counts), RLM_ReadOnly), sizeof(Counts));
+	DispatchComputeShader(Counts[0], Counts[1], Counts[2]);
+}
+
+void FRHIComputeCommandList::RunTiles(
+	const Drydock::FBoundShader& Shader, Drydock::FKernelArgs Args, const FKernelTile& Whole, FIntVector TileSize)
+{
+	const int32 StaticSamples = Shader.GetReflection().StaticSamples;
+	const bool bMeasure = StaticSamples < 0 && bMeasureTaps;
+	std::atomic<uint64> MeasuredTaps{0};
+	const auto RunTile = [&](const FKernelTile& Tile)
+	{
+		Drydock::FKernelCounters TileCounters{};
+		Drydock::FKernelArgs TileArgs = Args;
+		TileArgs.Counters = bMeasure ? &TileCounters : nullptr;
+		Shader.Run(TileArgs, Tile);
+		MeasuredTaps.fetch_add(TileCounters.Samples + TileCounters.Loads, std::memory_order_relaxed);
+	};
+	Drydock::ForEachTile(Whole, TileSize, RunTile, Shader.bDouble ? Drydock::EDenormals::Keep : Drydock::EDenormals::Flush);
+
+	const uint64 Pixels = uint64(Whole.MaxX - Whole.MinX) * uint64(Whole.MaxY - Whole.MinY) * uint64(Whole.MaxZ - Whole.MinZ);
+	Counters.Shader = Shader.Name;
+	Counters.Entry = Shader.EntryPoint;
+	Counters.Pixels += Pixels;
+	Counters.Taps += StaticSamples >= 0 ? Pixels * uint64(StaticSamples) : MeasuredTaps.load();
+	Counters.BytesRead += GetBytesBoundForReading(Shader);
+}
+
+void FRHIComputeCommandList::ClearUAVFloat(FRHIUnorderedAccessView* View, const FVector4f& Value)
+{
+	Counters.Pixels += Drydock::ClearView(View, Value);
+	Counters.BytesWritten += View->GetSizeInBytes();
+}
+
+void FRHIComputeCommandList::ClearUAVUint(FRHIUnorderedAccessView* View, const FUintVector4& Value)
+{
+	Counters.Pixels += Drydock::ClearView(View, Value);
+	Counters.BytesWritten += View->GetSizeInBytes();
+}
+
+void FRHICommandList::BeginRenderPass(const FRHIRenderPassInfo& Info, const TCHAR* Name)
+{
+	checkf(!bInsideRenderPass, TEXT("render pass %s begins inside another"), Name);
+	RenderPass = Info;
+	bInsideRenderPass = true;
+
+	for (const FRHIRenderPassInfo::FColorEntry& Entry : Info.ColorRenderTargets)
+	{
+		if (Entry.RenderTarget && GetLoadAction(Entry.Action) == ERenderTargetLoadAction::EClear)
+		{
+			ClearTarget(Entry.RenderTarget, Entry.MipIndex, Entry.ArraySlice);
+		}
+	}
+	FRHITexture* const Depth = Info.DepthStencilRenderTarget.DepthStencilTarget;
+	const EDepthStencilTargetActions DepthStencilAction = Info.DepthStencilRenderTarget.Action;
+	if (Depth)
+	{
+		float ClearDepth;
+		uint32 ClearStencil;
+		Depth->GetClearBinding().GetDepthStencil(ClearDepth, ClearStencil);
+		const FIntRect Whole(FIntPoint(0, 0), Depth->GetSizeXY());
+		if (GetLoadAction(GetDepthActions(DepthStencilAction)) == ERenderTargetLoadAction::EClear)
+		{
+			Depth->FillRect(&ClearDepth, Whole, 0);
+		}
+		if (Depth->GetNumPlanes() > 1 && GetLoadAction(GetStencilActions(DepthStencilAction)) == ERenderTargetLoadAction::EClear)
+		{
+			const uint8 Stencil = uint8(ClearStencil);
+			Depth->FillRect(&Stencil, Whole, 0, -1, 1);
+		}
+	}
+
+	Viewport = FIntRect(0, 0, GMaxTextureDimensions, GMaxTextureDimensions);
+	bScissor = false;
+	Viewport = GetDrawRect();
+}
+
+void FRHICommandList::EndRenderPass()
+{
+	checkf(bInsideRenderPass, TEXT("EndRenderPass outside a render pass"));
+	bInsideRenderPass = false;
+	RenderPass = FRHIRenderPassInfo();
+}
+
+void FRHICommandList::ClearTarget(FRHITexture* Texture, int32 Mip, int32 Slice)
+{
+	checkf(Texture->HasClearValue(), TEXT("texture %s is cleared by its load action but has no clear value"),
+		*Texture->GetName().ToString());
+	const FLinearColor Color = Texture->GetClearColor();
+	const float Channels[4] = {Color.R, Color.G, Color.B, Color.A};
+	uint8 Texel[32];
+	Drydock::EncodeTexel(Texture->GetStorage(), Channels, Texel, Drydock::IsStoreOverflowSaturated());
+	const Drydock::FTextureMipLayout& At = Texture->GetMipLayout(Mip);
+	Texture->FillRect(Texel, FIntRect(0, 0, At.SizeX, At.SizeY), Mip, Slice);
+
+	const uint64 Texels = uint64(At.SizeX) * uint64(At.SizeY) * (Slice < 0 ? uint64(At.SizeZ) : 1);
+	Counters.BytesWritten += Texels * Drydock::GetTexelStorageInfo(Texture->GetStorage()).BytesPerTexel;
+}
+
+void FRHICommandList::ApplyCachedRenderTargets(FGraphicsPipelineStateInitializer& Initializer) const
+{
+	Initializer.RenderTargetsEnabled = uint32(RenderPass.GetNumColorRenderTargets());
+	for (int32 Index = 0; Index < MaxSimultaneousRenderTargets; ++Index)
+	{
+		const FRHITexture* const Target = RenderPass.ColorRenderTargets[Index].RenderTarget;
+		Initializer.RenderTargetFormats[Index] = Target ? Target->GetFormat() : PF_Unknown;
+	}
+	const FRHITexture* const Depth = RenderPass.DepthStencilRenderTarget.DepthStencilTarget;
+	Initializer.DepthStencilTargetFormat = Depth ? Depth->GetFormat() : PF_Unknown;
+}
+
+void FRHICommandList::SetGraphicsPipelineState(const FGraphicsPipelineStateInitializer& Initializer, uint32)
+{
+	checkf(bInsideRenderPass, TEXT("SetGraphicsPipelineState outside a render pass"));
+	checkf(Initializer.PrimitiveType != PT_LineList && Initializer.PrimitiveType != PT_PointList,
+		TEXT("lines and points are not simulated: draws cover the viewport"));
+	BlendState = Initializer.BlendState;
+	DepthStencilState = Initializer.DepthStencilState;
+	BoundPixel = Drydock::FBoundShader();
+	Interpolants.clear();
+}
+
+void FRHICommandList::SetBoundPixelShader(Drydock::FBoundShader&& Shader)
+{
+	BoundPixel = std::move(Shader);
+}
+
+void FRHICommandList::SetInterpolants(TConstArrayView<Drydock::FKernelInterpolant> InInterpolants)
+{
+	Interpolants.assign(InInterpolants.begin(), InInterpolants.end());
+}
+
+void FRHICommandList::SetViewport(float MinX, float MinY, float, float MaxX, float MaxY, float)
+{
+	Viewport = FIntRect(
+		int32(std::floor(MinX + 0.5f)), int32(std::floor(MinY + 0.5f)), int32(std::floor(MaxX + 0.5f)), int32(std::floor(MaxY + 0.5f)));
+}
+
+void FRHICommandList::SetScissorRect(bool bEnable, uint32 MinX, uint32 MinY, uint32 MaxX, uint32 MaxY)
+{
+	bScissor = bEnable;
+	Scissor = FIntRect(int32(MinX), int32(MinY), int32(MaxX), int32(MaxY));
+}
+
+void FRHICommandList::SetBlendFactor(const FLinearColor& BlendFactor)
+{
+	checkf(BlendFactor == FLinearColor(1, 1, 1, 1), TEXT("blend factors other than white are not simulated"));
+}
+
+void FRHICommandList::DrawPrimitive(uint32, uint32 NumPrimitives, uint32 NumInstances)
+{
+	DrawViewport(NumPrimitives > 0 ? std::max(1u, NumInstances) : 0);
+}
+
+void FRHICommandList::DrawIndexedPrimitive(FRHIBuffer*, int32, uint32, uint32, uint32, uint32 NumPrimitives, uint32 NumInstances)
+{
+	DrawViewport(NumPrimitives > 0 ? std::max(1u, NumInstances) : 0);
+}
+
+FIntRect FRHICommandList::GetDrawRect() const
+{
+	FIntRect Rect = Viewport;
+	const auto Clip = [&Rect](const FIntRect& To)
+	{
+		Rect.Min = FIntPoint(std::max(Rect.Min.X, To.Min.X), std::max(Rect.Min.Y, To.Min.Y));
+		Rect.Max = FIntPoint(std::min(Rect.Max.X, To.Max.X), std::min(Rect.Max.Y, To.Max.Y));
+	};
+	for (const FRHIRenderPassInfo::FColorEntry& Entry : RenderPass.ColorRenderTargets)
+	{
+		if (Entry.RenderTarget)
+		{
+			const Drydock::FTextureMipLayout& At = Entry.RenderTarget->GetMipLayout(Entry.MipIndex);
+			Clip(FIntRect(0, 0, At.SizeX, At.SizeY));
+		}
+	}
+	if (FRHITexture* const Depth = RenderPass.DepthStencilRenderTarget.DepthStencilTarget)
+	{
+		Clip(FIntRect(FIntPoint(0, 0), Depth->GetSizeXY()));
+	}
+	if (bScissor)
+	{
+		Clip(Scissor);
+	}
+	return Rect;
+}
+
+std::vector<Drydock::FKernelTarget> FRHICommandList::MakeTargets(int32 NumWritten) const
+{
+	// Outputs without a target are dropped: a write mask of 0, and no texture behind it.
+	const int32 NumBound = RenderPass.GetNumColorRenderTargets();
+	std::vector<Drydock::FKernelTarget> Targets(size_t(std::max(NumBound, NumWritten)));
+	for (int32 Index = 0; Index < NumBound; ++Index)
+	{
+		const FRHIRenderPassInfo::FColorEntry& Entry = RenderPass.ColorRenderTargets[Index];
+		if (!Entry.RenderTarget || Index >= NumWritten)
+		{
+			continue;
+		}
+		Drydock::FKernelTarget& Target = Targets[Index];
+		Target.Texture = Entry.RenderTarget->GetKernelView(Entry.MipIndex, 1, std::max(0, Entry.ArraySlice));
+		FBlendStateInitializerRHI::FRenderTarget Blend;
+		if (BlendState)
+		{
+			Blend = BlendState->GetTarget(Index);
+		}
+		Target.WriteMask = uint8(Blend.ColorWriteMask);
+		Target.bBlend = Blend.IsBlending();
+		Target.ColorOp = Drydock::EKernelBlendOp(Blend.ColorBlendOp);
+		Target.ColorSource = Drydock::EKernelBlendFactor(Blend.ColorSrcBlend);
+		Target.ColorDest = Drydock::EKernelBlendFactor(Blend.ColorDestBlend);
+		Target.AlphaOp = Drydock::EKernelBlendOp(Blend.AlphaBlendOp);
+		Target.AlphaSource = Drydock::EKernelBlendFactor(Blend.AlphaSrcBlend);
+		Target.AlphaDest = Drydock::EKernelBlendFactor(Blend.AlphaDestBlend);
+	}
+	return Targets;
+}
+
+std::vector<Drydock::FKernelInterpolant> FRHICommandList::MakeInterpolants(int32 NumRead) const
+{
+	std::vector<Drydock::FKernelInterpolant> Result = Interpolants;
+	if (Result.empty())
+	{
+		const double Width = Viewport.Width();
+		const double Height = Viewport.Height();
+		const double U = -Viewport.Min.X / Width;
+		const double V = -Viewport.Min.Y / Height;
+		Result.push_back({
+			{U, V, 2 * U - 1, 1 - 2 * V},
+			{1 / Width, 0, 2 / Width, 0},
+			{0, 1 / Height, 0, -2 / Height},
+		});
+	}
+	Result.resize(std::max(Result.size(), size_t(NumRead)));
+	return Result;
+}
+
+void FRHICommandList::DrawViewport(uint32 NumInstances)
+{
+	checkf(bInsideRenderPass, TEXT("a draw outside a render pass"));
+	checkf(BoundPixel.IsValid(), TEXT("a draw without a pixel shader: call SetShaderParameters first"));
+	const Drydock::FShaderReflection& Reflection = BoundPixel.GetReflection();
+	checkf(Reflection.Stage == Drydock::EShaderStage::Pixel, TEXT("a draw: %s is not a pixel shader"), BoundPixel.Name.c_str());
+	checkf(!RenderPass.DepthStencilRenderTarget.DepthStencilTarget || !DepthStencilState || !DepthStencilState->IsTesting(),
+		TEXT("%s: depth and stencil tests and writes are not simulated; use TStaticDepthStencilState<false, CF_Always>"),
+		BoundPixel.Name.c_str());
+
+	const FIntRect Rect = GetDrawRect();
+	if (Rect.Width() <= 0 || Rect.Height() <= 0)
+	{
+		return;
+	}
+	const std::vector<Drydock::FKernelTarget> Targets = MakeTargets(Reflection.NumTargets);
+	const std::vector<Drydock::FKernelInterpolant> Inputs = MakeInterpolants(Reflection.NumInterpolants);
+	Drydock::FKernelArgs Args = BoundPixel.GetArgs();
+	Args.Targets = Targets.data();
+	Args.NumTargets = int32(Targets.size());
+	Args.Interpolants = Inputs.data();
+
+	const FKernelTile Whole = {Rect.Min.X, Rect.Min.Y, 0, Rect.Max.X, Rect.Max.Y, 1};
+	const uint64 Pixels = uint64(Rect.Width()) * uint64(Rect.Height());
+	for (uint32 Instance = 0; Instance < NumInstances; ++Instance)
+	{
+		RunTiles(BoundPixel, Args, Whole, FIntVector(GTileSizeX, GTileSizeY, 1));
+		for (const Drydock::FKernelTarget& Target : Targets)
+		{
+			if (Target.WriteMask)
+			{
+				const uint64 Bytes = Pixels * Drydock::GetTexelStorageInfo(Target.Texture.Storage).BytesPerTexel;
+				Counters.BytesWritten += Bytes;
+				Counters.BytesRead += Target.bBlend ? Bytes : 0;
+			}
+		}
+		Counters.BytesWritten += GetBytesBoundForWriting(BoundPixel, Pixels);
+	}
+}
+
+void FRHICommandList::CopyTexture(FRHITexture* Source, FRHITexture* Dest, const FRHICopyTextureInfo& Info)
+{
+	const uint64 Texels = Drydock::CopyTextureRegion(Source, Dest, Info);
+	const uint64 Bytes = Texels * Drydock::GetTexelStorageInfo(Source->GetStorage()).BytesPerTexel;
+	Counters.Pixels += Texels;
+	Counters.BytesRead += Bytes;
+	Counters.BytesWritten += Bytes;
+}
+
+void FRHICommandList::CopyBufferRegion(FRHIBuffer* Dest, uint64 DestOffset, FRHIBuffer* Source, uint64 SourceOffset, uint64 NumBytes)
+{
+	check(Source && Dest);
+	checkf(NumBytes <= Source->GetSize() && SourceOffset <= Source->GetSize() - NumBytes && NumBytes <= Dest->GetSize()
+			&& DestOffset <= Dest->GetSize() - NumBytes,
+		TEXT("CopyBufferRegion goes beyond buffer %s or %s"), *Source->GetName().ToString(), *Dest->GetName().ToString());
+	std::memmove(Dest->GetData() + DestOffset, Source->GetData() + SourceOffset, size_t(NumBytes));
+	Counters.BytesRead += NumBytes;
+	Counters.BytesWritten += NumBytes;
+}
+
+void FRHICommandListImmediate::ReadSurfaceData(FRHITexture* Texture, FIntRect Rect, TArray<FLinearColor>& OutData, FReadSurfaceDataFlags Flags)
+{
+	Drydock::ReadSurface(Texture, Rect, OutData, Flags);
+}
+
+void FRHICommandListImmediate::ReadSurfaceData(FRHITexture* Texture, FIntRect Rect, TArray<FColor>& OutData, FReadSurfaceDataFlags Flags)
+{
+	Drydock::ReadSurface(Texture, Rect, OutData, Flags);
+}

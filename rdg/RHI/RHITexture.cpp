@@ -1,0 +1,258 @@
+// Texture memory, mip tables and texel access. Source: drydock.
+#include "RHITexture.h"
+
+#include "PixelFormatConversion.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+
+FRHIResource::~FRHIResource() = default;
+
+namespace Drydock
+{
+
+FResourceMemory::~FResourceMemory()
+{
+	std::free(Owned);
+}
+
+void FResourceMemory::PlaceAt(void* Memory)
+{
+	checkf(reinterpret_cast<uintptr_t>(Memory) % GTextureAlignment == 0, TEXT("a resource must be placed at a multiple of 64 bytes"));
+	std::free(Owned);
+	Owned = nullptr;
+	Data = static_cast<uint8*>(Memory);
+}
+
+void FResourceMemory::Ensure(size_t Size)
+{
+	if (Data)
+	{
+		return;
+	}
+	// calloc, not aligned_alloc and memset: the system hands out zero pages lazily.
+	Owned = std::calloc(1, Size + GTextureAlignment);
+	if (!Owned)
+	{
+		throw std::bad_alloc();
+	}
+	const uintptr_t Address = reinterpret_cast<uintptr_t>(Owned);
+	Data = static_cast<uint8*>(Owned) + (GTextureAlignment - Address % GTextureAlignment) % GTextureAlignment;
+}
+
+} // namespace Drydock
+
+FRHITexture::FRHITexture(const FRHITextureDesc& InDesc, const TCHAR* InName)
+	: FRHIViewableResource(InName), Desc(InDesc)
+{
+	FString Reason;
+	const bool bValid = Desc.IsValid(&Reason);
+	checkf(bValid, TEXT("texture %s cannot be created: %s"), InName, *Reason);
+	Layout = Drydock::ComputeTextureLayout(Desc);
+
+	const int32 NumSlices = Layout.Planes[0].Mips[0].SizeZ;
+	MipTables.resize(Layout.Planes.size());
+	for (std::vector<Drydock::FKernelMip>& Table : MipTables)
+	{
+		Table.resize(size_t(Desc.NumMips) * (1 + NumSlices));
+	}
+}
+
+FIntVector FRHITexture::GetMipDimensions(uint8 MipIndex) const
+{
+	const Drydock::FTextureMipLayout& Mip = GetMipLayout(MipIndex);
+	return FIntVector(Mip.SizeX, Mip.SizeY, Desc.IsTexture3D() ? Mip.SizeZ : 1);
+}
+
+size_t FRHITexture::ComputeSize(const FRHITextureDesc& Desc)
+{
+	return Drydock::ComputeTextureLayout(Desc).SizeInBytes;
+}
+
+void FRHITexture::PlaceAt(void* InMemory)
+{
+	Memory.PlaceAt(InMemory);
+	RebuildMipTables();
+}
+
+void FRHITexture::EnsureMemory()
+{
+	if (!HasMemory())
+	{
+		Memory.Ensure(Layout.SizeInBytes);
+		RebuildMipTables();
+	}
+}
+
+void FRHITexture::RebuildMipTables()
+{
+	for (size_t Plane = 0; Plane < Layout.Planes.size(); ++Plane)
+	{
+		const int32 NumMips = Desc.NumMips;
+		for (int32 Mip = 0; Mip < NumMips; ++Mip)
+		{
+			const Drydock::FTextureMipLayout& From = Layout.Planes[Plane].Mips[Mip];
+			uint8* const Data = Memory.Get() ? Memory.Get() + From.Offset : nullptr;
+			std::vector<Drydock::FKernelMip>& Table = MipTables[Plane];
+			Table[Mip] = {Data, From.SizeX, From.SizeY, From.SizeZ, From.RowPitch, From.SlicePitch};
+			// Small mips of a 3D texture have fewer slices than the table has room for: those entries stay empty.
+			for (int32 Slice = 0; Data && Slice < From.SizeZ; ++Slice)
+			{
+				Table[size_t(1 + Slice) * NumMips + Mip] = {
+					Data + Slice * From.SlicePitch, From.SizeX, From.SizeY, 1, From.RowPitch, From.SlicePitch};
+			}
+		}
+	}
+}
+
+Drydock::FKernelTexture FRHITexture::GetKernelView(int32 FirstMip, int32 NumMips, int32 Slice, int32 Plane)
+{
+	EnsureMemory();
+	const int32 ViewMips = NumMips < 0 ? Desc.NumMips - FirstMip : NumMips;
+	checkf(FirstMip >= 0 && ViewMips > 0 && FirstMip + ViewMips <= Desc.NumMips, TEXT("texture %s has no mips %d to %d"),
+		*GetName().ToString(), FirstMip, FirstMip + ViewMips - 1);
+	checkf(Plane >= 0 && Plane < GetNumPlanes(), TEXT("texture %s has no stencil"), *GetName().ToString());
+	checkf(Slice < GetMipLayout(FirstMip).SizeZ, TEXT("texture %s has no slice %d"), *GetName().ToString(), Slice);
+
+	Drydock::FKernelTexture View{};
+	View.Mips = MipTables[Plane].data() + size_t(Slice < 0 ? 0 : 1 + Slice) * Desc.NumMips + FirstMip;
+	View.NumMips = ViewMips;
+	View.Storage = GetStorage(Plane);
+	View.bIs3D = Slice < 0 && Desc.IsTexture3D();
+	View.bSaturateStore = Drydock::IsStoreOverflowSaturated();
+	return View;
+}
+
+uint8* FRHITexture::GetTexel(int32 X, int32 Y, int32 Mip, int32 Z, int32 Plane)
+{
+	EnsureMemory();
+	checkf(Mip >= 0 && Mip < Desc.NumMips && Plane >= 0 && Plane < GetNumPlanes(), TEXT("texture %s has no mip %d, plane %d"),
+		*GetName().ToString(), Mip, Plane);
+	const Drydock::FTextureMipLayout& At = GetMipLayout(Mip, Plane);
+	checkf(X >= 0 && X < At.SizeX && Y >= 0 && Y < At.SizeY && Z >= 0 && Z < At.SizeZ,
+		TEXT("texel (%d, %d, %d) lies outside mip %d of texture %s"), X, Y, Z, Mip, *GetName().ToString());
+	const size_t TexelBytes = Drydock::GetTexelStorageInfo(GetStorage(Plane)).BytesPerTexel;
+	return Memory.Get() + At.Offset + Z * At.SlicePitch + int64(Y) * At.RowPitch + X * TexelBytes;
+}
+
+FLinearColor FRHITexture::ReadTexel(int32 X, int32 Y, int32 Mip, int32 Z)
+{
+	float Value[4];
+	Drydock::DecodeTexel(GetStorage(), GetTexel(X, Y, Mip, Z), Value);
+	return FLinearColor(Value[0], Value[1], Value[2], Value[3]);
+}
+
+void FRHITexture::WriteTexel(int32 X, int32 Y, const FLinearColor& Value, int32 Mip, int32 Z)
+{
+	const float Channels[4] = {Value.R, Value.G, Value.B, Value.A};
+	Drydock::EncodeTexel(GetStorage(), Channels, GetTexel(X, Y, Mip, Z), Drydock::IsStoreOverflowSaturated());
+}
+
+FVector4 FRHITexture::ReadTexelDouble(int32 X, int32 Y, int32 Mip, int32 Z)
+{
+	double Value[4];
+	Drydock::DecodeTexel(GetStorage(), GetTexel(X, Y, Mip, Z), Value);
+	return FVector4(Value[0], Value[1], Value[2], Value[3]);
+}
+
+void FRHITexture::WriteTexelDouble(int32 X, int32 Y, const FVector4& Value, int32 Mip, int32 Z)
+{
+	const double Channels[4] = {Value.X, Value.Y, Value.Z, Value.W};
+	Drydock::EncodeTexel(GetStorage(), Channels, GetTexel(X, Y, Mip, Z), Drydock::IsStoreOverflowSaturated());
+}
+
+FUintVector4 FRHITexture::ReadTexelUint(int32 X, int32 Y, int32 Mip, int32 Z)
+{
+	checkf(IsInteger(Desc.Format), TEXT("texture %s does not hold integers"), *GetName().ToString());
+	uint32_t Value[4];
+	Drydock::DecodeTexel(GetStorage(), GetTexel(X, Y, Mip, Z), Value);
+	return FUintVector4(Value[0], Value[1], Value[2], Value[3]);
+}
+
+void FRHITexture::WriteTexelUint(int32 X, int32 Y, const FUintVector4& Value, int32 Mip, int32 Z)
+{
+	checkf(IsInteger(Desc.Format), TEXT("texture %s does not hold integers"), *GetName().ToString());
+	const uint32_t Channels[4] = {Value.X, Value.Y, Value.Z, Value.W};
+	Drydock::EncodeTexel(GetStorage(), Channels, GetTexel(X, Y, Mip, Z));
+}
+
+void FRHITexture::ReadRow(int32 X, int32 Y, TArrayView<FLinearColor> OutColors, int32 Mip, int32 Z)
+{
+	if (OutColors.Num() == 0)
+	{
+		return;
+	}
+	GetTexel(X + OutColors.Num() - 1, Y, Mip, Z); // checks the far end
+	const uint8* Texel = GetTexel(X, Y, Mip, Z);
+	const size_t TexelBytes = Drydock::GetTexelStorageInfo(GetStorage()).BytesPerTexel;
+	for (FLinearColor& Color : OutColors)
+	{
+		float Value[4];
+		Drydock::DecodeTexel(GetStorage(), Texel, Value);
+		Color = FLinearColor(Value[0], Value[1], Value[2], Value[3]);
+		Texel += TexelBytes;
+	}
+}
+
+void FRHITexture::WriteRow(int32 X, int32 Y, TConstArrayView<FLinearColor> Colors, int32 Mip, int32 Z)
+{
+	if (Colors.Num() == 0)
+	{
+		return;
+	}
+	GetTexel(X + Colors.Num() - 1, Y, Mip, Z); // checks the far end
+	uint8* Texel = GetTexel(X, Y, Mip, Z);
+	const size_t TexelBytes = Drydock::GetTexelStorageInfo(GetStorage()).BytesPerTexel;
+	const bool bSaturate = Drydock::IsStoreOverflowSaturated();
+	for (const FLinearColor& Color : Colors)
+	{
+		const float Channels[4] = {Color.R, Color.G, Color.B, Color.A};
+		Drydock::EncodeTexel(GetStorage(), Channels, Texel, bSaturate);
+		Texel += TexelBytes;
+	}
+}
+
+void FRHITexture::Fill(const FLinearColor& Value)
+{
+	const float Channels[4] = {Value.R, Value.G, Value.B, Value.A};
+	uint8 Texel[32];
+	Drydock::EncodeTexel(GetStorage(), Channels, Texel, Drydock::IsStoreOverflowSaturated());
+	for (int32 Mip = 0; Mip < Desc.NumMips; ++Mip)
+	{
+		const Drydock::FTextureMipLayout& At = GetMipLayout(Mip);
+		FillRect(Texel, FIntRect(0, 0, At.SizeX, At.SizeY), Mip);
+	}
+}
+
+void FRHITexture::FillRect(const void* Texel, FIntRect Rect, int32 Mip, int32 Slice, int32 Plane)
+{
+	if (Rect.Width() <= 0 || Rect.Height() <= 0)
+	{
+		return;
+	}
+	GetTexel(Rect.Max.X - 1, Rect.Max.Y - 1, Mip, std::max(0, Slice), Plane); // checks the far corner
+	const Drydock::FTextureMipLayout& At = GetMipLayout(Mip, Plane);
+	const size_t TexelBytes = Drydock::GetTexelStorageInfo(GetStorage(Plane)).BytesPerTexel;
+	const size_t RowBytes = size_t(Rect.Width()) * TexelBytes;
+
+	const int32 FirstSlice = Slice < 0 ? 0 : Slice;
+	const int32 LastSlice = Slice < 0 ? At.SizeZ - 1 : Slice;
+	uint8* const FirstRow = GetTexel(Rect.Min.X, Rect.Min.Y, Mip, FirstSlice, Plane);
+	for (size_t Byte = 0; Byte < RowBytes; Byte += TexelBytes)
+	{
+		std::memcpy(FirstRow + Byte, Texel, TexelBytes);
+	}
+	for (int32 Z = FirstSlice; Z <= LastSlice; ++Z)
+	{
+		for (int32 Y = Rect.Min.Y; Y < Rect.Max.Y; ++Y)
+		{
+			uint8* const Row = GetTexel(Rect.Min.X, Y, Mip, Z, Plane);
+			if (Row != FirstRow)
+			{
+				std::memcpy(Row, FirstRow, RowBytes);
+			}
+		}
+	}
+}
