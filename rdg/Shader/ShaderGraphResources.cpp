@@ -1,7 +1,6 @@
 // The RHI objects behind the graph's resources. Source: drydock.
 #include "ShaderGraphResources.h"
 
-#if __has_include("RenderGraphResources.h")
 #include "RenderGraphResources.h"
 
 namespace Drydock
@@ -34,8 +33,7 @@ FRHIUnorderedAccessView* GetViewRHI(FRDGBufferUAV* View)
 
 const void* GetUniformBufferContents(FRDGUniformBuffer* Buffer)
 {
-	return Buffer->GetParameters().GetContents();
+	return Buffer->GetContents();
 }
 
 } // namespace Drydock
-#endif
