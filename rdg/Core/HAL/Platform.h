@@ -1,0 +1,4 @@
+// Platform types and switches under their engine header. Source: engine HAL/Platform.h.
+#pragma once
+
+#include "CoreTypes.h"

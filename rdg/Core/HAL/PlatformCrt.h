@@ -1,0 +1,4 @@
+// Platform types under their engine header. Source: engine HAL/PlatformCrt.h.
+#pragma once
+
+#include "CoreTypes.h"

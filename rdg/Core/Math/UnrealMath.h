@@ -1,0 +1,4 @@
+// All mathematical types under their engine header. Source: engine Math/UnrealMath.h.
+#pragma once
+
+#include "CoreMinimal.h"

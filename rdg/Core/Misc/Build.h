@@ -1,0 +1,4 @@
+// Build switches under their engine header. Source: engine Misc/Build.h.
+#pragma once
+
+#include "CoreTypes.h"

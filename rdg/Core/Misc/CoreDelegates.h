@@ -1,0 +1,20 @@
+// Moments of the engine's life that modules wait for. Source: engine Misc/CoreDelegates.h.
+#pragma once
+
+#include "Delegates/Delegate.h"
+
+DECLARE_MULTICAST_DELEGATE(FSimpleMulticastDelegate)
+DECLARE_DELEGATE(FSimpleDelegate)
+
+class DRYDOCK_API FCoreDelegates
+{
+public:
+	/** Broadcast by FModuleManager::StartupPendingModules, once for each subscriber. */
+	static FSimpleMulticastDelegate OnPostEngineInit;
+	/** The spelling of newer engines. */
+	static FSimpleMulticastDelegate& GetOnPostEngineInit() { return OnPostEngineInit; }
+	static FSimpleMulticastDelegate OnEnginePreExit;
+	static FSimpleMulticastDelegate& GetOnEnginePreExit() { return OnEnginePreExit; }
+	static FSimpleMulticastDelegate OnBeginFrame;
+	static FSimpleMulticastDelegate OnEndFrame;
+};

@@ -1,0 +1,22 @@
+// IModuleInterface: what a plugin's module implements. Source: engine Modules/ModuleInterface.h.
+#pragma once
+
+class IModuleInterface
+{
+public:
+	virtual ~IModuleInterface() = default;
+	virtual void StartupModule() {}
+	virtual void ShutdownModule() {}
+	virtual bool SupportsDynamicReloading() { return true; }
+	virtual bool IsGameModule() const { return false; }
+};
+
+class FDefaultModuleImpl : public IModuleInterface
+{
+};
+
+class FDefaultGameModuleImpl : public FDefaultModuleImpl
+{
+public:
+	bool IsGameModule() const override { return true; }
+};

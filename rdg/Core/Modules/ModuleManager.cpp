@@ -1,0 +1,85 @@
+// The registered modules. Source: drydock.
+#include "Modules/ModuleManager.h"
+
+#include "Logging/LogMacros.h"
+#include "Misc/CoreDelegates.h"
+
+FModuleManager& FModuleManager::Get()
+{
+	static FModuleManager Manager;
+	return Manager;
+}
+
+void FModuleManager::RegisterModule(FName Name, FModuleFactory Factory)
+{
+	if (FindEntry(Name) != nullptr)
+	{
+		UE_LOG(LogCore, Warning, "Module %s is registered twice; the first one stays", *Name.ToString());
+		return;
+	}
+	Entries.Add(MakeUnique<FEntry>(FEntry{Name, Factory, nullptr}));
+}
+
+void FModuleManager::UnregisterModule(FName Name)
+{
+	if (FEntry* Entry = FindEntry(Name))
+	{
+		if (Entry->Module.IsValid())
+		{
+			Entry->Module->ShutdownModule();
+		}
+		Entries.RemoveAll([Entry](const TUniquePtr<FEntry>& Other) { return Other.Get() == Entry; });
+	}
+}
+
+void FModuleManager::StartupPendingModules()
+{
+	// By index: a module may load another while it starts.
+	for (int32 Index = 0; Index < Entries.Num(); ++Index)
+	{
+		Startup(*Entries[Index]);
+	}
+	// Subscribers hear it once, however often modules come; the list is emptied first, as a callee may subscribe.
+	const FSimpleMulticastDelegate Waiting = FCoreDelegates::OnPostEngineInit;
+	FCoreDelegates::OnPostEngineInit.Clear();
+	Waiting.Broadcast();
+}
+
+IModuleInterface* FModuleManager::LoadModule(FName Name)
+{
+	FEntry* Entry = FindEntry(Name);
+	if (Entry == nullptr)
+	{
+		return nullptr;
+	}
+	Startup(*Entry);
+	return Entry->Module.Get();
+}
+
+IModuleInterface& FModuleManager::LoadModuleChecked(FName Name)
+{
+	IModuleInterface* Module = LoadModule(Name);
+	checkf(Module != nullptr, "Module %s is not registered", *Name.ToString());
+	return *Module;
+}
+
+IModuleInterface* FModuleManager::GetModule(FName Name)
+{
+	FEntry* Entry = FindEntry(Name);
+	return Entry != nullptr ? Entry->Module.Get() : nullptr;
+}
+
+void FModuleManager::Startup(FEntry& Entry)
+{
+	if (!Entry.Module.IsValid())
+	{
+		Entry.Module = TUniquePtr<IModuleInterface>(Entry.Factory());
+		Entry.Module->StartupModule();
+	}
+}
+
+FModuleManager::FEntry* FModuleManager::FindEntry(FName Name)
+{
+	const TUniquePtr<FEntry>* Found = Entries.FindByPredicate([Name](const TUniquePtr<FEntry>& Entry) { return Entry->Name == Name; });
+	return Found != nullptr ? Found->Get() : nullptr;
+}

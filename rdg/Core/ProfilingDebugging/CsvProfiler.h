@@ -1,0 +1,4 @@
+// Profiling scopes under their engine header. Source: engine ProfilingDebugging/CsvProfiler.h.
+#pragma once
+
+#include "Stats/Stats.h"

@@ -1,0 +1,147 @@
+// UObject, as much as code outside the engine needs to compile and to be watched: objects are plain C++ objects that the
+// caller owns. Source: engine UObject/Object.h, UObject/UObjectGlobals.h, Templates/Casts.h, UObject/WeakObjectPtr.h,
+// UObject/ObjectPtr.h, UObject/StrongObjectPtr.h.
+#pragma once
+
+#include "Misc/AssertionMacros.h"
+#include "UObject/NameTypes.h"
+#include "UObject/ObjectMacros.h"
+#include "UObject/UObjectBase.h"
+
+class UWorld;
+
+class UObject : public UObjectBase
+{
+public:
+	// The header tool writes Super into every class. Inherited, it names the direct base of a class derived from this one.
+	using Super = UObject;
+
+	virtual UWorld* GetWorld() const { return nullptr; }
+	virtual void PostInitProperties() {}
+	virtual void BeginDestroy() {}
+	FString GetName() const { return Name.ToString(); }
+	FName GetFName() const { return Name; }
+	/** Ours: the engine names objects when it makes them. */
+	void SetFName(FName InName) { Name = InName; }
+
+private:
+	FName Name;
+};
+
+inline bool IsValid(const UObjectBase* Object)
+{
+	return Object != nullptr;
+}
+
+/** Null if Object is null or of another type. */
+template <typename To, typename From>
+To* Cast(From* Object)
+{
+	return dynamic_cast<To*>(Object);
+}
+
+template <typename To, typename From>
+To* CastChecked(From* Object)
+{
+	To* Result = Cast<To>(Object);
+	check(Result != nullptr);
+	return Result;
+}
+
+/** A new object, which the caller owns: nothing collects it. */
+template <typename T>
+T* NewObject(UObject* = nullptr, FName Name = NAME_None)
+{
+	T* Object = new T();
+	Object->SetFName(Name);
+	return Object;
+}
+
+/** The object that holds a class's default values. */
+template <typename T>
+T* GetMutableDefault()
+{
+	static T Default;
+	return &Default;
+}
+template <typename T>
+const T* GetDefault()
+{
+	return GetMutableDefault<T>();
+}
+
+/** A member pointer to an object: a plain pointer. */
+template <typename T>
+class TObjectPtr
+{
+public:
+	TObjectPtr() = default;
+	TObjectPtr(std::nullptr_t) {}
+	TObjectPtr(T* InObject)
+		: Object(InObject)
+	{
+	}
+	template <typename U>
+		requires std::is_convertible_v<U*, T*>
+	TObjectPtr(const TObjectPtr<U>& Other)
+		: Object(Other.Get())
+	{
+	}
+
+	T* Get() const { return Object; }
+	operator T*() const { return Object; }
+	T* operator->() const { return Object; }
+	T& operator*() const { return *Object; }
+
+private:
+	T* Object = nullptr;
+};
+
+/** Null once its object is destroyed. */
+template <typename T = UObject>
+class TWeakObjectPtr
+{
+public:
+	TWeakObjectPtr() = default;
+	TWeakObjectPtr(std::nullptr_t) {}
+	TWeakObjectPtr(T* InObject)
+		: Object(InObject)
+		, LifeToken(InObject != nullptr ? InObject->GetLifeToken() : std::weak_ptr<const void>())
+	{
+	}
+
+	bool IsValid() const { return !LifeToken.expired(); }
+	T* Get() const { return IsValid() ? Object : nullptr; }
+	T* operator->() const { return Get(); }
+	T& operator*() const { return *Get(); }
+	explicit operator bool() const { return IsValid(); }
+	void Reset() { *this = TWeakObjectPtr(); }
+	friend bool operator==(const TWeakObjectPtr& A, const TWeakObjectPtr& B) { return A.Get() == B.Get(); }
+
+private:
+	T* Object = nullptr;
+	std::weak_ptr<const void> LifeToken;
+};
+
+/** In the engine it keeps the object from being collected; nothing is collected here. */
+template <typename T>
+class TStrongObjectPtr : public TObjectPtr<T>
+{
+public:
+	using TObjectPtr<T>::TObjectPtr;
+
+	bool IsValid() const { return this->Get() != nullptr; }
+	void Reset(T* Object = nullptr) { *this = TStrongObjectPtr(Object); }
+};
+
+/** In the engine it names an asset that may not be loaded; here it is what was put into it. */
+template <typename T = UObject>
+class TSoftObjectPtr : public TObjectPtr<T>
+{
+public:
+	using TObjectPtr<T>::TObjectPtr;
+
+	bool IsNull() const { return this->Get() == nullptr; }
+	bool IsValid() const { return !IsNull(); }
+	T* LoadSynchronous() const { return this->Get(); }
+};

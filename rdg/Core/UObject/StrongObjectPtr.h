@@ -1,0 +1,4 @@
+// Strong object pointers under their engine header. Source: engine UObject/StrongObjectPtr.h.
+#pragma once
+
+#include "UObject/Object.h"
