@@ -70,9 +70,11 @@ void AppendShaderParameters(TArray<FShaderParametersMetadata::FMember>& Members)
 	static constexpr int32 Alignment = SHADER_PARAMETER_STRUCT_ALIGNMENT; \
 	static constexpr bool bIsStoredInConstantBuffer = true;
 
+// The alignment is a GNU attribute because export macros are: GCC takes no alignas beside one.
+
 /** Opens a parameter struct. The second argument is a module's export macro and may be empty. */
 #define BEGIN_SHADER_PARAMETER_STRUCT(StructTypeName, PrefixKeywords) \
-	class alignas(SHADER_PARAMETER_STRUCT_ALIGNMENT) PrefixKeywords StructTypeName \
+	class __attribute__((aligned(SHADER_PARAMETER_STRUCT_ALIGNMENT))) PrefixKeywords StructTypeName \
 	{ \
 	public: \
 		struct FTypeInfo \
@@ -93,7 +95,7 @@ void AppendShaderParameters(TArray<FShaderParametersMetadata::FMember>& Members)
 	};
 
 #define DRYDOCK_BEGIN_UNIFORM_BUFFER_STRUCT(StructTypeName, PrefixKeywords, Constructor) \
-	class alignas(SHADER_PARAMETER_STRUCT_ALIGNMENT) PrefixKeywords StructTypeName \
+	class __attribute__((aligned(SHADER_PARAMETER_STRUCT_ALIGNMENT))) PrefixKeywords StructTypeName \
 	{ \
 	public: \
 		Constructor \
