@@ -1,0 +1,47 @@
+// Full-screen pixel-shader passes. Source: engine PixelShaderUtils.h.
+#pragma once
+
+#include "ScreenPass.h"
+
+struct DRYDOCK_API FPixelShaderUtils
+{
+	/** Inside a raster lambda: draws one triangle over the viewport. */
+	static void DrawFullscreenTriangle(FRHICommandList& RHICmdList, uint32 InstanceCount = 1) { RHICmdList.DrawPrimitive(0, 1, InstanceCount); }
+	static void DrawFullscreenQuad(FRHICommandList& RHICmdList, uint32 InstanceCount = 1) { RHICmdList.DrawPrimitive(0, 2, InstanceCount); }
+
+	/** Inside a raster lambda: states, parameters and draw of a full-screen pass. */
+	template <typename TShaderClass>
+	static void DrawFullscreenPixelShader(FRHICommandList& RHICmdList, const FGlobalShaderMap*, const TShaderRef<TShaderClass>& PixelShader,
+		const typename TShaderClass::FParameters& Parameters, const FIntRect& Viewport, FRHIBlendState* BlendState = nullptr,
+		FRHIRasterizerState* = nullptr, FRHIDepthStencilState* DepthStencilState = nullptr, uint32 StencilRef = 0)
+	{
+		FScreenPassPipelineState State(TShaderRef<FShader>(), PixelShader);
+		State.BlendState = BlendState ? BlendState : State.BlendState;
+		State.DepthStencilState = DepthStencilState ? DepthStencilState : State.DepthStencilState;
+		State.StencilRef = static_cast<uint8>(StencilRef);
+		SetScreenPassPipelineState(RHICmdList, State);
+		RHICmdList.SetViewport(static_cast<float>(Viewport.Min.X), static_cast<float>(Viewport.Min.Y), 0.0f,
+			static_cast<float>(Viewport.Max.X), static_cast<float>(Viewport.Max.Y), 1.0f);
+		SetShaderParameters(RHICmdList, PixelShader, PixelShader.GetPixelShader(), Parameters);
+		DrawFullscreenTriangle(RHICmdList);
+	}
+
+	/** Adds a raster pass that runs the pixel shader over Viewport of its render targets. The shader receives SV_POSITION
+	 *  only. What it does not read of Parameters is dropped before the pass is added. */
+	template <typename TShaderClass>
+	static FRDGPassRef AddFullscreenPass(FRDGBuilder& GraphBuilder, const FGlobalShaderMap*, FRDGEventName&& PassName,
+		const TShaderRef<TShaderClass>& PixelShader, typename TShaderClass::FParameters* Parameters, const FIntRect& Viewport,
+		FRHIBlendState* BlendState = nullptr, FRHIRasterizerState* = nullptr, FRHIDepthStencilState* DepthStencilState = nullptr,
+		uint32 StencilRef = 0)
+	{
+		check(PixelShader.IsValid());
+		ClearUnusedGraphResources(PixelShader, Parameters);
+		FScreenPassPipelineState State(TShaderRef<FShader>(), PixelShader);
+		State.BlendState = BlendState ? BlendState : State.BlendState;
+		State.DepthStencilState = DepthStencilState ? DepthStencilState : State.DepthStencilState;
+		State.StencilRef = static_cast<uint8>(StencilRef);
+		const FScreenPassTextureViewport ScreenViewport(Viewport);
+		return Drydock::AddScreenPass(GraphBuilder, MoveTemp(PassName), ScreenViewport, ScreenViewport, State,
+			TShaderClass::FParameters::FTypeInfo::GetStructMetadata(), Parameters);
+	}
+};

@@ -1,0 +1,232 @@
+#include "RenderGraphUtils.h"
+
+BEGIN_SHADER_PARAMETER_STRUCT(FCopyTextureParameters, )
+	RDG_TEXTURE_ACCESS(Input, ERHIAccess::CopySrc)
+	RDG_TEXTURE_ACCESS(Output, ERHIAccess::CopyDest)
+END_SHADER_PARAMETER_STRUCT()
+
+BEGIN_SHADER_PARAMETER_STRUCT(FCopyBufferParameters, )
+	RDG_BUFFER_ACCESS(SrcBuffer, ERHIAccess::CopySrc)
+	RDG_BUFFER_ACCESS(DstBuffer, ERHIAccess::CopyDest)
+END_SHADER_PARAMETER_STRUCT()
+
+BEGIN_SHADER_PARAMETER_STRUCT(FClearTextureUAVParameters, )
+	SHADER_PARAMETER_RDG_TEXTURE_UAV(RWTexture2D, UAV)
+END_SHADER_PARAMETER_STRUCT()
+
+BEGIN_SHADER_PARAMETER_STRUCT(FClearBufferUAVParameters, )
+	SHADER_PARAMETER_RDG_BUFFER_UAV(RWBuffer<uint>, UAV)
+END_SHADER_PARAMETER_STRUCT()
+
+BEGIN_SHADER_PARAMETER_STRUCT(FRenderTargetParameters, )
+	RENDER_TARGET_BINDING_SLOTS()
+END_SHADER_PARAMETER_STRUCT()
+
+namespace Drydock
+{
+
+void AnnotatePass(FRDGPassRef Pass, const TShaderRef<FShader>& Shader)
+{
+	if (Pass && Shader.IsValid())
+	{
+		Pass->SetShader(Shader.GetType()->GetName(), Shader.GetType()->GetFunctionName());
+	}
+}
+
+} // namespace Drydock
+
+void AddCopyTexturePass(
+	FRDGBuilder& GraphBuilder, FRDGTextureRef InputTexture, FRDGTextureRef OutputTexture, const FRHICopyTextureInfo& CopyInfo)
+{
+	checkf(InputTexture && OutputTexture, TEXT("AddCopyTexturePass needs an input and an output texture"));
+	checkf(InputTexture->Desc.Format == OutputTexture->Desc.Format,
+		TEXT("AddCopyTexturePass: %s and %s have different formats; draw it with AddDrawTexturePass"), InputTexture->Name, OutputTexture->Name);
+	FCopyTextureParameters* Parameters = GraphBuilder.AllocParameters<FCopyTextureParameters>();
+	Parameters->Input = InputTexture;
+	Parameters->Output = OutputTexture;
+	GraphBuilder.AddPass(RDG_EVENT_NAME("CopyTexture(%s -> %s)", InputTexture->Name, OutputTexture->Name), Parameters, ERDGPassFlags::Copy,
+		[InputTexture, OutputTexture, CopyInfo](FRHICommandList& RHICmdList)
+		{ RHICmdList.CopyTexture(InputTexture->GetRHI(), OutputTexture->GetRHI(), CopyInfo); });
+}
+
+void AddCopyTexturePass(FRDGBuilder& GraphBuilder, FRDGTextureRef InputTexture, FRDGTextureRef OutputTexture, FIntPoint InputPosition,
+	FIntPoint OutputPosition, FIntPoint Size)
+{
+	FRHICopyTextureInfo CopyInfo;
+	CopyInfo.SourcePosition = FIntVector(InputPosition.X, InputPosition.Y, 0);
+	CopyInfo.DestPosition = FIntVector(OutputPosition.X, OutputPosition.Y, 0);
+	if (Size != FIntPoint::ZeroValue)
+	{
+		CopyInfo.Size = FIntVector(Size.X, Size.Y, 1);
+	}
+	AddCopyTexturePass(GraphBuilder, InputTexture, OutputTexture, CopyInfo);
+}
+
+void AddCopyBufferPass(FRDGBuilder& GraphBuilder, FRDGBufferRef DstBuffer, uint64 DstOffset, FRDGBufferRef SrcBuffer, uint64 SrcOffset, uint64 NumBytes)
+{
+	FCopyBufferParameters* Parameters = GraphBuilder.AllocParameters<FCopyBufferParameters>();
+	Parameters->SrcBuffer = SrcBuffer;
+	Parameters->DstBuffer = DstBuffer;
+	GraphBuilder.AddPass(RDG_EVENT_NAME("CopyBuffer(%s -> %s)", SrcBuffer->Name, DstBuffer->Name), Parameters, ERDGPassFlags::Copy,
+		[SrcBuffer, DstBuffer, SrcOffset, DstOffset, NumBytes](FRHICommandList& RHICmdList)
+		{ RHICmdList.CopyBufferRegion(DstBuffer->GetRHI(), DstOffset, SrcBuffer->GetRHI(), SrcOffset, NumBytes); });
+}
+
+void AddCopyBufferPass(FRDGBuilder& GraphBuilder, FRDGBufferRef DstBuffer, FRDGBufferRef SrcBuffer)
+{
+	AddCopyBufferPass(GraphBuilder, DstBuffer, 0, SrcBuffer, 0, SrcBuffer->GetSize());
+}
+
+void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture)
+{
+	FRenderTargetParameters* Parameters = GraphBuilder.AllocParameters<FRenderTargetParameters>();
+	Parameters->RenderTargets[0] = FRenderTargetBinding(Texture, ERenderTargetLoadAction::EClear);
+	GraphBuilder.AddPass(
+		RDG_EVENT_NAME("ClearRenderTarget(%s)", Texture->Name), Parameters, ERDGPassFlags::Raster, [](FRHICommandList&) {});
+}
+
+void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, const FLinearColor& ClearColor)
+{
+	AddClearRenderTargetPass(GraphBuilder, Texture, ClearColor, FIntRect(FIntPoint::ZeroValue, Texture->Desc.Extent));
+}
+
+void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, const FLinearColor& ClearColor, FIntRect Viewport)
+{
+	const FIntRect Whole(FIntPoint::ZeroValue, Texture->Desc.Extent);
+	Viewport.Clip(Whole);
+	FRenderTargetParameters* Parameters = GraphBuilder.AllocParameters<FRenderTargetParameters>();
+	Parameters->RenderTargets[0] = FRenderTargetBinding(
+		Texture, Viewport == Whole ? ERenderTargetLoadAction::ENoAction : ERenderTargetLoadAction::ELoad);
+	GraphBuilder.AddPass(RDG_EVENT_NAME("ClearRenderTarget(%s) %dx%d", Texture->Name, Viewport.Width(), Viewport.Height()), Parameters,
+		ERDGPassFlags::Raster,
+		[Texture, ClearColor, Viewport](FRHICommandList&)
+		{
+			FRHITexture* TextureRHI = Texture->GetRHI();
+			TextureRHI->FillRect(ClearColor, Viewport);
+		});
+}
+
+void AddClearDepthStencilPass(
+	FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, bool bClearDepth, float Depth, bool bClearStencil, uint8 Stencil)
+{
+	const ERenderTargetLoadAction DepthAction = ERenderTargetLoadAction::ELoad;
+	FRenderTargetParameters* Parameters = GraphBuilder.AllocParameters<FRenderTargetParameters>();
+	Parameters->RenderTargets.DepthStencil =
+		FDepthStencilBinding(Texture, DepthAction, DepthAction, FExclusiveDepthStencil::DepthWrite_StencilWrite);
+	GraphBuilder.AddPass(RDG_EVENT_NAME("ClearDepthStencil(%s)", Texture->Name), Parameters, ERDGPassFlags::Raster,
+		[Texture, bClearDepth, Depth, bClearStencil, Stencil](FRHICommandList&)
+		{ Texture->GetRHI()->FillDepthStencil(bClearDepth, Depth, bClearStencil, Stencil); });
+}
+
+namespace
+{
+
+template <typename ParametersType, typename UAVType, typename LambdaType>
+void AddClearPass(FRDGBuilder& GraphBuilder, UAVType UAV, LambdaType&& Clear)
+{
+	ParametersType* Parameters = GraphBuilder.AllocParameters<ParametersType>();
+	Parameters->UAV = UAV;
+	GraphBuilder.AddPass(RDG_EVENT_NAME("ClearUAV(%s)", UAV->GetParent()->Name), Parameters, ERDGPassFlags::Compute,
+		[UAV, Clear](FRHIComputeCommandList& RHICmdList) { Clear(RHICmdList, UAV->GetRHI()); });
+}
+
+} // namespace
+
+void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGBufferUAVRef BufferUAV, uint32 Value)
+{
+	AddClearPass<FClearBufferUAVParameters>(GraphBuilder, BufferUAV,
+		[Value](FRHIComputeCommandList& RHICmdList, FRHIUnorderedAccessView* UAV)
+		{ RHICmdList.ClearUAVUint(UAV, FUintVector4(Value, Value, Value, Value)); });
+}
+
+void AddClearUAVFloatPass(FRDGBuilder& GraphBuilder, FRDGBufferUAVRef BufferUAV, float Value)
+{
+	AddClearPass<FClearBufferUAVParameters>(GraphBuilder, BufferUAV,
+		[Value](FRHIComputeCommandList& RHICmdList, FRHIUnorderedAccessView* UAV)
+		{ RHICmdList.ClearUAVFloat(UAV, FVector4f(Value, Value, Value, Value)); });
+}
+
+void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const FUintVector4& ClearValues)
+{
+	AddClearPass<FClearTextureUAVParameters>(GraphBuilder, TextureUAV,
+		[ClearValues](FRHIComputeCommandList& RHICmdList, FRHIUnorderedAccessView* UAV) { RHICmdList.ClearUAVUint(UAV, ClearValues); });
+}
+
+void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const FVector4f& ClearValues)
+{
+	AddClearPass<FClearTextureUAVParameters>(GraphBuilder, TextureUAV,
+		[ClearValues](FRHIComputeCommandList& RHICmdList, FRHIUnorderedAccessView* UAV) { RHICmdList.ClearUAVFloat(UAV, ClearValues); });
+}
+
+void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const FLinearColor& ClearColor)
+{
+	AddClearUAVPass(GraphBuilder, TextureUAV, FVector4f(ClearColor.R, ClearColor.G, ClearColor.B, ClearColor.A));
+}
+
+void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const float (&ClearValues)[4])
+{
+	AddClearUAVPass(GraphBuilder, TextureUAV, FVector4f(ClearValues[0], ClearValues[1], ClearValues[2], ClearValues[3]));
+}
+
+void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const uint32 (&ClearValues)[4])
+{
+	AddClearUAVPass(GraphBuilder, TextureUAV, FUintVector4(ClearValues[0], ClearValues[1], ClearValues[2], ClearValues[3]));
+}
+
+void AddEnqueueCopyPass(FRDGBuilder& GraphBuilder, FRHIGPUTextureReadback* Readback, FRDGTextureRef SourceTexture, FResolveRect Rect)
+{
+	AddReadbackTexturePass(GraphBuilder, RDG_EVENT_NAME("EnqueueCopy(%s)", SourceTexture->Name), SourceTexture,
+		[Readback, SourceTexture, Rect](FRHICommandList& RHICmdList) { Readback->EnqueueCopy(RHICmdList, SourceTexture->GetRHI(), Rect); });
+}
+
+void AddEnqueueCopyPass(FRDGBuilder& GraphBuilder, FRHIGPUBufferReadback* Readback, FRDGBufferRef SourceBuffer, uint32 NumBytes)
+{
+	AddReadbackBufferPass(GraphBuilder, RDG_EVENT_NAME("EnqueueCopy(%s)", SourceBuffer->Name), SourceBuffer,
+		[Readback, SourceBuffer, NumBytes](FRHICommandList& RHICmdList)
+		{ Readback->EnqueueCopy(RHICmdList, SourceBuffer->GetRHI(), NumBytes); });
+}
+
+namespace
+{
+
+FRDGBufferRef CreateBufferWithData(FRDGBuilder& GraphBuilder, const FRDGBufferDesc& Desc, const TCHAR* Name, const void* InitialData,
+	uint64 InitialDataSize, ERDGInitialDataFlags InitialDataFlags)
+{
+	FRDGBufferRef Buffer = GraphBuilder.CreateBuffer(Desc, Name);
+	if (InitialData && InitialDataSize > 0)
+	{
+		GraphBuilder.QueueBufferUpload(Buffer, InitialData, InitialDataSize, InitialDataFlags);
+	}
+	return Buffer;
+}
+
+} // namespace
+
+FRDGBufferRef CreateStructuredBuffer(FRDGBuilder& GraphBuilder, const TCHAR* Name, uint32 BytesPerElement, uint32 NumElements,
+	const void* InitialData, uint64 InitialDataSize, ERDGInitialDataFlags InitialDataFlags)
+{
+	return CreateBufferWithData(GraphBuilder, FRDGBufferDesc::CreateStructuredDesc(BytesPerElement, NumElements), Name, InitialData,
+		InitialDataSize, InitialDataFlags);
+}
+
+FRDGBufferRef CreateVertexBuffer(FRDGBuilder& GraphBuilder, const TCHAR* Name, const FRDGBufferDesc& Desc, const void* InitialData,
+	uint64 InitialDataSize, ERDGInitialDataFlags InitialDataFlags)
+{
+	return CreateBufferWithData(GraphBuilder, Desc, Name, InitialData, InitialDataSize, InitialDataFlags);
+}
+
+FRDGBufferRef CreateUploadBuffer(FRDGBuilder& GraphBuilder, const TCHAR* Name, uint32 BytesPerElement, uint32 NumElements,
+	const void* InitialData, uint64 InitialDataSize, ERDGInitialDataFlags InitialDataFlags)
+{
+	return CreateBufferWithData(GraphBuilder, FRDGBufferDesc::CreateUploadDesc(BytesPerElement, NumElements), Name, InitialData,
+		InitialDataSize, InitialDataFlags);
+}
+
+FRDGTextureRef RegisterExternalTexture(FRDGBuilder& GraphBuilder, FRHITexture* Texture, const TCHAR* NameIfUnregistered)
+{
+	if (FRDGTextureRef Registered = GraphBuilder.FindExternalTexture(Texture))
+	{
+		return Registered;
+	}
+	return GraphBuilder.RegisterExternalTexture(CreateRenderTarget(Texture, NameIfUnregistered));
+}

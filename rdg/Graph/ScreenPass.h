@@ -1,0 +1,371 @@
+// Screen passes: textures with the rectangle that counts, what shaders need to know of it, and the helpers that draw over
+// it. Source: engine ScreenPass.h.
+#pragma once
+
+#include "CoreMinimal.h"
+#include "GlobalShader.h"
+#include "RHIStaticStates.h"
+#include "RenderGraphBuilder.h"
+#include "RenderGraphUtils.h"
+#include "ScreenTransform.h"
+#include "ShaderParameterStruct.h"
+
+class FSceneView;
+struct FScreenPassTextureSlice;
+
+/** A texture and the rectangle of it, in texels, that holds the picture. */
+struct DRYDOCK_API FScreenPassTexture
+{
+	FScreenPassTexture() = default;
+	explicit FScreenPassTexture(FRDGTextureRef InTexture);
+	FScreenPassTexture(FRDGTextureRef InTexture, FIntRect InViewRect)
+		: Texture(InTexture)
+		, ViewRect(InViewRect)
+	{
+	}
+	/** The slice's texture; the slice must be the whole texture. */
+	explicit FScreenPassTexture(const FScreenPassTextureSlice& Slice);
+
+	/** The slice as a texture of its own: copied when it is one layer of an array, else as it is. */
+	static FScreenPassTexture CopyFromSlice(FRDGBuilder& GraphBuilder, const FScreenPassTextureSlice& Slice);
+
+	bool IsValid() const { return Texture != nullptr && ViewRect.Width() > 0 && ViewRect.Height() > 0; }
+
+	bool operator==(const FScreenPassTexture&) const = default;
+
+	FRDGTextureRef Texture = nullptr;
+	FIntRect ViewRect;
+};
+
+/** A view of a texture (one layer of an array, or all of a plain one) and its rectangle. */
+struct DRYDOCK_API FScreenPassTextureSlice
+{
+	FScreenPassTextureSlice() = default;
+	FScreenPassTextureSlice(FRDGTextureSRVRef InTextureSRV, FIntRect InViewRect)
+		: TextureSRV(InTextureSRV)
+		, ViewRect(InViewRect)
+	{
+	}
+
+	static FScreenPassTextureSlice CreateFromScreenPassTexture(FRDGBuilder& GraphBuilder, const FScreenPassTexture& ScreenTexture);
+
+	bool IsValid() const { return TextureSRV != nullptr && ViewRect.Width() > 0 && ViewRect.Height() > 0; }
+
+	bool operator==(const FScreenPassTextureSlice&) const = default;
+
+	FRDGTextureSRVRef TextureSRV = nullptr;
+	FIntRect ViewRect;
+};
+
+/** A texture to draw to, and what happens to its contents first. */
+struct DRYDOCK_API FScreenPassRenderTarget : public FScreenPassTexture
+{
+	FScreenPassRenderTarget() = default;
+	FScreenPassRenderTarget(FRDGTextureRef InTexture, ERenderTargetLoadAction InLoadAction)
+		: FScreenPassTexture(InTexture)
+		, LoadAction(InLoadAction)
+	{
+	}
+	FScreenPassRenderTarget(FRDGTextureRef InTexture, FIntRect InViewRect, ERenderTargetLoadAction InLoadAction)
+		: FScreenPassTexture(InTexture, InViewRect)
+		, LoadAction(InLoadAction)
+	{
+	}
+	FScreenPassRenderTarget(FScreenPassTexture InTexture, ERenderTargetLoadAction InLoadAction)
+		: FScreenPassTexture(InTexture)
+		, LoadAction(InLoadAction)
+	{
+	}
+
+	/** A new target of the input's extent, format and rectangle. */
+	static FScreenPassRenderTarget CreateFromInput(
+		FRDGBuilder& GraphBuilder, FScreenPassTexture Input, ERenderTargetLoadAction OutputLoadAction, const TCHAR* OutputName);
+
+	/** The family's output as one view draws to it: loaded when another view was first, cleared when the view's rectangle
+	 *  does not cover it, else left as it is. */
+	static FScreenPassRenderTarget CreateViewFamilyOutput(FRDGTextureRef ViewFamilyTexture, FIntRect ViewRect, bool bIsFirstView);
+
+	FRenderTargetBinding GetRenderTargetBinding() const { return FRenderTargetBinding(Texture, LoadAction); }
+
+	bool operator==(const FScreenPassRenderTarget&) const = default;
+
+	ERenderTargetLoadAction LoadAction = ERenderTargetLoadAction::ENoAction;
+};
+
+/** Extent of a texture and the rectangle that counts, without the texture. */
+struct DRYDOCK_API FScreenPassTextureViewport
+{
+	FScreenPassTextureViewport() = default;
+	explicit FScreenPassTextureViewport(FIntRect InRect)
+		: Extent(InRect.Max)
+		, Rect(InRect)
+	{
+	}
+	explicit FScreenPassTextureViewport(FIntPoint InExtent)
+		: Extent(InExtent)
+		, Rect(FIntPoint::ZeroValue, InExtent)
+	{
+	}
+	FScreenPassTextureViewport(FIntPoint InExtent, FIntRect InRect)
+		: Extent(InExtent)
+		, Rect(InRect)
+	{
+	}
+	FScreenPassTextureViewport(FRDGTextureRef InTexture, FIntRect InRect);
+	explicit FScreenPassTextureViewport(FRDGTextureRef InTexture);
+	explicit FScreenPassTextureViewport(const FScreenPassTexture& InTexture);
+	explicit FScreenPassTextureViewport(const FScreenPassTextureSlice& InSlice);
+
+	bool IsEmpty() const { return Extent.X <= 0 || Extent.Y <= 0 || Rect.Width() <= 0 || Rect.Height() <= 0; }
+	/** The rectangle is all of the texture. */
+	bool IsFullscreen() const { return Rect.Min == FIntPoint::ZeroValue && Rect.Max == Extent; }
+
+	bool operator==(const FScreenPassTextureViewport&) const = default;
+
+	FIntPoint Extent = FIntPoint(0, 0);
+	FIntRect Rect;
+};
+
+/** Extent rounded up; Rect.Min rounded towards zero, Rect.Max up; at least one texel. */
+DRYDOCK_API FIntPoint GetDownscaledExtent(FIntPoint Extent, FIntPoint Divisor);
+DRYDOCK_API FIntRect GetDownscaledRect(FIntRect Rect, FIntPoint Divisor);
+DRYDOCK_API FScreenPassTextureViewport GetDownscaledViewport(FScreenPassTextureViewport Viewport, FIntPoint Divisor);
+
+/** The inverse of the above: a viewport scaled to another extent. */
+DRYDOCK_API FIntRect GetRectFromExtent(FIntPoint Extent);
+
+/** Everything a shader asks of a viewport; `SCREEN_PASS_TEXTURE_VIEWPORT(Name)` declares it in HLSL. All zero when the
+ *  viewport is empty. Sizes in texels, UV relative to the extent. */
+BEGIN_SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, DRYDOCK_API)
+	SHADER_PARAMETER(FVector2f, Extent)
+	SHADER_PARAMETER(FVector2f, ExtentInverse)
+	SHADER_PARAMETER(FVector2f, ScreenPosToViewportScale)
+	SHADER_PARAMETER(FVector2f, ScreenPosToViewportBias)
+	SHADER_PARAMETER(FIntPoint, ViewportMin)
+	SHADER_PARAMETER(FIntPoint, ViewportMax)
+	SHADER_PARAMETER(FVector2f, ViewportSize)
+	SHADER_PARAMETER(FVector2f, ViewportSizeInverse)
+	SHADER_PARAMETER(FVector2f, UVViewportMin)
+	SHADER_PARAMETER(FVector2f, UVViewportMax)
+	SHADER_PARAMETER(FVector2f, UVViewportSize)
+	SHADER_PARAMETER(FVector2f, UVViewportSizeInverse)
+	SHADER_PARAMETER(FVector2f, UVViewportBilinearMin)
+	SHADER_PARAMETER(FVector2f, UVViewportBilinearMax)
+END_SHADER_PARAMETER_STRUCT()
+
+DRYDOCK_API FScreenPassTextureViewportParameters GetScreenPassTextureViewportParameters(const FScreenPassTextureViewport& InViewport);
+
+/** A texture, its viewport and the sampler to read it with: `Name_Texture`, `Name_Sampler`, `Name_Extent`, ... in HLSL. */
+BEGIN_SHADER_PARAMETER_STRUCT(FScreenPassTextureInput, DRYDOCK_API)
+	SHADER_PARAMETER_STRUCT_INCLUDE(FScreenPassTextureViewportParameters, Viewport)
+	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, Texture)
+	SHADER_PARAMETER_SAMPLER(SamplerState, Sampler)
+END_SHADER_PARAMETER_STRUCT()
+
+BEGIN_SHADER_PARAMETER_STRUCT(FScreenPassTextureSliceInput, DRYDOCK_API)
+	SHADER_PARAMETER_STRUCT_INCLUDE(FScreenPassTextureViewportParameters, Viewport)
+	SHADER_PARAMETER_RDG_TEXTURE_SRV(Texture2D, Texture)
+	SHADER_PARAMETER_SAMPLER(SamplerState, Sampler)
+END_SHADER_PARAMETER_STRUCT()
+
+DRYDOCK_API FScreenPassTextureInput GetScreenPassTextureInput(FScreenPassTexture TexturePair, FRHISamplerState* Sampler);
+DRYDOCK_API FScreenPassTextureSliceInput GetScreenPassTextureInput(FScreenPassTextureSlice TextureSlice, FRHISamplerState* Sampler);
+
+/** What a screen pass wants of a view: nothing that a CPU needs, so anything view-like converts to it. */
+struct FScreenPassViewInfo
+{
+	FScreenPassViewInfo() = default;
+	FScreenPassViewInfo(ERHIFeatureLevel::Type InFeatureLevel)
+		: FeatureLevel(InFeatureLevel)
+	{
+	}
+	FScreenPassViewInfo(const FSceneView&) {}
+
+	const ERHIFeatureLevel::Type FeatureLevel = GMaxRHIFeatureLevel;
+	bool bIsStereo = false;
+};
+
+enum class EScreenPassDrawFlags : uint8
+{
+	None,
+	AllowHMDHiddenAreaMask = 0x1,
+};
+ENUM_CLASS_FLAGS(EScreenPassDrawFlags)
+
+/** The engine's vertex shader of screen passes: passes on UV and screen position in TEXCOORD0. Never run here. */
+class DRYDOCK_API FScreenPassVS : public FGlobalShader
+{
+public:
+	DECLARE_GLOBAL_SHADER(FScreenPassVS);
+	SHADER_USE_PARAMETER_STRUCT(FScreenPassVS, FGlobalShader);
+
+	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
+	END_SHADER_PARAMETER_STRUCT()
+};
+
+using FScreenVS = FScreenPassVS;
+
+/** Copies a rectangle texel by texel (point sampling where sizes differ). */
+class DRYDOCK_API FCopyRectPS : public FGlobalShader
+{
+public:
+	DECLARE_GLOBAL_SHADER(FCopyRectPS);
+	SHADER_USE_PARAMETER_STRUCT(FCopyRectPS, FGlobalShader);
+
+	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
+		SHADER_PARAMETER_RDG_TEXTURE(Texture2D, InputTexture)
+		SHADER_PARAMETER_SAMPLER(SamplerState, InputSampler)
+		RENDER_TARGET_BINDING_SLOTS()
+	END_SHADER_PARAMETER_STRUCT()
+};
+
+/** Shaders and states of a screen pass. Null states are the engine's defaults: opaque, no depth. */
+struct FScreenPassPipelineState
+{
+	using FDefaultBlendState = TStaticBlendState<>;
+	using FDefaultDepthStencilState = TStaticDepthStencilState<false, CF_Always>;
+
+	FScreenPassPipelineState() = default;
+	template <typename TVertexShader, typename TPixelShader>
+	FScreenPassPipelineState(const TShaderRef<TVertexShader>& InVertexShader, const TShaderRef<TPixelShader>& InPixelShader,
+		FRHIBlendState* InBlendState = FDefaultBlendState::GetRHI(),
+		FRHIDepthStencilState* InDepthStencilState = FDefaultDepthStencilState::GetRHI(), uint8 InStencilRef = 0)
+		: VertexShader(InVertexShader)
+		, PixelShader(InPixelShader)
+		, BlendState(InBlendState)
+		, DepthStencilState(InDepthStencilState)
+		, StencilRef(InStencilRef)
+	{
+	}
+
+	TShaderRef<FShader> VertexShader;
+	TShaderRef<FShader> PixelShader;
+	FRHIBlendState* BlendState = nullptr;
+	FRHIDepthStencilState* DepthStencilState = nullptr;
+	uint8 StencilRef = 0;
+};
+
+/** Inside a raster lambda: states of the draws that follow. */
+DRYDOCK_API void SetScreenPassPipelineState(FRHICommandList& RHICmdList, const FScreenPassPipelineState& ScreenPassDraw);
+
+namespace Drydock
+{
+
+/** Inside a raster lambda: viewport and interpolants of a draw over OutputViewport whose TEXCOORD0 is (u, v, screen x,
+ *  screen y); u, v run over the input's rectangle relative to its extent. */
+DRYDOCK_API void SetScreenPassInterpolants(
+	FRHICommandList& RHICmdList, const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport);
+
+/** Adds the raster pass of AddDrawScreenPass. SetupFunction binds the pixel shader's parameters. */
+DRYDOCK_API FRDGPassRef AddScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name, const FScreenPassTextureViewport& OutputViewport,
+	const FScreenPassTextureViewport& InputViewport, const FScreenPassPipelineState& PipelineState,
+	const FShaderParametersMetadata* ParametersMetadata, const void* Parameters);
+
+} // namespace Drydock
+
+/** Inside a raster lambda: draws a rectangle of the viewport with UVs of a rectangle of the texture. The rectangle covers
+ *  X..X+SizeX of a target of TargetSize; the UV rectangle is U..U+SizeU of a texture of TextureSize. */
+DRYDOCK_API void DrawRectangle(FRHICommandList& RHICmdList, float X, float Y, float SizeX, float SizeY, float U, float V, float SizeU,
+	float SizeV, FIntPoint TargetSize, FIntPoint TextureSize, const TShaderRef<FShader>& VertexShader = {});
+
+/** Inside a raster lambda: a whole screen pass; SetupFunction(RHICmdList) binds parameters after the states are set. */
+template <typename TSetupFunction>
+void DrawScreenPass(FRHICommandList& RHICmdList, const FScreenPassViewInfo&, const FScreenPassTextureViewport& OutputViewport,
+	const FScreenPassTextureViewport& InputViewport, const FScreenPassPipelineState& PipelineState, EScreenPassDrawFlags,
+	TSetupFunction SetupFunction)
+{
+	SetScreenPassPipelineState(RHICmdList, PipelineState);
+	SetupFunction(RHICmdList);
+	Drydock::SetScreenPassInterpolants(RHICmdList, OutputViewport, InputViewport);
+	RHICmdList.DrawPrimitive(0, 1, 1);
+}
+
+template <typename TSetupFunction>
+void DrawScreenPass(FRHICommandList& RHICmdList, const FScreenPassViewInfo& ViewInfo, const FScreenPassTextureViewport& OutputViewport,
+	const FScreenPassTextureViewport& InputViewport, const FScreenPassPipelineState& PipelineState, TSetupFunction SetupFunction)
+{
+	DrawScreenPass(RHICmdList, ViewInfo, OutputViewport, InputViewport, PipelineState, EScreenPassDrawFlags::None, SetupFunction);
+}
+
+/** Draws the pixel shader over OutputViewport's rectangle; it finds the UV of InputViewport in TEXCOORD0. What the shader
+ *  does not read of PixelShaderParameters is dropped before the pass is added. */
+template <typename TPixelShader>
+FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, const FScreenPassViewInfo&,
+	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
+	const FScreenPassPipelineState& PipelineState, const TShaderRef<TPixelShader>& PixelShader,
+	typename TPixelShader::FParameters* PixelShaderParameters, EScreenPassDrawFlags = EScreenPassDrawFlags::None)
+{
+	ClearUnusedGraphResources(PixelShader, PixelShaderParameters);
+	return Drydock::AddScreenPass(GraphBuilder, MoveTemp(PassName), OutputViewport, InputViewport, PipelineState,
+		TPixelShader::FParameters::FTypeInfo::GetStructMetadata(), PixelShaderParameters);
+}
+
+template <typename TVertexShader, typename TPixelShader>
+FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, const FScreenPassViewInfo& ViewInfo,
+	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
+	const TShaderRef<TVertexShader>& VertexShader, const TShaderRef<TPixelShader>& PixelShader, FRHIBlendState* BlendState,
+	FRHIDepthStencilState* DepthStencilState, typename TPixelShader::FParameters* PixelShaderParameters,
+	EScreenPassDrawFlags Flags = EScreenPassDrawFlags::None)
+{
+	return AddDrawScreenPass(GraphBuilder, MoveTemp(PassName), ViewInfo, OutputViewport, InputViewport,
+		FScreenPassPipelineState(VertexShader, PixelShader, BlendState, DepthStencilState), PixelShader, PixelShaderParameters, Flags);
+}
+
+template <typename TVertexShader, typename TPixelShader>
+FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, const FScreenPassViewInfo& ViewInfo,
+	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
+	const TShaderRef<TVertexShader>& VertexShader, const TShaderRef<TPixelShader>& PixelShader, FRHIBlendState* BlendState,
+	typename TPixelShader::FParameters* PixelShaderParameters, EScreenPassDrawFlags Flags = EScreenPassDrawFlags::None)
+{
+	return AddDrawScreenPass(GraphBuilder, MoveTemp(PassName), ViewInfo, OutputViewport, InputViewport,
+		FScreenPassPipelineState(VertexShader, PixelShader, BlendState), PixelShader, PixelShaderParameters, Flags);
+}
+
+template <typename TVertexShader, typename TPixelShader>
+FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, const FScreenPassViewInfo& ViewInfo,
+	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
+	const TShaderRef<TVertexShader>& VertexShader, const TShaderRef<TPixelShader>& PixelShader,
+	typename TPixelShader::FParameters* PixelShaderParameters, EScreenPassDrawFlags Flags = EScreenPassDrawFlags::None)
+{
+	return AddDrawScreenPass(GraphBuilder, MoveTemp(PassName), ViewInfo, OutputViewport, InputViewport,
+		FScreenPassPipelineState(VertexShader, PixelShader), PixelShader, PixelShaderParameters, Flags);
+}
+
+template <typename TPixelShader>
+FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, const FScreenPassViewInfo& ViewInfo,
+	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
+	const TShaderRef<TPixelShader>& PixelShader, FRHIBlendState* BlendState, FRHIDepthStencilState* DepthStencilState,
+	typename TPixelShader::FParameters* PixelShaderParameters, EScreenPassDrawFlags Flags = EScreenPassDrawFlags::None)
+{
+	return AddDrawScreenPass(GraphBuilder, MoveTemp(PassName), ViewInfo, OutputViewport, InputViewport,
+		FScreenPassPipelineState(TShaderRef<FShader>(), PixelShader, BlendState, DepthStencilState), PixelShader, PixelShaderParameters, Flags);
+}
+
+template <typename TPixelShader>
+FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, const FScreenPassViewInfo& ViewInfo,
+	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
+	const TShaderRef<TPixelShader>& PixelShader, FRHIBlendState* BlendState, typename TPixelShader::FParameters* PixelShaderParameters,
+	EScreenPassDrawFlags Flags = EScreenPassDrawFlags::None)
+{
+	return AddDrawScreenPass(GraphBuilder, MoveTemp(PassName), ViewInfo, OutputViewport, InputViewport,
+		FScreenPassPipelineState(TShaderRef<FShader>(), PixelShader, BlendState), PixelShader, PixelShaderParameters, Flags);
+}
+
+template <typename TPixelShader>
+FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, const FScreenPassViewInfo& ViewInfo,
+	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
+	const TShaderRef<TPixelShader>& PixelShader, typename TPixelShader::FParameters* PixelShaderParameters,
+	EScreenPassDrawFlags Flags = EScreenPassDrawFlags::None)
+{
+	return AddDrawScreenPass(GraphBuilder, MoveTemp(PassName), ViewInfo, OutputViewport, InputViewport,
+		FScreenPassPipelineState(TShaderRef<FShader>(), PixelShader), PixelShader, PixelShaderParameters, Flags);
+}
+
+/** Copies a region: as memory where the formats agree, else through FCopyRectPS. Size 0: from the positions to the edges. */
+DRYDOCK_API void AddDrawTexturePass(FRDGBuilder& GraphBuilder, const FScreenPassViewInfo& ViewInfo, FRDGTextureRef InputTexture,
+	FRDGTextureRef OutputTexture, FIntPoint InputPosition = FIntPoint::ZeroValue, FIntPoint OutputPosition = FIntPoint::ZeroValue,
+	FIntPoint Size = FIntPoint::ZeroValue);
+
+/** Copies the input's rectangle to the output's, by memory where sizes and formats agree, else drawn with point sampling. */
+DRYDOCK_API void AddDrawTexturePass(
+	FRDGBuilder& GraphBuilder, const FScreenPassViewInfo& ViewInfo, FScreenPassTexture Input, FScreenPassRenderTarget Output);

@@ -1,0 +1,31 @@
+// Small constant textures that stand in for absent inputs. Source: engine SystemTextures.h.
+#pragma once
+
+#include "RenderGraphBuilder.h"
+
+/** One-texel textures registered with a graph. */
+class DRYDOCK_API FRDGSystemTextures
+{
+public:
+	/** Registers them on first use in this graph. */
+	static const FRDGSystemTextures& Get(FRDGBuilder& GraphBuilder);
+
+	FRDGTextureRef White = nullptr;           // (1, 1, 1, 1)
+	FRDGTextureRef Black = nullptr;           // (0, 0, 0, 0)
+	FRDGTextureRef BlackAlphaOne = nullptr;   // (0, 0, 0, 1)
+	FRDGTextureRef MidGrey = nullptr;         // (0.5, 0.5, 0.5, 0.5)
+	FRDGTextureRef VolumetricBlack = nullptr; // 3D
+	FRDGTextureRef VolumetricBlackAlphaOne = nullptr;
+};
+
+/** The same as pooled textures, for code outside a graph. */
+class DRYDOCK_API FSystemTextures
+{
+public:
+	FRDGTextureRef GetBlackDummy(FRDGBuilder& GraphBuilder) const { return FRDGSystemTextures::Get(GraphBuilder).Black; }
+	FRDGTextureRef GetWhiteDummy(FRDGBuilder& GraphBuilder) const { return FRDGSystemTextures::Get(GraphBuilder).White; }
+	FRDGTextureRef GetBlackAlphaOneDummy(FRDGBuilder& GraphBuilder) const { return FRDGSystemTextures::Get(GraphBuilder).BlackAlphaOne; }
+	FRDGTextureRef GetVolumetricBlackDummy(FRDGBuilder& GraphBuilder) const { return FRDGSystemTextures::Get(GraphBuilder).VolumetricBlack; }
+};
+
+extern DRYDOCK_API FSystemTextures GSystemTextures;
