@@ -32,7 +32,7 @@ struct DRYDOCK_API FPixelShaderUtils
 	static FRDGPassRef AddFullscreenPass(FRDGBuilder& GraphBuilder, const FGlobalShaderMap*, FRDGEventName&& PassName,
 		const TShaderRef<TShaderClass>& PixelShader, typename TShaderClass::FParameters* Parameters, const FIntRect& Viewport,
 		FRHIBlendState* BlendState = nullptr, FRHIRasterizerState* = nullptr, FRHIDepthStencilState* DepthStencilState = nullptr,
-		uint32 StencilRef = 0)
+		uint32 StencilRef = 0, std::source_location Location = std::source_location::current())
 	{
 		check(PixelShader.IsValid());
 		ClearUnusedGraphResources(PixelShader, Parameters);
@@ -42,6 +42,6 @@ struct DRYDOCK_API FPixelShaderUtils
 		State.StencilRef = static_cast<uint8>(StencilRef);
 		const FScreenPassTextureViewport ScreenViewport(Viewport);
 		return Drydock::AddScreenPass(GraphBuilder, MoveTemp(PassName), ScreenViewport, ScreenViewport, State,
-			TShaderClass::FParameters::FTypeInfo::GetStructMetadata(), Parameters);
+			TShaderClass::FParameters::FTypeInfo::GetStructMetadata(), Parameters, Location);
 	}
 };

@@ -1,5 +1,7 @@
 #include "RenderGraphUtils.h"
 
+#include "PixelFormatConversion.h"
+
 BEGIN_SHADER_PARAMETER_STRUCT(FCopyTextureParameters, )
 	RDG_TEXTURE_ACCESS(Input, ERHIAccess::CopySrc)
 	RDG_TEXTURE_ACCESS(Output, ERHIAccess::CopyDest)
@@ -102,7 +104,10 @@ void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture,
 		[Texture, ClearColor, Viewport](FRHICommandList&)
 		{
 			FRHITexture* TextureRHI = Texture->GetRHI();
-			TextureRHI->FillRect(ClearColor, Viewport);
+			const float Color[4] = {ClearColor.R, ClearColor.G, ClearColor.B, ClearColor.A};
+			uint8 Texel[32]; // four doubles are the largest texel there is
+			Drydock::EncodeTexel(TextureRHI->GetStorage(), Color, Texel);
+			TextureRHI->FillRect(Texel, Viewport, 0);
 		});
 }
 
@@ -115,7 +120,18 @@ void AddClearDepthStencilPass(
 		FDepthStencilBinding(Texture, DepthAction, DepthAction, FExclusiveDepthStencil::DepthWrite_StencilWrite);
 	GraphBuilder.AddPass(RDG_EVENT_NAME("ClearDepthStencil(%s)", Texture->Name), Parameters, ERDGPassFlags::Raster,
 		[Texture, bClearDepth, Depth, bClearStencil, Stencil](FRHICommandList&)
-		{ Texture->GetRHI()->FillDepthStencil(bClearDepth, Depth, bClearStencil, Stencil); });
+		{
+			FRHITexture* TextureRHI = Texture->GetRHI();
+			const FIntRect Whole(FIntPoint::ZeroValue, Texture->Desc.Extent);
+			if (bClearDepth)
+			{
+				TextureRHI->FillRect(&Depth, Whole, 0);
+			}
+			if (bClearStencil && TextureRHI->GetNumPlanes() > 1)
+			{
+				TextureRHI->FillRect(&Stencil, Whole, 0, -1, 1);
+			}
+		});
 }
 
 namespace
@@ -176,7 +192,12 @@ void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, co
 void AddEnqueueCopyPass(FRDGBuilder& GraphBuilder, FRHIGPUTextureReadback* Readback, FRDGTextureRef SourceTexture, FResolveRect Rect)
 {
 	AddReadbackTexturePass(GraphBuilder, RDG_EVENT_NAME("EnqueueCopy(%s)", SourceTexture->Name), SourceTexture,
-		[Readback, SourceTexture, Rect](FRHICommandList& RHICmdList) { Readback->EnqueueCopy(RHICmdList, SourceTexture->GetRHI(), Rect); });
+		[Readback, SourceTexture, Rect](FRHICommandList& RHICmdList)
+		{
+			const FIntVector Position(Rect.X1 >= 0 ? Rect.X1 : 0, Rect.Y1 >= 0 ? Rect.Y1 : 0, 0);
+			const FIntVector Size(Rect.X2 - Position.X, Rect.Y2 - Position.Y, 1);
+			Readback->EnqueueCopy(RHICmdList, SourceTexture->GetRHI(), Position, 0, Rect.IsValid() ? Size : FIntVector(0, 0, 0));
+		});
 }
 
 void AddEnqueueCopyPass(FRDGBuilder& GraphBuilder, FRHIGPUBufferReadback* Readback, FRDGBufferRef SourceBuffer, uint32 NumBytes)

@@ -209,31 +209,35 @@ struct FComputeShaderUtils
 	/** Adds a pass that dispatches the shader. What it does not read of Parameters is dropped first. */
 	template <typename TShaderClass>
 	static FRDGPassRef AddPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, ERDGPassFlags PassFlags,
-		const TShaderRef<TShaderClass>& ComputeShader, typename TShaderClass::FParameters* Parameters, FIntVector GroupCount)
+		const TShaderRef<TShaderClass>& ComputeShader, typename TShaderClass::FParameters* Parameters, FIntVector GroupCount,
+		std::source_location Location = std::source_location::current())
 	{
 		return AddPass(GraphBuilder, MoveTemp(PassName), PassFlags, ComputeShader,
-			TShaderClass::FParameters::FTypeInfo::GetStructMetadata(), Parameters, GroupCount);
+			TShaderClass::FParameters::FTypeInfo::GetStructMetadata(), Parameters, GroupCount, Location);
 	}
 
 	template <typename TShaderClass>
 	static FRDGPassRef AddPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, const TShaderRef<TShaderClass>& ComputeShader,
-		typename TShaderClass::FParameters* Parameters, FIntVector GroupCount)
+		typename TShaderClass::FParameters* Parameters, FIntVector GroupCount,
+		std::source_location Location = std::source_location::current())
 	{
-		return AddPass(GraphBuilder, MoveTemp(PassName), ERDGPassFlags::Compute, ComputeShader, Parameters, GroupCount);
+		return AddPass(GraphBuilder, MoveTemp(PassName), ERDGPassFlags::Compute, ComputeShader, Parameters, GroupCount, Location);
 	}
 
 	/** With the parameters' metadata given apart. */
 	template <typename TShaderClass>
 	static FRDGPassRef AddPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, ERDGPassFlags PassFlags,
 		const TShaderRef<TShaderClass>& ComputeShader, const FShaderParametersMetadata* ParametersMetadata, void* Parameters,
-		FIntVector GroupCount)
+		FIntVector GroupCount,
+		std::source_location Location = std::source_location::current())
 	{
 		checkf(GroupCount.X >= 0 && GroupCount.Y >= 0 && GroupCount.Z >= 0, TEXT("Pass %s: group count (%d, %d, %d) is negative"),
 			PassName.GetTCHAR(), GroupCount.X, GroupCount.Y, GroupCount.Z);
 		ClearUnusedGraphResources(TShaderRef<FShader>(ComputeShader), ParametersMetadata, Parameters);
 		FRDGPassRef Pass = GraphBuilder.AddPass(MoveTemp(PassName), ParametersMetadata, Parameters, PassFlags,
 			[ParametersMetadata, Parameters, ComputeShader, GroupCount](FRHIComputeCommandList& RHICmdList)
-			{ Dispatch(RHICmdList, ComputeShader, ParametersMetadata, Parameters, GroupCount); });
+			{ Dispatch(RHICmdList, ComputeShader, ParametersMetadata, Parameters, GroupCount); },
+			Location);
 		Drydock::AnnotatePass(Pass, ComputeShader);
 		return Pass;
 	}
@@ -241,12 +245,14 @@ struct FComputeShaderUtils
 	/** With the group count known when the pass runs. */
 	template <typename TShaderClass>
 	static FRDGPassRef AddPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, const TShaderRef<TShaderClass>& ComputeShader,
-		typename TShaderClass::FParameters* Parameters, TFunction<FIntVector()>&& GroupCountCallback)
+		typename TShaderClass::FParameters* Parameters, TFunction<FIntVector()>&& GroupCountCallback,
+		std::source_location Location = std::source_location::current())
 	{
 		ClearUnusedGraphResources(ComputeShader, Parameters);
 		FRDGPassRef Pass = GraphBuilder.AddPass(MoveTemp(PassName), Parameters, ERDGPassFlags::Compute,
 			[Parameters, ComputeShader, Callback = MoveTemp(GroupCountCallback)](FRHIComputeCommandList& RHICmdList)
-			{ Dispatch(RHICmdList, ComputeShader, *Parameters, Callback()); });
+			{ Dispatch(RHICmdList, ComputeShader, *Parameters, Callback()); },
+			Location);
 		Drydock::AnnotatePass(Pass, ComputeShader);
 		return Pass;
 	}
@@ -255,22 +261,25 @@ struct FComputeShaderUtils
 	template <typename TShaderClass>
 	static FRDGPassRef AddPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, ERDGPassFlags PassFlags,
 		const TShaderRef<TShaderClass>& ComputeShader, typename TShaderClass::FParameters* Parameters, FRDGBufferRef IndirectArgsBuffer,
-		uint32 IndirectArgsOffset)
+		uint32 IndirectArgsOffset,
+		std::source_location Location = std::source_location::current())
 	{
 		ClearUnusedGraphResources(ComputeShader, Parameters, {IndirectArgsBuffer});
 		FRDGPassRef Pass = GraphBuilder.AddPass(MoveTemp(PassName), Parameters, PassFlags,
 			[Parameters, ComputeShader, IndirectArgsBuffer, IndirectArgsOffset](FRHIComputeCommandList& RHICmdList)
-			{ DispatchIndirect(RHICmdList, ComputeShader, *Parameters, IndirectArgsBuffer->GetIndirectRHICallBuffer(), IndirectArgsOffset); });
+			{ DispatchIndirect(RHICmdList, ComputeShader, *Parameters, IndirectArgsBuffer->GetIndirectRHICallBuffer(), IndirectArgsOffset); },
+			Location);
 		Drydock::AnnotatePass(Pass, ComputeShader);
 		return Pass;
 	}
 
 	template <typename TShaderClass>
 	static FRDGPassRef AddPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, const TShaderRef<TShaderClass>& ComputeShader,
-		typename TShaderClass::FParameters* Parameters, FRDGBufferRef IndirectArgsBuffer, uint32 IndirectArgsOffset)
+		typename TShaderClass::FParameters* Parameters, FRDGBufferRef IndirectArgsBuffer, uint32 IndirectArgsOffset,
+		std::source_location Location = std::source_location::current())
 	{
 		return AddPass(
-			GraphBuilder, MoveTemp(PassName), ERDGPassFlags::Compute, ComputeShader, Parameters, IndirectArgsBuffer, IndirectArgsOffset);
+			GraphBuilder, MoveTemp(PassName), ERDGPassFlags::Compute, ComputeShader, Parameters, IndirectArgsBuffer, IndirectArgsOffset, Location);
 	}
 };
 

@@ -229,7 +229,7 @@ void SetScreenPassInterpolants(
 
 FRDGPassRef AddScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name, const FScreenPassTextureViewport& OutputViewport,
 	const FScreenPassTextureViewport& InputViewport, const FScreenPassPipelineState& PipelineState,
-	const FShaderParametersMetadata* ParametersMetadata, const void* Parameters)
+	const FShaderParametersMetadata* ParametersMetadata, const void* Parameters, const std::source_location& Location)
 {
 	FRDGPassRef Pass = GraphBuilder.AddPass(MoveTemp(Name), ParametersMetadata, Parameters, ERDGPassFlags::Raster,
 		[OutputViewport, InputViewport, PipelineState, ParametersMetadata, Parameters](FRHICommandList& RHICmdList)
@@ -238,7 +238,8 @@ FRDGPassRef AddScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name, const
 			SetShaderParameters(RHICmdList, PipelineState.PixelShader, PipelineState.PixelShader.GetPixelShader(), ParametersMetadata, Parameters);
 			SetScreenPassInterpolants(RHICmdList, OutputViewport, InputViewport);
 			RHICmdList.DrawPrimitive(0, 1, 1);
-		});
+		},
+		Location);
 	AnnotatePass(Pass, PipelineState.PixelShader);
 	return Pass;
 }

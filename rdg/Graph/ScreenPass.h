@@ -256,10 +256,10 @@ namespace Drydock
 DRYDOCK_API void SetScreenPassInterpolants(
 	FRHICommandList& RHICmdList, const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport);
 
-/** Adds the raster pass of AddDrawScreenPass. SetupFunction binds the pixel shader's parameters. */
+/** Adds the raster pass of AddDrawScreenPass: Parameters are those of the state's pixel shader. */
 DRYDOCK_API FRDGPassRef AddScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name, const FScreenPassTextureViewport& OutputViewport,
 	const FScreenPassTextureViewport& InputViewport, const FScreenPassPipelineState& PipelineState,
-	const FShaderParametersMetadata* ParametersMetadata, const void* Parameters);
+	const FShaderParametersMetadata* ParametersMetadata, const void* Parameters, const std::source_location& Location);
 
 } // namespace Drydock
 
@@ -293,11 +293,12 @@ template <typename TPixelShader>
 FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, const FScreenPassViewInfo&,
 	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
 	const FScreenPassPipelineState& PipelineState, const TShaderRef<TPixelShader>& PixelShader,
-	typename TPixelShader::FParameters* PixelShaderParameters, EScreenPassDrawFlags = EScreenPassDrawFlags::None)
+	typename TPixelShader::FParameters* PixelShaderParameters, EScreenPassDrawFlags = EScreenPassDrawFlags::None,
+	std::source_location Location = std::source_location::current())
 {
 	ClearUnusedGraphResources(PixelShader, PixelShaderParameters);
 	return Drydock::AddScreenPass(GraphBuilder, MoveTemp(PassName), OutputViewport, InputViewport, PipelineState,
-		TPixelShader::FParameters::FTypeInfo::GetStructMetadata(), PixelShaderParameters);
+		TPixelShader::FParameters::FTypeInfo::GetStructMetadata(), PixelShaderParameters, Location);
 }
 
 template <typename TVertexShader, typename TPixelShader>
@@ -305,60 +306,66 @@ FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassNam
 	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
 	const TShaderRef<TVertexShader>& VertexShader, const TShaderRef<TPixelShader>& PixelShader, FRHIBlendState* BlendState,
 	FRHIDepthStencilState* DepthStencilState, typename TPixelShader::FParameters* PixelShaderParameters,
-	EScreenPassDrawFlags Flags = EScreenPassDrawFlags::None)
+	EScreenPassDrawFlags Flags = EScreenPassDrawFlags::None,
+	std::source_location Location = std::source_location::current())
 {
 	return AddDrawScreenPass(GraphBuilder, MoveTemp(PassName), ViewInfo, OutputViewport, InputViewport,
-		FScreenPassPipelineState(VertexShader, PixelShader, BlendState, DepthStencilState), PixelShader, PixelShaderParameters, Flags);
+		FScreenPassPipelineState(VertexShader, PixelShader, BlendState, DepthStencilState), PixelShader, PixelShaderParameters, Flags, Location);
 }
 
 template <typename TVertexShader, typename TPixelShader>
 FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, const FScreenPassViewInfo& ViewInfo,
 	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
 	const TShaderRef<TVertexShader>& VertexShader, const TShaderRef<TPixelShader>& PixelShader, FRHIBlendState* BlendState,
-	typename TPixelShader::FParameters* PixelShaderParameters, EScreenPassDrawFlags Flags = EScreenPassDrawFlags::None)
+	typename TPixelShader::FParameters* PixelShaderParameters, EScreenPassDrawFlags Flags = EScreenPassDrawFlags::None,
+	std::source_location Location = std::source_location::current())
 {
 	return AddDrawScreenPass(GraphBuilder, MoveTemp(PassName), ViewInfo, OutputViewport, InputViewport,
-		FScreenPassPipelineState(VertexShader, PixelShader, BlendState), PixelShader, PixelShaderParameters, Flags);
+		FScreenPassPipelineState(VertexShader, PixelShader, BlendState), PixelShader, PixelShaderParameters, Flags, Location);
 }
 
 template <typename TVertexShader, typename TPixelShader>
 FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, const FScreenPassViewInfo& ViewInfo,
 	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
 	const TShaderRef<TVertexShader>& VertexShader, const TShaderRef<TPixelShader>& PixelShader,
-	typename TPixelShader::FParameters* PixelShaderParameters, EScreenPassDrawFlags Flags = EScreenPassDrawFlags::None)
+	typename TPixelShader::FParameters* PixelShaderParameters, EScreenPassDrawFlags Flags = EScreenPassDrawFlags::None,
+	std::source_location Location = std::source_location::current())
 {
 	return AddDrawScreenPass(GraphBuilder, MoveTemp(PassName), ViewInfo, OutputViewport, InputViewport,
-		FScreenPassPipelineState(VertexShader, PixelShader), PixelShader, PixelShaderParameters, Flags);
+		FScreenPassPipelineState(VertexShader, PixelShader), PixelShader, PixelShaderParameters, Flags, Location);
 }
 
 template <typename TPixelShader>
 FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, const FScreenPassViewInfo& ViewInfo,
 	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
 	const TShaderRef<TPixelShader>& PixelShader, FRHIBlendState* BlendState, FRHIDepthStencilState* DepthStencilState,
-	typename TPixelShader::FParameters* PixelShaderParameters, EScreenPassDrawFlags Flags = EScreenPassDrawFlags::None)
+	typename TPixelShader::FParameters* PixelShaderParameters, EScreenPassDrawFlags Flags = EScreenPassDrawFlags::None,
+	std::source_location Location = std::source_location::current())
 {
 	return AddDrawScreenPass(GraphBuilder, MoveTemp(PassName), ViewInfo, OutputViewport, InputViewport,
-		FScreenPassPipelineState(TShaderRef<FShader>(), PixelShader, BlendState, DepthStencilState), PixelShader, PixelShaderParameters, Flags);
+		FScreenPassPipelineState(TShaderRef<FShader>(), PixelShader, BlendState, DepthStencilState), PixelShader, PixelShaderParameters, Flags, Location);
 }
 
 template <typename TPixelShader>
 FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, const FScreenPassViewInfo& ViewInfo,
 	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
 	const TShaderRef<TPixelShader>& PixelShader, FRHIBlendState* BlendState, typename TPixelShader::FParameters* PixelShaderParameters,
-	EScreenPassDrawFlags Flags = EScreenPassDrawFlags::None)
+	EScreenPassDrawFlags Flags = EScreenPassDrawFlags::None,
+	std::source_location Location = std::source_location::current())
 {
 	return AddDrawScreenPass(GraphBuilder, MoveTemp(PassName), ViewInfo, OutputViewport, InputViewport,
-		FScreenPassPipelineState(TShaderRef<FShader>(), PixelShader, BlendState), PixelShader, PixelShaderParameters, Flags);
+		FScreenPassPipelineState(TShaderRef<FShader>(), PixelShader, BlendState), PixelShader, PixelShaderParameters, Flags, Location);
 }
 
 template <typename TPixelShader>
 FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, const FScreenPassViewInfo& ViewInfo,
 	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
 	const TShaderRef<TPixelShader>& PixelShader, typename TPixelShader::FParameters* PixelShaderParameters,
-	EScreenPassDrawFlags Flags = EScreenPassDrawFlags::None)
+	EScreenPassDrawFlags Flags = EScreenPassDrawFlags::None,
+	std::source_location Location = std::source_location::current())
 {
 	return AddDrawScreenPass(GraphBuilder, MoveTemp(PassName), ViewInfo, OutputViewport, InputViewport,
-		FScreenPassPipelineState(TShaderRef<FShader>(), PixelShader), PixelShader, PixelShaderParameters, Flags);
+		FScreenPassPipelineState(TShaderRef<FShader>(), PixelShader), PixelShader, PixelShaderParameters, Flags, Location);
 }
 
 /** Copies a region: as memory where the formats agree, else through FCopyRectPS. Size 0: from the positions to the edges. */
