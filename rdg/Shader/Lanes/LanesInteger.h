@@ -115,25 +115,28 @@ DRYDOCK_LANES_SHIFT(ShiftRight, >>) // arithmetic on int, logical on uint
 #undef DRYDOCK_LANES_SHIFT
 
 /** Count bits of Base from Offset; a uint is extended with zeros, an int with its top bit. Count 0 gives 0. */
-template <CScalar T, CScalar C>
-DRYDOCK_LANES_INLINE auto BitFieldExtract(T Base, C Offset, C Count)
+template <CScalar T, CScalar O, CScalar C>
+DRYDOCK_LANES_INLINE auto BitFieldExtract(T Base, O Offset, C Count)
 {
-	const auto Raised = ShiftLeft(Base, Subtract(Subtract(C(32), Count), Offset));
-	const auto Field = ShiftRight(Raised, Subtract(C(32), Count));
+	const auto Unused = Subtract(32u, ToUint(Count));
+	const auto Field = ShiftRight(ShiftLeft(Base, Subtract(Unused, ToUint(Offset))), Unused);
 	using R = std::remove_cvref_t<decltype(Field)>;
 	return Select(Count == C(0), R(0), Field);
 }
-
-/** Base with Count bits from Offset replaced by the low bits of Insert. */
-template <CScalar T, CScalar C>
-DRYDOCK_LANES_INLINE auto BitFieldInsert(T Base, T Inserted, C Offset, C Count)
+template <typename T, CScalar O, CScalar C, int n>
+DRYDOCK_LANES_INLINE auto BitFieldExtract(const TVec<T, n>& V, O Offset, C Count)
 {
-	const auto Ones = ShiftLeft(ShiftRight(ToUint(Base) | ~ToUint(Base), Subtract(C(32), Count)), Offset);
-	const auto Zero = Ones ^ Ones;
-	const auto Bits = Select(Count == C(0), Zero, Ones);
-	const auto Result = (ToUint(Base) & ~Bits) | (ToUint(ShiftLeft(Inserted, Offset)) & Bits);
-	using FSource = decltype(ShiftLeft(Inserted, Offset));
-	if constexpr (std::is_same_v<decltype(AsUint(FSource{})), FSource>)
+	return Map([&](const T& x) { return BitFieldExtract(x, Offset, Count); }, V);
+}
+
+/** Base with Count bits from Offset replaced by the low bits of Inserted. */
+template <CScalar T, CScalar I, CScalar O, CScalar C>
+DRYDOCK_LANES_INLINE auto BitFieldInsert(T Base, I Inserted, O Offset, C Count)
+{
+	const auto Ones = ShiftRight(Select(Count == C(0), 0u, 0xFFFFFFFFu), Subtract(32u, ToUint(Count)));
+	const auto Field = ShiftLeft(Ones, Offset);
+	const auto Result = (ToUint(Base) & ~Field) | (ToUint(ShiftLeft(Inserted, Offset)) & Field);
+	if constexpr (std::is_same_v<decltype(ToUint(Base)), T>)
 	{
 		return Result;
 	}

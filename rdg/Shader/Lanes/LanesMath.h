@@ -41,7 +41,7 @@ template <ERounding Mode, typename Real, int N>
 DRYDOCK_LANES_INLINE TReal<Real, N> RoundTo(TReal<Real, N> X)
 {
 	using FLanes = TReal<Real, N>;
-	constexpr bool bFloat = sizeof(Real) == 4;
+	[[maybe_unused]] constexpr bool bFloat = sizeof(Real) == 4;
 #if DRYDOCK_LANES_LEVEL >= 4
 	if constexpr (bFloat && N == 16)
 	{
@@ -89,7 +89,7 @@ template <typename Real, int N>
 DRYDOCK_LANES_INLINE TReal<Real, N> Sqrt(TReal<Real, N> X)
 {
 	using FLanes = TReal<Real, N>;
-	constexpr bool bFloat = sizeof(Real) == 4;
+	[[maybe_unused]] constexpr bool bFloat = sizeof(Real) == 4;
 #if DRYDOCK_LANES_LEVEL >= 4
 	if constexpr (bFloat && N == 16)
 	{

@@ -1,0 +1,4 @@
+// Source: drydock.
+#define DRYDOCK_TEST_LANES 1
+#define DRYDOCK_TEST_GETTER GetMathKernelsUniform
+#include "LanesMathKernels.inl"
