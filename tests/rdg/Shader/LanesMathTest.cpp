@@ -204,9 +204,10 @@ TEST(LanesElementary, SpecialCases)
 TEST(LanesElementary, FmaRoundsTwice)
 {
 	const float X = 1 + 0x1p-12f;
-	volatile float Product = X * X;
-	EXPECT_EQ(Product + X, Float1("Fma", X, X));
-	EXPECT_NE(std::fma(X, X, X), Float1("Fma", X, X));
+	const float Y = -1 + 0x3p-14f;
+	const volatile float Product = X * Y;
+	EXPECT_EQ(Product + X, Float1("Fma", X, Y));
+	EXPECT_NE(std::fma(X, Y, X), Float1("Fma", X, Y));
 }
 
 struct FBitsCase
