@@ -1,0 +1,4 @@
+// Source: drydock.
+#define DRYDOCK_BENCH_LANES 8
+#define DRYDOCK_BENCH_GETTER GetKernelsAvx2
+#include "ShaderLanesKernels.inl"
