@@ -1,0 +1,57 @@
+// Source: engine file SceneRendering.cpp (the view's uniform buffer).
+#include "SceneRendering.h"
+
+#include "RHIStaticStates.h"
+
+FViewInfo::FViewInfo()
+{
+	bIsViewInfo = true;
+	ShaderMap = GetGlobalShaderMap(GMaxRHIFeatureLevel);
+}
+
+FViewInfo::FViewInfo(
+	const FSceneViewFamily* InFamily, const FIntRect& Rect, FIntPoint BufferExtent, float InPreExposure)
+	: FViewInfo()
+{
+	Family = InFamily;
+	ViewRect = Rect;
+	UnscaledViewRect = Rect;
+	UnconstrainedViewRect = Rect;
+	PreExposure = InPreExposure;
+	InitViewUniformBuffer(BufferExtent);
+}
+
+void FViewInfo::InitViewUniformBuffer(FIntPoint BufferExtent)
+{
+	check(PreExposure > 0.0f);
+	FViewUniformShaderParameters Parameters = UniformParameters;
+
+	const FVector2f Min(static_cast<float>(ViewRect.Min.X), static_cast<float>(ViewRect.Min.Y));
+	const FVector2f Size(static_cast<float>(ViewRect.Width()), static_cast<float>(ViewRect.Height()));
+	const FVector2f Extent(static_cast<float>(BufferExtent.X), static_cast<float>(BufferExtent.Y));
+
+	Parameters.ViewRectMin = FVector4f(Min.X, Min.Y, 0.0f, 0.0f);
+	Parameters.ViewSizeAndInvSize = FVector4f(Size.X, Size.Y, 1.0f / Size.X, 1.0f / Size.Y);
+	Parameters.ViewRectMinAndSize = FUintVector4(ViewRect.Min.X, ViewRect.Min.Y, ViewRect.Width(), ViewRect.Height());
+	Parameters.BufferSizeAndInvSize = FVector4f(Extent.X, Extent.Y, 1.0f / Extent.X, 1.0f / Extent.Y);
+	Parameters.BufferBilinearUVMinMax = FVector4f((Min.X + 0.5f) / Extent.X, (Min.Y + 0.5f) / Extent.Y,
+		(Min.X + Size.X - 0.5f) / Extent.X, (Min.Y + Size.Y - 0.5f) / Extent.Y);
+
+	// Screen position (-1..1, y up) to buffer UV: x by scale.x and bias.w, y by scale.y and bias.z.
+	Parameters.ScreenPositionScaleBias = FVector4f(0.5f * Size.X / Extent.X, -0.5f * Size.Y / Extent.Y,
+		(0.5f * Size.Y + Min.Y) / Extent.Y, (0.5f * Size.X + Min.X) / Extent.X);
+
+	Parameters.PreExposure = PreExposure;
+	Parameters.OneOverPreExposure = 1.0f / PreExposure;
+
+	Parameters.SharedPointWrappedSampler = TStaticSamplerState<SF_Point, AM_Wrap, AM_Wrap, AM_Wrap>::GetRHI();
+	Parameters.SharedPointClampedSampler = TStaticSamplerState<SF_Point, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
+	Parameters.SharedBilinearWrappedSampler = TStaticSamplerState<SF_Bilinear, AM_Wrap, AM_Wrap, AM_Wrap>::GetRHI();
+	Parameters.SharedBilinearClampedSampler = TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
+	Parameters.SharedTrilinearWrappedSampler = TStaticSamplerState<SF_Trilinear, AM_Wrap, AM_Wrap, AM_Wrap>::GetRHI();
+	Parameters.SharedTrilinearClampedSampler =
+		TStaticSamplerState<SF_Trilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
+
+	ViewUniformBuffer = TUniformBufferRef<FViewUniformShaderParameters>::CreateUniformBufferImmediate(
+		Parameters, UniformBuffer_SingleFrame);
+}

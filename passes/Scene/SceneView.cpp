@@ -1,0 +1,10 @@
+// Source: engine file SceneView.cpp.
+#include "SceneView.h"
+
+IMPLEMENT_GLOBAL_SHADER_PARAMETER_STRUCT(FViewUniformShaderParameters, "View");
+
+ERenderTargetLoadAction FSceneView::GetOverwriteLoadAction() const
+{
+	const bool bFirst = !Family || Family->Views.Num() == 0 || Family->Views[0] == this;
+	return bFirst ? ERenderTargetLoadAction::ENoAction : ERenderTargetLoadAction::ELoad;
+}
