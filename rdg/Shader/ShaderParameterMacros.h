@@ -29,6 +29,16 @@
 namespace Drydock
 {
 
+/** The shape of every parameter struct. */
+struct FParameterStructTypeInfo
+{
+	static constexpr int32 NumRows = 1;
+	static constexpr int32 NumColumns = 1;
+	static constexpr int32 NumElements = 0;
+	static constexpr int32 Alignment = SHADER_PARAMETER_STRUCT_ALIGNMENT;
+	static constexpr bool bIsStoredInConstantBuffer = true;
+};
+
 /** Ends the chain of members. */
 struct FNoShaderParameter
 {
@@ -63,13 +73,6 @@ void AppendShaderParameters(TArray<FShaderParametersMetadata::FMember>& Members)
 		using zzThisStruct = StructTypeName; \
 		typedef Drydock::FNoShaderParameter
 
-#define DRYDOCK_SHADER_PARAMETER_STRUCT_SHAPE \
-	static constexpr int32 NumRows = 1; \
-	static constexpr int32 NumColumns = 1; \
-	static constexpr int32 NumElements = 0; \
-	static constexpr int32 Alignment = SHADER_PARAMETER_STRUCT_ALIGNMENT; \
-	static constexpr bool bIsStoredInConstantBuffer = true;
-
 // The alignment is a GNU attribute because export macros are: GCC takes no alignas beside one.
 
 /** Opens a parameter struct. The second argument is a module's export macro and may be empty. */
@@ -77,9 +80,8 @@ void AppendShaderParameters(TArray<FShaderParametersMetadata::FMember>& Members)
 	class __attribute__((aligned(SHADER_PARAMETER_STRUCT_ALIGNMENT))) PrefixKeywords StructTypeName \
 	{ \
 	public: \
-		struct FTypeInfo \
+		struct FTypeInfo : Drydock::FParameterStructTypeInfo \
 		{ \
-			DRYDOCK_SHADER_PARAMETER_STRUCT_SHAPE \
 			using TAlignedType = StructTypeName; \
 			static const FShaderParametersMetadata* GetStructMetadata() \
 			{ \
@@ -99,9 +101,8 @@ void AppendShaderParameters(TArray<FShaderParametersMetadata::FMember>& Members)
 	{ \
 	public: \
 		Constructor \
-		struct FTypeInfo \
+		struct FTypeInfo : Drydock::FParameterStructTypeInfo \
 		{ \
-			DRYDOCK_SHADER_PARAMETER_STRUCT_SHAPE \
 			using TAlignedType = StructTypeName; \
 			static const FShaderParametersMetadata* GetStructMetadata() { return &StructTypeName::zzGetStructMetadata(); } \
 		}; \
@@ -125,9 +126,6 @@ void AppendShaderParameters(TArray<FShaderParametersMetadata::FMember>& Members)
 #define BEGIN_GLOBAL_SHADER_PARAMETER_STRUCT_WITH_CONSTRUCTOR(StructTypeName, PrefixKeywords) \
 	BEGIN_UNIFORM_BUFFER_STRUCT_WITH_CONSTRUCTOR(StructTypeName, PrefixKeywords)
 #define END_GLOBAL_SHADER_PARAMETER_STRUCT() END_UNIFORM_BUFFER_STRUCT()
-
-#define DRYDOCK_JOIN_INNER(A, B) A##B
-#define DRYDOCK_JOIN(A, B) DRYDOCK_JOIN_INNER(A, B)
 
 #define DRYDOCK_IMPLEMENT_UNIFORM_BUFFER_STRUCT(StructTypeName, ShaderVariableName, StaticSlotName) \
 	const FShaderParametersMetadata& StructTypeName::zzGetStructMetadata() \

@@ -10,6 +10,10 @@
 
 class FShaderParametersMetadata;
 
+/** Joins two names after expanding them: for objects that a macro declares at namespace scope. */
+#define DRYDOCK_JOIN_INNER(A, B) A##B
+#define DRYDOCK_JOIN(A, B) DRYDOCK_JOIN_INNER(A, B)
+
 /** What a member of a parameter struct is. The order is the engine's. */
 enum EUniformBufferBaseType : uint8
 {

@@ -1,0 +1,6 @@
+// Must not compile: see NegativeCompileTest.cpp.
+#include "ShaderParameterStruct.h"
+
+BEGIN_SHADER_PARAMETER_STRUCT(FRefused, )
+	SHADER_PARAMETER(FVector4, Tint)
+END_SHADER_PARAMETER_STRUCT()
