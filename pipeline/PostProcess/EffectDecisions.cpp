@@ -1,0 +1,123 @@
+// Which effects the settings call for. Source: engine PostProcess/PostProcessing.cpp (conditions); wording is drydock's.
+#include "EffectDecisions.h"
+
+#include "HAL/IConsoleManager.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace Drydock
+{
+
+namespace
+{
+
+TAutoConsoleVariable<int32> CVarAntiAliasingMethod(
+	TEXT("r.AntiAliasingMethod"), 0, TEXT("0: off (default). 1: FXAA. 2 TAA, 3 MSAA, 4 TSR: not simulated."), ECVF_RenderThreadSafe);
+
+std::string NumberText(float Number)
+{
+	char Buffer[32];
+	return std::string(Buffer, std::to_chars(Buffer, Buffer + sizeof(Buffer), Number).ptr);
+}
+
+/** ": ShowFlag.Bloom is off", or nothing. */
+std::string GateText(const FChainSettings& Chain, const char* Setting)
+{
+	const auto Found = std::find_if(Chain.Gates.begin(), Chain.Gates.end(), [&](const FSettingGate& Gate) { return Gate.Setting == Setting; });
+	return Found == Chain.Gates.end() ? "" : ": " + Found->Reason;
+}
+
+FEffectDecision DecideBloom(const FChainSettings& Chain)
+{
+	FEffectDecision Bloom{"Bloom", false, false, ""};
+	const float Intensity = Chain.Settings.BloomIntensity;
+	if (!Chain.ShowFlags.PostProcessing)
+	{
+		Bloom.Reason = "ShowFlag.PostProcessing is off";
+	}
+	else if (!(Intensity > 0.0f))
+	{
+		Bloom.Reason = "BloomIntensity is " + NumberText(Intensity) + GateText(Chain, "BloomIntensity");
+	}
+	else
+	{
+		Bloom.bActive = true;
+		const float Threshold = Chain.Settings.BloomThreshold;
+		Bloom.Reason = "BloomIntensity is " + NumberText(Intensity) + ", BloomThreshold "
+			+ (Threshold > -1.0f ? NumberText(Threshold) : NumberText(Threshold) + ": the setup pass is not needed");
+		if (Chain.Settings.BloomMethod != BM_SOG)
+		{
+			Bloom.Reason += "; BM_FFT is not built yet, the Gaussian sum runs";
+		}
+	}
+	Bloom.bConfigured = Bloom.bActive || (Chain.Settings.bOverride_BloomIntensity && !(Intensity > 0.0f) && !GateText(Chain, "BloomIntensity").empty());
+	return Bloom;
+}
+
+FEffectDecision DecideAntiAliasing()
+{
+	const int32 Method = CVarAntiAliasingMethod.GetValueOnAnyThread();
+	if (Method == 0)
+	{
+		return {"FXAA", false, false, "r.AntiAliasingMethod is 0"};
+	}
+	return {"FXAA", false, true,
+		Method == 1 ? "not built yet (r.AntiAliasingMethod is 1)" : "r.AntiAliasingMethod is " + std::to_string(Method) + ", which is not simulated"};
+}
+
+FEffectDecision DecideTonemap(const FChainSettings& Chain)
+{
+	const bool bGammaOnly = !Chain.ShowFlags.PostProcessing || !Chain.ShowFlags.Tonemapper;
+	return {"Tonemap", true, true,
+		bGammaOnly ? std::string("always; gamma only (ShowFlag.") + (Chain.ShowFlags.PostProcessing ? "Tonemapper" : "PostProcessing")
+				+ " is off) is not built yet, the film curve runs"
+				   : std::string("always")};
+}
+
+} // namespace
+
+const std::vector<std::string>& GetEffectNames()
+{
+	static const std::vector<std::string> Names = {"Bloom", "ToonBloom", "LocalExposure", "Exposure", "MotionBlur",
+		"DepthOfField", "RED", "REDDepthOfField", "CharaGlow", "ToonShadowBlur", "UnityBloom", "DualKawaseBlur", "Tonemap",
+		"FXAA", "Upscale"};
+	return Names;
+}
+
+std::vector<FEffectDecision> DecideEffects(const FChainSettings& Chain)
+{
+	std::vector<FEffectDecision> Decisions;
+	for (const std::string& Name : GetEffectNames())
+	{
+		FEffectDecision Decision{Name, false, false, "not built yet"};
+		if (Name == "Bloom")
+		{
+			Decision = DecideBloom(Chain);
+		}
+		else if (Name == "ToonBloom")
+		{
+			Decision.bConfigured = Chain.bToonBloomConfigured;
+			Decision.Reason = Chain.bToonBloomConfigured
+				? "not built yet: BloomToonIntensity " + NumberText(Chain.Settings.BloomToonIntensity) + " is read and does nothing"
+				: "not built yet, and not called for: nothing sets BloomToonIntensity";
+		}
+		else if (Name == "Exposure")
+		{
+			Decision = {Name, true, true, "scale " + NumberText(Chain.ExposureScale)};
+			Decision.Reason += Chain.ShowFlags.EyeAdaptation ? "" : ": ShowFlag.EyeAdaptation is off";
+		}
+		else if (Name == "Tonemap")
+		{
+			Decision = DecideTonemap(Chain);
+		}
+		else if (Name == "FXAA")
+		{
+			Decision = DecideAntiAliasing();
+		}
+		Decisions.push_back(Decision);
+	}
+	return Decisions;
+}
+
+} // namespace Drydock

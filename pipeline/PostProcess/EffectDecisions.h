@@ -1,0 +1,38 @@
+// Which effects a frame's settings call for, and why the others do not run. Pure: looks at settings only. Source: engine
+// PostProcess/PostProcessing.cpp (conditions); the record is drydock's.
+#pragma once
+
+#include "FinalPostProcessSettings.h"
+
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+/** Whether an effect runs, and why. */
+struct FEffectDecision
+{
+	std::string Name;         // "Bloom", "ToonBloom", ... (see GetEffectNames)
+	bool bActive = false;
+	bool bConfigured = false; // the config asks for it: not running is worth a line
+	std::string Reason;
+};
+
+/** Every effect there is or will be, in the order of the frame. */
+DRYDOCK_API const std::vector<std::string>& GetEffectNames();
+
+/** What decisions are made of. */
+struct FChainSettings
+{
+	FFinalPostProcessSettings Settings; // after show flags and console variables
+	FEngineShowFlags ShowFlags;
+	std::vector<FSettingGate> Gates;     // what those two changed
+	float ExposureScale = 1.0f;          // final
+	bool bToonBloomConfigured = false;   // a volume, the camera or --pp names BloomToonIntensity
+};
+
+/** One decision per effect name, in their order. */
+DRYDOCK_API std::vector<FEffectDecision> DecideEffects(const FChainSettings& Chain);
+
+} // namespace Drydock

@@ -1,0 +1,110 @@
+// One run of a config, in this process and without writing a file: what the program's verbs, the tests and the benchmarks
+// call. Source: drydock.
+#pragma once
+
+#include "Config.h"
+#include "ImageFile.h"
+#include "PassCounters.h"
+#include "PostProcess/EffectDecisions.h"
+#include "RenderGraphCompiled.h"
+#include "Scene.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+enum class ERunStorage
+{
+	Default, // Native; Float64 with double precision
+	Native,  // the formats' own
+	Float32,
+	Float64,
+};
+
+struct FRunOptions
+{
+	std::string ConfigFile;
+	std::optional<std::string> ConfigText; // read in place of the file; ConfigFile still says what paths are relative to
+	std::vector<std::string> Variables;    // "r.Name=Value", beat the config's
+	std::vector<std::string> Settings;     // "Setting=Value", beat all volumes and the camera
+	std::vector<std::string> Dump;         // patterns, beside the config's
+	int Frame = 0;                         // of a sequence: what shaders see as View.FrameNumber
+	std::optional<int> Threads;            // 0: all cores
+	bool bDouble = false;                  // double arithmetic
+	ERunStorage Storage = ERunStorage::Default;
+	bool bExecute = true;                  // false: stop when the graph is compiled
+	/** Called before each pass that executes. */
+	std::function<void(int Done, int Total, const std::string& Pass)> Progress;
+};
+
+/** A resource as it was right after a pass. */
+struct FRunDump
+{
+	int PassIndex = 0;                     // 0: an external input
+	std::string Pass;                      // "External" for those
+	std::string Resource;
+	int Mip = -1;                          // -1: there is only one
+	FImage Image;                          // the whole extent, values as stored
+	std::vector<std::string> Channels;     // "R", "G", ...: those the format has
+};
+
+struct FRunPass
+{
+	int Index = 0;
+	double Milliseconds = 0.0;
+	FPassCounters Counters;
+};
+
+/** Milliseconds of the run's parts. */
+struct FRunTimes
+{
+	double Load = 0.0;    // reading and converting scene channels
+	double Compile = 0.0; // building and compiling the graph
+	double Execute = 0.0; // the passes
+};
+
+struct FRunResult
+{
+	FConfig Config;
+	std::vector<FDiagnostic> Diagnostics; // warnings; errors are thrown
+	FRDGCompiledGraph Graph;
+	std::vector<FEffectDecision> Effects;
+	FFinalPostProcessSettings Settings;
+	float ExposureScale = 1.0f;
+	std::string Precision;                // "float", "double"
+	std::string Storage;                  // "native", "float32", "float64"
+	int Threads = 0;
+	FIntPoint SceneExtent = FIntPoint(0, 0);
+	FIntRect ViewRect;
+	std::vector<FSceneChannel> Channels;
+
+	// Only of an executed run.
+	std::vector<FRunPass> Passes;         // those that executed
+	FImage SceneLinear;                   // RGBA: the tonemapper's input, the view rect only
+	FImage Final;                         // RGBA, display-encoded, the view rect only
+	std::vector<FRunDump> Dumps;
+	FRunTimes Times;
+
+	/** Text of run.json: the same bytes for the same run. */
+	std::string RunJson;
+};
+
+/** Reads the config, decides, builds and compiles the graph and, where asked, executes it. Console variables are put back
+ *  afterwards. Throws FError with everything collected; not for two threads at once. */
+DRYDOCK_API FRunResult RunConfig(const FRunOptions& Options);
+
+/** Only what comes before the scene: config with the options' arguments, and the decisions. Throws FError on errors. */
+struct FCheckResult
+{
+	FConfig Config;
+	std::vector<FDiagnostic> Diagnostics;
+	FFinalPostProcessSettings Settings;
+	std::vector<FEffectDecision> Effects;
+};
+DRYDOCK_API FCheckResult CheckConfig(const FRunOptions& Options);
+
+} // namespace Drydock

@@ -1,0 +1,80 @@
+// Source: drydock.
+#include "RunSetup.h"
+
+#include "FinalSettings.h"
+
+namespace Drydock
+{
+
+namespace
+{
+
+const char* GetStorageValue(const FRunOptions& Options)
+{
+	switch (Options.Storage)
+	{
+	case ERunStorage::Native: return "0";
+	case ERunStorage::Float32: return "1";
+	case ERunStorage::Float64: return "2";
+	case ERunStorage::Default: break;
+	}
+	return Options.bDouble ? "2" : "";
+}
+
+} // namespace
+
+FRunVariables::~FRunVariables()
+{
+	while (!Scopes.empty())
+	{
+		Scopes.pop_back(); // last set, first restored
+	}
+}
+
+void FRunVariables::Set(const std::string& Name, const std::string& Value)
+{
+	Scopes.push_back(std::make_unique<FScopedConsoleVariable>(Name.c_str(), FString(Value.c_str())));
+}
+
+FRunSetup::FRunSetup(const FRunOptions& Options)
+{
+	Config = Options.ConfigText ? ReadConfig(*Options.ConfigText, Options.ConfigFile, Diagnostics)
+								: LoadConfig(Options.ConfigFile, Diagnostics);
+	for (const std::string& Argument : Options.Settings)
+	{
+		AddSettingArgument(Config, Argument, Diagnostics);
+	}
+	for (const std::string& Argument : Options.Variables)
+	{
+		AddVariableArgument(Config, Argument, Diagnostics);
+	}
+	if (HasErrors(Diagnostics))
+	{
+		throw FError(Diagnostics, ExitUsage);
+	}
+	for (const FConfigVariable& Variable : Config.Variables)
+	{
+		Variables.Set(Variable.Name, Variable.Value);
+	}
+	if (Options.bDouble)
+	{
+		Variables.Set("r.Drydock.Precision", "1");
+	}
+	if (GetStorageValue(Options)[0] != '\0')
+	{
+		Variables.Set("r.Drydock.Storage", GetStorageValue(Options));
+	}
+	if (Options.Threads)
+	{
+		Variables.Set("r.Drydock.Threads", std::to_string(*Options.Threads));
+	}
+	Chain = MakeChainSettings(Config);
+	Effects = DecideEffects(Chain);
+	Dump = Config.Dump;
+	for (const std::string& Pattern : Options.Dump)
+	{
+		Dump.push_back({Pattern, {0, 0, "--dump"}});
+	}
+}
+
+} // namespace Drydock
