@@ -213,6 +213,10 @@ void FollowShaderBindingPlan(const FShaderBindingPlan& Plan, const FShaderReflec
 		case EResourceList::RWBuffers: Out.RWBuffers[Copy.Slot] = GetBuffer(Copy, Source); break;
 		}
 	}
+	for (const FStaticSamplerCopy& Copy : Plan.StaticSamplers)
+	{
+		Out.Samplers[Copy.Slot] = Copy.Sampler->GetKernelSampler();
+	}
 }
 
 void BindShaderParameters(const FShaderRef& Shader, const FShaderParametersMetadata& Metadata, const void* Parameters, FBoundShader& Out)

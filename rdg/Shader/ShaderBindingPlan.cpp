@@ -266,6 +266,13 @@ private:
 			const FShaderResource& Resource = Resources[Slot];
 			const std::string HlslType = GetTypeName(List, Resource);
 			const FFound Found = Find(Resource.Name, false);
+			FRHISamplerState* const StaticSampler =
+				List == EResourceList::Samplers && !Found.Member ? FindStaticSampler(Resource.Name) : nullptr;
+			if (StaticSampler)
+			{
+				Plan.StaticSamplers.push_back({Slot, StaticSampler});
+				continue;
+			}
 			if (!Found.Member)
 			{
 				Report(MissingResource, "'" + Resource.Name + "' (" + HlslType + ") " + ReadBy(Resource.Where) + " but " + Metadata.GetStructTypeName()

@@ -6,6 +6,7 @@
 #include "Diagnostics.h"
 #include "ShaderParameterMetadata.h"
 #include "ShaderReflection.h"
+#include "StaticSamplers.h"
 
 #include <cstdint>
 #include <string>
@@ -54,11 +55,19 @@ struct FResourceCopy
 	std::string CodeName;
 };
 
+/** Puts a sampler that no member gives into a slot. */
+struct FStaticSamplerCopy
+{
+	uint32_t Slot;
+	FRHISamplerState* Sampler;
+};
+
 struct FShaderBindingPlan
 {
 	std::vector<FBindingSource> Sources;
 	std::vector<FConstantCopy> Constants;
 	std::vector<FResourceCopy> Resources;
+	std::vector<FStaticSamplerCopy> StaticSamplers;
 };
 
 /** Appends a message for each thing that the shader reads and the struct does not offer in that type. */

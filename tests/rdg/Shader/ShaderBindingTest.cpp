@@ -383,3 +383,21 @@ TEST(ShaderBinding, ArgumentsPointIntoTheBoundShaderAfterAMove)
 	const FBoundShader Moved = std::move(Bound);
 	EXPECT_EQ(3.0f, *reinterpret_cast<const float*>(Moved.GetArgs().ConstantBuffers[0]));
 }
+
+TEST(ShaderBinding, StaticSamplersNeedNoMember)
+{
+	FShaderReflection Reflection;
+	Reflection.Samplers = {Resource("GlobalBilinearClampedSampler"), Resource("GlobalPointWrappedSampler")};
+	const FBoundShader Bound = Bind(Reflection, FBloomParameters());
+	EXPECT_EQ(EKernelFilter::Bilinear, Bound.Samplers[0].Filter);
+	EXPECT_EQ(EKernelAddress::Clamp, Bound.Samplers[0].AddressV);
+	EXPECT_EQ(EKernelFilter::Point, Bound.Samplers[1].Filter);
+	EXPECT_EQ(EKernelAddress::Wrap, Bound.Samplers[1].AddressU);
+}
+
+TEST(ShaderMatching, OtherSamplersDo)
+{
+	FShaderReflection Reflection;
+	Reflection.Samplers = {Resource("GlobalSampler")};
+	EXPECT_THAT(MessageOf(Reflection), HasSubstr("'GlobalSampler' (SamplerState) is read by /Project/X.usf:4 but FBloomParameters has no such member"));
+}
