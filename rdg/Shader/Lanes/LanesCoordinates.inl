@@ -1,5 +1,6 @@
-// From sample coordinates to texels and weights, in lanes. Direct3D's fixed point: uv * size is rounded to the nearest
-// 1/256 (halves up), so that a point sample takes the floor and a bilinear one the fraction of x - 0.5, both exact.
+// From sample coordinates to texels and weights, in lanes. Direct3D's fixed point: x = uv * size is snapped to
+// floor(x * 256 + 0.5) / 256, all in the arithmetic of the shader; then a point sample takes the floor and a bilinear one
+// the fraction of x - 0.5, both exact.
 // Included by the LanesSampling_*.cpp only. Source: D3D11 functional specification 3.2.4.1, 7.18.
 #pragma once
 
@@ -21,6 +22,18 @@ struct TAxis
 /** Coordinates beyond this many texels stick there: far outside any texture, far inside int32 with its 8 extra bits. */
 constexpr int32_t GFarTexel = 1 << 22;
 
+/** From a coordinate in 1/256 texels. */
+template <typename Real, int N>
+DRYDOCK_LANES_INLINE TAxis<Real, N> MakeAxisFixed(TInt<N> Snapped, bool bPoint)
+{
+	if (bPoint)
+	{
+		return {TInt<N>(Snapped.V >> 8), TReal<Real, N>(Real(0))};
+	}
+	const TRaw<int32_t, N> Fixed = Snapped.V - 128;
+	return {TInt<N>(Fixed >> 8), ToReal<Real>(TInt<N>(Fixed & 255)) * TReal<Real, N>(Real(1.0 / 256))};
+}
+
 /** NaN counts as 0. Weight is 0 for point samples. */
 template <typename Real, int N>
 DRYDOCK_LANES_INLINE TAxis<Real, N> MakeAxis(const Real* Coordinates, int32_t Size, bool bPoint, uint8_t SampleBits)
@@ -33,25 +46,14 @@ DRYDOCK_LANES_INLINE TAxis<Real, N> MakeAxis(const Real* Coordinates, int32_t Si
 	X = Select(X < FLanes(Real(GFarTexel)), X, FLanes(Real(GFarTexel)));
 	X = Select(X > FLanes(Real(-GFarTexel)), X, FLanes(Real(-GFarTexel)));
 
-	TAxis<Real, N> Axis;
 	if (SampleBits == 8)
 	{
-		const FLanes Scaled = X * FLanes(Real(256));
-		const FLanes Whole = Floor(Scaled);
-		// The mask is -1 where the fraction rounds up.
-		const TInt<N> Rounded(__builtin_convertvector(Whole.V, TRaw<int32_t, N>) - (Scaled - Whole >= FLanes(Real(0.5))).V);
-		const TInt<N> Fixed = bPoint ? Rounded : Rounded - TInt<N>(128);
-		Axis.First = TInt<N>(Fixed.V >> 8);
-		Axis.Weight = bPoint ? FLanes(Real(0)) : ToReal<Real>(TInt<N>(Fixed.V & 255)) * FLanes(Real(1.0 / 256));
+		const FLanes Whole = Floor(X * FLanes(Real(256)) + FLanes(Real(0.5)));
+		return MakeAxisFixed<Real, N>(TInt<N>(__builtin_convertvector(Whole.V, TRaw<int32_t, N>)), bPoint);
 	}
-	else
-	{
-		const FLanes Shifted = bPoint ? X : X - FLanes(Real(0.5));
-		const FLanes Whole = Floor(Shifted);
-		Axis.First = TInt<N>(__builtin_convertvector(Whole.V, TRaw<int32_t, N>));
-		Axis.Weight = bPoint ? FLanes(Real(0)) : Shifted - Whole;
-	}
-	return Axis;
+	const FLanes Shifted = bPoint ? X : X - FLanes(Real(0.5));
+	const FLanes Whole = Floor(Shifted);
+	return {TInt<N>(__builtin_convertvector(Whole.V, TRaw<int32_t, N>)), bPoint ? FLanes(Real(0)) : Shifted - Whole};
 }
 
 /** Texel that an index stands for, -1 for the border. Size is at least 1. */

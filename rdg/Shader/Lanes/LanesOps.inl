@@ -95,6 +95,20 @@ struct TLaneOps<16>
 	}
 	static DRYDOCK_LANES_INLINE FFloat Permute(FFloat Table, FInt Index) { return FFloat(_mm512_permutexvar_ps(__m512i(Index), __m512(Table))); }
 	static DRYDOCK_LANES_INLINE FFloat Permute2(FFloat Low, FFloat High, FInt Index) { return FFloat(_mm512_permutex2var_ps(__m512(Low), __m512i(Index), __m512(High))); }
+	/** Texels 0 2 4 6 (1 3 5 7) of two AoS registers. */
+	static DRYDOCK_LANES_INLINE FFloat EvenTexels(FFloat A, FFloat B) { return FFloat(_mm512_shuffle_f32x4(__m512(A), __m512(B), 0x88)); }
+	static DRYDOCK_LANES_INLINE FFloat OddTexels(FFloat A, FFloat B) { return FFloat(_mm512_shuffle_f32x4(__m512(A), __m512(B), 0xDD)); }
+	/** Largest integer not above X; 0x80000000 for NaN and what does not fit. */
+	static DRYDOCK_LANES_INLINE FInt FloorToInt(FFloat X) { return FInt(_mm512_cvt_roundps_epi32(__m512(X), _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC)); }
+	static DRYDOCK_LANES_INLINE bool Equal(FInt A, FInt B) { return _mm512_cmpneq_epi32_mask(__m512i(A), __m512i(B)) == 0; }
+	/** No bit of Bits set in any lane. */
+	static DRYDOCK_LANES_INLINE bool NoBits(FInt A, int32_t Bits) { return _mm512_test_epi32_mask(__m512i(A), _mm512_set1_epi32(Bits)) == 0; }
+	/** NaN in A or B. */
+	static DRYDOCK_LANES_INLINE bool AnyNan(FFloat A, FFloat B) { return _mm512_cmp_ps_mask(__m512(A), __m512(B), _CMP_UNORD_Q) != 0; }
+	static DRYDOCK_LANES_INLINE bool AnyNan(FFloat A, FFloat B, FFloat C, FFloat D)
+	{
+		return (_mm512_cmp_ps_mask(__m512(A), __m512(B), _CMP_UNORD_Q) | _mm512_cmp_ps_mask(__m512(C), __m512(D), _CMP_UNORD_Q)) != 0;
+	}
 	static DRYDOCK_LANES_INLINE FFloat SetQuads(const TRaw<float, 4> Q[4])
 	{
 		__m512 R = _mm512_castps128_ps512(__m128(Q[0]));
@@ -165,6 +179,20 @@ struct TLaneOps<8>
 		const __m256 FromHigh = _mm256_permutevar8x32_ps(__m256(High), __m256i(Index));
 		return FFloat(_mm256_blendv_ps(FromLow, FromHigh, _mm256_castsi256_ps(_mm256_slli_epi32(__m256i(Index), 28))));
 	}
+	static DRYDOCK_LANES_INLINE FFloat EvenTexels(FFloat A, FFloat B) { return FFloat(_mm256_permute2f128_ps(__m256(A), __m256(B), 0x20)); }
+	static DRYDOCK_LANES_INLINE FFloat OddTexels(FFloat A, FFloat B) { return FFloat(_mm256_permute2f128_ps(__m256(A), __m256(B), 0x31)); }
+	static DRYDOCK_LANES_INLINE FInt FloorToInt(FFloat X) { return FInt(_mm256_cvttps_epi32(_mm256_floor_ps(__m256(X)))); }
+	static DRYDOCK_LANES_INLINE bool Equal(FInt A, FInt B)
+	{
+		const __m256i Difference = _mm256_xor_si256(__m256i(A), __m256i(B));
+		return _mm256_testz_si256(Difference, Difference) != 0;
+	}
+	static DRYDOCK_LANES_INLINE bool NoBits(FInt A, int32_t Bits) { return _mm256_testz_si256(__m256i(A), _mm256_set1_epi32(Bits)) != 0; }
+	static DRYDOCK_LANES_INLINE bool AnyNan(FFloat A, FFloat B) { return _mm256_movemask_ps(_mm256_cmp_ps(__m256(A), __m256(B), _CMP_UNORD_Q)) != 0; }
+	static DRYDOCK_LANES_INLINE bool AnyNan(FFloat A, FFloat B, FFloat C, FFloat D)
+	{
+		return _mm256_movemask_ps(_mm256_or_ps(_mm256_cmp_ps(__m256(A), __m256(B), _CMP_UNORD_Q), _mm256_cmp_ps(__m256(C), __m256(D), _CMP_UNORD_Q))) != 0;
+	}
 	static DRYDOCK_LANES_INLINE FFloat SetQuads(const TRaw<float, 4> Q[2])
 	{
 		return FFloat(_mm256_insertf128_ps(_mm256_castps128_ps256(__m128(Q[0])), __m128(Q[1]), 1));
@@ -217,6 +245,21 @@ struct TLaneOps<4>
 	static DRYDOCK_LANES_INLINE void Join(const FFloat C[4], FFloat A[4]) { Split(C, A); }
 	static DRYDOCK_LANES_INLINE FFloat Permute(FFloat Table, FInt) { return Table; }
 	static DRYDOCK_LANES_INLINE FFloat Permute2(FFloat Low, FFloat, FInt) { return Low; }
+	/** A register is one texel: A is the even, B the odd one. */
+	static DRYDOCK_LANES_INLINE FFloat EvenTexels(FFloat A, FFloat) { return A; }
+	static DRYDOCK_LANES_INLINE FFloat OddTexels(FFloat, FFloat B) { return B; }
+	static DRYDOCK_LANES_INLINE FInt FloorToInt(FFloat X) { return FInt(_mm_cvttps_epi32(_mm_floor_ps(__m128(X)))); }
+	static DRYDOCK_LANES_INLINE bool Equal(FInt A, FInt B)
+	{
+		const __m128i Difference = _mm_xor_si128(__m128i(A), __m128i(B));
+		return _mm_testz_si128(Difference, Difference) != 0;
+	}
+	static DRYDOCK_LANES_INLINE bool NoBits(FInt A, int32_t Bits) { return _mm_testz_si128(__m128i(A), _mm_set1_epi32(Bits)) != 0; }
+	static DRYDOCK_LANES_INLINE bool AnyNan(FFloat A, FFloat B) { return _mm_movemask_ps(_mm_cmpunord_ps(__m128(A), __m128(B))) != 0; }
+	static DRYDOCK_LANES_INLINE bool AnyNan(FFloat A, FFloat B, FFloat C, FFloat D)
+	{
+		return _mm_movemask_ps(_mm_or_ps(_mm_cmpunord_ps(__m128(A), __m128(B)), _mm_cmpunord_ps(__m128(C), __m128(D)))) != 0;
+	}
 	static DRYDOCK_LANES_INLINE FFloat SetQuads(const TRaw<float, 4> Q[1]) { return Q[0]; }
 };
 #endif

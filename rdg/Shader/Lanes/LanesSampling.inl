@@ -9,33 +9,41 @@ namespace Drydock::Lanes
 inline namespace DRYDOCK_LANES_SET
 {
 
-/** One mip of a 2D texture or of one layer of an array. */
+/** The rare half of SampleMip2D. */
 template <typename Real, int N>
-inline void SampleMip2D(const FKernelTexture& Texture, const FKernelSampler& Sampler, int32_t MipIndex, const Real* U, const Real* V, const Real* Layers, Real* Out)
+__attribute__((noinline)) void SampleMip2DRare(const FKernelTexture& Texture, const FKernelSampler& Sampler, int32_t MipIndex, const Real* U, const Real* V, const Real* Layers, Real* Out)
 {
 	const FKernelMip& Mip = Texture.Mips[MipIndex];
 	const bool bPoint = Sampler.Filter == EKernelFilter::Point;
 	const TAxis<Real, N> X = MakeAxis<Real, N>(U, Mip.SizeX, bPoint, Sampler.SampleBits);
 	const TAxis<Real, N> Y = MakeAxis<Real, N>(V, Mip.SizeY, bPoint, Sampler.SampleBits);
+	SampleMip2DReference<Real, N>(Texture, Sampler, MipIndex, X, Y, Layers, Out);
+}
+
+/** One mip of a 2D texture or of one layer of an array. */
+template <typename Real, int N>
+DRYDOCK_LANES_INLINE void SampleMip2D(const FKernelTexture& Texture, const FKernelSampler& Sampler, int32_t MipIndex, const Real* U, const Real* V, const Real* Layers, Real* Out)
+{
 	if constexpr (sizeof(Real) == 4)
 	{
-		int32_t Layer = 0;
+		const FKernelMip& Mip = Texture.Mips[MipIndex];
+		const uint8_t* Base = Mip.Data;
 		bool bOneLayer = true;
 		if (Layers)
 		{
-			Layer = SelectLayer(Layers[0], Mip.SizeZ);
+			const int32_t Layer = SelectLayer(Layers[0], Mip.SizeZ);
 			for (int Lane = 1; Lane < N; ++Lane)
 			{
 				bOneLayer = bOneLayer && SelectLayer(Layers[Lane], Mip.SizeZ) == Layer;
 			}
+			Base += int64_t(Layer) * Mip.SlicePitch;
 		}
-		const uint8_t* Base = Mip.Data + int64_t(Layer) * Mip.SlicePitch;
-		if (bOneLayer && VisitFormat(Texture.Storage, [&](auto Format) { return SampleMip2DTuned<decltype(Format), N>(Mip, Base, Sampler, X, Y, Out); }))
+		if (bOneLayer && VisitFormat(Texture.Storage, [&](auto Format) { return SampleMip2DTuned<decltype(Format), N>(Mip, Base, Sampler, U, V, Out); }))
 		{
 			return;
 		}
 	}
-	SampleMip2DReference<Real, N>(Texture, Sampler, MipIndex, X, Y, Layers, Out);
+	SampleMip2DRare<Real, N>(Texture, Sampler, MipIndex, U, V, Layers, Out);
 }
 
 template <typename Real, int N>
@@ -117,6 +125,19 @@ inline Texel LoadInside(const FKernelTexture& Texture, int32_t X, int32_t Y, int
 	return Texel{};
 }
 
+template <int N>
+DRYDOCK_LANES_INLINE bool IsSame(TRaw<int32_t, N> X)
+{
+	return MaskBits(TMask<N>(X != X[0])) == 0;
+}
+
+/** Lane i is at (X[0] + i, Y[0]). */
+template <int N>
+DRYDOCK_LANES_INLINE bool IsRow(TRaw<int32_t, N> X, TRaw<int32_t, N> Y)
+{
+	return IsSame<N>(X - LaneIndex<N>().V) && IsSame<N>(Y);
+}
+
 /** A row of texels inside one mip, no filter. */
 template <int N>
 inline bool LoadRowTuned(const FKernelTexture& Texture, const int32_t* X, const int32_t* Y, const int32_t* Z, int32_t MipIndex, float* Out)
@@ -130,8 +151,7 @@ inline bool LoadRowTuned(const FKernelTexture& Texture, const int32_t* X, const 
 	const TRaw<int32_t, N> Columns = LoadRaw<TRaw<int32_t, N>>(X);
 	const TRaw<int32_t, N> Rows = LoadRaw<TRaw<int32_t, N>>(Y);
 	const bool bRow = X[0] >= 0 && X[0] <= Mip.SizeX - N && uint32_t(Y[0]) < uint32_t(Mip.SizeY) && uint32_t(Slice) < uint32_t(Mip.SizeZ)
-		&& AllEqual<N>(Columns, LaneIndex<N>().V + X[0]) && AllEqual<N>(Rows, Broadcast<int32_t, N>(Y[0]))
-		&& (!Z || AllEqual<N>(LoadRaw<TRaw<int32_t, N>>(Z), Broadcast<int32_t, N>(Slice)));
+		&& IsRow<N>(Columns, Rows) && (!Z || IsSame<N>(LoadRaw<TRaw<int32_t, N>>(Z)));
 	if (!bRow)
 	{
 		return false;
@@ -159,6 +179,11 @@ inline bool IsInsideTyped(const FKernelBuffer& Buffer, uint32_t Index, int32_t B
 template <typename Real, int N>
 void TSampling<Real, N>::Sample2D(const FKernelTexture& Texture, const FKernelSampler& Sampler, const Real* U, const Real* V, const Real* Layer, const Real* Levels, bool bUniformLevel, Real* Out)
 {
+	if (Texture.NumMips == 1)
+	{
+		SampleMip2D<Real, N>(Texture, Sampler, 0, U, V, Layer, Out);
+		return;
+	}
 	SampleMips<Real, N>(Texture, Sampler, Levels, bUniformLevel, Out, [&](int32_t MipIndex, Real* MipOut)
 	{
 		SampleMip2D<Real, N>(Texture, Sampler, MipIndex, U, V, Layer, MipOut);
@@ -231,8 +256,7 @@ void TSampling<Real, N>::Store(const FKernelTexture& Texture, const int32_t* Mas
 	const FKernelMip& Mip = Texture.Mips[0];
 	const TRaw<int32_t, N> Columns = LoadRaw<TRaw<int32_t, N>>(X);
 	const TRaw<int32_t, N> Rows = LoadRaw<TRaw<int32_t, N>>(Y);
-	const bool bRow = AllEqual<N>(Columns, LaneIndex<N>().V + X[0]) && AllEqual<N>(Rows, Broadcast<int32_t, N>(Y[0]))
-		&& (!Z || AllEqual<N>(LoadRaw<TRaw<int32_t, N>>(Z), Broadcast<int32_t, N>(Z[0])));
+	const bool bRow = IsRow<N>(Columns, Rows) && (!Z || IsSame<N>(LoadRaw<TRaw<int32_t, N>>(Z)));
 	if (bRow)
 	{
 		StoreConsecutive<Real, N>(Texture, Mip, Mask, X[0], Y[0], Z ? Z[0] : 0, Value);

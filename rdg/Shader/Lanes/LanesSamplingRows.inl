@@ -1,7 +1,8 @@
 // The tuned sampling paths for float lanes. Lanes are neighbours along x, so most samples of a full-screen pass fall on
 // one row pair with one vertical weight:
 //   consecutive   texel x0 + lane, one horizontal weight (blurs, aligned copies): whole-row loads
-//   window        any texels within N or 2 N neighbours (magnification, 2:1 minification, clamped edges): whole-row
+//   every other   texel x0 + 2 lane, one horizontal weight (2:1 reductions)
+//   window        any texels within N or 2 N neighbours (magnification, clamped edges): whole-row
 //                 loads, then a permutation picks each lane's pair
 //   general       anything else: one footprint per lane
 // All do the operations of LanesSamplingReference.inl in the same order, hence give the same bits. A result that is NaN
@@ -16,11 +17,6 @@ namespace Drydock::Lanes
 inline namespace DRYDOCK_LANES_SET
 {
 
-template <int N>
-DRYDOCK_LANES_INLINE bool AllEqual(TRaw<int32_t, N> A, TRaw<int32_t, N> B)
-{
-	return MaskBits(TMask<N>(TRaw<int32_t, N>(A != B))) == 0;
-}
 template <int N>
 DRYDOCK_LANES_INLINE bool AllEqual(TRaw<float, N> A, float B)
 {
@@ -111,6 +107,53 @@ DRYDOCK_LANES_INLINE void SampleConsecutive(const uint8_t* Row0, const uint8_t* 
 		for (int c = 0; c < FFormat::Channels; ++c)
 		{
 			C[c] = Blend(C[c], Right[c], WeightX);
+		}
+	}
+}
+
+/** Lane i samples texels Row + 2 i and Row + 2 i + 1; 2 N texels are read. */
+template <typename FFormat, int N>
+DRYDOCK_LANES_INLINE void SampleEveryOther(const uint8_t* Row0, const uint8_t* Row1, float WeightX, float WeightY, TRaw<float, N> C[4])
+{
+	using FOps = TLaneOps<N>;
+	if constexpr (FFormat::bWide)
+	{
+		constexpr int Step = N / 4 * FFormat::Bytes;
+		TRaw<float, N> A[4];
+		for (int k = 0; k < 4; ++k)
+		{
+			const uint8_t* P = Row0 + 2 * k * Step;
+			TRaw<float, N> First = FFormat::template Load<N>(P);
+			TRaw<float, N> Second = FFormat::template Load<N>(P + Step);
+			if (Row1)
+			{
+				const uint8_t* Q = Row1 + 2 * k * Step;
+				First = Blend(First, FFormat::template Load<N>(Q), WeightY);
+				Second = Blend(Second, FFormat::template Load<N>(Q + Step), WeightY);
+			}
+			A[k] = FOps::EvenTexels(First, Second);
+			if (WeightX != 0)
+			{
+				A[k] = Blend(A[k], FOps::OddTexels(First, Second), WeightX);
+			}
+		}
+		FOps::Split(A, C);
+	}
+	else
+	{
+		constexpr int Second = N * FFormat::Bytes;
+		const TRaw<int32_t, N> Even = LaneIndex<N>().V * 2;
+		TRaw<float, N> Low[4];
+		TRaw<float, N> High[4];
+		LoadColumn<FFormat, N>(Row0, Row1, WeightY, Low);
+		LoadColumn<FFormat, N>(Row0 + Second, Row1 ? Row1 + Second : nullptr, WeightY, High);
+		for (int c = 0; c < FFormat::Channels; ++c)
+		{
+			C[c] = FOps::Permute2(Low[c], High[c], Even);
+			if (WeightX != 0)
+			{
+				C[c] = Blend(C[c], FOps::Permute2(Low[c], High[c], Even + 1), WeightX);
+			}
 		}
 	}
 }
@@ -247,119 +290,165 @@ DRYDOCK_LANES_INLINE void SampleGeneralNarrow(const FKernelMip& Mip, const uint8
 	}
 }
 
-/** Fills Out; false when a lane is on the border or a result is NaN, which the reference decides. */
+/** Writes the channels; false when one is NaN. Channels that the format lacks are 0, 0, 1. */
 template <typename FFormat, int N>
-inline bool SampleMip2DTuned(const FKernelMip& Mip, const uint8_t* Base, const FKernelSampler& Sampler, const TAxis<float, N>& X, const TAxis<float, N>& Y, float* Out)
+DRYDOCK_LANES_INLINE bool Finish(const TRaw<float, N> C[4], float* Out)
 {
-	using FInt = TRaw<int32_t, N>;
-	using FFloat = TRaw<float, N>;
 	using FOps = TLaneOps<N>;
-	FFloat C[4];
-	const FInt Iota = LaneIndex<N>().V;
-	const float FirstX = X.Weight.V[0];
-	const float FirstY = Y.Weight.V[0];
-	const bool bOneRow = AllEqual<N>(Y.First.V, Broadcast<int32_t, N>(Y.First.V[0])) && AllEqual<N>(Y.Weight.V, FirstY);
-
-	bool bDone = false;
-	const uint8_t* Row0 = nullptr;
-	const uint8_t* Row1 = nullptr;
-	if (bOneRow)
-	{
-		const int32_t Top = AddressTexel(Y.First.V[0], Mip.SizeY, Sampler.AddressV);
-		const int32_t Bottom = FirstY == 0 ? Top : AddressTexel(Y.First.V[0] + 1, Mip.SizeY, Sampler.AddressV);
-		if ((Top | Bottom) < 0)
-		{
-			return false;
-		}
-		Row0 = Base + int64_t(Top) * Mip.RowPitch;
-		Row1 = FirstY == 0 ? nullptr : Base + int64_t(Bottom) * Mip.RowPitch;
-		const int32_t Start = X.First.V[0];
-		if (Start >= 0 && Start + N + (FirstX == 0 ? 0 : 1) <= Mip.SizeX && AllEqual<N>(X.First.V, Iota + Start) && AllEqual<N>(X.Weight.V, FirstX))
-		{
-			const int64_t Offset = int64_t(Start) * FFormat::Bytes;
-			SampleConsecutive<FFormat, N>(Row0 + Offset, Row1 ? Row1 + Offset : nullptr, FirstX, FirstY, C);
-			bDone = true;
-		}
-	}
-
-	if (!bDone)
-	{
-		TFootprints<N> F;
-		F.Left = AddressTexels(X.First, Mip.SizeX, Sampler.AddressU).V;
-		F.Right = AddressTexels(X.First + TInt<N>(1), Mip.SizeX, Sampler.AddressU).V;
-		F.WeightX = X.Weight.V;
-		// A tap of weight 0 is not read: it must not send the sample to the border's path either.
-		F.Right = F.WeightX == 0.0f ? F.Left : F.Right;
-		if (MaskBits(TMask<N>((F.Left | F.Right) < 0)) != 0)
-		{
-			return false;
-		}
-		if constexpr (FOps::bHasPermute)
-		{
-			if (bOneRow && Mip.SizeX >= N)
-			{
-				const auto Fits = [&F](int32_t Start, int32_t Count)
-				{
-					const TRaw<uint32_t, N> Limit = Broadcast<uint32_t, N>(uint32_t(Count));
-					return AllLanes(TUint<N>(TRaw<uint32_t, N>(F.Left - Start)) < TUint<N>(Limit)) && AllLanes(TUint<N>(TRaw<uint32_t, N>(F.Right - Start)) < TUint<N>(Limit));
-				};
-				const int32_t Lowest = F.Left[0];
-				const int32_t StartOne = Lowest < Mip.SizeX - N ? Lowest : Mip.SizeX - N;
-				const int32_t StartTwo = Lowest < Mip.SizeX - 2 * N ? Lowest : Mip.SizeX - 2 * N;
-				if (Fits(StartOne, N))
-				{
-					const int64_t Offset = int64_t(StartOne) * FFormat::Bytes;
-					SampleWindow<FFormat, N, false>(Row0 + Offset, Row1 ? Row1 + Offset : nullptr, F.Left - StartOne, F.Right - StartOne, F.WeightX, FirstY, C);
-					bDone = true;
-				}
-				else if (StartTwo >= 0 && Fits(StartTwo, 2 * N))
-				{
-					const int64_t Offset = int64_t(StartTwo) * FFormat::Bytes;
-					SampleWindow<FFormat, N, true>(Row0 + Offset, Row1 ? Row1 + Offset : nullptr, F.Left - StartTwo, F.Right - StartTwo, F.WeightX, FirstY, C);
-					bDone = true;
-				}
-			}
-		}
-		if (!bDone)
-		{
-			F.Top = AddressTexels(Y.First, Mip.SizeY, Sampler.AddressV).V;
-			F.Bottom = AddressTexels(Y.First + TInt<N>(1), Mip.SizeY, Sampler.AddressV).V;
-			F.WeightY = Y.Weight.V;
-			F.Bottom = F.WeightY == 0.0f ? F.Top : F.Bottom;
-			if (MaskBits(TMask<N>((F.Top | F.Bottom) < 0)) != 0)
-			{
-				return false;
-			}
-			if constexpr (FFormat::bWide)
-			{
-				SampleGeneralWide<FFormat, N>(Mip, Base, F, C);
-			}
-			else
-			{
-				// Gathers take 32-bit offsets.
-				if (int64_t(Mip.RowPitch) * Mip.SizeY > 0x7FFFFFFF)
-				{
-					return false;
-				}
-				SampleGeneralNarrow<FFormat, N>(Mip, Base, F, C);
-			}
-		}
-	}
-
-	FInt Nan = C[0] != C[0];
-	for (int c = 1; c < FFormat::Channels; ++c)
-	{
-		Nan |= C[c] != C[c];
-	}
-	if (MaskBits(TMask<N>(Nan)) != 0)
+	constexpr int Channels = FFormat::Channels;
+	const bool bNan = Channels > 2 ? FOps::AnyNan(C[0], C[1], C[2], C[Channels > 3 ? 3 : 2]) : FOps::AnyNan(C[0], C[Channels > 1 ? 1 : 0]);
+	if (__builtin_expect(bNan, 0))
 	{
 		return false;
 	}
 	for (int c = 0; c < 4; ++c)
 	{
-		StoreRaw(Out + c * N, c < FFormat::Channels ? C[c] : Broadcast<float, N>(c == 3 ? 1.0f : 0.0f));
+		StoreRaw(Out + c * N, c < Channels ? C[c] : Broadcast<float, N>(c == 3 ? 1.0f : 0.0f));
 	}
 	return true;
+}
+
+/** Two rows and the weight of the second; Row1 is null when that is 0. */
+struct FRowPair
+{
+	const uint8_t* Row0;
+	const uint8_t* Row1;
+	float Weight;
+};
+
+/** False when a row is on the border. */
+DRYDOCK_LANES_INLINE bool FindRows(const FKernelMip& Mip, const uint8_t* Base, EKernelAddress Mode, int32_t First, float Weight, FRowPair& Out)
+{
+	const int32_t Top = AddressTexel(First, Mip.SizeY, Mode);
+	const int32_t Bottom = Weight == 0 ? Top : AddressTexel(First + 1, Mip.SizeY, Mode);
+	Out = {Base + int64_t(Top) * Mip.RowPitch, Weight == 0 ? nullptr : Base + int64_t(Bottom) * Mip.RowPitch, Weight};
+	return (Top | Bottom) >= 0;
+}
+
+/** The window and general paths. */
+template <typename FFormat, int N>
+inline bool SampleFootprints(const FKernelMip& Mip, const uint8_t* Base, const FKernelSampler& Sampler, const TAxis<float, N>& X, const TAxis<float, N>& Y, float* Out)
+{
+	using FOps = TLaneOps<N>;
+	TRaw<float, N> C[4];
+	TFootprints<N> F;
+	F.Left = AddressTexels(X.First, Mip.SizeX, Sampler.AddressU).V;
+	F.Right = AddressTexels(X.First + TInt<N>(1), Mip.SizeX, Sampler.AddressU).V;
+	F.WeightX = X.Weight.V;
+	// A tap of weight 0 is not read: it must not send the sample to the border's path either.
+	F.Right = F.WeightX == 0.0f ? F.Left : F.Right;
+	if (!FOps::NoBits(F.Left | F.Right, int32_t(0x80000000)))
+	{
+		return false;
+	}
+	if constexpr (FOps::bHasPermute)
+	{
+		const bool bOneRow = FOps::Equal(Y.First.V, Broadcast<int32_t, N>(Y.First.V[0])) && AllEqual<N>(Y.Weight.V, Y.Weight.V[0]);
+		FRowPair Rows;
+		if (bOneRow && Mip.SizeX >= N && FindRows(Mip, Base, Sampler.AddressV, Y.First.V[0], Y.Weight.V[0], Rows))
+		{
+			// Lanes rise along x or fall: the window begins at the lower end and stays inside the row.
+			const int32_t Lowest = F.Left[0] < F.Left[N - 1] ? F.Left[0] : F.Left[N - 1];
+			const int32_t StartOne = Lowest < Mip.SizeX - N ? Lowest : Mip.SizeX - N;
+			if (FOps::NoBits((F.Left - StartOne) | (F.Right - StartOne), -N))
+			{
+				const int64_t Offset = int64_t(StartOne) * FFormat::Bytes;
+				SampleWindow<FFormat, N, false>(Rows.Row0 + Offset, Rows.Row1 ? Rows.Row1 + Offset : nullptr, F.Left - StartOne, F.Right - StartOne, F.WeightX, Rows.Weight, C);
+				return Finish<FFormat, N>(C, Out);
+			}
+			const int32_t StartTwo = Lowest < Mip.SizeX - 2 * N ? Lowest : Mip.SizeX - 2 * N;
+			if (StartTwo >= 0 && FOps::NoBits((F.Left - StartTwo) | (F.Right - StartTwo), -2 * N))
+			{
+				const int64_t Offset = int64_t(StartTwo) * FFormat::Bytes;
+				SampleWindow<FFormat, N, true>(Rows.Row0 + Offset, Rows.Row1 ? Rows.Row1 + Offset : nullptr, F.Left - StartTwo, F.Right - StartTwo, F.WeightX, Rows.Weight, C);
+				return Finish<FFormat, N>(C, Out);
+			}
+		}
+	}
+	F.Top = AddressTexels(Y.First, Mip.SizeY, Sampler.AddressV).V;
+	F.Bottom = AddressTexels(Y.First + TInt<N>(1), Mip.SizeY, Sampler.AddressV).V;
+	F.WeightY = Y.Weight.V;
+	F.Bottom = F.WeightY == 0.0f ? F.Top : F.Bottom;
+	if (!FOps::NoBits(F.Top | F.Bottom, int32_t(0x80000000)))
+	{
+		return false;
+	}
+	if constexpr (FFormat::bWide)
+	{
+		SampleGeneralWide<FFormat, N>(Mip, Base, F, C);
+	}
+	else
+	{
+		// Gathers take 32-bit offsets.
+		if (int64_t(Mip.RowPitch) * Mip.SizeY > 0x7FFFFFFF)
+		{
+			return false;
+		}
+		SampleGeneralNarrow<FFormat, N>(Mip, Base, F, C);
+	}
+	return Finish<FFormat, N>(C, Out);
+}
+
+/** One mip of one slice (Base). Fills Out; false when a lane is on the border or a result is NaN, which the reference
+ *  decides. */
+template <typename FFormat, int N>
+inline bool SampleMip2DTuned(const FKernelMip& Mip, const uint8_t* Base, const FKernelSampler& Sampler, const float* U, const float* V, float* Out)
+{
+	using FInt = TRaw<int32_t, N>;
+	using FFloat = TRaw<float, N>;
+	using FOps = TLaneOps<N>;
+	const bool bPoint = Sampler.Filter == EKernelFilter::Point;
+	if (Sampler.SampleBits != 8)
+	{
+		const TAxis<float, N> X = MakeAxis<float, N>(U, Mip.SizeX, bPoint, Sampler.SampleBits);
+		const TAxis<float, N> Y = MakeAxis<float, N>(V, Mip.SizeY, bPoint, Sampler.SampleBits);
+		return SampleFootprints<FFormat, N>(Mip, Base, Sampler, X, Y, Out);
+	}
+
+	// In 1/256 texels. A power of two may join either factor of a product without changing its bits.
+	constexpr int32_t Unfit = int32_t(0x80000000);
+	const FInt SnappedX = FOps::FloorToInt(LoadRaw<FFloat>(U) * (float(Mip.SizeX) * 256.0f) + 0.5f);
+	const FInt SnappedY = FOps::FloorToInt(LoadRaw<FFloat>(V) * (float(Mip.SizeY) * 256.0f) + 0.5f);
+	const int32_t Half = bPoint ? 0 : 128;
+	const int32_t FixedX = SnappedX[0] - Half;
+	const int32_t FixedY = SnappedY[0] - Half;
+	const int32_t Start = FixedX >> 8;
+	FRowPair Rows;
+	if (FOps::Equal(SnappedY, Broadcast<int32_t, N>(SnappedY[0])) && uint32_t(Start) < uint32_t(Mip.SizeX) && SnappedY[0] != Unfit
+		&& FindRows(Mip, Base, Sampler.AddressV, FixedY >> 8, bPoint ? 0.0f : float(FixedY & 255) * (1.0f / 256), Rows))
+	{
+		const float WeightX = bPoint ? 0.0f : float(FixedX & 255) * (1.0f / 256);
+		const int64_t Offset = int64_t(Start) * FFormat::Bytes;
+		const uint8_t* Row0 = Rows.Row0 + Offset;
+		const uint8_t* Row1 = Rows.Row1 ? Rows.Row1 + Offset : nullptr;
+		const FInt Steps = SnappedX - SnappedX[0];
+		const FInt Iota = LaneIndex<N>().V;
+		FFloat C[4];
+		if (Start + N + (WeightX != 0) <= Mip.SizeX && FOps::Equal(Steps, Iota * 256))
+		{
+			SampleConsecutive<FFormat, N>(Row0, Row1, WeightX, Rows.Weight, C);
+			return Finish<FFormat, N>(C, Out);
+		}
+		if constexpr (FOps::bHasPermute || FFormat::bWide)
+		{
+			if (Start + 2 * N <= Mip.SizeX && FOps::Equal(Steps, Iota * 512))
+			{
+				SampleEveryOther<FFormat, N>(Row0, Row1, WeightX, Rows.Weight, C);
+				return Finish<FFormat, N>(C, Out);
+			}
+		}
+	}
+
+	const FInt Limit = Broadcast<int32_t, N>(GFarTexel * 256);
+	if (MaskBits(TMask<N>((SnappedX == Unfit) | (SnappedY == Unfit))) != 0)
+	{
+		// NaN, or beyond what an integer holds: once more, with care.
+		const TAxis<float, N> X = MakeAxis<float, N>(U, Mip.SizeX, bPoint, 8);
+		const TAxis<float, N> Y = MakeAxis<float, N>(V, Mip.SizeY, bPoint, 8);
+		return SampleFootprints<FFormat, N>(Mip, Base, Sampler, X, Y, Out);
+	}
+	const auto Bound = [Limit](FInt S) { return Max(Min(TInt<N>(S), TInt<N>(Limit)), TInt<N>(-Limit)); };
+	return SampleFootprints<FFormat, N>(Mip, Base, Sampler, MakeAxisFixed<float, N>(Bound(SnappedX), bPoint), MakeAxisFixed<float, N>(Bound(SnappedY), bPoint), Out);
 }
 
 } // namespace DRYDOCK_LANES_SET

@@ -47,11 +47,12 @@ struct FModelTap
 	double Weight;
 };
 
-/** Product: the coordinate times the size, in the arithmetic of the shader. */
-FModelTap ModelAxis(double Product, int32_t Size, bool bPoint, EKernelAddress Mode, int SampleBits)
+/** Product: the coordinate times the size, in the arithmetic of the shader, as is the snapping. */
+template <typename Real>
+FModelTap ModelAxis(Real Product, int32_t Size, bool bPoint, EKernelAddress Mode, int SampleBits)
 {
-	double X = std::isnan(Product) ? 0 : std::clamp(Product, -4194304.0, 4194304.0);
-	X = SampleBits == 8 ? std::floor(X * 256 + 0.5) / 256 : X;
+	const Real Bounded = std::isnan(Product) ? Real(0) : std::clamp(Product, Real(-4194304), Real(4194304));
+	const double X = SampleBits == 8 ? std::floor(Bounded * 256 + Real(0.5)) / 256 : Bounded;
 	const double Place = bPoint ? X : X - 0.5;
 	const double First = std::floor(Place);
 	return {{ModelAddress(int64_t(First), Size, Mode), ModelAddress(int64_t(First) + 1, Size, Mode)}, bPoint ? 0 : Place - First};
@@ -62,7 +63,8 @@ double ModelMix(double A, double B, double Weight)
 	return Weight == 0 ? A : A * (1 - Weight) + B * Weight;
 }
 
-FTexel ModelSample(FTestTexture& T, const FKernelSampler& S, double ProductU, double ProductV, int32_t Z, int32_t Mip)
+template <typename Real>
+FTexel ModelSample(FTestTexture& T, const FKernelSampler& S, Real ProductU, Real ProductV, int32_t Z, int32_t Mip)
 {
 	const FKernelMip& M = T.Mips[size_t(Mip)];
 	const bool bPoint = S.Filter == EKernelFilter::Point;
