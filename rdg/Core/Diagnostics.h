@@ -32,12 +32,12 @@ enum EExitCode
 struct FDiagnostic
 {
 	ESeverity Severity = ESeverity::Error;
-	int Code = 0;        // 1012 is printed as DD1012
-	std::string Message; // one sentence; names the thing, what was expected, the nearest valid name
-	std::string File;    // empty: no file
-	int Line = 0;        // 1-based, 0: unknown
-	int Column = 0;      // 1-based, 0: unknown
-	std::string Where;   // JSON pointer, "pass X, parameter Y", ... or empty
+	int Code = 0;             // 1012 is printed as DD1012
+	std::string Message = {}; // one sentence; names the thing, what was expected, the nearest valid name
+	std::string File = {};    // empty: no file
+	int Line = 0;             // 1-based, 0: unknown
+	int Column = 0;           // 1-based, 0: unknown
+	std::string Where = {};   // JSON pointer, "pass X, parameter Y", ... or empty
 
 	/** `configs/a.json:12:7: error DD1012 at /volumes/0: message`. */
 	DRYDOCK_API std::string ToString() const;

@@ -122,16 +122,13 @@ FString& FString::Appendf(const TCHAR* Format, ...)
 FString FString::SanitizeFloat(double Value, int32 MinFractionalDigits)
 {
 	FString Result = ShortestText(Value);
-	if (std::isfinite(Value))
+	if (std::isfinite(Value) && MinFractionalDigits > 0)
 	{
 		int32 Point = INDEX_NONE;
 		if (!Result.FindChar('.', Point))
 		{
 			Point = Result.Len();
-			if (MinFractionalDigits > 0)
-			{
-				Result += '.';
-			}
+			Result += '.';
 		}
 		while (Result.Len() - Point - 1 < MinFractionalDigits)
 		{

@@ -56,7 +56,7 @@ public:
 	/** printf-style; %s takes const TCHAR*, so a FString argument is written *String. */
 	static FString Printf(const TCHAR* Format, ...) __attribute__((format(printf, 1, 2)));
 	static FString FromInt(int64 Value) { return FString(std::to_string(Value)); }
-	/** The shortest text that reads back as Value, always with a point: 1.0, 0.25. */
+	/** The shortest text that reads back as Value, with at least so many digits behind the point: 1.0, 0.25. */
 	static FString SanitizeFloat(double Value, int32 MinFractionalDigits = 1);
 	static FString Chr(TCHAR Character) { return FString(std::string(1, Character)); }
 	static FString ChrN(int32 Count, TCHAR Character) { return FString(std::string(Count, Character)); }

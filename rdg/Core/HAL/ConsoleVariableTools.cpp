@@ -97,15 +97,7 @@ bool TrySetConsoleVariable(const TCHAR* Name, const TCHAR* Text, EConsoleVariabl
 		OutError = FString::Printf("console variable %s expects %s, not \"%s\"", Name, Expectation, Text);
 		return false;
 	}
-	// Atoi and Atof stop at a plus sign no more than from_chars does, so they read what was checked.
-	if (Variable->IsVariableBool())
-	{
-		Variable->Set(FString(Text).ToBool(), SetBy);
-	}
-	else
-	{
-		Variable->Set(Text, SetBy);
-	}
+	Variable->Set(Text, SetBy);
 	return true;
 }
 
