@@ -113,12 +113,23 @@ struct FRDGResourceDescription
 	bool bExtracted = false;
 	bool bUploaded = false;
 	bool bSkipTracking = false;
+	bool bSkipUnusedWarning = false; // RemoveUnusedTextureWarning
 	bool bMayBeTransient = false; // settings and flags let it live in the heap
 	ERHIAccess AccessFinal = ERHIAccess::Unknown;
 
 	int32_t GetNumSubresources() const { return NumMips * NumSlices * NumPlanes; }
 	/** Everything of it. */
 	FRDGSubresources GetWhole() const { return {0, NumMips, 0, NumSlices, 0, NumPlanes}; }
+};
+
+/** What the phases start from. Passes include the prologue and the epilogue. */
+struct FRDGGraphDescription
+{
+	std::string Name;
+	std::vector<FRDGPassDescription> Passes;
+	std::vector<FRDGResourceDescription> Resources;
+
+	int32_t GetEpilogue() const { return int32_t(Passes.size()) - 1; }
 };
 
 struct FRDGCompiledPass : FRDGPassDescription

@@ -1,0 +1,25 @@
+// What can be said about a declared graph before compiling it: pass flags, render targets, hazards, reads of what nobody
+// wrote. Everything is collected. Source: engine RenderGraphValidation.cpp, restated.
+#pragma once
+
+#include "RenderGraphCompiled.h"
+#include "RenderGraphErrors.h"
+
+namespace Drydock
+{
+
+struct FRDGValidationResult
+{
+	std::vector<FDiagnostic> Errors;   // checks: the graph must not run
+	std::vector<FDiagnostic> Ensures;  // reported, the graph runs
+	std::vector<FDiagnostic> Warnings;
+};
+
+/** bDebug (r.RDG.Debug): also what merely wastes. */
+DRYDOCK_API FRDGValidationResult ValidateGraph(const FRDGGraphDescription& Graph, bool bDebug);
+
+/** A message about a pass, at its AddPass call. Parameter and Resource may be empty. */
+DRYDOCK_API FDiagnostic MakePassDiagnostic(ESeverity Severity, int Code, const FRDGPassDescription& Pass, const std::string& Message,
+	const std::string& Parameter = "", const std::string& Resource = "");
+
+} // namespace Drydock
