@@ -1,6 +1,7 @@
 // Source: drydock.
 #include "ConfigReader.h"
 
+#include "ConfigKeys.h"
 #include "ShowFlags.h"
 
 #include <algorithm>
@@ -267,7 +268,9 @@ void ReadShowFlags(const FJsonValue& Root, FConfig& Config, FConfigMessages& Mes
 void ReadRoot(const FJsonValue& Root, FConfig& Config, FConfigMessages& Messages)
 {
 	ReadString(Root, "engine", Config.Engine);
-	if (Config.Engine.IsSet() && Config.Engine.Value != "5.4")
+	const std::vector<std::string> Profiles = SplitAlternatives(FindConfigKey("", "engine")->Of);
+	const bool bKnown = std::find(Profiles.begin(), Profiles.end(), Config.Engine.Value) != Profiles.end();
+	if (bKnown && Config.Engine.Value != "5.4")
 	{
 		Messages.Warn(WarnNotBuilt, Config.Engine.Place, "engine profiles other than 5.4 are not built yet: 5.4 holds");
 	}

@@ -7,6 +7,10 @@
 #include "ConfigErrors.h"
 #include "JsonScan.h"
 
+#include <algorithm>
+#include <cstring>
+#include <iterator>
+
 namespace Drydock
 {
 
@@ -80,7 +84,7 @@ public:
 		return true;
 	}
 
-	bool parse_error(size_t Position, const std::string& Token, const nlohmann::detail::exception& Exception)
+	bool parse_error(size_t Position, const std::string&, const nlohmann::detail::exception& Exception)
 	{
 		// "[json.exception.parse_error.101] parse error at line 3, column 5: syntax error while parsing ...": the place is
 		// reported separately.
@@ -88,10 +92,7 @@ public:
 		const size_t Place = Message.find("column ");
 		const size_t Colon = Place == std::string::npos ? std::string::npos : Message.find(": ", Place);
 		Message = Colon == std::string::npos ? Message : Message.substr(Colon + 2);
-		// Position counts bytes read, including the last one of the token that was not expected.
-		const size_t Last = Position == 0 ? 0 : Position - 1;
-		const size_t Begin = Token.size() > 1 && Last + 1 >= Token.size() ? Last + 1 - Token.size() : Last;
-		Report(ErrorJsonSyntax, Positions.Find(Begin), CurrentPointer(), Message);
+		Report(ErrorJsonSyntax, Positions.Find(FindTokenBegin(Position)), CurrentPointer(), Message);
 		return false;
 	}
 
@@ -117,6 +118,19 @@ private:
 	static std::string PointerOf(const FFrame& Frame)
 	{
 		return Frame.Value.Pointer + "/" + (Frame.Value.Type == EJsonType::Array ? std::to_string(Frame.Value.Elements.size()) : EscapePointer(Frame.Key));
+	}
+
+	/** Where the token that the parser stopped at begins; it counts the bytes read up to the token's end. */
+	size_t FindTokenBegin(size_t NumRead) const
+	{
+		const size_t Last = NumRead == 0 ? 0 : NumRead - 1;
+		if (Last >= Scan.Text.size() || std::strchr("{}[]:,", Scan.Text[Last]) != nullptr)
+		{
+			return Last;
+		}
+		const auto After = std::upper_bound(Scan.Tokens.begin(), Scan.Tokens.end(), Last,
+			[](size_t Offset, const FJsonToken& Token) { return Offset < Token.Offset; });
+		return After == Scan.Tokens.begin() ? Last : std::prev(After)->Offset;
 	}
 
 	std::string CurrentPointer() const { return Frames.empty() ? "" : Frames.back().Value.Pointer; }
