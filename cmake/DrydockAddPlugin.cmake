@@ -65,12 +65,14 @@ function(drydock_add_plugin Name)
 		endforeach()
 		set(MappingFile "${GeneratedFolder}/${Name}ShaderDirectory.cpp")
 		file(CONFIGURE OUTPUT "${MappingFile}" @ONLY CONTENT
-"// Made by drydock_add_plugin: where the plugin's shaders are.
+"// Made by drydock_add_plugin: where the plugin and its shaders are.
+#include \"Interfaces/IPluginManager.h\"
 #include \"ShaderCore.h\"
 
 namespace
 {
 const bool bMapped = (AddShaderSourceDirectoryMapping(TEXT(\"/Plugin/@Name@\"), TEXT(\"@ShaderFolder@\")), true);
+const bool bRegistered = (IPluginManager::Get().RegisterPlugin(TEXT(\"@Name@\"), TEXT(\"@CMAKE_CURRENT_SOURCE_DIR@\")), true);
 }
 ")
 		list(APPEND SourceFiles "${MappingFile}")

@@ -1,7 +1,9 @@
 // IModuleInterface: what a plugin's module implements. Source: engine Modules/ModuleInterface.h.
 #pragma once
 
-class IModuleInterface
+#include "DrydockAPI.h"
+
+class DRYDOCK_API IModuleInterface
 {
 public:
 	virtual ~IModuleInterface() = default;

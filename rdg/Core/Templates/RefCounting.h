@@ -9,7 +9,7 @@
 #include <atomic>
 
 /** Interface of what other code counts. */
-class IRefCountedObject
+class DRYDOCK_API IRefCountedObject
 {
 public:
 	virtual ~IRefCountedObject() = default;
@@ -19,7 +19,7 @@ public:
 };
 
 /** Counts references from 0 on and deletes itself when the last one goes. Not copied. */
-class FRefCountBase
+class DRYDOCK_API FRefCountBase
 {
 public:
 	FRefCountBase() = default;

@@ -10,7 +10,7 @@
 
 class UWorld;
 
-class UObject : public UObjectBase
+class DRYDOCK_API UObject : public UObjectBase
 {
 public:
 	// The header tool writes Super into every class. Inherited, it names the direct base of a class derived from this one.

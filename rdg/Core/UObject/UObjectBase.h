@@ -6,7 +6,7 @@
 
 #include <memory>
 
-class UObjectBase
+class DRYDOCK_API UObjectBase
 {
 public:
 	UObjectBase() = default;
