@@ -1,7 +1,9 @@
-// A texture in plain memory for sampler tests: random or given texels, mips, slices, the margins that kernels may read.
+// A texture in plain memory for sampler tests: random or given texels, mips, slices, the margins that kernels may read;
+// and a loop over the lane widths of the CPU.
 // Source: drydock.
 #pragma once
 
+#include "LanesDispatch.h"
 #include "PixelFormatConversion.h"
 #include "ShaderKernel.h"
 
@@ -100,6 +102,24 @@ private:
 	std::vector<uint8_t> Memory;
 	int32_t Bytes;
 };
+
+/** Runs f<Real, N>() at every width of the CPU. */
+template <typename F>
+void ForEachWidth(F f)
+{
+	f.template operator()<float, 4>();
+	f.template operator()<double, 2>();
+	if (AreLanesSupported(false, 8))
+	{
+		f.template operator()<float, 8>();
+		f.template operator()<double, 4>();
+	}
+	if (AreLanesSupported(false, 16))
+	{
+		f.template operator()<float, 16>();
+		f.template operator()<double, 8>();
+	}
+}
 
 /** Sample bits 8 unless said otherwise, no bias, black transparent border. */
 inline FKernelSampler MakeSampler(EKernelFilter Filter, EKernelAddress Address, uint8_t SampleBits = 8)
