@@ -618,7 +618,6 @@ void FChecker::CheckExtended(const FSpirvInstruction& I)
 		Expect(First == ResultSize(I) && Size(I, 3) == First && Size(I, 4) == 1, I);
 		return;
 	case ExtModf:
-	case ExtFrexp:
 	{
 		ExpectCount(I, 4);
 		const FSpirvType& Pointer = Module.GetValueType(I.Operands[3]);
@@ -626,10 +625,6 @@ void FChecker::CheckExtended(const FSpirvInstruction& I)
 			&& Module.GetType(Pointer.Element).NumScalars == First, I);
 		return;
 	}
-	case ExtModfStruct:
-	case ExtFrexpStruct:
-		Expect(ResultSize(I) == 2 * First, I);
-		return;
 	case ExtPackHalf2x16:
 		Expect(First == 2 && ResultSize(I) == 1, I);
 		return;

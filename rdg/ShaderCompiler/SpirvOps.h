@@ -37,8 +37,7 @@ enum EOp : uint16_t
 	OpFOrdGreaterThan = 186, OpFUnordGreaterThan = 187, OpFOrdLessThanEqual = 188, OpFUnordLessThanEqual = 189,
 	OpFOrdGreaterThanEqual = 190, OpFUnordGreaterThanEqual = 191,
 	OpShiftRightLogical = 194, OpShiftRightArithmetic = 195, OpShiftLeftLogical = 196, OpBitwiseOr = 197,
-	OpBitwiseXor = 198, OpBitwiseAnd = 199, OpNot = 200, OpBitFieldInsert = 201, OpBitFieldSExtract = 202,
-	OpBitFieldUExtract = 203, OpBitReverse = 204, OpBitCount = 205,
+	OpBitwiseXor = 198, OpBitwiseAnd = 199, OpNot = 200, OpBitReverse = 204, OpBitCount = 205,
 	OpDPdx = 207, OpDPdy = 208, OpFwidth = 209, OpFwidthCoarse = 215,
 	OpControlBarrier = 224, OpMemoryBarrier = 225, OpAtomicLoad = 227, OpAtomicXor = 242,
 	OpPhi = 245, OpLoopMerge = 246, OpSelectionMerge = 247, OpLabel = 248, OpBranch = 249, OpBranchConditional = 250,
@@ -54,9 +53,9 @@ enum EExtInst : uint32_t
 	ExtCeil = 9, ExtFract = 10, ExtRadians = 11, ExtDegrees = 12, ExtSin = 13, ExtCos = 14, ExtTan = 15, ExtAsin = 16,
 	ExtAcos = 17, ExtAtan = 18, ExtSinh = 19, ExtCosh = 20, ExtTanh = 21, ExtAtan2 = 25, ExtPow = 26, ExtExp = 27,
 	ExtLog = 28, ExtExp2 = 29, ExtLog2 = 30, ExtSqrt = 31, ExtInverseSqrt = 32, ExtDeterminant = 33, ExtModf = 35,
-	ExtModfStruct = 36, ExtFMin = 37, ExtUMin = 38, ExtSMin = 39, ExtFMax = 40, ExtUMax = 41, ExtSMax = 42,
+	ExtFMin = 37, ExtUMin = 38, ExtSMin = 39, ExtFMax = 40, ExtUMax = 41, ExtSMax = 42,
 	ExtFClamp = 43, ExtUClamp = 44, ExtSClamp = 45, ExtFMix = 46, ExtStep = 48, ExtSmoothStep = 49, ExtFma = 50,
-	ExtFrexp = 51, ExtFrexpStruct = 52, ExtLdexp = 53, ExtPackHalf2x16 = 58, ExtUnpackHalf2x16 = 62, ExtLength = 66,
+	ExtLdexp = 53, ExtPackHalf2x16 = 58, ExtUnpackHalf2x16 = 62, ExtLength = 66,
 	ExtDistance = 67, ExtCross = 68, ExtNormalize = 69, ExtFaceForward = 70, ExtReflect = 71, ExtRefract = 72,
 	ExtFindILsb = 73, ExtFindSMsb = 74, ExtFindUMsb = 75, ExtNMin = 79, ExtNMax = 80, ExtNClamp = 81
 };

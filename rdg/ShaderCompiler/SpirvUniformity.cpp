@@ -51,7 +51,7 @@ std::map<uint32_t, uint32_t> FindConstantTables(const FSpirvModule& Module)
 					Written.insert(Whole ? Whole->Id : BaseOf[I.Operands[0]]);
 				}
 			}
-			else if (I.Op == OpExtInst && (I.Operands[1] == ExtModf || I.Operands[1] == ExtFrexp))
+			else if (I.Op == OpExtInst && I.Operands[1] == ExtModf)
 			{
 				const uint32_t Pointer = I.Operands[3];
 				Written.insert(Module.FindVariable(Pointer) ? Pointer : BaseOf[Pointer]);
@@ -301,7 +301,7 @@ void FUniformityAnalysis::Visit(const FSpirvBlock& Block, const FSpirvInstructio
 		MarkAll(I.Result);
 		break;
 	case OpExtInst:
-		if (I.Operands[1] == ExtModf || I.Operands[1] == ExtFrexp)
+		if (I.Operands[1] == ExtModf)
 		{
 			VisitStore(I.Operands[3], Result.IsAnyVarying(I.Operands[2]), Block.Label);
 		}

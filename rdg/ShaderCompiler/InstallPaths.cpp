@@ -1,0 +1,53 @@
+// Source: drydock.
+#include "InstallPaths.h"
+
+#include <dlfcn.h>
+#include <filesystem>
+
+namespace Drydock
+{
+
+namespace fs = std::filesystem;
+
+std::string GetLibraryPath()
+{
+	Dl_info Info;
+	if (dladdr(reinterpret_cast<const void*>(&FindInstalled), &Info) && Info.dli_fname)
+	{
+		std::error_code Error;
+		const fs::path Path = fs::canonical(Info.dli_fname, Error);
+		return Error ? std::string(Info.dli_fname) : Path.string();
+	}
+	return {};
+}
+
+std::string FindInstalled(const std::string& Relative)
+{
+	const fs::path Folder = fs::path(GetLibraryPath()).parent_path();
+	for (const fs::path& Prefix : {Folder.parent_path(), Folder.parent_path().parent_path()})
+	{
+		std::error_code Error;
+		const fs::path Candidate = Prefix / Relative;
+		if (fs::exists(Candidate, Error))
+		{
+			return Candidate.string();
+		}
+	}
+	return {};
+}
+
+std::vector<std::string> FindKernelIncludes()
+{
+	for (const std::string& Root : {FindInstalled("include/drydock"), std::string(DRYDOCK_SOURCE_DIR)})
+	{
+		std::error_code Error;
+		const fs::path Rdg = fs::path(Root) / "rdg";
+		if (!Root.empty() && fs::exists(Rdg / "Shader" / "Lanes" / "Lanes.h", Error))
+		{
+			return {(Rdg / "ShaderCompiler").string(), (Rdg / "Shader" / "Lanes").string(), (Rdg / "Shader").string()};
+		}
+	}
+	return {};
+}
+
+} // namespace Drydock

@@ -1,0 +1,22 @@
+// Where the library's own files lie, in a build tree and in an installed one. Source: drydock.
+#pragma once
+
+#include "DrydockAPI.h"
+
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+/** Path of the shared object this code is in. */
+std::string GetLibraryPath();
+
+/** A folder or file under the prefix that the library is installed in ("share/drydock"), found next to lib/ or
+ *  lib/ARCH/; empty when there is none. */
+DRYDOCK_API std::string FindInstalled(const std::string& Relative);
+
+/** Include folders for generated kernels; empty when the headers are nowhere. */
+std::vector<std::string> FindKernelIncludes();
+
+} // namespace Drydock

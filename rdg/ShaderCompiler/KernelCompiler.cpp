@@ -1,0 +1,213 @@
+// Source: drydock.
+#include "KernelCompiler.h"
+
+#include "ChildProcess.h"
+#include "ContentHash.h"
+#include "Diagnostics.h"
+#include "InstallPaths.h"
+#include "LanesDispatch.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <dlfcn.h>
+#include <filesystem>
+#include <fstream>
+#include <mutex>
+#include <sstream>
+#include <sys/stat.h>
+
+namespace Drydock
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+constexpr int TimeLimitSeconds = 300;
+
+/** Bump when the emitter writes other code for the same shader. */
+constexpr int EmitterVersion = 1;
+
+std::vector<std::string> GetFlags(const FLaneConfig& Lanes)
+{
+	const int32_t FloatLanes = Lanes.bDouble ? Lanes.Lanes * 2 : Lanes.Lanes;
+	const char* const Level = FloatLanes >= 16 ? "4" : FloatLanes >= 8 ? "3" : "2";
+	std::vector<std::string> Flags = {"-std=c++20", "-O2", "-fPIC", "-shared", "-fvisibility=hidden",
+		"-ffp-contract=off", "-fno-math-errno", "-fwrapv", "-fno-exceptions", "-fno-rtti", "-w",
+		std::string("-DDRYDOCK_REAL=") + (Lanes.bDouble ? "double" : "float"), "-DDRYDOCK_LANES=" + std::to_string(Lanes.Lanes)};
+#if defined(__x86_64__)
+	Flags.push_back(std::string("-march=x86-64-v") + Level);
+#else
+	(void)Level;
+#endif
+	return Flags;
+}
+
+const std::string& GetHeaderHash()
+{
+	static const std::string Result = []
+	{
+		FContentHash Hash;
+		for (const std::string& Folder : FindKernelIncludes())
+		{
+			std::vector<std::string> Names;
+			std::error_code Error;
+			for (fs::directory_iterator It(Folder, Error), End; !Error && It != End; It.increment(Error))
+			{
+				const std::string Name = It->path().filename().string();
+				const bool bLanes = Name.rfind("Lanes", 0) == 0 && It->path().extension() == ".h";
+				if (bLanes || Name == "KernelSupport.h" || Name == "ShaderKernel.h")
+				{
+					Names.push_back(It->path().string());
+				}
+			}
+			std::sort(Names.begin(), Names.end());
+			for (const std::string& Name : Names)
+			{
+				std::ifstream Stream(Name, std::ios::binary);
+				Hash.Add(fs::path(Name).filename().string());
+				Hash.Add(std::string((std::istreambuf_iterator<char>(Stream)), {}));
+			}
+		}
+		return Hash.Finish();
+	}();
+	return Result;
+}
+
+FError MakeError(int Code, const std::string& Message, const FShaderCompileRequest& Request)
+{
+	return FError({ESeverity::Error, Code, Message, Request.VirtualPath, 0, 0, {}}, ExitUsage);
+}
+
+} // namespace
+
+FLaneConfig ResolveLanes(FLaneConfig Lanes)
+{
+	const int32_t Widest = GetWidestLanes(Lanes.bDouble);
+	if (Lanes.Lanes == 0)
+	{
+		Lanes.Lanes = Widest;
+	}
+	const int32_t FloatLanes = Lanes.bDouble ? Lanes.Lanes * 2 : Lanes.Lanes;
+	if ((FloatLanes != 4 && FloatLanes != 8 && FloatLanes != 16) || Lanes.Lanes > Widest)
+	{
+		throw FError({ESeverity::Error, 6003, "shaders cannot run with " + std::to_string(Lanes.Lanes) + (Lanes.bDouble ? " double" : " float")
+				+ " lanes here; this CPU has up to " + std::to_string(Widest), {}, 0, 0, {}}, ExitUsage);
+	}
+	return Lanes;
+}
+
+std::string FindKernelCompiler()
+{
+	if (const char* Chosen = std::getenv("DRYDOCK_CXX"); Chosen && *Chosen)
+	{
+		return FindProgram(Chosen);
+	}
+	for (const char* Candidate : {DRYDOCK_CXX_COMPILER, "g++", "clang++", "c++"})
+	{
+		const std::string Found = FindProgram(Candidate);
+		if (!Found.empty())
+		{
+			return Found;
+		}
+	}
+	return {};
+}
+
+std::string GetCompilerId(const std::string& Compiler)
+{
+	struct stat Status;
+	std::error_code Error;
+	const fs::path Real = fs::canonical(Compiler, Error);
+	if (Compiler.empty() || Error || stat(Real.c_str(), &Status) != 0)
+	{
+		return {};
+	}
+	FContentHash Hash;
+	Hash.Add(Real.string());
+	Hash.Add(std::to_string(Status.st_size));
+	Hash.Add(std::to_string(Status.st_mtime));
+	return Hash.Finish().substr(0, 12);
+}
+
+std::string GetKernelBuildIdentity(const FLaneConfig& Lanes)
+{
+	FContentHash Hash;
+	Hash.Add(std::to_string(EmitterVersion));
+	Hash.Add(std::to_string(GShaderKernelVersion));
+	Hash.Add(GetHeaderHash());
+	for (const std::string& Flag : GetFlags(Lanes))
+	{
+		Hash.Add(Flag);
+	}
+	return Hash.Finish();
+}
+
+std::string CompileKernel(const std::string& Cpp, const std::string& Folder, const FLaneConfig& Lanes, const FShaderCompileRequest& Request)
+{
+	const std::string Compiler = FindKernelCompiler();
+	if (Compiler.empty())
+	{
+		throw MakeError(6031, "cannot compile '" + Request.EntryPoint + "': no C++ compiler was found; install g++ or set DRYDOCK_CXX", Request);
+	}
+	const std::vector<std::string> Includes = FindKernelIncludes();
+	if (Includes.empty())
+	{
+		throw MakeError(6031, "cannot compile '" + Request.EntryPoint + "': the lane headers (Lanes.h) were not found beside the library", Request);
+	}
+	const std::string Input = Folder + "/kernel.cpp";
+	const std::string Output = Folder + "/kernel.so";
+	std::ofstream(Input, std::ios::binary) << Cpp;
+	std::vector<std::string> Arguments = GetFlags(Lanes);
+	Arguments.insert(Arguments.begin(), Compiler);
+	for (const std::string& Include : Includes)
+	{
+		Arguments.push_back("-I" + Include);
+	}
+	Arguments.insert(Arguments.end(), {"-o", Output, Input});
+	const FChildResult Child = RunChild(Arguments, TimeLimitSeconds);
+	if (!Child.Succeeded())
+	{
+		// The generated text is kept for the report of a fault that is ours.
+		const std::string Kept = (fs::temp_directory_path() / ("drydock-failed-" + Request.EntryPoint + ".cpp")).string();
+		std::error_code Error;
+		fs::copy_file(Input, Kept, fs::copy_options::overwrite_existing, Error);
+		std::string First;
+		std::istringstream Lines(Child.Output);
+		for (std::string Line; std::getline(Lines, Line);)
+		{
+			if (Line.find("error") != std::string::npos)
+			{
+				First = ": " + Line;
+				break;
+			}
+		}
+		throw MakeError(6030, "the C++ compiler " + Child.Describe(TimeLimitSeconds) + " on the code generated for '" + Request.EntryPoint
+				+ "', which is a fault of drydock (the code is in " + Kept + ")" + First, Request);
+	}
+	return Output;
+}
+
+FKernelFunction LoadKernel(const std::string& SharedObject, const FLaneConfig& Lanes)
+{
+	// Kernels call into this library; it may have been opened without making its symbols visible to others.
+	static std::once_flag Once;
+	std::call_once(Once, [] { dlopen(GetLibraryPath().c_str(), RTLD_NOW | RTLD_NOLOAD | RTLD_GLOBAL); });
+	void* const Handle = dlopen(SharedObject.c_str(), RTLD_NOW | RTLD_LOCAL);
+	if (!Handle)
+	{
+		return nullptr;
+	}
+	const auto* const Module = static_cast<const FKernelModule*>(dlsym(Handle, "DrydockShaderKernel"));
+	const bool bFits = Module && Module->Version == GShaderKernelVersion && Module->Lanes == uint32_t(Lanes.Lanes)
+		&& Module->RealSize == (Lanes.bDouble ? sizeof(double) : sizeof(float));
+	if (!bFits)
+	{
+		dlclose(Handle);
+		return nullptr;
+	}
+	return Module->Run;
+}
+
+} // namespace Drydock

@@ -1,0 +1,242 @@
+// The stages in a row, with what is in memory and on disk before them. Source: drydock.
+#include "ShaderCompiler.h"
+
+#include "ContentHash.h"
+#include "Diagnostics.h"
+#include "KernelCompiler.h"
+#include "ShaderCache.h"
+#include "ShaderFrontEnd.h"
+#include "ShaderSource.h"
+#include "SpirvEmit.h"
+#include "TemporaryFolder.h"
+
+#include <chrono>
+#include <map>
+#include <mutex>
+
+namespace Drydock
+{
+
+namespace
+{
+
+/** One request in memory. Requests for the same shader wait for the first. */
+template <typename T>
+struct TSlot
+{
+	std::mutex Mutex;
+	std::shared_ptr<const T> Value;
+};
+
+template <typename T>
+class TMemory
+{
+public:
+	template <typename FMake>
+	std::shared_ptr<const T> Find(const std::string& Key, FMake Make)
+	{
+		std::shared_ptr<TSlot<T>> Slot;
+		{
+			const std::lock_guard Lock(Mutex);
+			std::shared_ptr<TSlot<T>>& Known = Slots[Key];
+			Known = Known ? Known : std::make_shared<TSlot<T>>();
+			Slot = Known;
+		}
+		const std::lock_guard Lock(Slot->Mutex);
+		if (!Slot->Value)
+		{
+			Slot->Value = Make();
+		}
+		return Slot->Value;
+	}
+
+	void Clear()
+	{
+		const std::lock_guard Lock(Mutex);
+		Slots.clear();
+	}
+
+private:
+	std::mutex Mutex;
+	std::map<std::string, std::shared_ptr<TSlot<T>>> Slots;
+};
+
+TMemory<FCompiledShader>& GetKernels()
+{
+	static TMemory<FCompiledShader> Memory;
+	return Memory;
+}
+
+TMemory<FShaderReflection>& GetReflections()
+{
+	static TMemory<FShaderReflection> Memory;
+	return Memory;
+}
+
+/** Hash of what was asked, not of the files behind it. */
+std::string HashRequest(const FShaderCompileRequest& Request)
+{
+	FContentHash Hash;
+	const auto AddPairs = [&Hash](const std::vector<std::pair<std::string, std::string>>& Pairs)
+	{
+		Hash.Add(std::to_string(Pairs.size()));
+		for (const auto& [First, Second] : Pairs)
+		{
+			Hash.Add(First);
+			Hash.Add(Second);
+		}
+	};
+	Hash.Add(Request.VirtualPath);
+	Hash.Add(Request.EntryPoint);
+	Hash.Add(std::to_string(int(Request.Stage)));
+	AddPairs(Request.Defines);
+	AddPairs(Request.GeneratedFiles);
+	for (const auto& [Name, Members] : Request.UniformBuffers)
+	{
+		Hash.Add(Name);
+		Hash.Add(std::to_string(Members.size()));
+		for (const std::string& Member : Members)
+		{
+			Hash.Add(Member);
+		}
+	}
+	return Hash.Finish();
+}
+
+std::string HashSource(const FShaderSource& Source, const FShaderCompileRequest& Request, const std::string& Build)
+{
+	FContentHash Hash;
+	Hash.Add(Source.Text);
+	Hash.Add(Request.EntryPoint);
+	Hash.Add(std::to_string(int(Request.Stage)));
+	Hash.Add(Build);
+	return Hash.Finish();
+}
+
+struct FAnalysedShader
+{
+	FSpirvModule Module;
+	FSpirvStructure Structure;
+	FSpirvReflection Reflection;
+};
+
+/** Runs Work; what it finds wrong with the SPIR-V becomes a message about the shader. */
+template <typename FWork>
+auto ExplainSpirvErrors(const FShaderCompileRequest& Request, FWork Work)
+{
+	try
+	{
+		return Work();
+	}
+	catch (const FSpirvError& Error)
+	{
+		const bool bKnown = !Error.File.empty();
+		const std::string Where = bKnown ? std::string() : "entry point " + Request.EntryPoint;
+		throw FError({ESeverity::Error, 6020, Error.what(), bKnown ? Error.File : Request.VirtualPath, Error.Line, 0, Where}, ExitUsage);
+	}
+}
+
+FAnalysedShader Analyse(const FShaderSource& Source, const FShaderCompileRequest& Request)
+{
+	const std::vector<uint32_t> Words = CompileToSpirv(Source, Request);
+	return ExplainSpirvErrors(Request, [&]
+	{
+		FAnalysedShader Result;
+		Result.Module = ReadSpirv(Words);
+		Result.Structure = BuildSpirvStructure(Result.Module);
+		Result.Reflection = ReflectSpirv(Result.Module, Result.Structure, Source.Text);
+		return Result;
+	});
+}
+
+/** From source to a loaded kernel, past every cache. */
+void Build(const FShaderSource& Source, const FShaderCompileRequest& Request, const FShaderCache& Cache, const std::string& CompilerId, FCompiledShader& Result)
+{
+	const FAnalysedShader Shader = Analyse(Source, Request);
+	const std::string Cpp = ExplainSpirvErrors(Request, [&]
+	{
+		const FSpirvUniformity Uniformity = AnalyzeUniformity(Shader.Module, Shader.Structure);
+		return EmitKernel({Shader.Module, Shader.Structure, Uniformity, Shader.Reflection}, Request.VirtualPath + ", entry " + Request.EntryPoint);
+	});
+	Result.Reflection = Shader.Reflection.Reflection;
+	const FTemporaryFolder Folder;
+	const std::string SharedObject = CompileKernel(Cpp, Folder.Path, Result.Lanes, Request);
+	Cache.StoreReflection(HashSource(Source, Request, {}), Result.Reflection);
+	const std::string Stored = Cache.StoreKernel(Result.Key, CompilerId, Result.Reflection, SharedObject);
+	Result.Run = LoadKernel(Stored.empty() ? SharedObject : Stored, Result.Lanes);
+	if (!Result.Run)
+	{
+		throw FError({ESeverity::Error, 6030, "the kernel compiled for '" + Request.EntryPoint + "' cannot be loaded", Request.VirtualPath, 0, 0, {}}, ExitUsage);
+	}
+}
+
+bool LoadFromCache(const FShaderCache& Cache, const std::string& CompilerId, FCompiledShader& Result)
+{
+	const std::optional<FCachedShader> Found = Cache.FindKernel(Result.Key, CompilerId);
+	if (!Found)
+	{
+		return false;
+	}
+	Result.Run = LoadKernel(Found->SharedObject, Result.Lanes);
+	Result.Reflection = Found->Reflection;
+	Result.bFromCache = Result.Run != nullptr;
+	return Result.bFromCache;
+}
+
+std::shared_ptr<const FCompiledShader> MakeShader(const FShaderCompileRequest& Request, const FLaneConfig& Lanes)
+{
+	const auto Start = std::chrono::steady_clock::now();
+	const auto Result = std::make_shared<FCompiledShader>();
+	const FShaderSource Source = FlattenShader(Request);
+	const FShaderCache Cache = FShaderCache::Open();
+	const std::string CompilerId = GetCompilerId(FindKernelCompiler());
+	Result->Lanes = Lanes;
+	Result->Files = Source.Files;
+	Result->Key = HashSource(Source, Request, GetKernelBuildIdentity(Lanes));
+	if (!LoadFromCache(Cache, CompilerId, *Result))
+	{
+		Cache.WithLock(Result->Key, [&]
+		{
+			if (!LoadFromCache(Cache, CompilerId, *Result)) // another process may have been faster
+			{
+				Build(Source, Request, Cache, CompilerId, *Result);
+			}
+		});
+	}
+	Result->CompileMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Start).count();
+	return Result;
+}
+
+} // namespace
+
+std::shared_ptr<const FCompiledShader> CompileShader(const FShaderCompileRequest& Request)
+{
+	const FLaneConfig Lanes = ResolveLanes(Request.Lanes);
+	const std::string Key = HashRequest(Request) + (Lanes.bDouble ? "d" : "f") + std::to_string(Lanes.Lanes);
+	return GetKernels().Find(Key, [&] { return MakeShader(Request, Lanes); });
+}
+
+FShaderReflection ReflectShader(const FShaderCompileRequest& Request)
+{
+	return *GetReflections().Find(HashRequest(Request), [&]() -> std::shared_ptr<const FShaderReflection>
+	{
+		const FShaderSource Source = FlattenShader(Request);
+		const FShaderCache Cache = FShaderCache::Open();
+		const std::string Key = HashSource(Source, Request, {});
+		if (const std::optional<FShaderReflection> Found = Cache.FindReflection(Key))
+		{
+			return std::make_shared<FShaderReflection>(*Found);
+		}
+		const auto Result = std::make_shared<FShaderReflection>(Analyse(Source, Request).Reflection.Reflection);
+		Cache.StoreReflection(Key, *Result);
+		return Result;
+	});
+}
+
+void ForgetCompiledShaders()
+{
+	GetKernels().Clear();
+	GetReflections().Clear();
+}
+
+} // namespace Drydock
