@@ -319,6 +319,11 @@ FShaderSource FFlattener::Run()
 
 } // namespace
 
+FShaderSource FlattenShader(const FShaderCompileRequest& Request)
+{
+	return FFlattener(Request).Run();
+}
+
 std::string NormalizeShaderText(const std::string& Bytes)
 {
 	size_t i = Bytes.rfind("\xEF\xBB\xBF", 0) == 0 ? 3 : 0;
