@@ -1,4 +1,5 @@
-// Which thread this is: every question is answered yes, because one thread plays all parts. Source: engine CoreGlobals.h.
+// Which thread this is: every question is answered yes, because one thread plays all parts. Source: engine
+// CoreGlobals.h.
 #pragma once
 
 #include "CoreTypes.h"

@@ -109,7 +109,7 @@ enum EForceInit
 namespace Drydock::Private
 {
 
-template <typename T, std::size_t Count>
+template<typename T, std::size_t Count>
 char (&ArrayCountHelper(const T (&)[Count]))[Count];
 
 } // namespace Drydock::Private

@@ -29,11 +29,11 @@ struct FBoolBox
 	}
 };
 
-template <typename T>
+template<typename T>
 using TArrayElement = std::conditional_t<std::is_same_v<T, bool>, FBoolBox, T>;
 
 /** Sorting predicates of arrays of pointers receive what the pointers point to, as in the engine. */
-template <typename T>
+template<typename T>
 const auto& Dereference(const T& Element)
 {
 	if constexpr (std::is_pointer_v<T>)
@@ -48,12 +48,12 @@ const auto& Dereference(const T& Element)
 
 } // namespace Drydock::Private
 
-template <typename T, typename Allocator>
+template<typename T, typename Allocator>
 class TArray
 {
 	using FElement = Drydock::Private::TArrayElement<T>;
 
-	template <typename U, typename OtherAllocator>
+	template<typename U, typename OtherAllocator>
 	friend class TArray;
 
 public:
@@ -70,19 +70,18 @@ public:
 		: Data(Pointer, Pointer + Count)
 	{
 	}
-	template <typename OtherAllocator>
+	template<typename OtherAllocator>
 	TArray(const TArray<T, OtherAllocator>& Other)
 		: Data(Other.Data)
 	{
 	}
-	template <typename OtherAllocator>
+	template<typename OtherAllocator>
 	TArray(TArray<T, OtherAllocator>&& Other)
 		: Data(std::move(Other.Data))
 	{
 	}
 	explicit TArray(TArrayView<const T> View);
-	explicit TArray(TArrayView<T> View)
-		requires(!std::is_const_v<T>);
+	explicit TArray(TArrayView<T> View) requires(!std::is_const_v<T>);
 
 	TArray& operator=(std::initializer_list<T> Elements)
 	{
@@ -137,7 +136,7 @@ public:
 	T& Add_GetRef(T&& Element) { return GetData()[Add(std::move(Element))]; }
 	void Push(const T& Element) { Add(Element); }
 	void Push(T&& Element) { Add(std::move(Element)); }
-	template <typename... ArgumentTypes>
+	template<typename... ArgumentTypes>
 	int32 Emplace(ArgumentTypes&&... Arguments)
 	{
 		if constexpr (std::is_constructible_v<FElement, ArgumentTypes...>)
@@ -150,7 +149,7 @@ public:
 		}
 		return Num() - 1;
 	}
-	template <typename... ArgumentTypes>
+	template<typename... ArgumentTypes>
 	T& Emplace_GetRef(ArgumentTypes&&... Arguments)
 	{
 		return GetData()[Emplace(std::forward<ArgumentTypes>(Arguments)...)];
@@ -175,8 +174,12 @@ public:
 
 	void Append(const T* Pointer, int32 Count) { Data.insert(Data.end(), Pointer, Pointer + Count); }
 	void Append(std::initializer_list<T> Elements) { Data.insert(Data.end(), Elements.begin(), Elements.end()); }
-	template <typename RangeType>
-		requires requires(const RangeType& Range) { Range.GetData(); Range.Num(); }
+	template<typename RangeType>
+	requires requires(const RangeType& Range)
+	{
+		Range.GetData();
+		Range.Num();
+	}
 	void Append(const RangeType& Range)
 	{
 		if (static_cast<const void*>(&Range) == this)
@@ -217,7 +220,7 @@ public:
 		Data.insert(Data.begin() + Index, Elements.begin(), Elements.end());
 		return Index;
 	}
-	template <typename... ArgumentTypes>
+	template<typename... ArgumentTypes>
 	void EmplaceAt(int32 Index, ArgumentTypes&&... Arguments)
 	{
 		Insert(T(std::forward<ArgumentTypes>(Arguments)...), Index);
@@ -226,8 +229,8 @@ public:
 	void RemoveAt(int32 Index) { RemoveAt(Index, 1); }
 	void RemoveAt(int32 Index, int32 Count, FAllowShrinking = EAllowShrinking::Default)
 	{
-		checkf(Index >= 0 && Count >= 0 && Index + Count <= Num(), "Invalid Count (%d) or Index (%d) in RemoveAt from an array of size %d",
-			Count, Index, Num());
+		checkf(Index >= 0 && Count >= 0 && Index + Count <= Num(),
+			"Invalid Count (%d) or Index (%d) in RemoveAt from an array of size %d", Count, Index, Num());
 		Data.erase(Data.begin() + Index, Data.begin() + Index + Count);
 	}
 	/** Removes without keeping the order: the last element takes the place. */
@@ -266,7 +269,7 @@ public:
 		RemoveAtSwap(Index);
 		return 1;
 	}
-	template <typename PredicateType>
+	template<typename PredicateType>
 	int32 RemoveAll(const PredicateType& Predicate)
 	{
 		const int32 Before = Num();
@@ -274,7 +277,7 @@ public:
 		Data.erase(Data.begin() + (NewEnd - begin()), Data.end());
 		return Before - Num();
 	}
-	template <typename PredicateType>
+	template<typename PredicateType>
 	int32 RemoveAllSwap(const PredicateType& Predicate)
 	{
 		return RemoveAll(Predicate);
@@ -320,12 +323,12 @@ public:
 	}
 
 	/** Index of the first equal element or INDEX_NONE. */
-	template <typename KeyType>
+	template<typename KeyType>
 	int32 Find(const KeyType& Key) const
 	{
 		return ToIndex(std::find(begin(), end(), Key));
 	}
-	template <typename KeyType>
+	template<typename KeyType>
 	bool Find(const KeyType& Key, int32& OutIndex) const
 	{
 		OutIndex = Find(Key);
@@ -335,7 +338,7 @@ public:
 	{
 		return FindLastByPredicate([&Element](const T& Other) { return Other == Element; });
 	}
-	template <typename PredicateType>
+	template<typename PredicateType>
 	int32 FindLastByPredicate(PredicateType Predicate) const
 	{
 		int32 Index = Num() - 1;
@@ -345,48 +348,48 @@ public:
 		}
 		return Index;
 	}
-	template <typename KeyType>
+	template<typename KeyType>
 	int32 IndexOfByKey(const KeyType& Key) const
 	{
 		return IndexOfByPredicate([&Key](const T& Element) { return Element == Key; });
 	}
-	template <typename PredicateType>
+	template<typename PredicateType>
 	int32 IndexOfByPredicate(PredicateType Predicate) const
 	{
 		return ToIndex(std::find_if(begin(), end(), Predicate));
 	}
 	/** The first element equal to Key, or null. */
-	template <typename KeyType>
+	template<typename KeyType>
 	T* FindByKey(const KeyType& Key)
 	{
 		return ToPointer(IndexOfByKey(Key));
 	}
-	template <typename KeyType>
+	template<typename KeyType>
 	const T* FindByKey(const KeyType& Key) const
 	{
 		return ToPointer(IndexOfByKey(Key));
 	}
-	template <typename PredicateType>
+	template<typename PredicateType>
 	T* FindByPredicate(PredicateType Predicate)
 	{
 		return ToPointer(IndexOfByPredicate(Predicate));
 	}
-	template <typename PredicateType>
+	template<typename PredicateType>
 	const T* FindByPredicate(PredicateType Predicate) const
 	{
 		return ToPointer(IndexOfByPredicate(Predicate));
 	}
-	template <typename KeyType>
+	template<typename KeyType>
 	bool Contains(const KeyType& Key) const
 	{
 		return IndexOfByKey(Key) != INDEX_NONE;
 	}
-	template <typename PredicateType>
+	template<typename PredicateType>
 	bool ContainsByPredicate(PredicateType Predicate) const
 	{
 		return IndexOfByPredicate(Predicate) != INDEX_NONE;
 	}
-	template <typename PredicateType>
+	template<typename PredicateType>
 	TArray FilterByPredicate(PredicateType Predicate) const
 	{
 		TArray Result;
@@ -399,21 +402,21 @@ public:
 	{
 		Sort([](const auto& A, const auto& B) { return A < B; });
 	}
-	template <typename PredicateType>
+	template<typename PredicateType>
 	void Sort(const PredicateType& Predicate)
 	{
-		std::stable_sort(begin(), end(), [&Predicate](const T& A, const T& B) {
-			return Predicate(Drydock::Private::Dereference(A), Drydock::Private::Dereference(B));
-		});
+		std::stable_sort(begin(), end(),
+			[&Predicate](const T& A, const T& B)
+			{ return Predicate(Drydock::Private::Dereference(A), Drydock::Private::Dereference(B)); });
 	}
 	void StableSort() { Sort(); }
-	template <typename PredicateType>
+	template<typename PredicateType>
 	void StableSort(const PredicateType& Predicate)
 	{
 		Sort(Predicate);
 	}
 
-	template <typename OtherAllocator>
+	template<typename OtherAllocator>
 	bool operator==(const TArray<T, OtherAllocator>& Other) const
 	{
 		return std::equal(begin(), end(), Other.begin(), Other.end());
@@ -433,20 +436,19 @@ private:
 
 #include "Containers/ArrayView.h"
 
-template <typename T, typename Allocator>
+template<typename T, typename Allocator>
 TArray<T, Allocator>::TArray(TArrayView<const T> View)
 	: Data(View.begin(), View.end())
 {
 }
 
-template <typename T, typename Allocator>
-TArray<T, Allocator>::TArray(TArrayView<T> View)
-	requires(!std::is_const_v<T>)
+template<typename T, typename Allocator>
+TArray<T, Allocator>::TArray(TArrayView<T> View) requires(!std::is_const_v<T>)
 	: Data(View.begin(), View.end())
 {
 }
 
-template <typename T, typename Allocator>
+template<typename T, typename Allocator>
 uint32 GetTypeHash(const TArray<T, Allocator>& Array)
 {
 	uint32 Hash = 0;

@@ -9,40 +9,42 @@
 #include <initializer_list>
 #include <type_traits>
 
-template <typename T>
+template<typename T>
 class TArrayView
 {
 public:
 	using ElementType = T;
 
 	TArrayView() = default;
-	template <typename U>
-		requires std::is_convertible_v<U (*)[], T (*)[]>
-	TArrayView(U* InData, int32 Count)
+	template<typename U>
+	requires std::is_convertible_v<U (*)[], T (*)[]> TArrayView(U* InData, int32 Count)
 		: Data(InData)
 		, ArrayNum(Count)
 	{
 		check(Count >= 0);
 	}
-	template <SIZE_T Count>
+	template<SIZE_T Count>
 	TArrayView(T (&Array)[Count])
 		: Data(Array)
 		, ArrayNum(static_cast<int32>(Count))
 	{
 	}
 	/** Lives as long as the full expression: for arguments. */
-	TArrayView(std::initializer_list<std::remove_const_t<T>> List)
-		requires std::is_const_v<T>
-		: Data(List.begin())
-		, ArrayNum(static_cast<int32>(List.size()))
+	TArrayView(std::initializer_list<std::remove_const_t<T>> List) requires std::is_const_v<T>
+		: Data(List.begin()), ArrayNum(static_cast<int32>(List.size()))
 	{
 	}
 	/** Views anything with GetData() and Num(). */
-	template <typename RangeType>
-		requires requires(RangeType& Range) {
-			{ Range.GetData() } -> std::convertible_to<T*>;
-			{ Range.Num() } -> std::convertible_to<int32>;
-		}
+	template<typename RangeType>
+	requires requires(RangeType& Range)
+	{
+		{
+			Range.GetData()
+			} -> std::convertible_to<T*>;
+		{
+			Range.Num()
+			} -> std::convertible_to<int32>;
+	}
 	TArrayView(RangeType&& Range)
 		: Data(Range.GetData())
 		, ArrayNum(static_cast<int32>(Range.Num()))
@@ -81,13 +83,13 @@ public:
 	TArrayView RightChop(int32 Count) const { return Right(ArrayNum - Count); }
 	TArrayView Mid(int32 Index) const { return RightChop(Index); }
 
-	template <typename KeyType>
+	template<typename KeyType>
 	int32 Find(const KeyType& Key) const
 	{
 		T* const Found = std::find(begin(), end(), Key);
 		return Found == end() ? INDEX_NONE : static_cast<int32>(Found - begin());
 	}
-	template <typename KeyType>
+	template<typename KeyType>
 	bool Contains(const KeyType& Key) const
 	{
 		return Find(Key) != INDEX_NONE;
@@ -98,40 +100,50 @@ private:
 	int32 ArrayNum = 0;
 };
 
-template <typename T>
+template<typename T>
 TArrayView<T> MakeArrayView(T* Data, int32 Count)
 {
 	return TArrayView<T>(Data, Count);
 }
 
-template <typename RangeType>
-	requires requires(RangeType& Range) { Range.GetData(); Range.Num(); }
+template<typename RangeType>
+requires requires(RangeType& Range)
+{
+	Range.GetData();
+	Range.Num();
+}
 auto MakeArrayView(RangeType&& Range)
 {
-	return TArrayView<std::remove_pointer_t<decltype(Range.GetData())>>(Range.GetData(), static_cast<int32>(Range.Num()));
+	return TArrayView<std::remove_pointer_t<decltype(Range.GetData())>>(
+		Range.GetData(), static_cast<int32>(Range.Num()));
 }
 
-template <typename T, SIZE_T Count>
+template<typename T, SIZE_T Count>
 TArrayView<T> MakeArrayView(T (&Array)[Count])
 {
 	return TArrayView<T>(Array);
 }
 
-template <typename T>
+template<typename T>
 TConstArrayView<T> MakeArrayView(std::initializer_list<T> List)
 {
 	return TConstArrayView<T>(List.begin(), static_cast<int32>(List.size()));
 }
 
-template <typename T>
+template<typename T>
 TConstArrayView<T> MakeConstArrayView(const T* Data, int32 Count)
 {
 	return TConstArrayView<T>(Data, Count);
 }
 
-template <typename RangeType>
-	requires requires(const RangeType& Range) { Range.GetData(); Range.Num(); }
+template<typename RangeType>
+requires requires(const RangeType& Range)
+{
+	Range.GetData();
+	Range.Num();
+}
 auto MakeConstArrayView(const RangeType& Range)
 {
-	return TArrayView<std::remove_pointer_t<decltype(Range.GetData())>>(Range.GetData(), static_cast<int32>(Range.Num()));
+	return TArrayView<std::remove_pointer_t<decltype(Range.GetData())>>(
+		Range.GetData(), static_cast<int32>(Range.Num()));
 }

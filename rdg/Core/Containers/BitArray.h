@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <vector>
 
-template <typename Allocator = FDefaultAllocator>
+template<typename Allocator = FDefaultAllocator>
 class TBitArray
 {
 public:

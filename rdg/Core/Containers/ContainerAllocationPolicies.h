@@ -16,17 +16,17 @@ class FHeapAllocator
 {
 };
 
-template <int IndexSize>
+template<int IndexSize>
 class TSizedDefaultAllocator
 {
 };
 
-template <uint32 NumInlineElements, typename SecondaryAllocator = FDefaultAllocator>
+template<uint32 NumInlineElements, typename SecondaryAllocator = FDefaultAllocator>
 class TInlineAllocator
 {
 };
 
-template <uint32 NumInlineElements>
+template<uint32 NumInlineElements>
 class TFixedAllocator
 {
 };

@@ -3,17 +3,17 @@
 
 #include "Containers/ContainerAllocationPolicies.h"
 
-template <typename T, typename Allocator = FDefaultAllocator>
+template<typename T, typename Allocator = FDefaultAllocator>
 class TArray;
-template <typename T>
+template<typename T>
 class TArrayView;
-template <typename T>
+template<typename T>
 using TConstArrayView = TArrayView<const T>;
-template <typename KeyType, typename ValueType, typename SetAllocator = FDefaultSetAllocator>
+template<typename KeyType, typename ValueType, typename SetAllocator = FDefaultSetAllocator>
 class TMap;
-template <typename T, typename SetAllocator = FDefaultSetAllocator>
+template<typename T, typename SetAllocator = FDefaultSetAllocator>
 class TSet;
-template <typename T, uint32 NumElements>
+template<typename T, uint32 NumElements>
 class TStaticArray;
 class FString;
 class FName;

@@ -7,7 +7,7 @@
 namespace Drydock::Private
 {
 
-template <typename KeyType, typename ValueType>
+template<typename KeyType, typename ValueType>
 const KeyType& GetPairKey(const TPair<KeyType, ValueType>& Pair)
 {
 	return Pair.Key;
@@ -15,7 +15,7 @@ const KeyType& GetPairKey(const TPair<KeyType, ValueType>& Pair)
 
 } // namespace Drydock::Private
 
-template <typename InKeyType, typename InValueType, typename SetAllocator>
+template<typename InKeyType, typename InValueType, typename SetAllocator>
 class TMap
 {
 public:
@@ -47,7 +47,7 @@ public:
 	ValueType& Add(KeyType&& Key, ValueType&& Value) { return Set(std::move(Key), std::move(Value)); }
 	ValueType& Add(const KeyType& Key) { return Set(KeyType(Key), ValueType()); }
 	ValueType& Add(const ElementType& Pair) { return Add(Pair.Key, Pair.Value); }
-	template <typename KeyArgument, typename... ValueArguments>
+	template<typename KeyArgument, typename... ValueArguments>
 	ValueType& Emplace(KeyArgument&& Key, ValueArguments&&... Arguments)
 	{
 		return Set(KeyType(std::forward<KeyArgument>(Key)), ValueType(std::forward<ValueArguments>(Arguments)...));
@@ -145,7 +145,7 @@ public:
 	void Reset() { Hash.Reset(); }
 	void Reserve(int32 Count) { Hash.Reserve(Count); }
 
-	template <typename Allocator>
+	template<typename Allocator>
 	void GenerateKeyArray(TArray<KeyType, Allocator>& OutKeys) const
 	{
 		OutKeys.Reset(Num());
@@ -154,7 +154,7 @@ public:
 			OutKeys.Add(Pair.Key);
 		}
 	}
-	template <typename Allocator>
+	template<typename Allocator>
 	void GenerateValueArray(TArray<ValueType, Allocator>& OutValues) const
 	{
 		OutValues.Reset(Num());
@@ -163,18 +163,18 @@ public:
 			OutValues.Add(Pair.Value);
 		}
 	}
-	template <typename Allocator>
+	template<typename Allocator>
 	int32 GetKeys(TArray<KeyType, Allocator>& OutKeys) const
 	{
 		GenerateKeyArray(OutKeys);
 		return OutKeys.Num();
 	}
-	template <typename PredicateType>
+	template<typename PredicateType>
 	void KeySort(const PredicateType& Predicate)
 	{
 		Hash.Sort([&Predicate](const ElementType& A, const ElementType& B) { return Predicate(A.Key, B.Key); });
 	}
-	template <typename PredicateType>
+	template<typename PredicateType>
 	void ValueSort(const PredicateType& Predicate)
 	{
 		Hash.Sort([&Predicate](const ElementType& A, const ElementType& B) { return Predicate(A.Value, B.Value); });
@@ -182,10 +182,12 @@ public:
 	/** Equal if both hold the same pairs, in any order. */
 	bool OrderIndependentCompareEqual(const TMap& Other) const
 	{
-		return Num() == Other.Num() && std::all_of(begin(), end(), [&Other](const ElementType& Pair) {
-			const ValueType* Value = Other.Find(Pair.Key);
-			return Value != nullptr && *Value == Pair.Value;
-		});
+		return Num() == Other.Num() && std::all_of(begin(), end(),
+										   [&Other](const ElementType& Pair)
+										   {
+											   const ValueType* Value = Other.Find(Pair.Key);
+											   return Value != nullptr && *Value == Pair.Value;
+										   });
 	}
 
 private:

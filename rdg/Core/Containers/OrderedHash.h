@@ -12,7 +12,7 @@ namespace Drydock::Private
 {
 
 /** ElementType is what is stored; GetKey(const ElementType&) gives what it is found by. */
-template <typename ElementType, typename KeyType, const KeyType& (*GetKey)(const ElementType&)>
+template<typename ElementType, typename KeyType, const KeyType& (*GetKey)(const ElementType&)>
 class TOrderedHash
 {
 public:
@@ -21,7 +21,7 @@ public:
 	const ElementType* GetData() const { return Elements.data(); }
 
 	/** Index of the element with this key, or INDEX_NONE. Any key type that hashes and compares alike will do. */
-	template <typename ComparableKey>
+	template<typename ComparableKey>
 	int32 FindIndex(const ComparableKey& Key) const
 	{
 		if (Heads.empty())
@@ -61,7 +61,7 @@ public:
 		Rehash();
 	}
 
-	template <typename PredicateType>
+	template<typename PredicateType>
 	int32 RemoveAll(PredicateType Predicate)
 	{
 		const int32 Before = Num();
@@ -98,7 +98,7 @@ public:
 	}
 
 	/** Orders the elements by a predicate; equal ones keep their order. */
-	template <typename PredicateType>
+	template<typename PredicateType>
 	void Sort(PredicateType Predicate)
 	{
 		std::stable_sort(Elements.begin(), Elements.end(), Predicate);

@@ -6,7 +6,7 @@
 namespace Drydock::Private
 {
 
-template <typename T>
+template<typename T>
 const T& GetItself(const T& Element)
 {
 	return Element;
@@ -14,7 +14,7 @@ const T& GetItself(const T& Element)
 
 } // namespace Drydock::Private
 
-template <typename T, typename SetAllocator>
+template<typename T, typename SetAllocator>
 class TSet
 {
 public:
@@ -22,7 +22,7 @@ public:
 
 	TSet() = default;
 	TSet(std::initializer_list<T> Elements) { Append(Elements); }
-	template <typename Allocator>
+	template<typename Allocator>
 	explicit TSet(const TArray<T, Allocator>& Elements)
 	{
 		Append(Elements);
@@ -46,12 +46,12 @@ public:
 			*bOutAlreadyThere = bThere;
 		}
 	}
-	template <typename... ArgumentTypes>
+	template<typename... ArgumentTypes>
 	void Emplace(ArgumentTypes&&... Arguments)
 	{
 		Add(T(std::forward<ArgumentTypes>(Arguments)...));
 	}
-	template <typename RangeType>
+	template<typename RangeType>
 	void Append(const RangeType& Elements)
 	{
 		for (const T& Element : Elements)
@@ -84,7 +84,7 @@ public:
 	void Reset() { Hash.Reset(); }
 	void Reserve(int32 Count) { Hash.Reserve(Count); }
 	TArray<T> Array() const { return TArray<T>(begin(), Num()); }
-	template <typename PredicateType>
+	template<typename PredicateType>
 	void Sort(const PredicateType& Predicate)
 	{
 		Hash.Sort(Predicate);

@@ -4,7 +4,7 @@
 #include "Containers/ContainersFwd.h"
 #include "Misc/AssertionMacros.h"
 
-template <typename T, uint32 NumElements>
+template<typename T, uint32 NumElements>
 class TStaticArray
 {
 public:
@@ -19,9 +19,8 @@ public:
 			Element = Value;
 		}
 	}
-	template <typename... ArgumentTypes>
-		requires(sizeof...(ArgumentTypes) == NumElements && NumElements > 1)
-	TStaticArray(ArgumentTypes&&... Values)
+	template<typename... ArgumentTypes>
+	requires(sizeof...(ArgumentTypes) == NumElements && NumElements > 1) TStaticArray(ArgumentTypes&&... Values)
 		: Elements{static_cast<T>(Values)...}
 	{
 	}

@@ -4,8 +4,6 @@
 #include "Misc/AssertionMacros.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 
@@ -55,14 +53,6 @@ std::string FormatList(const TCHAR* Format, va_list Arguments)
 	std::vsnprintf(Text.data(), Text.size(), Format, Arguments);
 	Text.pop_back();
 	return Text;
-}
-
-template <typename T>
-FString ShortestText(T Value)
-{
-	char Buffer[512]; // longest fixed form of a double: 309 digits
-	const auto Result = std::to_chars(Buffer, Buffer + sizeof(Buffer), Value, std::chars_format::fixed);
-	return FString(std::string(Buffer, Result.ptr));
 }
 
 bool MatchWildcard(const TCHAR* Text, const TCHAR* Pattern, ESearchCase::Type SearchCase)
@@ -117,25 +107,6 @@ FString& FString::Appendf(const TCHAR* Format, ...)
 	Data += FormatList(Format, Arguments);
 	va_end(Arguments);
 	return *this;
-}
-
-FString FString::SanitizeFloat(double Value, int32 MinFractionalDigits)
-{
-	FString Result = ShortestText(Value);
-	if (std::isfinite(Value) && MinFractionalDigits > 0)
-	{
-		int32 Point = INDEX_NONE;
-		if (!Result.FindChar('.', Point))
-		{
-			Point = Result.Len();
-			Result += '.';
-		}
-		while (Result.Len() - Point - 1 < MinFractionalDigits)
-		{
-			Result += '0';
-		}
-	}
-	return Result;
 }
 
 void FString::Empty(int32 Slack)
@@ -228,7 +199,8 @@ bool FString::Equals(const FString& Other, ESearchCase::Type SearchCase) const
 
 int32 FString::Compare(const FString& Other, ESearchCase::Type SearchCase) const
 {
-	return SearchCase == ESearchCase::CaseSensitive ? FCString::Strcmp(**this, *Other) : FCString::Stricmp(**this, *Other);
+	return SearchCase == ESearchCase::CaseSensitive ? FCString::Strcmp(**this, *Other)
+													: FCString::Stricmp(**this, *Other);
 }
 
 bool FString::Contains(const FString& Part, ESearchCase::Type SearchCase) const
@@ -251,7 +223,8 @@ bool FString::MatchesWildcard(const FString& Wildcard, ESearchCase::Type SearchC
 	return MatchWildcard(**this, *Wildcard, SearchCase);
 }
 
-int32 FString::Find(const FString& Part, ESearchCase::Type SearchCase, ESearchDir::Type SearchDir, int32 StartPosition) const
+int32 FString::Find(
+	const FString& Part, ESearchCase::Type SearchCase, ESearchDir::Type SearchDir, int32 StartPosition) const
 {
 	const int32 LastPosition = Len() - Part.Len();
 	if (SearchDir == ESearchDir::FromStart)
@@ -289,33 +262,6 @@ bool FString::FindLastChar(TCHAR Character, int32& OutIndex) const
 	const SIZE_T Position = Data.rfind(Character);
 	OutIndex = Position == std::string::npos ? INDEX_NONE : static_cast<int32>(Position);
 	return OutIndex != INDEX_NONE;
-}
-
-bool FString::IsNumeric() const
-{
-	const TCHAR* Text = **this;
-	if (*Text == '-' || *Text == '+')
-	{
-		++Text;
-	}
-	bool bDigit = false;
-	bool bPoint = false;
-	for (; *Text != '\0'; ++Text)
-	{
-		if (*Text == '.' && !bPoint)
-		{
-			bPoint = true;
-		}
-		else if (*Text >= '0' && *Text <= '9')
-		{
-			bDigit = true;
-		}
-		else
-		{
-			return false;
-		}
-	}
-	return bDigit;
 }
 
 FString FString::Left(int32 Count) const
@@ -367,7 +313,8 @@ int32 FString::ReplaceInline(const TCHAR* From, const TCHAR* To, ESearchCase::Ty
 	std::string Result;
 	int32 Replaced = 0;
 	int32 Done = 0;
-	for (int32 Found = Find(Part, SearchCase); Found != INDEX_NONE; Found = Find(Part, SearchCase, ESearchDir::FromStart, Done))
+	for (int32 Found = Find(Part, SearchCase); Found != INDEX_NONE;
+		 Found = Find(Part, SearchCase, ESearchDir::FromStart, Done))
 	{
 		Result.append(Data, Done, Found - Done);
 		Result += To;
@@ -451,11 +398,6 @@ int32 FString::ParseIntoArrayLines(TArray<FString>& OutLines, bool bCullEmpty) c
 	return Replace("\r\n", "\n").Replace("\r", "\n").ParseIntoArray(OutLines, "\n", bCullEmpty);
 }
 
-bool FString::ToBool() const
-{
-	return *this == "true" || *this == "yes" || *this == "on" || FCString::Atoi(**this) != 0;
-}
-
 uint32 GetTypeHash(const FString& Text)
 {
 	// FNV-1a over lower-case letters.
@@ -475,34 +417,4 @@ uint32 GetMemoryHash(const void* Data, SIZE_T Size)
 		Hash = (Hash ^ static_cast<const uint8*>(Data)[Index]) * 16777619u;
 	}
 	return Hash;
-}
-
-FString LexToString(float Value)
-{
-	return ShortestText(Value);
-}
-
-FString LexToString(double Value)
-{
-	return ShortestText(Value);
-}
-
-void LexFromString(int32& OutValue, const TCHAR* Text)
-{
-	OutValue = FCString::Atoi(Text);
-}
-
-void LexFromString(float& OutValue, const TCHAR* Text)
-{
-	OutValue = FCString::Atof(Text);
-}
-
-void LexFromString(double& OutValue, const TCHAR* Text)
-{
-	OutValue = FCString::Atod(Text);
-}
-
-void LexFromString(bool& OutValue, const TCHAR* Text)
-{
-	OutValue = FString(Text).ToBool();
 }

@@ -62,7 +62,7 @@ public:
 	static FString ChrN(int32 Count, TCHAR Character) { return FString(std::string(Count, Character)); }
 	static FString ConstructFromPtrSize(const TCHAR* Text, int32 Count) { return FString(Count, Text); }
 	/** "A, B, C" from the elements of a range. */
-	template <typename RangeType>
+	template<typename RangeType>
 	static FString Join(const RangeType& Range, const TCHAR* Separator);
 
 	const TCHAR* operator*() const { return Data.c_str(); }
@@ -135,7 +135,8 @@ public:
 	FString Reverse() const;
 	/** Splits at the first (or last) Separator; false leaves the outputs alone. Outputs may be null. */
 	bool Split(const FString& Separator, FString* OutLeft, FString* OutRight,
-		ESearchCase::Type SearchCase = ESearchCase::IgnoreCase, ESearchDir::Type SearchDir = ESearchDir::FromStart) const;
+		ESearchCase::Type SearchCase = ESearchCase::IgnoreCase,
+		ESearchDir::Type SearchDir = ESearchDir::FromStart) const;
 	/** Parts between separators; returns their number. */
 	int32 ParseIntoArray(TArray<FString>& OutParts, const TCHAR* Separator, bool bCullEmpty = true) const;
 	int32 ParseIntoArrayLines(TArray<FString>& OutLines, bool bCullEmpty = true) const;
@@ -166,7 +167,7 @@ private:
 /** Hash without regard to case, matching operator==. */
 DRYDOCK_API uint32 GetTypeHash(const FString& Text);
 
-template <typename RangeType>
+template<typename RangeType>
 FString FString::Join(const RangeType& Range, const TCHAR* Separator)
 {
 	FString Result;
@@ -195,9 +196,8 @@ inline FString LexToString(bool Value)
 {
 	return FString(Value ? "true" : "false");
 }
-template <typename T>
-	requires(std::is_integral_v<T> && !std::is_same_v<T, bool>)
-FString LexToString(T Value)
+template<typename T>
+requires(std::is_integral_v<T> && !std::is_same_v<T, bool>) FString LexToString(T Value)
 {
 	return FString(std::to_string(Value));
 }

@@ -39,12 +39,15 @@ namespace Drydock::Private
 using FLifeWatch = std::function<bool()>;
 
 /** Watches a UObject; any other type must outlive the binding. */
-template <typename ObjectType>
+template<typename ObjectType>
 FLifeWatch WatchObject(const ObjectType* Object)
 {
 	if constexpr (std::is_base_of_v<UObjectBase, ObjectType>)
 	{
-		return [Weak = Object != nullptr ? Object->GetLifeToken() : std::weak_ptr<const void>()] { return !Weak.expired(); };
+		return [Weak = Object != nullptr ? Object->GetLifeToken() : std::weak_ptr<const void>()]
+		{
+			return !Weak.expired();
+		};
 	}
 	else
 	{
@@ -52,11 +55,12 @@ FLifeWatch WatchObject(const ObjectType* Object)
 	}
 }
 
-template <typename ReturnType, typename... ArgumentTypes>
+template<typename ReturnType, typename... ArgumentTypes>
 class TDelegateInstance
 {
 public:
-	TDelegateInstance(const void* InObject, FLifeWatch&& InWatch, TUniqueFunction<ReturnType(ArgumentTypes...)>&& InCall)
+	TDelegateInstance(
+		const void* InObject, FLifeWatch&& InWatch, TUniqueFunction<ReturnType(ArgumentTypes...)>&& InCall)
 		: Object(InObject)
 		, Watch(std::move(InWatch))
 		, Call(std::move(InCall))

@@ -54,8 +54,9 @@ struct IConsoleManager::FState
 	std::map<FString, FRegistration, FNameLess> Objects;
 	std::vector<std::unique_ptr<IConsoleObject>> Nameless; // variables that lost their name to one of another type
 
-	template <typename T>
-	IConsoleVariable* Register(const TCHAR* Name, const T& Default, const TCHAR* Help, EConsoleVariableFlags Flags, T* Reference = nullptr)
+	template<typename T>
+	IConsoleVariable* Register(
+		const TCHAR* Name, const T& Default, const TCHAR* Help, EConsoleVariableFlags Flags, T* Reference = nullptr)
 	{
 		std::lock_guard Lock(Mutex);
 		auto Variable = std::make_unique<TConsoleVariable<T>>(Name, Default, Help, Flags);
@@ -77,7 +78,8 @@ struct IConsoleManager::FState
 			++Found->second.Count;
 			return Existing;
 		}
-		UE_LOG(LogConsoleManager, Error, "Console object named '%s' already exists; the new one cannot be found by its name", Name);
+		UE_LOG(LogConsoleManager, Error,
+			"Console object named '%s' already exists; the new one cannot be found by its name", Name);
 		Nameless.push_back(std::move(Variable));
 		return Result;
 	}
@@ -99,42 +101,50 @@ IConsoleManager::~IConsoleManager()
 	delete State;
 }
 
-IConsoleVariable* IConsoleManager::RegisterConsoleVariable(const TCHAR* Name, bool Default, const TCHAR* Help, EConsoleVariableFlags Flags)
+IConsoleVariable* IConsoleManager::RegisterConsoleVariable(
+	const TCHAR* Name, bool Default, const TCHAR* Help, EConsoleVariableFlags Flags)
 {
 	return State->Register(Name, Default, Help, Flags);
 }
 
-IConsoleVariable* IConsoleManager::RegisterConsoleVariable(const TCHAR* Name, int32 Default, const TCHAR* Help, EConsoleVariableFlags Flags)
+IConsoleVariable* IConsoleManager::RegisterConsoleVariable(
+	const TCHAR* Name, int32 Default, const TCHAR* Help, EConsoleVariableFlags Flags)
 {
 	return State->Register(Name, Default, Help, Flags);
 }
 
-IConsoleVariable* IConsoleManager::RegisterConsoleVariable(const TCHAR* Name, float Default, const TCHAR* Help, EConsoleVariableFlags Flags)
+IConsoleVariable* IConsoleManager::RegisterConsoleVariable(
+	const TCHAR* Name, float Default, const TCHAR* Help, EConsoleVariableFlags Flags)
 {
 	return State->Register(Name, Default, Help, Flags);
 }
 
-IConsoleVariable* IConsoleManager::RegisterConsoleVariable(const TCHAR* Name, const TCHAR* Default, const TCHAR* Help, EConsoleVariableFlags Flags)
+IConsoleVariable* IConsoleManager::RegisterConsoleVariable(
+	const TCHAR* Name, const TCHAR* Default, const TCHAR* Help, EConsoleVariableFlags Flags)
 {
 	return State->Register(Name, FString(Default), Help, Flags);
 }
 
-IConsoleVariable* IConsoleManager::RegisterConsoleVariableRef(const TCHAR* Name, bool& Value, const TCHAR* Help, EConsoleVariableFlags Flags)
+IConsoleVariable* IConsoleManager::RegisterConsoleVariableRef(
+	const TCHAR* Name, bool& Value, const TCHAR* Help, EConsoleVariableFlags Flags)
 {
 	return State->Register(Name, Value, Help, Flags, &Value);
 }
 
-IConsoleVariable* IConsoleManager::RegisterConsoleVariableRef(const TCHAR* Name, int32& Value, const TCHAR* Help, EConsoleVariableFlags Flags)
+IConsoleVariable* IConsoleManager::RegisterConsoleVariableRef(
+	const TCHAR* Name, int32& Value, const TCHAR* Help, EConsoleVariableFlags Flags)
 {
 	return State->Register(Name, Value, Help, Flags, &Value);
 }
 
-IConsoleVariable* IConsoleManager::RegisterConsoleVariableRef(const TCHAR* Name, float& Value, const TCHAR* Help, EConsoleVariableFlags Flags)
+IConsoleVariable* IConsoleManager::RegisterConsoleVariableRef(
+	const TCHAR* Name, float& Value, const TCHAR* Help, EConsoleVariableFlags Flags)
 {
 	return State->Register(Name, Value, Help, Flags, &Value);
 }
 
-IConsoleVariable* IConsoleManager::RegisterConsoleVariableRef(const TCHAR* Name, FString& Value, const TCHAR* Help, EConsoleVariableFlags Flags)
+IConsoleVariable* IConsoleManager::RegisterConsoleVariableRef(
+	const TCHAR* Name, FString& Value, const TCHAR* Help, EConsoleVariableFlags Flags)
 {
 	return State->Register(Name, Value, Help, Flags, &Value);
 }
@@ -142,8 +152,9 @@ IConsoleVariable* IConsoleManager::RegisterConsoleVariableRef(const TCHAR* Name,
 IConsoleCommand* IConsoleManager::RegisterConsoleCommand(
 	const TCHAR* Name, const TCHAR* Help, const FConsoleCommandDelegate& Command, EConsoleVariableFlags Flags)
 {
-	return RegisterConsoleCommand(
-		Name, Help, FConsoleCommandWithArgsDelegate::CreateLambda([Command](const TArray<FString>&) { Command.ExecuteIfBound(); }), Flags);
+	return RegisterConsoleCommand(Name, Help,
+		FConsoleCommandWithArgsDelegate::CreateLambda([Command](const TArray<FString>&) { Command.ExecuteIfBound(); }),
+		Flags);
 }
 
 IConsoleCommand* IConsoleManager::RegisterConsoleCommand(
@@ -154,7 +165,8 @@ IConsoleCommand* IConsoleManager::RegisterConsoleCommand(
 	IConsoleCommand* Result = Object.get();
 	if (State->Objects.contains(Name))
 	{
-		UE_LOG(LogConsoleManager, Error, "Console object named '%s' already exists; the new one cannot be found by its name", Name);
+		UE_LOG(LogConsoleManager, Error,
+			"Console object named '%s' already exists; the new one cannot be found by its name", Name);
 		State->Nameless.push_back(std::move(Object));
 		return Result;
 	}
@@ -216,7 +228,8 @@ TConsoleVariableData<FString>* IConsoleManager::FindTConsoleVariableDataString(c
 	return Object != nullptr ? Object->AsVariableString() : nullptr;
 }
 
-void IConsoleManager::ForEachConsoleObjectThatStartsWith(const FConsoleObjectVisitor& Visitor, const TCHAR* Prefix) const
+void IConsoleManager::ForEachConsoleObjectThatStartsWith(
+	const FConsoleObjectVisitor& Visitor, const TCHAR* Prefix) const
 {
 	std::lock_guard Lock(State->Mutex);
 	for (const auto& [Name, Registration] : State->Objects)

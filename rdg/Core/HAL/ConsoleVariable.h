@@ -53,7 +53,7 @@ inline double ToNumber(const FString& Value)
 	return FCString::Atod(*Value);
 }
 
-template <typename T>
+template<typename T>
 class TConsoleVariable final : public IConsoleVariable
 {
 public:
@@ -84,7 +84,10 @@ public:
 	TConsoleVariableData<FString>* AsVariableString() override { return GetData<FString>(); }
 
 	using IConsoleVariable::Set;
-	void Set(const TCHAR* Text, EConsoleVariableFlags SetBy) override { SetValue(ToValue(Text, std::type_identity<T>()), SetBy); }
+	void Set(const TCHAR* Text, EConsoleVariableFlags SetBy) override
+	{
+		SetValue(ToValue(Text, std::type_identity<T>()), SetBy);
+	}
 
 	bool GetBool() const override
 	{
@@ -114,7 +117,10 @@ public:
 	}
 
 protected:
-	void SetNumber(double Number, EConsoleVariableFlags SetBy) override { SetValue(ToValue(Number, std::type_identity<T>()), SetBy); }
+	void SetNumber(double Number, EConsoleVariableFlags SetBy) override
+	{
+		SetValue(ToValue(Number, std::type_identity<T>()), SetBy);
+	}
 
 private:
 	T GetValue() const { return Data.GetValueOnAnyThread(); }
@@ -131,7 +137,7 @@ private:
 		}
 	}
 
-	template <typename U>
+	template<typename U>
 	TConsoleVariableData<U>* GetData()
 	{
 		if constexpr (std::is_same_v<T, U>)
@@ -151,7 +157,8 @@ private:
 		if (NewPriority < OldPriority)
 		{
 			UE_LOG(LogConsoleManager, Warning,
-				"Setting the console variable '%s' with 'SetBy%s' was ignored as it is lower priority than the previous "
+				"Setting the console variable '%s' with 'SetBy%s' was ignored as it is lower priority than the "
+				"previous "
 				"'SetBy%s'. Value remains '%s'",
 				*Name, GetConsoleVariableSetByName(SetBy), GetConsoleVariableSetByName(Flags), *GetString());
 			return;

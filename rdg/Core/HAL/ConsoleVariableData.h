@@ -7,7 +7,7 @@
 #include <atomic>
 #include <mutex>
 
-template <typename T>
+template<typename T>
 class TConsoleVariableData
 {
 public:
@@ -19,7 +19,10 @@ public:
 	// One value for all threads: rendering happens where the game runs.
 	T GetValueOnGameThread() const { return GetValueOnAnyThread(); }
 	T GetValueOnRenderThread() const { return GetValueOnAnyThread(); }
-	T GetValueOnAnyThread(bool = false) const { return Reference != nullptr ? *Reference : Value.load(std::memory_order_relaxed); }
+	T GetValueOnAnyThread(bool = false) const
+	{
+		return Reference != nullptr ? *Reference : Value.load(std::memory_order_relaxed);
+	}
 
 	void SetValue(const T& NewValue)
 	{
@@ -38,7 +41,7 @@ private:
 	T* Reference = nullptr;
 };
 
-template <>
+template<>
 class TConsoleVariableData<FString>
 {
 public:

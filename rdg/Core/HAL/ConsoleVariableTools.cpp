@@ -14,21 +14,23 @@ namespace
 {
 
 /** Calls Function(Name, Variable) for every variable whose name starts with Prefix. */
-template <typename FunctionType>
+template<typename FunctionType>
 void ForEachVariable(const TCHAR* Prefix, FunctionType Function)
 {
 	IConsoleManager::Get().ForEachConsoleObjectThatStartsWith(
-		FConsoleObjectVisitor::CreateLambda([&Function](const TCHAR* Name, IConsoleObject* Object) {
-			if (IConsoleVariable* Variable = Object->AsVariable())
+		FConsoleObjectVisitor::CreateLambda(
+			[&Function](const TCHAR* Name, IConsoleObject* Object)
 			{
-				Function(Name, *Variable);
-			}
-		}),
+				if (IConsoleVariable* Variable = Object->AsVariable())
+				{
+					Function(Name, *Variable);
+				}
+			}),
 		Prefix);
 }
 
 /** Whether the whole of Text is a number of type T. from_chars takes no plus sign; people do. */
-template <typename T>
+template<typename T>
 bool IsNumber(const TCHAR* Text)
 {
 	std::string_view View(Text);
@@ -38,7 +40,8 @@ bool IsNumber(const TCHAR* Text)
 	}
 	T Value{};
 	const auto Result = std::from_chars(View.data(), View.data() + View.size(), Value);
-	return Result.ec == std::errc() && Result.ptr == View.data() + View.size() && std::isfinite(static_cast<double>(Value));
+	return Result.ec == std::errc() && Result.ptr == View.data() + View.size() &&
+		   std::isfinite(static_cast<double>(Value));
 }
 
 bool IsBool(const FString& Text)
@@ -70,10 +73,12 @@ const TCHAR* FindExpectation(const IConsoleVariable& Variable, const TCHAR* Text
 TArray<FConsoleVariableInfo> ListConsoleVariables(const TCHAR* Prefix)
 {
 	TArray<FConsoleVariableInfo> Infos;
-	ForEachVariable(Prefix, [&Infos](const TCHAR* Name, const IConsoleVariable& Variable) {
-		Infos.Add({Name, GetConsoleVariableTypeName(Variable), Variable.GetString(), Variable.GetDefaultValue(),
-			GetConsoleVariableSetByName(Variable.GetFlags()), Variable.GetHelp()});
-	});
+	ForEachVariable(Prefix,
+		[&Infos](const TCHAR* Name, const IConsoleVariable& Variable)
+		{
+			Infos.Add({Name, GetConsoleVariableTypeName(Variable), Variable.GetString(), Variable.GetDefaultValue(),
+				GetConsoleVariableSetByName(Variable.GetFlags()), Variable.GetHelp()});
+		});
 	return Infos;
 }
 
@@ -108,16 +113,19 @@ void ResetConsoleVariables()
 
 const TCHAR* GetConsoleVariableSetByName(EConsoleVariableFlags Flags)
 {
-	static const TCHAR* const Names[] = {"Constructor", "Scalability", "GameSetting", "ProjectSetting", "SystemSettingsIni",
-		"PluginLowPriority", "DeviceProfile", "PluginHighPriority", "GameOverride", "ConsoleVariablesIni", "Hotfix", "Preview",
-		"Commandline", "Code", "Console"};
+	static const TCHAR* const Names[] = {"Constructor", "Scalability", "GameSetting", "ProjectSetting",
+		"SystemSettingsIni", "PluginLowPriority", "DeviceProfile", "PluginHighPriority", "GameOverride",
+		"ConsoleVariablesIni", "Hotfix", "Preview", "Commandline", "Code", "Console"};
 	const uint32 Priority = static_cast<uint32>(Flags) >> 24;
 	return Priority < UE_ARRAY_COUNT(Names) ? Names[Priority] : "Unknown";
 }
 
 const TCHAR* GetConsoleVariableTypeName(const IConsoleVariable& Variable)
 {
-	return Variable.IsVariableBool() ? "bool" : Variable.IsVariableInt() ? "int32" : Variable.IsVariableFloat() ? "float" : "FString";
+	return Variable.IsVariableBool()	? "bool"
+		   : Variable.IsVariableInt()	? "int32"
+		   : Variable.IsVariableFloat() ? "float"
+										: "FString";
 }
 
 FScopedConsoleVariable::FScopedConsoleVariable(const TCHAR* Name, const FString& Value)

@@ -1,5 +1,5 @@
-// What drydock's command line, configs and tests do with console variables beyond the engine's interface: list them, set
-// them from text with a check of the type, put them all back. Source: drydock.
+// What drydock's command line, configs and tests do with console variables beyond the engine's interface: list them,
+// set them from text with a check of the type, put them all back. Source: drydock.
 #pragma once
 
 #include "HAL/IConsoleManager.h"
@@ -21,9 +21,10 @@ struct FConsoleVariableInfo
 DRYDOCK_API TArray<FConsoleVariableInfo> ListConsoleVariables(const TCHAR* Prefix = TEXT(""));
 
 /** Sets a variable if Text reads as its type: bool takes true/false/on/off/yes/no/1/0, int32 a whole number, float any
- *  number, FString anything. False, with one sentence that names what was expected, if there is no such variable or Text
- *  does not fit. A set that loses to a higher priority is no error: it warns. */
-DRYDOCK_API bool TrySetConsoleVariable(const TCHAR* Name, const TCHAR* Text, EConsoleVariableFlags SetBy, FString& OutError);
+ *  number, FString anything. False, with one sentence that names what was expected, if there is no such variable or
+ * Text does not fit. A set that loses to a higher priority is no error: it warns. */
+DRYDOCK_API bool TrySetConsoleVariable(
+	const TCHAR* Name, const TCHAR* Text, EConsoleVariableFlags SetBy, FString& OutError);
 
 /** Every variable back to its default, as if nobody had set any. */
 DRYDOCK_API void ResetConsoleVariables();

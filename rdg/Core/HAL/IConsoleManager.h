@@ -1,7 +1,7 @@
 // Console variables: named switches with a type, a default and help. Names ignore case. Who sets a variable matters: a
 // setter of lower priority than the last one is ignored with a warning, so that a command line beats a config whichever
-// comes first. Values may be read by any thread at any time. Source: engine HAL/IConsoleManager.h; what is drydock's own
-// is in HAL/ConsoleVariableTools.h.
+// comes first. Values may be read by any thread at any time. Source: engine HAL/IConsoleManager.h; what is drydock's
+// own is in HAL/ConsoleVariableTools.h.
 #pragma once
 
 #include "Containers/Array.h"
@@ -91,7 +91,7 @@ public:
 	void Set(int32 Value, EConsoleVariableFlags SetBy = ECVF_SetByCode) { SetNumber(Value, SetBy); }
 	void Set(float Value, EConsoleVariableFlags SetBy = ECVF_SetByCode) { SetNumber(Value, SetBy); }
 	void Set(double Value, EConsoleVariableFlags SetBy = ECVF_SetByCode) { SetNumber(Value, SetBy); }
-	template <typename T>
+	template<typename T>
 	void SetWithCurrentPriority(T Value)
 	{
 		Set(Value, GetFlags() & ECVF_SetByMask);
@@ -134,21 +134,32 @@ public:
 
 	/** A name that is taken by a variable of the same type gives that one; of another type, an error on stderr and a
 	 *  variable that the console does not find. */
-	IConsoleVariable* RegisterConsoleVariable(const TCHAR* Name, bool Default, const TCHAR* Help, EConsoleVariableFlags Flags = ECVF_Default);
-	IConsoleVariable* RegisterConsoleVariable(const TCHAR* Name, int32 Default, const TCHAR* Help, EConsoleVariableFlags Flags = ECVF_Default);
-	IConsoleVariable* RegisterConsoleVariable(const TCHAR* Name, float Default, const TCHAR* Help, EConsoleVariableFlags Flags = ECVF_Default);
-	IConsoleVariable* RegisterConsoleVariable(const TCHAR* Name, const TCHAR* Default, const TCHAR* Help, EConsoleVariableFlags Flags = ECVF_Default);
-	IConsoleVariable* RegisterConsoleVariable(const TCHAR* Name, const FString& Default, const TCHAR* Help, EConsoleVariableFlags Flags = ECVF_Default)
+	IConsoleVariable* RegisterConsoleVariable(
+		const TCHAR* Name, bool Default, const TCHAR* Help, EConsoleVariableFlags Flags = ECVF_Default);
+	IConsoleVariable* RegisterConsoleVariable(
+		const TCHAR* Name, int32 Default, const TCHAR* Help, EConsoleVariableFlags Flags = ECVF_Default);
+	IConsoleVariable* RegisterConsoleVariable(
+		const TCHAR* Name, float Default, const TCHAR* Help, EConsoleVariableFlags Flags = ECVF_Default);
+	IConsoleVariable* RegisterConsoleVariable(
+		const TCHAR* Name, const TCHAR* Default, const TCHAR* Help, EConsoleVariableFlags Flags = ECVF_Default);
+	IConsoleVariable* RegisterConsoleVariable(
+		const TCHAR* Name, const FString& Default, const TCHAR* Help, EConsoleVariableFlags Flags = ECVF_Default)
 	{
 		return RegisterConsoleVariable(Name, *Default, Help, Flags);
 	}
 	/** The value lives in Value, which must outlive the registration and holds the default now. */
-	IConsoleVariable* RegisterConsoleVariableRef(const TCHAR* Name, bool& Value, const TCHAR* Help, EConsoleVariableFlags Flags = ECVF_Default);
-	IConsoleVariable* RegisterConsoleVariableRef(const TCHAR* Name, int32& Value, const TCHAR* Help, EConsoleVariableFlags Flags = ECVF_Default);
-	IConsoleVariable* RegisterConsoleVariableRef(const TCHAR* Name, float& Value, const TCHAR* Help, EConsoleVariableFlags Flags = ECVF_Default);
-	IConsoleVariable* RegisterConsoleVariableRef(const TCHAR* Name, FString& Value, const TCHAR* Help, EConsoleVariableFlags Flags = ECVF_Default);
-	IConsoleCommand* RegisterConsoleCommand(const TCHAR* Name, const TCHAR* Help, const FConsoleCommandDelegate& Command, EConsoleVariableFlags Flags = ECVF_Default);
-	IConsoleCommand* RegisterConsoleCommand(const TCHAR* Name, const TCHAR* Help, const FConsoleCommandWithArgsDelegate& Command, EConsoleVariableFlags Flags = ECVF_Default);
+	IConsoleVariable* RegisterConsoleVariableRef(
+		const TCHAR* Name, bool& Value, const TCHAR* Help, EConsoleVariableFlags Flags = ECVF_Default);
+	IConsoleVariable* RegisterConsoleVariableRef(
+		const TCHAR* Name, int32& Value, const TCHAR* Help, EConsoleVariableFlags Flags = ECVF_Default);
+	IConsoleVariable* RegisterConsoleVariableRef(
+		const TCHAR* Name, float& Value, const TCHAR* Help, EConsoleVariableFlags Flags = ECVF_Default);
+	IConsoleVariable* RegisterConsoleVariableRef(
+		const TCHAR* Name, FString& Value, const TCHAR* Help, EConsoleVariableFlags Flags = ECVF_Default);
+	IConsoleCommand* RegisterConsoleCommand(const TCHAR* Name, const TCHAR* Help,
+		const FConsoleCommandDelegate& Command, EConsoleVariableFlags Flags = ECVF_Default);
+	IConsoleCommand* RegisterConsoleCommand(const TCHAR* Name, const TCHAR* Help,
+		const FConsoleCommandWithArgsDelegate& Command, EConsoleVariableFlags Flags = ECVF_Default);
 	/** As often as it was registered. The pointer is stale after the last time. */
 	void UnregisterConsoleObject(IConsoleObject* Object, bool bKeepState = true);
 
@@ -165,7 +176,8 @@ public:
 	void ForEachConsoleObjectThatStartsWith(const FConsoleObjectVisitor& Visitor, const TCHAR* Prefix = TEXT("")) const;
 	void ForEachConsoleObjectThatContains(const FConsoleObjectVisitor& Visitor, const TCHAR* Part) const;
 
-	/** "Name Value" sets a variable as the console, "Name Arguments" runs a command; false if there is no such object. */
+	/** "Name Value" sets a variable as the console, "Name Arguments" runs a command; false if there is no such object.
+	 */
 	bool ProcessUserConsoleInput(const TCHAR* Input);
 
 private:
@@ -202,7 +214,7 @@ namespace Drydock::Private
 {
 
 /** The data of a variable of that type; a failed check for any other. */
-template <typename T>
+template<typename T>
 TConsoleVariableData<T>* GetConsoleVariableData(IConsoleObject& Object)
 {
 	TConsoleVariableData<T>* Data = nullptr;
@@ -231,17 +243,18 @@ TConsoleVariableData<T>* GetConsoleVariableData(IConsoleObject& Object)
 
 /** `static TAutoConsoleVariable<int32> CVarX(TEXT("r.X"), 1, TEXT("help"), ECVF_RenderThreadSafe);`
  *  T is bool, int32, float or FString. */
-template <typename T>
+template<typename T>
 class TAutoConsoleVariable : public FAutoConsoleObject
 {
 public:
-	TAutoConsoleVariable(const TCHAR* Name, const T& Default, const TCHAR* Help, EConsoleVariableFlags Flags = ECVF_Default)
+	TAutoConsoleVariable(
+		const TCHAR* Name, const T& Default, const TCHAR* Help, EConsoleVariableFlags Flags = ECVF_Default)
 		: FAutoConsoleObject(IConsoleManager::Get().RegisterConsoleVariable(Name, Default, Help, Flags))
 		, Data(Drydock::Private::GetConsoleVariableData<T>(*GetTarget()))
 	{
 	}
-	TAutoConsoleVariable(const TCHAR* Name, const T& Default, const TCHAR* Help, const FConsoleVariableDelegate& Callback,
-		EConsoleVariableFlags Flags = ECVF_Default)
+	TAutoConsoleVariable(const TCHAR* Name, const T& Default, const TCHAR* Help,
+		const FConsoleVariableDelegate& Callback, EConsoleVariableFlags Flags = ECVF_Default)
 		: TAutoConsoleVariable(Name, Default, Help, Flags)
 	{
 		AsVariable()->SetOnChangedCallback(Callback);
@@ -263,12 +276,12 @@ private:
 class FAutoConsoleVariableRef : public FAutoConsoleObject
 {
 public:
-	template <typename T>
+	template<typename T>
 	FAutoConsoleVariableRef(const TCHAR* Name, T& Value, const TCHAR* Help, EConsoleVariableFlags Flags = ECVF_Default)
 		: FAutoConsoleObject(IConsoleManager::Get().RegisterConsoleVariableRef(Name, Value, Help, Flags))
 	{
 	}
-	template <typename T>
+	template<typename T>
 	FAutoConsoleVariableRef(const TCHAR* Name, T& Value, const TCHAR* Help, const FConsoleVariableDelegate& Callback,
 		EConsoleVariableFlags Flags = ECVF_Default)
 		: FAutoConsoleVariableRef(Name, Value, Help, Flags)
@@ -284,11 +297,13 @@ public:
 class FAutoConsoleCommand : public FAutoConsoleObject
 {
 public:
-	FAutoConsoleCommand(const TCHAR* Name, const TCHAR* Help, const FConsoleCommandDelegate& Command, EConsoleVariableFlags Flags = ECVF_Default)
+	FAutoConsoleCommand(const TCHAR* Name, const TCHAR* Help, const FConsoleCommandDelegate& Command,
+		EConsoleVariableFlags Flags = ECVF_Default)
 		: FAutoConsoleObject(IConsoleManager::Get().RegisterConsoleCommand(Name, Help, Command, Flags))
 	{
 	}
-	FAutoConsoleCommand(const TCHAR* Name, const TCHAR* Help, const FConsoleCommandWithArgsDelegate& Command, EConsoleVariableFlags Flags = ECVF_Default)
+	FAutoConsoleCommand(const TCHAR* Name, const TCHAR* Help, const FConsoleCommandWithArgsDelegate& Command,
+		EConsoleVariableFlags Flags = ECVF_Default)
 		: FAutoConsoleObject(IConsoleManager::Get().RegisterConsoleCommand(Name, Help, Command, Flags))
 	{
 	}

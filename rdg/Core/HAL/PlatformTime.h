@@ -16,7 +16,8 @@ struct FPlatformTime
 	static uint64 Cycles64()
 	{
 		return static_cast<uint64>(
-			std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch()).count());
+			std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch())
+				.count());
 	}
 	static double GetSecondsPerCycle64() { return 1e-9; }
 	static double ToSeconds64(uint64 Cycles) { return static_cast<double>(Cycles) * 1e-9; }

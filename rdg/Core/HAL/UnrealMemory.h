@@ -8,22 +8,34 @@
 
 struct FMemory
 {
-	static void* Memcpy(void* Target, const void* Source, SIZE_T Count) { return Count != 0 ? std::memcpy(Target, Source, Count) : Target; }
-	template <typename T>
+	static void* Memcpy(void* Target, const void* Source, SIZE_T Count)
+	{
+		return Count != 0 ? std::memcpy(Target, Source, Count) : Target;
+	}
+	template<typename T>
 	static void Memcpy(T& Target, const T& Source)
 	{
 		std::memcpy(&Target, &Source, sizeof(T));
 	}
-	static void* Memmove(void* Target, const void* Source, SIZE_T Count) { return Count != 0 ? std::memmove(Target, Source, Count) : Target; }
-	static int32 Memcmp(const void* A, const void* B, SIZE_T Count) { return Count != 0 ? std::memcmp(A, B, Count) : 0; }
-	static void* Memset(void* Target, uint8 Value, SIZE_T Count) { return Count != 0 ? std::memset(Target, Value, Count) : Target; }
-	template <typename T>
+	static void* Memmove(void* Target, const void* Source, SIZE_T Count)
+	{
+		return Count != 0 ? std::memmove(Target, Source, Count) : Target;
+	}
+	static int32 Memcmp(const void* A, const void* B, SIZE_T Count)
+	{
+		return Count != 0 ? std::memcmp(A, B, Count) : 0;
+	}
+	static void* Memset(void* Target, uint8 Value, SIZE_T Count)
+	{
+		return Count != 0 ? std::memset(Target, Value, Count) : Target;
+	}
+	template<typename T>
 	static void Memset(T& Target, uint8 Value)
 	{
 		std::memset(static_cast<void*>(&Target), Value, sizeof(T));
 	}
 	static void* Memzero(void* Target, SIZE_T Count) { return Memset(Target, 0, Count); }
-	template <typename T>
+	template<typename T>
 	static void Memzero(T& Target)
 	{
 		std::memset(static_cast<void*>(&Target), 0, sizeof(T));

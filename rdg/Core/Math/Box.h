@@ -6,7 +6,7 @@
 namespace UE::Math
 {
 
-template <typename T>
+template<typename T>
 struct TBox
 {
 	using FReal = T;
@@ -48,13 +48,18 @@ struct TBox
 	/** Strictly inside. */
 	constexpr bool IsInside(const TVector<T>& Point) const
 	{
-		return Point.X > Min.X && Point.X < Max.X && Point.Y > Min.Y && Point.Y < Max.Y && Point.Z > Min.Z && Point.Z < Max.Z;
+		return Point.X > Min.X && Point.X < Max.X && Point.Y > Min.Y && Point.Y < Max.Y && Point.Z > Min.Z &&
+			   Point.Z < Max.Z;
 	}
 	constexpr bool IsInsideOrOn(const TVector<T>& Point) const
 	{
-		return Point.X >= Min.X && Point.X <= Max.X && Point.Y >= Min.Y && Point.Y <= Max.Y && Point.Z >= Min.Z && Point.Z <= Max.Z;
+		return Point.X >= Min.X && Point.X <= Max.X && Point.Y >= Min.Y && Point.Y <= Max.Y && Point.Z >= Min.Z &&
+			   Point.Z <= Max.Z;
 	}
-	constexpr TVector<T> GetClosestPointTo(const TVector<T>& Point) const { return Point.ComponentMax(Min).ComponentMin(Max); }
+	constexpr TVector<T> GetClosestPointTo(const TVector<T>& Point) const
+	{
+		return Point.ComponentMax(Min).ComponentMin(Max);
+	}
 	/** 0 inside. */
 	constexpr T ComputeSquaredDistanceToPoint(const TVector<T>& Point) const
 	{

@@ -66,9 +66,9 @@ FLinearColor FLinearColor::LinearRGBToHSV() const
 	float Hue = 0.0f;
 	if (Range > 0.0f)
 	{
-		Hue = High == R ? FMath::Fmod((G - B) / Range * 60.0f + 360.0f, 360.0f)
-			: High == G ? (B - R) / Range * 60.0f + 120.0f
-						: (R - G) / Range * 60.0f + 240.0f;
+		Hue = High == R	  ? FMath::Fmod((G - B) / Range * 60.0f + 360.0f, 360.0f)
+			  : High == G ? (B - R) / Range * 60.0f + 120.0f
+						  : (R - G) / Range * 60.0f + 240.0f;
 	}
 	return {Hue, High > 0.0f ? Range / High : 0.0f, High, A};
 }
@@ -105,7 +105,8 @@ FString FLinearColor::ToString() const
 bool FLinearColor::InitFromString(const FString& Text)
 {
 	FLinearColor Read(0.0f, 0.0f, 0.0f, 1.0f);
-	if (!ParseComponent(Text, "R=", Read.R) || !ParseComponent(Text, "G=", Read.G) || !ParseComponent(Text, "B=", Read.B))
+	if (!ParseComponent(Text, "R=", Read.R) || !ParseComponent(Text, "G=", Read.G) ||
+		!ParseComponent(Text, "B=", Read.B))
 	{
 		return false;
 	}

@@ -1,4 +1,5 @@
-// FLinearColor (four floats, linear) and FColor (four bytes, BGRA in memory, usually sRGB). Source: engine Math/Color.h.
+// FLinearColor (four floats, linear) and FColor (four bytes, BGRA in memory, usually sRGB). Source: engine
+// Math/Color.h.
 #pragma once
 
 #include "Math/Vector4.h"
@@ -60,7 +61,8 @@ struct FLinearColor
 	constexpr FLinearColor CopyWithNewOpacity(float Opacity) const { return {R, G, B, Opacity}; }
 	constexpr FLinearColor GetClamped(float Low = 0.0f, float High = 1.0f) const
 	{
-		return {FMath::Clamp(R, Low, High), FMath::Clamp(G, Low, High), FMath::Clamp(B, Low, High), FMath::Clamp(A, Low, High)};
+		return {FMath::Clamp(R, Low, High), FMath::Clamp(G, Low, High), FMath::Clamp(B, Low, High),
+			FMath::Clamp(A, Low, High)};
 	}
 	constexpr float GetMax() const { return FMath::Max(FMath::Max3(R, G, B), A); }
 	constexpr float GetMin() const { return FMath::Min(FMath::Min3(R, G, B), A); }
@@ -131,7 +133,10 @@ struct FColor
 	}
 
 	constexpr bool operator==(const FColor&) const = default;
-	constexpr uint32 ToPackedARGB() const { return static_cast<uint32>(A) << 24 | static_cast<uint32>(R) << 16 | static_cast<uint32>(G) << 8 | B; }
+	constexpr uint32 ToPackedARGB() const
+	{
+		return static_cast<uint32>(A) << 24 | static_cast<uint32>(R) << 16 | static_cast<uint32>(G) << 8 | B;
+	}
 	/** 0..255 to 0..1 without decoding. */
 	constexpr FLinearColor ReinterpretAsLinear() const { return {R / 255.0f, G / 255.0f, B / 255.0f, A / 255.0f}; }
 	DRYDOCK_API FString ToString() const;
@@ -156,19 +161,19 @@ inline uint32 GetTypeHash(const FColor& Color)
 namespace UE::Math
 {
 
-template <typename T>
+template<typename T>
 constexpr TVector<T>::TVector(const FLinearColor& Color)
 	: X(Color.R)
 	, Y(Color.G)
 	, Z(Color.B)
 {
 }
-template <typename T>
+template<typename T>
 constexpr TVector4<T>::TVector4(const FLinearColor& Color)
 	: TVector4(Color.R, Color.G, Color.B, Color.A)
 {
 }
-template <typename T>
+template<typename T>
 constexpr TVector4<T>::TVector4(const FLinearColor& Color, T InW)
 	: TVector4(Color.R, Color.G, Color.B, InW)
 {

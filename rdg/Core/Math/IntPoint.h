@@ -8,7 +8,7 @@
 namespace UE::Math
 {
 
-template <typename IntType>
+template<typename IntType>
 struct TIntPoint
 {
 	using FReal = IntType;
@@ -34,15 +34,14 @@ struct TIntPoint
 	{
 	}
 	constexpr explicit TIntPoint(EForceInit) {}
-	template <typename OtherType>
-		requires(!std::is_same_v<OtherType, IntType>)
-	constexpr explicit TIntPoint(TIntPoint<OtherType> Other)
+	template<typename OtherType>
+	requires(!std::is_same_v<OtherType, IntType>) constexpr explicit TIntPoint(TIntPoint<OtherType> Other)
 		: X(static_cast<IntType>(Other.X))
 		, Y(static_cast<IntType>(Other.Y))
 	{
 	}
 	/** Towards zero. */
-	template <typename T>
+	template<typename T>
 	constexpr explicit TIntPoint(const TVector2<T>& Vector)
 		: X(static_cast<IntType>(Vector.X))
 		, Y(static_cast<IntType>(Vector.Y))
@@ -55,8 +54,14 @@ struct TIntPoint
 	IntType& operator()(int32 Index) { return (*this)[Index]; }
 	IntType operator()(int32 Index) const { return (*this)[Index]; }
 
-	constexpr TIntPoint ComponentMin(const TIntPoint& Other) const { return {FMath::Min(X, Other.X), FMath::Min(Y, Other.Y)}; }
-	constexpr TIntPoint ComponentMax(const TIntPoint& Other) const { return {FMath::Max(X, Other.X), FMath::Max(Y, Other.Y)}; }
+	constexpr TIntPoint ComponentMin(const TIntPoint& Other) const
+	{
+		return {FMath::Min(X, Other.X), FMath::Min(Y, Other.Y)};
+	}
+	constexpr TIntPoint ComponentMax(const TIntPoint& Other) const
+	{
+		return {FMath::Max(X, Other.X), FMath::Max(Y, Other.Y)};
+	}
 	constexpr IntType GetMax() const { return FMath::Max(X, Y); }
 	constexpr IntType GetMin() const { return FMath::Min(X, Y); }
 	constexpr IntType SizeSquared() const { return X * X + Y * Y; }
@@ -86,12 +91,12 @@ struct TIntPoint
 	}
 };
 
-template <typename IntType>
+template<typename IntType>
 inline const TIntPoint<IntType> TIntPoint<IntType>::ZeroValue(0, 0);
-template <typename IntType>
+template<typename IntType>
 inline const TIntPoint<IntType> TIntPoint<IntType>::NoneValue(static_cast<IntType>(-1), static_cast<IntType>(-1));
 
-template <typename IntType>
+template<typename IntType>
 uint32 GetTypeHash(const TIntPoint<IntType>& Point)
 {
 	return HashCombine(::GetTypeHash(Point.X), ::GetTypeHash(Point.Y));

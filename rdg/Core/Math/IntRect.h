@@ -6,7 +6,7 @@
 namespace UE::Math
 {
 
-template <typename IntType>
+template<typename IntType>
 struct TIntRect
 {
 	using IntPointType = TIntPoint<IntType>;
@@ -25,9 +25,8 @@ struct TIntRect
 		, Max(InMax)
 	{
 	}
-	template <typename OtherType>
-		requires(!std::is_same_v<OtherType, IntType>)
-	constexpr explicit TIntRect(const TIntRect<OtherType>& Other)
+	template<typename OtherType>
+	requires(!std::is_same_v<OtherType, IntType>) constexpr explicit TIntRect(const TIntRect<OtherType>& Other)
 		: Min(Other.Min)
 		, Max(Other.Max)
 	{
@@ -78,8 +77,10 @@ struct TIntRect
 	/** Min rounded down, Max rounded up. */
 	constexpr TIntRect Scale(double Fraction) const
 	{
-		return {IntPointType(static_cast<IntType>(FMath::FloorToInt(Min.X * Fraction)), static_cast<IntType>(FMath::FloorToInt(Min.Y * Fraction))),
-			IntPointType(static_cast<IntType>(FMath::CeilToInt(Max.X * Fraction)), static_cast<IntType>(FMath::CeilToInt(Max.Y * Fraction)))};
+		return {IntPointType(static_cast<IntType>(FMath::FloorToInt(Min.X * Fraction)),
+					static_cast<IntType>(FMath::FloorToInt(Min.Y * Fraction))),
+			IntPointType(static_cast<IntType>(FMath::CeilToInt(Max.X * Fraction)),
+				static_cast<IntType>(FMath::CeilToInt(Max.Y * Fraction)))};
 	}
 	static constexpr TIntRect DivideAndRoundUp(TIntRect Left, IntType Divisor)
 	{
@@ -93,20 +94,32 @@ struct TIntRect
 	static constexpr int32 Num() { return 2; }
 	FString ToString() const { return FString("Min=(") + Min.ToString() + ") Max=(" + Max.ToString() + ")"; }
 
-	friend constexpr TIntRect operator+(const TIntRect& A, IntPointType Offset) { return {A.Min + Offset, A.Max + Offset}; }
-	friend constexpr TIntRect operator-(const TIntRect& A, IntPointType Offset) { return {A.Min - Offset, A.Max - Offset}; }
+	friend constexpr TIntRect operator+(const TIntRect& A, IntPointType Offset)
+	{
+		return {A.Min + Offset, A.Max + Offset};
+	}
+	friend constexpr TIntRect operator-(const TIntRect& A, IntPointType Offset)
+	{
+		return {A.Min - Offset, A.Max - Offset};
+	}
 	friend constexpr TIntRect operator+(const TIntRect& A, const TIntRect& B) { return {A.Min + B.Min, A.Max + B.Max}; }
 	friend constexpr TIntRect operator-(const TIntRect& A, const TIntRect& B) { return {A.Min - B.Min, A.Max - B.Max}; }
 	friend constexpr TIntRect operator*(const TIntRect& A, IntType Scale) { return {A.Min * Scale, A.Max * Scale}; }
-	friend constexpr TIntRect operator/(const TIntRect& A, IntType Divisor) { return {A.Min / Divisor, A.Max / Divisor}; }
-	friend constexpr TIntRect operator/(const TIntRect& A, IntPointType Divisor) { return {A.Min / Divisor, A.Max / Divisor}; }
+	friend constexpr TIntRect operator/(const TIntRect& A, IntType Divisor)
+	{
+		return {A.Min / Divisor, A.Max / Divisor};
+	}
+	friend constexpr TIntRect operator/(const TIntRect& A, IntPointType Divisor)
+	{
+		return {A.Min / Divisor, A.Max / Divisor};
+	}
 	constexpr TIntRect& operator+=(IntPointType Offset) { return *this = *this + Offset; }
 	constexpr TIntRect& operator-=(IntPointType Offset) { return *this = *this - Offset; }
 	constexpr TIntRect& operator*=(IntType Scale) { return *this = *this * Scale; }
 	constexpr TIntRect& operator/=(IntType Divisor) { return *this = *this / Divisor; }
 };
 
-template <typename IntType>
+template<typename IntType>
 uint32 GetTypeHash(const TIntRect<IntType>& Rect)
 {
 	return HashCombine(GetTypeHash(Rect.Min), GetTypeHash(Rect.Max));

@@ -6,7 +6,7 @@
 namespace UE::Math
 {
 
-template <typename IntType>
+template<typename IntType>
 struct TIntVector2
 {
 	using FReal = IntType;
@@ -27,7 +27,7 @@ struct TIntVector2
 	{
 	}
 	constexpr explicit TIntVector2(EForceInit) {}
-	template <typename OtherType>
+	template<typename OtherType>
 	constexpr explicit TIntVector2(const TIntPoint<OtherType>& Point)
 		: X(static_cast<IntType>(Point.X))
 		, Y(static_cast<IntType>(Point.Y))
@@ -40,7 +40,7 @@ struct TIntVector2
 	FString ToString() const { return FString("X=") + LexToString(X) + " Y=" + LexToString(Y); }
 };
 
-template <typename IntType>
+template<typename IntType>
 struct TIntVector3
 {
 	using FReal = IntType;
@@ -68,9 +68,8 @@ struct TIntVector3
 	{
 	}
 	constexpr explicit TIntVector3(EForceInit) {}
-	template <typename OtherType>
-		requires(!std::is_same_v<OtherType, IntType>)
-	constexpr explicit TIntVector3(const TIntVector3<OtherType>& Other)
+	template<typename OtherType>
+	requires(!std::is_same_v<OtherType, IntType>) constexpr explicit TIntVector3(const TIntVector3<OtherType>& Other)
 		: X(static_cast<IntType>(Other.X))
 		, Y(static_cast<IntType>(Other.Y))
 		, Z(static_cast<IntType>(Other.Z))
@@ -101,12 +100,12 @@ struct TIntVector3
 	}
 };
 
-template <typename IntType>
+template<typename IntType>
 inline const TIntVector3<IntType> TIntVector3<IntType>::ZeroValue(0, 0, 0);
-template <typename IntType>
+template<typename IntType>
 inline const TIntVector3<IntType> TIntVector3<IntType>::NoneValue(static_cast<IntType>(-1));
 
-template <typename IntType>
+template<typename IntType>
 struct TIntVector4
 {
 	using FReal = IntType;
@@ -131,7 +130,7 @@ struct TIntVector4
 	}
 	constexpr explicit TIntVector4(EForceInit) {}
 	/** Min in XY, Max in ZW. */
-	template <typename OtherType>
+	template<typename OtherType>
 	constexpr explicit TIntVector4(const TIntRect<OtherType>& Rect)
 		: X(static_cast<IntType>(Rect.Min.X))
 		, Y(static_cast<IntType>(Rect.Min.Y))
@@ -145,21 +144,22 @@ struct TIntVector4
 	IntType operator[](int32 Index) const { return (&X)[Index]; }
 	FString ToString() const
 	{
-		return FString("X=") + LexToString(X) + " Y=" + LexToString(Y) + " Z=" + LexToString(Z) + " W=" + LexToString(W);
+		return FString("X=") + LexToString(X) + " Y=" + LexToString(Y) + " Z=" + LexToString(Z) +
+			   " W=" + LexToString(W);
 	}
 };
 
-template <typename IntType>
+template<typename IntType>
 uint32 GetTypeHash(const TIntVector2<IntType>& Vector)
 {
 	return HashCombine(::GetTypeHash(Vector.X), ::GetTypeHash(Vector.Y));
 }
-template <typename IntType>
+template<typename IntType>
 uint32 GetTypeHash(const TIntVector3<IntType>& Vector)
 {
 	return HashCombine(HashCombine(::GetTypeHash(Vector.X), ::GetTypeHash(Vector.Y)), ::GetTypeHash(Vector.Z));
 }
-template <typename IntType>
+template<typename IntType>
 uint32 GetTypeHash(const TIntVector4<IntType>& Vector)
 {
 	return HashCombine(HashCombine(::GetTypeHash(Vector.X), ::GetTypeHash(Vector.Y)),

@@ -7,29 +7,29 @@
 namespace UE::Math
 {
 
-template <typename T>
+template<typename T>
 struct TVector2;
-template <typename T>
+template<typename T>
 struct TVector;
-template <typename T>
+template<typename T>
 struct TVector4;
-template <typename T>
+template<typename T>
 struct TMatrix;
-template <typename T>
+template<typename T>
 struct TQuat;
-template <typename T>
+template<typename T>
 struct TRotator;
-template <typename T>
+template<typename T>
 struct TBox;
-template <typename IntType>
+template<typename IntType>
 struct TIntPoint;
-template <typename IntType>
+template<typename IntType>
 struct TIntRect;
-template <typename IntType>
+template<typename IntType>
 struct TIntVector2;
-template <typename IntType>
+template<typename IntType>
 struct TIntVector3;
-template <typename IntType>
+template<typename IntType>
 struct TIntVector4;
 
 } // namespace UE::Math

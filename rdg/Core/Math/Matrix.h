@@ -1,5 +1,5 @@
-// FMatrix44f and FMatrix: 4x4 matrices stored by rows and applied to row vectors, so that A * B applies A first; and the
-// projections and translations the renderer builds. GLM stores columns and applies them to column vectors: the same
+// FMatrix44f and FMatrix: 4x4 matrices stored by rows and applied to row vectors, so that A * B applies A first; and
+// the projections and translations the renderer builds. GLM stores columns and applies them to column vectors: the same
 // numbers in memory, with products in the opposite order. Source: engine Math/Matrix.h and its specialisations.
 #pragma once
 
@@ -13,7 +13,7 @@
 namespace UE::Math
 {
 
-template <typename T>
+template<typename T>
 struct alignas(16) TMatrix
 {
 	using FReal = T;
@@ -35,9 +35,8 @@ struct alignas(16) TMatrix
 		: M{{X.X, X.Y, X.Z, X.W}, {Y.X, Y.Y, Y.Z, Y.W}, {Z.X, Z.Y, Z.Z, Z.W}, {W.X, W.Y, W.Z, W.W}}
 	{
 	}
-	template <typename Other>
-		requires(!std::is_same_v<Other, T>)
-	constexpr explicit TMatrix(const TMatrix<Other>& Matrix)
+	template<typename Other>
+	requires(!std::is_same_v<Other, T>) constexpr explicit TMatrix(const TMatrix<Other>& Matrix)
 	{
 		for (int32 Row = 0; Row < 4; ++Row)
 		{
@@ -75,7 +74,10 @@ struct alignas(16) TMatrix
 	{
 		return UE::Math::FromGlm<TVector4<T>>(ToGlm() * UE::Math::ToGlm(Vector));
 	}
-	TVector4<T> TransformPosition(const TVector<T>& Position) const { return TransformFVector4(TVector4<T>(Position, T(1))); }
+	TVector4<T> TransformPosition(const TVector<T>& Position) const
+	{
+		return TransformFVector4(TVector4<T>(Position, T(1)));
+	}
 	/** A direction: without translation. */
 	TVector4<T> TransformVector(const TVector<T>& Vector) const { return TransformFVector4(TVector4<T>(Vector, T(0))); }
 	TVector<T> GetOrigin() const { return {M[3][0], M[3][1], M[3][2]}; }
@@ -93,8 +95,8 @@ struct alignas(16) TMatrix
 		FString Text;
 		for (const auto& Row : M)
 		{
-			Text.Appendf("[%g %g %g %g] ", static_cast<double>(Row[0]), static_cast<double>(Row[1]), static_cast<double>(Row[2]),
-				static_cast<double>(Row[3]));
+			Text.Appendf("[%g %g %g %g] ", static_cast<double>(Row[0]), static_cast<double>(Row[1]),
+				static_cast<double>(Row[2]), static_cast<double>(Row[3]));
 		}
 		return Text;
 	}
@@ -114,12 +116,12 @@ private:
 	}
 };
 
-template <typename T>
+template<typename T>
 inline const TMatrix<T> TMatrix<T>::Identity(
 	TVector<T>(1, 0, 0), TVector<T>(0, 1, 0), TVector<T>(0, 0, 1), TVector<T>(0, 0, 0));
 
 /** Moves by Delta. */
-template <typename T>
+template<typename T>
 struct TTranslationMatrix : TMatrix<T>
 {
 	constexpr explicit TTranslationMatrix(const TVector<T>& Delta)
@@ -128,7 +130,7 @@ struct TTranslationMatrix : TMatrix<T>
 	}
 };
 
-template <typename T>
+template<typename T>
 struct TScaleMatrix : TMatrix<T>
 {
 	constexpr explicit TScaleMatrix(const TVector<T>& Scale)
@@ -142,7 +144,7 @@ struct TScaleMatrix : TMatrix<T>
 };
 
 /** Turns the axes to forward, right and up of a rotator. */
-template <typename T>
+template<typename T>
 struct TRotationMatrix : TMatrix<T>
 {
 	explicit TRotationMatrix(const TRotator<T>& Rotator)
@@ -152,7 +154,7 @@ struct TRotationMatrix : TMatrix<T>
 };
 
 /** Undoes TRotationMatrix. */
-template <typename T>
+template<typename T>
 struct TInverseRotationMatrix : TMatrix<T>
 {
 	explicit TInverseRotationMatrix(const TRotator<T>& Rotator)
@@ -161,13 +163,15 @@ struct TInverseRotationMatrix : TMatrix<T>
 	}
 };
 
-/** Perspective with device depth 1 at MinZ and 0 at infinity. HalfFOV in radians, horizontal; the view looks along +Z. */
-template <typename T>
+/** Perspective with device depth 1 at MinZ and 0 at infinity. HalfFOV in radians, horizontal; the view looks along +Z.
+ */
+template<typename T>
 struct TReversedZPerspectiveMatrix : TMatrix<T>
 {
 	TReversedZPerspectiveMatrix(T HalfFOV, T Width, T Height, T MinZ)
-		: TMatrix<T>(TVector4<T>(T(1) / std::tan(HalfFOV), 0, 0, 0), TVector4<T>(0, Width / std::tan(HalfFOV) / Height, 0, 0),
-			  TVector4<T>(0, 0, 0, 1), TVector4<T>(0, 0, MinZ, 0))
+		: TMatrix<T>(TVector4<T>(T(1) / std::tan(HalfFOV), 0, 0, 0),
+			  TVector4<T>(0, Width / std::tan(HalfFOV) / Height, 0, 0), TVector4<T>(0, 0, 0, 1),
+			  TVector4<T>(0, 0, MinZ, 0))
 	{
 	}
 };

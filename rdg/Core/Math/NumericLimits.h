@@ -6,7 +6,7 @@
 
 #include <limits>
 
-template <typename T>
+template<typename T>
 struct TNumericLimits
 {
 	static constexpr T Min() { return std::numeric_limits<T>::min(); }

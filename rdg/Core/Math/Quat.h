@@ -8,7 +8,7 @@
 namespace UE::Math
 {
 
-template <typename T>
+template<typename T>
 struct alignas(16) TQuat
 {
 	using FReal = T;
@@ -58,7 +58,10 @@ struct alignas(16) TQuat
 		const T Dot = X * Other.X + Y * Other.Y + Z * Other.Z + W * Other.W;
 		return T(1) - std::fabs(Dot) <= Tolerance;
 	}
-	static TQuat Slerp(const TQuat& A, const TQuat& B, T Alpha) { return FromGlm(glm::slerp(A.ToGlm(), B.ToGlm(), Alpha)); }
+	static TQuat Slerp(const TQuat& A, const TQuat& B, T Alpha)
+	{
+		return FromGlm(glm::slerp(A.ToGlm(), B.ToGlm(), Alpha));
+	}
 
 private:
 	using GlmQuat = glm::qua<T, glm::defaultp>;
@@ -67,10 +70,10 @@ private:
 	static TQuat FromGlm(const GlmQuat& Quat) { return {Quat.x, Quat.y, Quat.z, Quat.w}; }
 };
 
-template <typename T>
+template<typename T>
 inline const TQuat<T> TQuat<T>::Identity(0, 0, 0, 1);
 
-template <typename T>
+template<typename T>
 TQuat<T> TRotator<T>::Quaternion() const
 {
 	// Turning about an axis of a left-handed frame looks reversed in GLM's formulas for pitch and roll only.

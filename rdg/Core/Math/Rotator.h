@@ -1,5 +1,5 @@
-// FRotator: pitch, yaw and roll in degrees; yaw turns about Z first, then pitch lifts the nose, then roll about forward.
-// Left-handed, X forward, Y right, Z up. Source: engine Math/Rotator.h.
+// FRotator: pitch, yaw and roll in degrees; yaw turns about Z first, then pitch lifts the nose, then roll about
+// forward. Left-handed, X forward, Y right, Z up. Source: engine Math/Rotator.h.
 #pragma once
 
 #include "Math/Vector.h"
@@ -7,7 +7,7 @@
 namespace UE::Math
 {
 
-template <typename T>
+template<typename T>
 struct TRotator
 {
 	using FReal = T;
@@ -26,9 +26,8 @@ struct TRotator
 	{
 	}
 	constexpr explicit TRotator(EForceInit) {}
-	template <typename Other>
-		requires(!std::is_same_v<Other, T>)
-	constexpr explicit TRotator(const TRotator<Other>& Rotator)
+	template<typename Other>
+	requires(!std::is_same_v<Other, T>) constexpr explicit TRotator(const TRotator<Other>& Rotator)
 		: Pitch(static_cast<T>(Rotator.Pitch))
 		, Yaw(static_cast<T>(Rotator.Yaw))
 		, Roll(static_cast<T>(Rotator.Roll))
@@ -38,8 +37,8 @@ struct TRotator
 	constexpr bool operator==(const TRotator&) const = default;
 	bool Equals(const TRotator& Other, T Tolerance = UE_KINDA_SMALL_NUMBER) const
 	{
-		return std::fabs(Pitch - Other.Pitch) <= Tolerance && std::fabs(Yaw - Other.Yaw) <= Tolerance
-			&& std::fabs(Roll - Other.Roll) <= Tolerance;
+		return std::fabs(Pitch - Other.Pitch) <= Tolerance && std::fabs(Yaw - Other.Yaw) <= Tolerance &&
+			   std::fabs(Roll - Other.Roll) <= Tolerance;
 	}
 
 	/** The direction it looks to, of length 1. */
@@ -63,7 +62,8 @@ struct TRotator
 	TQuat<T> Quaternion() const;
 	FString ToString() const
 	{
-		return FString::Printf("P=%f Y=%f R=%f", static_cast<double>(Pitch), static_cast<double>(Yaw), static_cast<double>(Roll));
+		return FString::Printf(
+			"P=%f Y=%f R=%f", static_cast<double>(Pitch), static_cast<double>(Yaw), static_cast<double>(Roll));
 	}
 
 private:
@@ -80,7 +80,7 @@ private:
 	};
 };
 
-template <typename T>
+template<typename T>
 inline const TRotator<T> TRotator<T>::ZeroRotator(0, 0, 0);
 
 } // namespace UE::Math

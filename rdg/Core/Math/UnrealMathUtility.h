@@ -37,7 +37,7 @@ namespace Drydock::Private
 {
 
 /** float stays float; double and integers compute in double. */
-template <typename T>
+template<typename T>
 using TReal = std::conditional_t<std::is_same_v<T, float>, float, double>;
 
 } // namespace Drydock::Private
@@ -45,65 +45,73 @@ using TReal = std::conditional_t<std::is_same_v<T, float>, float, double>;
 struct FMath
 {
 	// Comparing. Mixed types meet in their common type. With a NaN, Min and Max return the second argument.
-	template <typename A, typename B>
+	template<typename A, typename B>
 	static constexpr std::common_type_t<A, B> Max(const A& First, const B& Second)
 	{
 		using T = std::common_type_t<A, B>;
 		return static_cast<T>(Second) < static_cast<T>(First) ? static_cast<T>(First) : static_cast<T>(Second);
 	}
-	template <typename A, typename B>
+	template<typename A, typename B>
 	static constexpr std::common_type_t<A, B> Min(const A& First, const B& Second)
 	{
 		using T = std::common_type_t<A, B>;
 		return static_cast<T>(First) < static_cast<T>(Second) ? static_cast<T>(First) : static_cast<T>(Second);
 	}
-	template <typename T>
+	template<typename T>
 	static constexpr T Max3(const T& A, const std::type_identity_t<T>& B, const std::type_identity_t<T>& C)
 	{
 		return Max(Max(A, B), C);
 	}
-	template <typename T>
+	template<typename T>
 	static constexpr T Min3(const T& A, const std::type_identity_t<T>& B, const std::type_identity_t<T>& C)
 	{
 		return Min(Min(A, B), C);
 	}
-	template <typename T, typename A, typename B>
+	template<typename T, typename A, typename B>
 	static constexpr std::common_type_t<T, A, B> Clamp(const T& Value, const A& Low, const B& High)
 	{
 		return Max(Min(Value, High), Low);
 	}
 	/** To 0..1. */
-	template <typename T>
+	template<typename T>
 	static constexpr T Saturate(const T& Value)
 	{
 		return Clamp(Value, T(0), T(1));
 	}
-	template <typename T>
+	template<typename T>
 	static constexpr T Abs(const T& Value)
 	{
 		return Value < T(0) ? T(-Value) : Value == T(0) ? T(0) : Value;
 	}
 	/** -1, 0 or 1. */
-	template <typename T>
+	template<typename T>
 	static constexpr T Sign(const T& Value)
 	{
 		return Value > T(0) ? T(1) : Value < T(0) ? T(-1) : T(0);
 	}
-	static bool IsNearlyEqual(float A, float B, float Tolerance = UE_SMALL_NUMBER) { return std::fabs(A - B) <= Tolerance; }
-	static bool IsNearlyEqual(double A, double B, double Tolerance = UE_SMALL_NUMBER) { return std::fabs(A - B) <= Tolerance; }
+	static bool IsNearlyEqual(float A, float B, float Tolerance = UE_SMALL_NUMBER)
+	{
+		return std::fabs(A - B) <= Tolerance;
+	}
+	static bool IsNearlyEqual(double A, double B, double Tolerance = UE_SMALL_NUMBER)
+	{
+		return std::fabs(A - B) <= Tolerance;
+	}
 	static bool IsNearlyZero(float Value, float Tolerance = UE_SMALL_NUMBER) { return std::fabs(Value) <= Tolerance; }
 	static bool IsNearlyZero(double Value, double Tolerance = UE_SMALL_NUMBER) { return std::fabs(Value) <= Tolerance; }
 	static bool IsNaN(float Value) { return std::isnan(Value); }
 	static bool IsNaN(double Value) { return std::isnan(Value); }
 	static bool IsFinite(float Value) { return std::isfinite(Value); }
 	static bool IsFinite(double Value) { return std::isfinite(Value); }
-	template <typename T>
-	static constexpr bool IsWithin(const T& Value, const std::type_identity_t<T>& Low, const std::type_identity_t<T>& High)
+	template<typename T>
+	static constexpr bool IsWithin(
+		const T& Value, const std::type_identity_t<T>& Low, const std::type_identity_t<T>& High)
 	{
 		return Value >= Low && Value < High;
 	}
-	template <typename T>
-	static constexpr bool IsWithinInclusive(const T& Value, const std::type_identity_t<T>& Low, const std::type_identity_t<T>& High)
+	template<typename T>
+	static constexpr bool IsWithinInclusive(
+		const T& Value, const std::type_identity_t<T>& Low, const std::type_identity_t<T>& High)
 	{
 		return Value >= Low && Value <= High;
 	}
@@ -117,22 +125,22 @@ struct FMath
 	static int64 CeilToInt(double Value) { return static_cast<int64>(std::ceil(Value)); }
 	static int32 RoundToInt(float Value) { return FloorToInt(Value + 0.5f); }
 	static int64 RoundToInt(double Value) { return FloorToInt(Value + 0.5); }
-	template <std::floating_point T>
+	template<std::floating_point T>
 	static int32 TruncToInt32(T Value)
 	{
 		return static_cast<int32>(Value);
 	}
-	template <std::floating_point T>
+	template<std::floating_point T>
 	static int32 FloorToInt32(T Value)
 	{
 		return static_cast<int32>(std::floor(Value));
 	}
-	template <std::floating_point T>
+	template<std::floating_point T>
 	static int32 CeilToInt32(T Value)
 	{
 		return static_cast<int32>(std::ceil(Value));
 	}
-	template <std::floating_point T>
+	template<std::floating_point T>
 	static int32 RoundToInt32(T Value)
 	{
 		return static_cast<int32>(std::floor(Value + T(0.5)));
@@ -145,46 +153,46 @@ struct FMath
 	static double CeilToDouble(double Value) { return std::ceil(Value); }
 	static double RoundToDouble(double Value) { return std::floor(Value + 0.5); }
 	/** Value - floor(Value): never negative. */
-	template <std::floating_point T>
+	template<std::floating_point T>
 	static T Frac(T Value)
 	{
 		return Value - std::floor(Value);
 	}
 	/** Value - trunc(Value): has the sign of Value. */
-	template <std::floating_point T>
+	template<std::floating_point T>
 	static T Fractional(T Value)
 	{
 		return Value - std::trunc(Value);
 	}
-	template <typename A, typename B>
+	template<typename A, typename B>
 	static auto Fmod(A Value, B Divisor)
 	{
 		using T = Drydock::Private::TReal<std::common_type_t<A, B>>;
 		return std::fmod(static_cast<T>(Value), static_cast<T>(Divisor));
 	}
-	template <std::floating_point T>
+	template<std::floating_point T>
 	static T GridSnap(T Value, std::type_identity_t<T> Grid)
 	{
 		return Grid == T(0) ? Value : std::floor((Value + Grid / T(2)) / Grid) * Grid;
 	}
 
 	// Whole numbers.
-	template <typename T>
+	template<typename T>
 	static constexpr T DivideAndRoundUp(T Dividend, std::type_identity_t<T> Divisor)
 	{
 		return (Dividend + Divisor - 1) / Divisor;
 	}
-	template <typename T>
+	template<typename T>
 	static constexpr T DivideAndRoundDown(T Dividend, std::type_identity_t<T> Divisor)
 	{
 		return Dividend / Divisor;
 	}
-	template <typename T>
+	template<typename T>
 	static constexpr T DivideAndRoundNearest(T Dividend, std::type_identity_t<T> Divisor)
 	{
 		return Dividend >= 0 ? (Dividend + Divisor / 2) / Divisor : (Dividend - Divisor / 2 + 1) / Divisor;
 	}
-	template <std::integral T>
+	template<std::integral T>
 	static constexpr bool IsPowerOfTwo(T Value)
 	{
 		return (Value & (Value - 1)) == 0;
@@ -204,117 +212,117 @@ struct FMath
 	static constexpr int32 CountBits(uint64 Value) { return std::popcount(Value); }
 
 	// Powers and angles, in radians.
-	template <typename T>
+	template<typename T>
 	static constexpr T Square(T Value)
 	{
 		return Value * Value;
 	}
-	template <typename T>
+	template<typename T>
 	static constexpr T Cube(T Value)
 	{
 		return Value * Value * Value;
 	}
-	template <typename T>
+	template<typename T>
 	static auto Sqrt(T Value)
 	{
 		return std::sqrt(static_cast<Drydock::Private::TReal<T>>(Value));
 	}
-	template <typename T>
+	template<typename T>
 	static auto InvSqrt(T Value)
 	{
 		return Drydock::Private::TReal<T>(1) / Sqrt(Value);
 	}
-	template <typename A, typename B>
+	template<typename A, typename B>
 	static auto Pow(A Base, B Exponent)
 	{
 		using T = Drydock::Private::TReal<std::common_type_t<A, B>>;
 		return std::pow(static_cast<T>(Base), static_cast<T>(Exponent));
 	}
-	template <typename T>
+	template<typename T>
 	static auto Exp(T Value)
 	{
 		return std::exp(static_cast<Drydock::Private::TReal<T>>(Value));
 	}
-	template <typename T>
+	template<typename T>
 	static auto Exp2(T Value)
 	{
 		return std::exp2(static_cast<Drydock::Private::TReal<T>>(Value));
 	}
-	template <typename T>
+	template<typename T>
 	static auto Loge(T Value)
 	{
 		return std::log(static_cast<Drydock::Private::TReal<T>>(Value));
 	}
-	template <typename T>
+	template<typename T>
 	static auto Log2(T Value)
 	{
 		return std::log2(static_cast<Drydock::Private::TReal<T>>(Value));
 	}
-	template <typename A, typename B>
+	template<typename A, typename B>
 	static auto LogX(A Base, B Value)
 	{
 		return Loge(Value) / Loge(Base);
 	}
-	template <typename T>
+	template<typename T>
 	static auto Sin(T Value)
 	{
 		return std::sin(static_cast<Drydock::Private::TReal<T>>(Value));
 	}
-	template <typename T>
+	template<typename T>
 	static auto Cos(T Value)
 	{
 		return std::cos(static_cast<Drydock::Private::TReal<T>>(Value));
 	}
-	template <typename T>
+	template<typename T>
 	static auto Tan(T Value)
 	{
 		return std::tan(static_cast<Drydock::Private::TReal<T>>(Value));
 	}
-	template <typename T>
+	template<typename T>
 	static auto Asin(T Value)
 	{
 		return std::asin(static_cast<Drydock::Private::TReal<T>>(Value));
 	}
-	template <typename T>
+	template<typename T>
 	static auto Acos(T Value)
 	{
 		return std::acos(static_cast<Drydock::Private::TReal<T>>(Value));
 	}
-	template <typename T>
+	template<typename T>
 	static auto Atan(T Value)
 	{
 		return std::atan(static_cast<Drydock::Private::TReal<T>>(Value));
 	}
-	template <typename A, typename B>
+	template<typename A, typename B>
 	static auto Atan2(A Y, B X)
 	{
 		using T = Drydock::Private::TReal<std::common_type_t<A, B>>;
 		return std::atan2(static_cast<T>(Y), static_cast<T>(X));
 	}
-	template <typename T>
+	template<typename T>
 	static auto Tanh(T Value)
 	{
 		return std::tanh(static_cast<Drydock::Private::TReal<T>>(Value));
 	}
-	template <std::floating_point T>
+	template<std::floating_point T>
 	static void SinCos(T* OutSin, T* OutCos, std::type_identity_t<T> Value)
 	{
 		*OutSin = std::sin(Value);
 		*OutCos = std::cos(Value);
 	}
-	template <typename T>
+	template<typename T>
 	static constexpr auto DegreesToRadians(T Degrees)
 	{
 		return Degrees * (Drydock::Private::TReal<T>(UE_DOUBLE_PI) / Drydock::Private::TReal<T>(180));
 	}
-	template <typename T>
+	template<typename T>
 	static constexpr auto RadiansToDegrees(T Radians)
 	{
 		return Radians * (Drydock::Private::TReal<T>(180) / Drydock::Private::TReal<T>(UE_DOUBLE_PI));
 	}
 
 	// Interpolation.
-	template <typename T, typename U>
+	template<typename T, typename U>
 	static constexpr auto Lerp(const T& A, const std::type_identity_t<T>& B, const U& Alpha)
 	{
 		if constexpr (std::is_arithmetic_v<T>)
@@ -327,13 +335,13 @@ struct FMath
 		}
 	}
 	/** Gives B exactly at Alpha 1. */
-	template <std::floating_point T>
+	template<std::floating_point T>
 	static constexpr T LerpStable(T A, std::type_identity_t<T> B, std::type_identity_t<T> Alpha)
 	{
 		return A * (T(1) - Alpha) + B * Alpha;
 	}
 	/** 0 below A, 1 above B, a cubic between. */
-	template <std::floating_point T>
+	template<std::floating_point T>
 	static constexpr T SmoothStep(T A, std::type_identity_t<T> B, std::type_identity_t<T> Value)
 	{
 		if (Value < A)
@@ -347,8 +355,9 @@ struct FMath
 		const T Fraction = (Value - A) / (B - A);
 		return Fraction * Fraction * (T(3) - T(2) * Fraction);
 	}
-	/** Where Value lies between Low (0) and High (1), not clamped; an empty range gives 0 below High and 1 from it on. */
-	template <std::floating_point T>
+	/** Where Value lies between Low (0) and High (1), not clamped; an empty range gives 0 below High and 1 from it on.
+	 */
+	template<std::floating_point T>
 	static constexpr T GetRangePct(T Low, std::type_identity_t<T> High, std::type_identity_t<T> Value)
 	{
 		return High == Low ? (Value >= High ? T(1) : T(0)) : (Value - Low) / (High - Low);
@@ -361,23 +370,23 @@ struct FMath
 };
 
 /** Up to the next multiple of Alignment, a power of two. */
-template <std::integral T>
+template<std::integral T>
 constexpr T Align(T Value, uint64 Alignment)
 {
 	return static_cast<T>((static_cast<uint64>(Value) + Alignment - 1) & ~(Alignment - 1));
 }
-template <std::integral T>
+template<std::integral T>
 constexpr T AlignDown(T Value, uint64 Alignment)
 {
 	return static_cast<T>(static_cast<uint64>(Value) & ~(Alignment - 1));
 }
-template <std::integral T>
+template<std::integral T>
 constexpr bool IsAligned(T Value, uint64 Alignment)
 {
 	return (static_cast<uint64>(Value) & (Alignment - 1)) == 0;
 }
 /** Up to the next multiple of Alignment, any positive number. */
-template <std::integral T>
+template<std::integral T>
 constexpr T AlignArbitrary(T Value, uint64 Alignment)
 {
 	return static_cast<T>((static_cast<uint64>(Value) + Alignment - 1) / Alignment * Alignment);

@@ -6,7 +6,7 @@
 namespace UE::Math
 {
 
-template <typename T>
+template<typename T>
 struct TVector
 {
 	using FReal = T;
@@ -46,16 +46,15 @@ struct TVector
 	}
 	constexpr TVector(const TVector4<T>& Vector);
 	constexpr explicit TVector(const FLinearColor& Color);
-	template <typename IntType>
+	template<typename IntType>
 	constexpr explicit TVector(const TIntVector3<IntType>& Vector)
 		: X(static_cast<T>(Vector.X))
 		, Y(static_cast<T>(Vector.Y))
 		, Z(static_cast<T>(Vector.Z))
 	{
 	}
-	template <typename Other>
-		requires(!std::is_same_v<Other, T>)
-	constexpr explicit TVector(const TVector<Other>& Vector)
+	template<typename Other>
+	requires(!std::is_same_v<Other, T>) constexpr explicit TVector(const TVector<Other>& Vector)
 		: X(static_cast<T>(Vector.X))
 		, Y(static_cast<T>(Vector.Y))
 		, Z(static_cast<T>(Vector.Z))
@@ -123,34 +122,36 @@ struct TVector
 	constexpr bool IsZero() const { return X == 0 && Y == 0 && Z == 0; }
 	bool Equals(const TVector& Other, T Tolerance = UE_KINDA_SMALL_NUMBER) const
 	{
-		return std::fabs(X - Other.X) <= Tolerance && std::fabs(Y - Other.Y) <= Tolerance && std::fabs(Z - Other.Z) <= Tolerance;
+		return std::fabs(X - Other.X) <= Tolerance && std::fabs(Y - Other.Y) <= Tolerance &&
+			   std::fabs(Z - Other.Z) <= Tolerance;
 	}
 	bool ContainsNaN() const { return !FMath::IsFinite(X) || !FMath::IsFinite(Y) || !FMath::IsFinite(Z); }
 	FString ToString() const
 	{
-		return FString::Printf("X=%3.3f Y=%3.3f Z=%3.3f", static_cast<double>(X), static_cast<double>(Y), static_cast<double>(Z));
+		return FString::Printf(
+			"X=%3.3f Y=%3.3f Z=%3.3f", static_cast<double>(X), static_cast<double>(Y), static_cast<double>(Z));
 	}
 };
 
-template <typename T>
+template<typename T>
 inline const TVector<T> TVector<T>::ZeroVector(0, 0, 0);
-template <typename T>
+template<typename T>
 inline const TVector<T> TVector<T>::OneVector(1, 1, 1);
-template <typename T>
+template<typename T>
 inline const TVector<T> TVector<T>::ForwardVector(1, 0, 0);
-template <typename T>
+template<typename T>
 inline const TVector<T> TVector<T>::RightVector(0, 1, 0);
-template <typename T>
+template<typename T>
 inline const TVector<T> TVector<T>::UpVector(0, 0, 1);
 
-template <typename T>
+template<typename T>
 constexpr TVector2<T>::TVector2(const TVector<T>& Vector)
 	: X(Vector.X)
 	, Y(Vector.Y)
 {
 }
 
-template <typename T>
+template<typename T>
 uint32 GetTypeHash(const TVector<T>& Vector)
 {
 	return HashCombine(HashCombine(::GetTypeHash(Vector.X), ::GetTypeHash(Vector.Y)), ::GetTypeHash(Vector.Z));

@@ -6,7 +6,7 @@
 namespace UE::Math
 {
 
-template <typename T>
+template<typename T>
 struct TVector2
 {
 	using FReal = T;
@@ -32,15 +32,14 @@ struct TVector2
 	{
 	}
 	constexpr explicit TVector2(EForceInit) {}
-	template <typename IntType>
+	template<typename IntType>
 	constexpr TVector2(TIntPoint<IntType> Point)
 		: X(static_cast<T>(Point.X))
 		, Y(static_cast<T>(Point.Y))
 	{
 	}
-	template <typename Other>
-		requires(!std::is_same_v<Other, T>)
-	constexpr explicit TVector2(const TVector2<Other>& Vector)
+	template<typename Other>
+	requires(!std::is_same_v<Other, T>) constexpr explicit TVector2(const TVector2<Other>& Vector)
 		: X(static_cast<T>(Vector.X))
 		, Y(static_cast<T>(Vector.Y))
 	{
@@ -67,9 +66,18 @@ struct TVector2
 	static constexpr T CrossProduct(const TVector2& A, const TVector2& B) { return A ^ B; }
 	static T Distance(const TVector2& A, const TVector2& B) { return (B - A).Size(); }
 	static constexpr T DistSquared(const TVector2& A, const TVector2& B) { return (B - A).SizeSquared(); }
-	static constexpr TVector2 Min(const TVector2& A, const TVector2& B) { return {FMath::Min(A.X, B.X), FMath::Min(A.Y, B.Y)}; }
-	static constexpr TVector2 Max(const TVector2& A, const TVector2& B) { return {FMath::Max(A.X, B.X), FMath::Max(A.Y, B.Y)}; }
-	static constexpr TVector2 Clamp(const TVector2& V, const TVector2& Low, const TVector2& High) { return Max(Min(V, High), Low); }
+	static constexpr TVector2 Min(const TVector2& A, const TVector2& B)
+	{
+		return {FMath::Min(A.X, B.X), FMath::Min(A.Y, B.Y)};
+	}
+	static constexpr TVector2 Max(const TVector2& A, const TVector2& B)
+	{
+		return {FMath::Max(A.X, B.X), FMath::Max(A.Y, B.Y)};
+	}
+	static constexpr TVector2 Clamp(const TVector2& V, const TVector2& Low, const TVector2& High)
+	{
+		return Max(Min(V, High), Low);
+	}
 	constexpr T SizeSquared() const { return *this | *this; }
 	T Size() const { return std::sqrt(SizeSquared()); }
 	constexpr T SquaredLength() const { return SizeSquared(); }
@@ -94,15 +102,18 @@ struct TVector2
 	/** Towards zero. */
 	constexpr TIntPoint<int32> IntPoint() const { return TIntPoint<int32>(*this); }
 	TVector2 RoundToVector() const { return {std::floor(X + T(0.5)), std::floor(Y + T(0.5))}; }
-	FString ToString() const { return FString::Printf("X=%3.3f Y=%3.3f", static_cast<double>(X), static_cast<double>(Y)); }
+	FString ToString() const
+	{
+		return FString::Printf("X=%3.3f Y=%3.3f", static_cast<double>(X), static_cast<double>(Y));
+	}
 };
 
-template <typename T>
+template<typename T>
 inline const TVector2<T> TVector2<T>::ZeroVector(0, 0);
-template <typename T>
+template<typename T>
 inline const TVector2<T> TVector2<T>::UnitVector(1, 1);
 
-template <typename T>
+template<typename T>
 uint32 GetTypeHash(const TVector2<T>& Vector)
 {
 	return HashCombine(::GetTypeHash(Vector.X), ::GetTypeHash(Vector.Y));

@@ -8,7 +8,7 @@
 namespace UE::Math
 {
 
-template <typename T>
+template<typename T>
 struct alignas(16) TVector4
 {
 	using FReal = T;
@@ -49,20 +49,22 @@ struct alignas(16) TVector4
 	constexpr TVector4(const FLinearColor& Color);
 	constexpr TVector4(const FLinearColor& Color, T InW);
 	/** Min in XY, Max in ZW. */
-	template <typename IntType>
+	template<typename IntType>
 	constexpr TVector4(const TIntRect<IntType>& Rect)
-		: TVector4(static_cast<T>(Rect.Min.X), static_cast<T>(Rect.Min.Y), static_cast<T>(Rect.Max.X), static_cast<T>(Rect.Max.Y))
+		: TVector4(static_cast<T>(Rect.Min.X), static_cast<T>(Rect.Min.Y), static_cast<T>(Rect.Max.X),
+			  static_cast<T>(Rect.Max.Y))
 	{
 	}
-	template <typename IntType>
+	template<typename IntType>
 	constexpr explicit TVector4(const TIntVector4<IntType>& Vector)
-		: TVector4(static_cast<T>(Vector.X), static_cast<T>(Vector.Y), static_cast<T>(Vector.Z), static_cast<T>(Vector.W))
+		: TVector4(
+			  static_cast<T>(Vector.X), static_cast<T>(Vector.Y), static_cast<T>(Vector.Z), static_cast<T>(Vector.W))
 	{
 	}
-	template <typename Other>
-		requires(!std::is_same_v<Other, T>)
-	constexpr explicit TVector4(const TVector4<Other>& Vector)
-		: TVector4(static_cast<T>(Vector.X), static_cast<T>(Vector.Y), static_cast<T>(Vector.Z), static_cast<T>(Vector.W))
+	template<typename Other>
+	requires(!std::is_same_v<Other, T>) constexpr explicit TVector4(const TVector4<Other>& Vector)
+		: TVector4(
+			  static_cast<T>(Vector.X), static_cast<T>(Vector.Y), static_cast<T>(Vector.Z), static_cast<T>(Vector.W))
 	{
 	}
 
@@ -79,8 +81,8 @@ struct alignas(16) TVector4
 	T Size() const { return std::sqrt(SizeSquared()); }
 	bool Equals(const TVector4& Other, T Tolerance = UE_KINDA_SMALL_NUMBER) const
 	{
-		return std::fabs(X - Other.X) <= Tolerance && std::fabs(Y - Other.Y) <= Tolerance && std::fabs(Z - Other.Z) <= Tolerance
-			&& std::fabs(W - Other.W) <= Tolerance;
+		return std::fabs(X - Other.X) <= Tolerance && std::fabs(Y - Other.Y) <= Tolerance &&
+			   std::fabs(Z - Other.Z) <= Tolerance && std::fabs(W - Other.W) <= Tolerance;
 	}
 	bool ContainsNaN() const
 	{
@@ -93,32 +95,32 @@ struct alignas(16) TVector4
 	}
 };
 
-template <typename T>
+template<typename T>
 constexpr T Dot3(const TVector4<T>& A, const TVector4<T>& B)
 {
 	return A.X * B.X + A.Y * B.Y + A.Z * B.Z;
 }
-template <typename T>
+template<typename T>
 constexpr T Dot4(const TVector4<T>& A, const TVector4<T>& B)
 {
 	return Dot3(A, B) + A.W * B.W;
 }
 
-template <typename T>
+template<typename T>
 constexpr TVector<T>::TVector(const TVector4<T>& Vector)
 	: X(Vector.X)
 	, Y(Vector.Y)
 	, Z(Vector.Z)
 {
 }
-template <typename T>
+template<typename T>
 constexpr TVector2<T>::TVector2(const TVector4<T>& Vector)
 	: X(Vector.X)
 	, Y(Vector.Y)
 {
 }
 
-template <typename T>
+template<typename T>
 uint32 GetTypeHash(const TVector4<T>& Vector)
 {
 	return HashCombine(HashCombine(::GetTypeHash(Vector.X), ::GetTypeHash(Vector.Y)),

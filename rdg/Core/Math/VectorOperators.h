@@ -1,6 +1,6 @@
 // Arithmetic of all vector types, computed by GLM: every type here names the GLM type it has the layout of. The right
-// operand converts as it does for the engine's member operators, so that Viewport / FIntPoint gives what it gives there.
-// Source: drydock.
+// operand converts as it does for the engine's member operators, so that Viewport / FIntPoint gives what it gives
+// there. Source: drydock.
 #pragma once
 
 #include "Math/MathFwd.h"
@@ -16,121 +16,123 @@
 namespace UE::Math
 {
 
-template <typename V>
-concept CVector = requires {
+template<typename V>
+concept CVector = requires
+{
 	typename V::GlmType;
 	typename V::FReal;
-} && sizeof(V) == sizeof(typename V::GlmType);
+}
+&&sizeof(V) == sizeof(typename V::GlmType);
 
-template <CVector V>
+template<CVector V>
 constexpr typename V::GlmType ToGlm(const V& Vector)
 {
 	return std::bit_cast<typename V::GlmType>(Vector);
 }
 
-template <CVector V>
+template<CVector V>
 constexpr V FromGlm(const typename V::GlmType& Vector)
 {
 	return std::bit_cast<V>(Vector);
 }
 
-template <CVector V>
+template<CVector V>
 constexpr V operator+(const V& A, const std::type_identity_t<V>& B)
 {
 	return FromGlm<V>(ToGlm(A) + ToGlm(B));
 }
-template <CVector V>
+template<CVector V>
 constexpr V operator-(const V& A, const std::type_identity_t<V>& B)
 {
 	return FromGlm<V>(ToGlm(A) - ToGlm(B));
 }
-template <CVector V>
+template<CVector V>
 constexpr V operator*(const V& A, const std::type_identity_t<V>& B)
 {
 	return FromGlm<V>(ToGlm(A) * ToGlm(B));
 }
-template <CVector V>
+template<CVector V>
 constexpr V operator/(const V& A, const std::type_identity_t<V>& B)
 {
 	return FromGlm<V>(ToGlm(A) / ToGlm(B));
 }
-template <CVector V>
+template<CVector V>
 constexpr V operator+(const V& A, typename V::FReal B)
 {
 	return FromGlm<V>(ToGlm(A) + B);
 }
-template <CVector V>
+template<CVector V>
 constexpr V operator-(const V& A, typename V::FReal B)
 {
 	return FromGlm<V>(ToGlm(A) - B);
 }
-template <CVector V>
+template<CVector V>
 constexpr V operator*(const V& A, typename V::FReal B)
 {
 	return FromGlm<V>(ToGlm(A) * B);
 }
-template <CVector V>
+template<CVector V>
 constexpr V operator*(typename V::FReal A, const V& B)
 {
 	return FromGlm<V>(A * ToGlm(B));
 }
-template <CVector V>
+template<CVector V>
 constexpr V operator/(const V& A, typename V::FReal B)
 {
 	return FromGlm<V>(ToGlm(A) / B);
 }
-template <CVector V>
-	requires std::is_signed_v<typename V::FReal>
+template<CVector V>
+requires std::is_signed_v<typename V::FReal>
 constexpr V operator-(const V& A)
 {
 	return FromGlm<V>(-ToGlm(A));
 }
 
-template <CVector V>
-	requires std::is_integral_v<typename V::FReal>
+template<CVector V>
+requires std::is_integral_v<typename V::FReal>
 constexpr V operator%(const V& A, typename V::FReal B)
 {
 	return FromGlm<V>(ToGlm(A) % B);
 }
-template <CVector V>
-	requires std::is_integral_v<typename V::FReal>
+template<CVector V>
+requires std::is_integral_v<typename V::FReal>
 constexpr V operator>>(const V& A, typename V::FReal B)
 {
 	return FromGlm<V>(ToGlm(A) >> B);
 }
-template <CVector V>
-	requires std::is_integral_v<typename V::FReal>
+template<CVector V>
+requires std::is_integral_v<typename V::FReal>
 constexpr V operator<<(const V& A, typename V::FReal B)
 {
 	return FromGlm<V>(ToGlm(A) << B);
 }
 
-template <CVector V>
+template<CVector V>
 constexpr V& operator+=(V& A, const std::type_identity_t<V>& B)
 {
 	return A = A + B;
 }
-template <CVector V>
+template<CVector V>
 constexpr V& operator-=(V& A, const std::type_identity_t<V>& B)
 {
 	return A = A - B;
 }
-template <CVector V>
+template<CVector V>
 constexpr V& operator*=(V& A, const std::type_identity_t<V>& B)
 {
 	return A = A * B;
 }
-template <CVector V>
+template<CVector V>
 constexpr V& operator/=(V& A, const std::type_identity_t<V>& B)
 {
 	return A = A / B;
 }
-template <CVector V>
+template<CVector V>
 constexpr V& operator*=(V& A, typename V::FReal B)
 {
 	return A = A * B;
 }
-template <CVector V>
+template<CVector V>
 constexpr V& operator/=(V& A, typename V::FReal B)
 {
 	return A = A / B;

@@ -26,7 +26,8 @@ FEnsureHandler& GetEnsureHandler()
 	return Handler;
 }
 
-std::string FormatFailure(const char* Kind, const char* Expression, const char* File, int Line, const char* Format, va_list Arguments)
+std::string FormatFailure(
+	const char* Kind, const char* Expression, const char* File, int Line, const char* Format, va_list Arguments)
 {
 	std::string Text =
 		std::string(Kind) + ": " + Expression + " [File:" + File + "] [Line: " + std::to_string(Line) + "]";
@@ -63,7 +64,8 @@ void FailCheck(const char* Expression, const char* File, int Line, const char* F
 	throw FCheckFailure(Text);
 }
 
-bool FailEnsure(std::atomic<bool>& bReported, bool bAlways, const char* Expression, const char* File, int Line, const char* Format, ...)
+bool FailEnsure(std::atomic<bool>& bReported, bool bAlways, const char* Expression, const char* File, int Line,
+	const char* Format, ...)
 {
 	++GEnsureCount;
 	const bool bPrint = !bReported.exchange(true) || bAlways;

@@ -1,7 +1,7 @@
 // check, verify and ensure. A failed check throws Drydock::FCheckFailure instead of stopping the program, so that tests
-// and the command line can report it; a failed ensure prints once per site and yields false. Both print their message on
-// stderr, as the engine's log does. All are active in every build; checkSlow only in debug builds.
-// Source: engine Misc/AssertionMacros.h.
+// and the command line can report it; a failed ensure prints once per site and yields false. Both print their message
+// on stderr, as the engine's log does. All are active in every build; checkSlow only in debug builds. Source: engine
+// Misc/AssertionMacros.h.
 #pragma once
 
 #include "CoreTypes.h"
@@ -23,12 +23,12 @@ public:
 };
 
 /** Prints "Assertion failed: Expression [File:x] [Line: n] message" on stderr and throws it. Format may be null. */
-[[noreturn]] DRYDOCK_API void FailCheck(const char* Expression, const char* File, int Line, const char* Format = nullptr, ...)
-	__attribute__((format(printf, 4, 5)));
+[[noreturn]] DRYDOCK_API void FailCheck(const char* Expression, const char* File, int Line,
+	const char* Format = nullptr, ...) __attribute__((format(printf, 4, 5)));
 
 /** Reports a failed ensure: prints unless bReported, which it sets. Always counts; always returns false. */
-DRYDOCK_API bool FailEnsure(std::atomic<bool>& bReported, bool bAlways, const char* Expression, const char* File, int Line,
-	const char* Format = nullptr, ...) __attribute__((format(printf, 6, 7)));
+DRYDOCK_API bool FailEnsure(std::atomic<bool>& bReported, bool bAlways, const char* Expression, const char* File,
+	int Line, const char* Format = nullptr, ...) __attribute__((format(printf, 6, 7)));
 
 /** Number of failed ensures of this process so far, also those that were not printed again. */
 DRYDOCK_API uint64 GetEnsureCount();

@@ -9,15 +9,18 @@
 #define ENUM_CLASS_FLAGS(Enum) \
 	inline constexpr Enum operator|(Enum A, Enum B) \
 	{ \
-		return static_cast<Enum>(static_cast<std::underlying_type_t<Enum>>(A) | static_cast<std::underlying_type_t<Enum>>(B)); \
+		return static_cast<Enum>( \
+			static_cast<std::underlying_type_t<Enum>>(A) | static_cast<std::underlying_type_t<Enum>>(B)); \
 	} \
 	inline constexpr Enum operator&(Enum A, Enum B) \
 	{ \
-		return static_cast<Enum>(static_cast<std::underlying_type_t<Enum>>(A) & static_cast<std::underlying_type_t<Enum>>(B)); \
+		return static_cast<Enum>( \
+			static_cast<std::underlying_type_t<Enum>>(A) & static_cast<std::underlying_type_t<Enum>>(B)); \
 	} \
 	inline constexpr Enum operator^(Enum A, Enum B) \
 	{ \
-		return static_cast<Enum>(static_cast<std::underlying_type_t<Enum>>(A) ^ static_cast<std::underlying_type_t<Enum>>(B)); \
+		return static_cast<Enum>( \
+			static_cast<std::underlying_type_t<Enum>>(A) ^ static_cast<std::underlying_type_t<Enum>>(B)); \
 	} \
 	inline constexpr Enum operator~(Enum A) \
 	{ \
@@ -52,7 +55,7 @@
 	friend constexpr Enum& operator^=(Enum& A, Enum B);
 
 /** True if all bits of Contains are set in Flags. */
-template <typename Enum>
+template<typename Enum>
 constexpr bool EnumHasAllFlags(Enum Flags, Enum Contains)
 {
 	using FUnderlying = std::underlying_type_t<Enum>;
@@ -60,7 +63,7 @@ constexpr bool EnumHasAllFlags(Enum Flags, Enum Contains)
 }
 
 /** True if at least one bit of Contains is set in Flags. */
-template <typename Enum>
+template<typename Enum>
 constexpr bool EnumHasAnyFlags(Enum Flags, Enum Contains)
 {
 	using FUnderlying = std::underlying_type_t<Enum>;
@@ -68,21 +71,21 @@ constexpr bool EnumHasAnyFlags(Enum Flags, Enum Contains)
 }
 
 /** True if Flags has no bits outside Contains. */
-template <typename Enum>
+template<typename Enum>
 constexpr bool EnumOnlyContainsFlags(Enum Flags, Enum Contains)
 {
 	using FUnderlying = std::underlying_type_t<Enum>;
 	return (static_cast<FUnderlying>(Flags) & ~static_cast<FUnderlying>(Contains)) == 0;
 }
 
-template <typename Enum>
+template<typename Enum>
 constexpr void EnumAddFlags(Enum& Flags, Enum Added)
 {
 	using FUnderlying = std::underlying_type_t<Enum>;
 	Flags = static_cast<Enum>(static_cast<FUnderlying>(Flags) | static_cast<FUnderlying>(Added));
 }
 
-template <typename Enum>
+template<typename Enum>
 constexpr void EnumRemoveFlags(Enum& Flags, Enum Removed)
 {
 	using FUnderlying = std::underlying_type_t<Enum>;

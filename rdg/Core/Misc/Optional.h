@@ -10,7 +10,7 @@ struct FNullOpt
 };
 inline constexpr FNullOpt NullOpt{};
 
-template <typename T>
+template<typename T>
 class TOptional
 {
 public:
@@ -48,7 +48,7 @@ public:
 	T* operator->() { return &GetValue(); }
 	const T* operator->() const { return &GetValue(); }
 	void Reset() { Data.reset(); }
-	template <typename... ArgumentTypes>
+	template<typename... ArgumentTypes>
 	T& Emplace(ArgumentTypes&&... Arguments)
 	{
 		return Data.emplace(std::forward<ArgumentTypes>(Arguments)...);

@@ -7,7 +7,7 @@ class DRYDOCK_API FPaths
 {
 public:
 	/** Joins with exactly one slash between two parts; empty parts vanish. */
-	template <typename... PartTypes>
+	template<typename... PartTypes>
 	static FString Combine(const PartTypes&... Parts)
 	{
 		FString Result;

@@ -80,6 +80,7 @@ void FModuleManager::Startup(FEntry& Entry)
 
 FModuleManager::FEntry* FModuleManager::FindEntry(FName Name)
 {
-	const TUniquePtr<FEntry>* Found = Entries.FindByPredicate([Name](const TUniquePtr<FEntry>& Entry) { return Entry->Name == Name; });
+	const TUniquePtr<FEntry>* Found =
+		Entries.FindByPredicate([Name](const TUniquePtr<FEntry>& Entry) { return Entry->Name == Name; });
 	return Found != nullptr ? Found->Get() : nullptr;
 }

@@ -1,5 +1,5 @@
-// Modules: IMPLEMENT_MODULE registers one while its library is loaded; it starts before the first frame, when all static
-// variables of the library are there. Source: engine Modules/ModuleManager.h.
+// Modules: IMPLEMENT_MODULE registers one while its library is loaded; it starts before the first frame, when all
+// static variables of the library are there. Source: engine Modules/ModuleManager.h.
 #pragma once
 
 #include "Containers/Array.h"
@@ -26,17 +26,17 @@ public:
 	/** Null unless it has started. */
 	IModuleInterface* GetModule(FName Name);
 	bool IsModuleLoaded(FName Name) { return GetModule(Name) != nullptr; }
-	template <typename ModuleType>
+	template<typename ModuleType>
 	static ModuleType& LoadModuleChecked(FName Name)
 	{
 		return static_cast<ModuleType&>(Get().LoadModuleChecked(Name));
 	}
-	template <typename ModuleType>
+	template<typename ModuleType>
 	static ModuleType& GetModuleChecked(FName Name)
 	{
 		return LoadModuleChecked<ModuleType>(Name);
 	}
-	template <typename ModuleType>
+	template<typename ModuleType>
 	static ModuleType* GetModulePtr(FName Name)
 	{
 		return static_cast<ModuleType*>(Get().GetModule(Name));

@@ -8,22 +8,22 @@
 #include <memory>
 #include <type_traits>
 
-template <typename Signature>
+template<typename Signature>
 class TFunction;
-template <typename Signature>
+template<typename Signature>
 class TUniqueFunction;
-template <typename Signature>
+template<typename Signature>
 class TFunctionRef;
 
-template <typename ReturnType, typename... ArgumentTypes>
+template<typename ReturnType, typename... ArgumentTypes>
 class TFunction<ReturnType(ArgumentTypes...)>
 {
 public:
 	TFunction(std::nullptr_t = nullptr) {}
-	template <typename FunctorType>
-		requires(!std::is_same_v<std::decay_t<FunctorType>, TFunction>
-			&& std::is_invocable_r_v<ReturnType, std::decay_t<FunctorType>&, ArgumentTypes...>)
-	TFunction(FunctorType&& Functor)
+	template<typename FunctorType>
+	requires(!std::is_same_v<std::decay_t<FunctorType>, TFunction> &&
+			 std::is_invocable_r_v<ReturnType, std::decay_t<FunctorType>&, ArgumentTypes...>)
+		TFunction(FunctorType&& Functor)
 		: Function(std::forward<FunctorType>(Functor))
 	{
 	}
@@ -44,15 +44,15 @@ private:
 	std::function<ReturnType(ArgumentTypes...)> Function;
 };
 
-template <typename ReturnType, typename... ArgumentTypes>
+template<typename ReturnType, typename... ArgumentTypes>
 class TUniqueFunction<ReturnType(ArgumentTypes...)>
 {
 public:
 	TUniqueFunction(std::nullptr_t = nullptr) {}
-	template <typename FunctorType>
-		requires(!std::is_same_v<std::decay_t<FunctorType>, TUniqueFunction>
-			&& std::is_invocable_r_v<ReturnType, std::decay_t<FunctorType>&, ArgumentTypes...>)
-	TUniqueFunction(FunctorType&& Functor)
+	template<typename FunctorType>
+	requires(!std::is_same_v<std::decay_t<FunctorType>, TUniqueFunction> &&
+			 std::is_invocable_r_v<ReturnType, std::decay_t<FunctorType>&, ArgumentTypes...>)
+		TUniqueFunction(FunctorType&& Functor)
 		: Function(std::make_unique<TFunctor<std::decay_t<FunctorType>>>(std::forward<FunctorType>(Functor)))
 	{
 	}
@@ -74,15 +74,18 @@ private:
 		virtual ReturnType Call(ArgumentTypes... Arguments) = 0;
 	};
 
-	template <typename FunctorType>
+	template<typename FunctorType>
 	struct TFunctor final : IFunctor
 	{
-		template <typename SourceType>
+		template<typename SourceType>
 		explicit TFunctor(SourceType&& Source)
 			: Functor(std::forward<SourceType>(Source))
 		{
 		}
-		ReturnType Call(ArgumentTypes... Arguments) override { return Functor(std::forward<ArgumentTypes>(Arguments)...); }
+		ReturnType Call(ArgumentTypes... Arguments) override
+		{
+			return Functor(std::forward<ArgumentTypes>(Arguments)...);
+		}
 
 		FunctorType Functor;
 	};
@@ -91,14 +94,13 @@ private:
 };
 
 /** The callable must outlive the reference: for arguments only. */
-template <typename ReturnType, typename... ArgumentTypes>
+template<typename ReturnType, typename... ArgumentTypes>
 class TFunctionRef<ReturnType(ArgumentTypes...)>
 {
 public:
-	template <typename FunctorType>
-		requires(!std::is_same_v<std::decay_t<FunctorType>, TFunctionRef>
-			&& std::is_invocable_r_v<ReturnType, FunctorType&, ArgumentTypes...>)
-	TFunctionRef(FunctorType&& InFunctor)
+	template<typename FunctorType>
+	requires(!std::is_same_v<std::decay_t<FunctorType>, TFunctionRef> &&
+			 std::is_invocable_r_v<ReturnType, FunctorType&, ArgumentTypes...>) TFunctionRef(FunctorType&& InFunctor)
 	{
 		using FunctorPointer = std::add_pointer_t<std::remove_reference_t<FunctorType>>;
 		if constexpr (std::is_function_v<std::remove_reference_t<FunctorType>>)
@@ -109,7 +111,8 @@ public:
 		{
 			Functor = const_cast<void*>(static_cast<const void*>(std::addressof(InFunctor)));
 		}
-		Thunk = [](void* Pointer, ArgumentTypes... Arguments) -> ReturnType {
+		Thunk = [](void* Pointer, ArgumentTypes... Arguments) -> ReturnType
+		{
 			return (*reinterpret_cast<FunctorPointer>(Pointer))(std::forward<ArgumentTypes>(Arguments)...);
 		};
 	}

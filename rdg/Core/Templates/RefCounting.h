@@ -47,10 +47,10 @@ private:
 using FRefCountedObject = FRefCountBase;
 using FThreadSafeRefCountedObject = FRefCountBase;
 
-template <typename ReferencedType>
+template<typename ReferencedType>
 class TRefCountPtr
 {
-	template <typename OtherType>
+	template<typename OtherType>
 	friend class TRefCountPtr;
 
 public:
@@ -76,15 +76,14 @@ public:
 		: Reference(std::exchange(Other.Reference, nullptr))
 	{
 	}
-	template <typename OtherType>
-		requires std::is_convertible_v<OtherType*, ReferencedType*>
-	TRefCountPtr(const TRefCountPtr<OtherType>& Other)
+	template<typename OtherType>
+	requires std::is_convertible_v<OtherType*, ReferencedType*> TRefCountPtr(const TRefCountPtr<OtherType>& Other)
 		: TRefCountPtr(static_cast<ReferencedType*>(Other.Reference))
 	{
 	}
-	template <typename OtherType>
-		requires std::is_convertible_v<OtherType*, ReferencedType*>
-	TRefCountPtr(TRefCountPtr<OtherType>&& Other) noexcept
+	template<typename OtherType>
+	requires std::is_convertible_v<OtherType*, ReferencedType*> TRefCountPtr(TRefCountPtr<OtherType>&& Other)
+	noexcept
 		: Reference(std::exchange(Other.Reference, nullptr))
 	{
 	}
@@ -120,13 +119,13 @@ private:
 	ReferencedType* Reference = nullptr;
 };
 
-template <typename T>
+template<typename T>
 uint32 GetTypeHash(const TRefCountPtr<T>& Pointer)
 {
 	return GetTypeHash(Pointer.GetReference());
 }
 
-template <typename T, typename... ArgumentTypes>
+template<typename T, typename... ArgumentTypes>
 TRefCountPtr<T> MakeRefCount(ArgumentTypes&&... Arguments)
 {
 	return TRefCountPtr<T>(new T(std::forward<ArgumentTypes>(Arguments)...));

@@ -1,5 +1,5 @@
-// TSharedPtr, TSharedRef, TWeakPtr and TSharedFromThis over std::shared_ptr. The mode is kept as part of the type, as in
-// the engine, but counting is thread-safe in both. Source: engine Templates/SharedPointer.h.
+// TSharedPtr, TSharedRef, TWeakPtr and TSharedFromThis over std::shared_ptr. The mode is kept as part of the type, as
+// in the engine, but counting is thread-safe in both. Source: engine Templates/SharedPointer.h.
 #pragma once
 
 #include "Misc/AssertionMacros.h"
@@ -14,18 +14,18 @@ enum class ESPMode : uint8
 	ThreadSafe = 1,
 };
 
-template <typename T, ESPMode Mode = ESPMode::ThreadSafe>
+template<typename T, ESPMode Mode = ESPMode::ThreadSafe>
 class TSharedPtr;
-template <typename T, ESPMode Mode = ESPMode::ThreadSafe>
+template<typename T, ESPMode Mode = ESPMode::ThreadSafe>
 class TSharedRef;
-template <typename T, ESPMode Mode = ESPMode::ThreadSafe>
+template<typename T, ESPMode Mode = ESPMode::ThreadSafe>
 class TWeakPtr;
 
 namespace Drydock::Private
 {
 
 /** What MakeShareable returns: a pointer on its way to its first owner. */
-template <typename T>
+template<typename T>
 struct TRawPtrProxy
 {
 	std::shared_ptr<T> Pointer;
@@ -34,7 +34,7 @@ struct TRawPtrProxy
 } // namespace Drydock::Private
 
 /** A shared pointer that is never null. */
-template <typename T, ESPMode Mode>
+template<typename T, ESPMode Mode>
 class TSharedRef
 {
 public:
@@ -45,16 +45,14 @@ public:
 	{
 		CheckValid();
 	}
-	template <typename U>
-		requires std::is_convertible_v<U*, T*>
-	TSharedRef(const Drydock::Private::TRawPtrProxy<U>& Proxy)
+	template<typename U>
+	requires std::is_convertible_v<U*, T*> TSharedRef(const Drydock::Private::TRawPtrProxy<U>& Proxy)
 		: Data(Proxy.Pointer)
 	{
 		CheckValid();
 	}
-	template <typename U>
-		requires std::is_convertible_v<U*, T*>
-	TSharedRef(const TSharedRef<U, Mode>& Other)
+	template<typename U>
+	requires std::is_convertible_v<U*, T*> TSharedRef(const TSharedRef<U, Mode>& Other)
 		: Data(Other.ToStdPtr())
 	{
 	}
@@ -83,7 +81,7 @@ private:
 	std::shared_ptr<T> Data;
 };
 
-template <typename T, ESPMode Mode>
+template<typename T, ESPMode Mode>
 class TSharedPtr
 {
 public:
@@ -91,27 +89,24 @@ public:
 
 	TSharedPtr() = default;
 	TSharedPtr(std::nullptr_t) {}
-	template <typename U>
-		requires std::is_convertible_v<U*, T*>
+	template<typename U>
+	requires std::is_convertible_v<U*, T*>
 	explicit TSharedPtr(U* Pointer)
 		: Data(Pointer)
 	{
 	}
-	template <typename U>
-		requires std::is_convertible_v<U*, T*>
-	TSharedPtr(const Drydock::Private::TRawPtrProxy<U>& Proxy)
+	template<typename U>
+	requires std::is_convertible_v<U*, T*> TSharedPtr(const Drydock::Private::TRawPtrProxy<U>& Proxy)
 		: Data(Proxy.Pointer)
 	{
 	}
-	template <typename U>
-		requires std::is_convertible_v<U*, T*>
-	TSharedPtr(const TSharedPtr<U, Mode>& Other)
+	template<typename U>
+	requires std::is_convertible_v<U*, T*> TSharedPtr(const TSharedPtr<U, Mode>& Other)
 		: Data(Other.ToStdPtr())
 	{
 	}
-	template <typename U>
-		requires std::is_convertible_v<U*, T*>
-	TSharedPtr(const TSharedRef<U, Mode>& Other)
+	template<typename U>
+	requires std::is_convertible_v<U*, T*> TSharedPtr(const TSharedRef<U, Mode>& Other)
 		: Data(Other.ToStdPtr())
 	{
 	}
@@ -146,7 +141,7 @@ private:
 };
 
 /** Watches an object without keeping it alive. */
-template <typename T, ESPMode Mode>
+template<typename T, ESPMode Mode>
 class TWeakPtr
 {
 public:
@@ -154,15 +149,13 @@ public:
 
 	TWeakPtr() = default;
 	TWeakPtr(std::nullptr_t) {}
-	template <typename U>
-		requires std::is_convertible_v<U*, T*>
-	TWeakPtr(const TSharedPtr<U, Mode>& Pointer)
+	template<typename U>
+	requires std::is_convertible_v<U*, T*> TWeakPtr(const TSharedPtr<U, Mode>& Pointer)
 		: Data(Pointer.ToStdPtr())
 	{
 	}
-	template <typename U>
-		requires std::is_convertible_v<U*, T*>
-	TWeakPtr(const TSharedRef<U, Mode>& Reference)
+	template<typename U>
+	requires std::is_convertible_v<U*, T*> TWeakPtr(const TSharedRef<U, Mode>& Reference)
 		: Data(Reference.ToStdPtr())
 	{
 	}
@@ -183,40 +176,40 @@ private:
 	std::weak_ptr<T> Data;
 };
 
-template <typename T, typename U, ESPMode Mode>
+template<typename T, typename U, ESPMode Mode>
 bool operator==(const TSharedPtr<T, Mode>& A, const TSharedPtr<U, Mode>& B)
 {
 	return A.Get() == B.Get();
 }
-template <typename T, ESPMode Mode>
+template<typename T, ESPMode Mode>
 bool operator==(const TSharedPtr<T, Mode>& A, std::nullptr_t)
 {
 	return !A.IsValid();
 }
-template <typename T, typename U, ESPMode Mode>
+template<typename T, typename U, ESPMode Mode>
 bool operator==(const TSharedRef<T, Mode>& A, const TSharedRef<U, Mode>& B)
 {
 	return &A.Get() == &B.Get();
 }
-template <typename T, typename U, ESPMode Mode>
+template<typename T, typename U, ESPMode Mode>
 bool operator==(const TSharedPtr<T, Mode>& A, const TSharedRef<U, Mode>& B)
 {
 	return A.Get() == &B.Get();
 }
 
-template <typename T, ESPMode Mode>
+template<typename T, ESPMode Mode>
 uint32 GetTypeHash(const TSharedPtr<T, Mode>& Pointer)
 {
 	return GetTypeHash(Pointer.Get());
 }
-template <typename T, ESPMode Mode>
+template<typename T, ESPMode Mode>
 uint32 GetTypeHash(const TSharedRef<T, Mode>& Reference)
 {
 	return GetTypeHash(&Reference.Get());
 }
 
 /** Gives an object that is owned by shared pointers a shared pointer to itself. */
-template <typename T, ESPMode Mode = ESPMode::ThreadSafe>
+template<typename T, ESPMode Mode = ESPMode::ThreadSafe>
 class TSharedFromThis : public std::enable_shared_from_this<T>
 {
 public:
@@ -228,48 +221,48 @@ public:
 	bool DoesSharedInstanceExist() const { return !this->weak_from_this().expired(); }
 
 protected:
-	template <typename U>
+	template<typename U>
 	static TSharedRef<U, Mode> SharedThis(U* ThisPointer)
 	{
 		return TSharedRef<U, Mode>(std::static_pointer_cast<U>(ThisPointer->shared_from_this()));
 	}
 };
 
-template <typename T, ESPMode Mode = ESPMode::ThreadSafe, typename... ArgumentTypes>
+template<typename T, ESPMode Mode = ESPMode::ThreadSafe, typename... ArgumentTypes>
 TSharedRef<T, Mode> MakeShared(ArgumentTypes&&... Arguments)
 {
 	return TSharedRef<T, Mode>(std::make_shared<T>(std::forward<ArgumentTypes>(Arguments)...));
 }
 
 /** Hands a new object over to its first TSharedPtr or TSharedRef. */
-template <typename T>
+template<typename T>
 Drydock::Private::TRawPtrProxy<T> MakeShareable(T* Pointer)
 {
 	return {std::shared_ptr<T>(Pointer)};
 }
 
-template <typename T, typename DeleterType>
+template<typename T, typename DeleterType>
 Drydock::Private::TRawPtrProxy<T> MakeShareable(T* Pointer, DeleterType&& Deleter)
 {
 	return {std::shared_ptr<T>(Pointer, std::forward<DeleterType>(Deleter))};
 }
 
-template <typename To, typename From, ESPMode Mode>
+template<typename To, typename From, ESPMode Mode>
 TSharedPtr<To, Mode> StaticCastSharedPtr(const TSharedPtr<From, Mode>& Pointer)
 {
 	return TSharedPtr<To, Mode>(std::static_pointer_cast<To>(Pointer.ToStdPtr()));
 }
-template <typename To, typename From, ESPMode Mode>
+template<typename To, typename From, ESPMode Mode>
 TSharedRef<To, Mode> StaticCastSharedRef(const TSharedRef<From, Mode>& Reference)
 {
 	return TSharedRef<To, Mode>(std::static_pointer_cast<To>(Reference.ToStdPtr()));
 }
-template <typename To, typename From, ESPMode Mode>
+template<typename To, typename From, ESPMode Mode>
 TSharedPtr<To, Mode> ConstCastSharedPtr(const TSharedPtr<From, Mode>& Pointer)
 {
 	return TSharedPtr<To, Mode>(std::const_pointer_cast<To>(Pointer.ToStdPtr()));
 }
-template <typename To, typename From, ESPMode Mode>
+template<typename To, typename From, ESPMode Mode>
 TSharedRef<To, Mode> ConstCastSharedRef(const TSharedRef<From, Mode>& Reference)
 {
 	return TSharedRef<To, Mode>(std::const_pointer_cast<To>(Reference.ToStdPtr()));

@@ -21,9 +21,8 @@ constexpr uint32 HashCombineFast(uint32 A, uint32 B)
 	return HashCombine(A, B);
 }
 
-template <typename T>
-	requires(std::is_integral_v<T> || std::is_enum_v<T>)
-constexpr uint32 GetTypeHash(T Value)
+template<typename T>
+requires(std::is_integral_v<T> || std::is_enum_v<T>) constexpr uint32 GetTypeHash(T Value)
 {
 	const uint64 Wide = static_cast<uint64>(Value);
 	return HashCombine(static_cast<uint32>(Wide >> 32), static_cast<uint32>(Wide));
@@ -40,7 +39,7 @@ inline uint32 GetTypeHash(float Value)
 	return GetTypeHash(static_cast<double>(Value));
 }
 
-template <typename T>
+template<typename T>
 uint32 GetTypeHash(T* Value)
 {
 	return GetTypeHash(reinterpret_cast<UPTRINT>(Value));

@@ -5,10 +5,10 @@
 
 #include <memory>
 
-template <typename T, typename Deleter = std::default_delete<T>>
+template<typename T, typename Deleter = std::default_delete<T>>
 class TUniquePtr
 {
-	template <typename U, typename OtherDeleter>
+	template<typename U, typename OtherDeleter>
 	friend class TUniquePtr;
 
 public:
@@ -20,9 +20,8 @@ public:
 		: Data(Pointer)
 	{
 	}
-	template <typename U, typename OtherDeleter>
-		requires std::is_convertible_v<U*, T*>
-	TUniquePtr(TUniquePtr<U, OtherDeleter>&& Other)
+	template<typename U, typename OtherDeleter>
+	requires std::is_convertible_v<U*, T*> TUniquePtr(TUniquePtr<U, OtherDeleter>&& Other)
 		: Data(std::move(Other.Data))
 	{
 	}
@@ -42,11 +41,7 @@ public:
 		checkSlow(IsValid());
 		return *Data.get();
 	}
-	ElementType& operator[](SIZE_T Index) const
-		requires std::is_array_v<T>
-	{
-		return Data[Index];
-	}
+	ElementType& operator[](SIZE_T Index) const requires std::is_array_v<T> { return Data[Index]; }
 
 	friend bool operator==(const TUniquePtr& A, const TUniquePtr& B) { return A.Data == B.Data; }
 	friend bool operator==(const TUniquePtr& A, std::nullptr_t) { return !A.IsValid(); }
@@ -55,17 +50,15 @@ private:
 	std::unique_ptr<T, Deleter> Data;
 };
 
-template <typename T, typename... ArgumentTypes>
-	requires(!std::is_array_v<T>)
-TUniquePtr<T> MakeUnique(ArgumentTypes&&... Arguments)
+template<typename T, typename... ArgumentTypes>
+requires(!std::is_array_v<T>) TUniquePtr<T> MakeUnique(ArgumentTypes&&... Arguments)
 {
 	return TUniquePtr<T>(new T(std::forward<ArgumentTypes>(Arguments)...));
 }
 
 /** A zeroed array. */
-template <typename T>
-	requires std::is_unbounded_array_v<T>
-TUniquePtr<T> MakeUnique(SIZE_T Count)
+template<typename T>
+requires std::is_unbounded_array_v<T> TUniquePtr<T> MakeUnique(SIZE_T Count)
 {
 	return TUniquePtr<T>(new std::remove_extent_t<T>[Count]());
 }

@@ -8,7 +8,7 @@
 #include <utility>
 
 /** std::move that refuses const objects and temporaries, where it would silently copy or do nothing. */
-template <typename T>
+template<typename T>
 constexpr std::remove_reference_t<T>&& MoveTemp(T&& Object) noexcept
 {
 	static_assert(std::is_lvalue_reference_v<T>, "MoveTemp called on a temporary");
@@ -17,38 +17,38 @@ constexpr std::remove_reference_t<T>&& MoveTemp(T&& Object) noexcept
 }
 
 /** MoveTemp for generic code: takes anything. */
-template <typename T>
+template<typename T>
 constexpr std::remove_reference_t<T>&& MoveTempIfPossible(T&& Object) noexcept
 {
 	return static_cast<std::remove_reference_t<T>&&>(Object);
 }
 
-template <typename T>
+template<typename T>
 constexpr T&& Forward(std::remove_reference_t<T>& Object) noexcept
 {
 	return static_cast<T&&>(Object);
 }
 
-template <typename T>
+template<typename T>
 constexpr T&& Forward(std::remove_reference_t<T>&& Object) noexcept
 {
 	return static_cast<T&&>(Object);
 }
 
 /** A prvalue copy of Object. */
-template <typename T>
+template<typename T>
 constexpr T CopyTemp(const T& Object)
 {
 	return Object;
 }
 
-template <typename T>
+template<typename T>
 constexpr void Swap(T& A, T& B)
 {
 	std::swap(A, B);
 }
 
-template <typename T, typename U = T>
+template<typename T, typename U = T>
 constexpr T Exchange(T& Object, U&& NewValue)
 {
 	return std::exchange(Object, std::forward<U>(NewValue));
@@ -65,7 +65,7 @@ protected:
 };
 
 /** Sets Value for the length of a scope and puts the old value back. */
-template <typename T>
+template<typename T>
 class TGuardValue : private FNoncopyable
 {
 public:
@@ -84,29 +84,29 @@ private:
 	T OriginalValue;
 };
 
-template <typename T, typename... Arguments>
+template<typename T, typename... Arguments>
 struct TIsSame
 {
 	static constexpr bool Value = (std::is_same_v<T, Arguments> && ...);
 };
 
-template <typename Derived, typename Base>
+template<typename Derived, typename Base>
 struct TIsDerivedFrom
 {
 	static constexpr bool Value = std::is_base_of_v<Base, Derived>;
 	static constexpr bool IsDerived = Value;
 };
 
-template <bool bCondition, typename T = void>
+template<bool bCondition, typename T = void>
 using TEnableIf = std::enable_if<bCondition, T>;
 
-template <typename T>
+template<typename T>
 struct TRemoveReference
 {
 	using Type = std::remove_reference_t<T>;
 };
 
-template <typename Enum>
+template<typename Enum>
 constexpr std::underlying_type_t<Enum> ToUnderlying(Enum Value)
 {
 	return static_cast<std::underlying_type_t<Enum>>(Value);
@@ -116,7 +116,7 @@ namespace Drydock
 {
 
 /** Runs a function when the scope is left. */
-template <typename FunctionType>
+template<typename FunctionType>
 class TScopeExit : private FNoncopyable
 {
 public:
@@ -132,7 +132,7 @@ private:
 
 struct FScopeExitSyntax
 {
-	template <typename FunctionType>
+	template<typename FunctionType>
 	TScopeExit<FunctionType> operator+(FunctionType&& Function) const
 	{
 		return TScopeExit<FunctionType>(std::forward<FunctionType>(Function));

@@ -1,6 +1,6 @@
-// UObject, as much as code outside the engine needs to compile and to be watched: objects are plain C++ objects that the
-// caller owns. Source: engine UObject/Object.h, UObject/UObjectGlobals.h, Templates/Casts.h, UObject/WeakObjectPtr.h,
-// UObject/ObjectPtr.h, UObject/StrongObjectPtr.h.
+// UObject, as much as code outside the engine needs to compile and to be watched: objects are plain C++ objects that
+// the caller owns. Source: engine UObject/Object.h, UObject/UObjectGlobals.h, Templates/Casts.h,
+// UObject/WeakObjectPtr.h, UObject/ObjectPtr.h, UObject/StrongObjectPtr.h.
 #pragma once
 
 #include "Misc/AssertionMacros.h"
@@ -13,7 +13,8 @@ class UWorld;
 class DRYDOCK_API UObject : public UObjectBase
 {
 public:
-	// The header tool writes Super into every class. Inherited, it names the direct base of a class derived from this one.
+	// The header tool writes Super into every class. Inherited, it names the direct base of a class derived from this
+	// one.
 	using Super = UObject;
 
 	virtual UWorld* GetWorld() const { return nullptr; }
@@ -34,13 +35,13 @@ inline bool IsValid(const UObjectBase* Object)
 }
 
 /** Null if Object is null or of another type. */
-template <typename To, typename From>
+template<typename To, typename From>
 To* Cast(From* Object)
 {
 	return dynamic_cast<To*>(Object);
 }
 
-template <typename To, typename From>
+template<typename To, typename From>
 To* CastChecked(From* Object)
 {
 	To* Result = Cast<To>(Object);
@@ -49,7 +50,7 @@ To* CastChecked(From* Object)
 }
 
 /** A new object, which the caller owns: nothing collects it. */
-template <typename T>
+template<typename T>
 T* NewObject(UObject* = nullptr, FName Name = NAME_None)
 {
 	T* Object = new T();
@@ -58,20 +59,20 @@ T* NewObject(UObject* = nullptr, FName Name = NAME_None)
 }
 
 /** The object that holds a class's default values. */
-template <typename T>
+template<typename T>
 T* GetMutableDefault()
 {
 	static T Default;
 	return &Default;
 }
-template <typename T>
+template<typename T>
 const T* GetDefault()
 {
 	return GetMutableDefault<T>();
 }
 
 /** A member pointer to an object: a plain pointer. */
-template <typename T>
+template<typename T>
 class TObjectPtr
 {
 public:
@@ -81,9 +82,8 @@ public:
 		: Object(InObject)
 	{
 	}
-	template <typename U>
-		requires std::is_convertible_v<U*, T*>
-	TObjectPtr(const TObjectPtr<U>& Other)
+	template<typename U>
+	requires std::is_convertible_v<U*, T*> TObjectPtr(const TObjectPtr<U>& Other)
 		: Object(Other.Get())
 	{
 	}
@@ -98,7 +98,7 @@ private:
 };
 
 /** Null once its object is destroyed. */
-template <typename T = UObject>
+template<typename T = UObject>
 class TWeakObjectPtr
 {
 public:
@@ -124,7 +124,7 @@ private:
 };
 
 /** In the engine it keeps the object from being collected; nothing is collected here. */
-template <typename T>
+template<typename T>
 class TStrongObjectPtr : public TObjectPtr<T>
 {
 public:
@@ -135,7 +135,7 @@ public:
 };
 
 /** In the engine it names an asset that may not be loaded; here it is what was put into it. */
-template <typename T = UObject>
+template<typename T = UObject>
 class TSoftObjectPtr : public TObjectPtr<T>
 {
 public:

@@ -46,7 +46,8 @@ TEST(Assertions, FailedCheckNamesExpressionFileAndLine)
 {
 	const int Line = __LINE__ + 1;
 	const std::string Text = GetFailure([] { check(2 < 1); });
-	EXPECT_EQ(std::string("Assertion failed: 2 < 1 [File:") + __FILE__ + "] [Line: " + std::to_string(Line) + "]", Text);
+	EXPECT_EQ(
+		std::string("Assertion failed: 2 < 1 [File:") + __FILE__ + "] [Line: " + std::to_string(Line) + "]", Text);
 }
 
 TEST(Assertions, CheckfFormatsItsMessage)

@@ -123,7 +123,8 @@ TEST_F(ConsoleManager, PrioritiesRiseAsInTheEngine)
 TEST_F(ConsoleManager, CallbackRunsAfterTheSet)
 {
 	int32 Seen = 0;
-	CVarInt->SetOnChangedCallback(FConsoleVariableDelegate::CreateLambda([&Seen](IConsoleVariable* Variable) { Seen = Variable->GetInt(); }));
+	CVarInt->SetOnChangedCallback(
+		FConsoleVariableDelegate::CreateLambda([&Seen](IConsoleVariable* Variable) { Seen = Variable->GetInt(); }));
 	CVarInt->Set(8);
 	EXPECT_EQ(8, Seen);
 	Drydock::ResetConsoleVariables();
@@ -153,7 +154,8 @@ TEST_F(ConsoleManager, ReferenceWritesThroughAndReadsBack)
 
 TEST_F(ConsoleManager, TypedDataIsFoundByItsTypeOnly)
 {
-	EXPECT_EQ(0.5f, IConsoleManager::Get().FindTConsoleVariableDataFloat(TEXT("r.CoreTest.Float"))->GetValueOnRenderThread());
+	EXPECT_EQ(
+		0.5f, IConsoleManager::Get().FindTConsoleVariableDataFloat(TEXT("r.CoreTest.Float"))->GetValueOnRenderThread());
 	EXPECT_EQ(nullptr, IConsoleManager::Get().FindTConsoleVariableDataInt(TEXT("r.CoreTest.Float")));
 }
 
@@ -248,7 +250,8 @@ TEST_F(ConsoleManager, CommandsReceiveTheirArguments)
 {
 	FString Received;
 	FAutoConsoleCommand Command(TEXT("CoreTest.Command"), TEXT("A command."),
-		FConsoleCommandWithArgsDelegate::CreateLambda([&Received](const TArray<FString>& Arguments) { Received = FString::Join(Arguments, "|"); }));
+		FConsoleCommandWithArgsDelegate::CreateLambda(
+			[&Received](const TArray<FString>& Arguments) { Received = FString::Join(Arguments, "|"); }));
 	EXPECT_TRUE(IConsoleManager::Get().ProcessUserConsoleInput(TEXT("coretest.command a  b")));
 	EXPECT_STREQ("a|b", *Received);
 	EXPECT_FALSE(IConsoleManager::Get().ProcessUserConsoleInput(TEXT("CoreTest.Nothing")));

@@ -225,27 +225,29 @@ TEST(Map, SortsByKeyAndStillFinds)
 
 TEST(Map, BehavesAsAStandardMap)
 {
-	const bool bOk = (rc::check)([](const std::vector<std::pair<int8_t, int>>& Steps) {
-		TMap<int32, int32> Map;
-		std::map<int32, int32> Model;
-		for (const auto& [Key, Value] : Steps)
+	const bool bOk = (rc::check)(
+		[](const std::vector<std::pair<int8_t, int>>& Steps)
 		{
-			if (Value % 3 == 0)
+			TMap<int32, int32> Map;
+			std::map<int32, int32> Model;
+			for (const auto& [Key, Value] : Steps)
 			{
-				RC_ASSERT(Map.Remove(Key) == static_cast<int32>(Model.erase(Key)));
+				if (Value % 3 == 0)
+				{
+					RC_ASSERT(Map.Remove(Key) == static_cast<int32>(Model.erase(Key)));
+				}
+				else
+				{
+					Map.Add(Key, Value);
+					Model[Key] = Value;
+				}
 			}
-			else
+			RC_ASSERT(Map.Num() == static_cast<int32>(Model.size()));
+			for (const auto& [Key, Value] : Model)
 			{
-				Map.Add(Key, Value);
-				Model[Key] = Value;
+				RC_ASSERT(Map.FindChecked(Key) == Value);
 			}
-		}
-		RC_ASSERT(Map.Num() == static_cast<int32>(Model.size()));
-		for (const auto& [Key, Value] : Model)
-		{
-			RC_ASSERT(Map.FindChecked(Key) == Value);
-		}
-	});
+		});
 	EXPECT_TRUE(bOk);
 }
 

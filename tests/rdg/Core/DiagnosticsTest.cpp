@@ -20,9 +20,8 @@ DEFINE_LOG_CATEGORY_STATIC(LogCoreTest, Log, All);
 struct FLogRecorder
 {
 	FLogRecorder()
-		: Old(Drydock::SetLogHandler([this](const TCHAR* Category, ELogVerbosity::Type, const std::string& Text) {
-			Lines.push_back(std::string(Category) + "|" + Text);
-		}))
+		: Old(Drydock::SetLogHandler([this](const TCHAR* Category, ELogVerbosity::Type, const std::string& Text)
+			  { Lines.push_back(std::string(Category) + "|" + Text); }))
 	{
 	}
 	~FLogRecorder() { Drydock::SetLogHandler(Old); }
@@ -49,20 +48,23 @@ struct FTestModule : IModuleInterface
 
 TEST(Diagnostics, TextHasPositionCodeAndPlace)
 {
-	const FDiagnostic Diagnostic{Drydock::ESeverity::Error, 1012, "unknown setting", "configs/a.json", 12, 7, "/volumes/0"};
+	const FDiagnostic Diagnostic{
+		Drydock::ESeverity::Error, 1012, "unknown setting", "configs/a.json", 12, 7, "/volumes/0"};
 	EXPECT_EQ("configs/a.json:12:7: error DD1012 at /volumes/0: unknown setting", Diagnostic.ToString());
 }
 
 TEST(Diagnostics, TextLeavesOutWhatIsUnknown)
 {
 	EXPECT_EQ("warning: odd", (FDiagnostic{Drydock::ESeverity::Warning, 0, "odd"}.ToString()));
-	EXPECT_EQ("a.exr: error DD5001: truncated", (FDiagnostic{Drydock::ESeverity::Error, 5001, "truncated", "a.exr"}.ToString()));
+	EXPECT_EQ("a.exr: error DD5001: truncated",
+		(FDiagnostic{Drydock::ESeverity::Error, 5001, "truncated", "a.exr"}.ToString()));
 	EXPECT_EQ("a.usf:3: note: here", (FDiagnostic{Drydock::ESeverity::Note, 0, "here", "a.usf", 3}.ToString()));
 }
 
 TEST(Diagnostics, ErrorCarriesAllItsMessages)
 {
-	const Drydock::FError Error({{Drydock::ESeverity::Error, 1, "a"}, {Drydock::ESeverity::Error, 2, "b"}}, Drydock::ExitUsage);
+	const Drydock::FError Error(
+		{{Drydock::ESeverity::Error, 1, "a"}, {Drydock::ESeverity::Error, 2, "b"}}, Drydock::ExitUsage);
 	EXPECT_STREQ("error DD1: a\nerror DD2: b", Error.what());
 	EXPECT_EQ(2, Error.GetExitCode());
 	EXPECT_EQ(2u, Error.GetDiagnostics().size());
@@ -70,7 +72,8 @@ TEST(Diagnostics, ErrorCarriesAllItsMessages)
 
 TEST(NearestName, TakesTheLeastEdits)
 {
-	EXPECT_EQ("BloomIntensity", FindNearestName("BloomIntensty", {"BloomThreshold", "BloomIntensity", "BloomToonIntensity"}));
+	EXPECT_EQ(
+		"BloomIntensity", FindNearestName("BloomIntensty", {"BloomThreshold", "BloomIntensity", "BloomToonIntensity"}));
 }
 
 TEST(NearestName, IgnoresCaseAndCountsExchangesAsOne)
@@ -148,7 +151,8 @@ TEST(Modules, StartOnceAndHearTheEngineOnce)
 {
 	FTestModule::Trace.clear();
 	{
-		const Drydock::FModuleRegistration Registration("CoreTestModule", []() -> IModuleInterface* { return new FTestModule; });
+		const Drydock::FModuleRegistration Registration(
+			"CoreTestModule", []() -> IModuleInterface* { return new FTestModule; });
 		EXPECT_FALSE(FModuleManager::Get().IsModuleLoaded("CoreTestModule"));
 		FModuleManager::Get().StartupPendingModules();
 		FModuleManager::Get().StartupPendingModules();

@@ -37,13 +37,15 @@ TEST(IntPoint, RoundsUpAndDown)
 
 TEST(IntPoint, RoundingUpIsTheSmallestMultipleThatCovers)
 {
-	const bool bOk = (rc::check)([] {
-		const int32 Value = *rc::gen::inRange(0, 100000);
-		const int32 Divisor = *rc::gen::inRange(1, 1000);
-		const int32 Count = FMath::DivideAndRoundUp(Value, Divisor);
-		RC_ASSERT(Count * Divisor >= Value);
-		RC_ASSERT((Count - 1) * Divisor < Value);
-	});
+	const bool bOk = (rc::check)(
+		[]
+		{
+			const int32 Value = *rc::gen::inRange(0, 100000);
+			const int32 Divisor = *rc::gen::inRange(1, 1000);
+			const int32 Count = FMath::DivideAndRoundUp(Value, Divisor);
+			RC_ASSERT(Count * Divisor >= Value);
+			RC_ASSERT((Count - 1) * Divisor < Value);
+		});
 	EXPECT_TRUE(bOk);
 }
 
@@ -191,7 +193,8 @@ TEST(Color, OutOfRangeIsClampedAndNanIsZero)
 TEST(Color, HsvRoundTrips)
 {
 	EXPECT_EQ(FLinearColor(120, 1, 1), FLinearColor::Green.LinearRGBToHSV());
-	EXPECT_TRUE(FLinearColor(0.2f, 0.7f, 0.4f).Equals(FLinearColor(0.2f, 0.7f, 0.4f).LinearRGBToHSV().HSVToLinearRGB(), 1e-6f));
+	EXPECT_TRUE(
+		FLinearColor(0.2f, 0.7f, 0.4f).Equals(FLinearColor(0.2f, 0.7f, 0.4f).LinearRGBToHSV().HSVToLinearRGB(), 1e-6f));
 }
 
 TEST(Color, ReadsItsText)
@@ -228,7 +231,8 @@ TEST(Matrix, ProductIsRowsTimesColumns)
 
 TEST(Matrix, InverseUndoes)
 {
-	const FMatrix Matrix = FRotationMatrix(FRotator(20, 30, 40)) * FScaleMatrix(FVector(1, 2, 3)) * FTranslationMatrix(FVector(4, 5, 6));
+	const FMatrix Matrix =
+		FRotationMatrix(FRotator(20, 30, 40)) * FScaleMatrix(FVector(1, 2, 3)) * FTranslationMatrix(FVector(4, 5, 6));
 	EXPECT_TRUE((Matrix * Matrix.Inverse()).Equals(FMatrix::Identity, Tolerance));
 	EXPECT_NEAR(6.0, Matrix.Determinant(), Tolerance);
 	EXPECT_EQ(FMatrix::Identity, FMatrix().Inverse());

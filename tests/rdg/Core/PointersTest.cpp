@@ -30,10 +30,9 @@ struct FDerived : FBase, TSharedFromThis<FDerived>
 	int32 Get() const { return Value; }
 };
 
-DECLARE_DELEGATE_RetVal_OneParam(int32, FTestDelegate, int32)
-DECLARE_MULTICAST_DELEGATE_OneParam(FTestEvent, int32)
+DECLARE_DELEGATE_RetVal_OneParam(int32, FTestDelegate, int32) DECLARE_MULTICAST_DELEGATE_OneParam(FTestEvent, int32)
 
-int32 Twice(int32 Value)
+	int32 Twice(int32 Value)
 {
 	return 2 * Value;
 }
@@ -131,7 +130,10 @@ TEST(Optional, UnsetValueFails)
 
 TEST(Function, CopiesShareNothing)
 {
-	TFunction<int32()> A = [Count = 0]() mutable { return ++Count; };
+	TFunction<int32()> A = [Count = 0]() mutable
+	{
+		return ++Count;
+	};
 	TFunction<int32()> B = A;
 	EXPECT_EQ(1, A());
 	EXPECT_EQ(1, B());
@@ -140,14 +142,20 @@ TEST(Function, CopiesShareNothing)
 
 TEST(Function, UniqueFunctionHoldsMoveOnly)
 {
-	TUniqueFunction<int32()> Function = [Value = MakeUnique<int32>(4)] { return *Value; };
+	TUniqueFunction<int32()> Function = [Value = MakeUnique<int32>(4)]
+	{
+		return *Value;
+	};
 	EXPECT_EQ(4, Function());
 }
 
 TEST(Function, ReferenceCallsTheOriginal)
 {
 	int32 Count = 0;
-	const auto Call = [](TFunctionRef<void(int32)> Function) { Function(3); };
+	const auto Call = [](TFunctionRef<void(int32)> Function)
+	{
+		Function(3);
+	};
 	Call([&Count](int32 Value) { Count += Value; });
 	EXPECT_EQ(3, Count);
 	EXPECT_EQ(8, TFunctionRef<int32(int32)>(Twice)(4));
@@ -206,10 +214,12 @@ TEST(Delegate, PassesReferencesAndMoveOnlyArguments)
 TEST(Delegate, MayUnbindItselfWhileItRuns)
 {
 	FTestDelegate Delegate;
-	Delegate.BindLambda([&Delegate, Text = FString("kept")](int32) {
-		Delegate.Unbind();
-		return Text.Len();
-	});
+	Delegate.BindLambda(
+		[&Delegate, Text = FString("kept")](int32)
+		{
+			Delegate.Unbind();
+			return Text.Len();
+		});
 	EXPECT_EQ(4, Delegate.Execute(0));
 	EXPECT_FALSE(Delegate.IsBound());
 }

@@ -14,10 +14,9 @@
 
 /** True if the engine is older than Major.Minor.Patch. */
 #define UE_VERSION_OLDER_THAN(Major, Minor, Patch) \
-	(ENGINE_MAJOR_VERSION < (Major) \
-		|| (ENGINE_MAJOR_VERSION == (Major) \
-			&& (ENGINE_MINOR_VERSION < (Minor) \
-				|| (ENGINE_MINOR_VERSION == (Minor) && ENGINE_PATCH_VERSION < (Patch)))))
+	(ENGINE_MAJOR_VERSION < (Major) || \
+		(ENGINE_MAJOR_VERSION == (Major) && \
+			(ENGINE_MINOR_VERSION < (Minor) || (ENGINE_MINOR_VERSION == (Minor) && ENGINE_PATCH_VERSION < (Patch)))))
 
 /** True if the engine is Major.Minor.Patch or newer. */
 #define UE_VERSION_NEWER_THAN_OR_EQUAL(Major, Minor, Patch) (!UE_VERSION_OLDER_THAN(Major, Minor, Patch))
