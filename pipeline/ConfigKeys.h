@@ -46,7 +46,7 @@ struct FConfigKey
 DRYDOCK_API const std::vector<FConfigKey>& GetConfigKeys();
 
 /** Null when that kind of object has no such key. */
-const FConfigKey* FindConfigKey(const std::string& Object, const std::string& Name);
+DRYDOCK_API const FConfigKey* FindConfigKey(const std::string& Object, const std::string& Name);
 
 /** Splits "a|b|c". */
 std::vector<std::string> SplitAlternatives(const std::string& Text);

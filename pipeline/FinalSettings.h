@@ -10,9 +10,9 @@ namespace Drydock
 {
 
 /** Console variables must be set already. */
-FChainSettings MakeChainSettings(const FConfig& Config);
+DRYDOCK_API FChainSettings MakeChainSettings(const FConfig& Config);
 
 /** Names of all settings that something in the config gives, active or not. */
-std::vector<std::string> GetNamedSettings(const FConfig& Config);
+DRYDOCK_API std::vector<std::string> GetNamedSettings(const FConfig& Config);
 
 } // namespace Drydock

@@ -1,0 +1,47 @@
+// Source: drydock; escape sequences: ECMA-48.
+#include "ProgressBar.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <unistd.h>
+
+namespace Drydock
+{
+
+FProgressBar::FProgressBar()
+	: bTerminal(isatty(STDERR_FILENO) != 0)
+{
+}
+
+void FProgressBar::Show(int Done, int Total, const std::string& What)
+{
+	constexpr int Width = 24;
+	if (!bTerminal || Total <= 0)
+	{
+		return;
+	}
+	const int Filled = std::clamp(Done * Width / Total, 0, Width);
+	const std::string Bar = std::string(static_cast<size_t>(Filled), '#') + std::string(static_cast<size_t>(Width - Filled), '.');
+	std::fprintf(stderr, "\r\x1b[2K[%s] %d/%d %.48s", Bar.c_str(), Done, Total, What.c_str());
+	std::fflush(stderr);
+	bShown = true;
+}
+
+void FProgressBar::Clear()
+{
+	if (bShown)
+	{
+		std::fputs("\r\x1b[2K", stderr);
+		std::fflush(stderr);
+		bShown = false;
+	}
+}
+
+bool IsColorful(int FileDescriptor)
+{
+	const char* NoColor = std::getenv("NO_COLOR");
+	return isatty(FileDescriptor) != 0 && (NoColor == nullptr || NoColor[0] == '\0');
+}
+
+} // namespace Drydock

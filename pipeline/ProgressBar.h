@@ -1,0 +1,28 @@
+// A bar on stderr while passes run; nothing when stderr is no terminal. Source: drydock.
+#pragma once
+
+#include <string>
+
+namespace Drydock
+{
+
+class FProgressBar
+{
+public:
+	FProgressBar();
+	~FProgressBar() { Clear(); }
+	FProgressBar(const FProgressBar&) = delete;
+	FProgressBar& operator=(const FProgressBar&) = delete;
+
+	void Show(int Done, int Total, const std::string& What);
+	void Clear();
+
+private:
+	bool bTerminal;
+	bool bShown = false;
+};
+
+/** Whether text on that file descriptor may be coloured: a terminal, and NO_COLOR is not set. */
+bool IsColorful(int FileDescriptor);
+
+} // namespace Drydock

@@ -1,0 +1,50 @@
+// The program's verbs: one function each, from options to exit code, in a file of its own (VerbRun.cpp, ...). stdout is the
+// result, stderr the log. They throw FError; Main prints it and exits with its code. Source: drydock.
+#pragma once
+
+#include "Run.h"
+
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+/** Arguments that several verbs have. */
+struct FVerbOptions
+{
+	FRunOptions Run;
+	std::string OutputFolder; // empty: GetDefaultOutputFolder
+	std::string Format = "text";
+	bool bJson = false;
+	bool bWatch = false;
+};
+
+/** Runs the frame and writes its outputs; with bWatch again and again, until interrupted. */
+DRYDOCK_API int RunVerb(const FVerbOptions& Options);
+
+/** Reads and validates everything, runs nothing. */
+DRYDOCK_API int CheckVerb(const FVerbOptions& Options);
+
+/** Prints the compiled graph: text, dot, svg (needs Graphviz's dot) or json. */
+DRYDOCK_API int GraphVerb(const FVerbOptions& Options);
+
+/** Things: passes, settings, cvars, effects, extensions, hooks. Filter: only names that contain it. */
+DRYDOCK_API int ListVerb(const std::string& Things, const std::string& Filter, bool bJson);
+
+/** Compiles the shaders of configs into the cache (in Folder, or the usual place when that is empty). */
+DRYDOCK_API int WarmVerb(const std::vector<std::string>& Configs, const std::string& Folder);
+
+/** Prints diagnostics to stderr, one a line, coloured on a terminal (unless NO_COLOR is set). */
+DRYDOCK_API void PrintDiagnostics(const std::vector<FDiagnostic>& Diagnostics);
+
+/** One line for each effect that was configured and does not run, and why. */
+DRYDOCK_API std::vector<std::string> MakeClosingLines(const std::vector<FEffectDecision>& Effects);
+
+/** What a person wants to know of a run: passes with times, memory, where the picture is. */
+DRYDOCK_API std::string MakeRunSummary(const FRunResult& Result, const std::string& Folder, double SaveMs);
+
+/** The program's version. */
+DRYDOCK_API const char* GetVersion();
+
+} // namespace Drydock

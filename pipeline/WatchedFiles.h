@@ -1,0 +1,27 @@
+// Files whose change makes `run --watch` run again. Source: drydock.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+namespace Drydock
+{
+
+/** Times of last change, taken when a file is added. Equal when no file appeared, went away or changed. */
+class FWatchedFiles
+{
+public:
+	/** A file that does not exist is watched for appearing. */
+	void AddFile(const std::string& Path);
+
+	/** Every .usf and .ush under the mapped shader folders. */
+	void AddShaders();
+
+	bool operator==(const FWatchedFiles&) const = default;
+
+private:
+	std::map<std::string, int64_t> Times;
+};
+
+} // namespace Drydock

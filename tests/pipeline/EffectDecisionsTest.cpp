@@ -1,0 +1,162 @@
+// Which effects run, and why not. Conditions: the engine's.
+#include <gtest/gtest.h>
+
+#include "FinalSettings.h"
+#include "HAL/ConsoleVariableTools.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace Drydock;
+
+namespace
+{
+
+FChainSettings Chain(const std::string& ConfigText)
+{
+	std::vector<FDiagnostic> Diagnostics;
+	const FConfig Config = ReadConfig(ConfigText, "a.json", Diagnostics);
+	EXPECT_FALSE(HasErrors(Diagnostics));
+	return MakeChainSettings(Config);
+}
+
+FEffectDecision Decision(const std::string& ConfigText, const std::string& Name)
+{
+	for (const FEffectDecision& Effect : DecideEffects(Chain(ConfigText)))
+	{
+		if (Effect.Name == Name)
+		{
+			return Effect;
+		}
+	}
+	ADD_FAILURE() << Name;
+	return {};
+}
+
+std::string Unbound(const std::string& Settings, const std::string& More = "")
+{
+	return R"({"volumes": [{"bUnbound": true, )" + More + R"("Settings": {)" + Settings + "}}]}";
+}
+
+} // namespace
+
+TEST(EffectDecisions, OnePerNameInOrder)
+{
+	const std::vector<FEffectDecision> Decisions = DecideEffects(Chain("{}"));
+	ASSERT_EQ(GetEffectNames().size(), Decisions.size());
+	for (size_t Index = 0; Index < Decisions.size(); ++Index)
+	{
+		EXPECT_EQ(GetEffectNames()[Index], Decisions[Index].Name);
+		EXPECT_FALSE(Decisions[Index].Reason.empty());
+	}
+}
+
+TEST(EffectDecisions, DefaultsHaveBloomWithoutSetup)
+{
+	const FEffectDecision Bloom = Decision("{}", "Bloom");
+	EXPECT_TRUE(Bloom.bActive);
+	EXPECT_EQ("BloomIntensity is 0.675, BloomThreshold -1: the setup pass is not needed", Bloom.Reason);
+}
+
+TEST(EffectDecisions, ZeroIntensityHasNoBloom)
+{
+	const FEffectDecision Bloom = Decision(Unbound(R"("BloomIntensity": 0)"), "Bloom");
+	EXPECT_FALSE(Bloom.bActive);
+	EXPECT_FALSE(Bloom.bConfigured);
+	EXPECT_EQ("BloomIntensity is 0", Bloom.Reason);
+}
+
+TEST(EffectDecisions, NegativeIntensityHasNoBloom)
+{
+	EXPECT_FALSE(Decision(Unbound(R"("BloomIntensity": -1)"), "Bloom").bActive);
+}
+
+TEST(EffectDecisions, BloomThatAFlagSwitchesOffSaysWhich)
+{
+	const FEffectDecision Bloom = Decision(R"({"showFlags": {"Bloom": false}, "camera": {"Settings": {"BloomIntensity": 2}}})", "Bloom");
+	EXPECT_EQ("BloomIntensity is 0: ShowFlag.Bloom is off", Bloom.Reason);
+	EXPECT_TRUE(Bloom.bConfigured);
+}
+
+TEST(EffectDecisions, PostProcessingOffHasNoBloom)
+{
+	EXPECT_EQ("ShowFlag.PostProcessing is off", Decision(R"({"showFlags": {"PostProcessing": false}})", "Bloom").Reason);
+}
+
+TEST(EffectDecisions, ToonBloomIsConfiguredWhenItsSettingIsNamed)
+{
+	EXPECT_FALSE(Decision("{}", "ToonBloom").bConfigured);
+	const FEffectDecision ToonBloom = Decision(Unbound(R"("BloomToonIntensity": 0.1)"), "ToonBloom");
+	EXPECT_TRUE(ToonBloom.bConfigured);
+	EXPECT_FALSE(ToonBloom.bActive);
+	EXPECT_EQ("not built yet: BloomToonIntensity 0.1 is read and does nothing", ToonBloom.Reason);
+}
+
+TEST(EffectDecisions, AntiAliasingFollowsItsVariable)
+{
+	EXPECT_EQ("r.AntiAliasingMethod is 0", Decision("{}", "FXAA").Reason);
+	const FScopedConsoleVariable Method(TEXT("r.AntiAliasingMethod"), 4);
+	EXPECT_EQ("r.AntiAliasingMethod is 4, which is not simulated", Decision("{}", "FXAA").Reason);
+	EXPECT_TRUE(Decision("{}", "FXAA").bConfigured);
+}
+
+TEST(EffectDecisions, TonemapAlwaysRuns)
+{
+	EXPECT_TRUE(Decision(R"({"showFlags": {"PostProcessing": false}})", "Tonemap").bActive);
+}
+
+TEST(FinalSettings, HigherPriorityIsAppliedLastWhateverTheOrderOfTheFile)
+{
+	const FChainSettings Result = Chain(R"({"volumes": [
+		{"bUnbound": true, "Priority": 2, "Settings": {"BloomIntensity": 2}},
+		{"bUnbound": true, "Priority": 1, "Settings": {"BloomIntensity": 1}}]})");
+	EXPECT_EQ(2.0f, Result.Settings.BloomIntensity);
+}
+
+TEST(FinalSettings, WeightsLerpInSequence)
+{
+	const FChainSettings Result = Chain(R"({"volumes": [
+		{"bUnbound": true, "Priority": 1, "Settings": {"BloomSizeScale": 8}},
+		{"bUnbound": true, "Priority": 2, "BlendWeight": 0.25, "Settings": {"BloomSizeScale": 16}}]})");
+	EXPECT_EQ(8.0f + 0.25f * 8.0f, Result.Settings.BloomSizeScale);
+}
+
+TEST(FinalSettings, DisabledAndBoundedVolumesDoNothing)
+{
+	const FChainSettings Result = Chain(R"({"volumes": [
+		{"bUnbound": true, "bEnabled": false, "Settings": {"BloomIntensity": 2}},
+		{"bounds": {"type": "sphere", "center": [0, 0, 0], "radius": 1e6}, "Priority": 1, "Settings": {"BloomIntensity": 3}}]})");
+	EXPECT_EQ(0.675f, Result.Settings.BloomIntensity);
+}
+
+TEST(FinalSettings, CameraComesAfterVolumesWithItsWeight)
+{
+	const FChainSettings Result = Chain(R"({"volumes": [{"bUnbound": true, "Settings": {"BloomSizeScale": 8}}],
+		"camera": {"PostProcessBlendWeight": 0.5, "Settings": {"BloomSizeScale": 2}}})");
+	EXPECT_EQ(5.0f, Result.Settings.BloomSizeScale);
+}
+
+TEST(FinalSettings, ExposureScaleIsOneAtDefaults)
+{
+	EXPECT_EQ(1.0f, Chain("{}").ExposureScale);
+}
+
+TEST(FinalSettings, OneMoreBiasDoublesTheExposure)
+{
+	EXPECT_EQ(2.0f, Chain(Unbound(R"("AutoExposureBias": 2)")).ExposureScale);
+	EXPECT_EQ(0.75f, Chain(R"({"view": {"exposure": 3}, "camera": {"Settings": {"AutoExposureBias": -1}}})").ExposureScale);
+}
+
+TEST(FinalSettings, ExposureIsOneWithoutEyeAdaptation)
+{
+	EXPECT_EQ(1.0f, Chain(R"({"view": {"exposure": 3}, "showFlags": {"EyeAdaptation": false}})").ExposureScale);
+}
+
+TEST(FinalSettings, NamedSettingsAreThoseOfAllSourcesOnce)
+{
+	std::vector<FDiagnostic> Diagnostics;
+	FConfig Config = ReadConfig(R"({"volumes": [{"bUnbound": true, "Settings": {"FilmToe": 0.5, "BloomIntensity": 1}}],
+		"camera": {"Settings": {"BloomIntensity": 2}}})", "a.json", Diagnostics);
+	AddSettingArgument(Config, "FilmSlope=0.9", Diagnostics);
+	EXPECT_EQ((std::vector<std::string>{"BloomIntensity", "FilmSlope", "FilmToe"}), GetNamedSettings(Config));
+}
