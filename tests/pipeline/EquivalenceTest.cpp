@@ -37,7 +37,7 @@ const std::vector<FEquivalence> GEquivalences = {
 	{"ClobberedInf", {"r.RDG.ClobberResources=3"}},
 };
 
-FRunResult Run(const std::string& ConfigFile, const std::vector<std::string>& Variables)
+FRunResult RunWith(const std::string& ConfigFile, const std::vector<std::string>& Variables)
 {
 	FRunOptions Options;
 	Options.ConfigFile = ConfigFile;
@@ -50,7 +50,7 @@ const FRunResult& GetPlainRun(const std::string& ConfigFile)
 {
 	static std::map<std::string, FRunResult> Runs;
 	const auto Found = Runs.find(ConfigFile);
-	return Found != Runs.end() ? Found->second : Runs.emplace(ConfigFile, Run(ConfigFile, {})).first->second;
+	return Found != Runs.end() ? Found->second : Runs.emplace(ConfigFile, RunWith(ConfigFile, {})).first->second;
 }
 
 /** The first differing pixel, or that there is none. Bits are compared, so NaN equals itself and -0 is not 0. */
@@ -106,7 +106,7 @@ TEST_P(Equivalence, GivesTheSameBits)
 {
 	const auto& [ConfigFile, Mode] = GetParam();
 	const FRunResult& Expected = GetPlainRun(ConfigFile);
-	const FRunResult Actual = Run(ConfigFile, Mode.Variables);
+	const FRunResult Actual = RunWith(ConfigFile, Mode.Variables);
 	ASSERT_FALSE(Expected.Final.Values.empty());
 	EXPECT_TRUE(AreSameBits(Expected.SceneLinear, Actual.SceneLinear)) << "scene_linear";
 	EXPECT_TRUE(AreSameBits(Expected.Final, Actual.Final)) << "final";
@@ -125,7 +125,7 @@ TEST(EquivalenceHarness, NoticesASingleBit)
 TEST(EquivalenceHarness, RunsTwiceAlikeDownToTheReport)
 {
 	const std::string ConfigFile = FindShippedConfigs().at(0);
-	EXPECT_EQ(GetPlainRun(ConfigFile).RunJson, Run(ConfigFile, {}).RunJson);
+	EXPECT_EQ(GetPlainRun(ConfigFile).RunJson, RunWith(ConfigFile, {}).RunJson);
 }
 
 TEST(EquivalenceHarness, FindsTheShippedConfigs)

@@ -1,0 +1,191 @@
+// `drydock list`. Source: drydock.
+#include "GlobalShader.h"
+#include "HAL/ConsoleVariableTools.h"
+#include "JsonWriter.h"
+#include "PostProcess/EffectDecisions.h"
+#include "PostProcessSettingsReflection.h"
+#include "Verbs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <strings.h>
+
+namespace Drydock
+{
+
+namespace
+{
+
+/** Rows of equal length under a header; columns are as wide as their widest cell. */
+struct FTable
+{
+	std::vector<std::string> Header; // also the keys of the JSON objects
+	std::vector<std::vector<std::string>> Rows;
+	std::string Remark; // where there is nothing to list
+};
+
+bool ContainsIgnoringCase(const std::string& Text, const std::string& Part)
+{
+	const auto Same = [](char A, char B) { return std::tolower(static_cast<unsigned char>(A)) == std::tolower(static_cast<unsigned char>(B)); };
+	return std::search(Text.begin(), Text.end(), Part.begin(), Part.end(), Same) != Text.end();
+}
+
+std::string FormatRange(const FSettingField& Field)
+{
+	const FSettingRange& Range = Field.Range;
+	if (!std::isfinite(Range.ClampMin) && !std::isfinite(Range.ClampMax))
+	{
+		return "";
+	}
+	const FSettingField* Number = FindSettingField("BloomIntensity");
+	const auto Text = [&](double Bound) { return SettingToText(*Number, {ESettingType::Float, {Bound}}); };
+	return std::isfinite(Range.ClampMax) ? Text(Range.ClampMin) + " .. " + Text(Range.ClampMax) : ">= " + Text(Range.ClampMin);
+}
+
+FTable ListSettings()
+{
+	FTable Table{{"name", "type", "default", "range", "unit", "blend", "category", "doc"}, {}, ""};
+	for (const FSettingField& Field : GetSettingFields())
+	{
+		Table.Rows.push_back({Field.Name, ToString(Field.Type), SettingToText(Field, Field.Default), FormatRange(Field), Field.Unit,
+			ToString(Field.Blend), Field.Category, Field.Doc});
+	}
+	return Table;
+}
+
+FTable ListVariables()
+{
+	FTable Table{{"name", "type", "value", "default", "help"}, {}, ""};
+	for (const FConsoleVariableInfo& Info : ListConsoleVariables())
+	{
+		std::string Help = *Info.Help;
+		std::replace(Help.begin(), Help.end(), '\n', ' ');
+		Table.Rows.push_back({*Info.Name, *Info.Type, *Info.Value, *Info.Default, Help});
+	}
+	return Table;
+}
+
+FTable ListPasses()
+{
+	FTable Table{{"shader", "file", "entry", "stage"}, {}, ""};
+	ForEachGlobalShader([&](const FGlobalShaderType& Type)
+	{
+		Table.Rows.push_back({Type.GetName(), Type.GetShaderFilename(), Type.GetFunctionName(), Type.GetFrequency() == SF_Compute ? "compute" : "pixel"});
+	});
+	return Table;
+}
+
+FTable ListEffects()
+{
+	FTable Table{{"name", "state"}, {}, ""};
+	FChainSettings Chain;
+	for (const FEffectDecision& Effect : DecideEffects(Chain))
+	{
+		const bool bNotBuilt = Effect.Reason.rfind("not built yet", 0) == 0 || Effect.Name == "FXAA";
+		Table.Rows.push_back({Effect.Name, bNotBuilt ? "not built yet" : "built"});
+	}
+	return Table;
+}
+
+bool MakeTable(const std::string& Things, FTable& OutTable)
+{
+	if (Things == "settings")
+	{
+		OutTable = ListSettings();
+	}
+	else if (Things == "cvars")
+	{
+		OutTable = ListVariables();
+	}
+	else if (Things == "passes")
+	{
+		OutTable = ListPasses();
+	}
+	else if (Things == "effects")
+	{
+		OutTable = ListEffects();
+	}
+	else if (Things == "extensions" || Things == "hooks")
+	{
+		OutTable = {{"name"}, {}, "View " + std::string(Things == "hooks" ? "extension hooks" : "extensions") + " are not built yet: there are none to list."};
+	}
+	else
+	{
+		return false;
+	}
+	return true;
+}
+
+std::string FormatText(const FTable& Table)
+{
+	std::vector<size_t> Widths;
+	for (size_t Column = 0; Column < Table.Header.size(); ++Column)
+	{
+		size_t Width = Table.Header[Column].size();
+		for (const std::vector<std::string>& Row : Table.Rows)
+		{
+			Width = std::max(Width, Row[Column].size());
+		}
+		Widths.push_back(Width);
+	}
+	const auto FormatRow = [&](const std::vector<std::string>& Row)
+	{
+		std::string Line;
+		for (size_t Column = 0; Column < Row.size(); ++Column)
+		{
+			Line += Row[Column] + std::string(Column + 1 < Row.size() ? Widths[Column] - Row[Column].size() + 2 : 0, ' ');
+		}
+		return Line.substr(0, Line.find_last_not_of(' ') + 1) + "\n";
+	};
+	std::string Text = FormatRow(Table.Header);
+	for (const std::vector<std::string>& Row : Table.Rows)
+	{
+		Text += FormatRow(Row);
+	}
+	return Text;
+}
+
+std::string FormatJson(const FTable& Table)
+{
+	FJsonWriter Writer;
+	Writer.BeginArray();
+	for (const std::vector<std::string>& Row : Table.Rows)
+	{
+		Writer.BeginObject(true);
+		for (size_t Column = 0; Column < Row.size(); ++Column)
+		{
+			Writer.Member(Table.Header[Column], Row[Column]);
+		}
+		Writer.EndObject();
+	}
+	Writer.EndArray();
+	return Writer.GetText();
+}
+
+} // namespace
+
+int ListVerb(const std::string& Things, const std::string& Filter, bool bJson)
+{
+	FTable Table;
+	if (!MakeTable(Things, Table))
+	{
+		const std::string Nearest = FindNearestName(Things, {"passes", "settings", "cvars", "effects", "extensions", "hooks"});
+		std::fprintf(stderr, "drydock list: there is no list of \"%s\"%s\n", Things.c_str(),
+			(Nearest.empty() ? "; there are passes, settings, cvars, effects, extensions, hooks" : "; did you mean " + Nearest + "?").c_str());
+		return ExitUsage;
+	}
+	const auto IsFilteredOut = [&](const std::vector<std::string>& Row) { return !ContainsIgnoringCase(Row[0], Filter); };
+	Table.Rows.erase(std::remove_if(Table.Rows.begin(), Table.Rows.end(), IsFilteredOut), Table.Rows.end());
+	if (bJson)
+	{
+		std::fputs(FormatJson(Table).c_str(), stdout);
+	}
+	else
+	{
+		std::fputs((Table.Remark.empty() ? FormatText(Table) : Table.Remark + "\n").c_str(), stdout);
+	}
+	return ExitDone;
+}
+
+} // namespace Drydock

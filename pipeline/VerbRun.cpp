@@ -1,0 +1,95 @@
+// `drydock run`. Source: drydock.
+#include "ProgressBar.h"
+#include "RunOutputs.h"
+#include "Verbs.h"
+#include "WatchedFiles.h"
+
+#include "ConfigErrors.h"
+#include "ShaderCompiler.h"
+
+#include <chrono>
+#include <cstdio>
+#include <thread>
+
+namespace Drydock
+{
+
+namespace
+{
+
+int RunOnce(const FVerbOptions& Options)
+{
+	FProgressBar Bar;
+	FRunOptions RunOptions = Options.Run;
+	RunOptions.Progress = [&](int Done, int Total, const std::string& Pass) { Bar.Show(Done, Total, Pass); };
+	const FRunResult Result = RunConfig(RunOptions);
+	Bar.Clear();
+	PrintDiagnostics(Result.Diagnostics);
+	const std::string Folder = Options.OutputFolder.empty() ? GetDefaultOutputFolder(Options.Run.ConfigFile) : Options.OutputFolder;
+	const double SaveMs = WriteRunOutputs(Result, Folder);
+	std::fputs((Options.bJson ? Result.RunJson : MakeRunSummary(Result, Folder, SaveMs)).c_str(), stdout);
+	std::fflush(stdout);
+	for (const std::string& Line : MakeClosingLines(Result.Effects))
+	{
+		std::fprintf(stderr, "%s\n", Line.c_str());
+	}
+	return ExitDone;
+}
+
+/** What a run of the config reads: itself, its scene, and every shader file there is. */
+FWatchedFiles GetWatchedFiles(const FVerbOptions& Options)
+{
+	FWatchedFiles Files;
+	Files.AddFile(Options.Run.ConfigFile);
+	try
+	{
+		std::vector<FDiagnostic> Ignored;
+		const FConfig Config = LoadConfig(Options.Run.ConfigFile, Ignored);
+		if (Config.Scene.File.IsSet())
+		{
+			Files.AddFile(Config.Resolve(Config.Scene.File.Value));
+		}
+	}
+	catch (const FError&)
+	{
+		// The config itself is watched: it may come back.
+	}
+	Files.AddShaders();
+	return Files;
+}
+
+[[noreturn]] void Watch(const FVerbOptions& Options)
+{
+	constexpr std::chrono::milliseconds Interval(200);
+	for (;;)
+	{
+		const FWatchedFiles Before = GetWatchedFiles(Options);
+		try
+		{
+			RunOnce(Options);
+		}
+		catch (const FError& Error)
+		{
+			PrintDiagnostics(Error.GetDiagnostics());
+		}
+		std::fputs("watching; Ctrl+C ends it\n", stderr);
+		while (GetWatchedFiles(Options) == Before)
+		{
+			std::this_thread::sleep_for(Interval);
+		}
+		ForgetCompiledShaders();
+	}
+}
+
+} // namespace
+
+int RunVerb(const FVerbOptions& Options)
+{
+	if (Options.bWatch)
+	{
+		Watch(Options);
+	}
+	return RunOnce(Options);
+}
+
+} // namespace Drydock
