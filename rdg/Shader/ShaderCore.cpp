@@ -1,12 +1,11 @@
 // Defines of a permutation and the shipped shader directories. Source: drydock.
+#include "ShaderCore.h"
+
+#include "InstallPaths.h"
 #include "ShaderCompiler.h"
 
 #include <charconv>
-#include <dlfcn.h>
-#include <filesystem>
 #include <mutex>
-
-#include "ShaderCore.h"
 
 void AddShaderSourceDirectoryMapping(const FString& VirtualShaderDirectory, const FString& RealShaderDirectory)
 {
@@ -56,48 +55,15 @@ void FShaderCompilerEnvironment::SetDefine(const TCHAR* Name, float Value)
 namespace Drydock
 {
 
-namespace
-{
-
-/** The folder that the loaded libdrydock.so lies in. */
-std::filesystem::path GetLibraryFolder()
-{
-	Dl_info Info{};
-	if (dladdr(reinterpret_cast<const void*>(&MapShippedShaders), &Info) && Info.dli_fname)
-	{
-		std::error_code Ignored;
-		return std::filesystem::weakly_canonical(Info.dli_fname, Ignored).parent_path();
-	}
-	return {};
-}
-
-/** The folder that holds rdg/Shaders and passes/Shaders: `<prefix>/share/drydock` for a library in `<prefix>/lib` or
- *  `<prefix>/lib/<triplet>`, the source tree for one that is not installed. */
-std::filesystem::path FindShippedShaders()
-{
-	std::error_code Ignored;
-	std::filesystem::path Folder = GetLibraryFolder();
-	for (int32 Up = 0; Up < 2 && Folder.has_relative_path(); ++Up)
-	{
-		Folder = Folder.parent_path();
-		if (std::filesystem::is_directory(Folder / "share" / "drydock" / "rdg" / "Shaders", Ignored))
-		{
-			return Folder / "share" / "drydock";
-		}
-	}
-	return DRYDOCK_SOURCE_DIR;
-}
-
-} // namespace
-
 void MapShippedShaders()
 {
 	static std::once_flag Once;
 	std::call_once(Once, []
 	{
-		const std::filesystem::path Root = FindShippedShaders();
-		const std::string Passes = (Root / "passes" / "Shaders").string();
-		AddShaderDirectory("/Engine", (Root / "rdg" / "Shaders" / "Engine").string());
+		const std::string Installed = FindInstalled("share/drydock/rdg/Shaders");
+		const std::string Root = Installed.empty() ? DRYDOCK_SOURCE_DIR : FindInstalled("share/drydock");
+		const std::string Passes = Root + "/passes/Shaders";
+		AddShaderDirectory("/Engine", Root + "/rdg/Shaders/Engine");
 		AddShaderDirectory("/Engine/Private", Passes);
 		AddShaderDirectory("/Project", Passes);
 	});

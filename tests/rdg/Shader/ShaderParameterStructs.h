@@ -3,7 +3,7 @@
 
 #include "ShaderParameterStruct.h"
 
-BEGIN_SHADER_PARAMETER_STRUCT(FTestViewport, )
+BEGIN_SHADER_PARAMETER_STRUCT(FTestViewport, DRYDOCK_API)
 	SHADER_PARAMETER(FVector2f, Extent)
 	SHADER_PARAMETER(FVector2f, ExtentInverse)
 	SHADER_PARAMETER(FIntPoint, ViewportMin)

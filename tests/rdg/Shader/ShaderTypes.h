@@ -49,6 +49,39 @@ public:
 	END_SHADER_PARAMETER_STRUCT()
 };
 
+/** Reads the graph's resources, some of them only in one permutation. */
+class FTestGraphCS : public FGlobalShader
+{
+	DECLARE_GLOBAL_SHADER(FTestGraphCS);
+	SHADER_USE_PARAMETER_STRUCT(FTestGraphCS, FGlobalShader);
+
+	class FUseSceneDim : SHADER_PERMUTATION_BOOL("USE_SCENE");
+	using FPermutationDomain = TShaderPermutationDomain<FUseSceneDim>;
+
+	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
+		SHADER_PARAMETER_RDG_TEXTURE(Texture2D, InputTexture)
+		SHADER_PARAMETER_RDG_TEXTURE(Texture2D, UnusedTexture)
+		SHADER_PARAMETER_RDG_TEXTURE_SRV(Texture2D, UnusedView)
+		SHADER_PARAMETER_RDG_TEXTURE_UAV(RWTexture2D<float4>, OutputTexture)
+		SHADER_PARAMETER_RDG_BUFFER_SRV(StructuredBuffer<float4>, UnusedBuffer)
+		SHADER_PARAMETER_RDG_UNIFORM_BUFFER(FTestSceneUniforms, Scene)
+		SHADER_PARAMETER_TEXTURE(Texture2D, UnusedRHITexture)
+		RDG_TEXTURE_ACCESS(CopySource, ERHIAccess::CopySrc)
+		RENDER_TARGET_BINDING_SLOTS()
+	END_SHADER_PARAMETER_STRUCT()
+};
+
+/** Does not compile. */
+class FTestBrokenCS : public FGlobalShader
+{
+	DECLARE_GLOBAL_SHADER(FTestBrokenCS);
+	SHADER_USE_PARAMETER_STRUCT(FTestBrokenCS, FGlobalShader);
+
+	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
+		SHADER_PARAMETER(float, Value)
+	END_SHADER_PARAMETER_STRUCT()
+};
+
 /** Registered, never compiled. */
 class FTestVS : public FGlobalShader
 {
