@@ -84,6 +84,11 @@ std::string FDiagnostic::ToString() const
 		Text += " ";
 	}
 	Text += GetSeverityName(Severity);
+	// A line of a shader reads as every shader compiler writes it, so that editors and scripts find it.
+	if (Code >= 6000 && Code < 7000 && Line > 0 && Where.empty())
+	{
+		return Text + ": " + Message + " [DD" + std::to_string(Code) + "]";
+	}
 	if (Code > 0)
 	{
 		Text += " DD" + std::to_string(Code);

@@ -39,7 +39,7 @@ struct FDiagnostic
 	int Column = 0;			  // 1-based, 0: unknown
 	std::string Where = {};	  // JSON pointer, "pass X, parameter Y", ... or empty
 
-	/** `configs/a.json:12:7: error DD1012 at /volumes/0: message`. */
+	/** `configs/a.json:12:7: error DD1012 at /volumes/0: message`; a line of a shader: `X.usf:12: error: message [DD6010]`. */
 	DRYDOCK_API std::string ToString() const;
 };
 

@@ -94,24 +94,19 @@ std::vector<FDiagnostic> ParseFrontEndMessages(const std::string& Output, const 
 		std::string Message;
 		int Line = 0;
 		const bool bPositioned = SplitPosition(bError ? Text.substr(7) : Text, File, Line, Message);
-		const size_t Column = Message.rfind("error at column ", 0) == 0 ? std::strlen("error at column ") : 0;
-		if (!bError && bPositioned && Column)
+		const bool bSummary = !bError && bPositioned && StartsWith(Message, "error at column "); // the parser's last words
+		const bool bSameLine = !Errors.empty() && Errors.back().File == File && Errors.back().Line == Line;
+		if (bSummary && !bSameLine)
 		{
-			// The parser's last words repeat the last error with its column.
-			const bool bKnown = !Errors.empty() && Errors.back().File == File && Errors.back().Line == Line;
-			if (!bKnown)
-			{
-				Errors.push_back({ESeverity::Error, 6010, "syntax error", File, Line, 0, {}});
-			}
-			Errors.back().Column = std::atoi(Message.c_str() + Column);
+			Errors.push_back({ESeverity::Error, 6010, "syntax error", File, Line, 0, {}});
 		}
 		else if (bError && bPositioned)
 		{
-			const FDiagnostic Found{ESeverity::Error, 6010, Explain(Trim(Message), Request), File, Line, 0, {}};
-			const bool bRepeated = !Errors.empty() && Errors.back().Message == Found.Message && Errors.back().Line == Line;
-			if (!bRepeated)
+			// After the first fault of a line the parser also lists every rule it was in.
+			const bool bConsequence = bSameLine && (Message.find(" : Expected") != std::string::npos || Errors.back().Message == Message);
+			if (!bConsequence)
 			{
-				Errors.push_back(Found);
+				Errors.push_back({ESeverity::Error, 6010, Explain(Trim(Message), Request), File, Line, 0, {}});
 			}
 		}
 		else if (bError && Text.find("compilation errors") == std::string::npos)

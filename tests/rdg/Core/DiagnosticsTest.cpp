@@ -53,6 +53,11 @@ TEST(Diagnostics, TextHasPositionCodeAndPlace)
 	EXPECT_EQ("configs/a.json:12:7: error DD1012 at /volumes/0: unknown setting", Diagnostic.ToString());
 }
 
+TEST(Diagnostics, TextOfAShaderLineIsThatOfACompiler)
+{
+	EXPECT_EQ("/P/X.usf:12: error: wrong [DD6010]", (FDiagnostic{Drydock::ESeverity::Error, 6010, "wrong", "/P/X.usf", 12}.ToString()));
+}
+
 TEST(Diagnostics, TextLeavesOutWhatIsUnknown)
 {
 	EXPECT_EQ("warning: odd", (FDiagnostic{Drydock::ESeverity::Warning, 0, "odd"}.ToString()));
