@@ -1,0 +1,220 @@
+// A shader as text, its parameters by name, its output as numbers: runs compiled kernels and the interpreter over the
+// same inputs. Source: drydock.
+#pragma once
+
+#include "Diagnostics.h"
+#include "ShaderCompiler.h"
+#include "ShaderFrontEnd.h"
+#include "SpirvInterpreter.h"
+
+#include <cstring>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Drydock::Test
+{
+
+/** A float RGBA texture, or R32_UINT when bUint, with the readable margins that kernels rely on. */
+class FTestTexture
+{
+public:
+	FTestTexture() = default;
+	FTestTexture(int32_t InSizeX, int32_t InSizeY, bool bInUint = false)
+		: SizeX(InSizeX)
+		, SizeY(InSizeY)
+		, bUint(bInUint)
+		, Memory(size_t(InSizeX) * size_t(InSizeY) * 16 + 128, 0)
+	{
+	}
+
+	float* Texel(int32_t X, int32_t Y) { return reinterpret_cast<float*>(Memory.data() + 64) + (size_t(Y) * size_t(SizeX) + size_t(X)) * (bUint ? 1 : 4); }
+	uint32_t& Uint(int32_t X, int32_t Y) { return reinterpret_cast<uint32_t*>(Memory.data() + 64)[size_t(Y) * size_t(SizeX) + size_t(X)]; }
+
+	FKernelTexture View()
+	{
+		const int32_t Pitch = SizeX * (bUint ? 4 : 16);
+		Mip = {Memory.data() + 64, SizeX, SizeY, 1, Pitch, int64_t(Pitch) * SizeY};
+		return {&Mip, 1, bUint ? ETexelStorage::R32_UINT : ETexelStorage::RGBA32_FLOAT, 0, 0};
+	}
+
+	int32_t SizeX = 0;
+	int32_t SizeY = 0;
+
+private:
+	bool bUint = false;
+	std::vector<uint8_t> Memory;
+	FKernelMip Mip{};
+};
+
+class FShaderHarness
+{
+public:
+	FShaderHarness(const std::string& Text, const std::string& EntryPoint, EShaderStage Stage)
+	{
+		Request.VirtualPath = "/Test/Shader.usf";
+		Request.GeneratedFiles = {{Request.VirtualPath, Text}};
+		Request.EntryPoint = EntryPoint;
+		Request.Stage = Stage;
+	}
+
+	FShaderCompileRequest Request;
+	std::map<std::string, std::vector<uint32_t>> Constants; // words of a constant, as they lie in its buffer
+	std::map<std::string, FTestTexture> Textures;
+	std::map<std::string, std::vector<uint32_t>> Buffers;
+	FKernelSampler Sampler = {EKernelFilter::Bilinear, EKernelAddress::Clamp, EKernelAddress::Clamp, EKernelAddress::Clamp, 8, 0, {}};
+	std::vector<FTestTexture> Targets;
+	FKernelInterpolant Interpolants[4] = {};
+
+	void SetFloats(const std::string& Name, const std::vector<float>& Values)
+	{
+		std::vector<uint32_t>& Words = Constants[Name];
+		Words.resize(Values.size());
+		std::memcpy(Words.data(), Values.data(), Values.size() * 4);
+	}
+	void SetFloatBuffer(const std::string& Name, const std::vector<float>& Values)
+	{
+		Buffers[Name].resize(Values.size());
+		std::memcpy(Buffers[Name].data(), Values.data(), Values.size() * 4);
+	}
+	float BufferFloat(const std::string& Name, size_t Index)
+	{
+		float Value;
+		std::memcpy(&Value, &Buffers.at(Name).at(Index), 4);
+		return Value;
+	}
+
+	/** The compiled kernel over [0, X) x [0, Y) x [0, Z). */
+	std::shared_ptr<const FCompiledShader> Run(int32_t Lanes, int32_t X, int32_t Y, int32_t Z = 1, bool bDouble = false)
+	{
+		Request.Lanes = {bDouble, Lanes};
+		const std::shared_ptr<const FCompiledShader> Shader = CompileShader(Request);
+		Bind(Shader->Reflection);
+		Shader->Run(Args, {0, 0, 0, X, Y, Z});
+		return Shader;
+	}
+
+	/** The interpreter over the same box; render targets are written where the pixel was not discarded. */
+	void RunModel(int32_t X, int32_t Y, int32_t Z = 1)
+	{
+		const FShaderSource Source = FlattenShader(Request);
+		const FSpirvModule Module = ReadSpirv(CompileToSpirv(Source, Request));
+		const FSpirvReflection Reflection = ReflectSpirv(Module, BuildSpirvStructure(Module), Source.Text);
+		Bind(Reflection.Reflection);
+		FSpirvInterpreter Interpreter(Module, Reflection);
+		for (int32_t z = 0; z < Z; ++z)
+		{
+			for (int32_t y = 0; y < Y; ++y)
+			{
+				for (int32_t x = 0; x < X; ++x)
+				{
+					const FInterpretedPixel Pixel = Interpreter.Run(Args, x, y, z);
+					for (size_t t = 0; t < Targets.size() && !Pixel.bDiscarded; ++t)
+					{
+						std::memcpy(Targets[t].Texel(x, y), Pixel.Targets[t], 16);
+					}
+				}
+			}
+		}
+	}
+
+	FKernelCounters Counters = {};
+
+private:
+	void Bind(const FShaderReflection& R)
+	{
+		ConstantMemory.clear();
+		ConstantPointers.clear();
+		for (const FShaderConstantBuffer& Buffer : R.ConstantBuffers)
+		{
+			ConstantMemory.emplace_back(Buffer.Size, uint8_t(0));
+		}
+		for (const FShaderConstant& Constant : R.Constants)
+		{
+			const auto Found = Constants.find(Constant.Name);
+			if (Found != Constants.end())
+			{
+				std::memcpy(ConstantMemory[Constant.Buffer].data() + Constant.Offset, Found->second.data(), Found->second.size() * 4);
+			}
+		}
+		for (const std::vector<uint8_t>& Memory : ConstantMemory)
+		{
+			ConstantPointers.push_back(Memory.data());
+		}
+		const auto BindTextures = [this](const std::vector<FShaderResource>& List, std::vector<FKernelTexture>& Views)
+		{
+			Views.clear();
+			for (const FShaderResource& Resource : List)
+			{
+				Views.push_back(Textures.at(Resource.Name).View());
+			}
+		};
+		const auto BindBuffers = [this](const std::vector<FShaderResource>& List, std::vector<FKernelBuffer>& Views)
+		{
+			Views.clear();
+			for (const FShaderResource& Resource : List)
+			{
+				std::vector<uint32_t>& Words = Buffers.at(Resource.Name);
+				const bool bTyped = Resource.Dimension == EShaderDimension::TypedBuffer;
+				const ETexelStorage Storage = Resource.Scalar != EShaderScalar::Float ? ETexelStorage::R32_UINT
+					: Resource.NumComponents == 4									  ? ETexelStorage::RGBA32_FLOAT
+																					  : ETexelStorage::R32_FLOAT;
+				const uint32_t Stride = bTyped ? (Storage == ETexelStorage::RGBA32_FLOAT ? 16 : 4) : Resource.Stride;
+				Views.push_back({reinterpret_cast<uint8_t*>(Words.data()), uint32_t(Words.size() * 4), Stride, Storage});
+			}
+		};
+		BindTextures(R.Textures, TextureViews);
+		BindTextures(R.RWTextures, RWTextureViews);
+		BindBuffers(R.Buffers, BufferViews);
+		BindBuffers(R.RWBuffers, RWBufferViews);
+		SamplerViews.assign(R.Samplers.size(), Sampler);
+		TargetViews.clear();
+		for (FTestTexture& Target : Targets)
+		{
+			FKernelTarget View{};
+			View.Texture = Target.View();
+			View.WriteMask = 15;
+			TargetViews.push_back(View);
+		}
+		Args = {ConstantPointers.data(), TextureViews.data(), RWTextureViews.data(), SamplerViews.data(), BufferViews.data(),
+			RWBufferViews.data(), TargetViews.data(), Interpolants, int32_t(TargetViews.size()), &Counters};
+	}
+
+	FKernelArgs Args = {};
+	std::vector<std::vector<uint8_t>> ConstantMemory;
+	std::vector<const uint8_t*> ConstantPointers;
+	std::vector<FKernelTexture> TextureViews;
+	std::vector<FKernelTexture> RWTextureViews;
+	std::vector<FKernelSampler> SamplerViews;
+	std::vector<FKernelBuffer> BufferViews;
+	std::vector<FKernelBuffer> RWBufferViews;
+	std::vector<FKernelTarget> TargetViews;
+};
+
+/** Text of the error that f throws, all messages; empty when it throws none. */
+template <typename F>
+std::string ErrorOf(F f)
+{
+	try
+	{
+		f();
+	}
+	catch (const FError& Error)
+	{
+		return Error.what();
+	}
+	return {};
+}
+
+inline bool SameBits(uint32_t A, uint32_t B)
+{
+	return A == B;
+}
+/** Equal bits, or both NaN. */
+inline bool SameFloat(float A, float B)
+{
+	return std::memcmp(&A, &B, 4) == 0 || (A != A && B != B);
+}
+
+} // namespace Drydock::Test
