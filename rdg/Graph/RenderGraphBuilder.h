@@ -18,6 +18,7 @@
 #include "RHICommandList.h"
 #include "RenderGraphAllocator.h"
 #include "RenderGraphBlackboard.h"
+#include "RenderGraphCompiled.h"
 #include "RenderGraphDefinitions.h"
 #include "RenderGraphEvent.h"
 #include "RenderGraphPass.h"
@@ -266,8 +267,23 @@ private:
 	FRDGPassRef AdoptPass(std::unique_ptr<FRDGPass>&& Pass);
 	void AdoptUniformBuffer(FRDGUniformBuffer* Buffer);
 	void CheckUniformBufferParameters(const void* Parameters, const FShaderParametersMetadata* Metadata);
-	static FRDGTextureRef CheckParent(FRDGTextureRef Texture);
-	void AddAccessModePass(FRDGViewableResource* Resource, ERHIAccess Access);
+	void AdoptResource(FRDGViewableResource* Resource, const Drydock::FRDGResourceDescription& Description);
+	template <typename ViewType>
+	ViewType* AdoptView(ViewType* View);
+	void DeclarePass(FRDGPass& Pass);
+	[[noreturn]] void Fail(int Code, const std::string& Message, const std::string& Where) const;
+	void RequireOpen(const char* Call) const;
+	FRDGTextureRef CheckParent(FRDGTextureRef Texture) const;
+	void CheckViewParent(const FRDGViewableResource* Parent, const char* Call);
+	void CheckOwn(const FRDGResource* Resource, const char* Call) const;
+	bool CheckExtraction(FRDGViewableResource* Resource, const void* Out, const char* Call);
+	void AddResourceError(int Code, const std::string& Message, const FRDGResource& Resource);
+	void ThrowCollectedErrors(const std::vector<Drydock::FDiagnostic>& GraphErrors);
+	void ResolveBufferSizes();
+	void ConvertToExternal(FRDGViewableResource* Resource);
+	void SetAccessFinal(FRDGViewableResource* Resource, ERHIAccess Access, const char* Call);
+	void AddAccessModePass(FRDGViewableResource* Resource, ERHIAccess Access, bool bExternal);
+	void OpenScope(const FRDGEventName& ScopeName, bool bFinal);
 
 	std::unique_ptr<Drydock::FRDGBuilderState> State;
 };

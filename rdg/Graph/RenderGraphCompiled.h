@@ -38,7 +38,7 @@ struct FRDGUse : FRDGSubresources
 	int32_t Resource = -1; // position in Resources
 	ERHIAccess Access = ERHIAccess::Unknown;
 	std::string Parameter;      // C++ name, "Input.Texture", "RenderTargets[0]"
-	bool bLoads = true;         // contents from before matter: false for targets with ENoAction or EClear
+	bool bLoads = false; // a target with ELoad: contents from before matter
 	int32_t SkipBarrierView = -1; // identifies a view made with SkipBarrier
 
 	bool IsWrite() const { return IsWritableAccess(Access); }

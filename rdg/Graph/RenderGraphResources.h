@@ -44,6 +44,7 @@ protected:
 
 private:
 	friend class FRDGBuilder;
+	friend class FRDGView;
 	friend class Drydock::FRDGExecutor;
 
 	bool bAllowRHIAccess = false; // a pass that declares it is running, or it is in external access mode
@@ -80,8 +81,10 @@ private:
 
 	int32 Index = -1;
 	ERHIAccess AccessFinal = ERHIAccess::Unknown; // Unknown: the user gave none
-	ERHIAccess ExternalAccess = ERHIAccess::Unknown; // set while in external access mode
+	ERHIAccess ExternalAccess = ERHIAccess::Unknown; // external access mode as declared so far
+	bool bExternalAccessNow = false;                 // external access mode as executed so far
 	bool bExternal = false;
+	bool bRegistered = false; // external from the start
 	bool bExtracted = false;
 	bool bProduced = false;
 	bool bQueuedForUpload = false;
@@ -90,7 +93,7 @@ private:
 	bool bCulled = false;
 	bool bSkipTracking = false;
 	bool bSkipUnusedWarning = false;
-	bool bReady = false; // memory is there and holds defined or deliberately undefined contents
+	bool bReady = false; // has memory, is clobbered or filled where it has to be
 };
 
 class DRYDOCK_API FRDGTexture final : public FRDGViewableResource
@@ -237,12 +240,20 @@ public:
 
 	virtual FRDGViewableResource* GetParent() const = 0;
 
+	/** Counts the views of a graph in the order of their creation. */
+	int32 GetViewIndex() const { return ViewIndex; }
+
 protected:
 	FRDGView(const TCHAR* InName, ERDGViewType InType) : FRDGResource(InName), Type(InType) {}
+
+	/** Without the check of GetRHI. */
+	static FRHIResource* GetParentRHI(const FRDGResource& Parent);
 
 private:
 	friend class FRDGBuilder;
 	friend class Drydock::FRDGExecutor;
+
+	int32 ViewIndex = -1;
 
 	/** The RHI view, made from the parent's RHI object. */
 	virtual TRefCountPtr<FRHIResource> CreateRHI() const = 0;
@@ -355,6 +366,7 @@ protected:
 
 private:
 	friend class FRDGBuilder;
+	friend class Drydock::FRDGExecutor;
 
 	const FShaderParametersMetadata* Metadata;
 	const void* ContentsData;

@@ -1,0 +1,427 @@
+// The builder's resources and its life. Passes: RenderGraphBuilderPasses.cpp. Source: drydock; behaviour is the engine's.
+#include "RenderGraphBuilder.h"
+
+#include "RenderGraphExecute.h"
+#include "RenderGraphHeap.h"
+#include "RenderGraphReport.h"
+#include "RenderGraphState.h"
+
+#include <cstdio>
+#include <cstring>
+#include <exception>
+
+using namespace Drydock;
+
+namespace
+{
+
+FRDGBuilder* GActiveBuilder = nullptr;
+
+std::string DescribeWhere(const char* Kind, const TCHAR* Name)
+{
+	return std::string(Kind) + " " + (Name ? Name : "<unnamed>");
+}
+
+/** Kept for the end; the graph goes on being declared. */
+void AddError(FRDGBuilderState& State, int Code, const std::string& Message, const std::string& Where)
+{
+	if (State.Settings.bValidation)
+	{
+		FDiagnostic& Diagnostic = State.Errors.emplace_back();
+		Diagnostic.Code = Code;
+		Diagnostic.Message = Message;
+		Diagnostic.Where = Where;
+	}
+}
+
+const TCHAR* CheckName(FRDGBuilderState& State, const TCHAR* Name, const char* Kind)
+{
+	if (!Name)
+	{
+		AddError(State, RDGErrorNullName, std::string("a ") + Kind + " must have a name", DescribeWhere(Kind, Name));
+	}
+	return Name ? Name : TEXT("<unnamed>");
+}
+
+FRDGResourceDescription DescribeTexture(const FRDGTexture& Texture, const FRDGSettings& Settings)
+{
+	const FRDGTextureDesc& Desc = Texture.Desc;
+	const FRDGTextureSubresourceLayout Layout = Texture.GetSubresourceLayout();
+	FRDGResourceDescription Description;
+	Description.Name = Texture.Name;
+	Description.Kind = ERDGResourceKind::Texture;
+	Description.Format = Desc.Format;
+	Description.Extent = FIntVector(Desc.Extent.X, Desc.Extent.Y, Desc.Depth);
+	Description.NumMips = int32(Layout.NumMips);
+	Description.NumSlices = int32(Layout.NumArraySlices);
+	Description.NumPlanes = int32(Layout.NumPlaneSlices);
+	Description.NumSamples = Desc.NumSamples;
+	Description.TextureFlags = Desc.Flags;
+	Description.Bytes = FRHITexture::ComputeSize(Desc);
+	Description.bSkipTracking = EnumHasAnyFlags(Texture.Flags, ERDGTextureFlags::SkipTracking);
+	Description.bMayBeTransient = !EnumHasAnyFlags(Desc.Flags, TexCreate_Shared)
+		&& (Settings.TransientAllocator != 2 || EnumHasAnyFlags(Desc.Flags, TexCreate_FastVRAM));
+	return Description;
+}
+
+void DescribeBufferSize(const FRDGBuffer& Buffer, FRDGResourceDescription& Description)
+{
+	Description.Extent = FIntVector(int32(Buffer.Desc.NumElements), int32(Buffer.Desc.BytesPerElement), 1);
+	Description.Bytes = FRHIBuffer::ComputeSize(Translate(Buffer.Desc));
+}
+
+FRDGResourceDescription DescribeBuffer(const FRDGBuffer& Buffer, const FRDGSettings& Settings)
+{
+	FRDGResourceDescription Description;
+	Description.Name = Buffer.Name;
+	Description.Kind = ERDGResourceKind::Buffer;
+	Description.BufferUsage = Buffer.Desc.Usage;
+	DescribeBufferSize(Buffer, Description);
+	Description.bSkipTracking = EnumHasAnyFlags(Buffer.Flags, ERDGBufferFlags::SkipTracking);
+	Description.bMayBeTransient = EnumHasAnyFlags(Buffer.Desc.Usage, EBufferUsageFlags::UnorderedAccess)
+		&& (Settings.bTransientIndirectArguments || !EnumHasAnyFlags(Buffer.Desc.Usage, EBufferUsageFlags::DrawIndirect))
+		&& (Settings.TransientAllocator != 2 || EnumHasAnyFlags(Buffer.Desc.Usage, EBufferUsageFlags::FastVRAM));
+	return Description;
+}
+
+} // namespace
+
+// Life ------------------------------------------------------------------------------------------------------------------
+
+FRDGBuilder::FRDGBuilder(FRHICommandListImmediate& InRHICmdList, FRDGEventName InName, ERDGBuilderFlags)
+	: RHICmdList(InRHICmdList), State(std::make_unique<FRDGBuilderState>())
+{
+	if (GActiveBuilder)
+	{
+		// The heap is shared, so this one is fatal at once.
+		ThrowRDGError(RDGErrorSecondBuilder, "another FRDGBuilder already exists on the stack; only one may be alive at a time",
+			std::string("graph ") + InName.GetTCHAR());
+	}
+	GActiveBuilder = this;
+	State->Settings = GetRDGSettings();
+	State->UncaughtExceptions = std::uncaught_exceptions();
+	State->Graph.Name = InName.GetTCHAR();
+	FRDGPassDescription& Prologue = State->Graph.Passes.emplace_back();
+	Prologue.Index = 0;
+	Prologue.Name = "Graph Prologue";
+	Prologue.bIsSentinel = true;
+}
+
+FRDGBuilder::~FRDGBuilder()
+{
+	GActiveBuilder = nullptr;
+	if (!State->bFinished && !State->bFailed && std::uncaught_exceptions() == State->UncaughtExceptions)
+	{
+		std::fprintf(stderr, "error DD%d: graph %s: the builder must be executed: FRDGBuilder was destroyed without a call of Execute\n",
+			RDGErrorNotExecuted, State->Graph.Name.c_str());
+		std::terminate();
+	}
+}
+
+void FRDGBuilder::Fail(int Code, const std::string& Message, const std::string& Where) const
+{
+	State->bFailed = true;
+	ThrowRDGError(Code, Message, Where);
+}
+
+void FRDGBuilder::RequireOpen(const char* Call) const
+{
+	if (State->bFinished)
+	{
+		Fail(RDGErrorAfterExecute, std::string(Call) + " was called after Execute", "graph " + State->Graph.Name);
+	}
+}
+
+FRDGAllocator& FRDGBuilder::GetAllocator()
+{
+	return State->Allocator;
+}
+
+void FRDGBuilder::Discard()
+{
+	State->bFinished = true;
+}
+
+void FRDGBuilder::SetObserver(IRDGObserver* Observer)
+{
+	State->Observer = Observer;
+}
+
+bool FRDGBuilder::IsImmediateMode()
+{
+	return GetRDGSettings().bImmediateMode;
+}
+
+void FRDGBuilder::TickPoolElements()
+{
+	GRenderTargetPool.TickPoolElements();
+	GRenderGraphResourcePool.TickPoolElements();
+	TickTransientHeap();
+}
+
+// Textures and buffers --------------------------------------------------------------------------------------------------
+
+FRDGTextureRef FRDGBuilder::CreateTexture(const FRDGTextureDesc& Desc, const TCHAR* InName, ERDGTextureFlags Flags)
+{
+	RequireOpen("CreateTexture");
+	const TCHAR* const Name = CheckName(*State, InName, "texture");
+	FString Reason;
+	if (!Desc.IsValid(&Reason))
+	{
+		Fail(RDGErrorInvalidDescription, std::string("the texture cannot be created: ") + *Reason, DescribeWhere("texture", Name));
+	}
+	if (EnumHasAnyFlags(Desc.Flags, TexCreate_Presentable))
+	{
+		AddError(*State, RDGErrorResourceFlags, "presentable textures (TexCreate_Presentable) are not created by a graph", DescribeWhere("texture", Name));
+	}
+	if (Desc.NumSamples > 1 && EnumHasAnyFlags(Desc.Flags, TexCreate_UAV))
+	{
+		AddError(*State, RDGErrorResourceFlags, "a multisampled texture cannot have TexCreate_UAV", DescribeWhere("texture", Name));
+	}
+	if (EnumHasAnyFlags(Flags, ERDGTextureFlags::SkipTracking))
+	{
+		AddError(*State, RDGErrorResourceFlags, "SkipTracking is for registered (external) textures only", DescribeWhere("texture", Name));
+	}
+	auto* const Texture = new FRDGTexture(Name, Desc, Flags);
+	AdoptResource(Texture, DescribeTexture(*Texture, State->Settings));
+	return Texture;
+}
+
+FRDGBufferRef FRDGBuilder::CreateBuffer(const FRDGBufferDesc& Desc, const TCHAR* InName, ERDGBufferFlags Flags)
+{
+	RequireOpen("CreateBuffer");
+	const TCHAR* const Name = CheckName(*State, InName, "buffer");
+	FRDGBufferDesc ValidDesc = Desc;
+	if (Desc.GetSize() == 0)
+	{
+		AddError(*State, RDGErrorInvalidDescription, "the buffer has zero bytes", DescribeWhere("buffer", Name));
+		ValidDesc.BytesPerElement = FMath::Max(Desc.BytesPerElement, 1u);
+		ValidDesc.NumElements = FMath::Max(Desc.NumElements, 1u);
+	}
+	if (EnumHasAllFlags(Desc.Usage, EBufferUsageFlags::StructuredBuffer | EBufferUsageFlags::ByteAddressBuffer) && Desc.BytesPerElement != 4)
+	{
+		AddError(*State, RDGErrorInvalidDescription, "a byte-address buffer has elements of 4 bytes", DescribeWhere("buffer", Name));
+	}
+	if (EnumHasAnyFlags(Flags, ERDGBufferFlags::SkipTracking))
+	{
+		AddError(*State, RDGErrorResourceFlags, "SkipTracking is for registered (external) buffers only", DescribeWhere("buffer", Name));
+	}
+	auto* const Buffer = new FRDGBuffer(Name, ValidDesc, Flags);
+	AdoptResource(Buffer, DescribeBuffer(*Buffer, State->Settings));
+	return Buffer;
+}
+
+FRDGBufferRef FRDGBuilder::CreateBuffer(
+	const FRDGBufferDesc& Desc, const TCHAR* Name, FRDGBufferNumElementsCallback&& NumElementsCallback, ERDGBufferFlags Flags)
+{
+	FRDGBufferDesc Placeholder = Desc;
+	Placeholder.NumElements = FMath::Max(Desc.NumElements, 1u);
+	FRDGBufferRef Buffer = CreateBuffer(Placeholder, Name, Flags);
+	Buffer->NumElementsCallback = MoveTemp(NumElementsCallback);
+	return Buffer;
+}
+
+void FRDGBuilder::AdoptResource(FRDGViewableResource* Resource, const FRDGResourceDescription& Description)
+{
+	Resource->Index = int32(State->Resources.size());
+	State->Resources.emplace_back(Resource);
+	State->Graph.Resources.push_back(Description);
+	State->Known.insert(Resource);
+}
+
+void FRDGBuilder::ResolveBufferSizes()
+{
+	for (const std::unique_ptr<FRDGViewableResource>& Resource : State->Resources)
+	{
+		if (Resource->Type != ERDGViewableResourceType::Buffer)
+		{
+			continue;
+		}
+		auto& Buffer = static_cast<FRDGBuffer&>(*Resource);
+		if (Buffer.NumElementsCallback && !Buffer.HasRHI())
+		{
+			Buffer.Desc.NumElements = FMath::Max(Buffer.NumElementsCallback(), 1u);
+			DescribeBufferSize(Buffer, State->GetDescription(Buffer));
+		}
+	}
+}
+
+// Views -----------------------------------------------------------------------------------------------------------------
+
+FRDGTextureRef FRDGBuilder::CheckParent(FRDGTextureRef Texture) const
+{
+	if (!Texture)
+	{
+		Fail(RDGErrorNullArgument, "a view was created of a null texture", "CreateSRV or CreateUAV");
+	}
+	return Texture;
+}
+
+void FRDGBuilder::CheckViewParent(const FRDGViewableResource* Parent, const char* Call)
+{
+	RequireOpen(Call);
+	if (!Parent)
+	{
+		Fail(RDGErrorNullArgument, std::string(Call) + " was called with a null resource", "graph " + State->Graph.Name);
+	}
+	if (!State->Known.count(Parent))
+	{
+		Fail(RDGErrorForeignResource, std::string(Call) + " was called with a resource that is not of this graph", "graph " + State->Graph.Name);
+	}
+}
+
+template <typename ViewType>
+ViewType* FRDGBuilder::AdoptView(ViewType* View)
+{
+	View->ViewIndex = int32(State->Views.size());
+	State->Views.emplace_back(View);
+	State->Known.insert(View);
+	return View;
+}
+
+FRDGTextureSRVRef FRDGBuilder::CreateSRV(const FRDGTextureSRVDesc& Desc)
+{
+	CheckViewParent(Desc.Texture, "CreateSRV");
+	const FRDGTextureSubresourceLayout Layout = Desc.Texture->GetSubresourceLayout();
+	if (Desc.MipLevel + FMath::Max<uint32>(Desc.NumMipLevels, 1) > Layout.NumMips
+		|| Desc.FirstArraySlice + FMath::Max<uint32>(Desc.NumArraySlices, 1) > Layout.NumArraySlices)
+	{
+		Fail(RDGErrorView, "the view covers mips or slices that the texture does not have", DescribeWhere("texture", Desc.Texture->Name));
+	}
+	return AdoptView(new FRDGTextureSRV(Desc));
+}
+
+FRDGBufferSRVRef FRDGBuilder::CreateSRV(const FRDGBufferSRVDesc& Desc)
+{
+	CheckViewParent(Desc.Buffer, "CreateSRV");
+	return AdoptView(new FRDGBufferSRV(Desc));
+}
+
+FRDGTextureUAVRef FRDGBuilder::CreateUAV(const FRDGTextureUAVDesc& Desc, ERDGUnorderedAccessViewFlags Flags)
+{
+	CheckViewParent(Desc.Texture, "CreateUAV");
+	const FRDGTextureSubresourceLayout Layout = Desc.Texture->GetSubresourceLayout();
+	if (Desc.MipLevel >= Layout.NumMips || Desc.FirstArraySlice + FMath::Max<uint32>(Desc.NumArraySlices, 1) > Layout.NumArraySlices)
+	{
+		Fail(RDGErrorView,
+			"the UAV is of mip " + std::to_string(Desc.MipLevel) + ", but the texture has " + std::to_string(Layout.NumMips) + " mips and "
+				+ std::to_string(Layout.NumArraySlices) + " slices",
+			DescribeWhere("texture", Desc.Texture->Name));
+	}
+	if (!EnumHasAnyFlags(Desc.Texture->Desc.Flags, TexCreate_UAV))
+	{
+		AddError(*State, RDGErrorView, "a UAV was created of a texture without TexCreate_UAV", DescribeWhere("texture", Desc.Texture->Name));
+	}
+	return AdoptView(new FRDGTextureUAV(Desc, Flags));
+}
+
+FRDGBufferUAVRef FRDGBuilder::CreateUAV(const FRDGBufferUAVDesc& Desc, ERDGUnorderedAccessViewFlags Flags)
+{
+	CheckViewParent(Desc.Buffer, "CreateUAV");
+	if (!EnumHasAnyFlags(Desc.Buffer->Desc.Usage, EBufferUsageFlags::UnorderedAccess))
+	{
+		AddError(*State, RDGErrorView, "a UAV was created of a buffer without BUF_UnorderedAccess", DescribeWhere("buffer", Desc.Buffer->Name));
+	}
+	return AdoptView(new FRDGBufferUAV(Desc, Flags));
+}
+
+void FRDGBuilder::CheckUniformBufferParameters(const void* Parameters, const FShaderParametersMetadata* Metadata)
+{
+	RequireOpen("CreateUniformBuffer");
+	if (!Parameters)
+	{
+		Fail(RDGErrorNullArgument, "CreateUniformBuffer was called with null parameters",
+			DescribeWhere("uniform buffer", Metadata->GetStructTypeName()));
+	}
+}
+
+void FRDGBuilder::AdoptUniformBuffer(FRDGUniformBuffer* Buffer)
+{
+	State->UniformBuffers.emplace_back(Buffer);
+	State->Known.insert(Buffer);
+}
+
+// External resources ----------------------------------------------------------------------------------------------------
+
+FRDGTextureRef FRDGBuilder::RegisterExternalTexture(const TRefCountPtr<IPooledRenderTarget>& ExternalPooledTexture, ERDGTextureFlags Flags)
+{
+	const TCHAR* const Name = ExternalPooledTexture ? ExternalPooledTexture->GetDesc().DebugName : nullptr;
+	return RegisterExternalTexture(ExternalPooledTexture, Name ? Name : TEXT("External"), Flags);
+}
+
+FRDGTextureRef FRDGBuilder::RegisterExternalTexture(
+	const TRefCountPtr<IPooledRenderTarget>& ExternalPooledTexture, const TCHAR* NameIfNotRegistered, ERDGTextureFlags Flags)
+{
+	RequireOpen("RegisterExternalTexture");
+	const TCHAR* const Name = CheckName(*State, NameIfNotRegistered, "external texture");
+	if (!ExternalPooledTexture || !ExternalPooledTexture->GetRHI())
+	{
+		Fail(RDGErrorNullArgument, "attempted to register a NULL external texture", DescribeWhere("texture", Name));
+	}
+	FRHITexture* const TextureRHI = ExternalPooledTexture->GetRHI();
+	if (FRDGTextureRef Registered = FindExternalTexture(TextureRHI))
+	{
+		return Registered;
+	}
+	auto* const Texture = new FRDGTexture(Name, TextureRHI->GetDesc(), Flags);
+	AdoptResource(Texture, DescribeTexture(*Texture, State->Settings));
+	Texture->PooledTexture = ExternalPooledTexture;
+	Texture->ResourceRHI = TextureRHI;
+	Texture->bExternal = Texture->bRegistered = Texture->bProduced = true;
+	State->GetDescription(*Texture).bExternal = true;
+	State->GetDescription(*Texture).bMayBeTransient = false;
+	State->ExternalTextures[TextureRHI] = Texture;
+	return Texture;
+}
+
+FRDGBufferRef FRDGBuilder::RegisterExternalBuffer(const TRefCountPtr<FRDGPooledBuffer>& ExternalPooledBuffer, ERDGBufferFlags Flags)
+{
+	const TCHAR* const Name = ExternalPooledBuffer ? ExternalPooledBuffer->GetName() : nullptr;
+	return RegisterExternalBuffer(ExternalPooledBuffer, Name ? Name : TEXT("External"), Flags);
+}
+
+FRDGBufferRef FRDGBuilder::RegisterExternalBuffer(
+	const TRefCountPtr<FRDGPooledBuffer>& ExternalPooledBuffer, const TCHAR* NameIfNotRegistered, ERDGBufferFlags Flags)
+{
+	RequireOpen("RegisterExternalBuffer");
+	const TCHAR* const Name = CheckName(*State, NameIfNotRegistered, "external buffer");
+	if (!ExternalPooledBuffer || !ExternalPooledBuffer->GetRHI())
+	{
+		Fail(RDGErrorNullArgument, "attempted to register a NULL external buffer", DescribeWhere("buffer", Name));
+	}
+	if (FRDGBufferRef Registered = FindExternalBuffer(ExternalPooledBuffer->GetRHI()))
+	{
+		return Registered;
+	}
+	auto* const Buffer = new FRDGBuffer(Name, ExternalPooledBuffer->GetDesc(), Flags);
+	AdoptResource(Buffer, DescribeBuffer(*Buffer, State->Settings));
+	Buffer->PooledBuffer = ExternalPooledBuffer;
+	Buffer->ResourceRHI = ExternalPooledBuffer->GetRHI();
+	Buffer->bExternal = Buffer->bRegistered = Buffer->bProduced = true;
+	State->GetDescription(*Buffer).bExternal = true;
+	State->GetDescription(*Buffer).bMayBeTransient = false;
+	State->ExternalBuffers[ExternalPooledBuffer->GetRHI()] = Buffer;
+	return Buffer;
+}
+
+FRDGTextureRef FRDGBuilder::FindExternalTexture(FRHITexture* Texture) const
+{
+	const auto Found = State->ExternalTextures.find(Texture);
+	return Found == State->ExternalTextures.end() ? nullptr : Found->second;
+}
+
+FRDGTextureRef FRDGBuilder::FindExternalTexture(IPooledRenderTarget* ExternalPooledTexture) const
+{
+	return ExternalPooledTexture ? FindExternalTexture(ExternalPooledTexture->GetRHI()) : nullptr;
+}
+
+FRDGBufferRef FRDGBuilder::FindExternalBuffer(FRHIBuffer* Buffer) const
+{
+	const auto Found = State->ExternalBuffers.find(Buffer);
+	return Found == State->ExternalBuffers.end() ? nullptr : Found->second;
+}
+
+FRDGBufferRef FRDGBuilder::FindExternalBuffer(FRDGPooledBuffer* ExternalPooledBuffer) const
+{
+	return ExternalPooledBuffer ? FindExternalBuffer(ExternalPooledBuffer->GetRHI()) : nullptr;
+}

@@ -1,0 +1,222 @@
+// The builder's passes, scopes, and what happens at the end. Source: drydock; behaviour is the engine's.
+#include "RenderGraphBuilder.h"
+
+#include "RenderGraphCompile.h"
+#include "RenderGraphExecute.h"
+#include "RenderGraphObserver.h"
+#include "RenderGraphReport.h"
+#include "RenderGraphState.h"
+#include "RenderGraphValidate.h"
+
+using namespace Drydock;
+
+FRDGPass::~FRDGPass() = default;
+
+namespace
+{
+
+FRDGPassDescription DescribePass(const FRDGPass& Pass, const FRDGSettings& Settings)
+{
+	FRDGPassDescription Description;
+	Description.Index = Pass.GetIndex();
+	Description.Name = Pass.GetName();
+	Description.Scope = Pass.GetScope();
+	Description.Flags = Pass.GetFlags();
+	Description.File = Pass.GetLocation().file_name();
+	Description.Line = int32(Pass.GetLocation().line());
+	Description.bHasParameters = Pass.GetParametersMetadata() != nullptr;
+	const ERDGPassFlags Async = Settings.AsyncCompute == 2 ? ERDGPassFlags::AsyncCompute | ERDGPassFlags::Compute : ERDGPassFlags::AsyncCompute;
+	const bool bGraphicsWork = EnumHasAnyFlags(Pass.GetFlags(), ERDGPassFlags::Raster | ERDGPassFlags::Copy);
+	Description.bAsync = Settings.AsyncCompute != 0 && EnumHasAnyFlags(Pass.GetFlags(), Async) && !bGraphicsWork;
+	return Description;
+}
+
+} // namespace
+
+FRDGPassRef FRDGBuilder::AdoptPass(std::unique_ptr<FRDGPass>&& InPass)
+{
+	FRDGPassRef Pass = InPass.get();
+	RequireOpen("AddPass");
+	try
+	{
+		DeclarePass(*Pass);
+		State->Passes.push_back(MoveTemp(InPass));
+		if (State->Settings.bImmediateMode)
+		{
+			ResolveBufferSizes();
+			ThrowCollectedErrors(ValidateGraph(State->Graph, false).Errors);
+			FRDGExecutor(*this).RunPassImmediately(*Pass);
+		}
+	}
+	catch (...)
+	{
+		State->bFailed = true;
+		throw;
+	}
+	return Pass;
+}
+
+void FRDGBuilder::DeclarePass(FRDGPass& Pass)
+{
+	Pass.Index = int32(State->Graph.Passes.size());
+	Pass.Scope = State->Scopes.empty() ? "" : State->Scopes.back().Path;
+
+	FRDGPassDescription Description = DescribePass(Pass, State->Settings);
+	if (Pass.Metadata && !Pass.Parameters)
+	{
+		ThrowRDGErrors({MakePassDiagnostic(ESeverity::Error, RDGErrorNullArgument, Description, "the pass was added with null parameters")});
+	}
+	FRDGPassResources Resources;
+	if (Pass.Metadata)
+	{
+		Resources = CollectPassResources(*Pass.Metadata, Pass.Parameters,
+			[this](const void* Pointer) { return State->Known.count(Pointer) != 0; }, Description);
+	}
+	for (const FRDGUse& Use : Description.Uses)
+	{
+		FRDGViewableResource& Resource = *State->Resources[size_t(Use.Resource)];
+		Resource.bProduced = Resource.bProduced || Use.IsWrite();
+		if (Resource.ExternalAccess != ERHIAccess::Unknown && EnumHasAnyFlags(Use.Access, ~(Resource.ExternalAccess | ERHIAccess::SRVMask)))
+		{
+			State->Ensures.push_back(MakePassDiagnostic(ESeverity::Warning, RDGEnsureExternalAccess, Description,
+				std::string("the resource is in external access mode (") + *GetRHIAccessName(Resource.ExternalAccess) + ") but is accessed as "
+					+ *GetRHIAccessName(Use.Access),
+				Use.Parameter, Resource.Name));
+		}
+	}
+	State->Graph.Passes.push_back(MoveTemp(Description));
+	State->PassResources.push_back(MoveTemp(Resources));
+}
+
+void FRDGBuilder::AddPassDependency(FRDGPassRef Producer, FRDGPassRef Consumer)
+{
+	if (!Producer || !Consumer)
+	{
+		Fail(RDGErrorNullArgument, "AddPassDependency was called with a null pass", "graph " + State->Graph.Name);
+	}
+	if (Producer->GetIndex() >= Consumer->GetIndex())
+	{
+		State->Errors.push_back(MakePassDiagnostic(ESeverity::Error, RDGErrorPassDependency, State->GetDescription(*Consumer),
+			std::string("the pass cannot depend on ") + Producer->GetName() + ", which is not added before it"));
+		return;
+	}
+	State->GetDescription(*Consumer).DeclaredProducers.push_back(Producer->GetIndex());
+}
+
+void FRDGBuilder::SetPassWorkload(FRDGPassRef Pass, uint32 Workload)
+{
+	Pass->Workload = Workload;
+	State->GetDescription(*Pass).Workload = Workload;
+}
+
+// Scopes ----------------------------------------------------------------------------------------------------------------
+
+void FRDGBuilder::OpenScope(const FRDGEventName& ScopeName, bool bFinal)
+{
+	FRDGScope Scope;
+	const FRDGScope* const Outer = State->Scopes.empty() ? nullptr : &State->Scopes.back();
+	const bool bInsideFinal = Outer && Outer->bFinal && State->Settings.Events != 2;
+	Scope.bRecorded = State->Settings.Events != 0 && !bInsideFinal;
+	Scope.bFinal = bFinal || (Outer && Outer->bFinal);
+	Scope.Path = Outer ? Outer->Path : "";
+	if (Scope.bRecorded)
+	{
+		Scope.Path += (Scope.Path.empty() ? "" : "/") + std::string(ScopeName.GetTCHAR());
+	}
+	State->Scopes.push_back(MoveTemp(Scope));
+}
+
+void FRDGBuilder::BeginEventScope(FRDGEventName&& ScopeName)
+{
+	OpenScope(ScopeName, false);
+}
+
+void FRDGBuilder::BeginFinalEventScope(FRDGEventName&& ScopeName)
+{
+	OpenScope(ScopeName, true);
+}
+
+void FRDGBuilder::EndEventScope()
+{
+	if (State->Scopes.empty())
+	{
+		Fail(RDGErrorScope, "EndEventScope was called without BeginEventScope", "graph " + State->Graph.Name);
+	}
+	State->Scopes.pop_back();
+}
+
+// The end ---------------------------------------------------------------------------------------------------------------
+
+void FRDGBuilder::ThrowCollectedErrors(const std::vector<FDiagnostic>& GraphErrors)
+{
+	if (!State->Settings.bValidation)
+	{
+		return;
+	}
+	std::vector<FDiagnostic> Errors = State->Errors;
+	Errors.insert(Errors.end(), GraphErrors.begin(), GraphErrors.end());
+	if (!Errors.empty())
+	{
+		State->bFinished = true;
+		ThrowRDGErrors(Errors);
+	}
+}
+
+FRDGCompiledGraph FRDGBuilder::Compile()
+{
+	ResolveBufferSizes();
+	FRDGGraphDescription Graph = State->Graph;
+	for (const std::unique_ptr<FRDGPass>& Pass : State->Passes)
+	{
+		Graph.Passes[size_t(Pass->GetIndex())].Shader = Pass->GetShader();
+		Graph.Passes[size_t(Pass->GetIndex())].Entry = Pass->GetEntry();
+	}
+	FRDGPassDescription& Epilogue = Graph.Passes.emplace_back();
+	Epilogue.Index = int32(Graph.Passes.size()) - 1;
+	Epilogue.Name = "Graph Epilogue";
+	Epilogue.bIsSentinel = true;
+
+	FRDGValidationResult Validation;
+	if (State->Settings.bValidation)
+	{
+		Validation = ValidateGraph(Graph, State->Settings.Debug != 0);
+		Validation.Ensures.insert(Validation.Ensures.begin(), State->Ensures.begin(), State->Ensures.end());
+		ThrowCollectedErrors(Validation.Errors);
+		if (!State->bEnsuresReported)
+		{
+			State->bEnsuresReported = true;
+			for (const FDiagnostic& Diagnostic : Validation.Ensures)
+			{
+				ReportRDGEnsure(Diagnostic);
+			}
+			for (const FDiagnostic& Diagnostic : Validation.Warnings)
+			{
+				ReportRDGWarning(Diagnostic, State->Settings.Debug == 1 && Diagnostic.Code != RDGWarningNotShaderResource);
+			}
+		}
+	}
+
+	FRDGCompiledGraph Compiled = CompileGraph(Graph, FRDGCompileOptions::FromConsoleVariables());
+	Compiled.Warnings = MoveTemp(Validation.Ensures);
+	Compiled.Warnings.insert(Compiled.Warnings.end(), Validation.Warnings.begin(), Validation.Warnings.end());
+	return Compiled;
+}
+
+void FRDGBuilder::Execute()
+{
+	if (State->bFinished)
+	{
+		Fail(RDGErrorExecutedTwice, "Execute was called on a graph that was executed or discarded before", "graph " + State->Graph.Name);
+	}
+	const FRDGCompiledGraph Compiled = Compile();
+	State->bFinished = true;
+	FRDGExecutor Executor(*this);
+	if (State->Settings.bImmediateMode)
+	{
+		Executor.FinishImmediate(Compiled);
+	}
+	else
+	{
+		Executor.RunGraph(Compiled);
+	}
+}

@@ -1,0 +1,73 @@
+// Source: drydock.
+#include "RenderGraphClobber.h"
+
+#include "PixelFormatConversion.h"
+
+#include <cstring>
+#include <limits>
+
+namespace Drydock
+{
+
+namespace
+{
+
+constexpr uint32 ClobberInteger = 1000;
+constexpr float ClobberDepth = 0.123456789f;
+constexpr uint8 ClobberStencil = 123;
+
+float GetClobberValue(int32 Mode)
+{
+	switch (Mode)
+	{
+	case 2: return std::numeric_limits<float>::quiet_NaN();
+	case 3: return std::numeric_limits<float>::infinity();
+	default: return 1000.0f;
+	}
+}
+
+void FillPlane(FRHITexture& Texture, const void* Texel, int32 Plane)
+{
+	for (int32 Mip = 0; Mip < int32(Texture.GetNumMips()); ++Mip)
+	{
+		const FTextureMipLayout& Layout = Texture.GetMipLayout(Mip, Plane);
+		Texture.FillRect(Texel, FIntRect(0, 0, Layout.SizeX, Layout.SizeY), Mip, -1, Plane);
+	}
+}
+
+} // namespace
+
+void ClobberTexture(FRHITexture& Texture, int32 Mode)
+{
+	Texture.EnsureMemory();
+	uint8 Texel[32] = {}; // four doubles are the largest texel
+	if (IsInteger(Texture.GetFormat()))
+	{
+		const uint32_t Value[4] = {ClobberInteger, ClobberInteger, ClobberInteger, ClobberInteger};
+		EncodeTexel(Texture.GetStorage(), Value, Texel);
+	}
+	else
+	{
+		const float Channel = IsDepthOrStencilFormat(Texture.GetFormat()) ? ClobberDepth : GetClobberValue(Mode);
+		const float Value[4] = {Channel, Channel, Channel, Channel};
+		EncodeTexel(Texture.GetStorage(), Value, Texel);
+	}
+	FillPlane(Texture, Texel, 0);
+	if (Texture.GetNumPlanes() > 1)
+	{
+		FillPlane(Texture, &ClobberStencil, 1);
+	}
+}
+
+void ClobberBuffer(FRHIBuffer& Buffer, int32 Mode)
+{
+	Buffer.EnsureMemory();
+	const float Value = GetClobberValue(Mode);
+	uint8* const Data = Buffer.GetData();
+	for (uint32 Byte = 0; Byte + sizeof(Value) <= Buffer.GetSize(); Byte += sizeof(Value))
+	{
+		std::memcpy(Data + Byte, &Value, sizeof(Value));
+	}
+}
+
+} // namespace Drydock

@@ -1,0 +1,389 @@
+// Source: drydock.
+#include "RenderGraphExecute.h"
+
+#include "RenderGraphAlias.h"
+#include "RenderGraphClobber.h"
+#include "RenderGraphDump.h"
+#include "RenderGraphHeap.h"
+#include "RenderGraphObserver.h"
+#include "RenderGraphReport.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstring>
+
+namespace Drydock
+{
+
+IRDGObserver::~IRDGObserver() = default;
+
+void FRDGExecutor::RunGraph(const FRDGCompiledGraph& InCompiled)
+{
+	Compiled = &InCompiled;
+	for (size_t Index = 0; Index < State.Passes.size(); ++Index)
+	{
+		State.Passes[Index]->bCulled = InCompiled.Passes[Index + 1].bCulled;
+	}
+	for (size_t Index = 0; Index < State.Resources.size(); ++Index)
+	{
+		State.Resources[Index]->bCulled = InCompiled.Resources[Index].FirstPass < 0;
+		State.Resources[Index]->bTransient = InCompiled.Resources[Index].bTransient;
+	}
+	LogTransitions(InCompiled);
+	if (State.Observer)
+	{
+		State.Observer->OnGraphCompiled(InCompiled);
+	}
+	LoadExternals(FindExternals(-1));
+	if (InCompiled.Memory.TransientPeakBytes > 0)
+	{
+		Heap = ReserveTransientHeap(InCompiled.Memory.TransientPeakBytes);
+	}
+	for (const std::unique_ptr<FRDGPass>& Pass : State.Passes)
+	{
+		if (!Pass->bCulled)
+		{
+			RunPass(*Pass);
+		}
+	}
+	WriteExtractions();
+}
+
+void FRDGExecutor::RunPassImmediately(FRDGPass& Pass)
+{
+	LoadExternals(FindExternals(Pass.GetIndex()));
+	RunPass(Pass);
+}
+
+void FRDGExecutor::FinishImmediate(const FRDGCompiledGraph& InCompiled)
+{
+	LogTransitions(InCompiled);
+	if (State.Observer)
+	{
+		State.Observer->OnGraphCompiled(InCompiled);
+	}
+	WriteExtractions();
+}
+
+/** Registered textures that a pass (-1: any surviving one) touches and that were not announced yet. */
+std::vector<FRDGTexture*> FRDGExecutor::FindExternals(int32 PassIndex)
+{
+	std::vector<FRDGTexture*> Found;
+	for (size_t Index = 0; Index < State.Passes.size(); ++Index)
+	{
+		const bool bAsked = PassIndex < 0 ? !State.Passes[Index]->bCulled : State.Passes[Index]->GetIndex() == PassIndex;
+		for (FRDGViewableResource* Resource : State.PassResources[Index].Viewables)
+		{
+			auto* const Texture = static_cast<FRDGTexture*>(Resource);
+			if (bAsked && Resource->bRegistered && Resource->Type == ERDGViewableResourceType::Texture
+				&& State.LoadedExternals.insert(Texture).second)
+			{
+				Found.push_back(Texture);
+			}
+		}
+	}
+	return Found;
+}
+
+void FRDGExecutor::LoadExternals(const std::vector<FRDGTexture*>& Textures)
+{
+	if (!State.Observer || Textures.empty())
+	{
+		return;
+	}
+	for (FRDGTexture* Texture : Textures)
+	{
+		Texture->bAllowRHIAccess = true;
+	}
+	State.Observer->OnLoadExternals(Textures);
+	for (FRDGTexture* Texture : Textures)
+	{
+		Texture->bAllowRHIAccess = Texture->bExternalAccessNow;
+	}
+}
+
+// Memory ----------------------------------------------------------------------------------------------------------------
+
+void FRDGExecutor::AllocatePooled(FRDGViewableResource& Resource)
+{
+	if (Resource.Type == ERDGViewableResourceType::Texture)
+	{
+		auto& Texture = static_cast<FRDGTexture&>(Resource);
+		Texture.PooledTexture = GRenderTargetPool.FindFreeElement(Texture.Desc, Texture.Name);
+		Texture.ResourceRHI = Texture.PooledTexture->GetRHI();
+	}
+	else
+	{
+		auto& Buffer = static_cast<FRDGBuffer&>(Resource);
+		Buffer.PooledBuffer = GRenderGraphResourcePool.FindFreeBuffer(Buffer.Desc, Buffer.Name);
+		Buffer.ResourceRHI = Buffer.PooledBuffer->GetRHI();
+	}
+}
+
+void FRDGExecutor::Allocate(FRDGViewableResource& Resource)
+{
+	if (Resource.HasRHI())
+	{
+		return;
+	}
+	if (!Resource.bTransient)
+	{
+		AllocatePooled(Resource);
+		return;
+	}
+	uint8* const Memory = Heap + Compiled->Resources[size_t(Resource.Index)].HeapOffset;
+	if (Resource.Type == ERDGViewableResourceType::Texture)
+	{
+		const TRefCountPtr<FRHITexture> Texture(new FRHITexture(static_cast<FRDGTexture&>(Resource).Desc, Resource.Name));
+		Texture->PlaceAt(Memory);
+		Resource.ResourceRHI = Texture.GetReference();
+	}
+	else
+	{
+		const TRefCountPtr<FRHIBuffer> Buffer(new FRHIBuffer(Translate(static_cast<FRDGBuffer&>(Resource).Desc), Resource.Name));
+		Buffer->PlaceAt(Memory);
+		Resource.ResourceRHI = Buffer.GetReference();
+	}
+}
+
+/** Before the first pass that touches it, not earlier: its place in the heap may belong to another until then. */
+void FRDGExecutor::MakeReady(FRDGViewableResource& Resource)
+{
+	if (Resource.bReady)
+	{
+		return;
+	}
+	Allocate(Resource);
+	Resource.bReady = true;
+	if (Resource.bQueuedForUpload)
+	{
+		Upload(static_cast<FRDGBuffer&>(Resource));
+		return;
+	}
+	if (State.Settings.ClobberResources == 0 || Resource.bExternal || !PassesRDGGraphFilter(State.Graph.Name.c_str())
+		|| !PassesRDGResourceFilter(Resource.Name))
+	{
+		return;
+	}
+	if (Resource.Type == ERDGViewableResourceType::Texture)
+	{
+		ClobberTexture(static_cast<FRHITexture&>(*Resource.ResourceRHI), State.Settings.ClobberResources);
+	}
+	else
+	{
+		ClobberBuffer(static_cast<FRHIBuffer&>(*Resource.ResourceRHI), State.Settings.ClobberResources);
+	}
+}
+
+void FRDGExecutor::Upload(FRDGBuffer& Buffer)
+{
+	auto& RHIBuffer = static_cast<FRHIBuffer&>(*Buffer.ResourceRHI);
+	const FRDGUpload& Upload = State.Uploads[&Buffer];
+	uint8* const Data = RHIBuffer.GetData();
+	std::memcpy(Data, Upload.Data, Upload.Size);
+	std::memset(Data + Upload.Size, 0, RHIBuffer.GetSize() - Upload.Size);
+}
+
+// Passes ----------------------------------------------------------------------------------------------------------------
+
+void FRDGExecutor::AllowAccess(const FRDGPassResources& Resources, bool bAllow)
+{
+	for (FRDGViewableResource* Resource : Resources.Viewables)
+	{
+		Resource->bAllowRHIAccess = bAllow || Resource->bExternalAccessNow;
+	}
+	for (FRDGView* View : Resources.Views)
+	{
+		View->bAllowRHIAccess = bAllow;
+	}
+	for (FRDGUniformBuffer* Buffer : Resources.UniformBuffers)
+	{
+		Buffer->bAllowRHIAccess = bAllow;
+	}
+}
+
+void FRDGExecutor::RunPass(FRDGPass& Pass)
+{
+	const FRDGPassResources& Resources = State.PassResources[size_t(Pass.GetIndex()) - 1];
+	for (FRDGViewableResource* Resource : Resources.Viewables)
+	{
+		MakeReady(*Resource);
+		Resource->bUsed = false;
+	}
+	for (FRDGView* View : Resources.Views)
+	{
+		if (!View->HasRHI())
+		{
+			View->ResourceRHI = View->CreateRHI();
+		}
+		View->bUsed = false;
+	}
+	for (FRDGUniformBuffer* Buffer : Resources.UniformBuffers)
+	{
+		if (!Buffer->HasRHI())
+		{
+			Buffer->ResourceRHI = CreateUniformBuffer(Buffer->GetMetadata(), Buffer->GetContents()).GetReference();
+		}
+	}
+
+	struct FAccess
+	{
+		FAccess(FRDGExecutor& InExecutor, const FRDGPassResources& InResources) : Executor(InExecutor), Resources(InResources)
+		{
+			Executor.AllowAccess(Resources, true);
+		}
+		~FAccess() { Executor.AllowAccess(Resources, false); }
+
+		FRDGExecutor& Executor;
+		const FRDGPassResources& Resources;
+	} Access(*this, Resources);
+
+	Builder.RHICmdList.ResetCounters();
+	const auto Begin = std::chrono::steady_clock::now();
+	RunLambda(Pass, Resources);
+	const std::chrono::duration<double, std::milli> Elapsed = std::chrono::steady_clock::now() - Begin;
+	WarnAboutUnused(Pass, Resources);
+	if (State.Observer)
+	{
+		State.Observer->OnPassExecuted(Pass.GetIndex(), Pass, Elapsed.count(), Builder.RHICmdList.GetCounters(), FindWritten(Pass));
+	}
+}
+
+void FRDGExecutor::RunLambda(FRDGPass& Pass, const FRDGPassResources& Resources)
+{
+	const bool bRenderPass = Resources.TargetSlots && EnumHasAnyFlags(Pass.GetFlags(), ERDGPassFlags::Raster)
+		&& !EnumHasAnyFlags(Pass.GetFlags(), ERDGPassFlags::SkipRenderPass) && !State.GetDescription(Pass).Targets.IsEmpty();
+	if (!bRenderPass)
+	{
+		Pass.Execute(Builder.RHICmdList);
+		return;
+	}
+	struct FRenderPassScope
+	{
+		FRenderPassScope(FRHICommandListImmediate& InList, const FRHIRenderPassInfo& Info, const TCHAR* Name) : List(InList)
+		{
+			List.BeginRenderPass(Info, Name);
+		}
+		// Also when the lambda throws: the list outlives the graph.
+		~FRenderPassScope() { List.EndRenderPass(); }
+
+		FRHICommandListImmediate& List;
+	} RenderPass(Builder.RHICmdList, MakeRenderPassInfo(*Resources.TargetSlots), Pass.GetName());
+	Pass.Execute(Builder.RHICmdList);
+}
+
+FRHIRenderPassInfo FRDGExecutor::MakeRenderPassInfo(const FRenderTargetBindingSlots& Slots) const
+{
+	const auto GetTexture = [](const FRDGTexture* Texture)
+	{ return Texture ? static_cast<FRHITexture*>(Texture->ResourceRHI.GetReference()) : nullptr; };
+
+	FRHIRenderPassInfo Info;
+	int32 Count = 0;
+	Slots.Enumerate(
+		[&](const FRenderTargetBinding& Binding)
+		{
+			const bool bResolve = Binding.GetResolveTexture() && Binding.GetResolveTexture() != Binding.GetTexture();
+			FRHIRenderPassInfo::FColorEntry& Entry = Info.ColorRenderTargets[Count++];
+			Entry.RenderTarget = GetTexture(Binding.GetTexture());
+			Entry.ResolveTarget = bResolve ? GetTexture(Binding.GetResolveTexture()) : nullptr;
+			Entry.ArraySlice = Binding.GetArraySlice();
+			Entry.MipIndex = Binding.GetMipIndex();
+			Entry.Action = MakeRenderTargetActions(Binding.GetLoadAction(),
+				bResolve ? ERenderTargetStoreAction::EMultisampleResolve : ERenderTargetStoreAction::EStore);
+			Binding.GetTexture()->MarkResourceAsUsed();
+		});
+	if (const FRDGTexture* Depth = Slots.DepthStencil.GetTexture())
+	{
+		const auto MakeActions = [](ERenderTargetLoadAction Load) { return MakeRenderTargetActions(Load, ERenderTargetStoreAction::EStore); };
+		Info.DepthStencilRenderTarget.DepthStencilTarget = GetTexture(Depth);
+		Info.DepthStencilRenderTarget.Action = MakeDepthStencilTargetActions(
+			MakeActions(Slots.DepthStencil.GetDepthLoadAction()), MakeActions(Slots.DepthStencil.GetStencilLoadAction()));
+		Info.DepthStencilRenderTarget.ExclusiveDepthStencil = Slots.DepthStencil.GetDepthStencilAccess();
+		Depth->MarkResourceAsUsed();
+	}
+	return Info;
+}
+
+std::vector<FRDGTexture*> FRDGExecutor::FindWritten(const FRDGPass& Pass) const
+{
+	std::vector<FRDGTexture*> Written;
+	for (const FRDGUse& Use : State.GetDescription(Pass).Uses)
+	{
+		FRDGViewableResource* const Resource = State.Resources[size_t(Use.Resource)].get();
+		auto* const Texture = static_cast<FRDGTexture*>(Resource);
+		if (Use.IsWrite() && Resource->Type == ERDGViewableResourceType::Texture && std::find(Written.begin(), Written.end(), Texture) == Written.end())
+		{
+			Written.push_back(Texture);
+		}
+	}
+	return Written;
+}
+
+void FRDGExecutor::WarnAboutUnused(const FRDGPass& Pass, const FRDGPassResources& Resources) const
+{
+	if (State.Settings.Debug == 0 || !State.Settings.bValidation || !PassesRDGPassFilter(Pass.GetName()))
+	{
+		return;
+	}
+	std::string Unused;
+	size_t NumUnused = 0;
+	for (const FRDGViewableResource* Resource : Resources.Viewables)
+	{
+		const bool bViewUsed = std::any_of(Resources.Views.begin(), Resources.Views.end(),
+			[Resource](const FRDGView* View) { return View->GetParent() == Resource && View->bUsed; });
+		if (!Resource->bUsed && !bViewUsed)
+		{
+			Unused += (NumUnused++ ? ", " : "") + std::string(Resource->Name);
+		}
+	}
+	if (NumUnused > 0)
+	{
+		FDiagnostic Diagnostic;
+		Diagnostic.Severity = ESeverity::Warning;
+		Diagnostic.Code = RDGWarningUnusedParameter;
+		Diagnostic.Message = std::to_string(NumUnused) + " of " + std::to_string(Resources.Viewables.size())
+			+ " resources of the pass were not actually used: " + Unused;
+		Diagnostic.File = Pass.GetLocation().file_name();
+		Diagnostic.Line = int(Pass.GetLocation().line());
+		Diagnostic.Where = std::string("pass ") + Pass.GetName();
+		ReportRDGWarning(Diagnostic, State.Settings.Debug == 1);
+	}
+}
+
+// The rest --------------------------------------------------------------------------------------------------------------
+
+void FRDGExecutor::WriteExtractions()
+{
+	for (const auto& Extraction : State.TextureExtractions)
+	{
+		MakeReady(*Extraction.Resource); // an external texture that no pass touched
+		*Extraction.Out = Extraction.Resource->PooledTexture;
+	}
+	for (const auto& Extraction : State.BufferExtractions)
+	{
+		MakeReady(*Extraction.Resource);
+		*Extraction.Out = Extraction.Resource->PooledBuffer;
+	}
+}
+
+void FRDGExecutor::LogTransitions(const FRDGCompiledGraph& InCompiled) const
+{
+	if (PassesRDGGraphFilter(InCompiled.Name.c_str()) && ConsumeRDGTransitionLog())
+	{
+		std::fputs(DumpTransitions(InCompiled).c_str(), stderr);
+	}
+}
+
+void FRDGExecutor::SetExternalAccess(FRDGViewableResource& Resource, bool bExternal)
+{
+	Resource.bExternalAccessNow = bExternal;
+}
+
+void FRDGExecutor::FailAccess(const FRDGResource& Resource)
+{
+	ThrowRDGError(RDGErrorUndeclaredAccess,
+		"accessing the RHI resource at this time is not allowed: only inside a pass whose parameters declare it",
+		std::string("resource ") + Resource.Name);
+}
+
+} // namespace Drydock

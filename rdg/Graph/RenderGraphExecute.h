@@ -1,0 +1,55 @@
+// Runs passes: gives resources memory before their first pass, opens and closes render passes, lets the running pass touch
+// what it declares, measures. Internal to this folder. Source: drydock.
+#pragma once
+
+#include "RenderGraphBuilder.h"
+#include "RenderGraphState.h"
+
+namespace Drydock
+{
+
+class FRDGExecutor
+{
+public:
+	explicit FRDGExecutor(FRDGBuilder& InBuilder) : Builder(InBuilder), State(*InBuilder.State) {}
+
+	/** All surviving passes, then the extractions. */
+	void RunGraph(const FRDGCompiledGraph& Compiled);
+
+	/** One pass, now: immediate mode. */
+	void RunPassImmediately(FRDGPass& Pass);
+
+	/** Immediate mode: what is left when all passes have run. */
+	void FinishImmediate(const FRDGCompiledGraph& Compiled);
+
+	/** Gives a texture or buffer memory from a pool, whoever uses it first. */
+	static void AllocatePooled(FRDGViewableResource& Resource);
+
+	/** What the pass of UseExternalAccessMode does. */
+	static void SetExternalAccess(FRDGViewableResource& Resource, bool bExternal);
+
+	/** What a check throws when Resource is touched and must not be. */
+	[[noreturn]] static void FailAccess(const FRDGResource& Resource);
+
+private:
+	void LoadExternals(const std::vector<FRDGTexture*>& Textures);
+	std::vector<FRDGTexture*> FindExternals(int32 PassIndex);
+	void MakeReady(FRDGViewableResource& Resource);
+	void Allocate(FRDGViewableResource& Resource);
+	void Upload(FRDGBuffer& Buffer);
+	void AllowAccess(const FRDGPassResources& Resources, bool bAllow);
+	void RunPass(FRDGPass& Pass);
+	void RunLambda(FRDGPass& Pass, const FRDGPassResources& Resources);
+	FRHIRenderPassInfo MakeRenderPassInfo(const FRenderTargetBindingSlots& Slots) const;
+	std::vector<FRDGTexture*> FindWritten(const FRDGPass& Pass) const;
+	void WarnAboutUnused(const FRDGPass& Pass, const FRDGPassResources& Resources) const;
+	void WriteExtractions();
+	void LogTransitions(const FRDGCompiledGraph& Compiled) const;
+
+	FRDGBuilder& Builder;
+	FRDGBuilderState& State;
+	const FRDGCompiledGraph* Compiled = nullptr; // null in immediate mode
+	uint8* Heap = nullptr;
+};
+
+} // namespace Drydock

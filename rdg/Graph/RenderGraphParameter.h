@@ -1,0 +1,28 @@
+// Walks a parameter struct by its metadata and finds what a pass touches and how: textures, views, uniform buffers with
+// everything in them, bare accesses, render targets. Null members are skipped. Source: engine RenderGraphParameter.h.
+#pragma once
+
+#include "RenderGraphCompiled.h"
+#include "RenderGraphFwd.h"
+
+class FRenderTargetBindingSlots;
+class FShaderParametersMetadata;
+
+namespace Drydock
+{
+
+/** What a pass's parameters refer to. */
+struct FRDGPassResources
+{
+	std::vector<FRDGViewableResource*> Viewables; // textures and buffers, each once, in the order of the parameters
+	std::vector<FRDGView*> Views;
+	std::vector<FRDGUniformBuffer*> UniformBuffers;
+	const FRenderTargetBindingSlots* TargetSlots = nullptr;
+};
+
+/** Fills the uses, targets and outputs of Pass, whose flags and pipeline are set. IsKnown tells pointers of this graph from
+ *  others; the first unknown one is thrown as FError before it is looked into. */
+DRYDOCK_API FRDGPassResources CollectPassResources(const FShaderParametersMetadata& Metadata, const void* Parameters,
+	TFunctionRef<bool(const void*)> IsKnown, FRDGPassDescription& Pass);
+
+} // namespace Drydock

@@ -1,0 +1,49 @@
+// Source: drydock.
+#include "RenderGraphReport.h"
+
+#include "CoreMinimal.h"
+
+#include <cstdio>
+#include <mutex>
+#include <set>
+
+namespace Drydock
+{
+
+void ThrowRDGError(int Code, const std::string& Message, const std::string& Where)
+{
+	FDiagnostic Diagnostic;
+	Diagnostic.Code = Code;
+	Diagnostic.Message = Message;
+	Diagnostic.Where = Where;
+	ThrowRDGErrors({Diagnostic});
+}
+
+void ThrowRDGErrors(const std::vector<FDiagnostic>& Diagnostics)
+{
+	for (const FDiagnostic& Diagnostic : Diagnostics)
+	{
+		std::fprintf(stderr, "%s\n", Diagnostic.ToString().c_str());
+	}
+	throw FError(Diagnostics, ExitUsage);
+}
+
+void ReportRDGEnsure(const FDiagnostic& Diagnostic)
+{
+	const std::string Text = Diagnostic.ToString();
+	ensureAlwaysMsgf(false, TEXT("%s"), Text.c_str());
+}
+
+void ReportRDGWarning(const FDiagnostic& Diagnostic, bool bOnce)
+{
+	static std::mutex Mutex;
+	static std::set<std::string> Printed;
+	const std::string Text = Diagnostic.ToString();
+	std::lock_guard Lock(Mutex);
+	if (Printed.insert(Text).second || !bOnce)
+	{
+		std::fprintf(stderr, "%s\n", Text.c_str());
+	}
+}
+
+} // namespace Drydock

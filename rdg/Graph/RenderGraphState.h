@@ -1,0 +1,73 @@
+// What a builder holds between its calls. Internal to this folder. Source: drydock.
+#pragma once
+
+#include "RenderGraphAllocator.h"
+#include "RenderGraphCompiled.h"
+#include "RenderGraphConsoleVariables.h"
+#include "RenderGraphParameter.h"
+#include "RenderGraphPass.h"
+#include "RenderGraphResources.h"
+
+#include <map>
+#include <memory>
+#include <set>
+#include <unordered_set>
+
+namespace Drydock
+{
+
+struct FRDGUpload
+{
+	const void* Data = nullptr;
+	uint64 Size = 0;
+};
+
+template <typename ResourceType, typename PooledType>
+struct TRDGExtraction
+{
+	ResourceType* Resource;
+	TRefCountPtr<PooledType>* Out;
+};
+
+struct FRDGScope
+{
+	std::string Path; // with those around it
+	bool bFinal = false;
+	bool bRecorded = true;
+};
+
+struct FRDGBuilderState
+{
+	FRDGSettings Settings;
+	IRDGObserver* Observer = nullptr;
+	FRDGGraphDescription Graph; // grows with each call; Passes[0] is the prologue, the epilogue comes with compiling
+
+	// Declared in this order because destruction runs backwards: passes and their captures go first.
+	FRDGAllocator Allocator;
+	std::vector<std::unique_ptr<FRDGViewableResource>> Resources;
+	std::vector<std::unique_ptr<FRDGView>> Views;
+	std::vector<std::unique_ptr<FRDGUniformBuffer>> UniformBuffers;
+	std::vector<std::unique_ptr<FRDGPass>> Passes;      // Passes[i] has index i + 1
+	std::vector<FRDGPassResources> PassResources;       // by position in Passes
+	std::unordered_set<const void*> Known;              // everything above that parameters may point to
+
+	std::map<FRHITexture*, FRDGTexture*> ExternalTextures;
+	std::map<FRHIBuffer*, FRDGBuffer*> ExternalBuffers;
+	std::map<FRDGBuffer*, FRDGUpload> Uploads;
+	std::vector<TRDGExtraction<FRDGTexture, IPooledRenderTarget>> TextureExtractions;
+	std::vector<TRDGExtraction<FRDGBuffer, FRDGPooledBuffer>> BufferExtractions;
+	std::vector<FRDGScope> Scopes;
+
+	std::vector<FDiagnostic> Errors;   // collected so far
+	std::vector<FDiagnostic> Ensures;
+	std::set<FRDGTexture*> LoadedExternals;
+	bool bEnsuresReported = false;
+	bool bFinished = false; // executed or discarded
+	bool bFailed = false;   // an error was thrown: whoever caught it need not execute
+	int UncaughtExceptions = 0;
+
+	FRDGPassDescription& GetDescription(const FRDGPass& Pass) { return Graph.Passes[size_t(Pass.GetIndex())]; }
+	FRDGResourceDescription& GetDescription(const FRDGViewableResource& Resource) { return Graph.Resources[size_t(Resource.GetIndex())]; }
+};
+
+} // namespace Drydock
