@@ -5,7 +5,7 @@
 #include "WatchedFiles.h"
 
 #include "ConfigErrors.h"
-#include "ShaderCompiler.h"
+#include "ShaderBinding.h"
 
 #include <chrono>
 #include <cstdio>
@@ -77,7 +77,7 @@ FWatchedFiles GetWatchedFiles(const FVerbOptions& Options)
 		{
 			std::this_thread::sleep_for(Interval);
 		}
-		ForgetCompiledShaders();
+		ForgetShaders();
 	}
 }
 
