@@ -2,7 +2,8 @@
 // uniform scalars: same input, same bits. Errors in units in the last place, proven by sweeps in the tests:
 //   Exp2 Exp Log2 Log 2, Pow 2, Sin Cos 2 for |x| <= 8192 (bounded but meaningless beyond 10^6), Tan 4,
 //   Asin Acos Atan Atan2 3, Sinh Cosh Tanh 4
-// Results below the smallest normal float are 0, arguments below it count as 0, whatever the processor's mode.
+// Exponentials, logarithms and Pow give 0 below the smallest normal float and take arguments below it as 0, whatever the
+// processor's denormal mode; the others follow the mode.
 // Pow is exp2(y * log2(x)) as in Direct3D: NaN for a negative x, and 1 for y = 0 with any other x but NaN.
 // Double lanes call the C library one by one. Polynomials: Chebyshev fits made for drydock. Source: drydock; argument
 // reductions after W. J. Cody and W. Waite, Software Manual for the Elementary Functions (1980).
@@ -80,6 +81,20 @@ TReal<float, N> Exp(TReal<float, N> X)
 	return Select(X < FLanes(-87.3365402f), FLanes(0.0f), Select(X == X, Result, X));
 }
 
+/** E such that X / 2^E lies in [sqrt(1/2), sqrt(2)), for positive normal X; anything for others. */
+template <int N>
+DRYDOCK_LANES_INLINE TRaw<int32_t, N> LogExponent(TReal<float, N> X)
+{
+	return TRaw<int32_t, N>(TRaw<uint32_t, N>(X.V) - 0x3F3504F3u) >> 23;
+}
+
+/** X / 2^Exponent by its bits. */
+template <int N>
+DRYDOCK_LANES_INLINE TReal<float, N> Scaled(TReal<float, N> X, TRaw<int32_t, N> Exponent)
+{
+	return TReal<float, N>(TRaw<float, N>(TRaw<uint32_t, N>(X.V) - (TRaw<uint32_t, N>(Exponent) << 23)));
+}
+
 /** X = 2^Exponent (1 + T), T in [sqrt(1/2) - 1, sqrt(2) - 1); ln(1 + T) = T + Rest. X positive and normal. */
 template <int N>
 struct TLogParts
@@ -93,9 +108,8 @@ template <int N>
 DRYDOCK_LANES_INLINE TLogParts<N> SplitLog(TReal<float, N> X)
 {
 	using FLanes = TReal<float, N>;
-	const TRaw<int32_t, N> Bits = TRaw<int32_t, N>(X.V);
-	const TRaw<int32_t, N> Exponent = (Bits - 0x3F3504F3) >> 23;
-	const FLanes T = FLanes(TRaw<float, N>(Bits - (Exponent << 23))) - FLanes(1.0f);
+	const TRaw<int32_t, N> Exponent = LogExponent(X);
+	const FLanes T = Scaled(X, Exponent) - FLanes(1.0f);
 	const FLanes T2 = T * T;
 	const FLanes Rest = T2 * T * Polynomial(T, -0.0620150007f, 0.105308644f, -0.10646192f, 0.110377833f, -0.124507435f, 0.142865241f, -0.166680008f, 0.200000107f, -0.249999896f, 0.333333343f) - T2 * FLanes(0.5f);
 	return {FLanes(__builtin_convertvector(Exponent, TRaw<float, N>)), T, Rest};
@@ -148,9 +162,8 @@ TReal<float, N> Pow(TReal<float, N> X, TReal<float, N> Y)
 	using FLanes = TReal<float, N>;
 	constexpr int H = N / 2;
 	using FWide = TReal<double, H>;
-	const TRaw<int32_t, N> Bits = TRaw<int32_t, N>(X.V);
-	const TRaw<int32_t, N> Exponent = (Bits - 0x3F3504F3) >> 23;
-	const FLanes Mantissa(TRaw<float, N>(Bits - (Exponent << 23)));
+	const TRaw<int32_t, N> Exponent = LogExponent(X);
+	const FLanes Mantissa = Scaled(X, Exponent);
 	const FLanes ExponentF(__builtin_convertvector(Exponent, TRaw<float, N>));
 
 	TRaw<double, H> Products[2];

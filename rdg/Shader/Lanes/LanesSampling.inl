@@ -135,7 +135,7 @@ DRYDOCK_LANES_INLINE bool IsSame(TRaw<int32_t, N> X)
 template <int N>
 DRYDOCK_LANES_INLINE bool IsRow(TRaw<int32_t, N> X, TRaw<int32_t, N> Y)
 {
-	return IsSame<N>(X - LaneIndex<N>().V) && IsSame<N>(Y);
+	return IsSame<N>((TInt<N>(X) - LaneIndex<N>()).V) && IsSame<N>(Y);
 }
 
 /** A row of texels inside one mip, no filter. */

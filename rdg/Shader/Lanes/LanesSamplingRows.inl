@@ -261,21 +261,22 @@ inline bool SampleMip2DTuned(const FKernelMip& Mip, const uint8_t* Base, const F
 
 	// In 1/256 texels. A power of two may join either factor of a product without changing its bits.
 	constexpr int32_t Unfit = int32_t(0x80000000);
+	constexpr int32_t Far = GFarTexel * 256;
 	const FInt SnappedX = FOps::FloorToInt(LoadRaw<FFloat>(U) * (float(Mip.SizeX) * 256.0f) + 0.5f);
 	const FInt SnappedY = FOps::FloorToInt(LoadRaw<FFloat>(V) * (float(Mip.SizeY) * 256.0f) + 0.5f);
 	const int32_t Half = bPoint ? 0 : 128;
-	const int32_t FixedX = SnappedX[0] - Half;
-	const int32_t FixedY = SnappedY[0] - Half;
+	const int32_t FixedX = int32_t(uint32_t(SnappedX[0]) - uint32_t(Half)); // wraps where it does not fit: then Start is out of range
+	const int32_t FixedY = int32_t(uint32_t(SnappedY[0]) - uint32_t(Half));
 	const int32_t Start = FixedX >> 8;
 	FRowPair Rows;
-	if (FOps::Equal(SnappedY, Broadcast<int32_t, N>(SnappedY[0])) && uint32_t(Start) < uint32_t(Mip.SizeX) && SnappedY[0] != Unfit
+	if (FOps::Equal(SnappedY, Broadcast<int32_t, N>(SnappedY[0])) && uint32_t(Start) < uint32_t(Mip.SizeX) && SnappedY[0] >= -Far && SnappedY[0] <= Far
 		&& FindRows(Mip, Base, Sampler.AddressV, FixedY >> 8, bPoint ? 0.0f : float(FixedY & 255) * (1.0f / 256), Rows))
 	{
 		const float WeightX = bPoint ? 0.0f : float(FixedX & 255) * (1.0f / 256);
 		const int64_t Offset = int64_t(Start) * FFormat::Bytes;
 		const uint8_t* Row0 = Rows.Row0 + Offset;
 		const uint8_t* Row1 = Rows.Row1 ? Rows.Row1 + Offset : nullptr;
-		const FInt Steps = SnappedX - SnappedX[0];
+		const FInt Steps = (TInt<N>(SnappedX) - TInt<N>(SnappedX[0])).V;
 		const FInt Iota = LaneIndex<N>().V;
 		FFloat C[4];
 		if (Start + N + (WeightX != 0) <= Mip.SizeX && FOps::Equal(Steps, Iota * 256))
@@ -293,7 +294,7 @@ inline bool SampleMip2DTuned(const FKernelMip& Mip, const uint8_t* Base, const F
 		}
 	}
 
-	const FInt Limit = Broadcast<int32_t, N>(GFarTexel * 256);
+	const FInt Limit = Broadcast<int32_t, N>(Far);
 	if (MaskBits(TMask<N>((SnappedX == Unfit) | (SnappedY == Unfit))) != 0)
 	{
 		// NaN, or beyond what an integer holds: once more, with care.

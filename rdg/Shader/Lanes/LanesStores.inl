@@ -152,7 +152,7 @@ inline void StoreConsecutive(const FKernelTexture& Texture, const FKernelMip& Mi
 		{
 			for (int Lane = 0; Lane < N; ++Lane)
 			{
-				if (Mask[Lane] && uint32_t(X0 + Lane) < uint32_t(Mip.SizeX))
+				if (Mask[Lane] && uint32_t(X0) + uint32_t(Lane) < uint32_t(Mip.SizeX))
 				{
 					__builtin_memcpy(const_cast<uint8_t*>(TexelAddress(Mip, Bytes, X0 + Lane, Y, Z)), Row + Lane * Bytes, size_t(Bytes));
 				}
@@ -162,7 +162,7 @@ inline void StoreConsecutive(const FKernelTexture& Texture, const FKernelMip& Mi
 	}
 	for (int Lane = 0; Lane < N; ++Lane)
 	{
-		if (Mask[Lane] && uint32_t(X0 + Lane) < uint32_t(Mip.SizeX))
+		if (Mask[Lane] && uint32_t(X0) + uint32_t(Lane) < uint32_t(Mip.SizeX))
 		{
 			StoreLane<Real, N>(Texture, const_cast<uint8_t*>(TexelAddress(Mip, Bytes, X0 + Lane, Y, Z)), Value, Lane);
 		}
@@ -291,7 +291,7 @@ inline void StoreTargetLanes(const FKernelTarget& Target, const int32_t* Mask, i
 	const int32_t Bytes = GetTexelStorageInfo(Texture.Storage).BytesPerTexel;
 	for (int Lane = 0; Lane < N; ++Lane)
 	{
-		if (!Mask[Lane] || uint32_t(X0 + Lane) >= uint32_t(Mip.SizeX))
+		if (!Mask[Lane] || uint32_t(X0) + uint32_t(Lane) >= uint32_t(Mip.SizeX))
 		{
 			continue;
 		}

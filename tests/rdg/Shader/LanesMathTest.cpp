@@ -168,6 +168,34 @@ TEST(LanesElementary, HyperbolicsStayWithinFourUlp)
 	}
 }
 
+TEST(LanesElementary, ExponentialsDoNotDependOnTheDenormalMode)
+{
+	std::vector<float> A;
+	std::vector<float> B;
+	std::mt19937 Engine(21);
+	std::uniform_real_distribution<float> Value(-140, 140);
+	for (int i = 0; i < 200000; ++i)
+	{
+		A.push_back(i % 2 ? std::bit_cast<float>(uint32_t(Engine())) : Value(Engine));
+		B.push_back(Value(Engine));
+	}
+	for (const char* Name : {"Exp2", "Exp", "Log2", "Log", "Pow"})
+	{
+		std::vector<float> Kept(A.size());
+		std::vector<float> Flushed(A.size());
+		const auto Function = GetMathKernelsUniform().Float.at(Name);
+		Function(A.data(), B.data(), Kept.data(), int(A.size()));
+		const uint32_t Mode = __builtin_ia32_stmxcsr();
+		__builtin_ia32_ldmxcsr(Mode | 0x8040); // flush to zero, denormals are zero
+		Function(A.data(), B.data(), Flushed.data(), int(A.size()));
+		__builtin_ia32_ldmxcsr(Mode);
+		for (size_t i = 0; i < A.size(); ++i)
+		{
+			ASSERT_TRUE(BitsOf(Kept[i]) == BitsOf(Flushed[i]) || (std::isnan(Kept[i]) && std::isnan(Flushed[i]))) << Name << "(" << A[i] << ", " << B[i] << ")";
+		}
+	}
+}
+
 struct FSpecial
 {
 	const char* Name;

@@ -178,6 +178,12 @@ TSamples<Real> MakeCoordinates(int32_t SizeX, int32_t SizeY, uint32_t Seed)
 		Samples.U.push_back(Real(Anywhere(Engine)));
 		Samples.V.push_back(Real(Anywhere(Engine)));
 	}
+	// Huge rows beside consecutive columns.
+	for (int Lane = 0; Lane < 16; ++Lane)
+	{
+		Samples.U.push_back(Real((0.5 + (Lane < 8 ? Lane : 2 * Lane)) / SizeX));
+		Samples.V.push_back(Real(8000000.3 / SizeY));
+	}
 	for (Real Strange : {Real(1e30), Real(-1e30), Real(GInf), Real(-GInf), Real(GNanF), Real(1e9), Real(-0.0), Real(12345.678)})
 	{
 		for (int i = 0; i < 2; ++i)
