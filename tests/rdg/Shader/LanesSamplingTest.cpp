@@ -159,13 +159,13 @@ TSamples<Real> MakeCoordinates(int32_t SizeX, int32_t SizeY, uint32_t Seed)
 	std::uniform_int_distribution<int32_t> StartX(-20, SizeX + 4);
 	std::uniform_int_distribution<int32_t> StartY(-3, SizeY + 3);
 	const double Rates[] = {1, 2, 0.5, 0.25, 1.5, 0, -1, 3, 7};
-	const double Offsets[] = {0.5, 0, 1, 0.25, 0.7};
+	const double Offsets[][2] = {{0.5, 0.5}, {0, 0}, {1, 0.5}, {0.5, 0.25}, {0.25, 0.625}, {0.7, 0.1}};
 	for (double Rate : Rates)
 	{
-		for (double Offset : Offsets)
+		for (const auto& Offset : Offsets)
 		{
-			const double X0 = StartX(Engine) + Offset;
-			const double Y0 = StartY(Engine) + Offset;
+			const double X0 = StartX(Engine) + Offset[0];
+			const double Y0 = StartY(Engine) + Offset[1];
 			for (int Lane = 0; Lane < 16; ++Lane)
 			{
 				Samples.U.push_back(Real((X0 + Rate * Lane) / SizeX));
