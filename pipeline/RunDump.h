@@ -12,7 +12,7 @@ namespace Drydock
 DRYDOCK_API bool MatchesPattern(const std::string& Pattern, const std::string& Text);
 
 /** Whether one of the patterns names the pass, the resource, or Pass.Resource. */
-bool IsDumped(const std::vector<TConfigValue<std::string>>& Patterns, const std::string& Pass, const std::string& Resource);
+DRYDOCK_API bool IsDumped(const std::vector<TConfigValue<std::string>>& Patterns, const std::string& Pass, const std::string& Resource);
 
 /** "007.BloomSetup.BloomSetup", with .mipK where the resource has several; characters outside [A-Za-z0-9_-] become _. */
 DRYDOCK_API std::string GetDumpFileName(const FRunDump& Dump);

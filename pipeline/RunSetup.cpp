@@ -1,6 +1,7 @@
 // Source: drydock.
 #include "RunSetup.h"
 
+#include "ConfigReader.h"
 #include "FinalSettings.h"
 
 namespace Drydock
@@ -19,6 +20,26 @@ const char* GetStorageValue(const FRunOptions& Options)
 	case ERunStorage::Default: break;
 	}
 	return Options.bDouble ? "2" : "";
+}
+
+/** Values that are valid, but that this build cannot act on. */
+void WarnOfIneffectiveValues(const FConfig& Config, const FChainSettings& Chain, std::vector<FDiagnostic>& Diagnostics)
+{
+	FConfigMessages Messages(Config.File, Diagnostics);
+	const FConfigPlace Nowhere;
+	const int32 AntiAliasing = IConsoleManager::Get().FindConsoleVariable(TEXT("r.AntiAliasingMethod"))->GetInt();
+	if (AntiAliasing < 0 || AntiAliasing > 1)
+	{
+		Messages.Warn(WarnIneffectiveValue, Nowhere, "r.AntiAliasingMethod " + std::to_string(AntiAliasing) + " is not simulated: no antialiasing runs");
+	}
+	if (Chain.Settings.BloomMethod != BM_SOG)
+	{
+		Messages.Warn(WarnNotBuilt, Nowhere, "BloomMethod BM_FFT is not built yet: the Gaussian sum runs");
+	}
+	if (!Chain.ShowFlags.PostProcessing || !Chain.ShowFlags.Tonemapper)
+	{
+		Messages.Warn(WarnNotBuilt, Nowhere, "gamma-only output is not built yet: the film curve runs");
+	}
 }
 
 } // namespace
@@ -69,6 +90,7 @@ FRunSetup::FRunSetup(const FRunOptions& Options)
 		Variables.Set("r.Drydock.Threads", std::to_string(*Options.Threads));
 	}
 	Chain = MakeChainSettings(Config);
+	WarnOfIneffectiveValues(Config, Chain, Diagnostics);
 	Effects = DecideEffects(Chain);
 	Dump = Config.Dump;
 	for (const std::string& Pattern : Options.Dump)

@@ -1,5 +1,6 @@
 // `drydock check`. Source: drydock.
 #include "JsonWriter.h"
+#include "Run.h"
 #include "RunJson.h"
 #include "Scene.h"
 #include "Verbs.h"

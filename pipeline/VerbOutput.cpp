@@ -1,5 +1,6 @@
 // What verbs say to a person. Source: drydock.
 #include "ProgressBar.h"
+#include "Run.h"
 #include "Verbs.h"
 
 #include <algorithm>

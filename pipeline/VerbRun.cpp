@@ -1,5 +1,6 @@
 // `drydock run`. Source: drydock.
 #include "ProgressBar.h"
+#include "Run.h"
 #include "RunOutputs.h"
 #include "Verbs.h"
 #include "WatchedFiles.h"

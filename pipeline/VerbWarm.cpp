@@ -1,4 +1,5 @@
 // `drydock warm`: what the build calls so that a first run needs no compiler. Source: drydock.
+#include "Run.h"
 #include "Verbs.h"
 
 #include <cstdio>

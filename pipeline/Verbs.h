@@ -2,13 +2,17 @@
 // result, stderr the log. They throw FError; Main prints it and exits with its code. Source: drydock.
 #pragma once
 
-#include "Run.h"
+#include "Diagnostics.h"
+#include "RunOptions.h"
 
 #include <string>
 #include <vector>
 
 namespace Drydock
 {
+
+struct FEffectDecision;
+struct FRunResult;
 
 /** Arguments that several verbs have. */
 struct FVerbOptions

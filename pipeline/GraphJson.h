@@ -1,0 +1,15 @@
+// A compiled graph as JSON. Source: drydock.
+#pragma once
+
+#include "RenderGraphCompiled.h"
+
+#include <string>
+
+namespace Drydock
+{
+
+/** {name, passes: [{index, name, scope, flags, culled, reason, shader, entry, uses, producers}], resources, transitions,
+ *  memory}. Passes and resources refer to each other by index. */
+DRYDOCK_API std::string MakeGraphJson(const FRDGCompiledGraph& Graph);
+
+} // namespace Drydock

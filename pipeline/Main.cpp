@@ -1,0 +1,159 @@
+// The program: parses the command line, calls a verb, turns errors into exit codes. Source: drydock.
+#include <CLI/CLI.hpp>
+
+#include "Verbs.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <map>
+
+namespace
+{
+
+using namespace Drydock;
+
+/** Options that repeat take one value each, so that a config may follow them. */
+void AddRepeated(CLI::App& Verb, const char* Name, std::vector<std::string>& Values, const char* Doc)
+{
+	Verb.add_option(Name, Values, Doc)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->allow_extra_args(false);
+}
+
+void AddConfig(CLI::App& Verb, FVerbOptions& Options)
+{
+	Verb.add_option("CONFIG", Options.Run.ConfigFile, "JSON config, such as configs/toon_bloom.json")->required();
+	AddRepeated(Verb, "--set", Options.Run.Variables, "Console variable, r.Name=Value; repeats; beats the config");
+	AddRepeated(Verb, "--pp", Options.Run.Settings, "Post-process setting, Name=Value; repeats; beats all volumes");
+}
+
+void AddArithmetic(CLI::App& Verb, FVerbOptions& Options)
+{
+	Verb.add_option_function<std::string>("--precision", [&Options](const std::string& Name) { Options.Run.bDouble = Name == "double"; },
+		"Arithmetic of the shaders: float (default) or double, with 64-bit storage")
+		->check(CLI::IsMember({"float", "double"}))->type_name("P");
+	static const std::map<std::string, ERunStorage> Storages = {
+		{"native", ERunStorage::Native}, {"float32", ERunStorage::Float32}, {"float64", ERunStorage::Float64}};
+	Verb.add_option_function<std::string>("--storage", [&Options](const std::string& Name) { Options.Run.Storage = Storages.at(Name); },
+		"Storage of textures: native (their own formats, default), float32, float64")
+		->check(CLI::IsMember({"native", "float32", "float64"}))->type_name("S");
+	Verb.add_option_function<int>("--threads", [&Options](int Threads) { Options.Run.Threads = Threads; },
+		"Threads; 0: all cores (default). The result is the same bits for any number")
+		->check(CLI::Range(0, 1024))->type_name("N");
+}
+
+/** The nearest verb or option to what CLI11 did not understand. */
+std::string SuggestFor(const CLI::App& Program, const std::vector<std::string>& Arguments)
+{
+	std::vector<std::string> Verbs;
+	const CLI::App* Chosen = nullptr;
+	for (const CLI::App* Verb : Program.get_subcommands([](const CLI::App*) { return true; }))
+	{
+		Verbs.push_back(Verb->get_name());
+		Chosen = !Arguments.empty() && Verb->get_name() == Arguments[0] ? Verb : Chosen;
+	}
+	if (Chosen == nullptr)
+	{
+		const std::string Nearest = Arguments.empty() ? "" : FindNearestName(Arguments[0], Verbs);
+		return Nearest.empty() ? "" : "did you mean " + Nearest + "?";
+	}
+	std::vector<std::string> Options;
+	for (const CLI::Option* Option : Chosen->get_options())
+	{
+		Options.push_back(Option->get_name());
+	}
+	for (size_t Index = 1; Index < Arguments.size(); ++Index)
+	{
+		const std::string Name = Arguments[Index].substr(0, Arguments[Index].find('='));
+		if (Name.rfind("--", 0) == 0 && std::find(Options.begin(), Options.end(), Name) == Options.end())
+		{
+			const std::string Nearest = FindNearestName(Name, Options);
+			return Nearest.empty() ? "" : "did you mean " + Nearest + "?";
+		}
+	}
+	return "";
+}
+
+int ParseAndRun(int NumArguments, char** Arguments)
+{
+	CLI::App Program("drydock runs Unreal-style post-process passes on a rendered frame, on the CPU.", "drydock");
+	Program.set_version_flag("--version", std::string("drydock ") + GetVersion());
+	Program.require_subcommand(1);
+	Program.footer("Exit codes: 0 done, 1 a policy failed, 2 usage, config or graph error, 3 a file cannot be read or written,\n"
+				   "70 a fault of drydock's own. `drydock VERB --help` explains a verb.");
+	FVerbOptions Options;
+	int ExitCode = ExitDone;
+
+	CLI::App* Run = Program.add_subcommand("run", "Run the frame of a config and write its pictures and reports");
+	AddConfig(*Run, Options);
+	AddArithmetic(*Run, Options);
+	Run->add_option("--out", Options.OutputFolder, "Folder for the outputs; out/NAME of the config by default")->type_name("DIR");
+	AddRepeated(*Run, "--dump", Options.Run.Dump, "Keep what matches: a pass, a resource or Pass.Resource, with * and ?; repeats");
+	Run->add_option("--frame", Options.Run.Frame, "Frame number, as shaders see it; 0 by default")->check(CLI::NonNegativeNumber)->type_name("N");
+	Run->add_flag("--watch", Options.bWatch, "Run again whenever the config, its scene or a shader changes");
+	Run->add_flag("--json", Options.bJson, "Print run.json instead of the summary");
+	Run->callback([&] { ExitCode = RunVerb(Options); });
+
+	CLI::App* Check = Program.add_subcommand("check", "Read and validate a config and its scene's header; run nothing");
+	AddConfig(*Check, Options);
+	Check->add_flag("--json", Options.bJson, "Print the messages as JSON");
+	Check->callback([&] { ExitCode = CheckVerb(Options); });
+
+	CLI::App* Graph = Program.add_subcommand("graph", "Print the compiled graph of a config without running it");
+	AddConfig(*Graph, Options);
+	AddArithmetic(*Graph, Options);
+	Graph->add_option("--format", Options.Format, "text (default), dot, svg (needs Graphviz) or json")
+		->check(CLI::IsMember({"text", "dot", "svg", "json"}))->type_name("F");
+	Graph->add_flag("--json", Options.bJson, "The same as --format json");
+	Graph->callback([&] { ExitCode = GraphVerb(Options); });
+
+	std::string Things;
+	std::string Filter;
+	CLI::App* List = Program.add_subcommand("list", "List what there is: passes, settings, cvars, effects, extensions, hooks");
+	List->add_option("THINGS", Things, "passes, settings, cvars, effects, extensions or hooks")->required();
+	List->add_option("FILTER", Filter, "Only names that contain this, ignoring case");
+	List->add_flag("--json", Options.bJson, "Print an array of objects");
+	List->callback([&] { ExitCode = ListVerb(Things, Filter, Options.bJson); });
+
+	std::vector<std::string> Configs;
+	std::string CacheFolder;
+	CLI::App* Warm = Program.add_subcommand("warm", "Compile the shaders of configs into the shader cache");
+	Warm->add_option("CONFIG", Configs, "JSON configs")->required();
+	Warm->add_option("--cache", CacheFolder, "Folder of the cache; the usual one by default")->type_name("DIR");
+	Warm->callback([&] { ExitCode = WarmVerb(Configs, CacheFolder); });
+
+	try
+	{
+		Program.parse(NumArguments, Arguments);
+	}
+	catch (const CLI::Success& Success)
+	{
+		return Program.exit(Success, std::cout, std::cerr); // --help and --version
+	}
+	catch (const CLI::ParseError& Error)
+	{
+		const std::string Suggestion = SuggestFor(Program, {Arguments + 1, Arguments + NumArguments});
+		std::fprintf(stderr, "drydock: %s%s%s\nTry drydock --help.\n", Error.what(), Suggestion.empty() ? "" : "; ", Suggestion.c_str());
+		return ExitUsage;
+	}
+	return ExitCode;
+}
+
+} // namespace
+
+int main(int NumArguments, char** Arguments)
+{
+	try
+	{
+		return ParseAndRun(NumArguments, Arguments);
+	}
+	catch (const Drydock::FError& Error)
+	{
+		Drydock::PrintDiagnostics(Error.GetDiagnostics());
+		return Error.GetExitCode();
+	}
+	catch (const std::exception& Error)
+	{
+		std::fprintf(stderr, "drydock: internal error: %s\n", Error.what());
+		return Drydock::ExitInternal;
+	}
+}

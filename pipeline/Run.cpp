@@ -1,0 +1,322 @@
+// Source: drydock.
+#include "Run.h"
+
+#include "ConfigErrors.h"
+#include "NonFinite.h"
+#include "PostProcess/PostProcessing.h"
+#include "RenderGraphBuilder.h"
+#include "RenderGraphObserver.h"
+#include "RunDump.h"
+#include "RunJson.h"
+#include "RunSetup.h"
+#include "TileExecutor.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace Drydock
+{
+
+namespace
+{
+
+using FClock = std::chrono::steady_clock;
+
+double MillisecondsSince(FClock::time_point Begin)
+{
+	return std::chrono::duration<double, std::milli>(FClock::now() - Begin).count();
+}
+
+int32 GetVariableInt(const char* Name)
+{
+	const IConsoleVariable* Variable = IConsoleManager::Get().FindConsoleVariable(Name);
+	return Variable != nullptr ? Variable->GetInt() : 0;
+}
+
+/** Loads what the compiled graph needs, keeps what is dumped, and notes what each pass cost. */
+class FRunObserver final : public IRDGObserver
+{
+public:
+	FRunObserver(const FRunOptions& InOptions, const FRunSetup& InSetup, FScene& InScene, FRunResult& InResult)
+		: Options(InOptions)
+		, Setup(InSetup)
+		, Scene(InScene)
+		, Result(InResult)
+	{
+	}
+
+	void OnGraphCompiled(const FRDGCompiledGraph& Graph) override
+	{
+		Result.Graph = Graph;
+		NumToExecute = static_cast<int>(std::count_if(Graph.Passes.begin(), Graph.Passes.end(),
+			[](const FRDGCompiledPass& Pass) { return !Pass.bCulled && !Pass.bIsSentinel; }));
+		ReportProgress();
+	}
+
+	void OnLoadExternals(const std::vector<FRDGTexture*>& Textures) override
+	{
+		const FClock::time_point Begin = FClock::now();
+		std::vector<FNeededSceneTexture> Needed;
+		for (const FRDGTexture* Texture : Textures)
+		{
+			Needed.push_back({Texture->Name, FindFirstUser(Texture->Name)});
+		}
+		Scene.Load(Needed, static_cast<float>(Setup.Config.View.PreExposure.Value));
+		Result.Times.Load += MillisecondsSince(Begin);
+		for (const FNeededSceneTexture& Texture : Needed)
+		{
+			if (Texture.Texture == "SceneColor" && IsDumped(Setup.Dump, "External", Texture.Texture))
+			{
+				KeepTexture(0, "External", Texture.Texture, *Scene.GetSceneColor());
+			}
+		}
+	}
+
+	void OnPassExecuted(int32_t PassIndex, const FRDGPass& Pass, double Milliseconds, const FPassCounters& Counters,
+		const std::vector<FRDGTexture*>& WrittenTextures) override
+	{
+		Result.Passes.push_back({PassIndex, Milliseconds, Counters});
+		for (FRDGTexture* Texture : WrittenTextures)
+		{
+			if (IsDumped(Setup.Dump, Pass.GetName(), Texture->Name))
+			{
+				KeepTexture(PassIndex, Pass.GetName(), Texture->Name, *Texture->GetRHI());
+			}
+		}
+		ReportProgress();
+	}
+
+private:
+	std::string FindFirstUser(const std::string& Texture) const
+	{
+		for (const FRDGCompiledPass& Pass : Result.Graph.Passes)
+		{
+			for (const FRDGUse& Use : Pass.Uses)
+			{
+				if (!Pass.bCulled && Result.Graph.Resources[static_cast<size_t>(Use.Resource)].Name == Texture)
+				{
+					return Pass.Name;
+				}
+			}
+		}
+		return "(immediate mode)";
+	}
+
+	void KeepTexture(int PassIndex, const std::string& Pass, const std::string& Resource, FRHITexture& Texture)
+	{
+		const int NumMips = static_cast<int>(Texture.GetNumMips());
+		for (int Mip = 0; Mip < NumMips; ++Mip)
+		{
+			FRunDump Dump{PassIndex, Pass, Resource, NumMips > 1 ? Mip : -1, ReadTexture(Texture, Mip), {}};
+			Dump.Channels = GetChannelNames(Dump.Image.NumChannels);
+			Result.Dumps.push_back(std::move(Dump));
+		}
+	}
+
+	void ReportProgress() const
+	{
+		if (!Options.Progress)
+		{
+			return;
+		}
+		const int Done = static_cast<int>(Result.Passes.size());
+		int Position = 0;
+		for (const FRDGCompiledPass& Pass : Result.Graph.Passes)
+		{
+			if (!Pass.bCulled && !Pass.bIsSentinel && Position++ == Done)
+			{
+				Options.Progress(Done, NumToExecute, Pass.Name);
+				return;
+			}
+		}
+		Options.Progress(Done, NumToExecute, "");
+	}
+
+	const FRunOptions& Options;
+	const FRunSetup& Setup;
+	FScene& Scene;
+	FRunResult& Result;
+	int NumToExecute = 0;
+};
+
+FIntRect GetViewRect(const FConfig& Config, FIntPoint Extent)
+{
+	if (!Config.View.Rect.IsSet())
+	{
+		return FIntRect(FIntPoint(0, 0), Extent);
+	}
+	const std::array<int, 4>& Corners = Config.View.Rect.Value;
+	if (Corners[2] > Extent.X || Corners[3] > Extent.Y)
+	{
+		FDiagnostic Diagnostic;
+		Diagnostic.Code = ErrorBadValue;
+		Diagnostic.File = Config.File;
+		Diagnostic.Line = Config.View.Rect.Place.Line;
+		Diagnostic.Column = Config.View.Rect.Place.Column;
+		Diagnostic.Where = Config.View.Rect.Place.Pointer;
+		Diagnostic.Message = "the rect leaves the scene, which is " + std::to_string(Extent.X) + " x " + std::to_string(Extent.Y) + " pixels";
+		throw FError(Diagnostic, ExitUsage);
+	}
+	return FIntRect(Corners[0], Corners[1], Corners[2], Corners[3]);
+}
+
+FNonFiniteCount CountNonFinite(const FImage& Image)
+{
+	FNonFiniteCount Found;
+	for (size_t Index = 0; Index < Image.Values.size(); ++Index)
+	{
+		if (!std::isfinite(Image.Values[Index]) && Found.Count++ == 0)
+		{
+			const size_t Pixel = Index / static_cast<size_t>(Image.NumChannels);
+			Found.FirstX = static_cast<int>(Pixel % static_cast<size_t>(Image.Width));
+			Found.FirstY = static_cast<int>(Pixel / static_cast<size_t>(Image.Width));
+		}
+	}
+	return Found;
+}
+
+/** Warns, or fails the run when that is the policy. */
+void ReportNonFinite(const FNonFiniteCount& Found, const std::string& What, FRunResult& Result)
+{
+	if (Found.Count == 0)
+	{
+		return;
+	}
+	const ENonFinitePolicy Policy = GetNonFinitePolicy();
+	FDiagnostic Diagnostic;
+	Diagnostic.Severity = Policy == ENonFinitePolicy::Error ? ESeverity::Error : ESeverity::Warning;
+	Diagnostic.Code = Policy == ENonFinitePolicy::Error ? ErrorNonFinite : WarnNonFinite;
+	Diagnostic.Where = What;
+	Diagnostic.Message = std::to_string(Found.Count) + (Found.Count == 1 ? " value is" : " values are") + " NaN or infinite, first at pixel ("
+		+ std::to_string(Found.FirstX) + ", " + std::to_string(Found.FirstY) + ")";
+	Result.Diagnostics.push_back(Diagnostic);
+	if (Policy == ENonFinitePolicy::Error)
+	{
+		throw FError(Result.Diagnostics, ExitPolicy);
+	}
+}
+
+/** What is known before the graph. */
+FRunResult MakeResult(const FRunSetup& Setup, const FScene& Scene)
+{
+	const char* const StorageNames[] = {"native", "float32", "float64"};
+	FRunResult Result;
+	Result.Config = Setup.Config;
+	Result.Diagnostics = Setup.Diagnostics;
+	Result.Effects = Setup.Effects;
+	Result.Settings = Setup.Chain.Settings;
+	Result.ExposureScale = Setup.Chain.ExposureScale;
+	Result.Precision = GetVariableInt("r.Drydock.Precision") == 1 ? "double" : "float";
+	Result.Storage = StorageNames[std::clamp(GetVariableInt("r.Drydock.Storage"), 0, 2)];
+	Result.Threads = GetNumThreads();
+	Result.SceneExtent = Scene.GetExtent();
+	Result.ViewRect = GetViewRect(Setup.Config, Scene.GetExtent());
+	return Result;
+}
+
+void SetUpView(const FRunOptions& Options, const FRunSetup& Setup, const FScene& Scene, FSceneViewFamily& Family, FViewInfo& View)
+{
+	Family.EngineShowFlags = Setup.Chain.ShowFlags;
+	Family.FrameNumber = static_cast<uint32>(Options.Frame);
+	Family.Views.Add(&View);
+	View.FinalPostProcessSettings = Setup.Chain.Settings;
+	if (Setup.Config.View.Location.IsSet())
+	{
+		const FConfigVector& Location = Setup.Config.View.Location.Value;
+		View.ViewLocation = FVector(Location[0], Location[1], Location[2]);
+	}
+	else if (Scene.GetCamera())
+	{
+		View.ViewLocation = Scene.GetCamera()->Location;
+	}
+	View.InitViewUniformBuffer(Scene.GetExtent());
+}
+
+/** Builds the graph and runs or compiles it. */
+void RunGraph(const FRunOptions& Options, const FRunSetup& Setup, FScene& Scene, FRunResult& Result)
+{
+	const FClock::time_point Begin = FClock::now();
+	FSceneViewFamily Family;
+	FViewInfo View(&Family, Result.ViewRect, Scene.GetExtent(), static_cast<float>(Setup.Config.View.PreExposure.Value));
+	SetUpView(Options, Setup, Scene, Family, View);
+
+	FRunObserver Observer(Options, Setup, Scene, Result);
+	TRefCountPtr<IPooledRenderTarget> SceneLinear;
+	TRefCountPtr<IPooledRenderTarget> Final;
+	FRDGBuilder GraphBuilder(FRHICommandListExecutor::GetImmediateCommandList(), RDG_EVENT_NAME("Frame"));
+	GraphBuilder.SetObserver(&Observer);
+	FPostProcessingInputs Inputs;
+	Inputs.SceneColor = FScreenPassTexture(Scene.RegisterSceneColor(GraphBuilder), Result.ViewRect);
+	Inputs.ExposureScale = Setup.Chain.ExposureScale;
+	const FPostProcessingOutputs Outputs = AddPostProcessingPasses(GraphBuilder, View, Inputs, Setup.Effects);
+	const FIntRect SceneLinearRect = Outputs.SceneLinear.ViewRect;
+	const FIntRect FinalRect = Outputs.Final.ViewRect;
+	GraphBuilder.QueueTextureExtraction(Outputs.SceneLinear.Texture, &SceneLinear);
+	GraphBuilder.QueueTextureExtraction(Outputs.Final.Texture, &Final);
+	if (!Options.bExecute)
+	{
+		Result.Graph = GraphBuilder.Compile();
+		GraphBuilder.Discard();
+		Result.Times.Compile = MillisecondsSince(Begin);
+		return;
+	}
+	GraphBuilder.Execute();
+	const double Total = MillisecondsSince(Begin);
+	for (const FRunPass& Pass : Result.Passes)
+	{
+		Result.Times.Execute += Pass.Milliseconds;
+	}
+	Result.Times.Compile = Total - Result.Times.Execute - Result.Times.Load;
+	Result.SceneLinear = CropToRgba(ReadTexture(*SceneLinear->GetRHI()), SceneLinearRect);
+	Result.Final = CropToRgba(ReadTexture(*Final->GetRHI()), FinalRect);
+}
+
+/** Adds what is known only with the config to an error of a later stage. */
+[[noreturn]] void RethrowWith(const std::vector<FDiagnostic>& Earlier, const FError& Error)
+{
+	std::vector<FDiagnostic> All = Earlier;
+	All.insert(All.end(), Error.GetDiagnostics().begin(), Error.GetDiagnostics().end());
+	throw FError(All, Error.GetExitCode());
+}
+
+} // namespace
+
+FRunResult RunConfig(const FRunOptions& Options)
+{
+	const FRunSetup Setup(Options);
+	try
+	{
+		FScene Scene(Setup.Config);
+		FRunResult Result = MakeResult(Setup, Scene);
+		RunGraph(Options, Setup, Scene, Result);
+		Result.Channels = Scene.GetChannels();
+		Result.Diagnostics.insert(Result.Diagnostics.end(), Result.Graph.Warnings.begin(), Result.Graph.Warnings.end());
+		if (Options.bExecute)
+		{
+			const std::vector<FDiagnostic> DumpWarnings = CheckDumpPatterns(Setup.Dump, Result);
+			Result.Diagnostics.insert(Result.Diagnostics.end(), DumpWarnings.begin(), DumpWarnings.end());
+			ReportNonFinite(Scene.GetNonFinite(), "scene colour", Result);
+			ReportNonFinite(CountNonFinite(Result.Final), "final picture", Result);
+		}
+		Result.RunJson = MakeRunJson(Result);
+		return Result;
+	}
+	catch (const FError& Error)
+	{
+		// ReportNonFinite throws all; everything else throws its own only.
+		if (Error.GetExitCode() == ExitPolicy)
+		{
+			throw;
+		}
+		RethrowWith(Setup.Diagnostics, Error);
+	}
+}
+
+FCheckResult CheckConfig(const FRunOptions& Options)
+{
+	FRunSetup Setup(Options);
+	return {std::move(Setup.Config), std::move(Setup.Diagnostics), Setup.Chain.Settings, std::move(Setup.Effects)};
+}
+
+} // namespace Drydock

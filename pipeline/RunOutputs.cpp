@@ -1,0 +1,168 @@
+// Source: drydock.
+#include "RunOutputs.h"
+
+#include "ConfigErrors.h"
+#include "RenderGraphDump.h"
+#include "RunDump.h"
+#include "RunJson.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <unistd.h>
+
+namespace Drydock
+{
+
+namespace
+{
+
+namespace Files = std::filesystem;
+
+FError MakeWriteError(const Files::path& Path, const std::string& Why)
+{
+	FDiagnostic Diagnostic;
+	Diagnostic.Code = ErrorFileNotWritten;
+	Diagnostic.File = Path.string();
+	Diagnostic.Message = "cannot be written: " + Why;
+	return FError(Diagnostic, ExitFiles);
+}
+
+void WriteText(const Files::path& Path, const std::string& Text)
+{
+	std::ofstream Stream(Path, std::ios::binary);
+	Stream << Text;
+	Stream.close();
+	if (!Stream)
+	{
+		throw MakeWriteError(Path, "the disk refuses it");
+	}
+}
+
+/** RGB of an RGBA image; alpha of a final picture says nothing. */
+FImage TakeRgb(const FImage& Image)
+{
+	FImage Rgb{Image.Width, Image.Height, 3, {}};
+	Rgb.Values.reserve(Image.Values.size() / 4 * 3);
+	for (size_t Index = 0; Index + 3 < Image.Values.size(); Index += 4)
+	{
+		Rgb.Values.insert(Rgb.Values.end(), {Image.Values[Index], Image.Values[Index + 1], Image.Values[Index + 2]});
+	}
+	return Rgb;
+}
+
+/** To look at: as it is where all values lie in 0..1, else compressed by x / (1 + x); then sRGB. */
+FImage MakePreview(const FImage& Image)
+{
+	const bool bDisplayRange = std::all_of(Image.Values.begin(), Image.Values.end(), [](double Value) { return Value >= 0.0 && Value <= 1.0; });
+	FImage Preview = Image.NumChannels == 4 ? TakeRgb(Image) : Image;
+	if (Preview.NumChannels == 2)
+	{
+		// PNG has no two-channel colour: red and green, blue 0.
+		FImage Three{Image.Width, Image.Height, 3, {}};
+		for (size_t Index = 0; Index + 1 < Image.Values.size(); Index += 2)
+		{
+			Three.Values.insert(Three.Values.end(), {Image.Values[Index], Image.Values[Index + 1], 0.0});
+		}
+		Preview = std::move(Three);
+	}
+	for (double& Value : Preview.Values)
+	{
+		const double Clipped = std::max(Value, 0.0);
+		const double Linear = bDisplayRange ? Clipped : std::isinf(Clipped) ? 1.0 : Clipped / (1.0 + Clipped);
+		Value = Linear <= 0.0031308 ? 12.92 * Linear : 1.055 * std::pow(Linear, 1.0 / 2.4) - 0.055;
+	}
+	return Preview;
+}
+
+/** A folder beside the target, removed with everything in it unless it was emptied. */
+class FAsideFolder
+{
+public:
+	explicit FAsideFolder(const Files::path& Target)
+		: Path(Target.string() + ".writing." + std::to_string(getpid()))
+	{
+		std::error_code Error;
+		Files::remove_all(Path, Error);
+		Files::create_directories(Path / "passes", Error);
+		if (Error)
+		{
+			throw MakeWriteError(Path, Error.message());
+		}
+	}
+	~FAsideFolder()
+	{
+		std::error_code Ignored;
+		Files::remove_all(Path, Ignored);
+	}
+	FAsideFolder(const FAsideFolder&) = delete;
+	FAsideFolder& operator=(const FAsideFolder&) = delete;
+
+	const Files::path Path;
+};
+
+void WriteAside(const FRunResult& Result, const Files::path& Folder)
+{
+	const std::map<std::string, std::string> Display = {{"drydock:encoding", "sRGB"}};
+	const std::map<std::string, std::string> Linear = {{"drydock:encoding", "linear Rec.709, scene-referred"}};
+	WritePng((Folder / "final.png").string(), TakeRgb(Result.Final));
+	WriteExr((Folder / "final.exr").string(), TakeRgb(Result.Final), GetChannelNames(3), Display);
+	WriteExr((Folder / "scene_linear.exr").string(), Result.SceneLinear, GetChannelNames(4), Linear);
+	for (const FRunDump& Dump : Result.Dumps)
+	{
+		const std::string Name = (Folder / "passes" / GetDumpFileName(Dump)).string();
+		WriteExr(Name + ".exr", Dump.Image, Dump.Channels);
+		WritePng(Name + ".png", MakePreview(Dump.Image));
+	}
+	WriteText(Folder / "run.json", Result.RunJson);
+	WriteText(Folder / "graph.dot", DumpDot(Result.Graph));
+	WriteText(Folder / "trace.json", MakeTraceJson(Result));
+}
+
+void MoveInto(const Files::path& Aside, const Files::path& Folder, bool bHasDumps)
+{
+	try
+	{
+		Files::create_directories(Folder);
+		Files::remove_all(Folder / "passes");
+		if (!bHasDumps)
+		{
+			Files::remove(Aside / "passes");
+		}
+		for (const Files::directory_entry& Entry : Files::directory_iterator(Aside))
+		{
+			Files::rename(Entry.path(), Folder / Entry.path().filename());
+		}
+	}
+	catch (const Files::filesystem_error& Error)
+	{
+		throw MakeWriteError(Folder, Error.code().message());
+	}
+}
+
+} // namespace
+
+std::string GetDefaultOutputFolder(const std::string& ConfigFile)
+{
+	return (Files::path("out") / Files::path(ConfigFile).stem()).string();
+}
+
+double WriteRunOutputs(const FRunResult& Result, const std::string& Folder)
+{
+	const auto Begin = std::chrono::steady_clock::now();
+	const Files::path Target = Files::path(Folder).lexically_normal();
+	if (Files::exists(Target) && !Files::is_directory(Target))
+	{
+		throw MakeWriteError(Target, "there is a file of that name");
+	}
+	const FAsideFolder Aside(Target.has_filename() ? Target : Target.parent_path());
+	WriteAside(Result, Aside.Path);
+	const double SaveMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Begin).count();
+	WriteText(Aside.Path / "timing.json", MakeTimingJson(Result, SaveMs));
+	MoveInto(Aside.Path, Target, !Result.Dumps.empty());
+	return SaveMs;
+}
+
+} // namespace Drydock

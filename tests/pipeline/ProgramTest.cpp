@@ -1,0 +1,253 @@
+// The program as a user meets it: exit codes, what goes to stdout and stderr, nothing written after a mistake.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace
+{
+
+const std::string Program = DRYDOCK_TEST_BINARY_DIR "/bin/drydock";
+const std::string Configs = DRYDOCK_TEST_SOURCE_DIR "/configs/";
+
+struct FOutcome
+{
+	int ExitCode = -1;
+	std::string Out;
+	std::string Err;
+};
+
+class DrydockProgram : public testing::Test
+{
+protected:
+	DrydockProgram()
+		: Folder(std::filesystem::temp_directory_path() / ("drydock_program_" + std::to_string(getpid())))
+	{
+		std::filesystem::remove_all(Folder);
+		std::filesystem::create_directories(Folder);
+	}
+	~DrydockProgram() override { std::filesystem::remove_all(Folder); }
+
+	/** Arguments as a shell takes them; runs in the test's own folder. */
+	FOutcome Call(const std::string& Arguments) const
+	{
+		const std::string Err = (Folder / "stderr.txt").string();
+		const std::string Command = "cd '" + Folder.string() + "' && '" + Program + "' " + Arguments + " 2>'" + Err + "'";
+		FOutcome Outcome;
+		FILE* Pipe = popen(Command.c_str(), "r");
+		std::array<char, 4096> Buffer;
+		for (size_t NumRead; (NumRead = fread(Buffer.data(), 1, Buffer.size(), Pipe)) > 0;)
+		{
+			Outcome.Out.append(Buffer.data(), NumRead);
+		}
+		Outcome.ExitCode = WEXITSTATUS(pclose(Pipe));
+		std::ifstream Stream(Err);
+		Outcome.Err = std::string(std::istreambuf_iterator<char>(Stream), {});
+		return Outcome;
+	}
+
+	std::string Write(const std::string& Name, const std::string& Text) const
+	{
+		std::ofstream(Folder / Name, std::ios::binary) << Text;
+		return (Folder / Name).string();
+	}
+
+	bool Exists(const std::string& Name) const { return std::filesystem::exists(Folder / Name); }
+
+	const std::filesystem::path Folder;
+};
+
+bool Contains(const std::string& Text, const std::string& Part)
+{
+	return Text.find(Part) != std::string::npos;
+}
+
+int CountLines(const std::string& Text, const std::string& Part)
+{
+	int Count = 0;
+	for (size_t At = Text.find(Part); At != std::string::npos; At = Text.find(Part, At + 1))
+	{
+		++Count;
+	}
+	return Count;
+}
+
+} // namespace
+
+TEST_F(DrydockProgram, VersionIsOneLine)
+{
+	const FOutcome Outcome = Call("--version");
+	EXPECT_EQ(0, Outcome.ExitCode);
+	EXPECT_EQ(0u, Outcome.Out.find("drydock "));
+}
+
+TEST_F(DrydockProgram, HelpNamesEveryVerb)
+{
+	const FOutcome Outcome = Call("--help");
+	EXPECT_EQ(0, Outcome.ExitCode);
+	for (const char* Verb : {"run", "check", "graph", "list"})
+	{
+		EXPECT_TRUE(Contains(Outcome.Out, std::string("  ") + Verb + " ")) << Verb;
+	}
+}
+
+TEST_F(DrydockProgram, NoVerbIsAUsageError)
+{
+	EXPECT_EQ(2, Call("").ExitCode);
+}
+
+TEST_F(DrydockProgram, UnknownVerbNamesTheNearest)
+{
+	const FOutcome Outcome = Call("rnu a.json");
+	EXPECT_EQ(2, Outcome.ExitCode);
+	EXPECT_TRUE(Contains(Outcome.Err, "did you mean run?")) << Outcome.Err;
+}
+
+TEST_F(DrydockProgram, UnknownFlagNamesTheNearest)
+{
+	const FOutcome Outcome = Call("run --precison double a.json");
+	EXPECT_EQ(2, Outcome.ExitCode);
+	EXPECT_TRUE(Contains(Outcome.Err, "did you mean --precision?")) << Outcome.Err;
+}
+
+TEST_F(DrydockProgram, WrongChoiceIsAUsageError)
+{
+	EXPECT_EQ(2, Call("run --precision quad " + Configs + "neutral.json").ExitCode);
+	EXPECT_EQ(2, Call("run --threads -1 " + Configs + "neutral.json").ExitCode);
+	EXPECT_EQ(2, Call("graph --format pdf " + Configs + "neutral.json").ExitCode);
+}
+
+TEST_F(DrydockProgram, RunWritesEverythingAndSaysWhereThePictureIs)
+{
+	const FOutcome Outcome = Call("run " + Configs + "neutral.json");
+	EXPECT_EQ(0, Outcome.ExitCode) << Outcome.Err;
+	EXPECT_TRUE(Contains(Outcome.Out, "out/neutral/final.png")) << Outcome.Out;
+	for (const char* Name : {"final.png", "final.exr", "scene_linear.exr", "run.json", "timing.json", "graph.dot", "trace.json"})
+	{
+		EXPECT_TRUE(Exists(std::string("out/neutral/") + Name)) << Name;
+	}
+}
+
+TEST_F(DrydockProgram, RepeatedOptionsTakeOneValueEach)
+{
+	const FOutcome Outcome = Call("run --set r.BloomQuality=1 --pp BloomIntensity=0 --set r.Tonemapper.Quality=1 " + Configs + "neutral.json --out here");
+	EXPECT_EQ(0, Outcome.ExitCode) << Outcome.Err;
+	EXPECT_TRUE(Exists("here/final.png"));
+}
+
+TEST_F(DrydockProgram, JsonGoesToStdoutAlone)
+{
+	const FOutcome Outcome = Call("run --json " + Configs + "neutral.json");
+	EXPECT_EQ(0u, Outcome.Out.find("{\n  \"version\""));
+	EXPECT_EQ('\n', Outcome.Out.back());
+}
+
+TEST_F(DrydockProgram, ConfiguredEffectThatIsNotBuiltHasAClosingLine)
+{
+	const FOutcome Outcome = Call("run --pp BloomToonIntensity=0.1 " + Configs + "neutral.json");
+	EXPECT_EQ(0, Outcome.ExitCode);
+	EXPECT_EQ(1, CountLines(Outcome.Err, "ToonBloom: not built yet"));
+	EXPECT_FALSE(Contains(Call("run " + Configs + "neutral.json").Err, "ToonBloom"));
+}
+
+TEST_F(DrydockProgram, FiveMistakesFiveMessagesExitTwoNothingWritten)
+{
+	const std::string Config = Write("a.json", R"({"scen": 1, "volumes": [{"bUnbound": true, "Settings": {"BloomIntensty": 1, "FilmToe": "x"}}],
+		"cvars": {"r.BloomQualty": 5}, "showFlags": {"Blom": true}})");
+	const FOutcome Outcome = Call("run " + Config);
+	EXPECT_EQ(2, Outcome.ExitCode);
+	EXPECT_EQ(5, CountLines(Outcome.Err, "error DD1")) << Outcome.Err;
+	EXPECT_EQ(4, CountLines(Outcome.Err, "did you mean")) << Outcome.Err;
+	EXPECT_EQ("", Outcome.Out);
+	EXPECT_FALSE(Exists("out"));
+}
+
+TEST_F(DrydockProgram, MissingConfigIsExitThree)
+{
+	EXPECT_EQ(3, Call("run none.json").ExitCode);
+	EXPECT_EQ(3, Call("check none.json").ExitCode);
+}
+
+TEST_F(DrydockProgram, MissingAndTruncatedScenesAreOneMessageAndExitThree)
+{
+	std::ifstream Scene(Configs + "scenes/two_boxes.exr", std::ios::binary);
+	const std::string Bytes(std::istreambuf_iterator<char>(Scene), {});
+	Write("cut.exr", Bytes.substr(0, Bytes.size() / 2));
+	for (const char* Name : {"cut.exr", "none.exr"})
+	{
+		const FOutcome Outcome = Call("run " + Write("a.json", std::string(R"({"scene": {"file": ")") + Name + "\"}}"));
+		EXPECT_EQ(3, Outcome.ExitCode) << Name;
+		EXPECT_EQ(1, CountLines(Outcome.Err, "\n")) << Outcome.Err;
+		EXPECT_FALSE(Exists("out"));
+	}
+}
+
+TEST_F(DrydockProgram, OutputFolderThatIsAFileIsExitThree)
+{
+	Write("file", "");
+	EXPECT_EQ(3, Call("run --out file " + Configs + "neutral.json").ExitCode);
+}
+
+TEST_F(DrydockProgram, NonFiniteByPolicyIsExitOne)
+{
+	// A pre-exposure that takes bright pixels beyond float.
+	const std::string Config = Write("a.json", R"({"scene": {"file": ")" + Configs + R"(scenes/two_boxes.exr"}, "view": {"preExposure": 1e38},
+		"cvars": {"r.Drydock.NonFinite": 2, "r.Drydock.Storage": 1}})");
+	EXPECT_EQ(1, Call("run " + Config).ExitCode);
+}
+
+TEST_F(DrydockProgram, CheckRunsNothing)
+{
+	const FOutcome Outcome = Call("check " + Configs + "toon_bloom.json");
+	EXPECT_EQ(0, Outcome.ExitCode) << Outcome.Err;
+	EXPECT_TRUE(Contains(Outcome.Out, "no errors"));
+	EXPECT_FALSE(Exists("out"));
+}
+
+TEST_F(DrydockProgram, CheckPrintsMessagesAsJson)
+{
+	const FOutcome Outcome = Call("check --json " + Write("a.json", R"({"scen": 1})"));
+	EXPECT_EQ(2, Outcome.ExitCode);
+	EXPECT_TRUE(Contains(Outcome.Out, R"("code": "DD1005")")) << Outcome.Out;
+	EXPECT_EQ("", Outcome.Err);
+}
+
+TEST_F(DrydockProgram, GraphPrintsPassesMemoryAndReasonsWithoutRunning)
+{
+	const FOutcome Outcome = Call("graph " + Configs + "bloom_threshold.json");
+	EXPECT_EQ(0, Outcome.ExitCode) << Outcome.Err;
+	EXPECT_TRUE(Contains(Outcome.Out, "BloomSetup"));
+	EXPECT_TRUE(Contains(Outcome.Out, "Tonemap"));
+	EXPECT_TRUE(Contains(Outcome.Out, "alias"));
+	EXPECT_FALSE(Exists("out"));
+}
+
+TEST_F(DrydockProgram, GraphHasItsFormats)
+{
+	EXPECT_EQ(0u, Call("graph --format dot " + Configs + "neutral.json").Out.find("digraph"));
+	EXPECT_EQ(0u, Call("graph --format json " + Configs + "neutral.json").Out.find("{\n  \"name\""));
+	const FOutcome Svg = Call("graph --format svg " + Configs + "neutral.json");
+	EXPECT_TRUE(Svg.ExitCode == 0 ? Contains(Svg.Out, "<svg") : Svg.ExitCode == 3 && Contains(Svg.Err, "Graphviz"));
+}
+
+TEST_F(DrydockProgram, ListsHaveDefaults)
+{
+	EXPECT_TRUE(Contains(Call("list settings").Out, "BloomIntensity"));
+	EXPECT_TRUE(Contains(Call("list cvars r.Bloom").Out, "r.BloomQuality"));
+	EXPECT_FALSE(Contains(Call("list cvars r.Bloom").Out, "r.RDG.CullPasses"));
+	EXPECT_TRUE(Contains(Call("list effects").Out, "ToonBloom"));
+	EXPECT_TRUE(Contains(Call("list passes").Out, ".usf"));
+	EXPECT_TRUE(Contains(Call("list extensions").Out, "not built yet"));
+	EXPECT_EQ(0u, Call("list settings --json").Out.find("[\n"));
+}
+
+TEST_F(DrydockProgram, UnknownListNamesTheNearest)
+{
+	const FOutcome Outcome = Call("list setings");
+	EXPECT_EQ(2, Outcome.ExitCode);
+	EXPECT_TRUE(Contains(Outcome.Err, "did you mean settings?"));
+}
