@@ -117,7 +117,7 @@ FImage ReadTexture(FRHITexture& Texture, int Mip)
 	Image.NumChannels = std::clamp(GPixelFormats[Texture.GetFormat()].NumComponents, 1, 4);
 	Image.Values.resize(static_cast<size_t>(Size.X) * static_cast<size_t>(Size.Y) * static_cast<size_t>(Image.NumChannels));
 	Texture.EnsureMemory();
-	ForEachTile(FKernelTile{0, 0, Size.X, Size.Y, 0, 1}, FIntPoint(Size.X, 16), [&](const FKernelTile& Tile)
+	ForEachTile(FKernelTile{0, 0, 0, Size.X, Size.Y, 1}, FIntPoint(Size.X, 16), [&](const FKernelTile& Tile)
 	{
 		double* Out = Image.Values.data() + static_cast<size_t>(Tile.MinY) * static_cast<size_t>(Size.X) * static_cast<size_t>(Image.NumChannels);
 		for (int32 Y = Tile.MinY; Y < Tile.MaxY; ++Y)

@@ -184,7 +184,7 @@ void FScene::FillSceneColor(const std::vector<FSource>& Sources, float PreExposu
 	const ENonFinitePolicy Policy = GetNonFinitePolicy();
 	std::vector<FNonFiniteCount> RowCounts(static_cast<size_t>(Height));
 	SceneColor->EnsureMemory();
-	const FKernelTile Whole = {0, 0, Width, Height, 0, 1};
+	const FKernelTile Whole = {0, 0, 0, Width, Height, 1};
 	ForEachTile(Whole, FIntPoint(Width, 16), [&](const FKernelTile& Tile)
 	{
 		TArray<FLinearColor> Row;
