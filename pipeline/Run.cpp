@@ -296,7 +296,8 @@ FRunResult RunConfig(const FRunOptions& Options)
 		{
 			const std::vector<FDiagnostic> DumpWarnings = CheckDumpPatterns(Setup.Dump, Result);
 			Result.Diagnostics.insert(Result.Diagnostics.end(), DumpWarnings.begin(), DumpWarnings.end());
-			ReportNonFinite(Scene.GetNonFinite(), "scene colour", Result);
+			const FNonFiniteCount InFile = Scene.GetNonFinite();
+			ReportNonFinite(InFile.Count > 0 ? InFile : CountNonFinite(Result.SceneLinear), "scene colour", Result);
 			ReportNonFinite(CountNonFinite(Result.Final), "final picture", Result);
 		}
 		Result.RunJson = MakeRunJson(Result);
