@@ -1,12 +1,14 @@
 // The engine's separable Gaussian blur: kernel, radius rules and the two passes. Source: engine file
 // PostProcessWeightedSampleSum.h.
 //
-// Contract. The result has the filter's extent, rect and format; each pass stores once. Weights sum to 1 times the
-// tint, over the whole kernel: with border addressing an image fades towards its edges (the engine's bloom does), with
-// mirror addressing a constant stays constant. Taps whose weight is zero are left out, so that zero times infinity is
-// never computed; NaN and infinities spread over the kernel's support and no further; negatives pass on until an
-// unsigned store clips them. A radius of at most one texel copies. Any size from 1x1 up; a rect smaller than its
-// texture reads as if the texture ended at the rect.
+// Contract. The result has the filter's extent, rect and format; each pass stores once. Weights sum to 1 times the tint,
+// over the whole kernel: with border addressing an image fades towards its edges (the engine's bloom does), with mirror
+// addressing a constant stays constant. Taps whose weight is zero are left out, so that zero times infinity is never
+// computed; NaN and infinities spread over the kernel's support and no further; negatives pass on until an unsigned
+// store clips them. A radius of at most one texel copies. Any size from 1x1 up; a rect smaller than its texture reads
+// as if the texture ended at the rect. From r.FastBlurThreshold on, the horizontal pass samples between texels, where
+// the folded taps are not exact: it weighs single columns unevenly (up to 1.93 and 0.07), two neighbours together
+// rightly.
 #pragma once
 
 #include "CoreMinimal.h"

@@ -67,14 +67,20 @@ private:
 
 enum class EArithmetic
 {
-	Native,	 // float arithmetic, the format's own storage, coordinates snapped to 1/256 texel
+	Native,  // float arithmetic, the format's own storage, coordinates snapped to 1/256 texel
 	Float32, // float arithmetic and storage, snapped
-	Double,	 // double arithmetic and storage, not snapped
+	Double,  // double arithmetic and storage, snapped
+	Exact,   // double arithmetic and storage, not snapped
 };
+
+inline bool IsDouble(EArithmetic Arithmetic)
+{
+	return Arithmetic >= EArithmetic::Double;
+}
 
 inline bool IsSnapped(EArithmetic Arithmetic)
 {
-	return Arithmetic != EArithmetic::Double;
+	return Arithmetic != EArithmetic::Exact;
 }
 
 /** The values of a texture as stored, whole extent. */
@@ -107,8 +113,10 @@ public:
 	/** The image fills Rect of a texture of Extent, whose other texels are NaN. */
 	FPassRun(const FImage& Image, const FRect& Rect, FIntPoint Extent, EArithmetic Arithmetic,
 		EPixelFormat Format = PF_FloatRGBA)
-		: Precision(TEXT("r.Drydock.Precision"), Arithmetic == EArithmetic::Double ? 1.0f : 0.0f)
-		, Storage(TEXT("r.Drydock.Storage"), static_cast<float>(Arithmetic))
+		: Precision(TEXT("r.Drydock.Precision"), IsDouble(Arithmetic) ? 1.0f : 0.0f)
+		, Storage(TEXT("r.Drydock.Storage"), IsDouble(Arithmetic)                 ? 2.0f
+											 : Arithmetic == EArithmetic::Float32 ? 1.0f
+																				  : 0.0f)
 		, SampleBits(TEXT("r.Drydock.SampleBits"), IsSnapped(Arithmetic) ? 8.0f : 0.0f)
 		, GraphBuilder(FRHICommandListExecutor::GetImmediateCommandList(), RDG_EVENT_NAME("PassTest"))
 		, View(nullptr, FIntRect(Rect.MinX, Rect.MinY, Rect.MaxX, Rect.MaxY), Extent)
@@ -157,7 +165,14 @@ public:
 
 inline std::string ToString(EArithmetic Arithmetic)
 {
-	return Arithmetic == EArithmetic::Native ? "native" : Arithmetic == EArithmetic::Float32 ? "float32" : "double";
+	static const char* const Names[] = {"native", "float32", "double", "exact"};
+	return Names[static_cast<int>(Arithmetic)];
+}
+
+/** So that a failed test names it. */
+inline void PrintTo(EArithmetic Arithmetic, std::ostream* Stream)
+{
+	*Stream << ToString(Arithmetic);
 }
 
 /** Names parameterised tests. */
@@ -170,6 +185,11 @@ struct FArithmeticName
 	}
 };
 
-constexpr EArithmetic AllArithmetic[] = {EArithmetic::Native, EArithmetic::Float32, EArithmetic::Double};
+constexpr EArithmetic AllArithmetic[] = {
+	EArithmetic::Native, EArithmetic::Float32, EArithmetic::Double, EArithmetic::Exact};
+
+/** For passes that read each texel at its centre: without snapping, float texture coordinates miss it by a few 2^-24 of
+ *  the size, which says nothing of the pass. */
+constexpr EArithmetic SnappedArithmetic[] = {EArithmetic::Native, EArithmetic::Float32, EArithmetic::Double};
 
 } // namespace PassTest

@@ -121,7 +121,7 @@ TEST(GaussianBloom, WholeChainEqualsTheDirectSum)
 {
 	// Even sizes down to 2x2, default settings at double precision.
 	const FImage Image = FImage::Noise(64, 64, 1, 7);
-	FPassRun Run(Image, EArithmetic::Double);
+	FPassRun Run(Image, EArithmetic::Exact);
 	const FImage Result = Run.Execute(AddBloom(Run));
 
 	std::vector<FImage> Levels{Image};
@@ -174,7 +174,7 @@ TEST(GaussianBloom, SmallFloatFormatStaysNearTheExactSum)
 		FPassRun Run(Image, Arithmetic, PF_FloatRGB);
 		return Run.Execute(AddBloom(Run));
 	};
-	const FImage Exact = Bloom(EArithmetic::Double), Stored = Bloom(EArithmetic::Native);
+	const FImage Exact = Bloom(EArithmetic::Exact), Stored = Bloom(EArithmetic::Native);
 	for (size_t Index = 0; Index < Exact.Texels.size(); ++Index)
 	{
 		EXPECT_NEAR(Exact.Texels[Index][0], Stored.Texels[Index][0], Exact.Texels[Index][0] * 17 / 128 + 1e-6);

@@ -33,7 +33,7 @@ constexpr int Height = 4;
 
 struct FProbes
 {
-	FImage Color;	// scene colour, depth in centimetres
+	FImage Color;   // scene colour, depth in centimetres
 	FImage GBuffer; // shading model id, base colour red, ambient occlusion, custom data blue
 };
 
