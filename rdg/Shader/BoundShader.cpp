@@ -7,7 +7,7 @@ namespace Drydock
 namespace
 {
 
-template <typename T>
+template<typename T>
 const T* FindByName(const std::vector<FShaderResource>& Resources, const T* Views, const char* HlslName)
 {
 	for (size_t Slot = 0; Slot < Resources.size(); ++Slot)

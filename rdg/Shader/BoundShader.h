@@ -1,6 +1,6 @@
-// A compiled shader together with everything it reads for one pass: constant buffers packed as the shader lays them out,
-// and views of its textures, samplers and buffers. Made by the binder (ShaderBinding.h), run by the command list, which
-// adds what belongs to the draw: render targets, interpolants and counters. Source: drydock.
+// A compiled shader together with everything it reads for one pass: constant buffers packed as the shader lays them
+// out, and views of its textures, samplers and buffers. Made by the binder (ShaderBinding.h), run by the command list,
+// which adds what belongs to the draw: render targets, interpolants and counters. Source: drydock.
 #pragma once
 
 #include "DrydockAPI.h"
@@ -14,13 +14,17 @@
 namespace Drydock
 {
 
-/** What a hand-written kernel receives: the arguments in the slots of the shader's reflection, which it looks up by HLSL
- *  name, and the pass's own C++ parameter struct. Lookups are linear: make them once per tile, not once per pixel. */
+/** What a hand-written kernel receives: the arguments in the slots of the shader's reflection, which it looks up by
+ * HLSL name, and the pass's own C++ parameter struct. Lookups are linear: make them per tile, not per pixel. */
 class DRYDOCK_API FNativeKernelArgs
 {
 public:
-	FNativeKernelArgs(const FKernelArgs& InArgs, const FShaderReflection& InReflection, const void* InParameters, int32_t InPermutationId)
-		: Args(InArgs), Reflection(InReflection), Parameters(InParameters), PermutationId(InPermutationId)
+	FNativeKernelArgs(const FKernelArgs& InArgs, const FShaderReflection& InReflection, const void* InParameters,
+		int32_t InPermutationId)
+		: Args(InArgs)
+		, Reflection(InReflection)
+		, Parameters(InParameters)
+		, PermutationId(InPermutationId)
 	{
 	}
 
@@ -56,23 +60,23 @@ struct DRYDOCK_API FBoundShader
 	bool IsValid() const { return Reflection != nullptr; }
 	const FShaderReflection& GetReflection() const { return *Reflection; }
 
-	/** The kernel's arguments without Targets, Interpolants and Counters: those are the caller's to add. Valid while this
-	 *  object lives and is not moved from. */
+	/** The kernel's arguments without Targets, Interpolants and Counters: those are the caller's to add. Valid while
+	 * this object lives and is not moved from. */
 	FKernelArgs GetArgs() const;
 
 	/** Runs one tile. Thread-safe: any number of tiles at once. */
 	void Run(const FKernelArgs& Args, const FKernelTile& Tile) const;
 
-	std::string Name;                                   // shader class, "FBloomSetupPS"
-	std::string EntryPoint;                             // "BloomSetupPS"
+	std::string Name;                                    // shader class, "FBloomSetupPS"
+	std::string EntryPoint;                              // "BloomSetupPS"
 	std::shared_ptr<const FShaderReflection> Reflection; // shares ownership with the compiled shader
-	FKernelFunction Kernel = nullptr;                   // the compiled .usf, or
-	FNativeKernelFunction Native = nullptr;             // a hand-written kernel that stands in for it
-	bool bDouble = false;                               // arithmetic of Kernel
+	FKernelFunction Kernel = nullptr;                    // the compiled .usf, or
+	FNativeKernelFunction Native = nullptr;              // a hand-written kernel that stands in for it
+	bool bDouble = false;                                // arithmetic of Kernel
 	const void* Parameters = nullptr;
 	int32_t PermutationId = 0;
 
-	std::vector<std::vector<uint8_t>> ConstantData;     // one block per constant buffer
+	std::vector<std::vector<uint8_t>> ConstantData; // one block per constant buffer
 	std::vector<const uint8_t*> ConstantBuffers;
 	std::vector<FKernelTexture> Textures;
 	std::vector<FKernelTexture> RWTextures;

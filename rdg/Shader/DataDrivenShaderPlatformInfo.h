@@ -1,4 +1,5 @@
-// Questions about shader platforms; the answers lie in RHIShaderPlatform.h. Source: engine DataDrivenShaderPlatformInfo.h.
+// Questions about shader platforms; the answers lie in RHIShaderPlatform.h. Source: engine
+// DataDrivenShaderPlatformInfo.h.
 #pragma once
 
 #include "RHIDefinitions.h"

@@ -17,13 +17,14 @@ namespace Drydock
 
 void ForEachGlobalShader(TFunctionRef<void(const FGlobalShaderType&)> Function)
 {
-	ForEachShaderType([&Function](const FShaderType& Type)
-	{
-		if (const auto* GlobalType = dynamic_cast<const FGlobalShaderType*>(&Type))
+	ForEachShaderType(
+		[&Function](const FShaderType& Type)
 		{
-			Function(*GlobalType);
-		}
-	});
+			if (const auto* GlobalType = dynamic_cast<const FGlobalShaderType*>(&Type))
+			{
+				Function(*GlobalType);
+			}
+		});
 }
 
 } // namespace Drydock

@@ -31,7 +31,10 @@ public:
 	using ShaderMetaType = FGlobalShaderType;
 
 	FGlobalShader() = default;
-	explicit FGlobalShader(const ShaderMetaType::CompiledShaderInitializerType& Initializer) : FShader(Initializer) {}
+	explicit FGlobalShader(const ShaderMetaType::CompiledShaderInitializerType& Initializer)
+		: FShader(Initializer)
+	{
+	}
 
 	static bool ShouldCompilePermutation(const FGlobalShaderPermutationParameters&) { return true; }
 	static void ModifyCompilationEnvironment(const FGlobalShaderPermutationParameters&, FShaderCompilerEnvironment&) {}
@@ -42,13 +45,14 @@ class DRYDOCK_API FGlobalShaderMap
 {
 public:
 	/** A check when the class refuses the permutation. */
-	template <typename TShaderClass>
+	template<typename TShaderClass>
 	TShaderRef<TShaderClass> GetShader(int32 PermutationId = 0) const
 	{
-		return TShaderRef<TShaderClass>(static_cast<TShaderClass*>(TShaderClass::GetStaticType().FindOrCreateShader(PermutationId)));
+		return TShaderRef<TShaderClass>(
+			static_cast<TShaderClass*>(TShaderClass::GetStaticType().FindOrCreateShader(PermutationId)));
 	}
 
-	template <typename TShaderClass>
+	template<typename TShaderClass>
 	TShaderRef<TShaderClass> GetShader(const typename TShaderClass::FPermutationDomain& PermutationVector) const
 	{
 		return GetShader<TShaderClass>(PermutationVector.ToDimensionValueId());
@@ -59,12 +63,18 @@ DRYDOCK_API FGlobalShaderMap* GetGlobalShaderMap(ERHIFeatureLevel::Type FeatureL
 DRYDOCK_API FGlobalShaderMap* GetGlobalShaderMap(EShaderPlatform Platform);
 
 /** `TShaderMapRef<FMyCS> Shader(View.ShaderMap, PermutationVector);` */
-template <typename TShaderClass>
+template<typename TShaderClass>
 class TShaderMapRef : public TShaderRef<TShaderClass>
 {
 public:
-	explicit TShaderMapRef(const FGlobalShaderMap* Map) : TShaderRef<TShaderClass>(Map->GetShader<TShaderClass>(0)) {}
-	TShaderMapRef(const FGlobalShaderMap* Map, int32 PermutationId) : TShaderRef<TShaderClass>(Map->GetShader<TShaderClass>(PermutationId)) {}
+	explicit TShaderMapRef(const FGlobalShaderMap* Map)
+		: TShaderRef<TShaderClass>(Map->GetShader<TShaderClass>(0))
+	{
+	}
+	TShaderMapRef(const FGlobalShaderMap* Map, int32 PermutationId)
+		: TShaderRef<TShaderClass>(Map->GetShader<TShaderClass>(PermutationId))
+	{
+	}
 	TShaderMapRef(const FGlobalShaderMap* Map, const typename TShaderClass::FPermutationDomain& PermutationVector)
 		: TShaderRef<TShaderClass>(Map->GetShader<TShaderClass>(PermutationVector))
 	{

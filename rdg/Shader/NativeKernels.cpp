@@ -13,8 +13,8 @@ namespace Drydock
 namespace
 {
 
-TAutoConsoleVariable<int32> CVarNativeKernels(
-	TEXT("r.Drydock.NativeKernels"), 1, TEXT("1: hand-written kernels stand in for shaders that have one; 0: every shader runs its .usf."));
+TAutoConsoleVariable<int32> CVarNativeKernels(TEXT("r.Drydock.NativeKernels"), 1,
+	TEXT("1: hand-written kernels stand in for shaders that have one; 0: every shader runs its .usf."));
 
 struct FNativeKernelRegistry
 {
@@ -30,7 +30,8 @@ struct FNativeKernelRegistry
 
 } // namespace
 
-FNativeKernelRegistrar::FNativeKernelRegistrar(const FShaderType& InType, FNativeKernelFunction Function) : Type(InType)
+FNativeKernelRegistrar::FNativeKernelRegistrar(const FShaderType& InType, FNativeKernelFunction Function)
+	: Type(InType)
 {
 	FNativeKernelRegistry& Registry = FNativeKernelRegistry::Get();
 	std::lock_guard Lock(Registry.Mutex);

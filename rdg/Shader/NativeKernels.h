@@ -12,7 +12,7 @@ namespace Drydock
 DRYDOCK_API FNativeKernelFunction FindNativeKernel(const FShaderType& Type);
 
 /** The pass's parameters inside a kernel of TShaderClass. */
-template <typename TShaderClass>
+template<typename TShaderClass>
 const typename TShaderClass::FParameters& GetNativeParameters(const FNativeKernelArgs& Args)
 {
 	return *static_cast<const typename TShaderClass::FParameters*>(Args.GetParameters());
@@ -34,4 +34,5 @@ private:
 
 /** At namespace scope: `REGISTER_NATIVE_KERNEL(FBloomSetupPS, &RunBloomSetup);` The kernel serves every permutation. */
 #define REGISTER_NATIVE_KERNEL(ShaderClass, Function) \
-	static const Drydock::FNativeKernelRegistrar DRYDOCK_JOIN(zzNativeKernel, __COUNTER__)(ShaderClass::GetStaticType(), Function);
+	static const Drydock::FNativeKernelRegistrar DRYDOCK_JOIN(zzNativeKernel, __COUNTER__)( \
+		ShaderClass::GetStaticType(), Function);

@@ -25,15 +25,23 @@ public:
 	FRenderTargetBinding() = default;
 
 	/** ArraySlice -1: all slices. */
-	FRenderTargetBinding(FRDGTexture* InTexture, ERenderTargetLoadAction InLoadAction, uint8 InMipIndex = 0, int16 InArraySlice = -1)
-		: Texture(InTexture), LoadAction(InLoadAction), MipIndex(InMipIndex), ArraySlice(InArraySlice)
+	FRenderTargetBinding(
+		FRDGTexture* InTexture, ERenderTargetLoadAction InLoadAction, uint8 InMipIndex = 0, int16 InArraySlice = -1)
+		: Texture(InTexture)
+		, LoadAction(InLoadAction)
+		, MipIndex(InMipIndex)
+		, ArraySlice(InArraySlice)
 	{
 	}
 
 	/** With a multisampled texture's resolve target. */
-	FRenderTargetBinding(FRDGTexture* InTexture, FRDGTexture* InResolveTexture, ERenderTargetLoadAction InLoadAction, uint8 InMipIndex = 0,
-		int16 InArraySlice = -1)
-		: Texture(InTexture), ResolveTexture(InResolveTexture), LoadAction(InLoadAction), MipIndex(InMipIndex), ArraySlice(InArraySlice)
+	FRenderTargetBinding(FRDGTexture* InTexture, FRDGTexture* InResolveTexture, ERenderTargetLoadAction InLoadAction,
+		uint8 InMipIndex = 0, int16 InArraySlice = -1)
+		: Texture(InTexture)
+		, ResolveTexture(InResolveTexture)
+		, LoadAction(InLoadAction)
+		, MipIndex(InMipIndex)
+		, ArraySlice(InArraySlice)
 	{
 	}
 
@@ -65,14 +73,20 @@ class FDepthStencilBinding
 public:
 	FDepthStencilBinding() = default;
 
-	FDepthStencilBinding(FRDGTexture* InTexture, ERenderTargetLoadAction InDepthLoadAction, ERenderTargetLoadAction InStencilLoadAction,
-		FExclusiveDepthStencil InDepthStencilAccess)
-		: Texture(InTexture), DepthLoadAction(InDepthLoadAction), StencilLoadAction(InStencilLoadAction), DepthStencilAccess(InDepthStencilAccess)
+	FDepthStencilBinding(FRDGTexture* InTexture, ERenderTargetLoadAction InDepthLoadAction,
+		ERenderTargetLoadAction InStencilLoadAction, FExclusiveDepthStencil InDepthStencilAccess)
+		: Texture(InTexture)
+		, DepthLoadAction(InDepthLoadAction)
+		, StencilLoadAction(InStencilLoadAction)
+		, DepthStencilAccess(InDepthStencilAccess)
 	{
 	}
 
-	FDepthStencilBinding(FRDGTexture* InTexture, ERenderTargetLoadAction InDepthLoadAction, FExclusiveDepthStencil InDepthStencilAccess)
-		: Texture(InTexture), DepthLoadAction(InDepthLoadAction), DepthStencilAccess(InDepthStencilAccess)
+	FDepthStencilBinding(
+		FRDGTexture* InTexture, ERenderTargetLoadAction InDepthLoadAction, FExclusiveDepthStencil InDepthStencilAccess)
+		: Texture(InTexture)
+		, DepthLoadAction(InDepthLoadAction)
+		, DepthStencilAccess(InDepthStencilAccess)
 	{
 	}
 
@@ -110,7 +124,7 @@ public:
 	}
 
 	/** Calls Function(const FRenderTargetBinding&) for each slot up to the first empty one. */
-	template <typename TFunction>
+	template<typename TFunction>
 	void Enumerate(TFunction Function) const
 	{
 		for (const FRenderTargetBinding& Binding : Output)

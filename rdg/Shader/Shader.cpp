@@ -24,9 +24,13 @@ struct FShaderTypeRegistry
 
 } // namespace
 
-FShaderType::FShaderType(const TCHAR* InName, const TCHAR* InSourceFilename, const TCHAR* InFunctionName, EShaderFrequency InFrequency,
-	const Drydock::FShaderTypeFunctions& InFunctions)
-	: Name(InName), SourceFilename(InSourceFilename), FunctionName(InFunctionName), Frequency(InFrequency), Functions(InFunctions)
+FShaderType::FShaderType(const TCHAR* InName, const TCHAR* InSourceFilename, const TCHAR* InFunctionName,
+	EShaderFrequency InFrequency, const Drydock::FShaderTypeFunctions& InFunctions)
+	: Name(InName)
+	, SourceFilename(InSourceFilename)
+	, FunctionName(InFunctionName)
+	, Frequency(InFrequency)
+	, Functions(InFunctions)
 {
 	FShaderTypeRegistry& Registry = FShaderTypeRegistry::Get();
 	std::lock_guard Lock(Registry.Mutex);
@@ -49,8 +53,8 @@ FShaderCompilerEnvironment FShaderType::GetCompilationEnvironment(int32 Permutat
 
 FShader* FShaderType::FindOrCreateShader(int32 PermutationId) const
 {
-	checkf(PermutationId >= 0 && PermutationId < Functions.PermutationCount, TEXT("%s has no permutation %d: its domain has %d"), Name,
-		PermutationId, Functions.PermutationCount);
+	checkf(PermutationId >= 0 && PermutationId < Functions.PermutationCount,
+		TEXT("%s has no permutation %d: its domain has %d"), Name, PermutationId, Functions.PermutationCount);
 	std::lock_guard Lock(Mutex);
 	std::unique_ptr<FShader>& Shader = Shaders[PermutationId];
 	if (!Shader)
@@ -75,9 +79,15 @@ void FShaderType::ForEachShader(TFunctionRef<void(FShader&)> Function) const
 	}
 }
 
-FShader::FShader() : State(std::make_unique<Drydock::FShaderState>()) {}
+FShader::FShader()
+	: State(std::make_unique<Drydock::FShaderState>())
+{
+}
 
-FShader::FShader(const CompiledShaderInitializerType&) : FShader() {}
+FShader::FShader(const CompiledShaderInitializerType&)
+	: FShader()
+{
+}
 
 FShader::~FShader() = default;
 
@@ -87,10 +97,17 @@ void FShader::Adopt(const FShaderType& InType, int32 InPermutationId)
 	PermutationId = InPermutationId;
 	switch (InType.GetFrequency())
 	{
-	case SF_Compute: ComputeShader = new FRHIComputeShader(); break;
-	case SF_Pixel: PixelShader = new FRHIPixelShader(); break;
-	case SF_Vertex: VertexShader = new FRHIVertexShader(); break;
-	default: checkf(false, TEXT("%s: only vertex, pixel and compute shaders exist here"), InType.GetName());
+	case SF_Compute:
+		ComputeShader = new FRHIComputeShader();
+		break;
+	case SF_Pixel:
+		PixelShader = new FRHIPixelShader();
+		break;
+	case SF_Vertex:
+		VertexShader = new FRHIVertexShader();
+		break;
+	default:
+		checkf(false, TEXT("%s: only vertex, pixel and compute shaders exist here"), InType.GetName());
 	}
 }
 
@@ -120,7 +137,8 @@ void ForEachShaderType(TFunctionRef<void(const FShaderType&)> Function)
 		std::lock_guard Lock(Registry.Mutex);
 		Types = Registry.Types;
 	}
-	std::stable_sort(Types.begin(), Types.end(), [](const FShaderType* A, const FShaderType* B) { return std::strcmp(A->GetName(), B->GetName()) < 0; });
+	std::stable_sort(Types.begin(), Types.end(),
+		[](const FShaderType* A, const FShaderType* B) { return std::strcmp(A->GetName(), B->GetName()) < 0; });
 	for (const FShaderType* Type : Types)
 	{
 		Function(*Type);

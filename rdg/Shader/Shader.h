@@ -1,5 +1,5 @@
-// Shader classes: the type that IMPLEMENT_ registers, the instance per permutation that TShaderMapRef hands out, and the
-// registry of all types loaded so far. Nothing is compiled until a pass binds the shader. Source: engine Shader.h.
+// Shader classes: the type that IMPLEMENT_ registers, the instance per permutation that TShaderMapRef hands out, and
+// the registry of all types loaded so far. Nothing is compiled until a pass binds the shader. Source: engine Shader.h.
 #pragma once
 
 #include "CoreMinimal.h"
@@ -43,7 +43,11 @@ ENUM_CLASS_FLAGS(EShaderPermutationFlags)
 /** The argument of a shader class's statics. */
 struct FShaderPermutationParameters
 {
-	explicit FShaderPermutationParameters(EShaderPlatform InPlatform, int32 InPermutationId = 0) : Platform(InPlatform), PermutationId(InPermutationId) {}
+	explicit FShaderPermutationParameters(EShaderPlatform InPlatform, int32 InPermutationId = 0)
+		: Platform(InPlatform)
+		, PermutationId(InPermutationId)
+	{
+	}
 
 	EShaderPlatform Platform;
 	int32 PermutationId;
@@ -63,8 +67,8 @@ class DRYDOCK_API FShaderType
 public:
 	using CompiledShaderInitializerType = FShaderCompiledShaderInitializerType;
 
-	FShaderType(const TCHAR* InName, const TCHAR* InSourceFilename, const TCHAR* InFunctionName, EShaderFrequency InFrequency,
-		const Drydock::FShaderTypeFunctions& InFunctions);
+	FShaderType(const TCHAR* InName, const TCHAR* InSourceFilename, const TCHAR* InFunctionName,
+		EShaderFrequency InFrequency, const Drydock::FShaderTypeFunctions& InFunctions);
 	virtual ~FShaderType();
 	FShaderType(const FShaderType&) = delete;
 	FShaderType& operator=(const FShaderType&) = delete;
@@ -75,7 +79,10 @@ public:
 	const TCHAR* GetFunctionName() const { return FunctionName; }
 	EShaderFrequency GetFrequency() const { return Frequency; }
 	int32 GetPermutationCount() const { return Functions.PermutationCount; }
-	bool ShouldCompilePermutation(int32 PermutationId) const { return Functions.ShouldCompilePermutation(PermutationId); }
+	bool ShouldCompilePermutation(int32 PermutationId) const
+	{
+		return Functions.ShouldCompilePermutation(PermutationId);
+	}
 	/** Null for a class without SHADER_USE_PARAMETER_STRUCT. */
 	const FShaderParametersMetadata* GetRootParametersMetadata() const { return Functions.GetRootParametersMetadata(); }
 
@@ -142,25 +149,32 @@ private:
 	FVertexShaderRHIRef VertexShader;
 };
 
-/** A reference to a permutation of TShaderClass; copies are cheap, instances are never destroyed while the class is loaded. */
-template <typename TShaderClass>
+/** A reference to a permutation of TShaderClass; instances live as long as the class is loaded. */
+template<typename TShaderClass>
 class TShaderRef
 {
 public:
 	TShaderRef() = default;
 	TShaderRef(std::nullptr_t) {}
-	explicit TShaderRef(TShaderClass* InShader) : Shader(InShader) {}
+	explicit TShaderRef(TShaderClass* InShader)
+		: Shader(InShader)
+	{
+	}
 
 	/** From a reference to a derived class. */
-	template <typename TOtherClass>
-		requires(std::is_convertible_v<TOtherClass*, TShaderClass*> && !std::is_same_v<TOtherClass, TShaderClass>)
-	TShaderRef(const TShaderRef<TOtherClass>& Other) : Shader(Other.GetShader())
+	template<typename TOtherClass>
+	requires(std::is_convertible_v<TOtherClass*, TShaderClass*> && !std::is_same_v<TOtherClass, TShaderClass>)
+		TShaderRef(const TShaderRef<TOtherClass>& Other)
+		: Shader(Other.GetShader())
 	{
 	}
 
 	TShaderClass* GetShader() const { return Shader; }
 	const FShaderType* GetType() const { return Shader->GetType(); }
-	const FShaderParametersMetadata* GetRootParametersMetadata() const { return GetType()->GetRootParametersMetadata(); }
+	const FShaderParametersMetadata* GetRootParametersMetadata() const
+	{
+		return GetType()->GetRootParametersMetadata();
+	}
 
 	bool IsValid() const { return Shader != nullptr; }
 	bool IsNull() const { return Shader == nullptr; }
@@ -189,7 +203,7 @@ DRYDOCK_API void ForEachShaderType(TFunctionRef<void(const FShaderType&)> Functi
 /** Touches a shader class's static type, which registers it. */
 struct FShaderTypeRegistrar
 {
-	template <typename TType>
+	template<typename TType>
 	explicit FShaderTypeRegistrar(TType& (*GetStaticType)())
 	{
 		GetStaticType();
@@ -197,7 +211,7 @@ struct FShaderTypeRegistrar
 };
 
 /** The functions of a shader class, whose parameters object is made by TPermutationParameters(Name, Platform, Id). */
-template <typename TShaderClass, typename TPermutationParameters>
+template<typename TShaderClass, typename TPermutationParameters>
 FShaderTypeFunctions MakeShaderTypeFunctions()
 {
 	FShaderTypeFunctions Functions;
@@ -220,9 +234,13 @@ FShaderTypeFunctions MakeShaderTypeFunctions()
 	Functions.ModifyCompilationEnvironment = [](int32 PermutationId, FShaderCompilerEnvironment& OutEnvironment)
 	{
 		typename TShaderClass::FPermutationDomain(PermutationId).ModifyCompilationEnvironment(OutEnvironment);
-		TShaderClass::ModifyCompilationEnvironment(TPermutationParameters(GMaxRHIShaderPlatform, PermutationId), OutEnvironment);
+		TShaderClass::ModifyCompilationEnvironment(
+			TPermutationParameters(GMaxRHIShaderPlatform, PermutationId), OutEnvironment);
 	};
-	Functions.GetRootParametersMetadata = [] { return TShaderClass::GetRootParametersMetadata(); };
+	Functions.GetRootParametersMetadata = []
+	{
+		return TShaderClass::GetRootParametersMetadata();
+	};
 	return Functions;
 }
 
@@ -230,11 +248,12 @@ FShaderTypeFunctions MakeShaderTypeFunctions()
 
 /** In the body of a shader class; leaves the section public. The short name is Global or Material. */
 #define DECLARE_EXPORTED_SHADER_TYPE(ShaderClass, ShaderMetaTypeShortcut, RequiredAPI, ...) \
-	public: \
-		using ShaderMetaType = F##ShaderMetaTypeShortcut##ShaderType; \
-		static RequiredAPI ShaderMetaType& GetStaticType();
+public: \
+	using ShaderMetaType = F##ShaderMetaTypeShortcut##ShaderType; \
+	static RequiredAPI ShaderMetaType& GetStaticType();
 
-#define DECLARE_SHADER_TYPE(ShaderClass, ShaderMetaTypeShortcut, ...) DECLARE_EXPORTED_SHADER_TYPE(ShaderClass, ShaderMetaTypeShortcut, , ##__VA_ARGS__)
+#define DECLARE_SHADER_TYPE(ShaderClass, ShaderMetaTypeShortcut, ...) \
+	DECLARE_EXPORTED_SHADER_TYPE(ShaderClass, ShaderMetaTypeShortcut, , ##__VA_ARGS__)
 
 /** At namespace scope, in a .cpp. TemplatePrefix is empty or `template <>`. */
 #define IMPLEMENT_SHADER_TYPE(TemplatePrefix, ShaderClass, SourceFilename, FunctionName, Frequency) \

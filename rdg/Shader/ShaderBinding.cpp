@@ -21,7 +21,7 @@ constexpr uint32 PointerSize = 8;
 static_assert(sizeof(TUniformBufferBinding<int>) == PointerSize && sizeof(TRDGUniformBufferBinding<int>) == PointerSize,
 	"members that hold one resource are one pointer, which the binder reads without knowing their type");
 
-template <typename T>
+template<typename T>
 T* ReadPointer(const void* Contents, uint32 Offset)
 {
 	T* Pointer = nullptr;
@@ -38,12 +38,15 @@ bool IsGraphResource(EUniformBufferBaseType BaseType)
 	case UBMT_RDG_TEXTURE_UAV:
 	case UBMT_RDG_BUFFER_SRV:
 	case UBMT_RDG_BUFFER_UAV:
-	case UBMT_RDG_UNIFORM_BUFFER: return true;
-	default: return false;
+	case UBMT_RDG_UNIFORM_BUFFER:
+		return true;
+	default:
+		return false;
 	}
 }
 
-/** Contents of a source: the parameter struct itself, or the uniform buffer that its member holds (null when it holds none). */
+/** Contents of a source: the parameter struct itself, or the uniform buffer that its member holds (null when it holds
+ * none). */
 const void* GetContents(const FBindingSource& Source, const void* Parameters)
 {
 	if (Source.BaseType == UBMT_REFERENCED_STRUCT)
@@ -63,13 +66,21 @@ FKernelTexture GetTexture(const FResourceCopy& Copy, const void* Contents)
 {
 	switch (Copy.BaseType)
 	{
-	case UBMT_TEXTURE: return ReadPointer<FRHITexture>(Contents, Copy.SourceOffset)->GetKernelView();
-	case UBMT_SRV: return ReadPointer<FRHIShaderResourceView>(Contents, Copy.SourceOffset)->GetKernelTexture();
-	case UBMT_UAV: return ReadPointer<FRHIUnorderedAccessView>(Contents, Copy.SourceOffset)->GetKernelTexture();
-	case UBMT_RDG_TEXTURE: return GetTextureRHI(ReadPointer<FRDGTexture>(Contents, Copy.SourceOffset))->GetKernelView();
-	case UBMT_RDG_TEXTURE_SRV: return GetViewRHI(ReadPointer<FRDGTextureSRV>(Contents, Copy.SourceOffset))->GetKernelTexture();
-	case UBMT_RDG_TEXTURE_UAV: return GetViewRHI(ReadPointer<FRDGTextureUAV>(Contents, Copy.SourceOffset))->GetKernelTexture();
-	default: checkNoEntry(); return {};
+	case UBMT_TEXTURE:
+		return ReadPointer<FRHITexture>(Contents, Copy.SourceOffset)->GetKernelView();
+	case UBMT_SRV:
+		return ReadPointer<FRHIShaderResourceView>(Contents, Copy.SourceOffset)->GetKernelTexture();
+	case UBMT_UAV:
+		return ReadPointer<FRHIUnorderedAccessView>(Contents, Copy.SourceOffset)->GetKernelTexture();
+	case UBMT_RDG_TEXTURE:
+		return GetTextureRHI(ReadPointer<FRDGTexture>(Contents, Copy.SourceOffset))->GetKernelView();
+	case UBMT_RDG_TEXTURE_SRV:
+		return GetViewRHI(ReadPointer<FRDGTextureSRV>(Contents, Copy.SourceOffset))->GetKernelTexture();
+	case UBMT_RDG_TEXTURE_UAV:
+		return GetViewRHI(ReadPointer<FRDGTextureUAV>(Contents, Copy.SourceOffset))->GetKernelTexture();
+	default:
+		checkNoEntry();
+		return {};
 	}
 }
 
@@ -77,15 +88,22 @@ FKernelBuffer GetBuffer(const FResourceCopy& Copy, const void* Contents)
 {
 	switch (Copy.BaseType)
 	{
-	case UBMT_SRV: return ReadPointer<FRHIShaderResourceView>(Contents, Copy.SourceOffset)->GetKernelBuffer();
-	case UBMT_UAV: return ReadPointer<FRHIUnorderedAccessView>(Contents, Copy.SourceOffset)->GetKernelBuffer();
-	case UBMT_RDG_BUFFER_SRV: return GetViewRHI(ReadPointer<FRDGBufferSRV>(Contents, Copy.SourceOffset))->GetKernelBuffer();
-	case UBMT_RDG_BUFFER_UAV: return GetViewRHI(ReadPointer<FRDGBufferUAV>(Contents, Copy.SourceOffset))->GetKernelBuffer();
-	default: checkNoEntry(); return {};
+	case UBMT_SRV:
+		return ReadPointer<FRHIShaderResourceView>(Contents, Copy.SourceOffset)->GetKernelBuffer();
+	case UBMT_UAV:
+		return ReadPointer<FRHIUnorderedAccessView>(Contents, Copy.SourceOffset)->GetKernelBuffer();
+	case UBMT_RDG_BUFFER_SRV:
+		return GetViewRHI(ReadPointer<FRDGBufferSRV>(Contents, Copy.SourceOffset))->GetKernelBuffer();
+	case UBMT_RDG_BUFFER_UAV:
+		return GetViewRHI(ReadPointer<FRDGBufferUAV>(Contents, Copy.SourceOffset))->GetKernelBuffer();
+	default:
+		checkNoEntry();
+		return {};
 	}
 }
 
-std::shared_ptr<const FShaderBindingPlan> GetPlan(const FShaderRef& Shader, const FShaderReflection& Reflection, const FShaderParametersMetadata& Metadata)
+std::shared_ptr<const FShaderBindingPlan> GetPlan(
+	const FShaderRef& Shader, const FShaderReflection& Reflection, const FShaderParametersMetadata& Metadata)
 {
 	FShaderState& State = Shader->GetState();
 	std::lock_guard Lock(State.Mutex);
@@ -93,7 +111,8 @@ std::shared_ptr<const FShaderBindingPlan> GetPlan(const FShaderRef& Shader, cons
 	if (!Plan)
 	{
 		std::vector<FDiagnostic> Diagnostics;
-		auto NewPlan = std::make_shared<FShaderBindingPlan>(MakeShaderBindingPlan(Shader.GetType()->GetName(), Reflection, Metadata, Diagnostics));
+		auto NewPlan = std::make_shared<FShaderBindingPlan>(
+			MakeShaderBindingPlan(Shader.GetType()->GetName(), Reflection, Metadata, Diagnostics));
 		if (!Diagnostics.empty())
 		{
 			throw FError(std::move(Diagnostics), ExitUsage);
@@ -108,8 +127,8 @@ void CheckRequiredParameters(const FShaderBindingPlan& Plan, const std::string& 
 {
 	const auto Require = [&](const void* Contents, uint32 Offset, const std::string& CodeName)
 	{
-		checkf(ReadPointer<void>(Contents, Offset), TEXT("%s's required shader parameter %s::%s was not set."), ShaderName.c_str(),
-			Plan.Sources[0].Metadata->GetStructTypeName(), CodeName.c_str());
+		checkf(ReadPointer<void>(Contents, Offset), TEXT("%s's required shader parameter %s::%s was not set."),
+			ShaderName.c_str(), Plan.Sources[0].Metadata->GetStructTypeName(), CodeName.c_str());
 	};
 	for (const FBindingSource& Source : Plan.Sources)
 	{
@@ -127,18 +146,24 @@ void CheckRequiredParameters(const FShaderBindingPlan& Plan, const std::string& 
 /** The names under which a shader reads resources, and the uniform buffers from which it reads anything. */
 bool Reads(const FShaderReflection& Reflection, const FHlslMember& Member)
 {
-	const std::string Prefix = Member.IsUniformBuffer() ? std::string(Member.Struct->GetShaderVariableName()) + "_" : "";
+	const std::string Prefix =
+		Member.IsUniformBuffer() ? std::string(Member.Struct->GetShaderVariableName()) + "_" : "";
 	const auto IsMeant = [&Member, &Prefix](const std::string& Name)
 	{
 		return Prefix.empty() ? Name == Member.Name : Name.compare(0, Prefix.size(), Prefix) == 0;
 	};
 	const auto IsAnyMeant = [&IsMeant](const std::vector<FShaderResource>& Resources)
 	{
-		return std::any_of(Resources.begin(), Resources.end(), [&IsMeant](const FShaderResource& Resource) { return IsMeant(Resource.Name); });
+		return std::any_of(Resources.begin(), Resources.end(),
+			[&IsMeant](const FShaderResource& Resource) { return IsMeant(Resource.Name); });
 	};
-	const auto IsConstantMeant = [&IsMeant](const FShaderConstant& Constant) { return Constant.bUsed && IsMeant(Constant.Name); };
-	return IsAnyMeant(Reflection.Textures) || IsAnyMeant(Reflection.RWTextures) || IsAnyMeant(Reflection.Samplers) || IsAnyMeant(Reflection.Buffers)
-		|| IsAnyMeant(Reflection.RWBuffers) || std::any_of(Reflection.Constants.begin(), Reflection.Constants.end(), IsConstantMeant);
+	const auto IsConstantMeant = [&IsMeant](const FShaderConstant& Constant)
+	{
+		return Constant.bUsed && IsMeant(Constant.Name);
+	};
+	return IsAnyMeant(Reflection.Textures) || IsAnyMeant(Reflection.RWTextures) || IsAnyMeant(Reflection.Samplers) ||
+		   IsAnyMeant(Reflection.Buffers) || IsAnyMeant(Reflection.RWBuffers) ||
+		   std::any_of(Reflection.Constants.begin(), Reflection.Constants.end(), IsConstantMeant);
 }
 
 /** Vertex shaders read nothing here. */
@@ -148,16 +173,23 @@ std::shared_ptr<const FShaderReflection> GetReflectionIfAny(const FShaderRef& Sh
 	return bRuns ? GetShaderReflection(Shader) : nullptr;
 }
 
-void ClearUnused(const std::vector<std::shared_ptr<const FShaderReflection>>& Reflections, const FShaderParametersMetadata& Metadata, void* Parameters,
-	std::initializer_list<FRDGResource*> ExcludeList)
+void ClearUnused(const std::vector<std::shared_ptr<const FShaderReflection>>& Reflections,
+	const FShaderParametersMetadata& Metadata, void* Parameters, std::initializer_list<FRDGResource*> ExcludeList)
 {
 	for (const FHlslMember& Member : Metadata.GetHlslMembers())
 	{
-		void* const Resource = IsGraphResource(Member.BaseType) ? ReadPointer<void>(Parameters, Member.Offset) : nullptr;
-		const auto ReadsMember = [&Member](const std::shared_ptr<const FShaderReflection>& Reflection) { return Reflection && Reads(*Reflection, Member); };
-		const auto IsResource = [Resource](const FRDGResource* Kept) { return static_cast<const void*>(Kept) == Resource; };
-		if (Resource && std::none_of(Reflections.begin(), Reflections.end(), ReadsMember)
-			&& std::none_of(ExcludeList.begin(), ExcludeList.end(), IsResource))
+		void* const Resource =
+			IsGraphResource(Member.BaseType) ? ReadPointer<void>(Parameters, Member.Offset) : nullptr;
+		const auto ReadsMember = [&Member](const std::shared_ptr<const FShaderReflection>& Reflection)
+		{
+			return Reflection && Reads(*Reflection, Member);
+		};
+		const auto IsResource = [Resource](const FRDGResource* Kept)
+		{
+			return static_cast<const void*>(Kept) == Resource;
+		};
+		if (Resource && std::none_of(Reflections.begin(), Reflections.end(), ReadsMember) &&
+			std::none_of(ExcludeList.begin(), ExcludeList.end(), IsResource))
 		{
 			std::memset(static_cast<uint8*>(Parameters) + Member.Offset, 0, PointerSize);
 		}
@@ -166,15 +198,16 @@ void ClearUnused(const std::vector<std::shared_ptr<const FShaderReflection>>& Re
 
 } // namespace
 
-std::vector<FDiagnostic> MatchShaderParameters(const std::string& ShaderName, const FShaderReflection& Reflection,
-	const FShaderParametersMetadata& Metadata)
+std::vector<FDiagnostic> MatchShaderParameters(
+	const std::string& ShaderName, const FShaderReflection& Reflection, const FShaderParametersMetadata& Metadata)
 {
 	std::vector<FDiagnostic> Diagnostics;
 	MakeShaderBindingPlan(ShaderName, Reflection, Metadata, Diagnostics);
 	return Diagnostics;
 }
 
-void FollowShaderBindingPlan(const FShaderBindingPlan& Plan, const FShaderReflection& Reflection, const void* Parameters, FBoundShader& Out)
+void FollowShaderBindingPlan(
+	const FShaderBindingPlan& Plan, const FShaderReflection& Reflection, const void* Parameters, FBoundShader& Out)
 {
 	CheckRequiredParameters(Plan, Out.Name, Parameters);
 	std::vector<const void*> Contents;
@@ -193,7 +226,8 @@ void FollowShaderBindingPlan(const FShaderBindingPlan& Plan, const FShaderReflec
 	}
 	for (const FConstantCopy& Copy : Plan.Constants)
 	{
-		std::memcpy(Out.ConstantData[Copy.Buffer].data() + Copy.Offset, static_cast<const uint8*>(Contents[Copy.Source]) + Copy.SourceOffset, Copy.Size);
+		std::memcpy(Out.ConstantData[Copy.Buffer].data() + Copy.Offset,
+			static_cast<const uint8*>(Contents[Copy.Source]) + Copy.SourceOffset, Copy.Size);
 	}
 
 	Out.Textures.resize(Reflection.Textures.size());
@@ -206,11 +240,21 @@ void FollowShaderBindingPlan(const FShaderBindingPlan& Plan, const FShaderReflec
 		const void* const Source = Contents[Copy.Source];
 		switch (Copy.List)
 		{
-		case EResourceList::Textures: Out.Textures[Copy.Slot] = GetTexture(Copy, Source); break;
-		case EResourceList::RWTextures: Out.RWTextures[Copy.Slot] = GetTexture(Copy, Source); break;
-		case EResourceList::Samplers: Out.Samplers[Copy.Slot] = ReadPointer<FRHISamplerState>(Source, Copy.SourceOffset)->GetKernelSampler(); break;
-		case EResourceList::Buffers: Out.Buffers[Copy.Slot] = GetBuffer(Copy, Source); break;
-		case EResourceList::RWBuffers: Out.RWBuffers[Copy.Slot] = GetBuffer(Copy, Source); break;
+		case EResourceList::Textures:
+			Out.Textures[Copy.Slot] = GetTexture(Copy, Source);
+			break;
+		case EResourceList::RWTextures:
+			Out.RWTextures[Copy.Slot] = GetTexture(Copy, Source);
+			break;
+		case EResourceList::Samplers:
+			Out.Samplers[Copy.Slot] = ReadPointer<FRHISamplerState>(Source, Copy.SourceOffset)->GetKernelSampler();
+			break;
+		case EResourceList::Buffers:
+			Out.Buffers[Copy.Slot] = GetBuffer(Copy, Source);
+			break;
+		case EResourceList::RWBuffers:
+			Out.RWBuffers[Copy.Slot] = GetBuffer(Copy, Source);
+			break;
 		}
 	}
 	for (const FStaticSamplerCopy& Copy : Plan.StaticSamplers)
@@ -219,7 +263,8 @@ void FollowShaderBindingPlan(const FShaderBindingPlan& Plan, const FShaderReflec
 	}
 }
 
-void BindShaderParameters(const FShaderRef& Shader, const FShaderParametersMetadata& Metadata, const void* Parameters, FBoundShader& Out)
+void BindShaderParameters(
+	const FShaderRef& Shader, const FShaderParametersMetadata& Metadata, const void* Parameters, FBoundShader& Out)
 {
 	const FShaderType& Type = *Shader.GetType();
 	Out.Name = Type.GetName();
@@ -249,25 +294,29 @@ void BindShaderParameters(const FShaderRef& Shader, const void* Parameters, FBou
 
 } // namespace Drydock
 
-void ValidateShaderParameters(const TShaderRef<FShader>& Shader, const FShaderParametersMetadata* ParametersMetadata, const void* Parameters)
+void ValidateShaderParameters(
+	const TShaderRef<FShader>& Shader, const FShaderParametersMetadata* ParametersMetadata, const void* Parameters)
 {
 	using namespace Drydock;
 	if (Shader->GetFrequency() == SF_Vertex)
 	{
 		return;
 	}
-	const std::shared_ptr<const FShaderBindingPlan> Plan = GetPlan(Shader, *GetShaderReflection(Shader), *ParametersMetadata);
+	const std::shared_ptr<const FShaderBindingPlan> Plan =
+		GetPlan(Shader, *GetShaderReflection(Shader), *ParametersMetadata);
 	CheckRequiredParameters(*Plan, Shader.GetType()->GetName(), Parameters);
 }
 
-void ClearUnusedGraphResources(const TShaderRef<FShader>& Shader, const FShaderParametersMetadata* ParametersMetadata, void* InoutParameters,
-	std::initializer_list<FRDGResource*> ExcludeList)
+void ClearUnusedGraphResources(const TShaderRef<FShader>& Shader, const FShaderParametersMetadata* ParametersMetadata,
+	void* InoutParameters, std::initializer_list<FRDGResource*> ExcludeList)
 {
 	Drydock::ClearUnused({Drydock::GetReflectionIfAny(Shader)}, *ParametersMetadata, InoutParameters, ExcludeList);
 }
 
 void ClearUnusedGraphResources(const TShaderRef<FShader>& ShaderA, const TShaderRef<FShader>& ShaderB,
-	const FShaderParametersMetadata* ParametersMetadata, void* InoutParameters, std::initializer_list<FRDGResource*> ExcludeList)
+	const FShaderParametersMetadata* ParametersMetadata, void* InoutParameters,
+	std::initializer_list<FRDGResource*> ExcludeList)
 {
-	Drydock::ClearUnused({Drydock::GetReflectionIfAny(ShaderA), Drydock::GetReflectionIfAny(ShaderB)}, *ParametersMetadata, InoutParameters, ExcludeList);
+	Drydock::ClearUnused({Drydock::GetReflectionIfAny(ShaderA), Drydock::GetReflectionIfAny(ShaderB)},
+		*ParametersMetadata, InoutParameters, ExcludeList);
 }

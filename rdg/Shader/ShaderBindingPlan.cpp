@@ -24,10 +24,14 @@ const char* GetScalarName(EShaderScalar Scalar)
 {
 	switch (Scalar)
 	{
-	case EShaderScalar::Int: return "int";
-	case EShaderScalar::Uint: return "uint";
-	case EShaderScalar::Bool: return "bool";
-	default: return "float";
+	case EShaderScalar::Int:
+		return "int";
+	case EShaderScalar::Uint:
+		return "uint";
+	case EShaderScalar::Bool:
+		return "bool";
+	default:
+		return "float";
 	}
 }
 
@@ -54,13 +58,20 @@ const char* GetDimensionName(EShaderDimension Dimension)
 {
 	switch (Dimension)
 	{
-	case EShaderDimension::Texture2DArray: return "Texture2DArray";
-	case EShaderDimension::Texture3D: return "Texture3D";
-	case EShaderDimension::TextureCube: return "TextureCube";
-	case EShaderDimension::TypedBuffer: return "Buffer";
-	case EShaderDimension::StructuredBuffer: return "StructuredBuffer";
-	case EShaderDimension::ByteAddressBuffer: return "ByteAddressBuffer";
-	default: return "Texture2D";
+	case EShaderDimension::Texture2DArray:
+		return "Texture2DArray";
+	case EShaderDimension::Texture3D:
+		return "Texture3D";
+	case EShaderDimension::TextureCube:
+		return "TextureCube";
+	case EShaderDimension::TypedBuffer:
+		return "Buffer";
+	case EShaderDimension::StructuredBuffer:
+		return "StructuredBuffer";
+	case EShaderDimension::ByteAddressBuffer:
+		return "ByteAddressBuffer";
+	default:
+		return "Texture2D";
 	}
 }
 
@@ -78,11 +89,17 @@ bool Accepts(EResourceList List, EUniformBufferBaseType BaseType)
 {
 	switch (List)
 	{
-	case EResourceList::Textures: return BaseType == UBMT_TEXTURE || BaseType == UBMT_SRV || BaseType == UBMT_RDG_TEXTURE || BaseType == UBMT_RDG_TEXTURE_SRV;
-	case EResourceList::RWTextures: return BaseType == UBMT_UAV || BaseType == UBMT_RDG_TEXTURE_UAV;
-	case EResourceList::Samplers: return BaseType == UBMT_SAMPLER;
-	case EResourceList::Buffers: return BaseType == UBMT_SRV || BaseType == UBMT_RDG_BUFFER_SRV;
-	case EResourceList::RWBuffers: return BaseType == UBMT_UAV || BaseType == UBMT_RDG_BUFFER_UAV;
+	case EResourceList::Textures:
+		return BaseType == UBMT_TEXTURE || BaseType == UBMT_SRV || BaseType == UBMT_RDG_TEXTURE ||
+			   BaseType == UBMT_RDG_TEXTURE_SRV;
+	case EResourceList::RWTextures:
+		return BaseType == UBMT_UAV || BaseType == UBMT_RDG_TEXTURE_UAV;
+	case EResourceList::Samplers:
+		return BaseType == UBMT_SAMPLER;
+	case EResourceList::Buffers:
+		return BaseType == UBMT_SRV || BaseType == UBMT_RDG_BUFFER_SRV;
+	case EResourceList::RWBuffers:
+		return BaseType == UBMT_UAV || BaseType == UBMT_RDG_BUFFER_UAV;
 	}
 	return false;
 }
@@ -91,18 +108,23 @@ bool Accepts(EResourceList List, EUniformBufferBaseType BaseType)
 bool TypeTextAgrees(const std::string& MacroText, const std::string& HlslType)
 {
 	const std::string Kind = MacroText.substr(0, MacroText.find_first_of("< "));
-	static const char* const Kinds[] = {"Texture2D", "Texture2DArray", "Texture3D", "TextureCube", "Buffer", "StructuredBuffer", "ByteAddressBuffer",
-		"RWTexture2D", "RWTexture2DArray", "RWTexture3D", "RWBuffer", "RWStructuredBuffer", "RWByteAddressBuffer"};
-	const bool bKnown = std::any_of(std::begin(Kinds), std::end(Kinds), [&Kind](const char* Known) { return Kind == Known; });
+	static const char* const Kinds[] = {"Texture2D", "Texture2DArray", "Texture3D", "TextureCube", "Buffer",
+		"StructuredBuffer", "ByteAddressBuffer", "RWTexture2D", "RWTexture2DArray", "RWTexture3D", "RWBuffer",
+		"RWStructuredBuffer", "RWByteAddressBuffer"};
+	const bool bKnown =
+		std::any_of(std::begin(Kinds), std::end(Kinds), [&Kind](const char* Known) { return Kind == Known; });
 	return !bKnown || Kind == HlslType;
 }
 
 class FMatcher
 {
 public:
-	FMatcher(const std::string& InShaderName, const FShaderReflection& InReflection, const FShaderParametersMetadata& InMetadata,
-		std::vector<FDiagnostic>& InDiagnostics)
-		: ShaderName(InShaderName), Reflection(InReflection), Metadata(InMetadata), Diagnostics(InDiagnostics)
+	FMatcher(const std::string& InShaderName, const FShaderReflection& InReflection,
+		const FShaderParametersMetadata& InMetadata, std::vector<FDiagnostic>& InDiagnostics)
+		: ShaderName(InShaderName)
+		, Reflection(InReflection)
+		, Metadata(InMetadata)
+		, Diagnostics(InDiagnostics)
 	{
 		Plan.Sources.push_back({&Metadata, UBMT_INVALID, 0, "", true});
 		for (const FHlslMember& Member : Metadata.GetHlslMembers())
@@ -146,21 +168,26 @@ private:
 		Diagnostics.push_back(Diagnostic);
 	}
 
-	std::string ReadBy(const std::string& Where) const { return "is read by " + (Where.empty() ? std::string("the shader") : Where); }
+	std::string ReadBy(const std::string& Where) const
+	{
+		return "is read by " + (Where.empty() ? std::string("the shader") : Where);
+	}
 
 	/** The struct itself knows members by their flat name, a uniform buffer by `Buffer_Member`. */
 	FFound Find(const std::string& HlslName, bool bConstant)
 	{
 		for (uint32_t Source = 0; Source < Plan.Sources.size(); ++Source)
 		{
-			const std::string Prefix = Source ? std::string(Plan.Sources[Source].Metadata->GetShaderVariableName()) + "_" : "";
+			const std::string Prefix =
+				Source ? std::string(Plan.Sources[Source].Metadata->GetShaderVariableName()) + "_" : "";
 			if (HlslName.compare(0, Prefix.size(), Prefix) != 0)
 			{
 				continue;
 			}
 			for (const FHlslMember& Member : Plan.Sources[Source].Metadata->GetHlslMembers())
 			{
-				if (Member.IsConstant() == bConstant && !Member.IsUniformBuffer() && HlslName.compare(Prefix.size(), std::string::npos, Member.Name) == 0)
+				if (Member.IsConstant() == bConstant && !Member.IsUniformBuffer() &&
+					HlslName.compare(Prefix.size(), std::string::npos, Member.Name) == 0)
 				{
 					return {Source, &Member};
 				}
@@ -182,7 +209,8 @@ private:
 
 	std::string DescribeCpp(const FHlslMember& Member) const
 	{
-		return "'" + Member.CodeName + "' (" + Member.DeclaredIn->GetFileName() + ":" + std::to_string(Member.FileLine) + ")";
+		return "'" + Member.CodeName + "' (" + Member.DeclaredIn->GetFileName() + ":" +
+			   std::to_string(Member.FileLine) + ")";
 	}
 
 	void MatchConstant(const FShaderConstant& Constant)
@@ -197,17 +225,22 @@ private:
 		}
 		const FHlslMember& Member = *Found.Member;
 		const bool bFloat = Constant.Scalar == EShaderScalar::Float;
-		if (bFloat != (Member.BaseType == UBMT_FLOAT32) || Constant.Rows != static_cast<int32_t>(Member.NumRows)
-			|| Constant.Columns != static_cast<int32_t>(Member.NumColumns) || (Constant.NumElements > 0) != (Member.NumElements > 0))
+		if (bFloat != (Member.BaseType == UBMT_FLOAT32) || Constant.Rows != static_cast<int32_t>(Member.NumRows) ||
+			Constant.Columns != static_cast<int32_t>(Member.NumColumns) ||
+			(Constant.NumElements > 0) != (Member.NumElements > 0))
 		{
-			Report(ParameterType, "'" + Constant.Name + "' is " + GetTypeName(Constant) + " where it " + ReadBy(Constant.Where) + ", but "
-				+ WithElements(Member.Type, Member.NumElements) + " in " + Found.Member->DeclaredIn->GetStructTypeName() + ": " + DescribeCpp(Member));
+			Report(ParameterType, "'" + Constant.Name + "' is " + GetTypeName(Constant) + " where it " +
+									  ReadBy(Constant.Where) + ", but " +
+									  WithElements(Member.Type, Member.NumElements) + " in " +
+									  Found.Member->DeclaredIn->GetStructTypeName() + ": " + DescribeCpp(Member));
 			return;
 		}
 		if (Constant.NumElements > static_cast<int32_t>(Member.NumElements))
 		{
-			Report(ParameterArray, "'" + Constant.Name + "' has " + std::to_string(Constant.NumElements) + " elements where it " + ReadBy(Constant.Where)
-				+ ", but only " + std::to_string(Member.NumElements) + " in " + Found.Member->DeclaredIn->GetStructTypeName() + ": " + DescribeCpp(Member));
+			Report(ParameterArray, "'" + Constant.Name + "' has " + std::to_string(Constant.NumElements) +
+									   " elements where it " + ReadBy(Constant.Where) + ", but only " +
+									   std::to_string(Member.NumElements) + " in " +
+									   Found.Member->DeclaredIn->GetStructTypeName() + ": " + DescribeCpp(Member));
 			return;
 		}
 		Plan.Sources[Found.Source].bUsed = true;
@@ -223,12 +256,14 @@ private:
 		const std::string Struct = Metadata.GetStructTypeName();
 		if (!UniformBuffer.empty() && std::none_of(Plan.Sources.begin(), Plan.Sources.end(), IsNamed))
 		{
-			Report(MissingUniformBuffer, "'" + Constant.Name + "' of uniform buffer '" + UniformBuffer + "' " + ReadBy(Constant.Where) + ", but " + Struct
-				+ " has no SHADER_PARAMETER_STRUCT_REF or SHADER_PARAMETER_RDG_UNIFORM_BUFFER of that buffer");
+			Report(MissingUniformBuffer,
+				"'" + Constant.Name + "' of uniform buffer '" + UniformBuffer + "' " + ReadBy(Constant.Where) +
+					", but " + Struct +
+					" has no SHADER_PARAMETER_STRUCT_REF or SHADER_PARAMETER_RDG_UNIFORM_BUFFER of that buffer");
 			return;
 		}
-		Report(MissingParameter, "'" + Constant.Name + "' (" + GetTypeName(Constant) + ") " + ReadBy(Constant.Where) + " but " + Struct
-			+ " has no such member" + Suggest(Constant.Name));
+		Report(MissingParameter, "'" + Constant.Name + "' (" + GetTypeName(Constant) + ") " + ReadBy(Constant.Where) +
+									 " but " + Struct + " has no such member" + Suggest(Constant.Name));
 	}
 
 	/** Elements are 16 bytes apart in C++; matrices are row after row there, and in HLSL as the reflection says. */
@@ -252,8 +287,9 @@ private:
 				for (uint32_t Column = 0; Column < Columns; ++Column)
 				{
 					const uint32_t Target = Constant.bRowMajor ? Row * Constant.MatrixStride + Column * ScalarSize
-						: Column * Constant.MatrixStride + Row * ScalarSize;
-					Plan.Constants.push_back({Source, From + (Row * Columns + Column) * ScalarSize, Constant.Buffer, To + Target, ScalarSize});
+															   : Column * Constant.MatrixStride + Row * ScalarSize;
+					Plan.Constants.push_back({Source, From + (Row * Columns + Column) * ScalarSize, Constant.Buffer,
+						To + Target, ScalarSize});
 				}
 			}
 		}
@@ -275,20 +311,24 @@ private:
 			}
 			if (!Found.Member)
 			{
-				Report(MissingResource, "'" + Resource.Name + "' (" + HlslType + ") " + ReadBy(Resource.Where) + " but " + Metadata.GetStructTypeName()
-					+ " has no such member" + Suggest(Resource.Name));
+				Report(MissingResource, "'" + Resource.Name + "' (" + HlslType + ") " + ReadBy(Resource.Where) +
+											" but " + Metadata.GetStructTypeName() + " has no such member" +
+											Suggest(Resource.Name));
 				continue;
 			}
 			const FHlslMember& Member = *Found.Member;
-			if (!Accepts(List, Member.BaseType) || (List != EResourceList::Samplers && !TypeTextAgrees(Member.Type, HlslType)))
+			if (!Accepts(List, Member.BaseType) ||
+				(List != EResourceList::Samplers && !TypeTextAgrees(Member.Type, HlslType)))
 			{
-				Report(ResourceType, "'" + Resource.Name + "' is " + HlslType + " where it " + ReadBy(Resource.Where) + ", but " + Member.Type + " ("
-					+ GetBaseTypeName(Member.BaseType) + ") in " + Member.DeclaredIn->GetStructTypeName() + ": " + DescribeCpp(Member));
+				Report(ResourceType, "'" + Resource.Name + "' is " + HlslType + " where it " + ReadBy(Resource.Where) +
+										 ", but " + Member.Type + " (" + GetBaseTypeName(Member.BaseType) + ") in " +
+										 Member.DeclaredIn->GetStructTypeName() + ": " + DescribeCpp(Member));
 				continue;
 			}
 			Plan.Sources[Found.Source].bUsed = true;
 			const std::string Prefix = Found.Source ? Plan.Sources[Found.Source].CodeName + "." : "";
-			Plan.Resources.push_back({List, Slot, Found.Source, Member.Offset, Member.BaseType, Prefix + Member.CodeName});
+			Plan.Resources.push_back(
+				{List, Slot, Found.Source, Member.Offset, Member.BaseType, Prefix + Member.CodeName});
 		}
 	}
 

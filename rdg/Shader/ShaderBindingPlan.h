@@ -1,5 +1,5 @@
-// The outcome of matching a shader with a parameter struct: which bytes and which resources go where. Made once, followed
-// by every pass. Used by this folder and its tests. Source: drydock.
+// The outcome of matching a shader with a parameter struct: which bytes and which resources go where. Made once,
+// followed by every pass. Used by this folder and its tests. Source: drydock.
 #pragma once
 
 #include "BoundShader.h"
@@ -15,14 +15,16 @@
 namespace Drydock
 {
 
-/** Where values come from: the parameter struct itself (source 0) or a uniform buffer that one of its members refers to. */
+/** Where values come from: the parameter struct itself (source 0) or a uniform buffer that one of its members refers
+ * to. */
 struct FBindingSource
 {
 	const FShaderParametersMetadata* Metadata = nullptr;
-	EUniformBufferBaseType BaseType = UBMT_INVALID; // how the member refers to the buffer; UBMT_INVALID: the struct itself
-	uint32_t Offset = 0;                            // of that member
+	EUniformBufferBaseType BaseType =
+		UBMT_INVALID;    // how the member refers to the buffer; UBMT_INVALID: the struct itself
+	uint32_t Offset = 0; // of that member
 	std::string CodeName;
-	bool bUsed = false;                             // something the shader reads comes from here
+	bool bUsed = false; // something the shader reads comes from here
 };
 
 /** Copies Size bytes of a source to a constant buffer. */
@@ -74,7 +76,8 @@ struct FShaderBindingPlan
 DRYDOCK_API FShaderBindingPlan MakeShaderBindingPlan(const std::string& ShaderName, const FShaderReflection& Reflection,
 	const FShaderParametersMetadata& Metadata, std::vector<FDiagnostic>& Diagnostics);
 
-/** Packs the constants and takes views of the resources. A resource or uniform buffer that is read and null is a check. */
-DRYDOCK_API void FollowShaderBindingPlan(const FShaderBindingPlan& Plan, const FShaderReflection& Reflection, const void* Parameters, FBoundShader& Out);
+/** Packs the constants and takes views of the resources. A resource or buffer that is read and null is a check. */
+DRYDOCK_API void FollowShaderBindingPlan(
+	const FShaderBindingPlan& Plan, const FShaderReflection& Reflection, const void* Parameters, FBoundShader& Out);
 
 } // namespace Drydock

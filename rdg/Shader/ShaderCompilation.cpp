@@ -15,11 +15,11 @@ namespace Drydock
 namespace
 {
 
-TAutoConsoleVariable<int32> CVarPrecision(
-	TEXT("r.Drydock.Precision"), 0, TEXT("Arithmetic of shaders. 0: float; 1: double, of the float shader's parameters and literals."));
+TAutoConsoleVariable<int32> CVarPrecision(TEXT("r.Drydock.Precision"), 0,
+	TEXT("Arithmetic of shaders. 0: float; 1: double, of the float shader's parameters and literals."));
 
-TAutoConsoleVariable<int32> CVarLaneWidth(
-	TEXT("r.Drydock.LaneWidth"), 0, TEXT("Pixels per step of a shader. 0: the widest of this CPU; 4, 8, 16: that many floats (half as many doubles)."));
+TAutoConsoleVariable<int32> CVarLaneWidth(TEXT("r.Drydock.LaneWidth"), 0,
+	TEXT("Pixels per step of a shader. 0: the widest of this CPU; 4, 8, 16: that many floats (half as many doubles)."));
 
 const char* const GeneratedUniformBuffersPath = "/Engine/Generated/GeneratedUniformBuffers.ush";
 
@@ -90,7 +90,8 @@ FShaderCompileRequest MakeShaderCompileRequest(const FShaderRef& Shader, const F
 {
 	MapShippedShaders();
 	const FShaderType& Type = *Shader.GetType();
-	checkf(Type.GetFrequency() != SF_Vertex, TEXT("%s is a vertex shader: those are registered, but a CPU draws without them"), Type.GetName());
+	checkf(Type.GetFrequency() != SF_Vertex,
+		TEXT("%s is a vertex shader: those are registered, but a CPU draws without them"), Type.GetName());
 
 	FShaderCompileRequest Request;
 	Request.VirtualPath = Type.GetShaderFilename();
@@ -131,7 +132,8 @@ std::shared_ptr<const FShaderReflection> GetShaderReflection(const FShaderRef& S
 	}
 	if (!State.Reflection)
 	{
-		State.Reflection = std::make_shared<FShaderReflection>(ReflectShader(MakeShaderCompileRequest(Shader, Shader.GetRootParametersMetadata())));
+		State.Reflection = std::make_shared<FShaderReflection>(
+			ReflectShader(MakeShaderCompileRequest(Shader, Shader.GetRootParametersMetadata())));
 	}
 	return State.Reflection;
 }
@@ -189,17 +191,19 @@ void WarmShaders(const std::vector<FShaderRef>& Shaders, int32 NumThreads)
 void ForgetShaders()
 {
 	ForgetCompiledShaders();
-	ForEachShaderType([](const FShaderType& Type)
-	{
-		Type.ForEachShader([](FShader& Shader)
+	ForEachShaderType(
+		[](const FShaderType& Type)
 		{
-			FShaderState& State = Shader.GetState();
-			std::lock_guard Lock(State.Mutex);
-			State.Compiled.clear();
-			State.Reflection.reset();
-			State.Plans.clear();
+			Type.ForEachShader(
+				[](FShader& Shader)
+				{
+					FShaderState& State = Shader.GetState();
+					std::lock_guard Lock(State.Mutex);
+					State.Compiled.clear();
+					State.Reflection.reset();
+					State.Plans.clear();
+				});
 		});
-	});
 }
 
 } // namespace Drydock

@@ -58,15 +58,16 @@ namespace Drydock
 void MapShippedShaders()
 {
 	static std::once_flag Once;
-	std::call_once(Once, []
-	{
-		const std::string Installed = FindInstalled("share/drydock/rdg/Shaders");
-		const std::string Root = Installed.empty() ? DRYDOCK_SOURCE_DIR : FindInstalled("share/drydock");
-		const std::string Passes = Root + "/passes/Shaders";
-		AddShaderDirectory("/Engine", Root + "/rdg/Shaders/Engine");
-		AddShaderDirectory("/Engine/Private", Passes);
-		AddShaderDirectory("/Project", Passes);
-	});
+	std::call_once(Once,
+		[]
+		{
+			const std::string Installed = FindInstalled("share/drydock/rdg/Shaders");
+			const std::string Root = Installed.empty() ? DRYDOCK_SOURCE_DIR : FindInstalled("share/drydock");
+			const std::string Passes = Root + "/passes/Shaders";
+			AddShaderDirectory("/Engine", Root + "/rdg/Shaders/Engine");
+			AddShaderDirectory("/Engine/Private", Passes);
+			AddShaderDirectory("/Project", Passes);
+		});
 }
 
 } // namespace Drydock

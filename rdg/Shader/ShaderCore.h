@@ -10,7 +10,8 @@
 
 /** Maps a virtual directory ("/MyPlugin") to one on disk. Any time before the first use of a shader below it; a later
  *  mapping of the same directory wins. drydock maps /Engine and /Project itself. */
-DRYDOCK_API void AddShaderSourceDirectoryMapping(const FString& VirtualShaderDirectory, const FString& RealShaderDirectory);
+DRYDOCK_API void AddShaderSourceDirectoryMapping(
+	const FString& VirtualShaderDirectory, const FString& RealShaderDirectory);
 
 /** Accepted and ignored. */
 enum ECompilerFlags
@@ -28,7 +29,8 @@ enum ECompilerFlags
 	CFLAG_Max,
 };
 
-/** The defines of one permutation, in the order of their first definition; a later SetDefine of a name replaces its value. */
+/** The defines of one permutation, in the order of their first definition; a later SetDefine of a name replaces its
+ * value. */
 class FShaderCompilerEnvironment
 {
 public:

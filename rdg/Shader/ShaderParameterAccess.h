@@ -11,7 +11,11 @@ class FRDGTextureAccess
 {
 public:
 	FRDGTextureAccess() = default;
-	FRDGTextureAccess(FRDGTexture* InTexture, ERHIAccess InAccess) : Texture(InTexture), Access(InAccess) {}
+	FRDGTextureAccess(FRDGTexture* InTexture, ERHIAccess InAccess)
+		: Texture(InTexture)
+		, Access(InAccess)
+	{
+	}
 
 	FRDGTexture* GetTexture() const { return Texture; }
 	ERHIAccess GetAccess() const { return Access; }
@@ -30,7 +34,11 @@ class FRDGBufferAccess
 {
 public:
 	FRDGBufferAccess() = default;
-	FRDGBufferAccess(FRDGBuffer* InBuffer, ERHIAccess InAccess) : Buffer(InBuffer), Access(InAccess) {}
+	FRDGBufferAccess(FRDGBuffer* InBuffer, ERHIAccess InAccess)
+		: Buffer(InBuffer)
+		, Access(InAccess)
+	{
+	}
 
 	FRDGBuffer* GetBuffer() const { return Buffer; }
 	ERHIAccess GetAccess() const { return Access; }
@@ -45,20 +53,32 @@ protected:
 };
 
 /** The access is part of the type: RDG_TEXTURE_ACCESS. */
-template <ERHIAccess InAccess>
+template<ERHIAccess InAccess>
 class TRDGTextureAccess : public FRDGTextureAccess
 {
 public:
-	TRDGTextureAccess() : FRDGTextureAccess(nullptr, InAccess) {}
-	TRDGTextureAccess(FRDGTexture* InTexture) : FRDGTextureAccess(InTexture, InAccess) {}
+	TRDGTextureAccess()
+		: FRDGTextureAccess(nullptr, InAccess)
+	{
+	}
+	TRDGTextureAccess(FRDGTexture* InTexture)
+		: FRDGTextureAccess(InTexture, InAccess)
+	{
+	}
 };
 
-template <ERHIAccess InAccess>
+template<ERHIAccess InAccess>
 class TRDGBufferAccess : public FRDGBufferAccess
 {
 public:
-	TRDGBufferAccess() : FRDGBufferAccess(nullptr, InAccess) {}
-	TRDGBufferAccess(FRDGBuffer* InBuffer) : FRDGBufferAccess(InBuffer, InAccess) {}
+	TRDGBufferAccess()
+		: FRDGBufferAccess(nullptr, InAccess)
+	{
+	}
+	TRDGBufferAccess(FRDGBuffer* InBuffer)
+		: FRDGBufferAccess(InBuffer, InAccess)
+	{
+	}
 };
 
 /** Any number of accesses: RDG_TEXTURE_ACCESS_ARRAY. */

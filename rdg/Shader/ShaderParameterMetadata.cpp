@@ -18,7 +18,8 @@ struct FUniformBufferRegistry
 
 	static FUniformBufferRegistry& Get()
 	{
-		static FUniformBufferRegistry* Registry = new FUniformBufferRegistry; // outlives registrars of any shared object
+		static FUniformBufferRegistry* Registry =
+			new FUniformBufferRegistry; // outlives registrars of any shared object
 		return *Registry;
 	}
 };
@@ -26,7 +27,8 @@ struct FUniformBufferRegistry
 } // namespace
 
 FUniformBufferStructRegistrar::FUniformBufferStructRegistrar(const char* InHlslName, FGetMetadata InGetMetadata)
-	: HlslName(InHlslName), GetMetadata(InGetMetadata)
+	: HlslName(InHlslName)
+	, GetMetadata(InGetMetadata)
 {
 	FUniformBufferRegistry& Registry = FUniformBufferRegistry::Get();
 	std::lock_guard Lock(Registry.Mutex);
@@ -72,38 +74,68 @@ const TCHAR* GetBaseTypeName(EUniformBufferBaseType BaseType)
 {
 	switch (BaseType)
 	{
-	case UBMT_BOOL: return TEXT("UBMT_BOOL");
-	case UBMT_INT32: return TEXT("UBMT_INT32");
-	case UBMT_UINT32: return TEXT("UBMT_UINT32");
-	case UBMT_FLOAT32: return TEXT("UBMT_FLOAT32");
-	case UBMT_TEXTURE: return TEXT("UBMT_TEXTURE");
-	case UBMT_SRV: return TEXT("UBMT_SRV");
-	case UBMT_UAV: return TEXT("UBMT_UAV");
-	case UBMT_SAMPLER: return TEXT("UBMT_SAMPLER");
-	case UBMT_RDG_TEXTURE: return TEXT("UBMT_RDG_TEXTURE");
-	case UBMT_RDG_TEXTURE_ACCESS: return TEXT("UBMT_RDG_TEXTURE_ACCESS");
-	case UBMT_RDG_TEXTURE_ACCESS_ARRAY: return TEXT("UBMT_RDG_TEXTURE_ACCESS_ARRAY");
-	case UBMT_RDG_TEXTURE_SRV: return TEXT("UBMT_RDG_TEXTURE_SRV");
-	case UBMT_RDG_TEXTURE_UAV: return TEXT("UBMT_RDG_TEXTURE_UAV");
-	case UBMT_RDG_BUFFER_ACCESS: return TEXT("UBMT_RDG_BUFFER_ACCESS");
-	case UBMT_RDG_BUFFER_ACCESS_ARRAY: return TEXT("UBMT_RDG_BUFFER_ACCESS_ARRAY");
-	case UBMT_RDG_BUFFER_SRV: return TEXT("UBMT_RDG_BUFFER_SRV");
-	case UBMT_RDG_BUFFER_UAV: return TEXT("UBMT_RDG_BUFFER_UAV");
-	case UBMT_RDG_UNIFORM_BUFFER: return TEXT("UBMT_RDG_UNIFORM_BUFFER");
-	case UBMT_NESTED_STRUCT: return TEXT("UBMT_NESTED_STRUCT");
-	case UBMT_INCLUDED_STRUCT: return TEXT("UBMT_INCLUDED_STRUCT");
-	case UBMT_REFERENCED_STRUCT: return TEXT("UBMT_REFERENCED_STRUCT");
-	case UBMT_RENDER_TARGET_BINDING_SLOTS: return TEXT("UBMT_RENDER_TARGET_BINDING_SLOTS");
-	default: return TEXT("UBMT_INVALID");
+	case UBMT_BOOL:
+		return TEXT("UBMT_BOOL");
+	case UBMT_INT32:
+		return TEXT("UBMT_INT32");
+	case UBMT_UINT32:
+		return TEXT("UBMT_UINT32");
+	case UBMT_FLOAT32:
+		return TEXT("UBMT_FLOAT32");
+	case UBMT_TEXTURE:
+		return TEXT("UBMT_TEXTURE");
+	case UBMT_SRV:
+		return TEXT("UBMT_SRV");
+	case UBMT_UAV:
+		return TEXT("UBMT_UAV");
+	case UBMT_SAMPLER:
+		return TEXT("UBMT_SAMPLER");
+	case UBMT_RDG_TEXTURE:
+		return TEXT("UBMT_RDG_TEXTURE");
+	case UBMT_RDG_TEXTURE_ACCESS:
+		return TEXT("UBMT_RDG_TEXTURE_ACCESS");
+	case UBMT_RDG_TEXTURE_ACCESS_ARRAY:
+		return TEXT("UBMT_RDG_TEXTURE_ACCESS_ARRAY");
+	case UBMT_RDG_TEXTURE_SRV:
+		return TEXT("UBMT_RDG_TEXTURE_SRV");
+	case UBMT_RDG_TEXTURE_UAV:
+		return TEXT("UBMT_RDG_TEXTURE_UAV");
+	case UBMT_RDG_BUFFER_ACCESS:
+		return TEXT("UBMT_RDG_BUFFER_ACCESS");
+	case UBMT_RDG_BUFFER_ACCESS_ARRAY:
+		return TEXT("UBMT_RDG_BUFFER_ACCESS_ARRAY");
+	case UBMT_RDG_BUFFER_SRV:
+		return TEXT("UBMT_RDG_BUFFER_SRV");
+	case UBMT_RDG_BUFFER_UAV:
+		return TEXT("UBMT_RDG_BUFFER_UAV");
+	case UBMT_RDG_UNIFORM_BUFFER:
+		return TEXT("UBMT_RDG_UNIFORM_BUFFER");
+	case UBMT_NESTED_STRUCT:
+		return TEXT("UBMT_NESTED_STRUCT");
+	case UBMT_INCLUDED_STRUCT:
+		return TEXT("UBMT_INCLUDED_STRUCT");
+	case UBMT_REFERENCED_STRUCT:
+		return TEXT("UBMT_REFERENCED_STRUCT");
+	case UBMT_RENDER_TARGET_BINDING_SLOTS:
+		return TEXT("UBMT_RENDER_TARGET_BINDING_SLOTS");
+	default:
+		return TEXT("UBMT_INVALID");
 	}
 }
 
 } // namespace Drydock
 
-FShaderParametersMetadata::FShaderParametersMetadata(EUseCase InUseCase, const TCHAR* InStructTypeName, const TCHAR* InShaderVariableName,
-	const TCHAR* InStaticSlotName, const ANSICHAR* InFileName, int32 InFileLine, uint32 InSize, TArray<FMember> InMembers)
-	: UseCase(InUseCase), StructTypeName(InStructTypeName), ShaderVariableName(InShaderVariableName), StaticSlotName(InStaticSlotName)
-	, FileName(InFileName), FileLine(InFileLine), Size(InSize), Members(std::move(InMembers))
+FShaderParametersMetadata::FShaderParametersMetadata(EUseCase InUseCase, const TCHAR* InStructTypeName,
+	const TCHAR* InShaderVariableName, const TCHAR* InStaticSlotName, const ANSICHAR* InFileName, int32 InFileLine,
+	uint32 InSize, TArray<FMember> InMembers)
+	: UseCase(InUseCase)
+	, StructTypeName(InStructTypeName)
+	, ShaderVariableName(InShaderVariableName)
+	, StaticSlotName(InStaticSlotName)
+	, FileName(InFileName)
+	, FileLine(InFileLine)
+	, Size(InSize)
+	, Members(std::move(InMembers))
 {
 	AppendHlslMembers(HlslMembers, "", "", 0);
 }
@@ -126,7 +158,8 @@ uint32 FShaderParametersMetadata::FMember::GetMemberSize() const
 
 void FShaderParametersMetadata::FMember::GenerateShaderParameterType(FString& Result) const
 {
-	std::string Text = IsVariableNativeType() ? Drydock::GetHlslTypeName(BaseType, NumRows, NumColumns) : std::string(ShaderType);
+	std::string Text =
+		IsVariableNativeType() ? Drydock::GetHlslTypeName(BaseType, NumRows, NumColumns) : std::string(ShaderType);
 	if (NumElements)
 	{
 		Text += "[" + std::to_string(NumElements) + "]";
@@ -178,8 +211,8 @@ void FShaderParametersMetadata::AppendHlslMembers(std::vector<Drydock::FHlslMemb
 			{
 				const std::string HlslIndex = NumElements ? "_" + std::to_string(Index) : "";
 				const std::string CodeIndex = NumElements ? "[" + std::to_string(Index) + "]" : "";
-				Member.GetStructMetadata()->AppendHlslMembers(Result, Prefix + Name + HlslIndex + "_", CodePrefix + Name + CodeIndex + ".",
-					Offset + Index * Member.GetStructMetadata()->GetSize());
+				Member.GetStructMetadata()->AppendHlslMembers(Result, Prefix + Name + HlslIndex + "_",
+					CodePrefix + Name + CodeIndex + ".", Offset + Index * Member.GetStructMetadata()->GetSize());
 			}
 			continue;
 		}
@@ -187,7 +220,9 @@ void FShaderParametersMetadata::AppendHlslMembers(std::vector<Drydock::FHlslMemb
 		Drydock::FHlslMember Flat;
 		Flat.Name = Prefix + Name;
 		Flat.CodeName = CodePrefix + Name;
-		Flat.Type = Member.IsVariableNativeType() ? Drydock::GetHlslTypeName(BaseType, Member.GetNumRows(), Member.GetNumColumns()) : Member.GetShaderType();
+		Flat.Type = Member.IsVariableNativeType()
+						? Drydock::GetHlslTypeName(BaseType, Member.GetNumRows(), Member.GetNumColumns())
+						: Member.GetShaderType();
 		Flat.BaseType = BaseType;
 		Flat.Offset = Offset;
 		Flat.NumRows = Member.GetNumRows();

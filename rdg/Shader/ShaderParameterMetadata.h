@@ -58,18 +58,19 @@ enum Type : uint8
 namespace Drydock
 {
 
-/** A member as HLSL names it. Nested structs are flattened (`A_B_Member`, included ones without prefix, arrays of structs
- *  and of resources by index: `Name_0_Member`, `Name_0`). Uniform buffers stay one entry that names their struct. */
+/** A member as HLSL names it. Nested structs are flattened (`A_B_Member`, included ones without prefix, arrays of
+ * structs and of resources by index: `Name_0_Member`, `Name_0`). Uniform buffers stay one entry that names their
+ * struct. */
 struct FHlslMember
 {
 	std::string Name;     // "Input_Texture"
 	std::string CodeName; // "Input.Texture", as C++ writes it
 	std::string Type;     // "float4", "float4x4", or the text given to the macro: "RWTexture2D<float4>"
 	EUniformBufferBaseType BaseType = UBMT_INVALID;
-	uint32 Offset = 0;    // bytes from the start of the outermost struct
+	uint32 Offset = 0; // bytes from the start of the outermost struct
 	uint32 NumRows = 0;
 	uint32 NumColumns = 0;
-	uint32 NumElements = 0; // 0: not an array
+	uint32 NumElements = 0;                            // 0: not an array
 	const FShaderParametersMetadata* Struct = nullptr; // uniform buffers: what they hold
 	const FShaderParametersMetadata* DeclaredIn = nullptr;
 	int32 FileLine = 0;
@@ -101,11 +102,19 @@ public:
 	{
 	public:
 		FMember() = default;
-		FMember(const TCHAR* InName, const TCHAR* InShaderType, int32 InFileLine, uint32 InOffset, EUniformBufferBaseType InBaseType,
-			EShaderPrecisionModifier::Type InPrecision, uint32 InNumRows, uint32 InNumColumns, uint32 InNumElements,
-			const FShaderParametersMetadata* InStruct)
-			: Name(InName), ShaderType(InShaderType), FileLine(InFileLine), Offset(InOffset), BaseType(InBaseType), Precision(InPrecision)
-			, NumRows(InNumRows), NumColumns(InNumColumns), NumElements(InNumElements), Struct(InStruct)
+		FMember(const TCHAR* InName, const TCHAR* InShaderType, int32 InFileLine, uint32 InOffset,
+			EUniformBufferBaseType InBaseType, EShaderPrecisionModifier::Type InPrecision, uint32 InNumRows,
+			uint32 InNumColumns, uint32 InNumElements, const FShaderParametersMetadata* InStruct)
+			: Name(InName)
+			, ShaderType(InShaderType)
+			, FileLine(InFileLine)
+			, Offset(InOffset)
+			, BaseType(InBaseType)
+			, Precision(InPrecision)
+			, NumRows(InNumRows)
+			, NumColumns(InNumColumns)
+			, NumElements(InNumElements)
+			, Struct(InStruct)
 		{
 		}
 
@@ -124,7 +133,10 @@ public:
 		/** Nested, included and referenced structs only. */
 		const FShaderParametersMetadata* GetStructMetadata() const { return Struct; }
 
-		bool IsVariableNativeType() const { return BaseType == UBMT_INT32 || BaseType == UBMT_UINT32 || BaseType == UBMT_FLOAT32; }
+		bool IsVariableNativeType() const
+		{
+			return BaseType == UBMT_INT32 || BaseType == UBMT_UINT32 || BaseType == UBMT_FLOAT32;
+		}
 		/** Bytes that the member takes in the struct. */
 		uint32 GetMemberSize() const;
 		/** The HLSL type, with `[N]` for arrays. */
@@ -145,7 +157,8 @@ public:
 
 	/** ShaderVariableName: what HLSL calls the uniform buffer, null for plain parameter structs. */
 	FShaderParametersMetadata(EUseCase InUseCase, const TCHAR* InStructTypeName, const TCHAR* InShaderVariableName,
-		const TCHAR* InStaticSlotName, const ANSICHAR* InFileName, int32 InFileLine, uint32 InSize, TArray<FMember> InMembers);
+		const TCHAR* InStaticSlotName, const ANSICHAR* InFileName, int32 InFileLine, uint32 InSize,
+		TArray<FMember> InMembers);
 
 	FShaderParametersMetadata(const FShaderParametersMetadata&) = delete;
 	FShaderParametersMetadata& operator=(const FShaderParametersMetadata&) = delete;
@@ -165,14 +178,16 @@ public:
 	/** Null when there is none. Own members only, not those of nested structs. */
 	const FMember* FindMemberByName(const TCHAR* Name) const;
 
-	/** The innermost member at this offset: its C++ name through nested structs ("A.B[1].Member"), "" when none starts there. */
+	/** The innermost member at this offset: its C++ name through nested structs ("A.B[1].Member"), "" when none starts
+	 * there. */
 	FString GetFullMemberCodeName(uint32 MemberOffset) const;
 
 	/** Everything in the struct, flat, in the order of declaration; made once. */
 	const std::vector<Drydock::FHlslMember>& GetHlslMembers() const { return HlslMembers; }
 
 private:
-	void AppendHlslMembers(std::vector<Drydock::FHlslMember>& Result, const std::string& Prefix, const std::string& CodePrefix, uint32 BaseOffset) const;
+	void AppendHlslMembers(std::vector<Drydock::FHlslMember>& Result, const std::string& Prefix,
+		const std::string& CodePrefix, uint32 BaseOffset) const;
 
 	EUseCase UseCase;
 	const TCHAR* StructTypeName;
@@ -188,10 +203,12 @@ private:
 namespace Drydock
 {
 
-/** Every uniform-buffer struct that an IMPLEMENT_ macro registered in the code loaded so far, by HLSL name; null when none. */
+/** Every uniform-buffer struct that an IMPLEMENT_ macro registered in the code loaded so far, by HLSL name; null when
+ * none. */
 DRYDOCK_API const FShaderParametersMetadata* FindUniformBufferStruct(const std::string& HlslName);
 
-/** Makes a uniform-buffer struct known while it lives. Made by the IMPLEMENT_ macros, before main or when a plugin is loaded. */
+/** Makes a uniform-buffer struct known while it lives. Made by the IMPLEMENT_ macros, before main or when a plugin is
+ * loaded. */
 class DRYDOCK_API FUniformBufferStructRegistrar
 {
 public:

@@ -15,11 +15,11 @@
 namespace Drydock
 {
 
-template <typename T>
+template<typename T>
 constexpr bool TAlwaysFalse = false;
 
 /** Shape of a numeric parameter. */
-template <typename T, EUniformBufferBaseType InBaseType, int32 InNumRows, int32 InNumColumns, int32 InAlignment>
+template<typename T, EUniformBufferBaseType InBaseType, int32 InNumRows, int32 InNumColumns, int32 InAlignment>
 struct TNumericParameterTypeInfo
 {
 	static constexpr EUniformBufferBaseType BaseType = InBaseType;
@@ -33,11 +33,12 @@ struct TNumericParameterTypeInfo
 
 	static const FShaderParametersMetadata* GetStructMetadata() { return nullptr; }
 
-	static_assert(sizeof(T) == static_cast<size_t>(NumRows * NumColumns * 4), "the C++ type must be as large as its HLSL type");
+	static_assert(
+		sizeof(T) == static_cast<size_t>(NumRows * NumColumns * 4), "the C++ type must be as large as its HLSL type");
 };
 
 /** What a refused type stands for, so that one mistake gives one message. */
-template <typename T>
+template<typename T>
 struct TRefusedParameterTypeInfo
 {
 	static constexpr EUniformBufferBaseType BaseType = UBMT_INVALID;
@@ -54,42 +55,59 @@ struct TRefusedParameterTypeInfo
 
 } // namespace Drydock
 
-template <typename T>
+template<typename T>
 struct TShaderParameterTypeInfo : Drydock::TRefusedParameterTypeInfo<T>
 {
-	static_assert(Drydock::TAlwaysFalse<T>, "This type is not a shader parameter: use float, int32, uint32, FVector2f, FVector3f, FVector4f, "
-		"FLinearColor, FIntPoint, FIntRect, FIntVector, FUintVector4, FMatrix44f or FScreenTransform, or SHADER_PARAMETER_STRUCT for a struct.");
+	static_assert(Drydock::TAlwaysFalse<T>,
+		"This type is not a shader parameter: use float, int32, uint32, FVector2f, FVector3f, FVector4f, "
+		"FLinearColor, FIntPoint, FIntRect, FIntVector, FUintVector4, FMatrix44f or FScreenTransform, or "
+		"SHADER_PARAMETER_STRUCT for a struct.");
 };
 
-template <>
+template<>
 struct TShaderParameterTypeInfo<bool> : Drydock::TRefusedParameterTypeInfo<uint32>
 {
 	static constexpr EUniformBufferBaseType BaseType = UBMT_BOOL;
 };
 
-template <> struct TShaderParameterTypeInfo<double> : Drydock::TRefusedParameterTypeInfo<double> {};
-template <> struct TShaderParameterTypeInfo<FVector2D> : Drydock::TRefusedParameterTypeInfo<FVector2D> {};
-template <> struct TShaderParameterTypeInfo<FVector> : Drydock::TRefusedParameterTypeInfo<FVector> {};
-template <> struct TShaderParameterTypeInfo<FVector4> : Drydock::TRefusedParameterTypeInfo<FVector4> {};
+#define DRYDOCK_REFUSED_PARAMETER_TYPE(Type) \
+	template<> \
+	struct TShaderParameterTypeInfo<Type> : Drydock::TRefusedParameterTypeInfo<Type> \
+	{ \
+	};
 
-template <> struct TShaderParameterTypeInfo<int32> : Drydock::TNumericParameterTypeInfo<int32, UBMT_INT32, 1, 1, 4> {};
-template <> struct TShaderParameterTypeInfo<uint32> : Drydock::TNumericParameterTypeInfo<uint32, UBMT_UINT32, 1, 1, 4> {};
-template <> struct TShaderParameterTypeInfo<float> : Drydock::TNumericParameterTypeInfo<float, UBMT_FLOAT32, 1, 1, 4> {};
-template <> struct TShaderParameterTypeInfo<FVector2f> : Drydock::TNumericParameterTypeInfo<FVector2f, UBMT_FLOAT32, 1, 2, 8> {};
-template <> struct TShaderParameterTypeInfo<FVector3f> : Drydock::TNumericParameterTypeInfo<FVector3f, UBMT_FLOAT32, 1, 3, 16> {};
-template <> struct TShaderParameterTypeInfo<FVector4f> : Drydock::TNumericParameterTypeInfo<FVector4f, UBMT_FLOAT32, 1, 4, 16> {};
-template <> struct TShaderParameterTypeInfo<FLinearColor> : Drydock::TNumericParameterTypeInfo<FLinearColor, UBMT_FLOAT32, 1, 4, 16> {};
-template <> struct TShaderParameterTypeInfo<FQuat4f> : Drydock::TNumericParameterTypeInfo<FQuat4f, UBMT_FLOAT32, 1, 4, 16> {};
-template <> struct TShaderParameterTypeInfo<FMatrix44f> : Drydock::TNumericParameterTypeInfo<FMatrix44f, UBMT_FLOAT32, 4, 4, 16> {};
-template <> struct TShaderParameterTypeInfo<FIntPoint> : Drydock::TNumericParameterTypeInfo<FIntPoint, UBMT_INT32, 1, 2, 8> {};
-template <> struct TShaderParameterTypeInfo<FIntVector> : Drydock::TNumericParameterTypeInfo<FIntVector, UBMT_INT32, 1, 3, 16> {};
-template <> struct TShaderParameterTypeInfo<FIntVector4> : Drydock::TNumericParameterTypeInfo<FIntVector4, UBMT_INT32, 1, 4, 16> {};
-template <> struct TShaderParameterTypeInfo<FIntRect> : Drydock::TNumericParameterTypeInfo<FIntRect, UBMT_INT32, 1, 4, 16> {};
-template <> struct TShaderParameterTypeInfo<FUintVector2> : Drydock::TNumericParameterTypeInfo<FUintVector2, UBMT_UINT32, 1, 2, 8> {};
-template <> struct TShaderParameterTypeInfo<FUintVector4> : Drydock::TNumericParameterTypeInfo<FUintVector4, UBMT_UINT32, 1, 4, 16> {};
+DRYDOCK_REFUSED_PARAMETER_TYPE(double)
+DRYDOCK_REFUSED_PARAMETER_TYPE(FVector2D)
+DRYDOCK_REFUSED_PARAMETER_TYPE(FVector)
+DRYDOCK_REFUSED_PARAMETER_TYPE(FVector4)
+#undef DRYDOCK_REFUSED_PARAMETER_TYPE
+
+#define DRYDOCK_PARAMETER_TYPE(Type, BaseType, NumRows, NumColumns, Alignment) \
+	template<> \
+	struct TShaderParameterTypeInfo<Type> \
+		: Drydock::TNumericParameterTypeInfo<Type, BaseType, NumRows, NumColumns, Alignment> \
+	{ \
+	};
+
+DRYDOCK_PARAMETER_TYPE(int32, UBMT_INT32, 1, 1, 4)
+DRYDOCK_PARAMETER_TYPE(uint32, UBMT_UINT32, 1, 1, 4)
+DRYDOCK_PARAMETER_TYPE(float, UBMT_FLOAT32, 1, 1, 4)
+DRYDOCK_PARAMETER_TYPE(FVector2f, UBMT_FLOAT32, 1, 2, 8)
+DRYDOCK_PARAMETER_TYPE(FVector3f, UBMT_FLOAT32, 1, 3, 16)
+DRYDOCK_PARAMETER_TYPE(FVector4f, UBMT_FLOAT32, 1, 4, 16)
+DRYDOCK_PARAMETER_TYPE(FLinearColor, UBMT_FLOAT32, 1, 4, 16)
+DRYDOCK_PARAMETER_TYPE(FQuat4f, UBMT_FLOAT32, 1, 4, 16)
+DRYDOCK_PARAMETER_TYPE(FMatrix44f, UBMT_FLOAT32, 4, 4, 16)
+DRYDOCK_PARAMETER_TYPE(FIntPoint, UBMT_INT32, 1, 2, 8)
+DRYDOCK_PARAMETER_TYPE(FIntVector, UBMT_INT32, 1, 3, 16)
+DRYDOCK_PARAMETER_TYPE(FIntVector4, UBMT_INT32, 1, 4, 16)
+DRYDOCK_PARAMETER_TYPE(FIntRect, UBMT_INT32, 1, 4, 16)
+DRYDOCK_PARAMETER_TYPE(FUintVector2, UBMT_UINT32, 1, 2, 8)
+DRYDOCK_PARAMETER_TYPE(FUintVector4, UBMT_UINT32, 1, 4, 16)
+#undef DRYDOCK_PARAMETER_TYPE
 
 /** An array: elements lie 16 bytes apart in HLSL, so each must fill its 16 bytes. */
-template <typename T, size_t N>
+template<typename T, size_t N>
 struct TShaderParameterTypeInfo<T[N]>
 {
 	using FElementInfo = TShaderParameterTypeInfo<T>;
@@ -107,13 +125,14 @@ struct TShaderParameterTypeInfo<T[N]>
 };
 
 /** A scalar array: four to a register, element i is component i % 4 of register i / 4 (GET_SCALAR_ARRAY_ELEMENT). */
-template <typename T, size_t N>
+template<typename T, size_t N>
 struct TShaderParameterScalarArrayTypeInfo
 {
 	static_assert(std::is_same_v<T, float> || std::is_same_v<T, int32> || std::is_same_v<T, uint32>,
 		"SHADER_PARAMETER_SCALAR_ARRAY takes float, int32 or uint32.");
 
-	using FRegister = std::conditional_t<std::is_same_v<T, float>, FVector4f, std::conditional_t<std::is_same_v<T, int32>, FIntVector4, FUintVector4>>;
+	using FRegister = std::conditional_t<std::is_same_v<T, float>, FVector4f,
+		std::conditional_t<std::is_same_v<T, int32>, FIntVector4, FUintVector4>>;
 	using TAlignedType = TStaticArray<FRegister, (N + 3) / 4>;
 
 	static constexpr EUniformBufferBaseType BaseType = TShaderParameterTypeInfo<T>::BaseType;
@@ -127,16 +146,16 @@ struct TShaderParameterScalarArrayTypeInfo
 };
 
 /** Lets a scalar-array macro write `float[7]` for one template argument. */
-template <typename TArrayType>
+template<typename TArrayType>
 struct TShaderParameterScalarArrayOf;
 
-template <typename T, size_t N>
+template<typename T, size_t N>
 struct TShaderParameterScalarArrayOf<T[N]> : TShaderParameterScalarArrayTypeInfo<T, N>
 {
 };
 
 /** A nested struct, or an array of them. */
-template <typename TStruct>
+template<typename TStruct>
 struct TShaderParameterStructTypeInfo
 {
 	static constexpr int32 NumElements = 0;
@@ -147,7 +166,7 @@ struct TShaderParameterStructTypeInfo
 	static const FShaderParametersMetadata* GetStructMetadata() { return TStruct::FTypeInfo::GetStructMetadata(); }
 };
 
-template <typename TStruct, size_t N>
+template<typename TStruct, size_t N>
 struct TShaderParameterStructTypeInfo<TStruct[N]>
 {
 	static constexpr int32 NumElements = static_cast<int32>(N);
@@ -159,7 +178,7 @@ struct TShaderParameterStructTypeInfo<TStruct[N]>
 };
 
 /** A pointer to a resource, or an array of them. */
-template <typename TPointer>
+template<typename TPointer>
 struct TShaderResourceParameterTypeInfo
 {
 	static constexpr int32 NumElements = 0;
@@ -168,7 +187,7 @@ struct TShaderResourceParameterTypeInfo
 	using TAlignedType = TPointer;
 };
 
-template <typename TPointer, size_t N>
+template<typename TPointer, size_t N>
 struct TShaderResourceParameterTypeInfo<TPointer[N]>
 {
 	static constexpr int32 NumElements = static_cast<int32>(N);
@@ -181,22 +200,27 @@ namespace Drydock
 {
 
 /** Refuses what the engine refuses, in words. */
-template <typename T>
+template<typename T>
 constexpr void CheckShaderParameterType()
 {
-	static_assert(!std::is_same_v<T, bool>, "bool is not a shader parameter: its size differs between C++ and HLSL. Use uint32; HLSL may read it as bool.");
+	static_assert(!std::is_same_v<T, bool>,
+		"bool is not a shader parameter: its size differs between C++ and HLSL. Use uint32; HLSL may read it as bool.");
 	static_assert(!std::is_same_v<T, double>, "double is not a shader parameter: use float.");
-	static_assert(!std::is_same_v<T, FVector2D>, "FVector2D is double precision and not a shader parameter: use FVector2f.");
-	static_assert(!std::is_same_v<T, FVector>, "FVector is double precision and not a shader parameter: use FVector3f.");
-	static_assert(!std::is_same_v<T, FVector4>, "FVector4 is double precision and not a shader parameter: use FVector4f.");
+	static_assert(
+		!std::is_same_v<T, FVector2D>, "FVector2D is double precision and not a shader parameter: use FVector2f.");
+	static_assert(
+		!std::is_same_v<T, FVector>, "FVector is double precision and not a shader parameter: use FVector3f.");
+	static_assert(
+		!std::is_same_v<T, FVector4>, "FVector4 is double precision and not a shader parameter: use FVector4f.");
 }
 
-template <typename T>
+template<typename T>
 constexpr void CheckShaderParameterArrayElement()
 {
 	CheckShaderParameterType<T>();
 	static_assert(std::is_same_v<T, bool> || sizeof(T) % SHADER_PARAMETER_ARRAY_ELEMENT_ALIGNMENT == 0,
-		"SHADER_PARAMETER_ARRAY elements must be a multiple of 16 bytes, as HLSL spaces them: use SHADER_PARAMETER_SCALAR_ARRAY for scalars, "
+		"SHADER_PARAMETER_ARRAY elements must be a multiple of 16 bytes, as HLSL spaces them: use "
+		"SHADER_PARAMETER_SCALAR_ARRAY for scalars, "
 		"or pack the values into FVector4f.");
 }
 

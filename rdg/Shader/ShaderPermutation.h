@@ -23,7 +23,7 @@ struct FShaderPermutationBool
 };
 
 /** A dimension of Size consecutive values from FirstValue on: id = value - FirstValue. */
-template <typename TType, int32 Size, int32 FirstValue = 0>
+template<typename TType, int32 Size, int32 FirstValue = 0>
 struct TShaderPermutationInt
 {
 	using Type = TType;
@@ -36,7 +36,8 @@ struct TShaderPermutationInt
 	static int32 ToDimensionValueId(Type Value)
 	{
 		const int32 Id = static_cast<int32>(Value) - FirstValue;
-		checkf(Id >= 0 && Id < Size, TEXT("permutation value %d is outside %d..%d"), static_cast<int32>(Value), FirstValue, FirstValue + Size - 1);
+		checkf(Id >= 0 && Id < Size, TEXT("permutation value %d is outside %d..%d"), static_cast<int32>(Value),
+			FirstValue, FirstValue + Size - 1);
 		return Id;
 	}
 
@@ -45,7 +46,7 @@ struct TShaderPermutationInt
 };
 
 /** A dimension of listed values. Ids run backward: the first value has id count - 1, the last has id 0. */
-template <int32... Values>
+template<int32... Values>
 struct TShaderPermutationSparseInt
 {
 	static_assert(sizeof...(Values) > 0, "SHADER_PERMUTATION_SPARSE_INT needs at least one value");
@@ -70,7 +71,8 @@ struct TShaderPermutationSparseInt
 
 	static Type FromDimensionValueId(int32 Id)
 	{
-		checkf(Id >= 0 && Id < PermutationCount, TEXT("sparse permutation id %d is outside 0..%d"), Id, PermutationCount - 1);
+		checkf(Id >= 0 && Id < PermutationCount, TEXT("sparse permutation id %d is outside 0..%d"), Id,
+			PermutationCount - 1);
 		return List[PermutationCount - 1 - Id];
 	}
 
@@ -85,7 +87,7 @@ private:
 };
 
 /** The product of dimensions; itself usable as a dimension of another domain. Default: every dimension at its id 0. */
-template <typename... TDimensions>
+template<typename... TDimensions>
 class TShaderPermutationDomain
 {
 public:
@@ -94,27 +96,32 @@ public:
 	static constexpr int32 PermutationCount = (1 * ... * TDimensions::PermutationCount);
 	static constexpr bool IsMultiDimensional = true;
 
-	TShaderPermutationDomain() : TShaderPermutationDomain(0) {}
+	TShaderPermutationDomain()
+		: TShaderPermutationDomain(0)
+	{
+	}
 
 	explicit TShaderPermutationDomain(int32 PermutationId)
 	{
-		checkf(PermutationId >= 0 && PermutationId < PermutationCount, TEXT("permutation id %d is outside 0..%d"), PermutationId, PermutationCount - 1);
+		checkf(PermutationId >= 0 && PermutationId < PermutationCount, TEXT("permutation id %d is outside 0..%d"),
+			PermutationId, PermutationCount - 1);
 		[[maybe_unused]] int32 Rest = PermutationId;
-		ForEachDimension([&Rest]<typename TDimension>(auto& Value)
-		{
-			Value = TDimension::FromDimensionValueId(Rest % TDimension::PermutationCount);
-			Rest /= TDimension::PermutationCount;
-		});
+		ForEachDimension(
+			[&Rest]<typename TDimension>(auto& Value)
+			{
+				Value = TDimension::FromDimensionValueId(Rest % TDimension::PermutationCount);
+				Rest /= TDimension::PermutationCount;
+			});
 	}
 
 	/** TDimension must be one of this domain's own dimensions. */
-	template <typename TDimension>
+	template<typename TDimension>
 	void Set(typename TDimension::Type Value)
 	{
 		std::get<IndexOf<TDimension>()>(Values) = Value;
 	}
 
-	template <typename TDimension>
+	template<typename TDimension>
 	const typename TDimension::Type& Get() const
 	{
 		return std::get<IndexOf<TDimension>()>(Values);
@@ -124,11 +131,12 @@ public:
 	{
 		int32 Id = 0;
 		[[maybe_unused]] int32 Stride = 1;
-		const_cast<TShaderPermutationDomain*>(this)->ForEachDimension([&Id, &Stride]<typename TDimension>(const auto& Value)
-		{
-			Id += Stride * TDimension::ToDimensionValueId(Value);
-			Stride *= TDimension::PermutationCount;
-		});
+		const_cast<TShaderPermutationDomain*>(this)->ForEachDimension(
+			[&Id, &Stride]<typename TDimension>(const auto& Value)
+			{
+				Id += Stride * TDimension::ToDimensionValueId(Value);
+				Stride *= TDimension::PermutationCount;
+			});
 		return Id;
 	}
 
@@ -138,38 +146,44 @@ public:
 	/** Sets each dimension's define. */
 	void ModifyCompilationEnvironment(FShaderCompilerEnvironment& OutEnvironment) const
 	{
-		const_cast<TShaderPermutationDomain*>(this)->ForEachDimension([&OutEnvironment]<typename TDimension>(const auto& Value)
-		{
-			if constexpr (TDimension::IsMultiDimensional)
+		const_cast<TShaderPermutationDomain*>(this)->ForEachDimension(
+			[&OutEnvironment]<typename TDimension>(const auto& Value)
 			{
-				Value.ModifyCompilationEnvironment(OutEnvironment);
-			}
-			else
-			{
-				OutEnvironment.SetDefine(TDimension::DefineName, TDimension::ToDefineValue(Value));
-			}
-		});
+				if constexpr (TDimension::IsMultiDimensional)
+				{
+					Value.ModifyCompilationEnvironment(OutEnvironment);
+				}
+				else
+				{
+					OutEnvironment.SetDefine(TDimension::DefineName, TDimension::ToDefineValue(Value));
+				}
+			});
 	}
 
-	bool operator==(const TShaderPermutationDomain& Other) const { return ToDimensionValueId() == Other.ToDimensionValueId(); }
+	bool operator==(const TShaderPermutationDomain& Other) const
+	{
+		return ToDimensionValueId() == Other.ToDimensionValueId();
+	}
 
 private:
-	template <typename TDimension>
+	template<typename TDimension>
 	static constexpr size_t IndexOf()
 	{
-		static_assert((std::is_same_v<TDimension, TDimensions> + ... + 0) == 1, "this dimension is not (or twice) in the permutation domain");
+		static_assert((std::is_same_v<TDimension, TDimensions> + ... + 0) == 1,
+			"this dimension is not (or twice) in the permutation domain");
 		size_t Index = 0;
 		(void)((std::is_same_v<TDimension, TDimensions> || (++Index, false)) || ...);
 		return Index;
 	}
 
-	template <typename TFunction>
+	template<typename TFunction>
 	void ForEachDimension(TFunction&& Function)
 	{
 		[&]<size_t... Indices>(std::index_sequence<Indices...>)
 		{
 			(Function.template operator()<TDimensions>(std::get<Indices>(Values)), ...);
-		}(std::make_index_sequence<sizeof...(TDimensions)>());
+		}
+		(std::make_index_sequence<sizeof...(TDimensions)>());
 	}
 
 	std::tuple<typename TDimensions::Type...> Values;
@@ -179,7 +193,8 @@ using FShaderPermutationNone = TShaderPermutationDomain<>;
 
 /** `class FUseBloomDim : SHADER_PERMUTATION_BOOL("USE_BLOOM");` */
 #define SHADER_PERMUTATION_BOOL(InDefineName) \
-	public FShaderPermutationBool \
+public \
+	FShaderPermutationBool \
 	{ \
 	public: \
 		static constexpr const TCHAR* DefineName = TEXT(InDefineName); \
@@ -187,7 +202,8 @@ using FShaderPermutationNone = TShaderPermutationDomain<>;
 
 /** Values 0..Count-1. */
 #define SHADER_PERMUTATION_INT(InDefineName, Count) \
-	public TShaderPermutationInt<int32, Count> \
+public \
+	TShaderPermutationInt<int32, Count> \
 	{ \
 	public: \
 		static constexpr const TCHAR* DefineName = TEXT(InDefineName); \
@@ -195,14 +211,16 @@ using FShaderPermutationNone = TShaderPermutationDomain<>;
 
 /** Values Start..Start+Count-1. */
 #define SHADER_PERMUTATION_RANGE_INT(InDefineName, Start, Count) \
-	public TShaderPermutationInt<int32, Count, Start> \
+public \
+	TShaderPermutationInt<int32, Count, Start> \
 	{ \
 	public: \
 		static constexpr const TCHAR* DefineName = TEXT(InDefineName); \
 	}
 
 #define SHADER_PERMUTATION_SPARSE_INT(InDefineName, ...) \
-	public TShaderPermutationSparseInt<__VA_ARGS__> \
+public \
+	TShaderPermutationSparseInt<__VA_ARGS__> \
 	{ \
 	public: \
 		static constexpr const TCHAR* DefineName = TEXT(InDefineName); \
@@ -210,7 +228,8 @@ using FShaderPermutationNone = TShaderPermutationDomain<>;
 
 /** The enum class must end with MAX. */
 #define SHADER_PERMUTATION_ENUM_CLASS(InDefineName, EnumName) \
-	public TShaderPermutationInt<EnumName, static_cast<int32>(EnumName::MAX)> \
+public \
+	TShaderPermutationInt<EnumName, static_cast<int32>(EnumName::MAX)> \
 	{ \
 	public: \
 		static constexpr const TCHAR* DefineName = TEXT(InDefineName); \

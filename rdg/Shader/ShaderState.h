@@ -15,7 +15,8 @@ namespace Drydock
 struct FShaderState
 {
 	std::mutex Mutex;
-	std::map<std::pair<bool, int32_t>, std::shared_ptr<const FCompiledShader>> Compiled; // by precision and asked-for lanes
+	std::map<std::pair<bool, int32_t>, std::shared_ptr<const FCompiledShader>>
+		Compiled; // by precision and asked-for lanes
 	std::shared_ptr<const FShaderReflection> Reflection;
 	std::map<const FShaderParametersMetadata*, std::shared_ptr<const FShaderBindingPlan>> Plans;
 };

@@ -3,8 +3,9 @@
 
 #include "ShaderParameterMacros.h"
 
-/** A uniform buffer with its contents on the side; each SetContents makes a new buffer, so passes keep what they were given. */
-template <typename TBufferStruct>
+/** A uniform buffer with its contents on the side; each SetContents makes a new buffer, so passes keep what they were
+ * given. */
+template<typename TBufferStruct>
 class TUniformBuffer
 {
 public:

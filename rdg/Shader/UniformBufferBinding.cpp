@@ -3,7 +3,8 @@
 
 #include <cstring>
 
-FRHIUniformBuffer::FRHIUniformBuffer(const FShaderParametersMetadata& InMetadata, const void* InContents) : Metadata(InMetadata)
+FRHIUniformBuffer::FRHIUniformBuffer(const FShaderParametersMetadata& InMetadata, const void* InContents)
+	: Metadata(InMetadata)
 {
 	check(InContents);
 	Contents.resize(InMetadata.GetSize() / sizeof(FBlock));

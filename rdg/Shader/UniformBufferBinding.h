@@ -63,14 +63,20 @@ DRYDOCK_API FUniformBufferRHIRef CreateUniformBuffer(const FShaderParametersMeta
 } // namespace Drydock
 
 /** A counted reference to a uniform buffer that holds a TBufferStruct. */
-template <typename TBufferStruct>
+template<typename TBufferStruct>
 class TUniformBufferRef : public FUniformBufferRHIRef
 {
 public:
 	TUniformBufferRef() = default;
 
-	explicit TUniformBufferRef(FRHIUniformBuffer* InBuffer) : FUniformBufferRHIRef(InBuffer) {}
-	explicit TUniformBufferRef(const FUniformBufferRHIRef& InBuffer) : FUniformBufferRHIRef(InBuffer) {}
+	explicit TUniformBufferRef(FRHIUniformBuffer* InBuffer)
+		: FUniformBufferRHIRef(InBuffer)
+	{
+	}
+	explicit TUniformBufferRef(const FUniformBufferRHIRef& InBuffer)
+		: FUniformBufferRHIRef(InBuffer)
+	{
+	}
 
 	/** Copies Value. The usage is a hint to a GPU. */
 	static TUniformBufferRef CreateUniformBufferImmediate(const TBufferStruct& Value, EUniformBufferUsage,
@@ -79,10 +85,13 @@ public:
 		return TUniformBufferRef(Drydock::CreateUniformBuffer(*TBufferStruct::FTypeInfo::GetStructMetadata(), &Value));
 	}
 
-	static TUniformBufferRef CreateEmptyUniformBufferImmediate(EUniformBufferUsage Usage) { return CreateUniformBufferImmediate(TBufferStruct(), Usage); }
+	static TUniformBufferRef CreateEmptyUniformBufferImmediate(EUniformBufferUsage Usage)
+	{
+		return CreateUniformBufferImmediate(TBufferStruct(), Usage);
+	}
 };
 
-template <typename TBufferStruct>
+template<typename TBufferStruct>
 TUniformBufferRef<TBufferStruct> CreateUniformBufferImmediate(const TBufferStruct& Value, EUniformBufferUsage Usage,
 	EUniformBufferValidation Validation = EUniformBufferValidation::ValidateResources)
 {
@@ -90,13 +99,19 @@ TUniformBufferRef<TBufferStruct> CreateUniformBufferImmediate(const TBufferStruc
 }
 
 /** What SHADER_PARAMETER_STRUCT_REF declares. */
-template <typename TBufferStruct>
+template<typename TBufferStruct>
 class TUniformBufferBinding
 {
 public:
 	TUniformBufferBinding() = default;
-	TUniformBufferBinding(const TUniformBufferRef<TBufferStruct>& InBuffer) : Buffer(InBuffer) {}
-	TUniformBufferBinding(const TUniformBufferRef<TBufferStruct>& InBuffer, EUniformBufferBindingFlags) : Buffer(InBuffer) {}
+	TUniformBufferBinding(const TUniformBufferRef<TBufferStruct>& InBuffer)
+		: Buffer(InBuffer)
+	{
+	}
+	TUniformBufferBinding(const TUniformBufferRef<TBufferStruct>& InBuffer, EUniformBufferBindingFlags)
+		: Buffer(InBuffer)
+	{
+	}
 	TUniformBufferBinding(std::nullptr_t) {}
 
 	const TUniformBufferRef<TBufferStruct>& GetUniformBuffer() const { return Buffer; }
@@ -112,13 +127,19 @@ private:
 };
 
 /** What SHADER_PARAMETER_RDG_UNIFORM_BUFFER declares. */
-template <typename TBufferStruct>
+template<typename TBufferStruct>
 class TRDGUniformBufferBinding
 {
 public:
 	TRDGUniformBufferBinding() = default;
-	TRDGUniformBufferBinding(TRDGUniformBufferRef<TBufferStruct> InBuffer) : Buffer(InBuffer) {}
-	TRDGUniformBufferBinding(TRDGUniformBufferRef<TBufferStruct> InBuffer, EUniformBufferBindingFlags) : Buffer(InBuffer) {}
+	TRDGUniformBufferBinding(TRDGUniformBufferRef<TBufferStruct> InBuffer)
+		: Buffer(InBuffer)
+	{
+	}
+	TRDGUniformBufferBinding(TRDGUniformBufferRef<TBufferStruct> InBuffer, EUniformBufferBindingFlags)
+		: Buffer(InBuffer)
+	{
+	}
 	TRDGUniformBufferBinding(std::nullptr_t) {}
 
 	TRDGUniformBufferRef<TBufferStruct> GetUniformBuffer() const { return Buffer; }

@@ -1,5 +1,5 @@
-// A pass depends on what its shader reads, not on what its parameter struct could hold. The resources here are addresses
-// that nobody follows.
+// A pass depends on what its shader reads, not on what its parameter struct could hold. The resources here are
+// addresses that nobody follows.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -9,7 +9,7 @@
 namespace
 {
 
-template <typename T>
+template<typename T>
 T* Fake(uintptr_t Address)
 {
 	return reinterpret_cast<T*>(Address);
@@ -21,7 +21,8 @@ protected:
 	static void SetUpTestSuite()
 	{
 		setenv("DRYDOCK_CACHE_DIR", DRYDOCK_TEST_BINARY_DIR "/test-shader-cache", 0);
-		AddShaderSourceDirectoryMapping(TEXT("/DrydockTest"), FString(DRYDOCK_TEST_SOURCE_DIR "/tests/rdg/Shader/Shaders"));
+		AddShaderSourceDirectoryMapping(
+			TEXT("/DrydockTest"), FString(DRYDOCK_TEST_SOURCE_DIR "/tests/rdg/Shader/Shaders"));
 	}
 
 	FClearUnused()

@@ -20,7 +20,8 @@ FCompilation Compile(const std::string& File)
 {
 	const std::string Source = DRYDOCK_TEST_SOURCE_DIR;
 	const char* const Compiler = std::getenv("CXX");
-	std::string Command = std::string(Compiler ? Compiler : "c++") + " -std=c++20 -fsyntax-only -fno-diagnostics-color -DGLM_FORCE_XYZW_ONLY";
+	std::string Command = std::string(Compiler ? Compiler : "c++") +
+						  " -std=c++20 -fsyntax-only -fno-diagnostics-color -DGLM_FORCE_XYZW_ONLY";
 	for (const char* Folder : {"Core", "RHI", "Shader", "ShaderCompiler", "Graph"})
 	{
 		Command += " -I'" + Source + "/rdg/" + Folder + "'";
@@ -69,7 +70,8 @@ TEST_P(NegativeCompile, IsRefusedInWords)
 }
 
 INSTANTIATE_TEST_SUITE_P(Shader, NegativeCompile,
-	testing::Values(FRefusal{"BoolParameter", "bool is not a shader parameter: its size differs between C++ and HLSL. Use uint32"},
+	testing::Values(
+		FRefusal{"BoolParameter", "bool is not a shader parameter: its size differs between C++ and HLSL. Use uint32"},
 		FRefusal{"DoubleParameter", "double is not a shader parameter: use float."},
 		FRefusal{"Vector2DParameter", "FVector2D is double precision and not a shader parameter: use FVector2f."},
 		FRefusal{"VectorParameter", "FVector is double precision and not a shader parameter: use FVector3f."},

@@ -36,7 +36,8 @@ const FShaderParametersMetadata& Metadata()
 	return *FBloomParameters::FTypeInfo::GetStructMetadata();
 }
 
-FShaderConstant Constant(const std::string& Name, EShaderScalar Scalar, int32_t Columns, uint32_t Offset, int32_t NumElements = 0)
+FShaderConstant Constant(
+	const std::string& Name, EShaderScalar Scalar, int32_t Columns, uint32_t Offset, int32_t NumElements = 0)
 {
 	FShaderConstant Result;
 	Result.Name = Name;
@@ -102,44 +103,54 @@ int32 IntAt(const FBoundShader& Bound, uint32_t Offset)
 
 TRefCountPtr<FRHITexture> MakeTexture(FIntPoint Extent, EPixelFormat Format = PF_A32B32G32R32F)
 {
-	return new FRHITexture(FRHITextureDesc::Create2D(Extent, Format, FClearValueBinding::None, TexCreate_ShaderResource | TexCreate_UAV), TEXT("Test"));
+	return new FRHITexture(
+		FRHITextureDesc::Create2D(Extent, Format, FClearValueBinding::None, TexCreate_ShaderResource | TexCreate_UAV),
+		TEXT("Test"));
 }
 
 } // namespace
 
 TEST(ShaderMatching, AFittingShaderHasNoMessage)
 {
-	EXPECT_EQ("0 messages", MessageOf(Loose({Constant("Tint", EShaderScalar::Float, 3, 0), Constant("Threshold", EShaderScalar::Float, 1, 12)})));
+	EXPECT_EQ("0 messages", MessageOf(Loose({Constant("Tint", EShaderScalar::Float, 3, 0),
+								Constant("Threshold", EShaderScalar::Float, 1, 12)})));
 }
 
 TEST(ShaderMatching, MissingMemberNamesBothSidesAndTheNearestName)
 {
-	EXPECT_EQ("FBloomSetupPS: 'ToonIntensity' (float) is read by /Engine/Private/PostProcessBloom.usf:9 but FBloomParameters has no such member; "
-		"did you mean 'ToonIntensty'?", MessageOf(Loose({Constant("ToonIntensity", EShaderScalar::Float, 1, 0)})));
+	EXPECT_EQ("FBloomSetupPS: 'ToonIntensity' (float) is read by /Engine/Private/PostProcessBloom.usf:9 but "
+			  "FBloomParameters has no such member; "
+			  "did you mean 'ToonIntensty'?",
+		MessageOf(Loose({Constant("ToonIntensity", EShaderScalar::Float, 1, 0)})));
 }
 
 TEST(ShaderMatching, FarNamesAreNotSuggested)
 {
-	EXPECT_EQ("FBloomSetupPS: 'Zq' (float2) is read by /Engine/Private/PostProcessBloom.usf:9 but FBloomParameters has no such member",
+	EXPECT_EQ("FBloomSetupPS: 'Zq' (float2) is read by /Engine/Private/PostProcessBloom.usf:9 but FBloomParameters has "
+			  "no such member",
 		MessageOf(Loose({Constant("Zq", EShaderScalar::Float, 2, 0)})));
 }
 
 TEST(ShaderMatching, OtherShapeNamesBothTypesAndTheLineInCpp)
 {
 	const std::string Message = MessageOf(Loose({Constant("Tint", EShaderScalar::Float, 4, 0)}));
-	EXPECT_THAT(Message, HasSubstr("'Tint' is float4 where it is read by /Engine/Private/PostProcessBloom.usf:9, but float3 in FBloomParameters"));
-	EXPECT_THAT(Message, HasSubstr("ShaderBindingTest.cpp:" + std::to_string(Metadata().FindMemberByName(TEXT("Tint"))->GetFileLine())));
+	EXPECT_THAT(Message, HasSubstr("'Tint' is float4 where it is read by /Engine/Private/PostProcessBloom.usf:9, but "
+								   "float3 in FBloomParameters"));
+	EXPECT_THAT(Message,
+		HasSubstr("ShaderBindingTest.cpp:" + std::to_string(Metadata().FindMemberByName(TEXT("Tint"))->GetFileLine())));
 }
 
 TEST(ShaderMatching, FloatAndIntegerDoNotMatch)
 {
-	EXPECT_THAT(MessageOf(Loose({Constant("Threshold", EShaderScalar::Int, 1, 0)})), HasSubstr("'Threshold' is int where"));
+	EXPECT_THAT(
+		MessageOf(Loose({Constant("Threshold", EShaderScalar::Int, 1, 0)})), HasSubstr("'Threshold' is int where"));
 	EXPECT_THAT(MessageOf(Loose({Constant("Rect", EShaderScalar::Float, 4, 0)})), HasSubstr("but int4 in"));
 }
 
 TEST(ShaderMatching, SignednessOfIntegersIsFree)
 {
-	EXPECT_EQ("0 messages", MessageOf(Loose({Constant("Rect", EShaderScalar::Uint, 4, 0), Constant("bEnabled", EShaderScalar::Int, 1, 16)})));
+	EXPECT_EQ("0 messages", MessageOf(Loose({Constant("Rect", EShaderScalar::Uint, 4, 0),
+								Constant("bEnabled", EShaderScalar::Int, 1, 16)})));
 }
 
 TEST(ShaderMatching, HlslMayReadAnUnsignedIntegerAsBool)
@@ -155,7 +166,8 @@ TEST(ShaderMatching, ShorterArraysInHlslFit)
 TEST(ShaderMatching, LongerArraysInHlslDoNot)
 {
 	EXPECT_THAT(MessageOf(Loose({Constant("Weights", EShaderScalar::Float, 4, 0, 5)})),
-		HasSubstr("'Weights' has 5 elements where it is read by /Engine/Private/PostProcessBloom.usf:9, but only 4 in FBloomParameters"));
+		HasSubstr("'Weights' has 5 elements where it is read by /Engine/Private/PostProcessBloom.usf:9, but only 4 in "
+				  "FBloomParameters"));
 }
 
 TEST(ShaderMatching, AnArrayIsNotAVector)
@@ -172,13 +184,16 @@ TEST(ShaderMatching, UnreadConstantsAreNotAskedFor)
 
 TEST(ShaderMatching, MissingTextureNamesItsType)
 {
-	EXPECT_EQ("FBloomSetupPS: 'Input_Textur' (Texture2D) is read by /Project/X.usf:4 but FBloomParameters has no such member; "
-		"did you mean 'Input_Texture'?", MessageOf(Texture("Input_Textur")));
+	EXPECT_EQ("FBloomSetupPS: 'Input_Textur' (Texture2D) is read by /Project/X.usf:4 but FBloomParameters has no such "
+			  "member; "
+			  "did you mean 'Input_Texture'?",
+		MessageOf(Texture("Input_Textur")));
 }
 
 TEST(ShaderMatching, TextureDimensionsMustAgree)
 {
-	EXPECT_THAT(MessageOf(Texture("Input_Texture", EShaderDimension::Texture3D)), HasSubstr("'Input_Texture' is Texture3D where"));
+	EXPECT_THAT(MessageOf(Texture("Input_Texture", EShaderDimension::Texture3D)),
+		HasSubstr("'Input_Texture' is Texture3D where"));
 }
 
 TEST(ShaderMatching, AWritableViewIsNoTexture)
@@ -195,7 +210,8 @@ TEST(ShaderMatching, TemplateArgumentsOfTheTypeTextAreFree)
 
 TEST(ShaderMatching, AllMistakesAreReported)
 {
-	FShaderReflection Reflection = Loose({Constant("A1", EShaderScalar::Float, 1, 0), Constant("Tint", EShaderScalar::Int, 3, 16)});
+	FShaderReflection Reflection =
+		Loose({Constant("A1", EShaderScalar::Float, 1, 0), Constant("Tint", EShaderScalar::Int, 3, 16)});
 	Reflection.Textures = {Resource("Input_Texture"), Resource("B1")};
 	EXPECT_EQ("3 messages", MessageOf(Reflection));
 }
@@ -211,8 +227,10 @@ TEST(ShaderMatching, AnUnreferencedUniformBufferIsNamed)
 {
 	FShaderReflection Reflection = Loose({Constant("Other_Value", EShaderScalar::Float, 1, 0)});
 	Reflection.ConstantBuffers[0].Name = "Other";
-	EXPECT_EQ("FBloomSetupPS: 'Other_Value' of uniform buffer 'Other' is read by /Engine/Private/PostProcessBloom.usf:9, but FBloomParameters has no "
-		"SHADER_PARAMETER_STRUCT_REF or SHADER_PARAMETER_RDG_UNIFORM_BUFFER of that buffer", MessageOf(Reflection));
+	EXPECT_EQ("FBloomSetupPS: 'Other_Value' of uniform buffer 'Other' is read by "
+			  "/Engine/Private/PostProcessBloom.usf:9, but FBloomParameters has no "
+			  "SHADER_PARAMETER_STRUCT_REF or SHADER_PARAMETER_RDG_UNIFORM_BUFFER of that buffer",
+		MessageOf(Reflection));
 }
 
 TEST(ShaderBinding, ConstantsGoWhereTheShaderWantsThem)
@@ -221,8 +239,11 @@ TEST(ShaderBinding, ConstantsGoWhereTheShaderWantsThem)
 	Parameters.Tint = FVector3f(0.25f, 0.5f, 0.75f);
 	Parameters.Threshold = -1.0f;
 	Parameters.Rect = FIntRect(1, 2, 30, 40);
-	const FBoundShader Bound = Bind(Loose({Constant("Threshold", EShaderScalar::Float, 1, 4), Constant("Tint", EShaderScalar::Float, 3, 16),
-		Constant("Rect", EShaderScalar::Uint, 4, 32)}, 48), Parameters);
+	const FBoundShader Bound =
+		Bind(Loose({Constant("Threshold", EShaderScalar::Float, 1, 4), Constant("Tint", EShaderScalar::Float, 3, 16),
+					   Constant("Rect", EShaderScalar::Uint, 4, 32)},
+				 48),
+			Parameters);
 	EXPECT_EQ(-1.0f, FloatAt(Bound, 4));
 	EXPECT_EQ(0.25f, FloatAt(Bound, 16));
 	EXPECT_EQ(0.75f, FloatAt(Bound, 24));
@@ -281,7 +302,8 @@ TEST(ShaderBinding, NestedMembersAreReached)
 {
 	FBloomParameters Parameters;
 	Parameters.Input.Viewport.ExtentInverse = FVector2f(0.5f, 0.125f);
-	const FBoundShader Bound = Bind(Loose({Constant("Input_Viewport_ExtentInverse", EShaderScalar::Float, 2, 0)}, 16), Parameters);
+	const FBoundShader Bound =
+		Bind(Loose({Constant("Input_Viewport_ExtentInverse", EShaderScalar::Float, 2, 0)}, 16), Parameters);
 	EXPECT_EQ(0.125f, FloatAt(Bound, 4));
 }
 
@@ -290,7 +312,8 @@ TEST(ShaderBinding, UniformBuffersAreReadWhenTheyWereMade)
 	FTestViewUniforms View;
 	View.PreExposure = 4.0f;
 	FBloomParameters Parameters;
-	Parameters.View = TUniformBufferRef<FTestViewUniforms>::CreateUniformBufferImmediate(View, UniformBuffer_SingleFrame);
+	Parameters.View =
+		TUniformBufferRef<FTestViewUniforms>::CreateUniformBufferImmediate(View, UniformBuffer_SingleFrame);
 	View.PreExposure = 9.0f;
 	FShaderReflection Reflection = Loose({Constant("TestView_PreExposure", EShaderScalar::Float, 1, 0)}, 16);
 	Reflection.ConstantBuffers[0].Name = "TestView";
@@ -349,7 +372,8 @@ TEST(ShaderBinding, SlotsFollowTheReflection)
 	View.Noise = Noise;
 	FBloomParameters Parameters;
 	Parameters.Input.Texture = Texture;
-	Parameters.View = TUniformBufferRef<FTestViewUniforms>::CreateUniformBufferImmediate(View, UniformBuffer_SingleFrame);
+	Parameters.View =
+		TUniformBufferRef<FTestViewUniforms>::CreateUniformBufferImmediate(View, UniformBuffer_SingleFrame);
 	FShaderReflection Reflection;
 	Reflection.Textures = {Resource("TestView_Noise"), Resource("Input_Texture")};
 	const FBoundShader Bound = Bind(Reflection, Parameters);
@@ -360,7 +384,8 @@ TEST(ShaderBinding, SlotsFollowTheReflection)
 TEST(ShaderBinding, WritableTexturesAndBuffersGiveTheirViews)
 {
 	const TRefCountPtr<FRHITexture> Texture = MakeTexture(FIntPoint(8, 2));
-	const TRefCountPtr<FRHIUnorderedAccessView> Output = new FRHIUnorderedAccessView(Texture, FRHITextureUAVCreateInfo(0));
+	const TRefCountPtr<FRHIUnorderedAccessView> Output =
+		new FRHIUnorderedAccessView(Texture, FRHITextureUAVCreateInfo(0));
 	const TRefCountPtr<FRHIBuffer> Buffer = new FRHIBuffer(FRHIBufferDesc(64, 16, BUF_StructuredBuffer), TEXT("Table"));
 	const TRefCountPtr<FRHIShaderResourceView> Table = new FRHIShaderResourceView(Buffer, FRHIBufferSRVCreateInfo());
 	FBloomParameters Parameters;
@@ -399,5 +424,7 @@ TEST(ShaderMatching, OtherSamplersDo)
 {
 	FShaderReflection Reflection;
 	Reflection.Samplers = {Resource("GlobalSampler")};
-	EXPECT_THAT(MessageOf(Reflection), HasSubstr("'GlobalSampler' (SamplerState) is read by /Project/X.usf:4 but FBloomParameters has no such member"));
+	EXPECT_THAT(MessageOf(Reflection),
+		HasSubstr(
+			"'GlobalSampler' (SamplerState) is read by /Project/X.usf:4 but FBloomParameters has no such member"));
 }

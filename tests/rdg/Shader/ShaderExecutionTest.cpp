@@ -31,14 +31,19 @@ protected:
 	static void SetUpTestSuite()
 	{
 		setenv("DRYDOCK_CACHE_DIR", DRYDOCK_TEST_BINARY_DIR "/test-shader-cache", 0);
-		AddShaderSourceDirectoryMapping(TEXT("/DrydockTest"), FString(DRYDOCK_TEST_SOURCE_DIR "/tests/rdg/Shader/Shaders"));
+		AddShaderSourceDirectoryMapping(
+			TEXT("/DrydockTest"), FString(DRYDOCK_TEST_SOURCE_DIR "/tests/rdg/Shader/Shaders"));
 	}
 
 	FShaderExecution()
 	{
 		const ETextureCreateFlags Flags = TexCreate_ShaderResource | TexCreate_UAV;
-		Input = new FRHITexture(FRHITextureDesc::Create2D(FIntPoint(5, 3), PF_A32B32G32R32F, FClearValueBinding::None, Flags), TEXT("Input"));
-		Output = new FRHITexture(FRHITextureDesc::Create2D(FIntPoint(5, 3), PF_A32B32G32R32F, FClearValueBinding::None, Flags), TEXT("Output"));
+		Input = new FRHITexture(
+			FRHITextureDesc::Create2D(FIntPoint(5, 3), PF_A32B32G32R32F, FClearValueBinding::None, Flags),
+			TEXT("Input"));
+		Output = new FRHITexture(
+			FRHITextureDesc::Create2D(FIntPoint(5, 3), PF_A32B32G32R32F, FClearValueBinding::None, Flags),
+			TEXT("Output"));
 		OutputView = new FRHIUnorderedAccessView(Output, FRHITextureUAVCreateInfo(0));
 		Input->WriteTexel(4, 2, FLinearColor(1.0f, 2.0f, 3.0f, 4.0f));
 		Output->EnsureMemory();
@@ -106,7 +111,8 @@ TEST_F(FShaderExecution, ReadsUniformBuffersByTheirHlslName)
 	FTestViewUniforms View;
 	View.PreExposure = 0.5f;
 	View.Planes[1] = FVector4f(0.0f, 1.0f, 0.0f, 0.0f);
-	Parameters.View = TUniformBufferRef<FTestViewUniforms>::CreateUniformBufferImmediate(View, UniformBuffer_SingleFrame);
+	Parameters.View =
+		TUniformBufferRef<FTestViewUniforms>::CreateUniformBufferImmediate(View, UniformBuffer_SingleFrame);
 	Run(true);
 	EXPECT_EQ(FLinearColor(2.5f, 5.5f, 6.5f, 8.5f), Output->ReadTexel(4, 2));
 }
@@ -121,7 +127,8 @@ TEST_F(FShaderExecution, ValidationNamesShaderStructAndMember)
 	}
 	catch (const FCheckFailure& Failure)
 	{
-		EXPECT_THAT(Failure.what(), HasSubstr("FTestTintCS's required shader parameter FParameters::InputTexture was not set."));
+		EXPECT_THAT(Failure.what(),
+			HasSubstr("FTestTintCS's required shader parameter FParameters::InputTexture was not set."));
 	}
 }
 
@@ -149,8 +156,10 @@ TEST_F(FShaderExecution, MismatchThrowsTheMessageWithTheUsfLine)
 		ASSERT_EQ(1u, Error.GetDiagnostics().size());
 		EXPECT_EQ(6101, Error.GetDiagnostics()[0].Code);
 		EXPECT_EQ(ExitUsage, Error.GetExitCode());
-		EXPECT_THAT(Error.GetDiagnostics()[0].Message, HasSubstr("FTestMisspelledPS: 'ToonIntensity' (float) is read by "
-			"/DrydockTest/Misspelled.usf:6 but FParameters has no such member; did you mean 'ToonIntensty'?"));
+		EXPECT_THAT(Error.GetDiagnostics()[0].Message,
+			HasSubstr(
+				"FTestMisspelledPS: 'ToonIntensity' (float) is read by "
+				"/DrydockTest/Misspelled.usf:6 but FParameters has no such member; did you mean 'ToonIntensty'?"));
 	}
 }
 

@@ -73,7 +73,8 @@ TEST(ShaderParameterMetadata, NamesFileAndLineOfTheStruct)
 
 TEST(ShaderParameterMetadata, MembersComeInTheOrderOfDeclaration)
 {
-	const TArray<FShaderParametersMetadata::FMember>& Members = FOwner::FParameters::FTypeInfo::GetStructMetadata()->GetMembers();
+	const TArray<FShaderParametersMetadata::FMember>& Members =
+		FOwner::FParameters::FTypeInfo::GetStructMetadata()->GetMembers();
 	ASSERT_EQ(3, Members.Num());
 	EXPECT_STREQ("InputTexture", Members[0].GetName());
 	EXPECT_STREQ("RenderTargets", Members[1].GetName());
@@ -98,15 +99,17 @@ TEST(ShaderParameterMetadata, AsksTheSameObjectEveryTime)
 
 TEST(ShaderParameterMetadata, BaseTypesAreTheEngines)
 {
-	const std::pair<const TCHAR*, EUniformBufferBaseType> Expected[] = {
-		{TEXT("Scalar"), UBMT_FLOAT32}, {TEXT("Scalars"), UBMT_INT32}, {TEXT("Texture"), UBMT_TEXTURE}, {TEXT("View"), UBMT_SRV},
+	const std::pair<const TCHAR*, EUniformBufferBaseType> Expected[] = {{TEXT("Scalar"), UBMT_FLOAT32},
+		{TEXT("Scalars"), UBMT_INT32}, {TEXT("Texture"), UBMT_TEXTURE}, {TEXT("View"), UBMT_SRV},
 		{TEXT("WriteView"), UBMT_UAV}, {TEXT("Sampler"), UBMT_SAMPLER}, {TEXT("GraphTexture"), UBMT_RDG_TEXTURE},
-		{TEXT("GraphTextureView"), UBMT_RDG_TEXTURE_SRV}, {TEXT("GraphTarget"), UBMT_RDG_TEXTURE_UAV}, {TEXT("GraphBuffer"), UBMT_RDG_BUFFER_SRV},
-		{TEXT("GraphBufferTarget"), UBMT_RDG_BUFFER_UAV}, {TEXT("Input"), UBMT_NESTED_STRUCT}, {TEXT("Levels"), UBMT_NESTED_STRUCT},
-		{TEXT("Included"), UBMT_INCLUDED_STRUCT}, {TEXT("View0"), UBMT_REFERENCED_STRUCT}, {TEXT("Scene"), UBMT_RDG_UNIFORM_BUFFER},
-		{TEXT("CopySource"), UBMT_RDG_TEXTURE_ACCESS}, {TEXT("AnyTexture"), UBMT_RDG_TEXTURE_ACCESS},
-		{TEXT("ManyTextures"), UBMT_RDG_TEXTURE_ACCESS_ARRAY}, {TEXT("IndirectArgs"), UBMT_RDG_BUFFER_ACCESS},
-		{TEXT("ManyBuffers"), UBMT_RDG_BUFFER_ACCESS_ARRAY}, {TEXT("RenderTargets"), UBMT_RENDER_TARGET_BINDING_SLOTS}};
+		{TEXT("GraphTextureView"), UBMT_RDG_TEXTURE_SRV}, {TEXT("GraphTarget"), UBMT_RDG_TEXTURE_UAV},
+		{TEXT("GraphBuffer"), UBMT_RDG_BUFFER_SRV}, {TEXT("GraphBufferTarget"), UBMT_RDG_BUFFER_UAV},
+		{TEXT("Input"), UBMT_NESTED_STRUCT}, {TEXT("Levels"), UBMT_NESTED_STRUCT},
+		{TEXT("Included"), UBMT_INCLUDED_STRUCT}, {TEXT("View0"), UBMT_REFERENCED_STRUCT},
+		{TEXT("Scene"), UBMT_RDG_UNIFORM_BUFFER}, {TEXT("CopySource"), UBMT_RDG_TEXTURE_ACCESS},
+		{TEXT("AnyTexture"), UBMT_RDG_TEXTURE_ACCESS}, {TEXT("ManyTextures"), UBMT_RDG_TEXTURE_ACCESS_ARRAY},
+		{TEXT("IndirectArgs"), UBMT_RDG_BUFFER_ACCESS}, {TEXT("ManyBuffers"), UBMT_RDG_BUFFER_ACCESS_ARRAY},
+		{TEXT("RenderTargets"), UBMT_RENDER_TARGET_BINDING_SLOTS}};
 	for (const auto& [Name, BaseType] : Expected)
 	{
 		EXPECT_STREQ(Drydock::GetBaseTypeName(BaseType), Drydock::GetBaseTypeName(Member(Name).GetBaseType())) << Name;
@@ -207,7 +210,8 @@ TEST(HlslMembers, UniformBuffersStayOneEntryWithTheirStruct)
 
 TEST(HlslMembers, CodeNamesAreFoundByOffset)
 {
-	EXPECT_STREQ("Input.Texture", *Everything().GetFullMemberCodeName(offsetof(FTestEverything, Input) + offsetof(FTestInput, Texture)));
+	EXPECT_STREQ("Input.Texture",
+		*Everything().GetFullMemberCodeName(offsetof(FTestEverything, Input) + offsetof(FTestInput, Texture)));
 	EXPECT_STREQ("", *Everything().GetFullMemberCodeName(1));
 }
 

@@ -37,7 +37,7 @@ std::string FindDefine(const FShaderCompilerEnvironment& Environment, const std:
 	return "undefined";
 }
 
-template <typename TDomain>
+template<typename TDomain>
 FShaderCompilerEnvironment DefinesOf(const TDomain& Domain)
 {
 	FShaderCompilerEnvironment Environment;

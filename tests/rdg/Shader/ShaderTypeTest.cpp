@@ -18,10 +18,8 @@ FGlobalShaderMap* Map()
 const FGlobalShaderType& TypeNamed(const std::string& Name)
 {
 	const FGlobalShaderType* Found = nullptr;
-	Drydock::ForEachGlobalShader([&](const FGlobalShaderType& Type)
-	{
-		Found = Name == Type.GetName() ? &Type : Found;
-	});
+	Drydock::ForEachGlobalShader(
+		[&](const FGlobalShaderType& Type) { Found = Name == Type.GetName() ? &Type : Found; });
 	if (!Found)
 	{
 		throw std::runtime_error("no shader class " + Name);
@@ -64,12 +62,14 @@ TEST(ShaderType, ListsByName)
 TEST(ShaderType, TemplateInstancesAreClassesOfTheirOwn)
 {
 	EXPECT_EQ((FDefines{{"TWICE", "1"}}), TypeNamed("TTestTemplatePS<true>").GetCompilationEnvironment(0).GetDefines());
-	EXPECT_EQ((FDefines{{"TWICE", "0"}}), TypeNamed("TTestTemplatePS<false>").GetCompilationEnvironment(0).GetDefines());
+	EXPECT_EQ(
+		(FDefines{{"TWICE", "0"}}), TypeNamed("TTestTemplatePS<false>").GetCompilationEnvironment(0).GetDefines());
 }
 
 TEST(ShaderType, DefinesAreThoseOfThePermutationThenOfTheClass)
 {
-	EXPECT_EQ((FDefines{{"USE_VIEW", "1"}, {"THREADGROUPSIZE_X", "8"}}), FTestTintCS::GetStaticType().GetCompilationEnvironment(1).GetDefines());
+	EXPECT_EQ((FDefines{{"USE_VIEW", "1"}, {"THREADGROUPSIZE_X", "8"}}),
+		FTestTintCS::GetStaticType().GetCompilationEnvironment(1).GetDefines());
 }
 
 TEST(ShaderType, RefusedPermutationsAreListedAndCannotBeHad)
@@ -129,7 +129,8 @@ TEST(ShaderRef, DefaultIsInvalid)
 TEST(ShaderCompileRequest, NamesFileEntryStageAndDefines)
 {
 	const TShaderMapRef<FTestTintCS> Shader(Map());
-	const Drydock::FShaderCompileRequest Request = Drydock::MakeShaderCompileRequest(Shader, Shader.GetRootParametersMetadata());
+	const Drydock::FShaderCompileRequest Request =
+		Drydock::MakeShaderCompileRequest(Shader, Shader.GetRootParametersMetadata());
 	EXPECT_EQ("/DrydockTest/Tint.usf", Request.VirtualPath);
 	EXPECT_EQ("TintCS", Request.EntryPoint);
 	EXPECT_EQ(Drydock::EShaderStage::Compute, Request.Stage);
@@ -139,14 +140,18 @@ TEST(ShaderCompileRequest, NamesFileEntryStageAndDefines)
 TEST(ShaderCompileRequest, DeclaresTheUniformBuffersOfTheStruct)
 {
 	const TShaderMapRef<FTestTintCS> Shader(Map());
-	const Drydock::FShaderCompileRequest Request = Drydock::MakeShaderCompileRequest(Shader, Shader.GetRootParametersMetadata());
+	const Drydock::FShaderCompileRequest Request =
+		Drydock::MakeShaderCompileRequest(Shader, Shader.GetRootParametersMetadata());
 	ASSERT_EQ(1u, Request.UniformBuffers.size());
 	EXPECT_EQ("TestView", Request.UniformBuffers[0].first);
-	EXPECT_THAT(Request.UniformBuffers[0].second, testing::ElementsAre("ScreenToWorld", "PreExposure", "Planes", "SharedSampler", "Noise"));
+	EXPECT_THAT(Request.UniformBuffers[0].second,
+		testing::ElementsAre("ScreenToWorld", "PreExposure", "Planes", "SharedSampler", "Noise"));
 	ASSERT_EQ(1u, Request.GeneratedFiles.size());
 	EXPECT_EQ("/Engine/Generated/GeneratedUniformBuffers.ush", Request.GeneratedFiles[0].first);
-	EXPECT_EQ("#pragma once\ncbuffer TestView\n{\n\tfloat4x4 TestView_ScreenToWorld;\n\tfloat TestView_PreExposure;\n\tfloat4 TestView_Planes[3];\n};\n"
-		"SamplerState TestView_SharedSampler;\nTexture2D TestView_Noise;\n", Request.GeneratedFiles[0].second);
+	EXPECT_EQ("#pragma once\ncbuffer TestView\n{\n\tfloat4x4 TestView_ScreenToWorld;\n\tfloat "
+			  "TestView_PreExposure;\n\tfloat4 TestView_Planes[3];\n};\n"
+			  "SamplerState TestView_SharedSampler;\nTexture2D TestView_Noise;\n",
+		Request.GeneratedFiles[0].second);
 }
 
 TEST(ShaderCompileRequest, PrecisionAndWidthAreConsoleVariables)

@@ -30,22 +30,26 @@ class FTestHiddenCS : public FGlobalShader
 
 IMPLEMENT_GLOBAL_SHADER(FTestHiddenCS, "/DrydockTest/Nowhere.usf", "MainCS", SF_Compute)
 
-template <bool bTwice>
+template<bool bTwice>
 class TTestTemplatePS : public FGlobalShader
 {
 	DECLARE_SHADER_TYPE(TTestTemplatePS, Global);
 
 public:
 	TTestTemplatePS() = default;
-	explicit TTestTemplatePS(const typename ShaderMetaType::CompiledShaderInitializerType& Initializer) : FGlobalShader(Initializer) {}
+	explicit TTestTemplatePS(const typename ShaderMetaType::CompiledShaderInitializerType& Initializer)
+		: FGlobalShader(Initializer)
+	{
+	}
 
-	static void ModifyCompilationEnvironment(const FGlobalShaderPermutationParameters&, FShaderCompilerEnvironment& OutEnvironment)
+	static void ModifyCompilationEnvironment(
+		const FGlobalShaderPermutationParameters&, FShaderCompilerEnvironment& OutEnvironment)
 	{
 		OutEnvironment.SetDefine(TEXT("TWICE"), bTwice);
 	}
 };
 
-IMPLEMENT_SHADER_TYPE(template <>, TTestTemplatePS<true>, TEXT("/DrydockTest/Nowhere.usf"), TEXT("MainPS"), SF_Pixel);
-IMPLEMENT_SHADER_TYPE(template <>, TTestTemplatePS<false>, TEXT("/DrydockTest/Nowhere.usf"), TEXT("MainPS"), SF_Pixel);
+IMPLEMENT_SHADER_TYPE(template<>, TTestTemplatePS<true>, TEXT("/DrydockTest/Nowhere.usf"), TEXT("MainPS"), SF_Pixel);
+IMPLEMENT_SHADER_TYPE(template<>, TTestTemplatePS<false>, TEXT("/DrydockTest/Nowhere.usf"), TEXT("MainPS"), SF_Pixel);
 
 } // namespace
