@@ -1,0 +1,128 @@
+// The placement of transient resources in one heap.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "RenderGraphAlias.h"
+
+using namespace Drydock;
+using testing::ElementsAre;
+
+TEST(Alias, NothingTakesNoMemory)
+{
+	EXPECT_EQ(0u, PlaceInHeap({}).PeakBytes);
+}
+
+TEST(Alias, ResourcesThatLiveTogetherLieApart)
+{
+	const FRDGHeapLayout Layout = PlaceInHeap({{256, 1, 3}, {512, 2, 4}});
+	EXPECT_THAT(Layout.Offsets, ElementsAre(0, 256));
+	EXPECT_EQ(768u, Layout.PeakBytes);
+}
+
+TEST(Alias, ResourcesThatNeverMeetShareTheirPlace)
+{
+	const FRDGHeapLayout Layout = PlaceInHeap({{256, 1, 2}, {512, 3, 4}});
+	EXPECT_THAT(Layout.Offsets, ElementsAre(0, 0));
+	EXPECT_EQ(512u, Layout.PeakBytes);
+	EXPECT_EQ(768u, Layout.WithoutAliasingBytes);
+}
+
+TEST(Alias, ALastPassIsHeldToItsEnd)
+{
+	EXPECT_THAT(PlaceInHeap({{256, 1, 2}, {256, 2, 3}}).Offsets, ElementsAre(0, 256));
+}
+
+TEST(Alias, ThePingPongOfAChainNeedsTwoPlaces)
+{
+	const FRDGHeapLayout Layout = PlaceInHeap({{256, 1, 2}, {256, 2, 3}, {256, 3, 4}, {256, 4, 5}});
+	EXPECT_THAT(Layout.Offsets, ElementsAre(0, 256, 0, 256));
+	EXPECT_EQ(512u, Layout.PeakBytes);
+}
+
+TEST(Alias, TheLowestGapThatFitsIsTaken)
+{
+	// A at 0, B at 256, C at 512; B ends, D (256 bytes) goes where B was, E (512) does not fit there.
+	EXPECT_THAT(PlaceInHeap({{256, 1, 9}, {256, 1, 2}, {256, 1, 9}, {256, 3, 9}, {512, 4, 9}}).Offsets, ElementsAre(0, 256, 512, 256, 768));
+}
+
+TEST(Alias, OffsetsAreAligned)
+{
+	EXPECT_THAT(PlaceInHeap({{1, 1, 2}, {65, 1, 2}, {1, 1, 2}}).Offsets, ElementsAre(0, 64, 192));
+}
+
+TEST(Alias, WhatIsNotInTheHeapTakesNoPlace)
+{
+	const FRDGHeapLayout Layout = PlaceInHeap({{256, -1, -1}, {256, 1, 2}});
+	EXPECT_THAT(Layout.Offsets, ElementsAre(-1, 0));
+	EXPECT_EQ(256u, Layout.WithoutAliasingBytes);
+}
+
+TEST(Alias, TheOrderOfRequestsDoesNotMatterForLaterPasses)
+{
+	EXPECT_THAT(PlaceInHeap({{256, 3, 4}, {256, 1, 2}}).Offsets, ElementsAre(0, 0));
+}
+
+namespace
+{
+
+std::vector<FRDGHeapRequest> MakeRandomRequests()
+{
+	std::vector<FRDGHeapRequest> Requests(*rc::gen::inRange<size_t>(0, 40));
+	for (FRDGHeapRequest& Request : Requests)
+	{
+		Request.Bytes = *rc::gen::inRange<uint64_t>(1, 2000);
+		Request.First = *rc::gen::inRange(-1, 20);
+		Request.Last = Request.First + *rc::gen::inRange(0, 6);
+	}
+	return Requests;
+}
+
+} // namespace
+
+RC_GTEST_PROP(AliasProperty, WhatLivesTogetherNeverOverlaps, ())
+{
+	const std::vector<FRDGHeapRequest> Requests = MakeRandomRequests();
+	const FRDGHeapLayout Layout = PlaceInHeap(Requests);
+	for (size_t A = 0; A < Requests.size(); ++A)
+	{
+		for (size_t B = A + 1; B < Requests.size(); ++B)
+		{
+			if (Requests[A].First < 0 || Requests[B].First < 0)
+			{
+				continue;
+			}
+			const bool bMeet = Requests[A].First <= Requests[B].Last && Requests[B].First <= Requests[A].Last;
+			const bool bOverlap = uint64_t(Layout.Offsets[A]) < uint64_t(Layout.Offsets[B]) + Requests[B].Bytes
+				&& uint64_t(Layout.Offsets[B]) < uint64_t(Layout.Offsets[A]) + Requests[A].Bytes;
+			RC_ASSERT(!(bMeet && bOverlap));
+		}
+	}
+}
+
+RC_GTEST_PROP(AliasProperty, TheHeapHoldsEverythingAndIsNeverLargerThanWithoutAliasing, ())
+{
+	const std::vector<FRDGHeapRequest> Requests = MakeRandomRequests();
+	const FRDGHeapLayout Layout = PlaceInHeap(Requests);
+	RC_ASSERT(Layout.PeakBytes <= Layout.WithoutAliasingBytes);
+	for (size_t Index = 0; Index < Requests.size(); ++Index)
+	{
+		RC_ASSERT((Requests[Index].First < 0) == (Layout.Offsets[Index] < 0));
+		RC_ASSERT(Requests[Index].First < 0 || uint64_t(Layout.Offsets[Index]) + Requests[Index].Bytes <= Layout.PeakBytes);
+	}
+}
+
+RC_GTEST_PROP(AliasProperty, TheHeapIsAtLeastWhatTheFullestPassHolds, ())
+{
+	const std::vector<FRDGHeapRequest> Requests = MakeRandomRequests();
+	const FRDGHeapLayout Layout = PlaceInHeap(Requests);
+	for (int32_t Pass = 0; Pass < 26; ++Pass)
+	{
+		uint64_t Held = 0;
+		for (const FRDGHeapRequest& Request : Requests)
+		{
+			Held += Request.First >= 0 && Request.First <= Pass && Pass <= Request.Last ? Request.Bytes : 0;
+		}
+		RC_ASSERT(Held <= Layout.PeakBytes);
+	}
+}

@@ -1,0 +1,186 @@
+// Which passes are left out, and the reasons given.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "GraphDescriptionBuilder.h"
+#include "RenderGraphCull.h"
+
+using namespace Drydock;
+using testing::HasSubstr;
+
+namespace
+{
+
+FRDGCullResult Cull(const FDescribedGraph& Graph, bool bEnabled = true)
+{
+	const FRDGGraphDescription Description = Graph.Get();
+	return CullPasses(Description, FindDependencies(Description), bEnabled);
+}
+
+/** Names of the passes that stay, without sentinels. */
+std::string Survivors(const FDescribedGraph& Graph, bool bEnabled = true)
+{
+	const FRDGCullResult Result = Cull(Graph, bEnabled);
+	std::string Names;
+	for (const FRDGPassDescription& Pass : Graph.Get().Passes)
+	{
+		if (!Pass.bIsSentinel && !Result.bCulled[size_t(Pass.Index)])
+		{
+			Names += (Names.empty() ? "" : " ") + Pass.Name;
+		}
+	}
+	return Names;
+}
+
+} // namespace
+
+TEST(Cull, APassNobodyReadsIsCulled)
+{
+	FDescribedGraph Graph;
+	Graph.Pass("A", {Write("X")});
+	EXPECT_EQ("", Survivors(Graph));
+}
+
+TEST(Cull, ProducersOfAnExtractedResourceStay)
+{
+	FDescribedGraph Graph;
+	Graph.Pass("A", {Write("X")});
+	Graph.Pass("B", {Read("X"), Write("Y")});
+	Graph.Pass("C", {Read("X"), Write("Z")});
+	Graph.Resource("Y").bExtracted = true;
+	EXPECT_EQ("A B", Survivors(Graph));
+}
+
+TEST(Cull, TheLastWriterOfAnExternalResourceStaysThoughNobodyReadsIt)
+{
+	FDescribedGraph Graph;
+	Graph.Pass("A", {Write("X")});
+	Graph.Resource("X").bExternal = true;
+	EXPECT_EQ("A", Survivors(Graph));
+}
+
+TEST(Cull, AnOverwrittenWriterStaysWithTheOneThatOverwrites)
+{
+	FDescribedGraph Graph;
+	Graph.Pass("A", {Write("X")});
+	Graph.Pass("B", {Write("X")});
+	Graph.Resource("X").bExtracted = true;
+	EXPECT_EQ("A B", Survivors(Graph));
+}
+
+TEST(Cull, AReaderOfAnExternalResourceIsNoRoot)
+{
+	FDescribedGraph Graph;
+	Graph.Resource("X").bExternal = true;
+	Graph.Pass("A", {Read("X"), Write("Y")});
+	EXPECT_EQ("", Survivors(Graph));
+}
+
+TEST(Cull, NeverCullKeepsThePassAndItsProducers)
+{
+	FDescribedGraph Graph;
+	Graph.Pass("A", {Write("X")});
+	Graph.Pass("B", {Read("X")}, ERDGPassFlags::Compute | ERDGPassFlags::NeverCull);
+	EXPECT_EQ("A B", Survivors(Graph));
+}
+
+TEST(Cull, APassWithoutParametersStays)
+{
+	FDescribedGraph Graph;
+	Graph.Pass("A", {}, ERDGPassFlags::None).bHasParameters = false;
+	EXPECT_EQ("A", Survivors(Graph));
+}
+
+TEST(Cull, APassThatWritesOutsideTheGraphStays)
+{
+	FDescribedGraph Graph;
+	Graph.Pass("A", {}).bHasExternalOutputs = true;
+	EXPECT_EQ("A", Survivors(Graph));
+}
+
+TEST(Cull, OnlyTheMipThatIsReadKeepsItsWriter)
+{
+	FDescribedGraph Graph;
+	Graph.Resource("X").NumMips = 2;
+	Graph.Pass("A", {WriteMip("X", 0)});
+	Graph.Pass("B", {WriteMip("X", 1)});
+	Graph.Pass("C", {ReadMip("X", 0), Write("Y")});
+	Graph.Resource("Y").bExtracted = true;
+	EXPECT_EQ("A C", Survivors(Graph));
+}
+
+TEST(Cull, EveryMipOfAnExtractedTextureIsARoot)
+{
+	FDescribedGraph Graph;
+	Graph.Resource("X").NumMips = 2;
+	Graph.Pass("A", {WriteMip("X", 0)});
+	Graph.Pass("B", {WriteMip("X", 1)});
+	Graph.Resource("X").bExtracted = true;
+	EXPECT_EQ("A B", Survivors(Graph));
+}
+
+TEST(Cull, ADeclaredDependencyKeepsTheProducer)
+{
+	FDescribedGraph Graph;
+	Graph.Pass("A", {Write("X")});
+	Graph.Pass("B", {Write("Y")}).DeclaredProducers = {1};
+	Graph.Resource("Y").bExtracted = true;
+	EXPECT_EQ("A B", Survivors(Graph));
+}
+
+TEST(Cull, ALaterWriterThanTheReaderIsCulled)
+{
+	FDescribedGraph Graph;
+	Graph.Pass("A", {Write("X")});
+	Graph.Pass("B", {Read("X"), Write("Y")});
+	Graph.Pass("C", {Write("X")});
+	Graph.Resource("Y").bExtracted = true;
+	EXPECT_EQ("A B", Survivors(Graph));
+}
+
+TEST(Cull, SwitchedOffNothingIsCulled)
+{
+	FDescribedGraph Graph;
+	Graph.Pass("A", {Write("X")});
+	EXPECT_EQ("A", Survivors(Graph, false));
+	EXPECT_EQ("", Cull(Graph, false).Reasons[1]);
+}
+
+TEST(Cull, TheReasonNamesTheOutputNobodyReads)
+{
+	FDescribedGraph Graph;
+	Graph.Pass("A", {Write("X")});
+	EXPECT_EQ("no reader: output X is neither read by a surviving pass nor extracted", Cull(Graph).Reasons[1]);
+}
+
+TEST(Cull, TheReasonNamesAllOutputs)
+{
+	FDescribedGraph Graph;
+	Graph.Pass("A", {Write("X"), Write("Y"), Write("Z")});
+	EXPECT_EQ("no reader: outputs X, Y and Z are neither read by a surviving pass nor extracted", Cull(Graph).Reasons[1]);
+}
+
+TEST(Cull, TheReasonFollowsTheChainOfCulledReaders)
+{
+	FDescribedGraph Graph;
+	Graph.Pass("A", {Write("X")});
+	Graph.Pass("B", {Read("X"), Write("Y")});
+	Graph.Pass("C", {Read("Y"), Write("Z")});
+	EXPECT_EQ("no reader: output X is used only by culled passes (B -> C), and output Z of C is neither read by a surviving pass nor extracted",
+		Cull(Graph).Reasons[1]);
+}
+
+TEST(Cull, ASurvivorHasNoReason)
+{
+	FDescribedGraph Graph;
+	Graph.Pass("A", {Write("X")});
+	Graph.Resource("X").bExtracted = true;
+	EXPECT_EQ("", Cull(Graph).Reasons[1]);
+}
+
+TEST(Cull, APassThatWritesNothingSaysSo)
+{
+	FDescribedGraph Graph;
+	Graph.Pass("A", {Read("X")});
+	EXPECT_THAT(Cull(Graph).Reasons[1], HasSubstr("writes nothing"));
+}
