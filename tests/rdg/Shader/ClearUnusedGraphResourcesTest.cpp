@@ -15,6 +15,12 @@ T* Fake(uintptr_t Address)
 	return reinterpret_cast<T*>(Address);
 }
 
+/** A pass's struct around the shader's. */
+BEGIN_SHADER_PARAMETER_STRUCT(FPassParameters, )
+	SHADER_PARAMETER_STRUCT_INCLUDE(FTestGraphCS::FParameters, Shader)
+	RENDER_TARGET_BINDING_SLOTS()
+END_SHADER_PARAMETER_STRUCT()
+
 class FClearUnused : public testing::Test
 {
 protected:
@@ -35,7 +41,6 @@ protected:
 		Parameters.Scene = Fake<TRDGUniformBuffer<FTestSceneUniforms>>(0x6000);
 		Parameters.UnusedRHITexture = Fake<FRHITexture>(0x7000);
 		Parameters.CopySource = Fake<FRDGTexture>(0x8000);
-		Parameters.RenderTargets[0] = FRenderTargetBinding(Fake<FRDGTexture>(0x9000), ERenderTargetLoadAction::ELoad);
 	}
 
 	static TShaderMapRef<FTestGraphCS> Shader(bool bUseScene)
@@ -72,10 +77,19 @@ TEST_F(FClearUnused, UniformBuffersGoUnlessThePermutationReadsThem)
 	EXPECT_TRUE(Reading.Scene.IsValid());
 }
 
-TEST_F(FClearUnused, RenderTargetsAccessesAndForeignTexturesStay)
+TEST_F(FClearUnused, RenderTargetsStay)
+{
+	FPassParameters Pass;
+	Pass.Shader = Parameters;
+	Pass.RenderTargets[0] = FRenderTargetBinding(Fake<FRDGTexture>(0x9000), ERenderTargetLoadAction::ELoad);
+	ClearUnusedGraphResources(Shader(false), FPassParameters::FTypeInfo::GetStructMetadata(), &Pass);
+	EXPECT_EQ(Fake<FRDGTexture>(0x9000), Pass.RenderTargets[0].GetTexture());
+	EXPECT_EQ(nullptr, Pass.Shader.UnusedTexture);
+}
+
+TEST_F(FClearUnused, AccessesAndForeignTexturesStay)
 {
 	ClearUnusedGraphResources(Shader(false), &Parameters);
-	EXPECT_EQ(Fake<FRDGTexture>(0x9000), Parameters.RenderTargets[0].GetTexture());
 	EXPECT_EQ(Fake<FRDGTexture>(0x8000), Parameters.CopySource.GetTexture());
 	EXPECT_EQ(Fake<FRHITexture>(0x7000), Parameters.UnusedRHITexture);
 }

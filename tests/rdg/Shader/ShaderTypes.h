@@ -68,7 +68,6 @@ class FTestGraphCS : public FGlobalShader
 		SHADER_PARAMETER_RDG_UNIFORM_BUFFER(FTestSceneUniforms, Scene)
 		SHADER_PARAMETER_TEXTURE(Texture2D, UnusedRHITexture)
 		RDG_TEXTURE_ACCESS(CopySource, ERHIAccess::CopySrc)
-		RENDER_TARGET_BINDING_SLOTS()
 	END_SHADER_PARAMETER_STRUCT()
 };
 
