@@ -1,5 +1,5 @@
-// What a 1920x1080 frame with default bloom and tonemap costs, pass by pass, in units of a plain copy of its scene colour
-// (RGBA16F, one thread) made in the same process. Frames and copies alternate; medians of 7. Source: drydock.
+// What a 1920x1080 frame with default bloom and tonemap costs, pass by pass, in units of a plain copy of its scene
+// colour (RGBA16F, one thread) made in the same process. Frames and copies alternate; medians of 7. Source: drydock.
 #include "Run.h"
 
 #include <algorithm>
@@ -31,7 +31,8 @@ double TimeCopy(const std::vector<unsigned char>& Source, std::vector<unsigned c
 
 int main(int ArgumentCount, char** Arguments)
 {
-	const std::string Scene = ArgumentCount > 1 ? Arguments[1] : DRYDOCK_BENCH_SOURCE_DIR "/configs/scenes/toon_character_1080p.exr";
+	const std::string Scene =
+		ArgumentCount > 1 ? Arguments[1] : DRYDOCK_BENCH_SOURCE_DIR "/configs/scenes/toon_character_1080p.exr";
 	Drydock::FRunOptions Options;
 	Options.ConfigFile = "bench.json";
 	Options.ConfigText = "{ \"scene\": { \"file\": \"" + Scene + "\" } }";
@@ -64,7 +65,8 @@ int main(int ArgumentCount, char** Arguments)
 	for (size_t Pass = 0; Pass < Result.Passes.size(); ++Pass)
 	{
 		const double Ms = Median(PassMs[Pass]);
-		std::printf("%9.3f %9.2f  %s\n", Ms, Ms / Copy, Result.Graph.Passes[static_cast<size_t>(Result.Passes[Pass].Index)].Name.c_str());
+		std::printf("%9.3f %9.2f  %s\n", Ms, Ms / Copy,
+			Result.Graph.Passes[static_cast<size_t>(Result.Passes[Pass].Index)].Name.c_str());
 	}
 	std::printf("%9.3f %9.2f  all passes\n", Median(FrameMs), Median(FrameMs) / Copy);
 	std::printf("%9.3f %9.2f  plain copy of the scene colour\n", Copy, 1.0);

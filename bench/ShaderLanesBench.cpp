@@ -95,7 +95,8 @@ void Register(const char* Set, const FKernelPair* Kernels)
 		for (int i = 0; i < GNumKernels; ++i)
 		{
 			const std::string Name = std::string(Kernels[i].Name) + "/" + GetTexelStorageInfo(Storage).Name + "/" + Set;
-			benchmark::RegisterBenchmark(Name.c_str(), [&Kernel = Kernels[i], Storage](benchmark::State& State) { RunPair(State, Kernel, Storage); })
+			benchmark::RegisterBenchmark(Name.c_str(),
+				[&Kernel = Kernels[i], Storage](benchmark::State& State) { RunPair(State, Kernel, Storage); })
 				->UseManualTime()
 				->Unit(benchmark::kMillisecond)
 				->Iterations(15);

@@ -1,6 +1,6 @@
-// Lanes: what a compiled shader is written in. One value holds the same variable of N neighbouring threads (pixels); the
-// C++ of a kernel is generated from SPIR-V, so everything here is a plain function with an unambiguous name. Follows
-// the rules of Direct3D 11 (functional specification, sections 3 and 7), not those of C. Source: drydock.
+// Lanes: what a compiled shader is written in. One value holds the same variable of N neighbouring threads (pixels);
+// the C++ of a kernel is generated from SPIR-V, so everything here is a plain function with an unambiguous name.
+// Follows the rules of Direct3D 11 (functional specification, sections 3 and 7), not those of C. Source: drydock.
 //
 // Vocabulary. Real is float or double, N the lanes (float 4, 8, 16; double 2, 4, 8). "Uniform" values are plain Real,
 // int32_t, uint32_t and bool: the same in all lanes. They convert implicitly to their varying type, and operators mix.
@@ -14,8 +14,9 @@
 //                 TVec of them; Assign(Mask or bool, Place, Value) writes only the lanes of the mask (all types above)
 //   Operators     Real: + - * / unary -; Int, Uint: + - * & | ^ ~ unary -, all wrapping; comparisons give masks.
 //                 All work per component on TVec, and between a TVec and a scalar. Never / or % on integers:
-//                 IntDivide, IntRemainder (sign of the dividend), IntModulo (sign of the divisor), ShiftLeft, ShiftRight
-//                 (arithmetic on Int, logical on Uint), Add, Subtract, Multiply, Negate (wrapping on uniforms too)
+//                 IntDivide, IntRemainder (sign of the dividend), IntModulo (sign of the divisor), ShiftLeft,
+//                 ShiftRight (arithmetic on Int, logical on Uint), Add, Subtract, Multiply, Negate (wrapping on
+//                 uniforms too)
 //   Conversions   ToReal<Real>(x), ToInt(x), ToUint(x), ToBool(x) from any scalar or TVec; AsReal<Real>, AsInt, AsUint
 //                 keep the bits of a 32-bit value (double goes through float32)
 //   Arithmetic    Abs Sign Floor Ceil Round RoundEven Trunc Frac Sqrt InverseSqrt Min Max Clamp Saturate Mix Step
@@ -27,9 +28,13 @@
 //                 Mul(M, V) Mul(V, M) Mul(M, M) Mul(M, x) Transpose Determinant OuterProduct
 //                 Extract(VecOrArray, Index), Insert(Mask, Place, Index, Value): any index, never foreign memory
 //   Packing       UnpackHalf2<Real>(Uint) PackHalf2(Vec2), as SPIR-V's UnpackHalf2x16 and PackHalf2x16
-//   Resources     see LanesResources.h: SampleLevel2D/2DArray/3D, Gather2D, Load2D/2DArray/3D (+ Uint), StoreTexture2D.. ,
+//   Resources     see LanesResources.h: SampleLevel2D/2DArray/3D, Gather2D, Load2D/2DArray/3D (+ Uint),
+//   StoreTexture2D.. ,
 //                 StoreTarget, TextureSize2D/3D, TextureLevels, LoadBufferReal/Int/Uint, StoreBufferReal/Int/Uint,
 //                 LoadTyped, StoreTyped, BufferElements, ReadConstant, Interpolate
+//
+// Uniform scalars run the same code as lanes: an interpreter that calls these functions with plain float, int32_t and
+// uint32_t, and TSampling<float, 4> for textures, is a model of the compiled shader, bit for bit.
 #pragma once
 
 #include "ShaderKernel.h"

@@ -9,14 +9,39 @@ namespace Drydock::Lanes
 inline namespace DRYDOCK_LANES_SET
 {
 
-/** Lanes that stand for a uniform value when it goes through lane code, so that uniform and varying agree bit for bit. */
-template <typename T> struct TWide { using Type = T; };
-template <> struct TWide<float> { using Type = TReal<float, 4>; };
-template <> struct TWide<double> { using Type = TReal<double, 2>; };
-template <> struct TWide<int32_t> { using Type = TInt<4>; };
-template <> struct TWide<uint32_t> { using Type = TUint<4>; };
-template <> struct TWide<bool> { using Type = TMask<4>; };
-template <typename T>
+/** Lanes that stand for a uniform value when it goes through lane code, so that uniform and varying agree bit for bit.
+ */
+template<typename T>
+struct TWide
+{
+	using Type = T;
+};
+template<>
+struct TWide<float>
+{
+	using Type = TReal<float, 4>;
+};
+template<>
+struct TWide<double>
+{
+	using Type = TReal<double, 2>;
+};
+template<>
+struct TWide<int32_t>
+{
+	using Type = TInt<4>;
+};
+template<>
+struct TWide<uint32_t>
+{
+	using Type = TUint<4>;
+};
+template<>
+struct TWide<bool>
+{
+	using Type = TMask<4>;
+};
+template<typename T>
 DRYDOCK_LANES_INLINE typename TWide<T>::Type Widen(T X)
 {
 	return typename TWide<T>::Type(X);
@@ -25,14 +50,14 @@ DRYDOCK_LANES_INLINE typename TWide<T>::Type Widen(T X)
 namespace Convert
 {
 
-template <typename Real, int N>
+template<typename Real, int N>
 DRYDOCK_LANES_INLINE TReal<Real, N> Real_(TInt<N> X)
 {
 	return TReal<Real, N>(__builtin_convertvector(X.V, TRaw<Real, N>));
 }
 
 /** Both halves are exact in float, so their sum is rounded once. */
-template <typename Real, int N>
+template<typename Real, int N>
 DRYDOCK_LANES_INLINE TReal<Real, N> Real_(TUint<N> X)
 {
 	using FSigned = TRaw<int32_t, N>;
@@ -41,13 +66,13 @@ DRYDOCK_LANES_INLINE TReal<Real, N> Real_(TUint<N> X)
 	return TReal<Real, N>(High * Real(65536) + Low);
 }
 
-template <typename Real, int N>
+template<typename Real, int N>
 DRYDOCK_LANES_INLINE TReal<Real, N> Real_(TMask<N> X)
 {
 	return Select(X, TReal<Real, N>(Real(1)), TReal<Real, N>(Real(0)));
 }
 
-template <typename Real, int N>
+template<typename Real, int N>
 DRYDOCK_LANES_INLINE TInt<N> Int(TReal<Real, N> X)
 {
 	const TReal<Real, N> Limit = Real(2147483648.0);
@@ -59,7 +84,7 @@ DRYDOCK_LANES_INLINE TInt<N> Int(TReal<Real, N> X)
 	return Select(High, TInt<N>(0x7FFFFFFF), Select(Low, TInt<N>(-0x7FFFFFFF - 1), Whole));
 }
 
-template <typename Real, int N>
+template<typename Real, int N>
 DRYDOCK_LANES_INLINE TUint<N> Uint(TReal<Real, N> X)
 {
 	const TReal<Real, N> Half = Real(2147483648.0);
@@ -73,7 +98,7 @@ DRYDOCK_LANES_INLINE TUint<N> Uint(TReal<Real, N> X)
 }
 
 /** Exact for every half: a denormal one is its mantissa times 2^-24, computed without denormal floats. */
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TReal<float, N> HalfToFloat(TUint<N> Bits)
 {
 	using FFloat = TRaw<float, N>;
@@ -91,7 +116,7 @@ DRYDOCK_LANES_INLINE TReal<float, N> HalfToFloat(TUint<N> Bits)
 }
 
 /** Round to nearest even; overflow from 65520 is infinity; a NaN keeps the top of its payload and becomes quiet. */
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TUint<N> FloatToHalf(TReal<float, N> X)
 {
 	using FFloat = TRaw<float, N>;
@@ -111,7 +136,7 @@ DRYDOCK_LANES_INLINE TUint<N> FloatToHalf(TReal<float, N> X)
 
 } // namespace Convert
 
-template <typename Real, CScalar T>
+template<typename Real, CScalar T>
 DRYDOCK_LANES_INLINE auto ToReal(T X)
 {
 	if constexpr (std::is_same_v<T, bool>)
@@ -132,7 +157,7 @@ DRYDOCK_LANES_INLINE auto ToReal(T X)
 	}
 }
 
-template <CUniform T>
+template<CUniform T>
 DRYDOCK_LANES_INLINE int32_t ToInt(T X)
 {
 	if constexpr (std::is_floating_point_v<T>)
@@ -144,28 +169,28 @@ DRYDOCK_LANES_INLINE int32_t ToInt(T X)
 		return int32_t(X);
 	}
 }
-template <typename Real, int N>
+template<typename Real, int N>
 DRYDOCK_LANES_INLINE TInt<N> ToInt(TReal<Real, N> X)
 {
 	return Convert::Int(X);
 }
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TInt<N> ToInt(TInt<N> X)
 {
 	return X;
 }
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TInt<N> ToInt(TUint<N> X)
 {
 	return TInt<N>(TRaw<int32_t, N>(X.V));
 }
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TInt<N> ToInt(TMask<N> X)
 {
 	return TInt<N>(X.V & 1);
 }
 
-template <CUniform T>
+template<CUniform T>
 DRYDOCK_LANES_INLINE uint32_t ToUint(T X)
 {
 	if constexpr (std::is_floating_point_v<T>)
@@ -177,29 +202,29 @@ DRYDOCK_LANES_INLINE uint32_t ToUint(T X)
 		return uint32_t(X);
 	}
 }
-template <typename Real, int N>
+template<typename Real, int N>
 DRYDOCK_LANES_INLINE TUint<N> ToUint(TReal<Real, N> X)
 {
 	return Convert::Uint(X);
 }
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TUint<N> ToUint(TUint<N> X)
 {
 	return X;
 }
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TUint<N> ToUint(TInt<N> X)
 {
 	return TUint<N>(TRaw<uint32_t, N>(X.V));
 }
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TUint<N> ToUint(TMask<N> X)
 {
 	return TUint<N>(TRaw<uint32_t, N>(X.V & 1));
 }
 
 /** Not equal to zero; NaN is true. */
-template <CScalar T>
+template<CScalar T>
 DRYDOCK_LANES_INLINE auto ToBool(T X)
 {
 	if constexpr (std::is_same_v<T, bool> || !requires { X != T(0); })
@@ -211,13 +236,13 @@ DRYDOCK_LANES_INLINE auto ToBool(T X)
 		return X != T(0);
 	}
 }
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TMask<N> ToBool(TMask<N> X)
 {
 	return X;
 }
 
-template <CUniform T>
+template<CUniform T>
 DRYDOCK_LANES_INLINE uint32_t AsUint(T X)
 {
 	if constexpr (std::is_floating_point_v<T>)
@@ -229,43 +254,43 @@ DRYDOCK_LANES_INLINE uint32_t AsUint(T X)
 		return uint32_t(X);
 	}
 }
-template <typename Real, int N>
+template<typename Real, int N>
 DRYDOCK_LANES_INLINE TUint<N> AsUint(TReal<Real, N> X)
 {
 	return TUint<N>(TRaw<uint32_t, N>(__builtin_convertvector(X.V, TRaw<float, N>)));
 }
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TUint<N> AsUint(TInt<N> X)
 {
 	return ToUint(X);
 }
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TUint<N> AsUint(TUint<N> X)
 {
 	return X;
 }
-template <CScalar T>
+template<CScalar T>
 DRYDOCK_LANES_INLINE auto AsInt(T X)
 {
 	return ToInt(AsUint(X));
 }
-template <typename Real, CUniform T>
+template<typename Real, CUniform T>
 DRYDOCK_LANES_INLINE Real AsReal(T X)
 {
 	return Real(__builtin_bit_cast(float, AsUint(X)));
 }
-template <typename Real, CLanes T>
+template<typename Real, CLanes T>
 DRYDOCK_LANES_INLINE auto AsReal(T X)
 {
 	constexpr int N = sizeof(AsUint(X).V) / 4;
 	return TReal<Real, N>(__builtin_convertvector(TRaw<float, N>(AsUint(X).V), TRaw<Real, N>));
 }
 
-#define DRYDOCK_LANES_VECTOR_CONVERSION(Name)                                                                          \
-	template <typename T, int n>                                                                                       \
-	DRYDOCK_LANES_INLINE auto Name(const TVec<T, n>& V)                                                                \
-	{                                                                                                                  \
-		return Map([](const T& x) { return Name(x); }, V);                                                             \
+#define DRYDOCK_LANES_VECTOR_CONVERSION(Name) \
+	template<typename T, int n> \
+	DRYDOCK_LANES_INLINE auto Name(const TVec<T, n>& V) \
+	{ \
+		return Map([](const T& x) { return Name(x); }, V); \
 	}
 DRYDOCK_LANES_VECTOR_CONVERSION(ToInt)
 DRYDOCK_LANES_VECTOR_CONVERSION(ToUint)
@@ -273,40 +298,41 @@ DRYDOCK_LANES_VECTOR_CONVERSION(ToBool)
 DRYDOCK_LANES_VECTOR_CONVERSION(AsInt)
 DRYDOCK_LANES_VECTOR_CONVERSION(AsUint)
 #undef DRYDOCK_LANES_VECTOR_CONVERSION
-template <typename Real, typename T, int n>
+template<typename Real, typename T, int n>
 DRYDOCK_LANES_INLINE auto ToReal(const TVec<T, n>& V)
 {
 	return Map([](const T& x) { return ToReal<Real>(x); }, V);
 }
-template <typename Real, typename T, int n>
+template<typename Real, typename T, int n>
 DRYDOCK_LANES_INLINE auto AsReal(const TVec<T, n>& V)
 {
 	return Map([](const T& x) { return AsReal<Real>(x); }, V);
 }
 
 /** Low half first (f16tof32 of each half of the word). */
-template <typename Real, int N>
+template<typename Real, int N>
 DRYDOCK_LANES_INLINE TVec<TReal<Real, N>, 2> UnpackHalf2(TUint<N> X)
 {
 	const TReal<float, N> Low = Convert::HalfToFloat(X & TUint<N>(0xFFFFu));
 	const TReal<float, N> High = Convert::HalfToFloat(TUint<N>(X.V >> 16));
-	return TVec<TReal<Real, N>, 2>(TReal<Real, N>(__builtin_convertvector(Low.V, TRaw<Real, N>)), TReal<Real, N>(__builtin_convertvector(High.V, TRaw<Real, N>)));
+	return TVec<TReal<Real, N>, 2>(TReal<Real, N>(__builtin_convertvector(Low.V, TRaw<Real, N>)),
+		TReal<Real, N>(__builtin_convertvector(High.V, TRaw<Real, N>)));
 }
-template <typename Real>
+template<typename Real>
 DRYDOCK_LANES_INLINE TVec<Real, 2> UnpackHalf2(uint32_t X)
 {
 	return First(UnpackHalf2<Real>(TUint<4>(X)));
 }
 
 /** Double rounds to float first. */
-template <typename Real, int N>
+template<typename Real, int N>
 DRYDOCK_LANES_INLINE TUint<N> PackHalf2(const TVec<TReal<Real, N>, 2>& V)
 {
 	const TReal<float, N> Low(__builtin_convertvector(V.E[0].V, TRaw<float, N>));
 	const TReal<float, N> High(__builtin_convertvector(V.E[1].V, TRaw<float, N>));
 	return TUint<N>(Convert::FloatToHalf(Low).V | (Convert::FloatToHalf(High).V << 16));
 }
-template <CUniform Real>
+template<CUniform Real>
 DRYDOCK_LANES_INLINE uint32_t PackHalf2(const TVec<Real, 2>& V)
 {
 	return PackHalf2(TVec<TReal<Real, 4>, 2>(V))[0];

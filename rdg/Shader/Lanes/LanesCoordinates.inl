@@ -1,7 +1,7 @@
 // From sample coordinates to texels and weights, in lanes. Direct3D's fixed point: x = uv * size is snapped to
-// floor(x * 256 + 0.5) / 256, all in the arithmetic of the shader; then a point sample takes the floor and a bilinear one
-// the fraction of x - 0.5, both exact.
-// Included by the LanesSampling_*.cpp only. Source: D3D11 functional specification 3.2.4.1, 7.18.
+// floor(x * 256 + 0.5) / 256, all in the arithmetic of the shader; then a point sample takes the floor and a bilinear
+// one the fraction of x - 0.5, both exact. Included by the LanesSampling_*.cpp only. Source: D3D11 functional
+// specification 3.2.4.1, 7.18.
 #pragma once
 
 #include "Lanes.h"
@@ -12,7 +12,7 @@ inline namespace DRYDOCK_LANES_SET
 {
 
 /** One axis of a sample: texels First and First + 1 before addressing, and the weight of the second. */
-template <typename Real, int N>
+template<typename Real, int N>
 struct TAxis
 {
 	TInt<N> First;
@@ -23,7 +23,7 @@ struct TAxis
 constexpr int32_t GFarTexel = 1 << 22;
 
 /** From a coordinate in 1/256 texels. */
-template <typename Real, int N>
+template<typename Real, int N>
 DRYDOCK_LANES_INLINE TAxis<Real, N> MakeAxisFixed(TInt<N> Snapped, bool bPoint)
 {
 	if (bPoint)
@@ -35,7 +35,7 @@ DRYDOCK_LANES_INLINE TAxis<Real, N> MakeAxisFixed(TInt<N> Snapped, bool bPoint)
 }
 
 /** NaN counts as 0. Weight is 0 for point samples. */
-template <typename Real, int N>
+template<typename Real, int N>
 DRYDOCK_LANES_INLINE TAxis<Real, N> MakeAxis(const Real* Coordinates, int32_t Size, bool bPoint, uint8_t SampleBits)
 {
 	using FLanes = TReal<Real, N>;
@@ -85,7 +85,7 @@ DRYDOCK_LANES_INLINE int32_t AddressTexel(int32_t X, int32_t Size, EKernelAddres
 	return -1;
 }
 
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TInt<N> AddressTexels(TInt<N> X, int32_t Size, EKernelAddress Mode)
 {
 	if (Mode == EKernelAddress::Clamp)
@@ -105,14 +105,14 @@ DRYDOCK_LANES_INLINE TInt<N> AddressTexels(TInt<N> X, int32_t Size, EKernelAddre
 
 /** The mips a level falls on: First, and where Weight is not 0 also First + 1. A level between two mips takes the
  *  nearer one unless the sampler is trilinear. NaN counts as 0. */
-template <typename Real>
+template<typename Real>
 struct TMips
 {
 	int32_t First;
 	Real Weight;
 };
 
-template <typename Real>
+template<typename Real>
 DRYDOCK_LANES_INLINE TMips<Real> SelectMips(Real Level, int32_t NumMips, const FKernelSampler& Sampler)
 {
 	const Real Last = Real(NumMips - 1);
@@ -132,7 +132,7 @@ DRYDOCK_LANES_INLINE TMips<Real> SelectMips(Real Level, int32_t NumMips, const F
 }
 
 /** Array layer: nearest, clamped. NaN counts as 0. */
-template <typename Real>
+template<typename Real>
 DRYDOCK_LANES_INLINE int32_t SelectLayer(Real Layer, int32_t NumLayers)
 {
 	const Real Last = Real(NumLayers - 1);

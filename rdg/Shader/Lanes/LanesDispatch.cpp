@@ -7,7 +7,8 @@ namespace Drydock
 int32_t GetWidestLanes(bool bDouble)
 {
 	int32_t FloatLanes = 4;
-	if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl"))
+	if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
+		__builtin_cpu_supports("avx512vl"))
 	{
 		FloatLanes = 16;
 	}

@@ -2,11 +2,11 @@
 // uniform scalars: same input, same bits. Errors in units in the last place, proven by sweeps in the tests:
 //   Exp2 Exp Log2 Log 2, Pow 2, Sin Cos 2 for |x| <= 8192 (bounded but meaningless beyond 10^6), Tan 4,
 //   Asin Acos Atan Atan2 3, Sinh Cosh Tanh 4
-// Exponentials, logarithms and Pow give 0 below the smallest normal float and take arguments below it as 0, whatever the
-// processor's denormal mode; the others follow the mode.
-// Pow is exp2(y * log2(x)) as in Direct3D: NaN for a negative x, and 1 for y = 0 with any other x but NaN.
-// Double lanes call the C library one by one. Polynomials: Chebyshev fits made for drydock. Source: drydock; argument
-// reductions after W. J. Cody and W. Waite, Software Manual for the Elementary Functions (1980).
+// Exponentials, logarithms and Pow give 0 below the smallest normal float and take arguments below it as 0, whatever
+// the processor's denormal mode; the others follow the mode. Pow is exp2(y * log2(x)) as in Direct3D: NaN for a
+// negative x, and 1 for y = 0 with any other x but NaN. Double lanes call the C library one by one. Polynomials:
+// Chebyshev fits made for drydock. Source: drydock; argument reductions after W. J. Cody and W. Waite, Software Manual
+// for the Elementary Functions (1980).
 #pragma once
 
 #include "LanesMath.h"
@@ -22,7 +22,7 @@ constexpr float SmallestNormal = 0x1p-126f;
 constexpr float InfinityF = __builtin_inff();
 
 /** Horner's rule, the highest power first. */
-template <typename Real, int N, typename... T>
+template<typename Real, int N, typename... T>
 DRYDOCK_LANES_INLINE TReal<Real, N> Polynomial(TReal<Real, N> X, Real Highest, T... Lower)
 {
 	TReal<Real, N> Result = Highest;
@@ -31,14 +31,14 @@ DRYDOCK_LANES_INLINE TReal<Real, N> Polynomial(TReal<Real, N> X, Real Highest, T
 }
 
 /** 2^Exponent for -126 .. 127. */
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TReal<float, N> PowerOfTwo(TInt<N> Exponent)
 {
 	return TReal<float, N>(TRaw<float, N>((Exponent.V + 127) << 23));
 }
 
 /** Value * 2^Exponent in two exact steps, so that an exponent of 128 reaches infinity only by overflow. */
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TReal<float, N> Scale(TReal<float, N> Value, TInt<N> Exponent)
 {
 	const TInt<N> Half(Exponent.V >> 1);
@@ -46,20 +46,22 @@ DRYDOCK_LANES_INLINE TReal<float, N> Scale(TReal<float, N> Value, TInt<N> Expone
 }
 
 /** Integer part of a float that is known to fit. */
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TInt<N> ToIntUnchecked(TReal<float, N> X)
 {
 	return TInt<N>(__builtin_convertvector(X.V, TRaw<int32_t, N>));
 }
 
 /** 2^F, |F| <= 1/2. */
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TReal<float, N> Exp2Fraction(TReal<float, N> F)
 {
-	return F * Polynomial(F, 1.52973244e-05f, 0.000154614449f, 0.0013333502f, 0.00961805694f, 0.0555041097f, 0.240226507f, 0.693147182f) + TReal<float, N>(1.0f);
+	return F * Polynomial(F, 1.52973244e-05f, 0.000154614449f, 0.0013333502f, 0.00961805694f, 0.0555041097f,
+				   0.240226507f, 0.693147182f) +
+		   TReal<float, N>(1.0f);
 }
 
-template <int N>
+template<int N>
 TReal<float, N> Exp2(TReal<float, N> X)
 {
 	using FLanes = TReal<float, N>;
@@ -69,7 +71,7 @@ TReal<float, N> Exp2(TReal<float, N> X)
 	return Select(X < FLanes(-126.0f), FLanes(0.0f), Select(X == X, Result, X));
 }
 
-template <int N>
+template<int N>
 TReal<float, N> Exp(TReal<float, N> X)
 {
 	using FLanes = TReal<float, N>;
@@ -77,26 +79,29 @@ TReal<float, N> Exp(TReal<float, N> X)
 	const FLanes Whole = RoundTo<Nearest>(Bounded * FLanes(1.44269502f));
 	// ln 2 in two parts, the first short enough for an exact product.
 	const FLanes R = (Bounded - Whole * FLanes(0.693359375f)) - Whole * FLanes(-2.12194442e-4f);
-	const FLanes Result = Scale(R * R * Polynomial(R, 0.000198909809f, 0.00139336416f, 0.00833331048f, 0.0416664667f, 0.166666672f, 0.5f) + R + FLanes(1.0f), ToIntUnchecked(Whole));
+	const FLanes Result = Scale(
+		R * R * Polynomial(R, 0.000198909809f, 0.00139336416f, 0.00833331048f, 0.0416664667f, 0.166666672f, 0.5f) + R +
+			FLanes(1.0f),
+		ToIntUnchecked(Whole));
 	return Select(X < FLanes(-87.3365402f), FLanes(0.0f), Select(X == X, Result, X));
 }
 
 /** E such that X / 2^E lies in [sqrt(1/2), sqrt(2)), for positive normal X; anything for others. */
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TRaw<int32_t, N> LogExponent(TReal<float, N> X)
 {
 	return TRaw<int32_t, N>(TRaw<uint32_t, N>(X.V) - 0x3F3504F3u) >> 23;
 }
 
 /** X / 2^Exponent by its bits. */
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TReal<float, N> Scaled(TReal<float, N> X, TRaw<int32_t, N> Exponent)
 {
 	return TReal<float, N>(TRaw<float, N>(TRaw<uint32_t, N>(X.V) - (TRaw<uint32_t, N>(Exponent) << 23)));
 }
 
 /** X = 2^Exponent (1 + T), T in [sqrt(1/2) - 1, sqrt(2) - 1); ln(1 + T) = T + Rest. X positive and normal. */
-template <int N>
+template<int N>
 struct TLogParts
 {
 	TReal<float, N> Exponent;
@@ -104,19 +109,22 @@ struct TLogParts
 	TReal<float, N> Rest;
 };
 
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TLogParts<N> SplitLog(TReal<float, N> X)
 {
 	using FLanes = TReal<float, N>;
 	const TRaw<int32_t, N> Exponent = LogExponent(X);
 	const FLanes T = Scaled(X, Exponent) - FLanes(1.0f);
 	const FLanes T2 = T * T;
-	const FLanes Rest = T2 * T * Polynomial(T, -0.0620150007f, 0.105308644f, -0.10646192f, 0.110377833f, -0.124507435f, 0.142865241f, -0.166680008f, 0.200000107f, -0.249999896f, 0.333333343f) - T2 * FLanes(0.5f);
+	const FLanes Rest = T2 * T *
+							Polynomial(T, -0.0620150007f, 0.105308644f, -0.10646192f, 0.110377833f, -0.124507435f,
+								0.142865241f, -0.166680008f, 0.200000107f, -0.249999896f, 0.333333343f) -
+						T2 * FLanes(0.5f);
 	return {FLanes(__builtin_convertvector(Exponent, TRaw<float, N>)), T, Rest};
 }
 
 /** What a logarithm is outside the positive normal numbers. */
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TReal<float, N> FinishLog(TReal<float, N> X, TReal<float, N> Result)
 {
 	using FLanes = TReal<float, N>;
@@ -125,7 +133,7 @@ DRYDOCK_LANES_INLINE TReal<float, N> FinishLog(TReal<float, N> X, TReal<float, N
 	return Select(X < FLanes(InfinityF), Zero, X); // +Inf and NaN stay
 }
 
-template <int N>
+template<int N>
 TReal<float, N> Log2(TReal<float, N> X)
 {
 	using FLanes = TReal<float, N>;
@@ -134,7 +142,7 @@ TReal<float, N> Log2(TReal<float, N> X)
 	return FinishLog(X, P.Rest * Log2EMinusOne + P.T * Log2EMinusOne + P.Rest + P.T + P.Exponent);
 }
 
-template <int N>
+template<int N>
 TReal<float, N> Log(TReal<float, N> X)
 {
 	using FLanes = TReal<float, N>;
@@ -143,7 +151,7 @@ TReal<float, N> Log(TReal<float, N> X)
 }
 
 /** f, a function of TReal<double, N / 2>, over both halves: each half fills one register. Gives two results. */
-template <int N, typename F>
+template<int N, typename F>
 DRYDOCK_LANES_INLINE void ForHalves(TReal<float, N> X, F f)
 {
 	constexpr int H = N / 2;
@@ -156,7 +164,7 @@ DRYDOCK_LANES_INLINE void ForHalves(TReal<float, N> X, F f)
 }
 
 /** The product y log2(x) needs more than a float has: its error counts up to 128 times. */
-template <int N>
+template<int N>
 TReal<float, N> Pow(TReal<float, N> X, TReal<float, N> Y)
 {
 	using FLanes = TReal<float, N>;
@@ -167,11 +175,14 @@ TReal<float, N> Pow(TReal<float, N> X, TReal<float, N> Y)
 	const FLanes ExponentF(__builtin_convertvector(Exponent, TRaw<float, N>));
 
 	TRaw<double, H> Products[2];
-	ForHalves(Mantissa, [&Products](int i, FWide M)
-	{
-		const FWide S = (M - FWide(1.0)) / (M + FWide(1.0));
-		Products[i] = (S * Polynomial(S * S, 0.28288502340748234, 0.31990680380701336, 0.41220922406110433, 0.57707794266030443, 0.96179669411226487, 2.8853900817778508)).V;
-	});
+	ForHalves(Mantissa,
+		[&Products](int i, FWide M)
+		{
+			const FWide S = (M - FWide(1.0)) / (M + FWide(1.0));
+			Products[i] = (S * Polynomial(S * S, 0.28288502340748234, 0.31990680380701336, 0.41220922406110433,
+								   0.57707794266030443, 0.96179669411226487, 2.8853900817778508))
+							  .V;
+		});
 	ForHalves(ExponentF, [&Products](int i, FWide E) { Products[i] = Products[i] + E.V; });
 	ForHalves(Y, [&Products](int i, FWide W) { Products[i] = Products[i] * W.V; });
 
@@ -190,7 +201,8 @@ TReal<float, N> Pow(TReal<float, N> X, TReal<float, N> Y)
 	__builtin_memcpy(&Whole, Wholes, sizeof(Whole));
 	__builtin_memcpy(&Fraction, Fractions, sizeof(Fraction));
 	const TMask<N> bVanishes = Whole < FLanes(-500.0f);
-	const FLanes Finite = Select(bVanishes, FLanes(0.0f), Scale(Exp2Fraction(Fraction), ToIntUnchecked(Select(bVanishes, FLanes(0.0f), Whole))));
+	const FLanes Finite = Select(
+		bVanishes, FLanes(0.0f), Scale(Exp2Fraction(Fraction), ToIntUnchecked(Select(bVanishes, FLanes(0.0f), Whole))));
 
 	// log2 of 0 and of infinity is an infinity with a sign; times y it decides between 0 and infinity.
 	const FLanes Zero = 0.0f;
@@ -206,50 +218,52 @@ TReal<float, N> Pow(TReal<float, N> X, TReal<float, N> Y)
 }
 
 /** X = Quadrant * pi / 2 + R, |R| <= pi / 4, in double: pi / 2 in two parts, the first with 33 bits. */
-template <int N>
+template<int N>
 struct TAngle
 {
 	TReal<float, N> R;
 	TInt<N> Quadrant;
 };
 
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TAngle<N> ReduceAngle(TReal<float, N> X)
 {
 	constexpr int H = N / 2;
 	using FWide = TReal<double, H>;
 	TRaw<float, H> Rests[2];
 	TRaw<int32_t, H> Quadrants[2];
-	ForHalves(X, [&](int i, FWide W)
-	{
-		const FWide Count = RoundTo<Nearest>(W * FWide(0.63661977236758134308));
-		const FWide Rest = (W - Count * FWide(0x1.921fb544p+0)) - Count * FWide(0x1.0b4611a626331p-34);
-		const FWide Bounded = Select(Rest < FWide(-0.8), FWide(-0.8), Select(Rest > FWide(0.8), FWide(0.8), Rest));
-		const FWide Turn = Count - FWide(4.0) * RoundTo<Down>(Count * FWide(0.25));
-		Rests[i] = __builtin_convertvector(Bounded.V, TRaw<float, H>);
-		Quadrants[i] = __builtin_convertvector(Select(Turn == Turn, Turn, FWide(0.0)).V, TRaw<int32_t, H>);
-	});
+	ForHalves(X,
+		[&](int i, FWide W)
+		{
+			const FWide Count = RoundTo<Nearest>(W * FWide(0.63661977236758134308));
+			const FWide Rest = (W - Count * FWide(0x1.921fb544p+0)) - Count * FWide(0x1.0b4611a626331p-34);
+			const FWide Bounded = Select(Rest < FWide(-0.8), FWide(-0.8), Select(Rest > FWide(0.8), FWide(0.8), Rest));
+			const FWide Turn = Count - FWide(4.0) * RoundTo<Down>(Count * FWide(0.25));
+			Rests[i] = __builtin_convertvector(Bounded.V, TRaw<float, H>);
+			Quadrants[i] = __builtin_convertvector(Select(Turn == Turn, Turn, FWide(0.0)).V, TRaw<int32_t, H>);
+		});
 	TAngle<N> Result;
 	__builtin_memcpy(&Result.R, Rests, sizeof(Rests));
 	__builtin_memcpy(&Result.Quadrant, Quadrants, sizeof(Quadrants));
 	return Result;
 }
 
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TReal<float, N> SinReduced(TReal<float, N> R)
 {
 	const TReal<float, N> Z = R * R;
 	return R * Z * Polynomial(Z, 2.72499256e-06f, -0.00019840087f, 0.00833333191f, -0.166666672f) + R;
 }
 
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TReal<float, N> CosReduced(TReal<float, N> R)
 {
 	const TReal<float, N> Z = R * R;
-	return Z * Z * Polynomial(Z, 2.45479423e-05f, -0.00138883025f, 0.0416666642f) - Z * TReal<float, N>(0.5f) + TReal<float, N>(1.0f);
+	return Z * Z * Polynomial(Z, 2.45479423e-05f, -0.00138883025f, 0.0416666642f) - Z * TReal<float, N>(0.5f) +
+		   TReal<float, N>(1.0f);
 }
 
-template <int N>
+template<int N>
 TReal<float, N> Sin(TReal<float, N> X)
 {
 	const TAngle<N> A = ReduceAngle(X);
@@ -257,7 +271,7 @@ TReal<float, N> Sin(TReal<float, N> X)
 	return Select(TMask<N>((A.Quadrant.V & 2) != 0), -S, S);
 }
 
-template <int N>
+template<int N>
 TReal<float, N> Cos(TReal<float, N> X)
 {
 	const TAngle<N> A = ReduceAngle(X);
@@ -265,7 +279,7 @@ TReal<float, N> Cos(TReal<float, N> X)
 	return Select(TMask<N>(((A.Quadrant.V + 1) & 2) != 0), -C, C);
 }
 
-template <int N>
+template<int N>
 TReal<float, N> Tan(TReal<float, N> X)
 {
 	const TAngle<N> A = ReduceAngle(X);
@@ -275,7 +289,7 @@ TReal<float, N> Tan(TReal<float, N> X)
 	return Select(bOdd, -C, S) / Select(bOdd, S, C);
 }
 
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TReal<float, N> CopySign(TReal<float, N> Magnitude, TReal<float, N> Sign)
 {
 	using FInt = TRaw<int32_t, N>;
@@ -287,28 +301,30 @@ constexpr float HalfPiHigh = 1.57079637f;
 constexpr float HalfPiLow = -4.37113883e-8f;
 
 /** X >= 0 or NaN. */
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TReal<float, N> AtanPositive(TReal<float, N> X)
 {
 	using FLanes = TReal<float, N>;
-	const TMask<N> bSteep = X > FLanes(2.41421366f); // tan(3 pi / 8)
+	const TMask<N> bSteep = X > FLanes(2.41421366f);   // tan(3 pi / 8)
 	const TMask<N> bMiddle = X > FLanes(0.414213568f); // tan(pi / 8)
 	const FLanes One = 1.0f;
-	const FLanes T = Select(bSteep, -One, Select(bMiddle, X - One, X)) / Select(bSteep, X, Select(bMiddle, X + One, One));
+	const FLanes T =
+		Select(bSteep, -One, Select(bMiddle, X - One, X)) / Select(bSteep, X, Select(bMiddle, X + One, One));
 	const FLanes High = Select(bSteep, FLanes(HalfPiHigh), Select(bMiddle, FLanes(HalfPiHigh / 2), FLanes(0.0f)));
 	const FLanes Low = Select(bSteep, FLanes(HalfPiLow), Select(bMiddle, FLanes(HalfPiLow / 2), FLanes(0.0f)));
 	const FLanes Z = T * T;
-	return High + (T * Z * Polynomial(Z, -0.0645192787f, 0.107437313f, -0.142639562f, 0.199995399f, -0.333333313f) + Low + T);
+	return High +
+		   (T * Z * Polynomial(Z, -0.0645192787f, 0.107437313f, -0.142639562f, 0.199995399f, -0.333333313f) + Low + T);
 }
 
-template <int N>
+template<int N>
 TReal<float, N> Atan(TReal<float, N> X)
 {
 	return CopySign(AtanPositive(Abs(X)), X);
 }
 
 /** The angle of (x, y) in -pi .. pi; 0 for the origin with x >= 0, the sign of y decides between pi and -pi. */
-template <int N>
+template<int N>
 TReal<float, N> Atan2(TReal<float, N> Y, TReal<float, N> X)
 {
 	using FLanes = TReal<float, N>;
@@ -328,13 +344,15 @@ TReal<float, N> Atan2(TReal<float, N> Y, TReal<float, N> X)
 }
 
 /** asin(S) for 0 <= S <= 1/2, Z = S^2. */
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TReal<float, N> AsinReduced(TReal<float, N> S, TReal<float, N> Z)
 {
-	return S * Z * Polynomial(Z, 0.0336908475f, 0.0171492379f, 0.0311006624f, 0.0445994027f, 0.0750009418f, 0.166666657f) + S;
+	return S * Z *
+			   Polynomial(Z, 0.0336908475f, 0.0171492379f, 0.0311006624f, 0.0445994027f, 0.0750009418f, 0.166666657f) +
+		   S;
 }
 
-template <int N>
+template<int N>
 TReal<float, N> Asin(TReal<float, N> X)
 {
 	using FLanes = TReal<float, N>;
@@ -345,7 +363,7 @@ TReal<float, N> Asin(TReal<float, N> X)
 	return CopySign(Select(bUpper, FLanes(HalfPiHigh) - (P + P - FLanes(HalfPiLow)), P), X);
 }
 
-template <int N>
+template<int N>
 TReal<float, N> Acos(TReal<float, N> X)
 {
 	using FLanes = TReal<float, N>;
@@ -358,7 +376,7 @@ TReal<float, N> Acos(TReal<float, N> X)
 	return Select(A <= FLanes(1.0f), Select(bUpper, Outer, Inner), FLanes(__builtin_nanf("")));
 }
 
-template <int N>
+template<int N>
 TReal<float, N> Sinh(TReal<float, N> X)
 {
 	using FLanes = TReal<float, N>;
@@ -372,7 +390,7 @@ TReal<float, N> Sinh(TReal<float, N> X)
 	return CopySign(Select(A < FLanes(1.0f), Near, Select(A < FLanes(40.0f), Middle, Far)), X);
 }
 
-template <int N>
+template<int N>
 TReal<float, N> Cosh(TReal<float, N> X)
 {
 	using FLanes = TReal<float, N>;
@@ -382,27 +400,28 @@ TReal<float, N> Cosh(TReal<float, N> X)
 	return Select(A < FLanes(40.0f), (E + FLanes(1.0f) / E) * FLanes(0.5f), Root * FLanes(0.5f) * Root);
 }
 
-template <int N>
+template<int N>
 TReal<float, N> Tanh(TReal<float, N> X)
 {
 	using FLanes = TReal<float, N>;
 	const FLanes A = Abs(X);
 	const FLanes Z = A * A;
-	const FLanes Near = A * Z * Polynomial(Z, -0.00609671418f, 0.0209971797f, -0.0538509078f, 0.133327693f, -0.333333284f) + A;
+	const FLanes Near =
+		A * Z * Polynomial(Z, -0.00609671418f, 0.0209971797f, -0.0538509078f, 0.133327693f, -0.333333284f) + A;
 	const FLanes Far = FLanes(1.0f) - FLanes(2.0f) / (Exp(A + A) + FLanes(1.0f));
 	return CopySign(Select(A < FLanes(0.625f), Near, Far), X);
 }
 
 // Double: the C library.
-#define DRYDOCK_LANES_LIBM(Name, Function)                                                                             \
-	template <int N>                                                                                                   \
-	inline TReal<double, N> Name(TReal<double, N> X)                                                                   \
-	{                                                                                                                  \
-		for (int Lane = 0; Lane < N; ++Lane)                                                                           \
-		{                                                                                                              \
-			X.V[Lane] = __builtin_##Function(X.V[Lane]);                                                               \
-		}                                                                                                              \
-		return X;                                                                                                      \
+#define DRYDOCK_LANES_LIBM(Name, Function) \
+	template<int N> \
+	inline TReal<double, N> Name(TReal<double, N> X) \
+	{ \
+		for (int Lane = 0; Lane < N; ++Lane) \
+		{ \
+			X.V[Lane] = __builtin_##Function(X.V[Lane]); \
+		} \
+		return X; \
 	}
 DRYDOCK_LANES_LIBM(Exp2, exp2)
 DRYDOCK_LANES_LIBM(Exp, exp)
@@ -419,7 +438,7 @@ DRYDOCK_LANES_LIBM(Cosh, cosh)
 DRYDOCK_LANES_LIBM(Tanh, tanh)
 #undef DRYDOCK_LANES_LIBM
 
-template <int N>
+template<int N>
 inline TReal<double, N> Pow(TReal<double, N> X, TReal<double, N> Y)
 {
 	for (int Lane = 0; Lane < N; ++Lane)
@@ -430,7 +449,7 @@ inline TReal<double, N> Pow(TReal<double, N> X, TReal<double, N> Y)
 	return X;
 }
 
-template <int N>
+template<int N>
 inline TReal<double, N> Atan2(TReal<double, N> Y, TReal<double, N> X)
 {
 	for (int Lane = 0; Lane < N; ++Lane)

@@ -17,7 +17,7 @@ struct FRgba32Format
 	static constexpr int Bytes = 16;
 	static constexpr int Channels = 4;
 
-	template <int N>
+	template<int N>
 	static DRYDOCK_LANES_INLINE TRaw<float, N> Load(const uint8_t* P)
 	{
 		return LoadRaw<TRaw<float, N>>(P);
@@ -31,7 +31,7 @@ struct FRgba16Format
 	static constexpr int Bytes = 8;
 	static constexpr int Channels = 4;
 
-	template <int N>
+	template<int N>
 	static DRYDOCK_LANES_INLINE TRaw<float, N> Load(const uint8_t* P)
 	{
 		return TLaneOps<N>::LoadHalves(P);
@@ -39,7 +39,7 @@ struct FRgba16Format
 };
 
 /** One wide texel. */
-template <typename FFormat>
+template<typename FFormat>
 DRYDOCK_LANES_INLINE TRaw<float, 4> LoadQuad(const uint8_t* P)
 {
 	if constexpr (FFormat::Storage == ETexelStorage::RGBA32_FLOAT)
@@ -65,7 +65,7 @@ struct FR11G11B10Format
 	static constexpr int Channels = 3;
 
 	/** The channels are halves without a sign and with a shorter mantissa. */
-	template <int N>
+	template<int N>
 	static DRYDOCK_LANES_INLINE void Decode(TRaw<uint32_t, N> Bits, TRaw<float, N> C[4])
 	{
 		C[0] = TLaneOps<N>::DecodeHalf((Bits << 4) & 0x7FF0u);
@@ -81,7 +81,7 @@ struct FR32Format
 	static constexpr int Bytes = 4;
 	static constexpr int Channels = 1;
 
-	template <int N>
+	template<int N>
 	static DRYDOCK_LANES_INLINE void Decode(TRaw<uint32_t, N> Bits, TRaw<float, N> C[4])
 	{
 		C[0] = TRaw<float, N>(Bits);
@@ -95,7 +95,7 @@ struct FR16Format
 	static constexpr int Bytes = 2;
 	static constexpr int Channels = 1;
 
-	template <int N>
+	template<int N>
 	static DRYDOCK_LANES_INLINE void Decode(TRaw<uint32_t, N> Bits, TRaw<float, N> C[4])
 	{
 		C[0] = TLaneOps<N>::DecodeHalf(Bits & 0xFFFFu);
@@ -109,7 +109,7 @@ struct FRg16Format
 	static constexpr int Bytes = 4;
 	static constexpr int Channels = 2;
 
-	template <int N>
+	template<int N>
 	static DRYDOCK_LANES_INLINE void Decode(TRaw<uint32_t, N> Bits, TRaw<float, N> C[4])
 	{
 		C[0] = TLaneOps<N>::DecodeHalf(Bits & 0xFFFFu);
@@ -117,10 +117,11 @@ struct FRg16Format
 	}
 };
 
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TRaw<float, N> DecodeUnormField(TRaw<uint32_t, N> Bits, int Shift, uint32_t Max)
 {
-	return TLaneOps<N>::DivideExact(__builtin_convertvector(TRaw<int32_t, N>((Bits >> Shift) & Max), TRaw<float, N>), float(Max));
+	return TLaneOps<N>::DivideExact(
+		__builtin_convertvector(TRaw<int32_t, N>((Bits >> Shift) & Max), TRaw<float, N>), float(Max));
 }
 
 struct FRgba8Format
@@ -130,7 +131,7 @@ struct FRgba8Format
 	static constexpr int Bytes = 4;
 	static constexpr int Channels = 4;
 
-	template <int N>
+	template<int N>
 	static DRYDOCK_LANES_INLINE void Decode(TRaw<uint32_t, N> Bits, TRaw<float, N> C[4])
 	{
 		C[0] = DecodeUnormField<N>(Bits, 0, 255);
@@ -147,7 +148,7 @@ struct FBgra8Format
 	static constexpr int Bytes = 4;
 	static constexpr int Channels = 4;
 
-	template <int N>
+	template<int N>
 	static DRYDOCK_LANES_INLINE void Decode(TRaw<uint32_t, N> Bits, TRaw<float, N> C[4])
 	{
 		FRgba8Format::Decode<N>(Bits, C);
@@ -164,7 +165,7 @@ struct FR8Format
 	static constexpr int Bytes = 1;
 	static constexpr int Channels = 1;
 
-	template <int N>
+	template<int N>
 	static DRYDOCK_LANES_INLINE void Decode(TRaw<uint32_t, N> Bits, TRaw<float, N> C[4])
 	{
 		C[0] = DecodeUnormField<N>(Bits, 0, 255);
@@ -172,7 +173,7 @@ struct FR8Format
 };
 
 /** N neighbouring narrow texels as words. */
-template <typename FFormat, int N>
+template<typename FFormat, int N>
 DRYDOCK_LANES_INLINE TRaw<uint32_t, N> LoadWords(const uint8_t* P)
 {
 	if constexpr (FFormat::Bytes == 4)
@@ -190,7 +191,7 @@ DRYDOCK_LANES_INLINE TRaw<uint32_t, N> LoadWords(const uint8_t* P)
 }
 
 /** f(FFormat{}) for the tuned format of a storage; false when it has none. */
-template <typename F>
+template<typename F>
 DRYDOCK_LANES_INLINE bool VisitFormat(ETexelStorage Storage, F f)
 {
 	switch (Storage)

@@ -41,31 +41,31 @@ DRYDOCK_LANES_INLINE uint32_t Modulo(uint32_t A, uint32_t B)
 } // namespace Impl
 
 // One scalar after the other: no vector unit divides integers.
-#define DRYDOCK_LANES_DIVISION(Name, Function)                                                                         \
-	template <CScalar A, CScalar B>                                                                                    \
-	DRYDOCK_LANES_INLINE auto Name(A a, B b)                                                                           \
-	{                                                                                                                  \
-		using T = Meet<A, B>;                                                                                          \
-		if constexpr (CUniform<T>)                                                                                     \
-		{                                                                                                              \
-			return Impl::Function(T(a), T(b));                                                                         \
-		}                                                                                                              \
-		else                                                                                                           \
-		{                                                                                                              \
-			const T x = T(a);                                                                                          \
-			const T y = T(b);                                                                                          \
-			T Result;                                                                                                  \
-			for (int Lane = 0; Lane < int(sizeof(T) / 4); ++Lane)                                                      \
-			{                                                                                                          \
-				Result.V[Lane] = Impl::Function(x.V[Lane], y.V[Lane]);                                                 \
-			}                                                                                                          \
-			return Result;                                                                                             \
-		}                                                                                                              \
-	}                                                                                                                  \
-	template <typename A, typename B, int n>                                                                           \
-	DRYDOCK_LANES_INLINE auto Name(const TVec<A, n>& a, const TVec<B, n>& b)                                           \
-	{                                                                                                                  \
-		return Map([](const A& c, const B& d) { return Name(c, d); }, a, b);                                           \
+#define DRYDOCK_LANES_DIVISION(Name, Function) \
+	template<CScalar A, CScalar B> \
+	DRYDOCK_LANES_INLINE auto Name(A a, B b) \
+	{ \
+		using T = Meet<A, B>; \
+		if constexpr (CUniform<T>) \
+		{ \
+			return Impl::Function(T(a), T(b)); \
+		} \
+		else \
+		{ \
+			const T x = T(a); \
+			const T y = T(b); \
+			T Result; \
+			for (int Lane = 0; Lane < int(sizeof(T) / 4); ++Lane) \
+			{ \
+				Result.V[Lane] = Impl::Function(x.V[Lane], y.V[Lane]); \
+			} \
+			return Result; \
+		} \
+	} \
+	template<typename A, typename B, int n> \
+	DRYDOCK_LANES_INLINE auto Name(const TVec<A, n>& a, const TVec<B, n>& b) \
+	{ \
+		return Map([](const A& c, const B& d) { return Name(c, d); }, a, b); \
 	}
 DRYDOCK_LANES_DIVISION(IntDivide, Divide)
 DRYDOCK_LANES_DIVISION(IntRemainder, Remainder)
@@ -74,48 +74,48 @@ DRYDOCK_LANES_DIVISION(IntModulo, Modulo)
 
 DRYDOCK_LANES_BINARY(Add, x + y)
 DRYDOCK_LANES_BINARY(Subtract, x - y)
-DRYDOCK_LANES_BINARY(Multiply, x * y)
+DRYDOCK_LANES_BINARY(Multiply, x* y)
 DRYDOCK_LANES_UNARY(Negate, -x)
 
 // The count may be signed or unsigned, whatever the base is.
-#define DRYDOCK_LANES_SHIFT(Name, Operator)                                                                            \
-	template <CLanes T, CScalar C>                                                                                     \
-	DRYDOCK_LANES_INLINE T Name(T Base, C Count)                                                                       \
-	{                                                                                                                  \
-		using FCount = std::conditional_t<std::is_same_v<C, int32_t> || std::is_same_v<C, uint32_t>, T, C>;            \
-		using FRaw = decltype(Base.V);                                                                                 \
-		if constexpr (CUniform<C>)                                                                                     \
-		{                                                                                                              \
-			return T(FRaw(Base.V Operator int(Count & 31)));                                                           \
-		}                                                                                                              \
-		else                                                                                                           \
-		{                                                                                                              \
-			return T(FRaw(Base.V Operator(FRaw(FCount(Count).V) & 31)));                                               \
-		}                                                                                                              \
-	}                                                                                                                  \
-	template <CUniform T, CScalar C>                                                                                   \
-	DRYDOCK_LANES_INLINE auto Name(T Base, C Count)                                                                    \
-	{                                                                                                                  \
-		if constexpr (CUniform<C>)                                                                                     \
-		{                                                                                                              \
-			return First(Name(Widen(Base), Count));                                                                    \
-		}                                                                                                              \
-		else                                                                                                           \
-		{                                                                                                              \
-			return Name(Varying<int(sizeof(C) / 4), T>(Base), Count);                                                  \
-		}                                                                                                              \
-	}                                                                                                                  \
-	template <typename A, typename B, int n>                                                                           \
-	DRYDOCK_LANES_INLINE auto Name(const TVec<A, n>& a, const TVec<B, n>& b)                                           \
-	{                                                                                                                  \
-		return Map([](const A& c, const B& d) { return Name(c, d); }, a, b);                                           \
+#define DRYDOCK_LANES_SHIFT(Name, Operator) \
+	template<CLanes T, CScalar C> \
+	DRYDOCK_LANES_INLINE T Name(T Base, C Count) \
+	{ \
+		using FCount = std::conditional_t<std::is_same_v<C, int32_t> || std::is_same_v<C, uint32_t>, T, C>; \
+		using FRaw = decltype(Base.V); \
+		if constexpr (CUniform<C>) \
+		{ \
+			return T(FRaw(Base.V Operator int(Count & 31))); \
+		} \
+		else \
+		{ \
+			return T(FRaw(Base.V Operator(FRaw(FCount(Count).V) & 31))); \
+		} \
+	} \
+	template<CUniform T, CScalar C> \
+	DRYDOCK_LANES_INLINE auto Name(T Base, C Count) \
+	{ \
+		if constexpr (CUniform<C>) \
+		{ \
+			return First(Name(Widen(Base), Count)); \
+		} \
+		else \
+		{ \
+			return Name(Varying<int(sizeof(C) / 4), T>(Base), Count); \
+		} \
+	} \
+	template<typename A, typename B, int n> \
+	DRYDOCK_LANES_INLINE auto Name(const TVec<A, n>& a, const TVec<B, n>& b) \
+	{ \
+		return Map([](const A& c, const B& d) { return Name(c, d); }, a, b); \
 	}
 DRYDOCK_LANES_SHIFT(ShiftLeft, <<)
 DRYDOCK_LANES_SHIFT(ShiftRight, >>) // arithmetic on int, logical on uint
 #undef DRYDOCK_LANES_SHIFT
 
 /** Count bits of Base from Offset; a uint is extended with zeros, an int with its top bit. Count 0 gives 0. */
-template <CScalar T, CScalar O, CScalar C>
+template<CScalar T, CScalar O, CScalar C>
 DRYDOCK_LANES_INLINE auto BitFieldExtract(T Base, O Offset, C Count)
 {
 	const auto Unused = Subtract(32u, ToUint(Count));
@@ -123,14 +123,14 @@ DRYDOCK_LANES_INLINE auto BitFieldExtract(T Base, O Offset, C Count)
 	using R = std::remove_cvref_t<decltype(Field)>;
 	return Select(Count == C(0), R(0), Field);
 }
-template <typename T, CScalar O, CScalar C, int n>
+template<typename T, CScalar O, CScalar C, int n>
 DRYDOCK_LANES_INLINE auto BitFieldExtract(const TVec<T, n>& V, O Offset, C Count)
 {
 	return Map([&](const T& x) { return BitFieldExtract(x, Offset, Count); }, V);
 }
 
 /** Base with Count bits from Offset replaced by the low bits of Inserted. */
-template <CScalar T, CScalar I, CScalar O, CScalar C>
+template<CScalar T, CScalar I, CScalar O, CScalar C>
 DRYDOCK_LANES_INLINE auto BitFieldInsert(T Base, I Inserted, O Offset, C Count)
 {
 	const auto Ones = ShiftRight(Select(Count == C(0), 0u, 0xFFFFFFFFu), Subtract(32u, ToUint(Count)));

@@ -14,9 +14,15 @@ inline namespace DRYDOCK_LANES_SET
 namespace Impl
 {
 
-enum ERounding { Nearest = 8, Down = 9, Up = 10, TowardsZero = 11 };
+enum ERounding
+{
+	Nearest = 8,
+	Down = 9,
+	Up = 10,
+	TowardsZero = 11
+};
 
-template <ERounding Mode, typename Real>
+template<ERounding Mode, typename Real>
 DRYDOCK_LANES_INLINE Real RoundScalar(Real X)
 {
 	if constexpr (Mode == Nearest)
@@ -37,7 +43,7 @@ DRYDOCK_LANES_INLINE Real RoundScalar(Real X)
 	}
 }
 
-template <ERounding Mode, typename Real, int N>
+template<ERounding Mode, typename Real, int N>
 DRYDOCK_LANES_INLINE TReal<Real, N> RoundTo(TReal<Real, N> X)
 {
 	using FLanes = TReal<Real, N>;
@@ -54,7 +60,7 @@ DRYDOCK_LANES_INLINE TReal<Real, N> RoundTo(TReal<Real, N> X)
 	else
 #endif
 #if DRYDOCK_LANES_LEVEL >= 3
-	if constexpr (bFloat && N == 8)
+		if constexpr (bFloat && N == 8)
 	{
 		return FLanes(__builtin_ia32_roundps256(X.V, Mode));
 	}
@@ -65,7 +71,7 @@ DRYDOCK_LANES_INLINE TReal<Real, N> RoundTo(TReal<Real, N> X)
 	else
 #endif
 #if DRYDOCK_LANES_LEVEL >= 2
-	if constexpr (bFloat && N == 4)
+		if constexpr (bFloat && N == 4)
 	{
 		return FLanes(__builtin_ia32_roundps(X.V, Mode));
 	}
@@ -85,7 +91,7 @@ DRYDOCK_LANES_INLINE TReal<Real, N> RoundTo(TReal<Real, N> X)
 	}
 }
 
-template <typename Real, int N>
+template<typename Real, int N>
 DRYDOCK_LANES_INLINE TReal<Real, N> Sqrt(TReal<Real, N> X)
 {
 	using FLanes = TReal<Real, N>;
@@ -110,7 +116,7 @@ DRYDOCK_LANES_INLINE TReal<Real, N> Sqrt(TReal<Real, N> X)
 	else
 #endif
 #if DRYDOCK_LANES_LEVEL >= 3
-	if constexpr (bFloat && N == 8)
+		if constexpr (bFloat && N == 8)
 	{
 		return FLanes(__builtin_ia32_sqrtps256(X.V));
 	}
@@ -121,7 +127,7 @@ DRYDOCK_LANES_INLINE TReal<Real, N> Sqrt(TReal<Real, N> X)
 	else
 #endif
 #if DRYDOCK_LANES_LEVEL >= 2
-	if constexpr (bFloat && N == 4)
+		if constexpr (bFloat && N == 4)
 	{
 		return FLanes(__builtin_ia32_sqrtps(X.V));
 	}
@@ -141,7 +147,7 @@ DRYDOCK_LANES_INLINE TReal<Real, N> Sqrt(TReal<Real, N> X)
 	}
 }
 
-template <typename Real, int N>
+template<typename Real, int N>
 DRYDOCK_LANES_INLINE TReal<Real, N> Abs(TReal<Real, N> X)
 {
 	using FBits = typename TReal<Real, N>::FBits;
@@ -149,45 +155,45 @@ DRYDOCK_LANES_INLINE TReal<Real, N> Abs(TReal<Real, N> X)
 	using FBit = std::remove_cvref_t<decltype(FBits{}[0])>;
 	return TReal<Real, N>(TRaw<Real, N>(FBits(X.V) & FBit(Sign)));
 }
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TInt<N> Abs(TInt<N> X)
 {
 	return Select(X < TInt<N>(0), -X, X);
 }
 
 // A NaN operand loses against a number.
-template <typename Real, int N>
+template<typename Real, int N>
 DRYDOCK_LANES_INLINE TReal<Real, N> Min(TReal<Real, N> A, TReal<Real, N> B)
 {
 	return Select(B == B, Select(A < B, A, B), A);
 }
-template <typename Real, int N>
+template<typename Real, int N>
 DRYDOCK_LANES_INLINE TReal<Real, N> Max(TReal<Real, N> A, TReal<Real, N> B)
 {
 	return Select(B == B, Select(A > B, A, B), A);
 }
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TInt<N> Min(TInt<N> A, TInt<N> B)
 {
 	return Select(A < B, A, B);
 }
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TInt<N> Max(TInt<N> A, TInt<N> B)
 {
 	return Select(A > B, A, B);
 }
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TUint<N> Min(TUint<N> A, TUint<N> B)
 {
 	return Select(A < B, A, B);
 }
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TUint<N> Max(TUint<N> A, TUint<N> B)
 {
 	return Select(A > B, A, B);
 }
 
-template <typename Real, int N>
+template<typename Real, int N>
 DRYDOCK_LANES_INLINE TReal<Real, N> Saturate(TReal<Real, N> X)
 {
 	const TReal<Real, N> Zero = Real(0);
@@ -196,32 +202,32 @@ DRYDOCK_LANES_INLINE TReal<Real, N> Saturate(TReal<Real, N> X)
 	return Select(Positive < One, Positive, One);
 }
 
-template <typename Real, int N>
+template<typename Real, int N>
 DRYDOCK_LANES_INLINE TReal<Real, N> Sign(TReal<Real, N> X)
 {
 	const TReal<Real, N> Zero = Real(0);
 	return Select(X > Zero, TReal<Real, N>(Real(1)), Select(X < Zero, TReal<Real, N>(Real(-1)), Zero));
 }
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TInt<N> Sign(TInt<N> X)
 {
 	return TInt<N>((X.V < 0) | -(X.V > 0));
 }
 
-template <typename Real, int N>
+template<typename Real, int N>
 DRYDOCK_LANES_INLINE TReal<Real, N> Mix(TReal<Real, N> A, TReal<Real, N> B, TReal<Real, N> T)
 {
 	return A + T * (B - A);
 }
 
-template <typename Real, int N>
+template<typename Real, int N>
 DRYDOCK_LANES_INLINE TReal<Real, N> SmoothStep(TReal<Real, N> A, TReal<Real, N> B, TReal<Real, N> X)
 {
 	const TReal<Real, N> T = Saturate((X - A) / (B - A));
 	return T * T * (TReal<Real, N>(Real(3)) - TReal<Real, N>(Real(2)) * T);
 }
 
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TUint<N> BitCount(TUint<N> X)
 {
 	TRaw<uint32_t, N> V = X.V;
@@ -230,7 +236,7 @@ DRYDOCK_LANES_INLINE TUint<N> BitCount(TUint<N> X)
 	V = (V + (V >> 4)) & 0x0F0F0F0Fu;
 	return TUint<N>((V * 0x01010101u) >> 24);
 }
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TUint<N> BitReverse(TUint<N> X)
 {
 	TRaw<uint32_t, N> V = X.V;
@@ -241,14 +247,14 @@ DRYDOCK_LANES_INLINE TUint<N> BitReverse(TUint<N> X)
 	return TUint<N>((V >> 16) | (V << 16));
 }
 /** Index of the lowest set bit, -1 when there is none. */
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TInt<N> FindLsb(TUint<N> X)
 {
 	const TInt<N> Index = ToInt(BitCount(TUint<N>(~X.V & (X.V - 1u))));
 	return Select(X == TUint<N>(0u), TInt<N>(-1), Index);
 }
 /** Index of the highest set bit, counted from bit 0; -1 when there is none. */
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TInt<N> FindMsb(TUint<N> X)
 {
 	TRaw<uint32_t, N> V = X.V;
@@ -260,28 +266,28 @@ DRYDOCK_LANES_INLINE TInt<N> FindMsb(TUint<N> X)
 	return ToInt(BitCount(TUint<N>(V))) - TInt<N>(1);
 }
 /** Of a negative number: the highest clear bit. */
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TInt<N> FindMsb(TInt<N> X)
 {
 	return FindMsb(ToUint(TInt<N>(X.V ^ (X.V >> 31))));
 }
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TInt<N> FindLsb(TInt<N> X)
 {
 	return FindLsb(ToUint(X));
 }
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TInt<N> BitCount(TInt<N> X)
 {
 	return ToInt(BitCount(ToUint(X)));
 }
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TInt<N> BitReverse(TInt<N> X)
 {
 	return ToInt(BitReverse(ToUint(X)));
 }
 
-template <typename Real, int N>
+template<typename Real, int N>
 DRYDOCK_LANES_INLINE TReal<Real, N> Ldexp(TReal<Real, N> X, TInt<N> Exponent)
 {
 	// Two factors reach every result from every operand; one would leave the exponent range.
@@ -299,64 +305,64 @@ DRYDOCK_LANES_INLINE TReal<Real, N> Ldexp(TReal<Real, N> X, TInt<N> Exponent)
 } // namespace Impl
 
 // Any scalar, any vector, for a function of lanes.
-#define DRYDOCK_LANES_UNARY(Name, Expression)                                                                          \
-	template <CLanes T>                                                                                                \
-	DRYDOCK_LANES_INLINE auto Name(T x)                                                                                \
-	{                                                                                                                  \
-		return Expression;                                                                                             \
-	}                                                                                                                  \
-	template <CUniform T>                                                                                              \
-	DRYDOCK_LANES_INLINE auto Name(T x)                                                                                \
-	{                                                                                                                  \
-		return First(Name(Widen(x)));                                                                                  \
-	}                                                                                                                  \
-	template <typename T, int n>                                                                                       \
-	DRYDOCK_LANES_INLINE auto Name(const TVec<T, n>& v)                                                                \
-	{                                                                                                                  \
-		return Map([](const T& c) { return Name(c); }, v);                                                             \
+#define DRYDOCK_LANES_UNARY(Name, Expression) \
+	template<CLanes T> \
+	DRYDOCK_LANES_INLINE auto Name(T x) \
+	{ \
+		return Expression; \
+	} \
+	template<CUniform T> \
+	DRYDOCK_LANES_INLINE auto Name(T x) \
+	{ \
+		return First(Name(Widen(x))); \
+	} \
+	template<typename T, int n> \
+	DRYDOCK_LANES_INLINE auto Name(const TVec<T, n>& v) \
+	{ \
+		return Map([](const T& c) { return Name(c); }, v); \
 	}
-#define DRYDOCK_LANES_BINARY(Name, Expression)                                                                         \
-	template <CScalar A, CScalar B>                                                                                    \
-	DRYDOCK_LANES_INLINE auto Name(A InX, B InY)                                                                       \
-	{                                                                                                                  \
-		using T = Meet<A, B>;                                                                                          \
-		if constexpr (CUniform<T>)                                                                                     \
-		{                                                                                                              \
-			return First(Name(Widen(T(InX)), Widen(T(InY))));                                                          \
-		}                                                                                                              \
-		else                                                                                                           \
-		{                                                                                                              \
-			const T x = T(InX);                                                                                        \
-			const T y = T(InY);                                                                                        \
-			return Expression;                                                                                         \
-		}                                                                                                              \
-	}                                                                                                                  \
-	template <typename A, typename B, int n>                                                                           \
-	DRYDOCK_LANES_INLINE auto Name(const TVec<A, n>& a, const TVec<B, n>& b)                                           \
-	{                                                                                                                  \
-		return Map([](const A& c, const B& d) { return Name(c, d); }, a, b);                                           \
+#define DRYDOCK_LANES_BINARY(Name, Expression) \
+	template<CScalar A, CScalar B> \
+	DRYDOCK_LANES_INLINE auto Name(A InX, B InY) \
+	{ \
+		using T = Meet<A, B>; \
+		if constexpr (CUniform<T>) \
+		{ \
+			return First(Name(Widen(T(InX)), Widen(T(InY)))); \
+		} \
+		else \
+		{ \
+			const T x = T(InX); \
+			const T y = T(InY); \
+			return Expression; \
+		} \
+	} \
+	template<typename A, typename B, int n> \
+	DRYDOCK_LANES_INLINE auto Name(const TVec<A, n>& a, const TVec<B, n>& b) \
+	{ \
+		return Map([](const A& c, const B& d) { return Name(c, d); }, a, b); \
 	}
-#define DRYDOCK_LANES_TERNARY(Name, Expression)                                                                        \
-	template <CScalar A, CScalar B, CScalar C>                                                                         \
-	DRYDOCK_LANES_INLINE auto Name(A InX, B InY, C InZ)                                                                \
-	{                                                                                                                  \
-		using T = Meet<Meet<A, B>, C>;                                                                                 \
-		if constexpr (CUniform<T>)                                                                                     \
-		{                                                                                                              \
-			return First(Name(Widen(T(InX)), Widen(T(InY)), Widen(T(InZ))));                                           \
-		}                                                                                                              \
-		else                                                                                                           \
-		{                                                                                                              \
-			const T x = T(InX);                                                                                        \
-			const T y = T(InY);                                                                                        \
-			const T z = T(InZ);                                                                                        \
-			return Expression;                                                                                         \
-		}                                                                                                              \
-	}                                                                                                                  \
-	template <typename A, typename B, typename C, int n>                                                               \
-	DRYDOCK_LANES_INLINE auto Name(const TVec<A, n>& a, const TVec<B, n>& b, const TVec<C, n>& c)                      \
-	{                                                                                                                  \
-		return Map([](const A& d, const B& e, const C& f) { return Name(d, e, f); }, a, b, c);                         \
+#define DRYDOCK_LANES_TERNARY(Name, Expression) \
+	template<CScalar A, CScalar B, CScalar C> \
+	DRYDOCK_LANES_INLINE auto Name(A InX, B InY, C InZ) \
+	{ \
+		using T = Meet<Meet<A, B>, C>; \
+		if constexpr (CUniform<T>) \
+		{ \
+			return First(Name(Widen(T(InX)), Widen(T(InY)), Widen(T(InZ)))); \
+		} \
+		else \
+		{ \
+			const T x = T(InX); \
+			const T y = T(InY); \
+			const T z = T(InZ); \
+			return Expression; \
+		} \
+	} \
+	template<typename A, typename B, typename C, int n> \
+	DRYDOCK_LANES_INLINE auto Name(const TVec<A, n>& a, const TVec<B, n>& b, const TVec<C, n>& c) \
+	{ \
+		return Map([](const A& d, const B& e, const C& f) { return Name(d, e, f); }, a, b, c); \
 	}
 
 /** A constant in the lanes of x. */
@@ -376,8 +382,8 @@ DRYDOCK_LANES_UNARY(Saturate, Impl::Saturate(x))
 DRYDOCK_LANES_UNARY(IsNan, x != x)
 DRYDOCK_LANES_UNARY(IsInf, Impl::Abs(x) == DRYDOCK_LANES_CONSTANT(__builtin_inf()))
 DRYDOCK_LANES_UNARY(IsFinite, Impl::Abs(x) < DRYDOCK_LANES_CONSTANT(__builtin_inf()))
-DRYDOCK_LANES_UNARY(Degrees, x * DRYDOCK_LANES_CONSTANT(57.295779513082320877))
-DRYDOCK_LANES_UNARY(Radians, x * DRYDOCK_LANES_CONSTANT(0.017453292519943295769))
+DRYDOCK_LANES_UNARY(Degrees, x* DRYDOCK_LANES_CONSTANT(57.295779513082320877))
+DRYDOCK_LANES_UNARY(Radians, x* DRYDOCK_LANES_CONSTANT(0.017453292519943295769))
 DRYDOCK_LANES_UNARY(BitCount, Impl::BitCount(x))
 DRYDOCK_LANES_UNARY(BitReverse, Impl::BitReverse(x))
 DRYDOCK_LANES_UNARY(FindLsb, Impl::FindLsb(x))
@@ -392,9 +398,9 @@ DRYDOCK_LANES_BINARY(FRem, x - y * Impl::RoundTo<Impl::TowardsZero>(x / y))
 DRYDOCK_LANES_TERNARY(Clamp, Impl::Min(Impl::Max(x, y), z))
 DRYDOCK_LANES_TERNARY(Mix, Impl::Mix(x, y, z))
 DRYDOCK_LANES_TERNARY(SmoothStep, Impl::SmoothStep(x, y, z))
-DRYDOCK_LANES_TERNARY(Fma, x * y + z) // unfused: the same bits with and without FMA hardware
+DRYDOCK_LANES_TERNARY(Fma, x* y + z) // unfused: the same bits with and without FMA hardware
 
-template <CScalar A, CScalar B>
+template<CScalar A, CScalar B>
 DRYDOCK_LANES_INLINE auto Ldexp(A X, B Exponent)
 {
 	if constexpr (CUniform<A> && CUniform<B>)
@@ -411,7 +417,7 @@ DRYDOCK_LANES_INLINE auto Ldexp(A X, B Exponent)
 		return Impl::Ldexp(X, TInt<sizeof(A) / sizeof(X[0])>(Exponent));
 	}
 }
-template <typename A, typename B, int n>
+template<typename A, typename B, int n>
 DRYDOCK_LANES_INLINE auto Ldexp(const TVec<A, n>& a, const TVec<B, n>& b)
 {
 	return Map([](const A& c, const B& d) { return Ldexp(c, d); }, a, b);

@@ -19,25 +19,25 @@ namespace Drydock::Lanes
 inline namespace DRYDOCK_LANES_SET
 {
 
-template <int N>
+template<int N>
 struct TLaneOps;
 
 /** Unaligned load of any vector. */
-template <typename V>
+template<typename V>
 DRYDOCK_LANES_INLINE V LoadRaw(const void* Address)
 {
 	V Result;
 	__builtin_memcpy(&Result, Address, sizeof(V));
 	return Result;
 }
-template <typename V>
+template<typename V>
 DRYDOCK_LANES_INLINE void StoreRaw(void* Address, const V& Value)
 {
 	__builtin_memcpy(Address, &Value, sizeof(V));
 }
 
 #if DRYDOCK_LANES_LEVEL >= 4
-template <>
+template<>
 struct TLaneOps<16>
 {
 	using FFloat = TRaw<float, 16>;
@@ -45,10 +45,22 @@ struct TLaneOps<16>
 	using FUint = TRaw<uint32_t, 16>;
 	static constexpr bool bHasPermute = true;
 
-	static DRYDOCK_LANES_INLINE FFloat LoadHalves(const uint8_t* P) { return FFloat(_mm512_cvtph_ps(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(P)))); }
-	static DRYDOCK_LANES_INLINE void StoreHalves(uint8_t* P, FFloat X) { _mm256_storeu_si256(reinterpret_cast<__m256i*>(P), _mm512_cvtps_ph(__m512(X), 0)); }
-	static DRYDOCK_LANES_INLINE FFloat DecodeHalf(FUint Bits) { return FFloat(_mm512_cvtph_ps(_mm512_cvtepi32_epi16(__m512i(Bits)))); }
-	static DRYDOCK_LANES_INLINE FUint Gather(const uint8_t* Base, FInt Offsets) { return FUint(_mm512_i32gather_epi32(__m512i(Offsets), Base, 1)); }
+	static DRYDOCK_LANES_INLINE FFloat LoadHalves(const uint8_t* P)
+	{
+		return FFloat(_mm512_cvtph_ps(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(P))));
+	}
+	static DRYDOCK_LANES_INLINE void StoreHalves(uint8_t* P, FFloat X)
+	{
+		_mm256_storeu_si256(reinterpret_cast<__m256i*>(P), _mm512_cvtps_ph(__m512(X), 0));
+	}
+	static DRYDOCK_LANES_INLINE FFloat DecodeHalf(FUint Bits)
+	{
+		return FFloat(_mm512_cvtph_ps(_mm512_cvtepi32_epi16(__m512i(Bits))));
+	}
+	static DRYDOCK_LANES_INLINE FUint Gather(const uint8_t* Base, FInt Offsets)
+	{
+		return FUint(_mm512_i32gather_epi32(__m512i(Offsets), Base, 1));
+	}
 	/** Correctly rounded X / D for integers X up to D = 255: one Newton step on the product with the reciprocal. */
 	static DRYDOCK_LANES_INLINE FFloat DivideExact(FFloat X, float D)
 	{
@@ -93,21 +105,46 @@ struct TLaneOps<16>
 		A[2] = FFloat(_mm512_shuffle_f32x4(Q1, Q3, 0x88));
 		A[3] = FFloat(_mm512_shuffle_f32x4(Q1, Q3, 0xDD));
 	}
-	static DRYDOCK_LANES_INLINE FFloat Permute(FFloat Table, FInt Index) { return FFloat(_mm512_permutexvar_ps(__m512i(Index), __m512(Table))); }
-	static DRYDOCK_LANES_INLINE FFloat Permute2(FFloat Low, FFloat High, FInt Index) { return FFloat(_mm512_permutex2var_ps(__m512(Low), __m512i(Index), __m512(High))); }
+	static DRYDOCK_LANES_INLINE FFloat Permute(FFloat Table, FInt Index)
+	{
+		return FFloat(_mm512_permutexvar_ps(__m512i(Index), __m512(Table)));
+	}
+	static DRYDOCK_LANES_INLINE FFloat Permute2(FFloat Low, FFloat High, FInt Index)
+	{
+		return FFloat(_mm512_permutex2var_ps(__m512(Low), __m512i(Index), __m512(High)));
+	}
 	/** Texels 0 2 4 6 (1 3 5 7) of two AoS registers. */
-	static DRYDOCK_LANES_INLINE FFloat EvenTexels(FFloat A, FFloat B) { return FFloat(_mm512_shuffle_f32x4(__m512(A), __m512(B), 0x88)); }
-	static DRYDOCK_LANES_INLINE FFloat OddTexels(FFloat A, FFloat B) { return FFloat(_mm512_shuffle_f32x4(__m512(A), __m512(B), 0xDD)); }
+	static DRYDOCK_LANES_INLINE FFloat EvenTexels(FFloat A, FFloat B)
+	{
+		return FFloat(_mm512_shuffle_f32x4(__m512(A), __m512(B), 0x88));
+	}
+	static DRYDOCK_LANES_INLINE FFloat OddTexels(FFloat A, FFloat B)
+	{
+		return FFloat(_mm512_shuffle_f32x4(__m512(A), __m512(B), 0xDD));
+	}
 	/** Largest integer not above X; 0x80000000 for NaN and what does not fit. */
-	static DRYDOCK_LANES_INLINE FInt FloorToInt(FFloat X) { return FInt(_mm512_cvt_roundps_epi32(__m512(X), _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC)); }
-	static DRYDOCK_LANES_INLINE bool Equal(FInt A, FInt B) { return _mm512_cmpneq_epi32_mask(__m512i(A), __m512i(B)) == 0; }
+	static DRYDOCK_LANES_INLINE FInt FloorToInt(FFloat X)
+	{
+		return FInt(_mm512_cvt_roundps_epi32(__m512(X), _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC));
+	}
+	static DRYDOCK_LANES_INLINE bool Equal(FInt A, FInt B)
+	{
+		return _mm512_cmpneq_epi32_mask(__m512i(A), __m512i(B)) == 0;
+	}
 	/** No bit of Bits set in any lane. */
-	static DRYDOCK_LANES_INLINE bool NoBits(FInt A, int32_t Bits) { return _mm512_test_epi32_mask(__m512i(A), _mm512_set1_epi32(Bits)) == 0; }
+	static DRYDOCK_LANES_INLINE bool NoBits(FInt A, int32_t Bits)
+	{
+		return _mm512_test_epi32_mask(__m512i(A), _mm512_set1_epi32(Bits)) == 0;
+	}
 	/** NaN in A or B. */
-	static DRYDOCK_LANES_INLINE bool AnyNan(FFloat A, FFloat B) { return _mm512_cmp_ps_mask(__m512(A), __m512(B), _CMP_UNORD_Q) != 0; }
+	static DRYDOCK_LANES_INLINE bool AnyNan(FFloat A, FFloat B)
+	{
+		return _mm512_cmp_ps_mask(__m512(A), __m512(B), _CMP_UNORD_Q) != 0;
+	}
 	static DRYDOCK_LANES_INLINE bool AnyNan(FFloat A, FFloat B, FFloat C, FFloat D)
 	{
-		return (_mm512_cmp_ps_mask(__m512(A), __m512(B), _CMP_UNORD_Q) | _mm512_cmp_ps_mask(__m512(C), __m512(D), _CMP_UNORD_Q)) != 0;
+		return (_mm512_cmp_ps_mask(__m512(A), __m512(B), _CMP_UNORD_Q) |
+				   _mm512_cmp_ps_mask(__m512(C), __m512(D), _CMP_UNORD_Q)) != 0;
 	}
 	static DRYDOCK_LANES_INLINE FFloat SetQuads(const TRaw<float, 4> Q[4])
 	{
@@ -120,7 +157,7 @@ struct TLaneOps<16>
 #endif
 
 #if DRYDOCK_LANES_LEVEL >= 3
-template <>
+template<>
 struct TLaneOps<8>
 {
 	using FFloat = TRaw<float, 8>;
@@ -128,14 +165,23 @@ struct TLaneOps<8>
 	using FUint = TRaw<uint32_t, 8>;
 	static constexpr bool bHasPermute = true;
 
-	static DRYDOCK_LANES_INLINE FFloat LoadHalves(const uint8_t* P) { return FFloat(_mm256_cvtph_ps(_mm_loadu_si128(reinterpret_cast<const __m128i*>(P)))); }
-	static DRYDOCK_LANES_INLINE void StoreHalves(uint8_t* P, FFloat X) { _mm_storeu_si128(reinterpret_cast<__m128i*>(P), _mm256_cvtps_ph(__m256(X), 0)); }
+	static DRYDOCK_LANES_INLINE FFloat LoadHalves(const uint8_t* P)
+	{
+		return FFloat(_mm256_cvtph_ps(_mm_loadu_si128(reinterpret_cast<const __m128i*>(P))));
+	}
+	static DRYDOCK_LANES_INLINE void StoreHalves(uint8_t* P, FFloat X)
+	{
+		_mm_storeu_si128(reinterpret_cast<__m128i*>(P), _mm256_cvtps_ph(__m256(X), 0));
+	}
 	static DRYDOCK_LANES_INLINE FFloat DecodeHalf(FUint Bits)
 	{
 		const __m256i Packed = _mm256_packus_epi32(__m256i(Bits), __m256i(Bits));
 		return FFloat(_mm256_cvtph_ps(_mm256_castsi256_si128(_mm256_permute4x64_epi64(Packed, 0x08))));
 	}
-	static DRYDOCK_LANES_INLINE FUint Gather(const uint8_t* Base, FInt Offsets) { return FUint(_mm256_i32gather_epi32(reinterpret_cast<const int*>(Base), __m256i(Offsets), 1)); }
+	static DRYDOCK_LANES_INLINE FUint Gather(const uint8_t* Base, FInt Offsets)
+	{
+		return FUint(_mm256_i32gather_epi32(reinterpret_cast<const int*>(Base), __m256i(Offsets), 1));
+	}
 	static DRYDOCK_LANES_INLINE FFloat DivideExact(FFloat X, float D)
 	{
 		const __m256 Reciprocal = _mm256_set1_ps(1.0f / D);
@@ -172,26 +218,45 @@ struct TLaneOps<8>
 		A[2] = FFloat(_mm256_permute2f128_ps(__m256(T[0]), __m256(T[1]), 0x31));
 		A[3] = FFloat(_mm256_permute2f128_ps(__m256(T[2]), __m256(T[3]), 0x31));
 	}
-	static DRYDOCK_LANES_INLINE FFloat Permute(FFloat Table, FInt Index) { return FFloat(_mm256_permutevar8x32_ps(__m256(Table), __m256i(Index))); }
+	static DRYDOCK_LANES_INLINE FFloat Permute(FFloat Table, FInt Index)
+	{
+		return FFloat(_mm256_permutevar8x32_ps(__m256(Table), __m256i(Index)));
+	}
 	static DRYDOCK_LANES_INLINE FFloat Permute2(FFloat Low, FFloat High, FInt Index)
 	{
 		const __m256 FromLow = _mm256_permutevar8x32_ps(__m256(Low), __m256i(Index));
 		const __m256 FromHigh = _mm256_permutevar8x32_ps(__m256(High), __m256i(Index));
 		return FFloat(_mm256_blendv_ps(FromLow, FromHigh, _mm256_castsi256_ps(_mm256_slli_epi32(__m256i(Index), 28))));
 	}
-	static DRYDOCK_LANES_INLINE FFloat EvenTexels(FFloat A, FFloat B) { return FFloat(_mm256_permute2f128_ps(__m256(A), __m256(B), 0x20)); }
-	static DRYDOCK_LANES_INLINE FFloat OddTexels(FFloat A, FFloat B) { return FFloat(_mm256_permute2f128_ps(__m256(A), __m256(B), 0x31)); }
-	static DRYDOCK_LANES_INLINE FInt FloorToInt(FFloat X) { return FInt(_mm256_cvttps_epi32(_mm256_floor_ps(__m256(X)))); }
+	static DRYDOCK_LANES_INLINE FFloat EvenTexels(FFloat A, FFloat B)
+	{
+		return FFloat(_mm256_permute2f128_ps(__m256(A), __m256(B), 0x20));
+	}
+	static DRYDOCK_LANES_INLINE FFloat OddTexels(FFloat A, FFloat B)
+	{
+		return FFloat(_mm256_permute2f128_ps(__m256(A), __m256(B), 0x31));
+	}
+	static DRYDOCK_LANES_INLINE FInt FloorToInt(FFloat X)
+	{
+		return FInt(_mm256_cvttps_epi32(_mm256_floor_ps(__m256(X))));
+	}
 	static DRYDOCK_LANES_INLINE bool Equal(FInt A, FInt B)
 	{
 		const __m256i Difference = _mm256_xor_si256(__m256i(A), __m256i(B));
 		return _mm256_testz_si256(Difference, Difference) != 0;
 	}
-	static DRYDOCK_LANES_INLINE bool NoBits(FInt A, int32_t Bits) { return _mm256_testz_si256(__m256i(A), _mm256_set1_epi32(Bits)) != 0; }
-	static DRYDOCK_LANES_INLINE bool AnyNan(FFloat A, FFloat B) { return _mm256_movemask_ps(_mm256_cmp_ps(__m256(A), __m256(B), _CMP_UNORD_Q)) != 0; }
+	static DRYDOCK_LANES_INLINE bool NoBits(FInt A, int32_t Bits)
+	{
+		return _mm256_testz_si256(__m256i(A), _mm256_set1_epi32(Bits)) != 0;
+	}
+	static DRYDOCK_LANES_INLINE bool AnyNan(FFloat A, FFloat B)
+	{
+		return _mm256_movemask_ps(_mm256_cmp_ps(__m256(A), __m256(B), _CMP_UNORD_Q)) != 0;
+	}
 	static DRYDOCK_LANES_INLINE bool AnyNan(FFloat A, FFloat B, FFloat C, FFloat D)
 	{
-		return _mm256_movemask_ps(_mm256_or_ps(_mm256_cmp_ps(__m256(A), __m256(B), _CMP_UNORD_Q), _mm256_cmp_ps(__m256(C), __m256(D), _CMP_UNORD_Q))) != 0;
+		return _mm256_movemask_ps(_mm256_or_ps(_mm256_cmp_ps(__m256(A), __m256(B), _CMP_UNORD_Q),
+				   _mm256_cmp_ps(__m256(C), __m256(D), _CMP_UNORD_Q))) != 0;
 	}
 	static DRYDOCK_LANES_INLINE FFloat SetQuads(const TRaw<float, 4> Q[2])
 	{
@@ -201,7 +266,7 @@ struct TLaneOps<8>
 #endif
 
 #if DRYDOCK_LANES_LEVEL >= 2
-template <>
+template<>
 struct TLaneOps<4>
 {
 	using FFloat = TRaw<float, 4>;
@@ -254,11 +319,18 @@ struct TLaneOps<4>
 		const __m128i Difference = _mm_xor_si128(__m128i(A), __m128i(B));
 		return _mm_testz_si128(Difference, Difference) != 0;
 	}
-	static DRYDOCK_LANES_INLINE bool NoBits(FInt A, int32_t Bits) { return _mm_testz_si128(__m128i(A), _mm_set1_epi32(Bits)) != 0; }
-	static DRYDOCK_LANES_INLINE bool AnyNan(FFloat A, FFloat B) { return _mm_movemask_ps(_mm_cmpunord_ps(__m128(A), __m128(B))) != 0; }
+	static DRYDOCK_LANES_INLINE bool NoBits(FInt A, int32_t Bits)
+	{
+		return _mm_testz_si128(__m128i(A), _mm_set1_epi32(Bits)) != 0;
+	}
+	static DRYDOCK_LANES_INLINE bool AnyNan(FFloat A, FFloat B)
+	{
+		return _mm_movemask_ps(_mm_cmpunord_ps(__m128(A), __m128(B))) != 0;
+	}
 	static DRYDOCK_LANES_INLINE bool AnyNan(FFloat A, FFloat B, FFloat C, FFloat D)
 	{
-		return _mm_movemask_ps(_mm_or_ps(_mm_cmpunord_ps(__m128(A), __m128(B)), _mm_cmpunord_ps(__m128(C), __m128(D)))) != 0;
+		return _mm_movemask_ps(
+				   _mm_or_ps(_mm_cmpunord_ps(__m128(A), __m128(B)), _mm_cmpunord_ps(__m128(C), __m128(D)))) != 0;
 	}
 	static DRYDOCK_LANES_INLINE FFloat SetQuads(const TRaw<float, 4> Q[1]) { return Q[0]; }
 };

@@ -10,8 +10,9 @@ inline namespace DRYDOCK_LANES_SET
 {
 
 /** The rare half of SampleMip2D. */
-template <typename Real, int N>
-__attribute__((noinline)) void SampleMip2DRare(const FKernelTexture& Texture, const FKernelSampler& Sampler, int32_t MipIndex, const Real* U, const Real* V, const Real* Layers, Real* Out)
+template<typename Real, int N>
+__attribute__((noinline)) void SampleMip2DRare(const FKernelTexture& Texture, const FKernelSampler& Sampler,
+	int32_t MipIndex, const Real* U, const Real* V, const Real* Layers, Real* Out)
 {
 	const FKernelMip& Mip = Texture.Mips[MipIndex];
 	const bool bPoint = Sampler.Filter == EKernelFilter::Point;
@@ -21,8 +22,9 @@ __attribute__((noinline)) void SampleMip2DRare(const FKernelTexture& Texture, co
 }
 
 /** One mip of a 2D texture or of one layer of an array. */
-template <typename Real, int N>
-DRYDOCK_LANES_INLINE void SampleMip2D(const FKernelTexture& Texture, const FKernelSampler& Sampler, int32_t MipIndex, const Real* U, const Real* V, const Real* Layers, Real* Out)
+template<typename Real, int N>
+DRYDOCK_LANES_INLINE void SampleMip2D(const FKernelTexture& Texture, const FKernelSampler& Sampler, int32_t MipIndex,
+	const Real* U, const Real* V, const Real* Layers, Real* Out)
 {
 	if constexpr (sizeof(Real) == 4)
 	{
@@ -38,7 +40,8 @@ DRYDOCK_LANES_INLINE void SampleMip2D(const FKernelTexture& Texture, const FKern
 			}
 			Base += int64_t(Layer) * Mip.SlicePitch;
 		}
-		if (bOneLayer && VisitFormat(Texture.Storage, [&](auto Format) { return SampleMip2DTuned<decltype(Format), N>(Mip, Base, Sampler, U, V, Out); }))
+		if (bOneLayer && VisitFormat(Texture.Storage, [&](auto Format)
+							 { return SampleMip2DTuned<decltype(Format), N>(Mip, Base, Sampler, U, V, Out); }))
 		{
 			return;
 		}
@@ -46,8 +49,9 @@ DRYDOCK_LANES_INLINE void SampleMip2D(const FKernelTexture& Texture, const FKern
 	SampleMip2DRare<Real, N>(Texture, Sampler, MipIndex, U, V, Layers, Out);
 }
 
-template <typename Real, int N>
-inline void SampleMip3D(const FKernelTexture& Texture, const FKernelSampler& Sampler, int32_t MipIndex, const Real* U, const Real* V, const Real* W, Real* Out)
+template<typename Real, int N>
+inline void SampleMip3D(const FKernelTexture& Texture, const FKernelSampler& Sampler, int32_t MipIndex, const Real* U,
+	const Real* V, const Real* W, Real* Out)
 {
 	const FKernelMip& Mip = Texture.Mips[MipIndex];
 	const bool bPoint = Sampler.Filter == EKernelFilter::Point;
@@ -58,8 +62,9 @@ inline void SampleMip3D(const FKernelTexture& Texture, const FKernelSampler& Sam
 }
 
 /** SampleMip(MipIndex, Out) fills [4][N]; picks and blends mips per lane. */
-template <typename Real, int N, typename F>
-inline void SampleMips(const FKernelTexture& Texture, const FKernelSampler& Sampler, const Real* Levels, bool bUniformLevel, Real* Out, F SampleMip)
+template<typename Real, int N, typename F>
+inline void SampleMips(const FKernelTexture& Texture, const FKernelSampler& Sampler, const Real* Levels,
+	bool bUniformLevel, Real* Out, F SampleMip)
 {
 	const TMips<Real> First = SelectMips(Levels[0], Texture.NumMips, Sampler);
 	bool bSame = true;
@@ -111,7 +116,7 @@ inline void SampleMips(const FKernelTexture& Texture, const FKernelSampler& Samp
 }
 
 /** Reads one texel or gives 0 in all channels when it is outside. */
-template <typename Texel, typename F>
+template<typename Texel, typename F>
 inline Texel LoadInside(const FKernelTexture& Texture, int32_t X, int32_t Y, int32_t Z, int32_t MipIndex, F Read)
 {
 	if (uint32_t(MipIndex) < uint32_t(Texture.NumMips))
@@ -125,22 +130,23 @@ inline Texel LoadInside(const FKernelTexture& Texture, int32_t X, int32_t Y, int
 	return Texel{};
 }
 
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE bool IsSame(TRaw<int32_t, N> X)
 {
 	return MaskBits(TMask<N>(X != X[0])) == 0;
 }
 
 /** Lane i is at (X[0] + i, Y[0]). */
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE bool IsRow(TRaw<int32_t, N> X, TRaw<int32_t, N> Y)
 {
 	return IsSame<N>((TInt<N>(X) - LaneIndex<N>()).V) && IsSame<N>(Y);
 }
 
 /** A row of texels inside one mip, no filter. */
-template <int N>
-inline bool LoadRowTuned(const FKernelTexture& Texture, const int32_t* X, const int32_t* Y, const int32_t* Z, int32_t MipIndex, float* Out)
+template<int N>
+inline bool LoadRowTuned(
+	const FKernelTexture& Texture, const int32_t* X, const int32_t* Y, const int32_t* Z, int32_t MipIndex, float* Out)
 {
 	if (uint32_t(MipIndex) >= uint32_t(Texture.NumMips))
 	{
@@ -150,23 +156,25 @@ inline bool LoadRowTuned(const FKernelTexture& Texture, const int32_t* X, const 
 	const int32_t Slice = Z ? Z[0] : 0;
 	const TRaw<int32_t, N> Columns = LoadRaw<TRaw<int32_t, N>>(X);
 	const TRaw<int32_t, N> Rows = LoadRaw<TRaw<int32_t, N>>(Y);
-	const bool bRow = X[0] >= 0 && X[0] <= Mip.SizeX - N && uint32_t(Y[0]) < uint32_t(Mip.SizeY) && uint32_t(Slice) < uint32_t(Mip.SizeZ)
-		&& IsRow<N>(Columns, Rows) && (!Z || IsSame<N>(LoadRaw<TRaw<int32_t, N>>(Z)));
+	const bool bRow = X[0] >= 0 && X[0] <= Mip.SizeX - N && uint32_t(Y[0]) < uint32_t(Mip.SizeY) &&
+					  uint32_t(Slice) < uint32_t(Mip.SizeZ) && IsRow<N>(Columns, Rows) &&
+					  (!Z || IsSame<N>(LoadRaw<TRaw<int32_t, N>>(Z)));
 	if (!bRow)
 	{
 		return false;
 	}
-	return VisitFormat(Texture.Storage, [&](auto Format)
-	{
-		using FFormat = decltype(Format);
-		TRaw<float, N> C[4];
-		LoadColumn<FFormat, N>(TexelAddress(Mip, FFormat::Bytes, X[0], Y[0], Slice), nullptr, 0, C);
-		for (int c = 0; c < 4; ++c)
+	return VisitFormat(Texture.Storage,
+		[&](auto Format)
 		{
-			StoreRaw(Out + c * N, c < FFormat::Channels ? C[c] : Broadcast<float, N>(c == 3 ? 1.0f : 0.0f));
-		}
-		return true;
-	});
+			using FFormat = decltype(Format);
+			TRaw<float, N> C[4];
+			LoadColumn<FFormat, N>(TexelAddress(Mip, FFormat::Bytes, X[0], Y[0], Slice), nullptr, 0, C);
+			for (int c = 0; c < 4; ++c)
+			{
+				StoreRaw(Out + c * N, c < FFormat::Channels ? C[c] : Broadcast<float, N>(c == 3 ? 1.0f : 0.0f));
+			}
+			return true;
+		});
 }
 
 inline bool IsInsideTyped(const FKernelBuffer& Buffer, uint32_t Index, int32_t BytesPerElement)
@@ -176,31 +184,30 @@ inline bool IsInsideTyped(const FKernelBuffer& Buffer, uint32_t Index, int32_t B
 
 } // namespace DRYDOCK_LANES_SET
 
-template <typename Real, int N>
-void TSampling<Real, N>::Sample2D(const FKernelTexture& Texture, const FKernelSampler& Sampler, const Real* U, const Real* V, const Real* Layer, const Real* Levels, bool bUniformLevel, Real* Out)
+template<typename Real, int N>
+void TSampling<Real, N>::Sample2D(const FKernelTexture& Texture, const FKernelSampler& Sampler, const Real* U,
+	const Real* V, const Real* Layer, const Real* Levels, bool bUniformLevel, Real* Out)
 {
 	if (Texture.NumMips == 1)
 	{
 		SampleMip2D<Real, N>(Texture, Sampler, 0, U, V, Layer, Out);
 		return;
 	}
-	SampleMips<Real, N>(Texture, Sampler, Levels, bUniformLevel, Out, [&](int32_t MipIndex, Real* MipOut)
-	{
-		SampleMip2D<Real, N>(Texture, Sampler, MipIndex, U, V, Layer, MipOut);
-	});
+	SampleMips<Real, N>(Texture, Sampler, Levels, bUniformLevel, Out,
+		[&](int32_t MipIndex, Real* MipOut) { SampleMip2D<Real, N>(Texture, Sampler, MipIndex, U, V, Layer, MipOut); });
 }
 
-template <typename Real, int N>
-void TSampling<Real, N>::Sample3D(const FKernelTexture& Texture, const FKernelSampler& Sampler, const Real* U, const Real* V, const Real* W, const Real* Levels, bool bUniformLevel, Real* Out)
+template<typename Real, int N>
+void TSampling<Real, N>::Sample3D(const FKernelTexture& Texture, const FKernelSampler& Sampler, const Real* U,
+	const Real* V, const Real* W, const Real* Levels, bool bUniformLevel, Real* Out)
 {
-	SampleMips<Real, N>(Texture, Sampler, Levels, bUniformLevel, Out, [&](int32_t MipIndex, Real* MipOut)
-	{
-		SampleMip3D<Real, N>(Texture, Sampler, MipIndex, U, V, W, MipOut);
-	});
+	SampleMips<Real, N>(Texture, Sampler, Levels, bUniformLevel, Out,
+		[&](int32_t MipIndex, Real* MipOut) { SampleMip3D<Real, N>(Texture, Sampler, MipIndex, U, V, W, MipOut); });
 }
 
-template <typename Real, int N>
-void TSampling<Real, N>::Gather2D(const FKernelTexture& Texture, const FKernelSampler& Sampler, const Real* U, const Real* V, int32_t Component, Real* Out)
+template<typename Real, int N>
+void TSampling<Real, N>::Gather2D(const FKernelTexture& Texture, const FKernelSampler& Sampler, const Real* U,
+	const Real* V, int32_t Component, Real* Out)
 {
 	const TTexelReader<Real> Reader(Texture, Sampler, 0);
 	const TAxis<Real, N> X = MakeAxis<Real, N>(U, Reader.Mip.SizeX, false, Sampler.SampleBits);
@@ -216,8 +223,9 @@ void TSampling<Real, N>::Gather2D(const FKernelTexture& Texture, const FKernelSa
 	}
 }
 
-template <typename Real, int N>
-void TSampling<Real, N>::Load(const FKernelTexture& Texture, const int32_t* X, const int32_t* Y, const int32_t* Z, const int32_t* Mips, bool bUniformMip, Real* Out)
+template<typename Real, int N>
+void TSampling<Real, N>::Load(const FKernelTexture& Texture, const int32_t* X, const int32_t* Y, const int32_t* Z,
+	const int32_t* Mips, bool bUniformMip, Real* Out)
 {
 	if constexpr (sizeof(Real) == 4)
 	{
@@ -229,13 +237,18 @@ void TSampling<Real, N>::Load(const FKernelTexture& Texture, const int32_t* X, c
 	for (int Lane = 0; Lane < N; ++Lane)
 	{
 		const int32_t MipIndex = Mips[bUniformMip ? 0 : Lane];
-		const auto Read = [&Texture](const uint8_t* Address) { return ReadTexel<Real>(Texture.Storage, Address); };
-		WriteLane<Real, N>(Out, Lane, LoadInside<TTexel<Real>>(Texture, X[Lane], Y[Lane], Z ? Z[Lane] : 0, MipIndex, Read));
+		const auto Read = [&Texture](const uint8_t* Address)
+		{
+			return ReadTexel<Real>(Texture.Storage, Address);
+		};
+		WriteLane<Real, N>(
+			Out, Lane, LoadInside<TTexel<Real>>(Texture, X[Lane], Y[Lane], Z ? Z[Lane] : 0, MipIndex, Read));
 	}
 }
 
-template <typename Real, int N>
-void TSampling<Real, N>::LoadUint(const FKernelTexture& Texture, const int32_t* X, const int32_t* Y, const int32_t* Z, const int32_t* Mips, bool bUniformMip, uint32_t* Out)
+template<typename Real, int N>
+void TSampling<Real, N>::LoadUint(const FKernelTexture& Texture, const int32_t* X, const int32_t* Y, const int32_t* Z,
+	const int32_t* Mips, bool bUniformMip, uint32_t* Out)
 {
 	for (int Lane = 0; Lane < N; ++Lane)
 	{
@@ -246,12 +259,14 @@ void TSampling<Real, N>::LoadUint(const FKernelTexture& Texture, const int32_t* 
 			DecodeTexel(Texture.Storage, Address, Texel.C);
 			return Texel;
 		};
-		WriteLane<uint32_t, N>(Out, Lane, LoadInside<TTexel<uint32_t>>(Texture, X[Lane], Y[Lane], Z ? Z[Lane] : 0, MipIndex, Read));
+		WriteLane<uint32_t, N>(
+			Out, Lane, LoadInside<TTexel<uint32_t>>(Texture, X[Lane], Y[Lane], Z ? Z[Lane] : 0, MipIndex, Read));
 	}
 }
 
-template <typename Real, int N>
-void TSampling<Real, N>::Store(const FKernelTexture& Texture, const int32_t* Mask, const int32_t* X, const int32_t* Y, const int32_t* Z, const Real* Value)
+template<typename Real, int N>
+void TSampling<Real, N>::Store(const FKernelTexture& Texture, const int32_t* Mask, const int32_t* X, const int32_t* Y,
+	const int32_t* Z, const Real* Value)
 {
 	const FKernelMip& Mip = Texture.Mips[0];
 	const TRaw<int32_t, N> Columns = LoadRaw<TRaw<int32_t, N>>(X);
@@ -266,22 +281,26 @@ void TSampling<Real, N>::Store(const FKernelTexture& Texture, const int32_t* Mas
 	for (int Lane = 0; Lane < N; ++Lane)
 	{
 		const int32_t Slice = Z ? Z[Lane] : 0;
-		if (Mask[Lane] && uint32_t(X[Lane]) < uint32_t(Mip.SizeX) && uint32_t(Y[Lane]) < uint32_t(Mip.SizeY) && uint32_t(Slice) < uint32_t(Mip.SizeZ))
+		if (Mask[Lane] && uint32_t(X[Lane]) < uint32_t(Mip.SizeX) && uint32_t(Y[Lane]) < uint32_t(Mip.SizeY) &&
+			uint32_t(Slice) < uint32_t(Mip.SizeZ))
 		{
-			StoreLane<Real, N>(Texture, const_cast<uint8_t*>(TexelAddress(Mip, Bytes, X[Lane], Y[Lane], Slice)), Value, Lane);
+			StoreLane<Real, N>(
+				Texture, const_cast<uint8_t*>(TexelAddress(Mip, Bytes, X[Lane], Y[Lane], Slice)), Value, Lane);
 		}
 	}
 }
 
-template <typename Real, int N>
-void TSampling<Real, N>::StoreUint(const FKernelTexture& Texture, const int32_t* Mask, const int32_t* X, const int32_t* Y, const int32_t* Z, const uint32_t* Value)
+template<typename Real, int N>
+void TSampling<Real, N>::StoreUint(const FKernelTexture& Texture, const int32_t* Mask, const int32_t* X,
+	const int32_t* Y, const int32_t* Z, const uint32_t* Value)
 {
 	const FKernelMip& Mip = Texture.Mips[0];
 	const int32_t Bytes = GetTexelStorageInfo(Texture.Storage).BytesPerTexel;
 	for (int Lane = 0; Lane < N; ++Lane)
 	{
 		const int32_t Slice = Z ? Z[Lane] : 0;
-		if (Mask[Lane] && uint32_t(X[Lane]) < uint32_t(Mip.SizeX) && uint32_t(Y[Lane]) < uint32_t(Mip.SizeY) && uint32_t(Slice) < uint32_t(Mip.SizeZ))
+		if (Mask[Lane] && uint32_t(X[Lane]) < uint32_t(Mip.SizeX) && uint32_t(Y[Lane]) < uint32_t(Mip.SizeY) &&
+			uint32_t(Slice) < uint32_t(Mip.SizeZ))
 		{
 			const uint32_t RGBA[4] = {Value[Lane], Value[N + Lane], Value[2 * N + Lane], Value[3 * N + Lane]};
 			EncodeTexel(Texture.Storage, RGBA, const_cast<uint8_t*>(TexelAddress(Mip, Bytes, X[Lane], Y[Lane], Slice)));
@@ -289,24 +308,26 @@ void TSampling<Real, N>::StoreUint(const FKernelTexture& Texture, const int32_t*
 	}
 }
 
-template <typename Real, int N>
-void TSampling<Real, N>::StoreTarget(const FKernelTarget& Target, const int32_t* Mask, int32_t X0, int32_t Y, const Real* Value)
+template<typename Real, int N>
+void TSampling<Real, N>::StoreTarget(
+	const FKernelTarget& Target, const int32_t* Mask, int32_t X0, int32_t Y, const Real* Value)
 {
 	StoreTargetLanes<Real, N>(Target, Mask, X0, Y, Value);
 }
 
-template <typename Real, int N>
+template<typename Real, int N>
 void TSampling<Real, N>::LoadTyped(const FKernelBuffer& Buffer, const uint32_t* Index, Real* Out)
 {
 	const int32_t Bytes = GetTexelStorageInfo(Buffer.Storage).BytesPerTexel;
 	for (int Lane = 0; Lane < N; ++Lane)
 	{
 		const bool bInside = IsInsideTyped(Buffer, Index[Lane], Bytes);
-		WriteLane<Real, N>(Out, Lane, bInside ? ReadTexel<Real>(Buffer.Storage, Buffer.Data + uint64_t(Index[Lane]) * Bytes) : TTexel<Real>{});
+		WriteLane<Real, N>(Out, Lane,
+			bInside ? ReadTexel<Real>(Buffer.Storage, Buffer.Data + uint64_t(Index[Lane]) * Bytes) : TTexel<Real>{});
 	}
 }
 
-template <typename Real, int N>
+template<typename Real, int N>
 void TSampling<Real, N>::LoadTypedUint(const FKernelBuffer& Buffer, const uint32_t* Index, uint32_t* Out)
 {
 	const int32_t Bytes = GetTexelStorageInfo(Buffer.Storage).BytesPerTexel;
@@ -321,8 +342,9 @@ void TSampling<Real, N>::LoadTypedUint(const FKernelBuffer& Buffer, const uint32
 	}
 }
 
-template <typename Real, int N>
-void TSampling<Real, N>::StoreTyped(const FKernelBuffer& Buffer, const int32_t* Mask, const uint32_t* Index, const Real* Value)
+template<typename Real, int N>
+void TSampling<Real, N>::StoreTyped(
+	const FKernelBuffer& Buffer, const int32_t* Mask, const uint32_t* Index, const Real* Value)
 {
 	const int32_t Bytes = GetTexelStorageInfo(Buffer.Storage).BytesPerTexel;
 	for (int Lane = 0; Lane < N; ++Lane)
@@ -335,8 +357,9 @@ void TSampling<Real, N>::StoreTyped(const FKernelBuffer& Buffer, const int32_t* 
 	}
 }
 
-template <typename Real, int N>
-void TSampling<Real, N>::StoreTypedUint(const FKernelBuffer& Buffer, const int32_t* Mask, const uint32_t* Index, const uint32_t* Value)
+template<typename Real, int N>
+void TSampling<Real, N>::StoreTypedUint(
+	const FKernelBuffer& Buffer, const int32_t* Mask, const uint32_t* Index, const uint32_t* Value)
 {
 	const int32_t Bytes = GetTexelStorageInfo(Buffer.Storage).BytesPerTexel;
 	for (int Lane = 0; Lane < N; ++Lane)

@@ -11,25 +11,26 @@ namespace Drydock::Lanes
 inline namespace DRYDOCK_LANES_SET
 {
 
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE bool AllEqual(TRaw<float, N> A, float B)
 {
 	return MaskBits(TMask<N>(TRaw<int32_t, N>(A != B))) == 0;
 }
 
-template <typename V, typename W>
+template<typename V, typename W>
 DRYDOCK_LANES_INLINE V Blend(V A, V B, W Weight)
 {
 	return A + Weight * (B - A);
 }
 
 /** Writes the channels; false when one is NaN. Channels that the format lacks are 0, 0, 1. */
-template <typename FFormat, int N>
+template<typename FFormat, int N>
 DRYDOCK_LANES_INLINE bool Finish(const TRaw<float, N> C[4], float* Out)
 {
 	using FOps = TLaneOps<N>;
 	constexpr int Channels = FFormat::Channels;
-	const bool bNan = Channels > 2 ? FOps::AnyNan(C[0], C[1], C[2], C[Channels > 3 ? 3 : 2]) : FOps::AnyNan(C[0], C[Channels > 1 ? 1 : 0]);
+	const bool bNan = Channels > 2 ? FOps::AnyNan(C[0], C[1], C[2], C[Channels > 3 ? 3 : 2])
+								   : FOps::AnyNan(C[0], C[Channels > 1 ? 1 : 0]);
 	if (__builtin_expect(bNan, 0))
 	{
 		return false;
@@ -42,7 +43,7 @@ DRYDOCK_LANES_INLINE bool Finish(const TRaw<float, N> C[4], float* Out)
 }
 
 /** Texels and weights of all lanes after addressing; nothing is on the border. */
-template <int N>
+template<int N>
 struct TFootprints
 {
 	TRaw<int32_t, N> Left;
@@ -54,8 +55,9 @@ struct TFootprints
 };
 
 /** One footprint per lane: whole texels, blended as four channels at once. */
-template <typename FFormat, int N>
-DRYDOCK_LANES_INLINE void SampleGeneralWide(const FKernelMip& Mip, const uint8_t* Base, const TFootprints<N>& F, TRaw<float, N> C[4])
+template<typename FFormat, int N>
+DRYDOCK_LANES_INLINE void SampleGeneralWide(
+	const FKernelMip& Mip, const uint8_t* Base, const TFootprints<N>& F, TRaw<float, N> C[4])
 {
 	using FQuad = TRaw<float, 4>;
 	alignas(64) int32_t Left[N], Right[N], Top[N], Bottom[N];
@@ -101,8 +103,9 @@ DRYDOCK_LANES_INLINE void SampleGeneralWide(const FKernelMip& Mip, const uint8_t
 }
 
 /** One footprint per lane by gathers. A gather reads a whole word: the margin of a texture's memory allows it. */
-template <typename FFormat, int N>
-DRYDOCK_LANES_INLINE void SampleGeneralNarrow(const FKernelMip& Mip, const uint8_t* Base, const TFootprints<N>& F, TRaw<float, N> C[4])
+template<typename FFormat, int N>
+DRYDOCK_LANES_INLINE void SampleGeneralNarrow(
+	const FKernelMip& Mip, const uint8_t* Base, const TFootprints<N>& F, TRaw<float, N> C[4])
 {
 	using FInt = TRaw<int32_t, N>;
 	using FFloat = TRaw<float, N>;
@@ -143,8 +146,9 @@ DRYDOCK_LANES_INLINE void SampleGeneralNarrow(const FKernelMip& Mip, const uint8
 }
 
 /** False when the texture is too large for gathers, which take 32-bit offsets. */
-template <typename FFormat, int N>
-DRYDOCK_LANES_INLINE bool SampleGeneral(const FKernelMip& Mip, const uint8_t* Base, const TFootprints<N>& F, TRaw<float, N> C[4])
+template<typename FFormat, int N>
+DRYDOCK_LANES_INLINE bool SampleGeneral(
+	const FKernelMip& Mip, const uint8_t* Base, const TFootprints<N>& F, TRaw<float, N> C[4])
 {
 	if constexpr (FFormat::bWide)
 	{
@@ -164,13 +168,16 @@ DRYDOCK_LANES_INLINE bool SampleGeneral(const FKernelMip& Mip, const uint8_t* Ba
 
 /** Some texels are the border's colour: the four taps are fetched apart, from clamped places, and replaced where they
  *  lie outside. */
-template <typename FFormat, int N>
-inline bool SampleBordered(const FKernelMip& Mip, const uint8_t* Base, const FKernelSampler& Sampler, const TAxis<float, N>& X, const TAxis<float, N>& Y, float* Out)
+template<typename FFormat, int N>
+inline bool SampleBordered(const FKernelMip& Mip, const uint8_t* Base, const FKernelSampler& Sampler,
+	const TAxis<float, N>& X, const TAxis<float, N>& Y, float* Out)
 {
 	using FInt = TRaw<int32_t, N>;
 	using FFloat = TRaw<float, N>;
-	const FInt ColumnTexels[2] = {AddressTexels(X.First, Mip.SizeX, Sampler.AddressU).V, AddressTexels(X.First + TInt<N>(1), Mip.SizeX, Sampler.AddressU).V};
-	const FInt RowTexels[2] = {AddressTexels(Y.First, Mip.SizeY, Sampler.AddressV).V, AddressTexels(Y.First + TInt<N>(1), Mip.SizeY, Sampler.AddressV).V};
+	const FInt ColumnTexels[2] = {AddressTexels(X.First, Mip.SizeX, Sampler.AddressU).V,
+		AddressTexels(X.First + TInt<N>(1), Mip.SizeX, Sampler.AddressU).V};
+	const FInt RowTexels[2] = {AddressTexels(Y.First, Mip.SizeY, Sampler.AddressV).V,
+		AddressTexels(Y.First + TInt<N>(1), Mip.SizeY, Sampler.AddressV).V};
 	const FFloat WeightX = X.Weight.V;
 	const FFloat WeightY = Y.Weight.V;
 	FFloat Columns[2][4];

@@ -12,13 +12,13 @@ namespace Drydock::Lanes
 inline namespace DRYDOCK_LANES_SET
 {
 
-template <typename Real>
+template<typename Real>
 struct TTexel
 {
 	Real C[4];
 };
 
-template <typename Source, int Channels, typename Real>
+template<typename Source, int Channels, typename Real>
 DRYDOCK_LANES_INLINE TTexel<Real> ReadChannels(const uint8_t* Address)
 {
 	Source Values[Channels];
@@ -32,7 +32,7 @@ DRYDOCK_LANES_INLINE TTexel<Real> ReadChannels(const uint8_t* Address)
 }
 
 /** Missing channels read 0, 0, 0, 1. */
-template <typename Real>
+template<typename Real>
 inline TTexel<Real> ReadTexel(ETexelStorage Storage, const uint8_t* Address)
 {
 	switch (Storage)
@@ -60,14 +60,15 @@ inline TTexel<Real> ReadTexel(ETexelStorage Storage, const uint8_t* Address)
 	}
 }
 
-DRYDOCK_LANES_INLINE const uint8_t* TexelAddress(const FKernelMip& Mip, int32_t BytesPerTexel, int32_t X, int32_t Y, int32_t Z)
+DRYDOCK_LANES_INLINE const uint8_t* TexelAddress(
+	const FKernelMip& Mip, int32_t BytesPerTexel, int32_t X, int32_t Y, int32_t Z)
 {
 	return Mip.Data + int64_t(Z) * Mip.SlicePitch + int64_t(Y) * Mip.RowPitch + int64_t(X) * BytesPerTexel;
 }
 
 /** The one rule of filtering. A weight of 0 does not look at B. The difference form keeps constants as they are, bit
  *  for bit; where it ends in NaN (an infinity minus another) the product form decides, as in hardware. */
-template <typename Real>
+template<typename Real>
 DRYDOCK_LANES_INLINE Real FilterPair(Real A, Real B, Real Weight)
 {
 	if (Weight == 0)
@@ -77,14 +78,15 @@ DRYDOCK_LANES_INLINE Real FilterPair(Real A, Real B, Real Weight)
 	const Real Result = A + Weight * (B - A);
 	return Result == Result ? Result : A * (Real(1) - Weight) + B * Weight;
 }
-template <typename Real>
+template<typename Real>
 DRYDOCK_LANES_INLINE TTexel<Real> FilterPair(const TTexel<Real>& A, const TTexel<Real>& B, Real Weight)
 {
-	return {{FilterPair(A.C[0], B.C[0], Weight), FilterPair(A.C[1], B.C[1], Weight), FilterPair(A.C[2], B.C[2], Weight), FilterPair(A.C[3], B.C[3], Weight)}};
+	return {{FilterPair(A.C[0], B.C[0], Weight), FilterPair(A.C[1], B.C[1], Weight), FilterPair(A.C[2], B.C[2], Weight),
+		FilterPair(A.C[3], B.C[3], Weight)}};
 }
 
 /** One lane's texel and weight on one axis. */
-template <typename Real>
+template<typename Real>
 struct TTap
 {
 	int32_t First;
@@ -92,7 +94,7 @@ struct TTap
 	Real Weight;
 };
 
-template <typename Real, int N>
+template<typename Real, int N>
 DRYDOCK_LANES_INLINE TTap<Real> MakeTap(const TAxis<Real, N>& Axis, int Lane, int32_t Size, EKernelAddress Mode)
 {
 	const int32_t First = Axis.First.V[Lane];
@@ -100,7 +102,7 @@ DRYDOCK_LANES_INLINE TTap<Real> MakeTap(const TAxis<Real, N>& Axis, int Lane, in
 }
 
 /** A texture level with a sampler, read texel by texel. */
-template <typename Real>
+template<typename Real>
 struct TTexelReader
 {
 	const FKernelTexture& Texture;
@@ -109,7 +111,10 @@ struct TTexelReader
 	int32_t BytesPerTexel;
 
 	TTexelReader(const FKernelTexture& InTexture, const FKernelSampler& InSampler, int32_t MipIndex)
-		: Texture(InTexture), Sampler(InSampler), Mip(InTexture.Mips[MipIndex]), BytesPerTexel(GetTexelStorageInfo(InTexture.Storage).BytesPerTexel)
+		: Texture(InTexture)
+		, Sampler(InSampler)
+		, Mip(InTexture.Mips[MipIndex])
+		, BytesPerTexel(GetTexelStorageInfo(InTexture.Storage).BytesPerTexel)
 	{
 	}
 
@@ -150,7 +155,7 @@ struct TTexelReader
 	}
 };
 
-template <typename Real, int N>
+template<typename Real, int N>
 DRYDOCK_LANES_INLINE void WriteLane(Real* Out, int Lane, const TTexel<Real>& Texel)
 {
 	for (int c = 0; c < 4; ++c)
@@ -160,8 +165,9 @@ DRYDOCK_LANES_INLINE void WriteLane(Real* Out, int Lane, const TTexel<Real>& Tex
 }
 
 /** All lanes from one mip. Layers null: slice 0. */
-template <typename Real, int N>
-inline void SampleMip2DReference(const FKernelTexture& Texture, const FKernelSampler& Sampler, int32_t MipIndex, const TAxis<Real, N>& X, const TAxis<Real, N>& Y, const Real* Layers, Real* Out)
+template<typename Real, int N>
+inline void SampleMip2DReference(const FKernelTexture& Texture, const FKernelSampler& Sampler, int32_t MipIndex,
+	const TAxis<Real, N>& X, const TAxis<Real, N>& Y, const Real* Layers, Real* Out)
 {
 	const TTexelReader<Real> Reader(Texture, Sampler, MipIndex);
 	for (int Lane = 0; Lane < N; ++Lane)
@@ -173,8 +179,9 @@ inline void SampleMip2DReference(const FKernelTexture& Texture, const FKernelSam
 	}
 }
 
-template <typename Real, int N>
-inline void SampleMip3DReference(const FKernelTexture& Texture, const FKernelSampler& Sampler, int32_t MipIndex, const TAxis<Real, N>& X, const TAxis<Real, N>& Y, const TAxis<Real, N>& Z, Real* Out)
+template<typename Real, int N>
+inline void SampleMip3DReference(const FKernelTexture& Texture, const FKernelSampler& Sampler, int32_t MipIndex,
+	const TAxis<Real, N>& X, const TAxis<Real, N>& Y, const TAxis<Real, N>& Z, Real* Out)
 {
 	const TTexelReader<Real> Reader(Texture, Sampler, MipIndex);
 	for (int Lane = 0; Lane < N; ++Lane)

@@ -17,7 +17,7 @@ inline namespace DRYDOCK_LANES_SET
 {
 
 /** N neighbouring texels of one row, or of two blended (Row1 not null), as channels. */
-template <typename FFormat, int N>
+template<typename FFormat, int N>
 DRYDOCK_LANES_INLINE void LoadColumn(const uint8_t* Row0, const uint8_t* Row1, float Weight, TRaw<float, N> C[4])
 {
 	if constexpr (FFormat::bWide)
@@ -53,8 +53,9 @@ DRYDOCK_LANES_INLINE void LoadColumn(const uint8_t* Row0, const uint8_t* Row1, f
 }
 
 /** Lane i samples texels Row + i and Row + i + 1. */
-template <typename FFormat, int N>
-DRYDOCK_LANES_INLINE void SampleConsecutive(const uint8_t* Row0, const uint8_t* Row1, float WeightX, float WeightY, TRaw<float, N> C[4])
+template<typename FFormat, int N>
+DRYDOCK_LANES_INLINE void SampleConsecutive(
+	const uint8_t* Row0, const uint8_t* Row1, float WeightX, float WeightY, TRaw<float, N> C[4])
 {
 	if (WeightX == 0)
 	{
@@ -72,7 +73,8 @@ DRYDOCK_LANES_INLINE void SampleConsecutive(const uint8_t* Row0, const uint8_t* 
 				const uint8_t* P = Row0 + k * Step;
 				const uint8_t* Q = Row1 + k * Step;
 				const TRaw<float, N> Left = Blend(FFormat::template Load<N>(P), FFormat::template Load<N>(Q), WeightY);
-				const TRaw<float, N> Right = Blend(FFormat::template Load<N>(P + FFormat::Bytes), FFormat::template Load<N>(Q + FFormat::Bytes), WeightY);
+				const TRaw<float, N> Right = Blend(FFormat::template Load<N>(P + FFormat::Bytes),
+					FFormat::template Load<N>(Q + FFormat::Bytes), WeightY);
 				A[k] = Blend(Left, Right, WeightX);
 			}
 		}
@@ -99,8 +101,9 @@ DRYDOCK_LANES_INLINE void SampleConsecutive(const uint8_t* Row0, const uint8_t* 
 }
 
 /** Lane i samples texels Row + 2 i and Row + 2 i + 1; 2 N texels are read. */
-template <typename FFormat, int N>
-DRYDOCK_LANES_INLINE void SampleEveryOther(const uint8_t* Row0, const uint8_t* Row1, float WeightX, float WeightY, TRaw<float, N> C[4])
+template<typename FFormat, int N>
+DRYDOCK_LANES_INLINE void SampleEveryOther(
+	const uint8_t* Row0, const uint8_t* Row1, float WeightX, float WeightY, TRaw<float, N> C[4])
 {
 	using FOps = TLaneOps<N>;
 	if constexpr (FFormat::bWide)
@@ -146,8 +149,9 @@ DRYDOCK_LANES_INLINE void SampleEveryOther(const uint8_t* Row0, const uint8_t* R
 }
 
 /** Lane i samples texels Left[i] and Right[i] of a window of N (bTwo: 2 N) texels that starts at Row. */
-template <typename FFormat, int N, bool bTwo>
-DRYDOCK_LANES_INLINE void SampleWindow(const uint8_t* Row0, const uint8_t* Row1, TRaw<int32_t, N> Left, TRaw<int32_t, N> Right, TRaw<float, N> WeightX, float WeightY, TRaw<float, N> C[4])
+template<typename FFormat, int N, bool bTwo>
+DRYDOCK_LANES_INLINE void SampleWindow(const uint8_t* Row0, const uint8_t* Row1, TRaw<int32_t, N> Left,
+	TRaw<int32_t, N> Right, TRaw<float, N> WeightX, float WeightY, TRaw<float, N> C[4])
 {
 	using FOps = TLaneOps<N>;
 	constexpr int Second = N * FFormat::Bytes;
@@ -185,7 +189,8 @@ struct FRowPair
 };
 
 /** False when a row is on the border. */
-DRYDOCK_LANES_INLINE bool FindRows(const FKernelMip& Mip, const uint8_t* Base, EKernelAddress Mode, int32_t First, float Weight, FRowPair& Out)
+DRYDOCK_LANES_INLINE bool FindRows(
+	const FKernelMip& Mip, const uint8_t* Base, EKernelAddress Mode, int32_t First, float Weight, FRowPair& Out)
 {
 	const int32_t Top = AddressTexel(First, Mip.SizeY, Mode);
 	const int32_t Bottom = Weight == 0 ? Top : AddressTexel(First + 1, Mip.SizeY, Mode);
@@ -194,8 +199,9 @@ DRYDOCK_LANES_INLINE bool FindRows(const FKernelMip& Mip, const uint8_t* Base, E
 }
 
 /** The window and general paths. */
-template <typename FFormat, int N>
-inline bool SampleFootprints(const FKernelMip& Mip, const uint8_t* Base, const FKernelSampler& Sampler, const TAxis<float, N>& X, const TAxis<float, N>& Y, float* Out)
+template<typename FFormat, int N>
+inline bool SampleFootprints(const FKernelMip& Mip, const uint8_t* Base, const FKernelSampler& Sampler,
+	const TAxis<float, N>& X, const TAxis<float, N>& Y, float* Out)
 {
 	using FOps = TLaneOps<N>;
 	TRaw<float, N> C[4];
@@ -211,7 +217,8 @@ inline bool SampleFootprints(const FKernelMip& Mip, const uint8_t* Base, const F
 	}
 	if constexpr (FOps::bHasPermute)
 	{
-		const bool bOneRow = FOps::Equal(Y.First.V, Broadcast<int32_t, N>(Y.First.V[0])) && AllEqual<N>(Y.Weight.V, Y.Weight.V[0]);
+		const bool bOneRow =
+			FOps::Equal(Y.First.V, Broadcast<int32_t, N>(Y.First.V[0])) && AllEqual<N>(Y.Weight.V, Y.Weight.V[0]);
 		FRowPair Rows;
 		if (bOneRow && Mip.SizeX >= N && FindRows(Mip, Base, Sampler.AddressV, Y.First.V[0], Y.Weight.V[0], Rows))
 		{
@@ -221,14 +228,16 @@ inline bool SampleFootprints(const FKernelMip& Mip, const uint8_t* Base, const F
 			if (FOps::NoBits((F.Left - StartOne) | (F.Right - StartOne), -N))
 			{
 				const int64_t Offset = int64_t(StartOne) * FFormat::Bytes;
-				SampleWindow<FFormat, N, false>(Rows.Row0 + Offset, Rows.Row1 ? Rows.Row1 + Offset : nullptr, F.Left - StartOne, F.Right - StartOne, F.WeightX, Rows.Weight, C);
+				SampleWindow<FFormat, N, false>(Rows.Row0 + Offset, Rows.Row1 ? Rows.Row1 + Offset : nullptr,
+					F.Left - StartOne, F.Right - StartOne, F.WeightX, Rows.Weight, C);
 				return Finish<FFormat, N>(C, Out);
 			}
 			const int32_t StartTwo = Lowest < Mip.SizeX - 2 * N ? Lowest : Mip.SizeX - 2 * N;
 			if (StartTwo >= 0 && FOps::NoBits((F.Left - StartTwo) | (F.Right - StartTwo), -2 * N))
 			{
 				const int64_t Offset = int64_t(StartTwo) * FFormat::Bytes;
-				SampleWindow<FFormat, N, true>(Rows.Row0 + Offset, Rows.Row1 ? Rows.Row1 + Offset : nullptr, F.Left - StartTwo, F.Right - StartTwo, F.WeightX, Rows.Weight, C);
+				SampleWindow<FFormat, N, true>(Rows.Row0 + Offset, Rows.Row1 ? Rows.Row1 + Offset : nullptr,
+					F.Left - StartTwo, F.Right - StartTwo, F.WeightX, Rows.Weight, C);
 				return Finish<FFormat, N>(C, Out);
 			}
 		}
@@ -245,8 +254,9 @@ inline bool SampleFootprints(const FKernelMip& Mip, const uint8_t* Base, const F
 }
 
 /** One mip of one slice (Base). Fills Out; false when a result is NaN, which the reference decides. */
-template <typename FFormat, int N>
-inline bool SampleMip2DTuned(const FKernelMip& Mip, const uint8_t* Base, const FKernelSampler& Sampler, const float* U, const float* V, float* Out)
+template<typename FFormat, int N>
+inline bool SampleMip2DTuned(const FKernelMip& Mip, const uint8_t* Base, const FKernelSampler& Sampler, const float* U,
+	const float* V, float* Out)
 {
 	using FInt = TRaw<int32_t, N>;
 	using FFloat = TRaw<float, N>;
@@ -265,12 +275,14 @@ inline bool SampleMip2DTuned(const FKernelMip& Mip, const uint8_t* Base, const F
 	const FInt SnappedX = FOps::FloorToInt(LoadRaw<FFloat>(U) * (float(Mip.SizeX) * 256.0f) + 0.5f);
 	const FInt SnappedY = FOps::FloorToInt(LoadRaw<FFloat>(V) * (float(Mip.SizeY) * 256.0f) + 0.5f);
 	const int32_t Half = bPoint ? 0 : 128;
-	const int32_t FixedX = int32_t(uint32_t(SnappedX[0]) - uint32_t(Half)); // wraps where it does not fit: then Start is out of range
+	const int32_t FixedX =
+		int32_t(uint32_t(SnappedX[0]) - uint32_t(Half)); // wraps where it does not fit: then Start is out of range
 	const int32_t FixedY = int32_t(uint32_t(SnappedY[0]) - uint32_t(Half));
 	const int32_t Start = FixedX >> 8;
 	FRowPair Rows;
-	if (FOps::Equal(SnappedY, Broadcast<int32_t, N>(SnappedY[0])) && uint32_t(Start) < uint32_t(Mip.SizeX) && SnappedY[0] >= -Far && SnappedY[0] <= Far
-		&& FindRows(Mip, Base, Sampler.AddressV, FixedY >> 8, bPoint ? 0.0f : float(FixedY & 255) * (1.0f / 256), Rows))
+	if (FOps::Equal(SnappedY, Broadcast<int32_t, N>(SnappedY[0])) && uint32_t(Start) < uint32_t(Mip.SizeX) &&
+		SnappedY[0] >= -Far && SnappedY[0] <= Far &&
+		FindRows(Mip, Base, Sampler.AddressV, FixedY >> 8, bPoint ? 0.0f : float(FixedY & 255) * (1.0f / 256), Rows))
 	{
 		const float WeightX = bPoint ? 0.0f : float(FixedX & 255) * (1.0f / 256);
 		const int64_t Offset = int64_t(Start) * FFormat::Bytes;
@@ -302,8 +314,12 @@ inline bool SampleMip2DTuned(const FKernelMip& Mip, const uint8_t* Base, const F
 		const TAxis<float, N> Y = MakeAxis<float, N>(V, Mip.SizeY, bPoint, 8);
 		return SampleFootprints<FFormat, N>(Mip, Base, Sampler, X, Y, Out);
 	}
-	const auto Bound = [Limit](FInt S) { return Max(Min(TInt<N>(S), TInt<N>(Limit)), TInt<N>(-Limit)); };
-	return SampleFootprints<FFormat, N>(Mip, Base, Sampler, MakeAxisFixed<float, N>(Bound(SnappedX), bPoint), MakeAxisFixed<float, N>(Bound(SnappedY), bPoint), Out);
+	const auto Bound = [Limit](FInt S)
+	{
+		return Max(Min(TInt<N>(S), TInt<N>(Limit)), TInt<N>(-Limit));
+	};
+	return SampleFootprints<FFormat, N>(Mip, Base, Sampler, MakeAxisFixed<float, N>(Bound(SnappedX), bPoint),
+		MakeAxisFixed<float, N>(Bound(SnappedY), bPoint), Out);
 }
 
 } // namespace DRYDOCK_LANES_SET

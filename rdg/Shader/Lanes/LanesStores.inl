@@ -11,7 +11,7 @@ inline namespace DRYDOCK_LANES_SET
 {
 
 /** Unsigned 5-bit-exponent floats of R11G11B10, in the low bits of each word: rounded once, from the float itself. */
-template <int MantissaBits, int N>
+template<int MantissaBits, int N>
 DRYDOCK_LANES_INLINE TRaw<uint32_t, N> EncodeMiniFloat(TRaw<float, N> X)
 {
 	using FInt = TRaw<int32_t, N>;
@@ -21,7 +21,8 @@ DRYDOCK_LANES_INLINE TRaw<uint32_t, N> EncodeMiniFloat(TRaw<float, N> X)
 	const FInt Bits = FInt(X);
 	const FInt Magnitude = Bits & 0x7FFFFFFF;
 	const FInt Normal = (Magnitude - (112 << 23) + ((1 << (Shift - 1)) - 1) + ((Magnitude >> Shift) & 1)) >> Shift;
-	// The unit of a denormal is 2^(-14 - MantissaBits); the last bit of a float in [Magic, 2 Magic) has the same weight.
+	// The unit of a denormal is 2^(-14 - MantissaBits); the last bit of a float in [Magic, 2 Magic) has the same
+	// weight.
 	const FFloat Magic = Broadcast<float, N>(__builtin_bit_cast(float, (127 - 14 - MantissaBits + 23) << 23));
 	const FInt Denormal = FInt(FFloat(FFloat(Magnitude) + Magic)) - FInt(Magic);
 	FInt Result = Magnitude < (113 << 23) ? Denormal : Normal;
@@ -34,7 +35,7 @@ DRYDOCK_LANES_INLINE TRaw<uint32_t, N> EncodeMiniFloat(TRaw<float, N> X)
 }
 
 /** X * Max rounded to the nearest even integer; the product is exact in double. NaN gives 0. */
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TRaw<uint32_t, N> EncodeUnormField(TRaw<float, N> X, uint32_t Max)
 {
 	const TRaw<float, N> Clamped = Saturate(TReal<float, N>(X)).V;
@@ -52,14 +53,14 @@ DRYDOCK_LANES_INLINE TRaw<uint32_t, N> EncodeUnormField(TRaw<float, N> X, uint32
 	return Result;
 }
 
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TRaw<uint32_t, N> EncodeHalfField(TRaw<float, N> X)
 {
 	return Convert::FloatToHalf(TReal<float, N>(X)).V;
 }
 
 /** N whole texels, all lanes. False when the storage has no tuned store. */
-template <int N>
+template<int N>
 inline bool StoreRow(const FKernelTexture& Texture, uint8_t* Address, const float* Value)
 {
 	using FFloat = TRaw<float, N>;
@@ -69,7 +70,8 @@ inline bool StoreRow(const FKernelTexture& Texture, uint8_t* Address, const floa
 	{
 		C[c] = LoadRaw<FFloat>(Value + c * N);
 	}
-	const bool bHalf = Texture.Storage == ETexelStorage::RGBA16_FLOAT || Texture.Storage == ETexelStorage::RG16_FLOAT || Texture.Storage == ETexelStorage::R16_FLOAT;
+	const bool bHalf = Texture.Storage == ETexelStorage::RGBA16_FLOAT || Texture.Storage == ETexelStorage::RG16_FLOAT ||
+					   Texture.Storage == ETexelStorage::R16_FLOAT;
 	if (bHalf && Texture.bSaturateStore)
 	{
 		return false;
@@ -94,7 +96,8 @@ inline bool StoreRow(const FKernelTexture& Texture, uint8_t* Address, const floa
 		return true;
 	}
 	case ETexelStorage::R11G11B10_FLOAT:
-		StoreRaw(Address, FWord(EncodeMiniFloat<6, N>(C[0]) | (EncodeMiniFloat<6, N>(C[1]) << 11) | (EncodeMiniFloat<5, N>(C[2]) << 22)));
+		StoreRaw(Address, FWord(EncodeMiniFloat<6, N>(C[0]) | (EncodeMiniFloat<6, N>(C[1]) << 11) |
+								(EncodeMiniFloat<5, N>(C[2]) << 22)));
 		return true;
 	case ETexelStorage::R32_FLOAT:
 		StoreRaw(Address, C[0]);
@@ -111,7 +114,8 @@ inline bool StoreRow(const FKernelTexture& Texture, uint8_t* Address, const floa
 		const bool bSwap = Texture.Storage == ETexelStorage::BGRA8_UNORM;
 		const FWord First = EncodeUnormField<N>(C[bSwap ? 2 : 0], 255);
 		const FWord Third = EncodeUnormField<N>(C[bSwap ? 0 : 2], 255);
-		StoreRaw(Address, FWord(First | (EncodeUnormField<N>(C[1], 255) << 8) | (Third << 16) | (EncodeUnormField<N>(C[3], 255) << 24)));
+		StoreRaw(Address, FWord(First | (EncodeUnormField<N>(C[1], 255) << 8) | (Third << 16) |
+								(EncodeUnormField<N>(C[3], 255) << 24)));
 		return true;
 	}
 	case ETexelStorage::R8_UNORM:
@@ -122,7 +126,7 @@ inline bool StoreRow(const FKernelTexture& Texture, uint8_t* Address, const floa
 	}
 }
 
-template <typename Real, int N>
+template<typename Real, int N>
 inline void StoreLane(const FKernelTexture& Texture, uint8_t* Address, const Real* Value, int Lane)
 {
 	const Real RGBA[4] = {Value[Lane], Value[N + Lane], Value[2 * N + Lane], Value[3 * N + Lane]};
@@ -130,8 +134,9 @@ inline void StoreLane(const FKernelTexture& Texture, uint8_t* Address, const Rea
 }
 
 /** A row piece at (X0, Y) of one mip: lanes outside it or off in the mask are dropped. */
-template <typename Real, int N>
-inline void StoreConsecutive(const FKernelTexture& Texture, const FKernelMip& Mip, const int32_t* Mask, int32_t X0, int32_t Y, int32_t Z, const Real* Value)
+template<typename Real, int N>
+inline void StoreConsecutive(const FKernelTexture& Texture, const FKernelMip& Mip, const int32_t* Mask, int32_t X0,
+	int32_t Y, int32_t Z, const Real* Value)
 {
 	if (uint32_t(Y) >= uint32_t(Mip.SizeY) || uint32_t(Z) >= uint32_t(Mip.SizeZ))
 	{
@@ -146,7 +151,8 @@ inline void StoreConsecutive(const FKernelTexture& Texture, const FKernelMip& Mi
 		{
 			return;
 		}
-		// A part of a row goes through the same conversion beside the texture: the tail of a row costs no more than its middle.
+		// A part of a row goes through the same conversion beside the texture: the tail of a row costs no more than its
+		// middle.
 		alignas(64) uint8_t Row[N * 16];
 		if (StoreRow<N>(Texture, Row, Value))
 		{
@@ -154,7 +160,8 @@ inline void StoreConsecutive(const FKernelTexture& Texture, const FKernelMip& Mi
 			{
 				if (Mask[Lane] && uint32_t(X0) + uint32_t(Lane) < uint32_t(Mip.SizeX))
 				{
-					__builtin_memcpy(const_cast<uint8_t*>(TexelAddress(Mip, Bytes, X0 + Lane, Y, Z)), Row + Lane * Bytes, size_t(Bytes));
+					__builtin_memcpy(const_cast<uint8_t*>(TexelAddress(Mip, Bytes, X0 + Lane, Y, Z)),
+						Row + Lane * Bytes, size_t(Bytes));
 				}
 			}
 			return;
@@ -169,7 +176,7 @@ inline void StoreConsecutive(const FKernelTexture& Texture, const FKernelMip& Mi
 	}
 }
 
-template <typename Real>
+template<typename Real>
 inline Real BlendFactor(EKernelBlendFactor Factor, int Channel, const Real Source[4], const Real Dest[4])
 {
 	switch (Factor)
@@ -204,8 +211,9 @@ inline Real BlendFactor(EKernelBlendFactor Factor, int Channel, const Real Sourc
 
 /** A factor of 0 removes its term even when the term is infinite or NaN: fixed-function blending does not multiply by
  *  a constant 0. Min and Max ignore the factors. */
-template <typename Real>
-inline Real BlendChannel(EKernelBlendOp Op, EKernelBlendFactor SourceFactor, EKernelBlendFactor DestFactor, int Channel, const Real Source[4], const Real Dest[4])
+template<typename Real>
+inline Real BlendChannel(EKernelBlendOp Op, EKernelBlendFactor SourceFactor, EKernelBlendFactor DestFactor, int Channel,
+	const Real Source[4], const Real Dest[4])
 {
 	const Real S = Source[Channel];
 	const Real D = Dest[Channel];
@@ -217,8 +225,10 @@ inline Real BlendChannel(EKernelBlendOp Op, EKernelBlendFactor SourceFactor, EKe
 	{
 		return Max(S, D);
 	}
-	const Real SourceTerm = SourceFactor == EKernelBlendFactor::Zero ? Real(0) : S * BlendFactor(SourceFactor, Channel, Source, Dest);
-	const Real DestTerm = DestFactor == EKernelBlendFactor::Zero ? Real(0) : D * BlendFactor(DestFactor, Channel, Source, Dest);
+	const Real SourceTerm =
+		SourceFactor == EKernelBlendFactor::Zero ? Real(0) : S * BlendFactor(SourceFactor, Channel, Source, Dest);
+	const Real DestTerm =
+		DestFactor == EKernelBlendFactor::Zero ? Real(0) : D * BlendFactor(DestFactor, Channel, Source, Dest);
 	switch (Op)
 	{
 	case EKernelBlendOp::Subtract:
@@ -230,7 +240,7 @@ inline Real BlendChannel(EKernelBlendOp Op, EKernelBlendFactor SourceFactor, EKe
 	}
 }
 
-template <typename Real>
+template<typename Real>
 inline void BlendTexel(const FKernelTarget& Target, const Real Source[4], const Real Dest[4], Real Out[4])
 {
 	for (int c = 0; c < 4; ++c)
@@ -274,7 +284,7 @@ inline void MergeTexel(ETexelStorage Storage, uint8_t WriteMask, const uint8_t* 
 	}
 }
 
-template <typename Real, int N>
+template<typename Real, int N>
 inline void StoreTargetLanes(const FKernelTarget& Target, const int32_t* Mask, int32_t X0, int32_t Y, const Real* Value)
 {
 	const FKernelTexture& Texture = Target.Texture;

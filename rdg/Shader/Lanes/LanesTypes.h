@@ -27,33 +27,39 @@ namespace Drydock::Lanes
 inline namespace DRYDOCK_LANES_SET
 {
 
-template <typename Scalar, int N>
+template<typename Scalar, int N>
 struct TPack
 {
 	typedef Scalar FVector __attribute__((vector_size(sizeof(Scalar) * N)));
 };
 
 /** Raw vector of N scalars. */
-template <typename Scalar, int N>
+template<typename Scalar, int N>
 using TRaw = typename TPack<Scalar, N>::FVector;
 
 /** All lanes equal. Subtraction of +0 keeps every value as it is, -0 included; addition would not. */
-template <typename Scalar, int N>
+template<typename Scalar, int N>
 DRYDOCK_LANES_INLINE TRaw<Scalar, N> Broadcast(Scalar X)
 {
 	return X - TRaw<Scalar, N>{};
 }
 
 /** A bool per lane, kept as int32 -1 or 0. */
-template <int N>
+template<int N>
 struct TMask
 {
 	using FRaw = TRaw<int32_t, N>;
 	FRaw V;
 
 	TMask() = default;
-	DRYDOCK_LANES_INLINE explicit TMask(FRaw InV) : V(InV) {}
-	DRYDOCK_LANES_INLINE TMask(bool b) : V(Broadcast<int32_t, N>(-int32_t(b))) {}
+	DRYDOCK_LANES_INLINE explicit TMask(FRaw InV)
+		: V(InV)
+	{
+	}
+	DRYDOCK_LANES_INLINE TMask(bool b)
+		: V(Broadcast<int32_t, N>(-int32_t(b)))
+	{
+	}
 	DRYDOCK_LANES_INLINE bool operator[](int Lane) const { return V[Lane] != 0; }
 
 	friend DRYDOCK_LANES_INLINE TMask operator&(TMask A, TMask B) { return TMask(A.V & B.V); }
@@ -68,7 +74,7 @@ struct TMask
 };
 
 /** int32 per lane. Arithmetic wraps: it is done on unsigned vectors. */
-template <int N>
+template<int N>
 struct TInt
 {
 	using FRaw = TRaw<int32_t, N>;
@@ -76,8 +82,14 @@ struct TInt
 	FRaw V;
 
 	TInt() = default;
-	DRYDOCK_LANES_INLINE explicit TInt(FRaw InV) : V(InV) {}
-	DRYDOCK_LANES_INLINE TInt(int32_t X) : V(Broadcast<int32_t, N>(X)) {}
+	DRYDOCK_LANES_INLINE explicit TInt(FRaw InV)
+		: V(InV)
+	{
+	}
+	DRYDOCK_LANES_INLINE TInt(int32_t X)
+		: V(Broadcast<int32_t, N>(X))
+	{
+	}
 	DRYDOCK_LANES_INLINE int32_t operator[](int Lane) const { return V[Lane]; }
 
 	friend DRYDOCK_LANES_INLINE TInt operator+(TInt A, TInt B) { return TInt(FRaw(FUnsigned(A.V) + FUnsigned(B.V))); }
@@ -98,7 +110,7 @@ struct TInt
 };
 
 /** uint32 per lane. */
-template <int N>
+template<int N>
 struct TUint
 {
 	using FRaw = TRaw<uint32_t, N>;
@@ -106,8 +118,14 @@ struct TUint
 	FRaw V;
 
 	TUint() = default;
-	DRYDOCK_LANES_INLINE explicit TUint(FRaw InV) : V(InV) {}
-	DRYDOCK_LANES_INLINE TUint(uint32_t X) : V(Broadcast<uint32_t, N>(X)) {}
+	DRYDOCK_LANES_INLINE explicit TUint(FRaw InV)
+		: V(InV)
+	{
+	}
+	DRYDOCK_LANES_INLINE TUint(uint32_t X)
+		: V(Broadcast<uint32_t, N>(X))
+	{
+	}
 	DRYDOCK_LANES_INLINE uint32_t operator[](int Lane) const { return V[Lane]; }
 
 	friend DRYDOCK_LANES_INLINE TUint operator+(TUint A, TUint B) { return TUint(A.V + B.V); }
@@ -128,7 +146,7 @@ struct TUint
 };
 
 /** float or double per lane. */
-template <typename Real, int N>
+template<typename Real, int N>
 struct TReal
 {
 	static_assert(std::is_floating_point_v<Real>);
@@ -137,8 +155,14 @@ struct TReal
 	FRaw V;
 
 	TReal() = default;
-	DRYDOCK_LANES_INLINE explicit TReal(FRaw InV) : V(InV) {}
-	DRYDOCK_LANES_INLINE TReal(Real X) : V(Broadcast<Real, N>(X)) {}
+	DRYDOCK_LANES_INLINE explicit TReal(FRaw InV)
+		: V(InV)
+	{
+	}
+	DRYDOCK_LANES_INLINE TReal(Real X)
+		: V(Broadcast<Real, N>(X))
+	{
+	}
 	DRYDOCK_LANES_INLINE Real operator[](int Lane) const { return V[Lane]; }
 
 	static DRYDOCK_LANES_INLINE TMask<N> MakeMask(FBits B)
@@ -177,63 +201,109 @@ struct TReal
 	}
 };
 
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TMask<N> Select(TMask<N> C, TMask<N> A, TMask<N> B)
 {
 	return TMask<N>((C.V & A.V) | (~C.V & B.V));
 }
 
 // What kind of thing a type is.
-template <typename T> inline constexpr bool TIsLanes = false;
-template <int N> inline constexpr bool TIsLanes<TMask<N>> = true;
-template <int N> inline constexpr bool TIsLanes<TInt<N>> = true;
-template <int N> inline constexpr bool TIsLanes<TUint<N>> = true;
-template <typename Real, int N> inline constexpr bool TIsLanes<TReal<Real, N>> = true;
-template <typename T> concept CUniform = std::is_arithmetic_v<T>;
-template <typename T> concept CLanes = TIsLanes<T>;
-template <typename T> concept CScalar = CUniform<T> || CLanes<T>;
+template<typename T>
+inline constexpr bool TIsLanes = false;
+template<int N>
+inline constexpr bool TIsLanes<TMask<N>> = true;
+template<int N>
+inline constexpr bool TIsLanes<TInt<N>> = true;
+template<int N>
+inline constexpr bool TIsLanes<TUint<N>> = true;
+template<typename Real, int N>
+inline constexpr bool TIsLanes<TReal<Real, N>> = true;
+template<typename T>
+concept CUniform = std::is_arithmetic_v<T>;
+template<typename T>
+concept CLanes = TIsLanes<T>;
+template<typename T>
+concept CScalar = CUniform<T> || CLanes<T>;
 
-template <int N, typename T> struct TVaryingOf { using Type = T; };
-template <int N> struct TVaryingOf<N, bool> { using Type = TMask<N>; };
-template <int N> struct TVaryingOf<N, int32_t> { using Type = TInt<N>; };
-template <int N> struct TVaryingOf<N, uint32_t> { using Type = TUint<N>; };
-template <int N> struct TVaryingOf<N, float> { using Type = TReal<float, N>; };
-template <int N> struct TVaryingOf<N, double> { using Type = TReal<double, N>; };
+template<int N, typename T>
+struct TVaryingOf
+{
+	using Type = T;
+};
+template<int N>
+struct TVaryingOf<N, bool>
+{
+	using Type = TMask<N>;
+};
+template<int N>
+struct TVaryingOf<N, int32_t>
+{
+	using Type = TInt<N>;
+};
+template<int N>
+struct TVaryingOf<N, uint32_t>
+{
+	using Type = TUint<N>;
+};
+template<int N>
+struct TVaryingOf<N, float>
+{
+	using Type = TReal<float, N>;
+};
+template<int N>
+struct TVaryingOf<N, double>
+{
+	using Type = TReal<double, N>;
+};
 
 /** The varying type of a uniform scalar, TVec, TMat or TArray; a varying type is its own. */
-template <int N, typename T>
+template<int N, typename T>
 using Varying = typename TVaryingOf<N, T>::Type;
 
 /** X in every lane. */
-template <int N, typename T>
+template<int N, typename T>
 DRYDOCK_LANES_INLINE Varying<N, T> Vary(const T& X)
 {
 	return Varying<N, T>(X);
 }
 
 // The type two operands meet in.
-template <typename A, typename B> struct TMeet;
-template <typename A> struct TMeet<A, A> { using Type = A; };
-template <CLanes A, CUniform B> struct TMeet<A, B> { using Type = A; };
-template <CUniform A, CLanes B> struct TMeet<A, B> { using Type = B; };
-template <typename A, typename B> using Meet = typename TMeet<A, B>::Type;
+template<typename A, typename B>
+struct TMeet;
+template<typename A>
+struct TMeet<A, A>
+{
+	using Type = A;
+};
+template<CLanes A, CUniform B>
+struct TMeet<A, B>
+{
+	using Type = A;
+};
+template<CUniform A, CLanes B>
+struct TMeet<A, B>
+{
+	using Type = B;
+};
+template<typename A, typename B>
+using Meet = typename TMeet<A, B>::Type;
 
 /** Mask and two uniform values. */
-template <int N, CUniform S>
+template<int N, CUniform S>
 DRYDOCK_LANES_INLINE auto Select(TMask<N> C, S A, S B)
 {
 	return Select(C, Vary<N>(A), Vary<N>(B));
 }
 
 /** Uniform condition. */
-template <CScalar A, CScalar B>
+template<CScalar A, CScalar B>
 DRYDOCK_LANES_INLINE Meet<A, B> Select(bool C, A X, B Y)
 {
 	return C ? Meet<A, B>(X) : Meet<A, B>(Y);
 }
 
 /** Bit i is lane i. */
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE uint32_t MaskBits(TMask<N> M)
 {
 #if DRYDOCK_LANES_LEVEL >= 4
@@ -262,17 +332,17 @@ DRYDOCK_LANES_INLINE uint32_t MaskBits(TMask<N> M)
 	return Bits;
 }
 
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE bool AnyLane(TMask<N> M)
 {
 	return MaskBits(M) != 0;
 }
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE bool AllLanes(TMask<N> M)
 {
 	return MaskBits(M) == (uint32_t(1) << N) - 1;
 }
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE uint32_t CountLanes(TMask<N> M)
 {
 	return uint32_t(__builtin_popcount(MaskBits(M)));
@@ -291,7 +361,7 @@ DRYDOCK_LANES_INLINE uint32_t CountLanes(bool b)
 }
 
 /** 0, 1, 2, .. */
-template <int N>
+template<int N>
 DRYDOCK_LANES_INLINE TInt<N> LaneIndex()
 {
 	TInt<N> Result;
@@ -302,24 +372,24 @@ DRYDOCK_LANES_INLINE TInt<N> LaneIndex()
 	return Result;
 }
 
-template <CLanes T>
+template<CLanes T>
 DRYDOCK_LANES_INLINE auto First(T X)
 {
 	return X[0];
 }
-template <CUniform T>
+template<CUniform T>
 DRYDOCK_LANES_INLINE T First(T X)
 {
 	return X;
 }
 
 /** Place = Value in the lanes of the mask; the other lanes keep what they hold. */
-template <int N, CLanes T, CScalar S>
+template<int N, CLanes T, CScalar S>
 DRYDOCK_LANES_INLINE void Assign(TMask<N> M, T& Place, S Value)
 {
 	Place = Select(M, T(Value), Place);
 }
-template <CScalar T, CScalar S>
+template<CScalar T, CScalar S>
 DRYDOCK_LANES_INLINE void Assign(bool b, T& Place, S Value)
 {
 	Place = b ? T(Value) : Place;

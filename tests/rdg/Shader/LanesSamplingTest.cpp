@@ -48,14 +48,15 @@ struct FModelTap
 };
 
 /** Product: the coordinate times the size, in the arithmetic of the shader, as is the snapping. */
-template <typename Real>
+template<typename Real>
 FModelTap ModelAxis(Real Product, int32_t Size, bool bPoint, EKernelAddress Mode, int SampleBits)
 {
 	const Real Bounded = std::isnan(Product) ? Real(0) : std::clamp(Product, Real(-4194304), Real(4194304));
 	const double X = SampleBits == 8 ? std::floor(Bounded * 256 + Real(0.5)) / 256 : Bounded;
 	const double Place = bPoint ? X : X - 0.5;
 	const double First = std::floor(Place);
-	return {{ModelAddress(int64_t(First), Size, Mode), ModelAddress(int64_t(First) + 1, Size, Mode)}, bPoint ? 0 : Place - First};
+	return {{ModelAddress(int64_t(First), Size, Mode), ModelAddress(int64_t(First) + 1, Size, Mode)},
+		bPoint ? 0 : Place - First};
 }
 
 double ModelMix(double A, double B, double Weight)
@@ -63,7 +64,7 @@ double ModelMix(double A, double B, double Weight)
 	return Weight == 0 ? A : A * (1 - Weight) + B * Weight;
 }
 
-template <typename Real>
+template<typename Real>
 FTexel ModelSample(FTestTexture& T, const FKernelSampler& S, Real ProductU, Real ProductV, int32_t Z, int32_t Mip)
 {
 	const FKernelMip& M = T.Mips[size_t(Mip)];
@@ -90,7 +91,7 @@ FTexel ModelSample(FTestTexture& T, const FKernelSampler& S, Real ProductU, Real
 
 // ---- Running the real thing.
 
-template <typename Real>
+template<typename Real>
 struct TSamples
 {
 	std::vector<Real> U;
@@ -99,8 +100,9 @@ struct TSamples
 };
 
 /** Samples everything in groups of N; the count is a multiple of 16. */
-template <typename Real, int N>
-std::vector<std::array<Real, 4>> RunSample2D(const FKernelTexture& T, const FKernelSampler& S, const std::vector<Real>& U, const std::vector<Real>& V, Real Level = 0)
+template<typename Real, int N>
+std::vector<std::array<Real, 4>> RunSample2D(const FKernelTexture& T, const FKernelSampler& S,
+	const std::vector<Real>& U, const std::vector<Real>& V, Real Level = 0)
 {
 	std::vector<std::array<Real, 4>> Results(U.size());
 	for (size_t i = 0; i + N <= U.size(); i += N)
@@ -119,8 +121,9 @@ std::vector<std::array<Real, 4>> RunSample2D(const FKernelTexture& T, const FKer
 	return Results;
 }
 
-template <typename Real>
-void ExpectSameBits(const std::vector<std::array<Real, 4>>& Expected, const std::vector<std::array<Real, 4>>& Actual, const std::string& What)
+template<typename Real>
+void ExpectSameBits(const std::vector<std::array<Real, 4>>& Expected, const std::vector<std::array<Real, 4>>& Actual,
+	const std::string& What)
 {
 	for (size_t i = 0; i < Expected.size(); ++i)
 	{
@@ -133,14 +136,15 @@ void ExpectSameBits(const std::vector<std::array<Real, 4>>& Expected, const std:
 	}
 }
 
-template <typename Real>
+template<typename Real>
 void ExpectNear(const FTexel& Expected, const std::array<Real, 4>& Actual, double Scale, const std::string& What)
 {
 	for (size_t c = 0; c < 4; ++c)
 	{
 		if (std::isnan(Expected[c]) || std::isinf(Expected[c]))
 		{
-			ASSERT_TRUE(std::isnan(Expected[c]) ? std::isnan(Actual[c]) : double(Actual[c]) == Expected[c]) << What << " channel " << c << ": " << Expected[c] << " and " << Actual[c];
+			ASSERT_TRUE(std::isnan(Expected[c]) ? std::isnan(Actual[c]) : double(Actual[c]) == Expected[c])
+				<< What << " channel " << c << ": " << Expected[c] << " and " << Actual[c];
 		}
 		else
 		{
@@ -150,7 +154,7 @@ void ExpectNear(const FTexel& Expected, const std::array<Real, 4>& Actual, doubl
 }
 
 /** Coordinates of the patterns that have code of their own, and of none: a full row of lanes each. */
-template <typename Real>
+template<typename Real>
 TSamples<Real> MakeCoordinates(int32_t SizeX, int32_t SizeY, uint32_t Seed)
 {
 	TSamples<Real> Samples;
@@ -184,7 +188,8 @@ TSamples<Real> MakeCoordinates(int32_t SizeX, int32_t SizeY, uint32_t Seed)
 		Samples.U.push_back(Real((0.5 + (Lane < 8 ? Lane : 2 * Lane)) / SizeX));
 		Samples.V.push_back(Real(8000000.3 / SizeY));
 	}
-	for (Real Strange : {Real(1e30), Real(-1e30), Real(GInf), Real(-GInf), Real(GNanF), Real(1e9), Real(-0.0), Real(12345.678)})
+	for (Real Strange :
+		{Real(1e30), Real(-1e30), Real(GInf), Real(-GInf), Real(GNanF), Real(1e9), Real(-0.0), Real(12345.678)})
 	{
 		for (int i = 0; i < 2; ++i)
 		{
@@ -202,12 +207,14 @@ struct FSize
 };
 constexpr FSize GSizes[] = {{64, 5}, {37, 21}, {16, 1}, {1, 1}, {1, 9}, {7, 3}, {33, 2}};
 constexpr EKernelFilter GFilters[] = {EKernelFilter::Point, EKernelFilter::Bilinear};
-constexpr EKernelAddress GAddresses[] = {EKernelAddress::Wrap, EKernelAddress::Clamp, EKernelAddress::Mirror, EKernelAddress::Border};
+constexpr EKernelAddress GAddresses[] = {
+	EKernelAddress::Wrap, EKernelAddress::Clamp, EKernelAddress::Mirror, EKernelAddress::Border};
 
 std::string Describe(ETexelStorage Storage, FSize Size, const FKernelSampler& S)
 {
-	return std::string(GetTexelStorageInfo(Storage).Name) + " " + std::to_string(Size.X) + "x" + std::to_string(Size.Y) + " filter " + std::to_string(int(S.Filter)) + " address "
-		+ std::to_string(int(S.AddressU)) + " bits " + std::to_string(S.SampleBits);
+	return std::string(GetTexelStorageInfo(Storage).Name) + " " + std::to_string(Size.X) + "x" +
+		   std::to_string(Size.Y) + " filter " + std::to_string(int(S.Filter)) + " address " +
+		   std::to_string(int(S.AddressU)) + " bits " + std::to_string(S.SampleBits);
 }
 
 class FLanesSamplingFormat : public testing::TestWithParam<int>
@@ -215,7 +222,7 @@ class FLanesSamplingFormat : public testing::TestWithParam<int>
 protected:
 	ETexelStorage Storage = ETexelStorage(GetParam());
 
-	template <typename F>
+	template<typename F>
 	void ForEachCase(F f)
 	{
 		for (FSize Size : GSizes)
@@ -245,64 +252,76 @@ protected:
 
 TEST_P(FLanesSamplingFormat, FloatFollowsTheModel)
 {
-	ForEachCase([this](FTestTexture& T, FSize Size, const FKernelSampler& S)
-	{
-		const TSamples<float> Samples = MakeCoordinates<float>(Size.X, Size.Y, 1);
-		const auto Out = RunSample2D<float, 4>(T.Texture, S, Samples.U, Samples.V);
-		const double Scale = GetTexelStorageInfo(Storage).Kind == ETexelKind::Uint ? 200 : 1;
-		for (size_t i = 0; i < Out.size(); ++i)
+	ForEachCase(
+		[this](FTestTexture& T, FSize Size, const FKernelSampler& S)
 		{
-			const float ProductU = Samples.U[i] * float(Size.X);
-			const float ProductV = Samples.V[i] * float(Size.Y);
-			// Unsnapped, x - 0.5 is rounded to float: half a unit in the last place of x, times a step of at most 1 per texel.
-			const double Far = S.SampleBits == 8 ? 0 : 6e-8 * (std::fmin(std::abs(ProductU), 4.2e6f) + std::fmin(std::abs(ProductV), 4.2e6f));
-			ExpectNear(ModelSample(T, S, ProductU, ProductV, 0, 0), Out[i], (4e-7 + Far) * Scale,
-				Describe(Storage, Size, S) + " at " + std::to_string(ProductU) + "," + std::to_string(ProductV));
-			if (HasFatalFailure())
+			const TSamples<float> Samples = MakeCoordinates<float>(Size.X, Size.Y, 1);
+			const auto Out = RunSample2D<float, 4>(T.Texture, S, Samples.U, Samples.V);
+			const double Scale = GetTexelStorageInfo(Storage).Kind == ETexelKind::Uint ? 200 : 1;
+			for (size_t i = 0; i < Out.size(); ++i)
 			{
-				return;
+				const float ProductU = Samples.U[i] * float(Size.X);
+				const float ProductV = Samples.V[i] * float(Size.Y);
+				// Unsnapped, x - 0.5 is rounded to float: half a unit in the last place of x, times a step of at most 1
+				// per texel.
+				const double Far =
+					S.SampleBits == 8
+						? 0
+						: 6e-8 * (std::fmin(std::abs(ProductU), 4.2e6f) + std::fmin(std::abs(ProductV), 4.2e6f));
+				ExpectNear(ModelSample(T, S, ProductU, ProductV, 0, 0), Out[i], (4e-7 + Far) * Scale,
+					Describe(Storage, Size, S) + " at " + std::to_string(ProductU) + "," + std::to_string(ProductV));
+				if (HasFatalFailure())
+				{
+					return;
+				}
 			}
-		}
-	});
+		});
 }
 
 TEST_P(FLanesSamplingFormat, DoubleFollowsTheModel)
 {
-	ForEachCase([this](FTestTexture& T, FSize Size, const FKernelSampler& S)
-	{
-		const TSamples<double> Samples = MakeCoordinates<double>(Size.X, Size.Y, 1);
-		const auto Out = RunSample2D<double, 2>(T.Texture, S, Samples.U, Samples.V);
-		const double Scale = GetTexelStorageInfo(Storage).Kind == ETexelKind::Uint ? 200 : 1;
-		for (size_t i = 0; i < Out.size(); ++i)
+	ForEachCase(
+		[this](FTestTexture& T, FSize Size, const FKernelSampler& S)
 		{
-			ExpectNear(ModelSample(T, S, Samples.U[i] * Size.X, Samples.V[i] * Size.Y, 0, 0), Out[i], 1e-15 * Scale, Describe(Storage, Size, S));
-			if (HasFatalFailure())
+			const TSamples<double> Samples = MakeCoordinates<double>(Size.X, Size.Y, 1);
+			const auto Out = RunSample2D<double, 2>(T.Texture, S, Samples.U, Samples.V);
+			const double Scale = GetTexelStorageInfo(Storage).Kind == ETexelKind::Uint ? 200 : 1;
+			for (size_t i = 0; i < Out.size(); ++i)
 			{
-				return;
+				ExpectNear(ModelSample(T, S, Samples.U[i] * Size.X, Samples.V[i] * Size.Y, 0, 0), Out[i], 1e-15 * Scale,
+					Describe(Storage, Size, S));
+				if (HasFatalFailure())
+				{
+					return;
+				}
 			}
-		}
-	});
+		});
 }
 
 TEST_P(FLanesSamplingFormat, EveryWidthGivesTheSameBits)
 {
-	ForEachCase([this](FTestTexture& T, FSize Size, const FKernelSampler& S)
-	{
-		const TSamples<float> Samples = MakeCoordinates<float>(Size.X, Size.Y, 2);
-		const TSamples<double> Exact = MakeCoordinates<double>(Size.X, Size.Y, 2);
-		const auto Four = RunSample2D<float, 4>(T.Texture, S, Samples.U, Samples.V);
-		const auto Two = RunSample2D<double, 2>(T.Texture, S, Exact.U, Exact.V);
-		if (AreLanesSupported(false, 8))
+	ForEachCase(
+		[this](FTestTexture& T, FSize Size, const FKernelSampler& S)
 		{
-			ExpectSameBits(Four, RunSample2D<float, 8>(T.Texture, S, Samples.U, Samples.V), Describe(Storage, Size, S) + " float 8");
-			ExpectSameBits(Two, RunSample2D<double, 4>(T.Texture, S, Exact.U, Exact.V), Describe(Storage, Size, S) + " double 4");
-		}
-		if (AreLanesSupported(false, 16))
-		{
-			ExpectSameBits(Four, RunSample2D<float, 16>(T.Texture, S, Samples.U, Samples.V), Describe(Storage, Size, S) + " float 16");
-			ExpectSameBits(Two, RunSample2D<double, 8>(T.Texture, S, Exact.U, Exact.V), Describe(Storage, Size, S) + " double 8");
-		}
-	});
+			const TSamples<float> Samples = MakeCoordinates<float>(Size.X, Size.Y, 2);
+			const TSamples<double> Exact = MakeCoordinates<double>(Size.X, Size.Y, 2);
+			const auto Four = RunSample2D<float, 4>(T.Texture, S, Samples.U, Samples.V);
+			const auto Two = RunSample2D<double, 2>(T.Texture, S, Exact.U, Exact.V);
+			if (AreLanesSupported(false, 8))
+			{
+				ExpectSameBits(Four, RunSample2D<float, 8>(T.Texture, S, Samples.U, Samples.V),
+					Describe(Storage, Size, S) + " float 8");
+				ExpectSameBits(Two, RunSample2D<double, 4>(T.Texture, S, Exact.U, Exact.V),
+					Describe(Storage, Size, S) + " double 4");
+			}
+			if (AreLanesSupported(false, 16))
+			{
+				ExpectSameBits(Four, RunSample2D<float, 16>(T.Texture, S, Samples.U, Samples.V),
+					Describe(Storage, Size, S) + " float 16");
+				ExpectSameBits(Two, RunSample2D<double, 8>(T.Texture, S, Exact.U, Exact.V),
+					Describe(Storage, Size, S) + " double 8");
+			}
+		});
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryStorage, FLanesSamplingFormat, testing::Range(0, int(ETexelStorage::Count)),
@@ -321,11 +340,15 @@ TEST(LanesSampling, AConstantStaysConstantBitForBit)
 {
 	FTestTexture T(ETexelStorage::RGBA32_FLOAT, 40, 7);
 	const float Value = 0.1f;
-	T.ForEachTexel([&](int32_t X, int32_t Y, int32_t Z, int32_t Mip) { T.Write({Value, Value, Value, Value}, X, Y, Z, Mip); });
+	T.ForEachTexel(
+		[&](int32_t X, int32_t Y, int32_t Z, int32_t Mip) {
+			T.Write({Value, Value, Value, Value}, X, Y, Z, Mip);
+		});
 	const TSamples<float> Samples = MakeCoordinates<float>(40, 7, 3);
 	for (uint8_t Bits : {uint8_t(8), uint8_t(0)})
 	{
-		for (const auto& Out : RunSample2D<float, 4>(T.Texture, MakeSampler(EKernelFilter::Bilinear, EKernelAddress::Clamp, Bits), Samples.U, Samples.V))
+		for (const auto& Out : RunSample2D<float, 4>(
+				 T.Texture, MakeSampler(EKernelFilter::Bilinear, EKernelAddress::Clamp, Bits), Samples.U, Samples.V))
 		{
 			ASSERT_EQ(Value, Out[2]);
 		}
@@ -338,7 +361,8 @@ TEST(LanesSampling, ANeighbourOfWeightZeroIsNotRead)
 	T.Write({GInf, GInf, std::nan(""), 1}, 1, 0);
 	T.Write({GInf, GInf, std::nan(""), 1}, 0, 1);
 	T.Write({2, 3, 4, 5}, 0, 0);
-	EXPECT_EQ((FTexel{2, 3, 4, 5}), SampleOne(T.Texture, MakeSampler(EKernelFilter::Bilinear, EKernelAddress::Clamp), 0.5f / 3, 0.5f / 3));
+	EXPECT_EQ((FTexel{2, 3, 4, 5}),
+		SampleOne(T.Texture, MakeSampler(EKernelFilter::Bilinear, EKernelAddress::Clamp), 0.5f / 3, 0.5f / 3));
 }
 
 TEST(LanesSampling, InfinityBesideANumberStaysInfinityFromBothSides)
@@ -348,7 +372,8 @@ TEST(LanesSampling, InfinityBesideANumberStaysInfinityFromBothSides)
 		FTestTexture T(ETexelStorage::RGBA16_FLOAT, 2, 1);
 		T.Write({1, 1, 1, 1}, 1 - Side, 0);
 		T.Write({GInf, -GInf, GInf, 1}, Side, 0);
-		EXPECT_EQ((FTexel{GInf, -GInf, GInf, 1}), SampleOne(T.Texture, MakeSampler(EKernelFilter::Bilinear, EKernelAddress::Clamp), 0.5f, 0.5f));
+		EXPECT_EQ((FTexel{GInf, -GInf, GInf, 1}),
+			SampleOne(T.Texture, MakeSampler(EKernelFilter::Bilinear, EKernelAddress::Clamp), 0.5f, 0.5f));
 	}
 }
 
@@ -381,7 +406,8 @@ TEST(LanesSampling, MissingChannelsReadZeroZeroOne)
 
 TEST(LanesSampling, NonFiniteTexelsFollowTheModelAtEveryWidth)
 {
-	for (ETexelStorage Storage : {ETexelStorage::RGBA32_FLOAT, ETexelStorage::RGBA16_FLOAT, ETexelStorage::R11G11B10_FLOAT, ETexelStorage::R16_FLOAT, ETexelStorage::R32_FLOAT})
+	for (ETexelStorage Storage : {ETexelStorage::RGBA32_FLOAT, ETexelStorage::RGBA16_FLOAT,
+			 ETexelStorage::R11G11B10_FLOAT, ETexelStorage::R16_FLOAT, ETexelStorage::R32_FLOAT})
 	{
 		FTestTexture T(Storage, 70, 9);
 		T.FillRandom(5, 0, 1);
@@ -397,15 +423,18 @@ TEST(LanesSampling, NonFiniteTexelsFollowTheModelAtEveryWidth)
 		const auto Four = RunSample2D<float, 4>(T.Texture, S, Samples.U, Samples.V);
 		for (size_t i = 0; i < Four.size(); ++i)
 		{
-			ASSERT_NO_FATAL_FAILURE(ExpectNear(ModelSample(T, S, Samples.U[i] * 70.0f, Samples.V[i] * 9.0f, 0, 0), Four[i], 4e-7, "sample " + std::to_string(i)));
+			ASSERT_NO_FATAL_FAILURE(ExpectNear(ModelSample(T, S, Samples.U[i] * 70.0f, Samples.V[i] * 9.0f, 0, 0),
+				Four[i], 4e-7, "sample " + std::to_string(i)));
 		}
 		if (AreLanesSupported(false, 16))
 		{
-			ASSERT_NO_FATAL_FAILURE(ExpectSameBits(Four, RunSample2D<float, 16>(T.Texture, S, Samples.U, Samples.V), "16"));
+			ASSERT_NO_FATAL_FAILURE(
+				ExpectSameBits(Four, RunSample2D<float, 16>(T.Texture, S, Samples.U, Samples.V), "16"));
 		}
 		if (AreLanesSupported(false, 8))
 		{
-			ASSERT_NO_FATAL_FAILURE(ExpectSameBits(Four, RunSample2D<float, 8>(T.Texture, S, Samples.U, Samples.V), "8"));
+			ASSERT_NO_FATAL_FAILURE(
+				ExpectSameBits(Four, RunSample2D<float, 8>(T.Texture, S, Samples.U, Samples.V), "8"));
 		}
 	}
 }

@@ -17,13 +17,16 @@ using Lanes::TSampling;
 using FTexel = FTestTexture::FTexel;
 
 /** Values that rounding, clamping and overflow treat differently, and random ones of every magnitude. */
-template <typename Real>
+template<typename Real>
 std::vector<Real> StrangeValues(uint32_t Seed, size_t Count)
 {
 	const double Inf = std::numeric_limits<double>::infinity();
 	std::vector<Real> Values;
-	for (double X : {0.0, -0.0, 1.0, -1.0, 0.5, 0.5 / 255, 1.5 / 255, 2.5 / 255, 254.5 / 255, 65504.0, 65519.99, 65520.0, 65535.9, 1e6, -65520.0, 64512.0, 65024.0, 65280.0, 5.9e-8, 2.9802322387695312e-8, 2.98023259e-8, 6.1e-5,
-			 6.09755516e-5, 7.4e-6, 4.7e-7, 1e-30, 3e38, Inf, -Inf, std::nan(""), 254.5, 255.5, 300.0, 4294967295.0, 5e9, 1 + 1.0 / 2048, 1 + 3.0 / 2048, 1 + 1.0 / 128, 1 + 3.0 / 128, 1 + 1.0 / 64, 1 + 1.0 / 32})
+	for (double X :
+		{0.0, -0.0, 1.0, -1.0, 0.5, 0.5 / 255, 1.5 / 255, 2.5 / 255, 254.5 / 255, 65504.0, 65519.99, 65520.0, 65535.9,
+			1e6, -65520.0, 64512.0, 65024.0, 65280.0, 5.9e-8, 2.9802322387695312e-8, 2.98023259e-8, 6.1e-5,
+			6.09755516e-5, 7.4e-6, 4.7e-7, 1e-30, 3e38, Inf, -Inf, std::nan(""), 254.5, 255.5, 300.0, 4294967295.0, 5e9,
+			1 + 1.0 / 2048, 1 + 3.0 / 2048, 1 + 1.0 / 128, 1 + 3.0 / 128, 1 + 1.0 / 64, 1 + 1.0 / 32})
 	{
 		Values.push_back(Real(X));
 	}
@@ -44,32 +47,34 @@ TEST(LanesStore, EveryStorageGetsTheBitsOfTheReference)
 		const size_t Bytes = GetTexelStorageInfo(Storage).BytesPerTexel;
 		for (uint8_t bSaturate : {0, 1})
 		{
-			ForEachWidth([&]<typename Real, int N>()
-			{
-				const std::vector<Real> Values = StrangeValues<Real>(uint32_t(Index), 4096);
-				FTestTexture T(Storage, N, 1);
-				T.Texture.bSaturateStore = bSaturate;
-				for (size_t First = 0; First + 4 * N <= Values.size(); First += N)
+			ForEachWidth(
+				[&]<typename Real, int N>()
 				{
-					alignas(64) int32_t X[N], Y[N], Mask[N];
-					for (int Lane = 0; Lane < N; ++Lane)
+					const std::vector<Real> Values = StrangeValues<Real>(uint32_t(Index), 4096);
+					FTestTexture T(Storage, N, 1);
+					T.Texture.bSaturateStore = bSaturate;
+					for (size_t First = 0; First + 4 * N <= Values.size(); First += N)
 					{
-						X[Lane] = Lane;
-						Y[Lane] = 0;
-						Mask[Lane] = -1;
+						alignas(64) int32_t X[N], Y[N], Mask[N];
+						for (int Lane = 0; Lane < N; ++Lane)
+						{
+							X[Lane] = Lane;
+							Y[Lane] = 0;
+							Mask[Lane] = -1;
+						}
+						TSampling<Real, N>::Store(T.Texture, Mask, X, Y, nullptr, &Values[First]);
+						for (int Lane = 0; Lane < N; ++Lane)
+						{
+							const size_t i = First + size_t(Lane);
+							const Real RGBA[4] = {Values[i], Values[i + N], Values[i + 2 * N], Values[i + 3 * N]};
+							uint8_t Expected[32];
+							EncodeTexel(Storage, RGBA, Expected, bSaturate != 0);
+							ASSERT_EQ(0, std::memcmp(Expected, T.At(Lane, 0), Bytes))
+								<< GetTexelStorageInfo(Storage).Name << " of " << RGBA[0] << " " << RGBA[1] << " "
+								<< RGBA[2] << " " << RGBA[3] << " saturate " << int(bSaturate) << " lanes " << N;
+						}
 					}
-					TSampling<Real, N>::Store(T.Texture, Mask, X, Y, nullptr, &Values[First]);
-					for (int Lane = 0; Lane < N; ++Lane)
-					{
-						const size_t i = First + size_t(Lane);
-						const Real RGBA[4] = {Values[i], Values[i + N], Values[i + 2 * N], Values[i + 3 * N]};
-						uint8_t Expected[32];
-						EncodeTexel(Storage, RGBA, Expected, bSaturate != 0);
-						ASSERT_EQ(0, std::memcmp(Expected, T.At(Lane, 0), Bytes))
-							<< GetTexelStorageInfo(Storage).Name << " of " << RGBA[0] << " " << RGBA[1] << " " << RGBA[2] << " " << RGBA[3] << " saturate " << int(bSaturate) << " lanes " << N;
-					}
-				}
-			});
+				});
 			if (HasFatalFailure())
 			{
 				return;
@@ -86,7 +91,9 @@ TEST(LanesStore, R11G11B10RoundsEveryTieToEven)
 		float Values[16] = {};
 		for (int Lane = 0; Lane < 4; ++Lane)
 		{
-			const double Middle = (DecodeUnsignedMiniFloat(Code + uint32_t(Lane), 6) + DecodeUnsignedMiniFloat(std::min(Code + uint32_t(Lane) + 1, 0x7BFu), 6)) / 2;
+			const double Middle = (DecodeUnsignedMiniFloat(Code + uint32_t(Lane), 6) +
+									  DecodeUnsignedMiniFloat(std::min(Code + uint32_t(Lane) + 1, 0x7BFu), 6)) /
+								  2;
 			Values[Lane] = float(Middle);
 			Values[4 + Lane] = std::nextafter(float(Middle), 0.0f);
 			Values[8 + Lane] = std::nextafter(float(Middle), 1e9f);
@@ -109,79 +116,85 @@ TEST(LanesStore, R11G11B10RoundsEveryTieToEven)
 
 TEST(LanesStore, MaskedAndOutsideLanesLeaveMemoryAlone)
 {
-	ForEachWidth([&]<typename Real, int N>()
-	{
-		for (ETexelStorage Storage : {ETexelStorage::RGBA32_FLOAT, ETexelStorage::RGBA16_FLOAT, ETexelStorage::R8_UNORM, ETexelStorage::RG8_UNORM})
+	ForEachWidth(
+		[&]<typename Real, int N>()
 		{
-			FTestTexture T(Storage, N + 1, 3);
-			alignas(64) int32_t X[N], Y[N], Mask[N];
-			Real Value[4 * N];
-			for (int Lane = 0; Lane < N; ++Lane)
+			for (ETexelStorage Storage : {ETexelStorage::RGBA32_FLOAT, ETexelStorage::RGBA16_FLOAT,
+					 ETexelStorage::R8_UNORM, ETexelStorage::RG8_UNORM})
 			{
-				X[Lane] = 2 + Lane; // the last lane is outside
-				Y[Lane] = 1;
-				Mask[Lane] = Lane == 0 ? 0 : -1;
+				FTestTexture T(Storage, N + 1, 3);
+				alignas(64) int32_t X[N], Y[N], Mask[N];
+				Real Value[4 * N];
+				for (int Lane = 0; Lane < N; ++Lane)
+				{
+					X[Lane] = 2 + Lane; // the last lane is outside
+					Y[Lane] = 1;
+					Mask[Lane] = Lane == 0 ? 0 : -1;
+				}
+				std::fill_n(Value, 4 * N, Real(1));
+				TSampling<Real, N>::Store(T.Texture, Mask, X, Y, nullptr, Value);
+				T.ForEachTexel([&](int32_t PX, int32_t PY, int32_t, int32_t)
+					{ EXPECT_EQ(PY == 1 && PX >= 3 ? 1 : 0, T.Read(PX, PY)[0]) << PX << "," << PY << " lanes " << N; });
+				uint8_t Margin = *(T.At(N, 2) + GetTexelStorageInfo(Storage).BytesPerTexel + 64);
+				EXPECT_EQ(0xA5, Margin);
 			}
-			std::fill_n(Value, 4 * N, Real(1));
-			TSampling<Real, N>::Store(T.Texture, Mask, X, Y, nullptr, Value);
-			T.ForEachTexel([&](int32_t PX, int32_t PY, int32_t, int32_t) { EXPECT_EQ(PY == 1 && PX >= 3 ? 1 : 0, T.Read(PX, PY)[0]) << PX << "," << PY << " lanes " << N; });
-			uint8_t Margin = *(T.At(N, 2) + GetTexelStorageInfo(Storage).BytesPerTexel + 64);
-			EXPECT_EQ(0xA5, Margin);
-		}
-	});
+		});
 }
 
 TEST(LanesStore, ScatteredLanesFindTheirTexels)
 {
-	ForEachWidth([&]<typename Real, int N>()
-	{
-		FTestTexture T(ETexelStorage::R32_FLOAT, 8, 8, 2, 1, true);
-		alignas(64) int32_t X[N], Y[N], Z[N], Mask[N];
-		Real Value[4 * N];
-		for (int Lane = 0; Lane < N; ++Lane)
+	ForEachWidth(
+		[&]<typename Real, int N>()
 		{
-			X[Lane] = (Lane * 3) % 8;
-			Y[Lane] = Lane / 2;
-			Z[Lane] = Lane % 2;
-			Mask[Lane] = -1;
-			Value[Lane] = Real(Lane + 1);
-		}
-		TSampling<Real, N>::Store(T.Texture, Mask, X, Y, Z, Value);
-		for (int Lane = 0; Lane < N; ++Lane)
-		{
-			EXPECT_EQ(Lane + 1, T.Read(X[Lane], Y[Lane], Z[Lane])[0]);
-		}
-	});
+			FTestTexture T(ETexelStorage::R32_FLOAT, 8, 8, 2, 1, true);
+			alignas(64) int32_t X[N], Y[N], Z[N], Mask[N];
+			Real Value[4 * N];
+			for (int Lane = 0; Lane < N; ++Lane)
+			{
+				X[Lane] = (Lane * 3) % 8;
+				Y[Lane] = Lane / 2;
+				Z[Lane] = Lane % 2;
+				Mask[Lane] = -1;
+				Value[Lane] = Real(Lane + 1);
+			}
+			TSampling<Real, N>::Store(T.Texture, Mask, X, Y, Z, Value);
+			for (int Lane = 0; Lane < N; ++Lane)
+			{
+				EXPECT_EQ(Lane + 1, T.Read(X[Lane], Y[Lane], Z[Lane])[0]);
+			}
+		});
 }
 
 TEST(LanesStore, IntegersAreClampedToTheChannel)
 {
-	ForEachWidth([&]<typename Real, int N>()
-	{
-		FTestTexture T(ETexelStorage::RG8_UINT, N, 1);
-		alignas(64) int32_t X[N], Y[N], Mask[N];
-		uint32_t Value[4 * N];
-		for (int Lane = 0; Lane < N; ++Lane)
+	ForEachWidth(
+		[&]<typename Real, int N>()
 		{
-			X[Lane] = Lane;
-			Y[Lane] = 0;
-			Mask[Lane] = -1;
-		}
-		std::fill_n(Value, 4 * N, 1000u);
-		TSampling<Real, N>::StoreUint(T.Texture, Mask, X, Y, nullptr, Value);
-		EXPECT_EQ((FTexel{255, 255, 0, 1}), T.Read(N - 1, 0));
-	});
+			FTestTexture T(ETexelStorage::RG8_UINT, N, 1);
+			alignas(64) int32_t X[N], Y[N], Mask[N];
+			uint32_t Value[4 * N];
+			for (int Lane = 0; Lane < N; ++Lane)
+			{
+				X[Lane] = Lane;
+				Y[Lane] = 0;
+				Mask[Lane] = -1;
+			}
+			std::fill_n(Value, 4 * N, 1000u);
+			TSampling<Real, N>::StoreUint(T.Texture, Mask, X, Y, nullptr, Value);
+			EXPECT_EQ((FTexel{255, 255, 0, 1}), T.Read(N - 1, 0));
+		});
 }
 
 // ---- Render targets.
 
 FKernelTarget MakeTarget(const FKernelTexture& Texture)
 {
-	return {Texture, 15, 0, EKernelBlendOp::Add, EKernelBlendFactor::One, EKernelBlendFactor::Zero, EKernelBlendOp::Add, EKernelBlendFactor::One, EKernelBlendFactor::Zero};
+	return {Texture, 15, 0, EKernelBlendOp::Add, EKernelBlendFactor::One, EKernelBlendFactor::Zero, EKernelBlendOp::Add,
+		EKernelBlendFactor::One, EKernelBlendFactor::Zero};
 }
 
 /** Stores one colour over a cleared one-texel target and reads it back. */
-template <typename Real, int N>
+template<typename Real, int N>
 FTexel StoreOver(FTestTexture& T, const FKernelTarget& Target, const FTexel& Old, const FTexel& New)
 {
 	T.Write(Old, 0, 0);
@@ -227,12 +240,15 @@ TEST(LanesTarget, BlendOperationsAndFactors)
 	};
 	for (const FCase& Case : Cases)
 	{
-		ForEachWidth([&]<typename Real, int N>()
-		{
-			FTestTexture T(ETexelStorage::RGBA32_FLOAT, 1, 1);
-			const FKernelTarget Target = {T.Texture, 15, 1, Case.Op, Case.Source, Case.Dest, Case.Op, Case.Source, Case.Dest};
-			EXPECT_EQ(Case.Expected, (StoreOver<Real, N>(T, Target, Old, New))) << int(Case.Op) << " " << int(Case.Source) << " " << int(Case.Dest);
-		});
+		ForEachWidth(
+			[&]<typename Real, int N>()
+			{
+				FTestTexture T(ETexelStorage::RGBA32_FLOAT, 1, 1);
+				const FKernelTarget Target = {
+					T.Texture, 15, 1, Case.Op, Case.Source, Case.Dest, Case.Op, Case.Source, Case.Dest};
+				EXPECT_EQ(Case.Expected, (StoreOver<Real, N>(T, Target, Old, New)))
+					<< int(Case.Op) << " " << int(Case.Source) << " " << int(Case.Dest);
+			});
 	}
 }
 
@@ -256,15 +272,18 @@ TEST(LanesTarget, AFactorOfZeroRemovesNan)
 
 TEST(LanesTarget, TheWriteMaskKeepsTheOtherChannels)
 {
-	for (ETexelStorage Storage : {ETexelStorage::RGBA8_UNORM, ETexelStorage::BGRA8_UNORM, ETexelStorage::RGB10A2_UNORM, ETexelStorage::RGBA16_FLOAT, ETexelStorage::RGBA64_FLOAT})
+	for (ETexelStorage Storage : {ETexelStorage::RGBA8_UNORM, ETexelStorage::BGRA8_UNORM, ETexelStorage::RGB10A2_UNORM,
+			 ETexelStorage::RGBA16_FLOAT, ETexelStorage::RGBA64_FLOAT})
 	{
-		ForEachWidth([&]<typename Real, int N>()
-		{
-			FTestTexture T(Storage, 1, 1);
-			FKernelTarget Target = MakeTarget(T.Texture);
-			Target.WriteMask = 1 | 4;
-			EXPECT_EQ((FTexel{1, 0, 1, 0}), (StoreOver<Real, N>(T, Target, {0, 0, 0, 0}, {1, 1, 1, 1}))) << GetTexelStorageInfo(Storage).Name;
-		});
+		ForEachWidth(
+			[&]<typename Real, int N>()
+			{
+				FTestTexture T(Storage, 1, 1);
+				FKernelTarget Target = MakeTarget(T.Texture);
+				Target.WriteMask = 1 | 4;
+				EXPECT_EQ((FTexel{1, 0, 1, 0}), (StoreOver<Real, N>(T, Target, {0, 0, 0, 0}, {1, 1, 1, 1})))
+					<< GetTexelStorageInfo(Storage).Name;
+			});
 	}
 	FTestTexture T(ETexelStorage::R11G11B10_FLOAT, 1, 1);
 	FKernelTarget Target = MakeTarget(T.Texture);
@@ -274,18 +293,19 @@ TEST(LanesTarget, TheWriteMaskKeepsTheOtherChannels)
 
 TEST(LanesTarget, TheTailOfARowIsMasked)
 {
-	ForEachWidth([&]<typename Real, int N>()
-	{
-		FTestTexture T(ETexelStorage::RGBA16_FLOAT, N + 1, 2);
-		alignas(64) int32_t Mask[N];
-		Real Value[4 * N];
-		std::fill_n(Mask, N, -1);
-		std::fill_n(Value, 4 * N, Real(3));
-		TSampling<Real, N>::StoreTarget(MakeTarget(T.Texture), Mask, N, 0, Value);
-		EXPECT_EQ(3, T.Read(N, 0)[0]);
-		EXPECT_EQ(0, T.Read(N - 1, 0)[0]);
-		EXPECT_EQ(0, T.Read(0, 1)[0]);
-	});
+	ForEachWidth(
+		[&]<typename Real, int N>()
+		{
+			FTestTexture T(ETexelStorage::RGBA16_FLOAT, N + 1, 2);
+			alignas(64) int32_t Mask[N];
+			Real Value[4 * N];
+			std::fill_n(Mask, N, -1);
+			std::fill_n(Value, 4 * N, Real(3));
+			TSampling<Real, N>::StoreTarget(MakeTarget(T.Texture), Mask, N, 0, Value);
+			EXPECT_EQ(3, T.Read(N, 0)[0]);
+			EXPECT_EQ(0, T.Read(N - 1, 0)[0]);
+			EXPECT_EQ(0, T.Read(0, 1)[0]);
+		});
 }
 
 } // namespace

@@ -23,7 +23,8 @@ public:
 	using FTexel = std::array<double, 4>;
 
 	/** All texels zero, margins poisoned. Mips halve, rounding down. bIs3D halves the depth too; layers stay. */
-	FTestTexture(ETexelStorage Storage, int32_t SizeX, int32_t SizeY, int32_t SizeZ = 1, int32_t NumMips = 1, bool bIs3D = false)
+	FTestTexture(
+		ETexelStorage Storage, int32_t SizeX, int32_t SizeY, int32_t SizeZ = 1, int32_t NumMips = 1, bool bIs3D = false)
 		: Bytes(GetTexelStorageInfo(Storage).BytesPerTexel)
 	{
 		size_t Offset = 64;
@@ -74,10 +75,13 @@ public:
 	{
 		std::mt19937 Engine(Seed);
 		std::uniform_real_distribution<double> Value(Low, High);
-		ForEachTexel([&](int32_t X, int32_t Y, int32_t Z, int32_t Mip) { Write({Value(Engine), Value(Engine), Value(Engine), Value(Engine)}, X, Y, Z, Mip); });
+		ForEachTexel(
+			[&](int32_t X, int32_t Y, int32_t Z, int32_t Mip) {
+				Write({Value(Engine), Value(Engine), Value(Engine), Value(Engine)}, X, Y, Z, Mip);
+			});
 	}
 
-	template <typename F>
+	template<typename F>
 	void ForEachTexel(F f)
 	{
 		for (int32_t Mip = 0; Mip < Texture.NumMips; ++Mip)
@@ -104,7 +108,7 @@ private:
 };
 
 /** Runs f<Real, N>() at every width of the CPU. */
-template <typename F>
+template<typename F>
 void ForEachWidth(F f)
 {
 	f.template operator()<float, 4>();

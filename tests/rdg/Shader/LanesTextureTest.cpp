@@ -15,7 +15,7 @@ namespace
 using Lanes::TSampling;
 using FTexel = FTestTexture::FTexel;
 
-template <typename Real, int N>
+template<typename Real, int N>
 struct TLaneArray
 {
 	alignas(64) Real V[N];
@@ -29,7 +29,7 @@ struct TLaneArray
 	}
 };
 
-template <typename Real, int N>
+template<typename Real, int N>
 FTexel LaneOf(const Real* Out, int Lane)
 {
 	return {double(Out[Lane]), double(Out[N + Lane]), double(Out[2 * N + Lane]), double(Out[3 * N + Lane])};
@@ -38,55 +38,65 @@ FTexel LaneOf(const Real* Out, int Lane)
 /** Red of every texel is 100 mip + 10 z + x, green is y. */
 void Number(FTestTexture& T)
 {
-	T.ForEachTexel([&](int32_t X, int32_t Y, int32_t Z, int32_t Mip) { T.Write({100.0 * Mip + 10 * Z + X, double(Y), 0, 1}, X, Y, Z, Mip); });
+	T.ForEachTexel(
+		[&](int32_t X, int32_t Y, int32_t Z, int32_t Mip) {
+			T.Write({100.0 * Mip + 10 * Z + X, double(Y), 0, 1}, X, Y, Z, Mip);
+		});
 }
 
 TEST(LanesMips, TheNearestMipUnlessTrilinear)
 {
 	FTestTexture T(ETexelStorage::RGBA32_FLOAT, 8, 8, 1, 4);
 	Number(T);
-	ForEachWidth([&]<typename Real, int N>()
-	{
-		const TLaneArray<Real, N> Coordinate(0);
-		Real Out[4 * N];
-		for (const auto& [Level, Mip] : {std::pair{-1.0, 0}, {0.49, 0}, {0.5, 1}, {1.4, 1}, {9.0, 3}, {std::nan(""), 0}})
+	ForEachWidth(
+		[&]<typename Real, int N>()
 		{
-			const Real RealLevel = Real(Level);
-			TSampling<Real, N>::Sample2D(T.Texture, MakeSampler(EKernelFilter::Bilinear, EKernelAddress::Clamp), Coordinate.V, Coordinate.V, nullptr, &RealLevel, true, Out);
-			EXPECT_EQ(100.0 * Mip, Out[N - 1]) << Level;
-		}
-	});
+			const TLaneArray<Real, N> Coordinate(0);
+			Real Out[4 * N];
+			for (const auto& [Level, Mip] :
+				{std::pair{-1.0, 0}, {0.49, 0}, {0.5, 1}, {1.4, 1}, {9.0, 3}, {std::nan(""), 0}})
+			{
+				const Real RealLevel = Real(Level);
+				TSampling<Real, N>::Sample2D(T.Texture, MakeSampler(EKernelFilter::Bilinear, EKernelAddress::Clamp),
+					Coordinate.V, Coordinate.V, nullptr, &RealLevel, true, Out);
+				EXPECT_EQ(100.0 * Mip, Out[N - 1]) << Level;
+			}
+		});
 }
 
 TEST(LanesMips, TrilinearBlendsTwoMips)
 {
 	FTestTexture T(ETexelStorage::RGBA32_FLOAT, 8, 8, 1, 4);
 	Number(T);
-	ForEachWidth([&]<typename Real, int N>()
-	{
-		const TLaneArray<Real, N> Coordinate(0);
-		const TLaneArray<Real, N> Levels(Real(1.25));
-		Real Out[4 * N];
-		TSampling<Real, N>::Sample2D(T.Texture, MakeSampler(EKernelFilter::Trilinear, EKernelAddress::Clamp), Coordinate.V, Coordinate.V, nullptr, Levels.V, false, Out);
-		EXPECT_EQ(125, Out[0]);
-	});
+	ForEachWidth(
+		[&]<typename Real, int N>()
+		{
+			const TLaneArray<Real, N> Coordinate(0);
+			const TLaneArray<Real, N> Levels(Real(1.25));
+			Real Out[4 * N];
+			TSampling<Real, N>::Sample2D(T.Texture, MakeSampler(EKernelFilter::Trilinear, EKernelAddress::Clamp),
+				Coordinate.V, Coordinate.V, nullptr, Levels.V, false, Out);
+			EXPECT_EQ(125, Out[0]);
+		});
 }
 
 TEST(LanesMips, EachLaneHasItsOwnLevel)
 {
 	FTestTexture T(ETexelStorage::RGBA32_FLOAT, 8, 8, 1, 4);
 	Number(T);
-	ForEachWidth([&]<typename Real, int N>()
-	{
-		const TLaneArray<Real, N> Coordinate(0);
-		const TLaneArray<Real, N> Levels(0, Real(0.25));
-		Real Out[4 * N];
-		TSampling<Real, N>::Sample2D(T.Texture, MakeSampler(EKernelFilter::Trilinear, EKernelAddress::Clamp), Coordinate.V, Coordinate.V, nullptr, Levels.V, false, Out);
-		for (int Lane = 0; Lane < N; ++Lane)
+	ForEachWidth(
+		[&]<typename Real, int N>()
 		{
-			EXPECT_EQ(std::min(300.0, 25.0 * Lane), Out[Lane]);
-		}
-	});
+			const TLaneArray<Real, N> Coordinate(0);
+			const TLaneArray<Real, N> Levels(0, Real(0.25));
+			Real Out[4 * N];
+			TSampling<Real, N>::Sample2D(T.Texture, MakeSampler(EKernelFilter::Trilinear, EKernelAddress::Clamp),
+				Coordinate.V, Coordinate.V, nullptr, Levels.V, false, Out);
+			for (int Lane = 0; Lane < N; ++Lane)
+			{
+				EXPECT_EQ(std::min(300.0, 25.0 * Lane), Out[Lane]);
+			}
+		});
 }
 
 TEST(LanesMips, TheSamplersBiasIsAdded)
@@ -106,52 +116,58 @@ TEST(LanesLayers, TheNearestLayerClamped)
 {
 	FTestTexture T(ETexelStorage::RGBA16_FLOAT, 4, 4, 3);
 	Number(T);
-	ForEachWidth([&]<typename Real, int N>()
-	{
-		const TLaneArray<Real, N> Coordinate(0);
-		const TLaneArray<Real, N> Layers(Real(-1), Real(0.75)); // -1, -0.25, 0.5, 1.25, 2, 2.75 ..
-		const Real Level = 0;
-		Real Out[4 * N];
-		TSampling<Real, N>::Sample2D(T.Texture, MakeSampler(EKernelFilter::Bilinear, EKernelAddress::Clamp), Coordinate.V, Coordinate.V, Layers.V, &Level, true, Out);
-		const double Expected[] = {0, 0, 10, 10, 20, 20, 20, 20, 20, 20, 20, 20, 20, 20, 20, 20};
-		for (int Lane = 0; Lane < N; ++Lane)
+	ForEachWidth(
+		[&]<typename Real, int N>()
 		{
-			EXPECT_EQ(Expected[Lane], Out[Lane]) << Lane;
-		}
-	});
+			const TLaneArray<Real, N> Coordinate(0);
+			const TLaneArray<Real, N> Layers(Real(-1), Real(0.75)); // -1, -0.25, 0.5, 1.25, 2, 2.75 ..
+			const Real Level = 0;
+			Real Out[4 * N];
+			TSampling<Real, N>::Sample2D(T.Texture, MakeSampler(EKernelFilter::Bilinear, EKernelAddress::Clamp),
+				Coordinate.V, Coordinate.V, Layers.V, &Level, true, Out);
+			const double Expected[] = {0, 0, 10, 10, 20, 20, 20, 20, 20, 20, 20, 20, 20, 20, 20, 20};
+			for (int Lane = 0; Lane < N; ++Lane)
+			{
+				EXPECT_EQ(Expected[Lane], Out[Lane]) << Lane;
+			}
+		});
 }
 
 TEST(LanesLayers, AUniformLayerTakesTheTunedPath)
 {
 	FTestTexture T(ETexelStorage::RGBA16_FLOAT, 64, 4, 3);
 	Number(T);
-	ForEachWidth([&]<typename Real, int N>()
-	{
-		const TLaneArray<Real, N> U(Real(20.5 / 64), Real(1.0 / 64));
-		const TLaneArray<Real, N> V(Real(2.5 / 4));
-		const TLaneArray<Real, N> Layers(2);
-		const Real Level = 0;
-		Real Out[4 * N];
-		TSampling<Real, N>::Sample2D(T.Texture, MakeSampler(EKernelFilter::Bilinear, EKernelAddress::Clamp), U.V, V.V, Layers.V, &Level, true, Out);
-		EXPECT_EQ((FTexel{20 + 20 + N - 1, 2, 0, 1}), (LaneOf<Real, N>(Out, N - 1)));
-	});
+	ForEachWidth(
+		[&]<typename Real, int N>()
+		{
+			const TLaneArray<Real, N> U(Real(20.5 / 64), Real(1.0 / 64));
+			const TLaneArray<Real, N> V(Real(2.5 / 4));
+			const TLaneArray<Real, N> Layers(2);
+			const Real Level = 0;
+			Real Out[4 * N];
+			TSampling<Real, N>::Sample2D(T.Texture, MakeSampler(EKernelFilter::Bilinear, EKernelAddress::Clamp), U.V,
+				V.V, Layers.V, &Level, true, Out);
+			EXPECT_EQ((FTexel{20 + 20 + N - 1, 2, 0, 1}), (LaneOf<Real, N>(Out, N - 1)));
+		});
 }
 
 TEST(LanesVolumes, TrilinearInTheVolume)
 {
 	FTestTexture T(ETexelStorage::RGBA32_FLOAT, 4, 3, 5, 2, true);
 	Number(T);
-	ForEachWidth([&]<typename Real, int N>()
-	{
-		// Halfway between x 1 and 2, a quarter from y 0 to 1, three quarters from z 2 to 3.
-		const TLaneArray<Real, N> U(Real(2.0 / 4));
-		const TLaneArray<Real, N> V(Real(0.75 / 3));
-		const TLaneArray<Real, N> W(Real(3.25 / 5));
-		const Real Level = 0;
-		Real Out[4 * N];
-		TSampling<Real, N>::Sample3D(T.Texture, MakeSampler(EKernelFilter::Bilinear, EKernelAddress::Clamp), U.V, V.V, W.V, &Level, true, Out);
-		EXPECT_EQ((FTexel{27.5 + 1.5, 0.25, 0, 1}), (LaneOf<Real, N>(Out, N - 1)));
-	});
+	ForEachWidth(
+		[&]<typename Real, int N>()
+		{
+			// Halfway between x 1 and 2, a quarter from y 0 to 1, three quarters from z 2 to 3.
+			const TLaneArray<Real, N> U(Real(2.0 / 4));
+			const TLaneArray<Real, N> V(Real(0.75 / 3));
+			const TLaneArray<Real, N> W(Real(3.25 / 5));
+			const Real Level = 0;
+			Real Out[4 * N];
+			TSampling<Real, N>::Sample3D(T.Texture, MakeSampler(EKernelFilter::Bilinear, EKernelAddress::Clamp), U.V,
+				V.V, W.V, &Level, true, Out);
+			EXPECT_EQ((FTexel{27.5 + 1.5, 0.25, 0, 1}), (LaneOf<Real, N>(Out, N - 1)));
+		});
 }
 
 TEST(LanesVolumes, EachAxisHasItsOwnAddressMode)
@@ -174,15 +190,18 @@ TEST(LanesGather, FourTexelsInTheOrderOfDirect3D)
 {
 	FTestTexture T(ETexelStorage::RG32_FLOAT, 4, 4);
 	Number(T);
-	ForEachWidth([&]<typename Real, int N>()
-	{
-		const TLaneArray<Real, N> Middle(Real(0.5)); // the corner of texels 1 and 2
-		Real Out[4 * N];
-		TSampling<Real, N>::Gather2D(T.Texture, MakeSampler(EKernelFilter::Bilinear, EKernelAddress::Clamp), Middle.V, Middle.V, 0, Out);
-		EXPECT_EQ((FTexel{1, 2, 2, 1}), (LaneOf<Real, N>(Out, 1)));
-		TSampling<Real, N>::Gather2D(T.Texture, MakeSampler(EKernelFilter::Bilinear, EKernelAddress::Clamp), Middle.V, Middle.V, 1, Out);
-		EXPECT_EQ((FTexel{2, 2, 1, 1}), (LaneOf<Real, N>(Out, 1)));
-	});
+	ForEachWidth(
+		[&]<typename Real, int N>()
+		{
+			const TLaneArray<Real, N> Middle(Real(0.5)); // the corner of texels 1 and 2
+			Real Out[4 * N];
+			TSampling<Real, N>::Gather2D(
+				T.Texture, MakeSampler(EKernelFilter::Bilinear, EKernelAddress::Clamp), Middle.V, Middle.V, 0, Out);
+			EXPECT_EQ((FTexel{1, 2, 2, 1}), (LaneOf<Real, N>(Out, 1)));
+			TSampling<Real, N>::Gather2D(
+				T.Texture, MakeSampler(EKernelFilter::Bilinear, EKernelAddress::Clamp), Middle.V, Middle.V, 1, Out);
+			EXPECT_EQ((FTexel{2, 2, 1, 1}), (LaneOf<Real, N>(Out, 1)));
+		});
 }
 
 TEST(LanesLoad, EveryStorageReadsWhatTheReferenceDecodes)
@@ -191,23 +210,25 @@ TEST(LanesLoad, EveryStorageReadsWhatTheReferenceDecodes)
 	{
 		FTestTexture T(ETexelStorage(Storage), 40, 3);
 		T.FillRandom(uint32_t(Storage), -2, 300);
-		ForEachWidth([&]<typename Real, int N>()
-		{
-			const TLaneArray<int32_t, N> X(11, 1);
-			const TLaneArray<int32_t, N> Y(2);
-			const int32_t Mip = 0;
-			Real Out[4 * N];
-			TSampling<Real, N>::Load(T.Texture, X.V, Y.V, nullptr, &Mip, true, Out);
-			for (int Lane = 0; Lane < N; ++Lane)
+		ForEachWidth(
+			[&]<typename Real, int N>()
 			{
-				Real Expected[4];
-				DecodeTexel(ETexelStorage(Storage), T.At(11 + Lane, 2), Expected);
-				for (int c = 0; c < 4; ++c)
+				const TLaneArray<int32_t, N> X(11, 1);
+				const TLaneArray<int32_t, N> Y(2);
+				const int32_t Mip = 0;
+				Real Out[4 * N];
+				TSampling<Real, N>::Load(T.Texture, X.V, Y.V, nullptr, &Mip, true, Out);
+				for (int Lane = 0; Lane < N; ++Lane)
 				{
-					ASSERT_EQ(Expected[c], Out[c * N + Lane]) << GetTexelStorageInfo(ETexelStorage(Storage)).Name << " lane " << Lane << " channel " << c;
+					Real Expected[4];
+					DecodeTexel(ETexelStorage(Storage), T.At(11 + Lane, 2), Expected);
+					for (int c = 0; c < 4; ++c)
+					{
+						ASSERT_EQ(Expected[c], Out[c * N + Lane])
+							<< GetTexelStorageInfo(ETexelStorage(Storage)).Name << " lane " << Lane << " channel " << c;
+					}
 				}
-			}
-		});
+			});
 	}
 }
 
@@ -215,38 +236,43 @@ TEST(LanesLoad, OutsideIsZeroInEveryChannel)
 {
 	FTestTexture T(ETexelStorage::RGBA32_FLOAT, 6, 5, 2, 2);
 	T.FillRandom(1, 1, 2);
-	ForEachWidth([&]<typename Real, int N>()
-	{
-		const int32_t Places[][4] = {{-1, 0, 0, 0}, {6, 0, 0, 0}, {0, -1, 0, 0}, {0, 5, 0, 0}, {0, 0, 2, 0}, {0, 0, -1, 0}, {0, 0, 0, 2}, {0, 0, 0, -1}, {3, 0, 0, 1}, {0x7FFFFFFF, 0, 0, 0}, {int32_t(0x80000000), 0, 0, 0}};
-		for (const auto& Place : Places)
+	ForEachWidth(
+		[&]<typename Real, int N>()
 		{
-			const TLaneArray<int32_t, N> X(Place[0]);
-			const TLaneArray<int32_t, N> Y(Place[1]);
-			const TLaneArray<int32_t, N> Z(Place[2]);
-			Real Out[4 * N];
-			TSampling<Real, N>::Load(T.Texture, X.V, Y.V, Z.V, &Place[3], true, Out);
-			EXPECT_EQ((FTexel{0, 0, 0, 0}), (LaneOf<Real, N>(Out, N - 1))) << Place[0] << " " << Place[1] << " " << Place[2] << " " << Place[3];
-		}
-	});
+			const int32_t Places[][4] = {{-1, 0, 0, 0}, {6, 0, 0, 0}, {0, -1, 0, 0}, {0, 5, 0, 0}, {0, 0, 2, 0},
+				{0, 0, -1, 0}, {0, 0, 0, 2}, {0, 0, 0, -1}, {3, 0, 0, 1}, {0x7FFFFFFF, 0, 0, 0},
+				{int32_t(0x80000000), 0, 0, 0}};
+			for (const auto& Place : Places)
+			{
+				const TLaneArray<int32_t, N> X(Place[0]);
+				const TLaneArray<int32_t, N> Y(Place[1]);
+				const TLaneArray<int32_t, N> Z(Place[2]);
+				Real Out[4 * N];
+				TSampling<Real, N>::Load(T.Texture, X.V, Y.V, Z.V, &Place[3], true, Out);
+				EXPECT_EQ((FTexel{0, 0, 0, 0}), (LaneOf<Real, N>(Out, N - 1)))
+					<< Place[0] << " " << Place[1] << " " << Place[2] << " " << Place[3];
+			}
+		});
 }
 
 TEST(LanesLoad, EachLaneHasItsOwnTexelAndMip)
 {
 	FTestTexture T(ETexelStorage::RG16_FLOAT, 16, 16, 1, 3);
 	Number(T);
-	ForEachWidth([&]<typename Real, int N>()
-	{
-		TLaneArray<int32_t, N> X(3, -1);
-		TLaneArray<int32_t, N> Y(0, 1);
-		TLaneArray<int32_t, N> Mips(0);
-		Mips.V[N - 1] = 2;
-		X.V[N - 1] = 1;
-		Y.V[N - 1] = 3;
-		Real Out[4 * N];
-		TSampling<Real, N>::Load(T.Texture, X.V, Y.V, nullptr, Mips.V, false, Out);
-		EXPECT_EQ((FTexel{3, 0, 0, 1}), (LaneOf<Real, N>(Out, 0)));
-		EXPECT_EQ((FTexel{201, 3, 0, 1}), (LaneOf<Real, N>(Out, N - 1)));
-	});
+	ForEachWidth(
+		[&]<typename Real, int N>()
+		{
+			TLaneArray<int32_t, N> X(3, -1);
+			TLaneArray<int32_t, N> Y(0, 1);
+			TLaneArray<int32_t, N> Mips(0);
+			Mips.V[N - 1] = 2;
+			X.V[N - 1] = 1;
+			Y.V[N - 1] = 3;
+			Real Out[4 * N];
+			TSampling<Real, N>::Load(T.Texture, X.V, Y.V, nullptr, Mips.V, false, Out);
+			EXPECT_EQ((FTexel{3, 0, 0, 1}), (LaneOf<Real, N>(Out, 0)));
+			EXPECT_EQ((FTexel{201, 3, 0, 1}), (LaneOf<Real, N>(Out, N - 1)));
+		});
 }
 
 TEST(LanesLoad, IntegerTexturesKeepTheirBits)
@@ -258,40 +284,42 @@ TEST(LanesLoad, IntegerTexturesKeepTheirBits)
 		EncodeTexel(Storage, Texel, T.At(5, 1));
 		uint32_t Expected[4];
 		DecodeTexel(Storage, T.At(5, 1), Expected);
-		ForEachWidth([&]<typename Real, int N>()
-		{
-			const TLaneArray<int32_t, N> X(5);
-			const TLaneArray<int32_t, N> Y(1);
-			const int32_t Mip = 0;
-			uint32_t Out[4 * N];
-			TSampling<Real, N>::LoadUint(T.Texture, X.V, Y.V, nullptr, &Mip, true, Out);
-			for (int c = 0; c < 4; ++c)
+		ForEachWidth(
+			[&]<typename Real, int N>()
 			{
-				EXPECT_EQ(Expected[c], Out[c * N]);
-			}
-		});
+				const TLaneArray<int32_t, N> X(5);
+				const TLaneArray<int32_t, N> Y(1);
+				const int32_t Mip = 0;
+				uint32_t Out[4 * N];
+				TSampling<Real, N>::LoadUint(T.Texture, X.V, Y.V, nullptr, &Mip, true, Out);
+				for (int c = 0; c < 4; ++c)
+				{
+					EXPECT_EQ(Expected[c], Out[c * N]);
+				}
+			});
 	}
 }
 
 TEST(LanesTypedBuffer, ReadsWritesAndDropsOutside)
 {
-	ForEachWidth([&]<typename Real, int N>()
-	{
-		uint8_t Memory[8 * 4 + 8];
-		std::memset(Memory, 0xEE, sizeof(Memory));
-		const FKernelBuffer Buffer = {Memory, 8 * 4, 4, ETexelStorage::RG16_FLOAT};
-		const TLaneArray<uint32_t, N> Index(7, 1); // only the first lane is inside
-		const TLaneArray<int32_t, N> Mask(-1);
-		Real Value[4 * N];
-		std::fill_n(Value, 4 * N, Real(1.5));
-		TSampling<Real, N>::StoreTyped(Buffer, Mask.V, Index.V, Value);
-		EXPECT_EQ(0xEE, Memory[8 * 4]);
-		EXPECT_EQ(0xEE, Memory[6 * 4]);
-		Real Out[4 * N];
-		TSampling<Real, N>::LoadTyped(Buffer, Index.V, Out);
-		EXPECT_EQ((FTexel{1.5, 1.5, 0, 1}), (LaneOf<Real, N>(Out, 0)));
-		EXPECT_EQ((FTexel{0, 0, 0, 0}), (LaneOf<Real, N>(Out, 1)));
-	});
+	ForEachWidth(
+		[&]<typename Real, int N>()
+		{
+			uint8_t Memory[8 * 4 + 8];
+			std::memset(Memory, 0xEE, sizeof(Memory));
+			const FKernelBuffer Buffer = {Memory, 8 * 4, 4, ETexelStorage::RG16_FLOAT};
+			const TLaneArray<uint32_t, N> Index(7, 1); // only the first lane is inside
+			const TLaneArray<int32_t, N> Mask(-1);
+			Real Value[4 * N];
+			std::fill_n(Value, 4 * N, Real(1.5));
+			TSampling<Real, N>::StoreTyped(Buffer, Mask.V, Index.V, Value);
+			EXPECT_EQ(0xEE, Memory[8 * 4]);
+			EXPECT_EQ(0xEE, Memory[6 * 4]);
+			Real Out[4 * N];
+			TSampling<Real, N>::LoadTyped(Buffer, Index.V, Out);
+			EXPECT_EQ((FTexel{1.5, 1.5, 0, 1}), (LaneOf<Real, N>(Out, 0)));
+			EXPECT_EQ((FTexel{0, 0, 0, 0}), (LaneOf<Real, N>(Out, 1)));
+		});
 }
 
 } // namespace

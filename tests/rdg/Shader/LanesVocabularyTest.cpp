@@ -22,7 +22,7 @@ using FMask = TMask<N>;
 
 const FReal GRamp = ToReal<float>(LaneIndex<N>()); // 0 1 2 3
 
-template <typename T>
+template<typename T>
 std::vector<decltype(T()[0])> Lanes4(T X)
 {
 	return {X[0], X[1], X[2], X[3]};
@@ -137,7 +137,8 @@ TEST(LanesVocabulary, VectorsWorkPerComponent)
 	EXPECT_EQ((FFloats{4, 4, 4, 4}), Lanes4((V + TVec<float, 3>(1, 1, 2))[2]));
 	EXPECT_EQ((FFloats{-2, -2, -2, -2}), Lanes4((-V)[2]));
 	EXPECT_EQ((FBools{true, true, false, false}), Lanes4(All(V < Splat<3>(FReal(3.0f)) && V < Splat<3>(2.5f))));
-	EXPECT_EQ((FBools{false, true, true, true}), Lanes4(Any(V == TVec<float, 3>(1, 3, 3) || V == TVec<float, 3>(2, 2, 3) || V == TVec<float, 3>(3, 0, 0))));
+	EXPECT_EQ((FBools{false, true, true, true}),
+		Lanes4(Any(V == TVec<float, 3>(1, 3, 3) || V == TVec<float, 3>(2, 2, 3) || V == TVec<float, 3>(3, 0, 0))));
 }
 
 TEST(LanesVocabulary, Geometry)
@@ -184,8 +185,10 @@ TEST(LanesVocabulary, Matrices)
 TEST(LanesVocabulary, Determinants)
 {
 	EXPECT_EQ(-2, Determinant(TMat<float, 2, 2>(TVec<float, 2>(1, 3), TVec<float, 2>(2, 4))));
-	EXPECT_EQ(-3, Determinant(TMat<float, 3, 3>(TVec<float, 3>(1, 4, 7), TVec<float, 3>(2, 5, 8), TVec<float, 3>(3, 6, 10))));
-	const TMat<float, 4, 4> M(TVec<float, 4>(2, 0, 0, 1), TVec<float, 4>(0, 3, 0, 0), TVec<float, 4>(0, 1, 4, 0), TVec<float, 4>(1, 0, 0, 5));
+	EXPECT_EQ(
+		-3, Determinant(TMat<float, 3, 3>(TVec<float, 3>(1, 4, 7), TVec<float, 3>(2, 5, 8), TVec<float, 3>(3, 6, 10))));
+	const TMat<float, 4, 4> M(
+		TVec<float, 4>(2, 0, 0, 1), TVec<float, 4>(0, 3, 0, 0), TVec<float, 4>(0, 1, 4, 0), TVec<float, 4>(1, 0, 0, 5));
 	EXPECT_EQ(12 * 9, Determinant(M));
 }
 
@@ -233,7 +236,8 @@ TEST(LanesVocabulary, SamplingThroughTheVocabulary)
 	}
 	const FKernelMip Mip = {reinterpret_cast<uint8_t*>(Texels), 4, 1, 1, 64, 64};
 	const FKernelTexture Texture = {&Mip, 1, ETexelStorage::R32_FLOAT, 0, 0};
-	const FKernelSampler Sampler = {EKernelFilter::Bilinear, EKernelAddress::Clamp, EKernelAddress::Clamp, EKernelAddress::Clamp, 8, 0, {}};
+	const FKernelSampler Sampler = {
+		EKernelFilter::Bilinear, EKernelAddress::Clamp, EKernelAddress::Clamp, EKernelAddress::Clamp, 8, 0, {}};
 	const TVec<FReal, 2> UV((GRamp + 1.0f) / 4.0f, FReal(0.5f));
 	const auto Color = SampleLevel2D(Texture, Sampler, UV, 0.0f);
 	EXPECT_EQ((FFloats{0.5f, 1.5f, 2.5f, 3}), Lanes4(Color[0]));
