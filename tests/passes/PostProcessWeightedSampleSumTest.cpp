@@ -236,6 +236,17 @@ TEST(GaussianBlur, NaNAtTheEdgeOfARectReachesNoFurtherThanTheKernel)
 	EXPECT_NEAR(1, Result.At(0, 16)[0], 1e-5);
 }
 
+TEST(GaussianBlur, InfinityAtTheEdgeOfARectDoesNotBecomeNaN)
+{
+	FImage Image(30, 20, {1, 1, 1, 1});
+	Image.At(0, 10)[0] = Infinity;
+	FPassRun Run(Image, {8, 8, 38, 28}, FIntPoint(48, 36), EArithmetic::Float32, PF_A32B32G32R32F);
+	const FImage Result = Run.Execute(AddGaussianBlurPass(Run.GraphBuilder, Run.View, MakeInputs(Run, {4.0f})));
+	EXPECT_EQ(Infinity, Result.At(0, 10)[0]);
+	EXPECT_EQ(Infinity, Result.At(2, 10)[0]);
+	EXPECT_NEAR(1, Result.At(6, 10)[0], 1e-5);
+}
+
 TEST(GaussianBlur, NegativesPassAndLargestHalfDoesNotOverflow)
 {
 	EXPECT_NEAR(-2, Blur(FImage(32, 32, {-2, 1, 1, 1}), {3.0f}).At(16, 16)[0], 1e-5);
