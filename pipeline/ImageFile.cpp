@@ -1,4 +1,5 @@
 // Source: drydock, over OpenImageIO; the sRGB curve: IEC 61966-2-1.
+#include <Imath/half.h>
 #include <OpenImageIO/imageio.h>
 
 #include "ImageFile.h"
@@ -131,12 +132,17 @@ std::vector<std::vector<float>> FImageFile::Read(const std::vector<int>& Channel
 namespace
 {
 
-void WriteImage(const std::string& Path, OIIO::ImageSpec& Spec, const void* Pixels)
+bool IsExactHalf(double Value)
+{
+	return std::isfinite(Value) && static_cast<double>(static_cast<float>(half(static_cast<float>(Value)))) == Value;
+}
+
+void WriteImage(const std::string& Path, OIIO::ImageSpec& Spec, OIIO::TypeDesc PixelType, const void* Pixels)
 {
 	// No date in the header: an empty one keeps the library from adding today's.
 	Spec.attribute("DateTime", "");
 	const std::unique_ptr<OIIO::ImageOutput> Output = OIIO::ImageOutput::create(Path);
-	if (!Output || !Output->open(Path, Spec) || !Output->write_image(Spec.format, Pixels) || !Output->close())
+	if (!Output || !Output->open(Path, Spec) || !Output->write_image(PixelType, Pixels) || !Output->close())
 	{
 		throw MakeError(ErrorFileNotWritten, Path, "the picture cannot be written: " + OneLine(Output ? Output->geterror() : OIIO::geterror()));
 	}
@@ -147,7 +153,9 @@ void WriteImage(const std::string& Path, OIIO::ImageSpec& Spec, const void* Pixe
 void WriteExr(const std::string& Path, const FImage& Image, const std::vector<std::string>& ChannelNames,
 	const std::map<std::string, std::string>& Attributes)
 {
-	OIIO::ImageSpec Spec(Image.Width, Image.Height, Image.NumChannels, OIIO::TypeDesc::FLOAT);
+	// Half floats where they lose nothing: half the size, and faster to compress.
+	const bool bHalf = std::all_of(Image.Values.begin(), Image.Values.end(), IsExactHalf);
+	OIIO::ImageSpec Spec(Image.Width, Image.Height, Image.NumChannels, bHalf ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT);
 	Spec.channelnames = ChannelNames;
 	Spec.attribute("compression", "zip");
 	for (const auto& [Name, Text] : Attributes)
@@ -155,7 +163,7 @@ void WriteExr(const std::string& Path, const FImage& Image, const std::vector<st
 		Spec.attribute(Name, Text);
 	}
 	const std::vector<float> Pixels(Image.Values.begin(), Image.Values.end());
-	WriteImage(Path, Spec, Pixels.data());
+	WriteImage(Path, Spec, OIIO::TypeDesc::FLOAT, Pixels.data());
 }
 
 void WritePng(const std::string& Path, const FImage& Image)
@@ -163,10 +171,11 @@ void WritePng(const std::string& Path, const FImage& Image)
 	OIIO::ImageSpec Spec(Image.Width, Image.Height, Image.NumChannels, OIIO::TypeDesc::UINT8);
 	Spec.attribute("oiio:ColorSpace", "sRGB");
 	Spec.attribute("oiio:UnassociatedAlpha", 1);
+	Spec.attribute("png:compressionLevel", 3); // a few percent larger than the default, twice as fast
 	std::vector<uint8_t> Pixels(Image.Values.size());
 	std::transform(Image.Values.begin(), Image.Values.end(), Pixels.begin(), [](double Value)
 	{ return static_cast<uint8_t>(std::lround((Value > 0.0 ? std::min(Value, 1.0) : 0.0) * 255.0)); });
-	WriteImage(Path, Spec, Pixels.data());
+	WriteImage(Path, Spec, OIIO::TypeDesc::UINT8, Pixels.data());
 }
 
 } // namespace Drydock

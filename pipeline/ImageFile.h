@@ -64,7 +64,7 @@ private:
 	bool bEncoded = false;
 };
 
-/** Lossless ZIP, 32-bit float channels, no date. Throws FError (exit code 3) when it cannot be written. */
+/** Lossless ZIP, no date; half float channels where every value is one, else 32-bit float. Throws FError (exit code 3) when it cannot be written. */
 DRYDOCK_API void WriteExr(const std::string& Path, const FImage& Image, const std::vector<std::string>& ChannelNames,
 	const std::map<std::string, std::string>& Attributes = {});
 

@@ -14,36 +14,48 @@ namespace
 using namespace Drydock;
 
 /** Options that repeat take one value each, so that a config may follow them. */
-void AddRepeated(CLI::App& Verb, const char* Name, std::vector<std::string>& Values, const char* Doc)
+void AddRepeated(CLI::App& Verb, const char* Name, const char* Type, std::vector<std::string>& Values, const char* Doc)
 {
-	Verb.add_option(Name, Values, Doc)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->allow_extra_args(false);
+	Verb.add_option(Name, Values, Doc)
+		->expected(1)
+		->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+		->allow_extra_args(false)
+		->type_name(Type);
 }
 
 void AddConfig(CLI::App& Verb, FVerbOptions& Options)
 {
 	Verb.add_option("CONFIG", Options.Run.ConfigFile, "JSON config, such as configs/toon_bloom.json")->required();
-	AddRepeated(Verb, "--set", Options.Run.Variables, "Console variable, r.Name=Value; repeats; beats the config");
-	AddRepeated(Verb, "--pp", Options.Run.Settings, "Post-process setting, Name=Value; repeats; beats all volumes");
+	AddRepeated(Verb, "--set", "r.NAME=VALUE", Options.Run.Variables, "Set a console variable; repeats; beats the config");
+	AddRepeated(Verb, "--pp", "SETTING=VALUE", Options.Run.Settings, "Set a post-process setting; repeats; beats all volumes");
 }
 
 void AddArithmetic(CLI::App& Verb, FVerbOptions& Options)
 {
 	Verb.add_option_function<std::string>("--precision", [&Options](const std::string& Name) { Options.Run.bDouble = Name == "double"; },
 		"Arithmetic of the shaders: float (default) or double, with 64-bit storage")
-		->check(CLI::IsMember({"float", "double"}))->type_name("P");
+		->type_name("float|double")
+		->check(CLI::IsMember({"float", "double"}).description(""));
 	static const std::map<std::string, ERunStorage> Storages = {
 		{"native", ERunStorage::Native}, {"float32", ERunStorage::Float32}, {"float64", ERunStorage::Float64}};
 	Verb.add_option_function<std::string>("--storage", [&Options](const std::string& Name) { Options.Run.Storage = Storages.at(Name); },
 		"Storage of textures: native (their own formats, default), float32, float64")
-		->check(CLI::IsMember({"native", "float32", "float64"}))->type_name("S");
+		->type_name("native|float32|float64")
+		->check(CLI::IsMember({"native", "float32", "float64"}).description(""));
 	Verb.add_option_function<int>("--threads", [&Options](int Threads) { Options.Run.Threads = Threads; },
 		"Threads; 0: all cores (default). The result is the same bits for any number")
-		->check(CLI::Range(0, 1024))->type_name("N");
+		->check(CLI::Range(0, 1024).description(""))
+		->type_name("N");
 }
 
-/** The nearest verb or option to what CLI11 did not understand. */
-std::string SuggestFor(const CLI::App& Program, const std::vector<std::string>& Arguments)
+/** What is wrong with the arguments, in one sentence with the nearest verb or option where that is what was misspelt. */
+std::string ExplainMistake(const CLI::App& Program, const std::vector<std::string>& Arguments, const std::string& Otherwise)
 {
+	const auto Explain = [](const char* Kind, const std::string& Name, const std::vector<std::string>& Candidates)
+	{
+		const std::string Nearest = FindNearestName(Name, Candidates);
+		return std::string("there is no ") + Kind + " " + Name + (Nearest.empty() ? "" : "; did you mean " + Nearest + "?");
+	};
 	std::vector<std::string> Verbs;
 	const CLI::App* Chosen = nullptr;
 	for (const CLI::App* Verb : Program.get_subcommands([](const CLI::App*) { return true; }))
@@ -53,24 +65,31 @@ std::string SuggestFor(const CLI::App& Program, const std::vector<std::string>& 
 	}
 	if (Chosen == nullptr)
 	{
-		const std::string Nearest = Arguments.empty() ? "" : FindNearestName(Arguments[0], Verbs);
-		return Nearest.empty() ? "" : "did you mean " + Nearest + "?";
+		return Arguments.empty() ? "a verb is missing: run, check, graph or list" : Explain("verb", Arguments[0], Verbs);
 	}
 	std::vector<std::string> Options;
 	for (const CLI::Option* Option : Chosen->get_options())
 	{
 		Options.push_back(Option->get_name());
 	}
-	for (size_t Index = 1; Index < Arguments.size(); ++Index)
+	for (const std::string& Argument : Arguments)
 	{
-		const std::string Name = Arguments[Index].substr(0, Arguments[Index].find('='));
+		const std::string Name = Argument.substr(0, Argument.find('='));
 		if (Name.rfind("--", 0) == 0 && std::find(Options.begin(), Options.end(), Name) == Options.end())
 		{
-			const std::string Nearest = FindNearestName(Name, Options);
-			return Nearest.empty() ? "" : "did you mean " + Nearest + "?";
+			return Explain("option", Name, Options);
 		}
 	}
-	return "";
+	return Otherwise;
+}
+
+/** CLI11's words to ours. */
+void SetLabels(CLI::App& Program)
+{
+	Program.get_formatter()->label("SUBCOMMAND", "VERB ...");
+	Program.get_formatter()->label("REQUIRED", "");
+	Program.get_formatter()->label("TEXT", "");
+	Program.get_formatter()->column_width(34);
 }
 
 int ParseAndRun(int NumArguments, char** Arguments)
@@ -78,6 +97,7 @@ int ParseAndRun(int NumArguments, char** Arguments)
 	CLI::App Program("drydock runs Unreal-style post-process passes on a rendered frame, on the CPU.", "drydock");
 	Program.set_version_flag("--version", std::string("drydock ") + GetVersion());
 	Program.require_subcommand(1);
+	SetLabels(Program);
 	Program.footer("Exit codes: 0 done, 1 a policy failed, 2 usage, config or graph error, 3 a file cannot be read or written,\n"
 				   "70 a fault of drydock's own. `drydock VERB --help` explains a verb.");
 	FVerbOptions Options;
@@ -87,8 +107,8 @@ int ParseAndRun(int NumArguments, char** Arguments)
 	AddConfig(*Run, Options);
 	AddArithmetic(*Run, Options);
 	Run->add_option("--out", Options.OutputFolder, "Folder for the outputs; out/NAME of the config by default")->type_name("DIR");
-	AddRepeated(*Run, "--dump", Options.Run.Dump, "Keep what matches: a pass, a resource or Pass.Resource, with * and ?; repeats");
-	Run->add_option("--frame", Options.Run.Frame, "Frame number, as shaders see it; 0 by default")->check(CLI::NonNegativeNumber)->type_name("N");
+	AddRepeated(*Run, "--dump", "PATTERN", Options.Run.Dump, "Keep what matches: a pass, a resource or Pass.Resource, with * and ?; repeats");
+	Run->add_option("--frame", Options.Run.Frame, "Frame number, as shaders see it; 0 by default")->check(CLI::Range(0, 1 << 30).description(""))->type_name("N");
 	Run->add_flag("--watch", Options.bWatch, "Run again whenever the config, its scene or a shader changes");
 	Run->add_flag("--json", Options.bJson, "Print run.json instead of the summary");
 	Run->callback([&] { ExitCode = RunVerb(Options); });
@@ -102,7 +122,8 @@ int ParseAndRun(int NumArguments, char** Arguments)
 	AddConfig(*Graph, Options);
 	AddArithmetic(*Graph, Options);
 	Graph->add_option("--format", Options.Format, "text (default), dot, svg (needs Graphviz) or json")
-		->check(CLI::IsMember({"text", "dot", "svg", "json"}))->type_name("F");
+		->check(CLI::IsMember({"text", "dot", "svg", "json"}).description(""))
+		->type_name("F");
 	Graph->add_flag("--json", Options.bJson, "The same as --format json");
 	Graph->callback([&] { ExitCode = GraphVerb(Options); });
 
@@ -121,6 +142,10 @@ int ParseAndRun(int NumArguments, char** Arguments)
 	Warm->add_option("--cache", CacheFolder, "Folder of the cache; the usual one by default")->type_name("DIR");
 	Warm->callback([&] { ExitCode = WarmVerb(Configs, CacheFolder); });
 
+	for (CLI::App* Verb : Program.get_subcommands([](const CLI::App*) { return true; }))
+	{
+		Verb->group("Verbs");
+	}
 	try
 	{
 		Program.parse(NumArguments, Arguments);
@@ -131,8 +156,8 @@ int ParseAndRun(int NumArguments, char** Arguments)
 	}
 	catch (const CLI::ParseError& Error)
 	{
-		const std::string Suggestion = SuggestFor(Program, {Arguments + 1, Arguments + NumArguments});
-		std::fprintf(stderr, "drydock: %s%s%s\nTry drydock --help.\n", Error.what(), Suggestion.empty() ? "" : "; ", Suggestion.c_str());
+		const std::string Mistake = ExplainMistake(Program, {Arguments + 1, Arguments + NumArguments}, Error.what());
+		std::fprintf(stderr, "drydock: %s\nTry drydock --help.\n", Mistake.c_str());
 		return ExitUsage;
 	}
 	return ExitCode;

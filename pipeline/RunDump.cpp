@@ -29,7 +29,7 @@ std::vector<std::string> GetDumpCandidates(const FRDGCompiledGraph& Graph)
 	std::vector<std::string> Names;
 	for (const FRDGCompiledPass& Pass : Graph.Passes)
 	{
-		Names.push_back(Pass.Name);
+		Names.push_back(GetShortPassName(Pass.Name));
 	}
 	for (const FRDGCompiledResource& Resource : Graph.Resources)
 	{
@@ -93,11 +93,18 @@ bool MatchesPattern(const std::string& Pattern, const std::string& Text)
 	return Pattern.find_first_not_of('*', P) == std::string::npos;
 }
 
+std::string GetShortPassName(const std::string& Pass)
+{
+	return Pass.substr(0, Pass.find_first_of(" ("));
+}
+
 bool IsDumped(const std::vector<TConfigValue<std::string>>& Patterns, const std::string& Pass, const std::string& Resource)
 {
+	const std::string Short = GetShortPassName(Pass);
 	return std::any_of(Patterns.begin(), Patterns.end(), [&](const TConfigValue<std::string>& Pattern)
 	{
-		return MatchesPattern(Pattern.Value, Pass) || MatchesPattern(Pattern.Value, Resource) || MatchesPattern(Pattern.Value, Pass + "." + Resource);
+		const auto Fits = [&](const std::string& Name) { return MatchesPattern(Pattern.Value, Name); };
+		return Fits(Pass) || Fits(Short) || Fits(Resource) || Fits(Pass + "." + Resource) || Fits(Short + "." + Resource);
 	});
 }
 
@@ -105,7 +112,7 @@ std::string GetDumpFileName(const FRunDump& Dump)
 {
 	char Number[16];
 	std::snprintf(Number, sizeof(Number), "%03d", Dump.PassIndex);
-	return std::string(Number) + "." + Sanitize(Dump.Pass) + "." + Sanitize(Dump.Resource) + (Dump.Mip >= 0 ? ".mip" + std::to_string(Dump.Mip) : "");
+	return std::string(Number) + "." + Sanitize(GetShortPassName(Dump.Pass)) + "." + Sanitize(Dump.Resource) + (Dump.Mip >= 0 ? ".mip" + std::to_string(Dump.Mip) : "");
 }
 
 FImage ReadTexture(FRHITexture& Texture, int Mip)

@@ -11,10 +11,13 @@ namespace Drydock
 /** Whether Text as a whole fits a pattern with * (any text) and ? (any character). */
 DRYDOCK_API bool MatchesPattern(const std::string& Pattern, const std::string& Text);
 
-/** Whether one of the patterns names the pass, the resource, or Pass.Resource. */
+/** A pass's name without the sizes behind it: "BloomSetup" of "BloomSetup 480x270 (PS)". */
+DRYDOCK_API std::string GetShortPassName(const std::string& Pass);
+
+/** Whether one of the patterns names the pass (in full or short), the resource, or Pass.Resource. */
 DRYDOCK_API bool IsDumped(const std::vector<TConfigValue<std::string>>& Patterns, const std::string& Pass, const std::string& Resource);
 
-/** "007.BloomSetup.BloomSetup", with .mipK where the resource has several; characters outside [A-Za-z0-9_-] become _. */
+/** "007.BloomSetup.BloomSetup" (the short name), with .mipK where the resource has several; characters outside [A-Za-z0-9_-] become _. */
 DRYDOCK_API std::string GetDumpFileName(const FRunDump& Dump);
 
 /** The values of one mip as stored, channels that the format has. */

@@ -5,12 +5,14 @@
 #include "RenderGraphDump.h"
 #include "RunDump.h"
 #include "RunJson.h"
+#include "TileExecutor.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <unistd.h>
 
 namespace Drydock
@@ -107,15 +109,21 @@ void WriteAside(const FRunResult& Result, const Files::path& Folder)
 {
 	const std::map<std::string, std::string> Display = {{"drydock:encoding", "sRGB"}};
 	const std::map<std::string, std::string> Linear = {{"drydock:encoding", "linear Rec.709, scene-referred"}};
-	WritePng((Folder / "final.png").string(), TakeRgb(Result.Final));
-	WriteExr((Folder / "final.exr").string(), TakeRgb(Result.Final), GetChannelNames(3), Display);
-	WriteExr((Folder / "scene_linear.exr").string(), Result.SceneLinear, GetChannelNames(4), Linear);
+	std::vector<std::function<void()>> Jobs;
+	Jobs.push_back([&] { WriteExr((Folder / "scene_linear.exr").string(), Result.SceneLinear, GetChannelNames(4), Linear); });
+	Jobs.push_back([&] { WriteExr((Folder / "final.exr").string(), TakeRgb(Result.Final), GetChannelNames(3), Display); });
+	Jobs.push_back([&] { WritePng((Folder / "final.png").string(), TakeRgb(Result.Final)); });
 	for (const FRunDump& Dump : Result.Dumps)
 	{
 		const std::string Name = (Folder / "passes" / GetDumpFileName(Dump)).string();
-		WriteExr(Name + ".exr", Dump.Image, Dump.Channels);
-		WritePng(Name + ".png", MakePreview(Dump.Image));
+		Jobs.push_back([&Dump, Name]
+		{
+			WriteExr(Name + ".exr", Dump.Image, Dump.Channels);
+			WritePng(Name + ".png", MakePreview(Dump.Image));
+		});
 	}
+	ForEachTile(FKernelTile{0, 0, 0, static_cast<int32>(Jobs.size()), 1, 1}, FIntPoint(1, 1),
+		[&](const FKernelTile& Tile) { Jobs[static_cast<size_t>(Tile.MinX)](); });
 	WriteText(Folder / "run.json", Result.RunJson);
 	WriteText(Folder / "graph.dot", DumpDot(Result.Graph));
 	WriteText(Folder / "trace.json", MakeTraceJson(Result));

@@ -71,7 +71,9 @@ FTable ListPasses()
 	FTable Table{{"shader", "file", "entry", "stage"}, {}, ""};
 	ForEachGlobalShader([&](const FGlobalShaderType& Type)
 	{
-		Table.Rows.push_back({Type.GetName(), Type.GetShaderFilename(), Type.GetFunctionName(), Type.GetFrequency() == SF_Compute ? "compute" : "pixel"});
+		const EShaderFrequency Stage = Type.GetFrequency();
+		Table.Rows.push_back({Type.GetName(), Type.GetShaderFilename(), Type.GetFunctionName(),
+			Stage == SF_Compute ? "compute" : Stage == SF_Pixel ? "pixel" : "vertex (not run)"});
 	});
 	return Table;
 }

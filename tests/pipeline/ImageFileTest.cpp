@@ -82,6 +82,16 @@ TEST_F(ImageFile, ExrKeepsNonFiniteValues)
 	EXPECT_TRUE(std::isinf(Planes[0][1]));
 }
 
+TEST_F(ImageFile, ExrIsHalfOnlyWhereThatLosesNothing)
+{
+	WriteExr(Path("half.exr"), {2, 1, 1, {65504.0, 1.0 / 16777216.0}}, {"R"}); // the largest and the least half
+	WriteExr(Path("float.exr"), {2, 1, 1, {65505.0, 0.1}}, {"R"});
+	EXPECT_EQ(OIIO::TypeDesc(OIIO::TypeDesc::HALF), OIIO::ImageInput::open(Path("half.exr"))->spec().format);
+	EXPECT_EQ(OIIO::TypeDesc(OIIO::TypeDesc::FLOAT), OIIO::ImageInput::open(Path("float.exr"))->spec().format);
+	EXPECT_EQ((std::vector<std::vector<float>>{{65504.0f, 1.0f / 16777216.0f}}), FImageFile(Path("half.exr")).Read({0}));
+	EXPECT_EQ((std::vector<std::vector<float>>{{65505.0f, 0.1f}}), FImageFile(Path("float.exr")).Read({0}));
+}
+
 TEST_F(ImageFile, ReadsOnlyTheChannelsAsked)
 {
 	WriteExr(Path("a.exr"), TwoPixels, {"R", "G", "B"});

@@ -340,11 +340,22 @@ TEST(RunDumps, FileNamesAreSafe)
 {
 	FRunDump Dump;
 	Dump.PassIndex = 7;
-	Dump.Pass = "Downsample 641x359 -> /a";
+	Dump.Pass = "Down/sample(High) 641x359 (PS)";
 	Dump.Resource = "Half.Res";
-	EXPECT_EQ("007.Downsample_641x359_-___a.Half_Res", GetDumpFileName(Dump));
+	EXPECT_EQ("007.Down_sample.Half_Res", GetDumpFileName(Dump));
 	Dump.Mip = 2;
-	EXPECT_EQ("007.Downsample_641x359_-___a.Half_Res.mip2", GetDumpFileName(Dump));
+	EXPECT_EQ("007.Down_sample.Half_Res.mip2", GetDumpFileName(Dump));
+}
+
+TEST(RunDumps, PatternsNamePassesInFullAndShort)
+{
+	const auto Fits = [](const char* Pattern) { return IsDumped({{Pattern, {}}}, "BloomSetup 480x270 (PS)", "Half"); };
+	EXPECT_TRUE(Fits("BloomSetup"));
+	EXPECT_TRUE(Fits("BloomSetup 480x270 (PS)"));
+	EXPECT_TRUE(Fits("BloomSetup.Half"));
+	EXPECT_TRUE(Fits("Half"));
+	EXPECT_FALSE(Fits("Bloom"));
+	EXPECT_FALSE(Fits("BloomSetup.Full"));
 }
 
 TEST(RunDumps, KeepTheResourceAfterThePass)
