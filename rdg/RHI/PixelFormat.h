@@ -85,5 +85,38 @@ FORCEINLINE bool IsStencilFormat(EPixelFormat Format)
 /** Texels are unsigned integers: read as uint, never filtered, never widened. */
 DRYDOCK_API bool IsInteger(EPixelFormat Format);
 
+/** What a format can be used for. Every stored format can be used for everything. */
+enum class EPixelFormatCapabilities : uint32
+{
+	None = 0,
+	Texture1D = 1 << 0,
+	Texture2D = 1 << 1,
+	Texture3D = 1 << 2,
+	TextureCube = 1 << 3,
+	RenderTarget = 1 << 5,
+	DepthStencil = 1 << 6,
+	TextureMipmaps = 1 << 7,
+	TextureLoad = 1 << 8,
+	TextureSample = 1 << 9,
+	TextureBlendable = 1 << 13,
+	Buffer = 1 << 16,
+	BufferLoad = 1 << 19,
+	UAV = 1 << 22,
+	TypedUAVLoad = 1 << 23,
+	TypedUAVStore = 1 << 24,
+	AnyTexture = Texture1D | Texture2D | Texture3D | TextureCube,
+};
+ENUM_CLASS_FLAGS(EPixelFormatCapabilities)
+
+inline bool RHIPixelFormatHasCapabilities(EPixelFormat Format, EPixelFormatCapabilities)
+{
+	return GPixelFormats[Format].Supported;
+}
+
+inline bool RHIIsTypedUAVLoadSupported(EPixelFormat Format)
+{
+	return GPixelFormats[Format].Supported;
+}
+
 /** Floating-point texels that may exceed 0..1. */
 DRYDOCK_API bool IsFloatFormat(EPixelFormat Format);

@@ -292,9 +292,12 @@ FIntRect FRHICommandList::GetDrawRect() const
 
 std::vector<Drydock::FKernelTarget> FRHICommandList::MakeTargets(int32 NumWritten) const
 {
-	// Outputs without a target are dropped: a write mask of 0, and no texture behind it.
+	// Outputs without a target are dropped: a write mask of 0, and a texture without texels behind it.
+	static const Drydock::FKernelMip NoTexels{};
+	Drydock::FKernelTarget NoTarget{};
+	NoTarget.Texture = {&NoTexels, 1, Drydock::ETexelStorage::R32_FLOAT, 0, 0};
 	const int32 NumBound = RenderPass.GetNumColorRenderTargets();
-	std::vector<Drydock::FKernelTarget> Targets(size_t(std::max(NumBound, NumWritten)));
+	std::vector<Drydock::FKernelTarget> Targets(size_t(std::max(NumBound, NumWritten)), NoTarget);
 	for (int32 Index = 0; Index < NumBound; ++Index)
 	{
 		const FRHIRenderPassInfo::FColorEntry& Entry = RenderPass.ColorRenderTargets[Index];

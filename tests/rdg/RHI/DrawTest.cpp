@@ -264,6 +264,7 @@ TEST_F(Draw, OutputsWithoutATargetAreMasked)
 	EXPECT_EQ(15, GSeenTargets[2].WriteMask);
 	EXPECT_EQ(0, GSeenTargets[1].WriteMask);
 	EXPECT_EQ(0, GSeenTargets[3].WriteMask);
+	EXPECT_EQ(0, GSeenTargets[3].Texture.Mips[0].SizeY);
 }
 
 TEST_F(Draw, TargetsTheShaderDoesNotWriteAreMasked)

@@ -10,6 +10,7 @@ TEST(Sampler, DefaultIsPointAndWrap)
 	const FKernelSampler Sampler = TStaticSamplerState<>::GetRHI()->GetKernelSampler();
 	EXPECT_EQ(EKernelFilter::Point, Sampler.Filter);
 	EXPECT_EQ(EKernelAddress::Wrap, Sampler.AddressU);
+	EXPECT_EQ(EKernelAddress::Wrap, Sampler.AddressV);
 	EXPECT_EQ(EKernelAddress::Wrap, Sampler.AddressW);
 	EXPECT_EQ(0.0f, Sampler.Border[3]);
 }

@@ -1,5 +1,7 @@
 // The tile executor: every thread once, in tiles, under the right denormal mode. Source: drydock.
 #include <atomic>
+#include <chrono>
+#include <limits>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -88,6 +90,42 @@ TEST_P(Threads, TheFirstTilesExceptionLeaves)
 		{
 			ASSERT_STREQ("5", Error.what());
 		}
+	}
+}
+
+TEST(TileExecutor, ALaterTilesExceptionDoesNotReplaceTheFirst)
+{
+	const FScopedCVar Scope(TEXT("r.Drydock.Threads"), 2);
+	std::atomic<bool> bLaterRuns{false};
+	std::atomic<bool> bFirstThrew{false};
+	const auto Wait = [](const std::atomic<bool>& bFlag)
+	{
+		for (int32 Milliseconds = 0; Milliseconds < 1000 && !bFlag; ++Milliseconds)
+		{
+			std::this_thread::sleep_for(std::chrono::milliseconds(1));
+		}
+	};
+	const auto Body = [&](const FKernelTile& Tile)
+	{
+		if (Tile.MinX == 0)
+		{
+			Wait(bLaterRuns);
+			bFirstThrew = true;
+			throw std::runtime_error("first");
+		}
+		bLaterRuns = true;
+		Wait(bFirstThrew);
+		std::this_thread::sleep_for(std::chrono::milliseconds(20)); // until the first exception has been recorded
+		throw std::runtime_error("later");
+	};
+	try
+	{
+		ForEachTile(FKernelTile{0, 0, 0, 2, 1, 1}, FIntPoint(1, 1), Body);
+		FAIL() << "nothing was thrown";
+	}
+	catch (const std::runtime_error& Error)
+	{
+		EXPECT_STREQ("first", Error.what());
 	}
 }
 

@@ -212,8 +212,10 @@ TEST(ClearUAV, ReachesEveryDepthSlice)
 	const FTextureRHIRef Texture =
 		MakeTexture(FRHITextureDesc::Create3D(FIntVector(3, 3, 3), PF_R32_FLOAT, FClearValueBinding::Black, TexCreate_UAV));
 	GetList().ClearUAVFloat(RHICreateUnorderedAccessView(Texture), FVector4f(3, 0, 0, 0));
-	EXPECT_EQ(3.0f, Texture->ReadTexel(2, 2, 0, 2).R);
-	EXPECT_EQ(3.0f, Texture->ReadTexel(0, 0, 0, 0).R);
+	for (int32 Index = 0; Index < 27; ++Index)
+	{
+		EXPECT_EQ(3.0f, Texture->ReadTexel(Index % 3, Index / 3 % 3, 0, Index / 9).R) << Index;
+	}
 }
 
 TEST(ClearUAV, UintIsVerbatimInIntegersAndBitsInFloats)
