@@ -19,7 +19,7 @@ struct FChildResult
 
 	bool Succeeded() const { return bStarted && !bTimedOut && Signal == 0 && ExitCode == 0; }
 	/** "ended with exit code 2", "was ended by signal 11", "took longer than 60 s". */
-	std::string Describe(int TimeLimitSeconds) const;
+	DRYDOCK_API std::string Describe(int TimeLimitSeconds) const;
 };
 
 /** Arguments[0] is the program, searched in PATH. The child and all it starts are killed when the time is over. */

@@ -26,9 +26,6 @@ namespace fs = std::filesystem;
 
 constexpr int TimeLimitSeconds = 300;
 
-/** Bump when the emitter writes other code for the same shader. */
-constexpr int EmitterVersion = 1;
-
 std::vector<std::string> GetFlags(const FLaneConfig& Lanes)
 {
 	const int32_t FloatLanes = Lanes.bDouble ? Lanes.Lanes * 2 : Lanes.Lanes;
@@ -134,7 +131,6 @@ std::string GetCompilerId(const std::string& Compiler)
 std::string GetKernelBuildIdentity(const FLaneConfig& Lanes)
 {
 	FContentHash Hash;
-	Hash.Add(std::to_string(EmitterVersion));
 	Hash.Add(std::to_string(GShaderKernelVersion));
 	Hash.Add(GetHeaderHash());
 	for (const std::string& Flag : GetFlags(Lanes))

@@ -106,6 +106,7 @@ std::string HashRequest(const FShaderCompileRequest& Request)
 std::string HashSource(const FShaderSource& Source, const FShaderCompileRequest& Request, const std::string& Build)
 {
 	FContentHash Hash;
+	Hash.Add(std::to_string(GShaderTierVersion));
 	Hash.Add(Source.Text);
 	Hash.Add(Request.EntryPoint);
 	Hash.Add(std::to_string(int(Request.Stage)));

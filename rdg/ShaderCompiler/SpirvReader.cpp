@@ -3,6 +3,7 @@
 #include "SpirvModule.h"
 
 #include "SpirvCheck.h"
+#include "SpirvLayout.h"
 
 #include <map>
 
@@ -622,6 +623,7 @@ FSpirvModule FReader::Read()
 		Variable.Location = Get(DecorationLocation, 0);
 	}
 	CheckSpirv(Module);
+	ApplyD3DLayout(Module);
 	return std::move(Module);
 }
 

@@ -3,6 +3,7 @@
 #include "SpirvReflect.h"
 
 #include <optional>
+#include <set>
 
 namespace Drydock
 {
@@ -56,23 +57,26 @@ public:
 private:
 	int32_t Count(const FStructNode& Node);
 	std::optional<int64_t> GetTrips(const FStructNode& Loop) const;
-	bool LeavesEarly(const FStructRegion& Region) const;
+	/** Some threads may not reach the region's end. Inside: labels that jumps may go to without leaving. */
+	bool LeavesEarly(const FStructRegion& Region, const std::set<uint32_t>& Inside = {}) const;
 
 	const FSpirvModule& Module;
 	std::map<uint32_t, const FSpirvInstruction*> Definitions;
 };
 
-bool FCounter::LeavesEarly(const FStructRegion& Region) const
+bool FCounter::LeavesEarly(const FStructRegion& Region, const std::set<uint32_t>& Inside) const
 {
 	for (const FStructNode& Node : Region.Nodes)
 	{
-		if ((Node.Kind == EStructNode::Edge && Node.bJump) || Node.Kind == EStructNode::Return || Node.Kind == EStructNode::Kill)
+		if ((Node.Kind == EStructNode::Edge && Node.bJump && !Inside.count(Node.To)) || Node.Kind == EStructNode::Return || Node.Kind == EStructNode::Kill)
 		{
 			return true;
 		}
+		std::set<uint32_t> Deeper = Inside;
+		Deeper.insert({Node.Merge, Node.Continue});
 		for (const FStructRegion& Inner : Node.Regions)
 		{
-			if (LeavesEarly(Inner))
+			if (LeavesEarly(Inner, Deeper))
 			{
 				return true;
 			}

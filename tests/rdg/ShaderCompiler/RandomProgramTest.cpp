@@ -83,7 +83,7 @@ TEST_P(FRandomProgram, KernelsAgreeWithTheModelBitForBit)
 		FShaderHarness Model(Text, "MainCS", EShaderStage::Compute);
 		FillInputs(Model, Seed, NumFunctions);
 		Model.RunModel(Width, Height);
-		for (const int32_t Lanes : {4, 8, 16})
+		for (const int32_t Lanes : GetLaneCounts())
 		{
 			FShaderHarness Kernel(Text, "MainCS", EShaderStage::Compute);
 			FillInputs(Kernel, Seed, NumFunctions);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Diagnostics.h"
+#include "LanesDispatch.h"
 #include "ShaderCompiler.h"
 #include "ShaderFrontEnd.h"
 #include "SpirvInterpreter.h"
@@ -207,10 +208,20 @@ std::string ErrorOf(F f)
 	return {};
 }
 
-inline bool SameBits(uint32_t A, uint32_t B)
+/** 4, 8 and 16 float lanes, as far as this CPU has them. */
+inline std::vector<int32_t> GetLaneCounts()
 {
-	return A == B;
+	std::vector<int32_t> Result;
+	for (const int32_t Lanes : {4, 8, 16})
+	{
+		if (Lanes <= GetWidestLanes(false))
+		{
+			Result.push_back(Lanes);
+		}
+	}
+	return Result;
 }
+
 /** Equal bits, or both NaN. */
 inline bool SameFloat(float A, float B)
 {

@@ -1,0 +1,165 @@
+// What an author sees when a shader is wrong: file, line, all messages, and what to do. Source: drydock.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "ChildProcess.h"
+#include "ShaderHarness.h"
+
+namespace
+{
+
+using namespace Drydock;
+using namespace Drydock::Test;
+using testing::HasSubstr;
+using testing::Not;
+
+/** Errors of a compute shader with an output texture, whose line 1 declares it. */
+std::string ErrorsOf(const std::string& Text, EShaderStage Stage = EShaderStage::Compute)
+{
+	return ErrorOf([&] { ReflectShader(FShaderHarness("RWTexture2D<float4> Out;\n" + Text, "Main", Stage).Request); });
+}
+
+/** Errors of one statement in an entry point, on line 3. */
+std::string ErrorsOfStatement(const std::string& Statement, const std::string& Globals = "")
+{
+	return ErrorsOf(Globals + "\n[numthreads(8, 8, 1)] void Main(uint3 Id : SV_DispatchThreadID, uint Lane : SV_GroupIndex) {\n" + Statement + "\n}\n");
+}
+
+} // namespace
+
+TEST(ShaderErrors, SyntaxErrorHasFileAndLine)
+{
+	EXPECT_THAT(ErrorsOf("void Main()\n{\n\tint a = (1;\n}\n"), HasSubstr("/Test/Shader.usf:4: error: ')' : Expected"));
+}
+
+TEST(ShaderErrors, SeveralErrorsAreAllReported)
+{
+	const std::string Errors = ErrorsOf("void Main()\n{\n\tfloat a = Foo(1), b = (2;\n}\nfloat F() { return Bar(2); }\n");
+	EXPECT_THAT(Errors, HasSubstr("/Test/Shader.usf:4: error: 'Foo' : no matching overloaded function found"));
+}
+
+TEST(ShaderErrors, LineSurvivesIncludesAndCarriageReturns)
+{
+	FShaderHarness Harness("#include \"Inner.ush\"\r\n\r\nfloat Broken() { return Nope; }\r\n", "Main", EShaderStage::Compute);
+	Harness.Request.GeneratedFiles.push_back({"/Test/Inner.ush", "float Fine() { return 1; }\r\n\r\n\r\n\r\n"});
+	EXPECT_THAT(ErrorOf([&] { ReflectShader(Harness.Request); }), HasSubstr("/Test/Shader.usf:3: error: 'Nope' : unknown variable"));
+}
+
+TEST(ShaderErrors, ErrorInAnIncludeNamesTheInclude)
+{
+	FShaderHarness Harness("#include \"Inner.ush\"\n", "Main", EShaderStage::Compute);
+	Harness.Request.GeneratedFiles.push_back({"/Test/Inner.ush", "\nfloat Broken() { return Nope; }\n"});
+	EXPECT_THAT(ErrorOf([&] { ReflectShader(Harness.Request); }), HasSubstr("/Test/Inner.ush:2: error: 'Nope'"));
+}
+
+TEST(ShaderErrors, UnknownEntryPointIsNamed)
+{
+	EXPECT_THAT(ErrorsOf("float F() { return 1; }\n"), HasSubstr("entry point 'Main' does not exist"));
+}
+
+TEST(ShaderErrors, UnknownUniformBufferMemberNamesTheNearest)
+{
+	FShaderHarness Harness("cbuffer View { float4 View_ViewSize; };\nfloat4 Main() : SV_Target0\n{\n\treturn View.ViewSice;\n}\n", "Main", EShaderStage::Pixel);
+	Harness.Request.UniformBuffers = {{"View", {"ViewSize", "Exposure"}}};
+	EXPECT_THAT(ErrorOf([&] { ReflectShader(Harness.Request); }),
+		HasSubstr("/Test/Shader.usf:4: error: uniform buffer 'View' has no member 'ViewSice'; did you mean ViewSize?"));
+}
+
+TEST(ShaderErrors, UnknownMemberInInactiveTextIsNone)
+{
+	FShaderHarness Harness("#if 0\nfloat x = View.Nothing;\n#endif\nfloat4 Main() : SV_Target0 { return 1; }\n", "Main", EShaderStage::Pixel);
+	Harness.Request.UniformBuffers = {{"View", {"ViewSize"}}};
+	EXPECT_EQ("", ErrorOf([&] { ReflectShader(Harness.Request); }));
+}
+
+TEST(ShaderErrors, SummaryLinesOfTheFrontEndAreNotShown)
+{
+	EXPECT_THAT(ErrorsOf("void Main() { int a = ; }\n"), Not(HasSubstr("compilation errors")));
+}
+
+TEST(ShaderErrors, MissingFrontEndSaysWhatToInstall)
+{
+	setenv("DRYDOCK_GLSLANG", "/nonexistent/glslangValidator", 1);
+	const std::string Errors = ErrorsOf("// never seen by a cache 1\n[numthreads(1, 1, 1)] void Main() {}\n");
+	unsetenv("DRYDOCK_GLSLANG");
+	EXPECT_THAT(Errors, HasSubstr("install the package glslang-tools"));
+}
+
+TEST(ShaderErrors, CrashOfTheFrontEndIsAnError)
+{
+	setenv("DRYDOCK_GLSLANG", "/bin/false", 1);
+	const std::string Errors = ErrorsOf("// never seen by a cache 2\n[numthreads(1, 1, 1)] void Main() {}\n");
+	unsetenv("DRYDOCK_GLSLANG");
+	EXPECT_THAT(Errors, HasSubstr("glslangValidator ended with exit code 1"));
+}
+
+TEST(ShaderRefusals, GroupsharedNamesTheVariableAndTheLine)
+{
+	const std::string Errors = ErrorsOfStatement("G[Lane] = Lane;\nOut[Id.xy] = G[Lane ^ 1];", "groupshared float G[64];");
+	EXPECT_THAT(Errors, HasSubstr("/Test/Shader.usf:4: error: groupshared 'G' is not supported on the CPU tier"));
+}
+
+TEST(ShaderRefusals, BarriersAreNamed)
+{
+	EXPECT_THAT(ErrorsOfStatement("GroupMemoryBarrierWithGroupSync();\nOut[Id.xy] = 1;"), HasSubstr("/Test/Shader.usf:4: error: OpControlBarrier"));
+}
+
+TEST(ShaderRefusals, DerivativesSayWhatToDo)
+{
+	const std::string Errors = ErrorsOf("float4 Main(float2 UV : TEXCOORD0) : SV_Target0\n{\n\treturn ddx(UV).xyxy;\n}\n", EShaderStage::Pixel);
+	EXPECT_THAT(Errors, HasSubstr("/Test/Shader.usf:4: error: OpDPdx (ddx): there are no derivatives on the CPU tier"));
+}
+
+TEST(ShaderRefusals, AtomicsSayWhatToDo)
+{
+	EXPECT_THAT(ErrorsOfStatement("uint Old; InterlockedAdd(B[0], 1u, Old); Out[Id.xy] = Old;", "RWStructuredBuffer<uint> B;"), HasSubstr("atomics"));
+}
+
+TEST(ShaderRefusals, CubeMapsAreNamed)
+{
+	EXPECT_THAT(ErrorsOfStatement("Out[Id.xy] = C.SampleLevel(S, float3(1, 0, 0), 0);", "TextureCube C; SamplerState S;"), HasSubstr("cube maps are not supported"));
+}
+
+TEST(ShaderRefusals, SampleGradIsNamed)
+{
+	EXPECT_THAT(ErrorsOfStatement("Out[Id.xy] = T.SampleGrad(S, float2(1, 0), float2(1, 0), float2(0, 1));", "Texture2D T; SamplerState S;"), HasSubstr("SampleGrad"));
+}
+
+TEST(ShaderRefusals, PartialTexelWritesSayWhatToDo)
+{
+	EXPECT_THAT(ErrorsOfStatement("Out[Id.xy].x = 1;"), HasSubstr("write the whole texel"));
+}
+
+TEST(ShaderRefusals, InputsThatNoPassFillsAreNamed)
+{
+	EXPECT_THAT(ErrorsOf("float4 Main(float4 C : COLOR) : SV_Target0 { return C; }\n", EShaderStage::Pixel), HasSubstr("semantic COLOR"));
+}
+
+TEST(RunChild, GivesOutputAndExitCode)
+{
+	const FChildResult Result = RunChild({"/bin/sh", "-c", "echo out; echo err >&2; exit 3"}, 10);
+	EXPECT_EQ(3, Result.ExitCode);
+	EXPECT_EQ("out\nerr\n", Result.Output);
+}
+
+TEST(RunChild, PassesArgumentsWithoutAShell)
+{
+	EXPECT_EQ("$(id) ; `x` 'y'\n", RunChild({"/bin/echo", "$(id) ; `x` 'y'"}, 10).Output);
+}
+
+TEST(RunChild, EndsWhatTakesTooLong)
+{
+	const FChildResult Result = RunChild({"/bin/sh", "-c", "sleep 60"}, 1);
+	EXPECT_TRUE(Result.bTimedOut);
+	EXPECT_EQ("took longer than 1 s", Result.Describe(1));
+}
+
+TEST(RunChild, NamesTheSignalOfACrash)
+{
+	EXPECT_EQ("was ended by signal 11", RunChild({"/bin/sh", "-c", "kill -SEGV $$"}, 10).Describe(10));
+}
+
+TEST(RunChild, MissingProgramDoesNotStart)
+{
+	EXPECT_FALSE(RunChild({"/nonexistent/program"}, 10).bStarted);
+}

@@ -1,0 +1,173 @@
+// Flattening: one text, every file once, lines that lead back, any encoding. Source: drydock.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "ShaderHarness.h"
+#include "ShaderSource.h"
+
+#include <filesystem>
+#include <fstream>
+
+namespace
+{
+
+using namespace Drydock;
+using namespace Drydock::Test;
+using testing::HasSubstr;
+using testing::Not;
+
+FShaderCompileRequest MakeRequest(std::vector<std::pair<std::string, std::string>> Files)
+{
+	FShaderCompileRequest Request;
+	Request.VirtualPath = Files[0].first;
+	Request.EntryPoint = "MainCS";
+	Request.GeneratedFiles = std::move(Files);
+	return Request;
+}
+
+std::string Flatten(std::vector<std::pair<std::string, std::string>> Files)
+{
+	return FlattenShader(MakeRequest(std::move(Files))).Text;
+}
+
+size_t Count(const std::string& Text, const std::string& Part)
+{
+	size_t Result = 0;
+	for (size_t At = Text.find(Part); At != std::string::npos; At = Text.find(Part, At + 1))
+	{
+		++Result;
+	}
+	return Result;
+}
+
+} // namespace
+
+TEST(FlattenShader, IncludesAFileOnceHoweverOftenItIsNamed)
+{
+	const std::string Text = Flatten({{"/T/A.usf", "#include \"/T/B.ush\"\n#include \"B.ush\"\n#include \"C.ush\"\n"}, {"/T/B.ush", "int b;\n"}, {"/T/C.ush", "#include \"../T/B.ush\"\nint c;\n"}});
+	EXPECT_EQ(1u, Count(Text, "int b;"));
+	EXPECT_EQ(1u, Count(Text, "int c;"));
+}
+
+TEST(FlattenShader, SurvivesFilesThatIncludeEachOther)
+{
+	const std::string Text = Flatten({{"/T/A.usf", "#include \"B.ush\"\nint a;\n"}, {"/T/B.ush", "#include \"A.usf\"\nint b;\n"}});
+	EXPECT_EQ(1u, Count(Text, "int a;"));
+	EXPECT_EQ(1u, Count(Text, "int b;"));
+}
+
+TEST(FlattenShader, NamesFileAndLineAtEverySeam)
+{
+	const std::string Text = Flatten({{"/T/A.usf", "int x;\n#include \"B.ush\"\nint y;\n"}, {"/T/B.ush", "int b;\n"}});
+	EXPECT_THAT(Text, HasSubstr("#line 1 \"/T/A.usf\"\nint x;\n"));
+	EXPECT_THAT(Text, HasSubstr("#line 1 \"/T/B.ush\"\nint b;\n"));
+	EXPECT_THAT(Text, HasSubstr("#line 3 \"/T/A.usf\"\nint y;\n"));
+}
+
+TEST(FlattenShader, DoesNotIncludeFromComments)
+{
+	EXPECT_THAT(Flatten({{"/T/A.usf", "// #include \"Missing.ush\"\n/*\n#include \"Missing.ush\"\n*/ int a;\n"}}), HasSubstr("int a;"));
+}
+
+TEST(FlattenShader, MissingIncludeNamesTheIncluderAndItsLine)
+{
+	const std::string Error = ErrorOf([] { Flatten({{"/T/A.usf", "\n\n#include \"/T/Nowhere.ush\"\n"}}); });
+	EXPECT_THAT(Error, HasSubstr("/T/A.usf:3: error: cannot open include file '/T/Nowhere.ush'"));
+}
+
+TEST(FlattenShader, ReportsEveryMissingInclude)
+{
+	const std::string Error = ErrorOf([] { Flatten({{"/T/A.usf", "#include \"X.ush\"\n#include \"Y.ush\"\n"}}); });
+	EXPECT_THAT(Error, HasSubstr("/T/A.usf:1: error: cannot open include file 'X.ush'"));
+	EXPECT_THAT(Error, HasSubstr("/T/A.usf:2: error: cannot open include file 'Y.ush'"));
+}
+
+TEST(FlattenShader, MissingShaderIsAnErrorThatNamesIt)
+{
+	FShaderCompileRequest Request;
+	Request.VirtualPath = "/Nowhere/X.usf";
+	EXPECT_THAT(ErrorOf([&] { FlattenShader(Request); }), HasSubstr("cannot open shader '/Nowhere/X.usf'"));
+}
+
+TEST(FlattenShader, LaterDefineOfTheSameNameWins)
+{
+	FShaderCompileRequest Request = MakeRequest({{"/T/A.usf", ""}});
+	Request.Defines = {{"SIZE", "1"}, {"SIZE", "2"}};
+	const std::string Text = FlattenShader(Request).Text;
+	EXPECT_THAT(Text, HasSubstr("#define SIZE 2\n"));
+	EXPECT_THAT(Text, Not(HasSubstr("#define SIZE 1\n")));
+}
+
+TEST(FlattenShader, ListsTheFilesOnDisk)
+{
+	const std::filesystem::path Folder = std::filesystem::temp_directory_path() / "drydock-flatten-test";
+	std::filesystem::create_directories(Folder / "Sub");
+	std::ofstream(Folder / "Sub" / "Common.ush") << "int c;\n";
+	AddShaderDirectory("/FlattenTest", Folder.string());
+	// The name's case differs from the file system's, as on Windows.
+	const FShaderSource Source = FlattenShader(MakeRequest({{"/T/A.usf", "#include \"/FlattenTest/sub/COMMON.ush\"\n"}}));
+	ASSERT_EQ(1u, Source.Files.size());
+	EXPECT_EQ((Folder / "Sub" / "Common.ush").string(), Source.Files[0]);
+	std::filesystem::remove_all(Folder);
+}
+
+TEST(FindShaderFile, LaterMappingOfAPrefixWins)
+{
+	const std::filesystem::path Folder = std::filesystem::temp_directory_path() / "drydock-mapping-test";
+	std::filesystem::create_directories(Folder / "Old");
+	std::filesystem::create_directories(Folder / "New");
+	std::ofstream(Folder / "Old" / "Both.usf") << "old";
+	std::ofstream(Folder / "New" / "Both.usf") << "new";
+	std::ofstream(Folder / "Old" / "Only.usf") << "old";
+	AddShaderDirectory("/MappingTest", (Folder / "Old").string());
+	AddShaderDirectory("/MappingTest/", (Folder / "New").string());
+	EXPECT_EQ((Folder / "New" / "Both.usf").string(), FindShaderFile("/MappingTest/Both.usf"));
+	EXPECT_EQ((Folder / "Old" / "Only.usf").string(), FindShaderFile("/MappingTest/Only.usf"));
+	EXPECT_EQ("", FindShaderFile("/MappingTest/None.usf"));
+	std::filesystem::remove_all(Folder);
+}
+
+TEST(NormalizeShaderText, RemovesByteOrderMarkAndCarriageReturns)
+{
+	EXPECT_EQ("a\nb\n", NormalizeShaderText("\xEF\xBB\xBF" "a\r\nb\r\n"));
+}
+
+TEST(NormalizeShaderText, ABackslashInsideADoubleByteCharacterJoinsNoLines)
+{
+	// 0x95 0x5C is one character in Shift-JIS and GBK.
+	EXPECT_EQ("// ??\nint a;\n", NormalizeShaderText("// \x95\x5C\nint a;\n"));
+}
+
+TEST(NormalizeShaderText, KeepsTheBackslashAfterUtf8)
+{
+	EXPECT_EQ("#define A ?? \\\n1\n", NormalizeShaderText("#define A \xC3\xA9 \\\n1\n"));
+}
+
+TEST(ResolveVirtualPath, TakesRelativePathsFromTheIncludersFolder)
+{
+	EXPECT_EQ("/P/Sub/B.ush", ResolveVirtualPath("B.ush", "/P/Sub/A.usf"));
+	EXPECT_EQ("/P/B.ush", ResolveVirtualPath("../B.ush", "/P/Sub/A.usf"));
+	EXPECT_EQ("/Q/B.ush", ResolveVirtualPath("/Q/B.ush", "/P/A.usf"));
+}
+
+class FRewrite : public testing::Test
+{
+protected:
+	std::string Rewrite(const std::string& Text) { return RewriteUniformBuffers(Text, {{"View", {"ViewSize", "Exposure"}}}); }
+};
+
+TEST_F(FRewrite, JoinsBufferAndMember)
+{
+	EXPECT_EQ("float2 s = View_ViewSize.xy * View_Exposure;", Rewrite("float2 s = View.ViewSize.xy * View . Exposure;"));
+}
+
+TEST_F(FRewrite, LeavesCommentsStringsAndOtherNamesAlone)
+{
+	const std::string Text = "// View.ViewSize\n/* View.Exposure */ \"View.ViewSize\" MyView.ViewSize In.View.Exposure View2.X View";
+	EXPECT_EQ(Text, Rewrite(Text));
+}
+
+TEST_F(FRewrite, KeepsTheLines)
+{
+	EXPECT_EQ("a\nView_Exposure\nb", Rewrite("a\nView.Exposure\nb"));
+}
