@@ -252,6 +252,13 @@ TEST(Tonemap, PreExposureCancels)
 	}
 }
 
+TEST(Tonemap, TonemapperGammaIsRelativeToTheDisplays)
+{
+	const FScopedConsoleVariable Gamma(TEXT("r.TonemapperGamma"), 1.1f);
+	// 2.2 / 1.1: the square, before the sRGB curve.
+	EXPECT_NEAR(ToneReference::EncodeSrgb(0.18 * 0.18), TonemapPixel({0.18, 0.18, 0.18, 1})[0], 1e-5);
+}
+
 TEST(Tonemap, AlphaIsLumaWhenAskedForElseZero)
 {
 	const FTexel Color{0.5, 0.25, 0.75, 1};
