@@ -230,8 +230,8 @@ private:
 			const bool bLoadsTarget = EnumHasAnyFlags(Use.Access, ERHIAccess::RTV | ERHIAccess::DSVWrite) && Use.bLoads;
 			if (!bProduced[size_t(Use.Resource)] && (bReadOnly || bLoadsTarget))
 			{
-				Ensure(RDGEnsureNeverWritten, Pass, "the pass has a read dependency on a resource that was never written to", Use.Parameter,
-					GetResource(Use).Name);
+				Ensure(RDGEnsureNeverWritten, Pass, "the pass has a read dependency on " + GetResource(Use).Name + ", but it was never written to",
+					Use.Parameter, GetResource(Use).Name);
 			}
 		}
 	}
