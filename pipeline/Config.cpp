@@ -21,7 +21,7 @@ namespace
 /** Largest picture side that a rect may name. */
 constexpr double MaxExtent = 65536.0;
 
-template <typename TFunction>
+template<typename TFunction>
 void WithMember(const FJsonValue& Object, const char* Key, EJsonType Type, const TFunction& Function)
 {
 	const FJsonValue* Member = Object.Find(Key);
@@ -33,7 +33,10 @@ void WithMember(const FJsonValue& Object, const char* Key, EJsonType Type, const
 
 void ReadString(const FJsonValue& Object, const char* Key, TConfigValue<std::string>& OutValue)
 {
-	WithMember(Object, Key, EJsonType::String, [&](const FJsonValue& Member) { OutValue = {Member.String, PlaceOf(Member)}; });
+	WithMember(Object, Key, EJsonType::String,
+		[&](const FJsonValue& Member) {
+			OutValue = {Member.String, PlaceOf(Member)};
+		});
 }
 
 void ReadNumber(const FJsonValue& Object, const char* Key, double& OutNumber)
@@ -49,89 +52,99 @@ void ReadBool(const FJsonValue& Object, const char* Key, bool& OutBool)
 /** A factor of brightness: finite and above 0. */
 void ReadScale(const FJsonValue& Object, const char* Key, TConfigValue<double>& OutValue, FConfigMessages& Messages)
 {
-	WithMember(Object, Key, EJsonType::Number, [&](const FJsonValue& Member)
-	{
-		if (!(Member.Number > 0.0) || !std::isfinite(static_cast<float>(Member.Number)) || static_cast<float>(Member.Number) == 0.0f)
+	WithMember(Object, Key, EJsonType::Number,
+		[&](const FJsonValue& Member)
 		{
-			Messages.Error(ErrorBadValue, Member, std::string(Key) + " must be above 0");
-			return;
-		}
-		OutValue = {Member.Number, PlaceOf(Member)};
-	});
+			if (!(Member.Number > 0.0) || !std::isfinite(static_cast<float>(Member.Number)) ||
+				static_cast<float>(Member.Number) == 0.0f)
+			{
+				Messages.Error(ErrorBadValue, Member, std::string(Key) + " must be above 0");
+				return;
+			}
+			OutValue = {Member.Number, PlaceOf(Member)};
+		});
 }
 
 void ReadWeight(const FJsonValue& Object, const char* Key, double& OutWeight, FConfigMessages& Messages)
 {
-	WithMember(Object, Key, EJsonType::Number, [&](const FJsonValue& Member)
-	{
-		OutWeight = std::clamp(Member.Number, 0.0, 1.0);
-		if (OutWeight != Member.Number)
+	WithMember(Object, Key, EJsonType::Number,
+		[&](const FJsonValue& Member)
 		{
-			Messages.Warn(WarnWeightClamped, Member, std::string(Key) + " is clamped to 0..1");
-		}
-	});
+			OutWeight = std::clamp(Member.Number, 0.0, 1.0);
+			if (OutWeight != Member.Number)
+			{
+				Messages.Warn(WarnWeightClamped, Member, std::string(Key) + " is clamped to 0..1");
+			}
+		});
 }
 
 void ReadScene(const FJsonValue& Value, FConfigScene& Scene, FConfigMessages& Messages)
 {
 	ReadString(Value, "file", Scene.File);
-	WithMember(Value, "channels", EJsonType::Object, [&](const FJsonValue& Channels)
-	{
-		for (const auto& [Name, Channel] : Channels.Members)
+	WithMember(Value, "channels", EJsonType::Object,
+		[&](const FJsonValue& Channels)
 		{
-			Scene.Channels[Name] = {Channel.String, PlaceOf(Channel)};
-		}
-	});
-	WithMember(Value, "defaults", EJsonType::Object, [&](const FJsonValue& Defaults)
-	{
-		for (const auto& [Name, Default] : Defaults.Members)
+			for (const auto& [Name, Channel] : Channels.Members)
+			{
+				Scene.Channels[Name] = {Channel.String, PlaceOf(Channel)};
+			}
+		});
+	WithMember(Value, "defaults", EJsonType::Object,
+		[&](const FJsonValue& Defaults)
 		{
-			Scene.Defaults[Name] = {Default.Number, PlaceOf(Default)};
-		}
-	});
-	WithMember(Value, "screenPercentage", EJsonType::Number, [&](const FJsonValue& Percentage)
-	{
-		if (!(Percentage.Number > 0.0))
+			for (const auto& [Name, Default] : Defaults.Members)
+			{
+				Scene.Defaults[Name] = {Default.Number, PlaceOf(Default)};
+			}
+		});
+	WithMember(Value, "screenPercentage", EJsonType::Number,
+		[&](const FJsonValue& Percentage)
 		{
-			Messages.Error(ErrorBadValue, Percentage, "screenPercentage must be above 0");
-		}
-		else if (Percentage.Number != 100.0)
-		{
-			Messages.Warn(WarnNotBuilt, Percentage, "a screenPercentage other than 100 is not built yet: the scene runs at its own size");
-		}
-	});
+			if (!(Percentage.Number > 0.0))
+			{
+				Messages.Error(ErrorBadValue, Percentage, "screenPercentage must be above 0");
+			}
+			else if (Percentage.Number != 100.0)
+			{
+				Messages.Warn(WarnNotBuilt, Percentage,
+					"a screenPercentage other than 100 is not built yet: the scene runs at its own size");
+			}
+		});
 }
 
 void ReadRect(const FJsonValue& Value, FConfigView& View, FConfigMessages& Messages)
 {
-	WithMember(Value, "rect", EJsonType::Array, [&](const FJsonValue& Rect)
-	{
-		std::array<int, 4> Corners = {};
-		if (Rect.Elements.size() != Corners.size())
+	WithMember(Value, "rect", EJsonType::Array,
+		[&](const FJsonValue& Rect)
 		{
-			return; // reported
-		}
-		for (size_t Index = 0; Index < Corners.size(); ++Index)
-		{
-			const FJsonValue& Corner = Rect.Elements[Index];
-			if (Corner.Type != EJsonType::Number)
+			std::array<int, 4> Corners = {};
+			if (Rect.Elements.size() != Corners.size())
 			{
 				return; // reported
 			}
-			if (Corner.Number != std::floor(Corner.Number) || Corner.Number < 0.0 || Corner.Number > MaxExtent)
+			for (size_t Index = 0; Index < Corners.size(); ++Index)
 			{
-				Messages.Error(ErrorBadValue, Corner, "a corner of the rect is a whole number of pixels, 0 or more");
+				const FJsonValue& Corner = Rect.Elements[Index];
+				if (Corner.Type != EJsonType::Number)
+				{
+					return; // reported
+				}
+				if (Corner.Number != std::floor(Corner.Number) || Corner.Number < 0.0 || Corner.Number > MaxExtent)
+				{
+					Messages.Error(
+						ErrorBadValue, Corner, "a corner of the rect is a whole number of pixels, 0 or more");
+					return;
+				}
+				Corners[Index] = static_cast<int>(Corner.Number);
+			}
+			if (Corners[0] >= Corners[2] || Corners[1] >= Corners[3])
+			{
+				Messages.Error(
+					ErrorBadValue, Rect, "the rect is empty: it is [MinX, MinY, MaxX, MaxY] with Max above Min");
 				return;
 			}
-			Corners[Index] = static_cast<int>(Corner.Number);
-		}
-		if (Corners[0] >= Corners[2] || Corners[1] >= Corners[3])
-		{
-			Messages.Error(ErrorBadValue, Rect, "the rect is empty: it is [MinX, MinY, MaxX, MaxY] with Max above Min");
-			return;
-		}
-		View.Rect = {Corners, PlaceOf(Rect)};
-	});
+			View.Rect = {Corners, PlaceOf(Rect)};
+		});
 }
 
 void ReadView(const FJsonValue& Value, FConfigView& View, FConfigMessages& Messages)
@@ -159,41 +172,46 @@ FConfigVolume ReadVolume(const FJsonValue& Value, FConfigMessages& Messages)
 	ReadNumber(Value, "Priority", Volume.Priority);
 	ReadNumber(Value, "BlendRadius", Volume.BlendRadius);
 	ReadWeight(Value, "BlendWeight", Volume.BlendWeight, Messages);
-	WithMember(Value, "bounds", EJsonType::Object, [&](const FJsonValue& Bounds) { Volume.Bounds = ReadConfigBounds(Bounds, Messages); });
-	WithMember(Value, "Settings", EJsonType::Object, [&](const FJsonValue& Settings) { Volume.Settings = ReadConfigSettings(Settings, Messages); });
+	WithMember(Value, "bounds", EJsonType::Object,
+		[&](const FJsonValue& Bounds) { Volume.Bounds = ReadConfigBounds(Bounds, Messages); });
+	WithMember(Value, "Settings", EJsonType::Object,
+		[&](const FJsonValue& Settings) { Volume.Settings = ReadConfigSettings(Settings, Messages); });
 	if (!Volume.bUnbound && Value.Find("bounds") == nullptr)
 	{
 		Messages.Error(ErrorVolumeWithoutBounds, Value, "the volume has no \"bounds\" and is not bUnbound");
 	}
 	else if (!Volume.bUnbound && Volume.bEnabled)
 	{
-		Messages.Warn(WarnNotBuilt, Value, "bounded volumes are not built yet: this one is read and checked, and does nothing");
+		Messages.Warn(
+			WarnNotBuilt, Value, "bounded volumes are not built yet: this one is read and checked, and does nothing");
 	}
 	return Volume;
 }
 
 void ReadVolumes(const FJsonValue& Root, FConfig& Config, FConfigMessages& Messages)
 {
-	WithMember(Root, "volumes", EJsonType::Array, [&](const FJsonValue& Volumes)
-	{
-		for (const FJsonValue& Value : Volumes.Elements)
+	WithMember(Root, "volumes", EJsonType::Array,
+		[&](const FJsonValue& Volumes)
 		{
-			if (Value.Type != EJsonType::Object)
+			for (const FJsonValue& Value : Volumes.Elements)
 			{
-				continue;
-			}
-			const FConfigVolume Volume = ReadVolume(Value, Messages);
-			for (const FConfigVolume& Earlier : Config.Volumes)
-			{
-				if (Earlier.Priority == Volume.Priority && Earlier.bEnabled && Volume.bEnabled)
+				if (Value.Type != EJsonType::Object)
 				{
-					Messages.Warn(WarnEqualPriority, Value, "same Priority as " + Earlier.Place.Pointer + ": the order of declaration decides");
-					break;
+					continue;
 				}
+				const FConfigVolume Volume = ReadVolume(Value, Messages);
+				for (const FConfigVolume& Earlier : Config.Volumes)
+				{
+					if (Earlier.Priority == Volume.Priority && Earlier.bEnabled && Volume.bEnabled)
+					{
+						Messages.Warn(WarnEqualPriority, Value,
+							"same Priority as " + Earlier.Place.Pointer + ": the order of declaration decides");
+						break;
+					}
+				}
+				Config.Volumes.push_back(Volume);
 			}
-			Config.Volumes.push_back(Volume);
-		}
-	});
+		});
 }
 
 /** JSON value of a console variable as the text it is set with; false when it has no such text. */
@@ -220,22 +238,24 @@ bool VariableText(const FJsonValue& Value, std::string& OutText)
 
 void ReadVariables(const FJsonValue& Root, FConfig& Config, FConfigMessages& Messages)
 {
-	WithMember(Root, "cvars", EJsonType::Object, [&](const FJsonValue& Variables)
-	{
-		for (const auto& [Name, Value] : Variables.Members)
+	WithMember(Root, "cvars", EJsonType::Object,
+		[&](const FJsonValue& Variables)
 		{
-			FConfigVariable Variable{Name, "", {Value.KeyLine, Value.KeyColumn, Value.Pointer}};
-			if (VariableText(Value, Variable.Value))
+			for (const auto& [Name, Value] : Variables.Members)
 			{
-				CheckVariable(Variable, Messages);
-				Config.Variables.push_back(Variable);
+				FConfigVariable Variable{Name, "", {Value.KeyLine, Value.KeyColumn, Value.Pointer}};
+				if (VariableText(Value, Variable.Value))
+				{
+					CheckVariable(Variable, Messages);
+					Config.Variables.push_back(Variable);
+				}
+				else if (Value.Type != EJsonType::Invalid)
+				{
+					Messages.Error(ErrorWrongType, Value,
+						std::string("expected a number, a string or true or false, found ") + Value.Describe());
+				}
 			}
-			else if (Value.Type != EJsonType::Invalid)
-			{
-				Messages.Error(ErrorWrongType, Value, std::string("expected a number, a string or true or false, found ") + Value.Describe());
-			}
-		}
-	});
+		});
 }
 
 void ReadShowFlags(const FJsonValue& Root, FConfig& Config, FConfigMessages& Messages)
@@ -245,24 +265,26 @@ void ReadShowFlags(const FJsonValue& Root, FConfig& Config, FConfigMessages& Mes
 	{
 		Names.emplace_back(Info.Name);
 	}
-	WithMember(Root, "showFlags", EJsonType::Object, [&](const FJsonValue& Flags)
-	{
-		for (const auto& [Name, Value] : Flags.Members)
+	WithMember(Root, "showFlags", EJsonType::Object,
+		[&](const FJsonValue& Flags)
 		{
-			if (std::find(Names.begin(), Names.end(), Name) == Names.end())
+			for (const auto& [Name, Value] : Flags.Members)
 			{
-				Messages.ErrorAtKey(ErrorUnknownShowFlag, Value, "unknown show flag" + Suggest(Name, Names));
+				if (std::find(Names.begin(), Names.end(), Name) == Names.end())
+				{
+					Messages.ErrorAtKey(ErrorUnknownShowFlag, Value, "unknown show flag" + Suggest(Name, Names));
+				}
+				else if (Value.Type != EJsonType::Bool)
+				{
+					Messages.Error(
+						ErrorWrongType, Value, std::string("expected true or false, found ") + Value.Describe());
+				}
+				else
+				{
+					Config.ShowFlags.push_back({Name, Value.Bool, PlaceOf(Value)});
+				}
 			}
-			else if (Value.Type != EJsonType::Bool)
-			{
-				Messages.Error(ErrorWrongType, Value, std::string("expected true or false, found ") + Value.Describe());
-			}
-			else
-			{
-				Config.ShowFlags.push_back({Name, Value.Bool, PlaceOf(Value)});
-			}
-		}
-	});
+		});
 }
 
 void ReadRoot(const FJsonValue& Root, FConfig& Config, FConfigMessages& Messages)
@@ -274,29 +296,34 @@ void ReadRoot(const FJsonValue& Root, FConfig& Config, FConfigMessages& Messages
 	{
 		Messages.Warn(WarnNotBuilt, Config.Engine.Place, "engine profiles other than 5.4 are not built yet: 5.4 holds");
 	}
-	WithMember(Root, "scene", EJsonType::Object, [&](const FJsonValue& Scene) { ReadScene(Scene, Config.Scene, Messages); });
+	WithMember(
+		Root, "scene", EJsonType::Object, [&](const FJsonValue& Scene) { ReadScene(Scene, Config.Scene, Messages); });
 	WithMember(Root, "view", EJsonType::Object, [&](const FJsonValue& View) { ReadView(View, Config.View, Messages); });
 	ReadVolumes(Root, Config, Messages);
-	WithMember(Root, "camera", EJsonType::Object, [&](const FJsonValue& Camera)
-	{
-		ReadWeight(Camera, "PostProcessBlendWeight", Config.Camera.PostProcessBlendWeight, Messages);
-		WithMember(Camera, "Settings", EJsonType::Object, [&](const FJsonValue& Settings) { Config.Camera.Settings = ReadConfigSettings(Settings, Messages); });
-	});
+	WithMember(Root, "camera", EJsonType::Object,
+		[&](const FJsonValue& Camera)
+		{
+			ReadWeight(Camera, "PostProcessBlendWeight", Config.Camera.PostProcessBlendWeight, Messages);
+			WithMember(Camera, "Settings", EJsonType::Object,
+				[&](const FJsonValue& Settings) { Config.Camera.Settings = ReadConfigSettings(Settings, Messages); });
+		});
 	ReadVariables(Root, Config, Messages);
 	ReadShowFlags(Root, Config, Messages);
-	WithMember(Root, "outputs", EJsonType::Object, [&](const FJsonValue& Outputs)
-	{
-		WithMember(Outputs, "dump", EJsonType::Array, [&](const FJsonValue& Patterns)
+	WithMember(Root, "outputs", EJsonType::Object,
+		[&](const FJsonValue& Outputs)
 		{
-			for (const FJsonValue& Pattern : Patterns.Elements)
-			{
-				if (Pattern.Type == EJsonType::String)
+			WithMember(Outputs, "dump", EJsonType::Array,
+				[&](const FJsonValue& Patterns)
 				{
-					Config.Dump.push_back({Pattern.String, PlaceOf(Pattern)});
-				}
-			}
+					for (const FJsonValue& Pattern : Patterns.Elements)
+					{
+						if (Pattern.Type == EJsonType::String)
+						{
+							Config.Dump.push_back({Pattern.String, PlaceOf(Pattern)});
+						}
+					}
+				});
 		});
-	});
 }
 
 } // namespace
@@ -312,7 +339,8 @@ std::string Suggest(const std::string& Name, const std::vector<std::string>& Can
 	return Nearest.empty() ? "" : "; did you mean " + Nearest + "?";
 }
 
-void FConfigMessages::Add(ESeverity Severity, EConfigError Code, int Line, int Column, const std::string& Pointer, const std::string& Message)
+void FConfigMessages::Add(
+	ESeverity Severity, EConfigError Code, int Line, int Column, const std::string& Pointer, const std::string& Message)
 {
 	FDiagnostic Diagnostic;
 	Diagnostic.Severity = Severity;
@@ -344,8 +372,9 @@ FConfig ReadConfig(const std::string& Text, const std::string& File, std::vector
 		ValidateConfigShape(Root, Messages);
 		ReadRoot(Root, Config, Messages);
 	}
-	std::stable_sort(Found.begin(), Found.end(), [](const FDiagnostic& A, const FDiagnostic& B)
-	{ return std::tie(A.Line, A.Column) < std::tie(B.Line, B.Column); });
+	std::stable_sort(Found.begin(), Found.end(),
+		[](const FDiagnostic& A, const FDiagnostic& B)
+		{ return std::tie(A.Line, A.Column) < std::tie(B.Line, B.Column); });
 	Diagnostics.insert(Diagnostics.end(), Found.begin(), Found.end());
 	return Config;
 }
@@ -367,7 +396,8 @@ FConfig LoadConfig(const std::string& File, std::vector<FDiagnostic>& Diagnostic
 
 bool HasErrors(const std::vector<FDiagnostic>& Diagnostics)
 {
-	return std::any_of(Diagnostics.begin(), Diagnostics.end(), [](const FDiagnostic& Diagnostic) { return Diagnostic.Severity == ESeverity::Error; });
+	return std::any_of(Diagnostics.begin(), Diagnostics.end(),
+		[](const FDiagnostic& Diagnostic) { return Diagnostic.Severity == ESeverity::Error; });
 }
 
 } // namespace Drydock

@@ -1,5 +1,5 @@
-// A run's configuration as plain data, with the place of every value in its file. Source: drydock (design of the format:
-// configs/README.md; keys: ConfigKeys.cpp).
+// A run's configuration as plain data, with the place of every value in its file. Source: drydock (design of the
+// format: configs/README.md; keys: ConfigKeys.cpp).
 #pragma once
 
 #include "Diagnostics.h"
@@ -22,7 +22,7 @@ struct FConfigPlace
 	std::string Pointer;
 };
 
-template <typename T>
+template<typename T>
 struct TConfigValue
 {
 	T Value{};
@@ -49,7 +49,7 @@ struct FConfigScene
 
 struct FConfigView
 {
-	TConfigValue<FConfigVector> Location; // cm
+	TConfigValue<FConfigVector> Location;  // cm
 	TConfigValue<std::array<int, 4>> Rect; // MinX, MinY, MaxX, MaxY
 	TConfigValue<double> Exposure{1.0, {}};
 	TConfigValue<double> PreExposure{1.0, {}};
@@ -133,10 +133,12 @@ DRYDOCK_API FConfig ReadConfig(const std::string& Text, const std::string& File,
 DRYDOCK_API FConfig LoadConfig(const std::string& File, std::vector<FDiagnostic>& Diagnostics);
 
 /** Adds `Setting=Value` of the command line. */
-DRYDOCK_API void AddSettingArgument(FConfig& Config, const std::string& Argument, std::vector<FDiagnostic>& Diagnostics);
+DRYDOCK_API void AddSettingArgument(
+	FConfig& Config, const std::string& Argument, std::vector<FDiagnostic>& Diagnostics);
 
 /** Adds `r.Name=Value` of the command line, which beats the config's. */
-DRYDOCK_API void AddVariableArgument(FConfig& Config, const std::string& Argument, std::vector<FDiagnostic>& Diagnostics);
+DRYDOCK_API void AddVariableArgument(
+	FConfig& Config, const std::string& Argument, std::vector<FDiagnostic>& Diagnostics);
 
 DRYDOCK_API bool HasErrors(const std::vector<FDiagnostic>& Diagnostics);
 

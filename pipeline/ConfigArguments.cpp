@@ -16,7 +16,8 @@ namespace
 const std::string CommandLine = "command line";
 
 /** "A=B" to A and B; reports what is not. */
-bool SplitArgument(const std::string& Argument, const char* Option, std::string& OutName, std::string& OutValue, FConfigMessages& Messages)
+bool SplitArgument(const std::string& Argument, const char* Option, std::string& OutName, std::string& OutValue,
+	FConfigMessages& Messages)
 {
 	const size_t Equals = Argument.find('=');
 	if (Equals == std::string::npos || Equals == 0)
@@ -33,7 +34,8 @@ std::vector<std::string> GetVariableNames()
 {
 	std::vector<std::string> Names;
 	IConsoleManager::Get().ForEachConsoleObjectThatStartsWith(
-		FConsoleObjectVisitor::CreateLambda([&](const TCHAR* Name, IConsoleObject*) { Names.emplace_back(Name); }), TEXT(""));
+		FConsoleObjectVisitor::CreateLambda([&](const TCHAR* Name, IConsoleObject*) { Names.emplace_back(Name); }),
+		TEXT(""));
 	return Names;
 }
 
@@ -56,11 +58,13 @@ void CheckVariable(const FConfigVariable& Variable, FConfigMessages& Messages)
 	const IConsoleVariable* Found = IConsoleManager::Get().FindConsoleVariable(Variable.Name.c_str());
 	if (Found == nullptr)
 	{
-		Messages.Error(ErrorUnknownVariable, Variable.Place, "unknown console variable " + Variable.Name + Suggest(Variable.Name, GetVariableNames()));
+		Messages.Error(ErrorUnknownVariable, Variable.Place,
+			"unknown console variable " + Variable.Name + Suggest(Variable.Name, GetVariableNames()));
 	}
 	else if (Found->IsVariableInt() && !IsWholeNumber(Variable.Value))
 	{
-		Messages.Error(ErrorWrongType, Variable.Place, Variable.Name + " is a whole number, not \"" + Variable.Value + "\"");
+		Messages.Error(
+			ErrorWrongType, Variable.Place, Variable.Name + " is a whole number, not \"" + Variable.Value + "\"");
 	}
 	else if (Found->IsVariableFloat() && !IsNumber(Variable.Value))
 	{

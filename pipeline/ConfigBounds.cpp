@@ -12,7 +12,9 @@ bool ReadConfigVector(const FJsonValue& Value, FConfigVector& OutVector)
 	const bool bObject = Value.Type == EJsonType::Object && Value.Members.size() == 3;
 	for (size_t Index = 0; Index < 3; ++Index)
 	{
-		const FJsonValue* Component = bArray ? &Value.Elements[Index] : bObject ? Value.Find(std::string(1, "XYZ"[Index])) : nullptr;
+		const FJsonValue* Component = bArray    ? &Value.Elements[Index]
+									  : bObject ? Value.Find(std::string(1, "XYZ"[Index]))
+												: nullptr;
 		if (Component == nullptr || Component->Type != EJsonType::Number)
 		{
 			return false;
@@ -100,7 +102,10 @@ std::optional<FConfigBounds> ReadConfigBounds(const FJsonValue& Value, FConfigMe
 	{
 		return std::nullopt;
 	}
-	Bounds.Shape = Type == "sphere" ? EConfigShape::Sphere : Type == "capsule" ? EConfigShape::Capsule : Type == "convex" ? EConfigShape::Convex : EConfigShape::Box;
+	Bounds.Shape = Type == "sphere"    ? EConfigShape::Sphere
+				   : Type == "capsule" ? EConfigShape::Capsule
+				   : Type == "convex"  ? EConfigShape::Convex
+									   : EConfigShape::Box;
 	if (!bCorners)
 	{
 		Bounds.Center = ReadVector(Value, "center");
@@ -120,7 +125,8 @@ std::optional<FConfigBounds> ReadConfigBounds(const FJsonValue& Value, FConfigMe
 			}
 		}
 	}
-	const bool bNegative = Bounds.Radius < 0.0 || Bounds.HalfHeight < 0.0 || Bounds.Extent[0] < 0.0 || Bounds.Extent[1] < 0.0 || Bounds.Extent[2] < 0.0;
+	const bool bNegative = Bounds.Radius < 0.0 || Bounds.HalfHeight < 0.0 || Bounds.Extent[0] < 0.0 ||
+						   Bounds.Extent[1] < 0.0 || Bounds.Extent[2] < 0.0;
 	if (bNegative)
 	{
 		Messages.Error(ErrorBadValue, Value, "a size of the bounds is negative");

@@ -1,5 +1,5 @@
-// The numbers of the messages that pipeline/ gives. A number never changes its meaning; docs/errors.md explains each one.
-// Source: drydock.
+// The numbers of the messages that pipeline/ gives. A number never changes its meaning; docs/errors.md explains each
+// one. Source: drydock.
 #pragma once
 
 namespace Drydock
@@ -8,39 +8,39 @@ namespace Drydock
 enum EConfigError
 {
 	// DD1: config and command line
-	ErrorJsonSyntax = 1001,        // not JSON; the rest of the file is not read
-	ErrorJsonDepth = 1002,         // nested deeper than any config needs
-	ErrorDuplicateKey = 1003,      // one object names a key twice
-	ErrorNumberNotFinite = 1004,   // NaN, Infinity, or a number that overflows
-	ErrorUnknownKey = 1005,        // no such key in this object
-	ErrorWrongType = 1006,         // a value of another JSON type
-	ErrorUnknownValue = 1007,      // a text that is none of the allowed ones
-	ErrorMissingKey = 1008,        // a key that this object must have
-	ErrorWrongLength = 1009,       // an array of another length
-	ErrorBadValue = 1010,          // a value that makes no sense there
-	WarnOutOfRange = 1011,         // outside the setting's clamps; used as it is
-	ErrorUnknownSetting = 1012,    // no such post-process setting
-	ErrorUnknownVariable = 1013,   // no such console variable
-	ErrorUnknownShowFlag = 1014,   // no such show flag
-	WarnNotBuilt = 1015,           // read and valid, but nothing acts on it yet
-	WarnInertValue = 1016,         // a value whose override bit is off
-	WarnEqualPriority = 1017,      // two volumes of one priority: the order of declaration decides
-	WarnWeightClamped = 1018,      // a blend weight outside 0..1
+	ErrorJsonSyntax = 1001,          // not JSON; the rest of the file is not read
+	ErrorJsonDepth = 1002,           // nested deeper than any config needs
+	ErrorDuplicateKey = 1003,        // one object names a key twice
+	ErrorNumberNotFinite = 1004,     // NaN, Infinity, or a number that overflows
+	ErrorUnknownKey = 1005,          // no such key in this object
+	ErrorWrongType = 1006,           // a value of another JSON type
+	ErrorUnknownValue = 1007,        // a text that is none of the allowed ones
+	ErrorMissingKey = 1008,          // a key that this object must have
+	ErrorWrongLength = 1009,         // an array of another length
+	ErrorBadValue = 1010,            // a value that makes no sense there
+	WarnOutOfRange = 1011,           // outside the setting's clamps; used as it is
+	ErrorUnknownSetting = 1012,      // no such post-process setting
+	ErrorUnknownVariable = 1013,     // no such console variable
+	ErrorUnknownShowFlag = 1014,     // no such show flag
+	WarnNotBuilt = 1015,             // read and valid, but nothing acts on it yet
+	WarnInertValue = 1016,           // a value whose override bit is off
+	WarnEqualPriority = 1017,        // two volumes of one priority: the order of declaration decides
+	WarnWeightClamped = 1018,        // a blend weight outside 0..1
 	ErrorVolumeWithoutBounds = 1019, // neither bounds nor bUnbound
-	ErrorBadArgument = 1020,       // a command-line argument that is not NAME=VALUE and the like
-	WarnNothingDumped = 1021,      // a dump pattern that no executed pass or resource matches
-	WarnIneffectiveValue = 1022,   // a console variable's value that is accepted but does nothing here
+	ErrorBadArgument = 1020,         // a command-line argument that is not NAME=VALUE and the like
+	WarnNothingDumped = 1021,        // a dump pattern that no executed pass or resource matches
+	WarnIneffectiveValue = 1022,     // a console variable's value that is accepted but does nothing here
 
 	// DD4: numbers
-	WarnNonFinite = 4001,          // NaN or infinity in an image
-	ErrorNonFinite = 4002,         // the same, with r.Drydock.NonFinite 2
+	WarnNonFinite = 4001,  // NaN or infinity in an image
+	ErrorNonFinite = 4002, // the same, with r.Drydock.NonFinite 2
 
 	// DD5: files
-	ErrorFileMissing = 5001,       // cannot be opened
-	ErrorImageBroken = 5002,       // not an image, truncated or corrupt
-	ErrorChannelMissing = 5003,    // the scene file lacks a channel that a surviving pass needs
-	ErrorFileNotWritten = 5004,    // cannot be written
-	ErrorImageTooLarge = 5005,     // larger than any frame
+	ErrorFileMissing = 5001,    // cannot be opened
+	ErrorImageBroken = 5002,    // not an image, truncated or corrupt
+	ErrorChannelMissing = 5003, // the scene file lacks a channel that a surviving pass needs
+	ErrorFileNotWritten = 5004, // cannot be written
+	ErrorImageTooLarge = 5005,  // larger than any frame
 };
 
 } // namespace Drydock

@@ -13,6 +13,7 @@ const std::vector<FConfigKey>& GetConfigKeys()
 	constexpr bool Optional = false;
 	constexpr bool Built = true;
 	constexpr bool Later = false;
+	// clang-format off
 	static const std::vector<FConfigKey> Keys = {
 		{"", "$schema", String, "", 0, Optional, Built, "Path of this schema: gives completion in editors."},
 		{"", "engine", String, "5.3|5.4|5.5|5.6", 0, Optional, Built, "Engine version whose behaviour holds; 5.4 by default."},
@@ -94,6 +95,7 @@ const std::vector<FConfigKey>& GetConfigKeys()
 		{"axis", "name", String, "", 0, Required, Later, "A setting, a console variable, precision or storage."},
 		{"axis", "values", Anything, "", 0, Required, Later, "The values it takes."},
 	};
+	// clang-format on
 	return Keys;
 }
 
@@ -102,7 +104,8 @@ const FConfigKey* FindConfigKey(const std::string& Object, const std::string& Na
 	const std::vector<FConfigKey>& Keys = GetConfigKeys();
 	const auto Find = [&](const std::string& Wanted)
 	{
-		const auto Found = std::find_if(Keys.begin(), Keys.end(), [&](const FConfigKey& Key) { return Object == Key.Object && Wanted == Key.Name; });
+		const auto Found = std::find_if(Keys.begin(), Keys.end(),
+			[&](const FConfigKey& Key) { return Object == Key.Object && Wanted == Key.Name; });
 		return Found == Keys.end() ? nullptr : &*Found;
 	};
 	const FConfigKey* Exact = Find(Name);

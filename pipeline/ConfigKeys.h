@@ -1,5 +1,5 @@
-// The one list of config keys: what the reader accepts, what the schema publishes and what the messages suggest all come
-// from it. Source: drydock.
+// The one list of config keys: what the reader accepts, what the schema publishes and what the messages suggest all
+// come from it. Source: drydock.
 #pragma once
 
 #include "DrydockAPI.h"
@@ -15,17 +15,17 @@ enum class EConfigKind
 	String,
 	Number,
 	Bool,
-	Vector3,         // [x, y, z] or {"X":, "Y":, "Z":}
-	NumberArray,     // of Length numbers
+	Vector3,     // [x, y, z] or {"X":, "Y":, "Z":}
+	NumberArray, // of Length numbers
 	StringArray,
 	Vector3Array,
-	Object,          // of the kind named by Of
-	ObjectArray,     // of the kind named by Of
-	StringMap,       // any keys
-	NumberMap,       // any keys
-	Settings,        // post-process settings and their bOverride_ bits
-	Variables,       // console variables
-	ShowFlags,       // show flags
+	Object,      // of the kind named by Of
+	ObjectArray, // of the kind named by Of
+	StringMap,   // any keys
+	NumberMap,   // any keys
+	Settings,    // post-process settings and their bOverride_ bits
+	Variables,   // console variables
+	ShowFlags,   // show flags
 	Anything,
 };
 
@@ -34,11 +34,11 @@ struct FConfigKey
 	const char* Object; // kind of object that has it; "" is the root
 	const char* Name;   // "*": any further key is accepted
 	EConfigKind Kind;
-	const char* Of;     // kind of nested object; allowed texts of a String, separated by |; the text that a Number,
-	                    // or an ObjectArray may be instead, after =
-	int Length;         // of a NumberArray
+	const char* Of; // kind of nested object; allowed texts of a String, separated by |; the text that a Number,
+					// or an ObjectArray may be instead, after =
+	int Length;     // of a NumberArray
 	bool bRequired;
-	bool bBuilt;        // false: read and checked, but nothing acts on it yet
+	bool bBuilt; // false: read and checked, but nothing acts on it yet
 	const char* Doc;
 };
 

@@ -81,18 +81,42 @@ void WriteKind(FJsonWriter& Writer, const FConfigKey& Key, const std::string& Of
 			WriteEnum(Writer, SplitAlternatives(Of));
 		}
 		break;
-	case EConfigKind::Number: WriteType(Writer, "number"); break;
-	case EConfigKind::Bool: WriteType(Writer, "boolean"); break;
-	case EConfigKind::Vector3: WriteReference(Writer, "vector3"); break;
-	case EConfigKind::NumberArray: WriteArray(Writer, "number", "", Key.Length); break;
-	case EConfigKind::StringArray: WriteArray(Writer, "string", "", 0); break;
-	case EConfigKind::Vector3Array: WriteArray(Writer, "", "vector3", 0); break;
-	case EConfigKind::Object: WriteReference(Writer, Of); break;
-	case EConfigKind::ObjectArray: WriteArray(Writer, "", Of, 0); break;
-	case EConfigKind::StringMap: WriteMap(Writer, "string"); break;
-	case EConfigKind::NumberMap: WriteMap(Writer, "number"); break;
-	case EConfigKind::Settings: WriteReference(Writer, "Settings"); break;
-	case EConfigKind::ShowFlags: WriteReference(Writer, "showFlags"); break;
+	case EConfigKind::Number:
+		WriteType(Writer, "number");
+		break;
+	case EConfigKind::Bool:
+		WriteType(Writer, "boolean");
+		break;
+	case EConfigKind::Vector3:
+		WriteReference(Writer, "vector3");
+		break;
+	case EConfigKind::NumberArray:
+		WriteArray(Writer, "number", "", Key.Length);
+		break;
+	case EConfigKind::StringArray:
+		WriteArray(Writer, "string", "", 0);
+		break;
+	case EConfigKind::Vector3Array:
+		WriteArray(Writer, "", "vector3", 0);
+		break;
+	case EConfigKind::Object:
+		WriteReference(Writer, Of);
+		break;
+	case EConfigKind::ObjectArray:
+		WriteArray(Writer, "", Of, 0);
+		break;
+	case EConfigKind::StringMap:
+		WriteMap(Writer, "string");
+		break;
+	case EConfigKind::NumberMap:
+		WriteMap(Writer, "number");
+		break;
+	case EConfigKind::Settings:
+		WriteReference(Writer, "Settings");
+		break;
+	case EConfigKind::ShowFlags:
+		WriteReference(Writer, "showFlags");
+		break;
 	case EConfigKind::Variables:
 		WriteType(Writer, "object");
 		Writer.Key("additionalProperties").BeginObject(true);
@@ -103,7 +127,8 @@ void WriteKind(FJsonWriter& Writer, const FConfigKey& Key, const std::string& Of
 		Writer.EndArray();
 		Writer.EndObject();
 		break;
-	case EConfigKind::Anything: break;
+	case EConfigKind::Anything:
+		break;
 	}
 }
 
@@ -180,8 +205,8 @@ std::string DescribeSetting(const FSettingField& Field)
 		const FSettingValue Min{Field.Type, {Field.Range.ClampMin}};
 		const FSettingValue Max{Field.Type, {Field.Range.ClampMax}};
 		Text += std::isfinite(Field.Range.ClampMax)
-			? " Range: " + SettingToText(Field, Min) + " to " + SettingToText(Field, Max) + "."
-			: " At least " + SettingToText(Field, Min) + ".";
+					? " Range: " + SettingToText(Field, Min) + " to " + SettingToText(Field, Max) + "."
+					: " At least " + SettingToText(Field, Min) + ".";
 	}
 	return Text;
 }
@@ -192,12 +217,24 @@ void WriteSetting(FJsonWriter& Writer, const FSettingField& Field)
 	Writer.Member("description", DescribeSetting(Field));
 	switch (Field.Type)
 	{
-	case ESettingType::Float: WriteType(Writer, "number"); break;
-	case ESettingType::Int: WriteType(Writer, "integer"); break;
-	case ESettingType::Bool: WriteType(Writer, "boolean"); break;
-	case ESettingType::Color: WriteReference(Writer, "color"); break;
-	case ESettingType::Vector2: WriteReference(Writer, "vector2"); break;
-	case ESettingType::Vector4: WriteReference(Writer, "vector4"); break;
+	case ESettingType::Float:
+		WriteType(Writer, "number");
+		break;
+	case ESettingType::Int:
+		WriteType(Writer, "integer");
+		break;
+	case ESettingType::Bool:
+		WriteType(Writer, "boolean");
+		break;
+	case ESettingType::Color:
+		WriteReference(Writer, "color");
+		break;
+	case ESettingType::Vector2:
+		WriteReference(Writer, "vector2");
+		break;
+	case ESettingType::Vector4:
+		WriteReference(Writer, "vector4");
+		break;
 	case ESettingType::Enum:
 		Writer.Key("enum").BeginArray(true);
 		for (const char* Name : Field.EnumNames)

@@ -18,13 +18,20 @@ std::string ExpectedText(const FSettingField& Field)
 {
 	switch (Field.Type)
 	{
-	case ESettingType::Bool: return "true or false";
-	case ESettingType::Int: return "a whole number";
-	case ESettingType::Float: return "a number";
-	case ESettingType::Color: return "a colour: [R, G, B], [R, G, B, A] or {\"R\": .., \"G\": .., \"B\": .., \"A\": ..}";
-	case ESettingType::Vector2: return "two numbers: [X, Y] or {\"X\": .., \"Y\": ..}";
-	case ESettingType::Vector4: return "four numbers: [X, Y, Z, W] or {\"X\": .., \"Y\": .., \"Z\": .., \"W\": ..}";
-	case ESettingType::Enum: break;
+	case ESettingType::Bool:
+		return "true or false";
+	case ESettingType::Int:
+		return "a whole number";
+	case ESettingType::Float:
+		return "a number";
+	case ESettingType::Color:
+		return "a colour: [R, G, B], [R, G, B, A] or {\"R\": .., \"G\": .., \"B\": .., \"A\": ..}";
+	case ESettingType::Vector2:
+		return "two numbers: [X, Y] or {\"X\": .., \"Y\": ..}";
+	case ESettingType::Vector4:
+		return "four numbers: [X, Y, Z, W] or {\"X\": .., \"Y\": .., \"Z\": .., \"W\": ..}";
+	case ESettingType::Enum:
+		break;
 	}
 	std::string Text = "one of";
 	for (const char* Name : Field.EnumNames)
@@ -34,7 +41,8 @@ std::string ExpectedText(const FSettingField& Field)
 	return Text;
 }
 
-/** Components of a colour or vector, alpha 1 where it is omitted; false when Value is neither array nor object of them. */
+/** Components of a colour or vector, alpha 1 where it is omitted; false when Value is neither array nor object of them.
+ */
 bool ReadComponents(const FSettingField& Field, const FJsonValue& Value, FSettingValue& OutValue)
 {
 	const char* const Names = Field.Type == ESettingType::Color ? "RGBA" : "XYZW";
@@ -48,7 +56,8 @@ bool ReadComponents(const FSettingField& Field, const FJsonValue& Value, FSettin
 	OutValue.Components[3] = bAlphaOmitted ? 1.0 : 0.0;
 	for (size_t Index = 0; Index < NumGiven; ++Index)
 	{
-		const FJsonValue* Component = Value.Type == EJsonType::Array ? &Value.Elements[Index] : Value.Find(std::string(1, Names[Index]));
+		const FJsonValue* Component =
+			Value.Type == EJsonType::Array ? &Value.Elements[Index] : Value.Find(std::string(1, Names[Index]));
 		if (Component == nullptr || Component->Type != EJsonType::Number)
 		{
 			return false;
@@ -71,24 +80,28 @@ bool ReadSettingValue(const FSettingField& Field, const FJsonValue& Value, FSett
 		return Value.Type == EJsonType::Number;
 	case ESettingType::Int:
 		OutValue.Components[0] = Value.Number;
-		return Value.Type == EJsonType::Number && Value.Number == std::floor(Value.Number) && std::fabs(Value.Number) < 2147483648.0;
+		return Value.Type == EJsonType::Number && Value.Number == std::floor(Value.Number) &&
+			   std::fabs(Value.Number) < 2147483648.0;
 	case ESettingType::Enum:
 	{
 		std::string Unused;
-		return (Value.Type == EJsonType::String && SettingFromText(Field, Value.String, OutValue, Unused))
-			|| (Value.Type == EJsonType::Number && SettingFromText(Field, std::to_string(Value.Number), OutValue, Unused));
+		return (Value.Type == EJsonType::String && SettingFromText(Field, Value.String, OutValue, Unused)) ||
+			   (Value.Type == EJsonType::Number &&
+				   SettingFromText(Field, std::to_string(Value.Number), OutValue, Unused));
 	}
 	default:
-		return (Value.Type == EJsonType::Array || Value.Type == EJsonType::Object) && ReadComponents(Field, Value, OutValue);
+		return (Value.Type == EJsonType::Array || Value.Type == EJsonType::Object) &&
+			   ReadComponents(Field, Value, OutValue);
 	}
 }
 
 /** Whether some number inside was not finite, and so reported already. */
 bool ContainsInvalid(const FJsonValue& Value)
 {
-	return Value.Type == EJsonType::Invalid
-		|| std::any_of(Value.Elements.begin(), Value.Elements.end(), ContainsInvalid)
-		|| std::any_of(Value.Members.begin(), Value.Members.end(), [](const auto& Member) { return ContainsInvalid(Member.second); });
+	return Value.Type == EJsonType::Invalid ||
+		   std::any_of(Value.Elements.begin(), Value.Elements.end(), ContainsInvalid) ||
+		   std::any_of(Value.Members.begin(), Value.Members.end(),
+			   [](const auto& Member) { return ContainsInvalid(Member.second); });
 }
 
 /** JSON numbers are doubles; what float cannot hold would become infinite. */
@@ -96,7 +109,7 @@ bool FitsFloat(const FSettingField& Field, const FSettingValue& Value)
 {
 	const bool bFloat = Field.Type == ESettingType::Float || Field.Type == ESettingType::Color;
 	return !bFloat || std::all_of(std::begin(Value.Components), std::end(Value.Components),
-		[](double Component) { return std::isfinite(static_cast<float>(Component)); });
+						  [](double Component) { return std::isfinite(static_cast<float>(Component)); });
 }
 
 void ReadSetting(const std::string& Name, const FJsonValue& Value, FConfigSettings& Settings, FConfigMessages& Messages)
@@ -114,10 +127,13 @@ void ReadSetting(const std::string& Name, const FJsonValue& Value, FConfigSettin
 	}
 	if (!ReadSettingValue(*Field, Value, SettingValue))
 	{
-		const std::string Suggestion = Field->Type == ESettingType::Enum && Value.Type == EJsonType::String
-			? Suggest(Value.String, std::vector<std::string>(Field->EnumNames.begin(), Field->EnumNames.end()))
-			: "";
-		const EConfigError Code = Suggestion.empty() && Value.Type != EJsonType::String ? ErrorWrongType : Field->Type == ESettingType::Enum ? ErrorUnknownValue : ErrorWrongType;
+		const std::string Suggestion =
+			Field->Type == ESettingType::Enum && Value.Type == EJsonType::String
+				? Suggest(Value.String, std::vector<std::string>(Field->EnumNames.begin(), Field->EnumNames.end()))
+				: "";
+		const EConfigError Code = Suggestion.empty() && Value.Type != EJsonType::String ? ErrorWrongType
+								  : Field->Type == ESettingType::Enum                   ? ErrorUnknownValue
+																						: ErrorWrongType;
 		Messages.Error(Code, Value, Name + " is " + ExpectedText(*Field) + Suggestion);
 		return;
 	}
@@ -131,8 +147,8 @@ void ReadSetting(const std::string& Name, const FJsonValue& Value, FConfigSettin
 		FSettingValue Min{Field->Type, {Field->Range.ClampMin}};
 		FSettingValue Max{Field->Type, {Field->Range.ClampMax}};
 		const std::string Range = std::isinf(Field->Range.ClampMax)
-			? "at least " + SettingToText(*Field, Min)
-			: SettingToText(*Field, Min) + " to " + SettingToText(*Field, Max);
+									  ? "at least " + SettingToText(*Field, Min)
+									  : SettingToText(*Field, Min) + " to " + SettingToText(*Field, Max);
 		Messages.Warn(WarnOutOfRange, Value, Name + " is outside its range, " + Range + "; it is used as it is");
 	}
 	const std::string NotBuilt = GetSettingNotBuiltReason(Name);
@@ -146,7 +162,8 @@ void ReadSetting(const std::string& Name, const FJsonValue& Value, FConfigSettin
 }
 
 /** Override bits come after all values, whatever their order in the file. */
-void ReadOverride(const std::string& Name, const FJsonValue& Value, FConfigSettings& Settings, FConfigMessages& Messages)
+void ReadOverride(
+	const std::string& Name, const FJsonValue& Value, FConfigSettings& Settings, FConfigMessages& Messages)
 {
 	const std::string Setting = Name.substr(OverridePrefix.size());
 	const FSettingField* Field = FindSettingField(Setting);
@@ -165,7 +182,8 @@ void ReadOverride(const std::string& Name, const FJsonValue& Value, FConfigSetti
 	}
 	else if (!Value.Bool && Settings.Places.count(Setting) != 0)
 	{
-		Messages.WarnAtKey(WarnInertValue, Value, Setting + " is given, but its override bit is off: the value has no effect");
+		Messages.WarnAtKey(
+			WarnInertValue, Value, Setting + " is given, but its override bit is off: the value has no effect");
 		Field->SetOverridden(Settings.Settings, false);
 	}
 	else

@@ -15,21 +15,33 @@ const char* ExpectedType(const FConfigKey& Key)
 {
 	switch (Key.Kind)
 	{
-	case EConfigKind::String: return "a string";
-	case EConfigKind::Number: return "a number";
-	case EConfigKind::Bool: return "true or false";
-	case EConfigKind::Vector3: return "three numbers: [x, y, z] or {\"X\": x, \"Y\": y, \"Z\": z}";
-	case EConfigKind::NumberArray: return "an array of numbers";
-	case EConfigKind::StringArray: return "an array of strings";
-	case EConfigKind::Vector3Array: return "an array of points [x, y, z]";
-	case EConfigKind::ObjectArray: return "an array of objects";
-	case EConfigKind::StringMap: return "an object of strings";
-	case EConfigKind::NumberMap: return "an object of numbers";
+	case EConfigKind::String:
+		return "a string";
+	case EConfigKind::Number:
+		return "a number";
+	case EConfigKind::Bool:
+		return "true or false";
+	case EConfigKind::Vector3:
+		return "three numbers: [x, y, z] or {\"X\": x, \"Y\": y, \"Z\": z}";
+	case EConfigKind::NumberArray:
+		return "an array of numbers";
+	case EConfigKind::StringArray:
+		return "an array of strings";
+	case EConfigKind::Vector3Array:
+		return "an array of points [x, y, z]";
+	case EConfigKind::ObjectArray:
+		return "an array of objects";
+	case EConfigKind::StringMap:
+		return "an object of strings";
+	case EConfigKind::NumberMap:
+		return "an object of numbers";
 	case EConfigKind::Object:
 	case EConfigKind::Settings:
 	case EConfigKind::Variables:
-	case EConfigKind::ShowFlags: return "an object";
-	case EConfigKind::Anything: return "a value";
+	case EConfigKind::ShowFlags:
+		return "an object";
+	case EConfigKind::Anything:
+		return "a value";
 	}
 	return "?";
 }
@@ -50,13 +62,15 @@ public:
 			const FConfigKey* Key = FindConfigKey(Object, Name);
 			if (Key == nullptr)
 			{
-				Messages.ErrorAtKey(ErrorUnknownKey, Member, "unknown key \"" + Name + "\"" + Suggest(Name, NamesOf(Object)));
+				Messages.ErrorAtKey(
+					ErrorUnknownKey, Member, "unknown key \"" + Name + "\"" + Suggest(Name, NamesOf(Object)));
 				continue;
 			}
 			const bool bReportLater = !Key->bBuilt && !bLater;
 			if (bReportLater)
 			{
-				Messages.WarnAtKey(WarnNotBuilt, Member, "\"" + Name + "\" is not built yet: it is read and checked, and does nothing");
+				Messages.WarnAtKey(WarnNotBuilt, Member,
+					"\"" + Name + "\" is not built yet: it is read and checked, and does nothing");
 			}
 			ValidateMember(Member, *Key, bLater || bReportLater);
 		}
@@ -126,7 +140,8 @@ private:
 			}
 			else if (!bLater)
 			{
-				Messages.Warn(WarnNotBuilt, Value, "\"" + Alternative + "\" is not built yet: it is read, and does nothing");
+				Messages.Warn(
+					WarnNotBuilt, Value, "\"" + Alternative + "\" is not built yet: it is read, and does nothing");
 			}
 			return;
 		}
@@ -148,7 +163,8 @@ private:
 			ValidateNumberArray(Value, Key);
 			break;
 		case EConfigKind::StringArray:
-			ValidateElements(Value, Key, [&](const FJsonValue& Element) { ExpectElement(Element, EJsonType::String, "a string"); });
+			ValidateElements(
+				Value, Key, [&](const FJsonValue& Element) { ExpectElement(Element, EJsonType::String, "a string"); });
 			break;
 		case EConfigKind::Vector3Array:
 			ValidateElements(Value, Key, [&](const FJsonValue& Element) { ValidateVector(Element, Key); });
@@ -160,14 +176,15 @@ private:
 			}
 			break;
 		case EConfigKind::ObjectArray:
-			ValidateElements(Value, Key, [&](const FJsonValue& Element)
-			{
-				if (ExpectElement(Element, EJsonType::Object, "an object"))
+			ValidateElements(Value, Key,
+				[&](const FJsonValue& Element)
 				{
-					const std::string Of = Key.Of;
-					ValidateObject(Element, Of.substr(0, Of.find('=')), bLater);
-				}
-			});
+					if (ExpectElement(Element, EJsonType::Object, "an object"))
+					{
+						const std::string Of = Key.Of;
+						ValidateObject(Element, Of.substr(0, Of.find('=')), bLater);
+					}
+				});
 			break;
 		case EConfigKind::StringMap:
 			ValidateMap(Value, Key, EJsonType::String, "a string");
@@ -199,21 +216,26 @@ private:
 			{
 				List += (List.empty() ? "" : ", ") + Text;
 			}
-			Messages.Error(ErrorUnknownValue, Value, "\"" + Value.String + "\" is none of " + List + Suggest(Value.String, Allowed));
+			Messages.Error(ErrorUnknownValue, Value,
+				"\"" + Value.String + "\" is none of " + List + Suggest(Value.String, Allowed));
 		}
 	}
 
 	void ValidateVector(const FJsonValue& Value, const FConfigKey& Key)
 	{
 		FConfigVector Vector;
-		const auto IsInvalid = [](const FJsonValue& Element) { return Element.Type == EJsonType::Invalid; };
+		const auto IsInvalid = [](const FJsonValue& Element)
+		{
+			return Element.Type == EJsonType::Invalid;
+		};
 		if (Value.Type == EJsonType::Array && std::any_of(Value.Elements.begin(), Value.Elements.end(), IsInvalid))
 		{
 			return;
 		}
 		if (Value.Type == EJsonType::Array && Value.Elements.size() != 3)
 		{
-			Messages.Error(ErrorWrongLength, Value, "expected three numbers, found " + std::to_string(Value.Elements.size()));
+			Messages.Error(
+				ErrorWrongLength, Value, "expected three numbers, found " + std::to_string(Value.Elements.size()));
 		}
 		else if (!ReadConfigVector(Value, Vector))
 		{
@@ -223,10 +245,12 @@ private:
 
 	void ValidateNumberArray(const FJsonValue& Value, const FConfigKey& Key)
 	{
-		ValidateElements(Value, Key, [&](const FJsonValue& Element) { ExpectElement(Element, EJsonType::Number, "a number"); });
+		ValidateElements(
+			Value, Key, [&](const FJsonValue& Element) { ExpectElement(Element, EJsonType::Number, "a number"); });
 		if (Value.Type == EJsonType::Array && Value.Elements.size() != static_cast<size_t>(Key.Length))
 		{
-			Messages.Error(ErrorWrongLength, Value, "expected " + std::to_string(Key.Length) + " numbers, found " + std::to_string(Value.Elements.size()));
+			Messages.Error(ErrorWrongLength, Value,
+				"expected " + std::to_string(Key.Length) + " numbers, found " + std::to_string(Value.Elements.size()));
 		}
 	}
 
@@ -239,7 +263,7 @@ private:
 		return Value.Type == Type;
 	}
 
-	template <typename TFunction>
+	template<typename TFunction>
 	void ValidateElements(const FJsonValue& Value, const FConfigKey& Key, const TFunction& Function)
 	{
 		if (Expect(Value, EJsonType::Array, Key))

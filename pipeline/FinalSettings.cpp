@@ -24,7 +24,8 @@ std::vector<const FConfigVolume*> SortVolumes(const FConfig& Config)
 			Volumes.push_back(&Volume);
 		}
 	}
-	std::stable_sort(Volumes.begin(), Volumes.end(), [](const FConfigVolume* A, const FConfigVolume* B) { return A->Priority < B->Priority; });
+	std::stable_sort(Volumes.begin(), Volumes.end(),
+		[](const FConfigVolume* A, const FConfigVolume* B) { return A->Priority < B->Priority; });
 	return Volumes;
 }
 
@@ -36,7 +37,8 @@ float ComputeExposureScale(const FConfig& Config, const FChainSettings& Chain)
 		return 1.0f;
 	}
 	const float DefaultBias = StartFinalPostProcessSettings().AutoExposureBias;
-	return static_cast<float>(Config.View.Exposure.Value * std::exp2(static_cast<double>(Chain.Settings.AutoExposureBias) - DefaultBias));
+	return static_cast<float>(
+		Config.View.Exposure.Value * std::exp2(static_cast<double>(Chain.Settings.AutoExposureBias) - DefaultBias));
 }
 
 } // namespace
@@ -67,14 +69,16 @@ FChainSettings MakeChainSettings(const FConfig& Config)
 	FChainSettings Chain;
 	for (const FConfigShowFlag& Flag : Config.ShowFlags)
 	{
-		Chain.ShowFlags.SetSingleFlag(static_cast<uint32>(FEngineShowFlags::FindIndexByName(Flag.Name.c_str())), Flag.bValue);
+		Chain.ShowFlags.SetSingleFlag(
+			static_cast<uint32>(FEngineShowFlags::FindIndexByName(Flag.Name.c_str())), Flag.bValue);
 	}
 	Chain.Settings = StartFinalPostProcessSettings();
 	for (const FConfigVolume* Volume : SortVolumes(Config))
 	{
 		OverridePostProcessSettings(Chain.Settings, Volume->Settings.Settings, static_cast<float>(Volume->BlendWeight));
 	}
-	OverridePostProcessSettings(Chain.Settings, Config.Camera.Settings.Settings, static_cast<float>(Config.Camera.PostProcessBlendWeight));
+	OverridePostProcessSettings(
+		Chain.Settings, Config.Camera.Settings.Settings, static_cast<float>(Config.Camera.PostProcessBlendWeight));
 	OverridePostProcessSettings(Chain.Settings, Config.CommandLine.Settings, 1.0f);
 	Chain.Gates = EndFinalPostProcessSettings(Chain.Settings, Chain.ShowFlags);
 	Chain.ExposureScale = ComputeExposureScale(Config, Chain);

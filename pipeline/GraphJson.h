@@ -8,8 +8,8 @@
 namespace Drydock
 {
 
-/** {name, passes: [{index, name, scope, flags, culled, reason, shader, entry, uses, producers}], resources, transitions,
- *  memory}. Passes and resources refer to each other by index. */
+/** {name, passes: [{index, name, scope, flags, culled, reason, shader, entry, uses, producers}], resources,
+ * transitions, memory}. Passes and resources refer to each other by index. */
 DRYDOCK_API std::string MakeGraphJson(const FRDGCompiledGraph& Graph);
 
 } // namespace Drydock

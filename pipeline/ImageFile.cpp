@@ -81,8 +81,10 @@ FImageFile::FImageFile(const std::string& InPath)
 	}
 	if (Width > MaxSide || Height > MaxSide || int64_t(Width) * Height > MaxPixels)
 	{
-		throw MakeError(ErrorImageTooLarge, Path, "the scene file says " + std::to_string(Width) + " x " + std::to_string(Height)
-			+ " pixels; the largest frame is " + std::to_string(MaxSide) + " a side and " + std::to_string(MaxPixels) + " in all");
+		throw MakeError(ErrorImageTooLarge, Path,
+			"the scene file says " + std::to_string(Width) + " x " + std::to_string(Height) +
+				" pixels; the largest frame is " + std::to_string(MaxSide) + " a side and " +
+				std::to_string(MaxPixels) + " in all");
 	}
 }
 
@@ -113,7 +115,8 @@ std::vector<std::vector<float>> FImageFile::Read(const std::vector<int>& Channel
 	std::vector<float> Pixels(NumPixels * NumRead);
 	if (!Input->File->read_image(0, 0, Begin, *Last + 1, OIIO::TypeDesc::FLOAT, Pixels.data()))
 	{
-		throw MakeError(ErrorImageBroken, Path, "the scene file is truncated or corrupt: " + OneLine(Input->File->geterror()));
+		throw MakeError(
+			ErrorImageBroken, Path, "the scene file is truncated or corrupt: " + OneLine(Input->File->geterror()));
 	}
 	for (size_t Plane = 0; Plane < Planes.size(); ++Plane)
 	{
@@ -144,7 +147,8 @@ void WriteImage(const std::string& Path, OIIO::ImageSpec& Spec, OIIO::TypeDesc P
 	const std::unique_ptr<OIIO::ImageOutput> Output = OIIO::ImageOutput::create(Path);
 	if (!Output || !Output->open(Path, Spec) || !Output->write_image(PixelType, Pixels) || !Output->close())
 	{
-		throw MakeError(ErrorFileNotWritten, Path, "the picture cannot be written: " + OneLine(Output ? Output->geterror() : OIIO::geterror()));
+		throw MakeError(ErrorFileNotWritten, Path,
+			"the picture cannot be written: " + OneLine(Output ? Output->geterror() : OIIO::geterror()));
 	}
 }
 
@@ -155,7 +159,8 @@ void WriteExr(const std::string& Path, const FImage& Image, const std::vector<st
 {
 	// Half floats where they lose nothing: half the size, and faster to compress.
 	const bool bHalf = std::all_of(Image.Values.begin(), Image.Values.end(), IsExactHalf);
-	OIIO::ImageSpec Spec(Image.Width, Image.Height, Image.NumChannels, bHalf ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT);
+	OIIO::ImageSpec Spec(
+		Image.Width, Image.Height, Image.NumChannels, bHalf ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT);
 	Spec.channelnames = ChannelNames;
 	Spec.attribute("compression", "zip");
 	for (const auto& [Name, Text] : Attributes)
@@ -173,8 +178,9 @@ void WritePng(const std::string& Path, const FImage& Image)
 	Spec.attribute("oiio:UnassociatedAlpha", 1);
 	Spec.attribute("png:compressionLevel", 3); // a few percent larger than the default, twice as fast
 	std::vector<uint8_t> Pixels(Image.Values.size());
-	std::transform(Image.Values.begin(), Image.Values.end(), Pixels.begin(), [](double Value)
-	{ return static_cast<uint8_t>(std::lround((Value > 0.0 ? std::min(Value, 1.0) : 0.0) * 255.0)); });
+	std::transform(Image.Values.begin(), Image.Values.end(), Pixels.begin(),
+		[](double Value)
+		{ return static_cast<uint8_t>(std::lround((Value > 0.0 ? std::min(Value, 1.0) : 0.0) * 255.0)); });
 	WriteImage(Path, Spec, OIIO::TypeDesc::UINT8, Pixels.data());
 }
 

@@ -1,5 +1,6 @@
-// Pictures in files: multi-layer EXR, and plain RGB formats, by OpenImageIO. Reading goes in two steps, header first, so
-// that a run decodes only what it needs. Written files hold no date: equal pictures give equal bytes. Source: drydock.
+// Pictures in files: multi-layer EXR, and plain RGB formats, by OpenImageIO. Reading goes in two steps, header first,
+// so that a run decodes only what it needs. Written files hold no date: equal pictures give equal bytes. Source:
+// drydock.
 #pragma once
 
 #include "Diagnostics.h"
@@ -22,8 +23,9 @@ struct FImage
 
 	double Get(int X, int Y, int Channel) const
 	{
-		return Values[(static_cast<size_t>(Y) * static_cast<size_t>(Width) + static_cast<size_t>(X)) * static_cast<size_t>(NumChannels)
-			+ static_cast<size_t>(Channel)];
+		return Values[(static_cast<size_t>(Y) * static_cast<size_t>(Width) + static_cast<size_t>(X)) *
+						  static_cast<size_t>(NumChannels) +
+					  static_cast<size_t>(Channel)];
 	}
 };
 
@@ -49,8 +51,8 @@ public:
 	/** Whether values are sRGB-encoded, as in PNG; Read decodes colour. */
 	bool IsEncoded() const { return bEncoded; }
 
-	/** One read of the channels with these indices, each a plane of Width * Height linear values, row-major. Throws FError
-	 *  (exit code 3) when the file is truncated or corrupt. */
+	/** One read of the channels with these indices, each a plane of Width * Height linear values, row-major. Throws
+	 * FError (exit code 3) when the file is truncated or corrupt. */
 	std::vector<std::vector<float>> Read(const std::vector<int>& ChannelIndices);
 
 private:
@@ -64,12 +66,13 @@ private:
 	bool bEncoded = false;
 };
 
-/** Lossless ZIP, no date; half float channels where every value is one, else 32-bit float. Throws FError (exit code 3) when it cannot be written. */
+/** Lossless ZIP, no date; half float channels where every value is one, else 32-bit float. Throws FError (exit code 3)
+ * when it cannot be written. */
 DRYDOCK_API void WriteExr(const std::string& Path, const FImage& Image, const std::vector<std::string>& ChannelNames,
 	const std::map<std::string, std::string>& Attributes = {});
 
-/** 8 bits per channel, one to four channels; values are display-encoded, clamped to 0..1 (NaN to 0) and rounded to nearest.
- *  Throws FError (exit code 3) when it cannot be written. */
+/** 8 bits per channel, one to four channels; values are display-encoded, clamped to 0..1 (NaN to 0) and rounded to
+ * nearest. Throws FError (exit code 3) when it cannot be written. */
 DRYDOCK_API void WritePng(const std::string& Path, const FImage& Image);
 
 } // namespace Drydock

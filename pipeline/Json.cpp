@@ -1,5 +1,5 @@
-// Source: drydock. The grammar is nlohmann-json's; positions come from the scan before it, which lists keys and values in
-// the order in which the parser reports them.
+// Source: drydock. The grammar is nlohmann-json's; positions come from the scan before it, which lists keys and values
+// in the order in which the parser reports them.
 #include <nlohmann/json.hpp>
 
 #include "Json.h"
@@ -34,7 +34,8 @@ std::string EscapePointer(const std::string& Key)
 class FTreeBuilder
 {
 public:
-	FTreeBuilder(const std::string& Text, const FJsonScan& InScan, const std::string& InFile, std::vector<FDiagnostic>& InDiagnostics)
+	FTreeBuilder(const std::string& Text, const FJsonScan& InScan, const std::string& InFile,
+		std::vector<FDiagnostic>& InDiagnostics)
 		: Scan(InScan)
 		, Positions(Text)
 		, File(InFile)
@@ -86,8 +87,8 @@ public:
 
 	bool parse_error(size_t Position, const std::string&, const nlohmann::detail::exception& Exception)
 	{
-		// "[json.exception.parse_error.101] parse error at line 3, column 5: syntax error while parsing ...": the place is
-		// reported separately.
+		// "[json.exception.parse_error.101] parse error at line 3, column 5: syntax error while parsing ...": the place
+		// is reported separately.
 		std::string Message = Exception.what();
 		const size_t Place = Message.find("column ");
 		const size_t Colon = Place == std::string::npos ? std::string::npos : Message.find(": ", Place);
@@ -117,7 +118,9 @@ private:
 
 	static std::string PointerOf(const FFrame& Frame)
 	{
-		return Frame.Value.Pointer + "/" + (Frame.Value.Type == EJsonType::Array ? std::to_string(Frame.Value.Elements.size()) : EscapePointer(Frame.Key));
+		return Frame.Value.Pointer + "/" +
+			   (Frame.Value.Type == EJsonType::Array ? std::to_string(Frame.Value.Elements.size())
+													 : EscapePointer(Frame.Key));
 	}
 
 	/** Where the token that the parser stopped at begins; it counts the bytes read up to the token's end. */
@@ -148,11 +151,13 @@ private:
 		Diagnostics.push_back(Diagnostic);
 	}
 
-	/** The scan's next key or value. A text that the two lexers cut differently is a syntax error sooner or later; until
-	 *  then its last known place will do. */
+	/** The scan's next key or value. A text that the two lexers cut differently is a syntax error sooner or later;
+	 * until then its last known place will do. */
 	FJsonToken TakeToken()
 	{
-		return NextToken < Scan.Tokens.size() ? Scan.Tokens[NextToken++] : Scan.Tokens.empty() ? FJsonToken() : Scan.Tokens.back();
+		return NextToken < Scan.Tokens.size() ? Scan.Tokens[NextToken++]
+			   : Scan.Tokens.empty()          ? FJsonToken()
+											  : Scan.Tokens.back();
 	}
 
 	/** Gives a value that has just begun its place. */
@@ -178,7 +183,8 @@ private:
 		Locate(Value);
 		if (bNotFinite)
 		{
-			Report(ErrorNumberNotFinite, {Value.Line, Value.Column}, Value.Pointer, "not a finite number; JSON has no NaN and no Infinity, and numbers must fit a double");
+			Report(ErrorNumberNotFinite, {Value.Line, Value.Column}, Value.Pointer,
+				"not a finite number; JSON has no NaN and no Infinity, and numbers must fit a double");
 		}
 		Attach(std::move(Value));
 		return true;
@@ -198,7 +204,8 @@ private:
 		Locate(Value);
 		if (Frames.size() >= MaxDepth)
 		{
-			Report(ErrorJsonDepth, {Value.Line, Value.Column}, Value.Pointer, "nested deeper than " + std::to_string(MaxDepth) + " levels");
+			Report(ErrorJsonDepth, {Value.Line, Value.Column}, Value.Pointer,
+				"nested deeper than " + std::to_string(MaxDepth) + " levels");
 			return false;
 		}
 		Frames.push_back({std::move(Value), "", {}});
@@ -259,18 +266,26 @@ const char* FJsonValue::Describe() const
 {
 	switch (Type)
 	{
-	case EJsonType::Null: return "null";
-	case EJsonType::Bool: return "true or false";
-	case EJsonType::Number: return "a number";
-	case EJsonType::String: return "a string";
-	case EJsonType::Array: return "an array";
-	case EJsonType::Object: return "an object";
-	case EJsonType::Invalid: return "a number that is not finite";
+	case EJsonType::Null:
+		return "null";
+	case EJsonType::Bool:
+		return "true or false";
+	case EJsonType::Number:
+		return "a number";
+	case EJsonType::String:
+		return "a string";
+	case EJsonType::Array:
+		return "an array";
+	case EJsonType::Object:
+		return "an object";
+	case EJsonType::Invalid:
+		return "a number that is not finite";
 	}
 	return "?";
 }
 
-FJsonValue ParseJson(const std::string& Text, const std::string& File, std::vector<FDiagnostic>& Diagnostics, bool& OutSyntaxError)
+FJsonValue ParseJson(
+	const std::string& Text, const std::string& File, std::vector<FDiagnostic>& Diagnostics, bool& OutSyntaxError)
 {
 	const FJsonScan Scan = ScanJson(Text);
 	FTreeBuilder Builder(Text, Scan, File, Diagnostics);

@@ -1,6 +1,6 @@
-// JSON text to a tree in which every value knows its line, column and JSON pointer. Stricter and more helpful than plain
-// JSON: duplicate keys, NaN, Infinity and overflowing numbers are reported, all of them, each at its place. `//` and block
-// comments are allowed. Source: drydock, over nlohmann-json's SAX parser.
+// JSON text to a tree in which every value knows its line, column and JSON pointer. Stricter and more helpful than
+// plain JSON: duplicate keys, NaN, Infinity and overflowing numbers are reported, all of them, each at its place. `//`
+// and block comments are allowed. Source: drydock, over nlohmann-json's SAX parser.
 #pragma once
 
 #include "Diagnostics.h"
@@ -29,11 +29,12 @@ struct FJsonValue
 	bool Bool = false;
 	double Number = 0.0;
 	std::string String;
-	std::vector<FJsonValue> Elements;                        // of an array
-	std::vector<std::pair<std::string, FJsonValue>> Members; // of an object, in the order of the file, without duplicates
+	std::vector<FJsonValue> Elements; // of an array
+	std::vector<std::pair<std::string, FJsonValue>>
+		Members; // of an object, in the order of the file, without duplicates
 
-	int Line = 0;   // 1-based, where the value begins
-	int Column = 0; // 1-based, in characters
+	int Line = 0;    // 1-based, where the value begins
+	int Column = 0;  // 1-based, in characters
 	int KeyLine = 0; // where its key begins, for members
 	int KeyColumn = 0;
 	std::string Pointer; // "/volumes/0/Settings"; "" for the root
@@ -45,8 +46,8 @@ struct FJsonValue
 	DRYDOCK_API const char* Describe() const;
 };
 
-/** File names the text in messages. What is wrong is appended to Diagnostics; after a syntax error the result is what had
- *  been read up to it, and OutSyntaxError is true: do not interpret it. */
+/** File names the text in messages. What is wrong is appended to Diagnostics; after a syntax error the result is what
+ * had been read up to it, and OutSyntaxError is true: do not interpret it. */
 DRYDOCK_API FJsonValue ParseJson(
 	const std::string& Text, const std::string& File, std::vector<FDiagnostic>& Diagnostics, bool& OutSyntaxError);
 

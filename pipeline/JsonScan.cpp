@@ -29,7 +29,8 @@ bool IsNonFiniteNumber(const std::string& Token)
 			return true;
 		}
 	}
-	if (Unsigned.empty() || !std::isdigit(static_cast<unsigned char>(Unsigned[0])) || Unsigned.find_first_of("xXpP") != std::string::npos)
+	if (Unsigned.empty() || !std::isdigit(static_cast<unsigned char>(Unsigned[0])) ||
+		Unsigned.find_first_of("xXpP") != std::string::npos)
 	{
 		return false;
 	}
@@ -122,13 +123,17 @@ FTextPositions::FTextPositions(const std::string& InText)
 FTextPosition FTextPositions::Find(size_t Offset) const
 {
 	Offset = std::min(Offset, Text.size());
-	const size_t Line = static_cast<size_t>(std::upper_bound(LineBegins.begin(), LineBegins.end(), Offset) - LineBegins.begin());
+	const size_t Line =
+		static_cast<size_t>(std::upper_bound(LineBegins.begin(), LineBegins.end(), Offset) - LineBegins.begin());
 	size_t Begin = LineBegins[Line - 1];
 	if (Begin == 0 && Text.compare(0, 3, "\xEF\xBB\xBF") == 0)
 	{
 		Begin = std::min<size_t>(3, Offset); // a byte-order mark has no column
 	}
-	const auto IsFirstByte = [](char Character) { return (static_cast<unsigned char>(Character) & 0xC0) != 0x80; };
+	const auto IsFirstByte = [](char Character)
+	{
+		return (static_cast<unsigned char>(Character) & 0xC0) != 0x80;
+	};
 	const auto Characters = std::count_if(Text.begin() + Begin, Text.begin() + Offset, IsFirstByte);
 	return {static_cast<int>(Line), static_cast<int>(Characters) + 1};
 }

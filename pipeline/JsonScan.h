@@ -18,7 +18,8 @@ struct FJsonScan
 {
 	/** Begin of every key and value in order of appearance, the order in which a SAX parser reports them. */
 	std::vector<FJsonToken> Tokens;
-	/** The text with every non-finite number replaced by a 0 of the same length, so that the rest can still be parsed. */
+	/** The text with every non-finite number replaced by a 0 of the same length, so that the rest can still be parsed.
+	 */
 	std::string Text;
 };
 

@@ -11,7 +11,7 @@ namespace Drydock
 namespace
 {
 
-template <typename T>
+template<typename T>
 std::string ShortestText(T Number)
 {
 	char Buffer[64];
@@ -28,11 +28,21 @@ std::string FJsonWriter::Quote(const std::string& Text)
 	{
 		switch (Character)
 		{
-		case '"': Quoted += "\\\""; break;
-		case '\\': Quoted += "\\\\"; break;
-		case '\n': Quoted += "\\n"; break;
-		case '\r': Quoted += "\\r"; break;
-		case '\t': Quoted += "\\t"; break;
+		case '"':
+			Quoted += "\\\"";
+			break;
+		case '\\':
+			Quoted += "\\\\";
+			break;
+		case '\n':
+			Quoted += "\\n";
+			break;
+		case '\r':
+			Quoted += "\\r";
+			break;
+		case '\t':
+			Quoted += "\\t";
+			break;
 		default:
 			if (static_cast<unsigned char>(Character) < 0x20)
 			{

@@ -1,5 +1,5 @@
-// Writes JSON text: keys in the order given, numbers in the shortest form that reads back to the same bits, so that equal
-// data gives equal bytes. Source: drydock.
+// Writes JSON text: keys in the order given, numbers in the shortest form that reads back to the same bits, so that
+// equal data gives equal bytes. Source: drydock.
 #pragma once
 
 #include "DrydockAPI.h"
@@ -36,7 +36,7 @@ public:
 	/** Text that is JSON already. */
 	void Raw(const std::string& Json);
 
-	template <typename T>
+	template<typename T>
 	void Member(const std::string& Name, const T& InValue)
 	{
 		Key(Name).Value(InValue);

@@ -26,35 +26,43 @@ void AddRepeated(CLI::App& Verb, const char* Name, const char* Type, std::vector
 void AddConfig(CLI::App& Verb, FVerbOptions& Options)
 {
 	Verb.add_option("CONFIG", Options.Run.ConfigFile, "JSON config, such as configs/toon_bloom.json")->required();
-	AddRepeated(Verb, "--set", "r.NAME=VALUE", Options.Run.Variables, "Set a console variable; repeats; beats the config");
-	AddRepeated(Verb, "--pp", "SETTING=VALUE", Options.Run.Settings, "Set a post-process setting; repeats; beats all volumes");
+	AddRepeated(
+		Verb, "--set", "r.NAME=VALUE", Options.Run.Variables, "Set a console variable; repeats; beats the config");
+	AddRepeated(
+		Verb, "--pp", "SETTING=VALUE", Options.Run.Settings, "Set a post-process setting; repeats; beats all volumes");
 }
 
 void AddArithmetic(CLI::App& Verb, FVerbOptions& Options)
 {
-	Verb.add_option_function<std::string>("--precision", [&Options](const std::string& Name) { Options.Run.bDouble = Name == "double"; },
-		"Arithmetic of the shaders: float (default) or double, with 64-bit storage")
+	Verb.add_option_function<std::string>(
+			"--precision", [&Options](const std::string& Name) { Options.Run.bDouble = Name == "double"; },
+			"Arithmetic of the shaders: float (default) or double, with 64-bit storage")
 		->type_name("float|double")
 		->check(CLI::IsMember({"float", "double"}).description(""));
 	static const std::map<std::string, ERunStorage> Storages = {
 		{"native", ERunStorage::Native}, {"float32", ERunStorage::Float32}, {"float64", ERunStorage::Float64}};
-	Verb.add_option_function<std::string>("--storage", [&Options](const std::string& Name) { Options.Run.Storage = Storages.at(Name); },
-		"Storage of textures: native (their own formats, default), float32, float64")
+	Verb.add_option_function<std::string>(
+			"--storage", [&Options](const std::string& Name) { Options.Run.Storage = Storages.at(Name); },
+			"Storage of textures: native (their own formats, default), float32, float64")
 		->type_name("native|float32|float64")
 		->check(CLI::IsMember({"native", "float32", "float64"}).description(""));
-	Verb.add_option_function<int>("--threads", [&Options](int Threads) { Options.Run.Threads = Threads; },
-		"Threads; 0: all cores (default). The result is the same bits for any number")
+	Verb.add_option_function<int>(
+			"--threads", [&Options](int Threads) { Options.Run.Threads = Threads; },
+			"Threads; 0: all cores (default). The result is the same bits for any number")
 		->check(CLI::Range(0, 1024).description(""))
 		->type_name("N");
 }
 
-/** What is wrong with the arguments, in one sentence with the nearest verb or option where that is what was misspelt. */
-std::string ExplainMistake(const CLI::App& Program, const std::vector<std::string>& Arguments, const std::string& Otherwise)
+/** What is wrong with the arguments, in one sentence with the nearest verb or option where that is what was misspelt.
+ */
+std::string ExplainMistake(
+	const CLI::App& Program, const std::vector<std::string>& Arguments, const std::string& Otherwise)
 {
 	const auto Explain = [](const char* Kind, const std::string& Name, const std::vector<std::string>& Candidates)
 	{
 		const std::string Nearest = FindNearestName(Name, Candidates);
-		return std::string("there is no ") + Kind + " " + Name + (Nearest.empty() ? "" : "; did you mean " + Nearest + "?");
+		return std::string("there is no ") + Kind + " " + Name +
+			   (Nearest.empty() ? "" : "; did you mean " + Nearest + "?");
 	};
 	std::vector<std::string> Verbs;
 	const CLI::App* Chosen = nullptr;
@@ -65,7 +73,8 @@ std::string ExplainMistake(const CLI::App& Program, const std::vector<std::strin
 	}
 	if (Chosen == nullptr)
 	{
-		return Arguments.empty() ? "a verb is missing: run, check, graph or list" : Explain("verb", Arguments[0], Verbs);
+		return Arguments.empty() ? "a verb is missing: run, check, graph or list"
+								 : Explain("verb", Arguments[0], Verbs);
 	}
 	std::vector<std::string> Options;
 	for (const CLI::Option* Option : Chosen->get_options())
@@ -98,17 +107,22 @@ int ParseAndRun(int NumArguments, char** Arguments)
 	Program.set_version_flag("--version", std::string("drydock ") + GetVersion());
 	Program.require_subcommand(1);
 	SetLabels(Program);
-	Program.footer("Exit codes: 0 done, 1 a policy failed, 2 usage, config or graph error, 3 a file cannot be read or written,\n"
-				   "70 a fault of drydock's own. `drydock VERB --help` explains a verb.");
+	Program.footer(
+		"Exit codes: 0 done, 1 a policy failed, 2 usage, config or graph error, 3 a file cannot be read or written,\n"
+		"70 a fault of drydock's own. `drydock VERB --help` explains a verb.");
 	FVerbOptions Options;
 	int ExitCode = ExitDone;
 
 	CLI::App* Run = Program.add_subcommand("run", "Run the frame of a config and write its pictures and reports");
 	AddConfig(*Run, Options);
 	AddArithmetic(*Run, Options);
-	Run->add_option("--out", Options.OutputFolder, "Folder for the outputs; out/NAME of the config by default")->type_name("DIR");
-	AddRepeated(*Run, "--dump", "PATTERN", Options.Run.Dump, "Keep what matches: a pass, a resource or Pass.Resource, with * and ?; repeats");
-	Run->add_option("--frame", Options.Run.Frame, "Frame number, as shaders see it; 0 by default")->check(CLI::Range(0, 1 << 30).description(""))->type_name("N");
+	Run->add_option("--out", Options.OutputFolder, "Folder for the outputs; out/NAME of the config by default")
+		->type_name("DIR");
+	AddRepeated(*Run, "--dump", "PATTERN", Options.Run.Dump,
+		"Keep what matches: a pass, a resource or Pass.Resource, with * and ?; repeats");
+	Run->add_option("--frame", Options.Run.Frame, "Frame number, as shaders see it; 0 by default")
+		->check(CLI::Range(0, 1 << 30).description(""))
+		->type_name("N");
 	Run->add_flag("--watch", Options.bWatch, "Run again whenever the config, its scene or a shader changes");
 	Run->add_flag("--json", Options.bJson, "Print run.json instead of the summary");
 	Run->callback([&] { ExitCode = RunVerb(Options); });
@@ -129,7 +143,8 @@ int ParseAndRun(int NumArguments, char** Arguments)
 
 	std::string Things;
 	std::string Filter;
-	CLI::App* List = Program.add_subcommand("list", "List what there is: passes, settings, cvars, effects, extensions, hooks");
+	CLI::App* List =
+		Program.add_subcommand("list", "List what there is: passes, settings, cvars, effects, extensions, hooks");
 	List->add_option("THINGS", Things, "passes, settings, cvars, effects, extensions or hooks")->required();
 	List->add_option("FILTER", Filter, "Only names that contain this, ignoring case");
 	List->add_flag("--json", Options.bJson, "Print an array of objects");

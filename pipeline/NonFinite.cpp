@@ -9,9 +9,9 @@ namespace Drydock
 namespace
 {
 
-TAutoConsoleVariable<int32> CVarNonFinite(
-	TEXT("r.Drydock.NonFinite"), 0,
-	TEXT("NaN and infinities: 0 propagate (default), 1 load scene colour with 0 in their place, 2 fail the run."), ECVF_RenderThreadSafe);
+TAutoConsoleVariable<int32> CVarNonFinite(TEXT("r.Drydock.NonFinite"), 0,
+	TEXT("NaN and infinities: 0 propagate (default), 1 load scene colour with 0 in their place, 2 fail the run."),
+	ECVF_RenderThreadSafe);
 
 } // namespace
 

@@ -22,7 +22,8 @@ void FProgressBar::Show(int Done, int Total, const std::string& What)
 		return;
 	}
 	const int Filled = std::clamp(Done * Width / Total, 0, Width);
-	const std::string Bar = std::string(static_cast<size_t>(Filled), '#') + std::string(static_cast<size_t>(Width - Filled), '.');
+	const std::string Bar =
+		std::string(static_cast<size_t>(Filled), '#') + std::string(static_cast<size_t>(Width - Filled), '.');
 	std::fprintf(stderr, "\r\x1b[2K[%s] %d/%d %.48s", Bar.c_str(), Done, Total, What.c_str());
 	std::fflush(stderr);
 	bShown = true;

@@ -155,7 +155,8 @@ FIntRect GetViewRect(const FConfig& Config, FIntPoint Extent)
 		Diagnostic.Line = Config.View.Rect.Place.Line;
 		Diagnostic.Column = Config.View.Rect.Place.Column;
 		Diagnostic.Where = Config.View.Rect.Place.Pointer;
-		Diagnostic.Message = "the rect leaves the scene, which is " + std::to_string(Extent.X) + " x " + std::to_string(Extent.Y) + " pixels";
+		Diagnostic.Message = "the rect leaves the scene, which is " + std::to_string(Extent.X) + " x " +
+							 std::to_string(Extent.Y) + " pixels";
 		throw FError(Diagnostic, ExitUsage);
 	}
 	return FIntRect(Corners[0], Corners[1], Corners[2], Corners[3]);
@@ -188,8 +189,9 @@ void ReportNonFinite(const FNonFiniteCount& Found, const std::string& What, FRun
 	Diagnostic.Severity = Policy == ENonFinitePolicy::Error ? ESeverity::Error : ESeverity::Warning;
 	Diagnostic.Code = Policy == ENonFinitePolicy::Error ? ErrorNonFinite : WarnNonFinite;
 	Diagnostic.Where = What;
-	Diagnostic.Message = std::to_string(Found.Count) + (Found.Count == 1 ? " value is" : " values are") + " NaN or infinite, first at pixel ("
-		+ std::to_string(Found.FirstX) + ", " + std::to_string(Found.FirstY) + ")";
+	Diagnostic.Message = std::to_string(Found.Count) + (Found.Count == 1 ? " value is" : " values are") +
+						 " NaN or infinite, first at pixel (" + std::to_string(Found.FirstX) + ", " +
+						 std::to_string(Found.FirstY) + ")";
 	Result.Diagnostics.push_back(Diagnostic);
 	if (Policy == ENonFinitePolicy::Error)
 	{
@@ -215,7 +217,8 @@ FRunResult MakeResult(const FRunSetup& Setup, const FScene& Scene)
 	return Result;
 }
 
-void SetUpView(const FRunOptions& Options, const FRunSetup& Setup, const FScene& Scene, FSceneViewFamily& Family, FViewInfo& View)
+void SetUpView(
+	const FRunOptions& Options, const FRunSetup& Setup, const FScene& Scene, FSceneViewFamily& Family, FViewInfo& View)
 {
 	Family.EngineShowFlags = Setup.Chain.ShowFlags;
 	Family.FrameNumber = static_cast<uint32>(Options.Frame);
@@ -238,7 +241,8 @@ void RunGraph(const FRunOptions& Options, const FRunSetup& Setup, FScene& Scene,
 {
 	const FClock::time_point Begin = FClock::now();
 	FSceneViewFamily Family;
-	FViewInfo View(&Family, Result.ViewRect, Scene.GetExtent(), static_cast<float>(Setup.Config.View.PreExposure.Value));
+	FViewInfo View(
+		&Family, Result.ViewRect, Scene.GetExtent(), static_cast<float>(Setup.Config.View.PreExposure.Value));
 	SetUpView(Options, Setup, Scene, Family, View);
 
 	FRunObserver Observer(Options, Setup, Scene, Result);

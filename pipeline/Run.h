@@ -1,5 +1,5 @@
-// One run of a config, in this process and without writing a file: what the program's verbs, the tests and the benchmarks
-// call. Source: drydock.
+// One run of a config, in this process and without writing a file: what the program's verbs, the tests and the
+// benchmarks call. Source: drydock.
 #pragma once
 
 #include "Config.h"
@@ -19,12 +19,12 @@ namespace Drydock
 /** A resource as it was right after a pass. */
 struct FRunDump
 {
-	int PassIndex = 0;                     // 0: an external input
-	std::string Pass;                      // "External" for those
+	int PassIndex = 0; // 0: an external input
+	std::string Pass;  // "External" for those
 	std::string Resource;
-	int Mip = -1;                          // -1: there is only one
-	FImage Image;                          // the whole extent, values as stored
-	std::vector<std::string> Channels;     // "R", "G", ...: those the format has
+	int Mip = -1;                      // -1: there is only one
+	FImage Image;                      // the whole extent, values as stored
+	std::vector<std::string> Channels; // "R", "G", ...: those the format has
 };
 
 struct FRunPass
@@ -50,17 +50,17 @@ struct FRunResult
 	std::vector<FEffectDecision> Effects;
 	FFinalPostProcessSettings Settings;
 	float ExposureScale = 1.0f;
-	std::string Precision;                // "float", "double"
-	std::string Storage;                  // "native", "float32", "float64"
+	std::string Precision; // "float", "double"
+	std::string Storage;   // "native", "float32", "float64"
 	int Threads = 0;
 	FIntPoint SceneExtent = FIntPoint(0, 0);
 	FIntRect ViewRect;
 	std::vector<FSceneChannel> Channels;
 
 	// Only of an executed run.
-	std::vector<FRunPass> Passes;         // those that executed
-	FImage SceneLinear;                   // RGBA: the tonemapper's input, the view rect only
-	FImage Final;                         // RGBA, display-encoded, the view rect only
+	std::vector<FRunPass> Passes; // those that executed
+	FImage SceneLinear;           // RGBA: the tonemapper's input, the view rect only
+	FImage Final;                 // RGBA, display-encoded, the view rect only
 	std::vector<FRunDump> Dumps;
 	FRunTimes Times;
 
@@ -68,8 +68,8 @@ struct FRunResult
 	std::string RunJson;
 };
 
-/** Reads the config, decides, builds and compiles the graph and, where asked, executes it. Console variables are put back
- *  afterwards. Throws FError with everything collected; not for two threads at once. */
+/** Reads the config, decides, builds and compiles the graph and, where asked, executes it. Console variables are put
+ * back afterwards. Throws FError with everything collected; not for two threads at once. */
 DRYDOCK_API FRunResult RunConfig(const FRunOptions& Options);
 
 /** Only what comes before the scene: config with the options' arguments, and the decisions. Throws FError on errors. */

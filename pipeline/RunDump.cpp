@@ -18,8 +18,11 @@ namespace
 std::string Sanitize(const std::string& Name)
 {
 	std::string Clean = Name;
-	std::replace_if(Clean.begin(), Clean.end(),
-		[](char Character) { return !std::isalnum(static_cast<unsigned char>(Character)) && Character != '_' && Character != '-'; }, '_');
+	std::replace_if(
+		Clean.begin(), Clean.end(),
+		[](char Character)
+		{ return !std::isalnum(static_cast<unsigned char>(Character)) && Character != '_' && Character != '-'; },
+		'_');
 	return Clean;
 }
 
@@ -98,21 +101,28 @@ std::string GetShortPassName(const std::string& Pass)
 	return Pass.substr(0, Pass.find_first_of(" ("));
 }
 
-bool IsDumped(const std::vector<TConfigValue<std::string>>& Patterns, const std::string& Pass, const std::string& Resource)
+bool IsDumped(
+	const std::vector<TConfigValue<std::string>>& Patterns, const std::string& Pass, const std::string& Resource)
 {
 	const std::string Short = GetShortPassName(Pass);
-	return std::any_of(Patterns.begin(), Patterns.end(), [&](const TConfigValue<std::string>& Pattern)
-	{
-		const auto Fits = [&](const std::string& Name) { return MatchesPattern(Pattern.Value, Name); };
-		return Fits(Pass) || Fits(Short) || Fits(Resource) || Fits(Pass + "." + Resource) || Fits(Short + "." + Resource);
-	});
+	return std::any_of(Patterns.begin(), Patterns.end(),
+		[&](const TConfigValue<std::string>& Pattern)
+		{
+			const auto Fits = [&](const std::string& Name)
+			{
+				return MatchesPattern(Pattern.Value, Name);
+			};
+			return Fits(Pass) || Fits(Short) || Fits(Resource) || Fits(Pass + "." + Resource) ||
+				   Fits(Short + "." + Resource);
+		});
 }
 
 std::string GetDumpFileName(const FRunDump& Dump)
 {
 	char Number[16];
 	std::snprintf(Number, sizeof(Number), "%03d", Dump.PassIndex);
-	return std::string(Number) + "." + Sanitize(GetShortPassName(Dump.Pass)) + "." + Sanitize(Dump.Resource) + (Dump.Mip >= 0 ? ".mip" + std::to_string(Dump.Mip) : "");
+	return std::string(Number) + "." + Sanitize(GetShortPassName(Dump.Pass)) + "." + Sanitize(Dump.Resource) +
+		   (Dump.Mip >= 0 ? ".mip" + std::to_string(Dump.Mip) : "");
 }
 
 FImage ReadTexture(FRHITexture& Texture, int Mip)
@@ -122,21 +132,24 @@ FImage ReadTexture(FRHITexture& Texture, int Mip)
 	Image.Width = Size.X;
 	Image.Height = Size.Y;
 	Image.NumChannels = std::clamp(GPixelFormats[Texture.GetFormat()].NumComponents, 1, 4);
-	Image.Values.resize(static_cast<size_t>(Size.X) * static_cast<size_t>(Size.Y) * static_cast<size_t>(Image.NumChannels));
+	Image.Values.resize(
+		static_cast<size_t>(Size.X) * static_cast<size_t>(Size.Y) * static_cast<size_t>(Image.NumChannels));
 	Texture.EnsureMemory();
-	ForEachTile(FKernelTile{0, 0, 0, Size.X, Size.Y, 1}, FIntPoint(Size.X, 16), [&](const FKernelTile& Tile)
-	{
-		double* Out = Image.Values.data() + static_cast<size_t>(Tile.MinY) * static_cast<size_t>(Size.X) * static_cast<size_t>(Image.NumChannels);
-		for (int32 Y = Tile.MinY; Y < Tile.MaxY; ++Y)
+	ForEachTile(FKernelTile{0, 0, 0, Size.X, Size.Y, 1}, FIntPoint(Size.X, 16),
+		[&](const FKernelTile& Tile)
 		{
-			for (int32 X = 0; X < Size.X; ++X)
+			double* Out = Image.Values.data() + static_cast<size_t>(Tile.MinY) * static_cast<size_t>(Size.X) *
+													static_cast<size_t>(Image.NumChannels);
+			for (int32 Y = Tile.MinY; Y < Tile.MaxY; ++Y)
 			{
-				const FVector4 Texel = Texture.ReadTexelDouble(X, Y, Mip);
-				const double Components[4] = {Texel.X, Texel.Y, Texel.Z, Texel.W};
-				Out = std::copy(Components, Components + Image.NumChannels, Out);
+				for (int32 X = 0; X < Size.X; ++X)
+				{
+					const FVector4 Texel = Texture.ReadTexelDouble(X, Y, Mip);
+					const double Components[4] = {Texel.X, Texel.Y, Texel.Z, Texel.W};
+					Out = std::copy(Components, Components + Image.NumChannels, Out);
+				}
 			}
-		}
-	});
+		});
 	return Image;
 }
 
@@ -153,7 +166,9 @@ FImage CropToRgba(const FImage& Image, const FIntRect& Rect)
 		{
 			for (int Channel = 0; Channel < 4; ++Channel)
 			{
-				Crop.Values.push_back(Channel < Image.NumChannels ? Image.Get(X, Y, Channel) : Channel == 3 ? 1.0 : 0.0);
+				Crop.Values.push_back(Channel < Image.NumChannels ? Image.Get(X, Y, Channel)
+									  : Channel == 3              ? 1.0
+																  : 0.0);
 			}
 		}
 	}
@@ -166,21 +181,24 @@ std::vector<std::string> GetChannelNames(int NumChannels)
 	return std::vector<std::string>(Names.begin(), Names.begin() + NumChannels);
 }
 
-std::vector<FDiagnostic> CheckDumpPatterns(const std::vector<TConfigValue<std::string>>& Patterns, const FRunResult& Result)
+std::vector<FDiagnostic> CheckDumpPatterns(
+	const std::vector<TConfigValue<std::string>>& Patterns, const FRunResult& Result)
 {
 	std::vector<FDiagnostic> Diagnostics;
 	FConfigMessages Messages(Result.Config.File, Diagnostics);
 	for (const TConfigValue<std::string>& Pattern : Patterns)
 	{
-		const bool bUsed = std::any_of(Result.Dumps.begin(), Result.Dumps.end(), [&](const FRunDump& Dump) { return IsDumped({Pattern}, Dump.Pass, Dump.Resource); });
+		const bool bUsed = std::any_of(Result.Dumps.begin(), Result.Dumps.end(),
+			[&](const FRunDump& Dump) { return IsDumped({Pattern}, Dump.Pass, Dump.Resource); });
 		if (bUsed)
 		{
 			continue;
 		}
 		const FRDGCompiledPass* Culled = FindCulledMatch(Pattern.Value, Result.Graph);
-		const std::string Why = Culled != nullptr
-			? "fits only culled passes: " + Culled->Name + " (" + Culled->Reason + ")"
-			: "fits no pass and no resource" + Suggest(Pattern.Value, GetDumpCandidates(Result.Graph));
+		const std::string Why =
+			Culled != nullptr
+				? "fits only culled passes: " + Culled->Name + " (" + Culled->Reason + ")"
+				: "fits no pass and no resource" + Suggest(Pattern.Value, GetDumpCandidates(Result.Graph));
 		Messages.Warn(WarnNothingDumped, Pattern.Place, "dump pattern \"" + Pattern.Value + "\" " + Why);
 	}
 	return Diagnostics;

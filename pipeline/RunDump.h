@@ -1,4 +1,5 @@
-// Which resources a run keeps to look at, and what they hold. Dumping observes and never changes culling. Source: drydock.
+// Which resources a run keeps to look at, and what they hold. Dumping observes and never changes culling. Source:
+// drydock.
 #pragma once
 
 #include "Run.h"
@@ -15,9 +16,11 @@ DRYDOCK_API bool MatchesPattern(const std::string& Pattern, const std::string& T
 DRYDOCK_API std::string GetShortPassName(const std::string& Pass);
 
 /** Whether one of the patterns names the pass (in full or short), the resource, or Pass.Resource. */
-DRYDOCK_API bool IsDumped(const std::vector<TConfigValue<std::string>>& Patterns, const std::string& Pass, const std::string& Resource);
+DRYDOCK_API bool IsDumped(
+	const std::vector<TConfigValue<std::string>>& Patterns, const std::string& Pass, const std::string& Resource);
 
-/** "007.BloomSetup.BloomSetup" (the short name), with .mipK where the resource has several; characters outside [A-Za-z0-9_-] become _. */
+/** "007.BloomSetup.BloomSetup" (the short name), with .mipK where the resource has several; characters outside
+ * [A-Za-z0-9_-] become _. */
 DRYDOCK_API std::string GetDumpFileName(const FRunDump& Dump);
 
 /** The values of one mip as stored, channels that the format has. */
@@ -30,6 +33,7 @@ FImage CropToRgba(const FImage& Image, const FIntRect& Rect);
 std::vector<std::string> GetChannelNames(int NumChannels);
 
 /** A warning for each pattern that no executed pass fits. */
-std::vector<FDiagnostic> CheckDumpPatterns(const std::vector<TConfigValue<std::string>>& Patterns, const FRunResult& Result);
+std::vector<FDiagnostic> CheckDumpPatterns(
+	const std::vector<TConfigValue<std::string>>& Patterns, const FRunResult& Result);
 
 } // namespace Drydock

@@ -17,7 +17,8 @@ namespace
 
 const FRunPass* FindRunPass(const FRunResult& Result, int Index)
 {
-	const auto Found = std::find_if(Result.Passes.begin(), Result.Passes.end(), [&](const FRunPass& Pass) { return Pass.Index == Index; });
+	const auto Found = std::find_if(
+		Result.Passes.begin(), Result.Passes.end(), [&](const FRunPass& Pass) { return Pass.Index == Index; });
 	return Found == Result.Passes.end() ? nullptr : &*Found;
 }
 
@@ -213,7 +214,8 @@ std::string MakeTraceJson(const FRunResult& Result)
 {
 	FJsonWriter Writer;
 	double Now = 0.0;
-	const auto Event = [&](const std::string& Name, const std::string& Category, double Milliseconds, const FPassCounters* Counters)
+	const auto Event =
+		[&](const std::string& Name, const std::string& Category, double Milliseconds, const FPassCounters* Counters)
 	{
 		Writer.BeginObject(true);
 		Writer.Member("name", Name);

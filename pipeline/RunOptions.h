@@ -1,4 +1,5 @@
-// What a run is asked for. Plain: needs none of the engine's headers, whose macros would break others'. Source: drydock.
+// What a run is asked for. Plain: needs none of the engine's headers, whose macros would break others'. Source:
+// drydock.
 #pragma once
 
 #include <functional>
@@ -20,15 +21,16 @@ enum class ERunStorage
 struct FRunOptions
 {
 	std::string ConfigFile;
-	std::optional<std::string> ConfigText; // read in place of the file; ConfigFile still says what paths are relative to
-	std::vector<std::string> Variables;    // "r.Name=Value", beat the config's
-	std::vector<std::string> Settings;     // "Setting=Value", beat all volumes and the camera
-	std::vector<std::string> Dump;         // patterns, beside the config's
-	int Frame = 0;                         // of a sequence: what shaders see as View.FrameNumber
-	std::optional<int> Threads;            // 0: all cores
-	bool bDouble = false;                  // double arithmetic
+	std::optional<std::string>
+		ConfigText;                     // read in place of the file; ConfigFile still says what paths are relative to
+	std::vector<std::string> Variables; // "r.Name=Value", beat the config's
+	std::vector<std::string> Settings;  // "Setting=Value", beat all volumes and the camera
+	std::vector<std::string> Dump;      // patterns, beside the config's
+	int Frame = 0;                      // of a sequence: what shaders see as View.FrameNumber
+	std::optional<int> Threads;         // 0: all cores
+	bool bDouble = false;               // double arithmetic
 	ERunStorage Storage = ERunStorage::Default;
-	bool bExecute = true;                  // false: stop when the graph is compiled
+	bool bExecute = true; // false: stop when the graph is compiled
 	/** Called before each pass that executes. */
 	std::function<void(int Done, int Total, const std::string& Pass)> Progress;
 };

@@ -58,7 +58,8 @@ FImage TakeRgb(const FImage& Image)
 /** To look at: as it is where all values lie in 0..1, else compressed by x / (1 + x); then sRGB. */
 FImage MakePreview(const FImage& Image)
 {
-	const bool bDisplayRange = std::all_of(Image.Values.begin(), Image.Values.end(), [](double Value) { return Value >= 0.0 && Value <= 1.0; });
+	const bool bDisplayRange = std::all_of(
+		Image.Values.begin(), Image.Values.end(), [](double Value) { return Value >= 0.0 && Value <= 1.0; });
 	FImage Preview = Image.NumChannels == 4 ? TakeRgb(Image) : Image;
 	if (Preview.NumChannels == 2)
 	{
@@ -110,17 +111,20 @@ void WriteAside(const FRunResult& Result, const Files::path& Folder)
 	const std::map<std::string, std::string> Display = {{"drydock:encoding", "sRGB"}};
 	const std::map<std::string, std::string> Linear = {{"drydock:encoding", "linear Rec.709, scene-referred"}};
 	std::vector<std::function<void()>> Jobs;
-	Jobs.push_back([&] { WriteExr((Folder / "scene_linear.exr").string(), Result.SceneLinear, GetChannelNames(4), Linear); });
-	Jobs.push_back([&] { WriteExr((Folder / "final.exr").string(), TakeRgb(Result.Final), GetChannelNames(3), Display); });
+	Jobs.push_back(
+		[&] { WriteExr((Folder / "scene_linear.exr").string(), Result.SceneLinear, GetChannelNames(4), Linear); });
+	Jobs.push_back(
+		[&] { WriteExr((Folder / "final.exr").string(), TakeRgb(Result.Final), GetChannelNames(3), Display); });
 	Jobs.push_back([&] { WritePng((Folder / "final.png").string(), TakeRgb(Result.Final)); });
 	for (const FRunDump& Dump : Result.Dumps)
 	{
 		const std::string Name = (Folder / "passes" / GetDumpFileName(Dump)).string();
-		Jobs.push_back([&Dump, Name]
-		{
-			WriteExr(Name + ".exr", Dump.Image, Dump.Channels);
-			WritePng(Name + ".png", MakePreview(Dump.Image));
-		});
+		Jobs.push_back(
+			[&Dump, Name]
+			{
+				WriteExr(Name + ".exr", Dump.Image, Dump.Channels);
+				WritePng(Name + ".png", MakePreview(Dump.Image));
+			});
 	}
 	ForEachTile(FKernelTile{0, 0, 0, static_cast<int32>(Jobs.size()), 1, 1}, FIntPoint(1, 1),
 		[&](const FKernelTile& Tile) { Jobs[static_cast<size_t>(Tile.MinX)](); });

@@ -1,5 +1,5 @@
-// Writes what a run made into a folder. Everything is written aside first and renamed when it is complete, so that nobody
-// ever sees half a run. Source: drydock.
+// Writes what a run made into a folder. Everything is written aside first and renamed when it is complete, so that
+// nobody ever sees half a run. Source: drydock.
 #pragma once
 
 #include "Run.h"
@@ -12,9 +12,9 @@ namespace Drydock
 /** "out/toon_bloom" for configs/toon_bloom.json. */
 DRYDOCK_API std::string GetDefaultOutputFolder(const std::string& ConfigFile);
 
-/** final.png, final.exr, scene_linear.exr, run.json, timing.json, graph.dot, trace.json and passes/. What the folder holds
- *  beside these stays; a passes/ of an earlier run goes. Returns the milliseconds it took. Throws FError (exit code 3);
- *  then the folder is as it was. */
+/** final.png, final.exr, scene_linear.exr, run.json, timing.json, graph.dot, trace.json and passes/. What the folder
+ * holds beside these stays; a passes/ of an earlier run goes. Returns the milliseconds it took. Throws FError (exit
+ * code 3); then the folder is as it was. */
 DRYDOCK_API double WriteRunOutputs(const FRunResult& Result, const std::string& Folder);
 
 } // namespace Drydock

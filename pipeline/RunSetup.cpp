@@ -14,10 +14,14 @@ const char* GetStorageValue(const FRunOptions& Options)
 {
 	switch (Options.Storage)
 	{
-	case ERunStorage::Native: return "0";
-	case ERunStorage::Float32: return "1";
-	case ERunStorage::Float64: return "2";
-	case ERunStorage::Default: break;
+	case ERunStorage::Native:
+		return "0";
+	case ERunStorage::Float32:
+		return "1";
+	case ERunStorage::Float64:
+		return "2";
+	case ERunStorage::Default:
+		break;
 	}
 	return Options.bDouble ? "2" : "";
 }
@@ -30,7 +34,8 @@ void WarnOfIneffectiveValues(const FConfig& Config, const FChainSettings& Chain,
 	const int32 AntiAliasing = IConsoleManager::Get().FindConsoleVariable(TEXT("r.AntiAliasingMethod"))->GetInt();
 	if (AntiAliasing < 0 || AntiAliasing > 1)
 	{
-		Messages.Warn(WarnIneffectiveValue, Nowhere, "r.AntiAliasingMethod " + std::to_string(AntiAliasing) + " is not simulated: no antialiasing runs");
+		Messages.Warn(WarnIneffectiveValue, Nowhere,
+			"r.AntiAliasingMethod " + std::to_string(AntiAliasing) + " is not simulated: no antialiasing runs");
 	}
 	if (Chain.Settings.BloomMethod != BM_SOG)
 	{

@@ -20,9 +20,9 @@ namespace
 /** Every channel that a scene can have, by the names that passes know. */
 const std::vector<std::string>& GetSceneChannelNames()
 {
-	static const std::vector<std::string> Names = {
-		"R", "G", "B", "A", "depth.Z", "normal.X", "normal.Y", "normal.Z", "velocity.X", "velocity.Y", "basecolor.R",
-		"basecolor.G", "basecolor.B", "shadingmodel.ID", "custommask.B", "shadow.R", "shadow.G"};
+	static const std::vector<std::string> Names = {"R", "G", "B", "A", "depth.Z", "normal.X", "normal.Y", "normal.Z",
+		"velocity.X", "velocity.Y", "basecolor.R", "basecolor.G", "basecolor.B", "shadingmodel.ID", "custommask.B",
+		"shadow.R", "shadow.G"};
 	return Names;
 }
 
@@ -103,7 +103,9 @@ void FScene::CheckNames(const FConfig& InConfig) const
 		CheckKnown(Name, Channel.Place);
 		if (File.FindChannel(Channel.Value) < 0)
 		{
-			Messages.Error(ErrorUnknownValue, Channel.Place, File.GetPath() + " has no channel \"" + Channel.Value + "\"" + Suggest(Channel.Value, File.GetChannels()));
+			Messages.Error(ErrorUnknownValue, Channel.Place,
+				File.GetPath() + " has no channel \"" + Channel.Value + "\"" +
+					Suggest(Channel.Value, File.GetChannels()));
 		}
 	}
 	for (const auto& [Name, Default] : Config.Defaults)
@@ -144,8 +146,9 @@ FScene::FSource FScene::FindSource(const std::string& Channel, const FNeededScen
 	FDiagnostic Diagnostic;
 	Diagnostic.Code = ErrorChannelMissing;
 	Diagnostic.File = File.GetPath();
-	Diagnostic.Message = "there is no channel \"" + Channel + "\", which pass " + Needed.Pass + " needs for " + Needed.Texture
-		+ Suggest(Channel, File.GetChannels()) + "; map it in scene.channels ({\"" + Channel + "\": \"name in the file\"}) or give it a value in scene.defaults";
+	Diagnostic.Message = "there is no channel \"" + Channel + "\", which pass " + Needed.Pass + " needs for " +
+						 Needed.Texture + Suggest(Channel, File.GetChannels()) + "; map it in scene.channels ({\"" +
+						 Channel + "\": \"name in the file\"}) or give it a value in scene.defaults";
 	throw FError(Diagnostic, ExitFiles);
 }
 
@@ -185,37 +188,41 @@ void FScene::FillSceneColor(const std::vector<FSource>& Sources, float PreExposu
 	std::vector<FNonFiniteCount> RowCounts(static_cast<size_t>(Height));
 	SceneColor->EnsureMemory();
 	const FKernelTile Whole = {0, 0, 0, Width, Height, 1};
-	ForEachTile(Whole, FIntPoint(Width, 16), [&](const FKernelTile& Tile)
-	{
-		TArray<FLinearColor> Row;
-		Row.SetNum(Width);
-		for (int32 Y = Tile.MinY; Y < Tile.MaxY; ++Y)
+	ForEachTile(Whole, FIntPoint(Width, 16),
+		[&](const FKernelTile& Tile)
 		{
-			for (int32 X = 0; X < Width; ++X)
+			TArray<FLinearColor> Row;
+			Row.SetNum(Width);
+			for (int32 Y = Tile.MinY; Y < Tile.MaxY; ++Y)
 			{
-				float Components[4];
-				size_t Plane = 0;
-				for (size_t Channel = 0; Channel < 4; ++Channel)
+				for (int32 X = 0; X < Width; ++X)
 				{
-					const FSource& Source = Sources[Channel];
-					const size_t Pixel = static_cast<size_t>(Y) * static_cast<size_t>(Width) + static_cast<size_t>(X);
-					float Value = Source.FileChannel >= 0 ? Planes[Plane++][Pixel] : Source.Default;
-					if (!std::isfinite(Value))
+					float Components[4];
+					size_t Plane = 0;
+					for (size_t Channel = 0; Channel < 4; ++Channel)
 					{
-						FNonFiniteCount& Count = RowCounts[static_cast<size_t>(Y)];
-						Count = Count.Count++ == 0 ? FNonFiniteCount{1, X, Y} : Count;
-						Value = Policy == ENonFinitePolicy::Zero ? 0.0f : Value;
+						const FSource& Source = Sources[Channel];
+						const size_t Pixel =
+							static_cast<size_t>(Y) * static_cast<size_t>(Width) + static_cast<size_t>(X);
+						float Value = Source.FileChannel >= 0 ? Planes[Plane++][Pixel] : Source.Default;
+						if (!std::isfinite(Value))
+						{
+							FNonFiniteCount& Count = RowCounts[static_cast<size_t>(Y)];
+							Count = Count.Count++ == 0 ? FNonFiniteCount{1, X, Y} : Count;
+							Value = Policy == ENonFinitePolicy::Zero ? 0.0f : Value;
+						}
+						Components[Channel] = Channel < 3 ? Value * PreExposure : Value;
 					}
-					Components[Channel] = Channel < 3 ? Value * PreExposure : Value;
+					Row[X] = FLinearColor(Components[0], Components[1], Components[2], Components[3]);
 				}
-				Row[X] = FLinearColor(Components[0], Components[1], Components[2], Components[3]);
+				SceneColor->WriteRow(0, Y, Row);
 			}
-			SceneColor->WriteRow(0, Y, Row);
-		}
-	});
+		});
 	for (const FNonFiniteCount& Count : RowCounts)
 	{
-		NonFinite = NonFinite.Count == 0 ? Count : FNonFiniteCount{NonFinite.Count + Count.Count, NonFinite.FirstX, NonFinite.FirstY};
+		NonFinite = NonFinite.Count == 0
+						? Count
+						: FNonFiniteCount{NonFinite.Count + Count.Count, NonFinite.FirstX, NonFinite.FirstY};
 	}
 }
 

@@ -49,8 +49,8 @@ struct FNonFiniteCount
 class DRYDOCK_API FScene
 {
 public:
-	/** Reads the header only. Throws FError: no scene in the config (exit code 2), a file that cannot be read (3), channel
-	 *  names that do not exist (2). */
+	/** Reads the header only. Throws FError: no scene in the config (exit code 2), a file that cannot be read (3),
+	 * channel names that do not exist (2). */
 	explicit FScene(const FConfig& Config);
 
 	FIntPoint GetExtent() const { return FIntPoint(File.GetWidth(), File.GetHeight()); }
@@ -64,8 +64,8 @@ public:
 	/** The registered texture, as the RHI has it; null before. */
 	FRHITexture* GetSceneColor() const { return SceneColor; }
 
-	/** Fills the textures named, from one read of the file. Scene colour is multiplied by PreExposure. Throws FError (exit
-	 *  code 3) when the file lacks a channel or is broken. */
+	/** Fills the textures named, from one read of the file. Scene colour is multiplied by PreExposure. Throws FError
+	 * (exit code 3) when the file lacks a channel or is broken. */
 	void Load(const std::vector<FNeededSceneTexture>& Needed, float PreExposure);
 
 	/** What scene colour held that is not finite, before r.Drydock.NonFinite did anything about it. */

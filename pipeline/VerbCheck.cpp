@@ -21,7 +21,9 @@ std::string MakeDiagnosticsJson(const std::vector<FDiagnostic>& Diagnostics)
 	for (const FDiagnostic& Diagnostic : Diagnostics)
 	{
 		Writer.BeginObject(true);
-		Writer.Member("severity", Diagnostic.Severity == ESeverity::Error ? "error" : Diagnostic.Severity == ESeverity::Warning ? "warning" : "note");
+		Writer.Member("severity", Diagnostic.Severity == ESeverity::Error     ? "error"
+								  : Diagnostic.Severity == ESeverity::Warning ? "warning"
+																			  : "note");
 		Writer.Member("code", FormatCode(Diagnostic.Code));
 		Writer.Member("message", Diagnostic.Message);
 		Writer.Member("file", Diagnostic.File);

@@ -46,8 +46,9 @@ std::string MakeSvg(const std::string& Dot)
 	{
 		FDiagnostic Diagnostic;
 		Diagnostic.Code = ErrorFileNotWritten;
-		Diagnostic.Message = "the SVG needs Graphviz: the program dot " + (Child.bStarted ? Child.Describe(TimeLimitSeconds) : std::string("is not installed"))
-			+ "; --format dot needs nothing";
+		Diagnostic.Message = "the SVG needs Graphviz: the program dot " +
+							 (Child.bStarted ? Child.Describe(TimeLimitSeconds) : std::string("is not installed")) +
+							 "; --format dot needs nothing";
 		throw FError(Diagnostic, ExitFiles);
 	}
 	std::ifstream Stream(Output.Path, std::ios::binary);
@@ -63,10 +64,10 @@ int GraphVerb(const FVerbOptions& Options)
 	const FRunResult Result = RunConfig(RunOptions);
 	PrintDiagnostics(Result.Diagnostics);
 	const std::string Format = Options.bJson ? "json" : Options.Format;
-	const std::string Text = Format == "json" ? MakeGraphJson(Result.Graph)
-		: Format == "dot"					  ? DumpDot(Result.Graph)
-		: Format == "svg"					  ? MakeSvg(DumpDot(Result.Graph))
-											  : DumpText(Result.Graph);
+	const std::string Text = Format == "json"  ? MakeGraphJson(Result.Graph)
+							 : Format == "dot" ? DumpDot(Result.Graph)
+							 : Format == "svg" ? MakeSvg(DumpDot(Result.Graph))
+											   : DumpText(Result.Graph);
 	std::fputs(Text.c_str(), stdout);
 	for (const std::string& Line : MakeClosingLines(Result.Effects))
 	{

@@ -27,7 +27,10 @@ struct FTable
 
 bool ContainsIgnoringCase(const std::string& Text, const std::string& Part)
 {
-	const auto Same = [](char A, char B) { return std::tolower(static_cast<unsigned char>(A)) == std::tolower(static_cast<unsigned char>(B)); };
+	const auto Same = [](char A, char B)
+	{
+		return std::tolower(static_cast<unsigned char>(A)) == std::tolower(static_cast<unsigned char>(B));
+	};
 	return std::search(Text.begin(), Text.end(), Part.begin(), Part.end(), Same) != Text.end();
 }
 
@@ -39,8 +42,12 @@ std::string FormatRange(const FSettingField& Field)
 		return "";
 	}
 	const FSettingField* Number = FindSettingField("BloomIntensity");
-	const auto Text = [&](double Bound) { return SettingToText(*Number, {ESettingType::Float, {Bound}}); };
-	return std::isfinite(Range.ClampMax) ? Text(Range.ClampMin) + " .. " + Text(Range.ClampMax) : ">= " + Text(Range.ClampMin);
+	const auto Text = [&](double Bound)
+	{
+		return SettingToText(*Number, {ESettingType::Float, {Bound}});
+	};
+	return std::isfinite(Range.ClampMax) ? Text(Range.ClampMin) + " .. " + Text(Range.ClampMax)
+										 : ">= " + Text(Range.ClampMin);
 }
 
 FTable ListSettings()
@@ -48,8 +55,8 @@ FTable ListSettings()
 	FTable Table{{"name", "type", "default", "range", "unit", "blend", "category", "doc"}, {}, ""};
 	for (const FSettingField& Field : GetSettingFields())
 	{
-		Table.Rows.push_back({Field.Name, ToString(Field.Type), SettingToText(Field, Field.Default), FormatRange(Field), Field.Unit,
-			ToString(Field.Blend), Field.Category, Field.Doc});
+		Table.Rows.push_back({Field.Name, ToString(Field.Type), SettingToText(Field, Field.Default), FormatRange(Field),
+			Field.Unit, ToString(Field.Blend), Field.Category, Field.Doc});
 	}
 	return Table;
 }
@@ -69,12 +76,15 @@ FTable ListVariables()
 FTable ListPasses()
 {
 	FTable Table{{"shader", "file", "entry", "stage"}, {}, ""};
-	ForEachGlobalShader([&](const FGlobalShaderType& Type)
-	{
-		const EShaderFrequency Stage = Type.GetFrequency();
-		Table.Rows.push_back({Type.GetName(), Type.GetShaderFilename(), Type.GetFunctionName(),
-			Stage == SF_Compute ? "compute" : Stage == SF_Pixel ? "pixel" : "vertex (not run)"});
-	});
+	ForEachGlobalShader(
+		[&](const FGlobalShaderType& Type)
+		{
+			const EShaderFrequency Stage = Type.GetFrequency();
+			Table.Rows.push_back({Type.GetName(), Type.GetShaderFilename(), Type.GetFunctionName(),
+				Stage == SF_Compute ? "compute"
+				: Stage == SF_Pixel ? "pixel"
+									: "vertex (not run)"});
+		});
 	return Table;
 }
 
@@ -110,7 +120,9 @@ bool MakeTable(const std::string& Things, FTable& OutTable)
 	}
 	else if (Things == "extensions" || Things == "hooks")
 	{
-		OutTable = {{"name"}, {}, "View " + std::string(Things == "hooks" ? "extension hooks" : "extensions") + " are not built yet: there are none to list."};
+		OutTable = {{"name"}, {},
+			"View " + std::string(Things == "hooks" ? "extension hooks" : "extensions") +
+				" are not built yet: there are none to list."};
 	}
 	else
 	{
@@ -136,7 +148,8 @@ std::string FormatText(const FTable& Table)
 		std::string Line;
 		for (size_t Column = 0; Column < Row.size(); ++Column)
 		{
-			Line += Row[Column] + std::string(Column + 1 < Row.size() ? Widths[Column] - Row[Column].size() + 2 : 0, ' ');
+			Line +=
+				Row[Column] + std::string(Column + 1 < Row.size() ? Widths[Column] - Row[Column].size() + 2 : 0, ' ');
 		}
 		return Line.substr(0, Line.find_last_not_of(' ') + 1) + "\n";
 	};
@@ -172,12 +185,18 @@ int ListVerb(const std::string& Things, const std::string& Filter, bool bJson)
 	FTable Table;
 	if (!MakeTable(Things, Table))
 	{
-		const std::string Nearest = FindNearestName(Things, {"passes", "settings", "cvars", "effects", "extensions", "hooks"});
+		const std::string Nearest =
+			FindNearestName(Things, {"passes", "settings", "cvars", "effects", "extensions", "hooks"});
 		std::fprintf(stderr, "drydock list: there is no list of \"%s\"%s\n", Things.c_str(),
-			(Nearest.empty() ? "; there are passes, settings, cvars, effects, extensions, hooks" : "; did you mean " + Nearest + "?").c_str());
+			(Nearest.empty() ? "; there are passes, settings, cvars, effects, extensions, hooks"
+							 : "; did you mean " + Nearest + "?")
+				.c_str());
 		return ExitUsage;
 	}
-	const auto IsFilteredOut = [&](const std::vector<std::string>& Row) { return !ContainsIgnoringCase(Row[0], Filter); };
+	const auto IsFilteredOut = [&](const std::vector<std::string>& Row)
+	{
+		return !ContainsIgnoringCase(Row[0], Filter);
+	};
 	Table.Rows.erase(std::remove_if(Table.Rows.begin(), Table.Rows.end(), IsFilteredOut), Table.Rows.end());
 	if (bJson)
 	{

@@ -29,9 +29,12 @@ const char* GetColor(ESeverity Severity)
 {
 	switch (Severity)
 	{
-	case ESeverity::Error: return "\x1b[31m";
-	case ESeverity::Warning: return "\x1b[33m";
-	case ESeverity::Note: break;
+	case ESeverity::Error:
+		return "\x1b[31m";
+	case ESeverity::Warning:
+		return "\x1b[33m";
+	case ESeverity::Note:
+		break;
 	}
 	return "\x1b[36m";
 }
@@ -65,8 +68,9 @@ std::string FormatPasses(const FRunResult& Result)
 	std::string Text;
 	for (const FRunPass& Pass : Result.Passes)
 	{
-		Text += PadLeft(std::to_string(Pass.Index), 5) + "  " + PadRight(Result.Graph.Passes[static_cast<size_t>(Pass.Index)].Name, NameWidth)
-			+ PadLeft(Format("%.2f", Pass.Milliseconds), 9) + " ms  " + MakeBar(Pass.Milliseconds, Largest) + "\n";
+		Text += PadLeft(std::to_string(Pass.Index), 5) + "  " +
+				PadRight(Result.Graph.Passes[static_cast<size_t>(Pass.Index)].Name, NameWidth) +
+				PadLeft(Format("%.2f", Pass.Milliseconds), 9) + " ms  " + MakeBar(Pass.Milliseconds, Largest) + "\n";
 	}
 	return Text;
 }
@@ -83,7 +87,8 @@ void PrintDiagnostics(const std::vector<FDiagnostic>& Diagnostics)
 	const bool bColorful = IsColorful(STDERR_FILENO);
 	for (const FDiagnostic& Diagnostic : Diagnostics)
 	{
-		std::fprintf(stderr, "%s%s%s\n", bColorful ? GetColor(Diagnostic.Severity) : "", Diagnostic.ToString().c_str(), bColorful ? "\x1b[0m" : "");
+		std::fprintf(stderr, "%s%s%s\n", bColorful ? GetColor(Diagnostic.Severity) : "", Diagnostic.ToString().c_str(),
+			bColorful ? "\x1b[0m" : "");
 	}
 }
 
@@ -102,20 +107,26 @@ std::vector<std::string> MakeClosingLines(const std::vector<FEffectDecision>& Ef
 
 std::string MakeRunSummary(const FRunResult& Result, const std::string& Folder, double SaveMs)
 {
-	const auto IsReal = [](const FRDGCompiledPass& Pass) { return !Pass.bIsSentinel; };
+	const auto IsReal = [](const FRDGCompiledPass& Pass)
+	{
+		return !Pass.bIsSentinel;
+	};
 	const auto NumPasses = std::count_if(Result.Graph.Passes.begin(), Result.Graph.Passes.end(), IsReal);
-	const auto NumDecoded = std::count_if(Result.Channels.begin(), Result.Channels.end(), [](const FSceneChannel& Channel) { return Channel.bDecoded; });
+	const auto NumDecoded = std::count_if(
+		Result.Channels.begin(), Result.Channels.end(), [](const FSceneChannel& Channel) { return Channel.bDecoded; });
 	const std::string Size = std::to_string(Result.ViewRect.Width()) + " x " + std::to_string(Result.ViewRect.Height());
 
-	std::string Text = Result.Config.File + ": " + Size + ", " + Result.Precision + " arithmetic, " + Result.Storage + " storage, "
-		+ std::to_string(Result.Threads) + (Result.Threads == 1 ? " thread\n" : " threads\n");
+	std::string Text = Result.Config.File + ": " + Size + ", " + Result.Precision + " arithmetic, " + Result.Storage +
+					   " storage, " + std::to_string(Result.Threads) +
+					   (Result.Threads == 1 ? " thread\n" : " threads\n");
 	Text += FormatPasses(Result);
-	Text += "passes   " + std::to_string(Result.Passes.size()) + " of " + std::to_string(NumPasses) + " ran in "
-		+ Format("%.1f ms", Result.Times.Execute) + ", " + std::to_string(NumPasses - static_cast<long>(Result.Passes.size())) + " culled\n";
-	Text += "scene    " + std::to_string(NumDecoded) + " of " + std::to_string(Result.Channels.size()) + " channels decoded in "
-		+ Format("%.1f ms", Result.Times.Load) + "\n";
-	Text += "memory   " + FormatMegabytes(Result.Graph.Memory.TransientPeakBytes) + " transient, " + FormatMegabytes(Result.Graph.Memory.WithoutAliasingBytes)
-		+ " without aliasing\n";
+	Text += "passes   " + std::to_string(Result.Passes.size()) + " of " + std::to_string(NumPasses) + " ran in " +
+			Format("%.1f ms", Result.Times.Execute) + ", " +
+			std::to_string(NumPasses - static_cast<long>(Result.Passes.size())) + " culled\n";
+	Text += "scene    " + std::to_string(NumDecoded) + " of " + std::to_string(Result.Channels.size()) +
+			" channels decoded in " + Format("%.1f ms", Result.Times.Load) + "\n";
+	Text += "memory   " + FormatMegabytes(Result.Graph.Memory.TransientPeakBytes) + " transient, " +
+			FormatMegabytes(Result.Graph.Memory.WithoutAliasingBytes) + " without aliasing\n";
 	Text += "picture  " + Folder + "/final.png (written in " + Format("%.1f ms", SaveMs) + ")\n";
 	return Text;
 }

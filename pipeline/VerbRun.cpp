@@ -22,11 +22,15 @@ int RunOnce(const FVerbOptions& Options)
 {
 	FProgressBar Bar;
 	FRunOptions RunOptions = Options.Run;
-	RunOptions.Progress = [&](int Done, int Total, const std::string& Pass) { Bar.Show(Done, Total, Pass); };
+	RunOptions.Progress = [&](int Done, int Total, const std::string& Pass)
+	{
+		Bar.Show(Done, Total, Pass);
+	};
 	const FRunResult Result = RunConfig(RunOptions);
 	Bar.Clear();
 	PrintDiagnostics(Result.Diagnostics);
-	const std::string Folder = Options.OutputFolder.empty() ? GetDefaultOutputFolder(Options.Run.ConfigFile) : Options.OutputFolder;
+	const std::string Folder =
+		Options.OutputFolder.empty() ? GetDefaultOutputFolder(Options.Run.ConfigFile) : Options.OutputFolder;
 	const double SaveMs = WriteRunOutputs(Result, Folder);
 	std::fputs((Options.bJson ? Result.RunJson : MakeRunSummary(Result, Folder, SaveMs)).c_str(), stdout);
 	std::fflush(stdout);

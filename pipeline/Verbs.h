@@ -1,5 +1,5 @@
-// The program's verbs: one function each, from options to exit code, in a file of its own (VerbRun.cpp, ...). stdout is the
-// result, stderr the log. They throw FError; Main prints it and exits with its code. Source: drydock.
+// The program's verbs: one function each, from options to exit code, in a file of its own (VerbRun.cpp, ...). stdout is
+// the result, stderr the log. They throw FError; Main prints it and exits with its code. Source: drydock.
 #pragma once
 
 #include "Diagnostics.h"

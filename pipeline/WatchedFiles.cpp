@@ -22,11 +22,13 @@ void FWatchedFiles::AddFile(const std::string& Path)
 void FWatchedFiles::AddShaders()
 {
 	std::set<Files::path> Folders = {Files::path(FindShaderFile("/Engine/Private/Common.ush")).parent_path()};
-	ForEachGlobalShader([&](const FGlobalShaderType& Type) { Folders.insert(Files::path(FindShaderFile(Type.GetShaderFilename())).parent_path()); });
+	ForEachGlobalShader([&](const FGlobalShaderType& Type)
+		{ Folders.insert(Files::path(FindShaderFile(Type.GetShaderFilename())).parent_path()); });
 	for (const Files::path& Folder : Folders)
 	{
 		std::error_code Error;
-		for (Files::recursive_directory_iterator Entry(Folder, Error), End; !Error && Entry != End; Entry.increment(Error))
+		for (Files::recursive_directory_iterator Entry(Folder, Error), End; !Error && Entry != End;
+			 Entry.increment(Error))
 		{
 			const std::string Extension = Entry->path().extension().string();
 			if (Extension == ".usf" || Extension == ".ush")

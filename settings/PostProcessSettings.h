@@ -19,8 +19,8 @@ enum EAutoExposureMethod : uint8
 	AEM_MAX,
 };
 
-/** Settings as a volume, camera or extension gives them. A value takes part in blending only where its bOverride_ bit is
- *  set. A new object holds the engine's defaults and overrides nothing. */
+/** Settings as a volume, camera or extension gives them. A value takes part in blending only where its bOverride_ bit
+ * is set. A new object holds the engine's defaults and overrides nothing. */
 struct FPostProcessSettings
 {
 #define DRYDOCK_SETTING(Type, Name, Default, Range, Unit, Category, Blend, Doc) uint8 bOverride_##Name : 1 = 0;
@@ -32,7 +32,10 @@ struct FPostProcessSettings
 #undef DRYDOCK_SETTING
 
 	/** Defaults for all values and override bits. */
-	void SetBaseValues() { *this = FPostProcessSettings(); }
+	void SetBaseValues()
+	{
+		*this = FPostProcessSettings();
+	}
 };
 
 /** What a view renders with, after defaults, volumes, camera, clamps and show flags. */

@@ -29,10 +29,10 @@ constexpr const char* BloomMethodNames[] = {"BM_SOG", "BM_FFT"};
 constexpr const char* AutoExposureMethodNames[] = {"AEM_Histogram", "AEM_Basic", "AEM_Manual"};
 
 /** What the table's types are made of. Pack and Unpack must be inverses, bit for bit. */
-template <typename T>
+template<typename T>
 struct TSettingTraits;
 
-template <typename T, ESettingType InType>
+template<typename T, ESettingType InType>
 struct TScalarSettingTraits
 {
 	static constexpr ESettingType Type = InType;
@@ -41,37 +41,43 @@ struct TScalarSettingTraits
 	static TConstArrayView<const char*> GetEnumNames() { return {}; }
 };
 
-template <>
+template<>
 struct TSettingTraits<float> : TScalarSettingTraits<float, ESettingType::Float>
 {
 };
 
-template <>
+template<>
 struct TSettingTraits<int32> : TScalarSettingTraits<int32, ESettingType::Int>
 {
 };
 
-template <>
+template<>
 struct TSettingTraits<bool> : TScalarSettingTraits<bool, ESettingType::Bool>
 {
 	static bool Unpack(const FSettingValue& Value) { return Value.Components[0] != 0.0; }
 };
 
-template <typename T>
+template<typename T>
 struct TEnumSettingTraits
 {
 	static constexpr ESettingType Type = ESettingType::Enum;
-	static FSettingValue Pack(T Value) { return {Type, {static_cast<double>(static_cast<int32>(Value)), 0.0, 0.0, 0.0}}; }
+	static FSettingValue Pack(T Value)
+	{
+		return {Type, {static_cast<double>(static_cast<int32>(Value)), 0.0, 0.0, 0.0}};
+	}
 	static T Unpack(const FSettingValue& Value) { return static_cast<T>(static_cast<int32>(Value.Components[0])); }
 };
 
-template <>
+template<>
 struct TSettingTraits<EBloomMethod> : TEnumSettingTraits<EBloomMethod>
 {
-	static TConstArrayView<const char*> GetEnumNames() { return TConstArrayView<const char*>(BloomMethodNames, BM_MAX); }
+	static TConstArrayView<const char*> GetEnumNames()
+	{
+		return TConstArrayView<const char*>(BloomMethodNames, BM_MAX);
+	}
 };
 
-template <>
+template<>
 struct TSettingTraits<EAutoExposureMethod> : TEnumSettingTraits<EAutoExposureMethod>
 {
 	static TConstArrayView<const char*> GetEnumNames()
@@ -80,7 +86,7 @@ struct TSettingTraits<EAutoExposureMethod> : TEnumSettingTraits<EAutoExposureMet
 	}
 };
 
-template <>
+template<>
 struct TSettingTraits<FLinearColor>
 {
 	static constexpr ESettingType Type = ESettingType::Color;
@@ -93,7 +99,7 @@ struct TSettingTraits<FLinearColor>
 	static TConstArrayView<const char*> GetEnumNames() { return {}; }
 };
 
-template <>
+template<>
 struct TSettingTraits<FVector2D>
 {
 	static constexpr ESettingType Type = ESettingType::Vector2;
@@ -124,17 +130,19 @@ FVector2D LerpValue(const FVector2D& From, const FVector2D& To, float Weight)
 	return FVector2D(LerpValue(From.X, To.X, Weight), LerpValue(From.Y, To.Y, Weight));
 }
 
-template <typename T>
-constexpr bool TIsLerpable = std::is_same_v<T, float> || std::is_same_v<T, FLinearColor> || std::is_same_v<T, FVector2D>;
+template<typename T>
+constexpr bool TIsLerpable =
+	std::is_same_v<T, float> || std::is_same_v<T, FLinearColor> || std::is_same_v<T, FVector2D>;
 
-template <typename T>
+template<typename T>
 bool IsZero(const T& Value)
 {
 	const FSettingValue Packed = TSettingTraits<T>::Pack(Value);
-	return std::all_of(std::begin(Packed.Components), std::end(Packed.Components), [](double Component) { return Component == 0.0; });
+	return std::all_of(
+		std::begin(Packed.Components), std::end(Packed.Components), [](double Component) { return Component == 0.0; });
 }
 
-template <typename T>
+template<typename T>
 void BlendValue(T& Target, const T& Source, float Weight, ESettingBlend Blend)
 {
 	const bool bSourceCounts = Blend != ESettingBlend::SetIfNonZero || !IsZero(Source);
@@ -166,8 +174,15 @@ std::vector<FSettingField> MakeSettingFields()
 	std::vector<FSettingField> Fields;
 #define DRYDOCK_SETTING(InType, InName, InDefault, InRange, InUnit, InCategory, InBlend, InDoc) \
 	Fields.push_back({ \
-		#InName, TSettingTraits<InType>::Type, InRange, InUnit, InCategory, ESettingBlend::InBlend, InDoc, \
-		TSettingTraits<InType>::Pack(Defaults.InName), TSettingTraits<InType>::GetEnumNames(), \
+		#InName, \
+		TSettingTraits<InType>::Type, \
+		InRange, \
+		InUnit, \
+		InCategory, \
+		ESettingBlend::InBlend, \
+		InDoc, \
+		TSettingTraits<InType>::Pack(Defaults.InName), \
+		TSettingTraits<InType>::GetEnumNames(), \
 		[](const FPostProcessSettings& Settings) { return TSettingTraits<InType>::Pack(Settings.InName); }, \
 		[](FPostProcessSettings& Settings, const FSettingValue& Value) \
 		{ Settings.InName = TSettingTraits<InType>::Unpack(Value); }, \
@@ -218,7 +233,8 @@ const std::vector<FSettingField>& GetSettingFields()
 const FSettingField* FindSettingField(const std::string& Name)
 {
 	const std::vector<FSettingField>& Fields = GetSettingFields();
-	const auto Found = std::find_if(Fields.begin(), Fields.end(), [&](const FSettingField& Field) { return Field.Name == Name; });
+	const auto Found =
+		std::find_if(Fields.begin(), Fields.end(), [&](const FSettingField& Field) { return Field.Name == Name; });
 	return Found == Fields.end() ? nullptr : &*Found;
 }
 
@@ -236,11 +252,16 @@ const char* ToString(ESettingBlend Blend)
 {
 	switch (Blend)
 	{
-	case ESettingBlend::Lerp: return "Lerp";
-	case ESettingBlend::Set: return "Set";
-	case ESettingBlend::SetIfNonZero: return "SetIfNonZero";
-	case ESettingBlend::FocalDistance: return "FocalDistance";
-	case ESettingBlend::Accumulate: return "Accumulate";
+	case ESettingBlend::Lerp:
+		return "Lerp";
+	case ESettingBlend::Set:
+		return "Set";
+	case ESettingBlend::SetIfNonZero:
+		return "SetIfNonZero";
+	case ESettingBlend::FocalDistance:
+		return "FocalDistance";
+	case ESettingBlend::Accumulate:
+		return "Accumulate";
 	}
 	return "?";
 }
@@ -249,13 +270,20 @@ const char* ToString(ESettingType Type)
 {
 	switch (Type)
 	{
-	case ESettingType::Float: return "float";
-	case ESettingType::Bool: return "bool";
-	case ESettingType::Int: return "int";
-	case ESettingType::Enum: return "enum";
-	case ESettingType::Color: return "color";
-	case ESettingType::Vector2: return "vector2";
-	case ESettingType::Vector4: return "vector4";
+	case ESettingType::Float:
+		return "float";
+	case ESettingType::Bool:
+		return "bool";
+	case ESettingType::Int:
+		return "int";
+	case ESettingType::Enum:
+		return "enum";
+	case ESettingType::Color:
+		return "color";
+	case ESettingType::Vector2:
+		return "vector2";
+	case ESettingType::Vector4:
+		return "vector4";
 	}
 	return "?";
 }

@@ -1,5 +1,5 @@
-// The settings table as data: every field with its type, default, range, unit, category and blend rule, and a way to read
-// and write it in any settings object. JSON, `--pp`, the schema and the lists are built on it. Source: drydock.
+// The settings table as data: every field with its type, default, range, unit, category and blend rule, and a way to
+// read and write it in any settings object. JSON, `--pp`, the schema and the lists are built on it. Source: drydock.
 #pragma once
 
 #include "PostProcessSettings.h"
@@ -31,8 +31,8 @@ enum class ESettingBlend : uint8
 	Accumulate,    // added, times the weight
 };
 
-/** Infinite where there is no bound. The clamps warn when passed and are not enforced; the UI bounds are where an editor's
- *  slider ends. */
+/** Infinite where there is no bound. The clamps warn when passed and are not enforced; the UI bounds are where an
+ * editor's slider ends. */
 struct FSettingRange
 {
 	double ClampMin;
@@ -41,8 +41,8 @@ struct FSettingRange
 	double UIMax;
 };
 
-/** A value of any type of the table. Exact for all of them: numbers in doubles; bool 0 or 1; enum its number; components of
- *  colours and vectors in order. */
+/** A value of any type of the table. Exact for all of them: numbers in doubles; bool 0 or 1; enum its number;
+ * components of colours and vectors in order. */
 struct FSettingValue
 {
 	ESettingType Type = ESettingType::Float;
@@ -86,14 +86,15 @@ DRYDOCK_API const FSettingField* FindSettingField(const std::string& Name);
 /** Names of all fields, for suggestions. */
 DRYDOCK_API std::vector<std::string> GetSettingNames();
 
-/** `0.675`, `true`, `BM_SOG`, `[1, 1, 1, 1]`: the shortest text that reads back to the same value, valid JSON but for the
- *  quotes of an enum's name. */
+/** `0.675`, `true`, `BM_SOG`, `[1, 1, 1, 1]`: the shortest text that reads back to the same value, valid JSON but for
+ * the quotes of an enum's name. */
 DRYDOCK_API std::string SettingToText(const FSettingField& Field, const FSettingValue& Value);
 
-/** Reads what SettingToText writes, and spaces around it; enums also by number, bools also as 0 and 1, colours also with
- *  three components (alpha 1) or in the engine's form `(R=1,G=1,B=1,A=1)`. On failure returns false with what was expected
- *  in OutError. */
-DRYDOCK_API bool SettingFromText(const FSettingField& Field, const std::string& Text, FSettingValue& OutValue, std::string& OutError);
+/** Reads what SettingToText writes, and spaces around it; enums also by number, bools also as 0 and 1, colours also
+ * with three components (alpha 1) or in the engine's form `(R=1,G=1,B=1,A=1)`. On failure returns false with what was
+ * expected in OutError. */
+DRYDOCK_API bool SettingFromText(
+	const FSettingField& Field, const std::string& Text, FSettingValue& OutValue, std::string& OutError);
 
 /** "Lerp", "Float", ... */
 DRYDOCK_API const char* ToString(ESettingBlend Blend);

@@ -1,15 +1,16 @@
-// The one list of post-process settings. Members, override bits, reflection, blending, JSON, `--pp`, the config schema and
-// `drydock list settings` all come from here: adding a setting is one line. Included several times, hence no guard; each
-// time DRYDOCK_SETTING says what becomes of a line.
+// The one list of post-process settings. Members, override bits, reflection, blending, JSON, `--pp`, the config schema
+// and `drydock list settings` all come from here: adding a setting is one line. Included several times, hence no guard;
+// each time DRYDOCK_SETTING says what becomes of a line.
 //
 //   DRYDOCK_SETTING(Type, Name, Default, Range, Unit, Category, Blend, Doc)
 //
 // Type      float, bool, int32, an enum of PostProcessSettings.h, FLinearColor, FVector2D or FVector4
-// Range     Anything, AtLeast(ClampMin, UIMax) or Between(ClampMin, ClampMax); the engine does not enforce it at run time
-// Unit      of the value, "" where it has none
-// Category  as in the editor, levels separated by |
-// Blend     what a volume of some weight does with it: ESettingBlend
-// Defaults and ranges: engine FPostProcessSettings 5.3/5.4, except where the line says "drydock".
+// Range     Anything, AtLeast(ClampMin, UIMax) or Between(ClampMin, ClampMax); the engine does not enforce it at run
+// time Unit      of the value, "" where it has none Category  as in the editor, levels separated by | Blend     what a
+// volume of some weight does with it: ESettingBlend Defaults and ranges: engine FPostProcessSettings 5.3/5.4, except
+// where the line says "drydock".
+
+// clang-format off
 
 // Film
 DRYDOCK_SETTING(float, FilmSlope, 0.88f, Between(0, 1), "", "Film", Lerp, "Steepness of the film curve: larger darkens shadows and brightens highlights.")
@@ -69,3 +70,5 @@ DRYDOCK_SETTING(float, HistogramLogMin, -8.0f, Anything, "log2 luminance", "Lens
 DRYDOCK_SETTING(float, HistogramLogMax, 4.0f, Anything, "log2 luminance", "Lens|Exposure", Lerp, "AEM_Histogram: upper end.")
 DRYDOCK_SETTING(float, CameraShutterSpeed, 60.0f, AtLeast(1, 2000), "1/s", "Lens|Camera", Lerp, "Shutter speed, as the denominator of a second.")
 DRYDOCK_SETTING(float, CameraISO, 100.0f, AtLeast(1, 51200), "ISO", "Lens|Camera", Lerp, "Sensitivity of the sensor.")
+
+// clang-format on

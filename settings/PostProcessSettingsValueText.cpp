@@ -28,8 +28,8 @@ std::string NumberToText(double Number, bool bFloat)
 {
 	char Buffer[64];
 	const std::to_chars_result Result = bFloat
-		? std::to_chars(Buffer, Buffer + sizeof(Buffer), static_cast<float>(Number))
-		: std::to_chars(Buffer, Buffer + sizeof(Buffer), Number);
+											? std::to_chars(Buffer, Buffer + sizeof(Buffer), static_cast<float>(Number))
+											: std::to_chars(Buffer, Buffer + sizeof(Buffer), Number);
 	return std::string(Buffer, Result.ptr);
 }
 
@@ -59,7 +59,8 @@ std::vector<std::string> SplitComponents(const std::string& Text)
 {
 	std::vector<std::string> Parts;
 	std::string Inner = Text;
-	if (Inner.size() >= 2 && ((Inner.front() == '[' && Inner.back() == ']') || (Inner.front() == '(' && Inner.back() == ')')))
+	if (Inner.size() >= 2 &&
+		((Inner.front() == '[' && Inner.back() == ']') || (Inner.front() == '(' && Inner.back() == ')')))
 	{
 		Inner = Inner.substr(1, Inner.size() - 2);
 	}
@@ -93,7 +94,8 @@ bool StripComponentNames(ESettingType Type, std::vector<std::string>& Parts)
 	return true;
 }
 
-bool ComponentsFromText(const FSettingField& Field, const std::string& Text, FSettingValue& OutValue, std::string& OutError)
+bool ComponentsFromText(
+	const FSettingField& Field, const std::string& Text, FSettingValue& OutValue, std::string& OutError)
 {
 	std::vector<std::string> Parts = SplitComponents(Text);
 	const size_t Wanted = static_cast<size_t>(Field.GetNumComponents());
@@ -106,7 +108,8 @@ bool ComponentsFromText(const FSettingField& Field, const std::string& Text, FSe
 	OutValue.Components[3] = bAlphaOmitted ? 1.0 : 0.0;
 	for (size_t Index = 0; Index < Parts.size(); ++Index)
 	{
-		if (!NumberFromText(Parts[Index], OutValue.Components[Index]) || !FitsType(Field.Type, OutValue.Components[Index]))
+		if (!NumberFromText(Parts[Index], OutValue.Components[Index]) ||
+			!FitsType(Field.Type, OutValue.Components[Index]))
 		{
 			return false;
 		}
@@ -174,7 +177,8 @@ std::string SettingToText(const FSettingField& Field, const FSettingValue& Value
 	return Text + "]";
 }
 
-bool SettingFromText(const FSettingField& Field, const std::string& UntrimmedText, FSettingValue& OutValue, std::string& OutError)
+bool SettingFromText(
+	const FSettingField& Field, const std::string& UntrimmedText, FSettingValue& OutValue, std::string& OutError)
 {
 	const std::string Text = Trim(UntrimmedText);
 	FSettingValue Value;

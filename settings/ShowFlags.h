@@ -15,7 +15,10 @@ struct FEngineShowFlags
 {
 #define DRYDOCK_SHOWFLAG(Name, InGame, Doc) \
 	uint32 Name : 1; \
-	void Set##Name(bool bValue) { Name = bValue ? 1 : 0; }
+	void Set##Name(bool bValue) \
+	{ \
+		Name = bValue ? 1 : 0; \
+	}
 #include "ShowFlagsValues.inl"
 #undef DRYDOCK_SHOWFLAG
 

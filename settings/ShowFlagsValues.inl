@@ -1,6 +1,7 @@
 // The list of show flags that post-processing asks for. Included several times, hence no guard:
 //   DRYDOCK_SHOWFLAG(Name, InGame, Doc)
 // InGame: its value in a game's frame. Source: engine ShowFlagsValues.inl.
+// clang-format off
 DRYDOCK_SHOWFLAG(PostProcessing, true, "All post-processing; off leaves a gamma-only tonemapper.")
 DRYDOCK_SHOWFLAG(Bloom, true, "Bloom; off sets BloomIntensity to 0.")
 DRYDOCK_SHOWFLAG(Tonemapper, true, "The film curve; off leaves gamma only.")
@@ -21,3 +22,4 @@ DRYDOCK_SHOWFLAG(AmbientOcclusion, true, "Ambient occlusion.")
 DRYDOCK_SHOWFLAG(PostProcessMaterial, true, "Post-process materials.")
 DRYDOCK_SHOWFLAG(Translucency, true, "Translucency.")
 DRYDOCK_SHOWFLAG(ScreenPercentage, true, "Rendering at another resolution than the output's.")
+// clang-format on

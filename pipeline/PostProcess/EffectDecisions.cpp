@@ -1,4 +1,5 @@
-// Which effects the settings call for. Source: engine PostProcess/PostProcessing.cpp (conditions); wording is drydock's.
+// Which effects the settings call for. Source: engine PostProcess/PostProcessing.cpp (conditions); wording is
+// drydock's.
 #include "EffectDecisions.h"
 
 #include "HAL/IConsoleManager.h"
@@ -12,8 +13,8 @@ namespace Drydock
 namespace
 {
 
-TAutoConsoleVariable<int32> CVarAntiAliasingMethod(
-	TEXT("r.AntiAliasingMethod"), 0, TEXT("0: off (default). 1: FXAA. 2 TAA, 3 MSAA, 4 TSR: not simulated."), ECVF_RenderThreadSafe);
+TAutoConsoleVariable<int32> CVarAntiAliasingMethod(TEXT("r.AntiAliasingMethod"), 0,
+	TEXT("0: off (default). 1: FXAA. 2 TAA, 3 MSAA, 4 TSR: not simulated."), ECVF_RenderThreadSafe);
 
 std::string NumberText(float Number)
 {
@@ -24,7 +25,8 @@ std::string NumberText(float Number)
 /** ": ShowFlag.Bloom is off", or nothing. */
 std::string GateText(const FChainSettings& Chain, const char* Setting)
 {
-	const auto Found = std::find_if(Chain.Gates.begin(), Chain.Gates.end(), [&](const FSettingGate& Gate) { return Gate.Setting == Setting; });
+	const auto Found = std::find_if(
+		Chain.Gates.begin(), Chain.Gates.end(), [&](const FSettingGate& Gate) { return Gate.Setting == Setting; });
 	return Found == Chain.Gates.end() ? "" : ": " + Found->Reason;
 }
 
@@ -44,14 +46,16 @@ FEffectDecision DecideBloom(const FChainSettings& Chain)
 	{
 		Bloom.bActive = true;
 		const float Threshold = Chain.Settings.BloomThreshold;
-		Bloom.Reason = "BloomIntensity is " + NumberText(Intensity) + ", BloomThreshold "
-			+ (Threshold > -1.0f ? NumberText(Threshold) : NumberText(Threshold) + ": the setup pass is not needed");
+		Bloom.Reason =
+			"BloomIntensity is " + NumberText(Intensity) + ", BloomThreshold " +
+			(Threshold > -1.0f ? NumberText(Threshold) : NumberText(Threshold) + ": the setup pass is not needed");
 		if (Chain.Settings.BloomMethod != BM_SOG)
 		{
 			Bloom.Reason += "; BM_FFT is not built yet, the Gaussian sum runs";
 		}
 	}
-	Bloom.bConfigured = Bloom.bActive || (Chain.Settings.bOverride_BloomIntensity && !(Intensity > 0.0f) && !GateText(Chain, "BloomIntensity").empty());
+	Bloom.bConfigured = Bloom.bActive || (Chain.Settings.bOverride_BloomIntensity && !(Intensity > 0.0f) &&
+											 !GateText(Chain, "BloomIntensity").empty());
 	return Bloom;
 }
 
@@ -63,15 +67,17 @@ FEffectDecision DecideAntiAliasing()
 		return {"FXAA", false, false, "r.AntiAliasingMethod is 0"};
 	}
 	return {"FXAA", false, true,
-		Method == 1 ? "not built yet (r.AntiAliasingMethod is 1)" : "r.AntiAliasingMethod is " + std::to_string(Method) + ", which is not simulated"};
+		Method == 1 ? "not built yet (r.AntiAliasingMethod is 1)"
+					: "r.AntiAliasingMethod is " + std::to_string(Method) + ", which is not simulated"};
 }
 
 FEffectDecision DecideTonemap(const FChainSettings& Chain)
 {
 	const bool bGammaOnly = !Chain.ShowFlags.PostProcessing || !Chain.ShowFlags.Tonemapper;
 	return {"Tonemap", true, true,
-		bGammaOnly ? std::string("always; gamma only (ShowFlag.") + (Chain.ShowFlags.PostProcessing ? "Tonemapper" : "PostProcessing")
-				+ " is off) is not built yet, the film curve runs"
+		bGammaOnly ? std::string("always; gamma only (ShowFlag.") +
+						 (Chain.ShowFlags.PostProcessing ? "Tonemapper" : "PostProcessing") +
+						 " is off) is not built yet, the film curve runs"
 				   : std::string("always")};
 }
 
@@ -80,8 +86,8 @@ FEffectDecision DecideTonemap(const FChainSettings& Chain)
 const std::vector<std::string>& GetEffectNames()
 {
 	static const std::vector<std::string> Names = {"Bloom", "ToonBloom", "LocalExposure", "Exposure", "MotionBlur",
-		"DepthOfField", "RED", "REDDepthOfField", "CharaGlow", "ToonShadowBlur", "UnityBloom", "DualKawaseBlur", "Tonemap",
-		"FXAA", "Upscale"};
+		"DepthOfField", "RED", "REDDepthOfField", "CharaGlow", "ToonShadowBlur", "UnityBloom", "DualKawaseBlur",
+		"Tonemap", "FXAA", "Upscale"};
 	return Names;
 }
 
@@ -99,8 +105,9 @@ std::vector<FEffectDecision> DecideEffects(const FChainSettings& Chain)
 		{
 			Decision.bConfigured = Chain.bToonBloomConfigured;
 			Decision.Reason = Chain.bToonBloomConfigured
-				? "not built yet: BloomToonIntensity " + NumberText(Chain.Settings.BloomToonIntensity) + " is read and does nothing"
-				: "not built yet, and not called for: nothing sets BloomToonIntensity";
+								  ? "not built yet: BloomToonIntensity " +
+										NumberText(Chain.Settings.BloomToonIntensity) + " is read and does nothing"
+								  : "not built yet, and not called for: nothing sets BloomToonIntensity";
 		}
 		else if (Name == "Exposure")
 		{

@@ -1,5 +1,5 @@
-// Which effects a frame's settings call for, and why the others do not run. Pure: looks at settings only. Source: engine
-// PostProcess/PostProcessing.cpp (conditions); the record is drydock's.
+// Which effects a frame's settings call for, and why the others do not run. Pure: looks at settings only. Source:
+// engine PostProcess/PostProcessing.cpp (conditions); the record is drydock's.
 #pragma once
 
 #include "FinalPostProcessSettings.h"
@@ -13,7 +13,7 @@ namespace Drydock
 /** Whether an effect runs, and why. */
 struct FEffectDecision
 {
-	std::string Name;         // "Bloom", "ToonBloom", ... (see GetEffectNames)
+	std::string Name; // "Bloom", "ToonBloom", ... (see GetEffectNames)
 	bool bActive = false;
 	bool bConfigured = false; // the config asks for it: not running is worth a line
 	std::string Reason;
@@ -27,9 +27,9 @@ struct FChainSettings
 {
 	FFinalPostProcessSettings Settings; // after show flags and console variables
 	FEngineShowFlags ShowFlags;
-	std::vector<FSettingGate> Gates;     // what those two changed
-	float ExposureScale = 1.0f;          // final
-	bool bToonBloomConfigured = false;   // a volume, the camera or --pp names BloomToonIntensity
+	std::vector<FSettingGate> Gates;   // what those two changed
+	float ExposureScale = 1.0f;        // final
+	bool bToonBloomConfigured = false; // a volume, the camera or --pp names BloomToonIntensity
 };
 
 /** One decision per effect name, in their order. */

@@ -15,11 +15,13 @@ namespace
 
 bool IsActive(const std::vector<Drydock::FEffectDecision>& Effects, const char* Name)
 {
-	return std::any_of(Effects.begin(), Effects.end(), [&](const Drydock::FEffectDecision& Effect) { return Effect.bActive && Effect.Name == Name; });
+	return std::any_of(Effects.begin(), Effects.end(),
+		[&](const Drydock::FEffectDecision& Effect) { return Effect.bActive && Effect.Name == Name; });
 }
 
 /** Half resolution, in the format of all that follows from it. */
-FScreenPassTexture AddHalfResolutionPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& SceneColor)
+FScreenPassTexture AddHalfResolutionPass(
+	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& SceneColor)
 {
 	FDownsamplePassInputs Inputs;
 	Inputs.Name = TEXT("HalfResolutionSceneColor");
@@ -29,13 +31,14 @@ FScreenPassTexture AddHalfResolutionPass(FRDGBuilder& GraphBuilder, const FViewI
 	return AddDownsamplePass(GraphBuilder, View, Inputs);
 }
 
-FScreenPassTexture AddBloomPasses(
-	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& SceneColor, FRDGBufferRef EyeAdaptationBuffer)
+FScreenPassTexture AddBloomPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View,
+	const FScreenPassTexture& SceneColor, FRDGBufferRef EyeAdaptationBuffer)
 {
 	RDG_EVENT_SCOPE(GraphBuilder, "Bloom");
 	const FScreenPassTexture HalfResolution = AddHalfResolutionPass(GraphBuilder, View, SceneColor);
 
-	// As in the engine the scene's own chain is always declared; with a threshold nobody reads it, and the graph culls it.
+	// As in the engine the scene's own chain is always declared; with a threshold nobody reads it, and the graph culls
+	// it.
 	FTextureDownsampleChain SceneChain;
 	SceneChain.Init(GraphBuilder, View, HalfResolution, GetDownsampleChainQuality(), TEXT("SceneDownsample"));
 	const float Threshold = View.FinalPostProcessSettings.BloomThreshold;
@@ -49,14 +52,15 @@ FScreenPassTexture AddBloomPasses(
 	SetupInputs.EyeAdaptationBuffer = EyeAdaptationBuffer;
 	SetupInputs.Threshold = Threshold;
 	FTextureDownsampleChain BloomChain;
-	BloomChain.Init(GraphBuilder, View, AddBloomSetupPass(GraphBuilder, View, SetupInputs), GetDownsampleChainQuality(), TEXT("BloomDownsample"));
+	BloomChain.Init(GraphBuilder, View, AddBloomSetupPass(GraphBuilder, View, SetupInputs), GetDownsampleChainQuality(),
+		TEXT("BloomDownsample"));
 	return AddGaussianBloomPasses(GraphBuilder, View, &BloomChain);
 }
 
 } // namespace
 
-FPostProcessingOutputs AddPostProcessingPasses(
-	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FPostProcessingInputs& Inputs, const std::vector<Drydock::FEffectDecision>& Effects)
+FPostProcessingOutputs AddPostProcessingPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View,
+	const FPostProcessingInputs& Inputs, const std::vector<Drydock::FEffectDecision>& Effects)
 {
 	RDG_EVENT_SCOPE(GraphBuilder, "PostProcessing");
 	check(Inputs.SceneColor.IsValid());

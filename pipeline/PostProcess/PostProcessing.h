@@ -30,5 +30,5 @@ struct FPostProcessingOutputs
 };
 
 /** Builds the passes of the effects that are active in Effects. View.FinalPostProcessSettings holds the settings. */
-DRYDOCK_API FPostProcessingOutputs AddPostProcessingPasses(
-	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FPostProcessingInputs& Inputs, const std::vector<Drydock::FEffectDecision>& Effects);
+DRYDOCK_API FPostProcessingOutputs AddPostProcessingPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View,
+	const FPostProcessingInputs& Inputs, const std::vector<Drydock::FEffectDecision>& Effects);

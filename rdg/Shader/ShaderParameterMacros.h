@@ -7,8 +7,7 @@
 //     END_SHADER_PARAMETER_STRUCT()
 //
 // How the members find each other: every macro declares its member, a small struct that records it, and ends in an
-// unfinished `typedef`, which the next macro completes. So each record names the one before it, \
-	the last one is known at
+// unfinished `typedef`, which the next macro completes. So each record names the one before it, the last one is known at
 // the end of the struct, and walking the chain gives the members in the order of declaration, without any registration
 // at run time. Names that begin with zz are the chain's own.
 // Source: engine ShaderParameterMacros.h.

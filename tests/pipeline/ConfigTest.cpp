@@ -37,8 +37,8 @@ FRead ReadClean(const std::string& Text)
 /** "code severity line:column pointer" of every message, and their texts. */
 std::string Summary(const FDiagnostic& Diagnostic)
 {
-	return std::to_string(Diagnostic.Code) + (Diagnostic.Severity == ESeverity::Error ? " error " : " warning ") + std::to_string(Diagnostic.Line) + ":"
-		+ std::to_string(Diagnostic.Column) + " " + Diagnostic.Where;
+	return std::to_string(Diagnostic.Code) + (Diagnostic.Severity == ESeverity::Error ? " error " : " warning ") +
+		   std::to_string(Diagnostic.Line) + ":" + std::to_string(Diagnostic.Column) + " " + Diagnostic.Where;
 }
 
 std::string Only(const std::string& Text)
@@ -94,7 +94,8 @@ TEST(Config, ReadsChannelsAndDefaults)
 
 TEST(Config, ReadsTheView)
 {
-	const FRead Result = ReadClean(R"({"view": {"location": [1, 2, 3], "rect": [0, 1, 20, 30], "exposure": 2, "preExposure": 0.5}})");
+	const FRead Result =
+		ReadClean(R"({"view": {"location": [1, 2, 3], "rect": [0, 1, 20, 30], "exposure": 2, "preExposure": 0.5}})");
 	EXPECT_EQ((FConfigVector{1, 2, 3}), Result.Config.View.Location.Value);
 	EXPECT_EQ((std::array<int, 4>{0, 1, 20, 30}), Result.Config.View.Rect.Value);
 	EXPECT_EQ(2.0, Result.Config.View.Exposure.Value);
@@ -103,12 +104,14 @@ TEST(Config, ReadsTheView)
 
 TEST(Config, VectorsMayBeObjects)
 {
-	EXPECT_EQ((FConfigVector{1, 2, 3}), ReadClean(R"({"view": {"location": {"Z": 3, "X": 1, "Y": 2}}})").Config.View.Location.Value);
+	EXPECT_EQ((FConfigVector{1, 2, 3}),
+		ReadClean(R"({"view": {"location": {"Z": 3, "X": 1, "Y": 2}}})").Config.View.Location.Value);
 }
 
 TEST(Config, ReadsAnUnboundVolume)
 {
-	const FRead Result = ReadClean(R"({"volumes": [{"name": "Base", "bUnbound": true, "Priority": 3, "BlendRadius": 50, "BlendWeight": 0.5}]})");
+	const FRead Result = ReadClean(
+		R"({"volumes": [{"name": "Base", "bUnbound": true, "Priority": 3, "BlendRadius": 50, "BlendWeight": 0.5}]})");
 	const FConfigVolume& Base = Result.Config.Volumes.at(0);
 	EXPECT_EQ("Base", Base.Name);
 	EXPECT_TRUE(Base.bUnbound && Base.bEnabled);
@@ -127,7 +130,8 @@ TEST(Config, NamingASettingSetsItsOverrideBit)
 
 TEST(Config, SettingsOfEveryTypeAreRead)
 {
-	const FRead Result = ReadClean(Volume(R"("BloomMethod": "BM_SOG", "Bloom1Tint": [0.5, 0.25, 1], "SceneColorTint": {"R": 1, "G": 2, "B": 3, "A": 4})"));
+	const FRead Result = ReadClean(Volume(
+		R"("BloomMethod": "BM_SOG", "Bloom1Tint": [0.5, 0.25, 1], "SceneColorTint": {"R": 1, "G": 2, "B": 3, "A": 4})"));
 	EXPECT_EQ(FLinearColor(0.5f, 0.25f, 1.0f, 1.0f), SettingsOf(Result).Bloom1Tint);
 	EXPECT_EQ(FLinearColor(1.0f, 2.0f, 3.0f, 4.0f), SettingsOf(Result).SceneColorTint);
 	EXPECT_TRUE(SettingsOf(Result).bOverride_BloomMethod);
@@ -170,12 +174,12 @@ TEST(Config, BoundsOfEveryShapeAreRead)
 TEST(ConfigMistakes, FiveMistakesGiveFiveMessagesInTheOrderOfTheFile)
 {
 	const FRead Result = Read("{\n"
-		"  \"scen\": {},\n"
-		"  \"volumes\": [ { \"bUnbound\": 1, \"bounds\": {\"min\": [0,0,0], \"max\": [1,1,1]},\n"
-		"    \"Settings\": { \"BloomIntensty\": 1,\n"
-		"                  \"BloomThreshold\": 1e999 } } ],\n"
-		"  \"showFlags\": { \"Blom\": true }\n"
-		"}\n");
+							  "  \"scen\": {},\n"
+							  "  \"volumes\": [ { \"bUnbound\": 1, \"bounds\": {\"min\": [0,0,0], \"max\": [1,1,1]},\n"
+							  "    \"Settings\": { \"BloomIntensty\": 1,\n"
+							  "                  \"BloomThreshold\": 1e999 } } ],\n"
+							  "  \"showFlags\": { \"Blom\": true }\n"
+							  "}\n");
 	std::vector<std::string> Errors;
 	for (const FDiagnostic& Diagnostic : Result.Diagnostics)
 	{
@@ -185,7 +189,8 @@ TEST(ConfigMistakes, FiveMistakesGiveFiveMessagesInTheOrderOfTheFile)
 		}
 	}
 	const std::vector<std::string> Expected = {"1005 error 2:3 /scen", "1006 error 3:30 /volumes/0/bUnbound",
-		"1012 error 4:19 /volumes/0/Settings/BloomIntensty", "1004 error 5:37 /volumes/0/Settings/BloomThreshold", "1014 error 6:18 /showFlags/Blom"};
+		"1012 error 4:19 /volumes/0/Settings/BloomIntensty", "1004 error 5:37 /volumes/0/Settings/BloomThreshold",
+		"1014 error 6:18 /showFlags/Blom"};
 	EXPECT_EQ(Expected, Errors);
 }
 
@@ -197,7 +202,8 @@ TEST(ConfigMistakes, SyntaxErrorIsTheOnlyMessage)
 TEST(ConfigMistakes, MessageReadsAsDesigned)
 {
 	const FRead Result = Read(Volume(R"("BloomIntensty": 1)"));
-	EXPECT_EQ("configs/a.json:1:46: error DD1012 at /volumes/0/Settings/BloomIntensty: unknown setting; did you mean BloomIntensity?",
+	EXPECT_EQ("configs/a.json:1:46: error DD1012 at /volumes/0/Settings/BloomIntensty: unknown setting; did you mean "
+			  "BloomIntensity?",
 		Result.Diagnostics.at(0).ToString());
 }
 
@@ -274,9 +280,11 @@ TEST(ConfigMistakes, SettingOutsideItsRangeWarnsAndIsUsed)
 TEST(ConfigMistakes, SettingsOfWrongTypeSayWhatTheyAre)
 {
 	EXPECT_EQ("BloomIntensity is a number", OnlyText(Volume(R"("BloomIntensity": "1")")));
-	EXPECT_EQ("BloomMethod is one of BM_SOG, BM_FFT; did you mean BM_FFT?", OnlyText(Volume(R"("BloomMethod": "BM_FTT")")));
+	EXPECT_EQ(
+		"BloomMethod is one of BM_SOG, BM_FFT; did you mean BM_FFT?", OnlyText(Volume(R"("BloomMethod": "BM_FTT")")));
 	EXPECT_EQ("BloomMethod is one of BM_SOG, BM_FFT", OnlyText(Volume(R"("BloomMethod": 2)")));
-	EXPECT_EQ("Bloom1Tint is a colour: [R, G, B], [R, G, B, A] or {\"R\": .., \"G\": .., \"B\": .., \"A\": ..}", OnlyText(Volume(R"("Bloom1Tint": [1, 2])")));
+	EXPECT_EQ("Bloom1Tint is a colour: [R, G, B], [R, G, B, A] or {\"R\": .., \"G\": .., \"B\": .., \"A\": ..}",
+		OnlyText(Volume(R"("Bloom1Tint": [1, 2])")));
 }
 
 TEST(ConfigMistakes, NumberTooLargeForAFloatIsNotFinite)
@@ -292,12 +300,14 @@ TEST(ConfigMistakes, NotFiniteInsideAColourIsReportedOnce)
 TEST(ConfigMistakes, UnknownVariableNamesTheNearest)
 {
 	EXPECT_EQ("1013 error 1:12 /cvars/r.ExposureOfset", Only(R"({"cvars": {"r.ExposureOfset": 1}})"));
-	EXPECT_EQ("unknown console variable r.ExposureOfset; did you mean r.ExposureOffset?", OnlyText(R"({"cvars": {"r.ExposureOfset": 1}})"));
+	EXPECT_EQ("unknown console variable r.ExposureOfset; did you mean r.ExposureOffset?",
+		OnlyText(R"({"cvars": {"r.ExposureOfset": 1}})"));
 }
 
 TEST(ConfigMistakes, VariableOfAnotherTypeIsReported)
 {
-	EXPECT_EQ("r.Tonemapper.Quality is a whole number, not \"2.5\"", OnlyText(R"({"cvars": {"r.Tonemapper.Quality": 2.5}})"));
+	EXPECT_EQ(
+		"r.Tonemapper.Quality is a whole number, not \"2.5\"", OnlyText(R"({"cvars": {"r.Tonemapper.Quality": 2.5}})"));
 	EXPECT_EQ("r.ExposureOffset is a number, not \"bright\"", OnlyText(R"({"cvars": {"r.ExposureOffset": "bright"}})"));
 	EXPECT_EQ("1006 error 1:32 /cvars/r.ExposureOffset", Only(R"({"cvars": {"r.ExposureOffset": [1]}})"));
 }
@@ -331,7 +341,8 @@ TEST(ConfigMistakes, SettingsWithoutAPassWarn)
 
 TEST(ConfigMistakes, BoundedVolumesWarn)
 {
-	EXPECT_EQ("1015 warning 1:14 /volumes/0", Only(R"({"volumes": [{"bounds": {"type": "sphere", "center": [0, 0, 0], "radius": 1}}]})"));
+	EXPECT_EQ("1015 warning 1:14 /volumes/0",
+		Only(R"({"volumes": [{"bounds": {"type": "sphere", "center": [0, 0, 0], "radius": 1}}]})"));
 }
 
 TEST(ConfigMistakes, OverrideBitOffWarnsWhereverItStands)
@@ -344,7 +355,8 @@ TEST(ConfigMistakes, OverrideBitOffWarnsWhereverItStands)
 
 TEST(ConfigMistakes, OverrideOfAnUnknownSettingNamesTheNearest)
 {
-	EXPECT_EQ("unknown setting; did you mean bOverride_BloomIntensity?", OnlyText(Volume(R"("bOverride_BloomIntensty": true)")));
+	EXPECT_EQ("unknown setting; did you mean bOverride_BloomIntensity?",
+		OnlyText(Volume(R"("bOverride_BloomIntensty": true)")));
 }
 
 TEST(ConfigMistakes, EqualPrioritiesWarn)
@@ -396,8 +408,8 @@ TEST(ConfigArguments, MistakesAreNamed)
 	AddSettingArgument(Result.Config, "BloomIntensity=-1", Result.Diagnostics);
 	AddVariableArgument(Result.Config, "r.ExposureOfset=1", Result.Diagnostics);
 	AddVariableArgument(Result.Config, "=1", Result.Diagnostics);
-	const std::vector<std::string> Expected = {"1012 error 0:0 --pp", "1020 error 0:0 --pp", "1006 error 0:0 --pp", "1011 warning 0:0 --pp",
-		"1013 error 0:0 --set", "1020 error 0:0 --set"};
+	const std::vector<std::string> Expected = {"1012 error 0:0 --pp", "1020 error 0:0 --pp", "1006 error 0:0 --pp",
+		"1011 warning 0:0 --pp", "1013 error 0:0 --set", "1020 error 0:0 --set"};
 	std::vector<std::string> Found;
 	for (const FDiagnostic& Diagnostic : Result.Diagnostics)
 	{

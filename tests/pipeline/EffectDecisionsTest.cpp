@@ -73,14 +73,16 @@ TEST(EffectDecisions, NegativeIntensityHasNoBloom)
 
 TEST(EffectDecisions, BloomThatAFlagSwitchesOffSaysWhich)
 {
-	const FEffectDecision Bloom = Decision(R"({"showFlags": {"Bloom": false}, "camera": {"Settings": {"BloomIntensity": 2}}})", "Bloom");
+	const FEffectDecision Bloom =
+		Decision(R"({"showFlags": {"Bloom": false}, "camera": {"Settings": {"BloomIntensity": 2}}})", "Bloom");
 	EXPECT_EQ("BloomIntensity is 0: ShowFlag.Bloom is off", Bloom.Reason);
 	EXPECT_TRUE(Bloom.bConfigured);
 }
 
 TEST(EffectDecisions, PostProcessingOffHasNoBloom)
 {
-	EXPECT_EQ("ShowFlag.PostProcessing is off", Decision(R"({"showFlags": {"PostProcessing": false}})", "Bloom").Reason);
+	EXPECT_EQ(
+		"ShowFlag.PostProcessing is off", Decision(R"({"showFlags": {"PostProcessing": false}})", "Bloom").Reason);
 }
 
 TEST(EffectDecisions, ToonBloomIsConfiguredWhenItsSettingIsNamed)
@@ -144,7 +146,8 @@ TEST(FinalSettings, ExposureScaleIsOneAtDefaults)
 TEST(FinalSettings, OneMoreBiasDoublesTheExposure)
 {
 	EXPECT_EQ(2.0f, Chain(Unbound(R"("AutoExposureBias": 2)")).ExposureScale);
-	EXPECT_EQ(0.75f, Chain(R"({"view": {"exposure": 3}, "camera": {"Settings": {"AutoExposureBias": -1}}})").ExposureScale);
+	EXPECT_EQ(
+		0.75f, Chain(R"({"view": {"exposure": 3}, "camera": {"Settings": {"AutoExposureBias": -1}}})").ExposureScale);
 }
 
 TEST(FinalSettings, ExposureIsOneWithoutEyeAdaptation)
@@ -156,7 +159,8 @@ TEST(FinalSettings, NamedSettingsAreThoseOfAllSourcesOnce)
 {
 	std::vector<FDiagnostic> Diagnostics;
 	FConfig Config = ReadConfig(R"({"volumes": [{"bUnbound": true, "Settings": {"FilmToe": 0.5, "BloomIntensity": 1}}],
-		"camera": {"Settings": {"BloomIntensity": 2}}})", "a.json", Diagnostics);
+		"camera": {"Settings": {"BloomIntensity": 2}}})",
+		"a.json", Diagnostics);
 	AddSettingArgument(Config, "FilmSlope=0.9", Diagnostics);
 	EXPECT_EQ((std::vector<std::string>{"BloomIntensity", "FilmSlope", "FilmToe"}), GetNamedSettings(Config));
 }

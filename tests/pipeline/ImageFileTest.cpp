@@ -1,4 +1,5 @@
-// Pictures in files: exact round trips, equal bytes, one read of chosen channels, and files that are not what they seem.
+// Pictures in files: exact round trips, equal bytes, one read of chosen channels, and files that are not what they
+// seem.
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
@@ -88,7 +89,8 @@ TEST_F(ImageFile, ExrIsHalfOnlyWhereThatLosesNothing)
 	WriteExr(Path("float.exr"), {2, 1, 1, {65505.0, 0.1}}, {"R"});
 	EXPECT_EQ(OIIO::TypeDesc(OIIO::TypeDesc::HALF), OIIO::ImageInput::open(Path("half.exr"))->spec().format);
 	EXPECT_EQ(OIIO::TypeDesc(OIIO::TypeDesc::FLOAT), OIIO::ImageInput::open(Path("float.exr"))->spec().format);
-	EXPECT_EQ((std::vector<std::vector<float>>{{65504.0f, 1.0f / 16777216.0f}}), FImageFile(Path("half.exr")).Read({0}));
+	EXPECT_EQ(
+		(std::vector<std::vector<float>>{{65504.0f, 1.0f / 16777216.0f}}), FImageFile(Path("half.exr")).Read({0}));
 	EXPECT_EQ((std::vector<std::vector<float>>{{65505.0f, 0.1f}}), FImageFile(Path("float.exr")).Read({0}));
 }
 
@@ -178,7 +180,8 @@ TEST_F(ImageFile, TruncatedExrIsOneErrorWhereverItIsCut)
 	const std::string Bytes = ReadBytes(Scenes + "toon_character_641x359.exr");
 	for (const double Part : {0.0001, 0.01, 0.3, 0.5, 0.99})
 	{
-		std::ofstream(Path("cut.exr"), std::ios::binary) << Bytes.substr(0, static_cast<size_t>(static_cast<double>(Bytes.size()) * Part));
+		std::ofstream(Path("cut.exr"), std::ios::binary)
+			<< Bytes.substr(0, static_cast<size_t>(static_cast<double>(Bytes.size()) * Part));
 		EXPECT_EQ((std::pair<int, int>{ErrorImageBroken, ExitFiles}), ErrorOf(Path("cut.exr"))) << Part;
 	}
 }

@@ -39,12 +39,14 @@ std::string OnlyMessage(const std::string& Text)
 		return "";
 	}
 	const FDiagnostic& Message = Parsed.Diagnostics[0];
-	return std::to_string(Message.Line) + ":" + std::to_string(Message.Column) + " " + std::to_string(Message.Code) + " " + Message.Where;
+	return std::to_string(Message.Line) + ":" + std::to_string(Message.Column) + " " + std::to_string(Message.Code) +
+		   " " + Message.Where;
 }
 
 std::string PlaceOf(const FJsonValue* Value)
 {
-	return Value == nullptr ? "none" : std::to_string(Value->Line) + ":" + std::to_string(Value->Column) + " " + Value->Pointer;
+	return Value == nullptr ? "none"
+							: std::to_string(Value->Line) + ":" + std::to_string(Value->Column) + " " + Value->Pointer;
 }
 
 } // namespace
@@ -192,7 +194,8 @@ RC_GTEST_PROP(Json, DamagedTextNeverCrashesAndAlwaysSaysSo, ())
 	for (int Edit = 0; Edit < NumEdits; ++Edit)
 	{
 		const size_t At = *rc::gen::inRange<size_t>(0, Text.size());
-		Text[At] = *rc::gen::element('{', '}', '[', ']', '"', ',', ':', '\\', '/', '*', '\n', '0', 'e', 'N', '-', '\x80', '\0', ' ');
+		Text[At] = *rc::gen::element(
+			'{', '}', '[', ']', '"', ',', ':', '\\', '/', '*', '\n', '0', 'e', 'N', '-', '\x80', '\0', ' ');
 	}
 	const FParsed Parsed = Parse(Text);
 	RC_ASSERT(!Parsed.bSyntaxError || !Parsed.Diagnostics.empty());

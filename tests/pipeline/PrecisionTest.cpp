@@ -1,5 +1,5 @@
-// What float arithmetic and the engine's texture formats cost, against double arithmetic of the same shaders with 64-bit
-// storage: at the tonemapper's inputs (scene colour and bloom) and after it. The figures are printed.
+// What float arithmetic and the engine's texture formats cost, against double arithmetic of the same shaders with
+// 64-bit storage: at the tonemapper's inputs (scene colour and bloom) and after it. The figures are printed.
 #include <gtest/gtest.h>
 
 #include "Run.h"
@@ -46,9 +46,10 @@ struct FDifference
 FDifference Compare(const char* Name, const FRunResult& Run, const FRunResult& Reference)
 {
 	const FDifference Difference = {MaxRelativeDifference(Run.SceneLinear, Reference.SceneLinear, 1e-3),
-		MaxRelativeDifference(Run.Dumps.at(0).Image, Reference.Dumps.at(0).Image, 1e-3), MaxRelativeDifference(Run.Final, Reference.Final, 1.0)};
-	std::printf("%-22s against double: scene colour %.3g, bloom %.3g (of max(|value|, 1e-3)), final %.3g\n", Name, Difference.SceneLinear,
-		Difference.Bloom, Difference.Final);
+		MaxRelativeDifference(Run.Dumps.at(0).Image, Reference.Dumps.at(0).Image, 1e-3),
+		MaxRelativeDifference(Run.Final, Reference.Final, 1.0)};
+	std::printf("%-22s against double: scene colour %.3g, bloom %.3g (of max(|value|, 1e-3)), final %.3g\n", Name,
+		Difference.SceneLinear, Difference.Bloom, Difference.Final);
 	return Difference;
 }
 

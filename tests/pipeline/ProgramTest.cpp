@@ -36,7 +36,8 @@ protected:
 	FOutcome Call(const std::string& Arguments) const
 	{
 		const std::string Err = (Folder / "stderr.txt").string();
-		const std::string Command = "cd '" + Folder.string() + "' && '" + Program + "' " + Arguments + " 2>'" + Err + "'";
+		const std::string Command =
+			"cd '" + Folder.string() + "' && '" + Program + "' " + Arguments + " 2>'" + Err + "'";
 		FOutcome Outcome;
 		FILE* Pipe = popen(Command.c_str(), "r");
 		std::array<char, 4096> Buffer;
@@ -126,7 +127,8 @@ TEST_F(DrydockProgram, RunWritesEverythingAndSaysWhereThePictureIs)
 	const FOutcome Outcome = Call("run " + Configs + "neutral.json");
 	EXPECT_EQ(0, Outcome.ExitCode) << Outcome.Err;
 	EXPECT_TRUE(Contains(Outcome.Out, "out/neutral/final.png")) << Outcome.Out;
-	for (const char* Name : {"final.png", "final.exr", "scene_linear.exr", "run.json", "timing.json", "graph.dot", "trace.json"})
+	for (const char* Name :
+		{"final.png", "final.exr", "scene_linear.exr", "run.json", "timing.json", "graph.dot", "trace.json"})
 	{
 		EXPECT_TRUE(Exists(std::string("out/neutral/") + Name)) << Name;
 	}
@@ -134,7 +136,8 @@ TEST_F(DrydockProgram, RunWritesEverythingAndSaysWhereThePictureIs)
 
 TEST_F(DrydockProgram, RepeatedOptionsTakeOneValueEach)
 {
-	const FOutcome Outcome = Call("run --set r.BloomQuality=1 --pp BloomIntensity=0 --set r.Tonemapper.Quality=1 " + Configs + "neutral.json --out here");
+	const FOutcome Outcome = Call("run --set r.BloomQuality=1 --pp BloomIntensity=0 --set r.Tonemapper.Quality=1 " +
+								  Configs + "neutral.json --out here");
 	EXPECT_EQ(0, Outcome.ExitCode) << Outcome.Err;
 	EXPECT_TRUE(Exists("here/final.png"));
 }
@@ -156,7 +159,8 @@ TEST_F(DrydockProgram, ConfiguredEffectThatIsNotBuiltHasAClosingLine)
 
 TEST_F(DrydockProgram, FiveMistakesFiveMessagesExitTwoNothingWritten)
 {
-	const std::string Config = Write("a.json", R"({"scen": 1, "volumes": [{"bUnbound": true, "Settings": {"BloomIntensty": 1, "FilmToe": "x"}}],
+	const std::string Config = Write(
+		"a.json", R"({"scen": 1, "volumes": [{"bUnbound": true, "Settings": {"BloomIntensty": 1, "FilmToe": "x"}}],
 		"cvars": {"r.BloomQualty": 5}, "showFlags": {"Blom": true}})");
 	const FOutcome Outcome = Call("run " + Config);
 	EXPECT_EQ(2, Outcome.ExitCode);
@@ -195,7 +199,8 @@ TEST_F(DrydockProgram, OutputFolderThatIsAFileIsExitThree)
 TEST_F(DrydockProgram, NonFiniteByPolicyIsExitOne)
 {
 	// A pre-exposure that takes bright pixels beyond float.
-	const std::string Config = Write("a.json", R"({"scene": {"file": ")" + Configs + R"(scenes/two_boxes.exr"}, "view": {"preExposure": 1e38},
+	const std::string Config =
+		Write("a.json", R"({"scene": {"file": ")" + Configs + R"(scenes/two_boxes.exr"}, "view": {"preExposure": 1e38},
 		"cvars": {"r.Drydock.NonFinite": 2, "r.Drydock.Storage": 1}})");
 	EXPECT_EQ(1, Call("run " + Config).ExitCode);
 }

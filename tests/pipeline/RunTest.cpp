@@ -25,7 +25,8 @@ FRunOptions SmallScene(const std::string& More = "")
 {
 	FRunOptions Options;
 	Options.ConfigFile = Root + "configs/test.json";
-	Options.ConfigText = R"({"scene": {"file": "scenes/toon_character_641x359.exr"})" + (More.empty() ? "" : ", " + More) + "}";
+	Options.ConfigText =
+		R"({"scene": {"file": "scenes/toon_character_641x359.exr"})" + (More.empty() ? "" : ", " + More) + "}";
 	return Options;
 }
 
@@ -46,7 +47,8 @@ int CountPasses(const FRDGCompiledGraph& Graph, bool bCulled)
 int CountNamed(const FRDGCompiledGraph& Graph, const std::string& Part)
 {
 	return static_cast<int>(std::count_if(Graph.Passes.begin(), Graph.Passes.end(),
-		[&](const FRDGCompiledPass& Pass) { return !Pass.bIsSentinel && !Pass.bCulled && Pass.Name.find(Part) != std::string::npos; }));
+		[&](const FRDGCompiledPass& Pass)
+		{ return !Pass.bIsSentinel && !Pass.bCulled && Pass.Name.find(Part) != std::string::npos; }));
 }
 
 /** "code exit" of the first error. */
@@ -90,7 +92,8 @@ double MaxDifference(const FImage& A, const FImage& B)
 
 std::filesystem::path MakeTemporaryFolder()
 {
-	const std::filesystem::path Folder = std::filesystem::temp_directory_path() / ("drydock_run_" + std::to_string(getpid()));
+	const std::filesystem::path Folder =
+		std::filesystem::temp_directory_path() / ("drydock_run_" + std::to_string(getpid()));
 	std::filesystem::remove_all(Folder);
 	return Folder;
 }
@@ -146,7 +149,8 @@ TEST(RunGraph, CompilingExecutesAndDecodesNothing)
 	const FRunResult Result = Compile("");
 	EXPECT_TRUE(Result.Passes.empty());
 	EXPECT_TRUE(Result.Final.Values.empty());
-	EXPECT_TRUE(std::none_of(Result.Channels.begin(), Result.Channels.end(), [](const FSceneChannel& Channel) { return Channel.bDecoded; }));
+	EXPECT_TRUE(std::none_of(
+		Result.Channels.begin(), Result.Channels.end(), [](const FSceneChannel& Channel) { return Channel.bDecoded; }));
 }
 
 TEST(RunGraph, AliasingSavesMemory)
@@ -221,7 +225,8 @@ TEST(RunFrame, VariablesAreAsBeforeAfterwards)
 
 TEST(RunFrame, CommandLineBeatsTheConfig)
 {
-	FRunOptions Options = SmallScene(R"("cvars": {"r.BloomQuality": 1}, "camera": {"Settings": {"BloomIntensity": 3}})");
+	FRunOptions Options =
+		SmallScene(R"("cvars": {"r.BloomQuality": 1}, "camera": {"Settings": {"BloomIntensity": 3}})");
 	Options.bExecute = false;
 	Options.Variables = {"r.BloomQuality=5"};
 	Options.Settings = {"BloomIntensity=0.25"};
@@ -349,7 +354,10 @@ TEST(RunDumps, FileNamesAreSafe)
 
 TEST(RunDumps, PatternsNamePassesInFullAndShort)
 {
-	const auto Fits = [](const char* Pattern) { return IsDumped({{Pattern, {}}}, "BloomSetup 480x270 (PS)", "Half"); };
+	const auto Fits = [](const char* Pattern)
+	{
+		return IsDumped({{Pattern, {}}}, "BloomSetup 480x270 (PS)", "Half");
+	};
 	EXPECT_TRUE(Fits("BloomSetup"));
 	EXPECT_TRUE(Fits("BloomSetup 480x270 (PS)"));
 	EXPECT_TRUE(Fits("BloomSetup.Half"));
@@ -404,11 +412,13 @@ TEST(RunDumps, ChangeNothing)
 TEST(RunReport, HasTheFixedKeys)
 {
 	const FJsonValue Report = ParseReport(RunConfig(SmallScene()).RunJson);
-	for (const char* Key : {"version", "config", "engine", "precision", "settings", "effects", "passes", "memory", "channels", "outputs", "warnings", "exposure"})
+	for (const char* Key : {"version", "config", "engine", "precision", "settings", "effects", "passes", "memory",
+			 "channels", "outputs", "warnings", "exposure"})
 	{
 		EXPECT_NE(nullptr, Report.Find(Key)) << Key;
 	}
-	for (const char* Key : {"index", "name", "executed", "reason", "shader", "entry", "pixels", "taps", "bytesRead", "bytesWritten"})
+	for (const char* Key :
+		{"index", "name", "executed", "reason", "shader", "entry", "pixels", "taps", "bytesRead", "bytesWritten"})
 	{
 		EXPECT_NE(nullptr, Report.Find("passes")->Elements.at(0).Find(Key)) << Key;
 	}

@@ -120,7 +120,8 @@ TEST(EndSettings, LowTonemapperQualityHasNoVignette)
 {
 	FFinalPostProcessSettings Settings;
 	const FScopedConsoleVariable Quality(TEXT("r.Tonemapper.Quality"), FString("1.0"));
-	EXPECT_EQ("r.Tonemapper.Quality is below 2", ReasonOf(EndFinalPostProcessSettings(Settings, FEngineShowFlags(ESFIM_Game)), "VignetteIntensity"));
+	EXPECT_EQ("r.Tonemapper.Quality is below 2",
+		ReasonOf(EndFinalPostProcessSettings(Settings, FEngineShowFlags(ESFIM_Game)), "VignetteIntensity"));
 	EXPECT_EQ(0.0f, Settings.VignetteIntensity);
 }
 
@@ -142,7 +143,8 @@ TEST(EndSettings, FlagsSwitchOffVignetteToneCurveAndFringe)
 	Flags.SetToneCurve(false);
 	Flags.SetCameraImperfections(false);
 	EXPECT_EQ(4u, EndFinalPostProcessSettings(Settings, Flags).size());
-	EXPECT_EQ(0.0f, Settings.VignetteIntensity + Settings.ToneCurveAmount + Settings.SceneFringeIntensity + Settings.BloomDirtMaskIntensity);
+	EXPECT_EQ(0.0f, Settings.VignetteIntensity + Settings.ToneCurveAmount + Settings.SceneFringeIntensity +
+						Settings.BloomDirtMaskIntensity);
 }
 
 TEST(EndSettings, FringeMaxLimits)

@@ -63,15 +63,16 @@ TEST(PostProcessSettings, BloomDefaultsAreTheEngines)
 TEST(PostProcessSettings, BloomTintsSumToTheEngines)
 {
 	const FPostProcessSettings Settings;
-	const float Sum = Settings.Bloom1Tint.R + Settings.Bloom2Tint.G + Settings.Bloom3Tint.B + Settings.Bloom4Tint.R
-		+ Settings.Bloom5Tint.G + Settings.Bloom6Tint.B;
+	const float Sum = Settings.Bloom1Tint.R + Settings.Bloom2Tint.G + Settings.Bloom3Tint.B + Settings.Bloom4Tint.R +
+					  Settings.Bloom5Tint.G + Settings.Bloom6Tint.B;
 	EXPECT_NEAR(0.7951f, Sum, 1e-6f);
 }
 
 TEST(PostProcessSettings, BloomSizesAreTheEngines)
 {
 	const FPostProcessSettings Settings;
-	const float Sizes[] = {Settings.Bloom1Size, Settings.Bloom2Size, Settings.Bloom3Size, Settings.Bloom4Size, Settings.Bloom5Size, Settings.Bloom6Size};
+	const float Sizes[] = {Settings.Bloom1Size, Settings.Bloom2Size, Settings.Bloom3Size, Settings.Bloom4Size,
+		Settings.Bloom5Size, Settings.Bloom6Size};
 	const float Expected[] = {0.3f, 1.0f, 2.0f, 10.0f, 30.0f, 64.0f};
 	for (int Index = 0; Index < 6; ++Index)
 	{
@@ -157,11 +158,14 @@ TEST(SettingFields, SetTouchesOnlyItsOwnMember)
 	{
 		FPostProcessSettings Settings;
 		FSettingValue Value = Each.Default;
-		Value.Components[0] = Each.Type == ESettingType::Bool ? 1.0 - Value.Components[0] : Each.Type == ESettingType::Enum ? 1.0 : Value.Components[0] + 0.5;
+		Value.Components[0] = Each.Type == ESettingType::Bool   ? 1.0 - Value.Components[0]
+							  : Each.Type == ESettingType::Enum ? 1.0
+																: Value.Components[0] + 0.5;
 		Each.Set(Settings, Value);
 		for (const FSettingField& Other : GetSettingFields())
 		{
-			EXPECT_EQ(Other.Name == Each.Name, !(Other.Get(Settings) == Other.Default)) << Each.Name << " and " << Other.Name;
+			EXPECT_EQ(Other.Name == Each.Name, !(Other.Get(Settings) == Other.Default))
+				<< Each.Name << " and " << Other.Name;
 		}
 	}
 }
@@ -266,7 +270,8 @@ RC_GTEST_PROP(SettingText, AnyFiniteFloatReadsBack, (uint32_t Bits))
 	std::memcpy(&Number, &Bits, sizeof(Number));
 	RC_PRE(std::isfinite(Number));
 	const FSettingValue Value{ESettingType::Float, {Number}};
-	RC_ASSERT(FromText("BloomIntensity", SettingToText(Field("BloomIntensity"), Value)).Components[0] == static_cast<double>(Number));
+	RC_ASSERT(FromText("BloomIntensity", SettingToText(Field("BloomIntensity"), Value)).Components[0] ==
+			  static_cast<double>(Number));
 }
 
 TEST(SettingText, NumberIsRoundedToTheFieldsType)
@@ -293,7 +298,8 @@ TEST(SettingText, BoolsReadFromWordsAndDigits)
 TEST(SettingText, ColoursReadFromArraysAndTheEnginesForm)
 {
 	EXPECT_EQ((FSettingValue{ESettingType::Color, {1, 0.5, 0.25, 1}}), FromText("SceneColorTint", "[1, 0.5, 0.25]"));
-	EXPECT_EQ((FSettingValue{ESettingType::Color, {1, 0.5, 0.25, 0}}), FromText("SceneColorTint", "(R=1,G=0.5,B=0.25,A=0)"));
+	EXPECT_EQ(
+		(FSettingValue{ESettingType::Color, {1, 0.5, 0.25, 0}}), FromText("SceneColorTint", "(R=1,G=0.5,B=0.25,A=0)"));
 }
 
 TEST(SettingText, WrongColoursAreRefused)
