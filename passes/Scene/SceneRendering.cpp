@@ -1,11 +1,22 @@
 // Source: engine file SceneRendering.cpp (the view's uniform buffer).
 #include "SceneRendering.h"
 
+#include "HAL/IConsoleManager.h"
 #include "RHIStaticStates.h"
+
+namespace
+{
+
+TAutoConsoleVariable<int32> CVarPreferCompute(TEXT("r.PostProcessing.PreferCompute"), 0,
+	TEXT("1: post-processing uses compute shaders where a pass has one. Default 0, pixel shaders."),
+	ECVF_RenderThreadSafe);
+
+} // namespace
 
 FViewInfo::FViewInfo()
 {
 	bIsViewInfo = true;
+	bUseComputePasses = CVarPreferCompute.GetValueOnRenderThread() != 0;
 	ShaderMap = GetGlobalShaderMap(GMaxRHIFeatureLevel);
 }
 

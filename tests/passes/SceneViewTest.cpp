@@ -53,6 +53,13 @@ TEST(ViewInfo, IsMarkedForTheCastFromSceneView)
 	EXPECT_EQ(FIntRect(0, 0, 4, 4), static_cast<const FViewInfo&>(Base).ViewRect);
 }
 
+TEST(ViewInfo, PrefersComputeWhenToldTo)
+{
+	EXPECT_FALSE(FViewInfo().bUseComputePasses);
+	const FScopedConsoleVariable PreferCompute(TEXT("r.PostProcessing.PreferCompute"), 1);
+	EXPECT_TRUE(FViewInfo().bUseComputePasses);
+}
+
 TEST(SceneView, LaterViewsOfAFamilyKeepWhatEarlierOnesDrew)
 {
 	FSceneViewFamily Family;
