@@ -56,7 +56,7 @@ std::string FProgramGenerator::Uint(int Depth)
 {
 	if (Depth <= 0 || Chance(20))
 	{
-		return Pick({"u0", "u1", "Id.x", "Id.y", "(uint)n", "5u", "17u"});
+		return Pick({"u0", "u1", "Id.x", "Id.y", "(uint)n", "(uint)UniformInt", "5u", "17u"});
 	}
 	switch (Below(7))
 	{
@@ -112,11 +112,13 @@ std::string FProgramGenerator::Loop(int Depth)
 	const std::string Name = "k" + std::to_string(NumNames++);
 	const std::string Limit = Pick({"4", "UniformInt", "(n & 7)", "(i1 & 3)", "(int)(Id.x % 5u)"});
 	++LoopDepth;
+	LoopNames.push_back(Name);
 	const int OuterSwitch = std::exchange(SwitchDepth, 0);
 	++IndentLevel;
 	const std::string Body = Statements(Depth - 1, 2 + Below(3));
 	--IndentLevel;
 	SwitchDepth = OuterSwitch;
+	LoopNames.pop_back();
 	--LoopDepth;
 	switch (Below(3))
 	{
@@ -204,7 +206,9 @@ std::string FProgramGenerator::Statement(int Depth)
 		{
 			// break leaves a switch, not the loop around it; continue always means the loop.
 			const std::string Jump = SwitchDepth > 0 || Chance(50) ? "continue;\n" : "break;\n";
-			return Indent() + "if (" + Bool(2) + ")\n" + Indent() + "{\n" + Indent() + "\t" + Jump + Indent() + "}\n";
+			// Conditions that are the same in all lanes matter most where some lanes already wait elsewhere.
+			const std::string Condition = Chance(40) ? LoopNames.back() + Pick({" == 1", " == 2", " > 2"}) : Bool(2);
+			return Indent() + "if (" + Condition + ")\n" + Indent() + "{\n" + Indent() + "\t" + Jump + Indent() + "}\n";
 		}
 		return Statement(0);
 	default:

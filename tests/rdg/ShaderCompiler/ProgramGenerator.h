@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace Drydock::Test
 {
@@ -38,6 +39,7 @@ private:
 	std::mt19937 Random;
 	int IndentLevel = 0;
 	int NumNames = 0;
+	std::vector<std::string> LoopNames;
 	int LoopDepth = 0;
 	int SwitchDepth = 0;
 	int NumFunctions = 0; // written so far

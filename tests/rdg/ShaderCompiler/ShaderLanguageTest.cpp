@@ -87,8 +87,10 @@ TEST(ShaderLanguage, Expressions)
 
 TEST(ShaderLanguage, ControlFlow)
 {
-	ExpectSnippets("",
+	ExpectSnippets("int One;",
 		{
+			{"uniform value stored under a varying branch", "float a[3] = { 1, 2, 3 }; if (n > 1) a[One] = 5; R = a[One] * 10 + a[One + 1];", {23, 23, 53, 53}},
+			{"uniform break while others wait at the end of the body", "int k = 0; for (int i = 0; i < 6; ++i) { k += 1; if (i < 2 * n) continue; if (i == 4) break; R += 1; } R = R * 10 + k;", {45, 25, 5, 6}},
 			{"loop with varying bound", "for (int i = 0; i <= n; ++i) R += i + 1;", {1, 3, 6, 10}},
 			{"break", "for (int i = 0; i < 10; ++i) { if (i == n) break; R += 1; }", {0, 1, 2, 3}},
 			{"continue", "for (int i = 0; i < 4; ++i) { if (i == n) continue; R += i + 1; }", {9, 8, 7, 6}},
@@ -102,7 +104,8 @@ TEST(ShaderLanguage, ControlFlow)
 			{"loop that some threads never enter", "if (n > 1) { for (int i = 0; i < n; ++i) R += 2; } else R = -1;", {-1, -1, 4, 6}},
 			{"uniform loop under a varying branch", "if (n != 2) { for (int i = 0; i < 3; ++i) R += x; }", {0, 3, 0, 9}},
 			{"uniform break after a varying continue", "for (int i = 0; i < 6; ++i) { if (i < n) continue; if (i == 4) break; R += 1; }", {4, 3, 2, 1}},
-		});
+		},
+		[](FShaderHarness& H) { H.Constants["One"] = {1}; });
 }
 
 TEST(ShaderLanguage, Numbers)
