@@ -6,11 +6,19 @@
 #include "RenderGraphObserver.h"
 #include "RenderGraphReport.h"
 #include "RenderGraphState.h"
+#include "Shader.h"
 #include "RenderGraphValidate.h"
 
 using namespace Drydock;
 
 FRDGPass::~FRDGPass() = default;
+
+void FRDGPass::SetShader(FShader& InShader)
+{
+	ShaderToCompile = &InShader;
+	Shader = InShader.GetType()->GetName();
+	Entry = InShader.GetType()->GetFunctionName();
+}
 
 namespace
 {

@@ -7,6 +7,7 @@
 #include "RenderGraphHeap.h"
 #include "RenderGraphObserver.h"
 #include "RenderGraphReport.h"
+#include "ShaderBinding.h"
 
 #include <algorithm>
 #include <chrono>
@@ -34,6 +35,7 @@ void FRDGExecutor::RunGraph(const FRDGCompiledGraph& InCompiled)
 	{
 		State.Observer->OnGraphCompiled(InCompiled);
 	}
+	CompileShaders();
 	LoadExternals(FindExternals(-1));
 	if (InCompiled.Memory.TransientPeakBytes > 0)
 	{
@@ -47,6 +49,21 @@ void FRDGExecutor::RunGraph(const FRDGCompiledGraph& InCompiled)
 		}
 	}
 	WriteExtractions();
+}
+
+/** All at once, so that the messages of all broken shaders come together and no pass is charged for a compiler. */
+void FRDGExecutor::CompileShaders()
+{
+	std::vector<FShaderRef> Shaders;
+	for (const std::unique_ptr<FRDGPass>& Pass : State.Passes)
+	{
+		const FShaderRef Shader(Pass->ShaderToCompile);
+		if (!Pass->bCulled && Shader.IsValid() && std::find(Shaders.begin(), Shaders.end(), Shader) == Shaders.end())
+		{
+			Shaders.push_back(Shader);
+		}
+	}
+	WarmShaders(Shaders);
 }
 
 void FRDGExecutor::RunPassImmediately(FRDGPass& Pass)

@@ -32,6 +32,7 @@ public:
 	[[noreturn]] static void FailAccess(const FRDGResource& Resource);
 
 private:
+	void CompileShaders();
 	void LoadExternals(const std::vector<FRDGTexture*>& Textures);
 	std::vector<FRDGTexture*> FindExternals(int32 PassIndex);
 	void MakeReady(FRDGViewableResource& Resource);

@@ -9,6 +9,7 @@
 #include <string>
 #include <type_traits>
 
+class FShader;
 class FShaderParametersMetadata;
 
 /** Tag argument of lambdas that may run on any thread (5.4 and newer). */
@@ -41,12 +42,9 @@ public:
 	const FShaderParametersMetadata* GetParametersMetadata() const { return Metadata; }
 	const void* GetParameters() const { return Parameters; }
 
-	/** Tells which shader the pass runs, for listings made without executing. */
-	void SetShader(const TCHAR* ShaderName, const TCHAR* EntryPoint)
-	{
-		Shader = ShaderName;
-		Entry = EntryPoint;
-	}
+	/** Tells which shader the pass runs: for listings made without executing, and so that it is compiled before the graph's
+	 *  first pass runs. */
+	void SetShader(FShader& InShader);
 	const std::string& GetShader() const { return Shader; }
 	const std::string& GetEntry() const { return Entry; }
 
@@ -74,6 +72,7 @@ private:
 	std::string Scope;
 	std::string Shader;
 	std::string Entry;
+	FShader* ShaderToCompile = nullptr;
 	int32 Index = -1;
 	uint32 Workload = 1;
 	bool bCulled = false;

@@ -31,7 +31,7 @@ void AnnotatePass(FRDGPassRef Pass, const TShaderRef<FShader>& Shader)
 {
 	if (Pass && Shader.IsValid())
 	{
-		Pass->SetShader(Shader.GetType()->GetName(), Shader.GetType()->GetFunctionName());
+		Pass->SetShader(*Shader.GetShader());
 	}
 }
 

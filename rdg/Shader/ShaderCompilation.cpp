@@ -180,7 +180,16 @@ void WarmShaders(const std::vector<FShaderRef>& Shaders, int32 NumThreads)
 		{
 			std::rethrow_exception(Faults[Index]);
 		}
-		All.insert(All.end(), Failures[Index].begin(), Failures[Index].end());
+		// Permutations of one file fail alike: each message once.
+		for (const FDiagnostic& Failure : Failures[Index])
+		{
+			const bool bKnown = std::any_of(All.begin(), All.end(),
+				[&](const FDiagnostic& Earlier) { return Earlier.ToString() == Failure.ToString(); });
+			if (!bKnown)
+			{
+				All.push_back(Failure);
+			}
+		}
 	}
 	if (!All.empty())
 	{
