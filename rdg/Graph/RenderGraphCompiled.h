@@ -42,8 +42,8 @@ struct FRDGUse : FRDGSubresources
 	int32_t SkipBarrierView = -1; // identifies a view made with SkipBarrier
 
 	bool IsWrite() const { return IsWritableAccess(Access); }
-	/** Reads what was there before. */
-	bool IsRead() const { return IsReadableAccess(Access) || bLoads; }
+	/** Declared as a read. An unordered access is declared as a write, though a shader may read through it too. */
+	bool IsRead() const { return IsReadableAccess(Access & ~ERHIAccess::UAVMask) || bLoads; }
 };
 
 /** One bound colour target. */
