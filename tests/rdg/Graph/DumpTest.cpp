@@ -4,6 +4,7 @@
 
 #include "GraphTestBuilder.h"
 #include "RenderGraphDump.h"
+#include "ScreenPass.h"
 
 using namespace Drydock;
 using testing::HasSubstr;
@@ -21,7 +22,7 @@ FRDGCompiledGraph CompileThree()
 	Graph.Pass("Down").Reads("Scene").Writes("Half").Into(A);
 	Graph.Pass("Waste").Reads("Half").Writes("Nowhere");
 	Graph.Pass("Up").Reads("Half").Writes("Final");
-	A->SetShader(TEXT("FDownCS"), TEXT("MainCS"));
+	A->SetShader(*TShaderMapRef<FCopyRectPS>(GetGlobalShaderMap(GMaxRHIFeatureLevel)).GetShader());
 	Graph.Extract("Final");
 	return Graph.Builder->Compile();
 }
@@ -32,7 +33,7 @@ TEST(Dump, ListsPassesWithShadersReadsAndWrites)
 {
 	const std::string Text = DumpText(CompileThree());
 	EXPECT_THAT(Text, HasSubstr("graph Frame: 2 passes run, 1 culled"));
-	EXPECT_THAT(Text, HasSubstr("   1  Down\n        shader   FDownCS (MainCS)\n        reads    Scene\n        writes   Half\n"));
+	EXPECT_THAT(Text, HasSubstr("   1  Down\n        shader   FCopyRectPS (CopyRectPS)\n        reads    Scene\n        writes   Half\n"));
 }
 
 TEST(Dump, ListsResourcesWithTheirPasses)
