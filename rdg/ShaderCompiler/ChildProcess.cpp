@@ -29,7 +29,8 @@ bool ReadAll(int Pipe, std::chrono::steady_clock::time_point Deadline, std::stri
 	char Buffer[4096];
 	for (;;)
 	{
-		const auto Left = std::chrono::duration_cast<std::chrono::milliseconds>(Deadline - std::chrono::steady_clock::now()).count();
+		const auto Left =
+			std::chrono::duration_cast<std::chrono::milliseconds>(Deadline - std::chrono::steady_clock::now()).count();
 		if (Left <= 0)
 		{
 			return false;
@@ -63,7 +64,8 @@ std::string FChildResult::Describe(int TimeLimitSeconds) const
 	{
 		return "took longer than " + std::to_string(TimeLimitSeconds) + " s";
 	}
-	return Signal ? "was ended by signal " + std::to_string(Signal) : "ended with exit code " + std::to_string(ExitCode);
+	return Signal ? "was ended by signal " + std::to_string(Signal)
+				  : "ended with exit code " + std::to_string(ExitCode);
 }
 
 FChildResult RunChild(const std::vector<std::string>& Arguments, int TimeLimitSeconds)

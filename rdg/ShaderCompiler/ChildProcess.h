@@ -13,8 +13,8 @@ struct FChildResult
 {
 	bool bStarted = false;
 	bool bTimedOut = false;
-	int Signal = 0;   // that ended it, 0: none
-	int ExitCode = 0; // where it ended by itself
+	int Signal = 0;     // that ended it, 0: none
+	int ExitCode = 0;   // where it ended by itself
 	std::string Output; // stdout and stderr together, at most a megabyte
 
 	bool Succeeded() const { return bStarted && !bTimedOut && Signal == 0 && ExitCode == 0; }

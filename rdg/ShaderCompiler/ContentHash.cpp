@@ -41,7 +41,8 @@ struct FConstants
 		}
 	}
 
-	/** First 32 bits of the fraction of a square or cube root, exactly: the largest r with r^Degree <= Value * 2^(32 Degree). */
+	/** First 32 bits of the fraction of a square or cube root, exactly: the largest r with r^Degree <= Value * 2^(32
+	 * Degree). */
 	static uint32_t Fraction(uint32_t Value, int Degree)
 	{
 		uint64_t Root = 0;
@@ -49,9 +50,8 @@ struct FConstants
 		{
 			const uint64_t Try = Root | (uint64_t(1) << Bit);
 			const unsigned __int128 Square = static_cast<unsigned __int128>(Try) * Try;
-			const bool bFits = Degree == 2
-				? Square <= static_cast<unsigned __int128>(Value) << 64
-				: Square <= ((static_cast<unsigned __int128>(Value) << 96) / Try);
+			const bool bFits = Degree == 2 ? Square <= static_cast<unsigned __int128>(Value) << 64
+										   : Square <= ((static_cast<unsigned __int128>(Value) << 96) / Try);
 			Root = bFits ? Try : Root;
 		}
 		return uint32_t(Root);
@@ -77,7 +77,8 @@ void FContentHash::AddBlock(const uint8_t* Block)
 	std::array<uint32_t, NumRounds> W;
 	for (size_t i = 0; i < 16; ++i)
 	{
-		W[i] = uint32_t(Block[4 * i]) << 24 | uint32_t(Block[4 * i + 1]) << 16 | uint32_t(Block[4 * i + 2]) << 8 | Block[4 * i + 3];
+		W[i] = uint32_t(Block[4 * i]) << 24 | uint32_t(Block[4 * i + 1]) << 16 | uint32_t(Block[4 * i + 2]) << 8 |
+			   Block[4 * i + 3];
 	}
 	for (size_t i = 16; i < NumRounds; ++i)
 	{

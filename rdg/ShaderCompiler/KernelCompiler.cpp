@@ -32,7 +32,8 @@ std::vector<std::string> GetFlags(const FLaneConfig& Lanes)
 	const char* const Level = FloatLanes >= 16 ? "4" : FloatLanes >= 8 ? "3" : "2";
 	std::vector<std::string> Flags = {"-std=c++20", "-O2", "-fPIC", "-shared", "-fvisibility=hidden",
 		"-ffp-contract=off", "-fno-math-errno", "-fwrapv", "-fno-exceptions", "-fno-rtti", "-w",
-		std::string("-DDRYDOCK_REAL=") + (Lanes.bDouble ? "double" : "float"), "-DDRYDOCK_LANES=" + std::to_string(Lanes.Lanes)};
+		std::string("-DDRYDOCK_REAL=") + (Lanes.bDouble ? "double" : "float"),
+		"-DDRYDOCK_LANES=" + std::to_string(Lanes.Lanes)};
 #if defined(__x86_64__)
 	Flags.push_back(std::string("-march=x86-64-v") + Level);
 #else
@@ -89,8 +90,12 @@ FLaneConfig ResolveLanes(FLaneConfig Lanes)
 	const int32_t FloatLanes = Lanes.bDouble ? Lanes.Lanes * 2 : Lanes.Lanes;
 	if ((FloatLanes != 4 && FloatLanes != 8 && FloatLanes != 16) || Lanes.Lanes > Widest)
 	{
-		throw FError({ESeverity::Error, 6003, "shaders cannot run with " + std::to_string(Lanes.Lanes) + (Lanes.bDouble ? " double" : " float")
-				+ " lanes here; this CPU has up to " + std::to_string(Widest), {}, 0, 0, {}}, ExitUsage);
+		throw FError(
+			{ESeverity::Error, 6003,
+				"shaders cannot run with " + std::to_string(Lanes.Lanes) + (Lanes.bDouble ? " double" : " float") +
+					" lanes here; this CPU has up to " + std::to_string(Widest),
+				{}, 0, 0, {}},
+			ExitUsage);
 	}
 	return Lanes;
 }
@@ -140,17 +145,22 @@ std::string GetKernelBuildIdentity(const FLaneConfig& Lanes)
 	return Hash.Finish();
 }
 
-std::string CompileKernel(const std::string& Cpp, const std::string& Folder, const FLaneConfig& Lanes, const FShaderCompileRequest& Request)
+std::string CompileKernel(
+	const std::string& Cpp, const std::string& Folder, const FLaneConfig& Lanes, const FShaderCompileRequest& Request)
 {
 	const std::string Compiler = FindKernelCompiler();
 	if (Compiler.empty())
 	{
-		throw MakeError(6031, "cannot compile '" + Request.EntryPoint + "': no C++ compiler was found; install g++ or set DRYDOCK_CXX", Request);
+		throw MakeError(6031,
+			"cannot compile '" + Request.EntryPoint + "': no C++ compiler was found; install g++ or set DRYDOCK_CXX",
+			Request);
 	}
 	const std::vector<std::string> Includes = FindKernelIncludes();
 	if (Includes.empty())
 	{
-		throw MakeError(6031, "cannot compile '" + Request.EntryPoint + "': the lane headers (Lanes.h) were not found beside the library", Request);
+		throw MakeError(6031,
+			"cannot compile '" + Request.EntryPoint + "': the lane headers (Lanes.h) were not found beside the library",
+			Request);
 	}
 	const std::string Input = Folder + "/kernel.cpp";
 	const std::string Output = Folder + "/kernel.so";
@@ -166,7 +176,8 @@ std::string CompileKernel(const std::string& Cpp, const std::string& Folder, con
 	if (!Child.Succeeded())
 	{
 		// The generated text is kept for the report of a fault that is ours.
-		const std::string Kept = (fs::temp_directory_path() / ("drydock-failed-" + Request.EntryPoint + ".cpp")).string();
+		const std::string Kept =
+			(fs::temp_directory_path() / ("drydock-failed-" + Request.EntryPoint + ".cpp")).string();
 		std::error_code Error;
 		fs::copy_file(Input, Kept, fs::copy_options::overwrite_existing, Error);
 		std::string First;
@@ -179,8 +190,10 @@ std::string CompileKernel(const std::string& Cpp, const std::string& Folder, con
 				break;
 			}
 		}
-		throw MakeError(6030, "the C++ compiler " + Child.Describe(TimeLimitSeconds) + " on the code generated for '" + Request.EntryPoint
-				+ "', which is a fault of drydock (the code is in " + Kept + ")" + First, Request);
+		throw MakeError(6030,
+			"the C++ compiler " + Child.Describe(TimeLimitSeconds) + " on the code generated for '" +
+				Request.EntryPoint + "', which is a fault of drydock (the code is in " + Kept + ")" + First,
+			Request);
 	}
 	return Output;
 }
@@ -196,8 +209,8 @@ FKernelFunction LoadKernel(const std::string& SharedObject, const FLaneConfig& L
 		return nullptr;
 	}
 	const auto* const Module = static_cast<const FKernelModule*>(dlsym(Handle, "DrydockShaderKernel"));
-	const bool bFits = Module && Module->Version == GShaderKernelVersion && Module->Lanes == uint32_t(Lanes.Lanes)
-		&& Module->RealSize == (Lanes.bDouble ? sizeof(double) : sizeof(float));
+	const bool bFits = Module && Module->Version == GShaderKernelVersion && Module->Lanes == uint32_t(Lanes.Lanes) &&
+					   Module->RealSize == (Lanes.bDouble ? sizeof(double) : sizeof(float));
 	if (!bFits)
 	{
 		dlclose(Handle);

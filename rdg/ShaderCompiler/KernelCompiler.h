@@ -19,11 +19,13 @@ std::string FindKernelCompiler();
 /** Name of a compiler as part of a cache entry: changes when the program does. Empty for an empty path. */
 std::string GetCompilerId(const std::string& Compiler);
 
-/** Everything besides the source that decides what a kernel does: flags, lane headers, interface and emitter versions. */
+/** Everything besides the source that decides what a kernel does: flags, lane headers, interface and emitter versions.
+ */
 std::string GetKernelBuildIdentity(const FLaneConfig& Lanes);
 
 /** Compiles Cpp into Folder/kernel.so and returns that path. Throws FError: DD6031 no compiler, DD6030 it failed. */
-std::string CompileKernel(const std::string& Cpp, const std::string& Folder, const FLaneConfig& Lanes, const FShaderCompileRequest& Request);
+std::string CompileKernel(
+	const std::string& Cpp, const std::string& Folder, const FLaneConfig& Lanes, const FShaderCompileRequest& Request);
 
 /** Loads a kernel and checks that it is what was asked for; null when it is not. It stays loaded. */
 FKernelFunction LoadKernel(const std::string& SharedObject, const FLaneConfig& Lanes);

@@ -54,7 +54,11 @@ bool IsWritable(const std::string& Folder)
 
 std::string ChooseFolder()
 {
-	const auto Variable = [](const char* Name) { const char* Value = std::getenv(Name); return std::string(Value ? Value : ""); };
+	const auto Variable = [](const char* Name)
+	{
+		const char* Value = std::getenv(Name);
+		return std::string(Value ? Value : "");
+	};
 	const std::string Candidates[] = {
 		Variable("DRYDOCK_CACHE_DIR"),
 		Variable("XDG_CACHE_HOME").empty() ? std::string() : Variable("XDG_CACHE_HOME") + "/drydock",
@@ -64,7 +68,8 @@ std::string ChooseFolder()
 	{
 		if (!Candidate.empty())
 		{
-			// The first one that is named is the one; a folder that cannot be written must not scatter entries elsewhere.
+			// The first one that is named is the one; a folder that cannot be written must not scatter entries
+			// elsewhere.
 			if (IsWritable(Candidate))
 			{
 				return Candidate;
@@ -110,7 +115,8 @@ std::optional<FCachedShader> ReadEntry(const fs::path& Json)
 std::optional<FCachedShader> FindAny(const std::string& Folder, const std::string& Key)
 {
 	std::error_code Error;
-	for (fs::directory_iterator It(fs::path(Folder) / Key.substr(0, 2), Error), End; !Error && It != End; It.increment(Error))
+	for (fs::directory_iterator It(fs::path(Folder) / Key.substr(0, 2), Error), End; !Error && It != End;
+		 It.increment(Error))
 	{
 		const std::string Name = It->path().filename().string();
 		if (Name.rfind(Key + ".", 0) == 0 && It->path().extension() == ".json" && Name != Key + ".reflection.json")
@@ -158,7 +164,8 @@ std::optional<FShaderReflection> FShaderCache::FindReflection(const std::string&
 {
 	for (const std::string& Place : {Prewarmed, Folder})
 	{
-		const std::optional<FCachedShader> Found = Place.empty() ? std::nullopt : ReadEntry(EntryPath(Place, Key, "reflection"));
+		const std::optional<FCachedShader> Found =
+			Place.empty() ? std::nullopt : ReadEntry(EntryPath(Place, Key, "reflection"));
 		if (Found)
 		{
 			return Found->Reflection;
@@ -167,7 +174,8 @@ std::optional<FShaderReflection> FShaderCache::FindReflection(const std::string&
 	return {};
 }
 
-std::string FShaderCache::StoreKernel(const std::string& Key, const std::string& CompilerId, const FShaderReflection& Reflection, const std::string& SharedObject) const
+std::string FShaderCache::StoreKernel(const std::string& Key, const std::string& CompilerId,
+	const FShaderReflection& Reflection, const std::string& SharedObject) const
 {
 	const fs::path Json = EntryPath(Folder, Key, CompilerId);
 	fs::path Target = Json;

@@ -1,6 +1,6 @@
-// Compiled shaders on disk. An entry is KEY.ID.so and KEY.ID.json (reflection, hash of the shared object); ID tells which
-// compiler made it. Entries are written aside and renamed, the .json last, under a lock that other processes respect.
-// Two places: a read-only one that came with the installation, then the user's. Source: drydock.
+// Compiled shaders on disk. An entry is KEY.ID.so and KEY.ID.json (reflection, hash of the shared object); ID tells
+// which compiler made it. Entries are written aside and renamed, the .json last, under a lock that other processes
+// respect. Two places: a read-only one that came with the installation, then the user's. Source: drydock.
 #pragma once
 
 #include "DrydockAPI.h"
@@ -33,7 +33,8 @@ public:
 	std::optional<FShaderReflection> FindReflection(const std::string& Key) const;
 
 	/** Moves the file SharedObject into the cache. The entry's path; empty when it could not be stored. */
-	std::string StoreKernel(const std::string& Key, const std::string& CompilerId, const FShaderReflection& Reflection, const std::string& SharedObject) const;
+	std::string StoreKernel(const std::string& Key, const std::string& CompilerId, const FShaderReflection& Reflection,
+		const std::string& SharedObject) const;
 	void StoreReflection(const std::string& Key, const FShaderReflection& Reflection) const;
 
 	/** Runs Work while no other process works on the same key. */

@@ -21,18 +21,18 @@ namespace
 {
 
 /** One request in memory. Requests for the same shader wait for the first. */
-template <typename T>
+template<typename T>
 struct TSlot
 {
 	std::mutex Mutex;
 	std::shared_ptr<const T> Value;
 };
 
-template <typename T>
+template<typename T>
 class TMemory
 {
 public:
-	template <typename FMake>
+	template<typename FMake>
 	std::shared_ptr<const T> Find(const std::string& Key, FMake Make)
 	{
 		std::shared_ptr<TSlot<T>> Slot;
@@ -122,7 +122,7 @@ struct FAnalysedShader
 };
 
 /** Runs Work; what it finds wrong with the SPIR-V becomes a message about the shader. */
-template <typename FWork>
+template<typename FWork>
 auto ExplainSpirvErrors(const FShaderCompileRequest& Request, FWork Work)
 {
 	try
@@ -133,32 +133,38 @@ auto ExplainSpirvErrors(const FShaderCompileRequest& Request, FWork Work)
 	{
 		const bool bKnown = !Error.File.empty();
 		const std::string Where = bKnown ? std::string() : "entry point " + Request.EntryPoint;
-		throw FError({ESeverity::Error, 6020, Error.what(), bKnown ? Error.File : Request.VirtualPath, Error.Line, 0, Where}, ExitUsage);
+		throw FError(
+			{ESeverity::Error, 6020, Error.what(), bKnown ? Error.File : Request.VirtualPath, Error.Line, 0, Where},
+			ExitUsage);
 	}
 }
 
 FAnalysedShader Analyse(const FShaderSource& Source, const FShaderCompileRequest& Request)
 {
 	const std::vector<uint32_t> Words = CompileToSpirv(Source, Request);
-	return ExplainSpirvErrors(Request, [&]
-	{
-		FAnalysedShader Result;
-		Result.Module = ReadSpirv(Words);
-		Result.Structure = BuildSpirvStructure(Result.Module);
-		Result.Reflection = ReflectSpirv(Result.Module, Result.Structure, Source.Text);
-		return Result;
-	});
+	return ExplainSpirvErrors(Request,
+		[&]
+		{
+			FAnalysedShader Result;
+			Result.Module = ReadSpirv(Words);
+			Result.Structure = BuildSpirvStructure(Result.Module);
+			Result.Reflection = ReflectSpirv(Result.Module, Result.Structure, Source.Text);
+			return Result;
+		});
 }
 
 /** From source to a loaded kernel, past every cache. */
-void Build(const FShaderSource& Source, const FShaderCompileRequest& Request, const FShaderCache& Cache, const std::string& CompilerId, FCompiledShader& Result)
+void Build(const FShaderSource& Source, const FShaderCompileRequest& Request, const FShaderCache& Cache,
+	const std::string& CompilerId, FCompiledShader& Result)
 {
 	const FAnalysedShader Shader = Analyse(Source, Request);
-	const std::string Cpp = ExplainSpirvErrors(Request, [&]
-	{
-		const FSpirvUniformity Uniformity = AnalyzeUniformity(Shader.Module, Shader.Structure);
-		return EmitKernel({Shader.Module, Shader.Structure, Uniformity, Shader.Reflection}, Request.VirtualPath + ", entry " + Request.EntryPoint);
-	});
+	const std::string Cpp = ExplainSpirvErrors(Request,
+		[&]
+		{
+			const FSpirvUniformity Uniformity = AnalyzeUniformity(Shader.Module, Shader.Structure);
+			return EmitKernel({Shader.Module, Shader.Structure, Uniformity, Shader.Reflection},
+				Request.VirtualPath + ", entry " + Request.EntryPoint);
+		});
 	Result.Reflection = Shader.Reflection.Reflection;
 	const FTemporaryFolder Folder;
 	const std::string SharedObject = CompileKernel(Cpp, Folder.Path, Result.Lanes, Request);
@@ -167,7 +173,9 @@ void Build(const FShaderSource& Source, const FShaderCompileRequest& Request, co
 	Result.Run = LoadKernel(Stored.empty() ? SharedObject : Stored, Result.Lanes);
 	if (!Result.Run)
 	{
-		throw FError({ESeverity::Error, 6030, "the kernel compiled for '" + Request.EntryPoint + "' cannot be loaded", Request.VirtualPath, 0, 0, {}}, ExitUsage);
+		throw FError({ESeverity::Error, 6030, "the kernel compiled for '" + Request.EntryPoint + "' cannot be loaded",
+						 Request.VirtualPath, 0, 0, {}},
+			ExitUsage);
 	}
 }
 
@@ -196,13 +204,14 @@ std::shared_ptr<const FCompiledShader> MakeShader(const FShaderCompileRequest& R
 	Result->Key = HashSource(Source, Request, GetKernelBuildIdentity(Lanes));
 	if (!LoadFromCache(Cache, CompilerId, *Result))
 	{
-		Cache.WithLock(Result->Key, [&]
-		{
-			if (!LoadFromCache(Cache, CompilerId, *Result)) // another process may have been faster
+		Cache.WithLock(Result->Key,
+			[&]
 			{
-				Build(Source, Request, Cache, CompilerId, *Result);
-			}
-		});
+				if (!LoadFromCache(Cache, CompilerId, *Result)) // another process may have been faster
+				{
+					Build(Source, Request, Cache, CompilerId, *Result);
+				}
+			});
 	}
 	Result->CompileMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Start).count();
 	return Result;
@@ -219,19 +228,20 @@ std::shared_ptr<const FCompiledShader> CompileShader(const FShaderCompileRequest
 
 FShaderReflection ReflectShader(const FShaderCompileRequest& Request)
 {
-	return *GetReflections().Find(HashRequest(Request), [&]() -> std::shared_ptr<const FShaderReflection>
-	{
-		const FShaderSource Source = FlattenShader(Request);
-		const FShaderCache Cache = FShaderCache::Open();
-		const std::string Key = HashSource(Source, Request, {});
-		if (const std::optional<FShaderReflection> Found = Cache.FindReflection(Key))
+	return *GetReflections().Find(HashRequest(Request),
+		[&]() -> std::shared_ptr<const FShaderReflection>
 		{
-			return std::make_shared<FShaderReflection>(*Found);
-		}
-		const auto Result = std::make_shared<FShaderReflection>(Analyse(Source, Request).Reflection.Reflection);
-		Cache.StoreReflection(Key, *Result);
-		return Result;
-	});
+			const FShaderSource Source = FlattenShader(Request);
+			const FShaderCache Cache = FShaderCache::Open();
+			const std::string Key = HashSource(Source, Request, {});
+			if (const std::optional<FShaderReflection> Found = Cache.FindReflection(Key))
+			{
+				return std::make_shared<FShaderReflection>(*Found);
+			}
+			const auto Result = std::make_shared<FShaderReflection>(Analyse(Source, Request).Reflection.Reflection);
+			Cache.StoreReflection(Key, *Result);
+			return Result;
+		});
 }
 
 void ForgetCompiledShaders()

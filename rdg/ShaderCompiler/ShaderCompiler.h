@@ -26,9 +26,10 @@ struct FShaderCompileRequest
 	std::string VirtualPath; // "/Engine/Private/PostProcessBloom.usf"
 	std::string EntryPoint;
 	EShaderStage Stage = EShaderStage::Compute;
-	std::vector<std::pair<std::string, std::string>> Defines;          // in the order of SetDefine
-	std::vector<std::pair<std::string, std::string>> GeneratedFiles;   // virtual path, text ("/Engine/Generated/...")
-	std::vector<std::pair<std::string, std::vector<std::string>>> UniformBuffers; // HLSL name, member names: X.Y is rewritten to X_Y
+	std::vector<std::pair<std::string, std::string>> Defines;        // in the order of SetDefine
+	std::vector<std::pair<std::string, std::string>> GeneratedFiles; // virtual path, text ("/Engine/Generated/...")
+	std::vector<std::pair<std::string, std::vector<std::string>>>
+		UniformBuffers; // HLSL name, member names: X.Y is rewritten to X_Y
 	FLaneConfig Lanes;
 };
 
@@ -36,8 +37,8 @@ struct FCompiledShader
 {
 	FShaderReflection Reflection;
 	FKernelFunction Run = nullptr;
-	FLaneConfig Lanes;          // the resolved lane count
-	std::string Key;            // content hash, hexadecimal
+	FLaneConfig Lanes; // the resolved lane count
+	std::string Key;   // content hash, hexadecimal
 	bool bFromCache = false;
 	double CompileMs = 0;
 	std::vector<std::string> Files; // every file on disk that was read (for --watch)
@@ -49,8 +50,8 @@ DRYDOCK_API void AddShaderDirectory(const std::string& VirtualDirectory, const s
 /** Real path of a virtual shader path, empty when no mapping fits or the file does not exist. */
 DRYDOCK_API std::string FindShaderFile(const std::string& VirtualPath);
 
-/** Compiles, or takes from memory or the cache. Thread-safe. Throws FError (code DD6xxx, exit code 2) with every message
- *  the front end gave, each as "X.usf:LINE: error: ...". */
+/** Compiles, or takes from memory or the cache. Thread-safe. Throws FError (code DD6xxx, exit code 2) with every
+ * message the front end gave, each as "X.usf:LINE: error: ...". */
 DRYDOCK_API std::shared_ptr<const FCompiledShader> CompileShader(const FShaderCompileRequest& Request);
 
 /** Front end only: flatten, glslang and reflection, no C++ compiler. For graphs that are compiled but not run. */

@@ -34,7 +34,8 @@ FMappings& GetMappings()
 
 bool EqualsIgnoringCase(const std::string& A, const std::string& B)
 {
-	return std::equal(A.begin(), A.end(), B.begin(), B.end(), [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); });
+	return std::equal(A.begin(), A.end(), B.begin(), B.end(),
+		[](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); });
 }
 
 /** Shaders written on Windows name files in any case: what is not found as written is looked up by folder listing. */
@@ -97,9 +98,11 @@ std::string FindShaderFile(const std::string& VirtualPath)
 			}
 		}
 	}
-	// The longest prefix wins ("/Engine/Generated" before "/Engine"), then the latest mapping; the others stand behind it.
+	// The longest prefix wins ("/Engine/Generated" before "/Engine"), then the latest mapping; the others stand behind
+	// it.
 	std::reverse(Fitting.begin(), Fitting.end());
-	std::stable_sort(Fitting.begin(), Fitting.end(), [](const FMapping& A, const FMapping& B) { return A.Virtual.size() > B.Virtual.size(); });
+	std::stable_sort(Fitting.begin(), Fitting.end(),
+		[](const FMapping& A, const FMapping& B) { return A.Virtual.size() > B.Virtual.size(); });
 	for (const FMapping& Mapping : Fitting)
 	{
 		const std::string Found = FindIgnoringCase(Mapping.Real, VirtualPath.substr(Mapping.Virtual.size() + 1));

@@ -65,8 +65,8 @@ std::string Explain(const std::string& Message, const FShaderCompileRequest& Req
 			{
 				const std::string Member = Name.substr(Buffer.size() + 1);
 				const std::string Nearest = FindNearestName(Member, Members);
-				return "uniform buffer '" + Buffer + "' has no member '" + Member + "'"
-					+ (Nearest.empty() ? std::string() : "; did you mean " + Nearest + "?");
+				return "uniform buffer '" + Buffer + "' has no member '" + Member + "'" +
+					   (Nearest.empty() ? std::string() : "; did you mean " + Nearest + "?");
 			}
 		}
 	}
@@ -94,7 +94,8 @@ std::vector<FDiagnostic> ParseFrontEndMessages(const std::string& Output, const 
 		std::string Message;
 		int Line = 0;
 		const bool bPositioned = SplitPosition(bError ? Text.substr(7) : Text, File, Line, Message);
-		const bool bSummary = !bError && bPositioned && StartsWith(Message, "error at column "); // the parser's last words
+		const bool bSummary =
+			!bError && bPositioned && StartsWith(Message, "error at column "); // the parser's last words
 		const bool bSameLine = !Errors.empty() && Errors.back().File == File && Errors.back().Line == Line;
 		if (bSummary && !bSameLine)
 		{
@@ -103,7 +104,8 @@ std::vector<FDiagnostic> ParseFrontEndMessages(const std::string& Output, const 
 		else if (bError && bPositioned)
 		{
 			// After the first fault of a line the parser also lists every rule it was in.
-			const bool bConsequence = bSameLine && (Message.find(" : Expected") != std::string::npos || Errors.back().Message == Message);
+			const bool bConsequence =
+				bSameLine && (Message.find(" : Expected") != std::string::npos || Errors.back().Message == Message);
 			if (!bConsequence)
 			{
 				Errors.push_back({ESeverity::Error, 6010, Explain(Trim(Message), Request), File, Line, 0, {}});
@@ -116,7 +118,8 @@ std::vector<FDiagnostic> ParseFrontEndMessages(const std::string& Output, const 
 	}
 	if (Errors.empty() && bEntryPointMissing)
 	{
-		Errors.push_back({ESeverity::Error, 6011, "entry point '" + Request.EntryPoint + "' does not exist in this shader", Request.VirtualPath, 0, 0, {}});
+		Errors.push_back({ESeverity::Error, 6011,
+			"entry point '" + Request.EntryPoint + "' does not exist in this shader", Request.VirtualPath, 0, 0, {}});
 	}
 	return Errors;
 }
@@ -127,21 +130,29 @@ std::vector<uint32_t> CompileToSpirv(const FShaderSource& Source, const FShaderC
 	const std::string Program = FindProgram(Chosen && *Chosen ? Chosen : "glslangValidator");
 	if (Program.empty())
 	{
-		throw FError({ESeverity::Error, 6012, "cannot compile '" + Request.EntryPoint + "': glslangValidator was not found; install the package glslang-tools", Request.VirtualPath, 0, 0, {}}, ExitUsage);
+		throw FError({ESeverity::Error, 6012,
+						 "cannot compile '" + Request.EntryPoint +
+							 "': glslangValidator was not found; install the package glslang-tools",
+						 Request.VirtualPath, 0, 0, {}},
+			ExitUsage);
 	}
 	const FTemporaryFolder Folder;
 	const std::string Input = Folder.Path + "/shader.hlsl";
 	const std::string Output = Folder.Path + "/shader.spv";
 	std::ofstream(Input, std::ios::binary) << Source.Text;
 	// --nan-clamp: min, max and clamp by D3D's NaN rules. hlsl_functionality1: semantics of inputs are kept.
-	const FChildResult Child = RunChild({Program, "-D", "-V", "-g", "--hlsl-offsets", "--nan-clamp", "-fhlsl_functionality1",
-			"--auto-map-bindings", "--auto-map-locations", "-S", Request.Stage == EShaderStage::Pixel ? "frag" : "comp",
-			"-e", Request.EntryPoint, "-o", Output, Input}, TimeLimitSeconds);
+	const FChildResult Child = RunChild(
+		{Program, "-D", "-V", "-g", "--hlsl-offsets", "--nan-clamp", "-fhlsl_functionality1", "--auto-map-bindings",
+			"--auto-map-locations", "-S", Request.Stage == EShaderStage::Pixel ? "frag" : "comp", "-e",
+			Request.EntryPoint, "-o", Output, Input},
+		TimeLimitSeconds);
 
 	std::vector<FDiagnostic> Errors = ParseFrontEndMessages(Child.Output, Request);
 	if (Errors.empty() && !Child.Succeeded())
 	{
-		Errors.push_back({ESeverity::Error, 6012, "glslangValidator " + Child.Describe(TimeLimitSeconds) + " on '" + Request.EntryPoint + "'", Request.VirtualPath, 0, 0, {}});
+		Errors.push_back({ESeverity::Error, 6012,
+			"glslangValidator " + Child.Describe(TimeLimitSeconds) + " on '" + Request.EntryPoint + "'",
+			Request.VirtualPath, 0, 0, {}});
 	}
 	if (!Errors.empty())
 	{

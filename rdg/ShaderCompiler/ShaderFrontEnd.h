@@ -1,5 +1,5 @@
-// HLSL to SPIR-V by glslangValidator (Debian package glslang-tools), run as a child process: a crash or an endless loop of
-// its parser costs one error message. Source: drydock.
+// HLSL to SPIR-V by glslangValidator (Debian package glslang-tools), run as a child process: a crash or an endless loop
+// of its parser costs one error message. Source: drydock.
 #pragma once
 
 #include "Diagnostics.h"
@@ -9,11 +9,13 @@
 namespace Drydock
 {
 
-/** SPIR-V of the flattened text. Throws FError: DD6010 for what the shader's author wrote, each message with virtual path
- *  and line; DD6011 when the entry point does not exist; DD6012 when glslangValidator is missing, hangs or crashes. */
+/** SPIR-V of the flattened text. Throws FError: DD6010 for what the shader's author wrote, each message with virtual
+ * path and line; DD6011 when the entry point does not exist; DD6012 when glslangValidator is missing, hangs or crashes.
+ */
 DRYDOCK_API std::vector<uint32_t> CompileToSpirv(const FShaderSource& Source, const FShaderCompileRequest& Request);
 
 /** The errors in glslangValidator's output, in its order, without its own summary lines. */
-DRYDOCK_API std::vector<FDiagnostic> ParseFrontEndMessages(const std::string& Output, const FShaderCompileRequest& Request);
+DRYDOCK_API std::vector<FDiagnostic> ParseFrontEndMessages(
+	const std::string& Output, const FShaderCompileRequest& Request);
 
 } // namespace Drydock

@@ -11,9 +11,28 @@
 namespace Drydock
 {
 
-enum class EShaderStage : uint8_t { Pixel, Compute };
-enum class EShaderScalar : uint8_t { Float, Int, Uint, Bool };
-enum class EShaderDimension : uint8_t { Texture2D, Texture2DArray, Texture3D, TextureCube, TypedBuffer, StructuredBuffer, ByteAddressBuffer };
+enum class EShaderStage : uint8_t
+{
+	Pixel,
+	Compute
+};
+enum class EShaderScalar : uint8_t
+{
+	Float,
+	Int,
+	Uint,
+	Bool
+};
+enum class EShaderDimension : uint8_t
+{
+	Texture2D,
+	Texture2DArray,
+	Texture3D,
+	TextureCube,
+	TypedBuffer,
+	StructuredBuffer,
+	ByteAddressBuffer
+};
 
 /** One numeric parameter. Loose globals live in the buffer "$Global", members of `cbuffer X` in the buffer "X". */
 struct FShaderConstant
@@ -28,8 +47,8 @@ struct FShaderConstant
 	uint32_t ArrayStride = 0;
 	uint32_t MatrixStride = 0;
 	bool bRowMajor = false;
-	bool bUsed = false;      // read on some path after optimisation
-	std::string Where;       // "/Project/X.usf:9", where known
+	bool bUsed = false; // read on some path after optimisation
+	std::string Where;  // "/Project/X.usf:9", where known
 };
 
 struct FShaderConstantBuffer
@@ -55,15 +74,16 @@ struct FShaderReflection
 	int32_t GroupSize[3] = {1, 1, 1}; // compute: numthreads
 	std::vector<FShaderConstantBuffer> ConstantBuffers;
 	std::vector<FShaderConstant> Constants;
-	std::vector<FShaderResource> Textures;   // index = FKernelArgs::Textures slot, and so on
+	std::vector<FShaderResource> Textures; // index = FKernelArgs::Textures slot, and so on
 	std::vector<FShaderResource> RWTextures;
 	std::vector<FShaderResource> Samplers;
 	std::vector<FShaderResource> Buffers;
 	std::vector<FShaderResource> RWBuffers;
-	int32_t NumTargets = 0;       // pixel: 1 + highest SV_TargetN written
-	int32_t NumInterpolants = 0;  // pixel: 1 + highest TEXCOORD location read
+	int32_t NumTargets = 0;      // pixel: 1 + highest SV_TargetN written
+	int32_t NumInterpolants = 0; // pixel: 1 + highest TEXCOORD location read
 	bool bUsesDiscard = false;
-	int32_t StaticSamples = -1;   // texture samples and loads per pixel where control flow is uniform and bounded, else -1
+	int32_t StaticSamples =
+		-1; // texture samples and loads per pixel where control flow is uniform and bounded, else -1
 };
 
 } // namespace Drydock

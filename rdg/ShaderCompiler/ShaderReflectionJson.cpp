@@ -15,7 +15,7 @@ using FJson = nlohmann::json;
 struct FWriter
 {
 	FJson& J;
-	template <typename T>
+	template<typename T>
 	void operator()(const char* Name, T& Field)
 	{
 		if constexpr (std::is_enum_v<T>)
@@ -31,7 +31,7 @@ struct FWriter
 struct FReader
 {
 	const FJson& J;
-	template <typename T>
+	template<typename T>
 	void operator()(const char* Name, T& Field)
 	{
 		if constexpr (std::is_enum_v<T>)
@@ -45,7 +45,7 @@ struct FReader
 	}
 };
 
-template <typename TArchive>
+template<typename TArchive>
 void Fields(TArchive A, FShaderConstant& C)
 {
 	A("name", C.Name);
@@ -61,13 +61,13 @@ void Fields(TArchive A, FShaderConstant& C)
 	A("used", C.bUsed);
 	A("where", C.Where);
 }
-template <typename TArchive>
+template<typename TArchive>
 void Fields(TArchive A, FShaderConstantBuffer& B)
 {
 	A("name", B.Name);
 	A("size", B.Size);
 }
-template <typename TArchive>
+template<typename TArchive>
 void Fields(TArchive A, FShaderResource& R)
 {
 	A("name", R.Name);
@@ -77,7 +77,7 @@ void Fields(TArchive A, FShaderResource& R)
 	A("stride", R.Stride);
 	A("where", R.Where);
 }
-template <typename TArchive>
+template<typename TArchive>
 void Fields(TArchive A, FShaderReflection& R)
 {
 	A("stage", R.Stage);
@@ -90,7 +90,7 @@ void Fields(TArchive A, FShaderReflection& R)
 	A("samples", R.StaticSamples);
 }
 
-template <typename T>
+template<typename T>
 FJson WriteList(std::vector<T>& List)
 {
 	FJson Result = FJson::array();
@@ -102,7 +102,7 @@ FJson WriteList(std::vector<T>& List)
 	}
 	return Result;
 }
-template <typename T>
+template<typename T>
 void ReadList(const FJson& J, std::vector<T>& List)
 {
 	for (const FJson& Item : J)
@@ -111,7 +111,7 @@ void ReadList(const FJson& J, std::vector<T>& List)
 	}
 }
 
-template <typename F>
+template<typename F>
 void ForEachList(FShaderReflection& R, F f)
 {
 	f("constantBuffers", R.ConstantBuffers);

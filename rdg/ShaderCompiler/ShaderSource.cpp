@@ -108,7 +108,10 @@ std::string QuotedPath(const std::string& Text)
 class FFlattener
 {
 public:
-	explicit FFlattener(const FShaderCompileRequest& InRequest) : Request(InRequest) {}
+	explicit FFlattener(const FShaderCompileRequest& InRequest)
+		: Request(InRequest)
+	{
+	}
 
 	FShaderSource Run();
 
@@ -128,7 +131,10 @@ private:
 	{
 		Errors.push_back({ESeverity::Error, Code, Message, File, Line, 0, {}});
 	}
-	void AppendLine(int Line, const std::string& Path) { Result.Text += "#line " + std::to_string(Line) + " \"" + Path + "\"\n"; }
+	void AppendLine(int Line, const std::string& Path)
+	{
+		Result.Text += "#line " + std::to_string(Line) + " \"" + Path + "\"\n";
+	}
 
 	const FShaderCompileRequest& Request;
 	FShaderSource Result;
@@ -193,8 +199,10 @@ void FFlattener::AppendInclude(const std::string& Target, const std::string& Inc
 	if (!File)
 	{
 		const bool bMapped = Path != Target && Target[0] != '/';
-		Error(6001, "cannot open include file '" + Target + "'" + (bMapped ? " (" + Path + ")" : "")
-				+ "; is its directory mapped by AddShaderSourceDirectoryMapping?", Includer, Line);
+		Error(6001,
+			"cannot open include file '" + Target + "'" + (bMapped ? " (" + Path + ")" : "") +
+				"; is its directory mapped by AddShaderSourceDirectoryMapping?",
+			Includer, Line);
 		return;
 	}
 	if (File->bPlacedForGood || std::find(Open.begin(), Open.end(), Path) != Open.end())
@@ -280,7 +288,8 @@ void FFlattener::AppendDefines()
 	};
 	for (const auto& [Name, Value] : Request.Defines)
 	{
-		const auto Known = std::find_if(Defines.begin(), Defines.end(), [&Name = Name](const auto& Define) { return Define.first == Name; });
+		const auto Known = std::find_if(
+			Defines.begin(), Defines.end(), [&Name = Name](const auto& Define) { return Define.first == Name; });
 		if (Known != Defines.end())
 		{
 			Known->second = Value;
@@ -308,7 +317,10 @@ FShaderSource FFlattener::Run()
 	}
 	else
 	{
-		Error(6001, "cannot open shader '" + Request.VirtualPath + "'; is its directory mapped by AddShaderSourceDirectoryMapping?", {}, 0);
+		Error(6001,
+			"cannot open shader '" + Request.VirtualPath +
+				"'; is its directory mapped by AddShaderSourceDirectoryMapping?",
+			{}, 0);
 	}
 	if (!Errors.empty())
 	{
@@ -333,7 +345,11 @@ std::string NormalizeShaderText(const std::string& Bytes)
 	for (size_t k = i; k < Bytes.size() && bUtf8; ++k)
 	{
 		const unsigned char c = static_cast<unsigned char>(Bytes[k]);
-		const int Following = c < 0x80 ? 0 : c >= 0xF0 && c < 0xF8 ? 3 : c >= 0xE0 && c < 0xF0 ? 2 : c >= 0xC2 && c < 0xE0 ? 1 : -1;
+		const int Following = c < 0x80                ? 0
+							  : c >= 0xF0 && c < 0xF8 ? 3
+							  : c >= 0xE0 && c < 0xF0 ? 2
+							  : c >= 0xC2 && c < 0xE0 ? 1
+													  : -1;
 		bUtf8 = Following >= 0 && k + size_t(Following) < Bytes.size();
 		for (int n = 0; bUtf8 && n < Following; ++n)
 		{
@@ -373,7 +389,8 @@ std::string ResolveVirtualPath(const std::string& Path, const std::string& Inclu
 	std::string Slashed = Path;
 	std::replace(Slashed.begin(), Slashed.end(), '\\', '/');
 	namespace fs = std::filesystem;
-	const fs::path Full = !Slashed.empty() && Slashed[0] == '/' ? fs::path(Slashed) : fs::path(Includer).parent_path() / Slashed;
+	const fs::path Full =
+		!Slashed.empty() && Slashed[0] == '/' ? fs::path(Slashed) : fs::path(Includer).parent_path() / Slashed;
 	return Full.lexically_normal().generic_string();
 }
 
@@ -407,7 +424,8 @@ std::string RewriteUniformBuffers(const std::string& Text, const FUniformBufferN
 				++i;
 			}
 			const std::string Word = Text.substr(Start, i - Start);
-			const auto Buffer = std::find_if(Buffers.begin(), Buffers.end(), [&Word](const auto& Entry) { return Entry.first == Word; });
+			const auto Buffer = std::find_if(
+				Buffers.begin(), Buffers.end(), [&Word](const auto& Entry) { return Entry.first == Word; });
 			size_t Dot = Text.find_first_not_of(" \t", i);
 			const bool bMember = Start > 0 && Text[Start - 1] == '.'; // In.View.X is a struct's own member
 			if (Buffer != Buffers.end() && !bMember && Dot != std::string::npos && Text[Dot] == '.')

@@ -14,8 +14,8 @@ struct FShaderSource
 	std::vector<std::string> Files; // on disk, in order of first reading
 };
 
-/** Flattens Request's file behind its defines. Throws FError (DD6001 file or include not found, DD6003 sources that cannot
- *  be flattened) with every fault found. */
+/** Flattens Request's file behind its defines. Throws FError (DD6001 file or include not found, DD6003 sources that
+ * cannot be flattened) with every fault found. */
 DRYDOCK_API FShaderSource FlattenShader(const FShaderCompileRequest& Request);
 
 /** Plain ASCII with \n line ends: byte-order mark, CRLF, NUL and the bytes of any encoding of comments removed, without

@@ -1,6 +1,6 @@
 // Checks a module once, so that no later stage needs to: each operand is a value of the size that the instruction
 // expects. What the CPU tier does not do is refused here, with the line and what to write instead. Source: drydock.
-#include "SpirvCheck.h"
+#include "SpirvChecker.h"
 
 #include <algorithm>
 
@@ -17,15 +17,18 @@ const char* GetRefusal(uint16_t Op)
 {
 	if (Op >= OpDPdx && Op <= OpFwidthCoarse)
 	{
-		return "there are no derivatives on the CPU tier: threads do not run in quads. Compute the step from the texel size, or use SampleLevel";
+		return "there are no derivatives on the CPU tier: threads do not run in quads. Compute the step from the texel "
+			   "size, or use SampleLevel";
 	}
 	if (Op == OpControlBarrier || Op == OpMemoryBarrier)
 	{
-		return "barriers are not supported on the CPU tier: threads do not run in groups. Split the shader into two passes";
+		return "barriers are not supported on the CPU tier: threads do not run in groups. Split the shader into two "
+			   "passes";
 	}
 	if ((Op >= OpAtomicLoad && Op <= OpAtomicXor) || Op == OpImageTexelPointer)
 	{
-		return "atomics (Interlocked*, append buffers) are not supported on the CPU tier. Give each thread a place of its own and reduce in another pass";
+		return "atomics (Interlocked*, append buffers) are not supported on the CPU tier. Give each thread a place of "
+			   "its own and reduce in another pass";
 	}
 	if (Op >= OpGroupNonUniformElect && Op <= OpGroupNonUniformQuadSwap)
 	{
@@ -37,7 +40,8 @@ const char* GetRefusal(uint16_t Op)
 	}
 	if (Op == OpImageQueryLod)
 	{
-		return "CalculateLevelOfDetail needs derivatives, which the CPU tier does not have. Compute the mip level and use SampleLevel";
+		return "CalculateLevelOfDetail needs derivatives, which the CPU tier does not have. Compute the mip level and "
+			   "use SampleLevel";
 	}
 	if (Op == 89 || Op == 90 || Op == 97)
 	{
@@ -49,6 +53,7 @@ const char* GetRefusal(uint16_t Op)
 /** Operand counts and sizes of the operations that work scalar by scalar: all operands as large as the result. */
 int GetComponentwiseOperands(uint16_t Op)
 {
+	// clang-format off
 	switch (Op)
 	{
 	case OpConvertFToU: case OpConvertFToS: case OpConvertSToF: case OpConvertUToF: case OpBitcast: case OpSNegate:
@@ -65,10 +70,12 @@ int GetComponentwiseOperands(uint16_t Op)
 	default:
 		return (Op >= OpLogicalEqual && Op <= OpLogicalAnd) || (Op >= OpIEqual && Op <= OpFUnordGreaterThanEqual) ? 2 : 0;
 	}
+	// clang-format on
 }
 
 int GetComponentwiseExtOperands(uint32_t Ext)
 {
+	// clang-format off
 	switch (Ext)
 	{
 	case ExtRound: case ExtRoundEven: case ExtTrunc: case ExtFAbs: case ExtSAbs: case ExtFSign: case ExtSSign:
@@ -86,51 +93,12 @@ int GetComponentwiseExtOperands(uint32_t Ext)
 	default:
 		return 0;
 	}
+	// clang-format on
 }
 
-class FChecker
-{
-public:
-	explicit FChecker(const FSpirvModule& InModule) : Module(InModule) {}
+} // namespace
 
-	void Check();
-
-private:
-	void CheckVariables();
-	void CheckBlock(const FSpirvBlock& Block);
-	void CheckTerminator(const FSpirvInstruction& I);
-	void CheckInstruction(const FSpirvInstruction& I);
-	void RefuseGroupshared(uint32_t Id, const FSpirvInstruction& I) const;
-	bool CheckMemory(const FSpirvInstruction& I);
-	bool CheckComposite(const FSpirvInstruction& I);
-	bool CheckMatrix(const FSpirvInstruction& I);
-	bool CheckImage(const FSpirvInstruction& I);
-	void CheckExtended(const FSpirvInstruction& I);
-	void CheckPhi(const FSpirvInstruction& I);
-
-	void Expect(bool bCondition, const FSpirvInstruction& I) const
-	{
-		if (!bCondition)
-		{
-			Module.Fail("SPIR-V: " + GetSpirvOpName(I.Op) + " has operands that do not fit", &I);
-		}
-	}
-	void ExpectCount(const FSpirvInstruction& I, size_t Least) const { Expect(I.Operands.size() >= Least, I); }
-	/** Operand i is numeric; its scalars. */
-	uint32_t Size(const FSpirvInstruction& I, size_t i) const
-	{
-		ExpectCount(I, i + 1);
-		const uint32_t Result = Module.GetValueType(I.Operands[i]).NumScalars;
-		Expect(Result != 0, I);
-		return Result;
-	}
-	uint32_t ResultSize(const FSpirvInstruction& I) const { return Module.GetType(I.Type).NumScalars; }
-	const FSpirvType& Image(const FSpirvInstruction& I, size_t i) const;
-
-	const FSpirvModule& Module;
-};
-
-void FChecker::Check()
+void FSpirvChecker::Check()
 {
 	if (Module.Blocks.empty())
 	{
@@ -147,7 +115,7 @@ void FChecker::Check()
 	CheckVariables();
 }
 
-void FChecker::CheckVariables()
+void FSpirvChecker::CheckVariables()
 {
 	for (const FSpirvVariable& Variable : Module.Variables)
 	{
@@ -168,12 +136,13 @@ void FChecker::CheckVariables()
 		case StorageUniformConstant:
 			break;
 		default:
-			Module.Fail("'" + Variable.Name + "' lives in memory that the CPU tier does not have (groupshared or a push constant)");
+			Module.Fail("'" + Variable.Name +
+						"' lives in memory that the CPU tier does not have (groupshared or a push constant)");
 		}
 	}
 }
 
-void FChecker::CheckBlock(const FSpirvBlock& Block)
+void FSpirvChecker::CheckBlock(const FSpirvBlock& Block)
 {
 	if (Block.Instructions.empty())
 	{
@@ -210,7 +179,7 @@ void FChecker::CheckBlock(const FSpirvBlock& Block)
 	}
 }
 
-void FChecker::CheckTerminator(const FSpirvInstruction& I)
+void FSpirvChecker::CheckTerminator(const FSpirvInstruction& I)
 {
 	switch (I.Op)
 	{
@@ -241,7 +210,7 @@ void FChecker::CheckTerminator(const FSpirvInstruction& I)
 	}
 }
 
-void FChecker::CheckPhi(const FSpirvInstruction& I)
+void FSpirvChecker::CheckPhi(const FSpirvInstruction& I)
 {
 	Expect(I.Operands.size() % 2 == 0 && ResultSize(I) != 0, I);
 	for (size_t i = 0; i < I.Operands.size(); i += 2)
@@ -251,7 +220,7 @@ void FChecker::CheckPhi(const FSpirvInstruction& I)
 	}
 }
 
-void FChecker::CheckInstruction(const FSpirvInstruction& I)
+void FSpirvChecker::CheckInstruction(const FSpirvInstruction& I)
 {
 	if (const char* Refusal = GetRefusal(I.Op))
 	{
@@ -278,27 +247,33 @@ void FChecker::CheckInstruction(const FSpirvInstruction& I)
 		const std::vector<uint32_t>& Kills = Module.KillFunctions;
 		if (std::find(Kills.begin(), Kills.end(), I.Operands[0]) == Kills.end())
 		{
-			Module.Fail("a function call could not be inlined (OpFunctionCall); the CPU tier needs functions without recursion", &I);
+			Module.Fail(
+				"a function call could not be inlined (OpFunctionCall); the CPU tier needs functions without recursion",
+				&I);
 		}
 		return;
 	}
 	if (!CheckMemory(I) && !CheckComposite(I) && !CheckMatrix(I) && !CheckImage(I))
 	{
-		Module.Fail(GetSpirvOpName(I.Op) + " is not supported on the CPU tier; write the expression in another way, or report it", &I);
+		Module.Fail(GetSpirvOpName(I.Op) +
+						" is not supported on the CPU tier; write the expression in another way, or report it",
+			&I);
 	}
 }
 
-void FChecker::RefuseGroupshared(uint32_t Id, const FSpirvInstruction& I) const
+void FSpirvChecker::RefuseGroupshared(uint32_t Id, const FSpirvInstruction& I) const
 {
 	const FSpirvVariable* Variable = Module.FindVariable(Id);
 	if (Variable && Variable->Storage == StorageWorkgroup)
 	{
-		Module.Fail("groupshared '" + Variable->Name + "' is not supported on the CPU tier: threads do not run in groups. "
-			"Read the texture or buffer directly, or split the shader into two passes", &I);
+		Module.Fail("groupshared '" + Variable->Name +
+						"' is not supported on the CPU tier: threads do not run in groups. "
+						"Read the texture or buffer directly, or split the shader into two passes",
+			&I);
 	}
 }
 
-bool FChecker::CheckMemory(const FSpirvInstruction& I)
+bool FSpirvChecker::CheckMemory(const FSpirvInstruction& I)
 {
 	if (!I.Operands.empty() && I.Op != OpArrayLength)
 	{
@@ -315,7 +290,8 @@ bool FChecker::CheckMemory(const FSpirvInstruction& I)
 		const bool bHandle = Kind == ESpirvType::Image || Kind == ESpirvType::Sampler;
 		if (bHandle && !Module.FindVariable(I.Operands[0]))
 		{
-			Module.Fail("arrays of textures or samplers are not supported on the CPU tier; declare them one by one", &I);
+			Module.Fail(
+				"arrays of textures or samplers are not supported on the CPU tier; declare them one by one", &I);
 		}
 		Expect(bHandle || ResultSize(I) != 0, I);
 		return true;
@@ -346,7 +322,8 @@ bool FChecker::CheckMemory(const FSpirvInstruction& I)
 			const bool bConstant = Module.FindConstant(I.Operands[i]) != nullptr;
 			Expect(T.Kind != ESpirvType::Struct || bConstant, I);
 			// A constant index past the end is the shader's fault; it is clamped like one known at run time only.
-			Type = Module.GetMemberType(Type, T.Kind == ESpirvType::Struct ? Module.GetConstantScalar(I.Operands[i]) : 0);
+			Type =
+				Module.GetMemberType(Type, T.Kind == ESpirvType::Struct ? Module.GetConstantScalar(I.Operands[i]) : 0);
 		}
 		Expect(Result.Kind == ESpirvType::Pointer && Result.Element == Type, I);
 		return true;
@@ -363,230 +340,7 @@ bool FChecker::CheckMemory(const FSpirvInstruction& I)
 	}
 }
 
-bool FChecker::CheckComposite(const FSpirvInstruction& I)
-{
-	switch (I.Op)
-	{
-	case OpVectorExtractDynamic:
-		Expect(Size(I, 0) >= 2 && Size(I, 1) == 1 && ResultSize(I) == 1, I);
-		return true;
-	case OpVectorInsertDynamic:
-		Expect(Size(I, 0) == ResultSize(I) && Size(I, 1) == 1 && Size(I, 2) == 1, I);
-		return true;
-	case OpVectorShuffle:
-	{
-		const uint32_t Known = Size(I, 0) + Size(I, 1);
-		Expect(I.Operands.size() == 2 + ResultSize(I), I);
-		for (size_t i = 2; i < I.Operands.size(); ++i)
-		{
-			Expect(I.Operands[i] < Known || I.Operands[i] == ~0u, I);
-		}
-		return true;
-	}
-	case OpCompositeConstruct:
-	{
-		uint64_t Sum = 0;
-		for (size_t i = 0; i < I.Operands.size(); ++i)
-		{
-			Sum += Size(I, i);
-		}
-		Expect(Sum != 0 && Sum == ResultSize(I), I);
-		return true;
-	}
-	case OpCompositeExtract:
-	case OpCompositeInsert:
-	{
-		const size_t Composite = I.Op == OpCompositeExtract ? 0 : 1;
-		Size(I, Composite);
-		uint32_t Type = Module.GetValueTypeId(I.Operands[Composite]);
-		for (size_t i = Composite + 1; i < I.Operands.size(); ++i)
-		{
-			Type = Module.GetMemberType(Type, I.Operands[i]);
-		}
-		const uint32_t Part = Module.GetType(Type).NumScalars;
-		Expect(I.Op == OpCompositeExtract ? Part == ResultSize(I) : Part == Size(I, 0) && Size(I, 1) == ResultSize(I), I);
-		return true;
-	}
-	default:
-		return false;
-	}
-}
-
-bool FChecker::CheckMatrix(const FSpirvInstruction& I)
-{
-	// Columns and rows of operand i: a vector is one column.
-	struct FShape
-	{
-		uint32_t Columns;
-		uint32_t Rows;
-	};
-	const auto ShapeOf = [this, &I](uint32_t TypeId)
-	{
-		const FSpirvType& Type = Module.GetType(TypeId);
-		if (Type.Kind == ESpirvType::Matrix)
-		{
-			return FShape{Type.Count, Module.GetType(Type.Element).Count};
-		}
-		Expect(Type.Kind == ESpirvType::Vector, I);
-		return FShape{1, Type.Count};
-	};
-	const auto Shape = [this, &I, &ShapeOf](size_t i)
-	{
-		Size(I, i);
-		return ShapeOf(Module.GetValueTypeId(I.Operands[i]));
-	};
-	switch (I.Op)
-	{
-	case OpVectorTimesScalar:
-	case OpMatrixTimesScalar:
-		Expect(Size(I, 0) == ResultSize(I) && Size(I, 1) == 1, I);
-		return true;
-	case OpDot:
-		Expect(Size(I, 0) == Size(I, 1) && ResultSize(I) == 1, I);
-		return true;
-	case OpAny:
-	case OpAll:
-		Expect(Size(I, 0) >= 1 && ResultSize(I) == 1, I);
-		return true;
-	case OpVectorTimesMatrix:
-		Expect(Shape(0).Rows == Shape(1).Rows && ResultSize(I) == Shape(1).Columns, I);
-		return true;
-	case OpMatrixTimesVector:
-		Expect(Shape(0).Columns == Shape(1).Rows && Shape(1).Columns == 1 && ResultSize(I) == Shape(0).Rows, I);
-		return true;
-	case OpMatrixTimesMatrix:
-	{
-		const FShape Result = ShapeOf(I.Type);
-		Expect(Shape(0).Columns == Shape(1).Rows && Result.Rows == Shape(0).Rows && Result.Columns == Shape(1).Columns, I);
-		return true;
-	}
-	case OpTranspose:
-	{
-		const FShape Result = ShapeOf(I.Type);
-		Expect(Result.Columns == Shape(0).Rows && Result.Rows == Shape(0).Columns, I);
-		return true;
-	}
-	case OpOuterProduct:
-	{
-		const FShape Result = ShapeOf(I.Type);
-		Expect(Result.Rows == Size(I, 0) && Result.Columns == Size(I, 1), I);
-		return true;
-	}
-	default:
-		return false;
-	}
-}
-
-const FSpirvType& FChecker::Image(const FSpirvInstruction& I, size_t i) const
-{
-	ExpectCount(I, i + 1);
-	const FSpirvType* Type = &Module.GetValueType(I.Operands[i]);
-	if (Type->Kind == ESpirvType::SampledImage)
-	{
-		Type = &Module.GetType(Type->Element);
-	}
-	Expect(Type->Kind == ESpirvType::Image, I);
-	if (Type->bMultisampled)
-	{
-		Module.Fail("multisampled textures are not supported on the CPU tier; use Texture2D", &I);
-	}
-	if (Type->Dim == DimCube)
-	{
-		Module.Fail("cube maps are not supported on the CPU tier; use a Texture2D in a latitude-longitude layout", &I);
-	}
-	if (Type->Dim != Dim2D && Type->Dim != Dim3D && Type->Dim != DimBuffer)
-	{
-		Module.Fail("this kind of texture is not supported on the CPU tier; use Texture2D, Texture2DArray, Texture3D or Buffer", &I);
-	}
-	return *Type;
-}
-
-bool FChecker::CheckImage(const FSpirvInstruction& I)
-{
-	switch (I.Op)
-	{
-	case OpSampledImage:
-		Image(I, 0);
-		ExpectCount(I, 2);
-		Expect(Module.GetValueType(I.Operands[1]).Kind == ESpirvType::Sampler, I);
-		return true;
-	case OpImage:
-		Image(I, 0);
-		return true;
-	case OpImageSampleImplicitLod:
-	case OpImageSampleExplicitLod:
-	case OpImageGather:
-	{
-		const FSpirvType& Type = Image(I, 0);
-		const bool bGather = I.Op == OpImageGather;
-		const size_t MaskAt = bGather ? 3 : 2;
-		const uint32_t Needed = Type.Dim == Dim3D || Type.bArrayed ? 3 : 2;
-		Expect(Type.Dim != DimBuffer && Size(I, 1) >= Needed && ResultSize(I) == 4, I);
-		Expect(!bGather || (I.Operands.size() >= 3 && Module.FindConstant(I.Operands[2])), I);
-		const uint32_t Mask = I.Operands.size() > MaskAt ? I.Operands[MaskAt] : 0;
-		if (Mask & (ImageGrad | ImageBias))
-		{
-			Module.Fail("SampleGrad and SampleBias need derivatives, which the CPU tier does not have; use SampleLevel", &I);
-		}
-		if (bGather && (Type.Dim != Dim2D || Type.bArrayed))
-		{
-			Module.Fail("Gather works on Texture2D only on the CPU tier", &I);
-		}
-		Expect((Mask & ~(ImageLod | ImageConstOffset | ImageOffset)) == 0, I);
-		size_t Next = MaskAt + 1;
-		if (Mask & ImageLod)
-		{
-			Expect(Size(I, Next++) == 1, I);
-		}
-		if (Mask & (ImageConstOffset | ImageOffset))
-		{
-			Expect(Size(I, Next) >= 2, I);
-		}
-		return true;
-	}
-	case OpImageFetch:
-	case OpImageRead:
-	{
-		const FSpirvType& Type = Image(I, 0);
-		const uint32_t Needed = Type.Dim == DimBuffer ? 1 : Type.Dim == Dim3D || Type.bArrayed ? 3 : 2;
-		const uint32_t Mask = I.Operands.size() > 2 ? I.Operands[2] : 0;
-		Expect(Size(I, 1) >= Needed && ResultSize(I) == 4 && (Mask & ~(ImageLod | ImageConstOffset | ImageOffset)) == 0, I);
-		size_t Next = 3;
-		if (Mask & ImageLod)
-		{
-			Expect(Size(I, Next++) == 1, I);
-		}
-		if (Mask & (ImageConstOffset | ImageOffset))
-		{
-			Expect(Size(I, Next) >= 2, I);
-		}
-		return true;
-	}
-	case OpImageWrite:
-	{
-		const FSpirvType& Type = Image(I, 0);
-		const uint32_t Needed = Type.Dim == DimBuffer ? 1 : Type.Dim == Dim3D || Type.bArrayed ? 3 : 2;
-		Expect(Size(I, 1) >= Needed && Size(I, 2) >= 1 && Size(I, 2) <= 4, I);
-		return true;
-	}
-	case OpImageQuerySize:
-	case OpImageQuerySizeLod:
-	{
-		const FSpirvType& Type = Image(I, 0);
-		Expect(ResultSize(I) == (Type.Dim == DimBuffer ? 1u : Type.Dim == Dim3D || Type.bArrayed ? 3u : 2u), I);
-		Expect(I.Op == OpImageQuerySize || Size(I, 1) == 1, I);
-		return true;
-	}
-	case OpImageQueryLevels:
-		Image(I, 0);
-		Expect(ResultSize(I) == 1, I);
-		return true;
-	default:
-		return false;
-	}
-}
-
-void FChecker::CheckExtended(const FSpirvInstruction& I)
+void FSpirvChecker::CheckExtended(const FSpirvInstruction& I)
 {
 	const uint32_t Ext = I.Operands[1];
 	if (const int Operands = GetComponentwiseExtOperands(Ext))
@@ -621,8 +375,9 @@ void FChecker::CheckExtended(const FSpirvInstruction& I)
 	{
 		ExpectCount(I, 4);
 		const FSpirvType& Pointer = Module.GetValueType(I.Operands[3]);
-		Expect(First == ResultSize(I) && Pointer.Kind == ESpirvType::Pointer
-			&& Module.GetType(Pointer.Element).NumScalars == First, I);
+		Expect(First == ResultSize(I) && Pointer.Kind == ESpirvType::Pointer &&
+				   Module.GetType(Pointer.Element).NumScalars == First,
+			I);
 		return;
 	}
 	case ExtPackHalf2x16:
@@ -636,11 +391,9 @@ void FChecker::CheckExtended(const FSpirvInstruction& I)
 	}
 }
 
-} // namespace
-
 void CheckSpirv(const FSpirvModule& Module)
 {
-	FChecker(Module).Check();
+	FSpirvChecker(Module).Check();
 }
 
 } // namespace Drydock

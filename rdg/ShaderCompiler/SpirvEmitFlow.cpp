@@ -57,7 +57,8 @@ bool FSpirvEmitter::EscapesFrom(const FStructRegion& Region, const std::set<uint
 		{
 			return true;
 		}
-		if (Node.Kind == EStructNode::Edge && Node.bJump && !Inside.count(Node.To) && (bInnerLoop || !IsDirectBreak(Node.To)))
+		if (Node.Kind == EStructNode::Edge && Node.bJump && !Inside.count(Node.To) &&
+			(bInnerLoop || !IsDirectBreak(Node.To)))
 		{
 			return true;
 		}
@@ -86,7 +87,8 @@ bool FSpirvEmitter::Escapes(const FStructNode& Node) const
 		Inside.insert(Case.Label);
 	}
 	return std::any_of(Node.Regions.begin(), Node.Regions.end(),
-		[this, &Inside, &Node](const FStructRegion& Region) { return EscapesFrom(Region, Inside, Node.Kind == EStructNode::Loop); });
+		[this, &Inside, &Node](const FStructRegion& Region)
+		{ return EscapesFrom(Region, Inside, Node.Kind == EStructNode::Loop); });
 }
 
 void FSpirvEmitter::EmitRegion(const FStructRegion& Region)
@@ -96,7 +98,8 @@ void FSpirvEmitter::EmitRegion(const FStructRegion& Region)
 	{
 		const FStructNode& Node = Region.Nodes[i];
 		EmitNode(Node);
-		const bool bConstruct = Node.Kind == EStructNode::If || Node.Kind == EStructNode::Switch || Node.Kind == EStructNode::Loop;
+		const bool bConstruct =
+			Node.Kind == EStructNode::If || Node.Kind == EStructNode::Switch || Node.Kind == EStructNode::Loop;
 		if (bConstruct && i + 1 < Region.Nodes.size() && Escapes(Node))
 		{
 			OpenScope(GuardRest);
@@ -198,7 +201,8 @@ void FSpirvEmitter::EmitPhiCopies(uint32_t From, uint32_t To)
 			}
 			if (bFirst)
 			{
-				// Declared at the top, but it belongs to the loops around its block: lanes that left them keep their value.
+				// Declared at the top, but it belongs to the loops around its block: lanes that left them keep their
+				// value.
 				const auto Around = Structure.Loops.find(To);
 				Locals.push_back({Name, 0, Around == Structure.Loops.end() ? std::vector<uint32_t>() : Around->second});
 				List.push_back({Name, Kind, bVarying, int(Locals.size()) - 1});
@@ -217,10 +221,10 @@ void FSpirvEmitter::EmitPhiCopies(uint32_t From, uint32_t To)
 	bool bOverlap = false;
 	for (const FCopy& Copy : Copies)
 	{
-		bOverlap = bOverlap || std::any_of(Targets.begin(), Targets.end(), [&Copy](const std::string& Target)
-		{
-			return Copy.Source == Target || Copy.Source.find("(" + Target + ")") != std::string::npos;
-		});
+		bOverlap = bOverlap ||
+				   std::any_of(Targets.begin(), Targets.end(),
+					   [&Copy](const std::string& Target)
+					   { return Copy.Source == Target || Copy.Source.find("(" + Target + ")") != std::string::npos; });
 	}
 	if (bOverlap)
 	{
@@ -234,7 +238,8 @@ void FSpirvEmitter::EmitPhiCopies(uint32_t From, uint32_t To)
 	}
 	for (const FCopy& Copy : Copies)
 	{
-		Line(Copy.bMasked ? "Assign(e, " + Copy.Target + ", " + Copy.Source + ");" : Copy.Target + " = " + Copy.Source + ";");
+		Line(Copy.bMasked ? "Assign(e, " + Copy.Target + ", " + Copy.Source + ");"
+						  : Copy.Target + " = " + Copy.Source + ";");
 	}
 	if (bOverlap)
 	{
@@ -274,7 +279,8 @@ void FSpirvEmitter::EmitIf(const FStructNode& Node)
 	{
 		const std::string Label = std::to_string(Node.Label);
 		const bool bEscapes = Escapes(Node) || bWaits;
-		// Where all lanes come back, the mask before is the mask after; else the lanes at the end of each side are joined.
+		// Where all lanes come back, the mask before is the mask after; else the lanes at the end of each side are
+		// joined.
 		const std::string Before = "s" + Label;
 		const std::string Taken = "c" + Label;
 		OpenScope("");
@@ -327,7 +333,10 @@ void FSpirvEmitter::EmitSwitch(const FStructNode& Node)
 	{
 		const FEmitScalar Selector = Scalar(Node.Value, 0);
 		const std::string Label = std::to_string(Node.Label);
-		const auto Chosen = [&Label](size_t i) { return "k" + Label + "_" + std::to_string(i); };
+		const auto Chosen = [&Label](size_t i)
+		{
+			return "k" + Label + "_" + std::to_string(i);
+		};
 		OpenScope("");
 		std::string Taken = "M(false)";
 		size_t Default = Node.Cases.size();

@@ -1,4 +1,4 @@
-// Variables, buffers, textures, inputs and outputs. Source: drydock.
+// Variables, buffers, inputs and outputs. Textures: SpirvEmitImages.cpp. Source: drydock.
 #include "SpirvEmitter.h"
 
 #include <algorithm>
@@ -17,7 +17,8 @@ constexpr ESpirvType Uint = ESpirvType::Uint;
 
 bool IsLocal(const FSpirvVariable& Variable)
 {
-	return Variable.Storage == StorageFunction || Variable.Storage == StoragePrivate || Variable.Storage == StorageOutput;
+	return Variable.Storage == StorageFunction || Variable.Storage == StoragePrivate ||
+		   Variable.Storage == StorageOutput;
 }
 
 std::string Number(uint32_t Value)
@@ -68,11 +69,13 @@ void FSpirvEmitter::DeclareVariables()
 			}
 			else if (Type.bBufferBlock || Type.Dim == DimBuffer)
 			{
-				Declarations += "\tconst FKernelBuffer& " + Name + " = Args." + (bStorage ? "RWBuffers" : "Buffers") + Index;
+				Declarations +=
+					"\tconst FKernelBuffer& " + Name + " = Args." + (bStorage ? "RWBuffers" : "Buffers") + Index;
 			}
 			else
 			{
-				Declarations += "\tconst FKernelTexture& " + Name + " = Args." + (bStorage ? "RWTextures" : "Textures") + Index;
+				Declarations +=
+					"\tconst FKernelTexture& " + Name + " = Args." + (bStorage ? "RWTextures" : "Textures") + Index;
 			}
 			continue;
 		}
@@ -81,7 +84,8 @@ void FSpirvEmitter::DeclareVariables()
 			continue;
 		}
 		const auto Table = Tables.find(Variable.Id);
-		const FSpirvConstant* Initial = Module.FindConstant(Table != Tables.end() ? Table->second : Variable.Initializer);
+		const FSpirvConstant* Initial =
+			Module.FindConstant(Table != Tables.end() ? Table->second : Variable.Initializer);
 		const uint32_t Size = Module.GetType(Variable.Type).NumScalars;
 		const bool bVarying = Variable.Storage == StorageOutput || Uniformity.IsVariableVarying(Variable.Id);
 		if (!DynamicVariables.count(Variable.Id))
@@ -90,7 +94,8 @@ void FSpirvEmitter::DeclareVariables()
 			{
 				const ESpirvType Kind = Module.GetScalarKind(Variable.Type, i);
 				const std::string Value = Initial ? " = " + Literal(Kind, Initial->Scalars[i]).Text : "{}";
-				Declarations += "\t" + TypeName(Kind, bVarying) + " l" + Number(Variable.Id) + "_" + Number(i) + Value + ";\n";
+				Declarations +=
+					"\t" + TypeName(Kind, bVarying) + " l" + Number(Variable.Id) + "_" + Number(i) + Value + ";\n";
 			}
 			continue;
 		}
@@ -107,7 +112,8 @@ void FSpirvEmitter::DeclareVariables()
 				const bool bThis = Module.GetScalarKind(Variable.Type, i) == Kind;
 				Values += (i ? ", " : "") + Literal(Kind, bThis ? Initial->Scalars[i] : 0).Text;
 			}
-			const std::string Declaration = LocalArray(Variable, Kind) + "[" + Number(Size) + "]" + (Initial ? " = {" + Values + "};\n" : "{};\n");
+			const std::string Declaration =
+				LocalArray(Variable, Kind) + "[" + Number(Size) + "]" + (Initial ? " = {" + Values + "};\n" : "{};\n");
 			if (Table != Tables.end())
 			{
 				TableText += "constexpr " + TypeName(Kind, false) + " " + Declaration;
@@ -122,12 +128,14 @@ void FSpirvEmitter::DeclareVariables()
 
 std::string FSpirvEmitter::IndexText(const FSpirvPlace& Place, uint32_t Offset, bool& bVarying)
 {
-	bVarying = std::any_of(Place.Indices.begin(), Place.Indices.end(), [this](const FSpirvIndex& Index) { return Scalar(Index.Value, 0).bVarying; });
+	bVarying = std::any_of(Place.Indices.begin(), Place.Indices.end(),
+		[this](const FSpirvIndex& Index) { return Scalar(Index.Value, 0).bVarying; });
 	std::string Text = bVarying ? "I(" + Number(Offset) + ")" : Number(Offset);
 	for (const FSpirvIndex& Index : Place.Indices)
 	{
 		const FEmitScalar Value = Scalar(Index.Value, 0);
-		const std::string Clamped = "ClampIndex(" + (Value.bVarying ? Use(Value) : "uint32_t(" + Use(Value) + ")") + ", " + Number(Index.Count) + "u)";
+		const std::string Clamped = "ClampIndex(" + (Value.bVarying ? Use(Value) : "uint32_t(" + Use(Value) + ")") +
+									", " + Number(Index.Count) + "u)";
 		Text += " + " + Clamped + " * " + (Value.bVarying ? "I(" + Number(Index.Stride) + ")" : Number(Index.Stride));
 	}
 	return Text;
@@ -138,7 +146,8 @@ FEmitScalar FSpirvEmitter::LoadLocal(const FSpirvPlace& Place, uint32_t ScalarIn
 	const FSpirvVariable& Variable = *Place.Variable;
 	const uint32_t Offset = Place.Offset + Place.Scalars[ScalarIndex];
 	const auto Table = Tables.find(Variable.Id);
-	const bool bVariableVaries = Variable.Storage == StorageOutput || (Table == Tables.end() && Uniformity.IsVariableVarying(Variable.Id));
+	const bool bVariableVaries =
+		Variable.Storage == StorageOutput || (Table == Tables.end() && Uniformity.IsVariableVarying(Variable.Id));
 	if (Place.Indices.empty() && Table != Tables.end())
 	{
 		return Literal(Kind, Module.FindConstant(Table->second)->Scalars[Offset]);
@@ -150,7 +159,8 @@ FEmitScalar FSpirvEmitter::LoadLocal(const FSpirvPlace& Place, uint32_t ScalarIn
 	bool bIndexVaries = false;
 	const std::string Index = IndexText(Place, Offset, bIndexVaries);
 	const std::string Array = LocalArray(Variable, Kind);
-	return {bIndexVaries ? "PickElement(" + Array + ", " + Index + ")" : Array + "[" + Index + "]", Kind, bVariableVaries || bIndexVaries, -1};
+	return {bIndexVaries ? "PickElement(" + Array + ", " + Index + ")" : Array + "[" + Index + "]", Kind,
+		bVariableVaries || bIndexVaries, -1};
 }
 
 FEmitScalar FSpirvEmitter::LoadConstantBuffer(const FSpirvPlace& Place, uint32_t ScalarIndex, ESpirvType Kind)
@@ -158,7 +168,8 @@ FEmitScalar FSpirvEmitter::LoadConstantBuffer(const FSpirvPlace& Place, uint32_t
 	bool bVarying = false;
 	const std::string Offset = IndexText(Place, Place.Offset + Place.Scalars[ScalarIndex], bVarying);
 	const std::string Type = Kind == Float ? "float" : Kind == Int ? "int32_t" : "uint32_t";
-	const std::string Read = "ReadConstant<" + Type + ">(g" + Number(Place.Variable->Id) + ", " + (bVarying ? Offset : "uint32_t(" + Offset + ")") + ")";
+	const std::string Read = "ReadConstant<" + Type + ">(g" + Number(Place.Variable->Id) + ", " +
+							 (bVarying ? Offset : "uint32_t(" + Offset + ")") + ")";
 	return {Kind == Float ? "WidenReal<Real>(" + Read + ")" : Read, Kind, bVarying, -1};
 }
 
@@ -170,14 +181,15 @@ std::string FSpirvEmitter::BufferOffsetText(const FSpirvPlace& Place, uint32_t S
 	}
 	const FEmitScalar Element = Scalar(Place.Element, 0);
 	const std::string Index = Element.bVarying ? Use(Element) : "uint32_t(" + Use(Element) + ")";
-	std::string Text = "ElementOffset(g" + Number(Place.Variable->Id) + ", " + Index + ", " + Number(Place.ElementStride) + "u, "
-		+ Number(Place.Offset + Place.Scalars[ScalarIndex]) + "u)";
+	std::string Text = "ElementOffset(g" + Number(Place.Variable->Id) + ", " + Index + ", " +
+					   Number(Place.ElementStride) + "u, " + Number(Place.Offset + Place.Scalars[ScalarIndex]) + "u)";
 	bVarying = Element.bVarying;
 	if (!Place.Indices.empty())
 	{
 		bool bInnerVaries = false;
 		const std::string Inner = IndexText(Place, 0, bInnerVaries);
-		Text = (bInnerVaries && !bVarying ? "U(" + Text + ")" : Text) + " + " + (bInnerVaries ? "AsUint(" : "uint32_t(") + Inner + ")";
+		Text = (bInnerVaries && !bVarying ? "U(" + Text + ")" : Text) + " + " +
+			   (bInnerVaries ? "AsUint(" : "uint32_t(") + Inner + ")";
 		bVarying = bVarying || bInnerVaries;
 	}
 	return Text;
@@ -187,7 +199,9 @@ FEmitScalar FSpirvEmitter::LoadStorageBuffer(const FSpirvPlace& Place, uint32_t 
 {
 	bool bVarying = false;
 	const std::string Offset = BufferOffsetText(Place, ScalarIndex, bVarying);
-	const std::string Function = Kind == Float ? "LoadBufferReal<Real>" : Kind == Int ? "LoadBufferInt" : "LoadBufferUint";
+	const std::string Function = Kind == Float ? "LoadBufferReal<Real>"
+								 : Kind == Int ? "LoadBufferInt"
+											   : "LoadBufferUint";
 	return {Function + "(g" + Number(Place.Variable->Id) + ", " + Offset + ")", Kind, bVarying, -1};
 }
 
@@ -208,13 +222,15 @@ std::vector<FEmitScalar> FSpirvEmitter::LoadInput(const FSpirvVariable& Variable
 		const std::string Size = std::to_string(Group[0]) + "u";
 		if (Shift(Group[0]) >= 0)
 		{
-			return bRemainder ? "AsUint(X) & U(" + Size + " - 1u)" : "ShiftRight(AsUint(X), " + std::to_string(Shift(Group[0])) + "u)";
+			return bRemainder ? "AsUint(X) & U(" + Size + " - 1u)"
+							  : "ShiftRight(AsUint(X), " + std::to_string(Shift(Group[0])) + "u)";
 		}
 		return (bRemainder ? "IntRemainder(AsUint(X), U(" : "IntDivide(AsUint(X), U(") + Size + "))";
 	};
 	const auto Uniform = [&](const char* Name, int Axis, const char* Operator) -> FEmitScalar
 	{
-		return {std::string("uint32_t(") + Name + ") " + Operator + " " + std::to_string(Group[Axis]) + "u", Uint, false, -1};
+		return {std::string("uint32_t(") + Name + ") " + Operator + " " + std::to_string(Group[Axis]) + "u", Uint,
+			false, -1};
 	};
 	switch (Variable.BuiltIn)
 	{
@@ -226,7 +242,8 @@ std::vector<FEmitScalar> FSpirvEmitter::LoadInput(const FSpirvVariable& Variable
 		return {{GroupX(true), Uint, true, -1}, Uniform("Y", 1, "%"), Uniform("Z", 2, "%")};
 	case BuiltInLocalInvocationIndex:
 	{
-		const std::string Rows = "(" + Uniform("Z", 2, "%").Text + ") * " + std::to_string(Group[1]) + "u + " + Uniform("Y", 1, "%").Text;
+		const std::string Rows =
+			"(" + Uniform("Z", 2, "%").Text + ") * " + std::to_string(Group[1]) + "u + " + Uniform("Y", 1, "%").Text;
 		return {{"(" + GroupX(true) + ") + U((" + Rows + ") * " + std::to_string(Group[0]) + "u)", Uint, true, -1}};
 	}
 	case BuiltInFragCoord:
@@ -237,7 +254,8 @@ std::vector<FEmitScalar> FSpirvEmitter::LoadInput(const FSpirvVariable& Variable
 	default:
 	{
 		std::vector<FEmitScalar> Result;
-		const std::string Interpolant = "Args.Interpolants[" + std::to_string(GetTexCoordIndex(Variable.Semantic)) + "]";
+		const std::string Interpolant =
+			"Args.Interpolants[" + std::to_string(GetTexCoordIndex(Variable.Semantic)) + "]";
 		for (uint32_t i = 0; i < Module.GetType(Variable.Type).NumScalars; ++i)
 		{
 			Result.push_back({"Interpolate<Real>(" + Interpolant + ", " + Number(i) + ", X, Y)", Float, true, -1});
@@ -268,9 +286,9 @@ void FSpirvEmitter::EmitLoad(const FSpirvInstruction& I)
 		for (uint32_t i = 0; i < Place.Scalars.size(); ++i)
 		{
 			const ESpirvType Kind = Module.GetScalarKind(Place.Type, i);
-			Loaded.push_back(!Place.bBytes ? LoadLocal(Place, i, Kind)
-					: Module.GetType(Place.Variable->Type).bBufferBlock ? LoadStorageBuffer(Place, i, Kind)
-																		  : LoadConstantBuffer(Place, i, Kind));
+			Loaded.push_back(!Place.bBytes                                       ? LoadLocal(Place, i, Kind)
+							 : Module.GetType(Place.Variable->Type).bBufferBlock ? LoadStorageBuffer(Place, i, Kind)
+																				 : LoadConstantBuffer(Place, i, Kind));
 		}
 	}
 	DefineAll(I, Loaded);
@@ -296,8 +314,11 @@ void FSpirvEmitter::EmitStore(uint32_t Pointer, const std::vector<FEmitScalar>& 
 		{
 			bool bVarying = false;
 			const std::string Offset = BufferOffsetText(Place, i, bVarying);
-			const char* const Function = Kind == Float ? "StoreBufferReal" : Kind == Int ? "StoreBufferInt" : "StoreBufferUint";
-			Line(std::string(Function) + "(e, g" + Number(Variable.Id) + ", " + (bVarying ? Offset : "U(" + Offset + ")") + ", " + UseAs(New[i], Kind, true) + ");");
+			const char* const Function = Kind == Float ? "StoreBufferReal"
+										 : Kind == Int ? "StoreBufferInt"
+													   : "StoreBufferUint";
+			Line(std::string(Function) + "(e, g" + Number(Variable.Id) + ", " +
+				 (bVarying ? Offset : "U(" + Offset + ")") + ", " + UseAs(New[i], Kind, true) + ");");
 			continue;
 		}
 		const uint32_t Offset = Place.Offset + Place.Scalars[i];
@@ -361,193 +382,6 @@ bool FSpirvEmitter::EmitMemory(const FSpirvInstruction& I)
 	}
 }
 
-std::string FSpirvEmitter::HandleOf(uint32_t Id) const
-{
-	for (int Steps = 0; Steps < 8; ++Steps)
-	{
-		if (Module.FindVariable(Id))
-		{
-			return "g" + Number(Id);
-		}
-		const auto Found = Definitions.find(Id);
-		if (Found == Definitions.end() || Found->second->Operands.empty())
-		{
-			break;
-		}
-		Id = Found->second->Operands[0];
-	}
-	Module.Fail("SPIR-V: a texture or sampler that is not a variable");
-}
-
-const FSpirvType& FSpirvEmitter::ImageTypeOf(uint32_t Id) const
-{
-	const FSpirvType& Type = Module.GetValueType(Id);
-	return Type.Kind == ESpirvType::SampledImage ? Module.GetType(Type.Element) : Type;
-}
-
-std::string FSpirvEmitter::Coordinates(const FSpirvInstruction& I, size_t Operand, uint32_t Count, bool bReal, size_t OffsetOperand)
-{
-	std::string Text = std::string("TVec<") + (bReal ? "R" : "I") + ", " + Number(Count) + ">(";
-	for (uint32_t i = 0; i < Count; ++i)
-	{
-		Text += (i ? ", " : "") + UseAs(Scalar(I.Operands[Operand], i), bReal ? Float : Int, true);
-		if (OffsetOperand && i < std::min(2u, SizeOf(I.Operands[OffsetOperand])))
-		{
-			const std::string Offset = UseAs(Scalar(I.Operands[OffsetOperand], i), Int, true);
-			const std::string Size = "TextureSize2D(" + HandleOf(I.Operands[0]) + ", 0)[" + Number(i) + "]";
-			Text += bReal ? " + ToReal<Real>(" + Offset + ") / R(Real(" + Size + "))" : " + " + Offset;
-		}
-	}
-	return Text + ")";
-}
-
-bool FSpirvEmitter::EmitImage(const FSpirvInstruction& I)
-{
-	const auto Components = [this, &I](const std::string& Expression, ESpirvType Kind, bool bVarying)
-	{
-		const std::string Name = "w" + Number(I.Result);
-		Line("const auto " + Name + " = " + Expression + ";");
-		for (uint32_t i = 0; i < SizeOf(I.Result); ++i)
-		{
-			Define(I.Result, i, {Name + "[" + Number(i) + "]", Kind, bVarying, -1});
-		}
-	};
-	const auto Count = [this](const char* Counter) { Line(std::string("CountLanesOf(Args, &FKernelCounters::") + Counter + ", e);"); };
-	switch (I.Op)
-	{
-	case OpSampledImage:
-	case OpImage:
-		return true; // resolved where it is used
-	case OpImageSampleImplicitLod:
-	case OpImageSampleExplicitLod:
-	case OpImageGather:
-	{
-		const FSpirvType& Type = ImageTypeOf(I.Operands[0]);
-		const auto Pair = Definitions.find(I.Operands[0]);
-		if (Module.GetType(Type.Element).Kind != Float)
-		{
-			Module.Fail("a texture of integers cannot be filtered; use Load", &I);
-		}
-		if (Pair == Definitions.end() || Pair->second->Op != OpSampledImage)
-		{
-			Module.Fail("SPIR-V: a sample without its texture and sampler", &I);
-		}
-		const std::string Handles = HandleOf(Pair->second->Operands[0]) + ", " + HandleOf(Pair->second->Operands[1]) + ", ";
-		const bool bGather = I.Op == OpImageGather;
-		const size_t MaskAt = bGather ? 3 : 2;
-		const uint32_t Mask = I.Operands.size() > MaskAt ? I.Operands[MaskAt] : 0;
-		size_t Next = MaskAt + 1;
-		std::string Level = "Real(0)"; // Sample: there are no derivatives, so it is the view's first mip
-		if (Mask & ImageLod)
-		{
-			const FSpirvConstant* Constant = Module.FindConstant(I.Operands[Next]);
-			if ((Mask & (ImageConstOffset | ImageOffset)) && (!Constant || Constant->Scalars[0] != 0))
-			{
-				Module.Fail("a sample with an offset is supported at mip 0 only on the CPU tier; add the offset to the coordinates", &I);
-			}
-			Level = UseAs(Scalar(I.Operands[Next++], 0), Float, false);
-		}
-		const size_t Offset = Mask & (ImageConstOffset | ImageOffset) ? Next : 0;
-		const bool b3D = Type.Dim == Dim3D;
-		const std::string Place = Coordinates(I, 1, b3D || Type.bArrayed ? 3 : 2, true, Offset);
-		if (bGather)
-		{
-			Components("Gather2D(" + Handles + Place + ", " + Number(Module.GetConstantScalar(I.Operands[2])) + ")", Float, true);
-		}
-		else
-		{
-			const char* const Function = b3D ? "SampleLevel3D(" : Type.bArrayed ? "SampleLevel2DArray(" : "SampleLevel2D(";
-			Components(Function + Handles + Place + ", " + Level + ")", Float, true);
-		}
-		Count("Samples");
-		return true;
-	}
-	case OpImageFetch:
-	case OpImageRead:
-	{
-		const FSpirvType& Type = ImageTypeOf(I.Operands[0]);
-		const bool bInteger = Module.GetType(Type.Element).Kind != Float;
-		const std::string Handle = HandleOf(I.Operands[0]);
-		const uint32_t Mask = I.Operands.size() > 2 ? I.Operands[2] : 0;
-		size_t Next = 3;
-		std::string Mip = "int32_t(0)";
-		if (Mask & ImageLod)
-		{
-			Mip = UseAs(Scalar(I.Operands[Next++], 0), Int, false);
-		}
-		const size_t Offset = Mask & (ImageConstOffset | ImageOffset) ? Next : 0;
-		const std::string Suffix = std::string(bInteger ? "Uint" : "") + "<Real, N>(" + Handle + ", ";
-		if (Type.Dim == DimBuffer)
-		{
-			Components("LoadTyped" + Suffix + UseAs(Scalar(I.Operands[1], 0), Uint, true) + ")", bInteger ? Uint : Float, true);
-		}
-		else
-		{
-			const bool b3D = Type.Dim == Dim3D;
-			const std::string Function = b3D ? "Load3D" : Type.bArrayed ? "Load2DArray" : "Load2D";
-			const std::string Place = Coordinates(I, 1, b3D || Type.bArrayed ? 3 : 2, false, Offset);
-			Components(Function + Suffix + Place + ", " + Mip + ")", bInteger ? Uint : Float, true);
-		}
-		Count("Loads");
-		return true;
-	}
-	case OpImageWrite:
-	{
-		const FSpirvType& Type = ImageTypeOf(I.Operands[0]);
-		const bool bInteger = Module.GetType(Type.Element).Kind != Float;
-		const ESpirvType Kind = bInteger ? Uint : Float;
-		std::string Value = std::string("TVec<") + TypeName(Kind, true) + ", 4>(";
-		for (uint32_t i = 0; i < 4; ++i)
-		{
-			const FEmitScalar Part = i < SizeOf(I.Operands[2]) ? Scalar(I.Operands[2], i) : Literal(Kind, 0);
-			Value += (i ? ", " : "") + UseAs(Part, Kind, true);
-		}
-		const std::string Head = "(e, " + HandleOf(I.Operands[0]) + ", ";
-		const std::string Suffix = bInteger ? "Uint<Real, N>" : "";
-		if (Type.Dim == DimBuffer)
-		{
-			Line("StoreTyped" + Suffix + Head + UseAs(Scalar(I.Operands[1], 0), Uint, true) + ", " + Value + "));");
-		}
-		else
-		{
-			const bool b3D = Type.Dim == Dim3D;
-			const std::string Function = b3D ? "StoreTexture3D" : Type.bArrayed ? "StoreTexture2DArray" : "StoreTexture2D";
-			Line(Function + Suffix + Head + Coordinates(I, 1, b3D || Type.bArrayed ? 3 : 2, false, 0) + ", " + Value + "));");
-		}
-		Count("Stores");
-		return true;
-	}
-	case OpImageQuerySize:
-	case OpImageQuerySizeLod:
-	{
-		const FSpirvType& Type = ImageTypeOf(I.Operands[0]);
-		const std::string Handle = HandleOf(I.Operands[0]);
-		if (Type.Dim == DimBuffer)
-		{
-			Define(I.Result, 0, {"BufferElements(" + Handle + ")", Uint, false, -1});
-			return true;
-		}
-		std::string Mip = "0";
-		if (I.Op == OpImageQuerySizeLod)
-		{
-			const FEmitScalar Level = Scalar(I.Operands[1], 0);
-			if (Level.bVarying)
-			{
-				Module.Fail("GetDimensions wants a mip level that is the same for all threads on the CPU tier", &I);
-			}
-			Mip = UseAs(Level, Int, false);
-		}
-		Components((SizeOf(I.Result) == 3 ? "TextureSize3D(" : "TextureSize2D(") + Handle + ", " + Mip + ")", Int, false);
-		return true;
-	}
-	case OpImageQueryLevels:
-		Define(I.Result, 0, {"TextureLevels(" + HandleOf(I.Operands[0]) + ")", Int, false, -1});
-		return true;
-	default:
-		return false;
-	}
-}
-
 void FSpirvEmitter::EmitOutputs()
 {
 	for (const FSpirvVariable& Variable : Module.Variables)
@@ -564,7 +398,8 @@ void FSpirvEmitter::EmitOutputs()
 		for (uint32_t i = 0; i < 4; ++i)
 		{
 			const bool bWritten = i < Module.GetType(Variable.Type).NumScalars;
-			Value += (i ? ", " : "") + (bWritten ? "l" + Number(Variable.Id) + "_" + Number(i) : std::string("R(Real(0))"));
+			Value +=
+				(i ? ", " : "") + (bWritten ? "l" + Number(Variable.Id) + "_" + Number(i) : std::string("R(Real(0))"));
 		}
 		const std::string Target = Number(Variable.Location);
 		Line("if (" + Target + " < Args.NumTargets)");

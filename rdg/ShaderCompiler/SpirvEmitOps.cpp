@@ -26,6 +26,7 @@ constexpr ESpirvType Int = ESpirvType::Int;
 constexpr ESpirvType Uint = ESpirvType::Uint;
 constexpr ESpirvType Bool = ESpirvType::Bool;
 
+// clang-format off
 constexpr FEmitPattern Operations[] = {
 	{OpSNegate, "-$0", Any}, {OpFNegate, "-$0", Float},
 	{OpIAdd, "$0 + $1", Any}, {OpFAdd, "$0 + $1", Float}, {OpISub, "$0 - $1", Any}, {OpFSub, "$0 - $1", Float},
@@ -70,11 +71,13 @@ constexpr FEmitPattern Extended[] = {
 	{ExtSmoothStep, "SmoothStep($0, $1, $2)", Float}, {ExtFma, "$0 * $1 + $2", Float},
 	{ExtFindILsb, "AsUint(FindLsb($0))", Uint}, {ExtFindSMsb, "FindMsb($0)", Int}, {ExtFindUMsb, "AsUint(FindMsb($0))", Uint},
 };
+// clang-format on
 
-template <size_t Count>
+template<size_t Count>
 const FEmitPattern* FindPattern(const FEmitPattern (&Patterns)[Count], uint32_t Op)
 {
-	const auto Found = std::find_if(std::begin(Patterns), std::end(Patterns), [Op](const FEmitPattern& P) { return P.Op == Op; });
+	const auto Found =
+		std::find_if(std::begin(Patterns), std::end(Patterns), [Op](const FEmitPattern& P) { return P.Op == Op; });
 	return Found == std::end(Patterns) ? nullptr : Found;
 }
 
@@ -153,7 +156,9 @@ bool FSpirvEmitter::EmitComponentwise(const FSpirvInstruction& I)
 			const FEmitScalar B = Scalar(I.Operands[2], Index);
 			const ESpirvType Kind = Module.GetScalarKind(I.Type, Index);
 			const bool bVarying = Condition.bVarying || A.bVarying || B.bVarying;
-			Define(I.Result, Index, {"Select(" + Use(Condition) + ", " + UseAs(A, Kind, bVarying) + ", " + UseAs(B, Kind, bVarying) + ")", Kind, bVarying, -1});
+			Define(I.Result, Index,
+				{"Select(" + Use(Condition) + ", " + UseAs(A, Kind, bVarying) + ", " + UseAs(B, Kind, bVarying) + ")",
+					Kind, bVarying, -1});
 		}
 		return true;
 	case OpConvertFToU:
@@ -177,215 +182,31 @@ void FSpirvEmitter::EmitConversion(const FSpirvInstruction& I)
 		std::string Text;
 		switch (I.Op)
 		{
-		case OpConvertFToU: Text = "ToUint(" + UseAs(Source, Float, false) + ")"; break;
-		case OpConvertFToS: Text = "ToInt(" + UseAs(Source, Float, false) + ")"; break;
-		case OpConvertSToF: Text = "ToReal<Real>(" + UseAs(Source, Int, false) + ")"; break;
-		case OpConvertUToF: Text = "ToReal<Real>(" + UseAs(Source, Uint, false) + ")"; break;
+		case OpConvertFToU:
+			Text = "ToUint(" + UseAs(Source, Float, false) + ")";
+			break;
+		case OpConvertFToS:
+			Text = "ToInt(" + UseAs(Source, Float, false) + ")";
+			break;
+		case OpConvertSToF:
+			Text = "ToReal<Real>(" + UseAs(Source, Int, false) + ")";
+			break;
+		case OpConvertUToF:
+			Text = "ToReal<Real>(" + UseAs(Source, Uint, false) + ")";
+			break;
 		default:
-			Text = Kind == Source.Kind ? Use(Source) : (Kind == Float ? "AsReal<Real>(" : Kind == Int ? "AsInt(" : "AsUint(") + Use(Source) + ")";
+			Text = Kind == Source.Kind ? Use(Source)
+									   : (Kind == Float    ? "AsReal<Real>("
+											 : Kind == Int ? "AsInt("
+														   : "AsUint(") +
+											 Use(Source) + ")";
 			break;
 		}
-		const ESpirvType Made = I.Op == OpConvertFToU ? Uint : I.Op == OpConvertFToS ? Int : I.Op == OpBitcast ? Kind : Float;
+		const ESpirvType Made = I.Op == OpConvertFToU   ? Uint
+								: I.Op == OpConvertFToS ? Int
+								: I.Op == OpBitcast     ? Kind
+														: Float;
 		Define(I.Result, Index, {Text, Made, Source.bVarying, -1});
-	}
-}
-
-bool FSpirvEmitter::EmitComposite(const FSpirvInstruction& I)
-{
-	// Moves are free: the result's scalars are the sources' own, unless lanes must keep what uniform code computed.
-	std::vector<FEmitScalar> Parts;
-	switch (I.Op)
-	{
-	case OpCopyObject:
-		for (uint32_t i = 0; i < SizeOf(I.Operands[0]); ++i)
-		{
-			Parts.push_back(Scalar(I.Operands[0], i));
-		}
-		break;
-	case OpVectorShuffle:
-	{
-		const uint32_t First = SizeOf(I.Operands[0]);
-		for (size_t k = 2; k < I.Operands.size(); ++k)
-		{
-			const uint32_t From = I.Operands[k];
-			Parts.push_back(From == ~0u ? Literal(Module.GetScalarKind(I.Type, 0), 0)
-					: From < First		? Scalar(I.Operands[0], From)
-										: Scalar(I.Operands[1], From - First));
-		}
-		break;
-	}
-	case OpCompositeConstruct:
-		for (const uint32_t Operand : I.Operands)
-		{
-			for (uint32_t i = 0; i < SizeOf(Operand); ++i)
-			{
-				Parts.push_back(Scalar(Operand, i));
-			}
-		}
-		break;
-	case OpCompositeExtract:
-	case OpCompositeInsert:
-	{
-		const size_t Composite = I.Op == OpCompositeInsert ? 1 : 0;
-		uint32_t Type = Module.GetValueTypeId(I.Operands[Composite]);
-		uint32_t Offset = 0;
-		for (size_t i = Composite + 1; i < I.Operands.size(); ++i)
-		{
-			Offset += Module.GetMemberScalar(Type, I.Operands[i]);
-			Type = Module.GetMemberType(Type, I.Operands[i]);
-		}
-		const uint32_t Size = Module.GetType(Type).NumScalars;
-		for (uint32_t i = 0; i < SizeOf(I.Result); ++i)
-		{
-			const bool bPart = i >= Offset && i < Offset + Size;
-			Parts.push_back(I.Op == OpCompositeExtract ? Scalar(I.Operands[0], Offset + i)
-					: bPart							   ? Scalar(I.Operands[0], i - Offset)
-													   : Scalar(I.Operands[1], i));
-		}
-		break;
-	}
-	case OpTranspose:
-	{
-		const uint32_t Columns = Module.GetType(I.Type).Count;
-		const uint32_t Rows = SizeOf(I.Result) / Columns;
-		for (uint32_t i = 0; i < SizeOf(I.Result); ++i)
-		{
-			Parts.push_back(Scalar(I.Operands[0], (i % Rows) * Columns + i / Rows));
-		}
-		break;
-	}
-	case OpVectorExtractDynamic:
-	{
-		const uint32_t Count = SizeOf(I.Operands[0]);
-		const FEmitScalar Index = Scalar(I.Operands[1], 0);
-		const ESpirvType Kind = Module.GetScalarKind(I.Type, 0);
-		bool bVarying = Index.bVarying;
-		for (uint32_t i = 0; i < Count; ++i)
-		{
-			bVarying = bVarying || Scalar(I.Operands[0], i).bVarying;
-		}
-		std::string Text = UseAs(Scalar(I.Operands[0], Count - 1), Kind, bVarying);
-		for (uint32_t i = Count - 1; i-- > 0;)
-		{
-			Text = "Select(" + Use(Index) + " == " + Literal(Index.Kind, i).Text + ", " + UseAs(Scalar(I.Operands[0], i), Kind, bVarying) + ", " + Text + ")";
-		}
-		Define(I.Result, 0, {Text, Kind, bVarying, -1});
-		return true;
-	}
-	case OpVectorInsertDynamic:
-		for (uint32_t i = 0; i < SizeOf(I.Result); ++i)
-		{
-			const FEmitScalar Index = Scalar(I.Operands[2], 0);
-			const FEmitScalar New = Scalar(I.Operands[1], 0);
-			const FEmitScalar Old = Scalar(I.Operands[0], i);
-			const ESpirvType Kind = Module.GetScalarKind(I.Type, i);
-			const bool bVarying = Index.bVarying || New.bVarying || Old.bVarying;
-			const std::string Condition = Use(Index) + " == " + Literal(Index.Kind, i).Text;
-			Define(I.Result, i, {"Select(" + Condition + ", " + UseAs(New, Kind, bVarying) + ", " + UseAs(Old, Kind, bVarying) + ")", Kind, bVarying, -1});
-		}
-		return true;
-	default:
-		return false;
-	}
-	for (uint32_t i = 0; i < Parts.size(); ++i)
-	{
-		if (Uniformity.IsVarying(I.Result, i) && !Parts[i].bVarying)
-		{
-			Define(I.Result, i, Parts[i]);
-			continue;
-		}
-		std::vector<FEmitScalar>& List = Values[I.Result];
-		List.resize(std::max<size_t>(List.size(), i + 1));
-		List[i] = Parts[i];
-	}
-	return true;
-}
-
-bool FSpirvEmitter::EmitMatrix(const FSpirvInstruction& I)
-{
-	struct FTerm
-	{
-		FEmitScalar A;
-		FEmitScalar B;
-	};
-	// Sums run in ascending order, as Dot and Mul of the lanes do.
-	const auto Sum = [this, &I](uint32_t Index, const std::vector<FTerm>& Terms)
-	{
-		std::string Text;
-		bool bVarying = false;
-		for (const FTerm& Term : Terms)
-		{
-			Text += std::string(Text.empty() ? "" : " + ") + Use(Term.A) + " * " + Use(Term.B);
-			bVarying = bVarying || Term.A.bVarying || Term.B.bVarying;
-		}
-		Define(I.Result, Index, {Text, Float, bVarying, -1});
-	};
-	const uint32_t Size = SizeOf(I.Result);
-	switch (I.Op)
-	{
-	case OpVectorTimesScalar:
-	case OpMatrixTimesScalar:
-		for (uint32_t i = 0; i < Size; ++i)
-		{
-			Sum(i, {{Scalar(I.Operands[0], i), Scalar(I.Operands[1], 0)}});
-		}
-		return true;
-	case OpDot:
-	case OpVectorTimesMatrix:
-	{
-		const uint32_t Rows = SizeOf(I.Operands[0]);
-		for (uint32_t Column = 0; Column < Size; ++Column)
-		{
-			std::vector<FTerm> Terms;
-			for (uint32_t Row = 0; Row < Rows; ++Row)
-			{
-				Terms.push_back({Scalar(I.Operands[0], Row), Scalar(I.Operands[1], Column * Rows + Row)});
-			}
-			Sum(Column, Terms);
-		}
-		return true;
-	}
-	case OpMatrixTimesVector:
-	case OpMatrixTimesMatrix:
-	{
-		const uint32_t Inner = Module.GetValueType(I.Operands[0]).Count;
-		const uint32_t Rows = SizeOf(I.Operands[0]) / Inner;
-		for (uint32_t i = 0; i < Size; ++i)
-		{
-			std::vector<FTerm> Terms;
-			for (uint32_t k = 0; k < Inner; ++k)
-			{
-				Terms.push_back({Scalar(I.Operands[0], k * Rows + i % Rows), Scalar(I.Operands[1], i / Rows * Inner + k)});
-			}
-			Sum(i, Terms);
-		}
-		return true;
-	}
-	case OpOuterProduct:
-	{
-		const uint32_t Rows = SizeOf(I.Operands[0]);
-		for (uint32_t i = 0; i < Size; ++i)
-		{
-			Sum(i, {{Scalar(I.Operands[0], i % Rows), Scalar(I.Operands[1], i / Rows)}});
-		}
-		return true;
-	}
-	case OpAny:
-	case OpAll:
-	{
-		std::string Text;
-		bool bVarying = false;
-		for (uint32_t i = 0; i < SizeOf(I.Operands[0]); ++i)
-		{
-			const FEmitScalar Part = Scalar(I.Operands[0], i);
-			Text += std::string(Text.empty() ? "" : I.Op == OpAny ? " || " : " && ") + Use(Part);
-			bVarying = bVarying || Part.bVarying;
-		}
-		Define(I.Result, 0, {Text, Bool, bVarying, -1});
-		return true;
-	}
-	default:
-		return false;
 	}
 }
 
@@ -425,7 +246,8 @@ void FSpirvEmitter::EmitExtended(const FSpirvInstruction& I)
 		Line("const auto " + Temporary + " = " + Expression + ";");
 		for (uint32_t i = 0; i < Size; ++i)
 		{
-			Define(I.Result, i, {Size == 1 ? Temporary : Temporary + "[" + std::to_string(i) + "]", Float, bVarying, -1});
+			Define(
+				I.Result, i, {Size == 1 ? Temporary : Temporary + "[" + std::to_string(i) + "]", Float, bVarying, -1});
 		}
 	};
 	const bool bScalar = SizeOf(I.Operands[2]) == 1;
@@ -435,7 +257,8 @@ void FSpirvEmitter::EmitExtended(const FSpirvInstruction& I)
 		DefineComponents((bScalar ? "Abs(" : "Length(") + Vector(2) + ")");
 		break;
 	case ExtDistance:
-		DefineComponents(bScalar ? "Abs(" + Vector(2) + " - " + Vector(3) + ")" : "Distance(" + Vector(2) + ", " + Vector(3) + ")");
+		DefineComponents(
+			bScalar ? "Abs(" + Vector(2) + " - " + Vector(3) + ")" : "Distance(" + Vector(2) + ", " + Vector(3) + ")");
 		break;
 	case ExtCross:
 		DefineComponents("Cross(" + Vector(2) + ", " + Vector(3) + ")");
@@ -450,9 +273,9 @@ void FSpirvEmitter::EmitExtended(const FSpirvInstruction& I)
 		{
 			Module.Fail("reflect, refract and faceforward want vectors on the CPU tier", &I);
 		}
-		DefineComponents(Ext == ExtReflect ? "Reflect(" + Vector(2) + ", " + Vector(3) + ")"
-				: Ext == ExtRefract		   ? "Refract(" + Vector(2) + ", " + Vector(3) + ", " + Vector(4) + ")"
-										   : "FaceForward(" + Vector(2) + ", " + Vector(3) + ", " + Vector(4) + ")");
+		DefineComponents(Ext == ExtReflect   ? "Reflect(" + Vector(2) + ", " + Vector(3) + ")"
+						 : Ext == ExtRefract ? "Refract(" + Vector(2) + ", " + Vector(3) + ", " + Vector(4) + ")"
+											 : "FaceForward(" + Vector(2) + ", " + Vector(3) + ", " + Vector(4) + ")");
 		break;
 	case ExtDeterminant:
 	{
@@ -476,7 +299,8 @@ void FSpirvEmitter::EmitExtended(const FSpirvInstruction& I)
 		Define(I.Result, 0, {"PackHalf2(" + Vector(2) + ")", Uint, bVarying, -1});
 		break;
 	case ExtUnpackHalf2x16:
-		Line("const auto " + Temporary + " = UnpackHalf2<Real>(" + UseAs(Scalar(I.Operands[2], 0), Uint, bVarying) + ");");
+		Line("const auto " + Temporary + " = UnpackHalf2<Real>(" + UseAs(Scalar(I.Operands[2], 0), Uint, bVarying) +
+			 ");");
 		for (uint32_t i = 0; i < 2; ++i)
 		{
 			Define(I.Result, i, {Temporary + "[" + std::to_string(i) + "]", Float, bVarying, -1});
@@ -489,8 +313,9 @@ void FSpirvEmitter::EmitExtended(const FSpirvInstruction& I)
 			const FEmitScalar Value = Scalar(I.Operands[2], i);
 			const FEmitScalar Exponent = Scalar(I.Operands[3], i);
 			const bool bOne = Value.bVarying || Exponent.bVarying;
-			const std::string Text = Exponent.Kind == Float ? Use(Value) + " * Exp2(" + Use(Exponent) + ")"
-				: "Ldexp(" + UseAs(Value, Float, bOne) + ", " + UseAs(Exponent, Int, bOne) + ")";
+			const std::string Text =
+				Exponent.Kind == Float ? Use(Value) + " * Exp2(" + Use(Exponent) + ")"
+									   : "Ldexp(" + UseAs(Value, Float, bOne) + ", " + UseAs(Exponent, Int, bOne) + ")";
 			Define(I.Result, i, {Text, Float, bOne, -1});
 		}
 		break;

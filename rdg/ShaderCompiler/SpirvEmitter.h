@@ -1,5 +1,6 @@
 // The emitter's state and its parts: SpirvEmit.cpp (module), SpirvEmitFlow.cpp (control flow and masks),
-// SpirvEmitOps.cpp (arithmetic), SpirvEmitMemory.cpp (variables, buffers, textures).
+// SpirvEmitOps.cpp (arithmetic), SpirvEmitComposites.cpp, SpirvEmitMemory.cpp (variables, buffers),
+// SpirvEmitImages.cpp.
 //
 // Values are single scalars: `const R v12_0 = v9_1 * v7_0;`. Moves between components cost no code at all. A scalar is
 // uniform (Real, int32_t, uint32_t, bool) or varying (R, I, U, M); C++ overloads do the rest. `e` is the mask of lanes
@@ -84,7 +85,8 @@ private:
 	FSpirvPlace Resolve(uint32_t Pointer) const;
 	std::string HandleOf(uint32_t Id) const;
 	const FSpirvType& ImageTypeOf(uint32_t Id) const;
-	std::string Coordinates(const FSpirvInstruction& I, size_t Operand, uint32_t Count, bool bReal, size_t OffsetOperand);
+	std::string Coordinates(
+		const FSpirvInstruction& I, size_t Operand, uint32_t Count, bool bReal, size_t OffsetOperand);
 	void DeclareVariables();
 	void EmitOutputs();
 

@@ -21,7 +21,10 @@ uint32_t RoundUp(uint32_t Value, uint32_t Multiple)
 class FLayout
 {
 public:
-	explicit FLayout(FSpirvModule& InModule) : Module(InModule) {}
+	explicit FLayout(FSpirvModule& InModule)
+		: Module(InModule)
+	{
+	}
 
 	void Apply(uint32_t Type, bool bTight)
 	{
@@ -70,7 +73,8 @@ private:
 				if (!bTightPacking)
 				{
 					const ESpirvType Kind = Module.GetType(Member.Type).Kind;
-					const bool bOwnRegister = Kind == ESpirvType::Struct || Kind == ESpirvType::Array || Kind == ESpirvType::Matrix;
+					const bool bOwnRegister =
+						Kind == ESpirvType::Struct || Kind == ESpirvType::Array || Kind == ESpirvType::Matrix;
 					const bool bCrosses = End % Register + Size > Register;
 					End = bOwnRegister || bCrosses ? RoundUp(End, Register) : End;
 				}
@@ -108,7 +112,8 @@ void ApplyD3DLayout(FSpirvModule& Module)
 	for (const FSpirvVariable& Variable : Module.Variables)
 	{
 		const FSpirvType& Type = Module.GetType(Variable.Type);
-		if ((Variable.Storage == StorageUniform || Variable.Storage == StorageStorageBuffer) && Type.Kind == ESpirvType::Struct)
+		if ((Variable.Storage == StorageUniform || Variable.Storage == StorageStorageBuffer) &&
+			Type.Kind == ESpirvType::Struct)
 		{
 			Layout.Apply(Variable.Type, Type.bBufferBlock);
 		}

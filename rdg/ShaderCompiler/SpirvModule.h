@@ -1,5 +1,6 @@
 // A SPIR-V module read into plain structs: the one input of reflection, emitter and interpreter. The reader trusts
-// nothing: any sequence of words gives either a module whose ids, types and operand counts fit together, or FSpirvError.
+// nothing: any sequence of words gives either a module whose ids, types and operand counts fit together, or
+// FSpirvError.
 //
 // Every numeric type is a flat row of 32-bit scalars (a float3x3 is nine, column by column as SPIR-V counts columns; a
 // struct its members one after the other), so later stages think in scalars only. Source: drydock.
@@ -17,7 +18,8 @@
 namespace Drydock
 {
 
-/** A module that cannot be used: garbage, or something the CPU tier does not do. File and Line are the .usf's where known. */
+/** A module that cannot be used: garbage, or something the CPU tier does not do. File and Line are the .usf's where
+ * known. */
 class DRYDOCK_API FSpirvError : public std::runtime_error
 {
 public:
@@ -30,7 +32,22 @@ public:
 
 enum class ESpirvType : uint8_t
 {
-	None, Void, Bool, Int, Uint, Float, Vector, Matrix, Array, RuntimeArray, Struct, Pointer, Image, Sampler, SampledImage, Function
+	None,
+	Void,
+	Bool,
+	Int,
+	Uint,
+	Float,
+	Vector,
+	Matrix,
+	Array,
+	RuntimeArray,
+	Struct,
+	Pointer,
+	Image,
+	Sampler,
+	SampledImage,
+	Function
 };
 
 struct FSpirvMember
@@ -46,7 +63,8 @@ struct FSpirvMember
 struct FSpirvType
 {
 	ESpirvType Kind = ESpirvType::None;
-	uint32_t Element = 0;     // vector: scalar, matrix: column, array: element, pointer: pointee, image: texel, sampled image: image
+	uint32_t Element =
+		0; // vector: scalar, matrix: column, array: element, pointer: pointee, image: texel, sampled image: image
 	uint32_t Count = 0;       // components, columns, elements
 	uint32_t Storage = 0;     // pointer
 	uint32_t ArrayStride = 0; // bytes
@@ -109,9 +127,9 @@ struct FSpirvModule
 	uint32_t LocalSize[3] = {1, 1, 1};
 	std::unordered_map<uint32_t, FSpirvType> Types;
 	std::unordered_map<uint32_t, FSpirvConstant> Constants;
-	std::vector<FSpirvVariable> Variables; // module scope first, then the function's
-	std::vector<std::string> Files;        // Files[0] is empty
-	std::vector<FSpirvBlock> Blocks;       // the entry function; Blocks[0] is its first block
+	std::vector<FSpirvVariable> Variables;                // module scope first, then the function's
+	std::vector<std::string> Files;                       // Files[0] is empty
+	std::vector<FSpirvBlock> Blocks;                      // the entry function; Blocks[0] is its first block
 	std::unordered_map<uint32_t, uint32_t> BlockIndex;    // label -> index
 	std::unordered_map<uint32_t, uint32_t> VariableIndex; // id -> index
 	std::unordered_map<uint32_t, uint32_t> ValueTypes;    // id of a constant, variable or result -> type
@@ -123,7 +141,7 @@ struct FSpirvModule
 	const FSpirvBlock& GetBlock(uint32_t Label) const;
 	const FSpirvVariable* FindVariable(uint32_t Id) const;
 	const FSpirvConstant* FindConstant(uint32_t Id) const;
-	uint32_t GetConstantScalar(uint32_t Id) const;              // throws when Id is not a scalar constant
+	uint32_t GetConstantScalar(uint32_t Id) const;                  // throws when Id is not a scalar constant
 	ESpirvType GetScalarKind(uint32_t Type, uint32_t Scalar) const; // Bool, Int, Uint or Float of one flattened scalar
 	uint32_t GetMemberScalar(uint32_t Type, uint32_t Index) const;  // flattened position of a member or element
 	uint32_t GetMemberType(uint32_t Type, uint32_t Index) const;

@@ -7,6 +7,7 @@
 namespace Drydock::Spirv
 {
 
+// clang-format off
 enum EOp : uint16_t
 {
 	OpNop = 0, OpUndef = 1, OpSourceContinued = 2, OpSource = 3, OpSourceExtension = 4, OpName = 5, OpMemberName = 6,
@@ -85,6 +86,7 @@ enum EImageOperand : uint32_t
 {
 	ImageBias = 1, ImageLod = 2, ImageGrad = 4, ImageConstOffset = 8, ImageOffset = 16, ImageSample = 64
 };
+// clang-format on
 
 constexpr uint32_t Magic = 0x07230203;
 constexpr uint32_t ExecutionModeLocalSize = 17;

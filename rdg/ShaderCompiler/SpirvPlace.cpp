@@ -11,7 +11,8 @@ using namespace Spirv;
 namespace
 {
 
-void AppendOffsets(const FSpirvModule& Module, uint32_t TypeId, uint32_t Offset, uint32_t MatrixStride, bool bRowMajor, uint32_t ComponentStride, std::vector<uint32_t>& Result)
+void AppendOffsets(const FSpirvModule& Module, uint32_t TypeId, uint32_t Offset, uint32_t MatrixStride, bool bRowMajor,
+	uint32_t ComponentStride, std::vector<uint32_t>& Result)
 {
 	const FSpirvType& Type = Module.GetType(TypeId);
 	switch (Type.Kind)
@@ -25,7 +26,8 @@ void AppendOffsets(const FSpirvModule& Module, uint32_t TypeId, uint32_t Offset,
 	case ESpirvType::Matrix:
 		for (uint32_t i = 0; i < Type.Count; ++i)
 		{
-			AppendOffsets(Module, Type.Element, Offset + i * (bRowMajor ? 4 : MatrixStride), 0, false, bRowMajor ? MatrixStride : 4, Result);
+			AppendOffsets(Module, Type.Element, Offset + i * (bRowMajor ? 4 : MatrixStride), 0, false,
+				bRowMajor ? MatrixStride : 4, Result);
 		}
 		break;
 	case ESpirvType::Array:
@@ -37,7 +39,8 @@ void AppendOffsets(const FSpirvModule& Module, uint32_t TypeId, uint32_t Offset,
 	case ESpirvType::Struct:
 		for (const FSpirvMember& Member : Type.Members)
 		{
-			AppendOffsets(Module, Member.Type, Offset + Member.Offset, Member.MatrixStride, Member.bRowMajor, 4, Result);
+			AppendOffsets(
+				Module, Member.Type, Offset + Member.Offset, Member.MatrixStride, Member.bRowMajor, 4, Result);
 		}
 		break;
 	default:

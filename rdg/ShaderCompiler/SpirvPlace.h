@@ -31,6 +31,7 @@ struct FSpirvPlace
 FSpirvPlace ResolvePlace(const FSpirvModule& Module, uint32_t Pointer, const FSpirvInstruction* Chain);
 
 /** Byte offsets of the scalars of a type that lies in a buffer. */
-std::vector<uint32_t> GetScalarOffsets(const FSpirvModule& Module, uint32_t Type, uint32_t MatrixStride, bool bRowMajor);
+std::vector<uint32_t> GetScalarOffsets(
+	const FSpirvModule& Module, uint32_t Type, uint32_t MatrixStride, bool bRowMajor);
 
 } // namespace Drydock

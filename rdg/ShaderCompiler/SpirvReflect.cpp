@@ -20,10 +20,14 @@ EShaderScalar ToShaderScalar(ESpirvType Kind)
 {
 	switch (Kind)
 	{
-	case ESpirvType::Int: return EShaderScalar::Int;
-	case ESpirvType::Uint: return EShaderScalar::Uint;
-	case ESpirvType::Bool: return EShaderScalar::Bool;
-	default: return EShaderScalar::Float;
+	case ESpirvType::Int:
+		return EShaderScalar::Int;
+	case ESpirvType::Uint:
+		return EShaderScalar::Uint;
+	case ESpirvType::Bool:
+		return EShaderScalar::Bool;
+	default:
+		return EShaderScalar::Float;
 	}
 }
 
@@ -53,7 +57,8 @@ private:
 	void AddInput(const FSpirvVariable& Variable);
 	void AddOutput(const FSpirvVariable& Variable);
 	void AddConstantBuffer(const FSpirvVariable& Variable);
-	void AddConstant(const FSpirvVariable& Variable, uint32_t Buffer, const FSpirvMember& Member, const std::string& Name, uint32_t Offset, const std::string& Where, bool bUsed);
+	void AddConstant(const FSpirvVariable& Variable, uint32_t Buffer, const FSpirvMember& Member,
+		const std::string& Name, uint32_t Offset, const std::string& Where, bool bUsed);
 	void AddStorageBuffer(const FSpirvVariable& Variable);
 	void AddHandle(const FSpirvVariable& Variable);
 	void Add(std::vector<FShaderResource>& List, const FSpirvVariable& Variable, FShaderResource Resource)
@@ -62,15 +67,18 @@ private:
 		Resource.Where = Uses[Variable.Id];
 		List.push_back(std::move(Resource));
 	}
-	std::string Where(const FSpirvInstruction& I) const { return I.Line ? Module.Files[I.File] + ":" + std::to_string(I.Line) : std::string(); }
+	std::string Where(const FSpirvInstruction& I) const
+	{
+		return I.Line ? Module.Files[I.File] + ":" + std::to_string(I.Line) : std::string();
+	}
 	bool IsDeclaredAs(const std::string& Type, const std::string& Name) const;
 
 	const FSpirvModule& Module;
 	const FSpirvStructure& Structure;
 	const std::string& Source;
 	FSpirvReflection Result;
-	std::map<uint32_t, std::string> Uses;                              // variable -> first place that uses it
-	std::map<std::pair<uint32_t, uint32_t>, std::string> MemberUses;   // variable, member
+	std::map<uint32_t, std::string> Uses;                            // variable -> first place that uses it
+	std::map<std::pair<uint32_t, uint32_t>, std::string> MemberUses; // variable, member
 };
 
 void FReflector::FindUses()
@@ -105,7 +113,10 @@ void FReflector::FindUses()
 
 bool FReflector::IsDeclaredAs(const std::string& Type, const std::string& Name) const
 {
-	const auto IsWord = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+	const auto IsWord = [](char c)
+	{
+		return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+	};
 	for (size_t At = Source.find(Type); At != std::string::npos; At = Source.find(Type, At + 1))
 	{
 		size_t Next = At + Type.size();
@@ -114,8 +125,8 @@ bool FReflector::IsDeclaredAs(const std::string& Type, const std::string& Name) 
 			continue;
 		}
 		Next = Source.find_first_not_of(" \t\n", Next);
-		if (Next != std::string::npos && Source.compare(Next, Name.size(), Name) == 0
-			&& (Next + Name.size() >= Source.size() || !IsWord(Source[Next + Name.size()])))
+		if (Next != std::string::npos && Source.compare(Next, Name.size(), Name) == 0 &&
+			(Next + Name.size() >= Source.size() || !IsWord(Source[Next + Name.size()])))
 		{
 			return true;
 		}
@@ -132,7 +143,8 @@ void FReflector::AddInput(const FSpirvVariable& Variable)
 		const int32_t Index = GetTexCoordIndex(Variable.Semantic);
 		if (Index < 0)
 		{
-			Module.Fail("pixel input '" + Variable.Name + "' has the semantic " + Variable.Semantic + ", which no pass fills; use SV_POSITION or TEXCOORDn");
+			Module.Fail("pixel input '" + Variable.Name + "' has the semantic " + Variable.Semantic +
+						", which no pass fills; use SV_POSITION or TEXCOORDn");
 		}
 		Result.Reflection.NumInterpolants = std::max(Result.Reflection.NumInterpolants, Index + 1);
 		return;
@@ -152,16 +164,18 @@ void FReflector::AddInput(const FSpirvVariable& Variable)
 void FReflector::AddOutput(const FSpirvVariable& Variable)
 {
 	const FSpirvType& Type = Module.GetType(Variable.Type);
-	const bool bColor = Variable.BuiltIn == BuiltInNone && Type.NumScalars <= 4 && Variable.Location < 8
-		&& Module.GetScalarKind(Variable.Type, 0) == ESpirvType::Float;
+	const bool bColor = Variable.BuiltIn == BuiltInNone && Type.NumScalars <= 4 && Variable.Location < 8 &&
+						Module.GetScalarKind(Variable.Type, 0) == ESpirvType::Float;
 	if (!bColor)
 	{
-		Module.Fail("pixel output '" + Variable.Name + "' (" + Variable.Semantic + ") is not supported on the CPU tier; outputs are float colours to SV_Target0..7");
+		Module.Fail("pixel output '" + Variable.Name + "' (" + Variable.Semantic +
+					") is not supported on the CPU tier; outputs are float colours to SV_Target0..7");
 	}
 	Result.Reflection.NumTargets = std::max(Result.Reflection.NumTargets, int32_t(Variable.Location) + 1);
 }
 
-void FReflector::AddConstant(const FSpirvVariable& Variable, uint32_t Buffer, const FSpirvMember& Member, const std::string& Name, uint32_t Offset, const std::string& Where, bool bUsed)
+void FReflector::AddConstant(const FSpirvVariable& Variable, uint32_t Buffer, const FSpirvMember& Member,
+	const std::string& Name, uint32_t Offset, const std::string& Where, bool bUsed)
 {
 	const FSpirvType* Type = &Module.GetType(Member.Type);
 	if (Type->Kind == ESpirvType::Struct)
@@ -182,7 +196,8 @@ void FReflector::AddConstant(const FSpirvVariable& Variable, uint32_t Buffer, co
 			{
 				FSpirvMember One = Member;
 				One.Type = Type->Element;
-				AddConstant(Variable, Buffer, One, Name + "[" + std::to_string(i) + "]", Offset + i * Type->ArrayStride, Where, bUsed);
+				AddConstant(Variable, Buffer, One, Name + "[" + std::to_string(i) + "]", Offset + i * Type->ArrayStride,
+					Where, bUsed);
 			}
 			return;
 		}
@@ -229,10 +244,12 @@ void FReflector::AddConstantBuffer(const FSpirvVariable& Variable)
 			Size = std::max(Size, Member.Offset + Offset + 4);
 		}
 		const auto Use = MemberUses.find({Variable.Id, i});
-		AddConstant(Variable, Buffer, Member, Member.Name, Member.Offset, Use == MemberUses.end() ? std::string() : Use->second, Use != MemberUses.end());
+		AddConstant(Variable, Buffer, Member, Member.Name, Member.Offset,
+			Use == MemberUses.end() ? std::string() : Use->second, Use != MemberUses.end());
 	}
 	Result.Slots[Variable.Id] = Buffer;
-	Reflection.ConstantBuffers.push_back({Type.Name == "$Global" || Type.Name == "$Globals" ? "$Global" : Type.Name, (Size + 15) / 16 * 16});
+	Reflection.ConstantBuffers.push_back(
+		{Type.Name == "$Global" || Type.Name == "$Globals" ? "$Global" : Type.Name, (Size + 15) / 16 * 16});
 }
 
 void FReflector::AddStorageBuffer(const FSpirvVariable& Variable)
@@ -240,7 +257,8 @@ void FReflector::AddStorageBuffer(const FSpirvVariable& Variable)
 	const FSpirvType& Type = Module.GetType(Variable.Type);
 	if (Type.Members.size() != 1 || Module.GetType(Type.Members[0].Type).Kind != ESpirvType::RuntimeArray)
 	{
-		Module.Fail("buffer '" + Variable.Name + "' is of a kind that the CPU tier does not know (append and consume buffers are not supported)");
+		Module.Fail("buffer '" + Variable.Name +
+					"' is of a kind that the CPU tier does not know (append and consume buffers are not supported)");
 	}
 	const FSpirvType& Array = Module.GetType(Type.Members[0].Type);
 	FShaderResource Resource;
@@ -266,18 +284,23 @@ void FReflector::AddHandle(const FSpirvVariable& Variable)
 	}
 	if (Type.Kind != ESpirvType::Image)
 	{
-		Module.Fail("'" + Variable.Name + "' is an array of textures or samplers, which the CPU tier does not support; declare them one by one");
+		Module.Fail(
+			"'" + Variable.Name +
+			"' is an array of textures or samplers, which the CPU tier does not support; declare them one by one");
 	}
 	Resource.Scalar = ToShaderScalar(Module.GetType(Type.Element).Kind);
 	Resource.NumComponents = GetFormatComponents(Type.Format);
 	Resource.Dimension = Type.Dim == DimBuffer ? EShaderDimension::TypedBuffer
-		: Type.Dim == Dim3D ? EShaderDimension::Texture3D
-		: Type.Dim == DimCube ? EShaderDimension::TextureCube
-		: Type.bArrayed ? EShaderDimension::Texture2DArray
-						: EShaderDimension::Texture2D;
+						 : Type.Dim == Dim3D   ? EShaderDimension::Texture3D
+						 : Type.Dim == DimCube ? EShaderDimension::TextureCube
+						 : Type.bArrayed       ? EShaderDimension::Texture2DArray
+											   : EShaderDimension::Texture2D;
 	FShaderReflection& R = Result.Reflection;
 	const bool bBuffer = Type.Dim == DimBuffer;
-	Add(bBuffer ? (Type.bStorageImage ? R.RWBuffers : R.Buffers) : Type.bStorageImage ? R.RWTextures : R.Textures, Variable, std::move(Resource));
+	Add(bBuffer              ? (Type.bStorageImage ? R.RWBuffers : R.Buffers)
+		: Type.bStorageImage ? R.RWTextures
+							 : R.Textures,
+		Variable, std::move(Resource));
 }
 
 FSpirvReflection FReflector::Run()

@@ -17,7 +17,8 @@ struct FSpirvReflection
 
 /** Source is the flattened HLSL: SPIR-V does not tell a ByteAddressBuffer from a StructuredBuffer<uint>. Throws
  *  FSpirvError for inputs and outputs that no pass of a CPU frame has. */
-DRYDOCK_API FSpirvReflection ReflectSpirv(const FSpirvModule& Module, const FSpirvStructure& Structure, const std::string& Source);
+DRYDOCK_API FSpirvReflection ReflectSpirv(
+	const FSpirvModule& Module, const FSpirvStructure& Structure, const std::string& Source);
 
 /** Texture samples and loads that every thread makes; -1 when that depends on the thread or on parameters. */
 int32_t CountStaticSamples(const FSpirvModule& Module, const FSpirvStructure& Structure);

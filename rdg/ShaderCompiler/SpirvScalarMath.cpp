@@ -70,6 +70,7 @@ bool EvaluateOperation(uint16_t Op, const uint32_t* Operands, uint32_t& Result)
 	const float Y = ToFloat(B);
 	const int32_t I = int32_t(A);
 	const int32_t J = int32_t(B);
+	// clang-format off
 	switch (Op)
 	{
 	case OpCopyObject: case OpBitcast: Result = A; return true;
@@ -138,6 +139,7 @@ bool EvaluateOperation(uint16_t Op, const uint32_t* Operands, uint32_t& Result)
 	default:
 		return false;
 	}
+	// clang-format on
 }
 
 bool EvaluateExtended(uint32_t Ext, const uint32_t* Operands, uint32_t& Result)
@@ -153,6 +155,7 @@ bool EvaluateExtended(uint32_t Ext, const uint32_t* Operands, uint32_t& Result)
 		Result = ToBits(Value);
 		return true;
 	};
+	// clang-format off
 	switch (Ext)
 	{
 	case ExtRound: case ExtRoundEven: return Real(std::nearbyint(X));
@@ -218,6 +221,7 @@ bool EvaluateExtended(uint32_t Ext, const uint32_t* Operands, uint32_t& Result)
 	default:
 		return false;
 	}
+	// clang-format on
 }
 
 } // namespace Drydock

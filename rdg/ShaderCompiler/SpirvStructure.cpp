@@ -18,7 +18,10 @@ constexpr int MaxNesting = 200;
 class FBuilder
 {
 public:
-	explicit FBuilder(const FSpirvModule& InModule) : Module(InModule) {}
+	explicit FBuilder(const FSpirvModule& InModule)
+		: Module(InModule)
+	{
+	}
 
 	FSpirvStructure Build()
 	{
@@ -100,7 +103,9 @@ uint32_t FBuilder::AddBlock(FStructRegion& Region, uint32_t Label)
 	const FSpirvBlock& Block = Module.GetBlock(Label);
 	if (!Visited.insert(Label).second)
 	{
-		Module.Fail("SPIR-V: control flow is not structured (block " + std::to_string(Label) + " is entered from two places)", &Block.Terminator());
+		Module.Fail(
+			"SPIR-V: control flow is not structured (block " + std::to_string(Label) + " is entered from two places)",
+			&Block.Terminator());
 	}
 	HeaderBeingBuilt = 0;
 	FStructNode Node;
@@ -208,7 +213,8 @@ uint32_t FBuilder::AddSwitch(FStructRegion& Region, const FSpirvBlock& Block)
 
 	const auto CaseOf = [&Node](uint32_t Label) -> FStructCase&
 	{
-		const auto Known = std::find_if(Node.Cases.begin(), Node.Cases.end(), [Label](const FStructCase& Case) { return Case.Label == Label; });
+		const auto Known = std::find_if(
+			Node.Cases.begin(), Node.Cases.end(), [Label](const FStructCase& Case) { return Case.Label == Label; });
 		if (Known != Node.Cases.end())
 		{
 			return *Known;
@@ -269,7 +275,8 @@ uint32_t FBuilder::AddSwitch(FStructRegion& Region, const FSpirvBlock& Block)
 			bool bReady = !Placed[i];
 			for (size_t k = 0; bReady && k < Node.Cases.size(); ++k)
 			{
-				bReady = Placed[k] || k == i || Node.Cases[i].Label == Block.Merge || !FallsInto[k].count(Node.Cases[i].Label);
+				bReady = Placed[k] || k == i || Node.Cases[i].Label == Block.Merge ||
+						 !FallsInto[k].count(Node.Cases[i].Label);
 			}
 			if (bReady)
 			{

@@ -61,8 +61,9 @@ struct FOpenLabel
 struct FSpirvStructure
 {
 	FStructRegion Root;
-	std::map<uint32_t, std::vector<FOpenLabel>> OpenLabels; // block -> from the outermost inwards, as seen by its terminator
-	std::map<uint32_t, std::vector<uint32_t>> Loops;        // block -> headers of the loops around it, outermost first
+	std::map<uint32_t, std::vector<FOpenLabel>>
+		OpenLabels;                                  // block -> from the outermost inwards, as seen by its terminator
+	std::map<uint32_t, std::vector<uint32_t>> Loops; // block -> headers of the loops around it, outermost first
 };
 
 /** Throws FSpirvError when the control flow is not structured. */

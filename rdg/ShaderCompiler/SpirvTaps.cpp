@@ -24,7 +24,8 @@ int32_t Add(int32_t A, int32_t B)
 class FCounter
 {
 public:
-	explicit FCounter(const FSpirvModule& InModule) : Module(InModule)
+	explicit FCounter(const FSpirvModule& InModule)
+		: Module(InModule)
 	{
 		for (const FSpirvBlock& Block : Module.Blocks)
 		{
@@ -68,7 +69,8 @@ bool FCounter::LeavesEarly(const FStructRegion& Region, const std::set<uint32_t>
 {
 	for (const FStructNode& Node : Region.Nodes)
 	{
-		if ((Node.Kind == EStructNode::Edge && Node.bJump && !Inside.count(Node.To)) || Node.Kind == EStructNode::Return || Node.Kind == EStructNode::Kill)
+		if ((Node.Kind == EStructNode::Edge && Node.bJump && !Inside.count(Node.To)) ||
+			Node.Kind == EStructNode::Return || Node.Kind == EStructNode::Kill)
 		{
 			return true;
 		}
@@ -116,7 +118,8 @@ std::optional<int64_t> FCounter::GetTrips(const FStructNode& Loop) const
 		{
 			Start = Module.FindConstant(Value);
 		}
-		else if (Next != Definitions.end() && Next->second->Op == OpIAdd && Next->second->Operands[0] == Phi->first && Module.FindConstant(Next->second->Operands[1]))
+		else if (Next != Definitions.end() && Next->second->Op == OpIAdd && Next->second->Operands[0] == Phi->first &&
+				 Module.FindConstant(Next->second->Operands[1]))
 		{
 			Step = int32_t(Module.GetConstantScalar(Next->second->Operands[1]));
 		}
@@ -125,13 +128,18 @@ std::optional<int64_t> FCounter::GetTrips(const FStructNode& Loop) const
 	{
 		return {};
 	}
-	const bool bSigned = Test.Op == OpSLessThan || Test.Op == OpSLessThanEqual || Test.Op == OpSGreaterThan || Test.Op == OpSGreaterThanEqual;
-	const auto Widen = [bSigned](uint32_t Bits) { return bSigned ? int64_t(int32_t(Bits)) : int64_t(Bits); };
+	const bool bSigned = Test.Op == OpSLessThan || Test.Op == OpSLessThanEqual || Test.Op == OpSGreaterThan ||
+						 Test.Op == OpSGreaterThanEqual;
+	const auto Widen = [bSigned](uint32_t Bits)
+	{
+		return bSigned ? int64_t(int32_t(Bits)) : int64_t(Bits);
+	};
 	const int64_t End = Widen(Bound->Scalars[0]);
 	int64_t Trips = 0;
 	for (int64_t i = Widen(Start->Scalars[0]); Trips <= MaxTrips; i += *Step, ++Trips)
 	{
 		bool bGoOn = false;
+		// clang-format off
 		switch (Test.Op)
 		{
 		case OpSLessThan: case OpULessThan: bGoOn = i < End; break;
@@ -141,6 +149,7 @@ std::optional<int64_t> FCounter::GetTrips(const FStructNode& Loop) const
 		case OpINotEqual: bGoOn = i != End; break;
 		default: return {};
 		}
+		// clang-format on
 		if (!bGoOn)
 		{
 			return Trips;
@@ -158,7 +167,8 @@ int32_t FCounter::Count(const FStructNode& Node)
 		int32_t Samples = 0;
 		for (const FSpirvInstruction& I : Module.GetBlock(Node.Label).Instructions)
 		{
-			const bool bSample = I.Op == OpImageSampleExplicitLod || I.Op == OpImageSampleImplicitLod || I.Op == OpImageGather || I.Op == OpImageFetch;
+			const bool bSample = I.Op == OpImageSampleExplicitLod || I.Op == OpImageSampleImplicitLod ||
+								 I.Op == OpImageGather || I.Op == OpImageFetch;
 			Samples += bSample;
 		}
 		return Samples;

@@ -21,55 +21,6 @@ bool FSpirvUniformity::IsAnyVarying(uint32_t Value) const
 	return Found != Varying.end() && std::find(Found->second.begin(), Found->second.end(), true) != Found->second.end();
 }
 
-std::map<uint32_t, uint32_t> FindConstantTables(const FSpirvModule& Module)
-{
-	std::map<uint32_t, uint32_t> Tables;
-	std::set<uint32_t> Written; // piece by piece or with several values
-	for (const FSpirvVariable& Variable : Module.Variables)
-	{
-		if ((Variable.Storage == StorageFunction || Variable.Storage == StoragePrivate) && Variable.Initializer)
-		{
-			Tables[Variable.Id] = Variable.Initializer;
-		}
-	}
-	std::map<uint32_t, uint32_t> BaseOf; // access chain -> variable
-	for (const FSpirvBlock& Block : Module.Blocks)
-	{
-		for (const FSpirvInstruction& I : Block.Instructions)
-		{
-			if (I.Op == OpAccessChain || I.Op == OpInBoundsAccessChain)
-			{
-				BaseOf[I.Result] = I.Operands[0];
-			}
-			else if (I.Op == OpStore)
-			{
-				const FSpirvVariable* Whole = Module.FindVariable(I.Operands[0]);
-				const bool bConstant = Whole && Module.FindConstant(I.Operands[1]);
-				const auto [Known, bNew] = bConstant ? Tables.emplace(Whole->Id, I.Operands[1]) : std::pair(Tables.end(), false);
-				if (!bConstant || Known->second != I.Operands[1])
-				{
-					Written.insert(Whole ? Whole->Id : BaseOf[I.Operands[0]]);
-				}
-			}
-			else if (I.Op == OpExtInst && I.Operands[1] == ExtModf)
-			{
-				const uint32_t Pointer = I.Operands[3];
-				Written.insert(Module.FindVariable(Pointer) ? Pointer : BaseOf[Pointer]);
-			}
-		}
-	}
-	for (const uint32_t Variable : Written)
-	{
-		Tables.erase(Variable);
-	}
-	std::erase_if(Tables, [&Module](const auto& Table)
-	{
-		const uint32_t Storage = Module.FindVariable(Table.first)->Storage;
-		return Storage != StorageFunction && Storage != StoragePrivate;
-	});
-	return Tables;
-}
-
 class FUniformityAnalysis
 {
 public:
@@ -98,7 +49,7 @@ private:
 		const auto Found = Chains.find(Pointer);
 		return Found == Chains.end() ? nullptr : Found->second;
 	}
-	template <typename TSet>
+	template<typename TSet>
 	void Insert(TSet& Set, uint32_t Id)
 	{
 		bChanged = Set.insert(Id).second || bChanged;
@@ -178,7 +129,8 @@ void FUniformityAnalysis::VisitLoad(const FSpirvInstruction& I)
 		{
 			// The only chains into inputs are single components.
 			const uint32_t Scalar = Chain && Chain->Operands.size() == 2 && Module.FindConstant(Chain->Operands[1])
-				? Module.GetConstantScalar(Chain->Operands[1]) : i;
+										? Module.GetConstantScalar(Chain->Operands[1])
+										: i;
 			if (IsInputVarying(*Variable, Scalar) || (Chain && Chain->Operands.size() > 2))
 			{
 				Mark(I.Result, i);
@@ -281,7 +233,9 @@ void FUniformityAnalysis::Visit(const FSpirvBlock& Block, const FSpirvInstructio
 		for (uint32_t i = 0; i < Size; ++i)
 		{
 			const bool bInPart = i >= Offset && i < Offset + PartSize;
-			!bInsert ? Copy(i, I.Operands[0], Offset + i) : bInPart ? Copy(i, I.Operands[0], i - Offset) : Copy(i, I.Operands[1], i);
+			!bInsert  ? Copy(i, I.Operands[0], Offset + i)
+			: bInPart ? Copy(i, I.Operands[0], i - Offset)
+					  : Copy(i, I.Operands[1], i);
 		}
 		break;
 	}
@@ -442,7 +396,8 @@ void FUniformityAnalysis::SpreadDivergence(uint32_t Label)
 			{
 				const uint32_t Current = Work.back();
 				Work.pop_back();
-				const auto Entry = std::find_if(Open.begin(), Open.end(), [Current](const FOpenLabel& O) { return O.Label == Current; });
+				const auto Entry = std::find_if(
+					Open.begin(), Open.end(), [Current](const FOpenLabel& O) { return O.Label == Current; });
 				if (Entry != Open.end())
 				{
 					const size_t Index = size_t(Entry - Open.begin());

@@ -4,6 +4,7 @@
 namespace Drydock::Test
 {
 
+// clang-format off
 std::string FProgramGenerator::Float(int Depth)
 {
 	if (Depth <= 0 || Chance(20))
@@ -107,6 +108,8 @@ std::string FProgramGenerator::Vector(int Depth)
 	}
 }
 
+// clang-format on
+
 std::string FProgramGenerator::Loop(int Depth)
 {
 	const std::string Name = "k" + std::to_string(NumNames++);
@@ -123,14 +126,14 @@ std::string FProgramGenerator::Loop(int Depth)
 	switch (Below(3))
 	{
 	case 0:
-		return Indent() + "int " + Name + " = 0;\n" + Indent() + "while (" + Name + " < 6 && " + Bool(2) + ")\n" + Indent() + "{\n"
-			+ Indent() + "\t++" + Name + ";\n" + Body + Indent() + "}\n";
+		return Indent() + "int " + Name + " = 0;\n" + Indent() + "while (" + Name + " < 6 && " + Bool(2) + ")\n" +
+			   Indent() + "{\n" + Indent() + "\t++" + Name + ";\n" + Body + Indent() + "}\n";
 	case 1:
-		return Indent() + "int " + Name + " = 0;\n" + Indent() + "do\n" + Indent() + "{\n" + Indent() + "\t++" + Name + ";\n" + Body + Indent()
-			+ "} while (" + Name + " < " + Limit + ");\n";
+		return Indent() + "int " + Name + " = 0;\n" + Indent() + "do\n" + Indent() + "{\n" + Indent() + "\t++" + Name +
+			   ";\n" + Body + Indent() + "} while (" + Name + " < " + Limit + ");\n";
 	default:
-		return Indent() + "for (int " + Name + " = 0; " + Name + " < " + Limit + "; ++" + Name + ")\n" + Indent() + "{\n"
-			+ Indent() + "\ti2 += " + Name + ";\n" + Body + Indent() + "}\n";
+		return Indent() + "for (int " + Name + " = 0; " + Name + " < " + Limit + "; ++" + Name + ")\n" + Indent() +
+			   "{\n" + Indent() + "\ti2 += " + Name + ";\n" + Body + Indent() + "}\n";
 	}
 }
 
@@ -160,20 +163,31 @@ std::string FProgramGenerator::Statement(int Depth)
 {
 	switch (Below(Depth > 0 ? 20 : 11))
 	{
-	case 0: return Indent() + Pick({"f0", "f1", "f2"}) + Pick({" = ", " += ", " *= "}) + Float(2) + ";\n";
-	case 1: return Indent() + Pick({"i0", "i1", "i2"}) + Pick({" = ", " += ", " ^= "}) + Int(2) + ";\n";
-	case 2: return Indent() + Pick({"u0", "u1"}) + Pick({" = ", " += "}) + Uint(2) + ";\n";
-	case 3: return Indent() + Pick({"b0", "b1"}) + " = " + Bool(2) + ";\n";
-	case 4: return Indent() + Pick({"v0", "v1"}) + Pick({" = ", " += "}) + Vector(2) + ";\n";
-	case 5: return Indent() + Pick({"v0.xy", "v1.zw", "v0.yw"}) + " = " + Vector(2) + Pick({".xy;\n", ".wz;\n"});
-	case 6: return Indent() + "fa[" + Uint(2) + " % 5] = " + Float(2) + ";\n";
-	case 7: return Indent() + "ia[" + Uint(2) + " % 4] = " + Int(2) + ";\n";
-	case 8: return Indent() + "w0." + Pick({"x", "y", "z"}) + " = " + Int(2) + ";\n";
-	case 9: return Indent() + "Log[Slot] = Log[Slot] * 3 + " + Int(2) + ";\n";
+	case 0:
+		return Indent() + Pick({"f0", "f1", "f2"}) + Pick({" = ", " += ", " *= "}) + Float(2) + ";\n";
+	case 1:
+		return Indent() + Pick({"i0", "i1", "i2"}) + Pick({" = ", " += ", " ^= "}) + Int(2) + ";\n";
+	case 2:
+		return Indent() + Pick({"u0", "u1"}) + Pick({" = ", " += "}) + Uint(2) + ";\n";
+	case 3:
+		return Indent() + Pick({"b0", "b1"}) + " = " + Bool(2) + ";\n";
+	case 4:
+		return Indent() + Pick({"v0", "v1"}) + Pick({" = ", " += "}) + Vector(2) + ";\n";
+	case 5:
+		return Indent() + Pick({"v0.xy", "v1.zw", "v0.yw"}) + " = " + Vector(2) + Pick({".xy;\n", ".wz;\n"});
+	case 6:
+		return Indent() + "fa[" + Uint(2) + " % 5] = " + Float(2) + ";\n";
+	case 7:
+		return Indent() + "ia[" + Uint(2) + " % 4] = " + Int(2) + ";\n";
+	case 8:
+		return Indent() + "w0." + Pick({"x", "y", "z"}) + " = " + Int(2) + ";\n";
+	case 9:
+		return Indent() + "Log[Slot] = Log[Slot] * 3 + " + Int(2) + ";\n";
 	case 10:
 		if (NumFunctions > 0 && !bInHelper && Depth > 0)
 		{
-			return Indent() + "f1 += Function" + std::to_string(Below(NumFunctions)) + "(Id, Slot, Input, " + Int(1) + ", i2).y;\n";
+			return Indent() + "f1 += Function" + std::to_string(Below(NumFunctions)) + "(Id, Slot, Input, " + Int(1) +
+				   ", i2).y;\n";
 		}
 		return Indent() + "f2 = " + Float(2) + ";\n";
 	case 11:
@@ -212,7 +226,8 @@ std::string FProgramGenerator::Statement(int Depth)
 		}
 		return Statement(0);
 	default:
-		return Indent() + "if (" + Bool(2) + ")\n" + Indent() + "{\n" + Indent() + "\tOther = i1;\n" + Indent() + "\treturn " + Vector(2) + ";\n" + Indent() + "}\n";
+		return Indent() + "if (" + Bool(2) + ")\n" + Indent() + "{\n" + Indent() + "\tOther = i1;\n" + Indent() +
+			   "\treturn " + Vector(2) + ";\n" + Indent() + "}\n";
 	}
 }
 
@@ -231,21 +246,27 @@ std::string FProgramGenerator::Function(int Index)
 	LoopDepth = SwitchDepth = 0;
 	IndentLevel = 1;
 	bInHelper = Index < 1;
-	const std::string Head = "float4 Function" + std::to_string(Index) + "(uint2 Id, uint Slot, float4 Input, int n, inout int Other)\n{\n"
+	const std::string Head =
+		"float4 Function" + std::to_string(Index) +
+		"(uint2 Id, uint Slot, float4 Input, int n, inout int Other)\n{\n"
 		"\tfloat x = Input.x;\n\tfloat f0 = Input.y;\n\tfloat f1 = 1.0;\n\tfloat f2 = UniformFloat;\n"
 		"\tint i0 = Other;\n\tint i1 = n + 3;\n\tint i2 = 0;\n\tuint u0 = Id.x * 3u;\n\tuint u1 = 9u;\n"
 		"\tbool b0 = Input.w > 0.0;\n\tbool b1 = UniformInt > 2;\n"
 		"\tfloat4 v0 = Input;\n\tfloat4 v1 = float4(1.0, 2.0, UniformFloat, x);\n\tint3 w0 = int3(n, UniformInt, 5);\n"
 		"\tfloat fa[5] = { 0.0, x, 2.0, UniformFloat, 4.0 };\n\tint ia[4] = { 1, 2, n, UniformInt };\n";
 	const std::string Body = Statements(bInHelper ? 1 : 3, bInHelper ? 3 : 5);
-	return Head + Body + "\tOther = i0 + i1 * 3 + i2 * 7 + w0.x + w0.y + w0.z + ia[0] + ia[3] + (int)u0;\n"
-		"\treturn v0 + v1 + float4(f0, f1, f2, fa[0] + fa[4] + (b0 ? 1.0 : 0.0) + (b1 ? 2.0 : 0.0) + (float)(u1 & 255u));\n}\n\n";
+	return Head + Body +
+		   "\tOther = i0 + i1 * 3 + i2 * 7 + w0.x + w0.y + w0.z + ia[0] + ia[3] + (int)u0;\n"
+		   "\treturn v0 + v1 + float4(f0, f1, f2, fa[0] + fa[4] + (b0 ? 1.0 : 0.0) + (b1 ? 2.0 : 0.0) + (float)(u1 & "
+		   "255u));\n}\n\n";
 }
 
 std::string FProgramGenerator::Make(int Count)
 {
-	std::string Text = "StructuredBuffer<float4> Data;\nRWStructuredBuffer<float4> OutFloat;\nRWStructuredBuffer<int> OutInt;\n"
-		"RWStructuredBuffer<int> Log;\nint UniformInt;\nfloat UniformFloat;\nint Width;\nfloat4 Table[8];\nfloat4x4 Matrix;\n"
+	std::string Text =
+		"StructuredBuffer<float4> Data;\nRWStructuredBuffer<float4> OutFloat;\nRWStructuredBuffer<int> OutInt;\n"
+		"RWStructuredBuffer<int> Log;\nint UniformInt;\nfloat UniformFloat;\nint Width;\nfloat4 Table[8];\nfloat4x4 "
+		"Matrix;\n"
 		"static const float Weights[7] = { 0.0045, 0.054, 0.24, 0.4, 0.24, 0.054, 0.0045 };\n\n";
 	NumFunctions = 0;
 	for (int i = 0; i < Count; ++i)
@@ -253,12 +274,15 @@ std::string FProgramGenerator::Make(int Count)
 		Text += Function(i);
 		++NumFunctions;
 	}
-	Text += "[numthreads(8, 8, 1)]\nvoid MainCS(uint2 Id : SV_DispatchThreadID)\n{\n\tuint Thread = Id.y * (uint)Width + Id.x;\n\tint Other;\n";
+	Text += "[numthreads(8, 8, 1)]\nvoid MainCS(uint2 Id : SV_DispatchThreadID)\n{\n\tuint Thread = Id.y * (uint)Width "
+			"+ Id.x;\n\tint Other;\n";
 	for (int i = 0; i < Count; ++i)
 	{
 		const std::string Slot = "Thread * " + std::to_string(Count) + "u + " + std::to_string(i) + "u";
-		Text += "\tOther = (int)Id.x;\n\tOutFloat[" + Slot + "] = Function" + std::to_string(i) + "(Id, " + Slot + ", Data[Thread], (int)((Id.x * 7u + Id.y * 3u) % 11u) - 2, Other);\n"
-			"\tOutInt[" + Slot + "] = Other;\n";
+		Text += "\tOther = (int)Id.x;\n\tOutFloat[" + Slot + "] = Function" + std::to_string(i) + "(Id, " + Slot +
+				", Data[Thread], (int)((Id.x * 7u + Id.y * 3u) % 11u) - 2, Other);\n"
+				"\tOutInt[" +
+				Slot + "] = Other;\n";
 	}
 	return Text + "}\n";
 }

@@ -12,11 +12,15 @@ namespace Drydock::Test
 {
 
 /** A compute shader `MainCS` with NumFunctions random functions. Inputs: Data (StructuredBuffer<float4>), UniformInt,
- *  UniformFloat, Table (float4[8] constants); outputs per thread and function: OutFloat (float4), OutInt (int4), Log. */
+ *  UniformFloat, Table (float4[8] constants); outputs per thread and function: OutFloat (float4), OutInt (int4), Log.
+ */
 class FProgramGenerator
 {
 public:
-	explicit FProgramGenerator(uint32_t Seed) : Random(Seed) {}
+	explicit FProgramGenerator(uint32_t Seed)
+		: Random(Seed)
+	{
+	}
 
 	std::string Make(int NumFunctions);
 

@@ -47,15 +47,18 @@ std::string FindDifference(FShaderHarness& A, FShaderHarness& B, int NumFunction
 {
 	for (size_t Slot = 0; Slot < A.Buffers["OutInt"].size(); ++Slot)
 	{
-		bool bSame = A.Buffers["OutInt"][Slot] == B.Buffers["OutInt"][Slot] && A.Buffers["Log"][Slot] == B.Buffers["Log"][Slot];
+		bool bSame =
+			A.Buffers["OutInt"][Slot] == B.Buffers["OutInt"][Slot] && A.Buffers["Log"][Slot] == B.Buffers["Log"][Slot];
 		for (size_t c = 0; c < 4; ++c)
 		{
-			bSame = bSame && SameFloat(A.BufferFloat("OutFloat", Slot * 4 + c), B.BufferFloat("OutFloat", Slot * 4 + c));
+			bSame =
+				bSame && SameFloat(A.BufferFloat("OutFloat", Slot * 4 + c), B.BufferFloat("OutFloat", Slot * 4 + c));
 		}
 		if (!bSame)
 		{
 			const size_t Thread = Slot / size_t(NumFunctions);
-			return "Function" + std::to_string(Slot % size_t(NumFunctions)) + " at (" + std::to_string(Thread % Width) + ", " + std::to_string(Thread / Width) + ")";
+			return "Function" + std::to_string(Slot % size_t(NumFunctions)) + " at (" + std::to_string(Thread % Width) +
+				   ", " + std::to_string(Thread / Width) + ")";
 		}
 	}
 	return {};

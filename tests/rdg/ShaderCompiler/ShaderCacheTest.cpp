@@ -45,7 +45,10 @@ protected:
 	/** A shader that writes Value. */
 	static FShaderHarness MakeShader(const std::string& Value = "3")
 	{
-		FShaderHarness Harness("RWStructuredBuffer<float> Out;\n[numthreads(8, 1, 1)] void Main(uint3 Id : SV_DispatchThreadID) { Out[Id.x] = " + Value + "; }\n", "Main", EShaderStage::Compute);
+		FShaderHarness Harness("RWStructuredBuffer<float> Out;\n[numthreads(8, 1, 1)] void Main(uint3 Id : "
+							   "SV_DispatchThreadID) { Out[Id.x] = " +
+								   Value + "; }\n",
+			"Main", EShaderStage::Compute);
 		Harness.Buffers["Out"].assign(4, 0);
 		return Harness;
 	}
@@ -121,7 +124,12 @@ TEST_F(FShaderCacheTest, WithoutCompilerANewShaderSaysWhatIsMissing)
 {
 	ReflectShader(MakeShader("8").Request);
 	setenv("DRYDOCK_CXX", "/nonexistent", 1);
-	const std::string Error = ErrorOf([] { FShaderHarness Harness = MakeShader("8"); RunShader(Harness); });
+	const std::string Error = ErrorOf(
+		[]
+		{
+			FShaderHarness Harness = MakeShader("8");
+			RunShader(Harness);
+		});
 	unsetenv("DRYDOCK_CXX");
 	EXPECT_THAT(Error, HasSubstr("no C++ compiler was found"));
 }
@@ -226,13 +234,14 @@ TEST_F(FShaderCacheTest, ThreadsShareOneCompilation)
 	std::vector<std::thread> Threads;
 	for (int i = 0; i < 4; ++i)
 	{
-		Threads.emplace_back([&Built]
-		{
-			FShaderHarness Harness = MakeShader("7");
-			Harness.Request.Lanes = {false, 4};
-			static std::shared_ptr<const FCompiledShader> First = CompileShader(Harness.Request);
-			Built += CompileShader(Harness.Request) == First ? 1 : 100;
-		});
+		Threads.emplace_back(
+			[&Built]
+			{
+				FShaderHarness Harness = MakeShader("7");
+				Harness.Request.Lanes = {false, 4};
+				static std::shared_ptr<const FCompiledShader> First = CompileShader(Harness.Request);
+				Built += CompileShader(Harness.Request) == First ? 1 : 100;
+			});
 	}
 	for (std::thread& Thread : Threads)
 	{

@@ -22,7 +22,9 @@ std::string ErrorsOf(const std::string& Text, EShaderStage Stage = EShaderStage:
 /** Errors of one statement in an entry point, on line 3. */
 std::string ErrorsOfStatement(const std::string& Statement, const std::string& Globals = "")
 {
-	return ErrorsOf(Globals + "\n[numthreads(8, 8, 1)] void Main(uint3 Id : SV_DispatchThreadID, uint Lane : SV_GroupIndex) {\n" + Statement + "\n}\n");
+	return ErrorsOf(Globals +
+					"\n[numthreads(8, 8, 1)] void Main(uint3 Id : SV_DispatchThreadID, uint Lane : SV_GroupIndex) {\n" +
+					Statement + "\n}\n");
 }
 
 } // namespace
@@ -34,15 +36,18 @@ TEST(ShaderErrors, SyntaxErrorHasFileAndLine)
 
 TEST(ShaderErrors, SeveralErrorsAreAllReported)
 {
-	const std::string Errors = ErrorsOf("void Main()\n{\n\tfloat a = Foo(1), b = (2;\n}\nfloat F() { return Bar(2); }\n");
+	const std::string Errors =
+		ErrorsOf("void Main()\n{\n\tfloat a = Foo(1), b = (2;\n}\nfloat F() { return Bar(2); }\n");
 	EXPECT_THAT(Errors, HasSubstr("/Test/Shader.usf:4: error: 'Foo' : no matching overloaded function found"));
 }
 
 TEST(ShaderErrors, LineSurvivesIncludesAndCarriageReturns)
 {
-	FShaderHarness Harness("#include \"Inner.ush\"\r\n\r\nfloat Broken() { return Nope; }\r\n", "Main", EShaderStage::Compute);
+	FShaderHarness Harness(
+		"#include \"Inner.ush\"\r\n\r\nfloat Broken() { return Nope; }\r\n", "Main", EShaderStage::Compute);
 	Harness.Request.GeneratedFiles.push_back({"/Test/Inner.ush", "float Fine() { return 1; }\r\n\r\n\r\n\r\n"});
-	EXPECT_THAT(ErrorOf([&] { ReflectShader(Harness.Request); }), HasSubstr("/Test/Shader.usf:3: error: 'Nope' : unknown variable"));
+	EXPECT_THAT(ErrorOf([&] { ReflectShader(Harness.Request); }),
+		HasSubstr("/Test/Shader.usf:3: error: 'Nope' : unknown variable"));
 }
 
 TEST(ShaderErrors, ErrorInAnIncludeNamesTheInclude)
@@ -59,7 +64,9 @@ TEST(ShaderErrors, UnknownEntryPointIsNamed)
 
 TEST(ShaderErrors, UnknownUniformBufferMemberNamesTheNearest)
 {
-	FShaderHarness Harness("cbuffer View { float4 View_ViewSize; };\nfloat4 Main() : SV_Target0\n{\n\treturn View.ViewSice;\n}\n", "Main", EShaderStage::Pixel);
+	FShaderHarness Harness(
+		"cbuffer View { float4 View_ViewSize; };\nfloat4 Main() : SV_Target0\n{\n\treturn View.ViewSice;\n}\n", "Main",
+		EShaderStage::Pixel);
 	Harness.Request.UniformBuffers = {{"View", {"ViewSize", "Exposure"}}};
 	EXPECT_THAT(ErrorOf([&] { ReflectShader(Harness.Request); }),
 		HasSubstr("/Test/Shader.usf:4: error: uniform buffer 'View' has no member 'ViewSice'; did you mean ViewSize?"));
@@ -67,7 +74,8 @@ TEST(ShaderErrors, UnknownUniformBufferMemberNamesTheNearest)
 
 TEST(ShaderErrors, UnknownMemberInInactiveTextIsNone)
 {
-	FShaderHarness Harness("#if 0\nfloat x = View.Nothing;\n#endif\nfloat4 Main() : SV_Target0 { return 1; }\n", "Main", EShaderStage::Pixel);
+	FShaderHarness Harness("#if 0\nfloat x = View.Nothing;\n#endif\nfloat4 Main() : SV_Target0 { return 1; }\n", "Main",
+		EShaderStage::Pixel);
 	Harness.Request.UniformBuffers = {{"View", {"ViewSize"}}};
 	EXPECT_EQ("", ErrorOf([&] { ReflectShader(Harness.Request); }));
 }
@@ -95,34 +103,43 @@ TEST(ShaderErrors, CrashOfTheFrontEndIsAnError)
 
 TEST(ShaderRefusals, GroupsharedNamesTheVariableAndTheLine)
 {
-	const std::string Errors = ErrorsOfStatement("G[Lane] = Lane;\nOut[Id.xy] = G[Lane ^ 1];", "groupshared float G[64];");
+	const std::string Errors =
+		ErrorsOfStatement("G[Lane] = Lane;\nOut[Id.xy] = G[Lane ^ 1];", "groupshared float G[64];");
 	EXPECT_THAT(Errors, HasSubstr("/Test/Shader.usf:4: error: groupshared 'G' is not supported on the CPU tier"));
 }
 
 TEST(ShaderRefusals, BarriersAreNamed)
 {
-	EXPECT_THAT(ErrorsOfStatement("GroupMemoryBarrierWithGroupSync();\nOut[Id.xy] = 1;"), HasSubstr("/Test/Shader.usf:4: error: OpControlBarrier"));
+	EXPECT_THAT(ErrorsOfStatement("GroupMemoryBarrierWithGroupSync();\nOut[Id.xy] = 1;"),
+		HasSubstr("/Test/Shader.usf:4: error: OpControlBarrier"));
 }
 
 TEST(ShaderRefusals, DerivativesSayWhatToDo)
 {
-	const std::string Errors = ErrorsOf("float4 Main(float2 UV : TEXCOORD0) : SV_Target0\n{\n\treturn ddx(UV).xyxy;\n}\n", EShaderStage::Pixel);
+	const std::string Errors = ErrorsOf(
+		"float4 Main(float2 UV : TEXCOORD0) : SV_Target0\n{\n\treturn ddx(UV).xyxy;\n}\n", EShaderStage::Pixel);
 	EXPECT_THAT(Errors, HasSubstr("/Test/Shader.usf:4: error: OpDPdx (ddx): there are no derivatives on the CPU tier"));
 }
 
 TEST(ShaderRefusals, AtomicsSayWhatToDo)
 {
-	EXPECT_THAT(ErrorsOfStatement("uint Old; InterlockedAdd(B[0], 1u, Old); Out[Id.xy] = Old;", "RWStructuredBuffer<uint> B;"), HasSubstr("atomics"));
+	EXPECT_THAT(
+		ErrorsOfStatement("uint Old; InterlockedAdd(B[0], 1u, Old); Out[Id.xy] = Old;", "RWStructuredBuffer<uint> B;"),
+		HasSubstr("atomics"));
 }
 
 TEST(ShaderRefusals, CubeMapsAreNamed)
 {
-	EXPECT_THAT(ErrorsOfStatement("Out[Id.xy] = C.SampleLevel(S, float3(1, 0, 0), 0);", "TextureCube C; SamplerState S;"), HasSubstr("cube maps are not supported"));
+	EXPECT_THAT(
+		ErrorsOfStatement("Out[Id.xy] = C.SampleLevel(S, float3(1, 0, 0), 0);", "TextureCube C; SamplerState S;"),
+		HasSubstr("cube maps are not supported"));
 }
 
 TEST(ShaderRefusals, SampleGradIsNamed)
 {
-	EXPECT_THAT(ErrorsOfStatement("Out[Id.xy] = T.SampleGrad(S, float2(1, 0), float2(1, 0), float2(0, 1));", "Texture2D T; SamplerState S;"), HasSubstr("SampleGrad"));
+	EXPECT_THAT(ErrorsOfStatement("Out[Id.xy] = T.SampleGrad(S, float2(1, 0), float2(1, 0), float2(0, 1));",
+					"Texture2D T; SamplerState S;"),
+		HasSubstr("SampleGrad"));
 }
 
 TEST(ShaderRefusals, PartialTexelWritesSayWhatToDo)
@@ -132,7 +149,8 @@ TEST(ShaderRefusals, PartialTexelWritesSayWhatToDo)
 
 TEST(ShaderRefusals, InputsThatNoPassFillsAreNamed)
 {
-	EXPECT_THAT(ErrorsOf("float4 Main(float4 C : COLOR) : SV_Target0 { return C; }\n", EShaderStage::Pixel), HasSubstr("semantic COLOR"));
+	EXPECT_THAT(ErrorsOf("float4 Main(float4 C : COLOR) : SV_Target0 { return C; }\n", EShaderStage::Pixel),
+		HasSubstr("semantic COLOR"));
 }
 
 TEST(RunChild, GivesOutputAndExitCode)

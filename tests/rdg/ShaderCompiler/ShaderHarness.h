@@ -30,8 +30,14 @@ public:
 	{
 	}
 
-	float* Texel(int32_t X, int32_t Y) { return reinterpret_cast<float*>(Memory.data() + 64) + (size_t(Y) * size_t(SizeX) + size_t(X)) * (bUint ? 1 : 4); }
-	uint32_t& Uint(int32_t X, int32_t Y) { return reinterpret_cast<uint32_t*>(Memory.data() + 64)[size_t(Y) * size_t(SizeX) + size_t(X)]; }
+	float* Texel(int32_t X, int32_t Y)
+	{
+		return reinterpret_cast<float*>(Memory.data() + 64) + (size_t(Y) * size_t(SizeX) + size_t(X)) * (bUint ? 1 : 4);
+	}
+	uint32_t& Uint(int32_t X, int32_t Y)
+	{
+		return reinterpret_cast<uint32_t*>(Memory.data() + 64)[size_t(Y) * size_t(SizeX) + size_t(X)];
+	}
 
 	FKernelTexture View()
 	{
@@ -64,7 +70,8 @@ public:
 	std::map<std::string, std::vector<uint32_t>> Constants; // words of a constant, as they lie in its buffer
 	std::map<std::string, FTestTexture> Textures;
 	std::map<std::string, std::vector<uint32_t>> Buffers;
-	FKernelSampler Sampler = {EKernelFilter::Bilinear, EKernelAddress::Clamp, EKernelAddress::Clamp, EKernelAddress::Clamp, 8, 0, {}};
+	FKernelSampler Sampler = {
+		EKernelFilter::Bilinear, EKernelAddress::Clamp, EKernelAddress::Clamp, EKernelAddress::Clamp, 8, 0, {}};
 	std::vector<FTestTexture> Targets;
 	FKernelInterpolant Interpolants[4] = {};
 
@@ -136,7 +143,8 @@ private:
 			const auto Found = Constants.find(Constant.Name);
 			if (Found != Constants.end())
 			{
-				std::memcpy(ConstantMemory[Constant.Buffer].data() + Constant.Offset, Found->second.data(), Found->second.size() * 4);
+				std::memcpy(ConstantMemory[Constant.Buffer].data() + Constant.Offset, Found->second.data(),
+					Found->second.size() * 4);
 			}
 		}
 		for (const std::vector<uint8_t>& Memory : ConstantMemory)
@@ -159,10 +167,11 @@ private:
 				std::vector<uint32_t>& Words = Buffers.at(Resource.Name);
 				const bool bTyped = Resource.Dimension == EShaderDimension::TypedBuffer;
 				const ETexelStorage Storage = Resource.Scalar != EShaderScalar::Float ? ETexelStorage::R32_UINT
-					: Resource.NumComponents == 4									  ? ETexelStorage::RGBA32_FLOAT
+											  : Resource.NumComponents == 4           ? ETexelStorage::RGBA32_FLOAT
 																					  : ETexelStorage::R32_FLOAT;
 				const uint32_t Stride = bTyped ? (Storage == ETexelStorage::RGBA32_FLOAT ? 16 : 4) : Resource.Stride;
-				Views.push_back({reinterpret_cast<uint8_t*>(Words.data()), uint32_t(Words.size() * 4), Stride, Storage});
+				Views.push_back(
+					{reinterpret_cast<uint8_t*>(Words.data()), uint32_t(Words.size() * 4), Stride, Storage});
 			}
 		};
 		BindTextures(R.Textures, TextureViews);
@@ -178,8 +187,9 @@ private:
 			View.WriteMask = 15;
 			TargetViews.push_back(View);
 		}
-		Args = {ConstantPointers.data(), TextureViews.data(), RWTextureViews.data(), SamplerViews.data(), BufferViews.data(),
-			RWBufferViews.data(), TargetViews.data(), Interpolants, int32_t(TargetViews.size()), &Counters};
+		Args = {ConstantPointers.data(), TextureViews.data(), RWTextureViews.data(), SamplerViews.data(),
+			BufferViews.data(), RWBufferViews.data(), TargetViews.data(), Interpolants, int32_t(TargetViews.size()),
+			&Counters};
 	}
 
 	FKernelArgs Args = {};
@@ -194,7 +204,7 @@ private:
 };
 
 /** Text of the error that f throws, all messages; empty when it throws none. */
-template <typename F>
+template<typename F>
 std::string ErrorOf(F f)
 {
 	try

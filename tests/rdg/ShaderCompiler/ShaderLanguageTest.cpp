@@ -1,5 +1,5 @@
-// HLSL as plugins write it, one feature at a time: the numbers are worked out by hand. All snippets share a few shaders,
-// since compiling is what costs time. Source: drydock.
+// HLSL as plugins write it, one feature at a time: the numbers are worked out by hand. All snippets share a few
+// shaders, since compiling is what costs time. Source: drydock.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -26,12 +26,15 @@ struct FSnippet
 constexpr float Inf = std::numeric_limits<float>::infinity();
 
 /** Compiles all snippets into one shader and compares every thread, at every lane count. */
-void ExpectSnippets(const std::string& Globals, const std::vector<FSnippet>& Snippets, const std::function<void(FShaderHarness&)>& SetUp = {})
+void ExpectSnippets(const std::string& Globals, const std::vector<FSnippet>& Snippets,
+	const std::function<void(FShaderHarness&)>& SetUp = {})
 {
-	std::string Text = Globals + "\nRWStructuredBuffer<float> Out;\n[numthreads(4, 1, 1)] void Main(uint3 Id : SV_DispatchThreadID)\n{\n\tfloat x = Id.x; int n = Id.x; uint u = Id.x; float R;\n";
+	std::string Text = Globals + "\nRWStructuredBuffer<float> Out;\n[numthreads(4, 1, 1)] void Main(uint3 Id : "
+								 "SV_DispatchThreadID)\n{\n\tfloat x = Id.x; int n = Id.x; uint u = Id.x; float R;\n";
 	for (size_t i = 0; i < Snippets.size(); ++i)
 	{
-		Text += "\t{ R = 0; " + std::string(Snippets[i].Code) + " Out[Id.x * " + std::to_string(Snippets.size()) + "u + " + std::to_string(i) + "u] = R; }\n";
+		Text += "\t{ R = 0; " + std::string(Snippets[i].Code) + " Out[Id.x * " + std::to_string(Snippets.size()) +
+				"u + " + std::to_string(i) + "u] = R; }\n";
 	}
 	FShaderHarness Harness(Text + "}\n", "Main", EShaderStage::Compute);
 	if (SetUp)
@@ -50,7 +53,8 @@ void ExpectSnippets(const std::string& Globals, const std::vector<FSnippet>& Sni
 				const float Wanted = Expected[Expected.size() == 1 ? 0 : Thread];
 				const float Got = Harness.BufferFloat("Out", Thread * Snippets.size() + i);
 				EXPECT_TRUE(SameFloat(Wanted, Got) || std::fabs(Wanted - Got) <= 1e-6f * std::fabs(Wanted))
-					<< Snippets[i].Name << ", thread " << Thread << ", " << Lanes << " lanes: expected " << Wanted << ", got " << Got;
+					<< Snippets[i].Name << ", thread " << Thread << ", " << Lanes << " lanes: expected " << Wanted
+					<< ", got " << Got;
 			}
 		}
 	}
@@ -58,6 +62,8 @@ void ExpectSnippets(const std::string& Globals, const std::vector<FSnippet>& Sni
 
 } // namespace
 
+// The snippets are tables: one line each.
+// clang-format off
 TEST(ShaderLanguage, Expressions)
 {
 	ExpectSnippets("float3 Twice(float3 v) { return v * 2; }\nvoid Split(float v, out float a, inout float b) { a = v + 1; b *= v; }\nfloat Pick(float v) { if (v > 1) return 10; if (v > 0) return 5; return 1; }\n"
@@ -218,10 +224,15 @@ TEST(ShaderLanguage, Textures)
 		});
 }
 
+// clang-format on
+
 TEST(ShaderEntries, ThreadAndGroupIndices)
 {
-	FShaderHarness Harness("RWStructuredBuffer<uint> Out; int Width;\n[numthreads(3, 2, 1)] void Main(uint3 D : SV_DispatchThreadID, uint3 G : SV_GroupID, uint3 T : SV_GroupThreadID, uint I : SV_GroupIndex)\n"
-		"{ Out[D.y * Width + D.x] = G.x * 100000 + G.y * 10000 + T.x * 1000 + T.y * 100 + I; }\n", "Main", EShaderStage::Compute);
+	FShaderHarness Harness(
+		"RWStructuredBuffer<uint> Out; int Width;\n[numthreads(3, 2, 1)] void Main(uint3 D : SV_DispatchThreadID, "
+		"uint3 G : SV_GroupID, uint3 T : SV_GroupThreadID, uint I : SV_GroupIndex)\n"
+		"{ Out[D.y * Width + D.x] = G.x * 100000 + G.y * 10000 + T.x * 1000 + T.y * 100 + I; }\n",
+		"Main", EShaderStage::Compute);
 	Harness.Constants["Width"] = {7};
 	for (const int32_t Lanes : GetLaneCounts())
 	{
@@ -231,7 +242,8 @@ TEST(ShaderEntries, ThreadAndGroupIndices)
 		{
 			for (uint32_t x = 0; x < 7; ++x)
 			{
-				EXPECT_EQ(x / 3 * 100000 + y / 2 * 10000 + x % 3 * 1000 + y % 2 * 100 + y % 2 * 3 + x % 3, Harness.Buffers["Out"][y * 7 + x]);
+				EXPECT_EQ(x / 3 * 100000 + y / 2 * 10000 + x % 3 * 1000 + y % 2 * 100 + y % 2 * 3 + x % 3,
+					Harness.Buffers["Out"][y * 7 + x]);
 			}
 		}
 	}
@@ -239,7 +251,9 @@ TEST(ShaderEntries, ThreadAndGroupIndices)
 
 TEST(ShaderEntries, ThreadsOutsideTheTileWriteNothing)
 {
-	FShaderHarness Harness("RWTexture2D<float4> Image;\n[numthreads(8, 8, 1)] void Main(uint2 D : SV_DispatchThreadID) { Image[D] = 1; }\n", "Main", EShaderStage::Compute);
+	FShaderHarness Harness("RWTexture2D<float4> Image;\n[numthreads(8, 8, 1)] void Main(uint2 D : SV_DispatchThreadID) "
+						   "{ Image[D] = 1; }\n",
+		"Main", EShaderStage::Compute);
 	Harness.Textures["Image"] = FTestTexture(20, 3);
 	Harness.Run(4, 5, 2);
 	EXPECT_EQ(1.0f, Harness.Textures["Image"].Texel(4, 1)[0]);
@@ -249,7 +263,10 @@ TEST(ShaderEntries, ThreadsOutsideTheTileWriteNothing)
 
 TEST(ShaderEntries, ThirdDimensionRuns)
 {
-	FShaderHarness Harness("RWStructuredBuffer<uint> Out;\n[numthreads(2, 2, 2)] void Main(uint3 D : SV_DispatchThreadID, uint I : SV_GroupIndex) { Out[D.z * 4 + D.y * 2 + D.x] = I + D.z * 10; }\n", "Main", EShaderStage::Compute);
+	FShaderHarness Harness(
+		"RWStructuredBuffer<uint> Out;\n[numthreads(2, 2, 2)] void Main(uint3 D : SV_DispatchThreadID, uint I : "
+		"SV_GroupIndex) { Out[D.z * 4 + D.y * 2 + D.x] = I + D.z * 10; }\n",
+		"Main", EShaderStage::Compute);
 	Harness.Buffers["Out"].assign(12, 0);
 	Harness.Run(4, 2, 2, 3);
 	EXPECT_THAT(Harness.Buffers["Out"], testing::ElementsAre(0, 1, 2, 3, 14, 15, 16, 17, 20, 21, 22, 23));
@@ -257,7 +274,8 @@ TEST(ShaderEntries, ThirdDimensionRuns)
 
 TEST(ShaderEntries, PixelPositionIsAtTheCentre)
 {
-	FShaderHarness Harness("float4 Main(float4 P : SV_POSITION) : SV_Target0 { return P; }\n", "Main", EShaderStage::Pixel);
+	FShaderHarness Harness(
+		"float4 Main(float4 P : SV_POSITION) : SV_Target0 { return P; }\n", "Main", EShaderStage::Pixel);
 	Harness.Targets = {FTestTexture(5, 3)};
 	Harness.Run(4, 5, 3);
 	const float* Texel = Harness.Targets[0].Texel(4, 2);
@@ -267,7 +285,9 @@ TEST(ShaderEntries, PixelPositionIsAtTheCentre)
 TEST(ShaderEntries, InterpolantsGoByTheirTexcoord)
 {
 	// TEXCOORD1 is declared first: the number decides, not the order.
-	FShaderHarness Harness("float4 Main(noperspective float4 B : TEXCOORD1, float2 A : TEXCOORD0) : SV_Target0 { return float4(A, B.zw); }\n", "Main", EShaderStage::Pixel);
+	FShaderHarness Harness("float4 Main(noperspective float4 B : TEXCOORD1, float2 A : TEXCOORD0) : SV_Target0 { "
+						   "return float4(A, B.zw); }\n",
+		"Main", EShaderStage::Pixel);
 	Harness.Interpolants[0] = {{1, 2, 0, 0}, {10, 0, 0, 0}, {0, 100, 0, 0}};
 	Harness.Interpolants[1] = {{0, 0, 5, 6}, {0, 0, 0, 0}, {0, 0, 0, 0}};
 	Harness.Targets = {FTestTexture(4, 2)};
@@ -278,8 +298,11 @@ TEST(ShaderEntries, InterpolantsGoByTheirTexcoord)
 
 TEST(ShaderEntries, SeveralTargetsByParametersAndStruct)
 {
-	const std::string ByParameters = "void Main(float4 P : SV_POSITION, out float4 A : SV_Target0, out float4 B : SV_Target1) { A = 1; B = P.x; }\n";
-	const std::string ByStruct = "struct FIn { float4 P : SV_POSITION; float2 UV : TEXCOORD0; }; struct FOut { float4 A : SV_Target0; float4 B : SV_Target1; };\nFOut Main(FIn I) { FOut O; O.A = 1; O.B = I.P.x; return O; }\n";
+	const std::string ByParameters =
+		"void Main(float4 P : SV_POSITION, out float4 A : SV_Target0, out float4 B : SV_Target1) { A = 1; B = P.x; }\n";
+	const std::string ByStruct =
+		"struct FIn { float4 P : SV_POSITION; float2 UV : TEXCOORD0; }; struct FOut { float4 A : SV_Target0; float4 B "
+		": SV_Target1; };\nFOut Main(FIn I) { FOut O; O.A = 1; O.B = I.P.x; return O; }\n";
 	for (const std::string& Text : {ByParameters, ByStruct})
 	{
 		FShaderHarness Harness(Text, "Main", EShaderStage::Pixel);
@@ -292,7 +315,9 @@ TEST(ShaderEntries, SeveralTargetsByParametersAndStruct)
 
 TEST(ShaderEntries, DiscardedPixelsKeepTheirTarget)
 {
-	FShaderHarness Harness("float4 Main(float4 P : SV_POSITION) : SV_Target0 { float4 C = 2; for (int i = 0; i < 3; ++i) { clip(P.x - 2.0 * i + 1.0); C.x += P.x; } if (P.y > 1) discard; return C; }\n", "Main", EShaderStage::Pixel);
+	FShaderHarness Harness("float4 Main(float4 P : SV_POSITION) : SV_Target0 { float4 C = 2; for (int i = 0; i < 3; "
+						   "++i) { clip(P.x - 2.0 * i + 1.0); C.x += P.x; } if (P.y > 1) discard; return C; }\n",
+		"Main", EShaderStage::Pixel);
 	for (const int32_t Lanes : GetLaneCounts())
 	{
 		Harness.Targets = {FTestTexture(6, 2)};
@@ -305,12 +330,17 @@ TEST(ShaderEntries, DiscardedPixelsKeepTheirTarget)
 
 TEST(ShaderEntries, EarlyReturnOfTheEntryPoint)
 {
-	FShaderHarness Harness("void Main(float4 P : SV_POSITION, out float4 O : SV_Target0) { O = 1; if (P.x < 2) return; O = 2; if (P.x > 4) { O.x = 3; return; } O.y = 5; }\n", "Main", EShaderStage::Pixel);
+	FShaderHarness Harness("void Main(float4 P : SV_POSITION, out float4 O : SV_Target0) { O = 1; if (P.x < 2) return; "
+						   "O = 2; if (P.x > 4) { O.x = 3; return; } O.y = 5; }\n",
+		"Main", EShaderStage::Pixel);
 	for (const int32_t Lanes : GetLaneCounts())
 	{
 		Harness.Targets = {FTestTexture(6, 1)};
 		Harness.Run(Lanes, 6, 1);
-		const auto Texel = [&](int32_t X) { return std::pair(Harness.Targets[0].Texel(X, 0)[0], Harness.Targets[0].Texel(X, 0)[1]); };
+		const auto Texel = [&](int32_t X)
+		{
+			return std::pair(Harness.Targets[0].Texel(X, 0)[0], Harness.Targets[0].Texel(X, 0)[1]);
+		};
 		EXPECT_EQ(std::pair(1.0f, 1.0f), Texel(1));
 		EXPECT_EQ(std::pair(2.0f, 5.0f), Texel(3));
 		EXPECT_EQ(std::pair(3.0f, 2.0f), Texel(5));
@@ -319,7 +349,9 @@ TEST(ShaderEntries, EarlyReturnOfTheEntryPoint)
 
 TEST(ShaderEntries, StageMacrosTellTheStage)
 {
-	FShaderHarness Harness("float4 Main() : SV_Target0 {\n#if PIXELSHADER && !COMPUTESHADER\nreturn VALUE;\n#else\nreturn 0;\n#endif\n}\n", "Main", EShaderStage::Pixel);
+	FShaderHarness Harness(
+		"float4 Main() : SV_Target0 {\n#if PIXELSHADER && !COMPUTESHADER\nreturn VALUE;\n#else\nreturn 0;\n#endif\n}\n",
+		"Main", EShaderStage::Pixel);
 	Harness.Request.Defines = {{"VALUE", "4"}};
 	Harness.Targets = {FTestTexture(1, 1)};
 	Harness.Run(4, 1, 1);
@@ -328,7 +360,9 @@ TEST(ShaderEntries, StageMacrosTellTheStage)
 
 TEST(ShaderEntries, CountersCountThreadsThatRun)
 {
-	FShaderHarness Harness("Texture2D T; SamplerState S;\nfloat4 Main(float4 P : SV_POSITION) : SV_Target0 { float4 C = T.SampleLevel(S, 0.5, 0); if (P.x > 3) C += T.Load(int3(0, 0, 0)); return C; }\n", "Main", EShaderStage::Pixel);
+	FShaderHarness Harness("Texture2D T; SamplerState S;\nfloat4 Main(float4 P : SV_POSITION) : SV_Target0 { float4 C "
+						   "= T.SampleLevel(S, 0.5, 0); if (P.x > 3) C += T.Load(int3(0, 0, 0)); return C; }\n",
+		"Main", EShaderStage::Pixel);
 	Harness.Textures["T"] = FTestTexture(2, 2);
 	Harness.Targets = {FTestTexture(5, 2)};
 	Harness.Run(4, 5, 2);

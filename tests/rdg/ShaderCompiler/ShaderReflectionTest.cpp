@@ -20,12 +20,16 @@ FShaderReflection Reflect(const std::string& Text, EShaderStage Stage = EShaderS
 /** Globals and one expression that uses them. */
 FShaderReflection ReflectUse(const std::string& Globals, const std::string& Expression)
 {
-	return Reflect(Globals + "\nRWTexture2D<float4> Out;\n[numthreads(8, 4, 2)] void Main(uint3 Id : SV_DispatchThreadID) { Out[Id.xy] = " + Expression + "; }\n");
+	return Reflect(
+		Globals +
+		"\nRWTexture2D<float4> Out;\n[numthreads(8, 4, 2)] void Main(uint3 Id : SV_DispatchThreadID) { Out[Id.xy] = " +
+		Expression + "; }\n");
 }
 
 const FShaderConstant& Find(const FShaderReflection& Reflection, const std::string& Name)
 {
-	const auto Found = std::find_if(Reflection.Constants.begin(), Reflection.Constants.end(), [&](const FShaderConstant& C) { return C.Name == Name; });
+	const auto Found = std::find_if(Reflection.Constants.begin(), Reflection.Constants.end(),
+		[&](const FShaderConstant& C) { return C.Name == Name; });
 	EXPECT_NE(Reflection.Constants.end(), Found) << Name;
 	static const FShaderConstant None;
 	return Found == Reflection.Constants.end() ? None : *Found;
@@ -33,8 +37,10 @@ const FShaderConstant& Find(const FShaderReflection& Reflection, const std::stri
 
 int32_t TapsOf(const std::string& Body)
 {
-	return Reflect("Texture2D T; SamplerState S; int K; RWTexture2D<float4> Out;\n[numthreads(8, 8, 1)] void Main(uint3 Id : SV_DispatchThreadID) { float2 UV = Id.xy * 0.1; float4 C = 0;\n"
-		+ Body + "\nOut[Id.xy] = C; }\n").StaticSamples;
+	return Reflect("Texture2D T; SamplerState S; int K; RWTexture2D<float4> Out;\n[numthreads(8, 8, 1)] void "
+				   "Main(uint3 Id : SV_DispatchThreadID) { float2 UV = Id.xy * 0.1; float4 C = 0;\n" +
+				   Body + "\nOut[Id.xy] = C; }\n")
+		.StaticSamples;
 }
 
 } // namespace
@@ -61,7 +67,8 @@ TEST(ShaderReflection, LooseGlobalsFollowThePackingOfHlsl)
 
 TEST(ShaderReflection, ScalarsFollowTheLastElementOfAnArray)
 {
-	const FShaderReflection Reflection = ReflectUse("float A[3]; float B; float3x3 C; float D;", "A[2] + B + C[0][0] + D");
+	const FShaderReflection Reflection =
+		ReflectUse("float A[3]; float B; float3x3 C; float D;", "A[2] + B + C[0][0] + D");
 	EXPECT_EQ(36u, Find(Reflection, "B").Offset); // 2 * 16 + 4
 	EXPECT_EQ(48u, Find(Reflection, "C").Offset);
 	EXPECT_EQ(92u, Find(Reflection, "D").Offset); // 48 + 2 * 16 + 12
@@ -69,7 +76,9 @@ TEST(ShaderReflection, ScalarsFollowTheLastElementOfAnArray)
 
 TEST(ShaderReflection, StructuredBuffersAreTightlyPacked)
 {
-	const FShaderReflection Reflection = ReflectUse("struct FE { float A; float3 B; float2 C; float3x3 M; float F[3]; }; StructuredBuffer<FE> S;", "S[Id.x].A + S[Id.x].B.x + S[Id.x].M[1][1] + S[Id.x].F[2]");
+	const FShaderReflection Reflection =
+		ReflectUse("struct FE { float A; float3 B; float2 C; float3x3 M; float F[3]; }; StructuredBuffer<FE> S;",
+			"S[Id.x].A + S[Id.x].B.x + S[Id.x].M[1][1] + S[Id.x].F[2]");
 	EXPECT_EQ(uint32_t(4 + 12 + 8 + 36 + 12), Reflection.Buffers.at(0).Stride);
 }
 
@@ -117,7 +126,8 @@ TEST(ShaderReflection, ConstantBuffersKeepTheirNames)
 
 TEST(ShaderReflection, OnlyUsedResourcesAreListed)
 {
-	const FShaderReflection Reflection = ReflectUse("Texture2D A; Texture2D B; SamplerState S; SamplerState Z;", "A.SampleLevel(S, 0.5, 0)");
+	const FShaderReflection Reflection =
+		ReflectUse("Texture2D A; Texture2D B; SamplerState S; SamplerState Z;", "A.SampleLevel(S, 0.5, 0)");
 	ASSERT_EQ(1u, Reflection.Textures.size());
 	EXPECT_EQ("A", Reflection.Textures[0].Name);
 	ASSERT_EQ(1u, Reflection.Samplers.size());
@@ -128,11 +138,16 @@ TEST(ShaderReflection, OnlyUsedResourcesAreListed)
 
 TEST(ShaderReflection, BuffersTellKindAndStride)
 {
-	const FShaderReflection Reflection = ReflectUse(
-		"struct FE { float3 P; uint K; }; StructuredBuffer<FE> A; ByteAddressBuffer B; Buffer<float4> C; RWStructuredBuffer<uint> D; StructuredBuffer<uint> E;",
-		"A[Id.x].K + B.Load(4) + C[Id.y] + D[0] + E[1]");
+	const FShaderReflection Reflection =
+		ReflectUse("struct FE { float3 P; uint K; }; StructuredBuffer<FE> A; ByteAddressBuffer B; Buffer<float4> C; "
+				   "RWStructuredBuffer<uint> D; StructuredBuffer<uint> E;",
+			"A[Id.x].K + B.Load(4) + C[Id.y] + D[0] + E[1]");
 	ASSERT_EQ(4u, Reflection.Buffers.size());
-	const auto Buffer = [&](const std::string& Name) { return *std::find_if(Reflection.Buffers.begin(), Reflection.Buffers.end(), [&](const FShaderResource& R) { return R.Name == Name; }); };
+	const auto Buffer = [&](const std::string& Name)
+	{
+		return *std::find_if(Reflection.Buffers.begin(), Reflection.Buffers.end(),
+			[&](const FShaderResource& R) { return R.Name == Name; });
+	};
 	EXPECT_EQ(EShaderDimension::StructuredBuffer, Buffer("A").Dimension);
 	EXPECT_EQ(16u, Buffer("A").Stride);
 	EXPECT_EQ(EShaderDimension::ByteAddressBuffer, Buffer("B").Dimension);
@@ -144,10 +159,16 @@ TEST(ShaderReflection, BuffersTellKindAndStride)
 
 TEST(ShaderReflection, TexturesTellDimensionAndType)
 {
-	const FShaderReflection Reflection = ReflectUse("Texture2D A; Texture3D B; Texture2D<uint> C; Texture2DArray D; SamplerState S;",
-		"A.Load(int3(0, 0, 0)) + B.SampleLevel(S, 0.5, 0) + C.Load(int3(0, 0, 0)).x + D.SampleLevel(S, float3(0, 0, 1), 0)");
+	const FShaderReflection Reflection =
+		ReflectUse("Texture2D A; Texture3D B; Texture2D<uint> C; Texture2DArray D; SamplerState S;",
+			"A.Load(int3(0, 0, 0)) + B.SampleLevel(S, 0.5, 0) + C.Load(int3(0, 0, 0)).x + D.SampleLevel(S, float3(0, "
+			"0, 1), 0)");
 	ASSERT_EQ(4u, Reflection.Textures.size());
-	const auto Texture = [&](const std::string& Name) { return *std::find_if(Reflection.Textures.begin(), Reflection.Textures.end(), [&](const FShaderResource& R) { return R.Name == Name; }); };
+	const auto Texture = [&](const std::string& Name)
+	{
+		return *std::find_if(Reflection.Textures.begin(), Reflection.Textures.end(),
+			[&](const FShaderResource& R) { return R.Name == Name; });
+	};
 	EXPECT_EQ(EShaderDimension::Texture2D, Texture("A").Dimension);
 	EXPECT_EQ(EShaderDimension::Texture3D, Texture("B").Dimension);
 	EXPECT_EQ(EShaderScalar::Uint, Texture("C").Scalar);
@@ -156,13 +177,17 @@ TEST(ShaderReflection, TexturesTellDimensionAndType)
 
 TEST(ShaderReflection, RWTexturesTellTheirComponents)
 {
-	const FShaderReflection Reflection = Reflect("RWTexture2D<float2> Out; [numthreads(8, 8, 1)] void Main(uint2 Id : SV_DispatchThreadID) { Out[Id] = 1; }\n");
+	const FShaderReflection Reflection = Reflect(
+		"RWTexture2D<float2> Out; [numthreads(8, 8, 1)] void Main(uint2 Id : SV_DispatchThreadID) { Out[Id] = 1; }\n");
 	EXPECT_EQ(2, Reflection.RWTextures.at(0).NumComponents);
 }
 
 TEST(ShaderReflection, TargetsAndInterpolantsAreCounted)
 {
-	const FShaderReflection Reflection = Reflect("void Main(float4 P : SV_POSITION, noperspective float4 A : TEXCOORD1, out float4 X : SV_Target0, out float4 Y : SV_Target2) { X = A; Y = P; clip(A.x); }\n", EShaderStage::Pixel);
+	const FShaderReflection Reflection =
+		Reflect("void Main(float4 P : SV_POSITION, noperspective float4 A : TEXCOORD1, out float4 X : SV_Target0, out "
+				"float4 Y : SV_Target2) { X = A; Y = P; clip(A.x); }\n",
+			EShaderStage::Pixel);
 	EXPECT_EQ(3, Reflection.NumTargets);
 	EXPECT_EQ(2, Reflection.NumInterpolants);
 	EXPECT_TRUE(Reflection.bUsesDiscard);
@@ -172,7 +197,9 @@ TEST(ShaderReflection, TapsAreCountedThroughConstantLoops)
 {
 	EXPECT_EQ(0, TapsOf(""));
 	EXPECT_EQ(2, TapsOf("C = T.SampleLevel(S, UV, 0) + T.Load(int3(0, 0, 0));"));
-	EXPECT_EQ(15, TapsOf("for (int i = -2; i <= 2; ++i) for (int j = 0; j < 3; ++j) C += T.SampleLevel(S, UV + float2(i, j), 0);"));
+	EXPECT_EQ(15,
+		TapsOf(
+			"for (int i = -2; i <= 2; ++i) for (int j = 0; j < 3; ++j) C += T.SampleLevel(S, UV + float2(i, j), 0);"));
 	EXPECT_EQ(1, TapsOf("if (UV.x > 0.5) C = T.SampleLevel(S, UV, 0); else C = T.SampleLevel(S, -UV, 0);"));
 }
 
@@ -185,7 +212,9 @@ TEST(ShaderReflection, TapsAreUnknownWhereTheyDependOnParametersOrPixels)
 
 TEST(ShaderReflection, SurvivesJson)
 {
-	const FShaderReflection Reflection = ReflectUse("float4x3 A; Texture2D T; SamplerState S; StructuredBuffer<float2> B;", "mul(float4(1, 2, 3, 4), A).xyzz + T.SampleLevel(S, B[0], 0)");
+	const FShaderReflection Reflection =
+		ReflectUse("float4x3 A; Texture2D T; SamplerState S; StructuredBuffer<float2> B;",
+			"mul(float4(1, 2, 3, 4), A).xyzz + T.SampleLevel(S, B[0], 0)");
 	const std::string Json = ReflectionToJson(Reflection);
 	const std::optional<FShaderReflection> Back = ReflectionFromJson(Json);
 	ASSERT_TRUE(Back);

@@ -69,10 +69,12 @@ FColor Sample(FTestTexture& T, double U, double V)
 
 /** Runs a pixel shader MainPS with input InputTexture at all lane counts and on the model; each result must have the
  *  same bits. Expected(x, y) is compared within Tolerance, relative to max(1, |expected|). */
-template <typename F>
-void ExpectShape(const std::string& Text, F Expected, double Tolerance, const std::function<void(FShaderHarness&)>& SetUp)
+template<typename F>
+void ExpectShape(
+	const std::string& Text, F Expected, double Tolerance, const std::function<void(FShaderHarness&)>& SetUp)
 {
-	FShaderHarness Model("Texture2D InputTexture;\nSamplerState InputSampler;\nfloat2 InvSize;\n" + Text, "MainPS", EShaderStage::Pixel);
+	FShaderHarness Model(
+		"Texture2D InputTexture;\nSamplerState InputSampler;\nfloat2 InvSize;\n" + Text, "MainPS", EShaderStage::Pixel);
 	SetUp(Model);
 	Model.SetFloats("InvSize", {1.0f / Width, 1.0f / Height});
 	Model.Interpolants[0].DX[0] = 1.0 / Width;
@@ -92,8 +94,10 @@ void ExpectShape(const std::string& Text, F Expected, double Tolerance, const st
 				for (int c = 0; c < 4; ++c)
 				{
 					const float Got = Kernel.Targets[0].Texel(x, y)[c];
-					ASSERT_TRUE(SameFloat(Model.Targets[0].Texel(x, y)[c], Got)) << Lanes << " lanes, (" << x << ", " << y << ")." << c;
-					ASSERT_NEAR(Exact.C[c], Got, Tolerance * std::max(1.0, std::fabs(Exact.C[c]))) << "(" << x << ", " << y << ")." << c;
+					ASSERT_TRUE(SameFloat(Model.Targets[0].Texel(x, y)[c], Got))
+						<< Lanes << " lanes, (" << x << ", " << y << ")." << c;
+					ASSERT_NEAR(Exact.C[c], Got, Tolerance * std::max(1.0, std::fabs(Exact.C[c])))
+						<< "(" << x << ", " << y << ")." << c;
 				}
 			}
 		}
@@ -121,7 +125,9 @@ float4 MainPS(float4 P : SV_POSITION) : SV_Target0
 		[&Input](int32_t x, int32_t y)
 		{
 			const double U = (x + 0.5) / Width, V = (y + 0.5) / Height, H = 0.25 / Width, K = 0.25 / Height;
-			return (Sample(Input, U, V) * 4 + Sample(Input, U - H, V - K) + Sample(Input, U + H, V + K) + Sample(Input, U + H, V - K) + Sample(Input, U - H, V + K)) * 0.125;
+			return (Sample(Input, U, V) * 4 + Sample(Input, U - H, V - K) + Sample(Input, U + H, V + K) +
+					   Sample(Input, U + H, V - K) + Sample(Input, U - H, V + K)) *
+				   0.125;
 		},
 		2e-6, [&Input](FShaderHarness& H) { H.Textures["InputTexture"] = Input; });
 }
@@ -322,7 +328,8 @@ float4 MainPS(float2 UV : TEXCOORD0) : SV_Target0
 TEST(ShaderShapes, DoubleLanesGiveWhatDoubleArithmeticGives)
 {
 	// A difference of nearly equal numbers shows in what arithmetic they were computed.
-	FShaderHarness Harness("float A;\nfloat4 MainPS() : SV_Target0 { return (A * A * A - 1.331) * 1e6; }\n", "MainPS", EShaderStage::Pixel);
+	FShaderHarness Harness("float A;\nfloat4 MainPS() : SV_Target0 { return (A * A * A - 1.331) * 1e6; }\n", "MainPS",
+		EShaderStage::Pixel);
 	Harness.SetFloats("A", {1.1f});
 	Harness.Targets = {FTestTexture(4, 1)};
 	const double Exact = (double(1.1f) * double(1.1f) * double(1.1f) - double(1.331f)) * 1e6;

@@ -44,14 +44,16 @@ size_t Count(const std::string& Text, const std::string& Part)
 
 TEST(FlattenShader, IncludesAFileOnceHoweverOftenItIsNamed)
 {
-	const std::string Text = Flatten({{"/T/A.usf", "#include \"/T/B.ush\"\n#include \"B.ush\"\n#include \"C.ush\"\n"}, {"/T/B.ush", "int b;\n"}, {"/T/C.ush", "#include \"../T/B.ush\"\nint c;\n"}});
+	const std::string Text = Flatten({{"/T/A.usf", "#include \"/T/B.ush\"\n#include \"B.ush\"\n#include \"C.ush\"\n"},
+		{"/T/B.ush", "int b;\n"}, {"/T/C.ush", "#include \"../T/B.ush\"\nint c;\n"}});
 	EXPECT_EQ(1u, Count(Text, "int b;"));
 	EXPECT_EQ(1u, Count(Text, "int c;"));
 }
 
 TEST(FlattenShader, SurvivesFilesThatIncludeEachOther)
 {
-	const std::string Text = Flatten({{"/T/A.usf", "#include \"B.ush\"\nint a;\n"}, {"/T/B.ush", "#include \"A.usf\"\nint b;\n"}});
+	const std::string Text =
+		Flatten({{"/T/A.usf", "#include \"B.ush\"\nint a;\n"}, {"/T/B.ush", "#include \"A.usf\"\nint b;\n"}});
 	EXPECT_EQ(1u, Count(Text, "int a;"));
 	EXPECT_EQ(1u, Count(Text, "int b;"));
 }
@@ -66,7 +68,8 @@ TEST(FlattenShader, NamesFileAndLineAtEverySeam)
 
 TEST(FlattenShader, DoesNotIncludeFromComments)
 {
-	EXPECT_THAT(Flatten({{"/T/A.usf", "// #include \"Missing.ush\"\n/*\n#include \"Missing.ush\"\n*/ int a;\n"}}), HasSubstr("int a;"));
+	EXPECT_THAT(Flatten({{"/T/A.usf", "// #include \"Missing.ush\"\n/*\n#include \"Missing.ush\"\n*/ int a;\n"}}),
+		HasSubstr("int a;"));
 }
 
 TEST(FlattenShader, MissingIncludeNamesTheIncluderAndItsLine)
@@ -105,7 +108,8 @@ TEST(FlattenShader, ListsTheFilesOnDisk)
 	std::ofstream(Folder / "Sub" / "Common.ush") << "int c;\n";
 	AddShaderDirectory("/FlattenTest", Folder.string());
 	// The name's case differs from the file system's, as on Windows.
-	const FShaderSource Source = FlattenShader(MakeRequest({{"/T/A.usf", "#include \"/FlattenTest/sub/COMMON.ush\"\n"}}));
+	const FShaderSource Source =
+		FlattenShader(MakeRequest({{"/T/A.usf", "#include \"/FlattenTest/sub/COMMON.ush\"\n"}}));
 	ASSERT_EQ(1u, Source.Files.size());
 	EXPECT_EQ((Folder / "Sub" / "Common.ush").string(), Source.Files[0]);
 	std::filesystem::remove_all(Folder);
@@ -129,7 +133,8 @@ TEST(FindShaderFile, LaterMappingOfAPrefixWins)
 
 TEST(NormalizeShaderText, RemovesByteOrderMarkAndCarriageReturns)
 {
-	EXPECT_EQ("a\nb\n", NormalizeShaderText("\xEF\xBB\xBF" "a\r\nb\r\n"));
+	EXPECT_EQ("a\nb\n", NormalizeShaderText("\xEF\xBB\xBF"
+											"a\r\nb\r\n"));
 }
 
 TEST(NormalizeShaderText, ABackslashInsideADoubleByteCharacterJoinsNoLines)
@@ -153,17 +158,22 @@ TEST(ResolveVirtualPath, TakesRelativePathsFromTheIncludersFolder)
 class FRewrite : public testing::Test
 {
 protected:
-	std::string Rewrite(const std::string& Text) { return RewriteUniformBuffers(Text, {{"View", {"ViewSize", "Exposure"}}}); }
+	std::string Rewrite(const std::string& Text)
+	{
+		return RewriteUniformBuffers(Text, {{"View", {"ViewSize", "Exposure"}}});
+	}
 };
 
 TEST_F(FRewrite, JoinsBufferAndMember)
 {
-	EXPECT_EQ("float2 s = View_ViewSize.xy * View_Exposure;", Rewrite("float2 s = View.ViewSize.xy * View . Exposure;"));
+	EXPECT_EQ(
+		"float2 s = View_ViewSize.xy * View_Exposure;", Rewrite("float2 s = View.ViewSize.xy * View . Exposure;"));
 }
 
 TEST_F(FRewrite, LeavesCommentsStringsAndOtherNamesAlone)
 {
-	const std::string Text = "// View.ViewSize\n/* View.Exposure */ \"View.ViewSize\" MyView.ViewSize In.View.Exposure View2.X View";
+	const std::string Text =
+		"// View.ViewSize\n/* View.Exposure */ \"View.ViewSize\" MyView.ViewSize In.View.Exposure View2.X View";
 	EXPECT_EQ(Text, Rewrite(Text));
 }
 

@@ -17,11 +17,14 @@ const std::vector<uint32_t>& GetWords()
 {
 	static const std::vector<uint32_t> Words = []
 	{
-		const std::string Text = "Texture2D T; SamplerState S; float4 A[4]; float4x4 M; int K; StructuredBuffer<float4> B;\n"
+		const std::string Text =
+			"Texture2D T; SamplerState S; float4 A[4]; float4x4 M; int K; StructuredBuffer<float4> B;\n"
 			"static const float W[3] = { 0.25, 0.5, 0.25 };\n"
-			"float4 F(float2 UV, int n) { float4 s = 0; for (int i = 0; i < n; ++i) { if (UV.x > 0.5 * i) return s; if (i == 3) continue; s += W[i % 3] * T.SampleLevel(S, UV, 0) * A[i % 4]; } return s; }\n"
+			"float4 F(float2 UV, int n) { float4 s = 0; for (int i = 0; i < n; ++i) { if (UV.x > 0.5 * i) return s; if "
+			"(i == 3) continue; s += W[i % 3] * T.SampleLevel(S, UV, 0) * A[i % 4]; } return s; }\n"
 			"void Main(float4 P : SV_POSITION, float2 UV : TEXCOORD0, out float4 O : SV_Target0)\n"
-			"{ float f[4] = { 1, 2, 3, P.x }; f[K % 4] = P.y; switch (K) { case 0: O = F(UV, 3); break; case 1: O = mul(P, M); break; default: O = B[K] + f[(K + 1) % 4]; } if (O.x < 0) discard; }\n";
+			"{ float f[4] = { 1, 2, 3, P.x }; f[K % 4] = P.y; switch (K) { case 0: O = F(UV, 3); break; case 1: O = "
+			"mul(P, M); break; default: O = B[K] + f[(K + 1) % 4]; } if (O.x < 0) discard; }\n";
 		FShaderHarness Harness(Text, "Main", EShaderStage::Pixel);
 		return CompileToSpirv(FlattenShader(Harness.Request), Harness.Request);
 	}();
@@ -81,11 +84,21 @@ TEST(SpirvReader, SurvivesMutations)
 			const size_t At = 5 + Random() % (Words.size() - 5);
 			switch (Random() % 5)
 			{
-			case 0: Words[At] = Random(); break;
-			case 1: Words[At] ^= 1u << (Random() % 32); break;
-			case 2: Words[At] = Random() % Words[3]; break;
-			case 3: Words[At] = Words[5 + Random() % (Words.size() - 5)]; break;
-			default: Words[At] += Random() % 3 - 1; break;
+			case 0:
+				Words[At] = Random();
+				break;
+			case 1:
+				Words[At] ^= 1u << (Random() % 32);
+				break;
+			case 2:
+				Words[At] = Random() % Words[3];
+				break;
+			case 3:
+				Words[At] = Words[5 + Random() % (Words.size() - 5)];
+				break;
+			default:
+				Words[At] += Random() % 3 - 1;
+				break;
 			}
 		}
 		Accepted += Walk(Words);

@@ -1,0 +1,241 @@
+// What a module declares outside of its function. Source: Khronos, SPIR-V specification 1.0.
+#include "SpirvReaderImpl.h"
+
+#include <algorithm>
+
+namespace Drydock
+{
+
+using namespace Spirv;
+
+namespace
+{
+
+constexpr uint32_t MaxScalars = 1u << 16; // of one value
+constexpr int MaxTypeDepth = 32;
+
+} // namespace
+
+void FSpirvReader::DefineType(uint32_t Id, FSpirvType Type)
+{
+	CheckId(Id);
+	int Depth = 0;
+	const auto Contains = [this, &Depth](uint32_t Part) -> const FSpirvType&
+	{
+		const FSpirvType& Found = Module.GetType(Part); // must be defined already, so types cannot contain themselves
+		Depth = std::max(Depth, TypeDepths[Part] + 1);
+		return Found;
+	};
+	uint64_t NumScalars = 0;
+	switch (Type.Kind)
+	{
+	case ESpirvType::Bool:
+	case ESpirvType::Int:
+	case ESpirvType::Uint:
+	case ESpirvType::Float:
+		NumScalars = 1;
+		break;
+	case ESpirvType::Vector:
+	case ESpirvType::Matrix:
+	case ESpirvType::Array:
+	{
+		const FSpirvType& Element = Contains(Type.Element);
+		const bool bScalar = Element.Kind >= ESpirvType::Bool && Element.Kind <= ESpirvType::Float;
+		const bool bFits = Type.Kind == ESpirvType::Vector ? bScalar && Type.Count >= 2 && Type.Count <= 4
+						   : Type.Kind == ESpirvType::Matrix
+							   ? Element.Kind == ESpirvType::Vector && Type.Count >= 2 && Type.Count <= 4
+							   : Type.Count >= 1;
+		if (!bFits)
+		{
+			throw FSpirvError("SPIR-V: type " + std::to_string(Id) + " is malformed");
+		}
+		NumScalars = uint64_t(Element.NumScalars) * Type.Count;
+		break;
+	}
+	case ESpirvType::Struct:
+	{
+		bool bFlat = true;
+		for (const FSpirvMember& Member : Type.Members)
+		{
+			const uint32_t Size = Contains(Member.Type).NumScalars;
+			bFlat = bFlat && Size != 0;
+			NumScalars += Size;
+		}
+		NumScalars = bFlat ? NumScalars : 0;
+		break;
+	}
+	case ESpirvType::RuntimeArray:
+	case ESpirvType::SampledImage:
+	case ESpirvType::Image:
+	case ESpirvType::Pointer:
+		Contains(Type.Element);
+		break;
+	default:
+		break;
+	}
+	if (NumScalars > MaxScalars || Depth > MaxTypeDepth)
+	{
+		throw FSpirvError("SPIR-V: type " + std::to_string(Id) + " is too large");
+	}
+	Type.NumScalars = uint32_t(NumScalars);
+	TypeDepths[Id] = Depth;
+	if (!Module.Types.emplace(Id, std::move(Type)).second)
+	{
+		throw FSpirvError("SPIR-V: type " + std::to_string(Id) + " is defined twice");
+	}
+}
+
+void FSpirvReader::ReadType(uint16_t Op, FSpirvOperands& Operands)
+{
+	const uint32_t Id = Operands.Next();
+	FSpirvType Type;
+	switch (Op)
+	{
+	case OpTypeVoid:
+		Type.Kind = ESpirvType::Void;
+		break;
+	case OpTypeBool:
+		Type.Kind = ESpirvType::Bool;
+		break;
+	case OpTypeInt:
+	{
+		const uint32_t Width = Operands.Next();
+		Type.Kind = Operands.Next() ? ESpirvType::Int : ESpirvType::Uint;
+		if (Width != 32)
+		{
+			throw FSpirvError(
+				"integers of " + std::to_string(Width) + " bits are not supported on the CPU tier; use int or uint");
+		}
+		break;
+	}
+	case OpTypeFloat:
+	{
+		const uint32_t Width = Operands.Next();
+		Type.Kind = ESpirvType::Float;
+		if (Width != 32)
+		{
+			throw FSpirvError("floats of " + std::to_string(Width) +
+							  " bits are not supported on the CPU tier; use float "
+							  "(run with --precision double for 64-bit arithmetic)");
+		}
+		break;
+	}
+	case OpTypeVector:
+	case OpTypeMatrix:
+		Type.Kind = Op == OpTypeVector ? ESpirvType::Vector : ESpirvType::Matrix;
+		Type.Element = Operands.Next();
+		Type.Count = Operands.Next();
+		break;
+	case OpTypeArray:
+		Type.Kind = ESpirvType::Array;
+		Type.Element = Operands.Next();
+		Type.Count = Module.GetConstantScalar(Operands.Next());
+		break;
+	case OpTypeRuntimeArray:
+		Type.Kind = ESpirvType::RuntimeArray;
+		Type.Element = Operands.Next();
+		break;
+	case OpTypeStruct:
+		Type.Kind = ESpirvType::Struct;
+		for (const uint32_t Member : Operands.Rest())
+		{
+			Type.Members.push_back({Member, {}, 0, 0, false, false});
+		}
+		break;
+	case OpTypePointer:
+		Type.Kind = ESpirvType::Pointer;
+		Type.Storage = Operands.Next();
+		Type.Element = Operands.Next();
+		break;
+	case OpTypeImage:
+		Type.Kind = ESpirvType::Image;
+		Type.Element = Operands.Next();
+		Type.Dim = Operands.Next();
+		Operands.Next(); // depth comparison is told by the sampling instruction
+		Type.bArrayed = Operands.Next() != 0;
+		Type.bMultisampled = Operands.Next() != 0;
+		Type.bStorageImage = Operands.Next() == 2;
+		Type.Format = Operands.Next();
+		break;
+	case OpTypeSampler:
+		Type.Kind = ESpirvType::Sampler;
+		break;
+	case OpTypeSampledImage:
+		Type.Kind = ESpirvType::SampledImage;
+		Type.Element = Operands.Next();
+		break;
+	case OpTypeFunction:
+		Type.Kind = ESpirvType::Function;
+		break;
+	default:
+		throw FSpirvError("SPIR-V: " + GetSpirvOpName(Op) + " declares a type that the CPU tier does not know");
+	}
+	DefineType(Id, std::move(Type));
+}
+
+void FSpirvReader::ReadConstant(uint16_t Op, FSpirvOperands& Operands)
+{
+	FSpirvConstant Constant;
+	Constant.Type = Operands.Next();
+	const uint32_t Id = Operands.Next();
+	const FSpirvType& Type = Module.GetType(Constant.Type);
+	switch (Op)
+	{
+	case OpConstantTrue:
+	case OpConstantFalse:
+		Constant.Scalars = {Op == OpConstantTrue ? 1u : 0u};
+		break;
+	case OpConstant:
+		Constant.Scalars = {Operands.Next()};
+		break;
+	case OpConstantComposite:
+		for (const uint32_t Part : Operands.Rest())
+		{
+			const FSpirvConstant* Found = Module.FindConstant(Part);
+			if (!Found || Constant.Scalars.size() + Found->Scalars.size() > Type.NumScalars)
+			{
+				throw FSpirvError("SPIR-V: constant " + std::to_string(Id) + " is malformed");
+			}
+			Constant.Scalars.insert(Constant.Scalars.end(), Found->Scalars.begin(), Found->Scalars.end());
+		}
+		break;
+	default: // OpConstantNull, OpUndef: what is undefined is zero here
+		Constant.Scalars.assign(Type.NumScalars, 0);
+		break;
+	}
+	if (Type.NumScalars == 0 || Constant.Scalars.size() != Type.NumScalars)
+	{
+		throw FSpirvError("SPIR-V: constant " + std::to_string(Id) + " does not fit its type");
+	}
+	DefineValue(Id, Constant.Type);
+	Module.Constants.emplace(Id, std::move(Constant));
+}
+
+void FSpirvReader::ReadVariable(FSpirvOperands& Operands, bool bInFunction)
+{
+	const uint32_t PointerType = Operands.Next();
+	FSpirvVariable Variable;
+	Variable.Id = Operands.Next();
+	Variable.Storage = Operands.Next();
+	Variable.Initializer = Operands.AtEnd() ? 0 : Operands.Next();
+	const FSpirvType& Pointer = Module.GetType(PointerType);
+	if (Pointer.Kind != ESpirvType::Pointer || Pointer.Storage != Variable.Storage ||
+		bInFunction != (Variable.Storage == StorageFunction))
+	{
+		throw FSpirvError("SPIR-V: variable " + std::to_string(Variable.Id) + " is malformed");
+	}
+	Variable.Type = Pointer.Element;
+	if (Variable.Initializer)
+	{
+		const FSpirvConstant* Initial = Module.FindConstant(Variable.Initializer);
+		if (!Initial || Initial->Scalars.size() != Module.GetType(Variable.Type).NumScalars)
+		{
+			throw FSpirvError("SPIR-V: variable " + std::to_string(Variable.Id) + " has a malformed initial value");
+		}
+	}
+	DefineValue(Variable.Id, PointerType);
+	Module.VariableIndex.emplace(Variable.Id, uint32_t(Module.Variables.size()));
+	Module.Variables.push_back(std::move(Variable));
+}
+
+} // namespace Drydock
