@@ -2,6 +2,7 @@
 // Source: drydock.
 #include "SpirvReflect.h"
 
+#include <algorithm>
 #include <optional>
 #include <set>
 
@@ -49,14 +50,22 @@ public:
 			Sum = Add(Sum, bSomeLeft && Samples != 0 ? Unknown : Samples);
 			for (const FStructRegion& Inner : Node.Regions)
 			{
-				bSomeLeft = bSomeLeft || (Node.Kind != EStructNode::Loop && LeavesEarly(Inner));
+				bSomeLeft = bSomeLeft || LeavesEarly(Inner, {Node.Merge, Node.Continue});
 			}
+			bSomeLeft = bSomeLeft || (Node.Kind == EStructNode::Block && Discards(Node.Label));
 		}
 		return Sum;
 	}
 
 private:
 	int32_t Count(const FStructNode& Node);
+	/** The block calls a function that discards. */
+	bool Discards(uint32_t Label) const
+	{
+		const std::vector<FSpirvInstruction>& Instructions = Module.GetBlock(Label).Instructions;
+		return std::any_of(Instructions.begin(), Instructions.end(),
+			[](const FSpirvInstruction& I) { return I.Op == OpFunctionCall; });
+	}
 	std::optional<int64_t> GetTrips(const FStructNode& Loop) const;
 	/** Some threads may not reach the region's end. Inside: labels that jumps may go to without leaving. */
 	bool LeavesEarly(const FStructRegion& Region, const std::set<uint32_t>& Inside = {}) const;
@@ -70,7 +79,8 @@ bool FCounter::LeavesEarly(const FStructRegion& Region, const std::set<uint32_t>
 	for (const FStructNode& Node : Region.Nodes)
 	{
 		if ((Node.Kind == EStructNode::Edge && Node.bJump && !Inside.count(Node.To)) ||
-			Node.Kind == EStructNode::Return || Node.Kind == EStructNode::Kill)
+			(Node.Kind == EStructNode::Block && Discards(Node.Label)) || Node.Kind == EStructNode::Return ||
+			Node.Kind == EStructNode::Kill)
 		{
 			return true;
 		}

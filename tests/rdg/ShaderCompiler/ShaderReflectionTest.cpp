@@ -210,6 +210,18 @@ TEST(ShaderReflection, TapsAreUnknownWhereTheyDependOnParametersOrPixels)
 	EXPECT_EQ(-1, TapsOf("for (int i = 0; i < 4; ++i) { if (UV.x > i) break; C += T.SampleLevel(S, UV + i, 0); }"));
 }
 
+TEST(ShaderReflection, TapsAreUnknownBehindADiscard)
+{
+	const std::string Head =
+		"Texture2D T; SamplerState S; void Check(float v) { if (v < 0) discard; }\n"
+		"float4 Main(float4 P : SV_POSITION) : SV_Target0 { float4 C = T.SampleLevel(S, P.xy, 0);\n";
+	const std::string Tail = "return C + T.SampleLevel(S, C.xy, 0); }\n";
+	EXPECT_EQ(2, Reflect(Head + Tail, EShaderStage::Pixel).StaticSamples);
+	EXPECT_EQ(-1, Reflect(Head + "Check(C.x);" + Tail, EShaderStage::Pixel).StaticSamples);
+	EXPECT_EQ(
+		-1, Reflect(Head + "for (int i = 0; i < 3; ++i) Check(C.x - i);" + Tail, EShaderStage::Pixel).StaticSamples);
+}
+
 TEST(ShaderReflection, SurvivesJson)
 {
 	const FShaderReflection Reflection =
