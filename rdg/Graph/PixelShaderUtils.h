@@ -9,6 +9,18 @@ struct DRYDOCK_API FPixelShaderUtils
 	static void DrawFullscreenTriangle(FRHICommandList& RHICmdList, uint32 InstanceCount = 1) { RHICmdList.DrawPrimitive(0, 1, InstanceCount); }
 	static void DrawFullscreenQuad(FRHICommandList& RHICmdList, uint32 InstanceCount = 1) { RHICmdList.DrawPrimitive(0, 2, InstanceCount); }
 
+	/** Inside a raster lambda: fills the states of a full-screen draw, no blending and no depth test. */
+	static void InitFullscreenPipelineState(FRHICommandList& RHICmdList, const FGlobalShaderMap*, const TShaderRef<FShader>& PixelShader,
+		FGraphicsPipelineStateInitializer& GraphicsPSOInit)
+	{
+		RHICmdList.ApplyCachedRenderTargets(GraphicsPSOInit);
+		GraphicsPSOInit.BlendState = TStaticBlendState<>::GetRHI();
+		GraphicsPSOInit.RasterizerState = TStaticRasterizerState<>::GetRHI();
+		GraphicsPSOInit.DepthStencilState = TStaticDepthStencilState<false, CF_Always>::GetRHI();
+		GraphicsPSOInit.BoundShaderState.PixelShaderRHI = PixelShader.GetPixelShader();
+		GraphicsPSOInit.PrimitiveType = PT_TriangleList;
+	}
+
 	/** Inside a raster lambda: states, parameters and draw of a full-screen pass. */
 	template <typename TShaderClass>
 	static void DrawFullscreenPixelShader(FRHICommandList& RHICmdList, const FGlobalShaderMap*, const TShaderRef<TShaderClass>& PixelShader,

@@ -47,6 +47,15 @@ std::string DescribeBox(const FRDGResourceDescription& Resource, const FRDGSubre
 	return Text;
 }
 
+/** The resource's name; the second of one name and later ones get a number: "Blur #2". */
+std::string GetUniqueName(const FRDGCompiledGraph& Graph, size_t Index)
+{
+	const std::string& Name = Graph.Resources[Index].Name;
+	const auto Number = 1 + std::count_if(Graph.Resources.begin(), Graph.Resources.begin() + ptrdiff_t(Index),
+		[&Name](const FRDGCompiledResource& Resource) { return Resource.Name == Name; });
+	return Number == 1 ? Name : Format("%s #%d", Name.c_str(), int(Number));
+}
+
 /** "A, B mip 1", each once. */
 std::string ListUses(const FRDGCompiledGraph& Graph, const FRDGCompiledPass& Pass, bool bWrites)
 {
@@ -54,7 +63,7 @@ std::string ListUses(const FRDGCompiledGraph& Graph, const FRDGCompiledPass& Pas
 	for (const FRDGUse& Use : Pass.Uses)
 	{
 		const FRDGCompiledResource& Resource = Graph.Resources[size_t(Use.Resource)];
-		const std::string Name = Resource.Name + DescribeBox(Resource, Use);
+		const std::string Name = GetUniqueName(Graph, size_t(Use.Resource)) + DescribeBox(Resource, Use);
 		if ((bWrites ? Use.IsWrite() : Use.IsRead()) && std::find(Names.begin(), Names.end(), Name) == Names.end())
 		{
 			Names.push_back(Name);
@@ -71,9 +80,9 @@ std::string ListUses(const FRDGCompiledGraph& Graph, const FRDGCompiledPass& Pas
 size_t FindNameWidth(const FRDGCompiledGraph& Graph)
 {
 	size_t Width = 8;
-	for (const FRDGCompiledResource& Resource : Graph.Resources)
+	for (size_t Index = 0; Index < Graph.Resources.size(); ++Index)
 	{
-		Width = std::max(Width, Resource.Name.size());
+		Width = std::max(Width, GetUniqueName(Graph, Index).size());
 	}
 	return Width;
 }
@@ -197,11 +206,12 @@ std::string DumpText(const FRDGCompiledGraph& Graph)
 
 	const int Width = int(FindNameWidth(Graph));
 	Text += "\nresources                     (first and last pass that hold it)\n";
-	for (const FRDGCompiledResource& Resource : Graph.Resources)
+	for (size_t Index = 0; Index < Graph.Resources.size(); ++Index)
 	{
+		const FRDGCompiledResource& Resource = Graph.Resources[Index];
 		if (Resource.FirstPass >= 0)
 		{
-			Text += Format("  %-*s  %-34s %10s  %3d..%-3d  %s\n", Width, Resource.Name.c_str(), DescribeResource(Resource).c_str(),
+			Text += Format("  %-*s  %-34s %10s  %3d..%-3d  %s\n", Width, GetUniqueName(Graph, Index).c_str(), DescribeResource(Resource).c_str(),
 				DescribeBytes(Resource.Bytes).c_str(), Resource.FirstPass, Resource.LastPass, DescribeHome(Resource).c_str());
 		}
 	}

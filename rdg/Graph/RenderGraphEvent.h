@@ -56,7 +56,11 @@ private:
 #define DECLARE_GPU_STAT(StatName) [[maybe_unused]] static constexpr const TCHAR* GPUStat_##StatName = TEXT(#StatName);
 #define DECLARE_GPU_STAT_NAMED(StatName, NameString) [[maybe_unused]] static constexpr const TCHAR* GPUStat_##StatName = NameString;
 #define DECLARE_GPU_STAT_NAMED_EXTERN(StatName, NameString) DECLARE_GPU_STAT_NAMED(StatName, NameString)
+#define DECLARE_GPU_DRAWCALL_STAT(StatName) DECLARE_GPU_STAT(StatName)
+#define DECLARE_GPU_DRAWCALL_STAT_NAMED(StatName, NameString) DECLARE_GPU_STAT_NAMED(StatName, NameString)
+#define DECLARE_GPU_DRAWCALL_STAT_EXTERN(StatName) DECLARE_GPU_STAT(StatName)
 #define DEFINE_GPU_STAT(StatName)
+#define DEFINE_GPU_DRAWCALL_STAT(StatName)
 #define RDG_GPU_STAT_SCOPE(GraphBuilder, StatName) static_cast<void>(GraphBuilder), static_cast<void>(GPUStat_##StatName);
 #define RDG_GPU_STAT_SCOPE_VERBOSE(GraphBuilder, StatName, Description) RDG_GPU_STAT_SCOPE(GraphBuilder, StatName)
 #define SCOPED_GPU_STAT(RHICmdList, StatName) static_cast<void>(RHICmdList), static_cast<void>(GPUStat_##StatName);

@@ -38,7 +38,7 @@ void AnnotatePass(FRDGPassRef Pass, const TShaderRef<FShader>& Shader)
 } // namespace Drydock
 
 void AddCopyTexturePass(
-	FRDGBuilder& GraphBuilder, FRDGTextureRef InputTexture, FRDGTextureRef OutputTexture, const FRHICopyTextureInfo& CopyInfo)
+	FRDGBuilder& GraphBuilder, FRDGTextureRef InputTexture, FRDGTextureRef OutputTexture, const FRHICopyTextureInfo& CopyInfo, std::source_location Location)
 {
 	checkf(InputTexture && OutputTexture, TEXT("AddCopyTexturePass needs an input and an output texture"));
 	checkf(InputTexture->Desc.Format == OutputTexture->Desc.Format,
@@ -48,11 +48,12 @@ void AddCopyTexturePass(
 	Parameters->Output = OutputTexture;
 	GraphBuilder.AddPass(RDG_EVENT_NAME("CopyTexture(%s -> %s)", InputTexture->Name, OutputTexture->Name), Parameters, ERDGPassFlags::Copy,
 		[InputTexture, OutputTexture, CopyInfo](FRHICommandList& RHICmdList)
-		{ RHICmdList.CopyTexture(InputTexture->GetRHI(), OutputTexture->GetRHI(), CopyInfo); });
+		{ RHICmdList.CopyTexture(InputTexture->GetRHI(), OutputTexture->GetRHI(), CopyInfo); },
+		Location);
 }
 
 void AddCopyTexturePass(FRDGBuilder& GraphBuilder, FRDGTextureRef InputTexture, FRDGTextureRef OutputTexture, FIntPoint InputPosition,
-	FIntPoint OutputPosition, FIntPoint Size)
+	FIntPoint OutputPosition, FIntPoint Size, std::source_location Location)
 {
 	FRHICopyTextureInfo CopyInfo;
 	CopyInfo.SourcePosition = FIntVector(InputPosition.X, InputPosition.Y, 0);
@@ -61,38 +62,39 @@ void AddCopyTexturePass(FRDGBuilder& GraphBuilder, FRDGTextureRef InputTexture, 
 	{
 		CopyInfo.Size = FIntVector(Size.X, Size.Y, 1);
 	}
-	AddCopyTexturePass(GraphBuilder, InputTexture, OutputTexture, CopyInfo);
+	AddCopyTexturePass(GraphBuilder, InputTexture, OutputTexture, CopyInfo, Location);
 }
 
-void AddCopyBufferPass(FRDGBuilder& GraphBuilder, FRDGBufferRef DstBuffer, uint64 DstOffset, FRDGBufferRef SrcBuffer, uint64 SrcOffset, uint64 NumBytes)
+void AddCopyBufferPass(FRDGBuilder& GraphBuilder, FRDGBufferRef DstBuffer, uint64 DstOffset, FRDGBufferRef SrcBuffer, uint64 SrcOffset, uint64 NumBytes, std::source_location Location)
 {
 	FCopyBufferParameters* Parameters = GraphBuilder.AllocParameters<FCopyBufferParameters>();
 	Parameters->SrcBuffer = SrcBuffer;
 	Parameters->DstBuffer = DstBuffer;
 	GraphBuilder.AddPass(RDG_EVENT_NAME("CopyBuffer(%s -> %s)", SrcBuffer->Name, DstBuffer->Name), Parameters, ERDGPassFlags::Copy,
 		[SrcBuffer, DstBuffer, SrcOffset, DstOffset, NumBytes](FRHICommandList& RHICmdList)
-		{ RHICmdList.CopyBufferRegion(DstBuffer->GetRHI(), DstOffset, SrcBuffer->GetRHI(), SrcOffset, NumBytes); });
+		{ RHICmdList.CopyBufferRegion(DstBuffer->GetRHI(), DstOffset, SrcBuffer->GetRHI(), SrcOffset, NumBytes); },
+		Location);
 }
 
-void AddCopyBufferPass(FRDGBuilder& GraphBuilder, FRDGBufferRef DstBuffer, FRDGBufferRef SrcBuffer)
+void AddCopyBufferPass(FRDGBuilder& GraphBuilder, FRDGBufferRef DstBuffer, FRDGBufferRef SrcBuffer, std::source_location Location)
 {
-	AddCopyBufferPass(GraphBuilder, DstBuffer, 0, SrcBuffer, 0, SrcBuffer->GetSize());
+	AddCopyBufferPass(GraphBuilder, DstBuffer, 0, SrcBuffer, 0, SrcBuffer->GetSize(), Location);
 }
 
-void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture)
+void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, std::source_location Location)
 {
 	FRenderTargetParameters* Parameters = GraphBuilder.AllocParameters<FRenderTargetParameters>();
 	Parameters->RenderTargets[0] = FRenderTargetBinding(Texture, ERenderTargetLoadAction::EClear);
 	GraphBuilder.AddPass(
-		RDG_EVENT_NAME("ClearRenderTarget(%s)", Texture->Name), Parameters, ERDGPassFlags::Raster, [](FRHICommandList&) {});
+		RDG_EVENT_NAME("ClearRenderTarget(%s)", Texture->Name), Parameters, ERDGPassFlags::Raster, [](FRHICommandList&) {}, Location);
 }
 
-void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, const FLinearColor& ClearColor)
+void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, const FLinearColor& ClearColor, std::source_location Location)
 {
-	AddClearRenderTargetPass(GraphBuilder, Texture, ClearColor, FIntRect(FIntPoint::ZeroValue, Texture->Desc.Extent));
+	AddClearRenderTargetPass(GraphBuilder, Texture, ClearColor, FIntRect(FIntPoint::ZeroValue, Texture->Desc.Extent), Location);
 }
 
-void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, const FLinearColor& ClearColor, FIntRect Viewport)
+void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, const FLinearColor& ClearColor, FIntRect Viewport, std::source_location Location)
 {
 	const FIntRect Whole(FIntPoint::ZeroValue, Texture->Desc.Extent);
 	Viewport.Clip(Whole);
@@ -108,16 +110,19 @@ void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture,
 			uint8 Texel[32]; // four doubles are the largest texel there is
 			Drydock::EncodeTexel(TextureRHI->GetStorage(), Color, Texel);
 			TextureRHI->FillRect(Texel, Viewport, 0);
-		});
+		},
+		Location);
 }
 
 void AddClearDepthStencilPass(
-	FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, bool bClearDepth, float Depth, bool bClearStencil, uint8 Stencil)
+	FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, bool bClearDepth, float Depth, bool bClearStencil, uint8 Stencil, std::source_location Location)
 {
-	const ERenderTargetLoadAction DepthAction = ERenderTargetLoadAction::ELoad;
+	using EAccess = FExclusiveDepthStencil;
+	const auto GetLoad = [](bool bClear) { return bClear ? ERenderTargetLoadAction::ENoAction : ERenderTargetLoadAction::ELoad; };
+	const uint8 Access = (bClearDepth ? EAccess::DepthWrite : EAccess::DepthNop) | (bClearStencil ? EAccess::StencilWrite : EAccess::StencilNop);
 	FRenderTargetParameters* Parameters = GraphBuilder.AllocParameters<FRenderTargetParameters>();
 	Parameters->RenderTargets.DepthStencil =
-		FDepthStencilBinding(Texture, DepthAction, DepthAction, FExclusiveDepthStencil::DepthWrite_StencilWrite);
+		FDepthStencilBinding(Texture, GetLoad(bClearDepth), GetLoad(bClearStencil), EAccess::Type(Access));
 	GraphBuilder.AddPass(RDG_EVENT_NAME("ClearDepthStencil(%s)", Texture->Name), Parameters, ERDGPassFlags::Raster,
 		[Texture, bClearDepth, Depth, bClearStencil, Stencil](FRHICommandList&)
 		{
@@ -125,71 +130,75 @@ void AddClearDepthStencilPass(
 			const FIntRect Whole(FIntPoint::ZeroValue, Texture->Desc.Extent);
 			if (bClearDepth)
 			{
-				TextureRHI->FillRect(&Depth, Whole, 0);
+				const float Value[4] = {Depth, 0.0f, 0.0f, 0.0f};
+				uint8 Texel[32]; // four doubles are the largest texel there is
+				Drydock::EncodeTexel(TextureRHI->GetStorage(), Value, Texel);
+				TextureRHI->FillRect(Texel, Whole, 0);
 			}
 			if (bClearStencil && TextureRHI->GetNumPlanes() > 1)
 			{
 				TextureRHI->FillRect(&Stencil, Whole, 0, -1, 1);
 			}
-		});
+		},
+		Location);
 }
 
 namespace
 {
 
 template <typename ParametersType, typename UAVType, typename LambdaType>
-void AddClearPass(FRDGBuilder& GraphBuilder, UAVType UAV, LambdaType&& Clear)
+void AddClearPass(FRDGBuilder& GraphBuilder, UAVType UAV, const std::source_location& Location, LambdaType&& Clear)
 {
 	ParametersType* Parameters = GraphBuilder.AllocParameters<ParametersType>();
 	Parameters->UAV = UAV;
 	GraphBuilder.AddPass(RDG_EVENT_NAME("ClearUAV(%s)", UAV->GetParent()->Name), Parameters, ERDGPassFlags::Compute,
-		[UAV, Clear](FRHIComputeCommandList& RHICmdList) { Clear(RHICmdList, UAV->GetRHI()); });
+		[UAV, Clear](FRHIComputeCommandList& RHICmdList) { Clear(RHICmdList, UAV->GetRHI()); }, Location);
 }
 
 } // namespace
 
-void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGBufferUAVRef BufferUAV, uint32 Value)
+void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGBufferUAVRef BufferUAV, uint32 Value, std::source_location Location)
 {
-	AddClearPass<FClearBufferUAVParameters>(GraphBuilder, BufferUAV,
+	AddClearPass<FClearBufferUAVParameters>(GraphBuilder, BufferUAV, Location,
 		[Value](FRHIComputeCommandList& RHICmdList, FRHIUnorderedAccessView* UAV)
 		{ RHICmdList.ClearUAVUint(UAV, FUintVector4(Value, Value, Value, Value)); });
 }
 
-void AddClearUAVFloatPass(FRDGBuilder& GraphBuilder, FRDGBufferUAVRef BufferUAV, float Value)
+void AddClearUAVFloatPass(FRDGBuilder& GraphBuilder, FRDGBufferUAVRef BufferUAV, float Value, std::source_location Location)
 {
-	AddClearPass<FClearBufferUAVParameters>(GraphBuilder, BufferUAV,
+	AddClearPass<FClearBufferUAVParameters>(GraphBuilder, BufferUAV, Location,
 		[Value](FRHIComputeCommandList& RHICmdList, FRHIUnorderedAccessView* UAV)
 		{ RHICmdList.ClearUAVFloat(UAV, FVector4f(Value, Value, Value, Value)); });
 }
 
-void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const FUintVector4& ClearValues)
+void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const FUintVector4& ClearValues, std::source_location Location)
 {
-	AddClearPass<FClearTextureUAVParameters>(GraphBuilder, TextureUAV,
+	AddClearPass<FClearTextureUAVParameters>(GraphBuilder, TextureUAV, Location,
 		[ClearValues](FRHIComputeCommandList& RHICmdList, FRHIUnorderedAccessView* UAV) { RHICmdList.ClearUAVUint(UAV, ClearValues); });
 }
 
-void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const FVector4f& ClearValues)
+void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const FVector4f& ClearValues, std::source_location Location)
 {
-	AddClearPass<FClearTextureUAVParameters>(GraphBuilder, TextureUAV,
+	AddClearPass<FClearTextureUAVParameters>(GraphBuilder, TextureUAV, Location,
 		[ClearValues](FRHIComputeCommandList& RHICmdList, FRHIUnorderedAccessView* UAV) { RHICmdList.ClearUAVFloat(UAV, ClearValues); });
 }
 
-void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const FLinearColor& ClearColor)
+void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const FLinearColor& ClearColor, std::source_location Location)
 {
-	AddClearUAVPass(GraphBuilder, TextureUAV, FVector4f(ClearColor.R, ClearColor.G, ClearColor.B, ClearColor.A));
+	AddClearUAVPass(GraphBuilder, TextureUAV, FVector4f(ClearColor.R, ClearColor.G, ClearColor.B, ClearColor.A), Location);
 }
 
-void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const float (&ClearValues)[4])
+void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const float (&ClearValues)[4], std::source_location Location)
 {
-	AddClearUAVPass(GraphBuilder, TextureUAV, FVector4f(ClearValues[0], ClearValues[1], ClearValues[2], ClearValues[3]));
+	AddClearUAVPass(GraphBuilder, TextureUAV, FVector4f(ClearValues[0], ClearValues[1], ClearValues[2], ClearValues[3]), Location);
 }
 
-void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const uint32 (&ClearValues)[4])
+void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const uint32 (&ClearValues)[4], std::source_location Location)
 {
-	AddClearUAVPass(GraphBuilder, TextureUAV, FUintVector4(ClearValues[0], ClearValues[1], ClearValues[2], ClearValues[3]));
+	AddClearUAVPass(GraphBuilder, TextureUAV, FUintVector4(ClearValues[0], ClearValues[1], ClearValues[2], ClearValues[3]), Location);
 }
 
-void AddEnqueueCopyPass(FRDGBuilder& GraphBuilder, FRHIGPUTextureReadback* Readback, FRDGTextureRef SourceTexture, FResolveRect Rect)
+void AddEnqueueCopyPass(FRDGBuilder& GraphBuilder, FRHIGPUTextureReadback* Readback, FRDGTextureRef SourceTexture, FResolveRect Rect, std::source_location Location)
 {
 	AddReadbackTexturePass(GraphBuilder, RDG_EVENT_NAME("EnqueueCopy(%s)", SourceTexture->Name), SourceTexture,
 		[Readback, SourceTexture, Rect](FRHICommandList& RHICmdList)
@@ -197,14 +206,16 @@ void AddEnqueueCopyPass(FRDGBuilder& GraphBuilder, FRHIGPUTextureReadback* Readb
 			const FIntVector Position(Rect.X1 >= 0 ? Rect.X1 : 0, Rect.Y1 >= 0 ? Rect.Y1 : 0, 0);
 			const FIntVector Size(Rect.X2 - Position.X, Rect.Y2 - Position.Y, 1);
 			Readback->EnqueueCopy(RHICmdList, SourceTexture->GetRHI(), Position, 0, Rect.IsValid() ? Size : FIntVector(0, 0, 0));
-		});
+		},
+		Location);
 }
 
-void AddEnqueueCopyPass(FRDGBuilder& GraphBuilder, FRHIGPUBufferReadback* Readback, FRDGBufferRef SourceBuffer, uint32 NumBytes)
+void AddEnqueueCopyPass(FRDGBuilder& GraphBuilder, FRHIGPUBufferReadback* Readback, FRDGBufferRef SourceBuffer, uint32 NumBytes, std::source_location Location)
 {
 	AddReadbackBufferPass(GraphBuilder, RDG_EVENT_NAME("EnqueueCopy(%s)", SourceBuffer->Name), SourceBuffer,
 		[Readback, SourceBuffer, NumBytes](FRHICommandList& RHICmdList)
-		{ Readback->EnqueueCopy(RHICmdList, SourceBuffer->GetRHI(), NumBytes); });
+		{ Readback->EnqueueCopy(RHICmdList, SourceBuffer->GetRHI(), NumBytes); },
+		Location);
 }
 
 namespace

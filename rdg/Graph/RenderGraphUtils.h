@@ -24,49 +24,77 @@ DRYDOCK_API void AnnotatePass(FRDGPassRef Pass, const TShaderRef<FShader>& Shade
 
 /** Copies a region of mips and slices; formats must agree. */
 DRYDOCK_API void AddCopyTexturePass(
-	FRDGBuilder& GraphBuilder, FRDGTextureRef InputTexture, FRDGTextureRef OutputTexture, const FRHICopyTextureInfo& CopyInfo);
+	FRDGBuilder& GraphBuilder, FRDGTextureRef InputTexture, FRDGTextureRef OutputTexture, const FRHICopyTextureInfo& CopyInfo,
+	std::source_location Location = std::source_location::current());
 
 /** Copies Size texels (zero: the whole input) from InputPosition to OutputPosition. */
 DRYDOCK_API void AddCopyTexturePass(FRDGBuilder& GraphBuilder, FRDGTextureRef InputTexture, FRDGTextureRef OutputTexture,
-	FIntPoint InputPosition = FIntPoint::ZeroValue, FIntPoint OutputPosition = FIntPoint::ZeroValue, FIntPoint Size = FIntPoint::ZeroValue);
+	FIntPoint InputPosition = FIntPoint::ZeroValue, FIntPoint OutputPosition = FIntPoint::ZeroValue, FIntPoint Size = FIntPoint::ZeroValue,
+	std::source_location Location = std::source_location::current());
 
 DRYDOCK_API void AddCopyBufferPass(FRDGBuilder& GraphBuilder, FRDGBufferRef DstBuffer, uint64 DstOffset, FRDGBufferRef SrcBuffer,
-	uint64 SrcOffset, uint64 NumBytes);
-DRYDOCK_API void AddCopyBufferPass(FRDGBuilder& GraphBuilder, FRDGBufferRef DstBuffer, FRDGBufferRef SrcBuffer);
+	uint64 SrcOffset, uint64 NumBytes,
+	std::source_location Location = std::source_location::current());
+DRYDOCK_API void AddCopyBufferPass(FRDGBuilder& GraphBuilder, FRDGBufferRef DstBuffer, FRDGBufferRef SrcBuffer,
+	std::source_location Location = std::source_location::current());
 
 // Clears ----------------------------------------------------------------------------------------------------------------
 
 /** Clears to the texture's own clear value. */
-DRYDOCK_API void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture);
-DRYDOCK_API void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, const FLinearColor& ClearColor);
+DRYDOCK_API void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture,
+	std::source_location Location = std::source_location::current());
+DRYDOCK_API void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, const FLinearColor& ClearColor,
+	std::source_location Location = std::source_location::current());
 /** Clears a rectangle; the rest stays. */
 DRYDOCK_API void AddClearRenderTargetPass(
-	FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, const FLinearColor& ClearColor, FIntRect Viewport);
+	FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, const FLinearColor& ClearColor, FIntRect Viewport,
+	std::source_location Location = std::source_location::current());
 
+/** Planes that are not cleared keep what they hold. */
 DRYDOCK_API void AddClearDepthStencilPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, bool bClearDepth = true, float Depth = 0.0f,
-	bool bClearStencil = true, uint8 Stencil = 0);
+	bool bClearStencil = true, uint8 Stencil = 0,
+	std::source_location Location = std::source_location::current());
 
 /** Values are stored as the format stores them. */
-DRYDOCK_API void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGBufferUAVRef BufferUAV, uint32 Value);
-DRYDOCK_API void AddClearUAVFloatPass(FRDGBuilder& GraphBuilder, FRDGBufferUAVRef BufferUAV, float Value);
-DRYDOCK_API void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const FUintVector4& ClearValues);
-DRYDOCK_API void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const FVector4f& ClearValues);
-DRYDOCK_API void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const FLinearColor& ClearColor);
-DRYDOCK_API void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const float (&ClearValues)[4]);
-DRYDOCK_API void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const uint32 (&ClearValues)[4]);
+DRYDOCK_API void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGBufferUAVRef BufferUAV, uint32 Value,
+	std::source_location Location = std::source_location::current());
+DRYDOCK_API void AddClearUAVFloatPass(FRDGBuilder& GraphBuilder, FRDGBufferUAVRef BufferUAV, float Value,
+	std::source_location Location = std::source_location::current());
+DRYDOCK_API void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const FUintVector4& ClearValues,
+	std::source_location Location = std::source_location::current());
+DRYDOCK_API void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const FVector4f& ClearValues,
+	std::source_location Location = std::source_location::current());
+DRYDOCK_API void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const FLinearColor& ClearColor,
+	std::source_location Location = std::source_location::current());
+DRYDOCK_API void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const float (&ClearValues)[4],
+	std::source_location Location = std::source_location::current());
+DRYDOCK_API void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const uint32 (&ClearValues)[4],
+	std::source_location Location = std::source_location::current());
 
 // Readbacks -------------------------------------------------------------------------------------------------------------
 
 /** What the readback holds can be read right after Execute. */
 DRYDOCK_API void AddEnqueueCopyPass(
-	FRDGBuilder& GraphBuilder, FRHIGPUTextureReadback* Readback, FRDGTextureRef SourceTexture, FResolveRect Rect = FResolveRect());
-DRYDOCK_API void AddEnqueueCopyPass(FRDGBuilder& GraphBuilder, FRHIGPUBufferReadback* Readback, FRDGBufferRef SourceBuffer, uint32 NumBytes);
+	FRDGBuilder& GraphBuilder, FRHIGPUTextureReadback* Readback, FRDGTextureRef SourceTexture, FResolveRect Rect = FResolveRect(),
+	std::source_location Location = std::source_location::current());
+DRYDOCK_API void AddEnqueueCopyPass(FRDGBuilder& GraphBuilder, FRHIGPUBufferReadback* Readback, FRDGBufferRef SourceBuffer, uint32 NumBytes,
+	std::source_location Location = std::source_location::current());
 
 /** A pass that only needs Texture (or Buffer) ready to be copied from, and is never culled. */
 template <typename ExecuteLambdaType>
-void AddReadbackTexturePass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name, FRDGTextureRef Texture, ExecuteLambdaType&& ExecuteLambda);
+void AddReadbackTexturePass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name, FRDGTextureRef Texture, ExecuteLambdaType&& ExecuteLambda,
+	std::source_location Location = std::source_location::current());
 template <typename ExecuteLambdaType>
-void AddReadbackBufferPass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name, FRDGBufferRef Buffer, ExecuteLambdaType&& ExecuteLambda);
+void AddReadbackBufferPass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name, FRDGBufferRef Buffer, ExecuteLambdaType&& ExecuteLambda,
+	std::source_location Location = std::source_location::current());
+
+/** A pass without parameters: it always runs. */
+template <typename ExecuteLambdaType>
+FRDGPassRef AddPass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name, ExecuteLambdaType&& ExecuteLambda,
+	std::source_location Location = std::source_location::current())
+{
+	return GraphBuilder.AddPass(MoveTemp(Name), ERDGPassFlags::None, std::forward<ExecuteLambdaType>(ExecuteLambda), Location);
+}
 
 // Buffers ---------------------------------------------------------------------------------------------------------------
 
@@ -108,9 +136,25 @@ inline FRDGBufferRef TryRegisterExternalBuffer(
 }
 
 /** Makes the texture external now, and hands it over. */
-inline TRefCountPtr<IPooledRenderTarget> ConvertToExternalAccessTexture(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture)
+inline void ConvertToExternalTexture(
+	FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, TRefCountPtr<IPooledRenderTarget>& OutPooledRenderTarget)
 {
-	return GraphBuilder.ConvertToExternalTexture(Texture);
+	OutPooledRenderTarget = GraphBuilder.ConvertToExternalTexture(Texture);
+}
+
+inline void ConvertToExternalBuffer(FRDGBuilder& GraphBuilder, FRDGBufferRef Buffer, TRefCountPtr<FRDGPooledBuffer>& OutPooledBuffer)
+{
+	OutPooledBuffer = GraphBuilder.ConvertToExternalBuffer(Buffer);
+}
+
+/** Inside a pass: the RHI object; null of null. */
+inline FRHITexture* TryGetRHI(FRDGTextureRef Texture)
+{
+	return Texture ? Texture->GetRHI() : nullptr;
+}
+inline FRHIBuffer* TryGetRHI(FRDGBufferRef Buffer)
+{
+	return Buffer ? Buffer->GetRHI() : nullptr;
 }
 
 /** Textures of another pass's parameters that are bound as targets or views can be null; this tells the binding of one. */
@@ -206,6 +250,13 @@ struct FComputeShaderUtils
 		UnsetShaderUAVs(RHICmdList, ComputeShader, ShaderRHI);
 	}
 
+	template <typename TShaderClass>
+	static void DispatchIndirect(FRHIComputeCommandList& RHICmdList, const TShaderRef<TShaderClass>& ComputeShader,
+		const typename TShaderClass::FParameters& Parameters, FRDGBufferRef IndirectArgsBuffer, uint32 IndirectArgOffset)
+	{
+		DispatchIndirect(RHICmdList, ComputeShader, Parameters, IndirectArgsBuffer->GetIndirectRHICallBuffer(), IndirectArgOffset);
+	}
+
 	/** Adds a pass that dispatches the shader. What it does not read of Parameters is dropped first. */
 	template <typename TShaderClass>
 	static FRDGPassRef AddPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, ERDGPassFlags PassFlags,
@@ -248,8 +299,17 @@ struct FComputeShaderUtils
 		typename TShaderClass::FParameters* Parameters, TFunction<FIntVector()>&& GroupCountCallback,
 		std::source_location Location = std::source_location::current())
 	{
+		return AddPass(
+			GraphBuilder, MoveTemp(PassName), ERDGPassFlags::Compute, ComputeShader, Parameters, MoveTemp(GroupCountCallback), Location);
+	}
+
+	template <typename TShaderClass>
+	static FRDGPassRef AddPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, ERDGPassFlags PassFlags,
+		const TShaderRef<TShaderClass>& ComputeShader, typename TShaderClass::FParameters* Parameters,
+		TFunction<FIntVector()>&& GroupCountCallback, std::source_location Location = std::source_location::current())
+	{
 		ClearUnusedGraphResources(ComputeShader, Parameters);
-		FRDGPassRef Pass = GraphBuilder.AddPass(MoveTemp(PassName), Parameters, ERDGPassFlags::Compute,
+		FRDGPassRef Pass = GraphBuilder.AddPass(MoveTemp(PassName), Parameters, PassFlags,
 			[Parameters, ComputeShader, Callback = MoveTemp(GroupCountCallback)](FRHIComputeCommandList& RHICmdList)
 			{ Dispatch(RHICmdList, ComputeShader, *Parameters, Callback()); },
 			Location);
@@ -284,17 +344,19 @@ struct FComputeShaderUtils
 };
 
 template <typename ExecuteLambdaType>
-void AddReadbackTexturePass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name, FRDGTextureRef Texture, ExecuteLambdaType&& ExecuteLambda)
+void AddReadbackTexturePass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name, FRDGTextureRef Texture, ExecuteLambdaType&& ExecuteLambda,
+	std::source_location Location)
 {
 	auto* Parameters = GraphBuilder.AllocParameters<FTextureAccessDynamicParameters>();
 	Parameters->Texture = Texture;
-	GraphBuilder.AddPass(MoveTemp(Name), Parameters, ERDGPassFlags::Readback, std::forward<ExecuteLambdaType>(ExecuteLambda));
+	GraphBuilder.AddPass(MoveTemp(Name), Parameters, ERDGPassFlags::Readback, std::forward<ExecuteLambdaType>(ExecuteLambda), Location);
 }
 
 template <typename ExecuteLambdaType>
-void AddReadbackBufferPass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name, FRDGBufferRef Buffer, ExecuteLambdaType&& ExecuteLambda)
+void AddReadbackBufferPass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name, FRDGBufferRef Buffer, ExecuteLambdaType&& ExecuteLambda,
+	std::source_location Location)
 {
 	auto* Parameters = GraphBuilder.AllocParameters<FBufferAccessDynamicParameters>();
 	Parameters->Buffer = Buffer;
-	GraphBuilder.AddPass(MoveTemp(Name), Parameters, ERDGPassFlags::Readback, std::forward<ExecuteLambdaType>(ExecuteLambda));
+	GraphBuilder.AddPass(MoveTemp(Name), Parameters, ERDGPassFlags::Readback, std::forward<ExecuteLambdaType>(ExecuteLambda), Location);
 }

@@ -119,11 +119,6 @@ FScreenPassTextureViewport GetDownscaledViewport(FScreenPassTextureViewport View
 	return FScreenPassTextureViewport(GetDownscaledExtent(Viewport.Extent, Divisor), GetDownscaledRect(Viewport.Rect, Divisor));
 }
 
-FIntRect GetRectFromExtent(FIntPoint Extent)
-{
-	return FIntRect(FIntPoint::ZeroValue, Extent);
-}
-
 FScreenPassTextureViewportParameters GetScreenPassTextureViewportParameters(const FScreenPassTextureViewport& InViewport)
 {
 	FScreenPassTextureViewportParameters Parameters;
@@ -170,6 +165,22 @@ FScreenPassTextureSliceInput GetScreenPassTextureInput(FScreenPassTextureSlice T
 	Input.Texture = TextureSlice.TextureSRV;
 	Input.Sampler = Sampler;
 	return Input;
+}
+
+FScreenPassTextureViewportTransform GetScreenPassTextureViewportTransform(
+	const FVector2f& SourceOffset, const FVector2f& SourceExtent, const FVector2f& DestinationOffset, const FVector2f& DestinationExtent)
+{
+	FScreenPassTextureViewportTransform Transform;
+	Transform.Scale = DestinationExtent / SourceExtent;
+	Transform.Bias = DestinationOffset - Transform.Scale * SourceOffset;
+	return Transform;
+}
+
+FScreenPassTextureViewportTransform GetScreenPassTextureViewportTransform(
+	const FScreenPassTextureViewportParameters& Source, const FScreenPassTextureViewportParameters& Destination)
+{
+	return GetScreenPassTextureViewportTransform(
+		Source.UVViewportMin, Source.UVViewportSize, Destination.UVViewportMin, Destination.UVViewportSize);
 }
 
 void SetScreenPassPipelineState(FRHICommandList& RHICmdList, const FScreenPassPipelineState& ScreenPassDraw)

@@ -85,6 +85,14 @@ struct DRYDOCK_API FScreenPassRenderTarget : public FScreenPassTexture
 	 *  does not cover it, else left as it is. */
 	static FScreenPassRenderTarget CreateViewFamilyOutput(FRDGTextureRef ViewFamilyTexture, FIntRect ViewRect, bool bIsFirstView);
 
+	/** The engine's form. View is a FViewInfo, which this storey does not know. */
+	template <typename ViewType>
+	static FScreenPassRenderTarget CreateViewFamilyOutput(FRDGTextureRef ViewFamilyTexture, const ViewType& View)
+	{
+		return CreateViewFamilyOutput(
+			ViewFamilyTexture, View.UnscaledViewRect, View.GetOverwriteLoadAction() != ERenderTargetLoadAction::ELoad);
+	}
+
 	FRenderTargetBinding GetRenderTargetBinding() const { return FRenderTargetBinding(Texture, LoadAction); }
 
 	bool operator==(const FScreenPassRenderTarget&) const = default;
@@ -131,9 +139,6 @@ DRYDOCK_API FIntPoint GetDownscaledExtent(FIntPoint Extent, FIntPoint Divisor);
 DRYDOCK_API FIntRect GetDownscaledRect(FIntRect Rect, FIntPoint Divisor);
 DRYDOCK_API FScreenPassTextureViewport GetDownscaledViewport(FScreenPassTextureViewport Viewport, FIntPoint Divisor);
 
-/** The inverse of the above: a viewport scaled to another extent. */
-DRYDOCK_API FIntRect GetRectFromExtent(FIntPoint Extent);
-
 /** Everything a shader asks of a viewport; `SCREEN_PASS_TEXTURE_VIEWPORT(Name)` declares it in HLSL. All zero when the
  *  viewport is empty. Sizes in texels, UV relative to the extent. */
 BEGIN_SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, DRYDOCK_API)
@@ -170,6 +175,17 @@ END_SHADER_PARAMETER_STRUCT()
 
 DRYDOCK_API FScreenPassTextureInput GetScreenPassTextureInput(FScreenPassTexture TexturePair, FRHISamplerState* Sampler);
 DRYDOCK_API FScreenPassTextureSliceInput GetScreenPassTextureInput(FScreenPassTextureSlice TextureSlice, FRHISamplerState* Sampler);
+
+/** UV of one viewport to UV of another: UV * Scale + Bias. */
+BEGIN_SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportTransform, DRYDOCK_API)
+	SHADER_PARAMETER(FVector2f, Scale)
+	SHADER_PARAMETER(FVector2f, Bias)
+END_SHADER_PARAMETER_STRUCT()
+
+DRYDOCK_API FScreenPassTextureViewportTransform GetScreenPassTextureViewportTransform(
+	const FVector2f& SourceOffset, const FVector2f& SourceExtent, const FVector2f& DestinationOffset, const FVector2f& DestinationExtent);
+DRYDOCK_API FScreenPassTextureViewportTransform GetScreenPassTextureViewportTransform(
+	const FScreenPassTextureViewportParameters& Source, const FScreenPassTextureViewportParameters& Destination);
 
 /** What a screen pass wants of a view: nothing that a CPU needs, so anything view-like converts to it. */
 struct FScreenPassViewInfo
@@ -366,6 +382,34 @@ FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassNam
 {
 	return AddDrawScreenPass(GraphBuilder, MoveTemp(PassName), ViewInfo, OutputViewport, InputViewport,
 		FScreenPassPipelineState(TShaderRef<FShader>(), PixelShader), PixelShader, PixelShaderParameters, Flags, Location);
+}
+
+/** The same with the binding left to the caller: SetupFunction(FRHICommandList&) runs in the pass, after the states are set.
+ *  PassParameters hold the render targets. */
+template <typename TPassParameters, typename TSetupFunction>
+	requires std::is_invocable_v<TSetupFunction&, FRHICommandList&>
+FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, const FScreenPassViewInfo& ViewInfo,
+	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
+	const FScreenPassPipelineState& PipelineState, TPassParameters* PassParameters, EScreenPassDrawFlags Flags, TSetupFunction SetupFunction,
+	std::source_location Location = std::source_location::current())
+{
+	FRDGPassRef Pass = GraphBuilder.AddPass(MoveTemp(PassName), PassParameters, ERDGPassFlags::Raster,
+		[ViewInfo, OutputViewport, InputViewport, PipelineState, Flags, SetupFunction](FRHICommandList& RHICmdList)
+		{ DrawScreenPass(RHICmdList, ViewInfo, OutputViewport, InputViewport, PipelineState, Flags, SetupFunction); },
+		Location);
+	Drydock::AnnotatePass(Pass, PipelineState.PixelShader);
+	return Pass;
+}
+
+template <typename TPassParameters, typename TSetupFunction>
+	requires std::is_invocable_v<TSetupFunction&, FRHICommandList&>
+FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, const FScreenPassViewInfo& ViewInfo,
+	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
+	const FScreenPassPipelineState& PipelineState, TPassParameters* PassParameters, TSetupFunction SetupFunction,
+	std::source_location Location = std::source_location::current())
+{
+	return AddDrawScreenPass(GraphBuilder, MoveTemp(PassName), ViewInfo, OutputViewport, InputViewport, PipelineState, PassParameters,
+		EScreenPassDrawFlags::None, SetupFunction, Location);
 }
 
 /** Copies a region: as memory where the formats agree, else through FCopyRectPS. Size 0: from the positions to the edges. */

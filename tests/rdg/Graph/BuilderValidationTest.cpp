@@ -38,6 +38,7 @@ FRHICommandListImmediate& GetList() { return FRHICommandListExecutor::GetImmedia
 
 TEST(BuilderValidationDeathTest, DestroyedWithoutExecuteTerminates)
 {
+	GTEST_FLAG_SET(death_test_style, "threadsafe"); // the library has threads of its own
 	EXPECT_DEATH({ FRDGBuilder GraphBuilder(GetList(), RDG_EVENT_NAME("Forgotten")); }, "DD2002.*Forgotten.*Execute");
 }
 

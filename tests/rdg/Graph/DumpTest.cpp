@@ -98,3 +98,16 @@ TEST(Dump, FlagsAreNamed)
 	EXPECT_EQ("Compute|NeverCull", DescribePassFlags(ERDGPassFlags::Compute | ERDGPassFlags::NeverCull));
 	EXPECT_EQ("None", DescribePassFlags(ERDGPassFlags::None));
 }
+
+TEST(Dump, ResourcesOfOneNameAreNumbered)
+{
+	FGraphTest Graph;
+	FRDGTextureRef First = Graph.Builder->CreateTexture(FGraphTest::MakeDesc(), TEXT("Blur"));
+	FRDGTextureRef Second = Graph.Builder->CreateTexture(FGraphTest::MakeDesc(), TEXT("Blur"));
+	Graph.Textures["First"] = First;
+	Graph.Textures["Second"] = Second;
+	Graph.Pass("A").Writes("First");
+	Graph.Pass("B").Reads("First").Writes("Second");
+	Graph.Extract("Second");
+	EXPECT_THAT(DumpText(Graph.Builder->Compile()), HasSubstr("reads    Blur\n        writes   Blur #2\n"));
+}

@@ -104,6 +104,50 @@ TEST(Utils, ClearUAVFloatOfABufferSetsEveryFloat)
 	Readback.Unlock();
 }
 
+namespace
+{
+
+/** Clears a depth-stencil texture and reads a texel of both planes. */
+std::pair<float, int32> ClearDepth(bool bClearDepth, bool bClearStencil)
+{
+	FGraphTest Graph;
+	FRDGTextureRef Depth = Graph.Texture("D", FRDGTextureDesc::Create2D(FIntPoint(4, 4), PF_DepthStencil, FClearValueBinding::DepthFar,
+		TexCreate_DepthStencilTargetable | TexCreate_ShaderResource));
+	AddClearDepthStencilPass(*Graph.Builder, Depth, true, 0.25f, true, 9);
+	AddClearDepthStencilPass(*Graph.Builder, Depth, bClearDepth, 0.5f, bClearStencil, 7);
+	std::pair<float, int32> Seen;
+	AddReadbackTexturePass(*Graph.Builder, RDG_EVENT_NAME("Read"), Depth,
+		[&](FRHICommandListImmediate&)
+		{ Seen = {Depth->GetRHI()->ReadTexel(2, 2).R, *Depth->GetRHI()->GetTexel(2, 2, 0, 0, 1)}; });
+	testing::internal::CaptureStderr();
+	Graph.Run();
+	EXPECT_EQ("", testing::internal::GetCapturedStderr());
+	return Seen;
+}
+
+} // namespace
+
+TEST(Utils, ClearDepthStencilClearsBothPlanes) { EXPECT_EQ(std::make_pair(0.5f, 7), ClearDepth(true, true)); }
+TEST(Utils, ClearDepthStencilOfDepthKeepsTheStencil) { EXPECT_EQ(std::make_pair(0.5f, 9), ClearDepth(true, false)); }
+TEST(Utils, ClearDepthStencilOfStencilKeepsTheDepth) { EXPECT_EQ(std::make_pair(0.25f, 7), ClearDepth(false, true)); }
+
+TEST(Utils, AMistakeInAHelperIsReportedWhereItWasCalled)
+{
+	FGraphTest Graph;
+	const int Line = int(std::source_location::current().line()) + 1;
+	AddCopyTexturePass(*Graph.Builder, Graph.Texture("X"), Graph.Texture("X"));
+	try
+	{
+		Graph.Run();
+		ADD_FAILURE();
+	}
+	catch (const FError& Error)
+	{
+		EXPECT_THAT(Error.GetDiagnostics()[0].File, testing::EndsWith("UtilsTest.cpp"));
+		EXPECT_EQ(Line, Error.GetDiagnostics()[0].Line);
+	}
+}
+
 TEST(Utils, CopyTextureCopiesTheWhole)
 {
 	FGraphTest Graph;
