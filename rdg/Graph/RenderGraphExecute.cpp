@@ -91,9 +91,12 @@ std::vector<FRDGTexture*> FRDGExecutor::FindExternals(int32 PassIndex)
 		const bool bAsked = PassIndex < 0 ? !State.Passes[Index]->bCulled : State.Passes[Index]->GetIndex() == PassIndex;
 		for (FRDGViewableResource* Resource : State.PassResources[Index].Viewables)
 		{
+			if (!bAsked || !Resource->bRegistered || Resource->Type != ERDGViewableResourceType::Texture)
+			{
+				continue;
+			}
 			auto* const Texture = static_cast<FRDGTexture*>(Resource);
-			if (bAsked && Resource->bRegistered && Resource->Type == ERDGViewableResourceType::Texture
-				&& State.LoadedExternals.insert(Texture).second)
+			if (State.LoadedExternals.insert(Texture).second)
 			{
 				Found.push_back(Texture);
 			}
@@ -327,8 +330,12 @@ std::vector<FRDGTexture*> FRDGExecutor::FindWritten(const FRDGPass& Pass) const
 	for (const FRDGUse& Use : State.GetDescription(Pass).Uses)
 	{
 		FRDGViewableResource* const Resource = State.Resources[size_t(Use.Resource)].get();
+		if (!Use.IsWrite() || Resource->Type != ERDGViewableResourceType::Texture)
+		{
+			continue;
+		}
 		auto* const Texture = static_cast<FRDGTexture*>(Resource);
-		if (Use.IsWrite() && Resource->Type == ERDGViewableResourceType::Texture && std::find(Written.begin(), Written.end(), Texture) == Written.end())
+		if (std::find(Written.begin(), Written.end(), Texture) == Written.end())
 		{
 			Written.push_back(Texture);
 		}
