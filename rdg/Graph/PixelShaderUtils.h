@@ -6,12 +6,18 @@
 struct DRYDOCK_API FPixelShaderUtils
 {
 	/** Inside a raster lambda: draws one triangle over the viewport. */
-	static void DrawFullscreenTriangle(FRHICommandList& RHICmdList, uint32 InstanceCount = 1) { RHICmdList.DrawPrimitive(0, 1, InstanceCount); }
-	static void DrawFullscreenQuad(FRHICommandList& RHICmdList, uint32 InstanceCount = 1) { RHICmdList.DrawPrimitive(0, 2, InstanceCount); }
+	static void DrawFullscreenTriangle(FRHICommandList& RHICmdList, uint32 InstanceCount = 1)
+	{
+		RHICmdList.DrawPrimitive(0, 1, InstanceCount);
+	}
+	static void DrawFullscreenQuad(FRHICommandList& RHICmdList, uint32 InstanceCount = 1)
+	{
+		RHICmdList.DrawPrimitive(0, 2, InstanceCount);
+	}
 
 	/** Inside a raster lambda: fills the states of a full-screen draw, no blending and no depth test. */
-	static void InitFullscreenPipelineState(FRHICommandList& RHICmdList, const FGlobalShaderMap*, const TShaderRef<FShader>& PixelShader,
-		FGraphicsPipelineStateInitializer& GraphicsPSOInit)
+	static void InitFullscreenPipelineState(FRHICommandList& RHICmdList, const FGlobalShaderMap*,
+		const TShaderRef<FShader>& PixelShader, FGraphicsPipelineStateInitializer& GraphicsPSOInit)
 	{
 		RHICmdList.ApplyCachedRenderTargets(GraphicsPSOInit);
 		GraphicsPSOInit.BlendState = TStaticBlendState<>::GetRHI();
@@ -22,10 +28,11 @@ struct DRYDOCK_API FPixelShaderUtils
 	}
 
 	/** Inside a raster lambda: states, parameters and draw of a full-screen pass. */
-	template <typename TShaderClass>
-	static void DrawFullscreenPixelShader(FRHICommandList& RHICmdList, const FGlobalShaderMap*, const TShaderRef<TShaderClass>& PixelShader,
-		const typename TShaderClass::FParameters& Parameters, const FIntRect& Viewport, FRHIBlendState* BlendState = nullptr,
-		FRHIRasterizerState* = nullptr, FRHIDepthStencilState* DepthStencilState = nullptr, uint32 StencilRef = 0)
+	template<typename TShaderClass>
+	static void DrawFullscreenPixelShader(FRHICommandList& RHICmdList, const FGlobalShaderMap*,
+		const TShaderRef<TShaderClass>& PixelShader, const typename TShaderClass::FParameters& Parameters,
+		const FIntRect& Viewport, FRHIBlendState* BlendState = nullptr, FRHIRasterizerState* = nullptr,
+		FRHIDepthStencilState* DepthStencilState = nullptr, uint32 StencilRef = 0)
 	{
 		FScreenPassPipelineState State(TShaderRef<FShader>(), PixelShader);
 		State.BlendState = BlendState ? BlendState : State.BlendState;
@@ -38,13 +45,14 @@ struct DRYDOCK_API FPixelShaderUtils
 		DrawFullscreenTriangle(RHICmdList);
 	}
 
-	/** Adds a raster pass that runs the pixel shader over Viewport of its render targets. The shader receives SV_POSITION
-	 *  only. What it does not read of Parameters is dropped before the pass is added. */
-	template <typename TShaderClass>
+	/** Adds a raster pass that runs the pixel shader over Viewport of its render targets. The shader receives
+	 * SV_POSITION only. What it does not read of Parameters is dropped before the pass is added. */
+	template<typename TShaderClass>
 	static FRDGPassRef AddFullscreenPass(FRDGBuilder& GraphBuilder, const FGlobalShaderMap*, FRDGEventName&& PassName,
-		const TShaderRef<TShaderClass>& PixelShader, typename TShaderClass::FParameters* Parameters, const FIntRect& Viewport,
-		FRHIBlendState* BlendState = nullptr, FRHIRasterizerState* = nullptr, FRHIDepthStencilState* DepthStencilState = nullptr,
-		uint32 StencilRef = 0, std::source_location Location = std::source_location::current())
+		const TShaderRef<TShaderClass>& PixelShader, typename TShaderClass::FParameters* Parameters,
+		const FIntRect& Viewport, FRHIBlendState* BlendState = nullptr, FRHIRasterizerState* = nullptr,
+		FRHIDepthStencilState* DepthStencilState = nullptr, uint32 StencilRef = 0,
+		std::source_location Location = std::source_location::current())
 	{
 		check(PixelShader.IsValid());
 		ClearUnusedGraphResources(PixelShader, Parameters);

@@ -17,7 +17,10 @@ FRDGAllocator::~FRDGAllocator()
 void* FRDGAllocator::Alloc(uint64 SizeInBytes, uint32 AlignInBytes)
 {
 	const auto Align = [AlignInBytes](uint8* Address)
-	{ return reinterpret_cast<uint8*>((reinterpret_cast<uintptr_t>(Address) + AlignInBytes - 1) & ~uintptr_t(AlignInBytes - 1)); };
+	{
+		return reinterpret_cast<uint8*>(
+			(reinterpret_cast<uintptr_t>(Address) + AlignInBytes - 1) & ~uintptr_t(AlignInBytes - 1));
+	};
 
 	uint8* Memory = Align(Free);
 	if (!Free || Memory > End || uint64(End - Memory) < SizeInBytes)

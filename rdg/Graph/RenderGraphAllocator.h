@@ -23,13 +23,16 @@ public:
 	void* Alloc(uint64 SizeInBytes, uint32 AlignInBytes = 16);
 
 	/** The destructor runs when the allocator goes. */
-	template <typename T, typename... ArgumentTypes>
+	template<typename T, typename... ArgumentTypes>
 	T* AllocObject(ArgumentTypes&&... Arguments)
 	{
 		T* Object = new (Alloc(sizeof(T), alignof(T))) T(std::forward<ArgumentTypes>(Arguments)...);
 		if constexpr (!std::is_trivially_destructible_v<T>)
 		{
-			Destructors.push_back({Object, [](void* Memory) { static_cast<T*>(Memory)->~T(); }});
+			Destructors.push_back({Object, [](void* Memory)
+				{
+					static_cast<T*>(Memory)->~T();
+				}});
 		}
 		return Object;
 	}

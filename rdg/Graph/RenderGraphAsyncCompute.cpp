@@ -9,7 +9,10 @@ namespace Drydock
 std::vector<FRDGAsyncWindow> FindAsyncWindows(
 	const FRDGGraphDescription& Graph, const FRDGDependencies& Dependencies, const std::vector<bool>& bCulled)
 {
-	const auto IsAsync = [&](int32_t Pass) { return Graph.Passes[size_t(Pass)].bAsync && !bCulled[size_t(Pass)]; };
+	const auto IsAsync = [&](int32_t Pass)
+	{
+		return Graph.Passes[size_t(Pass)].bAsync && !bCulled[size_t(Pass)];
+	};
 	const int32_t NumPasses = int32_t(Graph.Passes.size());
 	std::vector<FRDGAsyncWindow> Windows(Graph.Passes.size());
 	std::vector<int32_t> FirstGraphicsConsumer(Graph.Passes.size(), Graph.GetEpilogue());

@@ -8,10 +8,10 @@
 #include <memory>
 #include <string>
 
-/** Declares a struct fit for the blackboard; at namespace scope, once per type. The name keeps types of different shared
- *  objects apart or together. */
+/** Declares a struct fit for the blackboard; at namespace scope, once per type. The name keeps types of different
+ * shared objects apart or together. */
 #define RDG_REGISTER_BLACKBOARD_STRUCT(StructType) \
-	template <> \
+	template<> \
 	inline const TCHAR* FRDGBlackboard::GetTypeName<StructType>() \
 	{ \
 		return TEXT(#StructType); \
@@ -21,7 +21,7 @@ class FRDGBlackboard
 {
 public:
 	/** The type must be declared by RDG_REGISTER_BLACKBOARD_STRUCT. */
-	template <typename StructType>
+	template<typename StructType>
 	static const TCHAR* GetTypeName()
 	{
 		static_assert(sizeof(StructType) == 0, "declare the type with RDG_REGISTER_BLACKBOARD_STRUCT");
@@ -29,7 +29,7 @@ public:
 	}
 
 	/** A check when there is one already. The reference stays valid until the builder goes. */
-	template <typename StructType, typename... ArgumentTypes>
+	template<typename StructType, typename... ArgumentTypes>
 	StructType& Create(ArgumentTypes&&... Arguments)
 	{
 		std::shared_ptr<void>& Slot = Structs[GetTypeName<StructType>()];
@@ -40,20 +40,20 @@ public:
 	}
 
 	/** Null when there is none. */
-	template <typename StructType>
+	template<typename StructType>
 	const StructType* Get() const
 	{
 		const auto Found = Structs.find(GetTypeName<StructType>());
 		return Found == Structs.end() ? nullptr : static_cast<const StructType*>(Found->second.get());
 	}
 
-	template <typename StructType>
+	template<typename StructType>
 	StructType* GetMutable() const
 	{
 		return const_cast<StructType*>(Get<StructType>());
 	}
 
-	template <typename StructType>
+	template<typename StructType>
 	const StructType& GetChecked() const
 	{
 		const StructType* Struct = Get<StructType>();
@@ -61,13 +61,13 @@ public:
 		return *Struct;
 	}
 
-	template <typename StructType>
+	template<typename StructType>
 	StructType& GetMutableChecked() const
 	{
 		return const_cast<StructType&>(GetChecked<StructType>());
 	}
 
-	template <typename StructType, typename... ArgumentTypes>
+	template<typename StructType, typename... ArgumentTypes>
 	StructType& GetOrCreate(ArgumentTypes&&... Arguments)
 	{
 		StructType* Struct = GetMutable<StructType>();

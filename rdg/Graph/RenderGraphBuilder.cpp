@@ -1,4 +1,5 @@
-// The builder's resources and its life. Passes: RenderGraphBuilderPasses.cpp. Source: drydock; behaviour is the engine's.
+// The builder's resources and its life. Passes: RenderGraphBuilderPasses.cpp. Source: drydock; behaviour is the
+// engine's.
 #include "RenderGraphBuilder.h"
 
 #include "RenderGraphExecute.h"
@@ -59,8 +60,8 @@ FRDGResourceDescription DescribeTexture(const FRDGTexture& Texture, const FRDGSe
 	Description.TextureFlags = Desc.Flags;
 	Description.Bytes = FRHITexture::ComputeSize(Desc);
 	Description.bSkipTracking = EnumHasAnyFlags(Texture.Flags, ERDGTextureFlags::SkipTracking);
-	Description.bMayBeTransient = !EnumHasAnyFlags(Desc.Flags, TexCreate_Shared)
-		&& (Settings.TransientAllocator != 2 || EnumHasAnyFlags(Desc.Flags, TexCreate_FastVRAM));
+	Description.bMayBeTransient = !EnumHasAnyFlags(Desc.Flags, TexCreate_Shared) &&
+								  (Settings.TransientAllocator != 2 || EnumHasAnyFlags(Desc.Flags, TexCreate_FastVRAM));
 	return Description;
 }
 
@@ -78,23 +79,27 @@ FRDGResourceDescription DescribeBuffer(const FRDGBuffer& Buffer, const FRDGSetti
 	Description.BufferUsage = Buffer.Desc.Usage;
 	DescribeBufferSize(Buffer, Description);
 	Description.bSkipTracking = EnumHasAnyFlags(Buffer.Flags, ERDGBufferFlags::SkipTracking);
-	Description.bMayBeTransient = EnumHasAnyFlags(Buffer.Desc.Usage, EBufferUsageFlags::UnorderedAccess)
-		&& (Settings.bTransientIndirectArguments || !EnumHasAnyFlags(Buffer.Desc.Usage, EBufferUsageFlags::DrawIndirect))
-		&& (Settings.TransientAllocator != 2 || EnumHasAnyFlags(Buffer.Desc.Usage, EBufferUsageFlags::FastVRAM));
+	Description.bMayBeTransient =
+		EnumHasAnyFlags(Buffer.Desc.Usage, EBufferUsageFlags::UnorderedAccess) &&
+		(Settings.bTransientIndirectArguments ||
+			!EnumHasAnyFlags(Buffer.Desc.Usage, EBufferUsageFlags::DrawIndirect)) &&
+		(Settings.TransientAllocator != 2 || EnumHasAnyFlags(Buffer.Desc.Usage, EBufferUsageFlags::FastVRAM));
 	return Description;
 }
 
 } // namespace
 
-// Life ------------------------------------------------------------------------------------------------------------------
+// Life --------------------------------------------------------------------------------------------------------------
 
 FRDGBuilder::FRDGBuilder(FRHICommandListImmediate& InRHICmdList, FRDGEventName InName, ERDGBuilderFlags)
-	: RHICmdList(InRHICmdList), State(std::make_unique<FRDGBuilderState>())
+	: RHICmdList(InRHICmdList)
+	, State(std::make_unique<FRDGBuilderState>())
 {
 	if (GActiveBuilder)
 	{
 		// The heap is shared, so this one is fatal at once.
-		ThrowRDGError(RDGErrorSecondBuilder, "another FRDGBuilder already exists on the stack; only one may be alive at a time",
+		ThrowRDGError(RDGErrorSecondBuilder,
+			"another FRDGBuilder already exists on the stack; only one may be alive at a time",
 			std::string("graph ") + InName.GetTCHAR());
 	}
 	GActiveBuilder = this;
@@ -112,7 +117,8 @@ FRDGBuilder::~FRDGBuilder()
 	GActiveBuilder = nullptr;
 	if (!State->bFinished && !State->bFailed && std::uncaught_exceptions() == State->UncaughtExceptions)
 	{
-		std::fprintf(stderr, "error DD%d: graph %s: the builder must be executed: FRDGBuilder was destroyed without a call of Execute\n",
+		std::fprintf(stderr,
+			"error DD%d: graph %s: the builder must be executed: FRDGBuilder was destroyed without a call of Execute\n",
 			RDGErrorNotExecuted, State->Graph.Name.c_str());
 		std::terminate();
 	}
@@ -159,7 +165,7 @@ void FRDGBuilder::TickPoolElements()
 	TickTransientHeap();
 }
 
-// Textures and buffers --------------------------------------------------------------------------------------------------
+// Textures and buffers ----------------------------------------------------------------------------------------------
 
 FRDGTextureRef FRDGBuilder::CreateTexture(const FRDGTextureDesc& Desc, const TCHAR* InName, ERDGTextureFlags Flags)
 {
@@ -168,19 +174,23 @@ FRDGTextureRef FRDGBuilder::CreateTexture(const FRDGTextureDesc& Desc, const TCH
 	FString Reason;
 	if (!Desc.IsValid(&Reason))
 	{
-		Fail(RDGErrorInvalidDescription, std::string("the texture cannot be created: ") + *Reason, DescribeWhere("texture", Name));
+		Fail(RDGErrorInvalidDescription, std::string("the texture cannot be created: ") + *Reason,
+			DescribeWhere("texture", Name));
 	}
 	if (EnumHasAnyFlags(Desc.Flags, TexCreate_Presentable))
 	{
-		AddError(*State, RDGErrorResourceFlags, "presentable textures (TexCreate_Presentable) are not created by a graph", DescribeWhere("texture", Name));
+		AddError(*State, RDGErrorResourceFlags,
+			"presentable textures (TexCreate_Presentable) are not created by a graph", DescribeWhere("texture", Name));
 	}
 	if (Desc.NumSamples > 1 && EnumHasAnyFlags(Desc.Flags, TexCreate_UAV))
 	{
-		AddError(*State, RDGErrorResourceFlags, "a multisampled texture cannot have TexCreate_UAV", DescribeWhere("texture", Name));
+		AddError(*State, RDGErrorResourceFlags, "a multisampled texture cannot have TexCreate_UAV",
+			DescribeWhere("texture", Name));
 	}
 	if (EnumHasAnyFlags(Flags, ERDGTextureFlags::SkipTracking))
 	{
-		AddError(*State, RDGErrorResourceFlags, "SkipTracking is for registered (external) textures only", DescribeWhere("texture", Name));
+		AddError(*State, RDGErrorResourceFlags, "SkipTracking is for registered (external) textures only",
+			DescribeWhere("texture", Name));
 	}
 	auto* const Texture = new FRDGTexture(Name, Desc, Flags);
 	AdoptResource(Texture, DescribeTexture(*Texture, State->Settings));
@@ -198,21 +208,24 @@ FRDGBufferRef FRDGBuilder::CreateBuffer(const FRDGBufferDesc& Desc, const TCHAR*
 		ValidDesc.BytesPerElement = FMath::Max(Desc.BytesPerElement, 1u);
 		ValidDesc.NumElements = FMath::Max(Desc.NumElements, 1u);
 	}
-	if (EnumHasAllFlags(Desc.Usage, EBufferUsageFlags::StructuredBuffer | EBufferUsageFlags::ByteAddressBuffer) && Desc.BytesPerElement != 4)
+	if (EnumHasAllFlags(Desc.Usage, EBufferUsageFlags::StructuredBuffer | EBufferUsageFlags::ByteAddressBuffer) &&
+		Desc.BytesPerElement != 4)
 	{
-		AddError(*State, RDGErrorInvalidDescription, "a byte-address buffer has elements of 4 bytes", DescribeWhere("buffer", Name));
+		AddError(*State, RDGErrorInvalidDescription, "a byte-address buffer has elements of 4 bytes",
+			DescribeWhere("buffer", Name));
 	}
 	if (EnumHasAnyFlags(Flags, ERDGBufferFlags::SkipTracking))
 	{
-		AddError(*State, RDGErrorResourceFlags, "SkipTracking is for registered (external) buffers only", DescribeWhere("buffer", Name));
+		AddError(*State, RDGErrorResourceFlags, "SkipTracking is for registered (external) buffers only",
+			DescribeWhere("buffer", Name));
 	}
 	auto* const Buffer = new FRDGBuffer(Name, ValidDesc, Flags);
 	AdoptResource(Buffer, DescribeBuffer(*Buffer, State->Settings));
 	return Buffer;
 }
 
-FRDGBufferRef FRDGBuilder::CreateBuffer(
-	const FRDGBufferDesc& Desc, const TCHAR* Name, FRDGBufferNumElementsCallback&& NumElementsCallback, ERDGBufferFlags Flags)
+FRDGBufferRef FRDGBuilder::CreateBuffer(const FRDGBufferDesc& Desc, const TCHAR* Name,
+	FRDGBufferNumElementsCallback&& NumElementsCallback, ERDGBufferFlags Flags)
 {
 	FRDGBufferDesc Placeholder = Desc;
 	Placeholder.NumElements = FMath::Max(Desc.NumElements, 1u);
@@ -246,7 +259,7 @@ void FRDGBuilder::ResolveBufferSizes()
 	}
 }
 
-// Views -----------------------------------------------------------------------------------------------------------------
+// Views -------------------------------------------------------------------------------------------------------------
 
 FRDGTextureRef FRDGBuilder::CheckParent(FRDGTextureRef Texture) const
 {
@@ -262,15 +275,17 @@ void FRDGBuilder::CheckViewParent(const FRDGViewableResource* Parent, const char
 	RequireOpen(Call);
 	if (!Parent)
 	{
-		Fail(RDGErrorNullArgument, std::string(Call) + " was called with a null resource", "graph " + State->Graph.Name);
+		Fail(
+			RDGErrorNullArgument, std::string(Call) + " was called with a null resource", "graph " + State->Graph.Name);
 	}
 	if (!State->Known.count(Parent))
 	{
-		Fail(RDGErrorForeignResource, std::string(Call) + " was called with a resource that is not of this graph", "graph " + State->Graph.Name);
+		Fail(RDGErrorForeignResource, std::string(Call) + " was called with a resource that is not of this graph",
+			"graph " + State->Graph.Name);
 	}
 }
 
-template <typename ViewType>
+template<typename ViewType>
 ViewType* FRDGBuilder::AdoptView(ViewType* View)
 {
 	View->ViewIndex = int32(State->Views.size());
@@ -283,10 +298,11 @@ FRDGTextureSRVRef FRDGBuilder::CreateSRV(const FRDGTextureSRVDesc& Desc)
 {
 	CheckViewParent(Desc.Texture, "CreateSRV");
 	const FRDGTextureSubresourceLayout Layout = Desc.Texture->GetSubresourceLayout();
-	if (Desc.MipLevel + FMath::Max<uint32>(Desc.NumMipLevels, 1) > Layout.NumMips
-		|| Desc.FirstArraySlice + FMath::Max<uint32>(Desc.NumArraySlices, 1) > Layout.NumArraySlices)
+	if (Desc.MipLevel + FMath::Max<uint32>(Desc.NumMipLevels, 1) > Layout.NumMips ||
+		Desc.FirstArraySlice + FMath::Max<uint32>(Desc.NumArraySlices, 1) > Layout.NumArraySlices)
 	{
-		Fail(RDGErrorView, "the view covers mips or slices that the texture does not have", DescribeWhere("texture", Desc.Texture->Name));
+		Fail(RDGErrorView, "the view covers mips or slices that the texture does not have",
+			DescribeWhere("texture", Desc.Texture->Name));
 	}
 	return AdoptView(new FRDGTextureSRV(Desc));
 }
@@ -301,16 +317,18 @@ FRDGTextureUAVRef FRDGBuilder::CreateUAV(const FRDGTextureUAVDesc& Desc, ERDGUno
 {
 	CheckViewParent(Desc.Texture, "CreateUAV");
 	const FRDGTextureSubresourceLayout Layout = Desc.Texture->GetSubresourceLayout();
-	if (Desc.MipLevel >= Layout.NumMips || Desc.FirstArraySlice + FMath::Max<uint32>(Desc.NumArraySlices, 1) > Layout.NumArraySlices)
+	if (Desc.MipLevel >= Layout.NumMips ||
+		Desc.FirstArraySlice + FMath::Max<uint32>(Desc.NumArraySlices, 1) > Layout.NumArraySlices)
 	{
 		Fail(RDGErrorView,
-			"the UAV is of mip " + std::to_string(Desc.MipLevel) + ", but the texture has " + std::to_string(Layout.NumMips) + " mips and "
-				+ std::to_string(Layout.NumArraySlices) + " slices",
+			"the UAV is of mip " + std::to_string(Desc.MipLevel) + ", but the texture has " +
+				std::to_string(Layout.NumMips) + " mips and " + std::to_string(Layout.NumArraySlices) + " slices",
 			DescribeWhere("texture", Desc.Texture->Name));
 	}
 	if (!EnumHasAnyFlags(Desc.Texture->Desc.Flags, TexCreate_UAV))
 	{
-		AddError(*State, RDGErrorView, "a UAV was created of a texture without TexCreate_UAV", DescribeWhere("texture", Desc.Texture->Name));
+		AddError(*State, RDGErrorView, "a UAV was created of a texture without TexCreate_UAV",
+			DescribeWhere("texture", Desc.Texture->Name));
 	}
 	return AdoptView(new FRDGTextureUAV(Desc, Flags));
 }
@@ -320,7 +338,8 @@ FRDGBufferUAVRef FRDGBuilder::CreateUAV(const FRDGBufferUAVDesc& Desc, ERDGUnord
 	CheckViewParent(Desc.Buffer, "CreateUAV");
 	if (!EnumHasAnyFlags(Desc.Buffer->Desc.Usage, EBufferUsageFlags::UnorderedAccess))
 	{
-		AddError(*State, RDGErrorView, "a UAV was created of a buffer without BUF_UnorderedAccess", DescribeWhere("buffer", Desc.Buffer->Name));
+		AddError(*State, RDGErrorView, "a UAV was created of a buffer without BUF_UnorderedAccess",
+			DescribeWhere("buffer", Desc.Buffer->Name));
 	}
 	return AdoptView(new FRDGBufferUAV(Desc, Flags));
 }
@@ -341,16 +360,17 @@ void FRDGBuilder::AdoptUniformBuffer(FRDGUniformBuffer* Buffer)
 	State->Known.insert(Buffer);
 }
 
-// External resources ----------------------------------------------------------------------------------------------------
+// External resources ------------------------------------------------------------------------------------------------
 
-FRDGTextureRef FRDGBuilder::RegisterExternalTexture(const TRefCountPtr<IPooledRenderTarget>& ExternalPooledTexture, ERDGTextureFlags Flags)
+FRDGTextureRef FRDGBuilder::RegisterExternalTexture(
+	const TRefCountPtr<IPooledRenderTarget>& ExternalPooledTexture, ERDGTextureFlags Flags)
 {
 	const TCHAR* const Name = ExternalPooledTexture ? ExternalPooledTexture->GetDesc().DebugName : nullptr;
 	return RegisterExternalTexture(ExternalPooledTexture, Name ? Name : TEXT("External"), Flags);
 }
 
-FRDGTextureRef FRDGBuilder::RegisterExternalTexture(
-	const TRefCountPtr<IPooledRenderTarget>& ExternalPooledTexture, const TCHAR* NameIfNotRegistered, ERDGTextureFlags Flags)
+FRDGTextureRef FRDGBuilder::RegisterExternalTexture(const TRefCountPtr<IPooledRenderTarget>& ExternalPooledTexture,
+	const TCHAR* NameIfNotRegistered, ERDGTextureFlags Flags)
 {
 	RequireOpen("RegisterExternalTexture");
 	const TCHAR* const Name = CheckName(*State, NameIfNotRegistered, "external texture");
@@ -374,7 +394,8 @@ FRDGTextureRef FRDGBuilder::RegisterExternalTexture(
 	return Texture;
 }
 
-FRDGBufferRef FRDGBuilder::RegisterExternalBuffer(const TRefCountPtr<FRDGPooledBuffer>& ExternalPooledBuffer, ERDGBufferFlags Flags)
+FRDGBufferRef FRDGBuilder::RegisterExternalBuffer(
+	const TRefCountPtr<FRDGPooledBuffer>& ExternalPooledBuffer, ERDGBufferFlags Flags)
 {
 	const TCHAR* const Name = ExternalPooledBuffer ? ExternalPooledBuffer->GetName() : nullptr;
 	return RegisterExternalBuffer(ExternalPooledBuffer, Name ? Name : TEXT("External"), Flags);

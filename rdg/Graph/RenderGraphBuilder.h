@@ -33,7 +33,8 @@ class DRYDOCK_API FRDGBuilder
 {
 public:
 	/** Only one builder may be alive at a time. */
-	explicit FRDGBuilder(FRHICommandListImmediate& InRHICmdList, FRDGEventName InName = {}, ERDGBuilderFlags InFlags = ERDGBuilderFlags::None);
+	explicit FRDGBuilder(FRHICommandListImmediate& InRHICmdList, FRDGEventName InName = {},
+		ERDGBuilderFlags InFlags = ERDGBuilderFlags::None);
 
 	/** Prints and terminates when neither Execute nor Discard was called, except while an exception passes through. */
 	~FRDGBuilder();
@@ -41,42 +42,53 @@ public:
 	FRDGBuilder(const FRDGBuilder&) = delete;
 	FRDGBuilder& operator=(const FRDGBuilder&) = delete;
 
-	// Resources ----------------------------------------------------------------------------------------------------------
+	// Resources -----------------------------------------------------------------------------------------------------
 
 	/** Name is kept as a pointer and must outlive the graph. */
-	FRDGTextureRef CreateTexture(const FRDGTextureDesc& Desc, const TCHAR* Name, ERDGTextureFlags Flags = ERDGTextureFlags::None);
-	FRDGBufferRef CreateBuffer(const FRDGBufferDesc& Desc, const TCHAR* Name, ERDGBufferFlags Flags = ERDGBufferFlags::None);
+	FRDGTextureRef CreateTexture(
+		const FRDGTextureDesc& Desc, const TCHAR* Name, ERDGTextureFlags Flags = ERDGTextureFlags::None);
+	FRDGBufferRef CreateBuffer(
+		const FRDGBufferDesc& Desc, const TCHAR* Name, ERDGBufferFlags Flags = ERDGBufferFlags::None);
 
 	/** The number of elements is asked for when the graph is executed. */
-	FRDGBufferRef CreateBuffer(const FRDGBufferDesc& Desc, const TCHAR* Name, FRDGBufferNumElementsCallback&& NumElementsCallback,
-		ERDGBufferFlags Flags = ERDGBufferFlags::None);
+	FRDGBufferRef CreateBuffer(const FRDGBufferDesc& Desc, const TCHAR* Name,
+		FRDGBufferNumElementsCallback&& NumElementsCallback, ERDGBufferFlags Flags = ERDGBufferFlags::None);
 
 	FRDGTextureSRVRef CreateSRV(const FRDGTextureSRVDesc& Desc);
-	FRDGTextureSRVRef CreateSRV(FRDGTextureRef Texture) { return CreateSRV(FRDGTextureSRVDesc::Create(CheckParent(Texture))); }
+	FRDGTextureSRVRef CreateSRV(FRDGTextureRef Texture)
+	{
+		return CreateSRV(FRDGTextureSRVDesc::Create(CheckParent(Texture)));
+	}
 	FRDGBufferSRVRef CreateSRV(const FRDGBufferSRVDesc& Desc);
-	FRDGBufferSRVRef CreateSRV(FRDGBufferRef Buffer, EPixelFormat Format) { return CreateSRV(FRDGBufferSRVDesc(Buffer, Format)); }
+	FRDGBufferSRVRef CreateSRV(FRDGBufferRef Buffer, EPixelFormat Format)
+	{
+		return CreateSRV(FRDGBufferSRVDesc(Buffer, Format));
+	}
 	FRDGBufferSRVRef CreateSRV(FRDGBufferRef Buffer) { return CreateSRV(FRDGBufferSRVDesc(Buffer)); }
 
-	FRDGTextureUAVRef CreateUAV(const FRDGTextureUAVDesc& Desc, ERDGUnorderedAccessViewFlags Flags = ERDGUnorderedAccessViewFlags::None);
+	FRDGTextureUAVRef CreateUAV(
+		const FRDGTextureUAVDesc& Desc, ERDGUnorderedAccessViewFlags Flags = ERDGUnorderedAccessViewFlags::None);
 	/** Of mip 0. */
-	FRDGTextureUAVRef CreateUAV(FRDGTextureRef Texture, ERDGUnorderedAccessViewFlags Flags = ERDGUnorderedAccessViewFlags::None,
-		EPixelFormat Format = PF_Unknown)
+	FRDGTextureUAVRef CreateUAV(FRDGTextureRef Texture,
+		ERDGUnorderedAccessViewFlags Flags = ERDGUnorderedAccessViewFlags::None, EPixelFormat Format = PF_Unknown)
 	{
 		return CreateUAV(FRDGTextureUAVDesc(CheckParent(Texture), 0, Format), Flags);
 	}
-	FRDGBufferUAVRef CreateUAV(const FRDGBufferUAVDesc& Desc, ERDGUnorderedAccessViewFlags Flags = ERDGUnorderedAccessViewFlags::None);
+	FRDGBufferUAVRef CreateUAV(
+		const FRDGBufferUAVDesc& Desc, ERDGUnorderedAccessViewFlags Flags = ERDGUnorderedAccessViewFlags::None);
 	FRDGBufferUAVRef CreateUAV(FRDGBufferRef Buffer, EPixelFormat Format = PF_Unknown,
 		ERDGUnorderedAccessViewFlags Flags = ERDGUnorderedAccessViewFlags::None)
 	{
 		return CreateUAV(FRDGBufferUAVDesc(Buffer, Format), Flags);
 	}
-	FRDGBufferUAVRef CreateUAV(FRDGBufferRef Buffer, ERDGUnorderedAccessViewFlags Flags, EPixelFormat Format = PF_Unknown)
+	FRDGBufferUAVRef CreateUAV(
+		FRDGBufferRef Buffer, ERDGUnorderedAccessViewFlags Flags, EPixelFormat Format = PF_Unknown)
 	{
 		return CreateUAV(FRDGBufferUAVDesc(Buffer, Format), Flags);
 	}
 
 	/** Parameters come from AllocParameters, or live as long as the graph. */
-	template <typename ParameterStructType>
+	template<typename ParameterStructType>
 	TRDGUniformBufferRef<ParameterStructType> CreateUniformBuffer(const ParameterStructType* Parameters)
 	{
 		CheckUniformBufferParameters(Parameters, ParameterStructType::FTypeInfo::GetStructMetadata());
@@ -86,74 +98,79 @@ public:
 		return Buffer;
 	}
 
-	// Memory of the graph ------------------------------------------------------------------------------------------------
+	// Memory of the graph -------------------------------------------------------------------------------------------
 
-	void* Alloc(uint64 SizeInBytes, uint32 AlignInBytes = 16) { return GetAllocator().Alloc(SizeInBytes, AlignInBytes); }
+	void* Alloc(uint64 SizeInBytes, uint32 AlignInBytes = 16)
+	{
+		return GetAllocator().Alloc(SizeInBytes, AlignInBytes);
+	}
 
-	template <typename PODType>
+	template<typename PODType>
 	PODType* AllocPOD()
 	{
 		return static_cast<PODType*>(Alloc(sizeof(PODType), alignof(PODType)));
 	}
-	template <typename PODType>
+	template<typename PODType>
 	PODType* AllocPODArray(uint32 Count)
 	{
 		return static_cast<PODType*>(Alloc(sizeof(PODType) * Count, alignof(PODType)));
 	}
-	template <typename PODType>
+	template<typename PODType>
 	TArrayView<PODType> AllocPODArrayView(uint32 Count)
 	{
 		return TArrayView<PODType>(AllocPODArray<PODType>(Count), int32(Count));
 	}
 	/** Destroyed with the graph. */
-	template <typename ObjectType, typename... ArgumentTypes>
+	template<typename ObjectType, typename... ArgumentTypes>
 	ObjectType* AllocObject(ArgumentTypes&&... Arguments)
 	{
 		return GetAllocator().AllocObject<ObjectType>(std::forward<ArgumentTypes>(Arguments)...);
 	}
-	template <typename ObjectType>
+	template<typename ObjectType>
 	TArray<ObjectType>& AllocArray()
 	{
 		return *AllocObject<TArray<ObjectType>>();
 	}
 	/** Every member zero or null. */
-	template <typename ParameterStructType>
+	template<typename ParameterStructType>
 	ParameterStructType* AllocParameters()
 	{
 		return AllocObject<ParameterStructType>();
 	}
-	template <typename ParameterStructType>
+	template<typename ParameterStructType>
 	ParameterStructType* AllocParameters(const ParameterStructType* StructToCopy)
 	{
 		return AllocObject<ParameterStructType>(*StructToCopy);
 	}
 
-	// Passes -------------------------------------------------------------------------------------------------------------
+	// Passes --------------------------------------------------------------------------------------------------------
 
 	/** Parameters declare what the pass touches; they must not change after the call. Null members are skipped. */
-	template <typename ParameterStructType, typename ExecuteLambdaType>
-	FRDGPassRef AddPass(FRDGEventName&& Name, const ParameterStructType* ParameterStruct, ERDGPassFlags Flags, ExecuteLambdaType&& ExecuteLambda,
-		std::source_location Location = std::source_location::current())
+	template<typename ParameterStructType, typename ExecuteLambdaType>
+	FRDGPassRef AddPass(FRDGEventName&& Name, const ParameterStructType* ParameterStruct, ERDGPassFlags Flags,
+		ExecuteLambdaType&& ExecuteLambda, std::source_location Location = std::source_location::current())
 	{
 		return AddPass(MoveTemp(Name), ParameterStructType::FTypeInfo::GetStructMetadata(), ParameterStruct, Flags,
 			std::forward<ExecuteLambdaType>(ExecuteLambda), Location);
 	}
 
-	template <typename ExecuteLambdaType>
-	FRDGPassRef AddPass(FRDGEventName&& Name, const FShaderParametersMetadata* ParametersMetadata, const void* ParameterStruct, ERDGPassFlags Flags,
-		ExecuteLambdaType&& ExecuteLambda, std::source_location Location = std::source_location::current())
+	template<typename ExecuteLambdaType>
+	FRDGPassRef AddPass(FRDGEventName&& Name, const FShaderParametersMetadata* ParametersMetadata,
+		const void* ParameterStruct, ERDGPassFlags Flags, ExecuteLambdaType&& ExecuteLambda,
+		std::source_location Location = std::source_location::current())
 	{
 		using FLambda = std::decay_t<ExecuteLambdaType>;
-		return AdoptPass(std::unique_ptr<FRDGPass>(new TRDGLambdaPass<FLambda>(
-			MoveTemp(Name), ParametersMetadata, ParameterStruct, Flags, FLambda(std::forward<ExecuteLambdaType>(ExecuteLambda)), Location)));
+		return AdoptPass(std::unique_ptr<FRDGPass>(new TRDGLambdaPass<FLambda>(MoveTemp(Name), ParametersMetadata,
+			ParameterStruct, Flags, FLambda(std::forward<ExecuteLambdaType>(ExecuteLambda)), Location)));
 	}
 
 	/** Without parameters: never culled, touches nothing that the graph knows. Flags: None, or NeverCull. */
-	template <typename ExecuteLambdaType>
+	template<typename ExecuteLambdaType>
 	FRDGPassRef AddPass(FRDGEventName&& Name, ERDGPassFlags Flags, ExecuteLambdaType&& ExecuteLambda,
 		std::source_location Location = std::source_location::current())
 	{
-		return AddPass(MoveTemp(Name), nullptr, static_cast<const void*>(nullptr), Flags, std::forward<ExecuteLambdaType>(ExecuteLambda), Location);
+		return AddPass(MoveTemp(Name), nullptr, static_cast<const void*>(nullptr), Flags,
+			std::forward<ExecuteLambdaType>(ExecuteLambda), Location);
 	}
 
 	/** Consumer keeps Producer alive. Producer was added first. */
@@ -162,13 +179,14 @@ public:
 	/** A hint for splitting work between threads; recorded. */
 	void SetPassWorkload(FRDGPassRef Pass, uint32 Workload);
 
-	// Contents -----------------------------------------------------------------------------------------------------------
+	// Contents ------------------------------------------------------------------------------------------------------
 
 	/** At most one upload per buffer. Data is copied unless NoCopy is given. */
 	void QueueBufferUpload(FRDGBufferRef Buffer, const void* InitialData, uint64 InitialDataSize,
 		ERDGInitialDataFlags InitialDataFlags = ERDGInitialDataFlags::None);
-	template <typename ElementType>
-	void QueueBufferUpload(FRDGBufferRef Buffer, TArrayView<ElementType> Container, ERDGInitialDataFlags InitialDataFlags = ERDGInitialDataFlags::None)
+	template<typename ElementType>
+	void QueueBufferUpload(FRDGBufferRef Buffer, TArrayView<ElementType> Container,
+		ERDGInitialDataFlags InitialDataFlags = ERDGInitialDataFlags::None)
 	{
 		QueueBufferUpload(Buffer, Container.GetData(), uint64(Container.Num()) * sizeof(ElementType), InitialDataFlags);
 	}
@@ -176,11 +194,12 @@ public:
 	/** Registering one texture twice gives the same resource; the first name stays. */
 	FRDGTextureRef RegisterExternalTexture(const TRefCountPtr<IPooledRenderTarget>& ExternalPooledTexture,
 		ERDGTextureFlags Flags = ERDGTextureFlags::None);
-	FRDGTextureRef RegisterExternalTexture(const TRefCountPtr<IPooledRenderTarget>& ExternalPooledTexture, const TCHAR* NameIfNotRegistered,
-		ERDGTextureFlags Flags = ERDGTextureFlags::None);
-	FRDGBufferRef RegisterExternalBuffer(const TRefCountPtr<FRDGPooledBuffer>& ExternalPooledBuffer, ERDGBufferFlags Flags = ERDGBufferFlags::None);
-	FRDGBufferRef RegisterExternalBuffer(const TRefCountPtr<FRDGPooledBuffer>& ExternalPooledBuffer, const TCHAR* NameIfNotRegistered,
-		ERDGBufferFlags Flags = ERDGBufferFlags::None);
+	FRDGTextureRef RegisterExternalTexture(const TRefCountPtr<IPooledRenderTarget>& ExternalPooledTexture,
+		const TCHAR* NameIfNotRegistered, ERDGTextureFlags Flags = ERDGTextureFlags::None);
+	FRDGBufferRef RegisterExternalBuffer(
+		const TRefCountPtr<FRDGPooledBuffer>& ExternalPooledBuffer, ERDGBufferFlags Flags = ERDGBufferFlags::None);
+	FRDGBufferRef RegisterExternalBuffer(const TRefCountPtr<FRDGPooledBuffer>& ExternalPooledBuffer,
+		const TCHAR* NameIfNotRegistered, ERDGBufferFlags Flags = ERDGBufferFlags::None);
 
 	/** Null when it was not registered. */
 	FRDGTextureRef FindExternalTexture(FRHITexture* Texture) const;
@@ -191,12 +210,12 @@ public:
 	/** Keeps the contents beyond the graph; *OutPooledTexturePtr is written at the end of Execute. */
 	void QueueTextureExtraction(FRDGTextureRef Texture, TRefCountPtr<IPooledRenderTarget>* OutPooledTexturePtr,
 		ERDGResourceExtractionFlags Flags = ERDGResourceExtractionFlags::None);
-	void QueueTextureExtraction(FRDGTextureRef Texture, TRefCountPtr<IPooledRenderTarget>* OutPooledTexturePtr, ERHIAccess AccessFinal,
-		ERDGResourceExtractionFlags Flags = ERDGResourceExtractionFlags::None);
+	void QueueTextureExtraction(FRDGTextureRef Texture, TRefCountPtr<IPooledRenderTarget>* OutPooledTexturePtr,
+		ERHIAccess AccessFinal, ERDGResourceExtractionFlags Flags = ERDGResourceExtractionFlags::None);
 	void QueueBufferExtraction(FRDGBufferRef Buffer, TRefCountPtr<FRDGPooledBuffer>* OutPooledBufferPtr,
 		ERDGResourceExtractionFlags Flags = ERDGResourceExtractionFlags::None);
-	void QueueBufferExtraction(FRDGBufferRef Buffer, TRefCountPtr<FRDGPooledBuffer>* OutPooledBufferPtr, ERHIAccess AccessFinal,
-		ERDGResourceExtractionFlags Flags = ERDGResourceExtractionFlags::None);
+	void QueueBufferExtraction(FRDGBufferRef Buffer, TRefCountPtr<FRDGPooledBuffer>* OutPooledBufferPtr,
+		ERHIAccess AccessFinal, ERDGResourceExtractionFlags Flags = ERDGResourceExtractionFlags::None);
 
 	/** Allocates at once and makes the resource external: its last writer is never culled. */
 	const TRefCountPtr<IPooledRenderTarget>& ConvertToExternalTexture(FRDGTextureRef Texture);
@@ -213,14 +232,15 @@ public:
 	void SetBufferAccessFinal(FRDGBufferRef Buffer, ERHIAccess Access);
 
 	/** From here on, in passes that do not declare it, the resource may be read through GetRHI, and only read. */
-	void UseExternalAccessMode(FRDGViewableResource* Resource, ERHIAccess ReadOnlyAccess, ERHIPipeline Pipelines = ERHIPipeline::Graphics);
+	void UseExternalAccessMode(
+		FRDGViewableResource* Resource, ERHIAccess ReadOnlyAccess, ERHIPipeline Pipelines = ERHIPipeline::Graphics);
 	void UseInternalAccessMode(FRDGViewableResource* Resource);
 
 	/** Silences "produced but never used" (r.RDG.Debug) for one resource. */
 	void RemoveUnusedTextureWarning(FRDGTextureRef Texture);
 	void RemoveUnusedBufferWarning(FRDGBufferRef Buffer);
 
-	// Events and the rest -------------------------------------------------------------------------------------------------
+	// Events and the rest -------------------------------------------------------------------------------------------
 
 	void BeginEventScope(FRDGEventName&& ScopeName);
 	void EndEventScope();
@@ -229,7 +249,7 @@ public:
 
 	/** Runs the function at once. */
 	void AddSetupTask(TUniqueFunction<void()>&& Task) { Task(); }
-	template <typename TaskType>
+	template<typename TaskType>
 	void AddCommandListSetupTask(TaskType&& Task)
 	{
 		Task(RHICmdList);
@@ -246,7 +266,7 @@ public:
 	/** End of a frame for the pools behind all graphs. */
 	static void TickPoolElements();
 
-	// Drydock's own -------------------------------------------------------------------------------------------------------
+	// Drydock's own -------------------------------------------------------------------------------------------------
 
 	/** What Execute would do. Executes nothing; throws what Execute would throw. */
 	Drydock::FRDGCompiledGraph Compile();
@@ -268,7 +288,7 @@ private:
 	void AdoptUniformBuffer(FRDGUniformBuffer* Buffer);
 	void CheckUniformBufferParameters(const void* Parameters, const FShaderParametersMetadata* Metadata);
 	void AdoptResource(FRDGViewableResource* Resource, const Drydock::FRDGResourceDescription& Description);
-	template <typename ViewType>
+	template<typename ViewType>
 	ViewType* AdoptView(ViewType* View);
 	void DeclarePass(FRDGPass& Pass);
 	[[noreturn]] void Fail(int Code, const std::string& Message, const std::string& Where) const;

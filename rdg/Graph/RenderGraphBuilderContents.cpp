@@ -32,11 +32,13 @@ void FRDGBuilder::CheckOwn(const FRDGResource* Resource, const char* Call) const
 	RequireOpen(Call);
 	if (!Resource)
 	{
-		Fail(RDGErrorNullArgument, std::string(Call) + " was called with a null resource", "graph " + State->Graph.Name);
+		Fail(
+			RDGErrorNullArgument, std::string(Call) + " was called with a null resource", "graph " + State->Graph.Name);
 	}
 	if (!State->Known.count(Resource))
 	{
-		Fail(RDGErrorForeignResource, std::string(Call) + " was called with a resource that is not of this graph", "graph " + State->Graph.Name);
+		Fail(RDGErrorForeignResource, std::string(Call) + " was called with a resource that is not of this graph",
+			"graph " + State->Graph.Name);
 	}
 }
 
@@ -51,24 +53,28 @@ void FRDGBuilder::AddResourceError(int Code, const std::string& Message, const F
 	}
 }
 
-// Uploads ---------------------------------------------------------------------------------------------------------------
+// Uploads -----------------------------------------------------------------------------------------------------------
 
-void FRDGBuilder::QueueBufferUpload(FRDGBufferRef Buffer, const void* InitialData, uint64 InitialDataSize, ERDGInitialDataFlags InitialDataFlags)
+void FRDGBuilder::QueueBufferUpload(
+	FRDGBufferRef Buffer, const void* InitialData, uint64 InitialDataSize, ERDGInitialDataFlags InitialDataFlags)
 {
 	CheckOwn(Buffer, "QueueBufferUpload");
 	if (Buffer->bQueuedForUpload)
 	{
-		AddResourceError(RDGErrorUpload, "the buffer already has an upload queued: only one upload can be done for each graph", *Buffer);
+		AddResourceError(RDGErrorUpload,
+			"the buffer already has an upload queued: only one upload can be done for each graph", *Buffer);
 		return;
 	}
 	if (!InitialData && InitialDataSize > 0)
 	{
-		Fail(RDGErrorNullArgument, "QueueBufferUpload was called with null data", std::string("resource ") + Buffer->Name);
+		Fail(RDGErrorNullArgument, "QueueBufferUpload was called with null data",
+			std::string("resource ") + Buffer->Name);
 	}
 	if (InitialDataSize > Buffer->GetSize())
 	{
 		Fail(RDGErrorUpload,
-			std::to_string(InitialDataSize) + " bytes were queued for upload into a buffer of " + std::to_string(Buffer->GetSize()),
+			std::to_string(InitialDataSize) + " bytes were queued for upload into a buffer of " +
+				std::to_string(Buffer->GetSize()),
 			std::string("resource ") + Buffer->Name);
 	}
 	FRDGUpload& Upload = State->Uploads[Buffer];
@@ -85,18 +91,21 @@ void FRDGBuilder::QueueBufferUpload(FRDGBufferRef Buffer, const void* InitialDat
 	State->GetDescription(*Buffer).bUploaded = true;
 }
 
-// Extraction and conversion ---------------------------------------------------------------------------------------------
+// Extraction and conversion -----------------------------------------------------------------------------------------
 
 bool FRDGBuilder::CheckExtraction(FRDGViewableResource* Resource, const void* Out, const char* Call)
 {
 	CheckOwn(Resource, Call);
 	if (!Out)
 	{
-		Fail(RDGErrorNullArgument, std::string(Call) + " was called with a null output pointer", std::string("resource ") + Resource->Name);
+		Fail(RDGErrorNullArgument, std::string(Call) + " was called with a null output pointer",
+			std::string("resource ") + Resource->Name);
 	}
 	if (!Resource->bProduced)
 	{
-		AddResourceError(RDGErrorExtraction, "the resource was not produced by any pass yet, nor registered or uploaded: it cannot be extracted", *Resource);
+		AddResourceError(RDGErrorExtraction,
+			"the resource was not produced by any pass yet, nor registered or uploaded: it cannot be extracted",
+			*Resource);
 		return false;
 	}
 	Resource->bExtracted = true;
@@ -116,14 +125,15 @@ void FRDGBuilder::QueueTextureExtraction(
 	}
 }
 
-void FRDGBuilder::QueueTextureExtraction(FRDGTextureRef Texture, TRefCountPtr<IPooledRenderTarget>* OutPooledTexturePtr, ERHIAccess AccessFinal,
-	ERDGResourceExtractionFlags Flags)
+void FRDGBuilder::QueueTextureExtraction(FRDGTextureRef Texture, TRefCountPtr<IPooledRenderTarget>* OutPooledTexturePtr,
+	ERHIAccess AccessFinal, ERDGResourceExtractionFlags Flags)
 {
 	QueueTextureExtraction(Texture, OutPooledTexturePtr, Flags);
 	SetTextureAccessFinal(Texture, AccessFinal);
 }
 
-void FRDGBuilder::QueueBufferExtraction(FRDGBufferRef Buffer, TRefCountPtr<FRDGPooledBuffer>* OutPooledBufferPtr, ERDGResourceExtractionFlags)
+void FRDGBuilder::QueueBufferExtraction(
+	FRDGBufferRef Buffer, TRefCountPtr<FRDGPooledBuffer>* OutPooledBufferPtr, ERDGResourceExtractionFlags)
 {
 	if (CheckExtraction(Buffer, OutPooledBufferPtr, "QueueBufferExtraction"))
 	{
@@ -131,8 +141,8 @@ void FRDGBuilder::QueueBufferExtraction(FRDGBufferRef Buffer, TRefCountPtr<FRDGP
 	}
 }
 
-void FRDGBuilder::QueueBufferExtraction(FRDGBufferRef Buffer, TRefCountPtr<FRDGPooledBuffer>* OutPooledBufferPtr, ERHIAccess AccessFinal,
-	ERDGResourceExtractionFlags Flags)
+void FRDGBuilder::QueueBufferExtraction(FRDGBufferRef Buffer, TRefCountPtr<FRDGPooledBuffer>* OutPooledBufferPtr,
+	ERHIAccess AccessFinal, ERDGResourceExtractionFlags Flags)
 {
 	QueueBufferExtraction(Buffer, OutPooledBufferPtr, Flags);
 	SetBufferAccessFinal(Buffer, AccessFinal);
@@ -175,7 +185,8 @@ FRHIUniformBuffer* FRDGBuilder::ConvertToExternalUniformBuffer(FRDGUniformBuffer
 {
 	CheckOwn(UniformBuffer, "ConvertToExternalUniformBuffer");
 	FRDGPassDescription Walked;
-	const FRDGPassResources Resources = CollectPassResources(UniformBuffer->GetMetadata(), UniformBuffer->GetContents(),
+	const FRDGPassResources Resources = CollectPassResources(
+		UniformBuffer->GetMetadata(), UniformBuffer->GetContents(),
 		[this](const void* Pointer) { return State->Known.count(Pointer) != 0; }, Walked);
 	for (FRDGViewableResource* Resource : Resources.Viewables)
 	{
@@ -183,7 +194,8 @@ FRHIUniformBuffer* FRDGBuilder::ConvertToExternalUniformBuffer(FRDGUniformBuffer
 	}
 	if (!UniformBuffer->HasRHI())
 	{
-		UniformBuffer->ResourceRHI = Drydock::CreateUniformBuffer(UniformBuffer->GetMetadata(), UniformBuffer->GetContents()).GetReference();
+		UniformBuffer->ResourceRHI =
+			Drydock::CreateUniformBuffer(UniformBuffer->GetMetadata(), UniformBuffer->GetContents()).GetReference();
 	}
 	return static_cast<FRHIUniformBuffer*>(UniformBuffer->ResourceRHI.GetReference());
 }
@@ -193,7 +205,8 @@ const TRefCountPtr<IPooledRenderTarget>& FRDGBuilder::GetPooledTexture(FRDGTextu
 	CheckOwn(Texture, "GetPooledTexture");
 	if (!Texture->bExternal)
 	{
-		Fail(RDGErrorNullArgument, "GetPooledTexture is for external textures only", std::string("resource ") + Texture->Name);
+		Fail(RDGErrorNullArgument, "GetPooledTexture is for external textures only",
+			std::string("resource ") + Texture->Name);
 	}
 	return Texture->PooledTexture;
 }
@@ -203,19 +216,21 @@ const TRefCountPtr<FRDGPooledBuffer>& FRDGBuilder::GetPooledBuffer(FRDGBufferRef
 	CheckOwn(Buffer, "GetPooledBuffer");
 	if (!Buffer->bExternal)
 	{
-		Fail(RDGErrorNullArgument, "GetPooledBuffer is for external buffers only", std::string("resource ") + Buffer->Name);
+		Fail(RDGErrorNullArgument, "GetPooledBuffer is for external buffers only",
+			std::string("resource ") + Buffer->Name);
 	}
 	return Buffer->PooledBuffer;
 }
 
-// Access ----------------------------------------------------------------------------------------------------------------
+// Access ------------------------------------------------------------------------------------------------------------
 
 void FRDGBuilder::SetAccessFinal(FRDGViewableResource* Resource, ERHIAccess Access, const char* Call)
 {
 	CheckOwn(Resource, Call);
 	if (!Resource->bExternal && !Resource->bExtracted)
 	{
-		AddResourceError(RDGErrorAccessFinal, std::string(Call) + " is for external or extracted resources only", *Resource);
+		AddResourceError(
+			RDGErrorAccessFinal, std::string(Call) + " is for external or extracted resources only", *Resource);
 		return;
 	}
 	Resource->AccessFinal = Access;

@@ -33,7 +33,8 @@ FRDGPassDescription DescribePass(const FRDGPass& Pass, const FRDGSettings& Setti
 	Description.File = Pass.GetLocation().file_name();
 	Description.Line = int32(Pass.GetLocation().line());
 	Description.bHasParameters = Pass.GetParametersMetadata() != nullptr;
-	const ERDGPassFlags Async = Settings.AsyncCompute == 2 ? ERDGPassFlags::AsyncCompute | ERDGPassFlags::Compute : ERDGPassFlags::AsyncCompute;
+	const ERDGPassFlags Async =
+		Settings.AsyncCompute == 2 ? ERDGPassFlags::AsyncCompute | ERDGPassFlags::Compute : ERDGPassFlags::AsyncCompute;
 	const bool bGraphicsWork = EnumHasAnyFlags(Pass.GetFlags(), ERDGPassFlags::Raster | ERDGPassFlags::Copy);
 	Description.bAsync = Settings.AsyncCompute != 0 && EnumHasAnyFlags(Pass.GetFlags(), Async) && !bGraphicsWork;
 	return Description;
@@ -72,23 +73,26 @@ void FRDGBuilder::DeclarePass(FRDGPass& Pass)
 	FRDGPassDescription Description = DescribePass(Pass, State->Settings);
 	if (Pass.Metadata && !Pass.Parameters)
 	{
-		ThrowRDGErrors({MakePassDiagnostic(ESeverity::Error, RDGErrorNullArgument, Description, "the pass was added with null parameters")});
+		ThrowRDGErrors({MakePassDiagnostic(
+			ESeverity::Error, RDGErrorNullArgument, Description, "the pass was added with null parameters")});
 	}
 	FRDGPassResources Resources;
 	if (Pass.Metadata)
 	{
-		Resources = CollectPassResources(*Pass.Metadata, Pass.Parameters,
-			[this](const void* Pointer) { return State->Known.count(Pointer) != 0; }, Description);
+		Resources = CollectPassResources(
+			*Pass.Metadata, Pass.Parameters, [this](const void* Pointer) { return State->Known.count(Pointer) != 0; },
+			Description);
 	}
 	for (const FRDGUse& Use : Description.Uses)
 	{
 		FRDGViewableResource& Resource = *State->Resources[size_t(Use.Resource)];
 		Resource.bProduced = Resource.bProduced || Use.IsWrite();
-		if (Resource.ExternalAccess != ERHIAccess::Unknown && EnumHasAnyFlags(Use.Access, ~(Resource.ExternalAccess | ERHIAccess::SRVMask)))
+		if (Resource.ExternalAccess != ERHIAccess::Unknown &&
+			EnumHasAnyFlags(Use.Access, ~(Resource.ExternalAccess | ERHIAccess::SRVMask)))
 		{
 			State->Ensures.push_back(MakePassDiagnostic(ESeverity::Warning, RDGEnsureExternalAccess, Description,
-				std::string("the resource is in external access mode (") + *GetRHIAccessName(Resource.ExternalAccess) + ") but is accessed as "
-					+ *GetRHIAccessName(Use.Access),
+				std::string("the resource is in external access mode (") + *GetRHIAccessName(Resource.ExternalAccess) +
+					") but is accessed as " + *GetRHIAccessName(Use.Access),
 				Use.Parameter, Resource.Name));
 		}
 	}
@@ -104,8 +108,9 @@ void FRDGBuilder::AddPassDependency(FRDGPassRef Producer, FRDGPassRef Consumer)
 	}
 	if (Producer->GetIndex() >= Consumer->GetIndex())
 	{
-		State->Errors.push_back(MakePassDiagnostic(ESeverity::Error, RDGErrorPassDependency, State->GetDescription(*Consumer),
-			std::string("the pass cannot depend on ") + Producer->GetName() + ", which is not added before it"));
+		State->Errors.push_back(
+			MakePassDiagnostic(ESeverity::Error, RDGErrorPassDependency, State->GetDescription(*Consumer),
+				std::string("the pass cannot depend on ") + Producer->GetName() + ", which is not added before it"));
 		return;
 	}
 	State->GetDescription(*Consumer).DeclaredProducers.push_back(Producer->GetIndex());
@@ -117,7 +122,7 @@ void FRDGBuilder::SetPassWorkload(FRDGPassRef Pass, uint32 Workload)
 	State->GetDescription(*Pass).Workload = Workload;
 }
 
-// Scopes ----------------------------------------------------------------------------------------------------------------
+// Scopes ------------------------------------------------------------------------------------------------------------
 
 void FRDGBuilder::OpenScope(const FRDGEventName& ScopeName, bool bFinal)
 {
@@ -153,7 +158,7 @@ void FRDGBuilder::EndEventScope()
 	State->Scopes.pop_back();
 }
 
-// The end ---------------------------------------------------------------------------------------------------------------
+// The end -----------------------------------------------------------------------------------------------------------
 
 void FRDGBuilder::ThrowCollectedErrors(const std::vector<FDiagnostic>& GraphErrors)
 {
@@ -199,7 +204,8 @@ FRDGCompiledGraph FRDGBuilder::Compile()
 			}
 			for (const FDiagnostic& Diagnostic : Validation.Warnings)
 			{
-				ReportRDGWarning(Diagnostic, State->Settings.Debug == 1 && Diagnostic.Code != RDGWarningNotShaderResource);
+				ReportRDGWarning(
+					Diagnostic, State->Settings.Debug == 1 && Diagnostic.Code != RDGWarningNotShaderResource);
 			}
 		}
 	}
@@ -214,7 +220,8 @@ void FRDGBuilder::Execute()
 {
 	if (State->bFinished)
 	{
-		Fail(RDGErrorExecutedTwice, "Execute was called on a graph that was executed or discarded before", "graph " + State->Graph.Name);
+		Fail(RDGErrorExecutedTwice, "Execute was called on a graph that was executed or discarded before",
+			"graph " + State->Graph.Name);
 	}
 	const FRDGCompiledGraph Compiled = Compile();
 	State->bFinished = true;

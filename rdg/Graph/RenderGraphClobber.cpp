@@ -20,9 +20,12 @@ float GetClobberValue(int32 Mode)
 {
 	switch (Mode)
 	{
-	case 2: return std::numeric_limits<float>::quiet_NaN();
-	case 3: return std::numeric_limits<float>::infinity();
-	default: return 1000.0f;
+	case 2:
+		return std::numeric_limits<float>::quiet_NaN();
+	case 3:
+		return std::numeric_limits<float>::infinity();
+	default:
+		return 1000.0f;
 	}
 }
 

@@ -17,20 +17,26 @@ namespace Drydock
 
 bool FRDGSubresources::Overlaps(const FRDGSubresources& Other) const
 {
-	const auto Intersect = [](int32_t A, int32_t NumA, int32_t B, int32_t NumB) { return A < B + NumB && B < A + NumA; };
-	return Intersect(FirstMip, NumMips, Other.FirstMip, Other.NumMips) && Intersect(Slice, NumSlices, Other.Slice, Other.NumSlices)
-		&& Intersect(Plane, NumPlanes, Other.Plane, Other.NumPlanes);
+	const auto Intersect = [](int32_t A, int32_t NumA, int32_t B, int32_t NumB)
+	{
+		return A < B + NumB && B < A + NumA;
+	};
+	return Intersect(FirstMip, NumMips, Other.FirstMip, Other.NumMips) &&
+		   Intersect(Slice, NumSlices, Other.Slice, Other.NumSlices) &&
+		   Intersect(Plane, NumPlanes, Other.Plane, Other.NumPlanes);
 }
 
 const FRDGCompiledPass* FRDGCompiledGraph::FindPass(const std::string& PassName) const
 {
-	const auto Found = std::find_if(Passes.begin(), Passes.end(), [&](const FRDGCompiledPass& Pass) { return Pass.Name == PassName; });
+	const auto Found =
+		std::find_if(Passes.begin(), Passes.end(), [&](const FRDGCompiledPass& Pass) { return Pass.Name == PassName; });
 	return Found == Passes.end() ? nullptr : &*Found;
 }
 
 const FRDGCompiledResource* FRDGCompiledGraph::FindResource(const std::string& ResourceName) const
 {
-	const auto Found = std::find_if(Resources.begin(), Resources.end(), [&](const FRDGCompiledResource& Resource) { return Resource.Name == ResourceName; });
+	const auto Found = std::find_if(Resources.begin(), Resources.end(),
+		[&](const FRDGCompiledResource& Resource) { return Resource.Name == ResourceName; });
 	return Found == Resources.end() ? nullptr : &*Found;
 }
 
@@ -40,7 +46,8 @@ FRDGCompileOptions FRDGCompileOptions::FromConsoleVariables()
 	FRDGCompileOptions Options;
 	Options.bCullPasses = Settings.bCullPasses && !Settings.bImmediateMode;
 	Options.bMergeRenderPasses = Settings.bMergeRenderPasses && !Settings.bImmediateMode;
-	Options.bTransientHeap = Settings.TransientAllocator != 0 && !Settings.bDisableTransientResources && !Settings.bImmediateMode;
+	Options.bTransientHeap =
+		Settings.TransientAllocator != 0 && !Settings.bDisableTransientResources && !Settings.bImmediateMode;
 	Options.bExtendLifetimes = Settings.bExtendResourceLifetimes;
 	Options.bOverlapUAVs = Settings.bOverlapUAVs;
 	return Options;
@@ -76,7 +83,8 @@ FRDGCompiledGraph CompileGraph(const FRDGGraphDescription& Graph, const FRDGComp
 	const FRDGCullResult Cull = CullPasses(Graph, Dependencies, Options.bCullPasses);
 	const std::vector<FRDGRenderPass> RenderPasses = MergeRenderPasses(Graph, Cull.bCulled, Options.bMergeRenderPasses);
 	const std::vector<FRDGAsyncWindow> AsyncWindows = FindAsyncWindows(Graph, Dependencies, Cull.bCulled);
-	const std::vector<FRDGLifetime> Lifetimes = FindLifetimes(Graph, Cull.bCulled, AsyncWindows, Options.bExtendLifetimes);
+	const std::vector<FRDGLifetime> Lifetimes =
+		FindLifetimes(Graph, Cull.bCulled, AsyncWindows, Options.bExtendLifetimes);
 
 	std::vector<FRDGHeapRequest> Requests;
 	FRDGTransitionOptions TransitionOptions;

@@ -1,5 +1,6 @@
 // A graph as plain data: what was declared (descriptions) and what the compile phases found. Nothing here points into a
-// builder, so a compiled graph can be kept, compared and printed without one. Source: drydock; behaviour from the engine.
+// builder, so a compiled graph can be kept, compared and printed without one. Source: drydock; behaviour from the
+// engine.
 #pragma once
 
 #include "Diagnostics.h"
@@ -37,8 +38,8 @@ struct FRDGUse : FRDGSubresources
 {
 	int32_t Resource = -1; // position in Resources
 	ERHIAccess Access = ERHIAccess::Unknown;
-	std::string Parameter;      // C++ name, "Input.Texture", "RenderTargets[0]"
-	bool bLoads = false; // a target with ELoad: contents from before matter
+	std::string Parameter;        // C++ name, "Input.Texture", "RenderTargets[0]"
+	bool bLoads = false;          // a target with ELoad: contents from before matter
 	int32_t SkipBarrierView = -1; // identifies a view made with SkipBarrier
 
 	bool IsWrite() const { return IsWritableAccess(Access); }
@@ -100,7 +101,7 @@ struct FRDGResourceDescription
 {
 	std::string Name;
 	ERDGResourceKind Kind = ERDGResourceKind::Texture;
-	EPixelFormat Format = PF_Unknown; // textures
+	EPixelFormat Format = PF_Unknown;        // textures
 	FIntVector Extent = FIntVector(0, 0, 0); // textures: texels; buffers: X elements of Y bytes
 	int32_t NumMips = 1;
 	int32_t NumSlices = 1;
@@ -114,7 +115,7 @@ struct FRDGResourceDescription
 	bool bUploaded = false;
 	bool bSkipTracking = false;
 	bool bSkipUnusedWarning = false; // RemoveUnusedTextureWarning
-	bool bMayBeTransient = false; // settings and flags let it live in the heap
+	bool bMayBeTransient = false;    // settings and flags let it live in the heap
 	ERHIAccess AccessFinal = ERHIAccess::Unknown;
 
 	int32_t GetNumSubresources() const { return NumMips * NumSlices * NumPlanes; }
@@ -136,7 +137,7 @@ struct FRDGCompiledPass : FRDGPassDescription
 {
 	std::vector<int32_t> Producers; // passes it depends on, ascending
 	bool bCulled = false;
-	std::string Reason; // of a culled pass: why
+	std::string Reason;           // of a culled pass: why
 	int32_t RenderPassBegin = -1; // raster: first and last pass of the render pass it is merged into
 	int32_t RenderPassEnd = -1;
 	std::string MergeReason; // raster: why it was not merged into the pass before
@@ -151,7 +152,7 @@ struct FRDGCompiledResource : FRDGResourceDescription
 	int32_t NumUses = 0; // surviving passes that touch it
 	bool bTransient = false;
 	int64_t HeapOffset = -1; // transient: bytes from the start of the heap
-	std::string Reason; // of an unused resource: why
+	std::string Reason;      // of an unused resource: why
 };
 
 /** A change of state that a GPU would need a barrier for. */

@@ -7,15 +7,19 @@ namespace
 {
 
 TAutoConsoleVariable<int32> CVarImmediateMode(TEXT("r.RDG.ImmediateMode"), 0,
-	TEXT("Runs each pass inside AddPass: nothing is culled, merged or aliased, and a fault shows where it was declared."), ECVF_RenderThreadSafe);
-TAutoConsoleVariable<int32> CVarValidation(TEXT("r.RDG.Validation"), 1,
-	TEXT("Checks the graph: 0 off, 1 on (default)."), ECVF_RenderThreadSafe);
+	TEXT("Runs each pass inside AddPass: nothing is culled, merged or aliased, and a fault shows where it was "
+		 "declared."),
+	ECVF_RenderThreadSafe);
+TAutoConsoleVariable<int32> CVarValidation(
+	TEXT("r.RDG.Validation"), 1, TEXT("Checks the graph: 0 off, 1 on (default)."), ECVF_RenderThreadSafe);
 TAutoConsoleVariable<int32> CVarDebug(TEXT("r.RDG.Debug"), 0,
 	TEXT("Warns about waste: 0 off (default), 1 once per message, 2 always."), ECVF_RenderThreadSafe);
 TAutoConsoleVariable<int32> CVarFlushGPU(TEXT("r.RDG.Debug.FlushGPU"), 0,
-	TEXT("Waits after each pass. Passes always run one after the other here: turns async compute off, nothing else."), ECVF_RenderThreadSafe);
+	TEXT("Waits after each pass. Passes always run one after the other here: turns async compute off, nothing else."),
+	ECVF_RenderThreadSafe);
 TAutoConsoleVariable<int32> CVarExtendLifetimes(TEXT("r.RDG.Debug.ExtendResourceLifetimes"), 0,
-	TEXT("Keeps every resource for the whole graph, so that none shares memory: 0 off (default), 1 on."), ECVF_RenderThreadSafe);
+	TEXT("Keeps every resource for the whole graph, so that none shares memory: 0 off (default), 1 on."),
+	ECVF_RenderThreadSafe);
 TAutoConsoleVariable<int32> CVarDisableTransient(TEXT("r.RDG.Debug.DisableTransientResources"), 0,
 	TEXT("Gives every resource memory of its own: 0 off (default), 1 on."), ECVF_RenderThreadSafe);
 TAutoConsoleVariable<FString> CVarGraphFilter(TEXT("r.RDG.Debug.GraphFilter"), FString(),
@@ -27,33 +31,44 @@ TAutoConsoleVariable<FString> CVarResourceFilter(TEXT("r.RDG.Debug.ResourceFilte
 TAutoConsoleVariable<int32> CVarBreakpoint(TEXT("r.RDG.Breakpoint"), 0,
 	TEXT("Breaks into a debugger in the engine; without effect here."), ECVF_RenderThreadSafe);
 TAutoConsoleVariable<int32> CVarClobber(TEXT("r.RDG.ClobberResources"), 0,
-	TEXT("Fills new resources before their first use: 0 off (default), 1 with 1000, 2 with NaN, 3 with +Inf."), ECVF_RenderThreadSafe);
+	TEXT("Fills new resources before their first use: 0 off (default), 1 with 1000, 2 with NaN, 3 with +Inf."),
+	ECVF_RenderThreadSafe);
 TAutoConsoleVariable<int32> CVarOverlapUAVs(TEXT("r.RDG.OverlapUAVs"), 1,
 	TEXT("Honours SkipBarrier views when transitions are computed."), ECVF_RenderThreadSafe);
 TAutoConsoleVariable<int32> CVarTransitionLog(TEXT("r.RDG.TransitionLog"), 0,
 	TEXT("Logs the transitions of that many graphs; below 0 of all."), ECVF_RenderThreadSafe);
 TAutoConsoleVariable<int32> CVarAsyncCompute(TEXT("r.RDG.AsyncCompute"), 1,
-	TEXT("Which passes count as async compute: 0 none, 1 those tagged (default), 2 all compute passes. Recorded only."), ECVF_RenderThreadSafe);
+	TEXT("Which passes count as async compute: 0 none, 1 those tagged (default), 2 all compute passes. Recorded only."),
+	ECVF_RenderThreadSafe);
 TAutoConsoleVariable<int32> CVarCullPasses(TEXT("r.RDG.CullPasses"), 1,
 	TEXT("Leaves out passes that no output needs: 0 off, 1 on (default)."), ECVF_RenderThreadSafe);
 TAutoConsoleVariable<int32> CVarMergeRenderPasses(TEXT("r.RDG.MergeRenderPasses"), 1,
-	TEXT("Merges neighbouring raster passes with the same targets: 0 off, 1 on (default). Recorded only."), ECVF_RenderThreadSafe);
+	TEXT("Merges neighbouring raster passes with the same targets: 0 off, 1 on (default). Recorded only."),
+	ECVF_RenderThreadSafe);
 TAutoConsoleVariable<int32> CVarTransientAllocator(TEXT("r.RDG.TransientAllocator"), 1,
-	TEXT("Lets resources share the graph's heap: 0 off, 1 on (default), 2 only those with FastVRAM."), ECVF_RenderThreadSafe);
+	TEXT("Lets resources share the graph's heap: 0 off, 1 on (default), 2 only those with FastVRAM."),
+	ECVF_RenderThreadSafe);
 TAutoConsoleVariable<int32> CVarTransientExtracted(TEXT("r.RDG.TransientExtractedResources"), 1,
-	TEXT("Extracted resources outlive the heap of a graph here, so they always have memory of their own."), ECVF_RenderThreadSafe);
+	TEXT("Extracted resources outlive the heap of a graph here, so they always have memory of their own."),
+	ECVF_RenderThreadSafe);
 TAutoConsoleVariable<int32> CVarTransientIndirect(TEXT("r.RDG.TransientAllocator.IndirectArgumentBuffers"), 0,
 	TEXT("Lets buffers of indirect arguments live in the heap: 0 off (default), 1 on."), ECVF_RenderThreadSafe);
 TAutoConsoleVariable<int32> CVarEvents(TEXT("r.RDG.Events"), 1,
 	TEXT("Records event scopes: 0 off, 1 on (default), 2 on, also inside final scopes."), ECVF_RenderThreadSafe);
-TAutoConsoleVariable<int32> CVarParallelDestruction(TEXT("r.RDG.ParallelDestruction"), 1, TEXT("Without effect here."), ECVF_RenderThreadSafe);
-TAutoConsoleVariable<int32> CVarParallelSetup(TEXT("r.RDG.ParallelSetup"), 1, TEXT("Without effect here."), ECVF_RenderThreadSafe);
+TAutoConsoleVariable<int32> CVarParallelDestruction(
+	TEXT("r.RDG.ParallelDestruction"), 1, TEXT("Without effect here."), ECVF_RenderThreadSafe);
+TAutoConsoleVariable<int32> CVarParallelSetup(
+	TEXT("r.RDG.ParallelSetup"), 1, TEXT("Without effect here."), ECVF_RenderThreadSafe);
 TAutoConsoleVariable<int32> CVarParallelExecute(TEXT("r.RDG.ParallelExecute"), 1,
 	TEXT("Without effect here: passes run in turn, each over all threads (r.Drydock.Threads)."), ECVF_RenderThreadSafe);
-TAutoConsoleVariable<int32> CVarParallelPassMin(TEXT("r.RDG.ParallelExecute.PassMin"), 1, TEXT("Without effect here."), ECVF_RenderThreadSafe);
-TAutoConsoleVariable<int32> CVarParallelPassMax(TEXT("r.RDG.ParallelExecute.PassMax"), 32, TEXT("Without effect here."), ECVF_RenderThreadSafe);
-TAutoConsoleVariable<int32> CVarParallelStress(TEXT("r.RDG.ParallelExecuteStress"), 0, TEXT("Without effect here."), ECVF_RenderThreadSafe);
-TAutoConsoleVariable<int32> CVarVerboseCSVStats(TEXT("r.RDG.VerboseCSVStats"), 0, TEXT("Without effect here."), ECVF_RenderThreadSafe);
+TAutoConsoleVariable<int32> CVarParallelPassMin(
+	TEXT("r.RDG.ParallelExecute.PassMin"), 1, TEXT("Without effect here."), ECVF_RenderThreadSafe);
+TAutoConsoleVariable<int32> CVarParallelPassMax(
+	TEXT("r.RDG.ParallelExecute.PassMax"), 32, TEXT("Without effect here."), ECVF_RenderThreadSafe);
+TAutoConsoleVariable<int32> CVarParallelStress(
+	TEXT("r.RDG.ParallelExecuteStress"), 0, TEXT("Without effect here."), ECVF_RenderThreadSafe);
+TAutoConsoleVariable<int32> CVarVerboseCSVStats(
+	TEXT("r.RDG.VerboseCSVStats"), 0, TEXT("Without effect here."), ECVF_RenderThreadSafe);
 
 bool PassesFilter(const FString& Filter, const TCHAR* Name)
 {
@@ -80,7 +95,8 @@ FRDGSettings GetRDGSettings()
 	Settings.bDisableTransientResources = CVarDisableTransient.GetValueOnAnyThread() != 0;
 	Settings.ClobberResources = CVarClobber.GetValueOnAnyThread();
 	Settings.bOverlapUAVs = CVarOverlapUAVs.GetValueOnAnyThread() != 0;
-	Settings.AsyncCompute = CVarFlushGPU.GetValueOnAnyThread() != 0 || Settings.bImmediateMode ? 0 : CVarAsyncCompute.GetValueOnAnyThread();
+	Settings.AsyncCompute =
+		CVarFlushGPU.GetValueOnAnyThread() != 0 || Settings.bImmediateMode ? 0 : CVarAsyncCompute.GetValueOnAnyThread();
 	Settings.bCullPasses = CVarCullPasses.GetValueOnAnyThread() != 0;
 	Settings.bMergeRenderPasses = CVarMergeRenderPasses.GetValueOnAnyThread() != 0;
 	Settings.TransientAllocator = CVarTransientAllocator.GetValueOnAnyThread();

@@ -30,8 +30,8 @@ DRYDOCK_API FRDGSettings GetRDGSettings();
 /** One less on each call while r.RDG.TransitionLog is positive; true when this graph's transitions are to be logged. */
 DRYDOCK_API bool ConsumeRDGTransitionLog();
 
-/** r.RDG.Debug.GraphFilter, PassFilter and ResourceFilter: whether Name passes the filter (a substring; "!x" inverts; empty
- *  and "None" pass all). */
+/** r.RDG.Debug.GraphFilter, PassFilter and ResourceFilter: whether Name passes the filter (a substring; "!x" inverts;
+ * empty and "None" pass all). */
 DRYDOCK_API bool PassesRDGGraphFilter(const TCHAR* Name);
 DRYDOCK_API bool PassesRDGPassFilter(const TCHAR* Name);
 DRYDOCK_API bool PassesRDGResourceFilter(const TCHAR* Name);

@@ -11,7 +11,8 @@ namespace
 
 bool IsRoot(const FRDGPassDescription& Pass)
 {
-	return Pass.bIsSentinel || !Pass.bHasParameters || Pass.bHasExternalOutputs || EnumHasAnyFlags(Pass.Flags, ERDGPassFlags::NeverCull);
+	return Pass.bIsSentinel || !Pass.bHasParameters || Pass.bHasExternalOutputs ||
+		   EnumHasAnyFlags(Pass.Flags, ERDGPassFlags::NeverCull);
 }
 
 std::vector<int32_t> FindRoots(const FRDGGraphDescription& Graph, const FRDGDependencies& Dependencies)
@@ -67,7 +68,8 @@ const char* IsOrAre(const std::string& Outputs)
 }
 
 /** Follows the first consumer of each culled pass to the end of the chain that nobody reads. */
-std::string ExplainCulled(const FRDGGraphDescription& Graph, const std::vector<int32_t>& FirstConsumer, const FRDGPassDescription& Pass)
+std::string ExplainCulled(
+	const FRDGGraphDescription& Graph, const std::vector<int32_t>& FirstConsumer, const FRDGPassDescription& Pass)
 {
 	if (!HasOutputs(Pass))
 	{
@@ -92,7 +94,8 @@ std::string ExplainCulled(const FRDGGraphDescription& Graph, const std::vector<i
 		return Text + ", and " + End.Name + " writes nothing";
 	}
 	const std::string EndOutputs = DescribeOutputs(Graph, End);
-	return Text + ", and " + EndOutputs + " of " + End.Name + IsOrAre(EndOutputs) + " neither read by a surviving pass nor extracted";
+	return Text + ", and " + EndOutputs + " of " + End.Name + IsOrAre(EndOutputs) +
+		   " neither read by a surviving pass nor extracted";
 }
 
 } // namespace

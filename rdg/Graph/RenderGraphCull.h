@@ -1,6 +1,6 @@
 // Which passes are left out. Every pass starts culled; roots and, from them, all producers are kept. Roots are the
-// sentinels, passes that must not be culled (NeverCull, no parameters, writes outside the graph) and the last writers of
-// extracted and external resources. Source: engine RenderGraphBuilder.cpp, restated; the reasons are drydock's.
+// sentinels, passes that must not be culled (NeverCull, no parameters, writes outside the graph) and the last writers
+// of extracted and external resources. Source: engine RenderGraphBuilder.cpp, restated; the reasons are drydock's.
 #pragma once
 
 #include "RenderGraphDependencies.h"
@@ -15,6 +15,7 @@ struct FRDGCullResult
 };
 
 /** bEnabled false (r.RDG.CullPasses 0, immediate mode): nothing is culled. */
-DRYDOCK_API FRDGCullResult CullPasses(const FRDGGraphDescription& Graph, const FRDGDependencies& Dependencies, bool bEnabled);
+DRYDOCK_API FRDGCullResult CullPasses(
+	const FRDGGraphDescription& Graph, const FRDGDependencies& Dependencies, bool bEnabled);
 
 } // namespace Drydock

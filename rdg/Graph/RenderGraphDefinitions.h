@@ -107,7 +107,8 @@ inline ERHIPipeline GetPassPipeline(ERDGPassFlags Flags)
 	return EnumHasAnyFlags(Flags, ERDGPassFlags::AsyncCompute) ? ERHIPipeline::AsyncCompute : ERHIPipeline::Graphics;
 }
 
-/** The graph's texture description is the RHI's; buffers are described by FRDGBufferDesc (RenderGraphResourcePool.h). */
+/** The graph's texture description is the RHI's; buffers are described by FRDGBufferDesc (RenderGraphResourcePool.h).
+ */
 using FRDGTextureDesc = FRHITextureDesc;
 
 /** Gives a buffer's element count when the graph is executed. */

@@ -20,7 +20,7 @@ void SortUnique(std::vector<int32_t>& Values)
 }
 
 /** Calls Function with the index of each subresource of a box. */
-template <typename TFunction>
+template<typename TFunction>
 void ForEachSubresource(const FRDGResourceDescription& Resource, const FRDGSubresources& Box, TFunction Function)
 {
 	for (int32_t Plane = Box.Plane; Plane < Box.Plane + Box.NumPlanes; ++Plane)
@@ -82,7 +82,8 @@ FRDGDependencies FindDependencies(const FRDGGraphDescription& Graph)
 		std::vector<int32_t>& LastWriters = Result.LastWriters.emplace_back();
 		for (const FWriters& OfSubresource : OfResource)
 		{
-			std::copy_if(OfSubresource.begin(), OfSubresource.end(), std::back_inserter(LastWriters), [](int32_t Writer) { return Writer >= 0; });
+			std::copy_if(OfSubresource.begin(), OfSubresource.end(), std::back_inserter(LastWriters),
+				[](int32_t Writer) { return Writer >= 0; });
 		}
 		SortUnique(LastWriters);
 	}

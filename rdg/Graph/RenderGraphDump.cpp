@@ -34,11 +34,13 @@ std::string DescribeBox(const FRDGResourceDescription& Resource, const FRDGSubre
 	std::string Text;
 	if (Box.FirstMip != 0 || Box.NumMips != Resource.NumMips)
 	{
-		Text += Box.NumMips == 1 ? Format(" mip %d", Box.FirstMip) : Format(" mips %d-%d", Box.FirstMip, Box.FirstMip + Box.NumMips - 1);
+		Text += Box.NumMips == 1 ? Format(" mip %d", Box.FirstMip)
+								 : Format(" mips %d-%d", Box.FirstMip, Box.FirstMip + Box.NumMips - 1);
 	}
 	if (Box.Slice != 0 || Box.NumSlices != Resource.NumSlices)
 	{
-		Text += Box.NumSlices == 1 ? Format(" slice %d", Box.Slice) : Format(" slices %d-%d", Box.Slice, Box.Slice + Box.NumSlices - 1);
+		Text += Box.NumSlices == 1 ? Format(" slice %d", Box.Slice)
+								   : Format(" slices %d-%d", Box.Slice, Box.Slice + Box.NumSlices - 1);
 	}
 	if (Resource.NumPlanes > 1 && Box.NumPlanes == 1)
 	{
@@ -52,7 +54,7 @@ std::string GetUniqueName(const FRDGCompiledGraph& Graph, size_t Index)
 {
 	const std::string& Name = Graph.Resources[Index].Name;
 	const auto Number = 1 + std::count_if(Graph.Resources.begin(), Graph.Resources.begin() + ptrdiff_t(Index),
-		[&Name](const FRDGCompiledResource& Resource) { return Resource.Name == Name; });
+								[&Name](const FRDGCompiledResource& Resource) { return Resource.Name == Name; });
 	return Number == 1 ? Name : Format("%s #%d", Name.c_str(), int(Number));
 }
 
@@ -91,7 +93,9 @@ std::string DumpPass(const FRDGCompiledGraph& Graph, const FRDGCompiledPass& Pas
 {
 	std::string Text = Format("%4d  %s\n", Pass.Index, Pass.Name.c_str());
 	const auto AddLine = [&Text](const char* Label, const std::string& Value)
-	{ Text += Value.empty() ? "" : Format("        %-8s %s\n", Label, Value.c_str()); };
+	{
+		Text += Value.empty() ? "" : Format("        %-8s %s\n", Label, Value.c_str());
+	};
 	AddLine("shader", Pass.Shader + (Pass.Entry.empty() ? "" : " (" + Pass.Entry + ")"));
 	AddLine("reads", ListUses(Graph, Pass, false));
 	AddLine("writes", ListUses(Graph, Pass, true));
@@ -161,7 +165,8 @@ std::string DescribeBytes(uint64_t Bytes)
 	{
 		return Format("%.2f MiB", double(Bytes) / (1024.0 * 1024.0));
 	}
-	return Bytes >= 1024 ? Format("%.1f KiB", double(Bytes) / 1024.0) : Format("%llu B", static_cast<unsigned long long>(Bytes));
+	return Bytes >= 1024 ? Format("%.1f KiB", double(Bytes) / 1024.0)
+						 : Format("%llu B", static_cast<unsigned long long>(Bytes));
 }
 
 std::string DescribeResource(const FRDGResourceDescription& Resource)
@@ -179,8 +184,9 @@ std::string DescribeResource(const FRDGResourceDescription& Resource)
 
 std::string DescribePassFlags(ERDGPassFlags Flags)
 {
-	static const std::pair<ERDGPassFlags, const char*> Names[] = {{ERDGPassFlags::Raster, "Raster"}, {ERDGPassFlags::Compute, "Compute"},
-		{ERDGPassFlags::AsyncCompute, "AsyncCompute"}, {ERDGPassFlags::Copy, "Copy"}, {ERDGPassFlags::NeverCull, "NeverCull"},
+	static const std::pair<ERDGPassFlags, const char*> Names[] = {{ERDGPassFlags::Raster, "Raster"},
+		{ERDGPassFlags::Compute, "Compute"}, {ERDGPassFlags::AsyncCompute, "AsyncCompute"},
+		{ERDGPassFlags::Copy, "Copy"}, {ERDGPassFlags::NeverCull, "NeverCull"},
 		{ERDGPassFlags::SkipRenderPass, "SkipRenderPass"}, {ERDGPassFlags::NeverMerge, "NeverMerge"},
 		{ERDGPassFlags::NeverParallel, "NeverParallel"}, {ERDGPassFlags::ParallelTranslate, "ParallelTranslate"}};
 	std::string Text;
@@ -196,12 +202,19 @@ std::string DescribePassFlags(ERDGPassFlags Flags)
 
 std::string DumpText(const FRDGCompiledGraph& Graph)
 {
-	const auto IsCounted = [](const FRDGCompiledPass& Pass) { return !Pass.bIsSentinel; };
-	const auto IsCulled = [](const FRDGCompiledPass& Pass) { return Pass.bCulled; };
+	const auto IsCounted = [](const FRDGCompiledPass& Pass)
+	{
+		return !Pass.bIsSentinel;
+	};
+	const auto IsCulled = [](const FRDGCompiledPass& Pass)
+	{
+		return Pass.bCulled;
+	};
 	const long NumPasses = long(std::count_if(Graph.Passes.begin(), Graph.Passes.end(), IsCounted));
 	const long NumCulled = long(std::count_if(Graph.Passes.begin(), Graph.Passes.end(), IsCulled));
 
-	std::string Text = Format("graph %s: %ld passes run, %ld culled\n", Graph.Name.empty() ? "-" : Graph.Name.c_str(), NumPasses - NumCulled, NumCulled);
+	std::string Text = Format("graph %s: %ld passes run, %ld culled\n", Graph.Name.empty() ? "-" : Graph.Name.c_str(),
+		NumPasses - NumCulled, NumCulled);
 	Text += "\npasses\n" + DumpPasses(Graph);
 
 	const int Width = int(FindNameWidth(Graph));
@@ -211,48 +224,56 @@ std::string DumpText(const FRDGCompiledGraph& Graph)
 		const FRDGCompiledResource& Resource = Graph.Resources[Index];
 		if (Resource.FirstPass >= 0)
 		{
-			Text += Format("  %-*s  %-34s %10s  %3d..%-3d  %s\n", Width, GetUniqueName(Graph, Index).c_str(), DescribeResource(Resource).c_str(),
-				DescribeBytes(Resource.Bytes).c_str(), Resource.FirstPass, Resource.LastPass, DescribeHome(Resource).c_str());
+			Text += Format("  %-*s  %-34s %10s  %3d..%-3d  %s\n", Width, GetUniqueName(Graph, Index).c_str(),
+				DescribeResource(Resource).c_str(), DescribeBytes(Resource.Bytes).c_str(), Resource.FirstPass,
+				Resource.LastPass, DescribeHome(Resource).c_str());
 		}
 	}
 
 	std::string Culled;
 	for (const FRDGCompiledPass& Pass : Graph.Passes)
 	{
-		Culled += Pass.bCulled ? Format("%4d  %s\n        %s\n", Pass.Index, Pass.Name.c_str(), Pass.Reason.c_str()) : "";
+		Culled +=
+			Pass.bCulled ? Format("%4d  %s\n        %s\n", Pass.Index, Pass.Name.c_str(), Pass.Reason.c_str()) : "";
 	}
 	for (const FRDGCompiledResource& Resource : Graph.Resources)
 	{
-		Culled += Resource.FirstPass < 0 ? Format("   -  %s (%s)\n        %s\n", Resource.Name.c_str(), DescribeResource(Resource).c_str(), Resource.Reason.c_str()) : "";
+		Culled += Resource.FirstPass < 0 ? Format("   -  %s (%s)\n        %s\n", Resource.Name.c_str(),
+											   DescribeResource(Resource).c_str(), Resource.Reason.c_str())
+										 : "";
 	}
 	Text += Culled.empty() ? "" : "\nleft out\n" + Culled;
 
 	Text += Format("\nmemory\n  transient  %s with aliasing, %s without\n  pooled     %s\n  external   %s\n",
-		DescribeBytes(Graph.Memory.TransientPeakBytes).c_str(), DescribeBytes(Graph.Memory.WithoutAliasingBytes).c_str(),
-		DescribeBytes(Graph.Memory.PooledBytes).c_str(), DescribeBytes(Graph.Memory.ExternalBytes).c_str());
+		DescribeBytes(Graph.Memory.TransientPeakBytes).c_str(),
+		DescribeBytes(Graph.Memory.WithoutAliasingBytes).c_str(), DescribeBytes(Graph.Memory.PooledBytes).c_str(),
+		DescribeBytes(Graph.Memory.ExternalBytes).c_str());
 	return Text;
 }
 
 std::string DumpDot(const FRDGCompiledGraph& Graph)
 {
-	std::string Text = "digraph \"" + Escape(Graph.Name) + "\" {\n\trankdir=LR;\n\tnode [fontname=\"sans-serif\", fontsize=10];\n";
+	std::string Text =
+		"digraph \"" + Escape(Graph.Name) + "\" {\n\trankdir=LR;\n\tnode [fontname=\"sans-serif\", fontsize=10];\n";
 	for (const FRDGCompiledPass& Pass : Graph.Passes)
 	{
 		if (!Pass.bIsSentinel)
 		{
 			const std::string Shader = Pass.Shader.empty() ? "" : "\\n" + Escape(Pass.Shader);
-			Text += Format("\tp%d [shape=box, style=%s, label=\"%d %s%s\"];\n", Pass.Index, Pass.bCulled ? "\"dashed\", color=grey, fontcolor=grey" : "filled, fillcolor=lightblue",
-				Pass.Index, Escape(Pass.Name).c_str(), Shader.c_str());
+			Text += Format("\tp%d [shape=box, style=%s, label=\"%d %s%s\"];\n", Pass.Index,
+				Pass.bCulled ? "\"dashed\", color=grey, fontcolor=grey" : "filled, fillcolor=lightblue", Pass.Index,
+				Escape(Pass.Name).c_str(), Shader.c_str());
 		}
 	}
 	for (size_t Index = 0; Index < Graph.Resources.size(); ++Index)
 	{
 		const FRDGCompiledResource& Resource = Graph.Resources[Index];
 		const char* const Style = Resource.FirstPass < 0 ? "style=dashed, color=grey, fontcolor=grey"
-			: Resource.bExternal                         ? "style=filled, fillcolor=lightyellow"
-			: Resource.bExtracted                        ? "style=filled, fillcolor=lightgreen"
+								  : Resource.bExternal   ? "style=filled, fillcolor=lightyellow"
+								  : Resource.bExtracted  ? "style=filled, fillcolor=lightgreen"
 														 : "style=solid";
-		Text += Format("\tr%zu [shape=ellipse, %s, label=\"%s\\n%s\"];\n", Index, Style, Escape(Resource.Name).c_str(), DescribeResource(Resource).c_str());
+		Text += Format("\tr%zu [shape=ellipse, %s, label=\"%s\\n%s\"];\n", Index, Style, Escape(Resource.Name).c_str(),
+			DescribeResource(Resource).c_str());
 	}
 	for (const FRDGCompiledPass& Pass : Graph.Passes)
 	{
@@ -288,8 +309,8 @@ std::string DumpTransitions(const FRDGCompiledGraph& Graph)
 	{
 		const FRDGCompiledResource& Resource = Graph.Resources[size_t(Transition.Resource)];
 		Text += Format("%d -> %d  %s%s: %s -> %s%s\n", Transition.BeginPass, Transition.EndPass, Resource.Name.c_str(),
-			DescribeBox(Resource, Transition).c_str(), *GetRHIAccessName(Transition.Before), *GetRHIAccessName(Transition.After),
-			Transition.bUAVBarrier ? " (UAV barrier)" : "");
+			DescribeBox(Resource, Transition).c_str(), *GetRHIAccessName(Transition.Before),
+			*GetRHIAccessName(Transition.After), Transition.bUAVBarrier ? " (UAV barrier)" : "");
 	}
 	return Text;
 }

@@ -22,8 +22,10 @@ FRDGEventName::FRDGEventName(const TCHAR* Format, ...)
 	Name = FString(std::move(Text));
 }
 
-FRDGEventScopeGuard::FRDGEventScopeGuard(FRDGBuilder& InGraphBuilder, FRDGEventName&& ScopeName, bool bCondition, bool bFinal)
-	: GraphBuilder(InGraphBuilder), bOpened(bCondition)
+FRDGEventScopeGuard::FRDGEventScopeGuard(
+	FRDGBuilder& InGraphBuilder, FRDGEventName&& ScopeName, bool bCondition, bool bFinal)
+	: GraphBuilder(InGraphBuilder)
+	, bOpened(bCondition)
 {
 	if (bOpened && bFinal)
 	{

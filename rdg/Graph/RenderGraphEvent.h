@@ -23,7 +23,8 @@ private:
 class DRYDOCK_API FRDGEventScopeGuard
 {
 public:
-	FRDGEventScopeGuard(FRDGBuilder& InGraphBuilder, FRDGEventName&& ScopeName, bool bCondition = true, bool bFinal = false);
+	FRDGEventScopeGuard(
+		FRDGBuilder& InGraphBuilder, FRDGEventName&& ScopeName, bool bCondition = true, bool bFinal = false);
 	~FRDGEventScopeGuard();
 	FRDGEventScopeGuard(const FRDGEventScopeGuard&) = delete;
 	FRDGEventScopeGuard& operator=(const FRDGEventScopeGuard&) = delete;
@@ -41,7 +42,8 @@ private:
 
 // Scopes end with the block; the macros bring their own semicolon, as the engine's do.
 #define RDG_EVENT_SCOPE(GraphBuilder, Format, ...) \
-	FRDGEventScopeGuard RDG_EVENT_JOIN(RDGEventScope, __LINE__)(GraphBuilder, RDG_EVENT_NAME(Format __VA_OPT__(, ) __VA_ARGS__));
+	FRDGEventScopeGuard RDG_EVENT_JOIN(RDGEventScope, __LINE__)( \
+		GraphBuilder, RDG_EVENT_NAME(Format __VA_OPT__(, ) __VA_ARGS__));
 #define RDG_EVENT_SCOPE_CONDITIONAL(GraphBuilder, Condition, Format, ...) \
 	FRDGEventScopeGuard RDG_EVENT_JOIN(RDGEventScope, __LINE__)( \
 		GraphBuilder, RDG_EVENT_NAME(Format __VA_OPT__(, ) __VA_ARGS__), !!(Condition));
@@ -54,14 +56,16 @@ private:
 
 // Stats: times are kept per pass and per scope anyway, so a stat only has to exist.
 #define DECLARE_GPU_STAT(StatName) [[maybe_unused]] static constexpr const TCHAR* GPUStat_##StatName = TEXT(#StatName);
-#define DECLARE_GPU_STAT_NAMED(StatName, NameString) [[maybe_unused]] static constexpr const TCHAR* GPUStat_##StatName = NameString;
+#define DECLARE_GPU_STAT_NAMED(StatName, NameString) \
+	[[maybe_unused]] static constexpr const TCHAR* GPUStat_##StatName = NameString;
 #define DECLARE_GPU_STAT_NAMED_EXTERN(StatName, NameString) DECLARE_GPU_STAT_NAMED(StatName, NameString)
 #define DECLARE_GPU_DRAWCALL_STAT(StatName) DECLARE_GPU_STAT(StatName)
 #define DECLARE_GPU_DRAWCALL_STAT_NAMED(StatName, NameString) DECLARE_GPU_STAT_NAMED(StatName, NameString)
 #define DECLARE_GPU_DRAWCALL_STAT_EXTERN(StatName) DECLARE_GPU_STAT(StatName)
 #define DEFINE_GPU_STAT(StatName)
 #define DEFINE_GPU_DRAWCALL_STAT(StatName)
-#define RDG_GPU_STAT_SCOPE(GraphBuilder, StatName) static_cast<void>(GraphBuilder), static_cast<void>(GPUStat_##StatName);
+#define RDG_GPU_STAT_SCOPE(GraphBuilder, StatName) \
+	static_cast<void>(GraphBuilder), static_cast<void>(GPUStat_##StatName);
 #define RDG_GPU_STAT_SCOPE_VERBOSE(GraphBuilder, StatName, Description) RDG_GPU_STAT_SCOPE(GraphBuilder, StatName)
 #define SCOPED_GPU_STAT(RHICmdList, StatName) static_cast<void>(RHICmdList), static_cast<void>(GPUStat_##StatName);
 #define RDG_CSV_STAT_EXCLUSIVE_SCOPE(GraphBuilder, StatName) static_cast<void>(GraphBuilder);

@@ -88,7 +88,8 @@ std::vector<FRDGTexture*> FRDGExecutor::FindExternals(int32 PassIndex)
 	std::vector<FRDGTexture*> Found;
 	for (size_t Index = 0; Index < State.Passes.size(); ++Index)
 	{
-		const bool bAsked = PassIndex < 0 ? !State.Passes[Index]->bCulled : State.Passes[Index]->GetIndex() == PassIndex;
+		const bool bAsked =
+			PassIndex < 0 ? !State.Passes[Index]->bCulled : State.Passes[Index]->GetIndex() == PassIndex;
 		for (FRDGViewableResource* Resource : State.PassResources[Index].Viewables)
 		{
 			if (!bAsked || !Resource->bRegistered || Resource->Type != ERDGViewableResourceType::Texture)
@@ -122,7 +123,7 @@ void FRDGExecutor::LoadExternals(const std::vector<FRDGTexture*>& Textures)
 	}
 }
 
-// Memory ----------------------------------------------------------------------------------------------------------------
+// Memory ------------------------------------------------------------------------------------------------------------
 
 void FRDGExecutor::AllocatePooled(FRDGViewableResource& Resource)
 {
@@ -154,13 +155,15 @@ void FRDGExecutor::Allocate(FRDGViewableResource& Resource)
 	uint8* const Memory = Heap + Compiled->Resources[size_t(Resource.Index)].HeapOffset;
 	if (Resource.Type == ERDGViewableResourceType::Texture)
 	{
-		const TRefCountPtr<FRHITexture> Texture(new FRHITexture(static_cast<FRDGTexture&>(Resource).Desc, Resource.Name));
+		const TRefCountPtr<FRHITexture> Texture(
+			new FRHITexture(static_cast<FRDGTexture&>(Resource).Desc, Resource.Name));
 		Texture->PlaceAt(Memory);
 		Resource.ResourceRHI = Texture.GetReference();
 	}
 	else
 	{
-		const TRefCountPtr<FRHIBuffer> Buffer(new FRHIBuffer(Translate(static_cast<FRDGBuffer&>(Resource).Desc), Resource.Name));
+		const TRefCountPtr<FRHIBuffer> Buffer(
+			new FRHIBuffer(Translate(static_cast<FRDGBuffer&>(Resource).Desc), Resource.Name));
 		Buffer->PlaceAt(Memory);
 		Resource.ResourceRHI = Buffer.GetReference();
 	}
@@ -180,8 +183,8 @@ void FRDGExecutor::MakeReady(FRDGViewableResource& Resource)
 		Upload(static_cast<FRDGBuffer&>(Resource));
 		return;
 	}
-	if (State.Settings.ClobberResources == 0 || Resource.bExternal || !PassesRDGGraphFilter(State.Graph.Name.c_str())
-		|| !PassesRDGResourceFilter(Resource.Name))
+	if (State.Settings.ClobberResources == 0 || Resource.bExternal || !PassesRDGGraphFilter(State.Graph.Name.c_str()) ||
+		!PassesRDGResourceFilter(Resource.Name))
 	{
 		return;
 	}
@@ -204,7 +207,7 @@ void FRDGExecutor::Upload(FRDGBuffer& Buffer)
 	std::memset(Data + Upload.Size, 0, RHIBuffer.GetSize() - Upload.Size);
 }
 
-// Passes ----------------------------------------------------------------------------------------------------------------
+// Passes ------------------------------------------------------------------------------------------------------------
 
 void FRDGExecutor::AllowAccess(const FRDGPassResources& Resources, bool bAllow)
 {
@@ -248,7 +251,9 @@ void FRDGExecutor::RunPass(FRDGPass& Pass)
 
 	struct FAccess
 	{
-		FAccess(FRDGExecutor& InExecutor, const FRDGPassResources& InResources) : Executor(InExecutor), Resources(InResources)
+		FAccess(FRDGExecutor& InExecutor, const FRDGPassResources& InResources)
+			: Executor(InExecutor)
+			, Resources(InResources)
 		{
 			Executor.AllowAccess(Resources, true);
 		}
@@ -265,14 +270,16 @@ void FRDGExecutor::RunPass(FRDGPass& Pass)
 	WarnAboutUnused(Pass, Resources);
 	if (State.Observer)
 	{
-		State.Observer->OnPassExecuted(Pass.GetIndex(), Pass, Elapsed.count(), Builder.RHICmdList.GetCounters(), FindWritten(Pass));
+		State.Observer->OnPassExecuted(
+			Pass.GetIndex(), Pass, Elapsed.count(), Builder.RHICmdList.GetCounters(), FindWritten(Pass));
 	}
 }
 
 void FRDGExecutor::RunLambda(FRDGPass& Pass, const FRDGPassResources& Resources)
 {
-	const bool bRenderPass = Resources.TargetSlots && EnumHasAnyFlags(Pass.GetFlags(), ERDGPassFlags::Raster)
-		&& !EnumHasAnyFlags(Pass.GetFlags(), ERDGPassFlags::SkipRenderPass) && !State.GetDescription(Pass).Targets.IsEmpty();
+	const bool bRenderPass = Resources.TargetSlots && EnumHasAnyFlags(Pass.GetFlags(), ERDGPassFlags::Raster) &&
+							 !EnumHasAnyFlags(Pass.GetFlags(), ERDGPassFlags::SkipRenderPass) &&
+							 !State.GetDescription(Pass).Targets.IsEmpty();
 	if (!bRenderPass)
 	{
 		Pass.Execute(Builder.RHICmdList);
@@ -280,7 +287,8 @@ void FRDGExecutor::RunLambda(FRDGPass& Pass, const FRDGPassResources& Resources)
 	}
 	struct FRenderPassScope
 	{
-		FRenderPassScope(FRHICommandListImmediate& InList, const FRHIRenderPassInfo& Info, const TCHAR* Name) : List(InList)
+		FRenderPassScope(FRHICommandListImmediate& InList, const FRHIRenderPassInfo& Info, const TCHAR* Name)
+			: List(InList)
 		{
 			List.BeginRenderPass(Info, Name);
 		}
@@ -295,7 +303,9 @@ void FRDGExecutor::RunLambda(FRDGPass& Pass, const FRDGPassResources& Resources)
 FRHIRenderPassInfo FRDGExecutor::MakeRenderPassInfo(const FRenderTargetBindingSlots& Slots) const
 {
 	const auto GetTexture = [](const FRDGTexture* Texture)
-	{ return Texture ? static_cast<FRHITexture*>(Texture->ResourceRHI.GetReference()) : nullptr; };
+	{
+		return Texture ? static_cast<FRHITexture*>(Texture->ResourceRHI.GetReference()) : nullptr;
+	};
 
 	FRHIRenderPassInfo Info;
 	int32 Count = 0;
@@ -314,10 +324,14 @@ FRHIRenderPassInfo FRDGExecutor::MakeRenderPassInfo(const FRenderTargetBindingSl
 		});
 	if (const FRDGTexture* Depth = Slots.DepthStencil.GetTexture())
 	{
-		const auto MakeActions = [](ERenderTargetLoadAction Load) { return MakeRenderTargetActions(Load, ERenderTargetStoreAction::EStore); };
+		const auto MakeActions = [](ERenderTargetLoadAction Load)
+		{
+			return MakeRenderTargetActions(Load, ERenderTargetStoreAction::EStore);
+		};
 		Info.DepthStencilRenderTarget.DepthStencilTarget = GetTexture(Depth);
-		Info.DepthStencilRenderTarget.Action = MakeDepthStencilTargetActions(
-			MakeActions(Slots.DepthStencil.GetDepthLoadAction()), MakeActions(Slots.DepthStencil.GetStencilLoadAction()));
+		Info.DepthStencilRenderTarget.Action =
+			MakeDepthStencilTargetActions(MakeActions(Slots.DepthStencil.GetDepthLoadAction()),
+				MakeActions(Slots.DepthStencil.GetStencilLoadAction()));
 		Info.DepthStencilRenderTarget.ExclusiveDepthStencil = Slots.DepthStencil.GetDepthStencilAccess();
 		Depth->MarkResourceAsUsed();
 	}
@@ -365,8 +379,8 @@ void FRDGExecutor::WarnAboutUnused(const FRDGPass& Pass, const FRDGPassResources
 		FDiagnostic Diagnostic;
 		Diagnostic.Severity = ESeverity::Warning;
 		Diagnostic.Code = RDGWarningUnusedParameter;
-		Diagnostic.Message = std::to_string(NumUnused) + " of " + std::to_string(Resources.Viewables.size())
-			+ " resources of the pass were not actually used: " + Unused;
+		Diagnostic.Message = std::to_string(NumUnused) + " of " + std::to_string(Resources.Viewables.size()) +
+							 " resources of the pass were not actually used: " + Unused;
 		Diagnostic.File = Pass.GetLocation().file_name();
 		Diagnostic.Line = int(Pass.GetLocation().line());
 		Diagnostic.Where = std::string("pass ") + Pass.GetName();
@@ -374,7 +388,7 @@ void FRDGExecutor::WarnAboutUnused(const FRDGPass& Pass, const FRDGPassResources
 	}
 }
 
-// The rest --------------------------------------------------------------------------------------------------------------
+// The rest ----------------------------------------------------------------------------------------------------------
 
 void FRDGExecutor::WriteExtractions()
 {

@@ -1,5 +1,5 @@
-// Runs passes: gives resources memory before their first pass, opens and closes render passes, lets the running pass touch
-// what it declares, measures. Internal to this folder. Source: drydock.
+// Runs passes: gives resources memory before their first pass, opens and closes render passes, lets the running pass
+// touch what it declares, measures. Internal to this folder. Source: drydock.
 #pragma once
 
 #include "RenderGraphBuilder.h"
@@ -11,7 +11,11 @@ namespace Drydock
 class FRDGExecutor
 {
 public:
-	explicit FRDGExecutor(FRDGBuilder& InBuilder) : Builder(InBuilder), State(*InBuilder.State) {}
+	explicit FRDGExecutor(FRDGBuilder& InBuilder)
+		: Builder(InBuilder)
+		, State(*InBuilder.State)
+	{
+	}
 
 	/** All surviving passes, then the extractions. */
 	void RunGraph(const FRDGCompiledGraph& Compiled);

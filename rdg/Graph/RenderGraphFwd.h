@@ -28,7 +28,7 @@ class FRDGShaderResourceView;
 class FRDGUnorderedAccessView;
 class FRDGUniformBuffer;
 
-template <typename TUniformStruct>
+template<typename TUniformStruct>
 class TRDGUniformBuffer;
 
 using FRDGPassRef = FRDGPass*;
@@ -45,5 +45,5 @@ using FRDGShaderResourceViewRef = FRDGShaderResourceView*;
 using FRDGUnorderedAccessViewRef = FRDGUnorderedAccessView*;
 using FRDGUniformBufferRef = FRDGUniformBuffer*;
 
-template <typename TUniformStruct>
+template<typename TUniformStruct>
 using TRDGUniformBufferRef = TRDGUniformBuffer<TUniformStruct>*;

@@ -1,5 +1,6 @@
-// From which pass to which a resource has to be in memory: from the first surviving pass that touches it to the last, and
-// as long as the window of an async pass that does. Source: engine RenderGraphBuilder.cpp, restated; reasons are drydock's.
+// From which pass to which a resource has to be in memory: from the first surviving pass that touches it to the last,
+// and as long as the window of an async pass that does. Source: engine RenderGraphBuilder.cpp, restated; reasons are
+// drydock's.
 #pragma once
 
 #include "RenderGraphAsyncCompute.h"

@@ -12,7 +12,8 @@ namespace
 bool WritesOnlyTargets(const FRDGPassDescription& Pass)
 {
 	const ERHIAccess Others = ERHIAccess::UAVMask | ERHIAccess::CopyDest | ERHIAccess::BVHWrite;
-	return std::none_of(Pass.Uses.begin(), Pass.Uses.end(), [Others](const FRDGUse& Use) { return EnumHasAnyFlags(Use.Access, Others); });
+	return std::none_of(Pass.Uses.begin(), Pass.Uses.end(),
+		[Others](const FRDGUse& Use) { return EnumHasAnyFlags(Use.Access, Others); });
 }
 
 /** Empty when the two may be one render pass. */
@@ -30,7 +31,10 @@ std::string FindObstacle(const FRDGPassDescription& Before, const FRDGPassDescri
 	const FRDGTargets& A = Before.Targets;
 	const FRDGTargets& B = After.Targets;
 	const auto IsSameTarget = [](const FRDGTarget& X, const FRDGTarget& Y)
-	{ return X.Resource == Y.Resource && X.ResolveResource == Y.ResolveResource && X.Mip == Y.Mip && X.Slice == Y.Slice; };
+	{
+		return X.Resource == Y.Resource && X.ResolveResource == Y.ResolveResource && X.Mip == Y.Mip &&
+			   X.Slice == Y.Slice;
+	};
 	if (!std::equal(A.Colors.begin(), A.Colors.end(), B.Colors.begin(), B.Colors.end(), IsSameTarget))
 	{
 		return "different render targets";
@@ -47,9 +51,12 @@ std::string FindObstacle(const FRDGPassDescription& Before, const FRDGPassDescri
 	{
 		return "different numbers of occlusion queries";
 	}
-	const auto Clears = [](const FRDGTarget& Target) { return Target.Load == ERenderTargetLoadAction::EClear; };
-	const bool bDepthClears = B.DepthStencil >= 0
-		&& (B.DepthLoad == ERenderTargetLoadAction::EClear || B.StencilLoad == ERenderTargetLoadAction::EClear);
+	const auto Clears = [](const FRDGTarget& Target)
+	{
+		return Target.Load == ERenderTargetLoadAction::EClear;
+	};
+	const bool bDepthClears = B.DepthStencil >= 0 && (B.DepthLoad == ERenderTargetLoadAction::EClear ||
+														 B.StencilLoad == ERenderTargetLoadAction::EClear);
 	if (bDepthClears || std::any_of(B.Colors.begin(), B.Colors.end(), Clears))
 	{
 		return "the pass clears its targets";
@@ -59,7 +66,8 @@ std::string FindObstacle(const FRDGPassDescription& Before, const FRDGPassDescri
 
 } // namespace
 
-std::vector<FRDGRenderPass> MergeRenderPasses(const FRDGGraphDescription& Graph, const std::vector<bool>& bCulled, bool bEnabled)
+std::vector<FRDGRenderPass> MergeRenderPasses(
+	const FRDGGraphDescription& Graph, const std::vector<bool>& bCulled, bool bEnabled)
 {
 	std::vector<FRDGRenderPass> Result(Graph.Passes.size());
 	int32_t Before = -1; // the raster pass that the next one could join
@@ -81,7 +89,9 @@ std::vector<FRDGRenderPass> MergeRenderPasses(const FRDGGraphDescription& Graph,
 			continue;
 		}
 		FRDGRenderPass& RenderPass = Result[Index];
-		RenderPass.Reason = Before < 0 ? Broken : bEnabled ? FindObstacle(Graph.Passes[size_t(Before)], Pass) : "merging is off";
+		RenderPass.Reason = Before < 0 ? Broken
+							: bEnabled ? FindObstacle(Graph.Passes[size_t(Before)], Pass)
+									   : "merging is off";
 		RenderPass.Begin = RenderPass.Reason.empty() ? Result[size_t(Before)].Begin : Pass.Index;
 		for (int32_t Member = RenderPass.Begin; Member <= Pass.Index; ++Member)
 		{

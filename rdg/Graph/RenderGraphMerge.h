@@ -1,5 +1,5 @@
-// Which raster passes a GPU would run as one render pass: surviving neighbours with the same targets, where the later one
-// does not clear. A CPU runs them one by one with the same result; the decision and its reason are recorded.
+// Which raster passes a GPU would run as one render pass: surviving neighbours with the same targets, where the later
+// one does not clear. A CPU runs them one by one with the same result; the decision and its reason are recorded.
 // Source: engine RenderGraphBuilder.cpp, restated; the reasons are drydock's.
 #pragma once
 
@@ -16,6 +16,7 @@ struct FRDGRenderPass
 };
 
 /** By pass. bEnabled: r.RDG.MergeRenderPasses. */
-DRYDOCK_API std::vector<FRDGRenderPass> MergeRenderPasses(const FRDGGraphDescription& Graph, const std::vector<bool>& bCulled, bool bEnabled);
+DRYDOCK_API std::vector<FRDGRenderPass> MergeRenderPasses(
+	const FRDGGraphDescription& Graph, const std::vector<bool>& bCulled, bool bEnabled);
 
 } // namespace Drydock

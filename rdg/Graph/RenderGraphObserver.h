@@ -20,8 +20,8 @@ public:
 	/** Before anything is executed. Immediate mode: at the end, when all passes are known. */
 	virtual void OnGraphCompiled(const FRDGCompiledGraph&) {}
 
-	/** Registered textures that surviving passes touch, before the first of these passes. Their RHI textures have no memory
-	 *  unless somebody touched them: this is the moment to fill them. */
+	/** Registered textures that surviving passes touch, before the first of these passes. Their RHI textures have no
+	 * memory unless somebody touched them: this is the moment to fill them. */
 	virtual void OnLoadExternals(const std::vector<FRDGTexture*>&) {}
 
 	/** After each pass. PassIndex is its position in FRDGCompiledGraph::Passes; WrittenTextures may be read through

@@ -17,15 +17,16 @@ namespace
 
 FRDGSubresources ToBox(const FRDGTextureSubresourceRange& Range)
 {
-	return {int32(Range.MipIndex), int32(Range.NumMips), int32(Range.ArraySlice), int32(Range.NumArraySlices), int32(Range.PlaneSlice),
-		int32(Range.NumPlaneSlices)};
+	return {int32(Range.MipIndex), int32(Range.NumMips), int32(Range.ArraySlice), int32(Range.NumArraySlices),
+		int32(Range.PlaneSlice), int32(Range.NumPlaneSlices)};
 }
 
 ERHIAccess GetReadAccess(ERDGPassFlags Flags)
 {
 	ERHIAccess Access = ERHIAccess::Unknown;
 	Access |= EnumHasAnyFlags(Flags, ERDGPassFlags::Raster) ? ERHIAccess::SRVGraphics : ERHIAccess::Unknown;
-	Access |= EnumHasAnyFlags(Flags, ERDGPassFlags::Compute | ERDGPassFlags::AsyncCompute) ? ERHIAccess::SRVCompute : ERHIAccess::Unknown;
+	Access |= EnumHasAnyFlags(Flags, ERDGPassFlags::Compute | ERDGPassFlags::AsyncCompute) ? ERHIAccess::SRVCompute
+																						   : ERHIAccess::Unknown;
 	Access |= EnumHasAnyFlags(Flags, ERDGPassFlags::Copy) ? ERHIAccess::CopySrc : ERHIAccess::Unknown;
 	return Access == ERHIAccess::Unknown ? ERHIAccess::SRVMask : Access;
 }
@@ -38,7 +39,11 @@ ERHIAccess GetWriteAccess(ERDGPassFlags Flags)
 class FCollector
 {
 public:
-	FCollector(TFunctionRef<bool(const void*)> InIsKnown, FRDGPassDescription& InPass) : IsKnown(InIsKnown), Pass(InPass) {}
+	FCollector(TFunctionRef<bool(const void*)> InIsKnown, FRDGPassDescription& InPass)
+		: IsKnown(InIsKnown)
+		, Pass(InPass)
+	{
+	}
 
 	FRDGPassResources Run(const FShaderParametersMetadata& Metadata, const void* Parameters)
 	{
@@ -60,7 +65,7 @@ private:
 	};
 
 	/** The pointer in a member. An unknown one is thrown: looking into it would touch memory that may be gone. */
-	template <typename T>
+	template<typename T>
 	T* Read(const void* Contents, const FHlslMember& Member, const std::string& Name)
 	{
 		T* Pointer = nullptr;
@@ -68,24 +73,26 @@ private:
 		return CheckKnown(Pointer, Name);
 	}
 
-	template <typename T>
+	template<typename T>
 	T* CheckKnown(T* Pointer, const std::string& Name)
 	{
 		if (Pointer && !IsKnown(Pointer))
 		{
 			const FDiagnostic Diagnostic = MakePassDiagnostic(ESeverity::Error, RDGErrorForeignResource, Pass,
-				"the parameter points to something that is not a resource of this graph (left from another graph, or deleted)", Name);
+				"the parameter points to something that is not a resource of this graph (left from another graph, or "
+				"deleted)",
+				Name);
 			ThrowRDGErrors({Diagnostic});
 		}
 		return Pointer;
 	}
 
-	void AddUse(FRDGViewableResource* Resource, const FRDGSubresources& Box, ERHIAccess Access, const std::string& Name, bool bLoads = false,
-		int32 SkipBarrierView = -1)
+	void AddUse(FRDGViewableResource* Resource, const FRDGSubresources& Box, ERHIAccess Access, const std::string& Name,
+		bool bLoads = false, int32 SkipBarrierView = -1)
 	{
 		const int32 Index = Resource->GetIndex();
-		if (bInUniformBuffer
-			&& std::any_of(Pass.Uses.begin(), Pass.Uses.end(), [Index](const FRDGUse& Use) { return Use.Resource == Index && Use.IsWrite(); }))
+		if (bInUniformBuffer && std::any_of(Pass.Uses.begin(), Pass.Uses.end(),
+									[Index](const FRDGUse& Use) { return Use.Resource == Index && Use.IsWrite(); }))
 		{
 			return;
 		}
@@ -105,11 +112,13 @@ private:
 
 	static FRDGSubresources GetWhole(FRDGViewableResource* Resource)
 	{
-		return Resource->Type == ERDGViewableResourceType::Texture ? ToBox(static_cast<FRDGTexture*>(Resource)->GetSubresourceRange())
-																   : FRDGSubresources();
+		return Resource->Type == ERDGViewableResourceType::Texture
+				   ? ToBox(static_cast<FRDGTexture*>(Resource)->GetSubresourceRange())
+				   : FRDGSubresources();
 	}
 
-	void AddView(FRDGView* View, const FRDGSubresources& Box, ERHIAccess Access, const std::string& Name, int32 SkipBarrierView = -1)
+	void AddView(FRDGView* View, const FRDGSubresources& Box, ERHIAccess Access, const std::string& Name,
+		int32 SkipBarrierView = -1)
 	{
 		Found.Views.push_back(View);
 		AddUse(View->GetParent(), Box, Access, Name, false, SkipBarrierView);
@@ -133,7 +142,8 @@ private:
 		}
 	}
 
-	/** Views made with SkipBarrier are told apart by their place among the graph's objects: any number unique to the view. */
+	/** Views made with SkipBarrier are told apart by their place among the graph's objects: any number unique to the
+	 * view. */
 	static int32 GetSkipBarrierView(const FRDGUnorderedAccessView* View)
 	{
 		return EnumHasAnyFlags(View->Flags, ERDGUnorderedAccessViewFlags::SkipBarrier) ? View->GetViewIndex() : -1;
@@ -167,7 +177,8 @@ private:
 		case UBMT_RDG_TEXTURE_UAV:
 			if (FRDGTextureUAV* View = Read<FRDGTextureUAV>(Contents, Member, Name))
 			{
-				AddView(View, ToBox(View->GetSubresourceRange()), GetWriteAccess(Pass.Flags), Name, GetSkipBarrierView(View));
+				AddView(View, ToBox(View->GetSubresourceRange()), GetWriteAccess(Pass.Flags), Name,
+					GetSkipBarrierView(View));
 			}
 			break;
 		case UBMT_RDG_BUFFER_SRV:
@@ -237,7 +248,8 @@ private:
 		}
 		AddDepthStencilTarget(Slots.DepthStencil, Name + ".DepthStencil");
 		Pass.Targets.NumOcclusionQueries = int32(Slots.NumOcclusionQueries);
-		Pass.Targets.ResolveRect = FIntRect(Slots.ResolveRect.X1, Slots.ResolveRect.Y1, Slots.ResolveRect.X2, Slots.ResolveRect.Y2);
+		Pass.Targets.ResolveRect =
+			FIntRect(Slots.ResolveRect.X1, Slots.ResolveRect.Y1, Slots.ResolveRect.X2, Slots.ResolveRect.Y2);
 		if (FRDGTexture* Texture = CheckKnown(Slots.ShadingRateTexture, Name + ".ShadingRateTexture"))
 		{
 			Pass.Targets.ShadingRate = Texture->GetIndex();
@@ -282,8 +294,9 @@ private:
 		if (Box.FirstMip >= Whole.NumMips || Box.Slice >= Whole.NumSlices)
 		{
 			const FDiagnostic Diagnostic = MakePassDiagnostic(ESeverity::Error, RDGErrorRenderTargets, Pass,
-				"the render target names mip " + std::to_string(Box.FirstMip) + ", slice " + std::to_string(Box.Slice) + " of a texture with "
-					+ std::to_string(Whole.NumMips) + " mips and " + std::to_string(Whole.NumSlices) + " slices",
+				"the render target names mip " + std::to_string(Box.FirstMip) + ", slice " + std::to_string(Box.Slice) +
+					" of a texture with " + std::to_string(Whole.NumMips) + " mips and " +
+					std::to_string(Whole.NumSlices) + " slices",
 				Name, Texture->Name);
 			ThrowRDGErrors({Diagnostic});
 		}
@@ -312,8 +325,8 @@ private:
 		Stencil.Plane = 1;
 		if (Access.IsUsingStencil() && GetWhole(Texture).NumPlanes > 1)
 		{
-			AddUse(Texture, Stencil, Access.IsStencilWrite() ? ERHIAccess::DSVWrite : ERHIAccess::DSVRead, Name + " (stencil)",
-				Binding.GetStencilLoadAction() == ERenderTargetLoadAction::ELoad);
+			AddUse(Texture, Stencil, Access.IsStencilWrite() ? ERHIAccess::DSVWrite : ERHIAccess::DSVRead,
+				Name + " (stencil)", Binding.GetStencilLoadAction() == ERenderTargetLoadAction::ELoad);
 		}
 	}
 
@@ -326,8 +339,8 @@ private:
 
 } // namespace
 
-FRDGPassResources CollectPassResources(
-	const FShaderParametersMetadata& Metadata, const void* Parameters, TFunctionRef<bool(const void*)> IsKnown, FRDGPassDescription& Pass)
+FRDGPassResources CollectPassResources(const FShaderParametersMetadata& Metadata, const void* Parameters,
+	TFunctionRef<bool(const void*)> IsKnown, FRDGPassDescription& Pass)
 {
 	return FCollector(IsKnown, Pass).Run(Metadata, Parameters);
 }

@@ -20,8 +20,8 @@ struct FRDGPassResources
 	const FRenderTargetBindingSlots* TargetSlots = nullptr;
 };
 
-/** Fills the uses, targets and outputs of Pass, whose flags and pipeline are set. IsKnown tells pointers of this graph from
- *  others; the first unknown one is thrown as FError before it is looked into. */
+/** Fills the uses, targets and outputs of Pass, whose flags and pipeline are set. IsKnown tells pointers of this graph
+ * from others; the first unknown one is thrown as FError before it is looked into. */
 DRYDOCK_API FRDGPassResources CollectPassResources(const FShaderParametersMetadata& Metadata, const void* Parameters,
 	TFunctionRef<bool(const void*)> IsKnown, FRDGPassDescription& Pass);
 

@@ -42,8 +42,8 @@ public:
 	const FShaderParametersMetadata* GetParametersMetadata() const { return Metadata; }
 	const void* GetParameters() const { return Parameters; }
 
-	/** Tells which shader the pass runs: for listings made without executing, and so that it is compiled before the graph's
-	 *  first pass runs. */
+	/** Tells which shader the pass runs: for listings made without executing, and so that it is compiled before the
+	 * graph's first pass runs. */
 	void SetShader(FShader& InShader);
 	const std::string& GetShader() const { return Shader; }
 	const std::string& GetEntry() const { return Entry; }
@@ -52,9 +52,13 @@ public:
 	bool IsCulled() const { return bCulled; }
 
 protected:
-	FRDGPass(FRDGEventName&& InName, const FShaderParametersMetadata* InMetadata, const void* InParameters, ERDGPassFlags InFlags,
-		const std::source_location& InLocation)
-		: Name(MoveTemp(InName)), Metadata(InMetadata), Parameters(InParameters), Flags(InFlags), Location(InLocation)
+	FRDGPass(FRDGEventName&& InName, const FShaderParametersMetadata* InMetadata, const void* InParameters,
+		ERDGPassFlags InFlags, const std::source_location& InLocation)
+		: Name(MoveTemp(InName))
+		, Metadata(InMetadata)
+		, Parameters(InParameters)
+		, Flags(InFlags)
+		, Location(InLocation)
 	{
 	}
 
@@ -79,13 +83,14 @@ private:
 };
 
 /** A pass that is a lambda. The lambda is kept until Execute: capture by value, and graph resources by pointer. */
-template <typename LambdaType>
+template<typename LambdaType>
 class TRDGLambdaPass final : public FRDGPass
 {
 public:
-	TRDGLambdaPass(FRDGEventName&& InName, const FShaderParametersMetadata* InMetadata, const void* InParameters, ERDGPassFlags InFlags,
-		LambdaType&& InLambda, const std::source_location& InLocation)
-		: FRDGPass(MoveTemp(InName), InMetadata, InParameters, InFlags, InLocation), Lambda(std::move(InLambda))
+	TRDGLambdaPass(FRDGEventName&& InName, const FShaderParametersMetadata* InMetadata, const void* InParameters,
+		ERDGPassFlags InFlags, LambdaType&& InLambda, const std::source_location& InLocation)
+		: FRDGPass(MoveTemp(InName), InMetadata, InParameters, InFlags, InLocation)
+		, Lambda(std::move(InLambda))
 	{
 	}
 

@@ -35,7 +35,10 @@ public:
 	const TCHAR* const Name;
 
 protected:
-	explicit FRDGResource(const TCHAR* InName) : Name(InName) {}
+	explicit FRDGResource(const TCHAR* InName)
+		: Name(InName)
+	{
+	}
 
 	/** Marks the resource as used and checks that it may be touched now. */
 	void ValidateRHIAccess() const;
@@ -71,7 +74,9 @@ public:
 
 protected:
 	FRDGViewableResource(const TCHAR* InName, ERDGViewableResourceType InType, bool bInSkipTracking)
-		: FRDGResource(InName), Type(InType), bSkipTracking(bInSkipTracking)
+		: FRDGResource(InName)
+		, Type(InType)
+		, bSkipTracking(bInSkipTracking)
 	{
 	}
 
@@ -80,7 +85,7 @@ private:
 	friend class Drydock::FRDGExecutor;
 
 	int32 Index = -1;
-	ERHIAccess AccessFinal = ERHIAccess::Unknown; // Unknown: the user gave none
+	ERHIAccess AccessFinal = ERHIAccess::Unknown;    // Unknown: the user gave none
 	ERHIAccess ExternalAccess = ERHIAccess::Unknown; // external access mode as declared so far
 	bool bExternalAccessNow = false;                 // external access mode as executed so far
 	bool bExternal = false;
@@ -153,7 +158,9 @@ private:
 	friend class Drydock::FRDGExecutor;
 
 	FRDGBuffer(const TCHAR* InName, const FRDGBufferDesc& InDesc, ERDGBufferFlags InFlags)
-		: FRDGViewableResource(InName, StaticType, EnumHasAnyFlags(InFlags, ERDGBufferFlags::SkipTracking)), Desc(InDesc), Flags(InFlags)
+		: FRDGViewableResource(InName, StaticType, EnumHasAnyFlags(InFlags, ERDGBufferFlags::SkipTracking))
+		, Desc(InDesc)
+		, Flags(InFlags)
 	{
 	}
 
@@ -161,14 +168,18 @@ private:
 	TRefCountPtr<FRDGPooledBuffer> PooledBuffer; // external and extracted buffers
 };
 
-// Views -----------------------------------------------------------------------------------------------------------------
+// Views -------------------------------------------------------------------------------------------------------------
 
 /** Mips and slices of a texture for reading. Zero counts: all from the first. */
 class FRDGTextureSRVDesc final : public FRHITextureSRVCreateInfo
 {
 public:
 	FRDGTextureSRVDesc() = default;
-	FRDGTextureSRVDesc(FRDGTextureRef InTexture) : FRHITextureSRVCreateInfo(0, 0), Texture(InTexture) {}
+	FRDGTextureSRVDesc(FRDGTextureRef InTexture)
+		: FRHITextureSRVCreateInfo(0, 0)
+		, Texture(InTexture)
+	{
+	}
 
 	static FRDGTextureSRVDesc Create(FRDGTextureRef Texture) { return FRDGTextureSRVDesc(Texture); }
 	static FRDGTextureSRVDesc CreateForMipLevel(FRDGTextureRef Texture, int32 MipLevel)
@@ -203,9 +214,10 @@ class FRDGTextureUAVDesc final : public FRHITextureUAVCreateInfo
 {
 public:
 	FRDGTextureUAVDesc() = default;
-	FRDGTextureUAVDesc(FRDGTextureRef InTexture, uint8 InMipLevel = 0, EPixelFormat InFormat = PF_Unknown, uint16 InFirstArraySlice = 0,
-		uint16 InNumArraySlices = 0)
-		: FRHITextureUAVCreateInfo(InMipLevel, InFormat, InFirstArraySlice, InNumArraySlices), Texture(InTexture)
+	FRDGTextureUAVDesc(FRDGTextureRef InTexture, uint8 InMipLevel = 0, EPixelFormat InFormat = PF_Unknown,
+		uint16 InFirstArraySlice = 0, uint16 InNumArraySlices = 0)
+		: FRHITextureUAVCreateInfo(InMipLevel, InFormat, InFirstArraySlice, InNumArraySlices)
+		, Texture(InTexture)
 	{
 	}
 
@@ -216,8 +228,10 @@ class FRDGBufferSRVDesc final : public FRHIBufferSRVCreateInfo
 {
 public:
 	FRDGBufferSRVDesc() = default;
-	FRDGBufferSRVDesc(FRDGBufferRef InBuffer, EPixelFormat InFormat = PF_Unknown, uint32 InStartOffsetBytes = 0, uint32 InNumElements = 0)
-		: FRHIBufferSRVCreateInfo(InFormat, InStartOffsetBytes, InNumElements), Buffer(InBuffer)
+	FRDGBufferSRVDesc(FRDGBufferRef InBuffer, EPixelFormat InFormat = PF_Unknown, uint32 InStartOffsetBytes = 0,
+		uint32 InNumElements = 0)
+		: FRHIBufferSRVCreateInfo(InFormat, InStartOffsetBytes, InNumElements)
+		, Buffer(InBuffer)
 	{
 	}
 
@@ -228,7 +242,11 @@ class FRDGBufferUAVDesc final : public FRHIBufferUAVCreateInfo
 {
 public:
 	FRDGBufferUAVDesc() = default;
-	FRDGBufferUAVDesc(FRDGBufferRef InBuffer, EPixelFormat InFormat = PF_Unknown) : FRHIBufferUAVCreateInfo(InFormat), Buffer(InBuffer) {}
+	FRDGBufferUAVDesc(FRDGBufferRef InBuffer, EPixelFormat InFormat = PF_Unknown)
+		: FRHIBufferUAVCreateInfo(InFormat)
+		, Buffer(InBuffer)
+	{
+	}
 
 	FRDGBufferRef Buffer = nullptr;
 };
@@ -244,7 +262,11 @@ public:
 	int32 GetViewIndex() const { return ViewIndex; }
 
 protected:
-	FRDGView(const TCHAR* InName, ERDGViewType InType) : FRDGResource(InName), Type(InType) {}
+	FRDGView(const TCHAR* InName, ERDGViewType InType)
+		: FRDGResource(InName)
+		, Type(InType)
+	{
+	}
 
 	/** Without the check of GetRHI. */
 	static FRHIResource* GetParentRHI(const FRDGResource& Parent);
@@ -277,7 +299,8 @@ public:
 
 protected:
 	FRDGUnorderedAccessView(const TCHAR* InName, ERDGViewType InType, ERDGUnorderedAccessViewFlags InFlags)
-		: FRDGView(InName, InType), Flags(InFlags)
+		: FRDGView(InName, InType)
+		, Flags(InFlags)
 	{
 	}
 };
@@ -293,7 +316,8 @@ public:
 private:
 	friend class FRDGBuilder;
 	explicit FRDGTextureSRV(const FRDGTextureSRVDesc& InDesc)
-		: FRDGShaderResourceView(InDesc.Texture->Name, ERDGViewType::TextureSRV), Desc(InDesc)
+		: FRDGShaderResourceView(InDesc.Texture->Name, ERDGViewType::TextureSRV)
+		, Desc(InDesc)
 	{
 	}
 	TRefCountPtr<FRHIResource> CreateRHI() const override;
@@ -310,7 +334,8 @@ public:
 private:
 	friend class FRDGBuilder;
 	FRDGTextureUAV(const FRDGTextureUAVDesc& InDesc, ERDGUnorderedAccessViewFlags InFlags)
-		: FRDGUnorderedAccessView(InDesc.Texture->Name, ERDGViewType::TextureUAV, InFlags), Desc(InDesc)
+		: FRDGUnorderedAccessView(InDesc.Texture->Name, ERDGViewType::TextureUAV, InFlags)
+		, Desc(InDesc)
 	{
 	}
 	TRefCountPtr<FRHIResource> CreateRHI() const override;
@@ -326,7 +351,8 @@ public:
 private:
 	friend class FRDGBuilder;
 	explicit FRDGBufferSRV(const FRDGBufferSRVDesc& InDesc)
-		: FRDGShaderResourceView(InDesc.Buffer->Name, ERDGViewType::BufferSRV), Desc(InDesc)
+		: FRDGShaderResourceView(InDesc.Buffer->Name, ERDGViewType::BufferSRV)
+		, Desc(InDesc)
 	{
 	}
 	TRefCountPtr<FRHIResource> CreateRHI() const override;
@@ -342,13 +368,14 @@ public:
 private:
 	friend class FRDGBuilder;
 	FRDGBufferUAV(const FRDGBufferUAVDesc& InDesc, ERDGUnorderedAccessViewFlags InFlags)
-		: FRDGUnorderedAccessView(InDesc.Buffer->Name, ERDGViewType::BufferUAV, InFlags), Desc(InDesc)
+		: FRDGUnorderedAccessView(InDesc.Buffer->Name, ERDGViewType::BufferUAV, InFlags)
+		, Desc(InDesc)
 	{
 	}
 	TRefCountPtr<FRHIResource> CreateRHI() const override;
 };
 
-// Uniform buffers -------------------------------------------------------------------------------------------------------
+// Uniform buffers ---------------------------------------------------------------------------------------------------
 
 /** A uniform buffer whose struct may hold graph resources; a pass that refers to it reads all of them. */
 class DRYDOCK_API FRDGUniformBuffer : public FRDGResource
@@ -360,7 +387,9 @@ public:
 
 protected:
 	FRDGUniformBuffer(const FShaderParametersMetadata* InMetadata, const void* InContents, const TCHAR* InName)
-		: FRDGResource(InName), Metadata(InMetadata), ContentsData(InContents)
+		: FRDGResource(InName)
+		, Metadata(InMetadata)
+		, ContentsData(InContents)
 	{
 	}
 
@@ -373,11 +402,14 @@ private:
 };
 
 /** What GetParameters returns: the struct, by -> or *. */
-template <typename ParameterStructType>
+template<typename ParameterStructType>
 class TRDGParameterStruct
 {
 public:
-	explicit TRDGParameterStruct(const ParameterStructType* InParameters) : Parameters(InParameters) {}
+	explicit TRDGParameterStruct(const ParameterStructType* InParameters)
+		: Parameters(InParameters)
+	{
+	}
 
 	const ParameterStructType* operator->() const { return Parameters; }
 	const ParameterStructType& operator*() const { return *Parameters; }
@@ -387,12 +419,18 @@ private:
 	const ParameterStructType* Parameters;
 };
 
-template <typename ParameterStructType>
+template<typename ParameterStructType>
 class TRDGUniformBuffer final : public FRDGUniformBuffer
 {
 public:
-	TRDGParameterStruct<ParameterStructType> GetParameters() const { return TRDGParameterStruct<ParameterStructType>(GetContents()); }
-	const ParameterStructType* GetContents() const { return static_cast<const ParameterStructType*>(FRDGUniformBuffer::GetContents()); }
+	TRDGParameterStruct<ParameterStructType> GetParameters() const
+	{
+		return TRDGParameterStruct<ParameterStructType>(GetContents());
+	}
+	const ParameterStructType* GetContents() const
+	{
+		return static_cast<const ParameterStructType*>(FRDGUniformBuffer::GetContents());
+	}
 	const ParameterStructType* operator->() const { return GetContents(); }
 
 private:

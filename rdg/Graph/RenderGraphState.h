@@ -22,7 +22,7 @@ struct FRDGUpload
 	uint64 Size = 0;
 };
 
-template <typename ResourceType, typename PooledType>
+template<typename ResourceType, typename PooledType>
 struct TRDGExtraction
 {
 	ResourceType* Resource;
@@ -47,9 +47,9 @@ struct FRDGBuilderState
 	std::vector<std::unique_ptr<FRDGViewableResource>> Resources;
 	std::vector<std::unique_ptr<FRDGView>> Views;
 	std::vector<std::unique_ptr<FRDGUniformBuffer>> UniformBuffers;
-	std::vector<std::unique_ptr<FRDGPass>> Passes;      // Passes[i] has index i + 1
-	std::vector<FRDGPassResources> PassResources;       // by position in Passes
-	std::unordered_set<const void*> Known;              // everything above that parameters may point to
+	std::vector<std::unique_ptr<FRDGPass>> Passes; // Passes[i] has index i + 1
+	std::vector<FRDGPassResources> PassResources;  // by position in Passes
+	std::unordered_set<const void*> Known;         // everything above that parameters may point to
 
 	std::map<FRHITexture*, FRDGTexture*> ExternalTextures;
 	std::map<FRHIBuffer*, FRDGBuffer*> ExternalBuffers;
@@ -58,7 +58,7 @@ struct FRDGBuilderState
 	std::vector<TRDGExtraction<FRDGBuffer, FRDGPooledBuffer>> BufferExtractions;
 	std::vector<FRDGScope> Scopes;
 
-	std::vector<FDiagnostic> Errors;   // collected so far
+	std::vector<FDiagnostic> Errors; // collected so far
 	std::vector<FDiagnostic> Ensures;
 	std::set<FRDGTexture*> LoadedExternals;
 	bool bEnsuresReported = false;
@@ -67,7 +67,10 @@ struct FRDGBuilderState
 	int UncaughtExceptions = 0;
 
 	FRDGPassDescription& GetDescription(const FRDGPass& Pass) { return Graph.Passes[size_t(Pass.GetIndex())]; }
-	FRDGResourceDescription& GetDescription(const FRDGViewableResource& Resource) { return Graph.Resources[size_t(Resource.GetIndex())]; }
+	FRDGResourceDescription& GetDescription(const FRDGViewableResource& Resource)
+	{
+		return Graph.Resources[size_t(Resource.GetIndex())];
+	}
 };
 
 } // namespace Drydock

@@ -46,16 +46,21 @@ struct FRDGTextureSubresourceRange
 {
 	FRDGTextureSubresourceRange() = default;
 	explicit FRDGTextureSubresourceRange(FRDGTextureSubresourceLayout Layout)
-		: NumMips(Layout.NumMips), NumArraySlices(Layout.NumArraySlices), NumPlaneSlices(Layout.NumPlaneSlices)
+		: NumMips(Layout.NumMips)
+		, NumArraySlices(Layout.NumArraySlices)
+		, NumPlaneSlices(Layout.NumPlaneSlices)
 	{
 	}
 
 	bool operator==(const FRDGTextureSubresourceRange&) const = default;
 
-	bool IsWholeResource(const FRDGTextureSubresourceLayout& Layout) const { return *this == FRDGTextureSubresourceRange(Layout); }
+	bool IsWholeResource(const FRDGTextureSubresourceLayout& Layout) const
+	{
+		return *this == FRDGTextureSubresourceRange(Layout);
+	}
 
 	/** Calls Function(FRDGTextureSubresource) for each. */
-	template <typename TFunction>
+	template<typename TFunction>
 	void EnumerateSubresources(TFunction Function) const
 	{
 		for (uint32 Plane = PlaneSlice; Plane < PlaneSlice + NumPlaneSlices; ++Plane)

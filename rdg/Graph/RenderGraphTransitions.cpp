@@ -37,20 +37,25 @@ bool NeedsUAVBarrier(const FState& Before, const FState& After, bool bOverlapUAV
 bool CanMerge(const FState& Before, const FState& After, bool bOverlapUAVs)
 {
 	const ERHIAccess DepthMask = ERHIAccess::DSVRead | ERHIAccess::DSVWrite;
-	const bool bReadThenWrite = EnumHasAnyFlags(Before.Access, ERHIAccess::ReadOnlyExclusiveMask) && IsWritableAccess(After.Access);
-	const bool bWriteThenRead = EnumHasAnyFlags(Before.Access, ERHIAccess::WriteOnlyExclusiveMask) && IsReadableAccess(After.Access);
+	const bool bReadThenWrite =
+		EnumHasAnyFlags(Before.Access, ERHIAccess::ReadOnlyExclusiveMask) && IsWritableAccess(After.Access);
+	const bool bWriteThenRead =
+		EnumHasAnyFlags(Before.Access, ERHIAccess::WriteOnlyExclusiveMask) && IsReadableAccess(After.Access);
 	const bool bMixedUAV = IsUAV(Before.Access) != IsUAV(After.Access);
-	const bool bMixedDepth = (EnumHasAllFlags(Before.Access, DepthMask) || EnumHasAllFlags(After.Access, DepthMask)) && Before.Access != After.Access;
+	const bool bMixedDepth = (EnumHasAllFlags(Before.Access, DepthMask) || EnumHasAllFlags(After.Access, DepthMask)) &&
+							 Before.Access != After.Access;
 	if (bReadThenWrite || bWriteThenRead || bMixedUAV || bMixedDepth || NeedsUAVBarrier(Before, After, bOverlapUAVs))
 	{
 		return false;
 	}
 	if (Before.Access == After.Access)
 	{
-		return Before.bAsync == After.bAsync || !EnumHasAnyFlags(Before.Access, ~ERHIAccess::ReadOnlyExclusiveComputeMask);
+		return Before.bAsync == After.bAsync ||
+			   !EnumHasAnyFlags(Before.Access, ~ERHIAccess::ReadOnlyExclusiveComputeMask);
 	}
 	// Different states become one only where hardware knows combined states: those that read.
-	const ERHIAccess Mergeable = Before.bAsync == After.bAsync ? ERHIAccess::ReadOnlyMask : ERHIAccess::ReadOnlyExclusiveComputeMask;
+	const ERHIAccess Mergeable =
+		Before.bAsync == After.bAsync ? ERHIAccess::ReadOnlyMask : ERHIAccess::ReadOnlyExclusiveComputeMask;
 	return !EnumHasAnyFlags(Before.Access | After.Access, ~Mergeable);
 }
 
@@ -63,15 +68,18 @@ ERHIAccess Combine(ERHIAccess A, ERHIAccess B)
 
 bool Covers(const FRDGSubresources& Box, int32_t Mip, int32_t Slice, int32_t Plane)
 {
-	return Mip >= Box.FirstMip && Mip < Box.FirstMip + Box.NumMips && Slice >= Box.Slice && Slice < Box.Slice + Box.NumSlices
-		&& Plane >= Box.Plane && Plane < Box.Plane + Box.NumPlanes;
+	return Mip >= Box.FirstMip && Mip < Box.FirstMip + Box.NumMips && Slice >= Box.Slice &&
+		   Slice < Box.Slice + Box.NumSlices && Plane >= Box.Plane && Plane < Box.Plane + Box.NumPlanes;
 }
 
 class FTransitionFinder
 {
 public:
-	FTransitionFinder(const FRDGGraphDescription& InGraph, const std::vector<bool>& bInCulled, const FRDGTransitionOptions& InOptions)
-		: Graph(InGraph), bCulled(bInCulled), Options(InOptions)
+	FTransitionFinder(
+		const FRDGGraphDescription& InGraph, const std::vector<bool>& bInCulled, const FRDGTransitionOptions& InOptions)
+		: Graph(InGraph)
+		, bCulled(bInCulled)
+		, Options(InOptions)
 	{
 		UsesByResource.resize(Graph.Resources.size());
 		for (const FRDGPassDescription& Pass : Graph.Passes)
@@ -95,7 +103,8 @@ public:
 				AddResource(int32_t(Resource));
 			}
 		}
-		std::stable_sort(Transitions.begin(), Transitions.end(), [](const FRDGTransition& A, const FRDGTransition& B)
+		std::stable_sort(Transitions.begin(), Transitions.end(),
+			[](const FRDGTransition& A, const FRDGTransition& B)
 			{ return std::tie(A.EndPass, A.Resource) < std::tie(B.EndPass, B.Resource); });
 		return std::move(Transitions);
 	}
@@ -134,13 +143,15 @@ private:
 			return;
 		}
 		FState Initial;
-		Initial.Access = Description.bExternal ? kDefaultAccessFinal
-			: Options.bTransient[size_t(Resource)] ? ERHIAccess::Discard : kDefaultAccessInitial;
+		Initial.Access = Description.bExternal                  ? kDefaultAccessFinal
+						 : Options.bTransient[size_t(Resource)] ? ERHIAccess::Discard
+																: kDefaultAccessInitial;
 		States.insert(States.begin(), Initial);
 		if (Description.bExternal || Description.bExtracted)
 		{
 			FState Final;
-			Final.Access = Description.AccessFinal == ERHIAccess::Unknown ? kDefaultAccessFinal : Description.AccessFinal;
+			Final.Access =
+				Description.AccessFinal == ERHIAccess::Unknown ? kDefaultAccessFinal : Description.AccessFinal;
 			Final.FirstPass = Final.LastPass = Graph.GetEpilogue();
 			States.push_back(Final);
 		}
@@ -184,7 +195,8 @@ private:
 			{
 				// Several parameters of one pass: one state, whose barriers are between passes only.
 				States.back().Access = Combine(States.back().Access, State.Access);
-				States.back().SkipBarrierView = States.back().SkipBarrierView == State.SkipBarrierView ? State.SkipBarrierView : -1;
+				States.back().SkipBarrierView =
+					States.back().SkipBarrierView == State.SkipBarrierView ? State.SkipBarrierView : -1;
 				continue;
 			}
 			States.push_back(State);
@@ -221,7 +233,10 @@ private:
 		for (size_t Index = 0; Index < Found.size(); ++Index)
 		{
 			const FRDGTransition Alike = WithoutBox(Found[Index]);
-			const auto IsAlike = [&](const FRDGTransition& Other) { return WithoutBox(Other) == Alike; };
+			const auto IsAlike = [&](const FRDGTransition& Other)
+			{
+				return WithoutBox(Other) == Alike;
+			};
 			if (std::count_if(Found.begin(), Found.end(), IsAlike) == NumSubresources)
 			{
 				FRDGTransition Whole = Alike;

@@ -37,23 +37,26 @@ void AnnotatePass(FRDGPassRef Pass, const TShaderRef<FShader>& Shader)
 
 } // namespace Drydock
 
-void AddCopyTexturePass(
-	FRDGBuilder& GraphBuilder, FRDGTextureRef InputTexture, FRDGTextureRef OutputTexture, const FRHICopyTextureInfo& CopyInfo, std::source_location Location)
+void AddCopyTexturePass(FRDGBuilder& GraphBuilder, FRDGTextureRef InputTexture, FRDGTextureRef OutputTexture,
+	const FRHICopyTextureInfo& CopyInfo, std::source_location Location)
 {
 	checkf(InputTexture && OutputTexture, TEXT("AddCopyTexturePass needs an input and an output texture"));
 	checkf(InputTexture->Desc.Format == OutputTexture->Desc.Format,
-		TEXT("AddCopyTexturePass: %s and %s have different formats; draw it with AddDrawTexturePass"), InputTexture->Name, OutputTexture->Name);
+		TEXT("AddCopyTexturePass: %s and %s have different formats; draw it with AddDrawTexturePass"),
+		InputTexture->Name, OutputTexture->Name);
 	FCopyTextureParameters* Parameters = GraphBuilder.AllocParameters<FCopyTextureParameters>();
 	Parameters->Input = InputTexture;
 	Parameters->Output = OutputTexture;
-	GraphBuilder.AddPass(RDG_EVENT_NAME("CopyTexture(%s -> %s)", InputTexture->Name, OutputTexture->Name), Parameters, ERDGPassFlags::Copy,
+	GraphBuilder.AddPass(
+		RDG_EVENT_NAME("CopyTexture(%s -> %s)", InputTexture->Name, OutputTexture->Name), Parameters,
+		ERDGPassFlags::Copy,
 		[InputTexture, OutputTexture, CopyInfo](FRHICommandList& RHICmdList)
 		{ RHICmdList.CopyTexture(InputTexture->GetRHI(), OutputTexture->GetRHI(), CopyInfo); },
 		Location);
 }
 
-void AddCopyTexturePass(FRDGBuilder& GraphBuilder, FRDGTextureRef InputTexture, FRDGTextureRef OutputTexture, FIntPoint InputPosition,
-	FIntPoint OutputPosition, FIntPoint Size, std::source_location Location)
+void AddCopyTexturePass(FRDGBuilder& GraphBuilder, FRDGTextureRef InputTexture, FRDGTextureRef OutputTexture,
+	FIntPoint InputPosition, FIntPoint OutputPosition, FIntPoint Size, std::source_location Location)
 {
 	FRHICopyTextureInfo CopyInfo;
 	CopyInfo.SourcePosition = FIntVector(InputPosition.X, InputPosition.Y, 0);
@@ -65,18 +68,21 @@ void AddCopyTexturePass(FRDGBuilder& GraphBuilder, FRDGTextureRef InputTexture, 
 	AddCopyTexturePass(GraphBuilder, InputTexture, OutputTexture, CopyInfo, Location);
 }
 
-void AddCopyBufferPass(FRDGBuilder& GraphBuilder, FRDGBufferRef DstBuffer, uint64 DstOffset, FRDGBufferRef SrcBuffer, uint64 SrcOffset, uint64 NumBytes, std::source_location Location)
+void AddCopyBufferPass(FRDGBuilder& GraphBuilder, FRDGBufferRef DstBuffer, uint64 DstOffset, FRDGBufferRef SrcBuffer,
+	uint64 SrcOffset, uint64 NumBytes, std::source_location Location)
 {
 	FCopyBufferParameters* Parameters = GraphBuilder.AllocParameters<FCopyBufferParameters>();
 	Parameters->SrcBuffer = SrcBuffer;
 	Parameters->DstBuffer = DstBuffer;
-	GraphBuilder.AddPass(RDG_EVENT_NAME("CopyBuffer(%s -> %s)", SrcBuffer->Name, DstBuffer->Name), Parameters, ERDGPassFlags::Copy,
+	GraphBuilder.AddPass(
+		RDG_EVENT_NAME("CopyBuffer(%s -> %s)", SrcBuffer->Name, DstBuffer->Name), Parameters, ERDGPassFlags::Copy,
 		[SrcBuffer, DstBuffer, SrcOffset, DstOffset, NumBytes](FRHICommandList& RHICmdList)
 		{ RHICmdList.CopyBufferRegion(DstBuffer->GetRHI(), DstOffset, SrcBuffer->GetRHI(), SrcOffset, NumBytes); },
 		Location);
 }
 
-void AddCopyBufferPass(FRDGBuilder& GraphBuilder, FRDGBufferRef DstBuffer, FRDGBufferRef SrcBuffer, std::source_location Location)
+void AddCopyBufferPass(
+	FRDGBuilder& GraphBuilder, FRDGBufferRef DstBuffer, FRDGBufferRef SrcBuffer, std::source_location Location)
 {
 	AddCopyBufferPass(GraphBuilder, DstBuffer, 0, SrcBuffer, 0, SrcBuffer->GetSize(), Location);
 }
@@ -86,22 +92,27 @@ void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture,
 	FRenderTargetParameters* Parameters = GraphBuilder.AllocParameters<FRenderTargetParameters>();
 	Parameters->RenderTargets[0] = FRenderTargetBinding(Texture, ERenderTargetLoadAction::EClear);
 	GraphBuilder.AddPass(
-		RDG_EVENT_NAME("ClearRenderTarget(%s)", Texture->Name), Parameters, ERDGPassFlags::Raster, [](FRHICommandList&) {}, Location);
+		RDG_EVENT_NAME("ClearRenderTarget(%s)", Texture->Name), Parameters, ERDGPassFlags::Raster,
+		[](FRHICommandList&) {}, Location);
 }
 
-void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, const FLinearColor& ClearColor, std::source_location Location)
+void AddClearRenderTargetPass(
+	FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, const FLinearColor& ClearColor, std::source_location Location)
 {
-	AddClearRenderTargetPass(GraphBuilder, Texture, ClearColor, FIntRect(FIntPoint::ZeroValue, Texture->Desc.Extent), Location);
+	AddClearRenderTargetPass(
+		GraphBuilder, Texture, ClearColor, FIntRect(FIntPoint::ZeroValue, Texture->Desc.Extent), Location);
 }
 
-void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, const FLinearColor& ClearColor, FIntRect Viewport, std::source_location Location)
+void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, const FLinearColor& ClearColor,
+	FIntRect Viewport, std::source_location Location)
 {
 	const FIntRect Whole(FIntPoint::ZeroValue, Texture->Desc.Extent);
 	Viewport.Clip(Whole);
 	FRenderTargetParameters* Parameters = GraphBuilder.AllocParameters<FRenderTargetParameters>();
 	Parameters->RenderTargets[0] = FRenderTargetBinding(
 		Texture, Viewport == Whole ? ERenderTargetLoadAction::ENoAction : ERenderTargetLoadAction::ELoad);
-	GraphBuilder.AddPass(RDG_EVENT_NAME("ClearRenderTarget(%s) %dx%d", Texture->Name, Viewport.Width(), Viewport.Height()), Parameters,
+	GraphBuilder.AddPass(
+		RDG_EVENT_NAME("ClearRenderTarget(%s) %dx%d", Texture->Name, Viewport.Width(), Viewport.Height()), Parameters,
 		ERDGPassFlags::Raster,
 		[Texture, ClearColor, Viewport](FRHICommandList&)
 		{
@@ -114,16 +125,21 @@ void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture,
 		Location);
 }
 
-void AddClearDepthStencilPass(
-	FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, bool bClearDepth, float Depth, bool bClearStencil, uint8 Stencil, std::source_location Location)
+void AddClearDepthStencilPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, bool bClearDepth, float Depth,
+	bool bClearStencil, uint8 Stencil, std::source_location Location)
 {
 	using EAccess = FExclusiveDepthStencil;
-	const auto GetLoad = [](bool bClear) { return bClear ? ERenderTargetLoadAction::ENoAction : ERenderTargetLoadAction::ELoad; };
-	const uint8 Access = (bClearDepth ? EAccess::DepthWrite : EAccess::DepthNop) | (bClearStencil ? EAccess::StencilWrite : EAccess::StencilNop);
+	const auto GetLoad = [](bool bClear)
+	{
+		return bClear ? ERenderTargetLoadAction::ENoAction : ERenderTargetLoadAction::ELoad;
+	};
+	const uint8 Access = (bClearDepth ? EAccess::DepthWrite : EAccess::DepthNop) |
+						 (bClearStencil ? EAccess::StencilWrite : EAccess::StencilNop);
 	FRenderTargetParameters* Parameters = GraphBuilder.AllocParameters<FRenderTargetParameters>();
 	Parameters->RenderTargets.DepthStencil =
 		FDepthStencilBinding(Texture, GetLoad(bClearDepth), GetLoad(bClearStencil), EAccess::Type(Access));
-	GraphBuilder.AddPass(RDG_EVENT_NAME("ClearDepthStencil(%s)", Texture->Name), Parameters, ERDGPassFlags::Raster,
+	GraphBuilder.AddPass(
+		RDG_EVENT_NAME("ClearDepthStencil(%s)", Texture->Name), Parameters, ERDGPassFlags::Raster,
 		[Texture, bClearDepth, Depth, bClearStencil, Stencil](FRHICommandList&)
 		{
 			FRHITexture* TextureRHI = Texture->GetRHI();
@@ -146,12 +162,13 @@ void AddClearDepthStencilPass(
 namespace
 {
 
-template <typename ParametersType, typename UAVType, typename LambdaType>
+template<typename ParametersType, typename UAVType, typename LambdaType>
 void AddClearPass(FRDGBuilder& GraphBuilder, UAVType UAV, const std::source_location& Location, LambdaType&& Clear)
 {
 	ParametersType* Parameters = GraphBuilder.AllocParameters<ParametersType>();
 	Parameters->UAV = UAV;
-	GraphBuilder.AddPass(RDG_EVENT_NAME("ClearUAV(%s)", UAV->GetParent()->Name), Parameters, ERDGPassFlags::Compute,
+	GraphBuilder.AddPass(
+		RDG_EVENT_NAME("ClearUAV(%s)", UAV->GetParent()->Name), Parameters, ERDGPassFlags::Compute,
 		[UAV, Clear](FRHIComputeCommandList& RHICmdList) { Clear(RHICmdList, UAV->GetRHI()); }, Location);
 }
 
@@ -164,55 +181,71 @@ void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGBufferUAVRef BufferUAV, uint
 		{ RHICmdList.ClearUAVUint(UAV, FUintVector4(Value, Value, Value, Value)); });
 }
 
-void AddClearUAVFloatPass(FRDGBuilder& GraphBuilder, FRDGBufferUAVRef BufferUAV, float Value, std::source_location Location)
+void AddClearUAVFloatPass(
+	FRDGBuilder& GraphBuilder, FRDGBufferUAVRef BufferUAV, float Value, std::source_location Location)
 {
 	AddClearPass<FClearBufferUAVParameters>(GraphBuilder, BufferUAV, Location,
 		[Value](FRHIComputeCommandList& RHICmdList, FRHIUnorderedAccessView* UAV)
 		{ RHICmdList.ClearUAVFloat(UAV, FVector4f(Value, Value, Value, Value)); });
 }
 
-void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const FUintVector4& ClearValues, std::source_location Location)
+void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const FUintVector4& ClearValues,
+	std::source_location Location)
 {
 	AddClearPass<FClearTextureUAVParameters>(GraphBuilder, TextureUAV, Location,
-		[ClearValues](FRHIComputeCommandList& RHICmdList, FRHIUnorderedAccessView* UAV) { RHICmdList.ClearUAVUint(UAV, ClearValues); });
+		[ClearValues](FRHIComputeCommandList& RHICmdList, FRHIUnorderedAccessView* UAV)
+		{ RHICmdList.ClearUAVUint(UAV, ClearValues); });
 }
 
-void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const FVector4f& ClearValues, std::source_location Location)
+void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const FVector4f& ClearValues,
+	std::source_location Location)
 {
 	AddClearPass<FClearTextureUAVParameters>(GraphBuilder, TextureUAV, Location,
-		[ClearValues](FRHIComputeCommandList& RHICmdList, FRHIUnorderedAccessView* UAV) { RHICmdList.ClearUAVFloat(UAV, ClearValues); });
+		[ClearValues](FRHIComputeCommandList& RHICmdList, FRHIUnorderedAccessView* UAV)
+		{ RHICmdList.ClearUAVFloat(UAV, ClearValues); });
 }
 
-void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const FLinearColor& ClearColor, std::source_location Location)
+void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const FLinearColor& ClearColor,
+	std::source_location Location)
 {
-	AddClearUAVPass(GraphBuilder, TextureUAV, FVector4f(ClearColor.R, ClearColor.G, ClearColor.B, ClearColor.A), Location);
+	AddClearUAVPass(
+		GraphBuilder, TextureUAV, FVector4f(ClearColor.R, ClearColor.G, ClearColor.B, ClearColor.A), Location);
 }
 
-void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const float (&ClearValues)[4], std::source_location Location)
+void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const float (&ClearValues)[4],
+	std::source_location Location)
 {
-	AddClearUAVPass(GraphBuilder, TextureUAV, FVector4f(ClearValues[0], ClearValues[1], ClearValues[2], ClearValues[3]), Location);
+	AddClearUAVPass(
+		GraphBuilder, TextureUAV, FVector4f(ClearValues[0], ClearValues[1], ClearValues[2], ClearValues[3]), Location);
 }
 
-void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const uint32 (&ClearValues)[4], std::source_location Location)
+void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const uint32 (&ClearValues)[4],
+	std::source_location Location)
 {
-	AddClearUAVPass(GraphBuilder, TextureUAV, FUintVector4(ClearValues[0], ClearValues[1], ClearValues[2], ClearValues[3]), Location);
+	AddClearUAVPass(GraphBuilder, TextureUAV,
+		FUintVector4(ClearValues[0], ClearValues[1], ClearValues[2], ClearValues[3]), Location);
 }
 
-void AddEnqueueCopyPass(FRDGBuilder& GraphBuilder, FRHIGPUTextureReadback* Readback, FRDGTextureRef SourceTexture, FResolveRect Rect, std::source_location Location)
+void AddEnqueueCopyPass(FRDGBuilder& GraphBuilder, FRHIGPUTextureReadback* Readback, FRDGTextureRef SourceTexture,
+	FResolveRect Rect, std::source_location Location)
 {
-	AddReadbackTexturePass(GraphBuilder, RDG_EVENT_NAME("EnqueueCopy(%s)", SourceTexture->Name), SourceTexture,
+	AddReadbackTexturePass(
+		GraphBuilder, RDG_EVENT_NAME("EnqueueCopy(%s)", SourceTexture->Name), SourceTexture,
 		[Readback, SourceTexture, Rect](FRHICommandList& RHICmdList)
 		{
 			const FIntVector Position(Rect.X1 >= 0 ? Rect.X1 : 0, Rect.Y1 >= 0 ? Rect.Y1 : 0, 0);
 			const FIntVector Size(Rect.X2 - Position.X, Rect.Y2 - Position.Y, 1);
-			Readback->EnqueueCopy(RHICmdList, SourceTexture->GetRHI(), Position, 0, Rect.IsValid() ? Size : FIntVector(0, 0, 0));
+			Readback->EnqueueCopy(
+				RHICmdList, SourceTexture->GetRHI(), Position, 0, Rect.IsValid() ? Size : FIntVector(0, 0, 0));
 		},
 		Location);
 }
 
-void AddEnqueueCopyPass(FRDGBuilder& GraphBuilder, FRHIGPUBufferReadback* Readback, FRDGBufferRef SourceBuffer, uint32 NumBytes, std::source_location Location)
+void AddEnqueueCopyPass(FRDGBuilder& GraphBuilder, FRHIGPUBufferReadback* Readback, FRDGBufferRef SourceBuffer,
+	uint32 NumBytes, std::source_location Location)
 {
-	AddReadbackBufferPass(GraphBuilder, RDG_EVENT_NAME("EnqueueCopy(%s)", SourceBuffer->Name), SourceBuffer,
+	AddReadbackBufferPass(
+		GraphBuilder, RDG_EVENT_NAME("EnqueueCopy(%s)", SourceBuffer->Name), SourceBuffer,
 		[Readback, SourceBuffer, NumBytes](FRHICommandList& RHICmdList)
 		{ Readback->EnqueueCopy(RHICmdList, SourceBuffer->GetRHI(), NumBytes); },
 		Location);
@@ -221,8 +254,8 @@ void AddEnqueueCopyPass(FRDGBuilder& GraphBuilder, FRHIGPUBufferReadback* Readba
 namespace
 {
 
-FRDGBufferRef CreateBufferWithData(FRDGBuilder& GraphBuilder, const FRDGBufferDesc& Desc, const TCHAR* Name, const void* InitialData,
-	uint64 InitialDataSize, ERDGInitialDataFlags InitialDataFlags)
+FRDGBufferRef CreateBufferWithData(FRDGBuilder& GraphBuilder, const FRDGBufferDesc& Desc, const TCHAR* Name,
+	const void* InitialData, uint64 InitialDataSize, ERDGInitialDataFlags InitialDataFlags)
 {
 	FRDGBufferRef Buffer = GraphBuilder.CreateBuffer(Desc, Name);
 	if (InitialData && InitialDataSize > 0)
@@ -234,24 +267,24 @@ FRDGBufferRef CreateBufferWithData(FRDGBuilder& GraphBuilder, const FRDGBufferDe
 
 } // namespace
 
-FRDGBufferRef CreateStructuredBuffer(FRDGBuilder& GraphBuilder, const TCHAR* Name, uint32 BytesPerElement, uint32 NumElements,
-	const void* InitialData, uint64 InitialDataSize, ERDGInitialDataFlags InitialDataFlags)
+FRDGBufferRef CreateStructuredBuffer(FRDGBuilder& GraphBuilder, const TCHAR* Name, uint32 BytesPerElement,
+	uint32 NumElements, const void* InitialData, uint64 InitialDataSize, ERDGInitialDataFlags InitialDataFlags)
 {
-	return CreateBufferWithData(GraphBuilder, FRDGBufferDesc::CreateStructuredDesc(BytesPerElement, NumElements), Name, InitialData,
-		InitialDataSize, InitialDataFlags);
+	return CreateBufferWithData(GraphBuilder, FRDGBufferDesc::CreateStructuredDesc(BytesPerElement, NumElements), Name,
+		InitialData, InitialDataSize, InitialDataFlags);
 }
 
-FRDGBufferRef CreateVertexBuffer(FRDGBuilder& GraphBuilder, const TCHAR* Name, const FRDGBufferDesc& Desc, const void* InitialData,
-	uint64 InitialDataSize, ERDGInitialDataFlags InitialDataFlags)
+FRDGBufferRef CreateVertexBuffer(FRDGBuilder& GraphBuilder, const TCHAR* Name, const FRDGBufferDesc& Desc,
+	const void* InitialData, uint64 InitialDataSize, ERDGInitialDataFlags InitialDataFlags)
 {
 	return CreateBufferWithData(GraphBuilder, Desc, Name, InitialData, InitialDataSize, InitialDataFlags);
 }
 
-FRDGBufferRef CreateUploadBuffer(FRDGBuilder& GraphBuilder, const TCHAR* Name, uint32 BytesPerElement, uint32 NumElements,
-	const void* InitialData, uint64 InitialDataSize, ERDGInitialDataFlags InitialDataFlags)
+FRDGBufferRef CreateUploadBuffer(FRDGBuilder& GraphBuilder, const TCHAR* Name, uint32 BytesPerElement,
+	uint32 NumElements, const void* InitialData, uint64 InitialDataSize, ERDGInitialDataFlags InitialDataFlags)
 {
-	return CreateBufferWithData(GraphBuilder, FRDGBufferDesc::CreateUploadDesc(BytesPerElement, NumElements), Name, InitialData,
-		InitialDataSize, InitialDataFlags);
+	return CreateBufferWithData(GraphBuilder, FRDGBufferDesc::CreateUploadDesc(BytesPerElement, NumElements), Name,
+		InitialData, InitialDataSize, InitialDataFlags);
 }
 
 FRDGTextureRef RegisterExternalTexture(FRDGBuilder& GraphBuilder, FRHITexture* Texture, const TCHAR* NameIfUnregistered)

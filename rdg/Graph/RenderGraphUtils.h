@@ -20,39 +20,39 @@ DRYDOCK_API void AnnotatePass(FRDGPassRef Pass, const TShaderRef<FShader>& Shade
 
 } // namespace Drydock
 
-// Copies ----------------------------------------------------------------------------------------------------------------
+// Copies ------------------------------------------------------------------------------------------------------------
 
 /** Copies a region of mips and slices; formats must agree. */
-DRYDOCK_API void AddCopyTexturePass(
-	FRDGBuilder& GraphBuilder, FRDGTextureRef InputTexture, FRDGTextureRef OutputTexture, const FRHICopyTextureInfo& CopyInfo,
+DRYDOCK_API void AddCopyTexturePass(FRDGBuilder& GraphBuilder, FRDGTextureRef InputTexture,
+	FRDGTextureRef OutputTexture, const FRHICopyTextureInfo& CopyInfo,
 	std::source_location Location = std::source_location::current());
 
 /** Copies Size texels (zero: the whole input) from InputPosition to OutputPosition. */
-DRYDOCK_API void AddCopyTexturePass(FRDGBuilder& GraphBuilder, FRDGTextureRef InputTexture, FRDGTextureRef OutputTexture,
-	FIntPoint InputPosition = FIntPoint::ZeroValue, FIntPoint OutputPosition = FIntPoint::ZeroValue, FIntPoint Size = FIntPoint::ZeroValue,
+DRYDOCK_API void AddCopyTexturePass(FRDGBuilder& GraphBuilder, FRDGTextureRef InputTexture,
+	FRDGTextureRef OutputTexture, FIntPoint InputPosition = FIntPoint::ZeroValue,
+	FIntPoint OutputPosition = FIntPoint::ZeroValue, FIntPoint Size = FIntPoint::ZeroValue,
 	std::source_location Location = std::source_location::current());
 
-DRYDOCK_API void AddCopyBufferPass(FRDGBuilder& GraphBuilder, FRDGBufferRef DstBuffer, uint64 DstOffset, FRDGBufferRef SrcBuffer,
-	uint64 SrcOffset, uint64 NumBytes,
+DRYDOCK_API void AddCopyBufferPass(FRDGBuilder& GraphBuilder, FRDGBufferRef DstBuffer, uint64 DstOffset,
+	FRDGBufferRef SrcBuffer, uint64 SrcOffset, uint64 NumBytes,
 	std::source_location Location = std::source_location::current());
 DRYDOCK_API void AddCopyBufferPass(FRDGBuilder& GraphBuilder, FRDGBufferRef DstBuffer, FRDGBufferRef SrcBuffer,
 	std::source_location Location = std::source_location::current());
 
-// Clears ----------------------------------------------------------------------------------------------------------------
+// Clears ------------------------------------------------------------------------------------------------------------
 
 /** Clears to the texture's own clear value. */
-DRYDOCK_API void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture,
-	std::source_location Location = std::source_location::current());
-DRYDOCK_API void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, const FLinearColor& ClearColor,
-	std::source_location Location = std::source_location::current());
-/** Clears a rectangle; the rest stays. */
 DRYDOCK_API void AddClearRenderTargetPass(
-	FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, const FLinearColor& ClearColor, FIntRect Viewport,
-	std::source_location Location = std::source_location::current());
+	FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, std::source_location Location = std::source_location::current());
+DRYDOCK_API void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture,
+	const FLinearColor& ClearColor, std::source_location Location = std::source_location::current());
+/** Clears a rectangle; the rest stays. */
+DRYDOCK_API void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture,
+	const FLinearColor& ClearColor, FIntRect Viewport, std::source_location Location = std::source_location::current());
 
 /** Planes that are not cleared keep what they hold. */
-DRYDOCK_API void AddClearDepthStencilPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, bool bClearDepth = true, float Depth = 0.0f,
-	bool bClearStencil = true, uint8 Stencil = 0,
+DRYDOCK_API void AddClearDepthStencilPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, bool bClearDepth = true,
+	float Depth = 0.0f, bool bClearStencil = true, uint8 Stencil = 0,
 	std::source_location Location = std::source_location::current());
 
 /** Values are stored as the format stores them. */
@@ -60,77 +60,85 @@ DRYDOCK_API void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGBufferUAVRef Buf
 	std::source_location Location = std::source_location::current());
 DRYDOCK_API void AddClearUAVFloatPass(FRDGBuilder& GraphBuilder, FRDGBufferUAVRef BufferUAV, float Value,
 	std::source_location Location = std::source_location::current());
-DRYDOCK_API void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const FUintVector4& ClearValues,
-	std::source_location Location = std::source_location::current());
+DRYDOCK_API void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV,
+	const FUintVector4& ClearValues, std::source_location Location = std::source_location::current());
 DRYDOCK_API void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const FVector4f& ClearValues,
 	std::source_location Location = std::source_location::current());
-DRYDOCK_API void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const FLinearColor& ClearColor,
-	std::source_location Location = std::source_location::current());
+DRYDOCK_API void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV,
+	const FLinearColor& ClearColor, std::source_location Location = std::source_location::current());
 DRYDOCK_API void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const float (&ClearValues)[4],
 	std::source_location Location = std::source_location::current());
-DRYDOCK_API void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const uint32 (&ClearValues)[4],
-	std::source_location Location = std::source_location::current());
+DRYDOCK_API void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV,
+	const uint32 (&ClearValues)[4], std::source_location Location = std::source_location::current());
 
-// Readbacks -------------------------------------------------------------------------------------------------------------
+// Readbacks ---------------------------------------------------------------------------------------------------------
 
 /** What the readback holds can be read right after Execute. */
-DRYDOCK_API void AddEnqueueCopyPass(
-	FRDGBuilder& GraphBuilder, FRHIGPUTextureReadback* Readback, FRDGTextureRef SourceTexture, FResolveRect Rect = FResolveRect(),
+DRYDOCK_API void AddEnqueueCopyPass(FRDGBuilder& GraphBuilder, FRHIGPUTextureReadback* Readback,
+	FRDGTextureRef SourceTexture, FResolveRect Rect = FResolveRect(),
 	std::source_location Location = std::source_location::current());
-DRYDOCK_API void AddEnqueueCopyPass(FRDGBuilder& GraphBuilder, FRHIGPUBufferReadback* Readback, FRDGBufferRef SourceBuffer, uint32 NumBytes,
-	std::source_location Location = std::source_location::current());
+DRYDOCK_API void AddEnqueueCopyPass(FRDGBuilder& GraphBuilder, FRHIGPUBufferReadback* Readback,
+	FRDGBufferRef SourceBuffer, uint32 NumBytes, std::source_location Location = std::source_location::current());
 
 /** A pass that only needs Texture (or Buffer) ready to be copied from, and is never culled. */
-template <typename ExecuteLambdaType>
-void AddReadbackTexturePass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name, FRDGTextureRef Texture, ExecuteLambdaType&& ExecuteLambda,
-	std::source_location Location = std::source_location::current());
-template <typename ExecuteLambdaType>
-void AddReadbackBufferPass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name, FRDGBufferRef Buffer, ExecuteLambdaType&& ExecuteLambda,
-	std::source_location Location = std::source_location::current());
+template<typename ExecuteLambdaType>
+void AddReadbackTexturePass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name, FRDGTextureRef Texture,
+	ExecuteLambdaType&& ExecuteLambda, std::source_location Location = std::source_location::current());
+template<typename ExecuteLambdaType>
+void AddReadbackBufferPass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name, FRDGBufferRef Buffer,
+	ExecuteLambdaType&& ExecuteLambda, std::source_location Location = std::source_location::current());
 
 /** A pass without parameters: it always runs. */
-template <typename ExecuteLambdaType>
+template<typename ExecuteLambdaType>
 FRDGPassRef AddPass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name, ExecuteLambdaType&& ExecuteLambda,
 	std::source_location Location = std::source_location::current())
 {
-	return GraphBuilder.AddPass(MoveTemp(Name), ERDGPassFlags::None, std::forward<ExecuteLambdaType>(ExecuteLambda), Location);
+	return GraphBuilder.AddPass(
+		MoveTemp(Name), ERDGPassFlags::None, std::forward<ExecuteLambdaType>(ExecuteLambda), Location);
 }
 
-// Buffers ---------------------------------------------------------------------------------------------------------------
+// Buffers -----------------------------------------------------------------------------------------------------------
 
 /** A structured buffer of NumElements elements whose first InitialDataSize bytes are InitialData. */
-DRYDOCK_API FRDGBufferRef CreateStructuredBuffer(FRDGBuilder& GraphBuilder, const TCHAR* Name, uint32 BytesPerElement, uint32 NumElements,
-	const void* InitialData, uint64 InitialDataSize, ERDGInitialDataFlags InitialDataFlags = ERDGInitialDataFlags::None);
+DRYDOCK_API FRDGBufferRef CreateStructuredBuffer(FRDGBuilder& GraphBuilder, const TCHAR* Name, uint32 BytesPerElement,
+	uint32 NumElements, const void* InitialData, uint64 InitialDataSize,
+	ERDGInitialDataFlags InitialDataFlags = ERDGInitialDataFlags::None);
 
-template <typename ElementType, typename AllocatorType>
-FRDGBufferRef CreateStructuredBuffer(FRDGBuilder& GraphBuilder, const TCHAR* Name, const TArray<ElementType, AllocatorType>& Container,
+template<typename ElementType, typename AllocatorType>
+FRDGBufferRef CreateStructuredBuffer(FRDGBuilder& GraphBuilder, const TCHAR* Name,
+	const TArray<ElementType, AllocatorType>& Container,
 	ERDGInitialDataFlags InitialDataFlags = ERDGInitialDataFlags::None)
 {
-	return CreateStructuredBuffer(GraphBuilder, Name, sizeof(ElementType), static_cast<uint32>(FMath::Max(Container.Num(), 1)),
-		Container.GetData(), sizeof(ElementType) * static_cast<uint64>(Container.Num()), InitialDataFlags);
+	return CreateStructuredBuffer(GraphBuilder, Name, sizeof(ElementType),
+		static_cast<uint32>(FMath::Max(Container.Num(), 1)), Container.GetData(),
+		sizeof(ElementType) * static_cast<uint64>(Container.Num()), InitialDataFlags);
 }
 
 /** A typed vertex-style buffer with initial contents. */
-DRYDOCK_API FRDGBufferRef CreateVertexBuffer(FRDGBuilder& GraphBuilder, const TCHAR* Name, const FRDGBufferDesc& Desc, const void* InitialData,
-	uint64 InitialDataSize, ERDGInitialDataFlags InitialDataFlags = ERDGInitialDataFlags::None);
+DRYDOCK_API FRDGBufferRef CreateVertexBuffer(FRDGBuilder& GraphBuilder, const TCHAR* Name, const FRDGBufferDesc& Desc,
+	const void* InitialData, uint64 InitialDataSize,
+	ERDGInitialDataFlags InitialDataFlags = ERDGInitialDataFlags::None);
 
-DRYDOCK_API FRDGBufferRef CreateUploadBuffer(FRDGBuilder& GraphBuilder, const TCHAR* Name, uint32 BytesPerElement, uint32 NumElements,
-	const void* InitialData, uint64 InitialDataSize, ERDGInitialDataFlags InitialDataFlags = ERDGInitialDataFlags::None);
+DRYDOCK_API FRDGBufferRef CreateUploadBuffer(FRDGBuilder& GraphBuilder, const TCHAR* Name, uint32 BytesPerElement,
+	uint32 NumElements, const void* InitialData, uint64 InitialDataSize,
+	ERDGInitialDataFlags InitialDataFlags = ERDGInitialDataFlags::None);
 
-// External resources ----------------------------------------------------------------------------------------------------
+// External resources ------------------------------------------------------------------------------------------------
 
 /** Registers an RHI texture under a name. */
-DRYDOCK_API FRDGTextureRef RegisterExternalTexture(FRDGBuilder& GraphBuilder, FRHITexture* Texture, const TCHAR* NameIfUnregistered);
+DRYDOCK_API FRDGTextureRef RegisterExternalTexture(
+	FRDGBuilder& GraphBuilder, FRHITexture* Texture, const TCHAR* NameIfUnregistered);
 
 /** Null in, null out. */
-inline FRDGTextureRef TryRegisterExternalTexture(FRDGBuilder& GraphBuilder, const TRefCountPtr<IPooledRenderTarget>& ExternalPooledTexture,
-	ERDGTextureFlags Flags = ERDGTextureFlags::None)
+inline FRDGTextureRef TryRegisterExternalTexture(FRDGBuilder& GraphBuilder,
+	const TRefCountPtr<IPooledRenderTarget>& ExternalPooledTexture, ERDGTextureFlags Flags = ERDGTextureFlags::None)
 {
-	return ExternalPooledTexture.IsValid() ? GraphBuilder.RegisterExternalTexture(ExternalPooledTexture, Flags) : nullptr;
+	return ExternalPooledTexture.IsValid() ? GraphBuilder.RegisterExternalTexture(ExternalPooledTexture, Flags)
+										   : nullptr;
 }
 
-inline FRDGBufferRef TryRegisterExternalBuffer(
-	FRDGBuilder& GraphBuilder, const TRefCountPtr<FRDGPooledBuffer>& ExternalPooledBuffer, ERDGBufferFlags Flags = ERDGBufferFlags::None)
+inline FRDGBufferRef TryRegisterExternalBuffer(FRDGBuilder& GraphBuilder,
+	const TRefCountPtr<FRDGPooledBuffer>& ExternalPooledBuffer, ERDGBufferFlags Flags = ERDGBufferFlags::None)
 {
 	return ExternalPooledBuffer.IsValid() ? GraphBuilder.RegisterExternalBuffer(ExternalPooledBuffer, Flags) : nullptr;
 }
@@ -142,7 +150,8 @@ inline void ConvertToExternalTexture(
 	OutPooledRenderTarget = GraphBuilder.ConvertToExternalTexture(Texture);
 }
 
-inline void ConvertToExternalBuffer(FRDGBuilder& GraphBuilder, FRDGBufferRef Buffer, TRefCountPtr<FRDGPooledBuffer>& OutPooledBuffer)
+inline void ConvertToExternalBuffer(
+	FRDGBuilder& GraphBuilder, FRDGBufferRef Buffer, TRefCountPtr<FRDGPooledBuffer>& OutPooledBuffer)
 {
 	OutPooledBuffer = GraphBuilder.ConvertToExternalBuffer(Buffer);
 }
@@ -157,13 +166,14 @@ inline FRHIBuffer* TryGetRHI(FRDGBufferRef Buffer)
 	return Buffer ? Buffer->GetRHI() : nullptr;
 }
 
-/** Textures of another pass's parameters that are bound as targets or views can be null; this tells the binding of one. */
+/** Textures of another pass's parameters that are bound as targets or views can be null; this tells the binding of one.
+ */
 inline bool HasBeenProduced(const FRenderTargetBinding& Binding)
 {
 	return Binding.GetTexture() && Binding.GetTexture()->HasBeenProduced();
 }
 
-// Compute ---------------------------------------------------------------------------------------------------------------
+// Compute -----------------------------------------------------------------------------------------------------------
 
 BEGIN_SHADER_PARAMETER_STRUCT(FTextureAccessDynamicParameters, DRYDOCK_API)
 	RDG_TEXTURE_ACCESS(Texture, ERHIAccess::CopySrc)
@@ -187,7 +197,8 @@ struct FComputeShaderUtils
 	}
 	static FIntVector GetGroupCount(const FIntPoint& ThreadCount, const FIntPoint& GroupSize)
 	{
-		return FIntVector(FMath::DivideAndRoundUp(ThreadCount.X, GroupSize.X), FMath::DivideAndRoundUp(ThreadCount.Y, GroupSize.Y), 1);
+		return FIntVector(FMath::DivideAndRoundUp(ThreadCount.X, GroupSize.X),
+			FMath::DivideAndRoundUp(ThreadCount.Y, GroupSize.Y), 1);
 	}
 	static FIntVector GetGroupCount(const FIntPoint& ThreadCount, const int32 GroupSize)
 	{
@@ -199,8 +210,8 @@ struct FComputeShaderUtils
 	}
 	static FIntVector GetGroupCount(const FIntVector& ThreadCount, const FIntVector& GroupSize)
 	{
-		return FIntVector(FMath::DivideAndRoundUp(ThreadCount.X, GroupSize.X), FMath::DivideAndRoundUp(ThreadCount.Y, GroupSize.Y),
-			FMath::DivideAndRoundUp(ThreadCount.Z, GroupSize.Z));
+		return FIntVector(FMath::DivideAndRoundUp(ThreadCount.X, GroupSize.X),
+			FMath::DivideAndRoundUp(ThreadCount.Y, GroupSize.Y), FMath::DivideAndRoundUp(ThreadCount.Z, GroupSize.Z));
 	}
 	static FIntVector GetGroupCount(const FIntVector& ThreadCount, const int32 GroupSize)
 	{
@@ -220,14 +231,15 @@ struct FComputeShaderUtils
 	}
 
 	/** Inside a pass: binds and dispatches. */
-	template <typename TShaderClass>
+	template<typename TShaderClass>
 	static void Dispatch(FRHIComputeCommandList& RHICmdList, const TShaderRef<TShaderClass>& ComputeShader,
 		const typename TShaderClass::FParameters& Parameters, FIntVector GroupCount)
 	{
-		Dispatch(RHICmdList, ComputeShader, TShaderClass::FParameters::FTypeInfo::GetStructMetadata(), &Parameters, GroupCount);
+		Dispatch(RHICmdList, ComputeShader, TShaderClass::FParameters::FTypeInfo::GetStructMetadata(), &Parameters,
+			GroupCount);
 	}
 
-	template <typename TShaderClass>
+	template<typename TShaderClass>
 	static void Dispatch(FRHIComputeCommandList& RHICmdList, const TShaderRef<TShaderClass>& ComputeShader,
 		const FShaderParametersMetadata* ParametersMetadata, const void* Parameters, FIntVector GroupCount)
 	{
@@ -239,7 +251,7 @@ struct FComputeShaderUtils
 		UnsetShaderUAVs(RHICmdList, ComputeShader, ShaderRHI);
 	}
 
-	template <typename TShaderClass>
+	template<typename TShaderClass>
 	static void DispatchIndirect(FRHIComputeCommandList& RHICmdList, const TShaderRef<TShaderClass>& ComputeShader,
 		const typename TShaderClass::FParameters& Parameters, FRHIBuffer* IndirectArgsBuffer, uint32 IndirectArgOffset)
 	{
@@ -250,42 +262,46 @@ struct FComputeShaderUtils
 		UnsetShaderUAVs(RHICmdList, ComputeShader, ShaderRHI);
 	}
 
-	template <typename TShaderClass>
+	template<typename TShaderClass>
 	static void DispatchIndirect(FRHIComputeCommandList& RHICmdList, const TShaderRef<TShaderClass>& ComputeShader,
-		const typename TShaderClass::FParameters& Parameters, FRDGBufferRef IndirectArgsBuffer, uint32 IndirectArgOffset)
+		const typename TShaderClass::FParameters& Parameters, FRDGBufferRef IndirectArgsBuffer,
+		uint32 IndirectArgOffset)
 	{
-		DispatchIndirect(RHICmdList, ComputeShader, Parameters, IndirectArgsBuffer->GetIndirectRHICallBuffer(), IndirectArgOffset);
+		DispatchIndirect(
+			RHICmdList, ComputeShader, Parameters, IndirectArgsBuffer->GetIndirectRHICallBuffer(), IndirectArgOffset);
 	}
 
 	/** Adds a pass that dispatches the shader. What it does not read of Parameters is dropped first. */
-	template <typename TShaderClass>
+	template<typename TShaderClass>
 	static FRDGPassRef AddPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, ERDGPassFlags PassFlags,
-		const TShaderRef<TShaderClass>& ComputeShader, typename TShaderClass::FParameters* Parameters, FIntVector GroupCount,
-		std::source_location Location = std::source_location::current())
+		const TShaderRef<TShaderClass>& ComputeShader, typename TShaderClass::FParameters* Parameters,
+		FIntVector GroupCount, std::source_location Location = std::source_location::current())
 	{
 		return AddPass(GraphBuilder, MoveTemp(PassName), PassFlags, ComputeShader,
 			TShaderClass::FParameters::FTypeInfo::GetStructMetadata(), Parameters, GroupCount, Location);
 	}
 
-	template <typename TShaderClass>
-	static FRDGPassRef AddPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, const TShaderRef<TShaderClass>& ComputeShader,
-		typename TShaderClass::FParameters* Parameters, FIntVector GroupCount,
-		std::source_location Location = std::source_location::current())
+	template<typename TShaderClass>
+	static FRDGPassRef AddPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName,
+		const TShaderRef<TShaderClass>& ComputeShader, typename TShaderClass::FParameters* Parameters,
+		FIntVector GroupCount, std::source_location Location = std::source_location::current())
 	{
-		return AddPass(GraphBuilder, MoveTemp(PassName), ERDGPassFlags::Compute, ComputeShader, Parameters, GroupCount, Location);
+		return AddPass(
+			GraphBuilder, MoveTemp(PassName), ERDGPassFlags::Compute, ComputeShader, Parameters, GroupCount, Location);
 	}
 
 	/** With the parameters' metadata given apart. */
-	template <typename TShaderClass>
+	template<typename TShaderClass>
 	static FRDGPassRef AddPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, ERDGPassFlags PassFlags,
-		const TShaderRef<TShaderClass>& ComputeShader, const FShaderParametersMetadata* ParametersMetadata, void* Parameters,
-		FIntVector GroupCount,
-		std::source_location Location = std::source_location::current())
+		const TShaderRef<TShaderClass>& ComputeShader, const FShaderParametersMetadata* ParametersMetadata,
+		void* Parameters, FIntVector GroupCount, std::source_location Location = std::source_location::current())
 	{
-		checkf(GroupCount.X >= 0 && GroupCount.Y >= 0 && GroupCount.Z >= 0, TEXT("Pass %s: group count (%d, %d, %d) is negative"),
-			PassName.GetTCHAR(), GroupCount.X, GroupCount.Y, GroupCount.Z);
+		checkf(GroupCount.X >= 0 && GroupCount.Y >= 0 && GroupCount.Z >= 0,
+			TEXT("Pass %s: group count (%d, %d, %d) is negative"), PassName.GetTCHAR(), GroupCount.X, GroupCount.Y,
+			GroupCount.Z);
 		ClearUnusedGraphResources(TShaderRef<FShader>(ComputeShader), ParametersMetadata, Parameters);
-		FRDGPassRef Pass = GraphBuilder.AddPass(MoveTemp(PassName), ParametersMetadata, Parameters, PassFlags,
+		FRDGPassRef Pass = GraphBuilder.AddPass(
+			MoveTemp(PassName), ParametersMetadata, Parameters, PassFlags,
 			[ParametersMetadata, Parameters, ComputeShader, GroupCount](FRHIComputeCommandList& RHICmdList)
 			{ Dispatch(RHICmdList, ComputeShader, ParametersMetadata, Parameters, GroupCount); },
 			Location);
@@ -294,22 +310,23 @@ struct FComputeShaderUtils
 	}
 
 	/** With the group count known when the pass runs. */
-	template <typename TShaderClass>
-	static FRDGPassRef AddPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, const TShaderRef<TShaderClass>& ComputeShader,
-		typename TShaderClass::FParameters* Parameters, TFunction<FIntVector()>&& GroupCountCallback,
-		std::source_location Location = std::source_location::current())
+	template<typename TShaderClass>
+	static FRDGPassRef AddPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName,
+		const TShaderRef<TShaderClass>& ComputeShader, typename TShaderClass::FParameters* Parameters,
+		TFunction<FIntVector()>&& GroupCountCallback, std::source_location Location = std::source_location::current())
 	{
-		return AddPass(
-			GraphBuilder, MoveTemp(PassName), ERDGPassFlags::Compute, ComputeShader, Parameters, MoveTemp(GroupCountCallback), Location);
+		return AddPass(GraphBuilder, MoveTemp(PassName), ERDGPassFlags::Compute, ComputeShader, Parameters,
+			MoveTemp(GroupCountCallback), Location);
 	}
 
-	template <typename TShaderClass>
+	template<typename TShaderClass>
 	static FRDGPassRef AddPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, ERDGPassFlags PassFlags,
 		const TShaderRef<TShaderClass>& ComputeShader, typename TShaderClass::FParameters* Parameters,
 		TFunction<FIntVector()>&& GroupCountCallback, std::source_location Location = std::source_location::current())
 	{
 		ClearUnusedGraphResources(ComputeShader, Parameters);
-		FRDGPassRef Pass = GraphBuilder.AddPass(MoveTemp(PassName), Parameters, PassFlags,
+		FRDGPassRef Pass = GraphBuilder.AddPass(
+			MoveTemp(PassName), Parameters, PassFlags,
 			[Parameters, ComputeShader, Callback = MoveTemp(GroupCountCallback)](FRHIComputeCommandList& RHICmdList)
 			{ Dispatch(RHICmdList, ComputeShader, *Parameters, Callback()); },
 			Location);
@@ -318,45 +335,52 @@ struct FComputeShaderUtils
 	}
 
 	/** Indirect: the group count is in IndirectArgsBuffer, which must be the parameters' IndirectArgs access. */
-	template <typename TShaderClass>
+	template<typename TShaderClass>
 	static FRDGPassRef AddPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, ERDGPassFlags PassFlags,
-		const TShaderRef<TShaderClass>& ComputeShader, typename TShaderClass::FParameters* Parameters, FRDGBufferRef IndirectArgsBuffer,
-		uint32 IndirectArgsOffset,
+		const TShaderRef<TShaderClass>& ComputeShader, typename TShaderClass::FParameters* Parameters,
+		FRDGBufferRef IndirectArgsBuffer, uint32 IndirectArgsOffset,
 		std::source_location Location = std::source_location::current())
 	{
 		ClearUnusedGraphResources(ComputeShader, Parameters, {IndirectArgsBuffer});
-		FRDGPassRef Pass = GraphBuilder.AddPass(MoveTemp(PassName), Parameters, PassFlags,
+		FRDGPassRef Pass = GraphBuilder.AddPass(
+			MoveTemp(PassName), Parameters, PassFlags,
 			[Parameters, ComputeShader, IndirectArgsBuffer, IndirectArgsOffset](FRHIComputeCommandList& RHICmdList)
-			{ DispatchIndirect(RHICmdList, ComputeShader, *Parameters, IndirectArgsBuffer->GetIndirectRHICallBuffer(), IndirectArgsOffset); },
+			{
+				DispatchIndirect(RHICmdList, ComputeShader, *Parameters, IndirectArgsBuffer->GetIndirectRHICallBuffer(),
+					IndirectArgsOffset);
+			},
 			Location);
 		Drydock::AnnotatePass(Pass, ComputeShader);
 		return Pass;
 	}
 
-	template <typename TShaderClass>
-	static FRDGPassRef AddPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, const TShaderRef<TShaderClass>& ComputeShader,
-		typename TShaderClass::FParameters* Parameters, FRDGBufferRef IndirectArgsBuffer, uint32 IndirectArgsOffset,
+	template<typename TShaderClass>
+	static FRDGPassRef AddPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName,
+		const TShaderRef<TShaderClass>& ComputeShader, typename TShaderClass::FParameters* Parameters,
+		FRDGBufferRef IndirectArgsBuffer, uint32 IndirectArgsOffset,
 		std::source_location Location = std::source_location::current())
 	{
-		return AddPass(
-			GraphBuilder, MoveTemp(PassName), ERDGPassFlags::Compute, ComputeShader, Parameters, IndirectArgsBuffer, IndirectArgsOffset, Location);
+		return AddPass(GraphBuilder, MoveTemp(PassName), ERDGPassFlags::Compute, ComputeShader, Parameters,
+			IndirectArgsBuffer, IndirectArgsOffset, Location);
 	}
 };
 
-template <typename ExecuteLambdaType>
-void AddReadbackTexturePass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name, FRDGTextureRef Texture, ExecuteLambdaType&& ExecuteLambda,
-	std::source_location Location)
+template<typename ExecuteLambdaType>
+void AddReadbackTexturePass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name, FRDGTextureRef Texture,
+	ExecuteLambdaType&& ExecuteLambda, std::source_location Location)
 {
 	auto* Parameters = GraphBuilder.AllocParameters<FTextureAccessDynamicParameters>();
 	Parameters->Texture = Texture;
-	GraphBuilder.AddPass(MoveTemp(Name), Parameters, ERDGPassFlags::Readback, std::forward<ExecuteLambdaType>(ExecuteLambda), Location);
+	GraphBuilder.AddPass(
+		MoveTemp(Name), Parameters, ERDGPassFlags::Readback, std::forward<ExecuteLambdaType>(ExecuteLambda), Location);
 }
 
-template <typename ExecuteLambdaType>
-void AddReadbackBufferPass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name, FRDGBufferRef Buffer, ExecuteLambdaType&& ExecuteLambda,
-	std::source_location Location)
+template<typename ExecuteLambdaType>
+void AddReadbackBufferPass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name, FRDGBufferRef Buffer,
+	ExecuteLambdaType&& ExecuteLambda, std::source_location Location)
 {
 	auto* Parameters = GraphBuilder.AllocParameters<FBufferAccessDynamicParameters>();
 	Parameters->Buffer = Buffer;
-	GraphBuilder.AddPass(MoveTemp(Name), Parameters, ERDGPassFlags::Readback, std::forward<ExecuteLambdaType>(ExecuteLambda), Location);
+	GraphBuilder.AddPass(
+		MoveTemp(Name), Parameters, ERDGPassFlags::Readback, std::forward<ExecuteLambdaType>(ExecuteLambda), Location);
 }

@@ -9,13 +9,18 @@ namespace Drydock
 namespace
 {
 
-constexpr ERDGPassFlags WorkFlags = ERDGPassFlags::Raster | ERDGPassFlags::Compute | ERDGPassFlags::AsyncCompute | ERDGPassFlags::Copy;
+constexpr ERDGPassFlags WorkFlags =
+	ERDGPassFlags::Raster | ERDGPassFlags::Compute | ERDGPassFlags::AsyncCompute | ERDGPassFlags::Copy;
 constexpr ERDGPassFlags RasterOnlyFlags = ERDGPassFlags::SkipRenderPass | ERDGPassFlags::NeverMerge;
 
 class FGraphValidator
 {
 public:
-	FGraphValidator(const FRDGGraphDescription& InGraph, bool bInDebug) : Graph(InGraph), bDebug(bInDebug) {}
+	FGraphValidator(const FRDGGraphDescription& InGraph, bool bInDebug)
+		: Graph(InGraph)
+		, bDebug(bInDebug)
+	{
+	}
 
 	FRDGValidationResult Run()
 	{
@@ -46,36 +51,48 @@ public:
 	}
 
 private:
-	const FRDGResourceDescription& GetResource(const FRDGUse& Use) const { return Graph.Resources[size_t(Use.Resource)]; }
+	const FRDGResourceDescription& GetResource(const FRDGUse& Use) const
+	{
+		return Graph.Resources[size_t(Use.Resource)];
+	}
 	const std::string& GetName(int32_t Resource) const { return Graph.Resources[size_t(Resource)].Name; }
 
-	void Error(int Code, const FRDGPassDescription& Pass, const std::string& Message, const std::string& Parameter = "", const std::string& Resource = "")
+	void Error(int Code, const FRDGPassDescription& Pass, const std::string& Message, const std::string& Parameter = "",
+		const std::string& Resource = "")
 	{
 		Result.Errors.push_back(MakePassDiagnostic(ESeverity::Error, Code, Pass, Message, Parameter, Resource));
 	}
-	void Ensure(int Code, const FRDGPassDescription& Pass, const std::string& Message, const std::string& Parameter, const std::string& Resource)
+	void Ensure(int Code, const FRDGPassDescription& Pass, const std::string& Message, const std::string& Parameter,
+		const std::string& Resource)
 	{
 		Result.Ensures.push_back(MakePassDiagnostic(ESeverity::Warning, Code, Pass, Message, Parameter, Resource));
 	}
-	void Warn(int Code, const FRDGPassDescription& Pass, const std::string& Message, const std::string& Parameter, const std::string& Resource)
+	void Warn(int Code, const FRDGPassDescription& Pass, const std::string& Message, const std::string& Parameter,
+		const std::string& Resource)
 	{
 		Result.Warnings.push_back(MakePassDiagnostic(ESeverity::Warning, Code, Pass, Message, Parameter, Resource));
 	}
 
 	void CheckFlags(const FRDGPassDescription& Pass)
 	{
-		const auto Has = [&Pass](ERDGPassFlags Flags) { return EnumHasAnyFlags(Pass.Flags, Flags); };
+		const auto Has = [&Pass](ERDGPassFlags Flags)
+		{
+			return EnumHasAnyFlags(Pass.Flags, Flags);
+		};
 		if (!Pass.bHasParameters)
 		{
 			if (Has(WorkFlags | RasterOnlyFlags))
 			{
-				Error(RDGErrorPassFlags, Pass, "a pass without parameters takes no Raster, Compute, AsyncCompute, Copy, SkipRenderPass or NeverMerge flag");
+				Error(RDGErrorPassFlags, Pass,
+					"a pass without parameters takes no Raster, Compute, AsyncCompute, Copy, SkipRenderPass or "
+					"NeverMerge flag");
 			}
 			return;
 		}
 		if (!Has(WorkFlags))
 		{
-			Error(RDGErrorPassFlags, Pass, "a pass with parameters must have at least one of the flags Copy, Compute, AsyncCompute or Raster");
+			Error(RDGErrorPassFlags, Pass,
+				"a pass with parameters must have at least one of the flags Copy, Compute, AsyncCompute or Raster");
 		}
 		if (EnumHasAllFlags(Pass.Flags, ERDGPassFlags::Compute | ERDGPassFlags::AsyncCompute))
 		{
@@ -93,8 +110,10 @@ private:
 
 	void CheckOutputs(const FRDGPassDescription& Pass)
 	{
-		const bool bWrites = std::any_of(Pass.Uses.begin(), Pass.Uses.end(), [](const FRDGUse& Use) { return Use.IsWrite(); });
-		if (Pass.bHasParameters && !bWrites && !Pass.bHasExternalOutputs && !EnumHasAnyFlags(Pass.Flags, ERDGPassFlags::NeverCull))
+		const bool bWrites =
+			std::any_of(Pass.Uses.begin(), Pass.Uses.end(), [](const FRDGUse& Use) { return Use.IsWrite(); });
+		if (Pass.bHasParameters && !bWrites && !Pass.bHasExternalOutputs &&
+			!EnumHasAnyFlags(Pass.Flags, ERDGPassFlags::NeverCull))
 		{
 			Error(RDGErrorNoOutput, Pass, "the pass has no outputs and lacks NeverCull: it would always be culled");
 		}
@@ -109,11 +128,13 @@ private:
 		const bool bRaster = EnumHasAnyFlags(Pass.Flags, ERDGPassFlags::Raster);
 		if (bRaster && !Pass.bHasTargetSlots && !EnumHasAnyFlags(Pass.Flags, ERDGPassFlags::SkipRenderPass))
 		{
-			Error(RDGErrorRenderTargetSlots, Pass, "a Raster pass needs RENDER_TARGET_BINDING_SLOTS() in its parameters, or the flag SkipRenderPass");
+			Error(RDGErrorRenderTargetSlots, Pass,
+				"a Raster pass needs RENDER_TARGET_BINDING_SLOTS() in its parameters, or the flag SkipRenderPass");
 		}
 		if (!bRaster && Pass.bHasTargetSlots)
 		{
-			Error(RDGErrorRenderTargetSlots, Pass, "render targets are bound, but the pass is not Raster", "RenderTargets");
+			Error(RDGErrorRenderTargetSlots, Pass, "render targets are bound, but the pass is not Raster",
+				"RenderTargets");
 		}
 		for (size_t Slot = 0; Slot < Pass.Targets.Colors.size(); ++Slot)
 		{
@@ -124,12 +145,14 @@ private:
 			const FRDGResourceDescription& Depth = Graph.Resources[size_t(Pass.Targets.DepthStencil)];
 			if (!EnumHasAnyFlags(Depth.TextureFlags, TexCreate_DepthStencilTargetable))
 			{
-				Error(RDGErrorRenderTargets, Pass, "the depth-stencil target was created without TexCreate_DepthStencilTargetable",
+				Error(RDGErrorRenderTargets, Pass,
+					"the depth-stencil target was created without TexCreate_DepthStencilTargetable",
 					"RenderTargets.DepthStencil", Depth.Name);
 			}
 			if (Depth.NumMips != 1)
 			{
-				Error(RDGErrorRenderTargets, Pass, "a depth-stencil target has one mip, not " + std::to_string(Depth.NumMips),
+				Error(RDGErrorRenderTargets, Pass,
+					"a depth-stencil target has one mip, not " + std::to_string(Depth.NumMips),
 					"RenderTargets.DepthStencil", Depth.Name);
 			}
 		}
@@ -140,19 +163,22 @@ private:
 		if (Target.Resource < 0)
 		{
 			Error(RDGErrorRenderTargets, Pass,
-				Target.ResolveResource >= 0 ? "a resolve target is bound without a render target" : "render targets must be packed: this slot is empty, a later one is not",
+				Target.ResolveResource >= 0 ? "a resolve target is bound without a render target"
+											: "render targets must be packed: this slot is empty, a later one is not",
 				Parameter);
 			return;
 		}
 		if (!EnumHasAnyFlags(Graph.Resources[size_t(Target.Resource)].TextureFlags, TexCreate_RenderTargetable))
 		{
-			Ensure(RDGEnsureTargetFlags, Pass, "the texture is bound as a render target but was created without TexCreate_RenderTargetable",
-				Parameter, GetName(Target.Resource));
+			Ensure(RDGEnsureTargetFlags, Pass,
+				"the texture is bound as a render target but was created without TexCreate_RenderTargetable", Parameter,
+				GetName(Target.Resource));
 		}
-		if (Target.ResolveResource >= 0 && Target.ResolveResource != Target.Resource
-			&& !EnumHasAnyFlags(Graph.Resources[size_t(Target.ResolveResource)].TextureFlags, TexCreate_ResolveTargetable))
+		if (Target.ResolveResource >= 0 && Target.ResolveResource != Target.Resource &&
+			!EnumHasAnyFlags(Graph.Resources[size_t(Target.ResolveResource)].TextureFlags, TexCreate_ResolveTargetable))
 		{
-			Ensure(RDGEnsureTargetFlags, Pass, "the texture is bound as a resolve target but was created without TexCreate_ResolveTargetable",
+			Ensure(RDGEnsureTargetFlags, Pass,
+				"the texture is bound as a resolve target but was created without TexCreate_ResolveTargetable",
 				Parameter, GetName(Target.ResolveResource));
 		}
 	}
@@ -168,35 +194,44 @@ private:
 		};
 		static const FRule Rules[] = {
 			{ERHIAccess::CopySrc | ERHIAccess::CopyDest, ERHIAccess::None, ERDGPassFlags::Copy, "Copy"},
-			{ERHIAccess::SRVCompute | ERHIAccess::UAVCompute, ERHIAccess::SRVGraphics | ERHIAccess::UAVGraphics | ERHIAccess::CopySrc,
+			{ERHIAccess::SRVCompute | ERHIAccess::UAVCompute,
+				ERHIAccess::SRVGraphics | ERHIAccess::UAVGraphics | ERHIAccess::CopySrc,
 				ERDGPassFlags::Compute | ERDGPassFlags::AsyncCompute, "Compute or AsyncCompute"},
-			{ERHIAccess::SRVGraphics | ERHIAccess::UAVGraphics | ERHIAccess::RTV | ERHIAccess::DSVRead | ERHIAccess::DSVWrite | ERHIAccess::ShadingRateSource,
+			{ERHIAccess::SRVGraphics | ERHIAccess::UAVGraphics | ERHIAccess::RTV | ERHIAccess::DSVRead |
+					ERHIAccess::DSVWrite | ERHIAccess::ShadingRateSource,
 				ERHIAccess::SRVCompute | ERHIAccess::UAVCompute | ERHIAccess::CopySrc, ERDGPassFlags::Raster, "Raster"},
 		};
 		for (const FRDGUse& Use : Pass.Uses)
 		{
 			for (const FRule& Rule : Rules)
 			{
-				if (EnumHasAnyFlags(Use.Access, Rule.Needing) && !EnumHasAnyFlags(Use.Access, Rule.Sparing) && !EnumHasAnyFlags(Pass.Flags, Rule.Flags))
+				if (EnumHasAnyFlags(Use.Access, Rule.Needing) && !EnumHasAnyFlags(Use.Access, Rule.Sparing) &&
+					!EnumHasAnyFlags(Pass.Flags, Rule.Flags))
 				{
 					Error(RDGErrorAccessFlags, Pass,
-						std::string("access ") + *GetRHIAccessName(Use.Access) + " requires a pass with the flag " + Rule.FlagNames, Use.Parameter,
-						GetResource(Use).Name);
+						std::string("access ") + *GetRHIAccessName(Use.Access) + " requires a pass with the flag " +
+							Rule.FlagNames,
+						Use.Parameter, GetResource(Use).Name);
 				}
 			}
 			if (GetResource(Use).bSkipTracking && Use.IsWrite())
 			{
-				Error(RDGErrorSkipTrackingWrite, Pass, "a resource registered with SkipTracking is read-only for the whole graph", Use.Parameter,
+				Error(RDGErrorSkipTrackingWrite, Pass,
+					"a resource registered with SkipTracking is read-only for the whole graph", Use.Parameter,
 					GetResource(Use).Name);
 			}
 			if (!IsValidAccess(Use.Access))
 			{
-				Error(RDGErrorHazard, Pass, std::string("access ") + *GetRHIAccessName(Use.Access) + " excludes itself", Use.Parameter, GetResource(Use).Name);
+				Error(RDGErrorHazard, Pass, std::string("access ") + *GetRHIAccessName(Use.Access) + " excludes itself",
+					Use.Parameter, GetResource(Use).Name);
 			}
-			const bool bSampled = EnumHasAnyFlags(Use.Access, ERHIAccess::SRVMask) && GetResource(Use).Kind == ERDGResourceKind::Texture;
-			if (bSampled && !GetResource(Use).bExternal && !EnumHasAnyFlags(GetResource(Use).TextureFlags, TexCreate_ShaderResource))
+			const bool bSampled =
+				EnumHasAnyFlags(Use.Access, ERHIAccess::SRVMask) && GetResource(Use).Kind == ERDGResourceKind::Texture;
+			if (bSampled && !GetResource(Use).bExternal &&
+				!EnumHasAnyFlags(GetResource(Use).TextureFlags, TexCreate_ShaderResource))
 			{
-				Warn(RDGWarningNotShaderResource, Pass, "the texture is read by a shader but was created without TexCreate_ShaderResource", Use.Parameter,
+				Warn(RDGWarningNotShaderResource, Pass,
+					"the texture is read by a shader but was created without TexCreate_ShaderResource", Use.Parameter,
 					GetResource(Use).Name);
 			}
 		}
@@ -211,11 +246,13 @@ private:
 				const FRDGUse& First = Pass.Uses[A];
 				const FRDGUse& Second = Pass.Uses[B];
 				const bool bAlone = IsValidAccess(First.Access) && IsValidAccess(Second.Access);
-				if (First.Resource == Second.Resource && bAlone && First.Overlaps(Second) && !IsValidAccess(First.Access | Second.Access))
+				if (First.Resource == Second.Resource && bAlone && First.Overlaps(Second) &&
+					!IsValidAccess(First.Access | Second.Access))
 				{
 					Error(RDGErrorHazard, Pass,
-						"the same subresource is accessed as " + std::string(*GetRHIAccessName(First.Access)) + " (parameter " + First.Parameter + ") and as "
-							+ *GetRHIAccessName(Second.Access) + " in one pass: these are incompatible",
+						"the same subresource is accessed as " + std::string(*GetRHIAccessName(First.Access)) +
+							" (parameter " + First.Parameter + ") and as " + *GetRHIAccessName(Second.Access) +
+							" in one pass: these are incompatible",
 						Second.Parameter, GetResource(First).Name);
 				}
 			}
@@ -230,7 +267,8 @@ private:
 			const bool bLoadsTarget = EnumHasAnyFlags(Use.Access, ERHIAccess::RTV | ERHIAccess::DSVWrite) && Use.bLoads;
 			if (!bProduced[size_t(Use.Resource)] && (bReadOnly || bLoadsTarget))
 			{
-				Ensure(RDGEnsureNeverWritten, Pass, "the pass has a read dependency on " + GetResource(Use).Name + ", but it was never written to",
+				Ensure(RDGEnsureNeverWritten, Pass,
+					"the pass has a read dependency on " + GetResource(Use).Name + ", but it was never written to",
 					Use.Parameter, GetResource(Use).Name);
 			}
 		}
@@ -273,7 +311,8 @@ private:
 		}
 		if (Producer && NumUsers == 1 && !Resource.bExtracted && !Resource.bSkipUnusedWarning)
 		{
-			Warn(RDGWarningUnusedOutput, *Producer, "the resource is produced by this pass and never used by another", "", Resource.Name);
+			Warn(RDGWarningUnusedOutput, *Producer, "the resource is produced by this pass and never used by another",
+				"", Resource.Name);
 		}
 		const auto WarnFlag = [&](ETextureCreateFlags Flag, ERHIAccess Access, const char* Message)
 		{
@@ -283,7 +322,8 @@ private:
 			}
 		};
 		WarnFlag(TexCreate_UAV, ERHIAccess::UAVMask, "the texture has TexCreate_UAV, but no pass writes it as UAV");
-		WarnFlag(TexCreate_RenderTargetable, ERHIAccess::RTV, "the texture has TexCreate_RenderTargetable, but no pass binds it as a render target");
+		WarnFlag(TexCreate_RenderTargetable, ERHIAccess::RTV,
+			"the texture has TexCreate_RenderTargetable, but no pass binds it as a render target");
 	}
 
 	const FRDGGraphDescription& Graph;
@@ -298,8 +338,8 @@ FRDGValidationResult ValidateGraph(const FRDGGraphDescription& Graph, bool bDebu
 	return FGraphValidator(Graph, bDebug).Run();
 }
 
-FDiagnostic MakePassDiagnostic(ESeverity Severity, int Code, const FRDGPassDescription& Pass, const std::string& Message,
-	const std::string& Parameter, const std::string& Resource)
+FDiagnostic MakePassDiagnostic(ESeverity Severity, int Code, const FRDGPassDescription& Pass,
+	const std::string& Message, const std::string& Parameter, const std::string& Resource)
 {
 	FDiagnostic Diagnostic;
 	Diagnostic.Severity = Severity;

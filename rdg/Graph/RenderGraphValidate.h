@@ -1,5 +1,5 @@
-// What can be said about a declared graph before compiling it: pass flags, render targets, hazards, reads of what nobody
-// wrote. Everything is collected. Source: engine RenderGraphValidation.cpp, restated.
+// What can be said about a declared graph before compiling it: pass flags, render targets, hazards, reads of what
+// nobody wrote. Everything is collected. Source: engine RenderGraphValidation.cpp, restated.
 #pragma once
 
 #include "RenderGraphCompiled.h"
@@ -10,8 +10,8 @@ namespace Drydock
 
 struct FRDGValidationResult
 {
-	std::vector<FDiagnostic> Errors;   // checks: the graph must not run
-	std::vector<FDiagnostic> Ensures;  // reported, the graph runs
+	std::vector<FDiagnostic> Errors;  // checks: the graph must not run
+	std::vector<FDiagnostic> Ensures; // reported, the graph runs
 	std::vector<FDiagnostic> Warnings;
 };
 
@@ -19,7 +19,7 @@ struct FRDGValidationResult
 DRYDOCK_API FRDGValidationResult ValidateGraph(const FRDGGraphDescription& Graph, bool bDebug);
 
 /** A message about a pass, at its AddPass call. Parameter and Resource may be empty. */
-DRYDOCK_API FDiagnostic MakePassDiagnostic(ESeverity Severity, int Code, const FRDGPassDescription& Pass, const std::string& Message,
-	const std::string& Parameter = "", const std::string& Resource = "");
+DRYDOCK_API FDiagnostic MakePassDiagnostic(ESeverity Severity, int Code, const FRDGPassDescription& Pass,
+	const std::string& Message, const std::string& Parameter = "", const std::string& Resource = "");
 
 } // namespace Drydock

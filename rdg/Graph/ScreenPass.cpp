@@ -45,8 +45,8 @@ FScreenPassTexture FScreenPassTexture::CopyFromSlice(FRDGBuilder& GraphBuilder, 
 	{
 		return FScreenPassTexture(Source, Slice.ViewRect);
 	}
-	FRDGTextureDesc Desc = FRDGTextureDesc::Create2D(
-		Source->Desc.Extent, Source->Desc.Format, Source->Desc.ClearValue, TexCreate_ShaderResource | TexCreate_RenderTargetable);
+	FRDGTextureDesc Desc = FRDGTextureDesc::Create2D(Source->Desc.Extent, Source->Desc.Format, Source->Desc.ClearValue,
+		TexCreate_ShaderResource | TexCreate_RenderTargetable);
 	FRDGTextureRef Texture = GraphBuilder.CreateTexture(Desc, Source->Name);
 	FRHICopyTextureInfo CopyInfo;
 	CopyInfo.SourceSliceIndex = Slice.TextureSRV->Desc.FirstArraySlice;
@@ -54,7 +54,8 @@ FScreenPassTexture FScreenPassTexture::CopyFromSlice(FRDGBuilder& GraphBuilder, 
 	return FScreenPassTexture(Texture, Slice.ViewRect);
 }
 
-FScreenPassTextureSlice FScreenPassTextureSlice::CreateFromScreenPassTexture(FRDGBuilder& GraphBuilder, const FScreenPassTexture& ScreenTexture)
+FScreenPassTextureSlice FScreenPassTextureSlice::CreateFromScreenPassTexture(
+	FRDGBuilder& GraphBuilder, const FScreenPassTexture& ScreenTexture)
 {
 	if (!ScreenTexture.Texture)
 	{
@@ -64,21 +65,24 @@ FScreenPassTextureSlice FScreenPassTextureSlice::CreateFromScreenPassTexture(FRD
 		GraphBuilder.CreateSRV(FRDGTextureSRVDesc::Create(ScreenTexture.Texture)), ScreenTexture.ViewRect);
 }
 
-FScreenPassRenderTarget FScreenPassRenderTarget::CreateFromInput(
-	FRDGBuilder& GraphBuilder, FScreenPassTexture Input, ERenderTargetLoadAction OutputLoadAction, const TCHAR* OutputName)
+FScreenPassRenderTarget FScreenPassRenderTarget::CreateFromInput(FRDGBuilder& GraphBuilder, FScreenPassTexture Input,
+	ERenderTargetLoadAction OutputLoadAction, const TCHAR* OutputName)
 {
 	check(Input.IsValid());
 	FRDGTextureDesc OutputDesc = Input.Texture->Desc;
 	OutputDesc.Reset();
-	return FScreenPassRenderTarget(GraphBuilder.CreateTexture(OutputDesc, OutputName), Input.ViewRect, OutputLoadAction);
+	return FScreenPassRenderTarget(
+		GraphBuilder.CreateTexture(OutputDesc, OutputName), Input.ViewRect, OutputLoadAction);
 }
 
-FScreenPassRenderTarget FScreenPassRenderTarget::CreateViewFamilyOutput(FRDGTextureRef ViewFamilyTexture, FIntRect ViewRect, bool bIsFirstView)
+FScreenPassRenderTarget FScreenPassRenderTarget::CreateViewFamilyOutput(
+	FRDGTextureRef ViewFamilyTexture, FIntRect ViewRect, bool bIsFirstView)
 {
 	ERenderTargetLoadAction LoadAction = ERenderTargetLoadAction::ELoad;
 	if (bIsFirstView)
 	{
-		LoadAction = ViewRect == GetFullRect(ViewFamilyTexture) ? ERenderTargetLoadAction::ENoAction : ERenderTargetLoadAction::EClear;
+		LoadAction = ViewRect == GetFullRect(ViewFamilyTexture) ? ERenderTargetLoadAction::ENoAction
+																: ERenderTargetLoadAction::EClear;
 	}
 	return FScreenPassRenderTarget(ViewFamilyTexture, ViewRect, LoadAction);
 }
@@ -116,10 +120,12 @@ FIntRect GetDownscaledRect(FIntRect Rect, FIntPoint Divisor)
 
 FScreenPassTextureViewport GetDownscaledViewport(FScreenPassTextureViewport Viewport, FIntPoint Divisor)
 {
-	return FScreenPassTextureViewport(GetDownscaledExtent(Viewport.Extent, Divisor), GetDownscaledRect(Viewport.Rect, Divisor));
+	return FScreenPassTextureViewport(
+		GetDownscaledExtent(Viewport.Extent, Divisor), GetDownscaledRect(Viewport.Rect, Divisor));
 }
 
-FScreenPassTextureViewportParameters GetScreenPassTextureViewportParameters(const FScreenPassTextureViewport& InViewport)
+FScreenPassTextureViewportParameters GetScreenPassTextureViewportParameters(
+	const FScreenPassTextureViewport& InViewport)
 {
 	FScreenPassTextureViewportParameters Parameters;
 	if (InViewport.IsEmpty())
@@ -167,8 +173,8 @@ FScreenPassTextureSliceInput GetScreenPassTextureInput(FScreenPassTextureSlice T
 	return Input;
 }
 
-FScreenPassTextureViewportTransform GetScreenPassTextureViewportTransform(
-	const FVector2f& SourceOffset, const FVector2f& SourceExtent, const FVector2f& DestinationOffset, const FVector2f& DestinationExtent)
+FScreenPassTextureViewportTransform GetScreenPassTextureViewportTransform(const FVector2f& SourceOffset,
+	const FVector2f& SourceExtent, const FVector2f& DestinationOffset, const FVector2f& DestinationExtent)
 {
 	FScreenPassTextureViewportTransform Transform;
 	Transform.Scale = DestinationExtent / SourceExtent;
@@ -203,13 +209,15 @@ namespace
 {
 
 /** One coordinate that is Start at the first edge of a span of target pixels and Start + Length at its end. */
-void SetAxis(FKernelInterpolant& Interpolant, double (&Slope)[4], int32 Component, double SpanMin, double SpanSize, double Start, double Length)
+void SetAxis(FKernelInterpolant& Interpolant, double (&Slope)[4], int32 Component, double SpanMin, double SpanSize,
+	double Start, double Length)
 {
 	Slope[Component] = Length / SpanSize;
 	Interpolant.Base[Component] = Start - Slope[Component] * SpanMin;
 }
 
-FKernelInterpolant MakeScreenPassInterpolant(const FVector2f& Position, const FVector2f& Size, const FVector2f& UVMin, const FVector2f& UVSize)
+FKernelInterpolant MakeScreenPassInterpolant(
+	const FVector2f& Position, const FVector2f& Size, const FVector2f& UVMin, const FVector2f& UVSize)
 {
 	FKernelInterpolant Interpolant = {};
 	SetAxis(Interpolant, Interpolant.DX, 0, Position.X, Size.X, UVMin.X, UVSize.X);
@@ -219,7 +227,8 @@ FKernelInterpolant MakeScreenPassInterpolant(const FVector2f& Position, const FV
 	return Interpolant;
 }
 
-void SetRectInterpolants(FRHICommandList& RHICmdList, const FIntRect& Target, const FVector2f& UVMin, const FVector2f& UVSize)
+void SetRectInterpolants(
+	FRHICommandList& RHICmdList, const FIntRect& Target, const FVector2f& UVMin, const FVector2f& UVSize)
 {
 	RHICmdList.SetViewport(static_cast<float>(Target.Min.X), static_cast<float>(Target.Min.Y), 0.0f,
 		static_cast<float>(Target.Max.X), static_cast<float>(Target.Max.Y), 1.0f);
@@ -230,23 +239,26 @@ void SetRectInterpolants(FRHICommandList& RHICmdList, const FIntRect& Target, co
 
 } // namespace
 
-void SetScreenPassInterpolants(
-	FRHICommandList& RHICmdList, const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport)
+void SetScreenPassInterpolants(FRHICommandList& RHICmdList, const FScreenPassTextureViewport& OutputViewport,
+	const FScreenPassTextureViewport& InputViewport)
 {
 	const FVector2f Extent(InputViewport.Extent);
-	SetRectInterpolants(
-		RHICmdList, OutputViewport.Rect, FVector2f(InputViewport.Rect.Min) / Extent, FVector2f(InputViewport.Rect.Size()) / Extent);
+	SetRectInterpolants(RHICmdList, OutputViewport.Rect, FVector2f(InputViewport.Rect.Min) / Extent,
+		FVector2f(InputViewport.Rect.Size()) / Extent);
 }
 
-FRDGPassRef AddScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name, const FScreenPassTextureViewport& OutputViewport,
-	const FScreenPassTextureViewport& InputViewport, const FScreenPassPipelineState& PipelineState,
-	const FShaderParametersMetadata* ParametersMetadata, const void* Parameters, const std::source_location& Location)
+FRDGPassRef AddScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name,
+	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
+	const FScreenPassPipelineState& PipelineState, const FShaderParametersMetadata* ParametersMetadata,
+	const void* Parameters, const std::source_location& Location)
 {
-	FRDGPassRef Pass = GraphBuilder.AddPass(MoveTemp(Name), ParametersMetadata, Parameters, ERDGPassFlags::Raster,
+	FRDGPassRef Pass = GraphBuilder.AddPass(
+		MoveTemp(Name), ParametersMetadata, Parameters, ERDGPassFlags::Raster,
 		[OutputViewport, InputViewport, PipelineState, ParametersMetadata, Parameters](FRHICommandList& RHICmdList)
 		{
 			SetScreenPassPipelineState(RHICmdList, PipelineState);
-			SetShaderParameters(RHICmdList, PipelineState.PixelShader, PipelineState.PixelShader.GetPixelShader(), ParametersMetadata, Parameters);
+			SetShaderParameters(RHICmdList, PipelineState.PixelShader, PipelineState.PixelShader.GetPixelShader(),
+				ParametersMetadata, Parameters);
 			SetScreenPassInterpolants(RHICmdList, OutputViewport, InputViewport);
 			RHICmdList.DrawPrimitive(0, 1, 1);
 		},
@@ -257,33 +269,34 @@ FRDGPassRef AddScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name, const
 
 } // namespace Drydock
 
-void DrawRectangle(FRHICommandList& RHICmdList, float X, float Y, float SizeX, float SizeY, float U, float V, float SizeU, float SizeV,
-	FIntPoint, FIntPoint TextureSize, const TShaderRef<FShader>&)
+void DrawRectangle(FRHICommandList& RHICmdList, float X, float Y, float SizeX, float SizeY, float U, float V,
+	float SizeU, float SizeV, FIntPoint, FIntPoint TextureSize, const TShaderRef<FShader>&)
 {
 	const FVector2f Texture(TextureSize);
-	const FIntRect Target(FMath::RoundToInt(X), FMath::RoundToInt(Y), FMath::RoundToInt(X + SizeX), FMath::RoundToInt(Y + SizeY));
+	const FIntRect Target(
+		FMath::RoundToInt(X), FMath::RoundToInt(Y), FMath::RoundToInt(X + SizeX), FMath::RoundToInt(Y + SizeY));
 	Drydock::SetRectInterpolants(RHICmdList, Target, FVector2f(U, V) / Texture, FVector2f(SizeU, SizeV) / Texture);
 	RHICmdList.DrawPrimitive(0, 1, 1);
 }
 
-void AddDrawTexturePass(
-	FRDGBuilder& GraphBuilder, const FScreenPassViewInfo& ViewInfo, FScreenPassTexture Input, FScreenPassRenderTarget Output)
+void AddDrawTexturePass(FRDGBuilder& GraphBuilder, const FScreenPassViewInfo& ViewInfo, FScreenPassTexture Input,
+	FScreenPassRenderTarget Output)
 {
 	const bool bSameSize = Input.ViewRect.Size() == Output.ViewRect.Size();
 	const bool bSameFormat = Input.Texture->Desc.Format == Output.Texture->Desc.Format;
 	if (bSameSize && bSameFormat && Output.LoadAction != ERenderTargetLoadAction::EClear)
 	{
-		AddCopyTexturePass(
-			GraphBuilder, Input.Texture, Output.Texture, Input.ViewRect.Min, Output.ViewRect.Min, Input.ViewRect.Size());
+		AddCopyTexturePass(GraphBuilder, Input.Texture, Output.Texture, Input.ViewRect.Min, Output.ViewRect.Min,
+			Input.ViewRect.Size());
 		return;
 	}
 	FCopyRectPS::FParameters* Parameters = GraphBuilder.AllocParameters<FCopyRectPS::FParameters>();
 	Parameters->InputTexture = Input.Texture;
 	Parameters->InputSampler = TStaticSamplerState<SF_Point, AM_Clamp, AM_Clamp>::GetRHI();
 	Parameters->RenderTargets[0] = Output.GetRenderTargetBinding();
-	AddDrawScreenPass(GraphBuilder, RDG_EVENT_NAME("DrawTexture %s -> %s", Input.Texture->Name, Output.Texture->Name), ViewInfo,
-		FScreenPassTextureViewport(Output), FScreenPassTextureViewport(Input), TShaderMapRef<FCopyRectPS>(GetGlobalShaderMap(GMaxRHIFeatureLevel)),
-		Parameters);
+	AddDrawScreenPass(GraphBuilder, RDG_EVENT_NAME("DrawTexture %s -> %s", Input.Texture->Name, Output.Texture->Name),
+		ViewInfo, FScreenPassTextureViewport(Output), FScreenPassTextureViewport(Input),
+		TShaderMapRef<FCopyRectPS>(GetGlobalShaderMap(GMaxRHIFeatureLevel)), Parameters);
 }
 
 void AddDrawTexturePass(FRDGBuilder& GraphBuilder, const FScreenPassViewInfo& ViewInfo, FRDGTextureRef InputTexture,
@@ -295,6 +308,8 @@ void AddDrawTexturePass(FRDGBuilder& GraphBuilder, const FScreenPassViewInfo& Vi
 	}
 	const FIntRect OutputRect(OutputPosition, OutputPosition + Size);
 	const bool bCovers = OutputRect == FIntRect(FIntPoint::ZeroValue, OutputTexture->Desc.Extent);
-	AddDrawTexturePass(GraphBuilder, ViewInfo, FScreenPassTexture(InputTexture, FIntRect(InputPosition, InputPosition + Size)),
-		FScreenPassRenderTarget(OutputTexture, OutputRect, bCovers ? ERenderTargetLoadAction::ENoAction : ERenderTargetLoadAction::ELoad));
+	AddDrawTexturePass(GraphBuilder, ViewInfo,
+		FScreenPassTexture(InputTexture, FIntRect(InputPosition, InputPosition + Size)),
+		FScreenPassRenderTarget(
+			OutputTexture, OutputRect, bCovers ? ERenderTargetLoadAction::ENoAction : ERenderTargetLoadAction::ELoad));
 }

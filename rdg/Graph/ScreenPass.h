@@ -1,5 +1,5 @@
-// Screen passes: textures with the rectangle that counts, what shaders need to know of it, and the helpers that draw over
-// it. Source: engine ScreenPass.h.
+// Screen passes: textures with the rectangle that counts, what shaders need to know of it, and the helpers that draw
+// over it. Source: engine ScreenPass.h.
 #pragma once
 
 #include "CoreMinimal.h"
@@ -47,7 +47,8 @@ struct DRYDOCK_API FScreenPassTextureSlice
 	{
 	}
 
-	static FScreenPassTextureSlice CreateFromScreenPassTexture(FRDGBuilder& GraphBuilder, const FScreenPassTexture& ScreenTexture);
+	static FScreenPassTextureSlice CreateFromScreenPassTexture(
+		FRDGBuilder& GraphBuilder, const FScreenPassTexture& ScreenTexture);
 
 	bool IsValid() const { return TextureSRV != nullptr && ViewRect.Width() > 0 && ViewRect.Height() > 0; }
 
@@ -78,15 +79,16 @@ struct DRYDOCK_API FScreenPassRenderTarget : public FScreenPassTexture
 	}
 
 	/** A new target of the input's extent, format and rectangle. */
-	static FScreenPassRenderTarget CreateFromInput(
-		FRDGBuilder& GraphBuilder, FScreenPassTexture Input, ERenderTargetLoadAction OutputLoadAction, const TCHAR* OutputName);
+	static FScreenPassRenderTarget CreateFromInput(FRDGBuilder& GraphBuilder, FScreenPassTexture Input,
+		ERenderTargetLoadAction OutputLoadAction, const TCHAR* OutputName);
 
-	/** The family's output as one view draws to it: loaded when another view was first, cleared when the view's rectangle
-	 *  does not cover it, else left as it is. */
-	static FScreenPassRenderTarget CreateViewFamilyOutput(FRDGTextureRef ViewFamilyTexture, FIntRect ViewRect, bool bIsFirstView);
+	/** The family's output as one view draws to it: loaded when another view was first, cleared when the view's
+	 * rectangle does not cover it, else left as it is. */
+	static FScreenPassRenderTarget CreateViewFamilyOutput(
+		FRDGTextureRef ViewFamilyTexture, FIntRect ViewRect, bool bIsFirstView);
 
 	/** The engine's form. View is a FViewInfo, which this storey does not know. */
-	template <typename ViewType>
+	template<typename ViewType>
 	static FScreenPassRenderTarget CreateViewFamilyOutput(FRDGTextureRef ViewFamilyTexture, const ViewType& View)
 	{
 		return CreateViewFamilyOutput(
@@ -158,9 +160,11 @@ BEGIN_SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, DRYDOCK_API)
 	SHADER_PARAMETER(FVector2f, UVViewportBilinearMax)
 END_SHADER_PARAMETER_STRUCT()
 
-DRYDOCK_API FScreenPassTextureViewportParameters GetScreenPassTextureViewportParameters(const FScreenPassTextureViewport& InViewport);
+DRYDOCK_API FScreenPassTextureViewportParameters GetScreenPassTextureViewportParameters(
+	const FScreenPassTextureViewport& InViewport);
 
-/** A texture, its viewport and the sampler to read it with: `Name_Texture`, `Name_Sampler`, `Name_Extent`, ... in HLSL. */
+/** A texture, its viewport and the sampler to read it with: `Name_Texture`, `Name_Sampler`, `Name_Extent`, ... in HLSL.
+ */
 BEGIN_SHADER_PARAMETER_STRUCT(FScreenPassTextureInput, DRYDOCK_API)
 	SHADER_PARAMETER_STRUCT_INCLUDE(FScreenPassTextureViewportParameters, Viewport)
 	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, Texture)
@@ -173,8 +177,10 @@ BEGIN_SHADER_PARAMETER_STRUCT(FScreenPassTextureSliceInput, DRYDOCK_API)
 	SHADER_PARAMETER_SAMPLER(SamplerState, Sampler)
 END_SHADER_PARAMETER_STRUCT()
 
-DRYDOCK_API FScreenPassTextureInput GetScreenPassTextureInput(FScreenPassTexture TexturePair, FRHISamplerState* Sampler);
-DRYDOCK_API FScreenPassTextureSliceInput GetScreenPassTextureInput(FScreenPassTextureSlice TextureSlice, FRHISamplerState* Sampler);
+DRYDOCK_API FScreenPassTextureInput GetScreenPassTextureInput(
+	FScreenPassTexture TexturePair, FRHISamplerState* Sampler);
+DRYDOCK_API FScreenPassTextureSliceInput GetScreenPassTextureInput(
+	FScreenPassTextureSlice TextureSlice, FRHISamplerState* Sampler);
 
 /** UV of one viewport to UV of another: UV * Scale + Bias. */
 BEGIN_SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportTransform, DRYDOCK_API)
@@ -182,8 +188,8 @@ BEGIN_SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportTransform, DRYDOCK_API)
 	SHADER_PARAMETER(FVector2f, Bias)
 END_SHADER_PARAMETER_STRUCT()
 
-DRYDOCK_API FScreenPassTextureViewportTransform GetScreenPassTextureViewportTransform(
-	const FVector2f& SourceOffset, const FVector2f& SourceExtent, const FVector2f& DestinationOffset, const FVector2f& DestinationExtent);
+DRYDOCK_API FScreenPassTextureViewportTransform GetScreenPassTextureViewportTransform(const FVector2f& SourceOffset,
+	const FVector2f& SourceExtent, const FVector2f& DestinationOffset, const FVector2f& DestinationExtent);
 DRYDOCK_API FScreenPassTextureViewportTransform GetScreenPassTextureViewportTransform(
 	const FScreenPassTextureViewportParameters& Source, const FScreenPassTextureViewportParameters& Destination);
 
@@ -242,9 +248,9 @@ struct FScreenPassPipelineState
 	using FDefaultDepthStencilState = TStaticDepthStencilState<false, CF_Always>;
 
 	FScreenPassPipelineState() = default;
-	template <typename TVertexShader, typename TPixelShader>
-	FScreenPassPipelineState(const TShaderRef<TVertexShader>& InVertexShader, const TShaderRef<TPixelShader>& InPixelShader,
-		FRHIBlendState* InBlendState = FDefaultBlendState::GetRHI(),
+	template<typename TVertexShader, typename TPixelShader>
+	FScreenPassPipelineState(const TShaderRef<TVertexShader>& InVertexShader,
+		const TShaderRef<TPixelShader>& InPixelShader, FRHIBlendState* InBlendState = FDefaultBlendState::GetRHI(),
 		FRHIDepthStencilState* InDepthStencilState = FDefaultDepthStencilState::GetRHI(), uint8 InStencilRef = 0)
 		: VertexShader(InVertexShader)
 		, PixelShader(InPixelShader)
@@ -262,33 +268,36 @@ struct FScreenPassPipelineState
 };
 
 /** Inside a raster lambda: states of the draws that follow. */
-DRYDOCK_API void SetScreenPassPipelineState(FRHICommandList& RHICmdList, const FScreenPassPipelineState& ScreenPassDraw);
+DRYDOCK_API void SetScreenPassPipelineState(
+	FRHICommandList& RHICmdList, const FScreenPassPipelineState& ScreenPassDraw);
 
 namespace Drydock
 {
 
 /** Inside a raster lambda: viewport and interpolants of a draw over OutputViewport whose TEXCOORD0 is (u, v, screen x,
  *  screen y); u, v run over the input's rectangle relative to its extent. */
-DRYDOCK_API void SetScreenPassInterpolants(
-	FRHICommandList& RHICmdList, const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport);
+DRYDOCK_API void SetScreenPassInterpolants(FRHICommandList& RHICmdList,
+	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport);
 
 /** Adds the raster pass of AddDrawScreenPass: Parameters are those of the state's pixel shader. */
-DRYDOCK_API FRDGPassRef AddScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name, const FScreenPassTextureViewport& OutputViewport,
-	const FScreenPassTextureViewport& InputViewport, const FScreenPassPipelineState& PipelineState,
-	const FShaderParametersMetadata* ParametersMetadata, const void* Parameters, const std::source_location& Location);
+DRYDOCK_API FRDGPassRef AddScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name,
+	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
+	const FScreenPassPipelineState& PipelineState, const FShaderParametersMetadata* ParametersMetadata,
+	const void* Parameters, const std::source_location& Location);
 
 } // namespace Drydock
 
-/** Inside a raster lambda: draws a rectangle of the viewport with UVs of a rectangle of the texture. The rectangle covers
- *  X..X+SizeX of a target of TargetSize; the UV rectangle is U..U+SizeU of a texture of TextureSize. */
-DRYDOCK_API void DrawRectangle(FRHICommandList& RHICmdList, float X, float Y, float SizeX, float SizeY, float U, float V, float SizeU,
-	float SizeV, FIntPoint TargetSize, FIntPoint TextureSize, const TShaderRef<FShader>& VertexShader = {});
+/** Inside a raster lambda: draws a rectangle of the viewport with UVs of a rectangle of the texture. The rectangle
+ * covers X..X+SizeX of a target of TargetSize; the UV rectangle is U..U+SizeU of a texture of TextureSize. */
+DRYDOCK_API void DrawRectangle(FRHICommandList& RHICmdList, float X, float Y, float SizeX, float SizeY, float U,
+	float V, float SizeU, float SizeV, FIntPoint TargetSize, FIntPoint TextureSize,
+	const TShaderRef<FShader>& VertexShader = {});
 
 /** Inside a raster lambda: a whole screen pass; SetupFunction(RHICmdList) binds parameters after the states are set. */
-template <typename TSetupFunction>
-void DrawScreenPass(FRHICommandList& RHICmdList, const FScreenPassViewInfo&, const FScreenPassTextureViewport& OutputViewport,
-	const FScreenPassTextureViewport& InputViewport, const FScreenPassPipelineState& PipelineState, EScreenPassDrawFlags,
-	TSetupFunction SetupFunction)
+template<typename TSetupFunction>
+void DrawScreenPass(FRHICommandList& RHICmdList, const FScreenPassViewInfo&,
+	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
+	const FScreenPassPipelineState& PipelineState, EScreenPassDrawFlags, TSetupFunction SetupFunction)
 {
 	SetScreenPassPipelineState(RHICmdList, PipelineState);
 	SetupFunction(RHICmdList);
@@ -296,16 +305,18 @@ void DrawScreenPass(FRHICommandList& RHICmdList, const FScreenPassViewInfo&, con
 	RHICmdList.DrawPrimitive(0, 1, 1);
 }
 
-template <typename TSetupFunction>
-void DrawScreenPass(FRHICommandList& RHICmdList, const FScreenPassViewInfo& ViewInfo, const FScreenPassTextureViewport& OutputViewport,
-	const FScreenPassTextureViewport& InputViewport, const FScreenPassPipelineState& PipelineState, TSetupFunction SetupFunction)
+template<typename TSetupFunction>
+void DrawScreenPass(FRHICommandList& RHICmdList, const FScreenPassViewInfo& ViewInfo,
+	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
+	const FScreenPassPipelineState& PipelineState, TSetupFunction SetupFunction)
 {
-	DrawScreenPass(RHICmdList, ViewInfo, OutputViewport, InputViewport, PipelineState, EScreenPassDrawFlags::None, SetupFunction);
+	DrawScreenPass(
+		RHICmdList, ViewInfo, OutputViewport, InputViewport, PipelineState, EScreenPassDrawFlags::None, SetupFunction);
 }
 
-/** Draws the pixel shader over OutputViewport's rectangle; it finds the UV of InputViewport in TEXCOORD0. What the shader
- *  does not read of PixelShaderParameters is dropped before the pass is added. */
-template <typename TPixelShader>
+/** Draws the pixel shader over OutputViewport's rectangle; it finds the UV of InputViewport in TEXCOORD0. What the
+ * shader does not read of PixelShaderParameters is dropped before the pass is added. */
+template<typename TPixelShader>
 FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, const FScreenPassViewInfo&,
 	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
 	const FScreenPassPipelineState& PipelineState, const TShaderRef<TPixelShader>& PixelShader,
@@ -317,30 +328,33 @@ FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassNam
 		TPixelShader::FParameters::FTypeInfo::GetStructMetadata(), PixelShaderParameters, Location);
 }
 
-template <typename TVertexShader, typename TPixelShader>
+template<typename TVertexShader, typename TPixelShader>
 FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, const FScreenPassViewInfo& ViewInfo,
 	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
-	const TShaderRef<TVertexShader>& VertexShader, const TShaderRef<TPixelShader>& PixelShader, FRHIBlendState* BlendState,
-	FRHIDepthStencilState* DepthStencilState, typename TPixelShader::FParameters* PixelShaderParameters,
-	EScreenPassDrawFlags Flags = EScreenPassDrawFlags::None,
-	std::source_location Location = std::source_location::current())
-{
-	return AddDrawScreenPass(GraphBuilder, MoveTemp(PassName), ViewInfo, OutputViewport, InputViewport,
-		FScreenPassPipelineState(VertexShader, PixelShader, BlendState, DepthStencilState), PixelShader, PixelShaderParameters, Flags, Location);
-}
-
-template <typename TVertexShader, typename TPixelShader>
-FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, const FScreenPassViewInfo& ViewInfo,
-	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
-	const TShaderRef<TVertexShader>& VertexShader, const TShaderRef<TPixelShader>& PixelShader, FRHIBlendState* BlendState,
+	const TShaderRef<TVertexShader>& VertexShader, const TShaderRef<TPixelShader>& PixelShader,
+	FRHIBlendState* BlendState, FRHIDepthStencilState* DepthStencilState,
 	typename TPixelShader::FParameters* PixelShaderParameters, EScreenPassDrawFlags Flags = EScreenPassDrawFlags::None,
 	std::source_location Location = std::source_location::current())
 {
 	return AddDrawScreenPass(GraphBuilder, MoveTemp(PassName), ViewInfo, OutputViewport, InputViewport,
-		FScreenPassPipelineState(VertexShader, PixelShader, BlendState), PixelShader, PixelShaderParameters, Flags, Location);
+		FScreenPassPipelineState(VertexShader, PixelShader, BlendState, DepthStencilState), PixelShader,
+		PixelShaderParameters, Flags, Location);
 }
 
-template <typename TVertexShader, typename TPixelShader>
+template<typename TVertexShader, typename TPixelShader>
+FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, const FScreenPassViewInfo& ViewInfo,
+	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
+	const TShaderRef<TVertexShader>& VertexShader, const TShaderRef<TPixelShader>& PixelShader,
+	FRHIBlendState* BlendState, typename TPixelShader::FParameters* PixelShaderParameters,
+	EScreenPassDrawFlags Flags = EScreenPassDrawFlags::None,
+	std::source_location Location = std::source_location::current())
+{
+	return AddDrawScreenPass(GraphBuilder, MoveTemp(PassName), ViewInfo, OutputViewport, InputViewport,
+		FScreenPassPipelineState(VertexShader, PixelShader, BlendState), PixelShader, PixelShaderParameters, Flags,
+		Location);
+}
+
+template<typename TVertexShader, typename TPixelShader>
 FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, const FScreenPassViewInfo& ViewInfo,
 	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
 	const TShaderRef<TVertexShader>& VertexShader, const TShaderRef<TPixelShader>& PixelShader,
@@ -351,7 +365,7 @@ FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassNam
 		FScreenPassPipelineState(VertexShader, PixelShader), PixelShader, PixelShaderParameters, Flags, Location);
 }
 
-template <typename TPixelShader>
+template<typename TPixelShader>
 FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, const FScreenPassViewInfo& ViewInfo,
 	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
 	const TShaderRef<TPixelShader>& PixelShader, FRHIBlendState* BlendState, FRHIDepthStencilState* DepthStencilState,
@@ -359,21 +373,23 @@ FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassNam
 	std::source_location Location = std::source_location::current())
 {
 	return AddDrawScreenPass(GraphBuilder, MoveTemp(PassName), ViewInfo, OutputViewport, InputViewport,
-		FScreenPassPipelineState(TShaderRef<FShader>(), PixelShader, BlendState, DepthStencilState), PixelShader, PixelShaderParameters, Flags, Location);
+		FScreenPassPipelineState(TShaderRef<FShader>(), PixelShader, BlendState, DepthStencilState), PixelShader,
+		PixelShaderParameters, Flags, Location);
 }
 
-template <typename TPixelShader>
+template<typename TPixelShader>
 FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, const FScreenPassViewInfo& ViewInfo,
 	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
-	const TShaderRef<TPixelShader>& PixelShader, FRHIBlendState* BlendState, typename TPixelShader::FParameters* PixelShaderParameters,
-	EScreenPassDrawFlags Flags = EScreenPassDrawFlags::None,
+	const TShaderRef<TPixelShader>& PixelShader, FRHIBlendState* BlendState,
+	typename TPixelShader::FParameters* PixelShaderParameters, EScreenPassDrawFlags Flags = EScreenPassDrawFlags::None,
 	std::source_location Location = std::source_location::current())
 {
 	return AddDrawScreenPass(GraphBuilder, MoveTemp(PassName), ViewInfo, OutputViewport, InputViewport,
-		FScreenPassPipelineState(TShaderRef<FShader>(), PixelShader, BlendState), PixelShader, PixelShaderParameters, Flags, Location);
+		FScreenPassPipelineState(TShaderRef<FShader>(), PixelShader, BlendState), PixelShader, PixelShaderParameters,
+		Flags, Location);
 }
 
-template <typename TPixelShader>
+template<typename TPixelShader>
 FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, const FScreenPassViewInfo& ViewInfo,
 	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
 	const TShaderRef<TPixelShader>& PixelShader, typename TPixelShader::FParameters* PixelShaderParameters,
@@ -381,19 +397,21 @@ FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassNam
 	std::source_location Location = std::source_location::current())
 {
 	return AddDrawScreenPass(GraphBuilder, MoveTemp(PassName), ViewInfo, OutputViewport, InputViewport,
-		FScreenPassPipelineState(TShaderRef<FShader>(), PixelShader), PixelShader, PixelShaderParameters, Flags, Location);
+		FScreenPassPipelineState(TShaderRef<FShader>(), PixelShader), PixelShader, PixelShaderParameters, Flags,
+		Location);
 }
 
-/** The same with the binding left to the caller: SetupFunction(FRHICommandList&) runs in the pass, after the states are set.
- *  PassParameters hold the render targets. */
-template <typename TPassParameters, typename TSetupFunction>
-	requires std::is_invocable_v<TSetupFunction&, FRHICommandList&>
-FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, const FScreenPassViewInfo& ViewInfo,
-	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
-	const FScreenPassPipelineState& PipelineState, TPassParameters* PassParameters, EScreenPassDrawFlags Flags, TSetupFunction SetupFunction,
+/** The same with the binding left to the caller: SetupFunction(FRHICommandList&) runs in the pass, after the states are
+ * set. PassParameters hold the render targets. */
+template<typename TPassParameters, typename TSetupFunction>
+requires std::is_invocable_v<TSetupFunction&, FRHICommandList&> FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder,
+	FRDGEventName&& PassName, const FScreenPassViewInfo& ViewInfo, const FScreenPassTextureViewport& OutputViewport,
+	const FScreenPassTextureViewport& InputViewport, const FScreenPassPipelineState& PipelineState,
+	TPassParameters* PassParameters, EScreenPassDrawFlags Flags, TSetupFunction SetupFunction,
 	std::source_location Location = std::source_location::current())
 {
-	FRDGPassRef Pass = GraphBuilder.AddPass(MoveTemp(PassName), PassParameters, ERDGPassFlags::Raster,
+	FRDGPassRef Pass = GraphBuilder.AddPass(
+		MoveTemp(PassName), PassParameters, ERDGPassFlags::Raster,
 		[ViewInfo, OutputViewport, InputViewport, PipelineState, Flags, SetupFunction](FRHICommandList& RHICmdList)
 		{ DrawScreenPass(RHICmdList, ViewInfo, OutputViewport, InputViewport, PipelineState, Flags, SetupFunction); },
 		Location);
@@ -401,22 +419,24 @@ FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassNam
 	return Pass;
 }
 
-template <typename TPassParameters, typename TSetupFunction>
-	requires std::is_invocable_v<TSetupFunction&, FRHICommandList&>
-FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, const FScreenPassViewInfo& ViewInfo,
-	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
-	const FScreenPassPipelineState& PipelineState, TPassParameters* PassParameters, TSetupFunction SetupFunction,
+template<typename TPassParameters, typename TSetupFunction>
+requires std::is_invocable_v<TSetupFunction&, FRHICommandList&> FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder,
+	FRDGEventName&& PassName, const FScreenPassViewInfo& ViewInfo, const FScreenPassTextureViewport& OutputViewport,
+	const FScreenPassTextureViewport& InputViewport, const FScreenPassPipelineState& PipelineState,
+	TPassParameters* PassParameters, TSetupFunction SetupFunction,
 	std::source_location Location = std::source_location::current())
 {
-	return AddDrawScreenPass(GraphBuilder, MoveTemp(PassName), ViewInfo, OutputViewport, InputViewport, PipelineState, PassParameters,
-		EScreenPassDrawFlags::None, SetupFunction, Location);
+	return AddDrawScreenPass(GraphBuilder, MoveTemp(PassName), ViewInfo, OutputViewport, InputViewport, PipelineState,
+		PassParameters, EScreenPassDrawFlags::None, SetupFunction, Location);
 }
 
-/** Copies a region: as memory where the formats agree, else through FCopyRectPS. Size 0: from the positions to the edges. */
-DRYDOCK_API void AddDrawTexturePass(FRDGBuilder& GraphBuilder, const FScreenPassViewInfo& ViewInfo, FRDGTextureRef InputTexture,
-	FRDGTextureRef OutputTexture, FIntPoint InputPosition = FIntPoint::ZeroValue, FIntPoint OutputPosition = FIntPoint::ZeroValue,
-	FIntPoint Size = FIntPoint::ZeroValue);
+/** Copies a region: as memory where the formats agree, else through FCopyRectPS. Size 0: from the positions to the
+ * edges. */
+DRYDOCK_API void AddDrawTexturePass(FRDGBuilder& GraphBuilder, const FScreenPassViewInfo& ViewInfo,
+	FRDGTextureRef InputTexture, FRDGTextureRef OutputTexture, FIntPoint InputPosition = FIntPoint::ZeroValue,
+	FIntPoint OutputPosition = FIntPoint::ZeroValue, FIntPoint Size = FIntPoint::ZeroValue);
 
-/** Copies the input's rectangle to the output's, by memory where sizes and formats agree, else drawn with point sampling. */
-DRYDOCK_API void AddDrawTexturePass(
-	FRDGBuilder& GraphBuilder, const FScreenPassViewInfo& ViewInfo, FScreenPassTexture Input, FScreenPassRenderTarget Output);
+/** Copies the input's rectangle to the output's, by memory where sizes and formats agree, else drawn with point
+ * sampling. */
+DRYDOCK_API void AddDrawTexturePass(FRDGBuilder& GraphBuilder, const FScreenPassViewInfo& ViewInfo,
+	FScreenPassTexture Input, FScreenPassRenderTarget Output);

@@ -6,7 +6,8 @@ namespace
 {
 
 /** From a basis to the next one in the order of ETextureBasis. */
-FScreenTransform StepToNextBasis(const FIntPoint& Extent, const FIntRect& Viewport, FScreenTransform::ETextureBasis Basis)
+FScreenTransform StepToNextBasis(
+	const FIntPoint& Extent, const FIntRect& Viewport, FScreenTransform::ETextureBasis Basis)
 {
 	switch (Basis)
 	{
@@ -43,8 +44,8 @@ FScreenTransform FScreenTransform::ChangeTextureBasisFromTo(
 	return ChangeTextureBasisFromTo(TextureViewport.Extent, TextureViewport.Rect, SrcBasis, DestBasis);
 }
 
-FScreenTransform FScreenTransform::ChangeRectFromTo(
-	const FVector2f& SourceOffset, const FVector2f& SourceExtent, const FVector2f& DestinationOffset, const FVector2f& DestinationExtent)
+FScreenTransform FScreenTransform::ChangeRectFromTo(const FVector2f& SourceOffset, const FVector2f& SourceExtent,
+	const FVector2f& DestinationOffset, const FVector2f& DestinationExtent)
 {
 	const FVector2f Ratio = DestinationExtent / SourceExtent;
 	return FScreenTransform(Ratio, DestinationOffset - SourceOffset * Ratio);
@@ -52,7 +53,8 @@ FScreenTransform FScreenTransform::ChangeRectFromTo(
 
 FScreenTransform FScreenTransform::ChangeRectFromTo(const FIntRect& SrcViewport, const FIntRect& DestViewport)
 {
-	return ChangeRectFromTo(FVector2f(SrcViewport.Min), FVector2f(SrcViewport.Size()), FVector2f(DestViewport.Min), FVector2f(DestViewport.Size()));
+	return ChangeRectFromTo(FVector2f(SrcViewport.Min), FVector2f(SrcViewport.Size()), FVector2f(DestViewport.Min),
+		FVector2f(DestViewport.Size()));
 }
 
 FScreenTransform FScreenTransform::SvPositionToViewportUV(const FIntRect& SrcViewport)

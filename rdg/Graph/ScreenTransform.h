@@ -1,5 +1,5 @@
-// FScreenTransform: an affine map of 2D positions, as one float4 to HLSL (xy scale, zw bias); and the bases that positions
-// of a screen pass are given in. Source: engine ScreenPass.h.
+// FScreenTransform: an affine map of 2D positions, as one float4 to HLSL (xy scale, zw bias); and the bases that
+// positions of a screen pass are given in. Source: engine ScreenPass.h.
 #pragma once
 
 #include "CoreMinimal.h"
@@ -38,12 +38,12 @@ public:
 	/** From one basis of a texture's viewport to another. */
 	static DRYDOCK_API FScreenTransform ChangeTextureBasisFromTo(
 		const FScreenPassTextureViewport& TextureViewport, ETextureBasis SrcBasis, ETextureBasis DestBasis);
-	static DRYDOCK_API FScreenTransform ChangeTextureBasisFromTo(
-		const FIntPoint& TextureExtent, const FIntRect& TextureViewport, ETextureBasis SrcBasis, ETextureBasis DestBasis);
+	static DRYDOCK_API FScreenTransform ChangeTextureBasisFromTo(const FIntPoint& TextureExtent,
+		const FIntRect& TextureViewport, ETextureBasis SrcBasis, ETextureBasis DestBasis);
 
 	/** Between two rectangles: (p - Src.Min) / Src.Size * Dst.Size + Dst.Min. */
-	static DRYDOCK_API FScreenTransform ChangeRectFromTo(
-		const FVector2f& SourceOffset, const FVector2f& SourceExtent, const FVector2f& DestinationOffset, const FVector2f& DestinationExtent);
+	static DRYDOCK_API FScreenTransform ChangeRectFromTo(const FVector2f& SourceOffset, const FVector2f& SourceExtent,
+		const FVector2f& DestinationOffset, const FVector2f& DestinationExtent);
 	static DRYDOCK_API FScreenTransform ChangeRectFromTo(const FIntRect& SrcViewport, const FIntRect& DestViewport);
 
 	/** SV_POSITION (pixel centres at +0.5) to 0..1 over the rect. */
@@ -58,8 +58,10 @@ public:
 };
 
 inline constexpr FScreenTransform FScreenTransform::Identity(FVector2f(1.0f, 1.0f), FVector2f(0.0f, 0.0f));
-inline constexpr FScreenTransform FScreenTransform::ScreenPosToViewportUV(FVector2f(0.5f, -0.5f), FVector2f(0.5f, 0.5f));
-inline constexpr FScreenTransform FScreenTransform::ViewportUVToScreenPos(FVector2f(2.0f, -2.0f), FVector2f(-1.0f, 1.0f));
+inline constexpr FScreenTransform FScreenTransform::ScreenPosToViewportUV(
+	FVector2f(0.5f, -0.5f), FVector2f(0.5f, 0.5f));
+inline constexpr FScreenTransform FScreenTransform::ViewportUVToScreenPos(
+	FVector2f(2.0f, -2.0f), FVector2f(-1.0f, 1.0f));
 
 inline FVector2f operator*(const FVector2f& P, const FScreenTransform& AToB)
 {
@@ -96,7 +98,8 @@ inline FScreenTransform operator/(const FScreenTransform& AToB, const FVector2f&
 	return FScreenTransform(AToB.Scale / Divisor, AToB.Bias / Divisor);
 }
 
-template <>
-struct TShaderParameterTypeInfo<FScreenTransform> : Drydock::TNumericParameterTypeInfo<FScreenTransform, UBMT_FLOAT32, 1, 4, 16>
+template<>
+struct TShaderParameterTypeInfo<FScreenTransform>
+	: Drydock::TNumericParameterTypeInfo<FScreenTransform, UBMT_FLOAT32, 1, 4, 16>
 {
 };

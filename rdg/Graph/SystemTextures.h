@@ -10,14 +10,14 @@ public:
 	/** Registers them on first use in this graph. */
 	static const FRDGSystemTextures& Get(FRDGBuilder& GraphBuilder);
 
-	FRDGTextureRef White = nullptr;           // (1, 1, 1, 1)
-	FRDGTextureRef Black = nullptr;           // (0, 0, 0, 0)
-	FRDGTextureRef BlackAlphaOne = nullptr;   // (0, 0, 0, 1)
-	FRDGTextureRef MidGrey = nullptr;         // (0.5, 0.5, 0.5, 0.5)
-	FRDGTextureRef Green = nullptr;           // (0, 1, 0, 1)
-	FRDGTextureRef MaxFP16Depth = nullptr;    // 65504, the largest half
-	FRDGTextureRef DepthDummy = nullptr;      // 0: far
-	FRDGTextureRef StencilDummy = nullptr;    // 0, PF_R8_UINT
+	FRDGTextureRef White = nullptr;         // (1, 1, 1, 1)
+	FRDGTextureRef Black = nullptr;         // (0, 0, 0, 0)
+	FRDGTextureRef BlackAlphaOne = nullptr; // (0, 0, 0, 1)
+	FRDGTextureRef MidGrey = nullptr;       // (0.5, 0.5, 0.5, 0.5)
+	FRDGTextureRef Green = nullptr;         // (0, 1, 0, 1)
+	FRDGTextureRef MaxFP16Depth = nullptr;  // 65504, the largest half
+	FRDGTextureRef DepthDummy = nullptr;    // 0: far
+	FRDGTextureRef StencilDummy = nullptr;  // 0, PF_R8_UINT
 	FRDGTextureSRVRef StencilDummySRV = nullptr;
 	FRDGTextureRef VolumetricBlack = nullptr; // 3D
 	FRDGTextureRef VolumetricBlackAlphaOne = nullptr;
@@ -27,10 +27,22 @@ public:
 class DRYDOCK_API FSystemTextures
 {
 public:
-	FRDGTextureRef GetBlackDummy(FRDGBuilder& GraphBuilder) const { return FRDGSystemTextures::Get(GraphBuilder).Black; }
-	FRDGTextureRef GetWhiteDummy(FRDGBuilder& GraphBuilder) const { return FRDGSystemTextures::Get(GraphBuilder).White; }
-	FRDGTextureRef GetBlackAlphaOneDummy(FRDGBuilder& GraphBuilder) const { return FRDGSystemTextures::Get(GraphBuilder).BlackAlphaOne; }
-	FRDGTextureRef GetVolumetricBlackDummy(FRDGBuilder& GraphBuilder) const { return FRDGSystemTextures::Get(GraphBuilder).VolumetricBlack; }
+	FRDGTextureRef GetBlackDummy(FRDGBuilder& GraphBuilder) const
+	{
+		return FRDGSystemTextures::Get(GraphBuilder).Black;
+	}
+	FRDGTextureRef GetWhiteDummy(FRDGBuilder& GraphBuilder) const
+	{
+		return FRDGSystemTextures::Get(GraphBuilder).White;
+	}
+	FRDGTextureRef GetBlackAlphaOneDummy(FRDGBuilder& GraphBuilder) const
+	{
+		return FRDGSystemTextures::Get(GraphBuilder).BlackAlphaOne;
+	}
+	FRDGTextureRef GetVolumetricBlackDummy(FRDGBuilder& GraphBuilder) const
+	{
+		return FRDGSystemTextures::Get(GraphBuilder).VolumetricBlack;
+	}
 	FRDGTextureRef GetVolumetricBlackAlphaOneDummy(FRDGBuilder& GraphBuilder) const
 	{
 		return FRDGSystemTextures::Get(GraphBuilder).VolumetricBlackAlphaOne;

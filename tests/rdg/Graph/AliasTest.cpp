@@ -43,7 +43,8 @@ TEST(Alias, ThePingPongOfAChainNeedsTwoPlaces)
 TEST(Alias, TheLowestGapThatFitsIsTaken)
 {
 	// A at 0, B at 256, C at 512; B ends, D (256 bytes) goes where B was, E (512) does not fit there.
-	EXPECT_THAT(PlaceInHeap({{256, 1, 9}, {256, 1, 2}, {256, 1, 9}, {256, 3, 9}, {512, 4, 9}}).Offsets, ElementsAre(0, 256, 512, 256, 768));
+	EXPECT_THAT(PlaceInHeap({{256, 1, 9}, {256, 1, 2}, {256, 1, 9}, {256, 3, 9}, {512, 4, 9}}).Offsets,
+		ElementsAre(0, 256, 512, 256, 768));
 }
 
 TEST(Alias, OffsetsAreAligned)
@@ -93,8 +94,8 @@ RC_GTEST_PROP(AliasProperty, WhatLivesTogetherNeverOverlaps, ())
 				continue;
 			}
 			const bool bMeet = Requests[A].First <= Requests[B].Last && Requests[B].First <= Requests[A].Last;
-			const bool bOverlap = uint64_t(Layout.Offsets[A]) < uint64_t(Layout.Offsets[B]) + Requests[B].Bytes
-				&& uint64_t(Layout.Offsets[B]) < uint64_t(Layout.Offsets[A]) + Requests[A].Bytes;
+			const bool bOverlap = uint64_t(Layout.Offsets[A]) < uint64_t(Layout.Offsets[B]) + Requests[B].Bytes &&
+								  uint64_t(Layout.Offsets[B]) < uint64_t(Layout.Offsets[A]) + Requests[A].Bytes;
 			RC_ASSERT(!(bMeet && bOverlap));
 		}
 	}
@@ -108,7 +109,8 @@ RC_GTEST_PROP(AliasProperty, TheHeapHoldsEverythingAndIsNeverLargerThanWithoutAl
 	for (size_t Index = 0; Index < Requests.size(); ++Index)
 	{
 		RC_ASSERT((Requests[Index].First < 0) == (Layout.Offsets[Index] < 0));
-		RC_ASSERT(Requests[Index].First < 0 || uint64_t(Layout.Offsets[Index]) + Requests[Index].Bytes <= Layout.PeakBytes);
+		RC_ASSERT(
+			Requests[Index].First < 0 || uint64_t(Layout.Offsets[Index]) + Requests[Index].Bytes <= Layout.PeakBytes);
 	}
 }
 

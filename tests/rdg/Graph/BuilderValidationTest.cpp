@@ -1,5 +1,5 @@
-// What the builder itself refuses: arguments, order of calls, undeclared accesses. Mistakes are thrown together by Execute;
-// what would touch wrong memory is thrown at once.
+// What the builder itself refuses: arguments, order of calls, undeclared accesses. Mistakes are thrown together by
+// Execute; what would touch wrong memory is thrown at once.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ namespace
 {
 
 /** The code that Function throws; 0: none. */
-template <typename TFunction>
+template<typename TFunction>
 int GetThrownCode(TFunction Function)
 {
 	try
@@ -30,11 +30,14 @@ int GetThrownCode(TFunction Function)
 	return 0;
 }
 
-FRHICommandListImmediate& GetList() { return FRHICommandListExecutor::GetImmediateCommandList(); }
+FRHICommandListImmediate& GetList()
+{
+	return FRHICommandListExecutor::GetImmediateCommandList();
+}
 
 } // namespace
 
-// The builder's life ----------------------------------------------------------------------------------------------------
+// The builder's life ------------------------------------------------------------------------------------------------
 
 TEST(BuilderValidationDeathTest, DestroyedWithoutExecuteTerminates)
 {
@@ -50,7 +53,10 @@ TEST(BuilderValidation, ASecondBuilderIsRefusedAtOnce)
 
 TEST(BuilderValidation, ABuilderAfterAnotherIsFine)
 {
-	{ FGraphTest First; First.Run(); }
+	{
+		FGraphTest First;
+		First.Run();
+	}
 	FGraphTest Second;
 	EXPECT_EQ("", Second.RunForErrors());
 }
@@ -94,7 +100,7 @@ TEST(BuilderValidation, DiscardEndsAGraphWithoutRunningIt)
 	EXPECT_EQ("", Graph.Log);
 }
 
-// Arguments -------------------------------------------------------------------------------------------------------------
+// Arguments ---------------------------------------------------------------------------------------------------------
 
 TEST(BuilderValidation, ATextureNeedsAName)
 {
@@ -133,7 +139,8 @@ TEST(BuilderValidation, NullParametersAreRefusedAtOnce)
 	FGraphTest Graph;
 	const FGraphTestParameters* Null = nullptr;
 	EXPECT_EQ(RDGErrorNullArgument,
-		GetThrownCode([&] { Graph.Builder->AddPass(RDG_EVENT_NAME("A"), Null, ERDGPassFlags::Compute, [](FRHICommandList&) {}); }));
+		GetThrownCode([&]
+			{ Graph.Builder->AddPass(RDG_EVENT_NAME("A"), Null, ERDGPassFlags::Compute, [](FRHICommandList&) {}); }));
 }
 
 TEST(BuilderValidation, AViewOfNullIsRefusedAtOnce)
@@ -196,14 +203,16 @@ TEST(BuilderValidation, AUAVNeedsTheFlag)
 TEST(BuilderValidation, AUAVOfAMipThatIsNotThereIsRefusedAtOnce)
 {
 	FGraphTest Graph;
-	EXPECT_EQ(RDGErrorView, GetThrownCode([&] { Graph.Builder->CreateUAV(FRDGTextureUAVDesc(Graph.Texture("X", 2), 2)); }));
+	EXPECT_EQ(
+		RDGErrorView, GetThrownCode([&] { Graph.Builder->CreateUAV(FRDGTextureUAVDesc(Graph.Texture("X", 2), 2)); }));
 }
 
 TEST(BuilderValidation, AnSRVOfAMipThatIsNotThereIsRefusedAtOnce)
 {
 	FGraphTest Graph;
 	EXPECT_EQ(RDGErrorView,
-		GetThrownCode([&] { Graph.Builder->CreateSRV(FRDGTextureSRVDesc::CreateForMipLevel(Graph.Texture("X", 2), 2)); }));
+		GetThrownCode(
+			[&] { Graph.Builder->CreateSRV(FRDGTextureSRVDesc::CreateForMipLevel(Graph.Texture("X", 2), 2)); }));
 }
 
 TEST(BuilderValidation, ARenderTargetMipThatIsNotThereIsRefusedAtOnce)
@@ -212,7 +221,10 @@ TEST(BuilderValidation, ARenderTargetMipThatIsNotThereIsRefusedAtOnce)
 	auto* Parameters = Graph.Builder->AllocParameters<FGraphTestRasterParameters>();
 	Parameters->RenderTargets[0] = FRenderTargetBinding(Graph.Texture("X"), ERenderTargetLoadAction::EClear, 1);
 	EXPECT_EQ(RDGErrorRenderTargets, GetThrownCode(
-		[&] { Graph.Builder->AddPass(RDG_EVENT_NAME("A"), Parameters, ERDGPassFlags::Raster, [](FRHICommandList&) {}); }));
+										 [&] {
+											 Graph.Builder->AddPass(RDG_EVENT_NAME("A"), Parameters,
+												 ERDGPassFlags::Raster, [](FRHICommandList&) {});
+										 }));
 }
 
 TEST(BuilderValidation, ExtractionNeedsAProducerBefore)
@@ -227,7 +239,8 @@ TEST(BuilderValidation, ExtractionToNullIsRefusedAtOnce)
 {
 	FGraphTest Graph;
 	Graph.Pass("A").Writes("X");
-	EXPECT_EQ(RDGErrorNullArgument, GetThrownCode([&] { Graph.Builder->QueueTextureExtraction(Graph.Texture("X"), nullptr); }));
+	EXPECT_EQ(RDGErrorNullArgument,
+		GetThrownCode([&] { Graph.Builder->QueueTextureExtraction(Graph.Texture("X"), nullptr); }));
 }
 
 TEST(BuilderValidation, OneUploadPerBuffer)
@@ -284,7 +297,7 @@ TEST(BuilderValidation, AScopeThatWasNotOpenedIsNotClosed)
 	EXPECT_EQ(RDGErrorScope, GetThrownCode([&] { Graph.Builder->EndEventScope(); }));
 }
 
-// Execution -------------------------------------------------------------------------------------------------------------
+// Execution ---------------------------------------------------------------------------------------------------------
 
 TEST(BuilderValidation, GetRHIOutsideAPassIsACheck)
 {
@@ -403,5 +416,6 @@ TEST(BuilderValidation, UnusedParametersAreWarnedAboutWhenDebugging)
 	Graph.Extract("X");
 	testing::internal::CaptureStderr();
 	Graph.Run();
-	EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("2 of 2 resources of the pass were not actually used: In, X"));
+	EXPECT_THAT(testing::internal::GetCapturedStderr(),
+		HasSubstr("2 of 2 resources of the pass were not actually used: In, X"));
 }

@@ -157,7 +157,8 @@ TEST(Cull, TheReasonNamesAllOutputs)
 {
 	FDescribedGraph Graph;
 	Graph.Pass("A", {Write("X"), Write("Y"), Write("Z")});
-	EXPECT_EQ("no reader: outputs X, Y and Z are neither read by a surviving pass nor extracted", Cull(Graph).Reasons[1]);
+	EXPECT_EQ(
+		"no reader: outputs X, Y and Z are neither read by a surviving pass nor extracted", Cull(Graph).Reasons[1]);
 }
 
 TEST(Cull, TheReasonFollowsTheChainOfCulledReaders)
@@ -166,7 +167,8 @@ TEST(Cull, TheReasonFollowsTheChainOfCulledReaders)
 	Graph.Pass("A", {Write("X")});
 	Graph.Pass("B", {Read("X"), Write("Y")});
 	Graph.Pass("C", {Read("Y"), Write("Z")});
-	EXPECT_EQ("no reader: output X is used only by culled passes (B -> C), and output Z of C is neither read by a surviving pass nor extracted",
+	EXPECT_EQ("no reader: output X is used only by culled passes (B -> C), and output Z of C is neither read by a "
+			  "surviving pass nor extracted",
 		Cull(Graph).Reasons[1]);
 }
 

@@ -33,7 +33,9 @@ TEST(Dump, ListsPassesWithShadersReadsAndWrites)
 {
 	const std::string Text = DumpText(CompileThree());
 	EXPECT_THAT(Text, HasSubstr("graph Frame: 2 passes run, 1 culled"));
-	EXPECT_THAT(Text, HasSubstr("   1  Down\n        shader   FCopyRectPS (CopyRectPS)\n        reads    Scene\n        writes   Half\n"));
+	EXPECT_THAT(Text,
+		HasSubstr(
+			"   1  Down\n        shader   FCopyRectPS (CopyRectPS)\n        reads    Scene\n        writes   Half\n"));
 }
 
 TEST(Dump, ListsResourcesWithTheirPasses)
@@ -47,13 +49,16 @@ TEST(Dump, ListsResourcesWithTheirPasses)
 TEST(Dump, ListsWhatIsLeftOutWithTheReason)
 {
 	const std::string Text = DumpText(CompileThree());
-	EXPECT_THAT(Text, HasSubstr("   2  Waste\n        no reader: output Nowhere is neither read by a surviving pass nor extracted\n"));
+	EXPECT_THAT(Text,
+		HasSubstr(
+			"   2  Waste\n        no reader: output Nowhere is neither read by a surviving pass nor extracted\n"));
 	EXPECT_THAT(Text, HasSubstr("all passes that use it are culled: Waste"));
 }
 
 TEST(Dump, StatesTheMemory)
 {
-	EXPECT_THAT(DumpText(CompileThree()), testing::ContainsRegex("transient +[0-9.]+ (B|KiB) with aliasing, [0-9.]+ (B|KiB) without"));
+	EXPECT_THAT(DumpText(CompileThree()),
+		testing::ContainsRegex("transient +[0-9.]+ (B|KiB) with aliasing, [0-9.]+ (B|KiB) without"));
 }
 
 TEST(Dump, IsTheSameEveryTime)

@@ -17,7 +17,10 @@ struct FFrameTextures
 DECLARE_GPU_STAT(TestStat)
 
 /** Scope of the pass "A". */
-std::string GetScope(FGraphTest& Graph) { return Graph.Builder->Compile().FindPass("A")->Scope; }
+std::string GetScope(FGraphTest& Graph)
+{
+	return Graph.Builder->Compile().FindPass("A")->Scope;
+}
 
 } // namespace
 

@@ -6,7 +6,7 @@
 
 using namespace Drydock;
 
-// Order -----------------------------------------------------------------------------------------------------------------
+// Order -------------------------------------------------------------------------------------------------------------
 
 TEST(Execute, PassesRunInTheOrderTheyWereAdded)
 {
@@ -65,7 +65,8 @@ TEST(Execute, APassWithoutParametersAlwaysRuns)
 {
 	FGraphTest Graph;
 	bool bRan = false;
-	Graph.Builder->AddPass(RDG_EVENT_NAME("Note"), ERDGPassFlags::None, [&bRan](FRHICommandListImmediate&) { bRan = true; });
+	Graph.Builder->AddPass(
+		RDG_EVENT_NAME("Note"), ERDGPassFlags::None, [&bRan](FRHICommandListImmediate&) { bRan = true; });
 	Graph.Run();
 	EXPECT_TRUE(bRan);
 }
@@ -77,7 +78,8 @@ TEST(Execute, LambdasMayTakeEachKindOfCommandList)
 	Graph.Builder->AddPass(RDG_EVENT_NAME("A"), ERDGPassFlags::None, [&](FRHIComputeCommandList&) { ++NumRuns; });
 	Graph.Builder->AddPass(RDG_EVENT_NAME("B"), ERDGPassFlags::None, [&](FRHICommandList&) { ++NumRuns; });
 	Graph.Builder->AddPass(RDG_EVENT_NAME("C"), ERDGPassFlags::None, [&](FRHICommandListImmediate&) { ++NumRuns; });
-	Graph.Builder->AddPass(RDG_EVENT_NAME("D"), ERDGPassFlags::None, [&](FRDGAsyncTask, FRHIComputeCommandList&) { ++NumRuns; });
+	Graph.Builder->AddPass(
+		RDG_EVENT_NAME("D"), ERDGPassFlags::None, [&](FRDGAsyncTask, FRHIComputeCommandList&) { ++NumRuns; });
 	Graph.Run();
 	EXPECT_EQ(4, NumRuns);
 }
@@ -108,7 +110,7 @@ TEST(Execute, AnExceptionOfALambdaLeavesTheListUsable)
 	EXPECT_EQ(2.0f, Next.Pixel("X"));
 }
 
-// Contents --------------------------------------------------------------------------------------------------------------
+// Contents ----------------------------------------------------------------------------------------------------------
 
 TEST(Execute, ValuesFlowFromPassToPass)
 {
@@ -156,7 +158,8 @@ TEST(Execute, ARasterPassRunsInsideARenderPass)
 {
 	FGraphTest Graph;
 	bool bInside = false;
-	Graph.Pass("A").Renders("X").Does([&](FRHICommandListImmediate& RHICmdList) { bInside = RHICmdList.IsInsideRenderPass(); });
+	Graph.Pass("A").Renders("X").Does(
+		[&](FRHICommandListImmediate& RHICmdList) { bInside = RHICmdList.IsInsideRenderPass(); });
 	Graph.Extract("X");
 	Graph.Run();
 	EXPECT_TRUE(bInside);
@@ -166,14 +169,16 @@ TEST(Execute, SkipRenderPassLeavesItToTheLambda)
 {
 	FGraphTest Graph;
 	bool bInside = true;
-	Graph.Pass("A").Renders("X").AddFlags(ERDGPassFlags::SkipRenderPass).Does(
-		[&](FRHICommandListImmediate& RHICmdList) { bInside = RHICmdList.IsInsideRenderPass(); });
+	Graph.Pass("A")
+		.Renders("X")
+		.AddFlags(ERDGPassFlags::SkipRenderPass)
+		.Does([&](FRHICommandListImmediate& RHICmdList) { bInside = RHICmdList.IsInsideRenderPass(); });
 	Graph.Extract("X");
 	Graph.Run();
 	EXPECT_FALSE(bInside);
 }
 
-// What comes and goes ---------------------------------------------------------------------------------------------------
+// What comes and goes -----------------------------------------------------------------------------------------------
 
 TEST(Execute, ExtractionIsWrittenAtTheEnd)
 {
@@ -280,7 +285,8 @@ TEST(Execute, ExternalAccessModeOpensAResourceToCodeThatDoesNotDeclareIt)
 	Graph.Pass("A").Writes("X").Value(6);
 	FRDGTextureRef X = Graph.Texture("X");
 	Graph.Builder->UseExternalAccessMode(X, ERHIAccess::SRVMask);
-	Graph.Builder->AddPass(RDG_EVENT_NAME("Peek"), ERDGPassFlags::None, [&, X](FRHICommandList&) { Seen = X->GetRHI()->ReadTexel(0, 0).R; });
+	Graph.Builder->AddPass(RDG_EVENT_NAME("Peek"), ERDGPassFlags::None,
+		[&, X](FRHICommandList&) { Seen = X->GetRHI()->ReadTexel(0, 0).R; });
 	Graph.Run();
 	EXPECT_EQ(6.0f, Seen);
 }
@@ -296,7 +302,7 @@ TEST(Execute, InternalAccessModeClosesItAgain)
 	EXPECT_EQ("2030", Graph.RunForErrors());
 }
 
-// Buffers ---------------------------------------------------------------------------------------------------------------
+// Buffers -----------------------------------------------------------------------------------------------------------
 
 namespace
 {
@@ -305,12 +311,15 @@ namespace
 std::vector<uint32> ReadWords(FGraphTest& Graph, FRDGBufferRef Buffer, int32 Count)
 {
 	std::vector<uint32> Words;
-	Graph.Pass("Read").AccessesBuffer(Buffer, ERHIAccess::SRVCompute).AddFlags(ERDGPassFlags::NeverCull).Does(
-		[&Words, Buffer, Count](FRHICommandListImmediate&)
-		{
-			const auto* Data = reinterpret_cast<const uint32*>(Buffer->GetRHI()->GetData());
-			Words.assign(Data, Data + Count);
-		});
+	Graph.Pass("Read")
+		.AccessesBuffer(Buffer, ERHIAccess::SRVCompute)
+		.AddFlags(ERDGPassFlags::NeverCull)
+		.Does(
+			[&Words, Buffer, Count](FRHICommandListImmediate&)
+			{
+				const auto* Data = reinterpret_cast<const uint32*>(Buffer->GetRHI()->GetData());
+				Words.assign(Data, Data + Count);
+			});
 	Graph.Run();
 	return Words;
 }
@@ -350,11 +359,14 @@ TEST(Execute, TheElementCountOfABufferIsAskedForWhenTheGraphRuns)
 {
 	FGraphTest Graph;
 	uint32 Count = 1;
-	FRDGBufferRef Buffer = Graph.Builder->CreateBuffer(FRDGBufferDesc::CreateStructuredDesc(4, 1), TEXT("B"), [&Count] { return Count; });
+	FRDGBufferRef Buffer =
+		Graph.Builder->CreateBuffer(FRDGBufferDesc::CreateStructuredDesc(4, 1), TEXT("B"), [&Count] { return Count; });
 	Count = 5;
 	uint32 Size = 0;
-	Graph.Pass("A").AccessesBuffer(Buffer, ERHIAccess::UAVCompute).AddFlags(ERDGPassFlags::NeverCull).Does(
-		[&Size, Buffer](FRHICommandListImmediate&) { Size = Buffer->GetRHI()->GetSize(); });
+	Graph.Pass("A")
+		.AccessesBuffer(Buffer, ERHIAccess::UAVCompute)
+		.AddFlags(ERDGPassFlags::NeverCull)
+		.Does([&Size, Buffer](FRHICommandListImmediate&) { Size = Buffer->GetRHI()->GetSize(); });
 	Graph.Run();
 	EXPECT_EQ(20u, Size);
 }
@@ -365,8 +377,10 @@ TEST(Execute, ABufferIsExtractedAndRegisteredAgain)
 	{
 		FGraphTest Graph;
 		FRDGBufferRef Buffer = Graph.Builder->CreateBuffer(FRDGBufferDesc::CreateStructuredDesc(4, 2), TEXT("B"));
-		Graph.Pass("A").AccessesBuffer(Buffer, ERHIAccess::UAVCompute).Does(
-			[Buffer](FRHICommandListImmediate&) { reinterpret_cast<uint32*>(Buffer->GetRHI()->GetData())[1] = 42; });
+		Graph.Pass("A")
+			.AccessesBuffer(Buffer, ERHIAccess::UAVCompute)
+			.Does([Buffer](FRHICommandListImmediate&)
+				{ reinterpret_cast<uint32*>(Buffer->GetRHI()->GetData())[1] = 42; });
 		Graph.Builder->QueueBufferExtraction(Buffer, &Kept);
 		Graph.Run();
 	}
@@ -375,7 +389,7 @@ TEST(Execute, ABufferIsExtractedAndRegisteredAgain)
 	EXPECT_EQ(42u, ReadWords(Next, Next.Builder->RegisterExternalBuffer(Kept), 2)[1]);
 }
 
-// Memory ----------------------------------------------------------------------------------------------------------------
+// Memory ------------------------------------------------------------------------------------------------------------
 
 TEST(Execute, TransientTexturesThatNeverMeetShareMemory)
 {
@@ -384,8 +398,14 @@ TEST(Execute, TransientTexturesThatNeverMeetShareMemory)
 	const uint8* Second = nullptr;
 	FRDGTextureRef X = Graph.Texture("X");
 	FRDGTextureRef Y = Graph.Texture("Y");
-	Graph.Pass("A").Writes("X").AddFlags(ERDGPassFlags::NeverCull).Does([&, X](FRHICommandListImmediate&) { First = X->GetRHI()->GetTexel(0, 0); });
-	Graph.Pass("B").Writes("Y").AddFlags(ERDGPassFlags::NeverCull).Does([&, Y](FRHICommandListImmediate&) { Second = Y->GetRHI()->GetTexel(0, 0); });
+	Graph.Pass("A")
+		.Writes("X")
+		.AddFlags(ERDGPassFlags::NeverCull)
+		.Does([&, X](FRHICommandListImmediate&) { First = X->GetRHI()->GetTexel(0, 0); });
+	Graph.Pass("B")
+		.Writes("Y")
+		.AddFlags(ERDGPassFlags::NeverCull)
+		.Does([&, Y](FRHICommandListImmediate&) { Second = Y->GetRHI()->GetTexel(0, 0); });
 	Graph.Run();
 	EXPECT_EQ(First, Second);
 	EXPECT_TRUE(X->IsTransient());
@@ -393,7 +413,8 @@ TEST(Execute, TransientTexturesThatNeverMeetShareMemory)
 
 TEST(Execute, WithLifetimesExtendedTheyDoNot)
 {
-	for (const TCHAR* Name : {TEXT("r.RDG.Debug.ExtendResourceLifetimes"), TEXT("r.RDG.Debug.DisableTransientResources")})
+	for (const TCHAR* Name :
+		{TEXT("r.RDG.Debug.ExtendResourceLifetimes"), TEXT("r.RDG.Debug.DisableTransientResources")})
 	{
 		const FScopedConsoleVariable Apart(Name, 1);
 		FGraphTest Graph;
@@ -401,8 +422,14 @@ TEST(Execute, WithLifetimesExtendedTheyDoNot)
 		const uint8* Second = nullptr;
 		FRDGTextureRef X = Graph.Texture("X");
 		FRDGTextureRef Y = Graph.Texture("Y");
-		Graph.Pass("A").Writes("X").AddFlags(ERDGPassFlags::NeverCull).Does([&, X](FRHICommandListImmediate&) { First = X->GetRHI()->GetTexel(0, 0); });
-		Graph.Pass("B").Writes("Y").AddFlags(ERDGPassFlags::NeverCull).Does([&, Y](FRHICommandListImmediate&) { Second = Y->GetRHI()->GetTexel(0, 0); });
+		Graph.Pass("A")
+			.Writes("X")
+			.AddFlags(ERDGPassFlags::NeverCull)
+			.Does([&, X](FRHICommandListImmediate&) { First = X->GetRHI()->GetTexel(0, 0); });
+		Graph.Pass("B")
+			.Writes("Y")
+			.AddFlags(ERDGPassFlags::NeverCull)
+			.Does([&, Y](FRHICommandListImmediate&) { Second = Y->GetRHI()->GetTexel(0, 0); });
 		Graph.Run();
 		EXPECT_NE(First, Second) << Name;
 	}

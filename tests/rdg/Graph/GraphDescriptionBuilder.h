@@ -25,11 +25,26 @@ struct FDescribedUse
 	int32_t SkipBarrierView = -1;
 };
 
-inline FDescribedUse Read(const std::string& Resource) { return {Resource, ERHIAccess::SRVCompute}; }
-inline FDescribedUse Write(const std::string& Resource) { return {Resource, ERHIAccess::UAVCompute}; }
-inline FDescribedUse ReadMip(const std::string& Resource, int32_t Mip) { return {Resource, ERHIAccess::SRVCompute, Mip, 1}; }
-inline FDescribedUse WriteMip(const std::string& Resource, int32_t Mip) { return {Resource, ERHIAccess::UAVCompute, Mip, 1}; }
-inline FDescribedUse Render(const std::string& Resource) { return {Resource, ERHIAccess::RTV}; }
+inline FDescribedUse Read(const std::string& Resource)
+{
+	return {Resource, ERHIAccess::SRVCompute};
+}
+inline FDescribedUse Write(const std::string& Resource)
+{
+	return {Resource, ERHIAccess::UAVCompute};
+}
+inline FDescribedUse ReadMip(const std::string& Resource, int32_t Mip)
+{
+	return {Resource, ERHIAccess::SRVCompute, Mip, 1};
+}
+inline FDescribedUse WriteMip(const std::string& Resource, int32_t Mip)
+{
+	return {Resource, ERHIAccess::UAVCompute, Mip, 1};
+}
+inline FDescribedUse Render(const std::string& Resource)
+{
+	return {Resource, ERHIAccess::RTV};
+}
 
 class FDescribedGraph
 {
@@ -65,7 +80,8 @@ public:
 		return Indices.at(Name);
 	}
 
-	FRDGPassDescription& Pass(const std::string& Name, const std::vector<FDescribedUse>& Uses, ERDGPassFlags Flags = ERDGPassFlags::Compute)
+	FRDGPassDescription& Pass(
+		const std::string& Name, const std::vector<FDescribedUse>& Uses, ERDGPassFlags Flags = ERDGPassFlags::Compute)
 	{
 		std::vector<FRDGUse> PassUses;
 		for (const FDescribedUse& Described : Uses)

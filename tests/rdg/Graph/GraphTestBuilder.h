@@ -1,4 +1,5 @@
-// Graphs for tests in three lines: passes and textures by name, lambdas that log the order they ran in and write pixels.
+// Graphs for tests in three lines: passes and textures by name, lambdas that log the order they ran in and write
+// pixels.
 //
 //     FGraphTest Graph;
 //     Graph.Pass("A").Writes("X");
@@ -6,8 +7,8 @@
 //     Graph.Extract("Y");
 //     EXPECT_EQ("A B", Graph.Run());
 //
-// Textures come into being where they are first named: 4x4, one 32-bit float, fit for every use. A pass writes, to every
-// texel of what it writes, its value (Value(), default 1) plus the first texel of everything it reads.
+// Textures come into being where they are first named: 4x4, one 32-bit float, fit for every use. A pass writes, to
+// every texel of what it writes, its value (Value(), default 1) plus the first texel of everything it reads.
 #pragma once
 
 #include <functional>
@@ -55,7 +56,8 @@ public:
 	FGraphTestPass& Accesses(const std::string& Texture, ERHIAccess Access);
 	FGraphTestPass& AccessesBuffer(FRDGBufferRef Buffer, ERHIAccess Access);
 	/** Makes the pass Raster. */
-	FGraphTestPass& Renders(const std::string& Texture, ERenderTargetLoadAction Load = ERenderTargetLoadAction::ENoAction, int32 Slot = 0);
+	FGraphTestPass& Renders(
+		const std::string& Texture, ERenderTargetLoadAction Load = ERenderTargetLoadAction::ENoAction, int32 Slot = 0);
 	FGraphTestPass& RendersDepth(const std::string& Texture, FExclusiveDepthStencil Access);
 	/** In place of Compute (or Raster where there are targets). */
 	FGraphTestPass& Flags(ERDGPassFlags InFlags);
@@ -85,7 +87,8 @@ class FGraphTest
 {
 public:
 	explicit FGraphTest(const char* Name = "Test")
-		: Builder(std::make_unique<FRDGBuilder>(FRHICommandListExecutor::GetImmediateCommandList(), RDG_EVENT_NAME("%s", Name)))
+		: Builder(std::make_unique<FRDGBuilder>(
+			  FRHICommandListExecutor::GetImmediateCommandList(), RDG_EVENT_NAME("%s", Name)))
 	{
 	}
 
@@ -102,7 +105,8 @@ public:
 
 	static FRDGTextureDesc MakeDesc(int32 NumMips = 1, int32 Size = 4)
 	{
-		return FRDGTextureDesc::Create2D(FIntPoint(Size, Size), PF_R32_FLOAT, FClearValueBinding(FLinearColor(0.25f, 0, 0, 0)),
+		return FRDGTextureDesc::Create2D(FIntPoint(Size, Size), PF_R32_FLOAT,
+			FClearValueBinding(FLinearColor(0.25f, 0, 0, 0)),
 			TexCreate_ShaderResource | TexCreate_UAV | TexCreate_RenderTargetable, uint8(NumMips));
 	}
 
@@ -120,7 +124,8 @@ public:
 	}
 
 	/** A texture from outside, filled with Value. */
-	FRDGTextureRef External(const std::string& Name, float Value = 0.0f, ERDGTextureFlags Flags = ERDGTextureFlags::None)
+	FRDGTextureRef External(
+		const std::string& Name, float Value = 0.0f, ERDGTextureFlags Flags = ERDGTextureFlags::None)
 	{
 		const TRefCountPtr<FRHITexture> RHITexture(new FRHITexture(MakeDesc(), KeepName(Name)));
 		RHITexture->Fill(FLinearColor(Value, 0, 0, 0));
@@ -181,7 +186,9 @@ public:
 };
 
 inline FGraphTestPass::FGraphTestPass(FGraphTest& InGraph, const std::string& InName)
-	: Graph(InGraph), Name(InName), Parameters(InGraph.Builder->AllocParameters<FGraphTestRasterParameters>())
+	: Graph(InGraph)
+	, Name(InName)
+	, Parameters(InGraph.Builder->AllocParameters<FGraphTestRasterParameters>())
 {
 }
 
@@ -193,13 +200,15 @@ inline FGraphTestPass& FGraphTestPass::Reads(const std::string& Texture)
 
 inline FGraphTestPass& FGraphTestPass::ReadsMip(const std::string& Texture, int32 Mip)
 {
-	Parameters->Common.SRVs[NumSRVs++] = Graph.Builder->CreateSRV(FRDGTextureSRVDesc::CreateForMipLevel(Graph.Texture(Texture), Mip));
+	Parameters->Common.SRVs[NumSRVs++] =
+		Graph.Builder->CreateSRV(FRDGTextureSRVDesc::CreateForMipLevel(Graph.Texture(Texture), Mip));
 	return *this;
 }
 
 inline FGraphTestPass& FGraphTestPass::Writes(const std::string& Texture, int32 Mip)
 {
-	Parameters->Common.UAVs[NumUAVs++] = Graph.Builder->CreateUAV(FRDGTextureUAVDesc(Graph.Texture(Texture), uint8(Mip)));
+	Parameters->Common.UAVs[NumUAVs++] =
+		Graph.Builder->CreateUAV(FRDGTextureUAVDesc(Graph.Texture(Texture), uint8(Mip)));
 	return *this;
 }
 
@@ -233,8 +242,8 @@ inline FGraphTestPass& FGraphTestPass::Renders(const std::string& Texture, ERend
 inline FGraphTestPass& FGraphTestPass::RendersDepth(const std::string& Texture, FExclusiveDepthStencil Access)
 {
 	bRaster = true;
-	Parameters->RenderTargets.DepthStencil =
-		FDepthStencilBinding(Graph.Texture(Texture), ERenderTargetLoadAction::EClear, ERenderTargetLoadAction::EClear, Access);
+	Parameters->RenderTargets.DepthStencil = FDepthStencilBinding(
+		Graph.Texture(Texture), ERenderTargetLoadAction::EClear, ERenderTargetLoadAction::EClear, Access);
 	return *this;
 }
 
@@ -276,7 +285,8 @@ inline FGraphTestPass::~FGraphTestPass() noexcept(false)
 	const std::string PassName = Name;
 	FGraphTestRasterParameters* const PassParameters = Parameters;
 	const float OwnValue = PassValue;
-	const auto Lambda = [&TestGraph, PassName, PassParameters, OwnValue, Own = OwnWork](FRHICommandListImmediate& RHICmdList)
+	const auto Lambda = [&TestGraph, PassName, PassParameters, OwnValue, Own = OwnWork](
+							FRHICommandListImmediate& RHICmdList)
 	{
 		TestGraph.Log += (TestGraph.Log.empty() ? "" : " ") + PassName;
 		if (Own)
@@ -311,8 +321,8 @@ inline FGraphTestPass::~FGraphTestPass() noexcept(false)
 				Fill(View->GetRHI()->GetTexture(), View->Desc.MipLevel);
 			}
 		}
-		PassParameters->RenderTargets.Enumerate([&](const FRenderTargetBinding& Binding)
-			{ Fill(Binding.GetTexture()->GetRHI(), Binding.GetMipIndex()); });
+		PassParameters->RenderTargets.Enumerate(
+			[&](const FRenderTargetBinding& Binding) { Fill(Binding.GetTexture()->GetRHI(), Binding.GetMipIndex()); });
 		for (const FRDGTextureAccess& Access : PassParameters->Common.Accesses)
 		{
 			if (IsWritableAccess(Access.GetAccess()))
@@ -321,9 +331,9 @@ inline FGraphTestPass::~FGraphTestPass() noexcept(false)
 			}
 		}
 	};
-	FRDGPassRef Pass = bRaster
-		? Graph.Builder->AddPass(RDG_EVENT_NAME("%s", Name.c_str()), Parameters, PassFlags, Lambda)
-		: Graph.Builder->AddPass(RDG_EVENT_NAME("%s", Name.c_str()), &Parameters->Common, PassFlags, Lambda);
+	FRDGPassRef Pass =
+		bRaster ? Graph.Builder->AddPass(RDG_EVENT_NAME("%s", Name.c_str()), Parameters, PassFlags, Lambda)
+				: Graph.Builder->AddPass(RDG_EVENT_NAME("%s", Name.c_str()), &Parameters->Common, PassFlags, Lambda);
 	if (OutPass)
 	{
 		*OutPass = Pass;

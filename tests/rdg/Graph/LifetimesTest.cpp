@@ -9,7 +9,8 @@ using namespace Drydock;
 namespace
 {
 
-FRDGLifetime FindLifetime(FDescribedGraph& Graph, const std::string& Name, bool bExtend = false, std::vector<bool> bCulled = {})
+FRDGLifetime FindLifetime(
+	FDescribedGraph& Graph, const std::string& Name, bool bExtend = false, std::vector<bool> bCulled = {})
 {
 	const FRDGGraphDescription Description = Graph.Get();
 	bCulled = bCulled.empty() ? Graph.KeepAll() : bCulled;

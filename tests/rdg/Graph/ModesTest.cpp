@@ -9,7 +9,7 @@
 
 using namespace Drydock;
 
-// Immediate mode --------------------------------------------------------------------------------------------------------
+// Immediate mode ----------------------------------------------------------------------------------------------------
 
 TEST(ImmediateMode, APassRunsInsideAddPass)
 {
@@ -57,8 +57,11 @@ TEST(ImmediateMode, AnUploadIsThereForTheFirstPass)
 	uint32 Seen = 0;
 	FRDGBufferRef Buffer = Graph.Builder->CreateBuffer(FRDGBufferDesc::CreateStructuredDesc(4, 1), TEXT("B"));
 	Graph.Builder->QueueBufferUpload(Buffer, Data, 4);
-	Graph.Pass("A").AccessesBuffer(Buffer, ERHIAccess::SRVCompute).AddFlags(ERDGPassFlags::NeverCull).Does(
-		[&Seen, Buffer](FRHICommandListImmediate&) { Seen = *reinterpret_cast<const uint32*>(Buffer->GetRHI()->GetData()); });
+	Graph.Pass("A")
+		.AccessesBuffer(Buffer, ERHIAccess::SRVCompute)
+		.AddFlags(ERDGPassFlags::NeverCull)
+		.Does([&Seen, Buffer](FRHICommandListImmediate&)
+			{ Seen = *reinterpret_cast<const uint32*>(Buffer->GetRHI()->GetData()); });
 	EXPECT_EQ(11u, Seen);
 }
 
@@ -69,7 +72,7 @@ TEST(ImmediateMode, IsKnownToTheBuilder)
 	EXPECT_TRUE(FRDGBuilder::IsImmediateMode());
 }
 
-// Clobbering ------------------------------------------------------------------------------------------------------------
+// Clobbering --------------------------------------------------------------------------------------------------------
 
 namespace
 {
@@ -90,10 +93,22 @@ float ReadUnwritten(int32 Mode, EPixelFormat Format = PF_R32_FLOAT)
 
 } // namespace
 
-TEST(Clobber, Mode1Is1000) { EXPECT_EQ(1000.0f, ReadUnwritten(1)); }
-TEST(Clobber, Mode2IsNaN) { EXPECT_TRUE(std::isnan(ReadUnwritten(2))); }
-TEST(Clobber, Mode3IsInfinity) { EXPECT_EQ(std::numeric_limits<float>::infinity(), ReadUnwritten(3)); }
-TEST(Clobber, ValuesAreStoredAsTheFormatStoresThem) { EXPECT_EQ(1.0f, ReadUnwritten(1, PF_R8)); }
+TEST(Clobber, Mode1Is1000)
+{
+	EXPECT_EQ(1000.0f, ReadUnwritten(1));
+}
+TEST(Clobber, Mode2IsNaN)
+{
+	EXPECT_TRUE(std::isnan(ReadUnwritten(2)));
+}
+TEST(Clobber, Mode3IsInfinity)
+{
+	EXPECT_EQ(std::numeric_limits<float>::infinity(), ReadUnwritten(3));
+}
+TEST(Clobber, ValuesAreStoredAsTheFormatStoresThem)
+{
+	EXPECT_EQ(1.0f, ReadUnwritten(1, PF_R8));
+}
 
 TEST(Clobber, TransientTexturesAreFilledBeforeEachFirstUse)
 {
@@ -102,7 +117,10 @@ TEST(Clobber, TransientTexturesAreFilledBeforeEachFirstUse)
 	float Seen = 0;
 	FRDGTextureRef Y = Graph.Texture("Y");
 	Graph.Pass("A").Writes("X").Value(5).AddFlags(ERDGPassFlags::NeverCull);
-	Graph.Pass("B").Writes("Y").AddFlags(ERDGPassFlags::NeverCull).Does([&, Y](FRHICommandListImmediate&) { Seen = Y->GetRHI()->ReadTexel(0, 0).R; });
+	Graph.Pass("B")
+		.Writes("Y")
+		.AddFlags(ERDGPassFlags::NeverCull)
+		.Does([&, Y](FRHICommandListImmediate&) { Seen = Y->GetRHI()->ReadTexel(0, 0).R; });
 	Graph.Run();
 	EXPECT_EQ(1000.0f, Seen);
 }
@@ -117,8 +135,11 @@ TEST(Clobber, ExternalTexturesAndUploadedBuffersAreSpared)
 	FRDGBufferRef Buffer = Graph.Builder->CreateBuffer(FRDGBufferDesc::CreateStructuredDesc(4, 1), TEXT("B"));
 	Graph.Builder->QueueBufferUpload(Buffer, Data, 4);
 	Graph.Pass("A").Reads("In").Writes("X").Value(1);
-	Graph.Pass("B").AccessesBuffer(Buffer, ERHIAccess::SRVCompute).AddFlags(ERDGPassFlags::NeverCull).Does(
-		[&Seen, Buffer](FRHICommandListImmediate&) { Seen = *reinterpret_cast<const uint32*>(Buffer->GetRHI()->GetData()); });
+	Graph.Pass("B")
+		.AccessesBuffer(Buffer, ERHIAccess::SRVCompute)
+		.AddFlags(ERDGPassFlags::NeverCull)
+		.Does([&Seen, Buffer](FRHICommandListImmediate&)
+			{ Seen = *reinterpret_cast<const uint32*>(Buffer->GetRHI()->GetData()); });
 	Graph.Extract("X");
 	Graph.Run();
 	EXPECT_EQ(3.0f, Graph.Pixel("X"));
@@ -131,8 +152,11 @@ TEST(Clobber, BuffersAreFilledToo)
 	FGraphTest Graph;
 	float Seen = 0;
 	FRDGBufferRef Buffer = Graph.Builder->CreateBuffer(FRDGBufferDesc::CreateStructuredDesc(4, 2), TEXT("B"));
-	Graph.Pass("A").AccessesBuffer(Buffer, ERHIAccess::UAVCompute).AddFlags(ERDGPassFlags::NeverCull).Does(
-		[&Seen, Buffer](FRHICommandListImmediate&) { Seen = reinterpret_cast<const float*>(Buffer->GetRHI()->GetData())[1]; });
+	Graph.Pass("A")
+		.AccessesBuffer(Buffer, ERHIAccess::UAVCompute)
+		.AddFlags(ERDGPassFlags::NeverCull)
+		.Does([&Seen, Buffer](FRHICommandListImmediate&)
+			{ Seen = reinterpret_cast<const float*>(Buffer->GetRHI()->GetData())[1]; });
 	Graph.Run();
 	EXPECT_EQ(1000.0f, Seen);
 }
@@ -141,17 +165,20 @@ TEST(Clobber, DepthAndStencilHaveTheirOwnValues)
 {
 	const FScopedConsoleVariable Clobber(TEXT("r.RDG.ClobberResources"), 2);
 	FGraphTest Graph;
-	const FRDGTextureDesc Desc = FRDGTextureDesc::Create2D(
-		FIntPoint(4, 4), PF_DepthStencil, FClearValueBinding::DepthFar, TexCreate_DepthStencilTargetable | TexCreate_ShaderResource);
+	const FRDGTextureDesc Desc = FRDGTextureDesc::Create2D(FIntPoint(4, 4), PF_DepthStencil,
+		FClearValueBinding::DepthFar, TexCreate_DepthStencilTargetable | TexCreate_ShaderResource);
 	FRDGTextureRef Depth = Graph.Texture("D", Desc);
 	float SeenDepth = 0;
 	uint8 SeenStencil = 0;
-	Graph.Pass("A").Accesses("D", ERHIAccess::DSVWrite).Flags(ERDGPassFlags::Raster | ERDGPassFlags::SkipRenderPass | ERDGPassFlags::NeverCull).Does(
-		[&, Depth](FRHICommandListImmediate&)
-		{
-			SeenDepth = Depth->GetRHI()->ReadTexel(1, 1).R;
-			SeenStencil = *Depth->GetRHI()->GetTexel(1, 1, 0, 0, 1);
-		});
+	Graph.Pass("A")
+		.Accesses("D", ERHIAccess::DSVWrite)
+		.Flags(ERDGPassFlags::Raster | ERDGPassFlags::SkipRenderPass | ERDGPassFlags::NeverCull)
+		.Does(
+			[&, Depth](FRHICommandListImmediate&)
+			{
+				SeenDepth = Depth->GetRHI()->ReadTexel(1, 1).R;
+				SeenStencil = *Depth->GetRHI()->GetTexel(1, 1, 0, 0, 1);
+			});
 	Graph.Run();
 	EXPECT_EQ(0.123456789f, SeenDepth);
 	EXPECT_EQ(123, SeenStencil);
@@ -172,7 +199,7 @@ TEST(Clobber, TheResourceFilterChooses)
 	EXPECT_NE(1000.0f, Graph.Pixel("Other"));
 }
 
-// Compile and observe ---------------------------------------------------------------------------------------------------
+// Compile and observe -----------------------------------------------------------------------------------------------
 
 TEST(Compile, RunsNothing)
 {
@@ -255,7 +282,10 @@ namespace
 class FNotingObserver : public IRDGObserver
 {
 public:
-	void OnGraphCompiled(const FRDGCompiledGraph& Graph) override { Log += "compiled:" + std::to_string(Graph.Passes.size()) + " "; }
+	void OnGraphCompiled(const FRDGCompiledGraph& Graph) override
+	{
+		Log += "compiled:" + std::to_string(Graph.Passes.size()) + " ";
+	}
 
 	void OnLoadExternals(const std::vector<FRDGTexture*>& Textures) override
 	{
@@ -267,13 +297,15 @@ public:
 		}
 	}
 
-	void OnPassExecuted(int32_t Index, const FRDGPass& Pass, double Milliseconds, const FPassCounters&, const std::vector<FRDGTexture*>& Written) override
+	void OnPassExecuted(int32_t Index, const FRDGPass& Pass, double Milliseconds, const FPassCounters&,
+		const std::vector<FRDGTexture*>& Written) override
 	{
 		Log += std::to_string(Index) + ":" + Pass.GetName();
 		EXPECT_GE(Milliseconds, 0.0);
 		for (FRDGTexture* Texture : Written)
 		{
-			Log += std::string("(") + Texture->Name + "=" + std::to_string(int(Texture->GetRHI()->ReadTexel(0, 0).R)) + ")";
+			Log += std::string("(") + Texture->Name + "=" + std::to_string(int(Texture->GetRHI()->ReadTexel(0, 0).R)) +
+				   ")";
 		}
 		Log += " ";
 	}

@@ -41,12 +41,16 @@ END_SHADER_PARAMETER_STRUCT()
 class FManyGraph : public FGraphTest
 {
 public:
-	FManyGraph() : Parameters(Builder->AllocParameters<FManyParameters>()) {}
+	FManyGraph()
+		: Parameters(Builder->AllocParameters<FManyParameters>())
+	{
+	}
 
 	/** "Parameter:Access" of each use of the compiled pass. */
 	std::string GetUses(ERDGPassFlags Flags = ERDGPassFlags::Compute)
 	{
-		Builder->AddPass(RDG_EVENT_NAME("Many"), Parameters, Flags | ERDGPassFlags::NeverCull, [](FRHIComputeCommandList&) {});
+		Builder->AddPass(
+			RDG_EVENT_NAME("Many"), Parameters, Flags | ERDGPassFlags::NeverCull, [](FRHIComputeCommandList&) {});
 		Compiled = Builder->Compile();
 		std::string Text;
 		for (const FRDGUse& Use : Compiled.FindPass("Many")->Uses)
@@ -113,8 +117,9 @@ TEST(Parameter, ATextureIsAReadOfAllItsMips)
 TEST(Parameter, AStencilViewIsAReadOfPlaneOne)
 {
 	FManyGraph Graph;
-	FRDGTextureRef Depth = Graph.Texture("D", FRDGTextureDesc::Create2D(FIntPoint(4, 4), PF_DepthStencil, FClearValueBinding::DepthFar,
-		TexCreate_DepthStencilTargetable | TexCreate_ShaderResource));
+	FRDGTextureRef Depth =
+		Graph.Texture("D", FRDGTextureDesc::Create2D(FIntPoint(4, 4), PF_DepthStencil, FClearValueBinding::DepthFar,
+							   TexCreate_DepthStencilTargetable | TexCreate_ShaderResource));
 	Graph.Parameters->View = Graph.Builder->CreateSRV(FRDGTextureSRVDesc::CreateWithPixelFormat(Depth, PF_X24_G8));
 	Graph.Parameters->Input.Texture = Depth;
 	testing::internal::CaptureStderr();
@@ -194,8 +199,9 @@ TEST(Parameter, ReadsFollowThePassFlags)
 TEST(Parameter, RenderTargetsAreWritesOfTheirMipAndSlice)
 {
 	FGraphTest Graph;
-	FRDGTextureRef Array = Graph.Texture("X", FRDGTextureDesc::Create2DArray(FIntPoint(4, 4), PF_R32_FLOAT, FClearValueBinding::Black,
-		TexCreate_RenderTargetable | TexCreate_ShaderResource, 3, 2));
+	FRDGTextureRef Array =
+		Graph.Texture("X", FRDGTextureDesc::Create2DArray(FIntPoint(4, 4), PF_R32_FLOAT, FClearValueBinding::Black,
+							   TexCreate_RenderTargetable | TexCreate_ShaderResource, 3, 2));
 	auto* Parameters = Graph.Builder->AllocParameters<FGraphTestRasterParameters>();
 	Parameters->RenderTargets[0] = FRenderTargetBinding(Array, ERenderTargetLoadAction::EClear, 1, 2);
 	Graph.Builder->AddPass(RDG_EVENT_NAME("A"), Parameters, ERDGPassFlags::Raster, [](FRHICommandList&) {});
@@ -211,8 +217,10 @@ TEST(Parameter, DepthAndStencilTargetsAreUsesByPlane)
 {
 	FGraphTest Graph;
 	Graph.Texture("D", FRDGTextureDesc::Create2D(FIntPoint(4, 4), PF_DepthStencil, FClearValueBinding::DepthFar,
-		TexCreate_DepthStencilTargetable | TexCreate_ShaderResource));
-	Graph.Pass("A").RendersDepth("D", FExclusiveDepthStencil::DepthWrite_StencilRead).AddFlags(ERDGPassFlags::NeverCull);
+						   TexCreate_DepthStencilTargetable | TexCreate_ShaderResource));
+	Graph.Pass("A")
+		.RendersDepth("D", FExclusiveDepthStencil::DepthWrite_StencilRead)
+		.AddFlags(ERDGPassFlags::NeverCull);
 	testing::internal::CaptureStderr();
 	const std::vector<FRDGUse> Uses = Graph.Builder->Compile().FindPass("A")->Uses;
 	testing::internal::GetCapturedStderr(); // the stencil was never written
@@ -230,7 +238,8 @@ TEST(Parameter, AViewOutsideTheGraphIsAnOutput)
 	const TRefCountPtr<FRHIUnorderedAccessView> View(new FRHIUnorderedAccessView(Outside, FRHITextureUAVCreateInfo()));
 	Graph.Parameters->OutsideOutput = View;
 	bool bRan = false;
-	Graph.Builder->AddPass(RDG_EVENT_NAME("A"), Graph.Parameters, ERDGPassFlags::Compute, [&bRan](FRHIComputeCommandList&) { bRan = true; });
+	Graph.Builder->AddPass(RDG_EVENT_NAME("A"), Graph.Parameters, ERDGPassFlags::Compute,
+		[&bRan](FRHIComputeCommandList&) { bRan = true; });
 	Graph.Run();
 	EXPECT_TRUE(bRan);
 }
@@ -243,7 +252,8 @@ TEST(Parameter, AStructMayServeSeveralPasses)
 	int32 NumRuns = 0;
 	for (int32 Index = 0; Index < 2; ++Index)
 	{
-		Graph.Builder->AddPass(RDG_EVENT_NAME("A%d", Index), Parameters, ERDGPassFlags::Compute, [&](FRHIComputeCommandList&) { ++NumRuns; });
+		Graph.Builder->AddPass(RDG_EVENT_NAME("A%d", Index), Parameters, ERDGPassFlags::Compute,
+			[&](FRHIComputeCommandList&) { ++NumRuns; });
 	}
 	Graph.Extract("X");
 	Graph.Run();

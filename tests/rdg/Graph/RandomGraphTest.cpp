@@ -1,5 +1,5 @@
-// Random graphs: whatever the mode, what leaves the graph is the same, bit for bit. Each graph is made from its seed, so a
-// failure can be repeated.
+// Random graphs: whatever the mode, what leaves the graph is the same, bit for bit. Each graph is made from its seed,
+// so a failure can be repeated.
 #include <gtest/gtest.h>
 
 #include "GraphTestBuilder.h"
@@ -43,7 +43,10 @@ struct FGraphPlan
 FGraphPlan MakePlan(uint32 Seed)
 {
 	std::mt19937 Random(Seed);
-	const auto Below = [&Random](int32 Count) { return int32(Random() % uint32(Count)); };
+	const auto Below = [&Random](int32 Count)
+	{
+		return int32(Random() % uint32(Count));
+	};
 	FGraphPlan Plan;
 	Plan.NumTextures = 2 + Below(10);
 	std::vector<FPassPlan::FMip> Written;
@@ -87,7 +90,10 @@ FGraphPlan MakePlan(uint32 Seed)
 	// Textures with both mips written may leave the graph.
 	for (int32 Texture = 0; Texture < Plan.NumTextures; ++Texture)
 	{
-		const auto IsWritten = [&](int32 Mip) { return std::find(Written.begin(), Written.end(), FPassPlan::FMip{Texture, Mip}) != Written.end(); };
+		const auto IsWritten = [&](int32 Mip)
+		{
+			return std::find(Written.begin(), Written.end(), FPassPlan::FMip{Texture, Mip}) != Written.end();
+		};
 		if (IsWritten(0) && IsWritten(1) && Below(3) == 0)
 		{
 			Plan.Extracted.insert(Texture);
@@ -96,15 +102,18 @@ FGraphPlan MakePlan(uint32 Seed)
 	return Plan;
 }
 
-std::string GetName(int32 Texture) { return "T" + std::to_string(Texture); }
+std::string GetName(int32 Texture)
+{
+	return "T" + std::to_string(Texture);
+}
 
 void AddPlannedPass(FGraphTest& Graph, const FPassPlan& Plan, int32 Index)
 {
 	auto* Parameters = Graph.Builder->AllocParameters<FGraphTestRasterParameters>();
 	for (size_t Read = 0; Read < Plan.Reads.size(); ++Read)
 	{
-		Parameters->Common.SRVs[int32(Read)] = Graph.Builder->CreateSRV(
-			FRDGTextureSRVDesc::CreateForMipLevel(Graph.Texture(GetName(Plan.Reads[Read].Texture), 2), Plan.Reads[Read].Mip));
+		Parameters->Common.SRVs[int32(Read)] = Graph.Builder->CreateSRV(FRDGTextureSRVDesc::CreateForMipLevel(
+			Graph.Texture(GetName(Plan.Reads[Read].Texture), 2), Plan.Reads[Read].Mip));
 	}
 	for (size_t Write = 0; Write < Plan.Writes.size(); ++Write)
 	{
@@ -116,7 +125,8 @@ void AddPlannedPass(FGraphTest& Graph, const FPassPlan& Plan, int32 Index)
 		}
 		else
 		{
-			Parameters->Common.UAVs[int32(Write)] = Graph.Builder->CreateUAV(FRDGTextureUAVDesc(Texture, uint8(Plan.Writes[Write].Mip)));
+			Parameters->Common.UAVs[int32(Write)] =
+				Graph.Builder->CreateUAV(FRDGTextureUAVDesc(Texture, uint8(Plan.Writes[Write].Mip)));
 		}
 	}
 	const auto Work = [Parameters, Index](FRHICommandListImmediate&)
@@ -148,7 +158,9 @@ void AddPlannedPass(FGraphTest& Graph, const FPassPlan& Plan, int32 Index)
 			[&](const FRenderTargetBinding& Binding) { Fill(Binding.GetTexture()->GetRHI(), Binding.GetMipIndex()); });
 	};
 	const ERDGPassFlags Keep = Plan.bNeverCull ? ERDGPassFlags::NeverCull : ERDGPassFlags::None;
-	const ERDGPassFlags Kind = Plan.bRaster ? ERDGPassFlags::Raster : Plan.bAsync ? ERDGPassFlags::AsyncCompute : ERDGPassFlags::Compute;
+	const ERDGPassFlags Kind = Plan.bRaster  ? ERDGPassFlags::Raster
+							   : Plan.bAsync ? ERDGPassFlags::AsyncCompute
+											 : ERDGPassFlags::Compute;
 	if (Plan.bRaster)
 	{
 		Graph.Builder->AddPass(RDG_EVENT_NAME("P%d", Index), Parameters, Kind | Keep, Work);
@@ -229,16 +241,46 @@ void ExpectSameBits(const TCHAR* Variable, int32 Value)
 
 } // namespace
 
-TEST(RandomGraph, ImmediateModeGivesTheSameBits) { ExpectSameBits(TEXT("r.RDG.ImmediateMode"), 1); }
-TEST(RandomGraph, NoCullingGivesTheSameBits) { ExpectSameBits(TEXT("r.RDG.CullPasses"), 0); }
-TEST(RandomGraph, NoTransientHeapGivesTheSameBits) { ExpectSameBits(TEXT("r.RDG.TransientAllocator"), 0); }
-TEST(RandomGraph, ExtendedLifetimesGiveTheSameBits) { ExpectSameBits(TEXT("r.RDG.Debug.ExtendResourceLifetimes"), 1); }
-TEST(RandomGraph, ClobberingWith1000GivesTheSameBits) { ExpectSameBits(TEXT("r.RDG.ClobberResources"), 1); }
-TEST(RandomGraph, ClobberingWithNaNGivesTheSameBits) { ExpectSameBits(TEXT("r.RDG.ClobberResources"), 2); }
-TEST(RandomGraph, ClobberingWithInfinityGivesTheSameBits) { ExpectSameBits(TEXT("r.RDG.ClobberResources"), 3); }
-TEST(RandomGraph, AsyncEverywhereGivesTheSameBits) { ExpectSameBits(TEXT("r.RDG.AsyncCompute"), 2); }
-TEST(RandomGraph, NoAsyncGivesTheSameBits) { ExpectSameBits(TEXT("r.RDG.AsyncCompute"), 0); }
-TEST(RandomGraph, NoValidationGivesTheSameBits) { ExpectSameBits(TEXT("r.RDG.Validation"), 0); }
+TEST(RandomGraph, ImmediateModeGivesTheSameBits)
+{
+	ExpectSameBits(TEXT("r.RDG.ImmediateMode"), 1);
+}
+TEST(RandomGraph, NoCullingGivesTheSameBits)
+{
+	ExpectSameBits(TEXT("r.RDG.CullPasses"), 0);
+}
+TEST(RandomGraph, NoTransientHeapGivesTheSameBits)
+{
+	ExpectSameBits(TEXT("r.RDG.TransientAllocator"), 0);
+}
+TEST(RandomGraph, ExtendedLifetimesGiveTheSameBits)
+{
+	ExpectSameBits(TEXT("r.RDG.Debug.ExtendResourceLifetimes"), 1);
+}
+TEST(RandomGraph, ClobberingWith1000GivesTheSameBits)
+{
+	ExpectSameBits(TEXT("r.RDG.ClobberResources"), 1);
+}
+TEST(RandomGraph, ClobberingWithNaNGivesTheSameBits)
+{
+	ExpectSameBits(TEXT("r.RDG.ClobberResources"), 2);
+}
+TEST(RandomGraph, ClobberingWithInfinityGivesTheSameBits)
+{
+	ExpectSameBits(TEXT("r.RDG.ClobberResources"), 3);
+}
+TEST(RandomGraph, AsyncEverywhereGivesTheSameBits)
+{
+	ExpectSameBits(TEXT("r.RDG.AsyncCompute"), 2);
+}
+TEST(RandomGraph, NoAsyncGivesTheSameBits)
+{
+	ExpectSameBits(TEXT("r.RDG.AsyncCompute"), 0);
+}
+TEST(RandomGraph, NoValidationGivesTheSameBits)
+{
+	ExpectSameBits(TEXT("r.RDG.Validation"), 0);
+}
 
 TEST(RandomGraph, ResourcesThatShareMemoryAreNeverAliveTogether)
 {
@@ -254,12 +296,14 @@ TEST(RandomGraph, ResourcesThatShareMemoryAreNeverAliveTogether)
 			{
 				const FRDGCompiledResource& X = Resources[A];
 				const FRDGCompiledResource& Y = Resources[B];
-				if (!X.bTransient || !Y.bTransient || X.HeapOffset >= Y.HeapOffset + int64(Y.Bytes) || Y.HeapOffset >= X.HeapOffset + int64(X.Bytes))
+				if (!X.bTransient || !Y.bTransient || X.HeapOffset >= Y.HeapOffset + int64(Y.Bytes) ||
+					Y.HeapOffset >= X.HeapOffset + int64(X.Bytes))
 				{
 					continue;
 				}
 				++NumSharing;
-				EXPECT_TRUE(X.LastPass < Y.FirstPass || Y.LastPass < X.FirstPass) << "seed " << Seed << ": " << X.Name << " and " << Y.Name;
+				EXPECT_TRUE(X.LastPass < Y.FirstPass || Y.LastPass < X.FirstPass)
+					<< "seed " << Seed << ": " << X.Name << " and " << Y.Name;
 			}
 		}
 	}
@@ -281,7 +325,8 @@ TEST(RandomGraph, TheProducersOfASurvivorSurvive)
 			for (const int32 Producer : Pass.Producers)
 			{
 				EXPECT_LT(Producer, Pass.Index);
-				EXPECT_FALSE(!Pass.bCulled && Compiled.Passes[size_t(Producer)].bCulled) << "seed " << Seed << ": " << Pass.Name;
+				EXPECT_FALSE(!Pass.bCulled && Compiled.Passes[size_t(Producer)].bCulled)
+					<< "seed " << Seed << ": " << Pass.Name;
 			}
 		}
 	}
@@ -300,7 +345,8 @@ TEST(RandomGraph, EveryLifetimeHoldsEveryUse)
 			for (const FRDGUse& Use : Pass.Uses)
 			{
 				const FRDGCompiledResource& Resource = Compiled.Resources[size_t(Use.Resource)];
-				EXPECT_TRUE(Pass.bCulled || (Resource.FirstPass <= Pass.Index && Pass.Index <= Resource.LastPass)) << "seed " << Seed;
+				EXPECT_TRUE(Pass.bCulled || (Resource.FirstPass <= Pass.Index && Pass.Index <= Resource.LastPass))
+					<< "seed " << Seed;
 			}
 		}
 	}

@@ -33,19 +33,22 @@ TEST(ScreenPassViewport, IsFullscreenOnlyWhenTheRectIsAllOfTheExtent)
 
 TEST(ScreenPassViewport, DownscaleRoundsExtentAndMaxUpAndMinTowardsZero)
 {
-	const FScreenPassTextureViewport Half = GetDownscaledViewport(FScreenPassTextureViewport(FIntPoint(1919, 1079), FIntRect(3, 5, 1919, 1079)), FIntPoint(2, 2));
+	const FScreenPassTextureViewport Half = GetDownscaledViewport(
+		FScreenPassTextureViewport(FIntPoint(1919, 1079), FIntRect(3, 5, 1919, 1079)), FIntPoint(2, 2));
 	EXPECT_EQ(FIntPoint(960, 540), Half.Extent);
 	EXPECT_EQ(FIntRect(1, 2, 960, 540), Half.Rect);
 }
 
 TEST(ScreenPassViewport, DownscaleNeverGoesBelowOneTexel)
 {
-	EXPECT_EQ(FIntPoint(1, 1), GetDownscaledViewport(FScreenPassTextureViewport(FIntPoint(1, 1)), FIntPoint(2, 2)).Extent);
+	EXPECT_EQ(
+		FIntPoint(1, 1), GetDownscaledViewport(FScreenPassTextureViewport(FIntPoint(1, 1)), FIntPoint(2, 2)).Extent);
 }
 
 TEST(ScreenPassViewportParameters, OfAnEmptyViewportAreZero)
 {
-	const FScreenPassTextureViewportParameters Parameters = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport());
+	const FScreenPassTextureViewportParameters Parameters =
+		GetScreenPassTextureViewportParameters(FScreenPassTextureViewport());
 	ExpectVector(0, 0, Parameters.ExtentInverse);
 	ExpectVector(0, 0, Parameters.UVViewportSizeInverse);
 }
@@ -73,7 +76,8 @@ TEST(ScreenPassViewportParameters, FollowTheFormulas)
 TEST(ScreenPassViewportParameters, AreNamedInHlslAsTheViewportMacroDeclaresThem)
 {
 	const FShaderParametersMetadata::FMember* Member =
-		FScreenPassTextureViewportParameters::FTypeInfo::GetStructMetadata()->FindMemberByName(TEXT("UVViewportBilinearMax"));
+		FScreenPassTextureViewportParameters::FTypeInfo::GetStructMetadata()->FindMemberByName(
+			TEXT("UVViewportBilinearMax"));
 	ASSERT_NE(nullptr, Member);
 	EXPECT_EQ(UBMT_FLOAT32, Member->GetBaseType());
 	EXPECT_EQ(2u, Member->GetNumColumns());
@@ -102,7 +106,8 @@ TEST(ScreenTransform, QuotientAppliesTheInverse)
 
 TEST(ScreenTransform, MapsTheCornersOfTheScreenToTheRect)
 {
-	const FScreenTransform ToTexel = FScreenTransform::ChangeTextureBasisFromTo(GExtent, GRect, EBasis::ScreenPosition, EBasis::TexelPosition);
+	const FScreenTransform ToTexel =
+		FScreenTransform::ChangeTextureBasisFromTo(GExtent, GRect, EBasis::ScreenPosition, EBasis::TexelPosition);
 	ExpectVector(10, 4, FVector2f(-1, 1) * ToTexel);
 	ExpectVector(50, 24, FVector2f(1, -1) * ToTexel);
 }
@@ -147,7 +152,8 @@ TEST(ScreenTransform, ChangesRects)
 
 TEST(ComputeShaderUtils, GroupCountsCoverTheThreads)
 {
-	EXPECT_EQ(FIntVector(121, 68, 1), FComputeShaderUtils::GetGroupCount(FIntPoint(961, 540), FComputeShaderUtils::kGolden2DGroupSize));
+	EXPECT_EQ(FIntVector(121, 68, 1),
+		FComputeShaderUtils::GetGroupCount(FIntPoint(961, 540), FComputeShaderUtils::kGolden2DGroupSize));
 	EXPECT_EQ(FIntVector(1, 1, 1), FComputeShaderUtils::GetGroupCount(1, 64));
 	EXPECT_EQ(FIntVector(2, 3, 4), FComputeShaderUtils::GetGroupCount(FIntVector(9, 17, 25), FIntVector(8, 8, 8)));
 	EXPECT_EQ(FIntVector(4, 2, 1), FComputeShaderUtils::GetGroupCount(FIntPoint(64, 32), FIntPoint(16, 16)));

@@ -21,9 +21,12 @@ std::string Describe(FDescribedGraph& Graph, const std::string& Name, bool bTran
 	{
 		if (Transition.Resource == Graph.GetIndex(Name))
 		{
-			Text += (Text.empty() ? "" : "; ") + std::to_string(Transition.BeginPass) + "->" + std::to_string(Transition.EndPass) + " "
-				+ *GetRHIAccessName(Transition.Before) + ">" + *GetRHIAccessName(Transition.After) + (Transition.bUAVBarrier ? "!" : "");
-			Text += Graph.Resource(Name).NumMips > 1 ? " mips " + std::to_string(Transition.FirstMip) + "+" + std::to_string(Transition.NumMips) : "";
+			Text += (Text.empty() ? "" : "; ") + std::to_string(Transition.BeginPass) + "->" +
+					std::to_string(Transition.EndPass) + " " + *GetRHIAccessName(Transition.Before) + ">" +
+					*GetRHIAccessName(Transition.After) + (Transition.bUAVBarrier ? "!" : "");
+			Text += Graph.Resource(Name).NumMips > 1
+						? " mips " + std::to_string(Transition.FirstMip) + "+" + std::to_string(Transition.NumMips)
+						: "";
 		}
 	}
 	return Text;
@@ -108,7 +111,8 @@ TEST(Transitions, AnExternalResourceComesAndGoesReadable)
 	FDescribedGraph Graph;
 	Graph.Resource("X").bExternal = true;
 	Graph.Pass("A", {Write("X")});
-	EXPECT_EQ("0->1 SRVCompute|SRVGraphics>UAVCompute; 1->2 UAVCompute>SRVCompute|SRVGraphics", Describe(Graph, "X", false));
+	EXPECT_EQ(
+		"0->1 SRVCompute|SRVGraphics>UAVCompute; 1->2 UAVCompute>SRVCompute|SRVGraphics", Describe(Graph, "X", false));
 }
 
 TEST(Transitions, AFinalAccessIsObeyed)
@@ -126,7 +130,8 @@ TEST(Transitions, MipsChangeStateOneByOne)
 	Graph.Resource("X").NumMips = 2;
 	Graph.Pass("A", {WriteMip("X", 0)});
 	Graph.Pass("B", {ReadMip("X", 0), WriteMip("X", 1)});
-	EXPECT_EQ("0->1 Discard>UAVCompute mips 0+1; 1->2 UAVCompute>SRVCompute mips 0+1; 0->2 Discard>UAVCompute mips 1+1", Describe(Graph, "X"));
+	EXPECT_EQ("0->1 Discard>UAVCompute mips 0+1; 1->2 UAVCompute>SRVCompute mips 0+1; 0->2 Discard>UAVCompute mips 1+1",
+		Describe(Graph, "X"));
 }
 
 TEST(Transitions, MipsThatChangeAlikeAreOneTransition)

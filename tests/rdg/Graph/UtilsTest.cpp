@@ -60,7 +60,8 @@ TEST(Utils, ClearRenderTargetOfARectLeavesTheRest)
 TEST(Utils, ClearUAVStoresWhatTheFormatCanHold)
 {
 	FGraphTest Graph;
-	AddClearUAVPass(*Graph.Builder, Graph.Builder->CreateUAV(MakeColorTexture(Graph, "X", PF_R8G8B8A8)), FLinearColor(0.5f, 2, -1, 1));
+	AddClearUAVPass(*Graph.Builder, Graph.Builder->CreateUAV(MakeColorTexture(Graph, "X", PF_R8G8B8A8)),
+		FLinearColor(0.5f, 2, -1, 1));
 	Graph.Extract("X");
 	Graph.Run();
 	EXPECT_EQ(FLinearColor(128.0f / 255.0f, 1, 0, 1), GetColor(Graph, "X", 2, 2));
@@ -111,14 +112,16 @@ namespace
 std::pair<float, int32> ClearDepth(bool bClearDepth, bool bClearStencil)
 {
 	FGraphTest Graph;
-	FRDGTextureRef Depth = Graph.Texture("D", FRDGTextureDesc::Create2D(FIntPoint(4, 4), PF_DepthStencil, FClearValueBinding::DepthFar,
-		TexCreate_DepthStencilTargetable | TexCreate_ShaderResource));
+	FRDGTextureRef Depth =
+		Graph.Texture("D", FRDGTextureDesc::Create2D(FIntPoint(4, 4), PF_DepthStencil, FClearValueBinding::DepthFar,
+							   TexCreate_DepthStencilTargetable | TexCreate_ShaderResource));
 	AddClearDepthStencilPass(*Graph.Builder, Depth, true, 0.25f, true, 9);
 	AddClearDepthStencilPass(*Graph.Builder, Depth, bClearDepth, 0.5f, bClearStencil, 7);
 	std::pair<float, int32> Seen;
 	AddReadbackTexturePass(*Graph.Builder, RDG_EVENT_NAME("Read"), Depth,
-		[&](FRHICommandListImmediate&)
-		{ Seen = {Depth->GetRHI()->ReadTexel(2, 2).R, *Depth->GetRHI()->GetTexel(2, 2, 0, 0, 1)}; });
+		[&](FRHICommandListImmediate&) {
+			Seen = {Depth->GetRHI()->ReadTexel(2, 2).R, *Depth->GetRHI()->GetTexel(2, 2, 0, 0, 1)};
+		});
 	testing::internal::CaptureStderr();
 	Graph.Run();
 	EXPECT_EQ("", testing::internal::GetCapturedStderr());
@@ -127,9 +130,18 @@ std::pair<float, int32> ClearDepth(bool bClearDepth, bool bClearStencil)
 
 } // namespace
 
-TEST(Utils, ClearDepthStencilClearsBothPlanes) { EXPECT_EQ(std::make_pair(0.5f, 7), ClearDepth(true, true)); }
-TEST(Utils, ClearDepthStencilOfDepthKeepsTheStencil) { EXPECT_EQ(std::make_pair(0.5f, 9), ClearDepth(true, false)); }
-TEST(Utils, ClearDepthStencilOfStencilKeepsTheDepth) { EXPECT_EQ(std::make_pair(0.25f, 7), ClearDepth(false, true)); }
+TEST(Utils, ClearDepthStencilClearsBothPlanes)
+{
+	EXPECT_EQ(std::make_pair(0.5f, 7), ClearDepth(true, true));
+}
+TEST(Utils, ClearDepthStencilOfDepthKeepsTheStencil)
+{
+	EXPECT_EQ(std::make_pair(0.5f, 9), ClearDepth(true, false));
+}
+TEST(Utils, ClearDepthStencilOfStencilKeepsTheDepth)
+{
+	EXPECT_EQ(std::make_pair(0.25f, 7), ClearDepth(false, true));
+}
 
 TEST(Utils, AMistakeInAHelperIsReportedWhereItWasCalled)
 {
@@ -163,7 +175,8 @@ TEST(Utils, CopyTextureCopiesARegion)
 	FGraphTest Graph;
 	Graph.Pass("A").Writes("X").Value(3);
 	Graph.Pass("B").Writes("Y").Value(1);
-	AddCopyTexturePass(*Graph.Builder, Graph.Texture("X"), Graph.Texture("Y"), FIntPoint(0, 0), FIntPoint(2, 1), FIntPoint(2, 2));
+	AddCopyTexturePass(
+		*Graph.Builder, Graph.Texture("X"), Graph.Texture("Y"), FIntPoint(0, 0), FIntPoint(2, 1), FIntPoint(2, 2));
 	Graph.Extract("Y");
 	Graph.Run();
 	EXPECT_EQ(3.0f, Graph.Pixel("Y", 2, 1));
@@ -274,7 +287,8 @@ TEST(Utils, SystemTexturesHoldTheirColor)
 TEST(Utils, GroupCountsAreRoundedUp)
 {
 	EXPECT_EQ(FIntVector(13, 1, 1), FComputeShaderUtils::GetGroupCount(100, 8));
-	EXPECT_EQ(FIntVector(240, 135, 1), FComputeShaderUtils::GetGroupCount(FIntPoint(1919, 1079), FComputeShaderUtils::kGolden2DGroupSize));
+	EXPECT_EQ(FIntVector(240, 135, 1),
+		FComputeShaderUtils::GetGroupCount(FIntPoint(1919, 1079), FComputeShaderUtils::kGolden2DGroupSize));
 	EXPECT_EQ(FIntVector(1, 2, 3), FComputeShaderUtils::GetGroupCount(FIntVector(4, 5, 9), FIntVector(4, 4, 4)));
 	EXPECT_EQ(FIntVector(2, 1, 1), FComputeShaderUtils::GetGroupCount(FIntPoint(17, 8), FIntPoint(16, 8)));
 }

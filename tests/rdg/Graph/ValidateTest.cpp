@@ -21,9 +21,18 @@ std::string GetCodes(const std::vector<FDiagnostic>& Diagnostics)
 	return Codes;
 }
 
-std::string Errors(const FDescribedGraph& Graph) { return GetCodes(ValidateGraph(Graph.Get(), false).Errors); }
-std::string Ensures(const FDescribedGraph& Graph) { return GetCodes(ValidateGraph(Graph.Get(), false).Ensures); }
-std::string Warnings(const FDescribedGraph& Graph, bool bDebug = false) { return GetCodes(ValidateGraph(Graph.Get(), bDebug).Warnings); }
+std::string Errors(const FDescribedGraph& Graph)
+{
+	return GetCodes(ValidateGraph(Graph.Get(), false).Errors);
+}
+std::string Ensures(const FDescribedGraph& Graph)
+{
+	return GetCodes(ValidateGraph(Graph.Get(), false).Ensures);
+}
+std::string Warnings(const FDescribedGraph& Graph, bool bDebug = false)
+{
+	return GetCodes(ValidateGraph(Graph.Get(), bDebug).Warnings);
+}
 
 /** One pass that writes X with these flags. */
 std::string ErrorsOfFlags(ERDGPassFlags Flags)
@@ -44,11 +53,26 @@ TEST(Validate, AGoodGraphIsGood)
 	EXPECT_EQ("", Errors(Graph) + Ensures(Graph) + Warnings(Graph));
 }
 
-TEST(Validate, ParametersNeedAWorkFlag) { EXPECT_EQ("2020 2024", ErrorsOfFlags(ERDGPassFlags::None)); }
-TEST(Validate, NeverCullIsNoWorkFlag) { EXPECT_EQ("2020 2024", ErrorsOfFlags(ERDGPassFlags::NeverCull)); }
-TEST(Validate, ComputeExcludesAsyncCompute) { EXPECT_EQ("2020", ErrorsOfFlags(ERDGPassFlags::Compute | ERDGPassFlags::AsyncCompute)); }
-TEST(Validate, SkipRenderPassNeedsRaster) { EXPECT_EQ("2020", ErrorsOfFlags(ERDGPassFlags::Compute | ERDGPassFlags::SkipRenderPass)); }
-TEST(Validate, NeverMergeNeedsRaster) { EXPECT_EQ("2020", ErrorsOfFlags(ERDGPassFlags::Compute | ERDGPassFlags::NeverMerge)); }
+TEST(Validate, ParametersNeedAWorkFlag)
+{
+	EXPECT_EQ("2020 2024", ErrorsOfFlags(ERDGPassFlags::None));
+}
+TEST(Validate, NeverCullIsNoWorkFlag)
+{
+	EXPECT_EQ("2020 2024", ErrorsOfFlags(ERDGPassFlags::NeverCull));
+}
+TEST(Validate, ComputeExcludesAsyncCompute)
+{
+	EXPECT_EQ("2020", ErrorsOfFlags(ERDGPassFlags::Compute | ERDGPassFlags::AsyncCompute));
+}
+TEST(Validate, SkipRenderPassNeedsRaster)
+{
+	EXPECT_EQ("2020", ErrorsOfFlags(ERDGPassFlags::Compute | ERDGPassFlags::SkipRenderPass));
+}
+TEST(Validate, NeverMergeNeedsRaster)
+{
+	EXPECT_EQ("2020", ErrorsOfFlags(ERDGPassFlags::Compute | ERDGPassFlags::NeverMerge));
+}
 
 TEST(Validate, RasterExcludesAsyncCompute)
 {
