@@ -251,7 +251,8 @@ private:
 	{
 		const auto IsNamed = [&](const FBindingSource& Source)
 		{
-			return Source.BaseType != UBMT_INVALID && UniformBuffer == Source.Metadata->GetShaderVariableName();
+			const TCHAR* const Name = Source.Metadata->GetShaderVariableName();
+			return Source.BaseType != UBMT_INVALID && Name && UniformBuffer == Name;
 		};
 		const std::string Struct = Metadata.GetStructTypeName();
 		if (!UniformBuffer.empty() && std::none_of(Plan.Sources.begin(), Plan.Sources.end(), IsNamed))

@@ -35,6 +35,7 @@ bool RunPass(const char* Name, const std::function<FScreenPassTexture(FRDGBuilde
 		FRDGBuilder GraphBuilder(RHICmdList, RDG_EVENT_NAME("%s", Name));
 		FRDGTextureRef Source = GraphBuilder.CreateTexture(FRDGTextureDesc::Create2D(Extent, PF_FloatRGBA,
 			FClearValueBinding::None, TexCreate_RenderTargetable | TexCreate_ShaderResource | TexCreate_UAV), TEXT("Source"));
+		AddClearRenderTargetPass(GraphBuilder, Source, FLinearColor(0.0f, 0.0f, 0.0f, 0.0f));
 		for (int32 Y = 0; Y < Height; ++Y)
 		{
 			for (int32 X = 0; X < Width; ++X)
