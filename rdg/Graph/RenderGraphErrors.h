@@ -23,7 +23,7 @@ enum ERDGError : int
 	RDGErrorAccessFinal = 2012,        // of a resource that is neither external nor extracted
 	RDGErrorForeignResource = 2013,    // a pointer to something that is not of this graph
 	RDGErrorScope = 2014,              // EndEventScope without BeginEventScope
-						  // Passes.
+									   // Passes.
 	RDGErrorPassFlags = 2020,
 	RDGErrorNoOutput = 2021,          // the pass would always be culled
 	RDGErrorRenderTargetSlots = 2022, // missing on a raster pass, present on another
@@ -31,8 +31,8 @@ enum ERDGError : int
 	RDGErrorAccessFlags = 2024,       // an access that needs a flag the pass lacks
 	RDGErrorHazard = 2025,            // one subresource in two ways that exclude each other
 	RDGErrorSkipTrackingWrite = 2026,
-	RDGErrorPassDependency = 2027, // a producer that is not added before its consumer
-								   // Execution.
+	RDGErrorPassDependency = 2027,   // a producer that is not added before its consumer
+									 // Execution.
 	RDGErrorUndeclaredAccess = 2030, // GetRHI outside a pass that declares the resource
 									 // Ensures: reported, the graph goes on.
 	RDGEnsureNeverWritten = 2040,
