@@ -12,7 +12,8 @@ enum ERDGError : int
 	RDGErrorNotExecuted = 2002,   // destroyed without Execute: printed, then the program ends
 	RDGErrorExecutedTwice = 2003,
 	RDGErrorAfterExecute = 2004, // anything declared after Execute
-								 // Arguments.
+
+	// Arguments.
 	RDGErrorNullName = 2005,
 	RDGErrorNullArgument = 2006,       // external pointer, parameter struct, output pointer, parent of a view
 	RDGErrorInvalidDescription = 2007, // a texture that cannot be made, a buffer of zero bytes
@@ -23,7 +24,8 @@ enum ERDGError : int
 	RDGErrorAccessFinal = 2012,        // of a resource that is neither external nor extracted
 	RDGErrorForeignResource = 2013,    // a pointer to something that is not of this graph
 	RDGErrorScope = 2014,              // EndEventScope without BeginEventScope
-									   // Passes.
+
+	// Passes.
 	RDGErrorPassFlags = 2020,
 	RDGErrorNoOutput = 2021,          // the pass would always be culled
 	RDGErrorRenderTargetSlots = 2022, // missing on a raster pass, present on another
@@ -31,13 +33,16 @@ enum ERDGError : int
 	RDGErrorAccessFlags = 2024,       // an access that needs a flag the pass lacks
 	RDGErrorHazard = 2025,            // one subresource in two ways that exclude each other
 	RDGErrorSkipTrackingWrite = 2026,
-	RDGErrorPassDependency = 2027,   // a producer that is not added before its consumer
-									 // Execution.
+	RDGErrorPassDependency = 2027, // a producer that is not added before its consumer
+
+	// Execution.
 	RDGErrorUndeclaredAccess = 2030, // GetRHI outside a pass that declares the resource
-									 // Ensures: reported, the graph goes on.
+
+	// Ensures: reported, the graph goes on.
 	RDGEnsureNeverWritten = 2040,
 	RDGEnsureTargetFlags = 2041, // a render target without RenderTargetable, a resolve target without ResolveTargetable
 	RDGEnsureExternalAccess = 2042,
+
 	// Warnings.
 	RDGWarningNotShaderResource = 2050, // read in a shader without TexCreate_ShaderResource
 	RDGWarningUnusedOutput = 2051,      // this and the next ones with r.RDG.Debug only
