@@ -3,7 +3,7 @@
 
 #include "ConfigErrors.h"
 #include "NonFinite.h"
-#include "PostProcess/PostProcessing.h"
+#include "PostProcess/PostProcessingChain.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphObserver.h"
 #include "RunDump.h"
@@ -250,10 +250,10 @@ void RunGraph(const FRunOptions& Options, const FRunSetup& Setup, FScene& Scene,
 	TRefCountPtr<IPooledRenderTarget> Final;
 	FRDGBuilder GraphBuilder(FRHICommandListExecutor::GetImmediateCommandList(), RDG_EVENT_NAME("Frame"));
 	GraphBuilder.SetObserver(&Observer);
-	FPostProcessingInputs Inputs;
+	FPostProcessingChainInputs Inputs;
 	Inputs.SceneColor = FScreenPassTexture(Scene.RegisterSceneColor(GraphBuilder), Result.ViewRect);
 	Inputs.ExposureScale = Setup.Chain.ExposureScale;
-	const FPostProcessingOutputs Outputs = AddPostProcessingPasses(GraphBuilder, View, Inputs, Setup.Effects);
+	const FPostProcessingChainOutputs Outputs = AddPostProcessingPasses(GraphBuilder, View, Inputs, Setup.Effects);
 	const FIntRect SceneLinearRect = Outputs.SceneLinear.ViewRect;
 	const FIntRect FinalRect = Outputs.Final.ViewRect;
 	GraphBuilder.QueueTextureExtraction(Outputs.SceneLinear.Texture, &SceneLinear);

@@ -36,10 +36,10 @@ BEGIN_GLOBAL_SHADER_PARAMETER_STRUCT(FViewUniformShaderParameters, DRYDOCK_API)
 	SHADER_PARAMETER(FVector3f, PreViewTranslation)
 	SHADER_PARAMETER(FVector4f, InvDeviceZToWorldZTransform)
 	SHADER_PARAMETER(FVector4f, ScreenPositionScaleBias)
-	SHADER_PARAMETER(FVector4f, ViewRectMin)		// xy min of the rect
+	SHADER_PARAMETER(FVector4f, ViewRectMin)        // xy min of the rect
 	SHADER_PARAMETER(FVector4f, ViewSizeAndInvSize) // xy size of the rect, zw inverse
 	SHADER_PARAMETER(FUintVector4, ViewRectMinAndSize)
-	SHADER_PARAMETER(FVector4f, BufferSizeAndInvSize)	// xy extent of the scene textures, zw inverse
+	SHADER_PARAMETER(FVector4f, BufferSizeAndInvSize)   // xy extent of the scene textures, zw inverse
 	SHADER_PARAMETER(FVector4f, BufferBilinearUVMinMax) // xy min, zw max: half a texel inside the rect
 	SHADER_PARAMETER(FVector4f, TemporalAAJitter)
 	SHADER_PARAMETER(FVector4f, FieldOfViewWideAngles)
@@ -103,6 +103,26 @@ public:
 
 	ERHIFeatureLevel::Type GetFeatureLevel() const { return GMaxRHIFeatureLevel; }
 	EShaderPlatform GetShaderPlatform() const { return GMaxRHIShaderPlatform; }
+};
+
+/** Position and projection of a view before it is made. */
+struct FSceneViewProjectionData
+{
+	FVector ViewOrigin = FVector(0.0, 0.0, 0.0); // cm
+	FMatrix ViewRotationMatrix = FMatrix::Identity;
+	FMatrix ProjectionMatrix = FMatrix::Identity;
+
+	void SetViewRectangle(const FIntRect& InViewRect)
+	{
+		ViewRect = InViewRect;
+		ConstrainedViewRect = InViewRect;
+	}
+	const FIntRect& GetViewRect() const { return ViewRect; }
+	const FIntRect& GetConstrainedViewRect() const { return ConstrainedViewRect; }
+
+private:
+	FIntRect ViewRect;
+	FIntRect ConstrainedViewRect;
 };
 
 enum EAntiAliasingMethod : int32

@@ -13,7 +13,7 @@
 
 class FRDGBuilder;
 
-struct FPostProcessingInputs
+struct FPostProcessingChainInputs
 {
 	/** [Required] Linear, pre-exposed; its rect is the view's. */
 	FScreenPassTexture SceneColor;
@@ -21,7 +21,7 @@ struct FPostProcessingInputs
 	float ExposureScale = 1.0f;
 };
 
-struct FPostProcessingOutputs
+struct FPostProcessingChainOutputs
 {
 	/** What the tonemapper reads, bloom apart. */
 	FScreenPassTexture SceneLinear;
@@ -30,5 +30,5 @@ struct FPostProcessingOutputs
 };
 
 /** Builds the passes of the effects that are active in Effects. View.FinalPostProcessSettings holds the settings. */
-DRYDOCK_API FPostProcessingOutputs AddPostProcessingPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View,
-	const FPostProcessingInputs& Inputs, const std::vector<Drydock::FEffectDecision>& Effects);
+DRYDOCK_API FPostProcessingChainOutputs AddPostProcessingPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View,
+	const FPostProcessingChainInputs& Inputs, const std::vector<Drydock::FEffectDecision>& Effects);

@@ -1,5 +1,5 @@
 // Source: engine PostProcess/PostProcessing.cpp (order of the chain, what each part needs).
-#include "PostProcess/PostProcessing.h"
+#include "PostProcess/PostProcessingChain.h"
 
 #include "PostProcessBloomSetup.h"
 #include "PostProcessDownsample.h"
@@ -59,8 +59,8 @@ FScreenPassTexture AddBloomPasses(FRDGBuilder& GraphBuilder, const FViewInfo& Vi
 
 } // namespace
 
-FPostProcessingOutputs AddPostProcessingPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View,
-	const FPostProcessingInputs& Inputs, const std::vector<Drydock::FEffectDecision>& Effects)
+FPostProcessingChainOutputs AddPostProcessingPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View,
+	const FPostProcessingChainInputs& Inputs, const std::vector<Drydock::FEffectDecision>& Effects)
 {
 	RDG_EVENT_SCOPE(GraphBuilder, "PostProcessing");
 	check(Inputs.SceneColor.IsValid());
@@ -74,7 +74,7 @@ FPostProcessingOutputs AddPostProcessingPasses(FRDGBuilder& GraphBuilder, const 
 		TonemapInputs.Bloom = AddBloomPasses(GraphBuilder, View, Inputs.SceneColor, EyeAdaptationBuffer);
 	}
 
-	FPostProcessingOutputs Outputs;
+	FPostProcessingChainOutputs Outputs;
 	Outputs.SceneLinear = Inputs.SceneColor;
 	Outputs.Final = AddTonemapPass(GraphBuilder, View, TonemapInputs);
 	return Outputs;

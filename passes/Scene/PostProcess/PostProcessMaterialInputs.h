@@ -1,0 +1,108 @@
+// What a post-processing callback is given. Source: engine file PostProcess/PostProcessMaterialInputs.h.
+#pragma once
+
+#include "CoreMinimal.h"
+#include "SceneTextureParameters.h"
+#include "ScreenPass.h"
+
+/** Slots of FPostProcessMaterialInputs. */
+enum class EPostProcessMaterialInput : uint32
+{
+	/** The picture so far; always there. */
+	SceneColor = 0,
+	/** Translucency that is composed later; transparent black here. */
+	SeparateTranslucency = 1,
+	/** Bloom, where the tonemapper is replaced. */
+	CombinedBloom = 2,
+	/** After the tonemapper: what it read. */
+	PreTonemapHDRColor = 2,
+	/** After the tonemapper: what it wrote. */
+	PostTonemapHDRColor = 3,
+	Velocity = 4
+};
+
+constexpr uint32 kPostProcessMaterialInputCountMax = 5;
+
+namespace Drydock
+{
+
+/** A picture as callbacks get it: a texture as up to engine 5.3, and a slice (view and rect) as from 5.4. It converts
+ * to either. */
+struct FScreenPassInput : public FScreenPassTexture
+{
+	FScreenPassInput() = default;
+	FScreenPassInput(const FScreenPassTexture& InTexture)
+		: FScreenPassTexture(InTexture)
+	{
+	}
+	FScreenPassInput(const FScreenPassTexture& InTexture, FRDGTextureSRVRef InTextureSRV)
+		: FScreenPassTexture(InTexture)
+		, TextureSRV(InTextureSRV)
+	{
+	}
+
+	operator FScreenPassTextureSlice() const
+	{
+		checkf(TextureSRV != nullptr || Texture == nullptr,
+			TEXT("This input was set without a graph builder: read it as a FScreenPassTexture"));
+		return FScreenPassTextureSlice(TextureSRV, ViewRect);
+	}
+
+	FRDGTextureSRVRef TextureSRV = nullptr;
+};
+
+} // namespace Drydock
+
+/** Inputs of one callback, and where it has to draw if anybody cares. */
+struct FPostProcessMaterialInputs
+{
+	/** Valid for the last callback of the last pass: it must draw into it, over its whole ViewRect, and return it. */
+	FScreenPassRenderTarget OverrideOutput;
+
+	/** By EPostProcessMaterialInput. */
+	TStaticArray<Drydock::FScreenPassInput, kPostProcessMaterialInputCountMax> Textures;
+
+	/** Format of a new output; PF_Unknown: the input's. */
+	EPixelFormat OutputFormat = PF_Unknown;
+
+	/** The picture may be drawn to in place. */
+	bool bAllowSceneColorInputAsOutput = true;
+	bool bManualStencilTest = false;
+	FRDGTextureRef CustomDepthTexture = nullptr;
+
+	FSceneTextureShaderParameters SceneTextures;
+
+	Drydock::FScreenPassInput GetInput(EPostProcessMaterialInput Input) const
+	{
+		return Textures[static_cast<uint32>(Input)];
+	}
+	void SetInput(FRDGBuilder& GraphBuilder, EPostProcessMaterialInput Input, const FScreenPassTexture& Texture)
+	{
+		Textures[static_cast<uint32>(Input)] = {
+			Texture, Texture.Texture ? GraphBuilder.CreateSRV(Texture.Texture) : nullptr};
+	}
+	void SetInput(EPostProcessMaterialInput Input, const FScreenPassTextureSlice& Slice)
+	{
+		Textures[static_cast<uint32>(Input)] = {
+			FScreenPassTexture(Slice.TextureSRV ? Slice.TextureSRV->Desc.Texture : nullptr, Slice.ViewRect),
+			Slice.TextureSRV};
+	}
+	void SetInput(EPostProcessMaterialInput Input, const FScreenPassTexture& Texture)
+	{
+		Textures[static_cast<uint32>(Input)] = Texture;
+	}
+
+	/** The picture as it came, without a copy; where OverrideOutput is valid, that one, with nothing drawn to it. */
+	FScreenPassTexture ReturnUntouchedSceneColorForPostProcessing(FRDGBuilder& GraphBuilder) const
+	{
+		return OverrideOutput.IsValid()
+				   ? FScreenPassTexture(OverrideOutput)
+				   : FScreenPassTexture::CopyFromSlice(GraphBuilder, GetInput(EPostProcessMaterialInput::SceneColor));
+	}
+
+	void Validate() const
+	{
+		check(GetInput(EPostProcessMaterialInput::SceneColor).IsValid());
+		check(!OverrideOutput.IsValid() || OutputFormat == PF_Unknown);
+	}
+};

@@ -1,0 +1,169 @@
+// Source: engine file SceneViewExtension.cpp (order and activity); the record of signatures is drydock's.
+#include "SceneViewExtension.h"
+
+#include <algorithm>
+#include <cxxabi.h>
+
+namespace
+{
+
+using FExtensionRef = TSharedRef<ISceneViewExtension, ESPMode::ThreadSafe>;
+
+/** Never destroyed: static variables of any library may hold extensions until the very end. */
+UEngine* MakeEngine()
+{
+	return new UEngine;
+}
+
+} // namespace
+
+UEngine* GEngine = MakeEngine();
+
+UEngine::UEngine()
+	: ViewExtensions(MakeShared<FSceneViewExtensions>())
+{
+}
+
+UEngine::~UEngine() = default;
+
+namespace Drydock
+{
+
+std::string GetTypeName(const std::type_info& Type)
+{
+	int Status = 0;
+	char* const Demangled = abi::__cxa_demangle(Type.name(), nullptr, nullptr, &Status);
+	std::string Name = Demangled != nullptr ? Demangled : Type.name();
+	std::free(Demangled);
+	const size_t Arguments = std::min(Name.find('<'), Name.size());
+	const size_t Scope = Name.rfind("::", Arguments);
+	return Scope == std::string::npos ? Name : Name.substr(Scope + 2);
+}
+
+} // namespace Drydock
+
+ISceneViewExtension::~ISceneViewExtension() = default;
+
+void ISceneViewExtension::SetupViewFamily(FSceneViewFamily&) {}
+void ISceneViewExtension::SetupViewPoint(APlayerController*, FMinimalViewInfo&) {}
+void ISceneViewExtension::SetupViewProjectionMatrix(FSceneViewProjectionData&) {}
+void ISceneViewExtension::SetupView(FSceneViewFamily&, FSceneView&) {}
+void ISceneViewExtension::BeginRenderViewFamily(FSceneViewFamily&) {}
+void ISceneViewExtension::PreRenderViewFamily_RenderThread(FRDGBuilder&, FSceneViewFamily&) {}
+void ISceneViewExtension::PreRenderView_RenderThread(FRDGBuilder&, FSceneView&) {}
+void ISceneViewExtension::PreInitViews_RenderThread(FRDGBuilder&) {}
+void ISceneViewExtension::PreRenderBasePass_RenderThread(FRDGBuilder&, bool) {}
+void ISceneViewExtension::PostRenderBasePassDeferred_RenderThread(
+	FRDGBuilder&, FSceneView&, const FRenderTargetBindingSlots&, TRDGUniformBufferRef<FSceneTextureUniformParameters>)
+{
+}
+void ISceneViewExtension::PostRenderBasePassMobile_RenderThread(FRHICommandList&, FSceneView&) {}
+void ISceneViewExtension::PrePostProcessPass_RenderThread(FRDGBuilder&, const FSceneView&, const FPostProcessingInputs&)
+{
+}
+void ISceneViewExtension::PrePostProcessPassMobile_RenderThread(
+	FRDGBuilder&, const FSceneView&, const FMobilePostProcessingInputs&)
+{
+}
+void ISceneViewExtension::SubscribeToPostProcessingPass(EPostProcessingPass, FAfterPassCallbackDelegateArray&, bool) {}
+void ISceneViewExtension::SubscribeToPostProcessingPass(
+	EPostProcessingPass, const FSceneView&, FPostProcessingPassDelegateArray&, bool)
+{
+}
+void ISceneViewExtension::PostRenderView_RenderThread(FRDGBuilder&, FSceneView&) {}
+void ISceneViewExtension::PostRenderViewFamily_RenderThread(FRDGBuilder&, FSceneViewFamily&) {}
+void ISceneViewExtension::PreRenderViewFamily_RenderThread(FRHICommandListImmediate&, FSceneViewFamily&) {}
+void ISceneViewExtension::PreRenderView_RenderThread(FRHICommandListImmediate&, FSceneView&) {}
+void ISceneViewExtension::PostRenderView_RenderThread(FRHICommandListImmediate&, FSceneView&) {}
+void ISceneViewExtension::PostRenderViewFamily_RenderThread(FRHICommandListImmediate&, FSceneViewFamily&) {}
+
+int32 ISceneViewExtension::GetPriority() const
+{
+	return 0;
+}
+
+bool ISceneViewExtension::IsActiveThisFrame(const FSceneViewExtensionContext&) const
+{
+	return true;
+}
+
+FSceneViewExtensionBase::FSceneViewExtensionBase(const FAutoRegister&) {}
+
+FSceneViewExtensionBase::~FSceneViewExtensionBase() = default;
+
+bool FSceneViewExtensionBase::IsActiveThisFrame(const FSceneViewExtensionContext& Context) const
+{
+	for (const FSceneViewExtensionIsActiveFunctor& Functor : IsActiveThisFrameFunctions)
+	{
+		const TOptional<bool> Answer = Functor(this, Context);
+		if (Answer.IsSet())
+		{
+			return Answer.GetValue();
+		}
+	}
+	return IsActiveThisFrame_Internal(Context);
+}
+
+bool FSceneViewExtensionBase::IsActiveThisFrame_Internal(const FSceneViewExtensionContext&) const
+{
+	return true;
+}
+
+FWorldSceneViewExtension::FWorldSceneViewExtension(const FAutoRegister& AutoRegister, UWorld* InWorld)
+	: FSceneViewExtensionBase(AutoRegister)
+	, World(InWorld)
+{
+}
+
+bool FWorldSceneViewExtension::IsActiveThisFrame_Internal(const FSceneViewExtensionContext& Context) const
+{
+	return Context.GetWorld() == nullptr || Context.GetWorld() == World;
+}
+
+TArray<FExtensionRef> FSceneViewExtensions::GatherActiveExtensions(const FSceneViewExtensionContext& InContext) const
+{
+	// Strong references first: an extension may let go of others while it is asked.
+	std::vector<FExtensionRef> Active;
+	for (const FEntry& Entry : Entries)
+	{
+		if (const TSharedPtr<ISceneViewExtension, ESPMode::ThreadSafe> Extension = Entry.Extension.Pin())
+		{
+			Active.push_back(Extension.ToSharedRef());
+		}
+	}
+	std::erase_if(Active, [&](const FExtensionRef& Extension) { return !Extension->IsActiveThisFrame(InContext); });
+	std::stable_sort(Active.begin(), Active.end(),
+		[](const FExtensionRef& A, const FExtensionRef& B) { return A->GetPriority() > B->GetPriority(); });
+	TArray<FExtensionRef> Result;
+	for (const FExtensionRef& Extension : Active)
+	{
+		Result.Add(Extension);
+	}
+	return Result;
+}
+
+const Drydock::FExtensionInfo* FSceneViewExtensions::FindInfo(const ISceneViewExtension& Extension) const
+{
+	const FEntry* Entry = const_cast<FSceneViewExtensions*>(this)->FindEntry(Extension);
+	return Entry != nullptr ? &Entry->Info : nullptr;
+}
+
+void FSceneViewExtensions::SetInfo(const ISceneViewExtension& Extension, const Drydock::FExtensionInfo& Info)
+{
+	FEntry* Entry = FindEntry(Extension);
+	check(Entry);
+	Entry->Info = Info;
+}
+
+void FSceneViewExtensions::RegisterExtension(const FExtensionRef& Extension, Drydock::FExtensionInfo Info)
+{
+	TArray<FEntry>& Entries = GEngine->ViewExtensions->Entries;
+	Entries.RemoveAll([](const FEntry& Entry) { return !Entry.Extension.IsValid(); });
+	Entries.Add({Extension.ToWeakPtr(), &Extension.Get(), std::move(Info)});
+}
+
+FSceneViewExtensions::FEntry* FSceneViewExtensions::FindEntry(const ISceneViewExtension& Extension)
+{
+	return Entries.FindByPredicate(
+		[&](const FEntry& Entry) { return Entry.Address == &Extension && Entry.Extension.IsValid(); });
+}

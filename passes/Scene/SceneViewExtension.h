@@ -1,0 +1,294 @@
+// View extensions: code from outside that the renderer calls at fixed moments of a frame. Derive from
+// FSceneViewExtensionBase, create with FSceneViewExtensions::NewExtension and keep the reference: letting go of it
+// unregisters.
+//
+//     class FMyExtension : public FSceneViewExtensionBase
+//     {
+//     public:
+//         FMyExtension(const FAutoRegister& AutoRegister) : FSceneViewExtensionBase(AutoRegister) {}
+//         void SubscribeToPostProcessingPass(EPostProcessingPass Pass, FAfterPassCallbackDelegateArray& Callbacks,
+//             bool bIsPassEnabled) override
+//         {
+//             if (Pass == EPostProcessingPass::Tonemap)
+//             {
+//                 Callbacks.Add(FAfterPassCallbackDelegate::CreateRaw(this, &FMyExtension::AddPasses));
+//             }
+//         }
+//     };
+//     TSharedPtr<FMyExtension, ESPMode::ThreadSafe> Extension = FSceneViewExtensions::NewExtension<FMyExtension>();
+//
+// The interface is a superset of engine 5.1 to 5.6: both signatures of what changed are virtual. The version that a
+// plugin is compiled for (ENGINE_MINOR_VERSION) decides which one is called; the other is reported.
+// Source: engine file SceneViewExtension.h.
+#pragma once
+
+#include "Camera/CameraTypes.h"
+#include "CoreMinimal.h"
+#include "Engine/Engine.h"
+#include "RenderGraphBuilder.h"
+#include "RenderGraphUtils.h"
+#include "SceneTextureParameters.h"
+#include "SceneView.h"
+#include "SceneViewExtensionHooks.h"
+#include "ScreenPass.h"
+
+class APlayerController;
+class FSceneViewExtensions;
+class FViewport;
+class UWorld;
+struct FMobilePostProcessingInputs;
+struct FPostProcessMaterialInputs;
+struct FPostProcessingInputs;
+
+/** What an extension is asked about when it says whether it is active. */
+class FSceneViewExtensionContext
+{
+public:
+	FSceneViewExtensionContext() = default;
+	explicit FSceneViewExtensionContext(FViewport* InViewport)
+		: Viewport(InViewport)
+	{
+	}
+	explicit FSceneViewExtensionContext(FSceneInterface* InScene)
+		: Scene(InScene)
+	{
+	}
+	virtual ~FSceneViewExtensionContext() = default;
+
+	/** There are no worlds here: null. */
+	virtual UWorld* GetWorld() const { return nullptr; }
+	bool IsHMDSupported() const { return false; }
+
+	FViewport* Viewport = nullptr;
+	FSceneInterface* Scene = nullptr;
+	bool bStereoDisabled = false;
+};
+
+/** Asked before IsActiveThisFrame_Internal; the first functor with an answer decides. */
+struct FSceneViewExtensionIsActiveFunctor
+{
+	TFunction<TOptional<bool>(const ISceneViewExtension*, const FSceneViewExtensionContext&)> IsActiveFunction;
+
+	TOptional<bool> operator()(const ISceneViewExtension* Extension, const FSceneViewExtensionContext& Context) const
+	{
+		return IsActiveFunction ? IsActiveFunction(Extension, Context) : TOptional<bool>();
+	}
+};
+
+/** Called after a post-processing pass. Returns the picture from then on: the input untouched, a new texture with its
+ * rect, or, where Inputs.OverrideOutput is valid, that one, drawn to. */
+using FPostProcessingPassDelegate =
+	TDelegate<FScreenPassTexture(FRDGBuilder&, const FSceneView&, const FPostProcessMaterialInputs&)>;
+using FPostProcessingPassDelegateArray = TArray<FPostProcessingPassDelegate>;
+using FAfterPassCallbackDelegate = FPostProcessingPassDelegate;
+using FAfterPassCallbackDelegateArray = FPostProcessingPassDelegateArray;
+
+/** The hooks, in the order in which a frame calls them. All do nothing by default. */
+class DRYDOCK_API ISceneViewExtension
+{
+public:
+	/** After which pass. Those that the run's engine version does not have are never asked for; numbers differ between
+	 * versions. */
+	enum class EPostProcessingPass : uint32
+	{
+		BeforeDOF,            // 5.5
+		AfterDOF,             // 5.5
+		TranslucencyAfterDOF, // 5.5
+		SSRInput,             // 5.1
+		ReplacingTonemapper,  // 5.5
+		MotionBlur,
+		Tonemap,
+		FXAA,
+		VisualizeDepthOfField,
+		MAX
+	};
+
+	using FPostProcessingPassDelegate = ::FPostProcessingPassDelegate;
+	using FPostProcessingPassDelegateArray = ::FPostProcessingPassDelegateArray;
+	using FAfterPassCallbackDelegate = ::FPostProcessingPassDelegate;
+	using FAfterPassCallbackDelegateArray = ::FPostProcessingPassDelegateArray;
+
+	virtual ~ISceneViewExtension();
+
+	// On the game thread ----------------------------------------------------------------------------------------------
+
+	virtual void SetupViewFamily(FSceneViewFamily& InViewFamily);
+	virtual void SetupViewPoint(APlayerController* Player, FMinimalViewInfo& InViewInfo);
+	virtual void SetupViewProjectionMatrix(FSceneViewProjectionData& InOutProjectionData);
+	virtual void SetupView(FSceneViewFamily& InViewFamily, FSceneView& InView);
+	virtual void BeginRenderViewFamily(FSceneViewFamily& InViewFamily);
+
+	// On the render thread --------------------------------------------------------------------------------------------
+
+	virtual void PreRenderViewFamily_RenderThread(FRDGBuilder& GraphBuilder, FSceneViewFamily& InViewFamily);
+	virtual void PreRenderView_RenderThread(FRDGBuilder& GraphBuilder, FSceneView& InView);
+	virtual void PreInitViews_RenderThread(FRDGBuilder& GraphBuilder);
+	virtual void PreRenderBasePass_RenderThread(FRDGBuilder& GraphBuilder, bool bDepthBufferIsPopulated);
+	virtual void PostRenderBasePassDeferred_RenderThread(FRDGBuilder& GraphBuilder, FSceneView& InView,
+		const FRenderTargetBindingSlots& RenderTargets,
+		TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures);
+	/** Never called: the renderer here is the deferred one. So is the next but one. */
+	virtual void PostRenderBasePassMobile_RenderThread(FRHICommandList& RHICmdList, FSceneView& InView);
+	/** Scene colour may be edited in place. */
+	virtual void PrePostProcessPass_RenderThread(
+		FRDGBuilder& GraphBuilder, const FSceneView& View, const FPostProcessingInputs& Inputs);
+	virtual void PrePostProcessPassMobile_RenderThread(
+		FRDGBuilder& GraphBuilder, const FSceneView& View, const FMobilePostProcessingInputs& Inputs);
+	/** Once for each pass and view. bIsPassEnabled is information: a callback of a disabled pass runs all the same, but
+	 * what it returns after the last enabled pass is dropped. Up to 5.4. */
+	virtual void SubscribeToPostProcessingPass(
+		EPostProcessingPass Pass, FAfterPassCallbackDelegateArray& InOutPassCallbacks, bool bIsPassEnabled);
+	/** From 5.5. */
+	virtual void SubscribeToPostProcessingPass(EPostProcessingPass Pass, const FSceneView& InView,
+		FPostProcessingPassDelegateArray& InOutPassCallbacks, bool bIsPassEnabled);
+	virtual void PostRenderView_RenderThread(FRDGBuilder& GraphBuilder, FSceneView& InView);
+	virtual void PostRenderViewFamily_RenderThread(FRDGBuilder& GraphBuilder, FSceneViewFamily& InViewFamily);
+
+	// Signatures of 5.0; no version here calls them.
+	virtual void PreRenderViewFamily_RenderThread(FRHICommandListImmediate& RHICmdList, FSceneViewFamily& InViewFamily);
+	virtual void PreRenderView_RenderThread(FRHICommandListImmediate& RHICmdList, FSceneView& InView);
+	virtual void PostRenderView_RenderThread(FRHICommandListImmediate& RHICmdList, FSceneView& InView);
+	virtual void PostRenderViewFamily_RenderThread(
+		FRHICommandListImmediate& RHICmdList, FSceneViewFamily& InViewFamily);
+
+	// Registration ----------------------------------------------------------------------------------------------------
+
+	/** Higher is called first; equal ones in the order of registration. */
+	virtual int32 GetPriority() const;
+	virtual bool IsActiveThisFrame(const FSceneViewExtensionContext& Context) const;
+};
+
+/** Only the registry can make one: it is the proof that an extension was made by NewExtension. */
+class FAutoRegister
+{
+	friend class FSceneViewExtensions;
+	FAutoRegister() {}
+};
+
+/** The base of extensions. */
+class DRYDOCK_API FSceneViewExtensionBase : public ISceneViewExtension,
+											public TSharedFromThis<FSceneViewExtensionBase, ESPMode::ThreadSafe>
+{
+public:
+	explicit FSceneViewExtensionBase(const FAutoRegister&);
+	~FSceneViewExtensionBase() override;
+
+	/** The functors in order, then IsActiveThisFrame_Internal. */
+	bool IsActiveThisFrame(const FSceneViewExtensionContext& Context) const final;
+
+	TArray<FSceneViewExtensionIsActiveFunctor> IsActiveThisFrameFunctions;
+
+protected:
+	virtual bool IsActiveThisFrame_Internal(const FSceneViewExtensionContext& Context) const;
+};
+
+/** Active where its world is rendered. There are no worlds here: active unless a context names another one. */
+class DRYDOCK_API FWorldSceneViewExtension : public FSceneViewExtensionBase
+{
+public:
+	FWorldSceneViewExtension(const FAutoRegister& AutoRegister, UWorld* InWorld);
+
+	UWorld* GetWorld() const { return World; }
+
+protected:
+	bool IsActiveThisFrame_Internal(const FSceneViewExtensionContext& Context) const override;
+
+private:
+	UWorld* World;
+};
+
+namespace Drydock
+{
+
+template<typename T>
+FExtensionInfo DescribeExtension(int32 EngineMinor)
+{
+	FExtensionInfo Info;
+	Info.Name = GetTypeName(typeid(T));
+	Info.EngineMinor = EngineMinor;
+	const auto Note = [&Info](EExtensionHook Hook, bool bHas)
+	{
+		Info.Overrides |= bHas ? 1u << static_cast<uint32>(Hook) : 0u;
+	};
+	using enum EExtensionHook;
+	using FPass = ISceneViewExtension::EPostProcessingPass;
+	using FCallbacks = FPostProcessingPassDelegateArray;
+	using FSceneTexturesRef = TRDGUniformBufferRef<FSceneTextureUniformParameters>;
+	using FCommandList = FRHICommandListImmediate;
+	Note(SetupViewFamily, DRYDOCK_HAS_HOOK(T, SetupViewFamily, FSceneViewFamily&));
+	Note(SetupViewPoint, DRYDOCK_HAS_HOOK(T, SetupViewPoint, APlayerController*, FMinimalViewInfo&));
+	Note(SetupViewProjectionMatrix, DRYDOCK_HAS_HOOK(T, SetupViewProjectionMatrix, FSceneViewProjectionData&));
+	Note(SetupView, DRYDOCK_HAS_HOOK(T, SetupView, FSceneViewFamily&, FSceneView&));
+	Note(BeginRenderViewFamily, DRYDOCK_HAS_HOOK(T, BeginRenderViewFamily, FSceneViewFamily&));
+	Note(PreRenderViewFamily, DRYDOCK_HAS_HOOK(T, PreRenderViewFamily_RenderThread, FRDGBuilder&, FSceneViewFamily&));
+	Note(PreRenderViewFamilyCommandList,
+		DRYDOCK_HAS_HOOK(T, PreRenderViewFamily_RenderThread, FCommandList&, FSceneViewFamily&));
+	Note(PreRenderView, DRYDOCK_HAS_HOOK(T, PreRenderView_RenderThread, FRDGBuilder&, FSceneView&));
+	Note(PreRenderViewCommandList, DRYDOCK_HAS_HOOK(T, PreRenderView_RenderThread, FCommandList&, FSceneView&));
+	Note(PreInitViews, DRYDOCK_HAS_HOOK(T, PreInitViews_RenderThread, FRDGBuilder&));
+	Note(PreRenderBasePass, DRYDOCK_HAS_HOOK(T, PreRenderBasePass_RenderThread, FRDGBuilder&, bool));
+	Note(PostRenderBasePassDeferred, DRYDOCK_HAS_HOOK(T, PostRenderBasePassDeferred_RenderThread, FRDGBuilder&,
+										 FSceneView&, const FRenderTargetBindingSlots&, FSceneTexturesRef));
+	Note(PostRenderBasePassMobile,
+		DRYDOCK_HAS_HOOK(T, PostRenderBasePassMobile_RenderThread, FRHICommandList&, FSceneView&));
+	Note(PrePostProcessPass, DRYDOCK_HAS_HOOK(T, PrePostProcessPass_RenderThread, FRDGBuilder&, const FSceneView&,
+								 const FPostProcessingInputs&));
+	Note(PrePostProcessPassMobile, DRYDOCK_HAS_HOOK(T, PrePostProcessPassMobile_RenderThread, FRDGBuilder&,
+									   const FSceneView&, const FMobilePostProcessingInputs&));
+	Note(Subscribe, DRYDOCK_HAS_HOOK(T, SubscribeToPostProcessingPass, FPass, FCallbacks&, bool));
+	Note(SubscribeWithView,
+		DRYDOCK_HAS_HOOK(T, SubscribeToPostProcessingPass, FPass, const FSceneView&, FCallbacks&, bool));
+	Note(PostRenderView, DRYDOCK_HAS_HOOK(T, PostRenderView_RenderThread, FRDGBuilder&, FSceneView&));
+	Note(PostRenderViewCommandList, DRYDOCK_HAS_HOOK(T, PostRenderView_RenderThread, FCommandList&, FSceneView&));
+	Note(PostRenderViewFamily, DRYDOCK_HAS_HOOK(T, PostRenderViewFamily_RenderThread, FRDGBuilder&, FSceneViewFamily&));
+	Note(PostRenderViewFamilyCommandList,
+		DRYDOCK_HAS_HOOK(T, PostRenderViewFamily_RenderThread, FCommandList&, FSceneViewFamily&));
+	return Info;
+}
+
+} // namespace Drydock
+
+/** The registry; GEngine->ViewExtensions. It watches extensions and owns none. */
+class DRYDOCK_API FSceneViewExtensions
+{
+public:
+	/** Makes an extension and registers it for as long as somebody holds it. */
+	template<typename ExtensionType, typename... ArgumentTypes>
+	static TSharedRef<ExtensionType, ESPMode::ThreadSafe> NewExtension(ArgumentTypes&&... Arguments)
+	{
+		const FAutoRegister AutoRegister;
+		TSharedRef<ExtensionType, ESPMode::ThreadSafe> Extension =
+			MakeShared<ExtensionType, ESPMode::ThreadSafe>(AutoRegister, Forward<ArgumentTypes>(Arguments)...);
+		RegisterExtension(Extension, Drydock::DescribeExtension<ExtensionType>(ENGINE_MINOR_VERSION));
+		return Extension;
+	}
+
+	/** The active ones in calling order: higher priority first, equal ones as they were registered. */
+	TArray<TSharedRef<ISceneViewExtension, ESPMode::ThreadSafe>> GatherActiveExtensions(
+		const FSceneViewExtensionContext& InContext) const;
+
+	// Drydock's own -------------------------------------------------------------------------------------------------
+
+	/** Null for an extension that NewExtension did not make. */
+	const Drydock::FExtensionInfo* FindInfo(const ISceneViewExtension& Extension) const;
+
+	/** Changes what FindInfo says. */
+	void SetInfo(const ISceneViewExtension& Extension, const Drydock::FExtensionInfo& Info);
+
+private:
+	struct FEntry
+	{
+		TWeakPtr<ISceneViewExtension, ESPMode::ThreadSafe> Extension;
+		const ISceneViewExtension* Address = nullptr;
+		Drydock::FExtensionInfo Info;
+	};
+
+	static void RegisterExtension(
+		const TSharedRef<ISceneViewExtension, ESPMode::ThreadSafe>& Extension, Drydock::FExtensionInfo Info);
+	FEntry* FindEntry(const ISceneViewExtension& Extension);
+
+	TArray<FEntry> Entries;
+};
+
+#include "PostProcess/PostProcessInputs.h"
+#include "PostProcess/PostProcessMaterialInputs.h"
