@@ -28,7 +28,7 @@ enum ERDGError : int
 	// Passes.
 	RDGErrorPassFlags = 2020,
 	RDGErrorNoOutput = 2021,          // the pass would always be culled
-	RDGErrorRenderTargetSlots = 2022, // missing on a raster pass, present on another
+	RDGErrorRenderTargetSlots = 2022, // render-target slots: missing on a raster pass, present on another
 	RDGErrorRenderTargets = 2023,     // a gap, a resolve target alone, a depth target without the flag or with mips
 	RDGErrorAccessFlags = 2024,       // an access that needs a flag the pass lacks
 	RDGErrorHazard = 2025,            // one subresource in two ways that exclude each other

@@ -133,7 +133,7 @@ private:
 		}
 		if (!bRaster && Pass.bHasTargetSlots)
 		{
-			Error(RDGErrorRenderTargetSlots, Pass, "render targets are bound, but the pass is not Raster",
+			Error(RDGErrorRenderTargetSlots, Pass, "the parameters have RENDER_TARGET_BINDING_SLOTS(), but the pass is not Raster",
 				"RenderTargets");
 		}
 		for (size_t Slot = 0; Slot < Pass.Targets.Colors.size(); ++Slot)
