@@ -3,12 +3,13 @@
 
 #include "PostProcessEyeAdaptation.h"
 
-#include "AssertionMacros.h"
+#include "Misc/AssertionMacros.h"
 #include "RHICommandList.h"
 #include "RHIGPUReadback.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphUtils.h"
 
+#include <cmath>
 #include <limits>
 #include <vector>
 
