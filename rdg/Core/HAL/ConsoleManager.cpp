@@ -2,6 +2,8 @@
 #include "HAL/ConsoleVariable.h"
 #include "HAL/IConsoleManager.h"
 
+#include <algorithm>
+#include <atomic>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -10,6 +12,7 @@
 namespace
 {
 
+using namespace Drydock;
 using namespace Drydock::Private;
 
 struct FNameLess
@@ -40,6 +43,9 @@ private:
 	EConsoleVariableFlags Flags;
 };
 
+/** Whether any variable has changed since the sinks ran last. */
+std::atomic<bool> GVariablesChanged{false};
+
 struct FRegistration
 {
 	std::unique_ptr<IConsoleObject> Object;
@@ -52,7 +58,8 @@ struct IConsoleManager::FState
 {
 	mutable std::recursive_mutex Mutex;
 	std::map<FString, FRegistration, FNameLess> Objects;
-	std::vector<std::unique_ptr<IConsoleObject>> Nameless; // variables that lost their name to one of another type
+	std::vector<std::unique_ptr<IConsoleObject>> Nameless; // variables that lost their name to another one
+	std::vector<FConsoleCommandDelegate> Sinks;
 
 	template<typename T>
 	IConsoleVariable* Register(
@@ -65,7 +72,15 @@ struct IConsoleManager::FState
 			Variable->SetReference(*Reference);
 		}
 		IConsoleVariable* Result = Variable.get();
-		const auto Found = Objects.find(Name);
+		auto Found = Objects.find(Name);
+		const bool bRealOne = (Flags & ECVF_NotSimulated) == ECVF_Default;
+		if (Found != Objects.end() && bRealOne && Found->second.Object->TestFlags(ECVF_NotSimulated))
+		{
+			TakeOverFrom(*Found->second.Object->AsVariable(), *Variable);
+			Nameless.push_back(std::move(Found->second.Object));
+			Objects.erase(Found);
+			Found = Objects.end();
+		}
 		if (Found == Objects.end())
 		{
 			Objects[Name].Object = std::move(Variable);
@@ -78,12 +93,30 @@ struct IConsoleManager::FState
 			++Found->second.Count;
 			return Existing;
 		}
-		UE_LOG(LogConsoleManager, Error,
-			"Console object named '%s' already exists; the new one cannot be found by its name", Name);
+		if (bRealOne)
+		{
+			UE_LOG(LogConsoleManager, Error,
+				"Console object named '%s' already exists; the new one cannot be found by its name", Name);
+		}
 		Nameless.push_back(std::move(Variable));
 		return Result;
 	}
+
+	/** A value that was set before the code that reads it was there. */
+	static void TakeOverFrom(const IConsoleVariable& Old, IConsoleVariable& New)
+	{
+		const EConsoleVariableFlags SetBy = Old.GetFlags() & ECVF_SetByMask;
+		if (SetBy != ECVF_SetByConstructor && DoesConsoleVariableTake(New, *Old.GetString()))
+		{
+			New.Set(Old.GetString(), SetBy);
+		}
+	}
 };
+
+void Drydock::Private::NoteConsoleVariableChange()
+{
+	GVariablesChanged = true;
+}
 
 IConsoleManager& IConsoleManager::Get()
 {
@@ -253,23 +286,67 @@ void IConsoleManager::ForEachConsoleObjectThatContains(const FConsoleObjectVisit
 	}
 }
 
+FConsoleVariableSinkHandle IConsoleManager::RegisterConsoleVariableSink_Handle(const FConsoleCommandDelegate& Command)
+{
+	std::lock_guard Lock(State->Mutex);
+	State->Sinks.push_back(Command);
+	return Command.GetHandle();
+}
+
+void IConsoleManager::UnregisterConsoleVariableSink_Handle(FConsoleVariableSinkHandle Handle)
+{
+	std::lock_guard Lock(State->Mutex);
+	std::erase_if(State->Sinks,
+		[Handle](const FConsoleCommandDelegate& Sink) { return Handle.IsValid() && Sink.GetHandle() == Handle; });
+}
+
+void IConsoleManager::CallAllConsoleVariableSinks()
+{
+	std::vector<FConsoleCommandDelegate> Sinks;
+	{
+		std::lock_guard Lock(State->Mutex);
+		if (!GVariablesChanged.exchange(false))
+		{
+			return;
+		}
+		Sinks = State->Sinks;
+	}
+	for (const FConsoleCommandDelegate& Sink : Sinks)
+	{
+		Sink.ExecuteIfBound();
+	}
+}
+
 bool IConsoleManager::ProcessUserConsoleInput(const TCHAR* Input)
 {
-	TArray<FString> Words;
-	FString(Input).ParseIntoArray(Words, " ");
-	IConsoleObject* Object = Words.IsEmpty() ? nullptr : FindConsoleObject(*Words[0]);
+	FString Name;
+	FString Value;
+	SplitConsoleInput(Input, Name, Value);
+	IConsoleObject* Object = FindConsoleObject(*Name);
 	if (Object == nullptr)
 	{
 		return false;
 	}
-	Words.RemoveAt(0);
 	if (IConsoleCommand* Command = Object->AsCommand())
 	{
+		TArray<FString> Words;
+		Value.ParseIntoArray(Words, " ");
 		return Command->Execute(Words);
 	}
-	if (!Words.IsEmpty())
+	const IConsoleVariable& Variable = *Object->AsVariable();
+	FString Error;
+	if (Value.IsEmpty())
 	{
-		Object->AsVariable()->Set(*FString::Join(Words, " "), ECVF_SetByConsole);
+		UE_LOG(LogConsoleManager, Display, "%s", *DescribeConsoleVariable(*Name, Variable));
+	}
+	else if (Value == "?")
+	{
+		UE_LOG(LogConsoleManager, Display, "HELP for '%s':\n%s\n%s", *Name, Variable.GetHelp(),
+			*DescribeConsoleVariable(*Name, Variable));
+	}
+	else if (!TrySetConsoleVariable(*Name, *Value, ECVF_SetByConsole, Error))
+	{
+		UE_LOG(LogConsoleManager, Error, "%s", *Error);
 	}
 	return true;
 }

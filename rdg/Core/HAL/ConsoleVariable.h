@@ -8,6 +8,9 @@
 namespace Drydock::Private
 {
 
+/** The next CallAllConsoleVariableSinks has something to tell. */
+void NoteConsoleVariableChange();
+
 inline bool ToValue(const TCHAR* Text, std::type_identity<bool>)
 {
 	return FString(Text).ToBool();
@@ -106,14 +109,10 @@ public:
 	FString GetDefaultValue() const override { return LexToString(Default); }
 	FConsoleVariableMulticastDelegate& OnChangedDelegate() override { return OnChanged; }
 
-	void ResetToDefault() override
+	void ResetToDefault() override { Assign(Default, ECVF_SetByConstructor); }
+	void Restore(const FString& Text, EConsoleVariableFlags SetBy) override
 	{
-		Flags = Flags & ~ECVF_SetByMask;
-		if (!IsSame(GetValue(), Default))
-		{
-			Data.SetValue(Default);
-			OnChanged.Broadcast(this);
-		}
+		Assign(ToValue(*Text, std::type_identity<T>()), SetBy);
 	}
 
 protected:
@@ -150,23 +149,35 @@ private:
 		}
 	}
 
+	/** Whatever the priorities. */
+	void Assign(const T& NewValue, EConsoleVariableFlags SetBy)
+	{
+		Flags = (Flags & ~ECVF_SetByMask) | (SetBy & ECVF_SetByMask);
+		if (!IsSame(GetValue(), NewValue))
+		{
+			Data.SetValue(NewValue);
+			Broadcast(SetBy);
+		}
+	}
+
 	void SetValue(const T& NewValue, EConsoleVariableFlags SetBy)
 	{
-		const uint32 NewPriority = static_cast<uint32>(SetBy & ECVF_SetByMask);
-		const uint32 OldPriority = static_cast<uint32>(Flags & ECVF_SetByMask);
-		if (NewPriority < OldPriority)
+		const FString Refusal = DescribeRefusedSet(*Name, *this, SetBy);
+		if (!Refusal.IsEmpty())
 		{
-			UE_LOG(LogConsoleManager, Warning,
-				"Setting the console variable '%s' with 'SetBy%s' was ignored as it is lower priority than the "
-				"previous "
-				"'SetBy%s'. Value remains '%s'",
-				*Name, GetConsoleVariableSetByName(SetBy), GetConsoleVariableSetByName(Flags), *GetString());
+			UE_LOG(LogConsoleManager, Warning, "%s", *Refusal);
 			return;
 		}
 		Flags = (Flags & ~ECVF_SetByMask) | (SetBy & ECVF_SetByMask);
 		Data.SetValue(NewValue);
+		Broadcast(SetBy);
+	}
+
+	void Broadcast(EConsoleVariableFlags SetBy)
+	{
 		if ((SetBy & ECVF_Set_NoSinkCall_Unsafe) == ECVF_Default)
 		{
+			NoteConsoleVariableChange();
 			OnChanged.Broadcast(this);
 		}
 	}

@@ -3,6 +3,7 @@
 
 #include "Diagnostics.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string_view>
@@ -77,7 +78,8 @@ TArray<FConsoleVariableInfo> ListConsoleVariables(const TCHAR* Prefix)
 		[&Infos](const TCHAR* Name, const IConsoleVariable& Variable)
 		{
 			Infos.Add({Name, GetConsoleVariableTypeName(Variable), Variable.GetString(), Variable.GetDefaultValue(),
-				GetConsoleVariableSetByName(Variable.GetFlags()), Variable.GetHelp()});
+				GetConsoleVariableSetByName(Variable.GetFlags()), Variable.GetHelp(),
+				Variable.TestFlags(ECVF_NotSimulated)});
 		});
 	return Infos;
 }
@@ -104,6 +106,66 @@ bool TrySetConsoleVariable(const TCHAR* Name, const TCHAR* Text, EConsoleVariabl
 	}
 	Variable->Set(Text, SetBy);
 	return true;
+}
+
+bool DoesConsoleVariableTake(const IConsoleVariable& Variable, const TCHAR* Text)
+{
+	return FindExpectation(Variable, Text) == nullptr;
+}
+
+FString DescribeRefusedSet(const TCHAR* Name, const IConsoleVariable& Variable, EConsoleVariableFlags SetBy)
+{
+	const EConsoleVariableFlags LastSetBy = Variable.GetFlags() & ECVF_SetByMask;
+	if (static_cast<uint32>(SetBy & ECVF_SetByMask) >= static_cast<uint32>(LastSetBy))
+	{
+		return FString();
+	}
+	return FString::Printf("Setting the console variable '%s' with 'SetBy%s' was ignored as it is lower priority than "
+						   "the previous 'SetBy%s'. Value remains '%s'",
+		Name, GetConsoleVariableSetByName(SetBy), GetConsoleVariableSetByName(LastSetBy), *Variable.GetString());
+}
+
+FString DescribeConsoleVariable(const TCHAR* Name, const IConsoleVariable& Variable)
+{
+	return FString::Printf("%s = \"%s\"      LastSetBy: %s", Name, *Variable.GetString(),
+		GetConsoleVariableSetByName(Variable.GetFlags()));
+}
+
+void SplitConsoleInput(const TCHAR* Input, FString& OutName, FString& OutValue)
+{
+	const FString Text = FString(Input).TrimStartAndEnd();
+	const std::string_view View(*Text);
+	const int32 NameLength = static_cast<int32>(std::min(View.find_first_of(" \t="), View.size()));
+	OutName = Text.Left(NameLength);
+	OutValue = Text.Mid(NameLength).TrimStart();
+	if (OutValue.StartsWith("="))
+	{
+		OutValue = OutValue.Mid(1).TrimStart();
+	}
+	if (OutValue.Len() >= 2 && OutValue.StartsWith("\"") && OutValue.EndsWith("\""))
+	{
+		OutValue = OutValue.Mid(1, OutValue.Len() - 2);
+	}
+}
+
+FConsoleVariableSnapshot::FConsoleVariableSnapshot()
+{
+	ForEachVariable("", [this](const TCHAR* Name, const IConsoleVariable& Variable)
+		{ Values.Add({Name, Variable.GetString(), Variable.GetFlags() & ECVF_SetByMask}); });
+}
+
+FConsoleVariableSnapshot::~FConsoleVariableSnapshot()
+{
+	for (const FValue& Old : Values)
+	{
+		IConsoleVariable* Variable = IConsoleManager::Get().FindConsoleVariable(*Old.Name);
+		if (Variable != nullptr)
+		{
+			// A group's variables are put back by themselves, not by the group.
+			const bool bGroup = Variable->TestFlags(ECVF_ScalabilityGroup);
+			Variable->Restore(Old.Value, bGroup ? Old.SetBy | ECVF_Set_NoSinkCall_Unsafe : Old.SetBy);
+		}
+	}
 }
 
 void ResetConsoleVariables()
@@ -139,9 +201,7 @@ FScopedConsoleVariable::FScopedConsoleVariable(const TCHAR* Name, const FString&
 
 FScopedConsoleVariable::~FScopedConsoleVariable()
 {
-	// Down to the old priority by way of the default, which has none.
-	Variable->ResetToDefault();
-	Variable->Set(*OldValue, OldSetBy);
+	Variable->Restore(OldValue, OldSetBy);
 }
 
 } // namespace Drydock

@@ -1,5 +1,6 @@
 // What drydock's command line, configs and tests do with console variables beyond the engine's interface: list them,
-// set them from text with a check of the type, put them all back. Source: drydock.
+// set them from text with a check of the type, put them all back. Source: drydock; the wording of DescribeRefusedSet and
+// DescribeConsoleVariable is the engine's.
 #pragma once
 
 #include "HAL/IConsoleManager.h"
@@ -15,6 +16,7 @@ struct FConsoleVariableInfo
 	FString Default;
 	FString SetBy; // "Constructor", "Commandline", ...
 	FString Help;
+	bool bNotSimulated; // ECVF_NotSimulated
 };
 
 /** All variables whose name starts with Prefix, ignoring case, in alphabetical order. */
@@ -26,6 +28,19 @@ DRYDOCK_API TArray<FConsoleVariableInfo> ListConsoleVariables(const TCHAR* Prefi
 DRYDOCK_API bool TrySetConsoleVariable(
 	const TCHAR* Name, const TCHAR* Text, EConsoleVariableFlags SetBy, FString& OutError);
 
+/** Whether Text reads as the variable's type, as TrySetConsoleVariable has it. */
+DRYDOCK_API bool DoesConsoleVariableTake(const IConsoleVariable& Variable, const TCHAR* Text);
+
+/** The warning that a set by that setter would give, or nothing: the last setter has a higher priority. */
+DRYDOCK_API FString DescribeRefusedSet(
+	const TCHAR* Name, const IConsoleVariable& Variable, EConsoleVariableFlags SetBy);
+
+/** `r.BloomQuality = "5"      LastSetBy: Constructor`: what a console prints for a bare name. */
+DRYDOCK_API FString DescribeConsoleVariable(const TCHAR* Name, const IConsoleVariable& Variable);
+
+/** "Name Value", "Name=Value" or "Name" to its parts, without the blanks around them and the quotes around the value. */
+DRYDOCK_API void SplitConsoleInput(const TCHAR* Input, FString& OutName, FString& OutValue);
+
 /** Every variable back to its default, as if nobody had set any. */
 DRYDOCK_API void ResetConsoleVariables();
 
@@ -34,6 +49,25 @@ DRYDOCK_API const TCHAR* GetConsoleVariableSetByName(EConsoleVariableFlags Flags
 
 /** "bool", "int32", "float" or "FString". */
 DRYDOCK_API const TCHAR* GetConsoleVariableTypeName(const IConsoleVariable& Variable);
+
+/** Puts back, when it ends, the values and setters that all variables had when it began. */
+class DRYDOCK_API FConsoleVariableSnapshot
+{
+public:
+	FConsoleVariableSnapshot();
+	~FConsoleVariableSnapshot();
+	FConsoleVariableSnapshot(const FConsoleVariableSnapshot&) = delete;
+	FConsoleVariableSnapshot& operator=(const FConsoleVariableSnapshot&) = delete;
+
+private:
+	struct FValue
+	{
+		FString Name;
+		FString Value;
+		EConsoleVariableFlags SetBy;
+	};
+	TArray<FValue> Values;
+};
 
 /** Sets a variable for the length of a scope and puts back the value and the priority it had. For tests. */
 class DRYDOCK_API FScopedConsoleVariable

@@ -24,6 +24,7 @@ enum EConsoleVariableFlags : uint32
 	ECVF_ScalabilityGroup = 0x80,
 	ECVF_Preview = 0x100,
 	ECVF_ExcludeFromPreview = 0x200,
+	ECVF_NotSimulated = 0x8000, // drydock's own: known by name and default only, nothing reads it yet
 
 	ECVF_SetFlagMask = 0x00ff0000,
 	ECVF_Set_NoSinkCall_Unsafe = 0x00010000,
@@ -113,6 +114,9 @@ public:
 
 	/** Back to the default, as if never set; runs the callbacks if the value was another. Drydock's own. */
 	virtual void ResetToDefault() = 0;
+	/** Value and setter as they were once, whoever set it since; runs the callbacks if the value was another. Drydock's
+	 *  own. */
+	virtual void Restore(const FString& Text, EConsoleVariableFlags SetBy) = 0;
 
 protected:
 	virtual void SetNumber(double Value, EConsoleVariableFlags SetBy) = 0;
@@ -126,6 +130,9 @@ public:
 
 using FConsoleObjectVisitor = TDelegate<void(const TCHAR* Name, IConsoleObject* Object)>;
 
+/** Names a sink, to take it away again. */
+using FConsoleVariableSinkHandle = FDelegateHandle;
+
 /** All console objects of the process. There from the first use on, so that static variables may register. */
 class DRYDOCK_API IConsoleManager
 {
@@ -133,7 +140,7 @@ public:
 	static IConsoleManager& Get();
 
 	/** A name that is taken by a variable of the same type gives that one; of another type, an error on stderr and a
-	 *  variable that the console does not find. */
+	 *  variable that the console does not find. A variable that is ECVF_NotSimulated gives its name to any other. */
 	IConsoleVariable* RegisterConsoleVariable(
 		const TCHAR* Name, bool Default, const TCHAR* Help, EConsoleVariableFlags Flags = ECVF_Default);
 	IConsoleVariable* RegisterConsoleVariable(
@@ -162,6 +169,10 @@ public:
 		const FConsoleCommandWithArgsDelegate& Command, EConsoleVariableFlags Flags = ECVF_Default);
 	/** As often as it was registered. The pointer is stale after the last time. */
 	void UnregisterConsoleObject(IConsoleObject* Object, bool bKeepState = true);
+	void UnregisterConsoleObject(const TCHAR* Name, bool bKeepState = true)
+	{
+		UnregisterConsoleObject(FindConsoleObject(Name), bKeepState);
+	}
 
 	/** Null if there is none of that name and kind. */
 	IConsoleObject* FindConsoleObject(const TCHAR* Name, bool bTrackFrequentCalls = true) const;
@@ -176,9 +187,16 @@ public:
 	void ForEachConsoleObjectThatStartsWith(const FConsoleObjectVisitor& Visitor, const TCHAR* Prefix = TEXT("")) const;
 	void ForEachConsoleObjectThatContains(const FConsoleObjectVisitor& Visitor, const TCHAR* Part) const;
 
-	/** "Name Value" sets a variable as the console, "Name Arguments" runs a command; false if there is no such object.
-	 */
+	/** "Name Value" and "Name=Value" set a variable as the console, "Name" logs its value and who set it, "Name ?" its
+	 *  help as well, "Name Arguments" runs a command. A value that does not fit the type is an error and changes
+	 *  nothing. False if there is no such object. */
 	bool ProcessUserConsoleInput(const TCHAR* Input);
+
+	/** Sinks run together after variables have changed, not once for each: when CallAllConsoleVariableSinks is called
+	 *  (by drydock before each run), and only if one has changed since. */
+	FConsoleVariableSinkHandle RegisterConsoleVariableSink_Handle(const FConsoleCommandDelegate& Command);
+	void UnregisterConsoleVariableSink_Handle(FConsoleVariableSinkHandle Handle);
+	void CallAllConsoleVariableSinks();
 
 private:
 	IConsoleManager();
@@ -292,6 +310,45 @@ public:
 	IConsoleVariable* AsVariable() const { return GetTarget()->AsVariable(); }
 	IConsoleVariable* operator->() const { return AsVariable(); }
 	IConsoleVariable& operator*() const { return *AsVariable(); }
+};
+
+/** A variable of the type of its default (bool, int32, float or text), without typed reads. */
+class FAutoConsoleVariable : public FAutoConsoleObject
+{
+public:
+	template<typename T>
+	FAutoConsoleVariable(
+		const TCHAR* Name, const T& Default, const TCHAR* Help, EConsoleVariableFlags Flags = ECVF_Default)
+		: FAutoConsoleObject(IConsoleManager::Get().RegisterConsoleVariable(Name, Default, Help, Flags))
+	{
+	}
+	template<typename T>
+	FAutoConsoleVariable(const TCHAR* Name, const T& Default, const TCHAR* Help,
+		const FConsoleVariableDelegate& Callback, EConsoleVariableFlags Flags = ECVF_Default)
+		: FAutoConsoleVariable(Name, Default, Help, Flags)
+	{
+		AsVariable()->SetOnChangedCallback(Callback);
+	}
+
+	IConsoleVariable* AsVariable() const { return GetTarget()->AsVariable(); }
+	IConsoleVariable* operator->() const { return AsVariable(); }
+	IConsoleVariable& operator*() const { return *AsVariable(); }
+};
+
+/** A sink that ends with this object. */
+class FAutoConsoleVariableSink
+{
+public:
+	explicit FAutoConsoleVariableSink(const FConsoleCommandDelegate& Command)
+		: Handle(IConsoleManager::Get().RegisterConsoleVariableSink_Handle(Command))
+	{
+	}
+	~FAutoConsoleVariableSink() { IConsoleManager::Get().UnregisterConsoleVariableSink_Handle(Handle); }
+	FAutoConsoleVariableSink(const FAutoConsoleVariableSink&) = delete;
+	FAutoConsoleVariableSink& operator=(const FAutoConsoleVariableSink&) = delete;
+
+private:
+	FConsoleVariableSinkHandle Handle;
 };
 
 class FAutoConsoleCommand : public FAutoConsoleObject

@@ -263,3 +263,131 @@ TEST_F(ConsoleManager, ConsoleInputBeatsEveryone)
 	EXPECT_TRUE(IConsoleManager::Get().ProcessUserConsoleInput(TEXT("r.CoreTest.Float 8")));
 	EXPECT_EQ(8.0f, CVarFloat->GetFloat());
 }
+
+TEST_F(ConsoleManager, ConsoleInputTakesAnEqualsSign)
+{
+	EXPECT_TRUE(IConsoleManager::Get().ProcessUserConsoleInput(TEXT(" r.CoreTest.Int = 6 ")));
+	EXPECT_EQ(6, CVarInt->GetInt());
+	EXPECT_TRUE(IConsoleManager::Get().ProcessUserConsoleInput(TEXT("r.CoreTest.String=\"two words\"")));
+	EXPECT_STREQ("two words", *CVarString->GetString());
+}
+
+TEST_F(ConsoleManager, BareNameLogsTheValueAndItsSetter)
+{
+	CVarInt->Set(3, ECVF_SetByCommandline);
+	EXPECT_TRUE(IConsoleManager::Get().ProcessUserConsoleInput(TEXT("r.CoreTest.Int")));
+	EXPECT_EQ("r.CoreTest.Int = \"3\"      LastSetBy: Commandline\n", Log);
+}
+
+TEST_F(ConsoleManager, QuestionMarkLogsTheHelp)
+{
+	EXPECT_TRUE(IConsoleManager::Get().ProcessUserConsoleInput(TEXT("r.CoreTest.Bool ?")));
+	EXPECT_EQ("HELP for 'r.CoreTest.Bool':\nA bool.\nr.CoreTest.Bool = \"false\"      LastSetBy: Constructor\n", Log);
+}
+
+TEST_F(ConsoleManager, ConsoleInputOfAnotherTypeChangesNothing)
+{
+	EXPECT_TRUE(IConsoleManager::Get().ProcessUserConsoleInput(TEXT("r.CoreTest.Int many")));
+	EXPECT_EQ(1, CVarInt->GetInt());
+	EXPECT_THAT(Log, HasSubstr("r.CoreTest.Int expects an int32"));
+}
+
+TEST_F(ConsoleManager, AutoVariableHasTheTypeOfItsDefault)
+{
+	FAutoConsoleVariable Number(TEXT("r.CoreTest.AutoFloat"), 1.5f, TEXT("A float."), ECVF_RenderThreadSafe);
+	FAutoConsoleVariable Text(TEXT("r.CoreTest.AutoText"), TEXT("abc"), TEXT("A text."));
+	EXPECT_TRUE(Number->IsVariableFloat());
+	EXPECT_TRUE(Text->IsVariableString());
+	EXPECT_EQ(1.5f, Find(TEXT("r.CoreTest.AutoFloat"))->GetFloat());
+}
+
+TEST_F(ConsoleManager, ReferencesOfEveryTypeWriteThrough)
+{
+	int32 Int = 1;
+	bool bBool = false;
+	FString Text = "old";
+	FAutoConsoleVariableRef IntVariable(TEXT("r.CoreTest.RefInt"), Int, TEXT("An int."));
+	FAutoConsoleVariableRef BoolVariable(TEXT("r.CoreTest.RefBool"), bBool, TEXT("A bool."));
+	FAutoConsoleVariableRef TextVariable(TEXT("r.CoreTest.RefText"), Text, TEXT("A text."));
+	IntVariable->Set(7);
+	BoolVariable->Set(true);
+	TextVariable->Set(TEXT("new"));
+	EXPECT_EQ(7, Int);
+	EXPECT_TRUE(bBool);
+	EXPECT_STREQ("new", *Text);
+}
+
+TEST_F(ConsoleManager, SinkRunsOnceAfterAllChanges)
+{
+	int32 Calls = 0;
+	FAutoConsoleVariableSink Sink(FConsoleCommandDelegate::CreateLambda([&Calls]() { ++Calls; }));
+	CVarInt->Set(2);
+	CVarFloat->Set(2.0f);
+	IConsoleManager::Get().CallAllConsoleVariableSinks();
+	EXPECT_EQ(1, Calls);
+	IConsoleManager::Get().CallAllConsoleVariableSinks();
+	EXPECT_EQ(1, Calls);
+}
+
+TEST_F(ConsoleManager, SinkEndsWithItsObject)
+{
+	int32 Calls = 0;
+	{
+		FAutoConsoleVariableSink Sink(FConsoleCommandDelegate::CreateLambda([&Calls]() { ++Calls; }));
+	}
+	CVarInt->Set(2);
+	IConsoleManager::Get().CallAllConsoleVariableSinks();
+	EXPECT_EQ(0, Calls);
+}
+
+TEST_F(ConsoleManager, SnapshotPutsBackValuesAndSetters)
+{
+	CVarInt->Set(3, ECVF_SetByProjectSetting);
+	{
+		const Drydock::FConsoleVariableSnapshot Snapshot;
+		CVarInt->Set(9, ECVF_SetByConsole);
+		CVarFloat->Set(9.0f, ECVF_SetByCode);
+		CVarString->Set(TEXT("changed"));
+	}
+	EXPECT_EQ(3, CVarInt->GetInt());
+	EXPECT_EQ(ECVF_SetByProjectSetting, CVarInt->GetFlags() & ECVF_SetByMask);
+	EXPECT_EQ(0.5f, CVarFloat->GetFloat());
+	EXPECT_EQ(ECVF_SetByConstructor, CVarFloat->GetFlags() & ECVF_SetByMask);
+	EXPECT_STREQ("none", *CVarString->GetString());
+}
+
+TEST_F(ConsoleManager, PlaceholderGivesItsNameToTheRealOne)
+{
+	FAutoConsoleVariable Placeholder(TEXT("r.CoreTest.Later"), 2, TEXT("Not simulated."), ECVF_NotSimulated);
+	EXPECT_TRUE(Drydock::ListConsoleVariables(TEXT("r.CoreTest.Later"))[0].bNotSimulated);
+	Find(TEXT("r.CoreTest.Later"))->Set(3, ECVF_SetByCommandline);
+	TAutoConsoleVariable<float> Real(TEXT("r.CoreTest.Later"), 1.0f, TEXT("Simulated."));
+	EXPECT_EQ(Real.AsVariable(), Find(TEXT("r.CoreTest.Later")));
+	EXPECT_EQ(3.0f, Real.GetValueOnAnyThread());
+	EXPECT_EQ("", Log);
+}
+
+TEST_F(ConsoleManager, PlaceholderLeavesTheRealOneAlone)
+{
+	TAutoConsoleVariable<float> Real(TEXT("r.CoreTest.First"), 1.0f, TEXT("Simulated."));
+	FAutoConsoleVariable Placeholder(TEXT("r.CoreTest.First"), 2, TEXT("Not simulated."), ECVF_NotSimulated);
+	EXPECT_EQ(Real.AsVariable(), Find(TEXT("r.CoreTest.First")));
+	EXPECT_EQ("", Log);
+}
+
+TEST_F(ConsoleManager, VisitsNamesByStartAndByPart)
+{
+	std::string Names;
+	const FConsoleObjectVisitor Visitor =
+		FConsoleObjectVisitor::CreateLambda([&Names](const TCHAR* Name, IConsoleObject*) { Names += Name; });
+	IConsoleManager::Get().ForEachConsoleObjectThatStartsWith(Visitor, TEXT("R.coretest.B"));
+	IConsoleManager::Get().ForEachConsoleObjectThatContains(Visitor, TEXT("CORETEST.ref"));
+	EXPECT_EQ("r.CoreTest.Boolr.CoreTest.Reference", Names);
+}
+
+TEST_F(ConsoleManager, UnregistersByName)
+{
+	IConsoleManager::Get().RegisterConsoleVariable(TEXT("r.CoreTest.Gone"), 1, TEXT("Goes."));
+	IConsoleManager::Get().UnregisterConsoleObject(TEXT("r.CoreTest.Gone"));
+	EXPECT_FALSE(IConsoleManager::Get().IsNameRegistered(TEXT("r.CoreTest.Gone")));
+}
