@@ -1,0 +1,47 @@
+// Remarks that passes leave on their graph: no mistakes of the graph, but what its author should know (a clamp, a loss,
+// a width that was not reached). They lie on the builder's blackboard; whoever runs the graph shows them. Source:
+// drydock.
+#pragma once
+
+#include "Diagnostics.h"
+#include "RenderGraphBuilder.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace Drydock
+{
+
+struct FRDGNotes
+{
+	std::vector<FDiagnostic> Diagnostics; // in the order of the passes, each text once
+};
+
+} // namespace Drydock
+
+RDG_REGISTER_BLACKBOARD_STRUCT(Drydock::FRDGNotes)
+
+namespace Drydock
+{
+
+inline void AddGraphNote(FRDGBuilder& GraphBuilder, const FDiagnostic& Diagnostic)
+{
+	std::vector<FDiagnostic>& Notes = GraphBuilder.Blackboard.GetOrCreate<FRDGNotes>().Diagnostics;
+	const auto IsSame = [Text = Diagnostic.ToString()](const FDiagnostic& Other)
+	{
+		return Other.ToString() == Text;
+	};
+	if (std::none_of(Notes.begin(), Notes.end(), IsSame))
+	{
+		Notes.push_back(Diagnostic);
+	}
+}
+
+/** Also after Execute. */
+inline std::vector<FDiagnostic> GetGraphNotes(const FRDGBuilder& GraphBuilder)
+{
+	const FRDGNotes* Notes = GraphBuilder.Blackboard.Get<FRDGNotes>();
+	return Notes ? Notes->Diagnostics : std::vector<FDiagnostic>();
+}
+
+} // namespace Drydock
