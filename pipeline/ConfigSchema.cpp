@@ -235,6 +235,15 @@ void WriteSetting(FJsonWriter& Writer, const FSettingField& Field)
 	case ESettingType::Vector4:
 		WriteReference(Writer, "vector4");
 		break;
+	case ESettingType::Object:
+		Writer.Key("type").BeginArray(true);
+		Writer.Value("string");
+		Writer.Value("null");
+		Writer.EndArray();
+		break;
+	case ESettingType::ColorArray:
+		WriteArray(Writer, "", "color", MaxSettingComponents / 4);
+		break;
 	case ESettingType::Enum:
 		Writer.Key("enum").BeginArray(true);
 		for (const char* Name : Field.EnumNames)
@@ -248,8 +257,7 @@ void WriteSetting(FJsonWriter& Writer, const FSettingField& Field)
 		Writer.EndArray();
 		break;
 	}
-	const std::string Default = SettingToText(Field, Field.Default);
-	Writer.Key("default").Raw(Field.Type == ESettingType::Enum ? FJsonWriter::Quote(Default) : Default);
+	Writer.Key("default").Raw(SettingToJson(Field, Field.Default));
 	Writer.EndObject();
 }
 
@@ -264,7 +272,7 @@ void WriteSettings(FJsonWriter& Writer)
 	}
 	for (const FSettingField& Field : GetSettingFields())
 	{
-		Writer.Key(std::string("bOverride_") + Field.Name).BeginObject(true);
+		Writer.Key(Field.OverrideName).BeginObject(true);
 		WriteType(Writer, "boolean");
 		Writer.EndObject();
 	}

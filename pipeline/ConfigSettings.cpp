@@ -30,6 +30,10 @@ std::string ExpectedText(const FSettingField& Field)
 		return "two numbers: [X, Y] or {\"X\": .., \"Y\": ..}";
 	case ESettingType::Vector4:
 		return "four numbers: [X, Y, Z, W] or {\"X\": .., \"Y\": .., \"Z\": .., \"W\": ..}";
+	case ESettingType::Object:
+		return std::string("the path of a ") + Field.ObjectClass + ", such as \"/Game/Folder/Name.Name\", or null";
+	case ESettingType::ColorArray:
+		return "eight colours: [[R, G, B, A], ...]";
 	case ESettingType::Enum:
 		break;
 	}
@@ -43,17 +47,15 @@ std::string ExpectedText(const FSettingField& Field)
 
 /** Components of a colour or vector, alpha 1 where it is omitted; false when Value is neither array nor object of them.
  */
-bool ReadComponents(const FSettingField& Field, const FJsonValue& Value, FSettingValue& OutValue)
+bool ReadComponents(const FJsonValue& Value, const std::string& Names, double* OutComponents)
 {
-	const char* const Names = Field.Type == ESettingType::Color ? "RGBA" : "XYZW";
-	const size_t NumComponents = static_cast<size_t>(Field.GetNumComponents());
 	const size_t NumGiven = Value.Type == EJsonType::Array ? Value.Elements.size() : Value.Members.size();
-	const bool bAlphaOmitted = Field.Type == ESettingType::Color && NumGiven == 3;
-	if (NumGiven != NumComponents && !bAlphaOmitted)
+	const bool bAlphaOmitted = Names == "RGBA" && NumGiven == 3;
+	if ((Value.Type != EJsonType::Array && Value.Type != EJsonType::Object) ||
+		(NumGiven != Names.size() && !bAlphaOmitted))
 	{
 		return false;
 	}
-	OutValue.Components[3] = bAlphaOmitted ? 1.0 : 0.0;
 	for (size_t Index = 0; Index < NumGiven; ++Index)
 	{
 		const FJsonValue* Component =
@@ -62,9 +64,30 @@ bool ReadComponents(const FSettingField& Field, const FJsonValue& Value, FSettin
 		{
 			return false;
 		}
-		OutValue.Components[Index] = Component->Number;
+		OutComponents[Index] = Component->Number;
+	}
+	if (bAlphaOmitted)
+	{
+		OutComponents[3] = 1.0;
 	}
 	return true;
+}
+
+bool ReadColorArray(const FJsonValue& Value, FSettingValue& OutValue)
+{
+	bool bRead = Value.Type == EJsonType::Array && Value.Elements.size() == MaxSettingComponents / 4;
+	for (size_t Index = 0; bRead && Index < Value.Elements.size(); ++Index)
+	{
+		bRead = ReadComponents(Value.Elements[Index], "RGBA", OutValue.Components + Index * 4);
+	}
+	return bRead;
+}
+
+/** A string in one of the forms of `--pp`. */
+bool ReadText(const FSettingField& Field, const FJsonValue& Value, FSettingValue& OutValue)
+{
+	std::string Unused;
+	return Value.Type == EJsonType::String && SettingFromText(Field, Value.String, OutValue, Unused);
 }
 
 bool ReadSettingValue(const FSettingField& Field, const FJsonValue& Value, FSettingValue& OutValue)
@@ -83,16 +106,22 @@ bool ReadSettingValue(const FSettingField& Field, const FJsonValue& Value, FSett
 		return Value.Type == EJsonType::Number && Value.Number == std::floor(Value.Number) &&
 			   std::fabs(Value.Number) < 2147483648.0;
 	case ESettingType::Enum:
-	{
-		std::string Unused;
-		return (Value.Type == EJsonType::String && SettingFromText(Field, Value.String, OutValue, Unused)) ||
-			   (Value.Type == EJsonType::Number &&
-				   SettingFromText(Field, std::to_string(Value.Number), OutValue, Unused));
+		OutValue.Components[0] = Value.Number;
+		return ReadText(Field, Value, OutValue) ||
+			   (Value.Type == EJsonType::Number && Value.Number == std::floor(Value.Number) && Value.Number >= 0.0 &&
+				   Value.Number < Field.EnumNames.Num());
+	case ESettingType::Object:
+		return Value.Type == EJsonType::Null || ReadText(Field, Value, OutValue);
+	case ESettingType::Color:
+		return ReadComponents(Value, "RGBA", OutValue.Components);
+	case ESettingType::Vector2:
+		return ReadComponents(Value, "XY", OutValue.Components);
+	case ESettingType::Vector4:
+		return ReadComponents(Value, "XYZW", OutValue.Components);
+	case ESettingType::ColorArray:
+		return ReadColorArray(Value, OutValue);
 	}
-	default:
-		return (Value.Type == EJsonType::Array || Value.Type == EJsonType::Object) &&
-			   ReadComponents(Field, Value, OutValue);
-	}
+	return false;
 }
 
 /** Whether some number inside was not finite, and so reported already. */
@@ -107,7 +136,8 @@ bool ContainsInvalid(const FJsonValue& Value)
 /** JSON numbers are doubles; what float cannot hold would become infinite. */
 bool FitsFloat(const FSettingField& Field, const FSettingValue& Value)
 {
-	const bool bFloat = Field.Type == ESettingType::Float || Field.Type == ESettingType::Color;
+	const bool bFloat = Field.Type == ESettingType::Float || Field.Type == ESettingType::Color ||
+						Field.Type == ESettingType::ColorArray;
 	return !bFloat || std::all_of(std::begin(Value.Components), std::end(Value.Components),
 						  [](double Component) { return std::isfinite(static_cast<float>(Component)); });
 }
@@ -165,14 +195,14 @@ void ReadSetting(const std::string& Name, const FJsonValue& Value, FConfigSettin
 void ReadOverride(
 	const std::string& Name, const FJsonValue& Value, FConfigSettings& Settings, FConfigMessages& Messages)
 {
-	const std::string Setting = Name.substr(OverridePrefix.size());
-	const FSettingField* Field = FindSettingField(Setting);
+	const FSettingField* Field = FindSettingFieldByOverride(Name);
+	const std::string Setting = Field == nullptr ? "" : Field->Name;
 	if (Field == nullptr)
 	{
-		std::vector<std::string> Names = GetSettingNames();
-		for (std::string& Candidate : Names)
+		std::vector<std::string> Names;
+		for (const FSettingField& Candidate : GetSettingFields())
 		{
-			Candidate = OverridePrefix + Candidate;
+			Names.emplace_back(Candidate.OverrideName);
 		}
 		Messages.ErrorAtKey(ErrorUnknownSetting, Value, "unknown setting" + Suggest(Name, Names));
 	}
@@ -216,11 +246,15 @@ FConfigSettings ReadConfigSettings(const FJsonValue& Value, FConfigMessages& Mes
 
 std::string GetSettingNotBuiltReason(const std::string& Name)
 {
-	if (Name.rfind("BloomConvolution", 0) == 0)
+	const auto StartsWith = [&](const char* Prefix)
+	{
+		return Name.rfind(Prefix, 0) == 0;
+	};
+	if (StartsWith("BloomConvolution"))
 	{
 		return "convolution bloom is another method's; the Gaussian sum runs";
 	}
-	if (Name.rfind("BloomDirtMask", 0) == 0)
+	if (StartsWith("BloomDirtMask"))
 	{
 		return "the bloom is composited without a dirt mask";
 	}
@@ -228,12 +262,20 @@ std::string GetSettingNotBuiltReason(const std::string& Name)
 	{
 		return "the tonemapper shifts no colours";
 	}
-	const bool bMetering = Name.rfind("AutoExposure", 0) == 0 && Name != "AutoExposureBias";
-	if (bMetering || Name.rfind("Histogram", 0) == 0 || Name.rfind("Camera", 0) == 0)
+	const bool bMetering = StartsWith("AutoExposure") && Name != "AutoExposureBias";
+	if (bMetering || StartsWith("Histogram") || StartsWith("Camera"))
 	{
 		return "the exposure is the number in view.exposure, times 2 to the power of AutoExposureBias less its default";
 	}
-	return "";
+	for (const char* Read : {"Film", "BlueCorrection", "ExpandGamut", "ToneCurveAmount", "SceneColorTint", "Bloom",
+			 "VignetteIntensity", "AutoExposureBias"})
+	{
+		if (StartsWith(Read) && !StartsWith("FilmGrain"))
+		{
+			return "";
+		}
+	}
+	return "no pass reads it; it is blended and reported all the same";
 }
 
 } // namespace Drydock

@@ -27,8 +27,7 @@ void WriteSettings(FJsonWriter& Writer, const FRunResult& Result)
 	Writer.Key("settings").BeginObject();
 	for (const FSettingField& Field : GetSettingFields())
 	{
-		const std::string Text = SettingToText(Field, Field.Get(Result.Settings));
-		Writer.Key(Field.Name).Raw(Field.Type == ESettingType::Enum ? FJsonWriter::Quote(Text) : Text);
+		Writer.Key(Field.Name).Raw(SettingToJson(Field, Field.Get(Result.Settings)));
 	}
 	Writer.EndObject();
 }

@@ -3,38 +3,65 @@
 #pragma once
 
 #include "CoreMinimal.h"
+#include "Curves/CurveFloat.h"
+#include "Engine/Texture.h"
+#include "PostProcessSettingsEnums.h"
+#include "WeightedBlendables.h"
 
-enum EBloomMethod : uint8
-{
-	BM_SOG,
-	BM_FFT,
-	BM_MAX,
-};
-
-enum EAutoExposureMethod : uint8
-{
-	AEM_Histogram,
-	AEM_Basic,
-	AEM_Manual,
-	AEM_MAX,
-};
+/** One tint per lens flare. */
+using FLensFlareTints = FLinearColor[8];
 
 /** Settings as a volume, camera or extension gives them. A value takes part in blending only where its bOverride_ bit
  * is set. A new object holds the engine's defaults and overrides nothing. */
 struct FPostProcessSettings
 {
 #define DRYDOCK_SETTING(Type, Name, Default, Range, Unit, Category, Blend, Doc) uint8 bOverride_##Name : 1 = 0;
+#define DRYDOCK_SETTING_BIT(Type, Name, Bit, Default, Range, Unit, Category, Blend, Doc) uint8 bOverride_##Bit : 1 = 0;
 #include "PostProcessSettingsTable.h"
 #undef DRYDOCK_SETTING
 
 #define DRYDOCK_SETTING(Type, Name, Default, Range, Unit, Category, Blend, Doc) Type Name = Default;
+#define DRYDOCK_LIST(...) \
+	{ \
+		__VA_ARGS__ \
+	}
 #include "PostProcessSettingsTable.h"
+#undef DRYDOCK_LIST
 #undef DRYDOCK_SETTING
 
-	/** Defaults for all values and override bits. */
+	/** Beside the table, not in it: it has no override bit, no default to compare with and any number of members, and
+	 * it is merged by object instead of blended by value, in this as in the engine. */
+	FWeightedBlendables WeightedBlendables;
+
+	/** Defaults for all values and override bits; no blendables. */
 	void SetBaseValues()
 	{
 		*this = FPostProcessSettings();
+	}
+
+	/** Adds the object, or gives it the new weight where it is in the list already. Null does nothing. */
+	void AddBlendable(UObject* Object, float Weight)
+	{
+		if (Object == nullptr)
+		{
+			return;
+		}
+		for (FWeightedBlendable& Blendable : WeightedBlendables.Array)
+		{
+			if (Blendable.Object.Get() == Object)
+			{
+				Blendable.Weight = Weight;
+				return;
+			}
+		}
+		WeightedBlendables.Array.Add(FWeightedBlendable(Weight, Object));
+	}
+
+	/** Removes every entry of the object. */
+	void RemoveBlendable(UObject* Object)
+	{
+		WeightedBlendables.Array.RemoveAll(
+			[Object](const FWeightedBlendable& Blendable) { return Blendable.Object.Get() == Object; });
 	}
 };
 

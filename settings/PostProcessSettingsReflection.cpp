@@ -1,10 +1,11 @@
 // Source: drydock.
 #include "PostProcessSettingsReflection.h"
 
+#include "PostProcessSettingsBlending.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 
 namespace Drydock
 {
@@ -25,154 +26,16 @@ constexpr FSettingRange Between(double ClampMin, double ClampMax)
 	return {ClampMin, ClampMax, ClampMin, ClampMax};
 }
 
-constexpr const char* BloomMethodNames[] = {"BM_SOG", "BM_FFT"};
-constexpr const char* AutoExposureMethodNames[] = {"AEM_Histogram", "AEM_Basic", "AEM_Manual"};
-
-/** What the table's types are made of. Pack and Unpack must be inverses, bit for bit. */
-template<typename T>
-struct TSettingTraits;
-
-template<typename T, ESettingType InType>
-struct TScalarSettingTraits
+constexpr FSettingRange Slider(double UIMin, double UIMax)
 {
-	static constexpr ESettingType Type = InType;
-	static FSettingValue Pack(T Value) { return {Type, {static_cast<double>(Value), 0.0, 0.0, 0.0}}; }
-	static T Unpack(const FSettingValue& Value) { return static_cast<T>(Value.Components[0]); }
-	static TConstArrayView<const char*> GetEnumNames() { return {}; }
-};
-
-template<>
-struct TSettingTraits<float> : TScalarSettingTraits<float, ESettingType::Float>
-{
-};
-
-template<>
-struct TSettingTraits<int32> : TScalarSettingTraits<int32, ESettingType::Int>
-{
-};
-
-template<>
-struct TSettingTraits<bool> : TScalarSettingTraits<bool, ESettingType::Bool>
-{
-	static bool Unpack(const FSettingValue& Value) { return Value.Components[0] != 0.0; }
-};
-
-template<typename T>
-struct TEnumSettingTraits
-{
-	static constexpr ESettingType Type = ESettingType::Enum;
-	static FSettingValue Pack(T Value)
-	{
-		return {Type, {static_cast<double>(static_cast<int32>(Value)), 0.0, 0.0, 0.0}};
-	}
-	static T Unpack(const FSettingValue& Value) { return static_cast<T>(static_cast<int32>(Value.Components[0])); }
-};
-
-template<>
-struct TSettingTraits<EBloomMethod> : TEnumSettingTraits<EBloomMethod>
-{
-	static TConstArrayView<const char*> GetEnumNames()
-	{
-		return TConstArrayView<const char*>(BloomMethodNames, BM_MAX);
-	}
-};
-
-template<>
-struct TSettingTraits<EAutoExposureMethod> : TEnumSettingTraits<EAutoExposureMethod>
-{
-	static TConstArrayView<const char*> GetEnumNames()
-	{
-		return TConstArrayView<const char*>(AutoExposureMethodNames, AEM_MAX);
-	}
-};
-
-template<>
-struct TSettingTraits<FLinearColor>
-{
-	static constexpr ESettingType Type = ESettingType::Color;
-	static FSettingValue Pack(const FLinearColor& Value) { return {Type, {Value.R, Value.G, Value.B, Value.A}}; }
-	static FLinearColor Unpack(const FSettingValue& Value)
-	{
-		return FLinearColor(static_cast<float>(Value.Components[0]), static_cast<float>(Value.Components[1]),
-			static_cast<float>(Value.Components[2]), static_cast<float>(Value.Components[3]));
-	}
-	static TConstArrayView<const char*> GetEnumNames() { return {}; }
-};
-
-template<>
-struct TSettingTraits<FVector2D>
-{
-	static constexpr ESettingType Type = ESettingType::Vector2;
-	static FSettingValue Pack(const FVector2D& Value) { return {Type, {Value.X, Value.Y, 0.0, 0.0}}; }
-	static FVector2D Unpack(const FSettingValue& Value) { return FVector2D(Value.Components[0], Value.Components[1]); }
-	static TConstArrayView<const char*> GetEnumNames() { return {}; }
-};
-
-/** Linear blending in the precision of the type: float settings blend in float, as in the engine. */
-float LerpValue(float From, float To, float Weight)
-{
-	return From + Weight * (To - From);
-}
-
-double LerpValue(double From, double To, float Weight)
-{
-	return From + static_cast<double>(Weight) * (To - From);
-}
-
-FLinearColor LerpValue(const FLinearColor& From, const FLinearColor& To, float Weight)
-{
-	return FLinearColor(LerpValue(From.R, To.R, Weight), LerpValue(From.G, To.G, Weight),
-		LerpValue(From.B, To.B, Weight), LerpValue(From.A, To.A, Weight));
-}
-
-FVector2D LerpValue(const FVector2D& From, const FVector2D& To, float Weight)
-{
-	return FVector2D(LerpValue(From.X, To.X, Weight), LerpValue(From.Y, To.Y, Weight));
-}
-
-template<typename T>
-constexpr bool TIsLerpable =
-	std::is_same_v<T, float> || std::is_same_v<T, FLinearColor> || std::is_same_v<T, FVector2D>;
-
-template<typename T>
-bool IsZero(const T& Value)
-{
-	const FSettingValue Packed = TSettingTraits<T>::Pack(Value);
-	return std::all_of(
-		std::begin(Packed.Components), std::end(Packed.Components), [](double Component) { return Component == 0.0; });
-}
-
-template<typename T>
-void BlendValue(T& Target, const T& Source, float Weight, ESettingBlend Blend)
-{
-	const bool bSourceCounts = Blend != ESettingBlend::SetIfNonZero || !IsZero(Source);
-	const bool bSwitchesOnOrOff = Blend == ESettingBlend::FocalDistance && (IsZero(Target) || IsZero(Source));
-	const bool bAssigns = Blend == ESettingBlend::Set || Blend == ESettingBlend::SetIfNonZero || bSwitchesOnOrOff;
-	if (!(Weight > 0.0f) || !bSourceCounts)
-	{
-		return;
-	}
-	if constexpr (TIsLerpable<T>)
-	{
-		if (Blend == ESettingBlend::Accumulate)
-		{
-			Target = Target + Source * Weight;
-			return;
-		}
-		if (!bAssigns && Weight < 1.0f)
-		{
-			Target = LerpValue(Target, Source, Weight);
-			return;
-		}
-	}
-	Target = Source;
+	return {-NoBound, NoBound, UIMin, UIMax};
 }
 
 std::vector<FSettingField> MakeSettingFields()
 {
 	const FPostProcessSettings Defaults;
 	std::vector<FSettingField> Fields;
-#define DRYDOCK_SETTING(InType, InName, InDefault, InRange, InUnit, InCategory, InBlend, InDoc) \
+#define DRYDOCK_SETTING_BIT(InType, InName, InBit, InDefault, InRange, InUnit, InCategory, InBlend, InDoc) \
 	Fields.push_back({ \
 		#InName, \
 		TSettingTraits<InType>::Type, \
@@ -183,20 +46,34 @@ std::vector<FSettingField> MakeSettingFields()
 		InDoc, \
 		TSettingTraits<InType>::Pack(Defaults.InName), \
 		TSettingTraits<InType>::GetEnumNames(), \
+		"bOverride_" #InBit, \
+		TSettingTraits<InType>::GetObjectClass().Name, \
+		TIsInterpolable<InType>, \
 		[](const FPostProcessSettings& Settings) { return TSettingTraits<InType>::Pack(Settings.InName); }, \
 		[](FPostProcessSettings& Settings, const FSettingValue& Value) \
-		{ Settings.InName = TSettingTraits<InType>::Unpack(Value); }, \
-		[](const FPostProcessSettings& Settings) -> bool { return Settings.bOverride_##InName; }, \
-		[](FPostProcessSettings& Settings, bool bOverridden) { Settings.bOverride_##InName = bOverridden ? 1 : 0; }, \
+		{ TSettingTraits<InType>::Store(Settings.InName, Value); }, \
+		[](const FPostProcessSettings& Settings) -> bool { return Settings.bOverride_##InBit; }, \
+		[](FPostProcessSettings& Settings, bool bOverridden) { Settings.bOverride_##InBit = bOverridden ? 1 : 0; }, \
 		[](FPostProcessSettings& Settings, const FPostProcessSettings& Source, float Weight) \
 		{ BlendValue(Settings.InName, Source.InName, Weight, ESettingBlend::InBlend); }, \
+		[](FPostProcessSettings& Settings, const FPostProcessSettings& Source, float Weight) \
+		{ BlendValue(Settings.InName, Source.InName, Weight, ESettingBlend::Lerp); }, \
+		TSettingTraits<InType>::GetObjectClass().FindOrAdd, \
 	});
+#define DRYDOCK_SETTING(InType, InName, InDefault, InRange, InUnit, InCategory, InBlend, InDoc) \
+	DRYDOCK_SETTING_BIT(InType, InName, InName, InDefault, InRange, InUnit, InCategory, InBlend, InDoc)
 #include "PostProcessSettingsTable.h"
 #undef DRYDOCK_SETTING
 	return Fields;
 }
 
 } // namespace
+
+bool FSettingValue::IsFinite() const
+{
+	return std::all_of(
+		std::begin(Components), std::end(Components), [](double Component) { return std::isfinite(Component); });
+}
 
 int32 FSettingField::GetNumComponents() const
 {
@@ -207,6 +84,10 @@ int32 FSettingField::GetNumComponents() const
 		return 4;
 	case ESettingType::Vector2:
 		return 2;
+	case ESettingType::ColorArray:
+		return MaxSettingComponents;
+	case ESettingType::Object:
+		return 0;
 	default:
 		return 1;
 	}
@@ -238,6 +119,14 @@ const FSettingField* FindSettingField(const std::string& Name)
 	return Found == Fields.end() ? nullptr : &*Found;
 }
 
+const FSettingField* FindSettingFieldByOverride(const std::string& OverrideName)
+{
+	const std::vector<FSettingField>& Fields = GetSettingFields();
+	const auto Found = std::find_if(
+		Fields.begin(), Fields.end(), [&](const FSettingField& Field) { return Field.OverrideName == OverrideName; });
+	return Found == Fields.end() ? nullptr : &*Found;
+}
+
 std::vector<std::string> GetSettingNames()
 {
 	std::vector<std::string> Names;
@@ -262,6 +151,8 @@ const char* ToString(ESettingBlend Blend)
 		return "FocalDistance";
 	case ESettingBlend::Accumulate:
 		return "Accumulate";
+	case ESettingBlend::LUT:
+		return "LUT";
 	}
 	return "?";
 }
@@ -284,6 +175,10 @@ const char* ToString(ESettingType Type)
 		return "vector2";
 	case ESettingType::Vector4:
 		return "vector4";
+	case ESettingType::Object:
+		return "object";
+	case ESettingType::ColorArray:
+		return "color[8]";
 	}
 	return "?";
 }

@@ -19,6 +19,8 @@ enum class ESettingType : uint8
 	Color,
 	Vector2,
 	Vector4,
+	Object,     // a texture or curve, by path
+	ColorArray, // eight colours
 };
 
 /** What a settings object of some weight does with a field it overrides. */
@@ -28,7 +30,9 @@ enum class ESettingBlend : uint8
 	Set,           // assigned at any weight above 0
 	SetIfNonZero,  // assigned at any weight above 0, unless the value is zero or null
 	FocalDistance, // assigned where either side is 0 (switched off), else Lerp
-	Accumulate,    // added, times the weight
+	Accumulate,    // a contribution of its own beside all others (ambient cubemap): a list of the final settings holds
+				   // it, and the field itself does not move
+	LUT,           // likewise (ColorGradingLUT, ColorGradingIntensity): contributions share a weight of 1 by LerpTo
 };
 
 /** Infinite where there is no bound. The clamps warn when passed and are not enforced; the UI bounds are where an
@@ -41,14 +45,20 @@ struct FSettingRange
 	double UIMax;
 };
 
+/** Of eight colours. */
+constexpr int32 MaxSettingComponents = 32;
+
 /** A value of any type of the table. Exact for all of them: numbers in doubles; bool 0 or 1; enum its number;
- * components of colours and vectors in order. */
+ * components of colours and vectors in order; the object itself. Unused components are 0. */
 struct FSettingValue
 {
 	ESettingType Type = ESettingType::Float;
-	double Components[4] = {0.0, 0.0, 0.0, 0.0};
+	double Components[MaxSettingComponents] = {};
+	UObject* Object = nullptr;
 
 	bool operator==(const FSettingValue&) const = default;
+	/** Whether no component is NaN or infinite. */
+	DRYDOCK_API bool IsFinite() const;
 };
 
 struct FSettingField
@@ -62,16 +72,24 @@ struct FSettingField
 	const char* Doc;
 	FSettingValue Default;
 	TConstArrayView<const char*> EnumNames; // index = number; empty for other types
+	const char* OverrideName;               // "bOverride_BloomIntensity"
+	const char* ObjectClass;                // "Texture2D", without the U; empty for other types
+	bool bInterpolates;                     // whether the type has values between two values
 
 	FSettingValue (*Get)(const FPostProcessSettings& Settings);
 	/** Value: of this field's type. Leaves the override bit alone. */
 	void (*Set)(FPostProcessSettings& Settings, const FSettingValue& Value);
 	bool (*IsOverridden)(const FPostProcessSettings& Settings);
 	void (*SetOverridden)(FPostProcessSettings& Settings, bool bOverridden);
-	/** Blends Source's value into Settings by the field's rule, whatever the override bit says. Weight: 0..1. */
+	/** Blends Source's value into Settings by the field's rule, whatever the override bit says. Weight: 0..1; 1 assigns
+	 * exactly; 0 and NaN do nothing, nor does a source that is not finite. */
 	void (*BlendFrom)(FPostProcessSettings& Settings, const FPostProcessSettings& Source, float Weight);
+	/** The same without the field's rule: linear where the type interpolates, else Source's value. */
+	void (*LerpFrom)(FPostProcessSettings& Settings, const FPostProcessSettings& Source, float Weight);
+	/** The object of a path, null for "None"; null pointer where ObjectClass is empty. */
+	UObject* (*FindOrAddObject)(const std::string& Path);
 
-	/** 1 for numbers, 4 for colours, ... */
+	/** 1 for numbers, 4 for colours, ..., 0 for objects. */
 	DRYDOCK_API int32 GetNumComponents() const;
 	/** Whether every component lies within the clamps. */
 	DRYDOCK_API bool IsInRange(const FSettingValue& Value) const;
@@ -83,15 +101,22 @@ DRYDOCK_API const std::vector<FSettingField>& GetSettingFields();
 /** Null when no field has exactly this name. */
 DRYDOCK_API const FSettingField* FindSettingField(const std::string& Name);
 
+/** The field of an override bit's whole name, such as "bOverride_BloomIntensity"; null when there is none. */
+DRYDOCK_API const FSettingField* FindSettingFieldByOverride(const std::string& OverrideName);
+
 /** Names of all fields, for suggestions. */
 DRYDOCK_API std::vector<std::string> GetSettingNames();
 
-/** `0.675`, `true`, `BM_SOG`, `[1, 1, 1, 1]`: the shortest text that reads back to the same value, valid JSON but for
- * the quotes of an enum's name. */
+/** `0.675`, `true`, `BM_SOG`, `[1, 1, 1, 1]`, `/Game/Dirt.Dirt`, `None`: the shortest text that reads back to the same
+ * value, valid JSON but for the quotes of an enum's name or a path. */
 DRYDOCK_API std::string SettingToText(const FSettingField& Field, const FSettingValue& Value);
 
+/** The same as JSON: names and paths in quotes, no object as null. */
+DRYDOCK_API std::string SettingToJson(const FSettingField& Field, const FSettingValue& Value);
+
 /** Reads what SettingToText writes, and spaces around it; enums also by number, bools also as 0 and 1, colours also
- * with three components (alpha 1) or in the engine's form `(R=1,G=1,B=1,A=1)`. On failure returns false with what was
+ * with three components (alpha 1) or in the engine's form `(R=1,G=1,B=1,A=1)`, objects also with their class
+ * (`Texture2D'/Game/A.A'`). On failure returns false with what was
  * expected in OutError. */
 DRYDOCK_API bool SettingFromText(
 	const FSettingField& Field, const std::string& Text, FSettingValue& OutValue, std::string& OutError);

@@ -1,6 +1,9 @@
 // Text of single setting values, both ways. Source: drydock; the `(R=..)` form is the engine's.
 #include "PostProcessSettingsReflection.h"
 
+#include "SettingObjects.h"
+
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -20,7 +23,7 @@ std::string Trim(const std::string& Text)
 
 bool IsFloatType(ESettingType Type)
 {
-	return Type == ESettingType::Float || Type == ESettingType::Color;
+	return Type == ESettingType::Float || Type == ESettingType::Color || Type == ESettingType::ColorArray;
 }
 
 /** The shortest text of a number, in the precision the field stores it. */
@@ -31,6 +34,31 @@ std::string NumberToText(double Number, bool bFloat)
 											? std::to_chars(Buffer, Buffer + sizeof(Buffer), static_cast<float>(Number))
 											: std::to_chars(Buffer, Buffer + sizeof(Buffer), Number);
 	return std::string(Buffer, Result.ptr);
+}
+
+std::string VectorToText(const double* Components, int32 Num, bool bFloat)
+{
+	std::string Text;
+	for (int32 Index = 0; Index < Num; ++Index)
+	{
+		Text += (Index == 0 ? "[" : ", ") + NumberToText(Components[Index], bFloat);
+	}
+	return Text + "]";
+}
+
+/** As a JSON string. */
+std::string Quote(const std::string& Text)
+{
+	std::string Quoted = "\"";
+	for (const char Character : Text)
+	{
+		if (Character == '"' || Character == '\\')
+		{
+			Quoted += '\\';
+		}
+		Quoted += Character;
+	}
+	return Quoted + "\"";
 }
 
 bool NumberFromText(const std::string& Untrimmed, double& OutNumber)
@@ -54,22 +82,26 @@ bool FitsType(ESettingType Type, double Number)
 	return true;
 }
 
-/** "[1, 2]" and "(R=1,G=2)" to {"1", "2"}; components of the second form in the order given. */
+/** "[1, 2]" and "(R=1,G=2)" to {"1", "2"}; components of the second form in the order given. Brackets inside stay. */
 std::vector<std::string> SplitComponents(const std::string& Text)
 {
-	std::vector<std::string> Parts;
-	std::string Inner = Text;
-	if (Inner.size() >= 2 &&
-		((Inner.front() == '[' && Inner.back() == ']') || (Inner.front() == '(' && Inner.back() == ')')))
+	std::vector<std::string> Parts(1);
+	const bool bBracketed = Text.size() >= 2 && ((Text.front() == '[' && Text.back() == ']') ||
+													(Text.front() == '(' && Text.back() == ')'));
+	int Depth = 0;
+	for (const char Character : bBracketed ? Text.substr(1, Text.size() - 2) : Text)
 	{
-		Inner = Inner.substr(1, Inner.size() - 2);
+		Depth += (Character == '[' || Character == '(') - (Character == ']' || Character == ')');
+		if (Character == ',' && Depth == 0)
+		{
+			Parts.emplace_back();
+		}
+		else
+		{
+			Parts.back() += Character;
+		}
 	}
-	for (size_t Begin = 0; Begin <= Inner.size();)
-	{
-		const size_t Comma = std::min(Inner.find(',', Begin), Inner.size());
-		Parts.push_back(Trim(Inner.substr(Begin, Comma - Begin)));
-		Begin = Comma + 1;
-	}
+	std::transform(Parts.begin(), Parts.end(), Parts.begin(), Trim);
 	return Parts;
 }
 
@@ -94,28 +126,57 @@ bool StripComponentNames(ESettingType Type, std::vector<std::string>& Parts)
 	return true;
 }
 
-bool ComponentsFromText(
-	const FSettingField& Field, const std::string& Text, FSettingValue& OutValue, std::string& OutError)
+/** The components of one vector or colour into OutComponents. */
+bool VectorFromText(ESettingType Type, const std::string& Text, size_t NumComponents, double* OutComponents)
 {
 	std::vector<std::string> Parts = SplitComponents(Text);
-	const size_t Wanted = static_cast<size_t>(Field.GetNumComponents());
-	const bool bAlphaOmitted = Field.Type == ESettingType::Color && Parts.size() == 3;
-	OutError = "expected " + std::to_string(Wanted) + " numbers such as " + SettingToText(Field, Field.Default);
-	if (!StripComponentNames(Field.Type, Parts) || (Parts.size() != Wanted && !bAlphaOmitted))
+	const bool bAlphaOmitted = IsFloatType(Type) && Parts.size() == 3;
+	if (!StripComponentNames(Type, Parts) || (Parts.size() != NumComponents && !bAlphaOmitted))
 	{
 		return false;
 	}
-	OutValue.Components[3] = bAlphaOmitted ? 1.0 : 0.0;
+	if (bAlphaOmitted)
+	{
+		Parts.emplace_back("1");
+	}
 	for (size_t Index = 0; Index < Parts.size(); ++Index)
 	{
-		if (!NumberFromText(Parts[Index], OutValue.Components[Index]) ||
-			!FitsType(Field.Type, OutValue.Components[Index]))
+		if (!NumberFromText(Parts[Index], OutComponents[Index]) || !FitsType(Type, OutComponents[Index]))
 		{
 			return false;
 		}
 	}
-	OutError.clear();
 	return true;
+}
+
+bool ComponentsFromText(
+	const FSettingField& Field, const std::string& Text, FSettingValue& OutValue, std::string& OutError)
+{
+	const size_t Wanted = static_cast<size_t>(Field.GetNumComponents());
+	const bool bRead = VectorFromText(Field.Type, Text, Wanted, OutValue.Components);
+	OutError =
+		bRead ? "" : "expected " + std::to_string(Wanted) + " numbers such as " + SettingToText(Field, Field.Default);
+	return bRead;
+}
+
+bool ColorArrayFromText(const std::string& Text, FSettingValue& OutValue, std::string& OutError)
+{
+	const std::vector<std::string> Colors = SplitComponents(Text);
+	bool bRead = Colors.size() == MaxSettingComponents / 4;
+	for (size_t Index = 0; bRead && Index < Colors.size(); ++Index)
+	{
+		bRead = VectorFromText(ESettingType::Color, Colors[Index], 4, OutValue.Components + Index * 4);
+	}
+	OutError = bRead ? "" : "expected 8 colours such as [1, 1, 1, 1], in brackets";
+	return bRead;
+}
+
+bool ObjectFromText(const FSettingField& Field, const std::string& Text, FSettingValue& OutValue, std::string& OutError)
+{
+	const std::string Path = StripObjectClass(Text);
+	OutValue.Object = Field.FindOrAddObject(Path);
+	OutError = Path.empty() ? "expected a path such as /Game/Folder/Name.Name, or None" : "";
+	return !Path.empty();
 }
 
 bool EnumFromText(const FSettingField& Field, const std::string& Text, FSettingValue& OutValue, std::string& OutError)
@@ -166,15 +227,30 @@ std::string SettingToText(const FSettingField& Field, const FSettingValue& Value
 	case ESettingType::Float:
 	case ESettingType::Int:
 		return NumberToText(Value.Components[0], IsFloatType(Field.Type));
-	default:
-		break;
-	}
-	std::string Text;
-	for (int32 Index = 0; Index < Field.GetNumComponents(); ++Index)
+	case ESettingType::Object:
+		return GetObjectPath(Value.Object);
+	case ESettingType::ColorArray:
 	{
-		Text += (Index == 0 ? "[" : ", ") + NumberToText(Value.Components[Index], IsFloatType(Field.Type));
+		std::string Text;
+		for (int32 Index = 0; Index < MaxSettingComponents; Index += 4)
+		{
+			Text += (Index == 0 ? "[" : ", ") + VectorToText(Value.Components + Index, 4, true);
+		}
+		return Text + "]";
 	}
-	return Text + "]";
+	default:
+		return VectorToText(Value.Components, Field.GetNumComponents(), IsFloatType(Field.Type));
+	}
+}
+
+std::string SettingToJson(const FSettingField& Field, const FSettingValue& Value)
+{
+	const std::string Text = SettingToText(Field, Value);
+	if (Field.Type == ESettingType::Object)
+	{
+		return Value.Object == nullptr ? "null" : Quote(Text);
+	}
+	return Field.Type == ESettingType::Enum ? Quote(Text) : Text;
 }
 
 bool SettingFromText(
@@ -196,6 +272,12 @@ bool SettingFromText(
 	case ESettingType::Int:
 		bRead = NumberFromText(Text, Value.Components[0]) && FitsType(Field.Type, Value.Components[0]);
 		OutError = bRead ? "" : Field.Type == ESettingType::Int ? "expected a whole number" : "expected a number";
+		break;
+	case ESettingType::Object:
+		bRead = ObjectFromText(Field, Text, Value, OutError);
+		break;
+	case ESettingType::ColorArray:
+		bRead = ColorArrayFromText(Text, Value, OutError);
 		break;
 	default:
 		bRead = ComponentsFromText(Field, Text, Value, OutError);

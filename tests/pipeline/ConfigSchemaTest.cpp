@@ -101,7 +101,7 @@ TEST(ConfigSchema, SettingsAreTheTable)
 	for (const FSettingField& Field : GetSettingFields())
 	{
 		Expected.insert(Field.Name);
-		Expected.insert(std::string("bOverride_") + Field.Name);
+		Expected.insert(Field.OverrideName);
 	}
 	EXPECT_EQ(Expected, SchemaKeys(ParseSchema(), "Settings"));
 }

@@ -158,9 +158,9 @@ TEST(SettingFields, SetTouchesOnlyItsOwnMember)
 	{
 		FPostProcessSettings Settings;
 		FSettingValue Value = Each.Default;
-		Value.Components[0] = Each.Type == ESettingType::Bool   ? 1.0 - Value.Components[0]
-							  : Each.Type == ESettingType::Enum ? 1.0
-																: Value.Components[0] + 0.5;
+		const bool bTwoValued = Each.Type == ESettingType::Bool || Each.Type == ESettingType::Enum;
+		Value.Components[0] = bTwoValued ? (Value.Components[0] == 0.0 ? 1.0 : 0.0) : Value.Components[0] + 1.0;
+		Value.Object = Each.Type == ESettingType::Object ? Each.FindOrAddObject("/Game/A.A") : nullptr;
 		Each.Set(Settings, Value);
 		for (const FSettingField& Other : GetSettingFields())
 		{
