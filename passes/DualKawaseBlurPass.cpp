@@ -102,9 +102,12 @@ void NoteLevels(FRDGBuilder& GraphBuilder, FIntPoint Size, int32 PassNum, int32 
 {
 	if (Levels < PassNum)
 	{
+		const std::string Reason =
+			Levels == GDualKawaseMaxPasses
+				? "the blur has at most " + std::to_string(Levels)
+				: "a picture of " + ToText(Size) + " pixels has room for " + std::to_string(Levels);
 		AddNote(GraphBuilder, ESeverity::Warning, DualKawaseNoteLevels,
-			"a picture of " + ToText(Size) + " pixels has room for " + std::to_string(Levels) + " of " +
-				std::to_string(PassNum) + " levels; the blur is narrower than wanted");
+			Reason + " of " + std::to_string(PassNum) + " levels; it is narrower than wanted");
 	}
 }
 
@@ -166,7 +169,7 @@ FScreenPassTexture AddCorrectedPasses(
 	const TArray<FIntPoint> Sizes = GetDualKawaseLevelSizes(InputSize, PassNum);
 	const int32 Levels = Sizes.Num() - 1;
 	const FDualKawaseTaps Taps = GetDualKawaseTaps(Inputs.Offset);
-	NoteLevels(GraphBuilder, InputSize, PassNum, Levels);
+	NoteLevels(GraphBuilder, InputSize, Inputs.PassNum, Levels);
 	NoteOffset(GraphBuilder, Inputs.Offset);
 	NotePrintedLoss(GraphBuilder, Input.Texture->Desc.Extent, PassNum, false);
 
@@ -225,7 +228,7 @@ FScreenPassTexture AddPrintedPasses(
 	const FIntPoint Size = Inputs.SceneColor.Texture->Desc.Extent;
 	const TArray<FIntPoint> Sizes = GetDualKawasePrintedSizes(Size, PassNum);
 	const int32 Levels = Sizes.Num() / 2;
-	NoteLevels(GraphBuilder, Size, PassNum, Levels);
+	NoteLevels(GraphBuilder, Size, Inputs.PassNum, Levels);
 	NotePrintedLoss(GraphBuilder, Size, PassNum, true);
 	if (Levels == 0)
 	{
