@@ -2,9 +2,9 @@
 #include "PostProcessGaussianBloom.h"
 
 #include "HAL/IConsoleManager.h"
-#include "PostProcessWeightedSampleSum.h"
 #include "RenderGraphBuilder.h"
 #include "SceneRendering.h"
+#include "TextureBlur.h"
 
 namespace
 {
@@ -17,17 +17,6 @@ TAutoConsoleVariable<float> CVarGaussianBloomCross(TEXT("r.GaussianBloom.Cross")
 	TEXT("Sharpens the centre of the bloom kernel: positive in both directions, negative in the vertical one only. "
 		 "Default 0."),
 	ECVF_RenderThreadSafe);
-
-/** A stage this small would copy its level. */
-constexpr float SmallestBloomSize = 1e-8f;
-
-struct FBloomStage
-{
-	float Size; // percent of the view's width, before BloomSizeScale
-	FLinearColor Tint;
-	const TCHAR* NameX;
-	const TCHAR* NameY;
-};
 
 } // namespace
 
@@ -52,39 +41,21 @@ FScreenPassTexture AddGaussianBloomPasses(
 	check(SceneDownsampleChain->GetLevelCount() >= LevelCount);
 
 	const FFinalPostProcessSettings& Settings = View.FinalPostProcessSettings;
-	const FBloomStage Stages[] = {
-		{Settings.Bloom6Size, Settings.Bloom6Tint, TEXT("Bloom6X"), TEXT("Bloom6Y")},
-		{Settings.Bloom5Size, Settings.Bloom5Tint, TEXT("Bloom5X"), TEXT("Bloom5Y")},
-		{Settings.Bloom4Size, Settings.Bloom4Tint, TEXT("Bloom4X"), TEXT("Bloom4Y")},
-		{Settings.Bloom3Size, Settings.Bloom3Tint, TEXT("Bloom3X"), TEXT("Bloom3Y")},
-		{Settings.Bloom2Size, Settings.Bloom2Tint, TEXT("Bloom2X"), TEXT("Bloom2Y")},
-		{Settings.Bloom1Size, Settings.Bloom1Tint, TEXT("Bloom1X"), TEXT("Bloom1Y")},
+	FGaussianBlurPassesInputs Inputs;
+	Inputs.Stages = {
+		{TEXT("Bloom6X"), TEXT("Bloom6Y"), Settings.Bloom6Size, Settings.Bloom6Tint},
+		{TEXT("Bloom5X"), TEXT("Bloom5Y"), Settings.Bloom5Size, Settings.Bloom5Tint},
+		{TEXT("Bloom4X"), TEXT("Bloom4Y"), Settings.Bloom4Size, Settings.Bloom4Tint},
+		{TEXT("Bloom3X"), TEXT("Bloom3Y"), Settings.Bloom3Size, Settings.Bloom3Tint},
+		{TEXT("Bloom2X"), TEXT("Bloom2Y"), Settings.Bloom2Size, Settings.Bloom2Tint},
+		{TEXT("Bloom1X"), TEXT("Bloom1Y"), Settings.Bloom1Size, Settings.Bloom1Tint},
 	};
-	static_assert(UE_ARRAY_COUNT(Stages) == LevelCount);
-
 	const float TintScale = Settings.BloomIntensity / static_cast<float>(LevelCount);
-	const float Cross = CVarGaussianBloomCross.GetValueOnRenderThread();
+	Inputs.TintScale = FLinearColor(TintScale, TintScale, TintScale, TintScale);
+	Inputs.StageCount = GetBloomStageCount(GetBloomQuality());
+	Inputs.SizeScale = Settings.BloomSizeScale;
+	Inputs.Cross = CVarGaussianBloomCross.GetValueOnRenderThread();
 
 	RDG_EVENT_SCOPE(GraphBuilder, "GaussianBloom");
-	FScreenPassTexture Bloom;
-	for (uint32 StageIndex = 0; StageIndex < GetBloomStageCount(GetBloomQuality()); ++StageIndex)
-	{
-		const FBloomStage& Stage = Stages[StageIndex];
-		if (!(Stage.Size > SmallestBloomSize))
-		{
-			continue;
-		}
-
-		FGaussianBlurInputs PassInputs;
-		PassInputs.NameX = Stage.NameX;
-		PassInputs.NameY = Stage.NameY;
-		PassInputs.Filter = SceneDownsampleChain->GetTexture(LevelCount - 1 - StageIndex);
-		PassInputs.Additive = Bloom;
-		PassInputs.CrossCenterWeight = FVector2f(FMath::Max(Cross, 0.0f), FMath::Abs(Cross));
-		PassInputs.KernelSizePercent = Stage.Size * Settings.BloomSizeScale;
-		PassInputs.TintColor = FLinearColor(
-			Stage.Tint.R * TintScale, Stage.Tint.G * TintScale, Stage.Tint.B * TintScale, Stage.Tint.A * TintScale);
-		Bloom = AddGaussianBlurPass(GraphBuilder, View, PassInputs);
-	}
-	return Bloom;
+	return AddGaussianBlurPasses(GraphBuilder, View, *SceneDownsampleChain, Inputs);
 }

@@ -14,12 +14,21 @@ namespace
 
 constexpr int32 MaxFilterSamples = 128;
 
+/** What lies outside the filter's rect. */
+enum class EGaussianBlurAddress : uint8
+{
+	Black,
+	Mirror,
+	Clamp,
+};
+
 /** Who gives the texels outside the filter's rect. */
 enum class ERectBorder : uint8
 {
 	Sampler, // the rect is the whole texture
 	Black,
 	Mirror,
+	Clamp,
 	MAX
 };
 
@@ -95,7 +104,7 @@ struct FFilterPassInputs
 	TConstArrayView<Drydock::FGaussianTap> Taps;
 	FVector2f Direction = FVector2f(0.0f, 0.0f); // UV of the filter to the texel
 	FLinearColor Tint = FLinearColor(1.0f, 1.0f, 1.0f, 1.0f);
-	bool bMirror = false;
+	EGaussianBlurAddress Address = EGaussianBlurAddress::Black;
 };
 
 /** Packs the taps that weigh anything; one of zero weight would still multiply an infinite texel into NaN. */
@@ -119,23 +128,28 @@ void SetTaps(const FFilterPassInputs& Inputs, FFilterParameters& Parameters)
 	}
 }
 
-ERectBorder ChooseRectBorder(const FScreenPassTextureViewport& Viewport, bool bMirror)
+ERectBorder ChooseRectBorder(const FScreenPassTextureViewport& Viewport, EGaussianBlurAddress Address)
 {
+	if (Address == EGaussianBlurAddress::Clamp)
+	{
+		return ERectBorder::Clamp;
+	}
 	if (Viewport.IsFullscreen())
 	{
 		return ERectBorder::Sampler;
 	}
-	return bMirror ? ERectBorder::Mirror : ERectBorder::Black;
+	return Address == EGaussianBlurAddress::Mirror ? ERectBorder::Mirror : ERectBorder::Black;
 }
 
-FRHISamplerState* ChooseFilterSampler(ERectBorder RectBorder, bool bMirror)
+FRHISamplerState* ChooseFilterSampler(ERectBorder RectBorder, EGaussianBlurAddress Address)
 {
 	if (RectBorder != ERectBorder::Sampler)
 	{
 		return TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
 	}
-	return bMirror ? TStaticSamplerState<SF_Bilinear, AM_Mirror, AM_Mirror, AM_Clamp>::GetRHI()
-				   : TStaticSamplerState<SF_Bilinear, AM_Border, AM_Border, AM_Clamp>::GetRHI();
+	return Address == EGaussianBlurAddress::Mirror
+			   ? TStaticSamplerState<SF_Bilinear, AM_Mirror, AM_Mirror, AM_Clamp>::GetRHI()
+			   : TStaticSamplerState<SF_Bilinear, AM_Border, AM_Border, AM_Clamp>::GetRHI();
 }
 
 FScreenPassTexture AddFilterPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FFilterPassInputs& Inputs)
@@ -151,10 +165,10 @@ FScreenPassTexture AddFilterPass(FRDGBuilder& GraphBuilder, const FViewInfo& Vie
 		GraphBuilder.CreateTexture(OutputDesc, Inputs.Name), Inputs.OutputRect, ERenderTargetLoadAction::ENoAction);
 
 	const FScreenPassTextureViewport FilterViewport(Inputs.Filter);
-	const ERectBorder RectBorder = ChooseRectBorder(FilterViewport, Inputs.bMirror);
+	const ERectBorder RectBorder = ChooseRectBorder(FilterViewport, Inputs.Address);
 
 	FFilterParameters Common;
-	Common.Filter = GetScreenPassTextureInput(Inputs.Filter, ChooseFilterSampler(RectBorder, Inputs.bMirror));
+	Common.Filter = GetScreenPassTextureInput(Inputs.Filter, ChooseFilterSampler(RectBorder, Inputs.Address));
 	if (Inputs.Additive.IsValid())
 	{
 		Common.Additive = GetScreenPassTextureInput(
@@ -194,6 +208,15 @@ FScreenPassTexture AddFilterPass(FRDGBuilder& GraphBuilder, const FViewInfo& Vie
 	return FScreenPassTexture(Output.Texture, Output.ViewRect);
 }
 
+EGaussianBlurAddress GetAddress(const FGaussianBlurInputs& Inputs)
+{
+	if (Inputs.UseClampAddressMode)
+	{
+		return EGaussianBlurAddress::Clamp;
+	}
+	return Inputs.UseMirrorAddressMode ? EGaussianBlurAddress::Mirror : EGaussianBlurAddress::Black;
+}
+
 /** Half the width, ceil-divided, never empty. */
 FScreenPassTextureViewport HalveWidth(const FScreenPassTextureViewport& Viewport)
 {
@@ -227,7 +250,7 @@ FScreenPassTexture AddGaussianBlurPass(
 	Horizontal.OutputRect = HorizontalViewport.Rect;
 	Horizontal.Taps = TapsX;
 	Horizontal.Direction = FVector2f(1.0f / static_cast<float>(Viewport.Extent.X), 0.0f);
-	Horizontal.bMirror = Inputs.UseMirrorAddressMode;
+	Horizontal.Address = GetAddress(Inputs);
 
 	const TArray<Drydock::FGaussianTap> TapsY =
 		Drydock::ComputeGaussianKernel(SampleCountMax, Radius, Inputs.CrossCenterWeight.Y);
@@ -240,6 +263,6 @@ FScreenPassTexture AddGaussianBlurPass(
 	Vertical.Taps = TapsY;
 	Vertical.Direction = FVector2f(0.0f, 1.0f / static_cast<float>(Viewport.Extent.Y));
 	Vertical.Tint = Inputs.TintColor;
-	Vertical.bMirror = Inputs.UseMirrorAddressMode;
+	Vertical.Address = GetAddress(Inputs);
 	return AddFilterPass(GraphBuilder, View, Vertical);
 }

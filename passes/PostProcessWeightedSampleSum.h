@@ -2,8 +2,8 @@
 // PostProcessWeightedSampleSum.h.
 //
 // Contract. The result has the filter's extent, rect and format; each pass stores once. Weights sum to 1 times the tint,
-// over the whole kernel: with border addressing an image fades towards its edges (the engine's bloom does), with mirror
-// addressing a constant stays constant. Taps whose weight is zero are left out, so that zero times infinity is never
+// over the whole kernel: with border addressing an image fades towards its edges (the engine's bloom does), with mirror or
+// clamp addressing a constant stays constant. Taps whose weight is zero are left out, so that zero times infinity is never
 // computed; NaN and infinities spread over the kernel's support and no further; negatives pass on until an unsigned
 // store clips them. A radius of at most one texel copies. Any size from 1x1 up; a rect smaller than its texture reads
 // as if the texture ended at the rect. From r.FastBlurThreshold on, the horizontal pass samples between texels, where
@@ -74,6 +74,9 @@ struct FGaussianBlurInputs
 
 	/** What lies outside: the image's mirror, or black. */
 	bool UseMirrorAddressMode = false;
+
+	/** drydock: what lies outside is the edge texel, so that a constant stays constant; before the mirror. */
+	bool UseClampAddressMode = false;
 };
 
 DRYDOCK_API FScreenPassTexture AddGaussianBlurPass(
