@@ -159,6 +159,14 @@ void ReadView(const FJsonValue& Value, FConfigView& View, FConfigMessages& Messa
 	}
 	ReadRect(Value, View, Messages);
 	ReadScale(Value, "exposure", View.Exposure, Messages);
+	WithMember(Value, "exposure", EJsonType::String,
+		[&](const FJsonValue& Exposure)
+		{
+			if (Exposure.String == "auto")
+			{
+				Messages.Warn(WarnNotBuilt, Exposure, "\"auto\" is not built yet: it is read, and does nothing");
+			}
+		});
 	ReadScale(Value, "preExposure", View.PreExposure, Messages);
 }
 
@@ -180,10 +188,10 @@ FConfigVolume ReadVolume(const FJsonValue& Value, FConfigMessages& Messages)
 	{
 		Messages.Error(ErrorVolumeWithoutBounds, Value, "the volume has no \"bounds\" and is not bUnbound");
 	}
-	else if (!Volume.bUnbound && Volume.bEnabled)
+	else if (!Volume.bUnbound && Volume.BlendRadius < 0.0)
 	{
-		Messages.Warn(
-			WarnNotBuilt, Value, "bounded volumes are not built yet: this one is read and checked, and does nothing");
+		Messages.Warn(WarnOutOfRange, *Value.Find("BlendRadius"),
+			"BlendRadius is below 0: the volume acts nowhere, not even inside");
 	}
 	return Volume;
 }
@@ -199,18 +207,12 @@ void ReadVolumes(const FJsonValue& Root, FConfig& Config, FConfigMessages& Messa
 				{
 					continue;
 				}
-				const FConfigVolume Volume = ReadVolume(Value, Messages);
-				for (const FConfigVolume& Earlier : Config.Volumes)
-				{
-					if (Earlier.Priority == Volume.Priority && Earlier.bEnabled && Volume.bEnabled)
-					{
-						Messages.Warn(WarnEqualPriority, Value,
-							"same Priority as " + Earlier.Place.Pointer + ": the order of declaration decides");
-						break;
-					}
-				}
-				Config.Volumes.push_back(Volume);
+				Config.Volumes.push_back(ReadVolume(Value, Messages));
 			}
+		});
+	WithMember(Root, "volumes", EJsonType::String,
+		[&](const FJsonValue& Volumes) {
+			Config.VolumesFromScene = {Volumes.String == "fromScene", PlaceOf(Volumes)};
 		});
 }
 

@@ -45,6 +45,7 @@ struct FConfigScene
 	TConfigValue<std::string> File; // as written; see FConfig::Resolve
 	std::map<std::string, TConfigValue<std::string>> Channels;
 	std::map<std::string, TConfigValue<double>> Defaults;
+	std::optional<FConfigVector> CameraLocation; // cm, of the file's header: see CompleteFromScene
 };
 
 struct FConfigView
@@ -114,7 +115,8 @@ struct FConfig
 	TConfigValue<std::string> Engine{"5.4", {}};
 	FConfigScene Scene;
 	FConfigView View;
-	std::vector<FConfigVolume> Volumes; // in the order of the file
+	std::vector<FConfigVolume> Volumes;             // in the order of the file
+	TConfigValue<bool> VolumesFromScene{false, {}}; // "volumes" is "fromScene": see CompleteFromScene
 	FConfigCamera Camera;
 	FConfigSettings CommandLine; // --pp: after everything else, at full weight
 	std::vector<FConfigVariable> Variables;

@@ -125,6 +125,11 @@ std::optional<FConfigBounds> ReadConfigBounds(const FJsonValue& Value, FConfigMe
 			}
 		}
 	}
+	if (Bounds.Shape == EConfigShape::Convex && Value.Find("points")->Elements.empty())
+	{
+		Messages.Error(ErrorBadValue, Value, "a convex needs at least one point");
+		return std::nullopt;
+	}
 	const bool bNegative = Bounds.Radius < 0.0 || Bounds.HalfHeight < 0.0 || Bounds.Extent[0] < 0.0 ||
 						   Bounds.Extent[1] < 0.0 || Bounds.Extent[2] < 0.0;
 	if (bNegative)

@@ -24,12 +24,19 @@ enum EConfigError
 	ErrorUnknownShowFlag = 1014,     // no such show flag
 	WarnNotBuilt = 1015,             // read and valid, but nothing acts on it yet
 	WarnInertValue = 1016,           // a value whose override bit is off
-	WarnEqualPriority = 1017,        // two volumes of one priority: the order of declaration decides
+	WarnEqualPriority = 1017,        // two volumes of one priority act and disagree: the order of declaration decides
 	WarnWeightClamped = 1018,        // a blend weight outside 0..1
 	ErrorVolumeWithoutBounds = 1019, // neither bounds nor bUnbound
 	ErrorBadArgument = 1020,         // a command-line argument that is not NAME=VALUE and the like
 	WarnNothingDumped = 1021,        // a dump pattern that no executed pass or resource matches
 	WarnIneffectiveValue = 1022,     // a console variable's value that is accepted but does nothing here
+
+	WarnNoLocation = 1041,        // bounded volumes, and no location for the view
+	ErrorNothingFromScene = 1042, // "fromScene", and no scene or none that suggests anything
+	WarnSuggestionLeftOut = 1043, // something that a scene suggests and that does not exist here
+
+	// DD3: settings
+	WarnNonFiniteSetting = 3101, // a source's value is NaN or infinite; it does not enter the blend
 
 	// DD4: numbers
 	WarnNonFinite = 4001,  // NaN or infinity in an image

@@ -138,11 +138,6 @@ private:
 			{
 				WrongType(Value, Key);
 			}
-			else if (!bLater)
-			{
-				Messages.Warn(
-					WarnNotBuilt, Value, "\"" + Alternative + "\" is not built yet: it is read, and does nothing");
-			}
 			return;
 		}
 		switch (Key.Kind)

@@ -1,6 +1,7 @@
 // Source: drydock; the order is the engine's.
 #include "FinalSettings.h"
 
+#include "ConfigReader.h"
 #include "HAL/IConsoleManager.h"
 #include "ShowFlags.h"
 
@@ -13,20 +14,84 @@ namespace Drydock
 namespace
 {
 
-/** Unbound, enabled volumes, lowest priority first; equal ones in the order of declaration. */
-std::vector<const FConfigVolume*> SortVolumes(const FConfig& Config)
+FVector ToVector(const FConfigVector& Vector)
 {
-	std::vector<const FConfigVolume*> Volumes;
-	for (const FConfigVolume& Volume : Config.Volumes)
+	return FVector(Vector[0], Vector[1], Vector[2]);
+}
+
+FVolumeShape MakeShape(const FConfigBounds& Bounds)
+{
+	const FVector Center = ToVector(Bounds.Center);
+	const FRotator Rotation(Bounds.Rotation[0], Bounds.Rotation[1], Bounds.Rotation[2]);
+	switch (Bounds.Shape)
 	{
-		if (Volume.bEnabled && Volume.bUnbound)
-		{
-			Volumes.push_back(&Volume);
-		}
+	case EConfigShape::Sphere:
+		return FVolumeShape::MakeSphere(Center, Bounds.Radius);
+	case EConfigShape::Capsule:
+		return FVolumeShape::MakeCapsule(Center, Bounds.Radius, Bounds.HalfHeight, Rotation);
+	case EConfigShape::Convex:
+	{
+		std::vector<FVector> Points;
+		std::transform(Bounds.Points.begin(), Bounds.Points.end(), std::back_inserter(Points), ToVector);
+		return FVolumeShape::MakeConvex(std::move(Points));
 	}
-	std::stable_sort(Volumes.begin(), Volumes.end(),
-		[](const FConfigVolume* A, const FConfigVolume* B) { return A->Priority < B->Priority; });
-	return Volumes;
+	case EConfigShape::Box:
+		break;
+	}
+	return FVolumeShape::MakeBox(Center, ToVector(Bounds.Extent), Rotation);
+}
+
+APostProcessVolume MakeVolume(const FConfig& Config, size_t Index)
+{
+	const FConfigVolume& Volume = Config.Volumes[Index];
+	APostProcessVolume Made;
+	Made.Settings = Volume.Settings.Settings;
+	Made.Priority = static_cast<float>(Volume.Priority);
+	Made.BlendRadius = static_cast<float>(Volume.BlendRadius);
+	Made.BlendWeight = static_cast<float>(Volume.BlendWeight);
+	Made.bEnabled = Volume.bEnabled;
+	Made.bUnbound = Volume.bUnbound;
+	Made.Shape = Volume.Bounds ? MakeShape(*Volume.Bounds) : FVolumeShape();
+	Made.Name = GetVolumeName(Config, Index).c_str();
+	return Made;
+}
+
+FEngineShowFlags MakeShowFlags(const FConfig& Config)
+{
+	FEngineShowFlags ShowFlags;
+	for (const FConfigShowFlag& Flag : Config.ShowFlags)
+	{
+		ShowFlags.SetSingleFlag(static_cast<uint32>(FEngineShowFlags::FindIndexByName(Flag.Name.c_str())), Flag.bValue);
+	}
+	return ShowFlags;
+}
+
+/** "A, B, C and 4 more". */
+std::string ListSome(const std::vector<std::string>& Names)
+{
+	constexpr size_t MaxNamed = 3;
+	std::string Text;
+	for (size_t Index = 0; Index < std::min(Names.size(), MaxNamed); ++Index)
+	{
+		Text += (Index > 0 ? ", " : "") + Names[Index];
+	}
+	return Names.size() > MaxNamed ? Text + " and " + std::to_string(Names.size() - MaxNamed) + " more" : Text;
+}
+
+void WarnOfBlend(const FConfig& Config, const FBlendedSettings& Blended, std::vector<FDiagnostic>& Diagnostics)
+{
+	FConfigMessages Messages(Config.File, Diagnostics);
+	for (const FBlendTie& Tie : Blended.Ties)
+	{
+		Messages.Warn(WarnEqualPriority, Config.Volumes[Tie.Second].Place,
+			"same Priority as " + GetVolumeName(Config, Tie.First) +
+				", and both act here: the order of declaration decides " + ListSome(Tie.Settings));
+	}
+	for (const FNonFiniteSetting& Setting : Blended.NonFinite)
+	{
+		Messages.Warn(WarnNonFiniteSetting, FConfigPlace(),
+			Setting.Setting + " of " + Setting.Source + " is NaN or infinite: it is left out of the blend");
+	}
 }
 
 /** The scene's own exposure at the default bias. */
@@ -42,6 +107,38 @@ float ComputeExposureScale(const FConfig& Config, const FChainSettings& Chain)
 }
 
 } // namespace
+
+FSettingsBlender MakeSettingsBlender(const FConfig& Config)
+{
+	FBlendInputs Inputs;
+	for (size_t Index = 0; Index < Config.Volumes.size(); ++Index)
+	{
+		Inputs.Volumes.push_back(MakeVolume(Config, Index));
+	}
+	Inputs.Camera = Config.Camera.Settings.Settings;
+	Inputs.CameraWeight = static_cast<float>(Config.Camera.PostProcessBlendWeight);
+	Inputs.CommandLine = Config.CommandLine.Settings;
+	Inputs.ShowFlags = MakeShowFlags(Config);
+	Inputs.bEngine53 = Config.Engine.Value == "5.3";
+	return FSettingsBlender(std::move(Inputs));
+}
+
+FBlendedSettings BlendSettingsAt(const FConfig& Config, const FVector& Location, FBlendLedger* Ledger)
+{
+	return MakeSettingsBlender(Config).At(Location, Ledger);
+}
+
+FVector GetViewLocation(const FConfig& Config)
+{
+	return ToVector(Config.View.Location.IsSet() ? Config.View.Location.Value
+												 : Config.Scene.CameraLocation.value_or(FConfigVector{}));
+}
+
+std::string GetVolumeName(const FConfig& Config, size_t Index)
+{
+	const std::string& Name = Config.Volumes[Index].Name;
+	return Name.empty() ? "volumes/" + std::to_string(Index) : Name;
+}
 
 std::vector<std::string> GetNamedSettings(const FConfig& Config)
 {
@@ -64,23 +161,17 @@ std::vector<std::string> GetNamedSettings(const FConfig& Config)
 	return Names;
 }
 
-FChainSettings MakeChainSettings(const FConfig& Config)
+FChainSettings MakeChainSettings(const FConfig& Config, std::vector<FDiagnostic>* Diagnostics)
 {
+	FBlendedSettings Blended = BlendSettingsAt(Config, GetViewLocation(Config));
+	if (Diagnostics != nullptr)
+	{
+		WarnOfBlend(Config, Blended, *Diagnostics);
+	}
 	FChainSettings Chain;
-	for (const FConfigShowFlag& Flag : Config.ShowFlags)
-	{
-		Chain.ShowFlags.SetSingleFlag(
-			static_cast<uint32>(FEngineShowFlags::FindIndexByName(Flag.Name.c_str())), Flag.bValue);
-	}
-	Chain.Settings = StartFinalPostProcessSettings();
-	for (const FConfigVolume* Volume : SortVolumes(Config))
-	{
-		OverridePostProcessSettings(Chain.Settings, Volume->Settings.Settings, static_cast<float>(Volume->BlendWeight));
-	}
-	OverridePostProcessSettings(
-		Chain.Settings, Config.Camera.Settings.Settings, static_cast<float>(Config.Camera.PostProcessBlendWeight));
-	OverridePostProcessSettings(Chain.Settings, Config.CommandLine.Settings, 1.0f);
-	Chain.Gates = EndFinalPostProcessSettings(Chain.Settings, Chain.ShowFlags);
+	Chain.ShowFlags = MakeShowFlags(Config);
+	Chain.Settings = std::move(Blended.Settings);
+	Chain.Gates = std::move(Blended.Gates);
 	Chain.ExposureScale = ComputeExposureScale(Config, Chain);
 	const std::vector<std::string> Named = GetNamedSettings(Config);
 	Chain.bToonBloomConfigured = std::find(Named.begin(), Named.end(), "BloomToonIntensity") != Named.end();

@@ -3,6 +3,7 @@
 
 #include "ConfigReader.h"
 #include "FinalSettings.h"
+#include "SceneSuggestions.h"
 
 namespace Drydock
 {
@@ -78,6 +79,11 @@ FRunSetup::FRunSetup(const FRunOptions& Options)
 	{
 		throw FError(Diagnostics, ExitUsage);
 	}
+	if (Options.Location)
+	{
+		Config.View.Location = {*Options.Location, {1, 1, "--at"}};
+	}
+	CompleteFromScene(Config, Diagnostics);
 	for (const FConfigVariable& Variable : Config.Variables)
 	{
 		Variables.Set(Variable.Name, Variable.Value);
@@ -94,7 +100,7 @@ FRunSetup::FRunSetup(const FRunOptions& Options)
 	{
 		Variables.Set("r.Drydock.Threads", std::to_string(*Options.Threads));
 	}
-	Chain = MakeChainSettings(Config);
+	Chain = MakeChainSettings(Config, &Diagnostics);
 	WarnOfIneffectiveValues(Config, Chain, Diagnostics);
 	Effects = DecideEffects(Chain);
 	Dump = Config.Dump;

@@ -1,6 +1,6 @@
-// From settings objects to the settings a view renders with: overriding by weight, then the last word of console
-// variables and show flags. Source: engine FSceneView::OverridePostProcessSettings and EndFinalPostprocessSettings; the
-// record of what was switched off is drydock's.
+// From settings objects to the settings a view renders with: the beginning, overriding by weight, and the last word of
+// console variables, show flags and view extensions. Source: engine FSceneView::StartFinalPostprocessSettings,
+// OverridePostProcessSettings and EndFinalPostprocessSettings; the record of what was changed is drydock's.
 #pragma once
 
 #include "PostProcessSettings.h"
@@ -12,24 +12,33 @@
 namespace Drydock
 {
 
-/** A setting that a console variable or show flag changed, and which one did. */
+class FBlendLedger;
+
+/** A setting that a console variable, show flag or extension changed, and which one did. */
 struct FSettingGate
 {
 	std::string Setting; // "BloomIntensity"
 	std::string Reason;  // "ShowFlag.Bloom is off"
 };
 
-/** Defaults, with what r.DefaultFeature.* says of them. Overrides nothing. */
-DRYDOCK_API FFinalPostProcessSettings StartFinalPostProcessSettings();
+/** Defaults, with what r.DefaultFeature.* says of them. Overrides nothing. bEngine53: the shadows' contrast comes from
+ * the highlights' variable, as 5.3 had it. */
+DRYDOCK_API FFinalPostProcessSettings StartFinalPostProcessSettings(
+	FBlendLedger* Ledger = nullptr, bool bEngine53 = false);
 
 /** Blends every field that Source overrides into Settings, by the field's rule, and marks it overridden there. Weight
- * is clamped to 1; 0, less and NaN do nothing. */
+ * is clamped to 1; 0, less and NaN do nothing. Values that are not finite are left out. */
 DRYDOCK_API void OverridePostProcessSettings(
 	FFinalPostProcessSettings& Settings, const FPostProcessSettings& Source, float Weight);
 
 /** Console variables and show flags have the last word. Returns what they changed; a value that was neutral already is
  * not listed. */
 DRYDOCK_API std::vector<FSettingGate> EndFinalPostProcessSettings(
-	FFinalPostProcessSettings& Settings, const FEngineShowFlags& ShowFlags);
+	FFinalPostProcessSettings& Settings, const FEngineShowFlags& ShowFlags, FBlendLedger* Ledger = nullptr);
+
+/** What a view extension made of the settings in SetupView, after everything else. A value that is not finite is put
+ * back to what it was. Returns what changed, and what was put back. */
+DRYDOCK_API std::vector<FSettingGate> RecordExtensionEdits(const FFinalPostProcessSettings& Before,
+	FFinalPostProcessSettings& After, const std::string& Extension, FBlendLedger* Ledger = nullptr);
 
 } // namespace Drydock

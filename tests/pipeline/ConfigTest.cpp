@@ -318,11 +318,16 @@ TEST(ConfigMistakes, UnknownShowFlagNamesTheNearest)
 	EXPECT_EQ("1006 error 1:25 /showFlags/Bloom", Only(R"({"showFlags": {"Bloom": 1}})"));
 }
 
+TEST(Config, VolumesMayComeFromTheScene)
+{
+	EXPECT_TRUE(ReadClean(R"({"volumes": "fromScene"})").Config.VolumesFromScene.Value);
+	EXPECT_FALSE(ReadClean(R"({"volumes": []})").Config.VolumesFromScene.Value);
+}
+
 TEST(ConfigMistakes, WhatIsNotBuiltYetWarnsOnceAtItsTop)
 {
 	EXPECT_EQ("1015 warning 1:2 /study", Only(R"({"study": {"repetitions": 7}})"));
 	EXPECT_EQ("1015 warning 1:2 /extensions", Only(R"({"extensions": [{"type": "DualKawaseBlur", "Offset": 1.0}]})"));
-	EXPECT_EQ("1015 warning 1:13 /volumes", Only(R"({"volumes": "fromScene"})"));
 	EXPECT_EQ("1015 warning 1:23 /view/exposure", Only(R"({"view": {"exposure": "auto"}})"));
 	EXPECT_EQ("1015 warning 1:12 /engine", Only(R"({"engine": "5.3"})"));
 }
@@ -339,10 +344,17 @@ TEST(ConfigMistakes, SettingsWithoutAPassWarn)
 	EXPECT_EQ("1015 warning 1:46 /volumes/0/Settings/AutoExposureSpeedUp", Only(Volume(R"("AutoExposureSpeedUp": 2)")));
 }
 
-TEST(ConfigMistakes, BoundedVolumesWarn)
+TEST(ConfigMistakes, NegativeRadiusOfABoundedVolumeWarns)
 {
-	EXPECT_EQ("1015 warning 1:14 /volumes/0",
-		Only(R"({"volumes": [{"bounds": {"type": "sphere", "center": [0, 0, 0], "radius": 1}}]})"));
+	EXPECT_EQ("1011 warning 1:94 /volumes/0/BlendRadius",
+		Only(R"({"volumes": [{"bounds": {"type": "sphere", "center": [0, 0, 0], "radius": 1}, "BlendRadius": -5}]})"));
+	ReadClean(R"({"volumes": [{"bUnbound": true, "BlendRadius": -5}]})");
+}
+
+TEST(ConfigMistakes, ConvexWithoutPointsIsAnError)
+{
+	EXPECT_EQ(
+		"1010 error 1:25 /volumes/0/bounds", Only(R"({"volumes": [{"bounds": {"type": "convex", "points": []}}]})"));
 }
 
 TEST(ConfigMistakes, OverrideBitOffWarnsWhereverItStands)
@@ -359,13 +371,6 @@ TEST(ConfigMistakes, OverrideOfAnUnknownSettingNamesTheNearest)
 		OnlyText(Volume(R"("bOverride_BloomIntensty": true)")));
 }
 
-TEST(ConfigMistakes, EqualPrioritiesWarn)
-{
-	EXPECT_EQ("1017 warning 1:33 /volumes/1", Only(R"({"volumes": [{"bUnbound":true}, {"bUnbound":true}]})"));
-	ReadClean(R"({"volumes": [{"bUnbound": true}, {"bUnbound": true, "Priority": 1}]})");
-	ReadClean(R"({"volumes": [{"bUnbound": true}, {"bUnbound": true, "bEnabled": false}]})");
-}
-
 TEST(ConfigMistakes, WeightOutsideZeroToOneIsClamped)
 {
 	const std::string Text = R"({"camera": {"PostProcessBlendWeight": 1.5}})";
@@ -380,14 +385,14 @@ TEST(ConfigMistakes, VolumeWithoutBoundsIsAnError)
 
 TEST(ConfigMistakes, IncompleteBoundsNameWhatIsMissing)
 {
-	const FRead Result = Read(R"({"volumes": [{"bounds": {"type": "sphere", "center": [0, 0, 0]}}]})");
-	EXPECT_EQ("a sphere needs \"radius\"", Result.Diagnostics.at(1).Message);
+	EXPECT_EQ(
+		"a sphere needs \"radius\"", OnlyText(R"({"volumes": [{"bounds": {"type": "sphere", "center": [0, 0, 0]}}]})"));
 }
 
 TEST(ConfigMistakes, BoundsUpsideDownAreRefused)
 {
-	const FRead Result = Read(R"({"volumes": [{"bounds": {"min": [0, 5, 0], "max": [1, 1, 1]}}]})");
-	EXPECT_EQ("min lies above max in Y", Result.Diagnostics.at(1).Message);
+	EXPECT_EQ(
+		"min lies above max in Y", OnlyText(R"({"volumes": [{"bounds": {"min": [0, 5, 0], "max": [1, 1, 1]}}]})"));
 }
 
 TEST(ConfigArguments, SettingOfTheCommandLineIsOverridden)

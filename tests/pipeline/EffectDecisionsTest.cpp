@@ -123,12 +123,46 @@ TEST(FinalSettings, WeightsLerpInSequence)
 	EXPECT_EQ(8.0f + 0.25f * 8.0f, Result.Settings.BloomSizeScale);
 }
 
-TEST(FinalSettings, DisabledAndBoundedVolumesDoNothing)
+TEST(FinalSettings, DisabledVolumesDoNothing)
 {
-	const FChainSettings Result = Chain(R"({"volumes": [
-		{"bUnbound": true, "bEnabled": false, "Settings": {"BloomIntensity": 2}},
-		{"bounds": {"type": "sphere", "center": [0, 0, 0], "radius": 1e6}, "Priority": 1, "Settings": {"BloomIntensity": 3}}]})");
-	EXPECT_EQ(0.675f, Result.Settings.BloomIntensity);
+	EXPECT_EQ(
+		0.675f, Chain(R"({"volumes": [{"bUnbound": true, "bEnabled": false, "Settings": {"BloomIntensity": 2}}]})")
+					.Settings.BloomIntensity);
+}
+
+TEST(FinalSettings, BoundedVolumesActWhereTheViewIs)
+{
+	const auto IntensityAt = [](const std::string& X)
+	{
+		return Chain(R"({"view": {"location": [)" + X + R"(, 0, 0]}, "volumes": [
+			{"bounds": {"type": "sphere", "center": [0, 0, 0], "radius": 50}, "Settings": {"BloomIntensity": 2.675}}]})")
+			.Settings.BloomIntensity;
+	};
+	EXPECT_EQ(2.675f, IntensityAt("50"));
+	EXPECT_FLOAT_EQ(1.675f, IntensityAt("100")); // 50 away of a radius of 100: half
+	EXPECT_EQ(0.675f, IntensityAt("150"));
+}
+
+TEST(FinalSettings, EqualPrioritiesWarnWhereTheyDisagree)
+{
+	const auto Warnings = [](const std::string& Second)
+	{
+		std::vector<FDiagnostic> Diagnostics;
+		const FConfig Config = ReadConfig(R"({"volumes": [{"bUnbound": true, "Settings": {"BloomIntensity": 2}},
+{)" + Second + "}]}",
+			"a.json", Diagnostics);
+		MakeChainSettings(Config, &Diagnostics);
+		return Diagnostics;
+	};
+	const std::vector<FDiagnostic> Found = Warnings(R"("bUnbound": true, "Settings": {"BloomIntensity": 3})");
+	ASSERT_EQ(1u, Found.size());
+	EXPECT_EQ("a.json:2:1: warning DD1017 at /volumes/1: same Priority as volumes/0, and both act here: the order of "
+			  "declaration decides BloomIntensity",
+		Found[0].ToString());
+	EXPECT_TRUE(Warnings(R"("bUnbound": true, "Settings": {"BloomIntensity": 2})").empty());
+	EXPECT_TRUE(Warnings(R"("bUnbound": true, "Settings": {"BloomSizeScale": 2})").empty());
+	EXPECT_TRUE(Warnings(R"("bUnbound": true, "Priority": 1, "Settings": {"BloomIntensity": 3})").empty());
+	EXPECT_TRUE(Warnings(R"("bUnbound": true, "bEnabled": false, "Settings": {"BloomIntensity": 3})").empty());
 }
 
 TEST(FinalSettings, CameraComesAfterVolumesWithItsWeight)

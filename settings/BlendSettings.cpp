@@ -1,0 +1,288 @@
+// Source: engine World.cpp and SceneView.cpp for the order; the ledger is drydock's.
+#include "BlendSettings.h"
+
+#include "PostProcessVolumeWeight.h"
+
+#include <algorithm>
+#include <charconv>
+#include <numeric>
+#include <utility>
+
+namespace Drydock
+{
+
+namespace
+{
+
+/** Centimetres, to a tenth. */
+std::string LengthText(double Length)
+{
+	char Buffer[64];
+	return std::string(Buffer, std::to_chars(Buffer, Buffer + sizeof(Buffer), Length, std::chars_format::fixed, 1).ptr);
+}
+
+std::string ExplainSkip(EVolumeSkip Skip, const FPostProcessVolumeProperties& Volume, double Distance)
+{
+	switch (Skip)
+	{
+	case EVolumeSkip::None:
+		return "";
+	case EVolumeSkip::Disabled:
+		return "disabled";
+	case EVolumeSkip::NoWeight:
+		return "BlendWeight is 0";
+	case EVolumeSkip::NotANumber:
+		return "its weight is not a number";
+	case EVolumeSkip::OutOfRadius:
+		break;
+	}
+	return "out of radius: " + LengthText(Distance) + " cm away, BlendRadius " +
+		   LengthText(static_cast<double>(Volume.BlendRadius));
+}
+
+/** Something that overrides settings, at the place in question. */
+struct FActor
+{
+	EBlendSource Kind;
+	const char* Source;
+	const FPostProcessSettings& Settings;
+	const FOverriddenFields& Fields;
+	float Weight = 0.0f;
+	std::optional<double> Distance;
+	std::string Skipped; // why it does nothing
+};
+
+constexpr size_t NoVolume = static_cast<size_t>(-1);
+
+/** Which volumes of equal priority have given a setting different values, unless something covered it since. */
+struct FFieldTie
+{
+	size_t FirstOfGroup = NoVolume; // of the group in hand, that acted on the field
+	size_t First = NoVolume;
+	size_t Second = NoVolume;
+};
+
+/** Whether nothing is left of what was there before. */
+bool Covers(const FSettingField& Field, const FPostProcessSettings& Source, float Weight)
+{
+	switch (Field.Blend)
+	{
+	case ESettingBlend::Set:
+		return true;
+	case ESettingBlend::SetIfNonZero:
+		return !IsIneffective(Field, Field.Get(Source));
+	case ESettingBlend::Lerp:
+	case ESettingBlend::FocalDistance:
+		return Weight >= 1.0f;
+	case ESettingBlend::Accumulate:
+		break;
+	}
+	return false;
+}
+
+} // namespace
+
+/** One walk through the sources. */
+struct FSettingsBlender::FPass
+{
+	const FSettingsBlender& Blender;
+	FBlendLedger* Ledger;
+	FBlendedSettings Result;
+	std::vector<FFieldTie> Ties;
+
+	void Apply(const FActor& Actor)
+	{
+		const std::vector<FSettingField>& Fields = GetSettingFields();
+		if (Actor.Skipped.empty())
+		{
+			for (const uint32 Index : Actor.Fields.NonFinite)
+			{
+				Result.NonFinite.push_back({Actor.Source, Fields[Index].Name});
+			}
+		}
+		if (Ledger != nullptr)
+		{
+			ApplyAndRecord(Actor);
+			return;
+		}
+		if (Actor.Skipped.empty())
+		{
+			for (const uint32 Index : Actor.Fields.Fields)
+			{
+				BlendField(Fields[Index], Result.Settings, Actor.Settings, Actor.Weight, Blender.bHuge);
+			}
+		}
+	}
+
+	static std::string FindSkip(const FActor& Actor, const FSettingField& Field)
+	{
+		const FSettingValue Value = Field.Get(Actor.Settings);
+		return !Field.IsOverridden(Actor.Settings) ? "override off"
+			   : !Actor.Skipped.empty()            ? Actor.Skipped
+			   : !IsFinite(Value)                  ? "the value is not finite"
+			   : IsIneffective(Field, Value)       ? "zero or null replaces nothing"
+												   : "";
+	}
+
+	void ApplyAndRecord(const FActor& Actor)
+	{
+		const std::vector<FSettingField>& Fields = GetSettingFields();
+		for (uint32 Index = 0; Index < Fields.size(); ++Index)
+		{
+			const FSettingField& Field = Fields[Index];
+			if (!Blender.bTouched[Index])
+			{
+				continue;
+			}
+			const bool bOverridden = Field.IsOverridden(Actor.Settings);
+			if (!bOverridden && Actor.Kind != EBlendSource::Volume)
+			{
+				continue;
+			}
+			FBlendLedgerEntry Entry{Actor.Kind, Actor.Source, ToString(Field.Blend), Actor.Weight, Actor.Distance,
+				Field.Get(Result.Settings), {}, FindSkip(Actor, Field)};
+			if (bOverridden && Actor.Skipped.empty() && IsFinite(Field.Get(Actor.Settings)))
+			{
+				BlendField(Field, Result.Settings, Actor.Settings, Actor.Weight, Blender.bHuge);
+			}
+			Entry.After = Field.Get(Result.Settings);
+			Ledger->Add(Index, std::move(Entry));
+		}
+	}
+
+	/** Volume: index of one that acts. */
+	void NoteTies(size_t Volume, float Weight)
+	{
+		const FPostProcessSettings& Settings = Blender.Inputs.Volumes[Volume].Settings;
+		for (const uint32 Index : Blender.VolumeFields[Volume].Fields)
+		{
+			const FSettingField& Field = GetSettingFields()[Index];
+			FFieldTie& Tie = Ties[Index];
+			const size_t First = Tie.FirstOfGroup;
+			if (First == NoVolume || !SharePriority(First, Volume))
+			{
+				Tie.FirstOfGroup = Volume;
+				Tie.First = Covers(Field, Settings, Weight) ? NoVolume : Tie.First;
+				continue;
+			}
+			const FSettingValue FirstValue = Field.Get(Blender.Inputs.Volumes[First].Settings);
+			const FSettingValue Value = Field.Get(Settings);
+			const bool bOrderMatters = Field.Blend != ESettingBlend::Accumulate && !(FirstValue == Value) &&
+									   !IsIneffective(Field, FirstValue) && !IsIneffective(Field, Value);
+			if (bOrderMatters)
+			{
+				Tie.First = First;
+				Tie.Second = Volume;
+			}
+		}
+	}
+
+	/** Camera and command line decide alone what they cover. */
+	void ForgetTies(const FOverriddenFields& Fields, const FPostProcessSettings& Settings, float Weight)
+	{
+		for (const uint32 Index : Fields.Fields)
+		{
+			if (Covers(GetSettingFields()[Index], Settings, Weight))
+			{
+				Ties[Index].First = NoVolume;
+			}
+		}
+	}
+
+	bool SharePriority(size_t A, size_t B) const
+	{
+		return Blender.Inputs.Volumes[A].Priority == Blender.Inputs.Volumes[B].Priority;
+	}
+
+	/** One entry per pair of volumes. */
+	void CollectTies()
+	{
+		for (size_t Index = 0; Index < Ties.size(); ++Index)
+		{
+			const FFieldTie& Tie = Ties[Index];
+			if (Tie.First == NoVolume)
+			{
+				continue;
+			}
+			auto Found = std::find_if(Result.Ties.begin(), Result.Ties.end(),
+				[&](const FBlendTie& Each) { return Each.First == Tie.First && Each.Second == Tie.Second; });
+			if (Found == Result.Ties.end())
+			{
+				Found = Result.Ties.insert(Found, {Tie.First, Tie.Second, {}});
+			}
+			Found->Settings.emplace_back(GetSettingFields()[Index].Name);
+		}
+		std::sort(Result.Ties.begin(), Result.Ties.end(),
+			[](const FBlendTie& A, const FBlendTie& B)
+			{ return std::pair(A.Second, A.First) < std::pair(B.Second, B.First); });
+	}
+};
+
+FSettingsBlender::FSettingsBlender(FBlendInputs InInputs)
+	: Inputs(std::move(InInputs))
+	, CameraFields(FindOverriddenFields(Inputs.Camera))
+	, CommandLineFields(FindOverriddenFields(Inputs.CommandLine))
+	, Order(Inputs.Volumes.size())
+	, bTouched(GetSettingFields().size())
+{
+	std::iota(Order.begin(), Order.end(), size_t{0});
+	std::stable_sort(Order.begin(), Order.end(),
+		[this](size_t A, size_t B) { return Inputs.Volumes[A].Priority < Inputs.Volumes[B].Priority; });
+	bEqualPriorities = std::adjacent_find(Order.begin(), Order.end(),
+						   [this](size_t A, size_t B)
+						   { return Inputs.Volumes[A].Priority == Inputs.Volumes[B].Priority; }) != Order.end();
+	const auto Note = [this](const FOverriddenFields& Fields)
+	{
+		bHuge = bHuge || Fields.bHuge;
+		for (const std::vector<uint32>* Indices : {&Fields.Fields, &Fields.NonFinite})
+		{
+			for (const uint32 Index : *Indices)
+			{
+				bTouched[Index] = 1;
+			}
+		}
+	};
+	for (const APostProcessVolume& Volume : Inputs.Volumes)
+	{
+		VolumeFields.push_back(FindOverriddenFields(Volume.Settings));
+		Note(VolumeFields.back());
+	}
+	Note(CameraFields);
+	Note(CommandLineFields);
+}
+
+FBlendedSettings FSettingsBlender::At(const FVector& Location, FBlendLedger* Ledger) const
+{
+	FPass Pass{*this, Ledger, {}, std::vector<FFieldTie>(GetSettingFields().size())};
+	Pass.Result.Settings = StartFinalPostProcessSettings(Ledger, Inputs.bEngine53);
+	for (size_t Rank = 0; Rank < Order.size(); ++Rank)
+	{
+		const size_t Index = Order[Rank];
+		const APostProcessVolume& Volume = Inputs.Volumes[Index];
+		const bool bMeasured = !Volume.bUnbound && (Volume.bEnabled || Ledger != nullptr);
+		const double Distance = bMeasured ? Volume.Shape.GetDistance(Location) : 0.0;
+		const FVolumeInfluence Influence = GetInfluence(Volume.GetProperties(), Distance);
+		if (Influence.Skip != EVolumeSkip::None && Ledger == nullptr)
+		{
+			continue;
+		}
+		Pass.Apply({EBlendSource::Volume, *Volume.Name, Volume.Settings, VolumeFields[Index], Influence.Weight,
+			bMeasured ? std::optional(Distance) : std::nullopt,
+			ExplainSkip(Influence.Skip, Volume.GetProperties(), Distance)});
+		if (Influence.Skip == EVolumeSkip::None && bEqualPriorities)
+		{
+			Pass.NoteTies(Index, Influence.Weight);
+		}
+	}
+	const float CameraWeight = Inputs.CameraWeight > 0.0f ? std::min(Inputs.CameraWeight, 1.0f) : 0.0f;
+	Pass.Apply({EBlendSource::Camera, "camera", Inputs.Camera, CameraFields, CameraWeight, {},
+		CameraWeight > 0.0f ? "" : "PostProcessBlendWeight is 0"});
+	Pass.Apply({EBlendSource::CommandLine, "--pp", Inputs.CommandLine, CommandLineFields, 1.0f, {}, ""});
+	Pass.ForgetTies(CameraFields, Inputs.Camera, CameraWeight);
+	Pass.ForgetTies(CommandLineFields, Inputs.CommandLine, 1.0f);
+	Pass.CollectTies();
+	Pass.Result.Gates = EndFinalPostProcessSettings(Pass.Result.Settings, Inputs.ShowFlags, Ledger);
+	return std::move(Pass.Result);
+}
+
+} // namespace Drydock
