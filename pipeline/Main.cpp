@@ -146,7 +146,7 @@ int ParseAndRun(int NumArguments, char** Arguments)
 	CLI::App* List =
 		Program.add_subcommand("list", "List what there is: passes, settings, cvars, effects, extensions, hooks");
 	List->add_option("THINGS", Things, "passes, settings, cvars, effects, extensions or hooks")->required();
-	List->add_option("FILTER", Filter, "Only names that contain this, ignoring case");
+	List->add_option("FILTER", Filter, "Only names that contain this, or match it where it has * or ? (settings), ignoring case");
 	List->add_flag("--json", Options.bJson, "Print an array of objects");
 	List->callback([&] { ExitCode = ListVerb(Things, Filter, Options.bJson); });
 

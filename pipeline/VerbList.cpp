@@ -3,11 +3,10 @@
 #include "HAL/ConsoleVariableTools.h"
 #include "JsonWriter.h"
 #include "PostProcess/EffectDecisions.h"
-#include "PostProcessSettingsReflection.h"
+#include "SettingList.h"
 #include "Verbs.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <strings.h>
 
@@ -32,33 +31,6 @@ bool ContainsIgnoringCase(const std::string& Text, const std::string& Part)
 		return std::tolower(static_cast<unsigned char>(A)) == std::tolower(static_cast<unsigned char>(B));
 	};
 	return std::search(Text.begin(), Text.end(), Part.begin(), Part.end(), Same) != Text.end();
-}
-
-std::string FormatRange(const FSettingField& Field)
-{
-	const FSettingRange& Range = Field.Range;
-	if (!std::isfinite(Range.ClampMin) && !std::isfinite(Range.ClampMax))
-	{
-		return "";
-	}
-	const FSettingField* Number = FindSettingField("BloomIntensity");
-	const auto Text = [&](double Bound)
-	{
-		return SettingToText(*Number, {ESettingType::Float, {Bound}});
-	};
-	return std::isfinite(Range.ClampMax) ? Text(Range.ClampMin) + " .. " + Text(Range.ClampMax)
-										 : ">= " + Text(Range.ClampMin);
-}
-
-FTable ListSettings()
-{
-	FTable Table{{"name", "type", "default", "range", "unit", "blend", "category", "doc"}, {}, ""};
-	for (const FSettingField& Field : GetSettingFields())
-	{
-		Table.Rows.push_back({Field.Name, ToString(Field.Type), SettingToText(Field, Field.Default), FormatRange(Field),
-			Field.Unit, ToString(Field.Blend), Field.Category, Field.Doc});
-	}
-	return Table;
 }
 
 FTable ListVariables()
@@ -102,11 +74,7 @@ FTable ListEffects()
 
 bool MakeTable(const std::string& Things, FTable& OutTable)
 {
-	if (Things == "settings")
-	{
-		OutTable = ListSettings();
-	}
-	else if (Things == "cvars")
+	if (Things == "cvars")
 	{
 		OutTable = ListVariables();
 	}
@@ -182,6 +150,12 @@ std::string FormatJson(const FTable& Table)
 
 int ListVerb(const std::string& Things, const std::string& Filter, bool bJson)
 {
+	if (Things == "settings")
+	{
+		const std::vector<const FSettingField*> Fields = FindSettingFields(Filter);
+		std::fputs((bJson ? FormatSettingsJson(Fields) : FormatSettings(Fields)).c_str(), stdout);
+		return ExitDone;
+	}
 	FTable Table;
 	if (!MakeTable(Things, Table))
 	{
