@@ -92,7 +92,7 @@ TEST(DualKawaseExtension, FindsLevelsAndOffsetForAStandardDeviation)
 
 TEST(DualKawaseExtension, StandardDeviationHasTheLevelsThatThePictureHasRoomFor)
 {
-	// 12x12 has three levels, 6, 3 and 2 pixels wide: offset 4 gives them a standard deviation of 26 pixels.
+	// 12x12 has three levels, 6, 3 and 2 pixels wide: offset 4 gives them a standard deviation of 25 pixels.
 	FPassRun Run(FImage::Noise(12, 12), EArithmetic::Native);
 	const FScreenPassTexture Output = CallBack(Run, NewBlur(1.0f, 3, false, 100.0f));
 	const std::vector<Drydock::FDiagnostic> Notes = Drydock::GetGraphNotes(Run.GraphBuilder);
