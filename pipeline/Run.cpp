@@ -2,9 +2,10 @@
 #include "Run.h"
 
 #include "ConfigErrors.h"
+#include "EngineProfile.h"
+#include "FinalSettings.h"
+#include "Frame.h"
 #include "NonFinite.h"
-#include "PostProcess/PostProcessingChain.h"
-#include "RenderGraphBuilder.h"
 #include "RenderGraphObserver.h"
 #include "RunDump.h"
 #include "RunJson.h"
@@ -217,63 +218,80 @@ FRunResult MakeResult(const FRunSetup& Setup, const FScene& Scene)
 	return Result;
 }
 
-void SetUpView(
-	const FRunOptions& Options, const FRunSetup& Setup, const FScene& Scene, FSceneViewFamily& Family, FViewInfo& View)
+/** Where the camera of a view is: the config's word, else the scene file's. */
+FMinimalViewInfo GetCamera(const FConfigView& View, const FScene& Scene)
 {
-	Family.EngineShowFlags = Setup.Chain.ShowFlags;
-	Family.FrameNumber = static_cast<uint32>(Options.Frame);
-	Family.Views.Add(&View);
-	View.FinalPostProcessSettings = Setup.Chain.Settings;
-	if (Setup.Config.View.Location.IsSet())
+	FMinimalViewInfo Camera;
+	if (View.Location.IsSet())
 	{
-		const FConfigVector& Location = Setup.Config.View.Location.Value;
-		View.ViewLocation = FVector(Location[0], Location[1], Location[2]);
+		const FConfigVector& Location = View.Location.Value;
+		Camera.Location = FVector(Location[0], Location[1], Location[2]);
 	}
 	else if (Scene.GetCamera())
 	{
-		View.ViewLocation = Scene.GetCamera()->Location;
+		Camera.Location = Scene.GetCamera()->Location;
 	}
-	View.InitViewUniformBuffer(Scene.GetExtent());
+	return Camera;
+}
+
+FFrameInputs MakeFrameInputs(
+	const FRunOptions& Options, const FRunSetup& Setup, FScene& Scene, IRDGObserver& Observer, const FIntRect& ViewRect)
+{
+	FFrameInputs Inputs;
+	Inputs.EngineMinor = DefaultEngineMinor;
+	Inputs.Extent = Scene.GetExtent();
+	Inputs.ShowFlags = Setup.Chain.ShowFlags;
+	Inputs.FrameNumber = static_cast<uint32>(Options.Frame);
+	Inputs.Observer = &Observer;
+	Inputs.bExecute = Options.bExecute;
+	Inputs.RegisterSceneTextures = [&Scene](FRDGBuilder& GraphBuilder)
+	{
+		FSceneTextures SceneTextures;
+		SceneTextures.Config.Extent = Scene.GetExtent();
+		SceneTextures.Color = Scene.RegisterSceneColor(GraphBuilder);
+		return SceneTextures;
+	};
+	FFrameView View;
+	View.Rect = ViewRect;
+	View.Camera = GetCamera(Setup.Config.View, Scene);
+	View.PreExposure = static_cast<float>(Setup.Config.View.PreExposure.Value);
+	View.Chain = Setup.Chain;
+	View.MakeChain = [&Setup](const FMinimalViewInfo& Camera)
+	{
+		FConfig Moved = Setup.Config;
+		Moved.View.Location.Value = {Camera.Location.X, Camera.Location.Y, Camera.Location.Z};
+		Moved.View.Location.Place.Line = std::max(Moved.View.Location.Place.Line, 1); // counts as given
+		return MakeChainSettings(Moved);
+	};
+	Inputs.Views.push_back(View);
+	return Inputs;
 }
 
 /** Builds the graph and runs or compiles it. */
 void RunGraph(const FRunOptions& Options, const FRunSetup& Setup, FScene& Scene, FRunResult& Result)
 {
-	const FClock::time_point Begin = FClock::now();
-	FSceneViewFamily Family;
-	FViewInfo View(
-		&Family, Result.ViewRect, Scene.GetExtent(), static_cast<float>(Setup.Config.View.PreExposure.Value));
-	SetUpView(Options, Setup, Scene, Family, View);
-
 	FRunObserver Observer(Options, Setup, Scene, Result);
-	TRefCountPtr<IPooledRenderTarget> SceneLinear;
-	TRefCountPtr<IPooledRenderTarget> Final;
-	FRDGBuilder GraphBuilder(FRHICommandListExecutor::GetImmediateCommandList(), RDG_EVENT_NAME("Frame"));
-	GraphBuilder.SetObserver(&Observer);
-	FPostProcessingChainInputs Inputs;
-	Inputs.SceneColor = FScreenPassTexture(Scene.RegisterSceneColor(GraphBuilder), Result.ViewRect);
-	Inputs.ExposureScale = Setup.Chain.ExposureScale;
-	const FPostProcessingChainOutputs Outputs = AddPostProcessingPasses(GraphBuilder, View, Inputs, Setup.Effects);
-	const FIntRect SceneLinearRect = Outputs.SceneLinear.ViewRect;
-	const FIntRect FinalRect = Outputs.Final.ViewRect;
-	GraphBuilder.QueueTextureExtraction(Outputs.SceneLinear.Texture, &SceneLinear);
-	GraphBuilder.QueueTextureExtraction(Outputs.Final.Texture, &Final);
-	if (!Options.bExecute)
-	{
-		Result.Graph = GraphBuilder.Compile();
-		GraphBuilder.Discard();
-		Result.Times.Compile = MillisecondsSince(Begin);
-		return;
-	}
-	GraphBuilder.Execute();
-	const double Total = MillisecondsSince(Begin);
+	const FFrameInputs Inputs = MakeFrameInputs(Options, Setup, Scene, Observer, Result.ViewRect);
+	FFrameResult Frame = RenderViewFamily(Inputs);
+	const FFrameViewResult& View = Frame.Views[0];
+	Result.Settings = View.Chain.Settings;
+	Result.ExposureScale = View.Chain.ExposureScale;
+	Result.Effects = View.Effects;
+	Result.HookCalls = std::move(Frame.Log.Calls);
+	Result.HookPoints = std::move(Frame.Log.Points);
+	Result.Diagnostics.insert(Result.Diagnostics.end(), Frame.Log.Diagnostics.begin(), Frame.Log.Diagnostics.end());
 	for (const FRunPass& Pass : Result.Passes)
 	{
 		Result.Times.Execute += Pass.Milliseconds;
 	}
-	Result.Times.Compile = Total - Result.Times.Execute - Result.Times.Load;
-	Result.SceneLinear = CropToRgba(ReadTexture(*SceneLinear->GetRHI()), SceneLinearRect);
-	Result.Final = CropToRgba(ReadTexture(*Final->GetRHI()), FinalRect);
+	Result.Times.Compile = Frame.Milliseconds - Result.Times.Execute - Result.Times.Load;
+	if (!Options.bExecute)
+	{
+		Result.Graph = std::move(Frame.Graph);
+		return;
+	}
+	Result.SceneLinear = std::move(Frame.SceneLinear);
+	Result.Final = std::move(Frame.Final);
 }
 
 /** Adds what is known only with the config to an error of a later stage. */

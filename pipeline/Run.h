@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Config.h"
+#include "HookLog.h"
 #include "ImageFile.h"
 #include "PassCounters.h"
 #include "PostProcess/EffectDecisions.h"
@@ -56,6 +57,8 @@ struct FRunResult
 	FIntPoint SceneExtent = FIntPoint(0, 0);
 	FIntRect ViewRect;
 	std::vector<FSceneChannel> Channels;
+	std::vector<FHookCall> HookCalls;   // what view extensions were asked and did
+	std::vector<FHookPoint> HookPoints; // the chain's insertion points
 
 	// Only of an executed run.
 	std::vector<FRunPass> Passes; // those that executed

@@ -46,6 +46,21 @@ void WriteEffects(FJsonWriter& Writer, const FRunResult& Result)
 	Writer.EndArray();
 }
 
+void WriteHookCalls(FJsonWriter& Writer, const FRunResult& Result)
+{
+	Writer.Key("extensionCalls").BeginArray();
+	for (const FHookCall& Call : Result.HookCalls)
+	{
+		Writer.BeginObject(true);
+		Writer.Member("hook", Call.Hook);
+		Writer.Member("view", Call.View);
+		Writer.Member("extension", Call.Extension);
+		Writer.Member("did", Call.Did);
+		Writer.EndObject();
+	}
+	Writer.EndArray();
+}
+
 void WritePasses(FJsonWriter& Writer, const FRunResult& Result)
 {
 	Writer.Key("passes").BeginArray();
@@ -165,6 +180,7 @@ std::string MakeRunJson(const FRunResult& Result)
 	Writer.EndObject();
 	WriteSettings(Writer, Result);
 	WriteEffects(Writer, Result);
+	WriteHookCalls(Writer, Result);
 	WritePasses(Writer, Result);
 	Writer.Key("memory").BeginObject(true);
 	Writer.Member("transientPeakBytes", Result.Graph.Memory.TransientPeakBytes);

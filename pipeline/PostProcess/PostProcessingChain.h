@@ -1,34 +1,39 @@
-// The post-processing chain: builds the passes of the effects that were decided on (EffectDecisions.h).
-// Source: engine PostProcess/PostProcessing.h.
+// The post-processing chain: builds the passes of the effects that were decided on (EffectDecisions.h), in the engine's
+// order, and calls view extensions at its insertion points. Source: engine PostProcess/PostProcessing.h.
 #pragma once
 
 #include "PostProcess/EffectDecisions.h"
-#include "GlobalShader.h"
-#include "PixelShaderUtils.h"
-#include "RenderGraphUtils.h"
-#include "SceneRendering.h"
-#include "ScreenPass.h"
+#include "PostProcess/PostProcessing.h"
+#include "ViewExtensions.h"
 
 #include <vector>
 
 class FRDGBuilder;
 
+/** What the chain of one view starts from. */
 struct FPostProcessingChainInputs
 {
 	/** [Required] Linear, pre-exposed; its rect is the view's. */
 	FScreenPassTexture SceneColor;
+	/** [Required] Where the display-encoded picture goes, at View.UnscaledViewRect. */
+	FRDGTextureRef ViewFamilyTexture = nullptr;
 	/** Exposure times what scene colour would be without pre-exposure gives display-referred linear. */
 	float ExposureScale = 1.0f;
+	/** Null where nobody reads scene textures. */
+	TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures = nullptr;
+	/** Where the result of SSRInput is kept for the next frame; null: nothing is kept. */
+	TRefCountPtr<IPooledRenderTarget>* CustomSSRInput = nullptr;
 };
 
 struct FPostProcessingChainOutputs
 {
 	/** What the tonemapper reads, bloom apart. */
 	FScreenPassTexture SceneLinear;
-	/** The display-encoded picture. */
+	/** The display-encoded picture: ViewFamilyTexture. */
 	FScreenPassTexture Final;
 };
 
 /** Builds the passes of the effects that are active in Effects. View.FinalPostProcessSettings holds the settings. */
-DRYDOCK_API FPostProcessingChainOutputs AddPostProcessingPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View,
-	const FPostProcessingChainInputs& Inputs, const std::vector<Drydock::FEffectDecision>& Effects);
+DRYDOCK_API FPostProcessingChainOutputs AddPostProcessingPasses(FRDGBuilder& GraphBuilder,
+	const Drydock::FNamedView& NamedView, const FPostProcessingChainInputs& Inputs,
+	const std::vector<Drydock::FEffectDecision>& Effects, Drydock::FViewExtensionFrame& Extensions);

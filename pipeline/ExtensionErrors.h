@@ -1,0 +1,28 @@
+// The numbers of the messages about view extensions and inserted passes. A number never changes its meaning;
+// docs/errors.md explains each one. Source: drydock.
+#pragma once
+
+namespace Drydock
+{
+
+enum EExtensionError
+{
+	// What a callback returned; the run goes on with the picture untouched unless r.RDG.Validation is 2.
+	ErrorCallbackInvalidTexture = 2060, // no texture, or an empty rect
+	ErrorCallbackRect = 2061,           // a rect that is not inside the texture
+	ErrorCallbackOverride = 2062,       // not OverrideOutput, though that was valid
+	ErrorCallbackNotDrawn = 2063,       // OverrideOutput, with nothing drawn to it
+
+	WarnHookNeverCalled = 2070,   // an override that this engine version does not call
+	WarnEngineDiffers = 2071,     // compiled for another engine version than the run's
+	WarnCallbackDropped = 2072,   // a callback after the last enabled pass: its texture is not seen
+	WarnCallbackUnbound = 2073,   // the object of a callback is gone
+	WarnPointNotReached = 2074,   // subscribed where this frame does not call
+	ErrorUnknownExtension = 2080, // no extension type of that name
+	ErrorUnknownPass = 2081,      // no pass type of that name
+	ErrorPassInput = 2082,        // an input that the pass does not have, or a resource that is not there
+	ErrorPluginNotLoaded = 2083,  // a shared object that cannot be loaded
+	WarnPluginEmpty = 2084,       // it was loaded and registered nothing
+};
+
+} // namespace Drydock

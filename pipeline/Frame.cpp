@@ -1,0 +1,327 @@
+// Source: drydock; the order is the engine's.
+#include "Frame.h"
+
+#include "Modules/ModuleManager.h"
+#include "PostProcess/PostProcessingChain.h"
+#include "RenderGraphBuilder.h"
+#include "RunDump.h"
+#include "ViewExtensions.h"
+
+#include <chrono>
+#include <memory>
+
+namespace Drydock
+{
+
+namespace
+{
+
+/** What lives on from a frame to the next. */
+class FViewState final : public FSceneViewStateInterface
+{
+public:
+	explicit FViewState(uint32 InKey)
+		: Key(InKey)
+	{
+	}
+	uint32 GetViewKey() const override { return Key; }
+
+	/** Read by the next frame's reflections in place of scene colour, where an extension made it. */
+	TRefCountPtr<IPooledRenderTarget> CustomSSRInput;
+
+private:
+	uint32 Key;
+};
+
+/** A view with what belongs to it for the length of a frame. */
+struct FViewOfFrame
+{
+	explicit FViewOfFrame(uint32 Key)
+		: State(Key)
+	{
+	}
+
+	FViewState State;
+	FViewInfo View;
+	FChainSettings Chain;
+	std::vector<FEffectDecision> Effects;
+	FPostProcessingChainOutputs Outputs;
+	TRefCountPtr<IPooledRenderTarget> SceneLinear;
+};
+
+/** Passes the graph's events on to the host's observer, and keeps the compiled graph for the log. */
+class FFrameObserver final : public IRDGObserver
+{
+public:
+	explicit FFrameObserver(IRDGObserver* InNext)
+		: Next(InNext)
+	{
+	}
+
+	void OnGraphCompiled(const FRDGCompiledGraph& InGraph) override
+	{
+		Graph = InGraph;
+		if (Next != nullptr)
+		{
+			Next->OnGraphCompiled(InGraph);
+		}
+	}
+	void OnLoadExternals(const std::vector<FRDGTexture*>& Textures) override
+	{
+		if (Next != nullptr)
+		{
+			Next->OnLoadExternals(Textures);
+		}
+	}
+	void OnPassExecuted(int32_t PassIndex, const FRDGPass& Pass, double Milliseconds, const FPassCounters& Counters,
+		const std::vector<FRDGTexture*>& WrittenTextures) override
+	{
+		if (Next != nullptr)
+		{
+			Next->OnPassExecuted(PassIndex, Pass, Milliseconds, Counters, WrittenTextures);
+		}
+	}
+
+	FRDGCompiledGraph Graph;
+
+private:
+	IRDGObserver* Next;
+};
+
+bool IsSameCamera(const FMinimalViewInfo& A, const FMinimalViewInfo& B)
+{
+	return A.Location == B.Location && A.Rotation == B.Rotation && A.FOV == B.FOV;
+}
+
+bool AreSameFlags(const FEngineShowFlags& A, const FEngineShowFlags& B)
+{
+	for (int32 Index = 0; Index < GetShowFlagInfos().Num(); ++Index)
+	{
+		if (A.GetSingleFlag(static_cast<uint32>(Index)) != B.GetSingleFlag(static_cast<uint32>(Index)))
+		{
+			return false;
+		}
+	}
+	return true;
+}
+
+/** Where Rect lies when the picture begins at Origin. */
+void Paste(const FImage& Source, FIntPoint Position, FImage& Target)
+{
+	const size_t NumValues = static_cast<size_t>(Source.Width) * static_cast<size_t>(Source.NumChannels);
+	for (int Y = 0; Y < Source.Height; ++Y)
+	{
+		const size_t To = (static_cast<size_t>(Y + Position.Y) * static_cast<size_t>(Target.Width) +
+							  static_cast<size_t>(Position.X)) *
+						  static_cast<size_t>(Target.NumChannels);
+		std::copy_n(Source.Values.begin() + static_cast<std::ptrdiff_t>(static_cast<size_t>(Y) * NumValues), NumValues,
+			Target.Values.begin() + static_cast<std::ptrdiff_t>(To));
+	}
+}
+
+class FFrameRenderer
+{
+public:
+	explicit FFrameRenderer(const FFrameInputs& InInputs)
+		: Inputs(InInputs)
+		, Extensions(InInputs.EngineMinor, Result.Log)
+		, Observer(InInputs.Observer)
+	{
+		check(!Inputs.Views.empty());
+		Result.Rect = Inputs.Views[0].Rect;
+		for (const FFrameView& View : Inputs.Views)
+		{
+			Result.Rect.Union(View.Rect);
+		}
+	}
+
+	FFrameResult Render()
+	{
+		const auto Begin = std::chrono::steady_clock::now();
+		FModuleManager::Get().StartupPendingModules();
+		SetUpFamily();
+		BuildAndRunGraph();
+		Result.Milliseconds =
+			std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Begin).count();
+		Extensions.Finish(Observer.Graph);
+		for (size_t Index = 0; Index < Views.size(); ++Index)
+		{
+			Result.Views.push_back({Inputs.Views[Index].Name, Inputs.Views[Index].Rect, Views[Index]->Chain,
+				std::move(Views[Index]->Effects)});
+		}
+		if (Inputs.bExecute)
+		{
+			ReadPictures();
+		}
+		else
+		{
+			Result.Graph = std::move(Observer.Graph);
+		}
+		return std::move(Result);
+	}
+
+private:
+	/** The game thread's half. */
+	void SetUpFamily()
+	{
+		Family.EngineShowFlags = Inputs.ShowFlags;
+		Family.FrameNumber = Inputs.FrameNumber;
+		Family.FrameCounter = Inputs.FrameNumber;
+		Extensions.Gather(Family);
+		Extensions.SetupViewFamily(Family);
+		for (size_t Index = 0; Index < Inputs.Views.size(); ++Index)
+		{
+			Views.push_back(std::make_unique<FViewOfFrame>(static_cast<uint32>(Index + 1)));
+			NamedViews.push_back({&Views.back()->View, Inputs.Views[Index].Name});
+			SetUpView(Inputs.Views[Index], *Views.back());
+			Family.Views.Add(&Views.back()->View);
+			Extensions.SetupView(Family, NamedViews.back());
+		}
+		Extensions.BeginRenderViewFamily(Family);
+	}
+
+	void SetUpView(const FFrameView& Source, FViewOfFrame& Target)
+	{
+		FMinimalViewInfo Camera = Source.Camera;
+		Extensions.SetupViewPoint(Source.Name, Camera);
+		FSceneViewProjectionData Projection;
+		Projection.ViewOrigin = Camera.Location;
+		Projection.SetViewRectangle(Source.Rect);
+		Extensions.SetupViewProjectionMatrix(Source.Name, Projection);
+
+		const bool bMoved = !IsSameCamera(Camera, Source.Camera);
+		Target.Chain = bMoved && Source.MakeChain ? Source.MakeChain(Camera) : Source.Chain;
+		if (!AreSameFlags(Family.EngineShowFlags, Inputs.ShowFlags))
+		{
+			Target.Chain.ShowFlags = Family.EngineShowFlags;
+			const std::vector<FSettingGate> Gates =
+				EndFinalPostProcessSettings(Target.Chain.Settings, Family.EngineShowFlags);
+			Target.Chain.Gates.insert(Target.Chain.Gates.end(), Gates.begin(), Gates.end());
+		}
+
+		FViewInfo& View = Target.View;
+		View.Family = &Family;
+		View.State = &Target.State;
+		View.ViewRect = Source.Rect;
+		View.UnscaledViewRect = Source.Rect;
+		View.UnconstrainedViewRect = Source.Rect;
+		View.PreExposure = Source.PreExposure;
+		View.ViewLocation = Camera.Location;
+		View.FinalPostProcessSettings = Target.Chain.Settings;
+		View.InitViewUniformBuffer(Inputs.Extent);
+	}
+
+	/** The render thread's half. */
+	void BuildAndRunGraph()
+	{
+		FRDGBuilder GraphBuilder(FRHICommandListExecutor::GetImmediateCommandList(), RDG_EVENT_NAME("Frame"));
+		GraphBuilder.SetObserver(&Observer);
+		const FSceneTextures SceneTextures = Inputs.RegisterSceneTextures(GraphBuilder);
+		for (const FNamedView& View : NamedViews)
+		{
+			View.View->SceneTextures = &SceneTextures;
+		}
+		Extensions.PreRender(GraphBuilder, Family, NamedViews);
+		Extensions.PreInitViews(GraphBuilder);
+		for (const FNamedView& View : NamedViews)
+		{
+			View.View->InitViewUniformBuffer(Inputs.Extent);
+		}
+		Extensions.PreRenderBasePass(GraphBuilder);
+
+		FPostProcessingInputs PostProcessingInputs;
+		PostProcessingInputs.ViewFamilyTexture = CreateViewFamilyTexture(GraphBuilder);
+		PostProcessingInputs.CustomDepthTexture = SceneTextures.CustomDepth;
+		if (!Extensions.IsEmpty())
+		{
+			PostProcessingInputs.SceneTextures = CreateSceneTextureUniformBuffer(GraphBuilder, &SceneTextures);
+			FRenderTargetBindingSlots RenderTargets;
+			RenderTargets[0] = FRenderTargetBinding(SceneTextures.Color, ERenderTargetLoadAction::ELoad);
+			Extensions.PostRenderBasePass(GraphBuilder, NamedViews, RenderTargets, PostProcessingInputs.SceneTextures);
+			Extensions.PrePostProcess(GraphBuilder, NamedViews, PostProcessingInputs);
+		}
+		for (size_t Index = 0; Index < Views.size(); ++Index)
+		{
+			AddChain(GraphBuilder, NamedViews[Index], *Views[Index], SceneTextures, PostProcessingInputs);
+		}
+		Extensions.PostRender(GraphBuilder, Family, NamedViews);
+		GraphBuilder.QueueTextureExtraction(PostProcessingInputs.ViewFamilyTexture, &Final);
+		if (Inputs.bExecute)
+		{
+			GraphBuilder.Execute();
+		}
+		else
+		{
+			Observer.Graph = GraphBuilder.Compile();
+			GraphBuilder.Discard();
+		}
+	}
+
+	FRDGTextureRef CreateViewFamilyTexture(FRDGBuilder& GraphBuilder) const
+	{
+		// Compute entries write it where they are preferred; a swap chain's texture would not let them.
+		const bool bCompute = NamedViews[0].View->bUseComputePasses;
+		return GraphBuilder.CreateTexture(
+			FRDGTextureDesc::Create2D(Inputs.Extent, PF_B8G8R8A8, FClearValueBinding::Black,
+				TexCreate_RenderTargetable | TexCreate_ShaderResource | (bCompute ? TexCreate_UAV : TexCreate_None)),
+			TEXT("ViewFamilyTexture"));
+	}
+
+	void AddChain(FRDGBuilder& GraphBuilder, const FNamedView& NamedView, FViewOfFrame& Target,
+		const FSceneTextures& SceneTextures, const FPostProcessingInputs& PostProcessingInputs)
+	{
+		Target.Chain.Settings = NamedView.View->FinalPostProcessSettings;
+		Target.Effects = DecideEffects(Target.Chain);
+		FPostProcessingChainInputs ChainInputs;
+		ChainInputs.SceneColor = FScreenPassTexture(SceneTextures.Color, NamedView.View->ViewRect);
+		ChainInputs.ViewFamilyTexture = PostProcessingInputs.ViewFamilyTexture;
+		ChainInputs.ExposureScale = Target.Chain.ExposureScale;
+		ChainInputs.SceneTextures = PostProcessingInputs.SceneTextures;
+		ChainInputs.CustomSSRInput = &Target.State.CustomSSRInput;
+		Target.Outputs = AddPostProcessingPasses(GraphBuilder, NamedView, ChainInputs, Target.Effects, Extensions);
+		GraphBuilder.QueueTextureExtraction(Target.Outputs.SceneLinear.Texture, &Target.SceneLinear);
+	}
+
+	void ReadPictures()
+	{
+		Result.Final = CropToRgba(ReadTexture(*Final->GetRHI()), Result.Rect);
+		if (Views.size() == 1)
+		{
+			Result.SceneLinear =
+				CropToRgba(ReadTexture(*Views[0]->SceneLinear->GetRHI()), Views[0]->Outputs.SceneLinear.ViewRect);
+			return;
+		}
+		Result.SceneLinear = {Result.Rect.Width(), Result.Rect.Height(), 4,
+			std::vector<double>(
+				static_cast<size_t>(Result.Rect.Width()) * static_cast<size_t>(Result.Rect.Height()) * 4)};
+		for (size_t Index = 0; Index < Views.size(); ++Index)
+		{
+			const FIntRect& Rect = Inputs.Views[Index].Rect;
+			const FImage Picture = CropToRgba(
+				ReadTexture(*Views[Index]->SceneLinear->GetRHI()), Views[Index]->Outputs.SceneLinear.ViewRect);
+			// A view whose extensions changed its size has no place in the picture of all.
+			if (Picture.Width == Rect.Width() && Picture.Height == Rect.Height())
+			{
+				Paste(Picture, Rect.Min - Result.Rect.Min, Result.SceneLinear);
+			}
+		}
+	}
+
+	const FFrameInputs& Inputs;
+	FFrameResult Result;
+	FViewExtensionFrame Extensions;
+	FFrameObserver Observer;
+	FSceneViewFamily Family;
+	std::vector<std::unique_ptr<FViewOfFrame>> Views;
+	std::vector<FNamedView> NamedViews;
+	TRefCountPtr<IPooledRenderTarget> Final;
+};
+
+} // namespace
+
+FFrameResult RenderViewFamily(const FFrameInputs& Inputs)
+{
+	return FFrameRenderer(Inputs).Render();
+}
+
+} // namespace Drydock

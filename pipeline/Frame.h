@@ -1,0 +1,70 @@
+// One frame: the views of a family, their extensions' hooks, the graph and the pictures, in the engine's order. It
+// knows no config: RunConfig and RenderFrame both come here. Source: drydock; the order is the engine's.
+#pragma once
+
+#include "HookLog.h"
+#include "ImageFile.h"
+#include "PostProcess/EffectDecisions.h"
+#include "RenderGraphCompiled.h"
+#include "RenderGraphObserver.h"
+#include "SceneTextures.h"
+#include "SceneViewExtension.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+struct FFrameView
+{
+	std::string Name; // for reports; empty where there is only one view
+	FIntRect Rect;    // of the scene textures and of the output
+	FMinimalViewInfo Camera;
+	float PreExposure = 1.0f;
+	FChainSettings Chain;
+	/** Settings for another camera, asked for when an extension moves it; empty: Chain holds everywhere. */
+	std::function<FChainSettings(const FMinimalViewInfo&)> MakeChain;
+};
+
+struct FFrameInputs
+{
+	int32 EngineMinor = ENGINE_MINOR_VERSION;
+	FIntPoint Extent = FIntPoint(0, 0); // of scene textures and output
+	FEngineShowFlags ShowFlags;
+	uint32 FrameNumber = 0;
+	std::vector<FFrameView> Views; // one at least
+	/** Registers the scene's textures in the frame's graph. */
+	std::function<FSceneTextures(FRDGBuilder&)> RegisterSceneTextures;
+	IRDGObserver* Observer = nullptr;
+	bool bExecute = true; // false: the graph is compiled only
+};
+
+struct FFrameViewResult
+{
+	std::string Name;
+	FIntRect Rect;
+	FChainSettings Chain; // as the passes saw it
+	std::vector<FEffectDecision> Effects;
+};
+
+struct FFrameResult
+{
+	std::vector<FFrameViewResult> Views;
+	FIntRect Rect; // of all views
+	FHookLog Log;
+	double Milliseconds = 0.0; // from the first hook to the end of the graph
+
+	// Only of an executed frame.
+	FImage SceneLinear; // RGBA: the tonemapper's input, Rect only; black where no view is
+	FImage Final;       // RGBA: display-encoded, likewise
+
+	// Only of one that was not.
+	FRDGCompiledGraph Graph;
+};
+
+/** Throws FError for mistakes of the graph, and of extensions with r.RDG.Validation 2. Not for two threads at once. */
+DRYDOCK_API FFrameResult RenderViewFamily(const FFrameInputs& Inputs);
+
+} // namespace Drydock
