@@ -1,5 +1,5 @@
 // Source: engine PostProcessUtils.cpp, from its documentation.
-#include "PostProcessUtils.h"
+#include "Engine/PostProcessUtils.h"
 
 #include "PostProcessSettingsReflection.h"
 
