@@ -184,6 +184,8 @@ FConfigVolume ReadVolume(const FJsonValue& Value, FConfigMessages& Messages)
 		[&](const FJsonValue& Bounds) { Volume.Bounds = ReadConfigBounds(Bounds, Messages); });
 	WithMember(Value, "Settings", EJsonType::Object,
 		[&](const FJsonValue& Settings) { Volume.Settings = ReadConfigSettings(Settings, Messages); });
+	WithMember(Value, "unknownSettings", EJsonType::Array,
+		[&](const FJsonValue& Unknown) { Volume.UnknownSettings = ReadConfigUnknownSettings(Unknown); });
 	if (!Volume.bUnbound && Value.Find("bounds") == nullptr)
 	{
 		Messages.Error(ErrorVolumeWithoutBounds, Value, "the volume has no \"bounds\" and is not bUnbound");

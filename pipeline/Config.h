@@ -4,6 +4,7 @@
 
 #include "Diagnostics.h"
 #include "PostProcessSettings.h"
+#include "PostProcessSettingsText.h"
 
 #include <array>
 #include <map>
@@ -86,6 +87,7 @@ struct FConfigVolume
 	double BlendRadius = 100.0;
 	double BlendWeight = 1.0;
 	FConfigSettings Settings;
+	std::vector<FUnknownSetting> UnknownSettings; // kept for engine text, without effect here
 	FConfigPlace Place;
 };
 
@@ -95,21 +97,11 @@ struct FConfigCamera
 	FConfigSettings Settings;
 };
 
-/** Who sets a console variable; a later one beats an earlier one. */
-enum class EVariableSource
-{
-	Config,
-	CommandLine, // --set
-	Console,     // --exec
-};
-
-/** A set; from the console also a command with its arguments, or a variable to print (Value empty or "?"). */
 struct FConfigVariable
 {
 	std::string Name;
 	std::string Value;
 	FConfigPlace Place;
-	EVariableSource Source = EVariableSource::Config;
 };
 
 struct FConfigShowFlag
@@ -128,8 +120,8 @@ struct FConfig
 	std::vector<FConfigVolume> Volumes;             // in the order of the file
 	TConfigValue<bool> VolumesFromScene{false, {}}; // "volumes" is "fromScene": see CompleteFromScene
 	FConfigCamera Camera;
-	FConfigSettings CommandLine;            // --pp: after everything else, at full weight
-	std::vector<FConfigVariable> Variables; // in the order in which they are set
+	FConfigSettings CommandLine; // --pp: after everything else, at full weight
+	std::vector<FConfigVariable> Variables;
 	std::vector<FConfigShowFlag> ShowFlags;
 	std::vector<TConfigValue<std::string>> Dump;
 
@@ -151,9 +143,6 @@ DRYDOCK_API void AddSettingArgument(
 /** Adds `r.Name=Value` of the command line, which beats the config's. */
 DRYDOCK_API void AddVariableArgument(
 	FConfig& Config, const std::string& Argument, std::vector<FDiagnostic>& Diagnostics);
-
-/** Adds what a console would be told: "r.A 1, r.B=2, r.C, SomeCommand x", separated by commas; it beats --set. */
-DRYDOCK_API void AddExecArgument(FConfig& Config, const std::string& Argument, std::vector<FDiagnostic>& Diagnostics);
 
 DRYDOCK_API bool HasErrors(const std::vector<FDiagnostic>& Diagnostics);
 

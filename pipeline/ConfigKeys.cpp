@@ -58,6 +58,11 @@ const std::vector<FConfigKey>& GetConfigKeys()
 		{"volume", "BlendWeight", Number, "", 0, Optional, Built, "0 to 1; 1 by default."},
 		{"volume", "Settings", Settings, "", 0, Optional, Built, "Naming a setting sets its override bit."},
 
+		{"volume", "unknownSettings", ObjectArray, "unknownSetting", 0, Optional, Built, "Fields of imported engine text that drydock does not have: no effect, written again by drydock settings export."},
+		{"unknownSetting", "name", String, "", 0, Required, Built, "As in the engine text, with its index if it has one."},
+		{"unknownSetting", "text", String, "", 0, Required, Built, "The value as it was written."},
+		{"unknownSetting", "after", String, "", 0, Optional, Built, "The known field that it follows."},
+
 		{"bounds", "type", String, "box|sphere|capsule|convex", 0, Optional, Built, "box by default."},
 		{"bounds", "min", Vector3, "", 0, Optional, Built, "Box: least corner, cm."},
 		{"bounds", "max", Vector3, "", 0, Optional, Built, "Box: greatest corner, cm."},

@@ -62,6 +62,9 @@ void ValidateConfigShape(const FJsonValue& Root, FConfigMessages& Messages);
 /** The Settings of a volume or camera. Not an object: nothing (that has been reported). */
 FConfigSettings ReadConfigSettings(const FJsonValue& Value, FConfigMessages& Messages);
 
+/** Fields of engine text that drydock does not have. What has another shape is skipped (that has been reported). */
+std::vector<FUnknownSetting> ReadConfigUnknownSettings(const FJsonValue& Value);
+
 /** The shape of a bounded volume; empty when it is incomplete, which is reported. */
 std::optional<FConfigBounds> ReadConfigBounds(const FJsonValue& Value, FConfigMessages& Messages);
 

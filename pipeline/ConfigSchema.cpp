@@ -261,6 +261,29 @@ void WriteSetting(FJsonWriter& Writer, const FSettingField& Field)
 	Writer.EndObject();
 }
 
+void WriteBlendables(FJsonWriter& Writer)
+{
+	Writer.Key("WeightedBlendables").BeginObject();
+	Writer.Member("description", "Materials and other objects that are blended in by weight. Not built yet.");
+	WriteType(Writer, "array");
+	Writer.Key("items").BeginObject();
+	WriteType(Writer, "object");
+	Writer.Key("properties").BeginObject();
+	Writer.Key("Object").BeginObject(true);
+	Writer.Key("type").BeginArray(true);
+	Writer.Value("string");
+	Writer.Value("null");
+	Writer.EndArray();
+	Writer.EndObject();
+	Writer.Key("Weight").BeginObject(true);
+	WriteType(Writer, "number");
+	Writer.EndObject();
+	Writer.EndObject();
+	Writer.Member("additionalProperties", false);
+	Writer.EndObject();
+	Writer.EndObject();
+}
+
 void WriteSettings(FJsonWriter& Writer)
 {
 	Writer.Key("Settings").BeginObject();
@@ -270,6 +293,7 @@ void WriteSettings(FJsonWriter& Writer)
 	{
 		WriteSetting(Writer, Field);
 	}
+	WriteBlendables(Writer);
 	for (const FSettingField& Field : GetSettingFields())
 	{
 		Writer.Key(Field.OverrideName).BeginObject(true);

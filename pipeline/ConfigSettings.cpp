@@ -2,6 +2,7 @@
 #include "ConfigReader.h"
 
 #include "PostProcessSettingsReflection.h"
+#include "SettingObjects.h"
 
 #include <algorithm>
 #include <cmath>
@@ -222,6 +223,53 @@ void ReadOverride(
 	}
 }
 
+const std::string BlendablesName = "WeightedBlendables";
+
+/** {"Object": "/Game/M.M", "Weight": 1} */
+bool ReadBlendable(const FJsonValue& Value, FWeightedBlendable& OutBlendable)
+{
+	for (const auto& [Name, Member] : Value.Members)
+	{
+		if (Name == "Object" && (Member.Type == EJsonType::String || Member.Type == EJsonType::Null))
+		{
+			OutBlendable.Object = FindOrAddObject(StripObjectClass(Member.String));
+		}
+		else if (Name == "Weight" && Member.Type == EJsonType::Number && std::isfinite(static_cast<float>(Member.Number)))
+		{
+			OutBlendable.Weight = static_cast<float>(Member.Number);
+		}
+		else
+		{
+			return false;
+		}
+	}
+	return Value.Type == EJsonType::Object;
+}
+
+void ReadBlendables(const FJsonValue& Value, FConfigSettings& Settings, FConfigMessages& Messages)
+{
+	const auto Refuse = [&](const FJsonValue& At)
+	{
+		Messages.Error(ErrorWrongType, At,
+			BlendablesName + " is an array of objects and weights: [{\"Object\": \"/Game/Folder/Name.Name\", \"Weight\": 1}]");
+	};
+	if (Value.Type != EJsonType::Array)
+	{
+		Refuse(Value);
+		return;
+	}
+	for (const FJsonValue& Element : Value.Elements)
+	{
+		FWeightedBlendable Blendable;
+		if (!ContainsInvalid(Element) && !ReadBlendable(Element, Blendable))
+		{
+			Refuse(Element);
+		}
+		Settings.Settings.WeightedBlendables.Array.Add(Blendable);
+	}
+	Messages.WarnAtKey(WarnNotBuilt, Value, BlendablesName + " is not built yet: no material runs");
+}
+
 } // namespace
 
 FConfigSettings ReadConfigSettings(const FJsonValue& Value, FConfigMessages& Messages)
@@ -229,7 +277,11 @@ FConfigSettings ReadConfigSettings(const FJsonValue& Value, FConfigMessages& Mes
 	FConfigSettings Settings;
 	for (const auto& [Name, Member] : Value.Members)
 	{
-		if (Name.rfind(OverridePrefix, 0) != 0)
+		if (Name == BlendablesName)
+		{
+			ReadBlendables(Member, Settings, Messages);
+		}
+		else if (Name.rfind(OverridePrefix, 0) != 0)
 		{
 			ReadSetting(Name, Member, Settings, Messages);
 		}
@@ -240,6 +292,22 @@ FConfigSettings ReadConfigSettings(const FJsonValue& Value, FConfigMessages& Mes
 		{
 			ReadOverride(Name, Member, Settings, Messages);
 		}
+	}
+	return Settings;
+}
+
+std::vector<FUnknownSetting> ReadConfigUnknownSettings(const FJsonValue& Value)
+{
+	std::vector<FUnknownSetting> Settings;
+	for (const FJsonValue& Element : Value.Elements)
+	{
+		FUnknownSetting Setting;
+		for (const auto& [Name, Member] : Element.Members)
+		{
+			std::string& Part = Name == "name" ? Setting.Key : Name == "text" ? Setting.Text : Setting.After;
+			Part = Member.String;
+		}
+		Settings.push_back(std::move(Setting));
 	}
 	return Settings;
 }

@@ -107,35 +107,4 @@ FJsonScan ScanJson(const std::string& Text)
 	return Scan;
 }
 
-FTextPositions::FTextPositions(const std::string& InText)
-	: Text(InText)
-{
-	LineBegins.push_back(0);
-	for (size_t At = 0; At < Text.size(); ++At)
-	{
-		if (Text[At] == '\n')
-		{
-			LineBegins.push_back(At + 1);
-		}
-	}
-}
-
-FTextPosition FTextPositions::Find(size_t Offset) const
-{
-	Offset = std::min(Offset, Text.size());
-	const size_t Line =
-		static_cast<size_t>(std::upper_bound(LineBegins.begin(), LineBegins.end(), Offset) - LineBegins.begin());
-	size_t Begin = LineBegins[Line - 1];
-	if (Begin == 0 && Text.compare(0, 3, "\xEF\xBB\xBF") == 0)
-	{
-		Begin = std::min<size_t>(3, Offset); // a byte-order mark has no column
-	}
-	const auto IsFirstByte = [](char Character)
-	{
-		return (static_cast<unsigned char>(Character) & 0xC0) != 0x80;
-	};
-	const auto Characters = std::count_if(Text.begin() + Begin, Text.begin() + Offset, IsFirstByte);
-	return {static_cast<int>(Line), static_cast<int>(Characters) + 1};
-}
-
 } // namespace Drydock

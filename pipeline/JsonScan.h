@@ -1,6 +1,8 @@
 // A first look over JSON text: where each key and value begins, and numbers that no parser can hold. Source: drydock.
 #pragma once
 
+#include "TextPositions.h"
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -24,24 +26,5 @@ struct FJsonScan
 };
 
 FJsonScan ScanJson(const std::string& Text);
-
-/** 1-based line and column of an offset; columns count characters, not bytes. */
-struct FTextPosition
-{
-	int Line = 1;
-	int Column = 1;
-};
-
-/** Answers for rising and falling offsets alike. */
-class FTextPositions
-{
-public:
-	explicit FTextPositions(const std::string& Text);
-	FTextPosition Find(size_t Offset) const;
-
-private:
-	const std::string& Text;
-	std::vector<size_t> LineBegins;
-};
 
 } // namespace Drydock

@@ -23,34 +23,11 @@ void AddRepeated(CLI::App& Verb, const char* Name, const char* Type, std::vector
 		->type_name(Type);
 }
 
-/** --set and --exec keep their order among each other. */
-void AddVariables(CLI::App& Verb, FVerbOptions& Options)
-{
-	const auto Add = [&Verb](const char* Name, const char* Type,
-						 const std::function<void(const std::string&)>& Function, const char* Doc)
-	{
-		Verb.add_option_function<std::string>(Name, Function, Doc)
-			->expected(1)
-			->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
-			->trigger_on_parse()
-			->type_name(Type);
-	};
-	FRunOptions& Run = Options.Run;
-	Add(
-		"--set", "r.NAME=VALUE", [&Run](const std::string& Text) { Run.Variables.push_back(Text); },
-		"Set a console variable; repeats; beats the config");
-	Add(
-		"--exec", "\"A 1, B\"",
-		[&Run](const std::string& Text) {
-			Run.Exec.push_back({Text, Run.Variables.size()});
-		},
-		"Tell the console: \"r.A 1, r.B=2, r.C\" sets two, prints the third; repeats; beats --set");
-}
-
 void AddConfig(CLI::App& Verb, FVerbOptions& Options)
 {
 	Verb.add_option("CONFIG", Options.Run.ConfigFile, "JSON config, such as configs/toon_bloom.json")->required();
-	AddVariables(Verb, Options);
+	AddRepeated(
+		Verb, "--set", "r.NAME=VALUE", Options.Run.Variables, "Set a console variable; repeats; beats the config");
 	AddRepeated(
 		Verb, "--pp", "SETTING=VALUE", Options.Run.Settings, "Set a post-process setting; repeats; beats all volumes");
 }
@@ -76,6 +53,27 @@ void AddArithmetic(CLI::App& Verb, FVerbOptions& Options)
 		->type_name("N");
 }
 
+/** The verbs under `settings`. */
+void AddSettingsVerbs(CLI::App& Settings, FSettingsVerbOptions& Options, int& ExitCode)
+{
+	Settings.require_subcommand(1);
+	CLI::App* Import =
+		Settings.add_subcommand("import", "Print the config's \"volumes\" of settings or actors copied in the editor");
+	Import->add_option("TEXT", Options.File, "File of engine text, or - for stdin")->required();
+	Import->add_flag("--upgrade", Options.bUpgrade,
+		"As the engine upgrades assets from before convolution bloom had an intensity: BM_FFT sets intensities to 1");
+	Import->add_flag("--json", Options.bJson, "Print an object of volumes and messages");
+	Import->callback([&] { ExitCode = SettingsImportVerb(Options); });
+
+	CLI::App* Export =
+		Settings.add_subcommand("export", "Print the volumes of a config as actors to paste into the editor");
+	Export->add_option("CONFIG", Options.File, "JSON config")->required();
+	Export->add_option("--volume", Options.Volume, "Only the volume of this name")->type_name("NAME");
+	Export->add_flag("--struct", Options.bStruct, "Only the settings (..), to paste into a volume's Settings");
+	Export->add_flag("--full", Options.bFull, "All settings, not only those that are overridden or changed");
+	Export->callback([&] { ExitCode = SettingsExportVerb(Options); });
+}
+
 /** What is wrong with the arguments, in one sentence with the nearest verb or option where that is what was misspelt.
  */
 std::string ExplainMistake(
@@ -87,17 +85,23 @@ std::string ExplainMistake(
 		return std::string("there is no ") + Kind + " " + Name +
 			   (Nearest.empty() ? "" : "; did you mean " + Nearest + "?");
 	};
-	std::vector<std::string> Verbs;
-	const CLI::App* Chosen = nullptr;
-	for (const CLI::App* Verb : Program.get_subcommands([](const CLI::App*) { return true; }))
+	const CLI::App* Chosen = &Program;
+	for (size_t Level = 0; Chosen->get_subcommands([](const CLI::App*) { return true; }).size() > 0; ++Level)
 	{
-		Verbs.push_back(Verb->get_name());
-		Chosen = !Arguments.empty() && Verb->get_name() == Arguments[0] ? Verb : Chosen;
-	}
-	if (Chosen == nullptr)
-	{
-		return Arguments.empty() ? "a verb is missing: run, check, graph or list"
-								 : Explain("verb", Arguments[0], Verbs);
+		std::vector<std::string> Verbs;
+		const CLI::App* Next = nullptr;
+		for (const CLI::App* Verb : Chosen->get_subcommands([](const CLI::App*) { return true; }))
+		{
+			Verbs.push_back(Verb->get_name());
+			Next = Level < Arguments.size() && Verb->get_name() == Arguments[Level] ? Verb : Next;
+		}
+		if (Next == nullptr)
+		{
+			return Level < Arguments.size() ? Explain("verb", Arguments[Level], Verbs)
+				   : Level == 0             ? "a verb is missing: run, check, graph or list"
+											: "a verb is missing after " + Arguments[Level - 1];
+		}
+		Chosen = Next;
 	}
 	std::vector<std::string> Options;
 	for (const CLI::Option* Option : Chosen->get_options())
@@ -169,15 +173,14 @@ int ParseAndRun(int NumArguments, char** Arguments)
 	CLI::App* List =
 		Program.add_subcommand("list", "List what there is: passes, settings, cvars, effects, extensions, hooks");
 	List->add_option("THINGS", Things, "passes, settings, cvars, effects, extensions or hooks")->required();
-	List->add_option(
-		"FILTER", Filter, "Only names that contain this, or match it where it has * or ? (settings, cvars), ignoring case");
-	List->add_option("--config", Options.Run.ConfigFile, "cvars: as this config sets them")->type_name("CONFIG");
-	AddVariables(*List, Options);
+	List->add_option("FILTER", Filter, "Only names that contain this, or match it where it has * or ? (settings), ignoring case");
 	List->add_flag("--json", Options.bJson, "Print an array of objects");
-	List->callback(
-		[&] {
-			ExitCode = Things == "cvars" ? ListVariablesVerb(Options, Filter) : ListVerb(Things, Filter, Options.bJson);
-		});
+	List->callback([&] { ExitCode = ListVerb(Things, Filter, Options.bJson); });
+
+	FSettingsVerbOptions SettingsOptions;
+	AddSettingsVerbs(
+		*Program.add_subcommand("settings", "Engine paste text of settings to and from configs: import, export"),
+		SettingsOptions, ExitCode);
 
 	std::vector<std::string> Configs;
 	std::string CacheFolder;

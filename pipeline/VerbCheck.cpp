@@ -10,13 +10,8 @@
 namespace Drydock
 {
 
-namespace
+void WriteDiagnostics(FJsonWriter& Writer, const std::vector<FDiagnostic>& Diagnostics)
 {
-
-/** A file's diagnostics as JSON, for editors and scripts. */
-std::string MakeDiagnosticsJson(const std::vector<FDiagnostic>& Diagnostics)
-{
-	FJsonWriter Writer;
 	Writer.BeginArray();
 	for (const FDiagnostic& Diagnostic : Diagnostics)
 	{
@@ -33,10 +28,7 @@ std::string MakeDiagnosticsJson(const std::vector<FDiagnostic>& Diagnostics)
 		Writer.EndObject();
 	}
 	Writer.EndArray();
-	return Writer.GetText();
 }
-
-} // namespace
 
 int CheckVerb(const FVerbOptions& Options)
 {
@@ -60,7 +52,9 @@ int CheckVerb(const FVerbOptions& Options)
 	}
 	if (Options.bJson)
 	{
-		std::fputs(MakeDiagnosticsJson(Diagnostics).c_str(), stdout);
+		FJsonWriter Writer;
+		WriteDiagnostics(Writer, Diagnostics);
+		std::fputs(Writer.GetText().c_str(), stdout);
 		return ExitCode;
 	}
 	PrintDiagnostics(Diagnostics);

@@ -5,12 +5,14 @@
 #include "Diagnostics.h"
 #include "RunOptions.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace Drydock
 {
 
+class FJsonWriter;
 struct FEffectDecision;
 struct FRunResult;
 
@@ -33,15 +35,31 @@ DRYDOCK_API int CheckVerb(const FVerbOptions& Options);
 /** Prints the compiled graph: text, dot, svg (needs Graphviz's dot) or json. */
 DRYDOCK_API int GraphVerb(const FVerbOptions& Options);
 
-/** Things: passes, settings, effects, extensions, hooks. Filter: only names that contain it. */
+/** Things: passes, settings, cvars, effects, extensions, hooks. Filter: only names that contain it. */
 DRYDOCK_API int ListVerb(const std::string& Things, const std::string& Filter, bool bJson);
 
-/** Prints the console variables whose name matches Filter (FilterConsoleVariables); of a single one its whole help.
- * With a config, --set or --exec: as these set them. */
-DRYDOCK_API int ListVariablesVerb(const FVerbOptions& Options, const std::string& Filter);
+/** Arguments of `settings`. */
+struct FSettingsVerbOptions
+{
+	std::string File;                  // engine text or config; "-": stdin
+	std::optional<std::string> Volume; // only the volume of this name
+	bool bFull = false;                // not only what differs from the defaults
+	bool bStruct = false;              // the settings alone, without an actor around them
+	bool bUpgrade = false;             // as the engine upgrades old assets
+	bool bJson = false;
+};
+
+/** Engine text to the volumes of a config. */
+DRYDOCK_API int SettingsImportVerb(const FSettingsVerbOptions& Options);
+
+/** The volumes of a config to engine text. */
+DRYDOCK_API int SettingsExportVerb(const FSettingsVerbOptions& Options);
 
 /** Compiles the shaders of configs into the cache (in Folder, or the usual place when that is empty). */
 DRYDOCK_API int WarmVerb(const std::vector<std::string>& Configs, const std::string& Folder);
+
+/** As JSON, for editors and scripts: an array of objects. */
+DRYDOCK_API void WriteDiagnostics(FJsonWriter& Writer, const std::vector<FDiagnostic>& Diagnostics);
 
 /** Prints diagnostics to stderr, one a line, coloured on a terminal (unless NO_COLOR is set). */
 DRYDOCK_API void PrintDiagnostics(const std::vector<FDiagnostic>& Diagnostics);

@@ -95,9 +95,9 @@ TEST(ConfigSchema, EveryObjectHasTheReadersKeys)
 	}
 }
 
-TEST(ConfigSchema, SettingsAreTheTable)
+TEST(ConfigSchema, SettingsAreTheTableAndTheBlendables)
 {
-	std::set<std::string> Expected;
+	std::set<std::string> Expected = {"WeightedBlendables"};
 	for (const FSettingField& Field : GetSettingFields())
 	{
 		Expected.insert(Field.Name);

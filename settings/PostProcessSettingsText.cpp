@@ -1,0 +1,441 @@
+// Source: drydock.
+#include "PostProcessSettingsText.h"
+
+#include "PostProcessSettingsTextValue.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <unordered_map>
+
+namespace Drydock
+{
+
+namespace
+{
+
+constexpr const char* BlendablesName = "WeightedBlendables";
+
+/** What a name of the text stands for, in any case. */
+struct FTextName
+{
+	const FSettingField* Field = nullptr;
+	bool bOverride = false;
+	bool bBlendables = false;
+};
+
+FTextName FindTextName(const std::string& Name)
+{
+	static const std::unordered_map<std::string, FTextName> Names = []
+	{
+		std::unordered_map<std::string, FTextName> ByName;
+		for (const FSettingField& Field : GetSettingFields())
+		{
+			ByName[ToLowerCase(Field.Name)] = {&Field, false, false};
+			ByName[ToLowerCase(Field.OverrideName)] = {&Field, true, false};
+		}
+		ByName[ToLowerCase(BlendablesName)] = {nullptr, false, true};
+		return ByName;
+	}();
+	const auto Found = Names.find(ToLowerCase(Name));
+	return Found == Names.end() ? FTextName() : Found->second;
+}
+
+/** Sign of zero included. */
+bool IsSameNumber(double A, double B)
+{
+	return A == B && std::signbit(A) == std::signbit(B);
+}
+
+/** Whether one element of a field has its default value; Index as in WriteSettingText. */
+bool IsDefault(const FSettingField& Field, const FSettingValue& Value, int Index = 0)
+{
+	const int NumParts = std::max(1, Field.GetNumComponents() / GetNumTextElements(Field));
+	const double* const Begin = Value.Components + Index * NumParts;
+	return Value.Object == Field.Default.Object &&
+		   std::equal(Begin, Begin + NumParts, Field.Default.Components + Index * NumParts, IsSameNumber);
+}
+
+/** The key of an element as the table spells it. */
+std::string GetElementKey(const FSettingField& Field, int Index)
+{
+	return GetNumTextElements(Field) == 1 ? Field.Name : std::string(Field.Name) + "[" + std::to_string(Index) + "]";
+}
+
+/** Names with the place of the first one; says twenty of them. */
+class FNameList
+{
+public:
+	static constexpr size_t MaxListed = 20;
+
+	void Add(const std::string& Name, size_t InOffset)
+	{
+		Offset = Num == 0 ? InOffset : std::min(Offset, InOffset);
+		if (Num++ < MaxListed)
+		{
+			Text += (Text.empty() ? "" : ", ") + Name;
+		}
+	}
+	size_t GetNum() const { return Num; }
+	size_t GetOffset() const { return Offset; }
+	std::string GetText() const
+	{
+		return Text + (Num > MaxListed ? " and " + std::to_string(Num - MaxListed) + " more" : "");
+	}
+
+private:
+	std::string Text;
+	size_t Num = 0;
+	size_t Offset = 0;
+};
+
+/** Whether only a stretch of two letters differs. */
+bool IsNearly(const std::string& A, const std::string& B)
+{
+	const std::string LowerA = ToLowerCase(A);
+	const std::string LowerB = ToLowerCase(B);
+	const size_t Shorter = std::min(A.size(), B.size());
+	size_t Prefix = 0;
+	while (Prefix < Shorter && LowerA[Prefix] == LowerB[Prefix])
+	{
+		++Prefix;
+	}
+	size_t Suffix = 0;
+	while (Suffix < Shorter - Prefix && LowerA[A.size() - 1 - Suffix] == LowerB[B.size() - 1 - Suffix])
+	{
+		++Suffix;
+	}
+	return std::max(A.size(), B.size()) - Prefix - Suffix <= 2;
+}
+
+class FStructReader
+{
+public:
+	FStructReader(const std::string& InWhere, FSettingsTextMessages& InMessages)
+		: Where(InWhere)
+		, Messages(InMessages)
+	{
+	}
+
+	FSettingsText Read(const FEngineTextValue& Struct)
+	{
+		for (const FEngineTextItem& Item : Struct.Items)
+		{
+			ReadItem(Item);
+		}
+		ReportPairs();
+		return std::move(Result);
+	}
+
+private:
+	void ReadItem(const FEngineTextItem& Item)
+	{
+		if (Item.Name.empty())
+		{
+			Messages.Error(ErrorTextSyntax, Item.Offset, "", "expected NAME=VALUE, found " + Item.Value.Describe());
+			return;
+		}
+		const FTextName Name = FindTextName(Item.Name);
+		const std::string Spelling = Name.bBlendables        ? BlendablesName
+									 : Name.Field == nullptr ? Item.Name
+									 : Name.bOverride        ? Name.Field->OverrideName
+															 : Name.Field->Name;
+		const std::string Key = FEngineTextItem{Spelling, Item.Index, {}, 0}.GetKey();
+		const auto [First, bNew] = Given.emplace(Name.Field == nullptr ? ToLowerCase(Key) : Key, Item.Offset);
+		if (!bNew)
+		{
+			Messages.Error(ErrorTextGivenTwice, Item.Offset, Where + Key,
+				Key + " is given twice, first at " + Messages.Place(First->second));
+			return;
+		}
+		if (Name.Field == nullptr && !Name.bBlendables)
+		{
+			Result.Unknown.push_back({Key, ToEngineText(Item.Value), LastKnown});
+			UnknownOffsets.push_back(Item.Offset);
+			return;
+		}
+		LastKnown = Key;
+		FSettingTextProblem Problem;
+		const bool bRead = Name.bOverride     ? ReadOverride(*Name.Field, Item, Problem)
+						   : Name.bBlendables ? ReadBlendables(Item, Problem)
+											  : ReadValue(*Name.Field, Item, Problem);
+		if (!bRead)
+		{
+			Messages.Error(Problem.Code, Problem.Offset, Where + Key, Problem.Message);
+		}
+	}
+
+	bool ReadOverride(const FSettingField& Field, const FEngineTextItem& Item, FSettingTextProblem& OutProblem)
+	{
+		const FEngineTextValue& Value = Item.Value;
+		const bool bDigit = Value.Kind == EEngineTextKind::Number && (Value.Number == 0.0 || Value.Number == 1.0);
+		if (Item.Index >= 0)
+		{
+			OutProblem = {
+				ErrorTextIndex, Item.Offset, std::string(Field.OverrideName) + " is no array: it has no index"};
+			return false;
+		}
+		if (Value.Kind != EEngineTextKind::Bool && !bDigit)
+		{
+			OutProblem = {ErrorTextWrongType, Value.Offset, "expected True or False, found " + Value.Describe()};
+			return false;
+		}
+		Field.SetOverridden(Result.Settings, bDigit ? Value.Number == 1.0 : Value.Bool);
+		BitOffsets[&Field] = Item.Offset;
+		return true;
+	}
+
+	bool ReadBlendables(const FEngineTextItem& Item, FSettingTextProblem& OutProblem)
+	{
+		if (Item.Index >= 0)
+		{
+			OutProblem = {ErrorTextIndex, Item.Offset,
+				std::string(BlendablesName) + " is written (Array=(..)), without an index"};
+			return false;
+		}
+		return ReadBlendablesText(Item.Value, Result.Settings.WeightedBlendables, OutProblem);
+	}
+
+	bool ReadValue(const FSettingField& Field, const FEngineTextItem& Item, FSettingTextProblem& OutProblem)
+	{
+		ValueOffsets.emplace(&Field, Item.Offset);
+		FSettingValue Value = Field.Get(Result.Settings);
+		if (Item.Index >= 0 ? !ReadSettingTextElement(Field, Item.Index, Item.Value, Value, OutProblem)
+							: !ReadSettingText(Field, Item.Value, Value, OutProblem))
+		{
+			return false;
+		}
+		if (!Field.IsInRange(Value))
+		{
+			Messages.Warn(WarnTextOutOfRange, Item.Value.Offset, Where + Field.Name,
+				std::string(Field.Name) + " is outside its range; it is used as it is");
+		}
+		Field.Set(Result.Settings, Value);
+		return true;
+	}
+
+	/** What values and override bits have to say about each other, and what is unknown. */
+	void ReportPairs()
+	{
+		FNameList Inert;
+		FNameList WithoutValue;
+		for (const FSettingField& Field : GetSettingFields())
+		{
+			const auto Value = ValueOffsets.find(&Field);
+			const auto Bit = BitOffsets.find(&Field);
+			const bool bOverridden = Field.IsOverridden(Result.Settings);
+			if (Value != ValueOffsets.end() && !bOverridden && !(Field.Get(Result.Settings) == Field.Default))
+			{
+				Inert.Add(Field.Name, Value->second);
+			}
+			if (Value == ValueOffsets.end() && bOverridden)
+			{
+				WithoutValue.Add(Field.Name, Bit->second);
+			}
+		}
+		if (Inert.GetNum() > 0)
+		{
+			Messages.Warn(WarnTextInert, Inert.GetOffset(), Where + "Settings",
+				"kept, but without effect, for the override bit is off: " + Inert.GetText());
+		}
+		if (WithoutValue.GetNum() > 0)
+		{
+			Messages.Note(NoteTextBitWithoutValue, WithoutValue.GetOffset(), Where + "Settings",
+				"overridden without a value, so with the default: " + WithoutValue.GetText());
+		}
+		ReportUnknown();
+	}
+
+	void ReportUnknown()
+	{
+		const std::vector<std::string> Names = GetSettingNames();
+		FNameList List;
+		for (size_t Index = 0; Index < Result.Unknown.size(); ++Index)
+		{
+			const std::string& Key = Result.Unknown[Index].Key;
+			const std::string Nearest = List.GetNum() < FNameList::MaxListed ? FindNearestName(Key, Names) : "";
+			List.Add(Key + (!Nearest.empty() && IsNearly(Key, Nearest) ? " (did you mean " + Nearest + "?)" : ""),
+				UnknownOffsets[Index]);
+		}
+		if (List.GetNum() > 0)
+		{
+			Messages.Warn(WarnTextUnknownFields, List.GetOffset(), Where + "Settings",
+				"no settings of drydock's, kept as text: " + List.GetText());
+		}
+	}
+
+	const std::string& Where;
+	FSettingsTextMessages& Messages;
+	FSettingsText Result;
+	std::map<std::string, size_t> Given; // by key; unknown ones in lower case
+	std::map<const FSettingField*, size_t> ValueOffsets;
+	std::map<const FSettingField*, size_t> BitOffsets;
+	std::vector<size_t> UnknownOffsets;
+	std::string LastKnown;
+};
+
+class FStructWriter
+{
+public:
+	FStructWriter(const FSettingsText& InSettings, ESettingsTextForm InForm)
+		: Settings(InSettings)
+		, Form(InForm)
+	{
+		for (const FUnknownSetting& Unknown : Settings.Unknown)
+		{
+			UnknownAfter[Unknown.After].push_back(&Unknown);
+		}
+	}
+
+	std::string Write()
+	{
+		AddUnknownAfter("");
+		const bool bFull = Form == ESettingsTextForm::Full;
+		for (const FSettingField& Field : GetSettingFields())
+		{
+			const bool bOverridden = Field.IsOverridden(Settings.Settings);
+			Add(Field.OverrideName, bOverridden ? "True" : "False", bFull || bOverridden);
+		}
+		for (const FSettingField& Field : GetSettingFields())
+		{
+			const FSettingValue Value = Field.Get(Settings.Settings);
+			for (int Index = 0; Index < GetNumTextElements(Field); ++Index)
+			{
+				const bool bWritten = bFull || Field.IsOverridden(Settings.Settings) || !IsDefault(Field, Value, Index);
+				Add(GetElementKey(Field, Index), WriteSettingText(Field, Value, Index), bWritten);
+			}
+			const bool bWritten = bFull || Field.IsOverridden(Settings.Settings) || !IsDefault(Field, Value);
+			if (bWritten)
+			{
+				CheckDecimals(Field, Value);
+			}
+			AddUnknownAfter(Field.Name); // of an array whose elements have indices: behind the last
+		}
+		const FWeightedBlendables& Blendables = Settings.Settings.WeightedBlendables;
+		Add(BlendablesName, WriteBlendablesText(Blendables), bFull || Blendables.Array.Num() > 0);
+		while (!UnknownAfter.empty())
+		{
+			AddUnknownAfter(std::string(UnknownAfter.begin()->first));
+		}
+		return "(" + Text + ")";
+	}
+
+	const FNameList& GetChanged() const { return Changed; }
+
+private:
+	void AddPair(const std::string& Key, const std::string& Value)
+	{
+		Text += (Text.empty() ? "" : ",") + Key + "=" + Value;
+	}
+
+	void Add(const std::string& Key, const std::string& Value, bool bWritten)
+	{
+		if (bWritten)
+		{
+			AddPair(Key, Value);
+		}
+		AddUnknownAfter(Key);
+	}
+
+	void AddUnknownAfter(const std::string& Key)
+	{
+		for (const FUnknownSetting* Unknown : UnknownAfter[Key])
+		{
+			AddPair(Unknown->Key, Unknown->Text);
+		}
+		UnknownAfter.erase(Key);
+	}
+
+	void CheckDecimals(const FSettingField& Field, const FSettingValue& Value)
+	{
+		const bool bDouble = Field.Type == ESettingType::Vector2 || Field.Type == ESettingType::Vector4;
+		for (int Index = 0; Index < Field.GetNumComponents(); ++Index)
+		{
+			const double Number = Value.Components[Index];
+			const std::string Written = WriteNumberText(Number);
+			const double Read = std::strtod(Written.c_str(), nullptr);
+			if (!std::isfinite(Number) || (bDouble ? Read : static_cast<double>(static_cast<float>(Read))) != Number)
+			{
+				Changed.Add(std::string(Field.Name) + " (" + SettingToText(Field, Value) + ")", 0);
+				return;
+			}
+		}
+	}
+
+	const FSettingsText& Settings;
+	ESettingsTextForm Form;
+	std::map<std::string, std::vector<const FUnknownSetting*>> UnknownAfter;
+	std::string Text;
+	FNameList Changed;
+};
+
+} // namespace
+
+FSettingsText ReadSettingsStruct(
+	const FEngineTextValue& Struct, const std::string& Where, FSettingsTextMessages& Messages)
+{
+	return FStructReader(Where, Messages).Read(Struct);
+}
+
+FSettingsText ReadSettingsText(const std::string& Text, const std::string& File, std::vector<FDiagnostic>& Diagnostics)
+{
+	FSettingsTextMessages Messages(Text, File, Diagnostics);
+	size_t Offset = Text.compare(0, 3, "\xEF\xBB\xBF") == 0 ? 3 : 0;
+	FEngineTextValue Struct;
+	if (!CheckEngineTextEncoding(Text, Messages) || !ParseEngineText(Text, Offset, "", Struct, Messages))
+	{
+		return {};
+	}
+	SkipEngineTextSpace(Text, Offset);
+	if (Struct.Kind != EEngineTextKind::Struct)
+	{
+		Messages.Error(ErrorTextSyntax, Struct.Offset, "", "expected (NAME=VALUE,..), found " + Struct.Describe());
+	}
+	else if (Offset < Text.size())
+	{
+		Messages.Error(ErrorTextSyntax, Offset, "",
+			"expected the end of the text after the closing ), found " + DescribeEngineTextAt(Text, Offset));
+	}
+	return ReadSettingsStruct(Struct, "", Messages);
+}
+
+std::string WriteSettingsText(
+	const FSettingsText& Settings, ESettingsTextForm Form, std::vector<FDiagnostic>& Diagnostics)
+{
+	FStructWriter Writer(Settings, Form);
+	const std::string Text = Writer.Write();
+	if (Writer.GetChanged().GetNum() > 0)
+	{
+		FDiagnostic Diagnostic;
+		Diagnostic.Severity = ESeverity::Warning;
+		Diagnostic.Code = WarnTextDecimals;
+		Diagnostic.Message = "six decimals do not hold these values: " + Writer.GetChanged().GetText();
+		Diagnostics.push_back(Diagnostic);
+	}
+	return Text;
+}
+
+std::vector<std::string> UpgradeSettings(FPostProcessSettings& Settings)
+{
+	std::vector<std::string> Changed;
+	if (Settings.BloomMethod != BM_FFT || !(Settings.BloomIntensity > 0.0f))
+	{
+		return Changed;
+	}
+	for (const char* Name : {"BloomIntensity", "BloomToonIntensity"})
+	{
+		const FSettingField& Field = *FindSettingField(Name);
+		FSettingValue Value = Field.Get(Settings);
+		const bool bGiven = Field.IsOverridden(Settings) || !(Value == Field.Default);
+		if (bGiven && Value.Components[0] != 1.0)
+		{
+			Value.Components[0] = 1.0;
+			Field.Set(Settings, Value);
+			Changed.emplace_back(Name);
+		}
+	}
+	return Changed;
+}
+
+} // namespace Drydock
