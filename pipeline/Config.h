@@ -97,11 +97,21 @@ struct FConfigCamera
 	FConfigSettings Settings;
 };
 
+/** Who sets a console variable; a later one beats an earlier one. */
+enum class EVariableSource
+{
+	Config,
+	CommandLine, // --set
+	Console,     // --exec
+};
+
+/** A set; from the console also a command with its arguments, or a variable to print (Value empty or "?"). */
 struct FConfigVariable
 {
 	std::string Name;
 	std::string Value;
 	FConfigPlace Place;
+	EVariableSource Source = EVariableSource::Config;
 };
 
 struct FConfigShowFlag
@@ -120,8 +130,8 @@ struct FConfig
 	std::vector<FConfigVolume> Volumes;             // in the order of the file
 	TConfigValue<bool> VolumesFromScene{false, {}}; // "volumes" is "fromScene": see CompleteFromScene
 	FConfigCamera Camera;
-	FConfigSettings CommandLine; // --pp: after everything else, at full weight
-	std::vector<FConfigVariable> Variables;
+	FConfigSettings CommandLine;            // --pp: after everything else, at full weight
+	std::vector<FConfigVariable> Variables; // in the order in which they are set
 	std::vector<FConfigShowFlag> ShowFlags;
 	std::vector<TConfigValue<std::string>> Dump;
 
@@ -143,6 +153,9 @@ DRYDOCK_API void AddSettingArgument(
 /** Adds `r.Name=Value` of the command line, which beats the config's. */
 DRYDOCK_API void AddVariableArgument(
 	FConfig& Config, const std::string& Argument, std::vector<FDiagnostic>& Diagnostics);
+
+/** Adds what a console would be told: "r.A 1, r.B=2, r.C, SomeCommand x", separated by commas; it beats --set. */
+DRYDOCK_API void AddExecArgument(FConfig& Config, const std::string& Argument, std::vector<FDiagnostic>& Diagnostics);
 
 DRYDOCK_API bool HasErrors(const std::vector<FDiagnostic>& Diagnostics);
 

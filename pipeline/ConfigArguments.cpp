@@ -1,11 +1,11 @@
-// `--pp` and `--set` of the command line, and console variables by name. Source: drydock.
+// `--pp`, `--set` and `--exec` of the command line, and console variables by name. Source: drydock.
 #include "ConfigReader.h"
 
-#include "HAL/IConsoleManager.h"
+#include "HAL/ConsoleVariableTools.h"
 #include "PostProcessSettingsReflection.h"
+#include "Scalability.h"
 
-#include <charconv>
-#include <cmath>
+#include <algorithm>
 
 namespace Drydock
 {
@@ -39,16 +39,35 @@ std::vector<std::string> GetVariableNames()
 	return Names;
 }
 
-bool IsNumber(const std::string& Text)
+bool IsScalabilityLevel(const std::string& Text)
 {
-	double Number = 0.0;
-	const std::from_chars_result Result = std::from_chars(Text.data(), Text.data() + Text.size(), Number);
-	return Result.ec == std::errc() && Result.ptr == Text.data() + Text.size() && std::isfinite(Number);
+	const int32 Level = FCString::Atoi(Text.c_str());
+	return Level >= 0 && Level < NumScalabilityLevels;
 }
 
-bool IsWholeNumber(const std::string& Text)
+const char* DescribeType(const IConsoleVariable& Variable)
 {
-	return IsNumber(Text) && std::stod(Text) == std::floor(std::stod(Text));
+	return Variable.IsVariableBool() ? "true or false" : Variable.IsVariableInt() ? "a whole number" : "a number";
+}
+
+/** What is to be set, run or printed; reports what cannot be. */
+void AddConsoleInput(FConfig& Config, const std::string& Input, FConfigMessages& Messages)
+{
+	FString Name;
+	FString Value;
+	SplitConsoleInput(Input.c_str(), Name, Value);
+	if (Name.IsEmpty())
+	{
+		return; // nothing between two commas
+	}
+	const FConfigVariable Variable{*Name, *Value, {0, 0, "--exec"}, EVariableSource::Console};
+	const IConsoleObject* Object = IConsoleManager::Get().FindConsoleObject(*Name);
+	const bool bAsks = Value.IsEmpty() || Value == "?";
+	if (Object == nullptr || (IConsoleManager::Get().FindConsoleVariable(*Name) != nullptr && !bAsks))
+	{
+		CheckVariable(Variable, Messages);
+	}
+	Config.Variables.push_back(Variable);
 }
 
 } // namespace
@@ -61,14 +80,21 @@ void CheckVariable(const FConfigVariable& Variable, FConfigMessages& Messages)
 		Messages.Error(ErrorUnknownVariable, Variable.Place,
 			"unknown console variable " + Variable.Name + Suggest(Variable.Name, GetVariableNames()));
 	}
-	else if (Found->IsVariableInt() && !IsWholeNumber(Variable.Value))
+	else if (!DoesConsoleVariableTake(*Found, Variable.Value.c_str()))
 	{
-		Messages.Error(
-			ErrorWrongType, Variable.Place, Variable.Name + " is a whole number, not \"" + Variable.Value + "\"");
+		Messages.Error(ErrorWrongType, Variable.Place,
+			Variable.Name + " is " + DescribeType(*Found) + ", not \"" + Variable.Value + "\"");
 	}
-	else if (Found->IsVariableFloat() && !IsNumber(Variable.Value))
+	else if (Found->TestFlags(ECVF_ScalabilityGroup) && !IsScalabilityLevel(Variable.Value))
 	{
-		Messages.Error(ErrorWrongType, Variable.Place, Variable.Name + " is a number, not \"" + Variable.Value + "\"");
+		Messages.Error(ErrorBadValue, Variable.Place,
+			Variable.Name + " is a level from 0 to " + std::to_string(NumScalabilityLevels - 1) + ", not " +
+				Variable.Value);
+	}
+	else if (Found->TestFlags(ECVF_NotSimulated))
+	{
+		Messages.Warn(
+			WarnIneffectiveValue, Variable.Place, Variable.Name + " is not simulated: nothing in drydock reads it");
 	}
 }
 
@@ -114,10 +140,29 @@ void AddVariableArgument(FConfig& Config, const std::string& Argument, std::vect
 	FConfigMessages Messages(CommandLine, Diagnostics);
 	FConfigVariable Variable;
 	Variable.Place.Pointer = "--set";
+	Variable.Source = EVariableSource::CommandLine;
 	if (SplitArgument(Argument, "--set", Variable.Name, Variable.Value, Messages))
 	{
 		CheckVariable(Variable, Messages);
 		Config.Variables.push_back(Variable);
+	}
+}
+
+void AddExecArgument(FConfig& Config, const std::string& Argument, std::vector<FDiagnostic>& Diagnostics)
+{
+	FConfigMessages Messages(CommandLine, Diagnostics);
+	const size_t NumBefore = Config.Variables.size();
+	size_t Start = 0;
+	while (Start <= Argument.size())
+	{
+		const size_t Comma = std::min(Argument.find(',', Start), Argument.size());
+		AddConsoleInput(Config, Argument.substr(Start, Comma - Start), Messages);
+		Start = Comma + 1;
+	}
+	if (Config.Variables.size() == NumBefore)
+	{
+		Messages.Error(
+			ErrorBadArgument, FConfigPlace{0, 0, "--exec"}, "\"" + Argument + "\" names no console variable");
 	}
 }
 

@@ -29,7 +29,7 @@ enum EConfigError
 	ErrorVolumeWithoutBounds = 1019, // neither bounds nor bUnbound
 	ErrorBadArgument = 1020,         // a command-line argument that is not NAME=VALUE and the like
 	WarnNothingDumped = 1021,        // a dump pattern that no executed pass or resource matches
-	WarnIneffectiveValue = 1022,     // a console variable's value that is accepted but does nothing here
+	WarnIneffectiveValue = 1022,     // a console variable that nothing reads, a value without effect, a set kept out
 
 	WarnNoLocation = 1041,        // bounded volumes, and no location for the view
 	ErrorNothingFromScene = 1042, // "fromScene", and no scene or none that suggests anything

@@ -23,11 +23,34 @@ void AddRepeated(CLI::App& Verb, const char* Name, const char* Type, std::vector
 		->type_name(Type);
 }
 
+/** --set and --exec keep their order among each other. */
+void AddVariables(CLI::App& Verb, FVerbOptions& Options)
+{
+	const auto Add = [&Verb](const char* Name, const char* Type,
+						 const std::function<void(const std::string&)>& Function, const char* Doc)
+	{
+		Verb.add_option_function<std::string>(Name, Function, Doc)
+			->expected(1)
+			->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
+			->trigger_on_parse()
+			->type_name(Type);
+	};
+	FRunOptions& Run = Options.Run;
+	Add(
+		"--set", "r.NAME=VALUE", [&Run](const std::string& Text) { Run.Variables.push_back(Text); },
+		"Set a console variable; repeats; beats the config");
+	Add(
+		"--exec", "\"A 1, B\"",
+		[&Run](const std::string& Text) {
+			Run.Exec.push_back({Text, Run.Variables.size()});
+		},
+		"Tell the console: \"r.A 1, r.B=2, r.C\" sets two, prints the third; repeats; beats --set");
+}
+
 void AddConfig(CLI::App& Verb, FVerbOptions& Options)
 {
 	Verb.add_option("CONFIG", Options.Run.ConfigFile, "JSON config, such as configs/toon_bloom.json")->required();
-	AddRepeated(
-		Verb, "--set", "r.NAME=VALUE", Options.Run.Variables, "Set a console variable; repeats; beats the config");
+	AddVariables(Verb, Options);
 	AddRepeated(
 		Verb, "--pp", "SETTING=VALUE", Options.Run.Settings, "Set a post-process setting; repeats; beats all volumes");
 }
@@ -173,9 +196,15 @@ int ParseAndRun(int NumArguments, char** Arguments)
 	CLI::App* List =
 		Program.add_subcommand("list", "List what there is: passes, settings, cvars, effects, extensions, hooks");
 	List->add_option("THINGS", Things, "passes, settings, cvars, effects, extensions or hooks")->required();
-	List->add_option("FILTER", Filter, "Only names that contain this, or match it where it has * or ? (settings), ignoring case");
+	List->add_option(
+		"FILTER", Filter, "Only names that contain this, or match it where it has * or ? (settings, cvars), ignoring case");
+	List->add_option("--config", Options.Run.ConfigFile, "cvars: as this config sets them")->type_name("CONFIG");
+	AddVariables(*List, Options);
 	List->add_flag("--json", Options.bJson, "Print an array of objects");
-	List->callback([&] { ExitCode = ListVerb(Things, Filter, Options.bJson); });
+	List->callback(
+		[&] {
+			ExitCode = Things == "cvars" ? ListVariablesVerb(Options, Filter) : ListVerb(Things, Filter, Options.bJson);
+		});
 
 	FSettingsVerbOptions SettingsOptions;
 	AddSettingsVerbs(

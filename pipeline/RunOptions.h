@@ -24,9 +24,15 @@ struct FRunOptions
 	std::string ConfigFile;
 	std::optional<std::string>
 		ConfigText;                     // read in place of the file; ConfigFile still says what paths are relative to
-	std::vector<std::string> Variables; // "r.Name=Value", beat the config's
-	std::vector<std::string> Settings;  // "Setting=Value", beat all volumes and the camera
-	std::vector<std::string> Dump;      // patterns, beside the config's
+	std::vector<std::string> Variables; // "r.Name=Value" (--set), beat the config's
+	struct FExec
+	{
+		std::string Text;              // "r.A 1, r.B=2"
+		size_t NumVariablesBefore = 0; // of Variables: where it stands among them
+	};
+	std::vector<FExec> Exec;                       // beat Variables
+	std::vector<std::string> Settings;             // "Setting=Value", beat all volumes and the camera
+	std::vector<std::string> Dump;                 // patterns, beside the config's
 	std::optional<std::array<double, 3>> Location; // of the view, cm; beats the config's and the scene's
 	int Frame = 0;                                 // of a sequence: what shaders see as View.FrameNumber
 	std::optional<int> Threads;                    // 0: all cores

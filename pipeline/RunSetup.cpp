@@ -5,6 +5,8 @@
 #include "FinalSettings.h"
 #include "SceneSuggestions.h"
 
+#include <algorithm>
+
 namespace Drydock
 {
 
@@ -50,17 +52,34 @@ void WarnOfIneffectiveValues(const FConfig& Config, const FChainSettings& Chain,
 
 } // namespace
 
-FRunVariables::~FRunVariables()
-{
-	while (!Scopes.empty())
-	{
-		Scopes.pop_back(); // last set, first restored
-	}
-}
-
 void FRunVariables::Set(const std::string& Name, const std::string& Value)
 {
-	Scopes.push_back(std::make_unique<FScopedConsoleVariable>(Name.c_str(), FString(Value.c_str())));
+	IConsoleVariable* Variable = IConsoleManager::Get().FindConsoleVariable(Name.c_str());
+	checkf(Variable != nullptr, "There is no console variable %s", Name.c_str());
+	Variable->Set(Value.c_str(), ECVF_SetByConsole);
+}
+
+void FRunVariables::Apply(
+	const FConfigVariable& Variable, const std::string& ConfigFile, std::vector<FDiagnostic>& Diagnostics)
+{
+	IConsoleVariable* Found = IConsoleManager::Get().FindConsoleVariable(Variable.Name.c_str());
+	const bool bConsole = Variable.Source == EVariableSource::Console;
+	if (Found == nullptr || (bConsole && (Variable.Value.empty() || Variable.Value == "?")))
+	{
+		IConsoleManager::Get().ProcessUserConsoleInput((Variable.Name + " " + Variable.Value).c_str());
+		return;
+	}
+	const EConsoleVariableFlags SetBy = Variable.Source == EVariableSource::Config ? ECVF_SetByConsoleVariablesIni
+										: bConsole                                 ? ECVF_SetByConsole
+																				   : ECVF_SetByCommandline;
+	const FString Refusal = DescribeRefusedSet(Variable.Name.c_str(), *Found, SetBy);
+	if (!Refusal.IsEmpty())
+	{
+		const std::string File = Variable.Source == EVariableSource::Config ? ConfigFile : "command line";
+		FConfigMessages(File, Diagnostics).Warn(WarnIneffectiveValue, Variable.Place, *Refusal);
+		return;
+	}
+	Found->Set(Variable.Value.c_str(), SetBy);
 }
 
 FRunSetup::FRunSetup(const FRunOptions& Options)
@@ -71,10 +90,20 @@ FRunSetup::FRunSetup(const FRunOptions& Options)
 	{
 		AddSettingArgument(Config, Argument, Diagnostics);
 	}
-	for (const std::string& Argument : Options.Variables)
+	size_t NumVariables = 0;
+	const auto AddVariablesUpTo = [&](size_t Count)
 	{
-		AddVariableArgument(Config, Argument, Diagnostics);
+		for (; NumVariables < std::min(Count, Options.Variables.size()); ++NumVariables)
+		{
+			AddVariableArgument(Config, Options.Variables[NumVariables], Diagnostics);
+		}
+	};
+	for (const FRunOptions::FExec& Exec : Options.Exec)
+	{
+		AddVariablesUpTo(Exec.NumVariablesBefore);
+		AddExecArgument(Config, Exec.Text, Diagnostics);
 	}
+	AddVariablesUpTo(Options.Variables.size());
 	if (HasErrors(Diagnostics))
 	{
 		throw FError(Diagnostics, ExitUsage);
@@ -86,7 +115,7 @@ FRunSetup::FRunSetup(const FRunOptions& Options)
 	CompleteFromScene(Config, Diagnostics);
 	for (const FConfigVariable& Variable : Config.Variables)
 	{
-		Variables.Set(Variable.Name, Variable.Value);
+		Variables.Apply(Variable, Config.File, Diagnostics);
 	}
 	if (Options.bDouble)
 	{
@@ -100,6 +129,7 @@ FRunSetup::FRunSetup(const FRunOptions& Options)
 	{
 		Variables.Set("r.Drydock.Threads", std::to_string(*Options.Threads));
 	}
+	IConsoleManager::Get().CallAllConsoleVariableSinks();
 	Chain = MakeChainSettings(Config, &Diagnostics);
 	WarnOfIneffectiveValues(Config, Chain, Diagnostics);
 	Effects = DecideEffects(Chain);

@@ -5,28 +5,24 @@
 #include "HAL/ConsoleVariableTools.h"
 #include "Run.h"
 
-#include <memory>
-
 namespace Drydock
 {
 
 /** Values of one run's console variables; the old ones come back when it ends. */
-class FRunVariables
+class DRYDOCK_API FRunVariables
 {
 public:
-	FRunVariables() = default;
-	~FRunVariables();
-	FRunVariables(const FRunVariables&) = delete;
-	FRunVariables& operator=(const FRunVariables&) = delete;
-
-	/** Later calls win. The variable must exist (checked). */
+	/** As an option of the program's own: beats everyone. The variable must exist (checked). */
 	void Set(const std::string& Name, const std::string& Value);
 
+	/** As its source may; Variable must be one that CheckVariable takes. One that is kept out is a warning. */
+	void Apply(const FConfigVariable& Variable, const std::string& ConfigFile, std::vector<FDiagnostic>& Diagnostics);
+
 private:
-	std::vector<std::unique_ptr<FScopedConsoleVariable>> Scopes;
+	FConsoleVariableSnapshot Before;
 };
 
-struct FRunSetup
+struct DRYDOCK_API FRunSetup
 {
 	/** Throws FError (exit code 2 or 3) with everything found when something is wrong. */
 	explicit FRunSetup(const FRunOptions& Options);

@@ -1,6 +1,5 @@
 // `drydock list`. Source: drydock.
 #include "GlobalShader.h"
-#include "HAL/ConsoleVariableTools.h"
 #include "JsonWriter.h"
 #include "PostProcess/EffectDecisions.h"
 #include "SettingList.h"
@@ -33,18 +32,6 @@ bool ContainsIgnoringCase(const std::string& Text, const std::string& Part)
 	return std::search(Text.begin(), Text.end(), Part.begin(), Part.end(), Same) != Text.end();
 }
 
-FTable ListVariables()
-{
-	FTable Table{{"name", "type", "value", "default", "help"}, {}, ""};
-	for (const FConsoleVariableInfo& Info : ListConsoleVariables())
-	{
-		std::string Help = *Info.Help;
-		std::replace(Help.begin(), Help.end(), '\n', ' ');
-		Table.Rows.push_back({*Info.Name, *Info.Type, *Info.Value, *Info.Default, Help});
-	}
-	return Table;
-}
-
 FTable ListPasses()
 {
 	FTable Table{{"shader", "file", "entry", "stage"}, {}, ""};
@@ -74,11 +61,7 @@ FTable ListEffects()
 
 bool MakeTable(const std::string& Things, FTable& OutTable)
 {
-	if (Things == "cvars")
-	{
-		OutTable = ListVariables();
-	}
-	else if (Things == "passes")
+	if (Things == "passes")
 	{
 		OutTable = ListPasses();
 	}

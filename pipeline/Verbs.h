@@ -35,8 +35,12 @@ DRYDOCK_API int CheckVerb(const FVerbOptions& Options);
 /** Prints the compiled graph: text, dot, svg (needs Graphviz's dot) or json. */
 DRYDOCK_API int GraphVerb(const FVerbOptions& Options);
 
-/** Things: passes, settings, cvars, effects, extensions, hooks. Filter: only names that contain it. */
+/** Things: passes, settings, effects, extensions, hooks. Filter: only names that contain it. */
 DRYDOCK_API int ListVerb(const std::string& Things, const std::string& Filter, bool bJson);
+
+/** Prints the console variables whose name matches Filter (FilterConsoleVariables); of a single one its whole help.
+ * With a config, --set or --exec: as these set them. */
+DRYDOCK_API int ListVariablesVerb(const FVerbOptions& Options, const std::string& Filter);
 
 /** Arguments of `settings`. */
 struct FSettingsVerbOptions

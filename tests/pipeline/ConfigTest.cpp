@@ -460,3 +460,53 @@ TEST(ConfigFile, EveryShippedConfigIsReadWithoutErrors)
 	}
 	EXPECT_GE(NumRead, 4);
 }
+
+TEST(ConfigArguments, ExecIsWhatAConsoleTakes)
+{
+	FRead Result = Read("{}");
+	AddExecArgument(
+		Result.Config, "r.BloomQuality 3, r.ExposureOffset=0.5,r.Tonemapper.Quality , ", Result.Diagnostics);
+	EXPECT_TRUE(Result.Diagnostics.empty());
+	ASSERT_EQ(3u, Result.Config.Variables.size());
+	EXPECT_EQ("3", Result.Config.Variables[0].Value);
+	EXPECT_EQ("r.ExposureOffset", Result.Config.Variables[1].Name);
+	EXPECT_EQ("0.5", Result.Config.Variables[1].Value);
+	EXPECT_EQ("", Result.Config.Variables[2].Value);
+	EXPECT_EQ(EVariableSource::Console, Result.Config.Variables[2].Source);
+}
+
+TEST(ConfigArguments, ExecMistakesAreNamed)
+{
+	FRead Result = Read("{}");
+	AddExecArgument(Result.Config, "r.BloomQualty 3, r.BloomQuality high", Result.Diagnostics);
+	AddExecArgument(Result.Config, " , ", Result.Diagnostics);
+	ASSERT_EQ(3u, Result.Diagnostics.size());
+	EXPECT_EQ("1013 error 0:0 --exec", Summary(Result.Diagnostics[0]));
+	EXPECT_EQ("unknown console variable r.BloomQualty; did you mean r.BloomQuality?", Result.Diagnostics[0].Message);
+	EXPECT_EQ("1006 error 0:0 --exec", Summary(Result.Diagnostics[1]));
+	EXPECT_EQ("1020 error 0:0 --exec", Summary(Result.Diagnostics[2]));
+}
+
+TEST(Config, VariablesIgnoreCase)
+{
+	EXPECT_TRUE(Read(R"({"cvars": {"R.BLOOMQUALITY": 3}})").Diagnostics.empty());
+}
+
+TEST(Config, BoolAndHugeVariablesAreChecked)
+{
+	EXPECT_EQ("r.Bloom.ApplyLocalExposure is true or false, not \"maybe\"",
+		OnlyText(R"({"cvars": {"r.Bloom.ApplyLocalExposure": "maybe"}})"));
+	EXPECT_EQ("r.BloomQuality is a whole number, not \"4294967296\"",
+		OnlyText(R"({"cvars": {"r.BloomQuality": 4294967296}})"));
+}
+
+TEST(Config, ScalabilityLevelsAreZeroToFour)
+{
+	EXPECT_TRUE(Read(R"({"cvars": {"sg.PostProcessQuality": 4}})").Diagnostics.empty());
+	EXPECT_EQ("1010 error 1:12 /cvars/sg.PostProcessQuality", Only(R"({"cvars": {"sg.PostProcessQuality": 5}})"));
+}
+
+TEST(Config, VariablesThatNothingReadsWarn)
+{
+	EXPECT_EQ("1022 warning 1:12 /cvars/r.DOF.Gather.RingCount", Only(R"({"cvars": {"r.DOF.Gather.RingCount": 5}})"));
+}

@@ -134,6 +134,42 @@ TEST_F(DrydockProgram, RunWritesEverythingAndSaysWhereThePictureIs)
 	}
 }
 
+TEST_F(DrydockProgram, ExecPrintsWhatIsAskedInTheGivenOrder)
+{
+	const FOutcome Outcome = Call("check --exec 'r.BloomQuality' --set r.BloomQuality=2 --exec r.BloomQuality "
+								  "--exec 'r.BloomQuality 1,r.BloomQuality' " +
+								  Configs + "neutral.json");
+	EXPECT_EQ(0, Outcome.ExitCode) << Outcome.Err;
+	const size_t First = Outcome.Err.find("r.BloomQuality = \"5\"      LastSetBy: Constructor");
+	const size_t Second = Outcome.Err.find("r.BloomQuality = \"2\"      LastSetBy: Commandline");
+	const size_t Third = Outcome.Err.find("r.BloomQuality = \"1\"      LastSetBy: Console");
+	EXPECT_TRUE(First < Second && Second < Third && Third != std::string::npos) << Outcome.Err;
+}
+
+TEST_F(DrydockProgram, UnknownExecNameIsAnError)
+{
+	const FOutcome Outcome = Call("check --exec 'r.BloomQualty 2' " + Configs + "neutral.json");
+	EXPECT_EQ(2, Outcome.ExitCode);
+	EXPECT_TRUE(Contains(Outcome.Err, "DD1013 at --exec: unknown console variable r.BloomQualty; did you mean "
+									  "r.BloomQuality?"))
+		<< Outcome.Err;
+}
+
+TEST_F(DrydockProgram, ListOfOneVariableIsItsHelp)
+{
+	const FOutcome Outcome = Call("list cvars r.bloomquality --set sg.PostProcessQuality=1");
+	EXPECT_TRUE(Contains(Outcome.Out, "HELP for 'r.BloomQuality':\n")) << Outcome.Out;
+	EXPECT_TRUE(Contains(Outcome.Out, "r.BloomQuality = \"4\"      LastSetBy: Scalability\n")) << Outcome.Out;
+}
+
+TEST_F(DrydockProgram, ListShowsVariablesAsAConfigSetsThem)
+{
+	const std::string Config = Write("a.json", R"({"cvars": {"r.BloomQuality": 2}})");
+	EXPECT_TRUE(Contains(Call("list cvars r.BloomQuality --json --config " + Config).Out,
+		"\"value\": \"2\", \"default\": \"5\", \"setBy\": \"ConsoleVariablesIni\""));
+	EXPECT_TRUE(Contains(Call("list cvars r.Blomqality").Err, "did you mean"));
+}
+
 TEST_F(DrydockProgram, RepeatedOptionsTakeOneValueEach)
 {
 	const FOutcome Outcome = Call("run --set r.BloomQuality=1 --pp BloomIntensity=0 --set r.Tonemapper.Quality=1 " +

@@ -6,6 +6,7 @@
 #include "Run.h"
 #include "RunDump.h"
 #include "RunOutputs.h"
+#include "RunSetup.h"
 
 #include <algorithm>
 #include <cmath>
@@ -205,6 +206,71 @@ TEST(RunFrame, OnlyColourIsDecoded)
 	{
 		EXPECT_EQ(Channel.Name.size() == 1, Channel.bDecoded) << Channel.Name;
 	}
+}
+
+namespace
+{
+
+/** r.BloomQuality while a run with these is set up, "value setter". */
+std::string BloomQualityOf(const FRunOptions& Options, std::vector<FDiagnostic>* OutDiagnostics = nullptr)
+{
+	const FRunSetup Setup(Options);
+	const IConsoleVariable* Quality = IConsoleManager::Get().FindConsoleVariable(TEXT("r.BloomQuality"));
+	if (OutDiagnostics != nullptr)
+	{
+		*OutDiagnostics = Setup.Diagnostics;
+	}
+	return std::string(*Quality->GetString()) + " " + GetConsoleVariableSetByName(Quality->GetFlags());
+}
+
+} // namespace
+
+TEST(RunVariables, ConsoleBeatsCommandLineBeatsConfigBeatsScalability)
+{
+	FRunOptions Options = SmallScene();
+	Options.ConfigText = R"({"cvars": {"sg.PostProcessQuality": 1}})";
+	EXPECT_EQ("4 Scalability", BloomQualityOf(Options));
+	Options.ConfigText = R"({"cvars": {"r.BloomQuality": 1, "sg.PostProcessQuality": 1}})";
+	EXPECT_EQ("1 ConsoleVariablesIni", BloomQualityOf(Options));
+	Options.Variables = {"r.BloomQuality=2", "sg.PostProcessQuality=0"};
+	EXPECT_EQ("2 Commandline", BloomQualityOf(Options));
+	Options.Exec = {{"r.BloomQuality 3", 0}};
+	EXPECT_EQ("3 Console", BloomQualityOf(Options));
+}
+
+TEST(RunVariables, OfOneSourceTheLastWins)
+{
+	FRunOptions Options = SmallScene();
+	Options.Variables = {"r.BloomQuality=2", "r.BLOOMQUALITY=1"};
+	EXPECT_EQ("1 Commandline", BloomQualityOf(Options));
+	Options.Exec = {{"r.BloomQuality 3, r.BloomQuality=4", 2}};
+	EXPECT_EQ("4 Console", BloomQualityOf(Options));
+}
+
+TEST(RunVariables, SetThatIsKeptOutWarnsInTheEnginesWords)
+{
+	FRunOptions Options = SmallScene();
+	Options.Variables = {"r.BloomQuality=2"};
+	Options.Exec = {{"r.BloomQuality 3", 0}}; // before the --set
+	std::vector<FDiagnostic> Diagnostics;
+	EXPECT_EQ("3 Console", BloomQualityOf(Options, &Diagnostics));
+	ASSERT_EQ(1u, Diagnostics.size());
+	EXPECT_EQ(1022, Diagnostics[0].Code);
+	EXPECT_EQ(
+		"Setting the console variable 'r.BloomQuality' with 'SetByCommandline' was ignored as it is lower priority "
+		"than the previous 'SetByConsole'. Value remains '3'",
+		Diagnostics[0].Message);
+}
+
+TEST(RunVariables, SinksRunBeforeTheFrame)
+{
+	int32 Seen = 0;
+	FAutoConsoleVariableSink Sink(FConsoleCommandDelegate::CreateLambda(
+		[&Seen]() { Seen = IConsoleManager::Get().FindConsoleVariable(TEXT("r.BloomQuality"))->GetInt(); }));
+	FRunOptions Options = SmallScene();
+	Options.Variables = {"r.BloomQuality=2"};
+	BloomQualityOf(Options);
+	EXPECT_EQ(2, Seen);
 }
 
 TEST(RunFrame, ViewRectCropsThePicture)

@@ -150,8 +150,10 @@ void SplitConsoleInput(const TCHAR* Input, FString& OutName, FString& OutValue)
 
 FConsoleVariableSnapshot::FConsoleVariableSnapshot()
 {
-	ForEachVariable("", [this](const TCHAR* Name, const IConsoleVariable& Variable)
-		{ Values.Add({Name, Variable.GetString(), Variable.GetFlags() & ECVF_SetByMask}); });
+	ForEachVariable("",
+		[this](const TCHAR* Name, const IConsoleVariable& Variable) {
+			Values.Add({Name, Variable.GetString(), Variable.GetFlags() & ECVF_SetByMask});
+		});
 }
 
 FConsoleVariableSnapshot::~FConsoleVariableSnapshot()
@@ -184,8 +186,8 @@ const TCHAR* GetConsoleVariableSetByName(EConsoleVariableFlags Flags)
 
 const TCHAR* GetConsoleVariableTypeName(const IConsoleVariable& Variable)
 {
-	return Variable.IsVariableBool()	? "bool"
-		   : Variable.IsVariableInt()	? "int32"
+	return Variable.IsVariableBool()    ? "bool"
+		   : Variable.IsVariableInt()   ? "int32"
 		   : Variable.IsVariableFloat() ? "float"
 										: "FString";
 }

@@ -1,6 +1,6 @@
 // What drydock's command line, configs and tests do with console variables beyond the engine's interface: list them,
-// set them from text with a check of the type, put them all back. Source: drydock; the wording of DescribeRefusedSet and
-// DescribeConsoleVariable is the engine's.
+// set them from text with a check of the type, put them all back. Source: drydock; the wording of DescribeRefusedSet
+// and DescribeConsoleVariable is the engine's.
 #pragma once
 
 #include "HAL/IConsoleManager.h"
@@ -38,7 +38,8 @@ DRYDOCK_API FString DescribeRefusedSet(
 /** `r.BloomQuality = "5"      LastSetBy: Constructor`: what a console prints for a bare name. */
 DRYDOCK_API FString DescribeConsoleVariable(const TCHAR* Name, const IConsoleVariable& Variable);
 
-/** "Name Value", "Name=Value" or "Name" to its parts, without the blanks around them and the quotes around the value. */
+/** "Name Value", "Name=Value" or "Name" to its parts, without the blanks around them and the quotes around the value.
+ */
 DRYDOCK_API void SplitConsoleInput(const TCHAR* Input, FString& OutName, FString& OutValue);
 
 /** Every variable back to its default, as if nobody had set any. */
