@@ -165,11 +165,11 @@ TEST(DualKawaseWidth, PublicFit)
 
 TEST(DualKawaseWidth, MatchReachesEveryWidthFromOnePixel)
 {
-	for (double Wanted = 1.0; Wanted < 420.0; Wanted *= 1.003)
+	for (double Wanted = 1.0; Wanted < 420.0; Wanted *= 1.0007)
 	{
 		const FDualKawaseMatch Match = MatchDualKawaseWidth(Wanted);
 		EXPECT_TRUE(Match.bReached) << Wanted;
-		EXPECT_NEAR(1.0, Match.StandardDeviation / Wanted, 0.0025) << Wanted;
+		EXPECT_NEAR(1.0, Match.StandardDeviation / Wanted, Wanted < 1.5 ? 0.0025 : 0.0016) << Wanted;
 		EXPECT_EQ(GetDualKawaseStandardDeviation(Match.Setting.PassNum, Match.Setting.Offset), Match.StandardDeviation);
 		EXPECT_LE(Match.Setting.Offset, GDualKawaseBlockyOffset + 0.01) << Wanted;
 	}
