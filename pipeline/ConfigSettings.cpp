@@ -336,7 +336,7 @@ std::string GetSettingNotBuiltReason(const std::string& Name)
 		return "the exposure is the number in view.exposure, times 2 to the power of AutoExposureBias less its default";
 	}
 	for (const char* Read : {"Film", "BlueCorrection", "ExpandGamut", "ToneCurveAmount", "SceneColorTint", "Bloom",
-			 "VignetteIntensity", "AutoExposureBias"})
+			 "VignetteIntensity", "AutoExposureBias", "DualKawaseBlur"})
 	{
 		if (StartsWith(Read) && !StartsWith("FilmGrain"))
 		{

@@ -4,6 +4,7 @@
 #include "Modules/ModuleManager.h"
 #include "PostProcess/PostProcessingChain.h"
 #include "RenderGraphBuilder.h"
+#include "RenderGraphNotes.h"
 #include "RunDump.h"
 #include "ViewExtensions.h"
 
@@ -246,6 +247,8 @@ private:
 		}
 		Extensions.PostRender(GraphBuilder, Family, NamedViews);
 		GraphBuilder.QueueTextureExtraction(PostProcessingInputs.ViewFamilyTexture, &Final);
+		const std::vector<FDiagnostic> Notes = GetGraphNotes(GraphBuilder);
+		Result.Log.Diagnostics.insert(Result.Log.Diagnostics.end(), Notes.begin(), Notes.end());
 		if (Inputs.bExecute)
 		{
 			GraphBuilder.Execute();
@@ -271,6 +274,7 @@ private:
 		const FSceneTextures& SceneTextures, const FPostProcessingInputs& PostProcessingInputs)
 	{
 		Target.Chain.Settings = NamedView.View->FinalPostProcessSettings;
+		Target.Chain.bDualKawaseExtension = Extensions.Has("FDualKawaseBlur");
 		Target.Effects = DecideEffects(Target.Chain);
 		FPostProcessingChainInputs ChainInputs;
 		ChainInputs.SceneColor = FScreenPassTexture(SceneTextures.Color, NamedView.View->ViewRect);

@@ -95,6 +95,12 @@ void FViewExtensionFrame::Gather(FSceneViewFamily& Family)
 	}
 }
 
+bool FViewExtensionFrame::Has(const std::string& ClassName) const
+{
+	return std::any_of(Extensions.begin(), Extensions.end(),
+		[&](const FExtension& Extension) { return Extension.Info.Name == ClassName; });
+}
+
 void FViewExtensionFrame::ReportVersion(const FExtension& Extension)
 {
 	if (Extension.Info.EngineMinor == AnyEngineVersion)

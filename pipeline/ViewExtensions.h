@@ -40,6 +40,8 @@ public:
 	 * the engine version does not suit. */
 	void Gather(FSceneViewFamily& Family);
 	bool IsEmpty() const { return Extensions.empty(); }
+	/** An active extension of that class, without namespaces. */
+	bool Has(const std::string& ClassName) const;
 
 	// Game thread, in this order; the three in the middle view by view.
 	void SetupViewFamily(FSceneViewFamily& Family);

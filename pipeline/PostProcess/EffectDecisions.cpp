@@ -59,6 +59,21 @@ FEffectDecision DecideBloom(const FChainSettings& Chain)
 	return Bloom;
 }
 
+FEffectDecision DecideDualKawase(const FChainSettings& Chain)
+{
+	const int32 PassNum = Chain.Settings.DualKawaseBlurPassNum;
+	const bool bConfigured = Chain.bDualKawaseExtension || PassNum > 0;
+	if (bConfigured && !Chain.ShowFlags.PostProcessing)
+	{
+		return {"DualKawaseBlur", false, true, "ShowFlag.PostProcessing is off"};
+	}
+	const std::string Setting = "DualKawaseBlurPassNum is " + std::to_string(PassNum);
+	return {"DualKawaseBlur", bConfigured, bConfigured,
+		Chain.bDualKawaseExtension ? "a view extension makes it" + (PassNum > 0 ? "; " + Setting : std::string())
+		: PassNum > 0 ? Setting + ", DualKawaseBlurOffset " + NumberText(Chain.Settings.DualKawaseBlurOffset)
+					  : Setting + ", and there is no such view extension"};
+}
+
 FEffectDecision DecideAntiAliasing()
 {
 	const int32 Method = CVarAntiAliasingMethod.GetValueOnAnyThread();
@@ -113,6 +128,10 @@ std::vector<FEffectDecision> DecideEffects(const FChainSettings& Chain)
 		{
 			Decision = {Name, true, true, "scale " + NumberText(Chain.ExposureScale)};
 			Decision.Reason += Chain.ShowFlags.EyeAdaptation ? "" : ": ShowFlag.EyeAdaptation is off";
+		}
+		else if (Name == "DualKawaseBlur")
+		{
+			Decision = DecideDualKawase(Chain);
 		}
 		else if (Name == "Tonemap")
 		{

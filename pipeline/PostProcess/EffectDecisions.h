@@ -30,6 +30,7 @@ struct FChainSettings
 	std::vector<FSettingGate> Gates;   // what those two changed
 	float ExposureScale = 1.0f;        // final
 	bool bToonBloomConfigured = false; // a volume, the camera or --pp names BloomToonIntensity
+	bool bDualKawaseExtension = false; // one is active: it makes the effect's passes, wherever it subscribes
 };
 
 /** One decision per effect name, in their order. */

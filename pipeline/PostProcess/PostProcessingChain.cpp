@@ -5,6 +5,7 @@
 #include "ExtensionFactory.h"
 #include "PostProcess/OverridePassSequence.h"
 #include "PostProcess/PassCallbacks.h"
+#include "DualKawaseBlurPass.h"
 #include "PixelFormat.h"
 #include "PostProcessBloomSetup.h"
 #include "PostProcessDownsample.h"
@@ -76,6 +77,18 @@ FScreenPassTexture AddBloomPasses(FRDGBuilder& GraphBuilder, const FViewInfo& Vi
 	BloomChain.Init(GraphBuilder, View, AddBloomSetupPass(GraphBuilder, View, SetupInputs), GetDownsampleChainQuality(),
 		TEXT("BloomDownsample"));
 	return AddGaussianBloomPasses(GraphBuilder, View, &BloomChain);
+}
+
+/** Called for by the settings alone: an extension would have read them. */
+FScreenPassTexture AddDualKawasePasses(
+	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& SceneColor)
+{
+	FDualKawaseBlurInputs Inputs;
+	Inputs.SceneColor = SceneColor;
+	Inputs.Offset = View.FinalPostProcessSettings.DualKawaseBlurOffset;
+	Inputs.PassNum = View.FinalPostProcessSettings.DualKawaseBlurPassNum;
+	Inputs.bAsPrinted = IsDualKawaseAsPrinted();
+	return AddDualKawaseBlurPass(GraphBuilder, View, Inputs);
 }
 
 /** The insertion points of one view's chain: who is there, and the calls in order. */
@@ -314,6 +327,10 @@ FPostProcessingChainOutputs AddPostProcessingPasses(FRDGBuilder& GraphBuilder, c
 		Points.Skip(EPoint::TranslucencyAfterDOF, "the scene has no separate translucency");
 		RunSSRInput(GraphBuilder, View, Inputs, SceneColor, Points);
 		SceneColor = Points.Run(EPoint::MotionBlur, SceneColor);
+		if (IsActive(Effects, "DualKawaseBlur") && !Extensions.Has("FDualKawaseBlur"))
+		{
+			SceneColor = AddDualKawasePasses(GraphBuilder, View, SceneColor);
+		}
 	}
 	else
 	{

@@ -94,6 +94,33 @@ TEST(EffectDecisions, ToonBloomIsConfiguredWhenItsSettingIsNamed)
 	EXPECT_EQ("not built yet: BloomToonIntensity 0.1 is read and does nothing", ToonBloom.Reason);
 }
 
+TEST(EffectDecisions, DualKawaseBlurNeedsASettingOrAnExtension)
+{
+	const FEffectDecision Off = Decision("{}", "DualKawaseBlur");
+	EXPECT_FALSE(Off.bActive);
+	EXPECT_FALSE(Off.bConfigured);
+	EXPECT_EQ("DualKawaseBlurPassNum is 0, and there is no such view extension", Off.Reason);
+	const FEffectDecision On = Decision(Unbound(R"("DualKawaseBlurPassNum": 3)"), "DualKawaseBlur");
+	EXPECT_TRUE(On.bActive);
+	EXPECT_EQ("DualKawaseBlurPassNum is 3, DualKawaseBlurOffset 1", On.Reason);
+	FChainSettings Settings = Chain("{}");
+	Settings.bDualKawaseExtension = true;
+	for (const FEffectDecision& Effect : DecideEffects(Settings))
+	{
+		EXPECT_TRUE(Effect.Name != "DualKawaseBlur" || (Effect.bActive && Effect.Reason == "a view extension makes it"));
+	}
+}
+
+TEST(EffectDecisions, DualKawaseBlurThatPostProcessingOffStopsSaysSo)
+{
+	const FEffectDecision Blur = Decision(
+		R"({"camera": {"Settings": {"DualKawaseBlurPassNum": 3}}, "showFlags": {"PostProcessing": false}})",
+		"DualKawaseBlur");
+	EXPECT_FALSE(Blur.bActive);
+	EXPECT_TRUE(Blur.bConfigured);
+	EXPECT_EQ("ShowFlag.PostProcessing is off", Blur.Reason);
+}
+
 TEST(EffectDecisions, AntiAliasingFollowsItsVariable)
 {
 	EXPECT_EQ("r.AntiAliasingMethod is 0", Decision("{}", "FXAA").Reason);
