@@ -20,6 +20,7 @@ namespace
 
 /** Largest picture side that a rect may name. */
 constexpr double MaxExtent = 65536.0;
+constexpr double MaxPadding = 4096.0;
 
 template<typename TFunction>
 void WithMember(const FJsonValue& Object, const char* Key, EJsonType Type, const TFunction& Function)
@@ -78,6 +79,45 @@ void ReadWeight(const FJsonValue& Object, const char* Key, double& OutWeight, FC
 		});
 }
 
+/** A number of texels to pad one side with; empty (and reported) when it is none. */
+std::optional<int> ReadPaddingSide(const FJsonValue& Value, FConfigMessages& Messages)
+{
+	if (Value.Type != EJsonType::Number)
+	{
+		return std::nullopt; // reported
+	}
+	if (Value.Number != std::floor(Value.Number) || Value.Number < 0.0 || Value.Number > MaxPadding)
+	{
+		Messages.Error(ErrorBadValue, Value, "padding is a whole number of texels, 0 to 4096");
+		return std::nullopt;
+	}
+	return static_cast<int>(Value.Number);
+}
+
+void ReadPadding(const FJsonValue& Value, FConfigPadding& Padding, FConfigMessages& Messages)
+{
+	const std::pair<const char*, int FConfigPadding::*> Sides[] = {{"left", &FConfigPadding::Left},
+		{"top", &FConfigPadding::Top}, {"right", &FConfigPadding::Right}, {"bottom", &FConfigPadding::Bottom}};
+	for (size_t Side = 0; Side < std::size(Sides); ++Side)
+	{
+		const FJsonValue* Number = &Value;
+		if (Value.Type == EJsonType::Object)
+		{
+			Number = Value.Find(Sides[Side].first);
+		}
+		else if (Value.Type == EJsonType::Array)
+		{
+			Number = Value.Elements.size() == std::size(Sides) ? &Value.Elements[Side] : nullptr;
+		}
+		const std::optional<int> Texels = Number != nullptr ? ReadPaddingSide(*Number, Messages) : std::nullopt;
+		Padding.*Sides[Side].second = Texels.value_or(0);
+		if (Value.Type == EJsonType::Number && !Texels)
+		{
+			return; // once is enough
+		}
+	}
+}
+
 void ReadScene(const FJsonValue& Value, FConfigScene& Scene, FConfigMessages& Messages)
 {
 	ReadString(Value, "file", Scene.File);
@@ -97,6 +137,10 @@ void ReadScene(const FJsonValue& Value, FConfigScene& Scene, FConfigMessages& Me
 				Scene.Defaults[Name] = {Default.Number, PlaceOf(Default)};
 			}
 		});
+	if (const FJsonValue* Padding = Value.Find("padding"))
+	{
+		ReadPadding(*Padding, Scene.Padding, Messages);
+	}
 	WithMember(Value, "screenPercentage", EJsonType::Number,
 		[&](const FJsonValue& Percentage)
 		{

@@ -41,12 +41,22 @@ struct FConfigSettings
 	std::map<std::string, FConfigPlace> Places; // of every setting named, inert ones too
 };
 
+/** Texels around the picture. */
+struct FConfigPadding
+{
+	int Left = 0;
+	int Top = 0;
+	int Right = 0;
+	int Bottom = 0;
+};
+
 struct FConfigScene
 {
 	TConfigValue<std::string> File; // as written; see FConfig::Resolve
 	std::map<std::string, TConfigValue<std::string>> Channels;
 	std::map<std::string, TConfigValue<double>> Defaults;
 	std::optional<FConfigVector> CameraLocation; // cm, of the file's header: see CompleteFromScene
+	FConfigPadding Padding;
 };
 
 struct FConfigView

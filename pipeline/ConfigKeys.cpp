@@ -34,9 +34,14 @@ const std::vector<FConfigKey>& GetConfigKeys()
 		{"scene", "file", String, "", 0, Required, Built, "Multi-layer EXR, or an RGB image (EXR, HDR, PNG), relative to the config."},
 		{"scene", "channels", StringMap, "", 0, Optional, Built, "Channel names of this file: {\"depth.Z\": \"Depth.V\"} reads depth.Z from Depth.V."},
 		{"scene", "defaults", NumberMap, "", 0, Optional, Built, "Values for channels that the file lacks: {\"A\": 1}."},
-		{"scene", "padding", NumberArray, "", 4, Optional, Later, "Texels added around the picture: left, top, right, bottom."},
+		{"scene", "padding", Padding, "padding", 0, Optional, Built, "Texels around the picture that hold no picture: a number for all sides, or one for each."},
 		{"scene", "units", Object, "units", 0, Optional, Later, "Units of the file, where they are not those of configs/scenes/README.md."},
 		{"scene", "screenPercentage", Number, "", 0, Optional, Built, "Rendered size in percent of the output's; 100 by default."},
+
+		{"padding", "left", Number, "", 0, Optional, Built, "0 by default."},
+		{"padding", "top", Number, "", 0, Optional, Built, "0 by default."},
+		{"padding", "right", Number, "", 0, Optional, Built, "0 by default."},
+		{"padding", "bottom", Number, "", 0, Optional, Built, "0 by default."},
 
 		{"units", "depth", String, "m|cm", 0, Optional, Later, "Of depth.Z; m by default."},
 		{"units", "velocity", String, "pixels|ndc", 0, Optional, Later, "Of velocity.X and Y; pixels (y down) by default."},

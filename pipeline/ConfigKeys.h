@@ -23,6 +23,7 @@ enum class EConfigKind
 	ObjectArray, // of the kind named by Of
 	StringMap,   // any keys
 	NumberMap,   // any keys
+	Padding,     // a number, [left, top, right, bottom], or an object of the kind named by Of
 	Settings,    // post-process settings and their bOverride_ bits
 	Variables,   // console variables
 	ShowFlags,   // show flags

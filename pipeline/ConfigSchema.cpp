@@ -111,6 +111,19 @@ void WriteKind(FJsonWriter& Writer, const FConfigKey& Key, const std::string& Of
 	case EConfigKind::NumberMap:
 		WriteMap(Writer, "number");
 		break;
+	case EConfigKind::Padding:
+		Writer.Key("anyOf").BeginArray();
+		Writer.BeginObject(true);
+		WriteType(Writer, "number");
+		Writer.EndObject();
+		Writer.BeginObject(true);
+		WriteArray(Writer, "number", "", 4);
+		Writer.EndObject();
+		Writer.BeginObject(true);
+		WriteReference(Writer, Of);
+		Writer.EndObject();
+		Writer.EndArray();
+		break;
 	case EConfigKind::Settings:
 		WriteReference(Writer, "Settings");
 		break;

@@ -35,6 +35,8 @@ const char* ExpectedType(const FConfigKey& Key)
 		return "an object of strings";
 	case EConfigKind::NumberMap:
 		return "an object of numbers";
+	case EConfigKind::Padding:
+		return "a number, or one for each side: {\"left\", \"top\", \"right\", \"bottom\"}";
 	case EConfigKind::Object:
 	case EConfigKind::Settings:
 	case EConfigKind::Variables:
@@ -187,6 +189,9 @@ private:
 		case EConfigKind::NumberMap:
 			ValidateMap(Value, Key, EJsonType::Number, "a number");
 			break;
+		case EConfigKind::Padding:
+			ValidatePadding(Value, Key, bLater);
+			break;
 		case EConfigKind::Settings:
 		case EConfigKind::Variables:
 		case EConfigKind::ShowFlags:
@@ -235,6 +240,25 @@ private:
 		else if (!ReadConfigVector(Value, Vector))
 		{
 			WrongType(Value, Key);
+		}
+	}
+
+	void ValidatePadding(const FJsonValue& Value, const FConfigKey& Key, bool bLater)
+	{
+		if (Value.Type == EJsonType::Array)
+		{
+			FConfigKey Sides = Key;
+			Sides.Kind = EConfigKind::NumberArray;
+			Sides.Length = 4;
+			ValidateNumberArray(Value, Sides);
+		}
+		else if (Value.Type == EJsonType::Object)
+		{
+			ValidateObject(Value, Key.Of, bLater);
+		}
+		else
+		{
+			Expect(Value, EJsonType::Number, Key);
 		}
 	}
 

@@ -67,11 +67,11 @@ public:
 			Next->OnGraphCompiled(InGraph);
 		}
 	}
-	void OnLoadExternals(const std::vector<FRDGTexture*>& Textures) override
+	void OnLoadExternals(const std::vector<FRDGExternalLoad>& Loads) override
 	{
 		if (Next != nullptr)
 		{
-			Next->OnLoadExternals(Textures);
+			Next->OnLoadExternals(Loads);
 		}
 	}
 	void OnPassExecuted(int32_t PassIndex, const FRDGPass& Pass, double Milliseconds, const FPassCounters& Counters,
@@ -209,7 +209,30 @@ private:
 		View.PreExposure = Source.PreExposure;
 		View.ViewLocation = Camera.Location;
 		View.FinalPostProcessSettings = Target.Chain.Settings;
+		SetCamera(Source, Camera, View);
 		View.InitViewUniformBuffer(Inputs.Extent);
+	}
+
+	/** What shaders read of camera and frame. */
+	void SetCamera(const FFrameView& Source, const FMinimalViewInfo& Camera, FViewInfo& View) const
+	{
+		FSceneCamera Lens = Source.Lens;
+		Lens.Location = Camera.Location;
+		Lens.Pitch = Camera.Rotation.Pitch;
+		Lens.Yaw = Camera.Rotation.Yaw;
+		Lens.Roll = Camera.Rotation.Roll;
+		if (Camera.FOV != Source.Camera.FOV)
+		{
+			Lens.HorizontalFov = static_cast<double>(Camera.FOV);
+			Lens.FocalLength.reset();
+		}
+		const bool bWhole = Source.PictureRect.Width() > 0 && Source.PictureRect.Height() > 0;
+		const FIntRect Picture = bWhole ? Source.PictureRect : Source.Rect;
+		FViewUniformShaderParameters& Parameters = View.UniformParameters;
+		SetCameraParameters(Lens, Picture.Size(), Source.Rect - Picture.Min, Source.Rect, Parameters);
+		Parameters.FrameNumber = Inputs.FrameNumber;
+		Parameters.StateFrameIndex = Inputs.FrameNumber;
+		Parameters.StateFrameIndexMod8 = Inputs.FrameNumber % 8;
 	}
 
 	/** The render thread's half. */

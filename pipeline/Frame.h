@@ -7,6 +7,7 @@
 #include "PostProcess/EffectDecisions.h"
 #include "RenderGraphCompiled.h"
 #include "RenderGraphObserver.h"
+#include "SceneCamera.h"
 #include "SceneTextures.h"
 #include "SceneViewExtension.h"
 
@@ -22,6 +23,9 @@ struct FFrameView
 	std::string Name; // for reports; empty where there is only one view
 	FIntRect Rect;    // of the scene textures and of the output
 	FMinimalViewInfo Camera;
+	/** How the camera projects; Camera says where it stands and, once an extension has changed it, its field of view. */
+	FSceneCamera Lens;
+	FIntRect PictureRect; // what the lens sees, in the scene textures; empty: the view's own Rect
 	float PreExposure = 1.0f;
 	FChainSettings Chain;
 	/** Settings for another camera, asked for when an extension moves it; empty: Chain holds everywhere. */

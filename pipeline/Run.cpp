@@ -55,21 +55,22 @@ public:
 		ReportProgress();
 	}
 
-	void OnLoadExternals(const std::vector<FRDGTexture*>& Textures) override
+	void OnLoadExternals(const std::vector<FRDGExternalLoad>& Loads) override
 	{
 		const FClock::time_point Begin = FClock::now();
 		std::vector<FNeededSceneTexture> Needed;
-		for (const FRDGTexture* Texture : Textures)
+		for (const FRDGExternalLoad& Load : Loads)
 		{
-			Needed.push_back({Texture->Name, FindFirstUser(Texture->Name)});
+			Needed.push_back({Load.Texture->Name, Load.Pass->GetName(), Load.bIsRead});
 		}
-		Scene.Load(Needed, static_cast<float>(Setup.Config.View.PreExposure.Value));
+		Scene.Load(Needed, {static_cast<float>(Setup.Config.View.PreExposure.Value), Result.ViewRect.Size()});
 		Result.Times.Load += MillisecondsSince(Begin);
 		for (const FNeededSceneTexture& Texture : Needed)
 		{
-			if (Texture.Texture == "SceneColor" && IsDumped(Setup.Dump, "External", Texture.Texture))
+			FRHITexture* const Loaded = Scene.GetTexture(Texture.Texture);
+			if (Loaded != nullptr && IsDumped(Setup.Dump, "External", Texture.Texture))
 			{
-				KeepTexture(0, "External", Texture.Texture, *Scene.GetSceneColor());
+				KeepTexture(0, "External", Texture.Texture, *Loaded);
 			}
 		}
 	}
@@ -89,21 +90,6 @@ public:
 	}
 
 private:
-	std::string FindFirstUser(const std::string& Texture) const
-	{
-		for (const FRDGCompiledPass& Pass : Result.Graph.Passes)
-		{
-			for (const FRDGUse& Use : Pass.Uses)
-			{
-				if (!Pass.bCulled && Result.Graph.Resources[static_cast<size_t>(Use.Resource)].Name == Texture)
-				{
-					return Pass.Name;
-				}
-			}
-		}
-		return "(immediate mode)";
-	}
-
 	void KeepTexture(int PassIndex, const std::string& Pass, const std::string& Resource, FRHITexture& Texture)
 	{
 		const int NumMips = static_cast<int>(Texture.GetNumMips());
@@ -141,14 +127,16 @@ private:
 	int NumToExecute = 0;
 };
 
-FIntRect GetViewRect(const FConfig& Config, FIntPoint Extent)
+/** view.rect, which counts in pixels of the picture, as a rect of the scene textures. */
+FIntRect GetViewRect(const FConfig& Config, const FScene& Scene)
 {
+	const FIntRect Picture = Scene.GetPictureRect();
 	if (!Config.View.Rect.IsSet())
 	{
-		return FIntRect(FIntPoint(0, 0), Extent);
+		return Picture;
 	}
 	const std::array<int, 4>& Corners = Config.View.Rect.Value;
-	if (Corners[2] > Extent.X || Corners[3] > Extent.Y)
+	if (Corners[2] > Picture.Width() || Corners[3] > Picture.Height())
 	{
 		FDiagnostic Diagnostic;
 		Diagnostic.Code = ErrorBadValue;
@@ -156,11 +144,11 @@ FIntRect GetViewRect(const FConfig& Config, FIntPoint Extent)
 		Diagnostic.Line = Config.View.Rect.Place.Line;
 		Diagnostic.Column = Config.View.Rect.Place.Column;
 		Diagnostic.Where = Config.View.Rect.Place.Pointer;
-		Diagnostic.Message = "the rect leaves the scene, which is " + std::to_string(Extent.X) + " x " +
-							 std::to_string(Extent.Y) + " pixels";
+		Diagnostic.Message = "the rect leaves the scene, which is " + std::to_string(Picture.Width()) + " x " +
+							 std::to_string(Picture.Height()) + " pixels";
 		throw FError(Diagnostic, ExitUsage);
 	}
-	return FIntRect(Corners[0], Corners[1], Corners[2], Corners[3]);
+	return FIntRect(Corners[0], Corners[1], Corners[2], Corners[3]) + Picture.Min;
 }
 
 FNonFiniteCount CountNonFinite(const FImage& Image)
@@ -214,22 +202,22 @@ FRunResult MakeResult(const FRunSetup& Setup, const FScene& Scene)
 	Result.Storage = StorageNames[std::clamp(GetVariableInt("r.Drydock.Storage"), 0, 2)];
 	Result.Threads = GetNumThreads();
 	Result.SceneExtent = Scene.GetExtent();
-	Result.ViewRect = GetViewRect(Setup.Config, Scene.GetExtent());
+	Result.ViewRect = GetViewRect(Setup.Config, Scene);
 	return Result;
 }
 
 /** Where the camera of a view is: the config's word, else the scene file's. */
 FMinimalViewInfo GetCamera(const FConfigView& View, const FScene& Scene)
 {
+	const FSceneCamera Lens = Scene.GetCamera().value_or(FSceneCamera());
 	FMinimalViewInfo Camera;
+	Camera.Location = Lens.Location;
+	Camera.Rotation = FRotator(Lens.Pitch, Lens.Yaw, Lens.Roll);
+	Camera.FOV = static_cast<float>(Lens.HorizontalFov);
 	if (View.Location.IsSet())
 	{
 		const FConfigVector& Location = View.Location.Value;
 		Camera.Location = FVector(Location[0], Location[1], Location[2]);
-	}
-	else if (Scene.GetCamera())
-	{
-		Camera.Location = Scene.GetCamera()->Location;
 	}
 	return Camera;
 }
@@ -246,14 +234,13 @@ FFrameInputs MakeFrameInputs(
 	Inputs.bExecute = Options.bExecute;
 	Inputs.RegisterSceneTextures = [&Scene](FRDGBuilder& GraphBuilder)
 	{
-		FSceneTextures SceneTextures;
-		SceneTextures.Config.Extent = Scene.GetExtent();
-		SceneTextures.Color = Scene.RegisterSceneColor(GraphBuilder);
-		return SceneTextures;
+		return Scene.RegisterTextures(GraphBuilder);
 	};
 	FFrameView View;
 	View.Rect = ViewRect;
 	View.Camera = GetCamera(Setup.Config.View, Scene);
+	View.Lens = Scene.GetCamera().value_or(FSceneCamera());
+	View.PictureRect = Scene.GetPictureRect();
 	View.PreExposure = static_cast<float>(Setup.Config.View.PreExposure.Value);
 	View.Chain = Setup.Chain;
 	View.MakeChain = [&Setup](const FMinimalViewInfo& Camera)

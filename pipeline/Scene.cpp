@@ -2,7 +2,6 @@
 #include "Scene.h"
 
 #include "ConfigReader.h"
-#include "Json.h"
 #include "NonFinite.h"
 #include "RenderGraphBuilder.h"
 #include "RenderTargetPool.h"
@@ -16,17 +15,6 @@ namespace Drydock
 
 namespace
 {
-
-/** Every channel that a scene can have, by the names that passes know. */
-const std::vector<std::string>& GetSceneChannelNames()
-{
-	static const std::vector<std::string> Names = {"R", "G", "B", "A", "depth.Z", "normal.X", "normal.Y", "normal.Z",
-		"velocity.X", "velocity.Y", "basecolor.R", "basecolor.G", "basecolor.B", "shadingmodel.ID", "custommask.B",
-		"shadow.R", "shadow.G"};
-	return Names;
-}
-
-const std::vector<std::string> SceneColorChannels = {"R", "G", "B", "A"};
 
 std::string ResolveSceneFile(const FConfig& Config)
 {
@@ -42,48 +30,30 @@ std::string ResolveSceneFile(const FConfig& Config)
 	return Config.Resolve(Config.Scene.File.Value);
 }
 
-double ReadNumber(const FJsonValue& Object, const char* Key, double Default)
-{
-	const FJsonValue* Value = Object.Find(Key);
-	return Value != nullptr && Value->Type == EJsonType::Number ? Value->Number : Default;
-}
-
-std::optional<FSceneCamera> ReadCamera(const std::string& Json)
-{
-	std::vector<FDiagnostic> Ignored;
-	bool bSyntaxError = false;
-	const FJsonValue Root = ParseJson(Json, "drydock:camera_json", Ignored, bSyntaxError);
-	const FJsonValue* Position = Root.Find("position_uecm");
-	FConfigVector Location;
-	if (bSyntaxError || Position == nullptr || !ReadConfigVector(*Position, Location))
-	{
-		return std::nullopt;
-	}
-	FSceneCamera Camera;
-	Camera.Location = FVector(Location[0], Location[1], Location[2]);
-	Camera.HorizontalFov = ReadNumber(Root, "hfov_deg", Camera.HorizontalFov);
-	if (const FJsonValue* Rotator = Root.Find("rotator_ue_deg"))
-	{
-		Camera.Pitch = ReadNumber(*Rotator, "pitch", 0.0);
-		Camera.Yaw = ReadNumber(*Rotator, "yaw", 0.0);
-		Camera.Roll = ReadNumber(*Rotator, "roll", 0.0);
-	}
-	return Camera;
-}
-
 } // namespace
 
 FScene::FScene(const FConfig& InConfig)
 	: Config(InConfig.Scene)
-	, ConfigFile(InConfig.File)
 	, File(ResolveSceneFile(InConfig))
-	, Camera(ReadCamera(File.GetAttribute("drydock:camera_json")))
+	, Camera(ReadSceneCamera(File.GetAttribute("drydock:camera_json")))
 {
 	for (const std::string& Name : File.GetChannels())
 	{
 		Channels.push_back({Name, false});
 	}
 	CheckNames(InConfig);
+}
+
+FIntPoint FScene::GetExtent() const
+{
+	const FConfigPadding& Padding = Config.Padding;
+	return FIntPoint(Padding.Left + File.GetWidth() + Padding.Right, Padding.Top + File.GetHeight() + Padding.Bottom);
+}
+
+FIntRect FScene::GetPictureRect() const
+{
+	const FIntPoint Min(Config.Padding.Left, Config.Padding.Top);
+	return FIntRect(Min, Min + FIntPoint(File.GetWidth(), File.GetHeight()));
 }
 
 void FScene::CheckNames(const FConfig& InConfig) const
@@ -118,106 +88,182 @@ void FScene::CheckNames(const FConfig& InConfig) const
 	}
 }
 
-FRDGTextureRef FScene::RegisterSceneColor(FRDGBuilder& GraphBuilder)
+FSceneTextures FScene::RegisterTextures(FRDGBuilder& GraphBuilder)
 {
-	const FRHITextureDesc Desc = FRHITextureDesc::Create2D(GetExtent(), PF_FloatRGBA, FClearValueBinding::Black,
-		ETextureCreateFlags::ShaderResource | ETextureCreateFlags::RenderTargetable | ETextureCreateFlags::UAV);
-	SceneColor = new FRHITexture(Desc, TEXT("SceneColor"));
-	return GraphBuilder.RegisterExternalTexture(CreateRenderTarget(SceneColor, TEXT("SceneColor")), TEXT("SceneColor"));
+	FSceneTextures Registered;
+	Registered.Config.Extent = GetExtent();
+	for (const FScenePacking& Packing : GetScenePackings())
+	{
+		const FRHITextureDesc Desc =
+			FRHITextureDesc::Create2D(GetExtent(), Packing.Format, FClearValueBinding::Black, Packing.Flags);
+		TRefCountPtr<FRHITexture>& Texture = Textures[Packing.Name];
+		Texture = new FRHITexture(Desc, Packing.Name);
+		Registered.*Packing.Texture =
+			GraphBuilder.RegisterExternalTexture(CreateRenderTarget(Texture, Packing.Name), Packing.Name);
+	}
+	return Registered;
 }
 
-FScene::FSource FScene::FindSource(const std::string& Channel, const FNeededSceneTexture& Needed) const
+FRHITexture* FScene::GetTexture(const std::string& Name) const
 {
-	const auto Mapped = Config.Channels.find(Channel);
-	const int FileChannel = File.FindChannel(Mapped != Config.Channels.end() ? Mapped->second.Value : Channel);
+	const auto Found = Textures.find(Name);
+	return Found == Textures.end() ? nullptr : Found->second.GetReference();
+}
+
+std::optional<FScene::FSource> FScene::FindSource(const FScenePackChannel& Channel) const
+{
+	const auto Mapped = Config.Channels.find(Channel.Name);
+	const int FileChannel = File.FindChannel(Mapped != Config.Channels.end() ? Mapped->second.Value : Channel.Name);
 	if (FileChannel >= 0)
 	{
-		return {FileChannel, 0.0f};
+		return FSource{FileChannel, 0.0f};
 	}
-	const auto Default = Config.Defaults.find(Channel);
+	const auto Default = Config.Defaults.find(Channel.Name);
 	if (Default != Config.Defaults.end())
 	{
-		return {-1, static_cast<float>(Default->second.Value)};
+		return FSource{-1, static_cast<float>(Default->second.Value)};
 	}
-	if (Channel == "A")
-	{
-		return {-1, 1.0f}; // an RGB picture is opaque
-	}
+	return Channel.Default ? std::optional(FSource{-1, *Channel.Default}) : std::nullopt;
+}
+
+FError FScene::MakeMissingChannel(const std::string& Channel, const FNeededSceneTexture& Needed) const
+{
 	FDiagnostic Diagnostic;
 	Diagnostic.Code = ErrorChannelMissing;
 	Diagnostic.File = File.GetPath();
 	Diagnostic.Message = "there is no channel \"" + Channel + "\", which pass " + Needed.Pass + " needs for " +
 						 Needed.Texture + Suggest(Channel, File.GetChannels()) + "; map it in scene.channels ({\"" +
-						 Channel + "\": \"name in the file\"}) or give it a value in scene.defaults";
-	throw FError(Diagnostic, ExitFiles);
+						 Channel + "\": \"name in the file\"}) or give it a value in scene.defaults ({\"" + Channel +
+						 "\": 0})";
+	return FError(Diagnostic, ExitFiles);
 }
 
-void FScene::Load(const std::vector<FNeededSceneTexture>& Needed, float PreExposure)
+/** Empty when there is nothing to do. */
+std::optional<FScene::FFill> FScene::PlanFill(const FNeededSceneTexture& Needed) const
 {
+	FFill Fill{FindScenePacking(Needed.Texture), GetTexture(Needed.Texture), {}};
+	const auto Known = Filled.find(Needed.Texture);
+	if (Fill.Packing == nullptr || Fill.Texture == nullptr || (Known != Filled.end() && Known->second))
+	{
+		return std::nullopt;
+	}
+	for (const FScenePackChannel& Channel : Fill.Packing->Channels)
+	{
+		if (Channel.Name == nullptr)
+		{
+			break;
+		}
+		const std::optional<FSource> Source = FindSource(Channel);
+		if (!Source && Needed.bIsRead)
+		{
+			throw MakeMissingChannel(Channel.Name, Needed);
+		}
+		if (!Source)
+		{
+			return std::nullopt;
+		}
+		Fill.Sources.push_back(*Source);
+	}
+	return Fill;
+}
+
+FScene::FPlanes FScene::ReadPlanes(const std::vector<FFill>& Fills)
+{
+	FPlanes Planes;
+	for (const FFill& Fill : Fills)
+	{
+		for (const FSource& Source : Fill.Sources)
+		{
+			if (Source.FileChannel >= 0)
+			{
+				Planes[Source.FileChannel];
+				Channels[static_cast<size_t>(Source.FileChannel)].bDecoded = true;
+			}
+		}
+	}
+	std::vector<int> Indices;
+	for (const auto& [Index, Plane] : Planes)
+	{
+		Indices.push_back(Index);
+	}
+	std::vector<std::vector<float>> Values = File.Read(Indices);
+	for (size_t Index = 0; Index < Indices.size(); ++Index)
+	{
+		Planes[Indices[Index]] = std::move(Values[Index]);
+	}
+	return Planes;
+}
+
+void FScene::Load(const std::vector<FNeededSceneTexture>& Needed, const FScenePackContext& Context)
+{
+	std::vector<FFill> Fills;
 	for (const FNeededSceneTexture& Texture : Needed)
 	{
-		if (Texture.Texture != "SceneColor" || !SceneColor)
+		if (std::optional<FFill> Fill = PlanFill(Texture))
 		{
-			continue;
+			Filled[Texture.Texture] = true;
+			Fills.push_back(std::move(*Fill));
 		}
-		std::vector<FSource> Sources;
-		for (const std::string& Channel : SceneColorChannels)
+	}
+	if (!Fills.empty())
+	{
+		const FPlanes Planes = ReadPlanes(Fills);
+		for (const FFill& One : Fills)
 		{
-			Sources.push_back(FindSource(Channel, Texture));
+			Fill(One, Planes, Context);
 		}
-		FillSceneColor(Sources, PreExposure);
 	}
 }
 
-void FScene::FillSceneColor(const std::vector<FSource>& Sources, float PreExposure)
+void FScene::Fill(const FFill& Fill, const FPlanes& Planes, const FScenePackContext& Context)
 {
-	std::vector<int> FileChannels;
+	const FIntRect Picture = GetPictureRect();
+	const FIntPoint Extent = GetExtent();
+	const bool bZero = GetNonFinitePolicy() == ENonFinitePolicy::Zero;
+	const std::vector<FSource>& Sources = Fill.Sources;
+	std::vector<const float*> Data;
 	for (const FSource& Source : Sources)
 	{
-		if (Source.FileChannel >= 0)
-		{
-			FileChannels.push_back(Source.FileChannel);
-			Channels[static_cast<size_t>(Source.FileChannel)].bDecoded = true;
-		}
+		Data.push_back(Source.FileChannel >= 0 ? Planes.at(Source.FileChannel).data() : nullptr);
 	}
-	const std::vector<std::vector<float>> Planes = File.Read(FileChannels);
+	std::vector<FNonFiniteCount> RowCounts(static_cast<size_t>(Extent.Y));
+	const auto GetValues = [&](int32 X, int32 Y, FNonFiniteCount& Count)
+	{
+		const size_t Pixel = static_cast<size_t>(Y) * static_cast<size_t>(Picture.Width()) + static_cast<size_t>(X);
+		FScenePackValues Values = {};
+		for (size_t Slot = 0; Slot < Sources.size(); ++Slot)
+		{
+			Values[Slot] = Data[Slot] != nullptr ? Data[Slot][Pixel] : Sources[Slot].Default;
+			if (!std::isfinite(Values[Slot]))
+			{
+				Count = Count.Count++ == 0 ? FNonFiniteCount{1, X, Y} : Count;
+				Values[Slot] = bZero ? 0.0f : Values[Slot];
+			}
+		}
+		return Values;
+	};
 
-	const int32 Width = File.GetWidth();
-	const int32 Height = File.GetHeight();
-	const ENonFinitePolicy Policy = GetNonFinitePolicy();
-	std::vector<FNonFiniteCount> RowCounts(static_cast<size_t>(Height));
-	SceneColor->EnsureMemory();
-	const FKernelTile Whole = {0, 0, 0, Width, Height, 1};
-	ForEachTile(Whole, FIntPoint(Width, 16),
+	Fill.Texture->EnsureMemory();
+	ForEachTile(FKernelTile{0, 0, 0, Extent.X, Extent.Y, 1}, FIntPoint(Extent.X, 16),
 		[&](const FKernelTile& Tile)
 		{
 			TArray<FLinearColor> Row;
-			Row.SetNum(Width);
 			for (int32 Y = Tile.MinY; Y < Tile.MaxY; ++Y)
 			{
-				for (int32 X = 0; X < Width; ++X)
+				Row.Init(Fill.Packing->Outside, Extent.X);
+				const bool bInside = Y >= Picture.Min.Y && Y < Picture.Max.Y;
+				for (int32 X = Picture.Min.X; bInside && X < Picture.Max.X; ++X)
 				{
-					float Components[4];
-					size_t Plane = 0;
-					for (size_t Channel = 0; Channel < 4; ++Channel)
-					{
-						const FSource& Source = Sources[Channel];
-						const size_t Pixel =
-							static_cast<size_t>(Y) * static_cast<size_t>(Width) + static_cast<size_t>(X);
-						float Value = Source.FileChannel >= 0 ? Planes[Plane++][Pixel] : Source.Default;
-						if (!std::isfinite(Value))
-						{
-							FNonFiniteCount& Count = RowCounts[static_cast<size_t>(Y)];
-							Count = Count.Count++ == 0 ? FNonFiniteCount{1, X, Y} : Count;
-							Value = Policy == ENonFinitePolicy::Zero ? 0.0f : Value;
-						}
-						Components[Channel] = Channel < 3 ? Value * PreExposure : Value;
-					}
-					Row[X] = FLinearColor(Components[0], Components[1], Components[2], Components[3]);
+					Row[X] = Fill.Packing->Pack(
+						GetValues(X - Picture.Min.X, Y - Picture.Min.Y, RowCounts[static_cast<size_t>(Y)]), Context);
 				}
-				SceneColor->WriteRow(0, Y, Row);
+				Fill.Texture->WriteRow(0, Y, Row);
 			}
 		});
+	if (Fill.Packing->Texture != &FSceneTextures::Color)
+	{
+		return;
+	}
 	for (const FNonFiniteCount& Count : RowCounts)
 	{
 		NonFinite = NonFinite.Count == 0

@@ -6,7 +6,10 @@
 #include "ImageFile.h"
 #include "RHIResources.h"
 #include "RenderGraphFwd.h"
+#include "SceneCamera.h"
+#include "SceneTexturePacking.h"
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,16 +17,6 @@
 
 namespace Drydock
 {
-
-/** In the engine's axes: cm, left-handed, Z up; degrees. */
-struct FSceneCamera
-{
-	FVector Location = FVector(0.0, 0.0, 0.0);
-	double Pitch = 0.0;
-	double Yaw = 0.0;
-	double Roll = 0.0;
-	double HorizontalFov = 90.0;
-};
 
 struct FSceneChannel
 {
@@ -36,6 +29,7 @@ struct FNeededSceneTexture
 {
 	std::string Texture;
 	std::string Pass;
+	bool bIsRead = true; // false: the pass may leave it unread, so a missing channel is no error
 };
 
 /** Non-finite values found in an image. */
@@ -53,20 +47,24 @@ public:
 	 * channel names that do not exist (2). */
 	explicit FScene(const FConfig& Config);
 
-	FIntPoint GetExtent() const { return FIntPoint(File.GetWidth(), File.GetHeight()); }
+	/** Extent of the scene textures: the picture and its padding. */
+	FIntPoint GetExtent() const;
+
+	/** The picture's pixels in the scene textures. */
+	FIntRect GetPictureRect() const;
 
 	/** From the header's drydock:camera_json; empty when there is none. */
 	const std::optional<FSceneCamera>& GetCamera() const { return Camera; }
 
-	/** Registers scene colour, PF_FloatRGBA; it has no memory until Load. */
-	FRDGTextureRef RegisterSceneColor(FRDGBuilder& GraphBuilder);
+	/** Registers every texture that the packing table knows; none has memory until Load. The others stay null. */
+	FSceneTextures RegisterTextures(FRDGBuilder& GraphBuilder);
 
-	/** The registered texture, as the RHI has it; null before. */
-	FRHITexture* GetSceneColor() const { return SceneColor; }
+	/** The registered texture of that name, as the RHI has it; null when there is none. */
+	FRHITexture* GetTexture(const std::string& Name) const;
 
-	/** Fills the textures named, from one read of the file. Scene colour is multiplied by PreExposure. Throws FError
-	 * (exit code 3) when the file lacks a channel or is broken. */
-	void Load(const std::vector<FNeededSceneTexture>& Needed, float PreExposure);
+	/** Fills the textures named that are not filled yet, from one read of the file; others are not its business. Throws
+	 * FError (exit code 3) when the file is broken or lacks a channel of a texture that is read. */
+	void Load(const std::vector<FNeededSceneTexture>& Needed, const FScenePackContext& Context);
 
 	/** What scene colour held that is not finite, before r.Drydock.NonFinite did anything about it. */
 	const FNonFiniteCount& GetNonFinite() const { return NonFinite; }
@@ -81,17 +79,27 @@ private:
 		int FileChannel = -1;
 		float Default = 0.0f;
 	};
+	struct FFill
+	{
+		const FScenePacking* Packing = nullptr;
+		FRHITexture* Texture = nullptr;
+		std::vector<FSource> Sources; // one to a channel slot in use
+	};
+	using FPlanes = std::map<int, std::vector<float>>; // by the file's channel index
 
 	void CheckNames(const FConfig& Config) const;
-	FSource FindSource(const std::string& Channel, const FNeededSceneTexture& Needed) const;
-	void FillSceneColor(const std::vector<FSource>& Sources, float PreExposure);
+	std::optional<FSource> FindSource(const FScenePackChannel& Channel) const;
+	std::optional<FFill> PlanFill(const FNeededSceneTexture& Needed) const;
+	FError MakeMissingChannel(const std::string& Channel, const FNeededSceneTexture& Needed) const;
+	FPlanes ReadPlanes(const std::vector<FFill>& Fills);
+	void Fill(const FFill& Fill, const FPlanes& Planes, const FScenePackContext& Context);
 
 	const FConfigScene& Config;
-	std::string ConfigFile;
 	FImageFile File;
 	std::optional<FSceneCamera> Camera;
 	std::vector<FSceneChannel> Channels;
-	TRefCountPtr<FRHITexture> SceneColor;
+	std::map<std::string, TRefCountPtr<FRHITexture>> Textures;
+	std::map<std::string, bool> Filled;
 	FNonFiniteCount NonFinite;
 };
 

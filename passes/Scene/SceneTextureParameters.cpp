@@ -47,7 +47,9 @@ void SetupSceneTextureUniformParameters(FRDGBuilder& GraphBuilder, const FSceneT
 		ChooseOr(ESceneTextureSetupMode::SSAO, Source.ScreenSpaceAO, SystemTextures.White);
 	OutParameters.CustomDepthTexture = Choose(ESceneTextureSetupMode::CustomDepth, Source.CustomDepth);
 	OutParameters.CustomStencilTexture =
-		EnumHasAnyFlags(SetupMode, ESceneTextureSetupMode::CustomDepth) ? Source.CustomStencil : nullptr;
+		Source.CustomStencil && EnumHasAnyFlags(SetupMode, ESceneTextureSetupMode::CustomDepth)
+			? Source.CustomStencil
+			: SystemTextures.StencilDummySRV;
 	OutParameters.PointClampSampler = TStaticSamplerState<SF_Point, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
 }
 

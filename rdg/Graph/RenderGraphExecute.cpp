@@ -82,44 +82,107 @@ void FRDGExecutor::FinishImmediate(const FRDGCompiledGraph& InCompiled)
 	WriteExtractions();
 }
 
-/** Registered textures that a pass (-1: any surviving one) touches and that were not announced yet. */
-std::vector<FRDGTexture*> FRDGExecutor::FindExternals(int32 PassIndex)
+namespace
 {
-	std::vector<FRDGTexture*> Found;
+
+enum class EExternalUse
+{
+	None,
+	Possible,
+	Read,
+};
+
+/** How a pass uses a resource among its Viewables. A uniform buffer names more than a shader reads. */
+EExternalUse GetExternalUse(
+	const FRDGPassResources& Resources, const FRDGViewableResource* Resource, const FShaderReflection* Shader)
+{
+	bool bInUniformBuffer = false;
+	for (const FRDGUniformBufferResource& Member : Resources.InUniformBuffers)
+	{
+		if (Member.Resource != Resource)
+		{
+			continue;
+		}
+		bInUniformBuffer = true;
+		const auto IsMember = [&Member](const FShaderResource& Read)
+		{
+			return Read.Name == Member.HlslName;
+		};
+		if (Shader && std::any_of(Shader->Textures.begin(), Shader->Textures.end(), IsMember))
+		{
+			return EExternalUse::Read;
+		}
+	}
+	return !bInUniformBuffer ? EExternalUse::Read : Shader ? EExternalUse::None : EExternalUse::Possible;
+}
+
+} // namespace
+
+/** Registered textures that a pass (-1: any surviving one) uses and that were not announced yet. */
+std::vector<FRDGExternalLoad> FRDGExecutor::FindExternals(int32 PassIndex)
+{
+	std::vector<FRDGExternalLoad> Found;
 	for (size_t Index = 0; Index < State.Passes.size(); ++Index)
 	{
-		const bool bAsked =
-			PassIndex < 0 ? !State.Passes[Index]->bCulled : State.Passes[Index]->GetIndex() == PassIndex;
-		for (FRDGViewableResource* Resource : State.PassResources[Index].Viewables)
+		const FRDGPass& Pass = *State.Passes[Index];
+		if (PassIndex < 0 ? Pass.bCulled : Pass.GetIndex() != PassIndex)
 		{
-			if (!bAsked || !Resource->bRegistered || Resource->Type != ERDGViewableResourceType::Texture)
+			continue;
+		}
+		const FRDGPassResources& Resources = State.PassResources[Index];
+		std::shared_ptr<const FShaderReflection> Shader;
+		if (Pass.ShaderToCompile && !Resources.InUniformBuffers.empty())
+		{
+			Shader = GetShaderReflection(FShaderRef(Pass.ShaderToCompile));
+		}
+		for (FRDGViewableResource* Resource : Resources.Viewables)
+		{
+			if (!Resource->bRegistered || Resource->Type != ERDGViewableResourceType::Texture)
 			{
 				continue;
 			}
-			auto* const Texture = static_cast<FRDGTexture*>(Resource);
-			if (State.LoadedExternals.insert(Texture).second)
+			const EExternalUse Use = GetExternalUse(Resources, Resource, Shader.get());
+			const bool bRead = Use == EExternalUse::Read;
+			const FRDGExternalLoad Load{static_cast<FRDGTexture*>(Resource), &Pass, bRead};
+			if (Use == EExternalUse::None)
 			{
-				Found.push_back(Texture);
+				continue;
+			}
+			const auto [Known, bNew] = State.LoadedExternals.try_emplace(Load.Texture, bRead);
+			if (!bNew && (Known->second || !bRead))
+			{
+				continue;
+			}
+			Known->second = bRead;
+			const auto Earlier = std::find_if(Found.begin(), Found.end(),
+				[&Load](const FRDGExternalLoad& Other) { return Other.Texture == Load.Texture; });
+			if (Earlier != Found.end())
+			{
+				*Earlier = Load;
+			}
+			else
+			{
+				Found.push_back(Load);
 			}
 		}
 	}
 	return Found;
 }
 
-void FRDGExecutor::LoadExternals(const std::vector<FRDGTexture*>& Textures)
+void FRDGExecutor::LoadExternals(const std::vector<FRDGExternalLoad>& Loads)
 {
-	if (!State.Observer || Textures.empty())
+	if (!State.Observer || Loads.empty())
 	{
 		return;
 	}
-	for (FRDGTexture* Texture : Textures)
+	for (const FRDGExternalLoad& Load : Loads)
 	{
-		Texture->bAllowRHIAccess = true;
+		Load.Texture->bAllowRHIAccess = true;
 	}
-	State.Observer->OnLoadExternals(Textures);
-	for (FRDGTexture* Texture : Textures)
+	State.Observer->OnLoadExternals(Loads);
+	for (const FRDGExternalLoad& Load : Loads)
 	{
-		Texture->bAllowRHIAccess = Texture->bExternalAccessNow;
+		Load.Texture->bAllowRHIAccess = Load.Texture->bExternalAccessNow;
 	}
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "RenderGraphBuilder.h"
+#include "RenderGraphObserver.h"
 #include "RenderGraphState.h"
 
 namespace Drydock
@@ -37,8 +38,8 @@ public:
 
 private:
 	void CompileShaders();
-	void LoadExternals(const std::vector<FRDGTexture*>& Textures);
-	std::vector<FRDGTexture*> FindExternals(int32 PassIndex);
+	void LoadExternals(const std::vector<FRDGExternalLoad>& Loads);
+	std::vector<FRDGExternalLoad> FindExternals(int32 PassIndex);
 	void MakeReady(FRDGViewableResource& Resource);
 	void Allocate(FRDGViewableResource& Resource);
 	void Upload(FRDGBuffer& Buffer);

@@ -11,6 +11,15 @@
 namespace Drydock
 {
 
+/** A registered texture that a graph is about to use. */
+struct FRDGExternalLoad
+{
+	FRDGTexture* Texture = nullptr;
+	const FRDGPass* Pass = nullptr; // the first that uses it
+	/** False where only a uniform buffer names it and the pass has not said which shader it runs: it may go unread. */
+	bool bIsRead = true;
+};
+
 /** All calls come from Execute (in immediate mode: from AddPass), on its thread. */
 class DRYDOCK_API IRDGObserver
 {
@@ -20,9 +29,10 @@ public:
 	/** Before anything is executed. Immediate mode: at the end, when all passes are known. */
 	virtual void OnGraphCompiled(const FRDGCompiledGraph&) {}
 
-	/** Registered textures that surviving passes touch, before the first of these passes. Their RHI textures have no
-	 * memory unless somebody touched them: this is the moment to fill them. */
-	virtual void OnLoadExternals(const std::vector<FRDGTexture*>&) {}
+	/** Registered textures that surviving passes use, before the first of these passes. Their RHI textures have no
+	 * memory unless somebody touched them: this is the moment to fill them. What a pass's uniform buffers name and its
+	 * shader does not read is left out. One that was announced with bIsRead false may come once more with true. */
+	virtual void OnLoadExternals(const std::vector<FRDGExternalLoad>&) {}
 
 	/** After each pass. PassIndex is its position in FRDGCompiledGraph::Passes; WrittenTextures may be read through
 	 *  FRDGTexture::GetRHI during the call. */

@@ -52,6 +52,7 @@ public:
 		{
 			// A uniform buffer's textures are all made readable, except what the pass itself writes.
 			bInUniformBuffer = true;
+			Variable = std::string(Pending.Buffer->GetMetadata().GetShaderVariableName()) + "_";
 			Walk(Pending.Buffer->GetMetadata(), Pending.Buffer->GetContents(), Pending.Name + "->");
 		}
 		return std::move(Found);
@@ -104,7 +105,17 @@ private:
 		Use.bLoads = bLoads;
 		Use.SkipBarrierView = SkipBarrierView;
 		Pass.Uses.push_back(Use);
-		if (std::find(Found.Viewables.begin(), Found.Viewables.end(), Resource) == Found.Viewables.end())
+		const bool bNew = std::find(Found.Viewables.begin(), Found.Viewables.end(), Resource) == Found.Viewables.end();
+		const auto IsResource = [Resource](const FRDGUniformBufferResource& Known)
+		{
+			return Known.Resource == Resource;
+		};
+		if (bInUniformBuffer &&
+			(bNew || std::any_of(Found.InUniformBuffers.begin(), Found.InUniformBuffers.end(), IsResource)))
+		{
+			Found.InUniformBuffers.push_back({Resource, HlslName});
+		}
+		if (bNew)
 		{
 			Found.Viewables.push_back(Resource);
 		}
@@ -153,6 +164,7 @@ private:
 	{
 		for (const FHlslMember& Member : Metadata.GetHlslMembers())
 		{
+			HlslName = Variable + Member.Name;
 			WalkMember(Member, Contents, Prefix + Member.CodeName);
 		}
 	}
@@ -335,6 +347,8 @@ private:
 	FRDGPassResources Found;
 	std::vector<FPending> UniformBuffers;
 	bool bInUniformBuffer = false;
+	std::string Variable; // of the uniform buffer that is walked, with its underscore
+	std::string HlslName; // of the member that is walked
 };
 
 } // namespace

@@ -11,12 +11,20 @@ class FShaderParametersMetadata;
 namespace Drydock
 {
 
+/** A texture or buffer that a pass reaches only through a uniform buffer, and the name a shader reads it under. */
+struct FRDGUniformBufferResource
+{
+	FRDGViewableResource* Resource;
+	std::string HlslName; // "SceneTexturesStruct_GBufferBTexture"
+};
+
 /** What a pass's parameters refer to. */
 struct FRDGPassResources
 {
 	std::vector<FRDGViewableResource*> Viewables; // textures and buffers, each once, in the order of the parameters
 	std::vector<FRDGView*> Views;
 	std::vector<FRDGUniformBuffer*> UniformBuffers;
+	std::vector<FRDGUniformBufferResource> InUniformBuffers; // of Viewables; one entry per name
 	const FRenderTargetBindingSlots* TargetSlots = nullptr;
 };
 

@@ -10,7 +10,6 @@
 
 #include <map>
 #include <memory>
-#include <set>
 #include <unordered_set>
 
 namespace Drydock
@@ -60,7 +59,7 @@ struct FRDGBuilderState
 
 	std::vector<FDiagnostic> Errors; // collected so far
 	std::vector<FDiagnostic> Ensures;
-	std::set<FRDGTexture*> LoadedExternals;
+	std::map<FRDGTexture*, bool> LoadedExternals; // and whether they were said to be read
 	bool bEnsuresReported = false;
 	bool bFinished = false; // executed or discarded
 	bool bFailed = false;   // an error was thrown: whoever caught it need not execute

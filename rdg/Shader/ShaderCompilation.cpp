@@ -23,7 +23,8 @@ TAutoConsoleVariable<int32> CVarLaneWidth(TEXT("r.Drydock.LaneWidth"), 0,
 
 const char* const GeneratedUniformBuffersPath = "/Engine/Generated/GeneratedUniformBuffers.ush";
 
-/** `cbuffer View { float4 View_Member; ... };` and the buffer's resources as globals. */
+/** `cbuffer View { float4 View_Member; ... };`, the buffer's resources as globals, and a macro by which includes know
+ * that it is there. */
 std::string DeclareUniformBuffer(const FShaderParametersMetadata& Struct)
 {
 	const std::string Name = Struct.GetShaderVariableName();
@@ -41,7 +42,8 @@ std::string DeclareUniformBuffer(const FShaderParametersMetadata& Struct)
 			Resources += Member.Type + " " + Name + "_" + Member.Name + ";\n";
 		}
 	}
-	return (Constants.empty() ? "" : "cbuffer " + Name + "\n{\n" + Constants + "};\n") + Resources;
+	return "#define HAS_UNIFORM_BUFFER_" + Name + " 1\n" +
+		   (Constants.empty() ? "" : "cbuffer " + Name + "\n{\n" + Constants + "};\n") + Resources;
 }
 
 void AddUniformBuffers(const FShaderParametersMetadata& Metadata, FShaderCompileRequest& Request)

@@ -2,6 +2,7 @@
 #include "PassTestUtils.h"
 
 #include "GlobalShader.h"
+#include "RenderGraphObserver.h"
 #include "RenderGraphUtils.h"
 #include "SceneTextureParameters.h"
 #include "ShaderCore.h"
@@ -27,6 +28,32 @@ public:
 };
 
 IMPLEMENT_GLOBAL_SHADER(FSceneTexturesProbeCS, "/DrydockTests/SceneTexturesProbe.usf", "MainCS", SF_Compute);
+
+/** The same parameters for the probes that write one picture. */
+BEGIN_SHADER_PARAMETER_STRUCT(FSmallProbeParameters, )
+	SHADER_PARAMETER_STRUCT_REF(FViewUniformShaderParameters, View)
+	SHADER_PARAMETER_STRUCT_INCLUDE(FSceneTextureShaderParameters, SceneTextures)
+	SHADER_PARAMETER_RDG_TEXTURE_UAV(RWTexture2D<float4>, OutColor)
+END_SHADER_PARAMETER_STRUCT()
+
+class FShadingModelProbeCS : public FGlobalShader
+{
+public:
+	DECLARE_GLOBAL_SHADER(FShadingModelProbeCS);
+	SHADER_USE_PARAMETER_STRUCT(FShadingModelProbeCS, FGlobalShader);
+	using FParameters = FSmallProbeParameters;
+};
+
+class FVelocityProbeCS : public FGlobalShader
+{
+public:
+	DECLARE_GLOBAL_SHADER(FVelocityProbeCS);
+	SHADER_USE_PARAMETER_STRUCT(FVelocityProbeCS, FGlobalShader);
+	using FParameters = FSmallProbeParameters;
+};
+
+IMPLEMENT_GLOBAL_SHADER(FShadingModelProbeCS, "/DrydockTests/SceneTexturesProbe.usf", "ShadingModelCS", SF_Compute);
+IMPLEMENT_GLOBAL_SHADER(FVelocityProbeCS, "/DrydockTests/SceneTexturesProbe.usf", "VelocityCS", SF_Compute);
 
 constexpr int Width = 6;
 constexpr int Height = 4;
@@ -89,7 +116,87 @@ FProbes Probe(ESceneTextureSetupMode Mode)
 	return Probes;
 }
 
+/** Notes which textures a graph wants filled: "Name" where it is read, "Name?" where it may be. */
+class FLoadObserver final : public Drydock::IRDGObserver
+{
+public:
+	void OnLoadExternals(const std::vector<Drydock::FRDGExternalLoad>& Loads) override
+	{
+		for (const Drydock::FRDGExternalLoad& Load : Loads)
+		{
+			Log += std::string(Load.Texture->Name) + (Load.bIsRead ? " " : "? ");
+		}
+	}
+
+	std::string Log;
+};
+
+/** Scene textures whose GBufferA and GBufferB are there, default lit (1) and a normal along X. */
+struct FSmallProbe
+{
+	FSmallProbe()
+		: Run(FImage(Width, Height), EArithmetic::Float32, PF_A32B32G32R32F)
+	{
+		AddShaderSourceDirectoryMapping(TEXT("/DrydockTests"), TEXT(DRYDOCK_TEST_SOURCE_DIR "/tests/Shaders"));
+		SceneTextures.GBufferA =
+			Run.AddInput(FImage(Width, Height, {1, 0.5, 0.5, 0}), PF_B8G8R8A8, TEXT("GBufferA")).Texture;
+		SceneTextures.GBufferB =
+			Run.AddInput(FImage(Width, Height, {0, 0, 0, 1 / 255.0}), PF_B8G8R8A8, TEXT("GBufferB")).Texture;
+		Run.View.SceneTextures = &SceneTextures;
+		Run.GraphBuilder.SetObserver(&Observer);
+		Color = Run.GraphBuilder.CreateTexture(FRDGTextureDesc::Create2D(FIntPoint(Width, Height), PF_A32B32G32R32F,
+												   FClearValueBinding::None, TexCreate_UAV | TexCreate_ShaderResource),
+			TEXT("Color"));
+		Parameters = Run.GraphBuilder.AllocParameters<FSmallProbeParameters>();
+		Parameters->View = Run.View.ViewUniformBuffer;
+		Parameters->SceneTextures = CreateSceneTextureShaderParameters(Run.GraphBuilder, Run.View);
+		Parameters->OutColor = Run.GraphBuilder.CreateUAV(Color);
+	}
+
+	template<typename TShader>
+	FImage Execute()
+	{
+		TShaderMapRef<TShader> ComputeShader(Run.View.ShaderMap);
+		FComputeShaderUtils::AddPass(Run.GraphBuilder, RDG_EVENT_NAME("Probe"), ComputeShader, Parameters,
+			FComputeShaderUtils::GetGroupCount(FIntPoint(Width, Height), FComputeShaderUtils::kGolden2DGroupSize));
+		return Run.Execute(FScreenPassTexture(Color));
+	}
+
+	FPassRun Run;
+	FSceneTextures SceneTextures;
+	FLoadObserver Observer;
+	FRDGTextureRef Color;
+	FSmallProbeParameters* Parameters;
+};
+
 } // namespace
+
+TEST(SceneTextures, OnlyWhatTheShaderReadsIsLoaded)
+{
+	FSmallProbe Probe;
+	EXPECT_EQ(1, Probe.Execute<FShadingModelProbeCS>().At(3, 2)[0]);
+	EXPECT_EQ("GBufferB ", Probe.Observer.Log);
+}
+
+TEST(SceneTextures, ALambdaMayReadAllThatItsUniformBufferNames)
+{
+	FSmallProbe Probe;
+	Probe.Run.GraphBuilder.AddPass(RDG_EVENT_NAME("Raw"), Probe.Parameters, ERDGPassFlags::Compute,
+		[Color = Probe.Color](FRHIComputeCommandList&) { Color->GetRHI()->Fill(FLinearColor(2, 2, 2, 2)); });
+	EXPECT_EQ(2, Probe.Run.Execute(FScreenPassTexture(Probe.Color)).At(0, 0)[0]);
+	EXPECT_NE(std::string::npos, Probe.Observer.Log.find("GBufferA? GBufferB? ")) << Probe.Observer.Log;
+}
+
+TEST(SceneTextures, VelocityComesBackFromItsEncoding)
+{
+	FSmallProbe Probe;
+	const FImage Velocity = Probe.Execute<FVelocityProbeCS>();
+	EXPECT_NEAR(-2, Velocity.At(0, 0)[0], 1e-5);
+	EXPECT_EQ(0, Velocity.At(2, 0)[0]);
+	EXPECT_NEAR(1.5, Velocity.At(3, 3)[1], 1e-5);
+	// Stored: sqrt(2 * 2) * 0.499 / 2 below the bias 32767/65535.
+	EXPECT_NEAR(0.4999924 - 0.499, Velocity.At(0, 0)[2], 1e-6);
+}
 
 TEST(SceneTextures, ColourAndDepth)
 {

@@ -287,10 +287,11 @@ public:
 		Log += "compiled:" + std::to_string(Graph.Passes.size()) + " ";
 	}
 
-	void OnLoadExternals(const std::vector<FRDGTexture*>& Textures) override
+	void OnLoadExternals(const std::vector<FRDGExternalLoad>& Loads) override
 	{
-		for (FRDGTexture* Texture : Textures)
+		for (const FRDGExternalLoad& Load : Loads)
 		{
+			FRDGTexture* const Texture = Load.Texture;
 			Log += std::string("load:") + Texture->Name + " ";
 			bHadMemory = bHadMemory || Texture->GetRHI()->HasMemory();
 			Texture->GetRHI()->Fill(FLinearColor(LoadedValue, 0, 0, 0));

@@ -1,0 +1,47 @@
+// The camera of a rendered frame, and what shaders read of it. Source: drydock (attribute: configs/scenes/README.md);
+// matrices: engine SceneView.h, row vectors, view space x right, y up, z forward.
+#pragma once
+
+#include "CoreMinimal.h"
+#include "SceneView.h"
+
+#include <optional>
+#include <string>
+
+namespace Drydock
+{
+
+/** Near plane of the device depth that is made of a scene file's depth, cm. */
+constexpr double SceneNearPlane = 10.0;
+
+/** In the engine's axes: cm, left-handed, Z up; degrees. */
+struct FSceneCamera
+{
+	FVector Location = FVector(0.0, 0.0, 0.0);
+	double Pitch = 0.0;
+	double Yaw = 0.0;
+	double Roll = 0.0;
+	double HorizontalFov = 90.0;
+	std::optional<double> FocalLength;       // pixels of the picture; in place of HorizontalFov
+	std::optional<FVector2D> PrincipalPoint; // pixels of the picture; its centre by default
+};
+
+/** Reads a drydock:camera_json text; empty when it is none. */
+DRYDOCK_API std::optional<FSceneCamera> ReadSceneCamera(const std::string& Json);
+
+/** View to clip space of a view that covers Rect (pixels of a picture of PictureExtent). Device depth is
+ * SceneNearPlane / z: 1 at the near plane, 0 at infinity. */
+DRYDOCK_API FMatrix MakeProjection(const FSceneCamera& Camera, FIntPoint PictureExtent, const FIntRect& Rect);
+
+/** z, w of the transform by which shaders turn device depth into centimetres: 1 / (DeviceZ * z - w). Depth 0 gives 1e8
+ * cm, not infinity, as in the engine. */
+DRYDOCK_API FVector4f GetInvDeviceZToWorldZTransform();
+
+/** Device depth that ConvertFromDeviceZ turns back into Depth cm; never below 0. */
+DRYDOCK_API float MakeDeviceDepth(double Depth);
+
+/** Fills matrices, vectors and depth transform. BufferRect: the same pixels as Rect, in the scene textures. */
+DRYDOCK_API void SetCameraParameters(const FSceneCamera& Camera, FIntPoint PictureExtent, const FIntRect& Rect,
+	const FIntRect& BufferRect, FViewUniformShaderParameters& Parameters);
+
+} // namespace Drydock
