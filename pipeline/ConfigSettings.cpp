@@ -312,38 +312,4 @@ std::vector<FUnknownSetting> ReadConfigUnknownSettings(const FJsonValue& Value)
 	return Settings;
 }
 
-std::string GetSettingNotBuiltReason(const std::string& Name)
-{
-	const auto StartsWith = [&](const char* Prefix)
-	{
-		return Name.rfind(Prefix, 0) == 0;
-	};
-	if (StartsWith("BloomConvolution"))
-	{
-		return "convolution bloom is another method's; the Gaussian sum runs";
-	}
-	if (StartsWith("BloomDirtMask"))
-	{
-		return "the bloom is composited without a dirt mask";
-	}
-	if (Name == "SceneFringeIntensity" || Name == "ChromaticAberrationStartOffset")
-	{
-		return "the tonemapper shifts no colours";
-	}
-	const bool bMetering = StartsWith("AutoExposure") && Name != "AutoExposureBias";
-	if (bMetering || StartsWith("Histogram") || StartsWith("Camera"))
-	{
-		return "the exposure is the number in view.exposure, times 2 to the power of AutoExposureBias less its default";
-	}
-	for (const char* Read : {"Film", "BlueCorrection", "ExpandGamut", "ToneCurveAmount", "SceneColorTint", "Bloom",
-			 "VignetteIntensity", "AutoExposureBias", "DualKawaseBlur"})
-	{
-		if (StartsWith(Read) && !StartsWith("FilmGrain"))
-		{
-			return "";
-		}
-	}
-	return "no pass reads it; it is blended and reported all the same";
-}
-
 } // namespace Drydock

@@ -96,7 +96,7 @@ INSTANTIATE_TEST_SUITE_P(Each, SettingField, AllSettingFields(), FNameOfSetting(
 
 TEST_P(SettingField, DefaultIsTheExpectedOne)
 {
-	ASSERT_EQ(1u, ExpectedFields.count(Field.Name));
+	ASSERT_EQ(1u, ExpectedFields.count(Field.Name)) << "a new setting wants a line in PostProcessSettingsExpected.inl";
 	FSettingValue Expected;
 	std::string Error;
 	ASSERT_TRUE(SettingFromText(Field, ExpectedFields.at(Field.Name).Default, Expected, Error)) << Error;

@@ -1,0 +1,63 @@
+// Which settings the chain reads. Source: drydock.
+#include "ConfigReader.h"
+
+namespace Drydock
+{
+
+namespace
+{
+
+constexpr const char* Acts = "";
+constexpr const char* NoPass = "no pass reads it; it is blended and reported all the same";
+constexpr const char* Convolution = "convolution bloom is another method's; the Gaussian sum runs";
+constexpr const char* DirtMask = "the bloom is composited without a dirt mask";
+constexpr const char* Fringe = "the tonemapper shifts no colours";
+constexpr const char* Metering =
+	"the exposure is the number in view.exposure, times 2 to the power of AutoExposureBias less its default";
+
+/** What becomes of settings whose names begin so: the longest beginning counts. */
+constexpr struct
+{
+	const char* Beginning;
+	const char* NotBuilt;
+} Settings[] = {
+	{"", NoPass},
+	{"BlueCorrection", Acts},
+	{"ExpandGamut", Acts},
+	{"ToneCurveAmount", Acts},
+	{"SceneColorTint", Acts},
+	{"Film", Acts},
+	{"FilmGrain", NoPass},
+	{"SceneFringeIntensity", Fringe},
+	{"ChromaticAberration", Fringe},
+	{"Bloom", Acts},
+	{"BloomConvolution", Convolution},
+	{"BloomDirtMask", DirtMask},
+	{"VignetteIntensity", Acts},
+	{"AutoExposure", Metering},
+	{"AutoExposureBias", Acts},
+	{"AutoExposureBiasBackup", NoPass},
+	{"AutoExposureBiasCurve", Metering},
+	{"Histogram", Metering},
+	{"Camera", Metering},
+	{"DualKawaseBlur", Acts},
+};
+
+} // namespace
+
+std::string GetSettingNotBuiltReason(const std::string& Name)
+{
+	std::string Beginning;
+	const char* NotBuilt = NoPass;
+	for (const auto& Setting : Settings)
+	{
+		if (Name.rfind(Setting.Beginning, 0) == 0 && std::string(Setting.Beginning).size() >= Beginning.size())
+		{
+			Beginning = Setting.Beginning;
+			NotBuilt = Setting.NotBuilt;
+		}
+	}
+	return NotBuilt;
+}
+
+} // namespace Drydock
