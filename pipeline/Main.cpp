@@ -77,7 +77,8 @@ void AddArithmetic(CLI::App& Verb, FVerbOptions& Options)
 }
 
 /** The verbs under `settings`. */
-void AddSettingsVerbs(CLI::App& Settings, FSettingsVerbOptions& Options, int& ExitCode)
+void AddSettingsVerbs(
+	CLI::App& Settings, FSettingsVerbOptions& Options, FSettingsPlanOptions& PlanOptions, int& ExitCode)
 {
 	Settings.require_subcommand(1);
 	CLI::App* Import =
@@ -95,6 +96,16 @@ void AddSettingsVerbs(CLI::App& Settings, FSettingsVerbOptions& Options, int& Ex
 	Export->add_flag("--struct", Options.bStruct, "Only the settings (..), to paste into a volume's Settings");
 	Export->add_flag("--full", Options.bFull, "All settings, not only those that are overridden or changed");
 	Export->callback([&] { ExitCode = SettingsExportVerb(Options); });
+
+	CLI::App* Plan = Settings.add_subcommand("plan", "Print every place that an engine patch for one setting touches");
+	Plan->add_option("SETTING", PlanOptions.Name, "Name, such as BloomToonIntensity")->required();
+	Plan->add_option("--type", PlanOptions.Type, "Of a setting that is not in the table: float, bool, int, color, ...")
+		->type_name("TYPE");
+	Plan->add_option("--default", PlanOptions.Default, "Likewise its default; 0 by default")->type_name("VALUE");
+	Plan->add_option("--category", PlanOptions.Category, "Likewise its category")->type_name("A|B");
+	Plan->add_option("--doc", PlanOptions.Doc, "Likewise its description")->type_name("TEXT");
+	Plan->add_flag("--json", PlanOptions.bJson, "Print an array of places");
+	Plan->callback([&] { ExitCode = SettingsPlanVerb(PlanOptions); });
 }
 
 /** What is wrong with the arguments, in one sentence with the nearest verb or option where that is what was misspelt.
@@ -196,8 +207,8 @@ int ParseAndRun(int NumArguments, char** Arguments)
 	CLI::App* List =
 		Program.add_subcommand("list", "List what there is: passes, settings, cvars, effects, extensions, hooks");
 	List->add_option("THINGS", Things, "passes, settings, cvars, effects, extensions or hooks")->required();
-	List->add_option(
-		"FILTER", Filter, "Only names that contain this, or match it where it has * or ? (settings, cvars), ignoring case");
+	List->add_option("FILTER", Filter,
+		"Only names that contain this, or match it where it has * or ? (settings, cvars), ignoring case");
 	List->add_option("--config", Options.Run.ConfigFile, "cvars: as this config sets them")->type_name("CONFIG");
 	AddVariables(*List, Options);
 	List->add_flag("--json", Options.bJson, "Print an array of objects");
@@ -207,9 +218,10 @@ int ParseAndRun(int NumArguments, char** Arguments)
 		});
 
 	FSettingsVerbOptions SettingsOptions;
+	FSettingsPlanOptions PlanOptions;
 	AddSettingsVerbs(
-		*Program.add_subcommand("settings", "Engine paste text of settings to and from configs: import, export"),
-		SettingsOptions, ExitCode);
+		*Program.add_subcommand("settings", "Engine paste text of settings to and from configs: import, export, plan"),
+		SettingsOptions, PlanOptions, ExitCode);
 
 	std::vector<std::string> Configs;
 	std::string CacheFolder;

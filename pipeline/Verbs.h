@@ -59,6 +59,20 @@ DRYDOCK_API int SettingsImportVerb(const FSettingsVerbOptions& Options);
 /** The volumes of a config to engine text. */
 DRYDOCK_API int SettingsExportVerb(const FSettingsVerbOptions& Options);
 
+/** Arguments of `settings plan`. */
+struct FSettingsPlanOptions
+{
+	std::string Name;
+	std::string Type;    // of a setting that the table does not have
+	std::string Default; // likewise, and what follows; empty: left to the plan
+	std::string Category;
+	std::string Doc;
+	bool bJson = false;
+};
+
+/** Every place that an engine patch for one setting touches. */
+DRYDOCK_API int SettingsPlanVerb(const FSettingsPlanOptions& Options);
+
 /** Compiles the shaders of configs into the cache (in Folder, or the usual place when that is empty). */
 DRYDOCK_API int WarmVerb(const std::vector<std::string>& Configs, const std::string& Folder);
 

@@ -327,3 +327,28 @@ TEST_F(SettingsVerb, MissingSubVerbIsAUsageError)
 	EXPECT_EQ(2, ExitCode);
 	EXPECT_TRUE(Contains(Err, "a verb is missing after settings")) << Err;
 }
+
+TEST_F(SettingsVerb, PlanPrintsThePlaces)
+{
+	Call("plan BloomToonIntensity");
+	EXPECT_EQ(0, ExitCode) << Err;
+	EXPECT_EQ(0u, Out.find("BloomToonIntensity: float, default 0.675f, Lens|Bloom, blends by Lerp\n"));
+	EXPECT_TRUE(Contains(Out, "    LERP_PP(BloomToonIntensity);\n")) << Out;
+}
+
+TEST_F(SettingsVerb, PlanOfANewSettingNeedsItsType)
+{
+	Call("plan BloomTonIntensity");
+	EXPECT_EQ(2, ExitCode);
+	EXPECT_TRUE(Contains(Err, "did you mean BloomToonIntensity?")) << Err;
+	EXPECT_TRUE(Contains(Err, "--type")) << Err;
+	Call("plan BloomSparkle --type float --default 0.5 --doc 'Sparkles.'");
+	EXPECT_EQ(0, ExitCode) << Err;
+	EXPECT_TRUE(Contains(Out, "DRYDOCK_SETTING(float, BloomSparkle, 0.5f,")) << Out;
+}
+
+TEST_F(SettingsVerb, PlanAsJsonIsAnArrayOfPlaces)
+{
+	Call("plan BloomToonIntensity --json");
+	EXPECT_EQ(0u, Out.find("[\n  {\n    \"file\": \"Engine/Source/")) << Out;
+}

@@ -1,0 +1,194 @@
+// Source: drydock.
+#include "NewSetting.h"
+
+#include "PostProcessSettingsTextValue.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace Drydock
+{
+
+namespace
+{
+
+std::string FormatNumber(double Number)
+{
+	char Buffer[64];
+	std::string Text(Buffer, std::to_chars(Buffer, Buffer + sizeof(Buffer), Number).ptr);
+	return Text.find_first_of(".e") == std::string::npos ? Text + ".0" : Text;
+}
+
+std::string FormatFloat(double Number)
+{
+	char Buffer[64];
+	std::string Text(Buffer, std::to_chars(Buffer, Buffer + sizeof(Buffer), static_cast<float>(Number)).ptr);
+	return (Text.find_first_of(".e") == std::string::npos ? Text + ".0" : Text) + "f";
+}
+
+/** "FLinearColor(1.0f, 1.0f, 1.0f, 1.0f)" */
+std::string FormatVector(const std::string& Type, const double* Components, int Num)
+{
+	std::string Text;
+	for (int Index = 0; Index < Num; ++Index)
+	{
+		Text += (Index == 0 ? "" : ", ") +
+				(Type == "FLinearColor" ? FormatFloat(Components[Index]) : FormatNumber(Components[Index]));
+	}
+	return Type + "(" + Text + ")";
+}
+
+std::string FormatDefault(const FSettingField& Field, const std::string& Type)
+{
+	const FSettingValue& Value = Field.Default;
+	switch (Field.Type)
+	{
+	case ESettingType::Float:
+		return FormatFloat(Value.Components[0]);
+	case ESettingType::Object:
+		return "nullptr";
+	case ESettingType::Color:
+	case ESettingType::Vector2:
+	case ESettingType::Vector4:
+		return FormatVector(Type, Value.Components, Field.GetNumComponents());
+	case ESettingType::ColorArray:
+	{
+		std::string Text;
+		for (int Index = 0; Index < Field.GetNumComponents(); Index += 4)
+		{
+			Text += (Index == 0 ? "" : ", ") + FormatVector(Type, Value.Components + Index, 4);
+		}
+		return "{" + Text + "}";
+	}
+	case ESettingType::Enum:
+	{
+		const std::string Name = SettingToText(Field, Value);
+		return Name.find('_') != std::string::npos ? Name : Type.substr(0, Type.find('>')) + "::" + Name;
+	}
+	default:
+		return SettingToText(Field, Value);
+	}
+}
+
+std::string GetCppType(const FSettingField& Field)
+{
+	switch (Field.Type)
+	{
+	case ESettingType::Float:
+		return "float";
+	case ESettingType::Bool:
+		return "bool";
+	case ESettingType::Int:
+		return "int32";
+	case ESettingType::Enum:
+		return std::string("E") + Field.Name;
+	case ESettingType::Color:
+	case ESettingType::ColorArray:
+		return "FLinearColor";
+	case ESettingType::Vector2:
+		return "FVector2D";
+	case ESettingType::Vector4:
+		return "FVector4";
+	case ESettingType::Object:
+		return std::string("TObjectPtr<class U") + Field.ObjectClass + ">";
+	}
+	return "";
+}
+
+/** A bound in the table's words: 0, 0.02. */
+std::string FormatBound(double Bound)
+{
+	const std::string Text = FormatNumber(Bound);
+	return Text.size() > 2 && Text.compare(Text.size() - 2, 2, ".0") == 0 ? Text.substr(0, Text.size() - 2) : Text;
+}
+
+std::string FormatRange(const FSettingRange& Range)
+{
+	if (!std::isfinite(Range.ClampMin))
+	{
+		return "Anything";
+	}
+	return std::isfinite(Range.ClampMax)
+			   ? "Between(" + FormatBound(Range.ClampMin) + ", " + FormatBound(Range.ClampMax) + ")"
+			   : "AtLeast(" + FormatBound(Range.ClampMin) + ", " + FormatBound(Range.UIMax) + ")";
+}
+
+} // namespace
+
+FNewSetting DescribeNewSetting(const FSettingField& Field)
+{
+	FNewSetting Setting;
+	Setting.Name = Field.Name;
+	Setting.Type = GetCppType(Field);
+	Setting.Default = FormatDefault(Field, Setting.Type);
+	Setting.Range = FormatRange(Field.Range);
+	Setting.Unit = Field.Unit;
+	Setting.ClampMin = std::isfinite(Field.Range.ClampMin) ? FormatNumber(Field.Range.ClampMin) : "";
+	Setting.ClampMax = std::isfinite(Field.Range.ClampMax) ? FormatNumber(Field.Range.ClampMax) : "";
+	Setting.UIMax = std::isfinite(Field.Range.UIMax) && Setting.ClampMax.empty() ? FormatNumber(Field.Range.UIMax) : "";
+	Setting.Category = Field.Category;
+	Setting.Doc = Field.Doc;
+	Setting.Blend = Field.Blend;
+	Setting.OverrideName = Field.OverrideName;
+	Setting.NumElements = GetNumTextElements(Field);
+	Setting.bInTable = true;
+	return Setting;
+}
+
+const std::vector<std::string>& GetNewSettingTypes()
+{
+	static const std::vector<std::string> Types = {"float", "bool", "int32", "FLinearColor", "FVector2D", "FVector4"};
+	return Types;
+}
+
+std::optional<FNewSetting> MakeNewSetting(
+	const std::string& Name, const std::string& Type, const std::string& Default, std::string& OutError)
+{
+	static const std::vector<std::pair<std::string, std::string>> ShortNames = {
+		{"int", "int32"}, {"color", "FLinearColor"}, {"vector2", "FVector2D"}, {"vector4", "FVector4"}};
+	FNewSetting Setting;
+	Setting.Name = Name;
+	Setting.OverrideName = "bOverride_" + Name;
+	Setting.Doc = "What " + Name + " does.";
+	Setting.Type = Type;
+	for (const auto& [Short, Long] : ShortNames)
+	{
+		Setting.Type = Type == Short ? Long : Setting.Type;
+	}
+	const std::vector<std::string>& Types = GetNewSettingTypes();
+	if (!IsEngineTextName(Name))
+	{
+		OutError = "\"" + Name + "\" is no name: letters, digits and underscores, no digit first";
+		return std::nullopt;
+	}
+	if (std::find(Types.begin(), Types.end(), Setting.Type) == Types.end())
+	{
+		OutError = "there is no type " + Type + "; there are float, bool, int, color, vector2, vector4";
+		return std::nullopt;
+	}
+	// Fields of the same types know how values are read and written.
+	const auto Same = std::find_if(GetSettingFields().begin(), GetSettingFields().end(),
+		[&](const FSettingField& Field)
+		{ return GetCppType(Field) == Setting.Type && GetNumTextElements(Field) == 1; });
+	FSettingField Model = *Same;
+	Model.Default = FSettingValue{Model.Type};
+	if (!Default.empty() && !SettingFromText(Model, Default, Model.Default, OutError))
+	{
+		OutError = "the default " + Default + " is no " + Type + ": " + OutError;
+		return std::nullopt;
+	}
+	Setting.Default = FormatDefault(Model, Setting.Type);
+	Setting.Blend = Setting.Type == "bool" || Setting.Type == "int32" ? ESettingBlend::Set : ESettingBlend::Lerp;
+	Setting.Category = Name.rfind("Bloom", 0) == 0 ? "Lens|Bloom" : Name.rfind("Film", 0) == 0 ? "Film" : "Lens";
+	return Setting;
+}
+
+std::string MakeTableLine(const FNewSetting& Setting)
+{
+	return "DRYDOCK_SETTING(" + Setting.Type + ", " + Setting.Name + ", " + Setting.Default + ", " + Setting.Range +
+		   ", \"" + Setting.Unit + "\", \"" + Setting.Category + "\", " + ToString(Setting.Blend) + ", \"" +
+		   Setting.Doc + "\")";
+}
+
+} // namespace Drydock

@@ -1,0 +1,311 @@
+// Source: drydock.
+#include "NewSettingSheet.h"
+
+#include <algorithm>
+
+namespace Drydock
+{
+
+namespace
+{
+
+const std::string SceneHeader = "Engine/Source/Runtime/Engine/Classes/Engine/Scene.h";
+const std::string SceneSource = "Engine/Source/Runtime/Engine/Private/Scene.cpp";
+const std::string SceneViewSource = "Engine/Source/Runtime/Engine/Private/SceneView.cpp";
+const std::string PostProcessFolder = "Engine/Source/Runtime/Renderer/Private/PostProcess/";
+
+bool StartsWith(const std::string& Text, const std::string& Prefix)
+{
+	return Text.rfind(Prefix, 0) == 0;
+}
+
+bool EndsWith(const std::string& Text, const std::string& Suffix)
+{
+	return Text.size() >= Suffix.size() && Text.compare(Text.size() - Suffix.size(), Suffix.size(), Suffix) == 0;
+}
+
+/** A struct that holds a family of settings a second time, under names of its own. */
+struct FTwinStruct
+{
+	const char* Prefix;
+	const char* Struct;
+	bool bChecked; // the editor stops at its start where a member is missing
+};
+
+constexpr FTwinStruct TwinStructs[] = {
+	{"BloomConvolution", "FConvolutionBloomSettings", true},
+	{"BloomDirtMask", "FLensImperfectionSettings", true},
+	{"Bloom", "FGaussianSumBloomSettings", true},
+	{"FilmGrain", "FFilmGrainSettings", false},
+	{"Film", "FFilmStockSettings", false},
+	{"AutoExposure", "FCameraExposureSettings", false},
+};
+
+const FTwinStruct* FindTwinStruct(const std::string& Name)
+{
+	const auto Found = std::find_if(std::begin(TwinStructs), std::end(TwinStructs),
+		[&](const FTwinStruct& Twin) { return StartsWith(Name, Twin.Prefix) && Name != Twin.Prefix; });
+	return Found == std::end(TwinStructs) ? nullptr : Found;
+}
+
+/** "ToonIntensity" of BloomToonIntensity, "Filter1Size" of Bloom1Size. */
+std::string GetTwinName(const std::string& Name, const FTwinStruct& Twin)
+{
+	const bool bImperfection = std::string(Twin.Prefix) == "BloomDirtMask"; // its members keep DirtMask
+	const std::string Rest = Name.substr(std::string(bImperfection ? "Bloom" : Twin.Prefix).size());
+	return Rest[0] >= '0' && Rest[0] <= '9' ? "Filter" + Rest : Rest;
+}
+
+/** "Toon Intensity" */
+std::string GetDisplayName(const std::string& Name)
+{
+	std::string Text;
+	for (const char Character : Name)
+	{
+		const bool bUpper = Character >= 'A' && Character <= 'Z';
+		const bool bWasLower = !Text.empty() && !(Text.back() >= 'A' && Text.back() <= 'Z');
+		Text += std::string(bUpper && bWasLower ? " " : "") + Character;
+	}
+	return Text;
+}
+
+bool IsBloom(const FNewSetting& Setting)
+{
+	return Setting.Category == "Lens|Bloom";
+}
+
+/** Whether the engine's switches for bloom set it to 0: what multiplies the bloom. */
+bool IsSwitchedOff(const FNewSetting& Setting)
+{
+	return IsBloom(Setting) && Setting.Type == "float" && EndsWith(Setting.Name, "Intensity");
+}
+
+std::string DeclareMember(const FNewSetting& Setting, const std::string& Name)
+{
+	if (Setting.Type == "bool")
+	{
+		return "uint8 " + Name + ":1;";
+	}
+	return Setting.Type + " " + Name +
+		   (Setting.NumElements > 1 ? "[" + std::to_string(Setting.NumElements) + "];" : ";");
+}
+
+/** UPROPERTY's meta of the range, with a comma behind each entry. */
+std::string FormatMeta(const FNewSetting& Setting)
+{
+	std::string Meta = Setting.ClampMin.empty() ? "" : "ClampMin = \"" + Setting.ClampMin + "\", ";
+	Meta += Setting.ClampMax.empty() ? "" : "ClampMax = \"" + Setting.ClampMax + "\", ";
+	return Meta +
+		   (Setting.UIMax.empty() ? "" : "UIMin = \"" + Setting.ClampMin + "\", UIMax = \"" + Setting.UIMax + "\", ");
+}
+
+std::string FormatBlend(const FNewSetting& Setting)
+{
+	const std::string Call = "(" + Setting.Name + ");";
+	switch (Setting.Blend)
+	{
+	case ESettingBlend::Lerp:
+		break;
+	case ESettingBlend::Set:
+		return "SET_PP" + Call;
+	case ESettingBlend::SetIfNonZero:
+		return "IF_PP" + Call;
+	case ESettingBlend::FocalDistance:
+		return "if (Src.bOverride_" + Setting.Name +
+			   ")\n{\n\t// 0 is off: nothing lies between off and a distance\n\tDest." + Setting.Name + " = (Dest." +
+			   Setting.Name + " == 0.0f || Src." + Setting.Name + " == 0.0f) ? Src." + Setting.Name +
+			   " : FMath::Lerp(Dest." + Setting.Name + ", Src." + Setting.Name + ", Weight);\n}";
+	case ESettingBlend::Accumulate:
+	case ESettingBlend::LUT:
+		return "// " + Setting.Name + " joins a list of weighted contributions of FFinalPostProcessSettings";
+	}
+	if (Setting.NumElements > 1)
+	{
+		return "if (Src.bOverride_" + Setting.Name + ")\n{\n\tfor (int32 Index = 0; Index < " +
+			   std::to_string(Setting.NumElements) + "; ++Index)\n\t{\n\t\tDest." + Setting.Name +
+			   "[Index] = FMath::Lerp(Dest." + Setting.Name + "[Index], Src." + Setting.Name +
+			   "[Index], Weight);\n\t}\n}";
+	}
+	return "LERP_PP" + Call;
+}
+
+std::string AssignDefault(const FNewSetting& Setting, const std::string& Name)
+{
+	if (Setting.NumElements == 1)
+	{
+		return Name + " = " + Setting.Default + ";";
+	}
+	return "// " + Name + "[0] to [" + std::to_string(Setting.NumElements - 1) + "] = " + Setting.Default;
+}
+
+/** The table's description without the remark that drydock added the setting. */
+std::string MakeComment(const std::string& Doc)
+{
+	const std::string Remark = "drydock: ";
+	if (!StartsWith(Doc, Remark) || Doc.size() == Remark.size())
+	{
+		return "/** " + Doc + " */\n";
+	}
+	std::string Text = Doc.substr(Remark.size());
+	Text[0] = Text[0] >= 'a' && Text[0] <= 'z' ? static_cast<char>(Text[0] - 'a' + 'A') : Text[0];
+	return "/** " + Text + " */\n";
+}
+
+/** All of Scene.h, for every file that includes it compiles again. */
+void AddDeclarations(const FNewSetting& Setting, const FTwinStruct* Twin, std::vector<FSettingPlace>& Places)
+{
+	Places.push_back({SceneHeader, "FPostProcessSettings, among the override bits of " + Setting.Category,
+		"UPROPERTY(BlueprintReadWrite, Category=Overrides, meta=(PinHiddenByDefault, "
+		"InlineEditConditionToggle))\nuint8 " +
+			Setting.OverrideName + ":1;",
+		"Without the bit no volume can give it."});
+	Places.push_back({SceneHeader, "FPostProcessSettings, among the values of " + Setting.Category,
+		MakeComment(Setting.Doc) + "UPROPERTY(interp, BlueprintReadWrite, Category=\"" + Setting.Category +
+			"\", meta=(" + FormatMeta(Setting) + "editcondition = \"" + Setting.OverrideName + "\", DisplayName = \"" +
+			GetDisplayName(Setting.Name) + "\"))\n" + DeclareMember(Setting, Setting.Name),
+		"Every file that includes Scene.h compiles again: do all of Scene.h at once."});
+	if (Twin != nullptr)
+	{
+		const std::string TwinName = GetTwinName(Setting.Name, *Twin);
+		Places.push_back({SceneHeader, Twin->Struct,
+			MakeComment(Setting.Doc) + "UPROPERTY(EditAnywhere, BlueprintReadWrite, Category=\"" + Setting.Category +
+				"\", meta=(" + FormatMeta(Setting) + "DisplayName = \"" + GetDisplayName(TwinName) + "\"))\n" +
+				DeclareMember(Setting, TwinName),
+			Twin->bChecked
+				? "Editor builds look for a twin of every Bloom... field, with this name and type, and stop at "
+				  "the first start where it is missing."
+				: "Cine cameras and presets set it through this struct."});
+	}
+}
+
+/** All of Scene.cpp. */
+void AddDefaults(const FNewSetting& Setting, const FTwinStruct* Twin, std::vector<FSettingPlace>& Places)
+{
+	if (Twin != nullptr)
+	{
+		const std::string TwinName = GetTwinName(Setting.Name, *Twin);
+		Places.push_back(
+			{SceneSource, std::string("constructor of ") + Twin->Struct, AssignDefault(Setting, TwinName), ""});
+		Places.push_back({SceneSource, std::string(Twin->Struct) + "::ExportToPostProcessSettings",
+			"OutPostProcessSettings->" + Setting.OverrideName + " = true;\nOutPostProcessSettings->" + Setting.Name +
+				" = " + TwinName + ";",
+			""});
+	}
+	Places.push_back({SceneSource, "FPostProcessSettings::FPostProcessSettings()", AssignDefault(Setting, Setting.Name),
+		"The constructor zeroes the struct first: without this line the default is 0."});
+	if (IsSwitchedOff(Setting))
+	{
+		Places.push_back({SceneSource, "FPostProcessSettings::PostSerialize, where BM_FFT sets BloomIntensity to 1",
+			Setting.Name + " = 1.0f;",
+			"Old assets with convolution bloom; runs once per asset, never while blending."});
+	}
+}
+
+/** Blending, and what switches it off. */
+void AddBlending(const FNewSetting& Setting, std::vector<FSettingPlace>& Places)
+{
+	Places.push_back({SceneViewSource, "FSceneView::OverridePostProcessSettings", FormatBlend(Setting),
+		"Without it volumes set the value and no view ever sees it."});
+	if (IsSwitchedOff(Setting))
+	{
+		const std::string Zero = "FinalPostProcessSettings." + Setting.Name + " = 0.0f;";
+		Places.push_back(
+			{SceneViewSource, "FSceneView::StartFinalPostprocessSettings, where r.DefaultFeature.Bloom is 0", Zero,
+				"Wherever BloomIntensity becomes 0."});
+		Places.push_back(
+			{SceneViewSource, "FSceneView::EndFinalPostprocessSettings, where r.BloomQuality is 0", Zero, ""});
+		Places.push_back(
+			{SceneViewSource, "FSceneView::EndFinalPostprocessSettings, where ShowFlag.Bloom is off", Zero, ""});
+	}
+}
+
+/** From the final settings to the shader. */
+void AddPass(const FNewSetting& Setting, const FTwinStruct* Twin, std::vector<FSettingPlace>& Places)
+{
+	const std::string Short = Twin == nullptr ? Setting.Name : GetTwinName(Setting.Name, *Twin);
+	const bool bBloom = IsBloom(Setting);
+	const bool bObject = StartsWith(Setting.Type, "TObjectPtr");
+	const std::string Stem = bBloom ? PostProcessFolder + "PostProcessBloomSetup" : PostProcessFolder + "PASS";
+	const std::string Inputs = bBloom ? "FBloomSetupInputs" : "inputs struct of the pass that reads it";
+	const bool bWide = Setting.Type == "FLinearColor" || Setting.Type == "FVector4";
+	const std::string CppType = bWide                         ? "FLinearColor"
+								: Setting.Type == "FVector2D" ? "FVector2f"
+								: Setting.Type == "float"     ? "float"
+								: bObject                     ? "FRDGTextureRef"
+															  : "int32";
+	const std::string ParameterType = bWide && Setting.Type == "FVector4" ? "FVector4f" : CppType;
+	const std::string ShaderType = bWide                    ? "float4"
+								   : CppType == "FVector2f" ? "float2"
+								   : CppType == "float"     ? "float"
+															: "int";
+	const std::string Value =
+		Setting.Type == "FVector4"    ? "FLinearColor(View.FinalPostProcessSettings." + Setting.Name + ")"
+		: Setting.Type == "FVector2D" ? "FVector2f(View.FinalPostProcessSettings." + Setting.Name + ")"
+									  : "View.FinalPostProcessSettings." + Setting.Name;
+	Places.push_back({Stem + ".h", Inputs,
+		CppType + " " + Short +
+			(bObject                     ? " = nullptr;"
+				: bWide                  ? ";"
+				: CppType == "FVector2f" ? ";"
+										 : " = 0;"),
+		""});
+	Places.push_back({Stem + ".cpp", bBloom ? "FBloomSetupParameters" : "parameter struct of the pass",
+		bObject ? "SHADER_PARAMETER_RDG_TEXTURE(Texture2D, " + Short + ")"
+				: "SHADER_PARAMETER(" + ParameterType + ", " + Short + ")",
+		"The name must be the shader's, to the letter: a mismatch binds nothing."});
+	Places.push_back({Stem + ".cpp",
+		bBloom ? "where FBloomSetupParameters are filled: for the pixel and the compute shader alike"
+			   : "where the parameters are filled",
+		"Parameters." + Short + " = Inputs." + Short + ";",
+		bBloom ? "r.PostProcessing.PreferCompute 1 runs the compute shader." : ""});
+	Places.push_back({PostProcessFolder + "PostProcessing.cpp", "AddPostProcessingPasses, before the pass is added",
+		bObject ? "PassInputs." + Short + " = /* registered texture of */ " + Value + ";"
+				: "PassInputs." + Short + " = " + Value + ";",
+		bBloom
+			? "With BloomThreshold -1 and neutral local exposure the engine adds no bloom setup: make it be added when "
+			  "this setting asks for it."
+			: "Add the pass only where this value is not neutral."});
+	const std::string ShaderFile =
+		bBloom ? "Engine/Shaders/Private/PostProcessBloom.usf" : "Engine/Shaders/Private/PASS.usf";
+	Places.push_back(
+		{ShaderFile, bBloom ? "globals; used in BloomSetupPS and in BloomSetupCS" : "globals, and its entries",
+			bObject ? "Texture2D " + Short + ";" : ShaderType + " " + Short + ";", ""});
+}
+
+} // namespace
+
+std::vector<FSettingPlace> MakeSettingPlan(const FNewSetting& Setting)
+{
+	std::vector<FSettingPlace> Places;
+	const FTwinStruct* Twin = FindTwinStruct(Setting.Name);
+	AddDeclarations(Setting, Twin, Places);
+	AddDefaults(Setting, Twin, Places);
+	AddBlending(Setting, Places);
+	AddPass(Setting, Twin, Places);
+	return Places;
+}
+
+std::string FormatSettingPlan(const FNewSetting& Setting)
+{
+	std::string Text = Setting.Name + ": " + Setting.Type + ", default " + Setting.Default + ", " + Setting.Category +
+					   ", blends by " + ToString(Setting.Blend) + "\n";
+	Text += Setting.bInTable ? ""
+							 : "In drydock it is one line of settings/PostProcessSettingsTable.h:\n\n    " +
+								   MakeTableLine(Setting) + "\n\nIn the engine:\n";
+	int Number = 0;
+	for (const FSettingPlace& Place : MakeSettingPlan(Setting))
+	{
+		Text += "\n" + std::to_string(++Number) + ". " + Place.File + "\n   " + Place.Where + "\n";
+		Text += Place.Why.empty() ? "" : "   (" + Place.Why + ")\n";
+		Text += "\n";
+		for (size_t Begin = 0; Begin <= Place.Text.size();)
+		{
+			const size_t End = std::min(Place.Text.find('\n', Begin), Place.Text.size());
+			Text += "    " + Place.Text.substr(Begin, End - Begin) + "\n";
+			Begin = End + 1;
+		}
+	}
+	return Text;
+}
+
+} // namespace Drydock
