@@ -145,8 +145,8 @@ FScreenPassTexture AddUnityBloomPass(
 	Permutation.Set<FUnityBloomPassDimension>(Inputs.Pass);
 	TShaderMapRef<FUnityBloomPS> PixelShader(View.ShaderMap, Permutation);
 	FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
-		RDG_EVENT_NAME(
-			"UnityBloom.%s %dx%d", Drydock::ToString(Inputs.Pass), Output.ViewRect.Width(), Output.ViewRect.Height()),
+		RDG_EVENT_NAME("%s%s %dx%d", Inputs.Name ? TEXT("") : TEXT("UnityBloom."), Name, Output.ViewRect.Width(),
+			Output.ViewRect.Height()),
 		PixelShader, PassParameters, Output.ViewRect);
 	return FScreenPassTexture(Output.Texture, Output.ViewRect);
 }

@@ -234,7 +234,8 @@ bool ReadBlendable(const FJsonValue& Value, FWeightedBlendable& OutBlendable)
 		{
 			OutBlendable.Object = FindOrAddObject(StripObjectClass(Member.String));
 		}
-		else if (Name == "Weight" && Member.Type == EJsonType::Number && std::isfinite(static_cast<float>(Member.Number)))
+		else if (Name == "Weight" && Member.Type == EJsonType::Number &&
+				 std::isfinite(static_cast<float>(Member.Number)))
 		{
 			OutBlendable.Weight = static_cast<float>(Member.Number);
 		}
@@ -251,7 +252,8 @@ void ReadBlendables(const FJsonValue& Value, FConfigSettings& Settings, FConfigM
 	const auto Refuse = [&](const FJsonValue& At)
 	{
 		Messages.Error(ErrorWrongType, At,
-			BlendablesName + " is an array of objects and weights: [{\"Object\": \"/Game/Folder/Name.Name\", \"Weight\": 1}]");
+			BlendablesName +
+				" is an array of objects and weights: [{\"Object\": \"/Game/Folder/Name.Name\", \"Weight\": 1}]");
 	};
 	if (Value.Type != EJsonType::Array)
 	{

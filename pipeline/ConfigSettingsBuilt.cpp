@@ -41,6 +41,13 @@ constexpr struct
 	{"Histogram", Metering},
 	{"Camera", Metering},
 	{"DualKawaseBlur", Acts},
+	{"ToonShadowBlur", Acts},
+	{"DiffusionFilter", Acts},
+	{"SoftFocus", Acts},
+	{"GlowIntensity", Acts},
+	{"CharaGlow", Acts},
+	{"REDDof", Acts},
+	{"UnityBloom", Acts},
 };
 
 } // namespace

@@ -173,8 +173,9 @@ FChainSettings MakeChainSettings(const FConfig& Config, std::vector<FDiagnostic>
 	Chain.Settings = std::move(Blended.Settings);
 	Chain.Gates = std::move(Blended.Gates);
 	Chain.ExposureScale = ComputeExposureScale(Config, Chain);
-	const std::vector<std::string> Named = GetNamedSettings(Config);
-	Chain.bToonBloomConfigured = std::find(Named.begin(), Named.end(), "BloomToonIntensity") != Named.end();
+	Chain.NamedSettings = GetNamedSettings(Config);
+	Chain.bToonBloomConfigured = std::find(Chain.NamedSettings.begin(), Chain.NamedSettings.end(),
+									 "BloomToonIntensity") != Chain.NamedSettings.end();
 	return Chain;
 }
 

@@ -3,6 +3,7 @@
 #include "EffectDecisions.h"
 
 #include "HAL/IConsoleManager.h"
+#include "PostProcess/ArticleEffects.h"
 
 #include <algorithm>
 #include <charconv>
@@ -132,6 +133,10 @@ std::vector<FEffectDecision> DecideEffects(const FChainSettings& Chain)
 		else if (Name == "DualKawaseBlur")
 		{
 			Decision = DecideDualKawase(Chain);
+		}
+		else if (const std::optional<FEffectDecision> Article = DecideArticleEffect(Name, Chain))
+		{
+			Decision = *Article;
 		}
 		else if (Name == "Tonemap")
 		{

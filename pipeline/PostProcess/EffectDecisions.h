@@ -27,10 +27,11 @@ struct FChainSettings
 {
 	FFinalPostProcessSettings Settings; // after show flags and console variables
 	FEngineShowFlags ShowFlags;
-	std::vector<FSettingGate> Gates;   // what those two changed
-	float ExposureScale = 1.0f;        // final
-	bool bToonBloomConfigured = false; // a volume, the camera or --pp names BloomToonIntensity
-	bool bDualKawaseExtension = false; // one is active: it makes the effect's passes, wherever it subscribes
+	std::vector<FSettingGate> Gates;        // what those two changed
+	float ExposureScale = 1.0f;             // final
+	std::vector<std::string> NamedSettings; // by a volume, the camera or --pp, sorted
+	bool bToonBloomConfigured = false;      // a volume, the camera or --pp names BloomToonIntensity
+	bool bDualKawaseExtension = false;      // one is active: it makes the effect's passes, wherever it subscribes
 };
 
 /** One decision per effect name, in their order. */

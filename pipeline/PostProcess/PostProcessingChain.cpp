@@ -3,6 +3,7 @@
 
 #include "ExtensionErrors.h"
 #include "ExtensionFactory.h"
+#include "PostProcess/ArticleEffects.h"
 #include "PostProcess/OverridePassSequence.h"
 #include "PostProcess/PassCallbacks.h"
 #include "DualKawaseBlurPass.h"
@@ -27,6 +28,7 @@ enum class EPass : uint32
 {
 	MotionBlur,
 	Tonemap,
+	UnityBloom, // after the tonemapper
 	FXAA,
 	VisualizeDepthOfField,
 	PrimaryUpscale,
@@ -306,10 +308,14 @@ FPostProcessingChainOutputs AddPostProcessingPasses(FRDGBuilder& GraphBuilder, c
 	const FViewInfo& View = *NamedView.View;
 	const bool bPostProcessing = View.Family == nullptr || View.Family->EngineShowFlags.PostProcessing;
 
+	Drydock::FArticleEffects ArticleEffects(GraphBuilder, View,
+		Drydock::FArticleEffectInputs{Inputs.SceneTextures, Inputs.ToonShadow, Inputs.LightColor}, Effects);
+
 	TOverridePassSequence<EPass> Sequence(
 		FScreenPassRenderTarget::CreateViewFamilyOutput(Inputs.ViewFamilyTexture, View));
 	Sequence.SetEnabled(EPass::MotionBlur, bPostProcessing && IsActive(Effects, "MotionBlur"));
 	Sequence.SetEnabled(EPass::Tonemap, true);
+	Sequence.SetEnabled(EPass::UnityBloom, ArticleEffects.HasUnityBloomAfterTonemap());
 	Sequence.SetEnabled(EPass::FXAA, bPostProcessing && IsActive(Effects, "FXAA"));
 	Sequence.SetEnabled(EPass::VisualizeDepthOfField, false);
 	Sequence.SetEnabled(EPass::PrimaryUpscale, IsActive(Effects, "Upscale"));
@@ -322,14 +328,21 @@ FPostProcessingChainOutputs AddPostProcessingPasses(FRDGBuilder& GraphBuilder, c
 	const std::string Off = "ShowFlag.PostProcessing is off";
 	if (bPostProcessing)
 	{
+		SceneColor = ArticleEffects.AddLighting(SceneColor);
 		SceneColor = Points.Run(EPoint::BeforeDOF, SceneColor);
+		SceneColor = ArticleEffects.AddRED(EREDPostProcessInsertion::BeforeTranslucency, SceneColor);
 		SceneColor = Points.Run(EPoint::AfterDOF, SceneColor);
+		SceneColor = ArticleEffects.AddRED(EREDPostProcessInsertion::AfterTranslucency, SceneColor);
 		Points.Skip(EPoint::TranslucencyAfterDOF, "the scene has no separate translucency");
 		RunSSRInput(GraphBuilder, View, Inputs, SceneColor, Points);
 		SceneColor = Points.Run(EPoint::MotionBlur, SceneColor);
 		if (IsActive(Effects, "DualKawaseBlur") && !Extensions.Has("FDualKawaseBlur"))
 		{
 			SceneColor = AddDualKawasePasses(GraphBuilder, View, SceneColor);
+		}
+		if (ArticleEffects.HasUnityBloomBeforeTonemap())
+		{
+			SceneColor = ArticleEffects.AddUnityBloom(SceneColor);
 		}
 	}
 	else
@@ -341,17 +354,24 @@ FPostProcessingChainOutputs AddPostProcessingPasses(FRDGBuilder& GraphBuilder, c
 		}
 	}
 
-	FPostProcessingChainOutputs Outputs;
-	Outputs.SceneLinear = SceneColor;
-
 	FTonemapInputs TonemapInputs;
-	TonemapInputs.SceneColor = SceneColor;
 	TonemapInputs.EyeAdaptationBuffer = CreateEyeAdaptationBuffer(GraphBuilder, Inputs.ExposureScale);
 	TonemapInputs.OutputFormat = DisplayFormat;
 	if (IsActive(Effects, "Bloom"))
 	{
 		TonemapInputs.Bloom = AddBloomPasses(GraphBuilder, View, SceneColor, TonemapInputs.EyeAdaptationBuffer);
 	}
+	if (ArticleEffects.WantsBloomInSceneColor())
+	{
+		SceneColor = ArticleEffects.AddBloomComposite(SceneColor, TonemapInputs.Bloom);
+		SceneColor = ArticleEffects.AddRED(EREDPostProcessInsertion::AfterBloom, SceneColor);
+		TonemapInputs.Bloom = FScreenPassTexture();
+	}
+	TonemapInputs.SceneColor = SceneColor;
+
+	FPostProcessingChainOutputs Outputs;
+	Outputs.SceneLinear = SceneColor;
+	Outputs.BlurredToonShadow = ArticleEffects.GetBlurredToonShadow();
 	if (bPostProcessing && Points.HasCallbacks(EPoint::ReplacingTonemapper))
 	{
 		SceneColor = Points.RunReplacingTonemapper(SceneColor, TonemapInputs.Bloom);
@@ -368,6 +388,12 @@ FPostProcessingChainOutputs AddPostProcessingPasses(FRDGBuilder& GraphBuilder, c
 	Points.SetSlot(EPostProcessMaterialInput::PreTonemapHDRColor, Outputs.SceneLinear);
 	Points.SetSlot(EPostProcessMaterialInput::PostTonemapHDRColor, SceneColor);
 	SceneColor = Points.Run(EPoint::Tonemap, SceneColor);
+	if (ArticleEffects.HasUnityBloomAfterTonemap())
+	{
+		FScreenPassRenderTarget OverrideOutput;
+		Sequence.AcceptOverrideIfLastPass(EPass::UnityBloom, OverrideOutput);
+		SceneColor = ArticleEffects.AddUnityBloom(SceneColor, OverrideOutput);
+	}
 
 	if (bPostProcessing)
 	{

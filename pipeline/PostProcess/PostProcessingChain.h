@@ -21,6 +21,9 @@ struct FPostProcessingChainInputs
 	float ExposureScale = 1.0f;
 	/** Null where nobody reads scene textures. */
 	TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures = nullptr;
+	/** The toon shadow buffer, and the colour of the main light: what ToonShadowBlur reads. */
+	FScreenPassTexture ToonShadow;
+	FLinearColor LightColor = FLinearColor(1.0f, 1.0f, 1.0f, 1.0f);
 	/** Where the result of SSRInput is kept for the next frame; null: nothing is kept. */
 	TRefCountPtr<IPooledRenderTarget>* CustomSSRInput = nullptr;
 };
@@ -29,6 +32,8 @@ struct FPostProcessingChainOutputs
 {
 	/** What the tonemapper reads, bloom apart. */
 	FScreenPassTexture SceneLinear;
+	/** The shadow buffer with the blurred shadow in A; invalid where ToonShadowBlur did not run. */
+	FScreenPassTexture BlurredToonShadow;
 	/** The display-encoded picture: ViewFamilyTexture. */
 	FScreenPassTexture Final;
 };

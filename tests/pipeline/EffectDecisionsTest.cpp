@@ -225,3 +225,50 @@ TEST(FinalSettings, NamedSettingsAreThoseOfAllSourcesOnce)
 	AddSettingArgument(Config, "FilmSlope=0.9", Diagnostics);
 	EXPECT_EQ((std::vector<std::string>{"BloomIntensity", "FilmSlope", "FilmToe"}), GetNamedSettings(Config));
 }
+
+TEST(EffectDecisions, ArticleEffectsAreNeutralByDefault)
+{
+	for (const char* Name : {"RED", "REDDepthOfField", "CharaGlow", "ToonShadowBlur", "UnityBloom"})
+	{
+		EXPECT_FALSE(Decision("{}", Name).bActive) << Name;
+		EXPECT_FALSE(Decision("{}", Name).bConfigured) << Name;
+	}
+	EXPECT_EQ(
+		"UnityBloomIntensity is 0: neutral, and nothing in the config sets it", Decision("{}", "UnityBloom").Reason);
+}
+
+TEST(EffectDecisions, ArticleEffectRunsWhereItsSwitchIsNotNeutral)
+{
+	const FEffectDecision Red = Decision(Unbound(R"("GlowIntensity": 0.5)"), "RED");
+	EXPECT_TRUE(Red.bActive);
+	EXPECT_EQ("DiffusionFilterIntensity is 0, SoftFocusBlend 0, SoftFocusSaturation 1, GlowIntensity 0.5; before "
+			  "separate translucency",
+		Red.Reason);
+	EXPECT_TRUE(Decision(Unbound(R"("SoftFocusSaturation": 0.5)"), "RED").bActive);
+	EXPECT_TRUE(Decision(Unbound(R"("CharaGlowArea": 4)"), "CharaGlow").bActive);
+	EXPECT_TRUE(Decision(Unbound(R"("REDDofFocalDistance": 300)"), "REDDepthOfField").bActive);
+	EXPECT_TRUE(Decision(Unbound(R"("ToonShadowBlurIntensity": 1)"), "ToonShadowBlur").bActive);
+	EXPECT_TRUE(Decision(Unbound(R"("UnityBloomIntensity": 1)"), "UnityBloom").bActive);
+}
+
+TEST(EffectDecisions, ArticleEffectNamedButNeutralIsConfiguredAndDoesNotRun)
+{
+	const FEffectDecision Glow = Decision(Unbound(R"("CharaGlowColor": [1, 0, 0, 1])"), "CharaGlow");
+	EXPECT_FALSE(Glow.bActive);
+	EXPECT_TRUE(Glow.bConfigured);
+	EXPECT_EQ("CharaGlowArea is 0: neutral", Glow.Reason);
+}
+
+TEST(EffectDecisions, ArticleEffectsNeedPostProcessing)
+{
+	const std::string Config =
+		R"({"showFlags": {"PostProcessing": false}, "volumes": [{"bUnbound": true, "Settings": {"GlowIntensity": 1}}]})";
+	EXPECT_FALSE(Decision(Config, "RED").bActive);
+	EXPECT_EQ("ShowFlag.PostProcessing is off", Decision(Config, "RED").Reason);
+}
+
+TEST(EffectDecisions, PlaceOfRedIsTold)
+{
+	const FScopedConsoleVariable Place(TEXT("r.REDPostprocessAfterTranslucency"), FString(TEXT("2")));
+	EXPECT_TRUE(Decision(Unbound(R"("GlowIntensity": 0.5)"), "RED").Reason.ends_with("; after bloom"));
+}

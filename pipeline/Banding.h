@@ -1,0 +1,33 @@
+// How smooth a gradient is after it has been stored: counts that order the pictures of one gradient in different
+// formats, and a map that shows where the bands lie. Source: drydock.
+#pragma once
+
+#include "ImageFile.h"
+
+#include <array>
+#include <cstdint>
+
+namespace Drydock
+{
+
+/** Steps between neighbours, in 1/255: none, up to 1/4, 1/2, 1, 2, 4, 8, and above. */
+constexpr std::array<double, 7> BandingStepBounds = {0.0, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0};
+
+struct FBandingFigures
+{
+	/** Different values. NaN counts as none. */
+	uint64_t UniqueLevels = 0;
+	/** Texels in a row or column that have one value, strictly between the least and the greatest of the image. */
+	int LongestFlatRun = 0;
+	/** Pairs of horizontal and vertical neighbours by the size of their difference. */
+	std::array<uint64_t, BandingStepBounds.size() + 1> StepHistogram = {};
+};
+
+/** Of one channel. */
+DRYDOCK_API FBandingFigures MeasureBanding(const FImage& Image, int Channel);
+
+/** Red: the value steps here, green: it is as its neighbours and lies within a gradient, so that bands are green
+ * between red lines and a smooth gradient is red all over; the value itself beneath, in grey. */
+DRYDOCK_API FImage MakeBandingMap(const FImage& Image, int Channel);
+
+} // namespace Drydock
