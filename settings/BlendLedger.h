@@ -33,6 +33,7 @@ struct FBlendLedgerEntry
 	FSettingValue Before;
 	FSettingValue After;
 	std::string Skipped; // why it did nothing; empty: it acted
+	std::string Detail;  // of fields that contribute to a list instead of having one value: the list afterwards
 };
 
 /** Filled by the functions that blend, where they are given one: without it nothing is recorded, and nothing paid. */

@@ -1,10 +1,9 @@
 // Source: engine World.cpp and SceneView.cpp for the order; the ledger is drydock's.
 #include "BlendSettings.h"
 
-#include "PostProcessVolumeWeight.h"
+#include "BlendContributions.h"
 
 #include <algorithm>
-#include <charconv>
 #include <numeric>
 #include <utility>
 
@@ -13,32 +12,6 @@ namespace Drydock
 
 namespace
 {
-
-/** Centimetres, to a tenth. */
-std::string LengthText(double Length)
-{
-	char Buffer[64];
-	return std::string(Buffer, std::to_chars(Buffer, Buffer + sizeof(Buffer), Length, std::chars_format::fixed, 1).ptr);
-}
-
-std::string ExplainSkip(EVolumeSkip Skip, const FPostProcessVolumeProperties& Volume, double Distance)
-{
-	switch (Skip)
-	{
-	case EVolumeSkip::None:
-		return "";
-	case EVolumeSkip::Disabled:
-		return "disabled";
-	case EVolumeSkip::NoWeight:
-		return "BlendWeight is 0";
-	case EVolumeSkip::NotANumber:
-		return "its weight is not a number";
-	case EVolumeSkip::OutOfRadius:
-		break;
-	}
-	return "out of radius: " + LengthText(Distance) + " cm away, BlendRadius " +
-		   LengthText(static_cast<double>(Volume.BlendRadius));
-}
 
 /** Something that overrides settings, at the place in question. */
 struct FActor
@@ -75,6 +48,7 @@ bool Covers(const FSettingField& Field, const FPostProcessSettings& Source, floa
 	case ESettingBlend::FocalDistance:
 		return Weight >= 1.0f;
 	case ESettingBlend::Accumulate:
+	case ESettingBlend::LUT:
 		break;
 	}
 	return false;
@@ -100,18 +74,30 @@ struct FSettingsBlender::FPass
 				Result.NonFinite.push_back({Actor.Source, Fields[Index].Name});
 			}
 		}
+		if (Actor.Skipped.empty())
+		{
+			BlendContributions(Result.Settings, Actor.Settings, Actor.Weight);
+		}
 		if (Ledger != nullptr)
 		{
 			ApplyAndRecord(Actor);
-			return;
 		}
-		if (Actor.Skipped.empty())
+		else if (Actor.Skipped.empty())
 		{
 			for (const uint32 Index : Actor.Fields.Fields)
 			{
-				BlendField(Fields[Index], Result.Settings, Actor.Settings, Actor.Weight, Blender.bHuge);
+				Fields[Index].BlendFrom(Result.Settings, Actor.Settings, Actor.Weight);
+				Fields[Index].SetOverridden(Result.Settings, true);
 			}
 		}
+	}
+
+	/** What became of the lists that hold such a field's contributions. */
+	std::string Describe(const FSettingField& Field) const
+	{
+		return Field.Blend == ESettingBlend::LUT          ? DescribeLUTs(Result.Settings)
+			   : Field.Blend == ESettingBlend::Accumulate ? DescribeCubemaps(Result.Settings)
+														  : "";
 	}
 
 	static std::string FindSkip(const FActor& Actor, const FSettingField& Field)
@@ -119,7 +105,7 @@ struct FSettingsBlender::FPass
 		const FSettingValue Value = Field.Get(Actor.Settings);
 		return !Field.IsOverridden(Actor.Settings) ? "override off"
 			   : !Actor.Skipped.empty()            ? Actor.Skipped
-			   : !IsFinite(Value)                  ? "the value is not finite"
+			   : !Value.IsFinite()                 ? "the value is not finite"
 			   : IsIneffective(Field, Value)       ? "zero or null replaces nothing"
 												   : "";
 	}
@@ -140,10 +126,12 @@ struct FSettingsBlender::FPass
 				continue;
 			}
 			FBlendLedgerEntry Entry{Actor.Kind, Actor.Source, ToString(Field.Blend), Actor.Weight, Actor.Distance,
-				Field.Get(Result.Settings), {}, FindSkip(Actor, Field)};
-			if (bOverridden && Actor.Skipped.empty() && IsFinite(Field.Get(Actor.Settings)))
+				Field.Get(Result.Settings), {}, FindSkip(Actor, Field), ""};
+			if (bOverridden && Actor.Skipped.empty() && Field.Get(Actor.Settings).IsFinite())
 			{
-				BlendField(Field, Result.Settings, Actor.Settings, Actor.Weight, Blender.bHuge);
+				Field.BlendFrom(Result.Settings, Actor.Settings, Actor.Weight);
+				Field.SetOverridden(Result.Settings, true);
+				Entry.Detail = Describe(Field);
 			}
 			Entry.After = Field.Get(Result.Settings);
 			Ledger->Add(Index, std::move(Entry));
@@ -233,7 +221,6 @@ FSettingsBlender::FSettingsBlender(FBlendInputs InInputs)
 						   { return Inputs.Volumes[A].Priority == Inputs.Volumes[B].Priority; }) != Order.end();
 	const auto Note = [this](const FOverriddenFields& Fields)
 	{
-		bHuge = bHuge || Fields.bHuge;
 		for (const std::vector<uint32>* Indices : {&Fields.Fields, &Fields.NonFinite})
 		{
 			for (const uint32 Index : *Indices)
@@ -251,27 +238,47 @@ FSettingsBlender::FSettingsBlender(FBlendInputs InInputs)
 	Note(CommandLineFields);
 }
 
+FVolumeAtPlace FSettingsBlender::MeasureVolume(size_t Index, const FVector& Location, bool bMeasured) const
+{
+	const APostProcessVolume& Volume = Inputs.Volumes[Index];
+	FVolumeAtPlace Place{Index, std::nullopt, {}};
+	if (bMeasured)
+	{
+		Place.Distance = Volume.Shape.GetDistance(Location);
+	}
+	Place.Influence = GetInfluence(Volume.GetProperties(), Place.Distance.value_or(0.0));
+	return Place;
+}
+
+std::vector<FVolumeAtPlace> FSettingsBlender::FindVolumes(const FVector& Location) const
+{
+	std::vector<FVolumeAtPlace> Places;
+	for (const size_t Index : Order)
+	{
+		Places.push_back(MeasureVolume(Index, Location, !Inputs.Volumes[Index].bUnbound));
+	}
+	return Places;
+}
+
 FBlendedSettings FSettingsBlender::At(const FVector& Location, FBlendLedger* Ledger) const
 {
 	FPass Pass{*this, Ledger, {}, std::vector<FFieldTie>(GetSettingFields().size())};
 	Pass.Result.Settings = StartFinalPostProcessSettings(Ledger, Inputs.bEngine53);
-	for (size_t Rank = 0; Rank < Order.size(); ++Rank)
+	for (const size_t Index : Order)
 	{
-		const size_t Index = Order[Rank];
 		const APostProcessVolume& Volume = Inputs.Volumes[Index];
 		const bool bMeasured = !Volume.bUnbound && (Volume.bEnabled || Ledger != nullptr);
-		const double Distance = bMeasured ? Volume.Shape.GetDistance(Location) : 0.0;
-		const FVolumeInfluence Influence = GetInfluence(Volume.GetProperties(), Distance);
-		if (Influence.Skip != EVolumeSkip::None && Ledger == nullptr)
+		const FVolumeAtPlace Place = MeasureVolume(Index, Location, bMeasured);
+		if (Place.Influence.Skip != EVolumeSkip::None && Ledger == nullptr)
 		{
 			continue;
 		}
-		Pass.Apply({EBlendSource::Volume, *Volume.Name, Volume.Settings, VolumeFields[Index], Influence.Weight,
-			bMeasured ? std::optional(Distance) : std::nullopt,
-			ExplainSkip(Influence.Skip, Volume.GetProperties(), Distance)});
-		if (Influence.Skip == EVolumeSkip::None && bEqualPriorities)
+		Pass.Apply({EBlendSource::Volume, *Volume.Name, Volume.Settings, VolumeFields[Index], Place.Influence.Weight,
+			Place.Distance,
+			ExplainSkip(Place.Influence.Skip, Volume.GetProperties(), Place.Distance.value_or(0.0))});
+		if (Place.Influence.Skip == EVolumeSkip::None && bEqualPriorities)
 		{
-			Pass.NoteTies(Index, Influence.Weight);
+			Pass.NoteTies(Index, Place.Influence.Weight);
 		}
 	}
 	const float CameraWeight = Inputs.CameraWeight > 0.0f ? std::min(Inputs.CameraWeight, 1.0f) : 0.0f;

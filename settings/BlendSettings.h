@@ -4,10 +4,13 @@
 // the warnings are drydock's.
 #pragma once
 
+#include "BlendLedger.h"
 #include "BlendSource.h"
 #include "FinalPostProcessSettings.h"
+#include "PostProcessVolumeWeight.h"
 #include "Engine/PostProcessVolume.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +43,14 @@ struct FNonFiniteSetting
 	std::string Setting;
 };
 
+/** Where a place is to a volume. */
+struct FVolumeAtPlace
+{
+	size_t Volume = 0;              // index in FBlendInputs::Volumes
+	std::optional<double> Distance; // cm; of bounded volumes
+	FVolumeInfluence Influence;
+};
+
 struct FBlendedSettings
 {
 	FFinalPostProcessSettings Settings;
@@ -59,10 +70,15 @@ public:
 	 * console variables and the location. */
 	FBlendedSettings At(const FVector& Location, FBlendLedger* Ledger = nullptr) const;
 
+	/** All volumes in the order in which they are blended. */
+	std::vector<FVolumeAtPlace> FindVolumes(const FVector& Location) const;
+
 	const FBlendInputs& GetInputs() const { return Inputs; }
 
 private:
 	struct FPass;
+
+	FVolumeAtPlace MeasureVolume(size_t Index, const FVector& Location, bool bMeasured) const;
 
 	FBlendInputs Inputs;
 	std::vector<FOverriddenFields> VolumeFields; // by index in Inputs.Volumes
@@ -70,7 +86,6 @@ private:
 	FOverriddenFields CommandLineFields;
 	std::vector<size_t> Order;   // of volumes: ascending priority, equal ones as declared
 	std::vector<uint8> bTouched; // by field: some source overrides it
-	bool bHuge = false;          // see FOverriddenFields
 	bool bEqualPriorities = false;
 };
 

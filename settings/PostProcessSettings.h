@@ -65,7 +65,37 @@ struct FPostProcessSettings
 	}
 };
 
-/** What a view renders with, after defaults, volumes, camera, clamps and show flags. */
+/** The blendables of all sources that act on a view, in the order in which they were blended, each with its weight
+ * times that of its source. One that several sources name is there as often. */
+struct FBlendableManager
+{
+	TArray<FWeightedBlendable> Blendables;
+};
+
+/** What a view renders with, after defaults, volumes, camera, clamps and show flags. Beside the fields, of which each
+ * has one value, it holds what cannot be merged into one: lists of contributions. */
 struct FFinalPostProcessSettings : public FPostProcessSettings
 {
+	struct FCubemapEntry
+	{
+		/** Tint * intensity * weight, summed over all that name the cubemap. */
+		FLinearColor AmbientCubemapTintMulScaleValue;
+		TObjectPtr<UTextureCube> AmbientCubemap;
+	};
+
+	struct FLUTEntry
+	{
+		TObjectPtr<UTexture> LUT; // null: the neutral one
+		float Weight = 1.0f;
+	};
+
+	TArray<FCubemapEntry> ContributingCubemaps;
+	TArray<FLUTEntry> ContributingLUTs = {FLUTEntry()}; // weights sum to 1
+	FBlendableManager BlendableManager;
+
+	/** Takes Weight (0..1) from all tables and gives it to this one. */
+	DRYDOCK_API void LerpTo(UTexture* LUT, float Weight);
+
+	/** Adds a cubemap's colour; null does nothing. */
+	DRYDOCK_API void AddCubemap(UTextureCube* Cubemap, const FLinearColor& TintTimesScale);
 };

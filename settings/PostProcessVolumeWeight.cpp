@@ -1,10 +1,45 @@
-// Source: engine World.cpp.
+// Source: engine World.cpp; the reasons are drydock's.
 #include "PostProcessVolumeWeight.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
-Drydock::FVolumeInfluence Drydock::GetInfluence(const FPostProcessVolumeProperties& Volume, double Distance)
+namespace Drydock
+{
+
+namespace
+{
+
+/** Centimetres, to a tenth. */
+std::string LengthText(double Length)
+{
+	char Buffer[64];
+	return std::string(Buffer, std::to_chars(Buffer, Buffer + sizeof(Buffer), Length, std::chars_format::fixed, 1).ptr);
+}
+
+} // namespace
+
+std::string ExplainSkip(EVolumeSkip Skip, const FPostProcessVolumeProperties& Volume, double Distance)
+{
+	switch (Skip)
+	{
+	case EVolumeSkip::None:
+		return "";
+	case EVolumeSkip::Disabled:
+		return "disabled";
+	case EVolumeSkip::NoWeight:
+		return "BlendWeight is 0";
+	case EVolumeSkip::NotANumber:
+		return "its weight is not a number";
+	case EVolumeSkip::OutOfRadius:
+		break;
+	}
+	return "out of radius: " + LengthText(Distance) + " cm away, BlendRadius " +
+		   LengthText(static_cast<double>(Volume.BlendRadius));
+}
+
+FVolumeInfluence GetInfluence(const FPostProcessVolumeProperties& Volume, double Distance)
 {
 	if (!Volume.bIsEnabled)
 	{
@@ -32,3 +67,5 @@ Drydock::FVolumeInfluence Drydock::GetInfluence(const FPostProcessVolumeProperti
 	const float Weight = static_cast<float>(Radius >= 1.0 ? Full * (1.0 - Distance / Radius) : Full);
 	return {Weight, Weight > 0.0f ? EVolumeSkip::None : EVolumeSkip::OutOfRadius};
 }
+
+} // namespace Drydock

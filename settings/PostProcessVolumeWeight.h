@@ -3,6 +3,8 @@
 
 #include "Interfaces/Interface_PostProcessVolume.h"
 
+#include <string>
+
 namespace Drydock
 {
 
@@ -25,5 +27,8 @@ struct FVolumeInfluence
 /** Weight of a volume at a distance, cm (not looked at where it is unbound): linear, 1 inside, 0 at the BlendRadius; a
  * radius below 1 gives the full weight to where it ends. Times the clamped BlendWeight. */
 DRYDOCK_API FVolumeInfluence GetInfluence(const FPostProcessVolumeProperties& Volume, double Distance);
+
+/** "out of radius: 520.0 cm away, BlendRadius 100.0"; empty for None. */
+DRYDOCK_API std::string ExplainSkip(EVolumeSkip Skip, const FPostProcessVolumeProperties& Volume, double Distance);
 
 } // namespace Drydock

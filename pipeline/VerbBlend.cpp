@@ -1,0 +1,109 @@
+// `drydock blend`. Source: drydock.
+#include "BlendReport.h"
+#include "ConfigErrors.h"
+#include "FinalSettings.h"
+#include "ProgressBar.h"
+#include "RunSetup.h"
+#include "Verbs.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+#include <unistd.h>
+
+namespace Drydock
+{
+
+namespace
+{
+
+/** "X,Y,Z" in cm. Throws FError (exit code 2). */
+std::array<double, 3> ParseLocation(const std::string& Text)
+{
+	std::array<double, 3> Location = {};
+	const char* At = Text.c_str();
+	const char* const End = At + Text.size();
+	bool bGood = true;
+	for (size_t Index = 0; bGood && Index < Location.size(); ++Index)
+	{
+		while (*At == ' ')
+		{
+			++At;
+		}
+		const std::from_chars_result Result = std::from_chars(At, End, Location[Index]);
+		bGood = Result.ec == std::errc() && std::isfinite(Location[Index]);
+		At = Result.ptr;
+		const bool bLast = Index + 1 == Location.size();
+		bGood = bGood && (bLast ? At == End : *At == ',');
+		At += bLast ? 0 : 1;
+	}
+	if (!bGood)
+	{
+		FDiagnostic Diagnostic;
+		Diagnostic.Code = ErrorBadArgument;
+		Diagnostic.Where = "--at";
+		Diagnostic.Message = "expected X,Y,Z in centimetres such as 25,470,135, found \"" + Text + "\"";
+		throw FError(Diagnostic, ExitUsage);
+	}
+	return Location;
+}
+
+std::string ExplainLocation(const FVerbOptions& Options, const FConfig& Config)
+{
+	return !Options.At.empty()            ? "--at"
+		   : Config.View.Location.IsSet() ? "view.location"
+		   : Config.Scene.CameraLocation  ? "the scene's camera"
+										  : "no volume asks where";
+}
+
+/** Console variables are those of the setup, which must live on. */
+FBlendReport MakeReport(const FVerbOptions& Options, const FRunSetup& Setup)
+{
+	const FSettingsBlender Blender = MakeSettingsBlender(Setup.Config);
+	FBlendReport Report;
+	Report.Config = Setup.Config.File;
+	Report.Location = GetViewLocation(Setup.Config);
+	Report.LocationFrom = ExplainLocation(Options, Setup.Config);
+	for (const APostProcessVolume& Volume : Blender.GetInputs().Volumes)
+	{
+		Report.VolumeNames.emplace_back(*Volume.Name);
+		Report.VolumeProperties.push_back(Volume.GetProperties());
+		Report.VolumeProperties.back().Settings = nullptr; // the blender's, which ends here
+	}
+	Report.Volumes = Blender.FindVolumes(Report.Location);
+	Report.Blended = Blender.At(Report.Location, &Report.Ledger);
+	Report.Diagnostics = Setup.Diagnostics;
+	return Report;
+}
+
+std::vector<size_t> GetAllSettings()
+{
+	std::vector<size_t> All(GetSettingFields().size());
+	std::iota(All.begin(), All.end(), size_t{0});
+	return All;
+}
+
+} // namespace
+
+int BlendVerb(const FVerbOptions& Options)
+{
+	FRunOptions RunOptions = Options.Run;
+	if (!Options.At.empty())
+	{
+		RunOptions.Location = ParseLocation(Options.At);
+	}
+	const bool bChosen = !Options.Names.empty();
+	const std::vector<size_t> Chosen = FindSettings(Options.Names);
+	const FRunSetup Setup(RunOptions);
+	const FBlendReport Report = MakeReport(Options, Setup);
+	PrintDiagnostics(Report.Diagnostics);
+	const std::string Text =
+		Options.bJson ? MakeBlendJson(Report, bChosen ? Chosen : GetAllSettings())
+					  : MakeBlendText(Report, bChosen ? Chosen : FindChangedSettings(Report), !bChosen,
+							IsColorful(STDOUT_FILENO));
+	std::fputs(Text.c_str(), stdout);
+	return ExitDone;
+}
+
+} // namespace Drydock
