@@ -59,8 +59,7 @@ void WriteVolumes(FJsonWriter& Writer, const FBlendReport& Report)
 		Writer.Member("bUnbound", Properties.bIsUnbound);
 		OptionalMember(Writer, "distance", Place.Distance);
 		Writer.Member("weight", Place.Influence.Weight);
-		OptionalText(
-			Writer, "skipped", ExplainSkip(Place.Influence.Skip, Properties, Place.Distance.value_or(0.0)));
+		OptionalText(Writer, "skipped", ExplainSkip(Place.Influence.Skip, Properties, Place.Distance.value_or(0.0)));
 		Writer.EndObject();
 	}
 	Writer.EndArray();

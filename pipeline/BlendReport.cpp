@@ -64,9 +64,9 @@ class FColumns
 public:
 	struct FRow
 	{
-		std::vector<std::string> Cells;
+		std::vector<std::string> Cells; // the last one of a dim row or title takes no part in the widths
 		bool bDim = false;
-		bool bTitle = false; // the first cell alone, which takes no part in the widths
+		bool bTitle = false;
 	};
 
 	/** One letter per column: l or r, how it is aligned. */
@@ -82,7 +82,7 @@ public:
 		std::vector<size_t> Widths(Alignment.size());
 		for (const FRow& Row : Rows)
 		{
-			for (size_t Column = 0; !Row.bTitle && Column < Row.Cells.size(); ++Column)
+			for (size_t Column = 0; Column < CountMeasured(Row); ++Column)
 			{
 				Widths[Column] = std::max(Widths[Column], Row.Cells[Column].size());
 			}
@@ -96,15 +96,17 @@ public:
 	}
 
 private:
+	static size_t CountMeasured(const FRow& Row) { return Row.Cells.size() - (Row.bDim || Row.bTitle ? 1 : 0); }
+
 	std::string PrintRow(const FRow& Row, const std::vector<size_t>& Widths) const
 	{
 		std::string Line;
 		for (size_t Column = 0; Column < Row.Cells.size(); ++Column)
 		{
 			const std::string& Cell = Row.Cells[Column];
-			const std::string Space(Row.bTitle ? 0 : Widths[Column] - Cell.size(), ' ');
-			Line += (Column > 0 && Widths[Column] > 0 ? "  " : "") +
-					(Alignment[Column] == 'r' ? Space + Cell : Cell + Space);
+			const bool bMeasured = Column < CountMeasured(Row);
+			const std::string Space(bMeasured ? Widths[Column] - Cell.size() : 0, ' ');
+			Line += (Column > 0 ? "  " : "") + (Alignment[Column] == 'r' ? Space + Cell : Cell + Space);
 		}
 		return Line.substr(0, Line.find_last_not_of(' ') + 1);
 	}
@@ -138,7 +140,7 @@ std::string PrintVolumes(const FBlendReport& Report, bool bColorful)
 		return "";
 	}
 	FColumns Columns("llrrrl");
-	Columns.Add({{"", "volume", "Priority", "distance", "weight", ""}, true});
+	Columns.Add({{" ", "volume", "Priority", "distance", "weight", ""}, true});
 	for (const FVolumeAtPlace& Place : Report.Volumes)
 	{
 		const FPostProcessVolumeProperties& Properties = Report.VolumeProperties[Place.Volume];
@@ -147,14 +149,14 @@ std::string PrintVolumes(const FBlendReport& Report, bool bColorful)
 		Columns.Add({{bSkipped ? "-" : " ", Report.VolumeNames[Place.Volume],
 						 Format("%g", static_cast<double>(Properties.Priority)),
 						 Properties.bIsUnbound ? "unbound" : FormatDistance(Place.Distance),
-						 bSkipped ? "" : FormatWeight(Place.Influence.Weight), Skip},
+						 bSkipped ? Skip : FormatWeight(Place.Influence.Weight)},
 			bSkipped});
 	}
 	return Columns.Print(bColorful) + "\n";
 }
 
-/** Many volumes of one fate are told in one line: those that leave the setting alone always, the skipped ones beyond the
- * first few. */
+/** Many volumes of one fate are told in one line: those that leave the setting alone always, the skipped ones beyond
+ * the first few. */
 void AddStory(const FBlendReport& Report, size_t FieldIndex, FColumns& Columns)
 {
 	constexpr size_t MaxSkipped = 8;
@@ -174,17 +176,16 @@ void AddStory(const FBlendReport& Report, size_t FieldIndex, FColumns& Columns)
 		}
 		else if (++NumSkipped <= MaxSkipped)
 		{
-			Columns.Add({{"-", Entry.Source, FormatDistance(Entry.Distance), "", "", "", Entry.Skipped}, true});
+			Columns.Add({{"-", Entry.Source, FormatDistance(Entry.Distance), Entry.Skipped}, true});
 		}
 	}
 	if (NumSkipped > MaxSkipped)
 	{
-		Columns.Add(
-			{{"-", std::to_string(NumSkipped - MaxSkipped) + " more skipped", "", "", "", "", "--json has all"}, true});
+		Columns.Add({{"-", std::to_string(NumSkipped - MaxSkipped) + " more skipped", "", "--json has all"}, true});
 	}
 	if (!Inert.empty())
 	{
-		Columns.Add({{"-", "override off", "", "", "", "", ListSome(Inert)}, true});
+		Columns.Add({{"-", "override off", "", ListSome(Inert)}, true});
 	}
 }
 
@@ -202,8 +203,8 @@ std::vector<std::string> FindNamedOnly(const FBlendReport& Report, const std::ve
 	for (size_t Index = 0; Index < GetSettingFields().size(); ++Index)
 	{
 		const std::vector<FBlendLedgerEntry>& Entries = Report.Ledger.GetEntries(Index);
-		const bool bNamed = std::any_of(Entries.begin(), Entries.end(), [](const FBlendLedgerEntry& Entry)
-			{ return !Entry.Skipped.empty() && Entry.Skipped != "override off"; });
+		const bool bNamed = std::any_of(Entries.begin(), Entries.end(),
+			[](const FBlendLedgerEntry& Entry) { return !Entry.Skipped.empty() && Entry.Skipped != "override off"; });
 		if (bNamed && std::find(Changed.begin(), Changed.end(), Index) == Changed.end())
 		{
 			Names.emplace_back(GetSettingFields()[Index].Name);
@@ -283,7 +284,8 @@ std::vector<size_t> FindChangedSettings(const FBlendReport& Report)
 	for (size_t Index = 0; Index < GetSettingFields().size(); ++Index)
 	{
 		const std::vector<FBlendLedgerEntry>& Entries = Report.Ledger.GetEntries(Index);
-		const bool bActed = std::any_of(Entries.begin(), Entries.end(), [](const FBlendLedgerEntry& Entry)
+		const bool bActed = std::any_of(Entries.begin(), Entries.end(),
+			[](const FBlendLedgerEntry& Entry)
 			{
 				return Entry.Kind != EBlendSource::Default && Entry.Skipped.empty() &&
 					   (Entry.Kind != EBlendSource::Variable || !IsAtDefault(Entry.Source));
@@ -296,8 +298,7 @@ std::vector<size_t> FindChangedSettings(const FBlendReport& Report)
 	return Changed;
 }
 
-std::string MakeBlendText(
-	const FBlendReport& Report, const std::vector<size_t>& Settings, bool bRest, bool bColorful)
+std::string MakeBlendText(const FBlendReport& Report, const std::vector<size_t>& Settings, bool bRest, bool bColorful)
 {
 	std::string Text = Report.Config + " at " + Format("%.6g", Report.Location.X) + ", " +
 					   Format("%.6g", Report.Location.Y) + ", " + Format("%.6g", Report.Location.Z) + " (" +

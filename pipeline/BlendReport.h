@@ -23,8 +23,8 @@ struct FBlendReport
 	std::vector<FDiagnostic> Diagnostics;
 };
 
-/** Indices of fields: those of the patterns (with * and ?), in the order of the table. Throws FError (exit code 2) where
- * a pattern matches none. */
+/** Indices of fields: those of the patterns (with * and ?), in the order of the table. Throws FError (exit code 2)
+ * where a pattern matches none. */
 DRYDOCK_API std::vector<size_t> FindSettings(const std::vector<std::string>& Patterns);
 
 /** Fields that something beyond defaults and untouched console variables acted on. */

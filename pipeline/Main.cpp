@@ -132,7 +132,7 @@ std::string ExplainMistake(
 		if (Next == nullptr)
 		{
 			return Level < Arguments.size() ? Explain("verb", Arguments[Level], Verbs)
-				   : Level == 0             ? "a verb is missing: run, check, graph or list"
+				   : Level == 0             ? "a verb is missing: run, check, blend, graph or list"
 											: "a verb is missing after " + Arguments[Level - 1];
 		}
 		Chosen = Next;
@@ -192,6 +192,15 @@ int ParseAndRun(int NumArguments, char** Arguments)
 	AddConfig(*Check, Options);
 	Check->add_flag("--json", Options.bJson, "Print the messages as JSON");
 	Check->callback([&] { ExitCode = CheckVerb(Options); });
+
+	CLI::App* Blend =
+		Program.add_subcommand("blend", "Print the post-process settings at a place, and how each came about");
+	AddConfig(*Blend, Options);
+	Blend->add_option("--at", Options.At, "Where, in cm; the view's location by default")->type_name("X,Y,Z");
+	AddRepeated(*Blend, "--setting", "NAME", Options.Names,
+		"Only these settings, with * and ?; repeats; by default those that changed");
+	Blend->add_flag("--json", Options.bJson, "Print all settings with their whole ledger as JSON");
+	Blend->callback([&] { ExitCode = BlendVerb(Options); });
 
 	CLI::App* Graph = Program.add_subcommand("graph", "Print the compiled graph of a config without running it");
 	AddConfig(*Graph, Options);

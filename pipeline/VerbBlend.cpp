@@ -98,10 +98,9 @@ int BlendVerb(const FVerbOptions& Options)
 	const FRunSetup Setup(RunOptions);
 	const FBlendReport Report = MakeReport(Options, Setup);
 	PrintDiagnostics(Report.Diagnostics);
-	const std::string Text =
-		Options.bJson ? MakeBlendJson(Report, bChosen ? Chosen : GetAllSettings())
-					  : MakeBlendText(Report, bChosen ? Chosen : FindChangedSettings(Report), !bChosen,
-							IsColorful(STDOUT_FILENO));
+	const std::string Text = Options.bJson ? MakeBlendJson(Report, bChosen ? Chosen : GetAllSettings())
+										   : MakeBlendText(Report, bChosen ? Chosen : FindChangedSettings(Report),
+												 !bChosen, IsColorful(STDOUT_FILENO));
 	std::fputs(Text.c_str(), stdout);
 	return ExitDone;
 }

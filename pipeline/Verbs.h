@@ -24,6 +24,8 @@ struct FVerbOptions
 	std::string Format = "text";
 	bool bJson = false;
 	bool bWatch = false;
+	std::string At;                 // blend: "X,Y,Z", cm; empty: the view's location
+	std::vector<std::string> Names; // blend: settings, with * and ?; empty: those that changed
 };
 
 /** Runs the frame and writes its outputs; with bWatch again and again, until interrupted. */
@@ -31,6 +33,9 @@ DRYDOCK_API int RunVerb(const FVerbOptions& Options);
 
 /** Reads and validates everything, runs nothing. */
 DRYDOCK_API int CheckVerb(const FVerbOptions& Options);
+
+/** Prints the settings at a place, and the story of each: text or JSON. */
+DRYDOCK_API int BlendVerb(const FVerbOptions& Options);
 
 /** Prints the compiled graph: text, dot, svg (needs Graphviz's dot) or json. */
 DRYDOCK_API int GraphVerb(const FVerbOptions& Options);

@@ -274,8 +274,7 @@ FBlendedSettings FSettingsBlender::At(const FVector& Location, FBlendLedger* Led
 			continue;
 		}
 		Pass.Apply({EBlendSource::Volume, *Volume.Name, Volume.Settings, VolumeFields[Index], Place.Influence.Weight,
-			Place.Distance,
-			ExplainSkip(Place.Influence.Skip, Volume.GetProperties(), Place.Distance.value_or(0.0))});
+			Place.Distance, ExplainSkip(Place.Influence.Skip, Volume.GetProperties(), Place.Distance.value_or(0.0))});
 		if (Place.Influence.Skip == EVolumeSkip::None && bEqualPriorities)
 		{
 			Pass.NoteTies(Index, Place.Influence.Weight);

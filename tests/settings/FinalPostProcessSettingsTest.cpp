@@ -172,6 +172,257 @@ TEST(EndSettings, ExposureOffsetAddsToTheBias)
 	EXPECT_EQ(0.5f, Settings.AutoExposureBias);
 }
 
+TEST(StartSettings, DefaultFeaturesSwitchTheirEffectsOff)
+{
+	const FScopedConsoleVariable Occlusion(TEXT("r.DefaultFeature.AmbientOcclusion"), 0);
+	const FScopedConsoleVariable Fraction(TEXT("r.DefaultFeature.AmbientOcclusionStaticFraction"), 0);
+	const FScopedConsoleVariable Blur(TEXT("r.DefaultFeature.MotionBlur"), 0);
+	const FFinalPostProcessSettings Settings = StartFinalPostProcessSettings();
+	EXPECT_EQ(0.0f, Settings.AmbientOcclusionIntensity);
+	EXPECT_EQ(0.0f, Settings.AmbientOcclusionStaticFraction);
+	EXPECT_EQ(0.0f, Settings.MotionBlurAmount);
+}
+
+TEST(StartSettings, DefaultFeaturesLeaveThemOn)
+{
+	const FFinalPostProcessSettings Settings = StartFinalPostProcessSettings();
+	EXPECT_EQ(0.675f, Settings.BloomIntensity);
+	EXPECT_EQ(0.5f, Settings.AmbientOcclusionIntensity);
+	EXPECT_EQ(1.0f, Settings.AmbientOcclusionStaticFraction);
+	EXPECT_EQ(0.5f, Settings.MotionBlurAmount);
+}
+
+TEST(StartSettings, LensFlaresAreOffUnlessTheirFeatureIsOn)
+{
+	EXPECT_EQ(0.0f, StartFinalPostProcessSettings().LensFlareIntensity);
+	const FScopedConsoleVariable On(TEXT("r.DefaultFeature.LensFlare"), 1);
+	EXPECT_EQ(1.0f, StartFinalPostProcessSettings().LensFlareIntensity);
+}
+
+TEST(StartSettings, WithoutAutoExposureTheEyeStaysAtOne)
+{
+	const FScopedConsoleVariable Off(TEXT("r.DefaultFeature.AutoExposure"), 0);
+	EXPECT_EQ(1.0f, StartFinalPostProcessSettings().AutoExposureMinBrightness);
+	EXPECT_EQ(1.0f, StartFinalPostProcessSettings().AutoExposureMaxBrightness);
+}
+
+TEST(StartSettings, WithoutAutoExposureTheEyeStaysAtEVZeroInTheExtendedRange)
+{
+	// Luminance 1 is EV100 log2(1 / LuminanceMax), and LuminanceMax is 0.78 / 0.78.
+	const FScopedConsoleVariable Off(TEXT("r.DefaultFeature.AutoExposure"), 0);
+	const FScopedConsoleVariable Extended(TEXT("r.DefaultFeature.AutoExposure.ExtendDefaultLuminanceRange"), 1);
+	EXPECT_EQ(0.0f, StartFinalPostProcessSettings().AutoExposureMinBrightness);
+	EXPECT_EQ(0.0f, StartFinalPostProcessSettings().AutoExposureMaxBrightness);
+}
+
+TEST(StartSettings, ExtendedRangeIsInEV100)
+{
+	const FScopedConsoleVariable Extended(TEXT("r.DefaultFeature.AutoExposure.ExtendDefaultLuminanceRange"), 1);
+	const FFinalPostProcessSettings Settings = StartFinalPostProcessSettings();
+	EXPECT_EQ(-10.0f, Settings.AutoExposureMinBrightness);
+	EXPECT_EQ(20.0f, Settings.AutoExposureMaxBrightness);
+	EXPECT_EQ(-10.0f, Settings.HistogramLogMin);
+	EXPECT_EQ(20.0f, Settings.HistogramLogMax);
+}
+
+TEST(StartSettings, DefaultMethodIsAVariable)
+{
+	const FScopedConsoleVariable Manual(TEXT("r.DefaultFeature.AutoExposure.Method"), 2);
+	EXPECT_EQ(AEM_Manual, StartFinalPostProcessSettings().AutoExposureMethod);
+}
+
+TEST(StartSettings, UnknownMethodIsIgnored)
+{
+	const FScopedConsoleVariable Nonsense(TEXT("r.DefaultFeature.AutoExposure.Method"), 17);
+	EXPECT_EQ(AEM_Histogram, StartFinalPostProcessSettings().AutoExposureMethod);
+}
+
+TEST(StartSettings, ContrastsHaveTheirOwnVariables)
+{
+	const FScopedConsoleVariable Highlights(
+		TEXT("r.DefaultFeature.LocalExposure.HighlightContrastScale"), FString("0.75"));
+	const FScopedConsoleVariable Shadows(TEXT("r.DefaultFeature.LocalExposure.ShadowContrastScale"), FString("0.5"));
+	EXPECT_EQ(0.75f, StartFinalPostProcessSettings().LocalExposureHighlightContrastScale);
+	EXPECT_EQ(0.5f, StartFinalPostProcessSettings().LocalExposureShadowContrastScale);
+}
+
+TEST(StartSettings, Profile53MixesTheContrastsUp)
+{
+	const FScopedConsoleVariable Highlights(
+		TEXT("r.DefaultFeature.LocalExposure.HighlightContrastScale"), FString("0.75"));
+	const FScopedConsoleVariable Shadows(TEXT("r.DefaultFeature.LocalExposure.ShadowContrastScale"), FString("0.5"));
+	constexpr bool bEngine53 = true;
+	EXPECT_EQ(0.75f, StartFinalPostProcessSettings(nullptr, bEngine53).LocalExposureShadowContrastScale);
+}
+
+TEST(StartSettings, VolumeBeatsTheDefaultFeature)
+{
+	const FScopedConsoleVariable Off(TEXT("r.DefaultFeature.Bloom"), 0);
+	FFinalPostProcessSettings Settings = StartFinalPostProcessSettings();
+	OverridePostProcessSettings(Settings, BloomOf(2.0f), 0.5f);
+	EXPECT_EQ(1.0f, Settings.BloomIntensity); // half way from 0, not from 0.675
+}
+
+TEST(OverrideSettings, NonFiniteValuesStayOut)
+{
+	FFinalPostProcessSettings Settings;
+	OverridePostProcessSettings(Settings, BloomOf(std::nanf("")), 1.0f);
+	EXPECT_EQ(0.675f, Settings.BloomIntensity);
+	EXPECT_FALSE(Settings.bOverride_BloomIntensity);
+}
+
+TEST(EndSettings, BloomQualityZeroSwitchesBloomOff)
+{
+	// The variable belongs to the bloom passes, which the library holds.
+	const FScopedConsoleVariable Quality(TEXT("r.BloomQuality"), 0);
+	FFinalPostProcessSettings Settings;
+	EXPECT_EQ(
+		"r.BloomQuality is 0", ReasonOf(EndFinalPostProcessSettings(Settings, FEngineShowFlags()), "BloomIntensity"));
+	EXPECT_EQ(0.0f, Settings.BloomIntensity);
+}
+
+TEST(EndSettings, GrainNeedsTonemapperQualityFour)
+{
+	FFinalPostProcessSettings Settings;
+	Settings.FilmGrainIntensity = 0.5f;
+	const FScopedConsoleVariable Quality(TEXT("r.Tonemapper.Quality"), 3);
+	EXPECT_EQ("r.Tonemapper.Quality is below 4",
+		ReasonOf(EndFinalPostProcessSettings(Settings, FEngineShowFlags()), "FilmGrainIntensity"));
+	EXPECT_EQ(0.0f, Settings.FilmGrainIntensity);
+	EXPECT_EQ(0.4f, Settings.VignetteIntensity);
+}
+
+TEST(EndSettings, GrainStaysAtTonemapperQualityFour)
+{
+	FFinalPostProcessSettings Settings;
+	Settings.FilmGrainIntensity = 0.5f;
+	const FScopedConsoleVariable Quality(TEXT("r.Tonemapper.Quality"), 4);
+	EndFinalPostProcessSettings(Settings, FEngineShowFlags());
+	EXPECT_EQ(0.5f, Settings.FilmGrainIntensity);
+}
+
+TEST(EndSettings, FlagsSwitchOffGrainFlaresAndOcclusion)
+{
+	FFinalPostProcessSettings Settings;
+	Settings.FilmGrainIntensity = 1.0f;
+	FEngineShowFlags Flags;
+	Flags.SetGrain(false);
+	Flags.SetLensFlares(false);
+	Flags.SetAmbientOcclusion(false);
+	EXPECT_EQ(3u, EndFinalPostProcessSettings(Settings, Flags).size());
+	EXPECT_EQ(0.0f, Settings.FilmGrainIntensity + Settings.LensFlareIntensity + Settings.AmbientOcclusionIntensity);
+}
+
+TEST(EndSettings, DepthOfFieldEndsByVariableOrFlag)
+{
+	FFinalPostProcessSettings ByVariable;
+	ByVariable.DepthOfFieldScale = 1.0f;
+	{
+		const FScopedConsoleVariable Quality(TEXT("r.DepthOfFieldQuality"), 0);
+		EndFinalPostProcessSettings(ByVariable, FEngineShowFlags());
+	}
+	FFinalPostProcessSettings ByFlag;
+	ByFlag.DepthOfFieldScale = 1.0f;
+	FEngineShowFlags Flags;
+	Flags.SetDepthOfField(false);
+	EndFinalPostProcessSettings(ByFlag, Flags);
+	EXPECT_EQ(0.0f, ByVariable.DepthOfFieldScale);
+	EXPECT_EQ(0.0f, ByFlag.DepthOfFieldScale);
+}
+
+TEST(EndSettings, LocalExposureIsNeutralByVariableOrFlag)
+{
+	FFinalPostProcessSettings ByVariable;
+	ByVariable.LocalExposureHighlightContrastScale = 0.5f;
+	ByVariable.LocalExposureShadowContrastScale = 0.5f;
+	ByVariable.LocalExposureDetailStrength = 2.0f;
+	FFinalPostProcessSettings ByFlag = ByVariable;
+	{
+		const FScopedConsoleVariable Off(TEXT("r.LocalExposure"), 0);
+		EXPECT_EQ(3u, EndFinalPostProcessSettings(ByVariable, FEngineShowFlags()).size());
+	}
+	FEngineShowFlags Flags;
+	Flags.SetLocalExposure(false);
+	EXPECT_EQ(3u, EndFinalPostProcessSettings(ByFlag, Flags).size());
+	EXPECT_EQ(1.0f, ByVariable.LocalExposureHighlightContrastScale);
+	EXPECT_EQ(1.0f, ByFlag.LocalExposureShadowContrastScale);
+	EXPECT_EQ(1.0f, ByFlag.LocalExposureDetailStrength);
+}
+
+TEST(EndSettings, IndirectLightEndsWithItsFlag)
+{
+	FFinalPostProcessSettings Settings;
+	FEngineShowFlags Flags;
+	Flags.SetGlobalIllumination(false);
+	EndFinalPostProcessSettings(Settings, Flags);
+	EXPECT_EQ(0.0f, Settings.IndirectLightingIntensity);
+	EXPECT_EQ(0.0f, Settings.IndirectLightingColor.R);
+}
+
+TEST(EndSettings, MotionBlurIsScaledWithinZeroAndFifty)
+{
+	const auto AmountWith = [](const char* Scale)
+	{
+		const FScopedConsoleVariable Variable(TEXT("r.MotionBlur.Scale"), FString(Scale));
+		FFinalPostProcessSettings Settings;
+		EndFinalPostProcessSettings(Settings, FEngineShowFlags());
+		return Settings.MotionBlurAmount;
+	};
+	EXPECT_EQ(0.25f, AmountWith("0.5"));
+	EXPECT_EQ(0.0f, AmountWith("-3"));
+	EXPECT_EQ(25.0f, AmountWith("1000"));
+}
+
+TEST(EndSettings, MotionBlurVariablesReplaceTheSettings)
+{
+	const FScopedConsoleVariable Scale(TEXT("r.MotionBlur.Scale"), FString("0.5"));
+	const FScopedConsoleVariable Amount(TEXT("r.MotionBlur.Amount"), FString("0.75"));
+	const FScopedConsoleVariable Max(TEXT("r.MotionBlur.Max"), FString("0"));
+	const FScopedConsoleVariable Rate(TEXT("r.MotionBlur.TargetFPS"), 60);
+	FFinalPostProcessSettings Settings;
+	EndFinalPostProcessSettings(Settings, FEngineShowFlags());
+	EXPECT_EQ(0.75f, Settings.MotionBlurAmount);
+	EXPECT_EQ(0.0f, Settings.MotionBlurMax);
+	EXPECT_EQ(60, Settings.MotionBlurTargetFPS);
+}
+
+TEST(EndSettings, FringeBelowItsMaximumStays)
+{
+	FFinalPostProcessSettings Settings;
+	Settings.SceneFringeIntensity = 1.0f;
+	const FScopedConsoleVariable Max(TEXT("r.SceneColorFringe.Max"), FString("1.5"));
+	EXPECT_TRUE(EndFinalPostProcessSettings(Settings, FEngineShowFlags()).empty());
+	EXPECT_EQ(1.0f, Settings.SceneFringeIntensity);
+}
+
+TEST(EndSettings, FringeQualityZeroSwitchesItOff)
+{
+	FFinalPostProcessSettings Settings;
+	Settings.SceneFringeIntensity = 1.0f;
+	const FScopedConsoleVariable Quality(TEXT("r.SceneColorFringeQuality"), 0);
+	EndFinalPostProcessSettings(Settings, FEngineShowFlags());
+	EXPECT_EQ(0.0f, Settings.SceneFringeIntensity);
+}
+
+TEST(EndSettings, NoValueOfAVariableMakesASettingInfinite)
+{
+	FFinalPostProcessSettings Settings;
+	Settings.AutoExposureBias = 3e38f;
+	const FScopedConsoleVariable Offset(TEXT("r.ExposureOffset"), FString("3e38"));
+	EXPECT_TRUE(EndFinalPostProcessSettings(Settings, FEngineShowFlags()).empty());
+	EXPECT_EQ(3e38f, Settings.AutoExposureBias);
+}
+
+TEST(EndSettings, BloomIntensityAndThresholdAreNotClamped)
+{
+	FFinalPostProcessSettings Settings;
+	Settings.BloomIntensity = 1000.0f;
+	Settings.BloomThreshold = -5.0f;
+	EndFinalPostProcessSettings(Settings, FEngineShowFlags());
+	EXPECT_EQ(1000.0f, Settings.BloomIntensity);
+	EXPECT_EQ(-5.0f, Settings.BloomThreshold);
+}
+
 TEST(ShowFlags, GameShowsEverythingOfThisList)
 {
 	const FEngineShowFlags Flags(ESFIM_Game);
