@@ -1,5 +1,7 @@
-// CharaGlow's box by running sums: the cost does not grow with the area. Stands in for BoxPS of CharaGlow.usf; sums run
+// CharaGlow's box by running sums: the cost hardly grows with the area. Stands in for BoxPS of CharaGlow.usf; sums run
 // in double, so that they do not drift, and are rounded once. Source: drydock.
+#include <Imath/half.h>
+
 #include "CharaGlowShaders.h"
 #include "NativeKernels.h"
 #include "PixelFormatConversion.h"
@@ -13,95 +15,92 @@ namespace Drydock
 namespace
 {
 
-/** One channel of the texels Min..Max (inclusive) of a row or column, repeated beyond the bounds. */
-class FLineReader
+float DecodeChannel(const FKernelTexture& Texture, const uint8_t* Texel, int32 Channel)
 {
-public:
-	FLineReader(const FKernelTexture& InTexture, int32 InChannel)
-		: Texture(InTexture)
-		, Channel(InChannel)
-		, Bytes(GetTexelStorageInfo(InTexture.Storage).BytesPerTexel)
+	switch (Texture.Storage)
 	{
+	case ETexelStorage::RGBA8_UNORM:
+		return static_cast<float>(Texel[Channel] / 255.0);
+	case ETexelStorage::BGRA8_UNORM:
+		return static_cast<float>(Texel[Channel < 3 ? 2 - Channel : 3] / 255.0);
+	case ETexelStorage::R16_FLOAT:
+	{
+		Imath::half Value;
+		Value.setBits(*reinterpret_cast<const uint16_t*>(Texel));
+		return Value;
 	}
-
-	/** Of a texture that is bound, but has nothing there, D3D reads 0. */
-	float Read(int32 X, int32 Y) const
-	{
-		const FKernelMip& Mip = Texture.Mips[0];
-		if (X < 0 || Y < 0 || X >= Mip.SizeX || Y >= Mip.SizeY)
-		{
-			return 0.0f;
-		}
+	default:
 		float Color[4];
-		DecodeTexel(Texture.Storage, Mip.Data + int64_t(Y) * Mip.RowPitch + int64_t(X) * Bytes, Color);
+		DecodeTexel(Texture.Storage, Texel, Color);
 		return Color[Channel];
 	}
+}
 
-private:
-	const FKernelTexture& Texture;
-	int32 Channel;
-	int32 Bytes;
-};
+/** A channel of the texels of a window, row by row; where the window leaves Bounds, the nearest texel inside. */
+std::vector<float> ReadWindow(
+	const FKernelTexture& Texture, int32 Channel, const FIntRect& Window, const FIntRect& Bounds)
+{
+	const FKernelMip& Mip = Texture.Mips[0];
+	const int32 Bytes = GetTexelStorageInfo(Texture.Storage).BytesPerTexel;
+	// Beyond the texture a shader reads 0; only a texture smaller than its viewport gets there.
+	const bool bInside = Bounds.Max.X <= Mip.SizeX && Bounds.Max.Y <= Mip.SizeY;
+	std::vector<float> Values(size_t(Window.Width()) * size_t(Window.Height()), 0.0f);
+	float* Out = Values.data();
+	for (int32 Y = Window.Min.Y; bInside && Y < Window.Max.Y; ++Y)
+	{
+		const uint8_t* const Row = Mip.Data + int64_t(std::clamp(Y, Bounds.Min.Y, Bounds.Max.Y - 1)) * Mip.RowPitch;
+		for (int32 X = Window.Min.X; X < Window.Max.X; ++X)
+		{
+			*Out++ =
+				DecodeChannel(Texture, Row + int64_t(std::clamp(X, Bounds.Min.X, Bounds.Max.X - 1)) * Bytes, Channel);
+		}
+	}
+	return Values;
+}
 
-/** Line holds the texels from -Reach to Count - 1 + Reach, Reach = Radius + 1; Out gets the Count weighted means. */
-void RunBox(const std::vector<float>& Line, int32 Count, const FCharaGlowBoxParameters& Parameters, float* Out)
+void WriteTexel(const FKernelTexture& Texture, int32 X, int32 Y, float Value)
+{
+	const FKernelMip& Mip = Texture.Mips[0];
+	uint8_t* const Texel =
+		Mip.Data + int64_t(Y) * Mip.RowPitch + int64_t(X) * GetTexelStorageInfo(Texture.Storage).BytesPerTexel;
+	if (Texture.Storage == ETexelStorage::R16_FLOAT && !Texture.bSaturateStore)
+	{
+		*reinterpret_cast<uint16_t*>(Texel) = Imath::half(Value).bits();
+		return;
+	}
+	const float Color[4] = {Value, Value, Value, 1.0f};
+	EncodeTexel(Texture.Storage, Color, Texel, Texture.bSaturateStore != 0);
+}
+
+/** The weighted means of one direction over a tile. Steps are distances in Values, along the box and across it; Values
+ *  starts Radius + 1 texels before the tile. Sums stand side by side across the box, so that memory is walked in order.
+ */
+template<typename WriteType>
+void RunBox(const float* Values, int32 Along, int32 Across, ptrdiff_t StepAlong, ptrdiff_t StepAcross,
+	const FCharaGlowBoxParameters& Parameters, const WriteType& Write)
 {
 	const int32 Radius = Parameters.Radius;
-	double Sum = 0.0;
+	const double Fraction = Parameters.Fraction, Scale = Parameters.Scale;
+	std::vector<double> Sums(static_cast<size_t>(Across), 0.0);
 	for (int32 Tap = 1; Tap <= 2 * Radius + 1; ++Tap)
 	{
-		Sum += Line[size_t(Tap)];
-	}
-	for (int32 Index = 0; Index < Count; ++Index)
-	{
-		const float First = Line[size_t(Index)];
-		const float Last = Line[size_t(Index + 2 * Radius + 2)];
-		const double Ring = (double(First) + Last) * Parameters.Fraction;
-		Out[Index] = static_cast<float>((Sum + Ring) * Parameters.Scale);
-		Sum += double(Last) - Line[size_t(Index + 1)];
-	}
-}
-
-void WriteTexel(const FKernelTarget& Target, int32 X, int32 Y, float Value)
-{
-	const FKernelMip& Mip = Target.Texture.Mips[0];
-	const int32 Bytes = GetTexelStorageInfo(Target.Texture.Storage).BytesPerTexel;
-	const float Color[4] = {Value, Value, Value, 1.0f};
-	EncodeTexel(Target.Texture.Storage, Color, Mip.Data + int64_t(Y) * Mip.RowPitch + int64_t(X) * Bytes,
-		Target.Texture.bSaturateStore != 0);
-}
-
-void RunLines(const FNativeKernelArgs& Args, const FKernelTile& Tile, bool bRows)
-{
-	const FCharaGlowBoxParameters& Parameters = GetNativeParameters<FCharaGlowBoxPS>(Args);
-	const FKernelTexture* const Source =
-		Args.FindTexture(bRows ? "SceneTexturesStruct_GBufferDTexture" : "RowsTexture");
-	check(Source);
-	const FLineReader Reader(*Source, bRows ? 2 : 0);
-	const FIntPoint Min(int32(Parameters.Source.ViewportMin.X), int32(Parameters.Source.ViewportMin.Y));
-	const FIntPoint Max(int32(Parameters.Source.ViewportMax.X), int32(Parameters.Source.ViewportMax.Y));
-	const FIntPoint Offset(
-		Min.X - int32(Parameters.Output.ViewportMin.X), Min.Y - int32(Parameters.Output.ViewportMin.Y));
-
-	const int32 Reach = Parameters.Radius + 1;
-	const int32 Begin = bRows ? Tile.MinX : Tile.MinY;
-	const int32 Count = (bRows ? Tile.MaxX : Tile.MaxY) - Begin;
-	const FKernelTarget& Target = Args.GetArgs().Targets[0];
-	std::vector<float> Line(size_t(Count + 2 * Reach));
-	std::vector<float> Means(static_cast<size_t>(Count));
-	for (int32 Across = bRows ? Tile.MinY : Tile.MinX; Across < (bRows ? Tile.MaxY : Tile.MaxX); ++Across)
-	{
-		for (int32 Index = 0; Index < Count + 2 * Reach; ++Index)
+		for (int32 Index = 0; Index < Across; ++Index)
 		{
-			const int32 Along = Begin + Index - Reach;
-			const int32 X = (bRows ? Along : Across) + Offset.X;
-			const int32 Y = (bRows ? Across : Along) + Offset.Y;
-			Line[size_t(Index)] = Reader.Read(std::clamp(X, Min.X, Max.X - 1), std::clamp(Y, Min.Y, Max.Y - 1));
+			Sums[size_t(Index)] += Values[Tap * StepAlong + Index * StepAcross];
 		}
-		RunBox(Line, Count, Parameters, Means.data());
-		for (int32 Index = 0; Index < Count; ++Index)
+	}
+	for (int32 Position = 0; Position < Along; ++Position)
+	{
+		const float* const First = Values + Position * StepAlong;
+		const float* const Next = First + StepAlong;
+		const float* const Last = First + (2 * Radius + 2) * StepAlong;
+		for (int32 Index = 0; Index < Across; ++Index)
 		{
-			WriteTexel(Target, bRows ? Begin + Index : Across, bRows ? Across : Begin + Index, Means[size_t(Index)]);
+			const ptrdiff_t Offset = Index * StepAcross;
+			double& Sum = Sums[size_t(Index)];
+			Write(
+				Position, Index, static_cast<float>((Sum + (double(First[Offset]) + Last[Offset]) * Fraction) * Scale));
+			Sum += double(Last[Offset]) - Next[Offset];
 		}
 	}
 }
@@ -109,7 +108,34 @@ void RunLines(const FNativeKernelArgs& Args, const FKernelTile& Tile, bool bRows
 void RunCharaGlowBox(const FNativeKernelArgs& Args, const FKernelTile& Tile)
 {
 	const FCharaGlowBoxPS::FPermutationDomain Permutation(Args.GetPermutationId());
-	RunLines(Args, Tile, !Permutation.Get<FCharaGlowBoxPS::FColumnsDimension>());
+	const bool bColumns = Permutation.Get<FCharaGlowBoxPS::FColumnsDimension>();
+	const FCharaGlowBoxParameters& Parameters = GetNativeParameters<FCharaGlowBoxPS>(Args);
+	const FKernelTexture* const Source =
+		Args.FindTexture(bColumns ? "RowsTexture" : "SceneTexturesStruct_GBufferDTexture");
+	check(Source);
+	const FIntRect Bounds(int32(Parameters.Source.ViewportMin.X), int32(Parameters.Source.ViewportMin.Y),
+		int32(Parameters.Source.ViewportMax.X), int32(Parameters.Source.ViewportMax.Y));
+	const FIntPoint Offset(
+		Bounds.Min.X - int32(Parameters.Output.ViewportMin.X), Bounds.Min.Y - int32(Parameters.Output.ViewportMin.Y));
+	const int32 Reach = Parameters.Radius + 1;
+	const FIntPoint Margin(bColumns ? 0 : Reach, bColumns ? Reach : 0);
+	const FIntRect Window(Tile.MinX + Offset.X - Margin.X, Tile.MinY + Offset.Y - Margin.Y,
+		Tile.MaxX + Offset.X + Margin.X, Tile.MaxY + Offset.Y + Margin.Y);
+	const std::vector<float> Values = ReadWindow(*Source, bColumns ? 0 : 2, Window, Bounds);
+
+	const FKernelTexture& Target = Args.GetArgs().Targets[0].Texture;
+	const int32 Width = Tile.MaxX - Tile.MinX, Height = Tile.MaxY - Tile.MinY;
+	if (bColumns)
+	{
+		RunBox(Values.data(), Height, Width, Window.Width(), 1, Parameters,
+			[&](int32 Y, int32 X, float Value) { WriteTexel(Target, Tile.MinX + X, Tile.MinY + Y, Value); });
+		return;
+	}
+	for (int32 Y = 0; Y < Height; ++Y)
+	{
+		RunBox(Values.data() + int64_t(Y) * Window.Width(), Width, 1, 1, 0, Parameters,
+			[&](int32 X, int32, float Value) { WriteTexel(Target, Tile.MinX + X, Tile.MinY + Y, Value); });
+	}
 }
 
 } // namespace
