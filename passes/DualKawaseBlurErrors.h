@@ -10,6 +10,7 @@ enum EDualKawaseNote : int
 	DualKawaseNotePrintedLoss = 2091, // rows and columns that the article's form loses
 	DualKawaseNoteBlocky = 2092,      // an offset that shows as blocks
 	DualKawaseNoteWidth = 2093,       // a standard deviation that no levels and offset give
+	DualKawaseNoteDirect = 2094,      // a direct Gaussian of so many taps that it takes minutes
 };
 
 } // namespace Drydock

@@ -1,13 +1,17 @@
 // Source: drydock.
 #include "DualKawaseBlurPass.h"
 
+#include "DualKawaseBlurErrors.h"
 #include "DualKawaseBlurOutput.h"
 #include "DualKawaseBlurWidth.h"
 #include "GlobalShader.h"
 #include "RenderGraphBuilder.h"
+#include "RenderGraphNotes.h"
 #include "RenderGraphUtils.h"
 #include "SceneRendering.h"
 #include "ShaderParameterStruct.h"
+
+#include <string>
 
 using namespace Drydock;
 
@@ -16,6 +20,9 @@ namespace
 
 /** As in the dual Kawase passes. */
 constexpr int32 GroupSize = 32;
+
+/** Per pixel; a frame of 1920x1080 then takes some ten seconds. */
+constexpr int64 ManyTaps = 5000;
 
 class FDualKawaseGaussianCS : public FGlobalShader
 {
@@ -42,6 +49,22 @@ public:
 };
 
 IMPLEMENT_GLOBAL_SHADER(FDualKawaseGaussianCS, "/Project/DualKawaseBlur.usf", "GaussianBlurCS", SF_Compute);
+
+void NoteTaps(FRDGBuilder& GraphBuilder, int32 Reach)
+{
+	const int64 Width = 2 * Reach + 1;
+	if (Width * Width > ManyTaps)
+	{
+		FDiagnostic Note;
+		Note.Severity = ESeverity::Warning;
+		Note.Code = DualKawaseNoteDirect;
+		Note.Where = "DualKawaseBlur";
+		Note.Message = "the direct Gaussian takes " + std::to_string(Width * Width) +
+					   " taps per pixel, which may be minutes; r.DualKawase.SeparableGaussian 1 takes " +
+					   std::to_string(2 * Width);
+		AddGraphNote(GraphBuilder, Note);
+	}
+}
 
 void AddPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& Input,
 	const FScreenPassTexture& Output, FRDGBufferRef Weights, FIntPoint Reach)
@@ -87,6 +110,10 @@ FScreenPassTexture AddDualKawaseGaussianPass(
 			CreateBlurTexture(GraphBuilder, Input, Input.ViewRect.Size(), TEXT("DualKawaseGaussianX")));
 		AddPass(GraphBuilder, View, Input, Rows, Buffer, FIntPoint(Reach, 0));
 		LastReach.X = 0;
+	}
+	else
+	{
+		NoteTaps(GraphBuilder, Reach);
 	}
 	const FScreenPassTexture Output =
 		ChooseBlurOutput(GraphBuilder, Input, Inputs.OverrideOutput, TEXT("DualKawaseGaussian"));

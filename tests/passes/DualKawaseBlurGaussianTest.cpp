@@ -5,6 +5,7 @@
 
 #include "DualKawaseBlurPass.h"
 #include "DualKawaseBlurWidth.h"
+#include "RenderGraphNotes.h"
 
 using namespace PassTest;
 using PassReference::MaxDifference;
@@ -109,6 +110,29 @@ TEST(DualKawaseGaussian, OnePixelStaysAsItIs)
 {
 	const FImage Pixel(1, 1, {0.5, 0.25, 0.125, 1});
 	EXPECT_EQ(Pixel.Texels, Blur(Pixel, 5.0, false, EArithmetic::Native).Texels);
+}
+
+TEST(DualKawaseGaussian, ManyTapsAreRemarkedOn)
+{
+	// Reach 3 * 12 = 36: 73^2 taps, or 2 * 73.
+	FPassRun Run(FImage::Noise(4, 4), EArithmetic::Native);
+	const FScreenPassTexture Output = AddPass(Run, 12.0);
+	const std::vector<Drydock::FDiagnostic> Notes = Drydock::GetGraphNotes(Run.GraphBuilder);
+	ASSERT_EQ(1u, Notes.size());
+	EXPECT_EQ(
+		"the direct Gaussian takes 5329 taps per pixel, which may be minutes; r.DualKawase.SeparableGaussian 1 takes "
+		"146",
+		Notes[0].Message);
+	Run.Execute(Output);
+}
+
+TEST(DualKawaseGaussian, FewTapsAreNot)
+{
+	FPassRun Run(FImage::Noise(4, 4), EArithmetic::Native);
+	AddPass(Run, 12.0, true);
+	const FScreenPassTexture Output = AddPass(Run, 11.0);
+	EXPECT_TRUE(Drydock::GetGraphNotes(Run.GraphBuilder).empty());
+	Run.Execute(Output);
 }
 
 TEST(DualKawaseGaussian, OverrideOutputIsWritten)
