@@ -53,6 +53,8 @@ struct FConfigPadding
 struct FConfigScene
 {
 	TConfigValue<std::string> File; // as written; see FConfig::Resolve
+	std::string Sequence;           // where File was a sequence of frames: as written (see ChooseSceneFrame)
+	std::optional<int> Frame;       // of the sequence
 	std::map<std::string, TConfigValue<std::string>> Channels;
 	std::map<std::string, TConfigValue<double>> Defaults;
 	std::optional<FConfigVector> CameraLocation; // cm, of the file's header: see CompleteFromScene

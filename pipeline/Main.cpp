@@ -53,6 +53,9 @@ void AddConfig(CLI::App& Verb, FVerbOptions& Options)
 	AddVariables(Verb, Options);
 	AddRepeated(
 		Verb, "--pp", "SETTING=VALUE", Options.Run.Settings, "Set a post-process setting; repeats; beats all volumes");
+	Verb.add_option("--frame", Options.Run.Frame, "Which frame of a sequence, by default the first; shaders see it too")
+		->check(CLI::Range(0, 1 << 30).description(""))
+		->type_name("N");
 }
 
 void AddArithmetic(CLI::App& Verb, FVerbOptions& Options)
@@ -181,9 +184,6 @@ int ParseAndRun(int NumArguments, char** Arguments)
 		->type_name("DIR");
 	AddRepeated(*Run, "--dump", "PATTERN", Options.Run.Dump,
 		"Keep what matches: a pass, a resource or Pass.Resource, with * and ?; repeats");
-	Run->add_option("--frame", Options.Run.Frame, "Frame number, as shaders see it; 0 by default")
-		->check(CLI::Range(0, 1 << 30).description(""))
-		->type_name("N");
 	Run->add_flag("--watch", Options.bWatch, "Run again whenever the config, its scene or a shader changes");
 	Run->add_flag("--json", Options.bJson, "Print run.json instead of the summary");
 	Run->callback([&] { ExitCode = RunVerb(Options); });

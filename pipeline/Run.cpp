@@ -229,7 +229,7 @@ FFrameInputs MakeFrameInputs(
 	Inputs.EngineMinor = DefaultEngineMinor;
 	Inputs.Extent = Scene.GetExtent();
 	Inputs.ShowFlags = Setup.Chain.ShowFlags;
-	Inputs.FrameNumber = static_cast<uint32>(Options.Frame);
+	Inputs.FrameNumber = static_cast<uint32>(Options.Frame.value_or(Setup.Config.Scene.Frame.value_or(0)));
 	Inputs.Observer = &Observer;
 	Inputs.bExecute = Options.bExecute;
 	Inputs.RegisterSceneTextures = [&Scene](FRDGBuilder& GraphBuilder)

@@ -34,9 +34,9 @@ struct FRunOptions
 	std::vector<std::string> Settings;             // "Setting=Value", beat all volumes and the camera
 	std::vector<std::string> Dump;                 // patterns, beside the config's
 	std::optional<std::array<double, 3>> Location; // of the view, cm; beats the config's and the scene's
-	int Frame = 0;                                 // of a sequence: what shaders see as View.FrameNumber
-	std::optional<int> Threads;                    // 0: all cores
-	bool bDouble = false;                          // double arithmetic
+	std::optional<int> Frame;   // which of a sequence, the lowest by default; shaders see it as View.FrameNumber
+	std::optional<int> Threads; // 0: all cores
+	bool bDouble = false;       // double arithmetic
 	ERunStorage Storage = ERunStorage::Default;
 	bool bExecute = true; // false: stop when the graph is compiled
 	/** Called before each pass that executes. */

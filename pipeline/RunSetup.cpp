@@ -3,6 +3,7 @@
 
 #include "ConfigReader.h"
 #include "FinalSettings.h"
+#include "FrameSequence.h"
 #include "SceneSuggestions.h"
 
 #include <algorithm>
@@ -108,6 +109,7 @@ FRunSetup::FRunSetup(const FRunOptions& Options)
 	{
 		throw FError(Diagnostics, ExitUsage);
 	}
+	ChooseSceneFrame(Config, Options.Frame);
 	if (Options.Location)
 	{
 		Config.View.Location = {*Options.Location, {1, 1, "--at"}};
