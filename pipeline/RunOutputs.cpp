@@ -156,6 +156,29 @@ void MoveInto(const Files::path& Aside, const Files::path& Folder, bool bHasDump
 
 } // namespace
 
+void WriteTextFile(const std::string& Path, const std::string& Text)
+{
+	const Files::path Target(Path);
+	const Files::path Aside(Path + ".writing." + std::to_string(getpid()));
+	std::error_code Error;
+	if (Target.has_parent_path())
+	{
+		Files::create_directories(Target.parent_path(), Error);
+	}
+	if (Error)
+	{
+		throw MakeWriteError(Target, Error.message());
+	}
+	WriteText(Aside, Text);
+	Files::rename(Aside, Target, Error);
+	if (Error)
+	{
+		std::error_code Ignored;
+		Files::remove(Aside, Ignored);
+		throw MakeWriteError(Target, Error.message());
+	}
+}
+
 std::string GetDefaultOutputFolder(const std::string& ConfigFile)
 {
 	return (Files::path("out") / Files::path(ConfigFile).stem()).string();

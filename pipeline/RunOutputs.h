@@ -9,6 +9,9 @@
 namespace Drydock
 {
 
+/** One file, written aside and renamed; its folder is made. Throws FError (exit code 3) when it cannot be written. */
+DRYDOCK_API void WriteTextFile(const std::string& Path, const std::string& Text);
+
 /** "out/toon_bloom" for configs/toon_bloom.json. */
 DRYDOCK_API std::string GetDefaultOutputFolder(const std::string& ConfigFile);
 
