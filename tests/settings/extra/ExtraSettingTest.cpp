@@ -2,6 +2,7 @@
 // line more (ExtraSettings.inl), and no other source knows of it.
 #include <gtest/gtest.h>
 
+#include "BlendSettings.h"
 #include "Config.h"
 #include "ConfigErrors.h"
 #include "ConfigSchema.h"
@@ -9,6 +10,7 @@
 #include "FinalPostProcessSettings.h"
 #include "Json.h"
 #include "PostProcessSettingsReflection.h"
+#include "PostProcessSettingsText.h"
 #include "SettingList.h"
 
 #include <algorithm>
@@ -111,6 +113,26 @@ TEST(ExtraSetting, IsBlendedWithoutAView)
 	FPostProcessSettings Settings;
 	FPostProcessUtils::BlendPostProcessSettings(Settings, GlimmerOf(1.25f), 0.5f);
 	EXPECT_EQ(0.75f, Settings.TestGlimmer);
+}
+
+TEST(ExtraSetting, HasALedger)
+{
+	FBlendInputs Inputs;
+	Inputs.Camera = GlimmerOf(1.25f);
+	FBlendLedger Ledger;
+	FSettingsBlender(Inputs).At(FVector(), &Ledger);
+	ASSERT_EQ(2u, Ledger.GetEntries("TestGlimmer").size());
+	EXPECT_EQ(1.25, Ledger.GetEntries("TestGlimmer")[1].After.Components[0]);
+}
+
+TEST(ExtraSetting, IsPastedAndCopied)
+{
+	std::vector<FDiagnostic> Diagnostics;
+	const std::string Text = "(bOverride_TestGlimmer=True,TestGlimmer=1.250000)";
+	const FSettingsText Read = ReadSettingsText(Text, "paste.txt", Diagnostics);
+	EXPECT_EQ(1.25f, Read.Settings.TestGlimmer);
+	EXPECT_EQ(Text, WriteSettingsText(Read, ESettingsTextForm::Delta, Diagnostics));
+	EXPECT_TRUE(Diagnostics.empty());
 }
 
 TEST(ExtraSetting, IsListed)
