@@ -80,15 +80,17 @@ TEST_P(SettingFieldPaths, LedgerTellsWhatAVolumeDid)
 
 	const std::vector<FBlendLedgerEntry>& Entries = Ledger.GetEntries(Field.Name);
 	ASSERT_LE(2u, Entries.size());
-	EXPECT_EQ(EBlendSource::Default, Entries[0].Kind);
-	EXPECT_EQ(Field.Default, Entries[0].After);
-	EXPECT_EQ(EBlendSource::Volume, Entries[1].Kind);
-	EXPECT_EQ("Fog", Entries[1].Source);
-	EXPECT_EQ(ToString(Field.Blend), Entries[1].Rule);
-	EXPECT_EQ(std::optional<float>(0.5f), Entries[1].Weight);
-	EXPECT_EQ(Field.Default, Entries[1].Before);
-	EXPECT_EQ(Entries[1].After, Field.Get(Blended.Settings));
+	EXPECT_EQ(EBlendSource::Default, Entries.front().Kind);
+	EXPECT_EQ(Field.Default, Entries.front().After);
+	const FBlendLedgerEntry& Entry = Entries.back();
+	EXPECT_EQ(EBlendSource::Volume, Entry.Kind);
+	EXPECT_EQ("Fog", Entry.Source);
+	EXPECT_EQ(ToString(Field.Blend), Entry.Rule);
+	EXPECT_EQ(std::optional<float>(0.5f), Entry.Weight);
+	EXPECT_EQ(Entries[Entries.size() - 2].After, Entry.Before); // r.DefaultFeature.* may stand between
 	FPostProcessSettings Expected;
+	Field.Set(Expected, Entry.Before);
 	Field.BlendFrom(Expected, Volume.Settings, 0.5f);
+	EXPECT_EQ(Field.Get(Expected), Entry.After);
 	EXPECT_EQ(Field.Get(Expected), Field.Get(Blended.Settings));
 }

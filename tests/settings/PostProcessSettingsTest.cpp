@@ -91,6 +91,16 @@ TEST(PostProcessSettings, FilmAndVignetteDefaultsAreTheEngines)
 	EXPECT_EQ(0.4f, Settings.VignetteIntensity);
 }
 
+TEST(PostProcessSettings, EngineMarkupIsIgnored)
+{
+	struct FPatched
+	{
+		UPROPERTY(interp, BlueprintReadWrite, Category = "Lens|Bloom", meta = (ClampMin = "0.0", UIMax = "8.0"))
+		float BloomToonIntensity = 0.675f;
+	};
+	EXPECT_EQ(FPatched().BloomToonIntensity, FPostProcessSettings().BloomToonIntensity);
+}
+
 TEST(PostProcessSettings, NewSettingsOverrideNothing)
 {
 	const FPostProcessSettings Settings;
