@@ -1,7 +1,6 @@
-// The dual Kawase blur against a Gaussian of the same width. Prints two tables in Markdown, as docs/dual-kawase.md has
-// them: the width for each number of levels and some offsets, measured on the passes; and what one blur of a scene
-// costs and how far it is from the Gaussian. The three filters alternate inside one measurement; medians of 7. Source:
-// drydock.
+// The dual Kawase blur against a Gaussian of the same width. Prints tables in Markdown, as docs/dual-kawase.md has them:
+// widths measured on the passes, corrected and as printed; what one blur of a scene costs, and how far it is from the
+// Gaussian. The three filters alternate inside one measurement; medians of 7. Source: drydock.
 //
 //     bench_kawase [SCENE]
 #include "DualKawaseBlurPass.h"
@@ -33,14 +32,16 @@ constexpr int32 GMostDirectLevels = 3;
 
 using FAddPasses = std::function<FScreenPassTexture(FRDGBuilder&, const FViewInfo&, const FScreenPassTexture&)>;
 
-FAddPasses Kawase(int32 Levels, double Offset)
+FAddPasses Kawase(int32 Levels, double Offset, bool bAsPrinted = false)
 {
-	return [Levels, Offset](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& Input)
+	return
+		[Levels, Offset, bAsPrinted](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& Input)
 	{
 		FDualKawaseBlurInputs Inputs;
 		Inputs.SceneColor = Input;
 		Inputs.PassNum = Levels;
 		Inputs.Offset = static_cast<float>(Offset);
+		Inputs.bAsPrinted = bAsPrinted;
 		return AddDualKawaseBlurPass(GraphBuilder, View, Inputs);
 	};
 }
@@ -105,9 +106,15 @@ FBlurred Run(FTextureRHIRef Texture, const FAddPasses& AddPasses)
 	return Result;
 }
 
-/** Mean over a block of 2^levels impulses of the variance of their responses along x. One run for all: columns of a
- * block that hold 1, x and x^2 in their channels, the same in all rows, so that the other axis drops out. */
-double MeasureStandardDeviation(int32 Levels, double Offset)
+struct FMeasured
+{
+	double Shift = 0.0; // pixels to the right
+	double StandardDeviation = 0.0;
+};
+
+/** Means over a block of 2^levels impulses of the place and width of their responses along x. One run for all: columns
+ * of a block that hold 1, x and x^2 in their channels, the same in all rows, so that the other axis drops out. */
+FMeasured Measure(int32 Levels, double Offset, bool bAsPrinted = false)
 {
 	const int32 Block = 1 << Levels;
 	const int32 Margin = (GetDualKawaseReach(Levels, Offset) / Block + 1) * Block;
@@ -122,17 +129,19 @@ double MeasureStandardDeviation(int32 Levels, double Offset)
 			const double In = Centre(X);
 			return X < Margin || X >= Margin + Block ? FVector4(0, 0, 0, 0) : FVector4(1, In, In * In, 0);
 		});
-	const FBlurred Output = Run(Input, Kawase(Levels, Offset));
+	const FBlurred Output = Run(Input, Kawase(Levels, Offset, bAsPrinted));
 	double Sum = 0.0;
+	double Mean = 0.0;
 	double Square = 0.0;
 	for (int32 X = 0; X < Size.X; ++X)
 	{
 		const FVector4 Value = Output.Texture->GetRHI()->ReadTexelDouble(X, Block);
 		const double Out = Centre(X);
 		Sum += Value.X;
+		Mean += Out * Value.X - Value.Y;
 		Square += Out * Out * Value.X - 2.0 * Out * Value.Y + Value.Z;
 	}
-	return std::sqrt(Square / Sum);
+	return {Mean / Sum, std::sqrt(Square / Sum - Mean / Sum * Mean / Sum)};
 }
 
 void PrintWidths()
@@ -150,7 +159,7 @@ void PrintWidths()
 		std::printf("| %d |", Levels);
 		for (const double Offset : Offsets)
 		{
-			const double Measured = MeasureStandardDeviation(Levels, Offset);
+			const double Measured = Measure(Levels, Offset).StandardDeviation;
 			LargestError =
 				std::max(LargestError, std::abs(Measured / GetDualKawaseStandardDeviation(Levels, Offset) - 1.0));
 			std::printf(" %.2f |", Measured);
@@ -158,6 +167,15 @@ void PrintWidths()
 		std::printf("\n");
 	}
 	std::printf("\nLargest relative difference from the closed form: %.1g\n\n", LargestError);
+
+	std::printf(
+		"As printed, offset 1, sizes that halve evenly:\n\n| levels | standard deviation | shift |\n|---|---|---|\n");
+	for (int32 Levels = 1; Levels <= GDualKawaseMaxPasses; ++Levels)
+	{
+		const FMeasured Measured = Measure(Levels, 1.0, true);
+		std::printf("| %d | %.2f | %.2f |\n", Levels, Measured.StandardDeviation, Measured.Shift);
+	}
+	std::printf("\n");
 }
 
 FTextureRHIRef LoadScene(const std::string& Path)
