@@ -196,11 +196,24 @@ int ParseAndRun(int NumArguments, char** Arguments)
 	CLI::App* Blend =
 		Program.add_subcommand("blend", "Print the post-process settings at a place, and how each came about");
 	AddConfig(*Blend, Options);
-	Blend->add_option("--at", Options.At, "Where, in cm; the view's location by default")->type_name("X,Y,Z");
+	CLI::Option* At =
+		Blend->add_option("--at", Options.At, "Where, in cm; the view's location by default")->type_name("X,Y,Z");
+	CLI::Option* Path = Blend
+							->add_option("--path", Options.Path,
+								"Along these points: a JSON file, or \"scene\" for the cameras of the scene's frames")
+							->type_name("FILE|scene")
+							->excludes(At);
+	Blend->add_option("--steps", Options.Steps, "Places between two points of the path; some 240 in all by default")
+		->check(CLI::Range(0, 100000).description(""))
+		->type_name("N")
+		->needs(Path);
+	Blend->add_option("--out", Options.OutputFolder, "Folder for walk.csv and walk.svg; out/NAME by default")
+		->type_name("DIR")
+		->needs(Path);
 	AddRepeated(*Blend, "--setting", "NAME", Options.Names,
 		"Only these settings, with * and ?; repeats; by default those that changed");
 	Blend->add_flag("--json", Options.bJson, "Print all settings with their whole ledger as JSON");
-	Blend->callback([&] { ExitCode = BlendVerb(Options); });
+	Blend->callback([&] { ExitCode = Options.Path.empty() ? BlendVerb(Options) : BlendPathVerb(Options); });
 
 	CLI::App* Graph = Program.add_subcommand("graph", "Print the compiled graph of a config without running it");
 	AddConfig(*Graph, Options);

@@ -26,6 +26,8 @@ struct FVerbOptions
 	bool bWatch = false;
 	std::string At;                 // blend: "X,Y,Z", cm; empty: the view's location
 	std::vector<std::string> Names; // blend: settings, with * and ?; empty: those that changed
+	std::string Path;               // blend: a file of points, or "scene"; empty: one place only
+	std::optional<int> Steps;       // between two points of the path
 };
 
 /** Runs the frame and writes its outputs; with bWatch again and again, until interrupted. */
@@ -36,6 +38,9 @@ DRYDOCK_API int CheckVerb(const FVerbOptions& Options);
 
 /** Prints the settings at a place, and the story of each: text or JSON. */
 DRYDOCK_API int BlendVerb(const FVerbOptions& Options);
+
+/** Walks Options.Path and writes walk.csv and walk.svg; prints the weights at its points, text or JSON. */
+DRYDOCK_API int BlendPathVerb(const FVerbOptions& Options);
 
 /** Prints the compiled graph: text, dot, svg (needs Graphviz's dot) or json. */
 DRYDOCK_API int GraphVerb(const FVerbOptions& Options);

@@ -1,10 +1,12 @@
 // The program as a user meets it: exit codes, what goes to stdout and stderr, nothing written after a mistake.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -168,6 +170,43 @@ TEST_F(DrydockProgram, ListShowsVariablesAsAConfigSetsThem)
 	EXPECT_TRUE(Contains(Call("list cvars r.BloomQuality --json --config " + Config).Out,
 		"\"value\": \"2\", \"default\": \"5\", \"setBy\": \"ConsoleVariablesIni\""));
 	EXPECT_TRUE(Contains(Call("list cvars r.Blomqality").Err, "did you mean"));
+}
+
+TEST_F(DrydockProgram, WalkOfTheSceneWritesATableAndAChart)
+{
+	const FOutcome Outcome = Call("blend " + Configs + "volumes_walk.json --path scene --steps 1 --out walk");
+	EXPECT_EQ(0, Outcome.ExitCode) << Outcome.Err;
+	EXPECT_TRUE(Contains(Outcome.Out, "settings  BloomIntensity, ")) << Outcome.Out;
+	// The weights of the scene's README at frame 4, four digits.
+	EXPECT_TRUE(std::regex_search(Outcome.Out, std::regex("\n +4 +[0-9.]+ +1.0000 +1.0000 +0.6786\n"))) << Outcome.Out;
+	std::ifstream Csv(Folder / "walk/walk.csv");
+	const std::string Table(std::istreambuf_iterator<char>(Csv), {});
+	EXPECT_EQ(1 + 8 + 7, std::count(Table.begin(), Table.end(), '\n'));
+	EXPECT_TRUE(Exists("walk/walk.svg"));
+	EXPECT_EQ(2, std::distance(std::filesystem::directory_iterator(Folder / "walk"), {})); // nothing left aside
+}
+
+TEST_F(DrydockProgram, ShippedChartIsTheOneThatIsDrawn)
+{
+	Call("blend " + Configs + "volumes_walk.json --path scene --out walk");
+	std::ifstream Drawn(Folder / "walk/walk.svg");
+	std::ifstream Shipped(Configs + "../docs/images/volumes_walk.svg");
+	EXPECT_EQ(std::string(std::istreambuf_iterator<char>(Shipped), {}),
+		std::string(std::istreambuf_iterator<char>(Drawn), {}))
+		<< "redraw it: ./dev blend configs/volumes_walk.json --path scene; cp out/volumes_walk/walk.svg "
+		   "docs/images/volumes_walk.svg";
+}
+
+TEST_F(DrydockProgram, WalkMistakesEndBeforeAnythingIsWritten)
+{
+	const std::string Path = Write("path.json", "[{\"location\": [0, 0, 0]},\n {\"location\": [1, 2]}]");
+	const FOutcome Outcome = Call("blend " + Configs + "volumes_walk.json --out walk --path " + Path);
+	EXPECT_EQ(2, Outcome.ExitCode);
+	EXPECT_TRUE(Contains(Outcome.Err, "path.json:2:15: error DD1006")) << Outcome.Err;
+	EXPECT_EQ(2, Call("blend " + Configs + "neutral.json --out walk --path scene").ExitCode);
+	EXPECT_EQ(3, Call("blend " + Configs + "neutral.json --out walk --path nowhere.json").ExitCode);
+	EXPECT_EQ(2, Call("blend " + Configs + "neutral.json --at 0,0,0 --path scene").ExitCode);
+	EXPECT_FALSE(Exists("walk"));
 }
 
 TEST_F(DrydockProgram, RepeatedOptionsTakeOneValueEach)
