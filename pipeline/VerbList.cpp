@@ -136,6 +136,12 @@ int ListVerb(const std::string& Things, const std::string& Filter, bool bJson)
 	if (Things == "settings")
 	{
 		const std::vector<const FSettingField*> Fields = FindSettingFields(Filter);
+		if (Fields.empty())
+		{
+			const std::string Nearest = FindNearestName(Filter, GetSettingNames());
+			std::fprintf(stderr, "drydock list: no setting matches \"%s\"%s\n", Filter.c_str(),
+				(Nearest.empty() ? "" : "; did you mean " + Nearest + "?").c_str());
+		}
 		std::fputs((bJson ? FormatSettingsJson(Fields) : FormatSettings(Fields)).c_str(), stdout);
 		return ExitDone;
 	}

@@ -325,6 +325,13 @@ TEST_F(DrydockProgram, ListsHaveDefaults)
 	EXPECT_EQ(0u, Call("list settings --json").Out.find("[\n"));
 }
 
+TEST_F(DrydockProgram, ListOfASettingThatIsNotThereNamesTheNearest)
+{
+	const FOutcome Outcome = Call("list settings BloomIntensty");
+	EXPECT_EQ("", Outcome.Out);
+	EXPECT_TRUE(Contains(Outcome.Err, "no setting matches \"BloomIntensty\"; did you mean BloomIntensity?"));
+}
+
 TEST_F(DrydockProgram, UnknownListNamesTheNearest)
 {
 	const FOutcome Outcome = Call("list setings");
