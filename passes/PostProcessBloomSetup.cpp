@@ -1,8 +1,9 @@
-// Source: engine file PostProcessBloomSetup.cpp.
+// Source: engine file PostProcessBloomSetup.cpp; toon bloom: the article's patch of it, and its correction.
 #include "PostProcessBloomSetup.h"
 
 #include "GlobalShader.h"
 #include "PixelShaderUtils.h"
+#include "PostProcessToonBloom.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphUtils.h"
@@ -12,6 +13,14 @@
 namespace
 {
 
+enum class EToonBloom : uint8
+{
+	None,
+	Corrected,
+	AsPrinted,
+	MAX
+};
+
 BEGIN_SHADER_PARAMETER_STRUCT(FBloomSetupParameters, )
 	SHADER_PARAMETER_STRUCT_REF(FViewUniformShaderParameters, View)
 	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Input)
@@ -20,9 +29,16 @@ BEGIN_SHADER_PARAMETER_STRUCT(FBloomSetupParameters, )
 	SHADER_PARAMETER_SAMPLER(SamplerState, InputSampler)
 	SHADER_PARAMETER_RDG_BUFFER_SRV(StructuredBuffer<float4>, EyeAdaptationBuffer)
 	SHADER_PARAMETER(float, BloomThreshold)
+	SHADER_PARAMETER_RDG_UNIFORM_BUFFER(FSceneTextureUniformParameters, SceneTextures)
+	SHADER_PARAMETER(float, ToonIntensity)
+	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Toon)
+	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, ToonTexture)
 END_SHADER_PARAMETER_STRUCT()
 
 class FThresholdDimension : SHADER_PERMUTATION_BOOL("USE_THRESHOLD");
+class FToonBloomDimension : SHADER_PERMUTATION_ENUM_CLASS("TOON_BLOOM", EToonBloom);
+
+using FBloomSetupPermutation = TShaderPermutationDomain<FThresholdDimension, FToonBloomDimension>;
 
 class FBloomSetupPS : public FGlobalShader
 {
@@ -30,7 +46,7 @@ public:
 	DECLARE_GLOBAL_SHADER(FBloomSetupPS);
 	SHADER_USE_PARAMETER_STRUCT(FBloomSetupPS, FGlobalShader);
 
-	using FPermutationDomain = TShaderPermutationDomain<FThresholdDimension>;
+	using FPermutationDomain = FBloomSetupPermutation;
 
 	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
 		SHADER_PARAMETER_STRUCT_INCLUDE(FBloomSetupParameters, BloomSetup)
@@ -44,7 +60,7 @@ public:
 	DECLARE_GLOBAL_SHADER(FBloomSetupCS);
 	SHADER_USE_PARAMETER_STRUCT(FBloomSetupCS, FGlobalShader);
 
-	using FPermutationDomain = TShaderPermutationDomain<FThresholdDimension>;
+	using FPermutationDomain = FBloomSetupPermutation;
 
 	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
 		SHADER_PARAMETER_STRUCT_INCLUDE(FBloomSetupParameters, BloomSetup)
@@ -63,6 +79,54 @@ public:
 IMPLEMENT_GLOBAL_SHADER(FBloomSetupPS, "/Engine/Private/PostProcessBloom.usf", "BloomSetupPS", SF_Pixel);
 IMPLEMENT_GLOBAL_SHADER(FBloomSetupCS, "/Engine/Private/PostProcessBloom.usf", "BloomSetupCS", SF_Compute);
 
+/** The patch is in the pixel shader alone, as printed: compute loses it. */
+EToonBloom ChooseToonBloom(const FBloomSetupInputs& Inputs, bool bCompute)
+{
+	if (!Inputs.SceneTextures)
+	{
+		return EToonBloom::None;
+	}
+	if (!IsToonBloomAsPrinted())
+	{
+		return EToonBloom::Corrected;
+	}
+	return bCompute ? EToonBloom::None : EToonBloom::AsPrinted;
+}
+
+/** Colour at the resolution of the ids. */
+FScreenPassTexture FindFullResolution(const FViewInfo& View, const FBloomSetupInputs& Inputs)
+{
+	if (Inputs.FullResolutionSceneColor.IsValid())
+	{
+		return Inputs.FullResolutionSceneColor;
+	}
+	const FRDGTextureRef SceneColor = Inputs.SceneTextures->GetContents()->SceneColorTexture;
+	const FIntPoint Extent = SceneColor ? SceneColor->Desc.Extent : FIntPoint(0, 0);
+	const bool bHoldsView = Extent.X >= View.ViewRect.Max.X && Extent.Y >= View.ViewRect.Max.Y;
+	const bool bIsInput = Inputs.SceneColor.ViewRect.Size() == View.ViewRect.Size();
+	return bHoldsView && !bIsInput ? FScreenPassTexture(SceneColor, View.ViewRect) : Inputs.SceneColor;
+}
+
+/** The setup's input with the factor in it: masked at full resolution, then downsampled as the input was. */
+FScreenPassTexture AddToonColor(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FBloomSetupInputs& Inputs)
+{
+	FToonBloomInputs MaskInputs;
+	MaskInputs.SceneColor = FindFullResolution(View, Inputs);
+	MaskInputs.SceneTextures = Inputs.SceneTextures;
+	MaskInputs.ToonIntensity = Inputs.ToonIntensity;
+	const FScreenPassTexture Masked = AddToonBloomMaskPass(GraphBuilder, View, MaskInputs);
+	if (Masked.ViewRect.Size() == Inputs.SceneColor.ViewRect.Size())
+	{
+		return Masked;
+	}
+	FDownsamplePassInputs DownsampleInputs;
+	DownsampleInputs.Name = TEXT("ToonBloomHalfResolution");
+	DownsampleInputs.SceneColor = Masked;
+	DownsampleInputs.Quality = Inputs.DownsampleQuality;
+	DownsampleInputs.FormatOverride = Inputs.SceneColor.Texture->Desc.Format;
+	return AddDownsamplePass(GraphBuilder, View, DownsampleInputs);
+}
+
 } // namespace
 
 FScreenPassTexture AddBloomSetupPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FBloomSetupInputs& Inputs)
@@ -70,7 +134,10 @@ FScreenPassTexture AddBloomSetupPass(FRDGBuilder& GraphBuilder, const FViewInfo&
 	check(Inputs.SceneColor.IsValid());
 	check(Inputs.EyeAdaptationBuffer);
 
+	check(Inputs.ToonIntensity > -1.0f);
+
 	const bool bCompute = View.bUseComputePasses;
+	const EToonBloom ToonBloom = ChooseToonBloom(Inputs, bCompute);
 
 	FRDGTextureDesc OutputDesc = Inputs.SceneColor.Texture->Desc;
 	OutputDesc.Reset();
@@ -90,13 +157,22 @@ FScreenPassTexture AddBloomSetupPass(FRDGBuilder& GraphBuilder, const FViewInfo&
 	BloomSetup.EyeAdaptationBuffer = GraphBuilder.CreateSRV(Inputs.EyeAdaptationBuffer);
 	BloomSetup.BloomThreshold = Inputs.Threshold;
 
+	BloomSetup.SceneTextures = Inputs.SceneTextures;
+	BloomSetup.ToonIntensity = Inputs.ToonIntensity;
+	if (ToonBloom == EToonBloom::Corrected)
+	{
+		const FScreenPassTexture Toon = AddToonColor(GraphBuilder, View, Inputs);
+		BloomSetup.Toon = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Toon));
+		BloomSetup.ToonTexture = Toon.Texture;
+	}
+
+	FBloomSetupPermutation Permutation;
 	// Written so that a NaN threshold, which no comparison holds for, means none.
-	const bool bUseThreshold = Inputs.Threshold > -1.0f;
+	Permutation.Set<FThresholdDimension>(Inputs.Threshold > -1.0f);
+	Permutation.Set<FToonBloomDimension>(ToonBloom);
 
 	if (bCompute)
 	{
-		FBloomSetupCS::FPermutationDomain Permutation;
-		Permutation.Set<FThresholdDimension>(bUseThreshold);
 		TShaderMapRef<FBloomSetupCS> ComputeShader(View.ShaderMap, Permutation);
 
 		FBloomSetupCS::FParameters* PassParameters = GraphBuilder.AllocParameters<FBloomSetupCS::FParameters>();
@@ -110,8 +186,6 @@ FScreenPassTexture AddBloomSetupPass(FRDGBuilder& GraphBuilder, const FViewInfo&
 	}
 	else
 	{
-		FBloomSetupPS::FPermutationDomain Permutation;
-		Permutation.Set<FThresholdDimension>(bUseThreshold);
 		TShaderMapRef<FBloomSetupPS> PixelShader(View.ShaderMap, Permutation);
 
 		FBloomSetupPS::FParameters* PassParameters = GraphBuilder.AllocParameters<FBloomSetupPS::FParameters>();

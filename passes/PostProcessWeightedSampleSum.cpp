@@ -2,12 +2,15 @@
 #include "PostProcessWeightedSampleSum.h"
 
 #include "GlobalShader.h"
+#include "HAL/IConsoleManager.h"
 #include "PixelShaderUtils.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphUtils.h"
 #include "SceneRendering.h"
 #include "ShaderParameterStruct.h"
+
+#include <cmath>
 
 namespace
 {
@@ -39,6 +42,8 @@ BEGIN_SHADER_PARAMETER_STRUCT(FFilterParameters, )
 	SHADER_PARAMETER_ARRAY(FVector4f, SampleOffsets, [MaxFilterSamples / 2])
 	SHADER_PARAMETER_ARRAY(FVector4f, SampleWeights, [MaxFilterSamples])
 	SHADER_PARAMETER(int32, SampleCount)
+	SHADER_PARAMETER(float, SampleSteps)
+	SHADER_PARAMETER(int32, bSnapTaps)
 END_SHADER_PARAMETER_STRUCT()
 
 class FAdditiveDimension : SHADER_PERMUTATION_BOOL("USE_ADDITIVE");
@@ -102,14 +107,36 @@ struct FFilterPassInputs
 	FIntPoint OutputExtent = FIntPoint(0, 0);
 	FIntRect OutputRect;
 	TConstArrayView<Drydock::FGaussianTap> Taps;
-	FVector2f Direction = FVector2f(0.0f, 0.0f); // UV of the filter to the texel
+	FVector2f Direction = FVector2f(0.0f, 0.0f); // texels
 	FLinearColor Tint = FLinearColor(1.0f, 1.0f, 1.0f, 1.0f);
 	EGaussianBlurAddress Address = EGaussianBlurAddress::Black;
 };
 
-/** Packs the taps that weigh anything; one of zero weight would still multiply an infinite texel into NaN. */
+/** Steps of the sampler to a texel, 0 where it does not snap. */
+double GetSampleSteps()
+{
+	const IConsoleVariable* SampleBits = IConsoleManager::Get().FindConsoleVariable(TEXT("r.Drydock.SampleBits"));
+	return SampleBits && SampleBits->GetInt() != 0 ? 256.0 : 0.0;
+}
+
+/** Pixels of the output lie on the sampler's steps: at texel centres, corners or quarters. */
+bool IsAligned(const FIntRect& Filter, const FIntRect& Output)
+{
+	const auto Fits = [](int32 From, int32 To)
+	{
+		return From == To || From == 2 * To || 2 * From == To;
+	};
+	return Fits(Filter.Width(), Output.Width()) && Fits(Filter.Height(), Output.Height());
+}
+
+/** Packs the taps that weigh anything; one of zero weight would still multiply an infinite texel into NaN. Offsets are
+ * snapped here, once, where that gives what the sampler would: then no rounding of UV can tip one over. */
 void SetTaps(const FFilterPassInputs& Inputs, FFilterParameters& Parameters)
 {
+	const double Steps = GetSampleSteps();
+	const bool bSnapHere = Steps > 0.0 && IsAligned(Inputs.Filter.ViewRect, Inputs.OutputRect);
+	Parameters.SampleSteps = static_cast<float>(Steps);
+	Parameters.bSnapTaps = Steps > 0.0 && !bSnapHere ? 1 : 0;
 	Parameters.SampleCount = 0;
 	for (const Drydock::FGaussianTap& Tap : Inputs.Taps)
 	{
@@ -118,7 +145,8 @@ void SetTaps(const FFilterPassInputs& Inputs, FFilterParameters& Parameters)
 		{
 			continue;
 		}
-		const FVector2f Offset = Inputs.Direction * static_cast<float>(Tap.Offset);
+		const double Snapped = bSnapHere ? std::floor(Tap.Offset * Steps + 0.5) / Steps : Tap.Offset;
+		const FVector2f Offset = Inputs.Direction * static_cast<float>(Snapped);
 		FVector4f& Pair = Parameters.SampleOffsets[Parameters.SampleCount / 2];
 		Pair = Parameters.SampleCount % 2 == 0 ? FVector4f(Offset.X, Offset.Y, 0.0f, 0.0f)
 											   : FVector4f(Pair.X, Pair.Y, Offset.X, Offset.Y);
@@ -249,7 +277,7 @@ FScreenPassTexture AddGaussianBlurPass(
 	Horizontal.OutputExtent = HorizontalViewport.Extent;
 	Horizontal.OutputRect = HorizontalViewport.Rect;
 	Horizontal.Taps = TapsX;
-	Horizontal.Direction = FVector2f(1.0f / static_cast<float>(Viewport.Extent.X), 0.0f);
+	Horizontal.Direction = FVector2f(1.0f, 0.0f);
 	Horizontal.Address = GetAddress(Inputs);
 
 	const TArray<Drydock::FGaussianTap> TapsY =
@@ -261,7 +289,7 @@ FScreenPassTexture AddGaussianBlurPass(
 	Vertical.OutputExtent = Viewport.Extent;
 	Vertical.OutputRect = Viewport.Rect;
 	Vertical.Taps = TapsY;
-	Vertical.Direction = FVector2f(0.0f, 1.0f / static_cast<float>(Viewport.Extent.Y));
+	Vertical.Direction = FVector2f(0.0f, 1.0f);
 	Vertical.Tint = Inputs.TintColor;
 	Vertical.Address = GetAddress(Inputs);
 	return AddFilterPass(GraphBuilder, View, Vertical);

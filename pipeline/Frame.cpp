@@ -8,6 +8,7 @@
 #include "RunDump.h"
 #include "ViewExtensions.h"
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 
@@ -48,6 +49,9 @@ struct FViewOfFrame
 	std::vector<FEffectDecision> Effects;
 	FPostProcessingChainOutputs Outputs;
 	TRefCountPtr<IPooledRenderTarget> SceneLinear;
+	// What the bleed of toon bloom is measured on, where it is active.
+	TRefCountPtr<IPooledRenderTarget> Bloom;
+	TRefCountPtr<IPooledRenderTarget> GBufferB;
 };
 
 /** Passes the graph's events on to the host's observer, and keeps the compiled graph for the log. */
@@ -120,6 +124,24 @@ void Paste(const FImage& Source, FIntPoint Position, FImage& Target)
 	}
 }
 
+FImage ReadAlpha(FRHITexture& Texture, const FIntRect& Rect)
+{
+	FImage Alpha{Rect.Width(), Rect.Height(), 1, {}};
+	Alpha.Values.resize(static_cast<size_t>(Rect.Width()) * static_cast<size_t>(Rect.Height()));
+	TArray<FLinearColor> Row;
+	Row.SetNum(Rect.Width());
+	for (int32 Y = 0; Y < Rect.Height(); ++Y)
+	{
+		Texture.ReadRow(Rect.Min.X, Rect.Min.Y + Y, Row);
+		for (int32 X = 0; X < Rect.Width(); ++X)
+		{
+			Alpha.Values[static_cast<size_t>(Y) * static_cast<size_t>(Rect.Width()) + static_cast<size_t>(X)] =
+				static_cast<double>(Row[X].A);
+		}
+	}
+	return Alpha;
+}
+
 class FFrameRenderer
 {
 public:
@@ -145,6 +167,10 @@ public:
 		Result.Milliseconds =
 			std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Begin).count();
 		Extensions.Finish(Observer.Graph);
+		for (const std::unique_ptr<FViewOfFrame>& View : Views)
+		{
+			MeasureBleed(*View);
+		}
 		for (size_t Index = 0; Index < Views.size(); ++Index)
 		{
 			Result.Views.push_back({Inputs.Views[Index].Name, Inputs.Views[Index].Rect, Views[Index]->Chain,
@@ -307,6 +333,29 @@ private:
 		ChainInputs.CustomSSRInput = &Target.State.CustomSSRInput;
 		Target.Outputs = AddPostProcessingPasses(GraphBuilder, NamedView, ChainInputs, Target.Effects, Extensions);
 		GraphBuilder.QueueTextureExtraction(Target.Outputs.SceneLinear.Texture, &Target.SceneLinear);
+		if (FindToonBloom(Target) != nullptr && Target.Outputs.Bloom.IsValid() && SceneTextures.GBufferB)
+		{
+			GraphBuilder.QueueTextureExtraction(Target.Outputs.Bloom.Texture, &Target.Bloom);
+			GraphBuilder.QueueTextureExtraction(SceneTextures.GBufferB, &Target.GBufferB);
+		}
+	}
+
+	/** The decision of an active toon bloom, or null. */
+	static FEffectDecision* FindToonBloom(FViewOfFrame& View)
+	{
+		const auto Found = std::find_if(View.Effects.begin(), View.Effects.end(),
+			[](const FEffectDecision& Effect) { return Effect.bActive && Effect.Name == "ToonBloom"; });
+		return Found == View.Effects.end() ? nullptr : &*Found;
+	}
+
+	void MeasureBleed(FViewOfFrame& View) const
+	{
+		if (View.Bloom && View.GBufferB)
+		{
+			const FImage Bloom = CropToRgba(ReadTexture(*View.Bloom->GetRHI()), View.Outputs.Bloom.ViewRect);
+			FindToonBloom(View)->Bleed = MeasureToonBleed(Bloom,
+				ReadAlpha(*View.GBufferB->GetRHI(), View.View.ViewRect), static_cast<double>(View.View.PreExposure));
+		}
 	}
 
 	void ReadPictures()

@@ -41,6 +41,14 @@ void WriteEffects(FJsonWriter& Writer, const FRunResult& Result)
 		Writer.Member("name", Effect.Name);
 		Writer.Member("active", Effect.bActive);
 		Writer.Member("reason", Effect.Reason);
+		if (Effect.Bleed)
+		{
+			Writer.Key("bleed").BeginObject(true);
+			Writer.Member("outside", Effect.Bleed->Outside);
+			Writer.Member("inside", Effect.Bleed->Inside);
+			Writer.Member("ratio", Effect.Bleed->GetRatio());
+			Writer.EndObject();
+		}
 		Writer.EndObject();
 	}
 	Writer.EndArray();

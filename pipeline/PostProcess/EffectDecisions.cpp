@@ -4,6 +4,7 @@
 
 #include "HAL/IConsoleManager.h"
 #include "PostProcess/ArticleEffects.h"
+#include "PostProcessToonBloom.h"
 
 #include <algorithm>
 #include <charconv>
@@ -31,7 +32,7 @@ std::string GateText(const FChainSettings& Chain, const char* Setting)
 	return Found == Chain.Gates.end() ? "" : ": " + Found->Reason;
 }
 
-FEffectDecision DecideBloom(const FChainSettings& Chain)
+FEffectDecision DecideBloom(const FChainSettings& Chain, bool bToonBloom)
 {
 	FEffectDecision Bloom{"Bloom", false, false, ""};
 	const float Intensity = Chain.Settings.BloomIntensity;
@@ -43,13 +44,20 @@ FEffectDecision DecideBloom(const FChainSettings& Chain)
 	{
 		Bloom.Reason = "BloomIntensity is " + NumberText(Intensity) + GateText(Chain, "BloomIntensity");
 	}
+	else if (IsToonBloomMaskVisualized())
+	{
+		Bloom.Reason = "r.ToonBloom.VisualizeMask shows the mask in its place";
+	}
 	else
 	{
 		Bloom.bActive = true;
 		const float Threshold = Chain.Settings.BloomThreshold;
-		Bloom.Reason =
-			"BloomIntensity is " + NumberText(Intensity) + ", BloomThreshold " +
-			(Threshold > -1.0f ? NumberText(Threshold) : NumberText(Threshold) + ": the setup pass is not needed");
+		Bloom.Reason = "BloomIntensity is " + NumberText(Intensity) + ", BloomThreshold " + NumberText(Threshold);
+		if (!(Threshold > -1.0f))
+		{
+			Bloom.Reason +=
+				bToonBloom ? ": the setup pass is there for the toon's factor" : ": the setup pass is not needed";
+		}
 		if (Chain.Settings.BloomMethod != BM_SOG)
 		{
 			Bloom.Reason += "; BM_FFT is not built yet, the Gaussian sum runs";
@@ -73,6 +81,62 @@ FEffectDecision DecideDualKawase(const FChainSettings& Chain)
 		Chain.bDualKawaseExtension ? "a view extension makes it" + (PassNum > 0 ? "; " + Setting : std::string())
 		: PassNum > 0 ? Setting + ", DualKawaseBlurOffset " + NumberText(Chain.Settings.DualKawaseBlurOffset)
 					  : Setting + ", and there is no such view extension"};
+}
+
+/** What becomes of an active toon bloom in the article's form. */
+std::string AsPrintedText()
+{
+	if (!IsToonBloomAsPrinted())
+	{
+		return "";
+	}
+	const IConsoleVariable* Compute =
+		IConsoleManager::Get().FindConsoleVariable(TEXT("r.PostProcessing.PreferCompute"));
+	const bool bLost = Compute != nullptr && Compute->GetInt() != 0;
+	return bLost ? "; as printed, and lost: the article patches the pixel shader only, and "
+				   "r.PostProcessing.PreferCompute is 1"
+				 : "; as printed: one id for each half-resolution pixel";
+}
+
+FEffectDecision DecideToonBloom(const FChainSettings& Chain)
+{
+	const int32 Mode = GetToonBloomMode();
+	const float Factor = Chain.Settings.BloomToonIntensity;
+	const bool bThreshold = Chain.Settings.BloomThreshold > -1.0f;
+	const FEffectDecision Bloom = DecideBloom(Chain, false);
+	const std::string NoSetup = bThreshold
+									? ""
+									: "; without it the bloom setup pass is not in the graph (BloomThreshold is " +
+										  NumberText(Chain.Settings.BloomThreshold) + ")";
+	FEffectDecision Toon{"ToonBloom", false, Chain.bToonBloomConfigured || Mode > 0, ""};
+	if (Mode == 0)
+	{
+		Toon.Reason = "r.ToonBloom is 0";
+	}
+	else if (Mode < 0 && !Chain.bToonBloomConfigured)
+	{
+		Toon.Reason = "not called for: nothing names BloomToonIntensity";
+	}
+	else if (!Bloom.bActive)
+	{
+		Toon.Reason = "there is no bloom to mask: " + Bloom.Reason;
+	}
+	else if (!(Factor > -1.0f))
+	{
+		Toon.Reason = "BloomToonIntensity is " + NumberText(Factor) + ": the setup pass takes values above -1";
+	}
+	else if (Mode < 0 && Factor == 1.0f)
+	{
+		Toon.Reason = "BloomToonIntensity is 1, which changes nothing";
+	}
+	else
+	{
+		Toon.bActive = true;
+		Toon.Reason = "BloomToonIntensity is " + NumberText(Factor) +
+					  (bThreshold ? "" : ": it brings the setup pass into the graph") + AsPrintedText();
+	}
+	Toon.Reason += Toon.bActive || !Bloom.bActive ? "" : NoSetup;
+	return Toon;
 }
 
 FEffectDecision DecideAntiAliasing()
@@ -110,20 +174,17 @@ const std::vector<std::string>& GetEffectNames()
 std::vector<FEffectDecision> DecideEffects(const FChainSettings& Chain)
 {
 	std::vector<FEffectDecision> Decisions;
+	const FEffectDecision ToonBloom = DecideToonBloom(Chain);
 	for (const std::string& Name : GetEffectNames())
 	{
 		FEffectDecision Decision{Name, false, false, "not built yet"};
 		if (Name == "Bloom")
 		{
-			Decision = DecideBloom(Chain);
+			Decision = DecideBloom(Chain, ToonBloom.bActive);
 		}
 		else if (Name == "ToonBloom")
 		{
-			Decision.bConfigured = Chain.bToonBloomConfigured;
-			Decision.Reason = Chain.bToonBloomConfigured
-								  ? "not built yet: BloomToonIntensity " +
-										NumberText(Chain.Settings.BloomToonIntensity) + " is read and does nothing"
-								  : "not built yet, and not called for: nothing sets BloomToonIntensity";
+			Decision = ToonBloom;
 		}
 		else if (Name == "Exposure")
 		{

@@ -3,7 +3,9 @@
 #pragma once
 
 #include "FinalPostProcessSettings.h"
+#include "ToonBleed.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,7 @@ struct FEffectDecision
 	bool bActive = false;
 	bool bConfigured = false; // the config asks for it: not running is worth a line
 	std::string Reason;
+	std::optional<FToonBleed> Bleed; // of an executed ToonBloom
 };
 
 /** Every effect there is or will be, in the order of the frame. */

@@ -12,6 +12,7 @@
 #include "PostProcessDownsample.h"
 #include "PostProcessEyeAdaptation.h"
 #include "PostProcessGaussianBloom.h"
+#include "PostProcessToonBloom.h"
 #include "PostProcessTonemap.h"
 #include "SystemTextures.h"
 
@@ -55,8 +56,9 @@ FScreenPassTexture AddHalfResolutionPass(
 	return AddDownsamplePass(GraphBuilder, View, Inputs);
 }
 
+/** Toon: set where toon bloom is active. */
 FScreenPassTexture AddBloomPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View,
-	const FScreenPassTexture& SceneColor, FRDGBufferRef EyeAdaptationBuffer)
+	const FScreenPassTexture& SceneColor, FRDGBufferRef EyeAdaptationBuffer, const FToonBloomInputs* Toon)
 {
 	RDG_EVENT_SCOPE(GraphBuilder, "Bloom");
 	const FScreenPassTexture HalfResolution = AddHalfResolutionPass(GraphBuilder, View, SceneColor);
@@ -66,7 +68,7 @@ FScreenPassTexture AddBloomPasses(FRDGBuilder& GraphBuilder, const FViewInfo& Vi
 	FTextureDownsampleChain SceneChain;
 	SceneChain.Init(GraphBuilder, View, HalfResolution, GetDownsampleChainQuality(), TEXT("SceneDownsample"));
 	const float Threshold = View.FinalPostProcessSettings.BloomThreshold;
-	if (!(Threshold > -1.0f))
+	if (!(Threshold > -1.0f) && Toon == nullptr)
 	{
 		return AddGaussianBloomPasses(GraphBuilder, View, &SceneChain);
 	}
@@ -75,6 +77,13 @@ FScreenPassTexture AddBloomPasses(FRDGBuilder& GraphBuilder, const FViewInfo& Vi
 	SetupInputs.SceneColor = HalfResolution;
 	SetupInputs.EyeAdaptationBuffer = EyeAdaptationBuffer;
 	SetupInputs.Threshold = Threshold;
+	if (Toon != nullptr)
+	{
+		SetupInputs.SceneTextures = Toon->SceneTextures;
+		SetupInputs.ToonIntensity = Toon->ToonIntensity;
+		SetupInputs.FullResolutionSceneColor = SceneColor;
+		SetupInputs.DownsampleQuality = GetDownsampleQuality();
+	}
 	FTextureDownsampleChain BloomChain;
 	BloomChain.Init(GraphBuilder, View, AddBloomSetupPass(GraphBuilder, View, SetupInputs), GetDownsampleChainQuality(),
 		TEXT("BloomDownsample"));
@@ -357,19 +366,34 @@ FPostProcessingChainOutputs AddPostProcessingPasses(FRDGBuilder& GraphBuilder, c
 	FTonemapInputs TonemapInputs;
 	TonemapInputs.EyeAdaptationBuffer = CreateEyeAdaptationBuffer(GraphBuilder, Inputs.ExposureScale);
 	TonemapInputs.OutputFormat = DisplayFormat;
-	if (IsActive(Effects, "Bloom"))
+	FToonBloomInputs ToonInputs;
+	ToonInputs.SceneColor = SceneColor;
+	ToonInputs.ToonIntensity = View.FinalPostProcessSettings.BloomToonIntensity;
+	const bool bToonBloom = IsActive(Effects, "ToonBloom");
+	const bool bVisualizeToon = bPostProcessing && IsToonBloomMaskVisualized();
+	if (bToonBloom || bVisualizeToon)
 	{
-		TonemapInputs.Bloom = AddBloomPasses(GraphBuilder, View, SceneColor, TonemapInputs.EyeAdaptationBuffer);
+		ToonInputs.SceneTextures =
+			Inputs.SceneTextures ? Inputs.SceneTextures : CreateSceneTextureUniformBuffer(GraphBuilder, View);
 	}
-	if (ArticleEffects.WantsBloomInSceneColor())
+	if (bVisualizeToon)
+	{
+		SceneColor = AddToonBloomVisualizePass(GraphBuilder, View, ToonInputs);
+	}
+	else if (IsActive(Effects, "Bloom"))
+	{
+		TonemapInputs.Bloom = AddBloomPasses(
+			GraphBuilder, View, SceneColor, TonemapInputs.EyeAdaptationBuffer, bToonBloom ? &ToonInputs : nullptr);
+	}
+	FPostProcessingChainOutputs Outputs;
+	Outputs.Bloom = TonemapInputs.Bloom;
+	if (!bVisualizeToon && ArticleEffects.WantsBloomInSceneColor())
 	{
 		SceneColor = ArticleEffects.AddBloomComposite(SceneColor, TonemapInputs.Bloom);
 		SceneColor = ArticleEffects.AddRED(EREDPostProcessInsertion::AfterBloom, SceneColor);
 		TonemapInputs.Bloom = FScreenPassTexture();
 	}
 	TonemapInputs.SceneColor = SceneColor;
-
-	FPostProcessingChainOutputs Outputs;
 	Outputs.SceneLinear = SceneColor;
 	Outputs.BlurredToonShadow = ArticleEffects.GetBlurredToonShadow();
 	if (bPostProcessing && Points.HasCallbacks(EPoint::ReplacingTonemapper))

@@ -36,6 +36,8 @@ struct FPostProcessingChainOutputs
 	FScreenPassTexture BlurredToonShadow;
 	/** The display-encoded picture: ViewFamilyTexture. */
 	FScreenPassTexture Final;
+	/** What the tonemapper adds; not valid without bloom. */
+	FScreenPassTexture Bloom;
 };
 
 /** Builds the passes of the effects that are active in Effects. View.FinalPostProcessSettings holds the settings. */

@@ -85,40 +85,68 @@ TEST(EffectDecisions, PostProcessingOffHasNoBloom)
 		"ShowFlag.PostProcessing is off", Decision(R"({"showFlags": {"PostProcessing": false}})", "Bloom").Reason);
 }
 
-TEST(EffectDecisions, ToonBloomIsConfiguredWhenItsSettingIsNamed)
+TEST(EffectDecisions, ToonBloomRunsWhereItsSettingIsNamed)
 {
-	EXPECT_FALSE(Decision("{}", "ToonBloom").bConfigured);
 	const FEffectDecision ToonBloom = Decision(Unbound(R"("BloomToonIntensity": 0.1)"), "ToonBloom");
 	EXPECT_TRUE(ToonBloom.bConfigured);
+	EXPECT_TRUE(ToonBloom.bActive);
+	EXPECT_EQ("BloomToonIntensity is 0.1: it brings the setup pass into the graph", ToonBloom.Reason);
+	EXPECT_EQ("BloomIntensity is 0.675, BloomThreshold -1: the setup pass is there for the toon's factor",
+		Decision(Unbound(R"("BloomToonIntensity": 0.1)"), "Bloom").Reason);
+}
+
+TEST(EffectDecisions, ToonBloomUncalledForSaysThatThereIsNoSetupPass)
+{
+	const FEffectDecision ToonBloom = Decision("{}", "ToonBloom");
 	EXPECT_FALSE(ToonBloom.bActive);
-	EXPECT_EQ("not built yet: BloomToonIntensity 0.1 is read and does nothing", ToonBloom.Reason);
+	EXPECT_FALSE(ToonBloom.bConfigured);
+	EXPECT_EQ("not called for: nothing names BloomToonIntensity; without it the bloom setup pass is not in the graph "
+			  "(BloomThreshold is -1)",
+		ToonBloom.Reason);
+	EXPECT_EQ("not called for: nothing names BloomToonIntensity",
+		Decision(Unbound(R"("BloomThreshold": 0)"), "ToonBloom").Reason);
 }
 
-TEST(EffectDecisions, DualKawaseBlurNeedsASettingOrAnExtension)
+TEST(EffectDecisions, ToonBloomIsCalledForByAVolumeWithoutWeight)
 {
-	const FEffectDecision Off = Decision("{}", "DualKawaseBlur");
-	EXPECT_FALSE(Off.bActive);
-	EXPECT_FALSE(Off.bConfigured);
-	EXPECT_EQ("DualKawaseBlurPassNum is 0, and there is no such view extension", Off.Reason);
-	const FEffectDecision On = Decision(Unbound(R"("DualKawaseBlurPassNum": 3)"), "DualKawaseBlur");
-	EXPECT_TRUE(On.bActive);
-	EXPECT_EQ("DualKawaseBlurPassNum is 3, DualKawaseBlurOffset 1", On.Reason);
-	FChainSettings Settings = Chain("{}");
-	Settings.bDualKawaseExtension = true;
-	for (const FEffectDecision& Effect : DecideEffects(Settings))
+	EXPECT_TRUE(Decision(Unbound(R"("BloomToonIntensity": 0.1)", R"("BlendWeight": 0, )"), "ToonBloom").bActive);
+}
+
+TEST(EffectDecisions, ToonBloomOfFactorOneChangesNothing)
+{
+	const FEffectDecision ToonBloom = Decision(Unbound(R"("BloomToonIntensity": 1, "BloomThreshold": 0)"), "ToonBloom");
+	EXPECT_FALSE(ToonBloom.bActive);
+	EXPECT_TRUE(ToonBloom.bConfigured);
+	EXPECT_EQ("BloomToonIntensity is 1, which changes nothing", ToonBloom.Reason);
+}
+
+TEST(EffectDecisions, ToonBloomFollowsItsVariable)
+{
 	{
-		EXPECT_TRUE(Effect.Name != "DualKawaseBlur" || (Effect.bActive && Effect.Reason == "a view extension makes it"));
+		const FScopedConsoleVariable Always(TEXT("r.ToonBloom"), 1);
+		EXPECT_TRUE(Decision("{}", "ToonBloom").bActive);
 	}
+	const FScopedConsoleVariable Never(TEXT("r.ToonBloom"), 0);
+	const FEffectDecision ToonBloom =
+		Decision(Unbound(R"("BloomToonIntensity": 0.1, "BloomThreshold": 0)"), "ToonBloom");
+	EXPECT_FALSE(ToonBloom.bActive);
+	EXPECT_EQ("r.ToonBloom is 0", ToonBloom.Reason);
 }
 
-TEST(EffectDecisions, DualKawaseBlurThatPostProcessingOffStopsSaysSo)
+TEST(EffectDecisions, ToonBloomNeedsBloom)
 {
-	const FEffectDecision Blur = Decision(
-		R"({"camera": {"Settings": {"DualKawaseBlurPassNum": 3}}, "showFlags": {"PostProcessing": false}})",
-		"DualKawaseBlur");
-	EXPECT_FALSE(Blur.bActive);
-	EXPECT_TRUE(Blur.bConfigured);
-	EXPECT_EQ("ShowFlag.PostProcessing is off", Blur.Reason);
+	EXPECT_EQ("there is no bloom to mask: BloomIntensity is 0",
+		Decision(Unbound(R"("BloomToonIntensity": 0.1, "BloomIntensity": 0)"), "ToonBloom").Reason);
+}
+
+TEST(EffectDecisions, ToonBloomAsPrintedIsLostInCompute)
+{
+	const FScopedConsoleVariable AsPrinted(TEXT("r.ToonBloom.AsPrinted"), 1);
+	const std::string Text = Unbound(R"("BloomToonIntensity": 0.5, "BloomThreshold": 0)");
+	EXPECT_EQ("BloomToonIntensity is 0.5; as printed: one id for each half-resolution pixel",
+		Decision(Text, "ToonBloom").Reason);
+	const FScopedConsoleVariable Compute(TEXT("r.PostProcessing.PreferCompute"), 1);
+	EXPECT_NE(std::string::npos, Decision(Text, "ToonBloom").Reason.find("lost"));
 }
 
 TEST(EffectDecisions, AntiAliasingFollowsItsVariable)

@@ -224,11 +224,11 @@ TEST_F(DrydockProgram, JsonGoesToStdoutAlone)
 	EXPECT_EQ('\n', Outcome.Out.back());
 }
 
-TEST_F(DrydockProgram, ConfiguredEffectThatIsNotBuiltHasAClosingLine)
+TEST_F(DrydockProgram, ConfiguredEffectThatDoesNotRunHasAClosingLine)
 {
 	const FOutcome Outcome = Call("run --pp BloomToonIntensity=0.1 " + Configs + "neutral.json");
 	EXPECT_EQ(0, Outcome.ExitCode);
-	EXPECT_EQ(1, CountLines(Outcome.Err, "ToonBloom: not built yet"));
+	EXPECT_EQ(1, CountLines(Outcome.Err, "ToonBloom: there is no bloom to mask: BloomIntensity is 0"));
 	EXPECT_FALSE(Contains(Call("run " + Configs + "neutral.json").Err, "ToonBloom"));
 }
 

@@ -1,0 +1,44 @@
+// Toon bloom: what is shaded as cloth (the toon mark) blooms with a strength of its own. Switches, and the passes that
+// the corrected form adds in front of the bloom setup. Source: the article's engine patch, and its correction
+// (drydock).
+//
+// As printed, the setup at half resolution takes one point-sampled shading model id for each of its pixels: edges are
+// jagged, and only the pixel shader has it. Corrected, full-resolution colour times the factor is downsampled as the
+// unmasked colour is, so that an edge weighs what it covers.
+// Contract. Same rect as the input; alpha passes on. Pixels of other shading models keep their bits. Hazards: a factor
+// of 0 makes toon pixels 0 whatever they hold; otherwise NaN and infinities stay what they are.
+#pragma once
+
+#include "CoreMinimal.h"
+#include "SceneTextureParameters.h"
+#include "ScreenPass.h"
+
+class FRDGBuilder;
+class FViewInfo;
+
+/** r.ToonBloom: -1 where the settings call for it, 0 never, 1 always. */
+DRYDOCK_API int32 GetToonBloomMode();
+
+/** r.ToonBloom.AsPrinted. */
+DRYDOCK_API bool IsToonBloomAsPrinted();
+
+/** r.ToonBloom.VisualizeMask. */
+DRYDOCK_API bool IsToonBloomMaskVisualized();
+
+struct FToonBloomInputs
+{
+	/** [Required] The view's picture at the resolution of the scene textures. */
+	FScreenPassTexture SceneColor;
+	/** [Required] */
+	TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures = nullptr;
+	/** Factor of toon pixels. */
+	float ToonIntensity = 1.0f;
+};
+
+/** The input with toon pixels times the factor, in the same format. */
+DRYDOCK_API FScreenPassTexture AddToonBloomMaskPass(
+	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FToonBloomInputs& Inputs);
+
+/** The input dimmed to grey, toon pixels in magenta over it: linear, to be tonemapped. */
+DRYDOCK_API FScreenPassTexture AddToonBloomVisualizePass(
+	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FToonBloomInputs& Inputs);
