@@ -131,7 +131,7 @@ bool ContainsInvalid(const FJsonValue& Value)
 	return Value.Type == EJsonType::Invalid ||
 		   std::any_of(Value.Elements.begin(), Value.Elements.end(), ContainsInvalid) ||
 		   std::any_of(Value.Members.begin(), Value.Members.end(),
-			   [](const auto& Member) { return ContainsInvalid(Member.second); });
+			   [](const FJsonMember& Member) { return ContainsInvalid(Member.Value); });
 }
 
 /** JSON numbers are doubles; what float cannot hold would become infinite. */

@@ -214,7 +214,7 @@ private:
 			std::string List;
 			for (const std::string& Text : Allowed)
 			{
-				List += (List.empty() ? "" : ", ") + Text;
+				List += std::string(List.empty() ? "" : ", ") + Text;
 			}
 			Messages.Error(ErrorUnknownValue, Value,
 				"\"" + Value.String + "\" is none of " + List + Suggest(Value.String, Allowed));

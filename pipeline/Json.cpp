@@ -8,6 +8,7 @@
 #include "JsonScan.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <iterator>
 
@@ -177,9 +178,10 @@ private:
 	bool AddNumber(double Number)
 	{
 		const bool bNotFinite = NextToken < Scan.Tokens.size() && Scan.Tokens[NextToken].bNotFinite;
+		const bool bNegative = NextToken < Scan.Tokens.size() && Scan.Text[Scan.Tokens[NextToken].Offset] == '-';
 		FJsonValue Value;
 		Value.Type = bNotFinite ? EJsonType::Invalid : EJsonType::Number;
-		Value.Number = Number;
+		Value.Number = std::copysign(Number, bNegative ? -1.0 : 1.0); // the parser takes -0 for an integer, 0
 		Locate(Value);
 		if (bNotFinite)
 		{
@@ -234,7 +236,7 @@ private:
 		}
 		else if (Parent.Value.Find(Parent.Key) == nullptr)
 		{
-			Parent.Value.Members.emplace_back(Parent.Key, std::move(Value));
+			Parent.Value.Members.push_back({Parent.Key, std::move(Value)});
 		}
 	}
 

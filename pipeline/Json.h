@@ -6,7 +6,6 @@
 #include "Diagnostics.h"
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace Drydock
@@ -23,6 +22,8 @@ enum class EJsonType
 	Invalid, // a number that was already reported: readers skip it silently
 };
 
+struct FJsonMember;
+
 struct FJsonValue
 {
 	EJsonType Type = EJsonType::Null;
@@ -30,8 +31,7 @@ struct FJsonValue
 	double Number = 0.0;
 	std::string String;
 	std::vector<FJsonValue> Elements; // of an array
-	std::vector<std::pair<std::string, FJsonValue>>
-		Members; // of an object, in the order of the file, without duplicates
+	std::vector<FJsonMember> Members; // of an object, in the order of the file, without duplicates
 
 	int Line = 0;    // 1-based, where the value begins
 	int Column = 0;  // 1-based, in characters
@@ -44,6 +44,12 @@ struct FJsonValue
 
 	/** "a number", "an array", ... for messages. */
 	DRYDOCK_API const char* Describe() const;
+};
+
+struct FJsonMember
+{
+	std::string Key;
+	FJsonValue Value;
 };
 
 /** File names the text in messages. What is wrong is appended to Diagnostics; after a syntax error the result is what

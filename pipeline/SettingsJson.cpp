@@ -47,7 +47,7 @@ void WriteSettings(FJsonWriter& Writer, const FPostProcessSettings& Settings)
 	{
 		const FSettingValue Value = Field.Get(Settings);
 		const bool bOverridden = Field.IsOverridden(Settings);
-		if (!bOverridden && Value == Field.Default)
+		if (!bOverridden && SettingToText(Field, Value) == SettingToText(Field, Field.Default))
 		{
 			continue;
 		}

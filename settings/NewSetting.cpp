@@ -33,7 +33,7 @@ std::string FormatVector(const std::string& Type, const double* Components, int 
 	std::string Text;
 	for (int Index = 0; Index < Num; ++Index)
 	{
-		Text += (Index == 0 ? "" : ", ") +
+		Text += std::string(Index == 0 ? "" : ", ") +
 				(Type == "FLinearColor" ? FormatFloat(Components[Index]) : FormatNumber(Components[Index]));
 	}
 	return Type + "(" + Text + ")";
@@ -57,7 +57,7 @@ std::string FormatDefault(const FSettingField& Field, const std::string& Type)
 		std::string Text;
 		for (int Index = 0; Index < Field.GetNumComponents(); Index += 4)
 		{
-			Text += (Index == 0 ? "" : ", ") + FormatVector(Type, Value.Components + Index, 4);
+			Text += std::string(Index == 0 ? "" : ", ") + FormatVector(Type, Value.Components + Index, 4);
 		}
 		return "{" + Text + "}";
 	}

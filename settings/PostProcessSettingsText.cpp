@@ -74,7 +74,7 @@ public:
 		Offset = Num == 0 ? InOffset : std::min(Offset, InOffset);
 		if (Num++ < MaxListed)
 		{
-			Text += (Text.empty() ? "" : ", ") + Name;
+			Text += std::string(Text.empty() ? "" : ", ") + Name;
 		}
 	}
 	size_t GetNum() const { return Num; }
@@ -93,6 +93,10 @@ private:
 /** Whether only a stretch of two letters differs. */
 bool IsNearly(const std::string& A, const std::string& B)
 {
+	if (std::max(A.size(), B.size()) - std::min(A.size(), B.size()) > 2)
+	{
+		return false;
+	}
 	const std::string LowerA = ToLowerCase(A);
 	const std::string LowerB = ToLowerCase(B);
 	const size_t Shorter = std::min(A.size(), B.size());
@@ -107,6 +111,15 @@ bool IsNearly(const std::string& A, const std::string& B)
 		++Suffix;
 	}
 	return std::max(A.size(), B.size()) - Prefix - Suffix <= 2;
+}
+
+/** Cheaper than FindNearestName and stricter: names of other engine versions are no mistakes. */
+std::string FindNearlySameName(const std::string& Name)
+{
+	const std::vector<FSettingField>& Fields = GetSettingFields();
+	const auto Found = std::find_if(
+		Fields.begin(), Fields.end(), [&](const FSettingField& Field) { return IsNearly(Name, Field.Name); });
+	return Found == Fields.end() ? "" : Found->Name;
 }
 
 class FStructReader
@@ -249,14 +262,12 @@ private:
 
 	void ReportUnknown()
 	{
-		const std::vector<std::string> Names = GetSettingNames();
 		FNameList List;
 		for (size_t Index = 0; Index < Result.Unknown.size(); ++Index)
 		{
 			const std::string& Key = Result.Unknown[Index].Key;
-			const std::string Nearest = List.GetNum() < FNameList::MaxListed ? FindNearestName(Key, Names) : "";
-			List.Add(Key + (!Nearest.empty() && IsNearly(Key, Nearest) ? " (did you mean " + Nearest + "?)" : ""),
-				UnknownOffsets[Index]);
+			const std::string Nearest = List.GetNum() < FNameList::MaxListed ? FindNearlySameName(Key) : "";
+			List.Add(Key + (Nearest.empty() ? "" : " (did you mean " + Nearest + "?)"), UnknownOffsets[Index]);
 		}
 		if (List.GetNum() > 0)
 		{
@@ -303,7 +314,7 @@ public:
 			for (int Index = 0; Index < GetNumTextElements(Field); ++Index)
 			{
 				const bool bWritten = bFull || Field.IsOverridden(Settings.Settings) || !IsDefault(Field, Value, Index);
-				Add(GetElementKey(Field, Index), WriteSettingText(Field, Value, Index), bWritten);
+				Add(GetElementKey(Field, Index), bWritten ? WriteSettingText(Field, Value, Index) : "", bWritten);
 			}
 			const bool bWritten = bFull || Field.IsOverridden(Settings.Settings) || !IsDefault(Field, Value);
 			if (bWritten)
@@ -326,7 +337,7 @@ public:
 private:
 	void AddPair(const std::string& Key, const std::string& Value)
 	{
-		Text += (Text.empty() ? "" : ",") + Key + "=" + Value;
+		Text += std::string(Text.empty() ? "" : ",") + Key + "=" + Value;
 	}
 
 	void Add(const std::string& Key, const std::string& Value, bool bWritten)
@@ -340,11 +351,16 @@ private:
 
 	void AddUnknownAfter(const std::string& Key)
 	{
-		for (const FUnknownSetting* Unknown : UnknownAfter[Key])
+		const auto Found = UnknownAfter.find(Key);
+		if (Found == UnknownAfter.end())
+		{
+			return;
+		}
+		for (const FUnknownSetting* Unknown : Found->second)
 		{
 			AddPair(Unknown->Key, Unknown->Text);
 		}
-		UnknownAfter.erase(Key);
+		UnknownAfter.erase(Found);
 	}
 
 	void CheckDecimals(const FSettingField& Field, const FSettingValue& Value)

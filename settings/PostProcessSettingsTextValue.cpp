@@ -127,7 +127,7 @@ bool ReadEnum(
 			return true;
 		}
 		Names.emplace_back(Field.EnumNames[Index]);
-		List += (Index == 0 ? " " : ", ") + Names.back();
+		List += std::string(Index == 0 ? " " : ", ") + Names.back();
 	}
 	const std::string Nearest = bText ? FindNearestName(Name, Names) : "";
 	return Refuse(OutProblem, bText ? ErrorTextUnknownName : ErrorTextWrongType, Text,

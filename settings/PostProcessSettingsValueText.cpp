@@ -41,7 +41,7 @@ std::string VectorToText(const double* Components, int32 Num, bool bFloat)
 	std::string Text;
 	for (int32 Index = 0; Index < Num; ++Index)
 	{
-		Text += (Index == 0 ? "[" : ", ") + NumberToText(Components[Index], bFloat);
+		Text += std::string(Index == 0 ? "[" : ", ") + NumberToText(Components[Index], bFloat);
 	}
 	return Text + "]";
 }
@@ -234,7 +234,7 @@ std::string SettingToText(const FSettingField& Field, const FSettingValue& Value
 		std::string Text;
 		for (int32 Index = 0; Index < MaxSettingComponents; Index += 4)
 		{
-			Text += (Index == 0 ? "[" : ", ") + VectorToText(Value.Components + Index, 4, true);
+			Text += std::string(Index == 0 ? "[" : ", ") + VectorToText(Value.Components + Index, 4, true);
 		}
 		return Text + "]";
 	}

@@ -64,11 +64,18 @@ TEST(Json, ReadsEveryType)
 	EXPECT_EQ(EJsonType::Object, Parsed.Root.Find("o")->Type);
 }
 
+TEST(Json, NegativeZeroKeepsItsSign)
+{
+	EXPECT_TRUE(std::signbit(Parse("-0").Root.Number));
+	EXPECT_TRUE(std::signbit(Parse("-0.0").Root.Number));
+	EXPECT_FALSE(std::signbit(Parse("0").Root.Number));
+}
+
 TEST(Json, MembersKeepTheirOrder)
 {
 	const FParsed Parsed = Parse(R"({"b": 1, "a": 2})");
-	EXPECT_EQ("b", Parsed.Root.Members[0].first);
-	EXPECT_EQ("a", Parsed.Root.Members[1].first);
+	EXPECT_EQ("b", Parsed.Root.Members[0].Key);
+	EXPECT_EQ("a", Parsed.Root.Members[1].Key);
 }
 
 TEST(Json, ValuesKnowWhereTheyBegin)
@@ -102,7 +109,7 @@ TEST(Json, ByteOrderMarkHasNoColumn)
 
 TEST(Json, PointersEscapeSlashAndTilde)
 {
-	EXPECT_EQ("/a~1b~0c", Parse(R"({"a/b~c": 1})").Root.Members[0].second.Pointer);
+	EXPECT_EQ("/a~1b~0c", Parse(R"({"a/b~c": 1})").Root.Members[0].Value.Pointer);
 }
 
 TEST(Json, CommentsAreSkippedAndCounted)
