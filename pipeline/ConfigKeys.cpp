@@ -31,7 +31,7 @@ const std::vector<FConfigKey>& GetConfigKeys()
 		{"", "budget", Object, "budget", 0, Optional, Later, "The error or time that an approximation may cost."},
 		{"", "study", Object, "study", 0, Optional, Later, "What a study of accuracy against time varies."},
 
-		{"scene", "file", String, "", 0, Required, Built, "Multi-layer EXR, or an RGB image (EXR, HDR, PNG), relative to the config."},
+		{"scene", "file", String, "", 0, Required, Built, "Multi-layer EXR, or an RGB image (EXR, HDR, PNG), relative to the config; with #### in its name a sequence of frames."},
 		{"scene", "channels", StringMap, "", 0, Optional, Built, "Channel names of this file: {\"depth.Z\": \"Depth.V\"} reads depth.Z from Depth.V."},
 		{"scene", "defaults", NumberMap, "", 0, Optional, Built, "Values for channels that the file lacks: {\"A\": 1}."},
 		{"scene", "padding", Padding, "padding", 0, Optional, Built, "Texels around the picture that hold no picture: a number for all sides, or one for each."},
