@@ -95,7 +95,11 @@ void AddSettingsVerbs(
 	CLI::App* Export =
 		Settings.add_subcommand("export", "Print the volumes of a config as actors to paste into the editor");
 	Export->add_option("CONFIG", Options.File, "JSON config")->required();
-	Export->add_option("--volume", Options.Volume, "Only the volume of this name")->type_name("NAME");
+	CLI::Option* Volume =
+		Export->add_option("--volume", Options.Volume, "Only the volume of this name")->type_name("NAME");
+	Export->add_option("--at", Options.At, "What all volumes and the camera come to at this place, cm, as one volume")
+		->type_name("X,Y,Z")
+		->excludes(Volume);
 	Export->add_flag("--struct", Options.bStruct, "Only the settings (..), to paste into a volume's Settings");
 	Export->add_flag("--full", Options.bFull, "All settings, not only those that are overridden or changed");
 	Export->callback([&] { ExitCode = SettingsExportVerb(Options); });

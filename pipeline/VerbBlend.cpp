@@ -18,37 +18,6 @@ namespace Drydock
 namespace
 {
 
-/** "X,Y,Z" in cm. Throws FError (exit code 2). */
-std::array<double, 3> ParseLocation(const std::string& Text)
-{
-	std::array<double, 3> Location = {};
-	const char* At = Text.c_str();
-	const char* const End = At + Text.size();
-	bool bGood = true;
-	for (size_t Index = 0; bGood && Index < Location.size(); ++Index)
-	{
-		while (*At == ' ')
-		{
-			++At;
-		}
-		const std::from_chars_result Result = std::from_chars(At, End, Location[Index]);
-		bGood = Result.ec == std::errc() && std::isfinite(Location[Index]);
-		At = Result.ptr;
-		const bool bLast = Index + 1 == Location.size();
-		bGood = bGood && (bLast ? At == End : *At == ',');
-		At += bLast ? 0 : 1;
-	}
-	if (!bGood)
-	{
-		FDiagnostic Diagnostic;
-		Diagnostic.Code = ErrorBadArgument;
-		Diagnostic.Where = "--at";
-		Diagnostic.Message = "expected X,Y,Z in centimetres such as 25,470,135, found \"" + Text + "\"";
-		throw FError(Diagnostic, ExitUsage);
-	}
-	return Location;
-}
-
 std::string ExplainLocation(const FVerbOptions& Options, const FConfig& Config)
 {
 	return !Options.At.empty()            ? "--at"
@@ -85,6 +54,36 @@ std::vector<size_t> GetAllSettings()
 }
 
 } // namespace
+
+std::array<double, 3> ParseLocation(const std::string& Text)
+{
+	std::array<double, 3> Location = {};
+	const char* At = Text.c_str();
+	const char* const End = At + Text.size();
+	bool bGood = true;
+	for (size_t Index = 0; bGood && Index < Location.size(); ++Index)
+	{
+		while (*At == ' ')
+		{
+			++At;
+		}
+		const std::from_chars_result Result = std::from_chars(At, End, Location[Index]);
+		bGood = Result.ec == std::errc() && std::isfinite(Location[Index]);
+		At = Result.ptr;
+		const bool bLast = Index + 1 == Location.size();
+		bGood = bGood && (bLast ? At == End : *At == ',');
+		At += bLast ? 0 : 1;
+	}
+	if (!bGood)
+	{
+		FDiagnostic Diagnostic;
+		Diagnostic.Code = ErrorBadArgument;
+		Diagnostic.Where = "--at";
+		Diagnostic.Message = "expected X,Y,Z in centimetres such as 25,470,135, found \"" + Text + "\"";
+		throw FError(Diagnostic, ExitUsage);
+	}
+	return Location;
+}
 
 int BlendVerb(const FVerbOptions& Options)
 {

@@ -2,6 +2,8 @@
 #include "Config.h"
 #include "ConfigErrors.h"
 #include "JsonWriter.h"
+#include "PostProcessSettingsReflection.h"
+#include "RunSetup.h"
 #include "SettingsJson.h"
 #include "Verbs.h"
 
@@ -110,6 +112,39 @@ std::vector<FVolumeText> CollectVolumes(
 	return Volumes;
 }
 
+/** What volumes and camera override at a place, with the values that render: one unbound volume. */
+std::vector<FVolumeText> BlendVolume(const FSettingsVerbOptions& Options)
+{
+	FRunOptions RunOptions;
+	RunOptions.ConfigFile = Options.File;
+	RunOptions.Location = ParseLocation(Options.At);
+	const FRunSetup Setup(RunOptions);
+	FVolumeText Volume;
+	Volume.Name = "At " + Options.At;
+	Volume.bUnbound = true;
+	Volume.Settings.Settings = Setup.Chain.Settings;
+	for (const FSettingField& Field : GetSettingFields())
+	{
+		// What nobody overrides is the project's: r.DefaultFeature and the like hold there too.
+		if (!Field.IsOverridden(Volume.Settings.Settings))
+		{
+			Field.Set(Volume.Settings.Settings, Field.Default);
+		}
+	}
+	return {Volume};
+}
+
+std::vector<FVolumeText> LoadVolumes(const FSettingsVerbOptions& Options, std::vector<FDiagnostic>& Diagnostics)
+{
+	const FConfig Config = LoadConfig(Options.File, Diagnostics);
+	if (HasErrors(Diagnostics))
+	{
+		throw FError(Diagnostics, ExitUsage);
+	}
+	Diagnostics.clear(); // warnings are for those who run it
+	return CollectVolumes(Config, Options, Diagnostics);
+}
+
 } // namespace
 
 int SettingsImportVerb(const FSettingsVerbOptions& Options)
@@ -146,14 +181,9 @@ int SettingsImportVerb(const FSettingsVerbOptions& Options)
 int SettingsExportVerb(const FSettingsVerbOptions& Options)
 {
 	std::vector<FDiagnostic> Diagnostics;
-	const FConfig Config = LoadConfig(Options.File, Diagnostics);
-	if (HasErrors(Diagnostics))
-	{
-		throw FError(Diagnostics, ExitUsage);
-	}
-	Diagnostics.clear(); // warnings are for those who run it
 	const ESettingsTextForm Form = Options.bFull ? ESettingsTextForm::Full : ESettingsTextForm::Delta;
-	const std::vector<FVolumeText> Volumes = CollectVolumes(Config, Options, Diagnostics);
+	const std::vector<FVolumeText> Volumes =
+		Options.At.empty() ? LoadVolumes(Options, Diagnostics) : BlendVolume(Options);
 	if (HasErrors(Diagnostics))
 	{
 		throw FError(Diagnostics, ExitUsage);

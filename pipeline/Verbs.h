@@ -5,6 +5,7 @@
 #include "Diagnostics.h"
 #include "RunOptions.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -57,6 +58,7 @@ struct FSettingsVerbOptions
 {
 	std::string File;                  // engine text or config; "-": stdin
 	std::optional<std::string> Volume; // only the volume of this name
+	std::string At;                    // "X,Y,Z", cm: the settings there, blended, in place of the volumes
 	bool bFull = false;                // not only what differs from the defaults
 	bool bStruct = false;              // the settings alone, without an actor around them
 	bool bUpgrade = false;             // as the engine upgrades old assets
@@ -88,6 +90,9 @@ DRYDOCK_API int WarmVerb(const std::vector<std::string>& Configs, const std::str
 
 /** As JSON, for editors and scripts: an array of objects. */
 DRYDOCK_API void WriteDiagnostics(FJsonWriter& Writer, const std::vector<FDiagnostic>& Diagnostics);
+
+/** "X,Y,Z" of --at, in cm. Throws FError (exit code 2). */
+std::array<double, 3> ParseLocation(const std::string& Text);
 
 /** Prints diagnostics to stderr, one a line, coloured on a terminal (unless NO_COLOR is set). */
 DRYDOCK_API void PrintDiagnostics(const std::vector<FDiagnostic>& Diagnostics);

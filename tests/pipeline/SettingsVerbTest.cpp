@@ -283,6 +283,20 @@ TEST_F(SettingsVerb, ExportOfOneVolumeIsAStructWhenAskedFor)
 	EXPECT_TRUE(Contains(Err, "--volume")) << Err;
 }
 
+TEST_F(SettingsVerb, ExportAtAPlaceIsWhatTheVolumesComeTo)
+{
+	// Halfway out of B's radius of 100: B weighs one half, 1 + (3 - 1) / 2 = 2.
+	Write("a.json", R"({"volumes": [{"name": "A", "bUnbound": true, "Settings": {"BloomIntensity": 1}},
+		{"name": "B", "bounds": {"min": [-10, -10, -10], "max": [10, 10, 10]}, "BlendRadius": 100, "Priority": 1,
+		"Settings": {"BloomIntensity": 3}}]})");
+	Call("export a.json --at 60,0,0 --struct");
+	EXPECT_EQ(0, ExitCode) << Err;
+	EXPECT_EQ("(bOverride_BloomIntensity=True,BloomIntensity=2.000000)\n", Out);
+	Call("export a.json --at 60,0 --struct");
+	EXPECT_EQ(2, ExitCode);
+	EXPECT_TRUE(Contains(Err, "--at")) << Err;
+}
+
 TEST_F(SettingsVerb, ExportOfAnUnknownVolumeNamesTheNearest)
 {
 	Write("a.json", R"({"volumes": [{"name": "Stage", "bUnbound": true}]})");
