@@ -82,4 +82,8 @@ const bool bRegistered = (IPluginManager::Get().RegisterPlugin(TEXT(\"@Name@\"),
 	target_include_directories(${Name} PUBLIC ${Folders} PRIVATE "${GeneratedFolder}")
 	target_link_libraries(${Name} PUBLIC drydock::drydock)
 	target_compile_features(${Name} PUBLIC cxx_std_20)
+	if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+		# A library with unique symbols stays in memory: a rebuilt plugin could not take its place in `run --watch`.
+		target_compile_options(${Name} PRIVATE -fno-gnu-unique)
+	endif()
 endfunction()

@@ -335,18 +335,64 @@ void ReadShowFlags(const FJsonValue& Root, FConfig& Config, FConfigMessages& Mes
 		});
 }
 
+/** Several views: each has its rect, and the first one stands for them where there can be only one. */
+void ReadViews(const FJsonValue& Root, FConfig& Config, FConfigMessages& Messages)
+{
+	WithMember(Root, "views", EJsonType::Array,
+		[&](const FJsonValue& Views)
+		{
+			for (const FJsonValue& Value : Views.Elements)
+			{
+				FConfigView View;
+				ReadView(Value, View, Messages);
+				if (Views.Elements.size() > 1 && Value.Find("rect") == nullptr)
+				{
+					Messages.Error(ErrorMissingKey, Value, "\"rect\" is missing: each of several views has its own");
+				}
+				Config.Views.push_back(View);
+			}
+			if (Root.Find("view") != nullptr)
+			{
+				Messages.ErrorAtKey(ErrorBadValue, Views, "\"views\" stands in place of \"view\": give one of them");
+			}
+			else if (!Config.Views.empty())
+			{
+				Config.View = Config.Views[0];
+			}
+		});
+}
+
+/** The objects of an array, as they stand. */
+void ReadObjects(const FJsonValue& Root, const char* Key, std::vector<FJsonValue>& Objects)
+{
+	WithMember(Root, Key, EJsonType::Array,
+		[&](const FJsonValue& Array)
+		{
+			std::copy_if(Array.Elements.begin(), Array.Elements.end(), std::back_inserter(Objects),
+				[](const FJsonValue& Value) { return Value.Type == EJsonType::Object; });
+		});
+}
+
 void ReadRoot(const FJsonValue& Root, FConfig& Config, FConfigMessages& Messages)
 {
 	ReadString(Root, "engine", Config.Engine);
-	const std::vector<std::string> Profiles = SplitAlternatives(FindConfigKey("", "engine")->Of);
-	const bool bKnown = std::find(Profiles.begin(), Profiles.end(), Config.Engine.Value) != Profiles.end();
-	if (bKnown && Config.Engine.Value != "5.4")
-	{
-		Messages.Warn(WarnNotBuilt, Config.Engine.Place, "engine profiles other than 5.4 are not built yet: 5.4 holds");
-	}
+	WithMember(Root, "plugins", EJsonType::Array,
+		[&](const FJsonValue& Plugins)
+		{
+			for (const FJsonValue& Plugin : Plugins.Elements)
+			{
+				if (Plugin.Type == EJsonType::String)
+				{
+					Config.Plugins.push_back({Plugin.String, PlaceOf(Plugin)});
+				}
+			}
+		});
 	WithMember(
 		Root, "scene", EJsonType::Object, [&](const FJsonValue& Scene) { ReadScene(Scene, Config.Scene, Messages); });
 	WithMember(Root, "view", EJsonType::Object, [&](const FJsonValue& View) { ReadView(View, Config.View, Messages); });
+	ReadViews(Root, Config, Messages);
+	ReadObjects(Root, "extensions", Config.Extensions);
+	ReadObjects(Root, "passes", Config.Passes);
 	ReadVolumes(Root, Config, Messages);
 	WithMember(Root, "camera", EJsonType::Object,
 		[&](const FJsonValue& Camera)
@@ -388,7 +434,7 @@ std::string Suggest(const std::string& Name, const std::vector<std::string>& Can
 }
 
 void FConfigMessages::Add(
-	ESeverity Severity, EConfigError Code, int Line, int Column, const std::string& Pointer, const std::string& Message)
+	ESeverity Severity, int Code, int Line, int Column, const std::string& Pointer, const std::string& Message)
 {
 	FDiagnostic Diagnostic;
 	Diagnostic.Severity = Severity;

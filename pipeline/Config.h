@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Diagnostics.h"
+#include "Json.h"
 #include "PostProcessSettings.h"
 #include "PostProcessSettingsText.h"
 
@@ -137,14 +138,18 @@ struct FConfig
 {
 	std::string File; // as given on the command line
 	TConfigValue<std::string> Engine{"5.4", {}};
+	std::vector<TConfigValue<std::string>> Plugins; // as written; see Resolve
 	FConfigScene Scene;
-	FConfigView View;
+	FConfigView View;                               // the first of Views where these are given
+	std::vector<FConfigView> Views;                 // empty: View alone
 	std::vector<FConfigVolume> Volumes;             // in the order of the file
 	TConfigValue<bool> VolumesFromScene{false, {}}; // "volumes" is "fromScene": see CompleteFromScene
 	FConfigCamera Camera;
 	FConfigSettings CommandLine;            // --pp: after everything else, at full weight
 	std::vector<FConfigVariable> Variables; // in the order in which they are set
 	std::vector<FConfigShowFlag> ShowFlags;
+	std::vector<FJsonValue> Extensions; // objects, as they stand: see ReadExtensionRequests
+	std::vector<FJsonValue> Passes;     // likewise: see ReadPassRequests
 	std::vector<TConfigValue<std::string>> Dump;
 
 	/** A path of the config, relative to the config's own folder, as one relative to the working folder. */

@@ -22,35 +22,35 @@ public:
 	}
 
 	/** At a value. */
-	void Error(EConfigError Code, const FJsonValue& At, const std::string& Message)
+	void Error(int Code, const FJsonValue& At, const std::string& Message)
 	{
 		Add(ESeverity::Error, Code, At.Line, At.Column, At.Pointer, Message);
 	}
-	void Warn(EConfigError Code, const FJsonValue& At, const std::string& Message)
+	void Warn(int Code, const FJsonValue& At, const std::string& Message)
 	{
 		Add(ESeverity::Warning, Code, At.Line, At.Column, At.Pointer, Message);
 	}
 	/** At the key of a member. */
-	void ErrorAtKey(EConfigError Code, const FJsonValue& At, const std::string& Message)
+	void ErrorAtKey(int Code, const FJsonValue& At, const std::string& Message)
 	{
 		Add(ESeverity::Error, Code, At.KeyLine, At.KeyColumn, At.Pointer, Message);
 	}
-	void WarnAtKey(EConfigError Code, const FJsonValue& At, const std::string& Message)
+	void WarnAtKey(int Code, const FJsonValue& At, const std::string& Message)
 	{
 		Add(ESeverity::Warning, Code, At.KeyLine, At.KeyColumn, At.Pointer, Message);
 	}
-	void Warn(EConfigError Code, const FConfigPlace& At, const std::string& Message)
+	void Warn(int Code, const FConfigPlace& At, const std::string& Message)
 	{
 		Add(ESeverity::Warning, Code, At.Line, At.Column, At.Pointer, Message);
 	}
-	void Error(EConfigError Code, const FConfigPlace& At, const std::string& Message)
+	void Error(int Code, const FConfigPlace& At, const std::string& Message)
 	{
 		Add(ESeverity::Error, Code, At.Line, At.Column, At.Pointer, Message);
 	}
 
 private:
-	void Add(ESeverity Severity, EConfigError Code, int Line, int Column, const std::string& Pointer,
-		const std::string& Message);
+	void Add(
+		ESeverity Severity, int Code, int Line, int Column, const std::string& Pointer, const std::string& Message);
 
 	const std::string& File;
 	std::vector<FDiagnostic>& Diagnostics;

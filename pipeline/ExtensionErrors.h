@@ -23,6 +23,7 @@ enum EExtensionError
 	ErrorPassInput = 2082,        // an input that the pass does not have, or a resource that is not there
 	ErrorPluginNotLoaded = 2083,  // a shared object that cannot be loaded
 	WarnPluginEmpty = 2084,       // it was loaded and registered nothing
+	WarnPluginNotReloaded = 2085, // a changed one whose old form cannot be unloaded
 };
 
 } // namespace Drydock

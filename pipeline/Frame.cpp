@@ -194,7 +194,7 @@ private:
 		Family.EngineShowFlags = Inputs.ShowFlags;
 		Family.FrameNumber = Inputs.FrameNumber;
 		Family.FrameCounter = Inputs.FrameNumber;
-		Extensions.Gather(Family);
+		Extensions.Gather(Family, Inputs.Plugins);
 		Extensions.SetupViewFamily(Family);
 		for (size_t Index = 0; Index < Inputs.Views.size(); ++Index)
 		{
@@ -202,7 +202,7 @@ private:
 			NamedViews.push_back({&Views.back()->View, Inputs.Views[Index].Name});
 			SetUpView(Inputs.Views[Index], *Views.back());
 			Family.Views.Add(&Views.back()->View);
-			Extensions.SetupView(Family, NamedViews.back());
+			Extensions.SetupView(Family, NamedViews.back(), Views.back()->Chain.Gates);
 		}
 		Extensions.BeginRenderViewFamily(Family);
 	}

@@ -12,6 +12,7 @@
 #include "SceneViewExtension.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,8 @@ struct FFrameInputs
 	FEngineShowFlags ShowFlags;
 	uint32 FrameNumber = 0;
 	std::vector<FFrameView> Views; // one at least
+	/** Files of the plugins whose extensions take part; empty optional: all. Extensions of no plugin always do. */
+	std::optional<std::vector<std::string>> Plugins;
 	/** Registers the scene's textures in the frame's graph. */
 	std::function<FSceneTextures(FRDGBuilder&)> RegisterSceneTextures;
 	IRDGObserver* Observer = nullptr;

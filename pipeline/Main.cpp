@@ -234,7 +234,8 @@ int ParseAndRun(int NumArguments, char** Arguments)
 		Program.add_subcommand("list", "List what there is: passes, settings, cvars, effects, extensions, hooks");
 	List->add_option("THINGS", Things, "passes, settings, cvars, effects, extensions or hooks")->required();
 	List->add_option("FILTER", Filter,
-		"Only names that contain this, or match it where it has * or ? (settings, cvars), ignoring case");
+		"Only names that contain this, or match it where it has * or ? (settings, cvars), ignoring case; for hooks a "
+		"config, whose chain is listed");
 	List->add_option("--config", Options.Run.ConfigFile, "cvars: as this config sets them")->type_name("CONFIG");
 	AddVariables(*List, Options);
 	List->add_flag("--json", Options.bJson, "Print an array of objects");

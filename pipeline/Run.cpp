@@ -127,23 +127,23 @@ private:
 	int NumToExecute = 0;
 };
 
-/** view.rect, which counts in pixels of the picture, as a rect of the scene textures. */
-FIntRect GetViewRect(const FConfig& Config, const FScene& Scene)
+/** A view's rect, which counts in pixels of the picture, as a rect of the scene textures. */
+FIntRect GetViewRect(const FConfig& Config, const FConfigView& View, const FScene& Scene)
 {
 	const FIntRect Picture = Scene.GetPictureRect();
-	if (!Config.View.Rect.IsSet())
+	if (!View.Rect.IsSet())
 	{
 		return Picture;
 	}
-	const std::array<int, 4>& Corners = Config.View.Rect.Value;
+	const std::array<int, 4>& Corners = View.Rect.Value;
 	if (Corners[2] > Picture.Width() || Corners[3] > Picture.Height())
 	{
 		FDiagnostic Diagnostic;
 		Diagnostic.Code = ErrorBadValue;
 		Diagnostic.File = Config.File;
-		Diagnostic.Line = Config.View.Rect.Place.Line;
-		Diagnostic.Column = Config.View.Rect.Place.Column;
-		Diagnostic.Where = Config.View.Rect.Place.Pointer;
+		Diagnostic.Line = View.Rect.Place.Line;
+		Diagnostic.Column = View.Rect.Place.Column;
+		Diagnostic.Where = View.Rect.Place.Pointer;
 		Diagnostic.Message = "the rect leaves the scene, which is " + std::to_string(Picture.Width()) + " x " +
 							 std::to_string(Picture.Height()) + " pixels";
 		throw FError(Diagnostic, ExitUsage);
@@ -202,7 +202,11 @@ FRunResult MakeResult(const FRunSetup& Setup, const FScene& Scene)
 	Result.Storage = StorageNames[std::clamp(GetVariableInt("r.Drydock.Storage"), 0, 2)];
 	Result.Threads = GetNumThreads();
 	Result.SceneExtent = Scene.GetExtent();
-	Result.ViewRect = GetViewRect(Setup.Config, Scene);
+	Result.ViewRect = GetViewRect(Setup.Config, Setup.Config.View, Scene);
+	for (const FConfigView& View : Setup.Config.Views)
+	{
+		Result.ViewRect.Union(GetViewRect(Setup.Config, View, Scene));
+	}
 	return Result;
 }
 
@@ -222,11 +226,30 @@ FMinimalViewInfo GetCamera(const FConfigView& View, const FScene& Scene)
 	return Camera;
 }
 
-FFrameInputs MakeFrameInputs(
-	const FRunOptions& Options, const FRunSetup& Setup, FScene& Scene, IRDGObserver& Observer, const FIntRect& ViewRect)
+/** All but the settings. */
+FFrameView MakeFrameView(const FRunSetup& Setup, const FConfigView& ConfigView, const FScene& Scene)
+{
+	FFrameView View;
+	View.Rect = GetViewRect(Setup.Config, ConfigView, Scene);
+	View.Camera = GetCamera(ConfigView, Scene);
+	View.Lens = Scene.GetCamera().value_or(FSceneCamera());
+	View.PictureRect = Scene.GetPictureRect();
+	View.PreExposure = static_cast<float>(ConfigView.PreExposure.Value);
+	View.MakeChain = [&Setup, &ConfigView](const FMinimalViewInfo& Camera)
+	{
+		FConfig Moved = Setup.Config;
+		Moved.View = ConfigView;
+		Moved.View.Location.Value = {Camera.Location.X, Camera.Location.Y, Camera.Location.Z};
+		Moved.View.Location.Place.Line = std::max(Moved.View.Location.Place.Line, 1); // counts as given
+		return MakeChainSettings(Moved);
+	};
+	return View;
+}
+
+FFrameInputs MakeFrameInputs(const FRunOptions& Options, const FRunSetup& Setup, FScene& Scene, IRDGObserver& Observer)
 {
 	FFrameInputs Inputs;
-	Inputs.EngineMinor = DefaultEngineMinor;
+	Inputs.EngineMinor = ParseEngineVersion(Setup.Config.Engine.Value);
 	Inputs.Extent = Scene.GetExtent();
 	Inputs.ShowFlags = Setup.Chain.ShowFlags;
 	Inputs.FrameNumber = static_cast<uint32>(Options.Frame.value_or(Setup.Config.Scene.Frame.value_or(0)));
@@ -236,21 +259,20 @@ FFrameInputs MakeFrameInputs(
 	{
 		return Scene.RegisterTextures(GraphBuilder);
 	};
-	FFrameView View;
-	View.Rect = ViewRect;
-	View.Camera = GetCamera(Setup.Config.View, Scene);
-	View.Lens = Scene.GetCamera().value_or(FSceneCamera());
-	View.PictureRect = Scene.GetPictureRect();
-	View.PreExposure = static_cast<float>(Setup.Config.View.PreExposure.Value);
-	View.Chain = Setup.Chain;
-	View.MakeChain = [&Setup](const FMinimalViewInfo& Camera)
+	Inputs.Plugins = Setup.Plugins;
+	if (Setup.Config.Views.size() <= 1)
 	{
-		FConfig Moved = Setup.Config;
-		Moved.View.Location.Value = {Camera.Location.X, Camera.Location.Y, Camera.Location.Z};
-		Moved.View.Location.Place.Line = std::max(Moved.View.Location.Place.Line, 1); // counts as given
-		return MakeChainSettings(Moved);
-	};
-	Inputs.Views.push_back(View);
+		Inputs.Views.push_back(MakeFrameView(Setup, Setup.Config.View, Scene));
+		Inputs.Views[0].Chain = Setup.Chain;
+		return Inputs;
+	}
+	for (const FConfigView& ConfigView : Setup.Config.Views)
+	{
+		FFrameView View = MakeFrameView(Setup, ConfigView, Scene);
+		View.Name = "View " + std::to_string(Inputs.Views.size());
+		View.Chain = View.MakeChain(View.Camera);
+		Inputs.Views.push_back(std::move(View));
+	}
 	return Inputs;
 }
 
@@ -258,9 +280,13 @@ FFrameInputs MakeFrameInputs(
 void RunGraph(const FRunOptions& Options, const FRunSetup& Setup, FScene& Scene, FRunResult& Result)
 {
 	FRunObserver Observer(Options, Setup, Scene, Result);
-	const FFrameInputs Inputs = MakeFrameInputs(Options, Setup, Scene, Observer, Result.ViewRect);
+	const FFrameInputs Inputs = MakeFrameInputs(Options, Setup, Scene, Observer);
 	FFrameResult Frame = RenderViewFamily(Inputs);
 	const FFrameViewResult& View = Frame.Views[0];
+	for (const FFrameViewResult& Other : Frame.Views)
+	{
+		Result.Views.push_back({Other.Name, Other.Rect, Other.Chain.ExposureScale, Other.Effects});
+	}
 	Result.Settings = View.Chain.Settings;
 	Result.ExposureScale = View.Chain.ExposureScale;
 	Result.Effects = View.Effects;

@@ -35,6 +35,15 @@ struct FRunPass
 	FPassCounters Counters;
 };
 
+/** One view of several. */
+struct FRunView
+{
+	std::string Name; // "View 0"
+	FIntRect Rect;
+	float ExposureScale = 1.0f;
+	std::vector<FEffectDecision> Effects;
+};
+
 /** Milliseconds of the run's parts. */
 struct FRunTimes
 {
@@ -55,7 +64,8 @@ struct FRunResult
 	std::string Storage;   // "native", "float32", "float64"
 	int Threads = 0;
 	FIntPoint SceneExtent = FIntPoint(0, 0);
-	FIntRect ViewRect;
+	FIntRect ViewRect; // of all views
+	std::vector<FRunView> Views;
 	std::vector<FSceneChannel> Channels;
 	std::vector<FHookCall> HookCalls;   // what view extensions were asked and did
 	std::vector<FHookPoint> HookPoints; // the chain's insertion points

@@ -32,10 +32,10 @@ void WriteSettings(FJsonWriter& Writer, const FRunResult& Result)
 	Writer.EndObject();
 }
 
-void WriteEffects(FJsonWriter& Writer, const FRunResult& Result)
+void WriteEffects(FJsonWriter& Writer, const std::vector<FEffectDecision>& Effects)
 {
 	Writer.Key("effects").BeginArray();
-	for (const FEffectDecision& Effect : Result.Effects)
+	for (const FEffectDecision& Effect : Effects)
 	{
 		Writer.BeginObject(true);
 		Writer.Member("name", Effect.Name);
@@ -144,6 +144,26 @@ void WriteSize(FJsonWriter& Writer, const char* Name, std::initializer_list<int3
 	Writer.EndArray();
 }
 
+/** Where there are several; settings and effects of the whole run are those of the first. */
+void WriteViews(FJsonWriter& Writer, const FRunResult& Result)
+{
+	if (Result.Views.size() <= 1)
+	{
+		return;
+	}
+	Writer.Key("views").BeginArray();
+	for (const FRunView& View : Result.Views)
+	{
+		Writer.BeginObject();
+		Writer.Member("name", View.Name);
+		WriteSize(Writer, "rect", {View.Rect.Min.X, View.Rect.Min.Y, View.Rect.Max.X, View.Rect.Max.Y});
+		Writer.Member("exposureScale", View.ExposureScale);
+		WriteEffects(Writer, View.Effects);
+		Writer.EndObject();
+	}
+	Writer.EndArray();
+}
+
 std::string GetCpuName()
 {
 	std::ifstream Info("/proc/cpuinfo");
@@ -174,7 +194,7 @@ std::string MakeRunJson(const FRunResult& Result)
 	Writer.BeginObject();
 	Writer.Member("version", DRYDOCK_VERSION);
 	Writer.Member("config", Result.Config.File);
-	Writer.Member("engine", "5.4");
+	Writer.Member("engine", Result.Config.Engine.Value);
 	Writer.Member("precision", Result.Precision);
 	Writer.Member("storage", Result.Storage);
 	Writer.Key("scene").BeginObject();
@@ -187,7 +207,8 @@ std::string MakeRunJson(const FRunResult& Result)
 	Writer.Member("preExposure", Result.Config.View.PreExposure.Value);
 	Writer.EndObject();
 	WriteSettings(Writer, Result);
-	WriteEffects(Writer, Result);
+	WriteEffects(Writer, Result.Effects);
+	WriteViews(Writer, Result);
 	WriteHookCalls(Writer, Result);
 	WritePasses(Writer, Result);
 	Writer.Key("memory").BeginObject(true);

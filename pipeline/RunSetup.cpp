@@ -1,9 +1,13 @@
 // Source: drydock.
 #include "RunSetup.h"
 
+#include "ConfigExtensions.h"
 #include "ConfigReader.h"
+#include "ExtensionFactory.h"
 #include "FinalSettings.h"
 #include "FrameSequence.h"
+#include "InsertedPass.h"
+#include "Plugins.h"
 #include "SceneSuggestions.h"
 
 #include <algorithm>
@@ -51,6 +55,19 @@ void WarnOfIneffectiveValues(const FConfig& Config, const FChainSettings& Chain,
 	}
 }
 
+FConfig Read(const FRunOptions& Options, std::vector<FDiagnostic>& Diagnostics)
+{
+	return Options.ConfigText ? ReadConfig(*Options.ConfigText, Options.ConfigFile, Diagnostics)
+							  : LoadConfig(Options.ConfigFile, Diagnostics);
+}
+
+/** Mistakes of the rest are reported when it is read with the plugins there. */
+std::vector<std::string> LoadPluginsOf(const FRunOptions& Options, std::vector<FDiagnostic>& Diagnostics)
+{
+	std::vector<FDiagnostic> Ignored;
+	return LoadPlugins(Read(Options, Ignored), Diagnostics);
+}
+
 } // namespace
 
 void FRunVariables::Set(const std::string& Name, const std::string& Value)
@@ -83,10 +100,41 @@ void FRunVariables::Apply(
 	Found->Set(Variable.Value.c_str(), SetBy);
 }
 
-FRunSetup::FRunSetup(const FRunOptions& Options)
+void FRunSetup::CreateExtensions()
 {
-	Config = Options.ConfigText ? ReadConfig(*Options.ConfigText, Options.ConfigFile, Diagnostics)
-								: LoadConfig(Options.ConfigFile, Diagnostics);
+	const std::vector<FExtensionRequest> Requests = ReadExtensionRequests(Config, Diagnostics);
+	const std::vector<FPassRequest> PassRequests = ReadPassRequests(Config, Diagnostics);
+	if (HasErrors(Diagnostics))
+	{
+		throw FError(Diagnostics, ExitUsage);
+	}
+	const auto Add = [this](const TSharedRef<ISceneViewExtension, ESPMode::ThreadSafe>& Extension,
+						 const std::string& Name, int32 EngineMinor)
+	{
+		if (const FExtensionInfo* Known = GEngine->ViewExtensions->FindInfo(*Extension))
+		{
+			FExtensionInfo Info = *Known;
+			Info.Name = Name;
+			Info.EngineMinor = EngineMinor;
+			GEngine->ViewExtensions->SetInfo(*Extension, Info);
+		}
+		Extensions.push_back(Extension);
+	};
+	for (const FExtensionRequest& Request : Requests)
+	{
+		Add(FindExtensionFactory(Request.Type)->Create(Request.Arguments), Request.Type, AnyEngineVersion);
+	}
+	const auto Results = std::make_shared<FPassResults>();
+	for (const FPassRequest& Request : PassRequests)
+	{
+		Add(CreateInsertedPass(Request, Results), Request.Name, AnyEngineVersion);
+	}
+}
+
+FRunSetup::FRunSetup(const FRunOptions& Options)
+	: Plugins(LoadPluginsOf(Options, Diagnostics))
+	, Config(Read(Options, Diagnostics))
+{
 	for (const std::string& Argument : Options.Settings)
 	{
 		AddSettingArgument(Config, Argument, Diagnostics);
@@ -132,6 +180,7 @@ FRunSetup::FRunSetup(const FRunOptions& Options)
 		Variables.Set("r.Drydock.Threads", std::to_string(*Options.Threads));
 	}
 	IConsoleManager::Get().CallAllConsoleVariableSinks();
+	CreateExtensions();
 	Chain = MakeChainSettings(Config, &Diagnostics);
 	WarnOfIneffectiveValues(Config, Chain, Diagnostics);
 	Effects = DecideEffects(Chain);

@@ -4,6 +4,7 @@
 
 #include "HAL/ConsoleVariableTools.h"
 #include "Run.h"
+#include "SceneViewExtension.h"
 
 namespace Drydock
 {
@@ -27,12 +28,20 @@ struct DRYDOCK_API FRunSetup
 	/** Throws FError (exit code 2 or 3) with everything found when something is wrong. */
 	explicit FRunSetup(const FRunOptions& Options);
 
+	std::vector<FDiagnostic> Diagnostics;
+	/** Files. Loaded before anything else, because they bring console variables, which the rest of the config names and
+	 *  which have to be as before afterwards. */
+	std::vector<std::string> Plugins;
 	FRunVariables Variables;
 	FConfig Config;
-	std::vector<FDiagnostic> Diagnostics;
 	FChainSettings Chain;
 	std::vector<FEffectDecision> Effects;
 	std::vector<TConfigValue<std::string>> Dump; // of config and command line
+	/** Those of the config, its inserted passes among them; alive for the run. */
+	std::vector<TSharedRef<ISceneViewExtension, ESPMode::ThreadSafe>> Extensions;
+
+private:
+	void CreateExtensions();
 };
 
 } // namespace Drydock

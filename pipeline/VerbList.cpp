@@ -1,4 +1,5 @@
 // `drydock list`. Source: drydock.
+#include "ExtensionList.h"
 #include "GlobalShader.h"
 #include "JsonWriter.h"
 #include "PostProcess/EffectDecisions.h"
@@ -15,14 +16,6 @@ namespace Drydock
 namespace
 {
 
-/** Rows of equal length under a header; columns are as wide as their widest cell. */
-struct FTable
-{
-	std::vector<std::string> Header; // also the keys of the JSON objects
-	std::vector<std::vector<std::string>> Rows;
-	std::string Remark; // where there is nothing to list
-};
-
 bool ContainsIgnoringCase(const std::string& Text, const std::string& Part)
 {
 	const auto Same = [](char A, char B)
@@ -32,9 +25,9 @@ bool ContainsIgnoringCase(const std::string& Text, const std::string& Part)
 	return std::search(Text.begin(), Text.end(), Part.begin(), Part.end(), Same) != Text.end();
 }
 
-FTable ListPasses()
+FListTable ListPasses()
 {
-	FTable Table{{"shader", "file", "entry", "stage"}, {}, ""};
+	FListTable Table{{"shader", "file", "entry", "stage"}, {}, ""};
 	ForEachGlobalShader(
 		[&](const FGlobalShaderType& Type)
 		{
@@ -47,9 +40,9 @@ FTable ListPasses()
 	return Table;
 }
 
-FTable ListEffects()
+FListTable ListEffects()
 {
-	FTable Table{{"name", "state"}, {}, ""};
+	FListTable Table{{"name", "state"}, {}, ""};
 	FChainSettings Chain;
 	for (const FEffectDecision& Effect : DecideEffects(Chain))
 	{
@@ -59,7 +52,7 @@ FTable ListEffects()
 	return Table;
 }
 
-bool MakeTable(const std::string& Things, FTable& OutTable)
+bool MakeTable(const std::string& Things, FListTable& OutTable)
 {
 	if (Things == "passes")
 	{
@@ -69,11 +62,13 @@ bool MakeTable(const std::string& Things, FTable& OutTable)
 	{
 		OutTable = ListEffects();
 	}
-	else if (Things == "extensions" || Things == "hooks")
+	else if (Things == "extensions")
 	{
-		OutTable = {{"name"}, {},
-			"View " + std::string(Things == "hooks" ? "extension hooks" : "extensions") +
-				" are not built yet: there are none to list."};
+		OutTable = ListExtensions();
+	}
+	else if (Things == "hooks")
+	{
+		OutTable = ListHooks();
 	}
 	else
 	{
@@ -82,7 +77,7 @@ bool MakeTable(const std::string& Things, FTable& OutTable)
 	return true;
 }
 
-std::string FormatText(const FTable& Table)
+std::string FormatText(const FListTable& Table)
 {
 	std::vector<size_t> Widths;
 	for (size_t Column = 0; Column < Table.Header.size(); ++Column)
@@ -112,7 +107,7 @@ std::string FormatText(const FTable& Table)
 	return Text;
 }
 
-std::string FormatJson(const FTable& Table)
+std::string FormatJson(const FListTable& Table)
 {
 	FJsonWriter Writer;
 	Writer.BeginArray();
@@ -145,8 +140,15 @@ int ListVerb(const std::string& Things, const std::string& Filter, bool bJson)
 		std::fputs((bJson ? FormatSettingsJson(Fields) : FormatSettings(Fields)).c_str(), stdout);
 		return ExitDone;
 	}
-	FTable Table;
-	if (!MakeTable(Things, Table))
+	FListTable Table;
+	const bool bOfConfig = Things == "hooks" && !Filter.empty();
+	if (bOfConfig)
+	{
+		FRunOptions Options;
+		Options.ConfigFile = Filter;
+		Table = ListHooks(Options);
+	}
+	else if (!MakeTable(Things, Table))
 	{
 		const std::string Nearest =
 			FindNearestName(Things, {"passes", "settings", "cvars", "effects", "extensions", "hooks"});
@@ -158,7 +160,7 @@ int ListVerb(const std::string& Things, const std::string& Filter, bool bJson)
 	}
 	const auto IsFilteredOut = [&](const std::vector<std::string>& Row)
 	{
-		return !ContainsIgnoringCase(Row[0], Filter);
+		return !bOfConfig && !ContainsIgnoringCase(Row[0], Filter);
 	};
 	Table.Rows.erase(std::remove_if(Table.Rows.begin(), Table.Rows.end(), IsFilteredOut), Table.Rows.end());
 	if (bJson)

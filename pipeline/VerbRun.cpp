@@ -41,7 +41,7 @@ int RunOnce(const FVerbOptions& Options)
 	return ExitDone;
 }
 
-/** What a run of the config reads: itself, its scene, and every shader file there is. */
+/** What a run of the config reads: itself, its scene, its plugins, and every shader file there is. */
 FWatchedFiles GetWatchedFiles(const FVerbOptions& Options)
 {
 	FWatchedFiles Files;
@@ -53,6 +53,10 @@ FWatchedFiles GetWatchedFiles(const FVerbOptions& Options)
 		if (Config.Scene.File.IsSet())
 		{
 			Files.AddFile(Config.Resolve(Config.Scene.File.Value));
+		}
+		for (const TConfigValue<std::string>& Plugin : Config.Plugins)
+		{
+			Files.AddFile(Config.Resolve(Plugin.Value));
 		}
 	}
 	catch (const FError&)

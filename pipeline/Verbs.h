@@ -46,7 +46,8 @@ DRYDOCK_API int BlendPathVerb(const FVerbOptions& Options);
 /** Prints the compiled graph: text, dot, svg (needs Graphviz's dot) or json. */
 DRYDOCK_API int GraphVerb(const FVerbOptions& Options);
 
-/** Things: passes, settings, effects, extensions, hooks. Filter: only names that contain it. */
+/** Things: passes, settings, effects, extensions, hooks. Filter: only names that contain it; for hooks a config, whose
+ * chain is listed. */
 DRYDOCK_API int ListVerb(const std::string& Things, const std::string& Filter, bool bJson);
 
 /** Prints the console variables whose name matches Filter (FilterConsoleVariables); of a single one its whole help.

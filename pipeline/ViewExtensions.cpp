@@ -3,6 +3,7 @@
 
 #include "ExtensionErrors.h"
 #include "ExtensionFactory.h"
+#include "FinalPostProcessSettings.h"
 #include "PixelFormat.h"
 #include "PostProcessSettingsReflection.h"
 
@@ -79,9 +80,16 @@ FViewExtensionFrame::FViewExtensionFrame(int32 InEngineMinor, FHookLog& InLog)
 {
 }
 
-void FViewExtensionFrame::Gather(FSceneViewFamily& Family)
+void FViewExtensionFrame::Gather(FSceneViewFamily& Family, const std::optional<std::vector<std::string>>& Plugins)
 {
 	Family.ViewExtensions = GEngine->ViewExtensions->GatherActiveExtensions(FSceneViewExtensionContext(Family.Scene));
+	Family.ViewExtensions.RemoveAll(
+		[&](const TSharedRef<ISceneViewExtension, ESPMode::ThreadSafe>& Extension)
+		{
+			const FExtensionInfo* Info = GEngine->ViewExtensions->FindInfo(*Extension);
+			return Plugins && Info != nullptr && !Info->Plugin.empty() &&
+				   std::find(Plugins->begin(), Plugins->end(), Info->Plugin) == Plugins->end();
+		});
 	for (const TSharedRef<ISceneViewExtension, ESPMode::ThreadSafe>& Extension : Family.ViewExtensions)
 	{
 		const FExtensionInfo* Info = GEngine->ViewExtensions->FindInfo(*Extension);
@@ -97,8 +105,10 @@ void FViewExtensionFrame::Gather(FSceneViewFamily& Family)
 
 bool FViewExtensionFrame::Has(const std::string& ClassName) const
 {
+	// One of a config bears the name of its type: that of the class without the F.
 	return std::any_of(Extensions.begin(), Extensions.end(),
-		[&](const FExtension& Extension) { return Extension.Info.Name == ClassName; });
+		[&](const FExtension& Extension)
+		{ return Extension.Info.Name == ClassName || "F" + Extension.Info.Name == ClassName; });
 }
 
 void FViewExtensionFrame::ReportVersion(const FExtension& Extension)
@@ -190,16 +200,19 @@ void FViewExtensionFrame::SetupViewProjectionMatrix(
 	}
 }
 
-void FViewExtensionFrame::SetupView(FSceneViewFamily& Family, const FNamedView& View)
+void FViewExtensionFrame::SetupView(FSceneViewFamily& Family, const FNamedView& View, std::vector<FSettingGate>& Gates)
 {
 	for (FExtension& Extension : Extensions)
 	{
-		const FPostProcessSettings Before = View.View->FinalPostProcessSettings;
+		const FFinalPostProcessSettings Before = View.View->FinalPostProcessSettings;
 		Call(Extension, EExtensionHook::SetupView, View.Name,
 			[&](ISceneViewExtension& Called) { Called.SetupView(Family, *View.View); });
 		if (Extension.Info.Has(EExtensionHook::SetupView))
 		{
+			const std::vector<FSettingGate> Edits =
+				RecordExtensionEdits(Before, View.View->FinalPostProcessSettings, Extension.Label);
 			Log.Calls.back().Did = DescribeChanges(Before, View.View->FinalPostProcessSettings);
+			Gates.insert(Gates.end(), Edits.begin(), Edits.end());
 		}
 	}
 }

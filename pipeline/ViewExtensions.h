@@ -3,10 +3,12 @@
 #pragma once
 
 #include "EngineProfile.h"
+#include "FinalPostProcessSettings.h"
 #include "HookLog.h"
 #include "RenderGraphCompiled.h"
 #include "SceneRendering.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,9 +38,10 @@ public:
 	int32 GetEngineMinor() const { return EngineMinor; }
 	FHookLog& GetLog() { return Log; }
 
-	/** Gathers the active extensions into Family.ViewExtensions, which holds them for the frame, and reports those that
-	 * the engine version does not suit. */
-	void Gather(FSceneViewFamily& Family);
+	/** Plugins: those whose extensions take part; empty optional: all. Gathers the active extensions into
+	 * Family.ViewExtensions, which holds them for the frame, and reports those that the engine version does not suit.
+	 */
+	void Gather(FSceneViewFamily& Family, const std::optional<std::vector<std::string>>& Plugins);
 	bool IsEmpty() const { return Extensions.empty(); }
 	/** An active extension of that class, without namespaces. */
 	bool Has(const std::string& ClassName) const;
@@ -47,7 +50,8 @@ public:
 	void SetupViewFamily(FSceneViewFamily& Family);
 	void SetupViewPoint(const std::string& ViewName, FMinimalViewInfo& ViewInfo);
 	void SetupViewProjectionMatrix(const std::string& ViewName, FSceneViewProjectionData& ProjectionData);
-	void SetupView(FSceneViewFamily& Family, const FNamedView& View);
+	/** What they change of the settings is appended to Gates. */
+	void SetupView(FSceneViewFamily& Family, const FNamedView& View, std::vector<FSettingGate>& Gates);
 	void BeginRenderViewFamily(FSceneViewFamily& Family);
 
 	// Render thread, in this order. Each extension has its family hook called and then those of its views.

@@ -155,11 +155,30 @@ void FSceneViewExtensions::SetInfo(const ISceneViewExtension& Extension, const D
 	Entry->Info = Info;
 }
 
+int32 FSceneViewExtensions::MarkPlugin(const std::string& Plugin, uint64 First)
+{
+	int32 NumMarked = 0;
+	for (FEntry& Entry : Entries)
+	{
+		if (Entry.Registration >= First)
+		{
+			Entry.Info.Plugin = Plugin;
+			++NumMarked;
+		}
+	}
+	return NumMarked;
+}
+
+void FSceneViewExtensions::ForgetPlugin(const std::string& Plugin)
+{
+	Entries.RemoveAll([&](const FEntry& Entry) { return Entry.Info.Plugin == Plugin; });
+}
+
 void FSceneViewExtensions::RegisterExtension(const FExtensionRef& Extension, Drydock::FExtensionInfo Info)
 {
-	TArray<FEntry>& Entries = GEngine->ViewExtensions->Entries;
-	Entries.RemoveAll([](const FEntry& Entry) { return !Entry.Extension.IsValid(); });
-	Entries.Add({Extension.ToWeakPtr(), &Extension.Get(), std::move(Info)});
+	FSceneViewExtensions& Registry = *GEngine->ViewExtensions;
+	Registry.Entries.RemoveAll([](const FEntry& Entry) { return !Entry.Extension.IsValid(); });
+	Registry.Entries.Add({Extension.ToWeakPtr(), &Extension.Get(), Registry.NextRegistration++, std::move(Info)});
 }
 
 FSceneViewExtensions::FEntry* FSceneViewExtensions::FindEntry(const ISceneViewExtension& Extension)

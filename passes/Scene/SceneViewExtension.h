@@ -275,11 +275,21 @@ public:
 	/** Changes what FindInfo says. */
 	void SetInfo(const ISceneViewExtension& Extension, const Drydock::FExtensionInfo& Info);
 
+	/** Number of the next registration; they only go up. */
+	uint64 GetNextRegistration() const { return NextRegistration; }
+
+	/** Notes that all registered since First belong to a plugin. Returns how many these are. */
+	int32 MarkPlugin(const std::string& Plugin, uint64 First);
+
+	/** Forgets a plugin's extensions, before its library goes away. */
+	void ForgetPlugin(const std::string& Plugin);
+
 private:
 	struct FEntry
 	{
 		TWeakPtr<ISceneViewExtension, ESPMode::ThreadSafe> Extension;
 		const ISceneViewExtension* Address = nullptr;
+		uint64 Registration = 0;
 		Drydock::FExtensionInfo Info;
 	};
 
@@ -288,6 +298,7 @@ private:
 	FEntry* FindEntry(const ISceneViewExtension& Extension);
 
 	TArray<FEntry> Entries;
+	uint64 NextRegistration = 0;
 };
 
 #include "PostProcess/PostProcessInputs.h"

@@ -50,6 +50,7 @@ struct FExtensionInfo
 	std::string Name;                         // its class, without namespaces
 	int32 EngineMinor = ENGINE_MINOR_VERSION; // of engine 5, that it was compiled for; AnyEngineVersion
 	uint32 Overrides = 0;                     // bits of EExtensionHook that its class declares
+	std::string Plugin;                       // file of the plugin whose loading registered it; empty: none did
 
 	bool Has(EExtensionHook Hook) const { return (Overrides >> static_cast<uint32>(Hook) & 1u) != 0; }
 };

@@ -109,6 +109,7 @@ inline FFrameInputs MakeFrame(FIntRect ViewRect = FIntRect(0, 0, Width, Height))
 {
 	FFrameInputs Inputs;
 	Inputs.EngineMinor = 4;
+	Inputs.Plugins = std::vector<std::string>(); // other tests load some
 	Inputs.Extent = FIntPoint(Width, Height);
 	FFrameView View;
 	View.Rect = ViewRect;

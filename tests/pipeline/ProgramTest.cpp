@@ -321,7 +321,7 @@ TEST_F(DrydockProgram, ListsHaveDefaults)
 	EXPECT_FALSE(Contains(Call("list cvars r.Bloom").Out, "r.RDG.CullPasses"));
 	EXPECT_TRUE(Contains(Call("list effects").Out, "ToonBloom"));
 	EXPECT_TRUE(Contains(Call("list passes").Out, ".usf"));
-	EXPECT_TRUE(Contains(Call("list extensions").Out, "not built yet"));
+	EXPECT_TRUE(Contains(Call("list extensions").Out, "DualKawaseBlur"));
 	EXPECT_EQ(0u, Call("list settings --json").Out.find("[\n"));
 }
 

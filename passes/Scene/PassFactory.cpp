@@ -1,0 +1,51 @@
+// Source: drydock.
+#include "PassFactory.h"
+
+namespace Drydock
+{
+
+namespace
+{
+
+/** Never destroyed: libraries unregister at the very end of the program. */
+std::map<std::string, FPassFactory>& GetFactories()
+{
+	static auto* const Factories = new std::map<std::string, FPassFactory>;
+	return *Factories;
+}
+
+} // namespace
+
+bool RegisterPassFactory(FPassFactory Factory)
+{
+	const std::string Type = Factory.Type;
+	if (GetFactories().emplace(Type, std::move(Factory)).second)
+	{
+		return true;
+	}
+	UE_LOG(LogTemp, Warning, "Pass type %s is registered twice; the first one stays", Type.c_str());
+	return false;
+}
+
+void UnregisterPassFactory(const std::string& Type)
+{
+	GetFactories().erase(Type);
+}
+
+const FPassFactory* FindPassFactory(const std::string& Type)
+{
+	const auto Found = GetFactories().find(Type);
+	return Found == GetFactories().end() ? nullptr : &Found->second;
+}
+
+std::vector<const FPassFactory*> GetPassFactories()
+{
+	std::vector<const FPassFactory*> Result;
+	for (const auto& [Type, Factory] : GetFactories())
+	{
+		Result.push_back(&Factory);
+	}
+	return Result;
+}
+
+} // namespace Drydock

@@ -1,0 +1,76 @@
+// Passes by name: what `"passes": [{"type": "GaussianBlur", "at": "MotionBlur", ...}]` in a config can insert into the
+// chain without a line of C++. A pass registers a factory for as long as its library is loaded. Source: drydock.
+#pragma once
+
+#include "FactoryParameters.h"
+#include "SceneRendering.h"
+#include "ScreenPass.h"
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+/** The input that is the picture at the hook unless the config says otherwise. */
+inline constexpr const char* PictureResource = "SceneColor";
+
+struct FPassInputSpec
+{
+	std::string Name;
+	std::string Default; // resource it is without being given; empty: it must be given
+	std::string Doc;
+};
+
+/** What a factory adds a pass of. */
+struct FPassArguments
+{
+	std::map<std::string, FScreenPassTexture> Inputs; // every one of the specs, valid
+	FParameterValues Values;
+
+	const FScreenPassTexture& GetInput(const std::string& Name) const
+	{
+		const auto Found = Inputs.find(Name);
+		checkf(Found != Inputs.end(), TEXT("There is no input %s"), Name.c_str());
+		return Found->second;
+	}
+};
+
+struct FPassFactory
+{
+	std::string Type;
+	std::string Doc; // one sentence
+	std::vector<FPassInputSpec> Inputs = {};
+	std::vector<FParameterSpec> Parameters = {};
+	/** Adds the pass and returns its output, a texture of any size with its rect. */
+	std::function<FScreenPassTexture(FRDGBuilder&, const FViewInfo&, const FPassArguments&)> Add = {};
+};
+
+/** A second one of the same type is refused with a warning in the log; the first stays. False then. */
+DRYDOCK_API bool RegisterPassFactory(FPassFactory Factory);
+DRYDOCK_API void UnregisterPassFactory(const std::string& Type);
+
+/** Null when there is none. */
+DRYDOCK_API const FPassFactory* FindPassFactory(const std::string& Type);
+
+/** All, by type. Valid until one is registered or unregistered. */
+DRYDOCK_API std::vector<const FPassFactory*> GetPassFactories();
+
+class FPassFactoryRegistration
+{
+public:
+	explicit FPassFactoryRegistration(const FPassFactory& Factory)
+		: Type(RegisterPassFactory(Factory) ? Factory.Type : std::string())
+	{
+	}
+	~FPassFactoryRegistration() { UnregisterPassFactory(Type); }
+	FPassFactoryRegistration(const FPassFactoryRegistration&) = delete;
+	FPassFactoryRegistration& operator=(const FPassFactoryRegistration&) = delete;
+
+private:
+	std::string Type; // empty: refused
+};
+
+} // namespace Drydock

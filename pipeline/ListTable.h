@@ -1,0 +1,17 @@
+// A table that `drydock list` prints: rows of equal length under a header. Source: drydock.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+struct FListTable
+{
+	std::vector<std::string> Header; // also the keys of the JSON objects
+	std::vector<std::vector<std::string>> Rows;
+	std::string Remark = {}; // where there is nothing to list
+};
+
+} // namespace Drydock

@@ -1,0 +1,5 @@
+// A shared object that registers nothing.
+extern "C" int EmptyPluginAnswer()
+{
+	return 42;
+}
