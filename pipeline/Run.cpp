@@ -68,7 +68,10 @@ public:
 		for (const FNeededSceneTexture& Texture : Needed)
 		{
 			FRHITexture* const Loaded = Scene.GetTexture(Texture.Texture);
-			if (Loaded != nullptr && IsDumped(Setup.Dump, "External", Texture.Texture))
+			// A texture that may be read is announced again once it is.
+			const bool bKept = std::any_of(Result.Dumps.begin(), Result.Dumps.end(),
+				[&](const FRunDump& Dump) { return Dump.PassIndex == 0 && Dump.Resource == Texture.Texture; });
+			if (Loaded != nullptr && !bKept && IsDumped(Setup.Dump, "External", Texture.Texture))
 			{
 				KeepTexture(0, "External", Texture.Texture, *Loaded);
 			}
