@@ -34,9 +34,7 @@ struct FBloomSetupInputs
 	TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures = nullptr;
 	/** Factor of what is shaded as cloth; above -1. */
 	float ToonIntensity = 1.0f;
-	/** What SceneColor was downsampled from; where it is missing, that is the scene textures' colour at the view's
-	 * rect.
-	 */
+	/** What SceneColor was downsampled from; if not given, the scene textures' colour at the view's rect. */
 	FScreenPassTexture FullResolutionSceneColor;
 	/** How it was downsampled. */
 	EDownsampleQuality DownsampleQuality = EDownsampleQuality::Low;

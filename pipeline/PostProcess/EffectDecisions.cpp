@@ -103,17 +103,19 @@ FEffectDecision DecideToonBloom(const FChainSettings& Chain)
 	const int32 Mode = GetToonBloomMode();
 	const float Factor = Chain.Settings.BloomToonIntensity;
 	const bool bThreshold = Chain.Settings.BloomThreshold > -1.0f;
+	// A view extension that sets the final settings says so by the override bit.
+	const bool bNamed = Chain.bToonBloomConfigured || Chain.Settings.bOverride_BloomToonIntensity;
 	const FEffectDecision Bloom = DecideBloom(Chain, false);
 	const std::string NoSetup = bThreshold
 									? ""
 									: "; without it the bloom setup pass is not in the graph (BloomThreshold is " +
 										  NumberText(Chain.Settings.BloomThreshold) + ")";
-	FEffectDecision Toon{"ToonBloom", false, Chain.bToonBloomConfigured || Mode > 0, ""};
+	FEffectDecision Toon{"ToonBloom", false, bNamed || Mode > 0, ""};
 	if (Mode == 0)
 	{
 		Toon.Reason = "r.ToonBloom is 0";
 	}
-	else if (Mode < 0 && !Chain.bToonBloomConfigured)
+	else if (Mode < 0 && !bNamed)
 	{
 		Toon.Reason = "not called for: nothing names BloomToonIntensity";
 	}

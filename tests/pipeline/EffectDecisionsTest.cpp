@@ -112,6 +112,15 @@ TEST(EffectDecisions, ToonBloomIsCalledForByAVolumeWithoutWeight)
 	EXPECT_TRUE(Decision(Unbound(R"("BloomToonIntensity": 0.1)", R"("BlendWeight": 0, )"), "ToonBloom").bActive);
 }
 
+TEST(EffectDecisions, ToonBloomIsCalledForByAnExtensionThatSetsItsOverrideBit)
+{
+	FChainSettings Edited = Chain("{}");
+	Edited.Settings.bOverride_BloomToonIntensity = true;
+	const std::vector<FEffectDecision> Effects = DecideEffects(Edited);
+	EXPECT_TRUE(std::any_of(Effects.begin(), Effects.end(),
+		[](const FEffectDecision& Effect) { return Effect.bActive && Effect.Name == "ToonBloom"; }));
+}
+
 TEST(EffectDecisions, ToonBloomOfFactorOneChangesNothing)
 {
 	const FEffectDecision ToonBloom = Decision(Unbound(R"("BloomToonIntensity": 1, "BloomThreshold": 0)"), "ToonBloom");
