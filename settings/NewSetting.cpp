@@ -1,6 +1,7 @@
 // Source: drydock.
 #include "NewSetting.h"
 
+#include "PostProcessSettingsTextScan.h"
 #include "PostProcessSettingsTextValue.h"
 
 #include <algorithm>

@@ -1,11 +1,11 @@
 // Source: drydock.
 #include "PostProcessSettingsText.h"
 
+#include "PostProcessSettingsTextNames.h"
+#include "PostProcessSettingsTextScan.h"
 #include "PostProcessSettingsTextValue.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <map>
 #include <unordered_map>
 
@@ -14,8 +14,6 @@ namespace Drydock
 
 namespace
 {
-
-constexpr const char* BlendablesName = "WeightedBlendables";
 
 /** What a name of the text stands for, in any case. */
 struct FTextName
@@ -41,54 +39,6 @@ FTextName FindTextName(const std::string& Name)
 	const auto Found = Names.find(ToLowerCase(Name));
 	return Found == Names.end() ? FTextName() : Found->second;
 }
-
-/** Sign of zero included. */
-bool IsSameNumber(double A, double B)
-{
-	return A == B && std::signbit(A) == std::signbit(B);
-}
-
-/** Whether one element of a field has its default value; Index as in WriteSettingText. */
-bool IsDefault(const FSettingField& Field, const FSettingValue& Value, int Index = 0)
-{
-	const int NumParts = std::max(1, Field.GetNumComponents() / GetNumTextElements(Field));
-	const double* const Begin = Value.Components + Index * NumParts;
-	return Value.Object == Field.Default.Object &&
-		   std::equal(Begin, Begin + NumParts, Field.Default.Components + Index * NumParts, IsSameNumber);
-}
-
-/** The key of an element as the table spells it. */
-std::string GetElementKey(const FSettingField& Field, int Index)
-{
-	return GetNumTextElements(Field) == 1 ? Field.Name : std::string(Field.Name) + "[" + std::to_string(Index) + "]";
-}
-
-/** Names with the place of the first one; says twenty of them. */
-class FNameList
-{
-public:
-	static constexpr size_t MaxListed = 20;
-
-	void Add(const std::string& Name, size_t InOffset)
-	{
-		Offset = Num == 0 ? InOffset : std::min(Offset, InOffset);
-		if (Num++ < MaxListed)
-		{
-			Text += std::string(Text.empty() ? "" : ", ") + Name;
-		}
-	}
-	size_t GetNum() const { return Num; }
-	size_t GetOffset() const { return Offset; }
-	std::string GetText() const
-	{
-		return Text + (Num > MaxListed ? " and " + std::to_string(Num - MaxListed) + " more" : "");
-	}
-
-private:
-	std::string Text;
-	size_t Num = 0;
-	size_t Offset = 0;
-};
 
 /** Whether only a stretch of two letters differs. */
 bool IsNearly(const std::string& A, const std::string& B)
@@ -231,8 +181,8 @@ private:
 	/** What values and override bits have to say about each other, and what is unknown. */
 	void ReportPairs()
 	{
-		FNameList Inert;
-		FNameList WithoutValue;
+		FSettingNameList Inert;
+		FSettingNameList WithoutValue;
 		for (const FSettingField& Field : GetSettingFields())
 		{
 			const auto Value = ValueOffsets.find(&Field);
@@ -262,11 +212,11 @@ private:
 
 	void ReportUnknown()
 	{
-		FNameList List;
+		FSettingNameList List;
 		for (size_t Index = 0; Index < Result.Unknown.size(); ++Index)
 		{
 			const std::string& Key = Result.Unknown[Index].Key;
-			const std::string Nearest = List.GetNum() < FNameList::MaxListed ? FindNearlySameName(Key) : "";
+			const std::string Nearest = List.GetNum() < FSettingNameList::MaxListed ? FindNearlySameName(Key) : "";
 			List.Add(Key + (Nearest.empty() ? "" : " (did you mean " + Nearest + "?)"), UnknownOffsets[Index]);
 		}
 		if (List.GetNum() > 0)
@@ -284,106 +234,6 @@ private:
 	std::map<const FSettingField*, size_t> BitOffsets;
 	std::vector<size_t> UnknownOffsets;
 	std::string LastKnown;
-};
-
-class FStructWriter
-{
-public:
-	FStructWriter(const FSettingsText& InSettings, ESettingsTextForm InForm)
-		: Settings(InSettings)
-		, Form(InForm)
-	{
-		for (const FUnknownSetting& Unknown : Settings.Unknown)
-		{
-			UnknownAfter[Unknown.After].push_back(&Unknown);
-		}
-	}
-
-	std::string Write()
-	{
-		AddUnknownAfter("");
-		const bool bFull = Form == ESettingsTextForm::Full;
-		for (const FSettingField& Field : GetSettingFields())
-		{
-			const bool bOverridden = Field.IsOverridden(Settings.Settings);
-			Add(Field.OverrideName, bOverridden ? "True" : "False", bFull || bOverridden);
-		}
-		for (const FSettingField& Field : GetSettingFields())
-		{
-			const FSettingValue Value = Field.Get(Settings.Settings);
-			for (int Index = 0; Index < GetNumTextElements(Field); ++Index)
-			{
-				const bool bWritten = bFull || Field.IsOverridden(Settings.Settings) || !IsDefault(Field, Value, Index);
-				Add(GetElementKey(Field, Index), bWritten ? WriteSettingText(Field, Value, Index) : "", bWritten);
-			}
-			const bool bWritten = bFull || Field.IsOverridden(Settings.Settings) || !IsDefault(Field, Value);
-			if (bWritten)
-			{
-				CheckDecimals(Field, Value);
-			}
-			AddUnknownAfter(Field.Name); // of an array whose elements have indices: behind the last
-		}
-		const FWeightedBlendables& Blendables = Settings.Settings.WeightedBlendables;
-		Add(BlendablesName, WriteBlendablesText(Blendables), bFull || Blendables.Array.Num() > 0);
-		while (!UnknownAfter.empty())
-		{
-			AddUnknownAfter(std::string(UnknownAfter.begin()->first));
-		}
-		return "(" + Text + ")";
-	}
-
-	const FNameList& GetChanged() const { return Changed; }
-
-private:
-	void AddPair(const std::string& Key, const std::string& Value)
-	{
-		Text += std::string(Text.empty() ? "" : ",") + Key + "=" + Value;
-	}
-
-	void Add(const std::string& Key, const std::string& Value, bool bWritten)
-	{
-		if (bWritten)
-		{
-			AddPair(Key, Value);
-		}
-		AddUnknownAfter(Key);
-	}
-
-	void AddUnknownAfter(const std::string& Key)
-	{
-		const auto Found = UnknownAfter.find(Key);
-		if (Found == UnknownAfter.end())
-		{
-			return;
-		}
-		for (const FUnknownSetting* Unknown : Found->second)
-		{
-			AddPair(Unknown->Key, Unknown->Text);
-		}
-		UnknownAfter.erase(Found);
-	}
-
-	void CheckDecimals(const FSettingField& Field, const FSettingValue& Value)
-	{
-		const bool bDouble = Field.Type == ESettingType::Vector2 || Field.Type == ESettingType::Vector4;
-		for (int Index = 0; Index < Field.GetNumComponents(); ++Index)
-		{
-			const double Number = Value.Components[Index];
-			const std::string Written = WriteNumberText(Number);
-			const double Read = std::strtod(Written.c_str(), nullptr);
-			if (!std::isfinite(Number) || (bDouble ? Read : static_cast<double>(static_cast<float>(Read))) != Number)
-			{
-				Changed.Add(std::string(Field.Name) + " (" + SettingToText(Field, Value) + ")", 0);
-				return;
-			}
-		}
-	}
-
-	const FSettingsText& Settings;
-	ESettingsTextForm Form;
-	std::map<std::string, std::vector<const FUnknownSetting*>> UnknownAfter;
-	std::string Text;
-	FNameList Changed;
 };
 
 } // namespace
@@ -414,22 +264,6 @@ FSettingsText ReadSettingsText(const std::string& Text, const std::string& File,
 			"expected the end of the text after the closing ), found " + DescribeEngineTextAt(Text, Offset));
 	}
 	return ReadSettingsStruct(Struct, "", Messages);
-}
-
-std::string WriteSettingsText(
-	const FSettingsText& Settings, ESettingsTextForm Form, std::vector<FDiagnostic>& Diagnostics)
-{
-	FStructWriter Writer(Settings, Form);
-	const std::string Text = Writer.Write();
-	if (Writer.GetChanged().GetNum() > 0)
-	{
-		FDiagnostic Diagnostic;
-		Diagnostic.Severity = ESeverity::Warning;
-		Diagnostic.Code = WarnTextDecimals;
-		Diagnostic.Message = "six decimals do not hold these values: " + Writer.GetChanged().GetText();
-		Diagnostics.push_back(Diagnostic);
-	}
-	return Text;
 }
 
 std::vector<std::string> UpgradeSettings(FPostProcessSettings& Settings)

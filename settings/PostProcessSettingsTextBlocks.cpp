@@ -1,6 +1,8 @@
 // Source: drydock. Line by line, as the engine reads it; only a (..) may go over several lines.
 #include "PostProcessSettingsTextBlocks.h"
 
+#include "PostProcessSettingsTextScan.h"
+
 #include <algorithm>
 #include <charconv>
 

@@ -59,21 +59,4 @@ DRYDOCK_API bool ParseEngineText(const std::string& Text, size_t& Offset, const 
 /** The same text again, without the spaces between its parts. */
 DRYDOCK_API std::string ToEngineText(const FEngineTextValue& Value);
 
-/** Moves Offset over spaces, and over line breaks too. */
-void SkipEngineTextSpace(const std::string& Text, size_t& Offset);
-
-/** What stands at Offset, for messages: `'='`, `abc`, `the end of the text`. */
-std::string DescribeEngineTextAt(const std::string& Text, size_t Offset);
-
-/** A bare word at Offset: up to a space, a quote or one of `(),=[]`. */
-std::string ReadEngineTextWord(const std::string& Text, size_t Offset);
-
-/** Letters, digits and underscores, no digit first. */
-bool IsEngineTextName(const std::string& Word);
-
-std::string ToLowerCase(std::string Text);
-
-/** Reports a text that is not UTF-8, once. */
-bool CheckEngineTextEncoding(const std::string& Text, FSettingsTextMessages& Messages);
-
 } // namespace Drydock

@@ -1,6 +1,7 @@
 // Source: drydock.
 #include "PostProcessSettingsTextValue.h"
 
+#include "PostProcessSettingsTextScan.h"
 #include "SettingObjects.h"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 #include "PostProcessSettingsTextVolume.h"
 
 #include "PostProcessSettingsTextBlocks.h"
+#include "PostProcessSettingsTextScan.h"
 #include "PostProcessSettingsTextValue.h"
 
 #include <algorithm>
