@@ -89,6 +89,8 @@ const std::vector<FScenePacking>& GetScenePackings()
 			FLinearColor(1.0f, 0.0f, 1.0f, 0.0f)},
 		{"GBufferD", PF_B8G8R8A8, Read, &FSceneTextures::GBufferD, {{{"custommask.B", {}}}}, PackCustomData,
 			FLinearColor(1.0f, 1.0f, 1.0f, 1.0f)},
+		{"ToonShadow", PF_R8G8B8A8, Read, &FSceneTextures::ToonShadow, {{{"shadow.R", {}}, {"shadow.G", {}}}},
+			PackAsIs, FLinearColor(0.0f, 0.0f, 1.0f, 1.0f)},
 	};
 	return Packings;
 }
@@ -116,7 +118,6 @@ const std::vector<std::string>& GetSceneChannelNames()
 				}
 			}
 		}
-		All.insert(All.end(), {"shadow.R", "shadow.G"}); // the toon shadow buffer's
 		return All;
 	}();
 	return Names;

@@ -21,4 +21,6 @@ struct FSceneTextures
 	FRDGTextureRef ScreenSpaceAO = nullptr;
 	FRDGTextureRef CustomDepth = nullptr;
 	FRDGTextureSRVRef CustomStencil = nullptr;
+	/** drydock: R projected shadow of the main light, G the character's self shadow, 1 = lit; 8 bit. */
+	FRDGTextureRef ToonShadow = nullptr;
 };

@@ -140,19 +140,27 @@ FArticleEffects::FArticleEffects(FRDGBuilder& InGraphBuilder, const FViewInfo& I
 	, bRED(IsActiveIn(Effects, "RED"))
 	, bREDDepthOfField(IsActiveIn(Effects, "REDDepthOfField"))
 	, bCharaGlow(IsActiveIn(Effects, "CharaGlow"))
-	, bToonShadowBlur(InInputs.ToonShadow.IsValid() && IsActiveIn(Effects, "ToonShadowBlur"))
+	, bToonShadowBlur(IsActiveIn(Effects, "ToonShadowBlur"))
 	, bUnityBloom(IsActiveIn(Effects, "UnityBloom"))
 {
+	if (!Inputs.SceneTextures && (bREDDepthOfField || bCharaGlow || bToonShadowBlur))
+	{
+		Inputs.SceneTextures = CreateSceneTextureUniformBuffer(GraphBuilder, View);
+	}
+	if (View.SceneTextures && View.SceneTextures->ToonShadow)
+	{
+		ToonShadow = FScreenPassTexture(View.SceneTextures->ToonShadow, View.ViewRect);
+	}
 }
 
 FScreenPassTexture FArticleEffects::AddLighting(const FScreenPassTexture& SceneColor)
 {
-	if (!bToonShadowBlur)
+	if (!bToonShadowBlur || !ToonShadow.IsValid())
 	{
 		return SceneColor;
 	}
 	const FFinalPostProcessSettings& Settings = View.FinalPostProcessSettings;
-	const FToonShadowBlurInputs Blur = FToonShadowBlurInputs::FromSettings(Settings, Inputs.ToonShadow);
+	const FToonShadowBlurInputs Blur = FToonShadowBlurInputs::FromSettings(Settings, ToonShadow);
 	BlurredToonShadow = AddToonShadowBlurPasses(GraphBuilder, View, Blur);
 
 	FToonShadowLightingInputs Lighting;

@@ -24,11 +24,8 @@ DRYDOCK_API std::optional<FEffectDecision> DecideArticleEffect(const std::string
 /** What the effects read beside the picture. */
 struct FArticleEffectInputs
 {
-	/** [REDDepthOfField, CharaGlow, ToonShadowBlur] Required where one of them is active. */
+	/** [REDDepthOfField, CharaGlow, ToonShadowBlur] Null: made of the view's scene textures where one is active. */
 	TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures = nullptr;
-	/** [ToonShadowBlur] R projected shadow, G self shadow, 1 = lit. Invalid: the frame has none and stays as it is lit.
-	 */
-	FScreenPassTexture ToonShadow;
 	/** Colour of the main light, relative. */
 	FLinearColor LightColor = FLinearColor(1.0f, 1.0f, 1.0f, 1.0f);
 };
@@ -63,7 +60,8 @@ public:
 private:
 	FRDGBuilder& GraphBuilder;
 	const FViewInfo& View;
-	const FArticleEffectInputs Inputs;
+	FArticleEffectInputs Inputs;
+	FScreenPassTexture ToonShadow; // invalid: the frame has none and stays as it is lit
 	bool bRED = false;
 	bool bREDDepthOfField = false;
 	bool bCharaGlow = false;

@@ -317,8 +317,8 @@ FPostProcessingChainOutputs AddPostProcessingPasses(FRDGBuilder& GraphBuilder, c
 	const FViewInfo& View = *NamedView.View;
 	const bool bPostProcessing = View.Family == nullptr || View.Family->EngineShowFlags.PostProcessing;
 
-	Drydock::FArticleEffects ArticleEffects(GraphBuilder, View,
-		Drydock::FArticleEffectInputs{Inputs.SceneTextures, Inputs.ToonShadow, Inputs.LightColor}, Effects);
+	Drydock::FArticleEffects ArticleEffects(
+		GraphBuilder, View, Drydock::FArticleEffectInputs{Inputs.SceneTextures, Inputs.LightColor}, Effects);
 
 	TOverridePassSequence<EPass> Sequence(
 		FScreenPassRenderTarget::CreateViewFamilyOutput(Inputs.ViewFamilyTexture, View));

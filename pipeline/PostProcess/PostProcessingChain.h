@@ -21,8 +21,7 @@ struct FPostProcessingChainInputs
 	float ExposureScale = 1.0f;
 	/** Null where nobody reads scene textures. */
 	TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures = nullptr;
-	/** The toon shadow buffer, and the colour of the main light: what ToonShadowBlur reads. */
-	FScreenPassTexture ToonShadow;
+	/** Colour of the main light, relative, for ToonShadowBlur. */
 	FLinearColor LightColor = FLinearColor(1.0f, 1.0f, 1.0f, 1.0f);
 	/** Where the result of SSRInput is kept for the next frame; null: nothing is kept. */
 	TRefCountPtr<IPooledRenderTarget>* CustomSSRInput = nullptr;
