@@ -222,7 +222,7 @@ private:
 		{
 			Target.Chain.ShowFlags = Family.EngineShowFlags;
 			const std::vector<FSettingGate> Gates =
-				EndFinalPostProcessSettings(Target.Chain.Settings, Family.EngineShowFlags);
+				ApplyShowFlags(Target.Chain.Settings, Family.EngineShowFlags);
 			Target.Chain.Gates.insert(Target.Chain.Gates.end(), Gates.begin(), Gates.end());
 		}
 

@@ -36,6 +36,11 @@ DRYDOCK_API void OverridePostProcessSettings(
 DRYDOCK_API std::vector<FSettingGate> EndFinalPostProcessSettings(
 	FFinalPostProcessSettings& Settings, const FEngineShowFlags& ShowFlags, FBlendLedger* Ledger = nullptr);
 
+/** The show flags' part of that alone, for flags that changed after the end: it may be repeated, which would add
+ * r.ExposureOffset twice in the whole. */
+DRYDOCK_API std::vector<FSettingGate> ApplyShowFlags(
+	FFinalPostProcessSettings& Settings, const FEngineShowFlags& ShowFlags, FBlendLedger* Ledger = nullptr);
+
 /** What a view extension made of the settings in SetupView, after everything else. A value that is not finite is put
  * back to what it was. Returns what changed, and what was put back. */
 DRYDOCK_API std::vector<FSettingGate> RecordExtensionEdits(const FFinalPostProcessSettings& Before,

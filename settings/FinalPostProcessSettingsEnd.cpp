@@ -43,16 +43,49 @@ TAutoConsoleVariable<int32> CVarMotionBlurTargetFPS(TEXT("r.MotionBlur.TargetFPS
 	TEXT("0 and above: MotionBlurTargetFPS, whatever the settings say. -1: the settings (default)."),
 	ECVF_RenderThreadSafe);
 
-void EndFringe(FFinalPostProcessSettings& Settings, const FEngineShowFlags& ShowFlags, FSettingsEditor& Editor)
+/** What a flag switches off; LocalExposure and GlobalIllumination by hand. */
+void EndFlags(FFinalPostProcessSettings& Settings, const FEngineShowFlags& ShowFlags, FSettingsEditor& Editor)
 {
-	Editor.SwitchOff(CVarSceneColorFringeQuality.GetValueOnAnyThread() <= 0, DRYDOCK_MEMBER(SceneFringeIntensity),
-		ByVariable("r.SceneColorFringeQuality", "Assign", "is 0"));
+	Editor.SwitchOff(!ShowFlags.Bloom, DRYDOCK_MEMBER(BloomIntensity), ByFlag("ShowFlag.Bloom"));
+	Editor.SwitchOff(!ShowFlags.Vignette, DRYDOCK_MEMBER(VignetteIntensity), ByFlag("ShowFlag.Vignette"));
+	Editor.SwitchOff(!ShowFlags.Grain, DRYDOCK_MEMBER(FilmGrainIntensity), ByFlag("ShowFlag.Grain"));
+	Editor.SwitchOff(!ShowFlags.ToneCurve, DRYDOCK_MEMBER(ToneCurveAmount), ByFlag("ShowFlag.ToneCurve"));
+	Editor.SwitchOff(!ShowFlags.LensFlares, DRYDOCK_MEMBER(LensFlareIntensity), ByFlag("ShowFlag.LensFlares"));
+	Editor.SwitchOff(!ShowFlags.DepthOfField, DRYDOCK_MEMBER(DepthOfFieldScale), ByFlag("ShowFlag.DepthOfField"));
+	Editor.SwitchOff(
+		!ShowFlags.AmbientOcclusion, DRYDOCK_MEMBER(AmbientOcclusionIntensity), ByFlag("ShowFlag.AmbientOcclusion"));
 	Editor.SwitchOff(
 		!ShowFlags.SceneColorFringe, DRYDOCK_MEMBER(SceneFringeIntensity), ByFlag("ShowFlag.SceneColorFringe"));
 	Editor.SwitchOff(
 		!ShowFlags.CameraImperfections, DRYDOCK_MEMBER(SceneFringeIntensity), ByFlag("ShowFlag.CameraImperfections"));
 	Editor.SwitchOff(
 		!ShowFlags.CameraImperfections, DRYDOCK_MEMBER(BloomDirtMaskIntensity), ByFlag("ShowFlag.CameraImperfections"));
+	if (!ShowFlags.GlobalIllumination)
+	{
+		const FSettingsEdit Edit = ByFlag("ShowFlag.GlobalIllumination");
+		Editor.Assign(DRYDOCK_MEMBER(IndirectLightingColor), FLinearColor(0.0f, 0.0f, 0.0f, 1.0f), Edit);
+		Editor.Assign(DRYDOCK_MEMBER(IndirectLightingIntensity), 0.0f, Edit);
+	}
+}
+
+/** What a quality of 0, or too low a one, switches off. */
+void EndQualities(FFinalPostProcessSettings& Settings, FSettingsEditor& Editor)
+{
+	const int32 TonemapperQuality = CVarTonemapperQuality.GetValueOnAnyThread();
+	Editor.SwitchOff(GetVariableOfPasses(TEXT("r.BloomQuality"), 5.0f) <= 0.0f, DRYDOCK_MEMBER(BloomIntensity),
+		ByVariable("r.BloomQuality", "Assign", "is 0"));
+	Editor.SwitchOff(TonemapperQuality < 2, DRYDOCK_MEMBER(VignetteIntensity),
+		ByVariable("r.Tonemapper.Quality", "Assign", "is below 2"));
+	Editor.SwitchOff(TonemapperQuality < 4, DRYDOCK_MEMBER(FilmGrainIntensity),
+		ByVariable("r.Tonemapper.Quality", "Assign", "is below 4"));
+	Editor.SwitchOff(CVarDepthOfFieldQuality.GetValueOnAnyThread() <= 0, DRYDOCK_MEMBER(DepthOfFieldScale),
+		ByVariable("r.DepthOfFieldQuality", "Assign", "is 0"));
+	Editor.SwitchOff(CVarSceneColorFringeQuality.GetValueOnAnyThread() <= 0, DRYDOCK_MEMBER(SceneFringeIntensity),
+		ByVariable("r.SceneColorFringeQuality", "Assign", "is 0"));
+}
+
+void EndFringe(FFinalPostProcessSettings& Settings, FSettingsEditor& Editor)
+{
 	const float Max = CVarSceneColorFringeMax.GetValueOnAnyThread();
 	if (Max == -2.0f)
 	{
@@ -66,45 +99,11 @@ void EndFringe(FFinalPostProcessSettings& Settings, const FEngineShowFlags& Show
 	}
 }
 
-/** Bloom, vignette, grain, tone curve, lens flares, depth of field, occlusion, indirect light. */
-void EndSwitches(FFinalPostProcessSettings& Settings, const FEngineShowFlags& ShowFlags, FSettingsEditor& Editor)
+void EndLocalExposure(FFinalPostProcessSettings& Settings, FSettingsEditor& Editor, const FSettingsEdit& Edit)
 {
-	const int32 TonemapperQuality = CVarTonemapperQuality.GetValueOnAnyThread();
-	Editor.SwitchOff(GetVariableOfPasses(TEXT("r.BloomQuality"), 5.0f) <= 0.0f, DRYDOCK_MEMBER(BloomIntensity),
-		ByVariable("r.BloomQuality", "Assign", "is 0"));
-	Editor.SwitchOff(!ShowFlags.Bloom, DRYDOCK_MEMBER(BloomIntensity), ByFlag("ShowFlag.Bloom"));
-	Editor.SwitchOff(TonemapperQuality < 2, DRYDOCK_MEMBER(VignetteIntensity),
-		ByVariable("r.Tonemapper.Quality", "Assign", "is below 2"));
-	Editor.SwitchOff(!ShowFlags.Vignette, DRYDOCK_MEMBER(VignetteIntensity), ByFlag("ShowFlag.Vignette"));
-	Editor.SwitchOff(TonemapperQuality < 4, DRYDOCK_MEMBER(FilmGrainIntensity),
-		ByVariable("r.Tonemapper.Quality", "Assign", "is below 4"));
-	Editor.SwitchOff(!ShowFlags.Grain, DRYDOCK_MEMBER(FilmGrainIntensity), ByFlag("ShowFlag.Grain"));
-	Editor.SwitchOff(!ShowFlags.ToneCurve, DRYDOCK_MEMBER(ToneCurveAmount), ByFlag("ShowFlag.ToneCurve"));
-	Editor.SwitchOff(!ShowFlags.LensFlares, DRYDOCK_MEMBER(LensFlareIntensity), ByFlag("ShowFlag.LensFlares"));
-	Editor.SwitchOff(CVarDepthOfFieldQuality.GetValueOnAnyThread() <= 0, DRYDOCK_MEMBER(DepthOfFieldScale),
-		ByVariable("r.DepthOfFieldQuality", "Assign", "is 0"));
-	Editor.SwitchOff(!ShowFlags.DepthOfField, DRYDOCK_MEMBER(DepthOfFieldScale), ByFlag("ShowFlag.DepthOfField"));
-	Editor.SwitchOff(
-		!ShowFlags.AmbientOcclusion, DRYDOCK_MEMBER(AmbientOcclusionIntensity), ByFlag("ShowFlag.AmbientOcclusion"));
-	if (!ShowFlags.GlobalIllumination)
-	{
-		const FSettingsEdit Edit = ByFlag("ShowFlag.GlobalIllumination");
-		Editor.Assign(DRYDOCK_MEMBER(IndirectLightingColor), FLinearColor(0.0f, 0.0f, 0.0f, 1.0f), Edit);
-		Editor.Assign(DRYDOCK_MEMBER(IndirectLightingIntensity), 0.0f, Edit);
-	}
-}
-
-void EndLocalExposure(FFinalPostProcessSettings& Settings, const FEngineShowFlags& ShowFlags, FSettingsEditor& Editor)
-{
-	const bool bByVariable = CVarLocalExposure.GetValueOnAnyThread() <= 0;
-	if (bByVariable || !ShowFlags.LocalExposure)
-	{
-		const FSettingsEdit Edit =
-			bByVariable ? ByVariable("r.LocalExposure", "Assign", "is 0") : ByFlag("ShowFlag.LocalExposure");
-		Editor.Assign(DRYDOCK_MEMBER(LocalExposureHighlightContrastScale), 1.0f, Edit);
-		Editor.Assign(DRYDOCK_MEMBER(LocalExposureShadowContrastScale), 1.0f, Edit);
-		Editor.Assign(DRYDOCK_MEMBER(LocalExposureDetailStrength), 1.0f, Edit);
-	}
+	Editor.Assign(DRYDOCK_MEMBER(LocalExposureHighlightContrastScale), 1.0f, Edit);
+	Editor.Assign(DRYDOCK_MEMBER(LocalExposureShadowContrastScale), 1.0f, Edit);
+	Editor.Assign(DRYDOCK_MEMBER(LocalExposureDetailStrength), 1.0f, Edit);
 }
 
 void EndMotionBlur(FFinalPostProcessSettings& Settings, FSettingsEditor& Editor)
@@ -133,13 +132,30 @@ void EndMotionBlur(FFinalPostProcessSettings& Settings, FSettingsEditor& Editor)
 
 } // namespace
 
+std::vector<FSettingGate> ApplyShowFlags(
+	FFinalPostProcessSettings& Settings, const FEngineShowFlags& ShowFlags, FBlendLedger* Ledger)
+{
+	FSettingsEditor Editor(Settings, Ledger);
+	EndFlags(Settings, ShowFlags, Editor);
+	if (!ShowFlags.LocalExposure)
+	{
+		EndLocalExposure(Settings, Editor, ByFlag("ShowFlag.LocalExposure"));
+	}
+	return Editor.Gates;
+}
+
 std::vector<FSettingGate> EndFinalPostProcessSettings(
 	FFinalPostProcessSettings& Settings, const FEngineShowFlags& ShowFlags, FBlendLedger* Ledger)
 {
 	FSettingsEditor Editor(Settings, Ledger);
-	EndSwitches(Settings, ShowFlags, Editor);
-	EndFringe(Settings, ShowFlags, Editor);
-	EndLocalExposure(Settings, ShowFlags, Editor);
+	EndQualities(Settings, Editor);
+	if (CVarLocalExposure.GetValueOnAnyThread() <= 0)
+	{
+		EndLocalExposure(Settings, Editor, ByVariable("r.LocalExposure", "Assign", "is 0"));
+	}
+	const std::vector<FSettingGate> ByFlags = ApplyShowFlags(Settings, ShowFlags, Ledger);
+	Editor.Gates.insert(Editor.Gates.end(), ByFlags.begin(), ByFlags.end());
+	EndFringe(Settings, Editor);
 	EndMotionBlur(Settings, Editor);
 	Editor.Assign(DRYDOCK_MEMBER(AutoExposureBias),
 		Settings.AutoExposureBias + CVarExposureOffset.GetValueOnAnyThread(),

@@ -1,4 +1,6 @@
 // The program as a user meets it: exit codes, what goes to stdout and stderr, nothing written after a mistake.
+#include <nlohmann/json.hpp>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -337,4 +339,67 @@ TEST_F(DrydockProgram, UnknownListNamesTheNearest)
 	const FOutcome Outcome = Call("list setings");
 	EXPECT_EQ(2, Outcome.ExitCode);
 	EXPECT_TRUE(Contains(Outcome.Err, "did you mean settings?"));
+}
+
+TEST_F(DrydockProgram, BlendTellsTheStoryOfWhatChanged)
+{
+	Write("a.json", R"({"view": {"location": [0, 0, 150]}, "volumes": [
+		{"name": "Stage", "bounds": {"type": "sphere", "center": [0, 0, 0], "radius": 50}, "BlendRadius": 200,
+			"Settings": {"BloomSizeScale": 8}},
+		{"name": "Far", "bounds": {"type": "sphere", "center": [5000, 0, 150], "radius": 50}, "Priority": 1,
+			"Settings": {"BloomSizeScale": 9, "FilmSlope": 1}}]})");
+	const FOutcome Outcome = Call("blend a.json");
+	EXPECT_EQ(0, Outcome.ExitCode);
+	// 100 of 200 away: half way from 4 to 8.
+	EXPECT_TRUE(Contains(Outcome.Out, "BloomSizeScale = 6\n"));
+	EXPECT_TRUE(Contains(Outcome.Out, "out of radius: 4950.0 cm away, BlendRadius 100.0"));
+	EXPECT_FALSE(Contains(Outcome.Out, "FilmSlope ="));
+	EXPECT_TRUE(Contains(Outcome.Out, "nothing that names them acts here: FilmSlope"));
+}
+
+TEST_F(DrydockProgram, BlendAtAnotherPlace)
+{
+	Write("a.json", R"({"volumes": [{"bounds": {"type": "sphere", "center": [-100, 0, 0], "radius": 1},
+		"Settings": {"BloomSizeScale": 8}}]})");
+	EXPECT_TRUE(Contains(Call("blend a.json --at -100,0,0").Out, "BloomSizeScale = 8\n"));
+	EXPECT_FALSE(Contains(Call("blend a.json --at 500,0,0").Out, "BloomSizeScale ="));
+	EXPECT_TRUE(Contains(Call("blend a.json --at 500,0,0 --setting BloomSize*").Out, "BloomSizeScale = 4\n"));
+}
+
+TEST_F(DrydockProgram, BlendTakesVariablesOfConfigAndCommandLine)
+{
+	Write("a.json", R"({"cvars": {"r.ExposureOffset": 0.5}, "showFlags": {"Bloom": false}})");
+	const std::string Out = Call("blend a.json --pp BloomSizeScale=8").Out;
+	EXPECT_TRUE(Contains(Out, "AutoExposureBias = 1.5"));
+	EXPECT_TRUE(Contains(Out, "BloomIntensity = 0\n"));
+	EXPECT_TRUE(Contains(Out, "BloomSizeScale = 8\n"));
+	EXPECT_TRUE(Contains(Call("blend a.json --set r.ExposureOffset=2").Out, "AutoExposureBias = 3"));
+}
+
+TEST_F(DrydockProgram, BlendJsonHasTheWholeLedger)
+{
+	Write("a.json", R"({"volumes": [{"name": "All", "bUnbound": true, "BlendWeight": 0.5,
+		"Settings": {"BloomSizeScale": 8}}]})");
+	const nlohmann::json Root = nlohmann::json::parse(Call("blend a.json --at 1,2,3 --json").Out);
+	EXPECT_EQ(nlohmann::json({1, 2, 3}), Root["location"]);
+	EXPECT_EQ(6, Root["settings"]["BloomSizeScale"]);
+	EXPECT_EQ(0.675, Root["settings"]["BloomIntensity"]);
+	const nlohmann::json Expected = {{"source", "All"}, {"kind", "volume"}, {"rule", "Lerp"}, {"weight", 0.5},
+		{"distance", nullptr}, {"before", 4}, {"after", 6}, {"skipped", nullptr}};
+	EXPECT_EQ(Expected, Root["ledger"]["BloomSizeScale"][1]);
+	EXPECT_EQ(1u, Root["ledger"]["BloomIntensity"].size());
+}
+
+TEST_F(DrydockProgram, BlendAnswersMistakes)
+{
+	Write("a.json", "{}");
+	const FOutcome Setting = Call("blend a.json --setting BloomIntensty");
+	EXPECT_EQ(2, Setting.ExitCode);
+	EXPECT_TRUE(Contains(Setting.Err, "unknown setting BloomIntensty; did you mean BloomIntensity?"));
+	for (const char* Place : {"1,2", "1,2,3,4", "1,2,x", "nan,0,0", "1e999,0,0"})
+	{
+		const FOutcome Outcome = Call(std::string("blend a.json --at '") + Place + "'");
+		EXPECT_EQ(2, Outcome.ExitCode) << Place;
+		EXPECT_EQ("", Outcome.Out) << Place;
+	}
 }

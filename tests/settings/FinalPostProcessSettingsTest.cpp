@@ -413,6 +413,19 @@ TEST(EndSettings, NoValueOfAVariableMakesASettingInfinite)
 	EXPECT_EQ(3e38f, Settings.AutoExposureBias);
 }
 
+TEST(EndSettings, FlagsMayBeAppliedAgain)
+{
+	const FScopedConsoleVariable Offset(TEXT("r.ExposureOffset"), FString("0.5"));
+	FFinalPostProcessSettings Settings;
+	EndFinalPostProcessSettings(Settings, FEngineShowFlags());
+	FEngineShowFlags Flags;
+	Flags.SetBloom(false);
+	EXPECT_EQ(1u, ApplyShowFlags(Settings, Flags).size());
+	EXPECT_TRUE(ApplyShowFlags(Settings, Flags).empty());
+	EXPECT_EQ(0.0f, Settings.BloomIntensity);
+	EXPECT_EQ(1.5f, Settings.AutoExposureBias);
+}
+
 TEST(EndSettings, BloomIntensityAndThresholdAreNotClamped)
 {
 	FFinalPostProcessSettings Settings;
