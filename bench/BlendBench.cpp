@@ -1,5 +1,5 @@
-// What blending costs: volumes that each override every field, all of them reaching the view. Sizes take turns; medians
-// of 15. Linear growth shows as a ratio of 2 from row to row. Source: drydock.
+// What blending costs: volumes that each override every field, all of them reaching the view. Sizes take turns, small
+// ones several times in a row; medians of 15. Linear growth shows as a ratio of 2 from row to row. Source: drydock.
 #include "BlendSettings.h"
 
 #include <algorithm>
@@ -43,12 +43,16 @@ double Median(std::vector<double> Values)
 	return Values[Values.size() / 2];
 }
 
+/** Per call. */
 template<typename TFunction>
-double TimeMs(const TFunction& Function)
+double TimeMs(int NumCalls, const TFunction& Function)
 {
 	const auto Start = std::chrono::steady_clock::now();
-	Function();
-	return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Start).count();
+	for (int Call = 0; Call < NumCalls; ++Call)
+	{
+		Function();
+	}
+	return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Start).count() / NumCalls;
 }
 
 struct FRow
@@ -76,11 +80,17 @@ int main()
 	{
 		for (size_t Index = 0; Index < Rows.size(); ++Index)
 		{
-			Rows[Index].Prepare.push_back(TimeMs([&] { FSettingsBlender(Inputs[Index]).GetInputs(); }));
-			Rows[Index].Blend.push_back(TimeMs([&] { Sum += Blenders[Index].At(Location).Settings.BloomIntensity; }));
-			FBlendLedger Ledger;
-			Rows[Index].Record.push_back(
-				TimeMs([&] { Sum += Blenders[Index].At(Location, &Ledger).Settings.BloomIntensity; }));
+			const int NumCalls = 2 * GSizes[Rows.size() - 1] / GSizes[Index];
+			Rows[Index].Prepare.push_back(
+				TimeMs(NumCalls, [&] { Sum += FSettingsBlender(Inputs[Index]).GetInputs().CameraWeight; }));
+			Rows[Index].Blend.push_back(
+				TimeMs(NumCalls, [&] { Sum += Blenders[Index].At(Location).Settings.BloomIntensity; }));
+			Rows[Index].Record.push_back(TimeMs(1,
+				[&]
+				{
+					FBlendLedger Ledger;
+					Sum += Blenders[Index].At(Location, &Ledger).Settings.BloomIntensity;
+				}));
 		}
 	}
 	std::printf("%zu fields, all overridden by every volume; medians of %d, ms (sum %g)\n", GetSettingFields().size(),

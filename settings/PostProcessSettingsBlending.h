@@ -79,7 +79,18 @@ bool IsZero(const T& Value)
 template<typename T>
 bool IsFinite(const T& Value)
 {
-	return TSettingTraits<T>::Pack(Value).IsFinite();
+	if constexpr (std::is_floating_point_v<T>)
+	{
+		return std::isfinite(Value);
+	}
+	else if constexpr (std::is_integral_v<T> || std::is_enum_v<T>)
+	{
+		return true;
+	}
+	else
+	{
+		return TSettingTraits<T>::Pack(Value).IsFinite();
+	}
 }
 
 template<typename T>
