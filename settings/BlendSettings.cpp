@@ -4,6 +4,7 @@
 #include "BlendContributions.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -73,9 +74,6 @@ struct FSettingsBlender::FPass
 			{
 				Result.NonFinite.push_back({Actor.Source, Fields[Index].Name});
 			}
-		}
-		if (Actor.Skipped.empty())
-		{
 			BlendContributions(Result.Settings, Actor.Settings, Actor.Weight);
 		}
 		if (Ledger != nullptr)
@@ -213,6 +211,10 @@ FSettingsBlender::FSettingsBlender(FBlendInputs InInputs)
 	, Order(Inputs.Volumes.size())
 	, bTouched(GetSettingFields().size())
 {
+	for (APostProcessVolume& Volume : Inputs.Volumes)
+	{
+		Volume.Priority = std::isnan(Volume.Priority) ? 0.0f : Volume.Priority; // what has no order cannot be sorted
+	}
 	std::iota(Order.begin(), Order.end(), size_t{0});
 	std::stable_sort(Order.begin(), Order.end(),
 		[this](size_t A, size_t B) { return Inputs.Volumes[A].Priority < Inputs.Volumes[B].Priority; });

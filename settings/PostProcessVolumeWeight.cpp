@@ -2,8 +2,8 @@
 #include "PostProcessVolumeWeight.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <cstdio>
 
 namespace Drydock
 {
@@ -11,11 +11,13 @@ namespace Drydock
 namespace
 {
 
-/** Centimetres, to a tenth. */
+/** Centimetres, to a tenth where that is of interest. */
 std::string LengthText(double Length)
 {
+	constexpr double Readable = 1e9;
 	char Buffer[64];
-	return std::string(Buffer, std::to_chars(Buffer, Buffer + sizeof(Buffer), Length, std::chars_format::fixed, 1).ptr);
+	std::snprintf(Buffer, sizeof(Buffer), std::fabs(Length) < Readable ? "%.1f" : "%.4g", Length);
+	return Buffer;
 }
 
 } // namespace
@@ -65,7 +67,8 @@ FVolumeInfluence GetInfluence(const FPostProcessVolumeProperties& Volume, double
 		return {0.0f, EVolumeSkip::OutOfRadius};
 	}
 	const float Weight = static_cast<float>(Radius >= 1.0 ? Full * (1.0 - Distance / Radius) : Full);
-	return {Weight, Weight > 0.0f ? EVolumeSkip::None : EVolumeSkip::OutOfRadius};
+	return Weight > 0.0f ? FVolumeInfluence{Weight, EVolumeSkip::None}
+						 : FVolumeInfluence{0.0f, EVolumeSkip::OutOfRadius};
 }
 
 } // namespace Drydock

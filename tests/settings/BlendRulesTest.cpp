@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 using namespace Drydock;
@@ -104,6 +105,14 @@ TEST(BlendRules, E1PrioritiesMayBeNegativeOrFractional)
 {
 	EXPECT_EQ(16.0f, Blended({Unbound(-0.25f, 1, Scale(16)), Unbound(-0.5f, 1, Scale(8))}).BloomSizeScale);
 	EXPECT_EQ(8.0f, Blended({Unbound(-1e9f, 1, Scale(16)), Unbound(1e-9f, 1, Scale(8))}).BloomSizeScale);
+}
+
+TEST(BlendRules, E1PriorityThatIsNaNIsZero)
+{
+	const std::vector<APostProcessVolume> Volumes = {
+		Unbound(1, 1, Scale(16)), Unbound(std::nanf(""), 1, Scale(8)), Unbound(-1, 1, Scale(2))};
+	EXPECT_EQ(16.0f, Blended(Volumes).BloomSizeScale);
+	EXPECT_EQ(8.0f, Blended({Volumes[1], Volumes[2]}).BloomSizeScale);
 }
 
 TEST(BlendRules, E1TieOfDisagreeingVolumesIsReported)

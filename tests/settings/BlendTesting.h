@@ -32,7 +32,7 @@ inline FPostProcessSettings Give(std::initializer_list<std::pair<const char*, do
 inline APostProcessVolume Unbound(float Priority, float Weight, const FPostProcessSettings& Settings)
 {
 	APostProcessVolume Volume;
-	Volume.Name = ("volume of priority " + std::to_string(static_cast<int>(Priority))).c_str();
+	Volume.Name = FString::Printf(TEXT("volume of priority %g"), static_cast<double>(Priority));
 	Volume.Priority = Priority;
 	Volume.BlendWeight = Weight;
 	Volume.bUnbound = true;

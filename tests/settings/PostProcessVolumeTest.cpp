@@ -126,6 +126,22 @@ TEST(VolumeWeight, InfiniteRadiusIsFullEverywhere)
 	EXPECT_EQ(1.0f, WeightAt(Bounded(std::numeric_limits<float>::infinity()), 1e30));
 }
 
+TEST(VolumeWeight, InfinitelyFarIsNothing)
+{
+	const float Infinity = std::numeric_limits<float>::infinity();
+	EXPECT_EQ(0.0f, WeightAt(Bounded(Infinity), static_cast<double>(Infinity)));
+	EXPECT_EQ(0.0f, WeightAt(Bounded(100.0f), static_cast<double>(Infinity)));
+}
+
+TEST(VolumeWeight, SkipsAreExplained)
+{
+	EXPECT_EQ("out of radius: 150.5 cm away, BlendRadius 100.0",
+		ExplainSkip(EVolumeSkip::OutOfRadius, Bounded(100.0f), 150.5));
+	EXPECT_EQ("out of radius: 1e+200 cm away, BlendRadius 100.0",
+		ExplainSkip(EVolumeSkip::OutOfRadius, Bounded(100.0f), 1e200));
+	EXPECT_EQ("", ExplainSkip(EVolumeSkip::None, Bounded(100.0f), 0.0));
+}
+
 TEST(VolumeWeight, TinyWeightIsNotLost)
 {
 	// 1 - 99999.9 / 100000 = 1e-6
