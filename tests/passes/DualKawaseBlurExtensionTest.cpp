@@ -8,6 +8,7 @@
 #include "DualKawaseBlurErrors.h"
 #include "DualKawaseBlurPass.h"
 #include "ExtensionFactory.h"
+#include "PassFactory.h"
 #include "PostProcess/PostProcessMaterial.h"
 #include "RenderGraphNotes.h"
 
@@ -216,4 +217,35 @@ TEST(DualKawaseFactory, EveryPassIsOneOfTheEngines)
 		ASSERT_TRUE(Drydock::FindPassByName(Name).has_value()) << Name;
 		EXPECT_EQ(1, NumCallbacks(Extension, *Drydock::FindPassByName(Name))) << Name;
 	}
+}
+
+namespace
+{
+
+/** The inserted pass at its defaults. */
+FImage RunInserted(const FImage& Image, const char* Type)
+{
+	const Drydock::FPassFactory* Factory = Drydock::FindPassFactory(Type);
+	FPassRun Run(Image, EArithmetic::Native);
+	Drydock::FPassArguments Arguments;
+	Arguments.Inputs["Input"] = Run.Input;
+	Arguments.Values = Drydock::FParameterValues(Factory->Parameters);
+	return Run.Execute(Factory->Add(Run.GraphBuilder, Run.View, Arguments));
+}
+
+} // namespace
+
+TEST(DualKawaseFactory, TheBlurCanBeInsertedByName)
+{
+	const FImage Image = FImage::Noise(40, 30);
+	EXPECT_EQ(RunPass(Image, 3, 1.0f).Texels, RunInserted(Image, "DualKawase").Texels);
+}
+
+TEST(DualKawaseFactory, TheGaussianCanBeInsertedByName)
+{
+	// As wide as three levels at offset 1: variance 17/6 * 21.
+	const FImage Impulse = DualKawaseReference::Impulse(64, 60, 32, 30, 65504);
+	const DualKawaseReference::FMoments Moments =
+		DualKawaseReference::GetMoments(RunInserted(Impulse, "MatchedGaussian"), 32, 30);
+	EXPECT_NEAR(std::sqrt(17.0 / 6 * 21), std::sqrt(Moments.XX / Moments.Sum), 0.01);
 }
