@@ -127,7 +127,7 @@ public:
 				continue;
 			}
 			const std::optional<EPass> Pass = FindPass(Point.Pass);
-			At(Point.Pass) = Extensions.Subscribe(Point.Pass, View, Pass && Sequence.IsEnabled(*Pass));
+			At(Point.Pass) = Extensions.Subscribe(Point.Pass, View, !Pass || Sequence.IsEnabled(*Pass));
 			if (Pass)
 			{
 				Sequence.SetNumCallbacks(*Pass, static_cast<int32>(At(Point.Pass).size()));
