@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <set>
 
 namespace Drydock
@@ -94,6 +95,7 @@ FBandingFigures MeasureBanding(const FImage& Image, int Channel)
 			FindLongestRun(Image.Height, Range, [&](int Y) { return Image.Get(X, Y, Channel); }));
 	}
 	Figures.UniqueLevels = Levels.size();
+	Figures.DarkLevels = static_cast<uint64_t>(std::distance(Levels.begin(), Levels.lower_bound(0.05)));
 	return Figures;
 }
 

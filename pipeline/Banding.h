@@ -17,6 +17,8 @@ struct FBandingFigures
 {
 	/** Different values. NaN counts as none. */
 	uint64_t UniqueLevels = 0;
+	/** Those of them below 1/20, where an eye sees bands first. */
+	uint64_t DarkLevels = 0;
 	/** Texels in a row or column that have one value, strictly between the least and the greatest of the image. */
 	int LongestFlatRun = 0;
 	/** Pairs of horizontal and vertical neighbours by the size of their difference. */

@@ -347,7 +347,8 @@ std::vector<FPassRequest> ReadPassRequests(const FConfig& Config, std::vector<FD
 
 std::vector<std::string> GetPassResources()
 {
-	return {PictureResource, "SceneDepth", "Velocity", "GBufferA", "GBufferB", "GBufferC", "GBufferD", "CustomDepth"};
+	return {PictureResource, "SceneDepth", "Velocity", "GBufferA", "GBufferB", "GBufferC", "GBufferD", "CustomDepth",
+		"ToonShadow"};
 }
 
 } // namespace Drydock

@@ -6,6 +6,7 @@
 #include "RenderGraphBuilder.h"
 #include "RenderGraphNotes.h"
 #include "RunDump.h"
+#include "ToonShadowBlur.h"
 #include "ViewExtensions.h"
 
 #include <algorithm>
@@ -52,6 +53,7 @@ struct FViewOfFrame
 	// What the bleed of toon bloom is measured on, where it is active.
 	TRefCountPtr<IPooledRenderTarget> Bloom;
 	TRefCountPtr<IPooledRenderTarget> GBufferB;
+	TRefCountPtr<IPooledRenderTarget> BlurredToonShadow;
 };
 
 /** Passes the graph's events on to the host's observer, and keeps the compiled graph for the log. */
@@ -170,6 +172,7 @@ public:
 		for (const std::unique_ptr<FViewOfFrame>& View : Views)
 		{
 			MeasureBleed(*View);
+			MeasureBanding(*View);
 		}
 		for (size_t Index = 0; Index < Views.size(); ++Index)
 		{
@@ -221,8 +224,7 @@ private:
 		if (!AreSameFlags(Family.EngineShowFlags, Inputs.ShowFlags))
 		{
 			Target.Chain.ShowFlags = Family.EngineShowFlags;
-			const std::vector<FSettingGate> Gates =
-				ApplyShowFlags(Target.Chain.Settings, Family.EngineShowFlags);
+			const std::vector<FSettingGate> Gates = ApplyShowFlags(Target.Chain.Settings, Family.EngineShowFlags);
 			Target.Chain.Gates.insert(Target.Chain.Gates.end(), Gates.begin(), Gates.end());
 		}
 
@@ -338,13 +340,19 @@ private:
 			GraphBuilder.QueueTextureExtraction(Target.Outputs.Bloom.Texture, &Target.Bloom);
 			GraphBuilder.QueueTextureExtraction(SceneTextures.GBufferB, &Target.GBufferB);
 		}
+		if (Target.Outputs.BlurredToonShadow.IsValid())
+		{
+			GraphBuilder.QueueTextureExtraction(Target.Outputs.BlurredToonShadow.Texture, &Target.BlurredToonShadow);
+		}
 	}
 
-	/** The decision of an active toon bloom, or null. */
-	static FEffectDecision* FindToonBloom(FViewOfFrame& View)
+	static FEffectDecision* FindToonBloom(FViewOfFrame& View) { return FindActiveEffect(View, "ToonBloom"); }
+
+	/** The decision of an active effect, or null. */
+	static FEffectDecision* FindActiveEffect(FViewOfFrame& View, const char* Name)
 	{
 		const auto Found = std::find_if(View.Effects.begin(), View.Effects.end(),
-			[](const FEffectDecision& Effect) { return Effect.bActive && Effect.Name == "ToonBloom"; });
+			[&](const FEffectDecision& Effect) { return Effect.bActive && Effect.Name == Name; });
 		return Found == View.Effects.end() ? nullptr : &*Found;
 	}
 
@@ -355,6 +363,26 @@ private:
 			const FImage Bloom = CropToRgba(ReadTexture(*View.Bloom->GetRHI()), View.Outputs.Bloom.ViewRect);
 			FindToonBloom(View)->Bleed = MeasureToonBleed(Bloom,
 				ReadAlpha(*View.GBufferB->GetRHI(), View.View.ViewRect), static_cast<double>(View.View.PreExposure));
+		}
+	}
+
+	void MeasureBanding(FViewOfFrame& View)
+	{
+		FEffectDecision* const Effect = FindActiveEffect(View, "ToonShadowBlur");
+		if (!View.BlurredToonShadow || Effect == nullptr)
+		{
+			return;
+		}
+		FImage Shadow = ReadAlpha(*View.BlurredToonShadow->GetRHI(), View.Outputs.BlurredToonShadow.ViewRect);
+		for (double& Value : Shadow.Values)
+		{
+			Value = static_cast<double>(
+				DecodeToonShadowBlur(static_cast<float>(Value), View.Chain.Settings.ToonShadowBlurStore));
+		}
+		Effect->Banding = Drydock::MeasureBanding(Shadow, 0);
+		if (Result.BandingMap.Values.empty())
+		{
+			Result.BandingMap = MakeBandingMap(Shadow, 0);
 		}
 	}
 

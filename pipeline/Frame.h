@@ -24,7 +24,8 @@ struct FFrameView
 	std::string Name; // for reports; empty where there is only one view
 	FIntRect Rect;    // of the scene textures and of the output
 	FMinimalViewInfo Camera;
-	/** How the camera projects; Camera says where it stands and, once an extension has changed it, its field of view. */
+	/** How the camera projects; Camera says where it stands and, once an extension has changed it, its field of view.
+	 */
 	FSceneCamera Lens;
 	FIntRect PictureRect; // what the lens sees, in the scene textures; empty: the view's own Rect
 	float PreExposure = 1.0f;
@@ -66,6 +67,7 @@ struct FFrameResult
 	// Only of an executed frame.
 	FImage SceneLinear; // RGBA: the tonemapper's input, Rect only; black where no view is
 	FImage Final;       // RGBA: display-encoded, likewise
+	FImage BandingMap;  // RGB: of the blurred toon shadow of the first view that has one (Banding.h); else empty
 
 	// Only of one that was not.
 	FRDGCompiledGraph Graph;

@@ -53,7 +53,8 @@ private:
 		const FSceneTextures& Scene = View.GetSceneTexturesChecked();
 		const std::pair<const char*, FRDGTextureRef> Textures[] = {{"SceneDepth", Scene.Depth},
 			{"Velocity", Scene.Velocity}, {"GBufferA", Scene.GBufferA}, {"GBufferB", Scene.GBufferB},
-			{"GBufferC", Scene.GBufferC}, {"GBufferD", Scene.GBufferD}, {"CustomDepth", Scene.CustomDepth}};
+			{"GBufferC", Scene.GBufferC}, {"GBufferD", Scene.GBufferD}, {"CustomDepth", Scene.CustomDepth},
+			{"ToonShadow", Scene.ToonShadow}};
 		for (const auto& [Name, Texture] : Textures)
 		{
 			if (Resource == Name && Texture != nullptr)

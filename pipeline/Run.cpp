@@ -308,6 +308,7 @@ void RunGraph(const FRunOptions& Options, const FRunSetup& Setup, FScene& Scene,
 	}
 	Result.SceneLinear = std::move(Frame.SceneLinear);
 	Result.Final = std::move(Frame.Final);
+	Result.BandingMap = std::move(Frame.BandingMap);
 }
 
 /** Adds what is known only with the config to an error of a later stage. */

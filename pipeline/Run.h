@@ -74,6 +74,7 @@ struct FRunResult
 	std::vector<FRunPass> Passes; // those that executed
 	FImage SceneLinear;           // RGBA: the tonemapper's input, the view rect only
 	FImage Final;                 // RGBA, display-encoded, the view rect only
+	FImage BandingMap;            // RGB, of the blurred toon shadow; empty where there is none
 	std::vector<FRunDump> Dumps;
 	FRunTimes Times;
 

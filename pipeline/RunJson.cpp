@@ -49,6 +49,20 @@ void WriteEffects(FJsonWriter& Writer, const std::vector<FEffectDecision>& Effec
 			Writer.Member("ratio", Effect.Bleed->GetRatio());
 			Writer.EndObject();
 		}
+		if (Effect.Banding)
+		{
+			Writer.Key("banding").BeginObject(true);
+			Writer.Member("uniqueLevels", Effect.Banding->UniqueLevels);
+			Writer.Member("darkLevels", Effect.Banding->DarkLevels);
+			Writer.Member("longestFlatRun", Effect.Banding->LongestFlatRun);
+			Writer.Key("stepHistogram").BeginArray(true);
+			for (const uint64_t Count : Effect.Banding->StepHistogram)
+			{
+				Writer.Value(Count);
+			}
+			Writer.EndArray();
+			Writer.EndObject();
+		}
 		Writer.EndObject();
 	}
 	Writer.EndArray();

@@ -116,6 +116,10 @@ void WriteAside(const FRunResult& Result, const Files::path& Folder)
 	Jobs.push_back(
 		[&] { WriteExr((Folder / "final.exr").string(), TakeRgb(Result.Final), GetChannelNames(3), Display); });
 	Jobs.push_back([&] { WritePng((Folder / "final.png").string(), TakeRgb(Result.Final)); });
+	if (!Result.BandingMap.Values.empty())
+	{
+		Jobs.push_back([&] { WritePng((Folder / "toon_shadow_banding.png").string(), Result.BandingMap); });
+	}
 	for (const FRunDump& Dump : Result.Dumps)
 	{
 		const std::string Name = (Folder / "passes" / GetDumpFileName(Dump)).string();

@@ -2,6 +2,7 @@
 // engine PostProcess/PostProcessing.cpp (conditions); the record is drydock's.
 #pragma once
 
+#include "Banding.h"
 #include "FinalPostProcessSettings.h"
 #include "ToonBleed.h"
 
@@ -19,7 +20,8 @@ struct FEffectDecision
 	bool bActive = false;
 	bool bConfigured = false; // the config asks for it: not running is worth a line
 	std::string Reason;
-	std::optional<FToonBleed> Bleed; // of an executed ToonBloom
+	std::optional<FToonBleed> Bleed = {};        // of an executed ToonBloom
+	std::optional<FBandingFigures> Banding = {}; // of an executed ToonShadowBlur: the blurred shadow as it is stored
 };
 
 /** Every effect there is or will be, in the order of the frame. */

@@ -34,6 +34,7 @@ FImage Ramp(double Greatest, bool bRoot)
 TEST(Banding, LevelsAreCountedOnce)
 {
 	EXPECT_EQ(3u, MeasureBanding(Row({0, 0.5, 1, 0.5, 0}), 0).UniqueLevels);
+	EXPECT_EQ(2u, MeasureBanding(Row({0, 0.04, 0.05, 1, 0.04}), 0).DarkLevels);
 }
 
 TEST(Banding, LongestFlatRunLeavesOutTheEnds)

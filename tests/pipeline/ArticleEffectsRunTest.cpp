@@ -1,0 +1,158 @@
+// The articles' effects in whole frames: where they run, what they read and report, and that a config can build the
+// same chain pass by pass.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "Run.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace Drydock;
+
+namespace
+{
+
+FRunResult RunText(
+	const std::string& Settings, const std::string& More = "", const std::vector<std::string>& Variables = {})
+{
+	FRunOptions Options;
+	Options.ConfigFile = DRYDOCK_TEST_SOURCE_DIR "/configs/text.json";
+	Options.ConfigText =
+		R"({"scene": {"file": "scenes/toon_character_641x359.exr"}, "volumes": [{"bUnbound": true, "Settings": {)" +
+		Settings + "}}]" + More + "}";
+	Options.Variables = Variables;
+	return RunConfig(Options);
+}
+
+const FEffectDecision& FindEffect(const FRunResult& Result, const std::string& Name)
+{
+	return *std::find_if(Result.Effects.begin(), Result.Effects.end(),
+		[&](const FEffectDecision& Effect) { return Effect.Name == Name; });
+}
+
+/** Position of the first pass whose name begins so; -1 where there is none. */
+int FindPass(const FRunResult& Result, const std::string& Begin)
+{
+	const auto& Passes = Result.Graph.Passes;
+	const auto Found = std::find_if(
+		Passes.begin(), Passes.end(), [&](const FRDGCompiledPass& Pass) { return Pass.Name.rfind(Begin, 0) == 0; });
+	return Found == Passes.end() ? -1 : static_cast<int>(Found - Passes.begin());
+}
+
+std::vector<std::string> GetDecoded(const FRunResult& Result)
+{
+	std::vector<std::string> Names;
+	for (const FSceneChannel& Channel : Result.Channels)
+	{
+		if (Channel.bDecoded)
+		{
+			Names.push_back(Channel.Name);
+		}
+	}
+	return Names;
+}
+
+uint64_t CountDarkLevels(const std::string& Store)
+{
+	const FRunResult Result = RunText(R"("ToonShadowBlurIntensity": 1, "ToonShadowBlurStore": ")" + Store + R"(")");
+	return FindEffect(Result, "ToonShadowBlur").Banding->DarkLevels;
+}
+
+} // namespace
+
+TEST(ArticleEffectsRun, RedFollowsBloomWhereItIsPutThere)
+{
+	const std::string Settings = R"("GlowIntensity": 0.5)";
+	const FRunResult Before = RunText(Settings);
+	EXPECT_LT(FindPass(Before, "RED.Glow"), FindPass(Before, "Bloom1Y"));
+	const FRunResult After = RunText(Settings, "", {"r.REDPostprocessAfterTranslucency=2"});
+	EXPECT_GT(FindPass(After, "BloomComposite"), FindPass(After, "Bloom1Y"));
+	EXPECT_GT(FindPass(After, "RED.Glow"), FindPass(After, "BloomComposite"));
+}
+
+TEST(ArticleEffectsRun, BloomCompositedBeforeTheTonemapperGivesThePictureOfBloomAddedInIt)
+{
+	// A glow of no strength: the chain after bloom without a change of its own.
+	const FRunResult Plain = RunText(R"("BloomIntensity": 1)");
+	const FRunResult Composited = RunText(R"("BloomIntensity": 1, "CharaGlowArea": 1, "CharaGlowColor": [1, 1, 1, 0])",
+		"", {"r.REDPostprocessAfterTranslucency=2"});
+	ASSERT_GE(FindPass(Composited, "BloomComposite"), 0);
+	double Largest = 0;
+	for (size_t Index = 0; Index < Plain.Final.Values.size(); ++Index)
+	{
+		Largest = std::max(Largest, std::abs(Plain.Final.Values[Index] - Composited.Final.Values[Index]));
+	}
+	EXPECT_LE(Largest, 1.01 / 255); // the composite is stored in half once more
+}
+
+TEST(ArticleEffectsRun, UnityBloomAfterTheTonemapperWritesTheOutput)
+{
+	const std::string Settings = R"("BloomIntensity": 0, "UnityBloomIntensity": 1)";
+	const FRunResult Before = RunText(Settings);
+	EXPECT_LT(FindPass(Before, "UnityBloom.Composite"), FindPass(Before, "Tonemap"));
+	const FRunResult After = RunText(Settings, "", {"r.UnityBloom.Insertion=1"});
+	EXPECT_GT(FindPass(After, "UnityBloom.Composite"), FindPass(After, "Tonemap"));
+	EXPECT_NE(Before.Final.Values, After.Final.Values);
+	EXPECT_NE(RunText(R"("BloomIntensity": 0)").Final.Values, After.Final.Values);
+}
+
+TEST(ArticleEffectsRun, EachEffectDecodesOnlyItsChannels)
+{
+	using testing::Contains;
+	using testing::Not;
+	const std::vector<std::string> Glow = GetDecoded(RunText(R"("CharaGlowArea": 3)"));
+	EXPECT_THAT(Glow, Contains("custommask.B"));
+	EXPECT_THAT(Glow, Not(Contains("depth.Z")));
+	const std::vector<std::string> Dof = GetDecoded(RunText(R"("REDDofFocalDistance": 400)"));
+	EXPECT_THAT(Dof, Contains("depth.Z"));
+	EXPECT_THAT(Dof, Not(Contains("custommask.B")));
+	const std::vector<std::string> Shadow = GetDecoded(RunText(R"("ToonShadowBlurIntensity": 1)"));
+	EXPECT_THAT(Shadow, testing::IsSupersetOf({"shadow.R", "shadow.G", "basecolor.R", "shadingmodel.ID"}));
+}
+
+TEST(ArticleEffectsRun, SquareRootKeepsMoreDarkLevels)
+{
+	// Below 1/20 lie 13 levels of 8 bit, and 57 squares of them.
+	EXPECT_LE(CountDarkLevels("SixteenBit"), 13u);
+	EXPECT_LE(CountDarkLevels("EightBit"), 13u);
+	EXPECT_GE(CountDarkLevels("SqrtEightBit"), 26u);
+}
+
+TEST(ArticleEffectsRun, ReportHoldsBandingAndTheMapIsThere)
+{
+	const FRunResult Result = RunText(R"("ToonShadowBlurIntensity": 1)");
+	EXPECT_THAT(Result.RunJson, testing::HasSubstr("\"uniqueLevels\""));
+	EXPECT_EQ(641, Result.BandingMap.Width);
+	EXPECT_TRUE(RunText("").BandingMap.Values.empty());
+}
+
+TEST(ArticleEffectsRun, InsertedPassesBuildTheChainOfTheSettings)
+{
+	const FRunResult BySettings = RunText(R"("GlowIntensity": 0.5)");
+	const FRunResult ByPasses = RunText("", R"(, "passes": [
+		{"type": "REDDownSample", "at": "MotionBlur", "name": "Half", "replace": false},
+		{"type": "REDBlurH", "at": "MotionBlur", "name": "H", "replace": false, "inputs": {"Input": "Half"}},
+		{"type": "REDBlurV", "at": "MotionBlur", "name": "V", "replace": false, "inputs": {"Input": "H"}},
+		{"type": "REDGlow", "at": "MotionBlur", "inputs": {"Blurred": "V"}, "parameters": {"Intensity": 0.5}}])");
+	EXPECT_EQ(BySettings.Final.Values, ByPasses.Final.Values);
+}
+
+TEST(ArticleEffectsRun, CharaGlowPassByPassIsTheEffect)
+{
+	const FRunResult BySettings = RunText(R"("CharaGlowArea": 5.5, "CharaGlowColor": [1, 0.5, 0.25, 1])");
+	const FRunResult ByPasses = RunText("", R"(, "passes": [
+		{"type": "CharaGlow", "at": "MotionBlur", "name": "Wide", "replace": false, "parameters": {"Area": 5.5}},
+		{"type": "CharaGlowComp", "at": "MotionBlur", "inputs": {"Widened": "Wide"}, "parameters": {"Color": [1, 0.5, 0.25, 1]}}])");
+	EXPECT_EQ(BySettings.Final.Values, ByPasses.Final.Values);
+}
+
+TEST(ArticleEffectsRun, BlurOfOneEffectServesAnother)
+{
+	// The Unity lesson's blur under the RED glow: a combination that no article has.
+	const FRunResult Result = RunText("", R"(, "passes": [
+		{"type": "UnityBloomGaussianBlurVertical", "at": "MotionBlur", "name": "V", "replace": false, "parameters": {"Spread": 2}},
+		{"type": "REDGlow", "at": "MotionBlur", "inputs": {"Blurred": "V"}, "parameters": {"Intensity": 0.5}}])");
+	EXPECT_GT(FindPass(Result, "RED.Glow"), FindPass(Result, "UnityBloom.GaussianBlurVertical"));
+	EXPECT_NE(RunText("").Final.Values, Result.Final.Values);
+}
