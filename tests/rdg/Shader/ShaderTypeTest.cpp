@@ -148,7 +148,8 @@ TEST(ShaderCompileRequest, DeclaresTheUniformBuffersOfTheStruct)
 		testing::ElementsAre("ScreenToWorld", "PreExposure", "Planes", "SharedSampler", "Noise"));
 	ASSERT_EQ(1u, Request.GeneratedFiles.size());
 	EXPECT_EQ("/Engine/Generated/GeneratedUniformBuffers.ush", Request.GeneratedFiles[0].first);
-	EXPECT_EQ("#pragma once\ncbuffer TestView\n{\n\tfloat4x4 TestView_ScreenToWorld;\n\tfloat "
+	EXPECT_EQ("#pragma once\n#define HAS_UNIFORM_BUFFER_TestView 1\ncbuffer TestView\n{\n\tfloat4x4 "
+			  "TestView_ScreenToWorld;\n\tfloat "
 			  "TestView_PreExposure;\n\tfloat4 TestView_Planes[3];\n};\n"
 			  "SamplerState TestView_SharedSampler;\nTexture2D TestView_Noise;\n",
 		Request.GeneratedFiles[0].second);
