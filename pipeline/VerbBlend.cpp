@@ -1,10 +1,12 @@
 // `drydock blend`. Source: drydock.
 #include "BlendReport.h"
 #include "ConfigErrors.h"
+#include "EngineProfile.h"
 #include "FinalSettings.h"
 #include "ProgressBar.h"
 #include "RunSetup.h"
 #include "Verbs.h"
+#include "ViewExtensions.h"
 
 #include <charconv>
 #include <cmath>
@@ -26,6 +28,27 @@ std::string ExplainLocation(const FVerbOptions& Options, const FConfig& Config)
 										  : "no volume asks where";
 }
 
+/** View extensions have the last word: what those of the config and its plugins do to the settings in SetupView, on a
+ * view that has no frame. */
+void AddExtensionEdits(const FRunSetup& Setup, FBlendReport& Report)
+{
+	FHookLog Log;
+	FViewExtensionFrame Extensions(ParseEngineVersion(Setup.Config.Engine.Value), Log);
+	FSceneViewFamily Family;
+	Family.EngineShowFlags = Setup.Chain.ShowFlags;
+	Extensions.Gather(Family, Setup.Plugins);
+	Extensions.SetupViewFamily(Family);
+
+	FViewInfo View;
+	View.Family = &Family;
+	View.ViewLocation = Report.Location;
+	View.FinalPostProcessSettings = Report.Blended.Settings;
+	Family.Views.Add(&View);
+	Extensions.SetupView(Family, {&View, ""}, Report.Blended.Gates, &Report.Ledger);
+	Report.Blended.Settings = View.FinalPostProcessSettings;
+	Report.Diagnostics.insert(Report.Diagnostics.end(), Log.Diagnostics.begin(), Log.Diagnostics.end());
+}
+
 /** Console variables are those of the setup, which must live on. */
 FBlendReport MakeReport(const FVerbOptions& Options, const FRunSetup& Setup)
 {
@@ -43,6 +66,7 @@ FBlendReport MakeReport(const FVerbOptions& Options, const FRunSetup& Setup)
 	Report.Volumes = Blender.FindVolumes(Report.Location);
 	Report.Blended = Blender.At(Report.Location, &Report.Ledger);
 	Report.Diagnostics = Setup.Diagnostics;
+	AddExtensionEdits(Setup, Report);
 	return Report;
 }
 

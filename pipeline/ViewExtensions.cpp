@@ -200,7 +200,8 @@ void FViewExtensionFrame::SetupViewProjectionMatrix(
 	}
 }
 
-void FViewExtensionFrame::SetupView(FSceneViewFamily& Family, const FNamedView& View, std::vector<FSettingGate>& Gates)
+void FViewExtensionFrame::SetupView(
+	FSceneViewFamily& Family, const FNamedView& View, std::vector<FSettingGate>& Gates, FBlendLedger* Ledger)
 {
 	for (FExtension& Extension : Extensions)
 	{
@@ -210,7 +211,7 @@ void FViewExtensionFrame::SetupView(FSceneViewFamily& Family, const FNamedView& 
 		if (Extension.Info.Has(EExtensionHook::SetupView))
 		{
 			const std::vector<FSettingGate> Edits =
-				RecordExtensionEdits(Before, View.View->FinalPostProcessSettings, Extension.Label);
+				RecordExtensionEdits(Before, View.View->FinalPostProcessSettings, Extension.Label, Ledger);
 			Log.Calls.back().Did = DescribeChanges(Before, View.View->FinalPostProcessSettings);
 			Gates.insert(Gates.end(), Edits.begin(), Edits.end());
 		}

@@ -50,8 +50,9 @@ public:
 	void SetupViewFamily(FSceneViewFamily& Family);
 	void SetupViewPoint(const std::string& ViewName, FMinimalViewInfo& ViewInfo);
 	void SetupViewProjectionMatrix(const std::string& ViewName, FSceneViewProjectionData& ProjectionData);
-	/** What they change of the settings is appended to Gates. */
-	void SetupView(FSceneViewFamily& Family, const FNamedView& View, std::vector<FSettingGate>& Gates);
+	/** What they change of the settings is appended to Gates, and told in Ledger unless that is null. */
+	void SetupView(FSceneViewFamily& Family, const FNamedView& View, std::vector<FSettingGate>& Gates,
+		FBlendLedger* Ledger = nullptr);
 	void BeginRenderViewFamily(FSceneViewFamily& Family);
 
 	// Render thread, in this order. Each extension has its family hook called and then those of its views.

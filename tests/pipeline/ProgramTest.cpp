@@ -357,6 +357,16 @@ TEST_F(DrydockProgram, BlendTellsTheStoryOfWhatChanged)
 	EXPECT_TRUE(Contains(Outcome.Out, "nothing that names them acts here: FilmSlope"));
 }
 
+TEST_F(DrydockProgram, BlendEndsWithWhatExtensionsDo)
+{
+	Write("a.json", R"({"plugins": [")" DRYDOCK_TEST_BINARY_DIR R"(/lib/libTestPlugin.so"],
+		"cvars": {"r.TestPlugin.Enabled": 1}})");
+	const FOutcome Outcome = Call("blend a.json");
+	EXPECT_EQ(0, Outcome.ExitCode);
+	EXPECT_TRUE(Contains(Outcome.Out, "VignetteIntensity = 0.75\n"));
+	EXPECT_TRUE(Contains(Outcome.Out, "FTestPluginExtension"));
+}
+
 TEST_F(DrydockProgram, BlendAtAnotherPlace)
 {
 	Write("a.json", R"({"volumes": [{"bounds": {"type": "sphere", "center": [-100, 0, 0], "radius": 1},

@@ -1,5 +1,5 @@
-// A plugin as for Unreal: a module that makes a view extension, which turns the picture red after the tonemapper while
-// its console variable is on. ConfigPluginsTest.cpp loads it.
+// A plugin as for Unreal: a module that makes a view extension, which turns the picture red after the tonemapper and
+// sets the vignette while its console variable is on. ConfigPluginsTest.cpp loads it.
 #include "Modules/ModuleManager.h"
 #include "PostProcess/PostProcessing.h"
 
@@ -14,7 +14,13 @@ public:
 	{
 	}
 	void SetupViewFamily(FSceneViewFamily& InViewFamily) override{};
-	void SetupView(FSceneViewFamily& InViewFamily, FSceneView& InView) override{};
+	void SetupView(FSceneViewFamily& InViewFamily, FSceneView& InView) override
+	{
+		if (CVarEnabled.GetValueOnGameThread() != 0)
+		{
+			InView.FinalPostProcessSettings.VignetteIntensity = 0.75f;
+		}
+	}
 	void BeginRenderViewFamily(FSceneViewFamily& InViewFamily) override{};
 	void SubscribeToPostProcessingPass(
 		EPostProcessingPass PassId, FAfterPassCallbackDelegateArray& InOutPassCallbacks, bool bIsPassEnabled) override
