@@ -4,6 +4,7 @@
 #include "CharaGlowShaders.h"
 #include "HAL/IConsoleManager.h"
 #include "PixelShaderUtils.h"
+#include "RasterTarget.h"
 #include "REDPostProcess.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphUtils.h"
@@ -63,18 +64,6 @@ public:
 
 IMPLEMENT_GLOBAL_SHADER(FCharaGlowCompPS, "/Project/CharaGlow.usf", "CompPS", SF_Pixel);
 
-FScreenPassRenderTarget CreateTarget(
-	FRDGBuilder& GraphBuilder, const FScreenPassTexture& Like, EPixelFormat Format, const TCHAR* Name)
-{
-	FRDGTextureDesc Desc = Like.Texture->Desc;
-	Desc.Reset();
-	Desc.Format = Format;
-	Desc.Flags &= ~(TexCreate_RenderTargetable | TexCreate_UAV);
-	Desc.Flags |= TexCreate_ShaderResource | TexCreate_RenderTargetable;
-	return FScreenPassRenderTarget(
-		GraphBuilder.CreateTexture(Desc, Name), Like.ViewRect, ERenderTargetLoadAction::ENoAction);
-}
-
 /** Source: what has the mask's viewport, or the rows. */
 FCharaGlowBoxParameters* MakeBoxParameters(FRDGBuilder& GraphBuilder, const FCharaGlowInputs& Inputs,
 	const FScreenPassTexture& Source, const FScreenPassRenderTarget& Output)
@@ -96,7 +85,8 @@ FScreenPassTexture AddBoxPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, 
 	const FScreenPassTexture& Source, bool bColumns)
 {
 	const TCHAR* const Name = bColumns ? TEXT("CharaGlow") : TEXT("CharaGlowRows");
-	const FScreenPassRenderTarget Output = CreateTarget(GraphBuilder, Inputs.SceneColor, PF_R16F, Name);
+	const FScreenPassRenderTarget Output =
+		Drydock::CreateRasterTargetLike(GraphBuilder, Inputs.SceneColor, Name, PF_R16F);
 	FCharaGlowBoxPS::FPermutationDomain Permutation;
 	Permutation.Set<FCharaGlowBoxPS::FColumnsDimension>(bColumns);
 	TShaderMapRef<FCharaGlowBoxPS> PixelShader(View.ShaderMap, Permutation);
@@ -108,7 +98,8 @@ FScreenPassTexture AddBoxPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, 
 
 FScreenPassTexture AddPrintedPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FCharaGlowInputs& Inputs)
 {
-	const FScreenPassRenderTarget Output = CreateTarget(GraphBuilder, Inputs.SceneColor, PF_R16F, TEXT("CharaGlow"));
+	const FScreenPassRenderTarget Output =
+		Drydock::CreateRasterTargetLike(GraphBuilder, Inputs.SceneColor, TEXT("CharaGlow"), PF_R16F);
 	TShaderMapRef<FCharaGlowPrintedPS> PixelShader(View.ShaderMap);
 	FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
 		RDG_EVENT_NAME("CharaGlow %dx%d (as printed)", Output.ViewRect.Width(), Output.ViewRect.Height()), PixelShader,
@@ -152,10 +143,10 @@ FScreenPassTexture AddCharaGlowCompPass(FRDGBuilder& GraphBuilder, const FViewIn
 	check(BlurredMask.IsValid());
 	check(Inputs.SceneTextures);
 
-	const FScreenPassRenderTarget Output = Inputs.OverrideOutput.IsValid()
-											   ? Inputs.OverrideOutput
-											   : CreateTarget(GraphBuilder, Inputs.SceneColor,
-													 Inputs.SceneColor.Texture->Desc.Format, TEXT("CharaGlowComp"));
+	const FScreenPassRenderTarget Output =
+		Inputs.OverrideOutput.IsValid()
+			? Inputs.OverrideOutput
+			: Drydock::CreateRasterTargetLike(GraphBuilder, Inputs.SceneColor, TEXT("CharaGlowComp"));
 
 	auto* PassParameters = GraphBuilder.AllocParameters<FCharaGlowCompPS::FParameters>();
 	PassParameters->SceneTextures = GetSceneTextureShaderParameters(Inputs.SceneTextures);

@@ -5,6 +5,7 @@
 #include "PixelShaderUtils.h"
 #include "PostProcessWeightedSampleSum.h"
 #include "RHIStaticStates.h"
+#include "RasterTarget.h"
 #include "REDPostProcess.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphUtils.h"
@@ -64,23 +65,6 @@ float InvertTransition(float Transition)
 	return Transition > 1.0f / Steepest ? 1.0f / Transition : Steepest;
 }
 
-FScreenPassRenderTarget CreateTarget(
-	FRDGBuilder& GraphBuilder, const FScreenPassTexture& Like, bool bHalf, const TCHAR* Name)
-{
-	FRDGTextureDesc Desc = Like.Texture->Desc;
-	FIntRect Rect = Like.ViewRect;
-	Desc.Reset();
-	if (bHalf)
-	{
-		Desc.Extent = FIntPoint::DivideAndRoundUp(Rect.Size(), 2);
-		Desc.Format = PF_FloatRGBA;
-		Rect = FIntRect(FIntPoint::ZeroValue, Desc.Extent);
-	}
-	Desc.Flags &= ~(TexCreate_RenderTargetable | TexCreate_UAV);
-	Desc.Flags |= TexCreate_ShaderResource | TexCreate_RenderTargetable;
-	return FScreenPassRenderTarget(GraphBuilder.CreateTexture(Desc, Name), Rect, ERenderTargetLoadAction::ENoAction);
-}
-
 FREDDepthOfFieldParameters* MakeParameters(FRDGBuilder& GraphBuilder, const FViewInfo& View,
 	const FREDDepthOfFieldInputs& Inputs, const FScreenPassRenderTarget& Output)
 {
@@ -102,8 +86,9 @@ FScreenPassTexture AddLayer(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FREDDepthOfFieldInputs& Inputs, ELayer Layer)
 {
 	const bool bFar = Layer == ELayer::Far;
-	const FScreenPassRenderTarget Output =
-		CreateTarget(GraphBuilder, Inputs.SceneColor, true, bFar ? TEXT("REDDofFarSetup") : TEXT("REDDofNearSetup"));
+	const FScreenPassRenderTarget Output = Drydock::CreateSmallRasterTarget(GraphBuilder, Inputs.SceneColor,
+		FIntPoint::DivideAndRoundUp(Inputs.SceneColor.ViewRect.Size(), 2),
+		bFar ? TEXT("REDDofFarSetup") : TEXT("REDDofNearSetup"), PF_FloatRGBA);
 	FREDDepthOfFieldSetupPS::FPermutationDomain Permutation;
 	Permutation.Set<FREDDepthOfFieldSetupPS::FWeightDimension>(bFar && !Inputs.bAsPrinted);
 	TShaderMapRef<FREDDepthOfFieldSetupPS> PixelShader(View.ShaderMap, Permutation);
@@ -152,8 +137,9 @@ FScreenPassTexture AddREDDepthOfFieldPasses(
 	const FScreenPassTexture Near = AddLayer(GraphBuilder, View, Inputs, ELayer::Near);
 
 	const FScreenPassRenderTarget Output =
-		Inputs.OverrideOutput.IsValid() ? Inputs.OverrideOutput
-										: CreateTarget(GraphBuilder, Inputs.SceneColor, false, TEXT("REDDepthOfField"));
+		Inputs.OverrideOutput.IsValid()
+			? Inputs.OverrideOutput
+			: Drydock::CreateRasterTargetLike(GraphBuilder, Inputs.SceneColor, TEXT("REDDepthOfField"));
 	FREDDepthOfFieldParameters* Parameters = MakeParameters(GraphBuilder, View, Inputs, Output);
 	Parameters->Layer = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Far));
 	Parameters->FarTexture = Far.Texture;

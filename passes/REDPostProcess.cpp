@@ -5,6 +5,7 @@
 #include "HAL/IConsoleManager.h"
 #include "PixelShaderUtils.h"
 #include "RHIStaticStates.h"
+#include "RasterTarget.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphUtils.h"
 #include "SceneRendering.h"
@@ -74,18 +75,11 @@ bool ReadsBlurred(EREDPostProcessPass Pass)
 
 FScreenPassRenderTarget CreateOutput(FRDGBuilder& GraphBuilder, const FREDPostProcessPassInputs& Inputs)
 {
-	FRDGTextureDesc Desc = Inputs.SceneColor.Texture->Desc;
-	Desc.Reset();
-	Desc.Flags &= ~(TexCreate_RenderTargetable | TexCreate_UAV);
-	Desc.Flags |= TexCreate_ShaderResource | TexCreate_RenderTargetable;
-	FIntRect Rect = Inputs.SceneColor.ViewRect;
-	if (Inputs.Pass == EREDPostProcessPass::DownSample)
-	{
-		Desc.Extent = FIntPoint::DivideAndRoundUp(Rect.Size(), 2);
-		Rect = FIntRect(FIntPoint::ZeroValue, Desc.Extent);
-	}
 	const TCHAR* const Name = Inputs.Name ? Inputs.Name : Drydock::ToString(Inputs.Pass);
-	return FScreenPassRenderTarget(GraphBuilder.CreateTexture(Desc, Name), Rect, ERenderTargetLoadAction::ENoAction);
+	return Inputs.Pass == EREDPostProcessPass::DownSample
+			   ? Drydock::CreateSmallRasterTarget(GraphBuilder, Inputs.SceneColor,
+					 FIntPoint::DivideAndRoundUp(Inputs.SceneColor.ViewRect.Size(), 2), Name)
+			   : Drydock::CreateRasterTargetLike(GraphBuilder, Inputs.SceneColor, Name);
 }
 
 FREDPostProcessPS::FPermutationDomain GetPermutation(const FREDPostProcessPassInputs& Inputs)

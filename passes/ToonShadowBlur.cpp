@@ -6,6 +6,7 @@
 #include "PixelShaderUtils.h"
 #include "PostProcessGaussianBloom.h"
 #include "RHIStaticStates.h"
+#include "RasterTarget.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphUtils.h"
 #include "SceneRendering.h"
@@ -83,18 +84,6 @@ IMPLEMENT_GLOBAL_SHADER(FToonShadowSetupPS, "/Project/ToonShadowBlur.usf", "Setu
 IMPLEMENT_GLOBAL_SHADER(FToonShadowCombinePS, "/Project/ToonShadowBlur.usf", "CombinePS", SF_Pixel);
 IMPLEMENT_GLOBAL_SHADER(FToonShadowLightingPS, "/Project/ToonShadowBlur.usf", "LightingPS", SF_Pixel);
 
-FScreenPassRenderTarget CreateTarget(
-	FRDGBuilder& GraphBuilder, const FScreenPassTexture& Like, EPixelFormat Format, const TCHAR* Name)
-{
-	FRDGTextureDesc Desc = Like.Texture->Desc;
-	Desc.Reset();
-	Desc.Format = Format;
-	Desc.Flags &= ~(TexCreate_RenderTargetable | TexCreate_UAV);
-	Desc.Flags |= TexCreate_ShaderResource | TexCreate_RenderTargetable;
-	return FScreenPassRenderTarget(
-		GraphBuilder.CreateTexture(Desc, Name), Like.ViewRect, ERenderTargetLoadAction::ENoAction);
-}
-
 FScreenPassTextureViewportParameters GetViewportOf(const FScreenPassTexture& Texture)
 {
 	return GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Texture));
@@ -102,8 +91,8 @@ FScreenPassTextureViewportParameters GetViewportOf(const FScreenPassTexture& Tex
 
 FScreenPassTexture AddSetupPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FToonShadowBlurInputs& Inputs)
 {
-	const FScreenPassRenderTarget Output = CreateTarget(
-		GraphBuilder, Inputs.ToonShadow, Drydock::GetToonShadowBlurFormat(Inputs.Store), TEXT("ToonShadowSetup"));
+	const FScreenPassRenderTarget Output = Drydock::CreateRasterTargetLike(
+		GraphBuilder, Inputs.ToonShadow, TEXT("ToonShadowSetup"), Drydock::GetToonShadowBlurFormat(Inputs.Store));
 
 	auto* PassParameters = GraphBuilder.AllocParameters<FToonShadowSetupPS::FParameters>();
 	PassParameters->ToonShadow = GetViewportOf(Inputs.ToonShadow);
@@ -121,8 +110,8 @@ FScreenPassTexture AddSetupPass(FRDGBuilder& GraphBuilder, const FViewInfo& View
 FScreenPassTexture AddCombinePass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FToonShadowBlurInputs& Inputs,
 	const FScreenPassTexture& Blurred)
 {
-	const FScreenPassRenderTarget Output = CreateTarget(
-		GraphBuilder, Inputs.ToonShadow, Inputs.ToonShadow.Texture->Desc.Format, TEXT("ToonShadowBlurred"));
+	const FScreenPassRenderTarget Output =
+		Drydock::CreateRasterTargetLike(GraphBuilder, Inputs.ToonShadow, TEXT("ToonShadowBlurred"));
 
 	auto* PassParameters = GraphBuilder.AllocParameters<FToonShadowCombinePS::FParameters>();
 	PassParameters->ToonShadow = GetViewportOf(Inputs.ToonShadow);
@@ -191,9 +180,9 @@ FScreenPassTexture AddToonShadowLightingPass(
 	check(Inputs.SceneTextures);
 
 	const FScreenPassRenderTarget Output =
-		Inputs.OverrideOutput.IsValid() ? Inputs.OverrideOutput
-										: CreateTarget(GraphBuilder, Inputs.SceneColor,
-											  Inputs.SceneColor.Texture->Desc.Format, TEXT("ToonShadowLighting"));
+		Inputs.OverrideOutput.IsValid()
+			? Inputs.OverrideOutput
+			: Drydock::CreateRasterTargetLike(GraphBuilder, Inputs.SceneColor, TEXT("ToonShadowLighting"));
 
 	auto* PassParameters = GraphBuilder.AllocParameters<FToonShadowLightingPS::FParameters>();
 	PassParameters->SceneTextures = GetSceneTextureShaderParameters(Inputs.SceneTextures);

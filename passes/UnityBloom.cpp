@@ -6,6 +6,7 @@
 #include "PixelShaderUtils.h"
 #include "PostProcessSettings.h"
 #include "RHIStaticStates.h"
+#include "RasterTarget.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphUtils.h"
 #include "SceneRendering.h"
@@ -60,25 +61,15 @@ public:
 
 IMPLEMENT_GLOBAL_SHADER(FUnityBloomPS, "/Project/UnityBloom.usf", "MainPS", SF_Pixel);
 
-FScreenPassRenderTarget CreateTarget(FRDGBuilder& GraphBuilder, FRDGTextureDesc Desc, FIntRect Rect, const TCHAR* Name)
-{
-	Desc.Reset();
-	Desc.Flags &= ~(TexCreate_RenderTargetable | TexCreate_UAV);
-	Desc.Flags |= TexCreate_ShaderResource | TexCreate_RenderTargetable;
-	return FScreenPassRenderTarget(GraphBuilder.CreateTexture(Desc, Name), Rect, ERenderTargetLoadAction::ENoAction);
-}
-
-/** The small target starts at the texture's origin: it holds the rect and nothing else. */
+/** The target of extract and blurs. */
 FScreenPassRenderTarget CreateSmallTarget(FRDGBuilder& GraphBuilder, const FUnityBloomInputs& Inputs)
 {
 	const int32 Divisor = FMath::Max(1, Inputs.DownSample);
 	const FIntPoint FullSize = Inputs.SceneColor.ViewRect.Size();
 	const FIntPoint Size = Inputs.bAsPrinted ? FIntPoint(FullSize.X / Divisor, FullSize.Y / Divisor)
 											 : FIntPoint::DivideAndRoundUp(FullSize, Divisor);
-	FRDGTextureDesc Desc = Inputs.SceneColor.Texture->Desc;
-	Desc.Extent = FIntPoint(FMath::Max(1, Size.X), FMath::Max(1, Size.Y));
-	Desc.Format = Inputs.bAsPrinted ? PF_B8G8R8A8 : PF_FloatRGBA;
-	return CreateTarget(GraphBuilder, Desc, FIntRect(FIntPoint::ZeroValue, Desc.Extent), TEXT("UnityBloom.Extract"));
+	return Drydock::CreateSmallRasterTarget(GraphBuilder, Inputs.SceneColor, Size, TEXT("UnityBloom.Extract"),
+		Inputs.bAsPrinted ? PF_B8G8R8A8 : PF_FloatRGBA);
 }
 
 } // namespace
@@ -118,10 +109,9 @@ FScreenPassTexture AddUnityBloomPass(
 	check(!bComposite || Inputs.Bloom.IsValid());
 
 	const TCHAR* const Name = Inputs.Name ? Inputs.Name : Drydock::ToString(Inputs.Pass);
-	const FScreenPassRenderTarget Output =
-		Inputs.OverrideOutput.IsValid()
-			? Inputs.OverrideOutput
-			: CreateTarget(GraphBuilder, Inputs.Source.Texture->Desc, Inputs.Source.ViewRect, Name);
+	const FScreenPassRenderTarget Output = Inputs.OverrideOutput.IsValid()
+											   ? Inputs.OverrideOutput
+											   : Drydock::CreateRasterTargetLike(GraphBuilder, Inputs.Source, Name);
 	FRHISamplerState* const BilinearClamp = TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
 
 	FUnityBloomPS::FParameters* PassParameters = GraphBuilder.AllocParameters<FUnityBloomPS::FParameters>();

@@ -1,4 +1,5 @@
-// Runs in this process: what ends up in the graph, in the report and in the pictures.
+// Runs in this process: what ends up in the graph, in the report and in the pictures. Past 500 lines: all cases share the
+// small scene and the helpers that make and run it.
 #include <gtest/gtest.h>
 
 #include "ConfigErrors.h"

@@ -1,0 +1,41 @@
+// New render targets of full-screen raster passes: nothing of them is loaded or cleared, because the pass writes every
+// texel of the rect. Source: drydock, after the engine's FScreenPassRenderTarget::CreateFromInput, which keeps the
+// flags and so may not be a render target.
+#pragma once
+
+#include "RenderGraphBuilder.h"
+#include "ScreenPass.h"
+
+namespace Drydock
+{
+
+/** Of this extent and format, readable by shaders; Rect in texels, inside the extent. Name is kept as a pointer. */
+inline FScreenPassRenderTarget CreateRasterTarget(
+	FRDGBuilder& GraphBuilder, FRDGTextureDesc Desc, const FIntRect& Rect, const TCHAR* Name)
+{
+	Desc.Reset();
+	Desc.Flags &= ~(TexCreate_RenderTargetable | TexCreate_UAV);
+	Desc.Flags |= TexCreate_ShaderResource | TexCreate_RenderTargetable;
+	return FScreenPassRenderTarget(GraphBuilder.CreateTexture(Desc, Name), Rect, ERenderTargetLoadAction::ENoAction);
+}
+
+/** Of Like's extent and rect; PF_Unknown: of its format too. */
+inline FScreenPassRenderTarget CreateRasterTargetLike(
+	FRDGBuilder& GraphBuilder, const FScreenPassTexture& Like, const TCHAR* Name, EPixelFormat Format = PF_Unknown)
+{
+	FRDGTextureDesc Desc = Like.Texture->Desc;
+	Desc.Format = Format != PF_Unknown ? Format : Desc.Format;
+	return CreateRasterTarget(GraphBuilder, Desc, Like.ViewRect, Name);
+}
+
+/** Holds a rect of this size, in texels, and nothing else: it starts at the texture's origin. */
+inline FScreenPassRenderTarget CreateSmallRasterTarget(FRDGBuilder& GraphBuilder, const FScreenPassTexture& Like,
+	FIntPoint Size, const TCHAR* Name, EPixelFormat Format = PF_Unknown)
+{
+	FRDGTextureDesc Desc = Like.Texture->Desc;
+	Desc.Extent = FIntPoint(FMath::Max(1, Size.X), FMath::Max(1, Size.Y));
+	Desc.Format = Format != PF_Unknown ? Format : Desc.Format;
+	return CreateRasterTarget(GraphBuilder, Desc, FIntRect(FIntPoint::ZeroValue, Desc.Extent), Name);
+}
+
+} // namespace Drydock

@@ -1,0 +1,45 @@
+// The RED passes by name: what a config's parameters make of them.
+#include "FactoryTestUtils.h"
+
+using namespace PassTest;
+
+TEST(REDPostProcessFactories, DownSampleHalves)
+{
+	EXPECT_EQ(3, RunFactory("REDDownSample", FImage(6, 4)).Width);
+}
+
+TEST(REDPostProcessFactories, BlurAsPrintedDoublesTheLight)
+{
+	FImage Image(21, 1, {0, 0, 0, 0});
+	Image.At(10, 0) = {1, 1, 1, 1};
+	EXPECT_NEAR(1, PassReference::SumOf(RunFactory("REDBlurH", Image), 0), 1e-6);
+	EXPECT_NEAR(1.9952, PassReference::SumOf(RunFactory("REDBlurH", Image, {{"AsPrinted", true}}), 0), 1e-6);
+}
+
+TEST(REDPostProcessFactories, DiffusionFilterTakesItsThreshold)
+{
+	const FImage Result =
+		RunFactory("REDDiffusionFilter", FImage(2, 2, {0.5, 0.5, 0.5, 1}), {{"LuminanceThreshold", 0.25}});
+	EXPECT_NEAR(0.125, Result.At(0, 0)[0], 1e-6); // 0.5 * (0.5 - 0.25)
+}
+
+TEST(REDPostProcessFactories, DiffusionFilter2TakesBlendAndIntensity)
+{
+	const FImage Image(2, 2, {0.5, 0.5, 0.5, 1});
+	EXPECT_NEAR(0.75, RunFactory("REDDiffusionFilter2", Image, {}, "Blurred").At(0, 0)[0], 1e-6);
+	EXPECT_NEAR(
+		0.5, RunFactory("REDDiffusionFilter2", Image, {{"Blend", std::string("Max")}}, "Blurred").At(0, 0)[0], 1e-6);
+	EXPECT_NEAR(0.625, RunFactory("REDDiffusionFilter2", Image, {{"Intensity", 0.5}}, "Blurred").At(0, 0)[0], 1e-6);
+}
+
+TEST(REDPostProcessFactories, SoftFocusTakesItsSaturation)
+{
+	const FImage Result = RunFactory("REDSoftFocus", FImage(2, 2, {1, 0, 0, 1}), {{"Saturation", 0.0}}, "Blurred");
+	EXPECT_NEAR(0.299, Result.At(0, 0)[2], 1e-6); // the luma of red
+}
+
+TEST(REDPostProcessFactories, GlowTakesItsIntensity)
+{
+	EXPECT_NEAR(0.625,
+		RunFactory("REDGlow", FImage(2, 2, {0.5, 0.5, 0.5, 1}), {{"Intensity", 0.5}}, "Blurred").At(0, 0)[0], 1e-6);
+}
