@@ -118,8 +118,19 @@ void ReadPadding(const FJsonValue& Value, FConfigPadding& Padding, FConfigMessag
 	}
 }
 
+FSceneUnits ReadUnits(const FJsonValue& Value)
+{
+	const auto Is = [&Value](const char* Key, const char* Unit)
+	{
+		const FJsonValue* Member = Value.Find(Key);
+		return Member != nullptr && Member->String == Unit;
+	};
+	return {Is("depth", "cm"), Is("velocity", "ndc"), Is("normal", "leftHanded")};
+}
+
 void ReadScene(const FJsonValue& Value, FConfigScene& Scene, FConfigMessages& Messages)
 {
+	WithMember(Value, "units", EJsonType::Object, [&](const FJsonValue& Units) { Scene.Units = ReadUnits(Units); });
 	ReadString(Value, "file", Scene.File);
 	WithMember(Value, "channels", EJsonType::Object,
 		[&](const FJsonValue& Channels)
@@ -193,14 +204,27 @@ void ReadRect(const FJsonValue& Value, FConfigView& View, FConfigMessages& Messa
 
 void ReadView(const FJsonValue& Value, FConfigView& View, FConfigMessages& Messages)
 {
-	if (const FJsonValue* Location = Value.Find("location"))
+	const auto ReadVector = [&Value](const char* Key, TConfigValue<FConfigVector>& OutVector)
 	{
+		const FJsonValue* Member = Value.Find(Key);
 		FConfigVector Vector;
-		if (ReadConfigVector(*Location, Vector))
+		if (Member != nullptr && ReadConfigVector(*Member, Vector))
 		{
-			View.Location = {Vector, PlaceOf(*Location)};
+			OutVector = {Vector, PlaceOf(*Member)};
 		}
-	}
+	};
+	ReadVector("location", View.Location);
+	ReadVector("rotation", View.Rotation);
+	WithMember(Value, "fov", EJsonType::Number,
+		[&](const FJsonValue& Fov)
+		{
+			if (!(Fov.Number >= 1.0 && Fov.Number <= 179.0))
+			{
+				Messages.Error(ErrorBadValue, Fov, "fov is an angle of 1 to 179 degrees");
+				return;
+			}
+			View.Fov = {Fov.Number, PlaceOf(Fov)};
+		});
 	ReadRect(Value, View, Messages);
 	ReadScale(Value, "exposure", View.Exposure, Messages);
 	WithMember(Value, "exposure", EJsonType::String,

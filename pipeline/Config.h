@@ -6,6 +6,7 @@
 #include "Json.h"
 #include "PostProcessSettings.h"
 #include "PostProcessSettingsText.h"
+#include "SceneUnits.h"
 
 #include <array>
 #include <map>
@@ -60,11 +61,14 @@ struct FConfigScene
 	std::map<std::string, TConfigValue<double>> Defaults;
 	std::optional<FConfigVector> CameraLocation; // cm, of the file's header: see CompleteFromScene
 	FConfigPadding Padding;
+	FSceneUnits Units;
 };
 
 struct FConfigView
 {
 	TConfigValue<FConfigVector> Location;  // cm
+	TConfigValue<FConfigVector> Rotation;  // pitch, yaw, roll in degrees
+	TConfigValue<double> Fov;              // horizontal, of the whole picture, degrees
 	TConfigValue<std::array<int, 4>> Rect; // MinX, MinY, MaxX, MaxY
 	TConfigValue<double> Exposure{1.0, {}};
 	TConfigValue<double> PreExposure{1.0, {}};

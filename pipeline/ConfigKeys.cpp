@@ -35,7 +35,7 @@ const std::vector<FConfigKey>& GetConfigKeys()
 		{"scene", "channels", StringMap, "", 0, Optional, Built, "Channel names of this file: {\"depth.Z\": \"Depth.V\"} reads depth.Z from Depth.V."},
 		{"scene", "defaults", NumberMap, "", 0, Optional, Built, "Values for channels that the file lacks: {\"A\": 1}."},
 		{"scene", "padding", Padding, "padding", 0, Optional, Built, "Texels around the picture that hold no picture: a number for all sides, or one for each."},
-		{"scene", "units", Object, "units", 0, Optional, Later, "Units of the file, where they are not those of configs/scenes/README.md."},
+		{"scene", "units", Object, "units", 0, Optional, Built, "Units of the file, where they are not those of configs/scenes/README.md."},
 		{"scene", "screenPercentage", Number, "", 0, Optional, Built, "Rendered size in percent of the output's; 100 by default."},
 
 		{"padding", "left", Number, "", 0, Optional, Built, "0 by default."},
@@ -43,13 +43,13 @@ const std::vector<FConfigKey>& GetConfigKeys()
 		{"padding", "right", Number, "", 0, Optional, Built, "0 by default."},
 		{"padding", "bottom", Number, "", 0, Optional, Built, "0 by default."},
 
-		{"units", "depth", String, "m|cm", 0, Optional, Later, "Of depth.Z; m by default."},
-		{"units", "velocity", String, "pixels|ndc", 0, Optional, Later, "Of velocity.X and Y; pixels (y down) by default."},
-		{"units", "normal", String, "rightHanded|leftHanded", 0, Optional, Later, "Of normal.X, Y, Z; rightHanded by default."},
+		{"units", "depth", String, "m|cm", 0, Optional, Built, "Of depth.Z; m by default."},
+		{"units", "velocity", String, "pixels|ndc", 0, Optional, Built, "Of velocity.X and Y; pixels (y down) by default, ndc is the engine's screen position, -2 to 2, y up."},
+		{"units", "normal", String, "rightHanded|leftHanded", 0, Optional, Built, "Of normal.X, Y, Z; rightHanded by default."},
 
 		{"view", "location", Vector3, "", 0, Optional, Built, "Camera position, cm, left-handed, Z up."},
-		{"view", "rotation", Vector3, "", 0, Optional, Later, "Pitch, yaw, roll in degrees."},
-		{"view", "fov", Number, "", 0, Optional, Later, "Horizontal field of view in degrees."},
+		{"view", "rotation", Vector3, "", 0, Optional, Built, "Pitch, yaw, roll in degrees; the scene file's by default."},
+		{"view", "fov", Number, "", 0, Optional, Built, "Horizontal field of view of the whole picture, 1 to 179 degrees; the scene file's by default."},
 		{"view", "rect", NumberArray, "", 4, Optional, Built, "MinX, MinY, MaxX, MaxY in pixels of the scene; all of it by default."},
 		{"view", "exposure", Number, "=auto", 0, Optional, Built, "Exposure scale at default AutoExposureBias; 1 by default. \"auto\": eye adaptation."},
 		{"view", "preExposure", Number, "", 0, Optional, Built, "Scene colour is stored multiplied by this; 1 by default."},

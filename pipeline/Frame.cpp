@@ -214,9 +214,7 @@ private:
 	{
 		FMinimalViewInfo Camera = Source.Camera;
 		Extensions.SetupViewPoint(Source.Name, Camera);
-		FSceneViewProjectionData Projection;
-		Projection.ViewOrigin = Camera.Location;
-		Projection.SetViewRectangle(Source.Rect);
+		FSceneViewProjectionData Projection = MakeProjection(Source, Camera);
 		Extensions.SetupViewProjectionMatrix(Source.Name, Projection);
 
 		const bool bMoved = !IsSameCamera(Camera, Source.Camera);
@@ -235,14 +233,17 @@ private:
 		View.UnscaledViewRect = Source.Rect;
 		View.UnconstrainedViewRect = Source.Rect;
 		View.PreExposure = Source.PreExposure;
-		View.ViewLocation = Camera.Location;
+		View.ViewLocation = Projection.ViewOrigin;
 		View.FinalPostProcessSettings = Target.Chain.Settings;
-		SetCamera(Source, Camera, View);
+		SetCameraParameters(Projection, View.UniformParameters);
+		View.UniformParameters.FrameNumber = Inputs.FrameNumber;
+		View.UniformParameters.StateFrameIndex = Inputs.FrameNumber;
+		View.UniformParameters.StateFrameIndexMod8 = Inputs.FrameNumber % 8;
 		View.InitViewUniformBuffer(Inputs.Extent);
 	}
 
-	/** What shaders read of camera and frame. */
-	void SetCamera(const FFrameView& Source, const FMinimalViewInfo& Camera, FViewInfo& View) const
+	/** What the camera sees, before extensions change it. */
+	static FSceneViewProjectionData MakeProjection(const FFrameView& Source, const FMinimalViewInfo& Camera)
 	{
 		FSceneCamera Lens = Source.Lens;
 		Lens.Location = Camera.Location;
@@ -256,11 +257,7 @@ private:
 		}
 		const bool bWhole = Source.PictureRect.Width() > 0 && Source.PictureRect.Height() > 0;
 		const FIntRect Picture = bWhole ? Source.PictureRect : Source.Rect;
-		FViewUniformShaderParameters& Parameters = View.UniformParameters;
-		SetCameraParameters(Lens, Picture.Size(), Source.Rect - Picture.Min, Source.Rect, Parameters);
-		Parameters.FrameNumber = Inputs.FrameNumber;
-		Parameters.StateFrameIndex = Inputs.FrameNumber;
-		Parameters.StateFrameIndexMod8 = Inputs.FrameNumber % 8;
+		return MakeProjectionData(Lens, Picture.Size(), Source.Rect - Picture.Min, Source.Rect);
 	}
 
 	/** The render thread's half. */

@@ -63,7 +63,8 @@ public:
 		{
 			Needed.push_back({Load.Texture->Name, Load.Pass->GetName(), Load.bIsRead});
 		}
-		Scene.Load(Needed, {static_cast<float>(Setup.Config.View.PreExposure.Value), Result.ViewRect.Size()});
+		Scene.Load(Needed, {static_cast<float>(Setup.Config.View.PreExposure.Value), Result.ViewRect.Size(),
+							   Setup.Config.Scene.Units});
 		Result.Times.Load += MillisecondsSince(Begin);
 		for (const FNeededSceneTexture& Texture : Needed)
 		{
@@ -213,20 +214,27 @@ FRunResult MakeResult(const FRunSetup& Setup, const FScene& Scene)
 	return Result;
 }
 
-/** Where the camera of a view is: the config's word, else the scene file's. */
-FMinimalViewInfo GetCamera(const FConfigView& View, const FScene& Scene)
+/** The camera of a view: the config's word, else the scene file's. */
+FSceneCamera GetLens(const FConfigView& View, const FScene& Scene)
 {
-	const FSceneCamera Lens = Scene.GetCamera().value_or(FSceneCamera());
-	FMinimalViewInfo Camera;
-	Camera.Location = Lens.Location;
-	Camera.Rotation = FRotator(Lens.Pitch, Lens.Yaw, Lens.Roll);
-	Camera.FOV = static_cast<float>(Lens.HorizontalFov);
+	FSceneCamera Lens = Scene.GetCamera().value_or(FSceneCamera());
 	if (View.Location.IsSet())
 	{
 		const FConfigVector& Location = View.Location.Value;
-		Camera.Location = FVector(Location[0], Location[1], Location[2]);
+		Lens.Location = FVector(Location[0], Location[1], Location[2]);
 	}
-	return Camera;
+	if (View.Rotation.IsSet())
+	{
+		Lens.Pitch = View.Rotation.Value[0];
+		Lens.Yaw = View.Rotation.Value[1];
+		Lens.Roll = View.Rotation.Value[2];
+	}
+	if (View.Fov.IsSet())
+	{
+		Lens.HorizontalFov = View.Fov.Value;
+		Lens.FocalLength.reset();
+	}
+	return Lens;
 }
 
 /** All but the settings. */
@@ -234,8 +242,10 @@ FFrameView MakeFrameView(const FRunSetup& Setup, const FConfigView& ConfigView, 
 {
 	FFrameView View;
 	View.Rect = GetViewRect(Setup.Config, ConfigView, Scene);
-	View.Camera = GetCamera(ConfigView, Scene);
-	View.Lens = Scene.GetCamera().value_or(FSceneCamera());
+	View.Lens = GetLens(ConfigView, Scene);
+	View.Camera.Location = View.Lens.Location;
+	View.Camera.Rotation = FRotator(View.Lens.Pitch, View.Lens.Yaw, View.Lens.Roll);
+	View.Camera.FOV = static_cast<float>(View.Lens.HorizontalFov);
 	View.PictureRect = Scene.GetPictureRect();
 	View.PreExposure = static_cast<float>(ConfigView.PreExposure.Value);
 	View.MakeChain = [&Setup, &ConfigView](const FMinimalViewInfo& Camera)

@@ -93,17 +93,28 @@ float MakeDeviceDepth(double Depth)
 	return static_cast<float>(std::max(0.0, (1.0 / Depth - FarthestInverse) * SceneNearPlane));
 }
 
-void SetCameraParameters(const FSceneCamera& Camera, FIntPoint PictureExtent, const FIntRect& Rect,
-	const FIntRect& BufferRect, FViewUniformShaderParameters& Parameters)
+FSceneViewProjectionData MakeProjectionData(
+	const FSceneCamera& Camera, FIntPoint PictureExtent, const FIntRect& Rect, const FIntRect& BufferRect)
 {
-	const FMatrix ViewRotation = MakeViewRotation(Camera);
-	const FMatrix Projection = MakeProjection(Camera, PictureExtent, Rect);
+	FSceneViewProjectionData ProjectionData;
+	ProjectionData.ViewOrigin = Camera.Location;
+	ProjectionData.ViewRotationMatrix = MakeViewRotation(Camera);
+	ProjectionData.ProjectionMatrix = MakeProjection(Camera, PictureExtent, Rect);
+	ProjectionData.SetViewRectangle(BufferRect);
+	return ProjectionData;
+}
+
+void SetCameraParameters(const FSceneViewProjectionData& ProjectionData, FViewUniformShaderParameters& Parameters)
+{
+	const FMatrix& ViewRotation = ProjectionData.ViewRotationMatrix;
+	const FMatrix& Projection = ProjectionData.ProjectionMatrix;
+	const FIntRect& BufferRect = ProjectionData.GetViewRect();
 	const FMatrix ToClip = ViewRotation * Projection;
 	const FMatrix FromClip = Projection.Inverse() * ViewRotation.GetTransposed();
 
 	// Pixel of the scene textures and device depth to clip space.
-	const double Width = Rect.Width();
-	const double Height = Rect.Height();
+	const double Width = BufferRect.Width();
+	const double Height = BufferRect.Height();
 	const FMatrix PixelToClip(FVector4(2.0 / Width, 0, 0, 0), FVector4(0, -2.0 / Height, 0, 0), FVector4(0, 0, 1, 0),
 		FVector4(-1.0 - 2.0 * BufferRect.Min.X / Width, 1.0 + 2.0 * BufferRect.Min.Y / Height, 0, 1));
 	// (screen x * z, screen y * z, z, 1) to clip space.
@@ -118,16 +129,19 @@ void SetCameraParameters(const FSceneCamera& Camera, FIntPoint PictureExtent, co
 	Parameters.ClipToTranslatedWorld = FMatrix44f(FromClip);
 	Parameters.SVPositionToTranslatedWorld = FMatrix44f(PixelToClip * FromClip);
 	Parameters.ScreenToTranslatedWorld = FMatrix44f(ScreenToClip * FromClip);
-	Parameters.ScreenToWorld = FMatrix44f(ScreenToClip * FromClip * FTranslationMatrix(Camera.Location));
+	Parameters.ScreenToWorld = FMatrix44f(ScreenToClip * FromClip * FTranslationMatrix(ProjectionData.ViewOrigin));
 	Parameters.ClipToPrevClip = FMatrix44f::Identity; // one frame knows no other camera
 
-	const FRotator Rotator(Camera.Pitch, Camera.Yaw, Camera.Roll);
-	Parameters.ViewForward = ToFloat(Rotator.GetForward());
-	Parameters.ViewRight = ToFloat(Rotator.GetRight());
-	Parameters.ViewUp = ToFloat(Rotator.GetUp());
-	Parameters.WorldCameraOrigin = ToFloat(Camera.Location);
+	const auto GetAxis = [&ViewRotation](int32 Column)
+	{
+		return ToFloat(FVector(ViewRotation.M[0][Column], ViewRotation.M[1][Column], ViewRotation.M[2][Column]));
+	};
+	Parameters.ViewRight = GetAxis(0);
+	Parameters.ViewUp = GetAxis(1);
+	Parameters.ViewForward = GetAxis(2);
+	Parameters.WorldCameraOrigin = ToFloat(ProjectionData.ViewOrigin);
 	Parameters.TranslatedWorldCameraOrigin = FVector3f(0.0f, 0.0f, 0.0f);
-	Parameters.PreViewTranslation = ToFloat(Camera.Location * -1.0);
+	Parameters.PreViewTranslation = ToFloat(ProjectionData.ViewOrigin * -1.0);
 	Parameters.InvDeviceZToWorldZTransform = GetInvDeviceZToWorldZTransform();
 	Parameters.NearPlane = static_cast<float>(SceneNearPlane);
 	const float AngleX = static_cast<float>(2.0 * std::atan(1.0 / Projection.M[0][0]));

@@ -40,8 +40,12 @@ DRYDOCK_API FVector4f GetInvDeviceZToWorldZTransform();
 /** Device depth that ConvertFromDeviceZ turns back into Depth cm; never below 0. */
 DRYDOCK_API float MakeDeviceDepth(double Depth);
 
-/** Fills matrices, vectors and depth transform. BufferRect: the same pixels as Rect, in the scene textures. */
-DRYDOCK_API void SetCameraParameters(const FSceneCamera& Camera, FIntPoint PictureExtent, const FIntRect& Rect,
-	const FIntRect& BufferRect, FViewUniformShaderParameters& Parameters);
+/** What a view of Rect sees; its view rectangle is the same pixels in the scene textures, BufferRect. */
+DRYDOCK_API FSceneViewProjectionData MakeProjectionData(
+	const FSceneCamera& Camera, FIntPoint PictureExtent, const FIntRect& Rect, const FIntRect& BufferRect);
+
+/** Fills matrices, vectors and depth transform. */
+DRYDOCK_API void SetCameraParameters(
+	const FSceneViewProjectionData& ProjectionData, FViewUniformShaderParameters& Parameters);
 
 } // namespace Drydock

@@ -19,17 +19,19 @@ FLinearColor PackColor(const FScenePackValues& Values, const FScenePackContext& 
 	return FLinearColor(Values[0] * Scale, Values[1] * Scale, Values[2] * Scale, Values[3]);
 }
 
-/** Metres to reversed device depth. */
-FLinearColor PackDepth(const FScenePackValues& Values, const FScenePackContext&)
+/** To reversed device depth. */
+FLinearColor PackDepth(const FScenePackValues& Values, const FScenePackContext& Context)
 {
-	return FLinearColor(MakeDeviceDepth(static_cast<double>(Values[0]) * 100.0), 0.0f, 0.0f, 0.0f);
+	const double Centimetres = Context.Units.bDepthInCentimetres ? 1.0 : 100.0;
+	return FLinearColor(MakeDeviceDepth(static_cast<double>(Values[0]) * Centimetres), 0.0f, 0.0f, 0.0f);
 }
 
-/** The file's Y axis points the other way. No surface: all bits 0, as a cleared G-buffer. */
-FLinearColor PackNormal(const FScenePackValues& Values, const FScenePackContext&)
+/** A right-handed Y axis points the other way. No surface: all bits 0, as a cleared G-buffer. */
+FLinearColor PackNormal(const FScenePackValues& Values, const FScenePackContext& Context)
 {
+	const float HalfY = Context.Units.bNormalIsLeftHanded ? 0.5f : -0.5f;
 	const bool bSurface = Values[0] != 0.0f || Values[1] != 0.0f || Values[2] != 0.0f;
-	return bSurface ? FLinearColor(Values[0] * 0.5f + 0.5f, Values[1] * -0.5f + 0.5f, Values[2] * 0.5f + 0.5f, 0.0f)
+	return bSurface ? FLinearColor(Values[0] * 0.5f + 0.5f, Values[1] * HalfY + 0.5f, Values[2] * 0.5f + 0.5f, 0.0f)
 					: FLinearColor(0.0f, 0.0f, 0.0f, 0.0f);
 }
 
@@ -57,9 +59,14 @@ float EncodeVelocity(double Velocity)
 	return static_cast<float>(Rooted * (0.499 * 0.5) + 32767.0 / 65535.0);
 }
 
-/** Pixels, y down, to screen position, y up. */
+/** To screen position, y up. */
 FLinearColor PackVelocity(const FScenePackValues& Values, const FScenePackContext& Context)
 {
+	if (Context.Units.bVelocityIsNdc)
+	{
+		return FLinearColor(
+			EncodeVelocity(static_cast<double>(Values[0])), EncodeVelocity(static_cast<double>(Values[1])), 0.0f, 0.0f);
+	}
 	return FLinearColor(EncodeVelocity(2.0 * static_cast<double>(Values[0]) / Context.ViewSize.X),
 		EncodeVelocity(-2.0 * static_cast<double>(Values[1]) / Context.ViewSize.Y), 0.0f, 0.0f);
 }
@@ -89,8 +96,8 @@ const std::vector<FScenePacking>& GetScenePackings()
 			FLinearColor(1.0f, 0.0f, 1.0f, 0.0f)},
 		{"GBufferD", PF_B8G8R8A8, Read, &FSceneTextures::GBufferD, {{{"custommask.B", {}}}}, PackCustomData,
 			FLinearColor(1.0f, 1.0f, 1.0f, 1.0f)},
-		{"ToonShadow", PF_R8G8B8A8, Read, &FSceneTextures::ToonShadow, {{{"shadow.R", {}}, {"shadow.G", {}}}},
-			PackAsIs, FLinearColor(0.0f, 0.0f, 1.0f, 1.0f)},
+		{"ToonShadow", PF_R8G8B8A8, Read, &FSceneTextures::ToonShadow, {{{"shadow.R", {}}, {"shadow.G", {}}}}, PackAsIs,
+			FLinearColor(0.0f, 0.0f, 1.0f, 1.0f)},
 	};
 	return Packings;
 }

@@ -7,6 +7,7 @@
 #include "PixelFormat.h"
 #include "RHIDefinitions.h"
 #include "SceneTextures.h"
+#include "SceneUnits.h"
 
 #include <array>
 #include <optional>
@@ -29,6 +30,7 @@ struct FScenePackContext
 {
 	float PreExposure = 1.0f;
 	FIntPoint ViewSize = FIntPoint(1, 1); // pixels that velocity is relative to
+	FSceneUnits Units = {};               // of the file
 };
 
 struct FScenePacking

@@ -103,6 +103,25 @@ TEST(Config, ReadsTheView)
 	EXPECT_EQ(0.5, Result.Config.View.PreExposure.Value);
 }
 
+TEST(Config, ReadsTheCamera)
+{
+	const FRead Result = ReadClean(R"({"view": {"rotation": [-10, 20, 5], "fov": 60}})");
+	EXPECT_EQ((FConfigVector{-10, 20, 5}), Result.Config.View.Rotation.Value);
+	EXPECT_EQ(60.0, Result.Config.View.Fov.Value);
+	EXPECT_EQ("1010 error 1:18 /view/fov", Only(R"({"view": {"fov": 180}})"));
+}
+
+TEST(Config, ReadsTheUnitsOfTheScene)
+{
+	const FSceneUnits Default = ReadClean(R"({"scene": {"file": "a"}})").Config.Scene.Units;
+	EXPECT_FALSE(Default.bDepthInCentimetres || Default.bVelocityIsNdc || Default.bNormalIsLeftHanded);
+	const FSceneUnits Units =
+		ReadClean(R"({"scene": {"file": "a", "units": {"depth": "cm", "velocity": "ndc", "normal": "leftHanded"}}})")
+			.Config.Scene.Units;
+	EXPECT_TRUE(Units.bDepthInCentimetres && Units.bVelocityIsNdc && Units.bNormalIsLeftHanded);
+	EXPECT_NE("", Only(R"({"scene": {"file": "a", "units": {"depth": "inch"}}})"));
+}
+
 TEST(Config, VectorsMayBeObjects)
 {
 	EXPECT_EQ((FConfigVector{1, 2, 3}),

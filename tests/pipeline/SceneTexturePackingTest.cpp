@@ -38,7 +38,7 @@ FVector2D Project(const FViewUniformShaderParameters& View, const FIntRect& Rect
 FViewUniformShaderParameters MakeView(const FSceneCamera& Camera, const FIntRect& Rect, const FIntRect& BufferRect)
 {
 	FViewUniformShaderParameters Parameters;
-	SetCameraParameters(Camera, FIntPoint(200, 100), Rect, BufferRect, Parameters);
+	SetCameraParameters(MakeProjectionData(Camera, FIntPoint(200, 100), Rect, BufferRect), Parameters);
 	return Parameters;
 }
 
@@ -104,6 +104,16 @@ TEST(ScenePacking, VelocityIsOfTheViewAndPointsUp)
 	const FLinearColor Moving = Pack("SceneVelocity", {100, 25}, Context);
 	EXPECT_NEAR(0.4999924 + 1.41421356 * 0.2495, Moving.R, 1e-6);
 	EXPECT_NEAR(0.4999924 - 0.2495, Moving.G, 1e-6);
+}
+
+TEST(ScenePacking, OtherUnitsOfTheFile)
+{
+	const FScenePackContext Context{1.0f, FIntPoint(200, 100), {true, true, true}};
+	EXPECT_EQ(Pack("SceneDepthZ", {10.0f}).R, Pack("SceneDepthZ", {1000.0f}, Context).R);
+	EXPECT_EQ(1.0f, Pack("GBufferA", {1, 1, -1, 0}, Context).G);
+	// 1 in screen position is 100 of 200 pixels, -0.5 is 25 of 100 down.
+	EXPECT_EQ(
+		Pack("SceneVelocity", {100, 25}, {1.0f, FIntPoint(200, 100)}), Pack("SceneVelocity", {1.0f, -0.5f}, Context));
 }
 
 TEST(ScenePacking, TableNamesEachTextureAndChannelOnce)

@@ -1,5 +1,5 @@
-// The hooks of a frame: order, versions, what they may change, and the log of it. A little past 500 lines: all cases share
-// the extension that records every hook.
+// The hooks of a frame: order, versions, what they may change, and the log of it. A little past 500 lines: all cases
+// share the extension that records every hook.
 #include <gtest/gtest.h>
 
 #include "DrydockFrame.h"
@@ -309,6 +309,41 @@ TEST(ViewExtensionHooks, SetupViewPointMovesTheCameraBeforeVolumesAreBlended)
 	EXPECT_EQ(0.0f, Render(Inputs).Views[0].Chain.Settings.BloomIntensity);
 	const auto Extension = FSceneViewExtensions::NewExtension<FMoves>();
 	EXPECT_EQ(100.0f, Render(Inputs).Views[0].Chain.Settings.BloomIntensity);
+}
+
+TEST(ViewExtensionHooks, SetupViewProjectionMatrixHasTheCameraAndItsWordHolds)
+{
+	static FSceneViewProjectionData Seen;
+	static FMatrix44f Used;
+	static FVector UsedLocation;
+	class FZooms : public FSceneViewExtensionBase
+	{
+	public:
+		using FSceneViewExtensionBase::FSceneViewExtensionBase;
+		void SetupViewProjectionMatrix(FSceneViewProjectionData& Data) override
+		{
+			Seen = Data;
+			Data.ProjectionMatrix.M[0][0] *= 2.0;
+			Data.ViewOrigin.Z = 5.0;
+		}
+		void PreRenderView_RenderThread(FRDGBuilder&, FSceneView& View) override
+		{
+			Used = static_cast<FViewInfo&>(View).UniformParameters.ViewToClip;
+			UsedLocation = View.ViewLocation;
+		}
+	};
+	FFrameInputs Inputs = MakeFrame();
+	Inputs.Views[0].Lens.HorizontalFov = 90.0;
+	Inputs.Views[0].Lens.Yaw = 90.0;
+	Inputs.Views[0].Camera.Rotation.Yaw = 90.0;
+	Inputs.Views[0].Camera.FOV = 90.0f;
+	const auto Extension = FSceneViewExtensions::NewExtension<FZooms>();
+	Render(Inputs);
+	// Half the width is seen at the width's half: 90 degrees. Looking along Y, what lies along Y is ahead (view z).
+	EXPECT_NEAR(1.0, Seen.ProjectionMatrix.M[0][0], 1e-12);
+	EXPECT_NEAR(1.0, Seen.ViewRotationMatrix.M[1][2], 1e-12);
+	EXPECT_NEAR(2.0f, Used.M[0][0], 1e-6);
+	EXPECT_EQ(5.0, UsedLocation.Z);
 }
 
 // Delegates -----------------------------------------------------------------------------------------------------------
