@@ -1,6 +1,8 @@
-// The passes of the RED post process and of CharaGlow that a config can insert by name, one by one. Source: drydock.
+// The passes of the RED post process, of CharaGlow and RED depth of field that a config can insert by name, one by one.
+// Source: drydock.
 #include "CharaGlow.h"
 #include "PassFactory.h"
+#include "REDDepthOfField.h"
 #include "REDPostProcess.h"
 
 using namespace Drydock;
@@ -143,6 +145,38 @@ const FPassFactoryRegistration GCharaGlowComp({
 		FCharaGlowInputs Inputs = MakeCharaGlow(GraphBuilder, View, Arguments);
 		Inputs.Color = Arguments.Values.GetColor("Color");
 		return AddCharaGlowCompPass(GraphBuilder, View, Inputs, Arguments.GetInput("Widened"));
+	},
+});
+
+const FPassFactoryRegistration GREDDepthOfField({
+	.Type = "REDDepthOfField",
+	.Doc = "Blurs what lies before and behind the focus, by the scene's depth.",
+	.Inputs = {{"Input", PictureResource, "The picture."}},
+	.Parameters =
+		{
+			FParameterSpec::Number("FocalDistance", 500, 0.01, 1e7, "In cm."),
+			FParameterSpec::Number("FocalRegion", 0, 0, 1e7, "Behind it, in focus too; cm."),
+			FParameterSpec::Number(
+				"NearTransition", 300, 0, 1e7, "From in focus to all blurred, towards the camera; cm."),
+			FParameterSpec::Number("FarTransition", 500, 0, 1e7, "The same, away from it; cm."),
+			FParameterSpec::Number("NearBlurSize", 1, 0, 100, "Diameter in percent of the width."),
+			FParameterSpec::Number("FarBlurSize", 1, 0, 100, "The same."),
+			GAsPrinted,
+		},
+	.Add =
+		[](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FPassArguments& Arguments)
+	{
+		FREDDepthOfFieldInputs Inputs;
+		Inputs.SceneColor = Arguments.GetInput("Input");
+		Inputs.SceneTextures = CreateSceneTextureUniformBuffer(GraphBuilder, View);
+		Inputs.FocalDistance = GetFloat(Arguments.Values, "FocalDistance");
+		Inputs.FocalRegion = GetFloat(Arguments.Values, "FocalRegion");
+		Inputs.NearTransition = GetFloat(Arguments.Values, "NearTransition");
+		Inputs.FarTransition = GetFloat(Arguments.Values, "FarTransition");
+		Inputs.NearBlurSize = GetFloat(Arguments.Values, "NearBlurSize");
+		Inputs.FarBlurSize = GetFloat(Arguments.Values, "FarBlurSize");
+		Inputs.bAsPrinted = Arguments.Values.GetBool("AsPrinted");
+		return AddREDDepthOfFieldPasses(GraphBuilder, View, Inputs);
 	},
 });
 

@@ -89,52 +89,6 @@ FScreenPassTextureViewportParameters GetViewportOf(const FScreenPassTexture& Tex
 	return GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Texture));
 }
 
-FScreenPassTexture AddSetupPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FToonShadowBlurInputs& Inputs)
-{
-	const FScreenPassRenderTarget Output = Drydock::CreateRasterTargetLike(
-		GraphBuilder, Inputs.ToonShadow, TEXT("ToonShadowSetup"), Drydock::GetToonShadowBlurFormat(Inputs.Store));
-
-	auto* PassParameters = GraphBuilder.AllocParameters<FToonShadowSetupPS::FParameters>();
-	PassParameters->ToonShadow = GetViewportOf(Inputs.ToonShadow);
-	PassParameters->Output = GetViewportOf(Output);
-	PassParameters->ToonShadowTexture = Inputs.ToonShadow.Texture;
-	PassParameters->RenderTargets[0] = Output.GetRenderTargetBinding();
-
-	TShaderMapRef<FToonShadowSetupPS> PixelShader(View.ShaderMap);
-	FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
-		RDG_EVENT_NAME("ToonShadowSetup %dx%d", Output.ViewRect.Width(), Output.ViewRect.Height()), PixelShader,
-		PassParameters, Output.ViewRect);
-	return Output;
-}
-
-FScreenPassTexture AddCombinePass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FToonShadowBlurInputs& Inputs,
-	const FScreenPassTexture& Blurred)
-{
-	const FScreenPassRenderTarget Output =
-		Drydock::CreateRasterTargetLike(GraphBuilder, Inputs.ToonShadow, TEXT("ToonShadowBlurred"));
-
-	auto* PassParameters = GraphBuilder.AllocParameters<FToonShadowCombinePS::FParameters>();
-	PassParameters->ToonShadow = GetViewportOf(Inputs.ToonShadow);
-	PassParameters->Output = GetViewportOf(Output);
-	PassParameters->ToonShadowTexture = Inputs.ToonShadow.Texture;
-	if (Blurred.IsValid())
-	{
-		PassParameters->Blurred = GetViewportOf(Blurred);
-		PassParameters->BlurredTexture = Blurred.Texture;
-		PassParameters->BlurredSampler = TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
-	}
-	PassParameters->RenderTargets[0] = Output.GetRenderTargetBinding();
-
-	FToonShadowCombinePS::FPermutationDomain Permutation;
-	Permutation.Set<FToonShadowCombinePS::FBlurredDimension>(Blurred.IsValid());
-	Permutation.Set<FToonShadowCombinePS::FStoreDimension>(static_cast<int32>(Inputs.Store));
-	TShaderMapRef<FToonShadowCombinePS> PixelShader(View.ShaderMap, Permutation);
-	FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
-		RDG_EVENT_NAME("ToonShadowCombine %dx%d", Output.ViewRect.Width(), Output.ViewRect.Height()), PixelShader,
-		PassParameters, Output.ViewRect);
-	return Output;
-}
-
 } // namespace
 
 FToonShadowBlurInputs FToonShadowBlurInputs::FromSettings(
@@ -158,6 +112,55 @@ FToonShadowBlurInputs FToonShadowBlurInputs::FromSettings(
 	return Inputs;
 }
 
+FScreenPassTexture AddToonShadowSetupPass(
+	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& ToonShadow, EToonShadowBlurStore Store)
+{
+	check(ToonShadow.IsValid());
+	const FScreenPassRenderTarget Output = Drydock::CreateRasterTargetLike(
+		GraphBuilder, ToonShadow, TEXT("ToonShadowSetup"), Drydock::GetToonShadowBlurFormat(Store));
+
+	auto* PassParameters = GraphBuilder.AllocParameters<FToonShadowSetupPS::FParameters>();
+	PassParameters->ToonShadow = GetViewportOf(ToonShadow);
+	PassParameters->Output = GetViewportOf(Output);
+	PassParameters->ToonShadowTexture = ToonShadow.Texture;
+	PassParameters->RenderTargets[0] = Output.GetRenderTargetBinding();
+
+	TShaderMapRef<FToonShadowSetupPS> PixelShader(View.ShaderMap);
+	FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
+		RDG_EVENT_NAME("ToonShadowSetup %dx%d", Output.ViewRect.Width(), Output.ViewRect.Height()), PixelShader,
+		PassParameters, Output.ViewRect);
+	return Output;
+}
+
+FScreenPassTexture AddToonShadowCombinePass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
+	const FScreenPassTexture& ToonShadow, const FScreenPassTexture& Blurred, EToonShadowBlurStore Store)
+{
+	check(ToonShadow.IsValid());
+	const FScreenPassRenderTarget Output =
+		Drydock::CreateRasterTargetLike(GraphBuilder, ToonShadow, TEXT("ToonShadowBlurred"));
+
+	auto* PassParameters = GraphBuilder.AllocParameters<FToonShadowCombinePS::FParameters>();
+	PassParameters->ToonShadow = GetViewportOf(ToonShadow);
+	PassParameters->Output = GetViewportOf(Output);
+	PassParameters->ToonShadowTexture = ToonShadow.Texture;
+	if (Blurred.IsValid())
+	{
+		PassParameters->Blurred = GetViewportOf(Blurred);
+		PassParameters->BlurredTexture = Blurred.Texture;
+		PassParameters->BlurredSampler = TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
+	}
+	PassParameters->RenderTargets[0] = Output.GetRenderTargetBinding();
+
+	FToonShadowCombinePS::FPermutationDomain Permutation;
+	Permutation.Set<FToonShadowCombinePS::FBlurredDimension>(Blurred.IsValid());
+	Permutation.Set<FToonShadowCombinePS::FStoreDimension>(static_cast<int32>(Store));
+	TShaderMapRef<FToonShadowCombinePS> PixelShader(View.ShaderMap, Permutation);
+	FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
+		RDG_EVENT_NAME("ToonShadowCombine %dx%d", Output.ViewRect.Width(), Output.ViewRect.Height()), PixelShader,
+		PassParameters, Output.ViewRect);
+	return Output;
+}
+
 FScreenPassTexture AddToonShadowBlurPasses(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FToonShadowBlurInputs& Inputs)
 {
@@ -167,9 +170,10 @@ FScreenPassTexture AddToonShadowBlurPasses(
 	FGaussianBlurPassesInputs Blur = Inputs.Blur;
 	Blur.TintScale = GetNormalizingTintScale(Blur);
 	Blur.bClampAddressing = !Inputs.bAsPrinted;
-	const FScreenPassTexture Blurred = AddTextureBlurPass(GraphBuilder, View, AddSetupPass(GraphBuilder, View, Inputs),
-		Drydock::GetToonShadowBlurFormat(Inputs.Store), TEXT("ToonShadowDownsample"), Blur);
-	return AddCombinePass(GraphBuilder, View, Inputs, Blurred);
+	const FScreenPassTexture Setup = AddToonShadowSetupPass(GraphBuilder, View, Inputs.ToonShadow, Inputs.Store);
+	const FScreenPassTexture Blurred = AddTextureBlurPass(
+		GraphBuilder, View, Setup, Drydock::GetToonShadowBlurFormat(Inputs.Store), TEXT("ToonShadowDownsample"), Blur);
+	return AddToonShadowCombinePass(GraphBuilder, View, Inputs.ToonShadow, Blurred, Inputs.Store);
 }
 
 FScreenPassTexture AddToonShadowLightingPass(

@@ -1,13 +1,18 @@
 // Toon-shadow blur: the shadow of toon characters is blurred and used in lighting, so that dark areas get a soft
 // coloured fringe. Source: article "Toon-shadow blur" (formulas); drydock's decisions where it is silent.
 //
-//   ToonShadow: 8-bit RGBA. R projected shadow of the main light, G self shadow, 1 = lit; A receives the blurred
-//   shadow. Setup       darker of R and G, into a single-channel temporary Blur        the bloom's sum of Gaussians,
-//   tints normalised per channel (TextureBlur.h) Combine     the result, stretched bilinearly to full size, into A
+//   ToonShadow: 8-bit RGBA. R projected shadow of the main light, G self shadow, 1 = lit; A receives the blurred one.
+//
+//   Setup       darker of R and G, into a single-channel temporary
+//
+//   Blur        the bloom's sum of Gaussians, tints normalised per channel (TextureBlur.h)
+//
+//   Combine     the result, stretched bilinearly to full size, into A
+//
 //   Lighting    Screen: lit' = 1 - (1 - lit)(1 - b), b = Intensity * blurred * LightColor * BaseColor
-//               Max:    the shadow term s becomes max(s, blurred); what that lights more is added to the frame, which
-//               is
-//                       lit already: lit' = lit + Intensity * (max(s, blurred) - s) * LightColor * BaseColor
+//
+//               Max: the shadow term s becomes max(s, blurred); what that lights more is added to the frame, which is
+//               lit already: lit' = lit + Intensity * (max(s, blurred) - s) * LightColor * BaseColor
 //
 // Stores (ToonShadowBlurStore), the article's three pictures: EightBit keeps temporaries and A in 8 bit (mosaic);
 // SixteenBit has half-float temporaries and A linear (bands); SqrtEightBit keeps A as a square root (smooth).
@@ -42,6 +47,15 @@ struct FToonShadowBlurInputs
 	DRYDOCK_API static FToonShadowBlurInputs FromSettings(
 		const FFinalPostProcessSettings& Settings, const FScreenPassTexture& ToonShadow);
 };
+
+/** The darker of R and G, in a single-channel temporary of the store's format. */
+DRYDOCK_API FScreenPassTexture AddToonShadowSetupPass(
+	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& ToonShadow, EToonShadowBlurStore Store);
+
+/** ToonShadow with Blurred in A, as Store encodes it, in a texture of its own. Blurred: of any size, its red counts;
+ * invalid: A is 1. */
+DRYDOCK_API FScreenPassTexture AddToonShadowCombinePass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
+	const FScreenPassTexture& ToonShadow, const FScreenPassTexture& Blurred, EToonShadowBlurStore Store);
 
 /** Setup, blur and combine. Gives the shadow buffer with A filled, in a texture of its own; A is 1 where no stage of
  * the blur runs. */

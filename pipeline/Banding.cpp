@@ -95,8 +95,31 @@ FBandingFigures MeasureBanding(const FImage& Image, int Channel)
 			FindLongestRun(Image.Height, Range, [&](int Y) { return Image.Get(X, Y, Channel); }));
 	}
 	Figures.UniqueLevels = Levels.size();
-	Figures.DarkLevels = static_cast<uint64_t>(std::distance(Levels.begin(), Levels.lower_bound(0.05)));
+	Figures.DarkLevels = static_cast<uint64_t>(std::distance(Levels.begin(), Levels.lower_bound(DarkBelow)));
 	return Figures;
+}
+
+FDarkDeviation MeasureDarkDeviation(const FImage& Stored, const FImage& Exact, int Channel)
+{
+	FDarkDeviation Deviation;
+	double Sum = 0.0;
+	for (int Y = 0; Y < Exact.Height; ++Y)
+	{
+		for (int X = 0; X < Exact.Width; ++X)
+		{
+			const double Value = Exact.Get(X, Y, Channel);
+			if (!(Value > 0.0 && Value < DarkBelow))
+			{
+				continue;
+			}
+			const double Error = std::abs(Stored.Get(X, Y, Channel) - Value) * 255.0;
+			Sum += Error * Error;
+			Deviation.Largest = std::max(Deviation.Largest, Error);
+			++Deviation.Texels;
+		}
+	}
+	Deviation.Rms = Deviation.Texels > 0 ? std::sqrt(Sum / static_cast<double>(Deviation.Texels)) : 0.0;
+	return Deviation;
 }
 
 FImage MakeBandingMap(const FImage& Image, int Channel)

@@ -7,6 +7,7 @@
 #include "RenderGraphNotes.h"
 #include "RunDump.h"
 #include "ToonShadowBlur.h"
+#include "ToonShadowExact.h"
 #include "ViewExtensions.h"
 
 #include <algorithm>
@@ -329,6 +330,7 @@ private:
 		ChainInputs.ViewFamilyTexture = PostProcessingInputs.ViewFamilyTexture;
 		ChainInputs.ExposureScale = Target.Chain.ExposureScale;
 		ChainInputs.SceneTextures = PostProcessingInputs.SceneTextures;
+		ChainInputs.LightColor = Inputs.LightColor;
 		ChainInputs.CustomSSRInput = &Target.State.CustomSSRInput;
 		Target.Outputs = AddPostProcessingPasses(GraphBuilder, NamedView, ChainInputs, Target.Effects, Extensions);
 		GraphBuilder.QueueTextureExtraction(Target.Outputs.SceneLinear.Texture, &Target.SceneLinear);
@@ -370,16 +372,24 @@ private:
 		{
 			return;
 		}
-		FImage Shadow = ReadAlpha(*View.BlurredToonShadow->GetRHI(), View.Outputs.BlurredToonShadow.ViewRect);
-		for (double& Value : Shadow.Values)
+		constexpr int Blurred = 3;
+		FImage Shadow =
+			CropToRgba(ReadTexture(*View.BlurredToonShadow->GetRHI()), View.Outputs.BlurredToonShadow.ViewRect);
+		for (size_t Index = Blurred; Index < Shadow.Values.size(); Index += 4)
 		{
-			Value = static_cast<double>(
-				DecodeToonShadowBlur(static_cast<float>(Value), View.Chain.Settings.ToonShadowBlurStore));
+			Shadow.Values[Index] = static_cast<double>(DecodeToonShadowBlur(
+				static_cast<float>(Shadow.Values[Index]), View.Chain.Settings.ToonShadowBlurStore));
 		}
-		Effect->Banding = Drydock::MeasureBanding(Shadow, 0);
+		Effect->Banding = Drydock::MeasureBanding(Shadow, Blurred);
+		Effect->Deviation = MeasureDarkDeviation(Shadow, BlurToonShadowExactly(Shadow, View.Chain.Settings), Blurred);
 		if (Result.BandingMap.Values.empty())
 		{
-			Result.BandingMap = MakeBandingMap(Shadow, 0);
+			Result.BandingMap = MakeBandingMap(Shadow, Blurred);
+			Result.BlurredToonShadow = {Shadow.Width, Shadow.Height, 1, {}};
+			for (size_t Index = Blurred; Index < Shadow.Values.size(); Index += 4)
+			{
+				Result.BlurredToonShadow.Values.push_back(Shadow.Values[Index]);
+			}
 		}
 	}
 

@@ -39,6 +39,7 @@ struct FFrameInputs
 	int32 EngineMinor = ENGINE_MINOR_VERSION;
 	FIntPoint Extent = FIntPoint(0, 0); // of scene textures and output
 	FEngineShowFlags ShowFlags;
+	FLinearColor LightColor = FLinearColor(1.0f, 1.0f, 1.0f, 1.0f); // of the main light, relative
 	uint32 FrameNumber = 0;
 	std::vector<FFrameView> Views; // one at least
 	/** Files of the plugins whose extensions take part; empty optional: all. Extensions of no plugin always do. */
@@ -65,9 +66,10 @@ struct FFrameResult
 	double Milliseconds = 0.0; // from the first hook to the end of the graph
 
 	// Only of an executed frame.
-	FImage SceneLinear; // RGBA: the tonemapper's input, Rect only; black where no view is
-	FImage Final;       // RGBA: display-encoded, likewise
-	FImage BandingMap;  // RGB: of the blurred toon shadow of the first view that has one (Banding.h); else empty
+	FImage SceneLinear;       // RGBA: the tonemapper's input, Rect only; black where no view is
+	FImage Final;             // RGBA: display-encoded, likewise
+	FImage BandingMap;        // RGB: of the blurred toon shadow of the first view that has one (Banding.h); else empty
+	FImage BlurredToonShadow; // that shadow, one channel, decoded
 
 	// Only of one that was not.
 	FRDGCompiledGraph Graph;

@@ -205,6 +205,7 @@ FRunResult MakeResult(const FRunSetup& Setup, const FScene& Scene)
 	Result.Precision = GetVariableInt("r.Drydock.Precision") == 1 ? "double" : "float";
 	Result.Storage = StorageNames[std::clamp(GetVariableInt("r.Drydock.Storage"), 0, 2)];
 	Result.Threads = GetNumThreads();
+	Result.LightColor = Scene.GetLightColor();
 	Result.SceneExtent = Scene.GetExtent();
 	Result.ViewRect = GetViewRect(Setup.Config, Setup.Config.View, Scene);
 	for (const FConfigView& View : Setup.Config.Views)
@@ -264,6 +265,7 @@ FFrameInputs MakeFrameInputs(const FRunOptions& Options, const FRunSetup& Setup,
 	FFrameInputs Inputs;
 	Inputs.EngineMinor = ParseEngineVersion(Setup.Config.Engine.Value);
 	Inputs.Extent = Scene.GetExtent();
+	Inputs.LightColor = Scene.GetLightColor();
 	Inputs.ShowFlags = Setup.Chain.ShowFlags;
 	Inputs.FrameNumber = static_cast<uint32>(Options.Frame.value_or(Setup.Config.Scene.Frame.value_or(0)));
 	Inputs.Observer = &Observer;
@@ -319,6 +321,7 @@ void RunGraph(const FRunOptions& Options, const FRunSetup& Setup, FScene& Scene,
 	Result.SceneLinear = std::move(Frame.SceneLinear);
 	Result.Final = std::move(Frame.Final);
 	Result.BandingMap = std::move(Frame.BandingMap);
+	Result.BlurredToonShadow = std::move(Frame.BlurredToonShadow);
 }
 
 /** Adds what is known only with the config to an error of a later stage. */

@@ -67,6 +67,7 @@ struct FRunResult
 	FIntRect ViewRect; // of all views
 	std::vector<FRunView> Views;
 	std::vector<FSceneChannel> Channels;
+	FLinearColor LightColor;            // of the scene's main light, relative
 	std::vector<FHookCall> HookCalls;   // what view extensions were asked and did
 	std::vector<FHookPoint> HookPoints; // the chain's insertion points
 
@@ -75,6 +76,7 @@ struct FRunResult
 	FImage SceneLinear;           // RGBA: the tonemapper's input, the view rect only
 	FImage Final;                 // RGBA, display-encoded, the view rect only
 	FImage BandingMap;            // RGB, of the blurred toon shadow; empty where there is none
+	FImage BlurredToonShadow;     // one channel, decoded: what lighting reads; empty where there is none
 	std::vector<FRunDump> Dumps;
 	FRunTimes Times;
 

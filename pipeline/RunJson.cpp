@@ -63,6 +63,14 @@ void WriteEffects(FJsonWriter& Writer, const std::vector<FEffectDecision>& Effec
 			Writer.EndArray();
 			Writer.EndObject();
 		}
+		if (Effect.Deviation)
+		{
+			Writer.Key("darkDeviation").BeginObject(true);
+			Writer.Member("rms", Effect.Deviation->Rms);
+			Writer.Member("largest", Effect.Deviation->Largest);
+			Writer.Member("texels", Effect.Deviation->Texels);
+			Writer.EndObject();
+		}
 		Writer.EndObject();
 	}
 	Writer.EndArray();
@@ -215,6 +223,12 @@ std::string MakeRunJson(const FRunResult& Result)
 	Writer.Member("file", Result.Config.Scene.File.Value);
 	WriteSize(Writer, "extent", {Result.SceneExtent.X, Result.SceneExtent.Y});
 	WriteSize(Writer, "viewRect", {Rect.Min.X, Rect.Min.Y, Rect.Max.X, Rect.Max.Y});
+	Writer.Key("lightColor").BeginArray(true);
+	for (const float Component : {Result.LightColor.R, Result.LightColor.G, Result.LightColor.B})
+	{
+		Writer.Value(Component);
+	}
+	Writer.EndArray();
 	Writer.EndObject();
 	Writer.Key("exposure").BeginObject(true);
 	Writer.Member("scale", Result.ExposureScale);

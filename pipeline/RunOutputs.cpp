@@ -119,6 +119,8 @@ void WriteAside(const FRunResult& Result, const Files::path& Folder)
 	if (!Result.BandingMap.Values.empty())
 	{
 		Jobs.push_back([&] { WritePng((Folder / "toon_shadow_banding.png").string(), Result.BandingMap); });
+		Jobs.push_back(
+			[&] { WritePng((Folder / "toon_shadow_blurred.png").string(), MakePreview(Result.BlurredToonShadow)); });
 	}
 	for (const FRunDump& Dump : Result.Dumps)
 	{

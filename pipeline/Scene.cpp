@@ -5,6 +5,7 @@
 #include "NonFinite.h"
 #include "RenderGraphBuilder.h"
 #include "RenderTargetPool.h"
+#include "SceneLight.h"
 #include "TileExecutor.h"
 
 #include <algorithm>
@@ -36,6 +37,8 @@ FScene::FScene(const FConfig& InConfig)
 	: Config(InConfig.Scene)
 	, File(ResolveSceneFile(InConfig))
 	, Camera(ReadSceneCamera(File.GetAttribute("drydock:camera_json")))
+	, LightColor(
+		  ReadSceneLightColor(File.GetAttribute("drydock:camera_json")).value_or(FLinearColor(1.0f, 1.0f, 1.0f, 1.0f)))
 {
 	for (const std::string& Name : File.GetChannels())
 	{

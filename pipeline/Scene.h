@@ -56,6 +56,9 @@ public:
 	/** From the header's drydock:camera_json; empty when there is none. */
 	const std::optional<FSceneCamera>& GetCamera() const { return Camera; }
 
+	/** Of the main light, relative, from the same; white when there is none (SceneLight.h). */
+	const FLinearColor& GetLightColor() const { return LightColor; }
+
 	/** Registers every texture that the packing table knows; none has memory until Load. The others stay null. */
 	FSceneTextures RegisterTextures(FRDGBuilder& GraphBuilder);
 
@@ -97,6 +100,7 @@ private:
 	const FConfigScene& Config;
 	FImageFile File;
 	std::optional<FSceneCamera> Camera;
+	FLinearColor LightColor;
 	std::vector<FSceneChannel> Channels;
 	std::map<std::string, TRefCountPtr<FRHITexture>> Textures;
 	std::map<std::string, bool> Filled;

@@ -20,8 +20,9 @@ struct FEffectDecision
 	bool bActive = false;
 	bool bConfigured = false; // the config asks for it: not running is worth a line
 	std::string Reason;
-	std::optional<FToonBleed> Bleed = {};        // of an executed ToonBloom
-	std::optional<FBandingFigures> Banding = {}; // of an executed ToonShadowBlur: the blurred shadow as it is stored
+	std::optional<FToonBleed> Bleed = {};         // of an executed ToonBloom
+	std::optional<FBandingFigures> Banding = {};  // of an executed ToonShadowBlur: the blurred shadow as it is stored
+	std::optional<FDarkDeviation> Deviation = {}; // likewise: from what it would be without rounding
 };
 
 /** Every effect there is or will be, in the order of the frame. */

@@ -13,10 +13,11 @@ using namespace Drydock;
 namespace
 {
 
-FRunResult RunText(
-	const std::string& Settings, const std::string& More = "", const std::vector<std::string>& Variables = {})
+FRunResult RunText(const std::string& Settings, const std::string& More = "",
+	const std::vector<std::string>& Variables = {}, bool bDouble = false)
 {
 	FRunOptions Options;
+	Options.bDouble = bDouble;
 	Options.ConfigFile = DRYDOCK_TEST_SOURCE_DIR "/configs/text.json";
 	Options.ConfigText =
 		R"({"scene": {"file": "scenes/toon_character_641x359.exr"}, "volumes": [{"bUnbound": true, "Settings": {)" +
@@ -57,6 +58,13 @@ uint64_t CountDarkLevels(const std::string& Store)
 {
 	const FRunResult Result = RunText(R"("ToonShadowBlurIntensity": 1, "ToonShadowBlurStore": ")" + Store + R"(")");
 	return FindEffect(Result, "ToonShadowBlur").Banding->DarkLevels;
+}
+
+FDarkDeviation MeasureDeviation(const std::string& Store, bool bDouble = false)
+{
+	const FRunResult Result =
+		RunText(R"("ToonShadowBlurIntensity": 1, "ToonShadowBlurStore": ")" + Store + R"(")", "", {}, bDouble);
+	return *FindEffect(Result, "ToonShadowBlur").Deviation;
 }
 
 } // namespace
@@ -119,11 +127,76 @@ TEST(ArticleEffectsRun, SquareRootKeepsMoreDarkLevels)
 	EXPECT_GE(CountDarkLevels("SqrtEightBit"), 26u);
 }
 
+TEST(ArticleEffectsRun, DeviationOrdersTheThreeStores)
+{
+	// In steps of 1/255: one rounding to 8 bit leaves 0.29, two that know nothing of each other sqrt(2) times that, and
+	// twenty passes in 8 bit more; the root, below 1/20, at most 2 * sqrt(1/20) of 0.29.
+	const FDarkDeviation Mosaic = MeasureDeviation("EightBit");
+	const FDarkDeviation Bands = MeasureDeviation("SixteenBit");
+	const FDarkDeviation Smooth = MeasureDeviation("SqrtEightBit");
+	EXPECT_GT(Mosaic.Rms, 0.29 * std::sqrt(2));
+	EXPECT_NEAR(0.29, Bands.Rms, 0.03);
+	EXPECT_LT(Smooth.Rms, 0.29 * 2 * std::sqrt(0.05));
+	EXPECT_GT(Mosaic.Largest, 2 * Bands.Largest);
+	EXPECT_GT(Bands.Largest, Smooth.Largest);
+	EXPECT_EQ(Mosaic.Texels, Smooth.Texels);
+}
+
+TEST(ArticleEffectsRun, WithoutRoundingNothingDeviates)
+{
+	EXPECT_LT(MeasureDeviation("EightBit", true).Largest, 1e-3);
+}
+
+TEST(ArticleEffectsRun, ToonShadowPassByPassIsTheEffect)
+{
+	const FRunResult BySettings = RunText(R"("ToonShadowBlurIntensity": 0.5, "ToonShadowBlurSizeScale": 2)");
+	// The scene's light is (11, 10.01, 8.8).
+	const FRunResult ByPasses = RunText("", R"(, "passes": [
+		{"type": "ToonShadowSetup", "at": "MotionBlur", "name": "Setup", "replace": false},
+		{"type": "TextureBlur", "at": "MotionBlur", "name": "Blur", "replace": false, "inputs": {"Input": "Setup"},
+			"parameters": {"SizeScale": 2}},
+		{"type": "ToonShadowCombine", "at": "MotionBlur", "name": "Buffer", "replace": false, "inputs": {"Blurred": "Blur"}},
+		{"type": "ToonShadowLighting", "at": "MotionBlur", "inputs": {"Shadow": "Buffer"},
+			"parameters": {"Intensity": 0.5, "LightColor": [1, 0.91, 0.8]}}])");
+	EXPECT_NE(RunText("").Final.Values, BySettings.Final.Values);
+	EXPECT_EQ(BySettings.Final.Values, ByPasses.Final.Values);
+}
+
+TEST(ArticleEffectsRun, DepthOfFieldByNameIsTheEffect)
+{
+	const FRunResult BySettings = RunText(R"("REDDofFocalDistance": 400, "REDDofFarBlurSize": 4)");
+	const FRunResult ByPass = RunText("", R"(, "passes": [{"type": "REDDepthOfField", "at": "MotionBlur",
+		"parameters": {"FocalDistance": 400, "FarBlurSize": 4}}])");
+	EXPECT_EQ(BySettings.Final.Values, ByPass.Final.Values);
+}
+
+TEST(ArticleEffectsRun, TextureBlurWorksOnAnyPictureAtAnyHook)
+{
+	for (const char* Hook : {"MotionBlur", "Tonemap", "PrePostProcessPass"})
+	{
+		const FRunResult Result = RunText("", R"(, "passes": [
+			{"type": "TextureBlur", "at": ")" + std::string(Hook) +
+												  R"(", "name": "B", "replace": false},
+			{"type": "REDGlow", "at": ")" + Hook + R"(", "inputs": {"Blurred": "B"}}])");
+		EXPECT_NE(RunText("").Final.Values, Result.Final.Values) << Hook;
+	}
+}
+
+TEST(ArticleEffectsRun, LightHasTheColorOfTheScene)
+{
+	const FRunResult Result = RunText(R"("ToonShadowBlurIntensity": 1)");
+	EXPECT_NEAR(10.01 / 11, Result.LightColor.G, 1e-6);
+	EXPECT_NEAR(8.8 / 11, Result.LightColor.B, 1e-6);
+	EXPECT_THAT(Result.RunJson, testing::HasSubstr("\"lightColor\": [1, 0.91, 0.8]"));
+}
+
 TEST(ArticleEffectsRun, ReportHoldsBandingAndTheMapIsThere)
 {
 	const FRunResult Result = RunText(R"("ToonShadowBlurIntensity": 1)");
 	EXPECT_THAT(Result.RunJson, testing::HasSubstr("\"uniqueLevels\""));
+	EXPECT_THAT(Result.RunJson, testing::HasSubstr("\"darkDeviation\": {\"rms\": "));
 	EXPECT_EQ(641, Result.BandingMap.Width);
+	EXPECT_EQ(641, Result.BlurredToonShadow.Width);
 	EXPECT_TRUE(RunText("").BandingMap.Values.empty());
 }
 

@@ -1,0 +1,18 @@
+// The colour of a rendered frame's main light, for what is lit after rendering. Source: drydock (attribute:
+// configs/scenes/README.md).
+#pragma once
+
+#include "CoreMinimal.h"
+
+#include <optional>
+#include <string>
+
+namespace Drydock
+{
+
+/** The colour that a drydock:camera_json text says as main_light_color, relative: divided by its largest component,
+ * because how strong the light is lies in the frame already. Empty where it says none, or what is no colour: other than
+ * three finite numbers, a negative one, black. */
+DRYDOCK_API std::optional<FLinearColor> ReadSceneLightColor(const std::string& Json);
+
+} // namespace Drydock
