@@ -48,6 +48,7 @@ enum EConfigError
 	ErrorChannelMissing = 5003, // the scene file lacks a channel that a surviving pass needs
 	ErrorFileNotWritten = 5004, // cannot be written
 	ErrorImageTooLarge = 5005,  // larger than any frame
+	ErrorImagesDiffer = 5006,   // two images of different kinds or sizes cannot be compared
 };
 
 } // namespace Drydock

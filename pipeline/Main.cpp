@@ -228,6 +228,21 @@ int ParseAndRun(int NumArguments, char** Arguments)
 	Graph->add_flag("--json", Options.bJson, "The same as --format json");
 	Graph->callback([&] { ExitCode = GraphVerb(Options); });
 
+	FDiffOptions DiffOptions;
+	CLI::App* Diff =
+		Program.add_subcommand("diff", "Print how far two images are apart, or two runs picture by picture");
+	Diff->add_option("A", DiffOptions.A, "Image, or folder of a run")->required();
+	Diff->add_option("B", DiffOptions.B, "What A is measured against: another one of the same kind and size")
+		->required();
+	Diff->add_option("--max", DiffOptions.Max, "Exit code 1 where a value differs by more than this")
+		->check(CLI::NonNegativeNumber.description(""))
+		->type_name("M");
+	Diff->add_option("--heatmap", DiffOptions.HeatMap,
+			"PNG of where the error is, over four decades of it; of two runs a folder, with one of each picture")
+		->type_name("FILE");
+	Diff->add_flag("--json", DiffOptions.bJson, "Print the figures as JSON");
+	Diff->callback([&] { ExitCode = DiffVerb(DiffOptions); });
+
 	std::string Things;
 	std::string Filter;
 	CLI::App* List =

@@ -86,6 +86,20 @@ struct FSettingsPlanOptions
 /** Every place that an engine patch for one setting touches. */
 DRYDOCK_API int SettingsPlanVerb(const FSettingsPlanOptions& Options);
 
+/** Arguments of `diff`. */
+struct FDiffOptions
+{
+	std::string A; // an image, or the folder of a run
+	std::string B; // likewise: what A is measured against
+	std::optional<double> Max;
+	std::string HeatMap; // PNG to write; of two folders the folder for one of each image; empty: none
+	bool bJson = false;
+};
+
+/** Prints error figures between two images, or between two runs picture by picture. ExitPolicy where one is above Max,
+ * or is there once only. Throws FError when they cannot be compared. */
+DRYDOCK_API int DiffVerb(const FDiffOptions& Options);
+
 /** Compiles the shaders of configs into the cache (in Folder, or the usual place when that is empty). */
 DRYDOCK_API int WarmVerb(const std::vector<std::string>& Configs, const std::string& Folder);
 
