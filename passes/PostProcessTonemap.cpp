@@ -30,6 +30,7 @@ BEGIN_SHADER_PARAMETER_STRUCT(FTonemapParameters, )
 	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, BloomTexture)
 	SHADER_PARAMETER_SAMPLER(SamplerState, BloomSampler)
 	SHADER_PARAMETER_RDG_BUFFER_SRV(StructuredBuffer<float4>, EyeAdaptationBuffer)
+	SHADER_PARAMETER_RDG_BUFFER_SRV(StructuredBuffer<float4>, SceneColorApplyParamaters)
 	SHADER_PARAMETER(FLinearColor, ColorScale0)
 	SHADER_PARAMETER(FVector4f, FilmSlopeToeShoulderBlackClip)
 	SHADER_PARAMETER(float, FilmWhiteClip)
@@ -45,7 +46,10 @@ END_SHADER_PARAMETER_STRUCT()
 class FTonemapBloomDimension : SHADER_PERMUTATION_BOOL("USE_BLOOM");
 class FTonemapVignetteDimension : SHADER_PERMUTATION_BOOL("USE_VIGNETTE");
 
-using FTonemapPermutation = TShaderPermutationDomain<FTonemapBloomDimension, FTonemapVignetteDimension>;
+class FTonemapSceneColorApplyDimension : SHADER_PERMUTATION_BOOL("USE_SCENE_COLOR_APPLY");
+
+using FTonemapPermutation =
+	TShaderPermutationDomain<FTonemapBloomDimension, FTonemapVignetteDimension, FTonemapSceneColorApplyDimension>;
 
 class FTonemapPS : public FGlobalShader
 {
@@ -124,6 +128,10 @@ FTonemapParameters MakeParameters(FRDGBuilder& GraphBuilder, const FViewInfo& Vi
 		Parameters.BloomSampler = BilinearClamp;
 	}
 	Parameters.EyeAdaptationBuffer = GraphBuilder.CreateSRV(Inputs.EyeAdaptationBuffer);
+	if (Inputs.SceneColorApplyParamaters)
+	{
+		Parameters.SceneColorApplyParamaters = GraphBuilder.CreateSRV(Inputs.SceneColorApplyParamaters);
+	}
 	Parameters.ColorScale0 = Settings.SceneColorTint;
 	Parameters.FilmSlopeToeShoulderBlackClip =
 		FVector4f(Settings.FilmSlope, Settings.FilmToe, Settings.FilmShoulder, Settings.FilmBlackClip);
@@ -166,6 +174,7 @@ FScreenPassTexture AddTonemapPass(FRDGBuilder& GraphBuilder, const FViewInfo& Vi
 
 	FTonemapPermutation Permutation;
 	Permutation.Set<FTonemapBloomDimension>(Inputs.Bloom.IsValid());
+	Permutation.Set<FTonemapSceneColorApplyDimension>(Inputs.SceneColorApplyParamaters != nullptr);
 	Permutation.Set<FTonemapVignetteDimension>(View.FinalPostProcessSettings.VignetteIntensity > 0.0f);
 
 	const int32 Width = Output.ViewRect.Width();

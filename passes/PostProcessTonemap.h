@@ -28,6 +28,10 @@ struct FTonemapInputs
 	/** [Optional] Linear, pre-exposed, intensity applied; any resolution. */
 	FScreenPassTexture Bloom;
 
+	/** [Optional] Entry 0's rgb multiplies scene colour, not bloom (PostProcessFFTBloom.h); null: 1. The name is the
+	 * engine's, letter for letter. */
+	FRDGBufferRef SceneColorApplyParamaters = nullptr;
+
 	/** [Required] Entry 0's x is the exposure scale. */
 	FRDGBufferRef EyeAdaptationBuffer = nullptr;
 

@@ -19,7 +19,6 @@ const FAutoConsoleVariable NotSimulated[] = {
 		Scaled},
 	{TEXT("r.AmbientOcclusionRadiusScale"), 1.0f, TEXT("Not simulated. Factor on the radius."), Scaled},
 	{TEXT("r.Bloom.ApplyLocalExposure"), true, TEXT("Not simulated. Local exposure acts on the bloom's input."), Plain},
-	{TEXT("r.Bloom.ScreenPercentage"), 100.0f, TEXT("Not simulated. Resolution of FFT bloom, percent."), Scaled},
 	{TEXT("r.CustomDepth"), 1, TEXT("Not simulated. Custom depth: 0 off, 1 on, 3 with stencil."), Plain},
 	{TEXT("r.DOF.Gather.AccumulatorQuality"), 1, TEXT("Not simulated. Quality of the gathering: 0 low, 1 high."),
 		Scaled},

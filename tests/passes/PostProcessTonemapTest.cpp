@@ -3,6 +3,9 @@
 #include "ToneReference.h"
 
 #include "PostProcessTonemap.h"
+#include "RenderGraphUtils.h"
+
+#include <optional>
 
 using namespace PassTest;
 using PassReference::MaxDifference;
@@ -172,6 +175,34 @@ TEST(Tonemap, EightBitStoreIsTheRoundedFloat)
 								}),
 				  Stored),
 		0.5 / 255 + 1e-6);
+}
+
+TEST_P(TonemapReference, SceneColorApplyParametersMultiplySceneColourAlone)
+{
+	const FImage Image = FImage::Noise(9, 7, 4.0), Bloom = FImage::Noise(9, 7, 1.0, 2);
+	const auto Run = [&](const FImage& SceneColor, std::optional<FVector4f> Factor)
+	{
+		FPassRun PassRun(SceneColor, GetParam(), PF_A32B32G32R32F);
+		FTonemapInputs Inputs;
+		Inputs.SceneColor = PassRun.Input;
+		Inputs.Bloom = PassRun.AddInput(Bloom, PF_A32B32G32R32F, TEXT("Bloom"));
+		Inputs.EyeAdaptationBuffer = CreateEyeAdaptationBuffer(PassRun.GraphBuilder, 1.0f);
+		Inputs.OutputFormat = PF_A32B32G32R32F;
+		if (Factor)
+		{
+			Inputs.SceneColorApplyParamaters = CreateStructuredBuffer(
+				PassRun.GraphBuilder, TEXT("Factor"), sizeof(FVector4f), 1, &*Factor, sizeof(FVector4f));
+		}
+		return PassRun.Execute(AddTonemapPass(PassRun.GraphBuilder, PassRun.View, Inputs));
+	};
+	const FImage Scaled = FImage::Make(9, 7,
+		[&](int X, int Y)
+		{
+			const FTexel& Color = Image.At(X, Y);
+			return FTexel{Color[0] * 0.5, Color[1] * 0.25, Color[2], Color[3]};
+		});
+	EXPECT_EQ(Run(Scaled, {}).Texels, Run(Image, FVector4f(0.5f, 0.25f, 1.0f, 1.0f)).Texels);
+	EXPECT_EQ(Run(Image, {}).Texels, Run(Image, FVector4f(1.0f, 1.0f, 1.0f, 1.0f)).Texels);
 }
 
 TEST(Tonemap, ComputeAndPixelShaderGiveTheSameBits)
