@@ -63,12 +63,12 @@ FImageFile::FImageFile(const std::string& InPath)
 {
 	if (!std::filesystem::is_regular_file(Path))
 	{
-		throw MakeError(ErrorFileMissing, Path, "the scene file cannot be opened: there is no such file");
+		throw MakeError(ErrorFileMissing, Path, "the image file cannot be opened: there is no such file");
 	}
 	Input->File = OIIO::ImageInput::open(Path);
 	if (!Input->File)
 	{
-		throw MakeError(ErrorImageBroken, Path, "the scene file cannot be read: " + OneLine(OIIO::geterror()));
+		throw MakeError(ErrorImageBroken, Path, "the image file cannot be read: " + OneLine(OIIO::geterror()));
 	}
 	const OIIO::ImageSpec& Spec = Input->File->spec();
 	Width = Spec.width;
@@ -77,12 +77,12 @@ FImageFile::FImageFile(const std::string& InPath)
 	bEncoded = Spec.get_string_attribute("oiio:ColorSpace") == "sRGB";
 	if (Width < 1 || Height < 1 || Spec.depth > 1 || Channels.empty())
 	{
-		throw MakeError(ErrorImageBroken, Path, "the scene file holds no picture");
+		throw MakeError(ErrorImageBroken, Path, "the image file holds no picture");
 	}
 	if (Width > MaxSide || Height > MaxSide || int64_t(Width) * Height > MaxPixels)
 	{
 		throw MakeError(ErrorImageTooLarge, Path,
-			"the scene file says " + std::to_string(Width) + " x " + std::to_string(Height) +
+			"the image file says " + std::to_string(Width) + " x " + std::to_string(Height) +
 				" pixels; the largest frame is " + std::to_string(MaxSide) + " a side and " +
 				std::to_string(MaxPixels) + " in all");
 	}
@@ -116,7 +116,7 @@ std::vector<std::vector<float>> FImageFile::Read(const std::vector<int>& Channel
 	if (!Input->File->read_image(0, 0, Begin, *Last + 1, OIIO::TypeDesc::FLOAT, Pixels.data()))
 	{
 		throw MakeError(
-			ErrorImageBroken, Path, "the scene file is truncated or corrupt: " + OneLine(Input->File->geterror()));
+			ErrorImageBroken, Path, "the image file is truncated or corrupt: " + OneLine(Input->File->geterror()));
 	}
 	for (size_t Plane = 0; Plane < Planes.size(); ++Plane)
 	{
@@ -171,12 +171,12 @@ void WriteExr(const std::string& Path, const FImage& Image, const std::vector<st
 	WriteImage(Path, Spec, OIIO::TypeDesc::FLOAT, Pixels.data());
 }
 
-void WritePng(const std::string& Path, const FImage& Image)
+void WritePng(const std::string& Path, const FImage& Image, int Compression)
 {
 	OIIO::ImageSpec Spec(Image.Width, Image.Height, Image.NumChannels, OIIO::TypeDesc::UINT8);
 	Spec.attribute("oiio:ColorSpace", "sRGB");
 	Spec.attribute("oiio:UnassociatedAlpha", 1);
-	Spec.attribute("png:compressionLevel", 3); // a few percent larger than the default, twice as fast
+	Spec.attribute("png:compressionLevel", Compression);
 	std::vector<uint8_t> Pixels(Image.Values.size());
 	std::transform(Image.Values.begin(), Image.Values.end(), Pixels.begin(),
 		[](double Value)

@@ -79,6 +79,25 @@ void AddArithmetic(CLI::App& Verb, FVerbOptions& Options)
 		->type_name("N");
 }
 
+void AddSheetVerb(CLI::App& Program, FSheetVerbOptions& Options, int& ExitCode)
+{
+	CLI::App* Sheet = Program.add_subcommand("sheet", "Put pictures side by side into one, each with a caption");
+	Sheet->add_option("PICTURE", Options.Pictures, "Pictures, or folders of runs, whose final.png it is")->required();
+	Sheet->add_option("--out", Options.OutputFile, "The picture to write")->type_name("FILE.png")->required();
+	Sheet->add_option("--columns", Options.Columns, "Pictures in a row; by default as many as rows")
+		->check(CLI::Range(1, 100).description(""))
+		->type_name("N");
+	Sheet->add_option("--width", Options.TileWidth, "Width of each picture in pixels; 320 by default")
+		->check(CLI::Range(16, 4096).description(""))
+		->type_name("N");
+	AddRepeated(*Sheet, "--caption", "TEXT", Options.Captions,
+		"Of the first picture, then of the second ...; repeats; by default the name of file or folder");
+	Sheet->add_option("--crop", Options.Crop, "Only this part of each picture")->type_name("X,Y,WIDTH,HEIGHT");
+	Sheet->add_option("--inset", Options.Inset, "This part once more beneath, enlarged, its light times GAIN")
+		->type_name("X,Y,WIDTH,HEIGHT[,GAIN]");
+	Sheet->callback([&] { ExitCode = SheetVerb(Options); });
+}
+
 /** The verbs under `settings`. */
 void AddSettingsVerbs(
 	CLI::App& Settings, FSettingsVerbOptions& Options, FSettingsPlanOptions& PlanOptions, int& ExitCode)
@@ -258,6 +277,9 @@ int ParseAndRun(int NumArguments, char** Arguments)
 		[&] {
 			ExitCode = Things == "cvars" ? ListVariablesVerb(Options, Filter) : ListVerb(Things, Filter, Options.bJson);
 		});
+
+	FSheetVerbOptions SheetOptions;
+	AddSheetVerb(Program, SheetOptions, ExitCode);
 
 	FSettingsVerbOptions SettingsOptions;
 	FSettingsPlanOptions PlanOptions;

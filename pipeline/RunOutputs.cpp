@@ -5,6 +5,7 @@
 #include "RenderGraphDump.h"
 #include "RunDump.h"
 #include "RunJson.h"
+#include "Srgb.h"
 #include "TileExecutor.h"
 
 #include <algorithm>
@@ -75,7 +76,7 @@ FImage MakePreview(const FImage& Image)
 	{
 		const double Clipped = std::max(Value, 0.0);
 		const double Linear = bDisplayRange ? Clipped : std::isinf(Clipped) ? 1.0 : Clipped / (1.0 + Clipped);
-		Value = Linear <= 0.0031308 ? 12.92 * Linear : 1.055 * std::pow(Linear, 1.0 / 2.4) - 0.055;
+		Value = EncodeSrgb(Linear);
 	}
 	return Preview;
 }

@@ -100,6 +100,21 @@ struct FDiffOptions
  * or is there once only. Throws FError when they cannot be compared. */
 DRYDOCK_API int DiffVerb(const FDiffOptions& Options);
 
+/** Arguments of `sheet`. */
+struct FSheetVerbOptions
+{
+	std::vector<std::string> Pictures; // files, or folders of runs
+	std::string OutputFile;
+	std::vector<std::string> Captions; // of the first pictures, in place of their names
+	int Columns = 0;                   // 0: chosen
+	int TileWidth = 320;
+	std::string Crop;  // "X,Y,WIDTH,HEIGHT"; empty: all
+	std::string Inset; // "X,Y,WIDTH,HEIGHT[,GAIN]"; empty: none
+};
+
+/** Puts pictures side by side into one. */
+DRYDOCK_API int SheetVerb(const FSheetVerbOptions& Options);
+
 /** Compiles the shaders of configs into the cache (in Folder, or the usual place when that is empty). */
 DRYDOCK_API int WarmVerb(const std::vector<std::string>& Configs, const std::string& Folder);
 
