@@ -33,12 +33,15 @@ BEGIN_SHADER_PARAMETER_STRUCT(FBloomSetupParameters, )
 	SHADER_PARAMETER(float, ToonIntensity)
 	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Toon)
 	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, ToonTexture)
+	SHADER_PARAMETER_STRUCT(FLocalExposureShaderParameters, LocalExposure)
 END_SHADER_PARAMETER_STRUCT()
 
 class FThresholdDimension : SHADER_PERMUTATION_BOOL("USE_THRESHOLD");
 class FToonBloomDimension : SHADER_PERMUTATION_ENUM_CLASS("TOON_BLOOM", EToonBloom);
+class FLocalExposureDimension : SHADER_PERMUTATION_BOOL("USE_LOCAL_EXPOSURE");
 
-using FBloomSetupPermutation = TShaderPermutationDomain<FThresholdDimension, FToonBloomDimension>;
+using FBloomSetupPermutation =
+	TShaderPermutationDomain<FThresholdDimension, FToonBloomDimension, FLocalExposureDimension>;
 
 class FBloomSetupPS : public FGlobalShader
 {
@@ -156,6 +159,7 @@ FScreenPassTexture AddBloomSetupPass(FRDGBuilder& GraphBuilder, const FViewInfo&
 	BloomSetup.InputSampler = TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
 	BloomSetup.EyeAdaptationBuffer = GraphBuilder.CreateSRV(Inputs.EyeAdaptationBuffer);
 	BloomSetup.BloomThreshold = Inputs.Threshold;
+	BloomSetup.LocalExposure = GetLocalExposureShaderParameters(Inputs.LocalExposure);
 
 	BloomSetup.SceneTextures = Inputs.SceneTextures;
 	BloomSetup.ToonIntensity = Inputs.ToonIntensity;
@@ -170,6 +174,7 @@ FScreenPassTexture AddBloomSetupPass(FRDGBuilder& GraphBuilder, const FViewInfo&
 	// Written so that a NaN threshold, which no comparison holds for, means none.
 	Permutation.Set<FThresholdDimension>(Inputs.Threshold > -1.0f);
 	Permutation.Set<FToonBloomDimension>(ToonBloom);
+	Permutation.Set<FLocalExposureDimension>(Inputs.LocalExposure.IsValid());
 
 	if (bCompute)
 	{

@@ -3,6 +3,7 @@
 //
 // Formula, per pixel: C = scene colour / PreExposure, C = min(C, 65536), L = luminance(C) * exposure scale,
 // amount = saturate((L - Threshold) / 2), or exactly 1 where Threshold <= -1; result (amount * C * PreExposure, 0).
+// Local exposure multiplies C before the clamp.
 // Contract. Same extent, rect and format as the input. NaN becomes 65536 * PreExposure before the ramp (min takes the
 // other operand, as on a GPU), +Inf likewise; -Inf and negatives pass on until an unsigned store clips them. An input
 // without such values gives none.
@@ -18,6 +19,7 @@
 #include "CoreMinimal.h"
 #include "PostProcessDownsample.h"
 #include "PostProcessGaussianBloom.h"
+#include "PostProcessLocalExposure.h"
 #include "SceneTextureParameters.h"
 #include "ScreenPass.h"
 
@@ -29,6 +31,8 @@ struct FBloomSetupInputs
 	FRDGBufferRef EyeAdaptationBuffer = nullptr;
 	/** In exposed luminance; -1 and below: no threshold. */
 	float Threshold = -1.0f;
+	/** Not valid: none. */
+	FLocalExposureTextures LocalExposure;
 
 	/** Null: no toon bloom. */
 	TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures = nullptr;

@@ -41,15 +41,16 @@ BEGIN_SHADER_PARAMETER_STRUCT(FTonemapParameters, )
 	SHADER_PARAMETER(FVector2f, VignetteScale)
 	SHADER_PARAMETER(float, VignetteIntensity)
 	SHADER_PARAMETER(float, bWriteLumaToAlpha)
+	SHADER_PARAMETER_STRUCT(FLocalExposureShaderParameters, LocalExposure)
 END_SHADER_PARAMETER_STRUCT()
 
 class FTonemapBloomDimension : SHADER_PERMUTATION_BOOL("USE_BLOOM");
 class FTonemapVignetteDimension : SHADER_PERMUTATION_BOOL("USE_VIGNETTE");
-
+class FTonemapLocalExposureDimension : SHADER_PERMUTATION_BOOL("USE_LOCAL_EXPOSURE");
 class FTonemapSceneColorApplyDimension : SHADER_PERMUTATION_BOOL("USE_SCENE_COLOR_APPLY");
 
-using FTonemapPermutation =
-	TShaderPermutationDomain<FTonemapBloomDimension, FTonemapVignetteDimension, FTonemapSceneColorApplyDimension>;
+using FTonemapPermutation = TShaderPermutationDomain<FTonemapBloomDimension, FTonemapVignetteDimension,
+	FTonemapLocalExposureDimension, FTonemapSceneColorApplyDimension>;
 
 class FTonemapPS : public FGlobalShader
 {
@@ -143,6 +144,7 @@ FTonemapParameters MakeParameters(FRDGBuilder& GraphBuilder, const FViewInfo& Vi
 	Parameters.VignetteScale = Drydock::ComputeVignetteScale(Output.ViewRect.Size());
 	Parameters.VignetteIntensity = Settings.VignetteIntensity;
 	Parameters.bWriteLumaToAlpha = Inputs.bWriteAlphaChannel ? 1.0f : 0.0f;
+	Parameters.LocalExposure = GetLocalExposureShaderParameters(Inputs.LocalExposure);
 	return Parameters;
 }
 
@@ -176,6 +178,7 @@ FScreenPassTexture AddTonemapPass(FRDGBuilder& GraphBuilder, const FViewInfo& Vi
 	Permutation.Set<FTonemapBloomDimension>(Inputs.Bloom.IsValid());
 	Permutation.Set<FTonemapSceneColorApplyDimension>(Inputs.SceneColorApplyParamaters != nullptr);
 	Permutation.Set<FTonemapVignetteDimension>(View.FinalPostProcessSettings.VignetteIntensity > 0.0f);
+	Permutation.Set<FTonemapLocalExposureDimension>(Inputs.LocalExposure.IsValid());
 
 	const int32 Width = Output.ViewRect.Width();
 	const int32 Height = Output.ViewRect.Height();

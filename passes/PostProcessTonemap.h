@@ -1,17 +1,19 @@
 // Tonemapping: exposure, vignette, bloom, the engine's film curve evaluated analytically, sRGB.
 // Source: engine file PostProcessTonemap.h.
 //
-// Built so far: scene colour tint, vignette, bloom composite, film curve with its five parameters, blue correction,
-// gamut expansion, tone-curve amount, sRGB output. Not yet: colour grading and its lookup table, local exposure, film
+// Built so far: scene colour tint, vignette, local exposure, bloom composite, film curve with its five parameters, blue correction,
+// gamut expansion, tone-curve amount, sRGB output. Not yet: colour grading and its lookup table, film
 // grain, sharpening, chromatic aberration, dirt mask, other output devices, the gamma-only path.
 //
-// Per pixel: colour * tint * e + bloom * e, e = exposure scale / PreExposure * vignette; then the curve in AP1.
+// Per pixel: colour * tint * e * local exposure + bloom * e, e = exposure scale / PreExposure * vignette; then the
+// curve in AP1.
 // Contract. The result lies in 0..1 before an UNORM store for every input: after bloom a NaN or negative channel counts
 // as 0, one above 65504 (infinity too) as 65504. Black gives black. Bloom is sampled bilinearly within its bilinear
 // rect. Every size from 1x1 up. A float target keeps what the curve gives above 1 (white clip).
 #pragma once
 
 #include "CoreMinimal.h"
+#include "PostProcessLocalExposure.h"
 #include "ScreenPass.h"
 
 class FRDGBuilder;
@@ -34,6 +36,9 @@ struct FTonemapInputs
 
 	/** [Required] Entry 0's x is the exposure scale. */
 	FRDGBufferRef EyeAdaptationBuffer = nullptr;
+
+	/** [Optional] Colour, not bloom, times its factor. */
+	FLocalExposureTextures LocalExposure;
 
 	/** Format of a new output. */
 	EPixelFormat OutputFormat = PF_B8G8R8A8;

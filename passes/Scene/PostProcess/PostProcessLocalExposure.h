@@ -1,5 +1,4 @@
-// Local exposure has no pass yet: this name gives what its users include with it. Source: engine file
-// PostProcess/PostProcessLocalExposure.h.
+// Forwards under the engine's path. Source: engine file PostProcess/PostProcessLocalExposure.h.
 #pragma once
 
-#include <PostProcessEyeAdaptation.h>
+#include <PostProcessLocalExposure.h>

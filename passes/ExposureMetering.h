@@ -1,0 +1,44 @@
+// Reading luminance on the CPU as PostProcessHistogramCommon.ush does on lanes, in double. Source: engine file
+// PostProcessHistogramCommon.ush (formulas); drydock.
+#pragma once
+
+#include "RHITexture.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Drydock
+{
+
+/** Mean of a texel's channels as stored; may be negative, infinite or NaN. */
+inline double ReadMeanColor(FRHITexture& Texture, int32 X, int32 Y)
+{
+	const FVector4 Color = Texture.ReadTexelDouble(X, Y);
+	return (Color.X + Color.Y + Color.Z) / 3.0;
+}
+
+/** log2 of what a mean that is not NaN counts as: CalculateEyeAdaptationLuminance. */
+inline double GetMeteredLogLuminance(double Mean, double OneOverPreExposure, double LuminanceMin)
+{
+	return std::log2(std::max(std::clamp(Mean, 0.0, 65536.0) * OneOverPreExposure, LuminanceMin));
+}
+
+/** Two neighbouring buckets of NumBuckets and how a luminance is shared between them. */
+struct FBucketShare
+{
+	int32 First = 0;
+	double FirstWeight = 1.0;
+	double SecondWeight = 0.0;
+};
+
+inline FBucketShare ShareBetweenBuckets(double LogLuminance, double Scale, double Bias, int32 NumBuckets)
+{
+	const double Position = std::clamp(LogLuminance * Scale + Bias, 0.0, 1.0) * (NumBuckets - 1);
+	FBucketShare Share;
+	Share.First = std::min(static_cast<int32>(Position), NumBuckets - 2);
+	Share.SecondWeight = Position - Share.First;
+	Share.FirstWeight = 1.0 - Share.SecondWeight;
+	return Share;
+}
+
+} // namespace Drydock

@@ -1,0 +1,4 @@
+// Forwards under the engine's path. Source: engine file PostProcess/PostProcessHistogram.h.
+#pragma once
+
+#include <PostProcessHistogram.h>

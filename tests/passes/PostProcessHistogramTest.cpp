@@ -1,0 +1,148 @@
+// The histogram of log2 luminance against its bucket maths, the mask, pre-exposure, rects and hazards.
+#include "ExposureTestUtils.h"
+
+#include <numeric>
+
+using namespace PassTest;
+
+namespace
+{
+
+using FBuckets = std::array<double, GHistogramSize>;
+
+FBuckets Count(const FImage& Image, const FMetering& Metering = {})
+{
+	return FMeteringRun(Image, Metering).GetHistogram();
+}
+
+double SumOf(const FBuckets& Buckets)
+{
+	return std::accumulate(Buckets.begin(), Buckets.end(), 0.0);
+}
+
+/** A second computation: each texel's place between 0 and 63, its weight shared linearly. */
+FBuckets Expected(const FImage& Image)
+{
+	FBuckets Buckets{};
+	for (const FTexel& Texel : Image.Texels)
+	{
+		const double Luminance = std::max((Texel[0] + Texel[1] + Texel[2]) / 3, 1.0 / 256);
+		const double Place = std::min(63.0, (std::log2(Luminance) + 8) / 12 * 63);
+		for (int Bucket = 0; Bucket < 64; ++Bucket)
+		{
+			Buckets[Bucket] += std::max(0.0, 1 - std::abs(Place - Bucket)) / static_cast<double>(Image.Texels.size());
+		}
+	}
+	Buckets[0] = 0;
+	return Buckets;
+}
+
+} // namespace
+
+TEST(PostProcessHistogram, ALuminanceAtABucketFillsItAlone)
+{
+	EXPECT_NEAR(1, Count(Grey(1.0 / 16))[21], 1e-5); // log2 -4 is a third of the range
+	EXPECT_NEAR(1, Count(Grey(1))[42], 1e-5);
+	EXPECT_NEAR(1, Count(Grey(16))[63], 1e-5);
+}
+
+TEST(PostProcessHistogram, BetweenTwoBucketsAPixelIsShared)
+{
+	const FBuckets Buckets = Count(Grey(BucketLuminance(30.25)));
+	EXPECT_NEAR(0.75, Buckets[30], 1e-4);
+	EXPECT_NEAR(0.25, Buckets[31], 1e-4);
+}
+
+TEST(PostProcessHistogram, ARampFillsAllBucketsButBlack)
+{
+	const FBuckets Buckets = Count(BucketRamp());
+	EXPECT_EQ(0, Buckets[0]);
+	for (int Bucket = 1; Bucket < 64; ++Bucket)
+	{
+		EXPECT_NEAR(1.0 / 64, Buckets[Bucket], 1e-5) << Bucket;
+	}
+}
+
+TEST(PostProcessHistogram, NoiseOfOddSizesFollowsTheBucketMaths)
+{
+	for (const auto& [Width, Height] : {std::pair(65, 37), {1, 1}, {1, 50}, {33, 1}})
+	{
+		const FImage Image = FImage::Noise(Width, Height, 8);
+		const FBuckets Buckets = Count(Image), Reference = Expected(Image);
+		for (size_t Bucket = 0; Bucket < Buckets.size(); ++Bucket)
+		{
+			EXPECT_NEAR(Reference[Bucket], Buckets[Bucket], 1e-5) << Width << "x" << Height << " bucket " << Bucket;
+		}
+	}
+}
+
+TEST(PostProcessHistogram, LuminanceIsTheMeanOfTheChannels)
+{
+	EXPECT_NEAR(1, Count(FImage(1, 1, {3, 0, 0, 1}))[42], 1e-5);
+	EXPECT_NEAR(1, Count(FImage(1, 1, {0, 1, 2, 1}))[42], 1e-5);
+}
+
+TEST(PostProcessHistogram, BlackCountsAsTheVariableSays)
+{
+	EXPECT_EQ(0, SumOf(Count(Grey(0))));
+	const FScopedConsoleVariable Influence(TEXT("r.EyeAdaptation.BlackHistogramBucketInfluence"), 0.5f);
+	EXPECT_NEAR(0.5, Count(Grey(0))[0], 1e-6);
+}
+
+TEST(PostProcessHistogram, NaNIsLeftOutNegativesAreBlackInfinityIsBright)
+{
+	const FScopedConsoleVariable Influence(TEXT("r.EyeAdaptation.BlackHistogramBucketInfluence"), 1.0f);
+	const FImage Image = FImage::Make(4, 1,
+		[](int X, int)
+		{
+			const double Values[] = {NaN, -Infinity, -3, Infinity};
+			return FTexel{Values[X], Values[X], Values[X], 1};
+		});
+	const FBuckets Buckets = Count(Image);
+	EXPECT_NEAR(0.5, Buckets[0], 1e-6);
+	EXPECT_NEAR(0.25, Buckets[63], 1e-6);
+	EXPECT_NEAR(0.75, SumOf(Buckets), 1e-6);
+}
+
+TEST(PostProcessHistogram, PreExposureIsTakenOut)
+{
+	FMetering Metering;
+	Metering.PreExposure = 0.125f;
+	EXPECT_NEAR(1, Count(Grey(0.125), Metering)[42], 1e-5);
+}
+
+TEST(PostProcessHistogram, CountsTheRectOnly)
+{
+	FMeteringRun Run(Grey(1, 5, 3), {3, 2, 8, 5}, FIntPoint(16, 9), {});
+	EXPECT_NEAR(1, Run.GetHistogram()[42], 1e-5);
+}
+
+TEST(PostProcessHistogram, TheMaskWeighsPixels)
+{
+	const FImage Image = FImage::Make(4, 1, [](int X, int) { return X < 2 ? FTexel{1, 1, 1, 1} : FTexel{4, 4, 4, 1}; });
+	FMetering Metering;
+	Metering.Mask = FImage::Make(4, 1, [](int X, int) { return FTexel{X < 2 ? 1.0 : 0.25, 0, 0, 0}; });
+	const FBuckets Buckets = Count(Image, Metering);
+	EXPECT_NEAR(0.5, Buckets[42], 1e-5);
+	EXPECT_NEAR(0.125, Buckets[52] + Buckets[53], 1e-5); // log2 2 lies at 52.5
+}
+
+TEST(PostProcessHistogram, AMaskOfAnotherSizeIsStretchedOverTheView)
+{
+	FMetering Metering;
+	Metering.Mask = FImage::Make(2, 1, [](int X, int) { return FTexel{X == 0 ? 1.0 : 0.0, 0, 0, 0}; });
+	// Pixel centres 1/8, 3/8, 5/8, 7/8 of two texels: 1, 0.75, 0.25, 0.
+	EXPECT_NEAR(0.5, SumOf(Count(Grey(1, 4, 1), Metering)), 1e-5);
+}
+
+TEST(PostProcessHistogram, TheRangeIsAtLeastOneStop)
+{
+	FMetering Metering;
+	Metering.Settings = [](FFinalPostProcessSettings& Settings)
+	{
+		Settings.HistogramLogMin = 3;
+		Settings.HistogramLogMax = 1;
+	};
+	EXPECT_NEAR(1, Count(Grey(2), Metering)[63], 1e-5); // 0 to 1
+	EXPECT_NEAR(1, SumOf(Count(Grey(std::sqrt(2.0)), Metering)), 1e-5);
+}
