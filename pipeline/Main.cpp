@@ -287,6 +287,15 @@ int ParseAndRun(int NumArguments, char** Arguments)
 		*Program.add_subcommand("settings", "Engine paste text of settings to and from configs: import, export, plan"),
 		SettingsOptions, PlanOptions, ExitCode);
 
+	FNewPatchOptions NewOptions;
+	CLI::App* New =
+		Program.add_subcommand("new", "Make a patch to begin with: sources, shader, config, test, build file");
+	New->add_option("NAME", NewOptions.Name, "Name of the patch, such as MyPatch: a C++ identifier")->required();
+	New->add_option("--dir", NewOptions.Folder, "Folder that the folder NAME is made in; here by default")
+		->type_name("DIR");
+	New->add_flag("--json", NewOptions.bJson, "Print name, folder, files and the commands to go on with");
+	New->callback([&] { ExitCode = NewVerb(NewOptions); });
+
 	std::vector<std::string> Configs;
 	std::string CacheFolder;
 	CLI::App* Warm = Program.add_subcommand("warm", "Compile the shaders of configs into the shader cache");

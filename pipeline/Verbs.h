@@ -54,6 +54,17 @@ DRYDOCK_API int ListVerb(const std::string& Things, const std::string& Filter, b
  * With a config, --set or --exec: as these set them. */
 DRYDOCK_API int ListVariablesVerb(const FVerbOptions& Options, const std::string& Filter);
 
+/** Arguments of `new`. */
+struct FNewPatchOptions
+{
+	std::string Name;
+	std::string Folder; // that the project's folder is made in; empty: here
+	bool bJson = false;
+};
+
+/** Makes a patch of that name: sources, shader, config, test, build file. Overwrites nothing. */
+DRYDOCK_API int NewVerb(const FNewPatchOptions& Options);
+
 /** Arguments of `settings`. */
 struct FSettingsVerbOptions
 {
