@@ -3,6 +3,7 @@
 
 #include "GlobalShader.h"
 #include "HAL/IConsoleManager.h"
+#include "KernelAudit.h"
 #include "PixelShaderUtils.h"
 #include "RHIStaticStates.h"
 #include "RasterTarget.h"
@@ -10,6 +11,8 @@
 #include "RenderGraphUtils.h"
 #include "SceneRendering.h"
 #include "ShaderParameterStruct.h"
+
+#include <vector>
 
 namespace
 {
@@ -71,6 +74,19 @@ bool ReadsBlurred(EREDPostProcessPass Pass)
 {
 	return Pass == EREDPostProcessPass::DiffusionFilter2 || Pass == EREDPostProcessPass::SoftFocus ||
 		   Pass == EREDPostProcessPass::Glow;
+}
+
+/** The article's table is a fault that is declared; anything else that is none of a blur is refused. */
+void CheckBlurKernel(FRDGBuilder& GraphBuilder, bool bAsPrinted)
+{
+	const int32 Reach = Drydock::GetREDBlurReach(bAsPrinted);
+	std::vector<double> Weights;
+	for (int32 Tap = -Reach; Tap <= Reach; ++Tap)
+	{
+		Weights.push_back(static_cast<double>(Drydock::GetREDBlurWeight(Tap, bAsPrinted)));
+	}
+	Drydock::CheckKernel(
+		GraphBuilder, "RED blur", Weights, bAsPrinted ? Drydock::EKernelFault::Printed : Drydock::EKernelFault::None);
 }
 
 FScreenPassRenderTarget CreateOutput(FRDGBuilder& GraphBuilder, const FREDPostProcessPassInputs& Inputs)
@@ -178,6 +194,10 @@ FScreenPassTexture AddREDPostProcessPass(
 	check(!ReadsBlurred(Inputs.Pass) || Inputs.Blurred.IsValid());
 
 	const FREDPostProcessParameters& Parameters = Inputs.Parameters;
+	if (Inputs.Pass == EREDPostProcessPass::BlurH || Inputs.Pass == EREDPostProcessPass::BlurV)
+	{
+		CheckBlurKernel(GraphBuilder, Parameters.bAsPrinted);
+	}
 	const FScreenPassRenderTarget Output =
 		Inputs.OverrideOutput.IsValid() ? Inputs.OverrideOutput : CreateOutput(GraphBuilder, Inputs);
 	FRHISamplerState* const BilinearClamp = TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();

@@ -14,7 +14,7 @@
 // 0..1 both forms agree. Luma below 0 counts as 0. Alpha: the picture's own.
 // As printed (r.RED.AsPrinted 1): the blur runs 13 taps over the same table by |i|, which doubles the light (1.9952 a
 // pass) and makes two lobes; screen and pow take light above 1 as it is: negative, then NaN for a power that is not a
-// whole number. Declared here, so that a kernel audit warns and does not refuse.
+// whole number. The kernel is declared to be faulty, so that the audit (KernelAudit.h) warns and does not refuse.
 #pragma once
 
 #include "CoreMinimal.h"

@@ -3,6 +3,7 @@
 
 #include "GlobalShader.h"
 #include "HAL/IConsoleManager.h"
+#include "KernelAudit.h"
 #include "PixelShaderUtils.h"
 #include "PostProcessSettings.h"
 #include "RHIStaticStates.h"
@@ -31,6 +32,15 @@ FVector4f GetWeights(bool bAsPrinted)
 {
 	const float Scale = bAsPrinted ? 1.0f : 1.0f / SumOfPrintedWeights;
 	return FVector4f(PrintedWeights[0] * Scale, PrintedWeights[1] * Scale, PrintedWeights[2] * Scale, 0.0f);
+}
+
+void CheckBlurKernel(FRDGBuilder& GraphBuilder, bool bAsPrinted)
+{
+	const FVector4f Weights = GetWeights(bAsPrinted);
+	const double Center = static_cast<double>(Weights.X), Near = static_cast<double>(Weights.Y),
+				 Far = static_cast<double>(Weights.Z);
+	Drydock::CheckKernel(
+		GraphBuilder, "Unity bloom's blur", {Far, Near, Center, Near, Far}, Drydock::EKernelFault::None);
 }
 
 class FUnityBloomPassDimension : SHADER_PERMUTATION_ENUM_CLASS("UNITY_BLOOM_PASS", EUnityBloomPass);
@@ -107,6 +117,11 @@ FScreenPassTexture AddUnityBloomPass(
 	check(Inputs.Source.IsValid());
 	const bool bComposite = Inputs.Pass == EUnityBloomPass::Composite;
 	check(!bComposite || Inputs.Bloom.IsValid());
+
+	if (Inputs.Pass == EUnityBloomPass::GaussianBlurVertical || Inputs.Pass == EUnityBloomPass::GaussianBlurHorizontal)
+	{
+		CheckBlurKernel(GraphBuilder, Inputs.bAsPrinted);
+	}
 
 	const TCHAR* const Name = Inputs.Name ? Inputs.Name : Drydock::ToString(Inputs.Pass);
 	const FScreenPassRenderTarget Output = Inputs.OverrideOutput.IsValid()

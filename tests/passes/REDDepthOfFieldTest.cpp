@@ -69,7 +69,88 @@ double Contrast(const FImage& Image)
 	return std::abs(Image.At(X, Y)[0] - Image.At(X + 1, Y)[0]);
 }
 
+double Saturate(double Value)
+{
+	return std::min(std::max(Value, 0.0), 1.0);
+}
+
+/** A layer: the mean of 2x2 texels, in red times its weight, the weight itself in alpha; blurred. */
+FImage BlurLayer(const FImage& Color, const std::function<double(int, int)>& Weight, double Radius)
+{
+	const FImage Layer = FImage::Make((Color.Width + 1) / 2, (Color.Height + 1) / 2,
+		[&](int X, int Y)
+		{
+			FTexel Sum{0, 0, 0, 0};
+			for (int Corner = 0; Corner < 4; ++Corner)
+			{
+				const int ColorX = std::min(2 * X + Corner % 2, Color.Width - 1);
+				const int ColorY = std::min(2 * Y + Corner / 2, Color.Height - 1);
+				const double Share = Weight(ColorX, ColorY) / 4;
+				const FTexel Texel = Color.At(ColorX, ColorY);
+				Sum = Sum + FTexel{Texel[0], Texel[1], Texel[2], 1} * Share;
+			}
+			return Sum;
+		});
+	return PassReference::GaussianBlur(
+		Layer, Radius, static_cast<int>(std::ceil(Radius)), PassReference::EAddress::Clamp);
+}
+
+/** The effect by its formula, in double. */
+FImage Reference(const FImage& Color, const std::function<double(int, int)>& Depth, const FREDDepthOfFieldInputs& Dof)
+{
+	const auto Far = [&](int X, int Y)
+	{
+		return Saturate((Depth(X, Y) - Dof.FocalDistance - Dof.FocalRegion) / Dof.FarTransition);
+	};
+	const auto One = [](int, int)
+	{
+		return 1.0;
+	};
+	const int HalfWidth = (Color.Width + 1) / 2;
+	const FImage FarLayer = BlurLayer(Color, Dof.bAsPrinted ? std::function<double(int, int)>(One) : Far,
+		HalfWidth * static_cast<double>(Dof.FarBlurSize) / 200);
+	const FImage NearLayer = BlurLayer(Color, One, HalfWidth * static_cast<double>(Dof.NearBlurSize) / 200);
+	return FImage::Make(Color.Width, Color.Height,
+		[&](int X, int Y)
+		{
+			const auto Sample = [&](const FImage& Layer)
+			{
+				const FTexel Texel = PassReference::SampleInRect(
+					Layer, {0, 0, Layer.Width, Layer.Height}, (X + 0.5) / 2, (Y + 0.5) / 2, false);
+				return Texel[3] > 0 ? Texel * (1 / Texel[3]) : Color.At(X, Y);
+			};
+			const double FarMix = Far(X, Y);
+			const double NearMix = Saturate((Dof.FocalDistance - Depth(X, Y)) / Dof.NearTransition);
+			FTexel Result = Color.At(X, Y);
+			Result = Result * (1 - FarMix) + Sample(FarLayer) * FarMix;
+			Result = Result * (1 - NearMix) + Sample(NearLayer) * NearMix;
+			Result[3] = Color.At(X, Y)[3];
+			return Result;
+		});
+}
+
 } // namespace
+
+TEST(REDDepthOfField, WholeEffectEqualsItsFormulaInDouble)
+{
+	const auto Depth = [](int X, int Y)
+	{
+		return 200.0 + 17 * X + 5 * Y; // before, in and behind the focus
+	};
+	for (const auto& [Width, Height] : {std::pair(64, 32), {63, 31}})
+	{
+		for (const bool bAsPrinted : {false, true})
+		{
+			FDofRun Run;
+			Run.Arithmetic = EArithmetic::Exact;
+			Run.Inputs.NearBlurSize = 9.0f;
+			Run.Inputs.bAsPrinted = bAsPrinted;
+			const FImage Image = FImage::Noise(Width, Height, 4.0);
+			EXPECT_LE(MaxDifference(Reference(Image, Depth, Run.Inputs), Run.Run(Image, Depth), 4), 1e-4)
+				<< Width << "x" << Height << (bAsPrinted ? " as printed" : "");
+		}
+	}
+}
 
 TEST(REDDepthOfField, PlaneInFocusIsUnchangedBitForBit)
 {

@@ -6,6 +6,7 @@
 #include <set>
 
 using namespace PassTest;
+using PassReference::FRect;
 using PassReference::MaxDifference;
 
 namespace
@@ -88,6 +89,47 @@ size_t CountDarkLevels(const FImage& Image, EToonShadowBlurStore Store)
 }
 
 } // namespace
+
+TEST(ToonShadowBlur, OneGaussianEqualsItsFormulaInDouble)
+{
+	FToonShadowBlurInputs Inputs = MakeInputs(EToonShadowBlurStore::SixteenBit);
+	for (FGaussianBlurStage& Stage : Inputs.Blur.Stages)
+	{
+		Stage.Size = 0;
+	}
+	Inputs.Blur.Stages[5].Size = 10; // of half resolution
+	Inputs.Blur.SizeScale = 1;
+	for (const auto& [Width, Height] : {std::pair(64, 32), {63, 31}})
+	{
+		const FImage Shadow = FImage::Noise(Width, Height, 1.0);
+		FPassRun Run(Shadow, EArithmetic::Exact, PF_R8G8B8A8);
+		Inputs.ToonShadow = Run.Input;
+		const FImage Result = Run.Execute(AddToonShadowBlurPasses(Run.GraphBuilder, Run.View, Inputs));
+
+		const FImage Darker = FImage::Make(Width, Height,
+			[&](int X, int Y)
+			{
+				const double Value = std::min(Shadow.At(X, Y)[0], Shadow.At(X, Y)[1]);
+				return FTexel{Value, Value, Value, 1};
+			});
+		const FRect Half{0, 0, (Width + 1) / 2, (Height + 1) / 2};
+		const double Radius = Half.MaxX * 0.1 / 2;
+		const FImage Blurred =
+			PassReference::GaussianBlur(PassReference::Downsample(Darker, {0, 0, Width, Height}, Half, false, false),
+				Radius, static_cast<int>(std::ceil(Radius)), PassReference::EAddress::Clamp);
+		double Largest = 0;
+		for (int Y = 0; Y < Height; ++Y)
+		{
+			for (int X = 0; X < Width; ++X)
+			{
+				const FTexel Expected = PassReference::SampleInRect(
+					Blurred, Half, (X + 0.5) * Half.MaxX / Width, (Y + 0.5) * Half.MaxY / Height, false);
+				Largest = std::max(Largest, std::abs(Expected[0] - Result.At(X, Y)[3]));
+			}
+		}
+		EXPECT_LE(Largest, 1e-5) << Width << "x" << Height;
+	}
+}
 
 TEST(ToonShadowBlur, ConstantShadowStaysThatConstantToTheEdge)
 {

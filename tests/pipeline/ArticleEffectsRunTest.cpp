@@ -69,6 +69,25 @@ FDarkDeviation MeasureDeviation(const std::string& Store, bool bDouble = false)
 
 } // namespace
 
+TEST(ArticleEffectsRun, NeutralSettingsAreTheIdentityBitForBit)
+{
+	const FRunResult Neutral = RunText(R"("DiffusionFilterIntensity": 0, "DiffusionFilterPower": 3, "SoftFocusBlend": 0,
+		"SoftFocusSaturation": 1, "GlowIntensity": 0, "CharaGlowArea": 0, "CharaGlowColor": [1, 0, 0, 1],
+		"REDDofFocalDistance": 0, "ToonShadowBlurIntensity": 0, "ToonShadowBlurSizeScale": 4, "UnityBloomIntensity": 0,
+		"UnityBloomThreshold": 0, "DualKawaseBlurPassNum": 0)");
+	const FRunResult Plain = RunText("");
+	EXPECT_EQ(Plain.Final.Values, Neutral.Final.Values);
+	EXPECT_EQ(Plain.Graph.Passes.size(), Neutral.Graph.Passes.size());
+}
+
+TEST(ArticleEffectsRun, AsPrintedTheBlurOfRedIsWarnedOf)
+{
+	const FRunResult Result = RunText(R"("GlowIntensity": 0.5)", "", {"r.RED.AsPrinted=1"});
+	EXPECT_THAT(Result.RunJson, testing::HasSubstr("\"DD2100\""));
+	EXPECT_THAT(Result.RunJson, testing::HasSubstr("1.9952"));
+	EXPECT_THAT(RunText(R"("GlowIntensity": 0.5)").RunJson, testing::Not(testing::HasSubstr("DD2100")));
+}
+
 TEST(ArticleEffectsRun, RedFollowsBloomWhereItIsPutThere)
 {
 	const std::string Settings = R"("GlowIntensity": 0.5)";
