@@ -1,6 +1,7 @@
 // Source: engine file PostProcess/PostProcessFFTBloom.cpp.
 #include "PostProcessFFTBloom.h"
 
+#include "BloomKernelTextures.h"
 #include "FFTConvolution.h"
 #include "GlobalShader.h"
 #include "HAL/IConsoleManager.h"
@@ -13,7 +14,6 @@
 #include "SceneRendering.h"
 #include "SettingObjects.h"
 #include "ShaderParameterStruct.h"
-#include "TextureAssets.h"
 
 #include <cmath>
 
@@ -26,8 +26,6 @@ TAutoConsoleVariable<float> CVarBloomScreenPercentage(TEXT("r.Bloom.ScreenPercen
 
 /** What the engine's transforms can hold of a line. */
 constexpr int32 MaxScanLineLength = 4096;
-
-constexpr const char* DefaultKernel = "Builtin/Airy";
 
 class FFFTBloomPreFilterCS : public FGlobalShader
 {
@@ -77,9 +75,7 @@ END_SHADER_PARAMETER_STRUCT()
 
 FTextureRHIRef FindKernelTexture(const FFinalPostProcessSettings& Settings)
 {
-	return Settings.BloomConvolutionTexture != nullptr
-			   ? Drydock::FindTexturePixels(Settings.BloomConvolutionTexture.Get())
-			   : Drydock::FindTexturePixels(DefaultKernel);
+	return Drydock::FindBloomKernelTexture(Settings.BloomConvolutionTexture.Get());
 }
 
 FIntPoint GetImageSize(FIntPoint ViewSize, float Fraction)

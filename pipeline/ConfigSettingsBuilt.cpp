@@ -9,7 +9,7 @@ namespace
 
 constexpr const char* Acts = "";
 constexpr const char* NoPass = "no pass reads it; it is blended and reported all the same";
-constexpr const char* Convolution = "convolution bloom is another method's; the Gaussian sum runs";
+constexpr const char* NewerConvolution = "it came with engine 5.6, whose convolution bloom is not simulated";
 constexpr const char* DirtMask = "the bloom is composited without a dirt mask";
 constexpr const char* Fringe = "the tonemapper shifts no colours";
 constexpr const char* Metering =
@@ -31,7 +31,7 @@ constexpr struct
 	{"SceneFringeIntensity", Fringe},
 	{"ChromaticAberration", Fringe},
 	{"Bloom", Acts},
-	{"BloomConvolution", Convolution},
+	{"BloomConvolutionIntensity", NewerConvolution},
 	{"BloomDirtMask", DirtMask},
 	{"VignetteIntensity", Acts},
 	{"AutoExposure", Metering},

@@ -20,32 +20,15 @@ namespace Drydock
 namespace
 {
 
-/** What lives on from a frame to the next. */
-class FViewState final : public FSceneViewStateInterface
-{
-public:
-	explicit FViewState(uint32 InKey)
-		: Key(InKey)
-	{
-	}
-	uint32 GetViewKey() const override { return Key; }
-
-	/** Read by the next frame's reflections in place of scene colour, where an extension made it. */
-	TRefCountPtr<IPooledRenderTarget> CustomSSRInput;
-
-private:
-	uint32 Key;
-};
-
 /** A view with what belongs to it for the length of a frame. */
 struct FViewOfFrame
 {
-	explicit FViewOfFrame(uint32 Key)
-		: State(Key)
+	explicit FViewOfFrame(const std::shared_ptr<FSceneViewState>& InState)
+		: State(InState)
 	{
 	}
 
-	FViewState State;
+	std::shared_ptr<FSceneViewState> State;
 	FViewInfo View;
 	FChainSettings Chain;
 	std::vector<FEffectDecision> Effects;
@@ -202,7 +185,9 @@ private:
 		Extensions.SetupViewFamily(Family);
 		for (size_t Index = 0; Index < Inputs.Views.size(); ++Index)
 		{
-			Views.push_back(std::make_unique<FViewOfFrame>(static_cast<uint32>(Index + 1)));
+			const std::shared_ptr<FSceneViewState>& Kept = Inputs.Views[Index].State;
+			Views.push_back(std::make_unique<FViewOfFrame>(
+				Kept ? Kept : std::make_shared<FSceneViewState>(static_cast<uint32>(Index + 1))));
 			NamedViews.push_back({&Views.back()->View, Inputs.Views[Index].Name});
 			SetUpView(Inputs.Views[Index], *Views.back());
 			Family.Views.Add(&Views.back()->View);
@@ -229,7 +214,7 @@ private:
 
 		FViewInfo& View = Target.View;
 		View.Family = &Family;
-		View.State = &Target.State;
+		View.State = Target.State.get();
 		View.ViewRect = Source.Rect;
 		View.UnscaledViewRect = Source.Rect;
 		View.UnconstrainedViewRect = Source.Rect;
@@ -331,7 +316,7 @@ private:
 		ChainInputs.ExposureScale = Target.Chain.ExposureScale;
 		ChainInputs.SceneTextures = PostProcessingInputs.SceneTextures;
 		ChainInputs.LightColor = Inputs.LightColor;
-		ChainInputs.CustomSSRInput = &Target.State.CustomSSRInput;
+		ChainInputs.CustomSSRInput = &Target.State->CustomSSRInput;
 		Target.Outputs = AddPostProcessingPasses(GraphBuilder, NamedView, ChainInputs, Target.Effects, Extensions);
 		GraphBuilder.QueueTextureExtraction(Target.Outputs.SceneLinear.Texture, &Target.SceneLinear);
 		if (FindToonBloom(Target) != nullptr && Target.Outputs.Bloom.IsValid() && SceneTextures.GBufferB)

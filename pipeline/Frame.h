@@ -10,8 +10,10 @@
 #include "SceneCamera.h"
 #include "SceneTextures.h"
 #include "SceneViewExtension.h"
+#include "SceneViewState.h"
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,6 +32,8 @@ struct FFrameView
 	FIntRect PictureRect; // what the lens sees, in the scene textures; empty: the view's own Rect
 	float PreExposure = 1.0f;
 	FChainSettings Chain;
+	/** What lives on from frame to frame; null: nothing does. */
+	std::shared_ptr<FSceneViewState> State;
 	/** Settings for another camera, asked for when an extension moves it; empty: Chain holds everywhere. */
 	std::function<FChainSettings(const FMinimalViewInfo&)> MakeChain;
 };

@@ -1,6 +1,7 @@
 // Source: drydock.
 #include "RunSetup.h"
 
+#include "BloomKernelFiles.h"
 #include "ConfigExtensions.h"
 #include "ConfigReader.h"
 #include "ExtensionFactory.h"
@@ -8,6 +9,7 @@
 #include "FrameSequence.h"
 #include "InsertedPass.h"
 #include "Plugins.h"
+#include "PostProcessFFTBloom.h"
 #include "SceneSuggestions.h"
 
 #include <algorithm>
@@ -45,9 +47,12 @@ void WarnOfIneffectiveValues(const FConfig& Config, const FChainSettings& Chain,
 		Messages.Warn(WarnIneffectiveValue, Nowhere,
 			"r.AntiAliasingMethod " + std::to_string(AntiAliasing) + " is not simulated: no antialiasing runs");
 	}
-	if (Chain.Settings.BloomMethod != BM_SOG)
+	const std::string Obstacle = Chain.Settings.BloomMethod == BM_FFT && Chain.Settings.BloomIntensity > 0.0f
+									 ? GetFFTBloomObstacle(Chain.Settings, true)
+									 : std::string();
+	if (!Obstacle.empty())
 	{
-		Messages.Warn(WarnNotBuilt, Nowhere, "BloomMethod BM_FFT is not built yet: the Gaussian sum runs");
+		Messages.Warn(WarnIneffectiveValue, Nowhere, "BloomMethod BM_FFT: " + Obstacle + ", so the Gaussian sum runs");
 	}
 	if (!Chain.ShowFlags.PostProcessing || !Chain.ShowFlags.Tonemapper)
 	{
@@ -181,6 +186,7 @@ FRunSetup::FRunSetup(const FRunOptions& Options)
 	}
 	IConsoleManager::Get().CallAllConsoleVariableSinks();
 	CreateExtensions();
+	BloomKernels.emplace(MakeBloomKernelLoader(Config));
 	Chain = MakeChainSettings(Config, &Diagnostics);
 	WarnOfIneffectiveValues(Config, Chain, Diagnostics);
 	Effects = DecideEffects(Chain);

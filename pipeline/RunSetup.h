@@ -2,9 +2,12 @@
 // decided. Source: drydock.
 #pragma once
 
+#include "BloomKernelTextures.h"
 #include "HAL/ConsoleVariableTools.h"
 #include "Run.h"
 #include "SceneViewExtension.h"
+
+#include <optional>
 
 namespace Drydock
 {
@@ -34,6 +37,7 @@ struct DRYDOCK_API FRunSetup
 	std::vector<std::string> Plugins;
 	FRunVariables Variables;
 	FConfig Config;
+	std::optional<FScopedBloomKernelLoader> BloomKernels;
 	FChainSettings Chain;
 	std::vector<FEffectDecision> Effects;
 	std::vector<TConfigValue<std::string>> Dump; // of config and command line

@@ -42,6 +42,9 @@ public:
 
 	FBloomFFTKernel BloomFFTKernel;
 
+	/** Read by the next frame's reflections in place of scene colour, where an extension made it. */
+	TRefCountPtr<IPooledRenderTarget> CustomSSRInput;
+
 private:
 	uint32 Key;
 };

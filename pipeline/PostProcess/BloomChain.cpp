@@ -3,31 +3,74 @@
 
 #include "PostProcessBloomSetup.h"
 #include "PostProcessDownsample.h"
+#include "PostProcessFFTBloom.h"
 #include "PostProcessGaussianBloom.h"
 #include "SceneRendering.h"
 
-FScreenPassTexture AddBloomPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FBloomChainInputs& Inputs)
+namespace
 {
-	RDG_EVENT_SCOPE(GraphBuilder, "Bloom");
-	const float Threshold = View.FinalPostProcessSettings.BloomThreshold;
-	if (!(Threshold > -1.0f) && Inputs.Toon == nullptr)
-	{
-		return AddGaussianBloomPasses(GraphBuilder, View, Inputs.SceneDownsampleChain);
-	}
 
-	FBloomSetupInputs SetupInputs;
-	SetupInputs.SceneColor = Inputs.HalfResolution;
-	SetupInputs.EyeAdaptationBuffer = Inputs.EyeAdaptationBuffer;
-	SetupInputs.Threshold = Threshold;
+constexpr float NoThreshold = -1.0f;
+
+FScreenPassTexture AddHalf(
+	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& Picture, const TCHAR* Name)
+{
+	FDownsamplePassInputs Inputs;
+	Inputs.Name = Name;
+	Inputs.SceneColor = Picture;
+	Inputs.Quality = GetDownsampleQuality();
+	return AddDownsamplePass(GraphBuilder, View, Inputs);
+}
+
+FBloomSetupInputs MakeSetup(const FBloomChainInputs& Inputs, const FScreenPassTexture& Picture, float Threshold)
+{
+	FBloomSetupInputs Setup;
+	Setup.SceneColor = Picture;
+	Setup.EyeAdaptationBuffer = Inputs.EyeAdaptationBuffer;
+	Setup.Threshold = Threshold;
 	if (Inputs.Toon != nullptr)
 	{
-		SetupInputs.SceneTextures = Inputs.Toon->SceneTextures;
-		SetupInputs.ToonIntensity = Inputs.Toon->ToonIntensity;
-		SetupInputs.FullResolutionSceneColor = Inputs.SceneColor;
-		SetupInputs.DownsampleQuality = GetDownsampleQuality();
+		Setup.SceneTextures = Inputs.Toon->SceneTextures;
+		Setup.ToonIntensity = Inputs.Toon->ToonIntensity;
+		Setup.FullResolutionSceneColor = Inputs.SceneColor;
+		Setup.DownsampleQuality = GetDownsampleQuality();
+	}
+	return Setup;
+}
+
+/** The threshold is not read, as in the engine. The smaller pictures are there for r.Bloom.ScreenPercentage and are
+ * culled where it asks for none. */
+FBloomChainOutputs AddFFTBloomPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FBloomChainInputs& Inputs)
+{
+	FFFTBloomInputs FFTInputs{Inputs.SceneColor, Inputs.HalfResolution, Inputs.SceneDownsampleChain->GetTexture(1)};
+	if (Inputs.Toon != nullptr)
+	{
+		FFTInputs.SceneColor = AddBloomSetupPass(GraphBuilder, View, MakeSetup(Inputs, Inputs.SceneColor, NoThreshold));
+		FFTInputs.HalfResolution = AddHalf(GraphBuilder, View, FFTInputs.SceneColor, TEXT("Bloom.HalfResolution"));
+		FFTInputs.QuarterResolution =
+			AddHalf(GraphBuilder, View, FFTInputs.HalfResolution, TEXT("Bloom.QuarterResolution"));
+	}
+	const FFFTBloomOutput Output = AddFFTBloomPass(GraphBuilder, View, FFTInputs);
+	return {Output.BloomTexture, Output.SceneColorApplyParameters};
+}
+
+} // namespace
+
+FBloomChainOutputs AddBloomPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FBloomChainInputs& Inputs)
+{
+	RDG_EVENT_SCOPE(GraphBuilder, "Bloom");
+	if (IsFFTBloomEnabled(View))
+	{
+		return AddFFTBloomPasses(GraphBuilder, View, Inputs);
+	}
+	const float Threshold = View.FinalPostProcessSettings.BloomThreshold;
+	if (!(Threshold > NoThreshold) && Inputs.Toon == nullptr)
+	{
+		return {AddGaussianBloomPasses(GraphBuilder, View, Inputs.SceneDownsampleChain)};
 	}
 	FTextureDownsampleChain BloomChain;
-	BloomChain.Init(GraphBuilder, View, AddBloomSetupPass(GraphBuilder, View, SetupInputs), GetDownsampleChainQuality(),
-		TEXT("BloomDownsample"));
-	return AddGaussianBloomPasses(GraphBuilder, View, &BloomChain);
+	BloomChain.Init(GraphBuilder, View,
+		AddBloomSetupPass(GraphBuilder, View, MakeSetup(Inputs, Inputs.HalfResolution, Threshold)),
+		GetDownsampleChainQuality(), TEXT("BloomDownsample"));
+	return {AddGaussianBloomPasses(GraphBuilder, View, &BloomChain)};
 }

@@ -1,5 +1,5 @@
-// Bloom as the chain has it: the bloom setup where something calls for it, and the blur. Source: engine
-// PostProcess/PostProcessing.cpp.
+// Bloom as the chain has it: the bloom setup where something calls for it, and the sum of Gaussians or the convolution.
+// Source: engine PostProcess/PostProcessing.cpp.
 #pragma once
 
 #include "PostProcessDownsample.h"
@@ -25,5 +25,13 @@ struct FBloomChainInputs
 	const FToonBloomInputs* Toon = nullptr;
 };
 
-/** Returns what the tonemapper adds, in half resolution. */
-FScreenPassTexture AddBloomPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FBloomChainInputs& Inputs);
+struct FBloomChainOutputs
+{
+	/** What the tonemapper adds: half resolution, or that of FFT bloom. */
+	FScreenPassTexture Bloom;
+	/** What FFT bloom leaves of the scene colour (PostProcessFFTBloom.h); null: all. */
+	FRDGBufferRef SceneColorApplyParameters = nullptr;
+};
+
+/** By convolution where IsFFTBloomEnabled says so. Toon bloom then masks the picture at full resolution. */
+FBloomChainOutputs AddBloomPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FBloomChainInputs& Inputs);

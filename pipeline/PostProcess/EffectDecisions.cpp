@@ -4,6 +4,7 @@
 
 #include "HAL/IConsoleManager.h"
 #include "PostProcess/ArticleEffects.h"
+#include "PostProcessFFTBloom.h"
 #include "PostProcessToonBloom.h"
 
 #include <algorithm>
@@ -32,6 +33,23 @@ std::string GateText(const FChainSettings& Chain, const char* Setting)
 	return Found == Chain.Gates.end() ? "" : ": " + Found->Reason;
 }
 
+/** How an active bloom is made, and why not by convolution where that is asked for. */
+std::string BloomMethodText(const FFinalPostProcessSettings& Settings)
+{
+	if (Settings.BloomMethod != BM_FFT)
+	{
+		return "";
+	}
+	const std::string Obstacle = GetFFTBloomObstacle(Settings, true);
+	if (!Obstacle.empty())
+	{
+		return "; BM_FFT is asked for, but " + Obstacle + ": the Gaussian sum runs";
+	}
+	return "; by convolution (BM_FFT), BloomConvolutionScatterDispersion " +
+		   NumberText(Settings.BloomConvolutionScatterDispersion) +
+		   (Settings.BloomThreshold > -1.0f ? "; it reads no threshold" : "");
+}
+
 FEffectDecision DecideBloom(const FChainSettings& Chain, bool bToonBloom)
 {
 	FEffectDecision Bloom{"Bloom", false, false, ""};
@@ -58,10 +76,7 @@ FEffectDecision DecideBloom(const FChainSettings& Chain, bool bToonBloom)
 			Bloom.Reason +=
 				bToonBloom ? ": the setup pass is there for the toon's factor" : ": the setup pass is not needed";
 		}
-		if (Chain.Settings.BloomMethod != BM_SOG)
-		{
-			Bloom.Reason += "; BM_FFT is not built yet, the Gaussian sum runs";
-		}
+		Bloom.Reason += BloomMethodText(Chain.Settings);
 	}
 	Bloom.bConfigured = Bloom.bActive || (Chain.Settings.bOverride_BloomIntensity && !(Intensity > 0.0f) &&
 											 !GateText(Chain, "BloomIntensity").empty());

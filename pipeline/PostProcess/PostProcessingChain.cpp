@@ -8,6 +8,7 @@
 #include "PostProcessDownsample.h"
 #include "PostProcessEyeAdaptation.h"
 #include "PostProcessTonemap.h"
+#include "PostProcessFFTBloom.h"
 #include "PostProcessToonBloom.h"
 
 #include <algorithm>
@@ -124,11 +125,18 @@ public:
 			BloomInputs.SceneDownsampleChain = &SceneDownsampleChain;
 			BloomInputs.EyeAdaptationBuffer = EyeAdaptationBuffer;
 			BloomInputs.Toon = bToonBloom ? &ToonInputs : nullptr;
-			Bloom = AddBloomPasses(GraphBuilder, View, BloomInputs);
+			const FBloomChainOutputs BloomOutputs = AddBloomPasses(GraphBuilder, View, BloomInputs);
+			Bloom = BloomOutputs.Bloom;
+			SceneColorApplyParameters = BloomOutputs.SceneColorApplyParameters;
 		}
 		Outputs.Bloom = Bloom;
 		if (ArticleEffects.WantsBloomInSceneColor())
 		{
+			if (SceneColorApplyParameters)
+			{
+				SceneColor = Drydock::AddApplyFFTBloomPass(GraphBuilder, View, SceneColor, SceneColorApplyParameters);
+				SceneColorApplyParameters = nullptr;
+			}
 			SceneColor = ArticleEffects.AddBloomComposite(SceneColor, Bloom);
 			SceneColor = ArticleEffects.AddRED(EREDPostProcessInsertion::AfterBloom, SceneColor);
 			Bloom = FScreenPassTexture();
@@ -153,6 +161,7 @@ public:
 			FTonemapInputs TonemapInputs;
 			TonemapInputs.SceneColor = SceneColor;
 			TonemapInputs.Bloom = Bloom;
+			TonemapInputs.SceneColorApplyParamaters = SceneColorApplyParameters;
 			TonemapInputs.EyeAdaptationBuffer = EyeAdaptationBuffer;
 			TonemapInputs.OutputFormat = Drydock::GDisplayFormat;
 			Sequence.AcceptOverrideIfLastPass(EFramePass::Tonemap, TonemapInputs.OverrideOutput);
@@ -247,6 +256,7 @@ private:
 	FSceneDownsampleChain SceneDownsampleChain;
 	FRDGBufferRef EyeAdaptationBuffer = nullptr;
 	FScreenPassTexture Bloom;
+	FRDGBufferRef SceneColorApplyParameters = nullptr;
 	FPostProcessingChainOutputs Outputs;
 };
 

@@ -1,12 +1,13 @@
 // Convolution bloom against a direct sum in double, its split of energy, pre-filter, padding, and the cached kernel.
 #include "PassTestUtils.h"
 
+#include "BloomKernelTextures.h"
 #include "BuiltinTextures.h"
+#include "PostProcessBloomSetup.h"
 #include "PostProcessFFTBloom.h"
 #include "RenderGraphObserver.h"
 #include "SceneViewState.h"
 #include "SettingObjects.h"
-#include "TextureAssets.h"
 
 #include <algorithm>
 #include <functional>
@@ -37,10 +38,10 @@ private:
 		{
 			Colors.push_back(FLinearColor(float(Texel[0]), float(Texel[1]), float(Texel[2]), 1.0f));
 		}
-		return Drydock::MakePictureTexture(FIntPoint(Picture.Width, Picture.Height), Colors, KernelPath);
+		return Drydock::MakeBloomKernelTexture(FIntPoint(Picture.Width, Picture.Height), Colors, KernelPath);
 	}
 
-	Drydock::FScopedTextureLoader Loader;
+	Drydock::FScopedBloomKernelLoader Loader;
 };
 
 /** One texel of the kernel to a pixel, no pre-filter, padding for the whole kernel, s = 1. */
@@ -600,6 +601,43 @@ TEST(FFTBloomEnabled, NeedsMethodIntensityStateAndKernel)
 	View.FinalPostProcessSettings.BloomIntensity = 1.0f;
 	View.FinalPostProcessSettings.BloomMethod = BM_SOG;
 	EXPECT_FALSE(IsFFTBloomEnabled(View));
+}
+
+TEST(FFTBloomToon, TheSetupMasksWhatIsConvolved)
+{
+	const FImage Picture = FImage::Noise(33, 17, 4.0), Kernel = MakeAsymmetricKernel(5, 5);
+	const FTestKernel Pixels(Kernel);
+	const FFinalPostProcessSettings Settings = MakeSettings(Picture, Kernel);
+	const auto IsToon = [](int X, int Y)
+	{
+		return (X / 3 + Y) % 2 == 0;
+	};
+	const FImage Masked = FImage::Make(33, 17,
+		[&](int X, int Y)
+		{
+			const FTexel& Color = Picture.At(X, Y);
+			const double Factor = IsToon(X, Y) ? 0.25 : 1;
+			return FTexel{Color[0] * Factor, Color[1] * Factor, Color[2] * Factor, 1};
+		});
+	const FImage Expected = MakeBloom(Masked, Settings).Bloom;
+
+	FPassRun Run(Picture, EArithmetic::Native, PF_A32B32G32R32F);
+	const FImage Ids = FImage::Make(33, 17,
+		[&](int X, int Y) {
+			return FTexel{0, 0, 0, (IsToon(X, Y) ? 8 : 1) / 255.0};
+		});
+	FSceneTextures SceneTextures;
+	SceneTextures.Color = Run.Input.Texture;
+	SceneTextures.GBufferB = Run.AddInput(Ids, PF_B8G8R8A8, TEXT("GBufferB")).Texture;
+	Run.View.SceneTextures = &SceneTextures;
+	Run.View.FinalPostProcessSettings = Settings;
+	FBloomSetupInputs Setup;
+	Setup.SceneColor = Setup.FullResolutionSceneColor = Run.Input;
+	Setup.EyeAdaptationBuffer = CreateEyeAdaptationBuffer(Run.GraphBuilder, 1.0f);
+	Setup.SceneTextures = CreateSceneTextureUniformBuffer(Run.GraphBuilder, Run.View);
+	Setup.ToonIntensity = 0.25f;
+	const FBloom Result = Execute(Run, {AddBloomSetupPass(Run.GraphBuilder, Run.View, Setup), {}, {}});
+	EXPECT_EQ(Expected.Texels, Result.Bloom.Texels);
 }
 
 TEST(FFTBloomApply, MultipliesTheSceneColour)

@@ -51,6 +51,30 @@ TEST(EffectDecisions, OnePerNameInOrder)
 	}
 }
 
+TEST(EffectDecisions, ConvolutionBloomSaysSo)
+{
+	EXPECT_EQ("BloomIntensity is 0.675, BloomThreshold -1: the setup pass is not needed; by convolution (BM_FFT), "
+			  "BloomConvolutionScatterDispersion 1",
+		Decision(Unbound(R"("BloomMethod": "BM_FFT")"), "Bloom").Reason);
+	EXPECT_EQ(
+		"BloomIntensity is 0.675, BloomThreshold 1; by convolution (BM_FFT), BloomConvolutionScatterDispersion 2; "
+		"it reads no threshold",
+		Decision(
+			Unbound(R"("BloomMethod": "BM_FFT", "BloomThreshold": 1, "BloomConvolutionScatterDispersion": 2)"), "Bloom")
+			.Reason);
+}
+
+TEST(EffectDecisions, ConvolutionBloomWithoutKernelFallsBack)
+{
+	const FEffectDecision Bloom =
+		Decision(Unbound(R"("BloomMethod": "BM_FFT", "BloomConvolutionTexture": "/Game/Lens/Kernel.Kernel")"), "Bloom");
+	EXPECT_TRUE(Bloom.bActive);
+	EXPECT_EQ(
+		"BloomIntensity is 0.675, BloomThreshold -1: the setup pass is not needed; BM_FFT is asked for, but there "
+		"are no pixels for BloomConvolutionTexture /Game/Lens/Kernel.Kernel: the Gaussian sum runs",
+		Bloom.Reason);
+}
+
 TEST(EffectDecisions, DefaultsHaveBloomWithoutSetup)
 {
 	const FEffectDecision Bloom = Decision("{}", "Bloom");

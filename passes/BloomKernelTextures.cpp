@@ -1,11 +1,12 @@
 // Source: drydock.
-#include "TextureAssets.h"
+#include "BloomKernelTextures.h"
 
 #include "BuiltinTextures.h"
 #include "SettingObjects.h"
 
 #include <map>
 #include <mutex>
+#include <utility>
 
 namespace Drydock
 {
@@ -14,7 +15,7 @@ namespace
 {
 
 std::mutex LoaderMutex;
-FTextureLoader CurrentLoader;
+FBloomKernelLoader CurrentLoader;
 
 std::map<std::string, FTextureRHIRef>& GetLoaded()
 {
@@ -34,33 +35,28 @@ FTextureRHIRef MakeBuiltinTexture(const std::string& Path)
 	{
 		Colors.push_back(FLinearColor(Value, Value, Value, 1.0f));
 	}
-	return MakePictureTexture(FIntPoint(BuiltinKernelSize, BuiltinKernelSize), Colors, Path);
+	return MakeBloomKernelTexture(FIntPoint(BuiltinKernelSize, BuiltinKernelSize), Colors, Path);
 }
 
 } // namespace
 
-FScopedTextureLoader::FScopedTextureLoader(FTextureLoader Loader)
+FScopedBloomKernelLoader::FScopedBloomKernelLoader(FBloomKernelLoader Loader)
 {
 	const std::lock_guard<std::mutex> Lock(LoaderMutex);
-	check(!CurrentLoader);
-	CurrentLoader = std::move(Loader);
+	Previous = std::exchange(CurrentLoader, std::move(Loader));
 	GetLoaded().clear();
 }
 
-FScopedTextureLoader::~FScopedTextureLoader()
+FScopedBloomKernelLoader::~FScopedBloomKernelLoader()
 {
 	const std::lock_guard<std::mutex> Lock(LoaderMutex);
-	CurrentLoader = nullptr;
+	CurrentLoader = std::move(Previous);
 	GetLoaded().clear();
 }
 
-FTextureRHIRef FindTexturePixels(const UTexture* Texture)
+FTextureRHIRef FindBloomKernelTexture(const UTexture* Kernel)
 {
-	return Texture != nullptr ? FindTexturePixels(GetObjectPath(Texture)) : nullptr;
-}
-
-FTextureRHIRef FindTexturePixels(const std::string& Path)
-{
+	const std::string Path = Kernel != nullptr ? GetObjectPath(Kernel) : "Builtin/Airy";
 	const std::lock_guard<std::mutex> Lock(LoaderMutex);
 	const auto Found = GetLoaded().find(Path);
 	if (Found != GetLoaded().end())
@@ -75,7 +71,7 @@ FTextureRHIRef FindTexturePixels(const std::string& Path)
 	return GetLoaded()[Path] = Pixels;
 }
 
-FTextureRHIRef MakePictureTexture(FIntPoint Size, const std::vector<FLinearColor>& Colors, const std::string& Name)
+FTextureRHIRef MakeBloomKernelTexture(FIntPoint Size, const std::vector<FLinearColor>& Colors, const std::string& Name)
 {
 	check(Colors.size() == static_cast<size_t>(Size.X) * static_cast<size_t>(Size.Y));
 	const FTextureRHIRef Texture = new FRHITexture(
