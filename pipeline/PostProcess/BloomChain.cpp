@@ -12,13 +12,14 @@ namespace
 
 constexpr float NoThreshold = -1.0f;
 
-FScreenPassTexture AddHalf(
-	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& Picture, const TCHAR* Name)
+FScreenPassTexture AddHalf(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& Picture,
+	const TCHAR* Name, EDownsampleQuality Quality, EPixelFormat Format)
 {
 	FDownsamplePassInputs Inputs;
 	Inputs.Name = Name;
 	Inputs.SceneColor = Picture;
-	Inputs.Quality = GetDownsampleQuality();
+	Inputs.Quality = Quality;
+	Inputs.FormatOverride = Format;
 	return AddDownsamplePass(GraphBuilder, View, Inputs);
 }
 
@@ -46,9 +47,12 @@ FBloomChainOutputs AddFFTBloomPasses(FRDGBuilder& GraphBuilder, const FViewInfo&
 	if (Inputs.Toon != nullptr)
 	{
 		FFTInputs.SceneColor = AddBloomSetupPass(GraphBuilder, View, MakeSetup(Inputs, Inputs.SceneColor, NoThreshold));
-		FFTInputs.HalfResolution = AddHalf(GraphBuilder, View, FFTInputs.SceneColor, TEXT("Bloom.HalfResolution"));
-		FFTInputs.QuarterResolution =
-			AddHalf(GraphBuilder, View, FFTInputs.HalfResolution, TEXT("Bloom.QuarterResolution"));
+		// As the scene's own, so that a factor of 1 changes no bit.
+		const EPixelFormat Format = Inputs.HalfResolution.Texture->Desc.Format;
+		FFTInputs.HalfResolution = AddHalf(
+			GraphBuilder, View, FFTInputs.SceneColor, TEXT("Bloom.HalfResolution"), GetDownsampleQuality(), Format);
+		FFTInputs.QuarterResolution = AddHalf(GraphBuilder, View, FFTInputs.HalfResolution,
+			TEXT("Bloom.QuarterResolution"), GetDownsampleChainQuality(), Format);
 	}
 	const FFFTBloomOutput Output = AddFFTBloomPass(GraphBuilder, View, FFTInputs);
 	return {Output.BloomTexture, Output.SceneColorApplyParameters};
