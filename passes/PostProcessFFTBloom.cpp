@@ -1,7 +1,6 @@
 // Source: engine file PostProcess/PostProcessFFTBloom.cpp.
 #include "PostProcessFFTBloom.h"
 
-#include "BloomKernelTextures.h"
 #include "FFTConvolution.h"
 #include "GlobalShader.h"
 #include "HAL/IConsoleManager.h"
@@ -14,6 +13,7 @@
 #include "SceneRendering.h"
 #include "SettingObjects.h"
 #include "ShaderParameterStruct.h"
+#include "TextureAssets.h"
 
 #include <cmath>
 
@@ -26,6 +26,8 @@ TAutoConsoleVariable<float> CVarBloomScreenPercentage(TEXT("r.Bloom.ScreenPercen
 
 /** What the engine's transforms can hold of a line. */
 constexpr int32 MaxScanLineLength = 4096;
+
+constexpr const char* DefaultKernel = "Builtin/Airy";
 
 class FFFTBloomPreFilterCS : public FGlobalShader
 {
@@ -75,7 +77,9 @@ END_SHADER_PARAMETER_STRUCT()
 
 FTextureRHIRef FindKernelTexture(const FFinalPostProcessSettings& Settings)
 {
-	return Drydock::FindBloomKernelTexture(Settings.BloomConvolutionTexture.Get());
+	return Settings.BloomConvolutionTexture != nullptr
+			   ? Drydock::FindTexturePixels(Settings.BloomConvolutionTexture.Get())
+			   : Drydock::FindTexturePixels(DefaultKernel);
 }
 
 FIntPoint GetImageSize(FIntPoint ViewSize, float Fraction)

@@ -1,7 +1,7 @@
 // Source: drydock.
 #include "RunSetup.h"
 
-#include "BloomKernelFiles.h"
+#include "TextureFiles.h"
 #include "ConfigExtensions.h"
 #include "ConfigReader.h"
 #include "ExtensionFactory.h"
@@ -186,7 +186,7 @@ FRunSetup::FRunSetup(const FRunOptions& Options)
 	}
 	IConsoleManager::Get().CallAllConsoleVariableSinks();
 	CreateExtensions();
-	BloomKernels.emplace(MakeBloomKernelLoader(Config));
+	TextureLoader.emplace(MakeTextureLoader(Config));
 	Chain = MakeChainSettings(Config, &Diagnostics);
 	WarnOfIneffectiveValues(Config, Chain, Diagnostics);
 	Effects = DecideEffects(Chain);

@@ -2,10 +2,10 @@
 // decided. Source: drydock.
 #pragma once
 
-#include "BloomKernelTextures.h"
 #include "HAL/ConsoleVariableTools.h"
 #include "Run.h"
 #include "SceneViewExtension.h"
+#include "TextureAssets.h"
 
 #include <optional>
 
@@ -37,7 +37,7 @@ struct DRYDOCK_API FRunSetup
 	std::vector<std::string> Plugins;
 	FRunVariables Variables;
 	FConfig Config;
-	std::optional<FScopedBloomKernelLoader> BloomKernels;
+	std::optional<FScopedTextureLoader> TextureLoader;
 	FChainSettings Chain;
 	std::vector<FEffectDecision> Effects;
 	std::vector<TConfigValue<std::string>> Dump; // of config and command line

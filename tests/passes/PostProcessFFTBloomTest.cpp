@@ -1,13 +1,13 @@
 // Convolution bloom against a direct sum in double, its split of energy, pre-filter, padding, and the cached kernel.
 #include "PassTestUtils.h"
 
-#include "BloomKernelTextures.h"
 #include "BuiltinTextures.h"
 #include "PostProcessBloomSetup.h"
 #include "PostProcessFFTBloom.h"
 #include "RenderGraphObserver.h"
 #include "SceneViewState.h"
 #include "SettingObjects.h"
+#include "TextureAssets.h"
 
 #include <algorithm>
 #include <functional>
@@ -38,10 +38,10 @@ private:
 		{
 			Colors.push_back(FLinearColor(float(Texel[0]), float(Texel[1]), float(Texel[2]), 1.0f));
 		}
-		return Drydock::MakeBloomKernelTexture(FIntPoint(Picture.Width, Picture.Height), Colors, KernelPath);
+		return Drydock::MakePictureTexture(FIntPoint(Picture.Width, Picture.Height), Colors, KernelPath);
 	}
 
-	Drydock::FScopedBloomKernelLoader Loader;
+	Drydock::FScopedTextureLoader Loader;
 };
 
 /** One texel of the kernel to a pixel, no pre-filter, padding for the whole kernel, s = 1. */

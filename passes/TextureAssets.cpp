@@ -1,5 +1,5 @@
 // Source: drydock.
-#include "BloomKernelTextures.h"
+#include "TextureAssets.h"
 
 #include "BuiltinTextures.h"
 #include "SettingObjects.h"
@@ -15,7 +15,7 @@ namespace
 {
 
 std::mutex LoaderMutex;
-FBloomKernelLoader CurrentLoader;
+FTextureLoader CurrentLoader;
 
 std::map<std::string, FTextureRHIRef>& GetLoaded()
 {
@@ -35,28 +35,32 @@ FTextureRHIRef MakeBuiltinTexture(const std::string& Path)
 	{
 		Colors.push_back(FLinearColor(Value, Value, Value, 1.0f));
 	}
-	return MakeBloomKernelTexture(FIntPoint(BuiltinKernelSize, BuiltinKernelSize), Colors, Path);
+	return MakePictureTexture(FIntPoint(BuiltinKernelSize, BuiltinKernelSize), Colors, Path);
 }
 
 } // namespace
 
-FScopedBloomKernelLoader::FScopedBloomKernelLoader(FBloomKernelLoader Loader)
+FScopedTextureLoader::FScopedTextureLoader(FTextureLoader Loader)
 {
 	const std::lock_guard<std::mutex> Lock(LoaderMutex);
 	Previous = std::exchange(CurrentLoader, std::move(Loader));
 	GetLoaded().clear();
 }
 
-FScopedBloomKernelLoader::~FScopedBloomKernelLoader()
+FScopedTextureLoader::~FScopedTextureLoader()
 {
 	const std::lock_guard<std::mutex> Lock(LoaderMutex);
 	CurrentLoader = std::move(Previous);
 	GetLoaded().clear();
 }
 
-FTextureRHIRef FindBloomKernelTexture(const UTexture* Kernel)
+FTextureRHIRef FindTexturePixels(const UTexture* Texture)
 {
-	const std::string Path = Kernel != nullptr ? GetObjectPath(Kernel) : "Builtin/Airy";
+	return Texture != nullptr ? FindTexturePixels(GetObjectPath(Texture)) : nullptr;
+}
+
+FTextureRHIRef FindTexturePixels(const std::string& Path)
+{
 	const std::lock_guard<std::mutex> Lock(LoaderMutex);
 	const auto Found = GetLoaded().find(Path);
 	if (Found != GetLoaded().end())
@@ -71,7 +75,7 @@ FTextureRHIRef FindBloomKernelTexture(const UTexture* Kernel)
 	return GetLoaded()[Path] = Pixels;
 }
 
-FTextureRHIRef MakeBloomKernelTexture(FIntPoint Size, const std::vector<FLinearColor>& Colors, const std::string& Name)
+FTextureRHIRef MakePictureTexture(FIntPoint Size, const std::vector<FLinearColor>& Colors, const std::string& Name)
 {
 	check(Colors.size() == static_cast<size_t>(Size.X) * static_cast<size_t>(Size.Y));
 	const FTextureRHIRef Texture = new FRHITexture(

@@ -1,9 +1,9 @@
-// Kernels of convolution bloom out of image files: how a config's BloomConvolutionTexture becomes pixels.
+// Textures out of image files: how a path that a config's settings name becomes pixels (TextureAssets.h).
 // Source: drydock.
 #pragma once
 
-#include "BloomKernelTextures.h"
 #include "Config.h"
+#include "TextureAssets.h"
 
 namespace Drydock
 {
@@ -11,6 +11,6 @@ namespace Drydock
 /** A path with an image's extension is a file, relative to the config; colours are read as linear light (PNG is
  * decoded), a single channel as grey. Any other path names an engine asset and has no pixels. The loader throws FError
  * (exit code 3) for a file that is missing or broken. */
-DRYDOCK_API FBloomKernelLoader MakeBloomKernelLoader(const FConfig& Config);
+DRYDOCK_API FTextureLoader MakeTextureLoader(const FConfig& Config);
 
 } // namespace Drydock

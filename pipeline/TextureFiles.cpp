@@ -1,5 +1,5 @@
 // Source: drydock.
-#include "BloomKernelFiles.h"
+#include "TextureFiles.h"
 
 #include "ImageFile.h"
 
@@ -31,7 +31,7 @@ std::vector<int> ChooseChannels(const FImageFile& File)
 	return bAll ? Named : std::vector<int>{0, 0, 0};
 }
 
-FTextureRHIRef LoadKernel(const std::string& File, const std::string& Name)
+FTextureRHIRef LoadPicture(const std::string& File, const std::string& Name)
 {
 	FImageFile Image(File);
 	const std::vector<std::vector<float>> Planes = Image.Read(ChooseChannels(Image));
@@ -41,16 +41,16 @@ FTextureRHIRef LoadKernel(const std::string& File, const std::string& Name)
 	{
 		Colors.push_back(FLinearColor(Planes[0][Index], Planes[1][Index], Planes[2][Index], 1.0f));
 	}
-	return MakeBloomKernelTexture(FIntPoint(Image.GetWidth(), Image.GetHeight()), Colors, Name);
+	return MakePictureTexture(FIntPoint(Image.GetWidth(), Image.GetHeight()), Colors, Name);
 }
 
 } // namespace
 
-FBloomKernelLoader MakeBloomKernelLoader(const FConfig& Config)
+FTextureLoader MakeTextureLoader(const FConfig& Config)
 {
 	return [Config](const std::string& Path) -> FTextureRHIRef
 	{
-		return IsImagePath(Path) ? LoadKernel(Config.Resolve(Path), Path) : nullptr;
+		return IsImagePath(Path) ? LoadPicture(Config.Resolve(Path), Path) : nullptr;
 	};
 }
 
