@@ -1,7 +1,6 @@
 // Source: drydock.
 #include "RunSetup.h"
 
-#include "TextureFiles.h"
 #include "ConfigExtensions.h"
 #include "ConfigReader.h"
 #include "ExtensionFactory.h"
@@ -11,6 +10,7 @@
 #include "Plugins.h"
 #include "PostProcessFFTBloom.h"
 #include "SceneSuggestions.h"
+#include "TextureFiles.h"
 
 #include <algorithm>
 
