@@ -3,7 +3,7 @@
 
 #include "BuiltinTextures.h"
 #include "PostProcessBloomSetup.h"
-#include "PostProcessFFTBloom.h"
+#include "PostProcess/PostProcessFFTBloom.h"
 #include "RenderGraphObserver.h"
 #include "SceneViewState.h"
 #include "SettingObjects.h"
