@@ -3,12 +3,17 @@
 #include "GlobalShader.h"
 #include "HAL/IConsoleManager.h"
 #include "PixelShaderUtils.h"
-#include "PostProcess/PostProcessMaterialInputs.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
 #include "SceneView.h"
 #include "ScreenPass.h"
 #include "ShaderParameterStruct.h"
+
+#if UE_VERSION_OLDER_THAN(5, 4, 0)
+#include "PostProcess/PostProcessMaterial.h"
+#else
+#include "PostProcess/PostProcessMaterialInputs.h"
+#endif
 
 static TAutoConsoleVariable<float> CVarMyPatchIntensity(
 	TEXT("r.MyPatch.Intensity"),
@@ -35,11 +40,6 @@ public:
 		SHADER_PARAMETER(float, Intensity)
 		RENDER_TARGET_BINDING_SLOTS()
 	END_SHADER_PARAMETER_STRUCT()
-
-	static bool ShouldCompilePermutation(const FGlobalShaderPermutationParameters& Parameters)
-	{
-		return IsFeatureLevelSupported(Parameters.Platform, ERHIFeatureLevel::SM5);
-	}
 };
 
 IMPLEMENT_GLOBAL_SHADER(FMyPatchPS, "/Plugin/MyPatch/Private/MyPatch.usf", "MainPS", SF_Pixel);
