@@ -127,6 +127,11 @@ void WriteOutputs(FJsonWriter& Writer, const FRunResult& Result)
 	Writer.Member("timing", "timing.json");
 	Writer.Member("graph", "graph.dot");
 	Writer.Member("trace", "trace.json");
+	if (!Result.BandingMap.Values.empty())
+	{
+		Writer.Member("toonShadowBlurred", "toon_shadow_blurred.png");
+		Writer.Member("toonShadowBanding", "toon_shadow_banding.png");
+	}
 	Writer.Key("passes").BeginArray();
 	for (const FRunDump& Dump : Result.Dumps)
 	{

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "PassFactory.h"
 #include "Run.h"
 
 #include <algorithm>
@@ -187,6 +188,45 @@ TEST(ArticleEffectsRun, DepthOfFieldByNameIsTheEffect)
 	const FRunResult ByPass = RunText("", R"(, "passes": [{"type": "REDDepthOfField", "at": "MotionBlur",
 		"parameters": {"FocalDistance": 400, "FarBlurSize": 4}}])");
 	EXPECT_EQ(BySettings.Final.Values, ByPass.Final.Values);
+}
+
+TEST(ArticleEffectsRun, EveryPassOfTheEffectsRunsAtEveryHook)
+{
+	const std::vector<std::string> Prefixes = {
+		"RED", "CharaGlow", "ToonShadow", "TextureBlur", "UnityBloom", "DualKawase"};
+	for (const auto& [Hook, Engine] : {std::pair("PrePostProcessPass", "5.4"), {"MotionBlur", "5.4"},
+			 {"SSRInput", "5.4"}, {"Tonemap", "5.4"}, {"BeforeDOF", "5.5"}, {"AfterDOF", "5.5"}})
+	{
+		// Each pass makes a picture that a glow then shows, whatever its size is, so that none is culled.
+		std::string Passes;
+		int NumPasses = 0;
+		for (const FPassFactory* Factory : GetPassFactories())
+		{
+			if (std::none_of(Prefixes.begin(), Prefixes.end(),
+					[&](const std::string& Prefix) { return Factory->Type.rfind(Prefix, 0) == 0; }))
+			{
+				continue;
+			}
+			std::string Inputs;
+			for (const FPassInputSpec& Input : Factory->Inputs)
+			{
+				Inputs +=
+					Input.Default.empty() ? (Inputs.empty() ? "\"" : ", \"") + Input.Name + "\": \"SceneColor\"" : "";
+			}
+			const std::string Name = "Pass" + std::to_string(NumPasses++);
+			const std::string At = std::string("\", \"at\": \"") + Hook + "\"";
+			Passes += (Passes.empty() ? "" : ", ") + ("{\"type\": \"" + Factory->Type + At) + ", \"name\": \"" + Name +
+					  "\", \"replace\": false, \"inputs\": {" + Inputs + "}}, {\"type\": \"REDGlow" + At +
+					  ", \"parameters\": {\"Intensity\": 0.01}, \"inputs\": {\"Blurred\": \"" + Name + "\"}}";
+		}
+		const FRunResult Result =
+			RunText("", std::string(R"(, "engine": ")") + Engine + R"(", "passes": [)" + Passes + "]");
+		EXPECT_GE(NumPasses, 20);
+		const auto NumGlows = std::count_if(Result.Graph.Passes.begin(), Result.Graph.Passes.end(),
+			[](const FRDGCompiledPass& Pass) { return Pass.Name.rfind("RED.Glow", 0) == 0; });
+		EXPECT_EQ(NumPasses + 1, NumGlows) << Hook; // the glow is one of the passes itself
+		EXPECT_THAT(Result.Final.Values, testing::Each(testing::AllOf(testing::Ge(0), testing::Le(1)))) << Hook;
+	}
 }
 
 TEST(ArticleEffectsRun, TextureBlurWorksOnAnyPictureAtAnyHook)
