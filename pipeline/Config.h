@@ -155,6 +155,7 @@ struct FConfig
 	std::vector<FJsonValue> Extensions; // objects, as they stand: see ReadExtensionRequests
 	std::vector<FJsonValue> Passes;     // likewise: see ReadPassRequests
 	std::vector<TConfigValue<std::string>> Dump;
+	bool bNoSkip = false; // of the command line: see FRunOptions
 
 	/** A path of the config, relative to the config's own folder, as one relative to the working folder. */
 	DRYDOCK_API std::string Resolve(const std::string& Path) const;

@@ -173,6 +173,7 @@ FChainSettings MakeChainSettings(const FConfig& Config, std::vector<FDiagnostic>
 	Chain.Settings = std::move(Blended.Settings);
 	Chain.Gates = std::move(Blended.Gates);
 	Chain.ExposureScale = ComputeExposureScale(Config, Chain);
+	Chain.bNoSkip = Config.bNoSkip;
 	Chain.NamedSettings = GetNamedSettings(Config);
 	Chain.bToonBloomConfigured = std::find(Chain.NamedSettings.begin(), Chain.NamedSettings.end(),
 									 "BloomToonIntensity") != Chain.NamedSettings.end();

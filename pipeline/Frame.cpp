@@ -64,6 +64,14 @@ public:
 			Next->OnLoadExternals(Loads);
 		}
 	}
+	bool WantsPlannedExternals() const override { return Next != nullptr && Next->WantsPlannedExternals(); }
+	void OnExternalsPlanned(const std::vector<FRDGExternalLoad>& Loads) override
+	{
+		if (Next != nullptr)
+		{
+			Next->OnExternalsPlanned(Loads);
+		}
+	}
 	void OnPassExecuted(int32_t PassIndex, const FRDGPass& Pass, double Milliseconds, const FPassCounters& Counters,
 		const std::vector<FRDGTexture*>& WrittenTextures) override
 	{

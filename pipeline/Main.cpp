@@ -158,7 +158,7 @@ std::string ExplainMistake(
 		if (Next == nullptr)
 		{
 			return Level < Arguments.size() ? Explain("verb", Arguments[Level], Verbs)
-				   : Level == 0             ? "a verb is missing: run, check, blend, graph or list"
+				   : Level == 0             ? "a verb is missing: run, check, explain, blend, graph or list"
 											: "a verb is missing after " + Arguments[Level - 1];
 		}
 		Chosen = Next;
@@ -207,6 +207,8 @@ int ParseAndRun(int NumArguments, char** Arguments)
 		->type_name("DIR");
 	AddRepeated(*Run, "--dump", "PATTERN", Options.Run.Dump,
 		"Keep what matches: a pass, a resource or Pass.Resource, with * and ?; repeats");
+	Run->add_flag("--no-skip", Options.Run.bNoSkip,
+		"Leave nothing out because nobody needs it: slower, the same bits; what is switched off stays off");
 	Run->add_flag("--watch", Options.bWatch, "Run again whenever the config, its scene or a shader changes");
 	Run->add_flag("--json", Options.bJson, "Print run.json instead of the summary");
 	Run->callback([&] { ExitCode = RunVerb(Options); });
@@ -261,6 +263,26 @@ int ParseAndRun(int NumArguments, char** Arguments)
 		->type_name("FILE");
 	Diff->add_flag("--json", DiffOptions.bJson, "Print the figures as JSON");
 	Diff->callback([&] { ExitCode = DiffVerb(DiffOptions); });
+
+	CLI::App* Explain = Program.add_subcommand(
+		"explain", "Print which effects and passes run, which do not and why, and what leaving out saves");
+	AddConfig(*Explain, Options);
+	AddArithmetic(*Explain, Options);
+	CLI::Option* Pass = Explain
+							->add_option("--pass", Options.Pass,
+								"Only this pass, by name or index: what it reads and "
+								"writes, who reads that, why it is culled")
+							->type_name("PASS");
+	CLI::Option* Effect = Explain->add_option("--effect", Options.Effect, "Only this effect, with its passes")
+							  ->type_name("EFFECT")
+							  ->excludes(Pass);
+	AddRepeated(
+		*Explain, "--setting", "NAME", Options.Names, "How this setting came about, as `drydock blend` says it");
+	Explain->get_option("--setting")->excludes(Pass)->excludes(Effect);
+	Explain->add_flag("--measure", Options.bMeasure,
+		"Run the frame as it is and with --no-skip, interleaved, and give medians in place of estimates");
+	Explain->add_flag("--json", Options.bJson, "Print effects, passes and costs as JSON");
+	Explain->callback([&] { ExitCode = Options.Names.empty() ? ExplainVerb(Options) : BlendVerb(Options); });
 
 	std::string Things;
 	std::string Filter;

@@ -55,14 +55,13 @@ public:
 		ReportProgress();
 	}
 
+	bool WantsPlannedExternals() const override { return Options.bPlanLoads; }
+	void OnExternalsPlanned(const std::vector<FRDGExternalLoad>& Loads) override { Scene.Plan(FindNeeded(Loads)); }
+
 	void OnLoadExternals(const std::vector<FRDGExternalLoad>& Loads) override
 	{
 		const FClock::time_point Begin = FClock::now();
-		std::vector<FNeededSceneTexture> Needed;
-		for (const FRDGExternalLoad& Load : Loads)
-		{
-			Needed.push_back({Load.Texture->Name, Load.Pass->GetName(), Load.bIsRead});
-		}
+		const std::vector<FNeededSceneTexture> Needed = FindNeeded(Loads);
 		Scene.Load(Needed, {static_cast<float>(Setup.Config.View.PreExposure.Value), Result.ViewRect.Size(),
 							   Setup.Config.Scene.Units});
 		Result.Times.Load += MillisecondsSince(Begin);
@@ -94,6 +93,24 @@ public:
 	}
 
 private:
+	/** Without skipping, every texture that the file can fill. */
+	std::vector<FNeededSceneTexture> FindNeeded(const std::vector<FRDGExternalLoad>& Loads) const
+	{
+		std::vector<FNeededSceneTexture> Needed;
+		for (const FRDGExternalLoad& Load : Loads)
+		{
+			Needed.push_back({Load.Texture->Name, Load.Pass->GetName(), Load.bIsRead});
+		}
+		for (const FScenePacking& Packing : GetScenePackings())
+		{
+			if (Options.bNoSkip)
+			{
+				Needed.push_back({Packing.Name, "", false});
+			}
+		}
+		return Needed;
+	}
+
 	void KeepTexture(int PassIndex, const std::string& Pass, const std::string& Resource, FRHITexture& Texture)
 	{
 		const int NumMips = static_cast<int>(Texture.GetNumMips());

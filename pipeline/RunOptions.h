@@ -38,7 +38,11 @@ struct FRunOptions
 	std::optional<int> Threads; // 0: all cores
 	bool bDouble = false;       // double arithmetic
 	ERunStorage Storage = ERunStorage::Default;
-	bool bExecute = true; // false: stop when the graph is compiled
+	bool bExecute = true;    // false: stop when the graph is compiled
+	bool bPlanLoads = false; // of a graph that is not executed: find out which channels it would decode
+	/** Nothing is left out because no output needs it: culled passes run, all channels are decoded, effects whose
+	 * values are neutral or whose input is empty run. What is switched off stays off. The outputs are the same bits. */
+	bool bNoSkip = false;
 	/** Called before each pass that executes. */
 	std::function<void(int Done, int Total, const std::string& Pass)> Progress;
 };

@@ -180,6 +180,11 @@ FRunSetup::FRunSetup(const FRunOptions& Options)
 	{
 		Variables.Set("r.Drydock.Storage", GetStorageValue(Options));
 	}
+	if (Options.bNoSkip)
+	{
+		Variables.Set("r.RDG.CullPasses", "0");
+		Config.bNoSkip = true;
+	}
 	if (Options.Threads)
 	{
 		Variables.Set("r.Drydock.Threads", std::to_string(*Options.Threads));

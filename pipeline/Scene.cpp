@@ -180,7 +180,6 @@ FScene::FPlanes FScene::ReadPlanes(const std::vector<FFill>& Fills)
 			if (Source.FileChannel >= 0)
 			{
 				Planes[Source.FileChannel];
-				Channels[static_cast<size_t>(Source.FileChannel)].bDecoded = true;
 			}
 		}
 	}
@@ -197,7 +196,8 @@ FScene::FPlanes FScene::ReadPlanes(const std::vector<FFill>& Fills)
 	return Planes;
 }
 
-void FScene::Load(const std::vector<FNeededSceneTexture>& Needed, const FScenePackContext& Context)
+/** What is not filled yet; counts as filled from now on, and its channels as decoded. */
+std::vector<FScene::FFill> FScene::PlanFills(const std::vector<FNeededSceneTexture>& Needed)
 {
 	std::vector<FFill> Fills;
 	for (const FNeededSceneTexture& Texture : Needed)
@@ -205,9 +205,27 @@ void FScene::Load(const std::vector<FNeededSceneTexture>& Needed, const FScenePa
 		if (std::optional<FFill> Fill = PlanFill(Texture))
 		{
 			Filled[Texture.Texture] = true;
+			for (const FSource& Source : Fill->Sources)
+			{
+				if (Source.FileChannel >= 0)
+				{
+					Channels[static_cast<size_t>(Source.FileChannel)].bDecoded = true;
+				}
+			}
 			Fills.push_back(std::move(*Fill));
 		}
 	}
+	return Fills;
+}
+
+void FScene::Plan(const std::vector<FNeededSceneTexture>& Needed)
+{
+	PlanFills(Needed);
+}
+
+void FScene::Load(const std::vector<FNeededSceneTexture>& Needed, const FScenePackContext& Context)
+{
+	const std::vector<FFill> Fills = PlanFills(Needed);
 	if (!Fills.empty())
 	{
 		const FPlanes Planes = ReadPlanes(Fills);

@@ -69,6 +69,9 @@ public:
 	 * FError (exit code 3) when the file is broken or lacks a channel of a texture that is read. */
 	void Load(const std::vector<FNeededSceneTexture>& Needed, const FScenePackContext& Context);
 
+	/** Marks the channels that Load would decode, and reads nothing. Throws as Load does for missing channels. */
+	void Plan(const std::vector<FNeededSceneTexture>& Needed);
+
 	/** What scene colour held that is not finite, before r.Drydock.NonFinite did anything about it. */
 	const FNonFiniteCount& GetNonFinite() const { return NonFinite; }
 
@@ -94,6 +97,7 @@ private:
 	std::optional<FSource> FindSource(const FScenePackChannel& Channel) const;
 	std::optional<FFill> PlanFill(const FNeededSceneTexture& Needed) const;
 	FError MakeMissingChannel(const std::string& Channel, const FNeededSceneTexture& Needed) const;
+	std::vector<FFill> PlanFills(const std::vector<FNeededSceneTexture>& Needed);
 	FPlanes ReadPlanes(const std::vector<FFill>& Fills);
 	void Fill(const FFill& Fill, const FPlanes& Planes, const FScenePackContext& Context);
 

@@ -1,4 +1,5 @@
 // `drydock run`. Source: drydock.
+#include "CostModel.h"
 #include "ProgressBar.h"
 #include "Run.h"
 #include "RunOutputs.h"
@@ -32,6 +33,9 @@ int RunOnce(const FVerbOptions& Options)
 	const std::string Folder =
 		Options.OutputFolder.empty() ? GetDefaultOutputFolder(Options.Run.ConfigFile) : Options.OutputFolder;
 	const double SaveMs = WriteRunOutputs(Result, Folder);
+	FCostModel Costs = FCostModel::Load();
+	Costs.Learn(Result);
+	Costs.Save();
 	std::fputs((Options.bJson ? Result.RunJson : MakeRunSummary(Result, Folder, SaveMs)).c_str(), stdout);
 	std::fflush(stdout);
 	for (const std::string& Line : MakeClosingLines(Result.Effects))

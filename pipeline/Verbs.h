@@ -27,6 +27,9 @@ struct FVerbOptions
 	bool bWatch = false;
 	std::string At;                 // blend: "X,Y,Z", cm; empty: the view's location
 	std::vector<std::string> Names; // blend: settings, with * and ?; empty: those that changed
+	std::string Pass;               // explain: this one, by name or index
+	std::string Effect;             // explain: this one
+	bool bMeasure = false;          // explain: run the frame, with and without skipping
 	std::string Path;               // blend: a file of points, or "scene"; empty: one place only
 	std::optional<int> Steps;       // between two points of the path
 };
@@ -42,6 +45,10 @@ DRYDOCK_API int BlendVerb(const FVerbOptions& Options);
 
 /** Walks Options.Path and writes walk.csv and walk.svg; prints the weights at its points, text or JSON. */
 DRYDOCK_API int BlendPathVerb(const FVerbOptions& Options);
+
+/** Prints which effects and passes run, which do not, why, and what is saved by it; or of one pass, effect or setting.
+ */
+DRYDOCK_API int ExplainVerb(const FVerbOptions& Options);
 
 /** Prints the compiled graph: text, dot, svg (needs Graphviz's dot) or json. */
 DRYDOCK_API int GraphVerb(const FVerbOptions& Options);

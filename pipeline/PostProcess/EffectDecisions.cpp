@@ -142,7 +142,7 @@ FEffectDecision DecideToonBloom(const FChainSettings& Chain)
 	{
 		Toon.Reason = "BloomToonIntensity is " + NumberText(Factor) + ": the setup pass takes values above -1";
 	}
-	else if (Mode < 0 && Factor == 1.0f)
+	else if (Mode < 0 && Factor == 1.0f && !Chain.bNoSkip)
 	{
 		Toon.Reason = "BloomToonIntensity is 1, which changes nothing";
 	}

@@ -37,6 +37,7 @@ struct FChainSettings
 	float ExposureScale = 1.0f;             // final
 	std::vector<std::string> NamedSettings; // by a volume, the camera or --pp, sorted
 	bool bToonBloomConfigured = false;      // a volume, the camera or --pp names BloomToonIntensity
+	bool bNoSkip = false;                   // neutral values are no reason not to run
 	bool bDualKawaseExtension = false;      // one is active: it makes the effect's passes, wherever it subscribes
 };
 

@@ -146,6 +146,10 @@ FRDGAllocator& FRDGBuilder::GetAllocator()
 void FRDGBuilder::Discard()
 {
 	State->bFinished = true;
+	if (State->Observer != nullptr && State->Observer->WantsPlannedExternals())
+	{
+		State->Observer->OnExternalsPlanned(FRDGExecutor(*this).PlanExternals(Compile()));
+	}
 }
 
 void FRDGBuilder::SetObserver(IRDGObserver* Observer)

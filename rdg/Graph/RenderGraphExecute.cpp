@@ -18,7 +18,8 @@ namespace Drydock
 
 IRDGObserver::~IRDGObserver() = default;
 
-void FRDGExecutor::RunGraph(const FRDGCompiledGraph& InCompiled)
+/** Passes and resources learn what became of them. */
+void FRDGExecutor::TakeOver(const FRDGCompiledGraph& InCompiled)
 {
 	Compiled = &InCompiled;
 	for (size_t Index = 0; Index < State.Passes.size(); ++Index)
@@ -30,6 +31,18 @@ void FRDGExecutor::RunGraph(const FRDGCompiledGraph& InCompiled)
 		State.Resources[Index]->bCulled = InCompiled.Resources[Index].FirstPass < 0;
 		State.Resources[Index]->bTransient = InCompiled.Resources[Index].bTransient;
 	}
+}
+
+std::vector<FRDGExternalLoad> FRDGExecutor::PlanExternals(const FRDGCompiledGraph& InCompiled)
+{
+	TakeOver(InCompiled);
+	CompileShaders();
+	return FindExternals(-1);
+}
+
+void FRDGExecutor::RunGraph(const FRDGCompiledGraph& InCompiled)
+{
+	TakeOver(InCompiled);
 	LogTransitions(InCompiled);
 	if (State.Observer)
 	{

@@ -27,6 +27,9 @@ public:
 	/** Immediate mode: what is left when all passes have run. */
 	void FinishImmediate(const FRDGCompiledGraph& Compiled);
 
+	/** What RunGraph would announce for loading. */
+	std::vector<FRDGExternalLoad> PlanExternals(const FRDGCompiledGraph& Compiled);
+
 	/** Gives a texture or buffer memory from a pool, whoever uses it first. */
 	static void AllocatePooled(FRDGViewableResource& Resource);
 
@@ -37,6 +40,7 @@ public:
 	[[noreturn]] static void FailAccess(const FRDGResource& Resource);
 
 private:
+	void TakeOver(const FRDGCompiledGraph& Compiled);
 	void CompileShaders();
 	void LoadExternals(const std::vector<FRDGExternalLoad>& Loads);
 	std::vector<FRDGExternalLoad> FindExternals(int32 PassIndex);

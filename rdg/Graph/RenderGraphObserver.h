@@ -20,7 +20,7 @@ struct FRDGExternalLoad
 	bool bIsRead = true;
 };
 
-/** All calls come from Execute (in immediate mode: from AddPass), on its thread. */
+/** All calls come from Execute (in immediate mode: from AddPass; for a discarded graph: from Discard), on its thread. */
 class DRYDOCK_API IRDGObserver
 {
 public:
@@ -33,6 +33,11 @@ public:
 	 * memory unless somebody touched them: this is the moment to fill them. What a pass's uniform buffers name and its
 	 * shader does not read is left out. One that was announced with bIsRead false may come once more with true. */
 	virtual void OnLoadExternals(const std::vector<FRDGExternalLoad>&) {}
+
+	/** Of a graph that is discarded: what OnLoadExternals would have been told, for observers that want it. Shaders are
+	 * looked at, so they are compiled. */
+	virtual bool WantsPlannedExternals() const { return false; }
+	virtual void OnExternalsPlanned(const std::vector<FRDGExternalLoad>&) {}
 
 	/** After each pass. PassIndex is its position in FRDGCompiledGraph::Passes; WrittenTextures may be read through
 	 *  FRDGTexture::GetRHI during the call. */

@@ -1,5 +1,5 @@
 // The promise of equal bits: whatever may change how a frame is computed but not what it is (threads, lane width, aliasing,
-// culling, immediate mode, clobbered memory) leaves every output of every shipped config bit for bit the same. A config
+// skipping, immediate mode, clobbered memory) leaves every output of every shipped config bit for bit the same. A config
 // joins by lying in configs/, an equivalence by a line in GEquivalences. Source: drydock.
 #include <gtest/gtest.h>
 
@@ -19,6 +19,7 @@ struct FEquivalence
 {
 	const char* Name;
 	std::vector<std::string> Variables;
+	bool bNoSkip = false;
 };
 
 // TransientAllocator 0 puts every texture into memory of its own; ExtendResourceLifetimes keeps the heap, unshared.
@@ -30,18 +31,20 @@ const std::vector<FEquivalence> GEquivalences = {
 	{"EightLanes", {"r.Drydock.LaneWidth=8"}},
 	{"NoTransientHeap", {"r.RDG.TransientAllocator=0"}},
 	{"NoAliasing", {"r.RDG.Debug.ExtendResourceLifetimes=1"}},
-	{"NoCulling", {"r.RDG.CullPasses=0"}},
+	{"NoSkip", {}, true},
 	{"ImmediateMode", {"r.RDG.ImmediateMode=1"}},
 	{"Clobbered1000", {"r.RDG.ClobberResources=1"}},
 	{"ClobberedNaN", {"r.RDG.ClobberResources=2"}},
 	{"ClobberedInf", {"r.RDG.ClobberResources=3"}},
 };
 
-FRunResult RunWith(const std::string& ConfigFile, const std::vector<std::string>& Variables)
+FRunResult RunWith(
+	const std::string& ConfigFile, const std::vector<std::string>& Variables, bool bNoSkip = false)
 {
 	FRunOptions Options;
 	Options.ConfigFile = ConfigFile;
 	Options.Variables = Variables;
+	Options.bNoSkip = bNoSkip;
 	return RunConfig(Options);
 }
 
@@ -106,7 +109,7 @@ TEST_P(Equivalence, GivesTheSameBits)
 {
 	const auto& [ConfigFile, Mode] = GetParam();
 	const FRunResult& Expected = GetPlainRun(ConfigFile);
-	const FRunResult Actual = RunWith(ConfigFile, Mode.Variables);
+	const FRunResult Actual = RunWith(ConfigFile, Mode.Variables, Mode.bNoSkip);
 	ASSERT_FALSE(Expected.Final.Values.empty());
 	EXPECT_TRUE(AreSameBits(Expected.SceneLinear, Actual.SceneLinear)) << "scene_linear";
 	EXPECT_TRUE(AreSameBits(Expected.Final, Actual.Final)) << "final";
