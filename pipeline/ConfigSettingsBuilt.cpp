@@ -40,6 +40,8 @@ constexpr struct
 	{"AutoExposureBiasCurve", Metering},
 	{"Histogram", Metering},
 	{"Camera", Metering},
+	{"MotionBlur", Acts},
+	{"MotionBlurPerObjectSize", NoPass},
 	{"DualKawaseBlur", Acts},
 	{"ToonShadowBlur", Acts},
 	{"DiffusionFilter", Acts},

@@ -52,7 +52,6 @@ const FAutoConsoleVariable NotSimulated[] = {
 	{TEXT("r.LightShaftQuality"), 1, TEXT("Not simulated. Light shafts: 0 off, 1 on."), Scaled},
 	{TEXT("r.LUT.Size"), 32, TEXT("Not simulated. Side of the colour grading table."), Plain},
 	{TEXT("r.MotionBlur.HalfResGather"), 0, TEXT("Not simulated. Long blurs at half resolution: 0 off, 1 on."), Scaled},
-	{TEXT("r.MotionBlurQuality"), 4, TEXT("Not simulated. Motion blur: 0 off, 1 low to 4 very high."), Scaled},
 	{TEXT("r.PostProcessing.PropagateAlpha"), 0, TEXT("Not simulated. 1: alpha goes through the whole chain."), Plain},
 	{TEXT("r.PostProcessing.QuarterResolutionDownsample"), 0,
 		TEXT("Not simulated. 1: the downsample chain starts at a quarter of the resolution."), Scaled},

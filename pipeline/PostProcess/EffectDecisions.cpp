@@ -5,6 +5,7 @@
 #include "HAL/IConsoleManager.h"
 #include "PostProcess/ArticleEffects.h"
 #include "PostProcessFFTBloom.h"
+#include "PostProcessMotionBlur.h"
 #include "PostProcessToonBloom.h"
 
 #include <algorithm>
@@ -81,6 +82,36 @@ FEffectDecision DecideBloom(const FChainSettings& Chain, bool bToonBloom)
 	Bloom.bConfigured = Bloom.bActive || (Chain.Settings.bOverride_BloomIntensity && !(Intensity > 0.0f) &&
 											 !GateText(Chain, "BloomIntensity").empty());
 	return Bloom;
+}
+
+/** Unlike the engine, whose default amount is 0.5: a rendered frame may hold motion blur already, so it has to be
+ * called for. */
+FEffectDecision DecideMotionBlur(const FChainSettings& Chain)
+{
+	const FFinalPostProcessSettings& Settings = Chain.Settings;
+	const bool bNamed = std::any_of(Chain.NamedSettings.begin(), Chain.NamedSettings.end(),
+		[](const std::string& Setting) { return Setting.starts_with("MotionBlur"); });
+	const std::string Values = "MotionBlurAmount is " + NumberText(Settings.MotionBlurAmount) + ", MotionBlurMax " +
+							   NumberText(Settings.MotionBlurMax);
+	const auto No = [bNamed](const std::string& Reason)
+	{
+		return FEffectDecision{"MotionBlur", false, bNamed, Reason};
+	};
+	if (!bNamed)
+	{
+		return No("not called for: nothing in the config sets MotionBlurAmount, Max or TargetFPS");
+	}
+	if (!Chain.ShowFlags.PostProcessing || !Chain.ShowFlags.MotionBlur)
+	{
+		return No(
+			std::string("ShowFlag.") + (Chain.ShowFlags.PostProcessing ? "MotionBlur" : "PostProcessing") + " is off");
+	}
+	if (GetMotionBlurQuality() == EMotionBlurQuality::Off)
+	{
+		return No("r.MotionBlurQuality is 0");
+	}
+	const bool bBlurs = Settings.MotionBlurAmount > 0.0f && Settings.MotionBlurMax > 0.0f;
+	return bBlurs ? FEffectDecision{"MotionBlur", true, true, Values} : No(Values);
 }
 
 FEffectDecision DecideDualKawase(const FChainSettings& Chain)
@@ -207,6 +238,10 @@ std::vector<FEffectDecision> DecideEffects(const FChainSettings& Chain)
 		{
 			Decision = {Name, true, true, "scale " + NumberText(Chain.ExposureScale)};
 			Decision.Reason += Chain.ShowFlags.EyeAdaptation ? "" : ": ShowFlag.EyeAdaptation is off";
+		}
+		else if (Name == "MotionBlur")
+		{
+			Decision = DecideMotionBlur(Chain);
 		}
 		else if (Name == "DualKawaseBlur")
 		{

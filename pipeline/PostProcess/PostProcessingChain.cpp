@@ -7,6 +7,7 @@
 #include "PostProcess/InsertionPoints.h"
 #include "PostProcessDownsample.h"
 #include "PostProcessEyeAdaptation.h"
+#include "PostProcessMotionBlur.h"
 #include "PostProcessTonemap.h"
 #include "PostProcessFFTBloom.h"
 #include "PostProcessToonBloom.h"
@@ -58,6 +59,10 @@ public:
 		SceneColor = ArticleEffects.AddRED(EREDPostProcessInsertion::AfterTranslucency, SceneColor);
 		Points.Skip(EPoint::TranslucencyAfterDOF, "the scene has no separate translucency");
 		RunSSRInput();
+		if (IsActive("MotionBlur"))
+		{
+			AddMotionBlur();
+		}
 		SceneColor = Points.Run(EPoint::MotionBlur, SceneColor);
 		if (IsActive("DualKawaseBlur") && !Extensions.Has("FDualKawaseBlur"))
 		{
@@ -209,6 +214,16 @@ private:
 	{
 		return std::any_of(Effects.begin(), Effects.end(),
 			[&](const Drydock::FEffectDecision& Effect) { return Effect.bActive && Effect.Name == Name; });
+	}
+
+	void AddMotionBlur()
+	{
+		const float DeltaTime = View.Family != nullptr ? View.Family->Time.GetDeltaWorldTimeSeconds() : 0.0f;
+		FMotionBlurInputs BlurInputs =
+			FMotionBlurInputs::FromSettings(View.FinalPostProcessSettings, SceneColor, DeltaTime);
+		BlurInputs.SceneTextures =
+			Inputs.SceneTextures ? Inputs.SceneTextures : CreateSceneTextureUniformBuffer(GraphBuilder, View);
+		SceneColor = AddMotionBlurPass(GraphBuilder, View, BlurInputs);
 	}
 
 	/** Called for by the settings alone: an extension would have read them. */
