@@ -23,7 +23,7 @@ struct FSheetRegion
 
 struct FSheetTile
 {
-	/** Display-encoded (sRGB), 1, 3 or 4 channels, of any size; alpha is left out. */
+	/** Display-encoded (sRGB), of any size; the first three channels count, of one or two the first, as grey. */
 	FImage Picture;
 	/** One line; cut where the tile ends. Empty: none. */
 	std::string Caption;
@@ -31,7 +31,7 @@ struct FSheetTile
 
 struct FSheetOptions
 {
-	/** 0: as many as make the sheet about as wide as a screen. */
+	/** 0: as many as rows, or one more. */
 	int Columns = 0;
 	/** Pictures are scaled to this width, in pixels, by the mean of the light; enlarged ones keep hard texels. */
 	int TileWidth = 320;
@@ -44,7 +44,8 @@ struct FSheetOptions
 	double InsetGain = 1.0;
 };
 
-/** Where the tiles of a sheet lie, row by row; rows are as high as their highest tile. */
+/** Row by row from the top left; a row is as high as its highest tile. Every picture holds a pixel at least. Three
+ * channels; without tiles an edge of background only. */
 DRYDOCK_API FImage MakeContactSheet(const std::vector<FSheetTile>& Tiles, const FSheetOptions& Options);
 
 /** Whether a region holds a pixel and lies inside a picture of that size. */
