@@ -2,6 +2,7 @@
 // drydock's.
 #include "EffectDecisions.h"
 
+#include "DiaphragmDOF.h"
 #include "HAL/IConsoleManager.h"
 #include "PostProcess/ArticleEffects.h"
 #include "PostProcessFFTBloom.h"
@@ -82,6 +83,24 @@ FEffectDecision DecideBloom(const FChainSettings& Chain, bool bToonBloom)
 	Bloom.bConfigured = Bloom.bActive || (Chain.Settings.bOverride_BloomIntensity && !(Intensity > 0.0f) &&
 											 !GateText(Chain, "BloomIntensity").empty());
 	return Bloom;
+}
+
+FEffectDecision DecideDepthOfField(const FChainSettings& Chain)
+{
+	const FFinalPostProcessSettings& Settings = Chain.Settings;
+	const bool bConfigured = std::any_of(Chain.NamedSettings.begin(), Chain.NamedSettings.end(),
+		[](const std::string& Setting) { return Setting.starts_with("DepthOfField"); });
+	const std::string Values = "DepthOfFieldFocalDistance is " + NumberText(Settings.DepthOfFieldFocalDistance) +
+							   ", DepthOfFieldFstop " + NumberText(Settings.DepthOfFieldFstop);
+	if (!Chain.ShowFlags.PostProcessing || !Chain.ShowFlags.DepthOfField)
+	{
+		return {"DepthOfField", false, bConfigured,
+			std::string("ShowFlag.") + (Chain.ShowFlags.PostProcessing ? "DepthOfField" : "PostProcessing") +
+				" is off"};
+	}
+	const bool bEnabled = DiaphragmDOF::IsEnabled(Settings);
+	return {"DepthOfField", bEnabled, bEnabled || bConfigured,
+		Values + (bEnabled ? "; a simplification of the engine's" : ": nothing is focused")};
 }
 
 /** Unlike the engine, whose default amount is 0.5: a rendered frame may hold motion blur already, so it has to be
@@ -238,6 +257,10 @@ std::vector<FEffectDecision> DecideEffects(const FChainSettings& Chain)
 		{
 			Decision = {Name, true, true, "scale " + NumberText(Chain.ExposureScale)};
 			Decision.Reason += Chain.ShowFlags.EyeAdaptation ? "" : ": ShowFlag.EyeAdaptation is off";
+		}
+		else if (Name == "DepthOfField")
+		{
+			Decision = DecideDepthOfField(Chain);
 		}
 		else if (Name == "MotionBlur")
 		{

@@ -1,6 +1,7 @@
 // Source: engine PostProcess/PostProcessing.cpp (order of the chain, what each part needs).
 #include "PostProcess/PostProcessingChain.h"
 
+#include "DiaphragmDOF.h"
 #include "DualKawaseBlurPass.h"
 #include "PostProcess/ArticleEffects.h"
 #include "PostProcess/BloomChain.h"
@@ -54,6 +55,10 @@ public:
 	{
 		SceneColor = ArticleEffects.AddLighting(SceneColor);
 		SceneColor = Points.Run(EPoint::BeforeDOF, SceneColor);
+		if (IsActive("DepthOfField"))
+		{
+			AddDepthOfField();
+		}
 		SceneColor = ArticleEffects.AddRED(EREDPostProcessInsertion::BeforeTranslucency, SceneColor);
 		SceneColor = Points.Run(EPoint::AfterDOF, SceneColor);
 		SceneColor = ArticleEffects.AddRED(EREDPostProcessInsertion::AfterTranslucency, SceneColor);
@@ -114,8 +119,7 @@ public:
 		const bool bVisualizeToon = bPostProcessing && IsToonBloomMaskVisualized();
 		if (bToonBloom || bVisualizeToon)
 		{
-			ToonInputs.SceneTextures =
-				Inputs.SceneTextures ? Inputs.SceneTextures : CreateSceneTextureUniformBuffer(GraphBuilder, View);
+			ToonInputs.SceneTextures = GetSceneTextures();
 		}
 		if (bVisualizeToon)
 		{
@@ -216,13 +220,24 @@ private:
 			[&](const Drydock::FEffectDecision& Effect) { return Effect.bActive && Effect.Name == Name; });
 	}
 
+	TRDGUniformBufferRef<FSceneTextureUniformParameters> GetSceneTextures() const
+	{
+		return Inputs.SceneTextures ? Inputs.SceneTextures : CreateSceneTextureUniformBuffer(GraphBuilder, View);
+	}
+
+	void AddDepthOfField()
+	{
+		const auto Model = DiaphragmDOF::FPhysicalCocModel::Compile(View.FinalPostProcessSettings,
+			SceneColor.ViewRect.Width(), static_cast<float>(View.UniformParameters.ViewToClip.M[0][0]));
+		SceneColor = DiaphragmDOF::AddPasses(GraphBuilder, View, GetSceneTextures(), SceneColor, Model);
+	}
+
 	void AddMotionBlur()
 	{
 		const float DeltaTime = View.Family != nullptr ? View.Family->Time.GetDeltaWorldTimeSeconds() : 0.0f;
 		FMotionBlurInputs BlurInputs =
 			FMotionBlurInputs::FromSettings(View.FinalPostProcessSettings, SceneColor, DeltaTime);
-		BlurInputs.SceneTextures =
-			Inputs.SceneTextures ? Inputs.SceneTextures : CreateSceneTextureUniformBuffer(GraphBuilder, View);
+		BlurInputs.SceneTextures = GetSceneTextures();
 		SceneColor = AddMotionBlurPass(GraphBuilder, View, BlurInputs);
 	}
 
