@@ -2,26 +2,23 @@
 #include "PostProcessTonemap.h"
 
 #include "GlobalShader.h"
-#include "HAL/IConsoleManager.h"
 #include "PixelShaderUtils.h"
+#include "PostProcessCombineLUTs.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphUtils.h"
+#include "RenderTargetPool.h"
 #include "SceneRendering.h"
 #include "ShaderParameterStruct.h"
-
-#include <cmath>
+#include "TextureAssets.h"
+#include "TonemapLens.h"
 
 namespace
 {
 
-TAutoConsoleVariable<float> CVarTonemapperGamma(TEXT("r.TonemapperGamma"), 0.0f,
-	TEXT("0: the display's gamma of 2.2 (default); above 0: this one."), ECVF_Scalability | ECVF_RenderThreadSafe);
-
-constexpr float DefaultDisplayGamma = 2.2f;
-
 BEGIN_SHADER_PARAMETER_STRUCT(FTonemapParameters, )
 	SHADER_PARAMETER_STRUCT_REF(FViewUniformShaderParameters, View)
+	SHADER_PARAMETER_STRUCT_INCLUDE(FColorRemapParameters, Remap)
 	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Color)
 	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Bloom)
 	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Output)
@@ -29,28 +26,40 @@ BEGIN_SHADER_PARAMETER_STRUCT(FTonemapParameters, )
 	SHADER_PARAMETER_SAMPLER(SamplerState, ColorSampler)
 	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, BloomTexture)
 	SHADER_PARAMETER_SAMPLER(SamplerState, BloomSampler)
+	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, BloomDirtMaskTexture)
+	SHADER_PARAMETER_SAMPLER(SamplerState, BloomDirtMaskSampler)
+	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, ColorGradingLUT)
+	SHADER_PARAMETER_SAMPLER(SamplerState, ColorGradingSampler)
 	SHADER_PARAMETER_RDG_BUFFER_SRV(StructuredBuffer<float4>, EyeAdaptationBuffer)
 	SHADER_PARAMETER_RDG_BUFFER_SRV(StructuredBuffer<float4>, SceneColorApplyParamaters)
 	SHADER_PARAMETER(FLinearColor, ColorScale0)
-	SHADER_PARAMETER(FVector4f, FilmSlopeToeShoulderBlackClip)
-	SHADER_PARAMETER(float, FilmWhiteClip)
-	SHADER_PARAMETER(float, BlueCorrection)
-	SHADER_PARAMETER(float, ExpandGamut)
-	SHADER_PARAMETER(float, ToneCurveAmount)
-	SHADER_PARAMETER(FVector3f, InverseGamma)
+	SHADER_PARAMETER(FVector3f, BloomDirtMaskTint)
+	SHADER_PARAMETER(FVector4f, ChromaticAberrationParams)
+	SHADER_PARAMETER(FVector3f, FilmGrainIntensities)
+	SHADER_PARAMETER(FVector4f, FilmGrainRanges)
+	SHADER_PARAMETER(uint32, FilmGrainFrame)
+	SHADER_PARAMETER(float, SharpenAmount)
 	SHADER_PARAMETER(FVector2f, VignetteScale)
 	SHADER_PARAMETER(float, VignetteIntensity)
 	SHADER_PARAMETER(float, bWriteLumaToAlpha)
 	SHADER_PARAMETER_STRUCT(FLocalExposureShaderParameters, LocalExposure)
 END_SHADER_PARAMETER_STRUCT()
 
+class FTonemapGammaOnlyDimension : SHADER_PERMUTATION_BOOL("USE_GAMMA_ONLY");
 class FTonemapBloomDimension : SHADER_PERMUTATION_BOOL("USE_BLOOM");
+class FTonemapDirtMaskDimension : SHADER_PERMUTATION_BOOL("USE_DIRT_MASK");
 class FTonemapVignetteDimension : SHADER_PERMUTATION_BOOL("USE_VIGNETTE");
+class FTonemapSharpenDimension : SHADER_PERMUTATION_BOOL("USE_SHARPEN");
+class FTonemapFilmGrainDimension : SHADER_PERMUTATION_BOOL("USE_FILM_GRAIN");
+class FTonemapColorFringeDimension : SHADER_PERMUTATION_BOOL("USE_COLOR_FRINGE");
 class FTonemapLocalExposureDimension : SHADER_PERMUTATION_BOOL("USE_LOCAL_EXPOSURE");
+class FTonemapLUTDimension : SHADER_PERMUTATION_BOOL("USE_LUT");
 class FTonemapSceneColorApplyDimension : SHADER_PERMUTATION_BOOL("USE_SCENE_COLOR_APPLY");
 
-using FTonemapPermutation = TShaderPermutationDomain<FTonemapBloomDimension, FTonemapVignetteDimension,
-	FTonemapLocalExposureDimension, FTonemapSceneColorApplyDimension>;
+using FTonemapPermutation = TShaderPermutationDomain<FTonemapGammaOnlyDimension, FTonemapBloomDimension,
+	FTonemapDirtMaskDimension, FTonemapVignetteDimension, FTonemapSharpenDimension, FTonemapFilmGrainDimension,
+	FTonemapColorFringeDimension, FTonemapLocalExposureDimension, FTonemapLUTDimension, FTonemapSceneColorApplyDimension,
+	Drydock::FColorRemapPermutation>;
 
 class FTonemapPS : public FGlobalShader
 {
@@ -103,64 +112,114 @@ FScreenPassRenderTarget CreateOutput(FRDGBuilder& GraphBuilder, const FTonemapIn
 		ERenderTargetLoadAction::ENoAction);
 }
 
-FVector3f ComputeInverseGamma()
+/** The parts that the settings call for; of gamma only, none. */
+FTonemapPermutation ChoosePermutation(
+	const FViewInfo& View, const FTonemapInputs& Inputs, const FTonemapParameters& Parameters)
 {
-	const float TonemapperGamma = CVarTonemapperGamma.GetValueOnRenderThread();
-	const float DisplayGamma = TonemapperGamma > 0.0f ? TonemapperGamma : DefaultDisplayGamma;
-	return FVector3f(1.0f / DisplayGamma, 2.2f / DisplayGamma, 1.0f / FMath::Max(TonemapperGamma, 1.0f));
+	const FFinalPostProcessSettings& Settings = View.FinalPostProcessSettings;
+	FTonemapPermutation Permutation;
+	Permutation.Set<FTonemapGammaOnlyDimension>(Inputs.bGammaOnly);
+	if (Inputs.bGammaOnly)
+	{
+		return Permutation;
+	}
+	Permutation.Set<FTonemapBloomDimension>(Inputs.Bloom.IsValid());
+	Permutation.Set<FTonemapDirtMaskDimension>(Parameters.BloomDirtMaskTexture != nullptr);
+	Permutation.Set<FTonemapVignetteDimension>(Settings.VignetteIntensity > 0.0f);
+	Permutation.Set<FTonemapSharpenDimension>(Parameters.SharpenAmount > 0.0f);
+	Permutation.Set<FTonemapFilmGrainDimension>(Drydock::HasFilmGrain(Settings));
+	Permutation.Set<FTonemapColorFringeDimension>(Drydock::HasChromaticAberration(Settings));
+	Permutation.Set<FTonemapLocalExposureDimension>(Inputs.LocalExposure.IsValid());
+	Permutation.Set<FTonemapLUTDimension>(Inputs.ColorGradingTexture != nullptr);
+	Permutation.Set<FTonemapSceneColorApplyDimension>(Inputs.SceneColorApplyParamaters != nullptr);
+	return Permutation;
+}
+
+void SetBloom(FRDGBuilder& GraphBuilder, const FFinalPostProcessSettings& Settings, const FScreenPassTexture& Bloom,
+	FTonemapParameters& Parameters)
+{
+	Parameters.Bloom = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Bloom));
+	Parameters.BloomTexture = Bloom.Texture;
+	Parameters.BloomSampler = TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
+	if (Settings.BloomDirtMaskIntensity > 0.0f)
+	{
+		if (const FTextureRHIRef DirtMask = Drydock::FindTexturePixels(Settings.BloomDirtMask.Get()))
+		{
+			Parameters.BloomDirtMaskTexture =
+				GraphBuilder.RegisterExternalTexture(CreateRenderTarget(DirtMask, TEXT("BloomDirtMask")));
+		}
+		Parameters.BloomDirtMaskSampler = Parameters.BloomSampler;
+		const FLinearColor& Tint = Settings.BloomDirtMaskTint;
+		Parameters.BloomDirtMaskTint = FVector3f(Tint.R, Tint.G, Tint.B) * Settings.BloomDirtMaskIntensity;
+	}
+}
+
+/** What lens and sensor do. */
+void SetLens(const FViewInfo& View, FIntPoint Size, FTonemapParameters& Parameters)
+{
+	const FFinalPostProcessSettings& Settings = View.FinalPostProcessSettings;
+	const Drydock::FFilmGrain Grain =
+		Drydock::MakeFilmGrain(Settings, View.UniformParameters.StateFrameIndex);
+	Parameters.ChromaticAberrationParams = Drydock::ComputeChromaticAberration(
+		Settings.SceneFringeIntensity, Settings.ChromaticAberrationStartOffset);
+	Parameters.FilmGrainIntensities = Grain.Intensities;
+	Parameters.FilmGrainRanges = Grain.Ranges;
+	Parameters.FilmGrainFrame = Grain.Frame;
+	Parameters.SharpenAmount = Drydock::GetSharpenAmount(Settings);
+	Parameters.VignetteScale = Drydock::ComputeVignetteScale(Size);
+	Parameters.VignetteIntensity = Settings.VignetteIntensity;
 }
 
 FTonemapParameters MakeParameters(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FTonemapInputs& Inputs,
 	const FScreenPassRenderTarget& Output)
 {
-	const FFinalPostProcessSettings& Settings = View.FinalPostProcessSettings;
-	FRHISamplerState* const BilinearClamp = TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
-
 	FTonemapParameters Parameters;
 	Parameters.View = View.ViewUniformBuffer;
 	Parameters.Color = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Inputs.SceneColor));
 	Parameters.Output = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Output));
 	Parameters.ColorTexture = Inputs.SceneColor.Texture;
-	Parameters.ColorSampler = BilinearClamp;
-	if (Inputs.Bloom.IsValid())
-	{
-		Parameters.Bloom = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Inputs.Bloom));
-		Parameters.BloomTexture = Inputs.Bloom.Texture;
-		Parameters.BloomSampler = BilinearClamp;
-	}
+	Parameters.ColorSampler = TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
 	Parameters.EyeAdaptationBuffer = GraphBuilder.CreateSRV(Inputs.EyeAdaptationBuffer);
 	if (Inputs.SceneColorApplyParamaters)
 	{
 		Parameters.SceneColorApplyParamaters = GraphBuilder.CreateSRV(Inputs.SceneColorApplyParamaters);
 	}
-	Parameters.ColorScale0 = Settings.SceneColorTint;
-	Parameters.FilmSlopeToeShoulderBlackClip =
-		FVector4f(Settings.FilmSlope, Settings.FilmToe, Settings.FilmShoulder, Settings.FilmBlackClip);
-	Parameters.FilmWhiteClip = Settings.FilmWhiteClip;
-	Parameters.BlueCorrection = Settings.BlueCorrection;
-	Parameters.ExpandGamut = Settings.ExpandGamut;
-	Parameters.ToneCurveAmount = Settings.ToneCurveAmount;
-	Parameters.InverseGamma = ComputeInverseGamma();
-	Parameters.VignetteScale = Drydock::ComputeVignetteScale(Output.ViewRect.Size());
-	Parameters.VignetteIntensity = Settings.VignetteIntensity;
+	Parameters.ColorScale0 = View.FinalPostProcessSettings.SceneColorTint;
 	Parameters.bWriteLumaToAlpha = Inputs.bWriteAlphaChannel ? 1.0f : 0.0f;
+	if (Inputs.Bloom.IsValid())
+	{
+		SetBloom(GraphBuilder, View.FinalPostProcessSettings, Inputs.Bloom, Parameters);
+	}
 	Parameters.LocalExposure = GetLocalExposureShaderParameters(Inputs.LocalExposure);
+	Parameters.ColorGradingLUT = Inputs.ColorGradingTexture;
+	Parameters.ColorGradingSampler = Parameters.ColorSampler;
+	SetLens(View, Output.ViewRect.Size(), Parameters);
 	return Parameters;
 }
 
-} // namespace
-
-namespace Drydock
+/** With the table, only its size and the device matter here: what made it is in it. */
+void SetRemap(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FTonemapInputs& Inputs,
+	FTonemapParameters& Parameters, FTonemapPermutation& Permutation)
 {
-
-FVector2f ComputeVignetteScale(FIntPoint ViewSize)
-{
-	const float HeightOverWidth = static_cast<float>(ViewSize.Y) / static_cast<float>(ViewSize.X);
-	const float Scale = std::sqrt(2.0f) / std::sqrt(1.0f + HeightOverWidth * HeightOverWidth);
-	return FVector2f(Scale, Scale * HeightOverWidth);
+	Drydock::FColorRemap Remap = Drydock::MakeColorRemap(GraphBuilder, View);
+	if (Inputs.ColorGradingTexture != nullptr || Inputs.bGammaOnly)
+	{
+		Remap.Permutation.Set<Drydock::FColorGradingDimension>(false);
+		Remap.Permutation.Set<Drydock::FLUTBlendCountDimension>(0);
+	}
+	if (Inputs.bGammaOnly)
+	{
+		Remap.Permutation.Set<Drydock::FOutputDeviceDimension>(EDisplayOutputFormat::SDR_sRGB);
+	}
+	if (Inputs.ColorGradingTexture != nullptr)
+	{
+		Remap.Parameters.LUTSize = static_cast<float>(Inputs.ColorGradingTexture->Desc.Extent.Y);
+	}
+	Parameters.Remap = Remap.Parameters;
+	Permutation.Set<Drydock::FColorRemapPermutation>(Remap.Permutation);
 }
 
-} // namespace Drydock
+} // namespace
 
 FScreenPassTexture AddTonemapPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FTonemapInputs& Inputs)
 {
@@ -172,13 +231,9 @@ FScreenPassTexture AddTonemapPass(FRDGBuilder& GraphBuilder, const FViewInfo& Vi
 		(!Inputs.OverrideOutput.IsValid() || EnumHasAnyFlags(Inputs.OverrideOutput.Texture->Desc.Flags, TexCreate_UAV));
 	const FScreenPassRenderTarget Output =
 		Inputs.OverrideOutput.IsValid() ? Inputs.OverrideOutput : CreateOutput(GraphBuilder, Inputs, bCompute);
-	const FTonemapParameters Parameters = MakeParameters(GraphBuilder, View, Inputs, Output);
-
-	FTonemapPermutation Permutation;
-	Permutation.Set<FTonemapBloomDimension>(Inputs.Bloom.IsValid());
-	Permutation.Set<FTonemapSceneColorApplyDimension>(Inputs.SceneColorApplyParamaters != nullptr);
-	Permutation.Set<FTonemapVignetteDimension>(View.FinalPostProcessSettings.VignetteIntensity > 0.0f);
-	Permutation.Set<FTonemapLocalExposureDimension>(Inputs.LocalExposure.IsValid());
+	FTonemapParameters Parameters = MakeParameters(GraphBuilder, View, Inputs, Output);
+	FTonemapPermutation Permutation = ChoosePermutation(View, Inputs, Parameters);
+	SetRemap(GraphBuilder, View, Inputs, Parameters, Permutation);
 
 	const int32 Width = Output.ViewRect.Width();
 	const int32 Height = Output.ViewRect.Height();

@@ -1,15 +1,14 @@
-// Tonemapping: exposure, vignette, bloom, the engine's film curve evaluated analytically, sRGB.
-// Source: engine file PostProcessTonemap.h.
+// Tonemapping: fringe, vignette, exposure, sharpening, bloom, dirt, grain, then the film curve with colour grading and the
+// output device's encoding. Source: engine file PostProcessTonemap.h.
 //
-// Built so far: scene colour tint, vignette, local exposure, bloom composite, film curve with its five parameters, blue correction,
-// gamut expansion, tone-curve amount, sRGB output. Not yet: colour grading and its lookup table, film
-// grain, sharpening, chromatic aberration, dirt mask, other output devices, the gamma-only path.
-//
-// Per pixel: colour * tint * e * local exposure + bloom * e, e = exposure scale / PreExposure * vignette; then the
-// curve in AP1.
+// Per pixel: colour * tint * e * local exposure + bloom * dirt * e, e = exposure scale / PreExposure * vignette; times grain; then the curve
+// in AP1. Each part that its settings switch off is a permutation without it. Curve and grading come from the combined
+// table, or, without ColorGradingTexture, are evaluated for each pixel (PostProcessCombineLUTs.h says how far they differ).
 // Contract. The result lies in 0..1 before an UNORM store for every input: after bloom a NaN or negative channel counts
-// as 0, one above 65504 (infinity too) as 65504. Black gives black. Bloom is sampled bilinearly within its bilinear
-// rect. Every size from 1x1 up. A float target keeps what the curve gives above 1 (white clip).
+// as 0, one above 65504 (infinity too) as 65504. Black gives black unless grading lifts it. Bloom is sampled bilinearly
+// within its bilinear rect. Every size from 1x1 up. A float target keeps what the curve gives above 1 (white clip).
+// Gamma only: the power 1 / display gamma of colour * e without vignette, nothing else; NaN and negative channels count as
+// 0, and nothing is cut off above.
 #pragma once
 
 #include "CoreMinimal.h"
@@ -40,6 +39,12 @@ struct FTonemapInputs
 	/** [Optional] Colour, not bloom, times its factor. */
 	FLocalExposureTextures LocalExposure;
 
+	/** [Optional] The combined table (AddCombineLUTPass) of this view. */
+	FRDGTextureRef ColorGradingTexture = nullptr;
+
+	/** Show flags Tonemapper or PostProcessing are off. */
+	bool bGammaOnly = false;
+
 	/** Format of a new output. */
 	EPixelFormat OutputFormat = PF_B8G8R8A8;
 
@@ -47,14 +52,6 @@ struct FTonemapInputs
 	bool bWriteAlphaChannel = false;
 };
 
-/** Settings (film, vignette, tint, corrections) come from View.FinalPostProcessSettings. */
+/** Settings come from View.FinalPostProcessSettings, the device from r.HDR.Display.OutputDevice. */
 DRYDOCK_API FScreenPassTexture AddTonemapPass(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FTonemapInputs& Inputs);
-
-namespace Drydock
-{
-
-/** Viewport position (-1..1) to vignette space: the corner is at sqrt(2) for any aspect ratio. */
-DRYDOCK_API FVector2f ComputeVignetteScale(FIntPoint ViewSize);
-
-} // namespace Drydock

@@ -40,13 +40,11 @@ const FAutoConsoleVariable NotSimulated[] = {
 	{TEXT("r.DOF.TemporalAAQuality"), 1, TEXT("Not simulated. Temporal stabilisation of the inputs: 0, 1."), Scaled},
 	{TEXT("r.EyeAdaptation.PreExposureOverride"), 0.0f, TEXT("Not simulated: see view.preExposure of a config."),
 		Plain},
-	{TEXT("r.FilmGrain"), 1, TEXT("Not simulated. Film grain: 0 off, 1 on."), Scaled},
 	{TEXT("r.FXAA.Quality"), 4, TEXT("Not simulated. FXAA from 0, fastest, to 5."), Scaled},
 	{TEXT("r.GBufferFormat"), 1, TEXT("Not simulated. Precision of the G-buffer."), Plain},
 	{TEXT("r.Histogram.UseAtomic"), 1, TEXT("Not simulated. How the GPU counts the histogram."), Plain},
 	{TEXT("r.LensFlareQuality"), 2, TEXT("Not simulated. Lens flares: 0 off, 1 low, 2 good, 3 very good."), Scaled},
 	{TEXT("r.LightShaftQuality"), 1, TEXT("Not simulated. Light shafts: 0 off, 1 on."), Scaled},
-	{TEXT("r.LUT.Size"), 32, TEXT("Not simulated. Side of the colour grading table."), Plain},
 	{TEXT("r.MotionBlur.HalfResGather"), 0, TEXT("Not simulated. Long blurs at half resolution: 0 off, 1 on."), Scaled},
 	{TEXT("r.PostProcessing.PropagateAlpha"), 0, TEXT("Not simulated. 1: alpha goes through the whole chain."), Plain},
 	{TEXT("r.PostProcessing.QuarterResolutionDownsample"), 0,
@@ -57,7 +55,6 @@ const FAutoConsoleVariable NotSimulated[] = {
 		Scaled},
 	{TEXT("r.Tonemapper.GrainQuantization"), 1, TEXT("Not simulated. Dither of the 8-bit output: 0 off, 1 on."),
 		Scaled},
-	{TEXT("r.Tonemapper.Sharpen"), -1.0f, TEXT("Not simulated. Sharpening; below 0: the setting's."), Scaled},
 	{TEXT("r.Upscale.Quality"), 3, TEXT("Not simulated. Filter of the upscale, 0 nearest to 5."), Scaled},
 };
 

@@ -153,6 +153,12 @@ public:
 	FIntRect UnscaledViewRect;
 
 	FVector ViewLocation = FVector(0.0, 0.0, 0.0);
+
+	/** The camera's fade, after the film curve, on display-linear light: the picture times ColorScale, then as much of
+	 * OverlayColor as its alpha says. */
+	FLinearColor ColorScale = FLinearColor(1.0f, 1.0f, 1.0f, 1.0f);
+	FLinearColor OverlayColor = FLinearColor(0.0f, 0.0f, 0.0f, 0.0f);
+
 	EAntiAliasingMethod AntiAliasingMethod = AAM_None;
 	ERHIFeatureLevel::Type FeatureLevel = GMaxRHIFeatureLevel;
 

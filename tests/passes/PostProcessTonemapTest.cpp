@@ -6,6 +6,7 @@
 #include "RenderGraphUtils.h"
 
 #include <optional>
+#include "TonemapLens.h"
 
 using namespace PassTest;
 using PassReference::MaxDifference;
