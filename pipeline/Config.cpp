@@ -21,6 +21,7 @@ namespace
 /** Largest picture side that a rect may name. */
 constexpr double MaxExtent = 65536.0;
 constexpr double MaxPadding = 4096.0;
+constexpr double MaxScreenPercentage = 400.0;
 
 template<typename TFunction>
 void WithMember(const FJsonValue& Object, const char* Key, EJsonType Type, const TFunction& Function)
@@ -155,15 +156,12 @@ void ReadScene(const FJsonValue& Value, FConfigScene& Scene, FConfigMessages& Me
 	WithMember(Value, "screenPercentage", EJsonType::Number,
 		[&](const FJsonValue& Percentage)
 		{
-			if (!(Percentage.Number > 0.0))
+			if (!(Percentage.Number > 0.0 && Percentage.Number <= MaxScreenPercentage))
 			{
-				Messages.Error(ErrorBadValue, Percentage, "screenPercentage must be above 0");
+				Messages.Error(ErrorBadValue, Percentage, "screenPercentage must be above 0 and at most 400");
+				return;
 			}
-			else if (Percentage.Number != 100.0)
-			{
-				Messages.Warn(WarnNotBuilt, Percentage,
-					"a screenPercentage other than 100 is not built yet: the scene runs at its own size");
-			}
+			Scene.ScreenPercentage = Percentage.Number;
 		});
 }
 

@@ -61,6 +61,7 @@ struct FConfigScene
 	std::map<std::string, TConfigValue<double>> Defaults;
 	std::optional<FConfigVector> CameraLocation; // cm, of the file's header: see CompleteFromScene
 	FConfigPadding Padding;
+	double ScreenPercentage = 100.0; // rendered size in percent of the output's
 	FSceneUnits Units;
 };
 

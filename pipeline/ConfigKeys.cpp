@@ -36,7 +36,7 @@ const std::vector<FConfigKey>& GetConfigKeys()
 		{"scene", "defaults", NumberMap, "", 0, Optional, Built, "Values for channels that the file lacks: {\"A\": 1}."},
 		{"scene", "padding", Padding, "padding", 0, Optional, Built, "Texels around the picture that hold no picture: a number for all sides, or one for each."},
 		{"scene", "units", Object, "units", 0, Optional, Built, "Units of the file, where they are not those of configs/scenes/README.md."},
-		{"scene", "screenPercentage", Number, "", 0, Optional, Built, "Rendered size in percent of the output's; 100 by default."},
+		{"scene", "screenPercentage", Number, "", 0, Optional, Built, "Rendered size in percent of the output's, up to 400; 100 by default."},
 
 		{"padding", "left", Number, "", 0, Optional, Built, "0 by default."},
 		{"padding", "top", Number, "", 0, Optional, Built, "0 by default."},

@@ -10,8 +10,7 @@ namespace
 constexpr const char* Acts = "";
 constexpr const char* NoPass = "no pass reads it; it is blended and reported all the same";
 constexpr const char* NewerConvolution = "it came with engine 5.6, whose convolution bloom is not simulated";
-constexpr const char* DirtMask = "the bloom is composited without a dirt mask";
-constexpr const char* Fringe = "the tonemapper shifts no colours";
+constexpr const char* GrainTexture = "the grain is a noise of its own, not a picture's";
 constexpr const char* Metering =
 	"the exposure is the number in view.exposure, times 2 to the power of AutoExposureBias less its default";
 
@@ -27,12 +26,22 @@ constexpr struct
 	{"ToneCurveAmount", Acts},
 	{"SceneColorTint", Acts},
 	{"Film", Acts},
-	{"FilmGrain", NoPass},
-	{"SceneFringeIntensity", Fringe},
-	{"ChromaticAberration", Fringe},
+	{"FilmGrain", Acts},
+	{"FilmGrainTexture", GrainTexture},
+	{"TemperatureType", Acts},
+	{"White", Acts},
+	{"ColorSaturation", Acts},
+	{"ColorContrast", Acts},
+	{"ColorGamma", Acts},
+	{"ColorGain", Acts},
+	{"ColorOffset", Acts},
+	{"ColorCorrection", Acts},
+	{"ColorGrading", Acts},
+	{"Sharpen", Acts},
+	{"SceneFringeIntensity", Acts},
+	{"ChromaticAberration", Acts},
 	{"Bloom", Acts},
 	{"BloomConvolutionIntensity", NewerConvolution},
-	{"BloomDirtMask", DirtMask},
 	{"VignetteIntensity", Acts},
 	{"AutoExposure", Metering},
 	{"AutoExposureBias", Acts},

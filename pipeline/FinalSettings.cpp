@@ -172,6 +172,7 @@ FChainSettings MakeChainSettings(const FConfig& Config, std::vector<FDiagnostic>
 	Chain.ShowFlags = MakeShowFlags(Config);
 	Chain.Settings = std::move(Blended.Settings);
 	Chain.Gates = std::move(Blended.Gates);
+	Chain.ScreenPercentage = Config.Scene.ScreenPercentage;
 	Chain.ExposureScale = ComputeExposureScale(Config, Chain);
 	Chain.bNoSkip = Config.bNoSkip;
 	Chain.NamedSettings = GetNamedSettings(Config);

@@ -6,6 +6,7 @@
 #include "RenderGraphBuilder.h"
 #include "RenderGraphNotes.h"
 #include "RunDump.h"
+#include "TonemapOutputDevice.h"
 #include "ToonShadowBlur.h"
 #include "ToonShadowExact.h"
 #include "ViewExtensions.h"
@@ -223,12 +224,16 @@ private:
 		FViewInfo& View = Target.View;
 		View.Family = &Family;
 		View.State = Target.State.get();
-		View.ViewRect = Source.Rect;
+		View.ViewRect = GetSceneRect(Source);
 		View.UnscaledViewRect = Source.Rect;
 		View.UnconstrainedViewRect = Source.Rect;
 		View.PreExposure = Source.PreExposure;
 		View.ViewLocation = Projection.ViewOrigin;
 		View.FinalPostProcessSettings = Target.Chain.Settings;
+		if (View.ViewRect != Source.Rect)
+		{
+			Projection.SetViewRectangle(View.ViewRect);
+		}
 		SetCameraParameters(Projection, View.UniformParameters);
 		View.UniformParameters.FrameNumber = Inputs.FrameNumber;
 		View.UniformParameters.StateFrameIndex = Inputs.FrameNumber;
@@ -302,12 +307,19 @@ private:
 		}
 	}
 
+	static FIntRect GetSceneRect(const FFrameView& View)
+	{
+		return View.SceneRect.Width() > 0 && View.SceneRect.Height() > 0 ? View.SceneRect : View.Rect;
+	}
+
 	FRDGTextureRef CreateViewFamilyTexture(FRDGBuilder& GraphBuilder) const
 	{
+		const FIntPoint Extent = Inputs.OutputExtent.X > 0 ? Inputs.OutputExtent : Inputs.Extent;
+		const EPixelFormat Format = GetDisplayFormat(GetTonemapperOutputDeviceParameters().OutputDevice);
 		// Compute entries write it where they are preferred; a swap chain's texture would not let them.
 		const bool bCompute = NamedViews[0].View->bUseComputePasses;
 		return GraphBuilder.CreateTexture(
-			FRDGTextureDesc::Create2D(Inputs.Extent, PF_B8G8R8A8, FClearValueBinding::Black,
+			FRDGTextureDesc::Create2D(Extent, Format, FClearValueBinding::Black,
 				TexCreate_RenderTargetable | TexCreate_ShaderResource | (bCompute ? TexCreate_UAV : TexCreate_None)),
 			TEXT("ViewFamilyTexture"));
 	}
@@ -395,18 +407,22 @@ private:
 				CropToRgba(ReadTexture(*Views[0]->SceneLinear->GetRHI()), Views[0]->Outputs.SceneLinear.ViewRect);
 			return;
 		}
-		Result.SceneLinear = {Result.Rect.Width(), Result.Rect.Height(), 4,
-			std::vector<double>(
-				static_cast<size_t>(Result.Rect.Width()) * static_cast<size_t>(Result.Rect.Height()) * 4)};
+		FIntRect All = GetSceneRect(Inputs.Views[0]);
+		for (const FFrameView& View : Inputs.Views)
+		{
+			All.Union(GetSceneRect(View));
+		}
+		Result.SceneLinear = {All.Width(), All.Height(), 4,
+			std::vector<double>(static_cast<size_t>(All.Width()) * static_cast<size_t>(All.Height()) * 4)};
 		for (size_t Index = 0; Index < Views.size(); ++Index)
 		{
-			const FIntRect& Rect = Inputs.Views[Index].Rect;
+			const FIntRect Rect = GetSceneRect(Inputs.Views[Index]);
 			const FImage Picture = CropToRgba(
 				ReadTexture(*Views[Index]->SceneLinear->GetRHI()), Views[Index]->Outputs.SceneLinear.ViewRect);
 			// A view whose extensions changed its size has no place in the picture of all.
 			if (Picture.Width == Rect.Width() && Picture.Height == Rect.Height())
 			{
-				Paste(Picture, Rect.Min - Result.Rect.Min, Result.SceneLinear);
+				Paste(Picture, Rect.Min - All.Min, Result.SceneLinear);
 			}
 		}
 	}

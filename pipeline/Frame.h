@@ -24,7 +24,8 @@ namespace Drydock
 struct FFrameView
 {
 	std::string Name; // for reports; empty where there is only one view
-	FIntRect Rect;    // of the scene textures and of the output
+	FIntRect Rect;    // of the output, and of the scene textures where SceneRect is empty
+	FIntRect SceneRect; // of the scene textures, at another resolution than the output
 	FMinimalViewInfo Camera;
 	/** How the camera projects; Camera says where it stands and, once an extension has changed it, its field of view.
 	 */
@@ -41,7 +42,8 @@ struct FFrameView
 struct FFrameInputs
 {
 	int32 EngineMinor = ENGINE_MINOR_VERSION;
-	FIntPoint Extent = FIntPoint(0, 0); // of scene textures and output
+	FIntPoint Extent = FIntPoint(0, 0);       // of the scene textures
+	FIntPoint OutputExtent = FIntPoint(0, 0); // 0: the same
 	FEngineShowFlags ShowFlags;
 	FLinearColor LightColor = FLinearColor(1.0f, 1.0f, 1.0f, 1.0f); // of the main light, relative
 	uint32 FrameNumber = 0;
@@ -70,8 +72,8 @@ struct FFrameResult
 	double Milliseconds = 0.0; // from the first hook to the end of the graph
 
 	// Only of an executed frame.
-	FImage SceneLinear;       // RGBA: the tonemapper's input, Rect only; black where no view is
-	FImage Final;             // RGBA: display-encoded, likewise
+	FImage SceneLinear;       // RGBA: the tonemapper's input, of all SceneRects; black where no view is
+	FImage Final;             // RGBA: display-encoded, of all Rects, likewise
 	FImage BandingMap;        // RGB: of the blurred toon shadow of the first view that has one (Banding.h); else empty
 	FImage BlurredToonShadow; // that shadow, one channel, decoded
 

@@ -11,6 +11,7 @@
 #include "RunJson.h"
 #include "RunSetup.h"
 #include "TileExecutor.h"
+#include "TonemapOutputDevice.h"
 
 #include <algorithm>
 #include <chrono>
@@ -223,6 +224,7 @@ FRunResult MakeResult(const FRunSetup& Setup, const FScene& Scene)
 	Result.Storage = StorageNames[std::clamp(GetVariableInt("r.Drydock.Storage"), 0, 2)];
 	Result.Threads = GetNumThreads();
 	Result.LightColor = Scene.GetLightColor();
+	Result.OutputDevice = GetTonemapperOutputDeviceParameters().OutputDevice;
 	Result.SceneExtent = Scene.GetExtent();
 	Result.ViewRect = GetViewRect(Setup.Config, Setup.Config.View, Scene);
 	for (const FConfigView& View : Setup.Config.Views)
@@ -255,11 +257,39 @@ FSceneCamera GetLens(const FConfigView& View, const FScene& Scene)
 	return Lens;
 }
 
+/** Where each view's pixels of the file go in scene textures of another resolution; none: the file's own. */
+std::vector<FSceneRegion> MakeRegions(const FRunSetup& Setup, const FScene& Scene)
+{
+	const double Percentage = GetScreenPercentage(Setup.Chain);
+	if (Percentage == 100.0)
+	{
+		return {};
+	}
+	const FIntPoint Corner = Scene.GetPictureRect().Min;
+	std::vector<FSceneRegion> Regions;
+	const auto Add = [&](const FConfigView& View)
+	{
+		const FIntRect Source = GetViewRect(Setup.Config, View, Scene) - Corner;
+		Regions.push_back({Source, ScaleRect(Source, Percentage)});
+	};
+	for (const FConfigView& View : Setup.Config.Views)
+	{
+		Add(View);
+	}
+	if (Regions.empty())
+	{
+		Add(Setup.Config.View);
+	}
+	return Regions;
+}
+
 /** All but the settings. */
 FFrameView MakeFrameView(const FRunSetup& Setup, const FConfigView& ConfigView, const FScene& Scene)
 {
 	FFrameView View;
 	View.Rect = GetViewRect(Setup.Config, ConfigView, Scene);
+	const FIntPoint Corner = Scene.GetPictureRect().Min;
+	View.SceneRect = ScaleRect(View.Rect - Corner, GetScreenPercentage(Setup.Chain)) + Corner;
 	View.Lens = GetLens(ConfigView, Scene);
 	View.Camera.Location = View.Lens.Location;
 	View.Camera.Rotation = FRotator(View.Lens.Pitch, View.Lens.Yaw, View.Lens.Roll);
@@ -282,6 +312,7 @@ FFrameInputs MakeFrameInputs(const FRunOptions& Options, const FRunSetup& Setup,
 	FFrameInputs Inputs;
 	Inputs.EngineMinor = ParseEngineVersion(Setup.Config.Engine.Value);
 	Inputs.Extent = Scene.GetExtent();
+	Inputs.OutputExtent = Scene.GetOutputExtent();
 	Inputs.LightColor = Scene.GetLightColor();
 	Inputs.ShowFlags = Setup.Chain.ShowFlags;
 	Inputs.FrameNumber = static_cast<uint32>(Options.Frame.value_or(Setup.Config.Scene.Frame.value_or(0)));
@@ -357,6 +388,7 @@ FRunResult RunConfig(const FRunOptions& Options)
 	try
 	{
 		FScene Scene(Setup.Config);
+		Scene.SetResolution(GetScreenPercentage(Setup.Chain), MakeRegions(Setup, Scene));
 		FRunResult Result = MakeResult(Setup, Scene);
 		RunGraph(Options, Setup, Scene, Result);
 		Result.Channels = Scene.GetChannels();

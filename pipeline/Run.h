@@ -10,6 +10,7 @@
 #include "RenderGraphCompiled.h"
 #include "RunOptions.h"
 #include "Scene.h"
+#include "TonemapOutputDevice.h"
 
 #include <string>
 #include <vector>
@@ -68,12 +69,13 @@ struct FRunResult
 	std::vector<FRunView> Views;
 	std::vector<FSceneChannel> Channels;
 	FLinearColor LightColor;            // of the scene's main light, relative
+	EDisplayOutputFormat OutputDevice = EDisplayOutputFormat::SDR_sRGB; // what Final is encoded for
 	std::vector<FHookCall> HookCalls;   // what view extensions were asked and did
 	std::vector<FHookPoint> HookPoints; // the chain's insertion points
 
 	// Only of an executed run.
 	std::vector<FRunPass> Passes; // those that executed
-	FImage SceneLinear;           // RGBA: the tonemapper's input, the view rect only
+	FImage SceneLinear;           // RGBA: the tonemapper's input, the views only, at the scene's resolution
 	FImage Final;                 // RGBA, display-encoded, the view rect only
 	FImage BandingMap;            // RGB, of the blurred toon shadow; empty where there is none
 	FImage BlurredToonShadow;     // one channel, decoded: what lighting reads; empty where there is none

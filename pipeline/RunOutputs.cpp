@@ -2,6 +2,7 @@
 #include "RunOutputs.h"
 
 #include "ConfigErrors.h"
+#include "DisplayPreview.h"
 #include "RenderGraphDump.h"
 #include "RunDump.h"
 #include "RunJson.h"
@@ -109,14 +110,18 @@ public:
 
 void WriteAside(const FRunResult& Result, const Files::path& Folder)
 {
-	const std::map<std::string, std::string> Display = {{"drydock:encoding", "sRGB"}};
+	const std::map<std::string, std::string> Display = {{"drydock:encoding", GetEncodingName(Result.OutputDevice)}};
 	const std::map<std::string, std::string> Linear = {{"drydock:encoding", "linear Rec.709, scene-referred"}};
 	std::vector<std::function<void()>> Jobs;
 	Jobs.push_back(
 		[&] { WriteExr((Folder / "scene_linear.exr").string(), Result.SceneLinear, GetChannelNames(4), Linear); });
 	Jobs.push_back(
 		[&] { WriteExr((Folder / "final.exr").string(), TakeRgb(Result.Final), GetChannelNames(3), Display); });
-	Jobs.push_back([&] { WritePng((Folder / "final.png").string(), TakeRgb(Result.Final)); });
+	Jobs.push_back(
+		[&]
+		{
+			WritePng((Folder / "final.png").string(), MakeDisplayPreview(TakeRgb(Result.Final), Result.OutputDevice));
+		});
 	if (!Result.BandingMap.Values.empty())
 	{
 		Jobs.push_back([&] { WritePng((Folder / "toon_shadow_banding.png").string(), Result.BandingMap); });

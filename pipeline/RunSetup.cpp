@@ -54,10 +54,6 @@ void WarnOfIneffectiveValues(const FConfig& Config, const FChainSettings& Chain,
 	{
 		Messages.Warn(WarnIneffectiveValue, Nowhere, "BloomMethod BM_FFT: " + Obstacle + ", so the Gaussian sum runs");
 	}
-	if (!Chain.ShowFlags.PostProcessing || !Chain.ShowFlags.Tonemapper)
-	{
-		Messages.Warn(WarnNotBuilt, Nowhere, "gamma-only output is not built yet: the film curve runs");
-	}
 }
 
 FConfig Read(const FRunOptions& Options, std::vector<FDiagnostic>& Diagnostics)

@@ -9,6 +9,7 @@
 #include "TileExecutor.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace Drydock
@@ -47,7 +48,20 @@ FScene::FScene(const FConfig& InConfig)
 	CheckNames(InConfig);
 }
 
+void FScene::SetResolution(double InScreenPercentage, std::vector<FSceneRegion> InRegions)
+{
+	ScreenPercentage = InScreenPercentage;
+	Regions = std::move(InRegions);
+}
+
 FIntPoint FScene::GetExtent() const
+{
+	const FConfigPadding& Padding = Config.Padding;
+	const FIntRect Picture = ScaleRect(FIntRect(0, 0, File.GetWidth(), File.GetHeight()), ScreenPercentage);
+	return FIntPoint(Padding.Left + Picture.Width() + Padding.Right, Padding.Top + Picture.Height() + Padding.Bottom);
+}
+
+FIntPoint FScene::GetOutputExtent() const
 {
 	const FConfigPadding& Padding = Config.Padding;
 	return FIntPoint(Padding.Left + File.GetWidth() + Padding.Right, Padding.Top + File.GetHeight() + Padding.Bottom);
@@ -236,9 +250,80 @@ void FScene::Load(const std::vector<FNeededSceneTexture>& Needed, const FScenePa
 	}
 }
 
+std::vector<FSceneRegion> FScene::GetRegions() const
+{
+	const FIntRect Whole(0, 0, File.GetWidth(), File.GetHeight());
+	return Regions.empty() ? std::vector<FSceneRegion>{{Whole, Whole}} : Regions;
+}
+
+namespace
+{
+
+/** The file's values at one pixel of a texture at another resolution. */
+class FPixelSource
+{
+public:
+	FPixelSource(const FSceneRegion& Region, bool bInArea)
+		: bArea(bInArea)
+		, Corner(Region.Source.Min)
+	{
+		for (int32 X = 0; X < Region.Target.Width(); ++X)
+		{
+			Columns.push_back(Choose(Region.Source.Width(), Region.Target.Width(), X));
+		}
+		for (int32 Y = 0; Y < Region.Target.Height(); ++Y)
+		{
+			Rows.push_back(Choose(Region.Source.Height(), Region.Target.Height(), Y));
+		}
+	}
+
+	/** GetValues: of a pixel of the file. One source pixel alone comes through bit for bit. */
+	template<typename TFunction>
+	FScenePackValues Get(int32 X, int32 Y, TFunction&& GetValues) const
+	{
+		const FCoverage& Column = Columns[static_cast<size_t>(X)];
+		const FCoverage& Row = Rows[static_cast<size_t>(Y)];
+		if (Column.Parts.size() == 1 && Row.Parts.size() == 1)
+		{
+			return GetValues(Corner.X + Column.First, Corner.Y + Row.First);
+		}
+		std::array<double, std::tuple_size_v<FScenePackValues>> Sums = {};
+		for (size_t J = 0; J < Row.Parts.size(); ++J)
+		{
+			for (size_t I = 0; I < Column.Parts.size(); ++I)
+			{
+				const FScenePackValues Values = GetValues(
+					Corner.X + Column.First + static_cast<int32>(I), Corner.Y + Row.First + static_cast<int32>(J));
+				for (size_t Slot = 0; Slot < Sums.size(); ++Slot)
+				{
+					Sums[Slot] += static_cast<double>(Values[Slot]) * Column.Parts[I] * Row.Parts[J];
+				}
+			}
+		}
+		FScenePackValues Means = {};
+		std::transform(
+			Sums.begin(), Sums.end(), Means.begin(), [](double Sum) { return static_cast<float>(Sum); });
+		return Means;
+	}
+
+private:
+	FCoverage Choose(int SourceSize, int TargetSize, int Index) const
+	{
+		return bArea ? MakeCoverage(SourceSize, TargetSize, Index)
+					 : FCoverage{FindCenterPixel(SourceSize, TargetSize, Index), {1.0}};
+	}
+
+	bool bArea;
+	FIntPoint Corner;
+	std::vector<FCoverage> Columns;
+	std::vector<FCoverage> Rows;
+};
+
+} // namespace
+
 void FScene::Fill(const FFill& Fill, const FPlanes& Planes, const FScenePackContext& Context)
 {
-	const FIntRect Picture = GetPictureRect();
+	const FIntPoint Corner(Config.Padding.Left, Config.Padding.Top);
 	const FIntPoint Extent = GetExtent();
 	const bool bZero = GetNonFinitePolicy() == ENonFinitePolicy::Zero;
 	const std::vector<FSource>& Sources = Fill.Sources;
@@ -250,7 +335,7 @@ void FScene::Fill(const FFill& Fill, const FPlanes& Planes, const FScenePackCont
 	std::vector<FNonFiniteCount> RowCounts(static_cast<size_t>(Extent.Y));
 	const auto GetValues = [&](int32 X, int32 Y, FNonFiniteCount& Count)
 	{
-		const size_t Pixel = static_cast<size_t>(Y) * static_cast<size_t>(Picture.Width()) + static_cast<size_t>(X);
+		const size_t Pixel = static_cast<size_t>(Y) * static_cast<size_t>(File.GetWidth()) + static_cast<size_t>(X);
 		FScenePackValues Values = {};
 		for (size_t Slot = 0; Slot < Sources.size(); ++Slot)
 		{
@@ -263,6 +348,28 @@ void FScene::Fill(const FFill& Fill, const FPlanes& Planes, const FScenePackCont
 		}
 		return Values;
 	};
+	const std::vector<FSceneRegion> AllRegions = GetRegions();
+	std::vector<FPixelSource> PixelSources;
+	for (const FSceneRegion& Region : AllRegions)
+	{
+		PixelSources.emplace_back(Region, Fill.Packing->Texture == &FSceneTextures::Color);
+	}
+	const auto FillRow = [&](int32 Y, TArray<FLinearColor>& Row)
+	{
+		for (size_t Index = 0; Index < AllRegions.size(); ++Index)
+		{
+			const FIntRect Target = AllRegions[Index].Target + Corner;
+			const bool bInside = Y >= Target.Min.Y && Y < Target.Max.Y;
+			for (int32 X = Target.Min.X; bInside && X < Target.Max.X; ++X)
+			{
+				Row[X] = Fill.Packing->Pack(
+					PixelSources[Index].Get(X - Target.Min.X, Y - Target.Min.Y,
+						[&](int32 SourceX, int32 SourceY)
+						{ return GetValues(SourceX, SourceY, RowCounts[static_cast<size_t>(Y)]); }),
+					Context);
+			}
+		}
+	};
 
 	Fill.Texture->EnsureMemory();
 	ForEachTile(FKernelTile{0, 0, 0, Extent.X, Extent.Y, 1}, FIntPoint(Extent.X, 16),
@@ -272,12 +379,7 @@ void FScene::Fill(const FFill& Fill, const FPlanes& Planes, const FScenePackCont
 			for (int32 Y = Tile.MinY; Y < Tile.MaxY; ++Y)
 			{
 				Row.Init(Fill.Packing->Outside, Extent.X);
-				const bool bInside = Y >= Picture.Min.Y && Y < Picture.Max.Y;
-				for (int32 X = Picture.Min.X; bInside && X < Picture.Max.X; ++X)
-				{
-					Row[X] = Fill.Packing->Pack(
-						GetValues(X - Picture.Min.X, Y - Picture.Min.Y, RowCounts[static_cast<size_t>(Y)]), Context);
-				}
+				FillRow(Y, Row);
 				Fill.Texture->WriteRow(0, Y, Row);
 			}
 		});

@@ -7,6 +7,7 @@
 #include "RHIResources.h"
 #include "RenderGraphFwd.h"
 #include "SceneCamera.h"
+#include "SceneResolution.h"
 #include "SceneTexturePacking.h"
 
 #include <map>
@@ -47,10 +48,17 @@ public:
 	 * channel names that do not exist (2). */
 	explicit FScene(const FConfig& Config);
 
+	/** Registers and loads at another resolution than the file's. Regions: of each view, in the picture; what lies
+	 * outside of them is padding. Before RegisterTextures; none, and 100: as the file is. */
+	void SetResolution(double InScreenPercentage, std::vector<FSceneRegion> InRegions);
+
 	/** Extent of the scene textures: the picture and its padding. */
 	FIntPoint GetExtent() const;
 
-	/** The picture's pixels in the scene textures. */
+	/** The same at the file's resolution: that of the output. */
+	FIntPoint GetOutputExtent() const;
+
+	/** The picture's pixels in the output. */
 	FIntRect GetPictureRect() const;
 
 	/** From the header's drydock:camera_json; empty when there is none. */
@@ -100,9 +108,12 @@ private:
 	std::vector<FFill> PlanFills(const std::vector<FNeededSceneTexture>& Needed);
 	FPlanes ReadPlanes(const std::vector<FFill>& Fills);
 	void Fill(const FFill& Fill, const FPlanes& Planes, const FScenePackContext& Context);
+	std::vector<FSceneRegion> GetRegions() const;
 
 	const FConfigScene& Config;
 	FImageFile File;
+	double ScreenPercentage = 100.0;
+	std::vector<FSceneRegion> Regions;
 	std::optional<FSceneCamera> Camera;
 	FLinearColor LightColor;
 	std::vector<FSceneChannel> Channels;

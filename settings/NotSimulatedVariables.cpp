@@ -40,7 +40,6 @@ const FAutoConsoleVariable NotSimulated[] = {
 	{TEXT("r.DOF.TemporalAAQuality"), 1, TEXT("Not simulated. Temporal stabilisation of the inputs: 0, 1."), Scaled},
 	{TEXT("r.EyeAdaptation.PreExposureOverride"), 0.0f, TEXT("Not simulated: see view.preExposure of a config."),
 		Plain},
-	{TEXT("r.FXAA.Quality"), 4, TEXT("Not simulated. FXAA from 0, fastest, to 5."), Scaled},
 	{TEXT("r.GBufferFormat"), 1, TEXT("Not simulated. Precision of the G-buffer."), Plain},
 	{TEXT("r.Histogram.UseAtomic"), 1, TEXT("Not simulated. How the GPU counts the histogram."), Plain},
 	{TEXT("r.LensFlareQuality"), 2, TEXT("Not simulated. Lens flares: 0 off, 1 low, 2 good, 3 very good."), Scaled},
@@ -55,7 +54,6 @@ const FAutoConsoleVariable NotSimulated[] = {
 		Scaled},
 	{TEXT("r.Tonemapper.GrainQuantization"), 1, TEXT("Not simulated. Dither of the 8-bit output: 0 off, 1 on."),
 		Scaled},
-	{TEXT("r.Upscale.Quality"), 3, TEXT("Not simulated. Filter of the upscale, 0 nearest to 5."), Scaled},
 };
 
 } // namespace

@@ -2,12 +2,16 @@
 // drydock's.
 #include "EffectDecisions.h"
 
+#include "ColorGrading.h"
 #include "DiaphragmDOF.h"
 #include "HAL/IConsoleManager.h"
 #include "PostProcess/ArticleEffects.h"
+#include "PostProcessAA.h"
+#include "PostProcessCombineLUTs.h"
 #include "PostProcessFFTBloom.h"
 #include "PostProcessMotionBlur.h"
 #include "PostProcessToonBloom.h"
+#include "PostProcessUpscale.h"
 
 #include <algorithm>
 #include <charconv>
@@ -206,26 +210,60 @@ FEffectDecision DecideToonBloom(const FChainSettings& Chain)
 	return Toon;
 }
 
-FEffectDecision DecideAntiAliasing()
+FEffectDecision DecideAntiAliasing(const FChainSettings& Chain)
 {
 	const int32 Method = CVarAntiAliasingMethod.GetValueOnAnyThread();
 	if (Method == 0)
 	{
 		return {"FXAA", false, false, "r.AntiAliasingMethod is 0"};
 	}
-	return {"FXAA", false, true,
-		Method == 1 ? "not built yet (r.AntiAliasingMethod is 1)"
-					: "r.AntiAliasingMethod is " + std::to_string(Method) + ", which is not simulated"};
+	if (Method != 1)
+	{
+		return {"FXAA", false, true, "r.AntiAliasingMethod is " + std::to_string(Method) + ", which is not simulated"};
+	}
+	if (!Chain.ShowFlags.PostProcessing || !Chain.ShowFlags.AntiAliasing)
+	{
+		return {"FXAA", false, true,
+			std::string("ShowFlag.") + (Chain.ShowFlags.PostProcessing ? "AntiAliasing" : "PostProcessing") + " is off"};
+	}
+	return {"FXAA", true, true,
+		"r.AntiAliasingMethod is 1, r.FXAA.Quality " + std::to_string(static_cast<int32>(GetFXAAQuality()))};
 }
 
 FEffectDecision DecideTonemap(const FChainSettings& Chain)
 {
-	const bool bGammaOnly = !Chain.ShowFlags.PostProcessing || !Chain.ShowFlags.Tonemapper;
-	return {"Tonemap", true, true,
-		bGammaOnly ? std::string("always; gamma only (ShowFlag.") +
-						 (Chain.ShowFlags.PostProcessing ? "Tonemapper" : "PostProcessing") +
-						 " is off) is not built yet, the film curve runs"
-				   : std::string("always")};
+	if (!Chain.ShowFlags.PostProcessing || !Chain.ShowFlags.Tonemapper)
+	{
+		return {"Tonemap", true, true,
+			std::string("always; gamma only, no curve, bloom or lens: ShowFlag.") +
+				(Chain.ShowFlags.PostProcessing ? "Tonemapper" : "PostProcessing") + " is off"};
+	}
+	const EDisplayOutputFormat Device = GetTonemapperOutputDeviceParameters().OutputDevice;
+	std::string Reason = IsTonemapLUTUsed() ? "always; by the combined table" : "always; evaluated for each pixel";
+	if (!MakeColorGrading(Chain.Settings).bNeutral)
+	{
+		Reason += ", with colour grading";
+	}
+	if (Device != EDisplayOutputFormat::SDR_sRGB)
+	{
+		Reason += std::string(", for ") + GetEncodingName(Device);
+	}
+	return {"Tonemap", true, true, Reason};
+}
+
+FEffectDecision DecideUpscale(const FChainSettings& Chain)
+{
+	if (Chain.ScreenPercentage == 100.0)
+	{
+		return {"Upscale", false, false, "scene.screenPercentage is 100"};
+	}
+	const std::string Percentage = "scene.screenPercentage is " + NumberText(static_cast<float>(Chain.ScreenPercentage));
+	if (!Chain.ShowFlags.ScreenPercentage)
+	{
+		return {"Upscale", false, true, Percentage + ", but ShowFlag.ScreenPercentage is off"};
+	}
+	return {"Upscale", true, true,
+		Percentage + ", r.Upscale.Quality " + std::to_string(static_cast<int32>(GetUpscaleMethod()))};
 }
 
 } // namespace
@@ -236,6 +274,11 @@ const std::vector<std::string>& GetEffectNames()
 		"DepthOfField", "RED", "REDDepthOfField", "CharaGlow", "ToonShadowBlur", "UnityBloom", "DualKawaseBlur",
 		"Tonemap", "FXAA", "Upscale"};
 	return Names;
+}
+
+double GetScreenPercentage(const FChainSettings& Chain)
+{
+	return Chain.ShowFlags.ScreenPercentage ? Chain.ScreenPercentage : 100.0;
 }
 
 std::vector<FEffectDecision> DecideEffects(const FChainSettings& Chain)
@@ -280,7 +323,11 @@ std::vector<FEffectDecision> DecideEffects(const FChainSettings& Chain)
 		}
 		else if (Name == "FXAA")
 		{
-			Decision = DecideAntiAliasing();
+			Decision = DecideAntiAliasing(Chain);
+		}
+		else if (Name == "Upscale")
+		{
+			Decision = DecideUpscale(Chain);
 		}
 		Decisions.push_back(Decision);
 	}

@@ -35,11 +35,15 @@ struct FChainSettings
 	FEngineShowFlags ShowFlags;
 	std::vector<FSettingGate> Gates;        // what those two changed
 	float ExposureScale = 1.0f;             // final
+	double ScreenPercentage = 100.0;        // of the config, whatever the show flag says
 	std::vector<std::string> NamedSettings; // by a volume, the camera or --pp, sorted
 	bool bToonBloomConfigured = false;      // a volume, the camera or --pp names BloomToonIntensity
 	bool bNoSkip = false;                   // neutral values are no reason not to run
 	bool bDualKawaseExtension = false;      // one is active: it makes the effect's passes, wherever it subscribes
 };
+
+/** Rendered size in percent of the output's: 100 where ShowFlag.ScreenPercentage is off. */
+DRYDOCK_API double GetScreenPercentage(const FChainSettings& Chain);
 
 /** One decision per effect name, in their order. */
 DRYDOCK_API std::vector<FEffectDecision> DecideEffects(const FChainSettings& Chain);

@@ -6,6 +6,7 @@
 #include "PixelFormat.h"
 #include "PostProcess/PassCallbacks.h"
 #include "SystemTextures.h"
+#include "TonemapOutputDevice.h"
 
 namespace Drydock
 {
@@ -113,7 +114,7 @@ FScreenPassTexture FInsertionPoints::RunReplacingTonemapper(
 		Bloom.IsValid() ? Bloom : FScreenPassTexture(FRDGSystemTextures::Get(GraphBuilder).Black));
 	if (!Sequence.AcceptOverrideIfLastPass(EFramePass::Tonemap, CallbackInputs.OverrideOutput))
 	{
-		CallbackInputs.OutputFormat = GDisplayFormat;
+		CallbackInputs.OutputFormat = GetDisplayFormat(GetTonemapperOutputDeviceParameters().OutputDevice);
 	}
 	return RunPassCallback(GraphBuilder, View, GetPassName(EPoint::ReplacingTonemapper),
 		At(EPoint::ReplacingTonemapper)[0], CallbackInputs, Extensions.GetLog());

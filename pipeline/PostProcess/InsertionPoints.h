@@ -26,9 +26,6 @@ enum class EFramePass : uint32
 	MAX
 };
 
-/** Format of the picture from the tonemapper on. */
-constexpr EPixelFormat GDisplayFormat = PF_B8G8R8A8;
-
 /** Calls go in the order of the chain; each gives the picture as it is from then on. */
 class FInsertionPoints
 {

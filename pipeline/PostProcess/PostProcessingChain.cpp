@@ -6,12 +6,15 @@
 #include "PostProcess/ArticleEffects.h"
 #include "PostProcess/BloomChain.h"
 #include "PostProcess/InsertionPoints.h"
+#include "PostProcessAA.h"
+#include "PostProcessCombineLUTs.h"
 #include "PostProcessDownsample.h"
 #include "PostProcessEyeAdaptation.h"
+#include "PostProcessFFTBloom.h"
 #include "PostProcessMotionBlur.h"
 #include "PostProcessTonemap.h"
-#include "PostProcessFFTBloom.h"
 #include "PostProcessToonBloom.h"
+#include "PostProcessUpscale.h"
 
 #include <algorithm>
 
@@ -35,6 +38,7 @@ public:
 		, Effects(InEffects)
 		, Extensions(InExtensions)
 		, bPostProcessing(View.Family == nullptr || View.Family->EngineShowFlags.PostProcessing)
+		, bTonemapper(View.Family == nullptr || View.Family->EngineShowFlags.Tonemapper)
 		, ArticleEffects(GraphBuilder, View, {Inputs.SceneTextures, Inputs.LightColor}, Effects)
 		, Sequence(FScreenPassRenderTarget::CreateViewFamilyOutput(Inputs.ViewFamilyTexture, View))
 		, Points(GraphBuilder, NamedView, Inputs.SceneTextures, Sequence, Extensions)
@@ -172,9 +176,16 @@ public:
 			TonemapInputs.Bloom = Bloom;
 			TonemapInputs.SceneColorApplyParamaters = SceneColorApplyParameters;
 			TonemapInputs.EyeAdaptationBuffer = EyeAdaptationBuffer;
-			TonemapInputs.OutputFormat = Drydock::GDisplayFormat;
+			TonemapInputs.bGammaOnly = !bPostProcessing || !bTonemapper;
+			TonemapInputs.bWriteAlphaChannel = Sequence.IsEnabled(EFramePass::FXAA);
+			TonemapInputs.OutputFormat = GetTonemapFormat();
+			if (!TonemapInputs.bGammaOnly && Drydock::IsTonemapLUTUsed())
+			{
+				TonemapInputs.ColorGradingTexture = AddCombineLUTPass(GraphBuilder, View);
+			}
 			Sequence.AcceptOverrideIfLastPass(EFramePass::Tonemap, TonemapInputs.OverrideOutput);
 			SceneColor = AddTonemapPass(GraphBuilder, View, TonemapInputs);
+			Tonemapped = SceneColor;
 		}
 		Points.SetSlot(EPostProcessMaterialInput::PreTonemapHDRColor, Outputs.SceneLinear);
 		Points.SetSlot(EPostProcessMaterialInput::PostTonemapHDRColor, SceneColor);
@@ -189,6 +200,15 @@ public:
 			Sequence.AcceptOverrideIfLastPass(EFramePass::UnityBloom, OverrideOutput);
 			SceneColor = ArticleEffects.AddUnityBloom(SceneColor, OverrideOutput);
 		}
+		if (Sequence.IsEnabled(EFramePass::FXAA))
+		{
+			FFXAAInputs FXAAInputs;
+			FXAAInputs.SceneColor = SceneColor;
+			FXAAInputs.Quality = GetFXAAQuality();
+			FXAAInputs.bLumaInAlpha = SceneColor == Tonemapped;
+			Sequence.AcceptOverrideIfLastPass(EFramePass::FXAA, FXAAInputs.OverrideOutput);
+			SceneColor = AddFXAAPass(GraphBuilder, View, FXAAInputs);
+		}
 		if (bPostProcessing)
 		{
 			SceneColor = Points.Run(EPoint::FXAA, SceneColor);
@@ -201,6 +221,19 @@ public:
 		}
 	}
 
+	/** From the scene's resolution to the output's. */
+	void AddUpscale()
+	{
+		if (Sequence.IsEnabled(EFramePass::PrimaryUpscale))
+		{
+			FUpscaleInputs UpscaleInputs;
+			UpscaleInputs.SceneColor = SceneColor;
+			UpscaleInputs.Method = GetUpscaleMethod();
+			Sequence.AcceptOverrideIfLastPass(EFramePass::PrimaryUpscale, UpscaleInputs.OverrideOutput);
+			SceneColor = AddUpscalePass(GraphBuilder, View, UpscaleInputs);
+		}
+	}
+
 	FPostProcessingChainOutputs Build()
 	{
 		bPostProcessing ? AddSceneLinear() : SkipSceneLinear();
@@ -209,6 +242,7 @@ public:
 		AddBloom();
 		AddTonemap();
 		AddDisplay();
+		AddUpscale();
 		Outputs.Final = FScreenPassTexture(Inputs.ViewFamilyTexture, View.UnscaledViewRect);
 		return Outputs;
 	}
@@ -239,6 +273,14 @@ private:
 			FMotionBlurInputs::FromSettings(View.FinalPostProcessSettings, SceneColor, DeltaTime);
 		BlurInputs.SceneTextures = GetSceneTextures();
 		SceneColor = AddMotionBlurPass(GraphBuilder, View, BlurInputs);
+	}
+
+	/** The display's own; where FXAA reads luma from two bits of alpha, half float. */
+	EPixelFormat GetTonemapFormat() const
+	{
+		const EPixelFormat Format =
+			Drydock::GetDisplayFormat(GetTonemapperOutputDeviceParameters().OutputDevice);
+		return Sequence.IsEnabled(EFramePass::FXAA) && Format == PF_A2B10G10R10 ? PF_FloatRGBA : Format;
 	}
 
 	/** Called for by the settings alone: an extension would have read them. */
@@ -276,6 +318,7 @@ private:
 	const std::vector<Drydock::FEffectDecision>& Effects;
 	Drydock::FViewExtensionFrame& Extensions;
 	const bool bPostProcessing;
+	const bool bTonemapper;
 	Drydock::FArticleEffects ArticleEffects;
 	FInsertionPoints::FSequence Sequence;
 	FInsertionPoints Points;
@@ -287,6 +330,7 @@ private:
 	FRDGBufferRef EyeAdaptationBuffer = nullptr;
 	FScreenPassTexture Bloom;
 	FRDGBufferRef SceneColorApplyParameters = nullptr;
+	FScreenPassTexture Tonemapped; // with luma in alpha where FXAA follows
 	FPostProcessingChainOutputs Outputs;
 };
 

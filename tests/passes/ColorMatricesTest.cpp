@@ -50,6 +50,13 @@ TEST(ColorMatrices, BetweenRec709AndAP1)
 	ExpectMatrix(ToneReference::Matrices().AP1ToRec709, "AP1_2_sRGB_MAT");
 }
 
+TEST(ColorMatrices, FromAP1ToRec2020)
+{
+	using namespace ToneReference;
+	const FMat Rec2020 = ToXYZ({0.708, 0.292}, {0.170, 0.797}, {0.131, 0.046}, D65);
+	ExpectMatrix(Mul(Inverse(Rec2020), Mul(Bradford(AcesWhite, D65), Matrices().AP1)), "AP1_2_Rec2020_MAT");
+}
+
 TEST(ColorMatrices, BetweenAP1AndAP0)
 {
 	ExpectMatrix(ToneReference::Matrices().AP1ToAP0, "AP1_2_AP0_MAT");

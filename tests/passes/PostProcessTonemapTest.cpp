@@ -4,9 +4,9 @@
 
 #include "PostProcessTonemap.h"
 #include "RenderGraphUtils.h"
+#include "TonemapLens.h"
 
 #include <optional>
-#include "TonemapLens.h"
 
 using namespace PassTest;
 using PassReference::MaxDifference;
@@ -282,13 +282,6 @@ TEST(Tonemap, PreExposureCancels)
 		}
 		EXPECT_LE(MaxDifference(Tonemap(Image), Tonemap(Scaled, {.PreExposure = PreExposure})), 1e-5);
 	}
-}
-
-TEST(Tonemap, TonemapperGammaIsRelativeToTheDisplays)
-{
-	const FScopedConsoleVariable Gamma(TEXT("r.TonemapperGamma"), 1.1f);
-	// 2.2 / 1.1: the square, before the sRGB curve.
-	EXPECT_NEAR(ToneReference::EncodeSrgb(0.18 * 0.18), TonemapPixel({0.18, 0.18, 0.18, 1})[0], 1e-5);
 }
 
 TEST(Tonemap, AlphaIsLumaWhenAskedForElseZero)

@@ -196,24 +196,27 @@ inline FVec GlowAndRedModifier(FVec Color)
 	return Color;
 }
 
-/** Linear Rec.709 to display-linear Rec.709. */
-inline FVec Tonemap(const FVec& Color, const FFilm& Film = {})
+inline FVec ExpandGamut(const FVec& AP1, double Amount)
 {
 	const FMatrices& M = Matrices();
-	FVec AP1 = Mul(M.Rec709ToAP1, Color);
-
 	const double Y = Dot(AP1, M.LuminanceAP1);
-	if (Y > 0)
+	if (!(Y > 0))
 	{
-		double Chroma = 0;
-		for (double Channel : AP1)
-		{
-			Chroma += (Channel / Y - 1) * (Channel / Y - 1);
-		}
-		AP1 = Lerp(AP1, Mul(M.ExpandGamut, AP1),
-			(1 - std::exp2(-4 * Chroma)) * (1 - std::exp2(-4 * Film.ExpandGamut * Y * Y)));
+		return AP1;
 	}
+	double Chroma = 0;
+	for (double Channel : AP1)
+	{
+		Chroma += (Channel / Y - 1) * (Channel / Y - 1);
+	}
+	return Lerp(
+		AP1, Mul(M.ExpandGamut, AP1), (1 - std::exp2(-4 * Chroma)) * (1 - std::exp2(-4 * Amount * Y * Y)));
+}
 
+/** AP1, after grading, to display-linear Rec.709. */
+inline FVec FilmFromAP1(FVec AP1, const FFilm& Film)
+{
+	const FMatrices& M = Matrices();
 	AP1 = Lerp(AP1, Mul(M.BlueCorrect, AP1), Film.BlueCorrection);
 
 	FVec Filmed = NotNegative(Mul(M.AP0ToAP1, GlowAndRedModifier(Mul(M.AP1ToAP0, AP1))));
@@ -226,6 +229,53 @@ inline FVec Tonemap(const FVec& Color, const FFilm& Film = {})
 	AP1 = Lerp(AP1, Filmed, Film.ToneCurveAmount);
 	AP1 = Lerp(AP1, Mul(M.BlueCorrectInverse, AP1), Film.BlueCorrection);
 	return NotNegative(Mul(M.AP1ToRec709, AP1));
+}
+
+/** Linear Rec.709 to display-linear Rec.709. */
+inline FVec Tonemap(const FVec& Color, const FFilm& Film = {})
+{
+	return FilmFromAP1(ExpandGamut(Mul(Matrices().Rec709ToAP1, Color), Film.ExpandGamut), Film);
+}
+
+/** One range's colour correction, global values and the range's own multiplied (offsets added). */
+struct FGrade
+{
+	FVec Saturation{1, 1, 1}, Contrast{1, 1, 1}, Gamma{1, 1, 1}, Gain{1, 1, 1}, Offset{0, 0, 0};
+};
+
+inline FVec Correct(const FVec& AP1, const FGrade& Grade)
+{
+	const double Y = Dot(AP1, Matrices().LuminanceAP1);
+	FVec Result{};
+	for (int Channel = 0; Channel < 3; ++Channel)
+	{
+		const double Saturated = std::max(Y + (AP1[Channel] - Y) * Grade.Saturation[Channel], 0.0);
+		const double Contrasted = 0.18 * std::pow(Saturated / 0.18, Grade.Contrast[Channel]);
+		Result[Channel] =
+			std::pow(Contrasted, 1 / Grade.Gamma[Channel]) * Grade.Gain[Channel] + Grade.Offset[Channel];
+	}
+	return Result;
+}
+
+inline double SmoothStep(double Begin, double End, double X)
+{
+	const double T = std::clamp((X - Begin) / (End - Begin), 0.0, 1.0);
+	return T * T * (3 - 2 * T);
+}
+
+/** By luminance: shadows, midtones, highlights. */
+inline FVec CorrectAll(const FVec& AP1, const std::array<FGrade, 3>& Grades, double ShadowsMax = 0.09,
+	double HighlightsMin = 0.5, double HighlightsMax = 1)
+{
+	const double Y = Dot(AP1, Matrices().LuminanceAP1);
+	const double Dark = 1 - SmoothStep(0, ShadowsMax, Y), Bright = SmoothStep(HighlightsMin, HighlightsMax, Y);
+	const FVec A = Correct(AP1, Grades[0]), B = Correct(AP1, Grades[1]), C = Correct(AP1, Grades[2]);
+	FVec Result{};
+	for (int Channel = 0; Channel < 3; ++Channel)
+	{
+		Result[Channel] = A[Channel] * Dark + B[Channel] * (1 - Dark - Bright) + C[Channel] * Bright;
+	}
+	return Result;
 }
 
 inline double EncodeSrgb(double Linear)
