@@ -28,8 +28,9 @@ FImage ExpectGraded(const FImage& Image, const std::array<ToneReference::FGrade,
 		[&](int X, int Y)
 		{
 			const FTexel& C = Image.At(X, Y);
-			const ToneReference::FVec AP1 = ToneReference::ExpandGamut(
-				ToneReference::Mul(ToneReference::Matrices().Rec709ToAP1, {C[0], C[1], C[2]}), 1);
+			const ToneReference::FVec Color = {C[0], C[1], C[2]};
+			const ToneReference::FVec AP1 =
+				ToneReference::ExpandGamut(ToneReference::Mul(ToneReference::Matrices().Rec709ToAP1, Color), 1);
 			return Encode(ToneReference::FilmFromAP1(ToneReference::CorrectAll(AP1, Grades), {}));
 		});
 }
@@ -80,6 +81,11 @@ void UseTable(FSettings& Settings, float Weight)
 	Settings.ContributingLUTs.Reset();
 	Settings.ContributingLUTs.Add({nullptr, 1.0f - Weight});
 	Settings.ContributingLUTs.Add({&GTable, Weight});
+}
+
+FTonemapRun UseTableRun(float Weight)
+{
+	return {.Settings = [Weight](FSettings& Settings) { UseTable(Settings, Weight); }, .Arithmetic = EArithmetic::Exact};
 }
 
 } // namespace
@@ -254,11 +260,11 @@ TEST(LegacyTable, IsAppliedToTheEncodedColourByItsWeight)
 	const Drydock::FScopedTextureLoader Loader([](const std::string&)
 		{ return MakeTable([](ToneReference::FVec C) { return ToneReference::FVec{C[2], C[0], C[1]}; }); });
 	const FTexel Color{0.125, 0.25, 0.5, 1};
-	const FTexel Whole = TonemapPixel(Color, {.Settings = [](FSettings& S) { UseTable(S, 1); }});
+	const FTexel Whole = TonemapPixel(Color, UseTableRun(1));
 	const FTexel Plain = Encode({0.125, 0.25, 0.5});
 	EXPECT_NEAR(Plain[2], Whole[0], 1e-5);
 	EXPECT_NEAR(Plain[0], Whole[1], 1e-5);
-	const FTexel Quarter = TonemapPixel(Color, {.Settings = [](FSettings& S) { UseTable(S, 0.25f); }});
+	const FTexel Quarter = TonemapPixel(Color, UseTableRun(0.25f));
 	EXPECT_NEAR(0.75 * Plain[0] + 0.25 * Plain[2], Quarter[0], 1e-5);
 }
 
@@ -268,7 +274,7 @@ TEST(LegacyTable, IsInterpolatedBetweenItsColours)
 	const Drydock::FScopedTextureLoader Loader([](const std::string&)
 		{ return MakeTable([](ToneReference::FVec C) { return ToneReference::FVec{C[0] * C[0], C[1], C[2] * C[2]}; }); });
 	const double Code = 7.5 / 15, Value = ToneReference::DecodeSrgb(Code);
-	const FTexel Result = TonemapPixel({Value, Value, Value, 1}, {.Settings = [](FSettings& S) { UseTable(S, 1); }});
+	const FTexel Result = TonemapPixel({Value, Value, Value, 1}, UseTableRun(1));
 	EXPECT_NEAR((49.0 + 64.0) / 2 / 225, Result[0], 1e-4);
 	EXPECT_NEAR((49.0 + 64.0) / 2 / 225, Result[2], 1e-4);
 	EXPECT_NEAR(Code, Result[1], 1e-4);
@@ -276,7 +282,7 @@ TEST(LegacyTable, IsInterpolatedBetweenItsColours)
 
 TEST(LegacyTable, WithoutPixelsIsNeutral)
 {
-	const FTexel Result = TonemapPixel({0.5, 0.5, 0.5, 1}, {.Settings = [](FSettings& S) { UseTable(S, 1); }});
+	const FTexel Result = TonemapPixel({0.5, 0.5, 0.5, 1}, UseTableRun(1));
 	EXPECT_NEAR(ToneReference::EncodeSrgb(0.5), Result[0], 1e-6);
 }
 

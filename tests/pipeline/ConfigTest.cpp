@@ -86,6 +86,16 @@ TEST(Config, ReadsTheSceneAndResolvesItBesideTheConfig)
 	EXPECT_EQ("/abs/a.exr", Result.Config.Resolve("/abs/a.exr"));
 }
 
+TEST(Config, ScreenPercentageIsAboveZeroAndAtMostFourHundred)
+{
+	EXPECT_EQ(50.0, ReadClean(R"({"scene": {"file": "a", "screenPercentage": 50}})").Config.Scene.ScreenPercentage);
+	for (const char* Value : {"0", "-50", "401"})
+	{
+		EXPECT_EQ("screenPercentage must be above 0 and at most 400",
+			OnlyText(std::string(R"({"scene": {"file": "a", "screenPercentage": )") + Value + "}}"));
+	}
+}
+
 TEST(Config, ReadsChannelsAndDefaults)
 {
 	const FRead Result = ReadClean(R"({"scene": {"file": "a", "channels": {"R": "X.R"}, "defaults": {"A": 0.5}}})");

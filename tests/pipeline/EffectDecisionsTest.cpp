@@ -190,6 +190,36 @@ TEST(EffectDecisions, AntiAliasingFollowsItsVariable)
 	EXPECT_TRUE(Decision("{}", "FXAA").bConfigured);
 }
 
+TEST(EffectDecisions, FxaaRunsWhereItIsChosenAndNotSwitchedOff)
+{
+	const FScopedConsoleVariable Method(TEXT("r.AntiAliasingMethod"), 1);
+	EXPECT_TRUE(Decision("{}", "FXAA").bActive);
+	EXPECT_EQ("r.AntiAliasingMethod is 1, r.FXAA.Quality 4", Decision("{}", "FXAA").Reason);
+	EXPECT_EQ("ShowFlag.AntiAliasing is off", Decision(R"({"showFlags": {"AntiAliasing": false}})", "FXAA").Reason);
+	EXPECT_FALSE(Decision(R"({"showFlags": {"PostProcessing": false}})", "FXAA").bActive);
+}
+
+TEST(EffectDecisions, UpscaleRunsAtAnotherSizeThanTheOutputs)
+{
+	EXPECT_EQ("scene.screenPercentage is 100", Decision("{}", "Upscale").Reason);
+	const std::string Half = R"("scene": {"file": "a.exr", "screenPercentage": 50})";
+	EXPECT_TRUE(Decision("{" + Half + "}", "Upscale").bActive);
+	EXPECT_EQ("scene.screenPercentage is 50, r.Upscale.Quality 3", Decision("{" + Half + "}", "Upscale").Reason);
+	EXPECT_FALSE(Decision("{" + Half + R"(, "showFlags": {"ScreenPercentage": false}})", "Upscale").bActive);
+}
+
+TEST(EffectDecisions, TonemapSaysHow)
+{
+	EXPECT_EQ("always; by the combined table", Decision("{}", "Tonemap").Reason);
+	EXPECT_EQ("always; by the combined table, with colour grading",
+		Decision(Unbound(R"("WhiteTemp": 5000)"), "Tonemap").Reason);
+	const FScopedConsoleVariable Analytic(TEXT("r.Drydock.TonemapLUT"), 0);
+	const FScopedConsoleVariable Device(TEXT("r.HDR.Display.OutputDevice"), 3);
+	EXPECT_EQ("always; evaluated for each pixel, for ST 2084, Rec.2020", Decision("{}", "Tonemap").Reason);
+	EXPECT_EQ("always; gamma only, no curve, bloom or lens: ShowFlag.Tonemapper is off",
+		Decision(R"({"showFlags": {"Tonemapper": false}})", "Tonemap").Reason);
+}
+
 TEST(EffectDecisions, TonemapAlwaysRuns)
 {
 	EXPECT_TRUE(Decision(R"({"showFlags": {"PostProcessing": false}})", "Tonemap").bActive);

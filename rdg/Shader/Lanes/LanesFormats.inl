@@ -158,6 +158,23 @@ struct FBgra8Format
 	}
 };
 
+struct FRgb10A2Format
+{
+	static constexpr ETexelStorage Storage = ETexelStorage::RGB10A2_UNORM;
+	static constexpr bool bWide = false;
+	static constexpr int Bytes = 4;
+	static constexpr int Channels = 4;
+
+	template<int N>
+	static DRYDOCK_LANES_INLINE void Decode(TRaw<uint32_t, N> Bits, TRaw<float, N> C[4])
+	{
+		C[0] = DecodeUnormField<N>(Bits, 0, 1023);
+		C[1] = DecodeUnormField<N>(Bits, 10, 1023);
+		C[2] = DecodeUnormField<N>(Bits, 20, 1023);
+		C[3] = DecodeUnormField<N>(Bits, 30, 3);
+	}
+};
+
 struct FR8Format
 {
 	static constexpr ETexelStorage Storage = ETexelStorage::R8_UNORM;
@@ -212,6 +229,8 @@ DRYDOCK_LANES_INLINE bool VisitFormat(ETexelStorage Storage, F f)
 		return f(FRgba8Format{});
 	case ETexelStorage::BGRA8_UNORM:
 		return f(FBgra8Format{});
+	case ETexelStorage::RGB10A2_UNORM:
+		return f(FRgb10A2Format{});
 	case ETexelStorage::R8_UNORM:
 		return f(FR8Format{});
 	default:
