@@ -4,6 +4,7 @@
 #include "ColorGrading.h"
 #include "GlobalShader.h"
 #include "HAL/IConsoleManager.h"
+#include "PictureTextures.h"
 #include "PixelShaderUtils.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
@@ -11,7 +12,6 @@
 #include "RenderTargetPool.h"
 #include "SceneRendering.h"
 #include "ShaderParameterStruct.h"
-#include "TextureAssets.h"
 
 #include <cmath>
 
@@ -98,7 +98,7 @@ void SetGrading(const Drydock::FColorGrading& Grading, FColorRemapParameters& Pa
 /** The picture of a legacy table as code values: pictures are loaded as linear light. Null where there is none. */
 FRDGTextureRef RegisterLegacyLUT(FRDGBuilder& GraphBuilder, const UTexture* Asset)
 {
-	const FTextureRHIRef Picture = Drydock::FindTexturePixels(Asset);
+	const FTextureRHIRef Picture = Drydock::FindPictureTexture(Asset);
 	if (!Picture)
 	{
 		return nullptr;
@@ -113,7 +113,7 @@ FRDGTextureRef RegisterLegacyLUT(FRDGBuilder& GraphBuilder, const UTexture* Asse
 			Colors.push_back(FLinearColor(EncodeSrgb(Linear.X), EncodeSrgb(Linear.Y), EncodeSrgb(Linear.Z), 1.0f));
 		}
 	}
-	const FTextureRHIRef Codes = Drydock::MakePictureTexture(Size, Colors, "ColorGradingLUT");
+	const FTextureRHIRef Codes = Drydock::MakeBloomKernelTexture(Size, Colors, "ColorGradingLUT");
 	return GraphBuilder.RegisterExternalTexture(CreateRenderTarget(Codes, TEXT("ColorGradingLUT")));
 }
 

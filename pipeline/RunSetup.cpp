@@ -7,10 +7,12 @@
 #include "FinalSettings.h"
 #include "FrameSequence.h"
 #include "InsertedPass.h"
+#include "PictureTextures.h"
 #include "Plugins.h"
 #include "PostProcessFFTBloom.h"
 #include "SceneSuggestions.h"
 #include "TextureFiles.h"
+#include "SettingObjects.h"
 
 #include <algorithm>
 
@@ -36,6 +38,28 @@ const char* GetStorageValue(const FRunOptions& Options)
 	return Options.bDouble ? "2" : "";
 }
 
+/** Pictures that the tonemapper would read, but that are names of engine assets. */
+void WarnOfMissingPictures(const FFinalPostProcessSettings& Settings, FConfigMessages& Messages)
+{
+	const auto Check = [&](const char* Setting, const UTexture* Texture)
+	{
+		if (Texture != nullptr && !FindPictureTexture(Texture))
+		{
+			Messages.Warn(WarnIneffectiveValue, FConfigPlace(),
+				std::string(Setting) + " " + GetObjectPath(Texture) +
+					" has no pixels here, and nothing is done with it: name an image file, relative to the config");
+		}
+	};
+	if (Settings.BloomDirtMaskIntensity > 0.0f)
+	{
+		Check("BloomDirtMask", Settings.BloomDirtMask.Get());
+	}
+	for (const FFinalPostProcessSettings::FLUTEntry& Entry : Settings.ContributingLUTs)
+	{
+		Check("ColorGradingLUT", Entry.LUT.Get());
+	}
+}
+
 /** Values that are valid, but that this build cannot act on. */
 void WarnOfIneffectiveValues(const FConfig& Config, const FChainSettings& Chain, std::vector<FDiagnostic>& Diagnostics)
 {
@@ -54,6 +78,7 @@ void WarnOfIneffectiveValues(const FConfig& Config, const FChainSettings& Chain,
 	{
 		Messages.Warn(WarnIneffectiveValue, Nowhere, "BloomMethod BM_FFT: " + Obstacle + ", so the Gaussian sum runs");
 	}
+	WarnOfMissingPictures(Chain.Settings, Messages);
 }
 
 FConfig Read(const FRunOptions& Options, std::vector<FDiagnostic>& Diagnostics)

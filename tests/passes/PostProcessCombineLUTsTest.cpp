@@ -3,7 +3,7 @@
 
 #include "ToneReference.h"
 
-#include "TextureAssets.h"
+#include "PictureTextures.h"
 
 using namespace TonemapTest;
 using PassReference::MaxDifference;
@@ -69,7 +69,7 @@ FTextureRHIRef MakeTable(const std::function<ToneReference::FVec(ToneReference::
 			Colors.push_back(FLinearColor(Linear(Code[0]), Linear(Code[1]), Linear(Code[2]), 1.0f));
 		}
 	}
-	return Drydock::MakePictureTexture(FIntPoint(256, 16), Colors, "Table");
+	return Drydock::MakeBloomKernelTexture(FIntPoint(256, 16), Colors, "Table");
 }
 
 UTexture2D GTable;
@@ -253,7 +253,7 @@ TEST(CombinedTable, ComputeAndPixelShaderGiveTheSameBits)
 
 TEST(LegacyTable, IsAppliedToTheEncodedColourByItsWeight)
 {
-	const Drydock::FScopedTextureLoader Loader([](const std::string&)
+	const Drydock::FScopedBloomKernelLoader Loader([](const std::string&)
 		{ return MakeTable([](ToneReference::FVec C) { return ToneReference::FVec{C[2], C[0], C[1]}; }); });
 	const FTexel Color{0.125, 0.25, 0.5, 1};
 	const FTexel Whole = TonemapPixel(Color, UseTableRun(1));
@@ -267,7 +267,7 @@ TEST(LegacyTable, IsAppliedToTheEncodedColourByItsWeight)
 TEST(LegacyTable, IsInterpolatedBetweenItsColours)
 {
 	// A table is exact at multiples of 1/15 only: squares, halfway between 7/15 and 8/15.
-	const Drydock::FScopedTextureLoader Loader([](const std::string&)
+	const Drydock::FScopedBloomKernelLoader Loader([](const std::string&)
 		{ return MakeTable([](ToneReference::FVec C) { return ToneReference::FVec{C[0] * C[0], C[1], C[2] * C[2]}; }); });
 	const double Code = 7.5 / 15, Value = ToneReference::DecodeSrgb(Code);
 	const FTexel Result = TonemapPixel({Value, Value, Value, 1}, UseTableRun(1));

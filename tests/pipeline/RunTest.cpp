@@ -108,11 +108,12 @@ std::string ReadBytes(const std::filesystem::path& Path)
 
 } // namespace
 
-TEST(RunGraph, DefaultsHaveOneDownsampleChainTwelveBlursAndATonemapper)
+TEST(RunGraph, DefaultsHaveOneDownsampleChainTwelveBlursATableAndATonemapper)
 {
-	// Half resolution and five levels below it, an X and a Y pass for each of six Gaussians, the tonemapper.
+	// Half resolution and five levels below it, an X and a Y pass for each of six Gaussians, the combined colour grading
+	// table, the tonemapper.
 	const FRunResult Result = Compile("");
-	EXPECT_EQ(6 + 12 + 1, CountPasses(Result.Graph, false));
+	EXPECT_EQ(6 + 12 + 2, CountPasses(Result.Graph, false));
 	EXPECT_EQ(0, CountPasses(Result.Graph, true));
 	EXPECT_EQ(0, CountNamed(Result.Graph, "BloomSetup"));
 }
@@ -121,7 +122,7 @@ TEST(RunGraph, ThresholdAddsTheSetupAndCullsTheScenesOwnChain)
 {
 	const FRunResult Result = Compile(R"("camera": {"Settings": {"BloomThreshold": 1}})");
 	EXPECT_EQ(1, CountNamed(Result.Graph, "BloomSetup"));
-	EXPECT_EQ(6 + 1 + 12 + 1, CountPasses(Result.Graph, false));
+	EXPECT_EQ(6 + 1 + 12 + 2, CountPasses(Result.Graph, false));
 	EXPECT_EQ(5, CountPasses(Result.Graph, true));
 }
 
@@ -133,10 +134,10 @@ TEST(RunGraph, CulledPassesSayWhy)
 	}
 }
 
-TEST(RunGraph, NoBloomLeavesTheTonemapper)
+TEST(RunGraph, NoBloomLeavesTheTonemapperAndItsTable)
 {
 	const FRunResult Result = Compile(R"("camera": {"Settings": {"BloomIntensity": 0}})");
-	EXPECT_EQ(1, CountPasses(Result.Graph, false) + CountPasses(Result.Graph, true));
+	EXPECT_EQ(2, CountPasses(Result.Graph, false) + CountPasses(Result.Graph, true));
 }
 
 TEST(RunGraph, LowQualityDropsTheNarrowGaussians)
