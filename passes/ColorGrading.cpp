@@ -88,11 +88,14 @@ FPlanckian GetPlanckian(double T)
 	const double DenominatorU = 1.0 + 8.42420235e-4 * T + 7.08145163e-7 * T * T;
 	const double NumeratorV = 0.317398726 + 4.22806245e-5 * T + 4.20481691e-8 * T * T;
 	const double DenominatorV = 1.0 - 2.89741816e-5 * T + 1.61456053e-7 * T * T;
-	const auto Derive = [](double N, double D, double SlopeN, double SlopeD) { return (SlopeN * D - N * SlopeD) / (D * D); };
-	const double SlopeU = Derive(NumeratorU, DenominatorU, 1.54118254e-4 + 2.0 * 1.28641212e-7 * T,
-		8.42420235e-4 + 2.0 * 7.08145163e-7 * T);
-	const double SlopeV = Derive(NumeratorV, DenominatorV, 4.22806245e-5 + 2.0 * 4.20481691e-8 * T,
-		-2.89741816e-5 + 2.0 * 1.61456053e-7 * T);
+	const auto Derive = [](double N, double D, double SlopeN, double SlopeD)
+	{
+		return (SlopeN * D - N * SlopeD) / (D * D);
+	};
+	const double SlopeU = Derive(
+		NumeratorU, DenominatorU, 1.54118254e-4 + 2.0 * 1.28641212e-7 * T, 8.42420235e-4 + 2.0 * 7.08145163e-7 * T);
+	const double SlopeV = Derive(
+		NumeratorV, DenominatorV, 4.22806245e-5 + 2.0 * 4.20481691e-8 * T, -2.89741816e-5 + 2.0 * 1.61456053e-7 * T);
 	const double Length = std::hypot(SlopeU, SlopeV);
 	return {NumeratorU / DenominatorU, NumeratorV / DenominatorV, SlopeU / Length, SlopeV / Length};
 }
@@ -118,8 +121,7 @@ FChromaticity GetWhite(double Temperature, double Tint)
 /** Bradford: what looks white under From looks white under To. */
 FColorMatrix MakeAdaptation(const FChromaticity& From, const FChromaticity& To)
 {
-	const FColorMatrix Cone = {
-		{{0.8951, 0.2664, -0.1614}, {-0.7502, 1.7135, 0.0367}, {0.0389, -0.0685, 1.0296}}};
+	const FColorMatrix Cone = {{{0.8951, 0.2664, -0.1614}, {-0.7502, 1.7135, 0.0367}, {0.0389, -0.0685, 1.0296}}};
 	const auto ToCone = [&Cone](const FChromaticity& White)
 	{
 		const std::array<double, 3> XYZ = {White.X / White.Y, 1.0, (1.0 - White.X - White.Y) / White.Y};
@@ -152,8 +154,8 @@ FVector3f CombineOffset(const FVector4& Global, const FVector4& Range)
 
 bool AreAll(const std::array<FVector3f, 3>& Values, float Wanted)
 {
-	return std::all_of(Values.begin(), Values.end(), [&](const FVector3f& Value)
-		{ return Value.X == Wanted && Value.Y == Wanted && Value.Z == Wanted; });
+	return std::all_of(Values.begin(), Values.end(),
+		[&](const FVector3f& Value) { return Value.X == Wanted && Value.Y == Wanted && Value.Z == Wanted; });
 }
 
 } // namespace

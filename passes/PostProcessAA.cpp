@@ -14,7 +14,8 @@ namespace
 {
 
 TAutoConsoleVariable<int32> CVarFXAAQuality(TEXT("r.FXAA.Quality"), 4,
-	TEXT("Steps of the search along edges: 0 none, 1 three, 2 five, 3 eight, 4 twelve (default), 5 twelve shorter ones."),
+	TEXT("Steps of the search along edges: 0 none, 1 three, 2 five, 3 eight, 4 twelve (default), 5 twelve shorter "
+		 "ones."),
 	ECVF_Scalability | ECVF_RenderThreadSafe);
 
 class FFXAAQualityDimension : SHADER_PERMUTATION_ENUM_CLASS("FXAA_PRESET", EFXAAQuality);

@@ -1,10 +1,10 @@
 // FXAA: finds edges by luma and blends along them, in one pass over the display-encoded picture. Source: engine file
 // PostProcessAA.h; algorithm and presets: T. Lottes, FXAA 3.11 (NVIDIA, 2011).
 //
-// Contract. A pixel whose neighbourhood's lumas differ by less than the threshold comes through bit for bit. Others get one
-// bilinear tap, so that no channel leaves the range of the neighbours (quality 0: a mean of up to four). Reads nothing
-// outside the input's rect, whose edge is repeated. Every size from 1x1 up; NaN spreads no further than a texel's taps.
-// Alpha of the result is 0.
+// Contract. A pixel whose neighbourhood's lumas differ by less than the threshold comes through bit for bit. Others get
+// one bilinear tap, so that no channel leaves the range of the neighbours (quality 0: a mean of up to four). Reads
+// nothing outside the input's rect, whose edge is repeated. Every size from 1x1 up; NaN spreads no further than a
+// texel's taps. Alpha of the result is 0.
 #pragma once
 
 #include "CoreMinimal.h"

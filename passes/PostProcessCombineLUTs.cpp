@@ -22,8 +22,9 @@ TAutoConsoleVariable<int32> CVarLUTSize(TEXT("r.LUT.Size"), 32,
 	TEXT("Colours to a side of the combined colour grading table, 16 to 64; 32 by default."), ECVF_RenderThreadSafe);
 
 TAutoConsoleVariable<int32> CVarTonemapLUT(TEXT("r.Drydock.TonemapLUT"), 1,
-	TEXT("1: the tonemapper reads the combined colour grading table, as the engine's (default). 0: it evaluates grading "
-		 "and film curve for each pixel."),
+	TEXT(
+		"1: the tonemapper reads the combined colour grading table, as the engine's (default). 0: it evaluates grading "
+		"and film curve for each pixel."),
 	ECVF_RenderThreadSafe);
 
 TAutoConsoleVariable<float> CVarSceneColorMultiplier(TEXT("r.HDR.Aces.SceneColorMultiplier"), 1.5f,
@@ -84,8 +85,8 @@ void SetGrading(const Drydock::FColorGrading& Grading, FColorRemapParameters& Pa
 	for (size_t Index = 0; Index < 3; ++Index)
 	{
 		const std::array<double, 3>& Row = Grading.WhiteBalance[Index];
-		Parameters.WhiteBalance[Index] = FVector4f(
-			static_cast<float>(Row[0]), static_cast<float>(Row[1]), static_cast<float>(Row[2]), 0.0f);
+		Parameters.WhiteBalance[Index] =
+			FVector4f(static_cast<float>(Row[0]), static_cast<float>(Row[1]), static_cast<float>(Row[2]), 0.0f);
 		Parameters.ColorSaturation[Index] = ToVector4(Grading.Saturation[Index]);
 		Parameters.ColorContrast[Index] = ToVector4(Grading.Contrast[Index]);
 		Parameters.ColorGamma[Index] = ToVector4(Grading.Gamma[Index]);
@@ -131,10 +132,9 @@ int32 SetLegacyLUTs(
 	int32 Count = 0;
 	for (const FFinalPostProcessSettings::FLUTEntry& Entry : Settings.ContributingLUTs)
 	{
-		const FRDGTextureRef Texture =
-			Count < Drydock::MaxBlendedLUTs && Entry.Weight > 0.0f
-				? RegisterLegacyLUT(GraphBuilder, Entry.LUT.Get())
-				: nullptr;
+		const FRDGTextureRef Texture = Count < Drydock::MaxBlendedLUTs && Entry.Weight > 0.0f
+										   ? RegisterLegacyLUT(GraphBuilder, Entry.LUT.Get())
+										   : nullptr;
 		if (Texture == nullptr)
 		{
 			Parameters.NeutralLUTWeight += Entry.Weight;
@@ -227,8 +227,9 @@ FRDGTextureRef AddCombineLUTPass(FRDGBuilder& GraphBuilder, const FViewInfo& Vie
 		PassParameters->RenderTargets[0] = FRenderTargetBinding(Table, ERenderTargetLoadAction::ENoAction);
 
 		TShaderMapRef<FCombineLUTPS> PixelShader(View.ShaderMap, Remap.Permutation);
-		FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap, RDG_EVENT_NAME("CombineLUTs %d (PS)", Size.Y),
-			PixelShader, PassParameters, FIntRect(FIntPoint::ZeroValue, Size));
+		FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
+			RDG_EVENT_NAME("CombineLUTs %d (PS)", Size.Y), PixelShader, PassParameters,
+			FIntRect(FIntPoint::ZeroValue, Size));
 	}
 	return Table;
 }

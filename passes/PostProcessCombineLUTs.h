@@ -1,17 +1,17 @@
-// The combined table: everything between exposed scene-linear and the output device for 32^3 colours, once for each frame,
-// so that the tonemapper needs two bilinear taps for each pixel. Source: engine file PostProcessCombineLUTs.h.
+// The combined table: everything between exposed scene-linear and the output device for 32^3 colours, once for each
+// frame, so that the tonemapper needs two bilinear taps for each pixel. Source: engine file PostProcessCombineLUTs.h.
 //
-// r.LUT.Size (32) colours to a side, laid out flat in a 2D texture (red along x, green along y, slices of blue side by side),
-// as the engine does where volume textures cannot be drawn to. PF_A2B10G10R10 holding values / 1.05 (white clip); half
-// float for the devices of high dynamic range. Positions: 14 stops around middle grey, black exactly on the first texel,
-// values above 43.7 on the last; devices of high dynamic range: ST 2084 of 100 nits for each 1.
+// r.LUT.Size (32) colours to a side, laid out flat in a 2D texture (red along x, green along y, slices of blue side by
+// side), as the engine does where volume textures cannot be drawn to. PF_A2B10G10R10 holding values / 1.05 (white
+// clip); half float for the devices of high dynamic range. Positions: 14 stops around middle grey, black exactly on the
+// first texel, values above 43.7 on the last; devices of high dynamic range: ST 2084 of 100 nits for each 1.
 //
 // Against the same maths for each pixel (r.Drydock.TonemapLUT 0) the table errs, in sRGB code values of 0..1, default
-// settings, over colours of 2^-8 to 2^5: 0.002 at most and 0.0006 on average for greys; 0.010 at most and 0.0006 on average
-// for all, the most where a saturated colour's channel is near 0. A step of the table is 1.05 / 1023 = 0.00103.
+// settings, over colours of 2^-8 to 2^5: 0.002 at most and 0.0006 on average for greys; 0.010 at most and 0.0006 on
+// average for all, the most where a saturated colour's channel is near 0. A step of the table is 1.05 / 1023 = 0.00103.
 //
-// Source of the order: white balance, gamut expansion, colour correction, blue correction, film curve, legacy tables, fade,
-// gamma, encoding: engine file PostProcessCombineLUTs.usf (PostProcessColorRemap.ush here).
+// Source of the order: white balance, gamut expansion, colour correction, blue correction, film curve, legacy tables,
+// fade, gamma, encoding: engine file PostProcessCombineLUTs.usf (PostProcessColorRemap.ush here).
 #pragma once
 
 #include "CoreMinimal.h"

@@ -58,8 +58,8 @@ class FTonemapSceneColorApplyDimension : SHADER_PERMUTATION_BOOL("USE_SCENE_COLO
 
 using FTonemapPermutation = TShaderPermutationDomain<FTonemapGammaOnlyDimension, FTonemapBloomDimension,
 	FTonemapDirtMaskDimension, FTonemapVignetteDimension, FTonemapSharpenDimension, FTonemapFilmGrainDimension,
-	FTonemapColorFringeDimension, FTonemapLocalExposureDimension, FTonemapLUTDimension, FTonemapSceneColorApplyDimension,
-	Drydock::FColorRemapPermutation>;
+	FTonemapColorFringeDimension, FTonemapLocalExposureDimension, FTonemapLUTDimension,
+	FTonemapSceneColorApplyDimension, Drydock::FColorRemapPermutation>;
 
 class FTonemapPS : public FGlobalShader
 {
@@ -158,10 +158,9 @@ void SetBloom(FRDGBuilder& GraphBuilder, const FFinalPostProcessSettings& Settin
 void SetLens(const FViewInfo& View, FIntPoint Size, FTonemapParameters& Parameters)
 {
 	const FFinalPostProcessSettings& Settings = View.FinalPostProcessSettings;
-	const Drydock::FFilmGrain Grain =
-		Drydock::MakeFilmGrain(Settings, View.UniformParameters.StateFrameIndex);
-	Parameters.ChromaticAberrationParams = Drydock::ComputeChromaticAberration(
-		Settings.SceneFringeIntensity, Settings.ChromaticAberrationStartOffset);
+	const Drydock::FFilmGrain Grain = Drydock::MakeFilmGrain(Settings, View.UniformParameters.StateFrameIndex);
+	Parameters.ChromaticAberrationParams =
+		Drydock::ComputeChromaticAberration(Settings.SceneFringeIntensity, Settings.ChromaticAberrationStartOffset);
 	Parameters.FilmGrainIntensities = Grain.Intensities;
 	Parameters.FilmGrainRanges = Grain.Ranges;
 	Parameters.FilmGrainFrame = Grain.Frame;

@@ -45,8 +45,8 @@ IMPLEMENT_GLOBAL_SHADER(FUpscalePS, "/Engine/Private/PostProcessUpscale.usf", "M
 
 const TCHAR* ToString(EUpscaleMethod Method)
 {
-	static const TCHAR* const Names[] = {TEXT("Nearest"), TEXT("Bilinear"), TEXT("Directional"), TEXT("CatmullRom"),
-		TEXT("Lanczos"), TEXT("Gaussian")};
+	static const TCHAR* const Names[] = {
+		TEXT("Nearest"), TEXT("Bilinear"), TEXT("Directional"), TEXT("CatmullRom"), TEXT("Lanczos"), TEXT("Gaussian")};
 	return Names[static_cast<size_t>(Method)];
 }
 
@@ -61,20 +61,19 @@ EUpscaleMethod GetUpscaleMethod()
 FScreenPassTexture AddUpscalePass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FUpscaleInputs& Inputs)
 {
 	check(Inputs.SceneColor.IsValid());
-	const FScreenPassRenderTarget Output =
-		Inputs.OverrideOutput.IsValid() ? Inputs.OverrideOutput
-										: Drydock::CreateSmallRasterTarget(GraphBuilder, Inputs.SceneColor,
-											  Inputs.OutputSize, TEXT("PrimaryUpscale"));
+	const FScreenPassRenderTarget Output = Inputs.OverrideOutput.IsValid()
+											   ? Inputs.OverrideOutput
+											   : Drydock::CreateSmallRasterTarget(GraphBuilder, Inputs.SceneColor,
+													 Inputs.OutputSize, TEXT("PrimaryUpscale"));
 	const FIntPoint From = Inputs.SceneColor.ViewRect.Size(), To = Output.ViewRect.Size();
 
 	FUpscalePS::FParameters* PassParameters = GraphBuilder.AllocParameters<FUpscalePS::FParameters>();
 	PassParameters->Input = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Inputs.SceneColor));
 	PassParameters->Output = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Output));
 	PassParameters->InputTexture = Inputs.SceneColor.Texture;
-	PassParameters->InputSampler =
-		Inputs.Method == EUpscaleMethod::Nearest
-			? TStaticSamplerState<SF_Point, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI()
-			: TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
+	PassParameters->InputSampler = Inputs.Method == EUpscaleMethod::Nearest
+									   ? TStaticSamplerState<SF_Point, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI()
+									   : TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
 	PassParameters->Softness = FMath::Clamp(CVarUpscaleSoftness.GetValueOnRenderThread(), 0.0f, 1.0f);
 	PassParameters->RenderTargets[0] = Output.GetRenderTargetBinding();
 

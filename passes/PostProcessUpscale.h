@@ -1,10 +1,10 @@
-// Spatial upscale: the picture at another size, at the end of the chain, on display-encoded colours. Source: engine file
-// PostProcessUpscale.h (numbers of r.Upscale.Quality and what they stand for; Directional and Gaussian are drydock's
-// filters of that description, not the engine's kernels).
+// Spatial upscale: the picture at another size, at the end of the chain, on display-encoded colours. Source: engine
+// file PostProcessUpscale.h (numbers of r.Upscale.Quality and what they stand for; Directional and Gaussian are
+// drydock's filters of that description, not the engine's kernels).
 //
-// Contract. Weights sum to 1: a flat picture stays flat. Nothing is read outside the input's rect, whose edge is repeated.
-// Results are not negative; those of filters with negative lobes may pass 1 and are cut off by the store. NaN and infinity
-// spread over the filter's footprint. Every size from 1x1 up.
+// Contract. Weights sum to 1: a flat picture stays flat. Nothing is read outside the input's rect, whose edge is
+// repeated. Results are not negative; those of filters with negative lobes may pass 1 and are cut off by the store. NaN
+// and infinity spread over the filter's footprint. Every size from 1x1 up.
 #pragma once
 
 #include "CoreMinimal.h"

@@ -23,9 +23,9 @@ DRYDOCK_API float GetSharpenAmount(const FPostProcessSettings& Settings);
 
 struct FFilmGrain
 {
-	FVector3f Intensities;  // of shadows, midtones, highlights
-	FVector4f Ranges;       // where shadows end, highlights begin and are full; texels of grain per pixel
-	uint32 Frame = 0;       // of the noise's sequence
+	FVector3f Intensities; // of shadows, midtones, highlights
+	FVector4f Ranges;      // where shadows end, highlights begin and are full; texels of grain per pixel
+	uint32 Frame = 0;      // of the noise's sequence
 };
 
 /** Frames repeat after r.FilmGrain.SequenceLength. */

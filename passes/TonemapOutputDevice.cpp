@@ -11,8 +11,9 @@ TAutoConsoleVariable<float> CVarTonemapperGamma(TEXT("r.TonemapperGamma"), 0.0f,
 	ECVF_Scalability | ECVF_RenderThreadSafe);
 
 TAutoConsoleVariable<int32> CVarOutputDevice(TEXT("r.HDR.Display.OutputDevice"), 0,
-	TEXT("0: sRGB (default). 1: Rec.709. 2: explicit gamma. 3, 4: ACES 1000, 2000 nits, ST 2084. 5, 6: the same, scRGB. "
-		 "7: linear EXR. 8: linear, no tone curve. 9: linear with the film curve."),
+	TEXT(
+		"0: sRGB (default). 1: Rec.709. 2: explicit gamma. 3, 4: ACES 1000, 2000 nits, ST 2084. 5, 6: the same, scRGB. "
+		"7: linear EXR. 8: linear, no tone curve. 9: linear with the film curve."),
 	ECVF_RenderThreadSafe);
 
 constexpr float DisplayGamma = 2.2f;
@@ -22,8 +23,8 @@ constexpr float DisplayGamma = 2.2f;
 FTonemapperOutputDeviceParameters GetTonemapperOutputDeviceParameters()
 {
 	const float TonemapperGamma = CVarTonemapperGamma.GetValueOnRenderThread();
-	const int32 Device = FMath::Clamp(
-		CVarOutputDevice.GetValueOnRenderThread(), 0, static_cast<int32>(EDisplayOutputFormat::MAX) - 1);
+	const int32 Device =
+		FMath::Clamp(CVarOutputDevice.GetValueOnRenderThread(), 0, static_cast<int32>(EDisplayOutputFormat::MAX) - 1);
 
 	FTonemapperOutputDeviceParameters Parameters;
 	Parameters.InverseGamma =

@@ -1,5 +1,5 @@
-// What the tonemapper's result is for: the device, its encoding and the format that carries it. Source: engine HDRHelper.h,
-// PostProcessTonemap.h (names, numbers); the devices of linear light are drydock's reading of their names.
+// What the tonemapper's result is for: the device, its encoding and the format that carries it. Source: engine
+// HDRHelper.h, PostProcessTonemap.h (names, numbers); the devices of linear light are drydock's reading of their names.
 #pragma once
 
 #include "CoreMinimal.h"
@@ -8,16 +8,16 @@
 /** r.HDR.Display.OutputDevice. Colours are Rec.709 but for the two ST 2084 devices, which are Rec.2020 (HDR10). */
 enum class EDisplayOutputFormat : uint8
 {
-	SDR_sRGB,                  // film curve, IEC 61966-2-1
-	SDR_Rec709,                // film curve, ITU-R BT.709
-	SDR_ExplicitGammaMapping,  // film curve, power 1 / r.TonemapperGamma
-	HDR_ACES_1000nit_ST2084,   // ACES tone scales, perceptual quantizer
+	SDR_sRGB,                 // film curve, IEC 61966-2-1
+	SDR_Rec709,               // film curve, ITU-R BT.709
+	SDR_ExplicitGammaMapping, // film curve, power 1 / r.TonemapperGamma
+	HDR_ACES_1000nit_ST2084,  // ACES tone scales, perceptual quantizer
 	HDR_ACES_2000nit_ST2084,
-	HDR_ACES_1000nit_ScRGB,    // ACES tone scales, linear, 1 is 80 nits
+	HDR_ACES_1000nit_ScRGB, // ACES tone scales, linear, 1 is 80 nits
 	HDR_ACES_2000nit_ScRGB,
-	HDR_LinearEXR,             // graded, no tone curve, linear, up to 100, in 32-bit float
-	HDR_LinearNoToneCurve,     // the same in half float
-	HDR_LinearWithToneCurve,   // film curve, linear, in half float
+	HDR_LinearEXR,           // graded, no tone curve, linear, up to 100, in 32-bit float
+	HDR_LinearNoToneCurve,   // the same in half float
+	HDR_LinearWithToneCurve, // film curve, linear, in half float
 	MAX
 };
 
@@ -28,7 +28,8 @@ struct FTonemapperOutputDeviceParameters
 	EDisplayOutputFormat OutputDevice;
 };
 
-/** From r.HDR.Display.OutputDevice; r.TonemapperGamma above 0 puts a power in the place of the sRGB or Rec.709 curve. */
+/** From r.HDR.Display.OutputDevice; r.TonemapperGamma above 0 puts a power in the place of the sRGB or Rec.709 curve.
+ */
 DRYDOCK_API FTonemapperOutputDeviceParameters GetTonemapperOutputDeviceParameters();
 
 namespace Drydock

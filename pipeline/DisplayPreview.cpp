@@ -60,7 +60,8 @@ FColor ToLinear(FColor Color, EDisplayOutputFormat OutputDevice)
 
 FImage MakeDisplayPreview(const FImage& Picture, EDisplayOutputFormat OutputDevice)
 {
-	if (OutputDevice == EDisplayOutputFormat::SDR_sRGB || OutputDevice == EDisplayOutputFormat::SDR_ExplicitGammaMapping)
+	if (OutputDevice == EDisplayOutputFormat::SDR_sRGB ||
+		OutputDevice == EDisplayOutputFormat::SDR_ExplicitGammaMapping)
 	{
 		return Picture;
 	}
@@ -69,8 +70,8 @@ FImage MakeDisplayPreview(const FImage& Picture, EDisplayOutputFormat OutputDevi
 	{
 		double* const Pixel = &Preview.Values[Index];
 		const FColor Linear = ToLinear({Pixel[0], Pixel[1], Pixel[2]}, OutputDevice);
-		std::transform(Linear.begin(), Linear.end(), Pixel,
-			[](double Value) { return EncodeSrgb(std::clamp(Value, 0.0, 1.0)); });
+		std::transform(
+			Linear.begin(), Linear.end(), Pixel, [](double Value) { return EncodeSrgb(std::clamp(Value, 0.0, 1.0)); });
 	}
 	return Preview;
 }

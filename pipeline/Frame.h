@@ -23,8 +23,8 @@ namespace Drydock
 
 struct FFrameView
 {
-	std::string Name; // for reports; empty where there is only one view
-	FIntRect Rect;    // of the output, and of the scene textures where SceneRect is empty
+	std::string Name;   // for reports; empty where there is only one view
+	FIntRect Rect;      // of the output, and of the scene textures where SceneRect is empty
 	FIntRect SceneRect; // of the scene textures, at another resolution than the output
 	FMinimalViewInfo Camera;
 	/** How the camera projects; Camera says where it stands and, once an extension has changed it, its field of view.

@@ -68,10 +68,10 @@ struct FRunResult
 	FIntRect ViewRect; // of all views
 	std::vector<FRunView> Views;
 	std::vector<FSceneChannel> Channels;
-	FLinearColor LightColor;            // of the scene's main light, relative
+	FLinearColor LightColor;                                            // of the scene's main light, relative
 	EDisplayOutputFormat OutputDevice = EDisplayOutputFormat::SDR_sRGB; // what Final is encoded for
-	std::vector<FHookCall> HookCalls;   // what view extensions were asked and did
-	std::vector<FHookPoint> HookPoints; // the chain's insertion points
+	std::vector<FHookCall> HookCalls;                                   // what view extensions were asked and did
+	std::vector<FHookPoint> HookPoints;                                 // the chain's insertion points
 
 	// Only of an executed run.
 	std::vector<FRunPass> Passes; // those that executed

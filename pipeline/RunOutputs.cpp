@@ -117,11 +117,8 @@ void WriteAside(const FRunResult& Result, const Files::path& Folder)
 		[&] { WriteExr((Folder / "scene_linear.exr").string(), Result.SceneLinear, GetChannelNames(4), Linear); });
 	Jobs.push_back(
 		[&] { WriteExr((Folder / "final.exr").string(), TakeRgb(Result.Final), GetChannelNames(3), Display); });
-	Jobs.push_back(
-		[&]
-		{
-			WritePng((Folder / "final.png").string(), MakeDisplayPreview(TakeRgb(Result.Final), Result.OutputDevice));
-		});
+	Jobs.push_back([&]
+		{ WritePng((Folder / "final.png").string(), MakeDisplayPreview(TakeRgb(Result.Final), Result.OutputDevice)); });
 	if (!Result.BandingMap.Values.empty())
 	{
 		Jobs.push_back([&] { WritePng((Folder / "toon_shadow_banding.png").string(), Result.BandingMap); });

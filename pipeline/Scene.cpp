@@ -301,8 +301,7 @@ public:
 			}
 		}
 		FScenePackValues Means = {};
-		std::transform(
-			Sums.begin(), Sums.end(), Means.begin(), [](double Sum) { return static_cast<float>(Sum); });
+		std::transform(Sums.begin(), Sums.end(), Means.begin(), [](double Sum) { return static_cast<float>(Sum); });
 		return Means;
 	}
 
@@ -362,11 +361,11 @@ void FScene::Fill(const FFill& Fill, const FPlanes& Planes, const FScenePackCont
 			const bool bInside = Y >= Target.Min.Y && Y < Target.Max.Y;
 			for (int32 X = Target.Min.X; bInside && X < Target.Max.X; ++X)
 			{
-				Row[X] = Fill.Packing->Pack(
-					PixelSources[Index].Get(X - Target.Min.X, Y - Target.Min.Y,
-						[&](int32 SourceX, int32 SourceY)
-						{ return GetValues(SourceX, SourceY, RowCounts[static_cast<size_t>(Y)]); }),
-					Context);
+				Row[X] =
+					Fill.Packing->Pack(PixelSources[Index].Get(X - Target.Min.X, Y - Target.Min.Y,
+										   [&](int32 SourceX, int32 SourceY)
+										   { return GetValues(SourceX, SourceY, RowCounts[static_cast<size_t>(Y)]); }),
+						Context);
 			}
 		}
 	};

@@ -36,8 +36,7 @@ FCoverage MakeCoverage(int SourceSize, int TargetSize, int Index)
 	Coverage.First = static_cast<int>(Begin / TargetSize);
 	for (long long Pixel = Coverage.First; Pixel * TargetSize < End; ++Pixel)
 	{
-		const long long Covered =
-			std::min(End, (Pixel + 1) * TargetSize) - std::max(Begin, Pixel * TargetSize);
+		const long long Covered = std::min(End, (Pixel + 1) * TargetSize) - std::max(Begin, Pixel * TargetSize);
 		Coverage.Parts.push_back(static_cast<double>(Covered) / SourceSize);
 	}
 	return Coverage;

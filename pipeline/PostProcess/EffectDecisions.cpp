@@ -224,7 +224,8 @@ FEffectDecision DecideAntiAliasing(const FChainSettings& Chain)
 	if (!Chain.ShowFlags.PostProcessing || !Chain.ShowFlags.AntiAliasing)
 	{
 		return {"FXAA", false, true,
-			std::string("ShowFlag.") + (Chain.ShowFlags.PostProcessing ? "AntiAliasing" : "PostProcessing") + " is off"};
+			std::string("ShowFlag.") + (Chain.ShowFlags.PostProcessing ? "AntiAliasing" : "PostProcessing") +
+				" is off"};
 	}
 	return {"FXAA", true, true,
 		"r.AntiAliasingMethod is 1, r.FXAA.Quality " + std::to_string(static_cast<int32>(GetFXAAQuality()))};
@@ -257,7 +258,8 @@ FEffectDecision DecideUpscale(const FChainSettings& Chain)
 	{
 		return {"Upscale", false, false, "scene.screenPercentage is 100"};
 	}
-	const std::string Percentage = "scene.screenPercentage is " + NumberText(static_cast<float>(Chain.ScreenPercentage));
+	const std::string Percentage =
+		"scene.screenPercentage is " + NumberText(static_cast<float>(Chain.ScreenPercentage));
 	if (!Chain.ShowFlags.ScreenPercentage)
 	{
 		return {"Upscale", false, true, Percentage + ", but ShowFlag.ScreenPercentage is off"};

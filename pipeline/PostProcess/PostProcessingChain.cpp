@@ -278,8 +278,7 @@ private:
 	/** The display's own; where FXAA reads luma from two bits of alpha, half float. */
 	EPixelFormat GetTonemapFormat() const
 	{
-		const EPixelFormat Format =
-			Drydock::GetDisplayFormat(GetTonemapperOutputDeviceParameters().OutputDevice);
+		const EPixelFormat Format = Drydock::GetDisplayFormat(GetTonemapperOutputDeviceParameters().OutputDevice);
 		return Sequence.IsEnabled(EFramePass::FXAA) && Format == PF_A2B10G10R10 ? PF_FloatRGBA : Format;
 	}
 

@@ -106,13 +106,16 @@ TEST(ColorGrading, DefaultsAreNeutral)
 
 TEST(ColorGrading, AnyOneSettingMakesItNotNeutral)
 {
-	const std::function<void(FPostProcessSettings&)> Changes[] = {
-		[](FPostProcessSettings& S) { S.WhiteTemp = 6501; }, [](FPostProcessSettings& S) { S.WhiteTint = 0.01f; },
+	const std::function<void(FPostProcessSettings&)> Changes[] = {[](FPostProcessSettings& S) { S.WhiteTemp = 6501; },
+		[](FPostProcessSettings& S) { S.WhiteTint = 0.01f; },
 		[](FPostProcessSettings& S) { S.ColorSaturation.W = 0.9; },
 		[](FPostProcessSettings& S) { S.ColorContrastShadows.X = 1.1; },
 		[](FPostProcessSettings& S) { S.ColorGammaMidtones.Y = 1.1; },
 		[](FPostProcessSettings& S) { S.ColorGainHighlights.Z = 1.1; },
-		[](FPostProcessSettings& S) { S.ColorOffsetHighlights.W = 0.01; }};
+		[](FPostProcessSettings& S)
+		{
+			S.ColorOffsetHighlights.W = 0.01;
+		}};
 	for (const auto& Change : Changes)
 	{
 		FPostProcessSettings Settings;

@@ -20,8 +20,7 @@ struct FRun
 FImage Fxaa(const FImage& Image, const FRun& Setup = {})
 {
 	FPassRun Run(Image, Setup.Arithmetic, Setup.Format);
-	return Run.Execute(
-		AddFXAAPass(Run.GraphBuilder, Run.View, {{}, Run.Input, Setup.Quality, Setup.bLumaInAlpha}));
+	return Run.Execute(AddFXAAPass(Run.GraphBuilder, Run.View, {{}, Run.Input, Setup.Quality, Setup.bLumaInAlpha}));
 }
 
 FTexel Grey(double Value)
@@ -32,8 +31,8 @@ FTexel Grey(double Value)
 /** White below a border that steps up by one row at the middle. */
 FImage MakeStep(int Width = 80, int Height = 8)
 {
-	return FImage::Make(Width, Height,
-		[&](int X, int Y) { return Grey(Y >= (X < Width / 2 ? Height / 2 : Height / 2 - 1) ? 1 : 0); });
+	return FImage::Make(
+		Width, Height, [&](int X, int Y) { return Grey(Y >= (X < Width / 2 ? Height / 2 : Height / 2 - 1) ? 1 : 0); });
 }
 
 class FxaaQuality : public testing::TestWithParam<EFXAAQuality>
@@ -92,9 +91,10 @@ TEST_P(FxaaQuality, OnePixelAndOneColumn)
 }
 
 INSTANTIATE_TEST_SUITE_P(All, FxaaQuality,
-	testing::Values(EFXAAQuality::Q0, EFXAAQuality::Q1, EFXAAQuality::Q2, EFXAAQuality::Q3, EFXAAQuality::Q4,
-		EFXAAQuality::Q5),
-	[](const testing::TestParamInfo<EFXAAQuality>& Info) { return "Q" + std::to_string(static_cast<int>(Info.param)); });
+	testing::Values(
+		EFXAAQuality::Q0, EFXAAQuality::Q1, EFXAAQuality::Q2, EFXAAQuality::Q3, EFXAAQuality::Q4, EFXAAQuality::Q5),
+	[](const testing::TestParamInfo<EFXAAQuality>& Info)
+	{ return "Q" + std::to_string(static_cast<int>(Info.param)); });
 
 TEST(Fxaa, TheTexelBesideAStepMovesByItsDistanceFromIt)
 {
@@ -161,7 +161,8 @@ TEST(Fxaa, NaNStaysNear)
 	{
 		for (int X = 0; X < 32; ++X)
 		{
-			EXPECT_TRUE(!std::isnan(Result.At(X, Y)[0]) || (std::abs(X - 5) <= 1 && std::abs(Y - 5) <= 1)) << X << " " << Y;
+			EXPECT_TRUE(!std::isnan(Result.At(X, Y)[0]) || (std::abs(X - 5) <= 1 && std::abs(Y - 5) <= 1))
+				<< X << " " << Y;
 		}
 	}
 }

@@ -65,7 +65,10 @@ FTextureRHIRef MakeTable(const std::function<ToneReference::FVec(ToneReference::
 		for (int X = 0; X < 256; ++X)
 		{
 			const ToneReference::FVec Code = Map({(X % 16) / 15.0, Y / 15.0, (X / 16) / 15.0});
-			const auto Linear = [](double Value) { return static_cast<float>(ToneReference::DecodeSrgb(Value)); };
+			const auto Linear = [](double Value)
+			{
+				return static_cast<float>(ToneReference::DecodeSrgb(Value));
+			};
 			Colors.push_back(FLinearColor(Linear(Code[0]), Linear(Code[1]), Linear(Code[2]), 1.0f));
 		}
 	}
@@ -85,7 +88,8 @@ void UseTable(FSettings& Settings, float Weight)
 
 FTonemapRun UseTableRun(float Weight)
 {
-	return {.Settings = [Weight](FSettings& Settings) { UseTable(Settings, Weight); }, .Arithmetic = EArithmetic::Exact};
+	return {
+		.Settings = [Weight](FSettings& Settings) { UseTable(Settings, Weight); }, .Arithmetic = EArithmetic::Exact};
 }
 
 } // namespace
@@ -103,12 +107,11 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(ColorGrading, WithoutSaturationAllIsGrey)
 {
-	const FImage Result = Tonemap(MakeSwatches(),
-		{.Settings = [](FSettings& Settings)
-			{
-				Linear(Settings);
-				Settings.ColorSaturation.W = 0;
-			}});
+	const FImage Result = Tonemap(MakeSwatches(), {.Settings = [](FSettings& Settings)
+													  {
+														  Linear(Settings);
+														  Settings.ColorSaturation.W = 0;
+													  }});
 	for (const FTexel& Texel : Result.Texels)
 	{
 		EXPECT_NEAR(Texel[0], Texel[1], 2e-5 * Texel[0]);
@@ -120,15 +123,13 @@ TEST(ColorGrading, WhiteBalanceScalesWhiteByItsLight)
 {
 	// The picture takes on 3000 K: (0.4369, 0.4041), CIE 15 black body. Y is kept.
 	const ToneReference::FVec XYZ = {0.4369 / 0.4041, 1, (1 - 0.4369 - 0.4041) / 0.4041};
-	const ToneReference::FVec White =
-		ToneReference::Mul(ToneReference::Inverse(ToneReference::Matrices().Rec709), XYZ);
-	const FTexel Result = TonemapPixel({0.25, 0.25, 0.25, 1},
-		{.Settings = [](FSettings& Settings)
-			{
-				Linear(Settings);
-				Settings.WhiteTemp = 3000;
-				Settings.TemperatureType = TEMP_ColorTemperature;
-			}});
+	const ToneReference::FVec White = ToneReference::Mul(ToneReference::Inverse(ToneReference::Matrices().Rec709), XYZ);
+	const FTexel Result = TonemapPixel({0.25, 0.25, 0.25, 1}, {.Settings = [](FSettings& Settings)
+																  {
+																	  Linear(Settings);
+																	  Settings.WhiteTemp = 3000;
+																	  Settings.TemperatureType = TEMP_ColorTemperature;
+																  }});
 	for (int Channel = 0; Channel < 3; ++Channel)
 	{
 		EXPECT_NEAR(0.25 * White[Channel], ToneReference::DecodeSrgb(Result[Channel]), 2e-3);
@@ -148,7 +149,8 @@ TEST(ColorGrading, HazardsGiveColoursOfTheDisplay)
 	};
 	for (const bool bLUT : {false, true})
 	{
-		for (const FTexel& Color : {FTexel{0, 0, 0, 1}, {NaN, 1, -1, 1}, {Infinity, Infinity, Infinity, 1}, {65504, 0, 0, 1}})
+		for (const FTexel& Color :
+			{FTexel{0, 0, 0, 1}, {NaN, 1, -1, 1}, {Infinity, Infinity, Infinity, 1}, {65504, 0, 0, 1}})
 		{
 			const FTexel Result = TonemapPixel(Color, {.Settings = Wild, .bLUT = bLUT});
 			for (int Channel = 0; Channel < 3; ++Channel)
@@ -169,10 +171,14 @@ TEST(CombinedTable, HoldsTheMathsAtItsTexels)
 	ASSERT_EQ(32, Result.Height);
 	const auto Value = [](int Index)
 	{
-		const auto LogToLin = [](double Log) { return 0.18 * std::exp2((Log - 444.0 / 1023) * 14); };
+		const auto LogToLin = [](double Log)
+		{
+			return 0.18 * std::exp2((Log - 444.0 / 1023) * 14);
+		};
 		return LogToLin(Index / 31.0) - LogToLin(0);
 	};
-	for (const auto& [R, G, B] : {std::array{0, 0, 0}, std::array{31, 0, 5}, std::array{12, 13, 14}, std::array{31, 31, 31}})
+	for (const auto& [R, G, B] :
+		{std::array{0, 0, 0}, std::array{31, 0, 5}, std::array{12, 13, 14}, std::array{31, 31, 31}})
 	{
 		const FTexel Expected = Encode(ToneReference::Tonemap({Value(R), Value(G), Value(B)}));
 		for (int Channel = 0; Channel < 3; ++Channel)
@@ -210,8 +216,8 @@ TEST(CombinedTable, ErrorAgainstTheMathsOfEachPixel)
 
 TEST(CombinedTable, NeutralGradingAndNoCurveIsTheIdentityWithinAStep)
 {
-	// A linear ramp through an sRGB curve that the table bends into 31 pieces: 14 / 31 stops each. The chord of x^(1/2.4)
-	// over h stops lies (h ln 2 / 2.4)^2 / 8 = 0.0021 of the value off at most; then a step of 1.05 / 1023.
+	// A linear ramp through an sRGB curve that the table bends into 31 pieces: 14 / 31 stops each. The chord of
+	// x^(1/2.4) over h stops lies (h ln 2 / 2.4)^2 / 8 = 0.0021 of the value off at most; then a step of 1.05 / 1023.
 	const FImage Ramp = FImage::Make(256, 1,
 		[](int X, int)
 		{
@@ -253,8 +259,10 @@ TEST(CombinedTable, ComputeAndPixelShaderGiveTheSameBits)
 
 TEST(LegacyTable, IsAppliedToTheEncodedColourByItsWeight)
 {
-	const Drydock::FScopedBloomKernelLoader Loader([](const std::string&)
-		{ return MakeTable([](ToneReference::FVec C) { return ToneReference::FVec{C[2], C[0], C[1]}; }); });
+	const Drydock::FScopedBloomKernelLoader Loader(
+		[](const std::string&) {
+			return MakeTable([](ToneReference::FVec C) { return ToneReference::FVec{C[2], C[0], C[1]}; });
+		});
 	const FTexel Color{0.125, 0.25, 0.5, 1};
 	const FTexel Whole = TonemapPixel(Color, UseTableRun(1));
 	const FTexel Plain = Encode({0.125, 0.25, 0.5});
@@ -267,8 +275,10 @@ TEST(LegacyTable, IsAppliedToTheEncodedColourByItsWeight)
 TEST(LegacyTable, IsInterpolatedBetweenItsColours)
 {
 	// A table is exact at multiples of 1/15 only: squares, halfway between 7/15 and 8/15.
-	const Drydock::FScopedBloomKernelLoader Loader([](const std::string&)
-		{ return MakeTable([](ToneReference::FVec C) { return ToneReference::FVec{C[0] * C[0], C[1], C[2] * C[2]}; }); });
+	const Drydock::FScopedBloomKernelLoader Loader(
+		[](const std::string&) {
+			return MakeTable([](ToneReference::FVec C) { return ToneReference::FVec{C[0] * C[0], C[1], C[2] * C[2]}; });
+		});
 	const double Code = 7.5 / 15, Value = ToneReference::DecodeSrgb(Code);
 	const FTexel Result = TonemapPixel({Value, Value, Value, 1}, UseTableRun(1));
 	EXPECT_NEAR((49.0 + 64.0) / 2 / 225, Result[0], 1e-4);
@@ -284,13 +294,13 @@ TEST(LegacyTable, WithoutPixelsIsNeutral)
 
 TEST(Fade, ScalesThenCovers)
 {
-	const FTexel Result = TonemapPixel({0.5, 0.5, 0.5, 1},
-		{.Settings = Linear,
-			.View = [](FViewInfo& View)
-			{
-				View.ColorScale = FLinearColor(0.5f, 1.0f, 1.0f, 1.0f);
-				View.OverlayColor = FLinearColor(1.0f, 0.0f, 0.0f, 0.25f);
-			}});
+	const FTexel Result =
+		TonemapPixel({0.5, 0.5, 0.5, 1}, {.Settings = Linear,
+											 .View = [](FViewInfo& View)
+											 {
+												 View.ColorScale = FLinearColor(0.5f, 1.0f, 1.0f, 1.0f);
+												 View.OverlayColor = FLinearColor(1.0f, 0.0f, 0.0f, 0.25f);
+											 }});
 	EXPECT_NEAR(ToneReference::EncodeSrgb(0.75 * 0.25 + 0.25), Result[0], 1e-5);
 	EXPECT_NEAR(ToneReference::EncodeSrgb(0.75 * 0.5), Result[1], 1e-5);
 }

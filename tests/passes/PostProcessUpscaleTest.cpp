@@ -11,12 +11,11 @@ using PassReference::MaxDifference;
 namespace
 {
 
-FImage Upscale(const FImage& Image, int Width, int Height, EUpscaleMethod Method,
-	EArithmetic Arithmetic = EArithmetic::Exact)
+FImage Upscale(
+	const FImage& Image, int Width, int Height, EUpscaleMethod Method, EArithmetic Arithmetic = EArithmetic::Exact)
 {
 	FPassRun Run(Image, Arithmetic, PF_A32B32G32R32F);
-	return Run.Execute(
-		AddUpscalePass(Run.GraphBuilder, Run.View, {{}, Run.Input, FIntPoint(Width, Height), Method}));
+	return Run.Execute(AddUpscalePass(Run.GraphBuilder, Run.View, {{}, Run.Input, FIntPoint(Width, Height), Method}));
 }
 
 /** Weight of a texel at (DX, DY) from the position; over -2..3 texels around it, normalised. */
@@ -37,9 +36,8 @@ FImage Convolve(const FImage& Image, int Width, int Height, const FWeight& Weigh
 					const int TexelX = static_cast<int>(std::floor(U - 0.5)) + I;
 					const int TexelY = static_cast<int>(std::floor(V - 0.5)) + J;
 					const double W = Weight(TexelX + 0.5 - U, TexelY + 0.5 - V);
-					Sum = Sum + Image.At(std::clamp(TexelX, 0, Image.Width - 1),
-									std::clamp(TexelY, 0, Image.Height - 1)) *
-									W;
+					Sum = Sum +
+						  Image.At(std::clamp(TexelX, 0, Image.Width - 1), std::clamp(TexelY, 0, Image.Height - 1)) * W;
 					Total += W;
 				}
 			}
@@ -51,14 +49,15 @@ FImage Convolve(const FImage& Image, int Width, int Height, const FWeight& Weigh
 double CatmullRom(double X)
 {
 	X = std::abs(X);
-	return X < 1   ? 1 - 2.5 * X * X + 1.5 * X * X * X
-		   : X < 2 ? 2 - 4 * X + 2.5 * X * X - 0.5 * X * X * X
-				   : 0;
+	return X < 1 ? 1 - 2.5 * X * X + 1.5 * X * X * X : X < 2 ? 2 - 4 * X + 2.5 * X * X - 0.5 * X * X * X : 0;
 }
 
 double Lanczos(double X)
 {
-	const auto Sinc = [](double A) { return A == 0 ? 1 : std::sin(M_PI * A) / (M_PI * A); };
+	const auto Sinc = [](double A)
+	{
+		return A == 0 ? 1 : std::sin(M_PI * A) / (M_PI * A);
+	};
 	return std::abs(X) < 3 ? Sinc(X) * Sinc(X / 3) : 0;
 }
 
@@ -86,7 +85,8 @@ TEST_P(AnyUpscale, ReadsNothingOutsideTheRect)
 
 TEST_P(AnyUpscale, OneTexelFillsAnything)
 {
-	EXPECT_LE(MaxDifference(FImage(3, 2, {0.5, 0.5, 0.5, 1}), Upscale(FImage(1, 1, {0.5, 0.5, 0.5, 1}), 3, 2, GetParam())),
+	EXPECT_LE(
+		MaxDifference(FImage(3, 2, {0.5, 0.5, 0.5, 1}), Upscale(FImage(1, 1, {0.5, 0.5, 0.5, 1}), 3, 2, GetParam())),
 		1e-6);
 	EXPECT_EQ(1, Upscale(FImage::Noise(9, 9), 1, 1, GetParam()).Width);
 }
@@ -118,8 +118,7 @@ TEST(Upscale, Bilinear)
 {
 	const FImage Image = FImage::Noise(6, 5);
 	EXPECT_LE(MaxDifference(FImage::Make(13, 11,
-								[&](int X, int Y)
-								{
+								[&](int X, int Y) {
 									return PassReference::SampleInRect(
 										Image, {0, 0, 6, 5}, (X + 0.5) * 6 / 13, (Y + 0.5) * 5 / 11, false);
 								}),
@@ -130,7 +129,9 @@ TEST(Upscale, Bilinear)
 TEST(Upscale, CatmullRomWithoutItsCorners)
 {
 	const auto Weight = [](double X, double Y)
-	{ return std::abs(X) >= 1 && std::abs(Y) >= 1 ? 0.0 : CatmullRom(X) * CatmullRom(Y); };
+	{
+		return std::abs(X) >= 1 && std::abs(Y) >= 1 ? 0.0 : CatmullRom(X) * CatmullRom(Y);
+	};
 	const FImage Image = FImage::Noise(9, 7);
 	EXPECT_LE(MaxDifference(Convolve(Image, 23, 16, Weight), Upscale(Image, 23, 16, EUpscaleMethod::CatmullRom)), 1e-5);
 }

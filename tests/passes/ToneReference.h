@@ -209,8 +209,7 @@ inline FVec ExpandGamut(const FVec& AP1, double Amount)
 	{
 		Chroma += (Channel / Y - 1) * (Channel / Y - 1);
 	}
-	return Lerp(
-		AP1, Mul(M.ExpandGamut, AP1), (1 - std::exp2(-4 * Chroma)) * (1 - std::exp2(-4 * Amount * Y * Y)));
+	return Lerp(AP1, Mul(M.ExpandGamut, AP1), (1 - std::exp2(-4 * Chroma)) * (1 - std::exp2(-4 * Amount * Y * Y)));
 }
 
 /** AP1, after grading, to display-linear Rec.709. */
@@ -251,8 +250,7 @@ inline FVec Correct(const FVec& AP1, const FGrade& Grade)
 	{
 		const double Saturated = std::max(Y + (AP1[Channel] - Y) * Grade.Saturation[Channel], 0.0);
 		const double Contrasted = 0.18 * std::pow(Saturated / 0.18, Grade.Contrast[Channel]);
-		Result[Channel] =
-			std::pow(Contrasted, 1 / Grade.Gamma[Channel]) * Grade.Gain[Channel] + Grade.Offset[Channel];
+		Result[Channel] = std::pow(Contrasted, 1 / Grade.Gamma[Channel]) * Grade.Gain[Channel] + Grade.Offset[Channel];
 	}
 	return Result;
 }

@@ -25,10 +25,10 @@ double Decode(double Code)
 FTonemapRun Plain(const std::function<void(FSettings&)>& More)
 {
 	return {.Settings = [More](FSettings& Settings)
-		{
-			Linear(Settings);
-			More(Settings);
-		}};
+			{
+				Linear(Settings);
+				More(Settings);
+			}};
 }
 
 FTonemapRun Grainy(float Intensity, uint32 Frame = 0)
@@ -97,14 +97,18 @@ TEST(ChromaticAberration, ShiftsRedAndGreenTowardsTheCentreNotBlue)
 TEST(ChromaticAberration, BelowAHundredthThereIsNone)
 {
 	const FImage Image = FImage::Noise(9, 7);
-	EXPECT_EQ(Tonemap(Image).Texels,
-		Tonemap(Image, {.Settings = [](FSettings& S) { S.SceneFringeIntensity = 0.01f; }}).Texels);
+	EXPECT_EQ(Tonemap(Image).Texels, Tonemap(Image, {.Settings =
+															[](FSettings& S)
+														{
+															S.SceneFringeIntensity = 0.01f;
+														}})
+										 .Texels);
 }
 
 TEST(Sharpen, AddsASixthOfTheLaplacian)
 {
-	// Luma differences are small, so that the edge takes off 1/8 at most of what is added: colour 0.5 between neighbours
-	// of 0.375, edge 0.125, result 0.5 + (4 * 0.5 - 4 * 0.375) / 6 * (1 - 0.125) * amount 1.
+	// Luma differences are small, so that the edge takes off 1/8 at most of what is added: colour 0.5 between
+	// neighbours of 0.375, edge 0.125, result 0.5 + (4 * 0.5 - 4 * 0.375) / 6 * (1 - 0.125) * amount 1.
 	FImage Image(3, 3, {0.375, 0.375, 0.375, 1});
 	Image.At(1, 1) = {0.5, 0.5, 0.5, 1};
 	const FImage Result = Tonemap(Image, Plain([](FSettings& S) { S.Sharpen = 1; }));
@@ -122,7 +126,12 @@ TEST(Sharpen, BrightEdgesAreLeftAlone)
 TEST(Sharpen, AFlatPictureComesThroughBitForBit)
 {
 	const FImage Image(7, 5, {0.3, 0.2, 0.1, 1});
-	EXPECT_EQ(Tonemap(Image).Texels, Tonemap(Image, {.Settings = [](FSettings& S) { S.Sharpen = 10; }}).Texels);
+	EXPECT_EQ(Tonemap(Image).Texels, Tonemap(Image, {.Settings =
+															[](FSettings& S)
+														{
+															S.Sharpen = 10;
+														}})
+										 .Texels);
 }
 
 TEST(Sharpen, TheVariableBeatsTheSetting)
@@ -139,7 +148,10 @@ TEST(Sharpen, HazardsStayInTheDisplay)
 	FImage Image(3, 3, {0.25, 0.25, 0.25, 1});
 	Image.At(0, 1) = {NaN, Infinity, -Infinity, 1};
 	Image.At(2, 1) = {65504, 0, 0, 1};
-	const FImage Result = Tonemap(Image, {.Settings = [](FSettings& S) { S.Sharpen = 10; }});
+	const FImage Result = Tonemap(Image, {.Settings = [](FSettings& S)
+											 {
+												 S.Sharpen = 10;
+											 }});
 	for (const FTexel& Texel : Result.Texels)
 	{
 		EXPECT_TRUE(Texel[0] >= 0 && Texel[0] < 1.2 && Texel[1] >= 0 && Texel[1] < 1.2) << Texel[0] << " " << Texel[1];
@@ -160,8 +172,7 @@ TEST(DirtMask, BrightensTheBloomByItsTintAndIntensity)
 TEST(DirtMask, IsStretchedOverTheView)
 {
 	const Drydock::FScopedBloomKernelLoader Loader(
-		[](const std::string&)
-		{
+		[](const std::string&) {
 			return Drydock::MakeBloomKernelTexture(
 				FIntPoint(2, 1), {FLinearColor(0, 0, 0), FLinearColor(1, 1, 1)}, "Dirt");
 		});

@@ -153,15 +153,14 @@ TEST(OutputDevice, FormatsCarryTheirRange)
 
 TEST(GammaOnly, IsThePowerOfTheDisplayAndNothingElse)
 {
-	const FTexel Result = TonemapPixel({0.25, 4, 0.5, 1},
-		{.Settings =
-				[](FFinalPostProcessSettings& Settings)
-			{
-				Settings.VignetteIntensity = 1;
-				Settings.SceneColorTint = FLinearColor(0, 0, 0);
-				Settings.FilmGrainIntensity = 1;
-			},
-			.bGammaOnly = true});
+	const FTexel Result = TonemapPixel({0.25, 4, 0.5, 1}, {.Settings =
+																  [](FFinalPostProcessSettings& Settings)
+															  {
+																  Settings.VignetteIntensity = 1;
+																  Settings.SceneColorTint = FLinearColor(0, 0, 0);
+																  Settings.FilmGrainIntensity = 1;
+															  },
+															  .bGammaOnly = true});
 	EXPECT_NEAR(std::pow(0.25, 1 / 2.2), Result[0], 1e-6);
 	EXPECT_NEAR(std::pow(4, 1 / 2.2), Result[1], 1e-6);
 }

@@ -18,8 +18,10 @@ using PassTest::EArithmetic;
 struct FTonemapRun
 {
 	/** On top of no vignette. */
-	std::function<void(FFinalPostProcessSettings&)> Settings = [](FFinalPostProcessSettings&) {};
-	std::function<void(FViewInfo&)> View = [](FViewInfo&) {};
+	std::function<void(FFinalPostProcessSettings&)> Settings = [](FFinalPostProcessSettings&) {
+	};
+	std::function<void(FViewInfo&)> View = [](FViewInfo&) {
+	};
 	EArithmetic Arithmetic = EArithmetic::Float32;
 	EPixelFormat OutputFormat = PF_A32B32G32R32F;
 	bool bLUT = false;

@@ -171,7 +171,7 @@ TEST(OverrideOutput, GoesToTheTonemapperWhereNobodySubscribed)
 	Inputs.bExecute = false;
 	const FFrameResult Frame = Render(Inputs);
 	const auto& Passes = Frame.Graph.Passes;
-	EXPECT_EQ(3u, Passes.size()); // between the sentinels, the tonemapper alone
+	EXPECT_EQ(4u, Passes.size()); // between the sentinels, the combined table and the tonemapper
 }
 
 TEST(OverrideOutput, GoesToTheLastSubscriberOfTheLastPassOnly)

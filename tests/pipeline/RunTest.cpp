@@ -1,5 +1,5 @@
-// Runs in this process: what ends up in the graph, in the report and in the pictures. Past 500 lines: all cases share the
-// small scene and the helpers that make and run it.
+// Runs in this process: what ends up in the graph, in the report and in the pictures. Past 500 lines: all cases share
+// the small scene and the helpers that make and run it.
 #include <gtest/gtest.h>
 
 #include "ConfigErrors.h"
@@ -110,8 +110,8 @@ std::string ReadBytes(const std::filesystem::path& Path)
 
 TEST(RunGraph, DefaultsHaveOneDownsampleChainTwelveBlursATableAndATonemapper)
 {
-	// Half resolution and five levels below it, an X and a Y pass for each of six Gaussians, the combined colour grading
-	// table, the tonemapper.
+	// Half resolution and five levels below it, an X and a Y pass for each of six Gaussians, the combined colour
+	// grading table, the tonemapper.
 	const FRunResult Result = Compile("");
 	EXPECT_EQ(6 + 12 + 2, CountPasses(Result.Graph, false));
 	EXPECT_EQ(0, CountPasses(Result.Graph, true));

@@ -18,10 +18,9 @@ FRunResult Run(const std::string& Percentage, const std::string& More = "")
 {
 	FRunOptions Options;
 	Options.ConfigFile = DRYDOCK_TEST_SOURCE_DIR "/configs/test.json";
-	Options.ConfigText =
-		R"({"scene": {"file": "scenes/toon_character_641x359.exr")" +
-		(Percentage.empty() ? "" : R"(, "screenPercentage": )" + Percentage) + "}" + (More.empty() ? "" : ", " + More) +
-		"}";
+	Options.ConfigText = R"({"scene": {"file": "scenes/toon_character_641x359.exr")" +
+						 (Percentage.empty() ? "" : R"(, "screenPercentage": )" + Percentage) + "}" +
+						 (More.empty() ? "" : ", " + More) + "}";
 	return RunConfig(Options);
 }
 
@@ -148,8 +147,9 @@ TEST(ScreenPercentage, PaddingMovesTheSceneNotThePicture)
 	const FRunResult Plain = Run("50", Quiet);
 	FRunOptions Options;
 	Options.ConfigFile = DRYDOCK_TEST_SOURCE_DIR "/configs/test.json";
-	Options.ConfigText = std::string(
-		R"({"scene": {"file": "scenes/toon_character_641x359.exr", "screenPercentage": 50, "padding": [9, 5, 3, 7]}, )") +
+	Options.ConfigText =
+		std::string(
+			R"({"scene": {"file": "scenes/toon_character_641x359.exr", "screenPercentage": 50, "padding": [9, 5, 3, 7]}, )") +
 		Quiet + "}";
 	const FRunResult Padded = RunConfig(Options);
 	EXPECT_EQ(FIntPoint(321 + 12, 180 + 12), Padded.SceneExtent);
