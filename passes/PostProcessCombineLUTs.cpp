@@ -4,7 +4,6 @@
 #include "ColorGrading.h"
 #include "GlobalShader.h"
 #include "HAL/IConsoleManager.h"
-#include "PictureTextures.h"
 #include "PixelShaderUtils.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
@@ -12,6 +11,7 @@
 #include "RenderTargetPool.h"
 #include "SceneRendering.h"
 #include "ShaderParameterStruct.h"
+#include "TextureAssets.h"
 
 #include <cmath>
 
@@ -99,7 +99,7 @@ void SetGrading(const Drydock::FColorGrading& Grading, FColorRemapParameters& Pa
 /** The picture of a legacy table as code values: pictures are loaded as linear light. Null where there is none. */
 FRDGTextureRef RegisterLegacyLUT(FRDGBuilder& GraphBuilder, const UTexture* Asset)
 {
-	const FTextureRHIRef Picture = Drydock::FindPictureTexture(Asset);
+	const FTextureRHIRef Picture = Drydock::FindTexturePixels(Asset);
 	if (!Picture)
 	{
 		return nullptr;
@@ -114,7 +114,7 @@ FRDGTextureRef RegisterLegacyLUT(FRDGBuilder& GraphBuilder, const UTexture* Asse
 			Colors.push_back(FLinearColor(EncodeSrgb(Linear.X), EncodeSrgb(Linear.Y), EncodeSrgb(Linear.Z), 1.0f));
 		}
 	}
-	const FTextureRHIRef Codes = Drydock::MakeBloomKernelTexture(Size, Colors, "ColorGradingLUT");
+	const FTextureRHIRef Codes = Drydock::MakePictureTexture(Size, Colors, "ColorGradingLUT");
 	return GraphBuilder.RegisterExternalTexture(CreateRenderTarget(Codes, TEXT("ColorGradingLUT")));
 }
 

@@ -2,7 +2,6 @@
 #include "PostProcessTonemap.h"
 
 #include "GlobalShader.h"
-#include "PictureTextures.h"
 #include "PixelShaderUtils.h"
 #include "PostProcessCombineLUTs.h"
 #include "RHIStaticStates.h"
@@ -11,6 +10,7 @@
 #include "RenderTargetPool.h"
 #include "SceneRendering.h"
 #include "ShaderParameterStruct.h"
+#include "TextureAssets.h"
 #include "TonemapLens.h"
 
 namespace
@@ -143,7 +143,7 @@ void SetBloom(FRDGBuilder& GraphBuilder, const FFinalPostProcessSettings& Settin
 	Parameters.BloomSampler = TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
 	if (Settings.BloomDirtMaskIntensity > 0.0f)
 	{
-		if (const FTextureRHIRef DirtMask = Drydock::FindPictureTexture(Settings.BloomDirtMask.Get()))
+		if (const FTextureRHIRef DirtMask = Drydock::FindTexturePixels(Settings.BloomDirtMask.Get()))
 		{
 			Parameters.BloomDirtMaskTexture =
 				GraphBuilder.RegisterExternalTexture(CreateRenderTarget(DirtMask, TEXT("BloomDirtMask")));

@@ -7,12 +7,12 @@
 #include "FinalSettings.h"
 #include "FrameSequence.h"
 #include "InsertedPass.h"
-#include "PictureTextures.h"
 #include "Plugins.h"
 #include "PostProcessFFTBloom.h"
 #include "SceneSuggestions.h"
-#include "TextureFiles.h"
 #include "SettingObjects.h"
+#include "TextureAssets.h"
+#include "TextureFiles.h"
 
 #include <algorithm>
 
@@ -43,7 +43,7 @@ void WarnOfMissingPictures(const FFinalPostProcessSettings& Settings, FConfigMes
 {
 	const auto Check = [&](const char* Setting, const UTexture* Texture)
 	{
-		if (Texture != nullptr && !FindPictureTexture(Texture))
+		if (Texture != nullptr && !FindTexturePixels(Texture))
 		{
 			Messages.Warn(WarnIneffectiveValue, FConfigPlace(),
 				std::string(Setting) + " " + GetObjectPath(Texture) +

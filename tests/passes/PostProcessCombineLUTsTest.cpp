@@ -3,7 +3,8 @@
 
 #include "ToneReference.h"
 
-#include "PictureTextures.h"
+#include "TextureAssets.h"
+
 
 using namespace TonemapTest;
 using PassReference::MaxDifference;
@@ -72,7 +73,7 @@ FTextureRHIRef MakeTable(const std::function<ToneReference::FVec(ToneReference::
 			Colors.push_back(FLinearColor(Linear(Code[0]), Linear(Code[1]), Linear(Code[2]), 1.0f));
 		}
 	}
-	return Drydock::MakeBloomKernelTexture(FIntPoint(256, 16), Colors, "Table");
+	return Drydock::MakePictureTexture(FIntPoint(256, 16), Colors, "Table");
 }
 
 UTexture2D GTable;
@@ -259,7 +260,7 @@ TEST(CombinedTable, ComputeAndPixelShaderGiveTheSameBits)
 
 TEST(LegacyTable, IsAppliedToTheEncodedColourByItsWeight)
 {
-	const Drydock::FScopedBloomKernelLoader Loader(
+	const Drydock::FScopedTextureLoader Loader(
 		[](const std::string&) {
 			return MakeTable([](ToneReference::FVec C) { return ToneReference::FVec{C[2], C[0], C[1]}; });
 		});
@@ -275,7 +276,7 @@ TEST(LegacyTable, IsAppliedToTheEncodedColourByItsWeight)
 TEST(LegacyTable, IsInterpolatedBetweenItsColours)
 {
 	// A table is exact at multiples of 1/15 only: squares, halfway between 7/15 and 8/15.
-	const Drydock::FScopedBloomKernelLoader Loader(
+	const Drydock::FScopedTextureLoader Loader(
 		[](const std::string&) {
 			return MakeTable([](ToneReference::FVec C) { return ToneReference::FVec{C[0] * C[0], C[1], C[2] * C[2]}; });
 		});

@@ -3,7 +3,7 @@
 
 #include "ToneReference.h"
 
-#include "PictureTextures.h"
+#include "TextureAssets.h"
 #include "TonemapLens.h"
 
 using namespace TonemapTest;
@@ -161,8 +161,8 @@ TEST(Sharpen, HazardsStayInTheDisplay)
 TEST(DirtMask, BrightensTheBloomByItsTintAndIntensity)
 {
 	// 1 + 0.5 * tint * 2 times bloom, added to 0.25.
-	const Drydock::FScopedBloomKernelLoader Loader([](const std::string&)
-		{ return Drydock::MakeBloomKernelTexture(FIntPoint(1, 1), {FLinearColor(0.5f, 0.5f, 0.5f)}, "Dirt"); });
+	const Drydock::FScopedTextureLoader Loader([](const std::string&)
+		{ return Drydock::MakePictureTexture(FIntPoint(1, 1), {FLinearColor(0.5f, 0.5f, 0.5f)}, "Dirt"); });
 	const FTexel Result = Tonemap(FImage(8, 8, {0.25, 0.25, 0.25, 1}), Dirty(2)).At(3, 4);
 	EXPECT_NEAR(0.25 + 0.125 * 2, Decode(Result[0]), 1e-6);
 	EXPECT_NEAR(0.25 + 0.125 * 1.5, Decode(Result[1]), 1e-6);
@@ -171,9 +171,9 @@ TEST(DirtMask, BrightensTheBloomByItsTintAndIntensity)
 
 TEST(DirtMask, IsStretchedOverTheView)
 {
-	const Drydock::FScopedBloomKernelLoader Loader(
+	const Drydock::FScopedTextureLoader Loader(
 		[](const std::string&) {
-			return Drydock::MakeBloomKernelTexture(
+			return Drydock::MakePictureTexture(
 				FIntPoint(2, 1), {FLinearColor(0, 0, 0), FLinearColor(1, 1, 1)}, "Dirt");
 		});
 	const FImage Result = Tonemap(FImage(8, 8, {0, 0, 0, 1}), Dirty(1));
