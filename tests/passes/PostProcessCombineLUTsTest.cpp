@@ -5,7 +5,6 @@
 
 #include "TextureAssets.h"
 
-
 using namespace TonemapTest;
 using PassReference::MaxDifference;
 using PassTest::Infinity;

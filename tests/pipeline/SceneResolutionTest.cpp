@@ -14,7 +14,7 @@ namespace
 {
 
 /** A flat picture without bloom or vignette, through the film curve; More: further members. 641 x 359. */
-FRunResult Run(const std::string& Percentage, const std::string& More = "")
+FRunResult RunAt(const std::string& Percentage, const std::string& More = "")
 {
 	FRunOptions Options;
 	Options.ConfigFile = DRYDOCK_TEST_SOURCE_DIR "/configs/test.json";
@@ -92,14 +92,14 @@ TEST(CenterPixel, IsTheOneUnderTheCentre)
 
 TEST(ScreenPercentage, AHundredBuildsNoUpscale)
 {
-	const FRunResult Result = Run("100", Quiet);
+	const FRunResult Result = RunAt("100", Quiet);
 	EXPECT_EQ(nullptr, FindPass(Result.Graph, "PrimaryUpscale"));
-	EXPECT_EQ(Run("", Quiet).Final.Values, Result.Final.Values);
+	EXPECT_EQ(RunAt("", Quiet).Final.Values, Result.Final.Values);
 }
 
 TEST(ScreenPercentage, RendersSmallerAndGivesTheOutputsSize)
 {
-	const FRunResult Result = Run("50", Quiet);
+	const FRunResult Result = RunAt("50", Quiet);
 	EXPECT_EQ(321, Result.SceneLinear.Width);
 	EXPECT_EQ(180, Result.SceneLinear.Height);
 	EXPECT_EQ(641, Result.Final.Width);
@@ -110,7 +110,7 @@ TEST(ScreenPercentage, RendersSmallerAndGivesTheOutputsSize)
 
 TEST(ScreenPercentage, ColourIsTheMeanOfTheAreaAPixelCovers)
 {
-	const FRunResult Whole = Run("100", Quiet), Half = Run("50", Quiet);
+	const FRunResult Whole = RunAt("100", Quiet), Half = RunAt("50", Quiet);
 	EXPECT_NEAR(MeanOf(Whole.SceneLinear), MeanOf(Half.SceneLinear), 2e-3 * MeanOf(Whole.SceneLinear));
 	// Pixel 1, 0 covers columns 641/321 to 1282/321 and rows 0 to 359/180.
 	const FCoverage Columns = MakeCoverage(641, 321, 1), Rows = MakeCoverage(359, 180, 0);
@@ -131,7 +131,7 @@ TEST(ScreenPercentage, ThePictureStaysWhereItIs)
 	// Upscaled again the picture differs at edges only: nothing is shifted or in a corner.
 	for (const char* Percentage : {"50", "67", "200"})
 	{
-		const FRunResult Whole = Run("100", Quiet), Scaled = Run(Percentage, Quiet);
+		const FRunResult Whole = RunAt("100", Quiet), Scaled = RunAt(Percentage, Quiet);
 		ASSERT_EQ(Whole.Final.Values.size(), Scaled.Final.Values.size());
 		double Sum = 0;
 		for (size_t Index = 0; Index < Whole.Final.Values.size(); ++Index)
@@ -144,7 +144,7 @@ TEST(ScreenPercentage, ThePictureStaysWhereItIs)
 
 TEST(ScreenPercentage, PaddingMovesTheSceneNotThePicture)
 {
-	const FRunResult Plain = Run("50", Quiet);
+	const FRunResult Plain = RunAt("50", Quiet);
 	FRunOptions Options;
 	Options.ConfigFile = DRYDOCK_TEST_SOURCE_DIR "/configs/test.json";
 	Options.ConfigText =
@@ -165,10 +165,10 @@ TEST(ScreenPercentage, PaddingMovesTheSceneNotThePicture)
 TEST(ScreenPercentage, EachOfTwoViewsFillsItsRect)
 {
 	const std::string Views = R"("views": [{"rect": [0, 0, 321, 359]}, {"rect": [321, 0, 641, 359]}], )";
-	const FRunResult Result = Run("50", Views + Quiet);
+	const FRunResult Result = RunAt("50", Views + Quiet);
 	EXPECT_EQ(641, Result.Final.Width);
 	EXPECT_EQ(321, Result.SceneLinear.Width);
-	const FRunResult Whole = Run("100", Views + Quiet);
+	const FRunResult Whole = RunAt("100", Views + Quiet);
 	for (const int X : {10, 320, 321, 640})
 	{
 		EXPECT_NEAR(Whole.Final.Get(X, 5, 0), Result.Final.Get(X, 5, 0), 0.1) << X;
@@ -177,7 +177,7 @@ TEST(ScreenPercentage, EachOfTwoViewsFillsItsRect)
 
 TEST(ScreenPercentage, HooksSeeTheScenesSize)
 {
-	const FRunResult Result = Run("50", Quiet);
+	const FRunResult Result = RunAt("50", Quiet);
 	for (const FHookPoint& Point : Result.HookPoints)
 	{
 		if (Point.Point == "Tonemap")
@@ -190,12 +190,12 @@ TEST(ScreenPercentage, HooksSeeTheScenesSize)
 
 TEST(ScreenPercentage, AGraphMayNeedTheGBufferToo)
 {
-	const FRunResult Result = Run("50", R"("camera": {"Settings": {"BloomToonIntensity": 0.1}})");
+	const FRunResult Result = RunAt("50", R"("camera": {"Settings": {"BloomToonIntensity": 0.1}})");
 	EXPECT_EQ(641, Result.Final.Width);
 }
 
 TEST(ScreenPercentage, TheShowFlagSwitchesItOff)
 {
-	const FRunResult Result = Run("50", std::string(R"("showFlags": {"ScreenPercentage": false}, )") + Quiet);
-	EXPECT_EQ(Run("100", Quiet).Final.Values, Result.Final.Values);
+	const FRunResult Result = RunAt("50", std::string(R"("showFlags": {"ScreenPercentage": false}, )") + Quiet);
+	EXPECT_EQ(RunAt("100", Quiet).Final.Values, Result.Final.Values);
 }
