@@ -188,6 +188,7 @@ private:
 	void SetUpFamily()
 	{
 		Family.EngineShowFlags = Inputs.ShowFlags;
+		Family.Scene = GWorld->Scene;
 		Family.FrameNumber = Inputs.FrameNumber;
 		Family.FrameCounter = Inputs.FrameNumber;
 		Extensions.Gather(Family, Inputs.Plugins);

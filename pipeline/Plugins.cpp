@@ -5,7 +5,6 @@
 #include "ExtensionErrors.h"
 #include "ExtensionFactory.h"
 #include "GlobalShader.h"
-#include "Interfaces/IPluginManager.h"
 #include "Modules/ModuleManager.h"
 #include "PassFactory.h"
 
@@ -91,7 +90,6 @@ void Load(const FConfig& Config, const TConfigValue<std::string>& Plugin, const 
 		}
 	}
 	const size_t NumBefore = CountRegistered();
-	const int32 NumPluginsBefore = IPluginManager::Get().GetEnabledPlugins().Num();
 	const uint64 FirstExtension = GEngine->ViewExtensions->GetNextRegistration();
 	// Local: plugins see drydock's symbols and not each other's, which may bear the same names.
 	void* const Handle = dlopen(Path.c_str(), RTLD_NOW | RTLD_LOCAL);
@@ -104,8 +102,7 @@ void Load(const FConfig& Config, const TConfigValue<std::string>& Plugin, const 
 	GetLoaded()[Path] = {Handle, Time};
 	FModuleManager::Get().StartupPendingModules();
 	const int32 NumExtensions = GEngine->ViewExtensions->MarkPlugin(Path, FirstExtension);
-	if (NumExtensions == 0 && CountRegistered() == NumBefore &&
-		IPluginManager::Get().GetEnabledPlugins().Num() == NumPluginsBefore)
+	if (NumExtensions == 0 && CountRegistered() == NumBefore)
 	{
 		Messages.Warn(WarnPluginEmpty, Plugin.Place,
 			"the plugin registered no extension, pass or shader: an extension must be made by "

@@ -4,15 +4,16 @@
 #pragma once
 
 #include "CoreMinimal.h"
+#include "DynamicResolutionState.h"
 #include "GlobalShader.h"
 #include "PostProcessSettings.h"
 #include "RHI.h"
+#include "SceneInterface.h"
 #include "ScreenPass.h"
 #include "ShaderParameterMacros.h"
 #include "ShowFlags.h"
 #include "UniformBuffer.h"
 
-class FSceneInterface;
 class FSceneView;
 class ISceneViewExtension;
 
@@ -90,6 +91,7 @@ public:
 	/** Not owned. */
 	TArray<const FSceneView*> Views;
 	FEngineShowFlags EngineShowFlags;
+	/** The world's, in a frame. */
 	FSceneInterface* Scene = nullptr;
 	FGameTime Time;
 	uint32 FrameNumber = 0;
@@ -103,6 +105,8 @@ public:
 
 	ERHIFeatureLevel::Type GetFeatureLevel() const { return GMaxRHIFeatureLevel; }
 	EShaderPlatform GetShaderPlatform() const { return GMaxRHIShaderPlatform; }
+	/** Never null; every fraction is 1. */
+	DRYDOCK_API const ISceneViewFamilyScreenPercentage* GetScreenPercentageInterface() const;
 };
 
 /** Position and projection of a view before it is made. */

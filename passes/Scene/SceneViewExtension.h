@@ -27,6 +27,7 @@
 #include "Engine/Engine.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphUtils.h"
+#include "RenderingThread.h"
 #include "SceneTextureParameters.h"
 #include "SceneView.h"
 #include "SceneViewExtensionHooks.h"
@@ -55,8 +56,8 @@ public:
 	}
 	virtual ~FSceneViewExtensionContext() = default;
 
-	/** There are no worlds here: null. */
-	virtual UWorld* GetWorld() const { return nullptr; }
+	/** Of the scene; null without one. */
+	virtual UWorld* GetWorld() const { return Scene != nullptr ? Scene->GetWorld() : nullptr; }
 	bool IsHMDSupported() const { return false; }
 
 	FViewport* Viewport = nullptr;
@@ -182,7 +183,7 @@ protected:
 	virtual bool IsActiveThisFrame_Internal(const FSceneViewExtensionContext& Context) const;
 };
 
-/** Active where its world is rendered. There are no worlds here: active unless a context names another one. */
+/** Active where its world is rendered: unless a context names another one. */
 class DRYDOCK_API FWorldSceneViewExtension : public FSceneViewExtensionBase
 {
 public:

@@ -1,18 +1,38 @@
-// Textures as settings name them: an identity without pixels. Source: engine Engine/Texture.h, Engine/Texture2D.h,
-// Engine/TextureCube.h; here an object stands for the asset's path (SettingObjects.h).
+// Textures as settings name them: an identity without pixels, unless code gives it some. Source: engine
+// Engine/Texture.h, Engine/Texture2D.h, Engine/TextureCube.h; here an object stands for the asset's path
+// (SettingObjects.h).
 #pragma once
 
 #include "CoreMinimal.h"
 #include "UObject/Object.h"
 
+class FTextureResource; // TextureResource.h
+
 class DRYDOCK_API UTexture : public UObject
 {
+public:
+	using Super = UTexture;
+	using UObject::UObject;
+
+	/** Null for an asset's name: no asset is loaded. */
+	FTextureResource* GetResource() const { return Resource; }
+	/** Not owned. */
+	void SetResource(FTextureResource* InResource) { Resource = InResource; }
+
+private:
+	FTextureResource* Resource = nullptr;
 };
 
 class DRYDOCK_API UTexture2D : public UTexture
 {
+public:
+	using Super = UTexture2D;
+	using UTexture::UTexture;
 };
 
 class DRYDOCK_API UTextureCube : public UTexture
 {
+public:
+	using Super = UTextureCube;
+	using UTexture::UTexture;
 };

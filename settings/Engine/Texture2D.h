@@ -2,3 +2,4 @@
 #pragma once
 
 #include "Engine/Texture.h"
+#include "TextureResource.h"

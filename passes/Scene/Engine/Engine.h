@@ -2,6 +2,8 @@
 #pragma once
 
 #include "CoreMinimal.h"
+#include "Engine/World.h"
+#include "Subsystems/EngineSubsystem.h"
 #include "UObject/Object.h"
 
 class FSceneViewExtensions;
@@ -14,6 +16,14 @@ public:
 
 	/** Always valid. */
 	TSharedPtr<FSceneViewExtensions> ViewExtensions;
+
+	/** Null if no plugin brings it. */
+	template<typename T>
+	T* GetEngineSubsystem() const
+	{
+		return Drydock::FSubsystems::Get().Find<T>(Drydock::ESubsystemKind::Engine);
+	}
+	UWorld* GetCurrentPlayWorld(UWorld* = nullptr) const { return GWorld; }
 };
 
 /** Valid from the moment the library is loaded. */

@@ -3,6 +3,7 @@
 
 #include "Logging/LogMacros.h"
 #include "Misc/CoreDelegates.h"
+#include "Subsystems/Subsystem.h"
 
 FModuleManager& FModuleManager::Get()
 {
@@ -39,10 +40,16 @@ void FModuleManager::StartupPendingModules()
 	{
 		Startup(*Entries[Index]);
 	}
+	using enum Drydock::ESubsystemKind;
+	Drydock::FSubsystems& Subsystems = Drydock::FSubsystems::Get();
+	Subsystems.StartPending(Engine);
 	// Subscribers hear it once, however often modules come; the list is emptied first, as a callee may subscribe.
 	const FSimpleMulticastDelegate Waiting = FCoreDelegates::OnPostEngineInit;
 	FCoreDelegates::OnPostEngineInit.Clear();
 	Waiting.Broadcast();
+	Subsystems.StartPending(GameInstance);
+	Subsystems.StartPending(World);
+	Subsystems.StartPending(LocalPlayer);
 }
 
 IModuleInterface* FModuleManager::LoadModule(FName Name)

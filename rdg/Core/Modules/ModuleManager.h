@@ -16,8 +16,9 @@ public:
 
 	static FModuleManager& Get();
 
-	/** Starts all modules that were registered and have not started, in the order of registration; then broadcasts
-	 *  FCoreDelegates::OnPostEngineInit to those who wait for it. Called by what renders frames; ours. */
+	/** Starts all modules that were registered and have not started, in the order of registration; then the engine's
+	 *  subsystems; then broadcasts FCoreDelegates::OnPostEngineInit to those who wait for it; then starts the
+	 *  subsystems of game, world and player. Called by what renders frames; ours. */
 	void StartupPendingModules();
 
 	/** Starts it if need be; null if no library registered that name. */

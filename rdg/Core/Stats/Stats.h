@@ -2,6 +2,12 @@
 // ProfilingDebugging/CsvProfiler.h, ProfilingDebugging/RealtimeGPUProfiler.h (the GPU ones are in RHI).
 #pragma once
 
+/** Names a statistic; here nothing. */
+struct TStatId
+{
+};
+#define RETURN_QUICK_DECLARE_CYCLE_STAT(Stat, Group) return TStatId();
+
 #define SCOPE_CYCLE_COUNTER(Stat)
 #define QUICK_SCOPE_CYCLE_COUNTER(Stat)
 #define DECLARE_CYCLE_STAT(Description, Stat, Group)

@@ -8,18 +8,51 @@
 #include "UObject/ObjectMacros.h"
 #include "UObject/UObjectBase.h"
 
+#include <vector>
+
+class UObject;
 class UWorld;
+
+/** The argument of constructors of older style: `UMyObject(const FObjectInitializer& ObjectInitializer)`. */
+class DRYDOCK_API FObjectInitializer
+{
+public:
+	static const FObjectInitializer& Get();
+
+	/** A part of Owner, destroyed with it. */
+	template<typename T>
+	T* CreateDefaultSubobject(UObject* Owner, FName Name) const;
+};
 
 class DRYDOCK_API UObject : public UObjectBase
 {
 public:
 	// The header tool writes Super into every class. Inherited, it names the direct base of a class derived from this
-	// one.
+	// one; generated headers (drydock_add_plugin) write it as the header tool does.
 	using Super = UObject;
+
+	UObject() = default;
+	explicit UObject(const FObjectInitializer&) {}
 
 	virtual UWorld* GetWorld() const { return nullptr; }
 	virtual void PostInitProperties() {}
+	virtual void PostLoad() {}
 	virtual void BeginDestroy() {}
+	/** Null for an object that was made without one. */
+	UObject* GetOuter() const { return Outer; }
+	/** Ours: NewObject tells it. */
+	void SetOuter(UObject* InOuter) { Outer = InOuter; }
+	/** A part of this object, destroyed with it. */
+	template<typename T>
+	T* CreateDefaultSubobject(FName SubobjectName)
+	{
+		const std::shared_ptr<T> Part = std::make_shared<T>();
+		T* const Result = Part.get();
+		Result->SetFName(SubobjectName);
+		Result->SetOuter(this);
+		Parts.push_back(Part);
+		return Result;
+	}
 	FString GetName() const { return Name.ToString(); }
 	FName GetFName() const { return Name; }
 	/** Ours: the engine names objects when it makes them. */
@@ -27,7 +60,15 @@ public:
 
 private:
 	FName Name;
+	UObject* Outer = nullptr;
+	std::vector<std::shared_ptr<UObjectBase>> Parts;
 };
+
+template<typename T>
+T* FObjectInitializer::CreateDefaultSubobject(UObject* Owner, FName Name) const
+{
+	return Owner->CreateDefaultSubobject<T>(Name);
+}
 
 inline bool IsValid(const UObjectBase* Object)
 {
@@ -51,10 +92,11 @@ To* CastChecked(From* Object)
 
 /** A new object, which the caller owns: nothing collects it. */
 template<typename T>
-T* NewObject(UObject* = nullptr, FName Name = NAME_None)
+T* NewObject(UObject* Outer = nullptr, FName Name = NAME_None)
 {
 	T* Object = new T();
 	Object->SetFName(Name);
+	Object->SetOuter(Outer);
 	return Object;
 }
 

@@ -1,8 +1,16 @@
-// The macros that Unreal's header tool reads. There is no reflection here, so they say nothing to the compiler; the
-// metadata in them may be anything. Source: engine UObject/ObjectMacros.h.
+// The macros that Unreal's header tool reads. There is no reflection here, so most say nothing to the compiler; the
+// metadata in them may be anything. In a plugin built with drydock_add_plugin the generated header of a class gives
+// GENERATED_BODY its Super and ThisClass. Source: engine UObject/ObjectMacros.h.
 #pragma once
 
 #include "CoreTypes.h"
+
+// A generated header sets CURRENT_FILE_ID and defines, for the line of each GENERATED_BODY, a macro `, <text>`. Where
+// there is none (no generated header, or one of another line) the second argument is empty, and so is the body.
+#define DRYDOCK_SECOND_OF(First, Second, ...) Second
+#define DRYDOCK_SECOND(...) DRYDOCK_SECOND_OF(__VA_ARGS__, , )
+#define DRYDOCK_BODY_NAME_OF(FileId, Line) FileId##_##Line##_GENERATED_BODY
+#define DRYDOCK_BODY_NAME(FileId, Line) DRYDOCK_BODY_NAME_OF(FileId, Line)
 
 #define UCLASS(...)
 #define USTRUCT(...)
@@ -15,9 +23,12 @@
 #define UPROPERTY(...)
 #endif
 #define UFUNCTION(...)
-#define GENERATED_BODY(...)
-#define GENERATED_UCLASS_BODY(...)
-#define GENERATED_USTRUCT_BODY(...)
-#define GENERATED_UINTERFACE_BODY(...)
+#define GENERATED_BODY(...) DRYDOCK_SECOND(DRYDOCK_BODY_NAME(CURRENT_FILE_ID, __LINE__))
+/** Leaves the section public, and declares the constructor that such a class defines. */
+#define GENERATED_UCLASS_BODY(...) GENERATED_BODY()
+#define GENERATED_USTRUCT_BODY(...) GENERATED_BODY()
+#define GENERATED_UINTERFACE_BODY(...) GENERATED_BODY()
 #define GENERATED_IINTERFACE_BODY(...)
-#define UE_INLINE_GENERATED_CPP_BY_NAME(Name)
+/** `#include UE_INLINE_GENERATED_CPP_BY_NAME(MyFile)` takes in MyFile.gen.cpp. */
+#define UE_INLINE_GENERATED_CPP_BY_NAME(Name) DRYDOCK_TEXT_OF(Name.gen.cpp)
+#define DRYDOCK_TEXT_OF(...) #__VA_ARGS__

@@ -1,0 +1,19 @@
+// A directional light's settings: it lights nothing here. Source: engine files Components/DirectionalLightComponent.h,
+// Components/LightComponentBase.h.
+#pragma once
+
+#include "Components/SceneComponent.h"
+
+class DRYDOCK_API UDirectionalLightComponent : public USceneComponent
+{
+public:
+	using Super = UDirectionalLightComponent;
+	using USceneComponent::USceneComponent;
+
+	float Intensity = 10.0f; // lux
+	FColor LightColor = FColor(255, 255, 255);
+
+	FLinearColor GetLightColor() const { return FLinearColor(LightColor); }
+	/** Where the light goes. */
+	FVector GetDirection() const { return GetComponentRotation().Vector(); }
+};

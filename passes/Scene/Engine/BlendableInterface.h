@@ -1,0 +1,21 @@
+// Objects that post-process volumes mix by weight. Source: engine file Engine/BlendableInterface.h.
+#pragma once
+
+#include "CoreMinimal.h"
+#include "PostProcessSettings.h"
+#include "UObject/Object.h"
+
+class FSceneView;
+
+class UBlendableInterface : public UObject
+{
+};
+
+class DRYDOCK_API IBlendableInterface
+{
+public:
+	virtual ~IBlendableInterface();
+
+	/** Weight: 0..1. Never called: a frame's blendables are listed, not mixed. */
+	virtual void OverrideBlendableSettings(FSceneView& View, float Weight) const;
+};

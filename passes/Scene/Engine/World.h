@@ -1,0 +1,80 @@
+// The world: there is one, of a game, and it is empty. It is what world subsystems belong to, what Family->Scene shows
+// and what plugins ask for their subsystems. Source: engine file Engine/World.h.
+#pragma once
+
+#include "CoreMinimal.h"
+#include "Engine/EngineBaseTypes.h"
+#include "Subsystems/Subsystem.h"
+
+class AActor;
+class APlayerController;
+class FSceneInterface;
+
+class DRYDOCK_API UGameInstance : public UObject
+{
+public:
+	using Super = UGameInstance;
+	using UObject::UObject;
+
+	UWorld* GetWorld() const override;
+
+	/** Null if no plugin brings it. */
+	template<typename T>
+	T* GetSubsystem() const
+	{
+		return Drydock::FSubsystems::Get().Find<T>(Drydock::ESubsystemKind::GameInstance);
+	}
+};
+
+class DRYDOCK_API UWorld : public UObject
+{
+public:
+	UWorld();
+	~UWorld() override;
+
+	UWorld* GetWorld() const override { return const_cast<UWorld*>(this); }
+
+	EWorldType::Type WorldType = EWorldType::Game;
+	/** Never null. */
+	FSceneInterface* Scene;
+
+	bool IsGameWorld() const { return WorldType == EWorldType::Game; }
+	bool IsPreviewWorld() const { return false; }
+	bool IsEditorWorld() const { return false; }
+	bool HasBegunPlay() const { return true; }
+	bool IsPaused() const { return false; }
+	UGameInstance* GetGameInstance() const { return GameInstance; }
+	APlayerController* GetFirstPlayerController() const { return nullptr; }
+
+	/** Seconds; the world stands still. */
+	double GetTimeSeconds() const { return 0.0; }
+	double GetRealTimeSeconds() const { return 0.0; }
+	float GetDeltaSeconds() const { return 0.0f; }
+
+	/** Null if no plugin brings it. */
+	template<typename T>
+	T* GetSubsystem() const
+	{
+		return Drydock::FSubsystems::Get().Find<T>(Drydock::ESubsystemKind::World);
+	}
+
+	/** A new actor, which the world owns, after BeginPlay of its components and of itself. */
+	template<typename T>
+	T* SpawnActor()
+	{
+		const std::shared_ptr<T> Actor = std::make_shared<T>();
+		AddActor(Actor);
+		return Actor.get();
+	}
+	const std::vector<std::shared_ptr<AActor>>& GetActors() const { return Actors; }
+	void RemoveActor(const AActor* Actor);
+
+private:
+	void AddActor(const std::shared_ptr<AActor>& Actor);
+
+	UGameInstance* GameInstance;
+	std::vector<std::shared_ptr<AActor>> Actors;
+};
+
+/** The world. Always valid. */
+extern DRYDOCK_API UWorld* GWorld;

@@ -1,0 +1,4 @@
+// GEngine. Source: engine file EngineGlobals.h.
+#pragma once
+
+#include "Engine/Engine.h"

@@ -1,0 +1,16 @@
+// What effects outside the renderer may ask of a view. Source: engine file FXRenderingUtils.h.
+#pragma once
+
+#include "SceneRendering.h"
+
+namespace UE::FXRenderingUtils
+{
+
+/** The view's rect in the scene textures. The view must be the renderer's. */
+inline FIntRect GetRawViewRectUnsafe(const FSceneView& View)
+{
+	check(View.bIsViewInfo);
+	return static_cast<const FViewInfo&>(View).ViewRect;
+}
+
+} // namespace UE::FXRenderingUtils

@@ -1,0 +1,76 @@
+// Actors: what code spawns into the empty world. Source: engine file GameFramework/Actor.h.
+#pragma once
+
+#include "Components/SceneComponent.h"
+#include "Engine/World.h"
+
+class FTransform;
+
+class DRYDOCK_API AActor : public UObject
+{
+public:
+	using Super = AActor;
+	using UObject::UObject;
+
+	FActorTickFunction PrimaryActorTick;
+	TObjectPtr<USceneComponent> RootComponent;
+
+	UWorld* GetWorld() const override;
+
+	virtual void BeginPlay() {}
+	virtual void EndPlay(const EEndPlayReason::Type) {}
+	virtual void OnConstruction(const FTransform&) {}
+	virtual void PostInitializeComponents() {}
+	virtual void PostRegisterAllComponents() {}
+	/** Nothing ticks here: a frame is one moment. */
+	virtual void Tick(float) {}
+	virtual bool ShouldTickIfViewportsOnly() const { return false; }
+
+	USceneComponent* GetRootComponent() const { return RootComponent.Get(); }
+	void SetRootComponent(USceneComponent* InRootComponent) { RootComponent = InRootComponent; }
+	FVector GetActorLocation() const
+	{
+		return RootComponent ? RootComponent->GetComponentLocation() : FVector(0.0, 0.0, 0.0);
+	}
+	void SetActorTickEnabled(bool bEnabled) { PrimaryActorTick.SetTickFunctionEnable(bEnabled); }
+
+	/** A part of this actor; a component begins to play with it. */
+	template<typename T>
+	T* CreateDefaultSubobject(FName SubobjectName)
+	{
+		T* const Part = UObject::CreateDefaultSubobject<T>(SubobjectName);
+		if constexpr (std::is_base_of_v<UActorComponent, T>)
+		{
+			Components.Add(Part);
+		}
+		return Part;
+	}
+	/** The first component that is a T, or null. */
+	template<typename T>
+	T* FindComponentByClass() const
+	{
+		for (UActorComponent* const Component : Components)
+		{
+			if (T* const Found = Cast<T>(Component))
+			{
+				return Found;
+			}
+		}
+		return nullptr;
+	}
+
+	/** Ends its play and takes it out of the world; the object is gone. An actor of a plugin must not outlive it: its
+	 * module destroys it in ShutdownModule. */
+	void Destroy();
+
+	/** Ours: registers the components, then they and the actor begin to play. UWorld::SpawnActor calls it. */
+	void StartPlay();
+
+private:
+	TArray<UActorComponent*> Components;
+};
+
+inline AActor* UActorComponent::GetOwner() const
+{
+	return Cast<AActor>(GetOuter());
+}

@@ -1,0 +1,4 @@
+// UMaterialInstanceDynamic under its engine header. Source: engine file Materials/MaterialInstanceDynamic.h.
+#pragma once
+
+#include "Materials/MaterialInterface.h"

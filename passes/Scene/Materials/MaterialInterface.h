@@ -1,0 +1,43 @@
+// Materials as settings name them: no material is compiled or drawn here. Source: engine files
+// Materials/MaterialInterface.h, Materials/Material.h, Materials/MaterialInstanceDynamic.h.
+#pragma once
+
+#include "CoreMinimal.h"
+#include "Engine/BlendableInterface.h"
+#include "UObject/Object.h"
+
+class DRYDOCK_API UMaterialInterface : public UObject, public IBlendableInterface
+{
+public:
+	using Super = UMaterialInterface;
+	using UObject::UObject;
+};
+
+class DRYDOCK_API UMaterial : public UMaterialInterface
+{
+public:
+	using Super = UMaterial;
+	using UMaterialInterface::UMaterialInterface;
+};
+
+/** Keeps its parameters for whoever asks. */
+class DRYDOCK_API UMaterialInstanceDynamic : public UMaterialInterface
+{
+public:
+	using Super = UMaterialInstanceDynamic;
+	using UMaterialInterface::UMaterialInterface;
+
+	/** A new one, which the caller owns. */
+	static UMaterialInstanceDynamic* Create(UMaterialInterface* Parent, UObject* Outer);
+
+	void SetScalarParameterValue(FName Name, float Value) { Scalars.Add(Name, Value); }
+	void SetVectorParameterValue(FName Name, FLinearColor Value) { Vectors.Add(Name, Value); }
+	/** 0 of a parameter that was not set. */
+	float GetScalarParameterValue(FName Name) const { return Scalars.FindRef(Name); }
+	UMaterialInterface* GetParent() const { return Parent; }
+
+private:
+	UMaterialInterface* Parent = nullptr;
+	TMap<FName, float> Scalars;
+	TMap<FName, FLinearColor> Vectors;
+};

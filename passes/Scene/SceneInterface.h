@@ -1,0 +1,27 @@
+// The renderer's scene, as much as extensions ask of it: which world it shows. Source: engine file SceneInterface.h.
+#pragma once
+
+#include "CoreMinimal.h"
+#include "RHI.h"
+
+class FScene;
+class UWorld;
+
+class DRYDOCK_API FSceneInterface
+{
+public:
+	explicit FSceneInterface(UWorld* InWorld)
+		: World(InWorld)
+	{
+	}
+	virtual ~FSceneInterface();
+
+	virtual UWorld* GetWorld() const { return World; }
+	/** Null: there are no primitives and lights here, so nothing beyond this interface. */
+	virtual FScene* GetRenderScene() { return nullptr; }
+	ERHIFeatureLevel::Type GetFeatureLevel() const { return GMaxRHIFeatureLevel; }
+	EShaderPlatform GetShaderPlatform() const { return GMaxRHIShaderPlatform; }
+
+private:
+	UWorld* World;
+};

@@ -1,0 +1,131 @@
+// Source: drydock.
+#include "Engine/World.h"
+
+#include "GameFramework/Actor.h"
+#include "SceneInterface.h"
+#include "Subsystems/WorldSubsystem.h"
+
+namespace
+{
+
+/** Never destroyed: static variables of any library may ask for it until the very end. */
+UWorld* MakeWorld()
+{
+	UWorld* const World = new UWorld;
+	Drydock::FSubsystems& Subsystems = Drydock::FSubsystems::Get();
+	Subsystems.SetOuter(Drydock::ESubsystemKind::World, World);
+	Subsystems.SetOuter(Drydock::ESubsystemKind::GameInstance, World->GetGameInstance());
+	return World;
+}
+
+} // namespace
+
+UWorld* GWorld = MakeWorld();
+
+UWorld* UGameInstance::GetWorld() const
+{
+	return GWorld;
+}
+
+UWorld::UWorld()
+	: Scene(new FSceneInterface(this))
+	, GameInstance(new UGameInstance)
+{
+	SetFName(TEXT("World"));
+}
+
+UWorld::~UWorld()
+{
+	delete Scene;
+	delete GameInstance;
+}
+
+void UWorld::AddActor(const std::shared_ptr<AActor>& Actor)
+{
+	Actor->SetOuter(this);
+	Actors.push_back(Actor);
+	Actor->StartPlay();
+}
+
+void UWorld::RemoveActor(const AActor* Actor)
+{
+	std::erase_if(Actors, [Actor](const std::shared_ptr<AActor>& Other) { return Other.get() == Actor; });
+}
+
+FSceneInterface::~FSceneInterface() = default;
+
+bool UWorldSubsystem::ShouldCreateSubsystem(UObject* Outer) const
+{
+	const UWorld* const World = Cast<UWorld>(Outer);
+	return World != nullptr && DoesSupportWorldType(World->WorldType);
+}
+
+UWorld* UWorldSubsystem::GetWorld() const
+{
+	return Cast<UWorld>(GetOuter());
+}
+
+bool UWorldSubsystem::DoesSupportWorldType(const EWorldType::Type) const
+{
+	return true;
+}
+
+void UWorldSubsystem::OnCollectionStarted()
+{
+	PostInitialize();
+	OnWorldBeginPlay(*GetWorld());
+}
+
+UWorld* UActorComponent::GetWorld() const
+{
+	return GWorld;
+}
+
+void UActorComponent::RegisterComponent()
+{
+	if (!bRegistered)
+	{
+		bRegistered = true;
+		OnRegister();
+		InitializeComponent();
+	}
+}
+
+void UActorComponent::UnregisterComponent()
+{
+	if (bRegistered)
+	{
+		bRegistered = false;
+		OnUnregister();
+	}
+}
+
+UWorld* AActor::GetWorld() const
+{
+	return GWorld;
+}
+
+void AActor::Destroy()
+{
+	for (UActorComponent* const Component : Components)
+	{
+		Component->EndPlay(EEndPlayReason::Destroyed);
+		Component->UnregisterComponent();
+	}
+	EndPlay(EEndPlayReason::Destroyed);
+	GWorld->RemoveActor(this);
+}
+
+void AActor::StartPlay()
+{
+	PostInitializeComponents();
+	for (UActorComponent* const Component : Components)
+	{
+		Component->RegisterComponent();
+	}
+	for (UActorComponent* const Component : Components)
+	{
+		Component->BeginPlay();
+	}
+	BeginPlay();
+}

@@ -1,0 +1,98 @@
+// The one world, its actors, and render targets with pixels.
+#include <gtest/gtest.h>
+
+#include "Engine/Engine.h"
+#include "Engine/TextureRenderTarget2D.h"
+#include "EngineUtils.h"
+#include "SceneInterface.h"
+#include "Subsystems/WorldSubsystem.h"
+
+#include <string>
+
+namespace
+{
+
+std::string GPlay;
+
+class UTestComponent : public UActorComponent
+{
+public:
+	void OnRegister() override { GPlay += " register"; }
+	void BeginPlay() override { GPlay += " component"; }
+	void EndPlay(const EEndPlayReason::Type) override { GPlay += " end"; }
+};
+
+class ATestActor : public AActor
+{
+public:
+	ATestActor() { Component = CreateDefaultSubobject<UTestComponent>(TEXT("Test")); }
+	void BeginPlay() override { GPlay += " actor"; }
+	UTestComponent* Component;
+};
+
+class UTestWorldSubsystem : public UWorldSubsystem
+{
+public:
+	void OnWorldBeginPlay(UWorld& InWorld) override { World = &InWorld; }
+	UWorld* World = nullptr;
+};
+
+class UEditorWorldSubsystem : public UWorldSubsystem
+{
+protected:
+	bool DoesSupportWorldType(const EWorldType::Type Type) const override { return Type == EWorldType::Editor; }
+};
+
+} // namespace
+
+TEST(World, ItsSceneShowsIt)
+{
+	EXPECT_EQ(GWorld, GWorld->Scene->GetWorld());
+	EXPECT_EQ(GWorld, GEngine->GetCurrentPlayWorld());
+	EXPECT_TRUE(GWorld->IsGameWorld());
+}
+
+TEST(World, ASpawnedActorPlaysUntilItIsDestroyed)
+{
+	GPlay.clear();
+	ATestActor* const Actor = GWorld->SpawnActor<ATestActor>();
+	EXPECT_EQ(" register component actor", GPlay);
+	EXPECT_EQ(Actor, Actor->Component->GetOwner());
+	int32 NumFound = 0;
+	for (TActorIterator<ATestActor> It(GWorld); It; ++It)
+	{
+		NumFound += *It == Actor;
+	}
+	EXPECT_EQ(1, NumFound);
+	Actor->Destroy();
+	EXPECT_EQ(" register component actor end", GPlay);
+	EXPECT_FALSE(TActorIterator<ATestActor>(GWorld));
+}
+
+TEST(World, SubsystemsOfItsTypeStart)
+{
+	const Drydock::TClassRegistration<UTestWorldSubsystem> Game(TEXT("UTestWorldSubsystem"));
+	const Drydock::TClassRegistration<UEditorWorldSubsystem> Editor(TEXT("UEditorWorldSubsystem"));
+	Drydock::FSubsystems::Get().StartPending(Drydock::ESubsystemKind::World);
+	ASSERT_NE(nullptr, GWorld->GetSubsystem<UTestWorldSubsystem>());
+	EXPECT_EQ(GWorld, GWorld->GetSubsystem<UTestWorldSubsystem>()->World);
+	EXPECT_EQ(GWorld, GWorld->GetSubsystem<UTestWorldSubsystem>()->GetWorld());
+	EXPECT_EQ(nullptr, GWorld->GetSubsystem<UEditorWorldSubsystem>());
+}
+
+TEST(TextureRenderTarget, HoldsItsClearColorInItsFormat)
+{
+	UTextureRenderTarget2D Target;
+	EXPECT_EQ(nullptr, Target.GetRenderTargetResource());
+	Target.ClearColor = FLinearColor(0.25f, 0.5f, 2.0f, 1.0f);
+	Target.InitAutoFormat(3, 2);
+	FRHITexture* const Texture = Target.GetRenderTargetResource()->GetRenderTargetTexture();
+	EXPECT_EQ(PF_FloatRGBA, Texture->GetFormat());
+	EXPECT_EQ(FIntPoint(3, 2), Target.GameThread_GetRenderTargetResource()->GetSizeXY());
+	TArray<FLinearColor> Pixels;
+	FRHICommandListExecutor::GetImmediateCommandList().ReadSurfaceData(
+		Texture, FIntRect(0, 0, 3, 2), Pixels, FReadSurfaceDataFlags(RCM_MinMax));
+	EXPECT_EQ(Target.ClearColor, Pixels[5]);
+	Target.InitCustomFormat(1, 1, PF_B8G8R8A8, false);
+	EXPECT_EQ(PF_B8G8R8A8, Target.GetRenderTargetResource()->TextureRHI->GetFormat());
+}
