@@ -345,6 +345,32 @@ TSharedRef<FIdiomsExtension, ESPMode::ThreadSafe> MakeExtension()
 	return Extension.ToSharedRef();
 }
 
+/** Conversions between near types, and the standard library without its headers. */
+FIntPoint Convert(const FIntRect& Rect, FRDGBuilder& GraphBuilder, const FRDGTextureDesc& Desc)
+{
+	const FVector2f Scaled = FVector2f(Rect.Size()) * 0.5f;
+	FIntPoint Half(Scaled.X, Scaled.Y);
+	Half = FIntPoint(FMath::RoundToInt(Scaled.X), FMath::CeilToInt(Scaled.Y));
+	Half = FIntPoint::DivideAndRoundUp(Rect.Size(), 2);
+	const FIntRect Scale = Rect.Scale(0.5f);
+	const FString Name = FString(TEXT("Convert")) + FString::FromInt(Half.X);
+	FRDGTextureRef Texture = GraphBuilder.CreateTexture(Desc, *Name);
+	std::function<FIntPoint(FIntPoint)> Double = [](FIntPoint Point)
+	{
+		return Point * 2;
+	};
+	TArray<FIntPoint> Points = {{1, 2}, {3, 4}};
+	Points.Append({Half, Scale.Size()});
+	FIntPoint Sum = FIntPoint::ZeroValue;
+	for (const FIntPoint& Point : Points)
+	{
+		Sum += Double(Point);
+	}
+	static int32 NumCalls = 0;
+	++NumCalls;
+	return std::move(Sum) + FMath::Max(Texture->Desc.Extent.X, NumCalls);
+}
+
 /** A pass that names its states by hand. */
 void AddRawPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, FEverythingPS::FParameters* Parameters)
 {

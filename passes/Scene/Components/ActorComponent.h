@@ -5,6 +5,7 @@
 
 #include "CoreMinimal.h"
 #include "Engine/EngineBaseTypes.h"
+#include "UObject/ScriptDelegates.h"
 
 class AActor;
 

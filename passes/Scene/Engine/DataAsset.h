@@ -3,6 +3,7 @@
 
 #include "CoreMinimal.h"
 #include "UObject/Object.h"
+#include "UObject/ScriptDelegates.h"
 
 class DRYDOCK_API UDataAsset : public UObject
 {

@@ -4,6 +4,7 @@
 
 #include "CoreMinimal.h"
 #include "UObject/Object.h"
+#include "UObject/ScriptDelegates.h"
 
 class DRYDOCK_API UDeveloperSettings : public UObject
 {

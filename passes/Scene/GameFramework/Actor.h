@@ -3,6 +3,7 @@
 
 #include "Components/SceneComponent.h"
 #include "Engine/World.h"
+#include "UObject/ScriptDelegates.h"
 
 class FTransform;
 

@@ -4,6 +4,7 @@
 #include "CoreMinimal.h"
 #include "Engine/World.h"
 #include "Subsystems/Subsystem.h"
+#include "UObject/ScriptDelegates.h"
 
 class DRYDOCK_API UWorldSubsystem : public USubsystem
 {
