@@ -4,7 +4,6 @@
 #include "CoreMinimal.h"
 #include "RHI.h"
 
-class FScene;
 class UWorld;
 
 class DRYDOCK_API FSceneInterface
@@ -17,8 +16,6 @@ public:
 	virtual ~FSceneInterface();
 
 	virtual UWorld* GetWorld() const { return World; }
-	/** Null: there are no primitives and lights here, so nothing beyond this interface. */
-	virtual FScene* GetRenderScene() { return nullptr; }
 	ERHIFeatureLevel::Type GetFeatureLevel() const { return GMaxRHIFeatureLevel; }
 	EShaderPlatform GetShaderPlatform() const { return GMaxRHIShaderPlatform; }
 
