@@ -226,13 +226,7 @@ void ReadView(const FJsonValue& Value, FConfigView& View, FConfigMessages& Messa
 	ReadRect(Value, View, Messages);
 	ReadScale(Value, "exposure", View.Exposure, Messages);
 	WithMember(Value, "exposure", EJsonType::String,
-		[&](const FJsonValue& Exposure)
-		{
-			if (Exposure.String == "auto")
-			{
-				Messages.Warn(WarnNotBuilt, Exposure, "\"auto\" is not built yet: it is read, and does nothing");
-			}
-		});
+		[&](const FJsonValue& Exposure) { View.bAutoExposure = Exposure.String == "auto"; });
 	ReadScale(Value, "preExposure", View.PreExposure, Messages);
 }
 

@@ -72,6 +72,7 @@ struct FConfigView
 	TConfigValue<double> Fov;              // horizontal, of the whole picture, degrees
 	TConfigValue<std::array<int, 4>> Rect; // MinX, MinY, MaxX, MaxY
 	TConfigValue<double> Exposure{1.0, {}};
+	bool bAutoExposure = false; // in place of it
 	TConfigValue<double> PreExposure{1.0, {}};
 };
 

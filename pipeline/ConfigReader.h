@@ -79,6 +79,9 @@ FConfigPlace PlaceOf(const FJsonValue& Value);
 /** Whether a setting acts in this build; else the reason why not, for the message. */
 std::string GetSettingNotBuiltReason(const std::string& Name);
 
+/** Read only where view.exposure is "auto". */
+bool IsMeteringSetting(const std::string& Name);
+
 /** Reports an unknown variable, or a value that the variable cannot take. */
 void CheckVariable(const FConfigVariable& Variable, FConfigMessages& Messages);
 

@@ -11,8 +11,7 @@ constexpr const char* Acts = "";
 constexpr const char* NoPass = "no pass reads it; it is blended and reported all the same";
 constexpr const char* NewerConvolution = "it came with engine 5.6, whose convolution bloom is not simulated";
 constexpr const char* GrainTexture = "the grain is a noise of its own, not a picture's";
-constexpr const char* Metering =
-	"the exposure is the number in view.exposure, times 2 to the power of AutoExposureBias less its default";
+constexpr const char* Curve = "a config has no keys of curves: it counts as a curve of no effect";
 
 /** What becomes of settings whose names begin so: the longest beginning counts. */
 constexpr struct
@@ -43,16 +42,19 @@ constexpr struct
 	{"Bloom", Acts},
 	{"BloomConvolutionIntensity", NewerConvolution},
 	{"VignetteIntensity", Acts},
-	{"AutoExposure", Metering},
-	{"AutoExposureBias", Acts},
+	{"AutoExposure", Acts},
 	{"AutoExposureBiasBackup", NoPass},
-	{"AutoExposureBiasCurve", Metering},
-	{"Histogram", Metering},
-	{"Camera", Metering},
+	{"AutoExposureBiasCurve", Curve},
+	{"AutoExposureCalibrationConstant", NoPass},
+	{"Histogram", Acts},
+	{"Camera", Acts},
 	{"DepthOfFieldFocalDistance", Acts},
 	{"DepthOfFieldFstop", Acts},
 	{"DepthOfFieldSensorWidth", Acts},
 	{"DepthOfFieldDepthBlur", Acts},
+	{"LocalExposure", Acts},
+	{"LocalExposureHighlightContrastCurve", Curve},
+	{"LocalExposureShadowContrastCurve", Curve},
 	{"MotionBlur", Acts},
 	{"MotionBlurPerObjectSize", NoPass},
 	{"DualKawaseBlur", Acts},
@@ -66,6 +68,15 @@ constexpr struct
 };
 
 } // namespace
+
+bool IsMeteringSetting(const std::string& Name)
+{
+	const auto Begins = [&](const char* Beginning)
+	{
+		return Name.rfind(Beginning, 0) == 0;
+	};
+	return (Begins("AutoExposure") && !Begins("AutoExposureBias")) || Begins("Histogram") || Begins("Camera");
+}
 
 std::string GetSettingNotBuiltReason(const std::string& Name)
 {

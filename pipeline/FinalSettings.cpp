@@ -3,6 +3,7 @@
 
 #include "ConfigReader.h"
 #include "HAL/IConsoleManager.h"
+#include "PostProcessEyeAdaptation.h"
 #include "ShowFlags.h"
 
 #include <algorithm>
@@ -94,10 +95,35 @@ void WarnOfBlend(const FConfig& Config, const FBlendedSettings& Blended, std::ve
 	}
 }
 
+/** Settings of metering where every exposure is a number. */
+void WarnOfMetering(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics)
+{
+	const bool bAuto = Config.View.bAutoExposure || std::any_of(Config.Views.begin(), Config.Views.end(),
+														[](const FConfigView& View) { return View.bAutoExposure; });
+	FConfigMessages Messages(Config.File, Diagnostics);
+	const auto Warn = [&](const FConfigSettings& Settings)
+	{
+		for (const auto& [Name, Place] : Settings.Places)
+		{
+			if (!bAuto && IsMeteringSetting(Name))
+			{
+				Messages.Warn(WarnIneffectiveValue, Place,
+					Name + " does nothing here: view.exposure is a number, and not \"auto\"");
+			}
+		}
+	};
+	for (const FConfigVolume& Volume : Config.Volumes)
+	{
+		Warn(Volume.Settings);
+	}
+	Warn(Config.Camera.Settings);
+	Warn(Config.CommandLine);
+}
+
 /** The scene's own exposure at the default bias. */
 float ComputeExposureScale(const FConfig& Config, const FChainSettings& Chain)
 {
-	if (!Chain.ShowFlags.EyeAdaptation)
+	if (!Chain.ShowFlags.EyeAdaptation || (Chain.bAutoExposure && !IsEyeAdaptationAllowed()))
 	{
 		return 1.0f;
 	}
@@ -167,12 +193,14 @@ FChainSettings MakeChainSettings(const FConfig& Config, std::vector<FDiagnostic>
 	if (Diagnostics != nullptr)
 	{
 		WarnOfBlend(Config, Blended, *Diagnostics);
+		WarnOfMetering(Config, *Diagnostics);
 	}
 	FChainSettings Chain;
 	Chain.ShowFlags = MakeShowFlags(Config);
 	Chain.Settings = std::move(Blended.Settings);
 	Chain.Gates = std::move(Blended.Gates);
 	Chain.ScreenPercentage = Config.Scene.ScreenPercentage;
+	Chain.bAutoExposure = Config.View.bAutoExposure;
 	Chain.ExposureScale = ComputeExposureScale(Config, Chain);
 	Chain.bNoSkip = Config.bNoSkip;
 	Chain.NamedSettings = GetNamedSettings(Config);

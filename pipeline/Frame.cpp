@@ -2,6 +2,7 @@
 #include "Frame.h"
 
 #include "Modules/ModuleManager.h"
+#include "PostProcess/ExposureDecisions.h"
 #include "PostProcess/PostProcessingChain.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphNotes.h"
@@ -39,6 +40,8 @@ struct FViewOfFrame
 	TRefCountPtr<IPooledRenderTarget> Bloom;
 	TRefCountPtr<IPooledRenderTarget> GBufferB;
 	TRefCountPtr<IPooledRenderTarget> BlurredToonShadow;
+	TRefCountPtr<IPooledRenderTarget> Histogram;
+	std::optional<FExposureReport> Exposure;
 };
 
 /** Passes the graph's events on to the host's observer, and keeps the compiled graph for the log. */
@@ -166,11 +169,12 @@ public:
 		{
 			MeasureBleed(*View);
 			MeasureBanding(*View);
+			ReadExposure(*View);
 		}
 		for (size_t Index = 0; Index < Views.size(); ++Index)
 		{
 			Result.Views.push_back({Inputs.Views[Index].Name, Inputs.Views[Index].Rect, Views[Index]->Chain,
-				std::move(Views[Index]->Effects)});
+				std::move(Views[Index]->Effects), std::move(Views[Index]->Exposure)});
 		}
 		if (Inputs.bExecute)
 		{
@@ -191,6 +195,8 @@ private:
 		Family.Scene = GWorld->Scene;
 		Family.FrameNumber = Inputs.FrameNumber;
 		Family.FrameCounter = Inputs.FrameNumber;
+		Family.Time.DeltaWorldTimeSeconds = Inputs.DeltaTime;
+		Family.Time.DeltaRealTimeSeconds = Inputs.DeltaTime;
 		Extensions.Gather(Family, Inputs.Plugins);
 		Extensions.SetupViewFamily(Family);
 		for (size_t Index = 0; Index < Inputs.Views.size(); ++Index)
@@ -338,12 +344,18 @@ private:
 		ChainInputs.SceneTextures = PostProcessingInputs.SceneTextures;
 		ChainInputs.LightColor = Inputs.LightColor;
 		ChainInputs.CustomSSRInput = &Target.State->CustomSSRInput;
+		ChainInputs.bAutoExposure = IsAutoExposureActive(Target.Chain);
+		ChainInputs.EyeAdaptation = &Target.State->EyeAdaptation;
 		Target.Outputs = AddPostProcessingPasses(GraphBuilder, NamedView, ChainInputs, Target.Effects, Extensions);
 		GraphBuilder.QueueTextureExtraction(Target.Outputs.SceneLinear.Texture, &Target.SceneLinear);
 		if (FindToonBloom(Target) != nullptr && Target.Outputs.Bloom.IsValid() && SceneTextures.GBufferB)
 		{
 			GraphBuilder.QueueTextureExtraction(Target.Outputs.Bloom.Texture, &Target.Bloom);
 			GraphBuilder.QueueTextureExtraction(SceneTextures.GBufferB, &Target.GBufferB);
+		}
+		if (Target.Outputs.Histogram)
+		{
+			GraphBuilder.QueueTextureExtraction(Target.Outputs.Histogram, &Target.Histogram);
 		}
 		if (Target.Outputs.BlurredToonShadow.IsValid())
 		{
@@ -397,6 +409,18 @@ private:
 				Result.BlurredToonShadow.Values.push_back(Shadow.Values[Index]);
 			}
 		}
+	}
+
+	/** What an automatic exposure came to. */
+	void ReadExposure(FViewOfFrame& View) const
+	{
+		if (!Inputs.bExecute || !IsAutoExposureActive(View.Chain))
+		{
+			return;
+		}
+		View.Exposure = MakeExposureReport(View.View, GetAutoExposureMethod(View.Chain.Settings),
+			*View.State->EyeAdaptation, View.Histogram.GetReference());
+		View.Chain.ExposureScale = View.Exposure->Scale;
 	}
 
 	void ReadPictures()

@@ -2,6 +2,7 @@
 // knows no config: RunConfig and RenderFrame both come here. Source: drydock; the order is the engine's.
 #pragma once
 
+#include "ExposureReport.h"
 #include "HookLog.h"
 #include "ImageFile.h"
 #include "PostProcess/EffectDecisions.h"
@@ -47,6 +48,7 @@ struct FFrameInputs
 	FEngineShowFlags ShowFlags;
 	FLinearColor LightColor = FLinearColor(1.0f, 1.0f, 1.0f, 1.0f); // of the main light, relative
 	uint32 FrameNumber = 0;
+	float DeltaTime = 1.0f / 24.0f; // s, since the frame before
 	std::vector<FFrameView> Views; // one at least
 	/** Files of the plugins whose extensions take part; empty optional: all. Extensions of no plugin always do. */
 	std::optional<std::vector<std::string>> Plugins;
@@ -62,6 +64,7 @@ struct FFrameViewResult
 	FIntRect Rect;
 	FChainSettings Chain; // as the passes saw it
 	std::vector<FEffectDecision> Effects;
+	std::optional<FExposureReport> Exposure; // of an executed frame whose exposure is automatic
 };
 
 struct FFrameResult

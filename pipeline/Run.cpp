@@ -348,10 +348,11 @@ void RunGraph(const FRunOptions& Options, const FRunSetup& Setup, FScene& Scene,
 	const FFrameViewResult& View = Frame.Views[0];
 	for (const FFrameViewResult& Other : Frame.Views)
 	{
-		Result.Views.push_back({Other.Name, Other.Rect, Other.Chain.ExposureScale, Other.Effects});
+		Result.Views.push_back({Other.Name, Other.Rect, Other.Chain.ExposureScale, Other.Effects, Other.Exposure});
 	}
 	Result.Settings = View.Chain.Settings;
 	Result.ExposureScale = View.Chain.ExposureScale;
+	Result.Exposure = View.Exposure;
 	Result.Effects = View.Effects;
 	Result.HookCalls = std::move(Frame.Log.Calls);
 	Result.HookPoints = std::move(Frame.Log.Points);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Config.h"
+#include "ExposureReport.h"
 #include "HookLog.h"
 #include "ImageFile.h"
 #include "PassCounters.h"
@@ -43,6 +44,7 @@ struct FRunView
 	FIntRect Rect;
 	float ExposureScale = 1.0f;
 	std::vector<FEffectDecision> Effects;
+	std::optional<FExposureReport> Exposure;
 };
 
 /** Milliseconds of the run's parts. */
@@ -61,6 +63,7 @@ struct FRunResult
 	std::vector<FEffectDecision> Effects;
 	FFinalPostProcessSettings Settings;
 	float ExposureScale = 1.0f;
+	std::optional<FExposureReport> Exposure; // of an executed run whose exposure is automatic
 	std::string Precision; // "float", "double"
 	std::string Storage;   // "native", "float32", "float64"
 	int Threads = 0;

@@ -171,6 +171,36 @@ void WriteSize(FJsonWriter& Writer, const char* Name, std::initializer_list<int3
 	Writer.EndArray();
 }
 
+/** What "auto" came to; nothing for a number. */
+void WriteExposure(FJsonWriter& Writer, const std::optional<FExposureReport>& Exposure)
+{
+	if (!Exposure)
+	{
+		return;
+	}
+	Writer.Member("method", Exposure->Method);
+	Writer.Member("targetScale", Exposure->TargetScale);
+	Writer.Member("averageLuminance", Exposure->AverageLuminance);
+	Writer.Member("ev100", Exposure->EV100);
+	Writer.Member("compensation", Exposure->Compensation);
+	Writer.Member("averageLocalExposure", Exposure->AverageLocalExposure);
+	if (Exposure->Histogram)
+	{
+		Writer.Key("histogram").BeginObject();
+		Writer.Member("logMin", Exposure->Histogram->LogMin);
+		Writer.Member("logMax", Exposure->Histogram->LogMax);
+		Writer.Member("lowPercent", Exposure->Histogram->LowPercent);
+		Writer.Member("highPercent", Exposure->Histogram->HighPercent);
+		Writer.Key("buckets").BeginArray(true);
+		for (const double Bucket : Exposure->Histogram->Buckets)
+		{
+			Writer.Value(Bucket);
+		}
+		Writer.EndArray();
+		Writer.EndObject();
+	}
+}
+
 /** Where there are several; settings and effects of the whole run are those of the first. */
 void WriteViews(FJsonWriter& Writer, const FRunResult& Result)
 {
@@ -185,6 +215,12 @@ void WriteViews(FJsonWriter& Writer, const FRunResult& Result)
 		Writer.Member("name", View.Name);
 		WriteSize(Writer, "rect", {View.Rect.Min.X, View.Rect.Min.Y, View.Rect.Max.X, View.Rect.Max.Y});
 		Writer.Member("exposureScale", View.ExposureScale);
+		if (View.Exposure)
+		{
+			Writer.Key("exposure").BeginObject();
+			WriteExposure(Writer, View.Exposure);
+			Writer.EndObject();
+		}
 		WriteEffects(Writer, View.Effects);
 		Writer.EndObject();
 	}
@@ -235,9 +271,10 @@ std::string MakeRunJson(const FRunResult& Result)
 	}
 	Writer.EndArray();
 	Writer.EndObject();
-	Writer.Key("exposure").BeginObject(true);
+	Writer.Key("exposure").BeginObject(!Result.Exposure.has_value());
 	Writer.Member("scale", Result.ExposureScale);
 	Writer.Member("preExposure", Result.Config.View.PreExposure.Value);
+	WriteExposure(Writer, Result.Exposure);
 	Writer.EndObject();
 	WriteSettings(Writer, Result);
 	WriteEffects(Writer, Result.Effects);

@@ -42,6 +42,9 @@ public:
 
 	FBloomFFTKernel BloomFFTKernel;
 
+	/** The frame's exposure (PostProcessEyeAdaptation.h): the next one adapts from it. Null before the first. */
+	TRefCountPtr<FRDGPooledBuffer> EyeAdaptation;
+
 	/** Read by the next frame's reflections in place of scene colour, where an extension made it. */
 	TRefCountPtr<IPooledRenderTarget> CustomSSRInput;
 

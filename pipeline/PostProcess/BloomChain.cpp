@@ -68,13 +68,14 @@ FBloomChainOutputs AddBloomPasses(FRDGBuilder& GraphBuilder, const FViewInfo& Vi
 		return AddFFTBloomPasses(GraphBuilder, View, Inputs);
 	}
 	const float Threshold = View.FinalPostProcessSettings.BloomThreshold;
-	if (!(Threshold > NoThreshold) && Inputs.Toon == nullptr)
+	if (!(Threshold > NoThreshold) && Inputs.Toon == nullptr && !Inputs.LocalExposure.IsValid())
 	{
 		return {AddGaussianBloomPasses(GraphBuilder, View, Inputs.SceneDownsampleChain)};
 	}
+	FBloomSetupInputs Setup = MakeSetup(Inputs, Inputs.HalfResolution, Threshold);
+	Setup.LocalExposure = Inputs.LocalExposure;
 	FTextureDownsampleChain BloomChain;
-	BloomChain.Init(GraphBuilder, View,
-		AddBloomSetupPass(GraphBuilder, View, MakeSetup(Inputs, Inputs.HalfResolution, Threshold)),
-		GetDownsampleChainQuality(), TEXT("BloomDownsample"));
+	BloomChain.Init(GraphBuilder, View, AddBloomSetupPass(GraphBuilder, View, Setup), GetDownsampleChainQuality(),
+		TEXT("BloomDownsample"));
 	return {AddGaussianBloomPasses(GraphBuilder, View, &BloomChain)};
 }

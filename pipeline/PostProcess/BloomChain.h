@@ -3,6 +3,7 @@
 #pragma once
 
 #include "PostProcessDownsample.h"
+#include "PostProcessLocalExposure.h"
 #include "PostProcessToonBloom.h"
 #include "RenderGraphFwd.h"
 #include "ScreenPass.h"
@@ -21,6 +22,8 @@ struct FBloomChainInputs
 	const FSceneDownsampleChain* SceneDownsampleChain = nullptr;
 	/** [Required] (PostProcessEyeAdaptation.h) */
 	FRDGBufferRef EyeAdaptationBuffer = nullptr;
+	/** Not valid where it is off, or does not act on bloom. A convolution reads none, as in the engine. */
+	FLocalExposureTextures LocalExposure;
 	/** Set where toon bloom is active. */
 	const FToonBloomInputs* Toon = nullptr;
 };

@@ -6,9 +6,11 @@
 #include "DiaphragmDOF.h"
 #include "HAL/IConsoleManager.h"
 #include "PostProcess/ArticleEffects.h"
+#include "PostProcess/ExposureDecisions.h"
 #include "PostProcessAA.h"
 #include "PostProcessCombineLUTs.h"
 #include "PostProcessFFTBloom.h"
+#include "PostProcessLocalExposure.h"
 #include "PostProcessMotionBlur.h"
 #include "PostProcessToonBloom.h"
 #include "PostProcessUpscale.h"
@@ -76,11 +78,13 @@ FEffectDecision DecideBloom(const FChainSettings& Chain, bool bToonBloom)
 	{
 		Bloom.bActive = true;
 		const float Threshold = Chain.Settings.BloomThreshold;
+		const bool bLocalExposure = DecideLocalExposure(Chain).bActive && IsLocalExposureAppliedToBloom();
 		Bloom.Reason = "BloomIntensity is " + NumberText(Intensity) + ", BloomThreshold " + NumberText(Threshold);
 		if (!(Threshold > -1.0f))
 		{
-			Bloom.Reason +=
-				bToonBloom ? ": the setup pass is there for the toon's factor" : ": the setup pass is not needed";
+			Bloom.Reason += bToonBloom       ? ": the setup pass is there for the toon's factor"
+							: bLocalExposure ? ": the setup pass is there for local exposure"
+											 : ": the setup pass is not needed";
 		}
 		Bloom.Reason += BloomMethodText(Chain.Settings);
 	}
@@ -300,8 +304,11 @@ std::vector<FEffectDecision> DecideEffects(const FChainSettings& Chain)
 		}
 		else if (Name == "Exposure")
 		{
-			Decision = {Name, true, true, "scale " + NumberText(Chain.ExposureScale)};
-			Decision.Reason += Chain.ShowFlags.EyeAdaptation ? "" : ": ShowFlag.EyeAdaptation is off";
+			Decision = DecideExposure(Chain);
+		}
+		else if (Name == "LocalExposure")
+		{
+			Decision = DecideLocalExposure(Chain);
 		}
 		else if (Name == "DepthOfField")
 		{

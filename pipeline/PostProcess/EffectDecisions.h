@@ -34,7 +34,8 @@ struct FChainSettings
 	FFinalPostProcessSettings Settings; // after show flags and console variables
 	FEngineShowFlags ShowFlags;
 	std::vector<FSettingGate> Gates;        // what those two changed
-	float ExposureScale = 1.0f;             // final
+	bool bAutoExposure = false;             // asked for: see IsAutoExposureActive (ExposureDecisions.h)
+	float ExposureScale = 1.0f;             // final; of an automatic exposure once the frame has run
 	double ScreenPercentage = 100.0;        // of the config, whatever the show flag says
 	std::vector<std::string> NamedSettings; // by a volume, the camera or --pp, sorted
 	bool bToonBloomConfigured = false;      // a volume, the camera or --pp names BloomToonIntensity

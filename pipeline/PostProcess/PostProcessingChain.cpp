@@ -5,11 +5,11 @@
 #include "DualKawaseBlurPass.h"
 #include "PostProcess/ArticleEffects.h"
 #include "PostProcess/BloomChain.h"
+#include "PostProcess/ExposureChain.h"
 #include "PostProcess/InsertionPoints.h"
 #include "PostProcessAA.h"
 #include "PostProcessCombineLUTs.h"
 #include "PostProcessDownsample.h"
-#include "PostProcessEyeAdaptation.h"
 #include "PostProcessFFTBloom.h"
 #include "PostProcessMotionBlur.h"
 #include "PostProcessTonemap.h"
@@ -97,7 +97,7 @@ public:
 	 *  are culled. */
 	void AddDownsampleChain()
 	{
-		if (!IsActive("Bloom"))
+		if (!IsActive("Bloom") && !IsActive("LocalExposure") && !Inputs.bAutoExposure)
 		{
 			return;
 		}
@@ -111,7 +111,20 @@ public:
 			GraphBuilder, View, HalfResolution, GetDownsampleChainQuality(), TEXT("SceneDownsample"));
 	}
 
-	void AddExposure() { EyeAdaptationBuffer = CreateEyeAdaptationBuffer(GraphBuilder, Inputs.ExposureScale); }
+	void AddExposure()
+	{
+		FExposureChainInputs ExposureInputs;
+		ExposureInputs.HalfResolution = HalfResolution;
+		ExposureInputs.SceneDownsampleChain = &SceneDownsampleChain;
+		ExposureInputs.bAutoExposure = Inputs.bAutoExposure;
+		ExposureInputs.ExposureScale = Inputs.ExposureScale;
+		ExposureInputs.bLocalExposure = IsActive("LocalExposure");
+		ExposureInputs.EyeAdaptation = Inputs.EyeAdaptation;
+		const FExposureChainOutputs Exposure = AddExposurePasses(GraphBuilder, View, ExposureInputs);
+		EyeAdaptationBuffer = Exposure.EyeAdaptationBuffer;
+		LocalExposure = Exposure.LocalExposure;
+		Outputs.Histogram = Exposure.Histogram;
+	}
 
 	/** Bloom for the tonemapper to add; the mask of toon bloom in the picture's place where it is asked for. */
 	void AddBloom()
@@ -137,6 +150,10 @@ public:
 			BloomInputs.HalfResolution = HalfResolution;
 			BloomInputs.SceneDownsampleChain = &SceneDownsampleChain;
 			BloomInputs.EyeAdaptationBuffer = EyeAdaptationBuffer;
+			if (IsLocalExposureAppliedToBloom())
+			{
+				BloomInputs.LocalExposure = LocalExposure;
+			}
 			BloomInputs.Toon = bToonBloom ? &ToonInputs : nullptr;
 			const FBloomChainOutputs BloomOutputs = AddBloomPasses(GraphBuilder, View, BloomInputs);
 			Bloom = BloomOutputs.Bloom;
@@ -183,6 +200,7 @@ public:
 			{
 				TonemapInputs.ColorGradingTexture = AddCombineLUTPass(GraphBuilder, View);
 			}
+			TonemapInputs.LocalExposure = LocalExposure;
 			Sequence.AcceptOverrideIfLastPass(EFramePass::Tonemap, TonemapInputs.OverrideOutput);
 			SceneColor = AddTonemapPass(GraphBuilder, View, TonemapInputs);
 			Tonemapped = SceneColor;
@@ -327,6 +345,7 @@ private:
 	FScreenPassTexture HalfResolution;
 	FSceneDownsampleChain SceneDownsampleChain;
 	FRDGBufferRef EyeAdaptationBuffer = nullptr;
+	FLocalExposureTextures LocalExposure;
 	FScreenPassTexture Bloom;
 	FRDGBufferRef SceneColorApplyParameters = nullptr;
 	FScreenPassTexture Tonemapped; // with luma in alpha where FXAA follows

@@ -19,6 +19,10 @@ struct FPostProcessingChainInputs
 	FRDGTextureRef ViewFamilyTexture = nullptr;
 	/** Exposure times what scene colour would be without pre-exposure gives display-referred linear. */
 	float ExposureScale = 1.0f;
+	/** The settings expose in its place. */
+	bool bAutoExposure = false;
+	/** Last frame's eye-adaptation buffer, and where this frame's goes; null: there are no other frames. */
+	TRefCountPtr<FRDGPooledBuffer>* EyeAdaptation = nullptr;
 	/** Null where nobody reads scene textures. */
 	TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures = nullptr;
 	/** Colour of the main light, relative, for ToonShadowBlur. */
@@ -37,6 +41,8 @@ struct FPostProcessingChainOutputs
 	FScreenPassTexture Final;
 	/** What the tonemapper adds; not valid without bloom. */
 	FScreenPassTexture Bloom;
+	/** What the exposure was metered with; null where there is none. */
+	FRDGTextureRef Histogram = nullptr;
 };
 
 /** Builds the passes of the effects that are active in Effects. View.FinalPostProcessSettings holds the settings. */

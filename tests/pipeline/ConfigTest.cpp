@@ -293,6 +293,16 @@ TEST(ConfigMistakes, EmptyAndFractionalRectsMakeNoSense)
 	EXPECT_EQ("1010 error 1:20 /view/rect/0", Only(R"({"view": {"rect": [-1, 0, 5, 9]}})"));
 }
 
+TEST(Config, ExposureIsANumberOrAutomatic)
+{
+	EXPECT_TRUE(ReadClean(R"({"view": {"exposure": "auto"}})").Config.View.bAutoExposure);
+	EXPECT_FALSE(ReadClean(R"({"view": {"exposure": 1}})").Config.View.bAutoExposure);
+	const FConfig Config =
+		ReadClean(R"({"views": [{"rect": [0, 0, 1, 1], "exposure": "auto"}, {"rect": [1, 0, 2, 1]}]})").Config;
+	EXPECT_TRUE(Config.Views.at(0).bAutoExposure);
+	EXPECT_FALSE(Config.Views.at(1).bAutoExposure);
+}
+
 TEST(ConfigMistakes, ExposureMustBeAboveZero)
 {
 	EXPECT_EQ("1010 error 1:23 /view/exposure", Only(R"({"view": {"exposure": 0}})"));
@@ -357,7 +367,6 @@ TEST(Config, VolumesMayComeFromTheScene)
 TEST(ConfigMistakes, WhatIsNotBuiltYetWarnsOnceAtItsTop)
 {
 	EXPECT_EQ("1015 warning 1:2 /study", Only(R"({"study": {"repetitions": 7}})"));
-	EXPECT_EQ("1015 warning 1:23 /view/exposure", Only(R"({"view": {"exposure": "auto"}})"));
 }
 
 TEST(ConfigMistakes, WhatIsNotBuiltYetIsStillChecked)
@@ -369,7 +378,8 @@ TEST(ConfigMistakes, WhatIsNotBuiltYetIsStillChecked)
 
 TEST(ConfigMistakes, SettingsWithoutAPassWarn)
 {
-	EXPECT_EQ("1015 warning 1:46 /volumes/0/Settings/AutoExposureSpeedUp", Only(Volume(R"("AutoExposureSpeedUp": 2)")));
+	EXPECT_EQ(
+		"1015 warning 1:46 /volumes/0/Settings/AmbientOcclusionBias", Only(Volume(R"("AmbientOcclusionBias": 2)")));
 }
 
 TEST(ConfigMistakes, NegativeRadiusOfABoundedVolumeWarns)

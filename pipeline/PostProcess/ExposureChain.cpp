@@ -1,0 +1,91 @@
+// Source: engine PostProcess/PostProcessing.cpp.
+#include "PostProcess/ExposureChain.h"
+
+#include "BloomKernelTextures.h"
+#include "PostProcessHistogram.h"
+#include "RenderGraphBuilder.h"
+#include "RenderGraphEvent.h"
+#include "RenderTargetPool.h"
+#include "SceneRendering.h"
+
+namespace
+{
+
+/** The mask's pixels, where it has any. */
+FRDGTextureRef RegisterMeterMask(FRDGBuilder& GraphBuilder, const FFinalPostProcessSettings& Settings)
+{
+	const UTexture* const Mask = Settings.AutoExposureMeterMask;
+	const FTextureRHIRef Texture = Mask != nullptr ? Drydock::FindBloomKernelTexture(Mask) : nullptr;
+	return Texture ? GraphBuilder.RegisterExternalTexture(CreateRenderTarget(Texture, TEXT("MeterMask"))) : nullptr;
+}
+
+/** Meters into Outputs and adapts. */
+void AddMetering(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FExposureChainInputs& Inputs,
+	EAutoExposureMethod Method, const FEyeAdaptationInputs& Adaptation, FExposureChainOutputs& Outputs)
+{
+	if (Method == AEM_Manual)
+	{
+		Outputs.EyeAdaptationBuffer = CreateManualEyeAdaptationBuffer(GraphBuilder, Adaptation.Parameters);
+		return;
+	}
+	const FRDGTextureRef MeterMask = RegisterMeterMask(GraphBuilder, View.FinalPostProcessSettings);
+	if (Method == AEM_Histogram)
+	{
+		Outputs.Histogram =
+			AddHistogramPass(GraphBuilder, View, Adaptation.Parameters, Inputs.HalfResolution, MeterMask);
+		Outputs.EyeAdaptationBuffer = AddHistogramEyeAdaptationPass(GraphBuilder, View, Adaptation, Outputs.Histogram);
+		return;
+	}
+	// From the quarter resolution down, in a chain of its own: in the engine bloom reads these levels too, in half
+	// floats.
+	FSceneDownsampleChain Chain;
+	Chain.Init(GraphBuilder, View,
+		AddBasicEyeAdaptationSetupPass(
+			GraphBuilder, View, Adaptation.Parameters, Inputs.SceneDownsampleChain->GetTexture(1)),
+		GetDownsampleChainQuality(), TEXT("BasicEyeAdaptationDownsample"), FSceneDownsampleChain::StageCount - 1);
+	Outputs.EyeAdaptationBuffer =
+		AddBasicEyeAdaptationPass(GraphBuilder, View, Adaptation, Chain.GetLastTexture(), MeterMask);
+}
+
+} // namespace
+
+FExposureChainOutputs AddExposurePasses(
+	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FExposureChainInputs& Inputs)
+{
+	const EAutoExposureMethod Method = GetAutoExposureMethod(View.FinalPostProcessSettings);
+	const bool bLast = Inputs.EyeAdaptation != nullptr && Inputs.EyeAdaptation->IsValid();
+	FEyeAdaptationInputs Adaptation;
+	Adaptation.Parameters = GetEyeAdaptationParameters(View, Method, !bLast);
+
+	FExposureChainOutputs Outputs;
+	FLocalExposureParameters LocalExposure;
+	if (Inputs.bLocalExposure)
+	{
+		const bool bManual = Inputs.bAutoExposure && Method == AEM_Manual;
+		LocalExposure = GetLocalExposureParameters(View, Adaptation.Parameters, bManual);
+		Adaptation.LocalExposure = &LocalExposure;
+		Outputs.LocalExposure.Parameters = LocalExposure;
+		Outputs.LocalExposure.BilateralGrid =
+			AddLocalExposurePass(GraphBuilder, View, LocalExposure, Inputs.HalfResolution);
+		Outputs.LocalExposure.BilateralGridInputSize = Inputs.HalfResolution.ViewRect.Size();
+		Outputs.LocalExposure.BlurredLogLuminance = AddLocalExposureBlurredLogLuminancePass(GraphBuilder, View,
+			LocalExposure, Inputs.SceneDownsampleChain->GetTexture(GBlurredLogLuminanceLevel),
+			View.FinalPostProcessSettings.LocalExposureBlurredLuminanceKernelSizePercent);
+	}
+	if (!Inputs.bAutoExposure)
+	{
+		Outputs.EyeAdaptationBuffer = CreateEyeAdaptationBuffer(GraphBuilder, Inputs.ExposureScale);
+		return Outputs;
+	}
+	RDG_EVENT_SCOPE(GraphBuilder, "EyeAdaptation");
+	if (bLast)
+	{
+		Adaptation.LastEyeAdaptationBuffer = GraphBuilder.RegisterExternalBuffer(*Inputs.EyeAdaptation);
+	}
+	AddMetering(GraphBuilder, View, Inputs, Method, Adaptation, Outputs);
+	if (Inputs.EyeAdaptation != nullptr)
+	{
+		GraphBuilder.QueueBufferExtraction(Outputs.EyeAdaptationBuffer, Inputs.EyeAdaptation);
+	}
+	return Outputs;
+}
