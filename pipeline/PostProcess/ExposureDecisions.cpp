@@ -35,6 +35,14 @@ std::string GetObstacle(const FChainSettings& Chain)
 	return IsEyeAdaptationAllowed() ? "" : "r.EyeAdaptationQuality is 0";
 }
 
+/** What a mask that is asked for does not do, or nothing. */
+std::string DescribeMask(const FFinalPostProcessSettings& Settings)
+{
+	const UTexture* const Mask = Settings.AutoExposureMeterMask;
+	const bool bMissing = Mask != nullptr && !FindBloomKernelTexture(Mask);
+	return bMissing ? "; AutoExposureMeterMask is no image file and has no pixels here" : "";
+}
+
 std::string DescribeMethod(const FFinalPostProcessSettings& Settings)
 {
 	const EAutoExposureMethod Method = GetAutoExposureMethod(Settings);
@@ -53,14 +61,6 @@ std::string DescribeMethod(const FFinalPostProcessSettings& Settings)
 	return Text + ": AutoExposureMinBrightness " + NumberText(Settings.AutoExposureMinBrightness) + ", MaxBrightness " +
 		   NumberText(Settings.AutoExposureMaxBrightness) + ", AutoExposureBias " +
 		   NumberText(Settings.AutoExposureBias) + DescribeMask(Settings);
-}
-
-/** What a mask that is asked for does not do, or nothing. */
-std::string DescribeMask(const FFinalPostProcessSettings& Settings)
-{
-	const UTexture* const Mask = Settings.AutoExposureMeterMask;
-	const bool bMissing = Mask != nullptr && !FindBloomKernelTexture(Mask);
-	return bMissing ? "; AutoExposureMeterMask is no image file and has no pixels here" : "";
 }
 
 /** ": r.LocalExposure is 0", or nothing. */
