@@ -1,7 +1,7 @@
 // Source: engine PostProcess/PostProcessing.cpp.
 #include "PostProcess/ExposureChain.h"
 
-#include "BloomKernelTextures.h"
+#include "TextureAssets.h"
 #include "PostProcessHistogram.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphEvent.h"
@@ -15,7 +15,7 @@ namespace
 FRDGTextureRef RegisterMeterMask(FRDGBuilder& GraphBuilder, const FFinalPostProcessSettings& Settings)
 {
 	const UTexture* const Mask = Settings.AutoExposureMeterMask;
-	const FTextureRHIRef Texture = Mask != nullptr ? Drydock::FindBloomKernelTexture(Mask) : nullptr;
+	const FTextureRHIRef Texture = Mask != nullptr ? Drydock::FindTexturePixels(Mask) : nullptr;
 	return Texture ? GraphBuilder.RegisterExternalTexture(CreateRenderTarget(Texture, TEXT("MeterMask"))) : nullptr;
 }
 

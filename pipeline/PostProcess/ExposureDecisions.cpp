@@ -1,7 +1,7 @@
 // Source: drydock.
 #include "PostProcess/ExposureDecisions.h"
 
-#include "BloomKernelTextures.h"
+#include "TextureAssets.h"
 #include "PostProcessEyeAdaptation.h"
 #include "PostProcessLocalExposure.h"
 
@@ -39,7 +39,7 @@ std::string GetObstacle(const FChainSettings& Chain)
 std::string DescribeMask(const FFinalPostProcessSettings& Settings)
 {
 	const UTexture* const Mask = Settings.AutoExposureMeterMask;
-	const bool bMissing = Mask != nullptr && !FindBloomKernelTexture(Mask);
+	const bool bMissing = Mask != nullptr && !FindTexturePixels(Mask);
 	return bMissing ? "; AutoExposureMeterMask is no image file and has no pixels here" : "";
 }
 
