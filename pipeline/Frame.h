@@ -48,7 +48,7 @@ struct FFrameInputs
 	FEngineShowFlags ShowFlags;
 	FLinearColor LightColor = FLinearColor(1.0f, 1.0f, 1.0f, 1.0f); // of the main light, relative
 	uint32 FrameNumber = 0;
-	float DeltaTime = 1.0f / 24.0f; // s, since the frame before
+	float DeltaTime = 0.0f; // s, since the frame before; 0: there was none
 	std::vector<FFrameView> Views; // one at least
 	/** Files of the plugins whose extensions take part; empty optional: all. Extensions of no plugin always do. */
 	std::optional<std::vector<std::string>> Plugins;

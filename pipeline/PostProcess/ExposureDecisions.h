@@ -14,8 +14,8 @@ DRYDOCK_API std::string GetAutoExposureMethodName(EAutoExposureMethod Method);
 DRYDOCK_API bool IsAutoExposureActive(const FChainSettings& Chain);
 
 /** The effect named Exposure: always active. */
-FEffectDecision DecideExposure(const FChainSettings& Chain);
+DRYDOCK_API FEffectDecision DecideExposure(const FChainSettings& Chain);
 
-FEffectDecision DecideLocalExposure(const FChainSettings& Chain);
+DRYDOCK_API FEffectDecision DecideLocalExposure(const FChainSettings& Chain);
 
 } // namespace Drydock
