@@ -125,7 +125,7 @@ FEffectDecision DecideLocalExposure(const FChainSettings& Chain)
 		Decision.Reason = "ShowFlag.PostProcessing is off";
 		return Decision;
 	}
-	if (!IsLocalExposureEnabled(Settings))
+	if (!IsLocalExposureEnabled(Settings) && !(Chain.bNoSkip && bNamed))
 	{
 		Decision.Reason = "its contrast scales and detail strength are 1" + FindGate(Chain);
 		return Decision;
