@@ -305,12 +305,14 @@ FBloomKernel FindOrAddBloomKernel(FRDGBuilder& GraphBuilder, const FViewInfo& Vi
 		return AddBloomKernelPasses(GraphBuilder, View, Wanted);
 	}
 	FBloomFFTKernel& Kept = ViewState->BloomFFTKernel;
+	Kept.bUsed = true;
 	if (Kept.IsMadeFrom(Wanted) && Kept.Spectrum && Kept.Constants)
 	{
 		return {GraphBuilder.RegisterExternalTexture(Kept.Spectrum, TEXT("Bloom.KernelSpectrum")),
 			GraphBuilder.RegisterExternalBuffer(Kept.Constants, TEXT("Bloom.KernelConstants"))};
 	}
 	Kept = Wanted;
+	Kept.bUsed = true;
 	Kept.Spectrum = nullptr;
 	Kept.Constants = nullptr;
 	const FBloomKernel Kernel = AddBloomKernelPasses(GraphBuilder, View, Wanted);

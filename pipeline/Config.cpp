@@ -2,6 +2,8 @@
 #include "ConfigReader.h"
 
 #include "ConfigKeys.h"
+#include "FrameList.h"
+#include "FrameSequence.h"
 #include "ShowFlags.h"
 
 #include <algorithm>
@@ -129,10 +131,36 @@ FSceneUnits ReadUnits(const FJsonValue& Value)
 	return {Is("depth", "cm"), Is("velocity", "ndc"), Is("normal", "leftHanded")};
 }
 
+void ReadFrames(const FJsonValue& Value, FConfigScene& Scene, FConfigMessages& Messages)
+{
+	std::string Error;
+	if (!ParseFrameList(Value.String, Error))
+	{
+		Messages.Error(ErrorBadValue, Value, Error);
+	}
+	else if (!IsFrameSequence(Scene.File.Value))
+	{
+		Messages.Error(ErrorBadValue, Value, "frames are those of a sequence, which scene.file names with ####");
+	}
+	Scene.Frames = {Value.String, PlaceOf(Value)};
+}
+
 void ReadScene(const FJsonValue& Value, FConfigScene& Scene, FConfigMessages& Messages)
 {
 	WithMember(Value, "units", EJsonType::Object, [&](const FJsonValue& Units) { Scene.Units = ReadUnits(Units); });
 	ReadString(Value, "file", Scene.File);
+	WithMember(
+		Value, "frames", EJsonType::String, [&](const FJsonValue& Frames) { ReadFrames(Frames, Scene, Messages); });
+	WithMember(Value, "fps", EJsonType::Number,
+		[&](const FJsonValue& Fps)
+		{
+			if (!(Fps.Number >= 0.01 && Fps.Number <= 10000.0))
+			{
+				Messages.Error(ErrorBadValue, Fps, "fps is 0.01 to 10000 frames per second");
+				return;
+			}
+			Scene.Fps = {Fps.Number, PlaceOf(Fps)};
+		});
 	WithMember(Value, "channels", EJsonType::Object,
 		[&](const FJsonValue& Channels)
 		{

@@ -57,6 +57,8 @@ struct FConfigScene
 	TConfigValue<std::string> File; // as written; see FConfig::Resolve
 	std::string Sequence;           // where File was a sequence of frames: as written (see ChooseSceneFrame)
 	std::optional<int> Frame;       // of the sequence
+	TConfigValue<std::string> Frames; // of the sequence, that a run renders: see FFrameList
+	TConfigValue<double> Fps;         // frames per second of the sequence; the scene file's by default
 	std::map<std::string, TConfigValue<std::string>> Channels;
 	std::map<std::string, TConfigValue<double>> Defaults;
 	std::optional<FConfigVector> CameraLocation; // cm, of the file's header: see CompleteFromScene

@@ -4,6 +4,7 @@
 #include "ConfigReader.h"
 #include "EngineProfile.h"
 #include "ExtensionErrors.h"
+#include "SceneViewState.h"
 
 #include <algorithm>
 #include <cmath>
@@ -348,7 +349,7 @@ std::vector<FPassRequest> ReadPassRequests(const FConfig& Config, std::vector<FD
 std::vector<std::string> GetPassResources()
 {
 	return {PictureResource, "SceneDepth", "Velocity", "GBufferA", "GBufferB", "GBufferC", "GBufferD", "CustomDepth",
-		"ToonShadow"};
+		"ToonShadow", CustomSSRInputName};
 }
 
 } // namespace Drydock

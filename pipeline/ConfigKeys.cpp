@@ -32,6 +32,8 @@ const std::vector<FConfigKey>& GetConfigKeys()
 		{"", "study", Object, "study", 0, Optional, Later, "What a study of accuracy against time varies."},
 
 		{"scene", "file", String, "", 0, Required, Built, "Multi-layer EXR, or an RGB image (EXR, HDR, PNG), relative to the config; with #### in its name a sequence of frames."},
+		{"scene", "frames", String, "", 0, Optional, Built, "Frames that a run of a sequence renders: \"all\", \"1-8\", \"1-9x2\", \"1,3,5-8\"; the lowest alone by default."},
+		{"scene", "fps", Number, "", 0, Optional, Built, "Frames of a sequence in a second; the scene file's by default, else 24."},
 		{"scene", "channels", StringMap, "", 0, Optional, Built, "Channel names of this file: {\"depth.Z\": \"Depth.V\"} reads depth.Z from Depth.V."},
 		{"scene", "defaults", NumberMap, "", 0, Optional, Built, "Values for channels that the file lacks: {\"A\": 1}."},
 		{"scene", "padding", Padding, "padding", 0, Optional, Built, "Texels around the picture that hold no picture: a number for all sides, or one for each."},

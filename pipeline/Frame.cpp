@@ -179,6 +179,10 @@ public:
 		if (Inputs.bExecute)
 		{
 			ReadPictures();
+			for (const std::unique_ptr<FViewOfFrame>& View : Views)
+			{
+				Result.ViewStates.push_back(View->State->EndFrame());
+			}
 		}
 		else
 		{
@@ -195,8 +199,7 @@ private:
 		Family.Scene = GWorld->Scene;
 		Family.FrameNumber = Inputs.FrameNumber;
 		Family.FrameCounter = Inputs.FrameNumber;
-		Family.Time.DeltaWorldTimeSeconds = Inputs.DeltaTime;
-		Family.Time.DeltaRealTimeSeconds = Inputs.DeltaTime;
+		Family.Time = Inputs.Time;
 		Extensions.Gather(Family, Inputs.Plugins);
 		Extensions.SetupViewFamily(Family);
 		for (size_t Index = 0; Index < Inputs.Views.size(); ++Index)
@@ -204,6 +207,8 @@ private:
 			const std::shared_ptr<FSceneViewState>& Kept = Inputs.Views[Index].State;
 			Views.push_back(std::make_unique<FViewOfFrame>(
 				Kept ? Kept : std::make_shared<FSceneViewState>(static_cast<uint32>(Index + 1))));
+			Views.back()->State->BeginFrame(
+				Index < Inputs.ViewStates.size() ? Inputs.ViewStates[Index] : FViewHistory());
 			NamedViews.push_back({&Views.back()->View, Inputs.Views[Index].Name});
 			SetUpView(Inputs.Views[Index], *Views.back());
 			Family.Views.Add(&Views.back()->View);
@@ -231,6 +236,8 @@ private:
 		FViewInfo& View = Target.View;
 		View.Family = &Family;
 		View.State = Target.State.get();
+		View.ViewState = Target.State.get();
+		View.bCameraCut = Target.State->IsFirstFrame();
 		View.ViewRect = GetSceneRect(Source);
 		View.UnscaledViewRect = Source.Rect;
 		View.UnconstrainedViewRect = Source.Rect;
@@ -242,6 +249,17 @@ private:
 			Projection.SetViewRectangle(View.ViewRect);
 		}
 		SetCameraParameters(Projection, View.UniformParameters);
+		if (const std::optional<FSceneViewProjectionData>& Last = Target.State->GetLast().Projection)
+		{
+			View.UniformParameters.ClipToPrevClip = MakeClipToPrevClip(Projection, *Last);
+		}
+		FViewHistory& Next = Target.State->Next;
+		Next.bValid = true;
+		Next.FrameNumber = Inputs.FrameNumber;
+		Next.Projection = Projection;
+		View.UniformParameters.GameTime = Inputs.Time.WorldTimeSeconds;
+		View.UniformParameters.RealTime = Inputs.Time.RealTimeSeconds;
+		View.UniformParameters.DeltaTime = Inputs.Time.DeltaWorldTimeSeconds;
 		View.UniformParameters.FrameNumber = Inputs.FrameNumber;
 		View.UniformParameters.StateFrameIndex = Inputs.FrameNumber;
 		View.UniformParameters.StateFrameIndexMod8 = Inputs.FrameNumber % 8;
@@ -343,9 +361,7 @@ private:
 		ChainInputs.ExposureScale = Target.Chain.ExposureScale;
 		ChainInputs.SceneTextures = PostProcessingInputs.SceneTextures;
 		ChainInputs.LightColor = Inputs.LightColor;
-		ChainInputs.CustomSSRInput = &Target.State->CustomSSRInput;
 		ChainInputs.bAutoExposure = IsAutoExposureActive(Target.Chain);
-		ChainInputs.EyeAdaptation = &Target.State->EyeAdaptation;
 		Target.Outputs = AddPostProcessingPasses(GraphBuilder, NamedView, ChainInputs, Target.Effects, Extensions);
 		GraphBuilder.QueueTextureExtraction(Target.Outputs.SceneLinear.Texture, &Target.SceneLinear);
 		if (FindToonBloom(Target) != nullptr && Target.Outputs.Bloom.IsValid() && SceneTextures.GBufferB)
@@ -419,7 +435,7 @@ private:
 			return;
 		}
 		View.Exposure = MakeExposureReport(View.View, GetAutoExposureMethod(View.Chain.Settings),
-			*View.State->EyeAdaptation, View.Histogram.GetReference());
+			*View.State->Next.Buffers.at(EyeAdaptationName), View.Histogram.GetReference());
 		View.Chain.ExposureScale = View.Exposure->Scale;
 	}
 

@@ -34,7 +34,8 @@ struct FFrameView
 	FIntRect PictureRect; // what the lens sees, in the scene textures; empty: the view's own Rect
 	float PreExposure = 1.0f;
 	FChainSettings Chain;
-	/** What lives on from frame to frame; null: nothing does. */
+	/** Keeps caches from frame to frame; null: each frame makes its own. What changes pictures comes and goes by
+	 * ViewStates. */
 	std::shared_ptr<FSceneViewState> State;
 	/** Settings for another camera, asked for when an extension moves it; empty: Chain holds everywhere. */
 	std::function<FChainSettings(const FMinimalViewInfo&)> MakeChain;
@@ -48,8 +49,10 @@ struct FFrameInputs
 	FEngineShowFlags ShowFlags;
 	FLinearColor LightColor = FLinearColor(1.0f, 1.0f, 1.0f, 1.0f); // of the main light, relative
 	uint32 FrameNumber = 0;
-	float DeltaTime = 0.0f; // s, since the frame before; 0: there was none
+	FGameTime Time;
 	std::vector<FFrameView> Views; // one at least
+	/** What the frame before left, view by view; empty before the first. */
+	std::vector<FViewHistory> ViewStates;
 	/** Files of the plugins whose extensions take part; empty optional: all. Extensions of no plugin always do. */
 	std::optional<std::vector<std::string>> Plugins;
 	/** Registers the scene's textures in the frame's graph. */
@@ -75,6 +78,7 @@ struct FFrameResult
 	double Milliseconds = 0.0; // from the first hook to the end of the graph
 
 	// Only of an executed frame.
+	std::vector<FViewHistory> ViewStates; // for the next frame
 	FImage SceneLinear;       // RGBA: the tonemapper's input, of all SceneRects; black where no view is
 	FImage Final;             // RGBA: display-encoded, of all Rects, likewise
 	FImage BandingMap;        // RGB: of the blurred toon shadow of the first view that has one (Banding.h); else empty

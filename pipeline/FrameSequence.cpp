@@ -2,6 +2,7 @@
 #include "FrameSequence.h"
 
 #include "ConfigErrors.h"
+#include "FrameList.h"
 
 #include <algorithm>
 #include <charconv>
@@ -60,6 +61,38 @@ struct FPattern
 	throw FError(Diagnostic, ExitFiles);
 }
 
+std::vector<FSequenceFrame> FindFrames(const FConfig& Config, const std::string& Pattern)
+{
+	std::vector<FSequenceFrame> Frames = FindSequenceFrames(Config.Resolve(Pattern));
+	if (Frames.empty())
+	{
+		ThrowNoFrame(Config, "no file matches " + Config.Resolve(Pattern));
+	}
+	return Frames;
+}
+
+const FSequenceFrame& FindFrame(
+	const FConfig& Config, const std::string& Pattern, const std::vector<FSequenceFrame>& Frames, int Number)
+{
+	const auto Found = std::find_if(
+		Frames.begin(), Frames.end(), [&](const FSequenceFrame& Candidate) { return Candidate.Number == Number; });
+	if (Found == Frames.end())
+	{
+		ThrowNoFrame(Config, "there is no frame " + std::to_string(Number) + " of " + Config.Resolve(Pattern) +
+								 ": there are " + std::to_string(Frames.front().Number) + " to " +
+								 std::to_string(Frames.back().Number));
+	}
+	return *Found;
+}
+
+/** The first of scene.frames. */
+std::optional<int> GetFirstListed(const FConfigScene& Scene)
+{
+	std::string Ignored;
+	const std::optional<FFrameList> List = ParseFrameList(Scene.Frames.Value, Ignored);
+	return Scene.Frames.IsSet() && List && !List->bAll ? std::optional(List->Ranges.front().First) : std::nullopt;
+}
+
 } // namespace
 
 bool IsFrameSequence(const std::string& Path)
@@ -98,22 +131,49 @@ void ChooseSceneFrame(FConfig& Config, std::optional<int> Frame)
 	{
 		return;
 	}
-	const std::vector<FSequenceFrame> Frames = FindSequenceFrames(Config.Resolve(File));
-	if (Frames.empty())
-	{
-		ThrowNoFrame(Config, "no file matches " + Config.Resolve(File));
-	}
-	const auto Found = std::find_if(Frames.begin(), Frames.end(),
-		[&](const FSequenceFrame& Candidate) { return !Frame || Candidate.Number == *Frame; });
-	if (Found == Frames.end())
-	{
-		ThrowNoFrame(Config, "there is no frame " + std::to_string(*Frame) + " of " + Config.Resolve(File) +
-								 ": there are " + std::to_string(Frames.front().Number) + " to " +
-								 std::to_string(Frames.back().Number));
-	}
+	const std::vector<FSequenceFrame> Frames = FindFrames(Config, File);
+	const int Number = Frame.value_or(GetFirstListed(Config.Scene).value_or(Frames.front().Number));
+	const FSequenceFrame& Found = FindFrame(Config, File, Frames, Number);
 	Config.Scene.Sequence = File;
-	Config.Scene.Frame = Found->Number;
-	File = (Files::path(File).parent_path() / Files::path(Found->Path).filename()).string();
+	Config.Scene.Frame = Found.Number;
+	File = (Files::path(File).parent_path() / Files::path(Found.Path).filename()).string();
+}
+
+std::vector<FSequenceFrame> ChooseSequenceFrames(
+	const FConfig& Config, const std::string& List, const FConfigPlace& Place)
+{
+	const auto Throw = [&](const std::string& Message)
+	{
+		FDiagnostic Diagnostic;
+		Diagnostic.Code = ErrorBadArgument;
+		Diagnostic.File = Config.File;
+		Diagnostic.Where = Place.Pointer;
+		Diagnostic.Message = Message;
+		throw FError(Diagnostic, ExitUsage);
+	};
+	std::string Error;
+	const std::optional<FFrameList> Parsed = ParseFrameList(List, Error);
+	if (!Parsed)
+	{
+		Throw(Error);
+	}
+	const std::string& Pattern = Config.Scene.Sequence;
+	if (Pattern.empty())
+	{
+		Throw("the scene is no sequence: scene.file has no #### in its name");
+	}
+	const std::vector<FSequenceFrame> Existing = FindFrames(Config, Pattern);
+	std::vector<int> Numbers;
+	for (const FSequenceFrame& Frame : Existing)
+	{
+		Numbers.push_back(Frame.Number);
+	}
+	std::vector<FSequenceFrame> Frames;
+	for (const int Number : ListFrames(*Parsed, Numbers))
+	{
+		Frames.push_back(FindFrame(Config, Pattern, Existing, Number));
+	}
+	return Frames;
 }
 
 } // namespace Drydock

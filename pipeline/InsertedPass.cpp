@@ -3,6 +3,8 @@
 
 #include "ExtensionErrors.h"
 #include "PostProcess/PostProcessing.h"
+#include "SceneViewState.h"
+#include "SystemTextures.h"
 
 namespace Drydock
 {
@@ -31,7 +33,7 @@ public:
 		Arguments.Values = Request.Values;
 		for (const auto& [Name, Resource] : Request.Resources)
 		{
-			Arguments.Inputs[Name] = Find(View, Picture, Resource);
+			Arguments.Inputs[Name] = Find(GraphBuilder, View, Picture, Resource);
 		}
 		const FScreenPassTexture Result = Factory->Add(GraphBuilder, View, Arguments);
 		(*Results)[{&View, Request.Name}] = Result;
@@ -39,11 +41,19 @@ public:
 	}
 
 private:
-	FScreenPassTexture Find(const FViewInfo& View, const FScreenPassTexture& Picture, const std::string& Resource) const
+	FScreenPassTexture Find(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& Picture,
+		const std::string& Resource) const
 	{
 		if (Resource == PictureResource)
 		{
 			return Picture;
+		}
+		if (Resource == CustomSSRInputName)
+		{
+			const FScreenPassTexture Last = View.ViewState != nullptr
+												? View.ViewState->RegisterLastTexture(GraphBuilder, CustomSSRInputName)
+												: FScreenPassTexture();
+			return Last.IsValid() ? Last : FScreenPassTexture(GSystemTextures.GetBlackDummy(GraphBuilder));
 		}
 		const auto Found = Results->find({&View, Resource});
 		if (Found != Results->end())

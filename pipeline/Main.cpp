@@ -209,7 +209,16 @@ int ParseAndRun(int NumArguments, char** Arguments)
 		"Keep what matches: a pass, a resource or Pass.Resource, with * and ?; repeats");
 	Run->add_flag("--no-skip", Options.Run.bNoSkip,
 		"Leave nothing out because nobody needs it: slower, the same bits; what is switched off stays off");
-	Run->add_flag("--watch", Options.bWatch, "Run again whenever the config, its scene or a shader changes");
+	CLI::Option* Frames =
+		Run->add_option("--frames", Options.Frames,
+			   "Frames of a sequence, each with what lives on from the one before: all, 1-8, 1-9x2 (every second) or "
+			   "1,3,5-8; the config's scene.frames by default. A run that was stopped goes on where it stood")
+			->type_name("LIST")
+			->excludes(Run->get_option("--frame"));
+	Run->add_flag("--restart", Options.bRestart, "Render all frames again, whatever the folder holds");
+	Run->add_option("--video", Options.Video, "Video of the frames, such as walk.mp4; needs ffmpeg")->type_name("FILE");
+	Run->add_flag("--watch", Options.bWatch, "Run again whenever the config, its scene or a shader changes")
+		->excludes(Frames);
 	Run->add_flag("--json", Options.bJson, "Print run.json instead of the summary");
 	Run->callback([&] { ExitCode = RunVerb(Options); });
 

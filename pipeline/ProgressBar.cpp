@@ -24,7 +24,7 @@ void FProgressBar::Show(int Done, int Total, const std::string& What)
 	const int Filled = std::clamp(Done * Width / Total, 0, Width);
 	const std::string Bar =
 		std::string(static_cast<size_t>(Filled), '#') + std::string(static_cast<size_t>(Width - Filled), '.');
-	std::fprintf(stderr, "\r\x1b[2K[%s] %d/%d %.48s", Bar.c_str(), Done, Total, What.c_str());
+	std::fprintf(stderr, "\r\x1b[2K[%s] %d/%d %.70s", Bar.c_str(), Done, Total, What.c_str());
 	std::fflush(stderr);
 	bShown = true;
 }
@@ -37,6 +37,22 @@ void FProgressBar::Clear()
 		std::fflush(stderr);
 		bShown = false;
 	}
+}
+
+std::string DescribeRate(int Done, int NumLeft, double Seconds)
+{
+	if (Done <= 0 || !(Seconds > 0.0))
+	{
+		return "";
+	}
+	const double Left = Seconds / Done * NumLeft;
+	const long Whole = static_cast<long>(std::min(Left, 1e9) + 0.5);
+	char Rate[32];
+	std::snprintf(Rate, sizeof(Rate), "%.1f frames/s, ", Done / Seconds);
+	const std::string Rest = Whole >= 3600 ? std::to_string(Whole / 3600) + " h " + std::to_string(Whole % 3600 / 60) + " min"
+							 : Whole >= 60 ? std::to_string(Whole / 60) + " min " + std::to_string(Whole % 60) + " s"
+										   : std::to_string(Whole) + " s";
+	return Rate + Rest + " left";
 }
 
 bool IsColorful(int FileDescriptor)

@@ -22,6 +22,9 @@ private:
 	bool bShown = false;
 };
 
+/** "2.5 frames/s, 3 min 20 s left": of Done things in so many seconds, with NumLeft to go. Empty until one is done. */
+std::string DescribeRate(int Done, int NumLeft, double Seconds);
+
 /** Whether text on that file descriptor may be coloured: a terminal, and NO_COLOR is not set. */
 bool IsColorful(int FileDescriptor);
 

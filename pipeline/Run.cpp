@@ -307,7 +307,33 @@ FFrameView MakeFrameView(const FRunSetup& Setup, const FConfigView& ConfigView, 
 	return View;
 }
 
-FFrameInputs MakeFrameInputs(const FRunOptions& Options, const FRunSetup& Setup, FScene& Scene, IRDGObserver& Observer)
+/** Of a frame of a sequence, which begins at frame 0; a scene that is none knows no time. Last: the frame before. */
+FGameTime GetFrameTime(const FConfigScene& Config, const FScene& Scene, const std::vector<FViewHistory>& Last)
+{
+	constexpr double DefaultFps = 24.0;
+	if (!Config.Frame)
+	{
+		return {};
+	}
+	const double Delta = Config.Fps.IsSet() ? 1.0 / Config.Fps.Value : Scene.GetDeltaTime().value_or(1.0 / DefaultFps);
+	const int NumFrames = !Last.empty() && Last[0].bValid ? *Config.Frame - static_cast<int>(Last[0].FrameNumber) : 1;
+	FGameTime Time;
+	Time.WorldTimeSeconds = static_cast<float>(*Config.Frame * Delta);
+	Time.RealTimeSeconds = Time.WorldTimeSeconds;
+	Time.DeltaWorldTimeSeconds = static_cast<float>(NumFrames * Delta);
+	Time.DeltaRealTimeSeconds = Time.DeltaWorldTimeSeconds;
+	return Time;
+}
+
+/** What a frame starts with beside its scene. */
+struct FBeforeFrame
+{
+	const std::vector<FViewHistory>& Last;
+	std::vector<std::shared_ptr<FSceneViewState>>& Caches; // by view
+};
+
+FFrameInputs MakeFrameInputs(const FRunOptions& Options, const FRunSetup& Setup, FScene& Scene,
+	const FBeforeFrame& Before, IRDGObserver& Observer)
 {
 	FFrameInputs Inputs;
 	Inputs.EngineMinor = ParseEngineVersion(Setup.Config.Engine.Value);
@@ -315,7 +341,9 @@ FFrameInputs MakeFrameInputs(const FRunOptions& Options, const FRunSetup& Setup,
 	Inputs.OutputExtent = Scene.GetOutputExtent();
 	Inputs.LightColor = Scene.GetLightColor();
 	Inputs.ShowFlags = Setup.Chain.ShowFlags;
-	Inputs.FrameNumber = static_cast<uint32>(Options.Frame.value_or(Setup.Config.Scene.Frame.value_or(0)));
+	Inputs.FrameNumber = static_cast<uint32>(Setup.Config.Scene.Frame.value_or(Options.Frame.value_or(0)));
+	Inputs.Time = GetFrameTime(Setup.Config.Scene, Scene, Before.Last);
+	Inputs.ViewStates = Before.Last;
 	Inputs.Observer = &Observer;
 	Inputs.bExecute = Options.bExecute;
 	Inputs.RegisterSceneTextures = [&Scene](FRDGBuilder& GraphBuilder)
@@ -327,23 +355,35 @@ FFrameInputs MakeFrameInputs(const FRunOptions& Options, const FRunSetup& Setup,
 	{
 		Inputs.Views.push_back(MakeFrameView(Setup, Setup.Config.View, Scene));
 		Inputs.Views[0].Chain = Setup.Chain;
-		return Inputs;
 	}
-	for (const FConfigView& ConfigView : Setup.Config.Views)
+	else
 	{
-		FFrameView View = MakeFrameView(Setup, ConfigView, Scene);
-		View.Name = "View " + std::to_string(Inputs.Views.size());
-		View.Chain = View.MakeChain(View.Camera);
-		Inputs.Views.push_back(std::move(View));
+		for (const FConfigView& ConfigView : Setup.Config.Views)
+		{
+			FFrameView View = MakeFrameView(Setup, ConfigView, Scene);
+			View.Name = "View " + std::to_string(Inputs.Views.size());
+			View.Chain = View.MakeChain(View.Camera);
+			Inputs.Views.push_back(std::move(View));
+		}
+	}
+	for (FFrameView& View : Inputs.Views)
+	{
+		const size_t Index = static_cast<size_t>(&View - Inputs.Views.data());
+		if (Index >= Before.Caches.size())
+		{
+			Before.Caches.push_back(std::make_shared<FSceneViewState>(static_cast<uint32>(Index + 1)));
+		}
+		View.State = Before.Caches[Index];
 	}
 	return Inputs;
 }
 
 /** Builds the graph and runs or compiles it. */
-void RunGraph(const FRunOptions& Options, const FRunSetup& Setup, FScene& Scene, FRunResult& Result)
+void RunGraph(const FRunOptions& Options, const FRunSetup& Setup, FScene& Scene, const FBeforeFrame& Before,
+	FRunResult& Result)
 {
 	FRunObserver Observer(Options, Setup, Scene, Result);
-	const FFrameInputs Inputs = MakeFrameInputs(Options, Setup, Scene, Observer);
+	const FFrameInputs Inputs = MakeFrameInputs(Options, Setup, Scene, Before, Observer);
 	FFrameResult Frame = RenderViewFamily(Inputs);
 	const FFrameViewResult& View = Frame.Views[0];
 	for (const FFrameViewResult& Other : Frame.Views)
@@ -367,6 +407,7 @@ void RunGraph(const FRunOptions& Options, const FRunSetup& Setup, FScene& Scene,
 		Result.Graph = std::move(Frame.Graph);
 		return;
 	}
+	Result.ViewStates = std::move(Frame.ViewStates);
 	Result.SceneLinear = std::move(Frame.SceneLinear);
 	Result.Final = std::move(Frame.Final);
 	Result.BandingMap = std::move(Frame.BandingMap);
@@ -383,20 +424,36 @@ void RunGraph(const FRunOptions& Options, const FRunSetup& Setup, FScene& Scene,
 
 } // namespace
 
-FRunResult RunConfig(const FRunOptions& Options)
+FRunSession::FRunSession(const FRunOptions& InOptions)
+	: Options(InOptions)
+	, Setup(std::make_unique<FRunSetup>(InOptions))
 {
-	const FRunSetup Setup(Options);
+}
+
+FRunSession::~FRunSession() = default;
+
+const FConfig& FRunSession::GetConfig() const
+{
+	return Setup->Config;
+}
+
+FRunResult FRunSession::Run(std::optional<int> Frame, const std::vector<FViewHistory>& Last)
+{
+	if (Frame && Setup->Config.Scene.Frame && Frame != Setup->Config.Scene.Frame)
+	{
+		Setup->ChooseFrame(*Frame);
+	}
 	try
 	{
-		FScene Scene(Setup.Config);
-		Scene.SetResolution(GetScreenPercentage(Setup.Chain), MakeRegions(Setup, Scene));
-		FRunResult Result = MakeResult(Setup, Scene);
-		RunGraph(Options, Setup, Scene, Result);
+		FScene Scene(Setup->Config);
+		Scene.SetResolution(GetScreenPercentage(Setup->Chain), MakeRegions(*Setup, Scene));
+		FRunResult Result = MakeResult(*Setup, Scene);
+		RunGraph(Options, *Setup, Scene, {Last, Caches}, Result);
 		Result.Channels = Scene.GetChannels();
 		Result.Diagnostics.insert(Result.Diagnostics.end(), Result.Graph.Warnings.begin(), Result.Graph.Warnings.end());
 		if (Options.bExecute)
 		{
-			const std::vector<FDiagnostic> DumpWarnings = CheckDumpPatterns(Setup.Dump, Result);
+			const std::vector<FDiagnostic> DumpWarnings = CheckDumpPatterns(Setup->Dump, Result);
 			Result.Diagnostics.insert(Result.Diagnostics.end(), DumpWarnings.begin(), DumpWarnings.end());
 			const FNonFiniteCount InFile = Scene.GetNonFinite();
 			ReportNonFinite(InFile.Count > 0 ? InFile : CountNonFinite(Result.SceneLinear), "scene colour", Result);
@@ -412,8 +469,13 @@ FRunResult RunConfig(const FRunOptions& Options)
 		{
 			throw;
 		}
-		RethrowWith(Setup.Diagnostics, Error);
+		RethrowWith(Setup->Diagnostics, Error);
 	}
+}
+
+FRunResult RunConfig(const FRunOptions& Options)
+{
+	return FRunSession(Options).Run(std::nullopt, {});
 }
 
 FCheckResult CheckConfig(const FRunOptions& Options)

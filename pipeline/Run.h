@@ -11,8 +11,10 @@
 #include "RenderGraphCompiled.h"
 #include "RunOptions.h"
 #include "Scene.h"
+#include "SceneViewState.h"
 #include "TonemapOutputDevice.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -83,6 +85,7 @@ struct FRunResult
 	FImage BandingMap;            // RGB, of the blurred toon shadow; empty where there is none
 	FImage BlurredToonShadow;     // one channel, decoded: what lighting reads; empty where there is none
 	std::vector<FRunDump> Dumps;
+	std::vector<FViewHistory> ViewStates; // what lives on to the next frame
 	FRunTimes Times;
 
 	/** Text of run.json: the same bytes for the same run. */
@@ -92,6 +95,33 @@ struct FRunResult
 /** Reads the config, decides, builds and compiles the graph and, where asked, executes it. Console variables are put
  * back afterwards. Throws FError with everything collected; not for two threads at once. */
 DRYDOCK_API FRunResult RunConfig(const FRunOptions& Options);
+
+struct FRunSetup;
+
+/** One config, frame after frame: its extensions and console variables live as long as the session, and what lives on
+ * of the views goes from one frame to the next by the caller's hand. One session at a time. */
+class DRYDOCK_API FRunSession
+{
+public:
+	/** Reads the config and decides. Throws as RunConfig. Options.Frame: the first frame. */
+	explicit FRunSession(const FRunOptions& InOptions);
+	~FRunSession();
+	FRunSession(const FRunSession&) = delete;
+	FRunSession& operator=(const FRunSession&) = delete;
+
+	/** As of the last frame; before one, of the first. */
+	const FConfig& GetConfig() const;
+
+	/** Frame: of a sequence; empty: the one of before. Last: the ViewStates of the frame before; empty: there was none.
+	 * The same arguments give the same result, whatever the session ran before, unless extensions keep a history of
+	 * their own. */
+	FRunResult Run(std::optional<int> Frame, const std::vector<FViewHistory>& Last);
+
+private:
+	const FRunOptions Options;
+	const std::unique_ptr<FRunSetup> Setup;
+	std::vector<std::shared_ptr<FSceneViewState>> Caches; // by view
+};
 
 /** Only what comes before the scene: config with the options' arguments, and the decisions. Throws FError on errors. */
 struct FCheckResult

@@ -209,4 +209,34 @@ double WriteRunOutputs(const FRunResult& Result, const std::string& Folder)
 	return SaveMs;
 }
 
+double WriteNewRunFolder(
+	const FRunResult& Result, const std::string& Folder, const std::map<std::string, std::string>& Further)
+{
+	const auto Begin = std::chrono::steady_clock::now();
+	const Files::path Target = Files::path(Folder).lexically_normal();
+	if (Files::exists(Target))
+	{
+		throw MakeWriteError(Target, "it is there already");
+	}
+	const FAsideFolder Aside(Target);
+	WriteAside(Result, Aside.Path);
+	for (const auto& [Name, Contents] : Further)
+	{
+		WriteText(Aside.Path / Name, Contents);
+	}
+	const double SaveMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Begin).count();
+	WriteText(Aside.Path / "timing.json", MakeTimingJson(Result, SaveMs));
+	std::error_code Error;
+	if (Result.Dumps.empty())
+	{
+		Files::remove(Aside.Path / "passes", Error);
+	}
+	Files::rename(Aside.Path, Target, Error);
+	if (Error)
+	{
+		throw MakeWriteError(Target, Error.message());
+	}
+	return SaveMs;
+}
+
 } // namespace Drydock

@@ -4,6 +4,7 @@
 
 #include "Run.h"
 
+#include <map>
 #include <string>
 
 namespace Drydock
@@ -19,5 +20,10 @@ DRYDOCK_API std::string GetDefaultOutputFolder(const std::string& ConfigFile);
  * holds beside these stays; a passes/ of an earlier run goes. Returns the milliseconds it took. Throws FError (exit
  * code 3); then the folder is as it was. */
 DRYDOCK_API double WriteRunOutputs(const FRunResult& Result, const std::string& Folder);
+
+/** The same into a folder that is not there yet and appears complete, with further files (name to contents) in it.
+ * Throws FError (exit code 3): it is there, or it cannot be written. */
+DRYDOCK_API double WriteNewRunFolder(
+	const FRunResult& Result, const std::string& Folder, const std::map<std::string, std::string>& Further);
 
 } // namespace Drydock

@@ -128,11 +128,14 @@ void FRunVariables::Apply(
 
 void FRunSetup::CreateExtensions()
 {
-	const std::vector<FExtensionRequest> Requests = ReadExtensionRequests(Config, Diagnostics);
-	const std::vector<FPassRequest> PassRequests = ReadPassRequests(Config, Diagnostics);
-	if (HasErrors(Diagnostics))
+	const std::vector<FExtensionRequest> Requests = ReadExtensionRequests(Config, OfExtensions);
+	const std::vector<FPassRequest> PassRequests = ReadPassRequests(Config, OfExtensions);
+	if (HasErrors(OfExtensions))
 	{
-		throw FError(Diagnostics, ExitUsage);
+		std::vector<FDiagnostic> All = OfConfig;
+		All.insert(All.end(), OfFrame.begin(), OfFrame.end());
+		All.insert(All.end(), OfExtensions.begin(), OfExtensions.end());
+		throw FError(All, ExitUsage);
 	}
 	const auto Add = [this](const TSharedRef<ISceneViewExtension, ESPMode::ThreadSafe>& Extension,
 						 const std::string& Name, int32 EngineMinor)
@@ -150,16 +153,46 @@ void FRunSetup::CreateExtensions()
 	{
 		Add(FindExtensionFactory(Request.Type)->Create(Request.Arguments), Request.Type, AnyEngineVersion);
 	}
-	const auto Results = std::make_shared<FPassResults>();
+	PassResults = std::make_shared<FPassResults>();
 	for (const FPassRequest& Request : PassRequests)
 	{
-		Add(CreateInsertedPass(Request, Results), Request.Name, AnyEngineVersion);
+		Add(CreateInsertedPass(Request, PassResults), Request.Name, AnyEngineVersion);
 	}
 }
 
-FRunSetup::FRunSetup(const FRunOptions& Options)
-	: Plugins(LoadPluginsOf(Options, Diagnostics))
-	, Config(Read(Options, Diagnostics))
+void FRunSetup::PlaceFrame(std::optional<int> Frame)
+{
+	OfFrame.clear();
+	Config = ConfigBeforeFrame;
+	ChooseSceneFrame(Config, Frame);
+	if (Options.Location)
+	{
+		Config.View.Location = {*Options.Location, {1, 1, "--at"}};
+	}
+	CompleteFromScene(Config, OfFrame);
+}
+
+void FRunSetup::Decide()
+{
+	Diagnostics = OfConfig;
+	Diagnostics.insert(Diagnostics.end(), OfFrame.begin(), OfFrame.end());
+	Diagnostics.insert(Diagnostics.end(), OfExtensions.begin(), OfExtensions.end());
+	Chain = MakeChainSettings(Config, &Diagnostics);
+	WarnOfIneffectiveValues(Config, Chain, Diagnostics);
+	Effects = DecideEffects(Chain);
+}
+
+void FRunSetup::ChooseFrame(int Frame)
+{
+	PlaceFrame(Frame);
+	PassResults->clear(); // they belong to the graph of the frame before
+	Decide();
+}
+
+FRunSetup::FRunSetup(const FRunOptions& InOptions)
+	: Plugins(LoadPluginsOf(InOptions, Diagnostics))
+	, Config(Read(InOptions, Diagnostics))
+	, Options(InOptions)
 {
 	for (const std::string& Argument : Options.Settings)
 	{
@@ -183,15 +216,12 @@ FRunSetup::FRunSetup(const FRunOptions& Options)
 	{
 		throw FError(Diagnostics, ExitUsage);
 	}
-	ChooseSceneFrame(Config, Options.Frame);
-	if (Options.Location)
-	{
-		Config.View.Location = {*Options.Location, {1, 1, "--at"}};
-	}
-	CompleteFromScene(Config, Diagnostics);
+	OfConfig = std::move(Diagnostics);
+	ConfigBeforeFrame = Config;
+	PlaceFrame(Options.Frame);
 	for (const FConfigVariable& Variable : Config.Variables)
 	{
-		Variables.Apply(Variable, Config.File, Diagnostics);
+		Variables.Apply(Variable, Config.File, OfExtensions);
 	}
 	if (Options.bDouble)
 	{
@@ -204,6 +234,7 @@ FRunSetup::FRunSetup(const FRunOptions& Options)
 	if (Options.bNoSkip)
 	{
 		Variables.Set("r.RDG.CullPasses", "0");
+		ConfigBeforeFrame.bNoSkip = true;
 		Config.bNoSkip = true;
 	}
 	if (Options.Threads)
@@ -213,9 +244,7 @@ FRunSetup::FRunSetup(const FRunOptions& Options)
 	IConsoleManager::Get().CallAllConsoleVariableSinks();
 	CreateExtensions();
 	TextureLoader.emplace(MakeTextureLoader(Config));
-	Chain = MakeChainSettings(Config, &Diagnostics);
-	WarnOfIneffectiveValues(Config, Chain, Diagnostics);
-	Effects = DecideEffects(Chain);
+	Decide();
 	Dump = Config.Dump;
 	for (const std::string& Pattern : Options.Dump)
 	{

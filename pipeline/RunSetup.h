@@ -3,6 +3,7 @@
 #pragma once
 
 #include "HAL/ConsoleVariableTools.h"
+#include "InsertedPass.h"
 #include "Run.h"
 #include "SceneViewExtension.h"
 #include "TextureAssets.h"
@@ -29,7 +30,11 @@ private:
 struct DRYDOCK_API FRunSetup
 {
 	/** Throws FError (exit code 2 or 3) with everything found when something is wrong. */
-	explicit FRunSetup(const FRunOptions& Options);
+	explicit FRunSetup(const FRunOptions& InOptions);
+
+	/** Goes on to another frame of the sequence: config, settings and decisions are as if it had been the first. Throws
+	 * FError when there is no such frame, or something is wrong with it. */
+	void ChooseFrame(int Frame);
 
 	std::vector<FDiagnostic> Diagnostics;
 	/** Files. Loaded before anything else, because they bring console variables, which the rest of the config names and
@@ -45,7 +50,17 @@ struct DRYDOCK_API FRunSetup
 	std::vector<TSharedRef<ISceneViewExtension, ESPMode::ThreadSafe>> Extensions;
 
 private:
+	void PlaceFrame(std::optional<int> Frame);
 	void CreateExtensions();
+	void Decide();
+
+	const FRunOptions Options;
+	FConfig ConfigBeforeFrame;
+	// Messages, in the order in which they are given.
+	std::vector<FDiagnostic> OfConfig;
+	std::vector<FDiagnostic> OfFrame;
+	std::vector<FDiagnostic> OfExtensions;
+	std::shared_ptr<FPassResults> PassResults;
 };
 
 } // namespace Drydock

@@ -38,6 +38,7 @@ FScene::FScene(const FConfig& InConfig)
 	: Config(InConfig.Scene)
 	, File(ResolveSceneFile(InConfig))
 	, Camera(ReadSceneCamera(File.GetAttribute("drydock:camera_json")))
+	, DeltaTime(ReadSceneDeltaTime(File.GetAttribute("drydock:camera_json")))
 	, LightColor(
 		  ReadSceneLightColor(File.GetAttribute("drydock:camera_json")).value_or(FLinearColor(1.0f, 1.0f, 1.0f, 1.0f)))
 {

@@ -64,6 +64,9 @@ public:
 	/** From the header's drydock:camera_json; empty when there is none. */
 	const std::optional<FSceneCamera>& GetCamera() const { return Camera; }
 
+	/** Seconds from one frame to the next, from the same; empty when it does not say. */
+	const std::optional<double>& GetDeltaTime() const { return DeltaTime; }
+
 	/** Of the main light, relative, from the same; white when there is none (SceneLight.h). */
 	const FLinearColor& GetLightColor() const { return LightColor; }
 
@@ -115,6 +118,7 @@ private:
 	double ScreenPercentage = 100.0;
 	std::vector<FSceneRegion> Regions;
 	std::optional<FSceneCamera> Camera;
+	std::optional<double> DeltaTime;
 	FLinearColor LightColor;
 	std::vector<FSceneChannel> Channels;
 	std::map<std::string, TRefCountPtr<FRHITexture>> Textures;

@@ -71,6 +71,15 @@ std::optional<FSceneCamera> ReadSceneCamera(const std::string& Json)
 	return Camera;
 }
 
+std::optional<double> ReadSceneDeltaTime(const std::string& Json)
+{
+	std::vector<FDiagnostic> Ignored;
+	bool bSyntaxError = false;
+	const FJsonValue Root = ParseJson(Json, "drydock:camera_json", Ignored, bSyntaxError);
+	const std::optional<double> Seconds = bSyntaxError ? std::nullopt : FindNumber(Root, "delta_time_s");
+	return Seconds && *Seconds > 0.0 && std::isfinite(*Seconds) ? Seconds : std::nullopt;
+}
+
 FMatrix MakeProjection(const FSceneCamera& Camera, FIntPoint PictureExtent, const FIntRect& Rect)
 {
 	const FVector2D Center = Camera.PrincipalPoint.value_or(FVector2D(0.5 * PictureExtent.X, 0.5 * PictureExtent.Y));
@@ -130,7 +139,7 @@ void SetCameraParameters(const FSceneViewProjectionData& ProjectionData, FViewUn
 	Parameters.SVPositionToTranslatedWorld = FMatrix44f(PixelToClip * FromClip);
 	Parameters.ScreenToTranslatedWorld = FMatrix44f(ScreenToClip * FromClip);
 	Parameters.ScreenToWorld = FMatrix44f(ScreenToClip * FromClip * FTranslationMatrix(ProjectionData.ViewOrigin));
-	Parameters.ClipToPrevClip = FMatrix44f::Identity; // one frame knows no other camera
+	Parameters.ClipToPrevClip = FMatrix44f::Identity;
 
 	const auto GetAxis = [&ViewRotation](int32 Column)
 	{
@@ -147,6 +156,20 @@ void SetCameraParameters(const FSceneViewProjectionData& ProjectionData, FViewUn
 	const float AngleX = static_cast<float>(2.0 * std::atan(1.0 / Projection.M[0][0]));
 	const float AngleY = static_cast<float>(2.0 * std::atan(1.0 / Projection.M[1][1]));
 	Parameters.FieldOfViewWideAngles = FVector4f(AngleX, AngleY, AngleX, AngleY);
+}
+
+FMatrix44f MakeClipToPrevClip(const FSceneViewProjectionData& Current, const FSceneViewProjectionData& Previous)
+{
+	if (Current.ViewOrigin == Previous.ViewOrigin && Current.ViewRotationMatrix == Previous.ViewRotationMatrix &&
+		Current.ProjectionMatrix == Previous.ProjectionMatrix)
+	{
+		return FMatrix44f::Identity;
+	}
+	const FMatrix ToTranslatedWorld = Current.ProjectionMatrix.Inverse() * Current.ViewRotationMatrix.GetTransposed();
+	// Each frame's translated world has its own camera at the origin.
+	const FTranslationMatrix ToPrevTranslatedWorld(Current.ViewOrigin - Previous.ViewOrigin);
+	return FMatrix44f(
+		ToTranslatedWorld * ToPrevTranslatedWorld * (Previous.ViewRotationMatrix * Previous.ProjectionMatrix));
 }
 
 } // namespace Drydock

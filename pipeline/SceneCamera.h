@@ -29,6 +29,9 @@ struct FSceneCamera
 /** Reads a drydock:camera_json text; empty when it is none. */
 DRYDOCK_API std::optional<FSceneCamera> ReadSceneCamera(const std::string& Json);
 
+/** Seconds from one frame to the next, of such a text; empty when it has none that is above 0. */
+DRYDOCK_API std::optional<double> ReadSceneDeltaTime(const std::string& Json);
+
 /** View to clip space of a view that covers Rect (pixels of a picture of PictureExtent). Device depth is
  * SceneNearPlane / z: 1 at the near plane, 0 at infinity. */
 DRYDOCK_API FMatrix MakeProjection(const FSceneCamera& Camera, FIntPoint PictureExtent, const FIntRect& Rect);
@@ -44,8 +47,13 @@ DRYDOCK_API float MakeDeviceDepth(double Depth);
 DRYDOCK_API FSceneViewProjectionData MakeProjectionData(
 	const FSceneCamera& Camera, FIntPoint PictureExtent, const FIntRect& Rect, const FIntRect& BufferRect);
 
-/** Fills matrices, vectors and depth transform. */
+/** Fills matrices, vectors and depth transform; ClipToPrevClip is that of a camera that stands still. */
 DRYDOCK_API void SetCameraParameters(
 	const FSceneViewProjectionData& ProjectionData, FViewUniformShaderParameters& Parameters);
+
+/** What projects a point of this frame's clip space to last frame's, where the world stood still; exactly the identity
+ * where the camera did. */
+DRYDOCK_API FMatrix44f MakeClipToPrevClip(
+	const FSceneViewProjectionData& Current, const FSceneViewProjectionData& Previous);
 
 } // namespace Drydock

@@ -94,10 +94,40 @@ FWatchedFiles GetWatchedFiles(const FVerbOptions& Options)
 	}
 }
 
+/** Asked for on the command line, or by the config where the command line names no frame. */
+bool IsSequence(const FVerbOptions& Options)
+{
+	if (!Options.Frames.empty() || Options.Run.Frame || Options.bWatch)
+	{
+		return !Options.Frames.empty();
+	}
+	try
+	{
+		std::vector<FDiagnostic> Ignored; // the run reports them
+		return LoadConfig(Options.Run.ConfigFile, Ignored).Scene.Frames.IsSet();
+	}
+	catch (const FError&)
+	{
+		return false;
+	}
+}
+
 } // namespace
 
 int RunVerb(const FVerbOptions& Options)
 {
+	if (IsSequence(Options))
+	{
+		return RunSequenceVerb(Options);
+	}
+	if (Options.bRestart || !Options.Video.empty())
+	{
+		FDiagnostic Diagnostic;
+		Diagnostic.Code = ErrorBadArgument;
+		Diagnostic.Where = Options.bRestart ? "--restart" : "--video";
+		Diagnostic.Message = "is about the frames of a sequence: name them with --frames, or in the config's scene.frames";
+		throw FError(Diagnostic, ExitUsage);
+	}
 	if (Options.bWatch)
 	{
 		Watch(Options);

@@ -25,6 +25,9 @@ struct FVerbOptions
 	std::string Format = "text";
 	bool bJson = false;
 	bool bWatch = false;
+	std::string Frames;    // run: a list of frames (FrameList.h); empty: the config's, or one frame
+	bool bRestart = false; // run: render frames again that are there
+	std::string Video;     // run: file of a video of the frames; empty: none
 	std::string At;                 // blend: "X,Y,Z", cm; empty: the view's location
 	std::vector<std::string> Names; // blend: settings, with * and ?; empty: those that changed
 	std::string Pass;               // explain: this one, by name or index
@@ -33,6 +36,9 @@ struct FVerbOptions
 	std::string Path;               // blend: a file of points, or "scene"; empty: one place only
 	std::optional<int> Steps;       // between two points of the path
 };
+
+/** Runs the frames of a sequence and writes each into its folder, sequence.json, and a video where one is asked for. */
+DRYDOCK_API int RunSequenceVerb(const FVerbOptions& Options);
 
 /** Runs the frame and writes its outputs; with bWatch again and again, until interrupted. */
 DRYDOCK_API int RunVerb(const FVerbOptions& Options);

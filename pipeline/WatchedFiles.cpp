@@ -39,4 +39,14 @@ void FWatchedFiles::AddShaders()
 	}
 }
 
+std::vector<std::string> FWatchedFiles::GetPaths() const
+{
+	std::vector<std::string> Paths;
+	for (const auto& [Path, Time] : Times)
+	{
+		Paths.push_back(Path);
+	}
+	return Paths;
+}
+
 } // namespace Drydock

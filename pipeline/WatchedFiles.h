@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace Drydock
 {
@@ -17,6 +18,9 @@ public:
 
 	/** Every .usf and .ush under the mapped shader folders. */
 	void AddShaders();
+
+	/** Ascending. */
+	std::vector<std::string> GetPaths() const;
 
 	bool operator==(const FWatchedFiles&) const = default;
 

@@ -6,6 +6,8 @@
 #include "SceneTextures.h"
 #include "SceneView.h"
 
+class FSceneViewState;
+
 class FViewInfo : public FSceneView
 {
 public:
@@ -21,6 +23,10 @@ public:
 
 	/** Camera matrices and times to start InitViewUniformBuffer from; pipeline/ fills them, defaults are neutral. */
 	FViewUniformShaderParameters UniformParameters;
+
+	/** State as the renderer sees it: what the frame before left, what the next one will find (SceneViewState.h). Null
+	 * where nothing lives on. */
+	FSceneViewState* ViewState = nullptr;
 
 	/** The scene textures of the frame in progress, or null. */
 	const FSceneTextures* SceneTextures = nullptr;

@@ -1,14 +1,61 @@
-// What of a view lives on from frame to frame, as passes see it; each effect has a member of its own. pipeline/ keeps
-// one for each view. Source: engine file ScenePrivate.h (FSceneViewState).
+// What of a view lives on from frame to frame, as passes see it. pipeline/ keeps one for each view. Source: engine file
+// ScenePrivate.h (FSceneViewState, FPreviousViewInfo); the names of kept textures and buffers are drydock's.
+//
+// There are two kinds. *History* changes the picture: the frame before is read, what the next one shall know is written,
+// so that a frame is a function of its inputs and its history, and a sequence can be taken up again at any frame whose
+// history was kept (ViewStateFile.h):
+//
+//     FRDGBufferRef Last = View.ViewState ? View.ViewState->RegisterLastBuffer(GraphBuilder, TEXT("Mine")) : nullptr;
+//     ...
+//     View.ViewState->KeepBuffer(GraphBuilder, TEXT("Mine"), Buffer);
+//
+// What a frame does not keep is forgotten after it. A *cache* saves time and changes no picture: a member of its own. A
+// frame that does not use it lets go of it.
 #pragma once
 
 #include "FFTConvolution.h"
 #include "RHIResources.h"
+#include "RenderGraphFwd.h"
 #include "RenderGraphResourcePool.h"
 #include "RendererInterface.h"
 #include "SceneView.h"
 
-/** The kernel of FFT bloom, transformed, and what it was made from. */
+#include <map>
+#include <optional>
+#include <string>
+
+class FRDGBuilder;
+struct FScreenPassTexture;
+
+namespace Drydock
+{
+
+struct FHistoryTexture
+{
+	TRefCountPtr<IPooledRenderTarget> Target;
+	FIntRect ViewRect; // texels beside it are undefined
+};
+
+/** Empty before the first frame. Copies share textures and buffers: nobody writes to them once their frame is over. */
+struct FViewHistory
+{
+	bool bValid = false; // there was a frame
+	uint32 FrameNumber = 0;
+	std::optional<FSceneViewProjectionData> Projection; // where the camera was
+	std::map<std::string, FHistoryTexture> Textures;
+	std::map<std::string, TRefCountPtr<FRDGPooledBuffer>> Buffers;
+	bool bHasCaches = false; // the frame left something in a cache
+};
+
+/** Name of what an extension returned at SSRInput: the scene colour that next frame's reflections see. */
+constexpr const char* CustomSSRInputName = "CustomSSRInput";
+
+/** Name of the buffer with the frame's exposure (PostProcessEyeAdaptation.h): the next frame adapts from it. */
+constexpr const char* EyeAdaptationName = "EyeAdaptation";
+
+} // namespace Drydock
+
+/** A cache: the kernel of FFT bloom, transformed, and what it was made from. */
 struct FBloomFFTKernel
 {
 	/** Held, so that no other texture gets its address. */
@@ -24,6 +71,9 @@ struct FBloomFFTKernel
 	TRefCountPtr<IPooledRenderTarget> Spectrum;
 	TRefCountPtr<FRDGPooledBuffer> Constants;
 
+	/** The frame in progress has asked for it. */
+	bool bUsed = false;
+
 	bool IsMadeFrom(const FBloomFFTKernel& Other) const
 	{
 		return Texture == Other.Texture && NumMips == Other.NumMips && Size == Other.Size &&
@@ -31,6 +81,7 @@ struct FBloomFFTKernel
 	}
 };
 
+/** A view's state during a frame. */
 class DRYDOCK_API FSceneViewState : public FSceneViewStateInterface
 {
 public:
@@ -40,14 +91,31 @@ public:
 	}
 	uint32 GetViewKey() const override { return Key; }
 
+	/** A frame begins with what the one before it left. */
+	void BeginFrame(Drydock::FViewHistory InLast);
+
+	/** It is over, and its graph has run: what it leaves. */
+	Drydock::FViewHistory EndFrame();
+
+	/** Of the frame before, in this frame's graph; not valid, or null, where that frame kept none of this name. */
+	FScreenPassTexture RegisterLastTexture(FRDGBuilder& GraphBuilder, const TCHAR* Name) const;
+	FRDGBufferRef RegisterLastBuffer(FRDGBuilder& GraphBuilder, const TCHAR* Name) const;
+
+	/** For the next frame. The graph must produce it. A second one of a name replaces the first. */
+	void KeepTexture(FRDGBuilder& GraphBuilder, const TCHAR* Name, const FScreenPassTexture& Texture);
+	void KeepBuffer(FRDGBuilder& GraphBuilder, const TCHAR* Name, FRDGBufferRef Buffer);
+
+	const Drydock::FViewHistory& GetLast() const { return Last; }
+
+	/** There is no frame before this one: nothing to adapt or reproject from. */
+	bool IsFirstFrame() const { return !Last.bValid; }
+
+	/** What the next frame will find; textures and buffers are there once the graph has run. */
+	Drydock::FViewHistory Next;
+
 	FBloomFFTKernel BloomFFTKernel;
-
-	/** The frame's exposure (PostProcessEyeAdaptation.h): the next one adapts from it. Null before the first. */
-	TRefCountPtr<FRDGPooledBuffer> EyeAdaptation;
-
-	/** Read by the next frame's reflections in place of scene colour, where an extension made it. */
-	TRefCountPtr<IPooledRenderTarget> CustomSSRInput;
 
 private:
 	uint32 Key;
+	Drydock::FViewHistory Last;
 };

@@ -7,6 +7,7 @@
 #include "RenderGraphEvent.h"
 #include "RenderTargetPool.h"
 #include "SceneRendering.h"
+#include "SceneViewState.h"
 
 namespace
 {
@@ -53,9 +54,11 @@ FExposureChainOutputs AddExposurePasses(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FExposureChainInputs& Inputs)
 {
 	const EAutoExposureMethod Method = GetAutoExposureMethod(View.FinalPostProcessSettings);
-	const bool bLast = Inputs.EyeAdaptation != nullptr && Inputs.EyeAdaptation->IsValid();
+	const FRDGBufferRef Last = Inputs.bAutoExposure && View.ViewState != nullptr
+								   ? View.ViewState->RegisterLastBuffer(GraphBuilder, Drydock::EyeAdaptationName)
+								   : nullptr;
 	FEyeAdaptationInputs Adaptation;
-	Adaptation.Parameters = GetEyeAdaptationParameters(View, Method, !bLast);
+	Adaptation.Parameters = GetEyeAdaptationParameters(View, Method, Last == nullptr);
 
 	FExposureChainOutputs Outputs;
 	FLocalExposureParameters LocalExposure;
@@ -78,14 +81,11 @@ FExposureChainOutputs AddExposurePasses(
 		return Outputs;
 	}
 	RDG_EVENT_SCOPE(GraphBuilder, "EyeAdaptation");
-	if (bLast)
-	{
-		Adaptation.LastEyeAdaptationBuffer = GraphBuilder.RegisterExternalBuffer(*Inputs.EyeAdaptation);
-	}
+	Adaptation.LastEyeAdaptationBuffer = Last;
 	AddMetering(GraphBuilder, View, Inputs, Method, Adaptation, Outputs);
-	if (Inputs.EyeAdaptation != nullptr)
+	if (View.ViewState != nullptr)
 	{
-		GraphBuilder.QueueBufferExtraction(Outputs.EyeAdaptationBuffer, Inputs.EyeAdaptation);
+		View.ViewState->KeepBuffer(GraphBuilder, Drydock::EyeAdaptationName, Outputs.EyeAdaptationBuffer);
 	}
 	return Outputs;
 }

@@ -4,7 +4,6 @@
 
 #include "PostProcessDownsample.h"
 #include "PostProcessEyeAdaptation.h"
-#include "RenderGraphResourcePool.h"
 
 class FRDGBuilder;
 class FViewInfo;
@@ -21,8 +20,6 @@ struct FExposureChainInputs
 	bool bAutoExposure = false;
 	float ExposureScale = 1.0f;
 	bool bLocalExposure = false;
-	/** Last frame's buffer, null inside if there was none, and where this frame's is kept; null: nothing is kept. */
-	TRefCountPtr<FRDGPooledBuffer>* EyeAdaptation = nullptr;
 };
 
 struct FExposureChainOutputs
@@ -37,5 +34,6 @@ struct FExposureChainOutputs
 /** The level of the downsample chain whose luminance local exposure blurs. */
 constexpr uint32 GBlurredLogLuminanceLevel = 4;
 
+/** Adapts from what View.ViewState has of the last frame, and keeps this frame's there. */
 FExposureChainOutputs AddExposurePasses(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FExposureChainInputs& Inputs);

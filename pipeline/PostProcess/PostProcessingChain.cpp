@@ -15,6 +15,7 @@
 #include "PostProcessTonemap.h"
 #include "PostProcessToonBloom.h"
 #include "PostProcessUpscale.h"
+#include "SceneViewState.h"
 
 #include <algorithm>
 
@@ -119,7 +120,6 @@ public:
 		ExposureInputs.bAutoExposure = Inputs.bAutoExposure;
 		ExposureInputs.ExposureScale = Inputs.ExposureScale;
 		ExposureInputs.bLocalExposure = IsActive("LocalExposure");
-		ExposureInputs.EyeAdaptation = Inputs.EyeAdaptation;
 		const FExposureChainOutputs Exposure = AddExposurePasses(GraphBuilder, View, ExposureInputs);
 		EyeAdaptationBuffer = Exposure.EyeAdaptationBuffer;
 		LocalExposure = Exposure.LocalExposure;
@@ -321,9 +321,9 @@ private:
 		}
 		const FScreenPassTexture Result = Points.Run(EPoint::SSRInput, SceneColor,
 			"the result is kept for the next frame's reflections and not seen in this one");
-		if (Result.Texture != SceneColor.Texture && Inputs.CustomSSRInput != nullptr)
+		if (Result.Texture != SceneColor.Texture && View.ViewState != nullptr)
 		{
-			GraphBuilder.QueueTextureExtraction(Result.Texture, Inputs.CustomSSRInput);
+			View.ViewState->KeepTexture(GraphBuilder, Drydock::CustomSSRInputName, Result);
 		}
 	}
 

@@ -21,14 +21,10 @@ struct FPostProcessingChainInputs
 	float ExposureScale = 1.0f;
 	/** The settings expose in its place. */
 	bool bAutoExposure = false;
-	/** Last frame's eye-adaptation buffer, and where this frame's goes; null: there are no other frames. */
-	TRefCountPtr<FRDGPooledBuffer>* EyeAdaptation = nullptr;
 	/** Null where nobody reads scene textures. */
 	TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures = nullptr;
 	/** Colour of the main light, relative, for ToonShadowBlur. */
 	FLinearColor LightColor = FLinearColor(1.0f, 1.0f, 1.0f, 1.0f);
-	/** Where the result of SSRInput is kept for the next frame; null: nothing is kept. */
-	TRefCountPtr<IPooledRenderTarget>* CustomSSRInput = nullptr;
 };
 
 struct FPostProcessingChainOutputs

@@ -1,0 +1,38 @@
+// Frames of a sequence as a person names them: "all", "1-8", "1-9x2" (every second), "1,3,5-8". Source: drydock; the
+// notation is the usual one of renderers.
+#pragma once
+
+#include "DrydockAPI.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+struct FFrameRange
+{
+	int First = 0;
+	int Last = 0; // inclusive, at least First
+	int Step = 1; // above 0
+
+	bool operator==(const FFrameRange&) const = default;
+};
+
+struct FFrameList
+{
+	bool bAll = false; // all that there are; then there are no ranges
+	std::vector<FFrameRange> Ranges;
+
+	bool operator==(const FFrameList&) const = default;
+};
+
+/** Frames ascend, for a frame's history is that of earlier ones. Empty where the text is none such list; then OutError
+ * says what is wrong, in a sentence without a full stop. */
+DRYDOCK_API std::optional<FFrameList> ParseFrameList(const std::string& Text, std::string& OutError);
+
+/** The numbers, ascending. Existing: those that "all" stands for. */
+DRYDOCK_API std::vector<int> ListFrames(const FFrameList& List, const std::vector<int>& Existing);
+
+} // namespace Drydock
