@@ -439,10 +439,7 @@ const FConfig& FRunSession::GetConfig() const
 
 FRunResult FRunSession::Run(std::optional<int> Frame, const std::vector<FViewHistory>& Last)
 {
-	if (Frame && Setup->Config.Scene.Frame && Frame != Setup->Config.Scene.Frame)
-	{
-		Setup->ChooseFrame(*Frame);
-	}
+	Setup->BeginFrame(Frame);
 	try
 	{
 		FScene Scene(Setup->Config);

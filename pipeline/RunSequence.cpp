@@ -10,6 +10,7 @@
 #include "SequenceFolder.h"
 #include "SequenceInputs.h"
 #include "SequenceJson.h"
+#include "SequenceSheet.h"
 #include "ViewStateFile.h"
 
 #include <algorithm>
@@ -105,7 +106,7 @@ private:
 		Run.Frame.reset();
 		Run.Progress = [this](int, int, const std::string& Pass)
 		{
-			ReportProgress(": " + Pass);
+			ReportProgress(Pass.empty() ? "" : ": " + Pass);
 		};
 		return Run;
 	}
@@ -140,7 +141,7 @@ private:
 		}
 		else
 		{
-			Changes = DescribeChanges(ReadSequenceInputs(Json, Folder.GetPath() + "/sequence.json"), Inputs);
+			Changes = DescribeChanges(ReadSequenceInputs(Json, GetSequenceJsonPath()), Inputs);
 		}
 		for (size_t Index = 0; Changes.empty() && Index < There.size(); ++Index)
 		{
@@ -162,6 +163,8 @@ private:
 		}
 		return There.size();
 	}
+
+	std::string GetSequenceJsonPath() const { return Folder.GetPath() + "/sequence.json"; }
 
 	FFrameRecord ReadRecord(int Frame) const
 	{
@@ -248,8 +251,14 @@ private:
 			Result.Frames.push_back(Frame.Number);
 			Result.Pictures.push_back(Folder.GetFramePath(Frame.Number) + "/final.png");
 		}
-		Result.SequenceJson = MakeSequenceJson(Session.GetConfig(), Inputs, Folder, Result.Frames);
-		Folder.WriteSequenceJson(Result.SequenceJson);
+		Result.SequenceJson = Folder.ReadSequenceJson();
+		if (!IsSequenceComplete(Result.SequenceJson, GetSequenceJsonPath(), Result.Frames))
+		{
+			Result.SequenceJson = MakeSequenceJson(Session.GetConfig(), Inputs, Folder, Result.Frames);
+			// The sheet first: a complete sequence.json says that everything is there.
+			WriteSequenceSheet(Folder.GetPath() + "/sheet.png", Result.Frames, Result.Pictures);
+			Folder.WriteSequenceJson(Result.SequenceJson);
+		}
 		Result.NumRendered = NumRendered;
 		Result.NumRepeated = NumRepeated;
 		Result.Seconds = std::chrono::duration<double>(FClock::now() - Begin).count();

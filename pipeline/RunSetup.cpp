@@ -182,11 +182,14 @@ void FRunSetup::Decide()
 	Effects = DecideEffects(Chain);
 }
 
-void FRunSetup::ChooseFrame(int Frame)
+void FRunSetup::BeginFrame(std::optional<int> Frame)
 {
-	PlaceFrame(Frame);
 	PassResults->clear(); // they belong to the graph of the frame before
-	Decide();
+	if (Frame && Config.Scene.Frame && *Frame != *Config.Scene.Frame)
+	{
+		PlaceFrame(Frame);
+		Decide();
+	}
 }
 
 FRunSetup::FRunSetup(const FRunOptions& InOptions)

@@ -32,9 +32,9 @@ struct DRYDOCK_API FRunSetup
 	/** Throws FError (exit code 2 or 3) with everything found when something is wrong. */
 	explicit FRunSetup(const FRunOptions& InOptions);
 
-	/** Goes on to another frame of the sequence: config, settings and decisions are as if it had been the first. Throws
-	 * FError when there is no such frame, or something is wrong with it. */
-	void ChooseFrame(int Frame);
+	/** Before each frame. Frame: of a sequence, whose config, settings and decisions are as if it had been the first;
+	 * empty: the one of before. Throws FError when there is no such frame, or something is wrong with it. */
+	void BeginFrame(std::optional<int> Frame);
 
 	std::vector<FDiagnostic> Diagnostics;
 	/** Files. Loaded before anything else, because they bring console variables, which the rest of the config names and

@@ -281,6 +281,23 @@ std::string MakeSequenceJson(const FConfig& Config, const FSequenceInputs& Input
 	return Writer.GetText();
 }
 
+bool IsSequenceComplete(const std::string& SequenceJson, const std::string& File, const std::vector<int>& Frames)
+{
+	const FJsonValue Root = Parse(SequenceJson, File, "sequence.json");
+	const FJsonValue* Complete = Root.Find("complete");
+	const FJsonValue* Records = Root.Find("frames");
+	if (Complete == nullptr || !Complete->Bool || Records == nullptr)
+	{
+		return false;
+	}
+	return std::equal(Records->Elements.begin(), Records->Elements.end(), Frames.begin(), Frames.end(),
+		[](const FJsonValue& Record, int Frame)
+		{
+			const FJsonValue* Number = Record.Find("frame");
+			return Number != nullptr && Number->Number == Frame;
+		});
+}
+
 FSequenceInputs ReadSequenceInputs(const std::string& SequenceJson, const std::string& File)
 {
 	const FJsonValue Root = Parse(SequenceJson, File, "sequence.json");

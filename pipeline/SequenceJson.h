@@ -40,6 +40,10 @@ DRYDOCK_API std::string MakeSequenceHead(const FConfig& Config, const FSequenceI
 DRYDOCK_API std::string MakeSequenceJson(const FConfig& Config, const FSequenceInputs& Inputs,
 	const FSequenceFolder& Folder, const std::vector<int>& Frames);
 
+/** Whether it is that of exactly these frames, all of them there. Throws FError (exit code 3) when it is none. */
+DRYDOCK_API bool IsSequenceComplete(
+	const std::string& SequenceJson, const std::string& File, const std::vector<int>& Frames);
+
 /** What a sequence.json was made of. Throws FError (exit code 3) when it is none. */
 DRYDOCK_API FSequenceInputs ReadSequenceInputs(const std::string& SequenceJson, const std::string& File);
 

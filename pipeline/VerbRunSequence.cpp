@@ -48,8 +48,9 @@ std::string MakeSummary(const FSequenceResult& Result, const std::string& Config
 		Result.Seconds > 0.0 ? Result.NumRendered / Result.Seconds : 0.0);
 	std::string Text = ConfigFile + ": frames " + std::to_string(Result.Frames.front()) + " to " +
 					   std::to_string(Result.Frames.back()) + "\n";
-	Text += "frames   " + std::to_string(Result.NumRendered) + " rendered in " + Time;
-	Text += NumThere > 0 ? ", " + std::to_string(NumThere) + " were there already\n" : "\n";
+	const std::string Rendered = std::to_string(Result.NumRendered) + " rendered in " + Time;
+	const std::string There = std::to_string(NumThere) + " were there already";
+	Text += "frames   " + (Result.NumRendered == 0 ? There : Rendered + (NumThere > 0 ? ", " + There : "")) + "\n";
 	if (Result.NumRepeated > 0)
 	{
 		Text += "history  " + std::to_string(Result.NumRepeated) +
