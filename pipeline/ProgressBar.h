@@ -1,6 +1,8 @@
 // A bar on stderr while passes run; nothing when stderr is no terminal. Source: drydock.
 #pragma once
 
+#include "DrydockAPI.h"
+
 #include <string>
 
 namespace Drydock
@@ -23,7 +25,7 @@ private:
 };
 
 /** "2.5 frames/s, 3 min 20 s left": of Done things in so many seconds, with NumLeft to go. Empty until one is done. */
-std::string DescribeRate(int Done, int NumLeft, double Seconds);
+DRYDOCK_API std::string DescribeRate(int Done, int NumLeft, double Seconds);
 
 /** Whether text on that file descriptor may be coloured: a terminal, and NO_COLOR is not set. */
 bool IsColorful(int FileDescriptor);
