@@ -19,9 +19,11 @@ namespace
 
 constexpr uint64_t Prime = 0x9FB21C651E98DF25u;
 
+/** A multiplication alone leaves the difference of one bit where the next word could take it back. */
 uint64_t Mix(uint64_t Lane, uint64_t Word)
 {
-	return std::rotl(Lane ^ Word, 29) * Prime;
+	const uint64_t Product = std::rotl(Lane ^ Word, 29) * Prime;
+	return Product ^ (Product >> 32);
 }
 
 /** Every bit of the result depends on every bit of Value. */

@@ -15,6 +15,8 @@ using namespace SequenceTest;
 namespace
 {
 
+const std::string Scenes = DRYDOCK_TEST_SOURCE_DIR "/configs/scenes/";
+
 /** Notes what time each frame has. */
 class FTimeWatch final : public FSceneViewExtensionBase
 {
@@ -45,7 +47,7 @@ protected:
 	{
 		FSequenceOptions Options;
 		Options.Run.ConfigFile = (Temporary.Path / "a.json").string();
-		Options.Run.ConfigText = MakeConfigText(More);
+		Options.Run.ConfigText = MakeConfigText(Scenes, More);
 		Options.Frames = Frames;
 		Options.Folder = (Temporary.Path / Out).string();
 		return Options;

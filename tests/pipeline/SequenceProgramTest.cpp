@@ -18,12 +18,13 @@ namespace
 
 using FSeconds = std::chrono::duration<double>;
 
+const std::string Scenes = DRYDOCK_TEST_SOURCE_DIR "/configs/scenes/";
 const std::string Program = DRYDOCK_TEST_BINARY_DIR "/bin/drydock";
 
 class SequenceProgram : public testing::Test
 {
 protected:
-	SequenceProgram() { std::ofstream(Temporary.Path / "a.json") << MakeConfigText(); }
+	SequenceProgram() { std::ofstream(Temporary.Path / "a.json") << MakeConfigText(Scenes); }
 
 	/** `drydock run a.json --frames FRAMES --out OUT` in the test's folder; its output goes to a file. */
 	pid_t Start(const std::string& Frames, const std::string& Out, const std::string& Config = "a.json") const

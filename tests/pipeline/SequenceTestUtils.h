@@ -15,10 +15,8 @@ namespace SequenceTest
 
 namespace Files = std::filesystem;
 
-inline const std::string Scenes = DRYDOCK_TEST_SOURCE_DIR "/configs/scenes/";
-
-/** Every frame shows what the one before kept for reflections, so that no frame can do without its history. */
-inline std::string MakeConfigText(const std::string& More = "")
+/** Scenes: the folder of the shipped ones. Every frame shows what the one before kept for reflections, so that no frame can do without its history. */
+inline std::string MakeConfigText(const std::string& Scenes, const std::string& More = "")
 {
 	return R"({"scene": {"file": ")" + Scenes + R"(moving_camera.####.exr"}, "volumes": "fromScene",
 		"passes": [
