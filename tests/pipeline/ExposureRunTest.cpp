@@ -82,16 +82,19 @@ TEST(ExposureRun, ASingleFrameIsConverged)
 TEST(ExposureRun, TheNextFrameAdaptsFromTheViewsState)
 {
 	FFrameInputs Inputs = MakeAutoFrame();
-	Inputs.Views[0].State = std::make_shared<FSceneViewState>(1);
-	const float First = Render(Inputs).Views[0].Exposure->Scale;
+	const FFrameResult FirstFrame = Render(Inputs);
+	const float First = FirstFrame.Views[0].Exposure->Scale;
 	// The same texels with a quarter of the pre-exposure are a scene two stops brighter; at 3 EV per second and 1/24 s.
 	Inputs.Views[0].PreExposure = 0.25f;
-	Inputs.DeltaTime = 1.0f / 24.0f;
-	const FExposureReport Second = *Render(Inputs).Views[0].Exposure;
+	Inputs.Time.DeltaWorldTimeSeconds = 1.0f / 24.0f;
+	Inputs.ViewStates = FirstFrame.ViewStates;
+	const FFrameResult SecondFrame = Render(Inputs);
+	const FExposureReport Second = *SecondFrame.Views[0].Exposure;
 	// Two stops are 10.5 buckets: the ends of the percentages fall differently.
 	EXPECT_NEAR(First / 4.0f, Second.TargetScale, 2e-3f * First);
 	EXPECT_NEAR(First * std::exp2(-0.125f), Second.Scale, 1e-4f * First);
-	Inputs.DeltaTime = 0.25f;
+	Inputs.Time.DeltaWorldTimeSeconds = 0.25f;
+	Inputs.ViewStates = SecondFrame.ViewStates;
 	EXPECT_NEAR(Second.Scale * std::exp2(-0.75f), Render(Inputs).Views[0].Exposure->Scale, 1e-4f * First);
 }
 
