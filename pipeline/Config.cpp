@@ -437,6 +437,8 @@ void ReadRoot(const FJsonValue& Root, FConfig& Config, FConfigMessages& Messages
 	ReadViews(Root, Config, Messages);
 	ReadObjects(Root, "extensions", Config.Extensions);
 	ReadObjects(Root, "passes", Config.Passes);
+	WithMember(Root, "study", EJsonType::Object, [&](const FJsonValue& Study) { Config.Study = Study; });
+	WithMember(Root, "budget", EJsonType::Object, [&](const FJsonValue& Budget) { Config.Budget = Budget; });
 	ReadVolumes(Root, Config, Messages);
 	WithMember(Root, "camera", EJsonType::Object,
 		[&](const FJsonValue& Camera)

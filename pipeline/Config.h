@@ -158,6 +158,8 @@ struct FConfig
 	std::vector<FConfigShowFlag> ShowFlags;
 	std::vector<FJsonValue> Extensions; // objects, as they stand: see ReadExtensionRequests
 	std::vector<FJsonValue> Passes;     // likewise: see ReadPassRequests
+	FJsonValue Study;                   // as it stands, null where there is none: see ReadStudy
+	FJsonValue Budget;                  // likewise
 	std::vector<TConfigValue<std::string>> Dump;
 	bool bNoSkip = false; // of the command line: see FRunOptions
 

@@ -31,6 +31,8 @@ enum EConfigError
 	WarnNothingDumped = 1021,        // a dump pattern that no executed pass or resource matches
 	WarnIneffectiveValue = 1022,     // a console variable that nothing reads, a value without effect, a set kept out
 
+	NoteBudgetWithoutChoice = 1023, // a budget, and no study to choose by
+
 	WarnNoLocation = 1041,        // bounded volumes, and no location for the view
 	ErrorNothingFromScene = 1042, // "fromScene", and no scene or none that suggests anything
 	WarnSuggestionLeftOut = 1043, // something that a scene suggests and that does not exist here

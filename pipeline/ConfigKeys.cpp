@@ -12,7 +12,6 @@ const std::vector<FConfigKey>& GetConfigKeys()
 	constexpr bool Required = true;
 	constexpr bool Optional = false;
 	constexpr bool Built = true;
-	constexpr bool Later = false;
 	// clang-format off
 	static const std::vector<FConfigKey> Keys = {
 		{"", "$schema", String, "", 0, Optional, Built, "Path of this schema: gives completion in editors."},
@@ -28,8 +27,8 @@ const std::vector<FConfigKey>& GetConfigKeys()
 		{"", "extensions", ObjectArray, "extension", 0, Optional, Built, "View extensions, in order of registration."},
 		{"", "passes", ObjectArray, "pass", 0, Optional, Built, "Passes inserted into the chain."},
 		{"", "outputs", Object, "outputs", 0, Optional, Built, "What is written beside the final picture."},
-		{"", "budget", Object, "budget", 0, Optional, Later, "The error or time that an approximation may cost."},
-		{"", "study", Object, "study", 0, Optional, Later, "What a study of accuracy against time varies."},
+		{"", "budget", Object, "budget", 0, Optional, Built, "The error or time that an approximation may cost."},
+		{"", "study", Object, "study", 0, Optional, Built, "What a study of accuracy against time varies."},
 
 		{"scene", "file", String, "", 0, Required, Built, "Multi-layer EXR, or an RGB image (EXR, HDR, PNG), relative to the config; with #### in its name a sequence of frames."},
 		{"scene", "frames", String, "", 0, Optional, Built, "Frames that a run of a sequence renders: \"all\", \"1-8\", \"1-9x2\", \"1,3,5-8\"; the lowest alone by default."},
@@ -97,17 +96,21 @@ const std::vector<FConfigKey>& GetConfigKeys()
 
 		{"outputs", "dump", StringArray, "", 0, Optional, Built, "Patterns with * and ?: a pass, a resource, or Pass.Resource."},
 
-		{"budget", "metric", String, "", 0, Optional, Later, "Error metric that max refers to."},
-		{"budget", "max", Number, "", 0, Optional, Later, "Largest error allowed."},
-		{"budget", "ms", Number, "", 0, Optional, Later, "Longest time allowed, in milliseconds."},
+		{"budget", "metric", String, "", 0, Optional, Built, "Error metric that max refers to: max, rms, relative, psnr or ssim; rms by default."},
+		{"budget", "max", Number, "", 0, Optional, Built, "Largest error allowed; of psnr and ssim the least that is wanted."},
+		{"budget", "ms", Number, "", 0, Optional, Built, "Longest time allowed, in milliseconds."},
+		{"budget", "study", String, "", 0, Optional, Built, "Folder of the study whose choice run takes, relative to the config; by default where drydock study writes."},
 
-		{"study", "axes", ObjectArray, "axis", 0, Optional, Later, "What is varied."},
-		{"study", "reference", String, "", 0, Optional, Later, "What errors are measured against."},
-		{"study", "metrics", StringArray, "", 0, Optional, Later, "Error metrics."},
-		{"study", "repetitions", Number, "", 0, Optional, Later, "Runs per variant."},
-		{"study", "region", NumberArray, "", 4, Optional, Later, "MinX, MinY, MaxX, MaxY: where errors are measured."},
-		{"axis", "name", String, "", 0, Required, Later, "A setting, a console variable, precision or storage."},
-		{"axis", "values", Anything, "", 0, Required, Later, "The values it takes."},
+		{"study", "axes", ObjectArray, "axis", 0, Required, Built, "What is varied."},
+		{"study", "reference", Anything, "", 0, Optional, Built, "What errors are measured against: exact (of blurs), double (of frames), or an object of what else the frame's is set to."},
+		{"study", "metrics", StringArray, "", 0, Optional, Built, "Error metrics: rms, max, relative, psnr, ssim; the first one is drawn and ranks."},
+		{"study", "repetitions", Number, "", 0, Optional, Built, "Timed runs per variant; 7 by default."},
+		{"study", "region", NumberArray, "", 4, Optional, Built, "MinX, MinY, MaxX, MaxY: the part of the picture where errors are measured; of blurs the part that is blurred."},
+		{"study", "measure", String, "", 0, Optional, Built, "Of frames: final (default), sceneLinear, or a resource by name or Pass.Resource."},
+		{"study", "current", Anything, "", 0, Optional, Built, "Of blurs: the variant in use now, {axis: value}; of frames it is what the config sets."},
+		{"axis", "name", String, "", 0, Required, Built, "A setting, a console variable, precision or storage; of blurs algorithm, sigma, input, storage, precision or resolution."},
+		{"axis", "values", Anything, "", 0, Required, Built, "The values it takes; {label, set: {name: value}} sets several things at once."},
+		{"axis", "each", Bool, "", 0, Optional, Built, "Another job for each value, with its own reference and front; true by default for sigma and input only."},
 	};
 	// clang-format on
 	return Keys;

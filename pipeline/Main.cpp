@@ -258,6 +258,19 @@ int ParseAndRun(int NumArguments, char** Arguments)
 	Graph->add_flag("--json", Options.bJson, "The same as --format json");
 	Graph->callback([&] { ExitCode = GraphVerb(Options); });
 
+	CLI::App* Study = Program.add_subcommand("study", "Measure what accuracy costs: the variants of a config's study");
+	AddConfig(*Study, Options);
+	Study
+		->add_option_function<int>(
+			"--threads", [&Options](int Threads) { Options.Run.Threads = Threads; }, "Threads; 0: all cores (default)")
+		->check(CLI::Range(0, 1024).description(""))
+		->type_name("N");
+	Study
+		->add_option("--out", Options.OutputFolder, "Folder for tables and pictures; out/NAME of the config by default")
+		->type_name("DIR");
+	Study->add_flag("--json", Options.bJson, "Print study.json instead of the table");
+	Study->callback([&] { ExitCode = StudyVerb(Options); });
+
 	FDiffOptions DiffOptions;
 	CLI::App* Diff =
 		Program.add_subcommand("diff", "Print how far two images are apart, or two runs picture by picture");

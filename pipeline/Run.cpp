@@ -218,6 +218,7 @@ FRunResult MakeResult(const FRunSetup& Setup, const FScene& Scene)
 	Result.Config = Setup.Config;
 	Result.Diagnostics = Setup.Diagnostics;
 	Result.Effects = Setup.Effects;
+	Result.BudgetReason = Setup.BudgetReason;
 	Result.Settings = Setup.Chain.Settings;
 	Result.ExposureScale = Setup.Chain.ExposureScale;
 	Result.Precision = GetVariableInt("r.Drydock.Precision") == 1 ? "double" : "float";

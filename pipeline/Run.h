@@ -66,8 +66,9 @@ struct FRunResult
 	FFinalPostProcessSettings Settings;
 	float ExposureScale = 1.0f;
 	std::optional<FExposureReport> Exposure; // of an executed run whose exposure is automatic
-	std::string Precision; // "float", "double"
-	std::string Storage;   // "native", "float32", "float64"
+	std::string Precision;    // "float", "double"
+	std::string Storage;      // "native", "float32", "float64"
+	std::string BudgetReason; // what a study chose for this run, and why; empty: nothing was asked
 	int Threads = 0;
 	FIntPoint SceneExtent = FIntPoint(0, 0);
 	FIntRect ViewRect; // of all views

@@ -227,6 +227,8 @@ void WriteViews(FJsonWriter& Writer, const FRunResult& Result)
 	Writer.EndArray();
 }
 
+} // namespace
+
 std::string GetCpuName()
 {
 	std::ifstream Info("/proc/cpuinfo");
@@ -240,8 +242,6 @@ std::string GetCpuName()
 	}
 	return "";
 }
-
-} // namespace
 
 std::string FormatCode(int Code)
 {
@@ -260,6 +260,10 @@ std::string MakeRunJson(const FRunResult& Result)
 	Writer.Member("engine", Result.Config.Engine.Value);
 	Writer.Member("precision", Result.Precision);
 	Writer.Member("storage", Result.Storage);
+	if (!Result.BudgetReason.empty())
+	{
+		Writer.Member("budget", Result.BudgetReason);
+	}
 	Writer.Key("scene").BeginObject();
 	Writer.Member("file", Result.Config.Scene.File.Value);
 	WriteSize(Writer, "extent", {Result.SceneExtent.X, Result.SceneExtent.Y});

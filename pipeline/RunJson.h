@@ -18,4 +18,7 @@ std::string MakeTraceJson(const FRunResult& Result);
 /** "DD1015". */
 std::string FormatCode(int Code);
 
+/** As the system calls it, or empty. */
+std::string GetCpuName();
+
 } // namespace Drydock

@@ -11,6 +11,7 @@
 #include "PostProcessFFTBloom.h"
 #include "SceneSuggestions.h"
 #include "SettingObjects.h"
+#include "Study/BudgetChoice.h"
 #include "TextureAssets.h"
 #include "TextureFiles.h"
 
@@ -218,6 +219,19 @@ FRunSetup::FRunSetup(const FRunOptions& InOptions)
 	if (HasErrors(Diagnostics))
 	{
 		throw FError(Diagnostics, ExitUsage);
+	}
+	ReadStudy(Config, Diagnostics);
+	if (HasErrors(Diagnostics))
+	{
+		throw FError(Diagnostics, ExitUsage);
+	}
+	if (Options.bUseBudget)
+	{
+		if (const std::optional<FBudgetChoice> Choice = ReadBudgetChoice(Config, Options, Diagnostics))
+		{
+			BudgetReason = Choice->Reason;
+			ApplyBudgetChoice(*Choice, Config, Options);
+		}
 	}
 	OfConfig = std::move(Diagnostics);
 	ConfigBeforeFrame = Config;

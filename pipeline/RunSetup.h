@@ -46,6 +46,7 @@ struct DRYDOCK_API FRunSetup
 	FChainSettings Chain;
 	std::vector<FEffectDecision> Effects;
 	std::vector<TConfigValue<std::string>> Dump; // of config and command line
+	std::string BudgetReason;                    // what a study chose for this run, and why; empty: nothing was asked
 	/** Those of the config, its inserted passes among them; alive for the run. */
 	std::vector<TSharedRef<ISceneViewExtension, ESPMode::ThreadSafe>> Extensions;
 
@@ -54,7 +55,7 @@ private:
 	void CreateExtensions();
 	void Decide();
 
-	const FRunOptions Options;
+	FRunOptions Options; // with what a budget chose
 	FConfig ConfigBeforeFrame;
 	// Messages, in the order in which they are given.
 	std::vector<FDiagnostic> OfConfig;

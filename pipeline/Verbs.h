@@ -110,6 +110,10 @@ struct FSettingsPlanOptions
 /** Every place that an engine patch for one setting touches. */
 DRYDOCK_API int SettingsPlanVerb(const FSettingsPlanOptions& Options);
 
+/** Runs the study of the config; prints its table, or study.json, and writes study.json, study.csv, study_taps.svg and,
+ * with times, study_timing.json, study_timing.csv, study.svg; and study_insets.svg with insets/. */
+DRYDOCK_API int StudyVerb(const FVerbOptions& Options);
+
 /** Arguments of `diff`. */
 struct FDiffOptions
 {

@@ -364,16 +364,12 @@ TEST(Config, VolumesMayComeFromTheScene)
 	EXPECT_FALSE(ReadClean(R"({"volumes": []})").Config.VolumesFromScene.Value);
 }
 
-TEST(ConfigMistakes, WhatIsNotBuiltYetWarnsOnceAtItsTop)
+TEST(ConfigMistakes, StudyAndItsAxesAreChecked)
 {
-	EXPECT_EQ("1015 warning 1:2 /study", Only(R"({"study": {"repetitions": 7}})"));
-}
-
-TEST(ConfigMistakes, WhatIsNotBuiltYetIsStillChecked)
-{
-	const FRead Result = Read(R"({"study": {"repetition": 7}})");
-	EXPECT_EQ(2u, Result.Diagnostics.size());
-	EXPECT_EQ("unknown key \"repetition\"; did you mean repetitions?", Result.Diagnostics.at(1).Message);
+	EXPECT_EQ("1008 error 1:11 /study", Only(R"({"study": {"repetitions": 7}})"));
+	EXPECT_EQ("unknown key \"repetition\"; did you mean repetitions?",
+		OnlyText(R"({"study": {"axes": [], "repetition": 7}})"));
+	EXPECT_EQ("1008 error 1:22 /study/axes/0", Only(R"({"study": {"axes": [{"name": "r.BloomQuality"}]}})"));
 }
 
 TEST(ConfigMistakes, SettingsWithoutAPassWarn)

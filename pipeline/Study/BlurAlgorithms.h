@@ -1,0 +1,78 @@
+// All ways to blur an image by a standard deviation of s pixels, behind one interface, each with what it costs. Those
+// of shaders run through the render graph, as in a frame; the others are plain code in double and say so. Widths are
+// matched by measurement: the second moment of the impulse response. Source: drydock; algorithms: where they are.
+#pragma once
+
+#include "ImageFile.h"
+
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+struct FBlurAlgorithm
+{
+	std::string Name;           // "DualKawase"
+	std::string Doc;            // one sentence
+	bool bGraph = true;         // shaders in the render graph; else plain code in double
+	double SmallestSigma = 0.5; // pixels; what it can be matched to
+	double LargestSigma = 1000.0;
+};
+
+/** Exact, Direct, Separable, GaussianSum, Kawase, DualKawase, Pyramid, Boxes, Recursive. */
+DRYDOCK_API const std::vector<FBlurAlgorithm>& GetBlurAlgorithms();
+/** Null when there is none of that name. */
+DRYDOCK_API const FBlurAlgorithm* FindBlurAlgorithm(const std::string& Name);
+
+/** How the graph's algorithms compute and store; plain code does both in 64 bit. */
+struct FBlurArithmetic
+{
+	/** float32, float16, R11G11B10 or 8bit: format of all textures, the input's too. */
+	std::string Storage = "float32";
+	bool bDouble = false;     // 64-bit arithmetic and storage, coordinates not snapped
+	int ResolutionLevels = 0; // halvings before the blur: [1 3 3 1] down and up around it
+};
+DRYDOCK_API const std::vector<std::string>& GetBlurStorages();
+
+struct FBlurRun
+{
+	FImage Image;               // RGBA
+	double Milliseconds = 0.0;  // of the passes, or of the plain code
+	double TapsPerPixel = 0.0;  // of all threads of whole groups, per pixel of the image
+	double BytesPerPixel = 0.0; // read and written, each texel once per pass
+	int NumPasses = 0;
+};
+
+/** One algorithm, ready to blur. Not for two threads at once. */
+class DRYDOCK_API FBlur
+{
+public:
+	/** Sigma: what is wanted, pixels. The name must exist. Matches the width: one to four measurements. */
+	FBlur(const std::string& Algorithm, double InSigma, const FBlurArithmetic& InArithmetic = {});
+
+	/** Image: RGBA. */
+	FBlurRun Run(const FImage& Image) const { return RunAs(Image, Arithmetic); }
+
+	/** Of the impulse response along one axis, pixels: the mean over all positions of the impulse. Measured with 32-bit
+	 *  storage. */
+	double GetMeasuredSigma() const { return MeasuredSigma; }
+	/** Within one percent of what is wanted. */
+	bool IsMatched() const;
+
+private:
+	FBlurRun RunAs(const FImage& Image, const FBlurArithmetic& As) const;
+	double Measure() const;
+	void Match();
+
+	const FBlurAlgorithm& Algorithm;
+	double Sigma = 0.0;
+	double Requested = 0.0; // what the algorithm is asked for, so that its width is Sigma
+	double MeasuredSigma = 0.0;
+	FBlurArithmetic Arithmetic;
+};
+
+/** Taps per pixel of the direct two-dimensional Gaussian: (2 ceil(3 s) + 1)^2. */
+DRYDOCK_API double GetDirectTaps(double Sigma);
+
+} // namespace Drydock

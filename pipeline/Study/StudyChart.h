@@ -1,0 +1,39 @@
+// A study as a picture: error against cost, both in steps of ten, a panel for each job. Drawn are the front, whiskers
+// between quartiles, a ring around what is in use and one around what is recommended, and the line of the error budget;
+// where jobs differ by a number, also cost and error against it. Pure, from plain data to SVG; equal data give equal
+// bytes. Source: drydock.
+#pragma once
+
+#include "Study/StudyResult.h"
+
+namespace Drydock
+{
+
+enum class EStudyCost
+{
+	Milliseconds, // of this CPU
+	Taps,         // per pixel: the same everywhere
+};
+
+/** Legible on light and dark pages: it follows the reader's colour scheme. */
+DRYDOCK_API std::string DrawStudyChart(const FStudyResult& Result, EStudyCost Cost);
+
+struct FStudyInset
+{
+	std::string Title;    // "DualKawase"
+	std::string Subtitle; // "rms 0.0012"
+	std::string Png;      // bytes of the file
+	int Width = 0;
+	int Height = 0;
+};
+
+struct FStudyInsetRow
+{
+	std::string Title; // of the job
+	std::vector<FStudyInset> Insets;
+};
+
+/** Pictures beside one another, within the drawing; below the colours of the heat maps. */
+DRYDOCK_API std::string DrawStudyInsets(const std::string& Title, const std::vector<FStudyInsetRow>& Rows);
+
+} // namespace Drydock

@@ -1,0 +1,174 @@
+// Source: drydock.
+#include "Study/StudyPanel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Drydock
+{
+
+namespace
+{
+
+constexpr double LabelSize = 11.0;
+
+} // namespace
+
+FLogAxis::FLogAxis(const std::vector<double>& Values, double InFrom, double InTo)
+	: From(InFrom)
+	, To(InTo)
+{
+	double Least = HUGE_VAL;
+	double Most = 0.0;
+	for (const double Value : Values)
+	{
+		if (Value > 0.0 && std::isfinite(Value))
+		{
+			Least = std::min(Least, Value);
+			Most = std::max(Most, Value);
+		}
+	}
+	if (Most > 0.0)
+	{
+		// A tenth of the span at each end, half a factor of two at least.
+		const double Room = std::max(1.4, std::pow(Most / Least, 0.08));
+		Low = Least / Room;
+		High = Most * Room;
+	}
+}
+
+double FLogAxis::Map(double Value) const
+{
+	const double Clamped = Value > Low ? std::min(Value, High) : Low;
+	return From + std::log(Clamped / Low) / std::log(High / Low) * (To - From);
+}
+
+std::vector<double> FLogAxis::GetTicks() const
+{
+	const double Decades = std::log10(High / Low);
+	const int Step = Decades > 7.0 ? 2 : 1;
+	std::vector<double> Ticks;
+	for (int Power = static_cast<int>(std::floor(std::log10(Low)));
+		 Power <= static_cast<int>(std::ceil(std::log10(High))); ++Power)
+	{
+		for (const double Factor : {1.0, 2.0, 5.0})
+		{
+			const double Tick = Factor * std::pow(10.0, Power);
+			const bool bWanted = Factor == 1.0 ? Power % Step == 0 : Decades < (Factor == 5.0 ? 1.6 : 2.2);
+			if (bWanted && Tick >= Low && Tick <= High)
+			{
+				Ticks.push_back(Tick);
+			}
+		}
+	}
+	return Ticks;
+}
+
+std::string SvgText(double X, double Y, const std::string& Class, const std::string& Text)
+{
+	return "<text x=\"" + Px(X) + "\" y=\"" + Px(Y) + "\"" + (Class.empty() ? "" : " class=\"" + Class + "\"") + ">" +
+		   EscapeXml(Text) + "</text>\n";
+}
+
+std::string SvgLine(double X1, double Y1, double X2, double Y2, const std::string& Class)
+{
+	return "<line x1=\"" + Px(X1) + "\" y1=\"" + Px(Y1) + "\" x2=\"" + Px(X2) + "\" y2=\"" + Px(Y2) + "\" class=\"" +
+		   Class + "\"/>\n";
+}
+
+std::string SvgPath(const std::vector<FSvgPoint>& Points, const std::string& Class)
+{
+	std::string Text;
+	for (const FSvgPoint& Point : Points)
+	{
+		Text += (Text.empty() ? "M" : " L") + Px(Point.first) + " " + Px(Point.second);
+	}
+	return "<path d=\"" + Text + "\" class=\"" + Class + "\"/>\n";
+}
+
+double EstimateTextWidth(const std::string& Text, double FontSize)
+{
+	double Width = 0.0;
+	for (const char Character : Text)
+	{
+		const bool bNarrow = std::string("iljt.,:;|'() ").find(Character) != std::string::npos;
+		const bool bContinues = (static_cast<unsigned char>(Character) & 0xC0) == 0x80;
+		Width += bContinues ? 0.0 : bNarrow ? 0.34 : std::isupper(static_cast<unsigned char>(Character)) ? 0.68 : 0.57;
+	}
+	return Width * FontSize;
+}
+
+std::string TickMarkup(double Value)
+{
+	const int Power = static_cast<int>(std::lround(std::log10(Value)));
+	const bool bPower = std::abs(std::log10(Value) - Power) < 1e-9;
+	if (bPower && (Power < -3 || Power > 4))
+	{
+		return "10<tspan dy=\"-4\" font-size=\"8.5\">" + std::string(Power < 0 ? "\xE2\x88\x92" : "") +
+			   std::to_string(std::abs(Power)) + "</tspan>";
+	}
+	return Value < 1e-3 ? ShortText(Value) : FixedText(Value, Value < 1.0 ? 4 : 2);
+}
+
+std::string DrawAxes(const FSvgBox& Plot, const FLogAxis& X, const FLogAxis& Y, const std::vector<double>& XTicks,
+	const std::string& XName, const std::string& YName)
+{
+	std::string Svg = "<rect x=\"" + Px(Plot.Left) + "\" y=\"" + Px(Plot.Top) + "\" width=\"" +
+					  Px(Plot.Right - Plot.Left) + "\" height=\"" + Px(Plot.Bottom - Plot.Top) +
+					  "\" class=\"plot\"/>\n";
+	double LastRight = -HUGE_VAL;
+	for (const double Tick : XTicks)
+	{
+		const double Place = X.Map(Tick);
+		Svg += SvgLine(Place, Plot.Top, Place, Plot.Bottom, "grid");
+		const std::string Markup = TickMarkup(Tick);
+		const double Half = Markup.find('<') == std::string::npos ? EstimateTextWidth(Markup, LabelSize) / 2.0 : 12.0;
+		if (Place - Half > LastRight)
+		{
+			Svg += "<text x=\"" + Px(Place) + "\" y=\"" + Px(Plot.Bottom + 16.0) + "\" class=\"tick mid\">" + Markup +
+				   "</text>\n";
+			LastRight = Place + Half + 5.0;
+		}
+	}
+	for (const double Tick : Y.GetTicks())
+	{
+		const double Place = Y.Map(Tick);
+		Svg += SvgLine(Plot.Left, Place, Plot.Right, Place, "grid");
+		Svg += "<text x=\"" + Px(Plot.Left - 7.0) + "\" y=\"" + Px(Place + 4.0) + "\" class=\"tick end\">" +
+			   TickMarkup(Tick) + "</text>\n";
+	}
+	Svg += SvgText((Plot.Left + Plot.Right) / 2.0, Plot.Bottom + 33.0, "tick quiet mid", XName);
+	const std::string Turn = Px(Plot.Left - 44.0) + " " + Px((Plot.Top + Plot.Bottom) / 2.0);
+	return Svg + "<text transform=\"translate(" + Turn + ") rotate(-90)\" class=\"tick quiet mid\">" +
+		   EscapeXml(YName) + "</text>\n";
+}
+
+std::string FLabelPlacer::Place(double X, double Y, const std::string& Text, const std::string& Class)
+{
+	const double Width = EstimateTextWidth(Text, LabelSize);
+	for (const double Distance : {9.0, 15.0, 24.0, 36.0, 50.0, 66.0})
+	{
+		const double Diagonal = Distance * 0.75;
+		const std::pair<double, double> Anchors[] = {{X + Distance, Y + 4.0}, {X - Distance - Width, Y + 4.0},
+			{X + Diagonal, Y - Diagonal}, {X + Diagonal, Y + Diagonal + 7.0}, {X - Diagonal - Width, Y - Diagonal},
+			{X - Diagonal - Width, Y + Diagonal + 7.0}, {X - Width / 2.0, Y - Distance},
+			{X - Width / 2.0, Y + Distance + 8.0}};
+		for (const auto& [TextX, TextY] : Anchors)
+		{
+			const FSvgBox Box{TextX - 2.0, TextY - 10.0, TextX + Width + 2.0, TextY + 3.0};
+			const bool bFree = Within.Contains(Box) && std::none_of(Taken.begin(), Taken.end(),
+														   [&](const FSvgBox& Other) { return Other.Overlaps(Box); });
+			if (bFree)
+			{
+				Taken.push_back(Box);
+				const double EndX = std::clamp(X, TextX, TextX + Width);
+				const double EndY = std::clamp(Y, TextY - 8.0, TextY + 1.0);
+				const std::string Leader = Distance > 15.0 ? SvgLine(X, Y, EndX, EndY, "leader") : "";
+				return Leader + SvgText(TextX, TextY, Class, Text);
+			}
+		}
+	}
+	return "";
+}
+
+} // namespace Drydock

@@ -1,0 +1,85 @@
+// One pair of logarithmic axes in a drawing, and labels that keep out of each other's way. Inner to StudyChart. Source:
+// drydock.
+#pragma once
+
+#include "SvgTools.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+/** Pixels. */
+struct FSvgBox
+{
+	double Left = 0.0;
+	double Top = 0.0;
+	double Right = 0.0;
+	double Bottom = 0.0;
+
+	bool Overlaps(const FSvgBox& Other) const
+	{
+		return Left < Other.Right && Other.Left < Right && Top < Other.Bottom && Other.Top < Bottom;
+	}
+	bool Contains(const FSvgBox& Other) const
+	{
+		return Other.Left >= Left && Other.Right <= Right && Other.Top >= Top && Other.Bottom <= Bottom;
+	}
+};
+
+/** From numbers above 0 to pixels, in equal steps for equal factors. */
+class FLogAxis
+{
+public:
+	/** Covers all of Values with room at the ends; those that are not above 0 do not count. */
+	FLogAxis(const std::vector<double>& Values, double InFrom, double InTo);
+
+	/** 0 and below: the axis's start. */
+	double Map(double Value) const;
+	double GetLow() const { return Low; }
+	double GetHigh() const { return High; }
+	/** Powers of ten, and 2 and 5 times these where there are few. */
+	std::vector<double> GetTicks() const;
+
+private:
+	double Low = 0.1;
+	double High = 10.0;
+	double From;
+	double To;
+};
+
+std::string SvgText(double X, double Y, const std::string& Class, const std::string& Text);
+std::string SvgLine(double X1, double Y1, double X2, double Y2, const std::string& Class);
+std::string SvgPath(const std::vector<FSvgPoint>& Points, const std::string& Class);
+
+/** About as wide as it will be, at a size of the font in pixels. */
+double EstimateTextWidth(const std::string& Text, double FontSize);
+
+/** "0.01", "500", or ten to a power as markup. */
+std::string TickMarkup(double Value);
+
+/** Grid, ticks and names of two axes. */
+std::string DrawAxes(const FSvgBox& Plot, const FLogAxis& X, const FLogAxis& Y, const std::vector<double>& XTicks,
+	const std::string& XName, const std::string& YName);
+
+/** Places labels beside points, one after the other, where nothing is yet. */
+class FLabelPlacer
+{
+public:
+	explicit FLabelPlacer(const FSvgBox& InWithin)
+		: Within(InWithin)
+	{
+	}
+
+	void Block(const FSvgBox& Box) { Taken.push_back(Box); }
+	/** Markup of the label, with a thin line to its point where it had to move away; empty when there is no room. */
+	std::string Place(double X, double Y, const std::string& Text, const std::string& Class);
+
+private:
+	FSvgBox Within;
+	std::vector<FSvgBox> Taken;
+};
+
+} // namespace Drydock

@@ -1,0 +1,211 @@
+// Source: drydock.
+#include "Study/StudyRank.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+
+namespace Drydock
+{
+
+namespace
+{
+
+double Interpolate(const std::vector<double>& Sorted, double Part)
+{
+	const double Place = Part * static_cast<double>(Sorted.size() - 1);
+	const size_t Index = static_cast<size_t>(Place);
+	const size_t Next = std::min(Index + 1, Sorted.size() - 1);
+	return Sorted[Index] + (Sorted[Next] - Sorted[Index]) * (Place - static_cast<double>(Index));
+}
+
+bool Competes(const FStudyVariant& Variant)
+{
+	return Variant.bRan && Variant.Excluded.empty();
+}
+
+using FCost = std::function<double(const FStudyVariant&)>;
+
+void Rank(FStudyResult& Result, const FStudyJob& Job, const FCost& Cost, FStudyRank FStudyVariant::*Member)
+{
+	const auto Error = [&](const FStudyVariant& Variant)
+	{
+		return GetErrorToRank(Variant.Error, Result.GetMetric());
+	};
+	for (const size_t Index : Job.Variants)
+	{
+		FStudyVariant& Variant = Result.Variants[Index];
+		Variant.*Member = {};
+		if (!Competes(Variant))
+		{
+			continue;
+		}
+		int Best = -1;
+		for (const size_t Other : Job.Variants)
+		{
+			const FStudyVariant& Rival = Result.Variants[Other];
+			// Plain code cannot run where shaders do.
+			if (!Competes(Rival) || (Rival.bPlainCode && !Variant.bPlainCode) || Error(Rival) > Error(Variant) ||
+				Cost(Rival) > Cost(Variant) || (Error(Rival) == Error(Variant) && Cost(Rival) == Cost(Variant)))
+			{
+				continue;
+			}
+			// Name one that is itself on the front: nobody is cheaper and as exact, so take the cheapest.
+			if (Best < 0 || Cost(Rival) < Cost(Result.Variants[static_cast<size_t>(Best)]))
+			{
+				Best = static_cast<int>(Other);
+			}
+		}
+		(Variant.*Member).DominatedBy = Best;
+		(Variant.*Member).bFront = Best < 0;
+	}
+}
+
+void FindNoise(FStudyResult& Result, const FStudyJob& Job)
+{
+	for (const size_t Index : Job.Variants)
+	{
+		FStudyVariant& Variant = Result.Variants[Index];
+		Variant.WithinNoiseOf.clear();
+		for (const size_t Other : Job.Variants)
+		{
+			const FStudyVariant& Rival = Result.Variants[Other];
+			if (Other != Index && Competes(Variant) && Competes(Rival) && Rival.Time.Low <= Variant.Time.High &&
+				Variant.Time.Low <= Rival.Time.High)
+			{
+				Variant.WithinNoiseOf.push_back(Other);
+			}
+		}
+	}
+}
+
+std::string Format(const char* Pattern, double Number)
+{
+	char Buffer[64];
+	std::snprintf(Buffer, sizeof(Buffer), Pattern, Number);
+	return Buffer;
+}
+
+std::string DescribeBudget(const FStudyBudget& Budget)
+{
+	std::string Text;
+	if (Budget.Max)
+	{
+		Text =
+			Budget.Metric + (IsHigherBetter(Budget.Metric) ? " at least " : " at most ") + Format("%.3g", *Budget.Max);
+	}
+	if (Budget.Ms)
+	{
+		Text += (Text.empty() ? "" : " and ") + Format("%.3g ms", *Budget.Ms);
+	}
+	return Text;
+}
+
+void Recommend(FStudyResult& Result, FStudyJob& Job)
+{
+	const FStudyBudget& Budget = Result.Study.Budget;
+	const auto Error = [&](size_t Index)
+	{
+		return GetErrorToRank(Result.Variants[Index].Error, Result.GetMetric());
+	};
+	const auto Median = [&](size_t Index)
+	{
+		return Result.Variants[Index].Time.Median;
+	};
+	std::vector<size_t> Fit;
+	for (const size_t Index : Job.Variants)
+	{
+		const FStudyVariant& Variant = Result.Variants[Index];
+		Result.Variants[Index].bRecommended = false;
+		if (Competes(Variant) && !Variant.bPlainCode && MeetsBudget(Variant.Error, Budget) &&
+			(!Budget.Ms || Variant.Time.Median <= *Budget.Ms))
+		{
+			Fit.push_back(Index);
+		}
+	}
+	if (Fit.empty())
+	{
+		Job.Recommendation = "no variant meets the budget (" + DescribeBudget(Budget) + ")";
+		return;
+	}
+	size_t Best = Fit[0];
+	for (const size_t Index : Fit)
+	{
+		const bool bBetter =
+			Budget.Max ? Median(Index) < Median(Best)
+					   : Error(Index) < Error(Best) || (Error(Index) == Error(Best) && Median(Index) < Median(Best));
+		Best = bBetter ? Index : Best;
+	}
+	const size_t Cheapest = Best;
+	for (const size_t Index : Fit)
+	{
+		const std::vector<size_t>& Noise = Result.Variants[Cheapest].WithinNoiseOf;
+		const bool bAsCheap = std::find(Noise.begin(), Noise.end(), Index) != Noise.end();
+		Best = Budget.Max && bAsCheap && Error(Index) < Error(Best) ? Index : Best;
+	}
+	FStudyVariant& Chosen = Result.Variants[Best];
+	Chosen.bRecommended = true;
+	Job.Recommendation = Chosen.Label + ": " + Result.GetMetric() + " " +
+						 Format("%.3g", GetMetric(Chosen.Error, Result.GetMetric())) + ", " +
+						 Format("%.3g ms", Chosen.Time.Median);
+	for (const size_t Index : Job.Variants)
+	{
+		const FStudyVariant& Now = Result.Variants[Index];
+		if (Now.bCurrent && Now.bRan && Index != Best)
+		{
+			const double Faster = Now.Time.Median / Chosen.Time.Median;
+			Job.Recommendation += Faster >= 1.0 ? Format("; %.3g times as fast as ", Faster)
+												: Format("; %.3g times as slow as ", 1.0 / Faster);
+			Job.Recommendation += "now (" + Now.Label + ": " + Result.GetMetric() + " " +
+								  Format("%.3g", GetMetric(Now.Error, Result.GetMetric())) + ")";
+		}
+	}
+}
+
+} // namespace
+
+FStudyTime SummarizeRuns(std::vector<double> Runs)
+{
+	FStudyTime Time;
+	Time.Runs = Runs;
+	if (!Runs.empty())
+	{
+		std::sort(Runs.begin(), Runs.end());
+		Time.Median = Interpolate(Runs, 0.5);
+		Time.Low = Interpolate(Runs, 0.25);
+		Time.High = Interpolate(Runs, 0.75);
+	}
+	return Time;
+}
+
+double GetErrorToRank(const FImageError& Error, const std::string& Metric)
+{
+	const double Value = GetMetric(Error, Metric);
+	return Metric == "psnr" ? std::pow(10.0, -Value / 20.0) : Metric == "ssim" ? 1.0 - Value : Value;
+}
+
+bool MeetsBudget(const FImageError& Error, const FStudyBudget& Budget)
+{
+	if (!Budget.Max)
+	{
+		return true;
+	}
+	const double Value = GetMetric(Error, Budget.Metric);
+	return IsHigherBetter(Budget.Metric) ? Value >= *Budget.Max : Value <= *Budget.Max;
+}
+
+void RankStudy(FStudyResult& Result)
+{
+	for (FStudyJob& Job : Result.Jobs)
+	{
+		Rank(
+			Result, Job, [](const FStudyVariant& Variant) { return Variant.Taps; }, &FStudyVariant::ByTaps);
+		Rank(
+			Result, Job, [](const FStudyVariant& Variant) { return Variant.Time.Median; }, &FStudyVariant::ByTime);
+		FindNoise(Result, Job);
+		Recommend(Result, Job);
+	}
+}
+
+} // namespace Drydock

@@ -1,0 +1,368 @@
+// Source: drydock.
+#include "Study/StudyReport.h"
+
+#include "JsonWriter.h"
+#include "RunJson.h"
+#include "Verbs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace Drydock
+{
+
+namespace
+{
+
+std::string Format(const char* Pattern, double Number)
+{
+	char Buffer[64];
+	std::snprintf(Buffer, sizeof(Buffer), Pattern, Number);
+	return Buffer;
+}
+
+using FRow = std::vector<std::string>;
+
+/** Columns as wide as their widest cell; the first and the last are text, the others numbers. */
+std::string AlignRows(const std::vector<FRow>& Rows)
+{
+	std::vector<size_t> Widths(Rows[0].size(), 0);
+	for (const FRow& Row : Rows)
+	{
+		for (size_t Column = 0; Column < Row.size(); ++Column)
+		{
+			Widths[Column] = std::max(Widths[Column], Row[Column].size());
+		}
+	}
+	std::string Text;
+	for (const FRow& Row : Rows)
+	{
+		std::string Line;
+		for (size_t Column = 0; Column < Row.size(); ++Column)
+		{
+			const std::string Padding(Widths[Column] - Row[Column].size(), ' ');
+			const bool bText = Column == 0 || Column + 1 == Row.size();
+			Line += (Column > 0 ? "  " : "") + (bText ? Row[Column] + Padding : Padding + Row[Column]);
+		}
+		Text += "  " + Line.substr(0, Line.find_last_not_of(' ') + 1) + "\n";
+	}
+	return Text;
+}
+
+std::string DescribeRank(const FStudyResult& Result, const FStudyVariant& Variant)
+{
+	std::string Text;
+	if (!Variant.Excluded.empty())
+	{
+		Text = Variant.Excluded;
+	}
+	else if (Variant.ByTime.bFront)
+	{
+		Text = "front";
+	}
+	else
+	{
+		const size_t By = static_cast<size_t>(Variant.ByTime.DominatedBy);
+		const bool bNoise =
+			std::find(Variant.WithinNoiseOf.begin(), Variant.WithinNoiseOf.end(), By) != Variant.WithinNoiseOf.end();
+		Text = "dominated by " + Result.Variants[By].Label + (bNoise ? " (its time is within noise)" : "");
+	}
+	Text += Variant.bPlainCode && Variant.Excluded.empty() ? ", plain code in double" : "";
+	Text += Variant.bRecommended ? ", recommended" : "";
+	return Text + (Variant.bCurrent ? ", in use now" : "");
+}
+
+FRow MakeRow(const FStudyResult& Result, const FStudyJob& Job, const FStudyVariant& Variant)
+{
+	if (!Variant.bRan)
+	{
+		return {Variant.Label, "", "", "", "", "", "", "", "", Variant.Taps > 0.0 ? Format("%.0f", Variant.Taps) : "",
+			"", DescribeRank(Result, Variant)};
+	}
+	const FImageError& Error = Variant.Error;
+	const double Times = Variant.Time.Median > 0.0 ? Job.ReferenceTime.Median / Variant.Time.Median : 0.0;
+	return {Variant.Label, Format("%.2f", Variant.Time.Median), Format("%.2f", Variant.Time.High - Variant.Time.Low),
+		Format("%.3g", Times), Format("%.3g", Error.Max), Format("%.3g", Error.Rms), Format("%.3g", Error.Relative),
+		Format("%.1f", Error.Psnr), Format("%.5f", Error.Ssim), Format("%.1f", Variant.Taps),
+		Format("%.0f", Variant.Bytes), DescribeRank(Result, Variant)};
+}
+
+/** What is as fast as something else, in a line: pairs of the front only, for they are what is chosen among. */
+std::string DescribeNoise(const FStudyResult& Result, const FStudyJob& Job)
+{
+	std::string Text;
+	for (const size_t Index : Job.Variants)
+	{
+		const FStudyVariant& Variant = Result.Variants[Index];
+		for (const size_t Other : Variant.WithinNoiseOf)
+		{
+			if (Other > Index && Variant.ByTime.bFront && Result.Variants[Other].ByTime.bFront)
+			{
+				Text += (Text.empty() ? "" : "; ") + Variant.Label + " and " + Result.Variants[Other].Label;
+			}
+		}
+	}
+	return Text.empty() ? "" : "  within noise of one another: " + Text + "\n";
+}
+
+void WriteSet(FJsonWriter& Writer, const std::vector<FStudyAssignment>& Set)
+{
+	Writer.Key("set").BeginObject(true);
+	for (const FStudyAssignment& Assignment : Set)
+	{
+		Writer.Member(Assignment.Name, Assignment.Value);
+	}
+	Writer.EndObject();
+}
+
+void WriteDominator(FJsonWriter& Writer, const FStudyResult& Result, const FStudyRank& Rank)
+{
+	Writer.Member("front", Rank.bFront);
+	Writer.Member("dominatedBy",
+		Rank.DominatedBy < 0 ? std::string() : Result.Variants[static_cast<size_t>(Rank.DominatedBy)].Label);
+}
+
+void WriteVariant(
+	FJsonWriter& Writer, const FStudyResult& Result, const FStudyVariant& Variant, const FStudyChoice& Choice)
+{
+	Writer.BeginObject(true);
+	Writer.Member("label", Variant.Label);
+	WriteSet(Writer, Choice.Set);
+	Writer.Member("excluded", Variant.Excluded);
+	if (Variant.bRan)
+	{
+		for (const std::string& Metric : GetMetricNames())
+		{
+			Writer.Member(Metric, GetMetric(Variant.Error, Metric));
+		}
+		Writer.Member("nonFinite", Variant.Error.NumNonFinite);
+	}
+	Writer.Member("taps", Variant.Taps);
+	Writer.Member("bytes", Variant.Bytes);
+	if (Result.Study.bBlur)
+	{
+		Writer.Member("sigma", Variant.MeasuredSigma);
+		Writer.Member("plainCode", Variant.bPlainCode);
+	}
+	Writer.Member("current", Variant.bCurrent);
+	WriteDominator(Writer, Result, Variant.ByTaps);
+	Writer.EndObject();
+}
+
+void WriteBudget(FJsonWriter& Writer, const FStudyBudget& Budget)
+{
+	Writer.Key("budget").BeginObject(true);
+	Writer.Member("metric", Budget.Metric);
+	if (Budget.Max)
+	{
+		Writer.Member("max", *Budget.Max);
+	}
+	if (Budget.Ms)
+	{
+		Writer.Member("ms", *Budget.Ms);
+	}
+	Writer.Member("default", Budget.bDefault);
+	Writer.EndObject();
+}
+
+/** A cell: quoted where it has to be. */
+std::string CsvText(const std::string& Text)
+{
+	if (Text.find_first_of(",\"\n") == std::string::npos)
+	{
+		return Text;
+	}
+	std::string Quoted = "\"";
+	for (const char Character : Text)
+	{
+		Quoted += Character == '"' ? "\"\"" : std::string(1, Character);
+	}
+	return Quoted + "\"";
+}
+
+} // namespace
+
+std::string GetErrorTitle(const std::string& Metric)
+{
+	return Metric == "rms"        ? "RMS error"
+		   : Metric == "max"      ? "largest error"
+		   : Metric == "relative" ? "relative error"
+		   : Metric == "psnr"     ? "10^(-PSNR/20)"
+								  : "1 - SSIM";
+}
+
+std::string MakeStudyTable(const FStudyResult& Result)
+{
+	std::string Text = Result.Name + ": " + Result.Scene + ", " + std::to_string(Result.Width) + " x " +
+					   std::to_string(Result.Height) + "; " + GetCpuName() + ", " + std::to_string(Result.Threads) +
+					   " threads, medians of " + std::to_string(Result.Study.Repetitions) +
+					   " interleaved runs, spread between quartiles\n";
+	for (const FStudyJob& Job : Result.Jobs)
+	{
+		std::vector<FRow> Rows = {{"variant", "CPU ms", "spread", "x ref", "max", "rms", "relative", "PSNR", "SSIM",
+			"taps/px", "bytes/px", "on the front of " + Result.GetMetric() + " and time"}};
+		for (const size_t Index : Job.Variants)
+		{
+			Rows.push_back(MakeRow(Result, Job, Result.Variants[Index]));
+		}
+		Text += "\n" + (Job.Case.Label.empty() ? "" : Job.Case.Label + "; ") + "reference: " + Job.Reference + ", " +
+				Format("%.1f ms", Job.ReferenceTime.Median) + "\n" + AlignRows(Rows) + DescribeNoise(Result, Job) +
+				"  recommended  " + Job.Recommendation + "\n";
+	}
+	return Text;
+}
+
+std::string MakeStudyJson(const FStudyResult& Result)
+{
+	const std::vector<FStudyChoice> Choices = Result.Study.GetChoices();
+	FJsonWriter Writer;
+	Writer.BeginObject();
+	Writer.Member("version", GetVersion());
+	Writer.Member("config", Result.ConfigFile);
+	Writer.Member("fingerprint", Result.Fingerprint);
+	Writer.Member("scene", Result.Scene);
+	Writer.Key("size").BeginArray(true);
+	Writer.Value(Result.Width);
+	Writer.Value(Result.Height);
+	Writer.EndArray();
+	Writer.Member("subject", Result.Study.bBlur ? "blurs" : "frames");
+	Writer.Member("reference", Result.Study.ReferenceName);
+	Writer.Member("metric", Result.GetMetric());
+	WriteBudget(Writer, Result.Study.Budget);
+	Writer.Key("axes").BeginArray();
+	for (const FStudyAxis& Axis : Result.Study.Axes)
+	{
+		Writer.BeginObject(true);
+		Writer.Member("name", Axis.Name);
+		Writer.Member("each", Axis.bEach);
+		Writer.Key("values").BeginArray(true);
+		for (const FStudyValue& Value : Axis.Values)
+		{
+			Writer.Value(Value.Label);
+		}
+		Writer.EndArray();
+		Writer.EndObject();
+	}
+	Writer.EndArray();
+	Writer.Key("jobs").BeginArray();
+	for (const FStudyJob& Job : Result.Jobs)
+	{
+		Writer.BeginObject();
+		Writer.Member("label", Job.Case.Label);
+		WriteSet(Writer, Job.Case.Set);
+		Writer.Member("reference", Job.Reference);
+		Writer.Member("referenceTaps", Job.ReferenceTaps);
+		Writer.Key("variants").BeginArray();
+		for (const size_t Index : Job.Variants)
+		{
+			WriteVariant(Writer, Result, Result.Variants[Index], Choices[Result.Variants[Index].Choice]);
+		}
+		Writer.EndArray();
+		Writer.EndObject();
+	}
+	Writer.EndArray();
+	Writer.EndObject();
+	return Writer.GetText();
+}
+
+std::string MakeStudyTimingJson(const FStudyResult& Result)
+{
+	FJsonWriter Writer;
+	Writer.BeginObject();
+	Writer.Member("cpu", GetCpuName());
+	Writer.Member("threads", Result.Threads);
+	Writer.Member("repetitions", Result.Study.Repetitions);
+	Writer.Member("seconds", Result.Seconds);
+	Writer.Key("jobs").BeginArray();
+	for (const FStudyJob& Job : Result.Jobs)
+	{
+		Writer.BeginObject();
+		Writer.Member("label", Job.Case.Label);
+		Writer.Member("referenceMs", Job.ReferenceTime.Median);
+		std::string Recommended;
+		for (const size_t Index : Job.Variants)
+		{
+			Recommended = Result.Variants[Index].bRecommended ? Result.Variants[Index].Label : Recommended;
+		}
+		Writer.Member("recommended", Recommended);
+		Writer.Member("recommendation", Job.Recommendation);
+		Writer.Key("variants").BeginArray();
+		for (const size_t Index : Job.Variants)
+		{
+			const FStudyVariant& Variant = Result.Variants[Index];
+			Writer.BeginObject(true);
+			Writer.Member("label", Variant.Label);
+			if (Variant.bRan)
+			{
+				Writer.Member("medianMs", Variant.Time.Median);
+				Writer.Member("lowMs", Variant.Time.Low);
+				Writer.Member("highMs", Variant.Time.High);
+				Writer.Key("runsMs").BeginArray(true);
+				for (const double Run : Variant.Time.Runs)
+				{
+					Writer.Value(Run);
+				}
+				Writer.EndArray();
+			}
+			WriteDominator(Writer, Result, Variant.ByTime);
+			Writer.Key("withinNoiseOf").BeginArray(true);
+			for (const size_t Other : Variant.WithinNoiseOf)
+			{
+				Writer.Value(Result.Variants[Other].Label);
+			}
+			Writer.EndArray();
+			Writer.EndObject();
+		}
+		Writer.EndArray();
+		Writer.EndObject();
+	}
+	Writer.EndArray();
+	Writer.EndObject();
+	return Writer.GetText();
+}
+
+std::string MakeStudyCsv(const FStudyResult& Result, bool bTiming)
+{
+	const std::vector<FStudyChoice> Choices = Result.Study.GetChoices();
+	std::string Text;
+	for (const FStudyAxis& Axis : Result.Study.Axes)
+	{
+		Text += CsvText(Axis.Name) + ",";
+	}
+	for (const std::string& Metric : GetMetricNames())
+	{
+		Text += Metric + ",";
+	}
+	Text += bTiming ? "median_ms,low_ms,high_ms,times_reference,front_by_time,recommended\n"
+					: "taps_per_pixel,bytes_per_pixel,sigma,front_by_taps,excluded\n";
+	for (const FStudyVariant& Variant : Result.Variants)
+	{
+		const FStudyJob& Job = Result.Jobs[Variant.Case];
+		for (size_t Axis = 0; Axis < Result.Study.Axes.size(); ++Axis)
+		{
+			const bool bEach = Result.Study.Axes[Axis].bEach;
+			Text += CsvText(bEach ? Job.Case.Values[Axis] : Choices[Variant.Choice].Values[Axis]) + ",";
+		}
+		for (const std::string& Metric : GetMetricNames())
+		{
+			Text += (Variant.bRan ? Format("%.17g", GetMetric(Variant.Error, Metric)) : "") + ",";
+		}
+		if (bTiming)
+		{
+			const FStudyTime& Time = Variant.Time;
+			const double Times = Time.Median > 0.0 ? Job.ReferenceTime.Median / Time.Median : 0.0;
+			Text += Variant.bRan ? Format("%.4f,", Time.Median) + Format("%.4f,", Time.Low) +
+									   Format("%.4f,", Time.High) + Format("%.4g,", Times)
+								 : ",,,,";
+			Text += std::string(Variant.ByTime.bFront ? "1," : "0,") + (Variant.bRecommended ? "1\n" : "0\n");
+			continue;
+		}
+		Text += Format("%.17g,", Variant.Taps) + Format("%.17g,", Variant.Bytes) +
+				(Variant.MeasuredSigma > 0.0 ? Format("%.17g", Variant.MeasuredSigma) : "") + "," +
+				(Variant.ByTaps.bFront ? "1," : "0,") + CsvText(Variant.Excluded) + "\n";
+	}
+	return Text;
+}
+
+} // namespace Drydock

@@ -1,0 +1,29 @@
+// What a study says, as text for people and machines. What differs from run to run (times, and what follows from them)
+// is in texts of its own: the others are the same bytes on every run. Source: drydock.
+#pragma once
+
+#include "Study/StudyResult.h"
+
+namespace Drydock
+{
+
+/** For the terminal: a table per job, with times. */
+DRYDOCK_API std::string MakeStudyTable(const FStudyResult& Result);
+
+/** study.json: {version, config, fingerprint, scene, size, subject, reference, metric, budget, axes: [{name, each,
+ * values}], jobs: [{label, set, reference, referenceTaps, variants: [{label, set, excluded, max, rms, relative, psnr,
+ * ssim, taps, bytes, sigma, plainCode, current, front, dominatedBy}]}]}; front and dominatedBy over taps per pixel. */
+DRYDOCK_API std::string MakeStudyJson(const FStudyResult& Result);
+
+/** study_timing.json: {cpu, threads, repetitions, seconds, jobs: [{label, referenceMs, recommended, recommendation,
+ * variants: [{label, medianMs, lowMs, highMs, runsMs, front, dominatedBy, withinNoiseOf}]}]}; milliseconds of this CPU.
+ */
+DRYDOCK_API std::string MakeStudyTimingJson(const FStudyResult& Result);
+
+/** study.csv: a line per variant, without times; study_timing.csv: likewise, with them. */
+DRYDOCK_API std::string MakeStudyCsv(const FStudyResult& Result, bool bTiming);
+
+/** "RMS error", ...: what an axis of a drawing says. */
+DRYDOCK_API std::string GetErrorTitle(const std::string& Metric);
+
+} // namespace Drydock

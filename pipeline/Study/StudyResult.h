@@ -1,0 +1,85 @@
+// What a study found. The figures that are the same on every run (errors, taps, bytes, the front over taps) and the
+// measured times are kept apart. Source: drydock.
+#pragma once
+
+#include "Study/StudyConfig.h"
+
+#include "ImageMetrics.h"
+
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+/** Milliseconds of several runs. */
+struct FStudyTime
+{
+	std::vector<double> Runs; // in the order in which they ran
+	double Median = 0.0;
+	double Low = 0.0;  // first quartile
+	double High = 0.0; // third
+};
+
+/** Where a variant stands among those of its job, by error and one cost. */
+struct FStudyRank
+{
+	bool bFront = false;
+	/** Index of the cheapest variant that is at least as exact and cheaper, or -1. */
+	int DominatedBy = -1;
+};
+
+/** One way to do one job. */
+struct FStudyVariant
+{
+	size_t Case = 0;
+	size_t Choice = 0;
+	std::string Label; // of the choice
+	/** Why it did not run, or why it does not compete; then it has no rank. */
+	std::string Excluded;
+	bool bRan = false;
+	FImageError Error;
+	double Taps = 0.0;          // per pixel of the picture
+	double Bytes = 0.0;         // likewise
+	double MeasuredSigma = 0.0; // of blurs
+	bool bPlainCode = false;    // not shaders in the graph
+	FStudyRank ByTaps;
+	bool bCurrent = false;
+
+	// By the clock.
+	FStudyTime Time;
+	FStudyRank ByTime;
+	std::vector<size_t> WithinNoiseOf; // other variants of the job whose quartiles overlap
+	bool bRecommended = false;
+};
+
+/** One job. */
+struct FStudyJob
+{
+	FStudyCase Case;
+	std::string Reference; // what errors are measured against, in words
+	FStudyTime ReferenceTime;
+	double ReferenceTaps = 0.0;
+	std::vector<size_t> Variants; // indices into FStudyResult::Variants
+	std::string Recommendation;   // a sentence
+};
+
+struct FStudyResult
+{
+	FStudy Study;
+	std::string Name; // of the config: "study_blur"
+	std::string ConfigFile;
+	std::string Fingerprint; // of what was studied: see GetStudyFingerprint
+	std::string Scene;
+	int Width = 0; // of what errors are measured on
+	int Height = 0;
+	int Threads = 0;
+	std::vector<FStudyJob> Jobs;
+	std::vector<FStudyVariant> Variants;
+	std::vector<FDiagnostic> Diagnostics;
+	double Seconds = 0.0; // all of it, by the clock
+
+	const std::string& GetMetric() const { return Study.Metrics[0]; }
+};
+
+} // namespace Drydock

@@ -1,0 +1,44 @@
+// Runs a study: everything in one process, all variants in turn again and again, so that what slows the machine down
+// for a while slows all of them. Source: drydock.
+#pragma once
+
+#include "Study/StudyResult.h"
+
+#include "RunOptions.h"
+
+#include <functional>
+
+namespace Drydock
+{
+
+/** A picture of one job: what the reference or a variant gives there. */
+struct FStudyPicture
+{
+	FImage Image;
+	EImageEncoding Encoding = EImageEncoding::Linear;
+};
+
+/** Options: config and command line, as of a run; its precision and storage do not matter. Throws FError: a config
+ * without a study, mistakes of the config, a run that fails. Progress of Options is called before each run. */
+DRYDOCK_API FStudyResult RunStudy(const FRunOptions& Options);
+
+/** Runs once more to see: the reference of a job (Variant -1) or a variant. */
+DRYDOCK_API FStudyPicture RunStudyPicture(
+	const FRunOptions& Options, const FStudyResult& Result, size_t Job, int Variant);
+
+/** The scene's colour as a study of blurs takes it, RGBA: scene, point or edge. The point is as bright as makes the
+ * exact blur's peak 1; the edge is slanted. */
+DRYDOCK_API FImage MakeBlurInput(const std::string& Input, const FImage& Scene, double Sigma);
+
+/** Hash of what was studied: of a config's members without budget, outputs and $schema; comments and blanks do not
+ * count.
+ */
+DRYDOCK_API std::string GetStudyFingerprint(const std::string& ConfigText);
+
+/** Text of the config that Options name. Throws FError (exit code 3) when it cannot be read. */
+DRYDOCK_API std::string GetConfigText(const FRunOptions& Options);
+
+/** What these assignments are to a run. */
+DRYDOCK_API void ApplyToRun(const std::vector<FStudyAssignment>& Set, FRunOptions& Options);
+
+} // namespace Drydock
