@@ -106,7 +106,7 @@ const std::vector<FConfigKey>& GetConfigKeys()
 		{"study", "metrics", StringArray, "", 0, Optional, Built, "Error metrics: rms, max, relative, psnr, ssim; the first one is drawn and ranks."},
 		{"study", "repetitions", Number, "", 0, Optional, Built, "Timed runs per variant; 7 by default."},
 		{"study", "region", NumberArray, "", 4, Optional, Built, "MinX, MinY, MaxX, MaxY: the part of the picture where errors are measured; of blurs the part that is blurred."},
-		{"study", "measure", String, "", 0, Optional, Built, "Of frames: final (default), sceneLinear, or a resource by name or Pass.Resource."},
+		{"study", "measure", String, "", 0, Optional, Built, "Of frames: final (default), sceneLinear, toonShadow (the blurred one, as it would be displayed), or a resource by name or Pass.Resource."},
 		{"study", "current", Anything, "", 0, Optional, Built, "Of blurs: the variant in use now, {axis: value}; of frames it is what the config sets."},
 		{"axis", "name", String, "", 0, Required, Built, "A setting, a console variable, precision or storage; of blurs algorithm, sigma, input, storage, precision or resolution."},
 		{"axis", "values", Anything, "", 0, Required, Built, "The values it takes; {label, set: {name: value}} sets several things at once."},

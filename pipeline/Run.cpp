@@ -12,6 +12,7 @@
 #include "RunSetup.h"
 #include "TileExecutor.h"
 #include "TonemapOutputDevice.h"
+#include "VariableTaps.h"
 
 #include <algorithm>
 #include <chrono>
@@ -83,6 +84,7 @@ public:
 		const std::vector<FRDGTexture*>& WrittenTextures) override
 	{
 		Result.Passes.push_back({PassIndex, Milliseconds, Counters});
+		Result.Passes.back().Counters.Taps = CountTaps(Pass, Counters);
 		for (FRDGTexture* Texture : WrittenTextures)
 		{
 			if (IsDumped(Setup.Dump, Pass.GetName(), Texture->Name))

@@ -3,22 +3,25 @@
 
 #include "Study/BlurNative.h"
 
+#include "DualKawaseBlurOutput.h"
 #include "DualKawaseBlurPass.h"
 #include "DualKawaseBlurWidth.h"
+#include "FFTConvolution.h"
 #include "FourTapBlur.h"
 #include "RHICommandList.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphObserver.h"
+#include "RenderGraphUtils.h"
 #include "RenderTargetPool.h"
 #include "RunDump.h"
 #include "RunSetup.h"
 #include "SceneRendering.h"
 #include "TextureBlur.h"
+#include "VariableTaps.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 
 namespace Drydock
@@ -132,17 +135,8 @@ FAddBlur MakeGraphBlur(const std::string& Name, double Sigma)
 								  : FAddBlur(AddSeparable);
 }
 
-/** Taps of the Gaussian's passes: their loops run over a reach that is a parameter, which a static count does not see.
- * The pass says it in its name: "... reach 12x0 ...". */
-double CountReachTaps(const std::string& Pass)
-{
-	int X = 0;
-	int Y = 0;
-	const size_t At = Pass.find(" reach ");
-	return At != std::string::npos && std::sscanf(Pass.c_str() + At, " reach %dx%d", &X, &Y) == 2
-			   ? (2.0 * X + 1.0) * (2.0 * Y + 1.0)
-			   : 0.0;
-}
+/** A kernel's spectrum is made once and kept, as the engine does: its passes do not count. */
+const char* const GKernelName = "BlurKernel";
 
 class FBlurObserver final : public IRDGObserver
 {
@@ -150,9 +144,12 @@ public:
 	void OnPassExecuted(int32_t, const FRDGPass& Pass, double Milliseconds, const FPassCounters& Counters,
 		const std::vector<FRDGTexture*>&) override
 	{
+		if (std::string(Pass.GetName()).find(GKernelName) != std::string::npos)
+		{
+			return;
+		}
 		Run.Milliseconds += Milliseconds;
-		Run.TapsPerPixel += Counters.Taps > 0 ? static_cast<double>(Counters.Taps)
-											  : CountReachTaps(Pass.GetName()) * static_cast<double>(Counters.Pixels);
+		Run.TapsPerPixel += static_cast<double>(CountTaps(Pass, Counters));
 		Run.BytesPerPixel += static_cast<double>(Counters.BytesRead + Counters.BytesWritten);
 		++Run.NumPasses;
 	}
@@ -223,6 +220,106 @@ FBlurRun RunGraph(const FImage& Image, const FAddBlur& AddBlur, double Sigma, co
 	return Run;
 }
 
+// By spectra ----------------------------------------------------------------------------------------------------------
+
+/** The image with its edge texels repeated to every side, as the transform knows no edges. */
+FImage Extend(const FImage& Image, int Margin)
+{
+	FImage Extended{Image.Width + 2 * Margin, Image.Height + 2 * Margin, 4, {}};
+	Extended.Values.reserve(static_cast<size_t>(Extended.Width) * static_cast<size_t>(Extended.Height) * 4);
+	for (int Y = -Margin; Y < Image.Height + Margin; ++Y)
+	{
+		for (int X = -Margin; X < Image.Width + Margin; ++X)
+		{
+			for (int Channel = 0; Channel < 4; ++Channel)
+			{
+				Extended.Values.push_back(
+					Image.Get(std::clamp(X, 0, Image.Width - 1), std::clamp(Y, 0, Image.Height - 1), Channel));
+			}
+		}
+	}
+	return Extended;
+}
+
+/** A Gaussian whose middle is texel 0, going around: weights sum to 1. */
+FImage MakeWrappedGaussian(FIntPoint Size, double Sigma)
+{
+	const auto MakeAxis = [Sigma](int Length)
+	{
+		std::vector<double> Weights(static_cast<size_t>(Length));
+		double Sum = 0.0;
+		for (int Index = 0; Index < Length; ++Index)
+		{
+			const double Distance = std::min(Index, Length - Index) / Sigma;
+			Weights[static_cast<size_t>(Index)] = std::exp(-0.5 * Distance * Distance);
+			Sum += Weights[static_cast<size_t>(Index)];
+		}
+		for (double& Weight : Weights)
+		{
+			Weight /= Sum;
+		}
+		return Weights;
+	};
+	const std::vector<double> Columns = MakeAxis(Size.X);
+	const std::vector<double> Rows = MakeAxis(Size.Y);
+	FImage Kernel{Size.X, Size.Y, 4, {}};
+	for (const double Row : Rows)
+	{
+		for (const double Column : Columns)
+		{
+			const double Weight = Row * Column;
+			Kernel.Values.insert(Kernel.Values.end(), {Weight, Weight, Weight, 0.0});
+		}
+	}
+	return Kernel;
+}
+
+/** The bloom's transforms, over the image and 4 deviations of its edge around it. */
+FBlurRun RunFFT(const FImage& Image, double Sigma)
+{
+	const int Margin = static_cast<int>(std::ceil(4.0 * Sigma));
+	const FImage Extended = Extend(Image, Margin);
+	const FIntPoint Size(Extended.Width, Extended.Height);
+	const FFFTDomain Domain = FFFTDomain::Make(Size, Size);
+	const auto Add = [&](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& Input, double)
+	{
+		const FTextureRHIRef KernelTexture =
+			MakeTexture(MakeWrappedGaussian(Domain.FrequencySize, Sigma), PF_A32B32G32R32F);
+		const FScreenPassTexture Kernel(
+			GraphBuilder.RegisterExternalTexture(CreateRenderTarget(KernelTexture, TEXT("BlurKernel"))));
+		const TArray<FVector4f> One = {FVector4f(1.0f, 1.0f, 1.0f, 1.0f)};
+		const FRDGBufferRef Scale = CreateStructuredBuffer(GraphBuilder, TEXT("BlurScale"), One);
+		const FScreenPassTexture Output(
+			CreateBlurTexture(GraphBuilder, Input, Size, TEXT("BlurByFFT")), Input.ViewRect);
+		AddInverseFFTPasses(GraphBuilder, Domain,
+			AddMultiplySpectraPass(GraphBuilder, View, Domain,
+				AddForwardFFTPasses(GraphBuilder, Domain, Input, TEXT("BlurSpectrum")),
+				AddForwardFFTPasses(GraphBuilder, Domain, Kernel, TEXT("BlurKernel")), Scale),
+			Output);
+		return Output;
+	};
+	FBlurRun Run = RunGraph(Extended, Add, Sigma, {});
+	FImage Inner{Image.Width, Image.Height, 4, {}};
+	for (int Y = 0; Y < Image.Height; ++Y)
+	{
+		for (int X = 0; X < Image.Width; ++X)
+		{
+			for (int Channel = 0; Channel < 4; ++Channel)
+			{
+				Inner.Values.push_back(Run.Image.Get(X + Margin, Y + Margin, Channel));
+			}
+		}
+	}
+	Run.Image = std::move(Inner);
+	// Per pixel of the image. A line of N texels is transformed in log2 N steps of two reads each, there and back.
+	const double NumPixels = static_cast<double>(Image.Width) * Image.Height;
+	const double Frequencies = static_cast<double>(Domain.FrequencySize.X) * Domain.FrequencySize.Y;
+	Run.BytesPerPixel *= static_cast<double>(Size.X) * Size.Y / NumPixels;
+	Run.TapsPerPixel =
+		4.0 * (std::log2(Domain.FrequencySize.X) + std::log2(Domain.FrequencySize.Y)) * Frequencies / NumPixels;
+	return Run;
+}
+
 // Plain code --------------------------------------------------------------------------------------------------------
 
 FBlurRun RunNative(const FImage& Image, const std::string& Name, double Sigma)
@@ -256,6 +353,8 @@ const std::vector<FBlurAlgorithm>& GetBlurAlgorithms()
 		{"Kawase", "Passes of four taps at full size, each further out.", true, 0.5, 250.0},
 		{"DualKawase", "Halved and doubled again by 5 and 8 taps.", true, 1.0, 426.0},
 		{"Pyramid", "[1 3 3 1] down and up, a small separable Gaussian between."},
+		{"FFT", "The bloom's convolution by Fourier transforms, with a Gaussian for its kernel; the edge repeated "
+				"around it."},
 		{"Boxes", "Three running averages.", false},
 		{"Recursive", "Young and van Vliet's third-order recursive filter.", false},
 	};
@@ -299,7 +398,7 @@ FBlurRun FBlur::RunAs(const FImage& Image, const FBlurArithmetic& As) const
 
 /** One run for a block of impulses: its columns hold 1, x and x^2 in their channels, the same in all rows, so that the
  * other axis drops out. The block is as wide as the coarsest texel of any level, the margin wider than any response. */
-double FBlur::Measure() const
+double FBlur::MeasureVariance(bool bVertical) const
 {
 	int Block = 16;
 	while (Block < Sigma)
@@ -307,22 +406,22 @@ double FBlur::Measure() const
 		Block *= 2;
 	}
 	const int Margin = (static_cast<int>(10.0 * Sigma) / Block + 1) * Block;
-	const bool bLevels =
-		Algorithm.bGraph && Algorithm.Name != "Separable" && Algorithm.Name != "Direct" && Algorithm.Name != "Kawase";
-	FImage Strip;
-	Strip.Width = 2 * Margin + Block;
-	Strip.Height = bLevels || Arithmetic.ResolutionLevels > 0 ? 2 * Block : 2;
-	Strip.NumChannels = 4;
-	const auto Centre = [&](int X)
+	const bool bLevels = Arithmetic.ResolutionLevels > 0 || Algorithm.Name == "GaussianSum" ||
+						 Algorithm.Name == "DualKawase" || Algorithm.Name == "Pyramid";
+	const int Length = 2 * Margin + Block;
+	const int Across = bLevels ? 2 * Block : 2;
+	const auto Centre = [&](int Along)
 	{
-		return static_cast<double>(X - Margin - Block / 2);
+		return static_cast<double>(Along - Margin - Block / 2);
 	};
+	FImage Strip{bVertical ? Across : Length, bVertical ? Length : Across, 4, {}};
 	for (int Y = 0; Y < Strip.Height; ++Y)
 	{
 		for (int X = 0; X < Strip.Width; ++X)
 		{
-			const double In = Centre(X);
-			const double Lit = X >= Margin && X < Margin + Block ? 1.0 : 0.0;
+			const int Along = bVertical ? Y : X;
+			const double In = Centre(Along);
+			const double Lit = Along >= Margin && Along < Margin + Block ? 1.0 : 0.0;
 			Strip.Values.insert(Strip.Values.end(), {Lit, Lit * In, Lit * In * In, 0.0});
 		}
 	}
@@ -332,16 +431,25 @@ double FBlur::Measure() const
 	double Sum = 0.0;
 	double Mean = 0.0;
 	double Square = 0.0;
-	for (int X = 0; X < Strip.Width; ++X)
+	for (int Along = 0; Along < Length; ++Along)
 	{
-		const double Out = Centre(X);
-		const double Weight = Blurred.Get(X, Strip.Height / 2, 0);
-		const double First = Blurred.Get(X, Strip.Height / 2, 1);
-		Sum += Weight;
-		Mean += Out * Weight - First;
-		Square += Out * Out * Weight - 2.0 * Out * First + Blurred.Get(X, Strip.Height / 2, 2);
+		const auto Get = [&](int Channel)
+		{
+			return bVertical ? Blurred.Get(Across / 2, Along, Channel) : Blurred.Get(Along, Across / 2, Channel);
+		};
+		const double Out = Centre(Along);
+		Sum += Get(0);
+		Mean += Out * Get(0) - Get(1);
+		Square += Out * Out * Get(0) - 2.0 * Out * Get(1) + Get(2);
 	}
-	return std::sqrt(std::max(0.0, Square / Sum - Mean / Sum * Mean / Sum));
+	return std::max(0.0, Square / Sum - Mean / Sum * Mean / Sum);
+}
+
+/** The engine's blur is not equally wide both ways: its horizontal pass may work at half width. */
+double FBlur::Measure() const
+{
+	const double Variance = MeasureVariance(false);
+	return std::sqrt(Algorithm.Name == "GaussianSum" ? (Variance + MeasureVariance(true)) / 2.0 : Variance);
 }
 
 void FBlur::Match()

@@ -20,7 +20,7 @@ struct FBlurAlgorithm
 	double LargestSigma = 1000.0;
 };
 
-/** Exact, Direct, Separable, GaussianSum, Kawase, DualKawase, Pyramid, Boxes, Recursive. */
+/** Exact, Direct, Separable, GaussianSum, Kawase, DualKawase, Pyramid, FFT, Boxes, Recursive. */
 DRYDOCK_API const std::vector<FBlurAlgorithm>& GetBlurAlgorithms();
 /** Null when there is none of that name. */
 DRYDOCK_API const FBlurAlgorithm* FindBlurAlgorithm(const std::string& Name);
@@ -54,14 +54,15 @@ public:
 	/** Image: RGBA. */
 	FBlurRun Run(const FImage& Image) const { return RunAs(Image, Arithmetic); }
 
-	/** Of the impulse response along one axis, pixels: the mean over all positions of the impulse. Measured with 32-bit
-	 *  storage. */
+	/** Of the impulse response, pixels: the root of the mean of both axes' variances, over all positions of the
+	 * impulse. Measured with 32-bit storage. */
 	double GetMeasuredSigma() const { return MeasuredSigma; }
 	/** Within one percent of what is wanted. */
 	bool IsMatched() const;
 
 private:
 	FBlurRun RunAs(const FImage& Image, const FBlurArithmetic& As) const;
+	double MeasureVariance(bool bVertical) const;
 	double Measure() const;
 	void Match();
 

@@ -366,12 +366,13 @@ private:
 				   SvgText((Plot.Left + Plot.Right) / 2.0, (Plot.Top + Plot.Bottom) / 2.0, "quiet mid", "nothing ran");
 		}
 		FLabelPlacer Labels({Plot.Left + 2.0, Plot.Top + 2.0, Plot.Right - 2.0, Plot.Bottom - 2.0});
-		Svg += DrawFront(Drawn, X, Y) + DrawPoints(Drawn, X, Y, Labels);
+		Svg += DrawFront(Drawn, X, Y, Labels) + DrawPoints(Drawn, X, Y, Labels);
 		return Svg + DrawLabels(Drawn, X, Y, Plot, Labels);
 	}
 
 	/** Steps: between two variants nothing is to be had but the cheaper one's error. */
-	std::string DrawFront(const std::vector<size_t>& Drawn, const FLogAxis& X, const FLogAxis& Y) const
+	std::string DrawFront(
+		const std::vector<size_t>& Drawn, const FLogAxis& X, const FLogAxis& Y, FLabelPlacer& Labels) const
 	{
 		std::vector<FSvgPoint> Front;
 		for (const size_t Index : Drawn)
@@ -391,6 +392,12 @@ private:
 				Steps.emplace_back(Point.first, Steps.back().second);
 			}
 			Steps.push_back(Point);
+		}
+		for (size_t Index = 1; Index < Steps.size(); ++Index)
+		{
+			const auto [Left, Right] = std::minmax(Steps[Index - 1].first, Steps[Index].first);
+			const auto [Top, Bottom] = std::minmax(Steps[Index - 1].second, Steps[Index].second);
+			Labels.Block({Left - 1.0, Top - 1.0, Right + 1.0, Bottom + 1.0});
 		}
 		return Steps.size() > 1 ? SvgPath(Steps, "front") : "";
 	}
@@ -432,6 +439,7 @@ private:
 			const double TextWidth = EstimateTextWidth(Text, 11.0);
 			Svg += SvgText(Plot.Right - 4.0, Place - 5.0, "budgettext end", Text);
 			Labels.Block({Plot.Right - 6.0 - TextWidth, Place - 16.0, Plot.Right, Place + 2.0});
+			Labels.Block({Plot.Left, Place - 1.0, Plot.Right, Place + 1.0});
 		}
 		const auto Importance = [&](size_t Index)
 		{

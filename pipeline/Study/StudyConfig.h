@@ -69,7 +69,7 @@ struct FStudy
 	std::vector<std::string> Metrics; // the first one is drawn, and decides what dominates what
 	int Repetitions = 7;
 	std::optional<std::array<int, 4>> Region; // MinX, MinY, MaxX, MaxY of the picture
-	std::string Measure = "final";            // final, sceneLinear, or a resource
+	std::string Measure = "final";            // final, sceneLinear, toonShadow, or a resource
 	std::vector<FStudyAssignment> Current;    // of a blur: the variant that is in use now
 	FStudyBudget Budget;
 

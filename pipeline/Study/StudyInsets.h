@@ -9,9 +9,9 @@
 namespace Drydock
 {
 
-/** Runs what is shown once more. Writes PNGs to Folder/insets, parts of the pictures around the largest error, and gives
- * them for DrawStudyInsets; Folder/insets of an earlier study goes. Throws FError (exit code 3) when a file cannot be
- * written. */
+/** Runs what is shown once more. Writes PNGs to Folder/insets, parts of the pictures around the largest error, and
+ * gives them for DrawStudyInsets; Folder/insets of an earlier study goes. Throws FError (exit code 3) when a file
+ * cannot be written. */
 DRYDOCK_API std::vector<FStudyInsetRow> WriteStudyInsets(
 	const FRunOptions& Options, const FStudyResult& Result, const std::string& Folder);
 

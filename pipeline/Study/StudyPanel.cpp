@@ -93,7 +93,7 @@ double EstimateTextWidth(const std::string& Text, double FontSize)
 	{
 		const bool bNarrow = std::string("iljt.,:;|'() ").find(Character) != std::string::npos;
 		const bool bContinues = (static_cast<unsigned char>(Character) & 0xC0) == 0x80;
-		Width += bContinues ? 0.0 : bNarrow ? 0.34 : std::isupper(static_cast<unsigned char>(Character)) ? 0.68 : 0.57;
+		Width += bContinues ? 0.0 : bNarrow ? 0.36 : std::isupper(static_cast<unsigned char>(Character)) ? 0.74 : 0.63;
 	}
 	return Width * FontSize;
 }

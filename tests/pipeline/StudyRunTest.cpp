@@ -184,7 +184,7 @@ TEST(StudyConfig, MistakesAreNamedWithTheNearestName)
 {
 	EXPECT_EQ(
 		"1007 /study/axes/0/values/0: there is no algorithm \"DualKawaze\": Exact, Direct, Separable, GaussianSum, "
-		"Kawase, DualKawase, Pyramid, Boxes, Recursive; did you mean DualKawase?",
+		"Kawase, DualKawase, Pyramid, FFT, Boxes, Recursive; did you mean DualKawase?",
 		ErrorOf(R"("study": {"axes": [{"name": "algorithm", "values": ["DualKawaze"]}]})"));
 	EXPECT_EQ(
 		"1007 /study/axes/0/name: \"r.BloomQualty\" is no setting, no console variable, and neither precision nor "

@@ -1,0 +1,52 @@
+// Source: drydock.
+#include "VariableTaps.h"
+
+#include "RenderGraphPass.h"
+#include "ShaderParameterMetadata.h"
+
+#include <cstring>
+
+namespace Drydock
+{
+
+namespace
+{
+
+template<typename T>
+T ReadMember(const void* Parameters, const FHlslMember& Member, size_t Index = 0)
+{
+	T Value;
+	std::memcpy(&Value, static_cast<const char*>(Parameters) + Member.Offset + Index * sizeof(T), sizeof(T));
+	return Value;
+}
+
+} // namespace
+
+uint64_t CountTaps(const FRDGPass& Pass, const FPassCounters& Counters)
+{
+	if (Counters.Taps != 0 || Pass.GetParameters() == nullptr || Pass.GetParametersMetadata() == nullptr)
+	{
+		return Counters.Taps;
+	}
+	int64_t PerPixel = 0;
+	for (const FHlslMember& Member : Pass.GetParametersMetadata()->GetHlslMembers())
+	{
+		if (Member.Name == "SampleCount" && Member.BaseType == UBMT_INT32)
+		{
+			PerPixel += ReadMember<int32>(Pass.GetParameters(), Member);
+		}
+		else if (Member.Name == "Additive_Texture")
+		{
+			PerPixel += ReadMember<const void*>(Pass.GetParameters(), Member) != nullptr ? 1 : 0;
+		}
+		else if (Member.Name == "Reach" && Member.BaseType == UBMT_INT32 && Member.NumColumns == 2)
+		{
+			const int64_t X = ReadMember<int32>(Pass.GetParameters(), Member, 0);
+			const int64_t Y = ReadMember<int32>(Pass.GetParameters(), Member, 1);
+			PerPixel += (2 * X + 1) * (2 * Y + 1);
+		}
+	}
+	return static_cast<uint64_t>(PerPixel) * Counters.Pixels;
+}
+
+} // namespace Drydock
