@@ -274,10 +274,10 @@ FImage MakeWrappedGaussian(FIntPoint Size, double Sigma)
 	return Kernel;
 }
 
-/** The bloom's transforms, over the image and 4 deviations of its edge around it. */
+/** The bloom's transforms, over the image and 5 deviations of its edge around it. */
 FBlurRun RunFFT(const FImage& Image, double Sigma)
 {
-	const int Margin = static_cast<int>(std::ceil(4.0 * Sigma));
+	const int Margin = static_cast<int>(std::ceil(5.0 * Sigma));
 	const FImage Extended = Extend(Image, Margin);
 	const FIntPoint Size(Extended.Width, Extended.Height);
 	const FFFTDomain Domain = FFFTDomain::Make(Size, Size);
@@ -391,9 +391,13 @@ bool FBlur::IsMatched() const
 
 FBlurRun FBlur::RunAs(const FImage& Image, const FBlurArithmetic& As) const
 {
-	return Algorithm.bGraph
-			   ? RunGraph(Image, MakeGraphBlur(Algorithm.Name, Sigma * std::exp2(-As.ResolutionLevels)), Requested, As)
-			   : RunNative(Image, Algorithm.Name, Requested);
+	if (Algorithm.Name == "FFT")
+	{
+		return RunFFT(Image, Requested);
+	}
+	const double LowSigma = Sigma * std::exp2(-As.ResolutionLevels);
+	return Algorithm.bGraph ? RunGraph(Image, MakeGraphBlur(Algorithm.Name, LowSigma), Requested, As)
+							: RunNative(Image, Algorithm.Name, Requested);
 }
 
 /** One run for a block of impulses: its columns hold 1, x and x^2 in their channels, the same in all rows, so that the

@@ -96,8 +96,8 @@ public:
 	{
 		const std::string Title =
 			Result.Name + ": accuracy against " + (Cost == EStudyCost::Taps ? "taps per pixel" : "time");
-		std::string Body = SvgText(Margin, 36.0, "title", Title) + SvgText(Margin, 58.0, "quiet", MakeSubtitle());
-		double Y = 84.0;
+		std::string Body = SvgText(Margin, 36.0, "title", Title) + DrawSubtitle();
+		double Y = 104.0;
 		Body += DrawLegend(Y);
 		Body += DrawSweeps(Y);
 		Body += DrawJobs(Y);
@@ -105,15 +105,18 @@ public:
 	}
 
 private:
-	std::string MakeSubtitle() const
+	std::string DrawSubtitle() const
 	{
 		const std::string Size = std::to_string(Result.Width) + " x " + std::to_string(Result.Height);
-		return Result.Scene + ", " + Size + "; errors against " +
-			   (Result.Jobs.empty() ? "nothing" : Result.Jobs[0].Reference) +
-			   (Cost == EStudyCost::Taps
-					   ? ""
-					   : "; CPU milliseconds on " + std::to_string(Result.Threads) + " threads, medians of " +
-							 std::to_string(Result.Study.Repetitions) + " runs, whiskers between quartiles");
+		const std::string Clock = "; CPU milliseconds on " + std::to_string(Result.Threads) + " threads, medians of " +
+								  std::to_string(Result.Study.Repetitions) +
+								  " runs in turn, whiskers between quartiles";
+		const std::string Reference = Result.Jobs.empty() ? "nothing" : Result.Jobs[0].Reference;
+		constexpr size_t MostCharacters = 160;
+		return SvgText(Margin, 58.0, "quiet",
+				   Result.Scene + ", " + Size +
+					   (Cost == EStudyCost::Taps ? "; taps and errors are the same on every run" : Clock)) +
+			   SvgText(Margin, 76.0, "quiet", ShortenText("errors against " + Reference, MostCharacters));
 	}
 
 	double GetCost(const FStudyVariant& Variant) const
@@ -414,7 +417,10 @@ private:
 			const std::string Color = GetColor(Variant.Choice);
 			if (Cost == EStudyCost::Milliseconds)
 			{
-				Svg += SvgLine(X.Map(Variant.Time.Low), PointY, X.Map(Variant.Time.High), PointY, "whisker s" + Color);
+				const double Low = X.Map(Variant.Time.Low);
+				const double High = X.Map(Variant.Time.High);
+				Svg += SvgLine(Low, PointY, High, PointY, "whisker s" + Color);
+				Labels.Block({Low - 2.0, PointY - 2.0, High + 2.0, PointY + 2.0});
 			}
 			Svg += DrawMarker(
 				PointX, PointY, 5.0, Variant.bPlainCode, "dot f" + Color + (GetRank(Variant).bFront ? "" : " off"));

@@ -51,10 +51,14 @@ std::vector<double> FLogAxis::GetTicks() const
 	for (int Power = static_cast<int>(std::floor(std::log10(Low)));
 		 Power <= static_cast<int>(std::ceil(std::log10(High))); ++Power)
 	{
-		for (const double Factor : {1.0, 2.0, 5.0})
+		for (const double Factor : {1.0, 1.5, 2.0, 3.0, 5.0, 7.0})
 		{
 			const double Tick = Factor * std::pow(10.0, Power);
-			const bool bWanted = Factor == 1.0 ? Power % Step == 0 : Decades < (Factor == 5.0 ? 1.6 : 2.2);
+			const bool bOften = Factor == 1.5 || Factor == 3.0 || Factor == 7.0;
+			const bool bWanted = Factor == 1.0   ? Power % Step == 0
+								 : bOften        ? Decades < 0.75
+								 : Factor == 2.0 ? Decades < 2.2
+												 : Decades < 1.6;
 			if (bWanted && Tick >= Low && Tick <= High)
 			{
 				Ticks.push_back(Tick);
@@ -145,7 +149,8 @@ std::string DrawAxes(const FSvgBox& Plot, const FLogAxis& X, const FLogAxis& Y, 
 
 std::string FLabelPlacer::Place(double X, double Y, const std::string& Text, const std::string& Class)
 {
-	const double Width = EstimateTextWidth(Text, LabelSize);
+	const bool bStrong = Class.find("strong") != std::string::npos;
+	const double Width = EstimateTextWidth(Text, LabelSize) * (bStrong ? 1.1 : 1.0);
 	for (const double Distance : {9.0, 15.0, 24.0, 36.0, 50.0, 66.0})
 	{
 		const double Diagonal = Distance * 0.75;

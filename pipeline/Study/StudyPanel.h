@@ -40,7 +40,7 @@ public:
 	double Map(double Value) const;
 	double GetLow() const { return Low; }
 	double GetHigh() const { return High; }
-	/** Powers of ten, and 2 and 5 times these where there are few. */
+	/** Powers of ten, and simple multiples of these where there are few. */
 	std::vector<double> GetTicks() const;
 
 private:

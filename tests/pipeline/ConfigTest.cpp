@@ -369,7 +369,7 @@ TEST(ConfigMistakes, StudyAndItsAxesAreChecked)
 	EXPECT_EQ("1008 error 1:11 /study", Only(R"({"study": {"repetitions": 7}})"));
 	EXPECT_EQ("unknown key \"repetition\"; did you mean repetitions?",
 		OnlyText(R"({"study": {"axes": [], "repetition": 7}})"));
-	EXPECT_EQ("1008 error 1:22 /study/axes/0", Only(R"({"study": {"axes": [{"name": "r.BloomQuality"}]}})"));
+	EXPECT_EQ("1008 error 1:21 /study/axes/0", Only(R"({"study": {"axes": [{"name": "r.BloomQuality"}]}})"));
 }
 
 TEST(ConfigMistakes, SettingsWithoutAPassWarn)
