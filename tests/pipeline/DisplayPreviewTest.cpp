@@ -27,13 +27,13 @@ TEST(DisplayPreview, HundredNitsAreWhite)
 	// ST 2084 of 100 nits is 0.508078; scRGB counts 80 nits as 1.
 	EXPECT_NEAR(1.0, Preview(0.508078, EDisplayOutputFormat::HDR_ACES_1000nit_ST2084), 1e-4);
 	EXPECT_NEAR(1.0, Preview(1.25, EDisplayOutputFormat::HDR_ACES_1000nit_ScRGB), 1e-9);
-	EXPECT_EQ(1.0, Preview(1.0, EDisplayOutputFormat::HDR_ACES_1000nit_ST2084, 2));
+	EXPECT_NEAR(1.0, Preview(1.0, EDisplayOutputFormat::HDR_ACES_1000nit_ST2084, 2), 1e-12);
 }
 
 TEST(DisplayPreview, LinearLightIsEncodedAndCutOff)
 {
 	EXPECT_NEAR(1.055 * std::pow(0.18, 1 / 2.4) - 0.055, Preview(0.18, EDisplayOutputFormat::HDR_LinearEXR), 1e-12);
-	EXPECT_EQ(1.0, Preview(7.0, EDisplayOutputFormat::HDR_LinearNoToneCurve));
+	EXPECT_NEAR(1.0, Preview(7.0, EDisplayOutputFormat::HDR_LinearNoToneCurve), 1e-12);
 }
 
 TEST(DisplayPreview, Rec709IsDecoded)
