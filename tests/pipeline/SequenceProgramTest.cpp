@@ -81,6 +81,7 @@ TEST_F(SequenceProgram, KilledAtAnyMomentLosesNothing)
 		for (int Kill = 0; Kill < 5; ++Kill)
 		{
 			const pid_t Child = Start(Frames, Out);
+			ASSERT_GT(Child, 0); // to kill -1 is to kill everybody
 			std::this_thread::sleep_for(FSeconds(Duration * Moment(Random)));
 			kill(Child, SIGKILL);
 			NumKilled += WIFSIGNALED(WaitFor(Child)) ? 1 : 0;
