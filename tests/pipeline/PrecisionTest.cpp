@@ -64,7 +64,9 @@ TEST(Precision, FloatArithmeticStaysWithinItsBoundsAndFormatsCostMore)
 	const FDifference Native = Compare("float, native formats", RunToonBloom(false, ERunStorage::Native), Double);
 	EXPECT_LT(Float32.SceneLinear, 2e-5);
 	EXPECT_LT(Float32.Bloom, 2e-5);
-	EXPECT_LT(Float32.Final, 1e-4);
+	// A position in the combined table is snapped to 1/256 texel: where float rounds to the other side, the value moves
+	// by 1/256 of what two neighbouring colours differ, a fifth at most here.
+	EXPECT_LT(Float32.Final, 1e-3);
 	EXPECT_GT(Float32.Bloom, 0.0) << "double arithmetic must really be another";
 	EXPECT_GT(Native.Bloom, 10.0 * Float32.Bloom);
 	EXPECT_GT(Native.Final, 10.0 * Float32.Final);
