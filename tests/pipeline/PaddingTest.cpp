@@ -63,11 +63,13 @@ bool AreSameBits(const FImage& A, const FImage& B)
 		   std::memcmp(A.Values.data(), B.Values.data(), A.Values.size() * sizeof(double)) == 0;
 }
 
-/** Configs whose last passes sample anywhere between texels (colour fringe, FXAA, upscale): over another extent a
- * texture coordinate rounds otherwise, and one on the border of two steps of 1/256 texel takes the other. */
+/** Configs whose passes sample anywhere between texels (colour fringe, FXAA, upscale; bloom of the studies' picture of
+ * 641 x 359, whose levels are no whole halves): over another extent a texture coordinate rounds otherwise, and one on
+ * the border of two steps of 1/256 texel takes the other. */
 bool SamplesBetweenTexels(const std::string& Config)
 {
-	return Config == "film_look" || Config == "fxaa" || Config == "screen_percentage";
+	return Config == "film_look" || Config == "fxaa" || Config == "screen_percentage" ||
+		   Config.rfind("study_", 0) == 0;
 }
 
 /** The same bits; where a config samples between texels, the same 8-bit codes give or take one, in one of 1000 values.
