@@ -68,7 +68,7 @@ bool AreSameBits(const FImage& A, const FImage& B)
  * the border of two steps of 1/256 texel takes the other. */
 bool SamplesBetweenTexels(const std::string& Config)
 {
-	return Config == "film_look" || Config == "fxaa" || Config == "screen_percentage" ||
+	return Config == "film_look" || Config == "fxaa" || Config == "screen_percentage" || Config == "frame_full" ||
 		   Config.rfind("study_", 0) == 0;
 }
 
