@@ -5,6 +5,7 @@
 #include "HAL/IConsoleManager.h"
 #include "RunDump.h"
 #include "SettingObjects.h"
+#include "TextFormat.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,13 +20,6 @@ namespace
 const char* const Bold = "\x1b[1m";
 const char* const Dim = "\x1b[2m";
 const char* const Plain = "\x1b[0m";
-
-std::string Format(const char* Pattern, double Number)
-{
-	char Buffer[64];
-	std::snprintf(Buffer, sizeof(Buffer), Pattern, Number);
-	return Buffer;
-}
 
 /** Five digits are enough to read; --json has all of them. */
 std::string FormatValue(const FSettingField& Field, const FSettingValue& Value)

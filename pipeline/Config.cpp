@@ -1,4 +1,4 @@
-// Source: drydock.
+// Source: drydock. A little past 500 lines: one reader function for each object of the format, in the order of the keys.
 #include "ConfigReader.h"
 
 #include "ConfigKeys.h"

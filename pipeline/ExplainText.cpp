@@ -2,6 +2,7 @@
 #include "ConfigErrors.h"
 #include "Explain.h"
 #include "JsonWriter.h"
+#include "TextFormat.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -11,23 +12,6 @@ namespace Drydock
 
 namespace
 {
-
-std::string Format(const char* Pattern, double Number)
-{
-	char Buffer[64];
-	std::snprintf(Buffer, sizeof(Buffer), Pattern, Number);
-	return Buffer;
-}
-
-std::string Pad(const std::string& Text, size_t Width)
-{
-	return Text + std::string(Width > Text.size() ? Width - Text.size() : 0, ' ');
-}
-
-std::string PadLeft(const std::string& Text, size_t Width)
-{
-	return std::string(Width > Text.size() ? Width - Text.size() : 0, ' ') + Text;
-}
 
 std::string Count(int Number, const char* Thing)
 {
@@ -46,7 +30,7 @@ std::string FormatEffect(const FExplainedEffect& Effect, size_t NameWidth)
 {
 	const FEffectDecision& Decision = Effect.Decision;
 	const bool bPasses = Effect.NumPasses > 0;
-	return Pad(Decision.Name, NameWidth) + "  " + (Decision.bActive ? "yes" : "no ") +
+	return PadRight(Decision.Name, NameWidth) + "  " + (Decision.bActive ? "yes" : "no ") +
 		   PadLeft(bPasses ? std::to_string(Effect.NumPasses) : "-", 8) +
 		   PadLeft(bPasses ? Format("%.2f", Effect.Milliseconds) : "-", 9) +
 		   PadLeft(bPasses ? Format("%.1f", Effect.Megabytes) : "-", 8) + "  " + Decision.Reason + "\n";
@@ -76,7 +60,7 @@ std::string List(const std::vector<std::string>& Names, const char* Otherwise)
 
 std::string FormatPassLine(const FExplainedPass& Pass, size_t NameWidth)
 {
-	return PadLeft(std::to_string(Pass.Index), 5) + "  " + Pad(Pass.Name, NameWidth) + "  " +
+	return PadLeft(std::to_string(Pass.Index), 5) + "  " + PadRight(Pass.Name, NameWidth) + "  " +
 		   (Pass.bExecutes ? PadLeft(Format("%.2f ms", Pass.Milliseconds), 9) + "  read by " +
 								 List(Pass.Readers, "nobody in the graph: it is an output")
 						   : "   culled  " + Pass.Reason) +
@@ -134,7 +118,7 @@ std::string MakeExplainText(const FExplainReport& Report, bool bColorful)
 	{
 		NameWidth = std::max(NameWidth, Effect.Decision.Name.size());
 	}
-	std::string Text = Bold + Pad("effect", NameWidth) + "  runs  passes" +
+	std::string Text = Bold + PadRight("effect", NameWidth) + "  runs  passes" +
 					   PadLeft(Report.bMeasured ? "ms" : "est. ms", 9) + PadLeft("MB", 8) + "  why" + Normal + "\n";
 	for (const FExplainedEffect& Effect : Report.Effects)
 	{

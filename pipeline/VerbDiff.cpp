@@ -3,6 +3,7 @@
 #include "ImageMetrics.h"
 #include "JsonWriter.h"
 #include "Verbs.h"
+#include "TextFormat.h"
 
 #include <algorithm>
 #include <cmath>
@@ -150,13 +151,6 @@ void Compare(FPair& Pair, const std::string& HeatMap)
 		}
 		WritePng(HeatMap, MakeHeatMap(A.Image, B.Image, Full));
 	}
-}
-
-std::string Format(const char* Pattern, double Number)
-{
-	char Buffer[64];
-	std::snprintf(Buffer, sizeof(Buffer), Pattern, Number);
-	return Buffer;
 }
 
 std::string MakeTable(const std::vector<FPair>& Pairs)

@@ -2,6 +2,7 @@
 #include "ProgressBar.h"
 #include "Run.h"
 #include "Verbs.h"
+#include "TextFormat.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -12,13 +13,6 @@ namespace Drydock
 
 namespace
 {
-
-std::string Format(const char* Pattern, double Number)
-{
-	char Buffer[64];
-	std::snprintf(Buffer, sizeof(Buffer), Pattern, Number);
-	return Buffer;
-}
 
 std::string FormatMegabytes(uint64_t Bytes)
 {
@@ -37,16 +31,6 @@ const char* GetColor(ESeverity Severity)
 		break;
 	}
 	return "\x1b[36m";
-}
-
-std::string PadRight(const std::string& Text, size_t Width)
-{
-	return Text + std::string(Width > Text.size() ? Width - Text.size() : 0, ' ');
-}
-
-std::string PadLeft(const std::string& Text, size_t Width)
-{
-	return std::string(Width > Text.size() ? Width - Text.size() : 0, ' ') + Text;
 }
 
 /** Where the time went, as a bar of at most ten characters. */

@@ -1,4 +1,5 @@
-// Source: drydock. Colours: the first ones also the colour-blind tell apart.
+// Source: drydock. Colours: the first ones also the colour-blind tell apart. Past 500 lines: style sheet and canvas are one
+// drawing, whose parts place themselves around one another.
 #include "Study/StudyChart.h"
 
 #include "Study/StudyPanel.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// A little past 500 lines: one reader, whose checks share its axes. Source: drydock.
 #include "Study/StudyConfig.h"
 
 #include "ConfigReader.h"

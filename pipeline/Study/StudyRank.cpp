@@ -1,5 +1,6 @@
 // Source: drydock.
 #include "Study/StudyRank.h"
+#include "TextFormat.h"
 
 #include <algorithm>
 #include <cmath>
@@ -78,13 +79,6 @@ void FindNoise(FStudyResult& Result, const FStudyJob& Job)
 			}
 		}
 	}
-}
-
-std::string Format(const char* Pattern, double Number)
-{
-	char Buffer[64];
-	std::snprintf(Buffer, sizeof(Buffer), Pattern, Number);
-	return Buffer;
 }
 
 std::string DescribeBudget(const FStudyBudget& Budget)

@@ -4,6 +4,7 @@
 #include "JsonWriter.h"
 #include "RunJson.h"
 #include "Verbs.h"
+#include "TextFormat.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +15,6 @@ namespace Drydock
 
 namespace
 {
-
-std::string Format(const char* Pattern, double Number)
-{
-	char Buffer[64];
-	std::snprintf(Buffer, sizeof(Buffer), Pattern, Number);
-	return Buffer;
-}
 
 using FRow = std::vector<std::string>;
 

@@ -11,6 +11,7 @@
 #include "Study/BlurAlgorithms.h"
 #include "Study/BlurNative.h"
 #include "Study/StudyRank.h"
+#include "Study/StudySubject.h"
 #include "TileExecutor.h"
 #include "ToonShadowBlur.h"
 
@@ -32,45 +33,7 @@ namespace
 /** The reference takes longer than what it is compared with, and its time is but a yardstick. */
 constexpr int MostReferenceRuns = 3;
 
-using FSet = std::vector<FStudyAssignment>;
-
-FSet Join(const FSet& A, const FSet& B)
-{
-	FSet Both = A;
-	Both.insert(Both.end(), B.begin(), B.end());
-	return Both;
-}
-
-/** One run of something. */
-struct FMeasured
-{
-	FImage Image;
-	EImageEncoding Encoding = EImageEncoding::Linear;
-	double Milliseconds = 0.0;
-	double Taps = 0.0;
-	double Bytes = 0.0;
-};
-
-/** The part of an image that is studied. */
-FImage Crop(const FImage& Image, const std::optional<std::array<int, 4>>& Region)
-{
-	if (!Region)
-	{
-		return Image;
-	}
-	FImage Part{(*Region)[2] - (*Region)[0], (*Region)[3] - (*Region)[1], Image.NumChannels, {}};
-	for (int Y = (*Region)[1]; Y < (*Region)[3]; ++Y)
-	{
-		for (int X = (*Region)[0]; X < (*Region)[2]; ++X)
-		{
-			for (int Channel = 0; Channel < Image.NumChannels; ++Channel)
-			{
-				Part.Values.push_back(Image.Get(X, Y, Channel));
-			}
-		}
-	}
-	return Part;
-}
+using FSet = FStudySet;
 
 /** Stretched over another size, as a bilinear sampler with clamped edges reads it. */
 FImage Stretch(const FImage& Image, int Width, int Height)
@@ -103,275 +66,6 @@ FImage Stretch(const FImage& Image, int Width, int Height)
 	}
 	return Result;
 }
-
-FError MakeError(EConfigError Code, const FConfig& Config, const FConfigPlace& Place, const std::string& Message)
-{
-	FDiagnostic Diagnostic;
-	Diagnostic.Code = Code;
-	Diagnostic.File = Config.File;
-	Diagnostic.Line = Place.Line;
-	Diagnostic.Column = Place.Column;
-	Diagnostic.Where = Place.Pointer;
-	Diagnostic.Message = Message;
-	return FError(Diagnostic, ExitUsage);
-}
-
-/** What a study runs. */
-class IStudySubject
-{
-public:
-	virtual ~IStudySubject() = default;
-
-	virtual FMeasured RunReference(const FSet& Case) = 0;
-	virtual FMeasured Run(const FSet& Set) = 0;
-	/** Before anything runs: what is known of a variant without running it. */
-	virtual void Prepare(const FSet& Set, FStudyVariant& Variant) = 0;
-	/** Variants of one key take the same time, whatever their input; empty: each its own. */
-	virtual std::string GetTimeKey(const FSet&) { return ""; }
-	virtual std::string DescribeReference(const FSet& Case) = 0;
-};
-
-// Blurs -------------------------------------------------------------------------------------------------------------
-
-FImage LoadSceneColor(const FConfig& Config, const std::optional<std::array<int, 4>>& Region)
-{
-	if (!Config.Scene.File.IsSet())
-	{
-		throw MakeError(ErrorMissingKey, Config, {}, "a study of blurs needs \"scene\": what is blurred");
-	}
-	FImageFile File(Config.Resolve(Config.Scene.File.Value));
-	std::vector<int> Indices;
-	for (const char* Name : {"R", "G", "B"})
-	{
-		const auto Mapped = Config.Scene.Channels.find(Name);
-		const int Index = File.FindChannel(Mapped == Config.Scene.Channels.end() ? Name : Mapped->second.Value);
-		if (Index < 0)
-		{
-			throw MakeError(ErrorChannelMissing, Config, Config.Scene.File.Place,
-				std::string("the scene file has no channel ") + Name + ", which a study of blurs needs");
-		}
-		Indices.push_back(Index);
-	}
-	if (Region && ((*Region)[2] > File.GetWidth() || (*Region)[3] > File.GetHeight()))
-	{
-		throw MakeError(ErrorBadValue, Config, {0, 0, "/study/region"},
-			"the region leaves the scene, which is " + std::to_string(File.GetWidth()) + " x " +
-				std::to_string(File.GetHeight()) + " pixels");
-	}
-	const std::vector<std::vector<float>> Planes = File.Read(Indices);
-	FImage Image{File.GetWidth(), File.GetHeight(), 4, {}};
-	Image.Values.reserve(Planes[0].size() * 4);
-	for (size_t Pixel = 0; Pixel < Planes[0].size(); ++Pixel)
-	{
-		for (const std::vector<float>& Plane : Planes)
-		{
-			Image.Values.push_back(static_cast<double>(Plane[Pixel]));
-		}
-		Image.Values.push_back(1.0);
-	}
-	return Crop(Image, Region);
-}
-
-class FBlurSubject final : public IStudySubject
-{
-public:
-	FBlurSubject(const FConfig& Config, const FStudy& Study)
-		: Scene(LoadSceneColor(Config, Study.Region))
-	{
-	}
-
-	FMeasured RunReference(const FSet& Case) override
-	{
-		const auto Begin = std::chrono::steady_clock::now();
-		FMeasured Measured;
-		Measured.Image = BlurExact(GetInput(Case), GetSigma(Case));
-		Measured.Milliseconds =
-			std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Begin).count();
-		Measured.Taps = GetExactCost(GetSigma(Case)).Taps;
-		return Measured;
-	}
-
-	FMeasured Run(const FSet& Set) override
-	{
-		FBlurRun Run = GetBlur(Set).Run(GetInput(Set));
-		return {std::move(Run.Image), EImageEncoding::Linear, Run.Milliseconds, Run.TapsPerPixel, Run.BytesPerPixel};
-	}
-
-	void Prepare(const FSet& Set, FStudyVariant& Variant) override
-	{
-		const FBlurAlgorithm& Algorithm = *FindBlurAlgorithm(GetAssigned(Set, "algorithm", "Separable"));
-		const double Sigma = GetSigma(Set);
-		Variant.bPlainCode = !Algorithm.bGraph;
-		const bool bFixed = Variant.bPlainCode || Algorithm.Name == "FFT";
-		const bool bOwnArithmetic = GetAssigned(Set, "storage", "float32") != "float32" ||
-									GetAssigned(Set, "precision", "float") != "float" ||
-									GetAssigned(Set, "resolution", "100") != "100";
-		if (bFixed && bOwnArithmetic)
-		{
-			Variant.Excluded =
-				std::string("not run: ") + (Variant.bPlainCode ? "64" : "32") + " bit at full resolution only";
-			return;
-		}
-		if (Sigma > Algorithm.LargestSigma && Algorithm.Name == "Direct")
-		{
-			Variant.Taps = GetDirectTaps(Sigma);
-			Variant.Excluded =
-				"not run: it would take " + std::to_string(static_cast<long>(Variant.Taps)) + " taps per pixel";
-			return;
-		}
-		const double LowSigma = Sigma * std::exp2(-GetArithmetic(Set).ResolutionLevels);
-		if (LowSigma > Algorithm.LargestSigma || LowSigma < Algorithm.SmallestSigma)
-		{
-			Variant.Excluded = "not run: it cannot be made this wide";
-			return;
-		}
-		const FBlur& Blur = GetBlur(Set);
-		Variant.MeasuredSigma = Blur.GetMeasuredSigma();
-		if (!Blur.IsMatched())
-		{
-			char Text[96];
-			std::snprintf(Text, sizeof(Text), "its width is %.3g pixels, not %.3g", Variant.MeasuredSigma, Sigma);
-			Variant.Excluded = Text;
-		}
-	}
-
-	std::string GetTimeKey(const FSet& Set) override
-	{
-		std::string Key;
-		for (const char* Name : {"algorithm", "sigma", "storage", "precision", "resolution"})
-		{
-			Key += GetAssigned(Set, Name, "") + "|";
-		}
-		return Key;
-	}
-
-	std::string DescribeReference(const FSet&) override { return "exact Gaussian in double"; }
-
-private:
-	static double GetSigma(const FSet& Set) { return std::stod(GetAssigned(Set, "sigma", "8")); }
-
-	static FBlurArithmetic GetArithmetic(const FSet& Set)
-	{
-		FBlurArithmetic Arithmetic;
-		Arithmetic.Storage = GetAssigned(Set, "storage", "float32");
-		Arithmetic.bDouble = GetAssigned(Set, "precision", "float") == "double";
-		Arithmetic.ResolutionLevels =
-			static_cast<int>(std::lround(-std::log2(std::stod(GetAssigned(Set, "resolution", "100")) / 100.0)));
-		return Arithmetic;
-	}
-
-	FImage GetInput(const FSet& Set) const
-	{
-		return MakeBlurInput(GetAssigned(Set, "input", "scene"), Scene, GetSigma(Set));
-	}
-
-	const FBlur& GetBlur(const FSet& Set)
-	{
-		const std::string Key = GetTimeKey(Set);
-		const auto Found = Blurs.find(Key);
-		return Found != Blurs.end() ? Found->second
-									: Blurs
-										  .emplace(Key, FBlur(GetAssigned(Set, "algorithm", "Separable"), GetSigma(Set),
-															GetArithmetic(Set)))
-										  .first->second;
-	}
-
-	FImage Scene;
-	std::map<std::string, FBlur> Blurs;
-};
-
-// Frames ------------------------------------------------------------------------------------------------------------
-
-class FFrameSubject final : public IStudySubject
-{
-public:
-	FFrameSubject(const FRunOptions& InOptions, const FStudy& InStudy)
-		: Options(InOptions)
-		, Study(InStudy)
-	{
-		Options.Progress = nullptr;
-		Options.bUseBudget = false;
-		if (Study.Measure != "final" && Study.Measure != "sceneLinear")
-		{
-			Options.Dump.push_back(GetDumped());
-		}
-	}
-
-	FMeasured RunReference(const FSet& Case) override { return Run(Join(Case, Study.Reference)); }
-
-	FMeasured Run(const FSet& Set) override
-	{
-		FRunOptions RunOptions = Options;
-		ApplyToRun(Set, RunOptions);
-		const FRunResult Result = RunConfig(RunOptions);
-		FMeasured Measured;
-		Measured.Image = Pick(Result, Measured.Encoding);
-		const double NumPixels = static_cast<double>(Result.ViewRect.Width()) * Result.ViewRect.Height();
-		for (const FRunPass& Pass : Result.Passes)
-		{
-			Measured.Milliseconds += Pass.Milliseconds;
-			Measured.Taps += static_cast<double>(Pass.Counters.Taps) / NumPixels;
-			Measured.Bytes += static_cast<double>(Pass.Counters.BytesRead + Pass.Counters.BytesWritten) / NumPixels;
-		}
-		return Measured;
-	}
-
-	void Prepare(const FSet&, FStudyVariant&) override {}
-
-	std::string DescribeReference(const FSet&) override
-	{
-		return Study.ReferenceName == "double" ? "the same shaders in double, 64-bit storage, coordinates not snapped"
-											   : Study.ReferenceName;
-	}
-
-private:
-	/** The blurred toon shadow is in the alpha of what its last pass writes. */
-	std::string GetDumped() const { return Study.Measure == "toonShadow" ? "ToonShadowCombine" : Study.Measure; }
-
-	/** As it would be displayed, whatever it is stored as. */
-	static FImage DecodeToonShadow(const FImage& Stored, EToonShadowBlurStore Store)
-	{
-		FImage Shadow{Stored.Width, Stored.Height, 1, {}};
-		for (size_t Pixel = 3; Pixel < Stored.Values.size(); Pixel += 4)
-		{
-			const float Value = static_cast<float>(Stored.Values[Pixel]);
-			Shadow.Values.push_back(EncodeDisplay(static_cast<double>(DecodeToonShadowBlur(Value, Store))));
-		}
-		return Shadow;
-	}
-
-	FImage Pick(const FRunResult& Result, EImageEncoding& Encoding) const
-	{
-		if (Study.Measure == "final")
-		{
-			Encoding = EImageEncoding::Display;
-			return Crop(Result.Final, Study.Region);
-		}
-		if (Study.Measure == "sceneLinear")
-		{
-			return Crop(Result.SceneLinear, Study.Region);
-		}
-		// The last one that fits: what a chain of passes ends with.
-		for (size_t Index = Result.Dumps.size(); Index-- > 0;)
-		{
-			const FRunDump& Dump = Result.Dumps[Index];
-			if (Dump.Mip <= 0 && IsDumped({{GetDumped(), {}}}, Dump.Pass, Dump.Resource))
-			{
-				if (Study.Measure == "toonShadow" && Dump.Image.NumChannels == 4)
-				{
-					Encoding = EImageEncoding::Display;
-					return Crop(DecodeToonShadow(Dump.Image, Result.Settings.ToonShadowBlurStore), Study.Region);
-				}
-				return Dump.Image;
-			}
-		}
-		throw MakeError(ErrorUnknownValue, Result.Config, {0, 0, "/study/measure"},
-			"\"" + Study.Measure + "\" fits no resource that a pass of this frame wrote");
-	}
-
-	FRunOptions Options;
-	const FStudy& Study;
-};
 
 /** Values that the config itself gives to what the axes vary. */
 std::map<std::string, std::string> GetCurrentValues(const FRunOptions& Options, const FStudy& Study)
@@ -463,16 +157,16 @@ void PrepareStudy(const FRunOptions& Options, FPreparedStudy& Prepared)
 	}
 	if (!Study)
 	{
-		throw MakeError(ErrorMissingKey, Config, {}, "the config has no \"study\"");
+		throw MakeStudyError(ErrorMissingKey, Config, {}, "the config has no \"study\"");
 	}
 	Prepared.Study = std::move(*Study);
 	if (Prepared.Study.bBlur)
 	{
-		Prepared.Subject = std::make_unique<FBlurSubject>(Config, Prepared.Study);
+		Prepared.Subject = MakeBlurSubject(Config, Prepared.Study);
 	}
 	else
 	{
-		Prepared.Subject = std::make_unique<FFrameSubject>(Options, Prepared.Study);
+		Prepared.Subject = MakeFrameSubject(Options, Prepared.Study);
 	}
 }
 

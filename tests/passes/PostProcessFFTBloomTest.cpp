@@ -1,4 +1,5 @@
-// Convolution bloom against a direct sum in double, its split of energy, pre-filter, padding, and the cached kernel.
+// Convolution bloom against a direct sum in double, its split of energy, pre-filter, padding, and the cached kernel
+// (PostProcessFFTBloomKernel.h). Past 500 lines: pass, kernel and cache share the direct sum and the runs.
 #include "PassTestUtils.h"
 
 #include "BuiltinTextures.h"

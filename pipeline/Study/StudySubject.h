@@ -1,0 +1,54 @@
+// What a study runs, once with each variant: blurs of an image, or frames of a config. Source: drydock.
+#pragma once
+
+#include "ConfigErrors.h"
+#include "Study/StudyRun.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+/** What the axes are set to. */
+using FStudySet = std::vector<FStudyAssignment>;
+
+FStudySet Join(const FStudySet& A, const FStudySet& B);
+
+/** One run of something. Taps and bytes are for each pixel. */
+struct FMeasured
+{
+	FImage Image;
+	EImageEncoding Encoding = EImageEncoding::Linear;
+	double Milliseconds = 0.0;
+	double Taps = 0.0;
+	double Bytes = 0.0;
+};
+
+/** What a study runs. */
+class IStudySubject
+{
+public:
+	virtual ~IStudySubject() = default;
+
+	virtual FMeasured RunReference(const FStudySet& Case) = 0;
+	virtual FMeasured Run(const FStudySet& Set) = 0;
+	/** Before anything runs: what is known of a variant without running it. */
+	virtual void Prepare(const FStudySet& Set, FStudyVariant& Variant) = 0;
+	/** Variants of one key take the same time, whatever their input; empty: each its own. */
+	virtual std::string GetTimeKey(const FStudySet&) { return ""; }
+	virtual std::string DescribeReference(const FStudySet& Case) = 0;
+};
+
+/** Images, blurred; the reference is the exact Gaussian. Throws FError (exit code 2) for a scene or region that does
+ * not fit. */
+std::unique_ptr<IStudySubject> MakeBlurSubject(const FConfig& Config, const FStudy& Study);
+
+/** Frames; the reference is a run as Study.Reference sets it. Study must outlive it. */
+std::unique_ptr<IStudySubject> MakeFrameSubject(const FRunOptions& Options, const FStudy& Study);
+
+/** A mistake of the config at Place. */
+FError MakeStudyError(EConfigError Code, const FConfig& Config, const FConfigPlace& Place, const std::string& Message);
+
+} // namespace Drydock

@@ -1,0 +1,26 @@
+// Source: drydock.
+#include "TextFormat.h"
+
+#include <cstdio>
+
+namespace Drydock
+{
+
+std::string Format(const char* Pattern, double Number)
+{
+	char Buffer[64];
+	std::snprintf(Buffer, sizeof(Buffer), Pattern, Number);
+	return Buffer;
+}
+
+std::string PadRight(const std::string& Text, size_t Width)
+{
+	return Text + std::string(Width > Text.size() ? Width - Text.size() : 0, ' ');
+}
+
+std::string PadLeft(const std::string& Text, size_t Width)
+{
+	return std::string(Width > Text.size() ? Width - Text.size() : 0, ' ') + Text;
+}
+
+} // namespace Drydock

@@ -1,0 +1,23 @@
+// Numbers and columns of printed texts.
+#include <gtest/gtest.h>
+
+#include "TextFormat.h"
+
+using namespace Drydock;
+
+TEST(TextFormat, NumbersFollowThePattern)
+{
+	EXPECT_EQ("1.50 ms", Format("%.2f ms", 1.5));
+}
+
+TEST(TextFormat, ColumnsAreFilledOnEitherSide)
+{
+	EXPECT_EQ("ab  ", PadRight("ab", 4));
+	EXPECT_EQ("  ab", PadLeft("ab", 4));
+}
+
+TEST(TextFormat, LongerTextsStay)
+{
+	EXPECT_EQ("abcde", PadRight("abcde", 4));
+	EXPECT_EQ("abcde", PadLeft("abcde", 4));
+}
