@@ -2,6 +2,7 @@
 #include "ImageMetrics.h"
 
 #include "ConfigErrors.h"
+#include "TileExecutor.h"
 
 #include <algorithm>
 #include <array>
@@ -61,11 +62,6 @@ struct FPlane
 	int Width = 0;
 	int Height = 0;
 	std::vector<double> Values;
-
-	double Get(int X, int Y) const
-	{
-		return Values[static_cast<size_t>(Y) * static_cast<size_t>(Width) + static_cast<size_t>(X)];
-	}
 };
 
 FPlane MakeLuminance(const FImage& Image, EImageEncoding Encoding)
@@ -77,20 +73,26 @@ FPlane MakeLuminance(const FImage& Image, EImageEncoding Encoding)
 			   : std::isnan(Value)                ? 0.0
 												  : std::clamp(Value, 0.0, 1.0);
 	};
-	FPlane Plane{Image.Width, Image.Height, {}};
-	Plane.Values.reserve(static_cast<size_t>(Image.Width) * static_cast<size_t>(Image.Height));
-	for (int Y = 0; Y < Image.Height; ++Y)
-	{
-		for (int X = 0; X < Image.Width; ++X)
+	FPlane Plane{Image.Width, Image.Height,
+		std::vector<double>(static_cast<size_t>(Image.Width) * static_cast<size_t>(Image.Height))};
+	constexpr int RowsPerTile = 32;
+	ForEachTile(FKernelTile{0, 0, 0, Image.Height, 1, 1}, FIntPoint(RowsPerTile, 1),
+		[&](const FKernelTile& Tile)
 		{
-			double Value = 0.0;
-			for (int Channel = 0; Channel < 3 && Image.NumChannels >= 3; ++Channel)
+			for (int Y = Tile.MinX; Y < Tile.MaxX; ++Y)
 			{
-				Value += Weights[Channel] * Display(Image.Get(X, Y, Channel));
+				for (int X = 0; X < Image.Width; ++X)
+				{
+					double Value = 0.0;
+					for (int Channel = 0; Channel < 3 && Image.NumChannels >= 3; ++Channel)
+					{
+						Value += Weights[Channel] * Display(Image.Get(X, Y, Channel));
+					}
+					Plane.Values[static_cast<size_t>(Y) * static_cast<size_t>(Image.Width) + static_cast<size_t>(X)] =
+						Image.NumChannels >= 3 ? Value : Display(Image.Get(X, Y, 0));
+				}
 			}
-			Plane.Values.push_back(Image.NumChannels >= 3 ? Value : Display(Image.Get(X, Y, 0)));
-		}
-	}
+		});
 	return Plane;
 }
 
@@ -107,32 +109,36 @@ FPlane Average(const FPlane& Plane)
 	constexpr int WindowSize = 11;
 	const std::vector<double> Row = MakeWindow(std::min(WindowSize, Plane.Width));
 	const std::vector<double> Column = MakeWindow(std::min(WindowSize, Plane.Height));
-	FPlane Rows{Plane.Width - static_cast<int>(Row.size()) + 1, Plane.Height, {}};
-	for (int Y = 0; Y < Rows.Height; ++Y)
-	{
-		for (int X = 0; X < Rows.Width; ++X)
+	const int NumColumns = Plane.Width - static_cast<int>(Row.size()) + 1;
+	const int NumRows = Plane.Height - static_cast<int>(Column.size()) + 1;
+	FPlane Result{
+		NumColumns, NumRows, std::vector<double>(static_cast<size_t>(NumColumns) * static_cast<size_t>(NumRows))};
+	constexpr int RowsPerTile = 32;
+	ForEachTile(FKernelTile{0, 0, 0, NumRows, 1, 1}, FIntPoint(RowsPerTile, 1),
+		[&](const FKernelTile& Tile)
 		{
-			double Sum = 0.0;
-			for (size_t Tap = 0; Tap < Row.size(); ++Tap)
+			std::vector<double> Mean(static_cast<size_t>(Plane.Width)); // of a row's columns
+			for (int Y = Tile.MinX; Y < Tile.MaxX; ++Y)
 			{
-				Sum += Row[Tap] * Plane.Get(X + static_cast<int>(Tap), Y);
+				std::fill(Mean.begin(), Mean.end(), 0.0);
+				for (size_t Tap = 0; Tap < Column.size(); ++Tap)
+				{
+					const double* Texel = &Plane.Values[static_cast<size_t>(Y + static_cast<int>(Tap)) * Mean.size()];
+					for (size_t X = 0; X < Mean.size(); ++X)
+					{
+						Mean[X] += Column[Tap] * Texel[X];
+					}
+				}
+				double* Out = &Result.Values[static_cast<size_t>(Y) * static_cast<size_t>(NumColumns)];
+				for (size_t Tap = 0; Tap < Row.size(); ++Tap)
+				{
+					for (size_t X = 0; X < static_cast<size_t>(NumColumns); ++X)
+					{
+						Out[X] += Row[Tap] * Mean[X + Tap];
+					}
+				}
 			}
-			Rows.Values.push_back(Sum);
-		}
-	}
-	FPlane Result{Rows.Width, Plane.Height - static_cast<int>(Column.size()) + 1, {}};
-	for (int Y = 0; Y < Result.Height; ++Y)
-	{
-		for (int X = 0; X < Result.Width; ++X)
-		{
-			double Sum = 0.0;
-			for (size_t Tap = 0; Tap < Column.size(); ++Tap)
-			{
-				Sum += Column[Tap] * Rows.Get(X, Y + static_cast<int>(Tap));
-			}
-			Result.Values.push_back(Sum);
-		}
-	}
+		});
 	return Result;
 }
 

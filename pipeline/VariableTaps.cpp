@@ -4,6 +4,7 @@
 #include "RenderGraphPass.h"
 #include "ShaderParameterMetadata.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace Drydock
@@ -47,6 +48,28 @@ uint64_t CountTaps(const FRDGPass& Pass, const FPassCounters& Counters)
 		}
 	}
 	return static_cast<uint64_t>(PerPixel) * Counters.Pixels;
+}
+
+uint64_t CountWantedPixels(const FRDGPass& Pass, const FPassCounters& Counters)
+{
+	if (Pass.GetParameters() == nullptr || Pass.GetParametersMetadata() == nullptr)
+	{
+		return Counters.Pixels;
+	}
+	int64_t Sides[2] = {0, 0};
+	for (const FHlslMember& Member : Pass.GetParametersMetadata()->GetHlslMembers())
+	{
+		const bool bMin = Member.Name == "Output_ViewportMin";
+		if ((bMin || Member.Name == "Output_ViewportMax") && Member.BaseType == UBMT_INT32 && Member.NumColumns == 2)
+		{
+			for (size_t Axis = 0; Axis < 2; ++Axis)
+			{
+				Sides[Axis] += (bMin ? -1 : 1) * int64_t{ReadMember<int32>(Pass.GetParameters(), Member, Axis)};
+			}
+		}
+	}
+	const bool bHasRect = Sides[0] > 0 && Sides[1] > 0;
+	return bHasRect ? std::min(Counters.Pixels, static_cast<uint64_t>(Sides[0] * Sides[1])) : Counters.Pixels;
 }
 
 } // namespace Drydock

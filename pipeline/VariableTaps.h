@@ -13,4 +13,8 @@ namespace Drydock
  * or Reach, of which (2 x + 1) (2 y + 1) texels are read; times Pixels. 0 where there is neither. */
 uint64_t CountTaps(const FRDGPass& Pass, const FPassCounters& Counters);
 
+/** Pixels that a pass is asked for: of its Output rect where it has one, else Counters.Pixels. The threads that fill up
+ * the last groups of a compute shader are in Counters.Pixels, and store nothing. */
+uint64_t CountWantedPixels(const FRDGPass& Pass, const FPassCounters& Counters);
+
 } // namespace Drydock

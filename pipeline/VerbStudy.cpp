@@ -5,8 +5,10 @@
 #include "Study/StudyInsets.h"
 #include "Study/StudyReport.h"
 #include "Study/StudyRun.h"
+#include "TextFormat.h"
 #include "Verbs.h"
 
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 
@@ -21,8 +23,9 @@ int StudyVerb(const FVerbOptions& Options)
 	{
 		Bar.Show(Done, Total, What);
 	};
-	const FStudyResult Result = RunStudy(RunOptions);
-	RunOptions.Progress = nullptr;
+	const auto Begin = std::chrono::steady_clock::now();
+	FStudyRun Run(RunOptions);
+	const FStudyResult Result = Run.Measure();
 	const std::filesystem::path Folder =
 		Options.OutputFolder.empty() ? GetDefaultOutputFolder(Options.Run.ConfigFile) : Options.OutputFolder;
 	const auto Write = [&](const char* Name, const std::string& Text)
@@ -30,9 +33,8 @@ int StudyVerb(const FVerbOptions& Options)
 		WriteTextFile((Folder / Name).string(), Text);
 	};
 	Bar.Show(1, 1, "pictures");
-	const std::string Insets = DrawStudyInsets(
-		Result.Name + ": what the errors look like", WriteStudyInsets(RunOptions, Result, Folder.string()));
-	Write("study_insets.svg", Insets);
+	Write("study_insets.svg",
+		DrawStudyInsets(Result.Name + ": what the errors look like", WriteStudyInsets(Run, Result, Folder.string())));
 	Write("study.json", MakeStudyJson(Result));
 	Write("study.csv", MakeStudyCsv(Result, false));
 	Write("study_taps.svg", DrawStudyChart(Result, EStudyCost::Taps));
@@ -46,10 +48,10 @@ int StudyVerb(const FVerbOptions& Options)
 		std::fputs(MakeStudyJson(Result).c_str(), stdout);
 		return ExitDone;
 	}
-	char Seconds[64];
-	std::snprintf(Seconds, sizeof(Seconds), "%.0f s", Result.Seconds);
-	std::fputs(
-		(MakeStudyTable(Result) + "\npicture  " + (Folder / "study.svg").string() + " (" + Seconds + ")\n").c_str(),
+	const double Seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - Begin).count();
+	std::fputs((MakeStudyTable(Result) + "\npicture  " + (Folder / "study.svg").string() +
+				   Format(" (%.0f s, ", Seconds) + Format("%.0f s of them measuring)\n", Result.Seconds))
+				   .c_str(),
 		stdout);
 	return ExitDone;
 }

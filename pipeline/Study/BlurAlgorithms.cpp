@@ -149,7 +149,9 @@ public:
 			return;
 		}
 		Run.Milliseconds += Milliseconds;
-		Run.TapsPerPixel += static_cast<double>(CountTaps(Pass, Counters));
+		const double TapsPerThread = static_cast<double>(CountTaps(Pass, Counters)) /
+									 static_cast<double>(std::max<uint64_t>(1, Counters.Pixels));
+		Run.TapsPerPixel += TapsPerThread * static_cast<double>(CountWantedPixels(Pass, Counters));
 		Run.BytesPerPixel += static_cast<double>(Counters.BytesRead + Counters.BytesWritten);
 		++Run.NumPasses;
 	}

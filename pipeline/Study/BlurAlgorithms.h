@@ -39,7 +39,7 @@ struct FBlurRun
 {
 	FImage Image;               // RGBA
 	double Milliseconds = 0.0;  // of the passes, or of the plain code
-	double TapsPerPixel = 0.0;  // of all threads of whole groups, per pixel of the image
+	double TapsPerPixel = 0.0;  // texture samples and loads of all passes' pixels, per pixel of the image
 	double BytesPerPixel = 0.0; // read and written, each texel once per pass
 	int NumPasses = 0;
 };

@@ -18,22 +18,4 @@ enum class EStudyCost
 /** Legible on light and dark pages: it follows the reader's colour scheme. */
 DRYDOCK_API std::string DrawStudyChart(const FStudyResult& Result, EStudyCost Cost);
 
-struct FStudyInset
-{
-	std::string Title;    // "DualKawase"
-	std::string Subtitle; // "rms 0.0012"
-	std::string Png;      // bytes of the file
-	int Width = 0;
-	int Height = 0;
-};
-
-struct FStudyInsetRow
-{
-	std::string Title; // of the job
-	std::vector<FStudyInset> Insets;
-};
-
-/** Pictures beside one another, within the drawing; below the colours of the heat maps. */
-DRYDOCK_API std::string DrawStudyInsets(const std::string& Title, const std::vector<FStudyInsetRow>& Rows);
-
 } // namespace Drydock

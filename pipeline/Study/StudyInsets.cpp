@@ -3,13 +3,16 @@
 
 #include "ConfigErrors.h"
 #include "Study/StudyRun.h"
+#include "TextFormat.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <tuple>
 
 namespace Drydock
 {
@@ -22,6 +25,7 @@ namespace Files = std::filesystem;
 constexpr int InsetWidth = 240;
 constexpr int InsetHeight = 160;
 constexpr size_t MostRows = 4;
+constexpr size_t MostVariants = 3;
 
 bool Competes(const FStudyVariant& Variant)
 {
@@ -40,53 +44,25 @@ std::vector<size_t> ChooseJobs(size_t NumJobs)
 	return Jobs;
 }
 
-/** Recommended, in use, the one of the largest error on the front; each once. */
+/** Recommended, in use, then of the rest those of the front first and the larger errors first; each once. */
 std::vector<size_t> ChooseVariants(const FStudyResult& Result, const FStudyJob& Job)
 {
 	std::vector<size_t> Chosen;
-	const auto Add = [&](size_t Index)
+	std::copy_if(Job.Variants.begin(), Job.Variants.end(), std::back_inserter(Chosen),
+		[&](size_t Index) { return Competes(Result.Variants[Index]); });
+	const auto GetOrder = [&](size_t Index)
 	{
-		if (std::find(Chosen.begin(), Chosen.end(), Index) == Chosen.end())
-		{
-			Chosen.push_back(Index);
-		}
+		const FStudyVariant& Variant = Result.Variants[Index];
+		const bool bFront = Variant.ByTaps.bFront && !Variant.bPlainCode;
+		return std::tuple(!Variant.bRecommended, !Variant.bCurrent, !bFront, -Variant.Error.Rms);
 	};
-	for (const size_t Index : Job.Variants)
-	{
-		if (Result.Variants[Index].bRecommended)
-		{
-			Add(Index);
-		}
-	}
-	for (const size_t Index : Job.Variants)
-	{
-		if (Result.Variants[Index].bCurrent && Competes(Result.Variants[Index]))
-		{
-			Add(Index);
-		}
-	}
-	const auto Cheaper = [&](size_t A, size_t B)
-	{
-		return Result.Variants[A].Error.Rms > Result.Variants[B].Error.Rms;
-	};
-	std::vector<size_t> Front;
-	std::copy_if(Job.Variants.begin(), Job.Variants.end(), std::back_inserter(Front),
-		[&](size_t Index)
-		{
-			return Competes(Result.Variants[Index]) && Result.Variants[Index].ByTaps.bFront &&
-				   !Result.Variants[Index].bPlainCode;
-		});
-	std::stable_sort(Front.begin(), Front.end(), Cheaper);
-	for (size_t Index = 0; Index < Front.size() && Chosen.size() < 2; ++Index)
-	{
-		Add(Front[Index]);
-	}
-	Chosen.resize(std::min<size_t>(Chosen.size(), 2));
+	std::stable_sort(Chosen.begin(), Chosen.end(), [&](size_t A, size_t B) { return GetOrder(A) < GetOrder(B); });
+	Chosen.resize(std::min(Chosen.size(), MostVariants));
 	return Chosen;
 }
 
-/** The part around a place, no larger than the image; RGB as it is displayed. */
-FImage CutOut(const FImage& Image, EImageEncoding Encoding, int CentreX, int CentreY)
+/** The part around a place, no larger than the image; RGB. */
+FImage CutOut(const FImage& Image, int CentreX, int CentreY)
 {
 	const int Width = std::min(InsetWidth, Image.Width);
 	const int Height = std::min(InsetHeight, Image.Height);
@@ -99,10 +75,27 @@ FImage CutOut(const FImage& Image, EImageEncoding Encoding, int CentreX, int Cen
 		{
 			for (int Channel = 0; Channel < 3; ++Channel)
 			{
-				const double Value = Image.Get(X, Y, Image.NumChannels >= 3 ? Channel : 0);
-				Part.Values.push_back(Encoding == EImageEncoding::Linear ? EncodeDisplay(Value) : Value);
+				Part.Values.push_back(Image.Get(X, Y, Image.NumChannels >= 3 ? Channel : 0));
 			}
 		}
+	}
+	return Part;
+}
+
+/** What linear values are multiplied by to be seen: brings all but the brightest twentieth into range; at most 1. */
+double ChooseExposure(FImage Part)
+{
+	const auto Bright = Part.Values.begin() + static_cast<std::ptrdiff_t>(Part.Values.size() * 19 / 20);
+	std::nth_element(Part.Values.begin(), Bright, Part.Values.end());
+	return *Bright > 1.0 && std::isfinite(*Bright) ? 1.0 / *Bright : 1.0;
+}
+
+/** As it is displayed. */
+FImage Develop(FImage Part, EImageEncoding Encoding, double Exposure)
+{
+	for (double& Value : Part.Values)
+	{
+		Value = Encoding == EImageEncoding::Linear ? EncodeDisplay(Exposure * Value) : Value;
 	}
 	return Part;
 }
@@ -119,12 +112,12 @@ std::string MakeFileName(const std::string& Name)
 	return Text.empty() ? "picture" : Text;
 }
 
-FStudyInset WriteInset(
-	const Files::path& File, const FImage& Image, const std::string& Title, const std::string& Subtitle)
+/** Writes the picture; its bytes. */
+std::string WriteInset(const Files::path& File, const FImage& Image)
 {
 	WritePng(File.string(), Image);
 	std::ifstream Stream(File, std::ios::binary);
-	return {Title, Subtitle, std::string(std::istreambuf_iterator<char>(Stream), {}), Image.Width, Image.Height};
+	return std::string(std::istreambuf_iterator<char>(Stream), {});
 }
 
 std::string DescribeError(const FStudyResult& Result, const FStudyVariant& Variant)
@@ -135,12 +128,10 @@ std::string DescribeError(const FStudyResult& Result, const FStudyVariant& Varia
 	return Text;
 }
 
-FStudyInsetRow MakeRow(
-	const FRunOptions& Options, const FStudyResult& Result, size_t JobIndex, const Files::path& Folder)
+FStudyInsetRow MakeRow(FStudyRun& Run, const FStudyResult& Result, const FStudyJob& Job, const Files::path& Folder)
 {
-	const FStudyJob& Job = Result.Jobs[JobIndex];
 	const std::vector<size_t> Chosen = ChooseVariants(Result, Job);
-	const FStudyPicture Reference = RunStudyPicture(Options, Result, JobIndex, -1);
+	const FStudyPicture Reference = Run.RunReference(Job);
 	const FImage& Exact = Reference.Image;
 	double Full = 0.0;
 	const FStudyVariant* Worst = nullptr;
@@ -155,34 +146,40 @@ FStudyInsetRow MakeRow(
 	}
 	const int X = Worst != nullptr ? Worst->Error.MaxX : Exact.Width / 2;
 	const int Y = Worst != nullptr ? Worst->Error.MaxY : Exact.Height / 2;
-	const std::string Prefix = MakeFileName(Job.Case.Label.empty() ? Result.Name : Job.Case.Label) + ".";
-	char Where[64];
-	std::snprintf(Where, sizeof(Where), "around (%d, %d)", X, Y);
 	FStudyInsetRow Row;
 	Row.Title = Job.Case.Label.empty() ? Result.Name : Job.Case.Label;
-	Row.Insets.push_back(
-		WriteInset(Folder / (Prefix + "reference.png"), CutOut(Exact, Reference.Encoding, X, Y), "Reference", Where));
+	const double Exposure = Reference.Encoding == EImageEncoding::Linear ? ChooseExposure(CutOut(Exact, X, Y)) : 1.0;
+	const auto Write = [&](const std::string& Name, const FImage& Image, EImageEncoding Encoding, FStudyInset& Inset)
+	{
+		const FImage Part = Develop(CutOut(Image, X, Y), Encoding, Exposure);
+		Inset.Width = Part.Width;
+		Inset.Height = Part.Height;
+		return WriteInset(Folder / (MakeFileName(Row.Title) + "." + Name + ".png"), Part);
+	};
+	FStudyInset& First = Row.Insets.emplace_back();
+	First.Title = "Reference";
+	First.Subtitle = Format("around (%.0f, ", X) + Format("%.0f)", Y) +
+					 (Exposure < 1.0 ? Format(", shown times %.2g", Exposure) : "");
+	First.Png = Write("reference", Exact, Reference.Encoding, First);
 	for (const size_t Index : Chosen)
 	{
 		const FStudyVariant& Variant = Result.Variants[Index];
-		const FStudyPicture Picture = RunStudyPicture(Options, Result, JobIndex, static_cast<int>(Index));
-		const std::string Name = Prefix + MakeFileName(Variant.Label);
-		const std::string Role = Variant.bRecommended ? " (recommended)" : Variant.bCurrent ? " (in use)" : "";
-		Row.Insets.push_back(WriteInset(Folder / (Name + ".png"), CutOut(Picture.Image, Picture.Encoding, X, Y),
-			Variant.Label + Role, DescribeError(Result, Variant)));
+		const FStudyPicture Picture = Run.RunVariant(Result, Variant);
+		const std::string Name = MakeFileName(Variant.Label);
+		FStudyInset& Inset = Row.Insets.emplace_back();
+		Inset.Title = Variant.Label + (Variant.bRecommended ? " (recommended)" : Variant.bCurrent ? " (in use)" : "");
+		Inset.Subtitle = DescribeError(Result, Variant);
+		Inset.Png = Write(Name, Picture.Image, Picture.Encoding, Inset);
 		const FImage Heat = MakeHeatMap(Picture.Image, Exact, Full, std::min(3, Exact.NumChannels));
-		char Largest[64];
-		std::snprintf(Largest, sizeof(Largest), "largest %.3g", Variant.Error.Max);
-		Row.Insets.push_back(WriteInset(
-			Folder / (Name + ".heat.png"), CutOut(Heat, EImageEncoding::Display, X, Y), "its error", Largest));
+		Inset.HeatPng = Write(Name + ".heat", Heat, EImageEncoding::Display, Inset);
+		Inset.HeatTitle = Format("its error, at most %.3g", Variant.Error.Max);
 	}
 	return Row;
 }
 
 } // namespace
 
-std::vector<FStudyInsetRow> WriteStudyInsets(
-	const FRunOptions& Options, const FStudyResult& Result, const std::string& Folder)
+std::vector<FStudyInsetRow> WriteStudyInsets(FStudyRun& Run, const FStudyResult& Result, const std::string& Folder)
 {
 	const Files::path Insets = Files::path(Folder) / "insets";
 	std::error_code Error;
@@ -199,7 +196,7 @@ std::vector<FStudyInsetRow> WriteStudyInsets(
 	std::vector<FStudyInsetRow> Rows;
 	for (const size_t Job : ChooseJobs(Result.Jobs.size()))
 	{
-		Rows.push_back(MakeRow(Options, Result, Job, Insets));
+		Rows.push_back(MakeRow(Run, Result, Result.Jobs[Job], Insets));
 	}
 	return Rows;
 }

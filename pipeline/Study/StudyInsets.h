@@ -1,10 +1,9 @@
-// What errors look like: for a few jobs of a study the reference, what is recommended, what is in use and the cheapest
-// of the front, each with a map of its error. Source: drydock.
+// What errors look like: for a few jobs of a study the reference and three variants (what is recommended, what is in
+// use, then the front's and the largest errors), each over a map of its error. Source: drydock.
 #pragma once
 
-#include "Study/StudyChart.h"
-
-#include "RunOptions.h"
+#include "Study/StudyInsetSheet.h"
+#include "Study/StudyRun.h"
 
 namespace Drydock
 {
@@ -13,6 +12,6 @@ namespace Drydock
  * gives them for DrawStudyInsets; Folder/insets of an earlier study goes. Throws FError (exit code 3) when a file
  * cannot be written. */
 DRYDOCK_API std::vector<FStudyInsetRow> WriteStudyInsets(
-	const FRunOptions& Options, const FStudyResult& Result, const std::string& Folder);
+	FStudyRun& Run, const FStudyResult& Result, const std::string& Folder);
 
 } // namespace Drydock

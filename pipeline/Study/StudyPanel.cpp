@@ -147,6 +147,12 @@ std::string DrawAxes(const FSvgBox& Plot, const FLogAxis& X, const FLogAxis& Y, 
 		   EscapeXml(YName) + "</text>\n";
 }
 
+bool FLabelPlacer::IsFree(const FSvgBox& Box) const
+{
+	return Within.Contains(Box) &&
+		   std::none_of(Taken.begin(), Taken.end(), [&](const FSvgBox& Other) { return Other.Overlaps(Box); });
+}
+
 std::string FLabelPlacer::Place(double X, double Y, const std::string& Text, const std::string& Class)
 {
 	const bool bStrong = Class.find("strong") != std::string::npos;
@@ -161,9 +167,7 @@ std::string FLabelPlacer::Place(double X, double Y, const std::string& Text, con
 		for (const auto& [TextX, TextY] : Anchors)
 		{
 			const FSvgBox Box{TextX - 2.0, TextY - 10.0, TextX + Width + 2.0, TextY + 3.0};
-			const bool bFree = Within.Contains(Box) && std::none_of(Taken.begin(), Taken.end(),
-														   [&](const FSvgBox& Other) { return Other.Overlaps(Box); });
-			if (bFree)
+			if (IsFree(Box))
 			{
 				Taken.push_back(Box);
 				const double EndX = std::clamp(X, TextX, TextX + Width);

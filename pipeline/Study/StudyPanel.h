@@ -74,6 +74,8 @@ public:
 	}
 
 	void Block(const FSvgBox& Box) { Taken.push_back(Box); }
+	/** Within the area, and nothing is there yet. */
+	bool IsFree(const FSvgBox& Box) const;
 	/** Markup of the label, with a thin line to its point where it had to move away; empty when there is no room. */
 	std::string Place(double X, double Y, const std::string& Text, const std::string& Class);
 

@@ -60,9 +60,9 @@ std::string DescribeRank(const FStudyResult& Result, const FStudyVariant& Varian
 		const size_t By = static_cast<size_t>(Variant.ByTime.DominatedBy);
 		const bool bNoise =
 			std::find(Variant.WithinNoiseOf.begin(), Variant.WithinNoiseOf.end(), By) != Variant.WithinNoiseOf.end();
-		Text = "dominated by " + Result.Variants[By].Label + (bNoise ? " (its time is within noise)" : "");
+		Text = "dominated by " + Result.Variants[By].Label + (bNoise ? " (time within noise)" : "");
 	}
-	Text += Variant.bPlainCode && Variant.Excluded.empty() ? ", plain code in double" : "";
+	Text += Variant.bPlainCode && Variant.Excluded.empty() ? ", plain code" : "";
 	Text += Variant.bRecommended ? ", recommended" : "";
 	return Text + (Variant.bCurrent ? ", in use now" : "");
 }
@@ -195,7 +195,7 @@ std::string MakeStudyTable(const FStudyResult& Result)
 	for (const FStudyJob& Job : Result.Jobs)
 	{
 		std::vector<FRow> Rows = {{"variant", "CPU ms", "spread", "x ref", "max", "rms", "relative", "PSNR", "SSIM",
-			"taps/px", "bytes/px", "on the front of " + Result.GetMetric() + " and time"}};
+			"taps/px", "bytes/px", "front of " + Result.GetMetric() + " and time"}};
 		for (const size_t Index : Job.Variants)
 		{
 			Rows.push_back(MakeRow(Result, Job, Result.Variants[Index]));

@@ -31,7 +31,7 @@ namespace
 {
 
 /** The reference takes longer than what it is compared with, and its time is but a yardstick. */
-constexpr int MostReferenceRuns = 3;
+constexpr size_t MostReferenceRuns = 3;
 
 using FSet = FStudySet;
 
@@ -135,61 +135,29 @@ std::map<std::string, std::string> GetCurrentOf(const FRunOptions& Options, cons
 
 // The whole ---------------------------------------------------------------------------------------------------------
 
-struct FPreparedStudy
-{
-	FCheckResult Check;
-	FStudy Study;
-	std::unique_ptr<IStudySubject> Subject;
-};
-
-/** The study stays where it is: the subject refers to it. */
-void PrepareStudy(const FRunOptions& Options, FPreparedStudy& Prepared)
-{
-	FRunOptions CheckOptions = Options;
-	CheckOptions.bUseBudget = false;
-	Prepared.Check = CheckConfig(CheckOptions);
-	const FConfig& Config = Prepared.Check.Config;
-	std::vector<FDiagnostic> Found;
-	std::optional<FStudy> Study = ReadStudy(Config, Found);
-	if (HasErrors(Found))
-	{
-		throw FError(Found, ExitUsage);
-	}
-	if (!Study)
-	{
-		throw MakeStudyError(ErrorMissingKey, Config, {}, "the config has no \"study\"");
-	}
-	Prepared.Study = std::move(*Study);
-	if (Prepared.Study.bBlur)
-	{
-		Prepared.Subject = MakeBlurSubject(Config, Prepared.Study);
-	}
-	else
-	{
-		Prepared.Subject = MakeFrameSubject(Options, Prepared.Study);
-	}
-}
-
 class FStudyRunner
 {
 public:
-	explicit FStudyRunner(const FRunOptions& InOptions)
+	FStudyRunner(
+		const FRunOptions& InOptions, const FCheckResult& InCheck, const FStudy& InStudy, IStudySubject& InSubject)
 		: Options(InOptions)
+		, Check(InCheck)
+		, Study(InStudy)
+		, Subject(InSubject)
 	{
-		PrepareStudy(Options, Prepared);
 	}
 
 	FStudyResult Run()
 	{
 		const auto Begin = std::chrono::steady_clock::now();
-		const FConfig& Config = Prepared.Check.Config;
-		Result.Study = Prepared.Study;
+		const FConfig& Config = Check.Config;
+		Result.Study = Study;
 		Result.Name = std::filesystem::path(Config.File).stem().string();
 		Result.ConfigFile = Config.File;
 		Result.Fingerprint = GetStudyFingerprint(GetConfigText(Options));
 		Result.Scene = Config.Scene.File.Value;
 		Result.Threads = GetNumThreads();
-		Result.Diagnostics = Prepared.Check.Diagnostics;
+		Result.Diagnostics = Check.Diagnostics;
 		MakeVariants();
 		MeasureErrors();
 		MeasureTimes();
@@ -214,13 +182,13 @@ private:
 
 	void MakeVariants()
 	{
-		Choices = Prepared.Study.GetChoices();
-		const std::map<std::string, std::string> Current = GetCurrentOf(Options, Prepared.Study);
-		for (const FStudyCase& Case : Prepared.Study.GetCases())
+		Choices = Study.GetChoices();
+		const std::map<std::string, std::string> Current = GetCurrentOf(Options, Study);
+		for (const FStudyCase& Case : Study.GetCases())
 		{
 			FStudyJob Job;
 			Job.Case = Case;
-			Job.Reference = Prepared.Subject->DescribeReference(Case.Set);
+			Job.Reference = Subject.DescribeReference(Case.Set);
 			Result.Jobs.push_back(Job);
 			for (size_t Choice = 0; Choice < Choices.size(); ++Choice)
 			{
@@ -233,7 +201,7 @@ private:
 				Result.Variants.push_back(std::move(Variant));
 			}
 		}
-		NumToDo = static_cast<int>(Result.Variants.size() * static_cast<size_t>(Prepared.Study.Repetitions + 1));
+		NumToDo = static_cast<int>(Result.Variants.size() * static_cast<size_t>(Study.Repetitions + 1));
 	}
 
 	/** This is the warm-up too: shaders are compiled and the scene is in memory afterwards. */
@@ -242,7 +210,7 @@ private:
 		for (FStudyJob& Job : Result.Jobs)
 		{
 			Show(Job.Case.Label + " reference");
-			const FMeasured Reference = Prepared.Subject->RunReference(Job.Case.Set);
+			const FMeasured Reference = Subject.RunReference(Job.Case.Set);
 			Job.ReferenceTaps = Reference.Taps;
 			Result.Width = Reference.Image.Width;
 			Result.Height = Reference.Image.Height;
@@ -251,12 +219,12 @@ private:
 				FStudyVariant& Variant = Result.Variants[Index];
 				Show(Job.Case.Label + " " + Variant.Label);
 				++NumDone;
-				Prepared.Subject->Prepare(GetSet(Variant), Variant);
+				Subject.Prepare(GetSet(Variant), Variant);
 				if (Variant.Excluded.rfind("not run", 0) == 0)
 				{
 					continue;
 				}
-				const FMeasured Measured = Prepared.Subject->Run(GetSet(Variant));
+				const FMeasured Measured = Subject.Run(GetSet(Variant));
 				const FImage& Image = Measured.Image;
 				FImageErrorOptions ErrorOptions{Measured.Encoding, std::min(3, Reference.Image.NumChannels)};
 				Variant.Error = CompareImages(
@@ -268,48 +236,63 @@ private:
 		}
 	}
 
+	/** Runs of what takes the same time are made once for all of it. */
 	void MeasureTimes()
 	{
-		std::vector<std::vector<double>> Runs(Result.Variants.size());
-		std::vector<std::vector<double>> ReferenceRuns(Result.Jobs.size());
-		std::map<std::string, size_t> Timed; // by key: the variant whose time it is
-		for (int Repetition = 0; Repetition < Prepared.Study.Repetitions; ++Repetition)
+		std::map<std::string, std::vector<double>> Runs; // by time key
+		std::map<std::string, std::vector<double>> ReferenceRuns;
+		const auto GetKey = [](const std::string& Key, size_t Index)
 		{
+			return Key.empty() ? std::to_string(Index) : Key;
+		};
+		std::vector<std::string> Keys;
+		std::vector<std::string> ReferenceKeys;
+		for (const FStudyVariant& Variant : Result.Variants)
+		{
+			Keys.push_back(GetKey(Subject.GetTimeKey(GetSet(Variant)), Keys.size()));
+		}
+		for (const FStudyJob& Job : Result.Jobs)
+		{
+			ReferenceKeys.push_back(GetKey(Subject.GetTimeKey(Job.Case.Set), ReferenceKeys.size()));
+		}
+		for (int Repetition = 0; Repetition < Study.Repetitions; ++Repetition)
+		{
+			const size_t Wanted = static_cast<size_t>(Repetition) + 1;
 			for (size_t JobIndex = 0; JobIndex < Result.Jobs.size(); ++JobIndex)
 			{
-				FStudyJob& Job = Result.Jobs[JobIndex];
-				if (Repetition < MostReferenceRuns)
+				const FStudyJob& Job = Result.Jobs[JobIndex];
+				std::vector<double>& OfReference = ReferenceRuns[ReferenceKeys[JobIndex]];
+				if (OfReference.size() < Wanted && Wanted <= MostReferenceRuns)
 				{
-					ReferenceRuns[JobIndex].push_back(Prepared.Subject->RunReference(Job.Case.Set).Milliseconds);
+					OfReference.push_back(Subject.RunReference(Job.Case.Set).Milliseconds);
 				}
 				for (const size_t Index : Job.Variants)
 				{
 					const FStudyVariant& Variant = Result.Variants[Index];
-					const std::string Key = Prepared.Subject->GetTimeKey(GetSet(Variant));
-					const bool bFirst = Key.empty() || Timed.emplace(Key, Index).first->second == Index;
+					std::vector<double>& OfVariant = Runs[Keys[Index]];
 					Show(Job.Case.Label + " " + Variant.Label);
 					++NumDone;
-					if (Variant.bRan && bFirst)
+					if (Variant.bRan && OfVariant.size() < Wanted)
 					{
-						Runs[Index].push_back(Prepared.Subject->Run(GetSet(Variant)).Milliseconds);
+						OfVariant.push_back(Subject.Run(GetSet(Variant)).Milliseconds);
 					}
 				}
 			}
 		}
 		for (size_t Index = 0; Index < Result.Variants.size(); ++Index)
 		{
-			FStudyVariant& Variant = Result.Variants[Index];
-			const std::string Key = Prepared.Subject->GetTimeKey(GetSet(Variant));
-			Variant.Time = SummarizeRuns(Runs[Key.empty() ? Index : Timed.at(Key)]);
+			Result.Variants[Index].Time = SummarizeRuns(Runs[Keys[Index]]);
 		}
 		for (size_t JobIndex = 0; JobIndex < Result.Jobs.size(); ++JobIndex)
 		{
-			Result.Jobs[JobIndex].ReferenceTime = SummarizeRuns(ReferenceRuns[JobIndex]);
+			Result.Jobs[JobIndex].ReferenceTime = SummarizeRuns(ReferenceRuns[ReferenceKeys[JobIndex]]);
 		}
 	}
 
-	FRunOptions Options;
-	FPreparedStudy Prepared;
+	const FRunOptions& Options;
+	const FCheckResult& Check;
+	const FStudy& Study;
+	IStudySubject& Subject;
 	std::vector<FStudyChoice> Choices;
 	FStudyResult Result;
 	int NumDone = 0;
@@ -412,24 +395,62 @@ std::string GetStudyFingerprint(const std::string& ConfigText)
 	return Hash.Finish();
 }
 
-FStudyResult RunStudy(const FRunOptions& Options)
+struct FStudyRun::FState
 {
-	return FStudyRunner(Options).Run();
+	explicit FState(const FRunOptions& InOptions)
+		: Options(InOptions)
+	{
+		FRunOptions CheckOptions = Options;
+		CheckOptions.bUseBudget = false;
+		Check = CheckConfig(CheckOptions);
+		std::vector<FDiagnostic> Found;
+		std::optional<FStudy> Read = ReadStudy(Check.Config, Found);
+		if (HasErrors(Found))
+		{
+			throw FError(Found, ExitUsage);
+		}
+		if (!Read)
+		{
+			throw MakeStudyError(ErrorMissingKey, Check.Config, {}, "the config has no \"study\"");
+		}
+		Study = std::move(*Read);
+		Subject = Study.bBlur ? MakeBlurSubject(Check.Config, Study) : MakeFrameSubject(Options, Study);
+	}
+
+	FRunOptions Options;
+	FCheckResult Check;
+	FStudy Study; // the subject refers to it
+	std::unique_ptr<IStudySubject> Subject;
+};
+
+FStudyRun::FStudyRun(const FRunOptions& Options)
+	: State(std::make_unique<FState>(Options))
+{
 }
 
-FStudyPicture RunStudyPicture(const FRunOptions& Options, const FStudyResult& Result, size_t Job, int Variant)
+FStudyRun::~FStudyRun() = default;
+
+FStudyResult FStudyRun::Measure()
 {
-	FPreparedStudy Prepared;
-	PrepareStudy(Options, Prepared);
-	const FSet& Case = Result.Jobs[Job].Case.Set;
-	const FMeasured Reference = Prepared.Subject->RunReference(Case);
-	if (Variant < 0)
-	{
-		return {Reference.Image, Reference.Encoding};
-	}
-	const size_t Choice = Result.Variants[static_cast<size_t>(Variant)].Choice;
-	const FMeasured Measured = Prepared.Subject->Run(Join(Case, Prepared.Study.GetChoices()[Choice].Set));
-	return {Stretch(Measured.Image, Reference.Image.Width, Reference.Image.Height), Measured.Encoding};
+	return FStudyRunner(State->Options, State->Check, State->Study, *State->Subject).Run();
+}
+
+FStudyPicture FStudyRun::RunReference(const FStudyJob& Job)
+{
+	const FMeasured Measured = State->Subject->RunReference(Job.Case.Set);
+	return {Measured.Image, Measured.Encoding};
+}
+
+FStudyPicture FStudyRun::RunVariant(const FStudyResult& Result, const FStudyVariant& Variant)
+{
+	const FSet& Case = Result.Jobs[Variant.Case].Case.Set;
+	const FMeasured Measured = State->Subject->Run(Join(Case, State->Study.GetChoices()[Variant.Choice].Set));
+	return {Stretch(Measured.Image, Result.Width, Result.Height), Measured.Encoding};
+}
+
+FStudyResult RunStudy(const FRunOptions& Options)
+{
+	return FStudyRun(Options).Measure();
 }
 
 } // namespace Drydock

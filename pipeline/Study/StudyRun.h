@@ -6,7 +6,7 @@
 
 #include "RunOptions.h"
 
-#include <functional>
+#include <memory>
 
 namespace Drydock
 {
@@ -18,13 +18,30 @@ struct FStudyPicture
 	EImageEncoding Encoding = EImageEncoding::Linear;
 };
 
-/** Options: config and command line, as of a run; its precision and storage do not matter. Throws FError: a config
- * without a study, mistakes of the config, a run that fails. Progress of Options is called before each run. */
-DRYDOCK_API FStudyResult RunStudy(const FRunOptions& Options);
+/** One study. What it prepares, above all the matched widths of blurs, serves its figures and its pictures. */
+class DRYDOCK_API FStudyRun
+{
+public:
+	/** Options: config and command line, as of a run; its precision and storage do not matter. Throws FError: a config
+	 * without a study, mistakes of the config. */
+	explicit FStudyRun(const FRunOptions& Options);
+	~FStudyRun();
 
-/** Runs once more to see: the reference of a job (Variant -1) or a variant. */
-DRYDOCK_API FStudyPicture RunStudyPicture(
-	const FRunOptions& Options, const FStudyResult& Result, size_t Job, int Variant);
+	/** Runs everything. Progress of Options is called before each run. Throws FError: a run that fails. */
+	FStudyResult Measure();
+
+	/** Runs once more to see. */
+	FStudyPicture RunReference(const FStudyJob& Job);
+	/** Of the reference's size. */
+	FStudyPicture RunVariant(const FStudyResult& Result, const FStudyVariant& Variant);
+
+private:
+	struct FState;
+	std::unique_ptr<FState> State;
+};
+
+/** The figures alone. Throws as FStudyRun does. */
+DRYDOCK_API FStudyResult RunStudy(const FRunOptions& Options);
 
 /** The scene's colour as a study of blurs takes it, RGBA: scene, point or edge. The point is as bright as makes the
  * exact blur's peak 1; the edge is slanted. */

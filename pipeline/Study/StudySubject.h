@@ -36,7 +36,8 @@ public:
 	virtual FMeasured Run(const FStudySet& Set) = 0;
 	/** Before anything runs: what is known of a variant without running it. */
 	virtual void Prepare(const FStudySet& Set, FStudyVariant& Variant) = 0;
-	/** Variants of one key take the same time, whatever their input; empty: each its own. */
+	/** What is set so takes the time of everything else of that key, whatever its input; empty: each its own. A case
+	 * alone: its reference. */
 	virtual std::string GetTimeKey(const FStudySet&) { return ""; }
 	virtual std::string DescribeReference(const FStudySet& Case) = 0;
 };

@@ -192,12 +192,34 @@ TEST_P(BlurAlgorithm, StatesWhatItCosts)
 
 TEST(BlurAlgorithms, TapsAreThoseOfTheDefinition)
 {
-	// Reach 12: 25 taps; two passes, or a square. Dual Kawase's two levels: 8 + (5 + 8) / 4 + 5 / 16.
-	const FImage Image = MakeNoise(128, 128);
-	EXPECT_DOUBLE_EQ(50.0, FBlur("Separable", 4.0).Run(Image).TapsPerPixel);
-	EXPECT_DOUBLE_EQ(625.0, FBlur("Direct", 4.0).Run(Image).TapsPerPixel);
+	// No side is a multiple of a thread group's. At 4 pixels a Gaussian reaches 12: 25 taps, in two passes or a square.
+	const FImage Image = MakeNoise(100, 52);
+	const double NumPixels = 100.0 * 52.0;
+	const double Half = 50.0 * 26.0;
+	const double Quarter = 25.0 * 13.0;
+	const auto GetTaps = [&](const char* Algorithm)
+	{
+		return FBlur(Algorithm, 4.0).Run(Image).TapsPerPixel;
+	};
+	EXPECT_DOUBLE_EQ(50.0, GetTaps("Separable"));
+	EXPECT_DOUBLE_EQ(625.0, GetTaps("Direct"));
 	EXPECT_DOUBLE_EQ(625.0, GetDirectTaps(4.0));
-	EXPECT_DOUBLE_EQ(11.5625, FBlur("DualKawase", 4.0).Run(Image).TapsPerPixel);
+	// Two levels: 5 taps for each texel on the way down, 8 on the way up.
+	EXPECT_DOUBLE_EQ((5.0 * (Half + Quarter) + 8.0 * (NumPixels + Half)) / NumPixels, GetTaps("DualKawase"));
+	// Four taps down, one up; between them a Gaussian of sqrt(16 - 3/2) / 2 = 1.9 texels, which reaches 6.
+	EXPECT_DOUBLE_EQ((4.0 * Half + 2.0 * 13.0 * Half + NumPixels) / NumPixels, GetTaps("Pyramid"));
+	// Variances 0.5, 2.5, 6.5, 12.5 of the passes add up to 16 in the fourth.
+	EXPECT_DOUBLE_EQ(16.0, GetTaps("Kawase"));
+	// One tap to halve and one to double. The Gaussian of 2 texels has the radius 2 sqrt(2 * 16.7) = 11.56: two texels
+	// a tap from -11 to 11, which is 12, on half the columns for the rows; then for the columns.
+	EXPECT_DOUBLE_EQ((Half + 12.0 * Half / 2.0 + 12.0 * Half + NumPixels) / NumPixels, GetTaps("GaussianSum"));
+	// 100 + 2 * 20 and 52 + 2 * 20 texels need 256 x 128; two reads for each of log2 N steps, there and back.
+	EXPECT_DOUBLE_EQ(4.0 * (8.0 + 7.0) * 256.0 * 128.0 / NumPixels, GetTaps("FFT"));
+	// Three boxes of which four values change; four values there and four back; each along both axes.
+	EXPECT_DOUBLE_EQ(24.0, GetTaps("Boxes"));
+	EXPECT_DOUBLE_EQ(16.0, GetTaps("Recursive"));
+	// 9.2 deviations: 37 texels, and one; along both axes.
+	EXPECT_DOUBLE_EQ(2.0 * (2.0 * 38.0 + 1.0), GetTaps("Exact"));
 }
 
 TEST(BlurAlgorithms, SeparableMovesFourTexelsOfItsFormatPerPixel)

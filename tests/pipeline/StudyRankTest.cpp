@@ -6,8 +6,10 @@
 #include "Study/StudyRank.h"
 #include "Study/StudyReport.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 
 using namespace Drydock;
 
@@ -178,6 +180,56 @@ TEST(StudyRank, OfThoseAsFastWithinNoiseTheMostExactIsRecommended)
 	EXPECT_NE(std::string::npos, MakeStudyTable(Result).find("within noise of one another: a and b"));
 }
 
+TEST(StudyRank, FrontsOfTwoRunsDifferOnlyAmongThoseSaidToBeWithinNoise)
+{
+	// Times of two runs of a study are drawn around the same true ones, some of which lie closer than the noise.
+	std::mt19937 Random(7);
+	const auto DrawRuns = [&](double Truth)
+	{
+		std::vector<double> Runs;
+		for (int Run = 0; Run < 7; ++Run)
+		{
+			Runs.push_back(Truth * (1.0 + 0.2 * static_cast<double>(Random() % 1000) / 1000.0));
+		}
+		return SummarizeRuns(Runs);
+	};
+	int NumChanged = 0;
+	for (int Study = 0; Study < 200; ++Study)
+	{
+		std::vector<FFigures> Figures;
+		for (int Way = 0; Way < 8; ++Way)
+		{
+			Figures.push_back({"", 0.001 * (Way + 1), 5, 10.0 + static_cast<double>(Random() % 100) / 10.0});
+		}
+		FStudyResult Runs[2] = {MakeResult(Figures), MakeResult(Figures)};
+		for (FStudyResult& Result : Runs)
+		{
+			for (size_t Way = 0; Way < Figures.size(); ++Way)
+			{
+				Result.Variants[Way].Time = DrawRuns(Figures[Way].Ms);
+			}
+			RankStudy(Result);
+		}
+		for (size_t Way = 0; Way < Figures.size(); ++Way)
+		{
+			const FStudyVariant& A = Runs[0].Variants[Way];
+			const FStudyVariant& B = Runs[1].Variants[Way];
+			if (A.ByTime.bFront == B.ByTime.bFront)
+			{
+				continue;
+			}
+			++NumChanged;
+			const size_t By = static_cast<size_t>(std::max(A.ByTime.DominatedBy, B.ByTime.DominatedBy));
+			const auto Says = [&](const FStudyVariant& Variant)
+			{
+				return std::count(Variant.WithinNoiseOf.begin(), Variant.WithinNoiseOf.end(), By) != 0;
+			};
+			EXPECT_TRUE(Says(A) || Says(B)) << Study << " " << Way << " " << By;
+		}
+	}
+	EXPECT_GT(NumChanged, 20);
+}
+
 TEST(StudyRank, WhatDidNotRunHasNoRank)
 {
 	FStudyResult Result = MakeResult(GFour);
@@ -223,6 +275,19 @@ TEST(StudyReport, CsvHasALinePerVariantAndQuotesCommas)
 	EXPECT_EQ(3, Count(Csv, "\n"));
 	EXPECT_NE(std::string::npos, Csv.find("\"a, b\""));
 	EXPECT_EQ(0u, Csv.find("way,max,rms,relative,psnr,ssim,taps_per_pixel"));
+}
+
+TEST(StudyChart, FewErrorsAThousandTimesSmallerStandAtTheEdgeWithTheirFigure)
+{
+	std::vector<FFigures> Figures = GFour;
+	Figures.push_back({"exact", 2e-8, 200, 200});
+	const std::string Svg = DrawStudyChart(MakeResult(Figures), EStudyCost::Taps);
+	EXPECT_EQ(1, Count(Svg, ">exact: 2e-8<"));
+	EXPECT_EQ(0, Count(Svg, "\xE2\x88\x92"
+							"7</tspan>")); // no tick so far down
+	// Of two halves neither is the exception.
+	const std::string Halves = DrawStudyChart(MakeResult({{"a", 1e-3, 5, 5}, {"b", 1e-8, 9, 9}}), EStudyCost::Taps);
+	EXPECT_EQ(2, Count(Halves, ">b<")); // legend and label
 }
 
 TEST(StudyChart, DrawsEveryVariantTheRingsAndTheBudget)

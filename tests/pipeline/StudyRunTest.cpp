@@ -1,5 +1,5 @@
-// Studies as a config asks for them: what is varied, what is measured (against a direct convolution written out here),
-// that it is the same twice, and what a run takes from it. Source: drydock.
+// Studies as a config asks for them: what is varied, what is measured (the figures: StudyFiguresTest.cpp), that it is
+// the same twice, and what a run takes from it. Source: drydock.
 #include <gtest/gtest.h>
 
 #include "ConfigErrors.h"
@@ -77,61 +77,6 @@ const FStudyVariant& Find(const FStudyResult& Result, const std::string& Job, co
 	return Result.Variants[0];
 }
 
-/** The studied part of the scene, as the file has it. */
-FImage LoadRegion()
-{
-	FImageFile File(Root + "configs/scenes/toon_character_641x359.exr");
-	const std::vector<std::vector<float>> Planes =
-		File.Read({File.FindChannel("R"), File.FindChannel("G"), File.FindChannel("B")});
-	FImage Image{48, 40, 4, {}};
-	for (int Y = 140; Y < 180; ++Y)
-	{
-		for (int X = 300; X < 348; ++X)
-		{
-			for (const std::vector<float>& Plane : Planes)
-			{
-				Image.Values.push_back(static_cast<double>(Plane[static_cast<size_t>(Y * 641 + X)]));
-			}
-			Image.Values.push_back(1.0);
-		}
-	}
-	return Image;
-}
-
-/** RMS over colours of the difference from the two-dimensional Gaussian, every tap written out, edges clamped. */
-double GetRms(const FImage& Blurred, const FImage& Image, double Sigma)
-{
-	const int Reach = static_cast<int>(9.0 * Sigma);
-	double Squares = 0.0;
-	for (int Y = 0; Y < Image.Height; ++Y)
-	{
-		for (int X = 0; X < Image.Width; ++X)
-		{
-			double Sums[3] = {0, 0, 0};
-			double Weights = 0.0;
-			for (int DY = -Reach; DY <= Reach; ++DY)
-			{
-				for (int DX = -Reach; DX <= Reach; ++DX)
-				{
-					const double Weight = std::exp(-(DX * DX + DY * DY) / (2.0 * Sigma * Sigma));
-					Weights += Weight;
-					for (int Channel = 0; Channel < 3; ++Channel)
-					{
-						Sums[Channel] += Weight * Image.Get(std::clamp(X + DX, 0, Image.Width - 1),
-													  std::clamp(Y + DY, 0, Image.Height - 1), Channel);
-					}
-				}
-			}
-			for (int Channel = 0; Channel < 3; ++Channel)
-			{
-				const double Difference = Blurred.Get(X, Y, Channel) - Sums[Channel] / Weights;
-				Squares += Difference * Difference;
-			}
-		}
-	}
-	return std::sqrt(Squares / (3.0 * Image.Width * Image.Height));
-}
-
 class StudyFolder : public testing::Test
 {
 protected:
@@ -198,18 +143,6 @@ TEST(StudyConfig, MistakesAreNamedWithTheNearestName)
 		ErrorOf(
 			R"("study": {"axes": [{"name": "algorithm", "values": ["Kawase"]}, {"name": "sigma", "values": [0]}]})"));
 	EXPECT_EQ("1008 /budget: the budget has neither \"max\" nor \"ms\"", ErrorOf(R"("budget": {"metric": "rms"})"));
-}
-
-TEST(StudyBlur, ErrorsAreThoseOfADirectConvolution)
-{
-	const FStudyResult Result = RunStudy(MakeOptions(GBlurStudy));
-	const FImage Image = LoadRegion();
-	for (const char* Algorithm : {"Separable", "DualKawase", "Boxes"})
-	{
-		const double Expected = GetRms(FBlur(Algorithm, 2.0).Run(Image).Image, Image, 2.0);
-		EXPECT_NEAR(1.0, Find(Result, "sigma 2, scene", Algorithm).Error.Rms / Expected, 1e-9) << Algorithm;
-		EXPECT_GT(Expected, 1e-6) << Algorithm;
-	}
 }
 
 TEST(StudyBlur, SaysWhatIsNotRunAndWhatItWouldCost)

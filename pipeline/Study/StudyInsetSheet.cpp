@@ -1,0 +1,98 @@
+// Source: drydock.
+#include "Study/StudyInsetSheet.h"
+
+#include "ImageMetrics.h"
+#include "Study/StudyPanel.h"
+#include "Study/StudyStyle.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace Drydock
+{
+
+namespace
+{
+
+std::string EncodeBase64(const std::string& Bytes)
+{
+	static const char Digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+	std::string Text;
+	for (size_t Index = 0; Index < Bytes.size(); Index += 3)
+	{
+		unsigned Group = 0;
+		for (size_t Byte = 0; Byte < 3; ++Byte)
+		{
+			const size_t At = Index + Byte;
+			Group = Group << 8 | (At < Bytes.size() ? static_cast<unsigned char>(Bytes[At]) : 0u);
+		}
+		const size_t Left = Bytes.size() - Index;
+		for (size_t Digit = 0; Digit < 4; ++Digit)
+		{
+			Text += Digit <= Left ? Digits[Group >> (18 - 6 * Digit) & 63u] : '=';
+		}
+	}
+	return Text;
+}
+
+} // namespace
+
+std::string DrawStudyInsets(const std::string& Title, const std::vector<FStudyInsetRow>& Rows)
+{
+	constexpr double Gap = 10.0;
+	size_t Columns = 1;
+	for (const FStudyInsetRow& Row : Rows)
+	{
+		Columns = std::max(Columns, Row.Insets.size());
+	}
+	const double InsetWidth =
+		std::min(260.0, (StudyPageWidth - 2.0 * StudyPageMargin + Gap) / static_cast<double>(Columns) - Gap);
+	std::string Body = SvgText(StudyPageMargin, 36.0, "title", Title);
+	double Y = 52.0;
+	const auto DrawPng = [&](const std::string& Png, double X, double Top, double Height)
+	{
+		Body += "<image x=\"" + Px(X) + "\" y=\"" + Px(Top) + "\" width=\"" + Px(InsetWidth) + "\" height=\"" +
+				Px(Height) + "\" href=\"data:image/png;base64," + EncodeBase64(Png) + "\"/>\n";
+	};
+	for (const FStudyInsetRow& Row : Rows)
+	{
+		Body += SvgText(StudyPageMargin, Y + 16.0, "name", Row.Title);
+		double Bottom = Y + 26.0;
+		for (size_t Index = 0; Index < Row.Insets.size(); ++Index)
+		{
+			const FStudyInset& Inset = Row.Insets[Index];
+			const double X = StudyPageMargin + static_cast<double>(Index) * (InsetWidth + Gap);
+			const double Height = InsetWidth * Inset.Height / std::max(1, Inset.Width);
+			double Top = Y + 26.0;
+			DrawPng(Inset.Png, X, Top, Height);
+			Top += Height + 16.0;
+			Body +=
+				SvgText(X, Top, "label strong", Inset.Title) + SvgText(X, Top + 15.0, "label quiet", Inset.Subtitle);
+			Top += 24.0;
+			if (!Inset.HeatPng.empty())
+			{
+				DrawPng(Inset.HeatPng, X, Top, Height);
+				Body += SvgText(X, Top + Height + 15.0, "label quiet", Inset.HeatTitle);
+				Top += Height + 22.0;
+			}
+			Bottom = std::max(Bottom, Top);
+		}
+		Y = Bottom + 14.0;
+	}
+	constexpr int Steps = 40;
+	for (int Step = 0; Step < Steps; ++Step)
+	{
+		double Color[3];
+		GetHeatColor((Step + 0.5) / Steps, Color);
+		char Hex[8];
+		std::snprintf(Hex, sizeof(Hex), "#%02x%02x%02x", static_cast<unsigned>(Color[0] * 255.0 + 0.5),
+			static_cast<unsigned>(Color[1] * 255.0 + 0.5), static_cast<unsigned>(Color[2] * 255.0 + 0.5));
+		Body += "<rect x=\"" + Px(StudyPageMargin + Step * 6.0) + "\" y=\"" + Px(Y) +
+				"\" width=\"6.3\" height=\"10\" fill=\"" + Hex + "\"/>\n";
+	}
+	Body += SvgText(StudyPageMargin + Steps * 6.0 + 10.0, Y + 9.0, "label quiet",
+		"error, logarithmic: black a ten-thousandth of the largest of its row of pictures, pale yellow the largest");
+	return BeginStudySvg(Y + 28.0, Title) + Body + "</svg>\n";
+}
+
+} // namespace Drydock
