@@ -5,6 +5,7 @@
 #include "ImageFile.h"
 
 #include "ConfigErrors.h"
+#include "ExrHeader.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,10 +16,6 @@ namespace Drydock
 
 namespace
 {
-
-/** No frame is larger; a forged header must not allocate all memory. */
-constexpr int64_t MaxSide = 32768;
-constexpr int64_t MaxPixels = int64_t(1) << 28;
 
 FError MakeError(EConfigError Code, const std::string& Path, const std::string& Message)
 {
@@ -52,6 +49,31 @@ bool IsColorChannel(const std::string& Name)
 
 } // namespace
 
+namespace
+{
+
+/** Null with a reason. OpenEXR's reader alone gets its files: others would be asked about a broken one, too. */
+std::unique_ptr<OIIO::ImageInput> Open(const std::string& Path, std::string& Fault)
+{
+	if (!IsExrFile(Path))
+	{
+		std::unique_ptr<OIIO::ImageInput> File = OIIO::ImageInput::open(Path);
+		Fault = File ? std::string() : OIIO::geterror();
+		return File;
+	}
+	CheckExrHeader(Path);
+	std::unique_ptr<OIIO::ImageInput> File = OIIO::ImageInput::create("openexr");
+	OIIO::ImageSpec Spec;
+	if (!File || !File->open(Path, Spec))
+	{
+		Fault = File ? File->geterror() : OIIO::geterror();
+		return nullptr;
+	}
+	return File;
+}
+
+} // namespace
+
 struct FImageFile::FInput
 {
 	std::unique_ptr<OIIO::ImageInput> File;
@@ -65,10 +87,11 @@ FImageFile::FImageFile(const std::string& InPath)
 	{
 		throw MakeError(ErrorFileMissing, Path, "the image file cannot be opened: there is no such file");
 	}
-	Input->File = OIIO::ImageInput::open(Path);
+	std::string Fault;
+	Input->File = Open(Path, Fault);
 	if (!Input->File)
 	{
-		throw MakeError(ErrorImageBroken, Path, "the image file cannot be read: " + OneLine(OIIO::geterror()));
+		throw MakeError(ErrorImageBroken, Path, "the image file cannot be read: " + OneLine(Fault));
 	}
 	const OIIO::ImageSpec& Spec = Input->File->spec();
 	Width = Spec.width;
@@ -79,12 +102,12 @@ FImageFile::FImageFile(const std::string& InPath)
 	{
 		throw MakeError(ErrorImageBroken, Path, "the image file holds no picture");
 	}
-	if (Width > MaxSide || Height > MaxSide || int64_t(Width) * Height > MaxPixels)
+	if (Width > MaxImageSide || Height > MaxImageSide || int64_t(Width) * Height > MaxImagePixels)
 	{
 		throw MakeError(ErrorImageTooLarge, Path,
 			"the image file says " + std::to_string(Width) + " x " + std::to_string(Height) +
-				" pixels; the largest frame is " + std::to_string(MaxSide) + " a side and " +
-				std::to_string(MaxPixels) + " in all");
+				" pixels; the largest frame is " + std::to_string(MaxImageSide) + " a side and " +
+				std::to_string(MaxImagePixels) + " in all");
 	}
 }
 

@@ -1,6 +1,7 @@
 // Dispatches, draws, clears and copies. Source: engine RHICommandList.h for meaning; the execution is drydock's.
 #include "RHICommandList.h"
 
+#include "KernelWatch.h"
 #include "PixelFormatConversion.h"
 #include "TextureTransfer.h"
 #include "TileExecutor.h"
@@ -114,12 +115,14 @@ void FRHIComputeCommandList::RunTiles(
 	const int32 StaticSamples = Shader.GetReflection().StaticSamples;
 	const bool bMeasure = StaticSamples < 0 && bMeasureTaps;
 	std::atomic<uint64> MeasuredTaps{0};
+	Drydock::FKernelWatch Watch(Shader.Name, Shader.EntryPoint);
 	const auto RunTile = [&](const FKernelTile& Tile)
 	{
 		Drydock::FKernelCounters TileCounters{};
 		Drydock::FKernelArgs TileArgs = Args;
 		TileArgs.Counters = bMeasure ? &TileCounters : nullptr;
 		Shader.Run(TileArgs, Tile);
+		Watch.TileHasEnded();
 		MeasuredTaps.fetch_add(TileCounters.Samples + TileCounters.Loads, std::memory_order_relaxed);
 	};
 	Drydock::ForEachTile(Whole, TileSize, RunTile, Shader.bDouble ? Drydock::EDenormals::Keep : Drydock::EDenormals::Flush);

@@ -16,7 +16,14 @@ namespace Drydock
 namespace
 {
 
-constexpr int TimeLimitSeconds = 60;
+constexpr int DefaultTimeLimitSeconds = 60;
+
+int GetTimeLimitSeconds()
+{
+	const char* const Chosen = std::getenv("DRYDOCK_GLSLANG_SECONDS");
+	const int Seconds = Chosen ? std::atoi(Chosen) : 0;
+	return Seconds > 0 ? Seconds : DefaultTimeLimitSeconds;
+}
 
 bool StartsWith(const std::string& Text, const char* Prefix)
 {
@@ -136,6 +143,7 @@ std::vector<uint32_t> CompileToSpirv(const FShaderSource& Source, const FShaderC
 						 Request.VirtualPath, 0, 0, {}},
 			ExitUsage);
 	}
+	const int TimeLimitSeconds = GetTimeLimitSeconds();
 	const FTemporaryFolder Folder;
 	const std::string Input = Folder.Path + "/shader.hlsl";
 	const std::string Output = Folder.Path + "/shader.spv";

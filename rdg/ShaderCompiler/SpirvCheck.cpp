@@ -108,11 +108,56 @@ void FSpirvChecker::Check()
 	{
 		Module.Fail("only pixel and compute shaders run on the CPU tier");
 	}
+	CheckGroupSize();
 	for (const FSpirvBlock& Block : Module.Blocks)
 	{
 		CheckBlock(Block);
 	}
 	CheckVariables();
+}
+
+void FSpirvChecker::CheckGroupSize()
+{
+	// Direct3D's limits.
+	const uint32_t* const Size = Module.LocalSize;
+	const bool bFits = Size[0] >= 1 && Size[1] >= 1 && Size[2] >= 1 && Size[0] <= 1024 && Size[1] <= 1024 &&
+					   Size[2] <= 64 && Size[0] * Size[1] * Size[2] <= 1024;
+	if (!bFits)
+	{
+		Module.Fail("numthreads(" + std::to_string(Size[0]) + ", " + std::to_string(Size[1]) + ", " +
+					std::to_string(Size[2]) + "): a group has 1 to 1024 threads, at most 64 of them along Z");
+	}
+}
+
+void FSpirvChecker::CheckInput(const FSpirvVariable& Variable)
+{
+	const uint32_t Size = Module.GetType(Variable.Type).NumScalars;
+	bool bFits = true;
+	switch (Variable.BuiltIn)
+	{
+	case BuiltInGlobalInvocationId:
+	case BuiltInWorkgroupId:
+	case BuiltInLocalInvocationId:
+		bFits = Size == 3;
+		break;
+	case BuiltInFragCoord:
+		bFits = Size == 4;
+		break;
+	case BuiltInLocalInvocationIndex:
+	case BuiltInFrontFacing:
+		bFits = Size == 1;
+		break;
+	case BuiltInNone:
+		bFits = Size <= 4 && Module.GetScalarKind(Variable.Type, 0) == ESpirvType::Float;
+		break;
+	default: // reflection refuses what is used of these
+		break;
+	}
+	if (!bFits)
+	{
+		Module.Fail("input '" + Variable.Name + "' (" + Variable.Semantic +
+					") is of a type that the CPU tier does not fill; use float, float2, float3 or float4");
+	}
 }
 
 void FSpirvChecker::CheckVariables()
@@ -129,6 +174,10 @@ void FSpirvChecker::CheckVariables()
 			if (Type.NumScalars == 0)
 			{
 				Module.Fail("SPIR-V: variable '" + Variable.Name + "' is not numeric");
+			}
+			if (Variable.Storage == StorageInput)
+			{
+				CheckInput(Variable);
 			}
 			break;
 		case StorageUniform:

@@ -18,7 +18,9 @@ public:
 	void Check();
 
 private:
+	void CheckGroupSize();
 	void CheckVariables();
+	void CheckInput(const FSpirvVariable& Variable);
 	void CheckBlock(const FSpirvBlock& Block);
 	void CheckTerminator(const FSpirvInstruction& I);
 	void CheckInstruction(const FSpirvInstruction& I);

@@ -80,7 +80,7 @@ bool FSpirvInterpreterImpl::ExecuteMatrix(const FSpirvInstruction& I, FScalars& 
 	{
 		return GetFloat(I.Operands[Operand], Column * Rows + Row);
 	};
-	const uint32_t Size = Module.GetType(I.Type).NumScalars;
+	const uint32_t Size = I.Type ? Module.GetType(I.Type).NumScalars : 0; // image writes have no result
 	const auto Count = [this, &I](size_t Operand)
 	{
 		return Module.GetValueType(I.Operands[Operand]).NumScalars;

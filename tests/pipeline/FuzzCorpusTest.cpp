@@ -1,7 +1,10 @@
 // The fuzzers' checks over their corpus, so that they run without clang too; and over every cut of it.
 #include <gtest/gtest.h>
 
+#include "Scene.h"
 #include "fuzz/FuzzChecks.h"
+#include "fuzz/FuzzImageChecks.h"
+#include "fuzz/FuzzSpirvChecks.h"
 
 #include <filesystem>
 #include <fstream>
@@ -45,6 +48,35 @@ class ConfigJsonCorpus : public testing::TestWithParam<FPath>
 {
 };
 
+class ExrCorpus : public testing::TestWithParam<FPath>
+{
+protected:
+	bool Is(const char* Kind) const { return GetParam().stem().string().rfind(Kind, 0) == 0; }
+};
+
+class SpirvCorpus : public testing::TestWithParam<FPath>
+{
+protected:
+	bool Is(const char* Kind) const { return GetParam().stem().string().rfind(Kind, 0) == 0; }
+};
+
+/** Cuts and flips at a stride that makes about Number of them. */
+std::vector<std::string> Damage(const std::string& Bytes, size_t Number)
+{
+	std::vector<std::string> Result;
+	const size_t Stride = std::max<size_t>(1, Bytes.size() / Number);
+	for (size_t At = 0; At < Bytes.size(); At += Stride)
+	{
+		Result.push_back(Bytes.substr(0, At));
+		for (const int Flip : {0xFF, 0x01, 0x80})
+		{
+			Result.push_back(Bytes);
+			Result.back()[At] = static_cast<char>(Result.back()[At] ^ Flip);
+		}
+	}
+	return Result;
+}
+
 } // namespace
 
 TEST_P(SettingsTextCorpus, Holds)
@@ -75,5 +107,64 @@ TEST_P(ConfigJsonCorpus, HoldsCutAnywhere)
 	}
 }
 
+TEST_P(ExrCorpus, Holds)
+{
+	EXPECT_EQ("", CheckExrFile(GetParam().string()));
+}
+
+TEST_P(ExrCorpus, HoldsDamaged)
+{
+	for (const std::string& Bytes : Damage(Read(GetParam()), 15))
+	{
+		ASSERT_EQ("", CheckExrBytes(Bytes));
+	}
+}
+
+TEST_P(ExrCorpus, IsASceneUnlessForged)
+{
+	if (Is("cut") || Is("found"))
+	{
+		GTEST_SKIP() << "its header may be whole";
+	}
+	FConfig Config;
+	Config.Scene.File.Value = GetParam().string();
+	Config.Scene.File.Place.Line = 1;
+	bool bScene = false;
+	try
+	{
+		bScene = FScene(Config).GetExtent().X > 0;
+	}
+	catch (const FError& Error)
+	{
+		EXPECT_EQ(ExitFiles, Error.GetExitCode());
+	}
+	EXPECT_EQ(!Is("forged"), bScene);
+}
+
+TEST_P(SpirvCorpus, Holds)
+{
+	EXPECT_EQ("", CheckSpirvBytes(Read(GetParam())));
+}
+
+TEST_P(SpirvCorpus, HoldsDamaged)
+{
+	for (const std::string& Bytes : Damage(Read(GetParam()), 500))
+	{
+		ASSERT_EQ("", CheckSpirvBytes(Bytes));
+	}
+}
+
+TEST_P(SpirvCorpus, RunsUnlessItWasFoundByTheFuzzer)
+{
+	const std::string Bytes = Read(GetParam());
+	std::vector<uint32_t> Words(Bytes.size() / 4);
+	std::copy_n(Bytes.data(), Words.size() * 4, reinterpret_cast<char*>(Words.data()));
+	std::string Message;
+	const ESpirvWalk Walk = WalkSpirv(Words, Message);
+	EXPECT_TRUE(Is("found") || Walk == ESpirvWalk::Run) << Message;
+}
+
 INSTANTIATE_TEST_SUITE_P(Files, SettingsTextCorpus, testing::ValuesIn(FindCorpus("settings")), GetName);
 INSTANTIATE_TEST_SUITE_P(Files, ConfigJsonCorpus, testing::ValuesIn(FindCorpus("config")), GetName);
+INSTANTIATE_TEST_SUITE_P(Files, ExrCorpus, testing::ValuesIn(FindCorpus("exr")), GetName);
+INSTANTIATE_TEST_SUITE_P(Files, SpirvCorpus, testing::ValuesIn(FindCorpus("spirv")), GetName);

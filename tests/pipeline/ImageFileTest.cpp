@@ -63,6 +63,20 @@ std::pair<int, int> ErrorOf(const std::string& Path)
 	return {0, 0};
 }
 
+/** Most memory that this process has held; 0 where the system does not say. */
+int64_t GetPeakKilobytes()
+{
+	std::ifstream Status("/proc/self/status");
+	for (std::string Line; std::getline(Status, Line);)
+	{
+		if (Line.rfind("VmHWM:", 0) == 0)
+		{
+			return std::atoll(Line.c_str() + 6);
+		}
+	}
+	return 0;
+}
+
 const FImage TwoPixels{2, 1, 3, {0.0, 0.25, 1.5, -2.0, 65504.0, 1e-7}};
 
 } // namespace
@@ -197,6 +211,34 @@ TEST_F(ImageFile, CorruptExrIsAnErrorOrReadsButNeverCrashes)
 		const int ExitCode = ErrorOf(Path("bad.exr")).second;
 		EXPECT_TRUE(ExitCode == 0 || ExitCode == ExitFiles) << Offset;
 	}
+}
+
+TEST_F(ImageFile, ForgedHeadersAreRefusedForWhatTheySay)
+{
+	const std::string Corpus = DRYDOCK_TEST_SOURCE_DIR "/tests/fuzz/corpus/exr/forged_";
+	const std::vector<std::pair<std::string, int>> Forged = {
+		{"window", ErrorImageTooLarge}, // 16384 x 1048577
+		{"window_negative", ErrorImageTooLarge},
+		{"window_sparse", ErrorImageBroken}, // 16384 x 16384 by RLE in a kilobyte
+		{"window_zip", ErrorImageBroken},
+		{"attribute", ErrorImageBroken}, // 2 GB
+		{"attribute_negative", ErrorImageBroken},
+		{"tile_huge", ErrorImageBroken}, // 16000 x 16000
+		{"tile_tiny", ErrorImageBroken}, // a million tiles
+		{"tile_none", ErrorImageBroken},
+		{"chunks", ErrorImageBroken}, // 2^31 of them
+		{"sampling", ErrorImageBroken},
+		{"channel_type", ErrorImageBroken},
+		{"name", ErrorImageBroken},
+		{"png", ErrorImageBroken},
+	};
+	std::ofstream("/proc/self/clear_refs") << "5"; // the peak begins anew
+	const int64_t Before = GetPeakKilobytes();
+	for (const auto& [Name, Code] : Forged)
+	{
+		EXPECT_EQ((std::pair<int, int>{Code, ExitFiles}), ErrorOf(Corpus + Name + ".exr")) << Name;
+	}
+	EXPECT_LT(GetPeakKilobytes() - Before, 100'000); // of the gigabytes that they ask for
 }
 
 TEST_F(ImageFile, FolderThatDoesNotExistIsAWriteError)
