@@ -153,6 +153,22 @@ TEST(ShaderRefusals, InputsThatNoPassFillsAreNamed)
 		HasSubstr("semantic COLOR"));
 }
 
+TEST(ShaderRefusals, InputsOfTypesThatNoPassFillsAreNamed)
+{
+	EXPECT_THAT(ErrorsOf("float4 Main(nointerpolation uint4 C : TEXCOORD0) : SV_Target0 { return C; }\n",
+					EShaderStage::Pixel),
+		HasSubstr("(TEXCOORD0) is of a type that the CPU tier does not fill"));
+	EXPECT_THAT(
+		ErrorsOf("float4 Main(float4x4 C : TEXCOORD0) : SV_Target0 { return C[1]; }\n", EShaderStage::Pixel),
+		HasSubstr("use float, float2, float3 or float4"));
+}
+
+TEST(ShaderRefusals, GroupsLargerThanDirect3DsAreNamed)
+{
+	EXPECT_THAT(ErrorsOf("[numthreads(64, 32, 1)] void Main(uint3 Id : SV_DispatchThreadID) { Out[Id.xy] = 1; }\n"),
+		HasSubstr("numthreads(64, 32, 1)"));
+}
+
 TEST(RunChild, GivesOutputAndExitCode)
 {
 	const FChildResult Result = RunChild({"/bin/sh", "-c", "echo out; echo err >&2; exit 3"}, 10);
