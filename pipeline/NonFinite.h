@@ -1,4 +1,5 @@
-// What a run does about NaN and infinities: r.Drydock.NonFinite. Source: drydock.
+// What a run does about NaN and infinities (r.Drydock.NonFinite) and about spikes (r.Drydock.SceneColorClamp) of the
+// scene. Source: drydock.
 #pragma once
 
 #include "CoreMinimal.h"
@@ -14,5 +15,9 @@ enum class ENonFinitePolicy : int32
 };
 
 ENonFinitePolicy GetNonFinitePolicy();
+
+/** Largest magnitude of a channel of scene colour, from r.Drydock.SceneColorClamp; infinity where it is off (0 and
+ * below, NaN). It comes before the policy: an infinity that it cuts off is not counted any more. */
+float GetSceneColorClamp();
 
 } // namespace Drydock

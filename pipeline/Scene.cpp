@@ -326,6 +326,8 @@ void FScene::Fill(const FFill& Fill, const FPlanes& Planes, const FScenePackCont
 	const FIntPoint Corner(Config.Padding.Left, Config.Padding.Top);
 	const FIntPoint Extent = GetExtent();
 	const bool bZero = GetNonFinitePolicy() == ENonFinitePolicy::Zero;
+	const bool bColor = Fill.Packing->Texture == &FSceneTextures::Color;
+	const float Limit = bColor ? GetSceneColorClamp() : std::numeric_limits<float>::infinity();
 	const std::vector<FSource>& Sources = Fill.Sources;
 	std::vector<const float*> Data;
 	for (const FSource& Source : Sources)
@@ -340,6 +342,10 @@ void FScene::Fill(const FFill& Fill, const FPlanes& Planes, const FScenePackCont
 		for (size_t Slot = 0; Slot < Sources.size(); ++Slot)
 		{
 			Values[Slot] = Data[Slot] != nullptr ? Data[Slot][Pixel] : Sources[Slot].Default;
+			if (Slot < 3 && std::abs(Values[Slot]) > Limit)
+			{
+				Values[Slot] = std::copysign(Limit, Values[Slot]);
+			}
 			if (!std::isfinite(Values[Slot]))
 			{
 				Count = Count.Count++ == 0 ? FNonFiniteCount{1, X, Y} : Count;
@@ -352,7 +358,7 @@ void FScene::Fill(const FFill& Fill, const FPlanes& Planes, const FScenePackCont
 	std::vector<FPixelSource> PixelSources;
 	for (const FSceneRegion& Region : AllRegions)
 	{
-		PixelSources.emplace_back(Region, Fill.Packing->Texture == &FSceneTextures::Color);
+		PixelSources.emplace_back(Region, bColor);
 	}
 	const auto FillRow = [&](int32 Y, TArray<FLinearColor>& Row)
 	{
@@ -383,7 +389,7 @@ void FScene::Fill(const FFill& Fill, const FPlanes& Planes, const FScenePackCont
 				Fill.Texture->WriteRow(0, Y, Row);
 			}
 		});
-	if (Fill.Packing->Texture != &FSceneTextures::Color)
+	if (!bColor)
 	{
 		return;
 	}

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <unistd.h>
 
 using namespace Drydock;
@@ -394,6 +395,47 @@ TEST(RunNonFinite, IsCountedZeroedOrRefusedByPolicy)
 	EXPECT_EQ(0.0, RunConfig(Options).SceneLinear.Get(9, 7, 1));
 	Options.Variables = {"r.Drydock.NonFinite=2"};
 	EXPECT_EQ("4002 1", ErrorOf(Options));
+	std::filesystem::remove_all(Folder);
+}
+
+TEST(RunNonFinite, SceneColorClampCutsSpikesAndInfinitiesOnly)
+{
+	const std::filesystem::path Folder = MakeTemporaryFolder();
+	std::filesystem::create_directories(Folder);
+	FImage Image{32, 16, 4, std::vector<double>(32 * 16 * 4, 0.5)};
+	const auto At = [](int X, int Y, int Channel)
+	{
+		return static_cast<size_t>((Y * 32 + X) * 4 + Channel);
+	};
+	Image.Values[At(9, 7, 0)] = 60000.0; // a spike of a resolve
+	Image.Values[At(9, 7, 1)] = 10.0;
+	Image.Values[At(9, 7, 2)] = -20.0; // its ring
+	Image.Values[At(9, 7, 3)] = 20.0;
+	Image.Values[At(10, 7, 0)] = std::numeric_limits<double>::infinity();
+	Image.Values[At(10, 7, 1)] = std::nan("");
+	WriteExr((Folder / "spike.exr").string(), Image, {"R", "G", "B", "A"});
+	FRunOptions Options;
+	Options.ConfigFile = (Folder / "a.json").string();
+	Options.ConfigText = R"({"scene": {"file": "spike.exr"}})";
+	const auto Color = [](const FRunResult& Result, int X)
+	{
+		return std::vector<double>{Result.SceneLinear.Get(X, 7, 0), Result.SceneLinear.Get(X, 7, 1),
+			Result.SceneLinear.Get(X, 7, 2), Result.SceneLinear.Get(X, 7, 3)};
+	};
+	EXPECT_EQ((std::vector<double>{60000.0, 10.0, -20.0, 20.0}), Color(RunConfig(Options), 9));
+
+	Options.Variables = {"r.Drydock.SceneColorClamp=10"};
+	const FRunResult Clamped = RunConfig(Options);
+	EXPECT_EQ((std::vector<double>{10.0, 10.0, -10.0, 20.0}), Color(Clamped, 9));
+	EXPECT_EQ(10.0, Color(Clamped, 10)[0]);
+	EXPECT_TRUE(std::isnan(Color(Clamped, 10)[1]));
+	EXPECT_EQ("1 value is NaN or infinite, first at pixel (10, 7)", Clamped.Diagnostics[0].Message);
+
+	// Clamp first, then the policy: infinity is cut off, NaN is zeroed.
+	Options.Variables = {"r.Drydock.SceneColorClamp=10", "r.Drydock.NonFinite=1"};
+	EXPECT_EQ((std::vector<double>{10.0, 0.0, 0.5, 0.5}), Color(RunConfig(Options), 10));
+	Options.Variables = {"r.Drydock.SceneColorClamp=-3"}; // off
+	EXPECT_EQ((std::vector<double>{60000.0, 10.0, -20.0, 20.0}), Color(RunConfig(Options), 9));
 	std::filesystem::remove_all(Folder);
 }
 
