@@ -7,6 +7,7 @@
 #include "RHIStaticStates.h"
 #include "RasterTarget.h"
 #include "RenderGraphBuilder.h"
+#include "SampleSteps.h"
 #include "SceneRendering.h"
 #include "ShaderParameterStruct.h"
 
@@ -38,6 +39,7 @@ public:
 		SHADER_PARAMETER(float, EdgeThreshold)
 		SHADER_PARAMETER(float, EdgeThresholdMin)
 		SHADER_PARAMETER(float, EdgeSharpness)
+		SHADER_PARAMETER(float, SampleSteps)
 		RENDER_TARGET_BINDING_SLOTS()
 	END_SHADER_PARAMETER_STRUCT()
 };
@@ -70,6 +72,7 @@ FScreenPassTexture AddFXAAPass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
 	PassParameters->EdgeThreshold = bConsole ? 0.125f : 0.166f;
 	PassParameters->EdgeThresholdMin = bConsole ? 0.05f : 0.0833f;
 	PassParameters->EdgeSharpness = 8.0f;
+	PassParameters->SampleSteps = static_cast<float>(Drydock::GetSampleSteps());
 	PassParameters->RenderTargets[0] = Output.GetRenderTargetBinding();
 
 	FFXAAPS::FPermutationDomain Permutation;

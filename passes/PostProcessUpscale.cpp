@@ -7,6 +7,7 @@
 #include "RHIStaticStates.h"
 #include "RasterTarget.h"
 #include "RenderGraphBuilder.h"
+#include "SampleSteps.h"
 #include "SceneRendering.h"
 #include "ShaderParameterStruct.h"
 
@@ -37,6 +38,7 @@ public:
 		SHADER_PARAMETER_RDG_TEXTURE(Texture2D, InputTexture)
 		SHADER_PARAMETER_SAMPLER(SamplerState, InputSampler)
 		SHADER_PARAMETER(float, Softness)
+		SHADER_PARAMETER(float, SampleSteps)
 		RENDER_TARGET_BINDING_SLOTS()
 	END_SHADER_PARAMETER_STRUCT()
 };
@@ -75,6 +77,7 @@ FScreenPassTexture AddUpscalePass(FRDGBuilder& GraphBuilder, const FViewInfo& Vi
 									   ? TStaticSamplerState<SF_Point, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI()
 									   : TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
 	PassParameters->Softness = FMath::Clamp(CVarUpscaleSoftness.GetValueOnRenderThread(), 0.0f, 1.0f);
+	PassParameters->SampleSteps = static_cast<float>(Drydock::GetSampleSteps());
 	PassParameters->RenderTargets[0] = Output.GetRenderTargetBinding();
 
 	FUpscalePS::FPermutationDomain Permutation;

@@ -7,6 +7,7 @@
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphUtils.h"
+#include "SampleSteps.h"
 #include "SceneRendering.h"
 #include "ShaderParameterStruct.h"
 
@@ -112,13 +113,6 @@ struct FFilterPassInputs
 	EGaussianBlurAddress Address = EGaussianBlurAddress::Black;
 };
 
-/** Steps of the sampler to a texel, 0 where it does not snap. */
-double GetSampleSteps()
-{
-	const IConsoleVariable* SampleBits = IConsoleManager::Get().FindConsoleVariable(TEXT("r.Drydock.SampleBits"));
-	return SampleBits && SampleBits->GetInt() != 0 ? 256.0 : 0.0;
-}
-
 /** Pixels of the output lie on the sampler's steps: at texel centres, corners or quarters. */
 bool IsAligned(const FIntRect& Filter, const FIntRect& Output)
 {
@@ -133,7 +127,7 @@ bool IsAligned(const FIntRect& Filter, const FIntRect& Output)
  * snapped here, once, where that gives what the sampler would: then no rounding of UV can tip one over. */
 void SetTaps(const FFilterPassInputs& Inputs, FFilterParameters& Parameters)
 {
-	const double Steps = GetSampleSteps();
+	const double Steps = Drydock::GetSampleSteps();
 	const bool bSnapHere = Steps > 0.0 && IsAligned(Inputs.Filter.ViewRect, Inputs.OutputRect);
 	Parameters.SampleSteps = static_cast<float>(Steps);
 	Parameters.bSnapTaps = Steps > 0.0 && !bSnapHere ? 1 : 0;
