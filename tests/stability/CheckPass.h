@@ -1,0 +1,17 @@
+// Runs one cell of a pass and holds it to what the table expects. Source: drydock.
+#pragma once
+
+#include "Table.h"
+
+#include <string>
+
+namespace Stability
+{
+
+/** Empty where the cell holds; else what was found in its place. */
+std::string CheckPass(const FPassRow& Row, EHazard Hazard);
+
+/** The same of a rule of blending. */
+std::string CheckBlend(const FBlendRow& Row, EHazard Hazard);
+
+} // namespace Stability

@@ -1,0 +1,117 @@
+// Source: drydock.
+#include "Runs.h"
+
+#include "Cases.h"
+
+#include "PostProcessAA.h"
+#include "PostProcessCombineLUTs.h"
+#include "PostProcessTonemap.h"
+
+#include <algorithm>
+
+namespace Stability
+{
+
+namespace
+{
+
+void SetGrading(const FCase& Case, FFinalPostProcessSettings& Settings)
+{
+	if (Case.Intensity)
+	{
+		Settings.ColorGain = FVector4(1, 1, 1, *Case.Intensity);
+	}
+	if (Case.Power)
+	{
+		Settings.ColorGamma = FVector4(1, 1, 1, *Case.Power);
+		Settings.ColorContrast = FVector4(1, 1, 1, *Case.Power);
+		Settings.ColorOffset = FVector4(0, 0, 0, -0.25); // colours below 0 before the curve
+	}
+}
+
+enum class EForm
+{
+	Maths,
+	Table,
+	Lens,
+	GammaOnly
+};
+
+FImage RunTonemapper(const FCase& Case, EForm Form)
+{
+	FFrameRun Run(Case);
+	FFinalPostProcessSettings& Settings = Run.View.FinalPostProcessSettings;
+	Settings.VignetteIntensity = 0.0f;
+	SetGrading(Case, Settings);
+	if (Form == EForm::Lens)
+	{
+		Settings.VignetteIntensity = 0.4f;
+		Settings.SceneFringeIntensity = 2.0f;
+		Settings.Sharpen = 1.0f;
+		Settings.FilmGrainIntensity = 0.5f;
+	}
+	FTonemapInputs Inputs;
+	Inputs.SceneColor = Run.Input;
+	if (Form == EForm::Lens)
+	{
+		Inputs.Bloom = Run.Input;
+	}
+	if (Form == EForm::Table)
+	{
+		Inputs.ColorGradingTexture = AddCombineLUTPass(Run.GraphBuilder, Run.View);
+	}
+	Inputs.EyeAdaptationBuffer = CreateEyeAdaptationBuffer(Run.GraphBuilder, 1.0f);
+	Inputs.OutputFormat = PF_A32B32G32R32F;
+	Inputs.bGammaOnly = Form == EForm::GammaOnly;
+	return Run.Execute(AddTonemapPass(Run.GraphBuilder, Run.View, Inputs));
+}
+
+} // namespace
+
+FImage RunCombineLUTs(const FCase& Case)
+{
+	constexpr float LinearWithToneCurve = 9.0f;
+	const PassTest::FScopedConsoleVariable Device(
+		TEXT("r.HDR.Display.OutputDevice"), Case.Variant == 0 ? 0.0f : LinearWithToneCurve);
+	FCase Small = Case;
+	Small.Image = FImage(1, 1);
+	FFrameRun Run(Small);
+	SetGrading(Case, Run.View.FinalPostProcessSettings);
+	const FRDGTextureRef Table = AddCombineLUTPass(Run.GraphBuilder, Run.View);
+	FImage Slice = Run.Execute(FScreenPassTexture(Table, FIntRect(16 * 32, 0, 17 * 32, 32)));
+	for (FTexel& Texel : Slice.Texels)
+	{
+		for (int Channel = 0; Channel < 3 && Case.Variant == 0; ++Channel)
+		{
+			Texel[Channel] = std::clamp(Texel[Channel], 0.0, 1.0); // the format ends there; 64-bit storage does not
+		}
+	}
+	return Slice;
+}
+
+FImage RunTonemap(const FCase& Case)
+{
+	return RunTonemapper(Case, Case.Variant == 0 ? EForm::Maths : EForm::Table);
+}
+
+FImage RunTonemapLens(const FCase& Case)
+{
+	return RunTonemapper(Case, EForm::Lens);
+}
+
+FImage RunTonemapGamma(const FCase& Case)
+{
+	return RunTonemapper(Case, EForm::GammaOnly);
+}
+
+FImage RunFXAA(const FCase& Case)
+{
+	FFrameRun Run(Case);
+	FFXAAInputs Inputs;
+	Inputs.SceneColor = Run.Input;
+	Inputs.Quality = static_cast<EFXAAQuality>(Case.Variant);
+	Inputs.bLumaInAlpha = false;
+	return Run.Execute(AddFXAAPass(Run.GraphBuilder, Run.View, Inputs));
+}
+
+} // namespace Stability

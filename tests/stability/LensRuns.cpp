@@ -1,0 +1,34 @@
+// Source: drydock.
+#include "Runs.h"
+
+#include "Cases.h"
+
+#include "DiaphragmDOF.h"
+#include "PostProcessMotionBlur.h"
+
+namespace Stability
+{
+
+FImage RunDiaphragmDOF(const FCase& Case)
+{
+	FFrameRun Run(Case);
+	DiaphragmDOF::FPhysicalCocModel Model;
+	Model.FocusDistance = 300.0f;
+	Model.InfinityRadius = static_cast<float>(Case.Sigma.value_or(6.0));
+	Model.MaxForegroundRadius = Model.MaxBackgroundRadius = 40.0f;
+	const auto SceneTextures = Run.GetSceneTextures();
+	return Run.Execute(DiaphragmDOF::AddPasses(Run.GraphBuilder, Run.View, SceneTextures, Run.Input, Model));
+}
+
+FImage RunMotionBlur(const FCase& Case)
+{
+	FFrameRun Run(Case);
+	FMotionBlurInputs Inputs;
+	Inputs.SceneTextures = Run.GetSceneTextures();
+	Inputs.SceneColor = Run.Input;
+	Inputs.VelocityScale = static_cast<float>(Case.Sigma.value_or(1.0));
+	Inputs.MaxLength = 16.0f;
+	return Run.Execute(AddMotionBlurPass(Run.GraphBuilder, Run.View, Inputs));
+}
+
+} // namespace Stability

@@ -1,0 +1,193 @@
+// Source: drydock.
+#include "Runs.h"
+
+#include "Cases.h"
+
+#include "CharaGlow.h"
+#include "REDDepthOfField.h"
+#include "REDPostProcess.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Stability
+{
+
+namespace
+{
+
+FImage RunChain(const FCase& Case, const FREDPostProcessParameters& Parameters)
+{
+	FFrameRun Run(Case);
+	return Run.Execute(AddREDPostProcessPasses(Run.GraphBuilder, Run.View, Run.Input, Parameters));
+}
+
+FImage RunDiffusion(const FCase& Case, bool bAsPrinted)
+{
+	FREDPostProcessParameters Parameters;
+	Parameters.DiffusionFilterIntensity = static_cast<float>(Case.Intensity.value_or(1.0));
+	Parameters.LuminancePow = static_cast<float>(Case.Power.value_or(1.0));
+	Parameters.DiffusionFilterPower = static_cast<float>(Case.Power.value_or(1.0));
+	Parameters.LuminanceThreshold = static_cast<float>(Case.Threshold.value_or(0.0));
+	Parameters.DiffusionFilterBlend = Case.Variant == 0 ? EDiffusionFilterBlend::Screen : EDiffusionFilterBlend::Max;
+	Parameters.bAsPrinted = bAsPrinted;
+	return RunChain(Case, Parameters);
+}
+
+FImage RunGlow(const FCase& Case, bool bAsPrinted)
+{
+	FFrameRun Run(Case);
+	FCharaGlowInputs Inputs;
+	Inputs.SceneTextures = Run.GetSceneTextures();
+	Inputs.SceneColor = Run.Input;
+	Inputs.Area = static_cast<float>(Case.Sigma.value_or(3.5));
+	Inputs.Color = FLinearColor(1.0f, 1.0f, 1.0f, static_cast<float>(Case.Intensity.value_or(1.0)));
+	Inputs.bAsPrinted = bAsPrinted;
+	return Run.Execute(AddCharaGlow(Run.GraphBuilder, Run.View, Inputs));
+}
+
+FImage RunDof(const FCase& Case, bool bAsPrinted)
+{
+	FFrameRun Run(Case);
+	FREDDepthOfFieldInputs Inputs;
+	Inputs.SceneTextures = Run.GetSceneTextures();
+	Inputs.SceneColor = Run.Input;
+	Inputs.FocalDistance = 300.0f;
+	Inputs.FocalRegion = 100.0f;
+	const double Diameter = 2.0 * Case.Sigma.value_or(2.0);
+	Inputs.NearBlurSize = Inputs.FarBlurSize = static_cast<float>(100.0 * Diameter / Case.Image.Width);
+	Inputs.bAsPrinted = bAsPrinted;
+	return Run.Execute(AddREDDepthOfFieldPasses(Run.GraphBuilder, Run.View, Inputs));
+}
+
+double Screen(double A, double B)
+{
+	return 1 - (1 - A) * (1 - B);
+}
+
+/** On what lies in 0..1; what lies above is added. */
+double ScreenOfLight(double A, double B)
+{
+	A = std::max(A, 0.0);
+	B = std::max(B, 0.0);
+	return Screen(std::min(A, 1.0), std::min(B, 1.0)) + std::max(A - 1, 0.0) + std::max(B - 1, 0.0);
+}
+
+} // namespace
+
+FImage RunREDDiffusion(const FCase& Case)
+{
+	return RunDiffusion(Case, false);
+}
+
+FImage RunREDDiffusionAsPrinted(const FCase& Case)
+{
+	return RunDiffusion(Case, true);
+}
+
+// Of a flat picture, whose blur is the picture.
+FImage REDDiffusionFormula(const FCase& Case)
+{
+	const FTexel Flat = Case.Image.At(0, 0);
+	const double Luma = std::max(0.299 * Flat[0] + 0.587 * Flat[1] + 0.114 * Flat[2], 0.0);
+	const double Power = Case.Power.value_or(1.0);
+	const double Extract = std::clamp(std::pow(Luma, Power) - Case.Threshold.value_or(0.0), 0.0, 1.0);
+	FTexel Result = Flat;
+	for (int Channel = 0; Channel < 3; ++Channel)
+	{
+		const double A = std::max(Flat[Channel], 0.0);
+		const double B = std::max(Flat[Channel] * Extract * Case.Intensity.value_or(1.0), 0.0);
+		const double InA = std::min(A, 1.0), InB = std::min(B, 1.0);
+		Result[Channel] = Case.Variant == 0 ? std::pow(Screen(InA, InB), Power) + (A - InA) + (B - InB)
+											: std::pow(std::max(InA, InB), Power) + std::max(std::max(A, B) - 1, 0.0);
+	}
+	return FImage(Case.Image.Width, Case.Image.Height, Result);
+}
+
+FImage RunREDSoftFocus(const FCase& Case)
+{
+	FREDPostProcessParameters Parameters;
+	Parameters.DiffusionFilterIntensity = 0.0f;
+	Parameters.SoftFocusBlend = static_cast<float>(Case.Intensity.value_or(1.0));
+	return RunChain(Case, Parameters);
+}
+
+FImage RunREDGlow(const FCase& Case)
+{
+	FREDPostProcessParameters Parameters;
+	Parameters.DiffusionFilterIntensity = 0.0f;
+	Parameters.GlowIntensity = static_cast<float>(Case.Intensity.value_or(1.0));
+	return RunChain(Case, Parameters);
+}
+
+// Of a flat picture.
+FImage REDGlowFormula(const FCase& Case)
+{
+	FTexel Result = Case.Image.At(0, 0);
+	for (int Channel = 0; Channel < 3; ++Channel)
+	{
+		Result[Channel] = ScreenOfLight(Result[Channel], Result[Channel] * Case.Intensity.value_or(1.0));
+	}
+	return FImage(Case.Image.Width, Case.Image.Height, Result);
+}
+
+FImage RunCharaGlow(const FCase& Case)
+{
+	return RunGlow(Case, false);
+}
+
+FImage RunCharaGlowAsPrinted(const FCase& Case)
+{
+	return RunGlow(Case, true);
+}
+
+FImage CharaGlowFormula(const FCase& Case)
+{
+	const int Width = Case.Image.Width, Height = Case.Image.Height;
+	const double Area = std::min(Case.Sigma.value_or(3.5), 128.0);
+	const int Radius = static_cast<int>(Area);
+	const auto Weight = [&](int Tap)
+	{
+		return std::abs(Tap) > Radius ? Area - Radius : 1.0;
+	};
+	// The mask is a product of a row's and a column's, and so is its mean.
+	const auto Mean = [&](int Center, int Size, const std::function<double(int)>& Mask)
+	{
+		double Sum = 0, Weights = 0;
+		for (int Tap = -Radius - 1; Tap <= Radius + 1; ++Tap)
+		{
+			Sum += Weight(Tap) * Mask(std::clamp(Center + Tap, 0, Size - 1));
+			Weights += Weight(Tap);
+		}
+		return Sum / Weights;
+	};
+	std::vector<double> Columns, Rows;
+	for (int X = 0; X < Width; ++X)
+	{
+		Columns.push_back(Mean(X, Width, [](int At) { return FFrameRun::GetMask(At, 16); }));
+	}
+	for (int Y = 0; Y < Height; ++Y)
+	{
+		Rows.push_back(Mean(Y, Height, [](int At) { return FFrameRun::GetMask(20, At); }));
+	}
+	return FImage::Make(Width, Height,
+		[&](int X, int Y)
+		{
+			const double Glow =
+				std::clamp(Columns[X] * Rows[Y] - FFrameRun::GetMask(X, Y), 0.0, 1.0) * Case.Intensity.value_or(1.0);
+			const FTexel& Color = Case.Image.At(X, Y);
+			return FTexel{Color[0] + Glow, Color[1] + Glow, Color[2] + Glow, Color[3]};
+		});
+}
+
+FImage RunREDDepthOfField(const FCase& Case)
+{
+	return RunDof(Case, false);
+}
+
+FImage RunREDDepthOfFieldAsPrinted(const FCase& Case)
+{
+	return RunDof(Case, true);
+}
+
+} // namespace Stability

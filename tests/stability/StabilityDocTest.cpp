@@ -1,0 +1,234 @@
+// docs/stability.md is made of the table: run with DRYDOCK_BLESS=1 to write it anew after changing a cell.
+// Source: drydock.
+#include <gtest/gtest.h>
+
+#include "Table.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace Stability
+{
+
+namespace
+{
+
+constexpr const char* DocFile = DRYDOCK_TEST_SOURCE_DIR "/docs/stability.md";
+
+constexpr const char* Introduction =
+	R"(# Stability
+
+What every pass and every rule of blending does with numbers, sizes and parameters that break other programs. This page is
+made of the table in `tests/stability` (`DRYDOCK_BLESS=1 build/release/bin/test_stability` writes it anew), and the same
+program runs every cell; a cell that is missing there does not compile. Each pass states its contract in its header too.
+
+**In a frame.** `r.Drydock.NonFinite` says what becomes of NaN and infinities in the scene's colour: 0 they pass on, as in
+the engine, and are counted (DD4001); 1 they are loaded as 0; 2 the run fails (DD4002). `r.Drydock.SceneColorClamp V`, off by
+default, comes first and loads red, green and blue within -V .. V, infinities too; NaN it leaves to the policy.
+
+**Denormals.** Shaders of float flush them to 0, on input and on output; stores keep denormal halves. The control word of the
+thread is as it was after every pass. `bench_denormals` measures what a picture of denormals costs.
+)";
+
+constexpr const char* GroupTitles[] = {"Values", "Sizes", "Parameters", "Sums and weights"};
+
+/** What a row of either kind says. */
+struct FSection
+{
+	std::string Name;
+	std::string Header;
+	const FCells* Cells;
+};
+
+std::vector<FSection> GetPasses()
+{
+	std::vector<FSection> Sections;
+	for (const auto GetRows : {GetSamplingRows, GetBloomRows, GetBlurRows, GetToonRows, GetREDRows, GetLensRows,
+			 GetExposureRows, GetDisplayRows})
+	{
+		for (const FPassRow& Row : GetRows())
+		{
+			Sections.push_back({Row.Name, std::string("passes/") + Row.Header, &Row.Cells});
+		}
+	}
+	return Sections;
+}
+
+std::vector<FSection> GetRules()
+{
+	std::vector<FSection> Sections;
+	for (const FBlendRow& Row : GetBlendRows())
+	{
+		Sections.push_back({Row.Name, std::string("settings/") + Row.Header, &Row.Cells});
+	}
+	return Sections;
+}
+
+const char* GetSymbol(const FCell& Cell)
+{
+	return Expectations[static_cast<size_t>(Cell.Expect)].Symbol;
+}
+
+/** Columns in which some row of these has something to say. */
+std::vector<EHazard> GetColumns(const std::vector<FSection>& Sections, EHazardGroup Group)
+{
+	std::vector<EHazard> Columns;
+	for (size_t Index = 0; Index < NumHazards; ++Index)
+	{
+		const EHazard Hazard = static_cast<EHazard>(Index);
+		bool bApplies = false;
+		for (const FSection& Section : Sections)
+		{
+			bApplies = bApplies || (*Section.Cells)[Hazard].Expect != EExpect::DoesNotApply;
+		}
+		if (Hazards[Index].Group == Group && bApplies)
+		{
+			Columns.push_back(Hazard);
+		}
+	}
+	return Columns;
+}
+
+void WriteTables(std::ostream& Text, const std::vector<FSection>& Sections, const char* Kind)
+{
+	for (size_t Group = 0; Group < static_cast<size_t>(EHazardGroup::MAX); ++Group)
+	{
+		const std::vector<EHazard> Columns = GetColumns(Sections, static_cast<EHazardGroup>(Group));
+		if (Columns.empty())
+		{
+			continue;
+		}
+		Text << "\n### " << GroupTitles[Group] << "\n\n| " << Kind << " |";
+		for (const EHazard Hazard : Columns)
+		{
+			Text << " " << Hazards[static_cast<size_t>(Hazard)].Title << " |";
+		}
+		Text << "\n|---|";
+		for (size_t Column = 0; Column < Columns.size(); ++Column)
+		{
+			Text << ":-:|";
+		}
+		Text << "\n";
+		for (const FSection& Section : Sections)
+		{
+			Text << "| " << Section.Name << " |";
+			for (const EHazard Hazard : Columns)
+			{
+				Text << " " << GetSymbol((*Section.Cells)[Hazard]) << " |";
+			}
+			Text << "\n";
+		}
+	}
+}
+
+/** Hazards of one reason on one line, in the order of the table; what does not apply comes last. */
+void WriteReasons(std::ostream& Text, const FSection& Section)
+{
+	Text << "\n### " << Section.Name << "\n\n`" << Section.Header << "`\n\n";
+	std::vector<std::pair<const FCell*, std::string>> Lines;
+	for (size_t Index = 0; Index < NumHazards; ++Index)
+	{
+		const FCell& Cell = (*Section.Cells)[static_cast<EHazard>(Index)];
+		std::string* Found = nullptr;
+		for (auto& [Other, Titles] : Lines)
+		{
+			if (Other->Expect == Cell.Expect && Other->Reason == Cell.Reason && Other->Bound == Cell.Bound)
+			{
+				Found = &Titles;
+			}
+		}
+		if (Found != nullptr)
+		{
+			*Found += std::string(", ") + Hazards[Index].Title;
+		}
+		else
+		{
+			Lines.emplace_back(&Cell, Hazards[Index].Title);
+		}
+	}
+	for (const bool bApplies : {true, false})
+	{
+		for (const auto& [Cell, Titles] : Lines)
+		{
+			if ((Cell->Expect != EExpect::DoesNotApply) != bApplies)
+			{
+				continue;
+			}
+			Text << "- " << (bApplies ? std::string("**") + GetSymbol(*Cell) + "** " : "") << Titles
+				 << (bApplies ? ": " : " " + std::string(GetSymbol(*Cell)) + " ") << Cell->Reason;
+			if (Cell->Bound != 0.0)
+			{
+				Text << " (" << Cell->Bound << ")";
+			}
+			Text << "\n";
+		}
+	}
+}
+
+std::string MakeDoc()
+{
+	std::ostringstream Text;
+	Text << Introduction << "\n## How to read it\n\n| symbol | what holds |\n|:-:|---|\n";
+	for (const FExpectation& Expectation : Expectations)
+	{
+		Text << "| " << Expectation.Symbol << " | " << Expectation.Meaning << " |\n";
+	}
+	Text << "\nA footprint is what a pixel looks at: one bad pixel changes no pixel that does not look at it. Numbers "
+			"in "
+			"parentheses\nare bounds: relative errors, slopes, or the value that a pixel counts as.\n\n| hazard | case "
+			"|\n|---|---|\n";
+	for (const FHazard& Hazard : Hazards)
+	{
+		Text << "| " << Hazard.Title << " | " << Hazard.Case << " |\n";
+	}
+	Text << "\n## Passes\n";
+	WriteTables(Text, GetPasses(), "pass");
+	Text << "\n## Rules of blending\n";
+	WriteTables(Text, GetRules(), "rule");
+	Text << "\n## Why: passes\n";
+	for (const FSection& Section : GetPasses())
+	{
+		WriteReasons(Text, Section);
+	}
+	Text << "\n## Why: rules of blending\n";
+	for (const FSection& Section : GetRules())
+	{
+		WriteReasons(Text, Section);
+	}
+	return Text.str();
+}
+
+std::string ReadFile(const char* Path)
+{
+	std::ifstream File(Path);
+	std::ostringstream Text;
+	Text << File.rdbuf();
+	return Text.str();
+}
+
+} // namespace
+
+TEST(StabilityDoc, IsTheTable)
+{
+	if (std::getenv("DRYDOCK_BLESS") != nullptr)
+	{
+		std::ofstream(DocFile) << MakeDoc();
+	}
+	EXPECT_EQ(ReadFile(DocFile), MakeDoc()) << "run with DRYDOCK_BLESS=1 and commit";
+}
+
+TEST(StabilityDoc, SymbolsAreUnique)
+{
+	std::map<std::string, std::string> Names;
+	for (const FExpectation& Expectation : Expectations)
+	{
+		EXPECT_TRUE(Names.emplace(Expectation.Symbol, Expectation.Name).second)
+			<< Expectation.Name << " and " << Names[Expectation.Symbol];
+	}
+}
+
+} // namespace Stability

@@ -1,0 +1,110 @@
+// Source: drydock.
+#include "Runs.h"
+
+#include "Cases.h"
+
+#include "ToonShadowBlur.h"
+
+#include <algorithm>
+
+namespace Stability
+{
+
+namespace
+{
+
+constexpr double PlainShadow = 0.4;   // of R; multiples of 1/5 are multiples of 1/255
+constexpr double BlurredShadow = 0.6; // of A
+
+FImage RunBlur(const FCase& Case, bool bAsPrinted)
+{
+	FCase Stored = Case;
+	Stored.Format = PF_R8G8B8A8;
+	FFrameRun Run(Stored);
+	constexpr EToonShadowBlurStore Store = EToonShadowBlurStore::SqrtEightBit;
+	FFinalPostProcessSettings Settings;
+	Settings.ToonShadowBlurStore = Store;
+	FToonShadowBlurInputs Inputs = FToonShadowBlurInputs::FromSettings(Settings, Run.Input);
+	Inputs.bAsPrinted = bAsPrinted;
+	for (FGaussianBlurStage& Stage : Inputs.Blur.Stages)
+	{
+		Stage.Size = Case.Sigma ? static_cast<float>(*Case.Sigma) : Stage.Size;
+	}
+	const FImage Result = Run.Execute(AddToonShadowBlurPasses(Run.GraphBuilder, Run.View, Inputs));
+	return FImage::Make(Result.Width, Result.Height,
+		[&](int X, int Y)
+		{
+			const double Blurred = Drydock::DecodeToonShadowBlur(static_cast<float>(Result.At(X, Y)[3]), Store);
+			return FTexel{Blurred, Blurred, Blurred, 1};
+		});
+}
+
+FImage RunLighting(const FCase& Case, bool bAsPrinted)
+{
+	FFrameRun Run(Case);
+	FToonShadowLightingInputs Inputs;
+	Inputs.SceneTextures = Run.GetSceneTextures();
+	Inputs.SceneColor = Run.Input;
+	Inputs.ToonShadow = Run.AddInput(FImage(Case.Image.Width, Case.Image.Height, {PlainShadow, 1, 0, BlurredShadow}),
+		PF_R8G8B8A8, TEXT("ToonShadow"));
+	Inputs.Intensity = static_cast<float>(Case.Intensity.value_or(1.0));
+	Inputs.Blend = Case.Variant == 0 ? EToonShadowBlurBlend::Screen : EToonShadowBlurBlend::Max;
+	Inputs.Store = EToonShadowBlurStore::SixteenBit;
+	Inputs.bAsPrinted = bAsPrinted;
+	return Run.Execute(AddToonShadowLightingPass(Run.GraphBuilder, Run.View, Inputs));
+}
+
+} // namespace
+
+FImage RunToonShadowBlur(const FCase& Case)
+{
+	return RunBlur(Case, false);
+}
+
+FImage ToonShadowBlurFormula(const FCase& Case)
+{
+	const FTexel& Flat = Case.Image.At(0, 0);
+	const double Shadow = Case.Sigma == 0.0 ? 1.0 : std::min(Flat[0], Flat[1]);
+	return FImage(Case.Image.Width, Case.Image.Height, {Shadow, Shadow, Shadow, 1});
+}
+
+FImage RunToonShadowBlurAsPrinted(const FCase& Case)
+{
+	return RunBlur(Case, true);
+}
+
+FImage RunToonShadowLighting(const FCase& Case)
+{
+	return RunLighting(Case, false);
+}
+
+FImage RunToonShadowLightingAsPrinted(const FCase& Case)
+{
+	return RunLighting(Case, true);
+}
+
+// White light on a white base.
+FImage ToonShadowLightingFormula(const FCase& Case)
+{
+	const double Intensity = Case.Intensity.value_or(1.0);
+	return FImage::Make(Case.Image.Width, Case.Image.Height,
+		[&](int X, int Y)
+		{
+			FTexel Color = Case.Image.At(X, Y);
+			for (int Channel = 0; Channel < 3 && FFrameRun::IsCloth(X); ++Channel)
+			{
+				double& Value = Color[Channel];
+				if (Case.Variant == 1)
+				{
+					Value += (BlurredShadow - PlainShadow) * Intensity;
+					continue;
+				}
+				const double Lit = std::max(Value, 0.0), Light = std::max(BlurredShadow * Intensity, 0.0);
+				Value = 1 - (1 - std::min(Lit, 1.0)) * (1 - std::min(Light, 1.0)) + std::max(Lit - 1, 0.0) +
+						std::max(Light - 1, 0.0);
+			}
+			return Color;
+		});
+}
+
+} // namespace Stability
