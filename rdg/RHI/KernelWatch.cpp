@@ -35,7 +35,6 @@ public:
 	void Add(FKernelWatch& Watch)
 	{
 		const std::lock_guard Lock(Mutex);
-		Watch.SecondsSeen = FPlatformTime::Seconds();
 		Watches.push_back(&Watch);
 		if (!Thread.joinable())
 		{
@@ -73,14 +72,18 @@ private:
 		std::unique_lock Lock(Mutex);
 		while (!bEnds)
 		{
+			const double Now = FPlatformTime::Seconds();
+			const double Passed = std::min(Now - LastLook, LongestLook);
+			LastLook = Now;
 			for (FKernelWatch* Watch : Watches)
 			{
-				Look(*Watch);
+				Look(*Watch, Passed);
 			}
 			bAsleep = Watches.empty();
 			if (bAsleep)
 			{
 				Wake.wait(Lock, [this] { return bEnds || !bAsleep; });
+				LastLook = FPlatformTime::Seconds();
 			}
 			else
 			{
@@ -89,17 +92,17 @@ private:
 		}
 	}
 
-	static void Look(FKernelWatch& Watch)
+	static void Look(FKernelWatch& Watch, double Passed)
 	{
-		const double Now = FPlatformTime::Seconds();
 		const uint64 NumEnded = Watch.NumEnded.load(std::memory_order_relaxed);
 		if (NumEnded != Watch.NumSeen)
 		{
 			Watch.NumSeen = NumEnded;
-			Watch.SecondsSeen = Now;
+			Watch.SecondsSilent = 0;
 			return;
 		}
-		if (Now - Watch.SecondsSeen < Watch.Limit)
+		Watch.SecondsSilent += Passed;
+		if (Watch.SecondsSilent < Watch.Limit)
 		{
 			return;
 		}
@@ -114,10 +117,14 @@ private:
 		std::_Exit(ExitUsage);
 	}
 
+	/** A process that was stopped for a while (a debugger, a terminal's Ctrl+Z) has not hung for all of it. */
+	static constexpr double LongestLook = 1.0;
+
 	std::mutex Mutex;
 	std::condition_variable Wake;
 	std::vector<FKernelWatch*> Watches;
 	std::thread Thread;
+	double LastLook = FPlatformTime::Seconds();
 	bool bEnds = false;
 	bool bAsleep = false; // until a kernel comes
 };

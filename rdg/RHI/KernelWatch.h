@@ -31,8 +31,8 @@ private:
 	const std::string& EntryPoint;
 	const double Limit; // seconds; 0: none
 	std::atomic<uint64> NumEnded{0};
-	uint64 NumSeen = 0;     // of the watcher
-	double SecondsSeen = 0; // since when NumEnded is NumSeen
+	uint64 NumSeen = 0;       // of the watcher
+	double SecondsSilent = 0; // since NumEnded became NumSeen
 };
 
 } // namespace Drydock

@@ -148,7 +148,7 @@ TEST_P(SpirvCorpus, Holds)
 
 TEST_P(SpirvCorpus, HoldsDamaged)
 {
-	for (const std::string& Bytes : Damage(Read(GetParam()), 500))
+	for (const std::string& Bytes : Damage(Read(GetParam()), 200))
 	{
 		ASSERT_EQ("", CheckSpirvBytes(Bytes));
 	}
