@@ -157,9 +157,10 @@ private:
 			Svg += DrawStudyMarker(PointX, PointY, 5.0, Variant.bPlainCode,
 				"dot f" + Color + (View.GetRank(Variant).bFront ? "" : " off"));
 			Svg += Variant.bCurrent ? DrawStudyMarker(PointX, PointY, 9.0, false, "now") : "";
-			Svg += Variant.bRecommended ? DrawStudyMarker(PointX, PointY, Variant.bCurrent ? 12.5 : 9.0, false, "pick")
-										: "";
-			const double Radius = Variant.bRecommended || Variant.bCurrent ? 9.5 : 6.0;
+			Svg += View.IsRecommended(Variant)
+					   ? DrawStudyMarker(PointX, PointY, Variant.bCurrent ? 12.5 : 9.0, false, "pick")
+					   : "";
+			const double Radius = View.IsRecommended(Variant) || Variant.bCurrent ? 9.5 : 6.0;
 			Labels.Block({PointX - Radius, PointY - Radius, PointX + Radius, PointY + Radius});
 		}
 		return Svg;
@@ -198,7 +199,8 @@ private:
 		const auto Importance = [&](size_t Index)
 		{
 			const FStudyVariant& Variant = Result.Variants[Index];
-			return (Variant.bRecommended ? 8 : 0) + (Variant.bCurrent ? 4 : 0) + (View.GetRank(Variant).bFront ? 2 : 0);
+			return (View.IsRecommended(Variant) ? 8 : 0) + (Variant.bCurrent ? 4 : 0) +
+				   (View.GetRank(Variant).bFront ? 2 : 0);
 		};
 		std::stable_sort(Drawn.begin(), Drawn.end(), [&](size_t A, size_t B) { return Importance(A) > Importance(B); });
 		for (const size_t Index : Drawn)
@@ -278,7 +280,7 @@ private:
 			return std::any_of(Result.Variants.begin(), Result.Variants.end(),
 				[&](const FStudyVariant& Variant) { return Variant.*Member && FStudyView::Competes(Variant); });
 		};
-		if (Any(&FStudyVariant::bRecommended))
+		if (Cost == EStudyCost::Milliseconds && Any(&FStudyVariant::bRecommended))
 		{
 			Add("recommended: the cheapest by time within the budget",
 				[](double SymbolX, double SymbolY) { return DrawStudyMarker(SymbolX, SymbolY, 6.5, false, "pick"); });

@@ -82,22 +82,32 @@ FRow MakeRow(const FStudyResult& Result, const FStudyJob& Job, const FStudyVaria
 		Format("%.0f", Variant.Bytes), DescribeRank(Result, Variant)};
 }
 
-/** What is as fast as something else, in a line: pairs of the front only, for they are what is chosen among. */
+/** What is as fast as something else: pairs of the front only, for they are what is chosen among. */
 std::string DescribeNoise(const FStudyResult& Result, const FStudyJob& Job)
 {
+	constexpr size_t MostCharacters = 130;
 	std::string Text;
+	std::string Line = "  within noise of one another: ";
+	const size_t Indent = Line.size();
 	for (const size_t Index : Job.Variants)
 	{
 		const FStudyVariant& Variant = Result.Variants[Index];
 		for (const size_t Other : Variant.WithinNoiseOf)
 		{
-			if (Other > Index && Variant.ByTime.bFront && Result.Variants[Other].ByTime.bFront)
+			if (Other <= Index || !Variant.ByTime.bFront || !Result.Variants[Other].ByTime.bFront)
 			{
-				Text += (Text.empty() ? "" : "; ") + Variant.Label + " and " + Result.Variants[Other].Label;
+				continue;
 			}
+			const std::string Pair = Variant.Label + " and " + Result.Variants[Other].Label;
+			if (Line.size() > Indent && Line.size() + Pair.size() > MostCharacters)
+			{
+				Text += Line + ";\n";
+				Line = std::string(Indent, ' ');
+			}
+			Line += (Line.size() > Indent ? "; " : "") + Pair;
 		}
 	}
-	return Text.empty() ? "" : "  within noise of one another: " + Text + "\n";
+	return Line.size() == Indent ? "" : Text + Line + "\n";
 }
 
 void WriteSet(FJsonWriter& Writer, const std::vector<FStudyAssignment>& Set)

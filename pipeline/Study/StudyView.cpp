@@ -52,6 +52,11 @@ double FStudyView::GetError(const FStudyVariant& Variant) const
 	return GetErrorToRank(Variant.Error, Result.GetMetric());
 }
 
+bool FStudyView::IsRecommended(const FStudyVariant& Variant) const
+{
+	return Cost == EStudyCost::Milliseconds && Variant.bRecommended;
+}
+
 const FStudyRank& FStudyView::GetRank(const FStudyVariant& Variant) const
 {
 	return Cost == EStudyCost::Taps ? Variant.ByTaps : Variant.ByTime;

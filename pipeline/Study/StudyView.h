@@ -22,6 +22,8 @@ struct FStudyView
 	double GetCost(const FStudyVariant& Variant) const;
 	/** Smaller is better, whatever the metric. */
 	double GetError(const FStudyVariant& Variant) const;
+	/** By time, and so not where taps are drawn, which are the same on every run. */
+	bool IsRecommended(const FStudyVariant& Variant) const;
 	const FStudyRank& GetRank(const FStudyVariant& Variant) const;
 	std::string GetCostName() const;
 	size_t GetNumChoices() const;

@@ -252,6 +252,8 @@ TEST(StudyReport, FilesWithoutTimesAreTheSameWhateverTheTimes)
 	B.Seconds = 7.0;
 	EXPECT_EQ(MakeStudyJson(A), MakeStudyJson(B));
 	EXPECT_EQ(MakeStudyCsv(A, false), MakeStudyCsv(B, false));
+	EXPECT_NE(GetRecommended(A), GetRecommended(B));
+	EXPECT_EQ(DrawStudyChart(A, EStudyCost::Taps), DrawStudyChart(B, EStudyCost::Taps));
 	EXPECT_NE(MakeStudyTimingJson(A), MakeStudyTimingJson(B));
 }
 
