@@ -2,6 +2,7 @@
 #include "CharaGlow.h"
 
 #include "CharaGlowShaders.h"
+#include "DrawRegion.h"
 #include "HAL/IConsoleManager.h"
 #include "PixelShaderUtils.h"
 #include "RasterTarget.h"
@@ -64,6 +65,18 @@ public:
 
 IMPLEMENT_GLOBAL_SHADER(FCharaGlowCompPS, "/Project/CharaGlow.usf", "CompPS", SF_Pixel);
 
+/** What the glow can reach; Further: texels more, up and down. */
+FIntRect FindReach(const FCharaGlowInputs& Inputs, int32 Further = 0)
+{
+	const FIntRect& ViewRect = Inputs.SceneColor.ViewRect;
+	if (!Inputs.MaskBounds || Inputs.OverrideOutput.IsValid())
+	{
+		return ViewRect;
+	}
+	const int32 Reach = Drydock::GetCharaGlowBox(Inputs.Area, Inputs.bAsPrinted).Radius + 1;
+	return Drydock::PlaceRect(Drydock::GrowRect(*Inputs.MaskBounds, Reach, Reach + Further), ViewRect);
+}
+
 /** Source: what has the mask's viewport, or the rows. */
 FCharaGlowBoxParameters* MakeBoxParameters(FRDGBuilder& GraphBuilder, const FCharaGlowInputs& Inputs,
 	const FScreenPassTexture& Source, const FScreenPassRenderTarget& Output)
@@ -87,12 +100,15 @@ FScreenPassTexture AddBoxPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, 
 	const TCHAR* const Name = bColumns ? TEXT("CharaGlow") : TEXT("CharaGlowRows");
 	const FScreenPassRenderTarget Output =
 		Drydock::CreateRasterTargetLike(GraphBuilder, Inputs.SceneColor, Name, PF_R16F);
+	// Columns read rows beyond their own.
+	const int32 Further = bColumns ? 0 : Drydock::GetCharaGlowBox(Inputs.Area, Inputs.bAsPrinted).Radius + 1;
+	const FIntRect Drawn = FindReach(Inputs, Further);
 	FCharaGlowBoxPS::FPermutationDomain Permutation;
 	Permutation.Set<FCharaGlowBoxPS::FColumnsDimension>(bColumns);
 	TShaderMapRef<FCharaGlowBoxPS> PixelShader(View.ShaderMap, Permutation);
 	FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
-		RDG_EVENT_NAME("%s %dx%d", Name, Output.ViewRect.Width(), Output.ViewRect.Height()), PixelShader,
-		MakeBoxParameters(GraphBuilder, Inputs, Source, Output), Output.ViewRect);
+		RDG_EVENT_NAME("%s %dx%d", Name, Drawn.Width(), Drawn.Height()), PixelShader,
+		MakeBoxParameters(GraphBuilder, Inputs, Source, Output), Drawn);
 	return FScreenPassTexture(Output.Texture, Output.ViewRect);
 }
 
@@ -100,10 +116,11 @@ FScreenPassTexture AddPrintedPass(FRDGBuilder& GraphBuilder, const FViewInfo& Vi
 {
 	const FScreenPassRenderTarget Output =
 		Drydock::CreateRasterTargetLike(GraphBuilder, Inputs.SceneColor, TEXT("CharaGlow"), PF_R16F);
+	const FIntRect Drawn = FindReach(Inputs);
 	TShaderMapRef<FCharaGlowPrintedPS> PixelShader(View.ShaderMap);
 	FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
-		RDG_EVENT_NAME("CharaGlow %dx%d (as printed)", Output.ViewRect.Width(), Output.ViewRect.Height()), PixelShader,
-		MakeBoxParameters(GraphBuilder, Inputs, Inputs.SceneColor, Output), Output.ViewRect);
+		RDG_EVENT_NAME("CharaGlow %dx%d (as printed)", Drawn.Width(), Drawn.Height()), PixelShader,
+		MakeBoxParameters(GraphBuilder, Inputs, Inputs.SceneColor, Output), Drawn);
 	return FScreenPassTexture(Output.Texture, Output.ViewRect);
 }
 
@@ -143,10 +160,18 @@ FScreenPassTexture AddCharaGlowCompPass(FRDGBuilder& GraphBuilder, const FViewIn
 	check(BlurredMask.IsValid());
 	check(Inputs.SceneTextures);
 
-	const FScreenPassRenderTarget Output =
+	FScreenPassRenderTarget Output =
 		Inputs.OverrideOutput.IsValid()
 			? Inputs.OverrideOutput
 			: Drydock::CreateRasterTargetLike(GraphBuilder, Inputs.SceneColor, TEXT("CharaGlowComp"));
+	const FIntRect Drawn = FindReach(Inputs);
+	if (Drawn != Inputs.SceneColor.ViewRect)
+	{
+		const FIntRect& Rect = Inputs.SceneColor.ViewRect;
+		AddCopyTexturePass(
+			GraphBuilder, Inputs.SceneColor.Texture, Output.Texture, Rect.Min, Rect.Min, Rect.Size());
+		Output.LoadAction = ERenderTargetLoadAction::ELoad;
+	}
 
 	auto* PassParameters = GraphBuilder.AllocParameters<FCharaGlowCompPS::FParameters>();
 	PassParameters->SceneTextures = GetSceneTextureShaderParameters(Inputs.SceneTextures);
@@ -160,8 +185,8 @@ FScreenPassTexture AddCharaGlowCompPass(FRDGBuilder& GraphBuilder, const FViewIn
 
 	TShaderMapRef<FCharaGlowCompPS> PixelShader(View.ShaderMap);
 	FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
-		RDG_EVENT_NAME("CharaGlowComp %dx%d", Output.ViewRect.Width(), Output.ViewRect.Height()), PixelShader,
-		PassParameters, Output.ViewRect);
+		RDG_EVENT_NAME("CharaGlowComp %dx%d", Drawn.Width(), Drawn.Height()), PixelShader, PassParameters,
+		Drawn == Inputs.SceneColor.ViewRect ? Output.ViewRect : Drawn);
 	return FScreenPassTexture(Output.Texture, Output.ViewRect);
 }
 

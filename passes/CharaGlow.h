@@ -8,7 +8,8 @@
 // the glow does not pop when volumes blend the area. As printed (r.RED.AsPrinted 1): the double loop, whole areas only.
 //
 // Contract. Taps stay inside the rect: the mask's edge texels are repeated. The result is within 0..1 for masks within
-// 0..1; a constant mask gives no glow. Area 0 and below, or NaN: no pass. Area is used up to 128. A native kernel with
+// 0..1; a constant mask gives no glow. Area 0 and below, or NaN: no pass. Area is used up to 128. A pixel without
+// glow keeps its bits. A native kernel with
 // running sums stands in for the corrected passes; it differs from the .usf by less than 2e-6 before the store.
 #pragma once
 
@@ -16,6 +17,8 @@
 #include "PostProcessSettings.h"
 #include "SceneTextureParameters.h"
 #include "ScreenPass.h"
+
+#include <optional>
 
 class FRDGBuilder;
 class FViewInfo;
@@ -30,13 +33,17 @@ struct FCharaGlowInputs
 	float Area = 0.0f;
 	FLinearColor Color = FLinearColor(1.0f, 1.0f, 1.0f, 1.0f);
 	bool bAsPrinted = false;
+	/** Outside of these bounds the mask is 0, from the corner of SceneColor's rect; not set: it may be anything anywhere.
+	 * Then only what the glow can reach is drawn, and the rest of the picture is copied. */
+	std::optional<FIntRect> MaskBounds;
 
 	/** From the settings and r.RED.AsPrinted. */
 	DRYDOCK_API static FCharaGlowInputs FromSettings(
 		const FFinalPostProcessSettings& Settings, const FScreenPassTexture& SceneColor);
 };
 
-/** The widened mask, PF_R16F, over SceneColor's rect; invalid where there is no area. */
+/** The widened mask, PF_R16F, over SceneColor's rect, or over what MaskBounds can reach of it; invalid where there is no
+ * area. */
 DRYDOCK_API FScreenPassTexture AddCharaGlowPasses(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FCharaGlowInputs& Inputs);
 

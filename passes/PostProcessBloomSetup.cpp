@@ -1,10 +1,12 @@
 // Source: engine file PostProcessBloomSetup.cpp; toon bloom: the article's patch of it, and its correction.
 #include "PostProcessBloomSetup.h"
 
+#include "DrawRegion.h"
 #include "GlobalShader.h"
 #include "PixelShaderUtils.h"
 #include "PostProcessToonBloom.h"
 #include "RHIStaticStates.h"
+#include "RasterTarget.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphUtils.h"
 #include "SceneRendering.h"
@@ -110,6 +112,41 @@ FScreenPassTexture FindFullResolution(const FViewInfo& View, const FBloomSetupIn
 	return bHoldsView && !bIsInput ? FScreenPassTexture(SceneColor, View.ViewRect) : Inputs.SceneColor;
 }
 
+/** The setup's input, over which what toon pixels reach is drawn with the factor in it. */
+FScreenPassTexture AddToonColorWithin(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FBloomSetupInputs& Inputs,
+	const FToonBloomInputs& MaskInputs)
+{
+	// A downsampled texel reads at most three texels around its place; one more for the rounding of the scale.
+	constexpr int32 Reach = 4;
+	const FIntRect& Full = MaskInputs.SceneColor.ViewRect;
+	const FIntRect& Half = Inputs.SceneColor.ViewRect;
+	const FIntRect Reached = Drydock::GrowRect(
+		Drydock::ScaleRectOutward(Drydock::GrowRect(*Inputs.ToonBounds, Reach, Reach), Full.Size(), Half.Size()), 1, 1);
+	FIntRect Drawn = Drydock::PlaceRect(Reached, Half);
+	const FIntRect Read =
+		Drydock::GrowRect(Drydock::ScaleRectOutward(Drawn - Half.Min, Half.Size(), Full.Size()), Reach, Reach);
+	const FScreenPassTexture Masked =
+		AddToonBloomMaskPass(GraphBuilder, View, MaskInputs, Drydock::PlaceRect(Read, Full));
+
+	FScreenPassRenderTarget Output =
+		Drydock::CreateRasterTargetLike(GraphBuilder, Inputs.SceneColor, TEXT("ToonBloomHalfResolution"));
+	AddCopyTexturePass(
+		GraphBuilder, Inputs.SceneColor.Texture, Output.Texture, Half.Min, Half.Min, Half.Size());
+	if (Full.Size() == Half.Size())
+	{
+		Drawn = Drydock::PlaceRect(*Inputs.ToonBounds, Half);
+		AddCopyTexturePass(GraphBuilder, Masked.Texture, Output.Texture, Drawn.Min - Half.Min + Full.Min, Drawn.Min, Drawn.Size());
+		return FScreenPassTexture(Output.Texture, Half);
+	}
+	Output.LoadAction = ERenderTargetLoadAction::ELoad;
+	FDownsamplePassInputs DownsampleInputs;
+	DownsampleInputs.SceneColor = Masked;
+	DownsampleInputs.Quality = Inputs.DownsampleQuality;
+	DownsampleInputs.UserSuppliedOutput = Output;
+	DownsampleInputs.DrawRect = Drawn;
+	return AddDownsamplePass(GraphBuilder, View, DownsampleInputs);
+}
+
 /** The setup's input with the factor in it: masked at full resolution, then downsampled as the input was. */
 FScreenPassTexture AddToonColor(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FBloomSetupInputs& Inputs)
 {
@@ -117,6 +154,10 @@ FScreenPassTexture AddToonColor(FRDGBuilder& GraphBuilder, const FViewInfo& View
 	MaskInputs.SceneColor = FindFullResolution(View, Inputs);
 	MaskInputs.SceneTextures = Inputs.SceneTextures;
 	MaskInputs.ToonIntensity = Inputs.ToonIntensity;
+	if (Inputs.ToonBounds && !View.bUseComputePasses)
+	{
+		return AddToonColorWithin(GraphBuilder, View, Inputs, MaskInputs);
+	}
 	const FScreenPassTexture Masked = AddToonBloomMaskPass(GraphBuilder, View, MaskInputs);
 	if (Masked.ViewRect.Size() == Inputs.SceneColor.ViewRect.Size())
 	{

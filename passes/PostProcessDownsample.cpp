@@ -121,6 +121,9 @@ FScreenPassTexture AddDownsamplePass(
 	const FScreenPassRenderTarget Output =
 		Inputs.UserSuppliedOutput.IsValid() ? Inputs.UserSuppliedOutput : CreateOutput(GraphBuilder, Inputs, bCompute);
 
+	check(!bCompute || !Inputs.DrawRect);
+	const FIntRect Drawn = Inputs.DrawRect.value_or(Output.ViewRect);
+
 	const FScreenPassTextureViewport InputViewport(Inputs.SceneColor);
 	const FScreenPassTextureViewport OutputViewport(Output);
 
@@ -159,9 +162,9 @@ FScreenPassTexture AddDownsamplePass(
 		PassParameters->RenderTargets[0] = Output.GetRenderTargetBinding();
 
 		FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
-			RDG_EVENT_NAME("%s(%s) %dx%d (PS)", Output.Texture->Name, QualityName, Output.ViewRect.Width(),
-				Output.ViewRect.Height()),
-			PixelShader, PassParameters, Output.ViewRect);
+			RDG_EVENT_NAME(
+				"%s(%s) %dx%d (PS)", Output.Texture->Name, QualityName, Drawn.Width(), Drawn.Height()),
+			PixelShader, PassParameters, Drawn);
 	}
 
 	return FScreenPassTexture(Output.Texture, Output.ViewRect);

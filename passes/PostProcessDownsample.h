@@ -12,6 +12,8 @@
 #include "PixelFormat.h"
 #include "ScreenPass.h"
 
+#include <optional>
+
 class FRDGBuilder;
 class FViewInfo;
 
@@ -48,6 +50,8 @@ struct FDownsamplePassInputs
 	EPixelFormat FormatOverride = PF_Unknown;
 	/** Written in place of a new texture where valid; its rect is the output rect. */
 	FScreenPassRenderTarget UserSuppliedOutput;
+	/** Drawn by a pixel shader, in the output's texels; the rest of the output stays. Not set: its whole rect. */
+	std::optional<FIntRect> DrawRect;
 };
 
 DRYDOCK_API FScreenPassTexture AddDownsamplePass(

@@ -77,20 +77,28 @@ public:
 IMPLEMENT_GLOBAL_SHADER(FToonBloomPS, "/Engine/Private/PostProcessToonBloom.usf", "MainPS", SF_Pixel);
 IMPLEMENT_GLOBAL_SHADER(FToonBloomCS, "/Engine/Private/PostProcessToonBloom.usf", "MainCS", SF_Compute);
 
+struct FToonPassNames
+{
+	const TCHAR* Pass;
+	const TCHAR* Output;
+};
+
 FScreenPassTexture AddToonPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FToonBloomInputs& Inputs,
-	bool bVisualize, const TCHAR* Name, const TCHAR* OutputName)
+	bool bVisualize, const FToonPassNames& Names, const std::optional<FIntRect>& DrawRect = {})
 {
 	check(Inputs.SceneColor.IsValid());
 	check(Inputs.SceneTextures);
 	const bool bCompute = View.bUseComputePasses;
+	check(!bCompute || !DrawRect);
 
 	FRDGTextureDesc OutputDesc = Inputs.SceneColor.Texture->Desc;
 	OutputDesc.Reset();
 	OutputDesc.Flags &= ~(TexCreate_RenderTargetable | TexCreate_UAV);
 	OutputDesc.Flags |= TexCreate_ShaderResource | (bCompute ? TexCreate_UAV : TexCreate_RenderTargetable);
-	const FScreenPassRenderTarget Output(GraphBuilder.CreateTexture(OutputDesc, OutputName), Inputs.SceneColor.ViewRect,
+	const FScreenPassRenderTarget Output(GraphBuilder.CreateTexture(OutputDesc, Names.Output), Inputs.SceneColor.ViewRect,
 		ERenderTargetLoadAction::ENoAction);
-	const FIntPoint Size = Output.ViewRect.Size();
+	const FIntRect Drawn = DrawRect.value_or(Output.ViewRect);
+	const FIntPoint Size = Drawn.Size();
 
 	FToonBloomParameters Common;
 	Common.View = View.ViewUniformBuffer;
@@ -109,7 +117,7 @@ FScreenPassTexture AddToonPass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
 		FToonBloomCS::FParameters* PassParameters = GraphBuilder.AllocParameters<FToonBloomCS::FParameters>();
 		PassParameters->Common = Common;
 		PassParameters->OutComputeTexture = GraphBuilder.CreateUAV(Output.Texture);
-		FComputeShaderUtils::AddPass(GraphBuilder, RDG_EVENT_NAME("%s %dx%d (CS)", Name, Size.X, Size.Y), ComputeShader,
+		FComputeShaderUtils::AddPass(GraphBuilder, RDG_EVENT_NAME("%s %dx%d (CS)", Names.Pass, Size.X, Size.Y), ComputeShader,
 			PassParameters, FComputeShaderUtils::GetGroupCount(Size, FComputeShaderUtils::kGolden2DGroupSize));
 	}
 	else
@@ -119,7 +127,7 @@ FScreenPassTexture AddToonPass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
 		PassParameters->Common = Common;
 		PassParameters->RenderTargets[0] = Output.GetRenderTargetBinding();
 		FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
-			RDG_EVENT_NAME("%s %dx%d (PS)", Name, Size.X, Size.Y), PixelShader, PassParameters, Output.ViewRect);
+			RDG_EVENT_NAME("%s %dx%d (PS)", Names.Pass, Size.X, Size.Y), PixelShader, PassParameters, Drawn);
 	}
 	return FScreenPassTexture(Output.Texture, Output.ViewRect);
 }
@@ -141,15 +149,16 @@ bool IsToonBloomMaskVisualized()
 	return CVarToonBloomVisualizeMask.GetValueOnAnyThread() != 0;
 }
 
-FScreenPassTexture AddToonBloomMaskPass(
-	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FToonBloomInputs& Inputs)
+FScreenPassTexture AddToonBloomMaskPass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
+	const FToonBloomInputs& Inputs, const std::optional<FIntRect>& DrawRect)
 {
-	return AddToonPass(GraphBuilder, View, Inputs, false, TEXT("ToonBloomMask"), TEXT("ToonBloomSceneColor"));
+	return AddToonPass(
+		GraphBuilder, View, Inputs, false, {TEXT("ToonBloomMask"), TEXT("ToonBloomSceneColor")}, DrawRect);
 }
 
 FScreenPassTexture AddToonBloomVisualizePass(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FToonBloomInputs& Inputs)
 {
 	return AddToonPass(
-		GraphBuilder, View, Inputs, true, TEXT("ToonBloomVisualizeMask"), TEXT("ToonBloomVisualizeMask"));
+		GraphBuilder, View, Inputs, true, {TEXT("ToonBloomVisualizeMask"), TEXT("ToonBloomVisualizeMask")});
 }

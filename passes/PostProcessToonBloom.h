@@ -13,6 +13,8 @@
 #include "SceneTextureParameters.h"
 #include "ScreenPass.h"
 
+#include <optional>
+
 class FRDGBuilder;
 class FViewInfo;
 
@@ -33,11 +35,14 @@ struct FToonBloomInputs
 	TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures = nullptr;
 	/** Factor of toon pixels. */
 	float ToonIntensity = 1.0f;
+	/** Where toon pixels can be, from the corner of SceneColor's rect; not set: anywhere. Read by the bloom setup. */
+	std::optional<FIntRect> ToonBounds;
 };
 
-/** The input with toon pixels times the factor, in the same format. */
-DRYDOCK_API FScreenPassTexture AddToonBloomMaskPass(
-	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FToonBloomInputs& Inputs);
+/** The input with toon pixels times the factor, in the same format. DrawRect: drawn by a pixel shader, in Output's
+ * texels; the rest of the output holds nothing. Not set: all. */
+DRYDOCK_API FScreenPassTexture AddToonBloomMaskPass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
+	const FToonBloomInputs& Inputs, const std::optional<FIntRect>& DrawRect = {});
 
 /** The input dimmed to grey, toon pixels in magenta over it: linear, to be tonemapped. */
 DRYDOCK_API FScreenPassTexture AddToonBloomVisualizePass(

@@ -43,7 +43,8 @@ private:
 /** "float native 2": arithmetic, storage and threads, which costs depend on. */
 DRYDOCK_API std::string MakeCostConditions(const FRunResult& Result);
 
-/** Texels and elements that a pass may write: the whole of what it declares to write. */
+/** Texels and elements that a pass writes: those of the size that its event name states, as names do in the engine
+ * ("BloomSetup 480x270 (PS)"), and at most the whole of what it declares to write. */
 DRYDOCK_API uint64_t CountWrittenTexels(const FRDGCompiledGraph& Graph, const FRDGCompiledPass& Pass);
 
 } // namespace Drydock

@@ -29,6 +29,7 @@ FExplainedCost MakeCost(const FRunResult& Result, const FCostModel& Model, const
 {
 	FExplainedCost Cost;
 	Cost.TransientBytes = Result.Graph.Memory.TransientPeakBytes;
+	Cost.SceneBytes = Result.SceneTextureBytes;
 	Cost.NumChannels = static_cast<int>(std::count_if(
 		Result.Channels.begin(), Result.Channels.end(), [](const FSceneChannel& Channel) { return Channel.bDecoded; }));
 	const std::string Conditions = MakeCostConditions(Result);
@@ -91,7 +92,7 @@ std::string FindEffectOfPass(const FRDGPassDescription& Pass)
 {
 	// Scopes and passes that do not bear their effect's name. A pass of toon bloom is one of bloom's.
 	static const std::vector<std::pair<std::string, std::string>> Others = {{"REDPostProcess", "RED"},
-		{"REDBloomComposite", "RED"}, {"ToonBloomMask", "ToonBloom"}, {"HalfResolutionSceneColor", "Bloom"},
+		{"REDBloomComposite", "RED"}, {"ToonBloomMask", "ToonBloom"}, {"ToonShadowLighting", "ToonShadowBlur"}, {"HalfResolutionSceneColor", "Bloom"},
 		{"SceneDownsample", "Bloom"}, {"EyeAdaptation", "Exposure"}, {"Histogram", "Exposure"},
 		{"CombineLUTs", "Tonemap"}, {"PrimaryUpscale", "Upscale"}};
 	std::string Found;

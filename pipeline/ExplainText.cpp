@@ -41,8 +41,11 @@ std::string FormatSaved(const FExplainReport& Report)
 	const FExplainedCost& With = Report.Cost;
 	const FExplainedCost& Without = Report.WithoutSkipping;
 	const double Megabytes =
-		1e-6 * (static_cast<double>(Without.TransientBytes) - static_cast<double>(With.TransientBytes));
-	return "saved    " + Count(Without.NumPasses - With.NumPasses, "pass") + ", " + Format("%.1f MB", Megabytes) +
+		1e-6 * (static_cast<double>(Without.TransientBytes + Without.SceneBytes) -
+				   static_cast<double>(With.TransientBytes + With.SceneBytes));
+	// A region costs a copy, and now and then that is one pass more.
+	const int NumPasses = Without.NumPasses - With.NumPasses;
+	return "saved    " + (NumPasses < 0 ? "no pass (" + std::to_string(-NumPasses) + " more)" : Count(NumPasses, "pass")) + ", " + Format("%.1f MB", Megabytes) +
 		   ", " + Count(Without.NumChannels - With.NumChannels, "channel") + ", " +
 		   FormatMilliseconds(Report, Without.Milliseconds - With.Milliseconds) +
 		   ", against the same frame with --no-skip\n";
@@ -92,6 +95,7 @@ void WriteCost(FJsonWriter& Writer, const char* Key, const FExplainedCost& Cost)
 	Writer.Member("passes", Cost.NumPasses);
 	Writer.Member("channels", Cost.NumChannels);
 	Writer.Member("transientPeakBytes", Cost.TransientBytes);
+	Writer.Member("sceneTextureBytes", Cost.SceneBytes);
 	Writer.Member("ms", Cost.Milliseconds);
 	Writer.EndObject();
 }
@@ -147,7 +151,8 @@ std::string MakeExplainText(const FExplainReport& Report, bool bColorful)
 	{
 		Text += "others   passes of no effect, from view extensions or copies: " + Extensions + "\n";
 	}
-	Text += "memory   " + Format("%.1f MB", 1e-6 * static_cast<double>(Report.Cost.TransientBytes)) + " transient\n";
+	Text += "memory   " + Format("%.1f MB", 1e-6 * static_cast<double>(Report.Cost.TransientBytes)) + " transient, " +
+			Format("%.1f MB", 1e-6 * static_cast<double>(Report.Cost.SceneBytes)) + " scene textures\n";
 	Text += "scene    " + std::to_string(Report.Cost.NumChannels) + " of " +
 			Count(static_cast<int>(Report.Channels.size()), "channel") +
 			" decoded: " + (Decoded.empty() ? "none" : Decoded) + "\n";

@@ -354,7 +354,7 @@ private:
 	{
 		Target.Chain.Settings = NamedView.View->FinalPostProcessSettings;
 		Target.Chain.bDualKawaseExtension = Extensions.Has("FDualKawaseBlur");
-		Target.Effects = DecideEffects(Target.Chain);
+		DecideEffectsOf(*NamedView.View, Target);
 		FPostProcessingChainInputs ChainInputs;
 		ChainInputs.SceneColor = FScreenPassTexture(SceneTextures.Color, NamedView.View->ViewRect);
 		ChainInputs.ViewFamilyTexture = PostProcessingInputs.ViewFamilyTexture;
@@ -376,6 +376,18 @@ private:
 		if (Target.Outputs.BlurredToonShadow.IsValid())
 		{
 			GraphBuilder.QueueTextureExtraction(Target.Outputs.BlurredToonShadow.Texture, &Target.BlurredToonShadow);
+		}
+	}
+
+	/** First from the settings; what they call for may have nothing to do in this scene. */
+	void DecideEffectsOf(const FViewInfo& View, FViewOfFrame& Target) const
+	{
+		Target.Effects = DecideEffects(Target.Chain);
+		const FContentQuestions Questions = AskContent(Target.Chain, Target.Effects);
+		if (Inputs.MeasureContent && Extensions.IsEmpty() && Questions.Any())
+		{
+			Target.Chain.Content = Inputs.MeasureContent(View.ViewRect, Questions);
+			Target.Effects = DecideEffects(Target.Chain);
 		}
 	}
 

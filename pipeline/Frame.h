@@ -57,6 +57,9 @@ struct FFrameInputs
 	std::optional<std::vector<std::string>> Plugins;
 	/** Registers the scene's textures in the frame's graph. */
 	std::function<FSceneTextures(FRDGBuilder&)> RegisterSceneTextures;
+	/** Looks at the scene's content for a view, ViewRect in the scene textures. Empty: settings alone decide what runs; so
+	 * they do where view extensions take part, which may change what the scene textures hold. */
+	std::function<FViewContent(const FIntRect& ViewRect, const FContentQuestions& Questions)> MeasureContent;
 	IRDGObserver* Observer = nullptr;
 	bool bExecute = true; // false: the graph is compiled only
 };

@@ -353,6 +353,10 @@ FFrameInputs MakeFrameInputs(const FRunOptions& Options, const FRunSetup& Setup,
 	{
 		return Scene.RegisterTextures(GraphBuilder);
 	};
+	Inputs.MeasureContent = [&Scene](const FIntRect& ViewRect, const FContentQuestions& Questions)
+	{
+		return MeasureViewContent(Scene, ViewRect, Questions);
+	};
 	Inputs.Plugins = Setup.Plugins;
 	if (Setup.Config.Views.size() <= 1)
 	{
@@ -450,6 +454,10 @@ FRunResult FRunSession::Run(std::optional<int> Frame, const std::vector<FViewHis
 		FRunResult Result = MakeResult(*Setup, Scene);
 		RunGraph(Options, *Setup, Scene, {Last, Caches}, Result);
 		Result.Channels = Scene.GetChannels();
+		for (const FRDGCompiledResource& Resource : Result.Graph.Resources)
+		{
+			Result.SceneTextureBytes += Resource.bExternal && Scene.IsFilled(Resource.Name) ? Resource.Bytes : 0;
+		}
 		Result.Diagnostics.insert(Result.Diagnostics.end(), Result.Graph.Warnings.begin(), Result.Graph.Warnings.end());
 		if (Options.bExecute)
 		{

@@ -74,6 +74,7 @@ struct FRunResult
 	FIntRect ViewRect; // of all views
 	std::vector<FRunView> Views;
 	std::vector<FSceneChannel> Channels;
+	uint64_t SceneTextureBytes = 0; // of the scene textures that were loaded, or with bPlanLoads would be
 	FLinearColor LightColor;                                            // of the scene's main light, relative
 	EDisplayOutputFormat OutputDevice = EDisplayOutputFormat::SDR_sRGB; // what Final is encoded for
 	std::vector<FHookCall> HookCalls;                                   // what view extensions were asked and did

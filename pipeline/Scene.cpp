@@ -156,12 +156,17 @@ FError FScene::MakeMissingChannel(const std::string& Channel, const FNeededScene
 	return FError(Diagnostic, ExitFiles);
 }
 
+bool FScene::IsFilled(const std::string& Texture) const
+{
+	const auto Known = Filled.find(Texture);
+	return Known != Filled.end() && Known->second;
+}
+
 /** Empty when there is nothing to do. */
 std::optional<FScene::FFill> FScene::PlanFill(const FNeededSceneTexture& Needed) const
 {
 	FFill Fill{FindScenePacking(Needed.Texture), GetTexture(Needed.Texture), {}};
-	const auto Known = Filled.find(Needed.Texture);
-	if (Fill.Packing == nullptr || Fill.Texture == nullptr || (Known != Filled.end() && Known->second))
+	if (Fill.Packing == nullptr || Fill.Texture == nullptr || IsFilled(Needed.Texture))
 	{
 		return std::nullopt;
 	}
@@ -185,30 +190,63 @@ std::optional<FScene::FFill> FScene::PlanFill(const FNeededSceneTexture& Needed)
 	return Fill;
 }
 
-FScene::FPlanes FScene::ReadPlanes(const std::vector<FFill>& Fills)
+/** Those that are not read yet, in one read of the file. */
+void FScene::ReadPlanes(const std::vector<int>& FileChannels)
 {
-	FPlanes Planes;
-	for (const FFill& Fill : Fills)
-	{
-		for (const FSource& Source : Fill.Sources)
-		{
-			if (Source.FileChannel >= 0)
-			{
-				Planes[Source.FileChannel];
-			}
-		}
-	}
 	std::vector<int> Indices;
-	for (const auto& [Index, Plane] : Planes)
-	{
-		Indices.push_back(Index);
-	}
+	std::copy_if(FileChannels.begin(), FileChannels.end(), std::back_inserter(Indices),
+		[this](int Index) { return Index >= 0 && Planes.count(Index) == 0; });
+	std::sort(Indices.begin(), Indices.end());
+	Indices.erase(std::unique(Indices.begin(), Indices.end()), Indices.end());
 	std::vector<std::vector<float>> Values = File.Read(Indices);
 	for (size_t Index = 0; Index < Indices.size(); ++Index)
 	{
 		Planes[Indices[Index]] = std::move(Values[Index]);
 	}
-	return Planes;
+}
+
+void FScene::CountDecoded(const std::vector<FSource>& Sources)
+{
+	for (const FSource& Source : Sources)
+	{
+		if (Source.FileChannel >= 0)
+		{
+			Channels[static_cast<size_t>(Source.FileChannel)].bDecoded = true;
+		}
+	}
+}
+
+std::map<std::string, FChannelValues> FScene::ReadChannels(const std::vector<std::string>& Names)
+{
+	std::map<std::string, FSource> Sources;
+	for (const FScenePacking& Packing : GetScenePackings())
+	{
+		for (const FScenePackChannel& Channel : Packing.Channels)
+		{
+			const bool bNamed =
+				Channel.Name != nullptr && std::find(Names.begin(), Names.end(), Channel.Name) != Names.end();
+			if (const std::optional<FSource> Source = bNamed ? FindSource(Channel) : std::nullopt)
+			{
+				Sources[Channel.Name] = *Source;
+			}
+		}
+	}
+	std::vector<int> FileChannels;
+	for (const auto& [Name, Source] : Sources)
+	{
+		FileChannels.push_back(Source.FileChannel);
+		CountDecoded({Source});
+	}
+	ReadPlanes(FileChannels);
+
+	const bool bZero = GetNonFinitePolicy() == ENonFinitePolicy::Zero;
+	std::map<std::string, FChannelValues> Values;
+	for (const auto& [Name, Source] : Sources)
+	{
+		const float* const Plane = Source.FileChannel >= 0 ? Planes.at(Source.FileChannel).data() : nullptr;
+		Values[Name] = {Plane, Source.Default, File.GetWidth(), bZero};
+	}
+	return Values;
 }
 
 /** What is not filled yet; counts as filled from now on, and its channels as decoded. */
@@ -220,13 +258,7 @@ std::vector<FScene::FFill> FScene::PlanFills(const std::vector<FNeededSceneTextu
 		if (std::optional<FFill> Fill = PlanFill(Texture))
 		{
 			Filled[Texture.Texture] = true;
-			for (const FSource& Source : Fill->Sources)
-			{
-				if (Source.FileChannel >= 0)
-				{
-					Channels[static_cast<size_t>(Source.FileChannel)].bDecoded = true;
-				}
-			}
+			CountDecoded(Fill->Sources);
 			Fills.push_back(std::move(*Fill));
 		}
 	}
@@ -241,13 +273,22 @@ void FScene::Plan(const std::vector<FNeededSceneTexture>& Needed)
 void FScene::Load(const std::vector<FNeededSceneTexture>& Needed, const FScenePackContext& Context)
 {
 	const std::vector<FFill> Fills = PlanFills(Needed);
+	std::vector<int> FileChannels;
+	for (const FFill& One : Fills)
+	{
+		for (const FSource& Source : One.Sources)
+		{
+			FileChannels.push_back(Source.FileChannel);
+		}
+	}
+	ReadPlanes(FileChannels);
+	for (const FFill& One : Fills)
+	{
+		Fill(One, Context);
+	}
 	if (!Fills.empty())
 	{
-		const FPlanes Planes = ReadPlanes(Fills);
-		for (const FFill& One : Fills)
-		{
-			Fill(One, Planes, Context);
-		}
+		Planes.clear();
 	}
 }
 
@@ -255,6 +296,15 @@ std::vector<FSceneRegion> FScene::GetRegions() const
 {
 	const FIntRect Whole(0, 0, File.GetWidth(), File.GetHeight());
 	return Regions.empty() ? std::vector<FSceneRegion>{{Whole, Whole}} : Regions;
+}
+
+FSceneRegion FScene::FindRegion(const FIntRect& ViewRect) const
+{
+	const FIntRect Target = ViewRect - FIntPoint(Config.Padding.Left, Config.Padding.Top);
+	const auto Found = std::find_if(
+		Regions.begin(), Regions.end(), [&](const FSceneRegion& Region) { return Region.Target == Target; });
+	const FIntRect Whole(0, 0, File.GetWidth(), File.GetHeight());
+	return Found != Regions.end() ? *Found : Regions.empty() ? FSceneRegion{Target, Target} : FSceneRegion{Whole, Target};
 }
 
 namespace
@@ -321,7 +371,7 @@ private:
 
 } // namespace
 
-void FScene::Fill(const FFill& Fill, const FPlanes& Planes, const FScenePackContext& Context)
+void FScene::Fill(const FFill& Fill, const FScenePackContext& Context)
 {
 	const FIntPoint Corner(Config.Padding.Left, Config.Padding.Top);
 	const FIntPoint Extent = GetExtent();

@@ -7,6 +7,7 @@
 #include "RHIResources.h"
 #include "RenderGraphFwd.h"
 #include "SceneCamera.h"
+#include "SceneContent.h"
 #include "SceneResolution.h"
 #include "SceneTexturePacking.h"
 
@@ -83,6 +84,16 @@ public:
 	/** Marks the channels that Load would decode, and reads nothing. Throws as Load does for missing channels. */
 	void Plan(const std::vector<FNeededSceneTexture>& Needed);
 
+	/** Values of the channels named, by the names that passes know; one that the file lacks and that has no default is
+	 * left out. What is read counts as decoded and is kept for Load. The values live until then. */
+	std::map<std::string, FChannelValues> ReadChannels(const std::vector<std::string>& Names);
+
+	/** Where the pixels of a view come from and go to; ViewRect in the scene textures. */
+	FSceneRegion FindRegion(const FIntRect& ViewRect) const;
+
+	/** Loaded, or planned to be. */
+	bool IsFilled(const std::string& Texture) const;
+
 	/** What scene colour held that is not finite, before r.Drydock.NonFinite did anything about it. */
 	const FNonFiniteCount& GetNonFinite() const { return NonFinite; }
 
@@ -109,8 +120,9 @@ private:
 	std::optional<FFill> PlanFill(const FNeededSceneTexture& Needed) const;
 	FError MakeMissingChannel(const std::string& Channel, const FNeededSceneTexture& Needed) const;
 	std::vector<FFill> PlanFills(const std::vector<FNeededSceneTexture>& Needed);
-	FPlanes ReadPlanes(const std::vector<FFill>& Fills);
-	void Fill(const FFill& Fill, const FPlanes& Planes, const FScenePackContext& Context);
+	void ReadPlanes(const std::vector<int>& FileChannels);
+	void CountDecoded(const std::vector<FSource>& Sources);
+	void Fill(const FFill& Fill, const FScenePackContext& Context);
 	std::vector<FSceneRegion> GetRegions() const;
 
 	const FConfigScene& Config;
@@ -123,6 +135,7 @@ private:
 	std::vector<FSceneChannel> Channels;
 	std::map<std::string, TRefCountPtr<FRHITexture>> Textures;
 	std::map<std::string, bool> Filled;
+	FPlanes Planes; // read and not yet loaded
 	FNonFiniteCount NonFinite;
 };
 

@@ -96,10 +96,16 @@ const char* DescribePlace(const std::string& Effect)
 	}
 }
 
+FEffectDecision FindDecision(const std::vector<FEffectDecision>& Effects, const char* Name)
+{
+	const auto Found = std::find_if(
+		Effects.begin(), Effects.end(), [&](const FEffectDecision& Effect) { return Effect.Name == Name; });
+	return Found == Effects.end() ? FEffectDecision() : *Found;
+}
+
 bool IsActiveIn(const std::vector<FEffectDecision>& Effects, const char* Name)
 {
-	return std::any_of(Effects.begin(), Effects.end(),
-		[&](const FEffectDecision& Effect) { return Effect.bActive && Effect.Name == Name; });
+	return FindDecision(Effects, Name).bActive;
 }
 
 } // namespace
@@ -139,10 +145,13 @@ FArticleEffects::FArticleEffects(FRDGBuilder& InGraphBuilder, const FViewInfo& I
 	, Inputs(InInputs)
 	, bRED(IsActiveIn(Effects, "RED"))
 	, bREDDepthOfField(IsActiveIn(Effects, "REDDepthOfField"))
-	, bCharaGlow(IsActiveIn(Effects, "CharaGlow"))
 	, bToonShadowBlur(IsActiveIn(Effects, "ToonShadowBlur"))
 	, bUnityBloom(IsActiveIn(Effects, "UnityBloom"))
 {
+	const FEffectDecision CharaGlow = FindDecision(Effects, "CharaGlow");
+	bCharaGlow = CharaGlow.bActive;
+	bCharaGlowCalledFor = CharaGlow.bActive || CharaGlow.bNothingToDo;
+	CharaGlowRegion = CharaGlow.Region;
 	if (!Inputs.SceneTextures && (bREDDepthOfField || bCharaGlow || bToonShadowBlur))
 	{
 		Inputs.SceneTextures = CreateSceneTextureUniformBuffer(GraphBuilder, View);
@@ -197,6 +206,10 @@ FScreenPassTexture FArticleEffects::AddRED(EREDPostProcessInsertion Place, const
 	{
 		FCharaGlowInputs Glow = FCharaGlowInputs::FromSettings(Settings, Result);
 		Glow.SceneTextures = Inputs.SceneTextures;
+		if (Result.ViewRect.Size() == View.ViewRect.Size())
+		{
+			Glow.MaskBounds = CharaGlowRegion;
+		}
 		Result = AddCharaGlow(GraphBuilder, View, Glow);
 	}
 	return Result;
@@ -204,7 +217,7 @@ FScreenPassTexture FArticleEffects::AddRED(EREDPostProcessInsertion Place, const
 
 bool FArticleEffects::WantsBloomInSceneColor() const
 {
-	return (bRED || bREDDepthOfField || bCharaGlow) &&
+	return (bRED || bREDDepthOfField || bCharaGlowCalledFor) &&
 		   GetREDPostProcessInsertion() == EREDPostProcessInsertion::AfterBloom;
 }
 

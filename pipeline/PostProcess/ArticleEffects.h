@@ -65,6 +65,8 @@ private:
 	bool bRED = false;
 	bool bREDDepthOfField = false;
 	bool bCharaGlow = false;
+	bool bCharaGlowCalledFor = false; // by the settings: with nothing to do, the picture still goes its way
+	std::optional<FIntRect> CharaGlowRegion;
 	bool bToonShadowBlur = false;
 	bool bUnityBloom = false;
 	FScreenPassTexture BlurredToonShadow;

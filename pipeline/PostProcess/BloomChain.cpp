@@ -33,6 +33,7 @@ FBloomSetupInputs MakeSetup(const FBloomChainInputs& Inputs, const FScreenPassTe
 	{
 		Setup.SceneTextures = Inputs.Toon->SceneTextures;
 		Setup.ToonIntensity = Inputs.Toon->ToonIntensity;
+		Setup.ToonBounds = Inputs.Toon->ToonBounds;
 		Setup.FullResolutionSceneColor = Inputs.SceneColor;
 		Setup.DownsampleQuality = GetDownsampleQuality();
 	}

@@ -6,6 +6,7 @@
 #include "DiaphragmDOF.h"
 #include "HAL/IConsoleManager.h"
 #include "PostProcess/ArticleEffects.h"
+#include "PostProcess/ContentGates.h"
 #include "PostProcess/ExposureDecisions.h"
 #include "PostProcessAA.h"
 #include "PostProcessCombineLUTs.h"
@@ -87,6 +88,10 @@ FEffectDecision DecideBloom(const FChainSettings& Chain, bool bToonBloom)
 											 : ": the setup pass is not needed";
 		}
 		Bloom.Reason += BloomMethodText(Chain.Settings);
+		if (const std::string Dark = FindNothingBright(Chain); !Dark.empty())
+		{
+			return {"Bloom", false, true, Dark, true};
+		}
 	}
 	Bloom.bConfigured = Bloom.bActive || (Chain.Settings.bOverride_BloomIntensity && !(Intensity > 0.0f) &&
 											 !GateText(Chain, "BloomIntensity").empty());
@@ -290,7 +295,8 @@ double GetScreenPercentage(const FChainSettings& Chain)
 std::vector<FEffectDecision> DecideEffects(const FChainSettings& Chain)
 {
 	std::vector<FEffectDecision> Decisions;
-	const FEffectDecision ToonBloom = DecideToonBloom(Chain);
+	FEffectDecision ToonBloom = DecideToonBloom(Chain);
+	ApplyContentGate(Chain, ToonBloom); // before the others: bloom says whether its setup is there for it
 	for (const std::string& Name : GetEffectNames())
 	{
 		FEffectDecision Decision{Name, false, false, "not built yet"};
@@ -338,6 +344,7 @@ std::vector<FEffectDecision> DecideEffects(const FChainSettings& Chain)
 		{
 			Decision = DecideUpscale(Chain);
 		}
+		ApplyContentGate(Chain, Decision);
 		Decisions.push_back(Decision);
 	}
 	return Decisions;

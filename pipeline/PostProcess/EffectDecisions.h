@@ -1,9 +1,10 @@
-// Which effects a frame's settings call for, and why the others do not run. Pure: looks at settings only. Source:
-// engine PostProcess/PostProcessing.cpp (conditions); the record is drydock's.
+// Which effects a frame calls for, and why the others do not run. Pure: looks at settings, and at what the scene was found
+// to hold. Source: engine PostProcess/PostProcessing.cpp (conditions of settings); content and the record are drydock's.
 #pragma once
 
 #include "Banding.h"
 #include "FinalPostProcessSettings.h"
+#include "PostProcess/ViewContent.h"
 #include "ToonBleed.h"
 
 #include <optional>
@@ -20,6 +21,8 @@ struct FEffectDecision
 	bool bActive = false;
 	bool bConfigured = false; // the config asks for it: not running is worth a line
 	std::string Reason;
+	bool bNothingToDo = false; // not active only because of what the scene holds: running it would change nothing
+	std::optional<FIntRect> Region = {};          // of an effect that works on a part of the view: from its corner
 	std::optional<FToonBleed> Bleed = {};         // of an executed ToonBloom
 	std::optional<FBandingFigures> Banding = {};  // of an executed ToonShadowBlur: the blurred shadow as it is stored
 	std::optional<FDarkDeviation> Deviation = {}; // likewise: from what it would be without rounding
@@ -40,11 +43,15 @@ struct FChainSettings
 	std::vector<std::string> NamedSettings; // by a volume, the camera or --pp, sorted
 	bool bToonBloomConfigured = false;      // a volume, the camera or --pp names BloomToonIntensity
 	bool bNoSkip = false;                   // neutral values are no reason not to run
+	FViewContent Content;                   // empty: settings alone decide
 	bool bDualKawaseExtension = false;      // one is active: it makes the effect's passes, wherever it subscribes
 };
 
 /** Rendered size in percent of the output's: 100 where ShowFlag.ScreenPercentage is off. */
 DRYDOCK_API double GetScreenPercentage(const FChainSettings& Chain);
+
+/** What of the scene could leave out or confine an effect that is active in Effects. */
+DRYDOCK_API FContentQuestions AskContent(const FChainSettings& Chain, const std::vector<FEffectDecision>& Effects);
 
 /** One decision per effect name, in their order. */
 DRYDOCK_API std::vector<FEffectDecision> DecideEffects(const FChainSettings& Chain);

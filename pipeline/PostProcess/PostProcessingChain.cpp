@@ -137,6 +137,7 @@ public:
 		if (bToonBloom || bVisualizeToon)
 		{
 			ToonInputs.SceneTextures = GetSceneTextures();
+			ToonInputs.ToonBounds = FindRegion("ToonBloom");
 		}
 		if (bVisualizeToon)
 		{
@@ -270,6 +271,16 @@ private:
 	{
 		return std::any_of(Effects.begin(), Effects.end(),
 			[&](const Drydock::FEffectDecision& Effect) { return Effect.bActive && Effect.Name == Name; });
+	}
+
+	/** Where alone an effect has something to do, from the view's corner; not set: anywhere, or the picture is no longer
+	 * of the view's size. */
+	std::optional<FIntRect> FindRegion(const char* Name) const
+	{
+		const auto Found = std::find_if(Effects.begin(), Effects.end(),
+			[&](const Drydock::FEffectDecision& Effect) { return Effect.Name == Name; });
+		const bool bSameSize = SceneColor.ViewRect.Size() == View.ViewRect.Size();
+		return Found != Effects.end() && bSameSize ? Found->Region : std::nullopt;
 	}
 
 	TRDGUniformBufferRef<FSceneTextureUniformParameters> GetSceneTextures() const

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "Run.h"
+#include "SameBits.h"
 
 #include <algorithm>
-#include <cstring>
 #include <filesystem>
 #include <map>
 
@@ -14,6 +14,7 @@ namespace
 {
 
 using namespace Drydock;
+using SameBits::AreSameBits;
 
 struct FEquivalence
 {
@@ -54,28 +55,6 @@ const FRunResult& GetPlainRun(const std::string& ConfigFile)
 	static std::map<std::string, FRunResult> Runs;
 	const auto Found = Runs.find(ConfigFile);
 	return Found != Runs.end() ? Found->second : Runs.emplace(ConfigFile, RunWith(ConfigFile, {})).first->second;
-}
-
-/** The first differing pixel, or that there is none. Bits are compared, so NaN equals itself and -0 is not 0. */
-testing::AssertionResult AreSameBits(const FImage& Expected, const FImage& Actual)
-{
-	if (Expected.Width != Actual.Width || Expected.Height != Actual.Height || Expected.NumChannels != Actual.NumChannels)
-	{
-		return testing::AssertionFailure() << Actual.Width << "x" << Actual.Height << " with " << Actual.NumChannels << " channels, expected "
-										   << Expected.Width << "x" << Expected.Height << " with " << Expected.NumChannels;
-	}
-	for (size_t Index = 0; Index < Expected.Values.size(); ++Index)
-	{
-		if (std::memcmp(&Expected.Values[Index], &Actual.Values[Index], sizeof(double)) != 0)
-		{
-			const size_t Pixel = Index / static_cast<size_t>(Expected.NumChannels);
-			return testing::AssertionFailure()
-				<< "pixel (" << Pixel % static_cast<size_t>(Expected.Width) << ", " << Pixel / static_cast<size_t>(Expected.Width)
-				<< "), channel " << Index % static_cast<size_t>(Expected.NumChannels) << ": " << Actual.Values[Index] << ", expected "
-				<< Expected.Values[Index];
-		}
-	}
-	return testing::AssertionSuccess();
 }
 
 std::vector<std::string> FindShippedConfigs()

@@ -102,6 +102,16 @@ TEST(CostModel, PassesOfOneNameCostAlikeWhateverTheirNumber)
 	EXPECT_FALSE(Model.IsKnown(MakeRun("Blur 96x54", 0.0).Graph.Passes[0], "double float64 2"));
 }
 
+TEST(CostModel, APassOfAPartCostsThePart)
+{
+	// 5000 texels are declared, 20 x 10 drawn: 0.01 ms are 50 ns each.
+	FCostModel Model;
+	Model.Learn(MakeRun("CharaGlow 20x10 (PS)", 0.01));
+	EXPECT_DOUBLE_EQ(0.25, Estimate(Model, MakeRun("CharaGlow 100x50 (PS)", 0.0)));
+	EXPECT_DOUBLE_EQ(0.25, Estimate(Model, MakeRun("CharaGlow (PS)", 0.0)));
+	EXPECT_DOUBLE_EQ(0.25, Estimate(Model, MakeRun("CharaGlow 1920x1080 (PS)", 0.0))); // no more than there is
+}
+
 TEST(CostModel, GuessesWhatItNeverSaw)
 {
 	// 5000 texels of 2 ns.

@@ -1,0 +1,39 @@
+// A part of a full-screen pass: where what a mask marks can reach. What lies outside is copied or left as it is. All rects
+// count from the corner of the view's rect until they are drawn. Source: drydock.
+#pragma once
+
+#include "CoreMinimal.h"
+
+namespace Drydock
+{
+
+/** Larger by so many texels on each side. */
+inline FIntRect GrowRect(const FIntRect& Rect, int32 X, int32 Y)
+{
+	return FIntRect(Rect.Min.X - X, Rect.Min.Y - Y, Rect.Max.X + X, Rect.Max.Y + Y);
+}
+
+/** From a picture of size From to the same picture at size To, rounded outwards. */
+inline FIntRect ScaleRectOutward(const FIntRect& Rect, FIntPoint From, FIntPoint To)
+{
+	const auto Down = [](int32 Value, int32 FromSide, int32 ToSide)
+	{
+		return static_cast<int32>(FMath::FloorToInt(static_cast<double>(Value) * ToSide / FromSide));
+	};
+	const auto Up = [](int32 Value, int32 FromSide, int32 ToSide)
+	{
+		return static_cast<int32>(FMath::CeilToInt(static_cast<double>(Value) * ToSide / FromSide));
+	};
+	return FIntRect(Down(Rect.Min.X, From.X, To.X), Down(Rect.Min.Y, From.Y, To.Y), Up(Rect.Max.X, From.X, To.X),
+		Up(Rect.Max.Y, From.Y, To.Y));
+}
+
+/** As a rect of the texture that holds the view in ViewRect, and no larger than that. */
+inline FIntRect PlaceRect(const FIntRect& Rect, const FIntRect& ViewRect)
+{
+	FIntRect Placed = Rect + ViewRect.Min;
+	Placed.Clip(ViewRect);
+	return Placed;
+}
+
+} // namespace Drydock
