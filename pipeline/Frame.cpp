@@ -2,6 +2,7 @@
 #include "Frame.h"
 
 #include "Modules/ModuleManager.h"
+#include "PostProcess/ContentGates.h"
 #include "PostProcess/ExposureDecisions.h"
 #include "PostProcess/PostProcessingChain.h"
 #include "RenderGraphBuilder.h"
@@ -384,7 +385,15 @@ private:
 	{
 		Target.Effects = DecideEffects(Target.Chain);
 		const FContentQuestions Questions = AskContent(Target.Chain, Target.Effects);
-		if (Inputs.MeasureContent && Extensions.IsEmpty() && Questions.Any())
+		if (!Inputs.MeasureContent || !Questions.Any())
+		{
+			return;
+		}
+		if (!Extensions.IsEmpty())
+		{
+			NoteContentUnseen(Target.Effects, "the scene is not looked at: a view extension may change what it holds");
+		}
+		else
 		{
 			Target.Chain.Content = Inputs.MeasureContent(View.ViewRect, Questions);
 			Target.Effects = DecideEffects(Target.Chain);

@@ -129,6 +129,17 @@ void ApplyContentGate(const FChainSettings& Chain, FEffectDecision& Effect)
 	}
 }
 
+void NoteContentUnseen(std::vector<FEffectDecision>& Effects, const std::string& Why)
+{
+	static const char* const Names[] = {"ToonBloom", "ToonShadowBlur", "CharaGlow", "MotionBlur"};
+	for (FEffectDecision& Effect : Effects)
+	{
+		const bool bGated =
+			std::any_of(std::begin(Names), std::end(Names), [&](const char* Name) { return Effect.Name == Name; });
+		Effect.Reason += bGated && Effect.bActive ? "; " + Why : "";
+	}
+}
+
 FContentQuestions AskContent(const FChainSettings& Chain, const std::vector<FEffectDecision>& Effects)
 {
 	const auto IsActive = [&](const char* Name)

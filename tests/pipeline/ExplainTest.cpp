@@ -78,6 +78,7 @@ TEST(EffectOfPass, IsTheInnermostThatIsNamed)
 	EXPECT_EQ("Bloom", EffectOf("Frame/PostProcessing/Bloom/GaussianBloom", "Bloom3X 120x68 (PS)"));
 	EXPECT_EQ("CharaGlow", EffectOf("Frame/PostProcessing/REDPostProcess", "CharaGlow 960x540 (PS)"));
 	EXPECT_EQ("ToonBloom", EffectOf("Frame/PostProcessing/Bloom", "ToonBloomMask 960x540 (PS)"));
+	EXPECT_EQ("ToonShadowBlur", EffectOf("Frame/PostProcessing", "ToonShadowLighting 960x540"));
 	EXPECT_EQ("Tonemap", EffectOf("Frame/PostProcessing", "Tonemap 960x540 (PS)"));
 	EXPECT_EQ("REDDepthOfField", EffectOf("Frame/PostProcessing/REDDepthOfField", "Blur"));
 	EXPECT_EQ("", EffectOf("Frame", "MyPatch"));
@@ -108,7 +109,6 @@ TEST(CostModel, APassOfAPartCostsThePart)
 	FCostModel Model;
 	Model.Learn(MakeRun("CharaGlow 20x10 (PS)", 0.01));
 	EXPECT_DOUBLE_EQ(0.25, Estimate(Model, MakeRun("CharaGlow 100x50 (PS)", 0.0)));
-	EXPECT_DOUBLE_EQ(0.25, Estimate(Model, MakeRun("CharaGlow (PS)", 0.0)));
 	EXPECT_DOUBLE_EQ(0.25, Estimate(Model, MakeRun("CharaGlow 1920x1080 (PS)", 0.0))); // no more than there is
 }
 
