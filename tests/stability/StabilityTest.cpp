@@ -170,7 +170,7 @@ TEST(StabilityTable, HasARowForEveryHeaderOfPasses)
 		}
 	}
 	for (const char* Name : {"BuiltinTextures.h", "CharaGlowShaders.h", "ColorGrading.h", "DualKawaseBlur.h",
-			 "DualKawaseBlurErrors.h", "DualKawaseBlurOutput.h", "DualKawaseBlurWidth.h", "ExposureMetering.h",
+			 "DrawRegion.h", "DualKawaseBlurErrors.h", "DualKawaseBlurOutput.h", "DualKawaseBlurWidth.h", "ExposureMetering.h",
 			 "KernelAudit.h", "KernelAuditErrors.h", "PostProcessFFTBloomKernel.h", "RasterTarget.h", "SampleSteps.h",
 			 "TextureAssets.h", "TonemapLens.h", "TonemapOutputDevice.h"})
 	{
