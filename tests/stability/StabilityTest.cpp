@@ -169,8 +169,8 @@ TEST(StabilityTable, HasARowForEveryHeaderOfPasses)
 			Headers.insert(Entry.path().filename().string());
 		}
 	}
-	for (const char* Name : {"BuiltinTextures.h", "CharaGlowShaders.h", "ColorGrading.h", "DualKawaseBlur.h",
-			 "DrawRegion.h", "DualKawaseBlurErrors.h", "DualKawaseBlurOutput.h", "DualKawaseBlurWidth.h", "ExposureMetering.h",
+	for (const char* Name : {"BuiltinTextures.h", "CharaGlowShaders.h", "ColorGrading.h", "DrawRegion.h", "DualKawaseBlur.h",
+			 "DualKawaseBlurErrors.h", "DualKawaseBlurOutput.h", "DualKawaseBlurWidth.h", "ExposureMetering.h",
 			 "KernelAudit.h", "KernelAuditErrors.h", "PostProcessFFTBloomKernel.h", "RasterTarget.h", "SampleSteps.h",
 			 "TextureAssets.h", "TonemapLens.h", "TonemapOutputDevice.h"})
 	{
