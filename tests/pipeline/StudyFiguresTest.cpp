@@ -404,7 +404,7 @@ INSTANTIATE_TEST_SUITE_P(All, StudyFigures,
 	[](const auto& Info) { return Info.param.Input + std::to_string(static_cast<int>(Info.param.Sigma)); });
 
 /** Blurs and reference both from here. The program's are in float, of 1e-7 of the picture; the errors are 5e-4 of it
- * and more. */
+ * and more. Seen: figures agree to 1.3e-4 (Separable's largest difference), most to 1e-6, Boxes to 3e-13. */
 TEST_P(StudyFigures, OfBlursWrittenOutHere)
 {
 	constexpr double OfFloat = 1e-3;
