@@ -336,7 +336,7 @@ struct FBeforeFrame
 };
 
 FFrameInputs MakeFrameInputs(const FRunOptions& Options, const FRunSetup& Setup, FScene& Scene,
-	const FBeforeFrame& Before, IRDGObserver& Observer)
+	const FBeforeFrame& Before, IRDGObserver& Observer, double& LoadMilliseconds)
 {
 	FFrameInputs Inputs;
 	Inputs.EngineMinor = ParseEngineVersion(Setup.Config.Engine.Value);
@@ -353,9 +353,12 @@ FFrameInputs MakeFrameInputs(const FRunOptions& Options, const FRunSetup& Setup,
 	{
 		return Scene.RegisterTextures(GraphBuilder);
 	};
-	Inputs.MeasureContent = [&Scene](const FIntRect& ViewRect, const FContentQuestions& Questions)
+	Inputs.MeasureContent = [&Scene, &LoadMilliseconds](const FIntRect& ViewRect, const FContentQuestions& Questions)
 	{
-		return MeasureViewContent(Scene, ViewRect, Questions);
+		const FClock::time_point Begin = FClock::now();
+		const FViewContent Content = MeasureViewContent(Scene, ViewRect, Questions);
+		LoadMilliseconds += MillisecondsSince(Begin);
+		return Content;
 	};
 	Inputs.Plugins = Setup.Plugins;
 	if (Setup.Config.Views.size() <= 1)
@@ -390,7 +393,7 @@ void RunGraph(const FRunOptions& Options, const FRunSetup& Setup, FScene& Scene,
 	FRunResult& Result)
 {
 	FRunObserver Observer(Options, Setup, Scene, Result);
-	const FFrameInputs Inputs = MakeFrameInputs(Options, Setup, Scene, Before, Observer);
+	const FFrameInputs Inputs = MakeFrameInputs(Options, Setup, Scene, Before, Observer, Result.Times.Load);
 	FFrameResult Frame = RenderViewFamily(Inputs);
 	const FFrameViewResult& View = Frame.Views[0];
 	for (const FFrameViewResult& Other : Frame.Views)

@@ -237,6 +237,11 @@ std::map<std::string, FChannelValues> FScene::ReadChannels(const std::vector<std
 		FileChannels.push_back(Source.FileChannel);
 		CountDecoded({Source});
 	}
+	// Whatever else is left out, scene colour is read: once through the file brings both.
+	for (const FScenePackChannel& Channel : GetScenePackings().front().Channels)
+	{
+		FileChannels.push_back(FindSource(Channel).value_or(FSource()).FileChannel);
+	}
 	ReadPlanes(FileChannels);
 
 	const bool bZero = GetNonFinitePolicy() == ENonFinitePolicy::Zero;
