@@ -160,16 +160,14 @@ FScreenPassTexture AddCharaGlowCompPass(FRDGBuilder& GraphBuilder, const FViewIn
 	check(BlurredMask.IsValid());
 	check(Inputs.SceneTextures);
 
-	FScreenPassRenderTarget Output =
-		Inputs.OverrideOutput.IsValid()
-			? Inputs.OverrideOutput
-			: Drydock::CreateRasterTargetLike(GraphBuilder, Inputs.SceneColor, TEXT("CharaGlowComp"));
+	FScreenPassRenderTarget Output = Inputs.OverrideOutput.IsValid() ? Inputs.OverrideOutput
+																	 : Drydock::CreateRasterTargetLike(GraphBuilder,
+																		   Inputs.SceneColor, TEXT("CharaGlowComp"));
 	const FIntRect Drawn = FindReach(Inputs);
 	if (Drawn != Inputs.SceneColor.ViewRect)
 	{
 		const FIntRect& Rect = Inputs.SceneColor.ViewRect;
-		AddCopyTexturePass(
-			GraphBuilder, Inputs.SceneColor.Texture, Output.Texture, Rect.Min, Rect.Min, Rect.Size());
+		AddCopyTexturePass(GraphBuilder, Inputs.SceneColor.Texture, Output.Texture, Rect.Min, Rect.Min, Rect.Size());
 		Output.LoadAction = ERenderTargetLoadAction::ELoad;
 	}
 

@@ -33,8 +33,8 @@ struct FCharaGlowInputs
 	float Area = 0.0f;
 	FLinearColor Color = FLinearColor(1.0f, 1.0f, 1.0f, 1.0f);
 	bool bAsPrinted = false;
-	/** Outside of these bounds the mask is 0, from the corner of SceneColor's rect; not set: it may be anything anywhere.
-	 * Then only what the glow can reach is drawn, and the rest of the picture is copied. */
+	/** Outside of these bounds the mask is 0, from the corner of SceneColor's rect; not set: it may be anything
+	 * anywhere. Then only what the glow can reach is drawn, and the rest of the picture is copied. */
 	std::optional<FIntRect> MaskBounds;
 
 	/** From the settings and r.RED.AsPrinted. */
@@ -42,8 +42,8 @@ struct FCharaGlowInputs
 		const FFinalPostProcessSettings& Settings, const FScreenPassTexture& SceneColor);
 };
 
-/** The widened mask, PF_R16F, over SceneColor's rect, or over what MaskBounds can reach of it; invalid where there is no
- * area. */
+/** The widened mask, PF_R16F, over SceneColor's rect, or over what MaskBounds can reach of it; invalid where there is
+ * no area. */
 DRYDOCK_API FScreenPassTexture AddCharaGlowPasses(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FCharaGlowInputs& Inputs);
 

@@ -130,12 +130,12 @@ FScreenPassTexture AddToonColorWithin(FRDGBuilder& GraphBuilder, const FViewInfo
 
 	FScreenPassRenderTarget Output =
 		Drydock::CreateRasterTargetLike(GraphBuilder, Inputs.SceneColor, TEXT("ToonBloomHalfResolution"));
-	AddCopyTexturePass(
-		GraphBuilder, Inputs.SceneColor.Texture, Output.Texture, Half.Min, Half.Min, Half.Size());
+	AddCopyTexturePass(GraphBuilder, Inputs.SceneColor.Texture, Output.Texture, Half.Min, Half.Min, Half.Size());
 	if (Full.Size() == Half.Size())
 	{
 		Drawn = Drydock::PlaceRect(*Inputs.ToonBounds, Half);
-		AddCopyTexturePass(GraphBuilder, Masked.Texture, Output.Texture, Drawn.Min - Half.Min + Full.Min, Drawn.Min, Drawn.Size());
+		AddCopyTexturePass(
+			GraphBuilder, Masked.Texture, Output.Texture, Drawn.Min - Half.Min + Full.Min, Drawn.Min, Drawn.Size());
 		return FScreenPassTexture(Output.Texture, Half);
 	}
 	Output.LoadAction = ERenderTargetLoadAction::ELoad;

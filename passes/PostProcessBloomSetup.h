@@ -40,8 +40,8 @@ struct FBloomSetupInputs
 	float ToonIntensity = 1.0f;
 	/** What SceneColor was downsampled from; if not given, the scene textures' colour at the view's rect. */
 	FScreenPassTexture FullResolutionSceneColor;
-	/** Where toon pixels can be, from the corner of that picture's rect; not set: anywhere. Then only what they reach is
-	 * masked and downsampled anew. SceneColor must be that picture itself, or its AddDownsamplePass. */
+	/** Where toon pixels can be, from the corner of that picture's rect; not set: anywhere. Then only what they reach
+	 * is masked and downsampled anew. SceneColor must be that picture itself, or its AddDownsamplePass. */
 	std::optional<FIntRect> ToonBounds;
 	/** How it was downsampled. */
 	EDownsampleQuality DownsampleQuality = EDownsampleQuality::Low;

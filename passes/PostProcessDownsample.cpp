@@ -162,8 +162,7 @@ FScreenPassTexture AddDownsamplePass(
 		PassParameters->RenderTargets[0] = Output.GetRenderTargetBinding();
 
 		FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
-			RDG_EVENT_NAME(
-				"%s(%s) %dx%d (PS)", Output.Texture->Name, QualityName, Drawn.Width(), Drawn.Height()),
+			RDG_EVENT_NAME("%s(%s) %dx%d (PS)", Output.Texture->Name, QualityName, Drawn.Width(), Drawn.Height()),
 			PixelShader, PassParameters, Drawn);
 	}
 

@@ -95,8 +95,8 @@ FScreenPassTexture AddToonPass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
 	OutputDesc.Reset();
 	OutputDesc.Flags &= ~(TexCreate_RenderTargetable | TexCreate_UAV);
 	OutputDesc.Flags |= TexCreate_ShaderResource | (bCompute ? TexCreate_UAV : TexCreate_RenderTargetable);
-	const FScreenPassRenderTarget Output(GraphBuilder.CreateTexture(OutputDesc, Names.Output), Inputs.SceneColor.ViewRect,
-		ERenderTargetLoadAction::ENoAction);
+	const FScreenPassRenderTarget Output(GraphBuilder.CreateTexture(OutputDesc, Names.Output),
+		Inputs.SceneColor.ViewRect, ERenderTargetLoadAction::ENoAction);
 	const FIntRect Drawn = DrawRect.value_or(Output.ViewRect);
 	const FIntPoint Size = Drawn.Size();
 
@@ -117,8 +117,9 @@ FScreenPassTexture AddToonPass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
 		FToonBloomCS::FParameters* PassParameters = GraphBuilder.AllocParameters<FToonBloomCS::FParameters>();
 		PassParameters->Common = Common;
 		PassParameters->OutComputeTexture = GraphBuilder.CreateUAV(Output.Texture);
-		FComputeShaderUtils::AddPass(GraphBuilder, RDG_EVENT_NAME("%s %dx%d (CS)", Names.Pass, Size.X, Size.Y), ComputeShader,
-			PassParameters, FComputeShaderUtils::GetGroupCount(Size, FComputeShaderUtils::kGolden2DGroupSize));
+		FComputeShaderUtils::AddPass(GraphBuilder, RDG_EVENT_NAME("%s %dx%d (CS)", Names.Pass, Size.X, Size.Y),
+			ComputeShader, PassParameters,
+			FComputeShaderUtils::GetGroupCount(Size, FComputeShaderUtils::kGolden2DGroupSize));
 	}
 	else
 	{

@@ -92,9 +92,9 @@ std::string FindEffectOfPass(const FRDGPassDescription& Pass)
 {
 	// Scopes and passes that do not bear their effect's name. A pass of toon bloom is one of bloom's.
 	static const std::vector<std::pair<std::string, std::string>> Others = {{"REDPostProcess", "RED"},
-		{"REDBloomComposite", "RED"}, {"ToonBloomMask", "ToonBloom"}, {"ToonShadowLighting", "ToonShadowBlur"}, {"HalfResolutionSceneColor", "Bloom"},
-		{"SceneDownsample", "Bloom"}, {"EyeAdaptation", "Exposure"}, {"Histogram", "Exposure"},
-		{"CombineLUTs", "Tonemap"}, {"PrimaryUpscale", "Upscale"}};
+		{"REDBloomComposite", "RED"}, {"ToonBloomMask", "ToonBloom"}, {"ToonShadowLighting", "ToonShadowBlur"},
+		{"HalfResolutionSceneColor", "Bloom"}, {"SceneDownsample", "Bloom"}, {"EyeAdaptation", "Exposure"},
+		{"Histogram", "Exposure"}, {"CombineLUTs", "Tonemap"}, {"PrimaryUpscale", "Upscale"}};
 	std::string Found;
 	size_t FoundEnd = 0;
 	size_t FoundLength = 0;

@@ -41,7 +41,7 @@ struct FExplainedCost
 	int NumPasses = 0;   // that execute
 	int NumChannels = 0; // that are decoded
 	uint64_t TransientBytes = 0;
-	uint64_t SceneBytes = 0; // of scene textures that are loaded
+	uint64_t SceneBytes = 0;   // of scene textures that are loaded
 	double Milliseconds = 0.0; // of all passes
 };
 

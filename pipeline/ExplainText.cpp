@@ -40,13 +40,13 @@ std::string FormatSaved(const FExplainReport& Report)
 {
 	const FExplainedCost& With = Report.Cost;
 	const FExplainedCost& Without = Report.WithoutSkipping;
-	const double Megabytes =
-		1e-6 * (static_cast<double>(Without.TransientBytes + Without.SceneBytes) -
-				   static_cast<double>(With.TransientBytes + With.SceneBytes));
+	const double Megabytes = 1e-6 * (static_cast<double>(Without.TransientBytes + Without.SceneBytes) -
+										static_cast<double>(With.TransientBytes + With.SceneBytes));
 	// A region costs a copy, and now and then that is one pass more.
 	const int NumPasses = Without.NumPasses - With.NumPasses;
-	return "saved    " + (NumPasses < 0 ? "no pass (" + std::to_string(-NumPasses) + " more)" : Count(NumPasses, "pass")) + ", " + Format("%.1f MB", Megabytes) +
-		   ", " + Count(Without.NumChannels - With.NumChannels, "channel") + ", " +
+	return "saved    " +
+		   (NumPasses < 0 ? "no pass (" + std::to_string(-NumPasses) + " more)" : Count(NumPasses, "pass")) + ", " +
+		   Format("%.1f MB", Megabytes) + ", " + Count(Without.NumChannels - With.NumChannels, "channel") + ", " +
 		   FormatMilliseconds(Report, Without.Milliseconds - With.Milliseconds) +
 		   ", against the same frame with --no-skip\n";
 }

@@ -57,8 +57,8 @@ struct FFrameInputs
 	std::optional<std::vector<std::string>> Plugins;
 	/** Registers the scene's textures in the frame's graph. */
 	std::function<FSceneTextures(FRDGBuilder&)> RegisterSceneTextures;
-	/** Looks at the scene's content for a view, ViewRect in the scene textures. Empty: settings alone decide what runs; so
-	 * they do where view extensions take part, which may change what the scene textures hold. */
+	/** Looks at the scene's content for a view, ViewRect in the scene textures. Empty: settings alone decide what runs;
+	 * so they do where view extensions take part, which may change what the scene textures hold. */
 	std::function<FViewContent(const FIntRect& ViewRect, const FContentQuestions& Questions)> MeasureContent;
 	IRDGObserver* Observer = nullptr;
 	bool bExecute = true; // false: the graph is compiled only
@@ -82,8 +82,8 @@ struct FFrameResult
 
 	// Only of an executed frame.
 	std::vector<FViewHistory> ViewStates; // for the next frame
-	FImage SceneLinear;       // RGBA: the tonemapper's input, of all SceneRects; black where no view is
-	FImage Final;             // RGBA: display-encoded, of all Rects, likewise
+	FImage SceneLinear;                   // RGBA: the tonemapper's input, of all SceneRects; black where no view is
+	FImage Final;                         // RGBA: display-encoded, of all Rects, likewise
 	FImage BandingMap;        // RGB: of the blurred toon shadow of the first view that has one (Banding.h); else empty
 	FImage BlurredToonShadow; // that shadow, one channel, decoded
 

@@ -389,8 +389,8 @@ FFrameInputs MakeFrameInputs(const FRunOptions& Options, const FRunSetup& Setup,
 }
 
 /** Builds the graph and runs or compiles it. */
-void RunGraph(const FRunOptions& Options, const FRunSetup& Setup, FScene& Scene, const FBeforeFrame& Before,
-	FRunResult& Result)
+void RunGraph(
+	const FRunOptions& Options, const FRunSetup& Setup, FScene& Scene, const FBeforeFrame& Before, FRunResult& Result)
 {
 	FRunObserver Observer(Options, Setup, Scene, Result);
 	const FFrameInputs Inputs = MakeFrameInputs(Options, Setup, Scene, Before, Observer, Result.Times.Load);

@@ -66,16 +66,16 @@ struct FRunResult
 	FFinalPostProcessSettings Settings;
 	float ExposureScale = 1.0f;
 	std::optional<FExposureReport> Exposure; // of an executed run whose exposure is automatic
-	std::string Precision;    // "float", "double"
-	std::string Storage;      // "native", "float32", "float64"
-	std::string BudgetReason; // what a study chose for this run, and why; empty: nothing was asked
+	std::string Precision;                   // "float", "double"
+	std::string Storage;                     // "native", "float32", "float64"
+	std::string BudgetReason;                // what a study chose for this run, and why; empty: nothing was asked
 	int Threads = 0;
 	FIntPoint SceneExtent = FIntPoint(0, 0);
 	FIntRect ViewRect; // of all views
 	std::vector<FRunView> Views;
 	std::vector<FSceneChannel> Channels;
 	uint64_t SceneTextureBytes = 0; // of the scene textures that were loaded, or with bPlanLoads would be
-	FLinearColor LightColor;                                            // of the scene's main light, relative
+	FLinearColor LightColor;        // of the scene's main light, relative
 	EDisplayOutputFormat OutputDevice = EDisplayOutputFormat::SDR_sRGB; // what Final is encoded for
 	std::vector<FHookCall> HookCalls;                                   // what view extensions were asked and did
 	std::vector<FHookPoint> HookPoints;                                 // the chain's insertion points

@@ -309,7 +309,9 @@ FSceneRegion FScene::FindRegion(const FIntRect& ViewRect) const
 	const auto Found = std::find_if(
 		Regions.begin(), Regions.end(), [&](const FSceneRegion& Region) { return Region.Target == Target; });
 	const FIntRect Whole(0, 0, File.GetWidth(), File.GetHeight());
-	return Found != Regions.end() ? *Found : Regions.empty() ? FSceneRegion{Target, Target} : FSceneRegion{Whole, Target};
+	return Found != Regions.end() ? *Found
+		   : Regions.empty()      ? FSceneRegion{Target, Target}
+								  : FSceneRegion{Whole, Target};
 }
 
 namespace

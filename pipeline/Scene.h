@@ -85,8 +85,8 @@ public:
 	void Plan(const std::vector<FNeededSceneTexture>& Needed);
 
 	/** Values of the channels named, by the names that passes know; one that the file lacks and that has no default is
-	 * left out. What is named counts as decoded, and is kept for Load with scene colour, which comes in the same read. The
-	 * values live until then. */
+	 * left out. What is named counts as decoded, and is kept for Load with scene colour, which comes in the same read.
+	 * The values live until then. */
 	std::map<std::string, FChannelValues> ReadChannels(const std::vector<std::string>& Names);
 
 	/** Where the pixels of a view come from and go to; ViewRect in the scene textures. */

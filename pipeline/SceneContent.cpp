@@ -92,7 +92,8 @@ FViewContent MeasureViewContent(FScene& Scene, const FIntRect& ViewRect, const F
 	if (Has({"shadingmodel.ID"}))
 	{
 		const FChannelValues& Ids = Channels.at("shadingmodel.ID");
-		Content.Toon = MapBounds(FindBounds(Region.Source, [&](int X, int Y) { return IsToon(Ids.Get(X, Y)); }), Region);
+		Content.Toon =
+			MapBounds(FindBounds(Region.Source, [&](int X, int Y) { return IsToon(Ids.Get(X, Y)); }), Region);
 	}
 	if (Has({"custommask.B"}))
 	{

@@ -23,7 +23,9 @@ struct FChannelValues
 
 	float Get(int X, int Y) const
 	{
-		const float Value = Values != nullptr ? Values[static_cast<size_t>(Y) * static_cast<size_t>(Width) + static_cast<size_t>(X)] : Constant;
+		const float Value = Values != nullptr
+								? Values[static_cast<size_t>(Y) * static_cast<size_t>(Width) + static_cast<size_t>(X)]
+								: Constant;
 		return bZeroNonFinite && !std::isfinite(Value) ? 0.0f : Value;
 	}
 };
@@ -53,8 +55,9 @@ FIntRect FindBounds(const FIntRect& Area, const TPredicate& IsMarked)
  * whole view. */
 DRYDOCK_API FIntRect MapBounds(const FIntRect& Bounds, const FSceneRegion& Region);
 
-/** ViewRect: of a view in the scene textures. Reads the channels that it needs and the scene keeps them for Load; throws
- * FError (exit code 3) for a broken file. */
-DRYDOCK_API FViewContent MeasureViewContent(FScene& Scene, const FIntRect& ViewRect, const FContentQuestions& Questions);
+/** ViewRect: of a view in the scene textures. Reads the channels that it needs and the scene keeps them for Load;
+ * throws FError (exit code 3) for a broken file. */
+DRYDOCK_API FViewContent MeasureViewContent(
+	FScene& Scene, const FIntRect& ViewRect, const FContentQuestions& Questions);
 
 } // namespace Drydock

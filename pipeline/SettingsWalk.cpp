@@ -2,9 +2,9 @@
 #include "SettingsWalk.h"
 
 #include "PostProcessVolumeWeight.h"
+#include "TextFormat.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace Drydock
@@ -79,13 +79,6 @@ std::vector<size_t> FindChanging(const FSettingsBlender& Blender, const std::vec
 		}
 	}
 	return Changing;
-}
-
-template<typename T>
-std::string NumberText(T Number)
-{
-	char Buffer[32];
-	return std::string(Buffer, std::to_chars(Buffer, Buffer + sizeof(Buffer), Number).ptr);
 }
 
 /** Quoted where it must be. */

@@ -1,6 +1,7 @@
 // Source: drydock.
 #include "TextFormat.h"
 
+#include <charconv>
 #include <cstdio>
 
 namespace Drydock
@@ -11,6 +12,28 @@ std::string Format(const char* Pattern, double Number)
 	char Buffer[64];
 	std::snprintf(Buffer, sizeof(Buffer), Pattern, Number);
 	return Buffer;
+}
+
+namespace
+{
+
+template<typename T>
+std::string WriteShortest(T Number)
+{
+	char Buffer[64];
+	return std::string(Buffer, std::to_chars(Buffer, Buffer + sizeof(Buffer), Number).ptr);
+}
+
+} // namespace
+
+std::string NumberText(float Number)
+{
+	return WriteShortest(Number);
+}
+
+std::string NumberText(double Number)
+{
+	return WriteShortest(Number);
 }
 
 std::string PadRight(const std::string& Text, size_t Width)

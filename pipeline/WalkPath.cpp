@@ -5,9 +5,9 @@
 #include "FrameSequence.h"
 #include "ImageFile.h"
 #include "SceneSuggestions.h"
+#include "TextFormat.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -24,12 +24,6 @@ const std::vector<std::string> PointKeys = {"location", "frame", "t"};
 FVector ToLocation(const FConfigVector& Vector)
 {
 	return FVector(Vector[0], Vector[1], Vector[2]);
-}
-
-std::string NumberText(double Number)
-{
-	char Buffer[32];
-	return std::string(Buffer, std::to_chars(Buffer, Buffer + sizeof(Buffer), Number).ptr);
 }
 
 /** The number at Key as a label; reports a value that is none. */

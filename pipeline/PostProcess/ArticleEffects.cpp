@@ -7,9 +7,9 @@
 #include "SceneRendering.h"
 #include "ToonShadowBlur.h"
 #include "UnityBloom.h"
+#include "TextFormat.h"
 
 #include <algorithm>
-#include <charconv>
 
 namespace Drydock
 {
@@ -46,12 +46,6 @@ const std::vector<FArticleEffect>& GetArticleEffects()
 		{"UnityBloom", {"UnityBloom"}, {{"UnityBloomIntensity", &S::UnityBloomIntensity, 0.0f}}},
 	};
 	return Effects;
-}
-
-std::string NumberText(float Number)
-{
-	char Buffer[32];
-	return std::string(Buffer, std::to_chars(Buffer, Buffer + sizeof(Buffer), Number).ptr);
 }
 
 bool IsNamed(const FArticleEffect& Effect, const FChainSettings& Chain)

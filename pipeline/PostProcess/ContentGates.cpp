@@ -1,13 +1,12 @@
 // Source: drydock.
 #include "PostProcess/ContentGates.h"
 
-#include "HAL/IConsoleManager.h"
 #include "PostProcess/ArticleEffects.h"
 #include "PostProcess/ExposureDecisions.h"
 #include "PostProcessToonBloom.h"
+#include "TextFormat.h"
 
 #include <algorithm>
-#include <charconv>
 
 namespace Drydock
 {
@@ -17,19 +16,6 @@ namespace
 
 /** Above this part of the view a region saves nothing: what lies outside of it has to be copied. */
 constexpr double LargestRegion = 0.75;
-
-std::string NumberText(double Number)
-{
-	char Buffer[32];
-	return std::string(Buffer, std::to_chars(Buffer, Buffer + sizeof(Buffer), static_cast<float>(Number)).ptr);
-}
-
-bool IsComputePreferred()
-{
-	const IConsoleVariable* Compute =
-		IConsoleManager::Get().FindConsoleVariable(TEXT("r.PostProcessing.PreferCompute"));
-	return Compute != nullptr && Compute->GetInt() != 0;
-}
 
 bool HasNone(const std::optional<FIntRect>& Bounds)
 {
@@ -68,8 +54,8 @@ bool IsSceneChangedBeforeBloom(const FChainSettings& Chain)
 	return std::any_of(Effects.begin(), Effects.end(),
 		[](const FEffectDecision& Effect)
 		{
-			return Effect.bActive &&
-				   std::any_of(std::begin(Names), std::end(Names), [&](const char* Name) { return Effect.Name == Name; });
+			return Effect.bActive && std::any_of(std::begin(Names), std::end(Names),
+										 [&](const char* Name) { return Effect.Name == Name; });
 		});
 }
 
@@ -88,8 +74,8 @@ std::string FindNothingBright(const FChainSettings& Chain)
 	{
 		return "";
 	}
-	return "nothing is brighter than BloomThreshold " + NumberText(Threshold) + ": the scene's brightest value is " +
-		   NumberText(Exposed) + ", exposed";
+	return "nothing is brighter than BloomThreshold " + NumberText(Chain.Settings.BloomThreshold) +
+		   ": the scene's brightest value is " + NumberText(static_cast<float>(Exposed)) + ", exposed";
 }
 
 void ApplyContentGate(const FChainSettings& Chain, FEffectDecision& Effect)

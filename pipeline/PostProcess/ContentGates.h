@@ -8,14 +8,14 @@
 namespace Drydock
 {
 
-/** Why bloom adds nothing: no pixel is bright enough for its threshold. Empty: it may. Only where bloom sees the scene as
- * it came (no effect before it changes colours), exposure is a number, and no value is NaN or infinite. Exposed luminance
- * is at most that of the brightest component; a tenth more covers what formats and filters round. The setup pass then
- * gives 0 everywhere, and so does every sum of it. */
+/** Why bloom adds nothing: no pixel is bright enough for its threshold. Empty: it may. Only where bloom sees the scene
+ * as it came (no effect before it changes colours), exposure is a number, and no value is NaN or infinite. Exposed
+ * luminance is at most that of the brightest component; a tenth more covers what formats and filters round. The setup
+ * pass then gives 0 everywhere, and so does every sum of it. */
 DRYDOCK_API std::string FindNothingBright(const FChainSettings& Chain);
 
-/** Takes back the decision of an active ToonBloom, MotionBlur, CharaGlow or ToonShadowBlur that would change nothing, or
- * gives it the region that it can change:
+/** Takes back the decision of an active ToonBloom, MotionBlur, CharaGlow or ToonShadowBlur that would change nothing,
+ * or gives it the region that it can change:
  * - ToonBloom multiplies pixels of the toon model; without one the masked picture is the picture. As printed without a
  *   threshold it brings a pass that rounds: it stays.
  * - ToonShadowBlur lights pixels of the toon model.

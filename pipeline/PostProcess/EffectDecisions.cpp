@@ -15,9 +15,9 @@
 #include "PostProcessMotionBlur.h"
 #include "PostProcessToonBloom.h"
 #include "PostProcessUpscale.h"
+#include "TextFormat.h"
 
 #include <algorithm>
-#include <charconv>
 
 namespace Drydock
 {
@@ -27,12 +27,6 @@ namespace
 
 TAutoConsoleVariable<int32> CVarAntiAliasingMethod(TEXT("r.AntiAliasingMethod"), 0,
 	TEXT("0: off (default). 1: FXAA. 2 TAA, 3 MSAA, 4 TSR: not simulated."), ECVF_RenderThreadSafe);
-
-std::string NumberText(float Number)
-{
-	char Buffer[32];
-	return std::string(Buffer, std::to_chars(Buffer, Buffer + sizeof(Buffer), Number).ptr);
-}
 
 /** ": ShowFlag.Bloom is off", or nothing. */
 std::string GateText(const FChainSettings& Chain, const char* Setting)
@@ -168,12 +162,9 @@ std::string AsPrintedText()
 	{
 		return "";
 	}
-	const IConsoleVariable* Compute =
-		IConsoleManager::Get().FindConsoleVariable(TEXT("r.PostProcessing.PreferCompute"));
-	const bool bLost = Compute != nullptr && Compute->GetInt() != 0;
-	return bLost ? "; as printed, and lost: the article patches the pixel shader only, and "
-				   "r.PostProcessing.PreferCompute is 1"
-				 : "; as printed: one id for each half-resolution pixel";
+	return IsComputePreferred() ? "; as printed, and lost: the article patches the pixel shader only, and "
+								  "r.PostProcessing.PreferCompute is 1"
+								: "; as printed: one id for each half-resolution pixel";
 }
 
 FEffectDecision DecideToonBloom(const FChainSettings& Chain)
@@ -285,6 +276,13 @@ const std::vector<std::string>& GetEffectNames()
 		"DepthOfField", "RED", "REDDepthOfField", "CharaGlow", "ToonShadowBlur", "UnityBloom", "DualKawaseBlur",
 		"Tonemap", "FXAA", "Upscale"};
 	return Names;
+}
+
+bool IsComputePreferred()
+{
+	const IConsoleVariable* Compute =
+		IConsoleManager::Get().FindConsoleVariable(TEXT("r.PostProcessing.PreferCompute"));
+	return Compute != nullptr && Compute->GetInt() != 0;
 }
 
 double GetScreenPercentage(const FChainSettings& Chain)

@@ -1,5 +1,6 @@
-// Which effects a frame calls for, and why the others do not run. Pure: looks at settings, and at what the scene was found
-// to hold. Source: engine PostProcess/PostProcessing.cpp (conditions of settings); content and the record are drydock's.
+// Which effects a frame calls for, and why the others do not run. Pure: looks at settings, and at what the scene was
+// found to hold. Source: engine PostProcess/PostProcessing.cpp (conditions of settings); content and the record are
+// drydock's.
 #pragma once
 
 #include "Banding.h"
@@ -49,6 +50,9 @@ struct FChainSettings
 
 /** Rendered size in percent of the output's: 100 where ShowFlag.ScreenPercentage is off. */
 DRYDOCK_API double GetScreenPercentage(const FChainSettings& Chain);
+
+/** r.PostProcessing.PreferCompute. */
+bool IsComputePreferred();
 
 /** What of the scene could leave out or confine an effect that is active in Effects. */
 DRYDOCK_API FContentQuestions AskContent(const FChainSettings& Chain, const std::vector<FEffectDecision>& Effects);

@@ -4,9 +4,9 @@
 #include "TextureAssets.h"
 #include "PostProcessEyeAdaptation.h"
 #include "PostProcessLocalExposure.h"
+#include "TextFormat.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace Drydock
@@ -14,12 +14,6 @@ namespace Drydock
 
 namespace
 {
-
-std::string NumberText(float Number)
-{
-	char Buffer[32];
-	return std::string(Buffer, std::to_chars(Buffer, Buffer + sizeof(Buffer), Number).ptr);
-}
 
 /** Why a config's "auto" is not followed, or nothing. */
 std::string GetObstacle(const FChainSettings& Chain)

@@ -273,8 +273,8 @@ private:
 			[&](const Drydock::FEffectDecision& Effect) { return Effect.bActive && Effect.Name == Name; });
 	}
 
-	/** Where alone an effect has something to do, from the view's corner; not set: anywhere, or the picture is no longer
-	 * of the view's size. */
+	/** Where alone an effect has something to do, from the view's corner; not set: anywhere, or the picture is no
+	 * longer of the view's size. */
 	std::optional<FIntRect> FindRegion(const char* Name) const
 	{
 		const auto Found = std::find_if(Effects.begin(), Effects.end(),

@@ -1,6 +1,6 @@
-// What a view's part of the scene holds, as far as an effect's passes can be left out or confined by it: the third and the
-// fourth gate (settings, the graph's outputs, content, region, loading). Measured on the file's own channels before the
-// graph is built; only what an effect that the settings call for asks is looked at. Source: drydock.
+// What a view's part of the scene holds, as far as an effect's passes can be left out or confined by it: the third and
+// the fourth gate (settings, the graph's outputs, content, region, loading). Measured on the file's own channels before
+// the graph is built; only what an effect that the settings call for asks is looked at. Source: drydock.
 #pragma once
 
 #include "CoreMinimal.h"
@@ -13,9 +13,9 @@ namespace Drydock
 /** What is to be looked at. */
 struct FContentQuestions
 {
-	bool bToon = false;     // shadingmodel.ID
-	bool bGlowMask = false; // custommask.B
-	bool bStill = false;    // velocity.X, velocity.Y
+	bool bToon = false;      // shadingmodel.ID
+	bool bGlowMask = false;  // custommask.B
+	bool bStill = false;     // velocity.X, velocity.Y
 	bool bBrightest = false; // R, G, B
 
 	bool Any() const { return bToon || bGlowMask || bStill || bBrightest; }
@@ -29,8 +29,8 @@ struct FViewContent
 	FIntPoint Size = FIntPoint(0, 0);
 	/** Bounds of what is shaded as cloth (SHADINGMODELID_CLOTH, the toon mark). */
 	std::optional<FIntRect> Toon;
-	/** Bounds of a mask that is not 0; the whole view where a value is no multiple of 1/255 in sight: not finite, or below
-	 * 1/256, where running sums of it would not be exact. */
+	/** Bounds of a mask that is not 0; the whole view where a value is no multiple of 1/255 in sight: not finite, or
+	 * below 1/256, where running sums of it would not be exact. */
 	std::optional<FIntRect> GlowMask;
 	/** Every velocity is 0. */
 	std::optional<bool> bStill;

@@ -6,9 +6,9 @@
 #include "ImageMetrics.h"
 #include "PostProcessSettingsReflection.h"
 #include "Study/BlurAlgorithms.h"
+#include "TextFormat.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace Drydock
@@ -25,12 +25,6 @@ const std::vector<std::string> GInputs = {"scene", "point", "edge"};
 const std::vector<std::string> GResolutions = {"100", "50", "25", "12.5"};
 const std::vector<std::string> GPrecisions = {"float", "double"};
 const std::vector<std::string> GFrameStorages = {"native", "float32", "float64"};
-
-std::string NumberText(double Number)
-{
-	char Buffer[64];
-	return std::string(Buffer, std::to_chars(Buffer, Buffer + sizeof(Buffer), Number).ptr);
-}
 
 /** False: it is no number, text or truth, which is reported. */
 bool ReadValueText(const FJsonValue& Value, std::string& OutText, FConfigMessages& Messages)

@@ -1,6 +1,6 @@
 // What the scene's content leaves out or confines changes no bit: every frame here is run once as it is and once with
-// --no-skip. Scenes are small and made so that each gate has its case: no toon pixel, one in a corner, no mask, a mask at
-// the edge, nothing moving, nothing bright.
+// --no-skip. Scenes are small and made so that each gate has its case: no toon pixel, one in a corner, no mask, a mask
+// at the edge, nothing moving, nothing bright.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -51,8 +51,8 @@ uint64_t CountShadedPixels(const FRunResult& Result)
 
 bool IsInAny(const std::vector<FIntRect>& Rects, int X, int Y)
 {
-	return std::any_of(Rects.begin(), Rects.end(), [&](const FIntRect& Rect)
-		{ return X >= Rect.Min.X && X < Rect.Max.X && Y >= Rect.Min.Y && Y < Rect.Max.Y; });
+	return std::any_of(Rects.begin(), Rects.end(),
+		[&](const FIntRect& Rect) { return X >= Rect.Min.X && X < Rect.Max.X && Y >= Rect.Min.Y && Y < Rect.Max.Y; });
 }
 
 /** The scene's file. Noise is the same for every content; some values are negative, one is -0. */
@@ -137,8 +137,7 @@ uint64_t CountPixels(const FRunResult& Result, const std::string& Part)
 	uint64_t Pixels = 0;
 	for (const FRunPass& Pass : Result.Passes)
 	{
-		const bool bNamed =
-			Result.Graph.Passes[static_cast<size_t>(Pass.Index)].Name.find(Part) != std::string::npos;
+		const bool bNamed = Result.Graph.Passes[static_cast<size_t>(Pass.Index)].Name.find(Part) != std::string::npos;
 		Pixels += bNamed ? Pass.Counters.Pixels : 0;
 	}
 	return Pixels;
@@ -202,9 +201,9 @@ TEST_P(ContentGatesRun, SameBitsOfToonBloomWithoutAThresholdAndByConvolution)
 TEST_P(ContentGatesRun, SameBitsOfOneEffectAlone)
 {
 	const FSceneOnDisk Scene(GetParam());
-	for (const char* Settings : {R"("CharaGlowArea": 2)", R"("CharaGlowArea": 20, "BloomIntensity": 0)",
-			 R"("ToonShadowBlurIntensity": 1)", R"("MotionBlurAmount": 1, "MotionBlurTargetFPS": 0)",
-			 R"("BloomThreshold": 0.6)", R"("BloomThreshold": 0)"})
+	for (const char* Settings :
+		{R"("CharaGlowArea": 2)", R"("CharaGlowArea": 20, "BloomIntensity": 0)", R"("ToonShadowBlurIntensity": 1)",
+			R"("MotionBlurAmount": 1, "MotionBlurTargetFPS": 0)", R"("BloomThreshold": 0.6)", R"("BloomThreshold": 0)"})
 	{
 		SCOPED_TRACE(Settings);
 		Scene.ExpectSameWithoutSkipping(Settings, {});
@@ -245,8 +244,8 @@ TEST(ContentGatesRun, AFrameWithoutMaskToonOrMovementBuildsNoneOfTheirPasses)
 	{
 		Decoded.insert(Decoded.end(), Channel.bDecoded, Channel.Name);
 	}
-	EXPECT_THAT(Decoded, testing::UnorderedElementsAre(
-							 "R", "G", "B", "shadingmodel.ID", "custommask.B", "velocity.X", "velocity.Y"));
+	EXPECT_THAT(Decoded,
+		testing::UnorderedElementsAre("R", "G", "B", "shadingmodel.ID", "custommask.B", "velocity.X", "velocity.Y"));
 }
 
 TEST(ContentGatesRun, NothingBrightBuildsNoBloom)

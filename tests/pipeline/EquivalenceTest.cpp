@@ -1,6 +1,6 @@
-// The promise of equal bits: whatever may change how a frame is computed but not what it is (threads, lane width, aliasing,
-// skipping, immediate mode, clobbered memory) leaves every output of every shipped config bit for bit the same. A config
-// joins by lying in configs/, an equivalence by a line in GEquivalences. Source: drydock.
+// The promise of equal bits: whatever may change how a frame is computed but not what it is (threads, lane width,
+// aliasing, skipping, immediate mode, clobbered memory) leaves every output of every shipped config bit for bit the
+// same. A config joins by lying in configs/, an equivalence by a line in GEquivalences. Source: drydock.
 #include <gtest/gtest.h>
 
 #include "Run.h"
@@ -39,8 +39,7 @@ const std::vector<FEquivalence> GEquivalences = {
 	{"ClobberedInf", {"r.RDG.ClobberResources=3"}},
 };
 
-FRunResult RunWith(
-	const std::string& ConfigFile, const std::vector<std::string>& Variables, bool bNoSkip = false)
+FRunResult RunWith(const std::string& ConfigFile, const std::vector<std::string>& Variables, bool bNoSkip = false)
 {
 	FRunOptions Options;
 	Options.ConfigFile = ConfigFile;
@@ -78,7 +77,8 @@ class Equivalence : public testing::TestWithParam<std::tuple<std::string, FEquiv
 std::string GetTestName(const testing::TestParamInfo<Equivalence::ParamType>& Info)
 {
 	std::string Name = std::filesystem::path(std::get<0>(Info.param)).stem().string();
-	std::replace_if(Name.begin(), Name.end(), [](char Letter) { return !std::isalnum(static_cast<unsigned char>(Letter)); }, '_');
+	std::replace_if(
+		Name.begin(), Name.end(), [](char Letter) { return !std::isalnum(static_cast<unsigned char>(Letter)); }, '_');
 	return Name + "_" + std::get<1>(Info.param).Name;
 }
 
@@ -94,8 +94,8 @@ TEST_P(Equivalence, GivesTheSameBits)
 	EXPECT_TRUE(AreSameBits(Expected.Final, Actual.Final)) << "final";
 }
 
-INSTANTIATE_TEST_SUITE_P(
-	ShippedConfigs, Equivalence, testing::Combine(testing::ValuesIn(FindShippedConfigs()), testing::ValuesIn(GEquivalences)), GetTestName);
+INSTANTIATE_TEST_SUITE_P(ShippedConfigs, Equivalence,
+	testing::Combine(testing::ValuesIn(FindShippedConfigs()), testing::ValuesIn(GEquivalences)), GetTestName);
 
 TEST(EquivalenceHarness, NoticesASingleBit)
 {

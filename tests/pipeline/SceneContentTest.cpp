@@ -23,7 +23,8 @@ class FSceneFile
 {
 public:
 	explicit FSceneFile(const std::vector<std::pair<std::string, FChannelFunction>>& Channels)
-		: Path((std::filesystem::temp_directory_path() / ("drydock_content_" + std::to_string(getpid()) + ".exr")).string())
+		: Path((std::filesystem::temp_directory_path() / ("drydock_content_" + std::to_string(getpid()) + ".exr"))
+				   .string())
 	{
 		FImage Image{Width, Height, static_cast<int>(Channels.size()), {}};
 		std::vector<std::string> Names;
@@ -59,13 +60,18 @@ private:
 
 FChannelFunction Constant(double Value)
 {
-	return [Value](int, int) { return Value; };
+	return [Value](int, int)
+	{
+		return Value;
+	};
 }
 
 FChannelFunction Within(const FIntRect& Rect, double Inside, double Outside)
 {
 	return [=](int X, int Y)
-	{ return X >= Rect.Min.X && X < Rect.Max.X && Y >= Rect.Min.Y && Y < Rect.Max.Y ? Inside : Outside; };
+	{
+		return X >= Rect.Min.X && X < Rect.Max.X && Y >= Rect.Min.Y && Y < Rect.Max.Y ? Inside : Outside;
+	};
 }
 
 FContentQuestions AskAll()
@@ -95,7 +101,8 @@ TEST(FindBounds, OfOnePixelOfTwoFarOnesAndOfNone)
 
 TEST(FindBounds, LooksNowhereElse)
 {
-	EXPECT_EQ(0, FindBounds(FIntRect(2, 2, 5, 5), [](int X, int Y) { return X < 2 || Y < 2 || X > 4 || Y > 4; }).Area());
+	EXPECT_EQ(
+		0, FindBounds(FIntRect(2, 2, 5, 5), [](int X, int Y) { return X < 2 || Y < 2 || X > 4 || Y > 4; }).Area());
 }
 
 TEST(MapBounds, MovesFromTheFileToTheViewsCorner)
@@ -132,8 +139,8 @@ TEST(SceneContent, AnIdIsRoundedAndItsUpperBitsAreNoModel)
 TEST(SceneContent, PaddingIsNoPartOfTheView)
 {
 	const FSceneFile File({{"shadingmodel.ID", Within(FIntRect(0, 0, 1, 1), 8.0, 1.0)}});
-	EXPECT_EQ(FIntRect(0, 0, 1, 1),
-		Measure(File, Whole + FIntPoint(5, 3), R"(, "padding": {"left": 5, "top": 3})").Toon);
+	EXPECT_EQ(
+		FIntRect(0, 0, 1, 1), Measure(File, Whole + FIntPoint(5, 3), R"(, "padding": {"left": 5, "top": 3})").Toon);
 }
 
 TEST(SceneContent, ADefaultCountsAsAChannel)
@@ -169,8 +176,8 @@ TEST(SceneContent, BrightestIsTheLargestComponentAndUnknownWithoutAnEnd)
 	const FIntRect Lamp(5, 5, 6, 6);
 	const auto Measured = [&](double Lit)
 	{
-		return Measure(
-			FSceneFile({{"R", Constant(0.25)}, {"G", Within(Lamp, Lit, 0.5)}, {"B", Constant(-2.0)}}), Whole).Brightest;
+		return Measure(FSceneFile({{"R", Constant(0.25)}, {"G", Within(Lamp, Lit, 0.5)}, {"B", Constant(-2.0)}}), Whole)
+			.Brightest;
 	};
 	EXPECT_EQ(96.0, Measured(96.0));
 	EXPECT_FALSE(Measured(INFINITY));
