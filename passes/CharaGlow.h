@@ -9,8 +9,9 @@
 //
 // Contract. Taps stay inside the rect: the mask's edge texels are repeated. The result is within 0..1 for masks within
 // 0..1; a constant mask gives no glow. Area 0 and below, or NaN: no pass. Area is used up to 128. A pixel without
-// glow keeps its bits. A native kernel with
-// running sums stands in for the corrected passes; it differs from the .usf by less than 2e-6 before the store.
+// glow keeps its bits. A native kernel with running sums stands in for the corrected passes; it differs from the .usf
+// by less than 2e-6 before the store. The mask has 8 bits and holds no NaN; colour passes at its own pixel, whatever it
+// is. Any size from 1x1.
 #pragma once
 
 #include "CoreMinimal.h"

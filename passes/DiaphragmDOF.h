@@ -16,7 +16,8 @@
 //
 // Contract. Where no radius of half a pixel reaches, the picture is unchanged bit for bit. A constant stays constant.
 // Every result is a mix of input colours. A depth that is not finite or not above 0 counts as in focus. FocalDistance
-// or Fstop 0 and below: no pass. Nothing outside the rect is read. Any size from 1x1.
+// or Fstop 0 and below: no pass. NaN, infinities and negatives go where the pixels that hold them go, and nowhere else:
+// what is in focus keeps its bits. Nothing outside the rect is read. Any size from 1x1.
 #pragma once
 
 #include "CoreMinimal.h"

@@ -3,8 +3,9 @@
 //
 // Contract. A pixel whose neighbourhood's lumas differ by less than the threshold comes through bit for bit. Others get
 // one bilinear tap, so that no channel leaves the range of the neighbours (quality 0: a mean of up to four). Reads
-// nothing outside the input's rect, whose edge is repeated. Every size from 1x1 up; NaN spreads no further than a
-// texel's taps. Alpha of the result is 0.
+// nothing outside the input's rect, whose edge is repeated; the same bits wherever the rect lies. Every size from 1x1
+// up; NaN and infinities reach no further than the search along an edge, 24 texels; negatives pass on. Alpha of the
+// result is 0.
 #pragma once
 
 #include "CoreMinimal.h"

@@ -12,6 +12,9 @@
 //
 // Source of the order: white balance, gamut expansion, colour correction, blue correction, film curve, legacy tables,
 // fade, gamma, encoding: engine file PostProcessCombineLUTs.usf (PostProcessColorRemap.ush here).
+//
+// Contract. Reads settings, no picture. Every entry is finite: gains of any size and sign, offsets that take colours
+// below 0 (which count as 0 before a power), a gamma of 0 (0.0001).
 #pragma once
 
 #include "CoreMinimal.h"

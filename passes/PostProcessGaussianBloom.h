@@ -5,7 +5,8 @@
 // Quality 1..5 (r.BloomQuality) runs 3, 3, 4, 5, 6 stages, coarse ones first, with the same scale. A stage whose size
 // is 0 is left out. The intensity is inside the tints: the tonemapper adds the result as it is. Contract. A flat field
 // in the interior gives value * sum(tints run) * BloomIntensity / 6; towards the edges less (border addressing of the
-// blur). Hazards: those of the blur, stage by stage.
+// blur). Hazards: those of the blur, stage by stage; levels of high quality make NaN and negatives 0, the finest keeps
+// them. Any size from 1x1: levels stop there.
 #pragma once
 
 #include "CoreMinimal.h"

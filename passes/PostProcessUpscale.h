@@ -3,8 +3,9 @@
 // drydock's filters of that description, not the engine's kernels).
 //
 // Contract. Weights sum to 1: a flat picture stays flat. Nothing is read outside the input's rect, whose edge is
-// repeated. Results are not negative; those of filters with negative lobes may pass 1 and are cut off by the store. NaN
-// and infinity spread over the filter's footprint. Every size from 1x1 up.
+// repeated; the same bits wherever the rect lies. Nearest and bilinear: negatives, NaN and infinities pass on over the
+// filter's footprint. The others: results are not negative, so what is below 0 and NaN become 0; an infinity makes
+// infinity or 0 of its footprint; what passes 1 is cut off by the store. Every size from 1x1 up.
 #pragma once
 
 #include "CoreMinimal.h"

@@ -10,7 +10,8 @@
 // A transition of 0 is a step. A constant picture stays constant to the edge. Nothing outside the rects is read.
 // Corrected: the far layer is weighted by far before it is blurred and divided by the blurred weight after, so that it
 // does not gather pixels that are in focus; where nothing far is near, it is the picture itself. As printed
-// (r.RED.AsPrinted 1): the far blur takes the whole picture, and what is in focus bleeds outwards.
+// (r.RED.AsPrinted 1): the far blur takes the whole picture, and what is in focus bleeds outwards. NaN and infinities
+// spread over the kernel, to what is out of focus only; negatives pass on. Any size from 1x1.
 #pragma once
 
 #include "CoreMinimal.h"

@@ -11,7 +11,9 @@
 //
 // Contract. Nothing outside the rects is read; a constant stays constant to the edge. Corrected: operands of screen and
 // pow are cut to 0..1 and what lies above 1 is added, so light is never lost and no NaN is made of finite numbers; on
-// 0..1 both forms agree. Luma below 0 counts as 0. Alpha: the picture's own.
+// 0..1 both forms agree. Luma below 0 counts as 0. Alpha: the picture's own. NaN and what is below 0 become 0 in
+// DiffusionFilter2 and Glow and pass on in SoftFocus; +Inf stays; picture and blur above 65504 together are infinite in
+// half floats. Any size from 1x1.
 // As printed (r.RED.AsPrinted 1): the blur runs 13 taps over the same table by |i|, which doubles the light (1.9952 a
 // pass) and makes two lobes; screen and pow take light above 1 as it is: negative, then NaN for a power that is not a
 // whole number. The kernel is declared to be faulty, so that the audit (KernelAudit.h) warns and does not refuse.

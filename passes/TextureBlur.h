@@ -2,7 +2,8 @@
 // "Toon-shadow blur" (AddGaussianBlurPasses, AddTextureBlurPass), after engine file PostProcessBloomSetup.cpp.
 //
 // From the coarsest level of a downsample chain to the finest: blur the level, times tint * TintScale, plus what came
-// before. Hazards are those of the blur (PostProcessWeightedSampleSum.h), stage by stage.
+// before. Hazards are those of the blur (PostProcessWeightedSampleSum.h), stage by stage; levels of high quality
+// make NaN and negatives 0, the finest keeps them. Any size from 1x1: levels stop there.
 #pragma once
 
 #include "CoreMinimal.h"

@@ -6,7 +6,8 @@
 //   Sizes: the small target is ceil-divided (as printed: truncated), never below 1x1, and mapped by UV, so that the
 //   centroid of a light stays where it is.
 //   NaN in a texel: NaN wherever a tap sees it. +Inf: Inf, and NaN where a tap of weight 0 sees it. Negative light:
-//   luminance below the threshold gives 0; a negative channel of a bright texel passes on.
+//   luminance below the threshold gives 0; a negative channel of a bright texel passes on; -Inf gives NaN. What picture
+//   and bloom add up to above 65504 is infinite in a half.
 //   Alpha: the scene's own; the bloom carries none.
 // As printed (r.UnityBloom.AsPrinted 1): temporaries of 8 bit, which cut the light at 1 and band what is left, weights
 // as written; runs after the tonemapper. Corrected: temporaries in half floats, weights divided by their sum.

@@ -2,6 +2,7 @@
 // Source: drydock.
 #include <gtest/gtest.h>
 
+#include "HazardScene.h"
 #include "Table.h"
 
 #include <cstdlib>
@@ -31,7 +32,24 @@ the engine, and are counted (DD4001); 1 they are loaded as 0; 2 the run fails (D
 default, comes first and loads red, green and blue within -V .. V, infinities too; NaN it leaves to the policy.
 
 **Denormals.** Shaders of float flush them to 0, on input and on output; stores keep denormal halves. The control word of the
-thread is as it was after every pass. `bench_denormals` measures what a picture of denormals costs.
+thread is as it was after every pass.
+)";
+
+constexpr const char* AboutScene = R"(
+## The hazard scene
+
+`configs/scenes/hazards.exr` holds such pixels side by side ([configs/scenes/README.md](../configs/scenes/README.md)). Every
+sample config runs on it in `test_stability`. **The final picture is finite for all of them.** The linear picture before the
+tonemapper is not finite where the scene is not (NaN, both infinities, and 65520 and 1e30, which a half stores as infinity),
+and nowhere else, but for these:
+
+| config | why |
+|---|---|
+)";
+
+constexpr const char* AfterScene = R"(
+With `r.Drydock.NonFinite=1` and `r.Drydock.SceneColorClamp=1000` the linear picture is finite too, for all of them. Sequences
+and studies run as their first frame.
 )";
 
 constexpr const char* GroupTitles[] = {"Values", "Sizes", "Parameters", "Sums and weights"};
@@ -185,7 +203,12 @@ std::string MakeDoc()
 	{
 		Text << "| " << Hazard.Title << " | " << Hazard.Case << " |\n";
 	}
-	Text << "\n## Passes\n";
+	Text << AboutScene;
+	for (const FStatedConfig& Stated : StatedConfigs)
+	{
+		Text << "| " << Stated.Config << ".json | " << Stated.Reason << " |\n";
+	}
+	Text << AfterScene << "\n## Passes\n";
 	WriteTables(Text, GetPasses(), "pass");
 	Text << "\n## Rules of blending\n";
 	WriteTables(Text, GetRules(), "rule");
