@@ -169,7 +169,10 @@ std::vector<uint32_t> CompileToSpirv(const FShaderSource& Source, const FShaderC
 	std::ifstream Stream(Output, std::ios::binary);
 	const std::string Bytes((std::istreambuf_iterator<char>(Stream)), {});
 	std::vector<uint32_t> Words(Bytes.size() / 4);
-	std::memcpy(Words.data(), Bytes.data(), Words.size() * 4);
+	if (!Words.empty()) // memcpy takes no null pointer, not even for nothing
+	{
+		std::memcpy(Words.data(), Bytes.data(), Words.size() * 4);
+	}
 	return Words;
 }
 
