@@ -10,6 +10,7 @@
 #include <charconv>
 #include <fstream>
 #include <iterator>
+#include <set>
 
 namespace Drydock
 {
@@ -32,6 +33,26 @@ std::string GetKey(const FRDGCompiledPass& Pass, const std::string& Conditions)
 			[](char Letter) { return Letter < '0' || Letter > '9'; });
 	}
 	return Kind + (Pass.Entry.empty() ? "" : ":" + Pass.Entry) + " " + Conditions;
+}
+
+/** With what the pass reads, which tells permutations of one shader apart: a tonemapper with local exposure costs three
+ * times one without. */
+std::string GetExactKey(const FRDGCompiledGraph& Graph, const FRDGCompiledPass& Pass, const std::string& Conditions)
+{
+	std::set<std::string> Names;
+	for (const FRDGUse& Use : Pass.Uses)
+	{
+		if (Use.IsRead())
+		{
+			Names.insert(Graph.Resources[static_cast<size_t>(Use.Resource)].Name);
+		}
+	}
+	std::string Key = GetKey(Pass, Conditions) + " of";
+	for (const std::string& Name : Names)
+	{
+		Key += " " + Name;
+	}
+	return Key;
 }
 
 uint64_t CountTexels(const FRDGResourceDescription& Resource, const FRDGUse& Use)
@@ -108,9 +129,12 @@ void FCostModel::Learn(const FRunResult& Result)
 	for (const FRunPass& Run : Result.Passes)
 	{
 		const FRDGCompiledPass& Pass = Result.Graph.Passes[static_cast<size_t>(Run.Index)];
-		FSum& Sum = Sums[GetKey(Pass, Conditions)];
-		Sum.Nanoseconds += 1e6 * Run.Milliseconds;
-		Sum.Texels += static_cast<double>(CountWrittenTexels(Result.Graph, Pass));
+		for (const std::string& Key : {GetKey(Pass, Conditions), GetExactKey(Result.Graph, Pass, Conditions)})
+		{
+			FSum& Sum = Sums[Key];
+			Sum.Nanoseconds += 1e6 * Run.Milliseconds;
+			Sum.Texels += static_cast<double>(CountWrittenTexels(Result.Graph, Pass));
+		}
 	}
 	for (const auto& [Key, Sum] : Sums)
 	{
@@ -143,7 +167,11 @@ bool FCostModel::IsKnown(const FRDGCompiledPass& Pass, const std::string& Condit
 double FCostModel::EstimateMilliseconds(
 	const FRDGCompiledGraph& Graph, const FRDGCompiledPass& Pass, const std::string& Conditions) const
 {
-	const auto Known = NanosecondsPerTexel.find(GetKey(Pass, Conditions));
+	auto Known = NanosecondsPerTexel.find(GetExactKey(Graph, Pass, Conditions));
+	if (Known == NanosecondsPerTexel.end())
+	{
+		Known = NanosecondsPerTexel.find(GetKey(Pass, Conditions));
+	}
 	const double Cost = Known != NanosecondsPerTexel.end() ? Known->second : UnknownCost;
 	return 1e-6 * Cost * static_cast<double>(CountWrittenTexels(Graph, Pass));
 }

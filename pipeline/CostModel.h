@@ -37,7 +37,7 @@ public:
 	static FCostModel FromJson(const std::string& Text);
 
 private:
-	std::map<std::string, double> NanosecondsPerTexel; // by shader or pass, and conditions
+	std::map<std::string, double> NanosecondsPerTexel; // by shader or pass and conditions; also with what is read
 };
 
 /** "float native 2": arithmetic, storage and threads, which costs depend on. */

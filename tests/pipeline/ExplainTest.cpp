@@ -112,6 +112,25 @@ TEST(CostModel, APassOfAPartCostsThePart)
 	EXPECT_DOUBLE_EQ(0.25, Estimate(Model, MakeRun("CharaGlow 1920x1080 (PS)", 0.0))); // no more than there is
 }
 
+TEST(CostModel, WhatAPassReadsTellsItsPermutationsApart)
+{
+	const auto MakeReading = [](const char* Texture, double Milliseconds)
+	{
+		FRunResult Result = MakeRun("Tonemap", Milliseconds);
+		Result.Graph.Resources.emplace_back().Name = Texture;
+		FRDGUse& Use = Result.Graph.Passes[0].Uses.emplace_back();
+		Use.Resource = 1;
+		Use.Access = ERHIAccess::SRVGraphics;
+		return Result;
+	};
+	FCostModel Model;
+	Model.Learn(MakeReading("SceneColor", 1.0));
+	Model.Learn(MakeReading("BilateralGrid", 3.0));
+	EXPECT_DOUBLE_EQ(1.0, Estimate(Model, MakeReading("SceneColor", 0.0)));
+	EXPECT_DOUBLE_EQ(3.0, Estimate(Model, MakeReading("BilateralGrid", 0.0)));
+	EXPECT_DOUBLE_EQ(2.0, Estimate(Model, MakeReading("Another", 0.0))); // the mean of the shader's
+}
+
 TEST(CostModel, GuessesWhatItNeverSaw)
 {
 	// 5000 texels of 2 ns.
