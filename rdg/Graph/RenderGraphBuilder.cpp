@@ -145,8 +145,10 @@ FRDGAllocator& FRDGBuilder::GetAllocator()
 
 void FRDGBuilder::Discard()
 {
+	// Once executed there is nothing left to tell, and the observer may be gone.
+	const bool bTell = !State->bFinished && State->Observer != nullptr;
 	State->bFinished = true;
-	if (State->Observer != nullptr && State->Observer->WantsPlannedExternals())
+	if (bTell && State->Observer->WantsPlannedExternals())
 	{
 		State->Observer->OnExternalsPlanned(FRDGExecutor(*this).PlanExternals(Compile()));
 	}

@@ -340,6 +340,29 @@ TEST(Observer, SeesTheGraphTheLoadsAndEachPass)
 	EXPECT_FALSE(Observer.bHadMemory);
 }
 
+TEST(Observer, IsNotAskedOnceTheGraphHasRun)
+{
+	class FAskedObserver final : public FNotingObserver
+	{
+	public:
+		bool WantsPlannedExternals() const override
+		{
+			++NumAsked;
+			return false;
+		}
+		mutable int NumAsked = 0;
+	};
+	FAskedObserver Observer;
+	FGraphTest Graph;
+	Graph.Builder->SetObserver(&Observer);
+	Graph.Pass("A").Writes("X").Value(1);
+	Graph.Extract("X");
+	Graph.Run();
+	const int NumAskedInRun = Observer.NumAsked;
+	Graph.Builder->Discard();
+	EXPECT_EQ(NumAskedInRun, Observer.NumAsked);
+}
+
 TEST(Observer, LoadsOnlyWhatSurvivingPassesTouch)
 {
 	FGraphTest Graph;
