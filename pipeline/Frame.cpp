@@ -1,4 +1,4 @@
-// Source: drydock; the order is the engine's.
+// Source: drydock; the order is the engine's. A little past 500 lines: one frame, in the order in which it is made.
 #include "Frame.h"
 
 #include "Modules/ModuleManager.h"
