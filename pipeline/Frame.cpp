@@ -365,7 +365,7 @@ private:
 		ChainInputs.bAutoExposure = IsAutoExposureActive(Target.Chain);
 		Target.Outputs = AddPostProcessingPasses(GraphBuilder, NamedView, ChainInputs, Target.Effects, Extensions);
 		GraphBuilder.QueueTextureExtraction(Target.Outputs.SceneLinear.Texture, &Target.SceneLinear);
-		if (FindToonBloom(Target) != nullptr && Target.Outputs.Bloom.IsValid() && SceneTextures.GBufferB)
+		if (IsEffectActive(Target.Effects, "ToonBloom") && Target.Outputs.Bloom.IsValid() && SceneTextures.GBufferB)
 		{
 			GraphBuilder.QueueTextureExtraction(Target.Outputs.Bloom.Texture, &Target.Bloom);
 			GraphBuilder.QueueTextureExtraction(SceneTextures.GBufferB, &Target.GBufferB);
@@ -400,29 +400,19 @@ private:
 		}
 	}
 
-	static FEffectDecision* FindToonBloom(FViewOfFrame& View) { return FindActiveEffect(View, "ToonBloom"); }
-
-	/** The decision of an active effect, or null. */
-	static FEffectDecision* FindActiveEffect(FViewOfFrame& View, const char* Name)
-	{
-		const auto Found = std::find_if(View.Effects.begin(), View.Effects.end(),
-			[&](const FEffectDecision& Effect) { return Effect.bActive && Effect.Name == Name; });
-		return Found == View.Effects.end() ? nullptr : &*Found;
-	}
-
 	void MeasureBleed(FViewOfFrame& View) const
 	{
 		if (View.Bloom && View.GBufferB)
 		{
 			const FImage Bloom = CropToRgba(ReadTexture(*View.Bloom->GetRHI()), View.Outputs.Bloom.ViewRect);
-			FindToonBloom(View)->Bleed = MeasureToonBleed(Bloom,
+			FindEffect(View.Effects, "ToonBloom")->Bleed = MeasureToonBleed(Bloom,
 				ReadAlpha(*View.GBufferB->GetRHI(), View.View.ViewRect), static_cast<double>(View.View.PreExposure));
 		}
 	}
 
 	void MeasureBanding(FViewOfFrame& View)
 	{
-		FEffectDecision* const Effect = FindActiveEffect(View, "ToonShadowBlur");
+		FEffectDecision* const Effect = FindEffect(View.Effects, "ToonShadowBlur");
 		if (!View.BlurredToonShadow || Effect == nullptr)
 		{
 			return;

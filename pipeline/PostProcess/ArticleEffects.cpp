@@ -90,18 +90,6 @@ const char* DescribePlace(const std::string& Effect)
 	}
 }
 
-FEffectDecision FindDecision(const std::vector<FEffectDecision>& Effects, const char* Name)
-{
-	const auto Found = std::find_if(
-		Effects.begin(), Effects.end(), [&](const FEffectDecision& Effect) { return Effect.Name == Name; });
-	return Found == Effects.end() ? FEffectDecision() : *Found;
-}
-
-bool IsActiveIn(const std::vector<FEffectDecision>& Effects, const char* Name)
-{
-	return FindDecision(Effects, Name).bActive;
-}
-
 } // namespace
 
 std::optional<FEffectDecision> DecideArticleEffect(const std::string& Name, const FChainSettings& Chain)
@@ -137,15 +125,17 @@ FArticleEffects::FArticleEffects(FRDGBuilder& InGraphBuilder, const FViewInfo& I
 	: GraphBuilder(InGraphBuilder)
 	, View(InView)
 	, Inputs(InInputs)
-	, bRED(IsActiveIn(Effects, "RED"))
-	, bREDDepthOfField(IsActiveIn(Effects, "REDDepthOfField"))
-	, bToonShadowBlur(IsActiveIn(Effects, "ToonShadowBlur"))
-	, bUnityBloom(IsActiveIn(Effects, "UnityBloom"))
+	, bRED(IsEffectActive(Effects, "RED"))
+	, bREDDepthOfField(IsEffectActive(Effects, "REDDepthOfField"))
+	, bToonShadowBlur(IsEffectActive(Effects, "ToonShadowBlur"))
+	, bUnityBloom(IsEffectActive(Effects, "UnityBloom"))
 {
-	const FEffectDecision CharaGlow = FindDecision(Effects, "CharaGlow");
-	bCharaGlow = CharaGlow.bActive;
-	bCharaGlowCalledFor = CharaGlow.bActive || CharaGlow.bNothingToDo;
-	CharaGlowRegion = CharaGlow.Region;
+	if (const FEffectDecision* const CharaGlow = FindEffect(Effects, "CharaGlow"))
+	{
+		bCharaGlow = CharaGlow->bActive;
+		bCharaGlowCalledFor = CharaGlow->bActive || CharaGlow->bNothingToDo;
+		CharaGlowRegion = CharaGlow->Region;
+	}
 	if (!Inputs.SceneTextures && (bREDDepthOfField || bCharaGlow || bToonShadowBlur))
 	{
 		Inputs.SceneTextures = CreateSceneTextureUniformBuffer(GraphBuilder, View);

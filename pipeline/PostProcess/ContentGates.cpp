@@ -51,12 +51,8 @@ bool IsSceneChangedBeforeBloom(const FChainSettings& Chain)
 	FChainSettings SettingsAlone = Chain;
 	SettingsAlone.Content = {};
 	const std::vector<FEffectDecision> Effects = DecideEffects(SettingsAlone);
-	return std::any_of(Effects.begin(), Effects.end(),
-		[](const FEffectDecision& Effect)
-		{
-			return Effect.bActive && std::any_of(std::begin(Names), std::end(Names),
-										 [&](const char* Name) { return Effect.Name == Name; });
-		});
+	return std::any_of(
+		std::begin(Names), std::end(Names), [&](const char* Name) { return IsEffectActive(Effects, Name); });
 }
 
 } // namespace
@@ -117,22 +113,19 @@ void ApplyContentGate(const FChainSettings& Chain, FEffectDecision& Effect)
 
 void NoteContentUnseen(std::vector<FEffectDecision>& Effects, const std::string& Why)
 {
-	static const char* const Names[] = {"ToonBloom", "ToonShadowBlur", "CharaGlow", "MotionBlur"};
-	for (FEffectDecision& Effect : Effects)
+	for (const char* const Gated : {"ToonBloom", "ToonShadowBlur", "CharaGlow", "MotionBlur"})
 	{
-		const bool bGated =
-			std::any_of(std::begin(Names), std::end(Names), [&](const char* Name) { return Effect.Name == Name; });
-		Effect.Reason += bGated && Effect.bActive ? "; " + Why : "";
+		FEffectDecision* const Effect = FindEffect(Effects, Gated);
+		if (Effect != nullptr && Effect->bActive)
+		{
+			Effect->Reason += "; " + Why;
+		}
 	}
 }
 
 FContentQuestions AskContent(const FChainSettings& Chain, const std::vector<FEffectDecision>& Effects)
 {
-	const auto IsActive = [&](const char* Name)
-	{
-		return std::any_of(Effects.begin(), Effects.end(),
-			[&](const FEffectDecision& Effect) { return Effect.bActive && Effect.Name == Name; });
-	};
+	const auto IsActive = [&](const char* Name) { return IsEffectActive(Effects, Name); };
 	FContentQuestions Questions;
 	if (Chain.bNoSkip)
 	{

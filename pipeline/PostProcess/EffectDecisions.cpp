@@ -18,6 +18,7 @@
 #include "TextFormat.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace Drydock
 {
@@ -269,6 +270,24 @@ FEffectDecision DecideUpscale(const FChainSettings& Chain)
 }
 
 } // namespace
+
+const FEffectDecision* FindEffect(const std::vector<FEffectDecision>& Effects, std::string_view Name)
+{
+	const auto Found = std::find_if(
+		Effects.begin(), Effects.end(), [&](const FEffectDecision& Effect) { return Effect.Name == Name; });
+	return Found == Effects.end() ? nullptr : &*Found;
+}
+
+FEffectDecision* FindEffect(std::vector<FEffectDecision>& Effects, std::string_view Name)
+{
+	return const_cast<FEffectDecision*>(FindEffect(std::as_const(Effects), Name));
+}
+
+bool IsEffectActive(const std::vector<FEffectDecision>& Effects, std::string_view Name)
+{
+	const FEffectDecision* const Effect = FindEffect(Effects, Name);
+	return Effect != nullptr && Effect->bActive;
+}
 
 const std::vector<std::string>& GetEffectNames()
 {

@@ -10,6 +10,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace Drydock
@@ -28,6 +29,13 @@ struct FEffectDecision
 	std::optional<FBandingFigures> Banding = {};  // of an executed ToonShadowBlur: the blurred shadow as it is stored
 	std::optional<FDarkDeviation> Deviation = {}; // likewise: from what it would be without rounding
 };
+
+/** The decision on that effect, or null. */
+DRYDOCK_API const FEffectDecision* FindEffect(const std::vector<FEffectDecision>& Effects, std::string_view Name);
+DRYDOCK_API FEffectDecision* FindEffect(std::vector<FEffectDecision>& Effects, std::string_view Name);
+
+/** Whether that effect runs. */
+DRYDOCK_API bool IsEffectActive(const std::vector<FEffectDecision>& Effects, std::string_view Name);
 
 /** Every effect there is or will be, in the order of the frame. */
 DRYDOCK_API const std::vector<std::string>& GetEffectNames();

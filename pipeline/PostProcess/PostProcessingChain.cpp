@@ -269,18 +269,16 @@ public:
 private:
 	bool IsActive(const char* Name) const
 	{
-		return std::any_of(Effects.begin(), Effects.end(),
-			[&](const Drydock::FEffectDecision& Effect) { return Effect.bActive && Effect.Name == Name; });
+		return Drydock::IsEffectActive(Effects, Name);
 	}
 
 	/** Where alone an effect has something to do, from the view's corner; not set: anywhere, or the picture is no
 	 * longer of the view's size. */
 	std::optional<FIntRect> FindRegion(const char* Name) const
 	{
-		const auto Found = std::find_if(Effects.begin(), Effects.end(),
-			[&](const Drydock::FEffectDecision& Effect) { return Effect.Name == Name; });
+		const Drydock::FEffectDecision* const Effect = Drydock::FindEffect(Effects, Name);
 		const bool bSameSize = SceneColor.ViewRect.Size() == View.ViewRect.Size();
-		return Found != Effects.end() && bSameSize ? Found->Region : std::nullopt;
+		return Effect != nullptr && bSameSize ? Effect->Region : std::nullopt;
 	}
 
 	TRDGUniformBufferRef<FSceneTextureUniformParameters> GetSceneTextures() const
