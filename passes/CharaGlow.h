@@ -1,8 +1,9 @@
 // CharaGlow: a glow around characters, made by widening their mask. Source: article "RED post process" (CharaGlow,
 // CharaGlowComp); drydock's decisions where it is silent.
 //
-//   CharaGlow      mask = GBufferD.b (outline id); mean of a box of (2R + 1)^2 texels, R the whole part of
-//   CharaGlowArea CharaGlowComp  c + saturate(blurredMask - mask) * CharaGlowColor.rgb * CharaGlowColor.a
+//   CharaGlow      mask = GBufferD.b (outline id); mean of a box of (2R + 1)^2 texels,
+//                  R = the whole part of CharaGlowArea
+//   CharaGlowComp  c + saturate(blurredMask - mask) * CharaGlowColor.rgb * CharaGlowColor.a
 //
 // Corrected: the box is separable (rows, then columns) and its outer ring weighs by the fraction of the area, so that
 // the glow does not pop when volumes blend the area. As printed (r.RED.AsPrinted 1): the double loop, whole areas only.

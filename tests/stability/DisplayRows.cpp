@@ -205,7 +205,7 @@ constexpr FPassRow Rows[] = {
 		.Factories = "",
 		.Run = RunFXAA,
 		.NumVariants = 6,
-		.Reach = 40.0,
+		.Reach = 24.0,
 		.Cells =
 			{
 				.NaN = Contained("no further than the edge search's taps"),
