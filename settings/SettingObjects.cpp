@@ -1,9 +1,11 @@
 // Source: drydock.
 #include "SettingObjects.h"
 
+#include <cstring>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <string_view>
 
 namespace Drydock
 {
@@ -80,14 +82,32 @@ std::string GetObjectPath(const UObject* Object)
 
 std::string StripObjectClass(const std::string& Reference)
 {
-	const size_t Open = Reference.find('\'');
-	if (Open == std::string::npos || Reference.size() < Open + 2 || Reference.back() != '\'')
+	const auto IsSpace = [](char Character) { return std::strchr(" \t\r\n", Character) != nullptr && Character != 0; };
+	std::string_view Path = Reference;
+	for (;;)
 	{
-		return Reference;
+		const size_t Open = Path.find('\'');
+		if (!Path.empty() && IsSpace(Path.front()))
+		{
+			Path.remove_prefix(1);
+		}
+		else if (!Path.empty() && IsSpace(Path.back()))
+		{
+			Path.remove_suffix(1);
+		}
+		else if (Path.size() >= 2 && Path.front() == '"' && Path.back() == '"')
+		{
+			Path = Path.substr(1, Path.size() - 2);
+		}
+		else if (Open != std::string_view::npos && Open + 1 < Path.size() && Path.back() == '\'')
+		{
+			Path = Path.substr(Open + 1, Path.size() - Open - 2);
+		}
+		else
+		{
+			return std::string(Path);
+		}
 	}
-	const std::string Path = Reference.substr(Open + 1, Reference.size() - Open - 2);
-	const bool bQuoted = Path.size() >= 2 && Path.front() == '"' && Path.back() == '"';
-	return bQuoted ? Path.substr(1, Path.size() - 2) : Path;
 }
 
 } // namespace Drydock

@@ -41,6 +41,19 @@ TEST(SettingObjects, ClassIsStripped)
 	EXPECT_EQ("/Game/A.A", StripObjectClass("/Script/Engine.Texture2D'\"/Game/A.A\"'"));
 }
 
+TEST(SettingObjects, SpaceAndQuotesAroundAPathAreStripped)
+{
+	for (const char* const Reference : {" /Game/A.A", "/Game/A.A\r\r", "\"/Game/A.A\"", "Texture2D' /Game/A.A\t'\n",
+			 "A'B'/Game/A.A''", "A'\"\"/Game/A.A\"\"'"})
+	{
+		EXPECT_EQ("/Game/A.A", StripObjectClass(Reference)) << Reference;
+	}
+	EXPECT_EQ("", StripObjectClass(" \r"));
+	EXPECT_EQ("", StripObjectClass("Texture2D''"));
+	EXPECT_EQ("Texture2D'/Game/A.A", StripObjectClass("Texture2D'/Game/A.A")) << "an open quote is part of it";
+	EXPECT_EQ("'", StripObjectClass("'"));
+}
+
 TEST(SettingObjects, EngineCodeAssignsAndCompares)
 {
 	FPostProcessSettings Settings;
