@@ -98,6 +98,7 @@ private:
 	std::map<uint32_t, FSpirvDecorations> Decorations;
 	std::map<std::pair<uint32_t, uint32_t>, FSpirvDecorations> MemberDecorations;
 	std::map<uint32_t, int> TypeDepths;
+	size_t NumConstantScalars = 0;
 	uint32_t EntryPoint = 0;
 	uint32_t GlslImport = 0;
 	uint32_t CurrentFunction = 0;

@@ -12,6 +12,7 @@ namespace
 {
 
 constexpr uint32_t MaxScalars = 1u << 16; // of one value
+constexpr size_t MaxConstantScalars = 1u << 22; // of all constants: three words make one of MaxScalars
 constexpr int MaxTypeDepth = 32;
 
 } // namespace
@@ -206,6 +207,11 @@ void FSpirvReader::ReadConstant(uint16_t Op, FSpirvOperands& Operands)
 	if (Type.NumScalars == 0 || Constant.Scalars.size() != Type.NumScalars)
 	{
 		throw FSpirvError("SPIR-V: constant " + std::to_string(Id) + " does not fit its type");
+	}
+	NumConstantScalars += Constant.Scalars.size();
+	if (NumConstantScalars > MaxConstantScalars)
+	{
+		throw FSpirvError("SPIR-V: the constants are too large");
 	}
 	DefineValue(Id, Constant.Type);
 	Module.Constants.emplace(Id, std::move(Constant));

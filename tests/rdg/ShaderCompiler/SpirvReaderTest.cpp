@@ -71,6 +71,31 @@ TEST(SpirvReader, SurvivesEveryTruncation)
 	}
 }
 
+TEST(SpirvReader, RefusesFewWordsThatStandForGigabytes)
+{
+	// float[65536], and constants of zeros of it, three words each.
+	const auto ReadWith = [](uint32_t NumConstants) -> std::string
+	{
+		std::vector<uint32_t> Words = {0x07230203, 0x00010000, 0, 5 + NumConstants, 0, 3u << 16 | 22, 1, 32,
+			4u << 16 | 21, 2, 32, 0, 4u << 16 | 43, 2, 3, 65536, 4u << 16 | 28, 4, 1, 3};
+		for (uint32_t Index = 0; Index < NumConstants; ++Index)
+		{
+			Words.insert(Words.end(), {3u << 16 | 46, 4, 5 + Index});
+		}
+		try
+		{
+			ReadSpirv(Words);
+			return "";
+		}
+		catch (const FSpirvError& Error)
+		{
+			return Error.what();
+		}
+	};
+	EXPECT_EQ("SPIR-V: the constants are too large", ReadWith(64)) << "the length of the array is a constant too";
+	EXPECT_NE("SPIR-V: the constants are too large", ReadWith(63));
+}
+
 TEST(SpirvReader, SurvivesMutations)
 {
 	std::mt19937 Random(20240607);
