@@ -82,7 +82,10 @@ std::string GetObjectPath(const UObject* Object)
 
 std::string StripObjectClass(const std::string& Reference)
 {
-	const auto IsSpace = [](char Character) { return std::strchr(" \t\r\n", Character) != nullptr && Character != 0; };
+	const auto IsSpace = [](char Character)
+	{
+		return std::strchr(" \t\r\n", Character) != nullptr && Character != 0;
+	};
 	std::string_view Path = Reference;
 	for (;;)
 	{

@@ -125,7 +125,10 @@ void NoteContentUnseen(std::vector<FEffectDecision>& Effects, const std::string&
 
 FContentQuestions AskContent(const FChainSettings& Chain, const std::vector<FEffectDecision>& Effects)
 {
-	const auto IsActive = [&](const char* Name) { return IsEffectActive(Effects, Name); };
+	const auto IsActive = [&](const char* Name)
+	{
+		return IsEffectActive(Effects, Name);
+	};
 	FContentQuestions Questions;
 	if (Chain.bNoSkip)
 	{

@@ -267,10 +267,7 @@ public:
 	}
 
 private:
-	bool IsActive(const char* Name) const
-	{
-		return Drydock::IsEffectActive(Effects, Name);
-	}
+	bool IsActive(const char* Name) const { return Drydock::IsEffectActive(Effects, Name); }
 
 	/** Where alone an effect has something to do, from the view's corner; not set: anywhere, or the picture is no
 	 * longer of the view's size. */

@@ -11,7 +11,7 @@ using namespace Spirv;
 namespace
 {
 
-constexpr uint32_t MaxScalars = 1u << 16; // of one value
+constexpr uint32_t MaxScalars = 1u << 16;       // of one value
 constexpr size_t MaxConstantScalars = 1u << 22; // of all constants: three words make one of MaxScalars
 constexpr int MaxTypeDepth = 32;
 
