@@ -1,7 +1,6 @@
 // Source: drydock.
 #include "SettingObjects.h"
 
-#include <cstring>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -82,34 +81,23 @@ std::string GetObjectPath(const UObject* Object)
 
 std::string StripObjectClass(const std::string& Reference)
 {
-	const auto IsSpace = [](char Character)
-	{
-		return std::strchr(" \t\r\n", Character) != nullptr && Character != 0;
-	};
+	constexpr std::string_view Space = " \t\r\n";
 	std::string_view Path = Reference;
 	for (;;)
 	{
-		const size_t Open = Path.find('\'');
-		if (!Path.empty() && IsSpace(Path.front()))
-		{
-			Path.remove_prefix(1);
-		}
-		else if (!Path.empty() && IsSpace(Path.back()))
-		{
-			Path.remove_suffix(1);
-		}
-		else if (Path.size() >= 2 && Path.front() == '"' && Path.back() == '"')
+		const size_t First = Path.find_first_not_of(Space);
+		Path = First == std::string_view::npos ? "" : Path.substr(First, Path.find_last_not_of(Space) - First + 1);
+		if (Path.size() >= 2 && Path.front() == '"' && Path.back() == '"')
 		{
 			Path = Path.substr(1, Path.size() - 2);
+			continue;
 		}
-		else if (Open != std::string_view::npos && Open + 1 < Path.size() && Path.back() == '\'')
-		{
-			Path = Path.substr(Open + 1, Path.size() - Open - 2);
-		}
-		else
+		const size_t Open = Path.find('\'');
+		if (Open == std::string_view::npos || Open + 1 == Path.size() || Path.back() != '\'')
 		{
 			return std::string(Path);
 		}
+		Path = Path.substr(Open + 1, Path.size() - Open - 2);
 	}
 }
 
