@@ -1,16 +1,8 @@
-// Convolution bloom against a direct sum in double, its split of energy, pre-filter, padding, and the cached kernel
-// (PostProcessFFTBloomKernel.h). Past 500 lines: pass, kernel and cache share the direct sum and the runs.
-#include "PassTestUtils.h"
+// Convolution bloom against a direct sum in double, its split of energy, pre-filter and padding.
+#include "FFTBloomTestUtils.h"
 
-#include "BuiltinTextures.h"
 #include "PostProcessBloomSetup.h"
-#include "PostProcess/PostProcessFFTBloom.h"
-#include "RenderGraphObserver.h"
-#include "SceneViewState.h"
-#include "SettingObjects.h"
-#include "TextureAssets.h"
 
-#include <algorithm>
 #include <functional>
 
 using namespace PassTest;
@@ -19,99 +11,6 @@ using PassReference::SumOf;
 
 namespace
 {
-
-constexpr const char* KernelPath = "Test/Kernel";
-
-/** The pixels of KernelPath while it lives. */
-class FTestKernel
-{
-public:
-	explicit FTestKernel(const FImage& Picture)
-		: Loader([Picture](const std::string& Path) { return Path == KernelPath ? MakeTexture(Picture) : nullptr; })
-	{
-	}
-
-private:
-	static FTextureRHIRef MakeTexture(const FImage& Picture)
-	{
-		std::vector<FLinearColor> Colors;
-		for (const FTexel& Texel : Picture.Texels)
-		{
-			Colors.push_back(FLinearColor(float(Texel[0]), float(Texel[1]), float(Texel[2]), 1.0f));
-		}
-		return Drydock::MakePictureTexture(FIntPoint(Picture.Width, Picture.Height), Colors, KernelPath);
-	}
-
-	Drydock::FScopedTextureLoader Loader;
-};
-
-/** One texel of the kernel to a pixel, no pre-filter, padding for the whole kernel, s = 1. */
-FFinalPostProcessSettings MakeSettings(const FImage& Picture, const FImage& Kernel)
-{
-	FFinalPostProcessSettings Settings;
-	Settings.BloomMethod = BM_FFT;
-	Settings.BloomIntensity = 1.0f;
-	Settings.BloomConvolutionTexture = Drydock::FindOrAddTexture(KernelPath);
-	Settings.BloomConvolutionScatterDispersion = 1.0f;
-	Settings.BloomConvolutionSize = float(Kernel.Width) / float(Picture.Width);
-	Settings.BloomConvolutionPreFilterMin = Settings.BloomConvolutionPreFilterMax = 0.0f;
-	Settings.BloomConvolutionBufferScale = 0.0f;
-	return Settings;
-}
-
-struct FBloom
-{
-	FImage Bloom;
-	FTexel SceneColor{}; // what multiplies it
-	std::vector<std::string> Passes;
-};
-
-/** Notes the passes that ran. */
-class FPassNames final : public Drydock::IRDGObserver
-{
-public:
-	void OnPassExecuted(
-		int32_t, const FRDGPass& Pass, double, const Drydock::FPassCounters&, const std::vector<FRDGTexture*>&) override
-	{
-		Names.push_back(Pass.GetName());
-	}
-
-	std::vector<std::string> Names;
-};
-
-FBloom Execute(FPassRun& Run, const FFFTBloomInputs& Inputs)
-{
-	FPassNames Names;
-	Run.GraphBuilder.SetObserver(&Names);
-	const FFFTBloomOutput Output = AddFFTBloomPass(Run.GraphBuilder, Run.View, Inputs);
-	TRefCountPtr<FRDGPooledBuffer> Buffer;
-	Run.GraphBuilder.QueueBufferExtraction(Output.SceneColorApplyParameters, &Buffer);
-	FBloom Result;
-	Result.Bloom = Run.Execute(Output.BloomTexture);
-	Run.GraphBuilder.SetObserver(nullptr);
-	const float* const Factor = reinterpret_cast<const float*>(Buffer->GetRHI()->GetData());
-	Result.SceneColor = {double(Factor[0]), double(Factor[1]), double(Factor[2]), double(Factor[3])};
-	Result.Passes = Names.Names;
-	return Result;
-}
-
-FBloom MakeBloom(const FImage& Picture, const FFinalPostProcessSettings& Settings,
-	EArithmetic Arithmetic = EArithmetic::Native, FSceneViewState* State = nullptr)
-{
-	FPassRun Run(Picture, Arithmetic, PF_A32B32G32R32F);
-	Run.View.FinalPostProcessSettings = Settings;
-	Run.View.State = State;
-	return Execute(Run, {Run.Input, {}, {}});
-}
-
-/** Asymmetric in both directions and by channel; its brightest texel is the middle one. */
-FImage MakeAsymmetricKernel(int Width, int Height)
-{
-	FImage Kernel = FImage::Noise(Width, Height, 1.0, 7);
-	Kernel.At(0, 0) = {2, 3, 1, 1};
-	Kernel.At(Width / 2, Height / 2) = {40, 40, 40, 1};
-	return Kernel;
-}
 
 /** The shape that is convolved with: sums to 1, the middle no brighter than the rest. */
 FImage NormalizeKernel(FImage Kernel)
@@ -186,29 +85,6 @@ FTexel GetBloomEnergy(const FImage& Kernel)
 double LargestOf(const FImage& Image)
 {
 	return MaxDifference(Image, FImage(Image.Width, Image.Height));
-}
-
-/** Grey, and its middle a part of the rest: Scatter is 1/3 of Total. */
-FImage MakeGreyKernel(int Size)
-{
-	FImage Kernel(Size, Size, {1, 1, 1, 1});
-	const double Others = Size * Size - 1;
-	Kernel.At(Size / 2, Size / 2) = {2 * Others, 2 * Others, 2 * Others, 1};
-	return Kernel;
-}
-
-/** Black but for the middle. */
-FImage MakeImpulse(int Width, int Height, double Value = 1)
-{
-	FImage Picture(Width, Height);
-	Picture.At(Width / 2, Height / 2) = {Value, Value, Value, 1};
-	return Picture;
-}
-
-bool Contains(const std::vector<std::string>& Passes, const std::string& Beginning)
-{
-	return std::any_of(
-		Passes.begin(), Passes.end(), [&](const std::string& Pass) { return Pass.rfind(Beginning, 0) == 0; });
 }
 
 } // namespace
@@ -482,107 +358,6 @@ TEST(FFTBloomInput, ReadsNothingOutsideTheRect)
 	EXPECT_EQ(Expected.Texels, Execute(Run, {Run.Input, {}, {}}).Bloom.Texels);
 }
 
-TEST(FFTBloomKernel, IsResizedToItsPartOfTheView)
-{
-	// 20 x 20 texels on 10 x 10 pixels: pairs of texels become one; 0.25 of the light reaches each quarter.
-	FImage Kernel(20, 20, {1, 1, 1, 1});
-	Kernel.At(0, 0) = {1000, 1000, 1000, 1};
-	const FImage Picture = MakeImpulse(40, 40);
-	const FTestKernel Pixels(Kernel);
-	FFinalPostProcessSettings Settings = MakeSettings(Picture, Kernel);
-	Settings.BloomConvolutionSize = 0.25f;
-	const FImage Bloom = MakeBloom(Picture, Settings).Bloom;
-	int NumLit = 0;
-	for (const FTexel& Texel : Bloom.Texels)
-	{
-		NumLit += Texel[0] > 1e-5 ? 1 : 0;
-	}
-	// From 5 left of the source to 5 right of it.
-	EXPECT_EQ(11 * 11, NumLit);
-}
-
-TEST(FFTBloomKernel, SmallOnesAreDownsampledFirst)
-{
-	const FImage Picture = MakeImpulse(40, 40), Kernel = MakeGreyKernel(33);
-	const FTestKernel Pixels(Kernel);
-	FFinalPostProcessSettings Settings = MakeSettings(Picture, Kernel);
-	Settings.BloomConvolutionSize = 0.2f;
-	// 33, 17, 9: at most twice the 8 pixels.
-	const FBloom Result = MakeBloom(Picture, Settings);
-	EXPECT_EQ(2, std::count_if(Result.Passes.begin(), Result.Passes.end(),
-					 [](const std::string& Pass) { return Pass.find("DownsampleKernel") != std::string::npos; }));
-	EXPECT_NEAR(1.0 / 3, SumOf(Result.Bloom, 0), 1e-6);
-}
-
-TEST(FFTBloomCache, TheSecondFrameMakesNoKernel)
-{
-	const FImage Picture = FImage::Noise(33, 17), Kernel = MakeAsymmetricKernel(5, 5);
-	const FTestKernel Pixels(Kernel);
-	const FFinalPostProcessSettings Settings = MakeSettings(Picture, Kernel);
-	FSceneViewState State(1);
-	const FBloom First = MakeBloom(Picture, Settings, EArithmetic::Native, &State);
-	const FBloom Second = MakeBloom(Picture, Settings, EArithmetic::Native, &State);
-	EXPECT_TRUE(Contains(First.Passes, "FFTBloom.FindKernelCenter"));
-	EXPECT_TRUE(Contains(First.Passes, "FFTBloom.ResizeKernel"));
-	EXPECT_FALSE(Contains(Second.Passes, "FFTBloom.FindKernelCenter"));
-	EXPECT_FALSE(Contains(Second.Passes, "FFTBloom.ResizeKernel"));
-	EXPECT_TRUE(Contains(Second.Passes, "FFTBloom.Multiply"));
-	EXPECT_EQ(First.Bloom.Texels, Second.Bloom.Texels);
-	EXPECT_EQ(First.SceneColor, Second.SceneColor);
-}
-
-TEST(FFTBloomCache, WhatTheKernelDependsOnMakesItAnew)
-{
-	const FImage Picture = FImage::Noise(33, 17), Kernel = MakeAsymmetricKernel(5, 5);
-	const FTestKernel Pixels(Kernel);
-	FFinalPostProcessSettings Settings = MakeSettings(Picture, Kernel);
-	FSceneViewState State(1);
-	const auto MakesKernel = [&](const FImage& Of)
-	{
-		return Contains(MakeBloom(Of, Settings, EArithmetic::Native, &State).Passes, "FFTBloom.FindKernelCenter");
-	};
-	EXPECT_TRUE(MakesKernel(Picture));
-	Settings.BloomConvolutionScatterDispersion = 0.5f;
-	EXPECT_FALSE(MakesKernel(Picture)) << "the energies are split each frame";
-	Settings.BloomConvolutionSize *= 0.5f;
-	EXPECT_TRUE(MakesKernel(Picture));
-	Settings.BloomConvolutionCenterUV = FVector2D(0.4, 0.5);
-	EXPECT_TRUE(MakesKernel(Picture));
-	EXPECT_TRUE(MakesKernel(FImage::Noise(34, 17))) << "another resolution";
-	Settings.BloomConvolutionTexture = Drydock::FindOrAddTexture("Builtin/Star");
-	EXPECT_TRUE(MakesKernel(FImage::Noise(34, 17)));
-	EXPECT_FALSE(MakesKernel(FImage::Noise(34, 17)));
-}
-
-TEST(FFTBloomCache, CanBeSwitchedOff)
-{
-	const FScopedConsoleVariable Cache(TEXT("r.Bloom.CacheKernel"), 0.0f);
-	const FImage Picture = FImage::Noise(33, 17), Kernel = MakeAsymmetricKernel(5, 5);
-	const FTestKernel Pixels(Kernel);
-	FSceneViewState State(1);
-	const FFinalPostProcessSettings Settings = MakeSettings(Picture, Kernel);
-	MakeBloom(Picture, Settings, EArithmetic::Native, &State);
-	const FBloom Second = MakeBloom(Picture, Settings, EArithmetic::Native, &State);
-	EXPECT_TRUE(Contains(Second.Passes, "FFTBloom.FindKernelCenter"));
-}
-
-TEST(FFTBloomCache, AGraphThatNeverRanLeavesNone)
-{
-	const FImage Picture = FImage::Noise(33, 17), Kernel = MakeAsymmetricKernel(5, 5);
-	const FTestKernel Pixels(Kernel);
-	FSceneViewState State(1);
-	const FFinalPostProcessSettings Settings = MakeSettings(Picture, Kernel);
-	{
-		FPassRun Run(Picture, EArithmetic::Native, PF_A32B32G32R32F);
-		Run.View.FinalPostProcessSettings = Settings;
-		Run.View.State = &State;
-		AddFFTBloomPass(Run.GraphBuilder, Run.View, {Run.Input, {}, {}});
-		Run.GraphBuilder.Discard();
-	}
-	EXPECT_TRUE(
-		Contains(MakeBloom(Picture, Settings, EArithmetic::Native, &State).Passes, "FFTBloom.FindKernelCenter"));
-}
-
 TEST(FFTBloomEnabled, NeedsMethodIntensityStateAndKernel)
 {
 	FViewInfo View(nullptr, FIntRect(0, 0, 8, 8), FIntPoint(8, 8));
@@ -652,52 +427,4 @@ TEST(FFTBloomApply, MultipliesTheSceneColour)
 		Drydock::AddApplyFFTBloomPass(Run.GraphBuilder, Run.View, Run.Input, Bloom.SceneColorApplyParameters));
 	EXPECT_NEAR(Picture.At(4, 2)[1] * 2 / 3, Result.At(4, 2)[1], 1e-6);
 	EXPECT_EQ(1, Result.At(4, 2)[3]);
-}
-
-class BuiltinKernels : public testing::TestWithParam<std::string>
-{
-};
-INSTANTIATE_TEST_SUITE_P(Names, BuiltinKernels, testing::ValuesIn(Drydock::GetBuiltinTextureNames()),
-	[](const testing::TestParamInfo<std::string>& Info) { return Info.param.substr(8); });
-
-TEST_P(BuiltinKernels, SumToOneWithMostInTheMiddle)
-{
-	const std::vector<float> Kernel = Drydock::MakeBuiltinKernel(GetParam());
-	ASSERT_EQ(size_t(513 * 513), Kernel.size());
-	double Sum = 0;
-	for (const float Value : Kernel)
-	{
-		ASSERT_GE(Value, 0.0f);
-		Sum += double(Value);
-	}
-	EXPECT_NEAR(1, Sum, 1e-5);
-	EXPECT_NEAR(13.0 / 15, double(Kernel[256 * 513 + 256]), 1e-6);
-}
-
-TEST_P(BuiltinKernels, AreTheSameUpsideDownAndMirrored)
-{
-	const std::vector<float> Kernel = Drydock::MakeBuiltinKernel(GetParam());
-	for (const int Offset : {1, 8, 100, 200})
-	{
-		EXPECT_NEAR(1, Kernel[(256 + Offset) * 513 + 256] / Kernel[(256 - Offset) * 513 + 256], 1e-4) << Offset;
-		EXPECT_NEAR(1, Kernel[256 * 513 + 256 + Offset] / Kernel[256 * 513 + 256 - Offset], 1e-4) << Offset;
-	}
-}
-
-TEST_P(BuiltinKernels, AreBlackInTheCorners)
-{
-	EXPECT_EQ(0.0f, Drydock::MakeBuiltinKernel(GetParam())[0]);
-}
-
-TEST(BuiltinKernel, TheFirstDarkRingOfAiry)
-{
-	// At 256.5 / 32 = 8.0156 texels from the middle.
-	const std::vector<float> Kernel = Drydock::MakeBuiltinKernel("Builtin/Airy");
-	EXPECT_LT(Kernel[256 * 513 + 256 + 8], 1e-4f * Kernel[256 * 513 + 256 + 1]);
-	EXPECT_GT(Kernel[256 * 513 + 256 + 11], 1e-2f * Kernel[256 * 513 + 256 + 1]);
-}
-
-TEST(BuiltinKernel, OthersAreUnknown)
-{
-	EXPECT_TRUE(Drydock::MakeBuiltinKernel("Builtin/Square").empty());
 }

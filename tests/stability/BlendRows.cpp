@@ -32,6 +32,7 @@ constexpr FCell NotFinite = LeftOut("a value that is not finite does not enter t
 constexpr FCell AtFull = Assigned("weight 1 assigns: no a + (b - a) is left over");
 constexpr FCell InUnit = Clamped("weights end at 0 and 1, and NaN does nothing");
 constexpr FCell Order = ByDeclaration("volumes of one priority keep the order of their declaration");
+constexpr FCell NoVolumes = DoesNotApply("two settings objects, no volumes");
 constexpr FCell Discrete = DoesNotApply("the type has no such value");
 
 consteval FCells OfSettings(const FSettingCells& Cells)
@@ -93,6 +94,14 @@ constexpr FCells LinearCells = OfSettings({
 	.EqualPriorities = Order,
 	.TenThousand = Settles("1 - 0.75^n of the way, to rounding", 1e-6),
 });
+
+/** Likewise, of two settings objects. */
+constexpr FCells LinearPartCells = []
+{
+	FCells Cells = LinearCells;
+	Cells.EqualPriorities = NoVolumes;
+	return Cells;
+}();
 
 constexpr FBlendRow Rows[] = {
 	{
@@ -355,22 +364,7 @@ constexpr FBlendRow Rows[] = {
 		.Header = "Engine/PostProcessUtils.h",
 		.Form = EBlendForm::Parts,
 		.Setting = "VignetteIntensity",
-		.Cells = OfSettings({
-			.NaN = NotFinite,
-			.PlusInf = NotFinite,
-			.MinusInf = NotFinite,
-			.LargestHalf = AtFull,
-			.BeyondHalf = AtFull,
-			.Huge = BetweenEnds("the difference does not overflow: the ends are weighed instead"),
-			.Denormals = BetweenEnds("settings blend with denormals as they are"),
-			.NegativeZero = AtFull,
-			.NegativeColors = BetweenEnds("signs do not matter to a linear blend"),
-			.Black = BetweenEnds("0 is a value like others"),
-			.Constant = Kept("a + w (a - a) is a"),
-			.WeightOutside = InUnit,
-			.EqualPriorities = DoesNotApply("two settings objects, no volumes"),
-			.TenThousand = Settles("1 - 0.75^n of the way, to rounding", 1e-6),
-		}),
+		.Cells = LinearPartCells,
 	},
 	{
 		.Name = "Parts: over one half",
@@ -390,7 +384,7 @@ constexpr FBlendRow Rows[] = {
 			.Black = Assigned("above one half"),
 			.Constant = Kept("either way the value"),
 			.WeightOutside = InUnit,
-			.EqualPriorities = DoesNotApply("two settings objects, no volumes"),
+			.EqualPriorities = NoVolumes,
 			.TenThousand = DoesNotApply("a quarter is not above one half: nothing accumulates"),
 		}),
 	},
