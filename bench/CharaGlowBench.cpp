@@ -1,12 +1,12 @@
 // What widening the character mask costs by area: the native kernel's running sums, the separable shader, the article's
 // double loop. 1920x1080; all variants alternate inside one measurement; medians of 7. Source: drydock.
-#include "CharaGlow.h"
 #include "HAL/IConsoleManager.h"
 #include "RHICommandList.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphObserver.h"
 #include "RenderTargetPool.h"
 #include "SceneRendering.h"
+#include "Toon/CharaGlow.h"
 
 #include <algorithm>
 #include <cstdio>

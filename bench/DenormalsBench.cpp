@@ -3,11 +3,11 @@
 // table in Markdown and exits with 1 where a ratio is above 2. Source: drydock.
 //
 //     bench_denormals [WIDTH]
-#include "DualKawaseBlurPass.h"
-#include "FourTapBlur.h"
+#include "Bloom/PostProcessGaussianBloom.h"
+#include "Blur/DualKawaseBlurPass.h"
+#include "Blur/FourTapBlur.h"
+#include "Blur/PostProcessWeightedSampleSum.h"
 #include "HAL/IConsoleManager.h"
-#include "PostProcessGaussianBloom.h"
-#include "PostProcessWeightedSampleSum.h"
 #include "RHICommandList.h"
 #include "RenderGraphBuilder.h"
 #include "RenderTargetPool.h"

@@ -1,12 +1,12 @@
-// The dual Kawase blur against a Gaussian of the same width. Prints tables in Markdown, as docs/dual-kawase.md has them:
-// widths measured on the passes, corrected and as printed; what one blur of a scene costs, and how far it is from the
-// Gaussian. The three filters alternate inside one measurement; medians of 7. Source: drydock.
+// The dual Kawase blur against a Gaussian of the same width. Prints tables in Markdown, as docs/dual-kawase.md has
+// them: widths measured on the passes, corrected and as printed; what one blur of a scene costs, and how far it is from
+// the Gaussian. The three filters alternate inside one measurement; medians of 7. Source: drydock.
 //
 //     bench_kawase [SCENE]
-#include "DualKawaseBlurPass.h"
-#include "DualKawaseBlurWidth.h"
+#include "Blur/DualKawaseBlurPass.h"
+#include "Blur/DualKawaseBlurWidth.h"
 #include "HAL/IConsoleManager.h"
-#include "ImageFile.h"
+#include "Picture/ImageFile.h"
 #include "RHICommandList.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphObserver.h"

@@ -1,7 +1,7 @@
-// The .usf of three shaders, as the shader tier compiles it, against the same shaders as scalar C++ with GLM and as lane
-// code written by hand; 1920x1080, one thread. The three alternate frame by frame inside one measurement, so that all see
-// the same state of the machine; the counters give the milliseconds of each, and scalar over .usf as the ratio. Wanted: 2
-// (Kawase 1.2) with AVX-512, 1 with AVX2. Source: drydock.
+// The .usf of three shaders, as the shader tier compiles it, against the same shaders as scalar C++ with GLM and as
+// lane code written by hand; 1920x1080, one thread. The three alternate frame by frame inside one measurement, so that
+// all see the same state of the machine; the counters give the milliseconds of each, and scalar over .usf as the ratio.
+// Wanted: 2 (Kawase 1.2) with AVX-512, 1 with AVX2. Source: drydock.
 #include <benchmark/benchmark.h>
 
 #include "LanesDispatch.h"
@@ -81,9 +81,10 @@ FUsfKernel MakeUsfKernel(const std::string& Name, int32_t Lanes)
 	const float SizeX = GSizeX;
 	const float SizeY = GSizeY;
 	FShaderCompileRequest Request;
-	std::map<std::string, std::vector<float>> Constants = {{"ViewSize", {SizeX, SizeY, 1, 0}}, {"InvSize", {1 / SizeX, 1 / SizeY}},
-		{"View_PreExposure", {1}}, {"View_OneOverPreExposure", {1}}, {"BloomThreshold", {0.5f}},
-		{"Output_ViewportSizeInverse", {1 / SizeX, 1 / SizeY}}, {"Input_UVViewportSize", {1, 1}}};
+	std::map<std::string, std::vector<float>> Constants = {{"ViewSize", {SizeX, SizeY, 1, 0}},
+		{"InvSize", {1 / SizeX, 1 / SizeY}}, {"View_PreExposure", {1}}, {"View_OneOverPreExposure", {1}},
+		{"BloomThreshold", {0.5f}}, {"Output_ViewportSizeInverse", {1 / SizeX, 1 / SizeY}},
+		{"Input_UVViewportSize", {1, 1}}};
 	if (Name == "BloomSetup")
 	{
 		ForEachShaderType(
@@ -147,8 +148,8 @@ void Register(const char* Set, const FKernelPair* Kernels, int32_t Lanes)
 		for (int i = 0; i < GNumKernels; ++i)
 		{
 			const std::string Name = std::string(Kernels[i].Name) + "/" + GetTexelStorageInfo(Storage).Name + "/" + Set;
-			benchmark::RegisterBenchmark(Name.c_str(),
-				[&Kernel = Kernels[i], Storage, Lanes](benchmark::State& State) { RunPair(State, Kernel, Storage, Lanes); })
+			benchmark::RegisterBenchmark(Name.c_str(), [&Kernel = Kernels[i], Storage, Lanes](benchmark::State& State)
+				{ RunPair(State, Kernel, Storage, Lanes); })
 				->UseManualTime()
 				->Unit(benchmark::kMillisecond)
 				->Iterations(15);

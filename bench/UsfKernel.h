@@ -30,7 +30,8 @@ public:
 			const auto Found = Constants.find(Constant.Name);
 			if (Found != Constants.end() && Constant.Scalar == EShaderScalar::Float)
 			{
-				std::memcpy(Blocks[Constant.Buffer].data() + Constant.Offset, Found->second.data(), Found->second.size() * sizeof(float));
+				std::memcpy(Blocks[Constant.Buffer].data() + Constant.Offset, Found->second.data(),
+					Found->second.size() * sizeof(float));
 			}
 		}
 		for (const std::vector<uint8_t>& Block : Blocks)
@@ -42,17 +43,17 @@ public:
 	/** Every texture read is Input, every one written Output; structured buffers hold ones. One thread. */
 	void Run(const FKernelTexture& Input, const FKernelTexture& Output) const
 	{
-		const FKernelSampler Sampler = {
-			EKernelFilter::Bilinear, EKernelAddress::Clamp, EKernelAddress::Clamp, EKernelAddress::Clamp, 8, 0, {0, 0, 0, 0}};
+		const FKernelSampler Sampler = {EKernelFilter::Bilinear, EKernelAddress::Clamp, EKernelAddress::Clamp,
+			EKernelAddress::Clamp, 8, 0, {0, 0, 0, 0}};
 		std::vector<float> Ones(64, 1.0f);
 		const FShaderReflection& Reflection = Shader->Reflection;
 		const std::vector<FKernelTexture> Textures(Reflection.Textures.size() + 1, Input);
 		const std::vector<FKernelTexture> RWTextures(Reflection.RWTextures.size() + 1, Output);
 		const std::vector<FKernelSampler> Samplers(Reflection.Samplers.size() + 1, Sampler);
-		const std::vector<FKernelBuffer> Buffers(
-			Reflection.Buffers.size() + 1, FKernelBuffer{reinterpret_cast<uint8_t*>(Ones.data()), 256, 16, ETexelStorage::RGBA32_FLOAT});
-		const FKernelTarget Target = {Output, 15, 0, EKernelBlendOp::Add, EKernelBlendFactor::One, EKernelBlendFactor::Zero,
-			EKernelBlendOp::Add, EKernelBlendFactor::One, EKernelBlendFactor::Zero};
+		const std::vector<FKernelBuffer> Buffers(Reflection.Buffers.size() + 1,
+			FKernelBuffer{reinterpret_cast<uint8_t*>(Ones.data()), 256, 16, ETexelStorage::RGBA32_FLOAT});
+		const FKernelTarget Target = {Output, 15, 0, EKernelBlendOp::Add, EKernelBlendFactor::One,
+			EKernelBlendFactor::Zero, EKernelBlendOp::Add, EKernelBlendFactor::One, EKernelBlendFactor::Zero};
 		const FKernelInterpolant Interpolant = {};
 		FKernelArgs Args = {};
 		Args.ConstantBuffers = BlockPointers.data();

@@ -2,9 +2,9 @@
 // in double, so that they do not drift, and are rounded once. Source: drydock.
 #include <Imath/half.h>
 
-#include "CharaGlowShaders.h"
 #include "NativeKernels.h"
 #include "PixelFormatConversion.h"
+#include "Toon/CharaGlowShaders.h"
 
 #include <algorithm>
 #include <vector>

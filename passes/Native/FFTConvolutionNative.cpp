@@ -1,6 +1,6 @@
 // The transforms themselves, line by line. Two neighbouring lines of a real picture are the real and the imaginary part
 // of one complex line: their spectra come apart by symmetry. Source: drydock; the method is the textbook's.
-#include "FFTConvolution.h"
+#include "Bloom/FFTConvolution.h"
 #include "Native/FourierTransform.h"
 #include "RenderGraphBuilder.h"
 #include "ShaderParameterStruct.h"

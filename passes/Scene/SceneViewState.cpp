@@ -34,9 +34,8 @@ FScreenPassTexture FSceneViewState::RegisterLastTexture(FRDGBuilder& GraphBuilde
 FRDGBufferRef FSceneViewState::RegisterLastBuffer(FRDGBuilder& GraphBuilder, const TCHAR* Name) const
 {
 	const auto Found = Last.Buffers.find(Name);
-	return Found == Last.Buffers.end()
-			   ? nullptr
-			   : GraphBuilder.RegisterExternalBuffer(Found->second, Found->first.c_str());
+	return Found == Last.Buffers.end() ? nullptr
+									   : GraphBuilder.RegisterExternalBuffer(Found->second, Found->first.c_str());
 }
 
 void FSceneViewState::KeepTexture(FRDGBuilder& GraphBuilder, const TCHAR* Name, const FScreenPassTexture& Texture)

@@ -1,9 +1,9 @@
 // What of a view lives on from frame to frame, as passes see it. pipeline/ keeps one for each view. Source: engine file
 // ScenePrivate.h (FSceneViewState, FPreviousViewInfo); the names of kept textures and buffers are drydock's.
 //
-// There are two kinds. *History* changes the picture: the frame before is read, what the next one shall know is written,
-// so that a frame is a function of its inputs and its history, and a sequence can be taken up again at any frame whose
-// history was kept (ViewStateFile.h):
+// There are two kinds. *History* changes the picture: the frame before is read, what the next one shall know is
+// written, so that a frame is a function of its inputs and its history, and a sequence can be taken up again at any
+// frame whose history was kept (ViewStateFile.h):
 //
 //     FRDGBufferRef Last = View.ViewState ? View.ViewState->RegisterLastBuffer(GraphBuilder, TEXT("Mine")) : nullptr;
 //     ...
@@ -13,7 +13,7 @@
 // frame that does not use it lets go of it.
 #pragma once
 
-#include "FFTConvolution.h"
+#include "Bloom/FFTConvolution.h"
 #include "RHIResources.h"
 #include "RenderGraphFwd.h"
 #include "RenderGraphResourcePool.h"

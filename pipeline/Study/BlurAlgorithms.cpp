@@ -3,21 +3,22 @@
 
 #include "Study/BlurNative.h"
 
-#include "DualKawaseBlurOutput.h"
-#include "DualKawaseBlurPass.h"
-#include "DualKawaseBlurWidth.h"
-#include "FFTConvolution.h"
-#include "FourTapBlur.h"
+#include "Bloom/FFTConvolution.h"
+#include "Blur/DualKawaseBlurOutput.h"
+#include "Blur/DualKawaseBlurPass.h"
+#include "Blur/DualKawaseBlurWidth.h"
+#include "Blur/FourTapBlur.h"
+#include "Blur/TextureBlur.h"
+#include "Picture/TextureImage.h"
 #include "RHICommandList.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphObserver.h"
 #include "RenderGraphUtils.h"
 #include "RenderTargetPool.h"
-#include "RunDump.h"
-#include "RunSetup.h"
+#include "Run/RunDump.h"
+#include "Run/RunSetup.h"
+#include "Run/VariableTaps.h"
 #include "SceneRendering.h"
-#include "TextureBlur.h"
-#include "VariableTaps.h"
 
 #include <algorithm>
 #include <chrono>
@@ -342,40 +343,6 @@ FBlurRun RunNative(const FImage& Image, const std::string& Name, double Sigma)
 }
 
 } // namespace
-
-const std::vector<FBlurAlgorithm>& GetBlurAlgorithms()
-{
-	static const std::vector<FBlurAlgorithm> Algorithms = {
-		{"Exact", "True Gaussian convolution in double, cut where double ends: the reference.", false},
-		{"Direct", "All taps of a square at once, 3 deviations to each side.", true, 0.5, 8.0},
-		{"Separable", "Rows, then columns, 3 deviations to each side."},
-		{"GaussianSum",
-			"One Gaussian of the engine's bloom: on a level of the chain, in at most 32 taps, stretched back.", true,
-			1.5, 1000.0},
-		{"Kawase", "Passes of four taps at full size, each further out.", true, 0.5, 250.0},
-		{"DualKawase", "Halved and doubled again by 5 and 8 taps.", true, 1.0, 426.0},
-		{"Pyramid", "[1 3 3 1] down and up, a small separable Gaussian between."},
-		{"FFT", "The bloom's convolution by Fourier transforms, with a Gaussian for its kernel; the edge repeated "
-				"around it."},
-		{"Boxes", "Three running averages.", false},
-		{"Recursive", "Young and van Vliet's third-order recursive filter.", false},
-	};
-	return Algorithms;
-}
-
-const FBlurAlgorithm* FindBlurAlgorithm(const std::string& Name)
-{
-	const std::vector<FBlurAlgorithm>& Algorithms = GetBlurAlgorithms();
-	const auto Found = std::find_if(
-		Algorithms.begin(), Algorithms.end(), [&](const FBlurAlgorithm& Algorithm) { return Algorithm.Name == Name; });
-	return Found == Algorithms.end() ? nullptr : &*Found;
-}
-
-const std::vector<std::string>& GetBlurStorages()
-{
-	static const std::vector<std::string> Storages = {"float32", "float16", "R11G11B10", "8bit"};
-	return Storages;
-}
 
 FBlur::FBlur(const std::string& Name, double InSigma, const FBlurArithmetic& InArithmetic)
 	: Algorithm(*FindBlurAlgorithm(Name))

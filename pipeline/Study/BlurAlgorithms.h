@@ -3,27 +3,14 @@
 // matched by measurement: the second moment of the impulse response. Source: drydock; algorithms: where they are.
 #pragma once
 
-#include "ImageFile.h"
+#include "Budget/BlurNames.h"
+#include "Picture/ImageFile.h"
 
 #include <string>
 #include <vector>
 
 namespace Drydock
 {
-
-struct FBlurAlgorithm
-{
-	std::string Name;           // "DualKawase"
-	std::string Doc;            // one sentence
-	bool bGraph = true;         // shaders in the render graph; else plain code in double
-	double SmallestSigma = 0.5; // pixels; what it can be matched to
-	double LargestSigma = 1000.0;
-};
-
-/** Exact, Direct, Separable, GaussianSum, Kawase, DualKawase, Pyramid, FFT, Boxes, Recursive. */
-DRYDOCK_API const std::vector<FBlurAlgorithm>& GetBlurAlgorithms();
-/** Null when there is none of that name. */
-DRYDOCK_API const FBlurAlgorithm* FindBlurAlgorithm(const std::string& Name);
 
 /** How the graph's algorithms compute and store; plain code does both in 64 bit. */
 struct FBlurArithmetic
@@ -33,7 +20,6 @@ struct FBlurArithmetic
 	bool bDouble = false;     // 64-bit arithmetic and storage, coordinates not snapped
 	int ResolutionLevels = 0; // halvings before the blur: [1 3 3 1] down and up around it
 };
-DRYDOCK_API const std::vector<std::string>& GetBlurStorages();
 
 struct FBlurRun
 {

@@ -4,7 +4,7 @@
 // A value that is not finite spoils its row and column. Source: drydock; each function names its paper.
 #pragma once
 
-#include "ImageFile.h"
+#include "Picture/ImageFile.h"
 
 namespace Drydock
 {

@@ -1,7 +1,7 @@
 // Source: drydock.
 #include "Study/StudyInsetSheet.h"
 
-#include "ImageMetrics.h"
+#include "Picture/ImageMetrics.h"
 #include "Study/StudyPanel.h"
 #include "Study/StudyStyle.h"
 

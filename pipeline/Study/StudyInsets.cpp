@@ -1,9 +1,9 @@
 // Source: drydock.
 #include "Study/StudyInsets.h"
 
-#include "ConfigErrors.h"
 #include "Study/StudyRun.h"
-#include "TextFormat.h"
+#include "Text/ConfigErrors.h"
+#include "Text/TextFormat.h"
 
 #include <algorithm>
 #include <cmath>

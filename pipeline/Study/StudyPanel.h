@@ -2,7 +2,7 @@
 // drydock.
 #pragma once
 
-#include "SvgTools.h"
+#include "Picture/SvgTools.h"
 
 #include <optional>
 #include <string>

@@ -1,6 +1,7 @@
 // Source: drydock.
 #include "Study/StudyRank.h"
-#include "TextFormat.h"
+#include "Budget/StudyBudget.h"
+#include "Text/TextFormat.h"
 
 #include <algorithm>
 #include <cmath>
@@ -171,22 +172,6 @@ FStudyTime SummarizeRuns(std::vector<double> Runs)
 		Time.High = Interpolate(Runs, 0.75);
 	}
 	return Time;
-}
-
-double GetErrorToRank(const FImageError& Error, const std::string& Metric)
-{
-	const double Value = GetMetric(Error, Metric);
-	return Metric == "psnr" ? std::pow(10.0, -Value / 20.0) : Metric == "ssim" ? 1.0 - Value : Value;
-}
-
-bool MeetsBudget(const FImageError& Error, const FStudyBudget& Budget)
-{
-	if (!Budget.Max)
-	{
-		return true;
-	}
-	const double Value = GetMetric(Error, Budget.Metric);
-	return IsHigherBetter(Budget.Metric) ? Value >= *Budget.Max : Value <= *Budget.Max;
 }
 
 void RankStudy(FStudyResult& Result)

@@ -9,12 +9,6 @@ namespace Drydock
 /** Median and quartiles; by interpolation between the sorted runs. */
 DRYDOCK_API FStudyTime SummarizeRuns(std::vector<double> Runs);
 
-/** 0 and up, the smaller the better: of psnr and ssim the distance from perfect (10^(-dB/20), 1 - ssim). */
-DRYDOCK_API double GetErrorToRank(const FImageError& Error, const std::string& Metric);
-
-/** Whether an error meets the budget's max; always where there is none. */
-DRYDOCK_API bool MeetsBudget(const FImageError& Error, const FStudyBudget& Budget);
-
 /** Fills ranks, noise and recommendations of all jobs. Of each job: the front holds whom nobody dominates; A dominates
  * B when A is no worse in error and cost, and better in one; plain code does not dominate shaders, and is not
  * recommended, for it cannot run where they do. Recommended is the cheapest by time that meets the error

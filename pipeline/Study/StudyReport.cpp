@@ -1,10 +1,10 @@
 // Source: drydock.
 #include "Study/StudyReport.h"
 
-#include "JsonWriter.h"
-#include "RunJson.h"
-#include "Verbs.h"
-#include "TextFormat.h"
+#include "Run/RunJson.h"
+#include "Text/JsonWriter.h"
+#include "Text/TextFormat.h"
+#include "Text/Version.h"
 
 #include <algorithm>
 #include <cmath>

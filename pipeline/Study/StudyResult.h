@@ -2,9 +2,9 @@
 // measured times are kept apart. Source: drydock.
 #pragma once
 
-#include "Study/StudyConfig.h"
+#include "Budget/StudyConfig.h"
 
-#include "ImageMetrics.h"
+#include "Picture/ImageMetrics.h"
 
 #include <string>
 #include <vector>

@@ -1,19 +1,20 @@
 // Source: drydock.
 #include "Study/StudyRun.h"
 
-#include "ConfigErrors.h"
+#include "Budget/StudyRequest.h"
 #include "ContentHash.h"
 #include "HAL/IConsoleManager.h"
 #include "PostProcessSettingsReflection.h"
-#include "Run.h"
-#include "RunDump.h"
-#include "RunSetup.h"
+#include "Run/Run.h"
+#include "Run/RunDump.h"
+#include "Run/RunSetup.h"
 #include "Study/BlurAlgorithms.h"
 #include "Study/BlurNative.h"
 #include "Study/StudyRank.h"
 #include "Study/StudySubject.h"
+#include "Text/ConfigErrors.h"
 #include "TileExecutor.h"
-#include "ToonShadowBlur.h"
+#include "Toon/ToonShadowBlur.h"
 
 #include <algorithm>
 #include <chrono>
@@ -299,25 +300,6 @@ private:
 	int NumToDo = 0;
 };
 
-/** Keys and values without blanks and comments. */
-void AddToHash(const FJsonValue& Value, FContentHash& Hash)
-{
-	Hash.Add(Value.Describe());
-	Hash.Add(Value.String);
-	Hash.Add(Value.Bool ? "1" : "0");
-	Hash.AddBytes(&Value.Number, sizeof(Value.Number));
-	Hash.Add(std::to_string(Value.Elements.size()));
-	for (const FJsonValue& Element : Value.Elements)
-	{
-		AddToHash(Element, Hash);
-	}
-	for (const FJsonMember& Member : Value.Members)
-	{
-		Hash.Add(Member.Key);
-		AddToHash(Member.Value, Hash);
-	}
-}
-
 } // namespace
 
 FImage MakeBlurInput(const std::string& Input, const FImage& Scene, double Sigma)
@@ -342,57 +324,6 @@ FImage MakeBlurInput(const std::string& Input, const FImage& Scene, double Sigma
 		}
 	}
 	return Image;
-}
-
-void ApplyToRun(const std::vector<FStudyAssignment>& Set, FRunOptions& Options)
-{
-	for (const FStudyAssignment& Assignment : Set)
-	{
-		if (Assignment.Name == "precision")
-		{
-			Options.bDouble = Assignment.Value == "double";
-		}
-		else if (Assignment.Name == "storage")
-		{
-			Options.Storage = Assignment.Value == "float64"   ? ERunStorage::Float64
-							  : Assignment.Value == "float32" ? ERunStorage::Float32
-															  : ERunStorage::Native;
-		}
-		else
-		{
-			const bool bSetting = FindSettingField(Assignment.Name) != nullptr;
-			(bSetting ? Options.Settings : Options.Variables).push_back(Assignment.Name + "=" + Assignment.Value);
-		}
-	}
-}
-
-std::string GetConfigText(const FRunOptions& Options)
-{
-	if (Options.ConfigText)
-	{
-		return *Options.ConfigText;
-	}
-	std::ifstream Stream(Options.ConfigFile, std::ios::binary);
-	std::stringstream Text;
-	Text << Stream.rdbuf();
-	return Text.str();
-}
-
-std::string GetStudyFingerprint(const std::string& ConfigText)
-{
-	std::vector<FDiagnostic> Ignored;
-	bool bSyntaxError = false;
-	const FJsonValue Root = ParseJson(ConfigText, "", Ignored, bSyntaxError);
-	FContentHash Hash;
-	for (const FJsonMember& Member : Root.Members)
-	{
-		if (Member.Key != "budget" && Member.Key != "outputs" && Member.Key != "$schema")
-		{
-			Hash.Add(Member.Key);
-			AddToHash(Member.Value, Hash);
-		}
-	}
-	return Hash.Finish();
 }
 
 struct FStudyRun::FState

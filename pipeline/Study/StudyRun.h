@@ -4,7 +4,7 @@
 
 #include "Study/StudyResult.h"
 
-#include "RunOptions.h"
+#include "Budget/RunOptions.h"
 
 #include <memory>
 
@@ -46,16 +46,5 @@ DRYDOCK_API FStudyResult RunStudy(const FRunOptions& Options);
 /** The scene's colour as a study of blurs takes it, RGBA: scene, point or edge. The point is as bright as makes the
  * exact blur's peak 1; the edge is slanted. */
 DRYDOCK_API FImage MakeBlurInput(const std::string& Input, const FImage& Scene, double Sigma);
-
-/** Hash of what was studied: of a config's members without budget, outputs and $schema; comments and blanks do not
- * count.
- */
-DRYDOCK_API std::string GetStudyFingerprint(const std::string& ConfigText);
-
-/** Text of the config that Options name. Throws FError (exit code 3) when it cannot be read. */
-DRYDOCK_API std::string GetConfigText(const FRunOptions& Options);
-
-/** What these assignments are to a run. */
-DRYDOCK_API void ApplyToRun(const std::vector<FStudyAssignment>& Set, FRunOptions& Options);
 
 } // namespace Drydock

@@ -1,7 +1,7 @@
 // Source: drydock. Colours: the first ones also the colour-blind tell apart.
 #include "Study/StudyStyle.h"
 
-#include "SvgTools.h"
+#include "Picture/SvgTools.h"
 
 namespace Drydock
 {

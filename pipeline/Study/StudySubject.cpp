@@ -1,11 +1,12 @@
 // Source: drydock.
 #include "Study/StudySubject.h"
 
-#include "Run.h"
-#include "RunDump.h"
+#include "Budget/StudyRequest.h"
+#include "Run/Run.h"
+#include "Run/RunDump.h"
 #include "Study/BlurAlgorithms.h"
 #include "Study/BlurNative.h"
-#include "ToonShadowBlur.h"
+#include "Toon/ToonShadowBlur.h"
 
 #include <chrono>
 #include <cmath>

@@ -1,8 +1,8 @@
 // What a study runs, once with each variant: blurs of an image, or frames of a config. Source: drydock.
 #pragma once
 
-#include "ConfigErrors.h"
 #include "Study/StudyRun.h"
+#include "Text/ConfigErrors.h"
 
 #include <memory>
 #include <string>

@@ -1,8 +1,9 @@
 // Source: drydock.
 #include "Study/StudyView.h"
 
+#include "Budget/StudyBudget.h"
 #include "Study/StudyRank.h"
-#include "TextFormat.h"
+#include "Text/TextFormat.h"
 
 #include <algorithm>
 #include <cmath>

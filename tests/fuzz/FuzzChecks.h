@@ -2,9 +2,9 @@
 // not hold, or nothing.
 #pragma once
 
-#include "Config.h"
-#include "JsonWriter.h"
-#include "SettingsJson.h"
+#include "Config/Config.h"
+#include "Text/JsonWriter.h"
+#include "Config/SettingsJson.h"
 
 #include <algorithm>
 #include <string>

@@ -2,8 +2,8 @@
 // test that runs its corpus.
 #pragma once
 
-#include "ConfigErrors.h"
-#include "ImageFile.h"
+#include "Text/ConfigErrors.h"
+#include "Picture/ImageFile.h"
 #include "TemporaryFolder.h"
 
 #include <fstream>

@@ -25,7 +25,8 @@ FLinearColor SourceColor(int32 X, int32 Y)
 }
 
 /** Runs one pass on the source picture; true when every pixel is as expected, within what half floats resolve. */
-bool RunPass(const char* Name, const std::function<FScreenPassTexture(FRDGBuilder&, const FScreenPassTexture&)>& AddPass,
+bool RunPass(const char* Name,
+	const std::function<FScreenPassTexture(FRDGBuilder&, const FScreenPassTexture&)>& AddPass,
 	const std::function<FLinearColor(int32, int32)>& Expected)
 {
 	FRHICommandListImmediate& RHICmdList = FRHICommandListExecutor::GetImmediateCommandList();
@@ -33,8 +34,10 @@ bool RunPass(const char* Name, const std::function<FScreenPassTexture(FRDGBuilde
 	TRefCountPtr<IPooledRenderTarget> Result;
 	{
 		FRDGBuilder GraphBuilder(RHICmdList, RDG_EVENT_NAME("%s", Name));
-		FRDGTextureRef Source = GraphBuilder.CreateTexture(FRDGTextureDesc::Create2D(Extent, PF_FloatRGBA,
-			FClearValueBinding::None, TexCreate_RenderTargetable | TexCreate_ShaderResource | TexCreate_UAV), TEXT("Source"));
+		FRDGTextureRef Source =
+			GraphBuilder.CreateTexture(FRDGTextureDesc::Create2D(Extent, PF_FloatRGBA, FClearValueBinding::None,
+										   TexCreate_RenderTargetable | TexCreate_ShaderResource | TexCreate_UAV),
+				TEXT("Source"));
 		AddClearRenderTargetPass(GraphBuilder, Source, FLinearColor(0.0f, 0.0f, 0.0f, 0.0f));
 		for (int32 Y = 0; Y < Height; ++Y)
 		{
@@ -49,7 +52,8 @@ bool RunPass(const char* Name, const std::function<FScreenPassTexture(FRDGBuilde
 	}
 
 	TArray<FLinearColor> Pixels;
-	RHICmdList.ReadSurfaceData(Result->GetRHI(), FIntRect(0, 0, Width, Height), Pixels, FReadSurfaceDataFlags(RCM_MinMax));
+	RHICmdList.ReadSurfaceData(
+		Result->GetRHI(), FIntRect(0, 0, Width, Height), Pixels, FReadSurfaceDataFlags(RCM_MinMax));
 	for (int32 Y = 0; Y < Height; ++Y)
 	{
 		for (int32 X = 0; X < Width; ++X)
@@ -76,21 +80,25 @@ int main()
 	const FLinearColor Tint(0.5f, 2.0f, 1.0f, 1.0f);
 	const FLinearColor Stripe(1.0f, 0.25f, 0.0f, 1.0f);
 	int32 Failed = 0;
-	Failed += !RunPass("Invert",
+	Failed += !RunPass(
+		"Invert",
 		[](FRDGBuilder& GraphBuilder, const FScreenPassTexture& Input) { return AddInvertPass(GraphBuilder, Input); },
 		[](int32 X, int32 Y)
 		{
 			const FLinearColor Color = SourceColor(X, Y);
 			return FLinearColor(1.0f - Color.R, 1.0f - Color.G, 1.0f - Color.B, Color.A);
 		});
-	Failed += !RunPass("Tint",
-		[&](FRDGBuilder& GraphBuilder, const FScreenPassTexture& Input) { return AddTintPass(GraphBuilder, Input, Tint); },
+	Failed += !RunPass(
+		"Tint",
+		[&](FRDGBuilder& GraphBuilder, const FScreenPassTexture& Input)
+		{ return AddTintPass(GraphBuilder, Input, Tint); },
 		[&](int32 X, int32 Y)
 		{
 			const FLinearColor Color = SourceColor(X, Y);
 			return FLinearColor(Color.R * Tint.R, Color.G * Tint.G, Color.B * Tint.B, Color.A * Tint.A);
 		});
-	Failed += !RunPass("Stripes",
+	Failed += !RunPass(
+		"Stripes",
 		[&](FRDGBuilder& GraphBuilder, const FScreenPassTexture& Input)
 		{ return AddStripePass(GraphBuilder, Input, 5, Stripe); },
 		[&](int32 X, int32 Y) { return X < 5 ? Stripe : SourceColor(X, Y); });

@@ -3,7 +3,7 @@
 
 #include "PassTestUtils.h"
 
-#include "PostProcessHistogram.h"
+#include "Exposure/PostProcessHistogram.h"
 #include "RHIGPUReadback.h"
 #include "RenderGraphUtils.h"
 

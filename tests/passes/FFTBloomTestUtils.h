@@ -7,8 +7,8 @@
 #include "PostProcess/PostProcessFFTBloom.h"
 #include "RenderGraphObserver.h"
 #include "SceneViewState.h"
+#include "Screen/TextureAssets.h"
 #include "SettingObjects.h"
-#include "TextureAssets.h"
 
 #include <algorithm>
 

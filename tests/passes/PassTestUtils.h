@@ -11,8 +11,8 @@
 
 #include "PassReference.h"
 
+#include "Exposure/PostProcessEyeAdaptation.h"
 #include "HAL/IConsoleManager.h"
-#include "PostProcessEyeAdaptation.h"
 #include "RHICommandList.h"
 #include "RenderGraphBuilder.h"
 #include "RenderTargetPool.h"

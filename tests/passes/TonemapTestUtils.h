@@ -3,8 +3,8 @@
 
 #include "PassTestUtils.h"
 
-#include "PostProcessCombineLUTs.h"
-#include "PostProcessTonemap.h"
+#include "Tonemap/PostProcessCombineLUTs.h"
+#include "Tonemap/PostProcessTonemap.h"
 
 #include <functional>
 

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "ExtensionFactory.h"
-#include "Frame.h"
+#include "Frame/Frame.h"
 #include "PostProcess/PostProcessing.h"
 #include "RenderTargetPool.h"
 

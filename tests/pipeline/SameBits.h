@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ImageFile.h"
+#include "Picture/ImageFile.h"
 
 #include <cstring>
 

@@ -15,7 +15,8 @@ namespace SequenceTest
 
 namespace Files = std::filesystem;
 
-/** Scenes: the folder of the shipped ones. Every frame shows what the one before kept for reflections, so that no frame can do without its history. */
+/** Scenes: the folder of the shipped ones. Every frame shows what the one before kept for reflections, so that no frame
+ * can do without its history. */
 inline std::string MakeConfigText(const std::string& Scenes, const std::string& More = "")
 {
 	return R"({"scene": {"file": ")" + Scenes + R"(moving_camera.####.exr"}, "volumes": "fromScene",

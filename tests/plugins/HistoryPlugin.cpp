@@ -1,5 +1,5 @@
-// A plugin with a history of its own, where nobody sees it: it counts the frames that it has seen, and the picture shows
-// the number. SequenceProgramTest.cpp runs a sequence with it.
+// A plugin with a history of its own, where nobody sees it: it counts the frames that it has seen, and the picture
+// shows the number. SequenceProgramTest.cpp runs a sequence with it.
 #include "Modules/ModuleManager.h"
 #include "PostProcess/PostProcessing.h"
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "PostProcessSettingsReflection.h"
-#include "SettingList.h"
+#include "Config/SettingList.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -29,7 +29,8 @@ void CollectNumbers(const std::string& Text, const std::string& Pattern, std::se
 	}
 }
 
-/** Numbers as the code gives them: an enumerator `= 2003,`, or a literal beside the severity or as an argument of Error. */
+/** Numbers as the code gives them: an enumerator `= 2003,`, or a literal beside the severity or as an argument of
+ * Error. */
 std::set<int> FindNumbersInCode()
 {
 	std::set<int> Numbers;

@@ -51,7 +51,8 @@ std::vector<Files::path> Resolve(
 	for (auto It = Range.first; It != Range.second; ++It)
 	{
 		const std::string Path = "/" + It->second.generic_string();
-		if (Path.size() > Name.size() && Path.compare(Path.size() - Name.size() - 1, std::string::npos, "/" + Name) == 0)
+		if (Path.size() > Name.size() &&
+			Path.compare(Path.size() - Name.size() - 1, std::string::npos, "/" + Name) == 0)
 		{
 			Found.push_back(It->second);
 		}

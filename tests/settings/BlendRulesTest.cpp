@@ -1,5 +1,5 @@
-// Rules of blending, one by one: those of the engine, by hand, and what must hold for all inputs. A little past 500 lines:
-// rules and properties share their volumes and generators.
+// Rules of blending, one by one: those of the engine, by hand, and what must hold for all inputs. A little past 500
+// lines: rules and properties share their volumes and generators.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>

@@ -3,13 +3,13 @@
 
 #include "Cases.h"
 
-#include "FFTConvolution.h"
-#include "PostProcessBloomSetup.h"
+#include "Bloom/FFTConvolution.h"
+#include "Bloom/PostProcessBloomSetup.h"
+#include "Bloom/PostProcessGaussianBloom.h"
+#include "Bloom/PostProcessToonBloom.h"
+#include "Bloom/UnityBloom.h"
 #include "PostProcess/PostProcessFFTBloom.h"
-#include "PostProcessGaussianBloom.h"
-#include "PostProcessToonBloom.h"
 #include "RenderGraphUtils.h"
-#include "UnityBloom.h"
 
 namespace Stability
 {

@@ -3,10 +3,10 @@
 
 #include "Cases.h"
 
-#include "DualKawaseBlurPass.h"
-#include "FourTapBlur.h"
-#include "PostProcessWeightedSampleSum.h"
-#include "TextureBlur.h"
+#include "Blur/DualKawaseBlurPass.h"
+#include "Blur/FourTapBlur.h"
+#include "Blur/PostProcessWeightedSampleSum.h"
+#include "Blur/TextureBlur.h"
 
 #include <algorithm>
 

@@ -3,9 +3,9 @@
 
 #include "Cases.h"
 
-#include "PostProcessAA.h"
-#include "PostProcessCombineLUTs.h"
-#include "PostProcessTonemap.h"
+#include "Screen/PostProcessAA.h"
+#include "Tonemap/PostProcessCombineLUTs.h"
+#include "Tonemap/PostProcessTonemap.h"
 
 #include <algorithm>
 

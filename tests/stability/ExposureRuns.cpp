@@ -4,8 +4,8 @@
 #include "Cases.h"
 #include "passes/ExposureTestUtils.h"
 
-#include "PostProcessBloomSetup.h"
-#include "PostProcessLocalExposure.h"
+#include "Bloom/PostProcessBloomSetup.h"
+#include "Exposure/PostProcessLocalExposure.h"
 
 #include <cmath>
 

@@ -6,8 +6,8 @@
 
 #include "HazardScene.h"
 
-#include "ImageFile.h"
-#include "Run.h"
+#include "Picture/ImageFile.h"
+#include "Run/Run.h"
 
 #include <algorithm>
 #include <array>

@@ -3,8 +3,8 @@
 
 #include "Cases.h"
 
-#include "DiaphragmDOF.h"
-#include "PostProcessMotionBlur.h"
+#include "Lens/DiaphragmDOF.h"
+#include "Lens/PostProcessMotionBlur.h"
 
 namespace Stability
 {

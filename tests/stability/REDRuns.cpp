@@ -3,9 +3,9 @@
 
 #include "Cases.h"
 
-#include "CharaGlow.h"
-#include "REDDepthOfField.h"
-#include "REDPostProcess.h"
+#include "Lens/REDDepthOfField.h"
+#include "Lens/REDPostProcess.h"
+#include "Toon/CharaGlow.h"
 
 #include <algorithm>
 #include <cmath>

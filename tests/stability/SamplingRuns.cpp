@@ -3,9 +3,9 @@
 
 #include "Cases.h"
 
-#include "PostProcessDownsample.h"
-#include "PostProcessUpscale.h"
-#include "Tint.h"
+#include "Screen/PostProcessDownsample.h"
+#include "Screen/PostProcessUpscale.h"
+#include "Screen/Tint.h"
 
 namespace Stability
 {

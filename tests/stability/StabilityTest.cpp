@@ -1,8 +1,8 @@
 // Every cell of the stability table, and that the table has a row for everything there is. Source: drydock.
 #include <gtest/gtest.h>
 
-#include "CheckPass.h"
 #include "Cases.h"
+#include "CheckPass.h"
 
 #include "ExtensionFactory.h"
 #include "PassFactory.h"
@@ -169,10 +169,10 @@ TEST(StabilityTable, HasARowForEveryHeaderOfPasses)
 			Headers.insert(Entry.path().filename().string());
 		}
 	}
-	for (const char* Name : {"BuiltinTextures.h", "CharaGlowShaders.h", "ColorGrading.h", "DrawRegion.h", "DualKawaseBlur.h",
-			 "DualKawaseBlurErrors.h", "DualKawaseBlurOutput.h", "DualKawaseBlurWidth.h", "ExposureMetering.h",
-			 "KernelAudit.h", "KernelAuditErrors.h", "PostProcessFFTBloomKernel.h", "RasterTarget.h", "SampleSteps.h",
-			 "TextureAssets.h", "TonemapLens.h", "TonemapOutputDevice.h"})
+	for (const char* Name : {"BuiltinTextures.h", "CharaGlowShaders.h", "ColorGrading.h", "DrawRegion.h",
+			 "DualKawaseBlur.h", "DualKawaseBlurErrors.h", "DualKawaseBlurOutput.h", "DualKawaseBlurWidth.h",
+			 "ExposureMetering.h", "KernelAudit.h", "KernelAuditErrors.h", "PostProcessFFTBloomKernel.h",
+			 "RasterTarget.h", "SampleSteps.h", "TextureAssets.h", "TonemapLens.h", "TonemapOutputDevice.h"})
 	{
 		EXPECT_EQ(1u, Headers.erase(Name)) << Name << " is no longer there";
 	}

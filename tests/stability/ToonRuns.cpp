@@ -3,7 +3,7 @@
 
 #include "Cases.h"
 
-#include "ToonShadowBlur.h"
+#include "Toon/ToonShadowBlur.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
 // Forwards under the engine's path. Source: engine file PostProcess/PostProcessBloomSetup.h.
 #pragma once
 
-#include <PostProcessBloomSetup.h>
+#include <Bloom/PostProcessBloomSetup.h>

@@ -1,4 +1,4 @@
 // Forwards under the engine's path. Source: engine file PostProcess/PostProcessDownsample.h.
 #pragma once
 
-#include <PostProcessDownsample.h>
+#include <Screen/PostProcessDownsample.h>

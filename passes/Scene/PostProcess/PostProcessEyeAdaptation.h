@@ -1,4 +1,4 @@
 // Forwards under the engine's path. Source: engine file PostProcess/PostProcessEyeAdaptation.h.
 #pragma once
 
-#include <PostProcessEyeAdaptation.h>
+#include <Exposure/PostProcessEyeAdaptation.h>

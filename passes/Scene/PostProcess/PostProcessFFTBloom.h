@@ -1,4 +1,4 @@
 // Forwards under the engine's path. Source: engine file PostProcess/PostProcessFFTBloom.h.
 #pragma once
 
-#include <PostProcessFFTBloom.h>
+#include <Bloom/PostProcessFFTBloom.h>

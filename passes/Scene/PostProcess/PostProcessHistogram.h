@@ -1,4 +1,4 @@
 // Forwards under the engine's path. Source: engine file PostProcess/PostProcessHistogram.h.
 #pragma once
 
-#include <PostProcessHistogram.h>
+#include <Exposure/PostProcessHistogram.h>

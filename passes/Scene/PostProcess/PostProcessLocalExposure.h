@@ -1,4 +1,4 @@
 // Forwards under the engine's path. Source: engine file PostProcess/PostProcessLocalExposure.h.
 #pragma once
 
-#include <PostProcessLocalExposure.h>
+#include <Exposure/PostProcessLocalExposure.h>

@@ -1,4 +1,4 @@
 // Forwards under the engine's path. Source: engine file PostProcess/PostProcessMotionBlur.h.
 #pragma once
 
-#include <PostProcessMotionBlur.h>
+#include <Lens/PostProcessMotionBlur.h>

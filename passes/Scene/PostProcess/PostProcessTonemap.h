@@ -1,4 +1,4 @@
 // Forwards under the engine's path. Source: engine file PostProcess/PostProcessTonemap.h.
 #pragma once
 
-#include <PostProcessTonemap.h>
+#include <Tonemap/PostProcessTonemap.h>

@@ -1,4 +1,4 @@
 // Forwards under the engine's path. Source: engine file PostProcess/PostProcessWeightedSampleSum.h.
 #pragma once
 
-#include <PostProcessWeightedSampleSum.h>
+#include <Blur/PostProcessWeightedSampleSum.h>

@@ -43,8 +43,7 @@ protected:
 
 TEST_F(MyPatchTest, ACornerIsTinted)
 {
-	const Drydock::FFrameOutput Output =
-		Drydock::RenderFrame(MakeBlackFrame(FIntPoint(8, 8), FIntRect(0, 0, 8, 8)));
+	const Drydock::FFrameOutput Output = Drydock::RenderFrame(MakeBlackFrame(FIntPoint(8, 8), FIntRect(0, 0, 8, 8)));
 
 	// The centre of pixel (0, 0) is 1/16 of the view's size from its corner, 7/16 from its middle, both ways:
 	// the weight is 2 * (49 + 49) / 256 = 49/64. On black it is the tint's share of the pixel.
@@ -56,8 +55,7 @@ TEST_F(MyPatchTest, ACornerIsTinted)
 
 TEST_F(MyPatchTest, TheMiddleIsNearlyAsItWas)
 {
-	const Drydock::FFrameOutput Output =
-		Drydock::RenderFrame(MakeBlackFrame(FIntPoint(8, 8), FIntRect(0, 0, 8, 8)));
+	const Drydock::FFrameOutput Output = Drydock::RenderFrame(MakeBlackFrame(FIntPoint(8, 8), FIntRect(0, 0, 8, 8)));
 
 	// 1/16 from the middle, both ways: 2 * (1 + 1) / 256 = 1/64.
 	EXPECT_NEAR(1.0f / 64.0f, GetPixel(Output, 4, 4).B, Tolerance);
@@ -77,8 +75,7 @@ TEST_F(MyPatchTest, TheMiddleIsThatOfTheView)
 TEST_F(MyPatchTest, IntensityZeroSwitchesItOff)
 {
 	SetIntensity(0.0f);
-	const Drydock::FFrameOutput Output =
-		Drydock::RenderFrame(MakeBlackFrame(FIntPoint(8, 8), FIntRect(0, 0, 8, 8)));
+	const Drydock::FFrameOutput Output = Drydock::RenderFrame(MakeBlackFrame(FIntPoint(8, 8), FIntRect(0, 0, 8, 8)));
 
 	EXPECT_EQ(0.0f, GetPixel(Output, 0, 0).B);
 }

@@ -12,7 +12,7 @@ class FTintPS : public FGlobalShader
 	DECLARE_GLOBAL_SHADER(FTintPS)
 	SHADER_USE_PARAMETER_STRUCT(FTintPS, FGlobalShader)
 
-	BEGIN_SHADER_PARAMETER_STRUCT(FParameters,)
+	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
 		SHADER_PARAMETER_STRUCT(FScreenPassTextureInput, Source)
 		SHADER_PARAMETER(FLinearColor, Tint)
 		RENDER_TARGET_BINDING_SLOTS()
@@ -24,12 +24,12 @@ IMPLEMENT_GLOBAL_SHADER(FTintPS, "/Plugin/TintPixel/Tint.usf", "TintPS", SF_Pixe
 
 FScreenPassTexture AddTintPass(FRDGBuilder& GraphBuilder, const FScreenPassTexture& Input, const FLinearColor& Tint)
 {
-	FScreenPassRenderTarget Output =
-		FScreenPassRenderTarget::CreateFromInput(GraphBuilder, Input, ERenderTargetLoadAction::ENoAction, TEXT("TintOutput"));
+	FScreenPassRenderTarget Output = FScreenPassRenderTarget::CreateFromInput(
+		GraphBuilder, Input, ERenderTargetLoadAction::ENoAction, TEXT("TintOutput"));
 
 	auto* Parameters = GraphBuilder.AllocParameters<FTintPS::FParameters>();
-	Parameters->Source = GetScreenPassTextureInput(
-		Input, TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI());
+	Parameters->Source =
+		GetScreenPassTextureInput(Input, TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI());
 	Parameters->Tint = Tint;
 	Parameters->RenderTargets[0] = Output.GetRenderTargetBinding();
 

@@ -55,7 +55,8 @@ TEST(Diagnostics, TextHasPositionCodeAndPlace)
 
 TEST(Diagnostics, TextOfAShaderLineIsThatOfACompiler)
 {
-	EXPECT_EQ("/P/X.usf:12: error: wrong [DD6010]", (FDiagnostic{Drydock::ESeverity::Error, 6010, "wrong", "/P/X.usf", 12}.ToString()));
+	EXPECT_EQ("/P/X.usf:12: error: wrong [DD6010]",
+		(FDiagnostic{Drydock::ESeverity::Error, 6010, "wrong", "/P/X.usf", 12}.ToString()));
 }
 
 TEST(Diagnostics, TextLeavesOutWhatIsUnknown)

@@ -41,7 +41,8 @@ class Draw : public testing::Test
 {
 protected:
 	/** Sets a state and the shader, as a raster lambda does. */
-	void Bind(FKernelFunction Kernel, FRHIBlendState* Blend = nullptr, FRHIDepthStencilState* DepthStencil = nullptr, int32 NumTargets = 1)
+	void Bind(FKernelFunction Kernel, FRHIBlendState* Blend = nullptr, FRHIDepthStencilState* DepthStencil = nullptr,
+		int32 NumTargets = 1)
 	{
 		FGraphicsPipelineStateInitializer Initializer;
 		RHICmdList.ApplyCachedRenderTargets(Initializer);
@@ -235,7 +236,8 @@ TEST_F(Draw, DepthTestsAreRefusedWhereThereIsDepth)
 TEST_F(Draw, BlendStateReachesTheKernel)
 {
 	Begin();
-	Bind(RecordTargets, TStaticBlendState<CW_RGB, BO_Max, BF_SourceAlpha, BF_One, BO_Add, BF_Zero, BF_InverseSourceAlpha>::GetRHI());
+	Bind(RecordTargets,
+		TStaticBlendState<CW_RGB, BO_Max, BF_SourceAlpha, BF_One, BO_Add, BF_Zero, BF_InverseSourceAlpha>::GetRHI());
 	RHICmdList.DrawPrimitive(0, 1, 1);
 	EXPECT_EQ(7, GSeenTargets[0].WriteMask);
 	EXPECT_EQ(1, GSeenTargets[0].bBlend);

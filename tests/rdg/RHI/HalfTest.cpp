@@ -53,7 +53,9 @@ TEST(Half, DecodesEveryPatternAsImath)
 	{
 		if (!IsNaNPattern(Bits))
 		{
-			ASSERT_EQ(std::bit_cast<uint32_t>(ImathDecode(Bits)), std::bit_cast<uint32_t>(float(DecodeHalf(uint16_t(Bits))))) << Bits;
+			ASSERT_EQ(
+				std::bit_cast<uint32_t>(ImathDecode(Bits)), std::bit_cast<uint32_t>(float(DecodeHalf(uint16_t(Bits)))))
+				<< Bits;
 		}
 	}
 }

@@ -66,7 +66,8 @@ TEST_P(MiniFloat, NaNPatternsStayNaNAndBecomeQuiet)
 	for (uint32_t Bits = Infinity + 1; Bits < 32u << MantissaBits; ++Bits)
 	{
 		ASSERT_TRUE(std::isnan(DecodeUnsignedMiniFloat(Bits, MantissaBits))) << Bits;
-		ASSERT_EQ(Bits | Quiet, EncodeUnsignedMiniFloat(DecodeUnsignedMiniFloat(Bits, MantissaBits), MantissaBits)) << Bits;
+		ASSERT_EQ(Bits | Quiet, EncodeUnsignedMiniFloat(DecodeUnsignedMiniFloat(Bits, MantissaBits), MantissaBits))
+			<< Bits;
 	}
 }
 

@@ -63,7 +63,8 @@ TEST(RenderTargetPool, AFittingReferenceIsKept)
 TEST(RenderTargetPool, ElementsUnusedForSomeFramesGo)
 {
 	FRenderTargetPool Pool;
-	const TRefCountPtr<IPooledRenderTarget> Held = Pool.FindFreeElement(Make2D(FIntPoint(8, 8), PF_FloatRGBA), TEXT("A"));
+	const TRefCountPtr<IPooledRenderTarget> Held =
+		Pool.FindFreeElement(Make2D(FIntPoint(8, 8), PF_FloatRGBA), TEXT("A"));
 	Pool.FindFreeElement(Make2D(FIntPoint(4, 4), PF_FloatRGBA), TEXT("B"));
 	for (int32 Frame = 0; Frame < 100; ++Frame)
 	{
@@ -169,6 +170,7 @@ TEST(ResourceArray, IsABuffersFirstContents)
 TEST(RenderingThread, CommandsRunWhereTheyAreEnqueued)
 {
 	int32 Value = 0;
-	ENQUEUE_RENDER_COMMAND(SetValue)([&Value](FRHICommandListImmediate& RHICmdList) { Value = RHICmdList.IsImmediate() ? 7 : 0; });
+	ENQUEUE_RENDER_COMMAND(SetValue)
+	([&Value](FRHICommandListImmediate& RHICmdList) { Value = RHICmdList.IsImmediate() ? 7 : 0; });
 	EXPECT_EQ(7, Value);
 }

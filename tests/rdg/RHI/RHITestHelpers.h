@@ -16,7 +16,8 @@ namespace Drydock::Tests
 class FScopedCVar
 {
 public:
-	FScopedCVar(const TCHAR* Name, int32 Value) : Variable(IConsoleManager::Get().FindConsoleVariable(Name))
+	FScopedCVar(const TCHAR* Name, int32 Value)
+		: Variable(IConsoleManager::Get().FindConsoleVariable(Name))
 	{
 		check(Variable);
 		Before = Variable->GetInt();

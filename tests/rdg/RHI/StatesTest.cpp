@@ -17,7 +17,8 @@ TEST(Sampler, DefaultIsPointAndWrap)
 
 TEST(Sampler, ArgumentsReachTheKernel)
 {
-	const FKernelSampler Sampler = TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Mirror, AM_Border, 1>::GetRHI()->GetKernelSampler();
+	const FKernelSampler Sampler =
+		TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Mirror, AM_Border, 1>::GetRHI()->GetKernelSampler();
 	EXPECT_EQ(EKernelFilter::Bilinear, Sampler.Filter);
 	EXPECT_EQ(EKernelAddress::Clamp, Sampler.AddressU);
 	EXPECT_EQ(EKernelAddress::Mirror, Sampler.AddressV);

@@ -33,7 +33,8 @@ TEST(TextureDesc, DefaultIsOneTexelOfNoFormat)
 
 TEST(TextureDesc, Create3DHasDepth)
 {
-	const FRHITextureDesc Desc = FRHITextureDesc::Create3D(FIntVector(32, 16, 8), PF_FloatRGBA, FClearValueBinding::Black, TexCreate_UAV);
+	const FRHITextureDesc Desc =
+		FRHITextureDesc::Create3D(FIntVector(32, 16, 8), PF_FloatRGBA, FClearValueBinding::Black, TexCreate_UAV);
 	EXPECT_TRUE(Desc.IsTexture3D());
 	EXPECT_EQ(FIntVector(32, 16, 8), Desc.GetSize());
 	EXPECT_TRUE(Desc.IsValid());
@@ -41,14 +42,16 @@ TEST(TextureDesc, Create3DHasDepth)
 
 TEST(TextureDesc, ACubeHasSixSlicesPerLayer)
 {
-	EXPECT_EQ(6, FRHITextureDesc::CreateCube(8, PF_FloatRGBA, FClearValueBinding::Black, TexCreate_None).GetNumSlices());
-	EXPECT_EQ(18, FRHITextureDesc::CreateCubeArray(8, PF_FloatRGBA, FClearValueBinding::Black, TexCreate_None, 3).GetNumSlices());
+	EXPECT_EQ(
+		6, FRHITextureDesc::CreateCube(8, PF_FloatRGBA, FClearValueBinding::Black, TexCreate_None).GetNumSlices());
+	EXPECT_EQ(18,
+		FRHITextureDesc::CreateCubeArray(8, PF_FloatRGBA, FClearValueBinding::Black, TexCreate_None, 3).GetNumSlices());
 }
 
 TEST(TextureDesc, ResetMakesAnInputAnOutput)
 {
-	FRHITextureDesc Desc = FRHITextureDesc::Create2D(
-		FIntPoint(4, 4), PF_FloatRGBA, FClearValueBinding::Black, TexCreate_UAV | TexCreate_ShaderResource | TexCreate_Memoryless, 1, 4);
+	FRHITextureDesc Desc = FRHITextureDesc::Create2D(FIntPoint(4, 4), PF_FloatRGBA, FClearValueBinding::Black,
+		TexCreate_UAV | TexCreate_ShaderResource | TexCreate_Memoryless, 1, 4);
 	Desc.Reset();
 	EXPECT_EQ(1, Desc.NumSamples);
 	EXPECT_EQ(TexCreate_ShaderResource | TexCreate_RenderTargetable, Desc.Flags);
@@ -96,8 +99,10 @@ TEST(TextureDesc, OnlyArraysHaveSlicesAndOnly3DHasDepth)
 
 TEST(TextureDesc, CreateDescChains)
 {
-	const FRHITextureCreateDesc Desc =
-		FRHITextureCreateDesc::Create2D(TEXT("Chained"), 8, 4, PF_R16F).SetNumMips(2).AddFlags(TexCreate_UAV).AddFlags(TexCreate_SRGB);
+	const FRHITextureCreateDesc Desc = FRHITextureCreateDesc::Create2D(TEXT("Chained"), 8, 4, PF_R16F)
+										   .SetNumMips(2)
+										   .AddFlags(TexCreate_UAV)
+										   .AddFlags(TexCreate_SRGB);
 	EXPECT_STREQ("Chained", Desc.DebugName);
 	EXPECT_EQ(FIntPoint(8, 4), Desc.Extent);
 	EXPECT_EQ(2, Desc.NumMips);

@@ -62,9 +62,12 @@ TEST(Texture, MarginsLieInsideItsMemory)
 
 TEST(Texture, NoTwoTexelsShareBytes)
 {
-	const FTextureRHIRef Texture = MakeTexture(FRHITextureDesc::Create3D(FIntVector(5, 3, 4), PF_R32_UINT, FClearValueBinding::Black,
-		TexCreate_UAV, 3));
-	const auto Code = [](int32 X, int32 Y, int32 Z, int32 Mip) { return uint32(((Mip * 8 + Z) * 8 + Y) * 8 + X + 1); };
+	const FTextureRHIRef Texture = MakeTexture(
+		FRHITextureDesc::Create3D(FIntVector(5, 3, 4), PF_R32_UINT, FClearValueBinding::Black, TexCreate_UAV, 3));
+	const auto Code = [](int32 X, int32 Y, int32 Z, int32 Mip)
+	{
+		return uint32(((Mip * 8 + Z) * 8 + Y) * 8 + X + 1);
+	};
 	const auto ForEach = [&](auto Body)
 	{
 		for (int32 Mip = 0; Mip < 3; ++Mip)
@@ -76,8 +79,10 @@ TEST(Texture, NoTwoTexelsShareBytes)
 			}
 		}
 	};
-	ForEach([&](int32 X, int32 Y, int32 Z, int32 Mip) { Texture->WriteTexelUint(X, Y, FUintVector4(Code(X, Y, Z, Mip), 0, 0, 0), Mip, Z); });
-	ForEach([&](int32 X, int32 Y, int32 Z, int32 Mip) { ASSERT_EQ(Code(X, Y, Z, Mip), Texture->ReadTexelUint(X, Y, Mip, Z).X); });
+	ForEach([&](int32 X, int32 Y, int32 Z, int32 Mip)
+		{ Texture->WriteTexelUint(X, Y, FUintVector4(Code(X, Y, Z, Mip), 0, 0, 0), Mip, Z); });
+	ForEach([&](int32 X, int32 Y, int32 Z, int32 Mip)
+		{ ASSERT_EQ(Code(X, Y, Z, Mip), Texture->ReadTexelUint(X, Y, Mip, Z).X); });
 }
 
 TEST(Texture, PlaceAtUsesTheMemoryAsItIs)
@@ -153,8 +158,8 @@ TEST(Texture, SrgbFlagIsIgnoredByOtherFormats)
 
 TEST(Texture, FillReachesEveryMipAndSlice)
 {
-	const FTextureRHIRef Texture = MakeTexture(
-		FRHITextureDesc::Create2DArray(FIntPoint(5, 3), PF_R16F, FClearValueBinding::Black, TexCreate_ShaderResource, 3, 2));
+	const FTextureRHIRef Texture = MakeTexture(FRHITextureDesc::Create2DArray(
+		FIntPoint(5, 3), PF_R16F, FClearValueBinding::Black, TexCreate_ShaderResource, 3, 2));
 	Texture->Fill(FLinearColor(0.25f, 0, 0, 0));
 	EXPECT_EQ(0.25f, Texture->ReadTexel(4, 2, 0, 2).R);
 	EXPECT_EQ(0.25f, Texture->ReadTexel(0, 0, 0, 0).R);

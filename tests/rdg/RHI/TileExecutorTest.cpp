@@ -132,7 +132,10 @@ TEST(TileExecutor, ALaterTilesExceptionDoesNotReplaceTheFirst)
 TEST_P(Threads, DenormalsAreFlushedInsideWhenAsked)
 {
 	std::atomic<int32> NumKept{0};
-	const auto Count = [&](const FKernelTile&) { NumKept += HalveSmallestNormal() != 0; };
+	const auto Count = [&](const FKernelTile&)
+	{
+		NumKept += HalveSmallestNormal() != 0;
+	};
 	ForEachTile(FKernelTile{0, 0, 0, 64, 1, 1}, FIntPoint(1, 1), Count, EDenormals::Flush);
 	EXPECT_EQ(0, NumKept);
 	ForEachTile(FKernelTile{0, 0, 0, 64, 1, 1}, FIntPoint(1, 1), Count, EDenormals::Keep);
@@ -143,8 +146,8 @@ TEST_P(Threads, TheControlWordIsRestoredAlsoAfterAnException)
 {
 	const uint64 Before = FScopedDenormals::GetControlWord();
 	EXPECT_THROW(ForEachTile(
-					 FKernelTile{0, 0, 0, 64, 1, 1}, FIntPoint(1, 1), [](const FKernelTile&) { throw std::runtime_error(""); },
-					 EDenormals::Flush),
+					 FKernelTile{0, 0, 0, 64, 1, 1}, FIntPoint(1, 1),
+					 [](const FKernelTile&) { throw std::runtime_error(""); }, EDenormals::Flush),
 		std::runtime_error);
 	EXPECT_EQ(Before, FScopedDenormals::GetControlWord());
 	EXPECT_NE(0.0f, HalveSmallestNormal());
@@ -198,7 +201,8 @@ TEST(TileExecutor, OneThreadIsTheCaller)
 {
 	const FScopedCVar Scope(TEXT("r.Drydock.Threads"), 1);
 	std::set<std::thread::id> Ids;
-	ForEachTile(FKernelTile{0, 0, 0, 64, 1, 1}, FIntPoint(1, 1), [&](const FKernelTile&) { Ids.insert(std::this_thread::get_id()); });
+	ForEachTile(FKernelTile{0, 0, 0, 64, 1, 1}, FIntPoint(1, 1),
+		[&](const FKernelTile&) { Ids.insert(std::this_thread::get_id()); });
 	EXPECT_EQ(std::set<std::thread::id>{std::this_thread::get_id()}, Ids);
 }
 

@@ -64,8 +64,8 @@ TEST(CopyTexture, ARegionAndNothingElse)
 
 TEST(CopyTexture, MipsAndSlices)
 {
-	const FRHITextureDesc Desc =
-		FRHITextureDesc::Create2DArray(FIntPoint(8, 8), PF_R32_FLOAT, FClearValueBinding::Black, TexCreate_ShaderResource, 3, 3);
+	const FRHITextureDesc Desc = FRHITextureDesc::Create2DArray(
+		FIntPoint(8, 8), PF_R32_FLOAT, FClearValueBinding::Black, TexCreate_ShaderResource, 3, 3);
 	const FTextureRHIRef Source = MakeTexture(Desc);
 	const FTextureRHIRef Dest = MakeTexture(Desc);
 	Source->WriteTexel(1, 1, FLinearColor(5, 0, 0, 0), 2, 1);
@@ -168,8 +168,8 @@ TEST(ReadSurfaceData, FColorOfEightBitFormatsIsTheirBytes)
 
 TEST(ReadSurfaceData, MipsAndSlices)
 {
-	const FTextureRHIRef Texture = MakeTexture(
-		FRHITextureDesc::Create2DArray(FIntPoint(4, 4), PF_R32_FLOAT, FClearValueBinding::Black, TexCreate_ShaderResource, 2, 2));
+	const FTextureRHIRef Texture = MakeTexture(FRHITextureDesc::Create2DArray(
+		FIntPoint(4, 4), PF_R32_FLOAT, FClearValueBinding::Black, TexCreate_ShaderResource, 2, 2));
 	Texture->WriteTexel(1, 0, FLinearColor(5, 0, 0, 0), 1, 1);
 	FReadSurfaceDataFlags Flags(RCM_MinMax);
 	Flags.SetMip(1);
@@ -182,7 +182,8 @@ TEST(ReadSurfaceData, MipsAndSlices)
 TEST(ReadSurfaceData, BeyondTheTextureIsChecked)
 {
 	TArray<FLinearColor> Colors;
-	EXPECT_THROW(GetList().ReadSurfaceData(MakeRamp(FIntPoint(4, 4)), FIntRect(0, 0, 5, 4), Colors, FReadSurfaceDataFlags()),
+	EXPECT_THROW(
+		GetList().ReadSurfaceData(MakeRamp(FIntPoint(4, 4)), FIntRect(0, 0, 5, 4), Colors, FReadSurfaceDataFlags()),
 		FCheckFailure);
 }
 
@@ -209,8 +210,8 @@ TEST(ClearUAV, TouchesOnlyItsMip)
 
 TEST(ClearUAV, ReachesEveryDepthSlice)
 {
-	const FTextureRHIRef Texture =
-		MakeTexture(FRHITextureDesc::Create3D(FIntVector(3, 3, 3), PF_R32_FLOAT, FClearValueBinding::Black, TexCreate_UAV));
+	const FTextureRHIRef Texture = MakeTexture(
+		FRHITextureDesc::Create3D(FIntVector(3, 3, 3), PF_R32_FLOAT, FClearValueBinding::Black, TexCreate_UAV));
 	GetList().ClearUAVFloat(RHICreateUnorderedAccessView(Texture), FVector4f(3, 0, 0, 0));
 	for (int32 Index = 0; Index < 27; ++Index)
 	{
@@ -231,7 +232,8 @@ TEST(ClearUAV, UintIsVerbatimInIntegersAndBitsInFloats)
 TEST(ClearUAV, UintOfHalfIsRefused)
 {
 	const FTextureRHIRef Texture = MakeTexture(FIntPoint(2, 2), PF_FloatRGBA);
-	EXPECT_THROW(GetList().ClearUAVUint(RHICreateUnorderedAccessView(Texture), FUintVector4(1, 1, 1, 1)), FCheckFailure);
+	EXPECT_THROW(
+		GetList().ClearUAVUint(RHICreateUnorderedAccessView(Texture), FUintVector4(1, 1, 1, 1)), FCheckFailure);
 }
 
 TEST(ClearUAV, StructuredBuffersAreFilledWithTheFirstWord)

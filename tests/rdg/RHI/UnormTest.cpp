@@ -42,7 +42,10 @@ TEST_P(Unorm, EveryCodeDecodesToTheNearestReal)
 	for (uint32_t Code = 0; Code <= Max; ++Code)
 	{
 		const double Value = DecodeUnorm(Code, Bits);
-		const auto Miss = [&](double Candidate) { return std::abs(std::fma(Candidate, double(Max), -double(Code))); };
+		const auto Miss = [&](double Candidate)
+		{
+			return std::abs(std::fma(Candidate, double(Max), -double(Code)));
+		};
 		ASSERT_LE(Miss(Value), Miss(std::nextafter(Value, -1.0))) << Code;
 		ASSERT_LE(Miss(Value), Miss(std::nextafter(Value, 2.0))) << Code;
 		ASSERT_EQ(float(Code) / float(Max), float(Value)) << Code;
@@ -113,7 +116,8 @@ TEST(Srgb8, AgreesWithTheEncodingFormulaAwayFromThresholds)
 	{
 		const double Linear = Step / 10000.0;
 		const double Encoded = 255 * (Linear <= 0.0031308 ? 12.92 * Linear : 1.055 * std::pow(Linear, 1 / 2.4) - 0.055);
-		if (std::abs(Encoded - std::floor(Encoded) - 0.5) > 1e-4) // the two halves of the standard's curve meet only to 1e-5
+		if (std::abs(Encoded - std::floor(Encoded) - 0.5) >
+			1e-4) // the two halves of the standard's curve meet only to 1e-5
 		{
 			ASSERT_EQ(int32_t(std::lround(Encoded)), EncodeSrgb8(Linear)) << Linear;
 		}

@@ -26,8 +26,8 @@ TEST(KernelView, MipsStartAtTheFirstAskedFor)
 
 TEST(KernelView, ASliceIsA2DTexture)
 {
-	const FTextureRHIRef Texture =
-		MakeTexture(FRHITextureDesc::Create3D(FIntVector(4, 4, 4), PF_R32_FLOAT, FClearValueBinding::Black, TexCreate_UAV, 2));
+	const FTextureRHIRef Texture = MakeTexture(
+		FRHITextureDesc::Create3D(FIntVector(4, 4, 4), PF_R32_FLOAT, FClearValueBinding::Black, TexCreate_UAV, 2));
 	EXPECT_EQ(1, Texture->GetKernelView().bIs3D);
 	const FKernelTexture Slice = Texture->GetKernelView(1, 1, 1);
 	EXPECT_EQ(0, Slice.bIs3D);
@@ -63,8 +63,8 @@ TEST(View, KeepsItsTextureAlive)
 
 TEST(View, ARangeOfSlices)
 {
-	const FTextureRHIRef Texture = MakeTexture(
-		FRHITextureDesc::Create2DArray(FIntPoint(4, 4), PF_R32_FLOAT, FClearValueBinding::Black, TexCreate_ShaderResource, 5));
+	const FTextureRHIRef Texture = MakeTexture(FRHITextureDesc::Create2DArray(
+		FIntPoint(4, 4), PF_R32_FLOAT, FClearValueBinding::Black, TexCreate_ShaderResource, 5));
 	const FShaderResourceViewRHIRef View = new FRHIShaderResourceView(Texture, FRHITextureSRVCreateInfo(0, 1, 2, 2));
 	EXPECT_EQ(2, View->GetKernelTexture().Mips[0].SizeZ);
 	EXPECT_EQ(Texture->GetTexel(0, 0, 0, 2), View->GetKernelTexture().Mips[0].Data);
@@ -82,7 +82,8 @@ TEST(View, BeyondTheTextureIsChecked)
 TEST(View, AFormatOfTheSameSizeReinterprets)
 {
 	const FTextureRHIRef Texture = MakeTexture(FIntPoint(1, 1), PF_R32_FLOAT);
-	const FShaderResourceViewRHIRef View = new FRHIShaderResourceView(Texture, FRHITextureSRVCreateInfo(0, 1, PF_R32_UINT));
+	const FShaderResourceViewRHIRef View =
+		new FRHIShaderResourceView(Texture, FRHITextureSRVCreateInfo(0, 1, PF_R32_UINT));
 	EXPECT_EQ(ETexelStorage::R32_UINT, View->GetKernelTexture().Storage);
 }
 
@@ -103,7 +104,8 @@ TEST(View, UavFormatOfTheDescriptionIsUsed)
 TEST(View, TheStencilPlaneIsX24G8)
 {
 	const FTextureRHIRef Texture = MakeTexture(FIntPoint(4, 4), PF_DepthStencil);
-	const FShaderResourceViewRHIRef View = new FRHIShaderResourceView(Texture, FRHITextureSRVCreateInfo(0, 1, PF_X24_G8));
+	const FShaderResourceViewRHIRef View =
+		new FRHIShaderResourceView(Texture, FRHITextureSRVCreateInfo(0, 1, PF_X24_G8));
 	EXPECT_EQ(ETexelStorage::R8_UINT, View->GetKernelTexture().Storage);
 	EXPECT_EQ(Texture->GetTexel(0, 0, 0, 0, 1), View->GetKernelTexture().Mips[0].Data);
 }
@@ -133,7 +135,8 @@ TEST(Buffer, TypedViewsHaveTheFormat)
 TEST(Buffer, AViewMayStartLater)
 {
 	const FBufferRHIRef Buffer = RHICreateStructuredBuffer(4, 64, BUF_ShaderResource, TEXT("Test"));
-	const FShaderResourceViewRHIRef View = new FRHIShaderResourceView(Buffer, FRHIBufferSRVCreateInfo(PF_R32_UINT, 16, 4));
+	const FShaderResourceViewRHIRef View =
+		new FRHIShaderResourceView(Buffer, FRHIBufferSRVCreateInfo(PF_R32_UINT, 16, 4));
 	EXPECT_EQ(Buffer->GetData() + 16, View->GetKernelBuffer().Data);
 	EXPECT_EQ(16u, View->GetKernelBuffer().SizeInBytes);
 	EXPECT_THROW(new FRHIShaderResourceView(Buffer, FRHIBufferSRVCreateInfo(PF_R32_UINT, 60, 2)), FCheckFailure);

@@ -10,8 +10,8 @@ BEGIN_SHADER_PARAMETER_STRUCT(FTestViewport, DRYDOCK_API)
 END_SHADER_PARAMETER_STRUCT()
 
 // clang-format off: plugins leave out the blank as well.
-BEGIN_SHADER_PARAMETER_STRUCT(FTestInput,)
-// clang-format on
+BEGIN_SHADER_PARAMETER_STRUCT(FTestInput, )
+	// clang-format on
 	SHADER_PARAMETER_STRUCT(FTestViewport, Viewport)
 	SHADER_PARAMETER_TEXTURE(Texture2D, Texture)
 	SHADER_PARAMETER_SAMPLER(SamplerState, Sampler)

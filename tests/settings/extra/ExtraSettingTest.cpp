@@ -3,15 +3,15 @@
 #include <gtest/gtest.h>
 
 #include "BlendSettings.h"
-#include "Config.h"
-#include "ConfigErrors.h"
-#include "ConfigSchema.h"
+#include "Config/Config.h"
+#include "Text/ConfigErrors.h"
+#include "Config/ConfigSchema.h"
 #include "Engine/PostProcessUtils.h"
 #include "FinalPostProcessSettings.h"
-#include "Json.h"
+#include "Text/Json.h"
 #include "PostProcessSettingsReflection.h"
 #include "PostProcessSettingsText.h"
-#include "SettingList.h"
+#include "Config/SettingList.h"
 
 #include <algorithm>
 

@@ -15,11 +15,8 @@
 #include "PostProcess/PostProcessMaterialInputs.h"
 #endif
 
-static TAutoConsoleVariable<float> CVarMyPatchIntensity(
-	TEXT("r.MyPatch.Intensity"),
-	0.8f,
-	TEXT("How much of the corners' colour is MyPatch's tint, 0 (off) to 1."),
-	ECVF_RenderThreadSafe);
+static TAutoConsoleVariable<float> CVarMyPatchIntensity(TEXT("r.MyPatch.Intensity"), 0.8f,
+	TEXT("How much of the corners' colour is MyPatch's tint, 0 (off) to 1."), ECVF_RenderThreadSafe);
 
 namespace
 {
@@ -57,8 +54,8 @@ bool FMyPatchViewExtension::IsActiveThisFrame_Internal(const FSceneViewExtension
 }
 
 #if UE_VERSION_OLDER_THAN(5, 5, 0)
-void FMyPatchViewExtension::SubscribeToPostProcessingPass(EPostProcessingPass Pass,
-	FAfterPassCallbackDelegateArray& InOutPassCallbacks, bool bIsPassEnabled)
+void FMyPatchViewExtension::SubscribeToPostProcessingPass(
+	EPostProcessingPass Pass, FAfterPassCallbackDelegateArray& InOutPassCallbacks, bool bIsPassEnabled)
 #else
 void FMyPatchViewExtension::SubscribeToPostProcessingPass(EPostProcessingPass Pass, const FSceneView& InView,
 	FAfterPassCallbackDelegateArray& InOutPassCallbacks, bool bIsPassEnabled)
@@ -85,8 +82,8 @@ FScreenPassTexture FMyPatchViewExtension::AddPasses(
 	}
 
 	FMyPatchPS::FParameters* PassParameters = GraphBuilder.AllocParameters<FMyPatchPS::FParameters>();
-	PassParameters->Input = GetScreenPassTextureInput(
-		SceneColor, TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI());
+	PassParameters->Input =
+		GetScreenPassTextureInput(SceneColor, TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI());
 	PassParameters->Output = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Output));
 	PassParameters->Tint = MyPatchTint;
 	PassParameters->Intensity = FMath::Clamp(CVarMyPatchIntensity.GetValueOnRenderThread(), 0.0f, 1.0f);
@@ -95,7 +92,7 @@ FScreenPassTexture FMyPatchViewExtension::AddPasses(
 	const FGlobalShaderMap* ShaderMap = GetGlobalShaderMap(View.GetFeatureLevel());
 	const TShaderMapRef<FMyPatchPS> PixelShader(ShaderMap);
 	FPixelShaderUtils::AddFullscreenPass(GraphBuilder, ShaderMap,
-		RDG_EVENT_NAME("MyPatch %dx%d", Output.ViewRect.Width(), Output.ViewRect.Height()), PixelShader,
-		PassParameters, Output.ViewRect);
+		RDG_EVENT_NAME("MyPatch %dx%d", Output.ViewRect.Width(), Output.ViewRect.Height()), PixelShader, PassParameters,
+		Output.ViewRect);
 	return MoveTemp(Output);
 }

@@ -18,8 +18,8 @@ public:
 
 	// Called for every pass of the chain that a callback can follow.
 #if UE_VERSION_OLDER_THAN(5, 5, 0)
-	virtual void SubscribeToPostProcessingPass(EPostProcessingPass Pass,
-		FAfterPassCallbackDelegateArray& InOutPassCallbacks, bool bIsPassEnabled) override;
+	virtual void SubscribeToPostProcessingPass(
+		EPostProcessingPass Pass, FAfterPassCallbackDelegateArray& InOutPassCallbacks, bool bIsPassEnabled) override;
 #else
 	virtual void SubscribeToPostProcessingPass(EPostProcessingPass Pass, const FSceneView& InView,
 		FAfterPassCallbackDelegateArray& InOutPassCallbacks, bool bIsPassEnabled) override;

@@ -1,0 +1,165 @@
+// Source: drydock.
+#include "Bloom/PostProcessToonBloom.h"
+
+#include "GlobalShader.h"
+#include "HAL/IConsoleManager.h"
+#include "PixelShaderUtils.h"
+#include "RHIStaticStates.h"
+#include "RenderGraphBuilder.h"
+#include "RenderGraphUtils.h"
+#include "SceneRendering.h"
+#include "ShaderParameterStruct.h"
+
+namespace
+{
+
+TAutoConsoleVariable<int32> CVarToonBloom(TEXT("r.ToonBloom"), -1,
+	TEXT("Own bloom strength of toon pixels. -1: where a volume, the camera or --pp names BloomToonIntensity and it is "
+		 "not 1 (default); 0: never; 1: always."),
+	ECVF_RenderThreadSafe);
+
+TAutoConsoleVariable<int32> CVarToonBloomAsPrinted(TEXT("r.ToonBloom.AsPrinted"), 0,
+	TEXT("1: as the article prints it: one shading model id for each half-resolution pixel, pixel shaders only. 0: "
+		 "masked at full resolution (default)."),
+	ECVF_RenderThreadSafe);
+
+TAutoConsoleVariable<int32> CVarToonBloomVisualizeMask(TEXT("r.ToonBloom.VisualizeMask"), 0,
+	TEXT("1: shows toon pixels in magenta over the dimmed scene, without bloom. Default 0."), ECVF_RenderThreadSafe);
+
+BEGIN_SHADER_PARAMETER_STRUCT(FToonBloomParameters, )
+	SHADER_PARAMETER_STRUCT_REF(FViewUniformShaderParameters, View)
+	SHADER_PARAMETER_RDG_UNIFORM_BUFFER(FSceneTextureUniformParameters, SceneTextures)
+	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Input)
+	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Output)
+	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, InputTexture)
+	SHADER_PARAMETER_SAMPLER(SamplerState, InputSampler)
+	SHADER_PARAMETER(float, ToonIntensity)
+END_SHADER_PARAMETER_STRUCT()
+
+class FToonVisualizeDimension : SHADER_PERMUTATION_BOOL("VISUALIZE");
+
+class FToonBloomPS : public FGlobalShader
+{
+public:
+	DECLARE_GLOBAL_SHADER(FToonBloomPS);
+	SHADER_USE_PARAMETER_STRUCT(FToonBloomPS, FGlobalShader);
+
+	using FPermutationDomain = TShaderPermutationDomain<FToonVisualizeDimension>;
+
+	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
+		SHADER_PARAMETER_STRUCT_INCLUDE(FToonBloomParameters, Common)
+		RENDER_TARGET_BINDING_SLOTS()
+	END_SHADER_PARAMETER_STRUCT()
+};
+
+class FToonBloomCS : public FGlobalShader
+{
+public:
+	DECLARE_GLOBAL_SHADER(FToonBloomCS);
+	SHADER_USE_PARAMETER_STRUCT(FToonBloomCS, FGlobalShader);
+
+	using FPermutationDomain = TShaderPermutationDomain<FToonVisualizeDimension>;
+
+	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
+		SHADER_PARAMETER_STRUCT_INCLUDE(FToonBloomParameters, Common)
+		SHADER_PARAMETER_RDG_TEXTURE_UAV(RWTexture2D<float4>, OutComputeTexture)
+	END_SHADER_PARAMETER_STRUCT()
+
+	static void ModifyCompilationEnvironment(
+		const FGlobalShaderPermutationParameters& Parameters, FShaderCompilerEnvironment& OutEnvironment)
+	{
+		FGlobalShader::ModifyCompilationEnvironment(Parameters, OutEnvironment);
+		OutEnvironment.SetDefine(TEXT("THREADGROUP_SIZEX"), FComputeShaderUtils::kGolden2DGroupSize);
+		OutEnvironment.SetDefine(TEXT("THREADGROUP_SIZEY"), FComputeShaderUtils::kGolden2DGroupSize);
+	}
+};
+
+IMPLEMENT_GLOBAL_SHADER(FToonBloomPS, "/Engine/Private/PostProcessToonBloom.usf", "MainPS", SF_Pixel);
+IMPLEMENT_GLOBAL_SHADER(FToonBloomCS, "/Engine/Private/PostProcessToonBloom.usf", "MainCS", SF_Compute);
+
+struct FToonPassNames
+{
+	const TCHAR* Pass;
+	const TCHAR* Output;
+};
+
+FScreenPassTexture AddToonPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FToonBloomInputs& Inputs,
+	bool bVisualize, const FToonPassNames& Names, const std::optional<FIntRect>& DrawRect = {})
+{
+	check(Inputs.SceneColor.IsValid());
+	check(Inputs.SceneTextures);
+	const bool bCompute = View.bUseComputePasses;
+	check(!bCompute || !DrawRect);
+
+	FRDGTextureDesc OutputDesc = Inputs.SceneColor.Texture->Desc;
+	OutputDesc.Reset();
+	OutputDesc.Flags &= ~(TexCreate_RenderTargetable | TexCreate_UAV);
+	OutputDesc.Flags |= TexCreate_ShaderResource | (bCompute ? TexCreate_UAV : TexCreate_RenderTargetable);
+	const FScreenPassRenderTarget Output(GraphBuilder.CreateTexture(OutputDesc, Names.Output),
+		Inputs.SceneColor.ViewRect, ERenderTargetLoadAction::ENoAction);
+	const FIntRect Drawn = DrawRect.value_or(Output.ViewRect);
+	const FIntPoint Size = Drawn.Size();
+
+	FToonBloomParameters Common;
+	Common.View = View.ViewUniformBuffer;
+	Common.SceneTextures = Inputs.SceneTextures;
+	Common.Input = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Inputs.SceneColor));
+	Common.Output = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Output));
+	Common.InputTexture = Inputs.SceneColor.Texture;
+	Common.InputSampler = TStaticSamplerState<SF_Point, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
+	Common.ToonIntensity = Inputs.ToonIntensity;
+
+	TShaderPermutationDomain<FToonVisualizeDimension> Permutation;
+	Permutation.Set<FToonVisualizeDimension>(bVisualize);
+	if (bCompute)
+	{
+		TShaderMapRef<FToonBloomCS> ComputeShader(View.ShaderMap, Permutation);
+		FToonBloomCS::FParameters* PassParameters = GraphBuilder.AllocParameters<FToonBloomCS::FParameters>();
+		PassParameters->Common = Common;
+		PassParameters->OutComputeTexture = GraphBuilder.CreateUAV(Output.Texture);
+		FComputeShaderUtils::AddPass(GraphBuilder, RDG_EVENT_NAME("%s %dx%d (CS)", Names.Pass, Size.X, Size.Y),
+			ComputeShader, PassParameters,
+			FComputeShaderUtils::GetGroupCount(Size, FComputeShaderUtils::kGolden2DGroupSize));
+	}
+	else
+	{
+		TShaderMapRef<FToonBloomPS> PixelShader(View.ShaderMap, Permutation);
+		FToonBloomPS::FParameters* PassParameters = GraphBuilder.AllocParameters<FToonBloomPS::FParameters>();
+		PassParameters->Common = Common;
+		PassParameters->RenderTargets[0] = Output.GetRenderTargetBinding();
+		FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
+			RDG_EVENT_NAME("%s %dx%d (PS)", Names.Pass, Size.X, Size.Y), PixelShader, PassParameters, Drawn);
+	}
+	return FScreenPassTexture(Output.Texture, Output.ViewRect);
+}
+
+} // namespace
+
+int32 GetToonBloomMode()
+{
+	return CVarToonBloom.GetValueOnAnyThread();
+}
+
+bool IsToonBloomAsPrinted()
+{
+	return CVarToonBloomAsPrinted.GetValueOnAnyThread() != 0;
+}
+
+bool IsToonBloomMaskVisualized()
+{
+	return CVarToonBloomVisualizeMask.GetValueOnAnyThread() != 0;
+}
+
+FScreenPassTexture AddToonBloomMaskPass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
+	const FToonBloomInputs& Inputs, const std::optional<FIntRect>& DrawRect)
+{
+	return AddToonPass(
+		GraphBuilder, View, Inputs, false, {TEXT("ToonBloomMask"), TEXT("ToonBloomSceneColor")}, DrawRect);
+}
+
+FScreenPassTexture AddToonBloomVisualizePass(
+	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FToonBloomInputs& Inputs)
+{
+	return AddToonPass(
+		GraphBuilder, View, Inputs, true, {TEXT("ToonBloomVisualizeMask"), TEXT("ToonBloomVisualizeMask")});
+}

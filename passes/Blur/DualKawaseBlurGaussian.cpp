@@ -1,0 +1,122 @@
+// Source: drydock.
+#include "Blur/DualKawaseBlurPass.h"
+
+#include "Blur/DualKawaseBlurErrors.h"
+#include "Blur/DualKawaseBlurOutput.h"
+#include "Blur/DualKawaseBlurWidth.h"
+#include "GlobalShader.h"
+#include "RenderGraphBuilder.h"
+#include "RenderGraphNotes.h"
+#include "RenderGraphUtils.h"
+#include "SceneRendering.h"
+#include "ShaderParameterStruct.h"
+
+#include <string>
+
+using namespace Drydock;
+
+namespace
+{
+
+/** As in the dual Kawase passes. */
+constexpr int32 GroupSize = 32;
+
+/** Per pixel; a frame of 1920x1080 then takes some ten seconds. */
+constexpr int64 ManyTaps = 5000;
+
+class FDualKawaseGaussianCS : public FGlobalShader
+{
+public:
+	DECLARE_GLOBAL_SHADER(FDualKawaseGaussianCS);
+	SHADER_USE_PARAMETER_STRUCT(FDualKawaseGaussianCS, FGlobalShader);
+
+	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
+		SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Input)
+		SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Output)
+		SHADER_PARAMETER_RDG_BUFFER_SRV(StructuredBuffer<float>, Weights)
+		SHADER_PARAMETER(FIntPoint, Reach)
+		SHADER_PARAMETER_RDG_TEXTURE(Texture2D, Intexture)
+		SHADER_PARAMETER_RDG_TEXTURE_UAV(RWTexture2D<float4>, OutTexture)
+	END_SHADER_PARAMETER_STRUCT()
+
+	static void ModifyCompilationEnvironment(
+		const FGlobalShaderPermutationParameters& Parameters, FShaderCompilerEnvironment& OutEnvironment)
+	{
+		FGlobalShader::ModifyCompilationEnvironment(Parameters, OutEnvironment);
+		OutEnvironment.SetDefine(TEXT("THREADGROUP_SIZE"), GroupSize);
+		OutEnvironment.SetDefine(TEXT("AS_PRINTED"), 0);
+	}
+};
+
+IMPLEMENT_GLOBAL_SHADER(FDualKawaseGaussianCS, "/Project/DualKawaseBlur.usf", "GaussianBlurCS", SF_Compute);
+
+void NoteTaps(FRDGBuilder& GraphBuilder, int32 Reach)
+{
+	const int64 Width = 2 * Reach + 1;
+	if (Width * Width > ManyTaps)
+	{
+		FDiagnostic Note;
+		Note.Severity = ESeverity::Warning;
+		Note.Code = DualKawaseNoteDirect;
+		Note.Where = "DualKawaseBlur";
+		Note.Message = "the direct Gaussian takes " + std::to_string(Width * Width) +
+					   " taps per pixel, which may be minutes; r.DualKawase.SeparableGaussian 1 takes " +
+					   std::to_string(2 * Width);
+		AddGraphNote(GraphBuilder, Note);
+	}
+}
+
+void AddPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& Input,
+	const FScreenPassTexture& Output, FRDGBufferRef Weights, FIntPoint Reach)
+{
+	check(Input.ViewRect.Size() == Output.ViewRect.Size());
+	const FIntPoint Size = Output.ViewRect.Size();
+	FDualKawaseGaussianCS::FParameters* PassParameters =
+		GraphBuilder.AllocParameters<FDualKawaseGaussianCS::FParameters>();
+	PassParameters->Input = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Input));
+	PassParameters->Output = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Output));
+	PassParameters->Weights = GraphBuilder.CreateSRV(Weights);
+	PassParameters->Reach = Reach;
+	PassParameters->Intexture = Input.Texture;
+	PassParameters->OutTexture = GraphBuilder.CreateUAV(Output.Texture);
+	FComputeShaderUtils::AddPass(GraphBuilder,
+		RDG_EVENT_NAME("%s %dx%d reach %dx%d (CS)", Output.Texture->Name, Size.X, Size.Y, Reach.X, Reach.Y),
+		TShaderMapRef<FDualKawaseGaussianCS>(View.ShaderMap), PassParameters,
+		FComputeShaderUtils::GetGroupCount(Size, GroupSize));
+}
+
+} // namespace
+
+FScreenPassTexture AddDualKawaseGaussianPass(
+	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FDualKawaseGaussianInputs& Inputs)
+{
+	check(Inputs.SceneColor.IsValid());
+	RDG_EVENT_SCOPE(GraphBuilder, "DualKawaseGaussian");
+
+	TArray<float> Weights;
+	for (const double Weight : ComputeMatchedGaussian(Inputs.StandardDeviation))
+	{
+		Weights.Add(static_cast<float>(Weight));
+	}
+	const int32 Reach = Weights.Num() - 1;
+	const FRDGBufferRef Buffer = CreateStructuredBuffer(GraphBuilder, TEXT("DualKawaseGaussianWeights"), Weights);
+
+	const FScreenPassTexture& Input = Inputs.SceneColor;
+	FScreenPassTexture Rows = Input;
+	FIntPoint LastReach(Reach, Reach);
+	if (Inputs.bSeparable)
+	{
+		Rows = FScreenPassTexture(
+			CreateBlurTexture(GraphBuilder, Input, Input.ViewRect.Size(), TEXT("DualKawaseGaussianX")));
+		AddPass(GraphBuilder, View, Input, Rows, Buffer, FIntPoint(Reach, 0));
+		LastReach.X = 0;
+	}
+	else
+	{
+		NoteTaps(GraphBuilder, Reach);
+	}
+	const FScreenPassTexture Output =
+		ChooseBlurOutput(GraphBuilder, Input, Inputs.OverrideOutput, TEXT("DualKawaseGaussian"));
+	AddPass(GraphBuilder, View, Rows, Output, Buffer, LastReach);
+	return FinishBlurOutput(GraphBuilder, View, Output, Inputs.OverrideOutput);
+}

@@ -1,0 +1,290 @@
+// Source: engine file PostProcessWeightedSampleSum.cpp. The kernel itself: GaussianKernel.cpp.
+#include "Blur/PostProcessWeightedSampleSum.h"
+
+#include "GlobalShader.h"
+#include "HAL/IConsoleManager.h"
+#include "PixelShaderUtils.h"
+#include "RHIStaticStates.h"
+#include "RenderGraphBuilder.h"
+#include "RenderGraphUtils.h"
+#include "SceneRendering.h"
+#include "Screen/SampleSteps.h"
+#include "ShaderParameterStruct.h"
+
+#include <cmath>
+
+namespace
+{
+
+constexpr int32 MaxFilterSamples = 128;
+
+/** What lies outside the filter's rect. */
+enum class EGaussianBlurAddress : uint8
+{
+	Black,
+	Mirror,
+	Clamp,
+};
+
+/** Who gives the texels outside the filter's rect. */
+enum class ERectBorder : uint8
+{
+	Sampler, // the rect is the whole texture
+	Black,
+	Mirror,
+	Clamp,
+	MAX
+};
+
+BEGIN_SHADER_PARAMETER_STRUCT(FFilterParameters, )
+	SHADER_PARAMETER_STRUCT(FScreenPassTextureInput, Filter)
+	SHADER_PARAMETER_STRUCT(FScreenPassTextureInput, Additive)
+	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Output)
+	SHADER_PARAMETER_ARRAY(FVector4f, SampleOffsets, [MaxFilterSamples / 2])
+	SHADER_PARAMETER_ARRAY(FVector4f, SampleWeights, [MaxFilterSamples])
+	SHADER_PARAMETER(int32, SampleCount)
+	SHADER_PARAMETER(float, SampleSteps)
+	SHADER_PARAMETER(int32, bSnapTaps)
+END_SHADER_PARAMETER_STRUCT()
+
+class FAdditiveDimension : SHADER_PERMUTATION_BOOL("USE_ADDITIVE");
+class FRectBorderDimension : SHADER_PERMUTATION_ENUM_CLASS("RECT_BORDER", ERectBorder);
+
+using FFilterPermutation = TShaderPermutationDomain<FAdditiveDimension, FRectBorderDimension>;
+
+class FFilterPS : public FGlobalShader
+{
+public:
+	DECLARE_GLOBAL_SHADER(FFilterPS);
+	SHADER_USE_PARAMETER_STRUCT(FFilterPS, FGlobalShader);
+
+	using FPermutationDomain = FFilterPermutation;
+
+	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
+		SHADER_PARAMETER_STRUCT_INCLUDE(FFilterParameters, Common)
+		RENDER_TARGET_BINDING_SLOTS()
+	END_SHADER_PARAMETER_STRUCT()
+
+	static void ModifyCompilationEnvironment(
+		const FGlobalShaderPermutationParameters& Parameters, FShaderCompilerEnvironment& OutEnvironment)
+	{
+		FGlobalShader::ModifyCompilationEnvironment(Parameters, OutEnvironment);
+		OutEnvironment.SetDefine(TEXT("MAX_FILTER_SAMPLES"), MaxFilterSamples);
+	}
+};
+
+class FFilterCS : public FGlobalShader
+{
+public:
+	DECLARE_GLOBAL_SHADER(FFilterCS);
+	SHADER_USE_PARAMETER_STRUCT(FFilterCS, FGlobalShader);
+
+	using FPermutationDomain = FFilterPermutation;
+
+	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
+		SHADER_PARAMETER_STRUCT_INCLUDE(FFilterParameters, Common)
+		SHADER_PARAMETER_RDG_TEXTURE_UAV(RWTexture2D<float4>, RWOutputTexture)
+	END_SHADER_PARAMETER_STRUCT()
+
+	static void ModifyCompilationEnvironment(
+		const FGlobalShaderPermutationParameters& Parameters, FShaderCompilerEnvironment& OutEnvironment)
+	{
+		FGlobalShader::ModifyCompilationEnvironment(Parameters, OutEnvironment);
+		OutEnvironment.SetDefine(TEXT("MAX_FILTER_SAMPLES"), MaxFilterSamples);
+		OutEnvironment.SetDefine(TEXT("THREADGROUP_SIZEX"), FComputeShaderUtils::kGolden2DGroupSize);
+		OutEnvironment.SetDefine(TEXT("THREADGROUP_SIZEY"), FComputeShaderUtils::kGolden2DGroupSize);
+	}
+};
+
+IMPLEMENT_GLOBAL_SHADER(FFilterPS, "/Engine/Private/FilterPixelShader.usf", "MainPS", SF_Pixel);
+IMPLEMENT_GLOBAL_SHADER(FFilterCS, "/Engine/Private/FilterPixelShader.usf", "MainCS", SF_Compute);
+
+/** One direction of the blur. */
+struct FFilterPassInputs
+{
+	const TCHAR* Name = nullptr;
+	FScreenPassTexture Filter;
+	FScreenPassTexture Additive;
+	FIntPoint OutputExtent = FIntPoint(0, 0);
+	FIntRect OutputRect;
+	TConstArrayView<Drydock::FGaussianTap> Taps;
+	FVector2f Direction = FVector2f(0.0f, 0.0f); // texels
+	FLinearColor Tint = FLinearColor(1.0f, 1.0f, 1.0f, 1.0f);
+	EGaussianBlurAddress Address = EGaussianBlurAddress::Black;
+};
+
+/** Pixels of the output lie on the sampler's steps: at texel centres, corners or quarters. */
+bool IsAligned(const FIntRect& Filter, const FIntRect& Output)
+{
+	const auto Fits = [](int32 From, int32 To)
+	{
+		return From == To || From == 2 * To || 2 * From == To;
+	};
+	return Fits(Filter.Width(), Output.Width()) && Fits(Filter.Height(), Output.Height());
+}
+
+/** Packs the taps that weigh anything; one of zero weight would still multiply an infinite texel into NaN. Offsets are
+ * snapped here, once, where that gives what the sampler would: then no rounding of UV can tip one over. */
+void SetTaps(const FFilterPassInputs& Inputs, FFilterParameters& Parameters)
+{
+	const double Steps = Drydock::GetSampleSteps();
+	const bool bSnapHere = Steps > 0.0 && IsAligned(Inputs.Filter.ViewRect, Inputs.OutputRect);
+	Parameters.SampleSteps = static_cast<float>(Steps);
+	Parameters.bSnapTaps = Steps > 0.0 && !bSnapHere ? 1 : 0;
+	Parameters.SampleCount = 0;
+	for (const Drydock::FGaussianTap& Tap : Inputs.Taps)
+	{
+		const float Weight = static_cast<float>(Tap.Weight);
+		if (Weight == 0.0f)
+		{
+			continue;
+		}
+		const double Snapped = bSnapHere ? std::floor(Tap.Offset * Steps + 0.5) / Steps : Tap.Offset;
+		const FVector2f Offset = Inputs.Direction * static_cast<float>(Snapped);
+		FVector4f& Pair = Parameters.SampleOffsets[Parameters.SampleCount / 2];
+		Pair = Parameters.SampleCount % 2 == 0 ? FVector4f(Offset.X, Offset.Y, 0.0f, 0.0f)
+											   : FVector4f(Pair.X, Pair.Y, Offset.X, Offset.Y);
+		Parameters.SampleWeights[Parameters.SampleCount] =
+			FVector4f(Inputs.Tint.R * Weight, Inputs.Tint.G * Weight, Inputs.Tint.B * Weight, Inputs.Tint.A * Weight);
+		++Parameters.SampleCount;
+	}
+}
+
+ERectBorder ChooseRectBorder(const FScreenPassTextureViewport& Viewport, EGaussianBlurAddress Address)
+{
+	if (Address == EGaussianBlurAddress::Clamp)
+	{
+		return ERectBorder::Clamp;
+	}
+	if (Viewport.IsFullscreen())
+	{
+		return ERectBorder::Sampler;
+	}
+	return Address == EGaussianBlurAddress::Mirror ? ERectBorder::Mirror : ERectBorder::Black;
+}
+
+FRHISamplerState* ChooseFilterSampler(ERectBorder RectBorder, EGaussianBlurAddress Address)
+{
+	if (RectBorder != ERectBorder::Sampler)
+	{
+		return TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
+	}
+	return Address == EGaussianBlurAddress::Mirror
+			   ? TStaticSamplerState<SF_Bilinear, AM_Mirror, AM_Mirror, AM_Clamp>::GetRHI()
+			   : TStaticSamplerState<SF_Bilinear, AM_Border, AM_Border, AM_Clamp>::GetRHI();
+}
+
+FScreenPassTexture AddFilterPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FFilterPassInputs& Inputs)
+{
+	const bool bCompute = View.bUseComputePasses;
+
+	FRDGTextureDesc OutputDesc = Inputs.Filter.Texture->Desc;
+	OutputDesc.Reset();
+	OutputDesc.Extent = Inputs.OutputExtent;
+	OutputDesc.Flags &= ~(TexCreate_RenderTargetable | TexCreate_UAV);
+	OutputDesc.Flags |= TexCreate_ShaderResource | (bCompute ? TexCreate_UAV : TexCreate_RenderTargetable);
+	const FScreenPassRenderTarget Output(
+		GraphBuilder.CreateTexture(OutputDesc, Inputs.Name), Inputs.OutputRect, ERenderTargetLoadAction::ENoAction);
+
+	const FScreenPassTextureViewport FilterViewport(Inputs.Filter);
+	const ERectBorder RectBorder = ChooseRectBorder(FilterViewport, Inputs.Address);
+
+	FFilterParameters Common;
+	Common.Filter = GetScreenPassTextureInput(Inputs.Filter, ChooseFilterSampler(RectBorder, Inputs.Address));
+	if (Inputs.Additive.IsValid())
+	{
+		Common.Additive = GetScreenPassTextureInput(
+			Inputs.Additive, TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI());
+	}
+	Common.Output = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Output));
+	SetTaps(Inputs, Common);
+
+	FFilterPermutation Permutation;
+	Permutation.Set<FAdditiveDimension>(Inputs.Additive.IsValid());
+	Permutation.Set<FRectBorderDimension>(RectBorder);
+
+	const int32 Width = Output.ViewRect.Width();
+	const int32 Height = Output.ViewRect.Height();
+	if (bCompute)
+	{
+		FFilterCS::FParameters* PassParameters = GraphBuilder.AllocParameters<FFilterCS::FParameters>();
+		PassParameters->Common = Common;
+		PassParameters->RWOutputTexture = GraphBuilder.CreateUAV(Output.Texture);
+
+		TShaderMapRef<FFilterCS> ComputeShader(View.ShaderMap, Permutation);
+		FComputeShaderUtils::AddPass(GraphBuilder, RDG_EVENT_NAME("%s %dx%d (CS)", Inputs.Name, Width, Height),
+			ComputeShader, PassParameters,
+			FComputeShaderUtils::GetGroupCount(FIntPoint(Width, Height), FComputeShaderUtils::kGolden2DGroupSize));
+	}
+	else
+	{
+		FFilterPS::FParameters* PassParameters = GraphBuilder.AllocParameters<FFilterPS::FParameters>();
+		PassParameters->Common = Common;
+		PassParameters->RenderTargets[0] = Output.GetRenderTargetBinding();
+
+		TShaderMapRef<FFilterPS> PixelShader(View.ShaderMap, Permutation);
+		FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
+			RDG_EVENT_NAME("%s %dx%d (PS)", Inputs.Name, Width, Height), PixelShader, PassParameters, Output.ViewRect);
+	}
+
+	return FScreenPassTexture(Output.Texture, Output.ViewRect);
+}
+
+EGaussianBlurAddress GetAddress(const FGaussianBlurInputs& Inputs)
+{
+	if (Inputs.UseClampAddressMode)
+	{
+		return EGaussianBlurAddress::Clamp;
+	}
+	return Inputs.UseMirrorAddressMode ? EGaussianBlurAddress::Mirror : EGaussianBlurAddress::Black;
+}
+
+/** Half the width, ceil-divided, never empty. */
+FScreenPassTextureViewport HalveWidth(const FScreenPassTextureViewport& Viewport)
+{
+	FScreenPassTextureViewport Half = Viewport;
+	Half.Extent.X = FMath::DivideAndRoundUp(Viewport.Extent.X, 2);
+	Half.Rect.Max.X = FMath::DivideAndRoundUp(Viewport.Rect.Max.X, 2);
+	Half.Rect.Min.X = FMath::Min(FMath::DivideAndRoundUp(Viewport.Rect.Min.X, 2), Half.Rect.Max.X - 1);
+	return Half;
+}
+
+} // namespace
+
+FScreenPassTexture AddGaussianBlurPass(
+	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FGaussianBlurInputs& Inputs)
+{
+	check(Inputs.Filter.IsValid());
+	checkf(!FMath::IsNaN(Inputs.KernelSizePercent), TEXT("The kernel size of %s is not a number."), Inputs.NameX);
+
+	const FScreenPassTextureViewport Viewport(Inputs.Filter);
+	const float Radius = Drydock::GetBlurRadius(Viewport.Rect.Width(), Inputs.KernelSizePercent);
+	const int32 SampleCountMax = Drydock::GetFilterSampleCountMax();
+	const FScreenPassTextureViewport HorizontalViewport =
+		Drydock::IsFastBlurEnabled(Radius) ? HalveWidth(Viewport) : Viewport;
+
+	const TArray<Drydock::FGaussianTap> TapsX =
+		Drydock::ComputeGaussianKernel(SampleCountMax, Radius, Inputs.CrossCenterWeight.X);
+	FFilterPassInputs Horizontal;
+	Horizontal.Name = Inputs.NameX;
+	Horizontal.Filter = Inputs.Filter;
+	Horizontal.OutputExtent = HorizontalViewport.Extent;
+	Horizontal.OutputRect = HorizontalViewport.Rect;
+	Horizontal.Taps = TapsX;
+	Horizontal.Direction = FVector2f(1.0f, 0.0f);
+	Horizontal.Address = GetAddress(Inputs);
+
+	const TArray<Drydock::FGaussianTap> TapsY =
+		Drydock::ComputeGaussianKernel(SampleCountMax, Radius, Inputs.CrossCenterWeight.Y);
+	FFilterPassInputs Vertical;
+	Vertical.Name = Inputs.NameY;
+	Vertical.Filter = AddFilterPass(GraphBuilder, View, Horizontal);
+	Vertical.Additive = Inputs.Additive;
+	Vertical.OutputExtent = Viewport.Extent;
+	Vertical.OutputRect = Viewport.Rect;
+	Vertical.Taps = TapsY;
+	Vertical.Direction = FVector2f(0.0f, 1.0f);
+	Vertical.Tint = Inputs.TintColor;
+	Vertical.Address = GetAddress(Inputs);
+	return AddFilterPass(GraphBuilder, View, Vertical);
+}

@@ -1,0 +1,100 @@
+// The eye-adaptation buffer: what exposure the frame has. Made from a given scale, from the camera's settings (manual),
+// or metered: from a histogram of log2 luminance (PostProcessHistogram.h) or from its average (basic); then it adapts
+// from last frame's buffer. Source: engine file PostProcessEyeAdaptation.h.
+//
+// An average luminance A, in scene units, gives the target T = clamp(A, Min, Max) / 0.18. Last frame's exposure value
+// Compensation / scale moves towards it in log2: by time * speed while it is farther than r.EyeAdaptation.
+// ExponentialTransitionDistance EV, nearer by distance * (1 - 2^(-time * speed)) * M, where M makes both speeds meet;
+// the engine's formulas. The result is kept within Min / 0.18 and Max / 0.18; scale = Compensation / result. Without a
+// last frame, at a camera cut, where Min is not below Max or a speed is negative, it is there at once.
+//
+// Contract. Scale and target scale are above 0 and finite for every picture and every last frame. Neither step goes
+// beyond its target (drydock: however long the frame). Black: A is the histogram's when black counts for nothing, 1.
+// Divisors are at least 1e-4 as in the engine: a scale is never above Compensation * 10^4. The bias curve has no keys
+// here and counts as 0 EV. Average local exposure is that of a flat area as bright as A.
+#pragma once
+
+#include "CoreMinimal.h"
+#include "Exposure/PostProcessLocalExposure.h"
+#include "PostProcessSettingsEnums.h"
+#include "RenderGraphFwd.h"
+#include "ScreenPass.h"
+#include "ShaderParameterMacros.h"
+
+class FRDGBuilder;
+class FViewInfo;
+
+/** Two float4: [0] = (exposure scale, target scale, average scene luminance, middle-grey compensation), [1].x = average
+ *  local exposure. */
+constexpr uint32 GEyeAdaptationBufferEntries = 2;
+
+/** What metering and adaptation work with. Luminances in scene units. */
+BEGIN_SHADER_PARAMETER_STRUCT(FEyeAdaptationParameters, DRYDOCK_API)
+	SHADER_PARAMETER(float, ExposureLowPercent)  // 0.01 .. 0.99
+	SHADER_PARAMETER(float, ExposureHighPercent) // likewise, at least the low one
+	SHADER_PARAMETER(float, MinAverageLuminance)
+	SHADER_PARAMETER(float, MaxAverageLuminance)
+	SHADER_PARAMETER(float, ExposureCompensationSettings) // 2^bias
+	SHADER_PARAMETER(float, ExposureCompensationCurve)
+	SHADER_PARAMETER(float, DeltaWorldTime)    // s
+	SHADER_PARAMETER(float, ExposureSpeedUp)   // EV per second, as the scene gets brighter
+	SHADER_PARAMETER(float, ExposureSpeedDown) // as it gets darker
+	SHADER_PARAMETER(float, StartDistance)     // EV
+	SHADER_PARAMETER(float, ExponentialUpM)
+	SHADER_PARAMETER(float, ExponentialDownM)
+	SHADER_PARAMETER(float, HistogramScale) // position in the range = log2 luminance * scale + bias
+	SHADER_PARAMETER(float, HistogramBias)
+	SHADER_PARAMETER(float, LuminanceMin)
+	SHADER_PARAMETER(float, BlackHistogramBucketInfluence)
+	SHADER_PARAMETER(float, ForceTarget) // 1: no adaptation
+END_SHADER_PARAMETER_STRUCT()
+
+/** What the settings and r.EyeAdaptation.MethodOverride, r.EyeAdaptationQuality say. */
+DRYDOCK_API EAutoExposureMethod GetAutoExposureMethod(const FFinalPostProcessSettings& Settings);
+
+/** r.EyeAdaptationQuality is not 0. */
+DRYDOCK_API bool IsEyeAdaptationAllowed();
+
+/** EV100 of the camera's settings: log2(f-stop^2 * shutter speed * 100 / ISO); 0 where they are not applied. */
+DRYDOCK_API float GetManualExposureEV100(const FFinalPostProcessSettings& Settings);
+
+/** r.EyeAdaptation.LensAttenuation: the luminance at EV100 0, 0.78 / attenuation. */
+DRYDOCK_API float GetEyeAdaptationLuminanceMax();
+
+/** log2 luminance of both ends of the histogram's range, x below y by 1 at least; of basic metering -10 and 20. */
+DRYDOCK_API FVector2f GetHistogramLogRange(const FFinalPostProcessSettings& Settings, EAutoExposureMethod Method);
+
+/** Time is that of View.Family. bForceTarget: there is no last frame to start from. */
+DRYDOCK_API FEyeAdaptationParameters GetEyeAdaptationParameters(
+	const FViewInfo& View, EAutoExposureMethod Method, bool bForceTarget);
+
+/** A settled exposure: scale and target alike, no compensation, local exposure 1. ExposureScale: above 0, finite. */
+DRYDOCK_API FRDGBufferRef CreateEyeAdaptationBuffer(FRDGBuilder& GraphBuilder, float ExposureScale);
+
+/** A settled exposure of the parameters' MinAverageLuminance, which stands for the average. */
+DRYDOCK_API FRDGBufferRef CreateManualEyeAdaptationBuffer(
+	FRDGBuilder& GraphBuilder, const FEyeAdaptationParameters& Parameters);
+
+/** What both ways of metering start from. */
+struct FEyeAdaptationInputs
+{
+	FEyeAdaptationParameters Parameters;
+	/** Null: local exposure is off. */
+	const FLocalExposureParameters* LocalExposure = nullptr;
+	/** Null: Parameters.ForceTarget is 1. */
+	FRDGBufferRef LastEyeAdaptationBuffer = nullptr;
+};
+
+/** HistogramTexture: of AddHistogramPass. */
+DRYDOCK_API FRDGBufferRef AddHistogramEyeAdaptationPass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
+	const FEyeAdaptationInputs& Inputs, FRDGTextureRef HistogramTexture);
+
+/** A picture with the place of its log2 luminance in the histogram's range in alpha, PF_FloatRGBA: to be downsampled.
+ */
+DRYDOCK_API FScreenPassTexture AddBasicEyeAdaptationSetupPass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
+	const FEyeAdaptationParameters& Parameters, FScreenPassTexture SceneColor);
+
+/** SceneColor: what AddBasicEyeAdaptationSetupPass made, downsampled. MeterMask: weights over the view in its red, at
+ * least 0.05; null: all alike. */
+DRYDOCK_API FRDGBufferRef AddBasicEyeAdaptationPass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
+	const FEyeAdaptationInputs& Inputs, FScreenPassTexture SceneColor, FRDGTextureRef MeterMask = nullptr);

@@ -1,0 +1,212 @@
+// Source: engine file PostProcessLocalExposure.cpp.
+#include "Exposure/PostProcessLocalExposure.h"
+
+#include "Blur/PostProcessWeightedSampleSum.h"
+#include "Exposure/ExposureMetering.h"
+#include "Exposure/PostProcessEyeAdaptation.h"
+#include "GlobalShader.h"
+#include "HAL/IConsoleManager.h"
+#include "PixelShaderUtils.h"
+#include "RHIStaticStates.h"
+#include "RenderGraphBuilder.h"
+#include "RenderGraphUtils.h"
+#include "SceneRendering.h"
+#include "Screen/RasterTarget.h"
+#include "ShaderParameterStruct.h"
+#include "TileExecutor.h"
+
+#include <array>
+#include <cmath>
+
+namespace
+{
+
+TAutoConsoleVariable<bool> CVarBloomApplyLocalExposure(TEXT("r.Bloom.ApplyLocalExposure"), true,
+	TEXT("Local exposure acts on the bloom's input too (default)."), ECVF_RenderThreadSafe);
+
+BEGIN_SHADER_PARAMETER_STRUCT(FBilateralGridParameters, )
+	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, InputTexture)
+	SHADER_PARAMETER_RDG_TEXTURE_UAV(RWTexture3D<float2>, BilateralGrid)
+END_SHADER_PARAMETER_STRUCT()
+
+class FSetupLogLuminancePS : public FGlobalShader
+{
+public:
+	DECLARE_GLOBAL_SHADER(FSetupLogLuminancePS);
+	SHADER_USE_PARAMETER_STRUCT(FSetupLogLuminancePS, FGlobalShader);
+
+	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
+		SHADER_PARAMETER_STRUCT_REF(FViewUniformShaderParameters, View)
+		SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Input)
+		SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Output)
+		SHADER_PARAMETER_RDG_TEXTURE(Texture2D, InputTexture)
+		SHADER_PARAMETER(float, LuminanceMin)
+		RENDER_TARGET_BINDING_SLOTS()
+	END_SHADER_PARAMETER_STRUCT()
+};
+
+IMPLEMENT_GLOBAL_SHADER(
+	FSetupLogLuminancePS, "/Engine/Private/PostProcessLocalExposure.usf", "SetupLogLuminancePS", SF_Pixel);
+
+/** What the cells of a grid are made of. */
+struct FBilateralGridWork
+{
+	FIntRect Rect; // of the input
+	double OneOverPreExposure = 1.0;
+	FLocalExposureParameters Parameters;
+};
+
+/** One cell of the grid, all depths. */
+void FillCell(FRHITexture& Input, FRHITexture& Grid, const FBilateralGridWork& Work, int32 CellX, int32 CellY)
+{
+	struct FSum
+	{
+		double LogLuminance = 0.0;
+		double Weight = 0.0;
+	};
+	std::array<FSum, GBilateralGridDepth> Sums;
+	const int32 MinX = Work.Rect.Min.X + CellX * GBilateralGridCellSize;
+	const int32 MinY = Work.Rect.Min.Y + CellY * GBilateralGridCellSize;
+	const int32 MaxX = FMath::Min(MinX + GBilateralGridCellSize, Work.Rect.Max.X);
+	const int32 MaxY = FMath::Min(MinY + GBilateralGridCellSize, Work.Rect.Max.Y);
+	for (int32 Y = MinY; Y < MaxY; ++Y)
+	{
+		for (int32 X = MinX; X < MaxX; ++X)
+		{
+			const double Mean = Drydock::ReadMeanColor(Input, X, Y);
+			if (!std::isfinite(Mean))
+			{
+				continue;
+			}
+			const double LogLuminance = Drydock::GetMeteredLogLuminance(
+				Mean, Work.OneOverPreExposure, static_cast<double>(Work.Parameters.LuminanceMin));
+			const Drydock::FBucketShare Share =
+				Drydock::ShareBetweenBuckets(LogLuminance, static_cast<double>(Work.Parameters.HistogramScale),
+					static_cast<double>(Work.Parameters.HistogramBias), GBilateralGridDepth);
+			FSum* const Sum = &Sums[static_cast<size_t>(Share.First)];
+			Sum[0].LogLuminance += LogLuminance * Share.FirstWeight;
+			Sum[0].Weight += Share.FirstWeight;
+			Sum[1].LogLuminance += LogLuminance * Share.SecondWeight;
+			Sum[1].Weight += Share.SecondWeight;
+		}
+	}
+	constexpr double Normalize = 1.0 / (GBilateralGridCellSize * GBilateralGridCellSize);
+	for (int32 Z = 0; Z < GBilateralGridDepth; ++Z)
+	{
+		const FSum& Sum = Sums[static_cast<size_t>(Z)];
+		Grid.WriteTexelDouble(
+			CellX, CellY, FVector4(Sum.LogLuminance * Normalize, Sum.Weight * Normalize, 0.0, 0.0), 0, Z);
+	}
+}
+
+} // namespace
+
+bool IsLocalExposureEnabled(const FFinalPostProcessSettings& Settings)
+{
+	return !FMath::IsNearlyEqual(Settings.LocalExposureHighlightContrastScale, 1.0f) ||
+		   !FMath::IsNearlyEqual(Settings.LocalExposureShadowContrastScale, 1.0f) ||
+		   !FMath::IsNearlyEqual(Settings.LocalExposureDetailStrength, 1.0f);
+}
+
+bool IsLocalExposureAppliedToBloom()
+{
+	return CVarBloomApplyLocalExposure.GetValueOnRenderThread();
+}
+
+FLocalExposureParameters GetLocalExposureParameters(
+	const FViewInfo& View, const FEyeAdaptationParameters& EyeAdaptation, bool bManual)
+{
+	const FFinalPostProcessSettings& Settings = View.FinalPostProcessSettings;
+	FLocalExposureParameters Parameters;
+	Parameters.ContrastAndThreshold =
+		FVector4f(Settings.LocalExposureHighlightContrastScale, Settings.LocalExposureShadowContrastScale,
+			Settings.LocalExposureHighlightThreshold * Settings.LocalExposureHighlightThresholdStrength,
+			Settings.LocalExposureShadowThreshold * Settings.LocalExposureShadowThresholdStrength);
+	Parameters.DetailStrength = Settings.LocalExposureDetailStrength;
+	Parameters.BlurredLuminanceBlend = Settings.LocalExposureBlurredLuminanceBlend;
+	const float Compensation = EyeAdaptation.ExposureCompensationSettings * EyeAdaptation.ExposureCompensationCurve;
+	Parameters.MiddleGreyExposureCompensation =
+		std::exp2(FMath::Clamp(Settings.LocalExposureMiddleGreyBias, -60.0f, 60.0f)) / (bManual ? Compensation : 1.0f);
+	Parameters.HistogramScale = EyeAdaptation.HistogramScale;
+	Parameters.HistogramBias = EyeAdaptation.HistogramBias;
+	Parameters.LuminanceMin = EyeAdaptation.LuminanceMin;
+	return Parameters;
+}
+
+FLocalExposureShaderParameters GetLocalExposureShaderParameters(const FLocalExposureTextures& Textures)
+{
+	FLocalExposureShaderParameters Parameters;
+	if (!Textures.IsValid())
+	{
+		return Parameters;
+	}
+	FRHISamplerState* const BilinearClamp = TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
+	const FIntPoint Cells = Textures.BilateralGrid->Desc.Extent;
+	Parameters.Settings = Textures.Parameters;
+	Parameters.BilateralGridUVScale = FVector2f(
+		static_cast<float>(Textures.BilateralGridInputSize.X) / static_cast<float>(GBilateralGridCellSize * Cells.X),
+		static_cast<float>(Textures.BilateralGridInputSize.Y) / static_cast<float>(GBilateralGridCellSize * Cells.Y));
+	Parameters.BilateralGrid = Textures.BilateralGrid;
+	Parameters.BilateralGridSampler = BilinearClamp;
+	Parameters.BlurredLogLuminance = Textures.BlurredLogLuminance.Texture;
+	Parameters.BlurredLogLuminanceSampler = BilinearClamp;
+	Parameters.Blurred =
+		GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Textures.BlurredLogLuminance));
+	return Parameters;
+}
+
+FRDGTextureRef AddLocalExposurePass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
+	const FLocalExposureParameters& Parameters, FScreenPassTexture SceneColor)
+{
+	check(SceneColor.IsValid());
+	const FIntPoint Cells = FIntPoint::DivideAndRoundUp(SceneColor.ViewRect.Size(), GBilateralGridCellSize);
+	const FRDGTextureRef Grid =
+		GraphBuilder.CreateTexture(FRDGTextureDesc::Create3D(FIntVector(Cells.X, Cells.Y, GBilateralGridDepth),
+									   PF_G32R32F, FClearValueBinding::None, TexCreate_ShaderResource | TexCreate_UAV),
+			TEXT("LocalExposureBilateralGrid"));
+
+	auto* PassParameters = GraphBuilder.AllocParameters<FBilateralGridParameters>();
+	PassParameters->InputTexture = SceneColor.Texture;
+	PassParameters->BilateralGrid = GraphBuilder.CreateUAV(Grid);
+	const FBilateralGridWork Work{SceneColor.ViewRect, 1.0 / static_cast<double>(View.PreExposure), Parameters};
+	GraphBuilder.AddPass(RDG_EVENT_NAME("LocalExposureBilateralGrid %dx%dx%d", Cells.X, Cells.Y, GBilateralGridDepth),
+		PassParameters, ERDGPassFlags::Compute,
+		[Input = SceneColor.Texture, Grid, Work, Cells](FRHIComputeCommandList&)
+		{
+			FRHITexture& InputRHI = *Input->GetRHI();
+			FRHITexture& GridRHI = *Grid->GetRHI();
+			InputRHI.EnsureMemory();
+			GridRHI.EnsureMemory();
+			Drydock::ForEachTile({0, 0, 0, Cells.X, Cells.Y, 1}, FIntPoint(1, 1),
+				[&](const Drydock::FKernelTile& Tile) { FillCell(InputRHI, GridRHI, Work, Tile.MinX, Tile.MinY); });
+		});
+	return Grid;
+}
+
+FScreenPassTexture AddLocalExposureBlurredLogLuminancePass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
+	const FLocalExposureParameters& Parameters, FScreenPassTexture SceneColor, float KernelSizePercent)
+{
+	check(SceneColor.IsValid());
+	const FScreenPassRenderTarget Output =
+		Drydock::CreateRasterTargetLike(GraphBuilder, SceneColor, TEXT("LogLuminance"), PF_R16F);
+
+	auto* PassParameters = GraphBuilder.AllocParameters<FSetupLogLuminancePS::FParameters>();
+	PassParameters->View = View.ViewUniformBuffer;
+	PassParameters->Input = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(SceneColor));
+	PassParameters->Output = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Output));
+	PassParameters->InputTexture = SceneColor.Texture;
+	PassParameters->LuminanceMin = Parameters.LuminanceMin;
+	PassParameters->RenderTargets[0] = Output.GetRenderTargetBinding();
+	TShaderMapRef<FSetupLogLuminancePS> PixelShader(View.ShaderMap);
+	FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
+		RDG_EVENT_NAME("LogLuminance %dx%d", Output.ViewRect.Width(), Output.ViewRect.Height()), PixelShader,
+		PassParameters, Output.ViewRect);
+
+	FGaussianBlurInputs BlurInputs;
+	BlurInputs.NameX = TEXT("BlurredLogLuminanceX");
+	BlurInputs.NameY = TEXT("BlurredLogLuminanceY");
+	BlurInputs.Filter = FScreenPassTexture(Output.Texture, Output.ViewRect);
+	BlurInputs.KernelSizePercent = KernelSizePercent;
+	BlurInputs.UseMirrorAddressMode = true;
+	return AddGaussianBlurPass(GraphBuilder, View, BlurInputs);
+}

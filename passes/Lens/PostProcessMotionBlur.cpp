@@ -1,0 +1,209 @@
+// Source: engine PostProcess/PostProcessMotionBlur.cpp (passes); drydock.
+#include "Lens/PostProcessMotionBlur.h"
+
+#include "GlobalShader.h"
+#include "PixelShaderUtils.h"
+#include "RenderGraphBuilder.h"
+#include "RenderGraphUtils.h"
+#include "SceneRendering.h"
+#include "Screen/RasterTarget.h"
+#include "ShaderParameterStruct.h"
+
+namespace
+{
+
+TAutoConsoleVariable<int32> CVarMotionBlurQuality(TEXT("r.MotionBlurQuality"), 4,
+	TEXT("Most samples along the movement. 0: motion blur off. 1: 8. 2: 16. 3: 32. 4: 64 (default)."),
+	ECVF_Scalability | ECVF_RenderThreadSafe);
+
+/** Pixels on a side of a tile; as in the engine. */
+constexpr int32 GTileSize = 16;
+
+BEGIN_SHADER_PARAMETER_STRUCT(FMotionBlurParameters, )
+	SHADER_PARAMETER_STRUCT_REF(FViewUniformShaderParameters, View)
+	SHADER_PARAMETER_STRUCT_INCLUDE(FSceneTextureShaderParameters, SceneTextures)
+	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Color)
+	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Output)
+	SHADER_PARAMETER(FIntPoint, FlatSize)
+	SHADER_PARAMETER(FIntPoint, TileCount)
+	SHADER_PARAMETER(int32, TileReach)
+	SHADER_PARAMETER(int32, MaxSamples)
+	SHADER_PARAMETER(float, VelocityScale)
+	SHADER_PARAMETER(float, MaxLength)
+	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, ColorTexture)
+	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, FlatTexture)
+	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, TileTexture)
+	RENDER_TARGET_BINDING_SLOTS()
+END_SHADER_PARAMETER_STRUCT()
+
+class FMotionBlurVelocityFlattenPS : public FGlobalShader
+{
+public:
+	DECLARE_GLOBAL_SHADER(FMotionBlurVelocityFlattenPS);
+	SHADER_USE_PARAMETER_STRUCT(FMotionBlurVelocityFlattenPS, FGlobalShader);
+	using FParameters = FMotionBlurParameters;
+};
+
+class FMotionBlurVelocityTileMaxPS : public FGlobalShader
+{
+public:
+	DECLARE_GLOBAL_SHADER(FMotionBlurVelocityTileMaxPS);
+	SHADER_USE_PARAMETER_STRUCT(FMotionBlurVelocityTileMaxPS, FGlobalShader);
+	using FParameters = FMotionBlurParameters;
+};
+
+class FMotionBlurVelocityNeighborMaxPS : public FGlobalShader
+{
+public:
+	DECLARE_GLOBAL_SHADER(FMotionBlurVelocityNeighborMaxPS);
+	SHADER_USE_PARAMETER_STRUCT(FMotionBlurVelocityNeighborMaxPS, FGlobalShader);
+	using FParameters = FMotionBlurParameters;
+};
+
+class FMotionBlurFilterPS : public FGlobalShader
+{
+public:
+	DECLARE_GLOBAL_SHADER(FMotionBlurFilterPS);
+	SHADER_USE_PARAMETER_STRUCT(FMotionBlurFilterPS, FGlobalShader);
+	using FParameters = FMotionBlurParameters;
+};
+
+IMPLEMENT_GLOBAL_SHADER(
+	FMotionBlurVelocityFlattenPS, "/Engine/Private/PostProcessMotionBlur.usf", "VelocityFlattenPS", SF_Pixel);
+IMPLEMENT_GLOBAL_SHADER(
+	FMotionBlurVelocityTileMaxPS, "/Engine/Private/PostProcessMotionBlur.usf", "VelocityTileMaxPS", SF_Pixel);
+IMPLEMENT_GLOBAL_SHADER(
+	FMotionBlurVelocityNeighborMaxPS, "/Engine/Private/PostProcessMotionBlur.usf", "VelocityNeighborMaxPS", SF_Pixel);
+IMPLEMENT_GLOBAL_SHADER(FMotionBlurFilterPS, "/Engine/Private/PostProcessMotionBlur.usf", "FilterPS", SF_Pixel);
+
+int32 GetMaxSamples(EMotionBlurQuality Quality)
+{
+	return 4 << static_cast<uint32>(Quality);
+}
+
+/** What the four passes share; each reads what it needs. */
+class FMotionBlurPasses
+{
+public:
+	FMotionBlurPasses(FRDGBuilder& InGraphBuilder, const FViewInfo& InView, const FMotionBlurInputs& InInputs)
+		: GraphBuilder(InGraphBuilder)
+		, View(InView)
+		, Inputs(InInputs)
+		, Size(InInputs.SceneColor.ViewRect.Size())
+		, TileCount(FIntPoint::DivideAndRoundUp(Size, GTileSize))
+	{
+	}
+
+	FRDGTextureRef AddFlatten()
+	{
+		const FScreenPassRenderTarget Output = Drydock::CreateSmallRasterTarget(
+			GraphBuilder, Inputs.SceneColor, Size, TEXT("MotionBlur.VelocityFlat"), PF_FloatRGBA);
+		AddPass<FMotionBlurVelocityFlattenPS>("MotionBlur VelocityFlatten", Output, MakeParameters(Output));
+		return Output.Texture;
+	}
+
+	FRDGTextureRef AddTileMax(FRDGTextureRef Flat)
+	{
+		const FScreenPassRenderTarget Output = CreateTiles(TEXT("MotionBlur.VelocityTileMax"));
+		FMotionBlurParameters* Parameters = MakeParameters(Output);
+		Parameters->FlatTexture = Flat;
+		AddPass<FMotionBlurVelocityTileMaxPS>("MotionBlur VelocityTileMax", Output, Parameters);
+		return Output.Texture;
+	}
+
+	FRDGTextureRef AddNeighborMax(FRDGTextureRef Tiles)
+	{
+		const FScreenPassRenderTarget Output = CreateTiles(TEXT("MotionBlur.VelocityNeighborMax"));
+		FMotionBlurParameters* Parameters = MakeParameters(Output);
+		Parameters->TileTexture = Tiles;
+		AddPass<FMotionBlurVelocityNeighborMaxPS>("MotionBlur VelocityNeighborMax", Output, Parameters);
+		return Output.Texture;
+	}
+
+	FScreenPassTexture AddFilter(FRDGTextureRef Flat, FRDGTextureRef Tiles)
+	{
+		const FScreenPassRenderTarget Output =
+			Inputs.OverrideOutput.IsValid()
+				? Inputs.OverrideOutput
+				: Drydock::CreateRasterTargetLike(GraphBuilder, Inputs.SceneColor, TEXT("MotionBlur"));
+		FMotionBlurParameters* Parameters = MakeParameters(Output);
+		Parameters->ColorTexture = Inputs.SceneColor.Texture;
+		Parameters->FlatTexture = Flat;
+		Parameters->TileTexture = Tiles;
+		AddPass<FMotionBlurFilterPS>("MotionBlur Filter", Output, Parameters);
+		return FScreenPassTexture(Output.Texture, Output.ViewRect);
+	}
+
+private:
+	FScreenPassRenderTarget CreateTiles(const TCHAR* Name) const
+	{
+		return Drydock::CreateSmallRasterTarget(GraphBuilder, Inputs.SceneColor, TileCount, Name, PF_FloatRGBA);
+	}
+
+	FMotionBlurParameters* MakeParameters(const FScreenPassRenderTarget& Output) const
+	{
+		auto* Parameters = GraphBuilder.AllocParameters<FMotionBlurParameters>();
+		Parameters->View = View.ViewUniformBuffer;
+		Parameters->SceneTextures = GetSceneTextureShaderParameters(Inputs.SceneTextures);
+		Parameters->Color = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Inputs.SceneColor));
+		Parameters->Output = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Output));
+		Parameters->FlatSize = Size;
+		Parameters->TileCount = TileCount;
+		// A blur reaches half its length to either side.
+		Parameters->TileReach = FMath::DivideAndRoundUp(FMath::CeilToInt(0.5f * Inputs.MaxLength), GTileSize);
+		Parameters->MaxSamples = GetMaxSamples(Inputs.Quality);
+		Parameters->VelocityScale = Inputs.VelocityScale;
+		Parameters->MaxLength = Inputs.MaxLength;
+		Parameters->RenderTargets[0] = Output.GetRenderTargetBinding();
+		return Parameters;
+	}
+
+	template<typename TShader>
+	void AddPass(const char* Name, const FScreenPassRenderTarget& Output, FMotionBlurParameters* Parameters)
+	{
+		TShaderMapRef<TShader> PixelShader(View.ShaderMap);
+		FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
+			RDG_EVENT_NAME("%s %dx%d", Name, Output.ViewRect.Width(), Output.ViewRect.Height()), PixelShader,
+			Parameters, Output.ViewRect);
+	}
+
+	FRDGBuilder& GraphBuilder;
+	const FViewInfo& View;
+	const FMotionBlurInputs& Inputs;
+	const FIntPoint Size;
+	const FIntPoint TileCount;
+};
+
+} // namespace
+
+EMotionBlurQuality GetMotionBlurQuality()
+{
+	return static_cast<EMotionBlurQuality>(FMath::Clamp(CVarMotionBlurQuality.GetValueOnRenderThread(), 0, 4));
+}
+
+FMotionBlurInputs FMotionBlurInputs::FromSettings(
+	const FFinalPostProcessSettings& Settings, const FScreenPassTexture& SceneColor, float DeltaTime)
+{
+	FMotionBlurInputs Inputs;
+	Inputs.SceneColor = SceneColor;
+	Inputs.Quality = GetMotionBlurQuality();
+	const float FPS = static_cast<float>(Settings.MotionBlurTargetFPS);
+	const bool bRelative = FPS > 0.0f && DeltaTime > 0.0f;
+	Inputs.VelocityScale = Settings.MotionBlurAmount * (bRelative ? 1.0f / (FPS * DeltaTime) : 1.0f);
+	Inputs.MaxLength = 0.01f * Settings.MotionBlurMax * static_cast<float>(SceneColor.ViewRect.Width());
+	return Inputs;
+}
+
+FScreenPassTexture AddMotionBlurPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FMotionBlurInputs& Inputs)
+{
+	check(Inputs.SceneColor.IsValid());
+	check(Inputs.SceneTextures);
+	if (Inputs.Quality == EMotionBlurQuality::Off || !(Inputs.VelocityScale > 0.0f) || !(Inputs.MaxLength > 0.0f))
+	{
+		return Inputs.SceneColor;
+	}
+	RDG_EVENT_SCOPE(GraphBuilder, "MotionBlur");
+	FMotionBlurPasses Passes(GraphBuilder, View, Inputs);
+	const FRDGTextureRef Flat = Passes.AddFlatten();
+	return Passes.AddFilter(Flat, Passes.AddNeighborMax(Passes.AddTileMax(Flat)));
+}

@@ -1,0 +1,152 @@
+// Source: article "RED post process"; drydock.
+#include "Lens/REDDepthOfField.h"
+
+#include "Blur/PostProcessWeightedSampleSum.h"
+#include "GlobalShader.h"
+#include "Lens/REDPostProcess.h"
+#include "PixelShaderUtils.h"
+#include "RHIStaticStates.h"
+#include "RenderGraphBuilder.h"
+#include "RenderGraphUtils.h"
+#include "SceneRendering.h"
+#include "Screen/RasterTarget.h"
+#include "ShaderParameterStruct.h"
+
+namespace
+{
+
+enum class ELayer : uint8
+{
+	Far,  // colour * far, far
+	Near, // colour, 1
+};
+
+BEGIN_SHADER_PARAMETER_STRUCT(FREDDepthOfFieldParameters, )
+	SHADER_PARAMETER_STRUCT_REF(FViewUniformShaderParameters, View)
+	SHADER_PARAMETER_STRUCT_INCLUDE(FSceneTextureShaderParameters, SceneTextures)
+	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Color)
+	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Layer)
+	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Output)
+	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, ColorTexture)
+	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, FarTexture)
+	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, NearTexture)
+	SHADER_PARAMETER_SAMPLER(SamplerState, LayerSampler)
+	SHADER_PARAMETER(FVector4f, Focus) // distance, region, 1 / near transition, 1 / far transition
+	RENDER_TARGET_BINDING_SLOTS()
+END_SHADER_PARAMETER_STRUCT()
+
+class FREDDepthOfFieldSetupPS : public FGlobalShader
+{
+public:
+	DECLARE_GLOBAL_SHADER(FREDDepthOfFieldSetupPS);
+	SHADER_USE_PARAMETER_STRUCT(FREDDepthOfFieldSetupPS, FGlobalShader);
+
+	class FWeightDimension : SHADER_PERMUTATION_BOOL("WEIGHT_BY_FAR");
+	using FPermutationDomain = TShaderPermutationDomain<FWeightDimension>;
+	using FParameters = FREDDepthOfFieldParameters;
+};
+
+class FREDDepthOfFieldPS : public FGlobalShader
+{
+public:
+	DECLARE_GLOBAL_SHADER(FREDDepthOfFieldPS);
+	SHADER_USE_PARAMETER_STRUCT(FREDDepthOfFieldPS, FGlobalShader);
+	using FParameters = FREDDepthOfFieldParameters;
+};
+
+IMPLEMENT_GLOBAL_SHADER(FREDDepthOfFieldSetupPS, "/Project/REDDepthOfField.usf", "SetupPS", SF_Pixel);
+IMPLEMENT_GLOBAL_SHADER(FREDDepthOfFieldPS, "/Project/REDDepthOfField.usf", "CombinePS", SF_Pixel);
+
+/** A transition of no length is a step: infinite where there is any distance, and the shader never multiplies it by 0.
+ */
+float InvertTransition(float Transition)
+{
+	constexpr float Steepest = 1e30f;
+	return Transition > 1.0f / Steepest ? 1.0f / Transition : Steepest;
+}
+
+FREDDepthOfFieldParameters* MakeParameters(FRDGBuilder& GraphBuilder, const FViewInfo& View,
+	const FREDDepthOfFieldInputs& Inputs, const FScreenPassRenderTarget& Output)
+{
+	auto* Parameters = GraphBuilder.AllocParameters<FREDDepthOfFieldParameters>();
+	Parameters->View = View.ViewUniformBuffer;
+	Parameters->SceneTextures = GetSceneTextureShaderParameters(Inputs.SceneTextures);
+	Parameters->Color = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Inputs.SceneColor));
+	Parameters->Output = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Output));
+	Parameters->ColorTexture = Inputs.SceneColor.Texture;
+	Parameters->LayerSampler = TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
+	Parameters->Focus = FVector4f(Inputs.FocalDistance, Inputs.FocalRegion, InvertTransition(Inputs.NearTransition),
+		InvertTransition(Inputs.FarTransition));
+	Parameters->RenderTargets[0] = Output.GetRenderTargetBinding();
+	return Parameters;
+}
+
+/** A layer at half resolution, blurred. */
+FScreenPassTexture AddLayer(
+	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FREDDepthOfFieldInputs& Inputs, ELayer Layer)
+{
+	const bool bFar = Layer == ELayer::Far;
+	const FScreenPassRenderTarget Output = Drydock::CreateSmallRasterTarget(GraphBuilder, Inputs.SceneColor,
+		FIntPoint::DivideAndRoundUp(Inputs.SceneColor.ViewRect.Size(), 2),
+		bFar ? TEXT("REDDofFarSetup") : TEXT("REDDofNearSetup"), PF_FloatRGBA);
+	FREDDepthOfFieldSetupPS::FPermutationDomain Permutation;
+	Permutation.Set<FREDDepthOfFieldSetupPS::FWeightDimension>(bFar && !Inputs.bAsPrinted);
+	TShaderMapRef<FREDDepthOfFieldSetupPS> PixelShader(View.ShaderMap, Permutation);
+	FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
+		RDG_EVENT_NAME("REDDepthOfField.%s %dx%d", bFar ? TEXT("FarSetup") : TEXT("NearSetup"), Output.ViewRect.Width(),
+			Output.ViewRect.Height()),
+		PixelShader, MakeParameters(GraphBuilder, View, Inputs, Output), Output.ViewRect);
+
+	FGaussianBlurInputs Blur;
+	Blur.NameX = bFar ? TEXT("REDDofFarX") : TEXT("REDDofNearX");
+	Blur.NameY = bFar ? TEXT("REDDofFarY") : TEXT("REDDofNearY");
+	Blur.Filter = Output;
+	Blur.KernelSizePercent = bFar ? Inputs.FarBlurSize : Inputs.NearBlurSize;
+	Blur.UseClampAddressMode = true;
+	return AddGaussianBlurPass(GraphBuilder, View, Blur);
+}
+
+} // namespace
+
+FREDDepthOfFieldInputs FREDDepthOfFieldInputs::FromSettings(
+	const FFinalPostProcessSettings& Settings, const FScreenPassTexture& SceneColor)
+{
+	FREDDepthOfFieldInputs Inputs;
+	Inputs.SceneColor = SceneColor;
+	Inputs.FocalDistance = Settings.REDDofFocalDistance;
+	Inputs.FocalRegion = Settings.REDDofFocalRegion;
+	Inputs.NearTransition = Settings.REDDofNearTransition;
+	Inputs.FarTransition = Settings.REDDofFarTransition;
+	Inputs.NearBlurSize = Settings.REDDofNearBlurSize;
+	Inputs.FarBlurSize = Settings.REDDofFarBlurSize;
+	Inputs.bAsPrinted = FREDPostProcessParameters::FromSettings(Settings).bAsPrinted;
+	return Inputs;
+}
+
+FScreenPassTexture AddREDDepthOfFieldPasses(
+	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FREDDepthOfFieldInputs& Inputs)
+{
+	check(Inputs.SceneColor.IsValid());
+	check(Inputs.SceneTextures);
+	if (!(Inputs.FocalDistance > 0.0f))
+	{
+		return Inputs.SceneColor;
+	}
+	RDG_EVENT_SCOPE(GraphBuilder, "REDDepthOfField");
+	const FScreenPassTexture Far = AddLayer(GraphBuilder, View, Inputs, ELayer::Far);
+	const FScreenPassTexture Near = AddLayer(GraphBuilder, View, Inputs, ELayer::Near);
+
+	const FScreenPassRenderTarget Output =
+		Inputs.OverrideOutput.IsValid()
+			? Inputs.OverrideOutput
+			: Drydock::CreateRasterTargetLike(GraphBuilder, Inputs.SceneColor, TEXT("REDDepthOfField"));
+	FREDDepthOfFieldParameters* Parameters = MakeParameters(GraphBuilder, View, Inputs, Output);
+	Parameters->Layer = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Far));
+	Parameters->FarTexture = Far.Texture;
+	Parameters->NearTexture = Near.Texture;
+	TShaderMapRef<FREDDepthOfFieldPS> PixelShader(View.ShaderMap);
+	FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
+		RDG_EVENT_NAME("REDDepthOfField %dx%d", Output.ViewRect.Width(), Output.ViewRect.Height()), PixelShader,
+		Parameters, Output.ViewRect);
+	return FScreenPassTexture(Output.Texture, Output.ViewRect);
+}

@@ -1,0 +1,189 @@
+// Source: engine file PostProcessDownsample.cpp.
+#include "Screen/PostProcessDownsample.h"
+
+#include "GlobalShader.h"
+#include "HAL/IConsoleManager.h"
+#include "PixelShaderUtils.h"
+#include "RHIStaticStates.h"
+#include "RenderGraphBuilder.h"
+#include "RenderGraphUtils.h"
+#include "SceneRendering.h"
+#include "ShaderParameterStruct.h"
+
+namespace
+{
+
+TAutoConsoleVariable<int32> CVarDownsampleQuality(TEXT("r.PostProcessing.DownsampleQuality"), 0,
+	TEXT("Quality of the half-resolution scene colour: 0 low (2x2 box, default), 1 high (4x4 box)."),
+	ECVF_Scalability | ECVF_RenderThreadSafe);
+
+TAutoConsoleVariable<int32> CVarDownsampleChainQuality(TEXT("r.PostProcessing.DownsampleChainQuality"), 1,
+	TEXT("Quality of the downsample chain: 0 low (2x2 box), 1 high (4x4 box, default)."),
+	ECVF_Scalability | ECVF_RenderThreadSafe);
+
+EDownsampleQuality ToDownsampleQuality(int32 Value)
+{
+	return static_cast<EDownsampleQuality>(FMath::Clamp(Value, 0, static_cast<int32>(EDownsampleQuality::MAX) - 1));
+}
+
+BEGIN_SHADER_PARAMETER_STRUCT(FDownsampleParameters, )
+	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Input)
+	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Output)
+	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, InputTexture)
+	SHADER_PARAMETER_SAMPLER(SamplerState, InputSampler)
+END_SHADER_PARAMETER_STRUCT()
+
+class FDownsampleQualityDimension : SHADER_PERMUTATION_ENUM_CLASS("DOWNSAMPLE_QUALITY", EDownsampleQuality);
+
+class FDownsamplePS : public FGlobalShader
+{
+public:
+	DECLARE_GLOBAL_SHADER(FDownsamplePS);
+	SHADER_USE_PARAMETER_STRUCT(FDownsamplePS, FGlobalShader);
+
+	using FPermutationDomain = TShaderPermutationDomain<FDownsampleQualityDimension>;
+
+	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
+		SHADER_PARAMETER_STRUCT_INCLUDE(FDownsampleParameters, Common)
+		RENDER_TARGET_BINDING_SLOTS()
+	END_SHADER_PARAMETER_STRUCT()
+};
+
+class FDownsampleCS : public FGlobalShader
+{
+public:
+	DECLARE_GLOBAL_SHADER(FDownsampleCS);
+	SHADER_USE_PARAMETER_STRUCT(FDownsampleCS, FGlobalShader);
+
+	using FPermutationDomain = TShaderPermutationDomain<FDownsampleQualityDimension>;
+
+	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
+		SHADER_PARAMETER_STRUCT_INCLUDE(FDownsampleParameters, Common)
+		SHADER_PARAMETER_RDG_TEXTURE_UAV(RWTexture2D<float4>, OutComputeTexture)
+	END_SHADER_PARAMETER_STRUCT()
+
+	static void ModifyCompilationEnvironment(
+		const FGlobalShaderPermutationParameters& Parameters, FShaderCompilerEnvironment& OutEnvironment)
+	{
+		FGlobalShader::ModifyCompilationEnvironment(Parameters, OutEnvironment);
+		OutEnvironment.SetDefine(TEXT("THREADGROUP_SIZEX"), FComputeShaderUtils::kGolden2DGroupSize);
+		OutEnvironment.SetDefine(TEXT("THREADGROUP_SIZEY"), FComputeShaderUtils::kGolden2DGroupSize);
+	}
+};
+
+IMPLEMENT_GLOBAL_SHADER(FDownsamplePS, "/Engine/Private/PostProcessDownsample.usf", "MainPS", SF_Pixel);
+IMPLEMENT_GLOBAL_SHADER(FDownsampleCS, "/Engine/Private/PostProcessDownsample.usf", "MainCS", SF_Compute);
+
+FScreenPassRenderTarget CreateOutput(FRDGBuilder& GraphBuilder, const FDownsamplePassInputs& Inputs, bool bCompute)
+{
+	FRDGTextureDesc Desc = Inputs.SceneColor.Texture->Desc;
+	Desc.Reset();
+	Desc.Extent = FIntPoint::DivideAndRoundUp(Desc.Extent, 2);
+	Desc.Extent.X = FMath::Max(1, Desc.Extent.X);
+	Desc.Extent.Y = FMath::Max(1, Desc.Extent.Y);
+	Desc.Flags &= ~(TexCreate_RenderTargetable | TexCreate_UAV);
+	Desc.Flags |= TexCreate_ShaderResource | (bCompute ? TexCreate_UAV : TexCreate_RenderTargetable);
+	Desc.ClearValue = FClearValueBinding(FLinearColor(0.0f, 0.0f, 0.0f, 0.0f));
+	if (Inputs.FormatOverride != PF_Unknown)
+	{
+		Desc.Format = Inputs.FormatOverride;
+	}
+
+	FScreenPassRenderTarget Output;
+	Output.Texture = GraphBuilder.CreateTexture(Desc, Inputs.Name);
+	Output.ViewRect = FIntRect(FIntPoint::DivideAndRoundUp(Inputs.SceneColor.ViewRect.Min, 2),
+		FIntPoint::DivideAndRoundUp(Inputs.SceneColor.ViewRect.Max, 2));
+	// A rect one pixel wide that starts at an odd position would ceil-divide to nothing.
+	Output.ViewRect.Min.X = FMath::Min(Output.ViewRect.Min.X, Output.ViewRect.Max.X - 1);
+	Output.ViewRect.Min.Y = FMath::Min(Output.ViewRect.Min.Y, Output.ViewRect.Max.Y - 1);
+	Output.LoadAction = ERenderTargetLoadAction::ENoAction;
+	return Output;
+}
+
+} // namespace
+
+EDownsampleQuality GetDownsampleQuality()
+{
+	return ToDownsampleQuality(CVarDownsampleQuality.GetValueOnRenderThread());
+}
+
+EDownsampleQuality GetDownsampleChainQuality()
+{
+	return ToDownsampleQuality(CVarDownsampleChainQuality.GetValueOnRenderThread());
+}
+
+FScreenPassTexture AddDownsamplePass(
+	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FDownsamplePassInputs& Inputs)
+{
+	check(Inputs.SceneColor.IsValid());
+
+	const bool bCompute = View.bUseComputePasses && !EnumHasAnyFlags(Inputs.Flags, EDownsampleFlags::ForceRaster);
+	const FScreenPassRenderTarget Output =
+		Inputs.UserSuppliedOutput.IsValid() ? Inputs.UserSuppliedOutput : CreateOutput(GraphBuilder, Inputs, bCompute);
+
+	check(!bCompute || !Inputs.DrawRect);
+	const FIntRect Drawn = Inputs.DrawRect.value_or(Output.ViewRect);
+
+	const FScreenPassTextureViewport InputViewport(Inputs.SceneColor);
+	const FScreenPassTextureViewport OutputViewport(Output);
+
+	FDownsampleParameters Common;
+	Common.Input = GetScreenPassTextureViewportParameters(InputViewport);
+	Common.Output = GetScreenPassTextureViewportParameters(OutputViewport);
+	Common.InputTexture = Inputs.SceneColor.Texture;
+	Common.InputSampler = TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
+
+	const TCHAR* const QualityName = Inputs.Quality == EDownsampleQuality::High ? TEXT("High") : TEXT("Low");
+
+	if (bCompute)
+	{
+		FDownsampleCS::FPermutationDomain Permutation;
+		Permutation.Set<FDownsampleQualityDimension>(Inputs.Quality);
+		TShaderMapRef<FDownsampleCS> ComputeShader(View.ShaderMap, Permutation);
+
+		FDownsampleCS::FParameters* PassParameters = GraphBuilder.AllocParameters<FDownsampleCS::FParameters>();
+		PassParameters->Common = Common;
+		PassParameters->OutComputeTexture = GraphBuilder.CreateUAV(Output.Texture);
+
+		FComputeShaderUtils::AddPass(GraphBuilder,
+			RDG_EVENT_NAME("%s(%s) %dx%d (CS)", Output.Texture->Name, QualityName, Output.ViewRect.Width(),
+				Output.ViewRect.Height()),
+			ComputeShader, PassParameters,
+			FComputeShaderUtils::GetGroupCount(Output.ViewRect.Size(), FComputeShaderUtils::kGolden2DGroupSize));
+	}
+	else
+	{
+		FDownsamplePS::FPermutationDomain Permutation;
+		Permutation.Set<FDownsampleQualityDimension>(Inputs.Quality);
+		TShaderMapRef<FDownsamplePS> PixelShader(View.ShaderMap, Permutation);
+
+		FDownsamplePS::FParameters* PassParameters = GraphBuilder.AllocParameters<FDownsamplePS::FParameters>();
+		PassParameters->Common = Common;
+		PassParameters->RenderTargets[0] = Output.GetRenderTargetBinding();
+
+		FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
+			RDG_EVENT_NAME("%s(%s) %dx%d (PS)", Output.Texture->Name, QualityName, Drawn.Width(), Drawn.Height()),
+			PixelShader, PassParameters, Drawn);
+	}
+
+	return FScreenPassTexture(Output.Texture, Output.ViewRect);
+}
+
+void FTextureDownsampleChain::Init(FRDGBuilder& GraphBuilder, const FViewInfo& View, FScreenPassTexture HalfResolution,
+	EDownsampleQuality Quality, const TCHAR* Name, uint32 Levels)
+{
+	check(HalfResolution.IsValid());
+	check(Levels >= 1);
+	RDG_EVENT_SCOPE(GraphBuilder, "%s", Name);
+
+	Textures.Reset();
+	Textures.Add(HalfResolution);
+	for (uint32 Level = 1; Level < Levels; ++Level)
+	{
+		FDownsamplePassInputs PassInputs;
+		PassInputs.Name = Name;
+		PassInputs.SceneColor = Textures.Last();
+		PassInputs.Quality = Quality;
+		Textures.Add(AddDownsamplePass(GraphBuilder, View, PassInputs));
+	}
+}

@@ -1,0 +1,262 @@
+// Source: engine file PostProcessTonemap.cpp.
+#include "Tonemap/PostProcessTonemap.h"
+
+#include "GlobalShader.h"
+#include "PixelShaderUtils.h"
+#include "RHIStaticStates.h"
+#include "RenderGraphBuilder.h"
+#include "RenderGraphUtils.h"
+#include "RenderTargetPool.h"
+#include "SceneRendering.h"
+#include "Screen/TextureAssets.h"
+#include "ShaderParameterStruct.h"
+#include "Tonemap/PostProcessCombineLUTs.h"
+#include "Tonemap/TonemapLens.h"
+
+namespace
+{
+
+BEGIN_SHADER_PARAMETER_STRUCT(FTonemapParameters, )
+	SHADER_PARAMETER_STRUCT_REF(FViewUniformShaderParameters, View)
+	SHADER_PARAMETER_STRUCT_INCLUDE(FColorRemapParameters, Remap)
+	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Color)
+	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Bloom)
+	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Output)
+	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, ColorTexture)
+	SHADER_PARAMETER_SAMPLER(SamplerState, ColorSampler)
+	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, BloomTexture)
+	SHADER_PARAMETER_SAMPLER(SamplerState, BloomSampler)
+	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, BloomDirtMaskTexture)
+	SHADER_PARAMETER_SAMPLER(SamplerState, BloomDirtMaskSampler)
+	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, ColorGradingLUT)
+	SHADER_PARAMETER_SAMPLER(SamplerState, ColorGradingSampler)
+	SHADER_PARAMETER_RDG_BUFFER_SRV(StructuredBuffer<float4>, EyeAdaptationBuffer)
+	SHADER_PARAMETER_RDG_BUFFER_SRV(StructuredBuffer<float4>, SceneColorApplyParamaters)
+	SHADER_PARAMETER(FLinearColor, ColorScale0)
+	SHADER_PARAMETER(FVector3f, BloomDirtMaskTint)
+	SHADER_PARAMETER(FVector4f, ChromaticAberrationParams)
+	SHADER_PARAMETER(FVector3f, FilmGrainIntensities)
+	SHADER_PARAMETER(FVector4f, FilmGrainRanges)
+	SHADER_PARAMETER(uint32, FilmGrainFrame)
+	SHADER_PARAMETER(float, SharpenAmount)
+	SHADER_PARAMETER(FVector2f, VignetteScale)
+	SHADER_PARAMETER(float, VignetteIntensity)
+	SHADER_PARAMETER(float, bWriteLumaToAlpha)
+	SHADER_PARAMETER_STRUCT(FLocalExposureShaderParameters, LocalExposure)
+END_SHADER_PARAMETER_STRUCT()
+
+class FTonemapGammaOnlyDimension : SHADER_PERMUTATION_BOOL("USE_GAMMA_ONLY");
+class FTonemapBloomDimension : SHADER_PERMUTATION_BOOL("USE_BLOOM");
+class FTonemapDirtMaskDimension : SHADER_PERMUTATION_BOOL("USE_DIRT_MASK");
+class FTonemapVignetteDimension : SHADER_PERMUTATION_BOOL("USE_VIGNETTE");
+class FTonemapSharpenDimension : SHADER_PERMUTATION_BOOL("USE_SHARPEN");
+class FTonemapFilmGrainDimension : SHADER_PERMUTATION_BOOL("USE_FILM_GRAIN");
+class FTonemapColorFringeDimension : SHADER_PERMUTATION_BOOL("USE_COLOR_FRINGE");
+class FTonemapLocalExposureDimension : SHADER_PERMUTATION_BOOL("USE_LOCAL_EXPOSURE");
+class FTonemapLUTDimension : SHADER_PERMUTATION_BOOL("USE_LUT");
+class FTonemapSceneColorApplyDimension : SHADER_PERMUTATION_BOOL("USE_SCENE_COLOR_APPLY");
+
+using FTonemapPermutation = TShaderPermutationDomain<FTonemapGammaOnlyDimension, FTonemapBloomDimension,
+	FTonemapDirtMaskDimension, FTonemapVignetteDimension, FTonemapSharpenDimension, FTonemapFilmGrainDimension,
+	FTonemapColorFringeDimension, FTonemapLocalExposureDimension, FTonemapLUTDimension,
+	FTonemapSceneColorApplyDimension, Drydock::FColorRemapPermutation>;
+
+class FTonemapPS : public FGlobalShader
+{
+public:
+	DECLARE_GLOBAL_SHADER(FTonemapPS);
+	SHADER_USE_PARAMETER_STRUCT(FTonemapPS, FGlobalShader);
+
+	using FPermutationDomain = FTonemapPermutation;
+
+	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
+		SHADER_PARAMETER_STRUCT_INCLUDE(FTonemapParameters, Tonemap)
+		RENDER_TARGET_BINDING_SLOTS()
+	END_SHADER_PARAMETER_STRUCT()
+};
+
+class FTonemapCS : public FGlobalShader
+{
+public:
+	DECLARE_GLOBAL_SHADER(FTonemapCS);
+	SHADER_USE_PARAMETER_STRUCT(FTonemapCS, FGlobalShader);
+
+	using FPermutationDomain = FTonemapPermutation;
+
+	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
+		SHADER_PARAMETER_STRUCT_INCLUDE(FTonemapParameters, Tonemap)
+		SHADER_PARAMETER_RDG_TEXTURE_UAV(RWTexture2D<float4>, RWOutputTexture)
+	END_SHADER_PARAMETER_STRUCT()
+
+	static void ModifyCompilationEnvironment(
+		const FGlobalShaderPermutationParameters& Parameters, FShaderCompilerEnvironment& OutEnvironment)
+	{
+		FGlobalShader::ModifyCompilationEnvironment(Parameters, OutEnvironment);
+		OutEnvironment.SetDefine(TEXT("THREADGROUP_SIZEX"), FComputeShaderUtils::kGolden2DGroupSize);
+		OutEnvironment.SetDefine(TEXT("THREADGROUP_SIZEY"), FComputeShaderUtils::kGolden2DGroupSize);
+	}
+};
+
+IMPLEMENT_GLOBAL_SHADER(FTonemapPS, "/Engine/Private/PostProcessTonemap.usf", "MainPS", SF_Pixel);
+IMPLEMENT_GLOBAL_SHADER(FTonemapCS, "/Engine/Private/PostProcessTonemap.usf", "MainCS", SF_Compute);
+
+FScreenPassRenderTarget CreateOutput(FRDGBuilder& GraphBuilder, const FTonemapInputs& Inputs, bool bCompute)
+{
+	FRDGTextureDesc Desc = Inputs.SceneColor.Texture->Desc;
+	Desc.Reset();
+	Desc.Format = Inputs.OutputFormat;
+	Desc.Flags &= ~(TexCreate_RenderTargetable | TexCreate_UAV);
+	Desc.Flags |= TexCreate_ShaderResource | (bCompute ? TexCreate_UAV : TexCreate_RenderTargetable);
+	Desc.ClearValue = FClearValueBinding(FLinearColor(0.0f, 0.0f, 0.0f, 0.0f));
+	return FScreenPassRenderTarget(GraphBuilder.CreateTexture(Desc, TEXT("Tonemap")), Inputs.SceneColor.ViewRect,
+		ERenderTargetLoadAction::ENoAction);
+}
+
+/** The parts that the settings call for; of gamma only, none. */
+FTonemapPermutation ChoosePermutation(
+	const FViewInfo& View, const FTonemapInputs& Inputs, const FTonemapParameters& Parameters)
+{
+	const FFinalPostProcessSettings& Settings = View.FinalPostProcessSettings;
+	FTonemapPermutation Permutation;
+	Permutation.Set<FTonemapGammaOnlyDimension>(Inputs.bGammaOnly);
+	if (Inputs.bGammaOnly)
+	{
+		return Permutation;
+	}
+	Permutation.Set<FTonemapBloomDimension>(Inputs.Bloom.IsValid());
+	Permutation.Set<FTonemapDirtMaskDimension>(Parameters.BloomDirtMaskTexture != nullptr);
+	Permutation.Set<FTonemapVignetteDimension>(Settings.VignetteIntensity > 0.0f);
+	Permutation.Set<FTonemapSharpenDimension>(Parameters.SharpenAmount > 0.0f);
+	Permutation.Set<FTonemapFilmGrainDimension>(Drydock::HasFilmGrain(Settings));
+	Permutation.Set<FTonemapColorFringeDimension>(Drydock::HasChromaticAberration(Settings));
+	Permutation.Set<FTonemapLocalExposureDimension>(Inputs.LocalExposure.IsValid());
+	Permutation.Set<FTonemapLUTDimension>(Inputs.ColorGradingTexture != nullptr);
+	Permutation.Set<FTonemapSceneColorApplyDimension>(Inputs.SceneColorApplyParamaters != nullptr);
+	return Permutation;
+}
+
+void SetBloom(FRDGBuilder& GraphBuilder, const FFinalPostProcessSettings& Settings, const FScreenPassTexture& Bloom,
+	FTonemapParameters& Parameters)
+{
+	Parameters.Bloom = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Bloom));
+	Parameters.BloomTexture = Bloom.Texture;
+	Parameters.BloomSampler = TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
+	if (Settings.BloomDirtMaskIntensity > 0.0f)
+	{
+		if (const FTextureRHIRef DirtMask = Drydock::FindTexturePixels(Settings.BloomDirtMask.Get()))
+		{
+			Parameters.BloomDirtMaskTexture =
+				GraphBuilder.RegisterExternalTexture(CreateRenderTarget(DirtMask, TEXT("BloomDirtMask")));
+		}
+		Parameters.BloomDirtMaskSampler = Parameters.BloomSampler;
+		const FLinearColor& Tint = Settings.BloomDirtMaskTint;
+		Parameters.BloomDirtMaskTint = FVector3f(Tint.R, Tint.G, Tint.B) * Settings.BloomDirtMaskIntensity;
+	}
+}
+
+/** What lens and sensor do. */
+void SetLens(const FViewInfo& View, FIntPoint Size, FTonemapParameters& Parameters)
+{
+	const FFinalPostProcessSettings& Settings = View.FinalPostProcessSettings;
+	const Drydock::FFilmGrain Grain = Drydock::MakeFilmGrain(Settings, View.UniformParameters.StateFrameIndex);
+	Parameters.ChromaticAberrationParams =
+		Drydock::ComputeChromaticAberration(Settings.SceneFringeIntensity, Settings.ChromaticAberrationStartOffset);
+	Parameters.FilmGrainIntensities = Grain.Intensities;
+	Parameters.FilmGrainRanges = Grain.Ranges;
+	Parameters.FilmGrainFrame = Grain.Frame;
+	Parameters.SharpenAmount = Drydock::GetSharpenAmount(Settings);
+	Parameters.VignetteScale = Drydock::ComputeVignetteScale(Size);
+	Parameters.VignetteIntensity = Settings.VignetteIntensity;
+}
+
+FTonemapParameters MakeParameters(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FTonemapInputs& Inputs,
+	const FScreenPassRenderTarget& Output)
+{
+	FTonemapParameters Parameters;
+	Parameters.View = View.ViewUniformBuffer;
+	Parameters.Color = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Inputs.SceneColor));
+	Parameters.Output = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Output));
+	Parameters.ColorTexture = Inputs.SceneColor.Texture;
+	Parameters.ColorSampler = TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
+	Parameters.EyeAdaptationBuffer = GraphBuilder.CreateSRV(Inputs.EyeAdaptationBuffer);
+	if (Inputs.SceneColorApplyParamaters)
+	{
+		Parameters.SceneColorApplyParamaters = GraphBuilder.CreateSRV(Inputs.SceneColorApplyParamaters);
+	}
+	Parameters.ColorScale0 = View.FinalPostProcessSettings.SceneColorTint;
+	Parameters.bWriteLumaToAlpha = Inputs.bWriteAlphaChannel ? 1.0f : 0.0f;
+	if (Inputs.Bloom.IsValid())
+	{
+		SetBloom(GraphBuilder, View.FinalPostProcessSettings, Inputs.Bloom, Parameters);
+	}
+	Parameters.LocalExposure = GetLocalExposureShaderParameters(Inputs.LocalExposure);
+	Parameters.ColorGradingLUT = Inputs.ColorGradingTexture;
+	Parameters.ColorGradingSampler = Parameters.ColorSampler;
+	SetLens(View, Output.ViewRect.Size(), Parameters);
+	return Parameters;
+}
+
+/** With the table, only its size and the device matter here: what made it is in it. */
+void SetRemap(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FTonemapInputs& Inputs,
+	FTonemapParameters& Parameters, FTonemapPermutation& Permutation)
+{
+	Drydock::FColorRemap Remap = Drydock::MakeColorRemap(GraphBuilder, View);
+	if (Inputs.ColorGradingTexture != nullptr || Inputs.bGammaOnly)
+	{
+		Remap.Permutation.Set<Drydock::FColorGradingDimension>(false);
+		Remap.Permutation.Set<Drydock::FLUTBlendCountDimension>(0);
+	}
+	if (Inputs.bGammaOnly)
+	{
+		Remap.Permutation.Set<Drydock::FOutputDeviceDimension>(EDisplayOutputFormat::SDR_sRGB);
+	}
+	if (Inputs.ColorGradingTexture != nullptr)
+	{
+		Remap.Parameters.LUTSize = static_cast<float>(Inputs.ColorGradingTexture->Desc.Extent.Y);
+	}
+	Parameters.Remap = Remap.Parameters;
+	Permutation.Set<Drydock::FColorRemapPermutation>(Remap.Permutation);
+}
+
+} // namespace
+
+FScreenPassTexture AddTonemapPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FTonemapInputs& Inputs)
+{
+	check(Inputs.SceneColor.IsValid());
+	check(Inputs.EyeAdaptationBuffer);
+
+	const bool bCompute =
+		View.bUseComputePasses &&
+		(!Inputs.OverrideOutput.IsValid() || EnumHasAnyFlags(Inputs.OverrideOutput.Texture->Desc.Flags, TexCreate_UAV));
+	const FScreenPassRenderTarget Output =
+		Inputs.OverrideOutput.IsValid() ? Inputs.OverrideOutput : CreateOutput(GraphBuilder, Inputs, bCompute);
+	FTonemapParameters Parameters = MakeParameters(GraphBuilder, View, Inputs, Output);
+	FTonemapPermutation Permutation = ChoosePermutation(View, Inputs, Parameters);
+	SetRemap(GraphBuilder, View, Inputs, Parameters, Permutation);
+
+	const int32 Width = Output.ViewRect.Width();
+	const int32 Height = Output.ViewRect.Height();
+	if (bCompute)
+	{
+		FTonemapCS::FParameters* PassParameters = GraphBuilder.AllocParameters<FTonemapCS::FParameters>();
+		PassParameters->Tonemap = Parameters;
+		PassParameters->RWOutputTexture = GraphBuilder.CreateUAV(Output.Texture);
+
+		TShaderMapRef<FTonemapCS> ComputeShader(View.ShaderMap, Permutation);
+		FComputeShaderUtils::AddPass(GraphBuilder, RDG_EVENT_NAME("Tonemap %dx%d (CS)", Width, Height), ComputeShader,
+			PassParameters,
+			FComputeShaderUtils::GetGroupCount(FIntPoint(Width, Height), FComputeShaderUtils::kGolden2DGroupSize));
+	}
+	else
+	{
+		FTonemapPS::FParameters* PassParameters = GraphBuilder.AllocParameters<FTonemapPS::FParameters>();
+		PassParameters->Tonemap = Parameters;
+		PassParameters->RenderTargets[0] = Output.GetRenderTargetBinding();
+
+		TShaderMapRef<FTonemapPS> PixelShader(View.ShaderMap, Permutation);
+		FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
+			RDG_EVENT_NAME("Tonemap %dx%d (PS)", Width, Height), PixelShader, PassParameters, Output.ViewRect);
+	}
+
+	return FScreenPassTexture(Output.Texture, Output.ViewRect);
+}

@@ -1,0 +1,195 @@
+// Source: article "RED post process"; drydock.
+#include "Toon/CharaGlow.h"
+
+#include "HAL/IConsoleManager.h"
+#include "Lens/REDPostProcess.h"
+#include "PixelShaderUtils.h"
+#include "RenderGraphBuilder.h"
+#include "RenderGraphUtils.h"
+#include "SceneRendering.h"
+#include "Screen/DrawRegion.h"
+#include "Screen/RasterTarget.h"
+#include "Toon/CharaGlowShaders.h"
+
+namespace Drydock
+{
+
+IMPLEMENT_GLOBAL_SHADER(FCharaGlowBoxPS, "/Project/CharaGlow.usf", "BoxPS", SF_Pixel);
+
+FCharaGlowBox GetCharaGlowBox(float Area, bool bAsPrinted)
+{
+	const float Clamped = Area > 0.0f ? FMath::Min(Area, MaxCharaGlowArea) : 0.0f; // NaN: no area
+	FCharaGlowBox Box;
+	Box.Radius = static_cast<int32>(Clamped);
+	Box.Fraction = bAsPrinted ? 0.0f : Clamped - static_cast<float>(Box.Radius);
+	Box.Scale = 1.0f / (2.0f * static_cast<float>(Box.Radius) + 1.0f + 2.0f * Box.Fraction);
+	return Box;
+}
+
+} // namespace Drydock
+
+namespace
+{
+
+using Drydock::FCharaGlowBoxParameters;
+using Drydock::FCharaGlowBoxPS;
+
+/** The article's double loop. */
+class FCharaGlowPrintedPS : public FGlobalShader
+{
+public:
+	DECLARE_GLOBAL_SHADER(FCharaGlowPrintedPS);
+	SHADER_USE_PARAMETER_STRUCT(FCharaGlowPrintedPS, FGlobalShader);
+	using FParameters = FCharaGlowBoxParameters;
+};
+
+IMPLEMENT_GLOBAL_SHADER(FCharaGlowPrintedPS, "/Project/CharaGlow.usf", "PrintedPS", SF_Pixel);
+
+class FCharaGlowCompPS : public FGlobalShader
+{
+public:
+	DECLARE_GLOBAL_SHADER(FCharaGlowCompPS);
+	SHADER_USE_PARAMETER_STRUCT(FCharaGlowCompPS, FGlobalShader);
+
+	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
+		SHADER_PARAMETER_STRUCT_INCLUDE(FSceneTextureShaderParameters, SceneTextures)
+		SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Color)
+		SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Blurred)
+		SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Output)
+		SHADER_PARAMETER_RDG_TEXTURE(Texture2D, ColorTexture)
+		SHADER_PARAMETER_RDG_TEXTURE(Texture2D, BlurredTexture)
+		SHADER_PARAMETER(FLinearColor, GlowColor)
+		RENDER_TARGET_BINDING_SLOTS()
+	END_SHADER_PARAMETER_STRUCT()
+};
+
+IMPLEMENT_GLOBAL_SHADER(FCharaGlowCompPS, "/Project/CharaGlow.usf", "CompPS", SF_Pixel);
+
+/** What the glow can reach; Further: texels more, up and down. */
+FIntRect FindReach(const FCharaGlowInputs& Inputs, int32 Further = 0)
+{
+	const FIntRect& ViewRect = Inputs.SceneColor.ViewRect;
+	if (!Inputs.MaskBounds || Inputs.OverrideOutput.IsValid())
+	{
+		return ViewRect;
+	}
+	const int32 Reach = Drydock::GetCharaGlowBox(Inputs.Area, Inputs.bAsPrinted).Radius + 1;
+	return Drydock::PlaceRect(Drydock::GrowRect(*Inputs.MaskBounds, Reach, Reach + Further), ViewRect);
+}
+
+/** Source: what has the mask's viewport, or the rows. */
+FCharaGlowBoxParameters* MakeBoxParameters(FRDGBuilder& GraphBuilder, const FCharaGlowInputs& Inputs,
+	const FScreenPassTexture& Source, const FScreenPassRenderTarget& Output)
+{
+	const Drydock::FCharaGlowBox Box = Drydock::GetCharaGlowBox(Inputs.Area, Inputs.bAsPrinted);
+	auto* Parameters = GraphBuilder.AllocParameters<FCharaGlowBoxParameters>();
+	Parameters->SceneTextures = GetSceneTextureShaderParameters(Inputs.SceneTextures);
+	Parameters->Source = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Source));
+	Parameters->Output = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Output));
+	Parameters->RowsTexture = Source.Texture;
+	Parameters->Radius = Box.Radius;
+	Parameters->Fraction = Box.Fraction;
+	Parameters->Scale = Box.Scale;
+	Parameters->RenderTargets[0] = Output.GetRenderTargetBinding();
+	return Parameters;
+}
+
+FScreenPassTexture AddBoxPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FCharaGlowInputs& Inputs,
+	const FScreenPassTexture& Source, bool bColumns)
+{
+	const TCHAR* const Name = bColumns ? TEXT("CharaGlow") : TEXT("CharaGlowRows");
+	const FScreenPassRenderTarget Output =
+		Drydock::CreateRasterTargetLike(GraphBuilder, Inputs.SceneColor, Name, PF_R16F);
+	// Columns read rows beyond their own.
+	const int32 Further = bColumns ? 0 : Drydock::GetCharaGlowBox(Inputs.Area, Inputs.bAsPrinted).Radius + 1;
+	const FIntRect Drawn = FindReach(Inputs, Further);
+	FCharaGlowBoxPS::FPermutationDomain Permutation;
+	Permutation.Set<FCharaGlowBoxPS::FColumnsDimension>(bColumns);
+	TShaderMapRef<FCharaGlowBoxPS> PixelShader(View.ShaderMap, Permutation);
+	FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
+		RDG_EVENT_NAME("%s %dx%d", Name, Drawn.Width(), Drawn.Height()), PixelShader,
+		MakeBoxParameters(GraphBuilder, Inputs, Source, Output), Drawn);
+	return FScreenPassTexture(Output.Texture, Output.ViewRect);
+}
+
+FScreenPassTexture AddPrintedPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FCharaGlowInputs& Inputs)
+{
+	const FScreenPassRenderTarget Output =
+		Drydock::CreateRasterTargetLike(GraphBuilder, Inputs.SceneColor, TEXT("CharaGlow"), PF_R16F);
+	const FIntRect Drawn = FindReach(Inputs);
+	TShaderMapRef<FCharaGlowPrintedPS> PixelShader(View.ShaderMap);
+	FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
+		RDG_EVENT_NAME("CharaGlow %dx%d (as printed)", Drawn.Width(), Drawn.Height()), PixelShader,
+		MakeBoxParameters(GraphBuilder, Inputs, Inputs.SceneColor, Output), Drawn);
+	return FScreenPassTexture(Output.Texture, Output.ViewRect);
+}
+
+} // namespace
+
+FCharaGlowInputs FCharaGlowInputs::FromSettings(
+	const FFinalPostProcessSettings& Settings, const FScreenPassTexture& SceneColor)
+{
+	FCharaGlowInputs Inputs;
+	Inputs.SceneColor = SceneColor;
+	Inputs.Area = Settings.CharaGlowArea;
+	Inputs.Color = Settings.CharaGlowColor;
+	Inputs.bAsPrinted = FREDPostProcessParameters::FromSettings(Settings).bAsPrinted;
+	return Inputs;
+}
+
+FScreenPassTexture AddCharaGlowPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FCharaGlowInputs& Inputs)
+{
+	check(Inputs.SceneColor.IsValid());
+	check(Inputs.SceneTextures);
+	if (!(Inputs.Area > 0.0f))
+	{
+		return FScreenPassTexture();
+	}
+	if (Inputs.bAsPrinted)
+	{
+		return AddPrintedPass(GraphBuilder, View, Inputs);
+	}
+	const FScreenPassTexture Rows = AddBoxPass(GraphBuilder, View, Inputs, Inputs.SceneColor, false);
+	return AddBoxPass(GraphBuilder, View, Inputs, Rows, true);
+}
+
+FScreenPassTexture AddCharaGlowCompPass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
+	const FCharaGlowInputs& Inputs, const FScreenPassTexture& BlurredMask)
+{
+	check(Inputs.SceneColor.IsValid());
+	check(BlurredMask.IsValid());
+	check(Inputs.SceneTextures);
+
+	FScreenPassRenderTarget Output = Inputs.OverrideOutput.IsValid() ? Inputs.OverrideOutput
+																	 : Drydock::CreateRasterTargetLike(GraphBuilder,
+																		   Inputs.SceneColor, TEXT("CharaGlowComp"));
+	const FIntRect Drawn = FindReach(Inputs);
+	if (Drawn != Inputs.SceneColor.ViewRect)
+	{
+		const FIntRect& Rect = Inputs.SceneColor.ViewRect;
+		AddCopyTexturePass(GraphBuilder, Inputs.SceneColor.Texture, Output.Texture, Rect.Min, Rect.Min, Rect.Size());
+		Output.LoadAction = ERenderTargetLoadAction::ELoad;
+	}
+
+	auto* PassParameters = GraphBuilder.AllocParameters<FCharaGlowCompPS::FParameters>();
+	PassParameters->SceneTextures = GetSceneTextureShaderParameters(Inputs.SceneTextures);
+	PassParameters->Color = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Inputs.SceneColor));
+	PassParameters->Blurred = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(BlurredMask));
+	PassParameters->Output = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Output));
+	PassParameters->ColorTexture = Inputs.SceneColor.Texture;
+	PassParameters->BlurredTexture = BlurredMask.Texture;
+	PassParameters->GlowColor = Inputs.Color;
+	PassParameters->RenderTargets[0] = Output.GetRenderTargetBinding();
+
+	TShaderMapRef<FCharaGlowCompPS> PixelShader(View.ShaderMap);
+	FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
+		RDG_EVENT_NAME("CharaGlowComp %dx%d", Drawn.Width(), Drawn.Height()), PixelShader, PassParameters,
+		Drawn == Inputs.SceneColor.ViewRect ? Output.ViewRect : Drawn);
+	return FScreenPassTexture(Output.Texture, Output.ViewRect);
+}
+
+FScreenPassTexture AddCharaGlow(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FCharaGlowInputs& Inputs)
+{
+	const FScreenPassTexture BlurredMask = AddCharaGlowPasses(GraphBuilder, View, Inputs);
+	return BlurredMask.IsValid() ? AddCharaGlowCompPass(GraphBuilder, View, Inputs, BlurredMask) : Inputs.SceneColor;
+}

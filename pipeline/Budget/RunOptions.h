@@ -1,0 +1,56 @@
+// What a run is asked for. Plain: needs none of the engine's headers, whose macros would break others'. Source:
+// drydock.
+#pragma once
+
+#include "DrydockAPI.h"
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+enum class ERunStorage
+{
+	Default, // Native; Float64 with double precision
+	Native,  // the formats' own
+	Float32,
+	Float64,
+};
+
+struct FRunOptions
+{
+	std::string ConfigFile;
+	std::optional<std::string>
+		ConfigText;                     // read in place of the file; ConfigFile still says what paths are relative to
+	std::vector<std::string> Variables; // "r.Name=Value" (--set), beat the config's
+	struct FExec
+	{
+		std::string Text;              // "r.A 1, r.B=2"
+		size_t NumVariablesBefore = 0; // of Variables: where it stands among them
+	};
+	std::vector<FExec> Exec;                       // beat Variables
+	std::vector<std::string> Settings;             // "Setting=Value", beat all volumes and the camera
+	std::vector<std::string> Dump;                 // patterns, beside the config's
+	std::optional<std::array<double, 3>> Location; // of the view, cm; beats the config's and the scene's
+	std::optional<int> Frame;   // which of a sequence, the lowest by default; shaders see it as View.FrameNumber
+	std::optional<int> Threads; // 0: all cores
+	bool bDouble = false;       // double arithmetic
+	ERunStorage Storage = ERunStorage::Default;
+	bool bExecute = true;    // false: stop when the graph is compiled
+	bool bPlanLoads = false; // of a graph that is not executed: find out which channels it would decode
+	/** Nothing is left out because no output needs it: culled passes run, all channels are decoded, effects whose
+	 * values are neutral or whose input is empty run. What is switched off stays off. The outputs are the same bits. */
+	bool bNoSkip = false;
+	bool bUseBudget = true; // a config with a budget and a study runs what the study recommends
+	/** Called before each pass that executes. */
+	std::function<void(int Done, int Total, const std::string& Pass)> Progress;
+};
+
+/** "out/toon_bloom" for configs/toon_bloom.json. */
+DRYDOCK_API std::string GetDefaultOutputFolder(const std::string& ConfigFile);
+
+} // namespace Drydock

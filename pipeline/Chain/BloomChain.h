@@ -1,0 +1,40 @@
+// Bloom as the chain has it: the bloom setup where something calls for it, and the sum of Gaussians or the convolution.
+// Source: engine PostProcess/PostProcessing.cpp.
+#pragma once
+
+#include "Bloom/PostProcessToonBloom.h"
+#include "Exposure/PostProcessLocalExposure.h"
+#include "RenderGraphFwd.h"
+#include "Screen/PostProcessDownsample.h"
+#include "ScreenPass.h"
+
+class FRDGBuilder;
+class FViewInfo;
+
+/** What bloom is made of. */
+struct FBloomChainInputs
+{
+	/** [Required] Linear, pre-exposed, full resolution. */
+	FScreenPassTexture SceneColor;
+	/** [Required] SceneColor, downsampled. */
+	FScreenPassTexture HalfResolution;
+	/** [Required] From HalfResolution down. */
+	const FSceneDownsampleChain* SceneDownsampleChain = nullptr;
+	/** [Required] (PostProcessEyeAdaptation.h) */
+	FRDGBufferRef EyeAdaptationBuffer = nullptr;
+	/** Not valid where it is off, or does not act on bloom. A convolution reads none, as in the engine. */
+	FLocalExposureTextures LocalExposure;
+	/** Set where toon bloom is active. */
+	const FToonBloomInputs* Toon = nullptr;
+};
+
+struct FBloomChainOutputs
+{
+	/** What the tonemapper adds: half resolution, or that of FFT bloom. */
+	FScreenPassTexture Bloom;
+	/** What FFT bloom leaves of the scene colour (PostProcessFFTBloom.h); null: all. */
+	FRDGBufferRef SceneColorApplyParameters = nullptr;
+};
+
+/** By convolution where IsFFTBloomEnabled says so. Toon bloom then masks the picture at full resolution. */
+FBloomChainOutputs AddBloomPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FBloomChainInputs& Inputs);

@@ -1,0 +1,47 @@
+// The post-processing chain: builds the passes of the effects that were decided on (EffectDecisions.h), in the engine's
+// order, and calls view extensions at its insertion points. Source: engine PostProcess/PostProcessing.h.
+#pragma once
+
+#include "Effects/EffectDecisions.h"
+#include "Extensions/ViewExtensions.h"
+#include "PostProcess/PostProcessing.h"
+
+#include <vector>
+
+class FRDGBuilder;
+
+/** What the chain of one view starts from. */
+struct FPostProcessingChainInputs
+{
+	/** [Required] Linear, pre-exposed; its rect is the view's. */
+	FScreenPassTexture SceneColor;
+	/** [Required] Where the display-encoded picture goes, at View.UnscaledViewRect. */
+	FRDGTextureRef ViewFamilyTexture = nullptr;
+	/** Exposure times what scene colour would be without pre-exposure gives display-referred linear. */
+	float ExposureScale = 1.0f;
+	/** The settings expose in its place. */
+	bool bAutoExposure = false;
+	/** Null where nobody reads scene textures. */
+	TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures = nullptr;
+	/** Colour of the main light, relative, for ToonShadowBlur. */
+	FLinearColor LightColor = FLinearColor(1.0f, 1.0f, 1.0f, 1.0f);
+};
+
+struct FPostProcessingChainOutputs
+{
+	/** What the tonemapper reads, bloom apart. */
+	FScreenPassTexture SceneLinear;
+	/** The shadow buffer with the blurred shadow in A; invalid where ToonShadowBlur did not run. */
+	FScreenPassTexture BlurredToonShadow;
+	/** The display-encoded picture: ViewFamilyTexture. */
+	FScreenPassTexture Final;
+	/** What the tonemapper adds; not valid without bloom. */
+	FScreenPassTexture Bloom;
+	/** What the exposure was metered with; null where there is none. */
+	FRDGTextureRef Histogram = nullptr;
+};
+
+/** Builds the passes of the effects that are active in Effects. View.FinalPostProcessSettings holds the settings. */
+DRYDOCK_API FPostProcessingChainOutputs AddPostProcessingPasses(FRDGBuilder& GraphBuilder,
+	const Drydock::FNamedView& NamedView, const FPostProcessingChainInputs& Inputs,
+	const std::vector<Drydock::FEffectDecision>& Effects, Drydock::FViewExtensionFrame& Extensions);

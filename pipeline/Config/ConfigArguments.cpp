@@ -1,0 +1,169 @@
+// `--pp`, `--set` and `--exec` of the command line, and console variables by name. Source: drydock.
+#include "Config/ConfigReader.h"
+
+#include "HAL/ConsoleVariableTools.h"
+#include "PostProcessSettingsReflection.h"
+#include "Scalability.h"
+
+#include <algorithm>
+
+namespace Drydock
+{
+
+namespace
+{
+
+const std::string CommandLine = "command line";
+
+/** "A=B" to A and B; reports what is not. */
+bool SplitArgument(const std::string& Argument, const char* Option, std::string& OutName, std::string& OutValue,
+	FConfigMessages& Messages)
+{
+	const size_t Equals = Argument.find('=');
+	if (Equals == std::string::npos || Equals == 0)
+	{
+		Messages.Error(ErrorBadArgument, FConfigPlace{0, 0, Option}, "\"" + Argument + "\" is not NAME=VALUE");
+		return false;
+	}
+	OutName = Argument.substr(0, Equals);
+	OutValue = Argument.substr(Equals + 1);
+	return true;
+}
+
+std::vector<std::string> GetVariableNames()
+{
+	std::vector<std::string> Names;
+	IConsoleManager::Get().ForEachConsoleObjectThatStartsWith(
+		FConsoleObjectVisitor::CreateLambda([&](const TCHAR* Name, IConsoleObject*) { Names.emplace_back(Name); }),
+		TEXT(""));
+	return Names;
+}
+
+bool IsScalabilityLevel(const std::string& Text)
+{
+	const int32 Level = FCString::Atoi(Text.c_str());
+	return Level >= 0 && Level < NumScalabilityLevels;
+}
+
+const char* DescribeType(const IConsoleVariable& Variable)
+{
+	return Variable.IsVariableBool() ? "true or false" : Variable.IsVariableInt() ? "a whole number" : "a number";
+}
+
+/** What is to be set, run or printed; reports what cannot be. */
+void AddConsoleInput(FConfig& Config, const std::string& Input, FConfigMessages& Messages)
+{
+	FString Name;
+	FString Value;
+	SplitConsoleInput(Input.c_str(), Name, Value);
+	if (Name.IsEmpty())
+	{
+		return; // nothing between two commas
+	}
+	const FConfigVariable Variable{*Name, *Value, {0, 0, "--exec"}, EVariableSource::Console};
+	const IConsoleObject* Object = IConsoleManager::Get().FindConsoleObject(*Name);
+	const bool bAsks = Value.IsEmpty() || Value == "?";
+	if (Object == nullptr || (IConsoleManager::Get().FindConsoleVariable(*Name) != nullptr && !bAsks))
+	{
+		CheckVariable(Variable, Messages);
+	}
+	Config.Variables.push_back(Variable);
+}
+
+} // namespace
+
+void CheckVariable(const FConfigVariable& Variable, FConfigMessages& Messages)
+{
+	const IConsoleVariable* Found = IConsoleManager::Get().FindConsoleVariable(Variable.Name.c_str());
+	if (Found == nullptr)
+	{
+		Messages.Error(ErrorUnknownVariable, Variable.Place,
+			"unknown console variable " + Variable.Name + Suggest(Variable.Name, GetVariableNames()));
+	}
+	else if (!DoesConsoleVariableTake(*Found, Variable.Value.c_str()))
+	{
+		Messages.Error(ErrorWrongType, Variable.Place,
+			Variable.Name + " is " + DescribeType(*Found) + ", not \"" + Variable.Value + "\"");
+	}
+	else if (Found->TestFlags(ECVF_ScalabilityGroup) && !IsScalabilityLevel(Variable.Value))
+	{
+		Messages.Error(ErrorBadValue, Variable.Place,
+			Variable.Name + " is a level from 0 to " + std::to_string(NumScalabilityLevels - 1) + ", not " +
+				Variable.Value);
+	}
+	else if (Found->TestFlags(ECVF_NotSimulated))
+	{
+		Messages.Warn(
+			WarnIneffectiveValue, Variable.Place, Variable.Name + " is not simulated: nothing in drydock reads it");
+	}
+}
+
+void AddSettingArgument(FConfig& Config, const std::string& Argument, std::vector<FDiagnostic>& Diagnostics)
+{
+	FConfigMessages Messages(CommandLine, Diagnostics);
+	const FConfigPlace Place{0, 0, "--pp"};
+	std::string Name;
+	std::string Text;
+	if (!SplitArgument(Argument, "--pp", Name, Text, Messages))
+	{
+		return;
+	}
+	const FSettingField* Field = FindSettingField(Name);
+	if (Field == nullptr)
+	{
+		Messages.Error(ErrorUnknownSetting, Place, "unknown setting " + Name + Suggest(Name, GetSettingNames()));
+		return;
+	}
+	FSettingValue Value;
+	std::string Expected;
+	if (!SettingFromText(*Field, Text, Value, Expected))
+	{
+		Messages.Error(ErrorWrongType, Place, Name + ": " + Expected + ", found \"" + Text + "\"");
+		return;
+	}
+	if (!Field->IsInRange(Value))
+	{
+		Messages.Warn(WarnOutOfRange, Place, Name + " is outside its range; it is used as it is");
+	}
+	const std::string NotBuilt = GetSettingNotBuiltReason(Name);
+	if (!NotBuilt.empty())
+	{
+		Messages.Warn(WarnNotBuilt, Place, Name + " is not built yet: " + NotBuilt);
+	}
+	Field->Set(Config.CommandLine.Settings, Value);
+	Field->SetOverridden(Config.CommandLine.Settings, true);
+	Config.CommandLine.Places[Name] = Place;
+}
+
+void AddVariableArgument(FConfig& Config, const std::string& Argument, std::vector<FDiagnostic>& Diagnostics)
+{
+	FConfigMessages Messages(CommandLine, Diagnostics);
+	FConfigVariable Variable;
+	Variable.Place.Pointer = "--set";
+	Variable.Source = EVariableSource::CommandLine;
+	if (SplitArgument(Argument, "--set", Variable.Name, Variable.Value, Messages))
+	{
+		CheckVariable(Variable, Messages);
+		Config.Variables.push_back(Variable);
+	}
+}
+
+void AddExecArgument(FConfig& Config, const std::string& Argument, std::vector<FDiagnostic>& Diagnostics)
+{
+	FConfigMessages Messages(CommandLine, Diagnostics);
+	const size_t NumBefore = Config.Variables.size();
+	size_t Start = 0;
+	while (Start <= Argument.size())
+	{
+		const size_t Comma = std::min(Argument.find(',', Start), Argument.size());
+		AddConsoleInput(Config, Argument.substr(Start, Comma - Start), Messages);
+		Start = Comma + 1;
+	}
+	if (Config.Variables.size() == NumBefore)
+	{
+		Messages.Error(
+			ErrorBadArgument, FConfigPlace{0, 0, "--exec"}, "\"" + Argument + "\" names no console variable");
+	}
+}
+
+} // namespace Drydock

@@ -1,0 +1,143 @@
+// Shapes of bounded volumes. Source: drydock.
+#include "Config/ConfigReader.h"
+
+#include <map>
+
+namespace Drydock
+{
+
+bool ReadConfigVector(const FJsonValue& Value, FConfigVector& OutVector)
+{
+	const bool bArray = Value.Type == EJsonType::Array && Value.Elements.size() == 3;
+	const bool bObject = Value.Type == EJsonType::Object && Value.Members.size() == 3;
+	for (size_t Index = 0; Index < 3; ++Index)
+	{
+		const FJsonValue* Component = bArray    ? &Value.Elements[Index]
+									  : bObject ? Value.Find(std::string(1, "XYZ"[Index]))
+												: nullptr;
+		if (Component == nullptr || Component->Type != EJsonType::Number)
+		{
+			return false;
+		}
+		OutVector[Index] = Component->Number;
+	}
+	return true;
+}
+
+namespace
+{
+
+/** What each shape must have; box: these, or min and max. */
+const std::map<std::string, std::vector<std::string>>& GetRequiredKeys()
+{
+	static const std::map<std::string, std::vector<std::string>> Keys = {
+		{"box", {"center", "extent"}},
+		{"sphere", {"center", "radius"}},
+		{"capsule", {"center", "radius", "halfHeight"}},
+		{"convex", {"points"}},
+	};
+	return Keys;
+}
+
+double ReadNumber(const FJsonValue& Object, const char* Key)
+{
+	const FJsonValue* Value = Object.Find(Key);
+	return Value != nullptr ? Value->Number : 0.0;
+}
+
+FConfigVector ReadVector(const FJsonValue& Object, const char* Key)
+{
+	FConfigVector Vector = {};
+	const FJsonValue* Value = Object.Find(Key);
+	if (Value != nullptr)
+	{
+		ReadConfigVector(*Value, Vector);
+	}
+	return Vector;
+}
+
+/** min and max to centre and extent. */
+bool ReadCorners(const FJsonValue& Value, FConfigBounds& Bounds, FConfigMessages& Messages)
+{
+	const FConfigVector Min = ReadVector(Value, "min");
+	const FConfigVector Max = ReadVector(Value, "max");
+	for (size_t Index = 0; Index < 3; ++Index)
+	{
+		if (Min[Index] > Max[Index])
+		{
+			Messages.Error(ErrorBadValue, Value, "min lies above max in " + std::string(1, "XYZ"[Index]));
+			return false;
+		}
+		Bounds.Center[Index] = 0.5 * (Min[Index] + Max[Index]);
+		Bounds.Extent[Index] = 0.5 * (Max[Index] - Min[Index]);
+	}
+	return true;
+}
+
+} // namespace
+
+std::optional<FConfigBounds> ReadConfigBounds(const FJsonValue& Value, FConfigMessages& Messages)
+{
+	const FJsonValue* TypeValue = Value.Find("type");
+	const std::string Type = TypeValue != nullptr ? TypeValue->String : "box";
+	const auto Required = GetRequiredKeys().find(Type);
+	if (Required == GetRequiredKeys().end())
+	{
+		return std::nullopt; // reported as an unknown value
+	}
+	FConfigBounds Bounds;
+	const bool bCorners = Type == "box" && (Value.Find("min") != nullptr || Value.Find("max") != nullptr);
+	const std::vector<std::string> Keys = bCorners ? std::vector<std::string>{"min", "max"} : Required->second;
+	bool bComplete = true;
+	for (const std::string& Key : Keys)
+	{
+		if (Value.Find(Key) == nullptr)
+		{
+			const std::string Alternative = Type == "box" && !bCorners ? " (or min and max)" : "";
+			Messages.Error(ErrorMissingKey, Value, "a " + Type + " needs \"" + Key + "\"" + Alternative);
+			bComplete = false;
+		}
+	}
+	if (!bComplete || (bCorners && !ReadCorners(Value, Bounds, Messages)))
+	{
+		return std::nullopt;
+	}
+	Bounds.Shape = Type == "sphere"    ? EConfigShape::Sphere
+				   : Type == "capsule" ? EConfigShape::Capsule
+				   : Type == "convex"  ? EConfigShape::Convex
+									   : EConfigShape::Box;
+	if (!bCorners)
+	{
+		Bounds.Center = ReadVector(Value, "center");
+		Bounds.Extent = ReadVector(Value, "extent");
+	}
+	Bounds.Rotation = ReadVector(Value, "rotation");
+	Bounds.Radius = ReadNumber(Value, "radius");
+	Bounds.HalfHeight = ReadNumber(Value, "halfHeight");
+	if (const FJsonValue* Points = Value.Find("points"))
+	{
+		for (const FJsonValue& Point : Points->Elements)
+		{
+			FConfigVector Vector;
+			if (ReadConfigVector(Point, Vector))
+			{
+				Bounds.Points.push_back(Vector);
+			}
+		}
+	}
+	if (Bounds.Shape == EConfigShape::Convex && Value.Find("points")->Elements.empty())
+	{
+		Messages.Error(ErrorBadValue, Value, "a convex needs at least one point");
+		return std::nullopt;
+	}
+	const bool bNegative = Bounds.Radius < 0.0 || Bounds.HalfHeight < 0.0 || Bounds.Extent[0] < 0.0 ||
+						   Bounds.Extent[1] < 0.0 || Bounds.Extent[2] < 0.0;
+	if (bNegative)
+	{
+		Messages.Error(ErrorBadValue, Value, "a size of the bounds is negative");
+		return std::nullopt;
+	}
+	return Bounds;
+}
+
+} // namespace Drydock

@@ -1,0 +1,144 @@
+// Source: drydock (docs: configs/README.md).
+#include "Config/ConfigKeys.h"
+
+#include <algorithm>
+
+namespace Drydock
+{
+
+const std::vector<FConfigKey>& GetConfigKeys()
+{
+	using enum EConfigKind;
+	constexpr bool Required = true;
+	constexpr bool Optional = false;
+	constexpr bool Built = true;
+	// clang-format off
+	static const std::vector<FConfigKey> Keys = {
+		{"", "$schema", String, "", 0, Optional, Built, "Path of this schema: gives completion in editors."},
+		{"", "engine", String, "5.1|5.2|5.3|5.4|5.5|5.6", 0, Optional, Built, "Engine version whose behaviour holds; 5.4 by default."},
+		{"", "plugins", StringArray, "", 0, Optional, Built, "Shared objects to load, relative to the config."},
+		{"", "scene", Object, "scene", 0, Optional, Built, "The rendered frame that goes in; needed by all that builds a frame."},
+		{"", "view", Object, "view", 0, Optional, Built, "The camera; without it the scene file's own."},
+		{"", "views", ObjectArray, "view", 0, Optional, Built, "Several cameras in one frame, each with its rect; in place of view."},
+		{"", "volumes", ObjectArray, "volume=fromScene", 0, Optional, Built, "Post-process volumes, or \"fromScene\": those that the scene file suggests."},
+		{"", "camera", Object, "camera", 0, Optional, Built, "The camera's own settings, blended after all volumes."},
+		{"", "cvars", Variables, "", 0, Optional, Built, "Console variables by name."},
+		{"", "showFlags", ShowFlags, "", 0, Optional, Built, "Show flags by name."},
+		{"", "extensions", ObjectArray, "extension", 0, Optional, Built, "View extensions, in order of registration."},
+		{"", "passes", ObjectArray, "pass", 0, Optional, Built, "Passes inserted into the chain."},
+		{"", "outputs", Object, "outputs", 0, Optional, Built, "What is written beside the final picture."},
+		{"", "budget", Object, "budget", 0, Optional, Built, "The error or time that an approximation may cost."},
+		{"", "study", Object, "study", 0, Optional, Built, "What a study of accuracy against time varies."},
+
+		{"scene", "file", String, "", 0, Required, Built, "Multi-layer EXR, or an RGB image (EXR, HDR, PNG), relative to the config; with #### in its name a sequence of frames."},
+		{"scene", "frames", String, "", 0, Optional, Built, "Frames that a run of a sequence renders: \"all\", \"1-8\", \"1-9x2\", \"1,3,5-8\"; the lowest alone by default."},
+		{"scene", "fps", Number, "", 0, Optional, Built, "Frames of a sequence in a second; the scene file's by default, else 24."},
+		{"scene", "channels", StringMap, "", 0, Optional, Built, "Channel names of this file: {\"depth.Z\": \"Depth.V\"} reads depth.Z from Depth.V."},
+		{"scene", "defaults", NumberMap, "", 0, Optional, Built, "Values for channels that the file lacks: {\"A\": 1}."},
+		{"scene", "padding", Padding, "padding", 0, Optional, Built, "Texels around the picture that hold no picture: a number for all sides, or one for each."},
+		{"scene", "units", Object, "units", 0, Optional, Built, "Units of the file, where they are not those of configs/scenes/README.md."},
+		{"scene", "screenPercentage", Number, "", 0, Optional, Built, "Rendered size in percent of the output's, up to 400; 100 by default."},
+
+		{"padding", "left", Number, "", 0, Optional, Built, "0 by default."},
+		{"padding", "top", Number, "", 0, Optional, Built, "0 by default."},
+		{"padding", "right", Number, "", 0, Optional, Built, "0 by default."},
+		{"padding", "bottom", Number, "", 0, Optional, Built, "0 by default."},
+
+		{"units", "depth", String, "m|cm", 0, Optional, Built, "Of depth.Z; m by default."},
+		{"units", "velocity", String, "pixels|ndc", 0, Optional, Built, "Of velocity.X and Y; pixels (y down) by default, ndc is the engine's screen position, -2 to 2, y up."},
+		{"units", "normal", String, "rightHanded|leftHanded", 0, Optional, Built, "Of normal.X, Y, Z; rightHanded by default."},
+
+		{"view", "location", Vector3, "", 0, Optional, Built, "Camera position, cm, left-handed, Z up."},
+		{"view", "rotation", Vector3, "", 0, Optional, Built, "Pitch, yaw, roll in degrees; the scene file's by default."},
+		{"view", "fov", Number, "", 0, Optional, Built, "Horizontal field of view of the whole picture, 1 to 179 degrees; the scene file's by default."},
+		{"view", "rect", NumberArray, "", 4, Optional, Built, "MinX, MinY, MaxX, MaxY in pixels of the scene; all of it by default."},
+		{"view", "exposure", Number, "=auto", 0, Optional, Built, "Exposure scale at default AutoExposureBias; 1 by default. \"auto\": eye adaptation."},
+		{"view", "preExposure", Number, "", 0, Optional, Built, "Scene colour is stored multiplied by this; 1 by default."},
+
+		{"volume", "name", String, "", 0, Optional, Built, "For messages and reports."},
+		{"volume", "bEnabled", Bool, "", 0, Optional, Built, "true by default."},
+		{"volume", "bUnbound", Bool, "", 0, Optional, Built, "Applies everywhere; false by default."},
+		{"volume", "bounds", Object, "bounds", 0, Optional, Built, "Where a bounded volume is."},
+		{"volume", "Priority", Number, "", 0, Optional, Built, "Higher is applied later and wins; 0 by default."},
+		{"volume", "BlendRadius", Number, "", 0, Optional, Built, "Distance around the bounds over which the weight falls to 0, cm; 100 by default."},
+		{"volume", "BlendWeight", Number, "", 0, Optional, Built, "0 to 1; 1 by default."},
+		{"volume", "Settings", Settings, "", 0, Optional, Built, "Naming a setting sets its override bit."},
+
+		{"volume", "unknownSettings", ObjectArray, "unknownSetting", 0, Optional, Built, "Fields of imported engine text that drydock does not have: no effect, written again by drydock settings export."},
+		{"unknownSetting", "name", String, "", 0, Required, Built, "As in the engine text, with its index if it has one."},
+		{"unknownSetting", "text", String, "", 0, Required, Built, "The value as it was written."},
+		{"unknownSetting", "after", String, "", 0, Optional, Built, "The known field that it follows."},
+
+		{"bounds", "type", String, "box|sphere|capsule|convex", 0, Optional, Built, "box by default."},
+		{"bounds", "min", Vector3, "", 0, Optional, Built, "Box: least corner, cm."},
+		{"bounds", "max", Vector3, "", 0, Optional, Built, "Box: greatest corner, cm."},
+		{"bounds", "center", Vector3, "", 0, Optional, Built, "Box, sphere, capsule: centre, cm."},
+		{"bounds", "extent", Vector3, "", 0, Optional, Built, "Box: half sizes, cm."},
+		{"bounds", "rotation", Vector3, "", 0, Optional, Built, "Box, capsule: pitch, yaw, roll in degrees."},
+		{"bounds", "radius", Number, "", 0, Optional, Built, "Sphere, capsule: radius, cm."},
+		{"bounds", "halfHeight", Number, "", 0, Optional, Built, "Capsule: half height, caps included, cm."},
+		{"bounds", "points", Vector3Array, "", 0, Optional, Built, "Convex: points whose hull it is, cm."},
+
+		{"camera", "PostProcessBlendWeight", Number, "", 0, Optional, Built, "0 to 1; 1 by default."},
+		{"camera", "Settings", Settings, "", 0, Optional, Built, "Naming a setting sets its override bit."},
+
+		{"extension", "type", String, "", 0, Required, Built, "Name of the extension."},
+		{"extension", "pass", String, "", 0, Optional, Built, "Hook it is given to: after which pass; the type's own by default (drydock list extensions)."},
+		{"extension", "*", Anything, "", 0, Optional, Built, "The type's own parameters (drydock list extensions)."},
+
+		{"pass", "type", String, "", 0, Required, Built, "Name of the pass."},
+		{"pass", "at", String, "", 0, Required, Built, "Hook at which it is inserted."},
+		{"pass", "name", String, "", 0, Optional, Built, "Under which later passes find its result; the type by default."},
+		{"pass", "replace", Bool, "", 0, Optional, Built, "The result is the picture from then on; true by default."},
+		{"pass", "inputs", StringMap, "", 0, Optional, Built, "Resource for each input: SceneColor, a scene texture, or the name of an earlier pass."},
+		{"pass", "parameters", Object, "parameters", 0, Optional, Built, "Values for its parameters."},
+		{"parameters", "*", Anything, "", 0, Optional, Built, "A number, an array of numbers, a text or true or false."},
+
+		{"outputs", "dump", StringArray, "", 0, Optional, Built, "Patterns with * and ?: a pass, a resource, or Pass.Resource."},
+
+		{"budget", "metric", String, "", 0, Optional, Built, "Error metric that max refers to: max, rms, relative, psnr or ssim; rms by default."},
+		{"budget", "max", Number, "", 0, Optional, Built, "Largest error allowed; of psnr and ssim the least that is wanted."},
+		{"budget", "ms", Number, "", 0, Optional, Built, "Longest time allowed, in milliseconds."},
+		{"budget", "study", String, "", 0, Optional, Built, "Folder of the study whose choice run takes, relative to the config; by default where drydock study writes."},
+
+		{"study", "axes", ObjectArray, "axis", 0, Required, Built, "What is varied."},
+		{"study", "reference", Anything, "", 0, Optional, Built, "What errors are measured against: exact (of blurs), double (of frames), or an object of what else the frame's is set to."},
+		{"study", "metrics", StringArray, "", 0, Optional, Built, "Error metrics: rms, max, relative, psnr, ssim; the first one is drawn and ranks."},
+		{"study", "repetitions", Number, "", 0, Optional, Built, "Timed runs per variant; 7 by default."},
+		{"study", "region", NumberArray, "", 4, Optional, Built, "MinX, MinY, MaxX, MaxY: the part of the picture where errors are measured; of blurs the part that is blurred."},
+		{"study", "measure", String, "", 0, Optional, Built, "Of frames: final (default), sceneLinear, toonShadow (the blurred one, as it would be displayed), or a resource by name or Pass.Resource."},
+		{"study", "current", Anything, "", 0, Optional, Built, "Of blurs: the variant in use now, {axis: value}; of frames it is what the config sets."},
+		{"axis", "name", String, "", 0, Required, Built, "A setting, a console variable, precision or storage; of blurs algorithm, sigma, input, storage, precision or resolution."},
+		{"axis", "values", Anything, "", 0, Required, Built, "The values it takes; {label, set: {name: value}} sets several things at once."},
+		{"axis", "each", Bool, "", 0, Optional, Built, "Another job for each value, with its own reference and front; true by default for sigma and input only."},
+	};
+	// clang-format on
+	return Keys;
+}
+
+const FConfigKey* FindConfigKey(const std::string& Object, const std::string& Name)
+{
+	const std::vector<FConfigKey>& Keys = GetConfigKeys();
+	const auto Find = [&](const std::string& Wanted)
+	{
+		const auto Found = std::find_if(Keys.begin(), Keys.end(),
+			[&](const FConfigKey& Key) { return Object == Key.Object && Wanted == Key.Name; });
+		return Found == Keys.end() ? nullptr : &*Found;
+	};
+	const FConfigKey* Exact = Find(Name);
+	return Exact != nullptr ? Exact : Find("*");
+}
+
+std::vector<std::string> SplitAlternatives(const std::string& Text)
+{
+	std::vector<std::string> Parts;
+	for (size_t Begin = 0; Begin < Text.size();)
+	{
+		const size_t Bar = std::min(Text.find('|', Begin), Text.size());
+		Parts.push_back(Text.substr(Begin, Bar - Begin));
+		Begin = Bar + 1;
+	}
+	return Parts;
+}
+
+} // namespace Drydock

@@ -1,0 +1,55 @@
+// The one list of config keys: what the reader accepts, what the schema publishes and what the messages suggest all
+// come from it. Source: drydock.
+#pragma once
+
+#include "DrydockAPI.h"
+
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+enum class EConfigKind
+{
+	String,
+	Number,
+	Bool,
+	Vector3,     // [x, y, z] or {"X":, "Y":, "Z":}
+	NumberArray, // of Length numbers
+	StringArray,
+	Vector3Array,
+	Object,      // of the kind named by Of
+	ObjectArray, // of the kind named by Of
+	StringMap,   // any keys
+	NumberMap,   // any keys
+	Padding,     // a number, [left, top, right, bottom], or an object of the kind named by Of
+	Settings,    // post-process settings and their bOverride_ bits
+	Variables,   // console variables
+	ShowFlags,   // show flags
+	Anything,
+};
+
+struct FConfigKey
+{
+	const char* Object; // kind of object that has it; "" is the root
+	const char* Name;   // "*": any further key is accepted
+	EConfigKind Kind;
+	const char* Of; // kind of nested object; allowed texts of a String, separated by |; the text that a Number,
+					// or an ObjectArray may be instead, after =
+	int Length; // of a NumberArray
+	bool bRequired;
+	bool bBuilt; // false: read and checked, but nothing acts on it yet
+	const char* Doc;
+};
+
+/** All keys, objects in the order of their first mention. */
+DRYDOCK_API const std::vector<FConfigKey>& GetConfigKeys();
+
+/** Null when that kind of object has no such key. */
+DRYDOCK_API const FConfigKey* FindConfigKey(const std::string& Object, const std::string& Name);
+
+/** Splits "a|b|c". */
+std::vector<std::string> SplitAlternatives(const std::string& Text);
+
+} // namespace Drydock

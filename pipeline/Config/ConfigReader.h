@@ -1,0 +1,88 @@
+// The steps of reading a config, between Config.cpp and its helpers. Source: drydock.
+#pragma once
+
+#include "Config/Config.h"
+#include "Text/ConfigErrors.h"
+#include "Text/Json.h"
+
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+/** Collects messages about one file. */
+class FConfigMessages
+{
+public:
+	FConfigMessages(const std::string& InFile, std::vector<FDiagnostic>& InDiagnostics)
+		: File(InFile)
+		, Diagnostics(InDiagnostics)
+	{
+	}
+
+	/** At a value. */
+	void Error(int Code, const FJsonValue& At, const std::string& Message)
+	{
+		Add(ESeverity::Error, Code, At.Line, At.Column, At.Pointer, Message);
+	}
+	void Warn(int Code, const FJsonValue& At, const std::string& Message)
+	{
+		Add(ESeverity::Warning, Code, At.Line, At.Column, At.Pointer, Message);
+	}
+	/** At the key of a member. */
+	void ErrorAtKey(int Code, const FJsonValue& At, const std::string& Message)
+	{
+		Add(ESeverity::Error, Code, At.KeyLine, At.KeyColumn, At.Pointer, Message);
+	}
+	void WarnAtKey(int Code, const FJsonValue& At, const std::string& Message)
+	{
+		Add(ESeverity::Warning, Code, At.KeyLine, At.KeyColumn, At.Pointer, Message);
+	}
+	void Warn(int Code, const FConfigPlace& At, const std::string& Message)
+	{
+		Add(ESeverity::Warning, Code, At.Line, At.Column, At.Pointer, Message);
+	}
+	void Error(int Code, const FConfigPlace& At, const std::string& Message)
+	{
+		Add(ESeverity::Error, Code, At.Line, At.Column, At.Pointer, Message);
+	}
+
+private:
+	void Add(
+		ESeverity Severity, int Code, int Line, int Column, const std::string& Pointer, const std::string& Message);
+
+	const std::string& File;
+	std::vector<FDiagnostic>& Diagnostics;
+};
+
+/** Checks keys and types of a whole config against the list of keys, and says what is not built yet. */
+void ValidateConfigShape(const FJsonValue& Root, FConfigMessages& Messages);
+
+/** The Settings of a volume or camera. Not an object: nothing (that has been reported). */
+FConfigSettings ReadConfigSettings(const FJsonValue& Value, FConfigMessages& Messages);
+
+/** Fields of engine text that drydock does not have. What has another shape is skipped (that has been reported). */
+std::vector<FUnknownSetting> ReadConfigUnknownSettings(const FJsonValue& Value);
+
+/** The shape of a bounded volume; empty when it is incomplete, which is reported. */
+std::optional<FConfigBounds> ReadConfigBounds(const FJsonValue& Value, FConfigMessages& Messages);
+
+/** [x, y, z] or {X, Y, Z}; false when it is neither. */
+bool ReadConfigVector(const FJsonValue& Value, FConfigVector& OutVector);
+
+/** "; did you mean X?", or nothing. */
+std::string Suggest(const std::string& Name, const std::vector<std::string>& Candidates);
+
+FConfigPlace PlaceOf(const FJsonValue& Value);
+
+/** Whether a setting acts in this build; else the reason why not, for the message. */
+std::string GetSettingNotBuiltReason(const std::string& Name);
+
+/** Read only where view.exposure is "auto". */
+bool IsMeteringSetting(const std::string& Name);
+
+/** Reports an unknown variable, or a value that the variable cannot take. */
+void CheckVariable(const FConfigVariable& Variable, FConfigMessages& Messages);
+
+} // namespace Drydock

@@ -1,0 +1,320 @@
+// Keys and types of a config against the list of keys. Source: drydock.
+#include "Config/ConfigReader.h"
+
+#include "Config/ConfigKeys.h"
+
+#include <algorithm>
+
+namespace Drydock
+{
+
+namespace
+{
+
+const char* ExpectedType(const FConfigKey& Key)
+{
+	switch (Key.Kind)
+	{
+	case EConfigKind::String:
+		return "a string";
+	case EConfigKind::Number:
+		return "a number";
+	case EConfigKind::Bool:
+		return "true or false";
+	case EConfigKind::Vector3:
+		return "three numbers: [x, y, z] or {\"X\": x, \"Y\": y, \"Z\": z}";
+	case EConfigKind::NumberArray:
+		return "an array of numbers";
+	case EConfigKind::StringArray:
+		return "an array of strings";
+	case EConfigKind::Vector3Array:
+		return "an array of points [x, y, z]";
+	case EConfigKind::ObjectArray:
+		return "an array of objects";
+	case EConfigKind::StringMap:
+		return "an object of strings";
+	case EConfigKind::NumberMap:
+		return "an object of numbers";
+	case EConfigKind::Padding:
+		return "a number, or one for each side: {\"left\", \"top\", \"right\", \"bottom\"}";
+	case EConfigKind::Object:
+	case EConfigKind::Settings:
+	case EConfigKind::Variables:
+	case EConfigKind::ShowFlags:
+		return "an object";
+	case EConfigKind::Anything:
+		return "a value";
+	}
+	return "?";
+}
+
+class FShapeValidator
+{
+public:
+	explicit FShapeValidator(FConfigMessages& InMessages)
+		: Messages(InMessages)
+	{
+	}
+
+	/** bLater: something above has already been reported as not built. */
+	void ValidateObject(const FJsonValue& Value, const std::string& Object, bool bLater)
+	{
+		for (const auto& [Name, Member] : Value.Members)
+		{
+			const FConfigKey* Key = FindConfigKey(Object, Name);
+			if (Key == nullptr)
+			{
+				Messages.ErrorAtKey(
+					ErrorUnknownKey, Member, "unknown key \"" + Name + "\"" + Suggest(Name, NamesOf(Object)));
+				continue;
+			}
+			const bool bReportLater = !Key->bBuilt && !bLater;
+			if (bReportLater)
+			{
+				Messages.WarnAtKey(WarnNotBuilt, Member,
+					"\"" + Name + "\" is not built yet: it is read and checked, and does nothing");
+			}
+			ValidateMember(Member, *Key, bLater || bReportLater);
+		}
+		for (const FConfigKey& Key : GetConfigKeys())
+		{
+			if (Object == Key.Object && Key.bRequired && Value.Find(Key.Name) == nullptr)
+			{
+				Messages.Error(ErrorMissingKey, Value, std::string("\"") + Key.Name + "\" is missing: " + Key.Doc);
+			}
+		}
+	}
+
+private:
+	static std::vector<std::string> NamesOf(const std::string& Object)
+	{
+		std::vector<std::string> Names;
+		for (const FConfigKey& Key : GetConfigKeys())
+		{
+			if (Object == Key.Object)
+			{
+				Names.emplace_back(Key.Name);
+			}
+		}
+		return Names;
+	}
+
+	void WrongType(const FJsonValue& Value, const FConfigKey& Key)
+	{
+		std::string Expected = ExpectedType(Key);
+		if (Key.Of[0] == '=' || std::string(Key.Of).find('=') != std::string::npos)
+		{
+			Expected += " or \"" + AlternativeOf(Key) + "\"";
+		}
+		Messages.Error(ErrorWrongType, Value, "expected " + Expected + ", found " + Value.Describe());
+	}
+
+	/** The text that may stand in place of the value, or empty. */
+	static std::string AlternativeOf(const FConfigKey& Key)
+	{
+		const std::string Of = Key.Of;
+		const size_t Equals = Of.find('=');
+		return Equals == std::string::npos ? "" : Of.substr(Equals + 1);
+	}
+
+	/** False when Value has another type, which is reported unless the number was reported already. */
+	bool Expect(const FJsonValue& Value, EJsonType Type, const FConfigKey& Key)
+	{
+		if (Value.Type == Type)
+		{
+			return true;
+		}
+		if (Value.Type != EJsonType::Invalid)
+		{
+			WrongType(Value, Key);
+		}
+		return false;
+	}
+
+	void ValidateMember(const FJsonValue& Value, const FConfigKey& Key, bool bLater)
+	{
+		const std::string Alternative = AlternativeOf(Key);
+		if (!Alternative.empty() && Value.Type == EJsonType::String)
+		{
+			if (Value.String != Alternative)
+			{
+				WrongType(Value, Key);
+			}
+			return;
+		}
+		switch (Key.Kind)
+		{
+		case EConfigKind::String:
+			ValidateString(Value, Key);
+			break;
+		case EConfigKind::Number:
+			Expect(Value, EJsonType::Number, Key);
+			break;
+		case EConfigKind::Bool:
+			Expect(Value, EJsonType::Bool, Key);
+			break;
+		case EConfigKind::Vector3:
+			ValidateVector(Value, Key);
+			break;
+		case EConfigKind::NumberArray:
+			ValidateNumberArray(Value, Key);
+			break;
+		case EConfigKind::StringArray:
+			ValidateElements(
+				Value, Key, [&](const FJsonValue& Element) { ExpectElement(Element, EJsonType::String, "a string"); });
+			break;
+		case EConfigKind::Vector3Array:
+			ValidateElements(Value, Key, [&](const FJsonValue& Element) { ValidateVector(Element, Key); });
+			break;
+		case EConfigKind::Object:
+			if (Expect(Value, EJsonType::Object, Key))
+			{
+				ValidateObject(Value, Key.Of, bLater);
+			}
+			break;
+		case EConfigKind::ObjectArray:
+			ValidateElements(Value, Key,
+				[&](const FJsonValue& Element)
+				{
+					if (ExpectElement(Element, EJsonType::Object, "an object"))
+					{
+						const std::string Of = Key.Of;
+						ValidateObject(Element, Of.substr(0, Of.find('=')), bLater);
+					}
+				});
+			break;
+		case EConfigKind::StringMap:
+			ValidateMap(Value, Key, EJsonType::String, "a string");
+			break;
+		case EConfigKind::NumberMap:
+			ValidateMap(Value, Key, EJsonType::Number, "a number");
+			break;
+		case EConfigKind::Padding:
+			ValidatePadding(Value, Key, bLater);
+			break;
+		case EConfigKind::Settings:
+		case EConfigKind::Variables:
+		case EConfigKind::ShowFlags:
+			Expect(Value, EJsonType::Object, Key); // members: their own readers
+			break;
+		case EConfigKind::Anything:
+			break;
+		}
+	}
+
+	void ValidateString(const FJsonValue& Value, const FConfigKey& Key)
+	{
+		if (!Expect(Value, EJsonType::String, Key) || Key.Of[0] == '\0')
+		{
+			return;
+		}
+		const std::vector<std::string> Allowed = SplitAlternatives(Key.Of);
+		if (std::find(Allowed.begin(), Allowed.end(), Value.String) == Allowed.end())
+		{
+			std::string List;
+			for (const std::string& Text : Allowed)
+			{
+				List += std::string(List.empty() ? "" : ", ") + Text;
+			}
+			Messages.Error(ErrorUnknownValue, Value,
+				"\"" + Value.String + "\" is none of " + List + Suggest(Value.String, Allowed));
+		}
+	}
+
+	void ValidateVector(const FJsonValue& Value, const FConfigKey& Key)
+	{
+		FConfigVector Vector;
+		const auto IsInvalid = [](const FJsonValue& Element)
+		{
+			return Element.Type == EJsonType::Invalid;
+		};
+		if (Value.Type == EJsonType::Array && std::any_of(Value.Elements.begin(), Value.Elements.end(), IsInvalid))
+		{
+			return;
+		}
+		if (Value.Type == EJsonType::Array && Value.Elements.size() != 3)
+		{
+			Messages.Error(
+				ErrorWrongLength, Value, "expected three numbers, found " + std::to_string(Value.Elements.size()));
+		}
+		else if (!ReadConfigVector(Value, Vector))
+		{
+			WrongType(Value, Key);
+		}
+	}
+
+	void ValidatePadding(const FJsonValue& Value, const FConfigKey& Key, bool bLater)
+	{
+		if (Value.Type == EJsonType::Array)
+		{
+			FConfigKey Sides = Key;
+			Sides.Kind = EConfigKind::NumberArray;
+			Sides.Length = 4;
+			ValidateNumberArray(Value, Sides);
+		}
+		else if (Value.Type == EJsonType::Object)
+		{
+			ValidateObject(Value, Key.Of, bLater);
+		}
+		else
+		{
+			Expect(Value, EJsonType::Number, Key);
+		}
+	}
+
+	void ValidateNumberArray(const FJsonValue& Value, const FConfigKey& Key)
+	{
+		ValidateElements(
+			Value, Key, [&](const FJsonValue& Element) { ExpectElement(Element, EJsonType::Number, "a number"); });
+		if (Value.Type == EJsonType::Array && Value.Elements.size() != static_cast<size_t>(Key.Length))
+		{
+			Messages.Error(ErrorWrongLength, Value,
+				"expected " + std::to_string(Key.Length) + " numbers, found " + std::to_string(Value.Elements.size()));
+		}
+	}
+
+	bool ExpectElement(const FJsonValue& Value, EJsonType Type, const char* Expected)
+	{
+		if (Value.Type != Type && Value.Type != EJsonType::Invalid)
+		{
+			Messages.Error(ErrorWrongType, Value, std::string("expected ") + Expected + ", found " + Value.Describe());
+		}
+		return Value.Type == Type;
+	}
+
+	template<typename TFunction>
+	void ValidateElements(const FJsonValue& Value, const FConfigKey& Key, const TFunction& Function)
+	{
+		if (Expect(Value, EJsonType::Array, Key))
+		{
+			std::for_each(Value.Elements.begin(), Value.Elements.end(), Function);
+		}
+	}
+
+	void ValidateMap(const FJsonValue& Value, const FConfigKey& Key, EJsonType Type, const char* Expected)
+	{
+		if (Expect(Value, EJsonType::Object, Key))
+		{
+			for (const auto& [Name, Member] : Value.Members)
+			{
+				ExpectElement(Member, Type, Expected);
+			}
+		}
+	}
+
+	FConfigMessages& Messages;
+};
+
+} // namespace
+
+void ValidateConfigShape(const FJsonValue& Root, FConfigMessages& Messages)
+{
+	if (Root.Type != EJsonType::Object)
+	{
+		Messages.Error(ErrorWrongType, Root, std::string("expected an object, found ") + Root.Describe());
+		return;
+	}
+	FShapeValidator(Messages).ValidateObject(Root, "", false);
+}
+
+} // namespace Drydock

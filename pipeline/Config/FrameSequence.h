@@ -1,0 +1,41 @@
+// Scene files that are a frame each: "scenes/walk.####.exr" stands for walk.0001.exr, walk.0002.exr and so on, as far
+// as they exist. Source: drydock; the notation is the usual one of renderers.
+#pragma once
+
+#include "Config/Config.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+struct FSequenceFrame
+{
+	int Number = 0;
+	std::string Path;
+
+	bool operator==(const FSequenceFrame&) const = default;
+};
+
+/** Whether the file's name has a row of #. */
+DRYDOCK_API bool IsFrameSequence(const std::string& Path);
+
+/** The frames that exist, by number. The last row of # in the file's name stands for a number with that many digits,
+ * filled with zeros, or with more digits. */
+DRYDOCK_API std::vector<FSequenceFrame> FindSequenceFrames(const std::string& Pattern);
+
+/** Where the scene is a sequence: names in its place the file of that frame, by default of the first of scene.frames,
+ * else of the lowest. The pattern remains in Scene.Sequence, the number in Scene.Frame. Throws FError (exit code 3)
+ * when there is no such frame. */
+DRYDOCK_API void ChooseSceneFrame(FConfig& Config, std::optional<int> Frame);
+
+/** The frames of a config that has chosen one already, as a list names them (FrameList.h); Place: where the list
+ * stands, for messages. Throws FError: the scene is no sequence, or the list is none (exit code 2); a frame does not
+ * exist (3).
+ */
+DRYDOCK_API std::vector<FSequenceFrame> ChooseSequenceFrames(
+	const FConfig& Config, const std::string& List, const FConfigPlace& Place);
+
+} // namespace Drydock

@@ -1,0 +1,168 @@
+// Source: drydock.
+#include "Config/SettingList.h"
+
+#include "Text/JsonWriter.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+namespace Drydock
+{
+
+namespace
+{
+
+constexpr size_t Width = 80;
+
+std::string ToLower(std::string Text)
+{
+	std::transform(Text.begin(), Text.end(), Text.begin(),
+		[](unsigned char Character) { return static_cast<char>(std::tolower(Character)); });
+	return Text;
+}
+
+/** Breaks at spaces; a word that is longer than a line stays whole. */
+std::string Wrap(const std::string& Text, const std::string& FirstIndent, const std::string& Indent)
+{
+	std::string Wrapped;
+	std::string Line = FirstIndent;
+	bool bEmpty = true;
+	for (size_t Begin = 0; Begin < Text.size();)
+	{
+		const size_t End = std::min(Text.find(' ', Begin), Text.size());
+		const std::string Word = Text.substr(Begin, End - Begin);
+		Begin = End + 1;
+		if (!bEmpty && Line.size() + 1 + Word.size() > Width)
+		{
+			Wrapped += Line + "\n";
+			Line = Indent;
+			bEmpty = true;
+		}
+		Line += (bEmpty ? "" : " ") + Word;
+		bEmpty = false;
+	}
+	return Wrapped + Line + "\n";
+}
+
+std::string FormatBound(double Bound)
+{
+	return SettingToText(*FindSettingField("BloomIntensity"), {ESettingType::Float, {Bound}});
+}
+
+/** Where an enum's names and an object's class belong. */
+std::string FormatType(const FSettingField& Field)
+{
+	return Field.Type == ESettingType::Object ? std::string("path of a ") + Field.ObjectClass : ToString(Field.Type);
+}
+
+std::string FormatSetting(const FSettingField& Field)
+{
+	std::string Facts =
+		std::string(Field.Name) + ": " + FormatType(Field) + " = " + SettingToText(Field, Field.Default);
+	for (const std::string& Fact :
+		{FormatSettingRange(Field), std::string(Field.Unit), std::string(ToString(Field.Blend))})
+	{
+		Facts += Fact.empty() ? "" : ", " + Fact;
+	}
+	std::string Doc = Field.Doc;
+	for (int32 Index = 0; Index < Field.EnumNames.Num(); ++Index)
+	{
+		Doc += std::string(Index == 0 ? " One of " : ", ") + Field.EnumNames[Index];
+	}
+	return Wrap(Facts, "  ", "      ") + Wrap(Doc + (Field.EnumNames.Num() > 0 ? "." : ""), "    ", "    ");
+}
+
+void WriteBound(FJsonWriter& Writer, const char* Key, double Bound)
+{
+	Writer.Key(Key).Raw(std::isfinite(Bound) ? FormatBound(Bound) : "null");
+}
+
+void WriteSetting(FJsonWriter& Writer, const FSettingField& Field)
+{
+	Writer.BeginObject(true);
+	Writer.Member("name", Field.Name);
+	Writer.Member("override", Field.OverrideName);
+	Writer.Member("type", ToString(Field.Type));
+	Writer.Key("default").Raw(SettingToJson(Field, Field.Default));
+	Writer.Member("range", FormatSettingRange(Field));
+	WriteBound(Writer, "min", Field.Range.ClampMin);
+	WriteBound(Writer, "max", Field.Range.ClampMax);
+	Writer.Member("unit", Field.Unit);
+	Writer.Member("blend", ToString(Field.Blend));
+	Writer.Member("category", Field.Category);
+	Writer.Member("doc", Field.Doc);
+	if (Field.EnumNames.Num() > 0)
+	{
+		Writer.Key("values").BeginArray(true);
+		for (const char* Name : Field.EnumNames)
+		{
+			Writer.Value(Name);
+		}
+		Writer.EndArray();
+	}
+	if (Field.Type == ESettingType::Object)
+	{
+		Writer.Member("class", Field.ObjectClass);
+	}
+	Writer.EndObject();
+}
+
+} // namespace
+
+std::vector<const FSettingField*> FindSettingFields(const std::string& Pattern)
+{
+	const bool bWildcards = Pattern.find_first_of("*?") != std::string::npos;
+	std::vector<const FSettingField*> Found;
+	for (const FSettingField& Field : GetSettingFields())
+	{
+		const bool bMatches = bWildcards ? FString(Field.Name).MatchesWildcard(FString(Pattern.c_str()))
+										 : ToLower(Field.Name).find(ToLower(Pattern)) != std::string::npos;
+		if (bMatches)
+		{
+			Found.push_back(&Field);
+		}
+	}
+	return Found;
+}
+
+std::string FormatSettingRange(const FSettingField& Field)
+{
+	const FSettingRange& Range = Field.Range;
+	if (!std::isfinite(Range.ClampMin) && !std::isfinite(Range.ClampMax))
+	{
+		return "";
+	}
+	return std::isfinite(Range.ClampMax) ? FormatBound(Range.ClampMin) + " .. " + FormatBound(Range.ClampMax)
+										 : ">= " + FormatBound(Range.ClampMin);
+}
+
+std::string FormatSettings(const std::vector<const FSettingField*>& Fields)
+{
+	std::string Text;
+	std::string Category;
+	for (const FSettingField* Field : Fields)
+	{
+		if (Field->Category != Category)
+		{
+			Category = Field->Category;
+			Text += (Text.empty() ? "" : "\n") + Category + "\n";
+		}
+		Text += FormatSetting(*Field);
+	}
+	return Text;
+}
+
+std::string FormatSettingsJson(const std::vector<const FSettingField*>& Fields)
+{
+	FJsonWriter Writer;
+	Writer.BeginArray();
+	for (const FSettingField* Field : Fields)
+	{
+		WriteSetting(Writer, *Field);
+	}
+	Writer.EndArray();
+	return Writer.GetText();
+}
+
+} // namespace Drydock

@@ -1,0 +1,15 @@
+// The toon-shadow blur as it would be if no texture rounded: what the stored one is measured against. Source: drydock.
+#pragma once
+
+#include "FinalPostProcessSettings.h"
+#include "Picture/ImageFile.h"
+
+namespace Drydock
+{
+
+/** ToonShadow: the shadow buffer over the view's rect, red and green at least, values of 8 bit. Runs the same passes on
+ * 64-bit storage, in the arithmetic of the run, in a graph of its own; no other builder may be alive. Four
+ * channels, the blurred shadow in A, linear. */
+FImage BlurToonShadowExactly(const FImage& ToonShadow, const FFinalPostProcessSettings& Settings);
+
+} // namespace Drydock

@@ -1,0 +1,133 @@
+// Source: drydock.
+#include "Extensions/Plugins.h"
+
+#include "Config/ConfigReader.h"
+#include "ExtensionFactory.h"
+#include "Extensions/ExtensionErrors.h"
+#include "GlobalShader.h"
+#include "Modules/ModuleManager.h"
+#include "PassFactory.h"
+
+#include <dlfcn.h>
+#include <filesystem>
+#include <map>
+
+namespace Drydock
+{
+
+namespace
+{
+
+namespace Files = std::filesystem;
+
+struct FLoadedPlugin
+{
+	void* Handle = nullptr;
+	Files::file_time_type Time;
+};
+
+/** By canonical path. Never destroyed: the loader unloads at the end, each library before those it needs. */
+std::map<std::string, FLoadedPlugin>& GetLoaded()
+{
+	static auto* const Loaded = new std::map<std::string, FLoadedPlugin>;
+	return *Loaded;
+}
+
+/** How much is registered: what a plugin adds to. */
+size_t CountRegistered()
+{
+	size_t NumShaders = 0;
+	ForEachGlobalShader([&](const FGlobalShaderType&) { ++NumShaders; });
+	return NumShaders + GetExtensionFactories().size() + GetPassFactories().size();
+}
+
+[[noreturn]] void Fail(const FConfig& Config, const TConfigValue<std::string>& Plugin, int Code, EExitCode ExitCode,
+	const std::string& Message)
+{
+	FDiagnostic Diagnostic;
+	Diagnostic.Code = Code;
+	Diagnostic.Message = Message;
+	Diagnostic.File = Config.File;
+	Diagnostic.Line = Plugin.Place.Line;
+	Diagnostic.Column = Plugin.Place.Column;
+	Diagnostic.Where = Plugin.Place.Pointer;
+	throw FError(Diagnostic, ExitCode);
+}
+
+/** Whether the library is gone: one with unique symbols stays in memory until the end. */
+bool Unload(const std::string& Path, FLoadedPlugin& Plugin)
+{
+	// Its extensions' weak references are its own code: they go first.
+	GEngine->ViewExtensions->ForgetPlugin(Path);
+	dlclose(Plugin.Handle);
+	if (void* const Still = dlopen(Path.c_str(), RTLD_NOW | RTLD_NOLOAD))
+	{
+		dlclose(Still);
+		return false;
+	}
+	return true;
+}
+
+void Load(const FConfig& Config, const TConfigValue<std::string>& Plugin, const std::string& Path,
+	std::vector<FDiagnostic>& Diagnostics)
+{
+	FConfigMessages Messages(Config.File, Diagnostics);
+	const Files::file_time_type Time = Files::last_write_time(Path);
+	const auto Known = GetLoaded().find(Path);
+	if (Known != GetLoaded().end())
+	{
+		if (Known->second.Time == Time)
+		{
+			return;
+		}
+		FLoadedPlugin Old = Known->second;
+		GetLoaded().erase(Known);
+		if (!Unload(Path, Old))
+		{
+			Messages.Warn(WarnPluginNotReloaded, Plugin.Place,
+				Path +
+					" has changed, and the old one cannot be unloaded: build it with -fno-gnu-unique, or start anew");
+		}
+	}
+	const size_t NumBefore = CountRegistered();
+	const uint64 FirstExtension = GEngine->ViewExtensions->GetNextRegistration();
+	// Local: plugins see drydock's symbols and not each other's, which may bear the same names.
+	void* const Handle = dlopen(Path.c_str(), RTLD_NOW | RTLD_LOCAL);
+	if (Handle == nullptr)
+	{
+		const char* const Reason = dlerror();
+		Fail(Config, Plugin, ErrorPluginNotLoaded, ExitUsage,
+			"the plugin cannot be loaded: " + std::string(Reason != nullptr ? Reason : "unknown reason"));
+	}
+	GetLoaded()[Path] = {Handle, Time};
+	FModuleManager::Get().StartupPendingModules();
+	const int32 NumExtensions = GEngine->ViewExtensions->MarkPlugin(Path, FirstExtension);
+	if (NumExtensions == 0 && CountRegistered() == NumBefore)
+	{
+		Messages.Warn(WarnPluginEmpty, Plugin.Place,
+			"the plugin registered no extension, pass or shader: an extension must be made by "
+			"FSceneViewExtensions::NewExtension and held, in a static variable or by the module");
+	}
+}
+
+} // namespace
+
+std::vector<std::string> LoadPlugins(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics)
+{
+	std::vector<std::string> Paths;
+	for (const TConfigValue<std::string>& Plugin : Config.Plugins)
+	{
+		const std::string Given = Config.Resolve(Plugin.Value);
+		std::error_code Missing;
+		const std::string Path = Files::canonical(Given, Missing).string();
+		if (Missing || !Files::is_regular_file(Path))
+		{
+			Fail(Config, Plugin, ErrorFileMissing, ExitFiles, "the plugin " + Given + " does not exist");
+		}
+		Load(Config, Plugin, Path, Diagnostics);
+		Paths.push_back(Path);
+	}
+	return Paths;
+}
+
+} // namespace Drydock

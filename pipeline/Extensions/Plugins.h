@@ -1,0 +1,19 @@
+// Plugins: shared objects whose extensions, passes, shaders and console variables register themselves when they are
+// loaded. One is loaded once in a process and stays; its extensions take part in the runs whose config names it. A file
+// that has changed is loaded anew. Source: drydock.
+#pragma once
+
+#include "Config/Config.h"
+
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+/** Loads what Config.Plugins names and is not loaded yet, and starts its modules. Returns the files, for
+ * FFrameInputs::Plugins. Throws FError: a file that does not exist (exit code 3), one that cannot be loaded (2). What
+ * is doubtful is appended to Diagnostics. */
+DRYDOCK_API std::vector<std::string> LoadPlugins(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics);
+
+} // namespace Drydock

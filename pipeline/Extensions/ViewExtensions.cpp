@@ -1,0 +1,383 @@
+// Source: drydock; the order is the engine's.
+#include "Extensions/ViewExtensions.h"
+
+#include "ExtensionFactory.h"
+#include "Extensions/ExtensionErrors.h"
+#include "FinalPostProcessSettings.h"
+#include "PixelFormat.h"
+#include "PostProcessSettingsReflection.h"
+
+#include <algorithm>
+
+namespace Drydock
+{
+
+namespace
+{
+
+/** A hook's name without the suffix of its thread and without arguments. */
+std::string GetHookName(EExtensionHook Hook)
+{
+	const std::string Signature = GetHookVersions(Hook).Signature;
+	const std::string Name = Signature.substr(0, Signature.find('('));
+	return Name.substr(0, Name.find("_RenderThread"));
+}
+
+/** "BloomIntensity 0.675 -> 2, ..." of what differs. */
+std::string DescribeChanges(const FPostProcessSettings& Before, const FPostProcessSettings& After)
+{
+	std::string Text;
+	for (const FSettingField& Field : GetSettingFields())
+	{
+		const std::string Old = SettingToText(Field, Field.Get(Before));
+		const std::string New = SettingToText(Field, Field.Get(After));
+		if (Old != New)
+		{
+			Text += (Text.empty() ? "set " : ", ") + std::string(Field.Name) + " " + Old + " -> " + New;
+		}
+	}
+	return Text;
+}
+
+std::string DescribePasses(const FRDGCompiledGraph& Graph, const std::string& Scope)
+{
+	std::string Names;
+	int NumAdded = 0;
+	int NumCulled = 0;
+	for (const FRDGCompiledPass& Pass : Graph.Passes)
+	{
+		if (("/" + Pass.Scope + "/").find("/" + Scope + "/") != std::string::npos)
+		{
+			++NumAdded;
+			NumCulled += Pass.bCulled ? 1 : 0;
+			Names += (Names.empty() ? "" : ", ") + Pass.Name;
+		}
+	}
+	if (NumAdded == 0)
+	{
+		return "";
+	}
+	const std::string Culled = NumCulled == 0 ? "" : " (" + std::to_string(NumCulled) + " culled)";
+	return "added " + std::to_string(NumAdded) + (NumAdded == 1 ? " pass" : " passes") + Culled + ": " + Names;
+}
+
+} // namespace
+
+FDiagnostic MakeExtensionDiagnostic(
+	ESeverity Severity, int Code, const std::string& Extension, const std::string& Message)
+{
+	FDiagnostic Diagnostic;
+	Diagnostic.Severity = Severity;
+	Diagnostic.Code = Code;
+	Diagnostic.Where = "extension " + Extension;
+	Diagnostic.Message = Message;
+	return Diagnostic;
+}
+
+FViewExtensionFrame::FViewExtensionFrame(int32 InEngineMinor, FHookLog& InLog)
+	: EngineMinor(InEngineMinor)
+	, Log(InLog)
+{
+}
+
+void FViewExtensionFrame::Gather(FSceneViewFamily& Family, const std::optional<std::vector<std::string>>& Plugins)
+{
+	Family.ViewExtensions = GEngine->ViewExtensions->GatherActiveExtensions(FSceneViewExtensionContext(Family.Scene));
+	Family.ViewExtensions.RemoveAll(
+		[&](const TSharedRef<ISceneViewExtension, ESPMode::ThreadSafe>& Extension)
+		{
+			const FExtensionInfo* Info = GEngine->ViewExtensions->FindInfo(*Extension);
+			return Plugins && Info != nullptr && !Info->Plugin.empty() &&
+				   std::find(Plugins->begin(), Plugins->end(), Info->Plugin) == Plugins->end();
+		});
+	for (const TSharedRef<ISceneViewExtension, ESPMode::ThreadSafe>& Extension : Family.ViewExtensions)
+	{
+		const FExtensionInfo* Info = GEngine->ViewExtensions->FindInfo(*Extension);
+		check(Info);
+		const auto Same = std::count_if(Extensions.begin(), Extensions.end(),
+			[&](const FExtension& Earlier) { return Earlier.Info.Name == Info->Name; });
+		const std::string Label = Same == 0 ? Info->Name : Info->Name + " #" + std::to_string(Same + 1);
+		Extensions.push_back(
+			{Extension, *Info, Label, Info->EngineMinor == AnyEngineVersion ? EngineMinor : Info->EngineMinor});
+		ReportVersion(Extensions.back());
+	}
+}
+
+bool FViewExtensionFrame::Has(const std::string& ClassName) const
+{
+	// One of a config bears the name of its type: that of the class without the F.
+	return std::any_of(Extensions.begin(), Extensions.end(),
+		[&](const FExtension& Extension)
+		{ return Extension.Info.Name == ClassName || "F" + Extension.Info.Name == ClassName; });
+}
+
+void FViewExtensionFrame::ReportVersion(const FExtension& Extension)
+{
+	if (Extension.Info.EngineMinor == AnyEngineVersion)
+	{
+		return;
+	}
+	const auto Warn = [&](int Code, const std::string& Message)
+	{
+		Log.Diagnostics.push_back(MakeExtensionDiagnostic(ESeverity::Warning, Code, Extension.Label, Message));
+	};
+	const std::string Own = GetEngineVersionText(Extension.EngineMinor);
+	if (Extension.EngineMinor != EngineMinor)
+	{
+		Warn(WarnEngineDiffers, "it is compiled for engine " + Own +
+									" and gets the hooks of that version; the run is " +
+									GetEngineVersionText(EngineMinor));
+	}
+	for (const FHookVersions& Hook : GetHookVersions())
+	{
+		if (Extension.Info.Has(Hook.Hook) && Hook.Instead[0] != '\0' && !IsHookCalled(Hook.Hook, Extension.EngineMinor))
+		{
+			Warn(WarnHookNeverCalled, "it overrides " + std::string(Hook.Signature) + ", which engine " + Own +
+										  " never calls; override " + Hook.Instead);
+		}
+	}
+}
+
+template<typename TFunction>
+void FViewExtensionFrame::Call(
+	FExtension& Extension, EExtensionHook Hook, const std::string& ViewName, TFunction Function)
+{
+	if (!IsHookCalled(Hook, Extension.EngineMinor))
+	{
+		return;
+	}
+	if (Extension.Info.Has(Hook))
+	{
+		Log.Calls.push_back({GetHookName(Hook), ViewName, Extension.Label, "", ""});
+	}
+	Function(*Extension.Extension);
+}
+
+template<typename TFunction>
+void FViewExtensionFrame::CallInGraph(FRDGBuilder& GraphBuilder, FExtension& Extension, EExtensionHook Hook,
+	const std::string& ViewName, TFunction Function)
+{
+	if (!Extension.Info.Has(Hook))
+	{
+		Call(Extension, Hook, ViewName, Function);
+		return;
+	}
+	const std::string Scope = GetHookName(Hook) + ": " + Extension.Label + (ViewName.empty() ? "" : ", " + ViewName);
+	RDG_EVENT_SCOPE(GraphBuilder, "%s", Scope.c_str());
+	Call(Extension, Hook, ViewName,
+		[&](ISceneViewExtension& Called)
+		{
+			Log.Calls.back().Scope = Scope;
+			Function(Called);
+		});
+}
+
+void FViewExtensionFrame::SetupViewFamily(FSceneViewFamily& Family)
+{
+	for (FExtension& Extension : Extensions)
+	{
+		Call(Extension, EExtensionHook::SetupViewFamily, "",
+			[&](ISceneViewExtension& Called) { Called.SetupViewFamily(Family); });
+	}
+}
+
+void FViewExtensionFrame::SetupViewPoint(const std::string& ViewName, FMinimalViewInfo& ViewInfo)
+{
+	for (FExtension& Extension : Extensions)
+	{
+		Call(Extension, EExtensionHook::SetupViewPoint, ViewName,
+			[&](ISceneViewExtension& Called) { Called.SetupViewPoint(nullptr, ViewInfo); });
+	}
+}
+
+void FViewExtensionFrame::SetupViewProjectionMatrix(
+	const std::string& ViewName, FSceneViewProjectionData& ProjectionData)
+{
+	for (FExtension& Extension : Extensions)
+	{
+		Call(Extension, EExtensionHook::SetupViewProjectionMatrix, ViewName,
+			[&](ISceneViewExtension& Called) { Called.SetupViewProjectionMatrix(ProjectionData); });
+	}
+}
+
+void FViewExtensionFrame::SetupView(
+	FSceneViewFamily& Family, const FNamedView& View, std::vector<FSettingGate>& Gates, FBlendLedger* Ledger)
+{
+	for (FExtension& Extension : Extensions)
+	{
+		const FFinalPostProcessSettings Before = View.View->FinalPostProcessSettings;
+		Call(Extension, EExtensionHook::SetupView, View.Name,
+			[&](ISceneViewExtension& Called) { Called.SetupView(Family, *View.View); });
+		if (Extension.Info.Has(EExtensionHook::SetupView))
+		{
+			const std::vector<FSettingGate> Edits =
+				RecordExtensionEdits(Before, View.View->FinalPostProcessSettings, Extension.Label, Ledger);
+			Log.Calls.back().Did = DescribeChanges(Before, View.View->FinalPostProcessSettings);
+			Gates.insert(Gates.end(), Edits.begin(), Edits.end());
+		}
+	}
+}
+
+void FViewExtensionFrame::BeginRenderViewFamily(FSceneViewFamily& Family)
+{
+	for (FExtension& Extension : Extensions)
+	{
+		Call(Extension, EExtensionHook::BeginRenderViewFamily, "",
+			[&](ISceneViewExtension& Called) { Called.BeginRenderViewFamily(Family); });
+	}
+}
+
+void FViewExtensionFrame::PreRender(
+	FRDGBuilder& GraphBuilder, FSceneViewFamily& Family, const std::vector<FNamedView>& Views)
+{
+	for (FExtension& Extension : Extensions)
+	{
+		CallInGraph(GraphBuilder, Extension, EExtensionHook::PreRenderViewFamily, "",
+			[&](ISceneViewExtension& Called) { Called.PreRenderViewFamily_RenderThread(GraphBuilder, Family); });
+		for (const FNamedView& View : Views)
+		{
+			CallInGraph(GraphBuilder, Extension, EExtensionHook::PreRenderView, View.Name,
+				[&](ISceneViewExtension& Called) { Called.PreRenderView_RenderThread(GraphBuilder, *View.View); });
+		}
+	}
+}
+
+void FViewExtensionFrame::PreInitViews(FRDGBuilder& GraphBuilder)
+{
+	for (FExtension& Extension : Extensions)
+	{
+		CallInGraph(GraphBuilder, Extension, EExtensionHook::PreInitViews, "",
+			[&](ISceneViewExtension& Called) { Called.PreInitViews_RenderThread(GraphBuilder); });
+	}
+}
+
+void FViewExtensionFrame::PreRenderBasePass(FRDGBuilder& GraphBuilder)
+{
+	for (FExtension& Extension : Extensions)
+	{
+		CallInGraph(GraphBuilder, Extension, EExtensionHook::PreRenderBasePass, "",
+			[&](ISceneViewExtension& Called) { Called.PreRenderBasePass_RenderThread(GraphBuilder, true); });
+	}
+}
+
+void FViewExtensionFrame::PostRenderBasePass(FRDGBuilder& GraphBuilder, const std::vector<FNamedView>& Views,
+	const FRenderTargetBindingSlots& RenderTargets, TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures)
+{
+	for (FExtension& Extension : Extensions)
+	{
+		for (const FNamedView& View : Views)
+		{
+			CallInGraph(GraphBuilder, Extension, EExtensionHook::PostRenderBasePassDeferred, View.Name,
+				[&](ISceneViewExtension& Called) {
+					Called.PostRenderBasePassDeferred_RenderThread(
+						GraphBuilder, *View.View, RenderTargets, SceneTextures);
+				});
+		}
+	}
+}
+
+void FViewExtensionFrame::PrePostProcess(
+	FRDGBuilder& GraphBuilder, const std::vector<FNamedView>& Views, const FPostProcessingInputs& Inputs)
+{
+	for (FExtension& Extension : Extensions)
+	{
+		for (const FNamedView& View : Views)
+		{
+			CallInGraph(GraphBuilder, Extension, EExtensionHook::PrePostProcessPass, View.Name,
+				[&](ISceneViewExtension& Called)
+				{ Called.PrePostProcessPass_RenderThread(GraphBuilder, *View.View, Inputs); });
+		}
+	}
+	const FRDGTextureRef SceneColor = (*Inputs.SceneTextures)->SceneColorTexture;
+	for (const FNamedView& View : Views)
+	{
+		FHookPoint Point;
+		Point.Point = PrePostProcessPassName;
+		Point.View = View.Name;
+		Point.Space = ToString(EColorSpace::LinearHDR);
+		Point.Resource = SceneColor->Name;
+		Point.Format = GetPixelFormatString(SceneColor->Desc.Format);
+		Point.Width = View.View->ViewRect.Width();
+		Point.Height = View.View->ViewRect.Height();
+		for (const FExtension& Extension : Extensions)
+		{
+			if (Extension.Info.Has(EExtensionHook::PrePostProcessPass))
+			{
+				Point.Subscribers.push_back(Extension.Label);
+			}
+		}
+		Point.bCalled = !Point.Subscribers.empty();
+		Point.Reason = Point.bCalled ? "scene colour may be edited in place" : "nobody overrides it";
+		Log.Points.push_back(Point);
+	}
+}
+
+std::vector<FPassCallback> FViewExtensionFrame::Subscribe(
+	ISceneViewExtension::EPostProcessingPass Pass, const FNamedView& View, bool bIsPassEnabled)
+{
+	FPostProcessingPassDelegateArray Delegates;
+	std::vector<std::string> Owners;
+	for (FExtension& Extension : Extensions)
+	{
+		if (!HasInsertionPoint(Pass, Extension.EngineMinor))
+		{
+			continue;
+		}
+		// One that follows the run's version has the signature it has.
+		const bool bChooses = Extension.Info.EngineMinor == AnyEngineVersion;
+		const bool bWithView = bChooses ? Extension.Info.Has(EExtensionHook::SubscribeWithView)
+										: IsHookCalled(EExtensionHook::SubscribeWithView, Extension.EngineMinor);
+		const int32 NumBefore = Delegates.Num();
+		if (bWithView)
+		{
+			Extension.Extension->SubscribeToPostProcessingPass(Pass, *View.View, Delegates, bIsPassEnabled);
+		}
+		else
+		{
+			Extension.Extension->SubscribeToPostProcessingPass(Pass, Delegates, bIsPassEnabled);
+		}
+		// An extension may also take away what others added: whose the rest is stays as it was.
+		Owners.resize(static_cast<size_t>(Delegates.Num()), Extension.Label);
+		if (Extension.Info.Has(bWithView ? EExtensionHook::SubscribeWithView : EExtensionHook::Subscribe))
+		{
+			const int32 NumAdded = Delegates.Num() - NumBefore;
+			Log.Calls.push_back({std::string("SubscribeToPostProcessingPass(") + GetPassName(Pass) + ")", View.Name,
+				Extension.Label,
+				NumAdded == 0 ? ""
+							  : "subscribed " + std::to_string(NumAdded) + (bIsPassEnabled ? "" : ", pass disabled"),
+				""});
+		}
+	}
+	std::vector<FPassCallback> Callbacks;
+	for (int32 Index = 0; Index < Delegates.Num(); ++Index)
+	{
+		Callbacks.push_back({Delegates[Index], Owners[static_cast<size_t>(Index)]});
+	}
+	return Callbacks;
+}
+
+void FViewExtensionFrame::PostRender(
+	FRDGBuilder& GraphBuilder, FSceneViewFamily& Family, const std::vector<FNamedView>& Views)
+{
+	for (FExtension& Extension : Extensions)
+	{
+		for (const FNamedView& View : Views)
+		{
+			CallInGraph(GraphBuilder, Extension, EExtensionHook::PostRenderView, View.Name,
+				[&](ISceneViewExtension& Called) { Called.PostRenderView_RenderThread(GraphBuilder, *View.View); });
+		}
+		CallInGraph(GraphBuilder, Extension, EExtensionHook::PostRenderViewFamily, "",
+			[&](ISceneViewExtension& Called) { Called.PostRenderViewFamily_RenderThread(GraphBuilder, Family); });
+	}
+}
+
+void FViewExtensionFrame::Finish(const FRDGCompiledGraph& Graph)
+{
+	for (FHookCall& Call : Log.Calls)
+	{
+		const std::string Passes = Call.Scope.empty() ? "" : DescribePasses(Graph, Call.Scope);
+		Call.Did += (Call.Did.empty() || Passes.empty() ? "" : "; ") + Passes;
+	}
+}
+
+} // namespace Drydock

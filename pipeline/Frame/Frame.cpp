@@ -1,0 +1,499 @@
+// Source: drydock; the order is the engine's. A little past 500 lines: one frame, in the order in which it is made.
+#include "Frame/Frame.h"
+
+#include "Chain/PostProcessingChain.h"
+#include "Effects/ContentGates.h"
+#include "Effects/ExposureDecisions.h"
+#include "Effects/ToonShadowExact.h"
+#include "Extensions/ViewExtensions.h"
+#include "Modules/ModuleManager.h"
+#include "Picture/TextureImage.h"
+#include "RenderGraphBuilder.h"
+#include "RenderGraphNotes.h"
+#include "Tonemap/TonemapOutputDevice.h"
+#include "Toon/ToonShadowBlur.h"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+
+namespace Drydock
+{
+
+namespace
+{
+
+/** A view with what belongs to it for the length of a frame. */
+struct FViewOfFrame
+{
+	explicit FViewOfFrame(const std::shared_ptr<FSceneViewState>& InState)
+		: State(InState)
+	{
+	}
+
+	std::shared_ptr<FSceneViewState> State;
+	FViewInfo View;
+	FChainSettings Chain;
+	std::vector<FEffectDecision> Effects;
+	FPostProcessingChainOutputs Outputs;
+	TRefCountPtr<IPooledRenderTarget> SceneLinear;
+	// What the bleed of toon bloom is measured on, where it is active.
+	TRefCountPtr<IPooledRenderTarget> Bloom;
+	TRefCountPtr<IPooledRenderTarget> GBufferB;
+	TRefCountPtr<IPooledRenderTarget> BlurredToonShadow;
+	TRefCountPtr<IPooledRenderTarget> Histogram;
+	std::optional<FExposureReport> Exposure;
+};
+
+/** Passes the graph's events on to the host's observer, and keeps the compiled graph for the log. */
+class FFrameObserver final : public IRDGObserver
+{
+public:
+	explicit FFrameObserver(IRDGObserver* InNext)
+		: Next(InNext)
+	{
+	}
+
+	void OnGraphCompiled(const FRDGCompiledGraph& InGraph) override
+	{
+		Graph = InGraph;
+		if (Next != nullptr)
+		{
+			Next->OnGraphCompiled(InGraph);
+		}
+	}
+	void OnLoadExternals(const std::vector<FRDGExternalLoad>& Loads) override
+	{
+		if (Next != nullptr)
+		{
+			Next->OnLoadExternals(Loads);
+		}
+	}
+	bool WantsPlannedExternals() const override { return Next != nullptr && Next->WantsPlannedExternals(); }
+	void OnExternalsPlanned(const std::vector<FRDGExternalLoad>& Loads) override
+	{
+		if (Next != nullptr)
+		{
+			Next->OnExternalsPlanned(Loads);
+		}
+	}
+	void OnPassExecuted(int32_t PassIndex, const FRDGPass& Pass, double Milliseconds, const FPassCounters& Counters,
+		const std::vector<FRDGTexture*>& WrittenTextures) override
+	{
+		if (Next != nullptr)
+		{
+			Next->OnPassExecuted(PassIndex, Pass, Milliseconds, Counters, WrittenTextures);
+		}
+	}
+
+	FRDGCompiledGraph Graph;
+
+private:
+	IRDGObserver* Next;
+};
+
+bool IsSameCamera(const FMinimalViewInfo& A, const FMinimalViewInfo& B)
+{
+	return A.Location == B.Location && A.Rotation == B.Rotation && A.FOV == B.FOV;
+}
+
+bool AreSameFlags(const FEngineShowFlags& A, const FEngineShowFlags& B)
+{
+	for (int32 Index = 0; Index < GetShowFlagInfos().Num(); ++Index)
+	{
+		if (A.GetSingleFlag(static_cast<uint32>(Index)) != B.GetSingleFlag(static_cast<uint32>(Index)))
+		{
+			return false;
+		}
+	}
+	return true;
+}
+
+/** Where Rect lies when the picture begins at Origin. */
+void Paste(const FImage& Source, FIntPoint Position, FImage& Target)
+{
+	const size_t NumValues = static_cast<size_t>(Source.Width) * static_cast<size_t>(Source.NumChannels);
+	for (int Y = 0; Y < Source.Height; ++Y)
+	{
+		const size_t To = (static_cast<size_t>(Y + Position.Y) * static_cast<size_t>(Target.Width) +
+							  static_cast<size_t>(Position.X)) *
+						  static_cast<size_t>(Target.NumChannels);
+		std::copy_n(Source.Values.begin() + static_cast<std::ptrdiff_t>(static_cast<size_t>(Y) * NumValues), NumValues,
+			Target.Values.begin() + static_cast<std::ptrdiff_t>(To));
+	}
+}
+
+FImage ReadAlpha(FRHITexture& Texture, const FIntRect& Rect)
+{
+	FImage Alpha{Rect.Width(), Rect.Height(), 1, {}};
+	Alpha.Values.resize(static_cast<size_t>(Rect.Width()) * static_cast<size_t>(Rect.Height()));
+	TArray<FLinearColor> Row;
+	Row.SetNum(Rect.Width());
+	for (int32 Y = 0; Y < Rect.Height(); ++Y)
+	{
+		Texture.ReadRow(Rect.Min.X, Rect.Min.Y + Y, Row);
+		for (int32 X = 0; X < Rect.Width(); ++X)
+		{
+			Alpha.Values[static_cast<size_t>(Y) * static_cast<size_t>(Rect.Width()) + static_cast<size_t>(X)] =
+				static_cast<double>(Row[X].A);
+		}
+	}
+	return Alpha;
+}
+
+class FFrameRenderer
+{
+public:
+	explicit FFrameRenderer(const FFrameInputs& InInputs)
+		: Inputs(InInputs)
+		, Extensions(InInputs.EngineMinor, Result.Log)
+		, Observer(InInputs.Observer)
+	{
+		check(!Inputs.Views.empty());
+		Result.Rect = Inputs.Views[0].Rect;
+		for (const FFrameView& View : Inputs.Views)
+		{
+			Result.Rect.Union(View.Rect);
+		}
+	}
+
+	FFrameResult Render()
+	{
+		const auto Begin = std::chrono::steady_clock::now();
+		FModuleManager::Get().StartupPendingModules();
+		SetUpFamily();
+		BuildAndRunGraph();
+		Result.Milliseconds =
+			std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Begin).count();
+		Extensions.Finish(Observer.Graph);
+		for (const std::unique_ptr<FViewOfFrame>& View : Views)
+		{
+			MeasureBleed(*View);
+			MeasureBanding(*View);
+			ReadExposure(*View);
+		}
+		for (size_t Index = 0; Index < Views.size(); ++Index)
+		{
+			Result.Views.push_back({Inputs.Views[Index].Name, Inputs.Views[Index].Rect, Views[Index]->Chain,
+				std::move(Views[Index]->Effects), std::move(Views[Index]->Exposure)});
+		}
+		if (Inputs.bExecute)
+		{
+			ReadPictures();
+			for (const std::unique_ptr<FViewOfFrame>& View : Views)
+			{
+				Result.ViewStates.push_back(View->State->EndFrame());
+			}
+		}
+		else
+		{
+			Result.Graph = std::move(Observer.Graph);
+		}
+		return std::move(Result);
+	}
+
+private:
+	/** The game thread's half. */
+	void SetUpFamily()
+	{
+		Family.EngineShowFlags = Inputs.ShowFlags;
+		Family.Scene = GWorld->Scene;
+		Family.FrameNumber = Inputs.FrameNumber;
+		Family.FrameCounter = Inputs.FrameNumber;
+		Family.Time = Inputs.Time;
+		Extensions.Gather(Family, Inputs.Plugins);
+		Extensions.SetupViewFamily(Family);
+		for (size_t Index = 0; Index < Inputs.Views.size(); ++Index)
+		{
+			const std::shared_ptr<FSceneViewState>& Kept = Inputs.Views[Index].State;
+			Views.push_back(std::make_unique<FViewOfFrame>(
+				Kept ? Kept : std::make_shared<FSceneViewState>(static_cast<uint32>(Index + 1))));
+			Views.back()->State->BeginFrame(
+				Index < Inputs.ViewStates.size() ? Inputs.ViewStates[Index] : FViewHistory());
+			NamedViews.push_back({&Views.back()->View, Inputs.Views[Index].Name});
+			SetUpView(Inputs.Views[Index], *Views.back());
+			Family.Views.Add(&Views.back()->View);
+			Extensions.SetupView(Family, NamedViews.back(), Views.back()->Chain.Gates);
+		}
+		Extensions.BeginRenderViewFamily(Family);
+	}
+
+	void SetUpView(const FFrameView& Source, FViewOfFrame& Target)
+	{
+		FMinimalViewInfo Camera = Source.Camera;
+		Extensions.SetupViewPoint(Source.Name, Camera);
+		FSceneViewProjectionData Projection = MakeProjection(Source, Camera);
+		Extensions.SetupViewProjectionMatrix(Source.Name, Projection);
+
+		const bool bMoved = !IsSameCamera(Camera, Source.Camera);
+		Target.Chain = bMoved && Source.MakeChain ? Source.MakeChain(Camera) : Source.Chain;
+		if (!AreSameFlags(Family.EngineShowFlags, Inputs.ShowFlags))
+		{
+			Target.Chain.ShowFlags = Family.EngineShowFlags;
+			const std::vector<FSettingGate> Gates = ApplyShowFlags(Target.Chain.Settings, Family.EngineShowFlags);
+			Target.Chain.Gates.insert(Target.Chain.Gates.end(), Gates.begin(), Gates.end());
+		}
+
+		FViewInfo& View = Target.View;
+		View.Family = &Family;
+		View.State = Target.State.get();
+		View.ViewState = Target.State.get();
+		View.bCameraCut = Target.State->IsFirstFrame();
+		View.ViewRect = GetSceneRect(Source);
+		View.UnscaledViewRect = Source.Rect;
+		View.UnconstrainedViewRect = Source.Rect;
+		View.PreExposure = Source.PreExposure;
+		View.ViewLocation = Projection.ViewOrigin;
+		View.FinalPostProcessSettings = Target.Chain.Settings;
+		if (View.ViewRect != Source.Rect)
+		{
+			Projection.SetViewRectangle(View.ViewRect);
+		}
+		SetCameraParameters(Projection, View.UniformParameters);
+		if (const std::optional<FSceneViewProjectionData>& Last = Target.State->GetLast().Projection)
+		{
+			View.UniformParameters.ClipToPrevClip = MakeClipToPrevClip(Projection, *Last);
+		}
+		FViewHistory& Next = Target.State->Next;
+		Next.bValid = true;
+		Next.FrameNumber = Inputs.FrameNumber;
+		Next.Projection = Projection;
+		View.UniformParameters.GameTime = Inputs.Time.WorldTimeSeconds;
+		View.UniformParameters.RealTime = Inputs.Time.RealTimeSeconds;
+		View.UniformParameters.DeltaTime = Inputs.Time.DeltaWorldTimeSeconds;
+		View.UniformParameters.FrameNumber = Inputs.FrameNumber;
+		View.UniformParameters.StateFrameIndex = Inputs.FrameNumber;
+		View.UniformParameters.StateFrameIndexMod8 = Inputs.FrameNumber % 8;
+		View.InitViewUniformBuffer(Inputs.Extent);
+	}
+
+	/** What the camera sees, before extensions change it. */
+	static FSceneViewProjectionData MakeProjection(const FFrameView& Source, const FMinimalViewInfo& Camera)
+	{
+		FSceneCamera Lens = Source.Lens;
+		Lens.Location = Camera.Location;
+		Lens.Pitch = Camera.Rotation.Pitch;
+		Lens.Yaw = Camera.Rotation.Yaw;
+		Lens.Roll = Camera.Rotation.Roll;
+		if (Camera.FOV != Source.Camera.FOV)
+		{
+			Lens.HorizontalFov = static_cast<double>(Camera.FOV);
+			Lens.FocalLength.reset();
+		}
+		const bool bWhole = Source.PictureRect.Width() > 0 && Source.PictureRect.Height() > 0;
+		const FIntRect Picture = bWhole ? Source.PictureRect : Source.Rect;
+		return MakeProjectionData(Lens, Picture.Size(), Source.Rect - Picture.Min, Source.Rect);
+	}
+
+	/** The render thread's half. */
+	void BuildAndRunGraph()
+	{
+		FRDGBuilder GraphBuilder(FRHICommandListExecutor::GetImmediateCommandList(), RDG_EVENT_NAME("Frame"));
+		GraphBuilder.SetObserver(&Observer);
+		const FSceneTextures SceneTextures = Inputs.RegisterSceneTextures(GraphBuilder);
+		for (const FNamedView& View : NamedViews)
+		{
+			View.View->SceneTextures = &SceneTextures;
+		}
+		Extensions.PreRender(GraphBuilder, Family, NamedViews);
+		Extensions.PreInitViews(GraphBuilder);
+		for (const FNamedView& View : NamedViews)
+		{
+			View.View->InitViewUniformBuffer(Inputs.Extent);
+		}
+		Extensions.PreRenderBasePass(GraphBuilder);
+
+		FPostProcessingInputs PostProcessingInputs;
+		PostProcessingInputs.ViewFamilyTexture = CreateViewFamilyTexture(GraphBuilder);
+		PostProcessingInputs.CustomDepthTexture = SceneTextures.CustomDepth;
+		if (!Extensions.IsEmpty())
+		{
+			PostProcessingInputs.SceneTextures = CreateSceneTextureUniformBuffer(GraphBuilder, &SceneTextures);
+			FRenderTargetBindingSlots RenderTargets;
+			RenderTargets[0] = FRenderTargetBinding(SceneTextures.Color, ERenderTargetLoadAction::ELoad);
+			Extensions.PostRenderBasePass(GraphBuilder, NamedViews, RenderTargets, PostProcessingInputs.SceneTextures);
+			Extensions.PrePostProcess(GraphBuilder, NamedViews, PostProcessingInputs);
+		}
+		for (size_t Index = 0; Index < Views.size(); ++Index)
+		{
+			AddChain(GraphBuilder, NamedViews[Index], *Views[Index], SceneTextures, PostProcessingInputs);
+		}
+		Extensions.PostRender(GraphBuilder, Family, NamedViews);
+		GraphBuilder.QueueTextureExtraction(PostProcessingInputs.ViewFamilyTexture, &Final);
+		const std::vector<FDiagnostic> Notes = GetGraphNotes(GraphBuilder);
+		Result.Log.Diagnostics.insert(Result.Log.Diagnostics.end(), Notes.begin(), Notes.end());
+		if (Inputs.bExecute)
+		{
+			GraphBuilder.Execute();
+		}
+		else
+		{
+			Observer.Graph = GraphBuilder.Compile();
+			GraphBuilder.Discard();
+		}
+	}
+
+	static FIntRect GetSceneRect(const FFrameView& View)
+	{
+		return View.SceneRect.Width() > 0 && View.SceneRect.Height() > 0 ? View.SceneRect : View.Rect;
+	}
+
+	FRDGTextureRef CreateViewFamilyTexture(FRDGBuilder& GraphBuilder) const
+	{
+		const FIntPoint Extent = Inputs.OutputExtent.X > 0 ? Inputs.OutputExtent : Inputs.Extent;
+		const EPixelFormat Format = GetDisplayFormat(GetTonemapperOutputDeviceParameters().OutputDevice);
+		// Compute entries write it where they are preferred; a swap chain's texture would not let them.
+		const bool bCompute = NamedViews[0].View->bUseComputePasses;
+		return GraphBuilder.CreateTexture(
+			FRDGTextureDesc::Create2D(Extent, Format, FClearValueBinding::Black,
+				TexCreate_RenderTargetable | TexCreate_ShaderResource | (bCompute ? TexCreate_UAV : TexCreate_None)),
+			TEXT("ViewFamilyTexture"));
+	}
+
+	void AddChain(FRDGBuilder& GraphBuilder, const FNamedView& NamedView, FViewOfFrame& Target,
+		const FSceneTextures& SceneTextures, const FPostProcessingInputs& PostProcessingInputs)
+	{
+		Target.Chain.Settings = NamedView.View->FinalPostProcessSettings;
+		Target.Chain.bDualKawaseExtension = Extensions.Has("FDualKawaseBlur");
+		DecideEffectsOf(*NamedView.View, Target);
+		FPostProcessingChainInputs ChainInputs;
+		ChainInputs.SceneColor = FScreenPassTexture(SceneTextures.Color, NamedView.View->ViewRect);
+		ChainInputs.ViewFamilyTexture = PostProcessingInputs.ViewFamilyTexture;
+		ChainInputs.ExposureScale = Target.Chain.ExposureScale;
+		ChainInputs.SceneTextures = PostProcessingInputs.SceneTextures;
+		ChainInputs.LightColor = Inputs.LightColor;
+		ChainInputs.bAutoExposure = IsAutoExposureActive(Target.Chain);
+		Target.Outputs = AddPostProcessingPasses(GraphBuilder, NamedView, ChainInputs, Target.Effects, Extensions);
+		GraphBuilder.QueueTextureExtraction(Target.Outputs.SceneLinear.Texture, &Target.SceneLinear);
+		if (IsEffectActive(Target.Effects, "ToonBloom") && Target.Outputs.Bloom.IsValid() && SceneTextures.GBufferB)
+		{
+			GraphBuilder.QueueTextureExtraction(Target.Outputs.Bloom.Texture, &Target.Bloom);
+			GraphBuilder.QueueTextureExtraction(SceneTextures.GBufferB, &Target.GBufferB);
+		}
+		if (Target.Outputs.Histogram)
+		{
+			GraphBuilder.QueueTextureExtraction(Target.Outputs.Histogram, &Target.Histogram);
+		}
+		if (Target.Outputs.BlurredToonShadow.IsValid())
+		{
+			GraphBuilder.QueueTextureExtraction(Target.Outputs.BlurredToonShadow.Texture, &Target.BlurredToonShadow);
+		}
+	}
+
+	/** First from the settings; what they call for may have nothing to do in this scene. */
+	void DecideEffectsOf(const FViewInfo& View, FViewOfFrame& Target) const
+	{
+		Target.Effects = DecideEffects(Target.Chain);
+		const FContentQuestions Questions = AskContent(Target.Chain, Target.Effects);
+		if (!Inputs.MeasureContent || !Questions.Any())
+		{
+			return;
+		}
+		if (!Extensions.IsEmpty())
+		{
+			NoteContentUnseen(Target.Effects, "the scene is not looked at: a view extension may change what it holds");
+		}
+		else
+		{
+			Target.Chain.Content = Inputs.MeasureContent(View.ViewRect, Questions);
+			Target.Effects = DecideEffects(Target.Chain);
+		}
+	}
+
+	void MeasureBleed(FViewOfFrame& View) const
+	{
+		if (View.Bloom && View.GBufferB)
+		{
+			const FImage Bloom = CropToRgba(ReadTexture(*View.Bloom->GetRHI()), View.Outputs.Bloom.ViewRect);
+			FindEffect(View.Effects, "ToonBloom")->Bleed = MeasureToonBleed(Bloom,
+				ReadAlpha(*View.GBufferB->GetRHI(), View.View.ViewRect), static_cast<double>(View.View.PreExposure));
+		}
+	}
+
+	void MeasureBanding(FViewOfFrame& View)
+	{
+		FEffectDecision* const Effect = FindEffect(View.Effects, "ToonShadowBlur");
+		if (!View.BlurredToonShadow || Effect == nullptr)
+		{
+			return;
+		}
+		constexpr int Blurred = 3;
+		FImage Shadow =
+			CropToRgba(ReadTexture(*View.BlurredToonShadow->GetRHI()), View.Outputs.BlurredToonShadow.ViewRect);
+		for (size_t Index = Blurred; Index < Shadow.Values.size(); Index += 4)
+		{
+			Shadow.Values[Index] = static_cast<double>(DecodeToonShadowBlur(
+				static_cast<float>(Shadow.Values[Index]), View.Chain.Settings.ToonShadowBlurStore));
+		}
+		Effect->Banding = Drydock::MeasureBanding(Shadow, Blurred);
+		Effect->Deviation = MeasureDarkDeviation(Shadow, BlurToonShadowExactly(Shadow, View.Chain.Settings), Blurred);
+		if (Result.BandingMap.Values.empty())
+		{
+			Result.BandingMap = MakeBandingMap(Shadow, Blurred);
+			Result.BlurredToonShadow = {Shadow.Width, Shadow.Height, 1, {}};
+			for (size_t Index = Blurred; Index < Shadow.Values.size(); Index += 4)
+			{
+				Result.BlurredToonShadow.Values.push_back(Shadow.Values[Index]);
+			}
+		}
+	}
+
+	/** What an automatic exposure came to. */
+	void ReadExposure(FViewOfFrame& View) const
+	{
+		if (!Inputs.bExecute || !IsAutoExposureActive(View.Chain))
+		{
+			return;
+		}
+		View.Exposure = MakeExposureReport(View.View, GetAutoExposureMethod(View.Chain.Settings),
+			*View.State->Next.Buffers.at(EyeAdaptationName), View.Histogram.GetReference());
+		View.Chain.ExposureScale = View.Exposure->Scale;
+	}
+
+	void ReadPictures()
+	{
+		Result.Final = CropToRgba(ReadTexture(*Final->GetRHI()), Result.Rect);
+		if (Views.size() == 1)
+		{
+			Result.SceneLinear =
+				CropToRgba(ReadTexture(*Views[0]->SceneLinear->GetRHI()), Views[0]->Outputs.SceneLinear.ViewRect);
+			return;
+		}
+		FIntRect All = GetSceneRect(Inputs.Views[0]);
+		for (const FFrameView& View : Inputs.Views)
+		{
+			All.Union(GetSceneRect(View));
+		}
+		Result.SceneLinear = {All.Width(), All.Height(), 4,
+			std::vector<double>(static_cast<size_t>(All.Width()) * static_cast<size_t>(All.Height()) * 4)};
+		for (size_t Index = 0; Index < Views.size(); ++Index)
+		{
+			const FIntRect Rect = GetSceneRect(Inputs.Views[Index]);
+			const FImage Picture = CropToRgba(
+				ReadTexture(*Views[Index]->SceneLinear->GetRHI()), Views[Index]->Outputs.SceneLinear.ViewRect);
+			// A view whose extensions changed its size has no place in the picture of all.
+			if (Picture.Width == Rect.Width() && Picture.Height == Rect.Height())
+			{
+				Paste(Picture, Rect.Min - All.Min, Result.SceneLinear);
+			}
+		}
+	}
+
+	const FFrameInputs& Inputs;
+	FFrameResult Result;
+	FViewExtensionFrame Extensions;
+	FFrameObserver Observer;
+	FSceneViewFamily Family;
+	std::vector<std::unique_ptr<FViewOfFrame>> Views;
+	std::vector<FNamedView> NamedViews;
+	TRefCountPtr<IPooledRenderTarget> Final;
+};
+
+} // namespace
+
+FFrameResult RenderViewFamily(const FFrameInputs& Inputs)
+{
+	return FFrameRenderer(Inputs).Render();
+}
+
+} // namespace Drydock

@@ -1,0 +1,128 @@
+// Source: drydock.
+#include "Patch/PatchTemplate.h"
+
+#include "Diagnostics.h"
+#include "InstallPaths.h"
+#include "Patch/PatchErrors.h"
+#include "Run/RunOutputs.h"
+#include "Text/ConfigErrors.h"
+#include "Text/TextFile.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <unistd.h>
+
+namespace Drydock
+{
+
+namespace
+{
+
+namespace Files = std::filesystem;
+
+const std::string TemplateName = "MyPatch";
+
+[[noreturn]] void Fail(int Code, EExitCode ExitCode, const Files::path& File, const std::string& Message)
+{
+	FDiagnostic Diagnostic;
+	Diagnostic.Code = Code;
+	Diagnostic.File = File.string();
+	Diagnostic.Message = Message;
+	throw FError(Diagnostic, ExitCode);
+}
+
+std::string ReadFile(const Files::path& Path)
+{
+	std::ifstream Stream(Path, std::ios::binary);
+	if (!Stream)
+	{
+		Fail(ErrorFileMissing, ExitFiles, Path, "drydock's own file cannot be opened: is it installed completely?");
+	}
+	return std::string(std::istreambuf_iterator<char>(Stream), {});
+}
+
+/** Folder of the files that drydock brings along, in an installed tree and in its source. */
+Files::path FindRoot()
+{
+	const std::string Installed = FindInstalled("share/drydock/templates");
+	return Installed.empty() ? Files::path(DRYDOCK_SOURCE_DIR) : Files::path(Installed).parent_path();
+}
+
+} // namespace
+
+std::string RenamePatch(const std::string& Text, const std::string& Name)
+{
+	std::string Renamed;
+	size_t From = 0;
+	for (size_t At; (At = Text.find(TemplateName, From)) != std::string::npos; From = At + TemplateName.size())
+	{
+		Renamed.append(Text, From, At - From).append(Name);
+	}
+	return Renamed.append(Text, From);
+}
+
+std::vector<FPatchFile> MakePatchFiles(const std::string& Name)
+{
+	const Files::path Root = FindRoot();
+	const Files::path Template = Root / "templates" / TemplateName;
+	std::vector<FPatchFile> Project;
+	std::error_code Error;
+	for (Files::recursive_directory_iterator Entry(Template, Error), End; !Error && Entry != End;
+		 Entry.increment(Error))
+	{
+		if (Entry->is_regular_file())
+		{
+			const std::string Path = Files::relative(Entry->path(), Template).generic_string();
+			Project.push_back({RenamePatch(Path, Name), RenamePatch(ReadFile(Entry->path()), Name)});
+		}
+	}
+	if (Project.empty())
+	{
+		Fail(ErrorFileMissing, ExitFiles, Template, "drydock's own templates are missing: is it installed completely?");
+	}
+	Project.push_back({"configs/scenes/room.exr", ReadFile(Root / "configs/scenes/moving_camera.0001.exr")});
+	std::sort(Project.begin(), Project.end(), [](const FPatchFile& A, const FPatchFile& B) { return A.Path < B.Path; });
+	return Project;
+}
+
+void WritePatch(const std::string& Folder, const std::vector<FPatchFile>& Project)
+{
+	const Files::path Target = Files::absolute(Folder).lexically_normal();
+	const auto RefuseExisting = [&]
+	{
+		std::error_code Ignored;
+		if (Files::exists(Files::symlink_status(Target, Ignored)))
+		{
+			Fail(ErrorPatchExists, ExitUsage, Folder,
+				"exists already, and nothing is overwritten: choose another name or --dir");
+		}
+	};
+	RefuseExisting();
+	const Files::path Aside =
+		Target.parent_path() / ("." + Target.filename().string() + ".writing." + std::to_string(getpid()));
+	std::error_code Error;
+	try
+	{
+		for (const FPatchFile& File : Project)
+		{
+			WriteTextFile((Aside / File.Path).string(), File.Text);
+		}
+		Files::rename(Aside, Target, Error);
+	}
+	catch (const FError& Unwritten)
+	{
+		Files::remove_all(Aside, Error);
+		Fail(ErrorFileNotWritten, ExitFiles, Folder, Unwritten.GetDiagnostics().front().Message);
+	}
+	if (Error)
+	{
+		std::error_code Ignored;
+		Files::remove_all(Aside, Ignored);
+		RefuseExisting();
+		Fail(ErrorFileNotWritten, ExitFiles, Folder, "cannot be written: " + Error.message());
+	}
+}
+
+} // namespace Drydock

@@ -1,0 +1,345 @@
+// Source: drydock; the format: "OpenEXR File Layout", ASWF.
+#include "Picture/ExrHeader.h"
+
+#include "Diagnostics.h"
+#include "Text/ConfigErrors.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fstream>
+#include <string_view>
+#include <vector>
+
+namespace Drydock
+{
+
+namespace
+{
+
+constexpr uint32_t Magic = 20000630;
+constexpr uint32_t MultiPartFlag = 0x1000;
+constexpr size_t MaxName = 255;
+constexpr size_t MaxParts = 1024;
+/** Tiles larger than the window are legal, up to this many pixels a side. */
+constexpr int64_t MaxTileSide = 512;
+
+struct FCompression
+{
+	int64_t LinesPerChunk;
+	/** Bytes of pixels that one byte of the file can hold at most. Deflate: 1032. A PIZ symbol repeated 256 times takes
+	 * ten bits. A DWA block of 8 x 8 floats is two words and a run, deflated. */
+	int64_t GreatestRatio;
+};
+
+/** By the number in the header: none, RLE, ZIPS, ZIP, PIZ, PXR24, B44, B44A, DWAA, DWAB. */
+constexpr std::array<FCompression, 10> Compressions = {
+	{{1, 1}, {1, 64}, {1, 1032}, {16, 1032}, {32, 1032}, {16, 1376}, {32, 16}, {32, 16}, {32, 70000}, {256, 70000}}};
+
+struct FFixedType
+{
+	std::string_view Name;
+	int64_t Size;
+};
+
+/** OpenEXR takes from values of these types what the type needs, whatever size stands before them, and reads on behind
+ * that: where the two differ, it sees another header than the one that is checked here. */
+constexpr std::array<FFixedType, 24> FixedTypes = {{{"box2f", 16}, {"box2i", 16}, {"chromaticities", 32},
+	{"compression", 1}, {"deepImageState", 1}, {"double", 8}, {"envmap", 1}, {"float", 4}, {"int", 4}, {"keycode", 28},
+	{"lineOrder", 1}, {"m33d", 72}, {"m33f", 36}, {"m44d", 128}, {"m44f", 64}, {"rational", 8}, {"tiledesc", 9},
+	{"timecode", 8}, {"v2d", 16}, {"v2f", 8}, {"v2i", 8}, {"v3d", 24}, {"v3f", 12}, {"v3i", 12}}};
+
+/** The bytes of the file, read in order. */
+class FBytes
+{
+public:
+	explicit FBytes(const std::string& InPath)
+		: Path(InPath)
+		, Stream(InPath, std::ios::binary)
+	{
+		Stream.seekg(0, std::ios::end);
+		Size = std::max<int64_t>(0, Stream.tellg());
+		Stream.seekg(0);
+	}
+
+	/** Message: goes on after "the image file ". */
+	[[noreturn]] void Fail(const std::string& Message, EConfigError Code = ErrorImageBroken) const
+	{
+		FDiagnostic Diagnostic;
+		Diagnostic.Code = Code;
+		Diagnostic.File = Path;
+		Diagnostic.Message = "the image file " + Message;
+		throw FError(Diagnostic, ExitFiles);
+	}
+
+	int64_t GetSize() const { return Size; }
+	int64_t GetLeft() const { return Size - Position; }
+
+	template<typename T>
+	T Read()
+	{
+		T Value{};
+		Take(&Value, sizeof(T));
+		return Value;
+	}
+
+	std::string ReadText()
+	{
+		std::string Text;
+		for (char Character = Read<char>(); Character != '\0'; Character = Read<char>())
+		{
+			Text += Character;
+			if (Text.size() > MaxName || static_cast<unsigned char>(Character) < ' ')
+			{
+				Fail("is corrupt: a name in its header is none");
+			}
+		}
+		return Text;
+	}
+
+	void SkipTo(int64_t InPosition)
+	{
+		Position = InPosition;
+		Stream.seekg(Position);
+	}
+
+	int64_t GetPosition() const { return Position; }
+
+private:
+	void Take(void* Data, int64_t Count)
+	{
+		if (Count > GetLeft() || !Stream.read(static_cast<char*>(Data), Count))
+		{
+			Fail("is truncated or corrupt: it ends inside its header");
+		}
+		Position += Count;
+	}
+
+	const std::string Path;
+	std::ifstream Stream;
+	int64_t Size = 0;
+	int64_t Position = 0;
+};
+
+/** What memory depends on in the header of one part. */
+struct FPart
+{
+	int64_t Width = 0;
+	int64_t Height = 0;
+	int64_t TileWidth = 0; // 0: lines
+	int64_t TileHeight = 0;
+	int64_t NumChunks = 0; // 0: not said
+	size_t Compression = 0;
+	int64_t NumChannels = 0;
+	int64_t BytesPerPixel = 0;
+	bool bDeep = false;
+};
+
+void ReadWindow(FBytes& Bytes, FPart& Part)
+{
+	const int64_t MinX = Bytes.Read<int32_t>();
+	const int64_t MinY = Bytes.Read<int32_t>();
+	const int64_t MaxX = Bytes.Read<int32_t>();
+	const int64_t MaxY = Bytes.Read<int32_t>();
+	Part.Width = MaxX - MinX + 1;
+	Part.Height = MaxY - MinY + 1;
+	if (Part.Width < 1 || Part.Height < 1)
+	{
+		Bytes.Fail("holds no picture");
+	}
+	if (Part.Width > MaxImageSide || Part.Height > MaxImageSide || Part.Width * Part.Height > MaxImagePixels)
+	{
+		Bytes.Fail("says " + std::to_string(Part.Width) + " x " + std::to_string(Part.Height) +
+					   " pixels; the largest frame is " + std::to_string(MaxImageSide) + " a side and " +
+					   std::to_string(MaxImagePixels) + " in all",
+			ErrorImageTooLarge);
+	}
+}
+
+void ReadChannels(FBytes& Bytes, FPart& Part)
+{
+	Part.NumChannels = 0;
+	Part.BytesPerPixel = 0;
+	for (std::string Name = Bytes.ReadText(); !Name.empty(); Name = Bytes.ReadText())
+	{
+		const uint32_t Type = Bytes.Read<uint32_t>(); // 0: uint, 1: half, 2: float
+		Bytes.Read<uint32_t>();                       // how it is best quantised
+		const int32_t SamplingX = Bytes.Read<int32_t>();
+		const int32_t SamplingY = Bytes.Read<int32_t>();
+		if (Type > 2)
+		{
+			Bytes.Fail("is corrupt: its channel \"" + Name + "\" is of no known type");
+		}
+		if (SamplingX != 1 || SamplingY != 1)
+		{
+			Bytes.Fail("cannot be read: its channel \"" + Name + "\" has fewer pixels than the picture");
+		}
+		++Part.NumChannels;
+		Part.BytesPerPixel += Type == 1 ? 2 : 4;
+	}
+}
+
+void ReadAttribute(FBytes& Bytes, const std::string& Name, FPart& Part)
+{
+	if (Name == "dataWindow")
+	{
+		ReadWindow(Bytes, Part);
+	}
+	else if (Name == "channels")
+	{
+		ReadChannels(Bytes, Part);
+	}
+	else if (Name == "compression")
+	{
+		Part.Compression = Bytes.Read<uint8_t>();
+		if (Part.Compression >= Compressions.size())
+		{
+			Bytes.Fail("is corrupt: its compression has the number " + std::to_string(Part.Compression));
+		}
+	}
+	else if (Name == "tiles")
+	{
+		Part.TileWidth = Bytes.Read<uint32_t>();
+		Part.TileHeight = Bytes.Read<uint32_t>();
+		if (Part.TileWidth < 1 || Part.TileHeight < 1)
+		{
+			Bytes.Fail("is corrupt: its tiles have no pixels");
+		}
+	}
+	else if (Name == "chunkCount")
+	{
+		Part.NumChunks = std::max<int64_t>(0, Bytes.Read<int32_t>());
+	}
+	else if (Name == "type")
+	{
+		const auto Start = Bytes.Read<std::array<char, 4>>();
+		Part.bDeep = std::string(Start.begin(), Start.end()) == "deep";
+	}
+}
+
+/** Texts, each behind its length, up to End exactly. Leaves the position where it was. */
+bool IsStringVector(FBytes& Bytes, int64_t End)
+{
+	const int64_t Begin = Bytes.GetPosition();
+	int64_t At = Begin;
+	while (At + 4 <= End)
+	{
+		Bytes.SkipTo(At);
+		const int64_t Length = Bytes.Read<int32_t>();
+		At = Length < 0 ? End + 1 : At + 4 + Length;
+	}
+	Bytes.SkipTo(Begin);
+	return At == End;
+}
+
+/** False: the empty header that ends the list of parts. */
+bool ReadPart(FBytes& Bytes, FPart& Part)
+{
+	bool bAny = false;
+	for (std::string Name = Bytes.ReadText(); !Name.empty(); Name = Bytes.ReadText())
+	{
+		bAny = true;
+		const std::string Type = Bytes.ReadText();
+		const int64_t Size = Bytes.Read<int32_t>();
+		const int64_t End = Bytes.GetPosition() + Size;
+		if (Size < 0 || Size > Bytes.GetLeft())
+		{
+			Bytes.Fail(
+				"is truncated or corrupt: its attribute \"" + Name + "\" says " + std::to_string(Size) + " bytes");
+		}
+		const auto Fixed = std::find_if(
+			FixedTypes.begin(), FixedTypes.end(), [&Type](const FFixedType& Known) { return Known.Name == Type; });
+		const bool bFits = Fixed != FixedTypes.end() ? Size == Fixed->Size
+						   : Type == "floatvector"   ? Size % 4 == 0
+						   : Type == "stringvector"  ? IsStringVector(Bytes, End)
+													 : true;
+		ReadAttribute(Bytes, Name, Part);
+		if (!bFits || Bytes.GetPosition() > End || (Type == "chlist" && Bytes.GetPosition() != End))
+		{
+			Bytes.Fail("is corrupt: its attribute \"" + Name + "\" is of another size than it says");
+		}
+		Bytes.SkipTo(End);
+	}
+	return bAny;
+}
+
+int64_t DivideUp(int64_t Value, int64_t By)
+{
+	return (Value + By - 1) / By;
+}
+
+/** Chunks of the part, of the largest level only where it is tiled. */
+int64_t CountChunks(const FPart& Part)
+{
+	const int64_t Computed = Part.TileWidth != 0
+								 ? DivideUp(Part.Width, Part.TileWidth) * DivideUp(Part.Height, Part.TileHeight)
+								 : DivideUp(Part.Height, Compressions[Part.Compression].LinesPerChunk);
+	return std::max(Computed, Part.NumChunks);
+}
+
+void CheckPart(const FPart& Part, const FBytes& Bytes)
+{
+	if (Part.Width == 0 || Part.NumChannels == 0)
+	{
+		Bytes.Fail("holds no picture");
+	}
+	if (Part.bDeep)
+	{
+		Bytes.Fail("cannot be read: it is a deep picture, with several values to a pixel");
+	}
+	if (Part.TileWidth > std::max(Part.Width, MaxTileSide) || Part.TileHeight > std::max(Part.Height, MaxTileSide))
+	{
+		Bytes.Fail("is corrupt: its tiles are larger than the picture");
+	}
+	const std::string Size = std::to_string(Bytes.GetSize()) + " bytes cannot hold";
+	if (CountChunks(Part) > Bytes.GetLeft() / 8)
+	{
+		Bytes.Fail("is truncated or corrupt: its " + Size + " the table of its chunks");
+	}
+	const int64_t Raw = Part.Width * Part.Height * Part.BytesPerPixel;
+	if (Raw / Compressions[Part.Compression].GreatestRatio > Bytes.GetSize())
+	{
+		Bytes.Fail("is truncated or corrupt: its " + Size + " " + std::to_string(Part.Width) + " x " +
+				   std::to_string(Part.Height) + " pixels of " + std::to_string(Part.NumChannels) + " channels");
+	}
+}
+
+} // namespace
+
+bool IsExrFile(const std::string& Path)
+{
+	std::string End = Path.size() < 4 ? std::string() : Path.substr(Path.size() - 4);
+	std::transform(End.begin(), End.end(), End.begin(), [](unsigned char C) { return std::tolower(C); });
+	uint32_t First = 0;
+	std::ifstream(Path, std::ios::binary).read(reinterpret_cast<char*>(&First), sizeof(First));
+	return End == ".exr" || First == Magic;
+}
+
+void CheckExrHeader(const std::string& Path)
+{
+	FBytes Bytes(Path);
+	if (Bytes.Read<uint32_t>() != Magic)
+	{
+		Bytes.Fail("cannot be read: it is no OpenEXR file");
+	}
+	const bool bMultiPart = (Bytes.Read<uint32_t>() & MultiPartFlag) != 0;
+	std::vector<FPart> Parts;
+	for (FPart Part; Parts.size() < MaxParts && ReadPart(Bytes, Part); Part = FPart())
+	{
+		Parts.push_back(Part);
+		if (!bMultiPart)
+		{
+			break;
+		}
+	}
+	if (Parts.empty())
+	{
+		Bytes.Fail("holds no picture");
+	}
+	for (const FPart& Part : Parts)
+	{
+		CheckPart(Part, Bytes);
+	}
+}
+
+} // namespace Drydock

@@ -1,0 +1,81 @@
+// Source: drydock.
+#include "Picture/PictureFile.h"
+
+#include "Picture/Srgb.h"
+#include "Text/ConfigErrors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <unistd.h>
+
+namespace Drydock
+{
+
+namespace
+{
+
+namespace Files = std::filesystem;
+
+double ToDisplay(double Value, bool bEightBit, bool bEncoded)
+{
+	const double Clamped = Value > 0.0 ? std::min(Value, 1.0) : 0.0;
+	const double Display = bEncoded ? Clamped : EncodeSrgb(Clamped);
+	return bEightBit ? std::round(Display * 255.0) / 255.0 : Display; // reading decoded it
+}
+
+/** Red, green and blue; the first channel thrice where there are none. */
+std::vector<int> FindColor(const FImageFile& File)
+{
+	std::vector<int> Indices = {File.FindChannel("R"), File.FindChannel("G"), File.FindChannel("B")};
+	if (std::find(Indices.begin(), Indices.end(), -1) != Indices.end())
+	{
+		Indices = {0, 0, 0};
+	}
+	return Indices;
+}
+
+} // namespace
+
+FImage ReadPicture(const std::string& Path)
+{
+	FImageFile File(Path);
+	const std::vector<std::vector<float>> Planes = File.Read(FindColor(File));
+	const bool bEncoded = File.GetAttribute("drydock:encoding") == "sRGB";
+	FImage Picture{File.GetWidth(), File.GetHeight(), 3, {}};
+	Picture.Values.reserve(Planes[0].size() * 3);
+	for (size_t Index = 0; Index < Planes[0].size(); ++Index)
+	{
+		for (const std::vector<float>& Plane : Planes)
+		{
+			Picture.Values.push_back(ToDisplay(static_cast<double>(Plane[Index]), File.IsEncoded(), bEncoded));
+		}
+	}
+	return Picture;
+}
+
+void WritePicture(const std::string& Path, const FImage& Picture)
+{
+	const Files::path Target(Path);
+	const Files::path Aside =
+		Target.parent_path() / (Target.stem().string() + ".writing." + std::to_string(getpid()) + ".png");
+	std::error_code Error;
+	if (Target.has_parent_path())
+	{
+		Files::create_directories(Target.parent_path(), Error);
+	}
+	WritePng(Aside.string(), Picture, 9);
+	Files::rename(Aside, Target, Error);
+	if (Error)
+	{
+		std::error_code Ignored;
+		Files::remove(Aside, Ignored);
+		FDiagnostic Diagnostic;
+		Diagnostic.Code = ErrorFileNotWritten;
+		Diagnostic.File = Path;
+		Diagnostic.Message = "cannot be written: " + Error.message();
+		throw FError(Diagnostic, ExitFiles);
+	}
+}
+
+} // namespace Drydock

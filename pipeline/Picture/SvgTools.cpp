@@ -1,0 +1,137 @@
+// Source: drydock.
+#include "Picture/SvgTools.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace Drydock
+{
+
+std::string FixedText(double Number, int Digits)
+{
+	char Buffer[400];
+	const std::to_chars_result Result =
+		std::to_chars(Buffer, Buffer + sizeof(Buffer), Number, std::chars_format::fixed, Digits);
+	std::string Text(Buffer, Result.ptr);
+	if (Text.find('.') != std::string::npos)
+	{
+		Text.erase(Text.find_last_not_of('0') + 1);
+		Text.erase(Text.find_last_not_of('.') + 1);
+	}
+	return Text == "-0" ? "0" : Text;
+}
+
+std::string Px(double Number)
+{
+	return FixedText(Number, 2);
+}
+
+std::string ShortText(double Number)
+{
+	char Buffer[32];
+	return std::string(
+		Buffer, std::to_chars(Buffer, Buffer + sizeof(Buffer), Number, std::chars_format::general, 4).ptr);
+}
+
+std::string EscapeXml(const std::string& Text)
+{
+	std::string Escaped;
+	for (const char Character : Text)
+	{
+		switch (Character)
+		{
+		case '&':
+			Escaped += "&amp;";
+			break;
+		case '<':
+			Escaped += "&lt;";
+			break;
+		case '>':
+			Escaped += "&gt;";
+			break;
+		case '"':
+			Escaped += "&quot;";
+			break;
+		default:
+			Escaped += static_cast<unsigned char>(Character) < 0x20 ? ' ' : Character;
+		}
+	}
+	return Escaped;
+}
+
+std::string ShortenText(const std::string& Text, size_t MaxCharacters)
+{
+	size_t NumCharacters = 0;
+	for (size_t Index = 0; Index < Text.size(); ++Index)
+	{
+		const bool bStart = (static_cast<unsigned char>(Text[Index]) & 0xC0) != 0x80;
+		if (bStart && NumCharacters++ == MaxCharacters)
+		{
+			return Text.substr(0, Index) + "\xE2\x80\xA6";
+		}
+	}
+	return Text;
+}
+
+FAxisTicks::FAxisTicks(double Low, double High, int MaxTicks)
+{
+	const double Rough = (High - Low) / MaxTicks;
+	const double Power = std::pow(10.0, std::floor(std::log10(Rough)));
+	Step = Power;
+	for (const double Factor : {2.0, 5.0, 10.0})
+	{
+		Step = Step < Rough ? Factor * Power : Step;
+	}
+	Digits = std::max(0, static_cast<int>(-std::floor(std::log10(Step) + 1e-9)));
+	for (double Index = std::ceil(Low / Step - 1e-9); Index * Step <= High + Step * 1e-9; ++Index)
+	{
+		Values.push_back(Index * Step);
+	}
+}
+
+std::vector<FSvgPoint> SimplifyCurve(const std::vector<FSvgPoint>& Points)
+{
+	std::vector<bool> Kept(Points.size(), false);
+	std::vector<std::pair<size_t, size_t>> Open;
+	if (!Points.empty())
+	{
+		Kept.front() = Kept.back() = true;
+		Open.emplace_back(0, Points.size() - 1);
+	}
+	while (!Open.empty())
+	{
+		const auto [First, Last] = Open.back();
+		Open.pop_back();
+		double Worst = 0.02;
+		size_t Farthest = First;
+		for (size_t Index = First + 1; Index < Last; ++Index)
+		{
+			const double Span = Points[Last].first - Points[First].first;
+			const double Part = Span > 0.0 ? (Points[Index].first - Points[First].first) / Span : 0.0;
+			const double OnLine = Points[First].second + (Points[Last].second - Points[First].second) * Part;
+			if (std::abs(Points[Index].second - OnLine) > Worst)
+			{
+				Worst = std::abs(Points[Index].second - OnLine);
+				Farthest = Index;
+			}
+		}
+		if (Farthest != First)
+		{
+			Kept[Farthest] = true;
+			Open.emplace_back(First, Farthest);
+			Open.emplace_back(Farthest, Last);
+		}
+	}
+	std::vector<FSvgPoint> Result;
+	for (size_t Index = 0; Index < Points.size(); ++Index)
+	{
+		if (Kept[Index])
+		{
+			Result.push_back(Points[Index]);
+		}
+	}
+	return Result;
+}
+
+} // namespace Drydock

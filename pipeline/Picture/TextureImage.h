@@ -1,0 +1,22 @@
+// Textures of a graph as pictures: what a dump, a report and a measurement look at.
+#pragma once
+
+#include "Picture/ImageFile.h"
+#include "RHITexture.h"
+
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+/** The values of one mip as stored, channels that the format has. */
+DRYDOCK_API FImage ReadTexture(FRHITexture& Texture, int Mip = 0);
+
+/** The part of an image inside a rect, padded to four channels (0, alpha 1). */
+DRYDOCK_API FImage CropToRgba(const FImage& Image, const FIntRect& Rect);
+
+/** "R", "RG", ... for a number of channels. */
+DRYDOCK_API std::vector<std::string> GetChannelNames(int NumChannels);
+
+} // namespace Drydock

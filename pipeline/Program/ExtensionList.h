@@ -1,0 +1,21 @@
+// What `drydock list extensions` and `drydock list hooks` say. Source: drydock.
+#pragma once
+
+#include "Budget/RunOptions.h"
+#include "DrydockAPI.h"
+#include "Text/ListTable.h"
+
+namespace Drydock
+{
+
+/** Types of extensions and of insertable passes: a row for each, followed by one for each of its parameters. */
+DRYDOCK_API FListTable ListExtensions();
+
+/** The insertion points that there are, by engine version. */
+DRYDOCK_API FListTable ListHooks();
+
+/** The chain of a config, compiled and not run: point, what it sees, format, size, who is subscribed, and why nobody is
+ * called. Throws FError, as RunConfig does. */
+DRYDOCK_API FListTable ListHooks(const FRunOptions& Options);
+
+} // namespace Drydock

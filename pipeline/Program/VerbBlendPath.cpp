@@ -1,0 +1,151 @@
+// `drydock blend --path`. Source: drydock.
+#include "Blend/BlendReport.h"
+#include "Blend/SettingsWalk.h"
+#include "Blend/WalkChart.h"
+#include "Budget/RunOptions.h"
+#include "Program/Verbs.h"
+#include "Run/FinalSettings.h"
+#include "Run/RunOutputs.h"
+#include "Run/RunSetup.h"
+#include "Text/JsonWriter.h"
+#include "Text/TextFile.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+namespace Drydock
+{
+
+namespace
+{
+
+/** What a person sees at once: every point of the path with its weights. */
+std::string MakeSummary(const FSettingsWalk& Walk, const std::string& MarkName)
+{
+	std::vector<std::vector<std::string>> Rows = {{MarkName, "cm"}};
+	Rows[0].insert(Rows[0].end(), Walk.Volumes.begin(), Walk.Volumes.end());
+	for (const FWalkSample& Sample : Walk.Samples)
+	{
+		if (Sample.Point < 0)
+		{
+			continue;
+		}
+		char Buffer[64];
+		std::snprintf(Buffer, sizeof(Buffer), "%.1f", Sample.Distance);
+		Rows.push_back({Walk.Points[static_cast<size_t>(Sample.Point)].Label, Buffer});
+		for (const float Weight : Sample.Weights)
+		{
+			std::snprintf(Buffer, sizeof(Buffer), "%.4f", static_cast<double>(Weight));
+			Rows.back().emplace_back(Buffer);
+		}
+	}
+	std::vector<size_t> Widths(Rows[0].size(), 0);
+	for (const std::vector<std::string>& Row : Rows)
+	{
+		for (size_t Column = 0; Column < Row.size(); ++Column)
+		{
+			Widths[Column] = std::max(Widths[Column], Row[Column].size());
+		}
+	}
+	std::string Text;
+	for (const std::vector<std::string>& Row : Rows)
+	{
+		for (size_t Column = 0; Column < Row.size(); ++Column)
+		{
+			Text += std::string(Widths[Column] - Row[Column].size() + (Column > 0 ? 2 : 0), ' ') + Row[Column];
+		}
+		Text += "\n";
+	}
+	return Text;
+}
+
+std::vector<std::string> GetNames(const FSettingsWalk& Walk)
+{
+	std::vector<std::string> Names;
+	for (const size_t Index : Walk.Settings)
+	{
+		Names.emplace_back(GetSettingFields()[Index].Name);
+	}
+	return Names;
+}
+
+std::string ListSettings(const FSettingsWalk& Walk)
+{
+	std::string Text;
+	for (const std::string& Name : GetNames(Walk))
+	{
+		Text += (Text.empty() ? "" : ", ") + Name;
+	}
+	return Text.empty() ? "no setting changes on the way" : Text;
+}
+
+/** {csv, svg, settings: [names], points: [{point, distance, location, weights: {volume: weight}}]} */
+std::string MakeJson(const FSettingsWalk& Walk, const std::string& Csv, const std::string& Svg)
+{
+	FJsonWriter Writer;
+	Writer.BeginObject();
+	Writer.Member("csv", Csv);
+	Writer.Member("svg", Svg);
+	Writer.Key("settings").BeginArray(true);
+	for (const std::string& Name : GetNames(Walk))
+	{
+		Writer.Value(Name);
+	}
+	Writer.EndArray();
+	Writer.Key("points").BeginArray();
+	for (const FWalkSample& Sample : Walk.Samples)
+	{
+		if (Sample.Point < 0)
+		{
+			continue;
+		}
+		Writer.BeginObject(true);
+		Writer.Member("point", Walk.Points[static_cast<size_t>(Sample.Point)].Label);
+		Writer.Member("distance", Sample.Distance);
+		Writer.Key("location").BeginArray(true);
+		for (const double Coordinate : {Sample.Location.X, Sample.Location.Y, Sample.Location.Z})
+		{
+			Writer.Value(Coordinate);
+		}
+		Writer.EndArray();
+		Writer.Key("weights").BeginObject(true);
+		for (size_t Volume = 0; Volume < Walk.Volumes.size(); ++Volume)
+		{
+			Writer.Member(Walk.Volumes[Volume], Sample.Weights[Volume]);
+		}
+		Writer.EndObject();
+		Writer.EndObject();
+	}
+	Writer.EndArray();
+	Writer.EndObject();
+	return Writer.GetText();
+}
+
+} // namespace
+
+int BlendPathVerb(const FVerbOptions& Options)
+{
+	const std::vector<size_t> Chosen = Options.Names.empty() ? std::vector<size_t>() : FindSettings(Options.Names);
+	const FRunSetup Setup(Options.Run);
+	PrintDiagnostics(Setup.Diagnostics);
+	const bool bScene = Options.Path == "scene";
+	const std::vector<FPathPoint> Points = bScene ? ReadScenePath(Setup.Config) : LoadPath(Options.Path);
+	const FSettingsWalk Walk = WalkSettings(
+		MakeSettingsBlender(Setup.Config), Points, Options.Steps.value_or(GetDefaultNumSteps(Points.size())), Chosen);
+	const std::string MarkName = bScene ? "frame" : "point";
+	const std::string Title = "Settings along the path: " + std::filesystem::path(Setup.Config.File).stem().string();
+	const std::string Folder =
+		Options.OutputFolder.empty() ? GetDefaultOutputFolder(Setup.Config.File) : Options.OutputFolder;
+	const std::string Csv = (std::filesystem::path(Folder) / "walk.csv").string();
+	const std::string Svg = (std::filesystem::path(Folder) / "walk.svg").string();
+	WriteTextFile(Csv, MakeWalkCsv(Walk));
+	WriteTextFile(Svg, DrawWalkChart(MakeWalkChart(Walk, Title, MarkName)));
+	const std::string Text = Options.bJson ? MakeJson(Walk, Csv, Svg)
+										   : MakeSummary(Walk, MarkName) + "\nsettings  " + ListSettings(Walk) +
+												 "\ntable     " + Csv + "\nchart     " + Svg + "\n";
+	std::fputs(Text.c_str(), stdout);
+	return ExitDone;
+}
+
+} // namespace Drydock

@@ -1,0 +1,177 @@
+// `drydock list`. Source: drydock.
+#include "Config/SettingList.h"
+#include "Effects/EffectDecisions.h"
+#include "GlobalShader.h"
+#include "Program/ExtensionList.h"
+#include "Program/Verbs.h"
+#include "Text/JsonWriter.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <strings.h>
+
+namespace Drydock
+{
+
+namespace
+{
+
+bool ContainsIgnoringCase(const std::string& Text, const std::string& Part)
+{
+	const auto Same = [](char A, char B)
+	{
+		return std::tolower(static_cast<unsigned char>(A)) == std::tolower(static_cast<unsigned char>(B));
+	};
+	return std::search(Text.begin(), Text.end(), Part.begin(), Part.end(), Same) != Text.end();
+}
+
+FListTable ListPasses()
+{
+	FListTable Table{{"shader", "file", "entry", "stage"}, {}, ""};
+	ForEachGlobalShader(
+		[&](const FGlobalShaderType& Type)
+		{
+			const EShaderFrequency Stage = Type.GetFrequency();
+			Table.Rows.push_back({Type.GetName(), Type.GetShaderFilename(), Type.GetFunctionName(),
+				Stage == SF_Compute ? "compute"
+				: Stage == SF_Pixel ? "pixel"
+									: "vertex (not run)"});
+		});
+	return Table;
+}
+
+FListTable ListEffects()
+{
+	FListTable Table{{"name", "state"}, {}, ""};
+	FChainSettings Chain;
+	for (const FEffectDecision& Effect : DecideEffects(Chain))
+	{
+		const bool bNotBuilt = Effect.Reason.rfind("not built yet", 0) == 0 || Effect.Name == "FXAA";
+		Table.Rows.push_back({Effect.Name, bNotBuilt ? "not built yet" : "built"});
+	}
+	return Table;
+}
+
+bool MakeTable(const std::string& Things, FListTable& OutTable)
+{
+	if (Things == "passes")
+	{
+		OutTable = ListPasses();
+	}
+	else if (Things == "effects")
+	{
+		OutTable = ListEffects();
+	}
+	else if (Things == "extensions")
+	{
+		OutTable = ListExtensions();
+	}
+	else if (Things == "hooks")
+	{
+		OutTable = ListHooks();
+	}
+	else
+	{
+		return false;
+	}
+	return true;
+}
+
+std::string FormatText(const FListTable& Table)
+{
+	std::vector<size_t> Widths;
+	for (size_t Column = 0; Column < Table.Header.size(); ++Column)
+	{
+		size_t Width = Table.Header[Column].size();
+		for (const std::vector<std::string>& Row : Table.Rows)
+		{
+			Width = std::max(Width, Row[Column].size());
+		}
+		Widths.push_back(Width);
+	}
+	const auto FormatRow = [&](const std::vector<std::string>& Row)
+	{
+		std::string Line;
+		for (size_t Column = 0; Column < Row.size(); ++Column)
+		{
+			Line +=
+				Row[Column] + std::string(Column + 1 < Row.size() ? Widths[Column] - Row[Column].size() + 2 : 0, ' ');
+		}
+		return Line.substr(0, Line.find_last_not_of(' ') + 1) + "\n";
+	};
+	std::string Text = FormatRow(Table.Header);
+	for (const std::vector<std::string>& Row : Table.Rows)
+	{
+		Text += FormatRow(Row);
+	}
+	return Text;
+}
+
+std::string FormatJson(const FListTable& Table)
+{
+	FJsonWriter Writer;
+	Writer.BeginArray();
+	for (const std::vector<std::string>& Row : Table.Rows)
+	{
+		Writer.BeginObject(true);
+		for (size_t Column = 0; Column < Row.size(); ++Column)
+		{
+			Writer.Member(Table.Header[Column], Row[Column]);
+		}
+		Writer.EndObject();
+	}
+	Writer.EndArray();
+	return Writer.GetText();
+}
+
+} // namespace
+
+int ListVerb(const std::string& Things, const std::string& Filter, bool bJson)
+{
+	if (Things == "settings")
+	{
+		const std::vector<const FSettingField*> Fields = FindSettingFields(Filter);
+		if (Fields.empty())
+		{
+			const std::string Nearest = FindNearestName(Filter, GetSettingNames());
+			std::fprintf(stderr, "drydock list: no setting matches \"%s\"%s\n", Filter.c_str(),
+				(Nearest.empty() ? "" : "; did you mean " + Nearest + "?").c_str());
+		}
+		std::fputs((bJson ? FormatSettingsJson(Fields) : FormatSettings(Fields)).c_str(), stdout);
+		return ExitDone;
+	}
+	FListTable Table;
+	const bool bOfConfig = Things == "hooks" && !Filter.empty();
+	if (bOfConfig)
+	{
+		FRunOptions Options;
+		Options.ConfigFile = Filter;
+		Table = ListHooks(Options);
+	}
+	else if (!MakeTable(Things, Table))
+	{
+		const std::string Nearest =
+			FindNearestName(Things, {"passes", "settings", "cvars", "effects", "extensions", "hooks"});
+		std::fprintf(stderr, "drydock list: there is no list of \"%s\"%s\n", Things.c_str(),
+			(Nearest.empty() ? "; there are passes, settings, cvars, effects, extensions, hooks"
+							 : "; did you mean " + Nearest + "?")
+				.c_str());
+		return ExitUsage;
+	}
+	const auto IsFilteredOut = [&](const std::vector<std::string>& Row)
+	{
+		return !bOfConfig && !ContainsIgnoringCase(Row[0], Filter);
+	};
+	Table.Rows.erase(std::remove_if(Table.Rows.begin(), Table.Rows.end(), IsFilteredOut), Table.Rows.end());
+	if (bJson)
+	{
+		std::fputs(FormatJson(Table).c_str(), stdout);
+	}
+	else
+	{
+		std::fputs((Table.Remark.empty() ? FormatText(Table) : Table.Remark + "\n").c_str(), stdout);
+	}
+	return ExitDone;
+}
+
+} // namespace Drydock

@@ -1,0 +1,52 @@
+// `drydock list cvars`. Source: drydock.
+#include "Config/ConsoleVariableText.h"
+#include "Program/Verbs.h"
+#include "Run/RunSetup.h"
+
+#include <cstdio>
+#include <optional>
+
+namespace Drydock
+{
+
+int ListVariablesVerb(const FVerbOptions& Options, const std::string& Filter)
+{
+	// While it lives, the variables are as the config and the command line set them.
+	std::optional<FRunSetup> Setup;
+	FRunOptions Run = Options.Run;
+	if (!Run.ConfigFile.empty() || !Run.Variables.empty() || !Run.Exec.empty())
+	{
+		if (Run.ConfigFile.empty())
+		{
+			Run.ConfigText = "{}";
+		}
+		Setup.emplace(Run);
+		PrintDiagnostics(Setup->Diagnostics);
+	}
+	std::vector<FConsoleVariableInfo> All;
+	std::vector<std::string> Names;
+	for (const FConsoleVariableInfo& Info : ListConsoleVariables())
+	{
+		All.push_back(Info);
+		Names.emplace_back(*Info.Name);
+	}
+	const std::vector<FConsoleVariableInfo> Infos = FilterConsoleVariables(All, Filter);
+	if (Options.bJson)
+	{
+		std::fputs(FormatConsoleVariablesAsJson(Infos).c_str(), stdout);
+	}
+	else if (Infos.empty())
+	{
+		const std::string Nearest = FindNearestName(Filter, Names);
+		std::fprintf(stderr, "drydock list: no console variable matches \"%s\"%s\n", Filter.c_str(),
+			Nearest.empty() ? "" : ("; did you mean " + Nearest + "?").c_str());
+	}
+	else
+	{
+		std::fputs(
+			(Infos.size() == 1 ? FormatConsoleVariableHelp(Infos[0]) : FormatConsoleVariables(Infos)).c_str(), stdout);
+	}
+	return ExitDone;
+}
+
+} // namespace Drydock

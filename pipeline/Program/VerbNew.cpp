@@ -1,0 +1,120 @@
+// `drydock new`: a patch to begin with. Source: drydock.
+#include "InstallPaths.h"
+#include "Patch/PatchErrors.h"
+#include "Patch/PatchName.h"
+#include "Patch/PatchTemplate.h"
+#include "Program/Verbs.h"
+#include "Text/JsonWriter.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <filesystem>
+
+namespace Drydock
+{
+
+namespace
+{
+
+namespace Files = std::filesystem;
+
+void CheckName(const std::string& Name)
+{
+	const std::set<std::string> Taken = FindTakenNames();
+	const std::string Why = ExplainBadPatchName(Name, Taken);
+	if (Why.empty())
+	{
+		return;
+	}
+	const std::string Near = SuggestPatchName(Name, Taken);
+	FDiagnostic Diagnostic;
+	Diagnostic.Code = ErrorPatchName;
+	Diagnostic.Message = "\"" + Name + "\" cannot be a patch's name: " + Why +
+						 (Near.empty() ? "; MyPatch would do" : "; did you mean " + Near + "?");
+	throw FError(Diagnostic, ExitUsage);
+}
+
+std::string QuoteForShell(const std::string& Text)
+{
+	const auto IsPlain = [](char Letter)
+	{
+		return std::isalnum(static_cast<unsigned char>(Letter)) != 0 ||
+			   std::string("_-./+~").find(Letter) != std::string::npos;
+	};
+	return std::all_of(Text.begin(), Text.end(), IsPlain) ? Text : "'" + Text + "'";
+}
+
+/** The prefix that this program is installed in; empty when it runs from its build folder. */
+std::string FindPrefix()
+{
+	const std::string Share = FindInstalled("share/drydock/templates");
+	return Share.empty() ? std::string() : Files::path(Share).parent_path().parent_path().parent_path().string();
+}
+
+/** What to type next. */
+std::vector<std::string> GetCommands(const std::string& Folder, const std::string& Name)
+{
+	const std::string Prefix = FindPrefix();
+	return {
+		"cd " + QuoteForShell(Folder),
+		"cmake -B build -DCMAKE_PREFIX_PATH=" + (Prefix.empty() ? "PREFIX" : QuoteForShell(Prefix)),
+		"cmake --build build",
+		"ctest --test-dir build",
+		"drydock run configs/" + Name + ".json",
+	};
+}
+
+std::string FormatJson(
+	const FNewPatchOptions& Options, const std::string& Folder, const std::vector<FPatchFile>& Project)
+{
+	FJsonWriter Writer;
+	Writer.BeginObject();
+	Writer.Member("name", Options.Name);
+	Writer.Member("folder", Files::absolute(Folder).lexically_normal().string());
+	Writer.Key("files").BeginArray();
+	for (const FPatchFile& File : Project)
+	{
+		Writer.Value(File.Path);
+	}
+	Writer.EndArray();
+	Writer.Key("commands").BeginArray();
+	for (const std::string& Command : GetCommands(Folder, Options.Name))
+	{
+		Writer.Value(Command);
+	}
+	Writer.EndArray();
+	Writer.EndObject();
+	return Writer.GetText();
+}
+
+std::string FormatText(
+	const FNewPatchOptions& Options, const std::string& Folder, const std::vector<FPatchFile>& Project)
+{
+	std::string Text = Folder + ": a patch of " + std::to_string(Project.size()) + " files\n";
+	for (const FPatchFile& File : Project)
+	{
+		Text += "  " + File.Path + "\n";
+	}
+	Text += FindPrefix().empty() ? "build and run it, with drydock installed by ./dev install PREFIX:\n"
+								 : "build and run it:\n";
+	for (const std::string& Command : GetCommands(Folder, Options.Name))
+	{
+		Text += "  " + Command + "\n";
+	}
+	return Text;
+}
+
+} // namespace
+
+int NewVerb(const FNewPatchOptions& Options)
+{
+	CheckName(Options.Name);
+	const std::string Folder = (Files::path(Options.Folder) / Options.Name).string();
+	const std::vector<FPatchFile> Project = MakePatchFiles(Options.Name);
+	WritePatch(Folder, Project);
+	std::fputs((Options.bJson ? FormatJson : FormatText)(Options, Folder, Project).c_str(), stdout);
+	return ExitDone;
+}
+
+} // namespace Drydock

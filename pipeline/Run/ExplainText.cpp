@@ -1,0 +1,265 @@
+// What `drydock explain` prints. Source: drydock.
+#include "Run/Explain.h"
+#include "Text/ConfigErrors.h"
+#include "Text/JsonWriter.h"
+#include "Text/TextFormat.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace Drydock
+{
+
+namespace
+{
+
+std::string Count(int Number, const char* Thing)
+{
+	return std::to_string(Number) + " " + Thing +
+		   (Number == 1                                      ? ""
+			   : Thing[std::string(Thing).size() - 1] == 's' ? "es"
+															 : "s");
+}
+
+std::string FormatMilliseconds(const FExplainReport& Report, double Milliseconds)
+{
+	return (Report.bMeasured ? "" : "about ") + Format("%.1f ms", Milliseconds);
+}
+
+std::string FormatEffect(const FExplainedEffect& Effect, size_t NameWidth)
+{
+	const FEffectDecision& Decision = Effect.Decision;
+	const bool bPasses = Effect.NumPasses > 0;
+	return PadRight(Decision.Name, NameWidth) + "  " + (Decision.bActive ? "yes" : "no ") +
+		   PadLeft(bPasses ? std::to_string(Effect.NumPasses) : "-", 8) +
+		   PadLeft(bPasses ? Format("%.2f", Effect.Milliseconds) : "-", 9) +
+		   PadLeft(bPasses ? Format("%.1f", Effect.Megabytes) : "-", 8) + "  " + Decision.Reason + "\n";
+}
+
+std::string FormatSaved(const FExplainReport& Report)
+{
+	const FExplainedCost& With = Report.Cost;
+	const FExplainedCost& Without = Report.WithoutSkipping;
+	const double Megabytes = 1e-6 * (static_cast<double>(Without.TransientBytes + Without.SceneBytes) -
+										static_cast<double>(With.TransientBytes + With.SceneBytes));
+	// A region costs a copy, and now and then that is one pass more.
+	const int NumPasses = Without.NumPasses - With.NumPasses;
+	return "saved    " +
+		   (NumPasses < 0 ? "no pass (" + std::to_string(-NumPasses) + " more)" : Count(NumPasses, "pass")) + ", " +
+		   Format("%.1f MB", Megabytes) + ", " + Count(Without.NumChannels - With.NumChannels, "channel") + ", " +
+		   FormatMilliseconds(Report, Without.Milliseconds - With.Milliseconds) +
+		   ", against the same frame with --no-skip\n";
+}
+
+std::string List(const std::vector<std::string>& Names, const char* Otherwise)
+{
+	std::string Text;
+	for (const std::string& Name : Names)
+	{
+		Text += (Text.empty() ? "" : ", ") + Name;
+	}
+	return Text.empty() ? Otherwise : Text;
+}
+
+std::string FormatPassLine(const FExplainedPass& Pass, size_t NameWidth)
+{
+	return PadLeft(std::to_string(Pass.Index), 5) + "  " + PadRight(Pass.Name, NameWidth) + "  " +
+		   (Pass.bExecutes ? PadLeft(Format("%.2f ms", Pass.Milliseconds), 9) + "  read by " +
+								 List(Pass.Readers, "nobody in the graph: it is an output")
+						   : "   culled  " + Pass.Reason) +
+		   "\n";
+}
+
+[[noreturn]] void ThrowUnknown(const char* Thing, const std::string& Name, const std::vector<std::string>& Names)
+{
+	const std::string Nearest = FindNearestName(Name, Names);
+	FDiagnostic Diagnostic;
+	Diagnostic.Code = ErrorBadArgument;
+	Diagnostic.Where = std::string("--") + Thing;
+	Diagnostic.Message = std::string("this frame has no ") + Thing + " " + Name +
+						 (Nearest.empty() ? "" : "; did you mean " + Nearest + "?");
+	throw FError(Diagnostic, ExitUsage);
+}
+
+/** By its whole name, its index, or the name without what follows it ("BloomSetup" for "BloomSetup 480x270 (PS)"). */
+bool IsCalled(const FExplainedPass& Pass, const std::string& Name)
+{
+	const bool bBegins = Pass.Name.rfind(Name, 0) == 0 && Pass.Name.size() > Name.size() &&
+						 (Pass.Name[Name.size()] == ' ' || Pass.Name[Name.size()] == '(');
+	return Pass.Name == Name || std::to_string(Pass.Index) == Name || bBegins;
+}
+
+void WriteCost(FJsonWriter& Writer, const char* Key, const FExplainedCost& Cost)
+{
+	Writer.Key(Key).BeginObject(true);
+	Writer.Member("passes", Cost.NumPasses);
+	Writer.Member("channels", Cost.NumChannels);
+	Writer.Member("transientPeakBytes", Cost.TransientBytes);
+	Writer.Member("sceneTextureBytes", Cost.SceneBytes);
+	Writer.Member("ms", Cost.Milliseconds);
+	Writer.EndObject();
+}
+
+void WriteNames(FJsonWriter& Writer, const char* Key, const std::vector<std::string>& Names)
+{
+	Writer.Key(Key).BeginArray(true);
+	for (const std::string& Name : Names)
+	{
+		Writer.Value(Name);
+	}
+	Writer.EndArray();
+}
+
+} // namespace
+
+std::string MakeExplainText(const FExplainReport& Report, bool bColorful)
+{
+	const std::string Bold = bColorful ? "\x1b[1m" : "";
+	const std::string Dim = bColorful ? "\x1b[2m" : "";
+	const std::string Normal = bColorful ? "\x1b[0m" : "";
+	size_t NameWidth = 6;
+	for (const FExplainedEffect& Effect : Report.Effects)
+	{
+		NameWidth = std::max(NameWidth, Effect.Decision.Name.size());
+	}
+	std::string Text = Bold + PadRight("effect", NameWidth) + "  runs  passes" +
+					   PadLeft(Report.bMeasured ? "ms" : "est. ms", 9) + PadLeft("MB", 8) + "  why" + Normal + "\n";
+	for (const FExplainedEffect& Effect : Report.Effects)
+	{
+		const bool bDim = !Effect.Decision.bActive;
+		Text += (bDim ? Dim : "") + FormatEffect(Effect, NameWidth) + (bDim ? Normal : "");
+	}
+	std::string Extensions;
+	int NumCulled = 0;
+	for (const FExplainedPass& Pass : Report.Passes)
+	{
+		NumCulled += !Pass.bExecutes;
+		if (Pass.Effect.empty() && Pass.bExecutes)
+		{
+			Extensions += (Extensions.empty() ? "" : ", ") + Pass.Name;
+		}
+	}
+	std::string Decoded;
+	for (const FSceneChannel& Channel : Report.Channels)
+	{
+		Decoded += Channel.bDecoded ? (Decoded.empty() ? "" : ", ") + Channel.Name : "";
+	}
+	Text += "\npasses   " + std::to_string(Report.Cost.NumPasses) + " run, " + std::to_string(NumCulled) + " culled" +
+			(NumCulled > 0 ? " (explain --pass NAME says why)" : "") + "; " +
+			FormatMilliseconds(Report, Report.Cost.Milliseconds) + "\n";
+	if (!Extensions.empty())
+	{
+		Text += "others   passes of no effect, from view extensions or copies: " + Extensions + "\n";
+	}
+	Text += "memory   " + Format("%.1f MB", 1e-6 * static_cast<double>(Report.Cost.TransientBytes)) + " transient, " +
+			Format("%.1f MB", 1e-6 * static_cast<double>(Report.Cost.SceneBytes)) + " scene textures\n";
+	Text += "scene    " + std::to_string(Report.Cost.NumChannels) + " of " +
+			Count(static_cast<int>(Report.Channels.size()), "channel") +
+			" decoded: " + (Decoded.empty() ? "none" : Decoded) + "\n";
+	Text += FormatSaved(Report);
+	if (!Report.bMeasured && Report.NumUnknown > 0)
+	{
+		Text += Count(Report.NumUnknown, "pass") +
+				" never ran on this machine under these conditions: their time is a guess. A run teaches it; " +
+				"--measure measures.\n";
+	}
+	return Text;
+}
+
+std::string MakePassText(const FExplainReport& Report, const std::string& Name)
+{
+	std::string Text;
+	std::vector<std::string> Names;
+	for (const FExplainedPass& Pass : Report.Passes)
+	{
+		Names.push_back(Pass.Name.substr(0, Pass.Name.find_first_of(" (")));
+		if (!IsCalled(Pass, Name))
+		{
+			continue;
+		}
+		Text += "pass " + std::to_string(Pass.Index) + ", " + Pass.Name + "\n";
+		Text += "  effect   " + (Pass.Effect.empty() ? "none: of a view extension, or a copy" : Pass.Effect) + "\n";
+		Text += "  runs     " +
+				(Pass.bExecutes ? "yes, " + FormatMilliseconds(Report, Pass.Milliseconds) : "no: " + Pass.Reason) +
+				"\n";
+		Text += "  shader   " + (Pass.Shader.empty() ? "chosen by the pass itself" : Pass.Shader) + "\n";
+		Text += "  reads    " + List(Pass.Reads, "nothing") + "\n";
+		Text += "  writes   " + List(Pass.Writes, "nothing") + "\n";
+		Text += "  read by  " + List(Pass.Readers, "no pass: an output, or nobody") + "\n";
+	}
+	if (Text.empty())
+	{
+		ThrowUnknown("pass", Name, Names);
+	}
+	return Text;
+}
+
+std::string MakeEffectText(const FExplainReport& Report, const std::string& Name)
+{
+	std::vector<std::string> Names;
+	for (const FExplainedEffect& Effect : Report.Effects)
+	{
+		Names.push_back(Effect.Decision.Name);
+		if (Effect.Decision.Name != Name)
+		{
+			continue;
+		}
+		std::string Text =
+			Name + (Effect.Decision.bActive ? " runs: " : " does not run: ") + Effect.Decision.Reason + "\n";
+		size_t NameWidth = 0;
+		for (const FExplainedPass& Pass : Report.Passes)
+		{
+			NameWidth = Pass.Effect == Name ? std::max(NameWidth, Pass.Name.size()) : NameWidth;
+		}
+		for (const FExplainedPass& Pass : Report.Passes)
+		{
+			Text += Pass.Effect == Name ? FormatPassLine(Pass, NameWidth) : "";
+		}
+		return Text;
+	}
+	ThrowUnknown("effect", Name, Names);
+}
+
+std::string MakeExplainJson(const FExplainReport& Report)
+{
+	FJsonWriter Writer;
+	Writer.BeginObject();
+	Writer.Member("config", Report.Config);
+	Writer.Member("measured", Report.bMeasured);
+	Writer.Key("effects").BeginArray();
+	for (const FExplainedEffect& Effect : Report.Effects)
+	{
+		Writer.BeginObject(true);
+		Writer.Member("name", Effect.Decision.Name);
+		Writer.Member("active", Effect.Decision.bActive);
+		Writer.Member("reason", Effect.Decision.Reason);
+		Writer.Member("passes", Effect.NumPasses);
+		Writer.Member("culled", Effect.NumCulled);
+		Writer.Member("ms", Effect.Milliseconds);
+		Writer.Member("megabytes", Effect.Megabytes);
+		Writer.EndObject();
+	}
+	Writer.EndArray();
+	Writer.Key("passes").BeginArray();
+	for (const FExplainedPass& Pass : Report.Passes)
+	{
+		Writer.BeginObject(true);
+		Writer.Member("index", Pass.Index);
+		Writer.Member("name", Pass.Name);
+		Writer.Member("effect", Pass.Effect);
+		Writer.Member("executes", Pass.bExecutes);
+		Writer.Member("reason", Pass.Reason);
+		Writer.Member("ms", Pass.Milliseconds);
+		WriteNames(Writer, "reads", Pass.Reads);
+		WriteNames(Writer, "writes", Pass.Writes);
+		WriteNames(Writer, "readers", Pass.Readers);
+		Writer.EndObject();
+	}
+	Writer.EndArray();
+	WriteCost(Writer, "cost", Report.Cost);
+	WriteCost(Writer, "withoutSkipping", Report.WithoutSkipping);
+	Writer.EndObject();
+	return Writer.GetText();
+}
+
+} // namespace Drydock

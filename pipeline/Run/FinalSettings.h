@@ -1,0 +1,34 @@
+// The settings of a run: defaults, volumes, camera, command line, then console variables and show flags. Source:
+// drydock; the order is the engine's.
+#pragma once
+
+#include "BlendSettings.h"
+#include "Config/Config.h"
+#include "Effects/EffectDecisions.h"
+
+namespace Drydock
+{
+
+/** What blends a config's settings at any location; for many locations, make it once. Console variables must be set
+ * already, whenever it is asked. */
+DRYDOCK_API FSettingsBlender MakeSettingsBlender(const FConfig& Config);
+
+/** A config's settings at a location, cm; with the story of each in Ledger, unless that is null. Console variables must
+ * be set already. */
+DRYDOCK_API FBlendedSettings BlendSettingsAt(
+	const FConfig& Config, const FVector& Location, FBlendLedger* Ledger = nullptr);
+
+/** Where the camera is, cm: of the config, else of the scene (see CompleteFromScene), else the origin. */
+DRYDOCK_API FVector GetViewLocation(const FConfig& Config);
+
+/** At the view's location. Console variables must be set already. What is doubtful about the blend (two volumes of one
+ * priority that disagree, values that are not finite) is appended to Diagnostics, unless that is null. */
+DRYDOCK_API FChainSettings MakeChainSettings(const FConfig& Config, std::vector<FDiagnostic>* Diagnostics = nullptr);
+
+/** Names of all settings that something in the config gives, active or not. */
+DRYDOCK_API std::vector<std::string> GetNamedSettings(const FConfig& Config);
+
+/** "Stage"; "volumes/2" for one without a name. */
+DRYDOCK_API std::string GetVolumeName(const FConfig& Config, size_t Index);
+
+} // namespace Drydock

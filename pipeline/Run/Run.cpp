@@ -1,0 +1,499 @@
+// Source: drydock.
+#include "Run/Run.h"
+
+#include "Extensions/EngineProfile.h"
+#include "Frame/Frame.h"
+#include "Picture/TextureImage.h"
+#include "RenderGraphObserver.h"
+#include "Run/FinalSettings.h"
+#include "Run/RunDump.h"
+#include "Run/RunJson.h"
+#include "Run/RunSetup.h"
+#include "Run/VariableTaps.h"
+#include "SceneFile/NonFinite.h"
+#include "Text/ConfigErrors.h"
+#include "TileExecutor.h"
+#include "Tonemap/TonemapOutputDevice.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace Drydock
+{
+
+namespace
+{
+
+using FClock = std::chrono::steady_clock;
+
+double MillisecondsSince(FClock::time_point Begin)
+{
+	return std::chrono::duration<double, std::milli>(FClock::now() - Begin).count();
+}
+
+int32 GetVariableInt(const char* Name)
+{
+	const IConsoleVariable* Variable = IConsoleManager::Get().FindConsoleVariable(Name);
+	return Variable != nullptr ? Variable->GetInt() : 0;
+}
+
+/** Loads what the compiled graph needs, keeps what is dumped, and notes what each pass cost. */
+class FRunObserver final : public IRDGObserver
+{
+public:
+	FRunObserver(const FRunOptions& InOptions, const FRunSetup& InSetup, FScene& InScene, FRunResult& InResult)
+		: Options(InOptions)
+		, Setup(InSetup)
+		, Scene(InScene)
+		, Result(InResult)
+	{
+	}
+
+	void OnGraphCompiled(const FRDGCompiledGraph& Graph) override
+	{
+		Result.Graph = Graph;
+		NumToExecute = static_cast<int>(std::count_if(Graph.Passes.begin(), Graph.Passes.end(),
+			[](const FRDGCompiledPass& Pass) { return !Pass.bCulled && !Pass.bIsSentinel; }));
+		ReportProgress();
+	}
+
+	bool WantsPlannedExternals() const override { return Options.bPlanLoads; }
+	void OnExternalsPlanned(const std::vector<FRDGExternalLoad>& Loads) override { Scene.Plan(FindNeeded(Loads)); }
+
+	void OnLoadExternals(const std::vector<FRDGExternalLoad>& Loads) override
+	{
+		const FClock::time_point Begin = FClock::now();
+		const std::vector<FNeededSceneTexture> Needed = FindNeeded(Loads);
+		Scene.Load(Needed, {static_cast<float>(Setup.Config.View.PreExposure.Value), Result.ViewRect.Size(),
+							   Setup.Config.Scene.Units});
+		Result.Times.Load += MillisecondsSince(Begin);
+		for (const FNeededSceneTexture& Texture : Needed)
+		{
+			FRHITexture* const Loaded = Scene.GetTexture(Texture.Texture);
+			// A texture that may be read is announced again once it is.
+			const bool bKept = std::any_of(Result.Dumps.begin(), Result.Dumps.end(),
+				[&](const FRunDump& Dump) { return Dump.PassIndex == 0 && Dump.Resource == Texture.Texture; });
+			if (Loaded != nullptr && !bKept && IsDumped(Setup.Dump, "External", Texture.Texture))
+			{
+				KeepTexture(0, "External", Texture.Texture, *Loaded);
+			}
+		}
+	}
+
+	void OnPassExecuted(int32_t PassIndex, const FRDGPass& Pass, double Milliseconds, const FPassCounters& Counters,
+		const std::vector<FRDGTexture*>& WrittenTextures) override
+	{
+		Result.Passes.push_back({PassIndex, Milliseconds, Counters});
+		Result.Passes.back().Counters.Taps = CountTaps(Pass, Counters);
+		for (FRDGTexture* Texture : WrittenTextures)
+		{
+			if (IsDumped(Setup.Dump, Pass.GetName(), Texture->Name))
+			{
+				KeepTexture(PassIndex, Pass.GetName(), Texture->Name, *Texture->GetRHI());
+			}
+		}
+		ReportProgress();
+	}
+
+private:
+	/** Without skipping, every texture that the file can fill. */
+	std::vector<FNeededSceneTexture> FindNeeded(const std::vector<FRDGExternalLoad>& Loads) const
+	{
+		std::vector<FNeededSceneTexture> Needed;
+		for (const FRDGExternalLoad& Load : Loads)
+		{
+			Needed.push_back({Load.Texture->Name, Load.Pass->GetName(), Load.bIsRead});
+		}
+		for (const FScenePacking& Packing : GetScenePackings())
+		{
+			if (Options.bNoSkip)
+			{
+				Needed.push_back({Packing.Name, "", false});
+			}
+		}
+		return Needed;
+	}
+
+	void KeepTexture(int PassIndex, const std::string& Pass, const std::string& Resource, FRHITexture& Texture)
+	{
+		const int NumMips = static_cast<int>(Texture.GetNumMips());
+		for (int Mip = 0; Mip < NumMips; ++Mip)
+		{
+			FRunDump Dump{PassIndex, Pass, Resource, NumMips > 1 ? Mip : -1, ReadTexture(Texture, Mip), {}};
+			Dump.Channels = GetChannelNames(Dump.Image.NumChannels);
+			Result.Dumps.push_back(std::move(Dump));
+		}
+	}
+
+	void ReportProgress() const
+	{
+		if (!Options.Progress)
+		{
+			return;
+		}
+		const int Done = static_cast<int>(Result.Passes.size());
+		int Position = 0;
+		for (const FRDGCompiledPass& Pass : Result.Graph.Passes)
+		{
+			if (!Pass.bCulled && !Pass.bIsSentinel && Position++ == Done)
+			{
+				Options.Progress(Done, NumToExecute, Pass.Name);
+				return;
+			}
+		}
+		Options.Progress(Done, NumToExecute, "");
+	}
+
+	const FRunOptions& Options;
+	const FRunSetup& Setup;
+	FScene& Scene;
+	FRunResult& Result;
+	int NumToExecute = 0;
+};
+
+/** A view's rect, which counts in pixels of the picture, as a rect of the scene textures. */
+FIntRect GetViewRect(const FConfig& Config, const FConfigView& View, const FScene& Scene)
+{
+	const FIntRect Picture = Scene.GetPictureRect();
+	if (!View.Rect.IsSet())
+	{
+		return Picture;
+	}
+	const std::array<int, 4>& Corners = View.Rect.Value;
+	if (Corners[2] > Picture.Width() || Corners[3] > Picture.Height())
+	{
+		FDiagnostic Diagnostic;
+		Diagnostic.Code = ErrorBadValue;
+		Diagnostic.File = Config.File;
+		Diagnostic.Line = View.Rect.Place.Line;
+		Diagnostic.Column = View.Rect.Place.Column;
+		Diagnostic.Where = View.Rect.Place.Pointer;
+		Diagnostic.Message = "the rect leaves the scene, which is " + std::to_string(Picture.Width()) + " x " +
+							 std::to_string(Picture.Height()) + " pixels";
+		throw FError(Diagnostic, ExitUsage);
+	}
+	return FIntRect(Corners[0], Corners[1], Corners[2], Corners[3]) + Picture.Min;
+}
+
+FNonFiniteCount CountNonFinite(const FImage& Image)
+{
+	FNonFiniteCount Found;
+	for (size_t Index = 0; Index < Image.Values.size(); ++Index)
+	{
+		if (!std::isfinite(Image.Values[Index]) && Found.Count++ == 0)
+		{
+			const size_t Pixel = Index / static_cast<size_t>(Image.NumChannels);
+			Found.FirstX = static_cast<int>(Pixel % static_cast<size_t>(Image.Width));
+			Found.FirstY = static_cast<int>(Pixel / static_cast<size_t>(Image.Width));
+		}
+	}
+	return Found;
+}
+
+/** Warns, or fails the run when that is the policy. */
+void ReportNonFinite(const FNonFiniteCount& Found, const std::string& What, FRunResult& Result)
+{
+	if (Found.Count == 0)
+	{
+		return;
+	}
+	const ENonFinitePolicy Policy = GetNonFinitePolicy();
+	FDiagnostic Diagnostic;
+	Diagnostic.Severity = Policy == ENonFinitePolicy::Error ? ESeverity::Error : ESeverity::Warning;
+	Diagnostic.Code = Policy == ENonFinitePolicy::Error ? ErrorNonFinite : WarnNonFinite;
+	Diagnostic.Where = What;
+	Diagnostic.Message = std::to_string(Found.Count) + (Found.Count == 1 ? " value is" : " values are") +
+						 " NaN or infinite, first at pixel (" + std::to_string(Found.FirstX) + ", " +
+						 std::to_string(Found.FirstY) + ")";
+	Result.Diagnostics.push_back(Diagnostic);
+	if (Policy == ENonFinitePolicy::Error)
+	{
+		throw FError(Result.Diagnostics, ExitPolicy);
+	}
+}
+
+/** What is known before the graph. */
+FRunResult MakeResult(const FRunSetup& Setup, const FScene& Scene)
+{
+	const char* const StorageNames[] = {"native", "float32", "float64"};
+	FRunResult Result;
+	Result.Config = Setup.Config;
+	Result.Diagnostics = Setup.Diagnostics;
+	Result.Effects = Setup.Effects;
+	Result.BudgetReason = Setup.BudgetReason;
+	Result.Settings = Setup.Chain.Settings;
+	Result.ExposureScale = Setup.Chain.ExposureScale;
+	Result.Precision = GetVariableInt("r.Drydock.Precision") == 1 ? "double" : "float";
+	Result.Storage = StorageNames[std::clamp(GetVariableInt("r.Drydock.Storage"), 0, 2)];
+	Result.Threads = GetNumThreads();
+	Result.LightColor = Scene.GetLightColor();
+	Result.OutputDevice = GetTonemapperOutputDeviceParameters().OutputDevice;
+	Result.SceneExtent = Scene.GetExtent();
+	Result.ViewRect = GetViewRect(Setup.Config, Setup.Config.View, Scene);
+	for (const FConfigView& View : Setup.Config.Views)
+	{
+		Result.ViewRect.Union(GetViewRect(Setup.Config, View, Scene));
+	}
+	return Result;
+}
+
+/** The camera of a view: the config's word, else the scene file's. */
+FSceneCamera GetLens(const FConfigView& View, const FScene& Scene)
+{
+	FSceneCamera Lens = Scene.GetCamera().value_or(FSceneCamera());
+	if (View.Location.IsSet())
+	{
+		const FConfigVector& Location = View.Location.Value;
+		Lens.Location = FVector(Location[0], Location[1], Location[2]);
+	}
+	if (View.Rotation.IsSet())
+	{
+		Lens.Pitch = View.Rotation.Value[0];
+		Lens.Yaw = View.Rotation.Value[1];
+		Lens.Roll = View.Rotation.Value[2];
+	}
+	if (View.Fov.IsSet())
+	{
+		Lens.HorizontalFov = View.Fov.Value;
+		Lens.FocalLength.reset();
+	}
+	return Lens;
+}
+
+/** Where each view's pixels of the file go in scene textures of another resolution; none: the file's own. */
+std::vector<FSceneRegion> MakeRegions(const FRunSetup& Setup, const FScene& Scene)
+{
+	const double Percentage = GetScreenPercentage(Setup.Chain);
+	if (Percentage == 100.0)
+	{
+		return {};
+	}
+	const FIntPoint Corner = Scene.GetPictureRect().Min;
+	std::vector<FSceneRegion> Regions;
+	const auto Add = [&](const FConfigView& View)
+	{
+		const FIntRect Source = GetViewRect(Setup.Config, View, Scene) - Corner;
+		Regions.push_back({Source, ScaleRect(Source, Percentage)});
+	};
+	for (const FConfigView& View : Setup.Config.Views)
+	{
+		Add(View);
+	}
+	if (Regions.empty())
+	{
+		Add(Setup.Config.View);
+	}
+	return Regions;
+}
+
+/** All but the settings. */
+FFrameView MakeFrameView(const FRunSetup& Setup, const FConfigView& ConfigView, const FScene& Scene)
+{
+	FFrameView View;
+	View.Rect = GetViewRect(Setup.Config, ConfigView, Scene);
+	const FIntPoint Corner = Scene.GetPictureRect().Min;
+	View.SceneRect = ScaleRect(View.Rect - Corner, GetScreenPercentage(Setup.Chain)) + Corner;
+	View.Lens = GetLens(ConfigView, Scene);
+	View.Camera.Location = View.Lens.Location;
+	View.Camera.Rotation = FRotator(View.Lens.Pitch, View.Lens.Yaw, View.Lens.Roll);
+	View.Camera.FOV = static_cast<float>(View.Lens.HorizontalFov);
+	View.PictureRect = Scene.GetPictureRect();
+	View.PreExposure = static_cast<float>(ConfigView.PreExposure.Value);
+	View.MakeChain = [&Setup, &ConfigView](const FMinimalViewInfo& Camera)
+	{
+		FConfig Moved = Setup.Config;
+		Moved.View = ConfigView;
+		Moved.View.Location.Value = {Camera.Location.X, Camera.Location.Y, Camera.Location.Z};
+		Moved.View.Location.Place.Line = std::max(Moved.View.Location.Place.Line, 1); // counts as given
+		return MakeChainSettings(Moved);
+	};
+	return View;
+}
+
+/** Of a frame of a sequence, which begins at frame 0; a scene that is none knows no time. Last: the frame before. */
+FGameTime GetFrameTime(const FConfigScene& Config, const FScene& Scene, const std::vector<FViewHistory>& Last)
+{
+	constexpr double DefaultFps = 24.0;
+	if (!Config.Frame)
+	{
+		return {};
+	}
+	const double Delta = Config.Fps.IsSet() ? 1.0 / Config.Fps.Value : Scene.GetDeltaTime().value_or(1.0 / DefaultFps);
+	const int NumFrames = !Last.empty() && Last[0].bValid ? *Config.Frame - static_cast<int>(Last[0].FrameNumber) : 1;
+	FGameTime Time;
+	Time.WorldTimeSeconds = static_cast<float>(*Config.Frame * Delta);
+	Time.RealTimeSeconds = Time.WorldTimeSeconds;
+	Time.DeltaWorldTimeSeconds = static_cast<float>(NumFrames * Delta);
+	Time.DeltaRealTimeSeconds = Time.DeltaWorldTimeSeconds;
+	return Time;
+}
+
+/** What a frame starts with beside its scene. */
+struct FBeforeFrame
+{
+	const std::vector<FViewHistory>& Last;
+	std::vector<std::shared_ptr<FSceneViewState>>& Caches; // by view
+};
+
+FFrameInputs MakeFrameInputs(const FRunOptions& Options, const FRunSetup& Setup, FScene& Scene,
+	const FBeforeFrame& Before, IRDGObserver& Observer, double& LoadMilliseconds)
+{
+	FFrameInputs Inputs;
+	Inputs.EngineMinor = ParseEngineVersion(Setup.Config.Engine.Value);
+	Inputs.Extent = Scene.GetExtent();
+	Inputs.OutputExtent = Scene.GetOutputExtent();
+	Inputs.LightColor = Scene.GetLightColor();
+	Inputs.ShowFlags = Setup.Chain.ShowFlags;
+	Inputs.FrameNumber = static_cast<uint32>(Setup.Config.Scene.Frame.value_or(Options.Frame.value_or(0)));
+	Inputs.Time = GetFrameTime(Setup.Config.Scene, Scene, Before.Last);
+	Inputs.ViewStates = Before.Last;
+	Inputs.Observer = &Observer;
+	Inputs.bExecute = Options.bExecute;
+	Inputs.RegisterSceneTextures = [&Scene](FRDGBuilder& GraphBuilder)
+	{
+		return Scene.RegisterTextures(GraphBuilder);
+	};
+	Inputs.MeasureContent = [&Scene, &LoadMilliseconds](const FIntRect& ViewRect, const FContentQuestions& Questions)
+	{
+		const FClock::time_point Begin = FClock::now();
+		const FViewContent Content = MeasureViewContent(Scene, ViewRect, Questions);
+		LoadMilliseconds += MillisecondsSince(Begin);
+		return Content;
+	};
+	Inputs.Plugins = Setup.Plugins;
+	if (Setup.Config.Views.size() <= 1)
+	{
+		Inputs.Views.push_back(MakeFrameView(Setup, Setup.Config.View, Scene));
+		Inputs.Views[0].Chain = Setup.Chain;
+	}
+	else
+	{
+		for (const FConfigView& ConfigView : Setup.Config.Views)
+		{
+			FFrameView View = MakeFrameView(Setup, ConfigView, Scene);
+			View.Name = "View " + std::to_string(Inputs.Views.size());
+			View.Chain = View.MakeChain(View.Camera);
+			Inputs.Views.push_back(std::move(View));
+		}
+	}
+	for (FFrameView& View : Inputs.Views)
+	{
+		const size_t Index = static_cast<size_t>(&View - Inputs.Views.data());
+		if (Index >= Before.Caches.size())
+		{
+			Before.Caches.push_back(std::make_shared<FSceneViewState>(static_cast<uint32>(Index + 1)));
+		}
+		View.State = Before.Caches[Index];
+	}
+	return Inputs;
+}
+
+/** Builds the graph and runs or compiles it. */
+void RunGraph(
+	const FRunOptions& Options, const FRunSetup& Setup, FScene& Scene, const FBeforeFrame& Before, FRunResult& Result)
+{
+	FRunObserver Observer(Options, Setup, Scene, Result);
+	const FFrameInputs Inputs = MakeFrameInputs(Options, Setup, Scene, Before, Observer, Result.Times.Load);
+	FFrameResult Frame = RenderViewFamily(Inputs);
+	const FFrameViewResult& View = Frame.Views[0];
+	for (const FFrameViewResult& Other : Frame.Views)
+	{
+		Result.Views.push_back({Other.Name, Other.Rect, Other.Chain.ExposureScale, Other.Effects, Other.Exposure});
+	}
+	Result.Settings = View.Chain.Settings;
+	Result.ExposureScale = View.Chain.ExposureScale;
+	Result.Exposure = View.Exposure;
+	Result.Effects = View.Effects;
+	Result.HookCalls = std::move(Frame.Log.Calls);
+	Result.HookPoints = std::move(Frame.Log.Points);
+	Result.Diagnostics.insert(Result.Diagnostics.end(), Frame.Log.Diagnostics.begin(), Frame.Log.Diagnostics.end());
+	for (const FRunPass& Pass : Result.Passes)
+	{
+		Result.Times.Execute += Pass.Milliseconds;
+	}
+	Result.Times.Compile = Frame.Milliseconds - Result.Times.Execute - Result.Times.Load;
+	if (!Options.bExecute)
+	{
+		Result.Graph = std::move(Frame.Graph);
+		return;
+	}
+	Result.ViewStates = std::move(Frame.ViewStates);
+	Result.SceneLinear = std::move(Frame.SceneLinear);
+	Result.Final = std::move(Frame.Final);
+	Result.BandingMap = std::move(Frame.BandingMap);
+	Result.BlurredToonShadow = std::move(Frame.BlurredToonShadow);
+}
+
+/** Adds what is known only with the config to an error of a later stage. */
+[[noreturn]] void RethrowWith(const std::vector<FDiagnostic>& Earlier, const FError& Error)
+{
+	std::vector<FDiagnostic> All = Earlier;
+	All.insert(All.end(), Error.GetDiagnostics().begin(), Error.GetDiagnostics().end());
+	throw FError(All, Error.GetExitCode());
+}
+
+} // namespace
+
+FRunSession::FRunSession(const FRunOptions& InOptions)
+	: Options(InOptions)
+	, Setup(std::make_unique<FRunSetup>(InOptions))
+{
+}
+
+FRunSession::~FRunSession() = default;
+
+const FConfig& FRunSession::GetConfig() const
+{
+	return Setup->Config;
+}
+
+FRunResult FRunSession::Run(std::optional<int> Frame, const std::vector<FViewHistory>& Last)
+{
+	Setup->BeginFrame(Frame);
+	try
+	{
+		FScene Scene(Setup->Config);
+		Scene.SetResolution(GetScreenPercentage(Setup->Chain), MakeRegions(*Setup, Scene));
+		FRunResult Result = MakeResult(*Setup, Scene);
+		RunGraph(Options, *Setup, Scene, {Last, Caches}, Result);
+		Result.Channels = Scene.GetChannels();
+		for (const FRDGCompiledResource& Resource : Result.Graph.Resources)
+		{
+			Result.SceneTextureBytes += Resource.bExternal && Scene.IsFilled(Resource.Name) ? Resource.Bytes : 0;
+		}
+		Result.Diagnostics.insert(Result.Diagnostics.end(), Result.Graph.Warnings.begin(), Result.Graph.Warnings.end());
+		if (Options.bExecute)
+		{
+			const std::vector<FDiagnostic> DumpWarnings = CheckDumpPatterns(Setup->Dump, Result);
+			Result.Diagnostics.insert(Result.Diagnostics.end(), DumpWarnings.begin(), DumpWarnings.end());
+			const FNonFiniteCount InFile = Scene.GetNonFinite();
+			ReportNonFinite(InFile.Count > 0 ? InFile : CountNonFinite(Result.SceneLinear), "scene colour", Result);
+			ReportNonFinite(CountNonFinite(Result.Final), "final picture", Result);
+		}
+		Result.RunJson = MakeRunJson(Result);
+		return Result;
+	}
+	catch (const FError& Error)
+	{
+		// ReportNonFinite throws all; everything else throws its own only.
+		if (Error.GetExitCode() == ExitPolicy)
+		{
+			throw;
+		}
+		RethrowWith(Setup->Diagnostics, Error);
+	}
+}
+
+FRunResult RunConfig(const FRunOptions& Options)
+{
+	return FRunSession(Options).Run(std::nullopt, {});
+}
+
+FCheckResult CheckConfig(const FRunOptions& Options)
+{
+	FRunSetup Setup(Options);
+	return {std::move(Setup.Config), std::move(Setup.Diagnostics), Setup.Chain.Settings, std::move(Setup.Effects)};
+}
+
+} // namespace Drydock

@@ -1,0 +1,25 @@
+// Which resources a run keeps to look at, and what they hold. Dumping observes and never changes culling. Source:
+// drydock.
+#pragma once
+
+#include "Run/Run.h"
+
+namespace Drydock
+{
+
+/** A pass's name without the sizes behind it: "BloomSetup" of "BloomSetup 480x270 (PS)". */
+DRYDOCK_API std::string GetShortPassName(const std::string& Pass);
+
+/** Whether one of the patterns names the pass (in full or short), the resource, or Pass.Resource. */
+DRYDOCK_API bool IsDumped(
+	const std::vector<TConfigValue<std::string>>& Patterns, const std::string& Pass, const std::string& Resource);
+
+/** "007.BloomSetup.BloomSetup" (the short name), with .mipK where the resource has several; characters outside
+ * [A-Za-z0-9_-] become _. */
+DRYDOCK_API std::string GetDumpFileName(const FRunDump& Dump);
+
+/** A warning for each pattern that no executed pass fits. */
+std::vector<FDiagnostic> CheckDumpPatterns(
+	const std::vector<TConfigValue<std::string>>& Patterns, const FRunResult& Result);
+
+} // namespace Drydock

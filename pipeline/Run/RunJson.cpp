@@ -1,0 +1,371 @@
+// Source: drydock.
+#include "Run/RunJson.h"
+
+#include "PostProcessSettingsReflection.h"
+#include "Run/RunDump.h"
+#include "Text/JsonWriter.h"
+#include "Text/Version.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+
+namespace Drydock
+{
+
+namespace
+{
+
+const FRunPass* FindRunPass(const FRunResult& Result, int Index)
+{
+	const auto Found = std::find_if(
+		Result.Passes.begin(), Result.Passes.end(), [&](const FRunPass& Pass) { return Pass.Index == Index; });
+	return Found == Result.Passes.end() ? nullptr : &*Found;
+}
+
+void WriteSettings(FJsonWriter& Writer, const FRunResult& Result)
+{
+	Writer.Key("settings").BeginObject();
+	for (const FSettingField& Field : GetSettingFields())
+	{
+		Writer.Key(Field.Name).Raw(SettingToJson(Field, Field.Get(Result.Settings)));
+	}
+	Writer.EndObject();
+}
+
+void WriteEffects(FJsonWriter& Writer, const std::vector<FEffectDecision>& Effects)
+{
+	Writer.Key("effects").BeginArray();
+	for (const FEffectDecision& Effect : Effects)
+	{
+		Writer.BeginObject(true);
+		Writer.Member("name", Effect.Name);
+		Writer.Member("active", Effect.bActive);
+		Writer.Member("reason", Effect.Reason);
+		if (Effect.Bleed)
+		{
+			Writer.Key("bleed").BeginObject(true);
+			Writer.Member("outside", Effect.Bleed->Outside);
+			Writer.Member("inside", Effect.Bleed->Inside);
+			Writer.Member("ratio", Effect.Bleed->GetRatio());
+			Writer.EndObject();
+		}
+		if (Effect.Banding)
+		{
+			Writer.Key("banding").BeginObject(true);
+			Writer.Member("uniqueLevels", Effect.Banding->UniqueLevels);
+			Writer.Member("darkLevels", Effect.Banding->DarkLevels);
+			Writer.Member("longestFlatRun", Effect.Banding->LongestFlatRun);
+			Writer.Key("stepHistogram").BeginArray(true);
+			for (const uint64_t Count : Effect.Banding->StepHistogram)
+			{
+				Writer.Value(Count);
+			}
+			Writer.EndArray();
+			Writer.EndObject();
+		}
+		if (Effect.Deviation)
+		{
+			Writer.Key("darkDeviation").BeginObject(true);
+			Writer.Member("rms", Effect.Deviation->Rms);
+			Writer.Member("largest", Effect.Deviation->Largest);
+			Writer.Member("texels", Effect.Deviation->Texels);
+			Writer.EndObject();
+		}
+		Writer.EndObject();
+	}
+	Writer.EndArray();
+}
+
+void WriteHookCalls(FJsonWriter& Writer, const FRunResult& Result)
+{
+	Writer.Key("extensionCalls").BeginArray();
+	for (const FHookCall& Call : Result.HookCalls)
+	{
+		Writer.BeginObject(true);
+		Writer.Member("hook", Call.Hook);
+		Writer.Member("view", Call.View);
+		Writer.Member("extension", Call.Extension);
+		Writer.Member("did", Call.Did);
+		Writer.EndObject();
+	}
+	Writer.EndArray();
+}
+
+void WritePasses(FJsonWriter& Writer, const FRunResult& Result)
+{
+	Writer.Key("passes").BeginArray();
+	for (const FRDGCompiledPass& Pass : Result.Graph.Passes)
+	{
+		if (Pass.bIsSentinel)
+		{
+			continue;
+		}
+		const FRunPass* Run = FindRunPass(Result, Pass.Index);
+		const FPassCounters Counters = Run != nullptr ? Run->Counters : FPassCounters();
+		Writer.BeginObject(true);
+		Writer.Member("index", Pass.Index);
+		Writer.Member("name", Pass.Name);
+		Writer.Member("executed", Run != nullptr);
+		Writer.Member("reason", Pass.bCulled ? Pass.Reason : std::string());
+		Writer.Member("shader", Pass.Shader.empty() ? Counters.Shader : Pass.Shader);
+		Writer.Member("entry", Pass.Entry.empty() ? Counters.Entry : Pass.Entry);
+		Writer.Member("pixels", Counters.Pixels);
+		Writer.Member("taps", Counters.Taps);
+		Writer.Member("bytesRead", Counters.BytesRead);
+		Writer.Member("bytesWritten", Counters.BytesWritten);
+		Writer.EndObject();
+	}
+	Writer.EndArray();
+}
+
+void WriteOutputs(FJsonWriter& Writer, const FRunResult& Result)
+{
+	Writer.Key("outputs").BeginObject();
+	Writer.Member("final", "final.png");
+	Writer.Member("finalExr", "final.exr");
+	Writer.Member("sceneLinear", "scene_linear.exr");
+	Writer.Member("timing", "timing.json");
+	Writer.Member("graph", "graph.dot");
+	Writer.Member("trace", "trace.json");
+	if (!Result.BandingMap.Values.empty())
+	{
+		Writer.Member("toonShadowBlurred", "toon_shadow_blurred.png");
+		Writer.Member("toonShadowBanding", "toon_shadow_banding.png");
+	}
+	Writer.Key("passes").BeginArray();
+	for (const FRunDump& Dump : Result.Dumps)
+	{
+		Writer.Value("passes/" + GetDumpFileName(Dump) + ".exr");
+	}
+	Writer.EndArray();
+	Writer.EndObject();
+}
+
+void WriteWarnings(FJsonWriter& Writer, const FRunResult& Result)
+{
+	Writer.Key("warnings").BeginArray();
+	for (const FDiagnostic& Diagnostic : Result.Diagnostics)
+	{
+		std::string Where = Diagnostic.File;
+		if (Diagnostic.Line > 0)
+		{
+			Where += ":" + std::to_string(Diagnostic.Line) + ":" + std::to_string(Diagnostic.Column);
+		}
+		Where += (Where.empty() || Diagnostic.Where.empty() ? "" : " ") + Diagnostic.Where;
+		Writer.BeginObject(true);
+		Writer.Member("code", FormatCode(Diagnostic.Code));
+		Writer.Member("message", Diagnostic.Message);
+		Writer.Member("where", Where);
+		Writer.EndObject();
+	}
+	Writer.EndArray();
+}
+
+void WriteSize(FJsonWriter& Writer, const char* Name, std::initializer_list<int32> Numbers)
+{
+	Writer.Key(Name).BeginArray(true);
+	for (const int32 Number : Numbers)
+	{
+		Writer.Value(Number);
+	}
+	Writer.EndArray();
+}
+
+/** What "auto" came to; nothing for a number. */
+void WriteExposure(FJsonWriter& Writer, const std::optional<FExposureReport>& Exposure)
+{
+	if (!Exposure)
+	{
+		return;
+	}
+	Writer.Member("method", Exposure->Method);
+	Writer.Member("targetScale", Exposure->TargetScale);
+	Writer.Member("averageLuminance", Exposure->AverageLuminance);
+	Writer.Member("ev100", Exposure->EV100);
+	Writer.Member("compensation", Exposure->Compensation);
+	Writer.Member("averageLocalExposure", Exposure->AverageLocalExposure);
+	if (Exposure->Histogram)
+	{
+		Writer.Key("histogram").BeginObject();
+		Writer.Member("logMin", Exposure->Histogram->LogMin);
+		Writer.Member("logMax", Exposure->Histogram->LogMax);
+		Writer.Member("lowPercent", Exposure->Histogram->LowPercent);
+		Writer.Member("highPercent", Exposure->Histogram->HighPercent);
+		Writer.Key("buckets").BeginArray(true);
+		for (const double Bucket : Exposure->Histogram->Buckets)
+		{
+			Writer.Value(Bucket);
+		}
+		Writer.EndArray();
+		Writer.EndObject();
+	}
+}
+
+/** Where there are several; settings and effects of the whole run are those of the first. */
+void WriteViews(FJsonWriter& Writer, const FRunResult& Result)
+{
+	if (Result.Views.size() <= 1)
+	{
+		return;
+	}
+	Writer.Key("views").BeginArray();
+	for (const FRunView& View : Result.Views)
+	{
+		Writer.BeginObject();
+		Writer.Member("name", View.Name);
+		WriteSize(Writer, "rect", {View.Rect.Min.X, View.Rect.Min.Y, View.Rect.Max.X, View.Rect.Max.Y});
+		Writer.Member("exposureScale", View.ExposureScale);
+		if (View.Exposure)
+		{
+			Writer.Key("exposure").BeginObject();
+			WriteExposure(Writer, View.Exposure);
+			Writer.EndObject();
+		}
+		WriteEffects(Writer, View.Effects);
+		Writer.EndObject();
+	}
+	Writer.EndArray();
+}
+
+} // namespace
+
+std::string GetCpuName()
+{
+	std::ifstream Info("/proc/cpuinfo");
+	for (std::string Line; std::getline(Info, Line);)
+	{
+		const size_t Colon = Line.find(": ");
+		if (Line.rfind("model name", 0) == 0 && Colon != std::string::npos)
+		{
+			return Line.substr(Colon + 2);
+		}
+	}
+	return "";
+}
+
+std::string FormatCode(int Code)
+{
+	char Text[16];
+	std::snprintf(Text, sizeof(Text), "DD%04d", Code);
+	return Text;
+}
+
+std::string MakeRunJson(const FRunResult& Result)
+{
+	const FIntRect& Rect = Result.ViewRect;
+	FJsonWriter Writer;
+	Writer.BeginObject();
+	Writer.Member("version", GetVersion());
+	Writer.Member("config", Result.Config.File);
+	Writer.Member("engine", Result.Config.Engine.Value);
+	Writer.Member("precision", Result.Precision);
+	Writer.Member("storage", Result.Storage);
+	if (!Result.BudgetReason.empty())
+	{
+		Writer.Member("budget", Result.BudgetReason);
+	}
+	Writer.Key("scene").BeginObject();
+	Writer.Member("file", Result.Config.Scene.File.Value);
+	WriteSize(Writer, "extent", {Result.SceneExtent.X, Result.SceneExtent.Y});
+	WriteSize(Writer, "viewRect", {Rect.Min.X, Rect.Min.Y, Rect.Max.X, Rect.Max.Y});
+	Writer.Key("lightColor").BeginArray(true);
+	for (const float Component : {Result.LightColor.R, Result.LightColor.G, Result.LightColor.B})
+	{
+		Writer.Value(Component);
+	}
+	Writer.EndArray();
+	Writer.EndObject();
+	Writer.Key("exposure").BeginObject(!Result.Exposure.has_value());
+	Writer.Member("scale", Result.ExposureScale);
+	Writer.Member("preExposure", Result.Config.View.PreExposure.Value);
+	WriteExposure(Writer, Result.Exposure);
+	Writer.EndObject();
+	WriteSettings(Writer, Result);
+	WriteEffects(Writer, Result.Effects);
+	WriteViews(Writer, Result);
+	WriteHookCalls(Writer, Result);
+	WritePasses(Writer, Result);
+	Writer.Key("memory").BeginObject(true);
+	Writer.Member("transientPeakBytes", Result.Graph.Memory.TransientPeakBytes);
+	Writer.Member("withoutAliasingBytes", Result.Graph.Memory.WithoutAliasingBytes);
+	Writer.EndObject();
+	Writer.Key("channels").BeginArray();
+	for (const FSceneChannel& Channel : Result.Channels)
+	{
+		Writer.BeginObject(true);
+		Writer.Member("name", Channel.Name);
+		Writer.Member("decoded", Channel.bDecoded);
+		Writer.EndObject();
+	}
+	Writer.EndArray();
+	WriteOutputs(Writer, Result);
+	WriteWarnings(Writer, Result);
+	Writer.EndObject();
+	return Writer.GetText();
+}
+
+std::string MakeTimingJson(const FRunResult& Result, double SaveMs)
+{
+	FJsonWriter Writer;
+	Writer.BeginObject();
+	Writer.Member("threads", Result.Threads);
+	Writer.Member("cpu", GetCpuName());
+	Writer.Key("passes").BeginArray();
+	for (const FRunPass& Pass : Result.Passes)
+	{
+		Writer.BeginObject(true);
+		Writer.Member("index", Pass.Index);
+		Writer.Member("name", Result.Graph.Passes[static_cast<size_t>(Pass.Index)].Name);
+		Writer.Member("ms", Pass.Milliseconds);
+		Writer.EndObject();
+	}
+	Writer.EndArray();
+	Writer.Member("loadMs", Result.Times.Load);
+	Writer.Member("compileMs", Result.Times.Compile);
+	Writer.Member("executeMs", Result.Times.Execute);
+	Writer.Member("saveMs", SaveMs);
+	Writer.EndObject();
+	return Writer.GetText();
+}
+
+std::string MakeTraceJson(const FRunResult& Result)
+{
+	FJsonWriter Writer;
+	double Now = 0.0;
+	const auto Event =
+		[&](const std::string& Name, const std::string& Category, double Milliseconds, const FPassCounters* Counters)
+	{
+		Writer.BeginObject(true);
+		Writer.Member("name", Name);
+		Writer.Member("cat", Category);
+		Writer.Member("ph", "X");
+		Writer.Member("ts", Now * 1000.0);
+		Writer.Member("dur", Milliseconds * 1000.0);
+		Writer.Member("pid", 1);
+		Writer.Member("tid", 1);
+		Writer.Key("args").BeginObject();
+		if (Counters != nullptr)
+		{
+			Writer.Member("shader", Counters->Shader);
+			Writer.Member("pixels", Counters->Pixels);
+			Writer.Member("taps", Counters->Taps);
+		}
+		Writer.EndObject();
+		Writer.EndObject();
+		Now += Milliseconds;
+	};
+	Writer.BeginObject();
+	Writer.Key("traceEvents").BeginArray();
+	Event("Build and compile graph", "graph", Result.Times.Compile, nullptr);
+	Event("Load scene", "scene", Result.Times.Load, nullptr);
+	for (const FRunPass& Pass : Result.Passes)
+	{
+		Event(Result.Graph.Passes[static_cast<size_t>(Pass.Index)].Name, "pass", Pass.Milliseconds, &Pass.Counters);
+	}
+	Writer.EndArray();
+	Writer.EndObject();
+	return Writer.GetText();
+}
+
+} // namespace Drydock

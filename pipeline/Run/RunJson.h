@@ -1,0 +1,24 @@
+// The machine-readable reports of a run. run.json holds nothing that changes from one run to the next of the same
+// config; times are in timing.json and trace.json. Source: drydock; trace.json is Chrome's trace-event format.
+#pragma once
+
+#include "Run/Run.h"
+
+namespace Drydock
+{
+
+std::string MakeRunJson(const FRunResult& Result);
+
+/** SaveMs: how long writing the pictures took. */
+std::string MakeTimingJson(const FRunResult& Result, double SaveMs);
+
+/** Opens in chrome://tracing and ui.perfetto.dev. */
+std::string MakeTraceJson(const FRunResult& Result);
+
+/** "DD1015". */
+std::string FormatCode(int Code);
+
+/** As the system calls it, or empty. */
+std::string GetCpuName();
+
+} // namespace Drydock

@@ -1,0 +1,196 @@
+// Source: drydock.
+#include "Run/RunOutputs.h"
+
+#include "Picture/DisplayPreview.h"
+#include "Picture/Srgb.h"
+#include "Picture/TextureImage.h"
+#include "RenderGraphDump.h"
+#include "Run/RunDump.h"
+#include "Run/RunJson.h"
+#include "Text/ConfigErrors.h"
+#include "Text/TextFile.h"
+#include "TileExecutor.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <unistd.h>
+
+namespace Drydock
+{
+
+namespace
+{
+
+namespace Files = std::filesystem;
+
+/** RGB of an RGBA image; alpha of a final picture says nothing. */
+FImage TakeRgb(const FImage& Image)
+{
+	FImage Rgb{Image.Width, Image.Height, 3, {}};
+	Rgb.Values.reserve(Image.Values.size() / 4 * 3);
+	for (size_t Index = 0; Index + 3 < Image.Values.size(); Index += 4)
+	{
+		Rgb.Values.insert(Rgb.Values.end(), {Image.Values[Index], Image.Values[Index + 1], Image.Values[Index + 2]});
+	}
+	return Rgb;
+}
+
+/** To look at: as it is where all values lie in 0..1, else compressed by x / (1 + x); then sRGB. */
+FImage MakePreview(const FImage& Image)
+{
+	const bool bDisplayRange = std::all_of(
+		Image.Values.begin(), Image.Values.end(), [](double Value) { return Value >= 0.0 && Value <= 1.0; });
+	FImage Preview = Image.NumChannels == 4 ? TakeRgb(Image) : Image;
+	if (Preview.NumChannels == 2)
+	{
+		// PNG has no two-channel colour: red and green, blue 0.
+		FImage Three{Image.Width, Image.Height, 3, {}};
+		for (size_t Index = 0; Index + 1 < Image.Values.size(); Index += 2)
+		{
+			Three.Values.insert(Three.Values.end(), {Image.Values[Index], Image.Values[Index + 1], 0.0});
+		}
+		Preview = std::move(Three);
+	}
+	for (double& Value : Preview.Values)
+	{
+		const double Clipped = std::max(Value, 0.0);
+		const double Linear = bDisplayRange ? Clipped : std::isinf(Clipped) ? 1.0 : Clipped / (1.0 + Clipped);
+		Value = EncodeSrgb(Linear);
+	}
+	return Preview;
+}
+
+/** A folder beside the target, removed with everything in it unless it was emptied. */
+class FAsideFolder
+{
+public:
+	explicit FAsideFolder(const Files::path& Target)
+		: Path(Target.string() + ".writing." + std::to_string(getpid()))
+	{
+		std::error_code Error;
+		Files::remove_all(Path, Error);
+		Files::create_directories(Path / "passes", Error);
+		if (Error)
+		{
+			throw MakeWriteError(Path, Error.message());
+		}
+	}
+	~FAsideFolder()
+	{
+		std::error_code Ignored;
+		Files::remove_all(Path, Ignored);
+	}
+	FAsideFolder(const FAsideFolder&) = delete;
+	FAsideFolder& operator=(const FAsideFolder&) = delete;
+
+	const Files::path Path;
+};
+
+void WriteAside(const FRunResult& Result, const Files::path& Folder)
+{
+	const std::map<std::string, std::string> Display = {{"drydock:encoding", GetEncodingName(Result.OutputDevice)}};
+	const std::map<std::string, std::string> Linear = {{"drydock:encoding", "linear Rec.709, scene-referred"}};
+	std::vector<std::function<void()>> Jobs;
+	Jobs.push_back(
+		[&] { WriteExr((Folder / "scene_linear.exr").string(), Result.SceneLinear, GetChannelNames(4), Linear); });
+	Jobs.push_back(
+		[&] { WriteExr((Folder / "final.exr").string(), TakeRgb(Result.Final), GetChannelNames(3), Display); });
+	Jobs.push_back([&]
+		{ WritePng((Folder / "final.png").string(), MakeDisplayPreview(TakeRgb(Result.Final), Result.OutputDevice)); });
+	if (!Result.BandingMap.Values.empty())
+	{
+		Jobs.push_back([&] { WritePng((Folder / "toon_shadow_banding.png").string(), Result.BandingMap); });
+		Jobs.push_back(
+			[&] { WritePng((Folder / "toon_shadow_blurred.png").string(), MakePreview(Result.BlurredToonShadow)); });
+	}
+	for (const FRunDump& Dump : Result.Dumps)
+	{
+		const std::string Name = (Folder / "passes" / GetDumpFileName(Dump)).string();
+		Jobs.push_back(
+			[&Dump, Name]
+			{
+				WriteExr(Name + ".exr", Dump.Image, Dump.Channels);
+				WritePng(Name + ".png", MakePreview(Dump.Image));
+			});
+	}
+	ForEachTile(FKernelTile{0, 0, 0, static_cast<int32>(Jobs.size()), 1, 1}, FIntPoint(1, 1),
+		[&](const FKernelTile& Tile) { Jobs[static_cast<size_t>(Tile.MinX)](); });
+	WriteWholeFile(Folder / "run.json", Result.RunJson);
+	WriteWholeFile(Folder / "graph.dot", DumpDot(Result.Graph));
+	WriteWholeFile(Folder / "trace.json", MakeTraceJson(Result));
+}
+
+void MoveInto(const Files::path& Aside, const Files::path& Folder, bool bHasDumps)
+{
+	try
+	{
+		Files::create_directories(Folder);
+		Files::remove_all(Folder / "passes");
+		if (!bHasDumps)
+		{
+			Files::remove(Aside / "passes");
+		}
+		for (const Files::directory_entry& Entry : Files::directory_iterator(Aside))
+		{
+			Files::rename(Entry.path(), Folder / Entry.path().filename());
+		}
+	}
+	catch (const Files::filesystem_error& Error)
+	{
+		throw MakeWriteError(Folder, Error.code().message());
+	}
+}
+
+} // namespace
+
+double WriteRunOutputs(const FRunResult& Result, const std::string& Folder)
+{
+	const auto Begin = std::chrono::steady_clock::now();
+	const Files::path Target = Files::path(Folder).lexically_normal();
+	if (Files::exists(Target) && !Files::is_directory(Target))
+	{
+		throw MakeWriteError(Target, "there is a file of that name");
+	}
+	const FAsideFolder Aside(Target.has_filename() ? Target : Target.parent_path());
+	WriteAside(Result, Aside.Path);
+	const double SaveMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Begin).count();
+	WriteWholeFile(Aside.Path / "timing.json", MakeTimingJson(Result, SaveMs));
+	MoveInto(Aside.Path, Target, !Result.Dumps.empty());
+	return SaveMs;
+}
+
+double WriteNewRunFolder(
+	const FRunResult& Result, const std::string& Folder, const std::map<std::string, std::string>& Further)
+{
+	const auto Begin = std::chrono::steady_clock::now();
+	const Files::path Target = Files::path(Folder).lexically_normal();
+	if (Files::exists(Target))
+	{
+		throw MakeWriteError(Target, "it is there already");
+	}
+	const FAsideFolder Aside(Target);
+	WriteAside(Result, Aside.Path);
+	for (const auto& [Name, Contents] : Further)
+	{
+		WriteWholeFile(Aside.Path / Name, Contents);
+	}
+	const double SaveMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Begin).count();
+	WriteWholeFile(Aside.Path / "timing.json", MakeTimingJson(Result, SaveMs));
+	std::error_code Error;
+	if (Result.Dumps.empty())
+	{
+		Files::remove(Aside.Path / "passes", Error);
+	}
+	Files::rename(Aside.Path, Target, Error);
+	if (Error)
+	{
+		throw MakeWriteError(Target, Error.message());
+	}
+	return SaveMs;
+}
+
+} // namespace Drydock

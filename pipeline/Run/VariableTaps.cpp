@@ -1,0 +1,75 @@
+// Source: drydock.
+#include "Run/VariableTaps.h"
+
+#include "RenderGraphPass.h"
+#include "ShaderParameterMetadata.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace Drydock
+{
+
+namespace
+{
+
+template<typename T>
+T ReadMember(const void* Parameters, const FHlslMember& Member, size_t Index = 0)
+{
+	T Value;
+	std::memcpy(&Value, static_cast<const char*>(Parameters) + Member.Offset + Index * sizeof(T), sizeof(T));
+	return Value;
+}
+
+} // namespace
+
+uint64_t CountTaps(const FRDGPass& Pass, const FPassCounters& Counters)
+{
+	if (Counters.Taps != 0 || Pass.GetParameters() == nullptr || Pass.GetParametersMetadata() == nullptr)
+	{
+		return Counters.Taps;
+	}
+	int64_t PerPixel = 0;
+	for (const FHlslMember& Member : Pass.GetParametersMetadata()->GetHlslMembers())
+	{
+		if (Member.Name == "SampleCount" && Member.BaseType == UBMT_INT32)
+		{
+			PerPixel += ReadMember<int32>(Pass.GetParameters(), Member);
+		}
+		else if (Member.Name == "Additive_Texture")
+		{
+			PerPixel += ReadMember<const void*>(Pass.GetParameters(), Member) != nullptr ? 1 : 0;
+		}
+		else if (Member.Name == "Reach" && Member.BaseType == UBMT_INT32 && Member.NumColumns == 2)
+		{
+			const int64_t X = ReadMember<int32>(Pass.GetParameters(), Member, 0);
+			const int64_t Y = ReadMember<int32>(Pass.GetParameters(), Member, 1);
+			PerPixel += (2 * X + 1) * (2 * Y + 1);
+		}
+	}
+	return static_cast<uint64_t>(PerPixel) * Counters.Pixels;
+}
+
+uint64_t CountWantedPixels(const FRDGPass& Pass, const FPassCounters& Counters)
+{
+	if (Pass.GetParameters() == nullptr || Pass.GetParametersMetadata() == nullptr)
+	{
+		return Counters.Pixels;
+	}
+	int64_t Sides[2] = {0, 0};
+	for (const FHlslMember& Member : Pass.GetParametersMetadata()->GetHlslMembers())
+	{
+		const bool bMin = Member.Name == "Output_ViewportMin";
+		if ((bMin || Member.Name == "Output_ViewportMax") && Member.BaseType == UBMT_INT32 && Member.NumColumns == 2)
+		{
+			for (size_t Axis = 0; Axis < 2; ++Axis)
+			{
+				Sides[Axis] += (bMin ? -1 : 1) * int64_t{ReadMember<int32>(Pass.GetParameters(), Member, Axis)};
+			}
+		}
+	}
+	const bool bHasRect = Sides[0] > 0 && Sides[1] > 0;
+	return bHasRect ? std::min(Counters.Pixels, static_cast<uint64_t>(Sides[0] * Sides[1])) : Counters.Pixels;
+}
+
+} // namespace Drydock

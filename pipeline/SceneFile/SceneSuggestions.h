@@ -1,0 +1,23 @@
+// What a scene file's header says of its camera and of post-process volumes: the attribute drydock:camera_json,
+// described in configs/scenes/README.md. Source: drydock.
+#pragma once
+
+#include "Config/Config.h"
+
+namespace Drydock
+{
+
+/** Fills what the config leaves to its scene: the volumes where it says "fromScene", and the camera's location where
+ * bounded volumes ask for one and the config has none. The header is read only for these. A suggested setting that does
+ * not exist here is left out, with a warning. Throws FError: "fromScene" without a scene or with one that suggests
+ * nothing (exit code 2), a file that cannot be read (3). */
+DRYDOCK_API void CompleteFromScene(FConfig& Config, std::vector<FDiagnostic>& Diagnostics);
+
+/** The volumes of a text as in the attribute; File names the scene in messages. */
+DRYDOCK_API std::vector<FConfigVolume> ReadSuggestedVolumes(
+	const std::string& CameraJson, const std::string& File, std::vector<FDiagnostic>& Diagnostics);
+
+/** The camera's location of such a text, cm; empty when it has none. */
+DRYDOCK_API std::optional<FConfigVector> ReadSuggestedLocation(const std::string& CameraJson);
+
+} // namespace Drydock

@@ -1,0 +1,133 @@
+// Source: drydock; encodings: engine DeferredShadingCommon.ush, Common.ush.
+#include "SceneFile/SceneTexturePacking.h"
+
+#include "SceneFile/SceneCamera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Drydock
+{
+
+namespace
+{
+
+FLinearColor PackColor(const FScenePackValues& Values, const FScenePackContext& Context)
+{
+	const float Scale = Context.PreExposure;
+	return FLinearColor(Values[0] * Scale, Values[1] * Scale, Values[2] * Scale, Values[3]);
+}
+
+/** To reversed device depth. */
+FLinearColor PackDepth(const FScenePackValues& Values, const FScenePackContext& Context)
+{
+	const double Centimetres = Context.Units.bDepthInCentimetres ? 1.0 : 100.0;
+	return FLinearColor(MakeDeviceDepth(static_cast<double>(Values[0]) * Centimetres), 0.0f, 0.0f, 0.0f);
+}
+
+/** A right-handed Y axis points the other way. No surface: all bits 0, as a cleared G-buffer. */
+FLinearColor PackNormal(const FScenePackValues& Values, const FScenePackContext& Context)
+{
+	const float HalfY = Context.Units.bNormalIsLeftHanded ? 0.5f : -0.5f;
+	const bool bSurface = Values[0] != 0.0f || Values[1] != 0.0f || Values[2] != 0.0f;
+	return bSurface ? FLinearColor(Values[0] * 0.5f + 0.5f, Values[1] * HalfY + 0.5f, Values[2] * 0.5f + 0.5f, 0.0f)
+					: FLinearColor(0.0f, 0.0f, 0.0f, 0.0f);
+}
+
+/** Metallic, specular, roughness; the id in the low four bits of alpha, the selective output mask above it is 0. */
+FLinearColor PackMaterial(const FScenePackValues& Values, const FScenePackContext&)
+{
+	const long Id = std::isfinite(Values[3]) ? std::lround(Values[3]) : 0;
+	return FLinearColor(Values[0], Values[1], Values[2], static_cast<float>(Id & 0xF) / 255.0f);
+}
+
+FLinearColor PackAsIs(const FScenePackValues& Values, const FScenePackContext&)
+{
+	return FLinearColor(Values[0], Values[1], Values[2], Values[3]);
+}
+
+FLinearColor PackCustomData(const FScenePackValues& Values, const FScenePackContext&)
+{
+	return FLinearColor(0.0f, 0.0f, Values[0], 0.0f);
+}
+
+/** The square-root encoding of velocities: finer near zero. Screen position -2..2. */
+float EncodeVelocity(double Velocity)
+{
+	const double Rooted = std::copysign(std::sqrt(std::abs(Velocity)), Velocity) * std::sqrt(2.0);
+	return static_cast<float>(Rooted * (0.499 * 0.5) + 32767.0 / 65535.0);
+}
+
+/** To screen position, y up. */
+FLinearColor PackVelocity(const FScenePackValues& Values, const FScenePackContext& Context)
+{
+	if (Context.Units.bVelocityIsNdc)
+	{
+		return FLinearColor(
+			EncodeVelocity(static_cast<double>(Values[0])), EncodeVelocity(static_cast<double>(Values[1])), 0.0f, 0.0f);
+	}
+	return FLinearColor(EncodeVelocity(2.0 * static_cast<double>(Values[0]) / Context.ViewSize.X),
+		EncodeVelocity(-2.0 * static_cast<double>(Values[1]) / Context.ViewSize.Y), 0.0f, 0.0f);
+}
+
+constexpr float NaN = std::numeric_limits<float>::quiet_NaN();
+constexpr ETextureCreateFlags Read = ETextureCreateFlags::ShaderResource | ETextureCreateFlags::RenderTargetable;
+
+} // namespace
+
+const std::vector<FScenePacking>& GetScenePackings()
+{
+	static const std::vector<FScenePacking> Packings = {
+		{"SceneColor", PF_FloatRGBA, Read | ETextureCreateFlags::UAV, &FSceneTextures::Color,
+			{{{"R", {}}, {"G", {}}, {"B", {}}, {"A", 1.0f}}}, PackColor, FLinearColor(NaN, NaN, NaN, NaN)},
+		{"SceneDepthZ", PF_DepthStencil,
+			ETextureCreateFlags::ShaderResource | ETextureCreateFlags::DepthStencilTargetable, &FSceneTextures::Depth,
+			{{{"depth.Z", {}}}}, PackDepth, FLinearColor(1.0f, 0.0f, 0.0f, 0.0f)},
+		{"SceneVelocity", PF_G16R16, Read, &FSceneTextures::Velocity, {{{"velocity.X", {}}, {"velocity.Y", {}}}},
+			PackVelocity, FLinearColor(1.0f, 1.0f, 0.0f, 0.0f)},
+		{"GBufferA", PF_A2B10G10R10, Read, &FSceneTextures::GBufferA,
+			{{{"normal.X", {}}, {"normal.Y", {}}, {"normal.Z", {}}}}, PackNormal, FLinearColor(1.0f, 1.0f, 1.0f, 1.0f)},
+		{"GBufferB", PF_B8G8R8A8, Read, &FSceneTextures::GBufferB,
+			{{{"metallic", 0.0f}, {"specular", 0.5f}, {"roughness", 0.5f}, {"shadingmodel.ID", {}}}}, PackMaterial,
+			FLinearColor(1.0f, 1.0f, 1.0f, 8.0f / 255.0f)},
+		{"GBufferC", PF_B8G8R8A8, Read | ETextureCreateFlags::SRGB, &FSceneTextures::GBufferC,
+			{{{"basecolor.R", {}}, {"basecolor.G", {}}, {"basecolor.B", {}}, {"ambientocclusion", 1.0f}}}, PackAsIs,
+			FLinearColor(1.0f, 0.0f, 1.0f, 0.0f)},
+		{"GBufferD", PF_B8G8R8A8, Read, &FSceneTextures::GBufferD, {{{"custommask.B", {}}}}, PackCustomData,
+			FLinearColor(1.0f, 1.0f, 1.0f, 1.0f)},
+		{"ToonShadow", PF_R8G8B8A8, Read, &FSceneTextures::ToonShadow, {{{"shadow.R", {}}, {"shadow.G", {}}}}, PackAsIs,
+			FLinearColor(0.0f, 0.0f, 1.0f, 1.0f)},
+	};
+	return Packings;
+}
+
+const FScenePacking* FindScenePacking(const std::string& Texture)
+{
+	const std::vector<FScenePacking>& Packings = GetScenePackings();
+	const auto Found = std::find_if(
+		Packings.begin(), Packings.end(), [&](const FScenePacking& Packing) { return Packing.Name == Texture; });
+	return Found == Packings.end() ? nullptr : &*Found;
+}
+
+const std::vector<std::string>& GetSceneChannelNames()
+{
+	static const std::vector<std::string> Names = []
+	{
+		std::vector<std::string> All;
+		for (const FScenePacking& Packing : GetScenePackings())
+		{
+			for (const FScenePackChannel& Channel : Packing.Channels)
+			{
+				if (Channel.Name != nullptr)
+				{
+					All.emplace_back(Channel.Name);
+				}
+			}
+		}
+		return All;
+	}();
+	return Names;
+}
+
+} // namespace Drydock

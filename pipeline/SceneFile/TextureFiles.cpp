@@ -1,0 +1,57 @@
+// Source: drydock.
+#include "SceneFile/TextureFiles.h"
+
+#include "Picture/ImageFile.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+
+namespace Drydock
+{
+
+namespace
+{
+
+bool IsImagePath(const std::string& Path)
+{
+	constexpr std::array Extensions = {".exr", ".hdr", ".png", ".jpg", ".jpeg", ".tga", ".tif", ".tiff", ".bmp"};
+	std::string Extension = std::filesystem::path(Path).extension().string();
+	std::transform(Extension.begin(), Extension.end(), Extension.begin(),
+		[](unsigned char Character) { return static_cast<char>(std::tolower(Character)); });
+	return std::find(Extensions.begin(), Extensions.end(), Extension) != Extensions.end();
+}
+
+/** R, G and B by name; else the first channel for all three. */
+std::vector<int> ChooseChannels(const FImageFile& File)
+{
+	const std::vector<int> Named = {File.FindChannel("R"), File.FindChannel("G"), File.FindChannel("B")};
+	const bool bAll = std::all_of(Named.begin(), Named.end(), [](int Channel) { return Channel >= 0; });
+	return bAll ? Named : std::vector<int>{0, 0, 0};
+}
+
+FTextureRHIRef LoadPicture(const std::string& File, const std::string& Name)
+{
+	FImageFile Image(File);
+	const std::vector<std::vector<float>> Planes = Image.Read(ChooseChannels(Image));
+	std::vector<FLinearColor> Colors;
+	Colors.reserve(Planes[0].size());
+	for (size_t Index = 0; Index < Planes[0].size(); ++Index)
+	{
+		Colors.push_back(FLinearColor(Planes[0][Index], Planes[1][Index], Planes[2][Index], 1.0f));
+	}
+	return MakePictureTexture(FIntPoint(Image.GetWidth(), Image.GetHeight()), Colors, Name);
+}
+
+} // namespace
+
+FTextureLoader MakeTextureLoader(const FConfig& Config)
+{
+	return [Config](const std::string& Path) -> FTextureRHIRef
+	{
+		return IsImagePath(Path) ? LoadPicture(Config.Resolve(Path), Path) : nullptr;
+	};
+}
+
+} // namespace Drydock

@@ -1,0 +1,16 @@
+// Textures out of image files: how a path that a config's settings name becomes pixels (TextureAssets.h).
+// Source: drydock.
+#pragma once
+
+#include "Config/Config.h"
+#include "Screen/TextureAssets.h"
+
+namespace Drydock
+{
+
+/** A path with an image's extension is a file, relative to the config; colours are read as linear light (PNG is
+ * decoded), a single channel as grey. Any other path names an engine asset and has no pixels. The loader throws FError
+ * (exit code 3) for a file that is missing or broken. */
+DRYDOCK_API FTextureLoader MakeTextureLoader(const FConfig& Config);
+
+} // namespace Drydock

@@ -1,0 +1,315 @@
+// Source: drydock.
+#include "Sequence/SequenceJson.h"
+
+#include "Run/FinalSettings.h"
+#include "Sequence/SequenceErrors.h"
+#include "Sequence/ViewStateFile.h"
+#include "Text/ConfigErrors.h"
+#include "Text/Fingerprint.h"
+#include "Text/Json.h"
+#include "Text/JsonWriter.h"
+#include "Text/TextFile.h"
+#include "Text/Version.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+namespace Drydock
+{
+
+namespace
+{
+
+void AddImage(FFingerprint& Fingerprint, const FImage& Image)
+{
+	const int Shape[] = {Image.Width, Image.Height, Image.NumChannels};
+	Fingerprint.Add(Shape, sizeof(Shape));
+	Fingerprint.Add(Image.Values.data(), Image.Values.size() * sizeof(double));
+}
+
+std::string FingerprintPictures(const FRunResult& Result)
+{
+	FFingerprint Fingerprint;
+	for (const FImage* Image : {&Result.Final, &Result.SceneLinear, &Result.BandingMap, &Result.BlurredToonShadow})
+	{
+		AddImage(Fingerprint, *Image);
+	}
+	for (const FRunDump& Dump : Result.Dumps)
+	{
+		AddImage(Fingerprint, Dump.Image);
+	}
+	return Fingerprint.Get();
+}
+
+FJsonValue Parse(const std::string& Text, const std::string& File, const char* What)
+{
+	std::vector<FDiagnostic> Diagnostics;
+	bool bSyntaxError = false;
+	FJsonValue Root = ParseJson(Text, File, Diagnostics, bSyntaxError);
+	if (bSyntaxError || Root.Type != EJsonType::Object)
+	{
+		FDiagnostic Diagnostic;
+		Diagnostic.Code = ErrorSequenceBroken;
+		Diagnostic.File = File;
+		Diagnostic.Message = std::string("is no ") + What + " of drydock's: --restart renders all frames again";
+		throw FError(Diagnostic, ExitFiles);
+	}
+	return Root;
+}
+
+/** Objects and arrays below the first level on one line. */
+void WriteValue(FJsonWriter& Writer, const FJsonValue& Value)
+{
+	switch (Value.Type)
+	{
+	case EJsonType::Bool:
+		Writer.Value(Value.Bool);
+		return;
+	case EJsonType::Number:
+		Writer.Value(Value.Number);
+		return;
+	case EJsonType::String:
+		Writer.Value(Value.String);
+		return;
+	case EJsonType::Array:
+		Writer.BeginArray(true);
+		for (const FJsonValue& Element : Value.Elements)
+		{
+			WriteValue(Writer, Element);
+		}
+		Writer.EndArray();
+		return;
+	case EJsonType::Object:
+		Writer.BeginObject(true);
+		for (const FJsonMember& Member : Value.Members)
+		{
+			Writer.Key(Member.Key);
+			WriteValue(Writer, Member.Value);
+		}
+		Writer.EndObject();
+		return;
+	case EJsonType::Null:
+	case EJsonType::Invalid:
+		Writer.Null();
+		return;
+	}
+}
+
+std::string GetText(const FJsonValue& Root, const char* Key)
+{
+	const FJsonValue* Value = Root.Find(Key);
+	return Value != nullptr ? Value->String : "";
+}
+
+void WriteHead(FJsonWriter& Writer, const FConfig& Config, const FSequenceInputs& Inputs, bool bComplete)
+{
+	Writer.Member("version", GetVersion());
+	Writer.Member("config", Config.File);
+	Writer.Member("scene", Config.Scene.Sequence);
+	Writer.Member("complete", bComplete);
+	Writer.Key("inputs").BeginObject();
+	for (const auto& [Name, Text] : Inputs)
+	{
+		Writer.Member(Name, Text);
+	}
+	Writer.EndObject();
+}
+
+/** By frame, then setting: the value as JSON text. */
+using FSettingTexts = std::vector<std::map<std::string, std::string>>;
+
+/** Only those that are not the same in all frames. A frame's report is read, looked at and let go of. */
+FSettingTexts FindVarying(const FSequenceFolder& Folder, const std::vector<int>& Frames)
+{
+	FSettingTexts Texts;
+	std::map<std::string, std::string> First;
+	std::set<std::string> Varying;
+	const auto ForEachSetting = [&](int Frame, const auto& Function)
+	{
+		const std::string File = (std::filesystem::path(Folder.GetFramePath(Frame)) / "run.json").string();
+		const FJsonValue Root = Parse(ReadTextFile(File), File, "run.json");
+		const FJsonValue* Settings = Root.Find("settings");
+		for (size_t Index = 0; Settings != nullptr && Index < Settings->Members.size(); ++Index)
+		{
+			FJsonWriter Writer;
+			WriteValue(Writer, Settings->Members[Index].Value);
+			std::string Text = Writer.GetText();
+			Text.pop_back(); // the line break
+			Function(Settings->Members[Index].Key, Text);
+		}
+	};
+	for (const int Frame : Frames)
+	{
+		ForEachSetting(Frame,
+			[&](const std::string& Name, const std::string& Text)
+			{
+				if (First.emplace(Name, Text).first->second != Text)
+				{
+					Varying.insert(Name);
+				}
+			});
+	}
+	for (const int Frame : Frames)
+	{
+		Texts.emplace_back();
+		ForEachSetting(Frame,
+			[&](const std::string& Name, const std::string& Text)
+			{
+				if (Varying.count(Name) > 0)
+				{
+					Texts.back()[Name] = Text;
+				}
+			});
+	}
+	return Texts;
+}
+
+} // namespace
+
+FFrameRecord MakeFrameRecord(const FRunResult& Result, const std::string& FileFingerprint)
+{
+	FFrameRecord Record;
+	Record.Frame = Result.Config.Scene.Frame.value_or(0);
+	Record.File = Result.Config.Scene.File.Value;
+	Record.FileFingerprint = FileFingerprint;
+	Record.Picture = FingerprintPictures(Result);
+	Record.State = FingerprintViewStates(Result.ViewStates);
+	return Record;
+}
+
+std::string MakeFrameJson(const FRunResult& Result, const FFrameRecord& Record)
+{
+	FVector Location = GetViewLocation(Result.Config);
+	if (!Result.ViewStates.empty() && Result.ViewStates[0].Projection)
+	{
+		Location = Result.ViewStates[0].Projection->ViewOrigin; // where extensions left it
+	}
+	FJsonWriter Writer;
+	Writer.BeginObject();
+	Writer.Member("frame", Record.Frame);
+	Writer.Member("file", Record.File);
+	Writer.Member("fileFingerprint", Record.FileFingerprint);
+	Writer.Key("location").BeginArray(true);
+	for (const double Coordinate : {Location.X, Location.Y, Location.Z})
+	{
+		Writer.Value(Coordinate);
+	}
+	Writer.EndArray();
+	Writer.Key("volumes").BeginObject(true);
+	const FSettingsBlender Blender = MakeSettingsBlender(Result.Config);
+	std::vector<FVolumeAtPlace> Volumes = Blender.FindVolumes(Location);
+	std::sort(Volumes.begin(), Volumes.end(),
+		[](const FVolumeAtPlace& A, const FVolumeAtPlace& B) { return A.Volume < B.Volume; });
+	for (const FVolumeAtPlace& Volume : Volumes)
+	{
+		Writer.Member(GetVolumeName(Result.Config, Volume.Volume), Volume.Influence.Weight);
+	}
+	Writer.EndObject();
+	Writer.Key("exposure").BeginObject(true);
+	Writer.Member("scale", Result.ExposureScale);
+	Writer.Member("preExposure", Result.Config.View.PreExposure.Value);
+	Writer.EndObject();
+	const auto NumPasses = std::count_if(Result.Graph.Passes.begin(), Result.Graph.Passes.end(),
+		[](const FRDGCompiledPass& Pass) { return !Pass.bIsSentinel; });
+	Writer.Key("passes").BeginObject(true);
+	Writer.Member("executed", static_cast<int64_t>(Result.Passes.size()));
+	Writer.Member("culled", static_cast<int64_t>(NumPasses) - static_cast<int64_t>(Result.Passes.size()));
+	Writer.EndObject();
+	Writer.Member("picture", Record.Picture);
+	Writer.Member("state", Record.State);
+	Writer.EndObject();
+	return Writer.GetText();
+}
+
+FFrameRecord ReadFrameRecord(const std::string& FrameJson, const std::string& File)
+{
+	const FJsonValue Root = Parse(FrameJson, File, "frame.json");
+	const FJsonValue* Frame = Root.Find("frame");
+	FFrameRecord Record;
+	Record.Frame = Frame != nullptr ? static_cast<int>(Frame->Number) : 0;
+	Record.File = GetText(Root, "file");
+	Record.FileFingerprint = GetText(Root, "fileFingerprint");
+	Record.Picture = GetText(Root, "picture");
+	Record.State = GetText(Root, "state");
+	return Record;
+}
+
+std::string MakeSequenceHead(const FConfig& Config, const FSequenceInputs& Inputs)
+{
+	FJsonWriter Writer;
+	Writer.BeginObject();
+	WriteHead(Writer, Config, Inputs, false);
+	Writer.EndObject();
+	return Writer.GetText();
+}
+
+std::string MakeSequenceJson(
+	const FConfig& Config, const FSequenceInputs& Inputs, const FSequenceFolder& Folder, const std::vector<int>& Frames)
+{
+	const FSettingTexts Varying = FindVarying(Folder, Frames);
+	FJsonWriter Writer;
+	Writer.BeginObject();
+	WriteHead(Writer, Config, Inputs, true);
+	Writer.Key("varying").BeginArray(true);
+	for (const auto& [Name, Text] : Varying.front())
+	{
+		Writer.Value(Name);
+	}
+	Writer.EndArray();
+	Writer.Key("frames").BeginArray();
+	for (size_t Index = 0; Index < Frames.size(); ++Index)
+	{
+		const std::string File = Folder.GetFramePath(Frames[Index]);
+		const FJsonValue Root = Parse(Folder.ReadFrameJson(Frames[Index]), File, "frame.json");
+		Writer.BeginObject();
+		for (const FJsonMember& Member : Root.Members)
+		{
+			Writer.Key(Member.Key);
+			WriteValue(Writer, Member.Value);
+		}
+		Writer.Key("settings").BeginObject(true);
+		for (const auto& [Name, Text] : Varying[Index])
+		{
+			Writer.Key(Name).Raw(Text);
+		}
+		Writer.EndObject();
+		Writer.EndObject();
+	}
+	Writer.EndArray();
+	Writer.EndObject();
+	return Writer.GetText();
+}
+
+bool IsSequenceComplete(const std::string& SequenceJson, const std::string& File, const std::vector<int>& Frames)
+{
+	const FJsonValue Root = Parse(SequenceJson, File, "sequence.json");
+	const FJsonValue* Complete = Root.Find("complete");
+	const FJsonValue* Records = Root.Find("frames");
+	if (Complete == nullptr || !Complete->Bool || Records == nullptr)
+	{
+		return false;
+	}
+	return std::equal(Records->Elements.begin(), Records->Elements.end(), Frames.begin(), Frames.end(),
+		[](const FJsonValue& Record, int Frame)
+		{
+			const FJsonValue* Number = Record.Find("frame");
+			return Number != nullptr && Number->Number == Frame;
+		});
+}
+
+FSequenceInputs ReadSequenceInputs(const std::string& SequenceJson, const std::string& File)
+{
+	const FJsonValue Root = Parse(SequenceJson, File, "sequence.json");
+	FSequenceInputs Inputs;
+	if (const FJsonValue* Found = Root.Find("inputs"))
+	{
+		for (const FJsonMember& Member : Found->Members)
+		{
+			Inputs[Member.Key] = Member.Value.String;
+		}
+	}
+	return Inputs;
+}
+
+} // namespace Drydock

@@ -1,0 +1,50 @@
+// What a sequence says of itself: frame.json of one frame, sequence.json of all. Nothing in them changes from one run
+// to the next of the same inputs. Source: drydock.
+#pragma once
+
+#include "Run/Run.h"
+#include "Sequence/SequenceFolder.h"
+#include "Sequence/SequenceInputs.h"
+
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+/** The frame of a sequence, and what its pictures are told by. */
+struct FFrameRecord
+{
+	int Frame = 0;
+	std::string File;            // of the scene, as run.json names it
+	std::string FileFingerprint; // of its contents
+	std::string Picture;         // fingerprint of final and scene-linear picture, and of the dumps
+	std::string State;           // fingerprint of what lives on
+
+	bool operator==(const FFrameRecord&) const = default;
+};
+
+/** Of a frame that has run. Must be called while its session lives: weights depend on console variables. */
+DRYDOCK_API FFrameRecord MakeFrameRecord(const FRunResult& Result, const std::string& FileFingerprint);
+
+/** {frame, file, fileFingerprint, location, fov?, exposure, passes, volumes: {name: weight}, picture, state}. */
+DRYDOCK_API std::string MakeFrameJson(const FRunResult& Result, const FFrameRecord& Record);
+
+/** File names the text in messages. Throws FError (exit code 3) when it is no frame.json. */
+DRYDOCK_API FFrameRecord ReadFrameRecord(const std::string& FrameJson, const std::string& File);
+
+/** Before the first frame: {version, config, scene, complete: false, inputs}. */
+DRYDOCK_API std::string MakeSequenceHead(const FConfig& Config, const FSequenceInputs& Inputs);
+
+/** Of all frames, from their own files: the head, complete, and frames, each with the settings that vary. */
+DRYDOCK_API std::string MakeSequenceJson(const FConfig& Config, const FSequenceInputs& Inputs,
+	const FSequenceFolder& Folder, const std::vector<int>& Frames);
+
+/** Whether it is that of exactly these frames, all of them there. Throws FError (exit code 3) when it is none. */
+DRYDOCK_API bool IsSequenceComplete(
+	const std::string& SequenceJson, const std::string& File, const std::vector<int>& Frames);
+
+/** What a sequence.json was made of. Throws FError (exit code 3) when it is none. */
+DRYDOCK_API FSequenceInputs ReadSequenceInputs(const std::string& SequenceJson, const std::string& File);
+
+} // namespace Drydock

@@ -1,0 +1,299 @@
+// Source: drydock. The grammar is nlohmann-json's; positions come from the scan before it, which lists keys and values
+// in the order in which the parser reports them.
+#include <nlohmann/json.hpp>
+
+#include "Text/Json.h"
+
+#include "Text/ConfigErrors.h"
+#include "Text/JsonScan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <iterator>
+
+namespace Drydock
+{
+
+namespace
+{
+
+/** Deeper than any config, shallow enough for recursive readers. */
+constexpr size_t MaxDepth = 64;
+
+std::string EscapePointer(const std::string& Key)
+{
+	std::string Escaped;
+	for (const char Character : Key)
+	{
+		Escaped += Character == '~' ? "~0" : Character == '/' ? "~1" : std::string(1, Character);
+	}
+	return Escaped;
+}
+
+/** Builds the tree from SAX events. Callback names are nlohmann's. */
+class FTreeBuilder
+{
+public:
+	FTreeBuilder(const std::string& Text, const FJsonScan& InScan, const std::string& InFile,
+		std::vector<FDiagnostic>& InDiagnostics)
+		: Scan(InScan)
+		, Positions(Text)
+		, File(InFile)
+		, Diagnostics(InDiagnostics)
+	{
+	}
+
+	bool null() { return AddLeaf({}); }
+	bool boolean(bool bValue)
+	{
+		FJsonValue Value;
+		Value.Type = EJsonType::Bool;
+		Value.Bool = bValue;
+		return AddLeaf(std::move(Value));
+	}
+	bool number_integer(std::int64_t Number) { return AddNumber(static_cast<double>(Number)); }
+	bool number_unsigned(std::uint64_t Number) { return AddNumber(static_cast<double>(Number)); }
+	bool number_float(double Number, const std::string&) { return AddNumber(Number); }
+	bool string(std::string& Text)
+	{
+		FJsonValue Value;
+		Value.Type = EJsonType::String;
+		Value.String = Text;
+		return AddLeaf(std::move(Value));
+	}
+	bool binary(std::vector<std::uint8_t>&) { return false; }
+	bool start_object(size_t) { return Open(EJsonType::Object); }
+	bool start_array(size_t) { return Open(EJsonType::Array); }
+	bool end_object() { return Close(); }
+	bool end_array() { return Close(); }
+
+	bool key(std::string& Key)
+	{
+		const FTextPosition Position = Positions.Find(TakeToken().Offset);
+		FFrame& Frame = Frames.back();
+		Frame.Key = Key;
+		Frame.KeyPosition = Position;
+		for (const auto& [Name, Value] : Frame.Value.Members)
+		{
+			if (Name == Key)
+			{
+				Report(ErrorDuplicateKey, Position, PointerOf(Frame),
+					"key \"" + Key + "\" appears twice in this object; first on line " + std::to_string(Value.KeyLine));
+				break;
+			}
+		}
+		return true;
+	}
+
+	bool parse_error(size_t Position, const std::string&, const nlohmann::detail::exception& Exception)
+	{
+		// "[json.exception.parse_error.101] parse error at line 3, column 5: syntax error while parsing ...": the place
+		// is reported separately.
+		std::string Message = Exception.what();
+		const size_t Place = Message.find("column ");
+		const size_t Colon = Place == std::string::npos ? std::string::npos : Message.find(": ", Place);
+		Message = Colon == std::string::npos ? Message : Message.substr(Colon + 2);
+		Report(ErrorJsonSyntax, Positions.Find(FindTokenBegin(Position)), CurrentPointer(), Message);
+		return false;
+	}
+
+	FJsonValue TakeRoot()
+	{
+		while (Frames.size() > 1)
+		{
+			Close();
+		}
+		return Frames.empty() ? std::move(Root) : std::move(Frames.front().Value);
+	}
+
+	bool HasSyntaxError() const { return bSyntaxError; }
+
+private:
+	struct FFrame
+	{
+		FJsonValue Value;
+		std::string Key; // of the member being read
+		FTextPosition KeyPosition;
+	};
+
+	static std::string PointerOf(const FFrame& Frame)
+	{
+		return Frame.Value.Pointer + "/" +
+			   (Frame.Value.Type == EJsonType::Array ? std::to_string(Frame.Value.Elements.size())
+													 : EscapePointer(Frame.Key));
+	}
+
+	/** Where the token that the parser stopped at begins; it counts the bytes read up to the token's end. */
+	size_t FindTokenBegin(size_t NumRead) const
+	{
+		const size_t Last = NumRead == 0 ? 0 : NumRead - 1;
+		if (Last >= Scan.Text.size() || std::strchr("{}[]:,", Scan.Text[Last]) != nullptr)
+		{
+			return Last;
+		}
+		const auto After = std::upper_bound(Scan.Tokens.begin(), Scan.Tokens.end(), Last,
+			[](size_t Offset, const FJsonToken& Token) { return Offset < Token.Offset; });
+		return After == Scan.Tokens.begin() ? Last : std::prev(After)->Offset;
+	}
+
+	std::string CurrentPointer() const { return Frames.empty() ? "" : Frames.back().Value.Pointer; }
+
+	void Report(EConfigError Code, FTextPosition Position, const std::string& Pointer, const std::string& Message)
+	{
+		bSyntaxError = bSyntaxError || Code == ErrorJsonSyntax || Code == ErrorJsonDepth;
+		FDiagnostic Diagnostic;
+		Diagnostic.Code = Code;
+		Diagnostic.Message = Message;
+		Diagnostic.File = File;
+		Diagnostic.Line = Position.Line;
+		Diagnostic.Column = Position.Column;
+		Diagnostic.Where = Pointer;
+		Diagnostics.push_back(Diagnostic);
+	}
+
+	/** The scan's next key or value. A text that the two lexers cut differently is a syntax error sooner or later;
+	 * until then its last known place will do. */
+	FJsonToken TakeToken()
+	{
+		return NextToken < Scan.Tokens.size() ? Scan.Tokens[NextToken++]
+			   : Scan.Tokens.empty()          ? FJsonToken()
+											  : Scan.Tokens.back();
+	}
+
+	/** Gives a value that has just begun its place. */
+	void Locate(FJsonValue& Value)
+	{
+		const FTextPosition Position = Positions.Find(TakeToken().Offset);
+		Value.Line = Position.Line;
+		Value.Column = Position.Column;
+		if (!Frames.empty())
+		{
+			Value.Pointer = PointerOf(Frames.back());
+			Value.KeyLine = Frames.back().KeyPosition.Line;
+			Value.KeyColumn = Frames.back().KeyPosition.Column;
+		}
+	}
+
+	bool AddNumber(double Number)
+	{
+		const bool bNotFinite = NextToken < Scan.Tokens.size() && Scan.Tokens[NextToken].bNotFinite;
+		const bool bNegative = NextToken < Scan.Tokens.size() && Scan.Text[Scan.Tokens[NextToken].Offset] == '-';
+		FJsonValue Value;
+		Value.Type = bNotFinite ? EJsonType::Invalid : EJsonType::Number;
+		Value.Number = std::copysign(Number, bNegative ? -1.0 : 1.0); // the parser takes -0 for an integer, 0
+		Locate(Value);
+		if (bNotFinite)
+		{
+			Report(ErrorNumberNotFinite, {Value.Line, Value.Column}, Value.Pointer,
+				"not a finite number; JSON has no NaN and no Infinity, and numbers must fit a double");
+		}
+		Attach(std::move(Value));
+		return true;
+	}
+
+	bool AddLeaf(FJsonValue Value)
+	{
+		Locate(Value);
+		Attach(std::move(Value));
+		return true;
+	}
+
+	bool Open(EJsonType Type)
+	{
+		FJsonValue Value;
+		Value.Type = Type;
+		Locate(Value);
+		if (Frames.size() >= MaxDepth)
+		{
+			Report(ErrorJsonDepth, {Value.Line, Value.Column}, Value.Pointer,
+				"nested deeper than " + std::to_string(MaxDepth) + " levels");
+			return false;
+		}
+		Frames.push_back({std::move(Value), "", {}});
+		return true;
+	}
+
+	bool Close()
+	{
+		FJsonValue Value = std::move(Frames.back().Value);
+		Frames.pop_back();
+		Attach(std::move(Value));
+		return true;
+	}
+
+	void Attach(FJsonValue Value)
+	{
+		if (Frames.empty())
+		{
+			Root = std::move(Value);
+			return;
+		}
+		FFrame& Parent = Frames.back();
+		if (Parent.Value.Type == EJsonType::Array)
+		{
+			Parent.Value.Elements.push_back(std::move(Value));
+		}
+		else if (Parent.Value.Find(Parent.Key) == nullptr)
+		{
+			Parent.Value.Members.push_back({Parent.Key, std::move(Value)});
+		}
+	}
+
+	const FJsonScan& Scan;
+	FTextPositions Positions;
+	const std::string& File;
+	std::vector<FDiagnostic>& Diagnostics;
+	std::vector<FFrame> Frames;
+	FJsonValue Root;
+	size_t NextToken = 0;
+	bool bSyntaxError = false;
+};
+
+} // namespace
+
+const FJsonValue* FJsonValue::Find(const std::string& Key) const
+{
+	for (const auto& [Name, Value] : Members)
+	{
+		if (Name == Key)
+		{
+			return &Value;
+		}
+	}
+	return nullptr;
+}
+
+const char* FJsonValue::Describe() const
+{
+	switch (Type)
+	{
+	case EJsonType::Null:
+		return "null";
+	case EJsonType::Bool:
+		return "true or false";
+	case EJsonType::Number:
+		return "a number";
+	case EJsonType::String:
+		return "a string";
+	case EJsonType::Array:
+		return "an array";
+	case EJsonType::Object:
+		return "an object";
+	case EJsonType::Invalid:
+		return "a number that is not finite";
+	}
+	return "?";
+}
+
+FJsonValue ParseJson(
+	const std::string& Text, const std::string& File, std::vector<FDiagnostic>& Diagnostics, bool& OutSyntaxError)
+{
+	const FJsonScan Scan = ScanJson(Text);
+	FTreeBuilder Builder(Text, Scan, File, Diagnostics);
+	const bool bRead = nlohmann::json::sax_parse(Scan.Text, &Builder, nlohmann::json::input_format_t::json, true, true);
+	OutSyntaxError = !bRead || Builder.HasSyntaxError();
+	return Builder.TakeRoot();
+}
+
+} // namespace Drydock

@@ -1,0 +1,144 @@
+// Source: drydock; string escapes: RFC 8259.
+#include "Text/JsonWriter.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+namespace Drydock
+{
+
+namespace
+{
+
+template<typename T>
+std::string ShortestText(T Number)
+{
+	char Buffer[64];
+	const std::to_chars_result Result = std::to_chars(Buffer, Buffer + sizeof(Buffer), Number);
+	return std::string(Buffer, Result.ptr);
+}
+
+} // namespace
+
+std::string FJsonWriter::Quote(const std::string& Text)
+{
+	std::string Quoted = "\"";
+	for (const char Character : Text)
+	{
+		switch (Character)
+		{
+		case '"':
+			Quoted += "\\\"";
+			break;
+		case '\\':
+			Quoted += "\\\\";
+			break;
+		case '\n':
+			Quoted += "\\n";
+			break;
+		case '\r':
+			Quoted += "\\r";
+			break;
+		case '\t':
+			Quoted += "\\t";
+			break;
+		default:
+			if (static_cast<unsigned char>(Character) < 0x20)
+			{
+				char Escape[8];
+				std::snprintf(Escape, sizeof(Escape), "\\u%04x", static_cast<unsigned>(Character));
+				Quoted += Escape;
+			}
+			else
+			{
+				Quoted += Character;
+			}
+		}
+	}
+	return Quoted + "\"";
+}
+
+FJsonWriter& FJsonWriter::Key(const std::string& Name)
+{
+	Separate();
+	Text += Quote(Name) + ": ";
+	bAfterKey = true;
+	return *this;
+}
+
+void FJsonWriter::Value(const std::string& InText)
+{
+	Raw(Quote(InText));
+}
+
+void FJsonWriter::Value(bool bValue)
+{
+	Raw(bValue ? "true" : "false");
+}
+
+void FJsonWriter::Value(double Number)
+{
+	Raw(std::isfinite(Number) ? ShortestText(Number) : "null");
+}
+
+void FJsonWriter::Value(float Number)
+{
+	Raw(std::isfinite(Number) ? ShortestText(Number) : "null");
+}
+
+void FJsonWriter::Raw(const std::string& Json)
+{
+	Separate();
+	Text += Json;
+}
+
+void FJsonWriter::Begin(char Bracket, bool bInline)
+{
+	Separate();
+	Text += Bracket;
+	const bool bParentInline = !Levels.empty() && Levels.back().bInline;
+	Levels.push_back({bInline || bParentInline, true});
+}
+
+void FJsonWriter::End(char Bracket)
+{
+	const FLevel Level = Levels.back();
+	Levels.pop_back();
+	if (!Level.bInline && !Level.bEmpty)
+	{
+		BreakLine();
+	}
+	Text += Bracket;
+}
+
+void FJsonWriter::Separate()
+{
+	if (bAfterKey)
+	{
+		bAfterKey = false;
+		return;
+	}
+	if (Levels.empty())
+	{
+		return;
+	}
+	FLevel& Level = Levels.back();
+	if (!Level.bEmpty)
+	{
+		Text += Level.bInline ? ", " : ",";
+	}
+	Level.bEmpty = false;
+	if (!Level.bInline)
+	{
+		BreakLine();
+	}
+}
+
+void FJsonWriter::BreakLine()
+{
+	Text += '\n';
+	Text.append(Levels.size() * 2, ' ');
+}
+
+} // namespace Drydock

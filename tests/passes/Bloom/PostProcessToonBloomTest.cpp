@@ -1,0 +1,477 @@
+// Toon bloom in the bloom setup: corrected and as printed, on images computed by hand, against an independent double
+// computation, and its hazards.
+#include "PassTestUtils.h"
+
+#include "Bloom/PostProcessBloomSetup.h"
+#include "Bloom/PostProcessGaussianBloom.h"
+#include "Bloom/PostProcessToonBloom.h"
+
+#include <cstring>
+#include <optional>
+
+using namespace PassTest;
+using PassReference::CeilHalf;
+using PassReference::MaxDifference;
+
+namespace
+{
+
+constexpr double Cloth = 8;
+
+struct FToon
+{
+	std::optional<float> Factor = 1.0f; // empty: the setup without the patch
+	float Threshold = -1.0f;
+	bool bCompute = false;
+	bool bAsPrinted = false;
+	EPixelFormat Format = PF_A32B32G32R32F;
+	EDownsampleQuality Quality = EDownsampleQuality::Low;
+	float PreExposure = 1.0f;
+};
+
+/** Alpha as G-buffer B holds it. */
+FImage PackIds(const FImage& Ids)
+{
+	return FImage::Make(Ids.Width, Ids.Height, [&](int X, int Y) { return FTexel{0, 0, 0, Ids.At(X, Y)[0] / 255}; });
+}
+
+/** Red: the shading model id of a pixel. */
+FImage MakeIds(int Width, int Height, const std::function<bool(int, int)>& IsToon)
+{
+	return FImage::Make(Width, Height, [&](int X, int Y) { return FTexel{IsToon(X, Y) ? Cloth : 1, 0, 0, 0}; });
+}
+
+/** A full-resolution picture in a rect, its ids, its half-resolution copy and the setup over that. */
+class FToonRun
+{
+public:
+	FToonRun(const FImage& Color, const FImage& Ids, const FRect& Rect, FIntPoint Extent, const FToon& InToon,
+		EArithmetic Arithmetic)
+		: AsPrinted(TEXT("r.ToonBloom.AsPrinted"), InToon.bAsPrinted ? 1.0f : 0.0f)
+		, Toon(InToon)
+		, Run(Color, Rect, Extent, Arithmetic, Toon.Format)
+	{
+		Run.View.PreExposure = Toon.PreExposure;
+		Run.View.bUseComputePasses = Toon.bCompute;
+		Run.View.InitViewUniformBuffer(Extent);
+		SceneTextures.Color = Run.Input.Texture;
+		SceneTextures.GBufferB = Run.AddInput(Place(PackIds(Ids), Rect, Extent), PF_B8G8R8A8, TEXT("GBufferB")).Texture;
+		Run.View.SceneTextures = &SceneTextures;
+		FDownsamplePassInputs HalfInputs;
+		HalfInputs.Name = TEXT("Half");
+		HalfInputs.SceneColor = Run.Input;
+		HalfInputs.Quality = Toon.Quality;
+		Half = AddDownsamplePass(Run.GraphBuilder, Run.View, HalfInputs);
+	}
+
+	FBloomSetupInputs MakeInputs()
+	{
+		FBloomSetupInputs Inputs;
+		Inputs.SceneColor = Half;
+		Inputs.EyeAdaptationBuffer = CreateEyeAdaptationBuffer(Run.GraphBuilder, 1.0f);
+		Inputs.Threshold = Toon.Threshold;
+		if (Toon.Factor)
+		{
+			Inputs.SceneTextures = CreateSceneTextureUniformBuffer(Run.GraphBuilder, Run.View);
+			Inputs.ToonIntensity = *Toon.Factor;
+			Inputs.FullResolutionSceneColor = Run.Input;
+			Inputs.DownsampleQuality = Toon.Quality;
+		}
+		return Inputs;
+	}
+
+	FScreenPassTexture AddSetup() { return AddBloomSetupPass(Run.GraphBuilder, Run.View, MakeInputs()); }
+
+private:
+	/** Outside the rect everything claims to be toon. */
+	static FImage Place(const FImage& Image, const FRect& Rect, FIntPoint Extent)
+	{
+		FImage Placed(Extent.X, Extent.Y, {1, 1, 1, Cloth / 255});
+		for (int Y = 0; Y < Rect.Height(); ++Y)
+		{
+			for (int X = 0; X < Rect.Width(); ++X)
+			{
+				Placed.At(Rect.MinX + X, Rect.MinY + Y) = Image.At(X, Y);
+			}
+		}
+		return Placed;
+	}
+
+	FScopedConsoleVariable AsPrinted;
+	FToon Toon;
+	FSceneTextures SceneTextures;
+
+public:
+	FPassRun Run;
+	FScreenPassTexture Half;
+};
+
+FImage SetUpBloom(
+	const FImage& Color, const FImage& Ids, const FToon& Toon, EArithmetic Arithmetic = EArithmetic::Float32)
+{
+	FToonRun Run(Color, Ids, {0, 0, Color.Width, Color.Height}, FIntPoint(Color.Width, Color.Height), Toon, Arithmetic);
+	return Run.Run.Execute(Run.AddSetup());
+}
+
+/** The bloom that comes of it. */
+FImage Bloom(const FImage& Color, const FImage& Ids, const FToon& Toon)
+{
+	FToonRun Run(
+		Color, Ids, {0, 0, Color.Width, Color.Height}, FIntPoint(Color.Width, Color.Height), Toon, EArithmetic::Double);
+	FTextureDownsampleChain Chain;
+	Chain.Init(Run.Run.GraphBuilder, Run.Run.View, Run.AddSetup(), EDownsampleQuality::High, TEXT("Chain"));
+	return Run.Run.Execute(AddGaussianBloomPasses(Run.Run.GraphBuilder, Run.Run.View, &Chain));
+}
+
+/** From the formula: colour times factor, downsampled; the ramp of the unmasked colour. */
+FImage Expected(const FImage& Color, const FImage& Ids, const FToon& Toon)
+{
+	const FRect In{0, 0, Color.Width, Color.Height};
+	const FRect Out{0, 0, CeilHalf(Color.Width), CeilHalf(Color.Height)};
+	const bool bHigh = Toon.Quality == EDownsampleQuality::High;
+	const FImage Masked = FImage::Make(Color.Width, Color.Height,
+		[&](int X, int Y)
+		{ return Color.At(X, Y) * (Ids.At(X, Y)[0] == Cloth ? static_cast<double>(*Toon.Factor) : 1.0); });
+	const FImage Half = PassReference::Downsample(Color, In, Out, bHigh, true);
+	const FImage MaskedHalf = PassReference::Downsample(Masked, In, Out, bHigh, true);
+	return FImage::Make(Out.Width(), Out.Height(),
+		[&](int X, int Y)
+		{
+			const double Luminance = PassReference::Luminance(Half.At(X, Y));
+			const double Threshold = static_cast<double>(Toon.Threshold);
+			const double Amount = Threshold > -1 ? std::clamp((Luminance - Threshold) / 2, 0.0, 1.0) : 1.0;
+			FTexel Texel = MaskedHalf.At(X, Y) * Amount;
+			Texel[3] = 0;
+			return Texel;
+		});
+}
+
+/** 4x4 in four quads: two toon pixels of four, all, none, and only the lower right one. */
+FImage QuadIds()
+{
+	return MakeIds(4, 4, [](int X, int Y) { return Y < 2 ? (X < 2 ? X == Y : true) : X == 3 && Y == 3; });
+}
+
+FImage Grey(int Width, int Height, double Value)
+{
+	return FImage(Width, Height, {Value, Value, Value, 1});
+}
+
+std::vector<double> Reds(const FImage& Image)
+{
+	std::vector<double> Values;
+	for (const FTexel& Texel : Image.Texels)
+	{
+		Values.push_back(Texel[0]);
+	}
+	return Values;
+}
+
+FTexel SetUpToonPixel(const FTexel& Color, float Factor, float Threshold = -1.0f)
+{
+	return SetUpBloom(FImage(2, 2, Color), FImage(2, 2, {Cloth, 0, 0, 0}), {Factor, Threshold}).At(0, 0);
+}
+
+/** The left third is toon; noise exact in every format. */
+struct FScene
+{
+	FImage Color = FImage::Noise(64, 36, 4);
+	FImage Ids = MakeIds(64, 36, [](int X, int) { return X < 21; });
+};
+
+class ToonBloomReference : public testing::TestWithParam<EArithmetic>
+{
+};
+
+} // namespace
+
+TEST(ToonBloom, AnEdgeWeighsWhatItCovers)
+{
+	// 8 * (2 * 0.25 + 2) / 4 = 5, 8 * 0.25 = 2, 8, and 8 * (0.25 + 3) / 4 = 6.5.
+	EXPECT_EQ((std::vector<double>{5, 2, 8, 6.5}), Reds(SetUpBloom(Grey(4, 4, 8), QuadIds(), {0.25f})));
+}
+
+TEST(ToonBloom, AsPrintedTakesTheTexelAtTheLowerRightOfTheCorner)
+{
+	// The ids at (1, 1), (3, 1), (1, 3) and (3, 3): toon, toon, not, toon.
+	FToon Toon{0.25f};
+	Toon.bAsPrinted = true;
+	EXPECT_EQ((std::vector<double>{2, 2, 8, 2}), Reds(SetUpBloom(Grey(4, 4, 8), QuadIds(), Toon)));
+}
+
+TEST(ToonBloom, AsPrintedIsLostInCompute)
+{
+	FToon Toon{0.25f};
+	Toon.bAsPrinted = true;
+	Toon.bCompute = true;
+	EXPECT_EQ((std::vector<double>{8, 8, 8, 8}), Reds(SetUpBloom(Grey(4, 4, 8), QuadIds(), Toon)));
+}
+
+TEST(ToonBloom, AsPrintedMultipliesWhatTheSetupGives)
+{
+	// Luminance 2 above a threshold of 1: half of it, then the factor.
+	FToon Toon{0.25f, 1.0f};
+	Toon.bAsPrinted = true;
+	EXPECT_EQ((std::vector<double>{0.25, 0.25, 1, 0.25}), Reds(SetUpBloom(Grey(4, 4, 2), QuadIds(), Toon)));
+}
+
+TEST(ToonBloom, TheRampIsThatOfTheUnmaskedColour)
+{
+	// Luminance 2 above a threshold of 1 keeps half, whatever the factor makes of the colour.
+	const std::vector<double> Halved = Reds(SetUpBloom(Grey(4, 4, 2), QuadIds(), {0.25f, 1.0f}));
+	const std::vector<double> Expected = {2 * 0.625 / 2, 2 * 0.25 / 2, 1, 2 * 0.8125 / 2};
+	for (size_t Quad = 0; Quad < Expected.size(); ++Quad)
+	{
+		EXPECT_FLOAT_EQ(static_cast<float>(Expected[Quad]), static_cast<float>(Halved[Quad]));
+	}
+}
+
+TEST(ToonBloom, OnlyClothIsToon)
+{
+	for (int Id = 0; Id < 16; ++Id)
+	{
+		EXPECT_EQ(Id == 8 ? 2 : 8,
+			SetUpBloom(Grey(2, 2, 8), FImage(2, 2, {static_cast<double>(Id), 0, 0, 0}), {0.25f}).At(0, 0)[0])
+			<< Id;
+	}
+}
+
+TEST(ToonBloom, TheSelectiveOutputMaskDoesNotHideTheId)
+{
+	EXPECT_EQ(2, SetUpBloom(Grey(2, 2, 8), FImage(2, 2, {0xF0 | 8, 0, 0, 0}), {0.25f}).At(0, 0)[0]);
+}
+
+TEST(ToonBloom, FactorOneGivesTheBitsOfAFrameWithoutTheSetup)
+{
+	const FScene Scene;
+	for (const EArithmetic Arithmetic : {EArithmetic::Native, EArithmetic::Double})
+	{
+		FToon Toon{1.0f};
+		Toon.Format = PF_FloatRGB;
+		Toon.PreExposure = 0.3f;
+		FToonRun Run(Scene.Color, Scene.Ids, {0, 0, 64, 36}, FIntPoint(64, 36), Toon, Arithmetic);
+		const FScreenPassTexture Output = Run.AddSetup();
+		TRefCountPtr<IPooledRenderTarget> Half;
+		Run.Run.GraphBuilder.QueueTextureExtraction(Run.Half.Texture, &Half);
+		const FImage Result = Run.Run.Execute(Output);
+		EXPECT_EQ(0, MaxDifference(ReadTexture(Half->GetRHI()), Result)) << ToString(Arithmetic);
+	}
+}
+
+TEST(ToonBloom, FactorOneGivesTheBitsOfTheSetupWithoutThePatch)
+{
+	const FScene Scene;
+	for (const EArithmetic Arithmetic : {EArithmetic::Native, EArithmetic::Double})
+	{
+		EXPECT_EQ(SetUpBloom(Scene.Color, Scene.Ids, {std::nullopt, 0.75f}, Arithmetic).Texels,
+			SetUpBloom(Scene.Color, Scene.Ids, {1.0f, 0.75f}, Arithmetic).Texels)
+			<< ToString(Arithmetic);
+	}
+}
+
+TEST(ToonBloom, TexelsThatNoToonReachesHaveTheSameBitsForAllFactors)
+{
+	const FScene Scene;
+	for (const float Threshold : {-1.0f, 0.75f})
+	{
+		const FImage Unmasked = SetUpBloom(Scene.Color, Scene.Ids, {1.0f, Threshold}, EArithmetic::Native);
+		for (const float Factor : {0.0f, 0.1f, 0.675f, 3.0f})
+		{
+			const FImage Masked = SetUpBloom(Scene.Color, Scene.Ids, {Factor, Threshold}, EArithmetic::Native);
+			// Pixels 0 to 20 are toon: texels 0 to 10 hold some.
+			EXPECT_EQ(PassReference::Crop(Unmasked, {11, 0, 32, 18}).Texels,
+				PassReference::Crop(Masked, {11, 0, 32, 18}).Texels)
+				<< Factor;
+			EXPECT_NE(Unmasked.At(10, 4), Masked.At(10, 4)) << Factor;
+		}
+	}
+}
+
+TEST(ToonBloom, BloomIsLinearInTheFactor)
+{
+	const FScene Scene;
+	for (const float Threshold : {-1.0f, 0.75f})
+	{
+		const FImage Zero = Bloom(Scene.Color, Scene.Ids, {0.0f, Threshold});
+		const FImage One = Bloom(Scene.Color, Scene.Ids, {1.0f, Threshold});
+		for (const float Factor : {0.1f, 0.675f, 4.0f})
+		{
+			const FImage Actual = Bloom(Scene.Color, Scene.Ids, {Factor, Threshold});
+			for (size_t Index = 0; Index < Actual.Texels.size(); ++Index)
+			{
+				const double Linear = Zero.Texels[Index][1] +
+									  static_cast<double>(Factor) * (One.Texels[Index][1] - Zero.Texels[Index][1]);
+				ASSERT_NEAR(1.0, Actual.Texels[Index][1] / Linear, 1e-6) << Factor << " at " << Index;
+			}
+		}
+	}
+}
+
+TEST(ToonBloom, AllToonIsTheBloomTimesTheFactor)
+{
+	const FImage Color = FImage::Noise(16, 8, 4);
+	const FImage All(16, 8, {Cloth, 0, 0, 0});
+	const FImage Quarter = SetUpBloom(Color, All, {0.25f});
+	FImage Expected = SetUpBloom(Color, All, {std::nullopt});
+	for (FTexel& Texel : Expected.Texels)
+	{
+		Texel = Texel * 0.25;
+	}
+	EXPECT_EQ(0, MaxDifference(Expected, Quarter));
+}
+
+TEST_P(ToonBloomReference, EverySizeQualityAndThreshold)
+{
+	for (const auto& [Width, Height] : {std::pair(64, 36), {41, 23}, {1, 1}, {1, 9}, {7, 1}, {3, 5}})
+	{
+		for (FToon Toon : {FToon{0.0f}, {0.1f}, {0.675f, 0.5f}, {2.5f, 1.0f}})
+		{
+			for (const EDownsampleQuality Quality : {EDownsampleQuality::Low, EDownsampleQuality::High})
+			{
+				Toon.Quality = Quality;
+				const FImage Color = FImage::Noise(Width, Height, 4);
+				const FImage Ids = MakeIds(Width, Height, [](int X, int Y) { return (X / 3 + Y / 2) % 2 == 0; });
+				// Values to 10: an ulp of 8 for each of the dozen operations on the way; halves keep 11 bits.
+				const double Tolerance = GetParam() == EArithmetic::Native ? 1e-5 : 8e-6;
+				EXPECT_LE(
+					MaxDifference(Expected(Color, Ids, Toon), SetUpBloom(Color, Ids, Toon, GetParam()), 4), Tolerance)
+					<< Width << "x" << Height << " factor " << *Toon.Factor << " threshold " << Toon.Threshold;
+			}
+		}
+	}
+}
+
+INSTANTIATE_TEST_SUITE_P(Arithmetic, ToonBloomReference, testing::ValuesIn(SnappedArithmetic), FArithmeticName());
+
+TEST(ToonBloom, ComputeAndPixelShaderGiveTheSameBits)
+{
+	const FScene Scene;
+	for (const float Threshold : {-1.0f, 0.75f})
+	{
+		FToon Compute{0.1f, Threshold};
+		Compute.bCompute = true;
+		EXPECT_EQ(SetUpBloom(Scene.Color, Scene.Ids, {0.1f, Threshold}, EArithmetic::Native).Texels,
+			SetUpBloom(Scene.Color, Scene.Ids, Compute, EArithmetic::Native).Texels);
+	}
+}
+
+TEST(ToonBloom, PreExposureChangesTheUnitsOnly)
+{
+	const FScene Scene;
+	FImage Brighter = Scene.Color;
+	for (FTexel& Texel : Brighter.Texels)
+	{
+		Texel = Texel * 4;
+	}
+	FToon Toon{0.25f, 0.75f};
+	FImage Expected = SetUpBloom(Scene.Color, Scene.Ids, Toon);
+	for (FTexel& Texel : Expected.Texels)
+	{
+		Texel = Texel * 4;
+	}
+	Toon.PreExposure = 4.0f;
+	EXPECT_EQ(0, MaxDifference(Expected, SetUpBloom(Brighter, Scene.Ids, Toon)));
+}
+
+TEST(ToonBloom, ARectElsewhereGivesTheSameBits)
+{
+	// Outside, colour is NaN and everything is toon. The downsample halves the rect's corner: even.
+	const FImage Color = FImage::Noise(9, 7, 4);
+	const FImage Ids = MakeIds(9, 7, [](int X, int Y) { return X + Y < 6; });
+	for (const bool bAsPrinted : {false, true})
+	{
+		FToon Toon{0.1f, 0.5f};
+		Toon.bAsPrinted = bAsPrinted;
+		const FImage Cropped = SetUpBloom(Color, Ids, Toon, EArithmetic::Native);
+		FToonRun Run(Color, Ids, {4, 2, 13, 9}, FIntPoint(20, 12), Toon, EArithmetic::Native);
+		const FImage Offset = Run.Run.Execute(Run.AddSetup());
+		if (!bAsPrinted) // which takes the input's UV for the buffer's: odd extents do not agree
+		{
+			EXPECT_EQ(Cropped.Texels, Offset.Texels);
+		}
+		for (const FTexel& Texel : Offset.Texels)
+		{
+			EXPECT_TRUE(std::isfinite(Texel[0] + Texel[1] + Texel[2]));
+		}
+	}
+}
+
+TEST(ToonBloom, FactorZeroMakesAnyToonBlack)
+{
+	for (const double Value : {Infinity, -Infinity, NaN, 65504.0})
+	{
+		EXPECT_EQ((FTexel{0, 0, 0, 0}), SetUpToonPixel({Value, Value, Value, 1}, 0.0f)) << Value;
+		EXPECT_EQ((FTexel{0, 0, 0, 0}), SetUpToonPixel({Value, Value, Value, 1}, 0.0f, 0.0f)) << Value;
+	}
+}
+
+TEST(ToonBloom, BelowTheClampStrongToonKeepsItsStrength)
+{
+	EXPECT_EQ(480000, SetUpToonPixel({60000, 60000, 60000, 1}, 8.0f, 0.0f)[0]);
+	EXPECT_EQ(8 * 65536.0, SetUpToonPixel({1e6, 1e6, 1e6, 1}, 8.0f, 0.0f)[0]);
+	// Eight times infinity is infinity: clamped as if the factor were not there.
+	EXPECT_EQ(65536.0, SetUpToonPixel({Infinity, Infinity, Infinity, 1}, 8.0f, 0.0f)[0]);
+}
+
+TEST(ToonBloom, LargestHalfStaysFiniteBelowOne)
+{
+	FToon Toon{0.5f};
+	Toon.Format = PF_FloatRGBA;
+	EXPECT_EQ(
+		32752, SetUpBloom(Grey(2, 2, 65504), FImage(2, 2, {Cloth, 0, 0, 0}), Toon, EArithmetic::Native).At(0, 0)[0]);
+}
+
+TEST(ToonBloom, NonFiniteSceneStaysWithItsTexel)
+{
+	FImage Color = Grey(4, 4, 1);
+	Color.At(0, 3)[0] = NaN;
+	const FImage Result = SetUpBloom(Color, QuadIds(), {0.5f});
+	EXPECT_TRUE(std::isnan(Result.At(0, 1)[0]));
+	EXPECT_EQ(0.75, Result.At(0, 0)[0]);
+	EXPECT_EQ(0.875, Result.At(1, 1)[0]);
+}
+
+TEST(ToonBloom, NegativesAreMultipliedToo)
+{
+	EXPECT_EQ(-0.5, SetUpToonPixel({-2, 8, 0, 1}, 0.25f)[0]);
+}
+
+TEST(ToonBloom, TheSceneTexturesColourStandsInForAMissingFullResolution)
+{
+	const FScene Scene;
+	const FImage Expected = SetUpBloom(Scene.Color, Scene.Ids, {0.1f}, EArithmetic::Native);
+	FToonRun Run(Scene.Color, Scene.Ids, {0, 0, 64, 36}, FIntPoint(64, 36), {0.1f}, EArithmetic::Native);
+	FBloomSetupInputs Inputs = Run.MakeInputs();
+	Inputs.FullResolutionSceneColor = FScreenPassTexture();
+	EXPECT_EQ(Expected.Texels, Run.Run.Execute(AddBloomSetupPass(Run.Run.GraphBuilder, Run.Run.View, Inputs)).Texels);
+}
+
+TEST(ToonBloom, AnInputOfTheIdsSizeIsMaskedPixelByPixel)
+{
+	FToonRun Run(Grey(4, 4, 8), QuadIds(), {0, 0, 4, 4}, FIntPoint(4, 4), {0.25f}, EArithmetic::Native);
+	FBloomSetupInputs Inputs = Run.MakeInputs();
+	Inputs.SceneColor = Run.Run.Input;
+	Inputs.FullResolutionSceneColor = FScreenPassTexture();
+	const FImage Result = Run.Run.Execute(AddBloomSetupPass(Run.Run.GraphBuilder, Run.Run.View, Inputs));
+	EXPECT_EQ((std::vector<double>{2, 8, 2, 2, 8, 2, 2, 2, 8, 8, 8, 8, 8, 8, 8, 2}), Reds(Result));
+}
+
+TEST(ToonBloom, TheMaskCanBeSeenOverTheScene)
+{
+	FToonRun Run(Grey(4, 4, 0.5), QuadIds(), {0, 0, 4, 4}, FIntPoint(4, 4), {0.25f}, EArithmetic::Float32);
+	FToonBloomInputs Inputs;
+	Inputs.SceneColor = Run.Run.Input;
+	Inputs.SceneTextures = CreateSceneTextureUniformBuffer(Run.Run.GraphBuilder, Run.Run.View);
+	const FImage Picture = Run.Run.Execute(AddToonBloomVisualizePass(Run.Run.GraphBuilder, Run.Run.View, Inputs));
+	EXPECT_FLOAT_EQ(0.625f, static_cast<float>(Picture.At(0, 0)[0]));
+	EXPECT_FLOAT_EQ(0.125f, static_cast<float>(Picture.At(0, 0)[1]));
+	EXPECT_FLOAT_EQ(0.125f, static_cast<float>(Picture.At(1, 0)[0]));
+}
+
+TEST(ToonBloom, DefaultsAreTheArticles)
+{
+	EXPECT_EQ(-1, GetToonBloomMode());
+	EXPECT_FALSE(IsToonBloomAsPrinted());
+	EXPECT_FALSE(IsToonBloomMaskVisualized());
+	EXPECT_EQ(0.675f, FPostProcessSettings().BloomToonIntensity);
+}

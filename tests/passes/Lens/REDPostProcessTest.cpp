@@ -1,0 +1,402 @@
+// The RED post process pass by pass against the article's formulas in double, the chain, both forms, hazards.
+#include <gmock/gmock.h>
+
+#include "PassTestUtils.h"
+
+#include "Lens/REDPostProcess.h"
+#include "RenderGraphCompiled.h"
+
+using namespace PassTest;
+using PassReference::CeilHalf;
+using PassReference::MaxDifference;
+using PassReference::SumOf;
+
+namespace
+{
+
+/** One pass on an image; Blurred of the size that the blur has in the chain. */
+FImage RunPass(const FImage& Image, EREDPostProcessPass Pass, const FREDPostProcessParameters& Parameters = {},
+	const FImage& Blurred = FImage(), EArithmetic Arithmetic = EArithmetic::Double)
+{
+	FPassRun Run(Image, Arithmetic, PF_A32B32G32R32F);
+	FREDPostProcessPassInputs Inputs;
+	Inputs.Pass = Pass;
+	Inputs.SceneColor = Run.Input;
+	Inputs.Parameters = Parameters;
+	if (Blurred.Width > 0)
+	{
+		Inputs.Blurred = Run.AddInput(Blurred, PF_A32B32G32R32F, TEXT("Blurred"));
+	}
+	return Run.Execute(AddREDPostProcessPass(Run.GraphBuilder, Run.View, Inputs));
+}
+
+FTexel Combine(
+	const FTexel& Color, const FTexel& Blurred, EREDPostProcessPass Pass, const FREDPostProcessParameters& Parameters)
+{
+	return RunPass(FImage(4, 4, Color), Pass, Parameters, FImage(2, 2, Blurred)).At(1, 2);
+}
+
+FImage RunChain(const FImage& Image, const FREDPostProcessParameters& Parameters,
+	EArithmetic Arithmetic = EArithmetic::Double, EPixelFormat Format = PF_A32B32G32R32F)
+{
+	FPassRun Run(Image, Arithmetic, Format);
+	return Run.Execute(AddREDPostProcessPasses(Run.GraphBuilder, Run.View, Run.Input, Parameters));
+}
+
+/** Names of the passes that the chain adds. */
+std::vector<std::string> ListPasses(const FREDPostProcessParameters& Parameters)
+{
+	FPassRun Run(FImage(16, 8), EArithmetic::Native);
+	TRefCountPtr<IPooledRenderTarget> Extracted;
+	Run.GraphBuilder.QueueTextureExtraction(
+		AddREDPostProcessPasses(Run.GraphBuilder, Run.View, Run.Input, Parameters).Texture, &Extracted);
+	const Drydock::FRDGCompiledGraph Graph = Run.GraphBuilder.Compile();
+	Run.GraphBuilder.Execute();
+	std::vector<std::string> Names;
+	for (const auto& Pass : Graph.Passes)
+	{
+		if (!Pass.bIsSentinel)
+		{
+			Names.push_back(Pass.Name.substr(0, Pass.Name.find(' ')));
+		}
+	}
+	return Names;
+}
+
+double Luma(const FTexel& Color)
+{
+	return 0.299 * Color[0] + 0.587 * Color[1] + 0.114 * Color[2];
+}
+
+double Screen(double A, double B)
+{
+	return 1 - (1 - A) * (1 - B);
+}
+
+void ExpectNear(const FTexel& Expected, const FTexel& Color, double Tolerance = 1e-6)
+{
+	for (int Channel = 0; Channel < 4; ++Channel)
+	{
+		EXPECT_NEAR(Expected[Channel], Color[Channel], Tolerance) << Channel;
+	}
+}
+
+FREDPostProcessParameters MakeNeutral()
+{
+	FREDPostProcessParameters Parameters;
+	Parameters.DiffusionFilterIntensity = 0.0f;
+	return Parameters;
+}
+
+constexpr double PrintedWeights[] = {0.0044, 0.0540, 0.2420, 0.3990, 0.2420, 0.0540, 0.0044};
+
+} // namespace
+
+TEST(REDPostProcess, DownSampleIsATwoByTwoMeanWhereSizesAreEven)
+{
+	const FImage Image = FImage::Noise(16, 10);
+	const FImage Expected = FImage::Make(8, 5,
+		[&](int X, int Y)
+		{
+			return (Image.At(2 * X, 2 * Y) + Image.At(2 * X + 1, 2 * Y) + Image.At(2 * X, 2 * Y + 1) +
+					   Image.At(2 * X + 1, 2 * Y + 1)) *
+				   0.25;
+		});
+	EXPECT_LE(MaxDifference(Expected, RunPass(Image, EREDPostProcessPass::DownSample), 4), 1e-6);
+}
+
+TEST(REDPostProcess, DownSampleOfOddSizesTakesFourTapsHalfATexelOff)
+{
+	const FImage Image = FImage::Noise(7, 5);
+	const FImage Expected = FImage::Make(4, 3,
+		[&](int X, int Y)
+		{
+			FTexel Sum{0, 0, 0, 0};
+			for (int Corner = 0; Corner < 4; ++Corner)
+			{
+				Sum = Sum + PassReference::SampleInRect(Image, {0, 0, 7, 5},
+								(X + 0.5) * 7 / 4 + (Corner & 1 ? 0.5 : -0.5),
+								(Y + 0.5) * 5 / 3 + (Corner & 2 ? 0.5 : -0.5), true) *
+								0.25;
+			}
+			return Sum;
+		});
+	// A coordinate may round to the other 1/256 in x and in y.
+	EXPECT_LE(MaxDifference(Expected, RunPass(Image, EREDPostProcessPass::DownSample), 4), 2.0 / 256 + 1e-6);
+}
+
+TEST(REDPostProcess, CorrectedBlurHasSevenTapsAndKeepsTheLight)
+{
+	FImage Image(1, 21, {0, 0, 0, 0});
+	Image.At(0, 10) = {1, 1, 1, 1};
+	const FImage Result = RunPass(Image, EREDPostProcessPass::BlurV);
+	for (int Tap = -3; Tap <= 3; ++Tap)
+	{
+		EXPECT_NEAR(PrintedWeights[Tap + 3] / 0.9998, Result.At(0, 10 + Tap)[0], 1e-7) << Tap;
+	}
+	EXPECT_NEAR(1, SumOf(Result, 0), 1e-6);
+}
+
+TEST(REDPostProcess, PrintedBlurDoublesTheLightInTwoLobes)
+{
+	FImage Image(21, 1, {0, 0, 0, 0});
+	Image.At(10, 0) = {1, 1, 1, 1};
+	FREDPostProcessParameters Parameters;
+	Parameters.bAsPrinted = true;
+	const FImage Result = RunPass(Image, EREDPostProcessPass::BlurH, Parameters);
+	for (int Tap = -6; Tap <= 6; ++Tap)
+	{
+		EXPECT_NEAR(PrintedWeights[std::abs(Tap)], Result.At(10 + Tap, 0)[0], 1e-7) << Tap;
+	}
+	EXPECT_NEAR(1.9952, SumOf(Result, 0), 1e-6); // 0.0044 + 2 * (0.9998 - 0.0044)
+}
+
+TEST(REDPostProcess, BlurWeightsByTap)
+{
+	double Corrected = 0, Printed = 0;
+	for (int32 Tap = -10; Tap <= 10; ++Tap)
+	{
+		Corrected += Drydock::GetREDBlurWeight(Tap, false);
+		Printed += Drydock::GetREDBlurWeight(Tap, true);
+	}
+	EXPECT_NEAR(1, Corrected, 1e-6);
+	EXPECT_NEAR(1.9952, Printed, 1e-6);
+	EXPECT_EQ(0, Drydock::GetREDBlurWeight(4, false));
+	EXPECT_EQ(0, Drydock::GetREDBlurWeight(-7, true));
+}
+
+TEST(REDPostProcess, BlurHIsBlurVTransposed)
+{
+	const FImage Image = FImage::Noise(9, 9);
+	const auto Transpose = [](const FImage& Source)
+	{
+		return FImage::Make(Source.Height, Source.Width, [&](int X, int Y) { return Source.At(Y, X); });
+	};
+	EXPECT_EQ(Transpose(RunPass(Image, EREDPostProcessPass::BlurV)).Texels,
+		RunPass(Transpose(Image), EREDPostProcessPass::BlurH).Texels);
+}
+
+TEST(REDPostProcess, ConstantStaysConstantToTheEdge)
+{
+	for (const auto& [Width, Height] : {std::pair(1, 1), {1, 9}, {8, 5}})
+	{
+		const FImage Image(Width, Height, {0.75, 0.5, 3, 1});
+		EXPECT_LE(MaxDifference(Image, RunPass(Image, EREDPostProcessPass::BlurH), 4), 1e-6);
+		EXPECT_LE(MaxDifference(Image, RunPass(Image, EREDPostProcessPass::BlurV), 4), 1e-6);
+	}
+}
+
+TEST(REDPostProcess, DiffusionFilterExtractsByLuma)
+{
+	FREDPostProcessParameters Parameters;
+	Parameters.LuminancePow = 2.0f;
+	Parameters.LuminanceThreshold = 0.25f;
+	const FTexel Color{0.5, 1, 0.25, 0.5};
+	const double Mask = Luma(Color) * Luma(Color) - 0.25;
+	ExpectNear({0.5 * Mask, Mask, 0.25 * Mask, 1},
+		RunPass(FImage(2, 2, Color), EREDPostProcessPass::DiffusionFilter, Parameters).At(0, 0));
+}
+
+TEST(REDPostProcess, ExtractOfNegativeLumaIsBlack)
+{
+	FREDPostProcessParameters Parameters;
+	Parameters.LuminancePow = 0.5f;
+	EXPECT_EQ((FTexel{0, 0, 0, 1}),
+		RunPass(FImage(2, 2, {-1, -1, -1, 1}), EREDPostProcessPass::DiffusionFilter, Parameters).At(0, 0));
+}
+
+TEST(REDPostProcess, DiffusionFilterCombinesByScreenAndPower)
+{
+	FREDPostProcessParameters Parameters;
+	Parameters.DiffusionFilterIntensity = 0.5f;
+	Parameters.DiffusionFilterPower = 2.0f;
+	const auto Expected = [](double A, double B)
+	{
+		return std::pow(Screen(A, B * 0.5), 2);
+	};
+	ExpectNear({Expected(0.5, 0.25), Expected(0.25, 1), Expected(0, 0.5), 0.75},
+		Combine({0.5, 0.25, 0, 0.75}, {0.25, 1, 0.5, 1}, EREDPostProcessPass::DiffusionFilter2, Parameters));
+}
+
+TEST(REDPostProcess, MaxTakesTheBrighterOfTheTwo)
+{
+	FREDPostProcessParameters Parameters;
+	Parameters.DiffusionFilterBlend = EDiffusionFilterBlend::Max;
+	ExpectNear(
+		{0.5, 1, 5, 1}, Combine({0.5, 0.25, 5, 1}, {0.25, 1, 3, 1}, EREDPostProcessPass::DiffusionFilter2, Parameters));
+}
+
+TEST(REDPostProcess, CorrectedScreenKeepsLightAboveOne)
+{
+	// Red: 4 = 1 + 3, 2 = 1 + 1: screen(1, 1) + 3 + 1. Green: screen(0.5, 1) + 2. Blue: the negative counts as 0.
+	ExpectNear({5, 3, 0.5, 1},
+		Combine({4, 0.5, -2, 1}, {2, 3, 0.5, 1}, EREDPostProcessPass::DiffusionFilter2, FREDPostProcessParameters()));
+}
+
+TEST(REDPostProcess, PrintedScreenOfLightAboveOneIsNegativeThenNaN)
+{
+	FREDPostProcessParameters Parameters;
+	Parameters.bAsPrinted = true;
+	// 1 - (1 - 4)(1 - 2) = -2; to the power 1.5 that is no number.
+	Parameters.DiffusionFilterPower = 1.5f;
+	EXPECT_TRUE(std::isnan(Combine({4, 4, 4, 1}, {2, 2, 2, 1}, EREDPostProcessPass::DiffusionFilter2, Parameters)[0]));
+	Parameters.GlowIntensity = 1.0f;
+	EXPECT_NEAR(-2, Combine({4, 4, 4, 1}, {2, 2, 2, 1}, EREDPostProcessPass::Glow, Parameters)[0], 1e-6);
+}
+
+TEST(REDPostProcess, BothFormsGiveTheSameBitsBetweenZeroAndOne)
+{
+	const FImage Image = FImage::Noise(16, 8), Blurred = FImage::Noise(8, 4, 1.0, 2);
+	for (const EREDPostProcessPass Pass : {EREDPostProcessPass::DiffusionFilter2, EREDPostProcessPass::Glow})
+	{
+		FREDPostProcessParameters Parameters;
+		Parameters.DiffusionFilterPower = 1.5f;
+		Parameters.GlowIntensity = 0.75f;
+		const FImage Corrected = RunPass(Image, Pass, Parameters, Blurred);
+		Parameters.bAsPrinted = true;
+		EXPECT_EQ(Corrected.Texels, RunPass(Image, Pass, Parameters, Blurred).Texels);
+	}
+}
+
+TEST(REDPostProcess, SepiaIsTintedLuma)
+{
+	FREDPostProcessParameters Parameters;
+	Parameters.DiffusionFilterIntensity = 0.0f;
+	Parameters.Sepia = 0.25f;
+	const FTexel Color{0.5, 0.25, 1, 1};
+	const double Grey = Luma(Color);
+	ExpectNear({0.75 * 0.5 + 0.25 * Grey, 0.75 * 0.25 + 0.25 * Grey * 0.82, 0.75 + 0.25 * Grey * 0.6, 1},
+		Combine(Color, {0, 0, 0, 0}, EREDPostProcessPass::DiffusionFilter2, Parameters));
+}
+
+TEST(REDPostProcess, SoftFocusMixesThenDesaturates)
+{
+	FREDPostProcessParameters Parameters;
+	Parameters.SoftFocusBlend = 0.5f;
+	Parameters.SoftFocusSaturation = 0.25f;
+	const FTexel Mixed{0.5, 1, 0.25, 1}; // halfway between the two
+	const double Grey = Luma(Mixed);
+	ExpectNear({Grey + 0.25 * (0.5 - Grey), Grey + 0.25 * (1 - Grey), Grey + 0.25 * (0.25 - Grey), 0.5},
+		Combine({1, 1, 0.25, 0.5}, {0, 1, 0.25, 1}, EREDPostProcessPass::SoftFocus, Parameters));
+}
+
+TEST(REDPostProcess, GlowIsAScreenWithTheScaledBlur)
+{
+	FREDPostProcessParameters Parameters;
+	Parameters.GlowIntensity = 0.5f;
+	ExpectNear({Screen(0.5, 0.25), Screen(0.25, 0.5), 3 + 0.5, 1},
+		Combine({0.5, 0.25, 3, 1}, {0.5, 1, 3, 1}, EREDPostProcessPass::Glow, Parameters)); // blue: 1 + 2 + (1.5 - 1)
+}
+
+TEST(REDPostProcess, NeutralParametersBuildNothing)
+{
+	EXPECT_THAT(ListPasses(MakeNeutral()), testing::IsEmpty());
+	const FImage Image = FImage::Noise(5, 3);
+	EXPECT_EQ(Image.Texels, RunChain(Image, MakeNeutral()).Texels);
+}
+
+TEST(REDPostProcess, DefaultSettingsAreNeutral)
+{
+	EXPECT_THAT(ListPasses(FREDPostProcessParameters::FromSettings(FFinalPostProcessSettings())), testing::IsEmpty());
+}
+
+TEST(REDPostProcess, ChainOfTheDiffusionFilter)
+{
+	EXPECT_THAT(ListPasses(FREDPostProcessParameters()), testing::ElementsAre("RED.DownSample", "RED.DiffusionFilter",
+															 "RED.BlurH", "RED.BlurV", "RED.DiffusionFilter2"));
+}
+
+TEST(REDPostProcess, AsPrintedTheExtractIsLeftOut)
+{
+	FREDPostProcessParameters Parameters;
+	Parameters.bAsPrinted = true;
+	EXPECT_THAT(ListPasses(Parameters),
+		testing::ElementsAre("RED.DownSample", "RED.BlurH", "RED.BlurV", "RED.DiffusionFilter2"));
+}
+
+TEST(REDPostProcess, SoftFocusAndGlowShareOneBlur)
+{
+	FREDPostProcessParameters Parameters = MakeNeutral();
+	Parameters.SoftFocusBlend = 0.5f;
+	Parameters.GlowIntensity = 0.5f;
+	EXPECT_THAT(ListPasses(Parameters),
+		testing::ElementsAre("RED.DownSample", "RED.BlurH", "RED.BlurV", "RED.SoftFocus", "RED.Glow"));
+}
+
+TEST(REDPostProcess, ChainOnAConstantIsTheFormulaOfTheConstant)
+{
+	// Extract: luma 0.5, so 0.5 * 0.5 = 0.25 is blurred and screened with 0.5.
+	const FImage Result = RunChain(FImage(9, 7, {0.5, 0.5, 0.5, 1}), FREDPostProcessParameters());
+	EXPECT_LE(MaxDifference(FImage(9, 7, {0.625, 0.625, 0.625, 1}), Result, 4), 1e-6);
+}
+
+TEST(REDPostProcess, ChainNeverDarkensAndNeverMakesNaN)
+{
+	FREDPostProcessParameters Parameters;
+	Parameters.GlowIntensity = 1.0f;
+	const FImage Image = FImage::Noise(33, 17, 60000.0);
+	const FImage Result = RunChain(Image, Parameters, EArithmetic::Float32);
+	for (size_t Index = 0; Index < Image.Texels.size(); ++Index)
+	{
+		EXPECT_GE(Result.Texels[Index][1], Image.Texels[Index][1]);
+	}
+}
+
+TEST(REDPostProcess, OffsetRectEqualsTheCroppedPicture)
+{
+	FREDPostProcessParameters Parameters;
+	Parameters.SoftFocusBlend = 0.5f;
+	Parameters.GlowIntensity = 0.5f;
+	const FImage Image = FImage::Noise(32, 16, 2.0);
+	const FImage Cropped = RunChain(Image, Parameters, EArithmetic::Native);
+	FPassRun Run(Image, {8, 4, 40, 20}, FIntPoint(64, 32), EArithmetic::Native, PF_A32B32G32R32F);
+	const FScreenPassTexture Output = AddREDPostProcessPasses(Run.GraphBuilder, Run.View, Run.Input, Parameters);
+	EXPECT_EQ(FIntRect(8, 4, 40, 20), Output.ViewRect);
+	EXPECT_EQ(Cropped.Texels, Run.Execute(Output).Texels);
+}
+
+TEST(REDPostProcess, EverySizeRuns)
+{
+	FREDPostProcessParameters Parameters;
+	Parameters.GlowIntensity = 0.5f;
+	for (const auto& [Width, Height] : {std::pair(1, 1), {1, 2}, {3, 1}, {641, 3}})
+	{
+		const FImage Result = RunChain(FImage(Width, Height, {0.25, 0.25, 0.25, 1}), Parameters);
+		EXPECT_EQ(Width, Result.Width);
+		// Extract 0.0625, screened: 0.296875; then with half of the blur 0.25: 1 - 0.703125 * 0.875.
+		EXPECT_NEAR(0.384765625, Result.At(0, 0)[1], 1e-6) << Width << "x" << Height;
+	}
+}
+
+TEST(REDPostProcess, NaNStaysWithinTheBlur)
+{
+	FImage Image(64, 64, {0.25, 0.25, 0.25, 1});
+	Image.At(32, 32) = {NaN, 0.25, 0.25, 1};
+	const FImage Result = RunChain(Image, FREDPostProcessParameters(), EArithmetic::Float32);
+	const FImage Clean =
+		RunChain(FImage(64, 64, {0.25, 0.25, 0.25, 1}), FREDPostProcessParameters(), EArithmetic::Float32);
+	EXPECT_EQ(Clean.At(8, 8), Result.At(8, 8)); // three texels of half size and the taps around: below 16
+	EXPECT_EQ(Clean.At(63, 32), Result.At(63, 32));
+}
+
+TEST(REDPostProcess, OverrideOutputIsWrittenByTheLastPass)
+{
+	FPassRun Run(FImage::Noise(8, 8), EArithmetic::Native);
+	FREDPostProcessParameters Parameters;
+	Parameters.GlowIntensity = 0.5f;
+	const FScreenPassRenderTarget Override = FScreenPassRenderTarget::CreateFromInput(
+		Run.GraphBuilder, Run.Input, ERenderTargetLoadAction::ENoAction, TEXT("Override"));
+	const FScreenPassTexture Output =
+		AddREDPostProcessPasses(Run.GraphBuilder, Run.View, Run.Input, Parameters, Override);
+	EXPECT_EQ(Override.Texture, Output.Texture);
+	Run.Execute(Output);
+}
+
+TEST(REDPostProcess, InsertionVariableIsClamped)
+{
+	EXPECT_EQ(EREDPostProcessInsertion::BeforeTranslucency, GetREDPostProcessInsertion());
+	const FScopedConsoleVariable Two(TEXT("r.REDPostprocessAfterTranslucency"), 2);
+	EXPECT_EQ(EREDPostProcessInsertion::AfterBloom, GetREDPostProcessInsertion());
+	const FScopedConsoleVariable Seven(TEXT("r.REDPostprocessAfterTranslucency"), 7);
+	EXPECT_EQ(EREDPostProcessInsertion::AfterBloom, GetREDPostProcessInsertion());
+}

@@ -1,0 +1,170 @@
+// The fuzzers' checks over their corpus, so that they run without clang too; and over every cut of it.
+#include <gtest/gtest.h>
+
+#include "SceneFile/Scene.h"
+#include "fuzz/FuzzChecks.h"
+#include "fuzz/FuzzImageChecks.h"
+#include "fuzz/FuzzSpirvChecks.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+using namespace Drydock;
+
+namespace
+{
+
+std::vector<std::filesystem::path> FindCorpus(const char* Name)
+{
+	std::vector<std::filesystem::path> Files;
+	for (const auto& Entry :
+		std::filesystem::directory_iterator(std::string(DRYDOCK_TEST_SOURCE_DIR "/tests/fuzz/corpus/") + Name))
+	{
+		Files.push_back(Entry.path());
+	}
+	std::sort(Files.begin(), Files.end());
+	return Files;
+}
+
+std::string Read(const std::filesystem::path& Path)
+{
+	std::ifstream Stream(Path, std::ios::binary);
+	return std::string(std::istreambuf_iterator<char>(Stream), {});
+}
+
+std::string GetName(const testing::TestParamInfo<std::filesystem::path>& Info)
+{
+	return Info.param.stem().string();
+}
+
+using FPath = std::filesystem::path;
+
+class SettingsTextCorpus : public testing::TestWithParam<FPath>
+{
+};
+
+class ConfigJsonCorpus : public testing::TestWithParam<FPath>
+{
+};
+
+class ExrCorpus : public testing::TestWithParam<FPath>
+{
+protected:
+	bool Is(const char* Kind) const { return GetParam().stem().string().rfind(Kind, 0) == 0; }
+};
+
+class SpirvCorpus : public testing::TestWithParam<FPath>
+{
+protected:
+	bool Is(const char* Kind) const { return GetParam().stem().string().rfind(Kind, 0) == 0; }
+};
+
+/** Cuts and flips at a stride that makes about Number of them. */
+std::vector<std::string> Damage(const std::string& Bytes, size_t Number)
+{
+	std::vector<std::string> Result;
+	const size_t Stride = std::max<size_t>(1, Bytes.size() / Number);
+	for (size_t At = 0; At < Bytes.size(); At += Stride)
+	{
+		Result.push_back(Bytes.substr(0, At));
+		for (const int Flip : {0xFF, 0x01, 0x80})
+		{
+			Result.push_back(Bytes);
+			Result.back()[At] = static_cast<char>(Result.back()[At] ^ Flip);
+		}
+	}
+	return Result;
+}
+
+} // namespace
+
+TEST_P(SettingsTextCorpus, Holds)
+{
+	EXPECT_EQ("", CheckSettingsText(Read(GetParam())));
+}
+
+TEST_P(SettingsTextCorpus, HoldsCutAnywhere)
+{
+	const std::string Text = Read(GetParam());
+	for (size_t Length = 0; Length < Text.size(); ++Length)
+	{
+		ASSERT_EQ("", CheckSettingsText(Text.substr(0, Length))) << Length;
+	}
+}
+
+TEST_P(ConfigJsonCorpus, Holds)
+{
+	EXPECT_EQ("", CheckConfigJson(Read(GetParam())));
+}
+
+TEST_P(ConfigJsonCorpus, HoldsCutAnywhere)
+{
+	const std::string Text = Read(GetParam());
+	for (size_t Length = 0; Length < Text.size(); ++Length)
+	{
+		ASSERT_EQ("", CheckConfigJson(Text.substr(0, Length))) << Length;
+	}
+}
+
+TEST_P(ExrCorpus, Holds)
+{
+	EXPECT_EQ("", CheckExrFile(GetParam().string()));
+}
+
+TEST_P(ExrCorpus, HoldsDamaged)
+{
+	for (const std::string& Bytes : Damage(Read(GetParam()), 15))
+	{
+		ASSERT_EQ("", CheckExrBytes(Bytes));
+	}
+}
+
+TEST_P(ExrCorpus, IsASceneUnlessForged)
+{
+	if (Is("cut") || Is("found"))
+	{
+		GTEST_SKIP() << "its header may be whole";
+	}
+	FConfig Config;
+	Config.Scene.File.Value = GetParam().string();
+	Config.Scene.File.Place.Line = 1;
+	bool bScene = false;
+	try
+	{
+		bScene = FScene(Config).GetExtent().X > 0;
+	}
+	catch (const FError& Error)
+	{
+		EXPECT_EQ(ExitFiles, Error.GetExitCode());
+	}
+	EXPECT_EQ(!Is("forged"), bScene);
+}
+
+TEST_P(SpirvCorpus, Holds)
+{
+	EXPECT_EQ("", CheckSpirvBytes(Read(GetParam())));
+}
+
+TEST_P(SpirvCorpus, HoldsDamaged)
+{
+	for (const std::string& Bytes : Damage(Read(GetParam()), 200))
+	{
+		ASSERT_EQ("", CheckSpirvBytes(Bytes));
+	}
+}
+
+TEST_P(SpirvCorpus, RunsUnlessItWasFoundByTheFuzzer)
+{
+	const std::string Bytes = Read(GetParam());
+	std::vector<uint32_t> Words(Bytes.size() / 4);
+	std::copy_n(Bytes.data(), Words.size() * 4, reinterpret_cast<char*>(Words.data()));
+	std::string Message;
+	const ESpirvWalk Walk = WalkSpirv(Words, Message);
+	EXPECT_TRUE(Is("found") || Walk == ESpirvWalk::Run) << Message;
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, SettingsTextCorpus, testing::ValuesIn(FindCorpus("settings")), GetName);
+INSTANTIATE_TEST_SUITE_P(Files, ConfigJsonCorpus, testing::ValuesIn(FindCorpus("config")), GetName);
+INSTANTIATE_TEST_SUITE_P(Files, ExrCorpus, testing::ValuesIn(FindCorpus("exr")), GetName);
+INSTANTIATE_TEST_SUITE_P(Files, SpirvCorpus, testing::ValuesIn(FindCorpus("spirv")), GetName);

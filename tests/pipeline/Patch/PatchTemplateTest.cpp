@@ -1,0 +1,207 @@
+// What `drydock new` writes, and what it refuses. tests/outside/FirstPatchTest.sh builds and runs a patch.
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+
+#include "Diagnostics.h"
+#include "Patch/PatchTemplate.h"
+#include "Program/Verbs.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <unistd.h>
+
+using namespace Drydock;
+
+namespace
+{
+
+namespace Files = std::filesystem;
+
+/** A folder that goes away. */
+class PatchTemplate : public testing::Test
+{
+protected:
+	PatchTemplate()
+		: Folder(Files::temp_directory_path() / ("drydock_patch_" + std::to_string(getpid())))
+	{
+		Files::remove_all(Folder);
+		Files::create_directories(Folder);
+	}
+	~PatchTemplate() override { Files::remove_all(Folder); }
+
+	std::string Path(const std::string& Name) const { return (Folder / Name).string(); }
+
+	/** `drydock new`: exit code and number of the message, 0 if there is none. */
+	std::pair<int, int> New(const std::string& Name, const std::string& Dir)
+	{
+		testing::internal::CaptureStdout();
+		std::pair<int, int> Outcome = {ExitDone, 0};
+		try
+		{
+			FNewPatchOptions Options;
+			Options.Name = Name;
+			Options.Folder = Dir;
+			Options.bJson = true;
+			NewVerb(Options);
+		}
+		catch (const FError& Error)
+		{
+			Outcome = {Error.GetExitCode(), Error.GetDiagnostics().front().Code};
+		}
+		Out = testing::internal::GetCapturedStdout();
+		return Outcome;
+	}
+
+	size_t CountFiles() const
+	{
+		return static_cast<size_t>(std::distance(Files::directory_iterator(Folder), Files::directory_iterator()));
+	}
+
+	const Files::path Folder;
+	std::string Out;
+};
+
+std::string ReadText(const Files::path& Path)
+{
+	std::ifstream Stream(Path, std::ios::binary);
+	return std::string(std::istreambuf_iterator<char>(Stream), {});
+}
+
+bool Contains(const std::string& Text, const std::string& Part)
+{
+	return Text.find(Part) != std::string::npos;
+}
+
+} // namespace
+
+TEST_F(PatchTemplate, EveryMentionIsRenamedOnce)
+{
+	EXPECT_EQ("FRainPS, lib_Rain.so", RenamePatch("FMyPatchPS, lib_MyPatch.so", "Rain"));
+	EXPECT_EQ("FMyPatch2PS", RenamePatch("FMyPatchPS", "MyPatch2"));
+}
+
+TEST_F(PatchTemplate, TheProjectHasTheLayoutOfAPlugin)
+{
+	std::vector<std::string> Paths;
+	for (const FPatchFile& File : MakePatchFiles("Rain"))
+	{
+		Paths.push_back(File.Path);
+	}
+	const std::vector<std::string> Expected = {".gitignore", "CMakeLists.txt", "README.md", "Rain.uplugin",
+		"Shaders/Private/Rain.usf", "Source/Rain/Private/RainModule.cpp", "Source/Rain/Private/RainViewExtension.cpp",
+		"Source/Rain/Private/RainViewExtension.h", "Source/Rain/Rain.Build.cs", "configs/Rain.json",
+		"configs/scenes/room.exr", "tests/RainTest.cpp"};
+	EXPECT_EQ(Expected, Paths);
+}
+
+TEST_F(PatchTemplate, NothingIsCalledAsTheTemplate)
+{
+	for (const FPatchFile& File : MakePatchFiles("Rain"))
+	{
+		EXPECT_FALSE(Contains(File.Path + File.Text, "MyPatch")) << File.Path;
+	}
+}
+
+// What is pasted to the engine must not know of drydock.
+TEST_F(PatchTemplate, SourcesAndShadersAreTheEnginesAlone)
+{
+	for (const FPatchFile& File : MakePatchFiles("Rain"))
+	{
+		if (File.Path.rfind("Source/", 0) == 0 || File.Path.rfind("Shaders/", 0) == 0 || File.Path == "Rain.uplugin")
+		{
+			EXPECT_FALSE(Contains(File.Text, "rydock")) << File.Path;
+			EXPECT_FALSE(Contains(File.Text, "DRYDOCK")) << File.Path;
+		}
+	}
+}
+
+TEST_F(PatchTemplate, TheConfigLoadsWhatTheBuildFileBuilds)
+{
+	for (const FPatchFile& File : MakePatchFiles("Rain"))
+	{
+		if (File.Path == "configs/Rain.json")
+		{
+			const nlohmann::json Config = nlohmann::json::parse(File.Text, nullptr, true, true);
+			EXPECT_EQ("../build/libRain.so", Config["plugins"][0]);
+			EXPECT_EQ("scenes/room.exr", Config["scene"]["file"]);
+		}
+		if (File.Path == "CMakeLists.txt")
+		{
+			EXPECT_TRUE(Contains(File.Text, "find_package(drydock CONFIG REQUIRED)"));
+			EXPECT_TRUE(Contains(File.Text, "drydock_add_plugin(Rain\n"));
+		}
+	}
+}
+
+TEST_F(PatchTemplate, ThePluginIsOneModuleLoadedBeforeShadersCompile)
+{
+	for (const FPatchFile& File : MakePatchFiles("Rain"))
+	{
+		if (File.Path == "Rain.uplugin")
+		{
+			const nlohmann::json Plugin = nlohmann::json::parse(File.Text);
+			EXPECT_EQ(1u, Plugin["Modules"].size());
+			EXPECT_EQ("Rain", Plugin["Modules"][0]["Name"]);
+			EXPECT_EQ("PostConfigInit", Plugin["Modules"][0]["LoadingPhase"]);
+		}
+	}
+}
+
+TEST_F(PatchTemplate, FilesAreWrittenAsTheyAre)
+{
+	WritePatch(Path("Rain"), {{"a/b.txt", "text\n"}, {"c", std::string("\0\xff", 2)}});
+	EXPECT_EQ("text\n", ReadText(Folder / "Rain/a/b.txt"));
+	EXPECT_EQ(std::string("\0\xff", 2), ReadText(Folder / "Rain/c"));
+}
+
+TEST_F(PatchTemplate, NothingIsLeftBesideTheProject)
+{
+	WritePatch(Path("Rain"), {{"a/b.txt", "text\n"}});
+	EXPECT_EQ(1u, CountFiles());
+}
+
+TEST_F(PatchTemplate, JsonNamesTheFolderAndTheFiles)
+{
+	EXPECT_EQ(std::make_pair(0, 0), New("Rain", Path("deep/er")));
+	const nlohmann::json Json = nlohmann::json::parse(Out);
+	EXPECT_EQ("Rain", Json["name"]);
+	EXPECT_EQ(Path("deep/er/Rain"), Json["folder"]);
+	for (const nlohmann::json& File : Json["files"])
+	{
+		EXPECT_TRUE(Files::is_regular_file(Folder / "deep/er/Rain" / File.get<std::string>())) << File;
+	}
+}
+
+TEST_F(PatchTemplate, ABadNameIsAUsageErrorAndWritesNothing)
+{
+	EXPECT_EQ(std::make_pair(2, 1060), New("My-Patch", Folder.string()));
+	EXPECT_EQ(0u, CountFiles());
+	EXPECT_EQ("", Out);
+}
+
+TEST_F(PatchTemplate, AnExistingFolderIsLeftAlone)
+{
+	Files::create_directory(Folder / "Rain");
+	EXPECT_EQ(std::make_pair(2, 1061), New("Rain", Folder.string()));
+	EXPECT_TRUE(Files::is_empty(Folder / "Rain"));
+	EXPECT_EQ(1u, CountFiles());
+}
+
+TEST_F(PatchTemplate, AFileOrADanglingLinkOfThatNameIsLeftAlone)
+{
+	std::ofstream(Folder / "Rain") << "mine";
+	Files::create_symlink("nowhere", Folder / "Snow");
+	EXPECT_EQ(std::make_pair(2, 1061), New("Rain", Folder.string()));
+	EXPECT_EQ(std::make_pair(2, 1061), New("Snow", Folder.string()));
+	EXPECT_EQ("mine", ReadText(Folder / "Rain"));
+	EXPECT_TRUE(Files::is_symlink(Folder / "Snow"));
+}
+
+TEST_F(PatchTemplate, WhereNothingCanBeWrittenIsAFileError)
+{
+	std::ofstream(Folder / "file") << "";
+	EXPECT_EQ(std::make_pair(3, 5004), New("Rain", Path("file")));
+	EXPECT_EQ(1u, CountFiles());
+}

@@ -1,0 +1,158 @@
+// Toon bloom in whole frames: when it runs, what it reads, what it reports.
+#include <gtest/gtest.h>
+
+#include "Run/Run.h"
+#include "Text/ConfigErrors.h"
+#include "Text/Json.h"
+
+#include <algorithm>
+#include <filesystem>
+
+using namespace Drydock;
+
+namespace
+{
+
+const std::string ConfigFolder = DRYDOCK_TEST_SOURCE_DIR "/configs/";
+
+FRunResult RunToon(const std::string& Settings, const std::vector<std::string>& Variables = {},
+	const std::string& Scene = R"("file": "scenes/toon_character.exr")")
+{
+	FRunOptions Options;
+	Options.ConfigFile = ConfigFolder + "text.json";
+	Options.ConfigText =
+		R"({"scene": {)" + Scene + R"(}, "volumes": [{"bUnbound": true, "Settings": {)" + Settings + "}}]}";
+	Options.Variables = Variables;
+	return RunConfig(Options);
+}
+
+const FEffectDecision& FindEffect(const FRunResult& Result, const std::string& Name)
+{
+	return *std::find_if(Result.Effects.begin(), Result.Effects.end(),
+		[&](const FEffectDecision& Effect) { return Effect.Name == Name; });
+}
+
+bool HasPass(const FRunResult& Result, const std::string& Begin)
+{
+	return std::any_of(Result.Graph.Passes.begin(), Result.Graph.Passes.end(),
+		[&](const FRDGCompiledPass& Pass) { return !Pass.bCulled && Pass.Name.rfind(Begin, 0) == 0; });
+}
+
+std::vector<std::string> GetDecoded(const FRunResult& Result)
+{
+	std::vector<std::string> Names;
+	for (const FSceneChannel& Channel : Result.Channels)
+	{
+		if (Channel.bDecoded)
+		{
+			Names.push_back(Channel.Name);
+		}
+	}
+	std::sort(Names.begin(), Names.end());
+	return Names;
+}
+
+} // namespace
+
+TEST(ToonBloomRun, BringsTheSetupPassAndReadsTheIdsOnly)
+{
+	const FRunResult Result = RunToon(R"("BloomToonIntensity": 0.1)");
+	EXPECT_TRUE(HasPass(Result, "BloomSetup"));
+	EXPECT_TRUE(HasPass(Result, "ToonBloomMask"));
+	EXPECT_EQ((std::vector<std::string>{"A", "B", "G", "R", "shadingmodel.ID"}), GetDecoded(Result));
+	const std::string Reason = FindEffect(Result, "ToonBloom").Reason;
+	EXPECT_EQ(0u, Reason.rfind("BloomToonIntensity is 0.1: it brings the setup pass into the graph; toon in ", 0))
+		<< Reason;
+}
+
+TEST(ToonBloomRun, FactorOneGivesTheBitsOfAFrameWithoutIt)
+{
+	const FRunResult Without = RunToon("");
+	const FRunResult Neutral = RunToon(R"("BloomToonIntensity": 1)");
+	const FRunResult Forced = RunToon(R"("BloomToonIntensity": 1)", {"r.ToonBloom=1"});
+	EXPECT_FALSE(HasPass(Without, "BloomSetup"));
+	EXPECT_FALSE(HasPass(Neutral, "BloomSetup"));
+	EXPECT_TRUE(HasPass(Forced, "BloomSetup"));
+	EXPECT_EQ(Without.Final.Values, Neutral.Final.Values);
+	EXPECT_EQ(Without.Final.Values, Forced.Final.Values);
+}
+
+TEST(ToonBloomRun, FactorOneWithAThresholdToo)
+{
+	EXPECT_EQ(RunToon(R"("BloomThreshold": 0.5)").Final.Values,
+		RunToon(R"("BloomThreshold": 0.5, "BloomToonIntensity": 1)", {"r.ToonBloom=1"}).Final.Values);
+}
+
+TEST(ToonBloomRun, SwitchedOffGivesTheBitsOfAFrameWithoutIt)
+{
+	EXPECT_EQ(RunToon("").Final.Values, RunToon(R"("BloomToonIntensity": 0.1)", {"r.ToonBloom=0"}).Final.Values);
+}
+
+TEST(ToonBloomRun, LessToonBleedsLess)
+{
+	const std::optional<FToonBleed> Weak = FindEffect(RunToon(R"("BloomToonIntensity": 0.1)"), "ToonBloom").Bleed;
+	const std::optional<FToonBleed> Full =
+		FindEffect(RunToon(R"("BloomToonIntensity": 1)", {"r.ToonBloom=1"}), "ToonBloom").Bleed;
+	ASSERT_TRUE(Weak && Full);
+	EXPECT_LT(Weak->Outside, Full->Outside);
+	EXPECT_LT(Weak->Inside, Full->Inside);
+	EXPECT_GT(Weak->Inside, 0.0);
+}
+
+TEST(ToonBloomRun, TheReportHoldsTheBleed)
+{
+	const FRunResult Result = RunToon(R"("BloomToonIntensity": 0.1)");
+	std::vector<FDiagnostic> Ignored;
+	bool bSyntaxError = false;
+	const FJsonValue Report = ParseJson(Result.RunJson, "run.json", Ignored, bSyntaxError);
+	const FJsonValue& Toon = Report.Find("effects")->Elements.at(1);
+	EXPECT_EQ("ToonBloom", Toon.Find("name")->String);
+	const FJsonValue* Bleed = Toon.Find("bleed");
+	ASSERT_NE(nullptr, Bleed);
+	EXPECT_DOUBLE_EQ(Bleed->Find("outside")->Number / Bleed->Find("inside")->Number, Bleed->Find("ratio")->Number);
+	EXPECT_EQ(nullptr, Report.Find("effects")->Elements.at(0).Find("bleed"));
+}
+
+TEST(ToonBloomRun, TheMaskIsShownInPlaceOfBloom)
+{
+	const FRunResult Result = RunToon(R"("BloomToonIntensity": 0.1)", {"r.ToonBloom.VisualizeMask=1"});
+	EXPECT_TRUE(HasPass(Result, "ToonBloomVisualizeMask"));
+	EXPECT_FALSE(HasPass(Result, "BloomSetup"));
+	EXPECT_FALSE(FindEffect(Result, "ToonBloom").bActive);
+	EXPECT_EQ("r.ToonBloom.VisualizeMask shows the mask in its place", FindEffect(Result, "Bloom").Reason);
+}
+
+TEST(ToonBloomRun, AMissingIdIsOneErrorThatSaysWhatToDo)
+{
+	try
+	{
+		RunToon(R"("BloomToonIntensity": 0.1)", {}, R"("file": "../docs/images/toon_input.png")");
+		FAIL() << "no error";
+	}
+	catch (const FError& Error)
+	{
+		ASSERT_EQ(1u, Error.GetDiagnostics().size());
+		const FDiagnostic& Diagnostic = Error.GetDiagnostics()[0];
+		EXPECT_EQ(ErrorChannelMissing, Diagnostic.Code);
+		for (const char* Part :
+			{"\"shadingmodel.ID\"", "ToonBloomMask", "GBufferB", "scene.channels", "scene.defaults"})
+		{
+			EXPECT_NE(std::string::npos, Diagnostic.Message.find(Part)) << Diagnostic.Message;
+		}
+	}
+}
+
+TEST(ToonBloomRun, ADefaultStandsInForTheMissingId)
+{
+	const std::string Picture = R"("file": "../docs/images/toon_input.png", "defaults": {"shadingmodel.ID": )";
+	const FRunResult NoToon = RunToon(R"("BloomToonIntensity": 0)", {}, Picture + "1}");
+	const FRunResult AllToon = RunToon(R"("BloomToonIntensity": 0)", {}, Picture + "8}");
+	EXPECT_EQ(0.0, FindEffect(NoToon, "ToonBloom").Bleed->Inside);
+	EXPECT_EQ(0.0, FindEffect(AllToon, "ToonBloom").Bleed->Inside); // none blooms, so nothing bleeds
+	EXPECT_EQ(0.0, FindEffect(AllToon, "ToonBloom").Bleed->Outside);
+}
+
+TEST(ToonBloomRun, APlainPictureNeedsNoIdsWithoutIt)
+{
+	EXPECT_FALSE(RunToon("", {}, R"("file": "../docs/images/toon_input.png")").Final.Values.empty());
+}

@@ -1,0 +1,263 @@
+// Sequences in this process: what is written, what lives on, and when a folder is taken up again. Source: drydock.
+#include <gtest/gtest.h>
+
+#include "Run/Run.h"
+#include "SceneViewExtension.h"
+#include "Sequence/RunSequence.h"
+#include "Sequence/SequenceFolder.h"
+#include "Sequence/SequenceSheet.h"
+#include "SequenceTestUtils.h"
+#include "Text/Json.h"
+
+using namespace Drydock;
+using namespace SequenceTest;
+
+namespace
+{
+
+const std::string Scenes = DRYDOCK_TEST_SOURCE_DIR "/configs/scenes/";
+
+/** Notes what time each frame has. */
+class FTimeWatch final : public FSceneViewExtensionBase
+{
+public:
+	explicit FTimeWatch(const FAutoRegister& AutoRegister)
+		: FSceneViewExtensionBase(AutoRegister)
+	{
+	}
+	void SetupViewFamily(FSceneViewFamily& Family) override { Times.push_back(Family.Time); }
+
+	std::vector<FGameTime> Times;
+};
+
+double GetGreatest(const FImage& Image, size_t Channel)
+{
+	double Greatest = -1.0;
+	for (size_t Index = Channel; Index < Image.Values.size(); Index += static_cast<size_t>(Image.NumChannels))
+	{
+		Greatest = std::max(Greatest, Image.Values[Index]);
+	}
+	return Greatest;
+}
+
+class RunSequences : public testing::Test
+{
+protected:
+	FSequenceOptions Ask(const std::string& Frames, const std::string& Out = "out", const std::string& More = "") const
+	{
+		FSequenceOptions Options;
+		Options.Run.ConfigFile = (Temporary.Path / "a.json").string();
+		Options.Run.ConfigText = MakeConfigText(Scenes, More);
+		Options.Frames = Frames;
+		Options.Folder = (Temporary.Path / Out).string();
+		return Options;
+	}
+
+	static std::string ErrorOf(const FSequenceOptions& Options)
+	{
+		try
+		{
+			RunSequence(Options);
+		}
+		catch (const FError& Error)
+		{
+			return std::to_string(Error.GetDiagnostics().at(0).Code) + " " + std::to_string(Error.GetExitCode()) + " " +
+				   Error.GetDiagnostics().at(0).Message;
+		}
+		return "none";
+	}
+
+	static FJsonValue Parse(const std::string& Text)
+	{
+		std::vector<FDiagnostic> Diagnostics;
+		bool bSyntaxError = false;
+		FJsonValue Value = ParseJson(Text, "sequence.json", Diagnostics, bSyntaxError);
+		EXPECT_TRUE(Diagnostics.empty());
+		return Value;
+	}
+
+	const FTemporaryFolder Temporary{"drydock_sequence"};
+};
+
+} // namespace
+
+TEST_F(RunSequences, WriteEachFrameAsARunDoes)
+{
+	const FSequenceResult Result = RunSequence(Ask("3-5x2"));
+	EXPECT_EQ((std::vector<int>{3, 5}), Result.Frames);
+	EXPECT_EQ(2, Result.NumRendered);
+	for (const char* Name : {"final.png", "final.exr", "scene_linear.exr", "run.json", "timing.json", "graph.dot",
+			 "trace.json", "frame.json"})
+	{
+		EXPECT_TRUE(Files::exists(Temporary.Path / "out/frames/0005" / Name)) << Name;
+	}
+	EXPECT_TRUE(Files::exists(Temporary.Path / "out/sequence.json"));
+}
+
+TEST_F(RunSequences, OnlyTheLatestFrameKeepsItsState)
+{
+	RunSequence(Ask("3-4"));
+	EXPECT_FALSE(Files::exists(Temporary.Path / "out/frames/0003/view_state.bin"));
+	EXPECT_TRUE(Files::exists(Temporary.Path / "out/frames/0004/view_state.bin"));
+}
+
+TEST_F(RunSequences, FrameSeesWhatTheOneBeforeKept)
+{
+	FRunSession Session(Ask("2").Run);
+	const FRunResult First = Session.Run(2, {});
+	EXPECT_EQ(0.0, GetGreatest(First.SceneLinear, 1)); // it shows the frame before, and there is none
+	EXPECT_LT(0.0, GetGreatest(Session.Run(3, First.ViewStates).SceneLinear, 1));
+	EXPECT_EQ(0.0, GetGreatest(Session.Run(3, {}).SceneLinear, 1));
+}
+
+TEST_F(RunSequences, FirstFrameIsThatOfASingleRun)
+{
+	const FSequenceOptions Options = Ask("4");
+	FRunOptions Run = Options.Run;
+	Run.Frame = 4;
+	RunSequence(Options);
+	EXPECT_EQ(RunConfig(Run).RunJson, ReadBytes(Temporary.Path / "out/frames/0004/run.json"));
+}
+
+TEST_F(RunSequences, WeightsAreThoseThatTheSceneStates)
+{
+	const FJsonValue Root =
+		Parse(RunSequence(Ask("1-8", "out", R"(, "camera": {"Settings": {"BloomIntensity": 0}})")).SequenceJson);
+	ASSERT_EQ(8u, Root.Find("frames")->Elements.size());
+	for (int Frame = 1; Frame <= 8; ++Frame)
+	{
+		const FJsonValue Scene = Parse(ReadBytes(Scenes + "moving_camera.000" + std::to_string(Frame) + ".json"));
+		const FJsonValue& Ours = Root.Find("frames")->Elements[static_cast<size_t>(Frame - 1)];
+		for (const FJsonValue& Volume : Scene.Find("post_process_volumes")->Elements)
+		{
+			const FJsonValue* Weight = Ours.Find("volumes")->Find(Volume.Find("name")->String);
+			ASSERT_NE(nullptr, Weight);
+			EXPECT_NEAR(Volume.Find("camera_weight")->Number, Weight->Number, 2e-6) << Frame;
+		}
+		for (size_t Axis = 0; Axis < 3; ++Axis)
+		{
+			EXPECT_EQ(Scene.Find("position_uecm")->Elements[Axis].Number, Ours.Find("location")->Elements[Axis].Number);
+		}
+	}
+}
+
+TEST_F(RunSequences, SettingsThatVaryAreTold)
+{
+	// Frame 1 is in the warm room and 135 cm from the cold one, frame 8 in that and 105 cm from the warm one; both fade
+	// over 100.
+	const FJsonValue Root = Parse(RunSequence(Ask("1,8")).SequenceJson);
+	const std::vector<FJsonValue>& Frames = Root.Find("frames")->Elements;
+	EXPECT_NEAR(0.675, Frames[0].Find("settings")->Find("BloomIntensity")->Number, 1e-6);
+	EXPECT_NEAR(2.5, Frames[1].Find("settings")->Find("BloomIntensity")->Number, 1e-6);
+	EXPECT_EQ(nullptr, Frames[0].Find("settings")->Find("FilmSlope"));
+}
+
+TEST_F(RunSequences, StoppedOneGoesOnBitForBit)
+{
+	RunSequence(Ask("1-4", "whole"));
+	RunSequence(Ask("1-2", "parts"));
+	const FSequenceResult Rest = RunSequence(Ask("1-4", "parts"));
+	EXPECT_EQ(2, Rest.NumRendered);
+	EXPECT_TRUE(AreSameFolders(Temporary.Path / "whole", Temporary.Path / "parts"));
+}
+
+TEST_F(RunSequences, FinishedOneIsLeftAsItIs)
+{
+	RunSequence(Ask("2-3"));
+	const auto Before = Files::last_write_time(Temporary.Path / "out/frames/0003/final.png");
+	EXPECT_EQ(0, RunSequence(Ask("2-3")).NumRendered);
+	EXPECT_EQ(Before, Files::last_write_time(Temporary.Path / "out/frames/0003/final.png"));
+}
+
+TEST_F(RunSequences, OtherInputsAreRefusedAndNamed)
+{
+	RunSequence(Ask("2"));
+	const std::string Begin = "1070 2 the folder holds frames of another sequence: ";
+	const std::string End = "; --restart renders all frames again, --out writes to another folder";
+	EXPECT_EQ(Begin + "the config has changed" + End, ErrorOf(Ask("2", "out", R"(, "cvars": {"r.BloomQuality": 3})")));
+	FSequenceOptions Set = Ask("2");
+	Set.Run.Variables = {"r.BloomQuality=3"};
+	EXPECT_EQ(Begin + "the options were none and are --set r.BloomQuality=3" + End, ErrorOf(Set));
+	EXPECT_EQ(Begin + "frame 2 is there, and the frames asked for do not begin like that" + End, ErrorOf(Ask("1-2")));
+}
+
+TEST_F(RunSequences, ThreadsAreNoOtherInput)
+{
+	RunSequence(Ask("2"));
+	FSequenceOptions Options = Ask("2-3");
+	Options.Run.Threads = 1;
+	EXPECT_EQ(1, RunSequence(Options).NumRendered);
+}
+
+TEST_F(RunSequences, RestartRendersAgain)
+{
+	RunSequence(Ask("2"));
+	FSequenceOptions Options = Ask("1", "out", R"(, "cvars": {"r.BloomQuality": 3})");
+	Options.bRestart = true;
+	EXPECT_EQ(1, RunSequence(Options).NumRendered);
+	EXPECT_FALSE(Files::exists(Temporary.Path / "out/frames/0002"));
+}
+
+TEST_F(RunSequences, DamagedStateIsNotGoneOnFrom)
+{
+	RunSequence(Ask("2"));
+	const Files::path State = Temporary.Path / "out/frames/0002/view_state.bin";
+	Files::resize_file(State, Files::file_size(State) - 1);
+	EXPECT_EQ("5020 3 the state of a frame is damaged", ErrorOf(Ask("2-3")));
+}
+
+TEST_F(RunSequences, MistakesAreFoundBeforeAnythingIsWritten)
+{
+	EXPECT_EQ(
+		"1020 2 \"x\" is no frame and no range of frames: expected all, 1-8, 1-9x2 or 1,3,5-8", ErrorOf(Ask("x")));
+	EXPECT_EQ(
+		"5001 3 there is no frame 9 of " + Scenes + "moving_camera.####.exr: there are 1 to 8", ErrorOf(Ask("8-9")));
+	FSequenceOptions Options = Ask("1");
+	Options.Run.ConfigText = R"({"scene": {"file": ")" + Scenes + R"(two_boxes.exr"}})";
+	EXPECT_EQ("1020 2 the scene is no sequence: scene.file has no #### in its name", ErrorOf(Options));
+	EXPECT_FALSE(Files::exists(Temporary.Path / "out"));
+}
+
+TEST_F(RunSequences, SheetShowsThemSideBySide)
+{
+	RunSequence(Ask("2-3"));
+	const FImageFile Sheet((Temporary.Path / "out/sheet.png").string());
+	EXPECT_GT(Sheet.GetWidth(), 2 * 320); // a tile is as wide as a frame
+	EXPECT_LT(Sheet.GetHeight(), 2 * 180);
+}
+
+TEST(SequenceSheet, ManyFramesAreThinnedOutEvenly)
+{
+	EXPECT_EQ((std::vector<size_t>{0, 1, 2}), ChooseSheetFrames(3, 3));
+	EXPECT_EQ((std::vector<size_t>{0, 50, 100}), ChooseSheetFrames(101, 3));
+	EXPECT_EQ((std::vector<size_t>{0, 3}), ChooseSheetFrames(4, 2));
+}
+
+TEST_F(RunSequences, OneRunWritesAtATime)
+{
+	const FSequenceFolder Folder((Temporary.Path / "out").string(), 4);
+	EXPECT_EQ(
+		"5021 3 another run is writing to this folder: wait for it, or name another with --out", ErrorOf(Ask("2")));
+}
+
+TEST_F(RunSequences, TimeIsThatOfTheScene)
+{
+	const auto Watch = FSceneViewExtensions::NewExtension<FTimeWatch>();
+	FRunSession Session(Ask("2").Run);
+	const FRunResult First = Session.Run(2, {});
+	Session.Run(5, First.ViewStates);
+	// The frames' headers say 24 frames a second.
+	EXPECT_FLOAT_EQ(2.0f / 24.0f, Watch->Times.at(0).WorldTimeSeconds);
+	EXPECT_FLOAT_EQ(1.0f / 24.0f, Watch->Times.at(0).DeltaWorldTimeSeconds);
+	EXPECT_FLOAT_EQ(5.0f / 24.0f, Watch->Times.at(1).WorldTimeSeconds);
+	EXPECT_FLOAT_EQ(3.0f / 24.0f, Watch->Times.at(1).DeltaWorldTimeSeconds);
+}
+
+TEST_F(RunSequences, ConfigsRateBeatsTheScenes)
+{
+	const auto Watch = FSceneViewExtensions::NewExtension<FTimeWatch>();
+	FSequenceOptions Options = Ask("1");
+	Options.Run.ConfigText = R"({"scene": {"fps": 50, "file": ")" + Scenes + R"(moving_camera.####.exr"}})";
+	EXPECT_EQ(50.0, RunSequence(Options).FramesPerSecond);
+	EXPECT_FLOAT_EQ(0.02f, Watch->Times.at(0).DeltaWorldTimeSeconds);
+}

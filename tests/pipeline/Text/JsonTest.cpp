@@ -1,0 +1,256 @@
+// JSON with positions. Expected lines and columns are counted by hand.
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include "Text/ConfigErrors.h"
+#include "Text/Json.h"
+#include "Text/JsonWriter.h"
+
+#include <cmath>
+#include <limits>
+
+using namespace Drydock;
+
+namespace
+{
+
+struct FParsed
+{
+	FJsonValue Root;
+	std::vector<FDiagnostic> Diagnostics;
+	bool bSyntaxError = false;
+};
+
+FParsed Parse(const std::string& Text)
+{
+	FParsed Parsed;
+	Parsed.Root = ParseJson(Text, "t.json", Parsed.Diagnostics, Parsed.bSyntaxError);
+	return Parsed;
+}
+
+/** "line:column code pointer" of the only message. */
+std::string OnlyMessage(const std::string& Text)
+{
+	const FParsed Parsed = Parse(Text);
+	EXPECT_EQ(1u, Parsed.Diagnostics.size()) << Text;
+	if (Parsed.Diagnostics.empty())
+	{
+		return "";
+	}
+	const FDiagnostic& Message = Parsed.Diagnostics[0];
+	return std::to_string(Message.Line) + ":" + std::to_string(Message.Column) + " " + std::to_string(Message.Code) +
+		   " " + Message.Where;
+}
+
+std::string PlaceOf(const FJsonValue* Value)
+{
+	return Value == nullptr ? "none"
+							: std::to_string(Value->Line) + ":" + std::to_string(Value->Column) + " " + Value->Pointer;
+}
+
+} // namespace
+
+TEST(Json, ReadsEveryType)
+{
+	const FParsed Parsed = Parse(R"({"n": null, "b": true, "i": -3, "f": 2.5e1, "s": "a\nb", "a": [1], "o": {}})");
+	EXPECT_TRUE(Parsed.Diagnostics.empty());
+	EXPECT_EQ(EJsonType::Null, Parsed.Root.Find("n")->Type);
+	EXPECT_TRUE(Parsed.Root.Find("b")->Bool);
+	EXPECT_EQ(-3.0, Parsed.Root.Find("i")->Number);
+	EXPECT_EQ(25.0, Parsed.Root.Find("f")->Number);
+	EXPECT_EQ("a\nb", Parsed.Root.Find("s")->String);
+	EXPECT_EQ(1u, Parsed.Root.Find("a")->Elements.size());
+	EXPECT_EQ(EJsonType::Object, Parsed.Root.Find("o")->Type);
+}
+
+TEST(Json, NegativeZeroKeepsItsSign)
+{
+	EXPECT_TRUE(std::signbit(Parse("-0").Root.Number));
+	EXPECT_TRUE(std::signbit(Parse("-0.0").Root.Number));
+	EXPECT_FALSE(std::signbit(Parse("0").Root.Number));
+}
+
+TEST(Json, MembersKeepTheirOrder)
+{
+	const FParsed Parsed = Parse(R"({"b": 1, "a": 2})");
+	EXPECT_EQ("b", Parsed.Root.Members[0].Key);
+	EXPECT_EQ("a", Parsed.Root.Members[1].Key);
+}
+
+TEST(Json, ValuesKnowWhereTheyBegin)
+{
+	const FParsed Parsed = Parse("{\n  \"a\": [10,\n\t\"x\"],\n  \"b\": true\n}");
+	EXPECT_EQ("1:1 ", PlaceOf(&Parsed.Root));
+	EXPECT_EQ("2:8 /a", PlaceOf(Parsed.Root.Find("a")));
+	EXPECT_EQ("2:9 /a/0", PlaceOf(&Parsed.Root.Find("a")->Elements[0]));
+	EXPECT_EQ("3:2 /a/1", PlaceOf(&Parsed.Root.Find("a")->Elements[1]));
+	EXPECT_EQ("4:8 /b", PlaceOf(Parsed.Root.Find("b")));
+}
+
+TEST(Json, MembersKnowWhereTheirKeyBegins)
+{
+	const FParsed Parsed = Parse("{\n  \"key\"  :\n 1}");
+	EXPECT_EQ(2, Parsed.Root.Find("key")->KeyLine);
+	EXPECT_EQ(3, Parsed.Root.Find("key")->KeyColumn);
+	EXPECT_EQ("3:2 /key", PlaceOf(Parsed.Root.Find("key")));
+}
+
+TEST(Json, ColumnsCountCharactersNotBytes)
+{
+	EXPECT_EQ(12, Parse("{\"é\": \"ü\", \"x\": 1}").Root.Find("x")->KeyColumn);
+}
+
+TEST(Json, ByteOrderMarkHasNoColumn)
+{
+	const FParsed Parsed = Parse("\xEF\xBB\xBF{}");
+	EXPECT_EQ("1:1 ", PlaceOf(&Parsed.Root));
+}
+
+TEST(Json, PointersEscapeSlashAndTilde)
+{
+	EXPECT_EQ("/a~1b~0c", Parse(R"({"a/b~c": 1})").Root.Members[0].Value.Pointer);
+}
+
+TEST(Json, CommentsAreSkippedAndCounted)
+{
+	const FParsed Parsed = Parse("// first\n{ /* two\nlines */ \"a\": 1 // last \"b\": 2\n}");
+	EXPECT_TRUE(Parsed.Diagnostics.empty());
+	EXPECT_EQ("3:15 /a", PlaceOf(Parsed.Root.Find("a")));
+}
+
+TEST(Json, QuotesAndSlashesInStringsAreText)
+{
+	const FParsed Parsed = Parse(R"({"a": "no // comment \" {", "b": 1})");
+	EXPECT_EQ("no // comment \" {", Parsed.Root.Find("a")->String);
+	EXPECT_EQ("1:34 /b", PlaceOf(Parsed.Root.Find("b")));
+}
+
+TEST(Json, DuplicateKeyIsReportedAtTheSecondAndTheFirstCounts)
+{
+	EXPECT_EQ("2:2 1003 /a", OnlyMessage("{\"a\": 1,\n \"a\": 2}"));
+	EXPECT_EQ(1.0, Parse("{\"a\": 1, \"a\": 2}").Root.Find("a")->Number);
+}
+
+TEST(Json, SameKeyInAnotherObjectIsNoDuplicate)
+{
+	EXPECT_TRUE(Parse(R"({"a": {"a": 1}, "b": {"a": 1}})").Diagnostics.empty());
+}
+
+TEST(Json, NumberThatOverflowsIsReportedAtItsPlace)
+{
+	EXPECT_EQ("1:7 1004 /a", OnlyMessage(R"({"a": 1e999})"));
+	EXPECT_EQ("1:7 1004 /a", OnlyMessage(R"({"a": -1e999})"));
+}
+
+TEST(Json, NaNAndInfinityAreReportedAtTheirPlace)
+{
+	for (const char* Number : {"NaN", "Infinity", "-Infinity", "nan", "inf"})
+	{
+		EXPECT_EQ("1:10 1004 /a/1", OnlyMessage(std::string(R"({"a": [1,)") + Number + "]}")) << Number;
+	}
+}
+
+TEST(Json, FileGoesOnAfterANumberThatIsNotFinite)
+{
+	const FParsed Parsed = Parse(R"({"a": 1e999, "b": NaN, "c": 3})");
+	EXPECT_EQ(2u, Parsed.Diagnostics.size());
+	EXPECT_FALSE(Parsed.bSyntaxError);
+	EXPECT_EQ(EJsonType::Invalid, Parsed.Root.Find("a")->Type);
+	EXPECT_EQ(3.0, Parsed.Root.Find("c")->Number);
+}
+
+TEST(Json, SyntaxErrorEndsTheFileAtItsPlace)
+{
+	EXPECT_EQ("2:7 1001 ", OnlyMessage("{\n  \"a\" 1,\n  \"b\": NaN }"));
+}
+
+TEST(Json, EmptyTextIsASyntaxError)
+{
+	EXPECT_EQ("1:1 1001 ", OnlyMessage(""));
+}
+
+TEST(Json, TrailingCommaIsASyntaxError)
+{
+	EXPECT_EQ("1:10 1001 ", OnlyMessage("{\"a\": 1, }"));
+}
+
+TEST(Json, TextAfterTheValueIsASyntaxError)
+{
+	EXPECT_TRUE(Parse("{} 1").bSyntaxError);
+}
+
+TEST(Json, DeepNestingIsRefused)
+{
+	const std::string Deep = std::string(65, '[') + std::string(65, ']');
+	EXPECT_TRUE(Parse(Deep).bSyntaxError);
+	EXPECT_EQ(1002, Parse(Deep).Diagnostics[0].Code);
+	EXPECT_FALSE(Parse(std::string(64, '[') + std::string(64, ']')).bSyntaxError);
+}
+
+TEST(Json, ABombOfBracketsEndsQuickly)
+{
+	EXPECT_TRUE(Parse(std::string(1000000, '[')).bSyntaxError);
+}
+
+/** Seeds for random damage. */
+RC_GTEST_PROP(Json, DamagedTextNeverCrashesAndAlwaysSaysSo, ())
+{
+	std::string Text = R"({"a": [1, 2.5, "x\u00e9", {"b": null}], "c": true, "d": 1e999, "e": NaN} // end)";
+	const int NumEdits = *rc::gen::inRange(1, 6);
+	for (int Edit = 0; Edit < NumEdits; ++Edit)
+	{
+		const size_t At = *rc::gen::inRange<size_t>(0, Text.size());
+		Text[At] = *rc::gen::element(
+			'{', '}', '[', ']', '"', ',', ':', '\\', '/', '*', '\n', '0', 'e', 'N', '-', '\x80', '\0', ' ');
+	}
+	const FParsed Parsed = Parse(Text);
+	RC_ASSERT(!Parsed.bSyntaxError || !Parsed.Diagnostics.empty());
+}
+
+TEST(JsonWriter, WritesNestedAndInline)
+{
+	FJsonWriter Writer;
+	Writer.BeginObject();
+	Writer.Member("a", 1);
+	Writer.Key("b").BeginArray(true);
+	Writer.Value(true);
+	Writer.Null();
+	Writer.EndArray();
+	Writer.Key("c").BeginObject();
+	Writer.EndObject();
+	Writer.EndObject();
+	EXPECT_EQ("{\n  \"a\": 1,\n  \"b\": [true, null],\n  \"c\": {}\n}\n", Writer.GetText());
+}
+
+TEST(JsonWriter, FloatsAreShortestAndNonFiniteIsNull)
+{
+	FJsonWriter Writer;
+	Writer.BeginArray(true);
+	Writer.Value(0.1f);
+	Writer.Value(0.1);
+	Writer.Value(std::numeric_limits<double>::infinity());
+	Writer.Value(std::nan(""));
+	Writer.EndArray();
+	EXPECT_EQ("[0.1, 0.1, null, null]\n", Writer.GetText());
+}
+
+TEST(JsonWriter, EscapesWhatJsonMustEscape)
+{
+	EXPECT_EQ(R"("a\"b\\c\n\t\u0001é")", FJsonWriter::Quote("a\"b\\c\n\t\x01é"));
+}
+
+RC_GTEST_PROP(JsonWriter, AnyAsciiTextReadsBack, ())
+{
+	const std::string Text = *rc::gen::container<std::string>(rc::gen::inRange<char>(1, 127));
+	RC_ASSERT(Parse("[" + FJsonWriter::Quote(Text) + "]").Root.Elements[0].String == Text);
+}
+
+RC_GTEST_PROP(JsonWriter, AnyNumberReadsBack, (double Number))
+{
+	FJsonWriter Writer;
+	Writer.BeginArray();
+	Writer.Value(Number);
+	Writer.EndArray();
+	RC_ASSERT(Parse(Writer.GetText()).Root.Elements[0].Number == Number);
+}

@@ -1,0 +1,32 @@
+// Numbers and columns of printed texts.
+#include <gtest/gtest.h>
+
+#include "Text/TextFormat.h"
+
+using namespace Drydock;
+
+TEST(TextFormat, NumbersFollowThePattern)
+{
+	EXPECT_EQ("1.50 ms", Format("%.2f ms", 1.5));
+}
+
+TEST(TextFormat, ColumnsAreFilledOnEitherSide)
+{
+	EXPECT_EQ("ab  ", PadRight("ab", 4));
+	EXPECT_EQ("  ab", PadLeft("ab", 4));
+}
+
+TEST(TextFormat, LongerTextsStay)
+{
+	EXPECT_EQ("abcde", PadRight("abcde", 4));
+	EXPECT_EQ("abcde", PadLeft("abcde", 4));
+}
+
+TEST(TextFormat, NumbersAreTheShortestThatReadBack)
+{
+	EXPECT_EQ("0.1", NumberText(0.1f));
+	EXPECT_EQ("0.1", NumberText(0.1));
+	EXPECT_EQ("0.10000000149011612", NumberText(static_cast<double>(0.1f)));
+	EXPECT_EQ("-1", NumberText(-1.0f));
+	EXPECT_EQ("1e+30", NumberText(1e30));
+}
