@@ -88,6 +88,7 @@ FScreenPassTexture AddToonPass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
 {
 	check(Inputs.SceneColor.IsValid());
 	check(Inputs.SceneTextures);
+	const Drydock::FRDGEffectScope EffectScope(GraphBuilder, "ToonBloom");
 	const bool bCompute = View.bUseComputePasses;
 	check(!bCompute || !DrawRect);
 

@@ -1,6 +1,7 @@
 // Source: drydock.
 #include "Budget/BudgetChoice.h"
 
+#include "Config/ReadConfig.h"
 #include "Budget/RunOptions.h"
 #include "Budget/StudyBudget.h"
 #include "Budget/StudyRequest.h"

@@ -45,7 +45,8 @@ struct FRunOptions
 	/** Nothing is left out because no output needs it: culled passes run, all channels are decoded, effects whose
 	 * values are neutral or whose input is empty run. What is switched off stays off. The outputs are the same bits. */
 	bool bNoSkip = false;
-	bool bUseBudget = true; // a config with a budget and a study runs what the study recommends
+	bool bMeasureEffects = false; // figures and pictures of effects (FEffect::Measure), after the frame
+	bool bUseBudget = true;       // a config with a budget and a study runs what the study recommends
 	/** Called before each pass that executes. */
 	std::function<void(int Done, int Total, const std::string& Pass)> Progress;
 };

@@ -1,6 +1,7 @@
 // Source: drydock.
 #include "Budget/StudyConfig.h"
 
+#include "Config/ReadConfig.h"
 #include "Budget/BlurNames.h"
 #include "Config/ConfigReader.h"
 #include "HAL/IConsoleManager.h"

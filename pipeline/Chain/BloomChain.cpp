@@ -4,6 +4,8 @@
 #include "Bloom/PostProcessBloomSetup.h"
 #include "Bloom/PostProcessFFTBloom.h"
 #include "Bloom/PostProcessGaussianBloom.h"
+#include "Effects/Effect.h"
+#include "RenderGraphEvent.h"
 #include "SceneRendering.h"
 #include "Screen/PostProcessDownsample.h"
 
@@ -66,6 +68,7 @@ FBloomChainOutputs AddBloomPasses(FRDGBuilder& GraphBuilder, const FViewInfo& Vi
 	RDG_EVENT_SCOPE(GraphBuilder, "Bloom");
 	if (IsFFTBloomEnabled(View))
 	{
+		const Drydock::FRDGEffectScope Scope(GraphBuilder, *Drydock::GFFTBloomEffect.Name);
 		return AddFFTBloomPasses(GraphBuilder, View, Inputs);
 	}
 	const float Threshold = View.FinalPostProcessSettings.BloomThreshold;

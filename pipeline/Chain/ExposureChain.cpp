@@ -1,6 +1,7 @@
 // Source: engine PostProcess/PostProcessing.cpp.
 #include "Chain/ExposureChain.h"
 
+#include "Effects/Effect.h"
 #include "Exposure/PostProcessHistogram.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphEvent.h"
@@ -64,6 +65,7 @@ FExposureChainOutputs AddExposurePasses(
 	FLocalExposureParameters LocalExposure;
 	if (Inputs.bLocalExposure)
 	{
+		const Drydock::FRDGEffectScope Scope(GraphBuilder, *Drydock::GLocalExposureEffect.Name);
 		const bool bManual = Inputs.bAutoExposure && Method == AEM_Manual;
 		LocalExposure = GetLocalExposureParameters(View, Adaptation.Parameters, bManual);
 		Adaptation.LocalExposure = &LocalExposure;

@@ -19,7 +19,7 @@ enum class EFramePass : uint32
 {
 	MotionBlur,
 	Tonemap,
-	UnityBloom, // after the tonemapper
+	AfterTonemap, // effects that stand there
 	FXAA,
 	VisualizeDepthOfField,
 	PrimaryUpscale,

@@ -3,13 +3,11 @@
 
 #include "Bloom/PostProcessFFTBloom.h"
 #include "Bloom/PostProcessToonBloom.h"
-#include "Blur/DualKawaseBlurPass.h"
+#include "Bloom/UnityBloom.h"
 #include "Chain/BloomChain.h"
 #include "Chain/ExposureChain.h"
 #include "Chain/InsertionPoints.h"
-#include "Effects/ArticleEffects.h"
-#include "Lens/DiaphragmDOF.h"
-#include "Lens/PostProcessMotionBlur.h"
+#include "Effects/Effects.h"
 #include "SceneViewState.h"
 #include "Screen/PostProcessAA.h"
 #include "Screen/PostProcessDownsample.h"
@@ -22,17 +20,16 @@
 namespace
 {
 
-using Drydock::EFramePass;
-using Drydock::FInsertionPoints;
+using namespace Drydock;
 using EPoint = FInsertionPoints::EPoint;
 
 /** The passes of one view, in the order of its methods. */
 class FPostProcessingChain
 {
 public:
-	FPostProcessingChain(FRDGBuilder& InGraphBuilder, const Drydock::FNamedView& NamedView,
-		const FPostProcessingChainInputs& InInputs, const std::vector<Drydock::FEffectDecision>& InEffects,
-		Drydock::FViewExtensionFrame& InExtensions)
+	FPostProcessingChain(FRDGBuilder& InGraphBuilder, const FNamedView& NamedView,
+		const FPostProcessingChainInputs& InInputs, const std::vector<FEffectDecision>& InEffects,
+		FViewExtensionFrame& InExtensions)
 		: GraphBuilder(InGraphBuilder)
 		, View(*NamedView.View)
 		, Inputs(InInputs)
@@ -40,17 +37,16 @@ public:
 		, Extensions(InExtensions)
 		, bPostProcessing(View.Family == nullptr || View.Family->EngineShowFlags.PostProcessing)
 		, bTonemapper(View.Family == nullptr || View.Family->EngineShowFlags.Tonemapper)
-		, ArticleEffects(GraphBuilder, View, {Inputs.SceneTextures, Inputs.LightColor}, Effects)
 		, Sequence(FScreenPassRenderTarget::CreateViewFamilyOutput(Inputs.ViewFamilyTexture, View))
 		, Points(GraphBuilder, NamedView, Inputs.SceneTextures, Sequence, Extensions)
 		, SceneColor(Inputs.SceneColor)
 	{
-		Sequence.SetEnabled(EFramePass::MotionBlur, bPostProcessing && IsActive("MotionBlur"));
+		Sequence.SetEnabled(EFramePass::MotionBlur, bPostProcessing && IsActive(EEffect::MotionBlur));
 		Sequence.SetEnabled(EFramePass::Tonemap, true);
-		Sequence.SetEnabled(EFramePass::UnityBloom, ArticleEffects.HasUnityBloomAfterTonemap());
-		Sequence.SetEnabled(EFramePass::FXAA, bPostProcessing && IsActive("FXAA"));
+		Sequence.SetEnabled(EFramePass::AfterTonemap, HasPasses(EChainPlace::AfterTonemap));
+		Sequence.SetEnabled(EFramePass::FXAA, bPostProcessing && IsActive(EEffect::FXAA));
 		Sequence.SetEnabled(EFramePass::VisualizeDepthOfField, false);
-		Sequence.SetEnabled(EFramePass::PrimaryUpscale, IsActive("Upscale"));
+		Sequence.SetEnabled(EFramePass::PrimaryUpscale, IsActive(EEffect::Upscale));
 		Sequence.Finalize();
 		Points.Subscribe();
 	}
@@ -58,30 +54,17 @@ public:
 	/** All at full resolution that sees neither bloom nor exposure. */
 	void AddSceneLinear()
 	{
-		SceneColor = ArticleEffects.AddLighting(SceneColor);
+		AddEffects(EChainPlace::Lighting);
 		SceneColor = Points.Run(EPoint::BeforeDOF, SceneColor);
-		if (IsActive("DepthOfField"))
-		{
-			AddDepthOfField();
-		}
-		SceneColor = ArticleEffects.AddRED(EREDPostProcessInsertion::BeforeTranslucency, SceneColor);
+		AddEffects(EChainPlace::DepthOfField);
+		AddEffects(EChainPlace::BeforeTranslucency);
 		SceneColor = Points.Run(EPoint::AfterDOF, SceneColor);
-		SceneColor = ArticleEffects.AddRED(EREDPostProcessInsertion::AfterTranslucency, SceneColor);
+		AddEffects(EChainPlace::AfterTranslucency);
 		Points.Skip(EPoint::TranslucencyAfterDOF, "the scene has no separate translucency");
 		RunSSRInput();
-		if (IsActive("MotionBlur"))
-		{
-			AddMotionBlur();
-		}
+		AddEffects(EChainPlace::MotionBlur);
 		SceneColor = Points.Run(EPoint::MotionBlur, SceneColor);
-		if (IsActive("DualKawaseBlur") && !Extensions.Has("FDualKawaseBlur"))
-		{
-			AddDualKawase();
-		}
-		if (ArticleEffects.HasUnityBloomBeforeTonemap())
-		{
-			SceneColor = ArticleEffects.AddUnityBloom(SceneColor);
-		}
+		AddEffects(EChainPlace::BeforeBloom);
 	}
 
 	/** Where post-processing is off: what comes before the tonemapper is not there. */
@@ -98,10 +81,11 @@ public:
 	 *  are culled. */
 	void AddDownsampleChain()
 	{
-		if (!IsActive("Bloom") && !IsActive("LocalExposure") && !Inputs.bAutoExposure)
+		if (!IsActive(EEffect::Bloom) && !IsActive(EEffect::LocalExposure) && !Inputs.bAutoExposure)
 		{
 			return;
 		}
+		const FRDGEffectScope Scope(GraphBuilder, *GBloomEffect.Name);
 		FDownsamplePassInputs HalfInputs;
 		HalfInputs.Name = TEXT("HalfResolutionSceneColor");
 		HalfInputs.SceneColor = SceneColor;
@@ -114,12 +98,13 @@ public:
 
 	void AddExposure()
 	{
+		const FRDGEffectScope Scope(GraphBuilder, *GExposureEffect.Name);
 		FExposureChainInputs ExposureInputs;
 		ExposureInputs.HalfResolution = HalfResolution;
 		ExposureInputs.SceneDownsampleChain = &SceneDownsampleChain;
 		ExposureInputs.bAutoExposure = Inputs.bAutoExposure;
 		ExposureInputs.ExposureScale = Inputs.ExposureScale;
-		ExposureInputs.bLocalExposure = IsActive("LocalExposure");
+		ExposureInputs.bLocalExposure = IsActive(EEffect::LocalExposure);
 		const FExposureChainOutputs Exposure = AddExposurePasses(GraphBuilder, View, ExposureInputs);
 		EyeAdaptationBuffer = Exposure.EyeAdaptationBuffer;
 		LocalExposure = Exposure.LocalExposure;
@@ -129,22 +114,23 @@ public:
 	/** Bloom for the tonemapper to add; the mask of toon bloom in the picture's place where it is asked for. */
 	void AddBloom()
 	{
+		const FRDGEffectScope Scope(GraphBuilder, *GBloomEffect.Name);
 		FToonBloomInputs ToonInputs;
 		ToonInputs.SceneColor = SceneColor;
 		ToonInputs.ToonIntensity = View.FinalPostProcessSettings.BloomToonIntensity;
-		const bool bToonBloom = IsActive("ToonBloom");
+		const bool bToonBloom = IsActive(EEffect::ToonBloom);
 		const bool bVisualizeToon = bPostProcessing && IsToonBloomMaskVisualized();
 		if (bToonBloom || bVisualizeToon)
 		{
 			ToonInputs.SceneTextures = GetSceneTextures();
-			ToonInputs.ToonBounds = FindRegion("ToonBloom");
+			ToonInputs.ToonBounds = FindRegion(EEffect::ToonBloom);
 		}
 		if (bVisualizeToon)
 		{
 			SceneColor = AddToonBloomVisualizePass(GraphBuilder, View, ToonInputs);
 			return;
 		}
-		if (IsActive("Bloom"))
+		if (IsActive(EEffect::Bloom))
 		{
 			FBloomChainInputs BloomInputs;
 			BloomInputs.SceneColor = SceneColor;
@@ -161,16 +147,14 @@ public:
 			SceneColorApplyParameters = BloomOutputs.SceneColorApplyParameters;
 		}
 		Outputs.Bloom = Bloom;
-		if (ArticleEffects.WantsBloomInSceneColor())
+		if (Bloom.IsValid())
 		{
-			if (SceneColorApplyParameters)
-			{
-				SceneColor = Drydock::AddApplyFFTBloomPass(GraphBuilder, View, SceneColor, SceneColorApplyParameters);
-				SceneColorApplyParameters = nullptr;
-			}
-			SceneColor = ArticleEffects.AddBloomComposite(SceneColor, Bloom);
-			SceneColor = ArticleEffects.AddRED(EREDPostProcessInsertion::AfterBloom, SceneColor);
-			Bloom = FScreenPassTexture();
+			Outputs.Kept["Bloom"] = Bloom;
+		}
+		if (!FindEffectsAt(EChainPlace::AfterBloom, Effects).empty())
+		{
+			AddBloomToSceneColor();
+			AddEffects(EChainPlace::AfterBloom);
 		}
 	}
 
@@ -178,7 +162,6 @@ public:
 	void AddTonemap()
 	{
 		Outputs.SceneLinear = SceneColor;
-		Outputs.BlurredToonShadow = ArticleEffects.GetBlurredToonShadow();
 		if (bPostProcessing && Points.HasCallbacks(EPoint::ReplacingTonemapper))
 		{
 			SceneColor = Points.RunReplacingTonemapper(SceneColor, Bloom);
@@ -189,6 +172,7 @@ public:
 			{
 				Points.Skip(EPoint::ReplacingTonemapper, "nobody subscribed");
 			}
+			const FRDGEffectScope Scope(GraphBuilder, *GTonemapEffect.Name);
 			FTonemapInputs TonemapInputs;
 			TonemapInputs.SceneColor = SceneColor;
 			TonemapInputs.Bloom = Bloom;
@@ -197,7 +181,7 @@ public:
 			TonemapInputs.bGammaOnly = !bPostProcessing || !bTonemapper;
 			TonemapInputs.bWriteAlphaChannel = Sequence.IsEnabled(EFramePass::FXAA);
 			TonemapInputs.OutputFormat = GetTonemapFormat();
-			if (!TonemapInputs.bGammaOnly && Drydock::IsTonemapLUTUsed())
+			if (!TonemapInputs.bGammaOnly && IsTonemapLUTUsed())
 			{
 				TonemapInputs.ColorGradingTexture = AddCombineLUTPass(GraphBuilder, View);
 			}
@@ -213,14 +197,10 @@ public:
 
 	void AddDisplay()
 	{
-		if (ArticleEffects.HasUnityBloomAfterTonemap())
-		{
-			FScreenPassRenderTarget OverrideOutput;
-			Sequence.AcceptOverrideIfLastPass(EFramePass::UnityBloom, OverrideOutput);
-			SceneColor = ArticleEffects.AddUnityBloom(SceneColor, OverrideOutput);
-		}
+		AddEffects(EChainPlace::AfterTonemap);
 		if (Sequence.IsEnabled(EFramePass::FXAA))
 		{
+			const FRDGEffectScope Scope(GraphBuilder, *GFXAAEffect.Name);
 			FFXAAInputs FXAAInputs;
 			FXAAInputs.SceneColor = SceneColor;
 			FXAAInputs.Quality = GetFXAAQuality();
@@ -245,6 +225,7 @@ public:
 	{
 		if (Sequence.IsEnabled(EFramePass::PrimaryUpscale))
 		{
+			const FRDGEffectScope Scope(GraphBuilder, *GUpscaleEffect.Name);
 			FUpscaleInputs UpscaleInputs;
 			UpscaleInputs.SceneColor = SceneColor;
 			UpscaleInputs.Method = GetUpscaleMethod();
@@ -267,54 +248,85 @@ public:
 	}
 
 private:
-	bool IsActive(const char* Name) const { return Drydock::IsEffectActive(Effects, Name); }
+	bool IsActive(EEffect Id) const { return IsEffectActive(Effects, Id); }
+
+	/** Whether an active effect of the table has its passes in a place. */
+	bool HasPasses(EChainPlace Place) const
+	{
+		const auto Decisions = FindEffectsAt(Place, Effects);
+		return std::any_of(Decisions.begin(), Decisions.end(), MakesPasses);
+	}
+
+	static bool MakesPasses(const FEffectDecision* Decision)
+	{
+		return Decision->bActive && !Decision->bByExtension && *Decision->Effect->AddPasses != nullptr;
+	}
+
+	/** The passes of all effects that stand in a place, one after another. */
+	void AddEffects(EChainPlace Place)
+	{
+		for (const FEffectDecision* const Decision : FindEffectsAt(Place, Effects))
+		{
+			if (!MakesPasses(Decision))
+			{
+				continue;
+			}
+			FScreenPassRenderTarget OverrideOutput;
+			if (Place == EChainPlace::AfterTonemap)
+			{
+				Sequence.AcceptOverrideIfLastPass(EFramePass::AfterTonemap, OverrideOutput);
+			}
+			const FRDGEffectScope Scope(GraphBuilder, *Decision->Effect->Name);
+			SceneColor = (*Decision->Effect->AddPasses)({GraphBuilder, View, *Decision, SceneColor, Inputs.LightColor,
+				OverrideOutput, [this] { return GetSceneTextures(); }, Outputs.Kept});
+		}
+	}
+
+	/** For effects that want bloom in the picture: the tonemapper then adds none. */
+	void AddBloomToSceneColor()
+	{
+		if (SceneColorApplyParameters)
+		{
+			SceneColor = AddApplyFFTBloomPass(GraphBuilder, View, SceneColor, SceneColorApplyParameters);
+			SceneColorApplyParameters = nullptr;
+		}
+		if (Bloom.IsValid())
+		{
+			FUnityBloomPassInputs Composite;
+			Composite.Pass = EUnityBloomPass::Composite;
+			Composite.Name = TEXT("BloomComposite");
+			Composite.Source = SceneColor;
+			Composite.Bloom = Bloom;
+			SceneColor = AddUnityBloomPass(GraphBuilder, View, Composite);
+			Bloom = FScreenPassTexture();
+		}
+	}
 
 	/** Where alone an effect has something to do, from the view's corner; not set: anywhere, or the picture is no
 	 * longer of the view's size. */
-	std::optional<FIntRect> FindRegion(const char* Name) const
+	std::optional<FIntRect> FindRegion(EEffect Id) const
 	{
-		const Drydock::FEffectDecision* const Effect = Drydock::FindEffect(Effects, Name);
+		const FEffectDecision* const Effect = FindEffect(Effects, Id);
 		const bool bSameSize = SceneColor.ViewRect.Size() == View.ViewRect.Size();
 		return Effect != nullptr && bSameSize ? Effect->Region : std::nullopt;
 	}
 
-	TRDGUniformBufferRef<FSceneTextureUniformParameters> GetSceneTextures() const
+	/** Those of the inputs, or made when first asked for. */
+	TRDGUniformBufferRef<FSceneTextureUniformParameters> GetSceneTextures()
 	{
-		return Inputs.SceneTextures ? Inputs.SceneTextures : CreateSceneTextureUniformBuffer(GraphBuilder, View);
-	}
-
-	void AddDepthOfField()
-	{
-		const auto Model = DiaphragmDOF::FPhysicalCocModel::Compile(View.FinalPostProcessSettings,
-			SceneColor.ViewRect.Width(), static_cast<float>(View.UniformParameters.ViewToClip.M[0][0]));
-		SceneColor = DiaphragmDOF::AddPasses(GraphBuilder, View, GetSceneTextures(), SceneColor, Model);
-	}
-
-	void AddMotionBlur()
-	{
-		const float DeltaTime = View.Family != nullptr ? View.Family->Time.GetDeltaWorldTimeSeconds() : 0.0f;
-		FMotionBlurInputs BlurInputs =
-			FMotionBlurInputs::FromSettings(View.FinalPostProcessSettings, SceneColor, DeltaTime);
-		BlurInputs.SceneTextures = GetSceneTextures();
-		SceneColor = AddMotionBlurPass(GraphBuilder, View, BlurInputs);
+		if (!SceneTextures)
+		{
+			SceneTextures =
+				Inputs.SceneTextures ? Inputs.SceneTextures : CreateSceneTextureUniformBuffer(GraphBuilder, View);
+		}
+		return SceneTextures;
 	}
 
 	/** The display's own; where FXAA reads luma from two bits of alpha, half float. */
 	EPixelFormat GetTonemapFormat() const
 	{
-		const EPixelFormat Format = Drydock::GetDisplayFormat(GetTonemapperOutputDeviceParameters().OutputDevice);
+		const EPixelFormat Format = GetDisplayFormat(GetTonemapperOutputDeviceParameters().OutputDevice);
 		return Sequence.IsEnabled(EFramePass::FXAA) && Format == PF_A2B10G10R10 ? PF_FloatRGBA : Format;
-	}
-
-	/** Called for by the settings alone: an extension would have read them. */
-	void AddDualKawase()
-	{
-		FDualKawaseBlurInputs BlurInputs;
-		BlurInputs.SceneColor = SceneColor;
-		BlurInputs.Offset = View.FinalPostProcessSettings.DualKawaseBlurOffset;
-		BlurInputs.PassNum = View.FinalPostProcessSettings.DualKawaseBlurPassNum;
-		BlurInputs.bAsPrinted = IsDualKawaseAsPrinted();
-		SceneColor = AddDualKawaseBlurPass(GraphBuilder, View, BlurInputs);
 	}
 
 	/** Reads what next frame's screen-space reflections see; the picture of this frame is not changed by it. */
@@ -329,7 +341,7 @@ private:
 			"the result is kept for the next frame's reflections and not seen in this one");
 		if (Result.Texture != SceneColor.Texture && View.ViewState != nullptr)
 		{
-			View.ViewState->KeepTexture(GraphBuilder, Drydock::CustomSSRInputName, Result);
+			View.ViewState->KeepTexture(GraphBuilder, CustomSSRInputName, Result);
 		}
 	}
 
@@ -338,13 +350,14 @@ private:
 	FRDGBuilder& GraphBuilder;
 	const FViewInfo& View;
 	const FPostProcessingChainInputs& Inputs;
-	const std::vector<Drydock::FEffectDecision>& Effects;
-	Drydock::FViewExtensionFrame& Extensions;
+	const std::vector<FEffectDecision>& Effects;
+	FViewExtensionFrame& Extensions;
 	const bool bPostProcessing;
 	const bool bTonemapper;
-	Drydock::FArticleEffects ArticleEffects;
 	FInsertionPoints::FSequence Sequence;
 	FInsertionPoints Points;
+
+	TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures = nullptr;
 
 	// What one part leaves for the next.
 	FScreenPassTexture SceneColor; // the picture so far

@@ -2,7 +2,7 @@
 // order, and calls view extensions at its insertion points. Source: engine PostProcess/PostProcessing.h.
 #pragma once
 
-#include "Effects/EffectDecisions.h"
+#include "Effects/Effect.h"
 #include "Extensions/ViewExtensions.h"
 #include "PostProcess/PostProcessing.h"
 
@@ -31,14 +31,14 @@ struct FPostProcessingChainOutputs
 {
 	/** What the tonemapper reads, bloom apart. */
 	FScreenPassTexture SceneLinear;
-	/** The shadow buffer with the blurred shadow in A; invalid where ToonShadowBlur did not run. */
-	FScreenPassTexture BlurredToonShadow;
 	/** The display-encoded picture: ViewFamilyTexture. */
 	FScreenPassTexture Final;
 	/** What the tonemapper adds; not valid without bloom. */
 	FScreenPassTexture Bloom;
 	/** What the exposure was metered with; null where there is none. */
 	FRDGTextureRef Histogram = nullptr;
+	/** What effects can be measured on: what they kept, and "Bloom". */
+	Drydock::FKeptTextures Kept;
 };
 
 /** Builds the passes of the effects that are active in Effects. View.FinalPostProcessSettings holds the settings. */

@@ -167,24 +167,6 @@ struct FConfig
 	DRYDOCK_API std::string Resolve(const std::string& Path) const;
 };
 
-/** Reads Text; File names it in messages and is what relative paths are relative to. Every mistake that can be found is
- *  appended to Diagnostics, in the order of the file; where one is an error the result is not to be run. */
-DRYDOCK_API FConfig ReadConfig(const std::string& Text, const std::string& File, std::vector<FDiagnostic>& Diagnostics);
-
-/** Reads a file. Throws FError (exit code 3) when it cannot be opened. */
-DRYDOCK_API FConfig LoadConfig(const std::string& File, std::vector<FDiagnostic>& Diagnostics);
-
-/** Adds `Setting=Value` of the command line. */
-DRYDOCK_API void AddSettingArgument(
-	FConfig& Config, const std::string& Argument, std::vector<FDiagnostic>& Diagnostics);
-
-/** Adds `r.Name=Value` of the command line, which beats the config's. */
-DRYDOCK_API void AddVariableArgument(
-	FConfig& Config, const std::string& Argument, std::vector<FDiagnostic>& Diagnostics);
-
-/** Adds what a console would be told: "r.A 1, r.B=2, r.C, SomeCommand x", separated by commas; it beats --set. */
-DRYDOCK_API void AddExecArgument(FConfig& Config, const std::string& Argument, std::vector<FDiagnostic>& Diagnostics);
-
 DRYDOCK_API bool HasErrors(const std::vector<FDiagnostic>& Diagnostics);
 
 } // namespace Drydock

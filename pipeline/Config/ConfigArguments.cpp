@@ -1,6 +1,7 @@
 // `--pp`, `--set` and `--exec` of the command line, and console variables by name. Source: drydock.
-#include "Config/ConfigReader.h"
+#include "Config/ReadConfig.h"
 
+#include "Config/ConfigReader.h"
 #include "HAL/ConsoleVariableTools.h"
 #include "PostProcessSettingsReflection.h"
 #include "Scalability.h"
@@ -13,7 +14,7 @@ namespace Drydock
 namespace
 {
 
-const std::string CommandLine = "command line";
+const std::string CommandLine = CommandLineName;
 
 /** "A=B" to A and B; reports what is not. */
 bool SplitArgument(const std::string& Argument, const char* Option, std::string& OutName, std::string& OutValue,
@@ -124,11 +125,6 @@ void AddSettingArgument(FConfig& Config, const std::string& Argument, std::vecto
 	if (!Field->IsInRange(Value))
 	{
 		Messages.Warn(WarnOutOfRange, Place, Name + " is outside its range; it is used as it is");
-	}
-	const std::string NotBuilt = GetSettingNotBuiltReason(Name);
-	if (!NotBuilt.empty())
-	{
-		Messages.Warn(WarnNotBuilt, Place, Name + " is not built yet: " + NotBuilt);
 	}
 	Field->Set(Config.CommandLine.Settings, Value);
 	Field->SetOverridden(Config.CommandLine.Settings, true);

@@ -11,6 +11,9 @@
 namespace Drydock
 {
 
+/** The command line as the file of a message. */
+constexpr const char* CommandLineName = "command line";
+
 /** Collects messages about one file. */
 class FConfigMessages
 {
@@ -75,12 +78,6 @@ bool ReadConfigVector(const FJsonValue& Value, FConfigVector& OutVector);
 std::string Suggest(const std::string& Name, const std::vector<std::string>& Candidates);
 
 FConfigPlace PlaceOf(const FJsonValue& Value);
-
-/** Whether a setting acts in this build; else the reason why not, for the message. */
-std::string GetSettingNotBuiltReason(const std::string& Name);
-
-/** Read only where view.exposure is "auto". */
-bool IsMeteringSetting(const std::string& Name);
 
 /** Reports an unknown variable, or a value that the variable cannot take. */
 void CheckVariable(const FConfigVariable& Variable, FConfigMessages& Messages);

@@ -182,11 +182,6 @@ void ReadSetting(const std::string& Name, const FJsonValue& Value, FConfigSettin
 									  : SettingToText(*Field, Min) + " to " + SettingToText(*Field, Max);
 		Messages.Warn(WarnOutOfRange, Value, Name + " is outside its range, " + Range + "; it is used as it is");
 	}
-	const std::string NotBuilt = GetSettingNotBuiltReason(Name);
-	if (!NotBuilt.empty())
-	{
-		Messages.WarnAtKey(WarnNotBuilt, Value, Name + " is not built yet: " + NotBuilt);
-	}
 	Field->Set(Settings.Settings, SettingValue);
 	Field->SetOverridden(Settings.Settings, true);
 	Settings.Places[Name] = {Value.KeyLine, Value.KeyColumn, Value.Pointer};

@@ -1,7 +1,7 @@
 // Source: drydock.
 #include "Effects/ExposureReport.h"
 
-#include "Effects/ExposureDecisions.h"
+#include "Effects/Exposure.h"
 
 #include <cmath>
 #include <cstring>

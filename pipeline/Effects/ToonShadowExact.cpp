@@ -1,13 +1,12 @@
 // Source: drydock.
 #include "Effects/ToonShadowExact.h"
 
-#include "HAL/ConsoleVariableTools.h"
-#include "HAL/IConsoleManager.h"
 #include "Picture/TextureImage.h"
 #include "RHICommandList.h"
 #include "RenderGraphBuilder.h"
 #include "RenderTargetPool.h"
 #include "SceneRendering.h"
+#include "TextureLayout.h"
 #include "Toon/ToonShadowBlur.h"
 
 namespace Drydock
@@ -37,9 +36,7 @@ FScreenPassTexture RegisterShadow(FRDGBuilder& GraphBuilder, const FImage& ToonS
 
 FImage BlurToonShadowExactly(const FImage& ToonShadow, const FFinalPostProcessSettings& Settings)
 {
-	const FConsoleVariableSnapshot Before; // storage is chosen when a texture is created
-	IConsoleManager::Get().FindConsoleVariable(TEXT("r.Drydock.Storage"))->Set(TEXT("2"), ECVF_SetByConsole);
-
+	const FScopedStorageOverride Storage(EStorageOverride::Float64);
 	const FIntPoint Extent(ToonShadow.Width, ToonShadow.Height);
 	FRDGBuilder GraphBuilder(FRHICommandListExecutor::GetImmediateCommandList(), RDG_EVENT_NAME("ToonShadowExact"));
 	const FViewInfo View(nullptr, FIntRect(FIntPoint(0, 0), Extent), Extent);

@@ -103,12 +103,14 @@ void FViewExtensionFrame::Gather(FSceneViewFamily& Family, const std::optional<s
 	}
 }
 
-bool FViewExtensionFrame::Has(const std::string& ClassName) const
+std::vector<std::string> FViewExtensionFrame::GetNames() const
 {
-	// One of a config bears the name of its type: that of the class without the F.
-	return std::any_of(Extensions.begin(), Extensions.end(),
-		[&](const FExtension& Extension)
-		{ return Extension.Info.Name == ClassName || "F" + Extension.Info.Name == ClassName; });
+	std::vector<std::string> Names;
+	for (const FExtension& Extension : Extensions)
+	{
+		Names.push_back(Extension.Info.Name);
+	}
+	return Names;
 }
 
 void FViewExtensionFrame::ReportVersion(const FExtension& Extension)

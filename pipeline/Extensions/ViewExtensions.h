@@ -44,7 +44,7 @@ public:
 	void Gather(FSceneViewFamily& Family, const std::optional<std::vector<std::string>>& Plugins);
 	bool IsEmpty() const { return Extensions.empty(); }
 	/** An active extension of that class, without namespaces. */
-	bool Has(const std::string& ClassName) const;
+	std::vector<std::string> GetNames() const;
 
 	// Game thread, in this order; the three in the middle view by view.
 	void SetupViewFamily(FSceneViewFamily& Family);

@@ -135,9 +135,9 @@ FFrameOutput RenderFrame(const FFrameDesc& Desc)
 	Inputs.ShowFlags = MakeShowFlags(Desc);
 	FFrameView View;
 	View.Rect = GetViewRect(Desc);
-	View.Chain.ShowFlags = Inputs.ShowFlags;
-	View.Chain.Settings = StartFinalPostProcessSettings();
-	View.Chain.Gates = EndFinalPostProcessSettings(View.Chain.Settings, Inputs.ShowFlags);
+	View.Settings.ShowFlags = Inputs.ShowFlags;
+	View.Settings.Settings = StartFinalPostProcessSettings();
+	View.Settings.Gates = EndFinalPostProcessSettings(View.Settings.Settings, Inputs.ShowFlags);
 	Inputs.Views.push_back(View);
 	Inputs.RegisterSceneTextures = [&Desc](FRDGBuilder& GraphBuilder)
 	{

@@ -1,17 +1,15 @@
-// Source: drydock; the order is the engine's. A little past 500 lines: one frame, in the order in which it is made.
+// Renders one frame, in the order in which the engine does.
 #include "Frame/Frame.h"
 
 #include "Chain/PostProcessingChain.h"
-#include "Effects/ContentGates.h"
-#include "Effects/ExposureDecisions.h"
-#include "Effects/ToonShadowExact.h"
+#include "Effects/Effects.h"
+#include "Effects/Exposure.h"
 #include "Extensions/ViewExtensions.h"
 #include "Modules/ModuleManager.h"
 #include "Picture/TextureImage.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphNotes.h"
 #include "Tonemap/TonemapOutputDevice.h"
-#include "Toon/ToonShadowBlur.h"
 
 #include <algorithm>
 #include <chrono>
@@ -32,15 +30,12 @@ struct FViewOfFrame
 	}
 
 	std::shared_ptr<FSceneViewState> State;
-	FViewInfo View;
-	FChainSettings Chain;
+	FViewInfo View; // its FinalPostProcessSettings are the only live settings
+	FViewConditions Conditions;
 	std::vector<FEffectDecision> Effects;
 	FPostProcessingChainOutputs Outputs;
 	TRefCountPtr<IPooledRenderTarget> SceneLinear;
-	// What the bleed of toon bloom is measured on, where it is active.
-	TRefCountPtr<IPooledRenderTarget> Bloom;
-	TRefCountPtr<IPooledRenderTarget> GBufferB;
-	TRefCountPtr<IPooledRenderTarget> BlurredToonShadow;
+	std::map<std::string, FKeptTexture> Kept;
 	TRefCountPtr<IPooledRenderTarget> Histogram;
 	std::optional<FExposureReport> Exposure;
 };
@@ -123,24 +118,6 @@ void Paste(const FImage& Source, FIntPoint Position, FImage& Target)
 	}
 }
 
-FImage ReadAlpha(FRHITexture& Texture, const FIntRect& Rect)
-{
-	FImage Alpha{Rect.Width(), Rect.Height(), 1, {}};
-	Alpha.Values.resize(static_cast<size_t>(Rect.Width()) * static_cast<size_t>(Rect.Height()));
-	TArray<FLinearColor> Row;
-	Row.SetNum(Rect.Width());
-	for (int32 Y = 0; Y < Rect.Height(); ++Y)
-	{
-		Texture.ReadRow(Rect.Min.X, Rect.Min.Y + Y, Row);
-		for (int32 X = 0; X < Rect.Width(); ++X)
-		{
-			Alpha.Values[static_cast<size_t>(Y) * static_cast<size_t>(Rect.Width()) + static_cast<size_t>(X)] =
-				static_cast<double>(Row[X].A);
-		}
-	}
-	return Alpha;
-}
-
 class FFrameRenderer
 {
 public:
@@ -168,14 +145,14 @@ public:
 		Extensions.Finish(Observer.Graph);
 		for (const std::unique_ptr<FViewOfFrame>& View : Views)
 		{
-			MeasureBleed(*View);
-			MeasureBanding(*View);
 			ReadExposure(*View);
 		}
 		for (size_t Index = 0; Index < Views.size(); ++Index)
 		{
-			Result.Views.push_back({Inputs.Views[Index].Name, Inputs.Views[Index].Rect, Views[Index]->Chain,
-				std::move(Views[Index]->Effects), std::move(Views[Index]->Exposure)});
+			FViewOfFrame& View = *Views[Index];
+			Result.Views.push_back({Inputs.Views[Index].Name, Inputs.Views[Index].Rect,
+				View.View.FinalPostProcessSettings, View.Conditions.ExposureScale, View.View.PreExposure,
+				std::move(View.Effects), std::move(View.Kept), std::move(View.Exposure)});
 		}
 		if (Inputs.bExecute)
 		{
@@ -213,7 +190,7 @@ private:
 			NamedViews.push_back({&Views.back()->View, Inputs.Views[Index].Name});
 			SetUpView(Inputs.Views[Index], *Views.back());
 			Family.Views.Add(&Views.back()->View);
-			Extensions.SetupView(Family, NamedViews.back(), Views.back()->Chain.Gates);
+			Extensions.SetupView(Family, NamedViews.back(), Views.back()->Conditions.Gates);
 		}
 		Extensions.BeginRenderViewFamily(Family);
 	}
@@ -226,12 +203,12 @@ private:
 		Extensions.SetupViewProjectionMatrix(Source.Name, Projection);
 
 		const bool bMoved = !IsSameCamera(Camera, Source.Camera);
-		Target.Chain = bMoved && Source.MakeChain ? Source.MakeChain(Camera) : Source.Chain;
+		FViewSettings Settings = bMoved && Source.MakeSettings ? Source.MakeSettings(Camera) : Source.Settings;
 		if (!AreSameFlags(Family.EngineShowFlags, Inputs.ShowFlags))
 		{
-			Target.Chain.ShowFlags = Family.EngineShowFlags;
-			const std::vector<FSettingGate> Gates = ApplyShowFlags(Target.Chain.Settings, Family.EngineShowFlags);
-			Target.Chain.Gates.insert(Target.Chain.Gates.end(), Gates.begin(), Gates.end());
+			Settings.ShowFlags = Family.EngineShowFlags;
+			const std::vector<FSettingGate> Gates = ApplyShowFlags(Settings.Settings, Family.EngineShowFlags);
+			Settings.Gates.insert(Settings.Gates.end(), Gates.begin(), Gates.end());
 		}
 
 		FViewInfo& View = Target.View;
@@ -244,7 +221,8 @@ private:
 		View.UnconstrainedViewRect = Source.Rect;
 		View.PreExposure = Source.PreExposure;
 		View.ViewLocation = Projection.ViewOrigin;
-		View.FinalPostProcessSettings = Target.Chain.Settings;
+		View.FinalPostProcessSettings = std::move(Settings.Settings);
+		Target.Conditions = std::move(Settings);
 		if (View.ViewRect != Source.Rect)
 		{
 			Projection.SetViewRectangle(View.ViewRect);
@@ -353,87 +331,63 @@ private:
 	void AddChain(FRDGBuilder& GraphBuilder, const FNamedView& NamedView, FViewOfFrame& Target,
 		const FSceneTextures& SceneTextures, const FPostProcessingInputs& PostProcessingInputs)
 	{
-		Target.Chain.Settings = NamedView.View->FinalPostProcessSettings;
-		Target.Chain.bDualKawaseExtension = Extensions.Has("FDualKawaseBlur");
-		DecideEffectsOf(*NamedView.View, Target);
+		const std::vector<std::string> ExtensionNames = Extensions.GetNames();
+		const FEffectInputs Deciding(NamedView.View->FinalPostProcessSettings, Target.Conditions, ExtensionNames);
+		Target.Effects = Decide(Deciding, *NamedView.View);
 		FPostProcessingChainInputs ChainInputs;
 		ChainInputs.SceneColor = FScreenPassTexture(SceneTextures.Color, NamedView.View->ViewRect);
 		ChainInputs.ViewFamilyTexture = PostProcessingInputs.ViewFamilyTexture;
-		ChainInputs.ExposureScale = Target.Chain.ExposureScale;
+		ChainInputs.ExposureScale = Target.Conditions.ExposureScale;
 		ChainInputs.SceneTextures = PostProcessingInputs.SceneTextures;
 		ChainInputs.LightColor = Inputs.LightColor;
-		ChainInputs.bAutoExposure = IsAutoExposureActive(Target.Chain);
+		ChainInputs.bAutoExposure = IsAutoExposureActive(Target.Conditions);
 		Target.Outputs = AddPostProcessingPasses(GraphBuilder, NamedView, ChainInputs, Target.Effects, Extensions);
 		GraphBuilder.QueueTextureExtraction(Target.Outputs.SceneLinear.Texture, &Target.SceneLinear);
-		if (IsEffectActive(Target.Effects, "ToonBloom") && Target.Outputs.Bloom.IsValid() && SceneTextures.GBufferB)
-		{
-			GraphBuilder.QueueTextureExtraction(Target.Outputs.Bloom.Texture, &Target.Bloom);
-			GraphBuilder.QueueTextureExtraction(SceneTextures.GBufferB, &Target.GBufferB);
-		}
 		if (Target.Outputs.Histogram)
 		{
 			GraphBuilder.QueueTextureExtraction(Target.Outputs.Histogram, &Target.Histogram);
 		}
-		if (Target.Outputs.BlurredToonShadow.IsValid())
+		if (Inputs.bKeepMeasured)
 		{
-			GraphBuilder.QueueTextureExtraction(Target.Outputs.BlurredToonShadow.Texture, &Target.BlurredToonShadow);
+			Target.Outputs.Kept["GBufferB"] = FScreenPassTexture(SceneTextures.GBufferB, NamedView.View->ViewRect);
+			KeepMeasured(GraphBuilder, Target);
 		}
 	}
 
-	/** First from the settings; what they call for may have nothing to do in this scene. */
-	void DecideEffectsOf(const FViewInfo& View, FViewOfFrame& Target) const
+	/** From the settings; what these call for may have nothing to do in this scene. */
+	std::vector<FEffectDecision> Decide(const FEffectInputs& Deciding, const FViewInfo& View) const
 	{
-		Target.Effects = DecideEffects(Target.Chain);
-		const FContentQuestions Questions = AskContent(Target.Chain, Target.Effects);
-		if (!Inputs.MeasureContent || !Questions.Any())
+		std::vector<FEffectDecision> Decided = DecideBySettings(Deciding);
+		const FContentQuestions Questions = AskContent(Deciding, Decided);
+		if (Inputs.MeasureContent && Questions.Any())
 		{
-			return;
+			Decided = Extensions.IsEmpty()
+						  ? GateByContent(Deciding, Inputs.MeasureContent(View.ViewRect, Questions), Decided)
+						  : NoteContentUnseen(Deciding, Decided,
+								"the scene is not looked at: a view extension may change what it holds");
 		}
-		if (!Extensions.IsEmpty())
-		{
-			NoteContentUnseen(Target.Effects, "the scene is not looked at: a view extension may change what it holds");
-		}
-		else
-		{
-			Target.Chain.Content = Inputs.MeasureContent(View.ViewRect, Questions);
-			Target.Effects = DecideEffects(Target.Chain);
-		}
+		return CompleteReasons(Deciding, std::move(Decided));
 	}
 
-	void MeasureBleed(FViewOfFrame& View) const
+	/** What active effects are measured on outlives the graph. */
+	static void KeepMeasured(FRDGBuilder& GraphBuilder, FViewOfFrame& Target)
 	{
-		if (View.Bloom && View.GBufferB)
+		for (const FEffectDecision& Decision : Target.Effects)
 		{
-			const FImage Bloom = CropToRgba(ReadTexture(*View.Bloom->GetRHI()), View.Outputs.Bloom.ViewRect);
-			FindEffect(View.Effects, "ToonBloom")->Bleed = MeasureToonBleed(Bloom,
-				ReadAlpha(*View.GBufferB->GetRHI(), View.View.ViewRect), static_cast<double>(View.View.PreExposure));
-		}
-	}
-
-	void MeasureBanding(FViewOfFrame& View)
-	{
-		FEffectDecision* const Effect = FindEffect(View.Effects, "ToonShadowBlur");
-		if (!View.BlurredToonShadow || Effect == nullptr)
-		{
-			return;
-		}
-		constexpr int Blurred = 3;
-		FImage Shadow =
-			CropToRgba(ReadTexture(*View.BlurredToonShadow->GetRHI()), View.Outputs.BlurredToonShadow.ViewRect);
-		for (size_t Index = Blurred; Index < Shadow.Values.size(); Index += 4)
-		{
-			Shadow.Values[Index] = static_cast<double>(DecodeToonShadowBlur(
-				static_cast<float>(Shadow.Values[Index]), View.Chain.Settings.ToonShadowBlurStore));
-		}
-		Effect->Banding = Drydock::MeasureBanding(Shadow, Blurred);
-		Effect->Deviation = MeasureDarkDeviation(Shadow, BlurToonShadowExactly(Shadow, View.Chain.Settings), Blurred);
-		if (Result.BandingMap.Values.empty())
-		{
-			Result.BandingMap = MakeBandingMap(Shadow, Blurred);
-			Result.BlurredToonShadow = {Shadow.Width, Shadow.Height, 1, {}};
-			for (size_t Index = Blurred; Index < Shadow.Values.size(); Index += 4)
+			if (!Decision.bActive || *Decision.Effect->Measure == nullptr)
 			{
-				Result.BlurredToonShadow.Values.push_back(Shadow.Values[Index]);
+				continue;
+			}
+			for (const char* const Name : *Decision.Effect->Measured)
+			{
+				const auto Found = Target.Outputs.Kept.find(Name);
+				if (Found != Target.Outputs.Kept.end() && Found->second.Texture != nullptr &&
+					Target.Kept.count(Name) == 0)
+				{
+					FKeptTexture& Kept = Target.Kept[Name];
+					Kept.Rect = Found->second.ViewRect;
+					GraphBuilder.QueueTextureExtraction(Found->second.Texture, &Kept.Texture);
+				}
 			}
 		}
 	}
@@ -441,13 +395,13 @@ private:
 	/** What an automatic exposure came to. */
 	void ReadExposure(FViewOfFrame& View) const
 	{
-		if (!Inputs.bExecute || !IsAutoExposureActive(View.Chain))
+		if (!Inputs.bExecute || !IsAutoExposureActive(View.Conditions))
 		{
 			return;
 		}
-		View.Exposure = MakeExposureReport(View.View, GetAutoExposureMethod(View.Chain.Settings),
+		View.Exposure = MakeExposureReport(View.View, GetAutoExposureMethod(View.View.FinalPostProcessSettings),
 			*View.State->Next.Buffers.at(EyeAdaptationName), View.Histogram.GetReference());
-		View.Chain.ExposureScale = View.Exposure->Scale;
+		View.Conditions.ExposureScale = View.Exposure->Scale;
 	}
 
 	void ReadPictures()

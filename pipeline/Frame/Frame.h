@@ -2,7 +2,7 @@
 // knows no config: RunConfig and RenderFrame both come here. Source: drydock; the order is the engine's.
 #pragma once
 
-#include "Effects/EffectDecisions.h"
+#include "Effects/Effect.h"
 #include "Effects/ExposureReport.h"
 #include "Extensions/HookLog.h"
 #include "Picture/ImageFile.h"
@@ -14,6 +14,7 @@
 #include "SceneViewState.h"
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,12 +34,12 @@ struct FFrameView
 	FSceneCamera Lens;
 	FIntRect PictureRect; // what the lens sees, in the scene textures; empty: the view's own Rect
 	float PreExposure = 1.0f;
-	FChainSettings Chain;
+	FViewSettings Settings;
 	/** Keeps caches from frame to frame; null: each frame makes its own. What changes pictures comes and goes by
 	 * ViewStates. */
 	std::shared_ptr<FSceneViewState> State;
-	/** Settings for another camera, asked for when an extension moves it; empty: Chain holds everywhere. */
-	std::function<FChainSettings(const FMinimalViewInfo&)> MakeChain;
+	/** Settings for another camera, asked for when an extension moves it; empty: Settings hold everywhere. */
+	std::function<FViewSettings(const FMinimalViewInfo&)> MakeSettings;
 };
 
 struct FFrameInputs
@@ -62,15 +63,20 @@ struct FFrameInputs
 	std::function<FViewContent(const FIntRect& ViewRect, const FContentQuestions& Questions)> MeasureContent;
 	IRDGObserver* Observer = nullptr;
 	bool bExecute = true; // false: the graph is compiled only
+	/** Keeps the textures that active effects are measured on (FEffect::Measured). */
+	bool bKeepMeasured = false;
 };
 
 struct FFrameViewResult
 {
 	std::string Name;
 	FIntRect Rect;
-	FChainSettings Chain; // as the passes saw it
+	FFinalPostProcessSettings Settings; // as the passes saw them
+	float ExposureScale = 1.0f;         // of an automatic exposure the metered one, once the frame has run
+	float PreExposure = 1.0f;
 	std::vector<FEffectDecision> Effects;
-	std::optional<FExposureReport> Exposure; // of an executed frame whose exposure is automatic
+	std::map<std::string, FKeptTexture> Kept; // of an executed frame, where bKeepMeasured asked for it
+	std::optional<FExposureReport> Exposure;  // of an executed frame whose exposure is automatic
 };
 
 struct FFrameResult
@@ -84,8 +90,6 @@ struct FFrameResult
 	std::vector<FViewHistory> ViewStates; // for the next frame
 	FImage SceneLinear;                   // RGBA: the tonemapper's input, of all SceneRects; black where no view is
 	FImage Final;                         // RGBA: display-encoded, of all Rects, likewise
-	FImage BandingMap;        // RGB: of the blurred toon shadow of the first view that has one (Banding.h); else empty
-	FImage BlurredToonShadow; // that shadow, one channel, decoded
 
 	// Only of one that was not.
 	FRDGCompiledGraph Graph;

@@ -36,6 +36,24 @@ FImage ReadTexture(FRHITexture& Texture, int Mip)
 	return Image;
 }
 
+FImage ReadChannel(FRHITexture& Texture, const FIntRect& Rect, int Channel)
+{
+	FImage Values{Rect.Width(), Rect.Height(), 1, {}};
+	Values.Values.reserve(static_cast<size_t>(Rect.Width()) * static_cast<size_t>(Rect.Height()));
+	TArray<FLinearColor> Row;
+	Row.SetNum(Rect.Width());
+	for (int32 Y = Rect.Min.Y; Y < Rect.Max.Y; ++Y)
+	{
+		Texture.ReadRow(Rect.Min.X, Y, Row);
+		for (const FLinearColor& Texel : Row)
+		{
+			const float Components[4] = {Texel.R, Texel.G, Texel.B, Texel.A};
+			Values.Values.push_back(static_cast<double>(Components[Channel]));
+		}
+	}
+	return Values;
+}
+
 FImage CropToRgba(const FImage& Image, const FIntRect& Rect)
 {
 	FImage Crop;

@@ -211,6 +211,8 @@ int ParseAndRun(int NumArguments, char** Arguments)
 		"Keep what matches: a pass, a resource or Pass.Resource, with * and ?; repeats");
 	Run->add_flag("--no-skip", Options.Run.bNoSkip,
 		"Leave nothing out because nobody needs it: slower, the same bits; what is switched off stays off");
+	Run->add_flag("--measure-effects", Options.Run.bMeasureEffects,
+		"Measure what effects come to (bleed of toon bloom, banding of the toon shadow) and add it to run.json");
 	CLI::Option* Frames =
 		Run->add_option("--frames", Options.Frames,
 			   "Frames of a sequence, each with what lives on from the one before: all, 1-8, 1-9x2 (every second) or "

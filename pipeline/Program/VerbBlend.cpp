@@ -35,7 +35,7 @@ void AddExtensionEdits(const FRunSetup& Setup, FBlendReport& Report)
 	FHookLog Log;
 	FViewExtensionFrame Extensions(ParseEngineVersion(Setup.Config.Engine.Value), Log);
 	FSceneViewFamily Family;
-	Family.EngineShowFlags = Setup.Chain.ShowFlags;
+	Family.EngineShowFlags = Setup.Settings.ShowFlags;
 	Extensions.Gather(Family, Setup.Plugins);
 	Extensions.SetupViewFamily(Family);
 

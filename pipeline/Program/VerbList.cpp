@@ -1,6 +1,6 @@
 // `drydock list`. Source: drydock.
 #include "Config/SettingList.h"
-#include "Effects/EffectDecisions.h"
+#include "Effects/Effects.h"
 #include "GlobalShader.h"
 #include "Program/ExtensionList.h"
 #include "Program/Verbs.h"
@@ -42,12 +42,16 @@ FListTable ListPasses()
 
 FListTable ListEffects()
 {
-	FListTable Table{{"name", "state"}, {}, ""};
-	FChainSettings Chain;
-	for (const FEffectDecision& Effect : DecideEffects(Chain))
+	FListTable Table{{"name", "settings", "what it is"}, {}, ""};
+	for (const FEffect* const Effect : GetEffects())
 	{
-		const bool bNotBuilt = Effect.Reason.rfind("not built yet", 0) == 0 || Effect.Name == "FXAA";
-		Table.Rows.push_back({Effect.Name, bNotBuilt ? "not built yet" : "built"});
+		std::string Settings;
+		for (const FSettingClaim& Claim : *Effect->Settings)
+		{
+			const bool bActs = Claim.NotBuilt[0] == '\0';
+			Settings += bActs ? (Settings.empty() ? "" : " ") + std::string(Claim.Beginning) + "*" : "";
+		}
+		Table.Rows.push_back({*Effect->Name, Settings.empty() ? "-" : Settings, *Effect->Doc});
 	}
 	return Table;
 }

@@ -78,7 +78,7 @@ std::vector<std::string> MakeClosingLines(const std::vector<FEffectDecision>& Ef
 	{
 		if (Effect.bConfigured && !Effect.bActive)
 		{
-			Lines.push_back(Effect.Name + ": " + Effect.Reason);
+			Lines.push_back(Effect.GetName() + ": " + Effect.Reason);
 		}
 	}
 	return Lines;

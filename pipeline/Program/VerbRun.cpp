@@ -1,5 +1,6 @@
 // `drydock run`. Source: drydock.
 #include "Program/ProgressBar.h"
+#include "Config/ReadConfig.h"
 #include "Program/Verbs.h"
 #include "Run/CostModel.h"
 #include "Run/Run.h"

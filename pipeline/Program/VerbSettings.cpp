@@ -1,5 +1,5 @@
 // `drydock settings import` and `export`: the engine's paste text from and to configs. Source: drydock.
-#include "Config/Config.h"
+#include "Config/ReadConfig.h"
 #include "Config/SettingsJson.h"
 #include "PostProcessSettingsReflection.h"
 #include "Program/Verbs.h"
@@ -122,7 +122,7 @@ std::vector<FVolumeText> BlendVolume(const FSettingsVerbOptions& Options)
 	FVolumeText Volume;
 	Volume.Name = "At " + Options.At;
 	Volume.bUnbound = true;
-	Volume.Settings.Settings = Setup.Chain.Settings;
+	Volume.Settings.Settings = Setup.Settings.Settings;
 	for (const FSettingField& Field : GetSettingFields())
 	{
 		// What nobody overrides is the project's: r.DefaultFeature and the like hold there too.

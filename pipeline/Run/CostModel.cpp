@@ -74,24 +74,6 @@ uint64_t CountTexels(const FRDGResourceDescription& Resource, const FRDGUse& Use
 	return Texels * static_cast<uint64_t>(std::max(Use.NumSlices, 1));
 }
 
-/** Of "CharaGlowComp 96x64 (PS)": 96 * 64. Without a size: the largest number. */
-uint64_t CountNamedTexels(const std::string& Name)
-{
-	for (size_t Cross = Name.find('x'); Cross != std::string::npos; Cross = Name.find('x', Cross + 1))
-	{
-		const size_t Begin = Name.find_last_not_of("0123456789", Cross > 0 ? Cross - 1 : 0) + 1;
-		uint64_t Width = 0, Height = 0;
-		const char* const Text = Name.data();
-		const bool bWidth = std::from_chars(Text + Begin, Text + Cross, Width).ptr == Text + Cross;
-		const bool bHeight = std::from_chars(Text + Cross + 1, Text + Name.size(), Height).ec == std::errc();
-		if (bWidth && bHeight && Width > 0 && Height > 0 && Width < 65536 && Height < 65536)
-		{
-			return Width * Height;
-		}
-	}
-	return UINT64_MAX;
-}
-
 } // namespace
 
 std::string MakeCostConditions(const FRunResult& Result)
@@ -109,7 +91,8 @@ uint64_t CountWrittenTexels(const FRDGCompiledGraph& Graph, const FRDGCompiledPa
 			Most = std::max(Most, CountTexels(Graph.Resources[static_cast<size_t>(Use.Resource)], Use));
 		}
 	}
-	return std::min(Most, CountNamedTexels(Pass.Name));
+	const uint64_t Drawn = static_cast<uint64_t>(Pass.Area.X) * static_cast<uint64_t>(Pass.Area.Y);
+	return Drawn > 0 ? std::min(Most, Drawn) : Most;
 }
 
 FCostModel FCostModel::Load()

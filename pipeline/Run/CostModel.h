@@ -3,7 +3,7 @@
 #pragma once
 
 #include "RenderGraphCompiled.h"
-#include "Run/Run.h"
+#include "Run/RunResult.h"
 
 #include <cstdint>
 #include <map>

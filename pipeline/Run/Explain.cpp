@@ -88,39 +88,6 @@ double GetMegabytesWritten(const FRDGCompiledGraph& Graph, const FRDGCompiledPas
 
 } // namespace
 
-std::string FindEffectOfPass(const FRDGPassDescription& Pass)
-{
-	// Scopes and passes that do not bear their effect's name. A pass of toon bloom is one of bloom's.
-	static const std::vector<std::pair<std::string, std::string>> Others = {{"REDPostProcess", "RED"},
-		{"REDBloomComposite", "RED"}, {"ToonBloomMask", "ToonBloom"}, {"ToonShadowLighting", "ToonShadowBlur"},
-		{"HalfResolutionSceneColor", "Bloom"}, {"SceneDownsample", "Bloom"}, {"EyeAdaptation", "Exposure"},
-		{"Histogram", "Exposure"}, {"CombineLUTs", "Tonemap"}, {"PrimaryUpscale", "Upscale"}};
-	std::string Found;
-	size_t FoundEnd = 0;
-	size_t FoundLength = 0;
-	const auto Try = [&](const std::string& Word, const std::string& Effect)
-	{
-		// The innermost scope decides, so the last match does; of equal ones the longer word.
-		const size_t Begin = (Pass.Scope + "/" + Pass.Name).rfind(Word);
-		const size_t End = Begin == std::string::npos ? 0 : Begin + Word.size();
-		if (End > FoundEnd || (End == FoundEnd && End > 0 && Word.size() > FoundLength))
-		{
-			Found = Effect;
-			FoundEnd = End;
-			FoundLength = Word.size();
-		}
-	};
-	for (const std::string& Name : GetEffectNames())
-	{
-		Try(Name, Name);
-	}
-	for (const auto& [Word, Effect] : Others)
-	{
-		Try(Word, Effect);
-	}
-	return Found;
-}
-
 FExplainReport MakeExplainReport(const FRunResult& Frame, const FRunResult& NoSkip, const FCostModel& Model,
 	const FMeasuredPasses* MeasuredFrame, const FMeasuredPasses* MeasuredNoSkip)
 {
@@ -144,7 +111,7 @@ FExplainReport MakeExplainReport(const FRunResult& Frame, const FRunResult& NoSk
 		FExplainedPass Explained;
 		Explained.Index = Pass.Index;
 		Explained.Name = Pass.Name;
-		Explained.Effect = FindEffectOfPass(Pass);
+		Explained.Effect = Pass.Effect;
 		Explained.bExecutes = !Pass.bCulled;
 		Explained.Reason = Pass.Reason;
 		Explained.Shader = Pass.Shader;
@@ -159,7 +126,7 @@ FExplainReport MakeExplainReport(const FRunResult& Frame, const FRunResult& NoSk
 			Report.NumUnknown += Measured == nullptr && !Model.IsKnown(Pass, Conditions);
 		}
 		const auto Effect = std::find_if(Report.Effects.begin(), Report.Effects.end(),
-			[&](const FExplainedEffect& Candidate) { return Candidate.Decision.Name == Explained.Effect; });
+			[&](const FExplainedEffect& Candidate) { return Candidate.Decision.GetName() == Explained.Effect; });
 		if (Effect != Report.Effects.end())
 		{
 			Effect->NumPasses += Explained.bExecutes;

@@ -65,9 +65,6 @@ using FMeasuredPasses = std::vector<std::pair<int, double>>;
 DRYDOCK_API FExplainReport MakeExplainReport(const FRunResult& Frame, const FRunResult& NoSkip, const FCostModel& Model,
 	const FMeasuredPasses* MeasuredFrame = nullptr, const FMeasuredPasses* MeasuredNoSkip = nullptr);
 
-/** The effect whose pass it is, by its event scopes and its name; empty: none. */
-DRYDOCK_API std::string FindEffectOfPass(const FRDGPassDescription& Pass);
-
 /** Effects, then totals and what is saved. */
 DRYDOCK_API std::string MakeExplainText(const FExplainReport& Report, bool bColorful);
 

@@ -30,7 +30,7 @@ std::string FormatEffect(const FExplainedEffect& Effect, size_t NameWidth)
 {
 	const FEffectDecision& Decision = Effect.Decision;
 	const bool bPasses = Effect.NumPasses > 0;
-	return PadRight(Decision.Name, NameWidth) + "  " + (Decision.bActive ? "yes" : "no ") +
+	return PadRight(Decision.GetName(), NameWidth) + "  " + (Decision.bActive ? "yes" : "no ") +
 		   PadLeft(bPasses ? std::to_string(Effect.NumPasses) : "-", 8) +
 		   PadLeft(bPasses ? Format("%.2f", Effect.Milliseconds) : "-", 9) +
 		   PadLeft(bPasses ? Format("%.1f", Effect.Megabytes) : "-", 8) + "  " + Decision.Reason + "\n";
@@ -120,7 +120,7 @@ std::string MakeExplainText(const FExplainReport& Report, bool bColorful)
 	size_t NameWidth = 6;
 	for (const FExplainedEffect& Effect : Report.Effects)
 	{
-		NameWidth = std::max(NameWidth, Effect.Decision.Name.size());
+		NameWidth = std::max(NameWidth, Effect.Decision.GetName().size());
 	}
 	std::string Text = Bold + PadRight("effect", NameWidth) + "  runs  passes" +
 					   PadLeft(Report.bMeasured ? "ms" : "est. ms", 9) + PadLeft("MB", 8) + "  why" + Normal + "\n";
@@ -199,8 +199,8 @@ std::string MakeEffectText(const FExplainReport& Report, const std::string& Name
 	std::vector<std::string> Names;
 	for (const FExplainedEffect& Effect : Report.Effects)
 	{
-		Names.push_back(Effect.Decision.Name);
-		if (Effect.Decision.Name != Name)
+		Names.push_back(Effect.Decision.GetName());
+		if (Effect.Decision.GetName() != Name)
 		{
 			continue;
 		}
@@ -230,7 +230,7 @@ std::string MakeExplainJson(const FExplainReport& Report)
 	for (const FExplainedEffect& Effect : Report.Effects)
 	{
 		Writer.BeginObject(true);
-		Writer.Member("name", Effect.Decision.Name);
+		Writer.Member("name", Effect.Decision.GetName());
 		Writer.Member("active", Effect.Decision.bActive);
 		Writer.Member("reason", Effect.Decision.Reason);
 		Writer.Member("passes", Effect.NumPasses);

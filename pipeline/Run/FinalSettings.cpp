@@ -2,12 +2,16 @@
 #include "Run/FinalSettings.h"
 
 #include "Config/ConfigReader.h"
+#include "Effects/Effects.h"
+#include "Effects/Exposure.h"
 #include "Exposure/PostProcessEyeAdaptation.h"
 #include "HAL/IConsoleManager.h"
 #include "ShowFlags.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <set>
 
 namespace Drydock
 {
@@ -67,6 +71,25 @@ FEngineShowFlags MakeShowFlags(const FConfig& Config)
 	return ShowFlags;
 }
 
+/** Every place where a setting is given, in the order of the file; bCommandLine: by --pp. */
+void ForEachNamedSetting(const FConfig& Config,
+	const std::function<void(const std::string& Name, const FConfigPlace& Place, bool bCommandLine)>& Function)
+{
+	const auto Visit = [&](const FConfigSettings& Settings, bool bCommandLine)
+	{
+		for (const auto& [Name, Place] : Settings.Places)
+		{
+			Function(Name, Place, bCommandLine);
+		}
+	};
+	for (const FConfigVolume& Volume : Config.Volumes)
+	{
+		Visit(Volume.Settings, false);
+	}
+	Visit(Config.Camera.Settings, false);
+	Visit(Config.CommandLine, true);
+}
+
 /** "A, B, C and 4 more". */
 std::string ListSome(const std::vector<std::string>& Names)
 {
@@ -98,38 +121,33 @@ void WarnOfBlend(const FConfig& Config, const FBlendedSettings& Blended, std::ve
 /** Settings of metering where every exposure is a number. */
 void WarnOfMetering(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics)
 {
-	const bool bAuto = Config.View.bAutoExposure || std::any_of(Config.Views.begin(), Config.Views.end(),
-														[](const FConfigView& View) { return View.bAutoExposure; });
-	FConfigMessages Messages(Config.File, Diagnostics);
-	const auto Warn = [&](const FConfigSettings& Settings)
+	if (Config.View.bAutoExposure || std::any_of(Config.Views.begin(), Config.Views.end(),
+										 [](const FConfigView& View) { return View.bAutoExposure; }))
 	{
-		for (const auto& [Name, Place] : Settings.Places)
+		return;
+	}
+	FConfigMessages Messages(Config.File, Diagnostics);
+	ForEachNamedSetting(Config,
+		[&](const std::string& Name, const FConfigPlace& Place, bool)
 		{
-			if (!bAuto && IsMeteringSetting(Name))
+			if (IsMeteringSetting(Name))
 			{
 				Messages.Warn(WarnIneffectiveValue, Place,
 					Name + " does nothing here: view.exposure is a number, and not \"auto\"");
 			}
-		}
-	};
-	for (const FConfigVolume& Volume : Config.Volumes)
-	{
-		Warn(Volume.Settings);
-	}
-	Warn(Config.Camera.Settings);
-	Warn(Config.CommandLine);
+		});
 }
 
 /** The scene's own exposure at the default bias. */
-float ComputeExposureScale(const FConfig& Config, const FChainSettings& Chain)
+float ComputeExposureScale(const FConfig& Config, const FViewSettings& View)
 {
-	if (!Chain.ShowFlags.EyeAdaptation || (Chain.bAutoExposure && !IsEyeAdaptationAllowed()))
+	if (!View.ShowFlags.EyeAdaptation || (View.bAutoExposure && !IsEyeAdaptationAllowed()))
 	{
 		return 1.0f;
 	}
 	const float DefaultBias = StartFinalPostProcessSettings().AutoExposureBias;
 	return static_cast<float>(
-		Config.View.Exposure.Value * std::exp2(static_cast<double>(Chain.Settings.AutoExposureBias) - DefaultBias));
+		Config.View.Exposure.Value * std::exp2(static_cast<double>(View.Settings.AutoExposureBias) - DefaultBias));
 }
 
 } // namespace
@@ -168,26 +186,29 @@ std::string GetVolumeName(const FConfig& Config, size_t Index)
 
 std::vector<std::string> GetNamedSettings(const FConfig& Config)
 {
-	std::vector<std::string> Names;
-	const auto Add = [&](const FConfigSettings& Settings)
-	{
-		for (const auto& [Name, Place] : Settings.Places)
-		{
-			Names.push_back(Name);
-		}
-	};
-	for (const FConfigVolume& Volume : Config.Volumes)
-	{
-		Add(Volume.Settings);
-	}
-	Add(Config.Camera.Settings);
-	Add(Config.CommandLine);
-	std::sort(Names.begin(), Names.end());
-	Names.erase(std::unique(Names.begin(), Names.end()), Names.end());
-	return Names;
+	std::set<std::string> Names;
+	ForEachNamedSetting(Config, [&](const std::string& Name, const FConfigPlace&, bool) { Names.insert(Name); });
+	return {Names.begin(), Names.end()};
 }
 
-FChainSettings MakeChainSettings(const FConfig& Config, std::vector<FDiagnostic>* Diagnostics)
+void WarnOfUnreadSettings(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics)
+{
+	const std::string CommandLine = CommandLineName;
+	FConfigMessages OfFile(Config.File, Diagnostics);
+	FConfigMessages OfCommandLine(CommandLine, Diagnostics);
+	ForEachNamedSetting(Config,
+		[&](const std::string& Name, const FConfigPlace& Place, bool bCommandLine)
+		{
+			const std::string NotBuilt = GetSettingNotBuiltReason(Name);
+			if (!NotBuilt.empty())
+			{
+				(bCommandLine ? OfCommandLine : OfFile)
+					.Warn(WarnNotBuilt, Place, Name + " is not built yet: " + NotBuilt);
+			}
+		});
+}
+
+FViewSettings MakeViewSettings(const FConfig& Config, std::vector<FDiagnostic>* Diagnostics)
 {
 	FBlendedSettings Blended = BlendSettingsAt(Config, GetViewLocation(Config));
 	if (Diagnostics != nullptr)
@@ -195,18 +216,16 @@ FChainSettings MakeChainSettings(const FConfig& Config, std::vector<FDiagnostic>
 		WarnOfBlend(Config, Blended, *Diagnostics);
 		WarnOfMetering(Config, *Diagnostics);
 	}
-	FChainSettings Chain;
-	Chain.ShowFlags = MakeShowFlags(Config);
-	Chain.Settings = std::move(Blended.Settings);
-	Chain.Gates = std::move(Blended.Gates);
-	Chain.ScreenPercentage = Config.Scene.ScreenPercentage;
-	Chain.bAutoExposure = Config.View.bAutoExposure;
-	Chain.ExposureScale = ComputeExposureScale(Config, Chain);
-	Chain.bNoSkip = Config.bNoSkip;
-	Chain.NamedSettings = GetNamedSettings(Config);
-	Chain.bToonBloomConfigured = std::find(Chain.NamedSettings.begin(), Chain.NamedSettings.end(),
-									 "BloomToonIntensity") != Chain.NamedSettings.end();
-	return Chain;
+	FViewSettings View;
+	View.ShowFlags = MakeShowFlags(Config);
+	View.Settings = std::move(Blended.Settings);
+	View.Gates = std::move(Blended.Gates);
+	View.ScreenPercentage = Config.Scene.ScreenPercentage;
+	View.bAutoExposure = Config.View.bAutoExposure;
+	View.ExposureScale = ComputeExposureScale(Config, View);
+	View.bNoSkip = Config.bNoSkip;
+	View.NamedSettings = GetNamedSettings(Config);
+	return View;
 }
 
 } // namespace Drydock

@@ -4,7 +4,7 @@
 
 #include "BlendSettings.h"
 #include "Config/Config.h"
-#include "Effects/EffectDecisions.h"
+#include "Effects/Effect.h"
 
 namespace Drydock
 {
@@ -23,10 +23,13 @@ DRYDOCK_API FVector GetViewLocation(const FConfig& Config);
 
 /** At the view's location. Console variables must be set already. What is doubtful about the blend (two volumes of one
  * priority that disagree, values that are not finite) is appended to Diagnostics, unless that is null. */
-DRYDOCK_API FChainSettings MakeChainSettings(const FConfig& Config, std::vector<FDiagnostic>* Diagnostics = nullptr);
+DRYDOCK_API FViewSettings MakeViewSettings(const FConfig& Config, std::vector<FDiagnostic>* Diagnostics = nullptr);
 
 /** Names of all settings that something in the config gives, active or not. */
 DRYDOCK_API std::vector<std::string> GetNamedSettings(const FConfig& Config);
+
+/** A warning for each setting that the config gives and no effect reads, or that does nothing here. */
+DRYDOCK_API void WarnOfUnreadSettings(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics);
 
 /** "Stage"; "volumes/2" for one without a name. */
 DRYDOCK_API std::string GetVolumeName(const FConfig& Config, size_t Index);

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Runs a config: scene, frame, measurements, report.
 #include "Run/Run.h"
 
 #include "Extensions/EngineProfile.h"
@@ -220,10 +220,9 @@ FRunResult MakeResult(const FRunSetup& Setup, const FScene& Scene)
 	FRunResult Result;
 	Result.Config = Setup.Config;
 	Result.Diagnostics = Setup.Diagnostics;
-	Result.Effects = Setup.Effects;
 	Result.BudgetReason = Setup.BudgetReason;
-	Result.Settings = Setup.Chain.Settings;
-	Result.ExposureScale = Setup.Chain.ExposureScale;
+	Result.Settings = Setup.Settings.Settings;
+	Result.ExposureScale = Setup.Settings.ExposureScale;
 	Result.Precision = GetVariableInt("r.Drydock.Precision") == 1 ? "double" : "float";
 	Result.Storage = StorageNames[std::clamp(GetVariableInt("r.Drydock.Storage"), 0, 2)];
 	Result.Threads = GetNumThreads();
@@ -264,7 +263,7 @@ FSceneCamera GetLens(const FConfigView& View, const FScene& Scene)
 /** Where each view's pixels of the file go in scene textures of another resolution; none: the file's own. */
 std::vector<FSceneRegion> MakeRegions(const FRunSetup& Setup, const FScene& Scene)
 {
-	const double Percentage = GetScreenPercentage(Setup.Chain);
+	const double Percentage = GetScreenPercentage(Setup.Settings);
 	if (Percentage == 100.0)
 	{
 		return {};
@@ -293,20 +292,20 @@ FFrameView MakeFrameView(const FRunSetup& Setup, const FConfigView& ConfigView, 
 	FFrameView View;
 	View.Rect = GetViewRect(Setup.Config, ConfigView, Scene);
 	const FIntPoint Corner = Scene.GetPictureRect().Min;
-	View.SceneRect = ScaleRect(View.Rect - Corner, GetScreenPercentage(Setup.Chain)) + Corner;
+	View.SceneRect = ScaleRect(View.Rect - Corner, GetScreenPercentage(Setup.Settings)) + Corner;
 	View.Lens = GetLens(ConfigView, Scene);
 	View.Camera.Location = View.Lens.Location;
 	View.Camera.Rotation = FRotator(View.Lens.Pitch, View.Lens.Yaw, View.Lens.Roll);
 	View.Camera.FOV = static_cast<float>(View.Lens.HorizontalFov);
 	View.PictureRect = Scene.GetPictureRect();
 	View.PreExposure = static_cast<float>(ConfigView.PreExposure.Value);
-	View.MakeChain = [&Setup, &ConfigView](const FMinimalViewInfo& Camera)
+	View.MakeSettings = [&Setup, &ConfigView](const FMinimalViewInfo& Camera)
 	{
 		FConfig Moved = Setup.Config;
 		Moved.View = ConfigView;
 		Moved.View.Location.Value = {Camera.Location.X, Camera.Location.Y, Camera.Location.Z};
 		Moved.View.Location.Place.Line = std::max(Moved.View.Location.Place.Line, 1); // counts as given
-		return MakeChainSettings(Moved);
+		return MakeViewSettings(Moved);
 	};
 	return View;
 }
@@ -344,12 +343,13 @@ FFrameInputs MakeFrameInputs(const FRunOptions& Options, const FRunSetup& Setup,
 	Inputs.Extent = Scene.GetExtent();
 	Inputs.OutputExtent = Scene.GetOutputExtent();
 	Inputs.LightColor = Scene.GetLightColor();
-	Inputs.ShowFlags = Setup.Chain.ShowFlags;
+	Inputs.ShowFlags = Setup.Settings.ShowFlags;
 	Inputs.FrameNumber = static_cast<uint32>(Setup.Config.Scene.Frame.value_or(Options.Frame.value_or(0)));
 	Inputs.Time = GetFrameTime(Setup.Config.Scene, Scene, Before.Last);
 	Inputs.ViewStates = Before.Last;
 	Inputs.Observer = &Observer;
 	Inputs.bExecute = Options.bExecute;
+	Inputs.bKeepMeasured = Options.bMeasureEffects && Options.bExecute;
 	Inputs.RegisterSceneTextures = [&Scene](FRDGBuilder& GraphBuilder)
 	{
 		return Scene.RegisterTextures(GraphBuilder);
@@ -365,7 +365,7 @@ FFrameInputs MakeFrameInputs(const FRunOptions& Options, const FRunSetup& Setup,
 	if (Setup.Config.Views.size() <= 1)
 	{
 		Inputs.Views.push_back(MakeFrameView(Setup, Setup.Config.View, Scene));
-		Inputs.Views[0].Chain = Setup.Chain;
+		Inputs.Views[0].Settings = Setup.Settings;
 	}
 	else
 	{
@@ -373,7 +373,7 @@ FFrameInputs MakeFrameInputs(const FRunOptions& Options, const FRunSetup& Setup,
 		{
 			FFrameView View = MakeFrameView(Setup, ConfigView, Scene);
 			View.Name = "View " + std::to_string(Inputs.Views.size());
-			View.Chain = View.MakeChain(View.Camera);
+			View.Settings = View.MakeSettings(View.Camera);
 			Inputs.Views.push_back(std::move(View));
 		}
 	}
@@ -399,12 +399,14 @@ void RunGraph(
 	const FFrameViewResult& View = Frame.Views[0];
 	for (const FFrameViewResult& Other : Frame.Views)
 	{
-		Result.Views.push_back({Other.Name, Other.Rect, Other.Chain.ExposureScale, Other.Effects, Other.Exposure});
+		Result.Views.push_back({Other.Name, Other.Rect, Other.ExposureScale, Other.Effects,
+			MeasureEffects(Other.Effects, {Other.Settings, Other.PreExposure, Other.Kept}), Other.Exposure});
 	}
-	Result.Settings = View.Chain.Settings;
-	Result.ExposureScale = View.Chain.ExposureScale;
+	Result.Settings = View.Settings;
+	Result.ExposureScale = View.ExposureScale;
 	Result.Exposure = View.Exposure;
 	Result.Effects = View.Effects;
+	Result.Figures = Result.Views[0].Figures;
 	Result.HookCalls = std::move(Frame.Log.Calls);
 	Result.HookPoints = std::move(Frame.Log.Points);
 	Result.Diagnostics.insert(Result.Diagnostics.end(), Frame.Log.Diagnostics.begin(), Frame.Log.Diagnostics.end());
@@ -421,8 +423,6 @@ void RunGraph(
 	Result.ViewStates = std::move(Frame.ViewStates);
 	Result.SceneLinear = std::move(Frame.SceneLinear);
 	Result.Final = std::move(Frame.Final);
-	Result.BandingMap = std::move(Frame.BandingMap);
-	Result.BlurredToonShadow = std::move(Frame.BlurredToonShadow);
 }
 
 /** Adds what is known only with the config to an error of a later stage. */
@@ -454,7 +454,7 @@ FRunResult FRunSession::Run(std::optional<int> Frame, const std::vector<FViewHis
 	try
 	{
 		FScene Scene(Setup->Config);
-		Scene.SetResolution(GetScreenPercentage(Setup->Chain), MakeRegions(*Setup, Scene));
+		Scene.SetResolution(GetScreenPercentage(Setup->Settings), MakeRegions(*Setup, Scene));
 		FRunResult Result = MakeResult(*Setup, Scene);
 		RunGraph(Options, *Setup, Scene, {Last, Caches}, Result);
 		Result.Channels = Scene.GetChannels();
@@ -493,7 +493,8 @@ FRunResult RunConfig(const FRunOptions& Options)
 FCheckResult CheckConfig(const FRunOptions& Options)
 {
 	FRunSetup Setup(Options);
-	return {std::move(Setup.Config), std::move(Setup.Diagnostics), Setup.Chain.Settings, std::move(Setup.Effects)};
+	return {
+		std::move(Setup.Config), std::move(Setup.Diagnostics), Setup.Settings.Settings, DecideEffects(Setup.Settings)};
 }
 
 } // namespace Drydock

@@ -3,96 +3,15 @@
 #pragma once
 
 #include "Budget/RunOptions.h"
-#include "Config/Config.h"
-#include "Effects/EffectDecisions.h"
-#include "Effects/ExposureReport.h"
-#include "Extensions/HookLog.h"
-#include "PassCounters.h"
-#include "Picture/ImageFile.h"
-#include "RenderGraphCompiled.h"
-#include "SceneFile/Scene.h"
-#include "SceneViewState.h"
-#include "Tonemap/TonemapOutputDevice.h"
+#include "Budget/RunOptions.h"
+#include "Run/RunResult.h"
 
 #include <memory>
-#include <string>
+#include <optional>
 #include <vector>
 
 namespace Drydock
 {
-
-/** A resource as it was right after a pass. */
-struct FRunDump
-{
-	int PassIndex = 0; // 0: an external input
-	std::string Pass;  // "External" for those
-	std::string Resource;
-	int Mip = -1;                      // -1: there is only one
-	FImage Image;                      // the whole extent, values as stored
-	std::vector<std::string> Channels; // "R", "G", ...: those the format has
-};
-
-struct FRunPass
-{
-	int Index = 0;
-	double Milliseconds = 0.0;
-	FPassCounters Counters;
-};
-
-/** One view of several. */
-struct FRunView
-{
-	std::string Name; // "View 0"
-	FIntRect Rect;
-	float ExposureScale = 1.0f;
-	std::vector<FEffectDecision> Effects;
-	std::optional<FExposureReport> Exposure;
-};
-
-/** Milliseconds of the run's parts. */
-struct FRunTimes
-{
-	double Load = 0.0;    // reading and converting scene channels
-	double Compile = 0.0; // building and compiling the graph
-	double Execute = 0.0; // the passes
-};
-
-struct FRunResult
-{
-	FConfig Config;
-	std::vector<FDiagnostic> Diagnostics; // warnings; errors are thrown
-	FRDGCompiledGraph Graph;
-	std::vector<FEffectDecision> Effects;
-	FFinalPostProcessSettings Settings;
-	float ExposureScale = 1.0f;
-	std::optional<FExposureReport> Exposure; // of an executed run whose exposure is automatic
-	std::string Precision;                   // "float", "double"
-	std::string Storage;                     // "native", "float32", "float64"
-	std::string BudgetReason;                // what a study chose for this run, and why; empty: nothing was asked
-	int Threads = 0;
-	FIntPoint SceneExtent = FIntPoint(0, 0);
-	FIntRect ViewRect; // of all views
-	std::vector<FRunView> Views;
-	std::vector<FSceneChannel> Channels;
-	uint64_t SceneTextureBytes = 0; // of the scene textures that were loaded, or with bPlanLoads would be
-	FLinearColor LightColor;        // of the scene's main light, relative
-	EDisplayOutputFormat OutputDevice = EDisplayOutputFormat::SDR_sRGB; // what Final is encoded for
-	std::vector<FHookCall> HookCalls;                                   // what view extensions were asked and did
-	std::vector<FHookPoint> HookPoints;                                 // the chain's insertion points
-
-	// Only of an executed run.
-	std::vector<FRunPass> Passes; // those that executed
-	FImage SceneLinear;           // RGBA: the tonemapper's input, the views only, at the scene's resolution
-	FImage Final;                 // RGBA, display-encoded, the view rect only
-	FImage BandingMap;            // RGB, of the blurred toon shadow; empty where there is none
-	FImage BlurredToonShadow;     // one channel, decoded: what lighting reads; empty where there is none
-	std::vector<FRunDump> Dumps;
-	std::vector<FViewHistory> ViewStates; // what lives on to the next frame
-	FRunTimes Times;
-
-	/** Text of run.json: the same bytes for the same run. */
-	std::string RunJson;
-};
 
 /** Reads the config, decides, builds and compiles the graph and, where asked, executes it. Console variables are put
  * back afterwards. Throws FError with everything collected; not for two threads at once. */

@@ -2,7 +2,7 @@
 // drydock.
 #pragma once
 
-#include "Run/Run.h"
+#include "Run/RunResult.h"
 
 namespace Drydock
 {

@@ -33,44 +33,49 @@ void WriteSettings(FJsonWriter& Writer, const FRunResult& Result)
 	Writer.EndObject();
 }
 
-void WriteEffects(FJsonWriter& Writer, const std::vector<FEffectDecision>& Effects)
+void WriteFigure(FJsonWriter& Writer, const FFigure& Figure)
+{
+	if (const double* const Number = std::get_if<double>(&Figure.Value))
+	{
+		Writer.Member(Figure.Name.c_str(), *Number);
+	}
+	else if (const uint64_t* const Count = std::get_if<uint64_t>(&Figure.Value))
+	{
+		Writer.Member(Figure.Name.c_str(), *Count);
+	}
+	else
+	{
+		Writer.Key(Figure.Name.c_str()).BeginArray(true);
+		for (const uint64_t Count : std::get<std::vector<uint64_t>>(Figure.Value))
+		{
+			Writer.Value(Count);
+		}
+		Writer.EndArray();
+	}
+}
+
+void WriteEffects(
+	FJsonWriter& Writer, const std::vector<FEffectDecision>& Effects, const FFiguresByEffect& FiguresByEffect)
 {
 	Writer.Key("effects").BeginArray();
 	for (const FEffectDecision& Effect : Effects)
 	{
 		Writer.BeginObject(true);
-		Writer.Member("name", Effect.Name);
+		Writer.Member("name", Effect.GetName());
 		Writer.Member("active", Effect.bActive);
 		Writer.Member("reason", Effect.Reason);
-		if (Effect.Bleed)
+		const auto Figures = FiguresByEffect.find(Effect.GetId());
+		if (Figures != FiguresByEffect.end())
 		{
-			Writer.Key("bleed").BeginObject(true);
-			Writer.Member("outside", Effect.Bleed->Outside);
-			Writer.Member("inside", Effect.Bleed->Inside);
-			Writer.Member("ratio", Effect.Bleed->GetRatio());
-			Writer.EndObject();
-		}
-		if (Effect.Banding)
-		{
-			Writer.Key("banding").BeginObject(true);
-			Writer.Member("uniqueLevels", Effect.Banding->UniqueLevels);
-			Writer.Member("darkLevels", Effect.Banding->DarkLevels);
-			Writer.Member("longestFlatRun", Effect.Banding->LongestFlatRun);
-			Writer.Key("stepHistogram").BeginArray(true);
-			for (const uint64_t Count : Effect.Banding->StepHistogram)
+			for (const FFigureGroup& Group : Figures->second.Groups)
 			{
-				Writer.Value(Count);
+				Writer.Key(Group.Name.c_str()).BeginObject(true);
+				for (const FFigure& Figure : Group.Figures)
+				{
+					WriteFigure(Writer, Figure);
+				}
+				Writer.EndObject();
 			}
-			Writer.EndArray();
-			Writer.EndObject();
-		}
-		if (Effect.Deviation)
-		{
-			Writer.Key("darkDeviation").BeginObject(true);
-			Writer.Member("rms", Effect.Deviation->Rms);
-			Writer.Member("largest", Effect.Deviation->Largest);
-			Writer.Member("texels", Effect.Deviation->Texels);
-			Writer.EndObject();
 		}
 		Writer.EndObject();
 	}
@@ -128,10 +133,12 @@ void WriteOutputs(FJsonWriter& Writer, const FRunResult& Result)
 	Writer.Member("timing", "timing.json");
 	Writer.Member("graph", "graph.dot");
 	Writer.Member("trace", "trace.json");
-	if (!Result.BandingMap.Values.empty())
+	for (const auto& [Id, Figures] : Result.Figures)
 	{
-		Writer.Member("toonShadowBlurred", "toon_shadow_blurred.png");
-		Writer.Member("toonShadowBanding", "toon_shadow_banding.png");
+		for (const FEffectPicture& Picture : Figures.Pictures)
+		{
+			Writer.Member(Picture.Name.c_str(), Picture.File + ".png");
+		}
 	}
 	Writer.Key("passes").BeginArray();
 	for (const FRunDump& Dump : Result.Dumps)
@@ -222,7 +229,7 @@ void WriteViews(FJsonWriter& Writer, const FRunResult& Result)
 			WriteExposure(Writer, View.Exposure);
 			Writer.EndObject();
 		}
-		WriteEffects(Writer, View.Effects);
+		WriteEffects(Writer, View.Effects, View.Figures);
 		Writer.EndObject();
 	}
 	Writer.EndArray();
@@ -282,7 +289,7 @@ std::string MakeRunJson(const FRunResult& Result)
 	WriteExposure(Writer, Result.Exposure);
 	Writer.EndObject();
 	WriteSettings(Writer, Result);
-	WriteEffects(Writer, Result.Effects);
+	WriteEffects(Writer, Result.Effects, Result.Figures);
 	WriteViews(Writer, Result);
 	WriteHookCalls(Writer, Result);
 	WritePasses(Writer, Result);

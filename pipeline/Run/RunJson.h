@@ -2,7 +2,7 @@
 // config; times are in timing.json and trace.json. Source: drydock; trace.json is Chrome's trace-event format.
 #pragma once
 
-#include "Run/Run.h"
+#include "Run/RunResult.h"
 
 namespace Drydock
 {

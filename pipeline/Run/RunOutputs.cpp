@@ -101,11 +101,13 @@ void WriteAside(const FRunResult& Result, const Files::path& Folder)
 		[&] { WriteExr((Folder / "final.exr").string(), TakeRgb(Result.Final), GetChannelNames(3), Display); });
 	Jobs.push_back([&]
 		{ WritePng((Folder / "final.png").string(), MakeDisplayPreview(TakeRgb(Result.Final), Result.OutputDevice)); });
-	if (!Result.BandingMap.Values.empty())
+	for (const auto& [Id, Figures] : Result.Figures)
 	{
-		Jobs.push_back([&] { WritePng((Folder / "toon_shadow_banding.png").string(), Result.BandingMap); });
-		Jobs.push_back(
-			[&] { WritePng((Folder / "toon_shadow_blurred.png").string(), MakePreview(Result.BlurredToonShadow)); });
+		for (const FEffectPicture& Picture : Figures.Pictures)
+		{
+			Jobs.push_back([&Picture, File = (Folder / (Picture.File + ".png")).string()]
+				{ WritePng(File, Picture.bLinear ? MakePreview(Picture.Image) : Picture.Image); });
+		}
 	}
 	for (const FRunDump& Dump : Result.Dumps)
 	{

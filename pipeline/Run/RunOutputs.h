@@ -2,7 +2,7 @@
 // nobody ever sees half a run. Source: drydock.
 #pragma once
 
-#include "Run/Run.h"
+#include "Run/RunResult.h"
 
 #include <map>
 #include <string>

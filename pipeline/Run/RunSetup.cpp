@@ -1,6 +1,7 @@
-// Source: drydock.
+// Takes a run from its options to blended settings, step by step.
 #include "Run/RunSetup.h"
 
+#include "Config/ReadConfig.h"
 #include "Bloom/PostProcessFFTBloom.h"
 #include "Budget/BudgetChoice.h"
 #include "Config/ConfigReader.h"
@@ -62,7 +63,7 @@ void WarnOfMissingPictures(const FFinalPostProcessSettings& Settings, FConfigMes
 }
 
 /** Values that are valid, but that this build cannot act on. */
-void WarnOfIneffectiveValues(const FConfig& Config, const FChainSettings& Chain, std::vector<FDiagnostic>& Diagnostics)
+void WarnOfIneffectiveValues(const FConfig& Config, const FViewSettings& View, std::vector<FDiagnostic>& Diagnostics)
 {
 	FConfigMessages Messages(Config.File, Diagnostics);
 	const FConfigPlace Nowhere;
@@ -72,27 +73,160 @@ void WarnOfIneffectiveValues(const FConfig& Config, const FChainSettings& Chain,
 		Messages.Warn(WarnIneffectiveValue, Nowhere,
 			"r.AntiAliasingMethod " + std::to_string(AntiAliasing) + " is not simulated: no antialiasing runs");
 	}
-	const std::string Obstacle = Chain.Settings.BloomMethod == BM_FFT && Chain.Settings.BloomIntensity > 0.0f
-									 ? GetFFTBloomObstacle(Chain.Settings, true)
+	const std::string Obstacle = View.Settings.BloomMethod == BM_FFT && View.Settings.BloomIntensity > 0.0f
+									 ? GetFFTBloomObstacle(View.Settings, true)
 									 : std::string();
 	if (!Obstacle.empty())
 	{
 		Messages.Warn(WarnIneffectiveValue, Nowhere, "BloomMethod BM_FFT: " + Obstacle + ", so the Gaussian sum runs");
 	}
-	WarnOfMissingPictures(Chain.Settings, Messages);
+	WarnOfMissingPictures(View.Settings, Messages);
 }
 
-FConfig Read(const FRunOptions& Options, std::vector<FDiagnostic>& Diagnostics)
+FConfigDocument OpenDocument(const FRunOptions& Options)
 {
-	return Options.ConfigText ? ReadConfig(*Options.ConfigText, Options.ConfigFile, Diagnostics)
-							  : LoadConfig(Options.ConfigFile, Diagnostics);
+	return Options.ConfigText ? ParseConfigDocument(*Options.ConfigText, Options.ConfigFile)
+							  : LoadConfigDocument(Options.ConfigFile);
 }
 
-/** Mistakes of the rest are reported when it is read with the plugins there. */
-std::vector<std::string> LoadPluginsOf(const FRunOptions& Options, std::vector<FDiagnostic>& Diagnostics)
+void ThrowErrors(const std::vector<FDiagnostic>& Diagnostics)
 {
-	std::vector<FDiagnostic> Ignored;
-	return LoadPlugins(Read(Options, Ignored), Diagnostics);
+	if (HasErrors(Diagnostics))
+	{
+		throw FError(Diagnostics, ExitUsage);
+	}
+}
+
+/** --set and --exec in the order of the command line, in which an --exec stands behind a number of --set. */
+void AddVariableArguments(FConfig& Config, const FRunOptions& Options, std::vector<FDiagnostic>& Diagnostics)
+{
+	size_t NumVariables = 0;
+	const auto AddVariablesUpTo = [&](size_t Count)
+	{
+		for (; NumVariables < std::min(Count, Options.Variables.size()); ++NumVariables)
+		{
+			AddVariableArgument(Config, Options.Variables[NumVariables], Diagnostics);
+		}
+	};
+	for (const FRunOptions::FExec& Exec : Options.Exec)
+	{
+		AddVariablesUpTo(Exec.NumVariablesBefore);
+		AddExecArgument(Config, Exec.Text, Diagnostics);
+	}
+	AddVariablesUpTo(Options.Variables.size());
+}
+
+/** The config with the command line's say. Throws FError with all mistakes of both. */
+FConfig ReadWithArguments(
+	const FConfigDocument& Document, const FRunOptions& Options, std::vector<FDiagnostic>& Diagnostics)
+{
+	FConfig Config = ReadConfig(Document, Diagnostics);
+	for (const std::string& Argument : Options.Settings)
+	{
+		AddSettingArgument(Config, Argument, Diagnostics);
+	}
+	AddVariableArguments(Config, Options, Diagnostics);
+	WarnOfUnreadSettings(Config, Diagnostics);
+	ThrowErrors(Diagnostics);
+	ReadStudy(Config, Diagnostics);
+	ThrowErrors(Diagnostics);
+	Config.bNoSkip = Options.bNoSkip;
+	return Config;
+}
+
+/** With what a study chose, where the config has a budget and the options want it. */
+FConfigOfRun ChooseBudget(FConfig Config, const FRunOptions& Options, std::vector<FDiagnostic>& Diagnostics)
+{
+	FConfigOfRun OfRun{std::move(Config), Options, ""};
+	if (Options.bUseBudget)
+	{
+		if (const std::optional<FBudgetChoice> Choice = ReadBudgetChoice(OfRun.Config, Options, Diagnostics))
+		{
+			OfRun.BudgetReason = Choice->Reason;
+			ApplyBudgetChoice(*Choice, OfRun.Config, OfRun.Options);
+		}
+	}
+	return OfRun;
+}
+
+void ApplyVariables(
+	const FConfig& Config, const FRunOptions& Options, FRunVariables& Variables, std::vector<FDiagnostic>& Diagnostics)
+{
+	for (const FConfigVariable& Variable : Config.Variables)
+	{
+		Variables.Apply(Variable, Config.File, Diagnostics);
+	}
+	if (Options.bDouble)
+	{
+		Variables.Set("r.Drydock.Precision", "1");
+	}
+	if (GetStorageValue(Options)[0] != '\0')
+	{
+		Variables.Set("r.Drydock.Storage", GetStorageValue(Options));
+	}
+	if (Options.bNoSkip)
+	{
+		Variables.Set("r.RDG.CullPasses", "0");
+	}
+	if (Options.Threads)
+	{
+		Variables.Set("r.Drydock.Threads", std::to_string(*Options.Threads));
+	}
+	IConsoleManager::Get().CallAllConsoleVariableSinks();
+}
+
+/** Mistakes are appended to Diagnostics; then there are no extensions. */
+FRunExtensions CreateExtensions(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics)
+{
+	FRunExtensions Made;
+	Made.PassResults = std::make_shared<FPassResults>();
+	const std::vector<FExtensionRequest> Requests = ReadExtensionRequests(Config, Diagnostics);
+	const std::vector<FPassRequest> PassRequests = ReadPassRequests(Config, Diagnostics);
+	if (HasErrors(Diagnostics))
+	{
+		return Made;
+	}
+	const auto Add = [&Made](
+						 const TSharedRef<ISceneViewExtension, ESPMode::ThreadSafe>& Extension, const std::string& Name)
+	{
+		if (const FExtensionInfo* Known = GEngine->ViewExtensions->FindInfo(*Extension))
+		{
+			FExtensionInfo Info = *Known;
+			Info.Name = Name;
+			Info.EngineMinor = AnyEngineVersion;
+			GEngine->ViewExtensions->SetInfo(*Extension, Info);
+		}
+		Made.Extensions.push_back(Extension);
+	};
+	for (const FExtensionRequest& Request : Requests)
+	{
+		Add(FindExtensionFactory(Request.Type)->Create(Request.Arguments), Request.Type);
+	}
+	for (const FPassRequest& Request : PassRequests)
+	{
+		Add(CreateInsertedPass(Request, Made.PassResults), Request.Name);
+	}
+	return Made;
+}
+
+std::vector<FDiagnostic> Join(std::initializer_list<const std::vector<FDiagnostic>*> Parts)
+{
+	std::vector<FDiagnostic> All;
+	for (const std::vector<FDiagnostic>* const Part : Parts)
+	{
+		All.insert(All.end(), Part->begin(), Part->end());
+	}
+	return All;
+}
+
+std::vector<TConfigValue<std::string>> ListDumpPatterns(const FConfig& Config, const FRunOptions& Options)
+{
+	std::vector<TConfigValue<std::string>> Dump = Config.Dump;
+	for (const std::string& Pattern : Options.Dump)
+	{
+		Dump.push_back({Pattern, {0, 0, "--dump"}});
+	}
+	return Dump;
 }
 
 } // namespace
@@ -127,145 +261,49 @@ void FRunVariables::Apply(
 	Found->Set(Variable.Value.c_str(), SetBy);
 }
 
-void FRunSetup::CreateExtensions()
+FRunSetup::FRunSetup(const FRunOptions& Options)
 {
-	const std::vector<FExtensionRequest> Requests = ReadExtensionRequests(Config, OfExtensions);
-	const std::vector<FPassRequest> PassRequests = ReadPassRequests(Config, OfExtensions);
-	if (HasErrors(OfExtensions))
-	{
-		std::vector<FDiagnostic> All = OfConfig;
-		All.insert(All.end(), OfFrame.begin(), OfFrame.end());
-		All.insert(All.end(), OfExtensions.begin(), OfExtensions.end());
-		throw FError(All, ExitUsage);
-	}
-	const auto Add = [this](const TSharedRef<ISceneViewExtension, ESPMode::ThreadSafe>& Extension,
-						 const std::string& Name, int32 EngineMinor)
-	{
-		if (const FExtensionInfo* Known = GEngine->ViewExtensions->FindInfo(*Extension))
-		{
-			FExtensionInfo Info = *Known;
-			Info.Name = Name;
-			Info.EngineMinor = EngineMinor;
-			GEngine->ViewExtensions->SetInfo(*Extension, Info);
-		}
-		Extensions.push_back(Extension);
-	};
-	for (const FExtensionRequest& Request : Requests)
-	{
-		Add(FindExtensionFactory(Request.Type)->Create(Request.Arguments), Request.Type, AnyEngineVersion);
-	}
-	PassResults = std::make_shared<FPassResults>();
-	for (const FPassRequest& Request : PassRequests)
-	{
-		Add(CreateInsertedPass(Request, PassResults), Request.Name, AnyEngineVersion);
-	}
+	const FConfigDocument Document = OpenDocument(Options);
+	Plugins = LoadPlugins(ReadConfigPlugins(Document), OfConfig);
+	Variables.emplace(); // with those that plugins brought
+	OfRun = ChooseBudget(ReadWithArguments(Document, Options, OfConfig), Options, OfConfig);
+	BudgetReason = OfRun.BudgetReason;
+	PlaceFrame(Options.Frame);
+	ApplyVariables(Config, OfRun.Options, *Variables, OfExtensions);
+	Extensions = CreateExtensions(Config, OfExtensions);
+	Diagnostics = Join({&OfConfig, &OfFrame, &OfExtensions});
+	ThrowErrors(Diagnostics);
+	TextureLoader.emplace(MakeTextureLoader(Config));
+	BlendSettings();
+	Dump = ListDumpPatterns(Config, Options);
 }
 
 void FRunSetup::PlaceFrame(std::optional<int> Frame)
 {
 	OfFrame.clear();
-	Config = ConfigBeforeFrame;
+	Config = OfRun.Config;
 	ChooseSceneFrame(Config, Frame);
-	if (Options.Location)
+	if (OfRun.Options.Location)
 	{
-		Config.View.Location = {*Options.Location, {1, 1, "--at"}};
+		Config.View.Location = {*OfRun.Options.Location, {1, 1, "--at"}};
 	}
 	CompleteFromScene(Config, OfFrame);
 }
 
-void FRunSetup::Decide()
+void FRunSetup::BlendSettings()
 {
-	Diagnostics = OfConfig;
-	Diagnostics.insert(Diagnostics.end(), OfFrame.begin(), OfFrame.end());
-	Diagnostics.insert(Diagnostics.end(), OfExtensions.begin(), OfExtensions.end());
-	Chain = MakeChainSettings(Config, &Diagnostics);
-	WarnOfIneffectiveValues(Config, Chain, Diagnostics);
-	Effects = DecideEffects(Chain);
+	Diagnostics = Join({&OfConfig, &OfFrame, &OfExtensions});
+	Settings = MakeViewSettings(Config, &Diagnostics);
+	WarnOfIneffectiveValues(Config, Settings, Diagnostics);
 }
 
 void FRunSetup::BeginFrame(std::optional<int> Frame)
 {
-	PassResults->clear(); // they belong to the graph of the frame before
+	Extensions.PassResults->clear(); // they belong to the graph of the frame before
 	if (Frame && Config.Scene.Frame && *Frame != *Config.Scene.Frame)
 	{
 		PlaceFrame(Frame);
-		Decide();
-	}
-}
-
-FRunSetup::FRunSetup(const FRunOptions& InOptions)
-	: Plugins(LoadPluginsOf(InOptions, Diagnostics))
-	, Config(Read(InOptions, Diagnostics))
-	, Options(InOptions)
-{
-	for (const std::string& Argument : Options.Settings)
-	{
-		AddSettingArgument(Config, Argument, Diagnostics);
-	}
-	size_t NumVariables = 0;
-	const auto AddVariablesUpTo = [&](size_t Count)
-	{
-		for (; NumVariables < std::min(Count, Options.Variables.size()); ++NumVariables)
-		{
-			AddVariableArgument(Config, Options.Variables[NumVariables], Diagnostics);
-		}
-	};
-	for (const FRunOptions::FExec& Exec : Options.Exec)
-	{
-		AddVariablesUpTo(Exec.NumVariablesBefore);
-		AddExecArgument(Config, Exec.Text, Diagnostics);
-	}
-	AddVariablesUpTo(Options.Variables.size());
-	if (HasErrors(Diagnostics))
-	{
-		throw FError(Diagnostics, ExitUsage);
-	}
-	ReadStudy(Config, Diagnostics);
-	if (HasErrors(Diagnostics))
-	{
-		throw FError(Diagnostics, ExitUsage);
-	}
-	if (Options.bUseBudget)
-	{
-		if (const std::optional<FBudgetChoice> Choice = ReadBudgetChoice(Config, Options, Diagnostics))
-		{
-			BudgetReason = Choice->Reason;
-			ApplyBudgetChoice(*Choice, Config, Options);
-		}
-	}
-	OfConfig = std::move(Diagnostics);
-	ConfigBeforeFrame = Config;
-	PlaceFrame(Options.Frame);
-	for (const FConfigVariable& Variable : Config.Variables)
-	{
-		Variables.Apply(Variable, Config.File, OfExtensions);
-	}
-	if (Options.bDouble)
-	{
-		Variables.Set("r.Drydock.Precision", "1");
-	}
-	if (GetStorageValue(Options)[0] != '\0')
-	{
-		Variables.Set("r.Drydock.Storage", GetStorageValue(Options));
-	}
-	if (Options.bNoSkip)
-	{
-		Variables.Set("r.RDG.CullPasses", "0");
-		ConfigBeforeFrame.bNoSkip = true;
-		Config.bNoSkip = true;
-	}
-	if (Options.Threads)
-	{
-		Variables.Set("r.Drydock.Threads", std::to_string(*Options.Threads));
-	}
-	IConsoleManager::Get().CallAllConsoleVariableSinks();
-	CreateExtensions();
-	TextureLoader.emplace(MakeTextureLoader(Config));
-	Decide();
-	Dump = Config.Dump;
-	for (const std::string& Pattern : Options.Dump)
-	{
-		Dump.push_back({Pattern, {0, 0, "--dump"}});
+		BlendSettings();
 	}
 }
 

@@ -1,10 +1,12 @@
-// The first half of a run: config and command line read, console variables set for its length, settings final, effects
-// decided. Source: drydock.
+// The first half of a run: config and command line read, console variables set for its length, settings blended. Each
+// step takes what the one before made and returns what it makes.
 #pragma once
 
+#include "Budget/RunOptions.h"
+#include "Config/Config.h"
+#include "Effects/Effect.h"
 #include "Extensions/InsertedPass.h"
 #include "HAL/ConsoleVariableTools.h"
-#include "Run/Run.h"
 #include "SceneViewExtension.h"
 #include "Screen/TextureAssets.h"
 
@@ -27,41 +29,51 @@ private:
 	FConsoleVariableSnapshot Before;
 };
 
+/** A config with the command line's say, and with what a study chose where it has a budget. */
+struct FConfigOfRun
+{
+	FConfig Config;
+	FRunOptions Options;
+	std::string BudgetReason; // what a study chose, and why; empty: nothing was asked
+};
+
+/** View extensions of a config, its inserted passes among them, and what these left in the graph of the last frame. */
+struct FRunExtensions
+{
+	std::vector<TSharedRef<ISceneViewExtension, ESPMode::ThreadSafe>> Extensions; // alive as long as this
+	std::shared_ptr<FPassResults> PassResults;
+};
+
 struct DRYDOCK_API FRunSetup
 {
 	/** Throws FError (exit code 2 or 3) with everything found when something is wrong. */
-	explicit FRunSetup(const FRunOptions& InOptions);
+	explicit FRunSetup(const FRunOptions& Options);
 
-	/** Before each frame. Frame: of a sequence, whose config, settings and decisions are as if it had been the first;
-	 * empty: the one of before. Throws FError when there is no such frame, or something is wrong with it. */
+	/** Before each frame. Frame: of a sequence, whose config and settings are as if it had been the first; empty: the
+	 * one of before. Throws FError when there is no such frame, or something is wrong with it. */
 	void BeginFrame(std::optional<int> Frame);
 
+	/** Of all steps, in the order in which they are given. */
 	std::vector<FDiagnostic> Diagnostics;
-	/** Files. Loaded before anything else, because they bring console variables, which the rest of the config names and
-	 *  which have to be as before afterwards. */
+	/** Files of plugins, loaded before anything else is read. */
 	std::vector<std::string> Plugins;
-	FRunVariables Variables;
+	/** Of this frame. */
 	FConfig Config;
-	std::optional<FScopedTextureLoader> TextureLoader;
-	FChainSettings Chain;
-	std::vector<FEffectDecision> Effects;
+	FViewSettings Settings;                      // at the view's location
 	std::vector<TConfigValue<std::string>> Dump; // of config and command line
-	std::string BudgetReason;                    // what a study chose for this run, and why; empty: nothing was asked
-	/** Those of the config, its inserted passes among them; alive for the run. */
-	std::vector<TSharedRef<ISceneViewExtension, ESPMode::ThreadSafe>> Extensions;
+	std::string BudgetReason;                    // see FConfigOfRun
 
 private:
 	void PlaceFrame(std::optional<int> Frame);
-	void CreateExtensions();
-	void Decide();
+	void BlendSettings();
 
-	FRunOptions Options; // with what a budget chose
-	FConfig ConfigBeforeFrame;
-	// Messages, in the order in which they are given.
+	std::optional<FRunVariables> Variables;
+	std::optional<FScopedTextureLoader> TextureLoader;
+	FRunExtensions Extensions;
+	FConfigOfRun OfRun; // of any frame
 	std::vector<FDiagnostic> OfConfig;
 	std::vector<FDiagnostic> OfFrame;
 	std::vector<FDiagnostic> OfExtensions;
-	std::shared_ptr<FPassResults> PassResults;
 };
 
 } // namespace Drydock

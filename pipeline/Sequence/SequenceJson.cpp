@@ -31,9 +31,14 @@ void AddImage(FFingerprint& Fingerprint, const FImage& Image)
 std::string FingerprintPictures(const FRunResult& Result)
 {
 	FFingerprint Fingerprint;
-	for (const FImage* Image : {&Result.Final, &Result.SceneLinear, &Result.BandingMap, &Result.BlurredToonShadow})
+	AddImage(Fingerprint, Result.Final);
+	AddImage(Fingerprint, Result.SceneLinear);
+	for (const auto& [Id, Figures] : Result.Figures)
 	{
-		AddImage(Fingerprint, *Image);
+		for (const FEffectPicture& Picture : Figures.Pictures)
+		{
+			AddImage(Fingerprint, Picture.Image);
+		}
 	}
 	for (const FRunDump& Dump : Result.Dumps)
 	{

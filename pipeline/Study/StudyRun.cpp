@@ -92,7 +92,7 @@ std::map<std::string, std::string> GetCurrentValues(const FRunOptions& Options, 
 					Values[Assignment.Name] = *Variable->GetString();
 				}
 				else if (Field != nullptr && SettingFromText(*Field, Assignment.Value, Wanted, Expected) &&
-						 SettingToJson(*Field, Wanted) == SettingToJson(*Field, Field->Get(Setup.Chain.Settings)))
+						 SettingToJson(*Field, Wanted) == SettingToJson(*Field, Field->Get(Setup.Settings.Settings)))
 				{
 					Values[Assignment.Name] = Assignment.Value;
 				}

@@ -274,6 +274,10 @@ public:
 	/** Ends the graph without executing it. */
 	void Discard();
 
+	/** Opens a scope that is no event: passes added in it are that effect's (FRDGPassDescription::Effect). Closed by
+	 * EndEventScope; see FRDGEffectScope. */
+	void BeginEffectScope(const char* Effect);
+
 	/** Null for none. Must outlive the builder or be reset. */
 	void SetObserver(Drydock::IRDGObserver* Observer);
 

@@ -29,6 +29,7 @@ FRDGPassDescription DescribePass(const FRDGPass& Pass, const FRDGSettings& Setti
 	Description.Index = Pass.GetIndex();
 	Description.Name = Pass.GetName();
 	Description.Scope = Pass.GetScope();
+	Description.Effect = Pass.GetEffect();
 	Description.Flags = Pass.GetFlags();
 	Description.File = Pass.GetLocation().file_name();
 	Description.Line = int32(Pass.GetLocation().line());
@@ -69,6 +70,7 @@ void FRDGBuilder::DeclarePass(FRDGPass& Pass)
 {
 	Pass.Index = int32(State->Graph.Passes.size());
 	Pass.Scope = State->Scopes.empty() ? "" : State->Scopes.back().Path;
+	Pass.Effect = State->Scopes.empty() ? "" : State->Scopes.back().Effect;
 
 	FRDGPassDescription Description = DescribePass(Pass, State->Settings);
 	if (Pass.Metadata && !Pass.Parameters)
@@ -132,6 +134,7 @@ void FRDGBuilder::OpenScope(const FRDGEventName& ScopeName, bool bFinal)
 	Scope.bRecorded = State->Settings.Events != 0 && !bInsideFinal;
 	Scope.bFinal = bFinal || (Outer && Outer->bFinal);
 	Scope.Path = Outer ? Outer->Path : "";
+	Scope.Effect = Outer ? Outer->Effect : "";
 	if (Scope.bRecorded)
 	{
 		Scope.Path += (Scope.Path.empty() ? "" : "/") + std::string(ScopeName.GetTCHAR());
@@ -147,6 +150,13 @@ void FRDGBuilder::BeginEventScope(FRDGEventName&& ScopeName)
 void FRDGBuilder::BeginFinalEventScope(FRDGEventName&& ScopeName)
 {
 	OpenScope(ScopeName, true);
+}
+
+void FRDGBuilder::BeginEffectScope(const char* Effect)
+{
+	FRDGScope Scope = State->Scopes.empty() ? FRDGScope() : State->Scopes.back();
+	Scope.Effect = Effect;
+	State->Scopes.push_back(MoveTemp(Scope));
 }
 
 void FRDGBuilder::EndEventScope()
@@ -183,6 +193,7 @@ FRDGCompiledGraph FRDGBuilder::Compile()
 	{
 		Graph.Passes[size_t(Pass->GetIndex())].Shader = Pass->GetShader();
 		Graph.Passes[size_t(Pass->GetIndex())].Entry = Pass->GetEntry();
+		Graph.Passes[size_t(Pass->GetIndex())].Area = Pass->GetArea();
 	}
 	FRDGPassDescription& Epilogue = Graph.Passes.emplace_back();
 	Epilogue.Index = int32(Graph.Passes.size()) - 1;

@@ -44,3 +44,19 @@ FRDGEventScopeGuard::~FRDGEventScopeGuard()
 		GraphBuilder.EndEventScope();
 	}
 }
+
+namespace Drydock
+{
+
+FRDGEffectScope::FRDGEffectScope(FRDGBuilder& InGraphBuilder, const char* Effect)
+	: GraphBuilder(InGraphBuilder)
+{
+	GraphBuilder.BeginEffectScope(Effect != nullptr ? Effect : "");
+}
+
+FRDGEffectScope::~FRDGEffectScope()
+{
+	GraphBuilder.EndEventScope();
+}
+
+} // namespace Drydock

@@ -34,6 +34,24 @@ private:
 	bool bOpened;
 };
 
+namespace Drydock
+{
+
+/** Says whose passes are added until the end of the block; null or empty: nobody's, as those of a view extension. */
+class DRYDOCK_API FRDGEffectScope
+{
+public:
+	FRDGEffectScope(FRDGBuilder& InGraphBuilder, const char* Effect);
+	~FRDGEffectScope();
+	FRDGEffectScope(const FRDGEffectScope&) = delete;
+	FRDGEffectScope& operator=(const FRDGEffectScope&) = delete;
+
+private:
+	FRDGBuilder& GraphBuilder;
+};
+
+} // namespace Drydock
+
 #define RDG_EVENT_JOIN_INNER(A, B) A##B
 #define RDG_EVENT_JOIN(A, B) RDG_EVENT_JOIN_INNER(A, B)
 

@@ -48,6 +48,13 @@ public:
 	const std::string& GetShader() const { return Shader; }
 	const std::string& GetEntry() const { return Entry; }
 
+	/** Whose pass it is, by the innermost FRDGEffectScope; empty: nobody's. */
+	const std::string& GetEffect() const { return Effect; }
+
+	/** Pixels that it draws, where whoever added it knows; else 0. */
+	void SetArea(FIntPoint InArea) { Area = InArea; }
+	FIntPoint GetArea() const { return Area; }
+
 	/** Known once compiled. */
 	bool IsCulled() const { return bCulled; }
 
@@ -74,6 +81,8 @@ private:
 	ERDGPassFlags Flags;
 	std::source_location Location;
 	std::string Scope;
+	std::string Effect;
+	FIntPoint Area = FIntPoint(0, 0);
 	std::string Shader;
 	std::string Entry;
 	FShader* ShaderToCompile = nullptr;

@@ -264,6 +264,7 @@ FRDGPassRef AddScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name,
 		},
 		Location);
 	AnnotatePass(Pass, PipelineState.PixelShader);
+	Pass->SetArea(OutputViewport.Rect.Size());
 	return Pass;
 }
 

@@ -416,6 +416,7 @@ requires std::is_invocable_v<TSetupFunction&, FRHICommandList&> FRDGPassRef AddD
 		{ DrawScreenPass(RHICmdList, ViewInfo, OutputViewport, InputViewport, PipelineState, Flags, SetupFunction); },
 		Location);
 	Drydock::AnnotatePass(Pass, PipelineState.PixelShader);
+	Pass->SetArea(OutputViewport.Rect.Size());
 	return Pass;
 }
 

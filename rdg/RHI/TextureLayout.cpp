@@ -76,8 +76,25 @@ size_t AddPlane(const FRHITextureDesc& Desc, ETexelStorage Storage, size_t Offse
 
 } // namespace
 
+static thread_local std::optional<EStorageOverride> GScopedOverride;
+
+FScopedStorageOverride::FScopedStorageOverride(EStorageOverride Override)
+	: Before(GScopedOverride)
+{
+	GScopedOverride = Override;
+}
+
+FScopedStorageOverride::~FScopedStorageOverride()
+{
+	GScopedOverride = Before;
+}
+
 EStorageOverride GetStorageOverride()
 {
+	if (GScopedOverride)
+	{
+		return *GScopedOverride;
+	}
 	return EStorageOverride(std::clamp(CVarDrydockStorage.GetValueOnAnyThread(), 0, 2));
 }
 

@@ -2,6 +2,7 @@
 // side, so that vector loads near an edge stay inside. Source: drydock.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "RHITextureDesc.h"
@@ -20,7 +21,21 @@ enum class EStorageOverride : int32
 	Float64 = 2,
 };
 
+/** Of r.Drydock.Storage, unless a FScopedStorageOverride says otherwise. */
 DRYDOCK_API EStorageOverride GetStorageOverride();
+
+/** What textures are stored as that this thread creates in its scope, whatever r.Drydock.Storage says. They nest. */
+class DRYDOCK_API FScopedStorageOverride
+{
+public:
+	explicit FScopedStorageOverride(EStorageOverride Override);
+	~FScopedStorageOverride();
+	FScopedStorageOverride(const FScopedStorageOverride&) = delete;
+	FScopedStorageOverride& operator=(const FScopedStorageOverride&) = delete;
+
+private:
+	const std::optional<EStorageOverride> Before;
+};
 
 /** r.Drydock.StoreOverflow: a finite value too large for half is stored as 65504 instead of infinity. */
 DRYDOCK_API bool IsStoreOverflowSaturated();

@@ -2,7 +2,7 @@
 // not hold, or nothing.
 #pragma once
 
-#include "Config/Config.h"
+#include "Config/ReadConfig.h"
 #include "Text/JsonWriter.h"
 #include "Config/SettingsJson.h"
 

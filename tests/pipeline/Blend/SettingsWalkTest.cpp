@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "Blend/SettingsWalk.h"
-#include "Config/Config.h"
+#include "Config/ReadConfig.h"
 #include "Config/FrameSequence.h"
 #include "HAL/ConsoleVariableTools.h"
 #include "Run/FinalSettings.h"

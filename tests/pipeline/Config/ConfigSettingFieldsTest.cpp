@@ -1,7 +1,7 @@
 // Every field of the settings table as a config gives it, each as a test of its own name.
 #include <gtest/gtest.h>
 
-#include "Config/Config.h"
+#include "Config/ReadConfig.h"
 #include "PostProcessSettingsReflection.h"
 #include "Text/ConfigErrors.h"
 #include "settings/SettingSamples.h"

@@ -2,7 +2,7 @@
 // reader, one set of helpers, and each case a few lines.
 #include <gtest/gtest.h>
 
-#include "Config/Config.h"
+#include "Config/ReadConfig.h"
 #include "PostProcessSettingsReflection.h"
 #include "Text/ConfigErrors.h"
 

@@ -2,7 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "Effects/ContentGates.h"
+#include "Config/ReadConfig.h"
+#include "Effects/Effects.h"
 #include "HAL/ConsoleVariableTools.h"
 #include "Run/FinalSettings.h"
 

@@ -1,6 +1,7 @@
 // Which effects run, and why not. Conditions: the engine's.
 #include <gtest/gtest.h>
 
+#include "Config/ReadConfig.h"
 #include "HAL/ConsoleVariableTools.h"
 #include "Run/FinalSettings.h"
 

@@ -2,6 +2,7 @@
 // the frame.
 #include <gtest/gtest.h>
 
+#include "Config/ReadConfig.h"
 #include "Extensions/ConfigExtensions.h"
 #include "Extensions/ExtensionErrors.h"
 #include "Program/ExtensionList.h"

@@ -1,7 +1,7 @@
 // Engine text to configs and back, as the verbs do it: what is printed is a config's "volumes", and leads back.
 #include <gtest/gtest.h>
 
-#include "Config/Config.h"
+#include "Config/ReadConfig.h"
 #include "Config/SettingsJson.h"
 #include "PostProcessSettingsReflection.h"
 #include "SettingObjects.h"

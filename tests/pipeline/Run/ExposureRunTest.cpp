@@ -1,7 +1,7 @@
 // Automatic exposure and local exposure in whole frames: when they run, what they report, how frames follow each other.
 #include <gtest/gtest.h>
 
-#include "Effects/ExposureDecisions.h"
+#include "Effects/Exposure.h"
 #include "ExtensionTestUtils.h"
 #include "HAL/IConsoleManager.h"
 #include "Run/FinalSettings.h"

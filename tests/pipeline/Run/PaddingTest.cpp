@@ -2,6 +2,7 @@
 // own, for every shipped config. The outside is poison: NaN in colour, toon everywhere in the G-buffer.
 #include <gtest/gtest.h>
 
+#include "Config/ReadConfig.h"
 #include "Picture/ImageFile.h"
 #include "Run/Run.h"
 #include "SceneFile/SceneTexturePacking.h"

@@ -1,6 +1,7 @@
 // configs/toon_bloom_volume.json: the factor along the camera's path, and that nothing pops where the volume begins.
 #include <gtest/gtest.h>
 
+#include "Config/ReadConfig.h"
 #include "Run/FinalSettings.h"
 #include "Run/Run.h"
 

@@ -1,6 +1,7 @@
 // What is found in a scene's channels before the graph is built.
 #include <gtest/gtest.h>
 
+#include "Config/ReadConfig.h"
 #include "SceneFile/Scene.h"
 #include "SceneFile/SceneContent.h"
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "Config/ReadConfig.h"
 #include "Run/FinalSettings.h"
 #include "SceneFile/SceneSuggestions.h"
 #include "Text/ConfigErrors.h"

@@ -2,6 +2,7 @@
 // the same twice, and what a run takes from it. Source: drydock.
 #include <gtest/gtest.h>
 
+#include "Config/ReadConfig.h"
 #include "Budget/BudgetChoice.h"
 #include "Budget/StudyRequest.h"
 #include "Run/Run.h"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "BlendSettings.h"
-#include "Config/Config.h"
+#include "Config/ReadConfig.h"
 #include "Text/ConfigErrors.h"
 #include "Config/ConfigSchema.h"
 #include "Engine/PostProcessUtils.h"

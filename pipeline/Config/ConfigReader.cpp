@@ -1,0 +1,32 @@
+// Collects messages about a config, with their places.
+#include "Config/ConfigReader.h"
+
+namespace Drydock
+{
+
+FConfigPlace PlaceOf(const FJsonValue& Value)
+{
+	return {Value.Line, Value.Column, Value.Pointer};
+}
+
+std::string Suggest(const std::string& Name, const std::vector<std::string>& Candidates)
+{
+	const std::string Nearest = FindNearestName(Name, Candidates);
+	return Nearest.empty() ? "" : "; did you mean " + Nearest + "?";
+}
+
+void FConfigMessages::Add(
+	ESeverity Severity, int Code, int Line, int Column, const std::string& Pointer, const std::string& Message)
+{
+	FDiagnostic Diagnostic;
+	Diagnostic.Severity = Severity;
+	Diagnostic.Code = Code;
+	Diagnostic.Message = Message;
+	Diagnostic.File = File;
+	Diagnostic.Line = Line;
+	Diagnostic.Column = Column;
+	Diagnostic.Where = Pointer;
+	Diagnostics.push_back(Diagnostic);
+}
+
+} // namespace Drydock

@@ -1,0 +1,141 @@
+// Bloom as the engine adds it to the picture, by the Gaussian sum unless FFTBloom makes it. Source: engine
+// PostProcess/PostProcessing.cpp (conditions); the wording and the gate are drydock's.
+#include "Effects/Bloom.h"
+
+#include "Bloom/PostProcessFFTBloom.h"
+#include "Bloom/PostProcessToonBloom.h"
+#include "Exposure/PostProcessLocalExposure.h"
+#include "Text/TextFormat.h"
+
+#include <algorithm>
+
+namespace Drydock
+{
+
+namespace
+{
+
+constexpr FSettingClaim Settings[] = {{"Bloom"}};
+
+FEffectDecision Decide(const FEffect&, const FEffectInputs& Inputs)
+{
+	FEffectDecision Bloom;
+	const FFinalPostProcessSettings& Values = Inputs.Settings;
+	Bloom.Reason = FindNoBloomReason(Inputs);
+	Bloom.bActive = Bloom.Reason.empty();
+	if (Bloom.bActive)
+	{
+		Bloom.Reason = "BloomIntensity is " + NumberText(Values.BloomIntensity) + ", BloomThreshold " +
+					   NumberText(Values.BloomThreshold);
+	}
+	Bloom.bConfigured = Bloom.bActive || (Values.bOverride_BloomIntensity && !(Values.BloomIntensity > 0.0f) &&
+											 !Inputs.DescribeGate("BloomIntensity").empty());
+	return Bloom;
+}
+
+/** Why bloom adds nothing: no pixel is bright enough for its threshold. Empty: it may. Only where bloom sees the scene
+ * as it came (no effect before it brightens pixels), exposure is a number, and no value is NaN or infinite. Exposed
+ * luminance is at most that of the brightest component; a tenth more covers what formats and filters round. The setup
+ * pass then gives 0 everywhere, and so does every sum of it. */
+std::string FindNothingBright(const FGateInputs& Gate, std::optional<double> Brightest)
+{
+	constexpr double Rounding = 1.1;
+	const FEffectInputs& Inputs = Gate.Inputs;
+	const double Threshold = static_cast<double>(Inputs.Settings.BloomThreshold);
+	if (!Brightest || !(Threshold >= 0.0) || Inputs.Conditions.bAutoExposure || Inputs.Settings.BloomMethod == BM_FFT)
+	{
+		return "";
+	}
+	const double Exposed = *Brightest * static_cast<double>(Inputs.Conditions.ExposureScale);
+	const bool bBrightened = std::any_of(Gate.Decided.begin(), Gate.Decided.end(),
+		[](const FEffectDecision& Effect) { return Effect.bActive && *Effect.Effect->bMayBrightenBeforeBloom; });
+	if (!(Exposed * Rounding <= Threshold) || bBrightened)
+	{
+		return "";
+	}
+	return "nothing is brighter than BloomThreshold " + NumberText(Inputs.Settings.BloomThreshold) +
+		   ": the scene's brightest value is " + NumberText(static_cast<float>(Exposed)) + ", exposed";
+}
+
+/** Worth a look where a black scene would leave it out. */
+FContentQuestions Ask(const FGateInputs& Gate, const FEffectDecision&)
+{
+	FContentQuestions Questions;
+	Questions.bBrightest = !FindNothingBright(Gate, 0.0).empty();
+	return Questions;
+}
+
+void ApplyGate(const FGateInputs& Gate, FEffectDecision& Bloom)
+{
+	if (const std::string Dark = FindNothingBright(Gate, Gate.Content.Brightest); !Dark.empty())
+	{
+		Bloom.bActive = false;
+		Bloom.bConfigured = true;
+		Bloom.bNothingToDo = true;
+		Bloom.Reason = Dark;
+	}
+}
+
+/** How it is made, and why not by convolution where that is asked for. */
+std::string DescribeMethod(const FFinalPostProcessSettings& Values)
+{
+	if (Values.BloomMethod != BM_FFT)
+	{
+		return "";
+	}
+	const std::string Obstacle = GetFFTBloomObstacle(Values, true);
+	if (!Obstacle.empty())
+	{
+		return "; BM_FFT is asked for, but " + Obstacle + ": the Gaussian sum runs";
+	}
+	return "; by convolution (BM_FFT), BloomConvolutionScatterDispersion " +
+		   NumberText(Values.BloomConvolutionScatterDispersion) +
+		   (Values.BloomThreshold > -1.0f ? "; it reads no threshold" : "");
+}
+
+std::string Complete(const FEffectInputs& Inputs, const std::vector<FEffectDecision>& Effects)
+{
+	std::string Text;
+	if (!(Inputs.Settings.BloomThreshold > -1.0f))
+	{
+		const bool bLocalExposure = IsEffectActive(Effects, EEffect::LocalExposure) && IsLocalExposureAppliedToBloom();
+		Text = IsEffectActive(Effects, EEffect::ToonBloom) ? ": the setup pass is there for the toon's factor"
+			   : bLocalExposure                            ? ": the setup pass is there for local exposure"
+														   : ": the setup pass is not needed";
+	}
+	return Text + DescribeMethod(Inputs.Settings);
+}
+
+} // namespace
+
+std::string FindNoBloomReason(const FEffectInputs& Inputs)
+{
+	const float Intensity = Inputs.Settings.BloomIntensity;
+	if (!Inputs.Conditions.ShowFlags.PostProcessing)
+	{
+		return "ShowFlag.PostProcessing is off";
+	}
+	if (!(Intensity > 0.0f))
+	{
+		return "BloomIntensity is " + NumberText(Intensity) + Inputs.DescribeGate("BloomIntensity");
+	}
+	return IsToonBloomMaskVisualized() ? "r.ToonBloom.VisualizeMask shows the mask in its place" : "";
+}
+
+const FEffect GBloomEffect{
+	.Id = EEffect::Bloom,
+	.Name = "Bloom",
+	.Doc = "Light of bright pixels spread over their surroundings.",
+	.Settings = Settings,
+	.bMayBrightenBeforeBloom = false,
+	.Decide = &Decide,
+	.Ask = &Ask,
+	.Gate = &ApplyGate,
+	.Complete = &Complete,
+	.GetPlace = [] { return FChainPlace{EChainPlace::Bloom}; },
+	.AddPasses = nullptr,
+	.Measured = NothingMeasured,
+	.Measure = nullptr,
+};
+
+} // namespace Drydock

@@ -1,0 +1,64 @@
+// Depth of field by a gathered disc, a simplification of the engine's. Source: engine PostProcess/DiaphragmDOF.cpp
+// (conditions); the wording is drydock's.
+#include "Effects/Effect.h"
+#include "Lens/DiaphragmDOF.h"
+#include "SceneRendering.h"
+#include "Text/TextFormat.h"
+
+namespace Drydock
+{
+
+namespace
+{
+
+constexpr FSettingClaim Settings[] = {
+	{"DepthOfFieldFocalDistance"},
+	{"DepthOfFieldFstop"},
+	{"DepthOfFieldSensorWidth"},
+	{"DepthOfFieldDepthBlur"},
+};
+
+FEffectDecision Decide(const FEffect&, const FEffectInputs& Inputs)
+{
+	const FFinalPostProcessSettings& Values = Inputs.Settings;
+	FEffectDecision Decision;
+	Decision.bConfigured = Inputs.IsNamed("DepthOfField");
+	Decision.Reason = Inputs.FindShowFlagOff(Inputs.Conditions.ShowFlags.DepthOfField, "DepthOfField");
+	if (Decision.Reason.empty())
+	{
+		Decision.bActive = DiaphragmDOF::IsEnabled(Values);
+		Decision.bConfigured = Decision.bConfigured || Decision.bActive;
+		Decision.Reason = "DepthOfFieldFocalDistance is " + NumberText(Values.DepthOfFieldFocalDistance) +
+						  ", DepthOfFieldFstop " + NumberText(Values.DepthOfFieldFstop) +
+						  (Decision.bActive ? "; a simplification of the engine's" : ": nothing is focused");
+	}
+	return Decision;
+}
+
+FScreenPassTexture AddPasses(const FEffectPassInputs& Inputs)
+{
+	const FViewInfo& View = Inputs.View;
+	const auto Model = DiaphragmDOF::FPhysicalCocModel::Compile(View.FinalPostProcessSettings,
+		Inputs.SceneColor.ViewRect.Width(), static_cast<float>(View.UniformParameters.ViewToClip.M[0][0]));
+	return DiaphragmDOF::AddPasses(Inputs.GraphBuilder, View, Inputs.GetSceneTextures(), Inputs.SceneColor, Model);
+}
+
+} // namespace
+
+const FEffect GDepthOfFieldEffect{
+	.Id = EEffect::DepthOfField,
+	.Name = "DepthOfField",
+	.Doc = "Blur of what is out of focus.",
+	.Settings = Settings,
+	.bMayBrightenBeforeBloom = true,
+	.Decide = &Decide,
+	.Ask = nullptr,
+	.Gate = nullptr,
+	.Complete = nullptr,
+	.GetPlace = [] { return FChainPlace{EChainPlace::DepthOfField}; },
+	.AddPasses = &AddPasses,
+	.Measured = NothingMeasured,
+	.Measure = nullptr,
+};
+
+} // namespace Drydock

@@ -1,0 +1,18 @@
+// Every effect there is, in the order of reports: a row for each, whose value stands in the file of that name.
+// DRYDOCK_EFFECT(Name): the enumerator EEffect::Name, the text "Name", and the value GName##Effect of Effects/Name.cpp.
+DRYDOCK_EFFECT(Bloom)
+DRYDOCK_EFFECT(FFTBloom)
+DRYDOCK_EFFECT(ToonBloom)
+DRYDOCK_EFFECT(LocalExposure)
+DRYDOCK_EFFECT(Exposure)
+DRYDOCK_EFFECT(MotionBlur)
+DRYDOCK_EFFECT(DepthOfField)
+DRYDOCK_EFFECT(RED)
+DRYDOCK_EFFECT(REDDepthOfField)
+DRYDOCK_EFFECT(CharaGlow)
+DRYDOCK_EFFECT(ToonShadowBlur)
+DRYDOCK_EFFECT(UnityBloom)
+DRYDOCK_EFFECT(DualKawaseBlur)
+DRYDOCK_EFFECT(Tonemap)
+DRYDOCK_EFFECT(FXAA)
+DRYDOCK_EFFECT(Upscale)

@@ -1,0 +1,133 @@
+// Exposure: the scale that scene colour is multiplied by, a number or metered from the picture. Source: engine
+// PostProcess/PostProcessing.cpp (conditions); the wording is drydock's.
+#include "Effects/Exposure.h"
+
+#include "Exposure/PostProcessEyeAdaptation.h"
+#include "Screen/TextureAssets.h"
+#include "Text/TextFormat.h"
+
+#include <cmath>
+
+namespace Drydock
+{
+
+namespace
+{
+
+constexpr const char* NoPassReadsIt = "no pass reads it; it is blended and reported all the same";
+constexpr FSettingClaim Settings[] = {
+	{"AutoExposure"},
+	{"AutoExposureBiasBackup", NoPassReadsIt},
+	{"AutoExposureBiasCurve", "a config has no keys of curves: it counts as a curve of no effect"},
+	{"AutoExposureCalibrationConstant", NoPassReadsIt},
+	{"Histogram"},
+	{"Camera"},
+};
+
+/** Why a config's "auto" is not followed, or nothing. */
+std::string GetObstacle(const FViewConditions& Conditions)
+{
+	if (!Conditions.ShowFlags.PostProcessing)
+	{
+		return "ShowFlag.PostProcessing is off";
+	}
+	if (!Conditions.ShowFlags.EyeAdaptation)
+	{
+		return "ShowFlag.EyeAdaptation is off";
+	}
+	return IsEyeAdaptationAllowed() ? "" : "r.EyeAdaptationQuality is 0";
+}
+
+/** What a mask that is asked for does not do, or nothing. */
+std::string DescribeMask(const FFinalPostProcessSettings& Settings)
+{
+	const UTexture* const Mask = Settings.AutoExposureMeterMask;
+	const bool bMissing = Mask != nullptr && !FindTexturePixels(Mask);
+	return bMissing ? "; AutoExposureMeterMask is no image file and has no pixels here" : "";
+}
+
+std::string DescribeMethod(const FFinalPostProcessSettings& Settings)
+{
+	const EAutoExposureMethod Method = GetAutoExposureMethod(Settings);
+	std::string Text = GetAutoExposureMethodName(Method);
+	if (Method != Settings.AutoExposureMethod)
+	{
+		Text += " in place of " + GetAutoExposureMethodName(Settings.AutoExposureMethod) + " (console variables)";
+	}
+	if (Method == AEM_Manual)
+	{
+		const float EV100 = std::round(GetManualExposureEV100(Settings) * 100.0f) / 100.0f;
+		return Text + ": EV100 " + NumberText(EV100) +
+			   (Settings.AutoExposureApplyPhysicalCameraExposure ? " by the camera's settings"
+																 : ", the camera's settings are not applied");
+	}
+	return Text + ": AutoExposureMinBrightness " + NumberText(Settings.AutoExposureMinBrightness) + ", MaxBrightness " +
+		   NumberText(Settings.AutoExposureMaxBrightness) + ", AutoExposureBias " +
+		   NumberText(Settings.AutoExposureBias) + DescribeMask(Settings);
+}
+
+FEffectDecision Decide(const FEffect&, const FEffectInputs& Inputs)
+{
+	const FViewConditions& Conditions = Inputs.Conditions;
+	FEffectDecision Decision;
+	Decision.bActive = Decision.bConfigured = true;
+	if (IsAutoExposureActive(Conditions))
+	{
+		Decision.Reason = DescribeMethod(Inputs.Settings);
+		return Decision;
+	}
+	Decision.Reason = "scale " + NumberText(Conditions.ExposureScale);
+	if (Conditions.bAutoExposure)
+	{
+		Decision.Reason += ", not \"auto\": " + GetObstacle(Conditions);
+	}
+	else if (!Conditions.ShowFlags.EyeAdaptation)
+	{
+		Decision.Reason += ": ShowFlag.EyeAdaptation is off";
+	}
+	return Decision;
+}
+
+} // namespace
+
+std::string GetAutoExposureMethodName(EAutoExposureMethod Method)
+{
+	switch (Method)
+	{
+	case AEM_Basic:
+		return "AEM_Basic";
+	case AEM_Manual:
+		return "AEM_Manual";
+	default:
+		return "AEM_Histogram";
+	}
+}
+
+bool IsAutoExposureActive(const FViewConditions& Conditions)
+{
+	return Conditions.bAutoExposure && GetObstacle(Conditions).empty();
+}
+
+bool IsMeteringSetting(std::string_view Name)
+{
+	return (Name.starts_with("AutoExposure") && !Name.starts_with("AutoExposureBias")) ||
+		   Name.starts_with("Histogram") || Name.starts_with("Camera");
+}
+
+const FEffect GExposureEffect{
+	.Id = EEffect::Exposure,
+	.Name = "Exposure",
+	.Doc = "The scale of scene colour: a number, or metered from the picture.",
+	.Settings = Settings,
+	.bMayBrightenBeforeBloom = false, // the gate of bloom knows the scale, or that it is not known
+	.Decide = &Decide,
+	.Ask = nullptr,
+	.Gate = nullptr,
+	.Complete = nullptr,
+	.GetPlace = [] { return FChainPlace{EChainPlace::Exposure}; },
+	.AddPasses = nullptr,
+	.Measured = NothingMeasured,
+	.Measure = nullptr,
+};
+
+} // namespace Drydock

@@ -1,0 +1,141 @@
+// The factor on the bloom of toon-shaded pixels (BloomToonIntensity), which the bloom setup pass applies. Source:
+// docs/effects.md (the article); conditions, gate and wording are drydock's.
+#include "Bloom/PostProcessToonBloom.h"
+
+#include "Effects/Bloom.h"
+#include "Effects/ContentGate.h"
+#include "Effects/ToonBleed.h"
+#include "Picture/TextureImage.h"
+#include "Text/TextFormat.h"
+
+namespace Drydock
+{
+
+namespace
+{
+
+constexpr FSettingClaim Settings[] = {{"BloomToonIntensity"}};
+constexpr const char* Measured[] = {"Bloom", "GBufferB"};
+
+/** What becomes of it in the article's form. */
+std::string AsPrintedText()
+{
+	if (!IsToonBloomAsPrinted())
+	{
+		return "";
+	}
+	return IsComputePreferred() ? "; as printed, and lost: the article patches the pixel shader only, and "
+								  "r.PostProcessing.PreferCompute is 1"
+								: "; as printed: one id for each half-resolution pixel";
+}
+
+FEffectDecision Decide(const FEffect&, const FEffectInputs& Inputs)
+{
+	const int32 Mode = GetToonBloomMode();
+	const float Factor = Inputs.Settings.BloomToonIntensity;
+	const bool bThreshold = Inputs.Settings.BloomThreshold > -1.0f;
+	// A view extension that sets the final settings says so by the override bit.
+	const bool bNamed = Inputs.IsNamed("BloomToonIntensity") || Inputs.Settings.bOverride_BloomToonIntensity;
+	const std::string NoBloom = FindNoBloomReason(Inputs);
+	FEffectDecision Toon;
+	Toon.bConfigured = bNamed || Mode > 0;
+	if (Mode == 0)
+	{
+		Toon.Reason = "r.ToonBloom is 0";
+	}
+	else if (Mode < 0 && !bNamed)
+	{
+		Toon.Reason = "not called for: nothing names BloomToonIntensity";
+	}
+	else if (!NoBloom.empty())
+	{
+		Toon.Reason = "there is no bloom to mask: " + NoBloom;
+	}
+	else if (!(Factor > -1.0f))
+	{
+		Toon.Reason = "BloomToonIntensity is " + NumberText(Factor) + ": the setup pass takes values above -1";
+	}
+	else if (Mode < 0 && Factor == 1.0f && !Inputs.Conditions.bNoSkip)
+	{
+		Toon.Reason = "BloomToonIntensity is 1, which changes nothing";
+	}
+	else
+	{
+		Toon.bActive = true;
+		Toon.Reason = "BloomToonIntensity is " + NumberText(Factor) +
+					  (bThreshold ? "" : ": it brings the setup pass into the graph") + AsPrintedText();
+	}
+	if (!Toon.bActive && NoBloom.empty() && !bThreshold)
+	{
+		Toon.Reason += "; without it the bloom setup pass is not in the graph (BloomThreshold is " +
+					   NumberText(Inputs.Settings.BloomThreshold) + ")";
+	}
+	return Toon;
+}
+
+FContentQuestions Ask(const FGateInputs&, const FEffectDecision&)
+{
+	FContentQuestions Questions;
+	Questions.bToon = GetToonBloomMode() < 0;
+	return Questions;
+}
+
+/** It multiplies pixels of the toon model; without one the masked picture is the picture. As printed without a
+ * threshold it brings a pass that rounds: it stays. */
+void ApplyGate(const FGateInputs& Gate, FEffectDecision& Toon)
+{
+	const FEffectDecision* const Bloom = FindEffect(Gate.Gated, EEffect::Bloom);
+	if (Bloom != nullptr && !Bloom->bActive)
+	{
+		Toon.bActive = false;
+		Toon.Reason = "there is no bloom to mask: " + Bloom->Reason;
+		return;
+	}
+	if (GetToonBloomMode() >= 0 || !Gate.Content.Toon)
+	{
+		return;
+	}
+	const bool bRounds = IsToonBloomAsPrinted() && !(Gate.Inputs.Settings.BloomThreshold > -1.0f);
+	if (HasNone(Gate.Content.Toon) && !bRounds)
+	{
+		Skip(Toon, "no pixel of the view is shaded as toon");
+	}
+	else if (!HasNone(Gate.Content.Toon) && !IsToonBloomAsPrinted())
+	{
+		Confine(Gate.Content, *Gate.Content.Toon, "toon", Toon);
+	}
+}
+
+/** How much bloom lands outside what is toon, and how much inside. */
+FEffectFigures Measure(const FMeasureInputs& Inputs)
+{
+	constexpr int Alpha = 3;
+	const FKeptTexture& Bloom = Inputs.Textures.at("Bloom");
+	const FKeptTexture& GBufferB = Inputs.Textures.at("GBufferB");
+	const FToonBleed Bleed = MeasureToonBleed(CropToRgba(ReadTexture(*Bloom.Texture->GetRHI()), Bloom.Rect),
+		ReadChannel(*GBufferB.Texture->GetRHI(), GBufferB.Rect, Alpha), static_cast<double>(Inputs.PreExposure));
+	return {{{"bleed", {{"outside", Bleed.Outside}, {"inside", Bleed.Inside}, {"ratio", Bleed.GetRatio()}}}}, {}};
+}
+
+} // namespace
+
+const FEffect GToonBloomEffect{
+	.Id = EEffect::ToonBloom,
+	.Name = "ToonBloom",
+	.Doc = "A factor on the bloom of toon-shaded pixels.",
+	.Settings = Settings,
+	.bMayBrightenBeforeBloom = false,
+	.Decide = &Decide,
+	.Ask = &Ask,
+	.Gate = &ApplyGate,
+	.Complete = nullptr,
+	.GetPlace =
+		[] {
+			return FChainPlace{EChainPlace::Bloom, -1};
+		},
+	.AddPasses = nullptr,
+	.Measured = Measured,
+	.Measure = &Measure,
+};
+
+} // namespace Drydock
