@@ -113,9 +113,9 @@ inline FFrameInputs MakeFrame(FIntRect ViewRect = FIntRect(0, 0, Width, Height))
 	Inputs.Extent = FIntPoint(Width, Height);
 	FFrameView View;
 	View.Rect = ViewRect;
-	View.Chain.Settings = StartFinalPostProcessSettings();
-	View.Chain.Settings.BloomIntensity = 0.0f;
-	View.Chain.Settings.VignetteIntensity = 0.0f;
+	View.Settings.Settings = StartFinalPostProcessSettings();
+	View.Settings.Settings.BloomIntensity = 0.0f;
+	View.Settings.Settings.VignetteIntensity = 0.0f;
 	Inputs.Views.push_back(View);
 	Inputs.RegisterSceneTextures = [](FRDGBuilder& GraphBuilder)
 	{

@@ -372,12 +372,6 @@ TEST(ConfigMistakes, StudyAndItsAxesAreChecked)
 	EXPECT_EQ("1008 error 1:21 /study/axes/0", Only(R"({"study": {"axes": [{"name": "r.BloomQuality"}]}})"));
 }
 
-TEST(ConfigMistakes, SettingsWithoutAPassWarn)
-{
-	EXPECT_EQ(
-		"1015 warning 1:46 /volumes/0/Settings/AmbientOcclusionBias", Only(Volume(R"("AmbientOcclusionBias": 2)")));
-}
-
 TEST(ConfigMistakes, NegativeRadiusOfABoundedVolumeWarns)
 {
 	EXPECT_EQ("1011 warning 1:94 /volumes/0/BlendRadius",

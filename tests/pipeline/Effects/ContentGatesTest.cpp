@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "Config/ReadConfig.h"
-#include "Effects/Effects.h"
+#include "pipeline/EffectTestUtils.h"
 #include "HAL/ConsoleVariableTools.h"
 #include "Run/FinalSettings.h"
 
@@ -15,23 +15,31 @@ using testing::HasSubstr;
 namespace
 {
 
-FChainSettings MakeChain(const std::string& Settings)
+/** A view's settings and what is known of its scene. */
+struct FGatedView : FViewSettings
+{
+	FViewContent Content;
+};
+
+FGatedView MakeChain(const std::string& Settings)
 {
 	std::vector<FDiagnostic> Diagnostics;
 	const FConfig Config =
 		ReadConfig(R"({"volumes": [{"bUnbound": true, "Settings": {)" + Settings + "}}]}", "a.json", Diagnostics);
 	EXPECT_FALSE(HasErrors(Diagnostics));
-	FChainSettings Chain = MakeChainSettings(Config);
+	FGatedView Chain{MakeViewSettings(Config), {}};
 	Chain.Content.Size = FIntPoint(100, 50);
 	return Chain;
 }
 
-FEffectDecision Decide(const FChainSettings& Chain, const std::string& Name)
+FEffectDecision Decide(const FGatedView& Chain, const std::string& Name)
 {
-	const std::vector<FEffectDecision> Effects = DecideEffects(Chain);
-	const auto Found = std::find_if(
-		Effects.begin(), Effects.end(), [&](const FEffectDecision& Effect) { return Effect.Name == Name; });
-	return *Found;
+	return FindEffect(DecideEffects(Chain, Chain.Content), Name);
+}
+
+FContentQuestions Ask(const FGatedView& Chain)
+{
+	return AskContent(Chain, DecideBySettings(Chain));
 }
 
 const FIntRect None;
@@ -98,7 +106,7 @@ class ContentGate : public testing::TestWithParam<FGate>
 protected:
 	FEffectDecision DecideWith(const FViewContent& Content) const
 	{
-		FChainSettings Chain = MakeChain(GetParam().Settings);
+		FGatedView Chain = MakeChain(GetParam().Settings);
 		const FIntPoint Size = Chain.Content.Size;
 		Chain.Content = Content;
 		Chain.Content.Size = Size;
@@ -125,8 +133,8 @@ TEST_P(ContentGate, TheSceneLeavesItNothingToDo)
 
 TEST_P(ContentGate, AsksWhatItNeedsAndNoMore)
 {
-	const FChainSettings Chain = MakeChain(GetParam().Settings);
-	const FContentQuestions Asked = AskContent(Chain, DecideEffects(Chain));
+	const FGatedView Chain = MakeChain(GetParam().Settings);
+	const FContentQuestions Asked = Ask(Chain);
 	EXPECT_EQ(GetParam().Asked.bToon, Asked.bToon);
 	EXPECT_EQ(GetParam().Asked.bGlowMask, Asked.bGlowMask);
 	EXPECT_EQ(GetParam().Asked.bStill, Asked.bStill);
@@ -135,9 +143,9 @@ TEST_P(ContentGate, AsksWhatItNeedsAndNoMore)
 
 TEST_P(ContentGate, AsksNothingWithNoSkip)
 {
-	FChainSettings Chain = MakeChain(GetParam().Settings);
+	FGatedView Chain = MakeChain(GetParam().Settings);
 	Chain.bNoSkip = true;
-	EXPECT_FALSE(AskContent(Chain, DecideEffects(Chain)).Any());
+	EXPECT_FALSE(Ask(Chain).Any());
 }
 
 INSTANTIATE_TEST_SUITE_P(Effects, ContentGate, testing::ValuesIn(Gates),
@@ -145,13 +153,13 @@ INSTANTIATE_TEST_SUITE_P(Effects, ContentGate, testing::ValuesIn(Gates),
 
 TEST(ContentGates, DefaultsAskNothing)
 {
-	const FChainSettings Chain = MakeChain("");
-	EXPECT_FALSE(AskContent(Chain, DecideEffects(Chain)).Any());
+	const FGatedView Chain = MakeChain("");
+	EXPECT_FALSE(Ask(Chain).Any());
 }
 
 TEST(ContentGates, WithoutToonTheSetupPassIsNotNeeded)
 {
-	FChainSettings Chain = MakeChain(R"("BloomToonIntensity": 0.1)");
+	FGatedView Chain = MakeChain(R"("BloomToonIntensity": 0.1)");
 	Chain.Content.Toon = None;
 	EXPECT_THAT(Decide(Chain, "Bloom").Reason, HasSubstr("the setup pass is not needed"));
 	Chain.Content.Toon = Corner;
@@ -161,7 +169,7 @@ TEST(ContentGates, WithoutToonTheSetupPassIsNotNeeded)
 TEST(ContentGates, AsPrintedItRoundsUnlessTheThresholdDoesToo)
 {
 	const FScopedConsoleVariable Variable(TEXT("r.ToonBloom.AsPrinted"), 1);
-	FChainSettings Chain = MakeChain(R"("BloomToonIntensity": 0.1)");
+	FGatedView Chain = MakeChain(R"("BloomToonIntensity": 0.1)");
 	Chain.Content.Toon = None;
 	EXPECT_TRUE(Decide(Chain, "ToonBloom").bActive);
 	Chain = MakeChain(R"("BloomToonIntensity": 0.1, "BloomThreshold": 1)");
@@ -172,15 +180,15 @@ TEST(ContentGates, AsPrintedItRoundsUnlessTheThresholdDoesToo)
 TEST(ContentGates, AlwaysMeansAlways)
 {
 	const FScopedConsoleVariable Variable(TEXT("r.ToonBloom"), 1);
-	FChainSettings Chain = MakeChain("");
-	EXPECT_FALSE(AskContent(Chain, DecideEffects(Chain)).bToon);
+	FGatedView Chain = MakeChain("");
+	EXPECT_FALSE(Ask(Chain).bToon);
 	Chain.Content.Toon = None;
 	EXPECT_TRUE(Decide(Chain, "ToonBloom").bActive);
 }
 
 TEST(ContentGates, ACornerIsTheRegionAndMostOfTheViewIsNone)
 {
-	FChainSettings Chain = MakeChain(R"("BloomToonIntensity": 0.1, "CharaGlowArea": 2)");
+	FGatedView Chain = MakeChain(R"("BloomToonIntensity": 0.1, "CharaGlowArea": 2)");
 	Chain.Content.Toon = Corner;
 	Chain.Content.GlowMask = Corner;
 	EXPECT_EQ(Corner, Decide(Chain, "ToonBloom").Region);
@@ -194,7 +202,7 @@ TEST(ContentGates, ACornerIsTheRegionAndMostOfTheViewIsNone)
 TEST(ContentGates, ComputeEntriesHaveNoRegion)
 {
 	const FScopedConsoleVariable Variable(TEXT("r.PostProcessing.PreferCompute"), 1);
-	FChainSettings Chain = MakeChain(R"("BloomToonIntensity": 0.1)");
+	FGatedView Chain = MakeChain(R"("BloomToonIntensity": 0.1)");
 	Chain.Content.Toon = Corner;
 	EXPECT_FALSE(Decide(Chain, "ToonBloom").Region);
 }
@@ -202,7 +210,7 @@ TEST(ContentGates, ComputeEntriesHaveNoRegion)
 // A tenth above the brightest value is the least threshold that nothing reaches.
 TEST(ContentGates, BrightnessIsExposedAndHasAMargin)
 {
-	FChainSettings Chain = MakeChain(R"("BloomThreshold": 2)");
+	FGatedView Chain = MakeChain(R"("BloomThreshold": 2)");
 	Chain.Content.Brightest = 1.8;
 	EXPECT_FALSE(Decide(Chain, "Bloom").bActive);
 	Chain.Content.Brightest = 1.9;
@@ -215,7 +223,7 @@ TEST(ContentGates, BrightnessIsExposedAndHasAMargin)
 
 TEST(ContentGates, AThresholdBelowZeroLetsBlackBloom)
 {
-	FChainSettings Chain = MakeChain(R"("BloomThreshold": -0.5)");
+	FGatedView Chain = MakeChain(R"("BloomThreshold": -0.5)");
 	Chain.Content.Brightest = 0.0;
 	EXPECT_TRUE(Decide(Chain, "Bloom").bActive);
 	Chain = MakeChain(R"("BloomThreshold": 0)");
@@ -229,8 +237,61 @@ TEST(ContentGates, AnEffectThatMayBrightenTheSceneKeepsBloom)
 			 R"("UnityBloomIntensity": 1)", R"("CharaGlowArea": 2)", R"("DualKawaseBlurPassNum": 1)",
 			 R"("BloomMethod": "BM_FFT")", R"("LocalExposureShadowContrastScale": 0.5)"})
 	{
-		FChainSettings Chain = MakeChain(R"("BloomThreshold": 2, )" + std::string(Brightening));
+		FGatedView Chain = MakeChain(R"("BloomThreshold": 2, )" + std::string(Brightening));
 		Chain.Content.Brightest = 0.0;
 		EXPECT_TRUE(Decide(Chain, "Bloom").bActive) << Brightening;
 	}
+}
+
+namespace
+{
+
+/** An effect that brightens the picture, as somebody would add it: a value of its own and a row in the table. */
+const FEffect GBrighten{
+	.Id = EEffect::Num,
+	.Name = "Brighten",
+	.Doc = "Brightens the picture.",
+	.Settings = std::span<const FSettingClaim>(),
+	.bMayBrightenBeforeBloom = true,
+	.Decide =
+		[](const FEffect&, const FEffectInputs&) {
+			return FEffectDecision{nullptr, true, true, "always"};
+		},
+	.Ask = nullptr,
+	.Gate = nullptr,
+	.Complete = nullptr,
+	.GetPlace = [] { return FChainPlace{EChainPlace::Lighting}; },
+	.AddPasses = nullptr,
+	.Measured = NothingMeasured,
+	.Measure = nullptr,
+};
+
+} // namespace
+
+// The gate of bloom keeps no list of names: an effect that is new to the table keeps bloom by its own word.
+TEST(ContentGates, ANewEffectThatMayBrightenTheSceneKeepsBloom)
+{
+	FGatedView Chain = MakeChain(R"("BloomThreshold": 2)");
+	Chain.Content.Brightest = 0.0;
+	const auto GateBloom = [&](FEffectTable Table)
+	{
+		return FindEffect(GateByContent(Chain, Chain.Content, DecideBySettings(Chain, Table)), "Bloom").bActive;
+	};
+	std::vector<const FEffect*> Table(GetEffects().begin(), GetEffects().end());
+	EXPECT_FALSE(GateBloom(Table));
+	Table.push_back(&GBrighten);
+	EXPECT_TRUE(GateBloom(Table));
+	EXPECT_FALSE(AskContent(Chain, DecideBySettings(Chain, Table)).bBrightest);
+}
+
+// A step looks at what the one before it made, and never goes back: what gates find is no part of what settings decide.
+TEST(ContentGates, GatesTakeDecisionsAndLeaveThemAsTheyWere)
+{
+	FGatedView Chain = MakeChain(R"("BloomToonIntensity": 0.1, "BloomThreshold": 2)");
+	const std::vector<FEffectDecision> Decided = DecideBySettings(Chain);
+	Chain.Content.Brightest = 0.0;
+	const std::vector<FEffectDecision> Gated = GateByContent(Chain, Chain.Content, Decided);
+	EXPECT_TRUE(FindEffect(Decided, "Bloom").bActive);
+	EXPECT_FALSE(FindEffect(Gated, "Bloom").bActive);
+	EXPECT_THAT(FindEffect(Gated, "ToonBloom").Reason, HasSubstr("there is no bloom to mask: nothing is brighter"));
 }

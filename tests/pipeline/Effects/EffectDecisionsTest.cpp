@@ -1,6 +1,7 @@
 // Which effects run, and why not. Conditions: the engine's.
 #include <gtest/gtest.h>
 
+#include "pipeline/EffectTestUtils.h"
 #include "Config/ReadConfig.h"
 #include "HAL/ConsoleVariableTools.h"
 #include "Run/FinalSettings.h"
@@ -13,25 +14,17 @@ using namespace Drydock;
 namespace
 {
 
-FChainSettings Chain(const std::string& ConfigText)
+FViewSettings Chain(const std::string& ConfigText)
 {
 	std::vector<FDiagnostic> Diagnostics;
 	const FConfig Config = ReadConfig(ConfigText, "a.json", Diagnostics);
 	EXPECT_FALSE(HasErrors(Diagnostics));
-	return MakeChainSettings(Config);
+	return MakeViewSettings(Config);
 }
 
 FEffectDecision Decision(const std::string& ConfigText, const std::string& Name)
 {
-	for (const FEffectDecision& Effect : DecideEffects(Chain(ConfigText)))
-	{
-		if (Effect.Name == Name)
-		{
-			return Effect;
-		}
-	}
-	ADD_FAILURE() << Name;
-	return {};
+	return FindEffect(DecideEffects(Chain(ConfigText)), Name);
 }
 
 std::string Unbound(const std::string& Settings, const std::string& More = "")
@@ -41,14 +34,14 @@ std::string Unbound(const std::string& Settings, const std::string& More = "")
 
 } // namespace
 
-TEST(EffectDecisions, OnePerNameInOrder)
+TEST(EffectDecisions, OnePerEffectInOrderWithAReason)
 {
 	const std::vector<FEffectDecision> Decisions = DecideEffects(Chain("{}"));
-	ASSERT_EQ(GetEffectNames().size(), Decisions.size());
+	ASSERT_EQ(GetEffects().size(), Decisions.size());
 	for (size_t Index = 0; Index < Decisions.size(); ++Index)
 	{
-		EXPECT_EQ(GetEffectNames()[Index], Decisions[Index].Name);
-		EXPECT_FALSE(Decisions[Index].Reason.empty());
+		EXPECT_EQ(GetEffects()[Index], Decisions[Index].Effect);
+		EXPECT_FALSE(Decisions[Index].Reason.empty()) << Decisions[Index].GetName();
 	}
 }
 
@@ -139,11 +132,9 @@ TEST(EffectDecisions, ToonBloomIsCalledForByAVolumeWithoutWeight)
 
 TEST(EffectDecisions, ToonBloomIsCalledForByAnExtensionThatSetsItsOverrideBit)
 {
-	FChainSettings Edited = Chain("{}");
+	FViewSettings Edited = Chain("{}");
 	Edited.Settings.bOverride_BloomToonIntensity = true;
-	const std::vector<FEffectDecision> Effects = DecideEffects(Edited);
-	EXPECT_TRUE(std::any_of(Effects.begin(), Effects.end(),
-		[](const FEffectDecision& Effect) { return Effect.bActive && Effect.Name == "ToonBloom"; }));
+	EXPECT_TRUE(IsEffectActive(DecideEffects(Edited), EEffect::ToonBloom));
 }
 
 TEST(EffectDecisions, ToonBloomOfFactorOneChangesNothing)
@@ -228,7 +219,7 @@ TEST(EffectDecisions, TonemapAlwaysRuns)
 
 TEST(FinalSettings, HigherPriorityIsAppliedLastWhateverTheOrderOfTheFile)
 {
-	const FChainSettings Result = Chain(R"({"volumes": [
+	const FViewSettings Result = Chain(R"({"volumes": [
 		{"bUnbound": true, "Priority": 2, "Settings": {"BloomIntensity": 2}},
 		{"bUnbound": true, "Priority": 1, "Settings": {"BloomIntensity": 1}}]})");
 	EXPECT_EQ(2.0f, Result.Settings.BloomIntensity);
@@ -236,7 +227,7 @@ TEST(FinalSettings, HigherPriorityIsAppliedLastWhateverTheOrderOfTheFile)
 
 TEST(FinalSettings, WeightsLerpInSequence)
 {
-	const FChainSettings Result = Chain(R"({"volumes": [
+	const FViewSettings Result = Chain(R"({"volumes": [
 		{"bUnbound": true, "Priority": 1, "Settings": {"BloomSizeScale": 8}},
 		{"bUnbound": true, "Priority": 2, "BlendWeight": 0.25, "Settings": {"BloomSizeScale": 16}}]})");
 	EXPECT_EQ(8.0f + 0.25f * 8.0f, Result.Settings.BloomSizeScale);
@@ -270,7 +261,7 @@ TEST(FinalSettings, EqualPrioritiesWarnWhereTheyDisagree)
 		const FConfig Config = ReadConfig(R"({"volumes": [{"bUnbound": true, "Settings": {"BloomIntensity": 2}},
 {)" + Second + "}]}",
 			"a.json", Diagnostics);
-		MakeChainSettings(Config, &Diagnostics);
+		MakeViewSettings(Config, &Diagnostics);
 		return Diagnostics;
 	};
 	const std::vector<FDiagnostic> Found = Warnings(R"("bUnbound": true, "Settings": {"BloomIntensity": 3})");
@@ -286,7 +277,7 @@ TEST(FinalSettings, EqualPrioritiesWarnWhereTheyDisagree)
 
 TEST(FinalSettings, CameraComesAfterVolumesWithItsWeight)
 {
-	const FChainSettings Result = Chain(R"({"volumes": [{"bUnbound": true, "Settings": {"BloomSizeScale": 8}}],
+	const FViewSettings Result = Chain(R"({"volumes": [{"bUnbound": true, "Settings": {"BloomSizeScale": 8}}],
 		"camera": {"PostProcessBlendWeight": 0.5, "Settings": {"BloomSizeScale": 2}}})");
 	EXPECT_EQ(5.0f, Result.Settings.BloomSizeScale);
 }
@@ -363,4 +354,31 @@ TEST(EffectDecisions, PlaceOfRedIsTold)
 {
 	const FScopedConsoleVariable Place(TEXT("r.REDPostprocessAfterTranslucency"), FString(TEXT("2")));
 	EXPECT_TRUE(Decision(Unbound(R"("GlowIntensity": 0.5)"), "RED").Reason.ends_with("; after bloom"));
+}
+
+TEST(EffectDecisions, FFTBloomIsAnEffectOfItsOwn)
+{
+	EXPECT_EQ("BloomMethod is BM_SOG", Decision("{}", "FFTBloom").Reason);
+	EXPECT_TRUE(Decision(Unbound(R"("BloomMethod": "BM_FFT")"), "FFTBloom").bActive);
+	EXPECT_EQ("there is no bloom: BloomIntensity is 0",
+		Decision(Unbound(R"("BloomMethod": "BM_FFT", "BloomIntensity": 0)"), "FFTBloom").Reason);
+}
+
+TEST(EffectDecisions, AnEffectThatAViewExtensionMakesSaysSo)
+{
+	const FViewSettings View = Chain("{}");
+	const std::vector<std::string> Extensions = {"FDualKawaseBlur"};
+	const std::vector<FEffectDecision> Effects = DecideEffects({View.Settings, View, Extensions});
+	EXPECT_TRUE(FindEffect(Effects, "DualKawaseBlur").bByExtension);
+	EXPECT_EQ("a view extension makes it", FindEffect(Effects, "DualKawaseBlur").Reason);
+}
+
+TEST(EffectDecisions, WhereTheSceneIsNotLookedAtWhoAskedSaysWhy)
+{
+	const FViewSettings View =
+		Chain(Unbound(R"("BloomToonIntensity": 0.1, "MotionBlurMax": 5, "UnityBloomIntensity": 1)"));
+	const std::vector<FEffectDecision> Noted = NoteContentUnseen(View, DecideBySettings(View), "nobody looks");
+	EXPECT_TRUE(FindEffect(Noted, "ToonBloom").Reason.ends_with("; nobody looks"));
+	EXPECT_TRUE(FindEffect(Noted, "MotionBlur").Reason.ends_with("; nobody looks"));
+	EXPECT_FALSE(FindEffect(Noted, "UnityBloom").Reason.ends_with("; nobody looks")); // the scene says nothing of it
 }

@@ -283,7 +283,7 @@ TEST(ViewExtensionHooks, SetupViewFamilyMayChangeShowFlags)
 		void SetupViewFamily(FSceneViewFamily& Family) override { Family.EngineShowFlags.SetBloom(false); }
 	};
 	FFrameInputs Inputs = MakeFrame();
-	Inputs.Views[0].Chain.Settings.BloomIntensity = 1.0f;
+	Inputs.Views[0].Settings.Settings.BloomIntensity = 1.0f;
 	EXPECT_TRUE(Render(Inputs).Views[0].Effects[0].bActive);
 	const auto Extension = FSceneViewExtensions::NewExtension<FNoBloom>();
 	const FFrameResult Frame = Render(Inputs);
@@ -300,15 +300,15 @@ TEST(ViewExtensionHooks, SetupViewPointMovesTheCameraBeforeVolumesAreBlended)
 		void SetupViewPoint(APlayerController*, FMinimalViewInfo& ViewInfo) override { ViewInfo.Location.X = 100.0; }
 	};
 	FFrameInputs Inputs = MakeFrame();
-	Inputs.Views[0].MakeChain = [&](const FMinimalViewInfo& Camera)
+	Inputs.Views[0].MakeSettings = [&](const FMinimalViewInfo& Camera)
 	{
-		FChainSettings Chain = Inputs.Views[0].Chain;
-		Chain.Settings.BloomIntensity = static_cast<float>(Camera.Location.X);
-		return Chain;
+		FViewSettings Settings = Inputs.Views[0].Settings;
+		Settings.Settings.BloomIntensity = static_cast<float>(Camera.Location.X);
+		return Settings;
 	};
-	EXPECT_EQ(0.0f, Render(Inputs).Views[0].Chain.Settings.BloomIntensity);
+	EXPECT_EQ(0.0f, Render(Inputs).Views[0].Settings.BloomIntensity);
 	const auto Extension = FSceneViewExtensions::NewExtension<FMoves>();
-	EXPECT_EQ(100.0f, Render(Inputs).Views[0].Chain.Settings.BloomIntensity);
+	EXPECT_EQ(100.0f, Render(Inputs).Views[0].Settings.BloomIntensity);
 }
 
 TEST(ViewExtensionHooks, SetupViewProjectionMatrixHasTheCameraAndItsWordHolds)

@@ -15,8 +15,8 @@ namespace
 FFrameInputs MakeBlurredFrame(int32 PassNum, float Offset = 1.0f)
 {
 	FFrameInputs Inputs = MakeFrame();
-	Inputs.Views[0].Chain.Settings.DualKawaseBlurPassNum = PassNum;
-	Inputs.Views[0].Chain.Settings.DualKawaseBlurOffset = Offset;
+	Inputs.Views[0].Settings.Settings.DualKawaseBlurPassNum = PassNum;
+	Inputs.Views[0].Settings.Settings.DualKawaseBlurOffset = Offset;
 	return Inputs;
 }
 
@@ -25,7 +25,7 @@ const FEffectDecision& FindEffect(const FFrameResult& Frame)
 	static const FEffectDecision None;
 	for (const FEffectDecision& Effect : Frame.Views[0].Effects)
 	{
-		if (Effect.Name == "DualKawaseBlur")
+		if (Effect.GetId() == EEffect::DualKawaseBlur)
 		{
 			return Effect;
 		}

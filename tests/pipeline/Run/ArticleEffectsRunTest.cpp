@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "pipeline/EffectTestUtils.h"
 #include "PassFactory.h"
 #include "Run/Run.h"
 
@@ -24,13 +25,8 @@ FRunResult RunText(const std::string& Settings, const std::string& More = "",
 		R"({"scene": {"file": "scenes/toon_character_641x359.exr"}, "volumes": [{"bUnbound": true, "Settings": {)" +
 		Settings + "}}]" + More + "}";
 	Options.Variables = Variables;
+	Options.bMeasureEffects = true;
 	return RunConfig(Options);
-}
-
-const FEffectDecision& FindEffect(const FRunResult& Result, const std::string& Name)
-{
-	return *std::find_if(Result.Effects.begin(), Result.Effects.end(),
-		[&](const FEffectDecision& Effect) { return Effect.Name == Name; });
 }
 
 /** Position of the first pass whose name begins so; -1 where there is none. */
@@ -55,17 +51,16 @@ std::vector<std::string> GetDecoded(const FRunResult& Result)
 	return Names;
 }
 
-uint64_t CountDarkLevels(const std::string& Store)
-{
-	const FRunResult Result = RunText(R"("ToonShadowBlurIntensity": 1, "ToonShadowBlurStore": ")" + Store + R"(")");
-	return FindEffect(Result, "ToonShadowBlur").Banding->DarkLevels;
-}
-
-FDarkDeviation MeasureDeviation(const std::string& Store, bool bDouble = false)
+FEffectFigures MeasureToonShadow(const std::string& Store, bool bDouble = false)
 {
 	const FRunResult Result =
 		RunText(R"("ToonShadowBlurIntensity": 1, "ToonShadowBlurStore": ")" + Store + R"(")", "", {}, bDouble);
-	return *FindEffect(Result, "ToonShadowBlur").Deviation;
+	return FindFigures(Result, EEffect::ToonShadowBlur);
+}
+
+double CountDarkLevels(const std::string& Store)
+{
+	return MeasureToonShadow(Store).Get("banding", "darkLevels");
 }
 
 } // namespace
@@ -151,20 +146,20 @@ TEST(ArticleEffectsRun, DeviationOrdersTheThreeStores)
 {
 	// In steps of 1/255: one rounding to 8 bit leaves 0.29, two that know nothing of each other sqrt(2) times that, and
 	// twenty passes in 8 bit more; the root, below 1/20, at most 2 * sqrt(1/20) of 0.29.
-	const FDarkDeviation Mosaic = MeasureDeviation("EightBit");
-	const FDarkDeviation Bands = MeasureDeviation("SixteenBit");
-	const FDarkDeviation Smooth = MeasureDeviation("SqrtEightBit");
-	EXPECT_GT(Mosaic.Rms, 0.29 * std::sqrt(2));
-	EXPECT_NEAR(0.29, Bands.Rms, 0.03);
-	EXPECT_LT(Smooth.Rms, 0.29 * 2 * std::sqrt(0.05));
-	EXPECT_GT(Mosaic.Largest, 2 * Bands.Largest);
-	EXPECT_GT(Bands.Largest, Smooth.Largest);
-	EXPECT_EQ(Mosaic.Texels, Smooth.Texels);
+	const FEffectFigures Mosaic = MeasureToonShadow("EightBit");
+	const FEffectFigures Bands = MeasureToonShadow("SixteenBit");
+	const FEffectFigures Smooth = MeasureToonShadow("SqrtEightBit");
+	EXPECT_GT(Mosaic.Get("darkDeviation", "rms"), 0.29 * std::sqrt(2));
+	EXPECT_NEAR(0.29, Bands.Get("darkDeviation", "rms"), 0.03);
+	EXPECT_LT(Smooth.Get("darkDeviation", "rms"), 0.29 * 2 * std::sqrt(0.05));
+	EXPECT_GT(Mosaic.Get("darkDeviation", "largest"), 2 * Bands.Get("darkDeviation", "largest"));
+	EXPECT_GT(Bands.Get("darkDeviation", "largest"), Smooth.Get("darkDeviation", "largest"));
+	EXPECT_EQ(Mosaic.Get("darkDeviation", "texels"), Smooth.Get("darkDeviation", "texels"));
 }
 
 TEST(ArticleEffectsRun, WithoutRoundingNothingDeviates)
 {
-	EXPECT_LT(MeasureDeviation("EightBit", true).Largest, 1e-3);
+	EXPECT_LT(MeasureToonShadow("EightBit", true).Get("darkDeviation", "largest"), 1e-3);
 }
 
 TEST(ArticleEffectsRun, ToonShadowPassByPassIsTheEffect)
@@ -256,9 +251,11 @@ TEST(ArticleEffectsRun, ReportHoldsBandingAndTheMapIsThere)
 	const FRunResult Result = RunText(R"("ToonShadowBlurIntensity": 1)");
 	EXPECT_THAT(Result.RunJson, testing::HasSubstr("\"uniqueLevels\""));
 	EXPECT_THAT(Result.RunJson, testing::HasSubstr("\"darkDeviation\": {\"rms\": "));
-	EXPECT_EQ(641, Result.BandingMap.Width);
-	EXPECT_EQ(641, Result.BlurredToonShadow.Width);
-	EXPECT_TRUE(RunText("").BandingMap.Values.empty());
+	const std::vector<FEffectPicture> Pictures = FindFigures(Result, EEffect::ToonShadowBlur).Pictures;
+	ASSERT_EQ(2u, Pictures.size());
+	EXPECT_EQ(641, Pictures[0].Image.Width);
+	EXPECT_EQ(641, Pictures[1].Image.Width);
+	EXPECT_TRUE(RunText("").Figures.empty());
 }
 
 TEST(ArticleEffectsRun, InsertedPassesBuildTheChainOfTheSettings)

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "pipeline/EffectTestUtils.h"
 #include "Run/Explain.h"
 #include "Run/Run.h"
 #include "SameBits.h"
@@ -124,12 +125,6 @@ public:
 private:
 	std::string Path;
 };
-
-FEffectDecision FindEffect(const FRunResult& Result, const std::string& Name)
-{
-	return *std::find_if(Result.Effects.begin(), Result.Effects.end(),
-		[&](const FEffectDecision& Effect) { return Effect.Name == Name; });
-}
 
 /** Of executed passes whose name contains Part: pixels drawn. */
 uint64_t CountPixels(const FRunResult& Result, const std::string& Part)

@@ -5,6 +5,7 @@
 #include "Run/Explain.h"
 
 #include <algorithm>
+#include <map>
 
 using namespace Drydock;
 using testing::HasSubstr;
@@ -25,14 +26,6 @@ FRunResult RunShipped(const std::string& Config, bool bExecute, bool bNoSkip = f
 FExplainReport Explain(const std::string& Config)
 {
 	return MakeExplainReport(RunShipped(Config, false), RunShipped(Config, false, true), FCostModel());
-}
-
-std::string EffectOf(const std::string& Scope, const std::string& Name)
-{
-	FRDGPassDescription Pass;
-	Pass.Scope = Scope;
-	Pass.Name = Name;
-	return FindEffectOfPass(Pass);
 }
 
 std::vector<std::string> GetDecoded(const FRunResult& Result)
@@ -73,15 +66,44 @@ double Estimate(const FCostModel& Model, const FRunResult& Result)
 
 } // namespace
 
-TEST(EffectOfPass, IsTheInnermostThatIsNamed)
+TEST(EffectOfPass, IsTheInnermostThatAddsIt)
 {
-	EXPECT_EQ("Bloom", EffectOf("Frame/PostProcessing/Bloom/GaussianBloom", "Bloom3X 120x68 (PS)"));
-	EXPECT_EQ("CharaGlow", EffectOf("Frame/PostProcessing/REDPostProcess", "CharaGlow 960x540 (PS)"));
-	EXPECT_EQ("ToonBloom", EffectOf("Frame/PostProcessing/Bloom", "ToonBloomMask 960x540 (PS)"));
-	EXPECT_EQ("ToonShadowBlur", EffectOf("Frame/PostProcessing", "ToonShadowLighting 960x540"));
-	EXPECT_EQ("Tonemap", EffectOf("Frame/PostProcessing", "Tonemap 960x540 (PS)"));
-	EXPECT_EQ("REDDepthOfField", EffectOf("Frame/PostProcessing/REDDepthOfField", "Blur"));
-	EXPECT_EQ("", EffectOf("Frame", "MyPatch"));
+	const std::map<std::string, std::string> Expected = {{"HalfResolutionSceneColor", "Bloom"}, {"Tonemap", "Tonemap"},
+		{"CombineLUTs", "Tonemap"}, {"ToonBloomMask", "ToonBloom"}, {"BloomSetup", "Bloom"}};
+	std::map<std::string, std::string> Found;
+	for (const FRDGCompiledPass& Pass : RunShipped("toon_bloom.json", false).Graph.Passes)
+	{
+		const std::string Short = Pass.Name.substr(0, Pass.Name.find_first_of(" ("));
+		if (Expected.count(Short) != 0)
+		{
+			Found[Short] = Pass.Effect;
+		}
+	}
+	EXPECT_EQ(Expected, Found);
+}
+
+TEST(EffectOfPass, EveryPassOfAFrameWithoutExtensionsHasOne)
+{
+	for (const char* Config : {"frame_full.json", "red_diffusion.json", "bloom_fft.json", "screen_percentage.json"})
+	{
+		for (const FRDGCompiledPass& Pass : RunShipped(Config, false).Graph.Passes)
+		{
+			EXPECT_TRUE(Pass.bIsSentinel || FindEffectByName(Pass.Effect) != nullptr) << Config << ": " << Pass.Name;
+		}
+	}
+}
+
+TEST(EffectOfPass, APassKnowsThePixelsThatItDraws)
+{
+	for (const FRDGCompiledPass& Pass : RunShipped("toon_bloom.json", false).Graph.Passes)
+	{
+		if (Pass.Name.rfind("Tonemap", 0) == 0)
+		{
+			EXPECT_GT(Pass.Area.X, 0) << Pass.Name;
+			EXPECT_NE(
+				std::string::npos, Pass.Name.find(std::to_string(Pass.Area.X) + "x" + std::to_string(Pass.Area.Y)));
+		}
+	}
 }
 
 TEST(CostModel, LearnsNanosecondsPerTexel)
@@ -107,9 +129,16 @@ TEST(CostModel, APassOfAPartCostsThePart)
 {
 	// 5000 texels are declared, 20 x 10 drawn: 0.01 ms are 50 ns each.
 	FCostModel Model;
-	Model.Learn(MakeRun("CharaGlow 20x10 (PS)", 0.01));
-	EXPECT_DOUBLE_EQ(0.25, Estimate(Model, MakeRun("CharaGlow 100x50 (PS)", 0.0)));
-	EXPECT_DOUBLE_EQ(0.25, Estimate(Model, MakeRun("CharaGlow 1920x1080 (PS)", 0.0))); // no more than there is
+	const auto MakePart = [](FIntPoint Area, double Milliseconds)
+	{
+		FRunResult Result = MakeRun("CharaGlow", Milliseconds);
+		Result.Graph.Passes[0].Area = Area;
+		return Result;
+	};
+	Model.Learn(MakePart({20, 10}, 0.01));
+	EXPECT_DOUBLE_EQ(0.25, Estimate(Model, MakePart({100, 50}, 0.0)));
+	EXPECT_DOUBLE_EQ(0.25, Estimate(Model, MakePart({1920, 1080}, 0.0))); // no more than there is
+	EXPECT_DOUBLE_EQ(0.25, Estimate(Model, MakePart({0, 0}, 0.0)));       // not known: all of it
 }
 
 TEST(CostModel, WhatAPassReadsTellsItsPermutationsApart)

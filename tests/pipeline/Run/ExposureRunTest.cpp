@@ -23,8 +23,8 @@ namespace
 FFrameInputs MakeAutoFrame()
 {
 	FFrameInputs Inputs = MakeFrame();
-	Inputs.Views[0].Chain.bAutoExposure = true;
-	Inputs.Views[0].Chain.Settings.AutoExposureMaxBrightness = 1000.0f;
+	Inputs.Views[0].Settings.bAutoExposure = true;
+	Inputs.Views[0].Settings.Settings.AutoExposureMaxBrightness = 1000.0f;
 	return Inputs;
 }
 
@@ -53,9 +53,14 @@ std::string GetReason(const FRunResult& Result, const std::string& Name)
 		->Reason;
 }
 
-FChainSettings AutoChain()
+FEffectDecision DecideOn(EEffect Id, const FViewSettings& View)
 {
-	FChainSettings Chain;
+	return *FindEffect(DecideEffects(View), Id);
+}
+
+FViewSettings AutoChain()
+{
+	FViewSettings Chain;
 	Chain.Settings = StartFinalPostProcessSettings();
 	Chain.bAutoExposure = true;
 	return Chain;
@@ -74,7 +79,7 @@ TEST(ExposureRun, ASingleFrameIsConverged)
 	EXPECT_EQ(Report.TargetScale, Report.Scale);
 	EXPECT_NEAR(0.36f, Report.Scale * Report.AverageLuminance, 1e-5f); // twice middle grey
 	EXPECT_NEAR(std::log2(Report.AverageLuminance), Report.EV100, 1e-5f);
-	EXPECT_EQ(Report.Scale, Frame.Views[0].Chain.ExposureScale);
+	EXPECT_EQ(Report.Scale, Frame.Views[0].ExposureScale);
 	const auto& Buckets = Report.Histogram.value().Buckets;
 	EXPECT_NEAR(1.0, std::accumulate(Buckets.begin(), Buckets.end(), 0.0), 1e-5);
 }
@@ -187,37 +192,38 @@ TEST(ExposureRun, MeteringSettingsWarnWhereTheExposureIsANumber)
 
 TEST(ExposureDecision, ShowFlagsAndQualitySwitchAutoOff)
 {
-	FChainSettings Chain = AutoChain();
+	FViewSettings Chain = AutoChain();
 	EXPECT_TRUE(IsAutoExposureActive(Chain));
 	Chain.ShowFlags.EyeAdaptation = false;
 	EXPECT_FALSE(IsAutoExposureActive(Chain));
-	EXPECT_EQ("scale 1, not \"auto\": ShowFlag.EyeAdaptation is off", DecideExposure(Chain).Reason);
+	EXPECT_EQ("scale 1, not \"auto\": ShowFlag.EyeAdaptation is off", DecideOn(EEffect::Exposure, Chain).Reason);
 	IConsoleVariable& Quality = *IConsoleManager::Get().FindConsoleVariable(TEXT("r.EyeAdaptationQuality"));
 	Quality.Set(0);
-	EXPECT_EQ("scale 1, not \"auto\": r.EyeAdaptationQuality is 0", DecideExposure(AutoChain()).Reason);
+	EXPECT_EQ("scale 1, not \"auto\": r.EyeAdaptationQuality is 0", DecideOn(EEffect::Exposure, AutoChain()).Reason);
 	Quality.Set(2);
 }
 
 TEST(ExposureDecision, TheMethodIsNamedWithWhatChangedIt)
 {
 	EXPECT_EQ("AEM_Histogram: AutoExposureMinBrightness 0.03, MaxBrightness 8, AutoExposureBias 1",
-		DecideExposure(AutoChain()).Reason);
+		DecideOn(EEffect::Exposure, AutoChain()).Reason);
 	IConsoleVariable& Override = *IConsoleManager::Get().FindConsoleVariable(TEXT("r.EyeAdaptation.MethodOverride"));
 	Override.Set(2);
-	EXPECT_EQ(0u, DecideExposure(AutoChain()).Reason.find("AEM_Basic in place of AEM_Histogram (console variables)"));
+	EXPECT_EQ(0u, DecideOn(EEffect::Exposure, AutoChain())
+					  .Reason.find("AEM_Basic in place of AEM_Histogram (console variables)"));
 	Override.Set(-1);
 }
 
 TEST(LocalExposureDecision, NeutralValuesDoNotRunAndSayWhy)
 {
-	FChainSettings Chain = AutoChain();
-	EXPECT_FALSE(DecideLocalExposure(Chain).bActive);
-	EXPECT_FALSE(DecideLocalExposure(Chain).bConfigured);
-	EXPECT_EQ("its contrast scales and detail strength are 1", DecideLocalExposure(Chain).Reason);
+	FViewSettings Chain = AutoChain();
+	EXPECT_FALSE(DecideOn(EEffect::LocalExposure, Chain).bActive);
+	EXPECT_FALSE(DecideOn(EEffect::LocalExposure, Chain).bConfigured);
+	EXPECT_EQ("its contrast scales and detail strength are 1", DecideOn(EEffect::LocalExposure, Chain).Reason);
 	Chain.NamedSettings = {"LocalExposureHighlightThreshold"};
-	EXPECT_TRUE(DecideLocalExposure(Chain).bConfigured);
+	EXPECT_TRUE(DecideOn(EEffect::LocalExposure, Chain).bConfigured);
 	Chain.Settings.LocalExposureShadowContrastScale = 0.5f;
-	EXPECT_TRUE(DecideLocalExposure(Chain).bActive);
+	EXPECT_TRUE(DecideOn(EEffect::LocalExposure, Chain).bActive);
 }
 
 TEST(LocalExposureRun, BuildsItsPassesAndChangesThePicture)

@@ -536,7 +536,22 @@ TEST(RunReport, HasTheFixedKeys)
 	}
 	EXPECT_EQ(0.675, Report.Find("settings")->Find("BloomIntensity")->Number);
 	EXPECT_EQ(17u, Report.Find("channels")->Elements.size());
-	EXPECT_EQ(15u, Report.Find("effects")->Elements.size());
+	EXPECT_EQ(GetEffects().size(), Report.Find("effects")->Elements.size());
+}
+
+TEST(RunMistakes, ASettingThatNoEffectReadsIsAWarningAtItsPlace)
+{
+	FRunOptions Options;
+	Options.ConfigFile = "a.json";
+	Options.ConfigText = R"({"volumes": [{"bUnbound": true, "Settings": {"AmbientOcclusionBias": 2}}]})";
+	Options.Settings = {"AmbientOcclusionBias=3"};
+	const std::vector<FDiagnostic> Diagnostics = CheckConfig(Options).Diagnostics;
+	ASSERT_EQ(2u, Diagnostics.size());
+	EXPECT_EQ(WarnNotBuilt, Diagnostics[0].Code);
+	EXPECT_EQ("a.json", Diagnostics[0].File);
+	EXPECT_EQ(46, Diagnostics[0].Column);
+	EXPECT_EQ("/volumes/0/Settings/AmbientOcclusionBias", Diagnostics[0].Where);
+	EXPECT_EQ("command line", Diagnostics[1].File);
 }
 
 TEST(RunReport, PassesCountTheirPixels)

@@ -1,6 +1,7 @@
 // Toon bloom in whole frames: when it runs, what it reads, what it reports.
 #include <gtest/gtest.h>
 
+#include "pipeline/EffectTestUtils.h"
 #include "Run/Run.h"
 #include "Text/ConfigErrors.h"
 #include "Text/Json.h"
@@ -23,13 +24,13 @@ FRunResult RunToon(const std::string& Settings, const std::vector<std::string>& 
 	Options.ConfigText =
 		R"({"scene": {)" + Scene + R"(}, "volumes": [{"bUnbound": true, "Settings": {)" + Settings + "}}]}";
 	Options.Variables = Variables;
+	Options.bMeasureEffects = true;
 	return RunConfig(Options);
 }
 
-const FEffectDecision& FindEffect(const FRunResult& Result, const std::string& Name)
+double GetBleed(const FRunResult& Result, const char* Side)
 {
-	return *std::find_if(Result.Effects.begin(), Result.Effects.end(),
-		[&](const FEffectDecision& Effect) { return Effect.Name == Name; });
+	return FindFigures(Result, EEffect::ToonBloom).Get("bleed", Side);
 }
 
 bool HasPass(const FRunResult& Result, const std::string& Begin)
@@ -90,13 +91,11 @@ TEST(ToonBloomRun, SwitchedOffGivesTheBitsOfAFrameWithoutIt)
 
 TEST(ToonBloomRun, LessToonBleedsLess)
 {
-	const std::optional<FToonBleed> Weak = FindEffect(RunToon(R"("BloomToonIntensity": 0.1)"), "ToonBloom").Bleed;
-	const std::optional<FToonBleed> Full =
-		FindEffect(RunToon(R"("BloomToonIntensity": 1)", {"r.ToonBloom=1"}), "ToonBloom").Bleed;
-	ASSERT_TRUE(Weak && Full);
-	EXPECT_LT(Weak->Outside, Full->Outside);
-	EXPECT_LT(Weak->Inside, Full->Inside);
-	EXPECT_GT(Weak->Inside, 0.0);
+	const FRunResult Weak = RunToon(R"("BloomToonIntensity": 0.1)");
+	const FRunResult Full = RunToon(R"("BloomToonIntensity": 1)", {"r.ToonBloom=1"});
+	EXPECT_LT(GetBleed(Weak, "outside"), GetBleed(Full, "outside"));
+	EXPECT_LT(GetBleed(Weak, "inside"), GetBleed(Full, "inside"));
+	EXPECT_GT(GetBleed(Weak, "inside"), 0.0);
 }
 
 TEST(ToonBloomRun, TheReportHoldsTheBleed)
@@ -105,7 +104,7 @@ TEST(ToonBloomRun, TheReportHoldsTheBleed)
 	std::vector<FDiagnostic> Ignored;
 	bool bSyntaxError = false;
 	const FJsonValue Report = ParseJson(Result.RunJson, "run.json", Ignored, bSyntaxError);
-	const FJsonValue& Toon = Report.Find("effects")->Elements.at(1);
+	const FJsonValue& Toon = Report.Find("effects")->Elements.at(2);
 	EXPECT_EQ("ToonBloom", Toon.Find("name")->String);
 	const FJsonValue* Bleed = Toon.Find("bleed");
 	ASSERT_NE(nullptr, Bleed);
@@ -147,9 +146,9 @@ TEST(ToonBloomRun, ADefaultStandsInForTheMissingId)
 	const std::string Picture = R"("file": "../docs/images/toon_input.png", "defaults": {"shadingmodel.ID": )";
 	const FRunResult NoToon = RunToon(R"("BloomToonIntensity": 0)", {}, Picture + "1}");
 	const FRunResult AllToon = RunToon(R"("BloomToonIntensity": 0)", {}, Picture + "8}");
-	EXPECT_EQ(0.0, FindEffect(NoToon, "ToonBloom").Bleed->Inside);
-	EXPECT_EQ(0.0, FindEffect(AllToon, "ToonBloom").Bleed->Inside); // none blooms, so nothing bleeds
-	EXPECT_EQ(0.0, FindEffect(AllToon, "ToonBloom").Bleed->Outside);
+	EXPECT_EQ(0.0, GetBleed(NoToon, "inside"));
+	EXPECT_EQ(0.0, GetBleed(AllToon, "inside")); // none blooms, so nothing bleeds
+	EXPECT_EQ(0.0, GetBleed(AllToon, "outside"));
 }
 
 TEST(ToonBloomRun, APlainPictureNeedsNoIdsWithoutIt)

@@ -19,12 +19,12 @@ const std::string ConfigFile = DRYDOCK_TEST_SOURCE_DIR "/configs/toon_bloom_volu
 constexpr double Begin = -135.0;
 constexpr double End = 105.0;
 
-FChainSettings SettingsAt(const FConfig& Config, double X)
+FViewSettings SettingsAt(const FConfig& Config, double X)
 {
 	FConfig Moved = Config;
 	Moved.View.Location.Value = {X, 0.0, 145.0};
 	Moved.View.Location.Place.Line = 1;
-	return MakeChainSettings(Moved);
+	return MakeViewSettings(Moved);
 }
 
 FConfig Load()
@@ -33,11 +33,11 @@ FConfig Load()
 	return LoadConfig(ConfigFile, Diagnostics);
 }
 
-bool IsToonBloomActive(const FChainSettings& Chain)
+bool IsToonBloomActive(const FViewSettings& Chain)
 {
 	const std::vector<FEffectDecision> Effects = DecideEffects(Chain);
 	return std::any_of(Effects.begin(), Effects.end(),
-		[](const FEffectDecision& Effect) { return Effect.bActive && Effect.Name == "ToonBloom"; });
+		[](const FEffectDecision& Effect) { return Effect.bActive && Effect.GetId() == EEffect::ToonBloom; });
 }
 
 FImage RenderAt(const std::string& X)

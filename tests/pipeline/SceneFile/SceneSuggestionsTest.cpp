@@ -76,7 +76,7 @@ TEST(SceneSuggestions, SettingsBlendWithThoseWeights)
 {
 	const FCompleted Result = Complete(FromScene("toon_character.exr"));
 	// 0.675 + 0.45 * (1.5 - 0.675) = 1.04625; + 0.1333333 * (3 - 1.04625) = 1.30675.
-	EXPECT_NEAR(1.30675f, MakeChainSettings(Result.Config).Settings.BloomIntensity, 1e-6f);
+	EXPECT_NEAR(1.30675f, MakeViewSettings(Result.Config).Settings.BloomIntensity, 1e-6f);
 }
 
 TEST(SceneSuggestions, VolumesKeepTheirNames)
