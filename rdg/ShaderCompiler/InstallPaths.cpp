@@ -42,9 +42,9 @@ std::vector<std::string> FindKernelIncludes()
 	{
 		std::error_code Error;
 		const fs::path Rdg = fs::path(Root) / "rdg";
-		if (!Root.empty() && fs::exists(Rdg / "Shader" / "Lanes" / "Lanes.h", Error))
+		if (!Root.empty() && fs::exists(Rdg / "Lanes" / "Lanes.h", Error))
 		{
-			return {(Rdg / "ShaderCompiler").string(), (Rdg / "Shader" / "Lanes").string(), (Rdg / "Shader").string()};
+			return {(Rdg / "Lanes").string(), (Rdg / "Kernel").string()};
 		}
 	}
 	return {};

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "GlobalShader.h"
-#include "ShaderParameterStructs.h"
+#include "rdg/Shader/ShaderParameterStructs.h"
 
 /** Output[p] = Input.Load(p) * Tint + PreExposure of the uniform buffer, or without it. */
 class FTestTintCS : public FGlobalShader

@@ -7,7 +7,7 @@
 #include "RHIStaticStates.h"
 #include "ShaderBinding.h"
 #include "ShaderBindingPlan.h"
-#include "ShaderParameterStructs.h"
+#include "rdg/Shader/ShaderParameterStructs.h"
 
 namespace
 {

@@ -32,7 +32,7 @@ protected:
 	{
 		setenv("DRYDOCK_CACHE_DIR", DRYDOCK_TEST_BINARY_DIR "/test-shader-cache", 0);
 		AddShaderSourceDirectoryMapping(
-			TEXT("/DrydockTest"), FString(DRYDOCK_TEST_SOURCE_DIR "/tests/rdg/Shader/Shaders"));
+			TEXT("/DrydockTest"), FString(DRYDOCK_TEST_SOURCE_DIR "/tests/rdg/Binding/Shaders"));
 	}
 
 	FShaderExecution()

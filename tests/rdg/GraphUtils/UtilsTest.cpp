@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "GraphTestBuilder.h"
+#include "rdg/Graph/GraphTestBuilder.h"
 #include "RenderGraphUtils.h"
 #include "SystemTextures.h"
 

@@ -2,8 +2,8 @@
 // Source: drydock.
 #include <gtest/gtest.h>
 
-#include "ShaderHarness.h"
 #include "SpirvEmit.h"
+#include "rdg/ShaderCompiler/ShaderHarness.h"
 
 #include <random>
 
