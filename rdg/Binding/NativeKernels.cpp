@@ -2,7 +2,7 @@
 #include "NativeKernels.h"
 
 #include "HAL/IConsoleManager.h"
-#include "ShaderBinding.h"
+#include "ShaderCompilation.h"
 
 #include <map>
 #include <mutex>

@@ -1,13 +1,13 @@
-// Following a binding plan inside a pass, and the checks and clean-up of parameter structs before it. Source: drydock.
+// Follows a binding plan inside a pass, and checks before it that everything the shader reads is there.
 #include "ShaderBinding.h"
 
 #include "NativeKernels.h"
 #include "RHIResources.h"
-#include "ShaderGraphResources.h"
-#include "ShaderParameterStruct.h"
+#include "RenderGraphResources.h"
+#include "ShaderCompilation.h"
+#include "ShaderParameterMacros.h"
 #include "ShaderState.h"
 
-#include <algorithm>
 #include <cstring>
 
 namespace Drydock
@@ -29,22 +29,6 @@ T* ReadPointer(const void* Contents, uint32 Offset)
 	return Pointer;
 }
 
-bool IsGraphResource(EUniformBufferBaseType BaseType)
-{
-	switch (BaseType)
-	{
-	case UBMT_RDG_TEXTURE:
-	case UBMT_RDG_TEXTURE_SRV:
-	case UBMT_RDG_TEXTURE_UAV:
-	case UBMT_RDG_BUFFER_SRV:
-	case UBMT_RDG_BUFFER_UAV:
-	case UBMT_RDG_UNIFORM_BUFFER:
-		return true;
-	default:
-		return false;
-	}
-}
-
 /** Contents of a source: the parameter struct itself, or the uniform buffer that its member holds (null when it holds
  * none). */
 const void* GetContents(const FBindingSource& Source, const void* Parameters)
@@ -56,8 +40,8 @@ const void* GetContents(const FBindingSource& Source, const void* Parameters)
 	}
 	if (Source.BaseType == UBMT_RDG_UNIFORM_BUFFER)
 	{
-		FRDGUniformBuffer* Buffer = ReadPointer<FRDGUniformBuffer>(Parameters, Source.Offset);
-		return Buffer ? GetUniformBufferContents(Buffer) : nullptr;
+		const FRDGUniformBuffer* Buffer = ReadPointer<const FRDGUniformBuffer>(Parameters, Source.Offset);
+		return Buffer ? Buffer->GetContents() : nullptr;
 	}
 	return Parameters;
 }
@@ -73,11 +57,11 @@ FKernelTexture GetTexture(const FResourceCopy& Copy, const void* Contents)
 	case UBMT_UAV:
 		return ReadPointer<FRHIUnorderedAccessView>(Contents, Copy.SourceOffset)->GetKernelTexture();
 	case UBMT_RDG_TEXTURE:
-		return GetTextureRHI(ReadPointer<FRDGTexture>(Contents, Copy.SourceOffset))->GetKernelView();
+		return ReadPointer<FRDGTexture>(Contents, Copy.SourceOffset)->GetRHI()->GetKernelView();
 	case UBMT_RDG_TEXTURE_SRV:
-		return GetViewRHI(ReadPointer<FRDGTextureSRV>(Contents, Copy.SourceOffset))->GetKernelTexture();
+		return ReadPointer<FRDGTextureSRV>(Contents, Copy.SourceOffset)->GetRHI()->GetKernelTexture();
 	case UBMT_RDG_TEXTURE_UAV:
-		return GetViewRHI(ReadPointer<FRDGTextureUAV>(Contents, Copy.SourceOffset))->GetKernelTexture();
+		return ReadPointer<FRDGTextureUAV>(Contents, Copy.SourceOffset)->GetRHI()->GetKernelTexture();
 	default:
 		checkNoEntry();
 		return {};
@@ -93,9 +77,9 @@ FKernelBuffer GetBuffer(const FResourceCopy& Copy, const void* Contents)
 	case UBMT_UAV:
 		return ReadPointer<FRHIUnorderedAccessView>(Contents, Copy.SourceOffset)->GetKernelBuffer();
 	case UBMT_RDG_BUFFER_SRV:
-		return GetViewRHI(ReadPointer<FRDGBufferSRV>(Contents, Copy.SourceOffset))->GetKernelBuffer();
+		return ReadPointer<FRDGBufferSRV>(Contents, Copy.SourceOffset)->GetRHI()->GetKernelBuffer();
 	case UBMT_RDG_BUFFER_UAV:
-		return GetViewRHI(ReadPointer<FRDGBufferUAV>(Contents, Copy.SourceOffset))->GetKernelBuffer();
+		return ReadPointer<FRDGBufferUAV>(Contents, Copy.SourceOffset)->GetRHI()->GetKernelBuffer();
 	default:
 		checkNoEntry();
 		return {};
@@ -140,59 +124,6 @@ void CheckRequiredParameters(const FShaderBindingPlan& Plan, const std::string& 
 	for (const FResourceCopy& Copy : Plan.Resources)
 	{
 		Require(GetContents(Plan.Sources[Copy.Source], Parameters), Copy.SourceOffset, Copy.CodeName);
-	}
-}
-
-/** The names under which a shader reads resources, and the uniform buffers from which it reads anything. */
-bool Reads(const FShaderReflection& Reflection, const FHlslMember& Member)
-{
-	const std::string Prefix =
-		Member.IsUniformBuffer() ? std::string(Member.Struct->GetShaderVariableName()) + "_" : "";
-	const auto IsMeant = [&Member, &Prefix](const std::string& Name)
-	{
-		return Prefix.empty() ? Name == Member.Name : Name.compare(0, Prefix.size(), Prefix) == 0;
-	};
-	const auto IsAnyMeant = [&IsMeant](const std::vector<FShaderResource>& Resources)
-	{
-		return std::any_of(Resources.begin(), Resources.end(),
-			[&IsMeant](const FShaderResource& Resource) { return IsMeant(Resource.Name); });
-	};
-	const auto IsConstantMeant = [&IsMeant](const FShaderConstant& Constant)
-	{
-		return Constant.bUsed && IsMeant(Constant.Name);
-	};
-	return IsAnyMeant(Reflection.Textures) || IsAnyMeant(Reflection.RWTextures) || IsAnyMeant(Reflection.Samplers) ||
-		   IsAnyMeant(Reflection.Buffers) || IsAnyMeant(Reflection.RWBuffers) ||
-		   std::any_of(Reflection.Constants.begin(), Reflection.Constants.end(), IsConstantMeant);
-}
-
-/** Vertex shaders read nothing here. */
-std::shared_ptr<const FShaderReflection> GetReflectionIfAny(const FShaderRef& Shader)
-{
-	const bool bRuns = Shader.IsValid() && Shader->GetFrequency() != SF_Vertex;
-	return bRuns ? GetShaderReflection(Shader) : nullptr;
-}
-
-void ClearUnused(const std::vector<std::shared_ptr<const FShaderReflection>>& Reflections,
-	const FShaderParametersMetadata& Metadata, void* Parameters, std::initializer_list<FRDGResource*> ExcludeList)
-{
-	for (const FHlslMember& Member : Metadata.GetHlslMembers())
-	{
-		void* const Resource =
-			IsGraphResource(Member.BaseType) ? ReadPointer<void>(Parameters, Member.Offset) : nullptr;
-		const auto ReadsMember = [&Member](const std::shared_ptr<const FShaderReflection>& Reflection)
-		{
-			return Reflection && Reads(*Reflection, Member);
-		};
-		const auto IsResource = [Resource](const FRDGResource* Kept)
-		{
-			return static_cast<const void*>(Kept) == Resource;
-		};
-		if (Resource && std::none_of(Reflections.begin(), Reflections.end(), ReadsMember) &&
-			std::none_of(ExcludeList.begin(), ExcludeList.end(), IsResource))
-		{
-			std::memset(static_cast<uint8*>(Parameters) + Member.Offset, 0, PointerSize);
-		}
 	}
 }
 
@@ -292,31 +223,15 @@ void BindShaderParameters(const FShaderRef& Shader, const void* Parameters, FBou
 	BindShaderParameters(Shader, *Metadata, Parameters, Out);
 }
 
-} // namespace Drydock
-
-void ValidateShaderParameters(
-	const TShaderRef<FShader>& Shader, const FShaderParametersMetadata* ParametersMetadata, const void* Parameters)
+void RequireShaderParameters(
+	const FShaderRef& Shader, const FShaderParametersMetadata& Metadata, const void* Parameters)
 {
-	using namespace Drydock;
-	if (Shader->GetFrequency() == SF_Vertex)
+	if (Shader->GetFrequency() != SF_Vertex)
 	{
-		return;
+		const std::shared_ptr<const FShaderBindingPlan> Plan =
+			GetPlan(Shader, *GetShaderReflection(Shader), Metadata);
+		CheckRequiredParameters(*Plan, Shader.GetType()->GetName(), Parameters);
 	}
-	const std::shared_ptr<const FShaderBindingPlan> Plan =
-		GetPlan(Shader, *GetShaderReflection(Shader), *ParametersMetadata);
-	CheckRequiredParameters(*Plan, Shader.GetType()->GetName(), Parameters);
 }
 
-void ClearUnusedGraphResources(const TShaderRef<FShader>& Shader, const FShaderParametersMetadata* ParametersMetadata,
-	void* InoutParameters, std::initializer_list<FRDGResource*> ExcludeList)
-{
-	Drydock::ClearUnused({Drydock::GetReflectionIfAny(Shader)}, *ParametersMetadata, InoutParameters, ExcludeList);
-}
-
-void ClearUnusedGraphResources(const TShaderRef<FShader>& ShaderA, const TShaderRef<FShader>& ShaderB,
-	const FShaderParametersMetadata* ParametersMetadata, void* InoutParameters,
-	std::initializer_list<FRDGResource*> ExcludeList)
-{
-	Drydock::ClearUnused({Drydock::GetReflectionIfAny(ShaderA), Drydock::GetReflectionIfAny(ShaderB)},
-		*ParametersMetadata, InoutParameters, ExcludeList);
-}
+} // namespace Drydock

@@ -7,25 +7,12 @@
 #include "CoreMinimal.h"
 #include "Diagnostics.h"
 #include "Shader.h"
+#include "ShaderBindingPlan.h"
 
 #include <vector>
 
 namespace Drydock
 {
-
-/** Arithmetic of the shaders from now on, from r.Drydock.Precision and r.Drydock.LaneWidth. */
-DRYDOCK_API FLaneConfig GetShaderLaneConfig();
-
-/** What the compiler is asked for a permutation: file, entry, stage, defines, uniform buffers named by Metadata. */
-DRYDOCK_API FShaderCompileRequest MakeShaderCompileRequest(
-	const FShaderRef& Shader, const FShaderParametersMetadata* Metadata);
-
-/** Compiled code for the current arithmetic; compiles, or takes from the cache. Throws FError with the compiler's
- * messages. */
-DRYDOCK_API std::shared_ptr<const FCompiledShader> GetCompiledShader(const FShaderRef& Shader);
-
-/** What the shader reads; compiled code is not needed for it. Throws FError with the compiler's messages. */
-DRYDOCK_API std::shared_ptr<const FShaderReflection> GetShaderReflection(const FShaderRef& Shader);
 
 /** Fills Out from Parameters, inside a pass. Throws FError with every mismatch between shader and struct. A resource or
  * uniform buffer that the shader reads and that is null is a check. */
@@ -40,11 +27,13 @@ DRYDOCK_API void BindShaderParameters(const FShaderRef& Shader, const void* Para
 DRYDOCK_API std::vector<FDiagnostic> MatchShaderParameters(
 	const std::string& ShaderName, const FShaderReflection& Reflection, const FShaderParametersMetadata& Metadata);
 
-/** Compiles a list of permutations, several at a time (0: one per core). Throws FError with the messages of all that
- * failed. */
-DRYDOCK_API void WarmShaders(const std::vector<FShaderRef>& Shaders, int32 NumThreads = 0);
+/** Packs the constants and takes views of the resources. A resource or buffer that is read and null is a check. */
+DRYDOCK_API void FollowShaderBindingPlan(
+	const FShaderBindingPlan& Plan, const FShaderReflection& Reflection, const void* Parameters, FBoundShader& Out);
 
-/** Forgets compiled code, reflections and copy plans, so that edited files are read again. No pass may be running. */
-DRYDOCK_API void ForgetShaders();
+/** A check, in the engine's words, unless every resource and uniform buffer that the shader reads is set in Parameters.
+ * Vertex shaders read nothing. */
+DRYDOCK_API void RequireShaderParameters(
+	const FShaderRef& Shader, const FShaderParametersMetadata& Metadata, const void* Parameters);
 
 } // namespace Drydock

@@ -150,7 +150,7 @@ void FRDGBuilder::Discard()
 	State->bFinished = true;
 	if (bTell && State->Observer->WantsPlannedExternals())
 	{
-		State->Observer->OnExternalsPlanned(FRDGExecutor(*this).PlanExternals(Compile()));
+		State->Observer->OnExternalsPlanned(FRDGExecutor(*State, RHICmdList).PlanExternals(Compile()));
 	}
 }
 

@@ -281,8 +281,6 @@ public:
 	FRDGBlackboard Blackboard;
 
 private:
-	friend class Drydock::FRDGExecutor;
-
 	Drydock::FRDGAllocator& GetAllocator();
 	FRDGPassRef AdoptPass(std::unique_ptr<FRDGPass>&& Pass);
 	void AdoptUniformBuffer(FRDGUniformBuffer* Buffer);
@@ -306,4 +304,19 @@ private:
 	void OpenScope(const FRDGEventName& ScopeName, bool bFinal);
 
 	std::unique_ptr<Drydock::FRDGBuilderState> State;
+};
+
+/** Opens a scope of a builder and closes it at the end of the block. */
+class DRYDOCK_API FRDGEventScopeGuard
+{
+public:
+	FRDGEventScopeGuard(
+		FRDGBuilder& InGraphBuilder, FRDGEventName&& ScopeName, bool bCondition = true, bool bFinal = false);
+	~FRDGEventScopeGuard();
+	FRDGEventScopeGuard(const FRDGEventScopeGuard&) = delete;
+	FRDGEventScopeGuard& operator=(const FRDGEventScopeGuard&) = delete;
+
+private:
+	FRDGBuilder& GraphBuilder;
+	bool bOpened;
 };

@@ -54,7 +54,7 @@ FRDGPassRef FRDGBuilder::AdoptPass(std::unique_ptr<FRDGPass>&& InPass)
 		{
 			ResolveBufferSizes();
 			ThrowCollectedErrors(ValidateGraph(State->Graph, false).Errors);
-			FRDGExecutor(*this).RunPassImmediately(*Pass);
+			FRDGExecutor(*State, RHICmdList).RunPassImmediately(*Pass);
 		}
 	}
 	catch (...)
@@ -158,6 +158,29 @@ void FRDGBuilder::EndEventScope()
 	State->Scopes.pop_back();
 }
 
+FRDGEventScopeGuard::FRDGEventScopeGuard(
+	FRDGBuilder& InGraphBuilder, FRDGEventName&& ScopeName, bool bCondition, bool bFinal)
+	: GraphBuilder(InGraphBuilder)
+	, bOpened(bCondition)
+{
+	if (bOpened && bFinal)
+	{
+		GraphBuilder.BeginFinalEventScope(MoveTemp(ScopeName));
+	}
+	else if (bOpened)
+	{
+		GraphBuilder.BeginEventScope(MoveTemp(ScopeName));
+	}
+}
+
+FRDGEventScopeGuard::~FRDGEventScopeGuard()
+{
+	if (bOpened)
+	{
+		GraphBuilder.EndEventScope();
+	}
+}
+
 // The end -----------------------------------------------------------------------------------------------------------
 
 void FRDGBuilder::ThrowCollectedErrors(const std::vector<FDiagnostic>& GraphErrors)
@@ -225,7 +248,7 @@ void FRDGBuilder::Execute()
 	}
 	const FRDGCompiledGraph Compiled = Compile();
 	State->bFinished = true;
-	FRDGExecutor Executor(*this);
+	FRDGExecutor Executor(*State, RHICmdList);
 	if (State->Settings.bImmediateMode)
 	{
 		Executor.FinishImmediate(Compiled);

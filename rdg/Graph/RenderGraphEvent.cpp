@@ -1,8 +1,6 @@
 // Source: drydock.
 #include "RenderGraphEvent.h"
 
-#include "RenderGraphBuilder.h"
-
 #include <cstdarg>
 #include <cstdio>
 #include <string>
@@ -20,27 +18,4 @@ FRDGEventName::FRDGEventName(const TCHAR* Format, ...)
 	va_end(Arguments);
 	Text.pop_back();
 	Name = FString(std::move(Text));
-}
-
-FRDGEventScopeGuard::FRDGEventScopeGuard(
-	FRDGBuilder& InGraphBuilder, FRDGEventName&& ScopeName, bool bCondition, bool bFinal)
-	: GraphBuilder(InGraphBuilder)
-	, bOpened(bCondition)
-{
-	if (bOpened && bFinal)
-	{
-		GraphBuilder.BeginFinalEventScope(MoveTemp(ScopeName));
-	}
-	else if (bOpened)
-	{
-		GraphBuilder.BeginEventScope(MoveTemp(ScopeName));
-	}
-}
-
-FRDGEventScopeGuard::~FRDGEventScopeGuard()
-{
-	if (bOpened)
-	{
-		GraphBuilder.EndEventScope();
-	}
 }

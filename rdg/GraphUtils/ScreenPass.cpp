@@ -313,3 +313,9 @@ void AddDrawTexturePass(FRDGBuilder& GraphBuilder, const FScreenPassViewInfo& Vi
 		FScreenPassRenderTarget(
 			OutputTexture, OutputRect, bCovers ? ERenderTargetLoadAction::ENoAction : ERenderTargetLoadAction::ELoad));
 }
+
+FScreenTransform FScreenTransform::ChangeTextureBasisFromTo(
+	const FScreenPassTextureViewport& TextureViewport, ETextureBasis SrcBasis, ETextureBasis DestBasis)
+{
+	return ChangeTextureBasisFromTo(TextureViewport.Extent, TextureViewport.Rect, SrcBasis, DestBasis);
+}

@@ -1,7 +1,5 @@
 #include "ScreenTransform.h"
 
-#include "ScreenPass.h"
-
 namespace
 {
 
@@ -36,12 +34,6 @@ FScreenTransform FScreenTransform::ChangeTextureBasisFromTo(
 		Result = Result * StepToNextBasis(TextureExtent, TextureViewport, static_cast<ETextureBasis>(Basis));
 	}
 	return Result;
-}
-
-FScreenTransform FScreenTransform::ChangeTextureBasisFromTo(
-	const FScreenPassTextureViewport& TextureViewport, ETextureBasis SrcBasis, ETextureBasis DestBasis)
-{
-	return ChangeTextureBasisFromTo(TextureViewport.Extent, TextureViewport.Rect, SrcBasis, DestBasis);
 }
 
 FScreenTransform FScreenTransform::ChangeRectFromTo(const FVector2f& SourceOffset, const FVector2f& SourceExtent,

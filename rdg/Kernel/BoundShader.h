@@ -4,7 +4,8 @@
 #pragma once
 
 #include "DrydockAPI.h"
-#include "ShaderCompiler.h"
+#include "ShaderKernel.h"
+#include "ShaderReflection.h"
 
 #include <cstdint>
 #include <memory>

@@ -76,8 +76,4 @@ struct FShaderBindingPlan
 DRYDOCK_API FShaderBindingPlan MakeShaderBindingPlan(const std::string& ShaderName, const FShaderReflection& Reflection,
 	const FShaderParametersMetadata& Metadata, std::vector<FDiagnostic>& Diagnostics);
 
-/** Packs the constants and takes views of the resources. A resource or buffer that is read and null is a check. */
-DRYDOCK_API void FollowShaderBindingPlan(
-	const FShaderBindingPlan& Plan, const FShaderReflection& Reflection, const void* Parameters, FBoundShader& Out);
-
 } // namespace Drydock

@@ -1,6 +1,7 @@
 // From a permutation to compiled code: the request, the declarations of its uniform buffers, what is kept, warming.
 // Source: drydock.
-#include "ShaderBinding.h"
+#include "ShaderCompilation.h"
+
 #include "ShaderState.h"
 
 #include "HAL/IConsoleManager.h"

@@ -1,5 +1,5 @@
 // Virtual shader directories ("/Engine", "/Project") and where they lie on disk. Source: drydock.
-#include "ShaderCompiler.h"
+#include "ShaderDirectories.h"
 
 #include <algorithm>
 #include <cctype>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "Diagnostics.h"
-#include "ShaderCompiler.h"
+#include "ShaderCompileRequest.h"
 #include "ShaderSource.h"
 
 namespace Drydock

@@ -3,6 +3,8 @@
 // Source: drydock; the mapping of paths and the rule "every file once" as in the engine's shader preprocessor.
 #include "ShaderSource.h"
 
+#include "ShaderDirectories.h"
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>

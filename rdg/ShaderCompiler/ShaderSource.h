@@ -3,7 +3,7 @@
 #pragma once
 
 #include "Diagnostics.h"
-#include "ShaderCompiler.h"
+#include "ShaderCompileRequest.h"
 
 namespace Drydock
 {

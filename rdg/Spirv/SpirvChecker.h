@@ -1,4 +1,4 @@
-// One check per kind of instruction. SpirvCheck.cpp: control flow, memory and what is refused;
+// One check per kind of instruction. SpirvChecker.cpp: control flow, memory and what is refused;
 // SpirvCheckValues.cpp: vectors, matrices, textures. Source: drydock.
 #pragma once
 

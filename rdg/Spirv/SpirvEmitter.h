@@ -1,4 +1,4 @@
-// The emitter's state and its parts: SpirvEmit.cpp (module), SpirvEmitFlow.cpp (control flow and masks),
+// The emitter's state and its parts: SpirvEmitter.cpp (module), SpirvEmitFlow.cpp (control flow and masks),
 // SpirvEmitOps.cpp (arithmetic), SpirvEmitComposites.cpp, SpirvEmitMemory.cpp (variables, buffers),
 // SpirvEmitImages.cpp.
 //

@@ -1,4 +1,4 @@
-// The interpreter's state while one thread runs. SpirvInterpreter.cpp: blocks and memory; SpirvInterpreterValues.cpp:
+// The interpreter's state while one thread runs. SpirvInterpreterImpl.cpp: blocks and memory; SpirvInterpreterValues.cpp:
 // vectors, matrices and functions of them; SpirvInterpreterImages.cpp: textures. Source: drydock.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Words to FSpirvModule. Every access to a word is checked; every id is checked by SpirvCheck.cpp afterwards.
+// Words to FSpirvModule. Every access to a word is checked; every id is checked by SpirvChecker.cpp afterwards.
 // Source: Khronos, SPIR-V specification 1.0.
 #include "SpirvReaderImpl.h"
 

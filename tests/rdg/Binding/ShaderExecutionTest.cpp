@@ -9,6 +9,7 @@
 #include "RHICommandList.h"
 #include "RHIResources.h"
 #include "ShaderBinding.h"
+#include "ShaderCompilation.h"
 #include "ShaderTypes.h"
 
 namespace

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "ShaderBinding.h"
+#include "ShaderCompilation.h"
 #include "ShaderTypes.h"
 
 namespace

@@ -12,7 +12,7 @@
 #include "BlankArguments.h"
 #include "ContentHash.h"
 #include "GlobalShader.h"
-#include "ShaderBinding.h"
+#include "ShaderCompilation.h"
 #include "ShaderHarness.h"
 #include "ShaderMutants.h"
 #include "SpirvEmit.h"

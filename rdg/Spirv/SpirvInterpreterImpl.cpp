@@ -1,6 +1,4 @@
 // Source: drydock; meaning of the instructions: SPIR-V specification, section 3.
-#include "SpirvInterpreter.h"
-
 #include "SpirvInterpreterImpl.h"
 
 #include <algorithm>
