@@ -1,4 +1,5 @@
-// A value of the settings table without its C++ type, and the names of what a field can be: its type, its way of blending.
+// A value of the settings table without its C++ type, and the names of what a field can be: its type, its way of
+// blending.
 #pragma once
 
 #include "CoreMinimal.h"

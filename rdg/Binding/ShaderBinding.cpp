@@ -228,8 +228,7 @@ void RequireShaderParameters(
 {
 	if (Shader->GetFrequency() != SF_Vertex)
 	{
-		const std::shared_ptr<const FShaderBindingPlan> Plan =
-			GetPlan(Shader, *GetShaderReflection(Shader), Metadata);
+		const std::shared_ptr<const FShaderBindingPlan> Plan = GetPlan(Shader, *GetShaderReflection(Shader), Metadata);
 		CheckRequiredParameters(*Plan, Shader.GetType()->GetName(), Parameters);
 	}
 }

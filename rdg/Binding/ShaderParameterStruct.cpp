@@ -1,4 +1,5 @@
-// Drops from a parameter struct the graph resources that no shader of the pass reads, and checks that the others are set.
+// Drops from a parameter struct the graph resources that no shader of the pass reads, and checks that the others are
+// set.
 #include "ShaderParameterStruct.h"
 
 #include "RenderGraphResources.h"
@@ -71,8 +72,7 @@ void ClearUnused(const std::vector<std::shared_ptr<const FShaderReflection>>& Re
 {
 	for (const FHlslMember& Member : Metadata.GetHlslMembers())
 	{
-		void* const Resource =
-			IsGraphResource(Member.BaseType) ? ReadPointer(Parameters, Member.Offset) : nullptr;
+		void* const Resource = IsGraphResource(Member.BaseType) ? ReadPointer(Parameters, Member.Offset) : nullptr;
 		const auto ReadsMember = [&Member](const std::shared_ptr<const FShaderReflection>& Reflection)
 		{
 			return Reflection && Reads(*Reflection, Member);

@@ -24,8 +24,8 @@ private:
 /** `RDG_EVENT_NAME("Blur %dx%d", X, Y)`. */
 #define RDG_EVENT_NAME(Format, ...) FRDGEventName(TEXT(Format) __VA_OPT__(, ) __VA_ARGS__)
 
-// Scopes end with the block; the macros bring their own semicolon, as the engine's do. FRDGEventScopeGuard comes with the
-// builder (RenderGraphBuilder.h).
+// Scopes end with the block; the macros bring their own semicolon, as the engine's do. FRDGEventScopeGuard comes with
+// the builder (RenderGraphBuilder.h).
 #define RDG_EVENT_SCOPE(GraphBuilder, Format, ...) \
 	FRDGEventScopeGuard RDG_EVENT_JOIN(RDGEventScope, __LINE__)( \
 		GraphBuilder, RDG_EVENT_NAME(Format __VA_OPT__(, ) __VA_ARGS__));

@@ -20,7 +20,7 @@ struct FRDGExternalLoad
 	bool bIsRead = true;
 };
 
-/** All calls come from Execute (in immediate mode: from AddPass; for a discarded graph: from Discard), on its thread. */
+/** All calls come from Execute (in immediate mode from AddPass, for a discarded graph from Discard), on its thread. */
 class DRYDOCK_API IRDGObserver
 {
 public:

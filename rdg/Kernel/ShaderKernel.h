@@ -70,8 +70,19 @@ struct FKernelTexture
 	uint8_t bSaturateStore; // r.Drydock.StoreOverflow 1: finite overflow of a half store gives the largest finite value
 };
 
-enum class EKernelFilter : uint8_t { Point, Bilinear, Trilinear };
-enum class EKernelAddress : uint8_t { Wrap, Clamp, Mirror, Border };
+enum class EKernelFilter : uint8_t
+{
+	Point,
+	Bilinear,
+	Trilinear
+};
+enum class EKernelAddress : uint8_t
+{
+	Wrap,
+	Clamp,
+	Mirror,
+	Border
+};
 
 struct FKernelSampler
 {
@@ -93,11 +104,28 @@ struct FKernelBuffer
 	ETexelStorage Storage; // typed buffers only
 };
 
-enum class EKernelBlendOp : uint8_t { Add, Subtract, Min, Max, ReverseSubtract };
+enum class EKernelBlendOp : uint8_t
+{
+	Add,
+	Subtract,
+	Min,
+	Max,
+	ReverseSubtract
+};
 enum class EKernelBlendFactor : uint8_t
 {
-	Zero, One, SourceColor, InverseSourceColor, SourceAlpha, InverseSourceAlpha,
-	DestAlpha, InverseDestAlpha, DestColor, InverseDestColor, ConstantBlendFactor, InverseConstantBlendFactor
+	Zero,
+	One,
+	SourceColor,
+	InverseSourceColor,
+	SourceAlpha,
+	InverseSourceAlpha,
+	DestAlpha,
+	InverseDestAlpha,
+	DestColor,
+	InverseDestColor,
+	ConstantBlendFactor,
+	InverseConstantBlendFactor
 };
 
 /** One bound render target of a pixel shader. */

@@ -20,7 +20,8 @@ namespace
 class FThreadPool
 {
 public:
-	explicit FThreadPool(int32 InNumThreads) : NumThreads(InNumThreads)
+	explicit FThreadPool(int32 InNumThreads)
+		: NumThreads(InNumThreads)
 	{
 		for (int32 Worker = 1; Worker < NumThreads; ++Worker)
 		{

@@ -1,5 +1,5 @@
-// From a permutation of a shader class to its compiled code and its reflection: what is asked of the shader compiler, what
-// is kept between passes, and how both are forgotten.
+// From a permutation of a shader class to its compiled code and its reflection: what is asked of the shader compiler,
+// what is kept between passes, and how both are forgotten.
 #pragma once
 
 #include "CoreMinimal.h"

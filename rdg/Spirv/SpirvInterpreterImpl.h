@@ -1,5 +1,6 @@
-// The interpreter's state while one thread runs. SpirvInterpreterImpl.cpp: blocks and memory; SpirvInterpreterValues.cpp:
-// vectors, matrices and functions of them; SpirvInterpreterImages.cpp: textures. Source: drydock.
+// The interpreter's state while one thread runs. SpirvInterpreterImpl.cpp: blocks and memory;
+// SpirvInterpreterValues.cpp: vectors, matrices and functions of them; SpirvInterpreterImages.cpp: textures. Source:
+// drydock.
 #pragma once
 
 #include "SpirvInterpreter.h"
