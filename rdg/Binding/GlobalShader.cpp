@@ -1,4 +1,4 @@
-// The one map of global shaders. Source: drydock.
+// Holds the one map of global shaders, and walks their classes.
 #include "GlobalShader.h"
 
 FGlobalShaderMap* GetGlobalShaderMap(ERHIFeatureLevel::Type)

@@ -1,4 +1,4 @@
-// The registry of hand-written kernels. Source: drydock.
+// Keeps the registry of hand-written kernels, by shader class.
 #include "NativeKernels.h"
 
 #include "HAL/IConsoleManager.h"

@@ -1,5 +1,5 @@
 // Hand-written kernels that stand in for a .usf where measurements say so. They are registered beside the shader class,
-// never instead of it: r.Drydock.NativeKernels 0 runs the .usf, and double precision always does. Source: drydock.
+// never instead of it: r.Drydock.NativeKernels 0 runs the .usf, and double precision always does.
 #pragma once
 
 #include "BoundShader.h"

@@ -1,6 +1,5 @@
 // Binding: parameters in C++ are matched by name and type with what the compiled shader reads, once per shader
 // permutation and struct; each pass then only copies. What does not match is an error that names both sides.
-// Source: drydock.
 #pragma once
 
 #include "BoundShader.h"

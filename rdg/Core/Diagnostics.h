@@ -1,6 +1,6 @@
 // Numbered messages for the user: what went wrong, where, and what was expected. Every stage collects as many as it can
 // and reports them together. Numbers: DD1 config, DD2 graph and extensions, DD3 settings, DD4 numeric, DD5 files,
-// DD6 shaders. docs/errors.md lists them all. Source: drydock.
+// DD6 shaders. docs/errors.md lists them all.
 #pragma once
 
 #include "DrydockAPI.h"

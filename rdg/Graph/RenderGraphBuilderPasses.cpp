@@ -1,4 +1,4 @@
-// The builder's passes, scopes, and what happens at the end. Source: drydock; behaviour is the engine's.
+// Takes in the builder's passes and scopes, and does what happens at the end. Behaviour is the engine's.
 #include "RenderGraphBuilder.h"
 
 #include "RenderGraphCompile.h"

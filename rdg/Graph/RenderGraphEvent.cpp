@@ -1,4 +1,4 @@
-// Source: drydock.
+// Formats the names of passes and scopes.
 #include "RenderGraphEvent.h"
 
 #include <cstdarg>

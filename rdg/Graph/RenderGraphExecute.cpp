@@ -1,4 +1,4 @@
-// Source: drydock. A little past 500 lines: one executor, in the order in which a graph runs.
+// Runs the passes of a compiled graph, or one pass at a time in immediate mode.
 #include "RenderGraphExecute.h"
 
 #include "RenderGraphAlias.h"
@@ -8,6 +8,7 @@
 #include "RenderGraphObserver.h"
 #include "RenderGraphReport.h"
 #include "ShaderCompilation.h"
+#include "ShaderParameterMacros.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,5 +1,5 @@
 // Runs passes: gives resources memory before their first pass, opens and closes render passes, lets the running pass
-// touch what it declares, measures. Internal to this folder. Source: drydock.
+// touch what it declares, measures. Internal to this folder.
 #pragma once
 
 #include "RenderGraphObserver.h"

@@ -1,5 +1,5 @@
 // How the frame's host watches a graph: what was compiled, which external textures have to be filled, what each pass
-// cost and wrote. Source: drydock.
+// cost and wrote.
 #pragma once
 
 #include "PassCounters.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Makes the RHI views behind a graph's views, and checks who touches a resource when.
 #include "RenderGraphResources.h"
 
 #include "RenderGraphConsoleVariables.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Checks a declared graph, rule by rule, before it is compiled.
 #include "RenderGraphValidate.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Adds the passes that many graphs need: copies, clears, uploads, read-backs.
 #include "RenderGraphUtils.h"
 
 #include "PixelFormatConversion.h"

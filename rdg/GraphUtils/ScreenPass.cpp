@@ -1,3 +1,4 @@
+// Fills the parameters of screen passes and adds the passes that draw or copy rectangles of textures.
 #include "ScreenPass.h"
 
 #include "SystemTextures.h"

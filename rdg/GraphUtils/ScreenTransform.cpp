@@ -1,3 +1,4 @@
+// Makes the maps between the bases that positions of a screen pass are given in. Source: engine ScreenPass.cpp.
 #include "ScreenTransform.h"
 
 namespace

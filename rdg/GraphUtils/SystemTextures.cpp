@@ -1,3 +1,4 @@
+// Registers the plain textures of constant colour that every graph may read.
 #include "SystemTextures.h"
 
 #include "RenderGraphBlackboard.h"

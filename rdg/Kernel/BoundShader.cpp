@@ -1,4 +1,4 @@
-// Running a bound shader, and the lookups of hand-written kernels. Source: drydock.
+// Runs a bound shader, and looks up by name what hand-written kernels ask for.
 #include "BoundShader.h"
 
 namespace Drydock

@@ -1,6 +1,6 @@
 // A compiled shader together with everything it reads for one pass: constant buffers packed as the shader lays them
 // out, and views of its textures, samplers and buffers. Made by the binder (ShaderBinding.h), run by the command list,
-// which adds what belongs to the draw: render targets, interpolants and counters. Source: drydock.
+// which adds what belongs to the draw: render targets, interpolants and counters.
 #pragma once
 
 #include "DrydockAPI.h"

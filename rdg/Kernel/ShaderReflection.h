@@ -1,5 +1,5 @@
 // What a compiled shader says of its parameters, read from its SPIR-V: plain data, matched by name and type against the
-// C++ parameter structs. Source: drydock.
+// C++ parameter structs.
 #pragma once
 
 #include "DrydockAPI.h"

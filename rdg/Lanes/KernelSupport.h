@@ -1,5 +1,5 @@
 // What generated kernels need beyond the lane vocabulary: array elements at run-time indices, offsets into buffers,
-// counters, and the loop over a tile. Included by generated code only. Source: drydock.
+// counters, and the loop over a tile. Included by generated code only.
 #pragma once
 
 #include "Lanes.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Asks the CPU which lane widths it runs.
 #include "LanesDispatch.h"
 
 namespace Drydock

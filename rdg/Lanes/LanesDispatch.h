@@ -1,4 +1,4 @@
-// Which lane widths this CPU runs. Source: drydock.
+// Tells which lane widths this CPU runs.
 #pragma once
 
 #include "DrydockAPI.h"

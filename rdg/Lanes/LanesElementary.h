@@ -5,8 +5,8 @@
 // Exponentials, logarithms and Pow give 0 below the smallest normal float and take arguments below it as 0, whatever
 // the processor's denormal mode; the others follow the mode. Pow is exp2(y * log2(x)) as in Direct3D: NaN for a
 // negative x, and 1 for y = 0 with any other x but NaN. Double lanes call the C library one by one. Polynomials:
-// Chebyshev fits made for drydock. Source: drydock; argument reductions after W. J. Cody and W. Waite, Software Manual
-// for the Elementary Functions (1980).
+// Chebyshev fits made for drydock. Source of the argument reductions: W. J. Cody and W. Waite, Software Manual for the
+// Elementary Functions (1980).
 #pragma once
 
 #include "LanesMath.h"

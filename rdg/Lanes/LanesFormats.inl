@@ -1,6 +1,6 @@
 // The texel formats with tuned paths, decoded N at a time. Wide formats (8 and 16 bytes) are filtered as whole texels
 // and split into channels last; narrow ones (up to 4 bytes) become channels when they are read.
-// Included by the LanesSampling_*.cpp only. Source: drydock.
+// Included by the LanesSampling_*.cpp only.
 #pragma once
 
 #include "LanesOps.inl"

@@ -1,6 +1,6 @@
 // The shuffles and conversions that the tuned sampling paths need, once per instruction set: TLaneOps<4> (SSE 4.1),
 // <8> (AVX2 with F16C), <16> (AVX-512). "AoS" registers hold N / 4 whole RGBA texels, "SoA" ones a channel of N texels.
-// Included by the LanesSampling_*.cpp only. Source: drydock.
+// Included by the LanesSampling_*.cpp only.
 #pragma once
 
 #include "LanesCoordinates.inl"

@@ -1,6 +1,6 @@
 // Textures, buffers, constants and render targets as a kernel sees them. Sampling, texel loads and stores run in
 // libdrydock, tuned per instruction set; lanes travel by pointer so that no vector type crosses a library border.
-// Source: drydock; rules of Direct3D 11 and of docs/architecture.md.
+// The rules are those of Direct3D 11 and of docs/architecture.md.
 //
 //   Real textures   SampleLevel2D(Texture, Sampler, Vec2 UV, Level)      Level: Real or TReal
 //                   SampleLevel2DArray(Texture, Sampler, Vec3 UVLayer, Level), SampleLevel3D(Texture, Sampler, Vec3

@@ -1,4 +1,4 @@
-// The members of TSampling, for the instruction set of the including file. Source: drydock.
+// Defines the members of TSampling for the instruction set of the including file.
 #pragma once
 
 #include "LanesSamplingRows.inl"

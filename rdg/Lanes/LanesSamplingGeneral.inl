@@ -1,6 +1,5 @@
 // Sampling of scattered lanes: one footprint per lane, with or without border texels. Same operations, same order, same
 // bits as LanesSamplingReference.inl, except where a result is NaN. Included by the LanesSampling_*.cpp only.
-// Source: drydock.
 #pragma once
 
 #include "LanesFormats.inl"

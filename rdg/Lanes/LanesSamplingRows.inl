@@ -6,7 +6,7 @@
 //                 loads, then a permutation picks each lane's pair
 //   general       anything else: one footprint per lane (LanesSamplingGeneral.inl)
 // All do the operations of LanesSamplingReference.inl in the same order, hence give the same bits. A result that is NaN
-// is left to that code. Included by the LanesSampling_*.cpp only. Source: drydock.
+// is left to that code. Included by the LanesSampling_*.cpp only.
 #pragma once
 
 #include "LanesSamplingGeneral.inl"

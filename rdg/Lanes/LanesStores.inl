@@ -1,5 +1,5 @@
 // Texel stores of N lanes: conversion to the texture's storage with the same bits as EncodeTexel, masks, blending.
-// Included by the LanesSampling_*.cpp only. Source: drydock; D3D11 functional specification 3.2.3, 17.6 (blending).
+// Included by the LanesSampling_*.cpp only. Source: D3D11 functional specification 3.2.3, 17.6 (blending).
 #pragma once
 
 #include "LanesFormats.inl"

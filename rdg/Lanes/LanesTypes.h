@@ -1,5 +1,5 @@
 // The four lane types: TReal, TInt, TUint and TMask, on the vector extensions of GCC and Clang (no intrinsics header:
-// it would cost a third of a shader's compile time). Source: drydock.
+// it would cost a third of a shader's compile time).
 #pragma once
 
 #include <cstdint>

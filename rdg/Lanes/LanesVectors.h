@@ -1,5 +1,5 @@
 // Short vectors, matrices and arrays of uniform or lane values: plain structs of components, so that the compiler keeps
-// each component in a register of its own. Source: drydock.
+// each component in a register of its own.
 #pragma once
 
 #include "LanesTypes.h"

@@ -1,4 +1,4 @@
-// ParallelFor on std::thread. Source: drydock.
+// Runs ParallelFor on threads of std::thread.
 #if !DRYDOCK_EXECUTOR_TBB
 
 #include <atomic>

@@ -1,4 +1,4 @@
-// What a pass cost, in units that do not depend on the machine. Source: drydock.
+// Counts what a pass cost, in units that do not depend on the machine.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Buffer memory and views. Source: drydock.
+// Allocates the memory of buffers and makes the kernel's views of it.
 #include "RHIBuffer.h"
 
 #include "PixelFormatConversion.h"

@@ -1,4 +1,4 @@
-// Read-backs copy at once. Source: drydock.
+// Copies read-backs at once: there is no GPU to wait for.
 #include "RHIGPUReadback.h"
 
 #include "TextureTransfer.h"

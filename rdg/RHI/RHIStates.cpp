@@ -1,4 +1,4 @@
-// States: what a kernel needs of them, and their creation. Source: drydock.
+// Creates states, and translates them to what a kernel needs of them.
 #include "RHIStates.h"
 
 #include "HAL/IConsoleManager.h"

@@ -1,4 +1,4 @@
-// Texture memory, mip tables and texel access. Source: drydock.
+// Allocates the memory of textures, with their mip tables, and reads and writes single texels.
 #include "RHITexture.h"
 
 #include "PixelFormatConversion.h"

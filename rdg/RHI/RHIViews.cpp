@@ -1,4 +1,4 @@
-// Views: ranges of mips and slices, and formats that reinterpret a texel. Source: drydock.
+// Makes views: ranges of mips and slices, and formats that reinterpret a texel.
 #include "RHIViews.h"
 
 #include "PixelFormatConversion.h"

@@ -1,4 +1,4 @@
-// Texture layout and the console variables that change storage. Source: drydock.
+// Lays textures out in memory, and holds the console variables that change how texels are stored.
 #include "TextureLayout.h"
 
 #include "HAL/IConsoleManager.h"

@@ -1,4 +1,4 @@
-// Copies, read-back and clears. Source: drydock.
+// Copies, reads back and clears textures.
 #include "TextureTransfer.h"
 
 #include "PixelFormatConversion.h"

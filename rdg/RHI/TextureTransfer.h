@@ -1,5 +1,5 @@
 // Moving texels between textures and plain memory, converting where a texture is stored wider than its format. Inner to
-// the command list. Source: drydock.
+// the command list.
 #pragma once
 
 #include "RHIResources.h"

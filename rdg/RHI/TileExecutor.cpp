@@ -1,4 +1,4 @@
-// Tiles, denormal mode, exceptions. Source: drydock.
+// Cuts work into tiles, sets the denormal mode of each thread, and carries exceptions out.
 #include "TileExecutor.h"
 
 #include "HAL/IConsoleManager.h"

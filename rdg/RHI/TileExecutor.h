@@ -1,5 +1,5 @@
 // Runs a box of work as tiles on all threads. A tile must write only what no other tile reads or writes; then the
-// result is the same bits for any number of threads and any order. Source: drydock.
+// result is the same bits for any number of threads and any order.
 #pragma once
 
 #include "CoreMinimal.h"

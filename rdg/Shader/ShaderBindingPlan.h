@@ -1,5 +1,5 @@
 // The outcome of matching a shader with a parameter struct: which bytes and which resources go where. Made once,
-// followed by every pass. Used by this folder and its tests. Source: drydock.
+// followed by every pass. Used by this folder and its tests.
 #pragma once
 
 #include "BoundShader.h"

@@ -1,5 +1,5 @@
-// From a permutation to compiled code: the request, the declarations of its uniform buffers, what is kept, warming.
-// Source: drydock.
+// Asks the shader compiler for permutations: makes the request, declares their uniform buffers, keeps what comes back,
+// warms many at once.
 #include "ShaderCompilation.h"
 
 #include "ShaderState.h"

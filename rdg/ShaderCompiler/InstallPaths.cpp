@@ -1,4 +1,4 @@
-// Source: drydock.
+// Finds the library's own files beside the shared object that this code is in.
 #include "InstallPaths.h"
 
 #include <dlfcn.h>

@@ -1,4 +1,4 @@
-// The system compiler as the last stage of the shader tier: generated C++ to a shared object. Source: drydock.
+// The system compiler as the last stage of the shader tier: generated C++ to a shared object.
 #pragma once
 
 #include "ShaderCompileRequest.h"

@@ -1,4 +1,4 @@
-// Virtual shader directories ("/Engine", "/Project") and where they lie on disk. Source: drydock.
+// Maps virtual shader directories ("/Engine", "/Project") to folders on disk.
 #include "ShaderDirectories.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The second half of reading SPIR-V: do ids, types and operand counts fit together? Source: drydock.
+// The second half of reading SPIR-V, defined by SpirvChecker.cpp: do ids, types and operand counts fit together?
 #pragma once
 
 #include "SpirvModule.h"

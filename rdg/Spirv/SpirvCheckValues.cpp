@@ -1,4 +1,4 @@
-// Source: drydock; operands as in the SPIR-V specification, section 3.
+// Checks the operands of instructions on vectors, matrices and textures. Source: SPIR-V specification, section 3.
 #include "SpirvChecker.h"
 
 namespace Drydock

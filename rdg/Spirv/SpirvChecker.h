@@ -1,5 +1,5 @@
 // One check per kind of instruction. SpirvChecker.cpp: control flow, memory and what is refused;
-// SpirvCheckValues.cpp: vectors, matrices, textures. Source: drydock.
+// SpirvCheckValues.cpp: vectors, matrices, textures.
 #pragma once
 
 #include "SpirvCheck.h"

@@ -1,5 +1,5 @@
 // A shader's SPIR-V as C++ over lanes: the text of one kernel, the same for float and double and for every lane count
-// (macros DRYDOCK_REAL and DRYDOCK_LANES). Source: drydock.
+// (macros DRYDOCK_REAL and DRYDOCK_LANES). SpirvEmitter.cpp defines it.
 #pragma once
 
 #include "SpirvReflect.h"

@@ -1,4 +1,4 @@
-// Vectors and matrices: moves between components, and sums of products. Source: drydock.
+// Emits vectors and matrices: moves between components, and sums of products.
 #include "SpirvEmitter.h"
 
 #include <algorithm>

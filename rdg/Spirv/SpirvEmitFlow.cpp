@@ -1,4 +1,4 @@
-// Control flow as C++: masks where lanes part, plain branches where they do not. Source: drydock.
+// Emits control flow: masks where lanes part, plain branches where they do not.
 #include "SpirvEmitter.h"
 
 #include <algorithm>

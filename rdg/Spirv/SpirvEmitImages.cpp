@@ -1,4 +1,4 @@
-// Textures and typed buffers: samples, loads, stores and sizes. Source: drydock.
+// Emits what concerns textures and typed buffers: samples, loads, stores and sizes.
 #include "SpirvEmitter.h"
 
 #include <algorithm>

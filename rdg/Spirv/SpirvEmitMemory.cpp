@@ -1,4 +1,4 @@
-// Variables, buffers, inputs and outputs. Textures: SpirvEmitImages.cpp. Source: drydock.
+// Emits what concerns variables, buffers, inputs and outputs; SpirvEmitImages.cpp has the textures.
 #include "SpirvEmitter.h"
 
 #include <algorithm>

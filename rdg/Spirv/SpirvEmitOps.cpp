@@ -1,4 +1,4 @@
-// Arithmetic: most operations are one C++ expression per scalar. Source: drydock.
+// Emits arithmetic: most operations are one C++ expression per scalar.
 #include "SpirvEmitter.h"
 
 #include <algorithm>

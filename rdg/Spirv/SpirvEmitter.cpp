@@ -1,4 +1,4 @@
-// The kernel around the shader's code, and the scalars it is made of. Source: drydock.
+// Emits the kernel around the shader's code, and the scalars that it is made of.
 #include "SpirvEmitter.h"
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 // that run, and is never empty where code runs. A jump to T is `mT = mT | e; e = M(false);`, T itself `e = e | mT;`.
 //
 // The text is made twice: the first pass finds which values are used outside of the C++ block that defines them, the
-// second declares those at the top. Source: drydock; masks per merge block as in Pharr and Mark, "ispc" (InPar 2012).
+// second declares those at the top. Source of the masks per merge block: Pharr and Mark, "ispc" (InPar 2012).
 #pragma once
 
 #include "SpirvEmit.h"

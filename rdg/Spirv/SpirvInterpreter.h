@@ -1,6 +1,6 @@
 // The model of the shader tier: runs a shader's SPIR-V one thread at a time, block after block, as the specification
 // says, in float. It knows nothing of lanes, masks, structure or uniformity; compiled kernels are tested against it.
-// Slow, and needs no compiler. Source: drydock.
+// Slow, and needs no compiler.
 #pragma once
 
 #include "ShaderKernel.h"

@@ -1,4 +1,4 @@
-// Textures in the model. Source: drydock.
+// Runs the instructions on textures in the model.
 #include "SpirvInterpreterImpl.h"
 
 #include <cstring>

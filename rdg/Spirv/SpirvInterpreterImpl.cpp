@@ -1,4 +1,5 @@
-// Source: drydock; meaning of the instructions: SPIR-V specification, section 3.
+// Runs a thread of the model block by block, and its loads and stores. Source of the instructions' meaning: SPIR-V
+// specification, section 3.
 #include "SpirvInterpreterImpl.h"
 
 #include <algorithm>

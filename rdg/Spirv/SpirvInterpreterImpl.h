@@ -1,6 +1,5 @@
 // The interpreter's state while one thread runs. SpirvInterpreterImpl.cpp: blocks and memory;
-// SpirvInterpreterValues.cpp: vectors, matrices and functions of them; SpirvInterpreterImages.cpp: textures. Source:
-// drydock.
+// SpirvInterpreterValues.cpp: vectors, matrices and functions of them; SpirvInterpreterImages.cpp: textures.
 #pragma once
 
 #include "SpirvInterpreter.h"

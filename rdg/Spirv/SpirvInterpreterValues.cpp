@@ -1,4 +1,4 @@
-// Vectors, matrices and geometric functions in the model. Source: drydock.
+// Runs the instructions on vectors and matrices and the geometric functions in the model.
 #include "SpirvInterpreterImpl.h"
 
 #include <cmath>

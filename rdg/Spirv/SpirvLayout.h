@@ -1,4 +1,4 @@
-// Offsets and strides of what lies in buffers, by Direct3D's rules. Source: drydock.
+// Gives offsets and strides to what lies in buffers, by Direct3D's rules.
 #pragma once
 
 #include "SpirvModule.h"

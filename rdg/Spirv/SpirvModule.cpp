@@ -1,4 +1,4 @@
-// Look-ups in a module that never run off an end, whatever the ids. Source: drydock.
+// Looks up types, values and constants of a module without running off an end, whatever the ids.
 #include "SpirvModule.h"
 
 #include <algorithm>

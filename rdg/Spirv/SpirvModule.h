@@ -3,7 +3,7 @@
 // FSpirvError.
 //
 // Every numeric type is a flat row of 32-bit scalars (a float3x3 is nine, column by column as SPIR-V counts columns; a
-// struct its members one after the other), so later stages think in scalars only. Source: drydock.
+// struct its members one after the other), so later stages think in scalars only.
 #pragma once
 
 #include "DrydockAPI.h"

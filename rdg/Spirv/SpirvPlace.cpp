@@ -1,4 +1,4 @@
-// Source: drydock; layout decorations as in the SPIR-V specification, section 2.16.
+// Follows a pointer of a shader to its place. Source of the layout decorations: SPIR-V specification, section 2.16.
 #include "SpirvPlace.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // The reader's state. SpirvReader.cpp: the module and its function; SpirvReaderTypes.cpp: types, constants, variables.
-// Source: drydock.
 #pragma once
 
 #include "SpirvModule.h"

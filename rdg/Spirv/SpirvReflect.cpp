@@ -1,4 +1,4 @@
-// Source: drydock.
+// Reads a shader's parameters from its SPIR-V.
 #include "SpirvReflect.h"
 
 #include "SpirvPlace.h"

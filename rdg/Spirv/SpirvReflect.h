@@ -1,4 +1,4 @@
-// A shader's parameters, read from its SPIR-V. Source: drydock.
+// A shader's parameters as its SPIR-V declares them, and the slots that a kernel reads them from.
 #pragma once
 
 #include "ShaderReflection.h"

@@ -1,4 +1,5 @@
-// Source: drydock; D3D11 functional specification section 3 (conversions, NaN rules, shifts by five bits).
+// Computes single scalars as Direct3D rules. Source: D3D11 functional specification, section 3 (conversions, NaN rules,
+// shifts by five bits).
 #include "SpirvScalarMath.h"
 
 #include "Lanes.h"

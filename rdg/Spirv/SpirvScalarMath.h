@@ -1,5 +1,5 @@
 // One scalar of one operation, written plainly from the rules of Direct3D and SPIR-V: the model's arithmetic.
-// Elementary functions (exp2, pow, sin...) are the library's own, which have their own tests. Source: drydock.
+// Elementary functions (exp2, pow, sin...) are the library's own, which have their own tests.
 #pragma once
 
 #include "SpirvOps.h"

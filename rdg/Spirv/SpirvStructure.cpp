@@ -1,4 +1,4 @@
-// Source: drydock; the rules of structured control flow are those of the SPIR-V specification, section 2.11.
+// Builds the tree of a shader's control flow from its merge instructions. Source: SPIR-V specification, section 2.11.
 #include "SpirvStructure.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // The control flow of a shader as a tree: SPIR-V's blocks with their merge instructions become nested selections and
 // loops. "Open labels" of a place are those that control may jump to from there: merge blocks of the enclosing
-// selections, merge and continue blocks of the enclosing loops, cases of the enclosing switches. Source: drydock.
+// selections, merge and continue blocks of the enclosing loops, cases of the enclosing switches.
 #pragma once
 
 #include "SpirvModule.h"

@@ -1,5 +1,5 @@
-// Variables that are tables in truth: `static const float W[3] = {...}` reaches us as a local array that is stored
-// once. Source: drydock.
+// Finds the variables that are tables in truth: `static const float W[3] = {...}` reaches us as a local array that is
+// stored once.
 #include "SpirvUniformity.h"
 
 namespace Drydock

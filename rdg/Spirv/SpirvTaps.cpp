@@ -1,5 +1,4 @@
-// Static counts of texture samples: the "taps" of a pass where its control flow does not depend on the pixel.
-// Source: drydock.
+// Counts texture samples statically: the "taps" of a pass where its control flow does not depend on the pixel.
 #include "SpirvReflect.h"
 
 #include <algorithm>

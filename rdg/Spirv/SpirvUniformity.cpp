@@ -1,5 +1,5 @@
-// Source: drydock; the idea of divergence analysis over structured control flow follows Coutinho et al., "Divergence
-// Analysis and Optimizations" (PACT 2011).
+// Finds by a fixpoint which values differ between lanes. Source of the idea of divergence analysis over structured
+// control flow: Coutinho et al., "Divergence Analysis and Optimizations" (PACT 2011).
 #include "SpirvUniformity.h"
 
 #include <algorithm>

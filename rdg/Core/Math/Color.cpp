@@ -1,4 +1,4 @@
-// Colour conversions: sRGB by its definition (IEC 61966-2-1), HSV by its definition. Source: drydock.
+// Converts colours: sRGB by its definition (IEC 61966-2-1), HSV by its definition.
 #include "Math/Color.h"
 
 namespace

@@ -1,5 +1,5 @@
 // Lane intrinsics as plain functions over arrays, one set per instruction set, so that tests can compare them with each
-// other and with the C library. Source: drydock.
+// other and with the C library.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Body of the tables of LanesMathKernels.h: included with DRYDOCK_TEST_LANES (float lanes, 1 for uniform scalars) and
-// DRYDOCK_TEST_GETTER set. Source: drydock.
+// DRYDOCK_TEST_GETTER set.
 #include "LanesMathKernels.h"
 
 #include "Lanes.h"

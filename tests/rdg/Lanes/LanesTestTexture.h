@@ -1,6 +1,5 @@
 // A texture in plain memory for sampler tests: random or given texels, mips, slices, the margins that kernels may read;
 // and a loop over the lane widths of the CPU.
-// Source: drydock.
 #pragma once
 
 #include "LanesDispatch.h"

@@ -1,5 +1,4 @@
 // The reader against garbage: whatever the words, either a module that all later stages can walk, or an error.
-// Source: drydock.
 #include <gtest/gtest.h>
 
 #include "SpirvEmit.h"
