@@ -4,6 +4,7 @@
 #include "NativeKernels.h"
 #include "RHIResources.h"
 #include "RenderGraphResources.h"
+#include "ShaderBindingPlan.h"
 #include "ShaderCompilation.h"
 #include "ShaderParameterMacros.h"
 #include "ShaderState.h"

@@ -6,12 +6,13 @@
 #include "CoreMinimal.h"
 #include "Diagnostics.h"
 #include "Shader.h"
-#include "ShaderBindingPlan.h"
 
 #include <vector>
 
 namespace Drydock
 {
+
+struct FShaderBindingPlan;
 
 /** Fills Out from Parameters, inside a pass. Throws FError with every mismatch between shader and struct. A resource or
  * uniform buffer that the shader reads and that is null is a check. */
