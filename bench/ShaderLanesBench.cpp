@@ -7,7 +7,7 @@
 #include "LanesDispatch.h"
 #include "PixelFormatConversion.h"
 #include "Shader.h"
-#include "ShaderBinding.h"
+#include "ShaderCompilation.h"
 #include "ShaderCore.h"
 #include "ShaderLanesKernels.h"
 #include "UsfKernel.h"

@@ -3,37 +3,13 @@
 #pragma once
 
 #include "PostProcessSettings.h"
+#include "PostProcessSettingsValue.h"
 
 #include <string>
 #include <vector>
 
 namespace Drydock
 {
-
-enum class ESettingType : uint8
-{
-	Float,
-	Bool,
-	Int,
-	Enum,
-	Color,
-	Vector2,
-	Vector4,
-	Object,     // a texture or curve, by path
-	ColorArray, // eight colours
-};
-
-/** What a settings object of some weight does with a field it overrides. */
-enum class ESettingBlend : uint8
-{
-	Lerp,          // component-wise, linear; weight 1 assigns exactly
-	Set,           // assigned at any weight above 0
-	SetIfNonZero,  // assigned at any weight above 0, unless the value is zero or null
-	FocalDistance, // assigned where either side is 0 (switched off), else Lerp
-	Accumulate,    // a contribution of its own beside all others (ambient cubemap): a list of the final settings holds
-				   // it, and the field itself does not move
-	LUT,           // likewise (ColorGradingLUT, ColorGradingIntensity): contributions share a weight of 1 by LerpTo
-};
 
 /** Infinite where there is no bound. The clamps warn when passed and are not enforced; the UI bounds are where an
  * editor's slider ends. */
@@ -43,22 +19,6 @@ struct FSettingRange
 	double ClampMax;
 	double UIMin;
 	double UIMax;
-};
-
-/** Of eight colours. */
-constexpr int32 MaxSettingComponents = 32;
-
-/** A value of any type of the table. Exact for all of them: numbers in doubles; bool 0 or 1; enum its number;
- * components of colours and vectors in order; the object itself. Unused components are 0. */
-struct FSettingValue
-{
-	ESettingType Type = ESettingType::Float;
-	double Components[MaxSettingComponents] = {};
-	UObject* Object = nullptr;
-
-	bool operator==(const FSettingValue&) const = default;
-	/** Whether no component is NaN or infinite. */
-	DRYDOCK_API bool IsFinite() const;
 };
 
 struct FSettingField
@@ -120,9 +80,5 @@ DRYDOCK_API std::string SettingToJson(const FSettingField& Field, const FSetting
  * expected in OutError. */
 DRYDOCK_API bool SettingFromText(
 	const FSettingField& Field, const std::string& Text, FSettingValue& OutValue, std::string& OutError);
-
-/** "Lerp", "Float", ... */
-DRYDOCK_API const char* ToString(ESettingBlend Blend);
-DRYDOCK_API const char* ToString(ESettingType Type);
 
 } // namespace Drydock

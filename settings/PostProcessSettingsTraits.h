@@ -2,7 +2,8 @@
 // PostProcessSettingsReflection.cpp. Source: drydock.
 #pragma once
 
-#include "PostProcessSettingsReflection.h"
+#include "PostProcessSettings.h"
+#include "PostProcessSettingsValue.h"
 #include "SettingObjects.h"
 
 namespace Drydock

@@ -5,7 +5,7 @@
 #include "Bloom/PostProcessFFTBloom.h"
 #include "Bloom/PostProcessGaussianBloom.h"
 #include "Effects/Effect.h"
-#include "RenderGraphEvent.h"
+#include "RenderGraphBuilder.h"
 #include "SceneRendering.h"
 #include "Screen/PostProcessDownsample.h"
 

@@ -8,7 +8,7 @@
 #include "Text/WatchedFiles.h"
 
 #include "Budget/RunOptions.h"
-#include "ShaderBinding.h"
+#include "ShaderCompilation.h"
 #include "Text/ConfigErrors.h"
 
 #include <chrono>

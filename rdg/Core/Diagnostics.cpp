@@ -1,4 +1,4 @@
-// Text of diagnostics, and the nearest name to a misspelt one. Source: drydock.
+// Writes diagnostics as text, and finds the nearest name to a misspelt one.
 #include "Diagnostics.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Numbered messages for the user: what went wrong, where, and what was expected. Every stage collects as many as it can
 // and reports them together. Numbers: DD1 config, DD2 graph and extensions, DD3 settings, DD4 numeric, DD5 files,
-// DD6 shaders. docs/errors.md lists them all. Source: drydock.
+// DD6 shaders. docs/errors.md lists them all.
 #pragma once
 
 #include "DrydockAPI.h"
@@ -23,23 +23,24 @@ enum class ESeverity
 enum EExitCode
 {
 	ExitDone = 0,
-	ExitPolicy = 1,	  // a comparison, budget or numeric policy failed
-	ExitUsage = 2,	  // usage, config or graph error
-	ExitFiles = 3,	  // a file cannot be read or written
+	ExitPolicy = 1,   // a comparison, budget or numeric policy failed
+	ExitUsage = 2,    // usage, config or graph error
+	ExitFiles = 3,    // a file cannot be read or written
 	ExitInternal = 70 // a fault of drydock's own
 };
 
 struct FDiagnostic
 {
 	ESeverity Severity = ESeverity::Error;
-	int Code = 0;			  // 1012 is printed as DD1012
+	int Code = 0;             // 1012 is printed as DD1012
 	std::string Message = {}; // one sentence; names the thing, what was expected, the nearest valid name
-	std::string File = {};	  // empty: no file
-	int Line = 0;			  // 1-based, 0: unknown
-	int Column = 0;			  // 1-based, 0: unknown
-	std::string Where = {};	  // JSON pointer, "pass X, parameter Y", ... or empty
+	std::string File = {};    // empty: no file
+	int Line = 0;             // 1-based, 0: unknown
+	int Column = 0;           // 1-based, 0: unknown
+	std::string Where = {};   // JSON pointer, "pass X, parameter Y", ... or empty
 
-	/** `configs/a.json:12:7: error DD1012 at /volumes/0: message`; a line of a shader: `X.usf:12: error: message [DD6010]`. */
+	/** `configs/a.json:12:7: error DD1012 at /volumes/0: message`; a line of a shader: `X.usf:12: error: message
+	 * [DD6010]`. */
 	DRYDOCK_API std::string ToString() const;
 };
 

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Counts the lines and columns of offsets in a text.
 #include "TextPositions.h"
 
 #include <algorithm>

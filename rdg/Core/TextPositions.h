@@ -1,4 +1,4 @@
-// Where an offset of a text stands, for messages. Source: drydock.
+// Where an offset of a text stands, for messages.
 #pragma once
 
 #include "DrydockAPI.h"

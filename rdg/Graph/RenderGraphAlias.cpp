@@ -1,4 +1,4 @@
-// Source: drydock.
+// Places transient resources in the heap, first fit.
 #include "RenderGraphAlias.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Allocates the memory that lives as long as its graph, in blocks.
 #include "RenderGraphAllocator.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Finds the windows in which async-compute passes may run.
 #include "RenderGraphAsyncCompute.h"
 
 #include <algorithm>

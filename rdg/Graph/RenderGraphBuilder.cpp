@@ -1,5 +1,5 @@
-// The builder's resources and its life. Passes: RenderGraphBuilderPasses.cpp. Source: drydock; behaviour is the
-// engine's.
+// Creates the builder's resources, and opens and closes its life; RenderGraphBuilderPasses.cpp has the passes.
+// Behaviour is the engine's.
 #include "RenderGraphBuilder.h"
 
 #include "RenderGraphExecute.h"
@@ -150,7 +150,7 @@ void FRDGBuilder::Discard()
 	State->bFinished = true;
 	if (bTell && State->Observer->WantsPlannedExternals())
 	{
-		State->Observer->OnExternalsPlanned(FRDGExecutor(*this).PlanExternals(Compile()));
+		State->Observer->OnExternalsPlanned(FRDGExecutor(*State, RHICmdList).PlanExternals(Compile()));
 	}
 }
 

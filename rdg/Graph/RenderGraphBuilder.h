@@ -285,8 +285,6 @@ public:
 	FRDGBlackboard Blackboard;
 
 private:
-	friend class Drydock::FRDGExecutor;
-
 	Drydock::FRDGAllocator& GetAllocator();
 	FRDGPassRef AdoptPass(std::unique_ptr<FRDGPass>&& Pass);
 	void AdoptUniformBuffer(FRDGUniformBuffer* Buffer);
@@ -311,3 +309,36 @@ private:
 
 	std::unique_ptr<Drydock::FRDGBuilderState> State;
 };
+
+/** Opens a scope of a builder and closes it at the end of the block. */
+class DRYDOCK_API FRDGEventScopeGuard
+{
+public:
+	FRDGEventScopeGuard(
+		FRDGBuilder& InGraphBuilder, FRDGEventName&& ScopeName, bool bCondition = true, bool bFinal = false);
+	~FRDGEventScopeGuard();
+	FRDGEventScopeGuard(const FRDGEventScopeGuard&) = delete;
+	FRDGEventScopeGuard& operator=(const FRDGEventScopeGuard&) = delete;
+
+private:
+	FRDGBuilder& GraphBuilder;
+	bool bOpened;
+};
+
+namespace Drydock
+{
+
+/** Says whose passes are added until the end of the block; null or empty: nobody's, as those of a view extension. */
+class DRYDOCK_API FRDGEffectScope
+{
+public:
+	FRDGEffectScope(FRDGBuilder& InGraphBuilder, const char* Effect);
+	~FRDGEffectScope();
+	FRDGEffectScope(const FRDGEffectScope&) = delete;
+	FRDGEffectScope& operator=(const FRDGEffectScope&) = delete;
+
+private:
+	FRDGBuilder& GraphBuilder;
+};
+
+} // namespace Drydock

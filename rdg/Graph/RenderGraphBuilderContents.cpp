@@ -1,5 +1,5 @@
-// What a builder takes in and gives out: uploads, extractions, conversions to external, access modes.
-// Source: drydock; behaviour is the engine's.
+// Says what a builder takes in and gives out: uploads, extractions, conversions to external, access modes. Behaviour is
+// the engine's.
 #include "RenderGraphBuilder.h"
 
 #include "RenderGraphExecute.h"

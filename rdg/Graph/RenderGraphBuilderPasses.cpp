@@ -1,4 +1,4 @@
-// The builder's passes, scopes, and what happens at the end. Source: drydock; behaviour is the engine's.
+// Takes in the builder's passes and scopes, and does what happens at the end. Behaviour is the engine's.
 #include "RenderGraphBuilder.h"
 
 #include "RenderGraphCompile.h"
@@ -55,7 +55,7 @@ FRDGPassRef FRDGBuilder::AdoptPass(std::unique_ptr<FRDGPass>&& InPass)
 		{
 			ResolveBufferSizes();
 			ThrowCollectedErrors(ValidateGraph(State->Graph, false).Errors);
-			FRDGExecutor(*this).RunPassImmediately(*Pass);
+			FRDGExecutor(*State, RHICmdList).RunPassImmediately(*Pass);
 		}
 	}
 	catch (...)
@@ -168,6 +168,40 @@ void FRDGBuilder::EndEventScope()
 	State->Scopes.pop_back();
 }
 
+FRDGEventScopeGuard::FRDGEventScopeGuard(
+	FRDGBuilder& InGraphBuilder, FRDGEventName&& ScopeName, bool bCondition, bool bFinal)
+	: GraphBuilder(InGraphBuilder)
+	, bOpened(bCondition)
+{
+	if (bOpened && bFinal)
+	{
+		GraphBuilder.BeginFinalEventScope(MoveTemp(ScopeName));
+	}
+	else if (bOpened)
+	{
+		GraphBuilder.BeginEventScope(MoveTemp(ScopeName));
+	}
+}
+
+FRDGEventScopeGuard::~FRDGEventScopeGuard()
+{
+	if (bOpened)
+	{
+		GraphBuilder.EndEventScope();
+	}
+}
+
+Drydock::FRDGEffectScope::FRDGEffectScope(FRDGBuilder& InGraphBuilder, const char* Effect)
+	: GraphBuilder(InGraphBuilder)
+{
+	GraphBuilder.BeginEffectScope(Effect != nullptr ? Effect : "");
+}
+
+Drydock::FRDGEffectScope::~FRDGEffectScope()
+{
+	GraphBuilder.EndEventScope();
+}
+
 // The end -----------------------------------------------------------------------------------------------------------
 
 void FRDGBuilder::ThrowCollectedErrors(const std::vector<FDiagnostic>& GraphErrors)
@@ -236,7 +270,7 @@ void FRDGBuilder::Execute()
 	}
 	const FRDGCompiledGraph Compiled = Compile();
 	State->bFinished = true;
-	FRDGExecutor Executor(*this);
+	FRDGExecutor Executor(*State, RHICmdList);
 	if (State->Settings.bImmediateMode)
 	{
 		Executor.FinishImmediate(Compiled);

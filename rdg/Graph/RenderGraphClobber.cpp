@@ -1,4 +1,4 @@
-// Source: drydock.
+// Writes the clobber value over a resource, in its own format.
 #include "RenderGraphClobber.h"
 
 #include "PixelFormatConversion.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Runs the compile phases one after the other.
 #include "RenderGraphCompile.h"
 
 #include "RenderGraphAlias.h"

@@ -1,5 +1,5 @@
 // The phases in their order: dependencies, cull, merge, async windows, lifetimes, alias, transitions. Pure: the same
-// description and options give the same compiled graph. Source: drydock; the order is the engine's.
+// description and options give the same compiled graph. The order is the engine's.
 #pragma once
 
 #include "RenderGraphCompiled.h"

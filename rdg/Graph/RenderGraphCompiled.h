@@ -1,6 +1,5 @@
 // A graph as plain data: what was declared (descriptions) and what the compile phases found. Nothing here points into a
-// builder, so a compiled graph can be kept, compared and printed without one. Source: drydock; behaviour from the
-// engine.
+// builder, so a compiled graph can be kept, compared and printed without one. Behaviour is the engine's.
 #pragma once
 
 #include "Diagnostics.h"

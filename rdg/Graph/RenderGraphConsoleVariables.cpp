@@ -1,4 +1,4 @@
-// Source: drydock; names, defaults and meanings are the engine's.
+// Registers the r.RDG.* console variables; names, defaults and meanings are the engine's.
 #include "RenderGraphConsoleVariables.h"
 
 #include <cstring>

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Decides which passes are left out, and writes down why.
 #include "RenderGraphCull.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Finds who depends on whom by the last writer of each subresource.
 #include "RenderGraphDependencies.h"
 
 #include <algorithm>

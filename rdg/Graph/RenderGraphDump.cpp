@@ -1,4 +1,4 @@
-// Source: drydock.
+// Writes a compiled graph as text, and as a picture for dot.
 #include "RenderGraphDump.h"
 
 #include <algorithm>

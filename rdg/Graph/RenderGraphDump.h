@@ -1,4 +1,4 @@
-// A compiled graph as text for people and as a picture for dot. The same graph gives the same text. Source: drydock.
+// A compiled graph as text for people and as a picture for dot. The same graph gives the same text.
 #pragma once
 
 #include "RenderGraphCompiled.h"

@@ -1,5 +1,5 @@
-// The numbered messages of the render graph. Docs: docs/errors.md. Source: drydock; rules and wording follow the
-// engine's RenderGraphValidation.
+// The numbered messages of the render graph. docs/errors.md explains them. Source of rules and wording: engine
+// RenderGraphValidation.
 #pragma once
 
 namespace Drydock

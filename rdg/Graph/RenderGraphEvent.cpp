@@ -1,7 +1,5 @@
-// Source: drydock.
+// Formats the names of passes and scopes.
 #include "RenderGraphEvent.h"
-
-#include "RenderGraphBuilder.h"
 
 #include <cstdarg>
 #include <cstdio>
@@ -21,42 +19,3 @@ FRDGEventName::FRDGEventName(const TCHAR* Format, ...)
 	Text.pop_back();
 	Name = FString(std::move(Text));
 }
-
-FRDGEventScopeGuard::FRDGEventScopeGuard(
-	FRDGBuilder& InGraphBuilder, FRDGEventName&& ScopeName, bool bCondition, bool bFinal)
-	: GraphBuilder(InGraphBuilder)
-	, bOpened(bCondition)
-{
-	if (bOpened && bFinal)
-	{
-		GraphBuilder.BeginFinalEventScope(MoveTemp(ScopeName));
-	}
-	else if (bOpened)
-	{
-		GraphBuilder.BeginEventScope(MoveTemp(ScopeName));
-	}
-}
-
-FRDGEventScopeGuard::~FRDGEventScopeGuard()
-{
-	if (bOpened)
-	{
-		GraphBuilder.EndEventScope();
-	}
-}
-
-namespace Drydock
-{
-
-FRDGEffectScope::FRDGEffectScope(FRDGBuilder& InGraphBuilder, const char* Effect)
-	: GraphBuilder(InGraphBuilder)
-{
-	GraphBuilder.BeginEffectScope(Effect != nullptr ? Effect : "");
-}
-
-FRDGEffectScope::~FRDGEffectScope()
-{
-	GraphBuilder.EndEventScope();
-}
-
-} // namespace Drydock

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "CoreMinimal.h"
-#include "RenderGraphFwd.h"
 
 /** A printf-formatted name. */
 class DRYDOCK_API FRDGEventName
@@ -19,46 +18,14 @@ private:
 	FString Name;
 };
 
-/** Opens a scope of a builder and closes it at the end of the block. */
-class DRYDOCK_API FRDGEventScopeGuard
-{
-public:
-	FRDGEventScopeGuard(
-		FRDGBuilder& InGraphBuilder, FRDGEventName&& ScopeName, bool bCondition = true, bool bFinal = false);
-	~FRDGEventScopeGuard();
-	FRDGEventScopeGuard(const FRDGEventScopeGuard&) = delete;
-	FRDGEventScopeGuard& operator=(const FRDGEventScopeGuard&) = delete;
-
-private:
-	FRDGBuilder& GraphBuilder;
-	bool bOpened;
-};
-
-namespace Drydock
-{
-
-/** Says whose passes are added until the end of the block; null or empty: nobody's, as those of a view extension. */
-class DRYDOCK_API FRDGEffectScope
-{
-public:
-	FRDGEffectScope(FRDGBuilder& InGraphBuilder, const char* Effect);
-	~FRDGEffectScope();
-	FRDGEffectScope(const FRDGEffectScope&) = delete;
-	FRDGEffectScope& operator=(const FRDGEffectScope&) = delete;
-
-private:
-	FRDGBuilder& GraphBuilder;
-};
-
-} // namespace Drydock
-
 #define RDG_EVENT_JOIN_INNER(A, B) A##B
 #define RDG_EVENT_JOIN(A, B) RDG_EVENT_JOIN_INNER(A, B)
 
 /** `RDG_EVENT_NAME("Blur %dx%d", X, Y)`. */
 #define RDG_EVENT_NAME(Format, ...) FRDGEventName(TEXT(Format) __VA_OPT__(, ) __VA_ARGS__)
 
-// Scopes end with the block; the macros bring their own semicolon, as the engine's do.
+// Scopes end with the block; the macros bring their own semicolon, as the engine's do. FRDGEventScopeGuard comes with
+// the builder (RenderGraphBuilder.h).
 #define RDG_EVENT_SCOPE(GraphBuilder, Format, ...) \
 	FRDGEventScopeGuard RDG_EVENT_JOIN(RDGEventScope, __LINE__)( \
 		GraphBuilder, RDG_EVENT_NAME(Format __VA_OPT__(, ) __VA_ARGS__));

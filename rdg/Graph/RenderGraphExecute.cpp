@@ -1,4 +1,4 @@
-// Source: drydock. A little past 500 lines: one executor, in the order in which a graph runs.
+// Runs the passes of a compiled graph, or one pass at a time in immediate mode.
 #include "RenderGraphExecute.h"
 
 #include "RenderGraphAlias.h"
@@ -7,7 +7,8 @@
 #include "RenderGraphHeap.h"
 #include "RenderGraphObserver.h"
 #include "RenderGraphReport.h"
-#include "ShaderBinding.h"
+#include "ShaderCompilation.h"
+#include "ShaderParameterMacros.h"
 
 #include <algorithm>
 #include <chrono>
@@ -339,7 +340,7 @@ void FRDGExecutor::RunPass(FRDGPass& Pass)
 		const FRDGPassResources& Resources;
 	} Access(*this, Resources);
 
-	Builder.RHICmdList.ResetCounters();
+	RHICmdList.ResetCounters();
 	const auto Begin = std::chrono::steady_clock::now();
 	RunLambda(Pass, Resources);
 	const std::chrono::duration<double, std::milli> Elapsed = std::chrono::steady_clock::now() - Begin;
@@ -347,7 +348,7 @@ void FRDGExecutor::RunPass(FRDGPass& Pass)
 	if (State.Observer)
 	{
 		State.Observer->OnPassExecuted(
-			Pass.GetIndex(), Pass, Elapsed.count(), Builder.RHICmdList.GetCounters(), FindWritten(Pass));
+			Pass.GetIndex(), Pass, Elapsed.count(), RHICmdList.GetCounters(), FindWritten(Pass));
 	}
 }
 
@@ -358,7 +359,7 @@ void FRDGExecutor::RunLambda(FRDGPass& Pass, const FRDGPassResources& Resources)
 							 !State.GetDescription(Pass).Targets.IsEmpty();
 	if (!bRenderPass)
 	{
-		Pass.Execute(Builder.RHICmdList);
+		Pass.Execute(RHICmdList);
 		return;
 	}
 	struct FRenderPassScope
@@ -372,8 +373,8 @@ void FRDGExecutor::RunLambda(FRDGPass& Pass, const FRDGPassResources& Resources)
 		~FRenderPassScope() { List.EndRenderPass(); }
 
 		FRHICommandListImmediate& List;
-	} RenderPass(Builder.RHICmdList, MakeRenderPassInfo(*Resources.TargetSlots), Pass.GetName());
-	Pass.Execute(Builder.RHICmdList);
+	} RenderPass(RHICmdList, MakeRenderPassInfo(*Resources.TargetSlots), Pass.GetName());
+	Pass.Execute(RHICmdList);
 }
 
 FRHIRenderPassInfo FRDGExecutor::MakeRenderPassInfo(const FRenderTargetBindingSlots& Slots) const
@@ -491,13 +492,6 @@ void FRDGExecutor::LogTransitions(const FRDGCompiledGraph& InCompiled) const
 void FRDGExecutor::SetExternalAccess(FRDGViewableResource& Resource, bool bExternal)
 {
 	Resource.bExternalAccessNow = bExternal;
-}
-
-void FRDGExecutor::FailAccess(const FRDGResource& Resource)
-{
-	ThrowRDGError(RDGErrorUndeclaredAccess,
-		"accessing the RHI resource at this time is not allowed: only inside a pass whose parameters declare it",
-		std::string("resource ") + Resource.Name);
 }
 
 } // namespace Drydock

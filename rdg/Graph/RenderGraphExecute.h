@@ -1,8 +1,7 @@
 // Runs passes: gives resources memory before their first pass, opens and closes render passes, lets the running pass
-// touch what it declares, measures. Internal to this folder. Source: drydock.
+// touch what it declares, measures. Internal to this folder.
 #pragma once
 
-#include "RenderGraphBuilder.h"
 #include "RenderGraphObserver.h"
 #include "RenderGraphState.h"
 
@@ -12,9 +11,9 @@ namespace Drydock
 class FRDGExecutor
 {
 public:
-	explicit FRDGExecutor(FRDGBuilder& InBuilder)
-		: Builder(InBuilder)
-		, State(*InBuilder.State)
+	FRDGExecutor(FRDGBuilderState& InState, FRHICommandListImmediate& InRHICmdList)
+		: State(InState)
+		, RHICmdList(InRHICmdList)
 	{
 	}
 
@@ -36,9 +35,6 @@ public:
 	/** What the pass of UseExternalAccessMode does. */
 	static void SetExternalAccess(FRDGViewableResource& Resource, bool bExternal);
 
-	/** What a check throws when Resource is touched and must not be. */
-	[[noreturn]] static void FailAccess(const FRDGResource& Resource);
-
 private:
 	void TakeOver(const FRDGCompiledGraph& Compiled);
 	void CompileShaders();
@@ -56,8 +52,8 @@ private:
 	void WriteExtractions();
 	void LogTransitions(const FRDGCompiledGraph& Compiled) const;
 
-	FRDGBuilder& Builder;
 	FRDGBuilderState& State;
+	FRHICommandListImmediate& RHICmdList;
 	const FRDGCompiledGraph* Compiled = nullptr; // null in immediate mode
 	uint8* Heap = nullptr;
 };

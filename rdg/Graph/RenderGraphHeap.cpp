@@ -1,4 +1,4 @@
-// Source: drydock.
+// Keeps the one block of memory that the transient resources of all graphs share.
 #include "RenderGraphHeap.h"
 
 #include "RenderGraphAlias.h"

@@ -1,5 +1,5 @@
 // The memory that transient resources share. One block for the process, kept from graph to graph so that its pages stay
-// mapped; only one builder is alive at a time. Internal to this folder. Source: drydock.
+// mapped; only one builder is alive at a time. Internal to this folder.
 #pragma once
 
 #include "CoreMinimal.h"

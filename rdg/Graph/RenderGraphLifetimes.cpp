@@ -1,4 +1,4 @@
-// Source: drydock.
+// Finds the first and the last pass of each resource.
 #include "RenderGraphLifetimes.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Finds the raster passes that a GPU would run as one render pass, and says why others are not.
 #include "RenderGraphMerge.h"
 
 #include <algorithm>

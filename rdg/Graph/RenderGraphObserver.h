@@ -1,5 +1,5 @@
 // How the frame's host watches a graph: what was compiled, which external textures have to be filled, what each pass
-// cost and wrote. Source: drydock.
+// cost and wrote.
 #pragma once
 
 #include "PassCounters.h"
@@ -20,7 +20,7 @@ struct FRDGExternalLoad
 	bool bIsRead = true;
 };
 
-/** All calls come from Execute (in immediate mode: from AddPass; for a discarded graph: from Discard), on its thread. */
+/** All calls come from Execute (in immediate mode from AddPass, for a discarded graph from Discard), on its thread. */
 class DRYDOCK_API IRDGObserver
 {
 public:

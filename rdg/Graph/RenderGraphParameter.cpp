@@ -1,4 +1,4 @@
-// Source: drydock.
+// Walks a pass's parameter struct, and the uniform buffers in it, for what the pass touches.
 #include "RenderGraphParameter.h"
 
 #include "RenderGraphReport.h"

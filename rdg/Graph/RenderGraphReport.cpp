@@ -1,4 +1,4 @@
-// Source: drydock.
+// Prints the graph's messages and throws its errors.
 #include "RenderGraphReport.h"
 
 #include "CoreMinimal.h"

@@ -1,4 +1,4 @@
-// Printing and throwing the graph's messages. Source: drydock.
+// Prints and throws the graph's messages.
 #pragma once
 
 #include "Diagnostics.h"

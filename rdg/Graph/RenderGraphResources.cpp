@@ -1,8 +1,8 @@
-// Source: drydock.
+// Makes the RHI views behind a graph's views, and checks who touches a resource when.
 #include "RenderGraphResources.h"
 
 #include "RenderGraphConsoleVariables.h"
-#include "RenderGraphExecute.h"
+#include "RenderGraphReport.h"
 
 FRDGResource::~FRDGResource() = default;
 
@@ -11,7 +11,9 @@ void FRDGResource::ValidateRHIAccess() const
 	bUsed = true;
 	if (!bAllowRHIAccess && Drydock::GetRDGSettings().bValidation)
 	{
-		Drydock::FRDGExecutor::FailAccess(*this);
+		Drydock::ThrowRDGError(Drydock::RDGErrorUndeclaredAccess,
+			"accessing the RHI resource at this time is not allowed: only inside a pass whose parameters declare it",
+			std::string("resource ") + Name);
 	}
 }
 

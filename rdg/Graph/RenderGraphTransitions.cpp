@@ -1,4 +1,4 @@
-// Source: drydock.
+// Finds the state changes that a GPU would need barriers for.
 #include "RenderGraphTransitions.h"
 
 #include <algorithm>

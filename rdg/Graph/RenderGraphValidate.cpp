@@ -1,4 +1,4 @@
-// Source: drydock.
+// Checks a declared graph, rule by rule, before it is compiled.
 #include "RenderGraphValidate.h"
 
 #include <algorithm>
@@ -133,8 +133,8 @@ private:
 		}
 		if (!bRaster && Pass.bHasTargetSlots)
 		{
-			Error(RDGErrorRenderTargetSlots, Pass, "the parameters have RENDER_TARGET_BINDING_SLOTS(), but the pass is not Raster",
-				"RenderTargets");
+			Error(RDGErrorRenderTargetSlots, Pass,
+				"the parameters have RENDER_TARGET_BINDING_SLOTS(), but the pass is not Raster", "RenderTargets");
 		}
 		for (size_t Slot = 0; Slot < Pass.Targets.Colors.size(); ++Slot)
 		{

@@ -1,4 +1,4 @@
-// Source: engine DynamicRHI.h. What code takes from it lies in RHI.h.
+// Stands under the engine's name for RHI.h, which has what code takes from it. Source: engine DynamicRHI.h.
 #pragma once
 
 #include "RHI.h"

@@ -1,4 +1,5 @@
-// Source: engine GlobalRenderResources.h. What code takes from it, the plain textures, lies in RenderResource.h.
+// Stands under the engine's name for RenderResource.h, which has what code takes from it: the plain textures. Source:
+// engine GlobalRenderResources.h.
 #pragma once
 
 #include "RenderResource.h"

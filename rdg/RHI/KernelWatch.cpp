@@ -1,4 +1,4 @@
-// Source: drydock.
+// Looks from a thread of its own at the kernels that run, and ends the program when one does not end.
 #include "KernelWatch.h"
 
 #include "Diagnostics.h"

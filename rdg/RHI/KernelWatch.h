@@ -1,5 +1,5 @@
 // What becomes of a shader whose loop does not end: a GPU's driver takes the device away after two seconds, and a CPU
-// would hang for good. Here the program says which shader it is and ends. Source: drydock.
+// would hang for good. Here the program says which shader it is and ends.
 #pragma once
 
 #include "CoreMinimal.h"

@@ -1,5 +1,5 @@
 // Who runs indices 0..Count-1: oneTBB, or a plain std::thread pool that the thread sanitizer understands. Inner to
-// TileExecutor. Source: drydock.
+// TileExecutor.
 #pragma once
 
 #include "CoreMinimal.h"

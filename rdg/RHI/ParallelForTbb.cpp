@@ -1,4 +1,4 @@
-// ParallelFor on a oneTBB arena. Source: drydock.
+// Runs ParallelFor on a oneTBB arena.
 #if DRYDOCK_EXECUTOR_TBB
 
 // oneTBB comes before CoreMinimal.h, whose check macro its headers would not survive.

@@ -1,4 +1,4 @@
-// ParallelFor on std::thread. Source: drydock.
+// Runs ParallelFor on threads of std::thread.
 #if !DRYDOCK_EXECUTOR_TBB
 
 #include <atomic>
@@ -20,7 +20,8 @@ namespace
 class FThreadPool
 {
 public:
-	explicit FThreadPool(int32 InNumThreads) : NumThreads(InNumThreads)
+	explicit FThreadPool(int32 InNumThreads)
+		: NumThreads(InNumThreads)
 	{
 		for (int32 Worker = 1; Worker < NumThreads; ++Worker)
 		{

@@ -8,8 +8,8 @@ inline void SetComputePipelineState(FRHIComputeCommandList& RHICmdList, FRHIComp
 	RHICmdList.SetComputePipelineState(ComputeShader);
 }
 
-inline void SetGraphicsPipelineState(FRHICommandList& RHICmdList, const FGraphicsPipelineStateInitializer& Initializer, uint32 StencilRef = 0,
-	EApplyRendertargetOption = EApplyRendertargetOption::CheckApply)
+inline void SetGraphicsPipelineState(FRHICommandList& RHICmdList, const FGraphicsPipelineStateInitializer& Initializer,
+	uint32 StencilRef = 0, EApplyRendertargetOption = EApplyRendertargetOption::CheckApply)
 {
 	RHICmdList.SetGraphicsPipelineState(Initializer, StencilRef);
 }

@@ -18,8 +18,8 @@ constexpr int32_t ExponentBits = 5;
 constexpr int32_t ExponentBias = 15;
 constexpr uint32_t ExponentAllOnes = (1u << ExponentBits) - 1;
 
-/** Rounds the magnitude of a finite double to a 5-bit exponent and MantissaBits of mantissa, to nearest even. The result
- *  may be the pattern of infinity: the caller decides what overflow means. */
+/** Rounds the magnitude of a finite double to a 5-bit exponent and MantissaBits of mantissa, to nearest even. The
+ * result may be the pattern of infinity: the caller decides what overflow means. */
 uint32_t RoundMagnitude(uint64_t DoubleBits, int32_t MantissaBits)
 {
 	const int32_t Exponent = int32_t((DoubleBits >> 52) & 0x7ff) - 1023;
@@ -106,13 +106,13 @@ uint32_t EncodeUint(double Value, int32_t Bits)
 	return Value > 0 ? uint32_t(std::min(Value, Max)) : 0; // NaN compares false
 }
 
-template <typename T>
+template<typename T>
 void StoreChannels(const T* Values, int32_t Count, void* Texel)
 {
 	std::memcpy(Texel, Values, size_t(Count) * sizeof(T));
 }
 
-template <typename T>
+template<typename T>
 void LoadChannels(const void* Texel, int32_t Count, T* OutValues)
 {
 	std::memcpy(OutValues, Texel, size_t(Count) * sizeof(T));
@@ -127,7 +127,7 @@ const int32_t* GetChannelOrder(ETexelStorage Storage)
 	return Storage == ETexelStorage::BGRA8_UNORM || Storage == ETexelStorage::BGRA8_SRGB ? GOrderBgra : GOrderRgba;
 }
 
-template <typename Real>
+template<typename Real>
 void EncodeReal(ETexelStorage Storage, const Real RGBA[4], void* Texel, bool bSaturate)
 {
 	const FTexelStorageInfo& Info = GetTexelStorageInfo(Storage);
@@ -135,15 +135,15 @@ void EncodeReal(ETexelStorage Storage, const Real RGBA[4], void* Texel, bool bSa
 
 	if (Storage == ETexelStorage::R11G11B10_FLOAT)
 	{
-		const uint32_t Packed = EncodeUnsignedMiniFloat(RGBA[0], 6) | (EncodeUnsignedMiniFloat(RGBA[1], 6) << 11)
-			| (EncodeUnsignedMiniFloat(RGBA[2], 5) << 22);
+		const uint32_t Packed = EncodeUnsignedMiniFloat(RGBA[0], 6) | (EncodeUnsignedMiniFloat(RGBA[1], 6) << 11) |
+								(EncodeUnsignedMiniFloat(RGBA[2], 5) << 22);
 		StoreChannels(&Packed, 1, Texel);
 		return;
 	}
 	if (Storage == ETexelStorage::RGB10A2_UNORM)
 	{
-		const uint32_t Packed = EncodeUnorm(RGBA[0], 10) | (EncodeUnorm(RGBA[1], 10) << 10)
-			| (EncodeUnorm(RGBA[2], 10) << 20) | (EncodeUnorm(RGBA[3], 2) << 30);
+		const uint32_t Packed = EncodeUnorm(RGBA[0], 10) | (EncodeUnorm(RGBA[1], 10) << 10) |
+								(EncodeUnorm(RGBA[2], 10) << 20) | (EncodeUnorm(RGBA[3], 2) << 30);
 		StoreChannels(&Packed, 1, Texel);
 		return;
 	}
@@ -184,7 +184,8 @@ void EncodeReal(ETexelStorage Storage, const Real RGBA[4], void* Texel, bool bSa
 	for (int32_t Channel = 0; Channel < Count; ++Channel)
 	{
 		// Little-endian: the low bytes of a code are the channel.
-		std::memcpy(static_cast<uint8_t*>(Texel) + Channel * Info.BitsPerChannel / 8, &Codes[Channel], Info.BitsPerChannel / 8);
+		std::memcpy(
+			static_cast<uint8_t*>(Texel) + Channel * Info.BitsPerChannel / 8, &Codes[Channel], Info.BitsPerChannel / 8);
 	}
 }
 
@@ -199,7 +200,7 @@ void LoadCodes(const FTexelStorageInfo& Info, const void* Texel, uint32_t OutCod
 	}
 }
 
-template <typename Real>
+template<typename Real>
 void DecodeReal(ETexelStorage Storage, const void* Texel, Real OutRGBA[4])
 {
 	const FTexelStorageInfo& Info = GetTexelStorageInfo(Storage);
@@ -317,7 +318,8 @@ uint32_t EncodeUnorm(double Value, int32_t Bits)
 	{
 		return uint32_t(Max);
 	}
-	// Value * Max is not exact in double. Error is what the product lost; it decides only where the product sits on a tie.
+	// Value * Max is not exact in double. Error is what the product lost; it decides only where the product sits on a
+	// tie.
 	const double Product = Value * Max;
 	const double Error = std::fma(Value, Max, -Product);
 	const double Floor = std::floor(Product);
@@ -342,7 +344,8 @@ uint8_t EncodeSrgb8(double Linear)
 	{
 		return 0; // NaN too
 	}
-	return uint8_t(std::lower_bound(Thresholds.begin(), Thresholds.end(), static_cast<long double>(Linear)) - Thresholds.begin());
+	return uint8_t(
+		std::lower_bound(Thresholds.begin(), Thresholds.end(), static_cast<long double>(Linear)) - Thresholds.begin());
 }
 
 double DecodeSrgb8(uint8_t Code)

@@ -6,8 +6,8 @@
 //   UNORM      NaN gives 0, clamp to 0..1, then round
 //   sRGB       IEC 61966-2-1 on red, green and blue, correctly rounded; alpha as UNORM
 //   UINT       from reals: NaN gives 0, truncated, clamped to the range; from integers: clamped to the range
-// Channels a format lacks read as 0, alpha as 1. Source: D3D11.3 functional specification 3.2, with round-to-nearest-even
-// where it allows a choice; IEC 61966-2-1.
+// Channels a format lacks read as 0, alpha as 1. Source: D3D11.3 functional specification 3.2, with
+// round-to-nearest-even where it allows a choice; IEC 61966-2-1.
 #pragma once
 
 #include "DrydockAPI.h"
@@ -19,11 +19,17 @@
 namespace Drydock
 {
 
-enum class ETexelKind : uint8_t { Unorm, Srgb, Float, Uint };
+enum class ETexelKind : uint8_t
+{
+	Unorm,
+	Srgb,
+	Float,
+	Uint
+};
 
 struct FTexelStorageInfo
 {
-	const char* Name;      // "RGBA16_FLOAT"
+	const char* Name; // "RGBA16_FLOAT"
 	ETexelKind Kind;
 	uint8_t NumChannels;
 	uint8_t BytesPerTexel;
@@ -65,7 +71,6 @@ inline constexpr FTexelStorageInfo GTexelStorageInfos[] = {
 	{"RGBA32_UINT", ETexelKind::Uint, 4, 16, 32},
 };
 static_assert(sizeof(GTexelStorageInfos) / sizeof(FTexelStorageInfo) == size_t(ETexelStorage::Count));
-
 
 /** Storage must be below ETexelStorage::Count. */
 constexpr const FTexelStorageInfo& GetTexelStorageInfo(ETexelStorage Storage)

@@ -5,10 +5,10 @@
 
 FString GetRHIAccessName(ERHIAccess Access)
 {
-	static const TCHAR* const Names[] = {TEXT("CPURead"), TEXT("Present"), TEXT("IndirectArgs"), TEXT("VertexOrIndexBuffer"),
-		TEXT("SRVCompute"), TEXT("SRVGraphics"), TEXT("CopySrc"), TEXT("ResolveSrc"), TEXT("DSVRead"), TEXT("UAVCompute"),
-		TEXT("UAVGraphics"), TEXT("RTV"), TEXT("CopyDest"), TEXT("ResolveDst"), TEXT("DSVWrite"), TEXT("BVHRead"), TEXT("BVHWrite"),
-		TEXT("Discard"), TEXT("ShadingRateSource")};
+	static const TCHAR* const Names[] = {TEXT("CPURead"), TEXT("Present"), TEXT("IndirectArgs"),
+		TEXT("VertexOrIndexBuffer"), TEXT("SRVCompute"), TEXT("SRVGraphics"), TEXT("CopySrc"), TEXT("ResolveSrc"),
+		TEXT("DSVRead"), TEXT("UAVCompute"), TEXT("UAVGraphics"), TEXT("RTV"), TEXT("CopyDest"), TEXT("ResolveDst"),
+		TEXT("DSVWrite"), TEXT("BVHRead"), TEXT("BVHWrite"), TEXT("Discard"), TEXT("ShadingRateSource")};
 	static_assert(std::size(Names) == std::bit_width(uint32(ERHIAccess::Last)));
 
 	FString Name;

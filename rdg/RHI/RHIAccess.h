@@ -32,8 +32,8 @@ enum class ERHIAccess : uint32
 
 	SRVMask = SRVCompute | SRVGraphics,
 	UAVMask = UAVCompute | UAVGraphics,
-	ReadOnlyExclusiveMask = CPURead | Present | IndirectArgs | VertexOrIndexBuffer | SRVGraphics | SRVCompute | CopySrc
-		| ResolveSrc | BVHRead | ShadingRateSource,
+	ReadOnlyExclusiveMask = CPURead | Present | IndirectArgs | VertexOrIndexBuffer | SRVGraphics | SRVCompute |
+							CopySrc | ResolveSrc | BVHRead | ShadingRateSource,
 	ReadOnlyExclusiveComputeMask = CPURead | IndirectArgs | SRVCompute | CopySrc | BVHRead,
 	ReadOnlyMask = ReadOnlyExclusiveMask | DSVRead | ShadingRateSource,
 	ReadableMask = ReadOnlyMask | UAVMask,
@@ -45,7 +45,8 @@ ENUM_CLASS_FLAGS(ERHIAccess)
 
 inline bool IsReadOnlyExclusiveAccess(ERHIAccess Access)
 {
-	return EnumHasAnyFlags(Access, ERHIAccess::ReadOnlyExclusiveMask) && !EnumHasAnyFlags(Access, ~ERHIAccess::ReadOnlyExclusiveMask);
+	return EnumHasAnyFlags(Access, ERHIAccess::ReadOnlyExclusiveMask) &&
+		   !EnumHasAnyFlags(Access, ~ERHIAccess::ReadOnlyExclusiveMask);
 }
 
 inline bool IsReadOnlyAccess(ERHIAccess Access)

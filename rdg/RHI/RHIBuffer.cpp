@@ -1,9 +1,11 @@
-// Buffer memory and views. Source: drydock.
+// Allocates the memory of buffers and makes the kernel's views of it.
 #include "RHIBuffer.h"
 
 #include "PixelFormatConversion.h"
 
-FRHIBuffer::FRHIBuffer(const FRHIBufferDesc& InDesc, const TCHAR* InName) : FRHIViewableResource(InName), Desc(InDesc)
+FRHIBuffer::FRHIBuffer(const FRHIBufferDesc& InDesc, const TCHAR* InName)
+	: FRHIViewableResource(InName)
+	, Desc(InDesc)
 {
 	checkf(Desc.Size > 0, TEXT("buffer %s cannot be created: it has no bytes"), InName);
 }
@@ -11,7 +13,8 @@ FRHIBuffer::FRHIBuffer(const FRHIBufferDesc& InDesc, const TCHAR* InName) : FRHI
 size_t FRHIBuffer::ComputeSize(const FRHIBufferDesc& Desc)
 {
 	const size_t Margins = 2 * Drydock::GTextureAlignment;
-	return (Desc.Size + Margins + Drydock::GTextureAlignment - 1) / Drydock::GTextureAlignment * Drydock::GTextureAlignment;
+	return (Desc.Size + Margins + Drydock::GTextureAlignment - 1) / Drydock::GTextureAlignment *
+		   Drydock::GTextureAlignment;
 }
 
 uint8* FRHIBuffer::GetData()
@@ -23,8 +26,9 @@ uint8* FRHIBuffer::GetData()
 Drydock::FKernelBuffer FRHIBuffer::GetKernelView(EPixelFormat Format, uint32 FirstByte, uint32 NumBytes)
 {
 	const uint32 ViewBytes = NumBytes == 0 && FirstByte < Desc.Size ? Desc.Size - FirstByte : NumBytes;
-	checkf(ViewBytes > 0 && uint64(FirstByte) + ViewBytes <= Desc.Size, TEXT("buffer %s has %u bytes, none at %u to %llu"),
-		*GetName().ToString(), Desc.Size, FirstByte, (unsigned long long)FirstByte + ViewBytes);
+	checkf(ViewBytes > 0 && uint64(FirstByte) + ViewBytes <= Desc.Size,
+		TEXT("buffer %s has %u bytes, none at %u to %llu"), *GetName().ToString(), Desc.Size, FirstByte,
+		(unsigned long long)FirstByte + ViewBytes);
 
 	Drydock::FKernelBuffer View{};
 	View.Data = GetData() + FirstByte;
@@ -33,7 +37,8 @@ Drydock::FKernelBuffer FRHIBuffer::GetKernelView(EPixelFormat Format, uint32 Fir
 	View.Storage = Drydock::ETexelStorage::R32_UINT;
 	if (Format != PF_Unknown)
 	{
-		checkf(GPixelFormats[Format].Supported, TEXT("buffer %s: the view's format has no storage"), *GetName().ToString());
+		checkf(GPixelFormats[Format].Supported, TEXT("buffer %s: the view's format has no storage"),
+			*GetName().ToString());
 		View.Storage = GPixelFormats[Format].Storage;
 		View.Stride = uint32(GPixelFormats[Format].BlockBytes);
 	}

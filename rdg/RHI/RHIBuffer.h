@@ -17,9 +17,13 @@ public:
 
 struct FRHIResourceCreateInfo
 {
-	FRHIResourceCreateInfo(const TCHAR* InDebugName) : DebugName(InDebugName) {}
+	FRHIResourceCreateInfo(const TCHAR* InDebugName)
+		: DebugName(InDebugName)
+	{
+	}
 	FRHIResourceCreateInfo(const TCHAR* InDebugName, FResourceArrayInterface* InResourceArray)
-		: ResourceArray(InResourceArray), DebugName(InDebugName)
+		: ResourceArray(InResourceArray)
+		, DebugName(InDebugName)
 	{
 	}
 
@@ -50,8 +54,8 @@ public:
 	/** First byte of the contents. */
 	uint8* GetData();
 
-	/** What a shader sees: from FirstByte, NumBytes (0: to the end). Format: that of a typed view; PF_Unknown: structured
-	 *  (or raw) with the buffer's stride. */
+	/** What a shader sees: from FirstByte, NumBytes (0: to the end). Format: that of a typed view; PF_Unknown:
+	 * structured (or raw) with the buffer's stride. */
 	Drydock::FKernelBuffer GetKernelView(EPixelFormat Format = PF_Unknown, uint32 FirstByte = 0, uint32 NumBytes = 0);
 
 private:

@@ -77,16 +77,18 @@ void FRHIComputeCommandList::SetBoundComputeShader(Drydock::FBoundShader&& Shade
 	BoundCompute = std::move(Shader);
 }
 
-void FRHIComputeCommandList::DispatchComputeShader(uint32 ThreadGroupCountX, uint32 ThreadGroupCountY, uint32 ThreadGroupCountZ)
+void FRHIComputeCommandList::DispatchComputeShader(
+	uint32 ThreadGroupCountX, uint32 ThreadGroupCountY, uint32 ThreadGroupCountZ)
 {
 	checkf(BoundCompute.IsValid(), TEXT("DispatchComputeShader without a shader: call SetShaderParameters first"));
-	checkf(BoundCompute.GetReflection().Stage == Drydock::EShaderStage::Compute, TEXT("DispatchComputeShader: %s is not a compute shader"),
-		BoundCompute.Name.c_str());
+	checkf(BoundCompute.GetReflection().Stage == Drydock::EShaderStage::Compute,
+		TEXT("DispatchComputeShader: %s is not a compute shader"), BoundCompute.Name.c_str());
 	const int32* const GroupSize = BoundCompute.GetReflection().GroupSize;
 	const uint32 Counts[3] = {ThreadGroupCountX, ThreadGroupCountY, ThreadGroupCountZ};
 	for (int32 Axis = 0; Axis < 3; ++Axis)
 	{
-		checkf(Counts[Axis] <= 65535, TEXT("%s: %u thread groups; 65535 is the most per axis"), BoundCompute.Name.c_str(), Counts[Axis]);
+		checkf(Counts[Axis] <= 65535, TEXT("%s: %u thread groups; 65535 is the most per axis"),
+			BoundCompute.Name.c_str(), Counts[Axis]);
 	}
 
 	const FKernelTile Whole = {
@@ -125,9 +127,11 @@ void FRHIComputeCommandList::RunTiles(
 		Watch.TileHasEnded();
 		MeasuredTaps.fetch_add(TileCounters.Samples + TileCounters.Loads, std::memory_order_relaxed);
 	};
-	Drydock::ForEachTile(Whole, TileSize, RunTile, Shader.bDouble ? Drydock::EDenormals::Keep : Drydock::EDenormals::Flush);
+	Drydock::ForEachTile(
+		Whole, TileSize, RunTile, Shader.bDouble ? Drydock::EDenormals::Keep : Drydock::EDenormals::Flush);
 
-	const uint64 Pixels = uint64(Whole.MaxX - Whole.MinX) * uint64(Whole.MaxY - Whole.MinY) * uint64(Whole.MaxZ - Whole.MinZ);
+	const uint64 Pixels =
+		uint64(Whole.MaxX - Whole.MinX) * uint64(Whole.MaxY - Whole.MinY) * uint64(Whole.MaxZ - Whole.MinZ);
 	Counters.Shader = Shader.Name;
 	Counters.Entry = Shader.EntryPoint;
 	Counters.Pixels += Pixels;
@@ -172,7 +176,8 @@ void FRHICommandList::BeginRenderPass(const FRHIRenderPassInfo& Info, const TCHA
 		{
 			Depth->FillRect(&ClearDepth, Whole, 0);
 		}
-		if (Depth->GetNumPlanes() > 1 && GetLoadAction(GetStencilActions(DepthStencilAction)) == ERenderTargetLoadAction::EClear)
+		if (Depth->GetNumPlanes() > 1 &&
+			GetLoadAction(GetStencilActions(DepthStencilAction)) == ERenderTargetLoadAction::EClear)
 		{
 			const uint8 Stencil = uint8(ClearStencil);
 			Depth->FillRect(&Stencil, Whole, 0, -1, 1);
@@ -241,8 +246,8 @@ void FRHICommandList::SetInterpolants(TConstArrayView<Drydock::FKernelInterpolan
 
 void FRHICommandList::SetViewport(float MinX, float MinY, float, float MaxX, float MaxY, float)
 {
-	Viewport = FIntRect(
-		int32(std::floor(MinX + 0.5f)), int32(std::floor(MinY + 0.5f)), int32(std::floor(MaxX + 0.5f)), int32(std::floor(MaxY + 0.5f)));
+	Viewport = FIntRect(int32(std::floor(MinX + 0.5f)), int32(std::floor(MinY + 0.5f)), int32(std::floor(MaxX + 0.5f)),
+		int32(std::floor(MaxY + 0.5f)));
 }
 
 void FRHICommandList::SetScissorRect(bool bEnable, uint32 MinX, uint32 MinY, uint32 MaxX, uint32 MaxY)
@@ -261,7 +266,8 @@ void FRHICommandList::DrawPrimitive(uint32, uint32 NumPrimitives, uint32 NumInst
 	DrawViewport(NumPrimitives > 0 ? std::max(1u, NumInstances) : 0);
 }
 
-void FRHICommandList::DrawIndexedPrimitive(FRHIBuffer*, int32, uint32, uint32, uint32, uint32 NumPrimitives, uint32 NumInstances)
+void FRHICommandList::DrawIndexedPrimitive(
+	FRHIBuffer*, int32, uint32, uint32, uint32, uint32 NumPrimitives, uint32 NumInstances)
 {
 	DrawViewport(NumPrimitives > 0 ? std::max(1u, NumInstances) : 0);
 }
@@ -351,9 +357,12 @@ void FRHICommandList::DrawViewport(uint32 NumInstances)
 	checkf(bInsideRenderPass, TEXT("a draw outside a render pass"));
 	checkf(BoundPixel.IsValid(), TEXT("a draw without a pixel shader: call SetShaderParameters first"));
 	const Drydock::FShaderReflection& Reflection = BoundPixel.GetReflection();
-	checkf(Reflection.Stage == Drydock::EShaderStage::Pixel, TEXT("a draw: %s is not a pixel shader"), BoundPixel.Name.c_str());
-	checkf(!RenderPass.DepthStencilRenderTarget.DepthStencilTarget || !DepthStencilState || !DepthStencilState->IsTesting(),
-		TEXT("%s: depth and stencil tests and writes are not simulated; use TStaticDepthStencilState<false, CF_Always>"),
+	checkf(Reflection.Stage == Drydock::EShaderStage::Pixel, TEXT("a draw: %s is not a pixel shader"),
+		BoundPixel.Name.c_str());
+	checkf(!RenderPass.DepthStencilRenderTarget.DepthStencilTarget || !DepthStencilState ||
+			   !DepthStencilState->IsTesting(),
+		TEXT(
+			"%s: depth and stencil tests and writes are not simulated; use TStaticDepthStencilState<false, CF_Always>"),
 		BoundPixel.Name.c_str());
 
 	const FIntRect Rect = GetDrawRect();
@@ -395,23 +404,27 @@ void FRHICommandList::CopyTexture(FRHITexture* Source, FRHITexture* Dest, const 
 	Counters.BytesWritten += Bytes;
 }
 
-void FRHICommandList::CopyBufferRegion(FRHIBuffer* Dest, uint64 DestOffset, FRHIBuffer* Source, uint64 SourceOffset, uint64 NumBytes)
+void FRHICommandList::CopyBufferRegion(
+	FRHIBuffer* Dest, uint64 DestOffset, FRHIBuffer* Source, uint64 SourceOffset, uint64 NumBytes)
 {
 	check(Source && Dest);
-	checkf(NumBytes <= Source->GetSize() && SourceOffset <= Source->GetSize() - NumBytes && NumBytes <= Dest->GetSize()
-			&& DestOffset <= Dest->GetSize() - NumBytes,
-		TEXT("CopyBufferRegion goes beyond buffer %s or %s"), *Source->GetName().ToString(), *Dest->GetName().ToString());
+	checkf(NumBytes <= Source->GetSize() && SourceOffset <= Source->GetSize() - NumBytes &&
+			   NumBytes <= Dest->GetSize() && DestOffset <= Dest->GetSize() - NumBytes,
+		TEXT("CopyBufferRegion goes beyond buffer %s or %s"), *Source->GetName().ToString(),
+		*Dest->GetName().ToString());
 	std::memmove(Dest->GetData() + DestOffset, Source->GetData() + SourceOffset, size_t(NumBytes));
 	Counters.BytesRead += NumBytes;
 	Counters.BytesWritten += NumBytes;
 }
 
-void FRHICommandListImmediate::ReadSurfaceData(FRHITexture* Texture, FIntRect Rect, TArray<FLinearColor>& OutData, FReadSurfaceDataFlags Flags)
+void FRHICommandListImmediate::ReadSurfaceData(
+	FRHITexture* Texture, FIntRect Rect, TArray<FLinearColor>& OutData, FReadSurfaceDataFlags Flags)
 {
 	Drydock::ReadSurface(Texture, Rect, OutData, Flags);
 }
 
-void FRHICommandListImmediate::ReadSurfaceData(FRHITexture* Texture, FIntRect Rect, TArray<FColor>& OutData, FReadSurfaceDataFlags Flags)
+void FRHICommandListImmediate::ReadSurfaceData(
+	FRHITexture* Texture, FIntRect Rect, TArray<FColor>& OutData, FReadSurfaceDataFlags Flags)
 {
 	Drydock::ReadSurface(Texture, Rect, OutData, Flags);
 }

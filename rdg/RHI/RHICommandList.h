@@ -20,10 +20,12 @@ public:
 	FRHICommandListBase& operator=(const FRHICommandListBase&) = delete;
 
 	FTextureRHIRef CreateTexture(const FRHITextureCreateDesc& Desc);
-	FBufferRHIRef CreateBuffer(uint32 Size, EBufferUsageFlags Usage, uint32 Stride, ERHIAccess State, const FRHIResourceCreateInfo& Info);
+	FBufferRHIRef CreateBuffer(
+		uint32 Size, EBufferUsageFlags Usage, uint32 Stride, ERHIAccess State, const FRHIResourceCreateInfo& Info);
 	FBufferRHIRef CreateBuffer(const FRHIBufferDesc& Desc, ERHIAccess State, const FRHIResourceCreateInfo& Info);
 	FBufferRHIRef CreateVertexBuffer(uint32 Size, EBufferUsageFlags Usage, const FRHIResourceCreateInfo& Info);
-	FBufferRHIRef CreateStructuredBuffer(uint32 Stride, uint32 Size, EBufferUsageFlags Usage, const FRHIResourceCreateInfo& Info);
+	FBufferRHIRef CreateStructuredBuffer(
+		uint32 Stride, uint32 Size, EBufferUsageFlags Usage, const FRHIResourceCreateInfo& Info);
 	FShaderResourceViewRHIRef CreateShaderResourceView(FRHITexture* Texture, const FRHITextureSRVCreateInfo& Info);
 	FShaderResourceViewRHIRef CreateShaderResourceView(FRHITexture* Texture, uint8 MipLevel);
 	FShaderResourceViewRHIRef CreateShaderResourceView(FRHIBuffer* Buffer);
@@ -37,11 +39,13 @@ public:
 
 	/** Address of a mip's rows, OutStride bytes apart, in the texture's own format. A widened texture receives what was
 	 *  written when it is unlocked. One lock per texture at a time (checked). */
-	void* LockTexture2D(FRHITexture* Texture, uint32 MipIndex, EResourceLockMode Mode, uint32& OutStride, bool bLockWithinMiptail = false);
+	void* LockTexture2D(FRHITexture* Texture, uint32 MipIndex, EResourceLockMode Mode, uint32& OutStride,
+		bool bLockWithinMiptail = false);
 	void UnlockTexture2D(FRHITexture* Texture, uint32 MipIndex, bool bLockWithinMiptail = false);
 
 	/** SourceData: the region's first texel, in the texture's own format. */
-	void UpdateTexture2D(FRHITexture* Texture, uint32 MipIndex, const FUpdateTextureRegion2D& Region, uint32 SourcePitch, const uint8* SourceData);
+	void UpdateTexture2D(FRHITexture* Texture, uint32 MipIndex, const FUpdateTextureRegion2D& Region,
+		uint32 SourcePitch, const uint8* SourceData);
 
 	/** Transitions describe what a GPU would do; nothing happens. */
 	void Transition(const FRHITransitionInfo&) {}
@@ -104,7 +108,8 @@ public:
 
 protected:
 	/** Runs tiles of a bound shader under its arithmetic's denormal mode and counts. */
-	void RunTiles(const Drydock::FBoundShader& Shader, Drydock::FKernelArgs Args, const Drydock::FKernelTile& Whole, FIntVector TileSize);
+	void RunTiles(const Drydock::FBoundShader& Shader, Drydock::FKernelArgs Args, const Drydock::FKernelTile& Whole,
+		FIntVector TileSize);
 
 private:
 	Drydock::FBoundShader BoundCompute;
@@ -113,7 +118,8 @@ private:
 class DRYDOCK_API FRHICommandList : public FRHIComputeCommandList
 {
 public:
-	/** Clears what is to be cleared, to the textures' clear values. The viewport becomes the whole of the first target. */
+	/** Clears what is to be cleared, to the textures' clear values. The viewport becomes the whole of the first target.
+	 */
 	void BeginRenderPass(const FRHIRenderPassInfo& Info, const TCHAR* Name);
 	void EndRenderPass();
 	bool IsInsideRenderPass() const { return bInsideRenderPass; }
@@ -129,8 +135,8 @@ public:
 	void SetBoundPixelShader(Drydock::FBoundShader&& Shader);
 
 	/** What the vertex shader would have passed on, by location. Without it, location 0 is
-	 *  (u, v, screen x, screen y): 0..1 over the viewport with v down, and -1..1 with y up. Stays until the next pipeline
-	 *  state. */
+	 *  (u, v, screen x, screen y): 0..1 over the viewport with v down, and -1..1 with y up. Stays until the next
+	 * pipeline state. */
 	void SetInterpolants(TConstArrayView<Drydock::FKernelInterpolant> InInterpolants);
 
 	void SetViewport(float MinX, float MinY, float MinZ, float MaxX, float MaxY, float MaxZ);
@@ -143,12 +149,13 @@ public:
 
 	/** Each instance covers the viewport once, within scissor and targets. */
 	void DrawPrimitive(uint32 BaseVertexIndex, uint32 NumPrimitives, uint32 NumInstances);
-	void DrawIndexedPrimitive(FRHIBuffer* IndexBuffer, int32 BaseVertexIndex, uint32 FirstInstance, uint32 NumVertices, uint32 StartIndex,
-		uint32 NumPrimitives, uint32 NumInstances);
+	void DrawIndexedPrimitive(FRHIBuffer* IndexBuffer, int32 BaseVertexIndex, uint32 FirstInstance, uint32 NumVertices,
+		uint32 StartIndex, uint32 NumPrimitives, uint32 NumInstances);
 
 	/** Formats must agree (checked). */
 	void CopyTexture(FRHITexture* Source, FRHITexture* Dest, const FRHICopyTextureInfo& Info);
-	void CopyBufferRegion(FRHIBuffer* Dest, uint64 DestOffset, FRHIBuffer* Source, uint64 SourceOffset, uint64 NumBytes);
+	void CopyBufferRegion(
+		FRHIBuffer* Dest, uint64 DestOffset, FRHIBuffer* Source, uint64 SourceOffset, uint64 NumBytes);
 
 private:
 	void ClearTarget(FRHITexture* Texture, int32 Mip, int32 Slice);
@@ -174,10 +181,11 @@ public:
 	FRHICommandListImmediate() { bImmediate = true; }
 
 	/** Row-major texels of Rect. RCM_MinMax: values as stored. */
-	void ReadSurfaceData(FRHITexture* Texture, FIntRect Rect, TArray<FLinearColor>& OutData, FReadSurfaceDataFlags Flags);
+	void ReadSurfaceData(
+		FRHITexture* Texture, FIntRect Rect, TArray<FLinearColor>& OutData, FReadSurfaceDataFlags Flags);
 
-	/** Eight bits per channel: the bytes of 8-bit formats; others clamped to 0..1, and encoded as sRGB when they are floats
-	 *  and the flags say LinearToGamma. */
+	/** Eight bits per channel: the bytes of 8-bit formats; others clamped to 0..1, and encoded as sRGB when they are
+	 * floats and the flags say LinearToGamma. */
 	void ReadSurfaceData(FRHITexture* Texture, FIntRect Rect, TArray<FColor>& OutData, FReadSurfaceDataFlags Flags);
 
 	void ImmediateFlush(int32 = 0) {}
@@ -200,17 +208,21 @@ inline FRHICommandListImmediate& GetImmediateCommandList_ForRenderCommand()
 DRYDOCK_API FTextureRHIRef RHICreateTexture(const FRHITextureCreateDesc& Desc);
 DRYDOCK_API FBufferRHIRef RHICreateBuffer(
 	uint32 Size, EBufferUsageFlags Usage, uint32 Stride, ERHIAccess State, const FRHIResourceCreateInfo& Info);
-DRYDOCK_API FBufferRHIRef RHICreateVertexBuffer(uint32 Size, EBufferUsageFlags Usage, const FRHIResourceCreateInfo& Info);
-DRYDOCK_API FBufferRHIRef RHICreateStructuredBuffer(uint32 Stride, uint32 Size, EBufferUsageFlags Usage, const FRHIResourceCreateInfo& Info);
+DRYDOCK_API FBufferRHIRef RHICreateVertexBuffer(
+	uint32 Size, EBufferUsageFlags Usage, const FRHIResourceCreateInfo& Info);
+DRYDOCK_API FBufferRHIRef RHICreateStructuredBuffer(
+	uint32 Stride, uint32 Size, EBufferUsageFlags Usage, const FRHIResourceCreateInfo& Info);
 DRYDOCK_API FShaderResourceViewRHIRef RHICreateShaderResourceView(FRHITexture* Texture, uint8 MipLevel);
-DRYDOCK_API FShaderResourceViewRHIRef RHICreateShaderResourceView(FRHITexture* Texture, const FRHITextureSRVCreateInfo& Info);
+DRYDOCK_API FShaderResourceViewRHIRef RHICreateShaderResourceView(
+	FRHITexture* Texture, const FRHITextureSRVCreateInfo& Info);
 DRYDOCK_API FShaderResourceViewRHIRef RHICreateShaderResourceView(FRHIBuffer* Buffer);
 DRYDOCK_API FUnorderedAccessViewRHIRef RHICreateUnorderedAccessView(FRHITexture* Texture, uint32 MipLevel = 0);
-DRYDOCK_API FUnorderedAccessViewRHIRef RHICreateUnorderedAccessView(FRHIBuffer* Buffer, EPixelFormat Format = PF_Unknown);
+DRYDOCK_API FUnorderedAccessViewRHIRef RHICreateUnorderedAccessView(
+	FRHIBuffer* Buffer, EPixelFormat Format = PF_Unknown);
 DRYDOCK_API void* RHILockBuffer(FRHIBuffer* Buffer, uint32 Offset, uint32 Size, EResourceLockMode Mode);
 DRYDOCK_API void RHIUnlockBuffer(FRHIBuffer* Buffer);
-DRYDOCK_API void* RHILockTexture2D(
-	FRHITexture* Texture, uint32 MipIndex, EResourceLockMode Mode, uint32& OutStride, bool bLockWithinMiptail, bool bFlush = true);
+DRYDOCK_API void* RHILockTexture2D(FRHITexture* Texture, uint32 MipIndex, EResourceLockMode Mode, uint32& OutStride,
+	bool bLockWithinMiptail, bool bFlush = true);
 DRYDOCK_API void RHIUnlockTexture2D(FRHITexture* Texture, uint32 MipIndex, bool bLockWithinMiptail, bool bFlush = true);
-DRYDOCK_API void RHIUpdateTexture2D(
-	FRHITexture* Texture, uint32 MipIndex, const FUpdateTextureRegion2D& Region, uint32 SourcePitch, const uint8* SourceData);
+DRYDOCK_API void RHIUpdateTexture2D(FRHITexture* Texture, uint32 MipIndex, const FUpdateTextureRegion2D& Region,
+	uint32 SourcePitch, const uint8* SourceData);

@@ -20,7 +20,8 @@ FBufferRHIRef FRHICommandListBase::CreateBuffer(
 	return CreateBuffer(FRHIBufferDesc(Size, Stride, Usage), State, Info);
 }
 
-FBufferRHIRef FRHICommandListBase::CreateBuffer(const FRHIBufferDesc& Desc, ERHIAccess, const FRHIResourceCreateInfo& Info)
+FBufferRHIRef FRHICommandListBase::CreateBuffer(
+	const FRHIBufferDesc& Desc, ERHIAccess, const FRHIResourceCreateInfo& Info)
 {
 	FBufferRHIRef Buffer = new FRHIBuffer(Desc, Info.DebugName);
 	if (Info.ResourceArray)
@@ -32,7 +33,8 @@ FBufferRHIRef FRHICommandListBase::CreateBuffer(const FRHIBufferDesc& Desc, ERHI
 	return Buffer;
 }
 
-FBufferRHIRef FRHICommandListBase::CreateVertexBuffer(uint32 Size, EBufferUsageFlags Usage, const FRHIResourceCreateInfo& Info)
+FBufferRHIRef FRHICommandListBase::CreateVertexBuffer(
+	uint32 Size, EBufferUsageFlags Usage, const FRHIResourceCreateInfo& Info)
 {
 	return CreateBuffer(Size, Usage | EBufferUsageFlags::VertexBuffer, 0, ERHIAccess::VertexOrIndexBuffer, Info);
 }
@@ -43,7 +45,8 @@ FBufferRHIRef FRHICommandListBase::CreateStructuredBuffer(
 	return CreateBuffer(Size, Usage | EBufferUsageFlags::StructuredBuffer, Stride, ERHIAccess::SRVMask, Info);
 }
 
-FShaderResourceViewRHIRef FRHICommandListBase::CreateShaderResourceView(FRHITexture* Texture, const FRHITextureSRVCreateInfo& Info)
+FShaderResourceViewRHIRef FRHICommandListBase::CreateShaderResourceView(
+	FRHITexture* Texture, const FRHITextureSRVCreateInfo& Info)
 {
 	return new FRHIShaderResourceView(Texture, Info);
 }
@@ -86,7 +89,8 @@ void FRHICommandListBase::UnlockBuffer(FRHIBuffer* Buffer)
 	check(Buffer);
 }
 
-void* FRHICommandListBase::LockTexture2D(FRHITexture* Texture, uint32 MipIndex, EResourceLockMode Mode, uint32& OutStride, bool)
+void* FRHICommandListBase::LockTexture2D(
+	FRHITexture* Texture, uint32 MipIndex, EResourceLockMode Mode, uint32& OutStride, bool)
 {
 	check(Texture);
 	const auto [Entry, bInserted] = LockedTextures.try_emplace(Texture);
@@ -113,8 +117,8 @@ void FRHICommandListBase::UnlockTexture2D(FRHITexture* Texture, uint32 MipIndex,
 {
 	check(Texture);
 	const auto Entry = LockedTextures.find(Texture);
-	checkf(Entry != LockedTextures.end() && Entry->second.MipIndex == MipIndex, TEXT("texture %s is not locked at mip %u"),
-		*Texture->GetName().ToString(), MipIndex);
+	checkf(Entry != LockedTextures.end() && Entry->second.MipIndex == MipIndex,
+		TEXT("texture %s is not locked at mip %u"), *Texture->GetName().ToString(), MipIndex);
 	const FLockedTexture& Locked = Entry->second;
 	if (!Locked.Staging.empty() && Locked.Mode != RLM_ReadOnly)
 	{
@@ -125,8 +129,8 @@ void FRHICommandListBase::UnlockTexture2D(FRHITexture* Texture, uint32 MipIndex,
 	LockedTextures.erase(Entry);
 }
 
-void FRHICommandListBase::UpdateTexture2D(
-	FRHITexture* Texture, uint32 MipIndex, const FUpdateTextureRegion2D& Region, uint32 SourcePitch, const uint8* SourceData)
+void FRHICommandListBase::UpdateTexture2D(FRHITexture* Texture, uint32 MipIndex, const FUpdateTextureRegion2D& Region,
+	uint32 SourcePitch, const uint8* SourceData)
 {
 	check(Texture && SourceData);
 	if (Region.Width == 0 || Region.Height == 0)
@@ -159,7 +163,8 @@ FTextureRHIRef RHICreateTexture(const FRHITextureCreateDesc& Desc)
 	return GetImmediate().CreateTexture(Desc);
 }
 
-FBufferRHIRef RHICreateBuffer(uint32 Size, EBufferUsageFlags Usage, uint32 Stride, ERHIAccess State, const FRHIResourceCreateInfo& Info)
+FBufferRHIRef RHICreateBuffer(
+	uint32 Size, EBufferUsageFlags Usage, uint32 Stride, ERHIAccess State, const FRHIResourceCreateInfo& Info)
 {
 	return GetImmediate().CreateBuffer(Size, Usage, Stride, State, Info);
 }
@@ -169,7 +174,8 @@ FBufferRHIRef RHICreateVertexBuffer(uint32 Size, EBufferUsageFlags Usage, const 
 	return GetImmediate().CreateVertexBuffer(Size, Usage, Info);
 }
 
-FBufferRHIRef RHICreateStructuredBuffer(uint32 Stride, uint32 Size, EBufferUsageFlags Usage, const FRHIResourceCreateInfo& Info)
+FBufferRHIRef RHICreateStructuredBuffer(
+	uint32 Stride, uint32 Size, EBufferUsageFlags Usage, const FRHIResourceCreateInfo& Info)
 {
 	return GetImmediate().CreateStructuredBuffer(Stride, Size, Usage, Info);
 }
@@ -209,7 +215,8 @@ void RHIUnlockBuffer(FRHIBuffer* Buffer)
 	GetImmediate().UnlockBuffer(Buffer);
 }
 
-void* RHILockTexture2D(FRHITexture* Texture, uint32 MipIndex, EResourceLockMode Mode, uint32& OutStride, bool bLockWithinMiptail, bool)
+void* RHILockTexture2D(
+	FRHITexture* Texture, uint32 MipIndex, EResourceLockMode Mode, uint32& OutStride, bool bLockWithinMiptail, bool)
 {
 	return GetImmediate().LockTexture2D(Texture, MipIndex, Mode, OutStride, bLockWithinMiptail);
 }
@@ -219,8 +226,8 @@ void RHIUnlockTexture2D(FRHITexture* Texture, uint32 MipIndex, bool bLockWithinM
 	GetImmediate().UnlockTexture2D(Texture, MipIndex, bLockWithinMiptail);
 }
 
-void RHIUpdateTexture2D(
-	FRHITexture* Texture, uint32 MipIndex, const FUpdateTextureRegion2D& Region, uint32 SourcePitch, const uint8* SourceData)
+void RHIUpdateTexture2D(FRHITexture* Texture, uint32 MipIndex, const FUpdateTextureRegion2D& Region, uint32 SourcePitch,
+	const uint8* SourceData)
 {
 	GetImmediate().UpdateTexture2D(Texture, MipIndex, Region, SourcePitch, SourceData);
 }

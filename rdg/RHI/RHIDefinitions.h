@@ -338,7 +338,10 @@ public:
 		DepthWrite_StencilWrite = DepthWrite | StencilWrite,
 	};
 
-	FExclusiveDepthStencil(Type InValue = DepthNop_StencilNop) : Value(InValue) {}
+	FExclusiveDepthStencil(Type InValue = DepthNop_StencilNop)
+		: Value(InValue)
+	{
+	}
 
 	bool IsUsingDepthStencil() const { return Value != DepthNop_StencilNop; }
 	bool IsUsingDepth() const { return (Value & DepthMask) != DepthNop; }

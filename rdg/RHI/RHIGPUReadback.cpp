@@ -1,4 +1,4 @@
-// Read-backs copy at once. Source: drydock.
+// Copies read-backs at once: there is no GPU to wait for.
 #include "RHIGPUReadback.h"
 
 #include "TextureTransfer.h"
@@ -25,13 +25,14 @@ void FRHIGPUBufferReadback::EnqueueCopy(FRHICommandList&, FRHIBuffer* SourceBuff
 
 void* FRHIGPUBufferReadback::Lock(uint32 NumBytes)
 {
-	checkf(NumBytes <= Bytes.size(), TEXT("a readback of %u bytes was locked; %zu were copied"), NumBytes, Bytes.size());
+	checkf(
+		NumBytes <= Bytes.size(), TEXT("a readback of %u bytes was locked; %zu were copied"), NumBytes, Bytes.size());
 	bLocked = true;
 	return bEnqueued ? Bytes.data() : nullptr;
 }
 
-void FRHIGPUTextureReadback::EnqueueCopy(
-	FRHICommandList&, FRHITexture* SourceTexture, const FIntVector& SourcePosition, uint32 SourceSlice, const FIntVector& Size)
+void FRHIGPUTextureReadback::EnqueueCopy(FRHICommandList&, FRHITexture* SourceTexture, const FIntVector& SourcePosition,
+	uint32 SourceSlice, const FIntVector& Size)
 {
 	check(SourceTexture);
 	const FIntPoint Min(SourcePosition.X, SourcePosition.Y);

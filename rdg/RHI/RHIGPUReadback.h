@@ -8,7 +8,10 @@
 class DRYDOCK_API FRHIGPUMemoryReadback
 {
 public:
-	explicit FRHIGPUMemoryReadback(FName InRequestName) : RequestName(InRequestName) {}
+	explicit FRHIGPUMemoryReadback(FName InRequestName)
+		: RequestName(InRequestName)
+	{
+	}
 	virtual ~FRHIGPUMemoryReadback();
 
 	/** Something was enqueued. */
@@ -49,8 +52,9 @@ public:
 
 	/** Copies mip 0 of a texture, or the box at SourcePosition (Size 0: the rest of the texture), of one slice. Texels
 	 *  arrive in the texture's own format, whatever r.Drydock.Storage says. */
-	void EnqueueCopy(FRHICommandList& RHICmdList, FRHITexture* SourceTexture, const FIntVector& SourcePosition = FIntVector(0, 0, 0),
-		uint32 SourceSlice = 0, const FIntVector& Size = FIntVector(0, 0, 0));
+	void EnqueueCopy(FRHICommandList& RHICmdList, FRHITexture* SourceTexture,
+		const FIntVector& SourcePosition = FIntVector(0, 0, 0), uint32 SourceSlice = 0,
+		const FIntVector& Size = FIntVector(0, 0, 0));
 
 	/** Rows lie OutRowPitchInPixels texels apart. */
 	void* Lock(int32& OutRowPitchInPixels, int32* OutBufferHeight = nullptr);

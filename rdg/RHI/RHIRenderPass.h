@@ -10,11 +10,14 @@ enum class ERenderTargetActions : uint8
 {
 	LoadOpMask = 2,
 
-	DontLoad_DontStore = (uint8(ERenderTargetLoadAction::ENoAction) << LoadOpMask) | uint8(ERenderTargetStoreAction::ENoAction),
-	DontLoad_Store = (uint8(ERenderTargetLoadAction::ENoAction) << LoadOpMask) | uint8(ERenderTargetStoreAction::EStore),
+	DontLoad_DontStore =
+		(uint8(ERenderTargetLoadAction::ENoAction) << LoadOpMask) | uint8(ERenderTargetStoreAction::ENoAction),
+	DontLoad_Store =
+		(uint8(ERenderTargetLoadAction::ENoAction) << LoadOpMask) | uint8(ERenderTargetStoreAction::EStore),
 	Clear_Store = (uint8(ERenderTargetLoadAction::EClear) << LoadOpMask) | uint8(ERenderTargetStoreAction::EStore),
 	Load_Store = (uint8(ERenderTargetLoadAction::ELoad) << LoadOpMask) | uint8(ERenderTargetStoreAction::EStore),
-	Clear_DontStore = (uint8(ERenderTargetLoadAction::EClear) << LoadOpMask) | uint8(ERenderTargetStoreAction::ENoAction),
+	Clear_DontStore =
+		(uint8(ERenderTargetLoadAction::EClear) << LoadOpMask) | uint8(ERenderTargetStoreAction::ENoAction),
 	Load_DontStore = (uint8(ERenderTargetLoadAction::ELoad) << LoadOpMask) | uint8(ERenderTargetStoreAction::ENoAction),
 };
 
@@ -39,7 +42,8 @@ enum class EDepthStencilTargetActions : uint8
 	DepthMask = 4,
 
 	DontLoad_DontStore = 0,
-	LoadDepthStencil_StoreDepthStencil = (uint8(ERenderTargetActions::Load_Store) << DepthMask) | uint8(ERenderTargetActions::Load_Store),
+	LoadDepthStencil_StoreDepthStencil =
+		(uint8(ERenderTargetActions::Load_Store) << DepthMask) | uint8(ERenderTargetActions::Load_Store),
 	ClearDepthStencil_StoreDepthStencil =
 		(uint8(ERenderTargetActions::Clear_Store) << DepthMask) | uint8(ERenderTargetActions::Clear_Store),
 	LoadDepthStencil_DontStoreDepthStencil =
@@ -48,7 +52,8 @@ enum class EDepthStencilTargetActions : uint8
 		(uint8(ERenderTargetActions::Load_Store) << DepthMask) | uint8(ERenderTargetActions::DontLoad_DontStore),
 };
 
-constexpr EDepthStencilTargetActions MakeDepthStencilTargetActions(ERenderTargetActions Depth, ERenderTargetActions Stencil)
+constexpr EDepthStencilTargetActions MakeDepthStencilTargetActions(
+	ERenderTargetActions Depth, ERenderTargetActions Stencil)
 {
 	return EDepthStencilTargetActions((uint8(Depth) << uint8(EDepthStencilTargetActions::DepthMask)) | uint8(Stencil));
 }
@@ -85,10 +90,13 @@ struct FRHIRenderPassInfo
 
 	FRHIRenderPassInfo() = default;
 
-	FRHIRenderPassInfo(FRHITexture* ColorRT, ERenderTargetActions ColorAction) : FRHIRenderPassInfo(1, &ColorRT, ColorAction) {}
+	FRHIRenderPassInfo(FRHITexture* ColorRT, ERenderTargetActions ColorAction)
+		: FRHIRenderPassInfo(1, &ColorRT, ColorAction)
+	{
+	}
 
-	FRHIRenderPassInfo(
-		FRHITexture* ColorRT, ERenderTargetActions ColorAction, FRHITexture* ResolveRT, uint8 InMipIndex = 0, int32 InArraySlice = -1)
+	FRHIRenderPassInfo(FRHITexture* ColorRT, ERenderTargetActions ColorAction, FRHITexture* ResolveRT,
+		uint8 InMipIndex = 0, int32 InArraySlice = -1)
 	{
 		ColorRenderTargets[0] = {ColorRT, ResolveRT, InArraySlice, InMipIndex, ColorAction};
 	}
@@ -103,7 +111,8 @@ struct FRHIRenderPassInfo
 		}
 	}
 
-	FRHIRenderPassInfo(FRHITexture* ColorRT, ERenderTargetActions ColorAction, FRHITexture* DepthRT, EDepthStencilTargetActions DepthAction,
+	FRHIRenderPassInfo(FRHITexture* ColorRT, ERenderTargetActions ColorAction, FRHITexture* DepthRT,
+		EDepthStencilTargetActions DepthAction,
 		FExclusiveDepthStencil InDepthStencil = FExclusiveDepthStencil::DepthWrite_StencilWrite)
 		: FRHIRenderPassInfo(ColorRT, ColorAction)
 	{
@@ -134,8 +143,14 @@ struct FRHIRenderPassInfo
 /** Argument of CopyTexture. Size 0: the whole mip, from the positions on. */
 struct FRHICopyTextureInfo
 {
-	FIntRect GetSourceRect() const { return FIntRect(SourcePosition.X, SourcePosition.Y, SourcePosition.X + Size.X, SourcePosition.Y + Size.Y); }
-	FIntRect GetDestRect() const { return FIntRect(DestPosition.X, DestPosition.Y, DestPosition.X + Size.X, DestPosition.Y + Size.Y); }
+	FIntRect GetSourceRect() const
+	{
+		return FIntRect(SourcePosition.X, SourcePosition.Y, SourcePosition.X + Size.X, SourcePosition.Y + Size.Y);
+	}
+	FIntRect GetDestRect() const
+	{
+		return FIntRect(DestPosition.X, DestPosition.Y, DestPosition.X + Size.X, DestPosition.Y + Size.Y);
+	}
 
 	FIntVector Size = FIntVector(0, 0, 0);
 	FIntVector SourcePosition = FIntVector(0, 0, 0); // texels of the source mip
@@ -153,7 +168,12 @@ struct FUpdateTextureRegion2D
 {
 	FUpdateTextureRegion2D() = default;
 	FUpdateTextureRegion2D(uint32 InDestX, uint32 InDestY, int32 InSrcX, int32 InSrcY, uint32 InWidth, uint32 InHeight)
-		: DestX(InDestX), DestY(InDestY), SrcX(InSrcX), SrcY(InSrcY), Width(InWidth), Height(InHeight)
+		: DestX(InDestX)
+		, DestY(InDestY)
+		, SrcX(InSrcX)
+		, SrcY(InSrcY)
+		, Width(InWidth)
+		, Height(InHeight)
 	{
 	}
 
@@ -170,7 +190,8 @@ class FReadSurfaceDataFlags
 {
 public:
 	FReadSurfaceDataFlags(ERangeCompressionMode InCompressionMode = RCM_UNorm, ECubeFace InCubeFace = CubeFace_MAX)
-		: CubeFace(InCubeFace), CompressionMode(InCompressionMode)
+		: CubeFace(InCubeFace)
+		, CompressionMode(InCompressionMode)
 	{
 	}
 

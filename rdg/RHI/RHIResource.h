@@ -27,7 +27,8 @@ public:
 	/** Uses Memory, which must be 64-byte aligned and outlive its use; frees what was owned. */
 	void PlaceAt(void* Memory);
 
-	/** Allocates Size zeroed bytes when there is no memory yet. The pages of large blocks come with their first touch. */
+	/** Allocates Size zeroed bytes when there is no memory yet. The pages of large blocks come with their first touch.
+	 */
 	void Ensure(size_t Size);
 
 	uint8* Get() const { return Data; }

@@ -1,16 +1,14 @@
-// States: what a kernel needs of them, and their creation. Source: drydock.
+// Creates states, and translates them to what a kernel needs of them.
 #include "RHIStates.h"
 
 #include "HAL/IConsoleManager.h"
 
-static TAutoConsoleVariable<int32> CVarDrydockSampleBits(
-	TEXT("r.Drydock.SampleBits"),
-	8,
+static TAutoConsoleVariable<int32> CVarDrydockSampleBits(TEXT("r.Drydock.SampleBits"), 8,
 	TEXT("Fraction bits of a texture coordinate, in texels.\n")
-	TEXT(" 8: snapped to the nearest 1/256 texel, as GPUs do (default)\n")
-	TEXT(" 0: not snapped"));
+		TEXT(" 8: snapped to the nearest 1/256 texel, as GPUs do (default)\n") TEXT(" 0: not snapped"));
 
-FRHISamplerState::FRHISamplerState(const FSamplerStateInitializerRHI& InInitializer) : Initializer(InInitializer)
+FRHISamplerState::FRHISamplerState(const FSamplerStateInitializerRHI& InInitializer)
+	: Initializer(InInitializer)
 {
 	checkf(Initializer.SamplerComparisonFunction == SCF_Never, TEXT("comparison samplers are not simulated"));
 }

@@ -81,7 +81,10 @@ struct FBlendStateInitializerRHI
 class DRYDOCK_API FRHIBlendState final : public FRHIResource
 {
 public:
-	explicit FRHIBlendState(const FBlendStateInitializerRHI& InInitializer) : Initializer(InInitializer) {}
+	explicit FRHIBlendState(const FBlendStateInitializerRHI& InInitializer)
+		: Initializer(InInitializer)
+	{
+	}
 
 	const FBlendStateInitializerRHI& GetInitializer() const { return Initializer; }
 	const FBlendStateInitializerRHI::FRenderTarget& GetTarget(int32 Index) const
@@ -108,7 +111,10 @@ struct FRasterizerStateInitializerRHI
 class DRYDOCK_API FRHIRasterizerState final : public FRHIResource
 {
 public:
-	explicit FRHIRasterizerState(const FRasterizerStateInitializerRHI& InInitializer) : Initializer(InInitializer) {}
+	explicit FRHIRasterizerState(const FRasterizerStateInitializerRHI& InInitializer)
+		: Initializer(InInitializer)
+	{
+	}
 	const FRasterizerStateInitializerRHI& GetInitializer() const { return Initializer; }
 
 private:
@@ -136,14 +142,17 @@ struct FDepthStencilStateInitializerRHI
 class DRYDOCK_API FRHIDepthStencilState final : public FRHIResource
 {
 public:
-	explicit FRHIDepthStencilState(const FDepthStencilStateInitializerRHI& InInitializer) : Initializer(InInitializer) {}
+	explicit FRHIDepthStencilState(const FDepthStencilStateInitializerRHI& InInitializer)
+		: Initializer(InInitializer)
+	{
+	}
 	const FDepthStencilStateInitializerRHI& GetInitializer() const { return Initializer; }
 
 	/** The state could reject or write something where a depth-stencil target is bound. */
 	bool IsTesting() const
 	{
-		return Initializer.DepthTest != CF_Always || Initializer.bEnableDepthWrite || Initializer.bEnableFrontFaceStencil
-			|| Initializer.bEnableBackFaceStencil;
+		return Initializer.DepthTest != CF_Always || Initializer.bEnableDepthWrite ||
+			   Initializer.bEnableFrontFaceStencil || Initializer.bEnableBackFaceStencil;
 	}
 
 private:
@@ -184,8 +193,8 @@ enum EVertexElementType
 struct FVertexElement
 {
 	FVertexElement() = default;
-	FVertexElement(uint8 InStreamIndex, uint8 InOffset, EVertexElementType InType, uint8 InAttributeIndex, uint16 InStride,
-		bool bInUseInstanceIndex = false)
+	FVertexElement(uint8 InStreamIndex, uint8 InOffset, EVertexElementType InType, uint8 InAttributeIndex,
+		uint16 InStride, bool bInUseInstanceIndex = false)
 		: StreamIndex(InStreamIndex)
 		, Offset(InOffset)
 		, Type(InType)
@@ -209,7 +218,10 @@ using FVertexDeclarationElementList = TArray<FVertexElement, TInlineAllocator<Ma
 class DRYDOCK_API FRHIVertexDeclaration final : public FRHIResource
 {
 public:
-	explicit FRHIVertexDeclaration(const FVertexDeclarationElementList& InElements) : Elements(InElements) {}
+	explicit FRHIVertexDeclaration(const FVertexDeclarationElementList& InElements)
+		: Elements(InElements)
+	{
+	}
 	const FVertexDeclarationElementList& GetElements() const { return Elements; }
 
 private:
@@ -224,7 +236,10 @@ DRYDOCK_API FVertexDeclarationRHIRef RHICreateVertexDeclaration(const FVertexDec
 class DRYDOCK_API FRHIShader : public FRHIResource
 {
 public:
-	explicit FRHIShader(EShaderFrequency InFrequency) : Frequency(InFrequency) {}
+	explicit FRHIShader(EShaderFrequency InFrequency)
+		: Frequency(InFrequency)
+	{
+	}
 	EShaderFrequency GetFrequency() const { return Frequency; }
 
 private:
@@ -240,25 +255,37 @@ public:
 class DRYDOCK_API FRHIVertexShader : public FRHIGraphicsShader
 {
 public:
-	FRHIVertexShader() : FRHIGraphicsShader(SF_Vertex) {}
+	FRHIVertexShader()
+		: FRHIGraphicsShader(SF_Vertex)
+	{
+	}
 };
 
 class DRYDOCK_API FRHIPixelShader : public FRHIGraphicsShader
 {
 public:
-	FRHIPixelShader() : FRHIGraphicsShader(SF_Pixel) {}
+	FRHIPixelShader()
+		: FRHIGraphicsShader(SF_Pixel)
+	{
+	}
 };
 
 class DRYDOCK_API FRHIGeometryShader : public FRHIGraphicsShader
 {
 public:
-	FRHIGeometryShader() : FRHIGraphicsShader(SF_Geometry) {}
+	FRHIGeometryShader()
+		: FRHIGraphicsShader(SF_Geometry)
+	{
+	}
 };
 
 class DRYDOCK_API FRHIComputeShader : public FRHIShader
 {
 public:
-	FRHIComputeShader() : FRHIShader(SF_Compute) {}
+	FRHIComputeShader()
+		: FRHIShader(SF_Compute)
+	{
+	}
 };
 
 using FVertexShaderRHIRef = TRefCountPtr<FRHIVertexShader>;

@@ -8,7 +8,7 @@ namespace Drydock
 {
 
 /** Makes TState's resource on first use and keeps it. */
-template <typename TState, typename TRef, typename TResource>
+template<typename TState, typename TRef, typename TResource>
 class TStaticState
 {
 public:
@@ -21,27 +21,28 @@ public:
 
 } // namespace Drydock
 
-template <ESamplerFilter Filter = SF_Point, ESamplerAddressMode AddressU = AM_Wrap, ESamplerAddressMode AddressV = AM_Wrap,
-	ESamplerAddressMode AddressW = AM_Wrap, int32 MipBias = 0, int32 MaxAnisotropy = 1, uint32 BorderColor = 0,
-	ESamplerCompareFunction SamplerComparisonFunction = SCF_Never>
+template<ESamplerFilter Filter = SF_Point, ESamplerAddressMode AddressU = AM_Wrap,
+	ESamplerAddressMode AddressV = AM_Wrap, ESamplerAddressMode AddressW = AM_Wrap, int32 MipBias = 0,
+	int32 MaxAnisotropy = 1, uint32 BorderColor = 0, ESamplerCompareFunction SamplerComparisonFunction = SCF_Never>
 class TStaticSamplerState
-	: public Drydock::TStaticState<
-		  TStaticSamplerState<Filter, AddressU, AddressV, AddressW, MipBias, MaxAnisotropy, BorderColor, SamplerComparisonFunction>,
+	: public Drydock::TStaticState<TStaticSamplerState<Filter, AddressU, AddressV, AddressW, MipBias, MaxAnisotropy,
+									   BorderColor, SamplerComparisonFunction>,
 		  FSamplerStateRHIRef, FRHISamplerState>
 {
 public:
 	static FSamplerStateRHIRef CreateRHI()
 	{
-		return RHICreateSamplerState(FSamplerStateInitializerRHI(Filter, AddressU, AddressV, AddressW, float(MipBias), MaxAnisotropy,
-			0.0f, 1000.0f, BorderColor, SamplerComparisonFunction));
+		return RHICreateSamplerState(FSamplerStateInitializerRHI(Filter, AddressU, AddressV, AddressW, float(MipBias),
+			MaxAnisotropy, 0.0f, 1000.0f, BorderColor, SamplerComparisonFunction));
 	}
 };
 
-template <ERasterizerFillMode FillMode = FM_Solid, ERasterizerCullMode CullMode = CM_None, bool bEnableLineAA = false,
+template<ERasterizerFillMode FillMode = FM_Solid, ERasterizerCullMode CullMode = CM_None, bool bEnableLineAA = false,
 	bool bEnableMSAA = true, ERasterizerDepthClipMode DepthClipMode = ERasterizerDepthClipMode::DepthClip>
 class TStaticRasterizerState
-	: public Drydock::TStaticState<TStaticRasterizerState<FillMode, CullMode, bEnableLineAA, bEnableMSAA, DepthClipMode>,
-		  FRasterizerStateRHIRef, FRHIRasterizerState>
+	: public Drydock::TStaticState<
+		  TStaticRasterizerState<FillMode, CullMode, bEnableLineAA, bEnableMSAA, DepthClipMode>, FRasterizerStateRHIRef,
+		  FRHIRasterizerState>
 {
 public:
 	static FRasterizerStateRHIRef CreateRHI()
@@ -56,36 +57,37 @@ public:
 	}
 };
 
-template <bool bEnableDepthWrite = true, ECompareFunction DepthTest = CF_DepthNearOrEqual, bool bEnableFrontFaceStencil = false,
-	ECompareFunction FrontFaceStencilTest = CF_Always, EStencilOp FrontFaceStencilFailStencilOp = SO_Keep,
-	EStencilOp FrontFaceDepthFailStencilOp = SO_Keep, EStencilOp FrontFacePassStencilOp = SO_Keep,
-	bool bEnableBackFaceStencil = false, ECompareFunction BackFaceStencilTest = CF_Always,
-	EStencilOp BackFaceStencilFailStencilOp = SO_Keep, EStencilOp BackFaceDepthFailStencilOp = SO_Keep,
-	EStencilOp BackFacePassStencilOp = SO_Keep, uint8 StencilReadMask = 0xff, uint8 StencilWriteMask = 0xff>
+template<bool bEnableDepthWrite = true, ECompareFunction DepthTest = CF_DepthNearOrEqual,
+	bool bEnableFrontFaceStencil = false, ECompareFunction FrontFaceStencilTest = CF_Always,
+	EStencilOp FrontFaceStencilFailStencilOp = SO_Keep, EStencilOp FrontFaceDepthFailStencilOp = SO_Keep,
+	EStencilOp FrontFacePassStencilOp = SO_Keep, bool bEnableBackFaceStencil = false,
+	ECompareFunction BackFaceStencilTest = CF_Always, EStencilOp BackFaceStencilFailStencilOp = SO_Keep,
+	EStencilOp BackFaceDepthFailStencilOp = SO_Keep, EStencilOp BackFacePassStencilOp = SO_Keep,
+	uint8 StencilReadMask = 0xff, uint8 StencilWriteMask = 0xff>
 class TStaticDepthStencilState
 	: public Drydock::TStaticState<
 		  TStaticDepthStencilState<bEnableDepthWrite, DepthTest, bEnableFrontFaceStencil, FrontFaceStencilTest,
-			  FrontFaceStencilFailStencilOp, FrontFaceDepthFailStencilOp, FrontFacePassStencilOp, bEnableBackFaceStencil,
-			  BackFaceStencilTest, BackFaceStencilFailStencilOp, BackFaceDepthFailStencilOp, BackFacePassStencilOp, StencilReadMask,
-			  StencilWriteMask>,
+			  FrontFaceStencilFailStencilOp, FrontFaceDepthFailStencilOp, FrontFacePassStencilOp,
+			  bEnableBackFaceStencil, BackFaceStencilTest, BackFaceStencilFailStencilOp, BackFaceDepthFailStencilOp,
+			  BackFacePassStencilOp, StencilReadMask, StencilWriteMask>,
 		  FDepthStencilStateRHIRef, FRHIDepthStencilState>
 {
 public:
 	static FDepthStencilStateRHIRef CreateRHI()
 	{
-		return RHICreateDepthStencilState(FDepthStencilStateInitializerRHI{bEnableDepthWrite, DepthTest, bEnableFrontFaceStencil,
-			FrontFaceStencilTest, FrontFaceStencilFailStencilOp, FrontFaceDepthFailStencilOp, FrontFacePassStencilOp,
-			bEnableBackFaceStencil, BackFaceStencilTest, BackFaceStencilFailStencilOp, BackFaceDepthFailStencilOp,
-			BackFacePassStencilOp, StencilReadMask, StencilWriteMask});
+		return RHICreateDepthStencilState(FDepthStencilStateInitializerRHI{bEnableDepthWrite, DepthTest,
+			bEnableFrontFaceStencil, FrontFaceStencilTest, FrontFaceStencilFailStencilOp, FrontFaceDepthFailStencilOp,
+			FrontFacePassStencilOp, bEnableBackFaceStencil, BackFaceStencilTest, BackFaceStencilFailStencilOp,
+			BackFaceDepthFailStencilOp, BackFacePassStencilOp, StencilReadMask, StencilWriteMask});
 	}
 };
 
 // The engine gives each of eight targets seven arguments; here they are spelled by two macros.
 #define DRYDOCK_BLEND_TARGET(N) \
 	EColorWriteMask RT##N##ColorWriteMask = CW_RGBA, EBlendOperation RT##N##ColorBlendOp = BO_Add, \
-	EBlendFactor RT##N##ColorSrcBlend = BF_One, EBlendFactor RT##N##ColorDestBlend = BF_Zero, \
-	EBlendOperation RT##N##AlphaBlendOp = BO_Add, EBlendFactor RT##N##AlphaSrcBlend = BF_One, \
-	EBlendFactor RT##N##AlphaDestBlend = BF_Zero
+					EBlendFactor RT##N##ColorSrcBlend = BF_One, EBlendFactor RT##N##ColorDestBlend = BF_Zero, \
+					EBlendOperation RT##N##AlphaBlendOp = BO_Add, EBlendFactor RT##N##AlphaSrcBlend = BF_One, \
+					EBlendFactor RT##N##AlphaDestBlend = BF_Zero
 
 #define DRYDOCK_BLEND_ARGUMENTS(N) \
 	RT##N##ColorWriteMask, RT##N##ColorBlendOp, RT##N##ColorSrcBlend, RT##N##ColorDestBlend, RT##N##AlphaBlendOp, \
@@ -98,23 +100,22 @@ public:
 			RT##N##AlphaDestBlend, RT##N##ColorWriteMask \
 	}
 
-template <DRYDOCK_BLEND_TARGET(0), DRYDOCK_BLEND_TARGET(1), DRYDOCK_BLEND_TARGET(2), DRYDOCK_BLEND_TARGET(3),
+template<DRYDOCK_BLEND_TARGET(0), DRYDOCK_BLEND_TARGET(1), DRYDOCK_BLEND_TARGET(2), DRYDOCK_BLEND_TARGET(3),
 	DRYDOCK_BLEND_TARGET(4), DRYDOCK_BLEND_TARGET(5), DRYDOCK_BLEND_TARGET(6), DRYDOCK_BLEND_TARGET(7),
 	bool bUseAlphaToCoverage = false>
 class TStaticBlendState
 	: public Drydock::TStaticState<
 		  TStaticBlendState<DRYDOCK_BLEND_ARGUMENTS(0), DRYDOCK_BLEND_ARGUMENTS(1), DRYDOCK_BLEND_ARGUMENTS(2),
-			  DRYDOCK_BLEND_ARGUMENTS(3), DRYDOCK_BLEND_ARGUMENTS(4), DRYDOCK_BLEND_ARGUMENTS(5), DRYDOCK_BLEND_ARGUMENTS(6),
-			  DRYDOCK_BLEND_ARGUMENTS(7), bUseAlphaToCoverage>,
+			  DRYDOCK_BLEND_ARGUMENTS(3), DRYDOCK_BLEND_ARGUMENTS(4), DRYDOCK_BLEND_ARGUMENTS(5),
+			  DRYDOCK_BLEND_ARGUMENTS(6), DRYDOCK_BLEND_ARGUMENTS(7), bUseAlphaToCoverage>,
 		  FBlendStateRHIRef, FRHIBlendState>
 {
 public:
 	static FBlendStateRHIRef CreateRHI()
 	{
-		FBlendStateInitializerRHI Initializer{
-			{DRYDOCK_BLEND_INITIALIZER(0), DRYDOCK_BLEND_INITIALIZER(1), DRYDOCK_BLEND_INITIALIZER(2), DRYDOCK_BLEND_INITIALIZER(3),
-				DRYDOCK_BLEND_INITIALIZER(4), DRYDOCK_BLEND_INITIALIZER(5), DRYDOCK_BLEND_INITIALIZER(6),
-				DRYDOCK_BLEND_INITIALIZER(7)}};
+		FBlendStateInitializerRHI Initializer{{DRYDOCK_BLEND_INITIALIZER(0), DRYDOCK_BLEND_INITIALIZER(1),
+			DRYDOCK_BLEND_INITIALIZER(2), DRYDOCK_BLEND_INITIALIZER(3), DRYDOCK_BLEND_INITIALIZER(4),
+			DRYDOCK_BLEND_INITIALIZER(5), DRYDOCK_BLEND_INITIALIZER(6), DRYDOCK_BLEND_INITIALIZER(7)}};
 		for (int32 Target = 1; Target < MaxSimultaneousRenderTargets; ++Target)
 		{
 			const FBlendStateInitializerRHI::FRenderTarget& State = Initializer.RenderTargets[Target];
@@ -129,10 +130,12 @@ public:
 #undef DRYDOCK_BLEND_ARGUMENTS
 #undef DRYDOCK_BLEND_INITIALIZER
 
-template <EColorWriteMask RT0 = CW_RGBA, EColorWriteMask RT1 = CW_RGBA, EColorWriteMask RT2 = CW_RGBA, EColorWriteMask RT3 = CW_RGBA,
-	EColorWriteMask RT4 = CW_RGBA, EColorWriteMask RT5 = CW_RGBA, EColorWriteMask RT6 = CW_RGBA, EColorWriteMask RT7 = CW_RGBA>
+template<EColorWriteMask RT0 = CW_RGBA, EColorWriteMask RT1 = CW_RGBA, EColorWriteMask RT2 = CW_RGBA,
+	EColorWriteMask RT3 = CW_RGBA, EColorWriteMask RT4 = CW_RGBA, EColorWriteMask RT5 = CW_RGBA,
+	EColorWriteMask RT6 = CW_RGBA, EColorWriteMask RT7 = CW_RGBA>
 class TStaticBlendStateWriteMask
-	: public Drydock::TStaticState<TStaticBlendStateWriteMask<RT0, RT1, RT2, RT3, RT4, RT5, RT6, RT7>, FBlendStateRHIRef, FRHIBlendState>
+	: public Drydock::TStaticState<TStaticBlendStateWriteMask<RT0, RT1, RT2, RT3, RT4, RT5, RT6, RT7>,
+		  FBlendStateRHIRef, FRHIBlendState>
 {
 public:
 	static FBlendStateRHIRef CreateRHI()

@@ -1,4 +1,4 @@
-// Texture memory, mip tables and texel access. Source: drydock.
+// Allocates the memory of textures, with their mip tables, and reads and writes single texels.
 #include "RHITexture.h"
 
 #include "PixelFormatConversion.h"
@@ -20,7 +20,8 @@ FResourceMemory::~FResourceMemory()
 
 void FResourceMemory::PlaceAt(void* Memory)
 {
-	checkf(reinterpret_cast<uintptr_t>(Memory) % GTextureAlignment == 0, TEXT("a resource must be placed at a multiple of 64 bytes"));
+	checkf(reinterpret_cast<uintptr_t>(Memory) % GTextureAlignment == 0,
+		TEXT("a resource must be placed at a multiple of 64 bytes"));
 	std::free(Owned);
 	Owned = nullptr;
 	Data = static_cast<uint8*>(Memory);
@@ -45,7 +46,8 @@ void FResourceMemory::Ensure(size_t Size)
 } // namespace Drydock
 
 FRHITexture::FRHITexture(const FRHITextureDesc& InDesc, const TCHAR* InName)
-	: FRHIViewableResource(InName), Desc(InDesc)
+	: FRHIViewableResource(InName)
+	, Desc(InDesc)
 {
 	FString Reason;
 	const bool bValid = Desc.IsValid(&Reason);
@@ -111,8 +113,8 @@ Drydock::FKernelTexture FRHITexture::GetKernelView(int32 FirstMip, int32 NumMips
 {
 	EnsureMemory();
 	const int32 ViewMips = NumMips < 0 ? Desc.NumMips - FirstMip : NumMips;
-	checkf(FirstMip >= 0 && ViewMips > 0 && FirstMip + ViewMips <= Desc.NumMips, TEXT("texture %s has no mips %d to %d"),
-		*GetName().ToString(), FirstMip, FirstMip + ViewMips - 1);
+	checkf(FirstMip >= 0 && ViewMips > 0 && FirstMip + ViewMips <= Desc.NumMips,
+		TEXT("texture %s has no mips %d to %d"), *GetName().ToString(), FirstMip, FirstMip + ViewMips - 1);
 	checkf(Plane >= 0 && Plane < GetNumPlanes(), TEXT("texture %s has no stencil"), *GetName().ToString());
 	checkf(Slice < GetMipLayout(FirstMip).SizeZ, TEXT("texture %s has no slice %d"), *GetName().ToString(), Slice);
 
@@ -128,8 +130,8 @@ Drydock::FKernelTexture FRHITexture::GetKernelView(int32 FirstMip, int32 NumMips
 uint8* FRHITexture::GetTexel(int32 X, int32 Y, int32 Mip, int32 Z, int32 Plane)
 {
 	EnsureMemory();
-	checkf(Mip >= 0 && Mip < Desc.NumMips && Plane >= 0 && Plane < GetNumPlanes(), TEXT("texture %s has no mip %d, plane %d"),
-		*GetName().ToString(), Mip, Plane);
+	checkf(Mip >= 0 && Mip < Desc.NumMips && Plane >= 0 && Plane < GetNumPlanes(),
+		TEXT("texture %s has no mip %d, plane %d"), *GetName().ToString(), Mip, Plane);
 	const Drydock::FTextureMipLayout& At = GetMipLayout(Mip, Plane);
 	checkf(X >= 0 && X < At.SizeX && Y >= 0 && Y < At.SizeY && Z >= 0 && Z < At.SizeZ,
 		TEXT("texel (%d, %d, %d) lies outside mip %d of texture %s"), X, Y, Z, Mip, *GetName().ToString());

@@ -13,7 +13,10 @@
 class DRYDOCK_API FRHIViewableResource : public FRHIResource
 {
 public:
-	explicit FRHIViewableResource(const TCHAR* InName) : Name(InName) {}
+	explicit FRHIViewableResource(const TCHAR* InName)
+		: Name(InName)
+	{
+	}
 
 	FName GetName() const { return Name; }
 	void SetName(FName InName) { Name = InName; }
@@ -55,14 +58,17 @@ public:
 
 	size_t GetSizeInBytes() const { return Layout.SizeInBytes; }
 	Drydock::ETexelStorage GetStorage(int32 Plane = 0) const { return Layout.Planes[Plane].Storage; }
-	const Drydock::FTextureMipLayout& GetMipLayout(int32 Mip, int32 Plane = 0) const { return Layout.Planes[Plane].Mips[Mip]; }
+	const Drydock::FTextureMipLayout& GetMipLayout(int32 Mip, int32 Plane = 0) const
+	{
+		return Layout.Planes[Plane].Mips[Mip];
+	}
 	int32 GetNumPlanes() const { return int32(Layout.Planes.size()); }
 
 	/** Storage differs from the format's own (r.Drydock.Storage). */
 	bool IsWidened() const { return GetStorage() != Drydock::GetNativeTexelStorage(Desc); }
 
-	/** Puts the texels at Memory: GetSizeInBytes() bytes, 64-byte aligned, that outlive their use. Contents are taken as
-	 *  they are. Views taken before follow. */
+	/** Puts the texels at Memory: GetSizeInBytes() bytes, 64-byte aligned, that outlive their use. Contents are taken
+	 * as they are. Views taken before follow. */
 	void PlaceAt(void* Memory);
 	bool HasMemory() const { return Memory.Get() != nullptr; }
 
@@ -103,7 +109,8 @@ private:
 	FRHITextureDesc Desc;
 	Drydock::FTextureLayout Layout;
 	Drydock::FResourceMemory Memory;
-	// Per plane: NumMips entries for the whole texture, then NumMips for each slice. Never resized, so views stay valid.
+	// Per plane: NumMips entries for the whole texture, then NumMips for each slice. Never resized, so views stay
+	// valid.
 	std::vector<std::vector<Drydock::FKernelMip>> MipTables;
 };
 

@@ -15,7 +15,8 @@ constinit const FClearValueBinding FClearValueBinding::DepthZero(0.0f, 0u);
 constinit const FClearValueBinding FClearValueBinding::DepthNear(1.0f, 0u);
 constinit const FClearValueBinding FClearValueBinding::DepthFar(0.0f, 0u);
 constinit const FClearValueBinding FClearValueBinding::Green(0.0f, 1.0f, 0.0f, 1.0f);
-constinit const FClearValueBinding FClearValueBinding::DefaultNormal8Bit(128.0f / 255.0f, 128.0f / 255.0f, 128.0f / 255.0f, 1.0f);
+constinit const FClearValueBinding FClearValueBinding::DefaultNormal8Bit(
+	128.0f / 255.0f, 128.0f / 255.0f, 128.0f / 255.0f, 1.0f);
 
 namespace
 {
@@ -55,7 +56,10 @@ bool FClearValueBinding::operator==(const FClearValueBinding& Other) const
 uint32 GetTypeHash(const FClearValueBinding& Binding)
 {
 	// Adding 0 makes -0 hash as 0, which it equals.
-	const auto Bits = [](float Value) { return std::bit_cast<uint32>(Value + 0.0f); };
+	const auto Bits = [](float Value)
+	{
+		return std::bit_cast<uint32>(Value + 0.0f);
+	};
 	switch (Binding.ColorBinding)
 	{
 	case EClearBinding::EColorBound:
@@ -123,14 +127,15 @@ bool FRHITextureDesc::IsValid(FString* OutReason) const
 
 bool FRHITextureDesc::operator==(const FRHITextureDesc& Other) const
 {
-	return Flags == Other.Flags && ClearValue == Other.ClearValue && ExtData == Other.ExtData && Extent == Other.Extent
-		&& Depth == Other.Depth && ArraySize == Other.ArraySize && NumMips == Other.NumMips && NumSamples == Other.NumSamples
-		&& Dimension == Other.Dimension && Format == Other.Format && UAVFormat == Other.UAVFormat;
+	return Flags == Other.Flags && ClearValue == Other.ClearValue && ExtData == Other.ExtData &&
+		   Extent == Other.Extent && Depth == Other.Depth && ArraySize == Other.ArraySize && NumMips == Other.NumMips &&
+		   NumSamples == Other.NumSamples && Dimension == Other.Dimension && Format == Other.Format &&
+		   UAVFormat == Other.UAVFormat;
 }
 
 uint32 GetTypeHash(const FRHITextureDesc& Desc)
 {
-	return HashWords({uint32(Desc.Dimension), uint32(uint64(Desc.Flags)), uint32(uint64(Desc.Flags) >> 32), uint32(Desc.Format),
-		uint32(Desc.UAVFormat), uint32(Desc.Extent.X), uint32(Desc.Extent.Y), Desc.Depth, Desc.ArraySize, Desc.NumMips,
-		Desc.NumSamples, GetTypeHash(Desc.ClearValue), Desc.ExtData});
+	return HashWords({uint32(Desc.Dimension), uint32(uint64(Desc.Flags)), uint32(uint64(Desc.Flags) >> 32),
+		uint32(Desc.Format), uint32(Desc.UAVFormat), uint32(Desc.Extent.X), uint32(Desc.Extent.Y), Desc.Depth,
+		Desc.ArraySize, Desc.NumMips, Desc.NumSamples, GetTypeHash(Desc.ClearValue), Desc.ExtData});
 }

@@ -16,9 +16,19 @@ struct FClearValueBinding
 		uint32 Stencil;
 	};
 
-	constexpr FClearValueBinding() : FClearValueBinding(0.0f, 0.0f, 0.0f, 0.0f) {}
-	constexpr explicit FClearValueBinding(EClearBinding NoBinding) : FClearValueBinding() { ColorBinding = NoBinding; }
-	explicit FClearValueBinding(const FLinearColor& Color) : FClearValueBinding(Color.R, Color.G, Color.B, Color.A) {}
+	constexpr FClearValueBinding()
+		: FClearValueBinding(0.0f, 0.0f, 0.0f, 0.0f)
+	{
+	}
+	constexpr explicit FClearValueBinding(EClearBinding NoBinding)
+		: FClearValueBinding()
+	{
+		ColorBinding = NoBinding;
+	}
+	explicit FClearValueBinding(const FLinearColor& Color)
+		: FClearValueBinding(Color.R, Color.G, Color.B, Color.A)
+	{
+	}
 	constexpr explicit FClearValueBinding(float Depth, uint32 Stencil = 0)
 		: FClearValueBinding()
 	{
@@ -33,7 +43,10 @@ struct FClearValueBinding
 		Value.Color[3] = A;
 	}
 
-	FLinearColor GetClearColor() const { return FLinearColor(Value.Color[0], Value.Color[1], Value.Color[2], Value.Color[3]); }
+	FLinearColor GetClearColor() const
+	{
+		return FLinearColor(Value.Color[0], Value.Color[1], Value.Color[2], Value.Color[3]);
+	}
 
 	void GetDepthStencil(float& OutDepth, uint32& OutStencil) const
 	{
@@ -71,9 +84,13 @@ DRYDOCK_API uint32 GetTypeHash(const FClearValueBinding& Binding);
 struct FRHITextureDesc
 {
 	FRHITextureDesc() = default;
-	explicit FRHITextureDesc(ETextureDimension InDimension) : Dimension(InDimension) {}
-	FRHITextureDesc(ETextureDimension InDimension, ETextureCreateFlags InFlags, EPixelFormat InFormat, FClearValueBinding InClearValue,
-		FIntPoint InExtent, uint16 InDepth, uint16 InArraySize, uint8 InNumMips, uint8 InNumSamples, uint32 InExtData)
+	explicit FRHITextureDesc(ETextureDimension InDimension)
+		: Dimension(InDimension)
+	{
+	}
+	FRHITextureDesc(ETextureDimension InDimension, ETextureCreateFlags InFlags, EPixelFormat InFormat,
+		FClearValueBinding InClearValue, FIntPoint InExtent, uint16 InDepth, uint16 InArraySize, uint8 InNumMips,
+		uint8 InNumSamples, uint32 InExtData)
 		: Flags(InFlags)
 		, ClearValue(InClearValue)
 		, ExtData(InExtData)
@@ -87,60 +104,69 @@ struct FRHITextureDesc
 	{
 	}
 
-	static FRHITextureDesc Create2D(FIntPoint Size, EPixelFormat Format, FClearValueBinding ClearValue, ETextureCreateFlags Flags,
-		uint8 NumMips = 1, uint8 NumSamples = 1, uint32 ExtData = 0)
-	{
-		return FRHITextureDesc(ETextureDimension::Texture2D, Flags, Format, ClearValue, Size, 1, 1, NumMips, NumSamples, ExtData);
-	}
-
-	static FRHITextureDesc Create2DArray(FIntPoint Size, EPixelFormat Format, FClearValueBinding ClearValue, ETextureCreateFlags Flags,
-		uint16 ArraySize, uint8 NumMips = 1, uint8 NumSamples = 1, uint32 ExtData = 0)
+	static FRHITextureDesc Create2D(FIntPoint Size, EPixelFormat Format, FClearValueBinding ClearValue,
+		ETextureCreateFlags Flags, uint8 NumMips = 1, uint8 NumSamples = 1, uint32 ExtData = 0)
 	{
 		return FRHITextureDesc(
-			ETextureDimension::Texture2DArray, Flags, Format, ClearValue, Size, 1, ArraySize, NumMips, NumSamples, ExtData);
+			ETextureDimension::Texture2D, Flags, Format, ClearValue, Size, 1, 1, NumMips, NumSamples, ExtData);
 	}
 
-	static FRHITextureDesc Create3D(FIntVector Size, EPixelFormat Format, FClearValueBinding ClearValue, ETextureCreateFlags Flags,
-		uint8 NumMips = 1, uint32 ExtData = 0)
+	static FRHITextureDesc Create2DArray(FIntPoint Size, EPixelFormat Format, FClearValueBinding ClearValue,
+		ETextureCreateFlags Flags, uint16 ArraySize, uint8 NumMips = 1, uint8 NumSamples = 1, uint32 ExtData = 0)
 	{
-		return FRHITextureDesc(ETextureDimension::Texture3D, Flags, Format, ClearValue, FIntPoint(Size.X, Size.Y), uint16(Size.Z), 1,
-			NumMips, 1, ExtData);
-	}
-
-	static FRHITextureDesc CreateCube(uint32 Size, EPixelFormat Format, FClearValueBinding ClearValue, ETextureCreateFlags Flags,
-		uint8 NumMips = 1, uint8 NumSamples = 1, uint32 ExtData = 0)
-	{
-		return FRHITextureDesc(ETextureDimension::TextureCube, Flags, Format, ClearValue, FIntPoint(int32(Size), int32(Size)), 1, 1,
+		return FRHITextureDesc(ETextureDimension::Texture2DArray, Flags, Format, ClearValue, Size, 1, ArraySize,
 			NumMips, NumSamples, ExtData);
 	}
 
-	static FRHITextureDesc CreateCubeArray(uint32 Size, EPixelFormat Format, FClearValueBinding ClearValue, ETextureCreateFlags Flags,
-		uint16 ArraySize, uint8 NumMips = 1, uint8 NumSamples = 1, uint32 ExtData = 0)
+	static FRHITextureDesc Create3D(FIntVector Size, EPixelFormat Format, FClearValueBinding ClearValue,
+		ETextureCreateFlags Flags, uint8 NumMips = 1, uint32 ExtData = 0)
 	{
-		return FRHITextureDesc(ETextureDimension::TextureCubeArray, Flags, Format, ClearValue, FIntPoint(int32(Size), int32(Size)), 1,
-			ArraySize, NumMips, NumSamples, ExtData);
+		return FRHITextureDesc(ETextureDimension::Texture3D, Flags, Format, ClearValue, FIntPoint(Size.X, Size.Y),
+			uint16(Size.Z), 1, NumMips, 1, ExtData);
+	}
+
+	static FRHITextureDesc CreateCube(uint32 Size, EPixelFormat Format, FClearValueBinding ClearValue,
+		ETextureCreateFlags Flags, uint8 NumMips = 1, uint8 NumSamples = 1, uint32 ExtData = 0)
+	{
+		return FRHITextureDesc(ETextureDimension::TextureCube, Flags, Format, ClearValue,
+			FIntPoint(int32(Size), int32(Size)), 1, 1, NumMips, NumSamples, ExtData);
+	}
+
+	static FRHITextureDesc CreateCubeArray(uint32 Size, EPixelFormat Format, FClearValueBinding ClearValue,
+		ETextureCreateFlags Flags, uint16 ArraySize, uint8 NumMips = 1, uint8 NumSamples = 1, uint32 ExtData = 0)
+	{
+		return FRHITextureDesc(ETextureDimension::TextureCubeArray, Flags, Format, ClearValue,
+			FIntPoint(int32(Size), int32(Size)), 1, ArraySize, NumMips, NumSamples, ExtData);
 	}
 
 	/** The form of 4.2x and 5.0, with targetable flags apart. */
-	static FRHITextureDesc Create2DDesc(FIntPoint Size, EPixelFormat Format, FClearValueBinding ClearValue, ETextureCreateFlags Flags,
-		ETextureCreateFlags TargetableFlags, bool bForceSeparateTargetAndShaderResource = false, uint16 NumMips = 1)
+	static FRHITextureDesc Create2DDesc(FIntPoint Size, EPixelFormat Format, FClearValueBinding ClearValue,
+		ETextureCreateFlags Flags, ETextureCreateFlags TargetableFlags,
+		bool bForceSeparateTargetAndShaderResource = false, uint16 NumMips = 1)
 	{
 		(void)bForceSeparateTargetAndShaderResource;
 		return Create2D(Size, Format, ClearValue, Flags | TargetableFlags, uint8(NumMips));
 	}
 
-	/** Makes the description of an input fit for an output: single-sampled, renderable, without what ties it to its use. */
+	/** Makes the description of an input fit for an output: single-sampled, renderable, without what ties it to its
+	 * use. */
 	void Reset()
 	{
 		NumSamples = 1;
 		Flags |= ETextureCreateFlags::RenderTargetable;
-		Flags &= ~(ETextureCreateFlags::UAV | ETextureCreateFlags::ResolveTargetable | ETextureCreateFlags::DepthStencilResolveTarget
-			| ETextureCreateFlags::Memoryless);
+		Flags &= ~(ETextureCreateFlags::UAV | ETextureCreateFlags::ResolveTargetable |
+				   ETextureCreateFlags::DepthStencilResolveTarget | ETextureCreateFlags::Memoryless);
 	}
 
-	bool IsTexture2D() const { return Dimension == ETextureDimension::Texture2D || Dimension == ETextureDimension::Texture2DArray; }
+	bool IsTexture2D() const
+	{
+		return Dimension == ETextureDimension::Texture2D || Dimension == ETextureDimension::Texture2DArray;
+	}
 	bool IsTexture3D() const { return Dimension == ETextureDimension::Texture3D; }
-	bool IsTextureCube() const { return Dimension == ETextureDimension::TextureCube || Dimension == ETextureDimension::TextureCubeArray; }
+	bool IsTextureCube() const
+	{
+		return Dimension == ETextureDimension::TextureCube || Dimension == ETextureDimension::TextureCubeArray;
+	}
 	bool IsTextureArray() const
 	{
 		return Dimension == ETextureDimension::Texture2DArray || Dimension == ETextureDimension::TextureCubeArray;
@@ -178,13 +204,21 @@ DRYDOCK_API uint32 GetTypeHash(const FRHITextureDesc& Desc);
 struct FRHITextureCreateDesc : FRHITextureDesc
 {
 	FRHITextureCreateDesc() = default;
-	FRHITextureCreateDesc(const FRHITextureDesc& InDesc, const TCHAR* InDebugName) : FRHITextureDesc(InDesc), DebugName(InDebugName) {}
+	FRHITextureCreateDesc(const FRHITextureDesc& InDesc, const TCHAR* InDebugName)
+		: FRHITextureDesc(InDesc)
+		, DebugName(InDebugName)
+	{
+	}
 	FRHITextureCreateDesc(const TCHAR* InDebugName, ETextureDimension InDimension)
-		: FRHITextureDesc(InDimension), DebugName(InDebugName)
+		: FRHITextureDesc(InDimension)
+		, DebugName(InDebugName)
 	{
 	}
 
-	static FRHITextureCreateDesc Create(const TCHAR* Name, ETextureDimension InDimension) { return {Name, InDimension}; }
+	static FRHITextureCreateDesc Create(const TCHAR* Name, ETextureDimension InDimension)
+	{
+		return {Name, InDimension};
+	}
 	static FRHITextureCreateDesc Create2D(const TCHAR* Name) { return {Name, ETextureDimension::Texture2D}; }
 	static FRHITextureCreateDesc Create2D(const TCHAR* Name, FIntPoint Size, EPixelFormat InFormat)
 	{
@@ -194,33 +228,98 @@ struct FRHITextureCreateDesc : FRHITextureDesc
 	{
 		return Create2D(Name, FIntPoint(SizeX, SizeY), InFormat);
 	}
-	static FRHITextureCreateDesc Create2DArray(const TCHAR* Name, FIntPoint Size, uint16 InArraySize, EPixelFormat InFormat)
+	static FRHITextureCreateDesc Create2DArray(
+		const TCHAR* Name, FIntPoint Size, uint16 InArraySize, EPixelFormat InFormat)
 	{
-		return Create(Name, ETextureDimension::Texture2DArray).SetExtent(Size).SetArraySize(InArraySize).SetFormat(InFormat);
+		return Create(Name, ETextureDimension::Texture2DArray)
+			.SetExtent(Size)
+			.SetArraySize(InArraySize)
+			.SetFormat(InFormat);
 	}
 	static FRHITextureCreateDesc Create3D(const TCHAR* Name, FIntVector Size, EPixelFormat InFormat)
 	{
-		return Create(Name, ETextureDimension::Texture3D).SetExtent(FIntPoint(Size.X, Size.Y)).SetDepth(uint16(Size.Z)).SetFormat(InFormat);
+		return Create(Name, ETextureDimension::Texture3D)
+			.SetExtent(FIntPoint(Size.X, Size.Y))
+			.SetDepth(uint16(Size.Z))
+			.SetFormat(InFormat);
 	}
 	static FRHITextureCreateDesc CreateCube(const TCHAR* Name, uint32 Size, EPixelFormat InFormat)
 	{
-		return Create(Name, ETextureDimension::TextureCube).SetExtent(FIntPoint(int32(Size), int32(Size))).SetFormat(InFormat);
+		return Create(Name, ETextureDimension::TextureCube)
+			.SetExtent(FIntPoint(int32(Size), int32(Size)))
+			.SetFormat(InFormat);
 	}
 
-	FRHITextureCreateDesc& SetFlags(ETextureCreateFlags InFlags) { Flags = InFlags; return *this; }
-	FRHITextureCreateDesc& AddFlags(ETextureCreateFlags InFlags) { Flags |= InFlags; return *this; }
-	FRHITextureCreateDesc& SetClearValue(FClearValueBinding InClearValue) { ClearValue = InClearValue; return *this; }
-	FRHITextureCreateDesc& SetExtData(uint32 InExtData) { ExtData = InExtData; return *this; }
-	FRHITextureCreateDesc& SetExtent(FIntPoint InExtent) { Extent = InExtent; return *this; }
-	FRHITextureCreateDesc& SetExtent(int32 X, int32 Y) { Extent = FIntPoint(X, Y); return *this; }
-	FRHITextureCreateDesc& SetDepth(uint16 InDepth) { Depth = InDepth; return *this; }
-	FRHITextureCreateDesc& SetArraySize(uint16 InArraySize) { ArraySize = InArraySize; return *this; }
-	FRHITextureCreateDesc& SetNumMips(uint8 InNumMips) { NumMips = InNumMips; return *this; }
-	FRHITextureCreateDesc& SetNumSamples(uint8 InNumSamples) { NumSamples = InNumSamples; return *this; }
-	FRHITextureCreateDesc& SetFormat(EPixelFormat InFormat) { Format = InFormat; return *this; }
-	FRHITextureCreateDesc& SetUAVFormat(EPixelFormat InFormat) { UAVFormat = InFormat; return *this; }
-	FRHITextureCreateDesc& SetInitialState(ERHIAccess InState) { InitialState = InState; return *this; }
-	FRHITextureCreateDesc& SetDebugName(const TCHAR* Name) { DebugName = Name; return *this; }
+	FRHITextureCreateDesc& SetFlags(ETextureCreateFlags InFlags)
+	{
+		Flags = InFlags;
+		return *this;
+	}
+	FRHITextureCreateDesc& AddFlags(ETextureCreateFlags InFlags)
+	{
+		Flags |= InFlags;
+		return *this;
+	}
+	FRHITextureCreateDesc& SetClearValue(FClearValueBinding InClearValue)
+	{
+		ClearValue = InClearValue;
+		return *this;
+	}
+	FRHITextureCreateDesc& SetExtData(uint32 InExtData)
+	{
+		ExtData = InExtData;
+		return *this;
+	}
+	FRHITextureCreateDesc& SetExtent(FIntPoint InExtent)
+	{
+		Extent = InExtent;
+		return *this;
+	}
+	FRHITextureCreateDesc& SetExtent(int32 X, int32 Y)
+	{
+		Extent = FIntPoint(X, Y);
+		return *this;
+	}
+	FRHITextureCreateDesc& SetDepth(uint16 InDepth)
+	{
+		Depth = InDepth;
+		return *this;
+	}
+	FRHITextureCreateDesc& SetArraySize(uint16 InArraySize)
+	{
+		ArraySize = InArraySize;
+		return *this;
+	}
+	FRHITextureCreateDesc& SetNumMips(uint8 InNumMips)
+	{
+		NumMips = InNumMips;
+		return *this;
+	}
+	FRHITextureCreateDesc& SetNumSamples(uint8 InNumSamples)
+	{
+		NumSamples = InNumSamples;
+		return *this;
+	}
+	FRHITextureCreateDesc& SetFormat(EPixelFormat InFormat)
+	{
+		Format = InFormat;
+		return *this;
+	}
+	FRHITextureCreateDesc& SetUAVFormat(EPixelFormat InFormat)
+	{
+		UAVFormat = InFormat;
+		return *this;
+	}
+	FRHITextureCreateDesc& SetInitialState(ERHIAccess InState)
+	{
+		InitialState = InState;
+		return *this;
+	}
+	FRHITextureCreateDesc& SetDebugName(const TCHAR* Name)
+	{
+		DebugName = Name;
+		return *this;
+	}
 	FRHITextureCreateDesc& DetermineInititialState() { return *this; }
 
 	const TCHAR* DebugName = TEXT("");
@@ -230,9 +329,17 @@ struct FRHITextureCreateDesc : FRHITextureDesc
 struct FRHIBufferDesc
 {
 	FRHIBufferDesc() = default;
-	FRHIBufferDesc(uint32 InSize, uint32 InStride, EBufferUsageFlags InUsage) : Size(InSize), Stride(InStride), Usage(InUsage) {}
+	FRHIBufferDesc(uint32 InSize, uint32 InStride, EBufferUsageFlags InUsage)
+		: Size(InSize)
+		, Stride(InStride)
+		, Usage(InUsage)
+	{
+	}
 
-	bool operator==(const FRHIBufferDesc& Other) const { return Size == Other.Size && Stride == Other.Stride && Usage == Other.Usage; }
+	bool operator==(const FRHIBufferDesc& Other) const
+	{
+		return Size == Other.Size && Stride == Other.Stride && Usage == Other.Usage;
+	}
 	bool operator!=(const FRHIBufferDesc& Other) const { return !(*this == Other); }
 
 	uint32 Size = 0;   // bytes

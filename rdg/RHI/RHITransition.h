@@ -7,7 +7,9 @@
 struct FRHITransitionInfo
 {
 	FRHITransitionInfo(FRHIResource* InResource, ERHIAccess InBefore, ERHIAccess InAfter)
-		: Resource(InResource), AccessBefore(InBefore), AccessAfter(InAfter)
+		: Resource(InResource)
+		, AccessBefore(InBefore)
+		, AccessAfter(InAfter)
 	{
 	}
 

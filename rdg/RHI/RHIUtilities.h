@@ -1,4 +1,4 @@
-// Source: engine RHIUtilities.h. What code takes from it lies in RHI.h.
+// Stands under the engine's name for RHI.h, which has what code takes from it. Source: engine RHIUtilities.h.
 #pragma once
 
 #include "RHI.h"

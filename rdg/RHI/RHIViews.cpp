@@ -1,11 +1,16 @@
-// Views: ranges of mips and slices, and formats that reinterpret a texel. Source: drydock.
+// Makes views: ranges of mips and slices, and formats that reinterpret a texel.
 #include "RHIViews.h"
 
 #include "PixelFormatConversion.h"
 
-FRHIView::FRHIView(
-	FRHITexture* InTexture, EPixelFormat InFormat, uint32 InFirstMip, uint32 InNumMips, uint32 InFirstSlice, uint32 InNumSlices)
-	: Texture(InTexture), Format(InFormat), FirstMip(InFirstMip), NumMips(InNumMips), FirstSlice(InFirstSlice), NumSlices(InNumSlices)
+FRHIView::FRHIView(FRHITexture* InTexture, EPixelFormat InFormat, uint32 InFirstMip, uint32 InNumMips,
+	uint32 InFirstSlice, uint32 InNumSlices)
+	: Texture(InTexture)
+	, Format(InFormat)
+	, FirstMip(InFirstMip)
+	, NumMips(InNumMips)
+	, FirstSlice(InFirstSlice)
+	, NumSlices(InNumSlices)
 {
 	checkf(InTexture, TEXT("a view needs a texture"));
 	const FRHITextureDesc& Desc = Texture->GetDesc();
@@ -15,15 +20,19 @@ FRHIView::FRHIView(
 	const uint32 AllSlices = uint32(Texture->GetMipLayout(int32(FirstMip)).SizeZ);
 	checkf(FirstSlice < AllSlices, What, *Texture->GetName().ToString());
 	NumSlices = NumSlices ? NumSlices : AllSlices - FirstSlice;
-	checkf(FirstMip + NumMips <= Desc.NumMips && FirstSlice + NumSlices <= AllSlices, What, *Texture->GetName().ToString());
+	checkf(FirstMip + NumMips <= Desc.NumMips && FirstSlice + NumSlices <= AllSlices, What,
+		*Texture->GetName().ToString());
 	GetViewStorage();
 }
 
 FRHIView::FRHIView(FRHIBuffer* InBuffer, const FRHIBufferSRVCreateInfo& Info)
-	: Buffer(InBuffer), Format(Info.Format), FirstByte(Info.StartOffsetBytes)
+	: Buffer(InBuffer)
+	, Format(Info.Format)
+	, FirstByte(Info.StartOffsetBytes)
 {
 	checkf(InBuffer, TEXT("a view needs a buffer"));
-	const uint32 ElementBytes = Format != PF_Unknown ? uint32(GPixelFormats[Format].BlockBytes) : FMath::Max(1u, Buffer->GetStride());
+	const uint32 ElementBytes =
+		Format != PF_Unknown ? uint32(GPixelFormats[Format].BlockBytes) : FMath::Max(1u, Buffer->GetStride());
 	NumBytes = Info.NumElements * ElementBytes;
 	checkf(uint64(FirstByte) + uint64(Info.NumElements) * ElementBytes <= Buffer->GetSize(),
 		TEXT("a view of buffer %s goes beyond its %u bytes"), *Buffer->GetName().ToString(), Buffer->GetSize());
@@ -38,7 +47,8 @@ Drydock::ETexelStorage FRHIView::GetViewStorage() const
 	}
 	const Drydock::FTexelStorageInfo& StoredInfo = Drydock::GetTexelStorageInfo(Stored);
 	const Drydock::FTexelStorageInfo& ViewInfo = Drydock::GetTexelStorageInfo(GPixelFormats[Format].Storage);
-	if (Texture->IsWidened() && ViewInfo.Kind != Drydock::ETexelKind::Uint && ViewInfo.NumChannels == StoredInfo.NumChannels)
+	if (Texture->IsWidened() && ViewInfo.Kind != Drydock::ETexelKind::Uint &&
+		ViewInfo.NumChannels == StoredInfo.NumChannels)
 	{
 		return Stored; // widened texels have no encoding to reinterpret
 	}
@@ -97,16 +107,19 @@ FRHIShaderResourceView::FRHIShaderResourceView(FRHITexture* InTexture, const FRH
 {
 }
 
-FRHIShaderResourceView::FRHIShaderResourceView(FRHIBuffer* InBuffer, const FRHIBufferSRVCreateInfo& Info) : FRHIView(InBuffer, Info)
+FRHIShaderResourceView::FRHIShaderResourceView(FRHIBuffer* InBuffer, const FRHIBufferSRVCreateInfo& Info)
+	: FRHIView(InBuffer, Info)
 {
 }
 
 FRHIUnorderedAccessView::FRHIUnorderedAccessView(FRHITexture* InTexture, const FRHITextureUAVCreateInfo& Info)
-	: FRHIView(InTexture, Info.Format != PF_Unknown ? Info.Format : (InTexture ? InTexture->GetDesc().UAVFormat : PF_Unknown),
-		Info.MipLevel, 1, Info.FirstArraySlice, Info.NumArraySlices)
+	: FRHIView(InTexture,
+		  Info.Format != PF_Unknown ? Info.Format : (InTexture ? InTexture->GetDesc().UAVFormat : PF_Unknown),
+		  Info.MipLevel, 1, Info.FirstArraySlice, Info.NumArraySlices)
 {
 }
 
-FRHIUnorderedAccessView::FRHIUnorderedAccessView(FRHIBuffer* InBuffer, const FRHIBufferUAVCreateInfo& Info) : FRHIView(InBuffer, Info)
+FRHIUnorderedAccessView::FRHIUnorderedAccessView(FRHIBuffer* InBuffer, const FRHIBufferUAVCreateInfo& Info)
+	: FRHIView(InBuffer, Info)
 {
 }

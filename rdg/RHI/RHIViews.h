@@ -9,8 +9,11 @@
 /** Zero counts mean "all from the first". */
 struct FRHITextureSRVCreateInfo
 {
-	explicit FRHITextureSRVCreateInfo(uint8 InMipLevel = 0, uint8 InNumMipLevels = 0, EPixelFormat InFormat = PF_Unknown)
-		: Format(InFormat), MipLevel(InMipLevel), NumMipLevels(InNumMipLevels)
+	explicit FRHITextureSRVCreateInfo(
+		uint8 InMipLevel = 0, uint8 InNumMipLevels = 0, EPixelFormat InFormat = PF_Unknown)
+		: Format(InFormat)
+		, MipLevel(InMipLevel)
+		, NumMipLevels(InNumMipLevels)
 	{
 	}
 	FRHITextureSRVCreateInfo(uint8 InMipLevel, uint8 InNumMipLevels, uint16 InFirstArraySlice, uint16 InNumArraySlices,
@@ -34,9 +37,12 @@ struct FRHITextureSRVCreateInfo
 
 struct FRHITextureUAVCreateInfo
 {
-	explicit FRHITextureUAVCreateInfo(uint8 InMipLevel = 0, EPixelFormat InFormat = PF_Unknown, uint16 InFirstArraySlice = 0,
-		uint16 InNumArraySlices = 0)
-		: Format(InFormat), MipLevel(InMipLevel), FirstArraySlice(InFirstArraySlice), NumArraySlices(InNumArraySlices)
+	explicit FRHITextureUAVCreateInfo(uint8 InMipLevel = 0, EPixelFormat InFormat = PF_Unknown,
+		uint16 InFirstArraySlice = 0, uint16 InNumArraySlices = 0)
+		: Format(InFormat)
+		, MipLevel(InMipLevel)
+		, FirstArraySlice(InFirstArraySlice)
+		, NumArraySlices(InNumArraySlices)
 	{
 	}
 
@@ -51,8 +57,11 @@ struct FRHITextureUAVCreateInfo
 /** Format PF_Unknown: structured or raw. NumElements counts texels of Format, or strides. */
 struct FRHIBufferSRVCreateInfo
 {
-	explicit FRHIBufferSRVCreateInfo(EPixelFormat InFormat = PF_Unknown, uint32 InStartOffsetBytes = 0, uint32 InNumElements = 0)
-		: Format(InFormat), StartOffsetBytes(InStartOffsetBytes), NumElements(InNumElements)
+	explicit FRHIBufferSRVCreateInfo(
+		EPixelFormat InFormat = PF_Unknown, uint32 InStartOffsetBytes = 0, uint32 InNumElements = 0)
+		: Format(InFormat)
+		, StartOffsetBytes(InStartOffsetBytes)
+		, NumElements(InNumElements)
 	{
 	}
 
@@ -91,7 +100,8 @@ public:
 	uint64 GetSizeInBytes() const;
 
 protected:
-	FRHIView(FRHITexture* InTexture, EPixelFormat InFormat, uint32 InFirstMip, uint32 InNumMips, uint32 InFirstSlice, uint32 InNumSlices);
+	FRHIView(FRHITexture* InTexture, EPixelFormat InFormat, uint32 InFirstMip, uint32 InNumMips, uint32 InFirstSlice,
+		uint32 InNumSlices);
 	FRHIView(FRHIBuffer* InBuffer, const FRHIBufferSRVCreateInfo& Info);
 
 private:

@@ -1,4 +1,5 @@
-// Source: engine RenderCore.h. What code takes from it lies in RenderingThread.h and RenderUtils.h.
+// Stands under the engine's name for RenderingThread.h and RenderUtils.h, which have what code takes from it. Source:
+// engine RenderCore.h.
 #pragma once
 
 #include "RenderUtils.h"

@@ -10,18 +10,18 @@ struct FRDGBufferDesc
 	static FRDGBufferDesc CreateIndirectDesc(uint32 InBytesPerElement, uint32 InNumElements)
 	{
 		return FRDGBufferDesc(InBytesPerElement, InNumElements,
-			EBufferUsageFlags::Static | EBufferUsageFlags::DrawIndirect | EBufferUsageFlags::UnorderedAccess
-				| EBufferUsageFlags::ShaderResource | EBufferUsageFlags::VertexBuffer);
+			EBufferUsageFlags::Static | EBufferUsageFlags::DrawIndirect | EBufferUsageFlags::UnorderedAccess |
+				EBufferUsageFlags::ShaderResource | EBufferUsageFlags::VertexBuffer);
 	}
 	static FRDGBufferDesc CreateIndirectDesc(uint32 InNumElements = 1) { return CreateIndirectDesc(4, InNumElements); }
 
 	static FRDGBufferDesc CreateStructuredDesc(uint32 InBytesPerElement, uint32 InNumElements)
 	{
 		return FRDGBufferDesc(InBytesPerElement, InNumElements,
-			EBufferUsageFlags::Static | EBufferUsageFlags::UnorderedAccess | EBufferUsageFlags::ShaderResource
-				| EBufferUsageFlags::StructuredBuffer);
+			EBufferUsageFlags::Static | EBufferUsageFlags::UnorderedAccess | EBufferUsageFlags::ShaderResource |
+				EBufferUsageFlags::StructuredBuffer);
 	}
-	template <typename T>
+	template<typename T>
 	static FRDGBufferDesc CreateStructuredDesc(uint32 InNumElements)
 	{
 		return CreateStructuredDesc(sizeof(T), InNumElements);
@@ -31,10 +31,10 @@ struct FRDGBufferDesc
 	static FRDGBufferDesc CreateBufferDesc(uint32 InBytesPerElement, uint32 InNumElements)
 	{
 		return FRDGBufferDesc(InBytesPerElement, InNumElements,
-			EBufferUsageFlags::Static | EBufferUsageFlags::UnorderedAccess | EBufferUsageFlags::ShaderResource
-				| EBufferUsageFlags::VertexBuffer);
+			EBufferUsageFlags::Static | EBufferUsageFlags::UnorderedAccess | EBufferUsageFlags::ShaderResource |
+				EBufferUsageFlags::VertexBuffer);
 	}
-	template <typename T>
+	template<typename T>
 	static FRDGBufferDesc CreateBufferDesc(uint32 InNumElements)
 	{
 		return CreateBufferDesc(sizeof(T), InNumElements);
@@ -44,13 +44,14 @@ struct FRDGBufferDesc
 	{
 		check(InNumBytes % 4 == 0);
 		return FRDGBufferDesc(4, InNumBytes / 4,
-			EBufferUsageFlags::Static | EBufferUsageFlags::UnorderedAccess | EBufferUsageFlags::ShaderResource
-				| EBufferUsageFlags::ByteAddressBuffer | EBufferUsageFlags::StructuredBuffer);
+			EBufferUsageFlags::Static | EBufferUsageFlags::UnorderedAccess | EBufferUsageFlags::ShaderResource |
+				EBufferUsageFlags::ByteAddressBuffer | EBufferUsageFlags::StructuredBuffer);
 	}
 
 	static FRDGBufferDesc CreateUploadDesc(uint32 InBytesPerElement, uint32 InNumElements)
 	{
-		return FRDGBufferDesc(InBytesPerElement, InNumElements, EBufferUsageFlags::Static | EBufferUsageFlags::ShaderResource);
+		return FRDGBufferDesc(
+			InBytesPerElement, InNumElements, EBufferUsageFlags::Static | EBufferUsageFlags::ShaderResource);
 	}
 	static FRDGBufferDesc CreateStructuredUploadDesc(uint32 InBytesPerElement, uint32 InNumElements)
 	{
@@ -60,7 +61,9 @@ struct FRDGBufferDesc
 
 	FRDGBufferDesc() = default;
 	FRDGBufferDesc(uint32 InBytesPerElement, uint32 InNumElements, EBufferUsageFlags InUsage = EBufferUsageFlags::None)
-		: Usage(InUsage), BytesPerElement(InBytesPerElement), NumElements(InNumElements)
+		: Usage(InUsage)
+		, BytesPerElement(InBytesPerElement)
+		, NumElements(InNumElements)
 	{
 	}
 
@@ -77,7 +80,8 @@ struct FRDGBufferDesc
 /** What an RHI buffer of that description is made with: structured and raw buffers have a stride, typed ones do not. */
 inline FRHIBufferDesc Translate(const FRDGBufferDesc& Desc)
 {
-	const bool bHasStride = EnumHasAnyFlags(Desc.Usage, EBufferUsageFlags::StructuredBuffer | EBufferUsageFlags::ByteAddressBuffer);
+	const bool bHasStride =
+		EnumHasAnyFlags(Desc.Usage, EBufferUsageFlags::StructuredBuffer | EBufferUsageFlags::ByteAddressBuffer);
 	return FRHIBufferDesc(Desc.GetSize(), bHasStride ? Desc.BytesPerElement : 0, Desc.Usage);
 }
 
@@ -86,7 +90,9 @@ class DRYDOCK_API FRDGPooledBuffer final : public FRefCountBase
 {
 public:
 	FRDGPooledBuffer(TRefCountPtr<FRHIBuffer> InBuffer, const FRDGBufferDesc& InDesc, const TCHAR* InName)
-		: Desc(InDesc), Buffer(MoveTemp(InBuffer)), Name(InName)
+		: Desc(InDesc)
+		, Buffer(MoveTemp(InBuffer))
+		, Name(InName)
 	{
 	}
 

@@ -37,8 +37,8 @@ FTextureWithSRV* FPlainTexture::Get() const
 		Texture = new FTextureWithSRV;
 		Texture->TextureRHI = RHICreateTexture(
 			FRHITextureCreateDesc::Create2D(Name, 1, 1, PF_B8G8R8A8).SetFlags(ETextureCreateFlags::ShaderResource));
-		const FLinearColor Value(float((Color >> 16) & 0xff) / 255.0f, float((Color >> 8) & 0xff) / 255.0f, float(Color & 0xff) / 255.0f,
-			float(Color >> 24) / 255.0f);
+		const FLinearColor Value(float((Color >> 16) & 0xff) / 255.0f, float((Color >> 8) & 0xff) / 255.0f,
+			float(Color & 0xff) / 255.0f, float(Color >> 24) / 255.0f);
 		Texture->TextureRHI->Fill(Value);
 		Texture->SamplerStateRHI = TStaticSamplerState<SF_Bilinear, AM_Wrap, AM_Wrap, AM_Wrap>::GetRHI();
 		Texture->ShaderResourceViewRHI = RHICreateShaderResourceView(Texture->TextureRHI, 0);

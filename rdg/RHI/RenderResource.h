@@ -26,7 +26,7 @@ private:
 };
 
 /** A resource that is made when it is first asked for; the engine makes it when the RHI starts. */
-template <typename ResourceType>
+template<typename ResourceType>
 class TGlobalResource : public ResourceType
 {
 public:
@@ -72,7 +72,11 @@ namespace Drydock
 class DRYDOCK_API FPlainTexture
 {
 public:
-	constexpr FPlainTexture(const TCHAR* InName, uint32 InColor) : Name(InName), Color(InColor) {}
+	constexpr FPlainTexture(const TCHAR* InName, uint32 InColor)
+		: Name(InName)
+		, Color(InColor)
+	{
+	}
 
 	FTextureWithSRV* Get() const;
 	FTextureWithSRV* operator->() const { return Get(); }

@@ -13,8 +13,11 @@ constexpr uint32 GMaxUnusedFrames = 30;
 
 IPooledRenderTarget::~IPooledRenderTarget() = default;
 
-FPooledRenderTarget::FPooledRenderTarget(FRHITexture* InTexture, const FPooledRenderTargetDesc& InDesc, FRenderTargetPool* InPool)
-	: Texture(InTexture), Desc(InDesc), Pool(InPool)
+FPooledRenderTarget::FPooledRenderTarget(
+	FRHITexture* InTexture, const FPooledRenderTargetDesc& InDesc, FRenderTargetPool* InPool)
+	: Texture(InTexture)
+	, Desc(InDesc)
+	, Pool(InPool)
 {
 }
 
@@ -51,10 +54,11 @@ TRefCountPtr<IPooledRenderTarget> FRenderTargetPool::FindFreeElement(const FRHIT
 	return Elements.Last().GetReference();
 }
 
-bool FRenderTargetPool::FindFreeElement(const FRHITextureDesc& Desc, TRefCountPtr<IPooledRenderTarget>& Out, const TCHAR* Name)
+bool FRenderTargetPool::FindFreeElement(
+	const FRHITextureDesc& Desc, TRefCountPtr<IPooledRenderTarget>& Out, const TCHAR* Name)
 {
-	if (Out.IsValid() && static_cast<const FRHITextureDesc&>(Out->GetDesc()) == Desc
-		&& Out->GetRHI()->GetStorage() == Drydock::GetTexelStorage(Desc))
+	if (Out.IsValid() && static_cast<const FRHITextureDesc&>(Out->GetDesc()) == Desc &&
+		Out->GetRHI()->GetStorage() == Drydock::GetTexelStorage(Desc))
 	{
 		Out->SetDebugName(Name);
 		return true;

@@ -37,18 +37,18 @@ private:
 class DRYDOCK_API FRenderTargetPool
 {
 public:
-	/** A free element of exactly that description (and of the storage r.Drydock.Storage asks for), or a new one. Contents
-	 *  are whatever the last user left. */
+	/** A free element of exactly that description (and of the storage r.Drydock.Storage asks for), or a new one.
+	 * Contents are whatever the last user left. */
 	TRefCountPtr<IPooledRenderTarget> FindFreeElement(const FRHITextureDesc& Desc, const TCHAR* Name);
 
 	/** Keeps Out when it already fits. Returns true when it does, false when Out was replaced. */
 	bool FindFreeElement(const FRHITextureDesc& Desc, TRefCountPtr<IPooledRenderTarget>& Out, const TCHAR* Name);
-	bool FindFreeElement(
-		FRHICommandListBase& RHICmdList, const FRHITextureDesc& Desc, TRefCountPtr<IPooledRenderTarget>& Out, const TCHAR* Name);
+	bool FindFreeElement(FRHICommandListBase& RHICmdList, const FRHITextureDesc& Desc,
+		TRefCountPtr<IPooledRenderTarget>& Out, const TCHAR* Name);
 
 	/** An element around a texture, not pooled. The item form is the engine's of 5.3. */
-	void CreateUntrackedElement(
-		const FPooledRenderTargetDesc& Desc, TRefCountPtr<IPooledRenderTarget>& Out, const FSceneRenderTargetItem& Item);
+	void CreateUntrackedElement(const FPooledRenderTargetDesc& Desc, TRefCountPtr<IPooledRenderTarget>& Out,
+		const FSceneRenderTargetItem& Item);
 
 	/** End of a frame: forgets elements unused for some frames. */
 	void TickPoolElements();
@@ -71,4 +71,5 @@ extern DRYDOCK_API FRenderTargetPool GRenderTargetPool;
 DRYDOCK_API TRefCountPtr<IPooledRenderTarget> CreateRenderTarget(FRHITexture* Texture, const TCHAR* Name);
 
 /** Whether Texture is what TargetPtr wraps; makes TargetPtr a wrapper of it otherwise. */
-DRYDOCK_API bool CacheRenderTarget(FRHITexture* Texture, const TCHAR* Name, TRefCountPtr<IPooledRenderTarget>& TargetPtr);
+DRYDOCK_API bool CacheRenderTarget(
+	FRHITexture* Texture, const TCHAR* Name, TRefCountPtr<IPooledRenderTarget>& TargetPtr);

@@ -8,15 +8,17 @@ struct FPooledRenderTargetDesc : FRHITextureDesc
 {
 	FPooledRenderTargetDesc() = default;
 	FPooledRenderTargetDesc(const FRHITextureDesc& Desc, const TCHAR* InDebugName = TEXT("UnknownTexture"))
-		: FRHITextureDesc(Desc), DebugName(InDebugName)
+		: FRHITextureDesc(Desc)
+		, DebugName(InDebugName)
 	{
 	}
 
 	static FPooledRenderTargetDesc Create2DDesc(FIntPoint Size, EPixelFormat Format, FClearValueBinding ClearValue,
-		ETextureCreateFlags Flags, ETextureCreateFlags TargetableFlags, bool bForceSeparateTargetAndShaderResource = false,
-		uint16 NumMips = 1)
+		ETextureCreateFlags Flags, ETextureCreateFlags TargetableFlags,
+		bool bForceSeparateTargetAndShaderResource = false, uint16 NumMips = 1)
 	{
-		return FRHITextureDesc::Create2DDesc(Size, Format, ClearValue, Flags, TargetableFlags, bForceSeparateTargetAndShaderResource, NumMips);
+		return FRHITextureDesc::Create2DDesc(
+			Size, Format, ClearValue, Flags, TargetableFlags, bForceSeparateTargetAndShaderResource, NumMips);
 	}
 
 	bool Is2DTexture() const { return IsTexture2D(); }

@@ -12,7 +12,7 @@ namespace Drydock
 /** What ENQUEUE_RENDER_COMMAND makes: runs the lambda it is given at once. */
 struct FRenderCommandRunner
 {
-	template <typename TLambda>
+	template<typename TLambda>
 	void operator()(TLambda&& Lambda) const
 	{
 		Lambda(FRHICommandListExecutor::GetImmediateCommandList());

@@ -1,4 +1,4 @@
-// Texture layout and the console variables that change storage. Source: drydock.
+// Lays textures out in memory, and holds the console variables that change how texels are stored.
 #include "TextureLayout.h"
 
 #include "HAL/IConsoleManager.h"
@@ -6,20 +6,14 @@
 
 #include <algorithm>
 
-static TAutoConsoleVariable<int32> CVarDrydockStorage(
-	TEXT("r.Drydock.Storage"),
-	0,
-	TEXT("How textures created from now on keep their texels.\n")
-	TEXT(" 0: in their own format (default)\n")
-	TEXT(" 1: float and UNORM formats as 32-bit floats, neither rounded nor clamped\n")
-	TEXT(" 2: the same as 64-bit floats"));
+static TAutoConsoleVariable<int32> CVarDrydockStorage(TEXT("r.Drydock.Storage"), 0,
+	TEXT("How textures created from now on keep their texels.\n") TEXT(" 0: in their own format (default)\n")
+		TEXT(" 1: float and UNORM formats as 32-bit floats, neither rounded nor clamped\n")
+			TEXT(" 2: the same as 64-bit floats"));
 
-static TAutoConsoleVariable<int32> CVarDrydockStoreOverflow(
-	TEXT("r.Drydock.StoreOverflow"),
-	0,
+static TAutoConsoleVariable<int32> CVarDrydockStoreOverflow(TEXT("r.Drydock.StoreOverflow"), 0,
 	TEXT("What a finite value too large for half becomes when stored.\n")
-	TEXT(" 0: infinity, as hardware converts (default)\n")
-	TEXT(" 1: 65504"));
+		TEXT(" 0: infinity, as hardware converts (default)\n") TEXT(" 1: 65504"));
 
 namespace Drydock
 {

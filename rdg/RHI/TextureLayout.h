@@ -1,5 +1,5 @@
-// Where a texture's texels lie in memory: 64-byte-aligned rows, slices, mips and planes, with 64 readable bytes on either
-// side, so that vector loads near an edge stay inside. Source: drydock.
+// Where a texture's texels lie in memory: 64-byte-aligned rows, slices, mips and planes, with 64 readable bytes on
+// either side, so that vector loads near an edge stay inside.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Copies, read-back and clears. Source: drydock.
+// Copies, reads back and clears textures.
 #include "TextureTransfer.h"
 
 #include "PixelFormatConversion.h"
@@ -24,7 +24,8 @@ int32 AtMip(int32 Value, uint32 Mip)
 	return std::max(1, Value >> Mip);
 }
 
-void CopyMipSlice(FRHITexture* Source, FRHITexture* Dest, FIntVector From, int32 SourceMip, FIntVector To, int32 DestMip, FIntVector Size)
+void CopyMipSlice(FRHITexture* Source, FRHITexture* Dest, FIntVector From, int32 SourceMip, FIntVector To,
+	int32 DestMip, FIntVector Size)
 {
 	const size_t RowBytes = size_t(Size.X) * GetTexelStorageInfo(Source->GetStorage()).BytesPerTexel;
 	// Far corners first: a copy beyond either texture touches nothing.
@@ -34,8 +35,8 @@ void CopyMipSlice(FRHITexture* Source, FRHITexture* Dest, FIntVector From, int32
 	{
 		for (int32 Y = 0; Y < Size.Y; ++Y)
 		{
-			std::memmove(Dest->GetTexel(To.X, To.Y + Y, DestMip, To.Z + Z), Source->GetTexel(From.X, From.Y + Y, SourceMip, From.Z + Z),
-				RowBytes);
+			std::memmove(Dest->GetTexel(To.X, To.Y + Y, DestMip, To.Z + Z),
+				Source->GetTexel(From.X, From.Y + Y, SourceMip, From.Z + Z), RowBytes);
 		}
 	}
 }
@@ -57,7 +58,10 @@ void ScaleToUnit(TArray<FLinearColor>& Colors)
 	{
 		return;
 	}
-	const auto Scale = [=](float Value) { return (Value - Min) / (Max - Min); };
+	const auto Scale = [=](float Value)
+	{
+		return (Value - Min) / (Max - Min);
+	};
 	for (FLinearColor& Color : Colors)
 	{
 		Color = FLinearColor(Scale(Color.R), Scale(Color.G), Scale(Color.B), Scale(Color.A));
@@ -66,7 +70,10 @@ void ScaleToUnit(TArray<FLinearColor>& Colors)
 
 void ClampColors(TArray<FLinearColor>& Colors, float Min)
 {
-	const auto Clamp = [Min](float Value) { return Value > Min ? std::min(Value, 1.0f) : Min; }; // NaN gives Min
+	const auto Clamp = [Min](float Value)
+	{
+		return Value > Min ? std::min(Value, 1.0f) : Min;
+	}; // NaN gives Min
 	for (FLinearColor& Color : Colors)
 	{
 		Color = FLinearColor(Clamp(Color.R), Clamp(Color.G), Clamp(Color.B), Clamp(Color.A));
@@ -135,7 +142,8 @@ void ReadNativeTexels(FRHITexture* Texture, FIntRect Rect, int32 Mip, int32 Slic
 	}
 }
 
-void WriteNativeTexels(FRHITexture* Texture, FIntRect Rect, int32 Mip, int32 Slice, const uint8* Source, size_t SourcePitch)
+void WriteNativeTexels(
+	FRHITexture* Texture, FIntRect Rect, int32 Mip, int32 Slice, const uint8* Source, size_t SourcePitch)
 {
 	const ETexelStorage Native = GetNativeStorage(Texture);
 	const ETexelStorage Stored = Texture->GetStorage();
@@ -164,16 +172,18 @@ uint64 CopyTextureRegion(FRHITexture* Source, FRHITexture* Dest, const FRHICopyT
 {
 	check(Source && Dest);
 	checkf(Source->GetFormat() == Dest->GetFormat() && Source->GetStorage() == Dest->GetStorage(),
-		TEXT("CopyTexture does not convert: %s is %s, %s is %s"), *Source->GetName().ToString(), GetPixelFormatString(Source->GetFormat()),
-		*Dest->GetName().ToString(), GetPixelFormatString(Dest->GetFormat()));
+		TEXT("CopyTexture does not convert: %s is %s, %s is %s"), *Source->GetName().ToString(),
+		GetPixelFormatString(Source->GetFormat()), *Dest->GetName().ToString(),
+		GetPixelFormatString(Dest->GetFormat()));
 
 	uint64 NumTexels = 0;
 	for (uint32 Mip = 0; Mip < Info.NumMips; ++Mip)
 	{
 		const int32 SourceMip = int32(Info.SourceMipIndex + Mip);
 		const int32 DestMip = int32(Info.DestMipIndex + Mip);
-		checkf(SourceMip < Source->GetDesc().NumMips && DestMip < Dest->GetDesc().NumMips, TEXT("CopyTexture: %s has %d mips, %s has %d"),
-			*Source->GetName().ToString(), Source->GetDesc().NumMips, *Dest->GetName().ToString(), Dest->GetDesc().NumMips);
+		checkf(SourceMip < Source->GetDesc().NumMips && DestMip < Dest->GetDesc().NumMips,
+			TEXT("CopyTexture: %s has %d mips, %s has %d"), *Source->GetName().ToString(), Source->GetDesc().NumMips,
+			*Dest->GetName().ToString(), Dest->GetDesc().NumMips);
 
 		const FTextureMipLayout& At = Source->GetMipLayout(SourceMip);
 		FIntVector From(Info.SourcePosition.X >> Mip, Info.SourcePosition.Y >> Mip, Info.SourcePosition.Z >> Mip);
@@ -237,10 +247,14 @@ void ReadSurface(FRHITexture* Texture, FIntRect Rect, TArray<FColor>& OutData, c
 	TArray<FLinearColor> Colors;
 	ReadSurface(Texture, Rect, Colors, RealFlags);
 
-	// Eight-bit formats come back as their bytes: an sRGB texture was decoded above and is encoded again, a linear one stays.
+	// Eight-bit formats come back as their bytes: an sRGB texture was decoded above and is encoded again, a linear one
+	// stays.
 	const ETexelKind Kind = GetTexelStorageInfo(GetNativeStorage(Texture)).Kind;
 	const bool bEncode = Kind == ETexelKind::Srgb || (Kind == ETexelKind::Float && Flags.GetLinearToGamma());
-	const auto Encode = [bEncode](float Value) { return bEncode ? EncodeSrgb8(Value) : uint8(EncodeUnorm(Value, 8)); };
+	const auto Encode = [bEncode](float Value)
+	{
+		return bEncode ? EncodeSrgb8(Value) : uint8(EncodeUnorm(Value, 8));
+	};
 	OutData.Reset(Colors.Num());
 	for (const FLinearColor& Color : Colors)
 	{
@@ -280,7 +294,8 @@ uint64 ClearView(const FRHIUnorderedAccessView* View, const FUintVector4& Value)
 		}
 		else
 		{
-			checkf(Info.Kind == ETexelKind::Uint, TEXT("ClearUAVUint: texture %s is stored as %s, which holds no integers"),
+			checkf(Info.Kind == ETexelKind::Uint,
+				TEXT("ClearUAVUint: texture %s is stored as %s, which holds no integers"),
 				*View->GetTexture()->GetName().ToString(), Info.Name);
 			EncodeTexel(Texture.Storage, Channels, Texel);
 		}
@@ -288,7 +303,8 @@ uint64 ClearView(const FRHIUnorderedAccessView* View, const FUintVector4& Value)
 	}
 	const FKernelBuffer Buffer = View->GetKernelBuffer();
 	const FTexelStorageInfo& Info = GetTexelStorageInfo(View->IsTyped() ? Buffer.Storage : ETexelStorage::R32_UINT);
-	checkf(Info.Kind == ETexelKind::Uint || Info.BitsPerChannel == 32, TEXT("ClearUAVUint: buffer %s is viewed as %s, which holds no integers"),
+	checkf(Info.Kind == ETexelKind::Uint || Info.BitsPerChannel == 32,
+		TEXT("ClearUAVUint: buffer %s is viewed as %s, which holds no integers"),
 		*View->GetBuffer()->GetName().ToString(), Info.Name);
 	if (Info.Kind == ETexelKind::Uint)
 	{

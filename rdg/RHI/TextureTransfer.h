@@ -1,5 +1,5 @@
 // Moving texels between textures and plain memory, converting where a texture is stored wider than its format. Inner to
-// the command list. Source: drydock.
+// the command list.
 #pragma once
 
 #include "RHIResources.h"
@@ -11,7 +11,8 @@ namespace Drydock
 void ReadNativeTexels(FRHITexture* Texture, FIntRect Rect, int32 Mip, int32 Slice, uint8* Dest, size_t DestPitch);
 
 /** The reverse. */
-void WriteNativeTexels(FRHITexture* Texture, FIntRect Rect, int32 Mip, int32 Slice, const uint8* Source, size_t SourcePitch);
+void WriteNativeTexels(
+	FRHITexture* Texture, FIntRect Rect, int32 Mip, int32 Slice, const uint8* Source, size_t SourcePitch);
 
 /** Bytes of one texel in the texture's own format. */
 uint32 GetNativeTexelBytes(const FRHITexture* Texture);
@@ -20,7 +21,8 @@ uint32 GetNativeTexelBytes(const FRHITexture* Texture);
 uint64 CopyTextureRegion(FRHITexture* Source, FRHITexture* Dest, const FRHICopyTextureInfo& Info);
 
 /** FRHICommandListImmediate::ReadSurfaceData. */
-void ReadSurface(FRHITexture* Texture, FIntRect Rect, TArray<FLinearColor>& OutData, const FReadSurfaceDataFlags& Flags);
+void ReadSurface(
+	FRHITexture* Texture, FIntRect Rect, TArray<FLinearColor>& OutData, const FReadSurfaceDataFlags& Flags);
 void ReadSurface(FRHITexture* Texture, FIntRect Rect, TArray<FColor>& OutData, const FReadSurfaceDataFlags& Flags);
 
 /** Clears every texel or element of the view; texels convert as the format stores. Returns how many. */

@@ -1,4 +1,4 @@
-// Tiles, denormal mode, exceptions. Source: drydock.
+// Cuts work into tiles, sets the denormal mode of each thread, and carries exceptions out.
 #include "TileExecutor.h"
 
 #include "HAL/IConsoleManager.h"
@@ -14,11 +14,9 @@
 #include <immintrin.h>
 #endif
 
-static TAutoConsoleVariable<int32> CVarDrydockThreads(
-	TEXT("r.Drydock.Threads"),
-	0,
+static TAutoConsoleVariable<int32> CVarDrydockThreads(TEXT("r.Drydock.Threads"), 0,
 	TEXT("Number of threads that run passes. The result is the same bits for any number.\n")
-	TEXT(" 0: all of the machine's (default)"));
+		TEXT(" 0: all of the machine's (default)"));
 
 namespace Drydock
 {
@@ -62,7 +60,8 @@ int32 CountTiles(int32 Size, int32 TileSize)
 struct FTiling
 {
 	FTiling(const FKernelTile& InWhole, FIntVector InSize)
-		: Whole(InWhole), Size(InSize)
+		: Whole(InWhole)
+		, Size(InSize)
 	{
 		const FIntVector Extent(Whole.MaxX - Whole.MinX, Whole.MaxY - Whole.MinY, Whole.MaxZ - Whole.MinZ);
 		if (Extent.X <= 0 || Extent.Y <= 0 || Extent.Z <= 0)
@@ -127,7 +126,8 @@ private:
 
 } // namespace
 
-FScopedDenormals::FScopedDenormals(EDenormals Mode) : SavedControlWord(GetControlWord())
+FScopedDenormals::FScopedDenormals(EDenormals Mode)
+	: SavedControlWord(GetControlWord())
 {
 	SetControlWord(Mode == EDenormals::Flush ? SavedControlWord | GFlushBits : SavedControlWord & ~GFlushBits);
 }
@@ -158,7 +158,8 @@ int32 GetNumThreads()
 	return Wanted <= 0 ? All : std::min(Wanted, GMaxThreads);
 }
 
-void ForEachTile(const FKernelTile& Whole, FIntVector TileSize, TFunctionRef<void(const FKernelTile&)> Body, EDenormals Denormals)
+void ForEachTile(
+	const FKernelTile& Whole, FIntVector TileSize, TFunctionRef<void(const FKernelTile&)> Body, EDenormals Denormals)
 {
 	const FTiling Tiling(Whole, TileSize);
 	FFirstException FirstException;
@@ -197,7 +198,8 @@ void ForEachTile(const FKernelTile& Whole, FIntVector TileSize, TFunctionRef<voi
 	FirstException.Rethrow();
 }
 
-void ForEachTile(const FKernelTile& Whole, FIntPoint TileSize, TFunctionRef<void(const FKernelTile&)> Body, EDenormals Denormals)
+void ForEachTile(
+	const FKernelTile& Whole, FIntPoint TileSize, TFunctionRef<void(const FKernelTile&)> Body, EDenormals Denormals)
 {
 	ForEachTile(Whole, FIntVector(TileSize.X, TileSize.Y, 1), Body, Denormals);
 }

@@ -1,5 +1,5 @@
-// Runs a box of work as tiles on all threads. A tile must write only what no other tile reads or writes; then the result
-// is the same bits for any number of threads and any order. Source: drydock.
+// Runs a box of work as tiles on all threads. A tile must write only what no other tile reads or writes; then the
+// result is the same bits for any number of threads and any order.
 #pragma once
 
 #include "CoreMinimal.h"
@@ -35,15 +35,15 @@ private:
 /** Threads a run may use now: r.Drydock.Threads, or all of the machine's for 0. */
 DRYDOCK_API int32 GetNumThreads();
 
-/** Cuts Whole into tiles of TileSize (a component below 1: not cut that way), counted from Whole's minimum, and runs Body
- *  on each, on the caller and the workers, under the given denormal mode. Returns when all are done. An exception leaves
- *  from here once running tiles have ended: of those thrown, the one of the first tile in row-major order; tiles after it
- *  may not have run. Inside a tile, a nested call runs on the calling thread. */
-DRYDOCK_API void ForEachTile(
-	const FKernelTile& Whole, FIntVector TileSize, TFunctionRef<void(const FKernelTile&)> Body, EDenormals Denormals = EDenormals::Keep);
+/** Cuts Whole into tiles of TileSize (a component below 1: not cut that way), counted from Whole's minimum, and runs
+ * Body on each, on the caller and the workers, under the given denormal mode. Returns when all are done. An exception
+ * leaves from here once running tiles have ended: of those thrown, the one of the first tile in row-major order; tiles
+ * after it may not have run. Inside a tile, a nested call runs on the calling thread. */
+DRYDOCK_API void ForEachTile(const FKernelTile& Whole, FIntVector TileSize, TFunctionRef<void(const FKernelTile&)> Body,
+	EDenormals Denormals = EDenormals::Keep);
 
 /** One slice per tile in Z. */
-DRYDOCK_API void ForEachTile(
-	const FKernelTile& Whole, FIntPoint TileSize, TFunctionRef<void(const FKernelTile&)> Body, EDenormals Denormals = EDenormals::Keep);
+DRYDOCK_API void ForEachTile(const FKernelTile& Whole, FIntPoint TileSize, TFunctionRef<void(const FKernelTile&)> Body,
+	EDenormals Denormals = EDenormals::Keep);
 
 } // namespace Drydock

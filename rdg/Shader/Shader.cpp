@@ -1,4 +1,4 @@
-// The registry of shader classes and the instances of their permutations. Source: drydock.
+// Keeps the registry of shader classes and the instances of their permutations.
 #include "Shader.h"
 
 #include "ShaderState.h"

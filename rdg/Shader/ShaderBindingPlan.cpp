@@ -1,5 +1,5 @@
-// Matching by name and type. The messages name the shader class, the parameter, both types, the line of the .usf and of
-// the C++ struct, and the nearest name. Source: drydock.
+// Matches a shader with a parameter struct by name and type. The messages name the shader class, the parameter, both
+// types, the line of the .usf and of the C++ struct, and the nearest name.
 #include "ShaderBindingPlan.h"
 
 #include <algorithm>

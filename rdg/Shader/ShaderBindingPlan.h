@@ -1,5 +1,5 @@
 // The outcome of matching a shader with a parameter struct: which bytes and which resources go where. Made once,
-// followed by every pass. Used by this folder and its tests. Source: drydock.
+// followed by every pass. Used by this folder and its tests.
 #pragma once
 
 #include "BoundShader.h"
@@ -75,9 +75,5 @@ struct FShaderBindingPlan
 /** Appends a message for each thing that the shader reads and the struct does not offer in that type. */
 DRYDOCK_API FShaderBindingPlan MakeShaderBindingPlan(const std::string& ShaderName, const FShaderReflection& Reflection,
 	const FShaderParametersMetadata& Metadata, std::vector<FDiagnostic>& Diagnostics);
-
-/** Packs the constants and takes views of the resources. A resource or buffer that is read and null is a check. */
-DRYDOCK_API void FollowShaderBindingPlan(
-	const FShaderBindingPlan& Plan, const FShaderReflection& Reflection, const void* Parameters, FBoundShader& Out);
 
 } // namespace Drydock

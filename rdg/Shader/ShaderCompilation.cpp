@@ -1,6 +1,7 @@
-// From a permutation to compiled code: the request, the declarations of its uniform buffers, what is kept, warming.
-// Source: drydock.
-#include "ShaderBinding.h"
+// Asks the shader compiler for permutations: makes the request, declares their uniform buffers, keeps what comes back,
+// warms many at once.
+#include "ShaderCompilation.h"
+
 #include "ShaderState.h"
 
 #include "HAL/IConsoleManager.h"

@@ -1,4 +1,4 @@
-// Defines of a permutation and the shipped shader directories. Source: drydock.
+// Keeps the defines of a permutation, and maps the shipped shader directories.
 #include "ShaderCore.h"
 
 #include "InstallPaths.h"

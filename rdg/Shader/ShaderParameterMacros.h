@@ -7,10 +7,9 @@
 //     END_SHADER_PARAMETER_STRUCT()
 //
 // How the members find each other: every macro declares its member, a small struct that records it, and ends in an
-// unfinished `typedef`, which the next macro completes. So each record names the one before it, the last one is known at
-// the end of the struct, and walking the chain gives the members in the order of declaration, without any registration
-// at run time. Names that begin with zz are the chain's own.
-// Source: engine ShaderParameterMacros.h.
+// unfinished `typedef`, which the next macro completes. So each record names the one before it, the last one is known
+// at the end of the struct, and walking the chain gives the members in the order of declaration, without any
+// registration at run time. Names that begin with zz are the chain's own. Source: engine ShaderParameterMacros.h.
 #pragma once
 
 #include "CoreMinimal.h"
@@ -57,7 +56,8 @@ void AppendShaderParameters(TArray<FShaderParametersMetadata::FMember>& Members)
 
 } // namespace Drydock
 
-// clang-format off: it takes declarations inside macros apart.
+// The formatter takes declarations inside macros apart.
+// clang-format off
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Structs

@@ -1,4 +1,5 @@
-// Flattening and look-up of parameter-struct metadata. Source: drydock; the names that HLSL sees are the engine's.
+// Flattens the metadata of parameter structs to the members that HLSL sees, and looks them up. The names are the
+// engine's.
 #include "ShaderParameterMetadata.h"
 
 #include <algorithm>

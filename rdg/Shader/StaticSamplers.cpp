@@ -1,4 +1,4 @@
-// Source: drydock.
+// Makes the samplers that a shader may name without binding them.
 #include "StaticSamplers.h"
 
 #include "RHIStaticStates.h"

@@ -1,4 +1,4 @@
-// The contents of uniform buffers. Source: drydock.
+// Makes uniform buffers from the contents of their structs.
 #include "UniformBufferBinding.h"
 
 #include <cstring>

@@ -1,4 +1,4 @@
-// Source: drydock, on POSIX.
+// Starts a child process, reads what it prints, and stops it when its time is over.
 #include "ChildProcess.h"
 
 #include <cerrno>

@@ -1,4 +1,4 @@
-// Runs a program to its end: argument vector, no shell, time limit. Source: drydock, on POSIX.
+// Runs a program to its end on POSIX: argument vector, no shell, time limit.
 #pragma once
 
 #include "DrydockAPI.h"

@@ -1,5 +1,5 @@
-// Source: NIST FIPS 180-4, sections 4.1.2, 4.2.2, 5.3.3 and 6.2. The constants are computed as the standard defines
-// them: fractional parts of the roots of the first primes.
+// Computes SHA-256. The constants are computed as the standard defines them: fractional parts of the roots of the first
+// primes. Source: NIST FIPS 180-4, sections 4.1.2, 4.2.2, 5.3.3 and 6.2.
 #include "ContentHash.h"
 
 #include <algorithm>

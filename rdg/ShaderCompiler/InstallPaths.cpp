@@ -1,4 +1,4 @@
-// Source: drydock.
+// Finds the library's own files beside the shared object that this code is in.
 #include "InstallPaths.h"
 
 #include <dlfcn.h>
@@ -42,9 +42,9 @@ std::vector<std::string> FindKernelIncludes()
 	{
 		std::error_code Error;
 		const fs::path Rdg = fs::path(Root) / "rdg";
-		if (!Root.empty() && fs::exists(Rdg / "Shader" / "Lanes" / "Lanes.h", Error))
+		if (!Root.empty() && fs::exists(Rdg / "Lanes" / "Lanes.h", Error))
 		{
-			return {(Rdg / "ShaderCompiler").string(), (Rdg / "Shader" / "Lanes").string(), (Rdg / "Shader").string()};
+			return {(Rdg / "Lanes").string(), (Rdg / "Kernel").string()};
 		}
 	}
 	return {};

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Calls the system's C++ compiler on generated kernels, and loads what comes out.
 #include "KernelCompiler.h"
 
 #include "ChildProcess.h"

@@ -1,7 +1,7 @@
-// The system compiler as the last stage of the shader tier: generated C++ to a shared object. Source: drydock.
+// The system compiler as the last stage of the shader tier: generated C++ to a shared object.
 #pragma once
 
-#include "ShaderCompiler.h"
+#include "ShaderCompileRequest.h"
 
 namespace Drydock
 {

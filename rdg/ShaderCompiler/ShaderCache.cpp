@@ -1,4 +1,4 @@
-// Source: drydock.
+// Finds, checks, writes and locks the entries of the shader cache.
 #include "ShaderCache.h"
 
 #include "ContentHash.h"

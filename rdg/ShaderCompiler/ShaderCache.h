@@ -1,6 +1,6 @@
 // Compiled shaders on disk. An entry is KEY.ID.so and KEY.ID.json (reflection, hash of the shared object); ID tells
 // which compiler made it. Entries are written aside and renamed, the .json last, under a lock that other processes
-// respect. Two places: a read-only one that came with the installation, then the user's. Source: drydock.
+// respect. Two places: a read-only one that came with the installation, then the user's.
 #pragma once
 
 #include "DrydockAPI.h"

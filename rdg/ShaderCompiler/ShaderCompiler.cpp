@@ -1,4 +1,4 @@
-// The stages in a row, with what is in memory and on disk before them. Source: drydock.
+// Runs the stages in a row, and looks before them into memory and onto the disk.
 #include "ShaderCompiler.h"
 
 #include "ContentHash.h"

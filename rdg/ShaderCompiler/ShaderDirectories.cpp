@@ -1,5 +1,5 @@
-// Virtual shader directories ("/Engine", "/Project") and where they lie on disk. Source: drydock.
-#include "ShaderCompiler.h"
+// Maps virtual shader directories ("/Engine", "/Project") to folders on disk.
+#include "ShaderDirectories.h"
 
 #include <algorithm>
 #include <cctype>

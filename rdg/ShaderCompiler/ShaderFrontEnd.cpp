@@ -1,4 +1,4 @@
-// Source: drydock; options of glslangValidator 12.
+// Runs glslangValidator (written for the options of version 12), and reads its messages.
 #include "ShaderFrontEnd.h"
 
 #include "ChildProcess.h"

@@ -1,10 +1,10 @@
 // HLSL to SPIR-V by glslangValidator (Debian package glslang-tools), run as a child process: a crash or an endless loop
 // of its parser costs one error message. DRYDOCK_GLSLANG names another program, DRYDOCK_GLSLANG_SECONDS the time it
-// gets, 60 by default. Source: drydock.
+// gets, 60 by default.
 #pragma once
 
 #include "Diagnostics.h"
-#include "ShaderCompiler.h"
+#include "ShaderCompileRequest.h"
 #include "ShaderSource.h"
 
 namespace Drydock

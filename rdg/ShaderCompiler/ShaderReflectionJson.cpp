@@ -1,4 +1,4 @@
-// FShaderReflection to JSON and back, for the cache. Source: drydock.
+// Writes FShaderReflection as JSON and reads it back, for the cache.
 #include <nlohmann/json.hpp>
 
 #include "ShaderCache.h"

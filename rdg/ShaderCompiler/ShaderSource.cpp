@@ -1,7 +1,9 @@
-// Flattening. Conditions are left to the front end's preprocessor, so a file that stands inside #if is wrapped in a
-// guard of ours at every place that includes it; one that stands outside of any #if is simply there once.
-// Source: drydock; the mapping of paths and the rule "every file once" as in the engine's shader preprocessor.
+// Flattens a shader and its includes. Conditions are left to the front end's preprocessor, so a file that stands inside
+// #if is wrapped in a guard of ours at every place that includes it; one that stands outside of any #if is simply there
+// once. Source of the mapping of paths and of the rule "every file once": the engine's shader preprocessor.
 #include "ShaderSource.h"
+
+#include "ShaderDirectories.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,9 +1,9 @@
 // One text from a .usf and all it includes: virtual paths, every file once, `#line N "/Virtual/path"` at each seam,
-// uniform-buffer members rewritten. That text is what is compiled and what the cache key covers. Source: drydock.
+// uniform-buffer members rewritten. That text is what is compiled and what the cache key covers.
 #pragma once
 
 #include "Diagnostics.h"
-#include "ShaderCompiler.h"
+#include "ShaderCompileRequest.h"
 
 namespace Drydock
 {

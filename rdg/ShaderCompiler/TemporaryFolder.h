@@ -1,4 +1,4 @@
-// A folder for the files of one compilation, gone with its scope. Source: drydock.
+// A folder for the files of one compilation, gone with its scope.
 #pragma once
 
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// docs/errors.md and the code know the same message numbers. Source: drydock.
+// docs/errors.md and the code know the same message numbers.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -1,121 +1,129 @@
-// The house rule: rdg <- settings <- passes <- pipeline. A storey includes only itself and the ones below it.
-// Source: drydock (docs/architecture.md).
+// The order of the house: a storey includes only itself and the storeys below it, a room of a storey only itself and
+// the rooms below it, and no two units (header and source) include each other, however long the way round.
 #include <gtest/gtest.h>
 
+#include "IncludeGraph.h"
+
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <map>
 #include <regex>
-#include <string>
-#include <vector>
+#include <sstream>
+#include <utility>
+
+using namespace Drydock::Test;
 
 namespace
 {
 
-namespace Files = std::filesystem;
-
+/** Lowest first. */
 const std::vector<std::string> GStoreys = {"rdg", "settings", "passes", "pipeline"};
 
-int StoreyOf(const Files::path& RelativePath)
+/** The rooms of a storey, lowest first. Those of one step stand side by side: none includes another. */
+using FSteps = std::vector<std::vector<std::string>>;
+
+const std::map<std::string, FSteps> GRooms = {
+	{"rdg", {{"Core"}, {"Kernel"}, {"RHI"}, {"Lanes"}, {"Spirv"}, {"ShaderCompiler"}, {"Shader"}, {"Graph"},
+				{"Binding"}, {"GraphUtils"}}},
+	{"passes", {{"Scene"}, {"Screen"}, {"Blur"}, {"Exposure"}, {"Bloom"}, {"Tonemap"}, {"Lens"}, {"Toon"}, {"Native"}}},
+	{"pipeline", {{"Text"}, {"Picture"}, {"Config"}, {"SceneFile"}, {"Effects"}, {"Extensions"}, {"Chain"}, {"Frame"},
+					 {"Budget"}, {"Run"}, {"Sequence", "Study", "Blend", "Patch"}, {"Program"}}},
+};
+
+/** Includes that still go up between rooms. An entry that no longer does must go. */
+const std::set<std::pair<std::string, std::string>> GKnownUpwardIncludes = {
+	{"passes/Scene/SceneViewState.h", "passes/Bloom/FFTConvolution.h"},
+};
+
+/** Circles of units that still stand. An entry that is no circle any more, or a smaller one, must go or shrink. */
+const std::set<std::set<std::string>> GKnownCircles = {
+	{"passes/Exposure/PostProcessEyeAdaptation", "passes/Exposure/PostProcessLocalExposure"},
+	{"pipeline/Config/Config", "pipeline/Config/ConfigReader", "pipeline/Config/FrameSequence"},
+	{"pipeline/Effects/ArticleEffects", "pipeline/Effects/ContentGates", "pipeline/Effects/EffectDecisions",
+		"pipeline/Effects/ExposureDecisions"},
+	{"pipeline/Run/Run", "pipeline/Run/RunDump", "pipeline/Run/RunJson", "pipeline/Run/RunSetup"},
+	{"pipeline/SceneFile/Scene", "pipeline/SceneFile/SceneContent"},
+	{"pipeline/Study/StudyChart", "pipeline/Study/StudySweep", "pipeline/Study/StudyView"},
+	{"pipeline/Study/StudyRun", "pipeline/Study/StudySubject"},
+};
+
+/** The folders of a path from the root. */
+std::vector<std::string> Split(const std::string& Path)
 {
-	const auto Found = std::find(GStoreys.begin(), GStoreys.end(), RelativePath.begin()->string());
-	return Found == GStoreys.end() ? -1 : static_cast<int>(Found - GStoreys.begin());
+	std::vector<std::string> Parts;
+	std::istringstream Stream(Path);
+	for (std::string Part; std::getline(Stream, Part, '/');)
+	{
+		Parts.push_back(Part);
+	}
+	return Parts;
 }
 
-/** Every source file of the storeys, relative to the root. */
-std::vector<Files::path> FindSources(const Files::path& Root)
+size_t GetStoreyNumber(const std::string& File)
 {
-	std::vector<Files::path> Sources;
-	for (const std::string& Storey : GStoreys)
+	return static_cast<size_t>(std::find(GStoreys.begin(), GStoreys.end(), Split(File).at(0)) - GStoreys.begin());
+}
+
+/** The step that a file's room stands on; -1 where there is no such room. */
+int GetStep(const FSteps& Steps, const std::string& File)
+{
+	const std::string Room = Split(File).at(1);
+	const auto Found = std::find_if(Steps.begin(), Steps.end(),
+		[&Room](const std::vector<std::string>& Step)
+		{ return std::find(Step.begin(), Step.end(), Room) != Step.end(); });
+	return Found == Steps.end() ? -1 : static_cast<int>(Found - Steps.begin());
+}
+
+/** Whether both lie in one storey that has rooms, and To in no room that From may include. */
+bool GoesUpBetweenRooms(const std::string& From, const std::string& To)
+{
+	const std::vector<std::string> FromParts = Split(From);
+	const std::vector<std::string> ToParts = Split(To);
+	const auto Rooms = GRooms.find(FromParts[0]);
+	if (Rooms == GRooms.end() || ToParts[0] != FromParts[0] || ToParts[1] == FromParts[1])
 	{
-		for (const auto& Entry : Files::recursive_directory_iterator(Root / Storey))
-		{
-			const std::string Extension = Entry.path().extension().string();
-			if (Extension == ".h" || Extension == ".cpp" || Extension == ".inl")
-			{
-				Sources.push_back(Files::relative(Entry.path(), Root));
-			}
-		}
+		return false;
 	}
-	std::sort(Sources.begin(), Sources.end());
+	return GetStep(Rooms->second, To) >= GetStep(Rooms->second, From);
+}
+
+const FSourceTexts& GetSources()
+{
+	static const FSourceTexts Sources = ReadSources(DRYDOCK_TEST_SOURCE_DIR, GStoreys);
 	return Sources;
 }
 
-/** Where `#include "Name"` of a file can lead: files whose path ends with it. */
-std::vector<Files::path> Resolve(
-	const std::string& Name, const Files::path& From, const std::multimap<std::string, Files::path>& ByFileName)
+const std::vector<FInclude>& GetIncludes()
 {
-	std::vector<Files::path> Found;
-	const auto Range = ByFileName.equal_range(Files::path(Name).filename().string());
-	for (auto It = Range.first; It != Range.second; ++It)
-	{
-		const std::string Path = "/" + It->second.generic_string();
-		if (Path.size() > Name.size() &&
-			Path.compare(Path.size() - Name.size() - 1, std::string::npos, "/" + Name) == 0)
-		{
-			Found.push_back(It->second);
-		}
-	}
-	// A file beside the including one wins, as for the compiler.
-	const Files::path Beside = (From.parent_path() / Name).lexically_normal();
-	if (std::find(Found.begin(), Found.end(), Beside) != Found.end())
-	{
-		return {Beside};
-	}
-	return Found;
+	static const std::vector<FInclude> Includes = FindIncludes(GetSources());
+	return Includes;
 }
 
-struct FInclude
+std::string Join(const std::set<std::string>& Units)
 {
-	Files::path From;
-	std::string Name;
-	std::vector<Files::path> To;
-};
-
-std::vector<FInclude> FindIncludes(const Files::path& Root)
-{
-	const std::vector<Files::path> Sources = FindSources(Root);
-	std::multimap<std::string, Files::path> ByFileName;
-	for (const Files::path& Source : Sources)
+	std::string Text;
+	for (const std::string& Unit : Units)
 	{
-		ByFileName.emplace(Source.filename().string(), Source);
+		Text += "\n  " + Unit;
 	}
-	const std::regex Include("^\\s*#\\s*include\\s*\"([^\"]+)\"");
-	std::vector<FInclude> Includes;
-	for (const Files::path& Source : Sources)
-	{
-		std::ifstream File(Root / Source);
-		for (std::string Line; std::getline(File, Line);)
-		{
-			std::smatch Match;
-			if (std::regex_search(Line, Match, Include))
-			{
-				Includes.push_back({Source, Match[1], Resolve(Match[1], Source, ByFileName)});
-			}
-		}
-	}
-	return Includes;
+	return Text;
 }
 
 } // namespace
 
 TEST(Storeys, IncludesGoDownOnly)
 {
-	for (const FInclude& Include : FindIncludes(DRYDOCK_TEST_SOURCE_DIR))
+	for (const FInclude& Include : GetIncludes())
 	{
-		for (const Files::path& To : Include.To)
+		for (const std::string& To : Include.To)
 		{
-			EXPECT_LE(StoreyOf(To), StoreyOf(Include.From)) << Include.From << " includes " << To;
+			EXPECT_LE(GetStoreyNumber(To), GetStoreyNumber(Include.From)) << Include.From << " includes " << To;
 		}
 	}
 }
 
 TEST(Storeys, EveryQuotedIncludeIsFoundInTheHouse)
 {
-	const std::vector<FInclude> Includes = FindIncludes(DRYDOCK_TEST_SOURCE_DIR);
-	EXPECT_GT(Includes.size(), 100u);
-	for (const FInclude& Include : Includes)
+	EXPECT_GT(GetIncludes().size(), 100u);
+	for (const FInclude& Include : GetIncludes())
 	{
 		EXPECT_FALSE(Include.To.empty()) << Include.From << " includes \"" << Include.Name << "\", which no storey has";
 	}
@@ -123,17 +131,69 @@ TEST(Storeys, EveryQuotedIncludeIsFoundInTheHouse)
 
 TEST(Storeys, PublicHeadersIncludeNoThirdPartyLibraryThatTheMacrosBreak)
 {
-	const std::regex Forbidden("^\\s*#\\s*include\\s*<(fmt/|CLI/|OpenImageIO/|nlohmann/|rapidcheck|tbb/|oneapi/)");
-	for (const Files::path& Source : FindSources(DRYDOCK_TEST_SOURCE_DIR))
+	const std::regex Forbidden("(^|\n)\\s*#\\s*include\\s*<(fmt/|CLI/|OpenImageIO/|nlohmann/|rapidcheck|tbb/|oneapi/)");
+	for (const auto& [Path, Text] : GetSources())
 	{
-		if (Source.extension() != ".h")
+		if (Path.ends_with(".h"))
 		{
-			continue;
+			EXPECT_FALSE(std::regex_search(Text, Forbidden)) << Path;
 		}
-		std::ifstream File(Files::path(DRYDOCK_TEST_SOURCE_DIR) / Source);
-		for (std::string Line; std::getline(File, Line);)
+	}
+}
+
+TEST(Rooms, EveryFileStandsInARoomOfItsStorey)
+{
+	for (const auto& [Path, Text] : GetSources())
+	{
+		if (const auto Rooms = GRooms.find(Split(Path)[0]); Rooms != GRooms.end())
 		{
-			EXPECT_FALSE(std::regex_search(Line, Forbidden)) << Source << ": " << Line;
+			EXPECT_GE(GetStep(Rooms->second, Path), 0) << Path << " stands in no room of " << Rooms->first;
 		}
+	}
+}
+
+TEST(Rooms, IncludesGoDownOnly)
+{
+	std::set<std::pair<std::string, std::string>> KnownThatAreGone = GKnownUpwardIncludes;
+	for (const FInclude& Include : GetIncludes())
+	{
+		for (const std::string& To : Include.To)
+		{
+			if (GoesUpBetweenRooms(Include.From, To) && !KnownThatAreGone.erase({Include.From, To}))
+			{
+				ADD_FAILURE() << Include.From << " includes " << To << ", which stands above it or beside it";
+			}
+		}
+	}
+	for (const auto& [From, To] : KnownThatAreGone)
+	{
+		ADD_FAILURE() << From << " no longer includes " << To << ": take it off the list";
+	}
+}
+
+TEST(Rooms, IncludesOfThePipelineNameTheRoom)
+{
+	for (const FInclude& Include : GetIncludes())
+	{
+		for (const std::string& To : Include.To)
+		{
+			if (To.starts_with("pipeline/"))
+			{
+				EXPECT_EQ(To, "pipeline/" + Include.Name) << Include.From;
+			}
+		}
+	}
+}
+
+TEST(Units, NoneIncludesItselfThroughOthers)
+{
+	const std::set<std::set<std::string>> Circles = FindCircles(MakeUnitGraph(GetIncludes()));
+	for (const std::set<std::string>& Circle : Circles)
+	{
+		EXPECT_TRUE(GKnownCircles.count(Circle)) << "these include each other:" << Join(Circle);
+	}
+	for (const std::set<std::string>& Known : GKnownCircles)
+	{
+		EXPECT_TRUE(Circles.count(Known)) << "no longer a circle, take it off the list:" << Join(Known);
 	}
 }

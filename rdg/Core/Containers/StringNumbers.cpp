@@ -1,4 +1,4 @@
-// Numbers to text and back. Source: drydock, after the interface of the engine's Containers/UnrealString.h.
+// Writes numbers as text and reads them back. Source: interface of the engine's Containers/UnrealString.h.
 #include "Containers/UnrealString.h"
 
 #include <charconv>

@@ -1,4 +1,4 @@
-// FString's operations. Source: drydock, after the interface of the engine's Containers/UnrealString.h.
+// Implements the operations of FString. Source: interface of the engine's Containers/UnrealString.h.
 #include "Containers/UnrealString.h"
 
 #include "Misc/AssertionMacros.h"

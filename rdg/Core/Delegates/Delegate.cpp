@@ -1,4 +1,4 @@
-// Handles of delegate bindings. Source: drydock.
+// Hands out the handles by which the bindings of delegates are told apart.
 #include "Delegates/Delegate.h"
 
 #include <atomic>

@@ -1,5 +1,5 @@
-// What a delegate holds: the bound call, the object it belongs to and whether that still lives.
-// Source: drydock, after engine Delegates/IDelegateInstance.h.
+// What a delegate holds: the bound call, the object it belongs to and whether that still lives. Source: engine
+// Delegates/IDelegateInstance.h.
 #pragma once
 
 #include "Templates/Function.h"

@@ -1,4 +1,4 @@
-// The registry of console objects. Source: drydock, after the interface of the engine's HAL/IConsoleManager.h.
+// Keeps the registry of console objects. Source: interface of the engine's HAL/IConsoleManager.h.
 #include "HAL/ConsoleVariable.h"
 #include "HAL/IConsoleManager.h"
 

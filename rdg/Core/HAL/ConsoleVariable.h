@@ -1,4 +1,4 @@
-// The one implementation of a console variable, by type of value. Private to Core. Source: drydock.
+// The one implementation of a console variable, by type of value. Private to Core.
 #pragma once
 
 #include "HAL/ConsoleVariableTools.h"

@@ -1,4 +1,4 @@
-// Listing, checked setting and resetting of console variables. Source: drydock.
+// Lists console variables, sets them with a check of the type, and resets them.
 #include "HAL/ConsoleVariableTools.h"
 
 #include "Diagnostics.h"

@@ -1,6 +1,6 @@
 // What drydock's command line, configs and tests do with console variables beyond the engine's interface: list them,
-// set them from text with a check of the type, put them all back. Source: drydock; the wording of DescribeRefusedSet
-// and DescribeConsoleVariable is the engine's.
+// set them from text with a check of the type, put them all back. Source of the wording of DescribeRefusedSet and
+// DescribeConsoleVariable: the engine.
 #pragma once
 
 #include "HAL/IConsoleManager.h"

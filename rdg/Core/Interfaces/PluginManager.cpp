@@ -1,4 +1,4 @@
-// The registered plugins. Source: drydock.
+// Keeps the registered plugins.
 #include "Interfaces/IPluginManager.h"
 
 IPluginManager& IPluginManager::Get()

@@ -1,4 +1,4 @@
-// Where log lines go. Source: drydock.
+// Writes log lines to where they go.
 #include "Logging/LogMacros.h"
 
 #include <atomic>

@@ -1,4 +1,4 @@
-// Colour conversions: sRGB by its definition (IEC 61966-2-1), HSV by its definition. Source: drydock.
+// Converts colours: sRGB by its definition (IEC 61966-2-1), HSV by its definition.
 #include "Math/Color.h"
 
 namespace
@@ -66,7 +66,7 @@ FLinearColor FLinearColor::LinearRGBToHSV() const
 	float Hue = 0.0f;
 	if (Range > 0.0f)
 	{
-		Hue = High == R	  ? FMath::Fmod((G - B) / Range * 60.0f + 360.0f, 360.0f)
+		Hue = High == R   ? FMath::Fmod((G - B) / Range * 60.0f + 360.0f, 360.0f)
 			  : High == G ? (B - R) / Range * 60.0f + 120.0f
 						  : (R - G) / Range * 60.0f + 240.0f;
 	}

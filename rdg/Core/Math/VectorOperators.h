@@ -1,6 +1,6 @@
 // Arithmetic of all vector types, computed by GLM: every type here names the GLM type it has the layout of. The right
 // operand converts as it does for the engine's member operators, so that Viewport / FIntPoint gives what it gives
-// there. Source: drydock.
+// there.
 #pragma once
 
 #include "Math/MathFwd.h"

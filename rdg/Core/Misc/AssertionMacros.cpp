@@ -1,4 +1,4 @@
-// What a failed check or ensure does. Source: drydock.
+// Does what follows a failed check or ensure.
 #include "Misc/AssertionMacros.h"
 
 #include <cstdarg>

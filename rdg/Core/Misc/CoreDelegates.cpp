@@ -1,4 +1,4 @@
-// The delegates themselves. Source: drydock.
+// Defines the delegates that tell of moments of the engine's life.
 #include "Misc/CoreDelegates.h"
 
 FSimpleMulticastDelegate FCoreDelegates::OnPostEngineInit;

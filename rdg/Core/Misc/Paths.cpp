@@ -1,4 +1,4 @@
-// Path names by std::filesystem. Source: drydock.
+// Takes path names apart and puts them together by std::filesystem.
 #include "Misc/Paths.h"
 
 #include <filesystem>

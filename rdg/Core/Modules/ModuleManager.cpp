@@ -1,4 +1,4 @@
-// The registered modules. Source: drydock.
+// Keeps the registered modules and starts them.
 #include "Modules/ModuleManager.h"
 
 #include "Logging/LogMacros.h"

@@ -1,4 +1,4 @@
-// Source: drydock; the order is the engine's.
+// Makes the subsystems of all registered classes, and ends them, in the engine's order.
 #include "Subsystems/Subsystem.h"
 
 #include "Logging/LogMacros.h"

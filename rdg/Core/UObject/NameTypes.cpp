@@ -1,4 +1,4 @@
-// The table of all names. Source: drydock.
+// Keeps the table of all names that FName's numbers stand for.
 #include "UObject/NameTypes.h"
 
 #include "Containers/Map.h"

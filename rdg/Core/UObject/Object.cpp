@@ -1,4 +1,4 @@
-// Source: drydock.
+// Holds the one initializer that the constructors of objects are given.
 #include "UObject/Object.h"
 
 const FObjectInitializer& FObjectInitializer::Get()

@@ -3,7 +3,7 @@
 
 #include "RHIBuffer.h"
 
-template <typename ElementType, uint32 Alignment = 16>
+template<typename ElementType, uint32 Alignment = 16>
 class TResourceArray : public FResourceArrayInterface, public TArray<ElementType>
 {
 public:

@@ -1,4 +1,4 @@
-// check, ensure and what they leave behind. Source: drydock.
+// A failed check or ensure leaves behind what it should.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Console variables: types, precedence, callbacks, listing, checked setting. Source: drydock.
+// Console variables keep to their types, precedence, callbacks, listing and checked setting.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

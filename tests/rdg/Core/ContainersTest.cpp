@@ -1,4 +1,4 @@
-// TArray, TArrayView, TStaticArray, TMap, TSet, TBitArray. Source: drydock.
+// TArray, TArrayView, TStaticArray, TMap, TSet and TBitArray behave as the engine's.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 

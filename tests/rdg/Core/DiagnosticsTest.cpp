@@ -1,4 +1,4 @@
-// Text of diagnostics, suggestions, log lines, paths, modules. Source: drydock.
+// Diagnostics, suggestions, log lines, paths and modules read as they should.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Vectors, rectangles, matrices, colours and FMath, against values from their definitions. Source: drydock.
+// Vectors, rectangles, matrices, colours and FMath agree with values from their definitions.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 

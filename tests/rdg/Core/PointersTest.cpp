@@ -1,4 +1,4 @@
-// Shared, weak, unique and counted pointers, optionals, functions, delegates, objects. Source: drydock.
+// Shared, weak, unique and counted pointers, optionals, functions, delegates and objects behave as the engine's.
 #include <gtest/gtest.h>
 
 #include "CoreMinimal.h"

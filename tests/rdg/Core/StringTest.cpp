@@ -1,4 +1,4 @@
-// FString and FName. Source: drydock.
+// FString and FName behave as the engine's.
 #include <gtest/gtest.h>
 
 #include "CoreMinimal.h"

@@ -1,4 +1,4 @@
-// Compute dispatches. Source: drydock.
+// Compute dispatches run every thread and refuse what does not fit.
 #include <atomic>
 #include <cstring>
 #include <limits>

@@ -1,4 +1,4 @@
-// Render passes and draws. Source: drydock.
+// Render passes and draws write, blend and clear what they should.
 #include "PipelineStateCache.h"
 #include "RHITestHelpers.h"
 

@@ -1,4 +1,4 @@
-// Half conversion against Imath and against its definition: every pattern, every midpoint. Source: drydock.
+// Half conversion agrees with Imath and with its definition: every pattern, every midpoint.
 #include <Imath/half.h>
 #include <gtest/gtest.h>
 

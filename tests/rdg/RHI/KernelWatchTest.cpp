@@ -1,4 +1,4 @@
-// A kernel without an end ends the program with a message; one that goes on, however slowly, does not. Source: drydock.
+// A kernel without an end ends the program with a message; one that goes on, however slowly, does not.
 #include <chrono>
 #include <thread>
 

@@ -1,4 +1,4 @@
-// The unsigned floats of R11G11B10: every pattern, every midpoint, the special values. Source: drydock.
+// The unsigned floats of R11G11B10 convert by definition: every pattern, every midpoint, the special values.
 #include <gtest/gtest.h>
 
 #include <cmath>

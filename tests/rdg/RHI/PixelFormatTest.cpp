@@ -1,4 +1,4 @@
-// The table of pixel formats. Source: drydock.
+// The table of pixel formats has the engine's numbers, and names that lead both ways.
 #include <gtest/gtest.h>
 
 #include "PixelFormat.h"

@@ -1,4 +1,4 @@
-// Pools and read-backs. Source: drydock.
+// Pools hand out what is free, and read-backs what was written.
 #include <cstring>
 
 #include "Containers/DynamicRHIResourceArray.h"

@@ -1,5 +1,4 @@
 // What the RHI's tests share: console variables set for a scope, small textures, kernels that stand in for shaders.
-// Source: drydock.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Static states and samplers. Source: drydock.
+// Static states and samplers reach the kernel as they were written.
 #include "CommonRenderResources.h"
 #include "RHITestHelpers.h"
 

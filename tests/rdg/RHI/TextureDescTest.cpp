@@ -1,4 +1,4 @@
-// Texture descriptions. Source: drydock.
+// Texture descriptions are made, compared and checked.
 #include "RHITestHelpers.h"
 
 using namespace Drydock::Tests;

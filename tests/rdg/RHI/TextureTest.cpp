@@ -1,4 +1,4 @@
-// Textures: memory, layout, texels, storage that is wider than the format. Source: drydock.
+// Textures keep their memory, layout and texels, also in storage that is wider than the format.
 #include <cmath>
 #include <cstring>
 #include <limits>

@@ -1,4 +1,4 @@
-// The tile executor: every thread once, in tiles, under the right denormal mode. Source: drydock.
+// The tile executor runs every thread once, in tiles, under the right denormal mode.
 #include <atomic>
 #include <chrono>
 #include <limits>

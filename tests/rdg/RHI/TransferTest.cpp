@@ -1,4 +1,4 @@
-// Copies, clears, uploads, locks and read-back. Source: drydock.
+// Copies, clears, uploads, locks and read-backs move the texels they should.
 #include <bit>
 #include <cmath>
 #include <cstring>

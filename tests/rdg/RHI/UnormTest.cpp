@@ -1,4 +1,4 @@
-// UNORM, sRGB and UINT conversion. Source: drydock.
+// UNORM, sRGB and UINT values convert by definition.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Views of textures and buffers. Source: drydock.
+// Views of textures and buffers show the range and the format they were made with.
 #include <cstring>
 
 #include "RHITestHelpers.h"

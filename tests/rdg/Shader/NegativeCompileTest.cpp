@@ -22,7 +22,7 @@ FCompilation Compile(const std::string& File)
 	const char* const Compiler = std::getenv("CXX");
 	std::string Command = std::string(Compiler ? Compiler : "c++") +
 						  " -std=c++20 -fsyntax-only -fno-diagnostics-color -DGLM_FORCE_XYZW_ONLY";
-	for (const char* Folder : {"Core", "RHI", "Shader", "ShaderCompiler", "Graph"})
+	for (const char* Folder : {"Core", "Kernel", "RHI", "Shader", "Graph", "Binding"})
 	{
 		Command += " -I'" + Source + "/rdg/" + Folder + "'";
 	}

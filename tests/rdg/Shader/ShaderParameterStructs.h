@@ -9,7 +9,8 @@ BEGIN_SHADER_PARAMETER_STRUCT(FTestViewport, DRYDOCK_API)
 	SHADER_PARAMETER(FIntPoint, ViewportMin)
 END_SHADER_PARAMETER_STRUCT()
 
-// clang-format off: plugins leave out the blank as well.
+// Plugins leave out the blank as well.
+// clang-format off
 BEGIN_SHADER_PARAMETER_STRUCT(FTestInput, )
 	// clang-format on
 	SHADER_PARAMETER_STRUCT(FTestViewport, Viewport)

@@ -1,5 +1,5 @@
 // Arguments for any shader, from its reflection alone: constants all of one value, textures, buffers and targets of a
-// few texels. For shaders that must run, whatever they are. Source: drydock.
+// few texels. For shaders that must run, whatever they are.
 #pragma once
 
 #include "ShaderKernel.h"

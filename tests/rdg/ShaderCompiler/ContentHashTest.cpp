@@ -1,4 +1,4 @@
-// Vectors of FIPS 180-4's examples and of NIST's long message. Source: drydock.
+// SHA-256 gives the digests of FIPS 180-4's examples and of NIST's long message.
 #include <gtest/gtest.h>
 
 #include "ContentHash.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Writes random HLSL programs, statement by statement.
 #include "ProgramGenerator.h"
 
 namespace Drydock::Test

@@ -1,5 +1,5 @@
 // Random HLSL: functions full of divergent control flow, whose results a kernel and the model must agree on.
-// Every program ends and never divides by an unknown zero in integers. Source: drydock.
+// Every program ends and never divides by an unknown zero in integers.
 #pragma once
 
 #include <random>

@@ -1,5 +1,5 @@
 // Random programs: the compiled kernel and the interpreter of the same SPIR-V agree bit for bit, at every lane count.
-// DRYDOCK_TEST_DEPTH=N runs N times as many programs. Source: drydock.
+// DRYDOCK_TEST_DEPTH=N runs N times as many programs.
 #include <gtest/gtest.h>
 
 #include "ProgramGenerator.h"

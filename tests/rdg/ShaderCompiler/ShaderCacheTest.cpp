@@ -1,4 +1,4 @@
-// The cache on disk: hits without a compiler, damage, other processes. Source: drydock.
+// The cache on disk gives hits without a compiler, and survives damage and other processes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

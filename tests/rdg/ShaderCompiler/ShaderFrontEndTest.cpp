@@ -1,4 +1,4 @@
-// What an author sees when a shader is wrong: file, line, all messages, and what to do. Source: drydock.
+// What an author sees when a shader is wrong: file, line, all messages, and what to do.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // A shader as text, its parameters by name, its output as numbers: runs compiled kernels and the interpreter over the
-// same inputs. Source: drydock.
+// same inputs.
 #pragma once
 
 #include "Diagnostics.h"

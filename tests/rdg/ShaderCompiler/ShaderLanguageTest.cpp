@@ -1,5 +1,5 @@
 // HLSL as plugins write it, one feature at a time: the numbers are worked out by hand. All snippets share a few
-// shaders, since compiling is what costs time. Source: drydock.
+// shaders, since compiling is what costs time.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

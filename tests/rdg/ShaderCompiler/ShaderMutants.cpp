@@ -1,4 +1,4 @@
-// Source: drydock.
+// Changes a shader's text in a few places, by a seed alone.
 #include "ShaderMutants.h"
 
 #include <algorithm>

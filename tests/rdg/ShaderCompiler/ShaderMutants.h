@@ -1,5 +1,5 @@
 // Shaders as they look after a hasty edit, a merge gone wrong or a damaged disk: a text changed in a few places, by a
-// seed alone. Source: drydock.
+// seed alone.
 #pragma once
 
 #include <cstdint>

@@ -4,15 +4,14 @@
 //   DRYDOCK_MUTANTS=1000 build/release/bin/test_rdg_ShaderCompiler --gtest_filter='ShaderMutants.*'
 //
 // takes that many instead of 60, and each that the front end accepts through the C++ compiler; its kernel fills a
-// picture of 8 x 8. Without the variable the C++ text is the end of it, and the model runs a few threads. Source:
-// drydock.
+// picture of 8 x 8. Without the variable the C++ text is the end of it, and the model runs a few threads.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "BlankArguments.h"
 #include "ContentHash.h"
 #include "GlobalShader.h"
-#include "ShaderBinding.h"
+#include "ShaderCompilation.h"
 #include "ShaderHarness.h"
 #include "ShaderMutants.h"
 #include "SpirvEmit.h"

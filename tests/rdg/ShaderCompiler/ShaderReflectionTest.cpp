@@ -1,4 +1,4 @@
-// What a shader says of its parameters. Source: drydock.
+// A shader says of its parameters what its HLSL declares.
 #include <gtest/gtest.h>
 
 #include "ShaderCache.h"

@@ -1,5 +1,5 @@
-// The shapes of real post-process shaders against direct double computation, at every lane count, and against the model
-// bit for bit. Source: drydock; shapes as measured in the study of the shader tier.
+// The shapes of real post-process shaders agree with direct double computation, at every lane count, and with the model
+// bit for bit. The shapes are those measured in the study of the shader tier.
 #include <gtest/gtest.h>
 
 #include "ShaderHarness.h"

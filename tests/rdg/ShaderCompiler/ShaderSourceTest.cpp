@@ -1,4 +1,4 @@
-// Flattening: one text, every file once, lines that lead back, any encoding. Source: drydock.
+// Flattening gives one text, every file once, lines that lead back, whatever the encoding.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

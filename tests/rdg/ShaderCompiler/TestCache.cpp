@@ -1,5 +1,4 @@
 // The tests of this room compile into a cache of their own, so that they never see what an older build left behind.
-// Source: drydock.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -139,6 +139,6 @@ TEST(ExtraSetting, IsListed)
 {
 	EXPECT_EQ("Test|Extra\n"
 			  "  TestGlimmer: float = 0.25, 0 .. 2, lux, Lerp\n"
-			  "    A setting that only this test has.\n",
+			  "    A setting for this test alone.\n",
 		FormatSettings(FindSettingFields("glimmer")));
 }

@@ -1,2 +1,2 @@
 // The one line.
-DRYDOCK_SETTING(float, TestGlimmer, 0.25f, Between(0, 2), "lux", "Test|Extra", Lerp, "A setting that only this test has.")
+DRYDOCK_SETTING(float, TestGlimmer, 0.25f, Between(0, 2), "lux", "Test|Extra", Lerp, "A setting for this test alone.")

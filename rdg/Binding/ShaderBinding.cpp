@@ -1,0 +1,237 @@
+// Follows a binding plan inside a pass, and checks before it that everything the shader reads is there.
+#include "ShaderBinding.h"
+
+#include "NativeKernels.h"
+#include "RHIResources.h"
+#include "RenderGraphResources.h"
+#include "ShaderBindingPlan.h"
+#include "ShaderCompilation.h"
+#include "ShaderParameterMacros.h"
+#include "ShaderState.h"
+
+#include <cstring>
+
+namespace Drydock
+{
+
+namespace
+{
+
+constexpr uint32 PointerSize = 8;
+
+static_assert(sizeof(TUniformBufferBinding<int>) == PointerSize && sizeof(TRDGUniformBufferBinding<int>) == PointerSize,
+	"members that hold one resource are one pointer, which the binder reads without knowing their type");
+
+template<typename T>
+T* ReadPointer(const void* Contents, uint32 Offset)
+{
+	T* Pointer = nullptr;
+	std::memcpy(&Pointer, static_cast<const uint8*>(Contents) + Offset, PointerSize);
+	return Pointer;
+}
+
+/** Contents of a source: the parameter struct itself, or the uniform buffer that its member holds (null when it holds
+ * none). */
+const void* GetContents(const FBindingSource& Source, const void* Parameters)
+{
+	if (Source.BaseType == UBMT_REFERENCED_STRUCT)
+	{
+		const FRHIUniformBuffer* Buffer = ReadPointer<const FRHIUniformBuffer>(Parameters, Source.Offset);
+		return Buffer ? Buffer->GetContents() : nullptr;
+	}
+	if (Source.BaseType == UBMT_RDG_UNIFORM_BUFFER)
+	{
+		const FRDGUniformBuffer* Buffer = ReadPointer<const FRDGUniformBuffer>(Parameters, Source.Offset);
+		return Buffer ? Buffer->GetContents() : nullptr;
+	}
+	return Parameters;
+}
+
+FKernelTexture GetTexture(const FResourceCopy& Copy, const void* Contents)
+{
+	switch (Copy.BaseType)
+	{
+	case UBMT_TEXTURE:
+		return ReadPointer<FRHITexture>(Contents, Copy.SourceOffset)->GetKernelView();
+	case UBMT_SRV:
+		return ReadPointer<FRHIShaderResourceView>(Contents, Copy.SourceOffset)->GetKernelTexture();
+	case UBMT_UAV:
+		return ReadPointer<FRHIUnorderedAccessView>(Contents, Copy.SourceOffset)->GetKernelTexture();
+	case UBMT_RDG_TEXTURE:
+		return ReadPointer<FRDGTexture>(Contents, Copy.SourceOffset)->GetRHI()->GetKernelView();
+	case UBMT_RDG_TEXTURE_SRV:
+		return ReadPointer<FRDGTextureSRV>(Contents, Copy.SourceOffset)->GetRHI()->GetKernelTexture();
+	case UBMT_RDG_TEXTURE_UAV:
+		return ReadPointer<FRDGTextureUAV>(Contents, Copy.SourceOffset)->GetRHI()->GetKernelTexture();
+	default:
+		checkNoEntry();
+		return {};
+	}
+}
+
+FKernelBuffer GetBuffer(const FResourceCopy& Copy, const void* Contents)
+{
+	switch (Copy.BaseType)
+	{
+	case UBMT_SRV:
+		return ReadPointer<FRHIShaderResourceView>(Contents, Copy.SourceOffset)->GetKernelBuffer();
+	case UBMT_UAV:
+		return ReadPointer<FRHIUnorderedAccessView>(Contents, Copy.SourceOffset)->GetKernelBuffer();
+	case UBMT_RDG_BUFFER_SRV:
+		return ReadPointer<FRDGBufferSRV>(Contents, Copy.SourceOffset)->GetRHI()->GetKernelBuffer();
+	case UBMT_RDG_BUFFER_UAV:
+		return ReadPointer<FRDGBufferUAV>(Contents, Copy.SourceOffset)->GetRHI()->GetKernelBuffer();
+	default:
+		checkNoEntry();
+		return {};
+	}
+}
+
+std::shared_ptr<const FShaderBindingPlan> GetPlan(
+	const FShaderRef& Shader, const FShaderReflection& Reflection, const FShaderParametersMetadata& Metadata)
+{
+	FShaderState& State = Shader->GetState();
+	std::lock_guard Lock(State.Mutex);
+	std::shared_ptr<const FShaderBindingPlan>& Plan = State.Plans[&Metadata];
+	if (!Plan)
+	{
+		std::vector<FDiagnostic> Diagnostics;
+		auto NewPlan = std::make_shared<FShaderBindingPlan>(
+			MakeShaderBindingPlan(Shader.GetType()->GetName(), Reflection, Metadata, Diagnostics));
+		if (!Diagnostics.empty())
+		{
+			throw FError(std::move(Diagnostics), ExitUsage);
+		}
+		Plan = std::move(NewPlan);
+	}
+	return Plan;
+}
+
+/** A check in the engine's words unless every uniform buffer and resource that the shader reads is there. */
+void CheckRequiredParameters(const FShaderBindingPlan& Plan, const std::string& ShaderName, const void* Parameters)
+{
+	const auto Require = [&](const void* Contents, uint32 Offset, const std::string& CodeName)
+	{
+		checkf(ReadPointer<void>(Contents, Offset), TEXT("%s's required shader parameter %s::%s was not set."),
+			ShaderName.c_str(), Plan.Sources[0].Metadata->GetStructTypeName(), CodeName.c_str());
+	};
+	for (const FBindingSource& Source : Plan.Sources)
+	{
+		if (Source.bUsed && Source.BaseType != UBMT_INVALID)
+		{
+			Require(Parameters, Source.Offset, Source.CodeName);
+		}
+	}
+	for (const FResourceCopy& Copy : Plan.Resources)
+	{
+		Require(GetContents(Plan.Sources[Copy.Source], Parameters), Copy.SourceOffset, Copy.CodeName);
+	}
+}
+
+} // namespace
+
+std::vector<FDiagnostic> MatchShaderParameters(
+	const std::string& ShaderName, const FShaderReflection& Reflection, const FShaderParametersMetadata& Metadata)
+{
+	std::vector<FDiagnostic> Diagnostics;
+	MakeShaderBindingPlan(ShaderName, Reflection, Metadata, Diagnostics);
+	return Diagnostics;
+}
+
+void FollowShaderBindingPlan(
+	const FShaderBindingPlan& Plan, const FShaderReflection& Reflection, const void* Parameters, FBoundShader& Out)
+{
+	CheckRequiredParameters(Plan, Out.Name, Parameters);
+	std::vector<const void*> Contents;
+	for (const FBindingSource& Source : Plan.Sources)
+	{
+		Contents.push_back(Source.bUsed ? GetContents(Source, Parameters) : nullptr);
+	}
+
+	Out.Parameters = Parameters;
+	Out.ConstantData.resize(Reflection.ConstantBuffers.size());
+	Out.ConstantBuffers.resize(Reflection.ConstantBuffers.size());
+	for (size_t Buffer = 0; Buffer < Reflection.ConstantBuffers.size(); ++Buffer)
+	{
+		Out.ConstantData[Buffer].assign(Reflection.ConstantBuffers[Buffer].Size, 0);
+		Out.ConstantBuffers[Buffer] = Out.ConstantData[Buffer].data();
+	}
+	for (const FConstantCopy& Copy : Plan.Constants)
+	{
+		std::memcpy(Out.ConstantData[Copy.Buffer].data() + Copy.Offset,
+			static_cast<const uint8*>(Contents[Copy.Source]) + Copy.SourceOffset, Copy.Size);
+	}
+
+	Out.Textures.resize(Reflection.Textures.size());
+	Out.RWTextures.resize(Reflection.RWTextures.size());
+	Out.Samplers.resize(Reflection.Samplers.size());
+	Out.Buffers.resize(Reflection.Buffers.size());
+	Out.RWBuffers.resize(Reflection.RWBuffers.size());
+	for (const FResourceCopy& Copy : Plan.Resources)
+	{
+		const void* const Source = Contents[Copy.Source];
+		switch (Copy.List)
+		{
+		case EResourceList::Textures:
+			Out.Textures[Copy.Slot] = GetTexture(Copy, Source);
+			break;
+		case EResourceList::RWTextures:
+			Out.RWTextures[Copy.Slot] = GetTexture(Copy, Source);
+			break;
+		case EResourceList::Samplers:
+			Out.Samplers[Copy.Slot] = ReadPointer<FRHISamplerState>(Source, Copy.SourceOffset)->GetKernelSampler();
+			break;
+		case EResourceList::Buffers:
+			Out.Buffers[Copy.Slot] = GetBuffer(Copy, Source);
+			break;
+		case EResourceList::RWBuffers:
+			Out.RWBuffers[Copy.Slot] = GetBuffer(Copy, Source);
+			break;
+		}
+	}
+	for (const FStaticSamplerCopy& Copy : Plan.StaticSamplers)
+	{
+		Out.Samplers[Copy.Slot] = Copy.Sampler->GetKernelSampler();
+	}
+}
+
+void BindShaderParameters(
+	const FShaderRef& Shader, const FShaderParametersMetadata& Metadata, const void* Parameters, FBoundShader& Out)
+{
+	const FShaderType& Type = *Shader.GetType();
+	Out.Name = Type.GetName();
+	Out.EntryPoint = Type.GetFunctionName();
+	Out.PermutationId = Shader->GetPermutationId();
+	Out.bDouble = GetShaderLaneConfig().bDouble;
+	Out.Native = FindNativeKernel(Type);
+	if (Out.Native)
+	{
+		Out.Reflection = GetShaderReflection(Shader);
+	}
+	else
+	{
+		const std::shared_ptr<const FCompiledShader> Compiled = GetCompiledShader(Shader);
+		Out.Kernel = Compiled->Run;
+		Out.Reflection = std::shared_ptr<const FShaderReflection>(Compiled, &Compiled->Reflection);
+	}
+	FollowShaderBindingPlan(*GetPlan(Shader, *Out.Reflection, Metadata), *Out.Reflection, Parameters, Out);
+}
+
+void BindShaderParameters(const FShaderRef& Shader, const void* Parameters, FBoundShader& Out)
+{
+	const FShaderParametersMetadata* const Metadata = Shader.GetRootParametersMetadata();
+	checkf(Metadata, TEXT("%s has no SHADER_USE_PARAMETER_STRUCT"), Shader.GetType()->GetName());
+	BindShaderParameters(Shader, *Metadata, Parameters, Out);
+}
+
+void RequireShaderParameters(
+	const FShaderRef& Shader, const FShaderParametersMetadata& Metadata, const void* Parameters)
+{
+	if (Shader->GetFrequency() != SF_Vertex)
+	{
+		const std::shared_ptr<const FShaderBindingPlan> Plan = GetPlan(Shader, *GetShaderReflection(Shader), Metadata);
+		CheckRequiredParameters(*Plan, Shader.GetType()->GetName(), Parameters);
+	}
+}
+
+} // namespace Drydock

@@ -1,0 +1,39 @@
+// Binding: parameters in C++ are matched by name and type with what the compiled shader reads, once per shader
+// permutation and struct; each pass then only copies. What does not match is an error that names both sides.
+#pragma once
+
+#include "BoundShader.h"
+#include "CoreMinimal.h"
+#include "Diagnostics.h"
+#include "Shader.h"
+
+#include <vector>
+
+namespace Drydock
+{
+
+struct FShaderBindingPlan;
+
+/** Fills Out from Parameters, inside a pass. Throws FError with every mismatch between shader and struct. A resource or
+ * uniform buffer that the shader reads and that is null is a check. */
+DRYDOCK_API void BindShaderParameters(
+	const FShaderRef& Shader, const FShaderParametersMetadata& Metadata, const void* Parameters, FBoundShader& Out);
+
+/** The same with the shader's own FParameters. */
+DRYDOCK_API void BindShaderParameters(const FShaderRef& Shader, const void* Parameters, FBoundShader& Out);
+
+/** Every mismatch between what the shader reads and what the struct offers; empty when all fits. Resources are not
+ * looked at. */
+DRYDOCK_API std::vector<FDiagnostic> MatchShaderParameters(
+	const std::string& ShaderName, const FShaderReflection& Reflection, const FShaderParametersMetadata& Metadata);
+
+/** Packs the constants and takes views of the resources. A resource or buffer that is read and null is a check. */
+DRYDOCK_API void FollowShaderBindingPlan(
+	const FShaderBindingPlan& Plan, const FShaderReflection& Reflection, const void* Parameters, FBoundShader& Out);
+
+/** A check, in the engine's words, unless every resource and uniform buffer that the shader reads is set in Parameters.
+ * Vertex shaders read nothing. */
+DRYDOCK_API void RequireShaderParameters(
+	const FShaderRef& Shader, const FShaderParametersMetadata& Metadata, const void* Parameters);
+
+} // namespace Drydock

@@ -1,0 +1,89 @@
+// A compiled shader together with everything it reads for one pass: constant buffers packed as the shader lays them
+// out, and views of its textures, samplers and buffers. Made by the binder (ShaderBinding.h), run by the command list,
+// which adds what belongs to the draw: render targets, interpolants and counters.
+#pragma once
+
+#include "DrydockAPI.h"
+#include "ShaderKernel.h"
+#include "ShaderReflection.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+/** What a hand-written kernel receives: the arguments in the slots of the shader's reflection, which it looks up by
+ * HLSL name, and the pass's own C++ parameter struct. Lookups are linear: make them per tile, not per pixel. */
+class DRYDOCK_API FNativeKernelArgs
+{
+public:
+	FNativeKernelArgs(const FKernelArgs& InArgs, const FShaderReflection& InReflection, const void* InParameters,
+		int32_t InPermutationId)
+		: Args(InArgs)
+		, Reflection(InReflection)
+		, Parameters(InParameters)
+		, PermutationId(InPermutationId)
+	{
+	}
+
+	/** Null when the shader's permutation does not use a resource of that name. */
+	const FKernelTexture* FindTexture(const char* HlslName) const;
+	const FKernelTexture* FindRWTexture(const char* HlslName) const;
+	const FKernelSampler* FindSampler(const char* HlslName) const;
+	const FKernelBuffer* FindBuffer(const char* HlslName) const;
+	const FKernelBuffer* FindRWBuffer(const char* HlslName) const;
+
+	const FKernelArgs& GetArgs() const { return Args; }
+	const void* GetParameters() const { return Parameters; }
+	int32_t GetPermutationId() const { return PermutationId; }
+
+private:
+	const FKernelArgs& Args;
+	const FShaderReflection& Reflection;
+	const void* Parameters;
+	int32_t PermutationId;
+};
+
+using FNativeKernelFunction = void (*)(const FNativeKernelArgs& Args, const FKernelTile& Tile);
+
+/** Move-only: the arguments point into it. The parameter struct it was made from must outlive it. */
+struct DRYDOCK_API FBoundShader
+{
+	FBoundShader() = default;
+	FBoundShader(FBoundShader&&) = default;
+	FBoundShader& operator=(FBoundShader&&) = default;
+	FBoundShader(const FBoundShader&) = delete;
+	FBoundShader& operator=(const FBoundShader&) = delete;
+
+	bool IsValid() const { return Reflection != nullptr; }
+	const FShaderReflection& GetReflection() const { return *Reflection; }
+
+	/** The kernel's arguments without Targets, Interpolants and Counters: those are the caller's to add. Valid while
+	 * this object lives and is not moved from. */
+	FKernelArgs GetArgs() const;
+
+	/** Runs one tile. Thread-safe: any number of tiles at once. */
+	void Run(const FKernelArgs& Args, const FKernelTile& Tile) const;
+
+	std::string Name;                                    // shader class, "FBloomSetupPS"
+	std::string EntryPoint;                              // "BloomSetupPS"
+	std::shared_ptr<const FShaderReflection> Reflection; // shares ownership with the compiled shader
+	FKernelFunction Kernel = nullptr;                    // the compiled .usf, or
+	FNativeKernelFunction Native = nullptr;              // a hand-written kernel that stands in for it
+	bool bDouble = false;                                // arithmetic of Kernel
+	const void* Parameters = nullptr;
+	int32_t PermutationId = 0;
+
+	std::vector<std::vector<uint8_t>> ConstantData; // one block per constant buffer
+	std::vector<const uint8_t*> ConstantBuffers;
+	std::vector<FKernelTexture> Textures;
+	std::vector<FKernelTexture> RWTextures;
+	std::vector<FKernelSampler> Samplers;
+	std::vector<FKernelBuffer> Buffers;
+	std::vector<FKernelBuffer> RWBuffers;
+};
+
+} // namespace Drydock

@@ -1,0 +1,89 @@
+// What a compiled shader says of its parameters, read from its SPIR-V: plain data, matched by name and type against the
+// C++ parameter structs.
+#pragma once
+
+#include "DrydockAPI.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+enum class EShaderStage : uint8_t
+{
+	Pixel,
+	Compute
+};
+enum class EShaderScalar : uint8_t
+{
+	Float,
+	Int,
+	Uint,
+	Bool
+};
+enum class EShaderDimension : uint8_t
+{
+	Texture2D,
+	Texture2DArray,
+	Texture3D,
+	TextureCube,
+	TypedBuffer,
+	StructuredBuffer,
+	ByteAddressBuffer
+};
+
+/** One numeric parameter. Loose globals live in the buffer "$Global", members of `cbuffer X` in the buffer "X". */
+struct FShaderConstant
+{
+	std::string Name;
+	EShaderScalar Scalar = EShaderScalar::Float;
+	int32_t Rows = 1;        // matrices: as in SHADER_PARAMETER's NumRows
+	int32_t Columns = 1;     // 1..4
+	int32_t NumElements = 0; // 0: not an array
+	uint32_t Buffer = 0;     // index into FShaderReflection::ConstantBuffers
+	uint32_t Offset = 0;     // bytes inside that buffer
+	uint32_t ArrayStride = 0;
+	uint32_t MatrixStride = 0;
+	bool bRowMajor = false;
+	bool bUsed = false; // read on some path after optimisation
+	std::string Where;  // "/Project/X.usf:9", where known
+};
+
+struct FShaderConstantBuffer
+{
+	std::string Name;
+	uint32_t Size = 0;
+};
+
+/** A texture, sampler or buffer. Only those the optimised shader still uses are listed. */
+struct FShaderResource
+{
+	std::string Name;
+	EShaderDimension Dimension = EShaderDimension::Texture2D; // meaningless for samplers
+	EShaderScalar Scalar = EShaderScalar::Float;              // component type of the texel or typed element
+	int32_t NumComponents = 4;
+	uint32_t Stride = 0; // structured buffers: bytes per element
+	std::string Where;
+};
+
+struct FShaderReflection
+{
+	EShaderStage Stage = EShaderStage::Compute;
+	int32_t GroupSize[3] = {1, 1, 1}; // compute: numthreads
+	std::vector<FShaderConstantBuffer> ConstantBuffers;
+	std::vector<FShaderConstant> Constants;
+	std::vector<FShaderResource> Textures; // index = FKernelArgs::Textures slot, and so on
+	std::vector<FShaderResource> RWTextures;
+	std::vector<FShaderResource> Samplers;
+	std::vector<FShaderResource> Buffers;
+	std::vector<FShaderResource> RWBuffers;
+	int32_t NumTargets = 0;      // pixel: 1 + highest SV_TargetN written
+	int32_t NumInterpolants = 0; // pixel: 1 + highest TEXCOORD location read
+	bool bUsesDiscard = false;
+	int32_t StaticSamples =
+		-1; // texture samples and loads per pixel where control flow is uniform and bounded, else -1
+};
+
+} // namespace Drydock

@@ -1,0 +1,326 @@
+// The tuned sampling paths for float lanes. Lanes are neighbours along x, so most samples of a full-screen pass fall on
+// one row pair with one vertical weight:
+//   consecutive   texel x0 + lane, one horizontal weight (blurs, aligned copies): whole-row loads
+//   every other   texel x0 + 2 lane, one horizontal weight (2:1 reductions)
+//   window        any texels within N or 2 N neighbours (magnification, clamped edges): whole-row
+//                 loads, then a permutation picks each lane's pair
+//   general       anything else: one footprint per lane (LanesSamplingGeneral.inl)
+// All do the operations of LanesSamplingReference.inl in the same order, hence give the same bits. A result that is NaN
+// is left to that code. Included by the LanesSampling_*.cpp only.
+#pragma once
+
+#include "LanesSamplingGeneral.inl"
+
+namespace Drydock::Lanes
+{
+inline namespace DRYDOCK_LANES_SET
+{
+
+/** N neighbouring texels of one row, or of two blended (Row1 not null), as channels. */
+template<typename FFormat, int N>
+DRYDOCK_LANES_INLINE void LoadColumn(const uint8_t* Row0, const uint8_t* Row1, float Weight, TRaw<float, N> C[4])
+{
+	if constexpr (FFormat::bWide)
+	{
+		constexpr int Step = N / 4 * FFormat::Bytes;
+		TRaw<float, N> A[4];
+		for (int k = 0; k < 4; ++k)
+		{
+			A[k] = FFormat::template Load<N>(Row0 + k * Step);
+		}
+		if (Row1)
+		{
+			for (int k = 0; k < 4; ++k)
+			{
+				A[k] = Blend(A[k], FFormat::template Load<N>(Row1 + k * Step), Weight);
+			}
+		}
+		TLaneOps<N>::Split(A, C);
+	}
+	else
+	{
+		FFormat::template Decode<N>(LoadWords<FFormat, N>(Row0), C);
+		if (Row1)
+		{
+			TRaw<float, N> D[4];
+			FFormat::template Decode<N>(LoadWords<FFormat, N>(Row1), D);
+			for (int c = 0; c < FFormat::Channels; ++c)
+			{
+				C[c] = Blend(C[c], D[c], Weight);
+			}
+		}
+	}
+}
+
+/** Lane i samples texels Row + i and Row + i + 1. */
+template<typename FFormat, int N>
+DRYDOCK_LANES_INLINE void SampleConsecutive(
+	const uint8_t* Row0, const uint8_t* Row1, float WeightX, float WeightY, TRaw<float, N> C[4])
+{
+	if (WeightX == 0)
+	{
+		LoadColumn<FFormat, N>(Row0, Row1, WeightY, C);
+		return;
+	}
+	if constexpr (FFormat::bWide)
+	{
+		constexpr int Step = N / 4 * FFormat::Bytes;
+		TRaw<float, N> A[4];
+		if (Row1)
+		{
+			for (int k = 0; k < 4; ++k)
+			{
+				const uint8_t* P = Row0 + k * Step;
+				const uint8_t* Q = Row1 + k * Step;
+				const TRaw<float, N> Left = Blend(FFormat::template Load<N>(P), FFormat::template Load<N>(Q), WeightY);
+				const TRaw<float, N> Right = Blend(FFormat::template Load<N>(P + FFormat::Bytes),
+					FFormat::template Load<N>(Q + FFormat::Bytes), WeightY);
+				A[k] = Blend(Left, Right, WeightX);
+			}
+		}
+		else
+		{
+			for (int k = 0; k < 4; ++k)
+			{
+				const uint8_t* P = Row0 + k * Step;
+				A[k] = Blend(FFormat::template Load<N>(P), FFormat::template Load<N>(P + FFormat::Bytes), WeightX);
+			}
+		}
+		TLaneOps<N>::Split(A, C);
+	}
+	else
+	{
+		TRaw<float, N> Right[4];
+		LoadColumn<FFormat, N>(Row0, Row1, WeightY, C);
+		LoadColumn<FFormat, N>(Row0 + FFormat::Bytes, Row1 ? Row1 + FFormat::Bytes : nullptr, WeightY, Right);
+		for (int c = 0; c < FFormat::Channels; ++c)
+		{
+			C[c] = Blend(C[c], Right[c], WeightX);
+		}
+	}
+}
+
+/** Lane i samples texels Row + 2 i and Row + 2 i + 1; 2 N texels are read. */
+template<typename FFormat, int N>
+DRYDOCK_LANES_INLINE void SampleEveryOther(
+	const uint8_t* Row0, const uint8_t* Row1, float WeightX, float WeightY, TRaw<float, N> C[4])
+{
+	using FOps = TLaneOps<N>;
+	if constexpr (FFormat::bWide)
+	{
+		constexpr int Step = N / 4 * FFormat::Bytes;
+		TRaw<float, N> A[4];
+		for (int k = 0; k < 4; ++k)
+		{
+			const uint8_t* P = Row0 + 2 * k * Step;
+			TRaw<float, N> First = FFormat::template Load<N>(P);
+			TRaw<float, N> Second = FFormat::template Load<N>(P + Step);
+			if (Row1)
+			{
+				const uint8_t* Q = Row1 + 2 * k * Step;
+				First = Blend(First, FFormat::template Load<N>(Q), WeightY);
+				Second = Blend(Second, FFormat::template Load<N>(Q + Step), WeightY);
+			}
+			A[k] = FOps::EvenTexels(First, Second);
+			if (WeightX != 0)
+			{
+				A[k] = Blend(A[k], FOps::OddTexels(First, Second), WeightX);
+			}
+		}
+		FOps::Split(A, C);
+	}
+	else
+	{
+		constexpr int Second = N * FFormat::Bytes;
+		const TRaw<int32_t, N> Even = LaneIndex<N>().V * 2;
+		TRaw<float, N> Low[4];
+		TRaw<float, N> High[4];
+		LoadColumn<FFormat, N>(Row0, Row1, WeightY, Low);
+		LoadColumn<FFormat, N>(Row0 + Second, Row1 ? Row1 + Second : nullptr, WeightY, High);
+		for (int c = 0; c < FFormat::Channels; ++c)
+		{
+			C[c] = FOps::Permute2(Low[c], High[c], Even);
+			if (WeightX != 0)
+			{
+				C[c] = Blend(C[c], FOps::Permute2(Low[c], High[c], Even + 1), WeightX);
+			}
+		}
+	}
+}
+
+/** Lane i samples texels Left[i] and Right[i] of a window of N (bTwo: 2 N) texels that starts at Row. */
+template<typename FFormat, int N, bool bTwo>
+DRYDOCK_LANES_INLINE void SampleWindow(const uint8_t* Row0, const uint8_t* Row1, TRaw<int32_t, N> Left,
+	TRaw<int32_t, N> Right, TRaw<float, N> WeightX, float WeightY, TRaw<float, N> C[4])
+{
+	using FOps = TLaneOps<N>;
+	constexpr int Second = N * FFormat::Bytes;
+	TRaw<float, N> Low[4];
+	TRaw<float, N> High[4];
+	LoadColumn<FFormat, N>(Row0, Row1, WeightY, Low);
+	if constexpr (bTwo)
+	{
+		LoadColumn<FFormat, N>(Row0 + Second, Row1 ? Row1 + Second : nullptr, WeightY, High);
+	}
+	for (int c = 0; c < FFormat::Channels; ++c)
+	{
+		TRaw<float, N> L;
+		TRaw<float, N> R;
+		if constexpr (bTwo)
+		{
+			L = FOps::Permute2(Low[c], High[c], Left);
+			R = FOps::Permute2(Low[c], High[c], Right);
+		}
+		else
+		{
+			L = FOps::Permute(Low[c], Left);
+			R = FOps::Permute(Low[c], Right);
+		}
+		C[c] = WeightX == 0.0f ? L : Blend(L, R, WeightX);
+	}
+}
+
+/** Two rows and the weight of the second; Row1 is null when that is 0. */
+struct FRowPair
+{
+	const uint8_t* Row0;
+	const uint8_t* Row1;
+	float Weight;
+};
+
+/** False when a row is on the border. */
+DRYDOCK_LANES_INLINE bool FindRows(
+	const FKernelMip& Mip, const uint8_t* Base, EKernelAddress Mode, int32_t First, float Weight, FRowPair& Out)
+{
+	const int32_t Top = AddressTexel(First, Mip.SizeY, Mode);
+	const int32_t Bottom = Weight == 0 ? Top : AddressTexel(First + 1, Mip.SizeY, Mode);
+	Out = {Base + int64_t(Top) * Mip.RowPitch, Weight == 0 ? nullptr : Base + int64_t(Bottom) * Mip.RowPitch, Weight};
+	return (Top | Bottom) >= 0;
+}
+
+/** The window and general paths. */
+template<typename FFormat, int N>
+inline bool SampleFootprints(const FKernelMip& Mip, const uint8_t* Base, const FKernelSampler& Sampler,
+	const TAxis<float, N>& X, const TAxis<float, N>& Y, float* Out)
+{
+	using FOps = TLaneOps<N>;
+	TRaw<float, N> C[4];
+	TFootprints<N> F;
+	F.Left = AddressTexels(X.First, Mip.SizeX, Sampler.AddressU).V;
+	F.Right = AddressTexels(X.First + TInt<N>(1), Mip.SizeX, Sampler.AddressU).V;
+	F.WeightX = X.Weight.V;
+	// A tap of weight 0 is not read: it must not send the sample to the border's path either.
+	F.Right = F.WeightX == 0.0f ? F.Left : F.Right;
+	if (!FOps::NoBits(F.Left | F.Right, int32_t(0x80000000)))
+	{
+		return SampleBordered<FFormat, N>(Mip, Base, Sampler, X, Y, Out);
+	}
+	if constexpr (FOps::bHasPermute)
+	{
+		const bool bOneRow =
+			FOps::Equal(Y.First.V, Broadcast<int32_t, N>(Y.First.V[0])) && AllEqual<N>(Y.Weight.V, Y.Weight.V[0]);
+		FRowPair Rows;
+		if (bOneRow && Mip.SizeX >= N && FindRows(Mip, Base, Sampler.AddressV, Y.First.V[0], Y.Weight.V[0], Rows))
+		{
+			// Lanes rise along x or fall: the window begins at the lower end and stays inside the row.
+			const int32_t Lowest = F.Left[0] < F.Left[N - 1] ? F.Left[0] : F.Left[N - 1];
+			const int32_t StartOne = Lowest < Mip.SizeX - N ? Lowest : Mip.SizeX - N;
+			if (FOps::NoBits((F.Left - StartOne) | (F.Right - StartOne), -N))
+			{
+				const int64_t Offset = int64_t(StartOne) * FFormat::Bytes;
+				SampleWindow<FFormat, N, false>(Rows.Row0 + Offset, Rows.Row1 ? Rows.Row1 + Offset : nullptr,
+					F.Left - StartOne, F.Right - StartOne, F.WeightX, Rows.Weight, C);
+				return Finish<FFormat, N>(C, Out);
+			}
+			const int32_t StartTwo = Lowest < Mip.SizeX - 2 * N ? Lowest : Mip.SizeX - 2 * N;
+			if (StartTwo >= 0 && FOps::NoBits((F.Left - StartTwo) | (F.Right - StartTwo), -2 * N))
+			{
+				const int64_t Offset = int64_t(StartTwo) * FFormat::Bytes;
+				SampleWindow<FFormat, N, true>(Rows.Row0 + Offset, Rows.Row1 ? Rows.Row1 + Offset : nullptr,
+					F.Left - StartTwo, F.Right - StartTwo, F.WeightX, Rows.Weight, C);
+				return Finish<FFormat, N>(C, Out);
+			}
+		}
+	}
+	F.Top = AddressTexels(Y.First, Mip.SizeY, Sampler.AddressV).V;
+	F.Bottom = AddressTexels(Y.First + TInt<N>(1), Mip.SizeY, Sampler.AddressV).V;
+	F.WeightY = Y.Weight.V;
+	F.Bottom = F.WeightY == 0.0f ? F.Top : F.Bottom;
+	if (!FOps::NoBits(F.Top | F.Bottom, int32_t(0x80000000)))
+	{
+		return SampleBordered<FFormat, N>(Mip, Base, Sampler, X, Y, Out);
+	}
+	return SampleGeneral<FFormat, N>(Mip, Base, F, C) && Finish<FFormat, N>(C, Out);
+}
+
+/** One mip of one slice (Base). Fills Out; false when a result is NaN, which the reference decides. */
+template<typename FFormat, int N>
+inline bool SampleMip2DTuned(const FKernelMip& Mip, const uint8_t* Base, const FKernelSampler& Sampler, const float* U,
+	const float* V, float* Out)
+{
+	using FInt = TRaw<int32_t, N>;
+	using FFloat = TRaw<float, N>;
+	using FOps = TLaneOps<N>;
+	const bool bPoint = Sampler.Filter == EKernelFilter::Point;
+	if (Sampler.SampleBits != 8)
+	{
+		const TAxis<float, N> X = MakeAxis<float, N>(U, Mip.SizeX, bPoint, Sampler.SampleBits);
+		const TAxis<float, N> Y = MakeAxis<float, N>(V, Mip.SizeY, bPoint, Sampler.SampleBits);
+		return SampleFootprints<FFormat, N>(Mip, Base, Sampler, X, Y, Out);
+	}
+
+	// In 1/256 texels. A power of two may join either factor of a product without changing its bits.
+	constexpr int32_t Unfit = int32_t(0x80000000);
+	constexpr int32_t Far = GFarTexel * 256;
+	const FInt SnappedX = FOps::FloorToInt(LoadRaw<FFloat>(U) * (float(Mip.SizeX) * 256.0f) + 0.5f);
+	const FInt SnappedY = FOps::FloorToInt(LoadRaw<FFloat>(V) * (float(Mip.SizeY) * 256.0f) + 0.5f);
+	const int32_t Half = bPoint ? 0 : 128;
+	const int32_t FixedX =
+		int32_t(uint32_t(SnappedX[0]) - uint32_t(Half)); // wraps where it does not fit: then Start is out of range
+	const int32_t FixedY = int32_t(uint32_t(SnappedY[0]) - uint32_t(Half));
+	const int32_t Start = FixedX >> 8;
+	FRowPair Rows;
+	if (FOps::Equal(SnappedY, Broadcast<int32_t, N>(SnappedY[0])) && uint32_t(Start) < uint32_t(Mip.SizeX) &&
+		SnappedY[0] >= -Far && SnappedY[0] <= Far &&
+		FindRows(Mip, Base, Sampler.AddressV, FixedY >> 8, bPoint ? 0.0f : float(FixedY & 255) * (1.0f / 256), Rows))
+	{
+		const float WeightX = bPoint ? 0.0f : float(FixedX & 255) * (1.0f / 256);
+		const int64_t Offset = int64_t(Start) * FFormat::Bytes;
+		const uint8_t* Row0 = Rows.Row0 + Offset;
+		const uint8_t* Row1 = Rows.Row1 ? Rows.Row1 + Offset : nullptr;
+		const FInt Steps = (TInt<N>(SnappedX) - TInt<N>(SnappedX[0])).V;
+		const FInt Iota = LaneIndex<N>().V;
+		FFloat C[4];
+		if (Start + N + (WeightX != 0) <= Mip.SizeX && FOps::Equal(Steps, Iota * 256))
+		{
+			SampleConsecutive<FFormat, N>(Row0, Row1, WeightX, Rows.Weight, C);
+			return Finish<FFormat, N>(C, Out);
+		}
+		if constexpr (FOps::bHasPermute || FFormat::bWide)
+		{
+			if (Start + 2 * N <= Mip.SizeX && FOps::Equal(Steps, Iota * 512))
+			{
+				SampleEveryOther<FFormat, N>(Row0, Row1, WeightX, Rows.Weight, C);
+				return Finish<FFormat, N>(C, Out);
+			}
+		}
+	}
+
+	const FInt Limit = Broadcast<int32_t, N>(Far);
+	if (MaskBits(TMask<N>((SnappedX == Unfit) | (SnappedY == Unfit))) != 0)
+	{
+		// NaN, or beyond what an integer holds: once more, with care.
+		const TAxis<float, N> X = MakeAxis<float, N>(U, Mip.SizeX, bPoint, 8);
+		const TAxis<float, N> Y = MakeAxis<float, N>(V, Mip.SizeY, bPoint, 8);
+		return SampleFootprints<FFormat, N>(Mip, Base, Sampler, X, Y, Out);
+	}
+	const auto Bound = [Limit](FInt S)
+	{
+		return Max(Min(TInt<N>(S), TInt<N>(Limit)), TInt<N>(-Limit));
+	};
+	return SampleFootprints<FFormat, N>(Mip, Base, Sampler, MakeAxisFixed<float, N>(Bound(SnappedX), bPoint),
+		MakeAxisFixed<float, N>(Bound(SnappedY), bPoint), Out);
+}
+
+} // namespace DRYDOCK_LANES_SET
+} // namespace Drydock::Lanes

@@ -1,5 +1,0 @@
-// Sampling and stores for AVX2 with F16C: 8 float lanes and 4 double lanes. Source: drydock.
-#include "LanesSampling.inl"
-
-template struct Drydock::Lanes::TSampling<float, 8>;
-template struct Drydock::Lanes::TSampling<double, 4>;

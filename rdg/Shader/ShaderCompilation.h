@@ -1,0 +1,36 @@
+// From a permutation of a shader class to its compiled code and its reflection: what is asked of the shader compiler,
+// what is kept between passes, and how both are forgotten.
+#pragma once
+
+#include "CoreMinimal.h"
+#include "Shader.h"
+#include "ShaderCompiler.h"
+
+#include <memory>
+#include <vector>
+
+namespace Drydock
+{
+
+/** Arithmetic of the shaders from now on, from r.Drydock.Precision and r.Drydock.LaneWidth. */
+DRYDOCK_API FLaneConfig GetShaderLaneConfig();
+
+/** What the compiler is asked for a permutation: file, entry, stage, defines, uniform buffers named by Metadata. */
+DRYDOCK_API FShaderCompileRequest MakeShaderCompileRequest(
+	const FShaderRef& Shader, const FShaderParametersMetadata* Metadata);
+
+/** Compiled code for the current arithmetic; compiles, or takes from the cache. Throws FError with the compiler's
+ * messages. */
+DRYDOCK_API std::shared_ptr<const FCompiledShader> GetCompiledShader(const FShaderRef& Shader);
+
+/** What the shader reads; compiled code is not needed for it. Throws FError with the compiler's messages. */
+DRYDOCK_API std::shared_ptr<const FShaderReflection> GetShaderReflection(const FShaderRef& Shader);
+
+/** Compiles a list of permutations, several at a time (0: one per core). Throws FError with the messages of all that
+ * failed. */
+DRYDOCK_API void WarmShaders(const std::vector<FShaderRef>& Shaders, int32 NumThreads = 0);
+
+/** Forgets compiled code, reflections and copy plans, so that edited files are read again. No pass may be running. */
+DRYDOCK_API void ForgetShaders();
+
+} // namespace Drydock

@@ -1,0 +1,45 @@
+// What is asked of the shader tier, and what it hands back: every stage takes these, the facade (ShaderCompiler.h) runs
+// the stages.
+#pragma once
+
+#include "ShaderKernel.h"
+#include "ShaderReflection.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Drydock
+{
+
+/** Arithmetic of a compiled shader. Lanes 0: the widest the CPU has for that type (float 16/8/4, double 8/4/2). */
+struct FLaneConfig
+{
+	bool bDouble = false;
+	int32_t Lanes = 0;
+};
+
+struct FShaderCompileRequest
+{
+	std::string VirtualPath; // "/Engine/Private/PostProcessBloom.usf"
+	std::string EntryPoint;
+	EShaderStage Stage = EShaderStage::Compute;
+	std::vector<std::pair<std::string, std::string>> Defines;        // in the order of SetDefine
+	std::vector<std::pair<std::string, std::string>> GeneratedFiles; // virtual path, text ("/Engine/Generated/...")
+	std::vector<std::pair<std::string, std::vector<std::string>>>
+		UniformBuffers; // HLSL name, member names: X.Y is rewritten to X_Y
+	FLaneConfig Lanes;
+};
+
+struct FCompiledShader
+{
+	FShaderReflection Reflection;
+	FKernelFunction Run = nullptr;
+	FLaneConfig Lanes; // the resolved lane count
+	std::string Key;   // content hash, hexadecimal
+	bool bFromCache = false;
+	double CompileMs = 0;
+	std::vector<std::string> Files; // every file on disk that was read (for --watch)
+};
+
+} // namespace Drydock

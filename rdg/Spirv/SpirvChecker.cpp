@@ -1,0 +1,448 @@
+// Checks a module once, so that no later stage needs to: each operand is a value of the size that the instruction
+// expects. What the CPU tier does not do is refused here, with the line and what to write instead.
+#include "SpirvChecker.h"
+
+#include <algorithm>
+
+namespace Drydock
+{
+
+namespace
+{
+
+using namespace Spirv;
+
+/** What to do about an operation that is refused; null: the operation is not one of those. */
+const char* GetRefusal(uint16_t Op)
+{
+	if (Op >= OpDPdx && Op <= OpFwidthCoarse)
+	{
+		return "there are no derivatives on the CPU tier: threads do not run in quads. Compute the step from the texel "
+			   "size, or use SampleLevel";
+	}
+	if (Op == OpControlBarrier || Op == OpMemoryBarrier)
+	{
+		return "barriers are not supported on the CPU tier: threads do not run in groups. Split the shader into two "
+			   "passes";
+	}
+	if ((Op >= OpAtomicLoad && Op <= OpAtomicXor) || Op == OpImageTexelPointer)
+	{
+		return "atomics (Interlocked*, append buffers) are not supported on the CPU tier. Give each thread a place of "
+			   "its own and reduce in another pass";
+	}
+	if (Op >= OpGroupNonUniformElect && Op <= OpGroupNonUniformQuadSwap)
+	{
+		return "wave operations are not supported on the CPU tier: the number of lanes differs between machines";
+	}
+	if (Op == OpImageQuerySamples)
+	{
+		return "multisampled textures are not supported on the CPU tier. Use Texture2D";
+	}
+	if (Op == OpImageQueryLod)
+	{
+		return "CalculateLevelOfDetail needs derivatives, which the CPU tier does not have. Compute the mip level and "
+			   "use SampleLevel";
+	}
+	if (Op == 89 || Op == 90 || Op == 97)
+	{
+		return "comparison samplers are not supported on the CPU tier. Sample the texture and compare";
+	}
+	return nullptr;
+}
+
+/** Operand counts and sizes of the operations that work scalar by scalar: all operands as large as the result. */
+int GetComponentwiseOperands(uint16_t Op)
+{
+	// clang-format off
+	switch (Op)
+	{
+	case OpConvertFToU: case OpConvertFToS: case OpConvertSToF: case OpConvertUToF: case OpBitcast: case OpSNegate:
+	case OpFNegate: case OpIsNan: case OpIsInf: case OpLogicalNot: case OpNot: case OpBitReverse: case OpBitCount:
+	case OpCopyObject:
+		return 1;
+	case OpSelect:
+		return 3;
+	case OpIAdd: case OpFAdd: case OpISub: case OpFSub: case OpIMul: case OpFMul: case OpUDiv: case OpSDiv: case OpFDiv:
+	case OpUMod: case OpSRem: case OpSMod: case OpFRem: case OpFMod:
+	case OpShiftRightLogical: case OpShiftRightArithmetic: case OpShiftLeftLogical: case OpBitwiseOr: case OpBitwiseXor:
+	case OpBitwiseAnd:
+		return 2;
+	default:
+		return (Op >= OpLogicalEqual && Op <= OpLogicalAnd) || (Op >= OpIEqual && Op <= OpFUnordGreaterThanEqual) ? 2 : 0;
+	}
+	// clang-format on
+}
+
+int GetComponentwiseExtOperands(uint32_t Ext)
+{
+	// clang-format off
+	switch (Ext)
+	{
+	case ExtRound: case ExtRoundEven: case ExtTrunc: case ExtFAbs: case ExtSAbs: case ExtFSign: case ExtSSign:
+	case ExtFloor: case ExtCeil: case ExtFract: case ExtRadians: case ExtDegrees: case ExtSin: case ExtCos: case ExtTan:
+	case ExtAsin: case ExtAcos: case ExtAtan: case ExtSinh: case ExtCosh: case ExtTanh: case ExtExp: case ExtLog:
+	case ExtExp2: case ExtLog2: case ExtSqrt: case ExtInverseSqrt: case ExtNormalize: case ExtFindILsb: case ExtFindSMsb:
+	case ExtFindUMsb:
+		return 1;
+	case ExtAtan2: case ExtPow: case ExtFMin: case ExtUMin: case ExtSMin: case ExtFMax: case ExtUMax: case ExtSMax:
+	case ExtStep: case ExtCross: case ExtReflect: case ExtNMin: case ExtNMax: case ExtLdexp:
+		return 2;
+	case ExtFClamp: case ExtUClamp: case ExtSClamp: case ExtFMix: case ExtSmoothStep: case ExtFma: case ExtFaceForward:
+	case ExtNClamp:
+		return 3;
+	default:
+		return 0;
+	}
+	// clang-format on
+}
+
+} // namespace
+
+void FSpirvChecker::Check()
+{
+	if (Module.Blocks.empty())
+	{
+		Module.Fail("SPIR-V: the module has no entry function");
+	}
+	if (Module.ExecutionModel != ExecutionModelFragment && Module.ExecutionModel != ExecutionModelCompute)
+	{
+		Module.Fail("only pixel and compute shaders run on the CPU tier");
+	}
+	CheckGroupSize();
+	for (const FSpirvBlock& Block : Module.Blocks)
+	{
+		CheckBlock(Block);
+	}
+	CheckVariables();
+}
+
+void FSpirvChecker::CheckGroupSize()
+{
+	// Direct3D's limits.
+	const uint32_t* const Size = Module.LocalSize;
+	const bool bFits = Size[0] >= 1 && Size[1] >= 1 && Size[2] >= 1 && Size[0] <= 1024 && Size[1] <= 1024 &&
+					   Size[2] <= 64 && Size[0] * Size[1] * Size[2] <= 1024;
+	if (!bFits)
+	{
+		Module.Fail("numthreads(" + std::to_string(Size[0]) + ", " + std::to_string(Size[1]) + ", " +
+					std::to_string(Size[2]) + "): a group has 1 to 1024 threads, at most 64 of them along Z");
+	}
+}
+
+void FSpirvChecker::CheckInput(const FSpirvVariable& Variable)
+{
+	const uint32_t Size = Module.GetType(Variable.Type).NumScalars;
+	bool bFits = true;
+	switch (Variable.BuiltIn)
+	{
+	case BuiltInGlobalInvocationId:
+	case BuiltInWorkgroupId:
+	case BuiltInLocalInvocationId:
+		bFits = Size == 3;
+		break;
+	case BuiltInFragCoord:
+		bFits = Size == 4;
+		break;
+	case BuiltInLocalInvocationIndex:
+	case BuiltInFrontFacing:
+		bFits = Size == 1;
+		break;
+	case BuiltInNone:
+		bFits = Size <= 4 && Module.GetScalarKind(Variable.Type, 0) == ESpirvType::Float;
+		break;
+	default: // reflection refuses what is used of these
+		break;
+	}
+	if (!bFits)
+	{
+		Module.Fail("input '" + Variable.Name + "' (" + Variable.Semantic +
+					") is of a type that the CPU tier does not fill; use float, float2, float3 or float4");
+	}
+}
+
+void FSpirvChecker::CheckVariables()
+{
+	for (const FSpirvVariable& Variable : Module.Variables)
+	{
+		const FSpirvType& Type = Module.GetType(Variable.Type);
+		switch (Variable.Storage)
+		{
+		case StorageFunction:
+		case StoragePrivate:
+		case StorageInput:
+		case StorageOutput:
+			if (Type.NumScalars == 0)
+			{
+				Module.Fail("SPIR-V: variable '" + Variable.Name + "' is not numeric");
+			}
+			if (Variable.Storage == StorageInput)
+			{
+				CheckInput(Variable);
+			}
+			break;
+		case StorageUniform:
+		case StorageStorageBuffer:
+		case StorageUniformConstant:
+			break;
+		default:
+			Module.Fail("'" + Variable.Name +
+						"' lives in memory that the CPU tier does not have (groupshared or a push constant)");
+		}
+	}
+}
+
+void FSpirvChecker::CheckBlock(const FSpirvBlock& Block)
+{
+	if (Block.Instructions.empty())
+	{
+		Module.Fail("SPIR-V: an empty block");
+	}
+	if (Block.Merge)
+	{
+		Module.GetBlock(Block.Merge);
+	}
+	if (Block.Continue)
+	{
+		Module.GetBlock(Block.Continue);
+	}
+	bool bPhisOver = false;
+	for (size_t i = 0; i < Block.Instructions.size(); ++i)
+	{
+		const FSpirvInstruction& I = Block.Instructions[i];
+		const bool bTerminator = I.Op >= OpBranch && I.Op <= OpUnreachable;
+		Expect(bTerminator == (i + 1 == Block.Instructions.size()), I);
+		if (bTerminator)
+		{
+			CheckTerminator(I);
+		}
+		else if (I.Op == OpPhi)
+		{
+			Expect(!bPhisOver, I);
+			CheckPhi(I);
+		}
+		else
+		{
+			bPhisOver = true;
+			CheckInstruction(I);
+		}
+	}
+}
+
+void FSpirvChecker::CheckTerminator(const FSpirvInstruction& I)
+{
+	switch (I.Op)
+	{
+	case OpBranch:
+		Expect(I.Operands.size() == 1, I);
+		break;
+	case OpBranchConditional:
+		ExpectCount(I, 3);
+		Expect(Module.GetValueType(I.Operands[0]).Kind == ESpirvType::Bool, I);
+		break;
+	case OpSwitch:
+	{
+		ExpectCount(I, 2);
+		const ESpirvType Kind = Module.GetValueType(I.Operands[0]).Kind;
+		Expect(I.Operands.size() % 2 == 0 && (Kind == ESpirvType::Int || Kind == ESpirvType::Uint), I);
+		break;
+	}
+	case OpKill:
+	case OpReturn:
+	case OpUnreachable:
+		break;
+	default:
+		Expect(false, I);
+	}
+	for (const uint32_t Label : GetSuccessors(I))
+	{
+		Module.GetBlock(Label);
+	}
+}
+
+void FSpirvChecker::CheckPhi(const FSpirvInstruction& I)
+{
+	Expect(I.Operands.size() % 2 == 0 && ResultSize(I) != 0, I);
+	for (size_t i = 0; i < I.Operands.size(); i += 2)
+	{
+		Expect(Size(I, i) == ResultSize(I), I);
+		Module.GetBlock(I.Operands[i + 1]);
+	}
+}
+
+void FSpirvChecker::CheckInstruction(const FSpirvInstruction& I)
+{
+	if (const char* Refusal = GetRefusal(I.Op))
+	{
+		Module.Fail(GetSpirvOpName(I.Op) + ": " + Refusal, &I);
+	}
+	if (const int Operands = GetComponentwiseOperands(I.Op))
+	{
+		Expect(int(I.Operands.size()) == Operands && ResultSize(I) != 0, I);
+		for (int i = 0; i < Operands; ++i)
+		{
+			const bool bOneForAll = I.Op == OpSelect && i == 0 && Size(I, 0) == 1;
+			Expect(bOneForAll || Size(I, i) == ResultSize(I), I);
+		}
+		return;
+	}
+	if (I.Op == OpExtInst)
+	{
+		CheckExtended(I);
+		return;
+	}
+	if (I.Op == OpFunctionCall)
+	{
+		ExpectCount(I, 1);
+		const std::vector<uint32_t>& Kills = Module.KillFunctions;
+		if (std::find(Kills.begin(), Kills.end(), I.Operands[0]) == Kills.end())
+		{
+			Module.Fail(
+				"a function call could not be inlined (OpFunctionCall); the CPU tier needs functions without recursion",
+				&I);
+		}
+		return;
+	}
+	if (!CheckMemory(I) && !CheckComposite(I) && !CheckMatrix(I) && !CheckImage(I))
+	{
+		Module.Fail(GetSpirvOpName(I.Op) +
+						" is not supported on the CPU tier; write the expression in another way, or report it",
+			&I);
+	}
+}
+
+void FSpirvChecker::RefuseGroupshared(uint32_t Id, const FSpirvInstruction& I) const
+{
+	const FSpirvVariable* Variable = Module.FindVariable(Id);
+	if (Variable && Variable->Storage == StorageWorkgroup)
+	{
+		Module.Fail("groupshared '" + Variable->Name +
+						"' is not supported on the CPU tier: threads do not run in groups. "
+						"Read the texture or buffer directly, or split the shader into two passes",
+			&I);
+	}
+}
+
+bool FSpirvChecker::CheckMemory(const FSpirvInstruction& I)
+{
+	if (!I.Operands.empty() && I.Op != OpArrayLength)
+	{
+		RefuseGroupshared(I.Operands[0], I);
+	}
+	switch (I.Op)
+	{
+	case OpLoad:
+	{
+		ExpectCount(I, 1);
+		const FSpirvType& Pointer = Module.GetValueType(I.Operands[0]);
+		Expect(Pointer.Kind == ESpirvType::Pointer && Pointer.Element == I.Type, I);
+		const ESpirvType Kind = Module.GetType(I.Type).Kind;
+		const bool bHandle = Kind == ESpirvType::Image || Kind == ESpirvType::Sampler;
+		if (bHandle && !Module.FindVariable(I.Operands[0]))
+		{
+			Module.Fail(
+				"arrays of textures or samplers are not supported on the CPU tier; declare them one by one", &I);
+		}
+		Expect(bHandle || ResultSize(I) != 0, I);
+		return true;
+	}
+	case OpStore:
+	{
+		ExpectCount(I, 2);
+		const FSpirvType& Pointer = Module.GetValueType(I.Operands[0]);
+		Expect(Pointer.Kind == ESpirvType::Pointer && Module.GetType(Pointer.Element).NumScalars == Size(I, 1), I);
+		return true;
+	}
+	case OpAccessChain:
+	case OpInBoundsAccessChain:
+	{
+		ExpectCount(I, 1);
+		const FSpirvVariable* Variable = Module.FindVariable(I.Operands[0]);
+		const FSpirvType& Result = Module.GetType(I.Type);
+		if (!Variable)
+		{
+			// A chain on a chain: legal SPIR-V, but glslang flattens them.
+			Module.Fail("SPIR-V: an access chain that does not start at a variable", &I);
+		}
+		uint32_t Type = Variable->Type;
+		for (size_t i = 1; i < I.Operands.size(); ++i)
+		{
+			const FSpirvType& T = Module.GetType(Type);
+			Expect(Size(I, i) == 1 && T.Kind != ESpirvType::Pointer, I);
+			const bool bConstant = Module.FindConstant(I.Operands[i]) != nullptr;
+			Expect(T.Kind != ESpirvType::Struct || bConstant, I);
+			// A constant index past the end is the shader's fault; it is clamped like one known at run time only.
+			Type =
+				Module.GetMemberType(Type, T.Kind == ESpirvType::Struct ? Module.GetConstantScalar(I.Operands[i]) : 0);
+		}
+		Expect(Result.Kind == ESpirvType::Pointer && Result.Element == Type, I);
+		return true;
+	}
+	case OpArrayLength:
+	{
+		Expect(I.Operands.size() == 2, I);
+		const FSpirvVariable* Variable = Module.FindVariable(I.Operands[0]);
+		Expect(Variable && Variable->Storage == StorageUniform, I);
+		return true;
+	}
+	default:
+		return false;
+	}
+}
+
+void FSpirvChecker::CheckExtended(const FSpirvInstruction& I)
+{
+	const uint32_t Ext = I.Operands[1];
+	if (const int Operands = GetComponentwiseExtOperands(Ext))
+	{
+		Expect(int(I.Operands.size()) == Operands + 2 && ResultSize(I) != 0, I);
+		for (int i = 0; i < Operands; ++i)
+		{
+			Expect(Size(I, 2 + i) == ResultSize(I), I);
+		}
+		Expect(Ext != ExtCross || ResultSize(I) == 3, I);
+		return;
+	}
+	const uint32_t First = Size(I, 2);
+	switch (Ext)
+	{
+	case ExtDeterminant:
+	{
+		const FSpirvType& Type = Module.GetValueType(I.Operands[2]);
+		Expect(Type.Kind == ESpirvType::Matrix && First == Type.Count * Type.Count && ResultSize(I) == 1, I);
+		return;
+	}
+	case ExtLength:
+		Expect(ResultSize(I) == 1, I);
+		return;
+	case ExtDistance:
+		Expect(Size(I, 3) == First && ResultSize(I) == 1, I);
+		return;
+	case ExtRefract:
+		Expect(First == ResultSize(I) && Size(I, 3) == First && Size(I, 4) == 1, I);
+		return;
+	case ExtModf:
+	{
+		ExpectCount(I, 4);
+		const FSpirvType& Pointer = Module.GetValueType(I.Operands[3]);
+		Expect(First == ResultSize(I) && Pointer.Kind == ESpirvType::Pointer &&
+				   Module.GetType(Pointer.Element).NumScalars == First,
+			I);
+		return;
+	}
+	case ExtPackHalf2x16:
+		Expect(First == 2 && ResultSize(I) == 1, I);
+		return;
+	case ExtUnpackHalf2x16:
+		Expect(First == 1 && ResultSize(I) == 2, I);
+		return;
+	default:
+		Module.Fail("GLSL.std.450 instruction " + std::to_string(Ext) + " is not supported on the CPU tier", &I);
+	}
+}
+
+void CheckSpirv(const FSpirvModule& Module)
+{
+	FSpirvChecker(Module).Check();
+}
+
+} // namespace Drydock

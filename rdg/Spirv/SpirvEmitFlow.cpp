@@ -1,0 +1,441 @@
+// Emits control flow: masks where lanes part, plain branches where they do not.
+#include "SpirvEmitter.h"
+
+#include <algorithm>
+
+namespace Drydock
+{
+
+using namespace Spirv;
+
+namespace
+{
+
+const char* const GuardRest = "if (AnyLane(e))";
+
+} // namespace
+
+void FSpirvEmitter::OpenScope(const std::string& Head)
+{
+	if (!Head.empty())
+	{
+		Line(Head);
+	}
+	Line("{");
+	++Indent;
+	Scopes.push_back(NumScopes++);
+}
+
+void FSpirvEmitter::CloseScope()
+{
+	Scopes.pop_back();
+	--Indent;
+	Line("}");
+}
+
+std::string FSpirvEmitter::MaskOf(uint32_t Label)
+{
+	const std::string Name = "m" + std::to_string(Label);
+	if (Declared.insert(Name).second)
+	{
+		Declarations += "\tM " + Name + "(false);\n";
+	}
+	return Name;
+}
+
+bool FSpirvEmitter::IsDirectBreak(uint32_t To) const
+{
+	return !Loops.empty() && Module.GetBlock(Loops.back()).Merge == To && !Uniformity.IsDivergentLoop(Loops.back());
+}
+
+/** Some lanes that enter the region may not reach its end, while others do. A direct break takes all of them. */
+bool FSpirvEmitter::EscapesFrom(const FStructRegion& Region, const std::set<uint32_t>& Inside, bool bInnerLoop) const
+{
+	for (const FStructNode& Node : Region.Nodes)
+	{
+		if (Node.Kind == EStructNode::Kill || Node.Kind == EStructNode::Return)
+		{
+			return true;
+		}
+		if (Node.Kind == EStructNode::Edge && Node.bJump && !Inside.count(Node.To) &&
+			(bInnerLoop || !IsDirectBreak(Node.To)))
+		{
+			return true;
+		}
+		std::set<uint32_t> Deeper = Inside;
+		Deeper.insert({Node.Merge, Node.Continue});
+		for (const FStructCase& Case : Node.Cases)
+		{
+			Deeper.insert(Case.Label);
+		}
+		for (const FStructRegion& Inner : Node.Regions)
+		{
+			if (EscapesFrom(Inner, Deeper, bInnerLoop || Node.Kind == EStructNode::Loop))
+			{
+				return true;
+			}
+		}
+	}
+	return false;
+}
+
+bool FSpirvEmitter::Escapes(const FStructNode& Node) const
+{
+	std::set<uint32_t> Inside{Node.Merge, Node.Continue};
+	for (const FStructCase& Case : Node.Cases)
+	{
+		Inside.insert(Case.Label);
+	}
+	return std::any_of(Node.Regions.begin(), Node.Regions.end(),
+		[this, &Inside, &Node](const FStructRegion& Region)
+		{ return EscapesFrom(Region, Inside, Node.Kind == EStructNode::Loop); });
+}
+
+void FSpirvEmitter::EmitRegion(const FStructRegion& Region)
+{
+	size_t Guards = 0;
+	for (size_t i = 0; i < Region.Nodes.size(); ++i)
+	{
+		const FStructNode& Node = Region.Nodes[i];
+		EmitNode(Node);
+		const bool bConstruct =
+			Node.Kind == EStructNode::If || Node.Kind == EStructNode::Switch || Node.Kind == EStructNode::Loop;
+		if (bConstruct && i + 1 < Region.Nodes.size() && Escapes(Node))
+		{
+			OpenScope(GuardRest);
+			++Guards;
+		}
+	}
+	for (; Guards; --Guards)
+	{
+		CloseScope();
+	}
+}
+
+void FSpirvEmitter::EmitNode(const FStructNode& Node)
+{
+	switch (Node.Kind)
+	{
+	case EStructNode::Block:
+		CurrentBlock = Node.Label;
+		for (const FSpirvInstruction& I : Module.GetBlock(Node.Label).Instructions)
+		{
+			EmitInstruction(I);
+		}
+		break;
+	case EStructNode::Edge:
+		EmitEdge(Node);
+		break;
+	case EStructNode::If:
+		EmitIf(Node);
+		break;
+	case EStructNode::Switch:
+		EmitSwitch(Node);
+		break;
+	case EStructNode::Loop:
+		EmitLoop(Node);
+		break;
+	case EStructNode::Kill:
+		Line("e = M(false);"); // outputs are written by lanes that return
+		break;
+	case EStructNode::Return:
+		EmitOutputs();
+		Line("e = M(false);");
+		break;
+	}
+}
+
+void FSpirvEmitter::EmitEdge(const FStructNode& Node)
+{
+	EmitPhiCopies(Node.From, Node.To);
+	if (!Node.bJump)
+	{
+		return;
+	}
+	if (IsDirectBreak(Node.To))
+	{
+		Line("break;");
+		return;
+	}
+	Findings.MasksNeeded.insert(Node.To);
+	const std::string Mask = MaskOf(Node.To);
+	Line(Mask + " = " + Mask + " | e;");
+	Line("e = M(false);");
+}
+
+void FSpirvEmitter::EmitPhiCopies(uint32_t From, uint32_t To)
+{
+	struct FCopy
+	{
+		std::string Target;
+		std::string Source;
+		bool bMasked;
+	};
+	std::vector<FCopy> Copies;
+	std::set<std::string> Targets;
+	for (const FSpirvInstruction& I : Module.GetBlock(To).Instructions)
+	{
+		if (I.Op != OpPhi)
+		{
+			break;
+		}
+		uint32_t Value = 0;
+		for (size_t k = 0; k < I.Operands.size(); k += 2)
+		{
+			Value = I.Operands[k + 1] == From ? I.Operands[k] : Value;
+		}
+		if (!Value)
+		{
+			Module.Fail("SPIR-V: a phi does not name the block that control comes from", &I);
+		}
+		std::vector<FEmitScalar>& List = Values[I.Result];
+		const bool bFirst = List.empty();
+		for (uint32_t i = 0; i < SizeOf(I.Result); ++i)
+		{
+			const bool bVarying = Uniformity.IsVarying(I.Result, i);
+			const ESpirvType Kind = Module.GetScalarKind(I.Type, i);
+			const std::string Name = "p" + std::to_string(I.Result) + "_" + std::to_string(i);
+			if (Declared.insert(Name).second)
+			{
+				Declarations += "\t" + TypeName(Kind, bVarying) + " " + Name + "{};\n";
+			}
+			if (bFirst)
+			{
+				// Declared at the top, but it belongs to the loops around its block: lanes that left them keep their
+				// value.
+				const auto Around = Structure.Loops.find(To);
+				Locals.push_back({Name, 0, Around == Structure.Loops.end() ? std::vector<uint32_t>() : Around->second});
+				List.push_back({Name, Kind, bVarying, int(Locals.size()) - 1});
+			}
+			const FEmitScalar Incoming = Scalar(Value, i);
+			const bool bMasked = bVarying && (Uniformity.IsDivergentJoin(To) || Findings.KeptByLanes.count(Name));
+			const std::string Source = UseAs(Incoming, Kind, bVarying);
+			if (Source != Name)
+			{
+				Copies.push_back({Name, Source, bMasked});
+				Targets.insert(Name);
+			}
+		}
+	}
+	// All sources are read before any target is written; only sources that are targets themselves need a copy.
+	bool bOverlap = false;
+	for (const FCopy& Copy : Copies)
+	{
+		bOverlap = bOverlap ||
+				   std::any_of(Targets.begin(), Targets.end(),
+					   [&Copy](const std::string& Target)
+					   { return Copy.Source == Target || Copy.Source.find("(" + Target + ")") != std::string::npos; });
+	}
+	if (bOverlap)
+	{
+		OpenScope("");
+		for (FCopy& Copy : Copies)
+		{
+			const std::string Name = "t" + Copy.Target;
+			Line("const auto " + Name + " = " + Copy.Source + ";");
+			Copy.Source = Name;
+		}
+	}
+	for (const FCopy& Copy : Copies)
+	{
+		Line(Copy.bMasked ? "Assign(e, " + Copy.Target + ", " + Copy.Source + ");"
+						  : Copy.Target + " = " + Copy.Source + ";");
+	}
+	if (bOverlap)
+	{
+		CloseScope();
+	}
+}
+
+void FSpirvEmitter::EmitIf(const FStructNode& Node)
+{
+	SourceLine(Module.GetBlock(Node.Label).Terminator());
+	const FEmitScalar Condition = Scalar(Node.Value, 0);
+	const bool bWaits = Node.Merge && Findings.MasksNeeded.count(Node.Merge);
+	const auto IsEmpty = [this](const FStructRegion& Region)
+	{
+		const FStructNode& Edge = Region.Nodes[0];
+		const bool bPhis = Module.GetBlock(Edge.To).Instructions[0].Op == OpPhi;
+		return Region.Nodes.size() == 1 && !Edge.bJump && !bPhis;
+	};
+	const bool bElse = !IsEmpty(Node.Regions[1]);
+	if (bWaits)
+	{
+		Line(MaskOf(Node.Merge) + " = M(false);");
+	}
+	if (!Condition.bVarying)
+	{
+		OpenScope("if (" + Use(Condition) + ")");
+		EmitRegion(Node.Regions[0]);
+		CloseScope();
+		if (bElse)
+		{
+			OpenScope("else");
+			EmitRegion(Node.Regions[1]);
+			CloseScope();
+		}
+	}
+	else
+	{
+		const std::string Label = std::to_string(Node.Label);
+		const bool bEscapes = Escapes(Node) || bWaits;
+		// Where all lanes come back, the mask before is the mask after; else the lanes at the end of each side are
+		// joined.
+		const std::string Before = "s" + Label;
+		const std::string Taken = "c" + Label;
+		OpenScope("");
+		Line("const M " + Before + " = e;");
+		Line("const M " + Taken + " = " + Use(Condition) + ";");
+		Line("e = " + Before + " & " + Taken + ";");
+		if (!IsEmpty(Node.Regions[0]))
+		{
+			OpenScope(GuardRest);
+			EmitRegion(Node.Regions[0]);
+			CloseScope();
+		}
+		if (bElse || bEscapes)
+		{
+			if (bEscapes)
+			{
+				Line("const M f" + Label + " = e;");
+			}
+			Line("e = " + Before + " & !" + Taken + ";");
+			if (bElse)
+			{
+				OpenScope(GuardRest);
+				EmitRegion(Node.Regions[1]);
+				CloseScope();
+			}
+		}
+		Line(bEscapes ? "e = e | f" + Label + ";" : "e = " + Before + ";");
+		CloseScope();
+	}
+	if (bWaits)
+	{
+		Line("e = e | " + MaskOf(Node.Merge) + ";");
+	}
+}
+
+void FSpirvEmitter::EmitSwitch(const FStructNode& Node)
+{
+	SourceLine(Module.GetBlock(Node.Label).Terminator());
+	const bool bWaits = Findings.MasksNeeded.count(Node.Merge) != 0;
+	if (bWaits)
+	{
+		Line(MaskOf(Node.Merge) + " = M(false);");
+	}
+	if (Node.Cases.size() == 1)
+	{
+		// glslang's way to leave a block early: a switch with nothing but a default.
+		EmitRegion(Node.Regions[0]);
+	}
+	else
+	{
+		const FEmitScalar Selector = Scalar(Node.Value, 0);
+		const std::string Label = std::to_string(Node.Label);
+		const auto Chosen = [&Label](size_t i)
+		{
+			return "k" + Label + "_" + std::to_string(i);
+		};
+		OpenScope("");
+		std::string Taken = "M(false)";
+		size_t Default = Node.Cases.size();
+		for (size_t i = 0; i < Node.Cases.size(); ++i)
+		{
+			const FStructCase& Case = Node.Cases[i];
+			if (Case.bDefault)
+			{
+				Default = i;
+				continue;
+			}
+			std::string Condition;
+			for (const uint32_t Value : Case.Values)
+			{
+				Condition += Condition.empty() ? "" : " || ";
+				Condition += "(" + Use(Selector) + " == " + Literal(Selector.Kind, Value).Text + ")";
+			}
+			Line("const M " + Chosen(i) + " = e & M(" + Condition + ");");
+			Taken += " | " + Chosen(i);
+		}
+		Line("const M " + Chosen(Default) + " = e & !(" + Taken + ");");
+		for (const FStructCase& Case : Node.Cases)
+		{
+			if (Findings.MasksNeeded.count(Case.Label) && Case.Label != Node.Merge)
+			{
+				Line(MaskOf(Case.Label) + " = M(false);");
+			}
+		}
+		Line("M f" + Label + "(false);"); // lanes at the end of a case
+		for (size_t i = 0; i < Node.Cases.size(); ++i)
+		{
+			Line("e = " + Chosen(i) + ";");
+			FStructRegion Region = Node.Regions[i];
+			if (Findings.MasksNeeded.count(Node.Cases[i].Label) && Node.Cases[i].Label != Node.Merge)
+			{
+				// Lanes that fall into the case have their phis already; those that chose it get them now.
+				OpenScope(GuardRest);
+				EmitPhiCopies(Node.Label, Node.Cases[i].Label);
+				CloseScope();
+				Region.Nodes.erase(Region.Nodes.begin());
+				Line("e = e | " + MaskOf(Node.Cases[i].Label) + ";");
+			}
+			OpenScope(GuardRest);
+			EmitRegion(Region);
+			CloseScope();
+			Line("f" + Label + " = f" + Label + " | e;");
+		}
+		Line("e = f" + Label + ";");
+		CloseScope();
+	}
+	if (bWaits)
+	{
+		Line("e = e | " + MaskOf(Node.Merge) + ";");
+	}
+}
+
+void FSpirvEmitter::EmitLoop(const FStructNode& Node)
+{
+	const FStructRegion& BodyRegion = Node.Regions[0];
+	const FStructRegion& ContinueRegion = Node.Regions[1];
+	const bool bMergeWaits = Findings.MasksNeeded.count(Node.Merge) != 0;
+	const bool bContinueWaits = Node.Continue != Node.Label && Findings.MasksNeeded.count(Node.Continue) != 0;
+	if (bMergeWaits)
+	{
+		Line(MaskOf(Node.Merge) + " = M(false);");
+	}
+	Loops.push_back(Node.Label);
+	const bool bBodyLoses = EscapesFrom(BodyRegion, {Node.Continue}, false);
+	const bool bContinueLoses = EscapesFrom(ContinueRegion, {Node.Label}, false);
+	OpenScope("for (;;)");
+	if (bContinueWaits)
+	{
+		Line(MaskOf(Node.Continue) + " = M(false);");
+	}
+	OpenScope("");
+	EmitRegion(BodyRegion);
+	CloseScope();
+	if (bContinueWaits)
+	{
+		Line("e = e | " + MaskOf(Node.Continue) + ";");
+	}
+	if (bBodyLoses || bContinueWaits)
+	{
+		Line("if (!AnyLane(e)) break;");
+	}
+	if (!ContinueRegion.Nodes.empty())
+	{
+		EmitRegion(ContinueRegion);
+		if (bContinueLoses)
+		{
+			Line("if (!AnyLane(e)) break;");
+		}
+	}
+	CloseScope();
+	Loops.pop_back();
+	if (bMergeWaits)
+	{
+		Line("e = e | " + MaskOf(Node.Merge) + ";");
+	}
+}
+
+} // namespace Drydock

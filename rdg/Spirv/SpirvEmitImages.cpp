@@ -1,0 +1,227 @@
+// Emits what concerns textures and typed buffers: samples, loads, stores and sizes.
+#include "SpirvEmitter.h"
+
+#include <algorithm>
+
+namespace Drydock
+{
+
+using namespace Spirv;
+
+namespace
+{
+
+constexpr ESpirvType Float = ESpirvType::Float;
+constexpr ESpirvType Int = ESpirvType::Int;
+constexpr ESpirvType Uint = ESpirvType::Uint;
+
+std::string Number(uint32_t Value)
+{
+	return std::to_string(Value);
+}
+
+} // namespace
+
+std::string FSpirvEmitter::HandleOf(uint32_t Id) const
+{
+	for (int Steps = 0; Steps < 8; ++Steps)
+	{
+		if (Module.FindVariable(Id))
+		{
+			return "g" + Number(Id);
+		}
+		const auto Found = Definitions.find(Id);
+		if (Found == Definitions.end() || Found->second->Operands.empty())
+		{
+			break;
+		}
+		Id = Found->second->Operands[0];
+	}
+	Module.Fail("SPIR-V: a texture or sampler that is not a variable");
+}
+
+const FSpirvType& FSpirvEmitter::ImageTypeOf(uint32_t Id) const
+{
+	const FSpirvType& Type = Module.GetValueType(Id);
+	return Type.Kind == ESpirvType::SampledImage ? Module.GetType(Type.Element) : Type;
+}
+
+std::string FSpirvEmitter::Coordinates(
+	const FSpirvInstruction& I, size_t Operand, uint32_t Count, bool bReal, size_t OffsetOperand)
+{
+	std::string Text = std::string("TVec<") + (bReal ? "R" : "I") + ", " + Number(Count) + ">(";
+	for (uint32_t i = 0; i < Count; ++i)
+	{
+		Text += (i ? ", " : "") + UseAs(Scalar(I.Operands[Operand], i), bReal ? Float : Int, true);
+		if (OffsetOperand && i < std::min(2u, SizeOf(I.Operands[OffsetOperand])))
+		{
+			const std::string Offset = UseAs(Scalar(I.Operands[OffsetOperand], i), Int, true);
+			const std::string Size = "TextureSize2D(" + HandleOf(I.Operands[0]) + ", 0)[" + Number(i) + "]";
+			Text += bReal ? " + ToReal<Real>(" + Offset + ") / R(Real(" + Size + "))" : " + " + Offset;
+		}
+	}
+	return Text + ")";
+}
+
+bool FSpirvEmitter::EmitImage(const FSpirvInstruction& I)
+{
+	const auto Components = [this, &I](const std::string& Expression, ESpirvType Kind, bool bVarying)
+	{
+		const std::string Name = "w" + Number(I.Result);
+		Line("const auto " + Name + " = " + Expression + ";");
+		for (uint32_t i = 0; i < SizeOf(I.Result); ++i)
+		{
+			Define(I.Result, i, {Name + "[" + Number(i) + "]", Kind, bVarying, -1});
+		}
+	};
+	const auto Count = [this](const char* Counter)
+	{
+		Line(std::string("CountLanesOf(Args, &FKernelCounters::") + Counter + ", e);");
+	};
+	switch (I.Op)
+	{
+	case OpSampledImage:
+	case OpImage:
+		return true; // resolved where it is used
+	case OpImageSampleImplicitLod:
+	case OpImageSampleExplicitLod:
+	case OpImageGather:
+	{
+		const FSpirvType& Type = ImageTypeOf(I.Operands[0]);
+		const auto Pair = Definitions.find(I.Operands[0]);
+		if (Module.GetType(Type.Element).Kind != Float)
+		{
+			Module.Fail("a texture of integers cannot be filtered; use Load", &I);
+		}
+		if (Pair == Definitions.end() || Pair->second->Op != OpSampledImage)
+		{
+			Module.Fail("SPIR-V: a sample without its texture and sampler", &I);
+		}
+		const std::string Handles =
+			HandleOf(Pair->second->Operands[0]) + ", " + HandleOf(Pair->second->Operands[1]) + ", ";
+		const bool bGather = I.Op == OpImageGather;
+		const size_t MaskAt = bGather ? 3 : 2;
+		const uint32_t Mask = I.Operands.size() > MaskAt ? I.Operands[MaskAt] : 0;
+		size_t Next = MaskAt + 1;
+		std::string Level = "Real(0)"; // Sample: there are no derivatives, so it is the view's first mip
+		if (Mask & ImageLod)
+		{
+			const FSpirvConstant* Constant = Module.FindConstant(I.Operands[Next]);
+			if ((Mask & (ImageConstOffset | ImageOffset)) && (!Constant || Constant->Scalars[0] != 0))
+			{
+				Module.Fail("a sample with an offset is supported at mip 0 only on the CPU tier; add the offset to the "
+							"coordinates",
+					&I);
+			}
+			Level = UseAs(Scalar(I.Operands[Next++], 0), Float, false);
+		}
+		const size_t Offset = Mask & (ImageConstOffset | ImageOffset) ? Next : 0;
+		const bool b3D = Type.Dim == Dim3D;
+		const std::string Place = Coordinates(I, 1, b3D || Type.bArrayed ? 3 : 2, true, Offset);
+		if (bGather)
+		{
+			Components("Gather2D(" + Handles + Place + ", " + Number(Module.GetConstantScalar(I.Operands[2])) + ")",
+				Float, true);
+		}
+		else
+		{
+			const char* const Function = b3D             ? "SampleLevel3D("
+										 : Type.bArrayed ? "SampleLevel2DArray("
+														 : "SampleLevel2D(";
+			Components(Function + Handles + Place + ", " + Level + ")", Float, true);
+		}
+		Count("Samples");
+		return true;
+	}
+	case OpImageFetch:
+	case OpImageRead:
+	{
+		const FSpirvType& Type = ImageTypeOf(I.Operands[0]);
+		const bool bInteger = Module.GetType(Type.Element).Kind != Float;
+		const std::string Handle = HandleOf(I.Operands[0]);
+		const uint32_t Mask = I.Operands.size() > 2 ? I.Operands[2] : 0;
+		size_t Next = 3;
+		std::string Mip = "int32_t(0)";
+		if (Mask & ImageLod)
+		{
+			Mip = UseAs(Scalar(I.Operands[Next++], 0), Int, false);
+		}
+		const size_t Offset = Mask & (ImageConstOffset | ImageOffset) ? Next : 0;
+		const std::string Suffix = std::string(bInteger ? "Uint" : "") + "<Real, N>(" + Handle + ", ";
+		if (Type.Dim == DimBuffer)
+		{
+			Components("LoadTyped" + Suffix + UseAs(Scalar(I.Operands[1], 0), Uint, true) + ")",
+				bInteger ? Uint : Float, true);
+		}
+		else
+		{
+			const bool b3D = Type.Dim == Dim3D;
+			const std::string Function = b3D ? "Load3D" : Type.bArrayed ? "Load2DArray" : "Load2D";
+			const std::string Place = Coordinates(I, 1, b3D || Type.bArrayed ? 3 : 2, false, Offset);
+			Components(Function + Suffix + Place + ", " + Mip + ")", bInteger ? Uint : Float, true);
+		}
+		Count("Loads");
+		return true;
+	}
+	case OpImageWrite:
+	{
+		const FSpirvType& Type = ImageTypeOf(I.Operands[0]);
+		const bool bInteger = Module.GetType(Type.Element).Kind != Float;
+		const ESpirvType Kind = bInteger ? Uint : Float;
+		std::string Value = std::string("TVec<") + TypeName(Kind, true) + ", 4>(";
+		for (uint32_t i = 0; i < 4; ++i)
+		{
+			const FEmitScalar Part = i < SizeOf(I.Operands[2]) ? Scalar(I.Operands[2], i) : Literal(Kind, 0);
+			Value += (i ? ", " : "") + UseAs(Part, Kind, true);
+		}
+		const std::string Head = "(e, " + HandleOf(I.Operands[0]) + ", ";
+		const std::string Suffix = bInteger ? "Uint<Real, N>" : "";
+		if (Type.Dim == DimBuffer)
+		{
+			Line("StoreTyped" + Suffix + Head + UseAs(Scalar(I.Operands[1], 0), Uint, true) + ", " + Value + "));");
+		}
+		else
+		{
+			const bool b3D = Type.Dim == Dim3D;
+			const std::string Function = b3D             ? "StoreTexture3D"
+										 : Type.bArrayed ? "StoreTexture2DArray"
+														 : "StoreTexture2D";
+			Line(Function + Suffix + Head + Coordinates(I, 1, b3D || Type.bArrayed ? 3 : 2, false, 0) + ", " + Value +
+				 "));");
+		}
+		Count("Stores");
+		return true;
+	}
+	case OpImageQuerySize:
+	case OpImageQuerySizeLod:
+	{
+		const FSpirvType& Type = ImageTypeOf(I.Operands[0]);
+		const std::string Handle = HandleOf(I.Operands[0]);
+		if (Type.Dim == DimBuffer)
+		{
+			Define(I.Result, 0, {"BufferElements(" + Handle + ")", Uint, false, -1});
+			return true;
+		}
+		std::string Mip = "0";
+		if (I.Op == OpImageQuerySizeLod)
+		{
+			const FEmitScalar Level = Scalar(I.Operands[1], 0);
+			if (Level.bVarying)
+			{
+				Module.Fail("GetDimensions wants a mip level that is the same for all threads on the CPU tier", &I);
+			}
+			Mip = UseAs(Level, Int, false);
+		}
+		Components(
+			(SizeOf(I.Result) == 3 ? "TextureSize3D(" : "TextureSize2D(") + Handle + ", " + Mip + ")", Int, false);
+		return true;
+	}
+	case OpImageQueryLevels:
+		Define(I.Result, 0, {"TextureLevels(" + HandleOf(I.Operands[0]) + ")", Int, false, -1});
+		return true;
+	default:
+		return false;
+	}
+}
+
+} // namespace Drydock

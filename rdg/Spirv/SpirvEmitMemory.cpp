@@ -1,0 +1,413 @@
+// Emits what concerns variables, buffers, inputs and outputs; SpirvEmitImages.cpp has the textures.
+#include "SpirvEmitter.h"
+
+#include <algorithm>
+
+namespace Drydock
+{
+
+using namespace Spirv;
+
+namespace
+{
+
+constexpr ESpirvType Float = ESpirvType::Float;
+constexpr ESpirvType Int = ESpirvType::Int;
+constexpr ESpirvType Uint = ESpirvType::Uint;
+
+bool IsLocal(const FSpirvVariable& Variable)
+{
+	return Variable.Storage == StorageFunction || Variable.Storage == StoragePrivate ||
+		   Variable.Storage == StorageOutput;
+}
+
+std::string Number(uint32_t Value)
+{
+	return std::to_string(Value);
+}
+
+} // namespace
+
+std::string FSpirvEmitter::LocalArray(const FSpirvVariable& Variable, ESpirvType Kind) const
+{
+	const char* const Suffix = Kind == Float ? "_f" : Kind == Int ? "_i" : Kind == Uint ? "_u" : "_b";
+	return "a" + Number(Variable.Id) + Suffix;
+}
+
+FSpirvPlace FSpirvEmitter::Resolve(uint32_t Pointer) const
+{
+	const auto Chain = Definitions.find(Pointer);
+	return ResolvePlace(Module, Pointer, Chain == Definitions.end() ? nullptr : Chain->second);
+}
+
+void FSpirvEmitter::DeclareVariables()
+{
+	for (const auto& [Id, I] : Definitions)
+	{
+		const bool bChain = I->Op == OpAccessChain || I->Op == OpInBoundsAccessChain;
+		if (bChain && !Resolve(Id).Indices.empty())
+		{
+			DynamicVariables.insert(I->Operands[0]);
+		}
+	}
+	for (const FSpirvVariable& Variable : Module.Variables)
+	{
+		const auto Slot = Reflection.Slots.find(Variable.Id);
+		if (Slot != Reflection.Slots.end())
+		{
+			const FSpirvType& Type = Module.GetType(Variable.Type);
+			const std::string Index = "[" + Number(Slot->second) + "];\n";
+			const std::string Name = "g" + Number(Variable.Id);
+			const bool bStorage = Type.bBufferBlock ? !Type.Members[0].bNonWritable : Type.bStorageImage;
+			if (Type.Kind == ESpirvType::Struct && !Type.bBufferBlock)
+			{
+				Declarations += "\tconst uint8_t* const " + Name + " = Args.ConstantBuffers" + Index;
+			}
+			else if (Type.Kind == ESpirvType::Sampler)
+			{
+				Declarations += "\tconst FKernelSampler& " + Name + " = Args.Samplers" + Index;
+			}
+			else if (Type.bBufferBlock || Type.Dim == DimBuffer)
+			{
+				Declarations +=
+					"\tconst FKernelBuffer& " + Name + " = Args." + (bStorage ? "RWBuffers" : "Buffers") + Index;
+			}
+			else
+			{
+				Declarations +=
+					"\tconst FKernelTexture& " + Name + " = Args." + (bStorage ? "RWTextures" : "Textures") + Index;
+			}
+			continue;
+		}
+		if (!IsLocal(Variable))
+		{
+			continue;
+		}
+		const auto Table = Tables.find(Variable.Id);
+		const FSpirvConstant* Initial =
+			Module.FindConstant(Table != Tables.end() ? Table->second : Variable.Initializer);
+		const uint32_t Size = Module.GetType(Variable.Type).NumScalars;
+		const bool bVarying = Variable.Storage == StorageOutput || Uniformity.IsVariableVarying(Variable.Id);
+		if (!DynamicVariables.count(Variable.Id))
+		{
+			for (uint32_t i = 0; Table == Tables.end() && i < Size; ++i)
+			{
+				const ESpirvType Kind = Module.GetScalarKind(Variable.Type, i);
+				const std::string Value = Initial ? " = " + Literal(Kind, Initial->Scalars[i]).Text : "{}";
+				Declarations +=
+					"\t" + TypeName(Kind, bVarying) + " l" + Number(Variable.Id) + "_" + Number(i) + Value + ";\n";
+			}
+			continue;
+		}
+		std::set<ESpirvType> Kinds;
+		for (uint32_t i = 0; i < Size; ++i)
+		{
+			Kinds.insert(Module.GetScalarKind(Variable.Type, i));
+		}
+		for (const ESpirvType Kind : Kinds)
+		{
+			std::string Values;
+			for (uint32_t i = 0; Initial && i < Size; ++i)
+			{
+				const bool bThis = Module.GetScalarKind(Variable.Type, i) == Kind;
+				Values += (i ? ", " : "") + Literal(Kind, bThis ? Initial->Scalars[i] : 0).Text;
+			}
+			const std::string Declaration =
+				LocalArray(Variable, Kind) + "[" + Number(Size) + "]" + (Initial ? " = {" + Values + "};\n" : "{};\n");
+			if (Table != Tables.end())
+			{
+				TableText += "constexpr " + TypeName(Kind, false) + " " + Declaration;
+			}
+			else
+			{
+				Declarations += "\t" + TypeName(Kind, bVarying) + " " + Declaration;
+			}
+		}
+	}
+}
+
+std::string FSpirvEmitter::IndexText(const FSpirvPlace& Place, uint32_t Offset, bool& bVarying)
+{
+	bVarying = std::any_of(Place.Indices.begin(), Place.Indices.end(),
+		[this](const FSpirvIndex& Index) { return Scalar(Index.Value, 0).bVarying; });
+	std::string Text = bVarying ? "I(" + Number(Offset) + ")" : Number(Offset);
+	for (const FSpirvIndex& Index : Place.Indices)
+	{
+		const FEmitScalar Value = Scalar(Index.Value, 0);
+		const std::string Clamped = "ClampIndex(" + (Value.bVarying ? Use(Value) : "uint32_t(" + Use(Value) + ")") +
+									", " + Number(Index.Count) + "u)";
+		Text += " + " + Clamped + " * " + (Value.bVarying ? "I(" + Number(Index.Stride) + ")" : Number(Index.Stride));
+	}
+	return Text;
+}
+
+FEmitScalar FSpirvEmitter::LoadLocal(const FSpirvPlace& Place, uint32_t ScalarIndex, ESpirvType Kind)
+{
+	const FSpirvVariable& Variable = *Place.Variable;
+	const uint32_t Offset = Place.Offset + Place.Scalars[ScalarIndex];
+	const auto Table = Tables.find(Variable.Id);
+	const bool bVariableVaries =
+		Variable.Storage == StorageOutput || (Table == Tables.end() && Uniformity.IsVariableVarying(Variable.Id));
+	if (Place.Indices.empty() && Table != Tables.end())
+	{
+		return Literal(Kind, Module.FindConstant(Table->second)->Scalars[Offset]);
+	}
+	if (!DynamicVariables.count(Variable.Id))
+	{
+		return {"l" + Number(Variable.Id) + "_" + Number(Offset), Kind, bVariableVaries, -1};
+	}
+	bool bIndexVaries = false;
+	const std::string Index = IndexText(Place, Offset, bIndexVaries);
+	const std::string Array = LocalArray(Variable, Kind);
+	return {bIndexVaries ? "PickElement(" + Array + ", " + Index + ")" : Array + "[" + Index + "]", Kind,
+		bVariableVaries || bIndexVaries, -1};
+}
+
+FEmitScalar FSpirvEmitter::LoadConstantBuffer(const FSpirvPlace& Place, uint32_t ScalarIndex, ESpirvType Kind)
+{
+	bool bVarying = false;
+	const std::string Offset = IndexText(Place, Place.Offset + Place.Scalars[ScalarIndex], bVarying);
+	const std::string Type = Kind == Float ? "float" : Kind == Int ? "int32_t" : "uint32_t";
+	const std::string Read = "ReadConstant<" + Type + ">(g" + Number(Place.Variable->Id) + ", " +
+							 (bVarying ? Offset : "uint32_t(" + Offset + ")") + ")";
+	return {Kind == Float ? "WidenReal<Real>(" + Read + ")" : Read, Kind, bVarying, -1};
+}
+
+std::string FSpirvEmitter::BufferOffsetText(const FSpirvPlace& Place, uint32_t ScalarIndex, bool& bVarying)
+{
+	if (!Place.ElementStride)
+	{
+		Module.Fail("buffer '" + Place.Variable->Name + "' is used in a way that the CPU tier does not know");
+	}
+	const FEmitScalar Element = Scalar(Place.Element, 0);
+	const std::string Index = Element.bVarying ? Use(Element) : "uint32_t(" + Use(Element) + ")";
+	std::string Text = "ElementOffset(g" + Number(Place.Variable->Id) + ", " + Index + ", " +
+					   Number(Place.ElementStride) + "u, " + Number(Place.Offset + Place.Scalars[ScalarIndex]) + "u)";
+	bVarying = Element.bVarying;
+	if (!Place.Indices.empty())
+	{
+		bool bInnerVaries = false;
+		const std::string Inner = IndexText(Place, 0, bInnerVaries);
+		Text = (bInnerVaries && !bVarying ? "U(" + Text + ")" : Text) + " + " +
+			   (bInnerVaries ? "AsUint(" : "uint32_t(") + Inner + ")";
+		bVarying = bVarying || bInnerVaries;
+	}
+	return Text;
+}
+
+FEmitScalar FSpirvEmitter::LoadStorageBuffer(const FSpirvPlace& Place, uint32_t ScalarIndex, ESpirvType Kind)
+{
+	bool bVarying = false;
+	const std::string Offset = BufferOffsetText(Place, ScalarIndex, bVarying);
+	const std::string Function = Kind == Float ? "LoadBufferReal<Real>"
+								 : Kind == Int ? "LoadBufferInt"
+											   : "LoadBufferUint";
+	return {Function + "(g" + Number(Place.Variable->Id) + ", " + Offset + ")", Kind, bVarying, -1};
+}
+
+std::vector<FEmitScalar> FSpirvEmitter::LoadInput(const FSpirvVariable& Variable)
+{
+	const int32_t* const Group = Reflection.Reflection.GroupSize;
+	const auto Shift = [](int32_t Size)
+	{
+		int32_t Bits = 0;
+		while ((1 << Bits) < Size)
+		{
+			++Bits;
+		}
+		return Size == 1 << Bits ? Bits : -1;
+	};
+	const auto GroupX = [&](bool bRemainder) -> std::string
+	{
+		const std::string Size = std::to_string(Group[0]) + "u";
+		if (Shift(Group[0]) >= 0)
+		{
+			return bRemainder ? "AsUint(X) & U(" + Size + " - 1u)"
+							  : "ShiftRight(AsUint(X), " + std::to_string(Shift(Group[0])) + "u)";
+		}
+		return (bRemainder ? "IntRemainder(AsUint(X), U(" : "IntDivide(AsUint(X), U(") + Size + "))";
+	};
+	const auto Uniform = [&](const char* Name, int Axis, const char* Operator) -> FEmitScalar
+	{
+		return {std::string("uint32_t(") + Name + ") " + Operator + " " + std::to_string(Group[Axis]) + "u", Uint,
+			false, -1};
+	};
+	switch (Variable.BuiltIn)
+	{
+	case BuiltInGlobalInvocationId:
+		return {{"AsUint(X)", Uint, true, -1}, {"uint32_t(Y)", Uint, false, -1}, {"uint32_t(Z)", Uint, false, -1}};
+	case BuiltInWorkgroupId:
+		return {{GroupX(false), Uint, true, -1}, Uniform("Y", 1, "/"), Uniform("Z", 2, "/")};
+	case BuiltInLocalInvocationId:
+		return {{GroupX(true), Uint, true, -1}, Uniform("Y", 1, "%"), Uniform("Z", 2, "%")};
+	case BuiltInLocalInvocationIndex:
+	{
+		const std::string Rows =
+			"(" + Uniform("Z", 2, "%").Text + ") * " + std::to_string(Group[1]) + "u + " + Uniform("Y", 1, "%").Text;
+		return {{"(" + GroupX(true) + ") + U((" + Rows + ") * " + std::to_string(Group[0]) + "u)", Uint, true, -1}};
+	}
+	case BuiltInFragCoord:
+		return {{"ToReal<Real>(X) + R(Real(0.5f))", Float, true, -1}, {"Real(Y) + Real(0.5f)", Float, false, -1},
+			{"Real(0.0f)", Float, false, -1}, {"Real(1.0f)", Float, false, -1}};
+	case BuiltInFrontFacing:
+		return {{"true", ESpirvType::Bool, false, -1}};
+	default:
+	{
+		std::vector<FEmitScalar> Result;
+		const std::string Interpolant =
+			"Args.Interpolants[" + std::to_string(GetTexCoordIndex(Variable.Semantic)) + "]";
+		for (uint32_t i = 0; i < Module.GetType(Variable.Type).NumScalars; ++i)
+		{
+			Result.push_back({"Interpolate<Real>(" + Interpolant + ", " + Number(i) + ", X, Y)", Float, true, -1});
+		}
+		return Result;
+	}
+	}
+}
+
+void FSpirvEmitter::EmitLoad(const FSpirvInstruction& I)
+{
+	const FSpirvPlace Place = Resolve(I.Operands[0]);
+	std::vector<FEmitScalar> Loaded;
+	if (Place.Variable->Storage == StorageInput)
+	{
+		const std::vector<FEmitScalar> All = LoadInput(*Place.Variable);
+		if (!Place.Indices.empty() || Place.Offset + Place.Scalars.size() > All.size())
+		{
+			Module.Fail("shader inputs cannot be indexed at run time on the CPU tier", &I);
+		}
+		for (const uint32_t Part : Place.Scalars)
+		{
+			Loaded.push_back(All[Place.Offset + Part]);
+		}
+	}
+	else
+	{
+		for (uint32_t i = 0; i < Place.Scalars.size(); ++i)
+		{
+			const ESpirvType Kind = Module.GetScalarKind(Place.Type, i);
+			Loaded.push_back(!Place.bBytes                                       ? LoadLocal(Place, i, Kind)
+							 : Module.GetType(Place.Variable->Type).bBufferBlock ? LoadStorageBuffer(Place, i, Kind)
+																				 : LoadConstantBuffer(Place, i, Kind));
+		}
+	}
+	DefineAll(I, Loaded);
+}
+
+void FSpirvEmitter::EmitStore(uint32_t Pointer, const std::vector<FEmitScalar>& New, const FSpirvInstruction& I)
+{
+	const FSpirvPlace Place = Resolve(Pointer);
+	const FSpirvVariable& Variable = *Place.Variable;
+	if (Tables.count(Variable.Id))
+	{
+		return;
+	}
+	const bool bStorage = Place.bBytes && Module.GetType(Variable.Type).bBufferBlock;
+	if (!bStorage && !IsLocal(Variable))
+	{
+		Module.Fail("a store into '" + Variable.Name + "', which is read-only", &I);
+	}
+	for (uint32_t i = 0; i < Place.Scalars.size(); ++i)
+	{
+		const ESpirvType Kind = Module.GetScalarKind(Place.Type, i);
+		if (bStorage)
+		{
+			bool bVarying = false;
+			const std::string Offset = BufferOffsetText(Place, i, bVarying);
+			const char* const Function = Kind == Float ? "StoreBufferReal"
+										 : Kind == Int ? "StoreBufferInt"
+													   : "StoreBufferUint";
+			Line(std::string(Function) + "(e, g" + Number(Variable.Id) + ", " +
+				 (bVarying ? Offset : "U(" + Offset + ")") + ", " + UseAs(New[i], Kind, true) + ");");
+			continue;
+		}
+		const uint32_t Offset = Place.Offset + Place.Scalars[i];
+		const bool bVarying = Variable.Storage == StorageOutput || Uniformity.IsVariableVarying(Variable.Id);
+		const bool bMasked = bVarying && Uniformity.IsDivergentBlock(CurrentBlock);
+		const std::string Value = UseAs(New[i], Kind, bVarying);
+		bool bIndexVaries = false;
+		std::string Target = "l" + Number(Variable.Id) + "_" + Number(Offset);
+		if (DynamicVariables.count(Variable.Id))
+		{
+			const std::string Index = IndexText(Place, Offset, bIndexVaries);
+			const std::string Array = LocalArray(Variable, Kind);
+			if (bIndexVaries)
+			{
+				Line("PutElement(e, " + Array + ", " + Index + ", " + Value + ");");
+				continue;
+			}
+			Target = Array + "[" + Index + "]";
+		}
+		Line(bMasked ? "Assign(e, " + Target + ", " + Value + ");" : Target + " = " + Value + ";");
+	}
+	if (bStorage)
+	{
+		Line("CountLanesOf(Args, &FKernelCounters::Stores, e);");
+	}
+}
+
+bool FSpirvEmitter::EmitMemory(const FSpirvInstruction& I)
+{
+	switch (I.Op)
+	{
+	case OpLoad:
+		if (Module.GetType(I.Type).NumScalars)
+		{
+			EmitLoad(I);
+		}
+		return true;
+	case OpStore:
+	{
+		std::vector<FEmitScalar> New;
+		for (uint32_t i = 0; i < SizeOf(I.Operands[1]); ++i)
+		{
+			New.push_back(Scalar(I.Operands[1], i));
+		}
+		EmitStore(I.Operands[0], New, I);
+		return true;
+	}
+	case OpAccessChain:
+	case OpInBoundsAccessChain:
+		return true; // resolved where it is used
+	case OpArrayLength:
+	{
+		const FSpirvVariable& Variable = *Module.FindVariable(I.Operands[0]);
+		const uint32_t Array = Module.GetMemberType(Variable.Type, I.Operands[1]);
+		const uint32_t Stride = std::max(4u, Module.GetType(Array).ArrayStride);
+		Define(I.Result, 0, {"g" + Number(Variable.Id) + ".SizeInBytes / " + Number(Stride) + "u", Uint, false, -1});
+		return true;
+	}
+	default:
+		return false;
+	}
+}
+
+void FSpirvEmitter::EmitOutputs()
+{
+	for (const FSpirvVariable& Variable : Module.Variables)
+	{
+		if (Variable.Storage != StorageOutput)
+		{
+			continue;
+		}
+		if (DynamicVariables.count(Variable.Id))
+		{
+			Module.Fail("shader output '" + Variable.Name + "' cannot be indexed at run time on the CPU tier");
+		}
+		std::string Value = "TVec<R, 4>(";
+		for (uint32_t i = 0; i < 4; ++i)
+		{
+			const bool bWritten = i < Module.GetType(Variable.Type).NumScalars;
+			Value +=
+				(i ? ", " : "") + (bWritten ? "l" + Number(Variable.Id) + "_" + Number(i) : std::string("R(Real(0))"));
+		}
+		const std::string Target = Number(Variable.Location);
+		Line("if (" + Target + " < Args.NumTargets)");
+		Line("{");
+		Line("\tStoreTarget(e, Args.Targets[" + Target + "], X0, Y, " + Value + "));");
+		Line("\tCountLanesOf(Args, &FKernelCounters::Stores, e);");
+		Line("}");
+	}
+}
+
+} // namespace Drydock

@@ -1,0 +1,340 @@
+// Emits arithmetic: most operations are one C++ expression per scalar.
+#include "SpirvEmitter.h"
+
+#include <algorithm>
+
+namespace Drydock
+{
+
+using namespace Spirv;
+
+/** $0, $1, $2 are the operands, taken as values of Kind (None: of the result's or the first operand's). Functions want
+ *  operands of one type; operators mix uniform and varying ones. */
+struct FEmitPattern
+{
+	uint32_t Op;
+	const char* Text;
+	ESpirvType Kind;
+};
+
+namespace
+{
+
+constexpr ESpirvType Any = ESpirvType::None;
+constexpr ESpirvType Float = ESpirvType::Float;
+constexpr ESpirvType Int = ESpirvType::Int;
+constexpr ESpirvType Uint = ESpirvType::Uint;
+constexpr ESpirvType Bool = ESpirvType::Bool;
+
+// clang-format off
+constexpr FEmitPattern Operations[] = {
+	{OpSNegate, "-$0", Any}, {OpFNegate, "-$0", Float},
+	{OpIAdd, "$0 + $1", Any}, {OpFAdd, "$0 + $1", Float}, {OpISub, "$0 - $1", Any}, {OpFSub, "$0 - $1", Float},
+	{OpIMul, "$0 * $1", Any}, {OpFMul, "$0 * $1", Float}, {OpFDiv, "$0 / $1", Float},
+	{OpUDiv, "IntDivide($0, $1)", Uint}, {OpSDiv, "IntDivide($0, $1)", Int},
+	// HLSL's % and fmod have the sign of the dividend; glslang writes them with the operations of GLSL's mod.
+	{OpUMod, "IntRemainder($0, $1)", Uint}, {OpSRem, "IntRemainder($0, $1)", Int}, {OpSMod, "IntRemainder($0, $1)", Int},
+	{OpFRem, "FRem($0, $1)", Float}, {OpFMod, "FRem($0, $1)", Float},
+	{OpIsNan, "IsNan($0)", Float}, {OpIsInf, "IsInf($0)", Float},
+	{OpLogicalEqual, "$0 == $1", Bool}, {OpLogicalNotEqual, "$0 != $1", Bool}, {OpLogicalOr, "$0 || $1", Bool},
+	{OpLogicalAnd, "$0 && $1", Bool}, {OpLogicalNot, "!$0", Bool},
+	{OpIEqual, "$0 == $1", Uint}, {OpINotEqual, "$0 != $1", Uint},
+	{OpUGreaterThan, "$0 > $1", Uint}, {OpSGreaterThan, "$0 > $1", Int},
+	{OpUGreaterThanEqual, "$0 >= $1", Uint}, {OpSGreaterThanEqual, "$0 >= $1", Int},
+	{OpULessThan, "$0 < $1", Uint}, {OpSLessThan, "$0 < $1", Int},
+	{OpULessThanEqual, "$0 <= $1", Uint}, {OpSLessThanEqual, "$0 <= $1", Int},
+	{OpFOrdEqual, "$0 == $1", Float}, {OpFUnordEqual, "!($0 < $1 || $0 > $1)", Float},
+	// D3D's "ne" is true for NaN, which is what HLSL's != means whatever the front end calls it.
+	{OpFOrdNotEqual, "$0 != $1", Float}, {OpFUnordNotEqual, "$0 != $1", Float},
+	{OpFOrdLessThan, "$0 < $1", Float}, {OpFUnordLessThan, "!($0 >= $1)", Float},
+	{OpFOrdGreaterThan, "$0 > $1", Float}, {OpFUnordGreaterThan, "!($0 <= $1)", Float},
+	{OpFOrdLessThanEqual, "$0 <= $1", Float}, {OpFUnordLessThanEqual, "!($0 > $1)", Float},
+	{OpFOrdGreaterThanEqual, "$0 >= $1", Float}, {OpFUnordGreaterThanEqual, "!($0 < $1)", Float},
+	{OpShiftRightLogical, "ShiftRight($0, $1)", Uint}, {OpShiftRightArithmetic, "ShiftRight($0, $1)", Int},
+	{OpShiftLeftLogical, "ShiftLeft($0, $1)", Any}, {OpBitwiseOr, "$0 | $1", Any}, {OpBitwiseXor, "$0 ^ $1", Any},
+	{OpBitwiseAnd, "$0 & $1", Any}, {OpNot, "~$0", Any}, {OpBitReverse, "BitReverse($0)", Uint}, {OpBitCount, "BitCount($0)", Uint},
+};
+
+constexpr FEmitPattern Extended[] = {
+	{ExtRound, "RoundEven($0)", Float}, {ExtRoundEven, "RoundEven($0)", Float}, {ExtTrunc, "Trunc($0)", Float},
+	{ExtFAbs, "Abs($0)", Float}, {ExtSAbs, "Abs($0)", Int}, {ExtFSign, "Sign($0)", Float}, {ExtSSign, "Sign($0)", Int},
+	{ExtFloor, "Floor($0)", Float}, {ExtCeil, "Ceil($0)", Float}, {ExtFract, "Frac($0)", Float},
+	{ExtRadians, "Radians($0)", Float}, {ExtDegrees, "Degrees($0)", Float}, {ExtSin, "Sin($0)", Float}, {ExtCos, "Cos($0)", Float},
+	{ExtTan, "Tan($0)", Float}, {ExtAsin, "Asin($0)", Float}, {ExtAcos, "Acos($0)", Float}, {ExtAtan, "Atan($0)", Float},
+	{ExtSinh, "Sinh($0)", Float}, {ExtCosh, "Cosh($0)", Float}, {ExtTanh, "Tanh($0)", Float}, {ExtAtan2, "Atan2($0, $1)", Float},
+	{ExtPow, "Pow($0, $1)", Float}, {ExtExp, "Exp($0)", Float}, {ExtLog, "Log($0)", Float}, {ExtExp2, "Exp2($0)", Float},
+	{ExtLog2, "Log2($0)", Float}, {ExtSqrt, "Sqrt($0)", Float}, {ExtInverseSqrt, "InverseSqrt($0)", Float},
+	{ExtFMin, "Min($0, $1)", Float}, {ExtNMin, "Min($0, $1)", Float}, {ExtUMin, "Min($0, $1)", Uint}, {ExtSMin, "Min($0, $1)", Int},
+	{ExtFMax, "Max($0, $1)", Float}, {ExtNMax, "Max($0, $1)", Float}, {ExtUMax, "Max($0, $1)", Uint}, {ExtSMax, "Max($0, $1)", Int},
+	{ExtFClamp, "Clamp($0, $1, $2)", Float}, {ExtNClamp, "Clamp($0, $1, $2)", Float}, {ExtUClamp, "Clamp($0, $1, $2)", Uint},
+	{ExtSClamp, "Clamp($0, $1, $2)", Int}, {ExtFMix, "Mix($0, $1, $2)", Float}, {ExtStep, "Step($0, $1)", Float},
+	{ExtSmoothStep, "SmoothStep($0, $1, $2)", Float}, {ExtFma, "$0 * $1 + $2", Float},
+	{ExtFindILsb, "AsUint(FindLsb($0))", Uint}, {ExtFindSMsb, "FindMsb($0)", Int}, {ExtFindUMsb, "AsUint(FindMsb($0))", Uint},
+};
+// clang-format on
+
+template<size_t Count>
+const FEmitPattern* FindPattern(const FEmitPattern (&Patterns)[Count], uint32_t Op)
+{
+	const auto Found =
+		std::find_if(std::begin(Patterns), std::end(Patterns), [Op](const FEmitPattern& P) { return P.Op == Op; });
+	return Found == std::end(Patterns) ? nullptr : Found;
+}
+
+} // namespace
+
+void FSpirvEmitter::EmitInstruction(const FSpirvInstruction& I)
+{
+	if (I.Op == OpPhi)
+	{
+		return; // its variables are written by the edges
+	}
+	SourceLine(I);
+	if (I.Op >= OpBranch && I.Op <= OpUnreachable)
+	{
+		return;
+	}
+	if (I.Op == OpFunctionCall) // only functions that discard are left as calls
+	{
+		Line("e = M(false);");
+		return;
+	}
+	if (I.Op == OpExtInst)
+	{
+		EmitExtended(I);
+		return;
+	}
+	if (!EmitMemory(I) && !EmitImage(I) && !EmitComposite(I) && !EmitComponentwise(I) && !EmitMatrix(I))
+	{
+		Module.Fail(GetSpirvOpName(I.Op) + " is not supported on the CPU tier", &I);
+	}
+}
+
+void FSpirvEmitter::EmitPattern(const FSpirvInstruction& I, size_t FirstOperand, const FEmitPattern& Pattern)
+{
+	const bool bFunction = std::string(Pattern.Text).find("($0") != std::string::npos;
+	for (uint32_t Index = 0; Index < SizeOf(I.Result); ++Index)
+	{
+		const ESpirvType ResultKind = Module.GetScalarKind(I.Type, Index);
+		bool bVarying = false;
+		for (size_t k = FirstOperand; k < I.Operands.size(); ++k)
+		{
+			bVarying = bVarying || Scalar(I.Operands[k], Index).bVarying;
+		}
+		const ESpirvType Kind = Pattern.Kind == Any ? ResultKind : Pattern.Kind;
+		std::string Text;
+		for (const char* c = Pattern.Text; *c; ++c)
+		{
+			if (*c == '$')
+			{
+				const FEmitScalar Operand = Scalar(I.Operands[FirstOperand + size_t(*++c - '0')], Index);
+				Text += UseAs(Operand, Kind, bFunction && bVarying);
+			}
+			else
+			{
+				Text += *c;
+			}
+		}
+		Define(I.Result, Index, {Text, ResultKind == Bool ? Bool : Kind, bVarying, -1});
+	}
+}
+
+bool FSpirvEmitter::EmitComponentwise(const FSpirvInstruction& I)
+{
+	if (const FEmitPattern* Pattern = FindPattern(Operations, I.Op))
+	{
+		EmitPattern(I, 0, *Pattern);
+		return true;
+	}
+	switch (I.Op)
+	{
+	case OpSelect:
+		for (uint32_t Index = 0; Index < SizeOf(I.Result); ++Index)
+		{
+			const FEmitScalar Condition = Scalar(I.Operands[0], SizeOf(I.Operands[0]) == 1 ? 0 : Index);
+			const FEmitScalar A = Scalar(I.Operands[1], Index);
+			const FEmitScalar B = Scalar(I.Operands[2], Index);
+			const ESpirvType Kind = Module.GetScalarKind(I.Type, Index);
+			const bool bVarying = Condition.bVarying || A.bVarying || B.bVarying;
+			Define(I.Result, Index,
+				{"Select(" + Use(Condition) + ", " + UseAs(A, Kind, bVarying) + ", " + UseAs(B, Kind, bVarying) + ")",
+					Kind, bVarying, -1});
+		}
+		return true;
+	case OpConvertFToU:
+	case OpConvertFToS:
+	case OpConvertSToF:
+	case OpConvertUToF:
+	case OpBitcast:
+		EmitConversion(I);
+		return true;
+	default:
+		return false;
+	}
+}
+
+void FSpirvEmitter::EmitConversion(const FSpirvInstruction& I)
+{
+	for (uint32_t Index = 0; Index < SizeOf(I.Result); ++Index)
+	{
+		const FEmitScalar Source = Scalar(I.Operands[0], Index);
+		const ESpirvType Kind = Module.GetScalarKind(I.Type, Index);
+		std::string Text;
+		switch (I.Op)
+		{
+		case OpConvertFToU:
+			Text = "ToUint(" + UseAs(Source, Float, false) + ")";
+			break;
+		case OpConvertFToS:
+			Text = "ToInt(" + UseAs(Source, Float, false) + ")";
+			break;
+		case OpConvertSToF:
+			Text = "ToReal<Real>(" + UseAs(Source, Int, false) + ")";
+			break;
+		case OpConvertUToF:
+			Text = "ToReal<Real>(" + UseAs(Source, Uint, false) + ")";
+			break;
+		default:
+			Text = Kind == Source.Kind ? Use(Source)
+									   : (Kind == Float    ? "AsReal<Real>("
+											 : Kind == Int ? "AsInt("
+														   : "AsUint(") +
+											 Use(Source) + ")";
+			break;
+		}
+		const ESpirvType Made = I.Op == OpConvertFToU   ? Uint
+								: I.Op == OpConvertFToS ? Int
+								: I.Op == OpBitcast     ? Kind
+														: Float;
+		Define(I.Result, Index, {Text, Made, Source.bVarying, -1});
+	}
+}
+
+void FSpirvEmitter::EmitExtended(const FSpirvInstruction& I)
+{
+	const uint32_t Ext = I.Operands[1];
+	if (const FEmitPattern* Pattern = FindPattern(Extended, Ext))
+	{
+		EmitPattern(I, 2, *Pattern);
+		return;
+	}
+	bool bVarying = false;
+	for (size_t k = 2; k < I.Operands.size() && Ext != ExtModf; ++k)
+	{
+		bVarying = bVarying || Uniformity.IsAnyVarying(I.Operands[k]);
+		for (uint32_t i = 0; i < SizeOf(I.Operands[k]); ++i)
+		{
+			bVarying = bVarying || Scalar(I.Operands[k], i).bVarying;
+		}
+	}
+	// A vector of the lanes' own, for functions that work on the whole of it.
+	const auto Vector = [this, &I, bVarying](size_t Operand)
+	{
+		const uint32_t Id = I.Operands[Operand];
+		const uint32_t Size = SizeOf(Id);
+		std::string Text;
+		for (uint32_t i = 0; i < Size; ++i)
+		{
+			Text += (i ? ", " : "") + UseAs(Scalar(Id, i), Float, bVarying);
+		}
+		return Size == 1 ? Text : "TVec<" + TypeName(Float, bVarying) + ", " + std::to_string(Size) + ">(" + Text + ")";
+	};
+	const std::string Temporary = "w" + std::to_string(I.Result);
+	const auto DefineComponents = [this, &I, &Temporary, bVarying](const std::string& Expression)
+	{
+		const uint32_t Size = SizeOf(I.Result);
+		Line("const auto " + Temporary + " = " + Expression + ";");
+		for (uint32_t i = 0; i < Size; ++i)
+		{
+			Define(
+				I.Result, i, {Size == 1 ? Temporary : Temporary + "[" + std::to_string(i) + "]", Float, bVarying, -1});
+		}
+	};
+	const bool bScalar = SizeOf(I.Operands[2]) == 1;
+	switch (Ext)
+	{
+	case ExtLength:
+		DefineComponents((bScalar ? "Abs(" : "Length(") + Vector(2) + ")");
+		break;
+	case ExtDistance:
+		DefineComponents(
+			bScalar ? "Abs(" + Vector(2) + " - " + Vector(3) + ")" : "Distance(" + Vector(2) + ", " + Vector(3) + ")");
+		break;
+	case ExtCross:
+		DefineComponents("Cross(" + Vector(2) + ", " + Vector(3) + ")");
+		break;
+	case ExtNormalize:
+		DefineComponents(bScalar ? "Sign(" + Vector(2) + ")" : "Normalize(" + Vector(2) + ")");
+		break;
+	case ExtReflect:
+	case ExtRefract:
+	case ExtFaceForward:
+		if (bScalar)
+		{
+			Module.Fail("reflect, refract and faceforward want vectors on the CPU tier", &I);
+		}
+		DefineComponents(Ext == ExtReflect   ? "Reflect(" + Vector(2) + ", " + Vector(3) + ")"
+						 : Ext == ExtRefract ? "Refract(" + Vector(2) + ", " + Vector(3) + ", " + Vector(4) + ")"
+											 : "FaceForward(" + Vector(2) + ", " + Vector(3) + ", " + Vector(4) + ")");
+		break;
+	case ExtDeterminant:
+	{
+		const uint32_t Size = Module.GetValueType(I.Operands[2]).Count;
+		const std::string Column = "TVec<" + TypeName(Float, bVarying) + ", " + std::to_string(Size) + ">(";
+		std::string Columns;
+		for (uint32_t c = 0; c < Size; ++c)
+		{
+			Columns += (c ? ", " : "") + Column;
+			for (uint32_t r = 0; r < Size; ++r)
+			{
+				Columns += (r ? ", " : "") + UseAs(Scalar(I.Operands[2], c * Size + r), Float, bVarying);
+			}
+			Columns += ")";
+		}
+		const std::string Dimensions = std::to_string(Size) + ", " + std::to_string(Size);
+		DefineComponents("Determinant(TMat<" + TypeName(Float, bVarying) + ", " + Dimensions + ">(" + Columns + "))");
+		break;
+	}
+	case ExtPackHalf2x16:
+		Define(I.Result, 0, {"PackHalf2(" + Vector(2) + ")", Uint, bVarying, -1});
+		break;
+	case ExtUnpackHalf2x16:
+		Line("const auto " + Temporary + " = UnpackHalf2<Real>(" + UseAs(Scalar(I.Operands[2], 0), Uint, bVarying) +
+			 ");");
+		for (uint32_t i = 0; i < 2; ++i)
+		{
+			Define(I.Result, i, {Temporary + "[" + std::to_string(i) + "]", Float, bVarying, -1});
+		}
+		break;
+	case ExtLdexp:
+		for (uint32_t i = 0; i < SizeOf(I.Result); ++i)
+		{
+			// HLSL's exponent is a float: x * 2^exponent.
+			const FEmitScalar Value = Scalar(I.Operands[2], i);
+			const FEmitScalar Exponent = Scalar(I.Operands[3], i);
+			const bool bOne = Value.bVarying || Exponent.bVarying;
+			const std::string Text =
+				Exponent.Kind == Float ? Use(Value) + " * Exp2(" + Use(Exponent) + ")"
+									   : "Ldexp(" + UseAs(Value, Float, bOne) + ", " + UseAs(Exponent, Int, bOne) + ")";
+			Define(I.Result, i, {Text, Float, bOne, -1});
+		}
+		break;
+	case ExtModf:
+	{
+		std::vector<FEmitScalar> Whole;
+		for (uint32_t i = 0; i < SizeOf(I.Result); ++i)
+		{
+			const FEmitScalar Value = Scalar(I.Operands[2], i);
+			const std::string Text = Use(Value);
+			Define(I.Result, i, {Text + " - Trunc(" + Text + ")", Float, Value.bVarying, -1});
+			Whole.push_back({"Trunc(" + Text + ")", Float, Value.bVarying, -1});
+		}
+		EmitStore(I.Operands[3], Whole, I);
+		break;
+	}
+	default:
+		Module.Fail("GLSL.std.450 instruction " + std::to_string(Ext) + " is not supported on the CPU tier", &I);
+	}
+}
+
+} // namespace Drydock

@@ -1,0 +1,253 @@
+// Emits the kernel around the shader's code, and the scalars that it is made of.
+#include "SpirvEmitter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+
+namespace Drydock
+{
+
+using namespace Spirv;
+
+FSpirvEmitter::FSpirvEmitter(const FSpirvEmitInput& Input, FFindings InFindings)
+	: Module(Input.Module)
+	, Structure(Input.Structure)
+	, Uniformity(Input.Uniformity)
+	, Reflection(Input.Reflection)
+	, Tables(FindConstantTables(Input.Module))
+	, Findings(std::move(InFindings))
+{
+	for (const FSpirvBlock& Block : Module.Blocks)
+	{
+		for (const FSpirvInstruction& I : Block.Instructions)
+		{
+			if (I.Result)
+			{
+				Definitions[I.Result] = &I;
+			}
+		}
+	}
+}
+
+void FSpirvEmitter::Line(const std::string& Text)
+{
+	Body.append(size_t(Indent), '\t');
+	Body += Text;
+	Body += '\n';
+}
+
+void FSpirvEmitter::SourceLine(const FSpirvInstruction& I)
+{
+	if (I.Line && (I.File != LastFile || I.Line != LastLine))
+	{
+		LastFile = I.File;
+		LastLine = I.Line;
+		std::string File = Module.Files[I.File];
+		std::erase_if(File, [](char c) { return c == '"' || c == '\\' || c == '\n'; });
+		Body += "#line " + std::to_string(I.Line) + " \"" + File + "\"\n";
+	}
+}
+
+std::string FSpirvEmitter::TypeName(ESpirvType Kind, bool bVarying) const
+{
+	switch (Kind)
+	{
+	case ESpirvType::Float:
+		return bVarying ? "R" : "Real";
+	case ESpirvType::Int:
+		return bVarying ? "I" : "int32_t";
+	case ESpirvType::Uint:
+		return bVarying ? "U" : "uint32_t";
+	default:
+		return bVarying ? "M" : "bool";
+	}
+}
+
+FEmitScalar FSpirvEmitter::Literal(ESpirvType Kind, uint32_t Bits) const
+{
+	FEmitScalar Result;
+	Result.Kind = Kind;
+	switch (Kind)
+	{
+	case ESpirvType::Float:
+	{
+		float Value;
+		std::memcpy(&Value, &Bits, 4);
+		char Text[48];
+		if (std::isfinite(Value))
+		{
+			std::snprintf(Text, sizeof(Text), "Real(%.9gf)", double(Value));
+			// %g may print a whole number, to which no f can be added.
+			if (!std::strpbrk(Text + 5, ".e"))
+			{
+				std::snprintf(Text, sizeof(Text), "Real(%.9g.0f)", double(Value));
+			}
+		}
+		else
+		{
+			std::snprintf(Text, sizeof(Text), "Real(%s)",
+				Value != Value ? "__builtin_nanf(\"\")"
+				: Value > 0    ? "__builtin_inff()"
+							   : "-__builtin_inff()");
+		}
+		Result.Text = Text;
+		break;
+	}
+	case ESpirvType::Int:
+		Result.Text = Bits == 0x80000000u ? "(-2147483647 - 1)" : "int32_t(" + std::to_string(int32_t(Bits)) + ")";
+		break;
+	case ESpirvType::Uint:
+		Result.Text = std::to_string(Bits) + "u";
+		break;
+	default:
+		Result.Text = Bits ? "true" : "false";
+		break;
+	}
+	return Result;
+}
+
+FEmitScalar FSpirvEmitter::Scalar(uint32_t Value, uint32_t Index)
+{
+	if (const FSpirvConstant* Constant = Module.FindConstant(Value))
+	{
+		if (Index >= Constant->Scalars.size())
+		{
+			Module.Fail("SPIR-V: a constant has no scalar " + std::to_string(Index));
+		}
+		return Literal(Module.GetScalarKind(Constant->Type, Index), Constant->Scalars[Index]);
+	}
+	const auto Found = Values.find(Value);
+	if (Found == Values.end() || Index >= Found->second.size())
+	{
+		Module.Fail("SPIR-V: value " + std::to_string(Value) + " is used before it is defined");
+	}
+	return Found->second[Index];
+}
+
+std::string FSpirvEmitter::Use(const FEmitScalar& S)
+{
+	if (S.Local >= 0)
+	{
+		const FLocal& Local = Locals[size_t(S.Local)];
+		if (std::find(Scopes.begin(), Scopes.end(), Local.Scope) == Scopes.end())
+		{
+			Findings.Hoisted.insert(Local.Name);
+		}
+		for (const uint32_t Loop : Local.Loops)
+		{
+			const bool bLeft = std::find(Loops.begin(), Loops.end(), Loop) == Loops.end();
+			if (bLeft && Uniformity.IsDivergentLoop(Loop))
+			{
+				Findings.KeptByLanes.insert(Local.Name);
+			}
+		}
+	}
+	return S.Text;
+}
+
+std::string FSpirvEmitter::UseAs(const FEmitScalar& S, ESpirvType Kind, bool bVarying)
+{
+	std::string Text = Use(S);
+	if (S.Kind != Kind && Kind != ESpirvType::None)
+	{
+		// SPIR-V lets signed and unsigned operands mix; the bits are what counts.
+		Text = (Kind == ESpirvType::Int ? "AsInt(" : Kind == ESpirvType::Uint ? "AsUint(" : "(") + Text + ")";
+	}
+	if (bVarying && !S.bVarying)
+	{
+		Text = TypeName(Kind == ESpirvType::None ? S.Kind : Kind, true) + "(" + Text + ")";
+	}
+	return Text;
+}
+
+void FSpirvEmitter::Define(uint32_t Value, uint32_t Index, const FEmitScalar& Expression)
+{
+	const bool bVarying = Uniformity.IsVarying(Value, Index);
+	const std::string Name = "v" + std::to_string(Value) + "_" + std::to_string(Index);
+	const ESpirvType Kind = Module.GetScalarKind(Module.GetValueTypeId(Value), Index);
+	const std::string Text = UseAs(Expression, Kind, false);
+	FEmitScalar Result;
+	Result.Text = Name;
+	Result.Kind = Kind;
+	Result.bVarying = bVarying;
+	Result.Local = int(Locals.size());
+	Locals.push_back({Name, Scopes.back(), Loops});
+	if (Findings.Hoisted.count(Name))
+	{
+		Declarations += "\t" + TypeName(Kind, bVarying) + " " + Name + "{};\n";
+		Line(bVarying && Findings.KeptByLanes.count(Name) ? "Assign(e, " + Name + ", " + Text + ");"
+														  : Name + " = " + Text + ";");
+	}
+	else
+	{
+		Line("const " + TypeName(Kind, bVarying) + " " + Name + " = " + Text + ";");
+	}
+	std::vector<FEmitScalar>& List = Values[Value];
+	List.resize(std::max<size_t>(List.size(), Index + 1));
+	List[Index] = Result;
+}
+
+void FSpirvEmitter::DefineAll(const FSpirvInstruction& I, const std::vector<FEmitScalar>& Expressions)
+{
+	for (uint32_t i = 0; i < Expressions.size(); ++i)
+	{
+		Define(I.Result, i, Expressions[i]);
+	}
+}
+
+std::string FSpirvEmitter::EmitBody()
+{
+	DeclareVariables();
+	EmitRegion(Structure.Root);
+	return Body;
+}
+
+std::string EmitKernel(const FSpirvEmitInput& Input, const std::string& Title)
+{
+	// The number of passes is bounded: what one finds can only grow.
+	FSpirvEmitter::FFindings Findings;
+	for (int Pass = 0;; ++Pass)
+	{
+		FSpirvEmitter Emitter(Input, Findings);
+		const std::string Body = Emitter.EmitBody();
+		const FSpirvEmitter::FFindings& Found = Emitter.GetFindings();
+		const bool bSettled = Found.Hoisted.size() == Findings.Hoisted.size() &&
+							  Found.KeptByLanes.size() == Findings.KeptByLanes.size() &&
+							  Found.MasksNeeded.size() == Findings.MasksNeeded.size();
+		if (!bSettled && Pass < 8)
+		{
+			Findings = Found;
+			continue;
+		}
+		return "// Generated by drydock from " + Title +
+			   ".\n"
+			   "#include \"KernelSupport.h\"\n\n"
+			   "namespace\n{\n\n"
+			   "using namespace Drydock;\n"
+			   "using namespace Drydock::Lanes;\n"
+			   "constexpr int N = DRYDOCK_LANES;\n"
+			   "using Real = DRYDOCK_REAL;\n"
+			   "using R = TReal<Real, N>;\n"
+			   "using I = TInt<N>;\n"
+			   "using U = TUint<N>;\n"
+			   "using M = TMask<N>;\n\n" +
+			   Emitter.GetTables() +
+			   "\ninline void Pack(const FKernelArgs& Args, const int32_t X0, const int32_t Y, const int32_t Z, M "
+			   "e)\n{\n"
+			   "\tconst I X = I(X0) + LaneIndex<N>();\n"
+			   "\t(void)X, (void)Y, (void)Z, (void)Args;\n" +
+			   Emitter.GetDeclarations() + Body +
+			   "}\n\nvoid Run(const FKernelArgs& Args, const FKernelTile& Tile)\n{\n\tForEachPack<N>(Args, Tile, "
+			   "Pack);\n}\n\n"
+			   "} // namespace\n\n"
+			   "extern \"C\"\n{\n"
+			   "extern const __attribute__((visibility(\"default\"))) Drydock::FKernelModule DrydockShaderKernel;\n"
+			   "const Drydock::FKernelModule DrydockShaderKernel = {Drydock::GShaderKernelVersion, N, sizeof(Real), "
+			   "&Run};\n"
+			   "}\n";
+	}
+}
+
+} // namespace Drydock

@@ -1,0 +1,137 @@
+// The emitter's state and its parts: SpirvEmitter.cpp (module), SpirvEmitFlow.cpp (control flow and masks),
+// SpirvEmitOps.cpp (arithmetic), SpirvEmitComposites.cpp, SpirvEmitMemory.cpp (variables, buffers),
+// SpirvEmitImages.cpp.
+//
+// Values are single scalars: `const R v12_0 = v9_1 * v7_0;`. Moves between components cost no code at all. A scalar is
+// uniform (Real, int32_t, uint32_t, bool) or varying (R, I, U, M); C++ overloads do the rest. `e` is the mask of lanes
+// that run, and is never empty where code runs. A jump to T is `mT = mT | e; e = M(false);`, T itself `e = e | mT;`.
+//
+// The text is made twice: the first pass finds which values are used outside of the C++ block that defines them, the
+// second declares those at the top. Source of the masks per merge block: Pharr and Mark, "ispc" (InPar 2012).
+#pragma once
+
+#include "SpirvEmit.h"
+#include "SpirvPlace.h"
+
+#include <set>
+
+namespace Drydock
+{
+
+/** A scalar operand in the generated text. */
+struct FEmitScalar
+{
+	std::string Text;
+	ESpirvType Kind = ESpirvType::Float;
+	bool bVarying = false;
+	int Local = -1; // index into Locals; literals and variables of the whole function: -1
+};
+
+class FSpirvEmitter
+{
+public:
+	/** What the first pass finds out for the second. */
+	struct FFindings
+	{
+		std::set<std::string> Hoisted;     // locals used outside of their C++ block
+		std::set<std::string> KeptByLanes; // locals that lanes read after leaving a loop: written under the mask
+		std::set<uint32_t> MasksNeeded;    // labels that lanes wait at
+	};
+
+	FSpirvEmitter(const FSpirvEmitInput& Input, FFindings InFindings);
+
+	std::string EmitBody();
+	const std::string& GetDeclarations() const { return Declarations; }
+	const std::string& GetTables() const { return TableText; }
+	const FFindings& GetFindings() const { return Findings; }
+
+private:
+	// Control flow
+	void EmitRegion(const FStructRegion& Region);
+	void EmitNode(const FStructNode& Node);
+	void EmitIf(const FStructNode& Node);
+	void EmitSwitch(const FStructNode& Node);
+	void EmitLoop(const FStructNode& Node);
+	void EmitEdge(const FStructNode& Node);
+	void EmitPhiCopies(uint32_t From, uint32_t To);
+	bool Escapes(const FStructNode& Node) const;
+	bool EscapesFrom(const FStructRegion& Region, const std::set<uint32_t>& Inside, bool bInnerLoop) const;
+	bool IsDirectBreak(uint32_t To) const;
+	std::string MaskOf(uint32_t Label);
+	void OpenScope(const std::string& Head);
+	void CloseScope();
+
+	// Instructions
+	void EmitInstruction(const FSpirvInstruction& I);
+	bool EmitComposite(const FSpirvInstruction& I);
+	bool EmitComponentwise(const FSpirvInstruction& I);
+	bool EmitMatrix(const FSpirvInstruction& I);
+	void EmitExtended(const FSpirvInstruction& I);
+	void EmitPattern(const FSpirvInstruction& I, size_t FirstOperand, const struct FEmitPattern& Pattern);
+	void EmitConversion(const FSpirvInstruction& I);
+
+	// Memory
+	bool EmitMemory(const FSpirvInstruction& I);
+	bool EmitImage(const FSpirvInstruction& I);
+	void EmitLoad(const FSpirvInstruction& I);
+	void EmitStore(uint32_t Pointer, const std::vector<FEmitScalar>& Values, const FSpirvInstruction& I);
+	std::vector<FEmitScalar> LoadInput(const FSpirvVariable& Variable);
+	FEmitScalar LoadConstantBuffer(const FSpirvPlace& Place, uint32_t Scalar, ESpirvType Kind);
+	FEmitScalar LoadStorageBuffer(const FSpirvPlace& Place, uint32_t Scalar, ESpirvType Kind);
+	FEmitScalar LoadLocal(const FSpirvPlace& Place, uint32_t Scalar, ESpirvType Kind);
+	std::string IndexText(const FSpirvPlace& Place, uint32_t Offset, bool& bVarying);
+	std::string BufferOffsetText(const FSpirvPlace& Place, uint32_t Scalar, bool& bVarying);
+	std::string LocalArray(const FSpirvVariable& Variable, ESpirvType Kind) const;
+	FSpirvPlace Resolve(uint32_t Pointer) const;
+	std::string HandleOf(uint32_t Id) const;
+	const FSpirvType& ImageTypeOf(uint32_t Id) const;
+	std::string Coordinates(
+		const FSpirvInstruction& I, size_t Operand, uint32_t Count, bool bReal, size_t OffsetOperand);
+	void DeclareVariables();
+	void EmitOutputs();
+
+	// Scalars
+	FEmitScalar Scalar(uint32_t Value, uint32_t Index);
+	std::string Use(const FEmitScalar& S);
+	std::string UseAs(const FEmitScalar& S, ESpirvType Kind, bool bVarying);
+	void Define(uint32_t Value, uint32_t Index, const FEmitScalar& Expression);
+	void DefineAll(const FSpirvInstruction& I, const std::vector<FEmitScalar>& Expressions);
+	FEmitScalar Literal(ESpirvType Kind, uint32_t Bits) const;
+	uint32_t SizeOf(uint32_t Value) const { return Module.GetValueType(Value).NumScalars; }
+	std::string TypeName(ESpirvType Kind, bool bVarying) const;
+	void Line(const std::string& Text);
+	void SourceLine(const FSpirvInstruction& I);
+
+	struct FLocal
+	{
+		std::string Name;
+		int Scope = 0;
+		std::vector<uint32_t> Loops; // headers around its definition
+	};
+
+	const FSpirvModule& Module;
+	const FSpirvStructure& Structure;
+	const FSpirvUniformity& Uniformity;
+	const FSpirvReflection& Reflection;
+	const std::map<uint32_t, uint32_t> Tables;
+	FFindings Findings;
+
+	std::string Body;
+	std::string Declarations;
+	std::string TableText;
+	int Indent = 1;
+	std::vector<int> Scopes{0};
+	int NumScopes = 1;
+	std::vector<uint32_t> Loops; // headers of the C++ loops around the text
+	std::vector<FLocal> Locals;
+	std::map<uint32_t, std::vector<FEmitScalar>> Values;
+	std::map<uint32_t, const FSpirvInstruction*> Definitions;
+	std::set<uint32_t> DynamicVariables; // indexed at run time: C++ arrays
+	std::set<std::string> Declared;
+	uint32_t CurrentBlock = 0;
+	uint32_t LastFile = ~0u;
+	int LastLine = -1;
+	int NumTemporaries = 0;
+};
+
+} // namespace Drydock

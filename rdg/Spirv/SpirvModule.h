@@ -1,0 +1,160 @@
+// A SPIR-V module read into plain structs: the one input of reflection, emitter and interpreter. The reader trusts
+// nothing: any sequence of words gives either a module whose ids, types and operand counts fit together, or
+// FSpirvError.
+//
+// Every numeric type is a flat row of 32-bit scalars (a float3x3 is nine, column by column as SPIR-V counts columns; a
+// struct its members one after the other), so later stages think in scalars only.
+#pragma once
+
+#include "DrydockAPI.h"
+#include "SpirvOps.h"
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace Drydock
+{
+
+/** A module that cannot be used: garbage, or something the CPU tier does not do. File and Line are the .usf's where
+ * known. */
+class DRYDOCK_API FSpirvError : public std::runtime_error
+{
+public:
+	FSpirvError(const std::string& Message, std::string InFile = {}, int InLine = 0);
+	~FSpirvError() override;
+
+	std::string File;
+	int Line;
+};
+
+enum class ESpirvType : uint8_t
+{
+	None,
+	Void,
+	Bool,
+	Int,
+	Uint,
+	Float,
+	Vector,
+	Matrix,
+	Array,
+	RuntimeArray,
+	Struct,
+	Pointer,
+	Image,
+	Sampler,
+	SampledImage,
+	Function
+};
+
+struct FSpirvMember
+{
+	uint32_t Type = 0;
+	std::string Name;
+	uint32_t Offset = 0;       // bytes, blocks only
+	uint32_t MatrixStride = 0; // bytes between the vectors of a matrix
+	bool bRowMajor = false;    // SPIR-V's sense, the opposite of HLSL's
+	bool bNonWritable = false;
+};
+
+struct FSpirvType
+{
+	ESpirvType Kind = ESpirvType::None;
+	uint32_t Element =
+		0; // vector: scalar, matrix: column, array: element, pointer: pointee, image: texel, sampled image: image
+	uint32_t Count = 0;       // components, columns, elements
+	uint32_t Storage = 0;     // pointer
+	uint32_t ArrayStride = 0; // bytes
+	std::vector<FSpirvMember> Members;
+	std::string Name;
+	bool bBlock = false;
+	bool bBufferBlock = false;
+	uint32_t Dim = 0; // image
+	bool bArrayed = false;
+	bool bMultisampled = false;
+	bool bStorageImage = false;
+	uint32_t Format = 0;
+	uint32_t NumScalars = 0; // flattened; 0: not numeric
+};
+
+/** One instruction inside the function. Operands: what follows type and result. */
+struct FSpirvInstruction
+{
+	uint16_t Op = 0;
+	uint32_t Type = 0;   // 0: none
+	uint32_t Result = 0; // 0: none
+	std::vector<uint32_t> Operands;
+	uint32_t File = 0; // index into FSpirvModule::Files
+	int Line = 0;      // 0: unknown
+};
+
+struct FSpirvBlock
+{
+	uint32_t Label = 0;
+	std::vector<FSpirvInstruction> Instructions; // phis first; the last one is the terminator
+	uint32_t Merge = 0;                          // 0: no merge instruction
+	uint32_t Continue = 0;                       // 0: not a loop header
+
+	const FSpirvInstruction& Terminator() const { return Instructions.back(); }
+	bool IsLoopHeader() const { return Continue != 0; }
+};
+
+struct FSpirvConstant
+{
+	uint32_t Type = 0;
+	std::vector<uint32_t> Scalars; // bit patterns, bools 0 and 1
+};
+
+struct FSpirvVariable
+{
+	uint32_t Id = 0;
+	uint32_t Type = 0; // the pointee
+	uint32_t Storage = 0;
+	uint32_t Initializer = 0; // constant, 0: none
+	uint32_t BuiltIn = Spirv::BuiltInNone;
+	uint32_t Location = 0;
+	std::string Name;
+	std::string Semantic; // "TEXCOORD0", "SV_TARGET1"
+};
+
+struct FSpirvModule
+{
+	uint32_t Bound = 0;
+	uint32_t ExecutionModel = 0;
+	uint32_t LocalSize[3] = {1, 1, 1};
+	std::unordered_map<uint32_t, FSpirvType> Types;
+	std::unordered_map<uint32_t, FSpirvConstant> Constants;
+	std::vector<FSpirvVariable> Variables;                // module scope first, then the function's
+	std::vector<std::string> Files;                       // Files[0] is empty
+	std::vector<FSpirvBlock> Blocks;                      // the entry function; Blocks[0] is its first block
+	std::unordered_map<uint32_t, uint32_t> BlockIndex;    // label -> index
+	std::unordered_map<uint32_t, uint32_t> VariableIndex; // id -> index
+	std::unordered_map<uint32_t, uint32_t> ValueTypes;    // id of a constant, variable or result -> type
+	std::vector<uint32_t> KillFunctions;                  // functions that only discard
+
+	const FSpirvType& GetType(uint32_t Id) const;      // throws on an unknown id, as all of these
+	const FSpirvType& GetValueType(uint32_t Id) const; // type of a value
+	uint32_t GetValueTypeId(uint32_t Id) const;
+	const FSpirvBlock& GetBlock(uint32_t Label) const;
+	const FSpirvVariable* FindVariable(uint32_t Id) const;
+	const FSpirvConstant* FindConstant(uint32_t Id) const;
+	uint32_t GetConstantScalar(uint32_t Id) const;                  // throws when Id is not a scalar constant
+	ESpirvType GetScalarKind(uint32_t Type, uint32_t Scalar) const; // Bool, Int, Uint or Float of one flattened scalar
+	uint32_t GetMemberScalar(uint32_t Type, uint32_t Index) const;  // flattened position of a member or element
+	uint32_t GetMemberType(uint32_t Type, uint32_t Index) const;
+	[[noreturn]] void Fail(const std::string& Message, const FSpirvInstruction* Where = nullptr) const;
+};
+
+/** Reads and checks a module with one entry point. Throws FSpirvError. */
+DRYDOCK_API FSpirvModule ReadSpirv(const std::vector<uint32_t>& Words);
+
+/** Labels a terminator can go to, in operand order, without repetition. */
+std::vector<uint32_t> GetSuccessors(const FSpirvInstruction& Terminator);
+
+/** "OpDPdx", or "Op4711" when the number is unknown. */
+std::string GetSpirvOpName(uint16_t Op);
+
+} // namespace Drydock

@@ -1,0 +1,145 @@
+// Follows a pointer of a shader to its place. Source of the layout decorations: SPIR-V specification, section 2.16.
+#include "SpirvPlace.h"
+
+#include <algorithm>
+
+namespace Drydock
+{
+
+using namespace Spirv;
+
+namespace
+{
+
+void AppendOffsets(const FSpirvModule& Module, uint32_t TypeId, uint32_t Offset, uint32_t MatrixStride, bool bRowMajor,
+	uint32_t ComponentStride, std::vector<uint32_t>& Result)
+{
+	const FSpirvType& Type = Module.GetType(TypeId);
+	switch (Type.Kind)
+	{
+	case ESpirvType::Vector:
+		for (uint32_t i = 0; i < Type.Count; ++i)
+		{
+			Result.push_back(Offset + i * ComponentStride);
+		}
+		break;
+	case ESpirvType::Matrix:
+		for (uint32_t i = 0; i < Type.Count; ++i)
+		{
+			AppendOffsets(Module, Type.Element, Offset + i * (bRowMajor ? 4 : MatrixStride), 0, false,
+				bRowMajor ? MatrixStride : 4, Result);
+		}
+		break;
+	case ESpirvType::Array:
+		for (uint32_t i = 0; i < Type.Count; ++i)
+		{
+			AppendOffsets(Module, Type.Element, Offset + i * Type.ArrayStride, MatrixStride, bRowMajor, 4, Result);
+		}
+		break;
+	case ESpirvType::Struct:
+		for (const FSpirvMember& Member : Type.Members)
+		{
+			AppendOffsets(
+				Module, Member.Type, Offset + Member.Offset, Member.MatrixStride, Member.bRowMajor, 4, Result);
+		}
+		break;
+	default:
+		Result.push_back(Offset);
+		break;
+	}
+}
+
+} // namespace
+
+std::vector<uint32_t> GetScalarOffsets(const FSpirvModule& Module, uint32_t Type, uint32_t MatrixStride, bool bRowMajor)
+{
+	std::vector<uint32_t> Result;
+	AppendOffsets(Module, Type, 0, MatrixStride, bRowMajor, 4, Result);
+	return Result;
+}
+
+FSpirvPlace ResolvePlace(const FSpirvModule& Module, uint32_t Pointer, const FSpirvInstruction* Chain)
+{
+	FSpirvPlace Place;
+	Place.Variable = Module.FindVariable(Chain ? Chain->Operands[0] : Pointer);
+	if (!Place.Variable)
+	{
+		Module.Fail("SPIR-V: a pointer that does not start at a variable", Chain);
+	}
+	Place.Type = Place.Variable->Type;
+	Place.bBytes = Place.Variable->Storage == StorageUniform || Place.Variable->Storage == StorageStorageBuffer;
+	uint32_t MatrixStride = 0;
+	uint32_t ComponentStride = 4;
+	bool bRowMajor = false;
+	for (size_t i = 1; Chain && i < Chain->Operands.size(); ++i)
+	{
+		const uint32_t Id = Chain->Operands[i];
+		const FSpirvType& Type = Module.GetType(Place.Type);
+		const FSpirvConstant* Constant = Module.FindConstant(Id);
+		if (Type.Kind == ESpirvType::Struct)
+		{
+			const uint32_t Index = Module.GetConstantScalar(Id);
+			const uint32_t Next = Module.GetMemberType(Place.Type, Index);
+			if (Place.bBytes)
+			{
+				const FSpirvMember& Member = Type.Members[Index];
+				Place.Offset += Member.Offset;
+				MatrixStride = Member.MatrixStride;
+				bRowMajor = Member.bRowMajor;
+			}
+			else
+			{
+				Place.Offset += Module.GetMemberScalar(Place.Type, Index);
+			}
+			Place.Type = Next;
+			continue;
+		}
+		const uint32_t Next = Module.GetMemberType(Place.Type, 0);
+		uint32_t Stride = Module.GetType(Next).NumScalars;
+		if (Place.bBytes)
+		{
+			switch (Type.Kind)
+			{
+			case ESpirvType::Vector:
+				Stride = ComponentStride;
+				break;
+			case ESpirvType::Matrix:
+				Stride = bRowMajor ? 4 : MatrixStride;
+				ComponentStride = bRowMajor ? MatrixStride : 4;
+				break;
+			default:
+				Stride = Type.ArrayStride;
+				break;
+			}
+		}
+		if (Type.Kind == ESpirvType::RuntimeArray)
+		{
+			Place.Element = Id;
+			Place.ElementStride = std::max(4u, Stride);
+		}
+		else if (Constant)
+		{
+			Place.Offset += std::min(Module.GetConstantScalar(Id), Type.Count - 1) * Stride;
+		}
+		else
+		{
+			Place.Indices.push_back({Id, Stride, Type.Count});
+		}
+		Place.Type = Next;
+	}
+	const uint32_t NumScalars = Module.GetType(Place.Type).NumScalars;
+	if (!Place.bBytes)
+	{
+		for (uint32_t i = 0; i < NumScalars; ++i)
+		{
+			Place.Scalars.push_back(i);
+		}
+	}
+	else if (NumScalars)
+	{
+		AppendOffsets(Module, Place.Type, 0, MatrixStride, bRowMajor, ComponentStride, Place.Scalars);
+	}
+	return Place;
+}
+
+} // namespace Drydock

@@ -1,0 +1,326 @@
+// Words to FSpirvModule. Every access to a word is checked; every id is checked by SpirvChecker.cpp afterwards.
+// Source: Khronos, SPIR-V specification 1.0.
+#include "SpirvReaderImpl.h"
+
+#include "SpirvCheck.h"
+#include "SpirvLayout.h"
+
+#include <algorithm>
+
+namespace Drydock
+{
+
+using namespace Spirv;
+
+namespace
+{
+
+constexpr uint32_t MaxBound = 1u << 22;
+
+} // namespace
+
+void FSpirvReader::CheckId(uint32_t Id) const
+{
+	if (Id == 0 || Id >= Module.Bound)
+	{
+		throw FSpirvError("SPIR-V: id " + std::to_string(Id) + " is out of bounds");
+	}
+}
+
+void FSpirvReader::DefineValue(uint32_t Id, uint32_t Type)
+{
+	CheckId(Id);
+	Module.GetType(Type);
+	if (!Module.ValueTypes.emplace(Id, Type).second)
+	{
+		throw FSpirvError("SPIR-V: id " + std::to_string(Id) + " is defined twice");
+	}
+}
+
+void FSpirvReader::ReadDecoration(uint16_t Op, FSpirvOperands& Operands)
+{
+	const uint32_t Target = Operands.Next();
+	const bool bMember = Op == OpMemberDecorate || Op == OpMemberDecorateString;
+	FSpirvDecorations& Found = bMember ? MemberDecorations[{Target, Operands.Next()}] : Decorations[Target];
+	const uint32_t Decoration = Operands.Next();
+	if (Op == OpDecorateString || Op == OpMemberDecorateString)
+	{
+		if (Decoration == DecorationUserSemantic)
+		{
+			Found.Semantic = Operands.NextString();
+		}
+		return;
+	}
+	Found.Values[Decoration] = Operands.AtEnd() ? 0 : Operands.Next();
+}
+
+uint32_t FSpirvReader::FindFile(uint32_t StringId)
+{
+	const auto [Found, bNew] = FileOfString.emplace(StringId, uint32_t(Module.Files.size()));
+	if (bNew)
+	{
+		Module.Files.push_back(Strings[StringId]);
+	}
+	return Found->second;
+}
+
+void FSpirvReader::ReadInFunction(uint16_t Op, FSpirvOperands& Operands)
+{
+	if (CurrentFunction != EntryPoint)
+	{
+		OpsOfOtherFunction.push_back(Op);
+		return;
+	}
+	if (Op == OpLabel)
+	{
+		const uint32_t Label = Operands.Next();
+		CheckId(Label);
+		if (bBlockOpen || !Module.BlockIndex.emplace(Label, uint32_t(Module.Blocks.size())).second)
+		{
+			throw FSpirvError("SPIR-V: block " + std::to_string(Label) + " is malformed");
+		}
+		Module.Blocks.push_back({Label, {}, 0, 0});
+		bBlockOpen = true;
+		return;
+	}
+	if (!bBlockOpen)
+	{
+		throw FSpirvError("SPIR-V: " + GetSpirvOpName(Op) + " stands outside of a block");
+	}
+	FSpirvBlock& Block = Module.Blocks.back();
+	if (Op == OpVariable)
+	{
+		ReadVariable(Operands, true);
+		return;
+	}
+	if (Op == OpSelectionMerge || Op == OpLoopMerge)
+	{
+		if (Block.Merge)
+		{
+			throw FSpirvError("SPIR-V: two merge instructions in one block");
+		}
+		Block.Merge = Operands.Next();
+		Block.Continue = Op == OpLoopMerge ? Operands.Next() : 0;
+		return;
+	}
+	FSpirvInstruction Instruction;
+	Instruction.Op = Op;
+	Instruction.File = CurrentFile;
+	Instruction.Line = CurrentLine;
+	const bool bTerminator = (Op >= OpBranch && Op <= OpUnreachable);
+	const bool bNoResult =
+		bTerminator || Op == OpStore || Op == OpImageWrite || Op == OpControlBarrier || Op == OpMemoryBarrier;
+	if (!bNoResult)
+	{
+		Instruction.Type = Operands.Next();
+		Instruction.Result = Operands.Next();
+	}
+	Instruction.Operands = Operands.Rest();
+	if (Op == OpExtInst && (Instruction.Operands.size() < 2 || Instruction.Operands[0] != GlslImport))
+	{
+		throw FSpirvError("SPIR-V: an instruction of an unknown extended set", Module.Files[CurrentFile], CurrentLine);
+	}
+	if (Instruction.Result)
+	{
+		DefineValue(Instruction.Result, Instruction.Type);
+	}
+	if (Op == OpUndef)
+	{
+		const uint32_t NumScalars = Module.GetType(Instruction.Type).NumScalars;
+		Module.Constants[Instruction.Result] = {Instruction.Type, std::vector<uint32_t>(NumScalars, 0)};
+		return;
+	}
+	Block.Instructions.push_back(std::move(Instruction));
+	bBlockOpen = !bTerminator;
+}
+
+void FSpirvReader::ReadInstruction(uint16_t Op, FSpirvOperands Operands)
+{
+	switch (Op)
+	{
+	case OpNop:
+	case OpSource:
+	case OpSourceContinued:
+	case OpSourceExtension:
+	case OpExtension:
+	case OpCapability:
+	case OpMemoryModel:
+	case OpModuleProcessed:
+		return;
+	case OpExtInstImport:
+	{
+		const uint32_t Id = Operands.Next();
+		if (Operands.NextString() == "GLSL.std.450")
+		{
+			GlslImport = Id;
+		}
+		return;
+	}
+	case OpEntryPoint:
+		Module.ExecutionModel = Operands.Next();
+		EntryPoint = Operands.Next();
+		return;
+	case OpExecutionMode:
+		Operands.Next();
+		if (Operands.Next() == ExecutionModeLocalSize)
+		{
+			for (uint32_t& Size : Module.LocalSize)
+			{
+				Size = Operands.Next();
+			}
+		}
+		return;
+	case OpName:
+	{
+		const uint32_t Id = Operands.Next();
+		Names[Id] = Operands.NextString();
+		return;
+	}
+	case OpMemberName:
+	{
+		const uint32_t Id = Operands.Next();
+		const uint32_t Member = Operands.Next();
+		MemberNames[{Id, Member}] = Operands.NextString();
+		return;
+	}
+	case OpString:
+	{
+		const uint32_t Id = Operands.Next();
+		Strings[Id] = Operands.NextString();
+		return;
+	}
+	case OpLine:
+		CurrentFile = FindFile(Operands.Next());
+		CurrentLine = int(std::min<uint32_t>(Operands.Next(), 1u << 30));
+		return;
+	case OpNoLine:
+		CurrentFile = 0;
+		CurrentLine = 0;
+		return;
+	case OpDecorate:
+	case OpMemberDecorate:
+	case OpDecorateString:
+	case OpMemberDecorateString:
+		ReadDecoration(Op, Operands);
+		return;
+	case OpFunction:
+		Operands.Next();
+		if (CurrentFunction)
+		{
+			throw FSpirvError("SPIR-V: a function inside a function");
+		}
+		CurrentFunction = Operands.Next();
+		CheckId(CurrentFunction);
+		OpsOfOtherFunction.clear();
+		return;
+	case OpFunctionEnd:
+		if (OpsOfOtherFunction == std::vector<uint16_t>{OpLabel, OpKill})
+		{
+			Module.KillFunctions.push_back(CurrentFunction);
+		}
+		if (bBlockOpen)
+		{
+			throw FSpirvError("SPIR-V: a function ends inside a block");
+		}
+		CurrentFunction = 0;
+		return;
+	default:
+		break;
+	}
+	if (CurrentFunction)
+	{
+		ReadInFunction(Op, Operands);
+	}
+	else if (Op >= OpTypeVoid && Op <= OpTypeFunction)
+	{
+		ReadType(Op, Operands);
+	}
+	else if ((Op >= OpConstantTrue && Op <= OpConstantNull) || Op == OpUndef)
+	{
+		ReadConstant(Op, Operands);
+	}
+	else if (Op == OpVariable)
+	{
+		ReadVariable(Operands, false);
+	}
+	else
+	{
+		throw FSpirvError("SPIR-V: " + GetSpirvOpName(Op) + " is not known at module scope");
+	}
+}
+
+FSpirvModule FSpirvReader::Read()
+{
+	if (Words.size() < 5 || Words[0] != Magic)
+	{
+		throw FSpirvError("SPIR-V: not a module");
+	}
+	Module.Bound = Words[3];
+	if (Module.Bound > MaxBound)
+	{
+		throw FSpirvError("SPIR-V: too many ids");
+	}
+	Module.Files.push_back("");
+	for (size_t Position = 5; Position < Words.size();)
+	{
+		const uint32_t Length = Words[Position] >> 16;
+		if (Length == 0 || Length > Words.size() - Position)
+		{
+			throw FSpirvError("SPIR-V: an instruction runs past the end");
+		}
+		ReadInstruction(uint16_t(Words[Position] & 0xffff), FSpirvOperands(&Words[Position] + 1, Length - 1));
+		Position += Length;
+	}
+	if (bBlockOpen || CurrentFunction)
+	{
+		throw FSpirvError("SPIR-V: a block has no end");
+	}
+
+	for (auto& [Id, Type] : Module.Types)
+	{
+		Type.Name = Names[Id];
+		const std::map<uint32_t, uint32_t>& Values = Decorations[Id].Values;
+		Type.bBlock = Values.count(DecorationBlock) != 0;
+		Type.bBufferBlock = Values.count(DecorationBufferBlock) != 0;
+		const auto Stride = Values.find(DecorationArrayStride);
+		Type.ArrayStride = Stride == Values.end() ? 0 : Stride->second;
+		for (uint32_t i = 0; i < Type.Members.size(); ++i)
+		{
+			FSpirvMember& Member = Type.Members[i];
+			const std::map<uint32_t, uint32_t>& OfMember = MemberDecorations[{Id, i}].Values;
+			const auto Get = [&OfMember](uint32_t Decoration)
+			{
+				const auto Found = OfMember.find(Decoration);
+				return Found == OfMember.end() ? 0 : Found->second;
+			};
+			Member.Name = MemberNames[{Id, i}];
+			Member.Offset = Get(DecorationOffset);
+			Member.MatrixStride = Get(DecorationMatrixStride);
+			Member.bRowMajor = OfMember.count(DecorationRowMajor) != 0;
+			Member.bNonWritable = OfMember.count(DecorationNonWritable) != 0;
+		}
+	}
+	for (FSpirvVariable& Variable : Module.Variables)
+	{
+		const FSpirvDecorations& Found = Decorations[Variable.Id];
+		const auto Get = [&Found](uint32_t Decoration, uint32_t Default)
+		{
+			const auto Value = Found.Values.find(Decoration);
+			return Value == Found.Values.end() ? Default : Value->second;
+		};
+		Variable.Name = Names[Variable.Id];
+		Variable.Semantic = Found.Semantic;
+		Variable.BuiltIn = Get(DecorationBuiltIn, BuiltInNone);
+		Variable.Location = Get(DecorationLocation, 0);
+	}
+	CheckSpirv(Module);
+	ApplyD3DLayout(Module);
+	return std::move(Module);
+}
+
+FSpirvModule ReadSpirv(const std::vector<uint32_t>& Words)
+{
+	return FSpirvReader(Words).Read();
+}
+
+} // namespace Drydock

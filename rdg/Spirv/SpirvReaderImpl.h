@@ -1,0 +1,110 @@
+// The reader's state. SpirvReader.cpp: the module and its function; SpirvReaderTypes.cpp: types, constants, variables.
+#pragma once
+
+#include "SpirvModule.h"
+
+#include <map>
+
+namespace Drydock
+{
+
+/** The operands of one instruction, read in order. */
+class FSpirvOperands
+{
+public:
+	FSpirvOperands(const uint32_t* InWords, size_t InCount)
+		: Words(InWords)
+		, Count(InCount)
+	{
+	}
+
+	uint32_t Next()
+	{
+		if (Position >= Count)
+		{
+			throw FSpirvError("SPIR-V: an instruction is too short");
+		}
+		return Words[Position++];
+	}
+
+	std::string NextString()
+	{
+		std::string Result;
+		for (;;)
+		{
+			const uint32_t Word = Next();
+			for (int i = 0; i < 4; ++i)
+			{
+				const char c = char(Word >> (8 * i));
+				if (!c)
+				{
+					return Result;
+				}
+				Result += c;
+			}
+		}
+	}
+
+	std::vector<uint32_t> Rest()
+	{
+		std::vector<uint32_t> Result(Words + Position, Words + Count);
+		Position = Count;
+		return Result;
+	}
+
+	bool AtEnd() const { return Position >= Count; }
+
+private:
+	const uint32_t* Words;
+	size_t Count;
+	size_t Position = 0;
+};
+
+struct FSpirvDecorations
+{
+	std::map<uint32_t, uint32_t> Values; // decoration -> first literal
+	std::string Semantic;
+};
+
+class FSpirvReader
+{
+public:
+	explicit FSpirvReader(const std::vector<uint32_t>& InWords)
+		: Words(InWords)
+	{
+	}
+
+	FSpirvModule Read();
+
+private:
+	void ReadInstruction(uint16_t Op, FSpirvOperands Operands);
+	void ReadDecoration(uint16_t Op, FSpirvOperands& Operands);
+	void ReadType(uint16_t Op, FSpirvOperands& Operands);
+	void ReadConstant(uint16_t Op, FSpirvOperands& Operands);
+	void ReadVariable(FSpirvOperands& Operands, bool bInFunction);
+	void ReadInFunction(uint16_t Op, FSpirvOperands& Operands);
+	void DefineType(uint32_t Id, FSpirvType Type);
+	void DefineValue(uint32_t Id, uint32_t Type);
+	void CheckId(uint32_t Id) const;
+	uint32_t FindFile(uint32_t StringId);
+
+	const std::vector<uint32_t>& Words;
+	FSpirvModule Module;
+	std::map<uint32_t, std::string> Names;
+	std::map<std::pair<uint32_t, uint32_t>, std::string> MemberNames;
+	std::map<uint32_t, std::string> Strings;
+	std::map<uint32_t, uint32_t> FileOfString;
+	std::map<uint32_t, FSpirvDecorations> Decorations;
+	std::map<std::pair<uint32_t, uint32_t>, FSpirvDecorations> MemberDecorations;
+	std::map<uint32_t, int> TypeDepths;
+	size_t NumConstantScalars = 0;
+	uint32_t EntryPoint = 0;
+	uint32_t GlslImport = 0;
+	uint32_t CurrentFunction = 0;
+	std::vector<uint16_t> OpsOfOtherFunction; // of the current one, when it is not the entry point
+	uint32_t CurrentFile = 0;
+	int CurrentLine = 0;
+	bool bBlockOpen = false;
+};
+
+} // namespace Drydock

@@ -1,0 +1,377 @@
+// Reads a shader's parameters from its SPIR-V.
+#include "SpirvReflect.h"
+
+#include "SpirvPlace.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <set>
+
+namespace Drydock
+{
+
+namespace
+{
+
+using namespace Spirv;
+
+EShaderScalar ToShaderScalar(ESpirvType Kind)
+{
+	switch (Kind)
+	{
+	case ESpirvType::Int:
+		return EShaderScalar::Int;
+	case ESpirvType::Uint:
+		return EShaderScalar::Uint;
+	case ESpirvType::Bool:
+		return EShaderScalar::Bool;
+	default:
+		return EShaderScalar::Float;
+	}
+}
+
+/** Components of a storage format; 4 where the texture does not say. */
+int32_t GetFormatComponents(uint32_t Format)
+{
+	// SPIR-V image formats, section 3.11.
+	static const std::set<uint32_t> One = {3, 9, 14, 15, 19, 20, 24, 25, 28, 29, 33, 34, 38, 39};
+	static const std::set<uint32_t> Two = {6, 7, 11, 12, 13, 16, 17, 18, 26, 27, 30, 31, 35, 36, 37};
+	return One.count(Format) ? 1 : Two.count(Format) ? 2 : Format == 8 ? 3 : 4;
+}
+
+class FReflector
+{
+public:
+	FReflector(const FSpirvModule& InModule, const FSpirvStructure& InStructure, const std::string& InSource)
+		: Module(InModule)
+		, Structure(InStructure)
+		, Source(InSource)
+	{
+	}
+
+	FSpirvReflection Run();
+
+private:
+	void FindUses();
+	void AddInput(const FSpirvVariable& Variable);
+	void AddOutput(const FSpirvVariable& Variable);
+	void AddConstantBuffer(const FSpirvVariable& Variable);
+	void AddConstant(const FSpirvVariable& Variable, uint32_t Buffer, const FSpirvMember& Member,
+		const std::string& Name, uint32_t Offset, const std::string& Where, bool bUsed);
+	void AddStorageBuffer(const FSpirvVariable& Variable);
+	void AddHandle(const FSpirvVariable& Variable);
+	void Add(std::vector<FShaderResource>& List, const FSpirvVariable& Variable, FShaderResource Resource)
+	{
+		Result.Slots[Variable.Id] = uint32_t(List.size());
+		Resource.Where = Uses[Variable.Id];
+		List.push_back(std::move(Resource));
+	}
+	std::string Where(const FSpirvInstruction& I) const
+	{
+		return I.Line ? Module.Files[I.File] + ":" + std::to_string(I.Line) : std::string();
+	}
+	bool IsDeclaredAs(const std::string& Type, const std::string& Name) const;
+
+	const FSpirvModule& Module;
+	const FSpirvStructure& Structure;
+	const std::string& Source;
+	FSpirvReflection Result;
+	std::map<uint32_t, std::string> Uses;                            // variable -> first place that uses it
+	std::map<std::pair<uint32_t, uint32_t>, std::string> MemberUses; // variable, member
+};
+
+void FReflector::FindUses()
+{
+	for (const FSpirvBlock& Block : Module.Blocks)
+	{
+		for (const FSpirvInstruction& I : Block.Instructions)
+		{
+			for (const uint32_t Operand : I.Operands)
+			{
+				if (Module.FindVariable(Operand))
+				{
+					Uses.emplace(Operand, Where(I));
+				}
+			}
+			const bool bChain = I.Op == OpAccessChain || I.Op == OpInBoundsAccessChain;
+			if (bChain && I.Operands.size() > 1 && Module.FindConstant(I.Operands[1]))
+			{
+				MemberUses.emplace(std::pair(I.Operands[0], Module.GetConstantScalar(I.Operands[1])), Where(I));
+			}
+			const FSpirvVariable* Whole = I.Op == OpLoad ? Module.FindVariable(I.Operands[0]) : nullptr;
+			if (Whole)
+			{
+				for (uint32_t i = 0; i < Module.GetType(Whole->Type).Members.size(); ++i)
+				{
+					MemberUses.emplace(std::pair(Whole->Id, i), Where(I));
+				}
+			}
+		}
+	}
+}
+
+bool FReflector::IsDeclaredAs(const std::string& Type, const std::string& Name) const
+{
+	const auto IsWord = [](char c)
+	{
+		return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+	};
+	for (size_t At = Source.find(Type); At != std::string::npos; At = Source.find(Type, At + 1))
+	{
+		size_t Next = At + Type.size();
+		if ((At > 0 && IsWord(Source[At - 1])) || Next >= Source.size() || IsWord(Source[Next]))
+		{
+			continue;
+		}
+		Next = Source.find_first_not_of(" \t\n", Next);
+		if (Next != std::string::npos && Source.compare(Next, Name.size(), Name) == 0 &&
+			(Next + Name.size() >= Source.size() || !IsWord(Source[Next + Name.size()])))
+		{
+			return true;
+		}
+	}
+	return false;
+}
+
+void FReflector::AddInput(const FSpirvVariable& Variable)
+{
+	switch (Variable.BuiltIn)
+	{
+	case BuiltInNone:
+	{
+		const int32_t Index = GetTexCoordIndex(Variable.Semantic);
+		if (Index < 0)
+		{
+			Module.Fail("pixel input '" + Variable.Name + "' has the semantic " + Variable.Semantic +
+						", which no pass fills; use SV_POSITION or TEXCOORDn");
+		}
+		Result.Reflection.NumInterpolants = std::max(Result.Reflection.NumInterpolants, Index + 1);
+		return;
+	}
+	case BuiltInFragCoord:
+	case BuiltInFrontFacing:
+	case BuiltInWorkgroupId:
+	case BuiltInLocalInvocationId:
+	case BuiltInGlobalInvocationId:
+	case BuiltInLocalInvocationIndex:
+		return;
+	default:
+		Module.Fail("input '" + Variable.Name + "' (" + Variable.Semantic + ") is not supported on the CPU tier");
+	}
+}
+
+void FReflector::AddOutput(const FSpirvVariable& Variable)
+{
+	const FSpirvType& Type = Module.GetType(Variable.Type);
+	const bool bColor = Variable.BuiltIn == BuiltInNone && Type.NumScalars <= 4 && Variable.Location < 8 &&
+						Module.GetScalarKind(Variable.Type, 0) == ESpirvType::Float;
+	if (!bColor)
+	{
+		Module.Fail("pixel output '" + Variable.Name + "' (" + Variable.Semantic +
+					") is not supported on the CPU tier; outputs are float colours to SV_Target0..7");
+	}
+	Result.Reflection.NumTargets = std::max(Result.Reflection.NumTargets, int32_t(Variable.Location) + 1);
+}
+
+void FReflector::AddConstant(const FSpirvVariable& Variable, uint32_t Buffer, const FSpirvMember& Member,
+	const std::string& Name, uint32_t Offset, const std::string& Where, bool bUsed)
+{
+	const FSpirvType* Type = &Module.GetType(Member.Type);
+	if (Type->Kind == ESpirvType::Struct)
+	{
+		for (const FSpirvMember& Inner : Type->Members)
+		{
+			AddConstant(Variable, Buffer, Inner, Name + "." + Inner.Name, Offset + Inner.Offset, Where, bUsed);
+		}
+		return;
+	}
+	FShaderConstant Constant;
+	if (Type->Kind == ESpirvType::Array)
+	{
+		const FSpirvType& Element = Module.GetType(Type->Element);
+		if (Element.Kind == ESpirvType::Struct || Element.Kind == ESpirvType::Array)
+		{
+			for (uint32_t i = 0; i < Type->Count; ++i)
+			{
+				FSpirvMember One = Member;
+				One.Type = Type->Element;
+				AddConstant(Variable, Buffer, One, Name + "[" + std::to_string(i) + "]", Offset + i * Type->ArrayStride,
+					Where, bUsed);
+			}
+			return;
+		}
+		Constant.NumElements = int32_t(Type->Count);
+		Constant.ArrayStride = Type->ArrayStride;
+		Type = &Element;
+	}
+	if (Type->Kind == ESpirvType::Matrix)
+	{
+		// A row of HLSL is a column of SPIR-V, and so is "row major".
+		Constant.Rows = int32_t(Type->Count);
+		Constant.Columns = int32_t(Module.GetType(Type->Element).Count);
+		Constant.MatrixStride = Member.MatrixStride;
+		Constant.bRowMajor = !Member.bRowMajor;
+	}
+	else
+	{
+		Constant.Columns = Type->Kind == ESpirvType::Vector ? int32_t(Type->Count) : 1;
+	}
+	Constant.Name = Name;
+	Constant.Scalar = ToShaderScalar(Module.GetScalarKind(Member.Type, 0));
+	Constant.Buffer = Buffer;
+	Constant.Offset = Offset;
+	Constant.bUsed = bUsed;
+	Constant.Where = Where;
+	Result.Reflection.Constants.push_back(std::move(Constant));
+}
+
+void FReflector::AddConstantBuffer(const FSpirvVariable& Variable)
+{
+	const FSpirvType& Type = Module.GetType(Variable.Type);
+	FShaderReflection& Reflection = Result.Reflection;
+	const uint32_t Buffer = uint32_t(Reflection.ConstantBuffers.size());
+	uint32_t Size = 0;
+	for (uint32_t i = 0; i < Type.Members.size(); ++i)
+	{
+		const FSpirvMember& Member = Type.Members[i];
+		if (Module.GetType(Member.Type).NumScalars == 0)
+		{
+			Module.Fail("constant buffer '" + Type.Name + "' has a member '" + Member.Name + "' that is not numeric");
+		}
+		for (const uint32_t Offset : GetScalarOffsets(Module, Member.Type, Member.MatrixStride, Member.bRowMajor))
+		{
+			Size = std::max(Size, Member.Offset + Offset + 4);
+		}
+		const auto Use = MemberUses.find({Variable.Id, i});
+		AddConstant(Variable, Buffer, Member, Member.Name, Member.Offset,
+			Use == MemberUses.end() ? std::string() : Use->second, Use != MemberUses.end());
+	}
+	Result.Slots[Variable.Id] = Buffer;
+	Reflection.ConstantBuffers.push_back(
+		{Type.Name == "$Global" || Type.Name == "$Globals" ? "$Global" : Type.Name, (Size + 15) / 16 * 16});
+}
+
+void FReflector::AddStorageBuffer(const FSpirvVariable& Variable)
+{
+	const FSpirvType& Type = Module.GetType(Variable.Type);
+	if (Type.Members.size() != 1 || Module.GetType(Type.Members[0].Type).Kind != ESpirvType::RuntimeArray)
+	{
+		Module.Fail("buffer '" + Variable.Name +
+					"' is of a kind that the CPU tier does not know (append and consume buffers are not supported)");
+	}
+	const FSpirvType& Array = Module.GetType(Type.Members[0].Type);
+	FShaderResource Resource;
+	Resource.Name = Variable.Name;
+	Resource.Stride = Array.ArrayStride;
+	Resource.NumComponents = std::min<int32_t>(4, int32_t(Module.GetType(Array.Element).NumScalars));
+	Resource.Scalar = ToShaderScalar(Module.GetScalarKind(Array.Element, 0));
+	const bool bReadOnly = Type.Members[0].bNonWritable;
+	const bool bBytes = IsDeclaredAs(bReadOnly ? "ByteAddressBuffer" : "RWByteAddressBuffer", Variable.Name);
+	Resource.Dimension = bBytes ? EShaderDimension::ByteAddressBuffer : EShaderDimension::StructuredBuffer;
+	Add(bReadOnly ? Result.Reflection.Buffers : Result.Reflection.RWBuffers, Variable, std::move(Resource));
+}
+
+void FReflector::AddHandle(const FSpirvVariable& Variable)
+{
+	const FSpirvType& Type = Module.GetType(Variable.Type);
+	FShaderResource Resource;
+	Resource.Name = Variable.Name;
+	if (Type.Kind == ESpirvType::Sampler)
+	{
+		Add(Result.Reflection.Samplers, Variable, std::move(Resource));
+		return;
+	}
+	if (Type.Kind != ESpirvType::Image)
+	{
+		Module.Fail(
+			"'" + Variable.Name +
+			"' is an array of textures or samplers, which the CPU tier does not support; declare them one by one");
+	}
+	Resource.Scalar = ToShaderScalar(Module.GetType(Type.Element).Kind);
+	Resource.NumComponents = GetFormatComponents(Type.Format);
+	Resource.Dimension = Type.Dim == DimBuffer ? EShaderDimension::TypedBuffer
+						 : Type.Dim == Dim3D   ? EShaderDimension::Texture3D
+						 : Type.Dim == DimCube ? EShaderDimension::TextureCube
+						 : Type.bArrayed       ? EShaderDimension::Texture2DArray
+											   : EShaderDimension::Texture2D;
+	FShaderReflection& R = Result.Reflection;
+	const bool bBuffer = Type.Dim == DimBuffer;
+	Add(bBuffer              ? (Type.bStorageImage ? R.RWBuffers : R.Buffers)
+		: Type.bStorageImage ? R.RWTextures
+							 : R.Textures,
+		Variable, std::move(Resource));
+}
+
+FSpirvReflection FReflector::Run()
+{
+	FShaderReflection& Reflection = Result.Reflection;
+	Reflection.Stage = Module.ExecutionModel == ExecutionModelFragment ? EShaderStage::Pixel : EShaderStage::Compute;
+	for (int i = 0; i < 3; ++i)
+	{
+		Reflection.GroupSize[i] = int32_t(Module.LocalSize[i]);
+	}
+	FindUses();
+	for (const FSpirvVariable& Variable : Module.Variables)
+	{
+		if (!Uses.count(Variable.Id))
+		{
+			continue;
+		}
+		switch (Variable.Storage)
+		{
+		case StorageInput:
+			AddInput(Variable);
+			break;
+		case StorageOutput:
+			AddOutput(Variable);
+			break;
+		case StorageUniform:
+		case StorageStorageBuffer:
+			Module.GetType(Variable.Type).bBufferBlock ? AddStorageBuffer(Variable) : AddConstantBuffer(Variable);
+			break;
+		case StorageUniformConstant:
+			AddHandle(Variable);
+			break;
+		default:
+			break;
+		}
+	}
+	for (const FSpirvBlock& Block : Module.Blocks)
+	{
+		for (const FSpirvInstruction& I : Block.Instructions)
+		{
+			Reflection.bUsesDiscard = Reflection.bUsesDiscard || I.Op == OpKill || I.Op == OpFunctionCall;
+		}
+	}
+	Reflection.StaticSamples = CountStaticSamples(Module, Structure);
+	return std::move(Result);
+}
+
+} // namespace
+
+int32_t GetTexCoordIndex(const std::string& Semantic)
+{
+	static const std::string Prefix = "TEXCOORD";
+	if (Semantic.size() < Prefix.size())
+	{
+		return -1;
+	}
+	for (size_t i = 0; i < Semantic.size(); ++i)
+	{
+		const char c = char(std::toupper(static_cast<unsigned char>(Semantic[i])));
+		if (i < Prefix.size() ? c != Prefix[i] : !std::isdigit(static_cast<unsigned char>(c)))
+		{
+			return -1;
+		}
+	}
+	const int Index = std::atoi(Semantic.c_str() + Prefix.size());
+	return Semantic.size() - Prefix.size() <= 2 && Index < 16 ? Index : -1;
+}
+
+FSpirvReflection ReflectSpirv(const FSpirvModule& Module, const FSpirvStructure& Structure, const std::string& Source)
+{
+	return FReflector(Module, Structure, Source).Run();
+}
+
+} // namespace Drydock

@@ -1,0 +1,29 @@
+// A shader's parameters as its SPIR-V declares them, and the slots that a kernel reads them from.
+#pragma once
+
+#include "ShaderReflection.h"
+#include "SpirvStructure.h"
+
+#include <map>
+
+namespace Drydock
+{
+
+struct FSpirvReflection
+{
+	FShaderReflection Reflection;
+	std::map<uint32_t, uint32_t> Slots; // variable id -> index in its list of the reflection
+};
+
+/** Source is the flattened HLSL: SPIR-V does not tell a ByteAddressBuffer from a StructuredBuffer<uint>. Throws
+ *  FSpirvError for inputs and outputs that no pass of a CPU frame has. */
+DRYDOCK_API FSpirvReflection ReflectSpirv(
+	const FSpirvModule& Module, const FSpirvStructure& Structure, const std::string& Source);
+
+/** Texture samples and loads that every thread makes; -1 when that depends on the thread or on parameters. */
+int32_t CountStaticSamples(const FSpirvModule& Module, const FSpirvStructure& Structure);
+
+/** Number of "TEXCOORD7", its TEXCOORD index; -1 when Semantic is another one. */
+int32_t GetTexCoordIndex(const std::string& Semantic);
+
+} // namespace Drydock

@@ -1,0 +1,481 @@
+// Finds by a fixpoint which values differ between lanes. Source of the idea of divergence analysis over structured
+// control flow: Coutinho et al., "Divergence Analysis and Optimizations" (PACT 2011).
+#include "SpirvUniformity.h"
+
+#include <algorithm>
+
+namespace Drydock
+{
+
+using namespace Spirv;
+
+bool FSpirvUniformity::IsVarying(uint32_t Value, uint32_t Scalar) const
+{
+	const auto Found = Varying.find(Value);
+	return Found != Varying.end() && Scalar < Found->second.size() && Found->second[Scalar];
+}
+
+bool FSpirvUniformity::IsAnyVarying(uint32_t Value) const
+{
+	const auto Found = Varying.find(Value);
+	return Found != Varying.end() && std::find(Found->second.begin(), Found->second.end(), true) != Found->second.end();
+}
+
+class FUniformityAnalysis
+{
+public:
+	FUniformityAnalysis(const FSpirvModule& InModule, const FSpirvStructure& InStructure)
+		: Module(InModule)
+		, Structure(InStructure)
+		, Tables(FindConstantTables(InModule))
+	{
+	}
+
+	FSpirvUniformity Run();
+
+private:
+	void Visit(const FSpirvBlock& Block, const FSpirvInstruction& I);
+	void VisitLoad(const FSpirvInstruction& I);
+	void VisitStore(uint32_t Pointer, bool bValueVaries, uint32_t Block);
+	void VisitUses(const FSpirvBlock& Block, const FSpirvInstruction& I);
+	void UseOutsideOfLoop(uint32_t Value, uint32_t Block);
+	void SpreadDivergence(uint32_t Block);
+	void Mark(uint32_t Value, uint32_t Scalar);
+	void MarkAll(uint32_t Value);
+	bool IsInputVarying(const FSpirvVariable& Variable, uint32_t Scalar) const;
+	uint32_t SizeOf(uint32_t Value) const { return std::max(1u, Module.GetValueType(Value).NumScalars); }
+	const FSpirvInstruction* FindChain(uint32_t Pointer) const
+	{
+		const auto Found = Chains.find(Pointer);
+		return Found == Chains.end() ? nullptr : Found->second;
+	}
+	template<typename TSet>
+	void Insert(TSet& Set, uint32_t Id)
+	{
+		bChanged = Set.insert(Id).second || bChanged;
+	}
+
+	const FSpirvModule& Module;
+	const FSpirvStructure& Structure;
+	const std::map<uint32_t, uint32_t> Tables;
+	std::map<uint32_t, uint32_t> BlockOf; // value -> label of the block that defines it
+	std::map<uint32_t, const FSpirvInstruction*> Chains;
+	FSpirvUniformity Result;
+	bool bChanged = false;
+};
+
+void FUniformityAnalysis::Mark(uint32_t Value, uint32_t Scalar)
+{
+	std::vector<bool>& Flags = Result.Varying[Value];
+	Flags.resize(SizeOf(Value), false);
+	if (Scalar < Flags.size() && !Flags[Scalar])
+	{
+		Flags[Scalar] = true;
+		bChanged = true;
+	}
+}
+
+void FUniformityAnalysis::MarkAll(uint32_t Value)
+{
+	for (uint32_t i = 0; i < SizeOf(Value); ++i)
+	{
+		Mark(Value, i);
+	}
+}
+
+bool FUniformityAnalysis::IsInputVarying(const FSpirvVariable& Variable, uint32_t Scalar) const
+{
+	switch (Variable.BuiltIn)
+	{
+	case BuiltInGlobalInvocationId:
+	case BuiltInWorkgroupId:
+	case BuiltInLocalInvocationId:
+	case BuiltInFragCoord:
+		return Scalar == 0; // lanes lie in a row
+	case BuiltInFrontFacing:
+		return false;
+	default:
+		return true;
+	}
+}
+
+void FUniformityAnalysis::VisitLoad(const FSpirvInstruction& I)
+{
+	const FSpirvInstruction* Chain = FindChain(I.Operands[0]);
+	const FSpirvVariable* Variable = Module.FindVariable(Chain ? Chain->Operands[0] : I.Operands[0]);
+	if (!Variable || Module.GetType(I.Type).NumScalars == 0)
+	{
+		return;
+	}
+	if (Chain && Result.IsAnyVarying(Chain->Result))
+	{
+		MarkAll(I.Result);
+		return;
+	}
+	switch (Variable->Storage)
+	{
+	case StorageFunction:
+	case StoragePrivate:
+		if (!Tables.count(Variable->Id) && Result.IsVariableVarying(Variable->Id))
+		{
+			MarkAll(I.Result);
+		}
+		break;
+	case StorageOutput:
+		MarkAll(I.Result);
+		break;
+	case StorageInput:
+		for (uint32_t i = 0; i < SizeOf(I.Result); ++i)
+		{
+			// The only chains into inputs are single components.
+			const uint32_t Scalar = Chain && Chain->Operands.size() == 2 && Module.FindConstant(Chain->Operands[1])
+										? Module.GetConstantScalar(Chain->Operands[1])
+										: i;
+			if (IsInputVarying(*Variable, Scalar) || (Chain && Chain->Operands.size() > 2))
+			{
+				Mark(I.Result, i);
+			}
+		}
+		break;
+	default:
+		break;
+	}
+}
+
+void FUniformityAnalysis::VisitStore(uint32_t Pointer, bool bValueVaries, uint32_t Block)
+{
+	const FSpirvInstruction* Chain = FindChain(Pointer);
+	const uint32_t Variable = Chain ? Chain->Operands[0] : Pointer;
+	if (bValueVaries || (Chain && Result.IsAnyVarying(Pointer)) || Result.IsDivergentBlock(Block))
+	{
+		Insert(Result.VaryingVariables, Variable);
+	}
+}
+
+void FUniformityAnalysis::Visit(const FSpirvBlock& Block, const FSpirvInstruction& I)
+{
+	const auto Any = [this, &I](size_t Begin)
+	{
+		return std::any_of(I.Operands.begin() + std::min(Begin, I.Operands.size()), I.Operands.end(),
+			[this](uint32_t Id) { return Result.IsAnyVarying(Id); });
+	};
+	const auto Copy = [this, &I](uint32_t To, uint32_t Value, uint32_t From)
+	{
+		if (Result.IsVarying(Value, From))
+		{
+			Mark(I.Result, To);
+		}
+	};
+	const uint32_t Size = I.Result ? SizeOf(I.Result) : 0;
+	switch (I.Op)
+	{
+	case OpPhi:
+	{
+		bool bSame = true;
+		for (size_t k = 0; k < I.Operands.size(); k += 2)
+		{
+			bSame = bSame && I.Operands[k] == I.Operands[0];
+			for (uint32_t i = 0; i < Size; ++i)
+			{
+				Copy(i, I.Operands[k], i);
+			}
+		}
+		if (!bSame && Result.IsDivergentJoin(Block.Label))
+		{
+			MarkAll(I.Result);
+		}
+		break;
+	}
+	case OpLoad:
+		VisitLoad(I);
+		break;
+	case OpStore:
+		VisitStore(I.Operands[0], Result.IsAnyVarying(I.Operands[1]), Block.Label);
+		break;
+	case OpVectorShuffle:
+	{
+		const uint32_t First = SizeOf(I.Operands[0]);
+		for (uint32_t i = 0; i < Size; ++i)
+		{
+			const uint32_t From = I.Operands[2 + i];
+			if (From != ~0u)
+			{
+				From < First ? Copy(i, I.Operands[0], From) : Copy(i, I.Operands[1], From - First);
+			}
+		}
+		break;
+	}
+	case OpCompositeConstruct:
+	{
+		uint32_t To = 0;
+		for (const uint32_t Part : I.Operands)
+		{
+			for (uint32_t i = 0; i < SizeOf(Part); ++i)
+			{
+				Copy(To++, Part, i);
+			}
+		}
+		break;
+	}
+	case OpCompositeExtract:
+	case OpCompositeInsert:
+	{
+		const bool bInsert = I.Op == OpCompositeInsert;
+		const size_t Composite = bInsert ? 1 : 0;
+		uint32_t Type = Module.GetValueTypeId(I.Operands[Composite]);
+		uint32_t Offset = 0;
+		for (size_t i = Composite + 1; i < I.Operands.size(); ++i)
+		{
+			Offset += Module.GetMemberScalar(Type, I.Operands[i]);
+			Type = Module.GetMemberType(Type, I.Operands[i]);
+		}
+		const uint32_t PartSize = Module.GetType(Type).NumScalars;
+		for (uint32_t i = 0; i < Size; ++i)
+		{
+			const bool bInPart = i >= Offset && i < Offset + PartSize;
+			!bInsert  ? Copy(i, I.Operands[0], Offset + i)
+			: bInPart ? Copy(i, I.Operands[0], i - Offset)
+					  : Copy(i, I.Operands[1], i);
+		}
+		break;
+	}
+	case OpVectorTimesScalar:
+	case OpMatrixTimesScalar:
+		for (uint32_t i = 0; i < Size; ++i)
+		{
+			Copy(i, I.Operands[0], i);
+			Copy(i, I.Operands[1], 0);
+		}
+		break;
+	case OpImageSampleImplicitLod:
+	case OpImageSampleExplicitLod:
+	case OpImageGather:
+	case OpImageFetch:
+	case OpImageRead:
+		MarkAll(I.Result);
+		break;
+	case OpExtInst:
+		if (I.Operands[1] == ExtModf)
+		{
+			VisitStore(I.Operands[3], Result.IsAnyVarying(I.Operands[2]), Block.Label);
+		}
+		if (Any(2))
+		{
+			MarkAll(I.Result);
+		}
+		break;
+	case OpImageWrite:
+	case OpSampledImage:
+	case OpImage:
+	case OpFunctionCall:
+	case OpArrayLength:
+	case OpImageQueryLevels:
+	case OpBranch:
+	case OpKill:
+	case OpReturn:
+	case OpUnreachable:
+		break;
+	case OpBranchConditional:
+	case OpSwitch:
+		if (Result.IsAnyVarying(I.Operands[0]))
+		{
+			SpreadDivergence(Block.Label);
+		}
+		break;
+	default:
+	{
+		// Scalar by scalar where the operands have the result's size, else all of the result.
+		const bool bAligned = std::all_of(I.Operands.begin(), I.Operands.end(),
+			[this, Size](uint32_t Id) { return Module.ValueTypes.count(Id) && SizeOf(Id) == Size; });
+		for (uint32_t i = 0; bAligned && i < Size; ++i)
+		{
+			for (const uint32_t Operand : I.Operands)
+			{
+				Copy(i, Operand, i);
+			}
+		}
+		if (!bAligned && I.Result && Any(0))
+		{
+			MarkAll(I.Result);
+		}
+		break;
+	}
+	}
+}
+
+void FUniformityAnalysis::UseOutsideOfLoop(uint32_t Value, uint32_t Block)
+{
+	const auto Defined = BlockOf.find(Value);
+	if (Defined == BlockOf.end())
+	{
+		return;
+	}
+	if (const FSpirvInstruction* Chain = FindChain(Value))
+	{
+		for (size_t i = 1; i < Chain->Operands.size(); ++i)
+		{
+			UseOutsideOfLoop(Chain->Operands[i], Block);
+		}
+	}
+	const auto Inside = Structure.Loops.find(Defined->second);
+	const auto Outside = Structure.Loops.find(Block);
+	if (Inside == Structure.Loops.end() || Outside == Structure.Loops.end())
+	{
+		return;
+	}
+	for (const uint32_t Loop : Inside->second)
+	{
+		const bool bLeft = std::find(Outside->second.begin(), Outside->second.end(), Loop) == Outside->second.end();
+		if (bLeft && Result.IsDivergentLoop(Loop))
+		{
+			MarkAll(Value); // each lane keeps what it had when it left
+			return;
+		}
+	}
+}
+
+void FUniformityAnalysis::VisitUses(const FSpirvBlock& Block, const FSpirvInstruction& I)
+{
+	if (I.Op == OpPhi)
+	{
+		for (size_t k = 0; k < I.Operands.size(); k += 2)
+		{
+			UseOutsideOfLoop(I.Operands[k], I.Operands[k + 1]);
+		}
+		return;
+	}
+	for (const uint32_t Operand : I.Operands) // a literal that looks like an id costs a vector at worst
+	{
+		UseOutsideOfLoop(Operand, Block.Label);
+	}
+}
+
+void FUniformityAnalysis::SpreadDivergence(uint32_t Label)
+{
+	const auto Found = Structure.OpenLabels.find(Label);
+	if (Found == Structure.OpenLabels.end())
+	{
+		return;
+	}
+	const FSpirvBlock& Block = Module.GetBlock(Label);
+	const std::vector<uint32_t> Successors = GetSuccessors(Block.Terminator());
+	std::vector<FOpenLabel> Open = Found->second;
+	size_t Own = Open.size(); // index of the branch's own merge block, if it has one
+	for (size_t i = 0; i < Open.size(); ++i)
+	{
+		if (Block.Merge && !Block.IsLoopHeader() && Open[i].Label == Block.Merge)
+		{
+			Own = i;
+			Open.resize(i + 1); // what follows are the cases of this very switch
+		}
+	}
+	if (Block.Terminator().Op == OpSwitch)
+	{
+		for (const uint32_t Case : Successors)
+		{
+			Insert(Result.DivergentJoins, Case); // by falling through
+		}
+	}
+
+	// The lanes meet again at the outermost label that any of them can reach.
+	size_t Join = Open.size();
+	std::set<size_t> Hit;
+	std::set<uint32_t> Visited;
+	size_t SuccessorsToOwn = 0;
+	for (bool bAgain = true; bAgain;)
+	{
+		const size_t Stop = Join;
+		Visited.clear();
+		SuccessorsToOwn = 0;
+		for (const uint32_t Successor : Successors)
+		{
+			std::set<uint32_t> Seen;
+			std::vector<uint32_t> Work{Successor};
+			bool bReachedOwn = false;
+			while (!Work.empty())
+			{
+				const uint32_t Current = Work.back();
+				Work.pop_back();
+				const auto Entry = std::find_if(
+					Open.begin(), Open.end(), [Current](const FOpenLabel& O) { return O.Label == Current; });
+				if (Entry != Open.end())
+				{
+					const size_t Index = size_t(Entry - Open.begin());
+					Hit.insert(Index);
+					Join = std::min(Join, Index);
+					bReachedOwn = bReachedOwn || Index == Own;
+					if (Stop == Open.size() || Index <= Stop)
+					{
+						continue;
+					}
+				}
+				if (Seen.insert(Current).second)
+				{
+					const std::vector<uint32_t> Next = GetSuccessors(Module.GetBlock(Current).Terminator());
+					Work.insert(Work.end(), Next.begin(), Next.end());
+				}
+			}
+			SuccessorsToOwn += bReachedOwn;
+			Visited.insert(Seen.begin(), Seen.end());
+		}
+		bAgain = Join != Stop && Join != Own;
+	}
+	for (const uint32_t Block_ : Visited)
+	{
+		Insert(Result.DivergentBlocks, Block_);
+	}
+	for (const size_t Index : Hit)
+	{
+		const bool bBackEdge = Open[Index].Label == Open[Index].Loop;
+		const bool bOneWayOnly = Index == Own && Join == Own && SuccessorsToOwn < 2;
+		if (!bBackEdge && !bOneWayOnly)
+		{
+			Insert(Result.DivergentJoins, Open[Index].Label);
+		}
+	}
+	for (size_t i = Join; i < Open.size(); ++i)
+	{
+		if (Open[i].bLoopMerge)
+		{
+			Insert(Result.DivergentLoops, Open[i].Loop);
+		}
+	}
+}
+
+FSpirvUniformity FUniformityAnalysis::Run()
+{
+	for (const FSpirvBlock& Block : Module.Blocks)
+	{
+		for (const FSpirvInstruction& I : Block.Instructions)
+		{
+			if (I.Result)
+			{
+				BlockOf[I.Result] = Block.Label;
+			}
+			if (I.Op == OpAccessChain || I.Op == OpInBoundsAccessChain)
+			{
+				Chains[I.Result] = &I;
+			}
+		}
+	}
+	do
+	{
+		bChanged = false;
+		for (const FSpirvBlock& Block : Module.Blocks)
+		{
+			for (const FSpirvInstruction& I : Block.Instructions)
+			{
+				Visit(Block, I);
+				VisitUses(Block, I);
+			}
+		}
+	} while (bChanged);
+	return std::move(Result);
+}
+
+FSpirvUniformity AnalyzeUniformity(const FSpirvModule& Module, const FSpirvStructure& Structure)
+{
+	return FUniformityAnalysis(Module, Structure).Run();
+}
+
+} // namespace Drydock

@@ -1,4 +1,0 @@
-// Source: drydock.
-#define DRYDOCK_TEST_LANES 8
-#define DRYDOCK_TEST_GETTER GetMathKernelsAvx2
-#include "LanesMathKernels.inl"

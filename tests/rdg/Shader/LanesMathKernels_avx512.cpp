@@ -1,4 +1,0 @@
-// Source: drydock.
-#define DRYDOCK_TEST_LANES 16
-#define DRYDOCK_TEST_GETTER GetMathKernelsAvx512
-#include "LanesMathKernels.inl"

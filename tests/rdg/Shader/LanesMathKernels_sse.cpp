@@ -1,4 +1,0 @@
-// Source: drydock.
-#define DRYDOCK_TEST_LANES 4
-#define DRYDOCK_TEST_GETTER GetMathKernelsSse
-#include "LanesMathKernels.inl"
