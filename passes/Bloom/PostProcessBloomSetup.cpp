@@ -35,7 +35,7 @@ BEGIN_SHADER_PARAMETER_STRUCT(FBloomSetupParameters, )
 	SHADER_PARAMETER(float, ToonIntensity)
 	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Toon)
 	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, ToonTexture)
-	SHADER_PARAMETER_STRUCT(FLocalExposureShaderParameters, LocalExposure)
+	SHADER_PARAMETER_STRUCT(Drydock::FLocalExposureShaderParameters, LocalExposure)
 END_SHADER_PARAMETER_STRUCT()
 
 class FThresholdDimension : SHADER_PERMUTATION_BOOL("USE_THRESHOLD");
@@ -91,7 +91,7 @@ EToonBloom ChooseToonBloom(const FBloomSetupInputs& Inputs, bool bCompute)
 	{
 		return EToonBloom::None;
 	}
-	if (!IsToonBloomAsPrinted())
+	if (!Drydock::IsToonBloomAsPrinted())
 	{
 		return EToonBloom::Corrected;
 	}
@@ -114,7 +114,7 @@ FScreenPassTexture FindFullResolution(const FViewInfo& View, const FBloomSetupIn
 
 /** The setup's input, over which what toon pixels reach is drawn with the factor in it. */
 FScreenPassTexture AddToonColorWithin(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FBloomSetupInputs& Inputs,
-	const FToonBloomInputs& MaskInputs)
+	const Drydock::FToonBloomInputs& MaskInputs)
 {
 	// A downsampled texel reads at most three texels around its place; one more for the rounding of the scale.
 	constexpr int32 Reach = 4;
@@ -126,7 +126,7 @@ FScreenPassTexture AddToonColorWithin(FRDGBuilder& GraphBuilder, const FViewInfo
 	const FIntRect Read =
 		Drydock::GrowRect(Drydock::ScaleRectOutward(Drawn - Half.Min, Half.Size(), Full.Size()), Reach, Reach);
 	const FScreenPassTexture Masked =
-		AddToonBloomMaskPass(GraphBuilder, View, MaskInputs, Drydock::PlaceRect(Read, Full));
+		Drydock::AddToonBloomMaskPass(GraphBuilder, View, MaskInputs, Drydock::PlaceRect(Read, Full));
 
 	FScreenPassRenderTarget Output =
 		Drydock::CreateRasterTargetLike(GraphBuilder, Inputs.SceneColor, TEXT("ToonBloomHalfResolution"));
@@ -150,7 +150,7 @@ FScreenPassTexture AddToonColorWithin(FRDGBuilder& GraphBuilder, const FViewInfo
 /** The setup's input with the factor in it: masked at full resolution, then downsampled as the input was. */
 FScreenPassTexture AddToonColor(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FBloomSetupInputs& Inputs)
 {
-	FToonBloomInputs MaskInputs;
+	Drydock::FToonBloomInputs MaskInputs;
 	MaskInputs.SceneColor = FindFullResolution(View, Inputs);
 	MaskInputs.SceneTextures = Inputs.SceneTextures;
 	MaskInputs.ToonIntensity = Inputs.ToonIntensity;
@@ -158,7 +158,7 @@ FScreenPassTexture AddToonColor(FRDGBuilder& GraphBuilder, const FViewInfo& View
 	{
 		return AddToonColorWithin(GraphBuilder, View, Inputs, MaskInputs);
 	}
-	const FScreenPassTexture Masked = AddToonBloomMaskPass(GraphBuilder, View, MaskInputs);
+	const FScreenPassTexture Masked = Drydock::AddToonBloomMaskPass(GraphBuilder, View, MaskInputs);
 	if (Masked.ViewRect.Size() == Inputs.SceneColor.ViewRect.Size())
 	{
 		return Masked;
@@ -200,7 +200,7 @@ FScreenPassTexture AddBloomSetupPass(FRDGBuilder& GraphBuilder, const FViewInfo&
 	BloomSetup.InputSampler = TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
 	BloomSetup.EyeAdaptationBuffer = GraphBuilder.CreateSRV(Inputs.EyeAdaptationBuffer);
 	BloomSetup.BloomThreshold = Inputs.Threshold;
-	BloomSetup.LocalExposure = GetLocalExposureShaderParameters(Inputs.LocalExposure);
+	BloomSetup.LocalExposure = Drydock::GetLocalExposureShaderParameters(Inputs.LocalExposure);
 
 	BloomSetup.SceneTextures = Inputs.SceneTextures;
 	BloomSetup.ToonIntensity = Inputs.ToonIntensity;

@@ -32,7 +32,7 @@ struct FBloomSetupInputs
 	/** In exposed luminance; -1 and below: no threshold. */
 	float Threshold = -1.0f;
 	/** Not valid: none. */
-	FLocalExposureTextures LocalExposure;
+	Drydock::FLocalExposureTextures LocalExposure;
 
 	/** Null: no toon bloom. */
 	TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures = nullptr;

@@ -10,6 +10,9 @@
 #include "SceneRendering.h"
 #include "ShaderParameterStruct.h"
 
+namespace Drydock
+{
+
 namespace
 {
 
@@ -163,3 +166,5 @@ FScreenPassTexture AddToonBloomVisualizePass(
 	return AddToonPass(
 		GraphBuilder, View, Inputs, true, {TEXT("ToonBloomVisualizeMask"), TEXT("ToonBloomVisualizeMask")});
 }
+
+} // namespace Drydock

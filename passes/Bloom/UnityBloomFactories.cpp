@@ -2,7 +2,8 @@
 #include "Bloom/UnityBloom.h"
 #include "PassFactory.h"
 
-using namespace Drydock;
+namespace Drydock
+{
 
 namespace
 {
@@ -59,3 +60,5 @@ const FPassFactoryRegistration GComposite(MakeFactory(EUnityBloomPass::Composite
 	{ Inputs.Intensity = static_cast<float>(Values.GetNumber("Intensity")); }));
 
 } // namespace
+
+} // namespace Drydock

@@ -11,7 +11,8 @@
 
 #include <string>
 
-using namespace Drydock;
+namespace Drydock
+{
 
 namespace
 {
@@ -136,3 +137,5 @@ FScreenPassTexture FDualKawaseBlur::AddPasses(
 	PassInputs.bAsPrinted = IsDualKawaseAsPrinted();
 	return AddDualKawaseBlurPass(GraphBuilder, ViewInfo, PassInputs);
 }
+
+} // namespace Drydock

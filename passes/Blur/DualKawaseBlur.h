@@ -14,6 +14,9 @@
 #include "CoreMinimal.h"
 #include "SceneViewExtension.h"
 
+namespace Drydock
+{
+
 class DRYDOCK_API FDualKawaseBlur : public FSceneViewExtensionBase
 {
 public:
@@ -36,7 +39,7 @@ private:
 		FRDGBuilder& GraphBuilder, const FSceneView& View, const FPostProcessMaterialInputs& Inputs);
 
 	/** Levels and offset for a picture of this size. */
-	Drydock::FDualKawaseSetting ChooseSetting(FRDGBuilder& GraphBuilder, const FSceneView& View, FIntPoint Size) const;
+	FDualKawaseSetting ChooseSetting(FRDGBuilder& GraphBuilder, const FSceneView& View, FIntPoint Size) const;
 
 	float Offset;
 	int32 PassNum;
@@ -44,3 +47,5 @@ private:
 	float StandardDeviation = 0.0f;
 	EPostProcessingPass Pass = EPostProcessingPass::MotionBlur;
 };
+
+} // namespace Drydock

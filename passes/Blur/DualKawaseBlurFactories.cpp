@@ -3,7 +3,8 @@
 #include "Blur/DualKawaseBlurWidth.h"
 #include "PassFactory.h"
 
-using namespace Drydock;
+namespace Drydock
+{
 
 namespace
 {
@@ -52,3 +53,5 @@ const FPassFactoryRegistration GGaussian({
 });
 
 } // namespace
+
+} // namespace Drydock

@@ -13,7 +13,8 @@
 
 #include <string>
 
-using namespace Drydock;
+namespace Drydock
+{
 
 namespace
 {
@@ -120,3 +121,5 @@ FScreenPassTexture AddDualKawaseGaussianPass(
 	AddPass(GraphBuilder, View, Rows, Output, Buffer, LastReach);
 	return FinishBlurOutput(GraphBuilder, View, Output, Inputs.OverrideOutput);
 }
+
+} // namespace Drydock

@@ -15,7 +15,8 @@
 
 #include <cmath>
 
-using namespace Drydock;
+namespace Drydock
+{
 
 namespace
 {
@@ -266,3 +267,5 @@ FScreenPassTexture AddDualKawaseBlurPass(
 	return Inputs.bAsPrinted ? AddPrintedPasses(GraphBuilder, View, Inputs, PassNum)
 							 : AddCorrectedPasses(GraphBuilder, View, Inputs, PassNum);
 }
+
+} // namespace Drydock

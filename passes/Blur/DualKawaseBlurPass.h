@@ -22,6 +22,9 @@
 class FRDGBuilder;
 class FViewInfo;
 
+namespace Drydock
+{
+
 struct FDualKawaseBlurInputs
 {
 	/** [Required] What is blurred. */
@@ -72,3 +75,5 @@ struct FDualKawaseGaussianInputs
  * those of the corrected blur. */
 DRYDOCK_API FScreenPassTexture AddDualKawaseGaussianPass(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FDualKawaseGaussianInputs& Inputs);
+
+} // namespace Drydock

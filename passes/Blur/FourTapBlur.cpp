@@ -13,7 +13,8 @@
 
 #include <cmath>
 
-using namespace Drydock;
+namespace Drydock
+{
 
 namespace
 {
@@ -131,9 +132,6 @@ const FPassFactoryRegistration GPyramid({
 
 } // namespace
 
-namespace Drydock
-{
-
 TArray<double> GetKawaseDistances(double StandardDeviation)
 {
 	TArray<double> Distances;
@@ -186,8 +184,6 @@ FPyramidSetting GetPyramidSetting(double StandardDeviation, int32 Levels)
 	}
 	return {Taken, GetLowStandardDeviation(StandardDeviation, Taken)};
 }
-
-} // namespace Drydock
 
 FScreenPassTexture AddKawaseBlurPasses(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& Input, double StandardDeviation)
@@ -258,3 +254,5 @@ FScreenPassTexture AddBilinearStretchPass(
 		GraphBuilder, View, Input, Output, FVector2f(Input.ViewRect.Size()) / FVector2f(Like.ViewRect.Size()));
 	return Output;
 }
+
+} // namespace Drydock

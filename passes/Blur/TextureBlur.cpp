@@ -4,6 +4,9 @@
 #include "RenderGraphBuilder.h"
 #include "SceneRendering.h"
 
+namespace Drydock
+{
+
 namespace
 {
 
@@ -78,3 +81,5 @@ FScreenPassTexture AddTextureBlurPass(FRDGBuilder& GraphBuilder, const FViewInfo
 		static_cast<uint32>(FMath::Max(1, Inputs.Stages.Num())));
 	return AddGaussianBlurPasses(GraphBuilder, View, Chain, Inputs);
 }
+
+} // namespace Drydock

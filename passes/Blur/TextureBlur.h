@@ -14,6 +14,9 @@
 class FRDGBuilder;
 class FViewInfo;
 
+namespace Drydock
+{
+
 /** One Gaussian of the sum. */
 struct FGaussianBlurStage
 {
@@ -53,3 +56,5 @@ DRYDOCK_API FScreenPassTexture AddGaussianBlurPasses(FRDGBuilder& GraphBuilder, 
  *  scope and the levels. The result has half of Source's resolution; invalid when no stage runs. */
 DRYDOCK_API FScreenPassTexture AddTextureBlurPass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
 	const FScreenPassTexture& Source, EPixelFormat Format, const TCHAR* Name, const FGaussianBlurPassesInputs& Inputs);
+
+} // namespace Drydock

@@ -12,6 +12,9 @@
 #include "Screen/RasterTarget.h"
 #include "ShaderParameterStruct.h"
 
+namespace Drydock
+{
+
 namespace
 {
 
@@ -86,7 +89,7 @@ FScreenPassTexture AddLayer(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FREDDepthOfFieldInputs& Inputs, ELayer Layer)
 {
 	const bool bFar = Layer == ELayer::Far;
-	const FScreenPassRenderTarget Output = Drydock::CreateSmallRasterTarget(GraphBuilder, Inputs.SceneColor,
+	const FScreenPassRenderTarget Output = CreateSmallRasterTarget(GraphBuilder, Inputs.SceneColor,
 		FIntPoint::DivideAndRoundUp(Inputs.SceneColor.ViewRect.Size(), 2),
 		bFar ? TEXT("REDDofFarSetup") : TEXT("REDDofNearSetup"), PF_FloatRGBA);
 	FREDDepthOfFieldSetupPS::FPermutationDomain Permutation;
@@ -139,7 +142,7 @@ FScreenPassTexture AddREDDepthOfFieldPasses(
 	const FScreenPassRenderTarget Output =
 		Inputs.OverrideOutput.IsValid()
 			? Inputs.OverrideOutput
-			: Drydock::CreateRasterTargetLike(GraphBuilder, Inputs.SceneColor, TEXT("REDDepthOfField"));
+			: CreateRasterTargetLike(GraphBuilder, Inputs.SceneColor, TEXT("REDDepthOfField"));
 	FREDDepthOfFieldParameters* Parameters = MakeParameters(GraphBuilder, View, Inputs, Output);
 	Parameters->Layer = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Far));
 	Parameters->FarTexture = Far.Texture;
@@ -150,3 +153,5 @@ FScreenPassTexture AddREDDepthOfFieldPasses(
 		Parameters, Output.ViewRect);
 	return FScreenPassTexture(Output.Texture, Output.ViewRect);
 }
+
+} // namespace Drydock

@@ -11,7 +11,8 @@
 #include "SceneRendering.h"
 #include "ShaderParameterStruct.h"
 
-using namespace Drydock;
+namespace Drydock
+{
 
 namespace
 {
@@ -176,3 +177,5 @@ FScreenPassTexture AddTintPass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
 		Output.ViewRect);
 	return FScreenPassTexture(Output.Texture, Output.ViewRect);
 }
+
+} // namespace Drydock

@@ -13,6 +13,9 @@
 class FRDGBuilder;
 class FViewInfo;
 
+namespace Drydock
+{
+
 struct FTintInputs
 {
 	/** [Required] */
@@ -26,3 +29,5 @@ struct FTintInputs
 };
 
 DRYDOCK_API FScreenPassTexture AddTintPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FTintInputs& Inputs);
+
+} // namespace Drydock

@@ -42,7 +42,7 @@ BEGIN_SHADER_PARAMETER_STRUCT(FTonemapParameters, )
 	SHADER_PARAMETER(FVector2f, VignetteScale)
 	SHADER_PARAMETER(float, VignetteIntensity)
 	SHADER_PARAMETER(float, bWriteLumaToAlpha)
-	SHADER_PARAMETER_STRUCT(FLocalExposureShaderParameters, LocalExposure)
+	SHADER_PARAMETER_STRUCT(Drydock::FLocalExposureShaderParameters, LocalExposure)
 END_SHADER_PARAMETER_STRUCT()
 
 class FTonemapGammaOnlyDimension : SHADER_PERMUTATION_BOOL("USE_GAMMA_ONLY");
@@ -189,7 +189,7 @@ FTonemapParameters MakeParameters(FRDGBuilder& GraphBuilder, const FViewInfo& Vi
 	{
 		SetBloom(GraphBuilder, View.FinalPostProcessSettings, Inputs.Bloom, Parameters);
 	}
-	Parameters.LocalExposure = GetLocalExposureShaderParameters(Inputs.LocalExposure);
+	Parameters.LocalExposure = Drydock::GetLocalExposureShaderParameters(Inputs.LocalExposure);
 	Parameters.ColorGradingLUT = Inputs.ColorGradingTexture;
 	Parameters.ColorGradingSampler = Parameters.ColorSampler;
 	SetLens(View, Output.ViewRect.Size(), Parameters);

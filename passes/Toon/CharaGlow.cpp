@@ -26,13 +26,8 @@ FCharaGlowBox GetCharaGlowBox(float Area, bool bAsPrinted)
 	return Box;
 }
 
-} // namespace Drydock
-
 namespace
 {
-
-using Drydock::FCharaGlowBoxParameters;
-using Drydock::FCharaGlowBoxPS;
 
 /** The article's double loop. */
 class FCharaGlowPrintedPS : public FGlobalShader
@@ -73,15 +68,15 @@ FIntRect FindReach(const FCharaGlowInputs& Inputs, int32 Further = 0)
 	{
 		return ViewRect;
 	}
-	const int32 Reach = Drydock::GetCharaGlowBox(Inputs.Area, Inputs.bAsPrinted).Radius + 1;
-	return Drydock::PlaceRect(Drydock::GrowRect(*Inputs.MaskBounds, Reach, Reach + Further), ViewRect);
+	const int32 Reach = GetCharaGlowBox(Inputs.Area, Inputs.bAsPrinted).Radius + 1;
+	return PlaceRect(GrowRect(*Inputs.MaskBounds, Reach, Reach + Further), ViewRect);
 }
 
 /** Source: what has the mask's viewport, or the rows. */
 FCharaGlowBoxParameters* MakeBoxParameters(FRDGBuilder& GraphBuilder, const FCharaGlowInputs& Inputs,
 	const FScreenPassTexture& Source, const FScreenPassRenderTarget& Output)
 {
-	const Drydock::FCharaGlowBox Box = Drydock::GetCharaGlowBox(Inputs.Area, Inputs.bAsPrinted);
+	const FCharaGlowBox Box = GetCharaGlowBox(Inputs.Area, Inputs.bAsPrinted);
 	auto* Parameters = GraphBuilder.AllocParameters<FCharaGlowBoxParameters>();
 	Parameters->SceneTextures = GetSceneTextureShaderParameters(Inputs.SceneTextures);
 	Parameters->Source = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Source));
@@ -98,10 +93,9 @@ FScreenPassTexture AddBoxPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, 
 	const FScreenPassTexture& Source, bool bColumns)
 {
 	const TCHAR* const Name = bColumns ? TEXT("CharaGlow") : TEXT("CharaGlowRows");
-	const FScreenPassRenderTarget Output =
-		Drydock::CreateRasterTargetLike(GraphBuilder, Inputs.SceneColor, Name, PF_R16F);
+	const FScreenPassRenderTarget Output = CreateRasterTargetLike(GraphBuilder, Inputs.SceneColor, Name, PF_R16F);
 	// Columns read rows beyond their own.
-	const int32 Further = bColumns ? 0 : Drydock::GetCharaGlowBox(Inputs.Area, Inputs.bAsPrinted).Radius + 1;
+	const int32 Further = bColumns ? 0 : GetCharaGlowBox(Inputs.Area, Inputs.bAsPrinted).Radius + 1;
 	const FIntRect Drawn = FindReach(Inputs, Further);
 	FCharaGlowBoxPS::FPermutationDomain Permutation;
 	Permutation.Set<FCharaGlowBoxPS::FColumnsDimension>(bColumns);
@@ -115,7 +109,7 @@ FScreenPassTexture AddBoxPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, 
 FScreenPassTexture AddPrintedPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FCharaGlowInputs& Inputs)
 {
 	const FScreenPassRenderTarget Output =
-		Drydock::CreateRasterTargetLike(GraphBuilder, Inputs.SceneColor, TEXT("CharaGlow"), PF_R16F);
+		CreateRasterTargetLike(GraphBuilder, Inputs.SceneColor, TEXT("CharaGlow"), PF_R16F);
 	const FIntRect Drawn = FindReach(Inputs);
 	TShaderMapRef<FCharaGlowPrintedPS> PixelShader(View.ShaderMap);
 	FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
@@ -161,7 +155,7 @@ FScreenPassTexture AddCharaGlowCompPass(FRDGBuilder& GraphBuilder, const FViewIn
 	check(Inputs.SceneTextures);
 
 	FScreenPassRenderTarget Output = Inputs.OverrideOutput.IsValid() ? Inputs.OverrideOutput
-																	 : Drydock::CreateRasterTargetLike(GraphBuilder,
+																	 : CreateRasterTargetLike(GraphBuilder,
 																		   Inputs.SceneColor, TEXT("CharaGlowComp"));
 	const FIntRect Drawn = FindReach(Inputs);
 	if (Drawn != Inputs.SceneColor.ViewRect)
@@ -193,3 +187,5 @@ FScreenPassTexture AddCharaGlow(FRDGBuilder& GraphBuilder, const FViewInfo& View
 	const FScreenPassTexture BlurredMask = AddCharaGlowPasses(GraphBuilder, View, Inputs);
 	return BlurredMask.IsValid() ? AddCharaGlowCompPass(GraphBuilder, View, Inputs, BlurredMask) : Inputs.SceneColor;
 }
+
+} // namespace Drydock

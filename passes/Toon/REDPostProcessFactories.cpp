@@ -5,7 +5,8 @@
 #include "PassFactory.h"
 #include "Toon/CharaGlow.h"
 
-using namespace Drydock;
+namespace Drydock
+{
 
 namespace
 {
@@ -181,3 +182,5 @@ const FPassFactoryRegistration GREDDepthOfField({
 });
 
 } // namespace
+
+} // namespace Drydock

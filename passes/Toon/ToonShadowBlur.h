@@ -34,6 +34,9 @@
 class FRDGBuilder;
 class FViewInfo;
 
+namespace Drydock
+{
+
 struct FToonShadowBlurInputs
 {
 	/** The shadow buffer, PF_R8G8B8A8 or PF_B8G8R8A8. */
@@ -81,9 +84,6 @@ struct FToonShadowLightingInputs
 /** Uses the blurred shadow in the lighting of an already lit frame. The result is like SceneColor. */
 DRYDOCK_API FScreenPassTexture AddToonShadowLightingPass(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FToonShadowLightingInputs& Inputs);
-
-namespace Drydock
-{
 
 /** What A holds of a blurred shadow of 0..1, before rounding to 8 bit, and back. */
 DRYDOCK_API float EncodeToonShadowBlur(float Blurred, EToonShadowBlurStore Store);

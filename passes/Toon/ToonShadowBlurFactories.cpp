@@ -3,7 +3,8 @@
 #include "PassFactory.h"
 #include "Toon/ToonShadowBlur.h"
 
-using namespace Drydock;
+namespace Drydock
+{
 
 namespace
 {
@@ -150,3 +151,5 @@ const FPassFactoryRegistration GToonShadowLighting({
 });
 
 } // namespace
+
+} // namespace Drydock

@@ -9,6 +9,8 @@
 #include "SceneViewState.h"
 #include "Screen/TextureAssets.h"
 
+using namespace Drydock;
+
 namespace
 {
 

@@ -2,6 +2,7 @@
 #include "Effects/ExposureReport.h"
 
 #include "Effects/ExposureDecisions.h"
+#include "Exposure/PostProcessEyeAdaptation.h"
 
 #include <cmath>
 #include <cstring>

@@ -73,7 +73,7 @@ public:
 		Inputs.Parameters = Parameters;
 		if (Metering.LastScale)
 		{
-			Inputs.LastEyeAdaptationBuffer = CreateEyeAdaptationBuffer(Run.GraphBuilder, *Metering.LastScale);
+			Inputs.LastEyeAdaptationBuffer = Drydock::CreateEyeAdaptationBuffer(Run.GraphBuilder, *Metering.LastScale);
 		}
 		FRHIGPUBufferReadback Readback(TEXT("EyeAdaptation"));
 		const FRDGBufferRef Buffer = AddBuffer(Inputs);
@@ -92,7 +92,7 @@ private:
 		switch (Metering.Method)
 		{
 		case AEM_Manual:
-			return CreateManualEyeAdaptationBuffer(Run.GraphBuilder, Parameters);
+			return Drydock::CreateManualEyeAdaptationBuffer(Run.GraphBuilder, Parameters);
 		case AEM_Basic:
 			return AddBasicEyeAdaptationPass(Run.GraphBuilder, Run.View, Inputs,
 				AddBasicEyeAdaptationSetupPass(Run.GraphBuilder, Run.View, Parameters, Run.Input), Mask);

@@ -11,6 +11,8 @@
 #include "PostProcess/PostProcessFFTBloom.h"
 #include "RenderGraphUtils.h"
 
+using namespace Drydock;
+
 namespace Stability
 {
 

@@ -9,6 +9,8 @@
 
 #include <cmath>
 
+using namespace Drydock;
+
 namespace Stability
 {
 

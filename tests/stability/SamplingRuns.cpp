@@ -7,6 +7,8 @@
 #include "Screen/PostProcessUpscale.h"
 #include "Screen/Tint.h"
 
+using namespace Drydock;
+
 namespace Stability
 {
 

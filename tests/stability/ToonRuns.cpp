@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+using namespace Drydock;
+
 namespace Stability
 {
 

@@ -5,6 +5,8 @@
 
 #include <functional>
 
+using namespace Drydock;
+
 using namespace PassTest;
 using PassReference::MaxDifference;
 using PassReference::SumOf;

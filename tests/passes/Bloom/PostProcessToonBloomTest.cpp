@@ -9,6 +9,8 @@
 #include <cstring>
 #include <optional>
 
+using namespace Drydock;
+
 using namespace PassTest;
 using PassReference::CeilHalf;
 using PassReference::MaxDifference;

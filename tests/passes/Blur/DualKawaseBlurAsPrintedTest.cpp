@@ -7,6 +7,8 @@
 #include "Blur/DualKawaseBlurPass.h"
 #include "RenderGraphNotes.h"
 
+using namespace Drydock;
+
 using namespace PassTest;
 using DualKawaseReference::FTap;
 using DualKawaseReference::GetMoments;

@@ -7,6 +7,8 @@
 #include "Blur/DualKawaseBlurWidth.h"
 #include "RenderGraphNotes.h"
 
+using namespace Drydock;
+
 using namespace PassTest;
 using PassReference::MaxDifference;
 

@@ -9,6 +9,8 @@
 #include "Blur/DualKawaseBlurWidth.h"
 #include "RenderGraphNotes.h"
 
+using namespace Drydock;
+
 using namespace PassTest;
 using DualKawaseReference::FMoments;
 using DualKawaseReference::GetMoments;

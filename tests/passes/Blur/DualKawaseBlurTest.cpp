@@ -12,6 +12,8 @@
 #include "PostProcess/PostProcessMaterial.h"
 #include "RenderGraphNotes.h"
 
+using namespace Drydock;
+
 using namespace PassTest;
 using EPass = ISceneViewExtension::EPostProcessingPass;
 

@@ -5,6 +5,8 @@
 
 #include "Blur/FourTapBlur.h"
 
+using namespace Drydock;
+
 using namespace PassTest;
 using PassReference::MaxDifference;
 

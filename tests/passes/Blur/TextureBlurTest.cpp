@@ -4,6 +4,8 @@
 #include "Bloom/PostProcessGaussianBloom.h"
 #include "Blur/TextureBlur.h"
 
+using namespace Drydock;
+
 using namespace PassTest;
 using PassReference::MaxDifference;
 using PassReference::SumOf;

@@ -5,6 +5,8 @@
 
 #include <set>
 
+using namespace Drydock;
+
 using namespace PassTest;
 using PassReference::FRect;
 using PassReference::MaxDifference;
