@@ -1,15 +1,12 @@
 // Source: engine file PostProcessBloomSetup.cpp; toon bloom: the article's patch of it, and its correction.
 #include "Bloom/PostProcessBloomSetup.h"
 
-#include "Bloom/PostProcessToonBloom.h"
-#include "GlobalShader.h"
-#include "PixelShaderUtils.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
-#include "RenderGraphUtils.h"
 #include "SceneRendering.h"
 #include "Screen/DrawRegion.h"
 #include "Screen/RasterTarget.h"
+#include "Screen/ScreenShaderPass.h"
 #include "ShaderParameterStruct.h"
 
 namespace
@@ -54,31 +51,23 @@ public:
 	using FPermutationDomain = FBloomSetupPermutation;
 
 	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
-		SHADER_PARAMETER_STRUCT_INCLUDE(FBloomSetupParameters, BloomSetup)
+		SHADER_PARAMETER_STRUCT_INCLUDE(FBloomSetupParameters, Common)
 		RENDER_TARGET_BINDING_SLOTS()
 	END_SHADER_PARAMETER_STRUCT()
 };
 
-class FBloomSetupCS : public FGlobalShader
+class FBloomSetupCS : public Drydock::FScreenComputeShader
 {
 public:
 	DECLARE_GLOBAL_SHADER(FBloomSetupCS);
-	SHADER_USE_PARAMETER_STRUCT(FBloomSetupCS, FGlobalShader);
+	SHADER_USE_PARAMETER_STRUCT(FBloomSetupCS, Drydock::FScreenComputeShader);
 
 	using FPermutationDomain = FBloomSetupPermutation;
 
 	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
-		SHADER_PARAMETER_STRUCT_INCLUDE(FBloomSetupParameters, BloomSetup)
+		SHADER_PARAMETER_STRUCT_INCLUDE(FBloomSetupParameters, Common)
 		SHADER_PARAMETER_RDG_TEXTURE_UAV(RWTexture2D<float4>, BloomOutput)
 	END_SHADER_PARAMETER_STRUCT()
-
-	static void ModifyCompilationEnvironment(
-		const FGlobalShaderPermutationParameters& Parameters, FShaderCompilerEnvironment& OutEnvironment)
-	{
-		FGlobalShader::ModifyCompilationEnvironment(Parameters, OutEnvironment);
-		OutEnvironment.SetDefine(TEXT("THREADGROUP_SIZEX"), FComputeShaderUtils::kGolden2DGroupSize);
-		OutEnvironment.SetDefine(TEXT("THREADGROUP_SIZEY"), FComputeShaderUtils::kGolden2DGroupSize);
-	}
 };
 
 IMPLEMENT_GLOBAL_SHADER(FBloomSetupPS, "/Engine/Private/PostProcessBloom.usf", "BloomSetupPS", SF_Pixel);
@@ -87,7 +76,7 @@ IMPLEMENT_GLOBAL_SHADER(FBloomSetupCS, "/Engine/Private/PostProcessBloom.usf", "
 /** The patch is in the pixel shader alone, as printed: compute loses it. */
 EToonBloom ChooseToonBloom(const FBloomSetupInputs& Inputs, bool bCompute)
 {
-	if (!Inputs.SceneTextures)
+	if (!Inputs.Toon)
 	{
 		return EToonBloom::None;
 	}
@@ -101,11 +90,11 @@ EToonBloom ChooseToonBloom(const FBloomSetupInputs& Inputs, bool bCompute)
 /** Colour at the resolution of the ids. */
 FScreenPassTexture FindFullResolution(const FViewInfo& View, const FBloomSetupInputs& Inputs)
 {
-	if (Inputs.FullResolutionSceneColor.IsValid())
+	if (Inputs.Toon->SceneColor.IsValid())
 	{
-		return Inputs.FullResolutionSceneColor;
+		return Inputs.Toon->SceneColor;
 	}
-	const FRDGTextureRef SceneColor = Inputs.SceneTextures->GetContents()->SceneColorTexture;
+	const FRDGTextureRef SceneColor = Inputs.Toon->SceneTextures->GetContents()->SceneColorTexture;
 	const FIntPoint Extent = SceneColor ? SceneColor->Desc.Extent : FIntPoint(0, 0);
 	const bool bHoldsView = Extent.X >= View.ViewRect.Max.X && Extent.Y >= View.ViewRect.Max.Y;
 	const bool bIsInput = Inputs.SceneColor.ViewRect.Size() == View.ViewRect.Size();
@@ -121,7 +110,8 @@ FScreenPassTexture AddToonColorWithin(FRDGBuilder& GraphBuilder, const FViewInfo
 	const FIntRect& Full = MaskInputs.SceneColor.ViewRect;
 	const FIntRect& Half = Inputs.SceneColor.ViewRect;
 	const FIntRect Reached = Drydock::GrowRect(
-		Drydock::ScaleRectOutward(Drydock::GrowRect(*Inputs.ToonBounds, Reach, Reach), Full.Size(), Half.Size()), 1, 1);
+		Drydock::ScaleRectOutward(Drydock::GrowRect(*MaskInputs.ToonBounds, Reach, Reach), Full.Size(), Half.Size()), 1,
+		1);
 	FIntRect Drawn = Drydock::PlaceRect(Reached, Half);
 	const FIntRect Read =
 		Drydock::GrowRect(Drydock::ScaleRectOutward(Drawn - Half.Min, Half.Size(), Full.Size()), Reach, Reach);
@@ -133,7 +123,7 @@ FScreenPassTexture AddToonColorWithin(FRDGBuilder& GraphBuilder, const FViewInfo
 	AddCopyTexturePass(GraphBuilder, Inputs.SceneColor.Texture, Output.Texture, Half.Min, Half.Min, Half.Size());
 	if (Full.Size() == Half.Size())
 	{
-		Drawn = Drydock::PlaceRect(*Inputs.ToonBounds, Half);
+		Drawn = Drydock::PlaceRect(*MaskInputs.ToonBounds, Half);
 		AddCopyTexturePass(
 			GraphBuilder, Masked.Texture, Output.Texture, Drawn.Min - Half.Min + Full.Min, Drawn.Min, Drawn.Size());
 		return FScreenPassTexture(Output.Texture, Half);
@@ -150,11 +140,9 @@ FScreenPassTexture AddToonColorWithin(FRDGBuilder& GraphBuilder, const FViewInfo
 /** The setup's input with the factor in it: masked at full resolution, then downsampled as the input was. */
 FScreenPassTexture AddToonColor(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FBloomSetupInputs& Inputs)
 {
-	Drydock::FToonBloomInputs MaskInputs;
+	Drydock::FToonBloomInputs MaskInputs = *Inputs.Toon;
 	MaskInputs.SceneColor = FindFullResolution(View, Inputs);
-	MaskInputs.SceneTextures = Inputs.SceneTextures;
-	MaskInputs.ToonIntensity = Inputs.ToonIntensity;
-	if (Inputs.ToonBounds && !View.bUseComputePasses)
+	if (MaskInputs.ToonBounds && !View.bUseComputePasses)
 	{
 		return AddToonColorWithin(GraphBuilder, View, Inputs, MaskInputs);
 	}
@@ -177,18 +165,13 @@ FScreenPassTexture AddBloomSetupPass(FRDGBuilder& GraphBuilder, const FViewInfo&
 {
 	check(Inputs.SceneColor.IsValid());
 	check(Inputs.EyeAdaptationBuffer);
-
-	check(Inputs.ToonIntensity > -1.0f);
+	check(!Inputs.Toon || Inputs.Toon->ToonIntensity > -1.0f);
 
 	const bool bCompute = View.bUseComputePasses;
 	const EToonBloom ToonBloom = ChooseToonBloom(Inputs, bCompute);
 
-	FRDGTextureDesc OutputDesc = Inputs.SceneColor.Texture->Desc;
-	OutputDesc.Reset();
-	OutputDesc.Flags &= ~(TexCreate_RenderTargetable | TexCreate_UAV);
-	OutputDesc.Flags |= TexCreate_ShaderResource | (bCompute ? TexCreate_UAV : TexCreate_RenderTargetable);
-	const FScreenPassRenderTarget Output(GraphBuilder.CreateTexture(OutputDesc, TEXT("BloomSetup")),
-		Inputs.SceneColor.ViewRect, ERenderTargetLoadAction::ENoAction);
+	const FScreenPassRenderTarget Output = Drydock::CreateScreenTarget(
+		GraphBuilder, Inputs.SceneColor.Texture->Desc, Inputs.SceneColor.ViewRect, TEXT("BloomSetup"), bCompute);
 
 	const FScreenPassTextureViewport Viewport(Inputs.SceneColor);
 
@@ -202,8 +185,12 @@ FScreenPassTexture AddBloomSetupPass(FRDGBuilder& GraphBuilder, const FViewInfo&
 	BloomSetup.BloomThreshold = Inputs.Threshold;
 	BloomSetup.LocalExposure = Drydock::GetLocalExposureShaderParameters(Inputs.LocalExposure);
 
-	BloomSetup.SceneTextures = Inputs.SceneTextures;
-	BloomSetup.ToonIntensity = Inputs.ToonIntensity;
+	BloomSetup.ToonIntensity = 1.0f;
+	if (Inputs.Toon)
+	{
+		BloomSetup.SceneTextures = Inputs.Toon->SceneTextures;
+		BloomSetup.ToonIntensity = Inputs.Toon->ToonIntensity;
+	}
 	if (ToonBloom == EToonBloom::Corrected)
 	{
 		const FScreenPassTexture Toon = AddToonColor(GraphBuilder, View, Inputs);
@@ -217,31 +204,7 @@ FScreenPassTexture AddBloomSetupPass(FRDGBuilder& GraphBuilder, const FViewInfo&
 	Permutation.Set<FToonBloomDimension>(ToonBloom);
 	Permutation.Set<FLocalExposureDimension>(Inputs.LocalExposure.IsValid());
 
-	if (bCompute)
-	{
-		TShaderMapRef<FBloomSetupCS> ComputeShader(View.ShaderMap, Permutation);
-
-		FBloomSetupCS::FParameters* PassParameters = GraphBuilder.AllocParameters<FBloomSetupCS::FParameters>();
-		PassParameters->BloomSetup = BloomSetup;
-		PassParameters->BloomOutput = GraphBuilder.CreateUAV(Output.Texture);
-
-		FComputeShaderUtils::AddPass(GraphBuilder,
-			RDG_EVENT_NAME("BloomSetup %dx%d (CS)", Output.ViewRect.Width(), Output.ViewRect.Height()), ComputeShader,
-			PassParameters,
-			FComputeShaderUtils::GetGroupCount(Output.ViewRect.Size(), FComputeShaderUtils::kGolden2DGroupSize));
-	}
-	else
-	{
-		TShaderMapRef<FBloomSetupPS> PixelShader(View.ShaderMap, Permutation);
-
-		FBloomSetupPS::FParameters* PassParameters = GraphBuilder.AllocParameters<FBloomSetupPS::FParameters>();
-		PassParameters->BloomSetup = BloomSetup;
-		PassParameters->RenderTargets[0] = Output.GetRenderTargetBinding();
-
-		FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
-			RDG_EVENT_NAME("BloomSetup %dx%d (PS)", Output.ViewRect.Width(), Output.ViewRect.Height()), PixelShader,
-			PassParameters, Output.ViewRect);
-	}
-
-	return FScreenPassTexture(Output.Texture, Output.ViewRect);
+	const FString Name = FString::Printf(TEXT("BloomSetup %dx%d"), Output.ViewRect.Width(), Output.ViewRect.Height());
+	return Drydock::AddScreenShaderPass<FBloomSetupPS, FBloomSetupCS>(GraphBuilder, View, {Name, Output, bCompute},
+		BloomSetup, Permutation, &FBloomSetupCS::FParameters::BloomOutput);
 }
