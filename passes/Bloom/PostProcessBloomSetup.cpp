@@ -1,6 +1,8 @@
 // Source: engine file PostProcessBloomSetup.cpp; toon bloom: the article's patch of it, and its correction.
 #include "Bloom/PostProcessBloomSetup.h"
 
+#include "Exposure/ExposureFactory.h"
+#include "PassFactory.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
 #include "SceneRendering.h"
@@ -160,6 +162,33 @@ FScreenPassTexture AddToonColor(FRDGBuilder& GraphBuilder, const FViewInfo& View
 }
 
 } // namespace
+
+namespace Drydock
+{
+
+namespace
+{
+
+const FPassFactoryRegistration GBloomSetup({
+	.Type = "BloomSetup",
+	.Doc = "Keeps what is bright enough to bloom.",
+	.Inputs = {{"Input", PictureResource, "Linear, pre-exposed."}},
+	.Parameters = {FParameterSpec::Number("Threshold", 1.0, -1.0, 1e6, "In exposed luminance; -1: no threshold."),
+		MakeExposureScaleSpec()},
+	.Add =
+		[](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FPassArguments& Arguments)
+	{
+		FBloomSetupInputs Inputs;
+		Inputs.SceneColor = Arguments.GetInput("Input");
+		Inputs.Threshold = Arguments.Values.GetFloat("Threshold");
+		Inputs.EyeAdaptationBuffer = CreateEyeAdaptationBuffer(GraphBuilder, Arguments.Values);
+		return AddBloomSetupPass(GraphBuilder, View, Inputs);
+	},
+});
+
+} // namespace
+
+} // namespace Drydock
 
 FScreenPassTexture AddBloomSetupPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FBloomSetupInputs& Inputs)
 {

@@ -1,7 +1,7 @@
 // Source: engine file PostProcessBloomSetup.cpp (AddGaussianBloomPasses).
 #include "Bloom/PostProcessGaussianBloom.h"
 
-#include "Blur/TextureBlur.h"
+#include "Blur/GaussianSum.h"
 #include "HAL/IConsoleManager.h"
 #include "RenderGraphBuilder.h"
 #include "SceneRendering.h"
@@ -46,7 +46,7 @@ FScreenPassTexture AddGaussianBloomPasses(
 	check(SceneDownsampleChain->GetLevelCount() >= LevelCount);
 
 	const FFinalPostProcessSettings& Settings = View.FinalPostProcessSettings;
-	Drydock::FGaussianBlurPassesInputs Inputs;
+	Drydock::FGaussianSumInputs Inputs;
 	Inputs.Stages = {
 		{TEXT("Bloom6X"), TEXT("Bloom6Y"), Settings.Bloom6Size, Settings.Bloom6Tint},
 		{TEXT("Bloom5X"), TEXT("Bloom5Y"), Settings.Bloom5Size, Settings.Bloom5Tint},
@@ -62,5 +62,5 @@ FScreenPassTexture AddGaussianBloomPasses(
 	Inputs.Cross = CVarGaussianBloomCross.GetValueOnRenderThread();
 
 	RDG_EVENT_SCOPE(GraphBuilder, "GaussianBloom");
-	return Drydock::AddGaussianBlurPasses(GraphBuilder, View, *SceneDownsampleChain, Inputs);
+	return Drydock::AddGaussianSumPasses(GraphBuilder, View, *SceneDownsampleChain, Inputs);
 }

@@ -3,6 +3,7 @@
 
 #include "Blur/DualKawaseBlurErrors.h"
 #include "Blur/DualKawaseBlurPass.h"
+#include "Blur/MatchedGaussianBlur.h"
 #include "ExtensionFactory.h"
 #include "HAL/IConsoleManager.h"
 #include "PostProcess/PostProcessMaterial.h"
@@ -37,8 +38,8 @@ TSharedRef<ISceneViewExtension, ESPMode::ThreadSafe> CreateExtension(const FExte
 {
 	const FParameterValues& Values = Arguments.Values;
 	TSharedRef<FDualKawaseBlur, ESPMode::ThreadSafe> Extension = FSceneViewExtensions::NewExtension<FDualKawaseBlur>(
-		static_cast<float>(Values.GetNumber("Offset")), Values.GetInteger("PassNum"), Values.GetBool("UseGaussian"));
-	Extension->SetStandardDeviation(static_cast<float>(Values.GetNumber("StandardDeviation")));
+		Values.GetFloat("Offset"), Values.GetInteger("PassNum"), Values.GetBool("UseGaussian"));
+	Extension->SetStandardDeviation(Values.GetFloat("StandardDeviation"));
 	if (const auto Pass = FindPassByName(Arguments.Pass))
 	{
 		Extension->SetPass(*Pass);
@@ -121,12 +122,12 @@ FScreenPassTexture FDualKawaseBlur::AddPasses(
 
 	if (bUseGaussian && Levels > 0)
 	{
-		FDualKawaseGaussianInputs PassInputs;
+		FMatchedGaussianBlurInputs PassInputs;
 		PassInputs.SceneColor = SceneColor;
 		PassInputs.OverrideOutput = Inputs.OverrideOutput;
 		PassInputs.StandardDeviation = GetDualKawaseStandardDeviation(Levels, Setting.Offset);
 		PassInputs.bSeparable = CVarSeparableGaussian.GetValueOnRenderThread() != 0;
-		return AddDualKawaseGaussianPass(GraphBuilder, ViewInfo, PassInputs);
+		return AddMatchedGaussianBlurPasses(GraphBuilder, ViewInfo, PassInputs);
 	}
 
 	FDualKawaseBlurInputs PassInputs;

@@ -2,7 +2,7 @@
 #include "Blur/FourTapBlur.h"
 
 #include "Blur/DualKawaseBlurOutput.h"
-#include "Blur/DualKawaseBlurPass.h"
+#include "Blur/MatchedGaussianBlur.h"
 #include "GlobalShader.h"
 #include "PassFactory.h"
 #include "RHIStaticStates.h"
@@ -236,11 +236,11 @@ FScreenPassTexture AddPyramidBlurPasses(
 	return AddPyramidBlurPasses(GraphBuilder, View, Input, GetPyramidSetting(StandardDeviation),
 		[&](const FScreenPassTexture& Low, double LowStandardDeviation)
 		{
-			FDualKawaseGaussianInputs Inputs;
+			FMatchedGaussianBlurInputs Inputs;
 			Inputs.SceneColor = Low;
 			Inputs.StandardDeviation = LowStandardDeviation;
 			Inputs.bSeparable = true;
-			return AddDualKawaseGaussianPass(GraphBuilder, View, Inputs);
+			return AddMatchedGaussianBlurPasses(GraphBuilder, View, Inputs);
 		});
 }
 

@@ -2,6 +2,7 @@
 #include "Blur/PostProcessWeightedSampleSum.h"
 
 #include "HAL/IConsoleManager.h"
+#include "PassFactory.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
 #include "SceneRendering.h"
@@ -223,6 +224,41 @@ FScreenPassTextureViewport HalveWidth(const FScreenPassTextureViewport& Viewport
 }
 
 } // namespace
+
+namespace Drydock
+{
+
+namespace
+{
+
+const FPassFactoryRegistration GGaussianBlur({
+	.Type = "GaussianBlur",
+	.Doc = "Blurs an image by a separable Gaussian, as the bloom does; darkens towards the edges unless mirrored.",
+	.Inputs = {{"Input", PictureResource, "The image."}},
+	.Parameters =
+		{
+			FParameterSpec::Number("KernelSizePercent", 4.0, 0.0, 100.0,
+				"Diameter of the kernel in percent of the image's width; at most 63 texels."),
+			FParameterSpec::Color("Tint", FLinearColor(1.0f, 1.0f, 1.0f, 1.0f), "Multiplies the result, alpha too."),
+			FParameterSpec::Bool("Mirror", true, "What lies outside: the image's mirror, or black."),
+		},
+	.Add =
+		[](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FPassArguments& Arguments)
+	{
+		FGaussianBlurInputs Inputs;
+		Inputs.NameX = TEXT("GaussianBlurX");
+		Inputs.NameY = TEXT("GaussianBlurY");
+		Inputs.Filter = Arguments.GetInput("Input");
+		Inputs.KernelSizePercent = Arguments.Values.GetFloat("KernelSizePercent");
+		Inputs.TintColor = Arguments.Values.GetColor("Tint");
+		Inputs.UseMirrorAddressMode = Arguments.Values.GetBool("Mirror");
+		return AddGaussianBlurPass(GraphBuilder, View, Inputs);
+	},
+});
+
+} // namespace
+
+} // namespace Drydock
 
 FScreenPassTexture AddGaussianBlurPass(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FGaussianBlurInputs& Inputs)

@@ -4,6 +4,7 @@
 #include "Blur/PostProcessWeightedSampleSum.h"
 #include "GlobalShader.h"
 #include "Lens/REDPostProcess.h"
+#include "PassFactory.h"
 #include "PixelShaderUtils.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
@@ -108,6 +109,38 @@ FScreenPassTexture AddLayer(
 	Blur.UseClampAddressMode = true;
 	return AddGaussianBlurPass(GraphBuilder, View, Blur);
 }
+
+const FPassFactoryRegistration GREDDepthOfField({
+	.Type = "REDDepthOfField",
+	.Doc = "Blurs what lies before and behind the focus, by the scene's depth.",
+	.Inputs = {{"Input", PictureResource, "The picture."}},
+	.Parameters =
+		{
+			FParameterSpec::Number("FocalDistance", 500, 0.01, 1e7, "In cm."),
+			FParameterSpec::Number("FocalRegion", 0, 0, 1e7, "Behind it, in focus too; cm."),
+			FParameterSpec::Number(
+				"NearTransition", 300, 0, 1e7, "From in focus to all blurred, towards the camera; cm."),
+			FParameterSpec::Number("FarTransition", 500, 0, 1e7, "The same, away from it; cm."),
+			FParameterSpec::Number("NearBlurSize", 1, 0, 100, "Diameter in percent of the width."),
+			FParameterSpec::Number("FarBlurSize", 1, 0, 100, "The same."),
+			FParameterSpec::Bool("AsPrinted", false, "The article's form, with its faults."),
+		},
+	.Add =
+		[](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FPassArguments& Arguments)
+	{
+		FREDDepthOfFieldInputs Inputs;
+		Inputs.SceneColor = Arguments.GetInput("Input");
+		Inputs.SceneTextures = CreateSceneTextureUniformBuffer(GraphBuilder, View);
+		Inputs.FocalDistance = Arguments.Values.GetFloat("FocalDistance");
+		Inputs.FocalRegion = Arguments.Values.GetFloat("FocalRegion");
+		Inputs.NearTransition = Arguments.Values.GetFloat("NearTransition");
+		Inputs.FarTransition = Arguments.Values.GetFloat("FarTransition");
+		Inputs.NearBlurSize = Arguments.Values.GetFloat("NearBlurSize");
+		Inputs.FarBlurSize = Arguments.Values.GetFloat("FarBlurSize");
+		Inputs.bAsPrinted = Arguments.Values.GetBool("AsPrinted");
+		return AddREDDepthOfFieldPasses(GraphBuilder, View, Inputs);
+	},
+});
 
 } // namespace
 

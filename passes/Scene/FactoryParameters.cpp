@@ -89,6 +89,11 @@ double FParameterValues::GetNumber(const std::string& Name) const
 	return Get<double>(Name);
 }
 
+float FParameterValues::GetFloat(const std::string& Name) const
+{
+	return static_cast<float>(Get<double>(Name));
+}
+
 int32 FParameterValues::GetInteger(const std::string& Name) const
 {
 	return static_cast<int32>(Get<double>(Name));

@@ -55,6 +55,7 @@ public:
 	void Set(const std::string& Name, FParameterValue Value) { Values[Name] = std::move(Value); }
 
 	double GetNumber(const std::string& Name) const;
+	float GetFloat(const std::string& Name) const; // a number
 	int32 GetInteger(const std::string& Name) const;
 	bool GetBool(const std::string& Name) const;
 	const std::string& GetText(const std::string& Name) const;

@@ -2,6 +2,7 @@
 #include "Screen/PostProcessDownsample.h"
 
 #include "HAL/IConsoleManager.h"
+#include "PassFactory.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
 #include "SceneRendering.h"
@@ -85,6 +86,34 @@ FScreenPassRenderTarget CreateOutput(FRDGBuilder& GraphBuilder, const FDownsampl
 }
 
 } // namespace
+
+namespace Drydock
+{
+
+namespace
+{
+
+const FPassFactoryRegistration GDownsample({
+	.Type = "Downsample",
+	.Doc = "Halves an image.",
+	.Inputs = {{"Input", PictureResource, "The image."}},
+	.Parameters = {FParameterSpec::Text(
+		"Quality", "High", {"Low", "High"}, "Low: one bilinear tap; High: four, a 4x4 box.")},
+	.Add =
+		[](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FPassArguments& Arguments)
+	{
+		FDownsamplePassInputs Inputs;
+		Inputs.Name = TEXT("Downsample");
+		Inputs.SceneColor = Arguments.GetInput("Input");
+		Inputs.Quality =
+			Arguments.Values.GetText("Quality") == "Low" ? EDownsampleQuality::Low : EDownsampleQuality::High;
+		return AddDownsamplePass(GraphBuilder, View, Inputs);
+	},
+});
+
+} // namespace
+
+} // namespace Drydock
 
 EDownsampleQuality GetDownsampleQuality()
 {

@@ -38,13 +38,10 @@ IMPLEMENT_GLOBAL_SHADER(FTintPS, "/Project/Tint.usf", "MainPS", SF_Pixel);
 
 FTintInputs MakeInputs(const FParameterValues& Values)
 {
-	const auto Get = [&](const char* Name)
-	{
-		return static_cast<float>(Values.GetNumber(Name));
-	};
 	FTintInputs Inputs;
 	Inputs.Color = Values.GetColor("Color");
-	Inputs.Area = FVector4f(Get("Left"), Get("Top"), Get("Right"), Get("Bottom"));
+	Inputs.Area = FVector4f(
+		Values.GetFloat("Left"), Values.GetFloat("Top"), Values.GetFloat("Right"), Values.GetFloat("Bottom"));
 	return Inputs;
 }
 

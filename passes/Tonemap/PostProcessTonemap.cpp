@@ -1,6 +1,8 @@
 // Source: engine file PostProcessTonemap.cpp.
 #include "Tonemap/PostProcessTonemap.h"
 
+#include "Exposure/ExposureFactory.h"
+#include "PassFactory.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
 #include "RenderTargetPool.h"
@@ -206,6 +208,31 @@ void SetRemap(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FTonemapIn
 }
 
 } // namespace
+
+namespace Drydock
+{
+
+namespace
+{
+
+const FPassFactoryRegistration GTonemap({
+	.Type = "Tonemap",
+	.Doc = "The film curve and sRGB, by the view's settings, without bloom.",
+	.Inputs = {{"Input", PictureResource, "Linear, pre-exposed."}},
+	.Parameters = {MakeExposureScaleSpec()},
+	.Add =
+		[](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FPassArguments& Arguments)
+	{
+		FTonemapInputs Inputs;
+		Inputs.SceneColor = Arguments.GetInput("Input");
+		Inputs.EyeAdaptationBuffer = CreateEyeAdaptationBuffer(GraphBuilder, Arguments.Values);
+		return AddTonemapPass(GraphBuilder, View, Inputs);
+	},
+});
+
+} // namespace
+
+} // namespace Drydock
 
 FScreenPassTexture AddTonemapPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FTonemapInputs& Inputs)
 {

@@ -3,6 +3,7 @@
 
 #include "HAL/IConsoleManager.h"
 #include "Lens/REDPostProcess.h"
+#include "PassFactory.h"
 #include "PixelShaderUtils.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphUtils.h"
@@ -117,6 +118,44 @@ FScreenPassTexture AddPrintedPass(FRDGBuilder& GraphBuilder, const FViewInfo& Vi
 		MakeBoxParameters(GraphBuilder, Inputs, Inputs.SceneColor, Output), Drawn);
 	return FScreenPassTexture(Output.Texture, Output.ViewRect);
 }
+
+FCharaGlowInputs MakeCharaGlow(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FPassArguments& Arguments)
+{
+	FCharaGlowInputs Inputs;
+	Inputs.SceneColor = Arguments.GetInput("Input");
+	Inputs.SceneTextures = CreateSceneTextureUniformBuffer(GraphBuilder, View);
+	return Inputs;
+}
+
+const FPassFactoryRegistration GCharaGlow({
+	.Type = "CharaGlow",
+	.Doc = "The character mask of the G-buffer, widened by a box.",
+	.Inputs = {{"Input", PictureResource, "Gives size and rect."}},
+	.Parameters = {FParameterSpec::Number("Area", 4, 0.01, static_cast<double>(MaxCharaGlowArea), "Radius in pixels."),
+		FParameterSpec::Bool("AsPrinted", false, "The article's form, with its faults.")},
+	.Add =
+		[](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FPassArguments& Arguments)
+	{
+		FCharaGlowInputs Inputs = MakeCharaGlow(GraphBuilder, View, Arguments);
+		Inputs.Area = Arguments.Values.GetFloat("Area");
+		Inputs.bAsPrinted = Arguments.Values.GetBool("AsPrinted");
+		return AddCharaGlowPasses(GraphBuilder, View, Inputs);
+	},
+});
+
+const FPassFactoryRegistration GCharaGlowComp({
+	.Type = "CharaGlowComp",
+	.Doc = "Adds the glow that a widened mask leaves outside the mask.",
+	.Inputs = {{"Input", PictureResource, "The picture."}, {"Widened", "", "What CharaGlow gave."}},
+	.Parameters = {FParameterSpec::Color("Color", FLinearColor(1.0f, 1.0f, 1.0f, 1.0f), "Alpha is the strength.")},
+	.Add =
+		[](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FPassArguments& Arguments)
+	{
+		FCharaGlowInputs Inputs = MakeCharaGlow(GraphBuilder, View, Arguments);
+		Inputs.Color = Arguments.Values.GetColor("Color");
+		return AddCharaGlowCompPass(GraphBuilder, View, Inputs, Arguments.GetInput("Widened"));
+	},
+});
 
 } // namespace
 

@@ -169,11 +169,11 @@ FScreenPassTexture AddToonShadowBlurPasses(
 	check(Inputs.ToonShadow.IsValid());
 	RDG_EVENT_SCOPE(GraphBuilder, "ToonShadowBlur");
 
-	FGaussianBlurPassesInputs Blur = Inputs.Blur;
+	FGaussianSumInputs Blur = Inputs.Blur;
 	Blur.TintScale = GetNormalizingTintScale(Blur);
 	Blur.bClampAddressing = !Inputs.bAsPrinted;
 	const FScreenPassTexture Setup = AddToonShadowSetupPass(GraphBuilder, View, Inputs.ToonShadow, Inputs.Store);
-	const FScreenPassTexture Blurred = AddTextureBlurPass(
+	const FScreenPassTexture Blurred = AddTextureGaussianSumPasses(
 		GraphBuilder, View, Setup, GetToonShadowBlurFormat(Inputs.Store), TEXT("ToonShadowDownsample"), Blur);
 	return AddToonShadowCombinePass(GraphBuilder, View, Inputs.ToonShadow, Blurred, Inputs.Store);
 }

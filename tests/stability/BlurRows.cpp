@@ -339,7 +339,7 @@ constexpr FPassRow Rows[] =
 		},
 		{
 			.Name = "Texture blur",
-			.Header = "TextureBlur.h",
+			.Header = "GaussianSum.h",
 			.Factories = "TextureBlur",
 			.Run = RunTextureBlur,
 			.Shrink = 2.0,

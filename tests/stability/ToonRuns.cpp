@@ -28,7 +28,7 @@ FImage RunBlur(const FCase& Case, bool bAsPrinted)
 	Settings.ToonShadowBlurStore = Store;
 	FToonShadowBlurInputs Inputs = FToonShadowBlurInputs::FromSettings(Settings, Run.Input);
 	Inputs.bAsPrinted = bAsPrinted;
-	for (FGaussianBlurStage& Stage : Inputs.Blur.Stages)
+	for (FGaussianSumStage& Stage : Inputs.Blur.Stages)
 	{
 		Stage.Size = Case.Sigma ? static_cast<float>(*Case.Sigma) : Stage.Size;
 	}

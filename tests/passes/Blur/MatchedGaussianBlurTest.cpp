@@ -3,8 +3,8 @@
 
 #include "DualKawaseBlurReference.h"
 
-#include "Blur/DualKawaseBlurPass.h"
 #include "Blur/DualKawaseBlurWidth.h"
+#include "Blur/MatchedGaussianBlur.h"
 #include "RenderGraphNotes.h"
 
 using namespace Drydock;
@@ -17,11 +17,11 @@ namespace
 
 FScreenPassTexture AddPass(FPassRun& Run, double StandardDeviation, bool bSeparable = false)
 {
-	FDualKawaseGaussianInputs Inputs;
+	FMatchedGaussianBlurInputs Inputs;
 	Inputs.SceneColor = Run.Input;
 	Inputs.StandardDeviation = StandardDeviation;
 	Inputs.bSeparable = bSeparable;
-	return AddDualKawaseGaussianPass(Run.GraphBuilder, Run.View, Inputs);
+	return AddMatchedGaussianBlurPasses(Run.GraphBuilder, Run.View, Inputs);
 }
 
 FImage Blur(
@@ -141,12 +141,12 @@ TEST(DualKawaseGaussian, OverrideOutputIsWritten)
 {
 	const FImage Expected = Blur(FImage::Noise(16, 12), 1.5, false, EArithmetic::Native);
 	FPassRun Run(FImage::Noise(16, 12), EArithmetic::Native);
-	FDualKawaseGaussianInputs Inputs;
+	FMatchedGaussianBlurInputs Inputs;
 	Inputs.SceneColor = Run.Input;
 	Inputs.StandardDeviation = 1.5;
 	Inputs.OverrideOutput = FScreenPassRenderTarget::CreateFromInput(
 		Run.GraphBuilder, Run.Input, ERenderTargetLoadAction::ENoAction, TEXT("Override"));
-	const FScreenPassTexture Output = AddDualKawaseGaussianPass(Run.GraphBuilder, Run.View, Inputs);
+	const FScreenPassTexture Output = AddMatchedGaussianBlurPasses(Run.GraphBuilder, Run.View, Inputs);
 	EXPECT_EQ(Inputs.OverrideOutput.Texture, Output.Texture);
 	EXPECT_EQ(Expected.Texels, Run.Execute(Output).Texels);
 }
