@@ -8,16 +8,12 @@ void FSceneViewState::BeginFrame(Drydock::FViewHistory InLast)
 {
 	Last = MoveTemp(InLast);
 	Next = Drydock::FViewHistory();
-	BloomFFTKernel.bUsed = false;
+	Caches.BeginFrame();
 }
 
 Drydock::FViewHistory FSceneViewState::EndFrame()
 {
-	if (!BloomFFTKernel.bUsed)
-	{
-		BloomFFTKernel = FBloomFFTKernel();
-	}
-	Next.bHasCaches = BloomFFTKernel.bUsed;
+	Next.bHasCaches = Caches.EndFrame();
 	Last = Drydock::FViewHistory();
 	return MoveTemp(Next);
 }
