@@ -1,4 +1,5 @@
-// Source: engine file PostProcessBloomSetup.cpp; toon bloom: the article's patch of it, and its correction.
+// The pass that keeps what is bright enough to bloom, and its factory. Source: engine file PostProcessBloomSetup.cpp;
+// toon bloom: the article's patch of it, and its correction.
 #include "Bloom/PostProcessBloomSetup.h"
 
 #include "Exposure/ExposureFactory.h"

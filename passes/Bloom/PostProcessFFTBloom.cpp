@@ -1,4 +1,4 @@
-// Source: engine file PostProcess/PostProcessFFTBloom.cpp.
+// The passes of a frame with convolution bloom. Source: engine file PostProcess/PostProcessFFTBloom.cpp.
 #include "Bloom/PostProcessFFTBloom.h"
 
 #include "Bloom/FFTConvolution.h"

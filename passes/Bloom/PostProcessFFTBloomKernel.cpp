@@ -1,4 +1,4 @@
-// Source: engine files Bloom/*.usf (order and purpose of the passes); drydock.
+// The passes that make the kernel of convolution bloom. Source: engine files Bloom/*.usf (order and purpose).
 #include "Bloom/PostProcessFFTBloomKernel.h"
 
 #include "GlobalShader.h"

@@ -1,4 +1,5 @@
-// Source: engine file PostProcessBloomSetup.cpp (AddGaussianBloomPasses).
+// The stages of the bloom as the settings give them. Source: engine file PostProcessBloomSetup.cpp
+// (AddGaussianBloomPasses).
 #include "Bloom/PostProcessGaussianBloom.h"
 
 #include "Blur/GaussianSum.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// The passes that mask toon pixels for their own bloom strength, or show them.
 #include "Bloom/PostProcessToonBloom.h"
 
 #include "HAL/IConsoleManager.h"

@@ -1,4 +1,4 @@
-// Source: article "Unity bloom"; drydock.
+// The four passes of the Unity-style bloom and their chain. Source: article "Unity bloom".
 #include "Bloom/UnityBloom.h"
 
 #include "Blur/KernelAudit.h"

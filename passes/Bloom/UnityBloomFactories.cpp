@@ -1,4 +1,4 @@
-// The four passes of the Unity-style bloom that a config can insert by name, one by one. Source: drydock.
+// The four passes of the Unity-style bloom that a config can insert by name, one by one.
 #include "Bloom/UnityBloom.h"
 #include "PassFactory.h"
 

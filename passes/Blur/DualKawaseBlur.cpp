@@ -1,4 +1,4 @@
-// Source: drydock.
+// The dual Kawase view extension, its console variables and its factory.
 #include "Blur/DualKawaseBlur.h"
 
 #include "Blur/DualKawaseBlurErrors.h"

@@ -7,7 +7,7 @@
 // The post-process settings have the last word, where they are not at their defaults: DualKawaseBlurPassNum above 0 for
 // the number of levels, DualKawaseBlurOffset other than 1 for the offset; then a wanted standard deviation is put
 // aside. r.DualKawase.AsPrinted chooses the article's form, r.DualKawase.SeparableGaussian how UseGaussian blurs. Docs:
-// docs/dual-kawase.md. Source: drydock.
+// docs/dual-kawase.md.
 #pragma once
 
 #include "Blur/DualKawaseBlurWidth.h"

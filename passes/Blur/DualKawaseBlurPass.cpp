@@ -1,4 +1,4 @@
-// Source: drydock.
+// The passes of the dual Kawase blur, corrected and as printed, and their factory.
 #include "Blur/DualKawaseBlurPass.h"
 
 #include "Blur/DualKawaseBlurErrors.h"

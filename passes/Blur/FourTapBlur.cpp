@@ -1,4 +1,5 @@
-// Source: Kawase, GDC 2003; Burt and Adelson, 1983.
+// The passes of Kawase's blur and of the Gaussian pyramid, and their factories. Source: Kawase, GDC 2003; Burt and
+// Adelson, 1983.
 #include "Blur/FourTapBlur.h"
 
 #include "Blur/DualKawaseBlurOutput.h"

@@ -1,4 +1,4 @@
-// Source: article "Toon-shadow blur"; engine file PostProcessBloomSetup.cpp.
+// The stages of a sum of Gaussians. Source: article "Toon-shadow blur"; engine file PostProcessBloomSetup.cpp.
 #include "Blur/GaussianSum.h"
 
 #include "RenderGraphBuilder.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// The passes of the Gaussian with a given standard deviation, and their factory.
 #include "Blur/MatchedGaussianBlur.h"
 
 #include "Blur/DualKawaseBlurErrors.h"

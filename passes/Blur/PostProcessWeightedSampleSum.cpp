@@ -1,4 +1,5 @@
-// Source: engine file PostProcessWeightedSampleSum.cpp. The kernel itself: GaussianKernel.cpp.
+// The two passes of the engine's Gaussian blur, and their factory; the kernel itself is in GaussianKernel.cpp. Source:
+// engine file PostProcessWeightedSampleSum.cpp.
 #include "Blur/PostProcessWeightedSampleSum.h"
 
 #include "HAL/IConsoleManager.h"

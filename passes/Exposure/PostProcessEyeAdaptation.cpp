@@ -1,4 +1,4 @@
-// Source: engine file PostProcessEyeAdaptation.cpp.
+// The passes that meter an exposure and adapt it. Source: engine file PostProcessEyeAdaptation.cpp.
 #include "Exposure/PostProcessEyeAdaptation.h"
 
 #include "GlobalShader.h"

@@ -1,4 +1,5 @@
-// Source: engine file PostProcessLocalExposure.cpp.
+// The passes that local exposure is applied with: the bilateral grid and the blurred luminance. Source: engine file
+// PostProcessLocalExposure.cpp.
 #include "Exposure/PostProcessLocalExposure.h"
 
 #include "Blur/PostProcessWeightedSampleSum.h"

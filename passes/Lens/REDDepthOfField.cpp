@@ -1,4 +1,4 @@
-// Source: article "RED post process"; drydock.
+// The passes of RED depth of field, and their factory. Source: article "RED post process".
 #include "Lens/REDDepthOfField.h"
 
 #include "Blur/PostProcessWeightedSampleSum.h"

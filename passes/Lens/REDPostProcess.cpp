@@ -1,4 +1,4 @@
-// Source: article "RED post process"; drydock.
+// The passes of the RED post process and their chain. Source: article "RED post process".
 #include "Lens/REDPostProcess.h"
 
 #include "Blur/KernelAudit.h"

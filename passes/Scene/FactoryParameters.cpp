@@ -1,4 +1,4 @@
-// Source: drydock.
+// Values of parameters by name, and the text that says what they may be.
 #include "FactoryParameters.h"
 
 #include <charconv>

@@ -1,4 +1,4 @@
-// Source: drydock.
+// What a view hands from one frame to the next.
 #include "SceneViewState.h"
 
 #include "RenderGraphBuilder.h"

@@ -1,4 +1,4 @@
-// Source: engine file PostProcessDownsample.cpp.
+// The pass that halves an image, its chain and its factory. Source: engine file PostProcessDownsample.cpp.
 #include "Screen/PostProcessDownsample.h"
 
 #include "HAL/IConsoleManager.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// The pass that tints, and its factories as a pass and as a view extension.
 #include "Screen/Tint.h"
 
 #include "ExtensionFactory.h"
@@ -40,8 +40,8 @@ FTintInputs MakeInputs(const FParameterValues& Values)
 {
 	FTintInputs Inputs;
 	Inputs.Color = Values.GetColor("Color");
-	Inputs.Area = FVector4f(
-		Values.GetFloat("Left"), Values.GetFloat("Top"), Values.GetFloat("Right"), Values.GetFloat("Bottom"));
+	Inputs.Area =
+		FVector4f(Values.GetFloat("Left"), Values.GetFloat("Top"), Values.GetFloat("Right"), Values.GetFloat("Bottom"));
 	return Inputs;
 }
 

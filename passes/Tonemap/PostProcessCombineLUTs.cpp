@@ -1,4 +1,5 @@
-// Source: engine file PostProcessCombineLUTs.cpp.
+// The pass that fills the combined table, and the parameters of its maths. Source: engine file
+// PostProcessCombineLUTs.cpp.
 #include "Tonemap/PostProcessCombineLUTs.h"
 
 #include "HAL/IConsoleManager.h"

@@ -1,4 +1,4 @@
-// Source: engine file PostProcessTonemap.cpp.
+// The pass that tonemaps, and its factory. Source: engine file PostProcessTonemap.cpp.
 #include "Tonemap/PostProcessTonemap.h"
 
 #include "Exposure/ExposureFactory.h"

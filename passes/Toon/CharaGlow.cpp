@@ -1,4 +1,4 @@
-// Source: article "RED post process"; drydock.
+// The passes of CharaGlow and their factories. Source: article "RED post process".
 #include "Toon/CharaGlow.h"
 
 #include "HAL/IConsoleManager.h"

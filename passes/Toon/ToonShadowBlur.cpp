@@ -1,4 +1,4 @@
-// Source: article "Toon-shadow blur"; drydock.
+// The passes of the toon-shadow blur. Source: article "Toon-shadow blur".
 #include "Toon/ToonShadowBlur.h"
 
 #include "Bloom/PostProcessGaussianBloom.h"

@@ -1,4 +1,4 @@
-// The passes of the toon-shadow blur that a config can insert by name, one by one. Source: drydock.
+// The passes of the toon-shadow blur that a config can insert by name, one by one.
 #include "Bloom/PostProcessGaussianBloom.h"
 #include "PassFactory.h"
 #include "Toon/ToonShadowBlur.h"

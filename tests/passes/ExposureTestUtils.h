@@ -1,4 +1,4 @@
-// Runs metering and adaptation on synthetic pictures and reads back what shaders would see. Source: drydock.
+// Runs metering and adaptation on synthetic pictures and reads back what shaders would see.
 #pragma once
 
 #include "PassTestUtils.h"

@@ -1,4 +1,4 @@
-// Runs the tonemapper with any settings, in one line. Source: drydock.
+// Runs the tonemapper with any settings, in one line.
 #pragma once
 
 #include "PassTestUtils.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// How the bloom's rows are run, and their formulas.
 #include "Runs.h"
 
 #include "Cases.h"

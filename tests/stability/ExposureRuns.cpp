@@ -1,4 +1,4 @@
-// Source: drydock.
+// How the rows of metering, adaptation and local exposure are run, and their formulas.
 #include "Runs.h"
 
 #include "Cases.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// How the rows of downsampling, upscaling and the tint are run, and their formulas.
 #include "Runs.h"
 
 #include "Cases.h"

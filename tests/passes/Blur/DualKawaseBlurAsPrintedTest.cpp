@@ -1,4 +1,4 @@
-// The dual Kawase blur as the article prints it: its sizes, its taps, its faults. Source: drydock.
+// The dual Kawase blur as the article prints it: its sizes, its taps, its faults.
 #include "PassTestUtils.h"
 
 #include "DualKawaseBlurReference.h"

@@ -1,5 +1,4 @@
 // The corrected dual Kawase blur against the double reference, its properties, sizes, rects, targets and hazards.
-// Source: drydock.
 #include "PassTestUtils.h"
 
 #include "DualKawaseBlurReference.h"

@@ -1,5 +1,5 @@
 // The dual Kawase view extension: where it subscribes, what it makes of its parameters, the settings and the console
-// variables, and its factory. Source: drydock.
+// variables, and its factory.
 #include "PassTestUtils.h"
 
 #include "DualKawaseBlurReference.h"

@@ -1,4 +1,4 @@
-// Kawase's blur and the pyramid, against their closed forms. Source: drydock.
+// Kawase's blur and the pyramid, against their closed forms.
 #include "PassTestUtils.h"
 
 #include "DualKawaseBlurReference.h"
