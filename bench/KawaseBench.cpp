@@ -5,6 +5,7 @@
 //     bench_kawase [SCENE]
 #include "Blur/DualKawaseBlurPass.h"
 #include "Blur/DualKawaseBlurWidth.h"
+#include "Blur/MatchedGaussianBlur.h"
 #include "HAL/IConsoleManager.h"
 #include "Picture/ImageFile.h"
 #include "RHICommandList.h"
@@ -51,11 +52,11 @@ FAddPasses Gaussian(double StandardDeviation, bool bSeparable)
 	return [StandardDeviation, bSeparable](
 			   FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& Input)
 	{
-		FDualKawaseGaussianInputs Inputs;
+		FMatchedGaussianBlurInputs Inputs;
 		Inputs.SceneColor = Input;
 		Inputs.StandardDeviation = StandardDeviation;
 		Inputs.bSeparable = bSeparable;
-		return AddDualKawaseGaussianPass(GraphBuilder, View, Inputs);
+		return AddMatchedGaussianBlurPasses(GraphBuilder, View, Inputs);
 	};
 }
 

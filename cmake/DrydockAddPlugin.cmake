@@ -242,6 +242,8 @@ namespace
 		string(TOUPPER "${ModuleName}" ModuleName)
 		target_compile_definitions(${Name} PUBLIC "${ModuleName}_API=")
 	endforeach()
+	# A plugin's own classes and functions are its own, whatever else in the process bears their names.
+	target_link_options(${Name} PRIVATE LINKER:-Bsymbolic)
 	if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 		# A library with unique symbols stays in memory: a rebuilt plugin could not take its place in `run --watch`.
 		target_compile_options(${Name} PRIVATE -fno-gnu-unique)

@@ -1,4 +1,4 @@
-// Sizes of a transform and the product of spectra. Source: drydock.
+// Sizes of a transform and the pass that multiplies spectra.
 #include "Bloom/FFTConvolution.h"
 
 #include "GlobalShader.h"

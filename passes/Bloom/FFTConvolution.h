@@ -1,5 +1,5 @@
 // Convolution of pictures through their spectra, as graph passes: forward transform of both, product, inverse. It is
-// circular: what leaves the transform's extent on one side comes in on the other. Source: drydock; the parts are those
+// circular: what leaves the transform's extent on one side comes in on the other. The parts are those
 // of the engine's GPUFastFourierTransform.h.
 //
 // Spectra are textures of four floats (PF_A32B32G32R32F). Along the axis that is transformed first a picture is real,

@@ -1,15 +1,15 @@
-// Source: engine file PostProcessBloomSetup.cpp; toon bloom: the article's patch of it, and its correction.
+// The pass that keeps what is bright enough to bloom, and its factory. Source: engine file PostProcessBloomSetup.cpp;
+// toon bloom: the article's patch of it, and its correction.
 #include "Bloom/PostProcessBloomSetup.h"
 
-#include "Bloom/PostProcessToonBloom.h"
-#include "GlobalShader.h"
-#include "PixelShaderUtils.h"
+#include "Exposure/ExposureFactory.h"
+#include "PassFactory.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
-#include "RenderGraphUtils.h"
 #include "SceneRendering.h"
 #include "Screen/DrawRegion.h"
 #include "Screen/RasterTarget.h"
+#include "Screen/ScreenShaderPass.h"
 #include "ShaderParameterStruct.h"
 
 namespace
@@ -35,7 +35,7 @@ BEGIN_SHADER_PARAMETER_STRUCT(FBloomSetupParameters, )
 	SHADER_PARAMETER(float, ToonIntensity)
 	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Toon)
 	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, ToonTexture)
-	SHADER_PARAMETER_STRUCT(FLocalExposureShaderParameters, LocalExposure)
+	SHADER_PARAMETER_STRUCT(Drydock::FLocalExposureShaderParameters, LocalExposure)
 END_SHADER_PARAMETER_STRUCT()
 
 class FThresholdDimension : SHADER_PERMUTATION_BOOL("USE_THRESHOLD");
@@ -54,31 +54,23 @@ public:
 	using FPermutationDomain = FBloomSetupPermutation;
 
 	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
-		SHADER_PARAMETER_STRUCT_INCLUDE(FBloomSetupParameters, BloomSetup)
+		SHADER_PARAMETER_STRUCT_INCLUDE(FBloomSetupParameters, Common)
 		RENDER_TARGET_BINDING_SLOTS()
 	END_SHADER_PARAMETER_STRUCT()
 };
 
-class FBloomSetupCS : public FGlobalShader
+class FBloomSetupCS : public Drydock::FScreenComputeShader
 {
 public:
 	DECLARE_GLOBAL_SHADER(FBloomSetupCS);
-	SHADER_USE_PARAMETER_STRUCT(FBloomSetupCS, FGlobalShader);
+	SHADER_USE_PARAMETER_STRUCT(FBloomSetupCS, Drydock::FScreenComputeShader);
 
 	using FPermutationDomain = FBloomSetupPermutation;
 
 	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
-		SHADER_PARAMETER_STRUCT_INCLUDE(FBloomSetupParameters, BloomSetup)
+		SHADER_PARAMETER_STRUCT_INCLUDE(FBloomSetupParameters, Common)
 		SHADER_PARAMETER_RDG_TEXTURE_UAV(RWTexture2D<float4>, BloomOutput)
 	END_SHADER_PARAMETER_STRUCT()
-
-	static void ModifyCompilationEnvironment(
-		const FGlobalShaderPermutationParameters& Parameters, FShaderCompilerEnvironment& OutEnvironment)
-	{
-		FGlobalShader::ModifyCompilationEnvironment(Parameters, OutEnvironment);
-		OutEnvironment.SetDefine(TEXT("THREADGROUP_SIZEX"), FComputeShaderUtils::kGolden2DGroupSize);
-		OutEnvironment.SetDefine(TEXT("THREADGROUP_SIZEY"), FComputeShaderUtils::kGolden2DGroupSize);
-	}
 };
 
 IMPLEMENT_GLOBAL_SHADER(FBloomSetupPS, "/Engine/Private/PostProcessBloom.usf", "BloomSetupPS", SF_Pixel);
@@ -87,11 +79,11 @@ IMPLEMENT_GLOBAL_SHADER(FBloomSetupCS, "/Engine/Private/PostProcessBloom.usf", "
 /** The patch is in the pixel shader alone, as printed: compute loses it. */
 EToonBloom ChooseToonBloom(const FBloomSetupInputs& Inputs, bool bCompute)
 {
-	if (!Inputs.SceneTextures)
+	if (!Inputs.Toon)
 	{
 		return EToonBloom::None;
 	}
-	if (!IsToonBloomAsPrinted())
+	if (!Drydock::IsToonBloomAsPrinted())
 	{
 		return EToonBloom::Corrected;
 	}
@@ -101,11 +93,11 @@ EToonBloom ChooseToonBloom(const FBloomSetupInputs& Inputs, bool bCompute)
 /** Colour at the resolution of the ids. */
 FScreenPassTexture FindFullResolution(const FViewInfo& View, const FBloomSetupInputs& Inputs)
 {
-	if (Inputs.FullResolutionSceneColor.IsValid())
+	if (Inputs.Toon->SceneColor.IsValid())
 	{
-		return Inputs.FullResolutionSceneColor;
+		return Inputs.Toon->SceneColor;
 	}
-	const FRDGTextureRef SceneColor = Inputs.SceneTextures->GetContents()->SceneColorTexture;
+	const FRDGTextureRef SceneColor = Inputs.Toon->SceneTextures->GetContents()->SceneColorTexture;
 	const FIntPoint Extent = SceneColor ? SceneColor->Desc.Extent : FIntPoint(0, 0);
 	const bool bHoldsView = Extent.X >= View.ViewRect.Max.X && Extent.Y >= View.ViewRect.Max.Y;
 	const bool bIsInput = Inputs.SceneColor.ViewRect.Size() == View.ViewRect.Size();
@@ -114,26 +106,27 @@ FScreenPassTexture FindFullResolution(const FViewInfo& View, const FBloomSetupIn
 
 /** The setup's input, over which what toon pixels reach is drawn with the factor in it. */
 FScreenPassTexture AddToonColorWithin(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FBloomSetupInputs& Inputs,
-	const FToonBloomInputs& MaskInputs)
+	const Drydock::FToonBloomInputs& MaskInputs)
 {
 	// A downsampled texel reads at most three texels around its place; one more for the rounding of the scale.
 	constexpr int32 Reach = 4;
 	const FIntRect& Full = MaskInputs.SceneColor.ViewRect;
 	const FIntRect& Half = Inputs.SceneColor.ViewRect;
 	const FIntRect Reached = Drydock::GrowRect(
-		Drydock::ScaleRectOutward(Drydock::GrowRect(*Inputs.ToonBounds, Reach, Reach), Full.Size(), Half.Size()), 1, 1);
+		Drydock::ScaleRectOutward(Drydock::GrowRect(*MaskInputs.ToonBounds, Reach, Reach), Full.Size(), Half.Size()), 1,
+		1);
 	FIntRect Drawn = Drydock::PlaceRect(Reached, Half);
 	const FIntRect Read =
 		Drydock::GrowRect(Drydock::ScaleRectOutward(Drawn - Half.Min, Half.Size(), Full.Size()), Reach, Reach);
 	const FScreenPassTexture Masked =
-		AddToonBloomMaskPass(GraphBuilder, View, MaskInputs, Drydock::PlaceRect(Read, Full));
+		Drydock::AddToonBloomMaskPass(GraphBuilder, View, MaskInputs, Drydock::PlaceRect(Read, Full));
 
 	FScreenPassRenderTarget Output =
 		Drydock::CreateRasterTargetLike(GraphBuilder, Inputs.SceneColor, TEXT("ToonBloomHalfResolution"));
 	AddCopyTexturePass(GraphBuilder, Inputs.SceneColor.Texture, Output.Texture, Half.Min, Half.Min, Half.Size());
 	if (Full.Size() == Half.Size())
 	{
-		Drawn = Drydock::PlaceRect(*Inputs.ToonBounds, Half);
+		Drawn = Drydock::PlaceRect(*MaskInputs.ToonBounds, Half);
 		AddCopyTexturePass(
 			GraphBuilder, Masked.Texture, Output.Texture, Drawn.Min - Half.Min + Full.Min, Drawn.Min, Drawn.Size());
 		return FScreenPassTexture(Output.Texture, Half);
@@ -150,15 +143,13 @@ FScreenPassTexture AddToonColorWithin(FRDGBuilder& GraphBuilder, const FViewInfo
 /** The setup's input with the factor in it: masked at full resolution, then downsampled as the input was. */
 FScreenPassTexture AddToonColor(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FBloomSetupInputs& Inputs)
 {
-	FToonBloomInputs MaskInputs;
+	Drydock::FToonBloomInputs MaskInputs = *Inputs.Toon;
 	MaskInputs.SceneColor = FindFullResolution(View, Inputs);
-	MaskInputs.SceneTextures = Inputs.SceneTextures;
-	MaskInputs.ToonIntensity = Inputs.ToonIntensity;
-	if (Inputs.ToonBounds && !View.bUseComputePasses)
+	if (MaskInputs.ToonBounds && !View.bUseComputePasses)
 	{
 		return AddToonColorWithin(GraphBuilder, View, Inputs, MaskInputs);
 	}
-	const FScreenPassTexture Masked = AddToonBloomMaskPass(GraphBuilder, View, MaskInputs);
+	const FScreenPassTexture Masked = Drydock::AddToonBloomMaskPass(GraphBuilder, View, MaskInputs);
 	if (Masked.ViewRect.Size() == Inputs.SceneColor.ViewRect.Size())
 	{
 		return Masked;
@@ -173,22 +164,44 @@ FScreenPassTexture AddToonColor(FRDGBuilder& GraphBuilder, const FViewInfo& View
 
 } // namespace
 
+namespace Drydock
+{
+
+namespace
+{
+
+const FPassFactoryRegistration GBloomSetup({
+	.Type = "BloomSetup",
+	.Doc = "Keeps what is bright enough to bloom.",
+	.Inputs = {{"Input", PictureResource, "Linear, pre-exposed."}},
+	.Parameters = {FParameterSpec::Number("Threshold", 1.0, -1.0, 1e6, "In exposed luminance; -1: no threshold."),
+		MakeExposureScaleSpec()},
+	.Add =
+		[](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FPassArguments& Arguments)
+	{
+		FBloomSetupInputs Inputs;
+		Inputs.SceneColor = Arguments.GetInput("Input");
+		Inputs.Threshold = Arguments.Values.GetFloat("Threshold");
+		Inputs.EyeAdaptationBuffer = CreateEyeAdaptationBuffer(GraphBuilder, Arguments.Values);
+		return AddBloomSetupPass(GraphBuilder, View, Inputs);
+	},
+});
+
+} // namespace
+
+} // namespace Drydock
+
 FScreenPassTexture AddBloomSetupPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FBloomSetupInputs& Inputs)
 {
 	check(Inputs.SceneColor.IsValid());
 	check(Inputs.EyeAdaptationBuffer);
-
-	check(Inputs.ToonIntensity > -1.0f);
+	check(!Inputs.Toon || Inputs.Toon->ToonIntensity > -1.0f);
 
 	const bool bCompute = View.bUseComputePasses;
 	const EToonBloom ToonBloom = ChooseToonBloom(Inputs, bCompute);
 
-	FRDGTextureDesc OutputDesc = Inputs.SceneColor.Texture->Desc;
-	OutputDesc.Reset();
-	OutputDesc.Flags &= ~(TexCreate_RenderTargetable | TexCreate_UAV);
-	OutputDesc.Flags |= TexCreate_ShaderResource | (bCompute ? TexCreate_UAV : TexCreate_RenderTargetable);
-	const FScreenPassRenderTarget Output(GraphBuilder.CreateTexture(OutputDesc, TEXT("BloomSetup")),
-		Inputs.SceneColor.ViewRect, ERenderTargetLoadAction::ENoAction);
+	const FScreenPassRenderTarget Output = Drydock::CreateScreenTarget(
+		GraphBuilder, Inputs.SceneColor.Texture->Desc, Inputs.SceneColor.ViewRect, TEXT("BloomSetup"), bCompute);
 
 	const FScreenPassTextureViewport Viewport(Inputs.SceneColor);
 
@@ -200,10 +213,14 @@ FScreenPassTexture AddBloomSetupPass(FRDGBuilder& GraphBuilder, const FViewInfo&
 	BloomSetup.InputSampler = TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
 	BloomSetup.EyeAdaptationBuffer = GraphBuilder.CreateSRV(Inputs.EyeAdaptationBuffer);
 	BloomSetup.BloomThreshold = Inputs.Threshold;
-	BloomSetup.LocalExposure = GetLocalExposureShaderParameters(Inputs.LocalExposure);
+	BloomSetup.LocalExposure = Drydock::GetLocalExposureShaderParameters(Inputs.LocalExposure);
 
-	BloomSetup.SceneTextures = Inputs.SceneTextures;
-	BloomSetup.ToonIntensity = Inputs.ToonIntensity;
+	BloomSetup.ToonIntensity = 1.0f;
+	if (Inputs.Toon)
+	{
+		BloomSetup.SceneTextures = Inputs.Toon->SceneTextures;
+		BloomSetup.ToonIntensity = Inputs.Toon->ToonIntensity;
+	}
 	if (ToonBloom == EToonBloom::Corrected)
 	{
 		const FScreenPassTexture Toon = AddToonColor(GraphBuilder, View, Inputs);
@@ -217,31 +234,7 @@ FScreenPassTexture AddBloomSetupPass(FRDGBuilder& GraphBuilder, const FViewInfo&
 	Permutation.Set<FToonBloomDimension>(ToonBloom);
 	Permutation.Set<FLocalExposureDimension>(Inputs.LocalExposure.IsValid());
 
-	if (bCompute)
-	{
-		TShaderMapRef<FBloomSetupCS> ComputeShader(View.ShaderMap, Permutation);
-
-		FBloomSetupCS::FParameters* PassParameters = GraphBuilder.AllocParameters<FBloomSetupCS::FParameters>();
-		PassParameters->BloomSetup = BloomSetup;
-		PassParameters->BloomOutput = GraphBuilder.CreateUAV(Output.Texture);
-
-		FComputeShaderUtils::AddPass(GraphBuilder,
-			RDG_EVENT_NAME("BloomSetup %dx%d (CS)", Output.ViewRect.Width(), Output.ViewRect.Height()), ComputeShader,
-			PassParameters,
-			FComputeShaderUtils::GetGroupCount(Output.ViewRect.Size(), FComputeShaderUtils::kGolden2DGroupSize));
-	}
-	else
-	{
-		TShaderMapRef<FBloomSetupPS> PixelShader(View.ShaderMap, Permutation);
-
-		FBloomSetupPS::FParameters* PassParameters = GraphBuilder.AllocParameters<FBloomSetupPS::FParameters>();
-		PassParameters->BloomSetup = BloomSetup;
-		PassParameters->RenderTargets[0] = Output.GetRenderTargetBinding();
-
-		FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
-			RDG_EVENT_NAME("BloomSetup %dx%d (PS)", Output.ViewRect.Width(), Output.ViewRect.Height()), PixelShader,
-			PassParameters, Output.ViewRect);
-	}
-
-	return FScreenPassTexture(Output.Texture, Output.ViewRect);
+	const FString Name = FString::Printf(TEXT("BloomSetup %dx%d"), Output.ViewRect.Width(), Output.ViewRect.Height());
+	return Drydock::AddScreenShaderPass<FBloomSetupPS, FBloomSetupCS>(GraphBuilder, View, {Name, Output, bCompute},
+		BloomSetup, Permutation, &FBloomSetupCS::FParameters::BloomOutput);
 }

@@ -8,7 +8,7 @@
 // other operand, as on a GPU), +Inf likewise; -Inf and negatives pass on until an unsigned store clips them. An input
 // without such values gives none.
 //
-// Toon bloom (SceneTextures given). Corrected: C of the result is that of the full-resolution colour whose toon pixels
+// Toon bloom (Toon given). Corrected: C of the result is that of the full-resolution colour whose toon pixels
 // are multiplied by ToonIntensity, downsampled like the input; the ramp stays that of the unmasked input. Without a
 // threshold the colour passes untouched, so a factor of 1 gives the bits of a frame without this pass. Texels that no
 // toon pixel reaches have the same bits for every factor; the result is linear in the factor below the clamp. As
@@ -17,6 +17,7 @@
 #pragma once
 
 #include "Bloom/PostProcessGaussianBloom.h"
+#include "Bloom/PostProcessToonBloom.h"
 #include "CoreMinimal.h"
 #include "Exposure/PostProcessLocalExposure.h"
 #include "SceneTextureParameters.h"
@@ -32,18 +33,13 @@ struct FBloomSetupInputs
 	/** In exposed luminance; -1 and below: no threshold. */
 	float Threshold = -1.0f;
 	/** Not valid: none. */
-	FLocalExposureTextures LocalExposure;
+	Drydock::FLocalExposureTextures LocalExposure;
 
-	/** Null: no toon bloom. */
-	TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures = nullptr;
-	/** Factor of what is shaded as cloth; above -1. */
-	float ToonIntensity = 1.0f;
-	/** What SceneColor was downsampled from; if not given, the scene textures' colour at the view's rect. */
-	FScreenPassTexture FullResolutionSceneColor;
-	/** Where toon pixels can be, from the corner of that picture's rect; not set: anywhere. Then only what they reach
-	 * is masked and downsampled anew. SceneColor must be that picture itself, or its AddDownsamplePass. */
-	std::optional<FIntRect> ToonBounds;
-	/** How it was downsampled. */
+	/** [Optional] Toon bloom. Its SceneColor: what SceneColor was downsampled from; where it is not given, the scene
+	 * textures' colour at the view's rect. With ToonBounds only what toon pixels reach is masked and downsampled anew,
+	 * and SceneColor must be that picture itself, or its AddDownsamplePass. */
+	std::optional<Drydock::FToonBloomInputs> Toon;
+	/** How SceneColor was downsampled. */
 	EDownsampleQuality DownsampleQuality = EDownsampleQuality::Low;
 };
 

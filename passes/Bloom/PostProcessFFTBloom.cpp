@@ -1,4 +1,4 @@
-// Source: engine file PostProcess/PostProcessFFTBloom.cpp.
+// The passes of a frame with convolution bloom. Source: engine file PostProcess/PostProcessFFTBloom.cpp.
 #include "Bloom/PostProcessFFTBloom.h"
 
 #include "Bloom/FFTConvolution.h"
@@ -292,7 +292,7 @@ FFFTBloomOutput AddFFTBloomPass(FRDGBuilder& GraphBuilder, const FViewInfo& View
 	RDG_EVENT_SCOPE(GraphBuilder, "FFTBloom %dx%d", ImageSize.X, ImageSize.Y);
 	const FScreenPassTexture Image = AddPreFilterPass(GraphBuilder, View, ChooseInput(Inputs, Fraction), ImageSize);
 
-	FBloomFFTKernel Wanted;
+	Drydock::FBloomFFTKernel Wanted;
 	Wanted.Texture = KernelTexture;
 	Wanted.NumMips = KernelTexture->GetNumMips();
 	Wanted.Size = Settings.BloomConvolutionSize;

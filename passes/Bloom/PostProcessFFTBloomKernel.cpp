@@ -1,4 +1,4 @@
-// Source: engine files Bloom/*.usf (order and purpose of the passes); drydock.
+// The passes that make the kernel of convolution bloom. Source: engine files Bloom/*.usf (order and purpose).
 #include "Bloom/PostProcessFFTBloomKernel.h"
 
 #include "GlobalShader.h"
@@ -7,6 +7,7 @@
 #include "RenderGraphBuilder.h"
 #include "RenderGraphUtils.h"
 #include "SceneRendering.h"
+#include "SceneViewState.h"
 #include "Screen/PostProcessDownsample.h"
 #include "ShaderParameterStruct.h"
 
@@ -304,15 +305,13 @@ FBloomKernel FindOrAddBloomKernel(FRDGBuilder& GraphBuilder, const FViewInfo& Vi
 	{
 		return AddBloomKernelPasses(GraphBuilder, View, Wanted);
 	}
-	FBloomFFTKernel& Kept = ViewState->BloomFFTKernel;
-	Kept.bUsed = true;
+	FBloomFFTKernel& Kept = ViewState->FindOrMakeCache<FBloomFFTKernel>();
 	if (Kept.IsMadeFrom(Wanted) && Kept.Spectrum && Kept.Constants)
 	{
 		return {GraphBuilder.RegisterExternalTexture(Kept.Spectrum, TEXT("Bloom.KernelSpectrum")),
 			GraphBuilder.RegisterExternalBuffer(Kept.Constants, TEXT("Bloom.KernelConstants"))};
 	}
 	Kept = Wanted;
-	Kept.bUsed = true;
 	Kept.Spectrum = nullptr;
 	Kept.Constants = nullptr;
 	const FBloomKernel Kernel = AddBloomKernelPasses(GraphBuilder, View, Wanted);

@@ -2,8 +2,11 @@
 // Source: engine files Bloom/*.usf (order and purpose of the passes).
 #pragma once
 
+#include "Bloom/FFTConvolution.h"
 #include "CoreMinimal.h"
-#include "SceneViewState.h"
+#include "RHIResources.h"
+#include "RenderGraphResourcePool.h"
+#include "RendererInterface.h"
 
 class FRDGBuilder;
 class FViewInfo;
@@ -25,6 +28,29 @@ struct FBloomKernel
 {
 	FRDGTextureRef Spectrum = nullptr;
 	FRDGBufferRef Constants = nullptr;
+};
+
+/** The kernel, transformed, and what it was made from: a cache of the view (ViewCaches.h). */
+struct FBloomFFTKernel
+{
+	/** Held, so that no other texture gets its address. */
+	FTextureRHIRef Texture;
+	uint32 NumMips = 0;
+	float Size = 0.0f;
+	FVector2D CenterUV = FVector2D(0.0, 0.0);
+	FFFTDomain Domain;
+	/** r.Drydock.Storage. */
+	int32 Storage = 0;
+
+	/** Written when the graph that makes them has run; null until then. */
+	TRefCountPtr<IPooledRenderTarget> Spectrum;
+	TRefCountPtr<FRDGPooledBuffer> Constants;
+
+	bool IsMadeFrom(const FBloomFFTKernel& Other) const
+	{
+		return Texture == Other.Texture && NumMips == Other.NumMips && Size == Other.Size &&
+			   CenterUV == Other.CenterUV && Domain == Other.Domain && Storage == Other.Storage;
+	}
 };
 
 /** Made anew, or out of View's state where that holds what Wanted describes (its results are not looked at). */

@@ -1,7 +1,8 @@
-// Source: engine file PostProcessBloomSetup.cpp (AddGaussianBloomPasses).
+// The stages of the bloom as the settings give them. Source: engine file PostProcessBloomSetup.cpp
+// (AddGaussianBloomPasses).
 #include "Bloom/PostProcessGaussianBloom.h"
 
-#include "Blur/TextureBlur.h"
+#include "Blur/GaussianSum.h"
 #include "HAL/IConsoleManager.h"
 #include "RenderGraphBuilder.h"
 #include "SceneRendering.h"
@@ -26,12 +27,17 @@ EBloomQuality GetBloomQuality()
 		static_cast<int32>(EBloomQuality::Disabled), static_cast<int32>(EBloomQuality::MAX) - 1));
 }
 
+namespace Drydock
+{
+
 uint32 GetBloomStageCount(EBloomQuality Quality)
 {
 	constexpr uint32 StageCounts[] = {0, 3, 3, 4, 5, 6};
 	static_assert(UE_ARRAY_COUNT(StageCounts) == static_cast<uint32>(EBloomQuality::MAX));
 	return StageCounts[static_cast<uint32>(Quality)];
 }
+
+} // namespace Drydock
 
 FScreenPassTexture AddGaussianBloomPasses(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FTextureDownsampleChain* SceneDownsampleChain)
@@ -41,7 +47,7 @@ FScreenPassTexture AddGaussianBloomPasses(
 	check(SceneDownsampleChain->GetLevelCount() >= LevelCount);
 
 	const FFinalPostProcessSettings& Settings = View.FinalPostProcessSettings;
-	FGaussianBlurPassesInputs Inputs;
+	Drydock::FGaussianSumInputs Inputs;
 	Inputs.Stages = {
 		{TEXT("Bloom6X"), TEXT("Bloom6Y"), Settings.Bloom6Size, Settings.Bloom6Tint},
 		{TEXT("Bloom5X"), TEXT("Bloom5Y"), Settings.Bloom5Size, Settings.Bloom5Tint},
@@ -52,10 +58,10 @@ FScreenPassTexture AddGaussianBloomPasses(
 	};
 	const float TintScale = Settings.BloomIntensity / static_cast<float>(LevelCount);
 	Inputs.TintScale = FLinearColor(TintScale, TintScale, TintScale, TintScale);
-	Inputs.StageCount = GetBloomStageCount(GetBloomQuality());
+	Inputs.StageCount = Drydock::GetBloomStageCount(GetBloomQuality());
 	Inputs.SizeScale = Settings.BloomSizeScale;
 	Inputs.Cross = CVarGaussianBloomCross.GetValueOnRenderThread();
 
 	RDG_EVENT_SCOPE(GraphBuilder, "GaussianBloom");
-	return AddGaussianBlurPasses(GraphBuilder, View, *SceneDownsampleChain, Inputs);
+	return Drydock::AddGaussianSumPasses(GraphBuilder, View, *SceneDownsampleChain, Inputs);
 }

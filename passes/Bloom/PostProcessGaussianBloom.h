@@ -30,8 +30,13 @@ enum class EBloomQuality : uint32
 /** r.BloomQuality, clamped. */
 DRYDOCK_API EBloomQuality GetBloomQuality();
 
+namespace Drydock
+{
+
 /** Stages that a quality runs: 0, 3, 3, 4, 5, 6. */
 DRYDOCK_API uint32 GetBloomStageCount(EBloomQuality Quality);
+
+} // namespace Drydock
 
 /** Settings come from View.FinalPostProcessSettings. Chain: EBloomQuality::MAX levels, level 0 half resolution. Gives
  * the finest stage that ran, or an invalid texture when none did. */

@@ -1,14 +1,16 @@
-// Source: drydock.
+// The passes that mask toon pixels for their own bloom strength, or show them.
 #include "Bloom/PostProcessToonBloom.h"
 
-#include "GlobalShader.h"
 #include "HAL/IConsoleManager.h"
-#include "PixelShaderUtils.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
-#include "RenderGraphUtils.h"
 #include "SceneRendering.h"
+#include "Screen/RasterTarget.h"
+#include "Screen/ScreenShaderPass.h"
 #include "ShaderParameterStruct.h"
+
+namespace Drydock
+{
 
 namespace
 {
@@ -52,11 +54,11 @@ public:
 	END_SHADER_PARAMETER_STRUCT()
 };
 
-class FToonBloomCS : public FGlobalShader
+class FToonBloomCS : public FScreenComputeShader
 {
 public:
 	DECLARE_GLOBAL_SHADER(FToonBloomCS);
-	SHADER_USE_PARAMETER_STRUCT(FToonBloomCS, FGlobalShader);
+	SHADER_USE_PARAMETER_STRUCT(FToonBloomCS, FScreenComputeShader);
 
 	using FPermutationDomain = TShaderPermutationDomain<FToonVisualizeDimension>;
 
@@ -64,14 +66,6 @@ public:
 		SHADER_PARAMETER_STRUCT_INCLUDE(FToonBloomParameters, Common)
 		SHADER_PARAMETER_RDG_TEXTURE_UAV(RWTexture2D<float4>, OutComputeTexture)
 	END_SHADER_PARAMETER_STRUCT()
-
-	static void ModifyCompilationEnvironment(
-		const FGlobalShaderPermutationParameters& Parameters, FShaderCompilerEnvironment& OutEnvironment)
-	{
-		FGlobalShader::ModifyCompilationEnvironment(Parameters, OutEnvironment);
-		OutEnvironment.SetDefine(TEXT("THREADGROUP_SIZEX"), FComputeShaderUtils::kGolden2DGroupSize);
-		OutEnvironment.SetDefine(TEXT("THREADGROUP_SIZEY"), FComputeShaderUtils::kGolden2DGroupSize);
-	}
 };
 
 IMPLEMENT_GLOBAL_SHADER(FToonBloomPS, "/Engine/Private/PostProcessToonBloom.usf", "MainPS", SF_Pixel);
@@ -90,16 +84,8 @@ FScreenPassTexture AddToonPass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
 	check(Inputs.SceneTextures);
 	const Drydock::FRDGEffectScope EffectScope(GraphBuilder, "ToonBloom");
 	const bool bCompute = View.bUseComputePasses;
-	check(!bCompute || !DrawRect);
-
-	FRDGTextureDesc OutputDesc = Inputs.SceneColor.Texture->Desc;
-	OutputDesc.Reset();
-	OutputDesc.Flags &= ~(TexCreate_RenderTargetable | TexCreate_UAV);
-	OutputDesc.Flags |= TexCreate_ShaderResource | (bCompute ? TexCreate_UAV : TexCreate_RenderTargetable);
-	const FScreenPassRenderTarget Output(GraphBuilder.CreateTexture(OutputDesc, Names.Output),
-		Inputs.SceneColor.ViewRect, ERenderTargetLoadAction::ENoAction);
-	const FIntRect Drawn = DrawRect.value_or(Output.ViewRect);
-	const FIntPoint Size = Drawn.Size();
+	const FScreenPassRenderTarget Output = CreateScreenTarget(
+		GraphBuilder, Inputs.SceneColor.Texture->Desc, Inputs.SceneColor.ViewRect, Names.Output, bCompute);
 
 	FToonBloomParameters Common;
 	Common.View = View.ViewUniformBuffer;
@@ -112,26 +98,10 @@ FScreenPassTexture AddToonPass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
 
 	TShaderPermutationDomain<FToonVisualizeDimension> Permutation;
 	Permutation.Set<FToonVisualizeDimension>(bVisualize);
-	if (bCompute)
-	{
-		TShaderMapRef<FToonBloomCS> ComputeShader(View.ShaderMap, Permutation);
-		FToonBloomCS::FParameters* PassParameters = GraphBuilder.AllocParameters<FToonBloomCS::FParameters>();
-		PassParameters->Common = Common;
-		PassParameters->OutComputeTexture = GraphBuilder.CreateUAV(Output.Texture);
-		FComputeShaderUtils::AddPass(GraphBuilder, RDG_EVENT_NAME("%s %dx%d (CS)", Names.Pass, Size.X, Size.Y),
-			ComputeShader, PassParameters,
-			FComputeShaderUtils::GetGroupCount(Size, FComputeShaderUtils::kGolden2DGroupSize));
-	}
-	else
-	{
-		TShaderMapRef<FToonBloomPS> PixelShader(View.ShaderMap, Permutation);
-		FToonBloomPS::FParameters* PassParameters = GraphBuilder.AllocParameters<FToonBloomPS::FParameters>();
-		PassParameters->Common = Common;
-		PassParameters->RenderTargets[0] = Output.GetRenderTargetBinding();
-		FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
-			RDG_EVENT_NAME("%s %dx%d (PS)", Names.Pass, Size.X, Size.Y), PixelShader, PassParameters, Drawn);
-	}
-	return FScreenPassTexture(Output.Texture, Output.ViewRect);
+	const FIntPoint Size = DrawRect.value_or(Output.ViewRect).Size();
+	const FString Name = FString::Printf(TEXT("%s %dx%d"), Names.Pass, Size.X, Size.Y);
+	return AddScreenShaderPass<FToonBloomPS, FToonBloomCS>(GraphBuilder, View, {Name, Output, bCompute, DrawRect},
+		Common, Permutation, &FToonBloomCS::FParameters::OutComputeTexture);
 }
 
 } // namespace
@@ -164,3 +134,5 @@ FScreenPassTexture AddToonBloomVisualizePass(
 	return AddToonPass(
 		GraphBuilder, View, Inputs, true, {TEXT("ToonBloomVisualizeMask"), TEXT("ToonBloomVisualizeMask")});
 }
+
+} // namespace Drydock

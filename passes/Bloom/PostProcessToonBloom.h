@@ -18,6 +18,9 @@
 class FRDGBuilder;
 class FViewInfo;
 
+namespace Drydock
+{
+
 /** r.ToonBloom: -1 where the settings call for it, 0 never, 1 always. */
 DRYDOCK_API int32 GetToonBloomMode();
 
@@ -47,3 +50,5 @@ DRYDOCK_API FScreenPassTexture AddToonBloomMaskPass(FRDGBuilder& GraphBuilder, c
 /** The input dimmed to grey, toon pixels in magenta over it: linear, to be tonemapped. */
 DRYDOCK_API FScreenPassTexture AddToonBloomVisualizePass(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FToonBloomInputs& Inputs);
+
+} // namespace Drydock

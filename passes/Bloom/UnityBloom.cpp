@@ -1,4 +1,4 @@
-// Source: article "Unity bloom"; drydock.
+// The four passes of the Unity-style bloom and their chain. Source: article "Unity bloom".
 #include "Bloom/UnityBloom.h"
 
 #include "Blur/KernelAudit.h"
@@ -12,6 +12,9 @@
 #include "SceneRendering.h"
 #include "Screen/RasterTarget.h"
 #include "ShaderParameterStruct.h"
+
+namespace Drydock
+{
 
 namespace
 {
@@ -39,8 +42,7 @@ void CheckBlurKernel(FRDGBuilder& GraphBuilder, bool bAsPrinted)
 	const FVector4f Weights = GetWeights(bAsPrinted);
 	const double Center = static_cast<double>(Weights.X), Near = static_cast<double>(Weights.Y),
 				 Far = static_cast<double>(Weights.Z);
-	Drydock::CheckKernel(
-		GraphBuilder, "Unity bloom's blur", {Far, Near, Center, Near, Far}, Drydock::EKernelFault::None);
+	CheckKernel(GraphBuilder, "Unity bloom's blur", {Far, Near, Center, Near, Far}, EKernelFault::None);
 }
 
 class FUnityBloomPassDimension : SHADER_PERMUTATION_ENUM_CLASS("UNITY_BLOOM_PASS", EUnityBloomPass);
@@ -78,14 +80,11 @@ FScreenPassRenderTarget CreateSmallTarget(FRDGBuilder& GraphBuilder, const FUnit
 	const FIntPoint FullSize = Inputs.SceneColor.ViewRect.Size();
 	const FIntPoint Size = Inputs.bAsPrinted ? FIntPoint(FullSize.X / Divisor, FullSize.Y / Divisor)
 											 : FIntPoint::DivideAndRoundUp(FullSize, Divisor);
-	return Drydock::CreateSmallRasterTarget(GraphBuilder, Inputs.SceneColor, Size, TEXT("UnityBloom.Extract"),
+	return CreateSmallRasterTarget(GraphBuilder, Inputs.SceneColor, Size, TEXT("UnityBloom.Extract"),
 		Inputs.bAsPrinted ? PF_B8G8R8A8 : PF_FloatRGBA);
 }
 
 } // namespace
-
-namespace Drydock
-{
 
 const TCHAR* ToString(EUnityBloomPass Pass)
 {
@@ -109,8 +108,6 @@ TOptional<EUnityBloomPass> FindUnityBloomPass(const TCHAR* Name)
 	return {};
 }
 
-} // namespace Drydock
-
 FScreenPassTexture AddUnityBloomPass(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FUnityBloomPassInputs& Inputs)
 {
@@ -123,10 +120,10 @@ FScreenPassTexture AddUnityBloomPass(
 		CheckBlurKernel(GraphBuilder, Inputs.bAsPrinted);
 	}
 
-	const TCHAR* const Name = Inputs.Name ? Inputs.Name : Drydock::ToString(Inputs.Pass);
+	const TCHAR* const Name = Inputs.Name ? Inputs.Name : ToString(Inputs.Pass);
 	const FScreenPassRenderTarget Output = Inputs.OverrideOutput.IsValid()
 											   ? Inputs.OverrideOutput
-											   : Drydock::CreateRasterTargetLike(GraphBuilder, Inputs.Source, Name);
+											   : CreateRasterTargetLike(GraphBuilder, Inputs.Source, Name);
 	FRHISamplerState* const BilinearClamp = TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
 
 	FUnityBloomPS::FParameters* PassParameters = GraphBuilder.AllocParameters<FUnityBloomPS::FParameters>();
@@ -213,3 +210,5 @@ bool IsUnityBloomAfterTonemap()
 	return CVarUnityBloomAsPrinted.GetValueOnRenderThread() != 0 ||
 		   CVarUnityBloomInsertion.GetValueOnRenderThread() != 0;
 }
+
+} // namespace Drydock

@@ -20,6 +20,9 @@ class FRDGBuilder;
 class FViewInfo;
 struct FFinalPostProcessSettings;
 
+namespace Drydock
+{
+
 /** The shader's passes, by the number the article gives them. */
 enum class EUnityBloomPass : uint8
 {
@@ -30,16 +33,11 @@ enum class EUnityBloomPass : uint8
 	MAX
 };
 
-namespace Drydock
-{
-
 /** "Extract", "GaussianBlurVertical", ... */
 DRYDOCK_API const TCHAR* ToString(EUnityBloomPass Pass);
 
 /** The pass of that name, case ignored: the way one effect uses a pass of another. Unset when there is none. */
 DRYDOCK_API TOptional<EUnityBloomPass> FindUnityBloomPass(const TCHAR* Name);
-
-} // namespace Drydock
 
 /** One pass alone. */
 struct FUnityBloomPassInputs
@@ -91,3 +89,5 @@ DRYDOCK_API FScreenPassTexture AddUnityBloomPasses(
 
 /** Whether the effect follows the tonemapper (r.UnityBloom.Insertion 1, or as printed) or precedes it. */
 DRYDOCK_API bool IsUnityBloomAfterTonemap();
+
+} // namespace Drydock

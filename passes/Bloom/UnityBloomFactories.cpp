@@ -1,8 +1,9 @@
-// The four passes of the Unity-style bloom that a config can insert by name, one by one. Source: drydock.
+// The four passes of the Unity-style bloom that a config can insert by name, one by one.
 #include "Bloom/UnityBloom.h"
 #include "PassFactory.h"
 
-using namespace Drydock;
+namespace Drydock
+{
 
 namespace
 {
@@ -38,14 +39,14 @@ const FParameterSpec GSpread = FParameterSpec::Number("Spread", 1, 0, 64, "Dista
 
 void ReadSpread(const FParameterValues& Values, FUnityBloomPassInputs& Inputs)
 {
-	Inputs.Spread = static_cast<float>(Values.GetNumber("Spread"));
+	Inputs.Spread = Values.GetFloat("Spread");
 }
 
 const FPassFactoryRegistration GExtract(
 	MakeFactory(EUnityBloomPass::Extract, "Keeps what is brighter than a threshold.",
 		{FParameterSpec::Number("Threshold", 0.6, -1e6, 1e6, "Taken off the luminance.")},
 		[](const FParameterValues& Values, FUnityBloomPassInputs& Inputs)
-		{ Inputs.Threshold = static_cast<float>(Values.GetNumber("Threshold")); }));
+		{ Inputs.Threshold = Values.GetFloat("Threshold"); }));
 
 const FPassFactoryRegistration GVertical(
 	MakeFactory(EUnityBloomPass::GaussianBlurVertical, "Blurs columns.", {GSpread}, &ReadSpread));
@@ -56,6 +57,8 @@ const FPassFactoryRegistration GHorizontal(
 const FPassFactoryRegistration GComposite(MakeFactory(EUnityBloomPass::Composite, "Adds bloom to a picture.",
 	{FParameterSpec::Number("Intensity", 1, 0, 1000, "Scales the bloom.")},
 	[](const FParameterValues& Values, FUnityBloomPassInputs& Inputs)
-	{ Inputs.Intensity = static_cast<float>(Values.GetNumber("Intensity")); }));
+	{ Inputs.Intensity = Values.GetFloat("Intensity"); }));
 
 } // namespace
+
+} // namespace Drydock

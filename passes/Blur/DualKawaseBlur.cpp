@@ -1,8 +1,9 @@
-// Source: drydock.
+// The dual Kawase view extension, its console variables and its factory.
 #include "Blur/DualKawaseBlur.h"
 
 #include "Blur/DualKawaseBlurErrors.h"
 #include "Blur/DualKawaseBlurPass.h"
+#include "Blur/MatchedGaussianBlur.h"
 #include "ExtensionFactory.h"
 #include "HAL/IConsoleManager.h"
 #include "PostProcess/PostProcessMaterial.h"
@@ -11,7 +12,8 @@
 
 #include <string>
 
-using namespace Drydock;
+namespace Drydock
+{
 
 namespace
 {
@@ -36,8 +38,8 @@ TSharedRef<ISceneViewExtension, ESPMode::ThreadSafe> CreateExtension(const FExte
 {
 	const FParameterValues& Values = Arguments.Values;
 	TSharedRef<FDualKawaseBlur, ESPMode::ThreadSafe> Extension = FSceneViewExtensions::NewExtension<FDualKawaseBlur>(
-		static_cast<float>(Values.GetNumber("Offset")), Values.GetInteger("PassNum"), Values.GetBool("UseGaussian"));
-	Extension->SetStandardDeviation(static_cast<float>(Values.GetNumber("StandardDeviation")));
+		Values.GetFloat("Offset"), Values.GetInteger("PassNum"), Values.GetBool("UseGaussian"));
+	Extension->SetStandardDeviation(Values.GetFloat("StandardDeviation"));
 	if (const auto Pass = FindPassByName(Arguments.Pass))
 	{
 		Extension->SetPass(*Pass);
@@ -120,12 +122,12 @@ FScreenPassTexture FDualKawaseBlur::AddPasses(
 
 	if (bUseGaussian && Levels > 0)
 	{
-		FDualKawaseGaussianInputs PassInputs;
+		FMatchedGaussianBlurInputs PassInputs;
 		PassInputs.SceneColor = SceneColor;
 		PassInputs.OverrideOutput = Inputs.OverrideOutput;
 		PassInputs.StandardDeviation = GetDualKawaseStandardDeviation(Levels, Setting.Offset);
 		PassInputs.bSeparable = CVarSeparableGaussian.GetValueOnRenderThread() != 0;
-		return AddDualKawaseGaussianPass(GraphBuilder, ViewInfo, PassInputs);
+		return AddMatchedGaussianBlurPasses(GraphBuilder, ViewInfo, PassInputs);
 	}
 
 	FDualKawaseBlurInputs PassInputs;
@@ -136,3 +138,5 @@ FScreenPassTexture FDualKawaseBlur::AddPasses(
 	PassInputs.bAsPrinted = IsDualKawaseAsPrinted();
 	return AddDualKawaseBlurPass(GraphBuilder, ViewInfo, PassInputs);
 }
+
+} // namespace Drydock

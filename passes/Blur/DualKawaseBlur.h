@@ -7,12 +7,15 @@
 // The post-process settings have the last word, where they are not at their defaults: DualKawaseBlurPassNum above 0 for
 // the number of levels, DualKawaseBlurOffset other than 1 for the offset; then a wanted standard deviation is put
 // aside. r.DualKawase.AsPrinted chooses the article's form, r.DualKawase.SeparableGaussian how UseGaussian blurs. Docs:
-// docs/dual-kawase.md. Source: drydock.
+// docs/dual-kawase.md.
 #pragma once
 
 #include "Blur/DualKawaseBlurWidth.h"
 #include "CoreMinimal.h"
 #include "SceneViewExtension.h"
+
+namespace Drydock
+{
 
 class DRYDOCK_API FDualKawaseBlur : public FSceneViewExtensionBase
 {
@@ -36,7 +39,7 @@ private:
 		FRDGBuilder& GraphBuilder, const FSceneView& View, const FPostProcessMaterialInputs& Inputs);
 
 	/** Levels and offset for a picture of this size. */
-	Drydock::FDualKawaseSetting ChooseSetting(FRDGBuilder& GraphBuilder, const FSceneView& View, FIntPoint Size) const;
+	FDualKawaseSetting ChooseSetting(FRDGBuilder& GraphBuilder, const FSceneView& View, FIntPoint Size) const;
 
 	float Offset;
 	int32 PassNum;
@@ -44,3 +47,5 @@ private:
 	float StandardDeviation = 0.0f;
 	EPostProcessingPass Pass = EPostProcessingPass::MotionBlur;
 };
+
+} // namespace Drydock

@@ -1,4 +1,4 @@
-// The numbered remarks of the dual Kawase blur. Docs: docs/errors.md. Source: drydock.
+// The numbered remarks of the dual Kawase blur. Docs: docs/errors.md.
 #pragma once
 
 namespace Drydock

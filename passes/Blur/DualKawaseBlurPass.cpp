@@ -1,4 +1,4 @@
-// Source: drydock.
+// The passes of the dual Kawase blur, corrected and as printed, and their factory.
 #include "Blur/DualKawaseBlurPass.h"
 
 #include "Blur/DualKawaseBlurErrors.h"
@@ -6,6 +6,7 @@
 #include "Blur/DualKawaseBlurWidth.h"
 #include "GlobalShader.h"
 #include "HAL/IConsoleManager.h"
+#include "PassFactory.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphNotes.h"
@@ -15,7 +16,8 @@
 
 #include <cmath>
 
-using namespace Drydock;
+namespace Drydock
+{
 
 namespace
 {
@@ -249,6 +251,28 @@ FScreenPassTexture AddPrintedPasses(
 	return FScreenPassTexture(Current);
 }
 
+const FPassFactoryRegistration GDualKawase({
+	.Type = "DualKawase",
+	.Doc = "Blurs an image: halves it PassNum times and doubles it again.",
+	.Inputs = {{"Input", PictureResource, "The image."}},
+	.Parameters =
+		{
+			FParameterSpec::Number("Offset", 1, 0, 8, "Distance of the taps; 1 is the published filter."),
+			FParameterSpec::Integer("PassNum", 3, 1, GDualKawaseMaxPasses, "Levels down, and as many up."),
+			FParameterSpec::Bool("AsPrinted", false, "The article's form."),
+		},
+	.Add =
+		[](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FPassArguments& Arguments)
+	{
+		FDualKawaseBlurInputs Inputs;
+		Inputs.SceneColor = Arguments.GetInput("Input");
+		Inputs.Offset = Arguments.Values.GetFloat("Offset");
+		Inputs.PassNum = Arguments.Values.GetInteger("PassNum");
+		Inputs.bAsPrinted = Arguments.Values.GetBool("AsPrinted");
+		return AddDualKawaseBlurPass(GraphBuilder, View, Inputs);
+	},
+});
+
 } // namespace
 
 bool IsDualKawaseAsPrinted()
@@ -266,3 +290,5 @@ FScreenPassTexture AddDualKawaseBlurPass(
 	return Inputs.bAsPrinted ? AddPrintedPasses(GraphBuilder, View, Inputs, PassNum)
 							 : AddCorrectedPasses(GraphBuilder, View, Inputs, PassNum);
 }
+
+} // namespace Drydock

@@ -22,6 +22,9 @@
 class FRDGBuilder;
 class FViewInfo;
 
+namespace Drydock
+{
+
 struct FDualKawaseBlurInputs
 {
 	/** [Required] What is blurred. */
@@ -51,24 +54,4 @@ DRYDOCK_API bool IsDualKawaseAsPrinted();
 DRYDOCK_API FScreenPassTexture AddDualKawaseBlurPass(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FDualKawaseBlurInputs& Inputs);
 
-struct FDualKawaseGaussianInputs
-{
-	/** [Required] What is blurred. */
-	FScreenPassTexture SceneColor;
-
-	/** [Optional] Written in place of a new texture; its rect has the size of the input's. */
-	FScreenPassRenderTarget OverrideOutput;
-
-	/** Pixels, at least 0.5. */
-	double StandardDeviation = 1.0;
-
-	/** Rows, then columns, in two passes. Else in one, as the article does it: (2 R + 1)^2 taps, R = 3 standard
-	 * deviations. */
-	bool bSeparable = false;
-};
-
-/** The Gaussian to compare with: its taps at texel centres, reach 3 standard deviations, the variance that the cut
- * tails lack made up for; clamp addressing. Extent, rect, format and the rules for constants, NaN and infinities are
- * those of the corrected blur. */
-DRYDOCK_API FScreenPassTexture AddDualKawaseGaussianPass(
-	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FDualKawaseGaussianInputs& Inputs);
+} // namespace Drydock

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Level sizes, widths and matching settings of the dual Kawase blur, from closed forms.
 #include "Blur/DualKawaseBlurWidth.h"
 
 #include <cmath>

@@ -1,8 +1,9 @@
-// Source: Kawase, GDC 2003; Burt and Adelson, 1983.
+// The passes of Kawase's blur and of the Gaussian pyramid, and their factories. Source: Kawase, GDC 2003; Burt and
+// Adelson, 1983.
 #include "Blur/FourTapBlur.h"
 
 #include "Blur/DualKawaseBlurOutput.h"
-#include "Blur/DualKawaseBlurPass.h"
+#include "Blur/MatchedGaussianBlur.h"
 #include "GlobalShader.h"
 #include "PassFactory.h"
 #include "RHIStaticStates.h"
@@ -13,7 +14,8 @@
 
 #include <cmath>
 
-using namespace Drydock;
+namespace Drydock
+{
 
 namespace
 {
@@ -131,9 +133,6 @@ const FPassFactoryRegistration GPyramid({
 
 } // namespace
 
-namespace Drydock
-{
-
 TArray<double> GetKawaseDistances(double StandardDeviation)
 {
 	TArray<double> Distances;
@@ -187,8 +186,6 @@ FPyramidSetting GetPyramidSetting(double StandardDeviation, int32 Levels)
 	return {Taken, GetLowStandardDeviation(StandardDeviation, Taken)};
 }
 
-} // namespace Drydock
-
 FScreenPassTexture AddKawaseBlurPasses(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& Input, double StandardDeviation)
 {
@@ -240,11 +237,11 @@ FScreenPassTexture AddPyramidBlurPasses(
 	return AddPyramidBlurPasses(GraphBuilder, View, Input, GetPyramidSetting(StandardDeviation),
 		[&](const FScreenPassTexture& Low, double LowStandardDeviation)
 		{
-			FDualKawaseGaussianInputs Inputs;
+			FMatchedGaussianBlurInputs Inputs;
 			Inputs.SceneColor = Low;
 			Inputs.StandardDeviation = LowStandardDeviation;
 			Inputs.bSeparable = true;
-			return AddDualKawaseGaussianPass(GraphBuilder, View, Inputs);
+			return AddMatchedGaussianBlurPasses(GraphBuilder, View, Inputs);
 		});
 }
 
@@ -258,3 +255,5 @@ FScreenPassTexture AddBilinearStretchPass(
 		GraphBuilder, View, Input, Output, FVector2f(Input.ViewRect.Size()) / FVector2f(Like.ViewRect.Size()));
 	return Output;
 }
+
+} // namespace Drydock

@@ -48,8 +48,6 @@ DRYDOCK_API FPyramidSetting GetPyramidSetting(double StandardDeviation);
 /** The same for a given number of levels: fewer where they would be wider than wanted. */
 DRYDOCK_API FPyramidSetting GetPyramidSetting(double StandardDeviation, int32 Levels);
 
-} // namespace Drydock
-
 /** StandardDeviation in pixels. The input itself where there is nothing to do. */
 DRYDOCK_API FScreenPassTexture AddKawaseBlurPasses(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& Input, double StandardDeviation);
@@ -60,7 +58,7 @@ using FAddLowResolutionBlur =
 
 /** Levels down, Blur on the coarsest, and up again. The input itself where there is nothing to do. */
 DRYDOCK_API FScreenPassTexture AddPyramidBlurPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View,
-	const FScreenPassTexture& Input, const Drydock::FPyramidSetting& Setting, FAddLowResolutionBlur Blur);
+	const FScreenPassTexture& Input, const FPyramidSetting& Setting, FAddLowResolutionBlur Blur);
 
 /** With the separable Gaussian. */
 DRYDOCK_API FScreenPassTexture AddPyramidBlurPasses(
@@ -69,3 +67,5 @@ DRYDOCK_API FScreenPassTexture AddPyramidBlurPasses(
 /** Stretches Input's rect over a rect of this size by one bilinear tap, as who reads a coarse level does. */
 DRYDOCK_API FScreenPassTexture AddBilinearStretchPass(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& Input, const FScreenPassTexture& Like);
+
+} // namespace Drydock

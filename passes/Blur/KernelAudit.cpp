@@ -1,4 +1,4 @@
-// Source: drydock.
+// Sums, signs and symmetry of a blur's weights, and what is said of faulty ones.
 #include "Blur/KernelAudit.h"
 
 #include "Blur/KernelAuditErrors.h"

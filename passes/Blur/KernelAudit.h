@@ -1,5 +1,4 @@
 // Whether the weights of a blur are those of a blur: a wrong table costs an evening in the engine and a look here.
-// Source: drydock.
 #pragma once
 
 #include "DrydockAPI.h"

@@ -1,14 +1,15 @@
-// Source: engine file PostProcessWeightedSampleSum.cpp. The kernel itself: GaussianKernel.cpp.
+// The two passes of the engine's Gaussian blur, and their factory; the kernel itself is in GaussianKernel.cpp. Source:
+// engine file PostProcessWeightedSampleSum.cpp.
 #include "Blur/PostProcessWeightedSampleSum.h"
 
-#include "GlobalShader.h"
 #include "HAL/IConsoleManager.h"
-#include "PixelShaderUtils.h"
+#include "PassFactory.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
-#include "RenderGraphUtils.h"
 #include "SceneRendering.h"
+#include "Screen/RasterTarget.h"
 #include "Screen/SampleSteps.h"
+#include "Screen/ScreenShaderPass.h"
 #include "ShaderParameterStruct.h"
 
 #include <cmath>
@@ -73,11 +74,11 @@ public:
 	}
 };
 
-class FFilterCS : public FGlobalShader
+class FFilterCS : public Drydock::FScreenComputeShader
 {
 public:
 	DECLARE_GLOBAL_SHADER(FFilterCS);
-	SHADER_USE_PARAMETER_STRUCT(FFilterCS, FGlobalShader);
+	SHADER_USE_PARAMETER_STRUCT(FFilterCS, Drydock::FScreenComputeShader);
 
 	using FPermutationDomain = FFilterPermutation;
 
@@ -89,10 +90,8 @@ public:
 	static void ModifyCompilationEnvironment(
 		const FGlobalShaderPermutationParameters& Parameters, FShaderCompilerEnvironment& OutEnvironment)
 	{
-		FGlobalShader::ModifyCompilationEnvironment(Parameters, OutEnvironment);
+		Drydock::FScreenComputeShader::ModifyCompilationEnvironment(Parameters, OutEnvironment);
 		OutEnvironment.SetDefine(TEXT("MAX_FILTER_SAMPLES"), MaxFilterSamples);
-		OutEnvironment.SetDefine(TEXT("THREADGROUP_SIZEX"), FComputeShaderUtils::kGolden2DGroupSize);
-		OutEnvironment.SetDefine(TEXT("THREADGROUP_SIZEY"), FComputeShaderUtils::kGolden2DGroupSize);
 	}
 };
 
@@ -179,12 +178,9 @@ FScreenPassTexture AddFilterPass(FRDGBuilder& GraphBuilder, const FViewInfo& Vie
 	const bool bCompute = View.bUseComputePasses;
 
 	FRDGTextureDesc OutputDesc = Inputs.Filter.Texture->Desc;
-	OutputDesc.Reset();
 	OutputDesc.Extent = Inputs.OutputExtent;
-	OutputDesc.Flags &= ~(TexCreate_RenderTargetable | TexCreate_UAV);
-	OutputDesc.Flags |= TexCreate_ShaderResource | (bCompute ? TexCreate_UAV : TexCreate_RenderTargetable);
-	const FScreenPassRenderTarget Output(
-		GraphBuilder.CreateTexture(OutputDesc, Inputs.Name), Inputs.OutputRect, ERenderTargetLoadAction::ENoAction);
+	const FScreenPassRenderTarget Output =
+		Drydock::CreateScreenTarget(GraphBuilder, OutputDesc, Inputs.OutputRect, Inputs.Name, bCompute);
 
 	const FScreenPassTextureViewport FilterViewport(Inputs.Filter);
 	const ERectBorder RectBorder = ChooseRectBorder(FilterViewport, Inputs.Address);
@@ -203,31 +199,10 @@ FScreenPassTexture AddFilterPass(FRDGBuilder& GraphBuilder, const FViewInfo& Vie
 	Permutation.Set<FAdditiveDimension>(Inputs.Additive.IsValid());
 	Permutation.Set<FRectBorderDimension>(RectBorder);
 
-	const int32 Width = Output.ViewRect.Width();
-	const int32 Height = Output.ViewRect.Height();
-	if (bCompute)
-	{
-		FFilterCS::FParameters* PassParameters = GraphBuilder.AllocParameters<FFilterCS::FParameters>();
-		PassParameters->Common = Common;
-		PassParameters->RWOutputTexture = GraphBuilder.CreateUAV(Output.Texture);
-
-		TShaderMapRef<FFilterCS> ComputeShader(View.ShaderMap, Permutation);
-		FComputeShaderUtils::AddPass(GraphBuilder, RDG_EVENT_NAME("%s %dx%d (CS)", Inputs.Name, Width, Height),
-			ComputeShader, PassParameters,
-			FComputeShaderUtils::GetGroupCount(FIntPoint(Width, Height), FComputeShaderUtils::kGolden2DGroupSize));
-	}
-	else
-	{
-		FFilterPS::FParameters* PassParameters = GraphBuilder.AllocParameters<FFilterPS::FParameters>();
-		PassParameters->Common = Common;
-		PassParameters->RenderTargets[0] = Output.GetRenderTargetBinding();
-
-		TShaderMapRef<FFilterPS> PixelShader(View.ShaderMap, Permutation);
-		FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
-			RDG_EVENT_NAME("%s %dx%d (PS)", Inputs.Name, Width, Height), PixelShader, PassParameters, Output.ViewRect);
-	}
-
-	return FScreenPassTexture(Output.Texture, Output.ViewRect);
+	const FString Name =
+		FString::Printf(TEXT("%s %dx%d"), Inputs.Name, Output.ViewRect.Width(), Output.ViewRect.Height());
+	return Drydock::AddScreenShaderPass<FFilterPS, FFilterCS>(
+		GraphBuilder, View, {Name, Output, bCompute}, Common, Permutation, &FFilterCS::FParameters::RWOutputTexture);
 }
 
 EGaussianBlurAddress GetAddress(const FGaussianBlurInputs& Inputs)
@@ -250,6 +225,41 @@ FScreenPassTextureViewport HalveWidth(const FScreenPassTextureViewport& Viewport
 }
 
 } // namespace
+
+namespace Drydock
+{
+
+namespace
+{
+
+const FPassFactoryRegistration GGaussianBlur({
+	.Type = "GaussianBlur",
+	.Doc = "Blurs an image by a separable Gaussian, as the bloom does; darkens towards the edges unless mirrored.",
+	.Inputs = {{"Input", PictureResource, "The image."}},
+	.Parameters =
+		{
+			FParameterSpec::Number("KernelSizePercent", 4.0, 0.0, 100.0,
+				"Diameter of the kernel in percent of the image's width; at most 63 texels."),
+			FParameterSpec::Color("Tint", FLinearColor(1.0f, 1.0f, 1.0f, 1.0f), "Multiplies the result, alpha too."),
+			FParameterSpec::Bool("Mirror", true, "What lies outside: the image's mirror, or black."),
+		},
+	.Add =
+		[](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FPassArguments& Arguments)
+	{
+		FGaussianBlurInputs Inputs;
+		Inputs.NameX = TEXT("GaussianBlurX");
+		Inputs.NameY = TEXT("GaussianBlurY");
+		Inputs.Filter = Arguments.GetInput("Input");
+		Inputs.KernelSizePercent = Arguments.Values.GetFloat("KernelSizePercent");
+		Inputs.TintColor = Arguments.Values.GetColor("Tint");
+		Inputs.UseMirrorAddressMode = Arguments.Values.GetBool("Mirror");
+		return AddGaussianBlurPass(GraphBuilder, View, Inputs);
+	},
+});
+
+} // namespace
+
+} // namespace Drydock
 
 FScreenPassTexture AddGaussianBlurPass(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FGaussianBlurInputs& Inputs)

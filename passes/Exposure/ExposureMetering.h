@@ -1,5 +1,5 @@
 // Reading luminance on the CPU as PostProcessHistogramCommon.ush does on lanes, in double. Source: engine file
-// PostProcessHistogramCommon.ush (formulas); drydock.
+// PostProcessHistogramCommon.ush (formulas).
 #pragma once
 
 #include "RHITexture.h"

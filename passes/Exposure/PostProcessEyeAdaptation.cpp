@@ -1,4 +1,4 @@
-// Source: engine file PostProcessEyeAdaptation.cpp.
+// The passes that meter an exposure and adapt it. Source: engine file PostProcessEyeAdaptation.cpp.
 #include "Exposure/PostProcessEyeAdaptation.h"
 
 #include "GlobalShader.h"
@@ -116,8 +116,8 @@ FAdaptationParameters MakeAdaptationParameters(
 		Parameters.AverageLocalMiddleGreyExposureCompensation = Inputs.LocalExposure->MiddleGreyExposureCompensation;
 		Parameters.bAverageLocalExposure = 1.0f;
 	}
-	const FRDGBufferRef Last =
-		Inputs.LastEyeAdaptationBuffer ? Inputs.LastEyeAdaptationBuffer : CreateEyeAdaptationBuffer(GraphBuilder, 1.0f);
+	const FRDGBufferRef Last = Inputs.LastEyeAdaptationBuffer ? Inputs.LastEyeAdaptationBuffer
+															  : Drydock::CreateEyeAdaptationBuffer(GraphBuilder, 1.0f);
 	Parameters.LastEyeAdaptationBuffer = GraphBuilder.CreateSRV(Last);
 	Parameters.RWEyeAdaptationBuffer = GraphBuilder.CreateUAV(Output);
 	return Parameters;
@@ -130,6 +130,9 @@ FRDGBufferRef CreateOutput(FRDGBuilder& GraphBuilder)
 }
 
 } // namespace
+
+namespace Drydock
+{
 
 FRDGBufferRef CreateEyeAdaptationBuffer(FRDGBuilder& GraphBuilder, float ExposureScale)
 {
@@ -144,6 +147,8 @@ FRDGBufferRef CreateManualEyeAdaptationBuffer(FRDGBuilder& GraphBuilder, const F
 	const float Scale = Compensation / FMath::Max(0.0001f, Parameters.MinAverageLuminance / 0.18f);
 	return CreateBuffer(GraphBuilder, FVector4f(Scale, Scale, Parameters.MinAverageLuminance, Compensation));
 }
+
+} // namespace Drydock
 
 FRDGBufferRef AddHistogramEyeAdaptationPass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
 	const FEyeAdaptationInputs& Inputs, FRDGTextureRef HistogramTexture)

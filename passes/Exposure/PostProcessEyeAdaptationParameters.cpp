@@ -1,5 +1,5 @@
 // Settings and console variables of metering and adaptation. Source: engine file PostProcessEyeAdaptation.cpp.
-#include "Exposure/PostProcessEyeAdaptation.h"
+#include "Exposure/PostProcessEyeAdaptationParameters.h"
 
 #include "HAL/IConsoleManager.h"
 #include "SceneRendering.h"
@@ -73,6 +73,9 @@ EAutoExposureMethod GetAutoExposureMethod(const FFinalPostProcessSettings& Setti
 	return Method == AEM_Histogram && CVarEyeAdaptationQuality.GetValueOnAnyThread() == 1 ? AEM_Basic : Method;
 }
 
+namespace Drydock
+{
+
 bool IsEyeAdaptationAllowed()
 {
 	return CVarEyeAdaptationQuality.GetValueOnAnyThread() > 0;
@@ -105,12 +108,14 @@ FVector2f GetHistogramLogRange(const FFinalPostProcessSettings& Settings, EAutoE
 	return FVector2f(FMath::Min(Settings.HistogramLogMin, Max - 1.0f) + Shift, Max + Shift);
 }
 
+} // namespace Drydock
+
 FEyeAdaptationParameters GetEyeAdaptationParameters(
 	const FViewInfo& View, EAutoExposureMethod Method, bool bForceTarget)
 {
 	const FFinalPostProcessSettings& Settings = View.FinalPostProcessSettings;
 	const bool bExtended = IsLuminanceRangeExtended();
-	const float LuminanceMax = bExtended ? GetEyeAdaptationLuminanceMax() : 1.0f;
+	const float LuminanceMax = bExtended ? Drydock::GetEyeAdaptationLuminanceMax() : 1.0f;
 
 	FEyeAdaptationParameters Parameters;
 	const float LowPercent = FMath::Clamp(Settings.AutoExposureLowPercent, 1.0f, 99.0f);
@@ -122,7 +127,7 @@ FEyeAdaptationParameters GetEyeAdaptationParameters(
 	float MaxWhite = FMath::Max(Settings.AutoExposureMaxBrightness, 0.0f);
 	if (Method == AEM_Manual)
 	{
-		MinWhite = MaxWhite = LuminanceMax * ClampedExp2(GetManualExposureEV100(Settings));
+		MinWhite = MaxWhite = LuminanceMax * ClampedExp2(Drydock::GetManualExposureEV100(Settings));
 	}
 	else if (bExtended)
 	{
@@ -143,7 +148,7 @@ FEyeAdaptationParameters GetEyeAdaptationParameters(
 	Parameters.ExponentialUpM = ComputeExponentialM(Settings.AutoExposureSpeedUp, Parameters.StartDistance);
 	Parameters.ExponentialDownM = ComputeExponentialM(Settings.AutoExposureSpeedDown, Parameters.StartDistance);
 
-	const FVector2f Range = GetHistogramLogRange(Settings, Method);
+	const FVector2f Range = Drydock::GetHistogramLogRange(Settings, Method);
 	Parameters.HistogramScale = 1.0f / (Range.Y - Range.X);
 	Parameters.HistogramBias = -Range.X * Parameters.HistogramScale;
 	Parameters.LuminanceMin = Method == AEM_Basic ? 1.0e-4f : ClampedExp2(Range.X);

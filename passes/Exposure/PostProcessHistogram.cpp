@@ -1,4 +1,5 @@
-// Source: engine file PostProcessHistogram.cpp; bucket maths of the engine's PostProcessHistogram.usf.
+// The pass that counts a histogram on the CPU. Source: engine file PostProcessHistogram.cpp; bucket maths of the
+// engine's PostProcessHistogram.usf.
 #include "Exposure/PostProcessHistogram.h"
 
 #include "Exposure/ExposureMetering.h"

@@ -10,7 +10,7 @@
 #pragma once
 
 #include "CoreMinimal.h"
-#include "Exposure/PostProcessEyeAdaptation.h"
+#include "Exposure/PostProcessEyeAdaptationParameters.h"
 #include "ScreenPass.h"
 
 #include <array>

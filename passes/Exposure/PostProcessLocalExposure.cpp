@@ -1,9 +1,10 @@
-// Source: engine file PostProcessLocalExposure.cpp.
+// The passes that local exposure is applied with: the bilateral grid and the blurred luminance. Source: engine file
+// PostProcessLocalExposure.cpp.
 #include "Exposure/PostProcessLocalExposure.h"
 
 #include "Blur/PostProcessWeightedSampleSum.h"
 #include "Exposure/ExposureMetering.h"
-#include "Exposure/PostProcessEyeAdaptation.h"
+#include "Exposure/PostProcessEyeAdaptationParameters.h"
 #include "GlobalShader.h"
 #include "HAL/IConsoleManager.h"
 #include "PixelShaderUtils.h"
@@ -101,6 +102,9 @@ void FillCell(FRHITexture& Input, FRHITexture& Grid, const FBilateralGridWork& W
 
 } // namespace
 
+namespace Drydock
+{
+
 bool IsLocalExposureEnabled(const FFinalPostProcessSettings& Settings)
 {
 	return !FMath::IsNearlyEqual(Settings.LocalExposureHighlightContrastScale, 1.0f) ||
@@ -111,26 +115,6 @@ bool IsLocalExposureEnabled(const FFinalPostProcessSettings& Settings)
 bool IsLocalExposureAppliedToBloom()
 {
 	return CVarBloomApplyLocalExposure.GetValueOnRenderThread();
-}
-
-FLocalExposureParameters GetLocalExposureParameters(
-	const FViewInfo& View, const FEyeAdaptationParameters& EyeAdaptation, bool bManual)
-{
-	const FFinalPostProcessSettings& Settings = View.FinalPostProcessSettings;
-	FLocalExposureParameters Parameters;
-	Parameters.ContrastAndThreshold =
-		FVector4f(Settings.LocalExposureHighlightContrastScale, Settings.LocalExposureShadowContrastScale,
-			Settings.LocalExposureHighlightThreshold * Settings.LocalExposureHighlightThresholdStrength,
-			Settings.LocalExposureShadowThreshold * Settings.LocalExposureShadowThresholdStrength);
-	Parameters.DetailStrength = Settings.LocalExposureDetailStrength;
-	Parameters.BlurredLuminanceBlend = Settings.LocalExposureBlurredLuminanceBlend;
-	const float Compensation = EyeAdaptation.ExposureCompensationSettings * EyeAdaptation.ExposureCompensationCurve;
-	Parameters.MiddleGreyExposureCompensation =
-		std::exp2(FMath::Clamp(Settings.LocalExposureMiddleGreyBias, -60.0f, 60.0f)) / (bManual ? Compensation : 1.0f);
-	Parameters.HistogramScale = EyeAdaptation.HistogramScale;
-	Parameters.HistogramBias = EyeAdaptation.HistogramBias;
-	Parameters.LuminanceMin = EyeAdaptation.LuminanceMin;
-	return Parameters;
 }
 
 FLocalExposureShaderParameters GetLocalExposureShaderParameters(const FLocalExposureTextures& Textures)
@@ -152,6 +136,28 @@ FLocalExposureShaderParameters GetLocalExposureShaderParameters(const FLocalExpo
 	Parameters.BlurredLogLuminanceSampler = BilinearClamp;
 	Parameters.Blurred =
 		GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Textures.BlurredLogLuminance));
+	return Parameters;
+}
+
+} // namespace Drydock
+
+FLocalExposureParameters GetLocalExposureParameters(
+	const FViewInfo& View, const FEyeAdaptationParameters& EyeAdaptation, bool bManual)
+{
+	const FFinalPostProcessSettings& Settings = View.FinalPostProcessSettings;
+	FLocalExposureParameters Parameters;
+	Parameters.ContrastAndThreshold =
+		FVector4f(Settings.LocalExposureHighlightContrastScale, Settings.LocalExposureShadowContrastScale,
+			Settings.LocalExposureHighlightThreshold * Settings.LocalExposureHighlightThresholdStrength,
+			Settings.LocalExposureShadowThreshold * Settings.LocalExposureShadowThresholdStrength);
+	Parameters.DetailStrength = Settings.LocalExposureDetailStrength;
+	Parameters.BlurredLuminanceBlend = Settings.LocalExposureBlurredLuminanceBlend;
+	const float Compensation = EyeAdaptation.ExposureCompensationSettings * EyeAdaptation.ExposureCompensationCurve;
+	Parameters.MiddleGreyExposureCompensation =
+		std::exp2(FMath::Clamp(Settings.LocalExposureMiddleGreyBias, -60.0f, 60.0f)) / (bManual ? Compensation : 1.0f);
+	Parameters.HistogramScale = EyeAdaptation.HistogramScale;
+	Parameters.HistogramBias = EyeAdaptation.HistogramBias;
+	Parameters.LuminanceMin = EyeAdaptation.LuminanceMin;
 	return Parameters;
 }
 

@@ -41,6 +41,9 @@ BEGIN_SHADER_PARAMETER_STRUCT(FLocalExposureParameters, DRYDOCK_API)
 	SHADER_PARAMETER(float, LuminanceMin)
 END_SHADER_PARAMETER_STRUCT()
 
+namespace Drydock
+{
+
 /** What a shader with USE_LOCAL_EXPOSURE binds, under the name LocalExposure (PostProcessLocalExposureCommon.ush). */
 BEGIN_SHADER_PARAMETER_STRUCT(FLocalExposureShaderParameters, DRYDOCK_API)
 	SHADER_PARAMETER_STRUCT_INCLUDE(FLocalExposureParameters, Settings)
@@ -72,12 +75,14 @@ DRYDOCK_API bool IsLocalExposureEnabled(const FFinalPostProcessSettings& Setting
 /** r.Bloom.ApplyLocalExposure. */
 DRYDOCK_API bool IsLocalExposureAppliedToBloom();
 
+/** Textures that are not valid give parameters that are not bound. */
+DRYDOCK_API FLocalExposureShaderParameters GetLocalExposureShaderParameters(const FLocalExposureTextures& Textures);
+
+} // namespace Drydock
+
 /** bManual: the exposure is the camera's, and its compensation does not move middle grey. */
 DRYDOCK_API FLocalExposureParameters GetLocalExposureParameters(
 	const FViewInfo& View, const FEyeAdaptationParameters& EyeAdaptation, bool bManual);
-
-/** Textures that are not valid give parameters that are not bound. */
-DRYDOCK_API FLocalExposureShaderParameters GetLocalExposureShaderParameters(const FLocalExposureTextures& Textures);
 
 /** The bilateral grid of a picture, PF_G32R32F: on the CPU, texel by texel in a fixed order. SceneColor: linear,
  * pre-exposed. */

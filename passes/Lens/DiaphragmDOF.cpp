@@ -1,4 +1,4 @@
-// Source: engine PostProcess/DiaphragmDOF.cpp (lens, limits); drydock.
+// The lens and the passes of depth of field. Source: engine file PostProcess/DiaphragmDOF.cpp (lens, limits).
 #include "Lens/DiaphragmDOF.h"
 
 #include "GlobalShader.h"

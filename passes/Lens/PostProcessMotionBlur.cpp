@@ -1,4 +1,4 @@
-// Source: engine PostProcess/PostProcessMotionBlur.cpp (passes); drydock.
+// The passes of motion blur. Source: engine file PostProcess/PostProcessMotionBlur.cpp (passes).
 #include "Lens/PostProcessMotionBlur.h"
 
 #include "GlobalShader.h"

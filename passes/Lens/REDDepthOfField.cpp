@@ -1,9 +1,10 @@
-// Source: article "RED post process"; drydock.
+// The passes of RED depth of field, and their factory. Source: article "RED post process".
 #include "Lens/REDDepthOfField.h"
 
 #include "Blur/PostProcessWeightedSampleSum.h"
 #include "GlobalShader.h"
 #include "Lens/REDPostProcess.h"
+#include "PassFactory.h"
 #include "PixelShaderUtils.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
@@ -11,6 +12,9 @@
 #include "SceneRendering.h"
 #include "Screen/RasterTarget.h"
 #include "ShaderParameterStruct.h"
+
+namespace Drydock
+{
 
 namespace
 {
@@ -86,7 +90,7 @@ FScreenPassTexture AddLayer(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FREDDepthOfFieldInputs& Inputs, ELayer Layer)
 {
 	const bool bFar = Layer == ELayer::Far;
-	const FScreenPassRenderTarget Output = Drydock::CreateSmallRasterTarget(GraphBuilder, Inputs.SceneColor,
+	const FScreenPassRenderTarget Output = CreateSmallRasterTarget(GraphBuilder, Inputs.SceneColor,
 		FIntPoint::DivideAndRoundUp(Inputs.SceneColor.ViewRect.Size(), 2),
 		bFar ? TEXT("REDDofFarSetup") : TEXT("REDDofNearSetup"), PF_FloatRGBA);
 	FREDDepthOfFieldSetupPS::FPermutationDomain Permutation;
@@ -105,6 +109,38 @@ FScreenPassTexture AddLayer(
 	Blur.UseClampAddressMode = true;
 	return AddGaussianBlurPass(GraphBuilder, View, Blur);
 }
+
+const FPassFactoryRegistration GREDDepthOfField({
+	.Type = "REDDepthOfField",
+	.Doc = "Blurs what lies before and behind the focus, by the scene's depth.",
+	.Inputs = {{"Input", PictureResource, "The picture."}},
+	.Parameters =
+		{
+			FParameterSpec::Number("FocalDistance", 500, 0.01, 1e7, "In cm."),
+			FParameterSpec::Number("FocalRegion", 0, 0, 1e7, "Behind it, in focus too; cm."),
+			FParameterSpec::Number(
+				"NearTransition", 300, 0, 1e7, "From in focus to all blurred, towards the camera; cm."),
+			FParameterSpec::Number("FarTransition", 500, 0, 1e7, "The same, away from it; cm."),
+			FParameterSpec::Number("NearBlurSize", 1, 0, 100, "Diameter in percent of the width."),
+			FParameterSpec::Number("FarBlurSize", 1, 0, 100, "The same."),
+			FParameterSpec::Bool("AsPrinted", false, "The article's form, with its faults."),
+		},
+	.Add =
+		[](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FPassArguments& Arguments)
+	{
+		FREDDepthOfFieldInputs Inputs;
+		Inputs.SceneColor = Arguments.GetInput("Input");
+		Inputs.SceneTextures = CreateSceneTextureUniformBuffer(GraphBuilder, View);
+		Inputs.FocalDistance = Arguments.Values.GetFloat("FocalDistance");
+		Inputs.FocalRegion = Arguments.Values.GetFloat("FocalRegion");
+		Inputs.NearTransition = Arguments.Values.GetFloat("NearTransition");
+		Inputs.FarTransition = Arguments.Values.GetFloat("FarTransition");
+		Inputs.NearBlurSize = Arguments.Values.GetFloat("NearBlurSize");
+		Inputs.FarBlurSize = Arguments.Values.GetFloat("FarBlurSize");
+		Inputs.bAsPrinted = Arguments.Values.GetBool("AsPrinted");
+		return AddREDDepthOfFieldPasses(GraphBuilder, View, Inputs);
+	},
+});
 
 } // namespace
 
@@ -139,7 +175,7 @@ FScreenPassTexture AddREDDepthOfFieldPasses(
 	const FScreenPassRenderTarget Output =
 		Inputs.OverrideOutput.IsValid()
 			? Inputs.OverrideOutput
-			: Drydock::CreateRasterTargetLike(GraphBuilder, Inputs.SceneColor, TEXT("REDDepthOfField"));
+			: CreateRasterTargetLike(GraphBuilder, Inputs.SceneColor, TEXT("REDDepthOfField"));
 	FREDDepthOfFieldParameters* Parameters = MakeParameters(GraphBuilder, View, Inputs, Output);
 	Parameters->Layer = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Far));
 	Parameters->FarTexture = Far.Texture;
@@ -150,3 +186,5 @@ FScreenPassTexture AddREDDepthOfFieldPasses(
 		Parameters, Output.ViewRect);
 	return FScreenPassTexture(Output.Texture, Output.ViewRect);
 }
+
+} // namespace Drydock

@@ -22,6 +22,9 @@
 class FRDGBuilder;
 class FViewInfo;
 
+namespace Drydock
+{
+
 struct FREDDepthOfFieldInputs
 {
 	FScreenPassTexture SceneColor;
@@ -44,3 +47,5 @@ struct FREDDepthOfFieldInputs
 /** SceneColor itself where there is no focus (then OverrideOutput is not written). */
 DRYDOCK_API FScreenPassTexture AddREDDepthOfFieldPasses(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FREDDepthOfFieldInputs& Inputs);
+
+} // namespace Drydock

@@ -1,4 +1,4 @@
-// Source: article "RED post process"; drydock.
+// The passes of the RED post process and their chain. Source: article "RED post process".
 #include "Lens/REDPostProcess.h"
 
 #include "Blur/KernelAudit.h"
@@ -13,6 +13,9 @@
 #include "ShaderParameterStruct.h"
 
 #include <vector>
+
+namespace Drydock
+{
 
 namespace
 {
@@ -79,23 +82,22 @@ bool ReadsBlurred(EREDPostProcessPass Pass)
 /** The article's table is a fault that is declared; anything else that is none of a blur is refused. */
 void CheckBlurKernel(FRDGBuilder& GraphBuilder, bool bAsPrinted)
 {
-	const int32 Reach = Drydock::GetREDBlurReach(bAsPrinted);
+	const int32 Reach = GetREDBlurReach(bAsPrinted);
 	std::vector<double> Weights;
 	for (int32 Tap = -Reach; Tap <= Reach; ++Tap)
 	{
-		Weights.push_back(static_cast<double>(Drydock::GetREDBlurWeight(Tap, bAsPrinted)));
+		Weights.push_back(static_cast<double>(GetREDBlurWeight(Tap, bAsPrinted)));
 	}
-	Drydock::CheckKernel(
-		GraphBuilder, "RED blur", Weights, bAsPrinted ? Drydock::EKernelFault::Printed : Drydock::EKernelFault::None);
+	CheckKernel(GraphBuilder, "RED blur", Weights, bAsPrinted ? EKernelFault::Printed : EKernelFault::None);
 }
 
 FScreenPassRenderTarget CreateOutput(FRDGBuilder& GraphBuilder, const FREDPostProcessPassInputs& Inputs)
 {
-	const TCHAR* const Name = Inputs.Name ? Inputs.Name : Drydock::ToString(Inputs.Pass);
+	const TCHAR* const Name = Inputs.Name ? Inputs.Name : ToString(Inputs.Pass);
 	return Inputs.Pass == EREDPostProcessPass::DownSample
-			   ? Drydock::CreateSmallRasterTarget(GraphBuilder, Inputs.SceneColor,
+			   ? CreateSmallRasterTarget(GraphBuilder, Inputs.SceneColor,
 					 FIntPoint::DivideAndRoundUp(Inputs.SceneColor.ViewRect.Size(), 2), Name)
-			   : Drydock::CreateRasterTargetLike(GraphBuilder, Inputs.SceneColor, Name);
+			   : CreateRasterTargetLike(GraphBuilder, Inputs.SceneColor, Name);
 }
 
 FREDPostProcessPS::FPermutationDomain GetPermutation(const FREDPostProcessPassInputs& Inputs)
@@ -132,9 +134,6 @@ FScreenPassTexture AddBlur(FRDGBuilder& GraphBuilder, const FViewInfo& View, con
 
 } // namespace
 
-namespace Drydock
-{
-
 const TCHAR* ToString(EREDPostProcessPass Pass)
 {
 	constexpr const TCHAR* Names[] = {TEXT("DownSample"), TEXT("BlurH"), TEXT("BlurV"), TEXT("DiffusionFilter"),
@@ -167,8 +166,6 @@ int32 GetREDBlurReach(bool bAsPrinted)
 {
 	return bAsPrinted ? PrintedReach : CorrectedReach;
 }
-
-} // namespace Drydock
 
 FREDPostProcessParameters FREDPostProcessParameters::FromSettings(const FFinalPostProcessSettings& Settings)
 {
@@ -215,8 +212,7 @@ FScreenPassTexture AddREDPostProcessPass(
 	}
 	for (int32 Tap = 0; Tap <= PrintedReach; ++Tap)
 	{
-		GET_SCALAR_ARRAY_ELEMENT(PassParameters->BlurWeights, Tap) =
-			Drydock::GetREDBlurWeight(Tap, Parameters.bAsPrinted);
+		GET_SCALAR_ARRAY_ELEMENT(PassParameters->BlurWeights, Tap) = GetREDBlurWeight(Tap, Parameters.bAsPrinted);
 	}
 	PassParameters->SepiaTint = Parameters.SepiaTint;
 	PassParameters->Sepia = Parameters.Sepia;
@@ -231,8 +227,7 @@ FScreenPassTexture AddREDPostProcessPass(
 
 	TShaderMapRef<FREDPostProcessPS> PixelShader(View.ShaderMap, GetPermutation(Inputs));
 	FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
-		RDG_EVENT_NAME(
-			"RED.%s %dx%d", Drydock::ToString(Inputs.Pass), Output.ViewRect.Width(), Output.ViewRect.Height()),
+		RDG_EVENT_NAME("RED.%s %dx%d", ToString(Inputs.Pass), Output.ViewRect.Width(), Output.ViewRect.Height()),
 		PixelShader, PassParameters, Output.ViewRect);
 	return FScreenPassTexture(Output.Texture, Output.ViewRect);
 }
@@ -295,3 +290,5 @@ EREDPostProcessInsertion GetREDPostProcessInsertion()
 	return static_cast<EREDPostProcessInsertion>(
 		FMath::Clamp(CVarREDPostprocessAfterTranslucency.GetValueOnRenderThread(), 0, 2));
 }
+
+} // namespace Drydock

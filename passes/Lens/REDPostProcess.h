@@ -26,6 +26,9 @@
 class FRDGBuilder;
 class FViewInfo;
 
+namespace Drydock
+{
+
 enum class EREDPostProcessPass : uint8
 {
 	DownSample,
@@ -97,9 +100,6 @@ enum class EREDPostProcessInsertion : uint8
 
 /** r.REDPostprocessAfterTranslucency, clamped to 0..2. */
 DRYDOCK_API EREDPostProcessInsertion GetREDPostProcessInsertion();
-
-namespace Drydock
-{
 
 /** "DownSample", "BlurH", ... */
 DRYDOCK_API const TCHAR* ToString(EREDPostProcessPass Pass);

@@ -1,5 +1,5 @@
 // CharaGlow's box by running sums: the cost hardly grows with the area. Stands in for BoxPS of CharaGlow.usf; sums run
-// in double, so that they do not drift, and are rounded once. Source: drydock.
+// in double, so that they do not drift, and are rounded once.
 #include <Imath/half.h>
 
 #include "NativeKernels.h"

@@ -1,5 +1,5 @@
 // The transforms themselves, line by line. Two neighbouring lines of a real picture are the real and the imaginary part
-// of one complex line: their spectra come apart by symmetry. Source: drydock; the method is the textbook's.
+// of one complex line: their spectra come apart by symmetry. The method is the textbook's.
 #include "Bloom/FFTConvolution.h"
 #include "Native/FourierTransform.h"
 #include "RenderGraphBuilder.h"

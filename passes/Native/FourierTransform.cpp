@@ -1,4 +1,4 @@
-// Source: drydock.
+// The plan of a line's transform, made and run by KissFFT.
 #include <kissfft/kissfft.hh>
 
 #include "Native/FourierTransform.h"

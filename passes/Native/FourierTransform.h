@@ -1,5 +1,4 @@
 // The discrete Fourier transform of one line. KissFFT (BSD-3-Clause) does the work and stays behind this header.
-// Source: drydock.
 #pragma once
 
 #include "CoreMinimal.h"

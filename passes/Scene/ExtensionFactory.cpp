@@ -1,4 +1,4 @@
-// Source: drydock.
+// The registry of extension types, and the names of the hooks that they can be given to.
 #include "ExtensionFactory.h"
 
 #include <map>

@@ -9,8 +9,6 @@
 //         .Create = [](const FExtensionArguments& Arguments) { return FSceneViewExtensions::NewExtension<FTint>(...);
 //         },
 //     });
-//
-// Source: drydock.
 #pragma once
 
 #include "FactoryParameters.h"

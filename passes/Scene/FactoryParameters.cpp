@@ -1,4 +1,4 @@
-// Source: drydock.
+// Values of parameters by name, and the text that says what they may be.
 #include "FactoryParameters.h"
 
 #include <charconv>
@@ -87,6 +87,11 @@ const T& FParameterValues::Get(const std::string& Name) const
 double FParameterValues::GetNumber(const std::string& Name) const
 {
 	return Get<double>(Name);
+}
+
+float FParameterValues::GetFloat(const std::string& Name) const
+{
+	return static_cast<float>(Get<double>(Name));
 }
 
 int32 FParameterValues::GetInteger(const std::string& Name) const

@@ -1,5 +1,5 @@
 // Parameters that a config gives to an extension or a pass: what there is (specs), and what was given (values). Plain
-// data; pipeline/ reads them from JSON and checks them against the specs. Source: drydock.
+// data; pipeline/ reads them from JSON and checks them against the specs.
 #pragma once
 
 #include "CoreMinimal.h"
@@ -55,6 +55,7 @@ public:
 	void Set(const std::string& Name, FParameterValue Value) { Values[Name] = std::move(Value); }
 
 	double GetNumber(const std::string& Name) const;
+	float GetFloat(const std::string& Name) const; // a number
 	int32 GetInteger(const std::string& Name) const;
 	bool GetBool(const std::string& Name) const;
 	const std::string& GetText(const std::string& Name) const;

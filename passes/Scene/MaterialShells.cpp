@@ -1,4 +1,4 @@
-// Materials and the renderer's module, which do nothing here. Source: drydock.
+// Materials and the renderer's module, which do nothing here.
 #include "EngineModule.h"
 #include "Materials/MaterialInterface.h"
 

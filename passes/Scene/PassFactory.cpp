@@ -1,4 +1,4 @@
-// Source: drydock.
+// The registry of pass types.
 #include "PassFactory.h"
 
 namespace Drydock

@@ -1,5 +1,5 @@
 // Passes by name: what `"passes": [{"type": "GaussianBlur", "at": "MotionBlur", ...}]` in a config can insert into the
-// chain without a line of C++. A pass registers a factory for as long as its library is loaded. Source: drydock.
+// chain without a line of C++. A pass registers a factory for as long as its library is loaded.
 #pragma once
 
 #include "FactoryParameters.h"

@@ -1,4 +1,4 @@
-// Source: engine file SceneRendering.cpp (the view's uniform buffer).
+// The uniform buffer of a view. Source: engine file SceneRendering.cpp.
 #include "SceneRendering.h"
 
 #include "HAL/IConsoleManager.h"

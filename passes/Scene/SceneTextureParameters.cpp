@@ -1,4 +1,4 @@
-// Source: engine file SceneTextureParameters.cpp.
+// Fills the uniform buffer of the scene textures. Source: engine file SceneTextureParameters.cpp.
 #include "SceneTextureParameters.h"
 
 #include "RHIStaticStates.h"

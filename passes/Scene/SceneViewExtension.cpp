@@ -1,4 +1,5 @@
-// Source: engine file SceneViewExtension.cpp (order and activity); the record of signatures is drydock's.
+// The registry of view extensions: order, activity and whose they are. Source: engine file SceneViewExtension.cpp
+// (order and activity); the record of signatures is drydock's.
 #include "SceneViewExtension.h"
 
 #include <algorithm>

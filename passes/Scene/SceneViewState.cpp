@@ -1,4 +1,4 @@
-// Source: drydock.
+// What a view hands from one frame to the next.
 #include "SceneViewState.h"
 
 #include "RenderGraphBuilder.h"
@@ -8,16 +8,12 @@ void FSceneViewState::BeginFrame(Drydock::FViewHistory InLast)
 {
 	Last = MoveTemp(InLast);
 	Next = Drydock::FViewHistory();
-	BloomFFTKernel.bUsed = false;
+	Caches.BeginFrame();
 }
 
 Drydock::FViewHistory FSceneViewState::EndFrame()
 {
-	if (!BloomFFTKernel.bUsed)
-	{
-		BloomFFTKernel = FBloomFFTKernel();
-	}
-	Next.bHasCaches = BloomFFTKernel.bUsed;
+	Next.bHasCaches = Caches.EndFrame();
 	Last = Drydock::FViewHistory();
 	return MoveTemp(Next);
 }

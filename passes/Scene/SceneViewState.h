@@ -9,16 +9,15 @@
 //     ...
 //     View.ViewState->KeepBuffer(GraphBuilder, TEXT("Mine"), Buffer);
 //
-// What a frame does not keep is forgotten after it. A *cache* saves time and changes no picture: a member of its own. A
-// frame that does not use it lets go of it.
+// What a frame does not keep is forgotten after it. A *cache* saves time and changes no picture (ViewCaches.h). A frame
+// that does not use it lets go of it.
 #pragma once
 
-#include "Bloom/FFTConvolution.h"
-#include "RHIResources.h"
 #include "RenderGraphFwd.h"
 #include "RenderGraphResourcePool.h"
 #include "RendererInterface.h"
 #include "SceneView.h"
+#include "ViewCaches.h"
 
 #include <map>
 #include <optional>
@@ -55,32 +54,6 @@ constexpr const char* EyeAdaptationName = "EyeAdaptation";
 
 } // namespace Drydock
 
-/** A cache: the kernel of FFT bloom, transformed, and what it was made from. */
-struct FBloomFFTKernel
-{
-	/** Held, so that no other texture gets its address. */
-	FTextureRHIRef Texture;
-	uint32 NumMips = 0;
-	float Size = 0.0f;
-	FVector2D CenterUV = FVector2D(0.0, 0.0);
-	Drydock::FFFTDomain Domain;
-	/** r.Drydock.Storage. */
-	int32 Storage = 0;
-
-	/** Written when the graph that makes them has run; null until then. */
-	TRefCountPtr<IPooledRenderTarget> Spectrum;
-	TRefCountPtr<FRDGPooledBuffer> Constants;
-
-	/** The frame in progress has asked for it. */
-	bool bUsed = false;
-
-	bool IsMadeFrom(const FBloomFFTKernel& Other) const
-	{
-		return Texture == Other.Texture && NumMips == Other.NumMips && Size == Other.Size &&
-			   CenterUV == Other.CenterUV && Domain == Other.Domain && Storage == Other.Storage;
-	}
-};
-
 /** A view's state during a frame. */
 class DRYDOCK_API FSceneViewState : public FSceneViewStateInterface
 {
@@ -113,9 +86,15 @@ public:
 	/** What the next frame will find; textures and buffers are there once the graph has run. */
 	Drydock::FViewHistory Next;
 
-	FBloomFFTKernel BloomFFTKernel;
+	/** The cache of this type: what the frame before left in it, or a new one. */
+	template<typename T>
+	T& FindOrMakeCache()
+	{
+		return Caches.FindOrMake<T>();
+	}
 
 private:
 	uint32 Key;
 	Drydock::FViewHistory Last;
+	Drydock::FViewCaches Caches;
 };

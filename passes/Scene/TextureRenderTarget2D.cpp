@@ -1,4 +1,4 @@
-// Source: drydock.
+// The pixels of a texture that code draws to.
 #include "Engine/TextureRenderTarget2D.h"
 
 #include "Engine/BlendableInterface.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// The one world, its actors and its subsystems.
 #include "Engine/World.h"
 
 #include "GameFramework/Actor.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// The shapes of the built-in kernels.
 #include "Screen/BuiltinTextures.h"
 
 #include <algorithm>

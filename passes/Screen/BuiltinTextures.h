@@ -1,5 +1,5 @@
 // Pictures that need no file: kernels of convolution bloom, by the names that settings use for them. Grey, square, with
-// the source of light in the middle texel. Source: drydock; Airy's pattern is that of a round aperture.
+// the source of light in the middle texel. Airy's pattern is that of a round aperture.
 #pragma once
 
 #include "CoreMinimal.h"

@@ -1,4 +1,4 @@
-// Source: engine file PostProcessAA.cpp.
+// The pass of FXAA. Source: engine file PostProcessAA.cpp.
 #include "Screen/PostProcessAA.h"
 
 #include "GlobalShader.h"

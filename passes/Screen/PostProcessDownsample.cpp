@@ -1,13 +1,13 @@
-// Source: engine file PostProcessDownsample.cpp.
+// The pass that halves an image, its chain and its factory. Source: engine file PostProcessDownsample.cpp.
 #include "Screen/PostProcessDownsample.h"
 
-#include "GlobalShader.h"
 #include "HAL/IConsoleManager.h"
-#include "PixelShaderUtils.h"
+#include "PassFactory.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
-#include "RenderGraphUtils.h"
 #include "SceneRendering.h"
+#include "Screen/RasterTarget.h"
+#include "Screen/ScreenShaderPass.h"
 #include "ShaderParameterStruct.h"
 
 namespace
@@ -49,11 +49,11 @@ public:
 	END_SHADER_PARAMETER_STRUCT()
 };
 
-class FDownsampleCS : public FGlobalShader
+class FDownsampleCS : public Drydock::FScreenComputeShader
 {
 public:
 	DECLARE_GLOBAL_SHADER(FDownsampleCS);
-	SHADER_USE_PARAMETER_STRUCT(FDownsampleCS, FGlobalShader);
+	SHADER_USE_PARAMETER_STRUCT(FDownsampleCS, Drydock::FScreenComputeShader);
 
 	using FPermutationDomain = TShaderPermutationDomain<FDownsampleQualityDimension>;
 
@@ -61,14 +61,6 @@ public:
 		SHADER_PARAMETER_STRUCT_INCLUDE(FDownsampleParameters, Common)
 		SHADER_PARAMETER_RDG_TEXTURE_UAV(RWTexture2D<float4>, OutComputeTexture)
 	END_SHADER_PARAMETER_STRUCT()
-
-	static void ModifyCompilationEnvironment(
-		const FGlobalShaderPermutationParameters& Parameters, FShaderCompilerEnvironment& OutEnvironment)
-	{
-		FGlobalShader::ModifyCompilationEnvironment(Parameters, OutEnvironment);
-		OutEnvironment.SetDefine(TEXT("THREADGROUP_SIZEX"), FComputeShaderUtils::kGolden2DGroupSize);
-		OutEnvironment.SetDefine(TEXT("THREADGROUP_SIZEY"), FComputeShaderUtils::kGolden2DGroupSize);
-	}
 };
 
 IMPLEMENT_GLOBAL_SHADER(FDownsamplePS, "/Engine/Private/PostProcessDownsample.usf", "MainPS", SF_Pixel);
@@ -77,30 +69,51 @@ IMPLEMENT_GLOBAL_SHADER(FDownsampleCS, "/Engine/Private/PostProcessDownsample.us
 FScreenPassRenderTarget CreateOutput(FRDGBuilder& GraphBuilder, const FDownsamplePassInputs& Inputs, bool bCompute)
 {
 	FRDGTextureDesc Desc = Inputs.SceneColor.Texture->Desc;
-	Desc.Reset();
 	Desc.Extent = FIntPoint::DivideAndRoundUp(Desc.Extent, 2);
 	Desc.Extent.X = FMath::Max(1, Desc.Extent.X);
 	Desc.Extent.Y = FMath::Max(1, Desc.Extent.Y);
-	Desc.Flags &= ~(TexCreate_RenderTargetable | TexCreate_UAV);
-	Desc.Flags |= TexCreate_ShaderResource | (bCompute ? TexCreate_UAV : TexCreate_RenderTargetable);
 	Desc.ClearValue = FClearValueBinding(FLinearColor(0.0f, 0.0f, 0.0f, 0.0f));
 	if (Inputs.FormatOverride != PF_Unknown)
 	{
 		Desc.Format = Inputs.FormatOverride;
 	}
-
-	FScreenPassRenderTarget Output;
-	Output.Texture = GraphBuilder.CreateTexture(Desc, Inputs.Name);
-	Output.ViewRect = FIntRect(FIntPoint::DivideAndRoundUp(Inputs.SceneColor.ViewRect.Min, 2),
+	FIntRect Rect(FIntPoint::DivideAndRoundUp(Inputs.SceneColor.ViewRect.Min, 2),
 		FIntPoint::DivideAndRoundUp(Inputs.SceneColor.ViewRect.Max, 2));
 	// A rect one pixel wide that starts at an odd position would ceil-divide to nothing.
-	Output.ViewRect.Min.X = FMath::Min(Output.ViewRect.Min.X, Output.ViewRect.Max.X - 1);
-	Output.ViewRect.Min.Y = FMath::Min(Output.ViewRect.Min.Y, Output.ViewRect.Max.Y - 1);
-	Output.LoadAction = ERenderTargetLoadAction::ENoAction;
-	return Output;
+	Rect.Min.X = FMath::Min(Rect.Min.X, Rect.Max.X - 1);
+	Rect.Min.Y = FMath::Min(Rect.Min.Y, Rect.Max.Y - 1);
+	return Drydock::CreateScreenTarget(GraphBuilder, Desc, Rect, Inputs.Name, bCompute);
 }
 
 } // namespace
+
+namespace Drydock
+{
+
+namespace
+{
+
+const FPassFactoryRegistration GDownsample({
+	.Type = "Downsample",
+	.Doc = "Halves an image.",
+	.Inputs = {{"Input", PictureResource, "The image."}},
+	.Parameters = {FParameterSpec::Text(
+		"Quality", "High", {"Low", "High"}, "Low: one bilinear tap; High: four, a 4x4 box.")},
+	.Add =
+		[](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FPassArguments& Arguments)
+	{
+		FDownsamplePassInputs Inputs;
+		Inputs.Name = TEXT("Downsample");
+		Inputs.SceneColor = Arguments.GetInput("Input");
+		Inputs.Quality =
+			Arguments.Values.GetText("Quality") == "Low" ? EDownsampleQuality::Low : EDownsampleQuality::High;
+		return AddDownsamplePass(GraphBuilder, View, Inputs);
+	},
+});
+
+} // namespace
+
+} // namespace Drydock
 
 EDownsampleQuality GetDownsampleQuality()
 {
@@ -121,9 +134,6 @@ FScreenPassTexture AddDownsamplePass(
 	const FScreenPassRenderTarget Output =
 		Inputs.UserSuppliedOutput.IsValid() ? Inputs.UserSuppliedOutput : CreateOutput(GraphBuilder, Inputs, bCompute);
 
-	check(!bCompute || !Inputs.DrawRect);
-	const FIntRect Drawn = Inputs.DrawRect.value_or(Output.ViewRect);
-
 	const FScreenPassTextureViewport InputViewport(Inputs.SceneColor);
 	const FScreenPassTextureViewport OutputViewport(Output);
 
@@ -133,40 +143,14 @@ FScreenPassTexture AddDownsamplePass(
 	Common.InputTexture = Inputs.SceneColor.Texture;
 	Common.InputSampler = TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
 
-	const TCHAR* const QualityName = Inputs.Quality == EDownsampleQuality::High ? TEXT("High") : TEXT("Low");
+	FDownsamplePS::FPermutationDomain Permutation;
+	Permutation.Set<FDownsampleQualityDimension>(Inputs.Quality);
 
-	if (bCompute)
-	{
-		FDownsampleCS::FPermutationDomain Permutation;
-		Permutation.Set<FDownsampleQualityDimension>(Inputs.Quality);
-		TShaderMapRef<FDownsampleCS> ComputeShader(View.ShaderMap, Permutation);
-
-		FDownsampleCS::FParameters* PassParameters = GraphBuilder.AllocParameters<FDownsampleCS::FParameters>();
-		PassParameters->Common = Common;
-		PassParameters->OutComputeTexture = GraphBuilder.CreateUAV(Output.Texture);
-
-		FComputeShaderUtils::AddPass(GraphBuilder,
-			RDG_EVENT_NAME("%s(%s) %dx%d (CS)", Output.Texture->Name, QualityName, Output.ViewRect.Width(),
-				Output.ViewRect.Height()),
-			ComputeShader, PassParameters,
-			FComputeShaderUtils::GetGroupCount(Output.ViewRect.Size(), FComputeShaderUtils::kGolden2DGroupSize));
-	}
-	else
-	{
-		FDownsamplePS::FPermutationDomain Permutation;
-		Permutation.Set<FDownsampleQualityDimension>(Inputs.Quality);
-		TShaderMapRef<FDownsamplePS> PixelShader(View.ShaderMap, Permutation);
-
-		FDownsamplePS::FParameters* PassParameters = GraphBuilder.AllocParameters<FDownsamplePS::FParameters>();
-		PassParameters->Common = Common;
-		PassParameters->RenderTargets[0] = Output.GetRenderTargetBinding();
-
-		FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
-			RDG_EVENT_NAME("%s(%s) %dx%d (PS)", Output.Texture->Name, QualityName, Drawn.Width(), Drawn.Height()),
-			PixelShader, PassParameters, Drawn);
-	}
-
-	return FScreenPassTexture(Output.Texture, Output.ViewRect);
+	const FIntPoint Size = Inputs.DrawRect.value_or(Output.ViewRect).Size();
+	const FString Name = FString::Printf(TEXT("%s(%s) %dx%d"), Output.Texture->Name,
+		Inputs.Quality == EDownsampleQuality::High ? TEXT("High") : TEXT("Low"), Size.X, Size.Y);
+	return Drydock::AddScreenShaderPass<FDownsamplePS, FDownsampleCS>(GraphBuilder, View,
+		{Name, Output, bCompute, Inputs.DrawRect}, Common, Permutation, &FDownsampleCS::FParameters::OutComputeTexture);
 }
 
 void FTextureDownsampleChain::Init(FRDGBuilder& GraphBuilder, const FViewInfo& View, FScreenPassTexture HalfResolution,

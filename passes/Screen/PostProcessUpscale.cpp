@@ -1,4 +1,4 @@
-// Source: engine file PostProcessUpscale.cpp.
+// The pass that scales the picture at the end of the chain. Source: engine file PostProcessUpscale.cpp.
 #include "Screen/PostProcessUpscale.h"
 
 #include "GlobalShader.h"

@@ -1,5 +1,5 @@
-// New render targets of full-screen raster passes: nothing of them is loaded or cleared, because the pass writes every
-// texel of the rect. Source: drydock, after the engine's FScreenPassRenderTarget::CreateFromInput, which keeps the
+// Textures that full-screen passes write: nothing of them is loaded or cleared, because the pass writes every texel of
+// the rect. Written after the engine's FScreenPassRenderTarget::CreateFromInput, which keeps the
 // flags and so may not be a render target.
 #pragma once
 
@@ -9,14 +9,22 @@
 namespace Drydock
 {
 
-/** Of this extent and format, readable by shaders; Rect in texels, inside the extent. Name is kept as a pointer. */
-inline FScreenPassRenderTarget CreateRasterTarget(
-	FRDGBuilder& GraphBuilder, FRDGTextureDesc Desc, const FIntRect& Rect, const TCHAR* Name)
+/** Of this extent and format, readable by shaders; Rect in texels, inside the extent. Name is kept as a pointer.
+ * bCompute: written by a compute shader, as a UAV, and not a render target. */
+inline FScreenPassRenderTarget CreateScreenTarget(
+	FRDGBuilder& GraphBuilder, FRDGTextureDesc Desc, const FIntRect& Rect, const TCHAR* Name, bool bCompute)
 {
 	Desc.Reset();
 	Desc.Flags &= ~(TexCreate_RenderTargetable | TexCreate_UAV);
-	Desc.Flags |= TexCreate_ShaderResource | TexCreate_RenderTargetable;
+	Desc.Flags |= TexCreate_ShaderResource | (bCompute ? TexCreate_UAV : TexCreate_RenderTargetable);
 	return FScreenPassRenderTarget(GraphBuilder.CreateTexture(Desc, Name), Rect, ERenderTargetLoadAction::ENoAction);
+}
+
+/** For a pass that draws. */
+inline FScreenPassRenderTarget CreateRasterTarget(
+	FRDGBuilder& GraphBuilder, const FRDGTextureDesc& Desc, const FIntRect& Rect, const TCHAR* Name)
+{
+	return CreateScreenTarget(GraphBuilder, Desc, Rect, Name, false);
 }
 
 /** Of Like's extent and rect; PF_Unknown: of its format too. */

@@ -1,5 +1,5 @@
 // The grid of the sampler's coordinates. A shader that computes positions from the rect's corner and puts them on this
-// grid before they become UV gives the same bits wherever the rect lies in its texture. Source: drydock.
+// grid before they become UV gives the same bits wherever the rect lies in its texture.
 #pragma once
 
 #include "HAL/IConsoleManager.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Loads the pixels behind texture paths, once for each loader.
 #include "Screen/TextureAssets.h"
 
 #include "Screen/BuiltinTextures.h"

@@ -1,5 +1,5 @@
 // The pixels behind the textures that settings name. Settings hold identities (SettingObjects.h); who runs a frame says
-// how a path becomes pixels, and passes ask for them when they need them. Source: drydock; in the engine they are the
+// how a path becomes pixels, and passes ask for them when they need them. In the engine they are the
 // texture's resource.
 #pragma once
 

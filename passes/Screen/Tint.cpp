@@ -1,4 +1,4 @@
-// Source: drydock.
+// The pass that tints, and its factories as a pass and as a view extension.
 #include "Screen/Tint.h"
 
 #include "ExtensionFactory.h"
@@ -11,7 +11,8 @@
 #include "SceneRendering.h"
 #include "ShaderParameterStruct.h"
 
-using namespace Drydock;
+namespace Drydock
+{
 
 namespace
 {
@@ -37,13 +38,10 @@ IMPLEMENT_GLOBAL_SHADER(FTintPS, "/Project/Tint.usf", "MainPS", SF_Pixel);
 
 FTintInputs MakeInputs(const FParameterValues& Values)
 {
-	const auto Get = [&](const char* Name)
-	{
-		return static_cast<float>(Values.GetNumber(Name));
-	};
 	FTintInputs Inputs;
 	Inputs.Color = Values.GetColor("Color");
-	Inputs.Area = FVector4f(Get("Left"), Get("Top"), Get("Right"), Get("Bottom"));
+	Inputs.Area =
+		FVector4f(Values.GetFloat("Left"), Values.GetFloat("Top"), Values.GetFloat("Right"), Values.GetFloat("Bottom"));
 	return Inputs;
 }
 
@@ -176,3 +174,5 @@ FScreenPassTexture AddTintPass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
 		Output.ViewRect);
 	return FScreenPassTexture(Output.Texture, Output.ViewRect);
 }
+
+} // namespace Drydock

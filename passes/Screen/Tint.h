@@ -4,7 +4,7 @@
 //     "extensions": [{"type": "Tint", "pass": "Tonemap", "Color": [1, 0.5, 0.5], "Right": 0.5}]
 //
 // Contract. Same extent, rect and format as the input; colour of the pixels whose centre is inside the area times
-// Color, everything else as it is. NaN and infinities pass on (times 0: NaN). Source: drydock.
+// Color, everything else as it is. NaN and infinities pass on (times 0: NaN).
 #pragma once
 
 #include "CoreMinimal.h"
@@ -12,6 +12,9 @@
 
 class FRDGBuilder;
 class FViewInfo;
+
+namespace Drydock
+{
 
 struct FTintInputs
 {
@@ -26,3 +29,5 @@ struct FTintInputs
 };
 
 DRYDOCK_API FScreenPassTexture AddTintPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FTintInputs& Inputs);
+
+} // namespace Drydock

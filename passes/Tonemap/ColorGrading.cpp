@@ -1,4 +1,5 @@
-// Source: CIE 15, Krystek 1985, Bradford adaptation; engine file PostProcessCombineLUTs.cpp (meaning).
+// White balance, and the ranges of colour grading with the global values in them. Source: CIE 15, Krystek 1985,
+// Bradford adaptation; engine file PostProcessCombineLUTs.cpp (meaning).
 #include "Tonemap/ColorGrading.h"
 
 #include <algorithm>

@@ -1,14 +1,14 @@
-// Source: engine file PostProcessCombineLUTs.cpp.
+// The pass that fills the combined table, and the parameters of its maths. Source: engine file
+// PostProcessCombineLUTs.cpp.
 #include "Tonemap/PostProcessCombineLUTs.h"
 
-#include "GlobalShader.h"
 #include "HAL/IConsoleManager.h"
-#include "PixelShaderUtils.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
-#include "RenderGraphUtils.h"
 #include "RenderTargetPool.h"
 #include "SceneRendering.h"
+#include "Screen/RasterTarget.h"
+#include "Screen/ScreenShaderPass.h"
 #include "Screen/TextureAssets.h"
 #include "ShaderParameterStruct.h"
 #include "Tonemap/ColorGrading.h"
@@ -40,31 +40,23 @@ public:
 	using FPermutationDomain = Drydock::FColorRemapPermutation;
 
 	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
-		SHADER_PARAMETER_STRUCT_INCLUDE(FColorRemapParameters, Remap)
+		SHADER_PARAMETER_STRUCT_INCLUDE(FColorRemapParameters, Common)
 		RENDER_TARGET_BINDING_SLOTS()
 	END_SHADER_PARAMETER_STRUCT()
 };
 
-class FCombineLUTCS : public FGlobalShader
+class FCombineLUTCS : public Drydock::FScreenComputeShader
 {
 public:
 	DECLARE_GLOBAL_SHADER(FCombineLUTCS);
-	SHADER_USE_PARAMETER_STRUCT(FCombineLUTCS, FGlobalShader);
+	SHADER_USE_PARAMETER_STRUCT(FCombineLUTCS, Drydock::FScreenComputeShader);
 
 	using FPermutationDomain = Drydock::FColorRemapPermutation;
 
 	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
-		SHADER_PARAMETER_STRUCT_INCLUDE(FColorRemapParameters, Remap)
+		SHADER_PARAMETER_STRUCT_INCLUDE(FColorRemapParameters, Common)
 		SHADER_PARAMETER_RDG_TEXTURE_UAV(RWTexture2D<float4>, RWOutputTexture)
 	END_SHADER_PARAMETER_STRUCT()
-
-	static void ModifyCompilationEnvironment(
-		const FGlobalShaderPermutationParameters& Parameters, FShaderCompilerEnvironment& OutEnvironment)
-	{
-		FGlobalShader::ModifyCompilationEnvironment(Parameters, OutEnvironment);
-		OutEnvironment.SetDefine(TEXT("THREADGROUP_SIZEX"), FComputeShaderUtils::kGolden2DGroupSize);
-		OutEnvironment.SetDefine(TEXT("THREADGROUP_SIZEY"), FComputeShaderUtils::kGolden2DGroupSize);
-	}
 };
 
 IMPLEMENT_GLOBAL_SHADER(FCombineLUTPS, "/Engine/Private/PostProcessCombineLUTs.usf", "MainPS", SF_Pixel);
@@ -146,15 +138,15 @@ int32 SetLegacyLUTs(
 	return Count;
 }
 
-FRDGTextureRef CreateTable(FRDGBuilder& GraphBuilder, EDisplayOutputFormat OutputDevice, bool bCompute)
+FScreenPassRenderTarget CreateTable(FRDGBuilder& GraphBuilder, EDisplayOutputFormat OutputDevice, bool bCompute)
 {
 	const int32 Size = Drydock::GetLUTSize();
 	const bool bHighRange = OutputDevice >= EDisplayOutputFormat::HDR_ACES_1000nit_ST2084;
 	const EPixelFormat Format = bHighRange ? PF_FloatRGBA : PF_A2B10G10R10;
-	return GraphBuilder.CreateTexture(
-		FRDGTextureDesc::Create2D(FIntPoint(Size * Size, Size), Format, FClearValueBinding::None,
-			TexCreate_ShaderResource | (bCompute ? TexCreate_UAV : TexCreate_RenderTargetable)),
-		TEXT("CombineLUTs"));
+	const FIntPoint Extent(Size * Size, Size);
+	return Drydock::CreateScreenTarget(GraphBuilder,
+		FRDGTextureDesc::Create2D(Extent, Format, FClearValueBinding::None, TexCreate_None),
+		FIntRect(FIntPoint::ZeroValue, Extent), TEXT("CombineLUTs"), bCompute);
 }
 
 } // namespace
@@ -207,29 +199,10 @@ FRDGTextureRef AddCombineLUTPass(FRDGBuilder& GraphBuilder, const FViewInfo& Vie
 {
 	const Drydock::FColorRemap Remap = Drydock::MakeColorRemap(GraphBuilder, View);
 	const bool bCompute = View.bUseComputePasses;
-	const FRDGTextureRef Table =
+	const FScreenPassRenderTarget Table =
 		CreateTable(GraphBuilder, Remap.Permutation.Get<Drydock::FOutputDeviceDimension>(), bCompute);
-	const FIntPoint Size = Table->Desc.Extent;
-	if (bCompute)
-	{
-		FCombineLUTCS::FParameters* PassParameters = GraphBuilder.AllocParameters<FCombineLUTCS::FParameters>();
-		PassParameters->Remap = Remap.Parameters;
-		PassParameters->RWOutputTexture = GraphBuilder.CreateUAV(Table);
-
-		TShaderMapRef<FCombineLUTCS> ComputeShader(View.ShaderMap, Remap.Permutation);
-		FComputeShaderUtils::AddPass(GraphBuilder, RDG_EVENT_NAME("CombineLUTs %d (CS)", Size.Y), ComputeShader,
-			PassParameters, FComputeShaderUtils::GetGroupCount(Size, FComputeShaderUtils::kGolden2DGroupSize));
-	}
-	else
-	{
-		FCombineLUTPS::FParameters* PassParameters = GraphBuilder.AllocParameters<FCombineLUTPS::FParameters>();
-		PassParameters->Remap = Remap.Parameters;
-		PassParameters->RenderTargets[0] = FRenderTargetBinding(Table, ERenderTargetLoadAction::ENoAction);
-
-		TShaderMapRef<FCombineLUTPS> PixelShader(View.ShaderMap, Remap.Permutation);
-		FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
-			RDG_EVENT_NAME("CombineLUTs %d (PS)", Size.Y), PixelShader, PassParameters,
-			FIntRect(FIntPoint::ZeroValue, Size));
-	}
-	return Table;
+	const FString Name = FString::Printf(TEXT("CombineLUTs %d"), Table.ViewRect.Height());
+	return Drydock::AddScreenShaderPass<FCombineLUTPS, FCombineLUTCS>(GraphBuilder, View, {Name, Table, bCompute},
+		Remap.Parameters, Remap.Permutation, &FCombineLUTCS::FParameters::RWOutputTexture)
+		.Texture;
 }

@@ -1,13 +1,14 @@
-// Source: engine file PostProcessTonemap.cpp.
+// The pass that tonemaps, and its factory. Source: engine file PostProcessTonemap.cpp.
 #include "Tonemap/PostProcessTonemap.h"
 
-#include "GlobalShader.h"
-#include "PixelShaderUtils.h"
+#include "Exposure/ExposureFactory.h"
+#include "PassFactory.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
-#include "RenderGraphUtils.h"
 #include "RenderTargetPool.h"
 #include "SceneRendering.h"
+#include "Screen/RasterTarget.h"
+#include "Screen/ScreenShaderPass.h"
 #include "Screen/TextureAssets.h"
 #include "ShaderParameterStruct.h"
 #include "Tonemap/PostProcessCombineLUTs.h"
@@ -42,7 +43,7 @@ BEGIN_SHADER_PARAMETER_STRUCT(FTonemapParameters, )
 	SHADER_PARAMETER(FVector2f, VignetteScale)
 	SHADER_PARAMETER(float, VignetteIntensity)
 	SHADER_PARAMETER(float, bWriteLumaToAlpha)
-	SHADER_PARAMETER_STRUCT(FLocalExposureShaderParameters, LocalExposure)
+	SHADER_PARAMETER_STRUCT(Drydock::FLocalExposureShaderParameters, LocalExposure)
 END_SHADER_PARAMETER_STRUCT()
 
 class FTonemapGammaOnlyDimension : SHADER_PERMUTATION_BOOL("USE_GAMMA_ONLY");
@@ -70,31 +71,23 @@ public:
 	using FPermutationDomain = FTonemapPermutation;
 
 	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
-		SHADER_PARAMETER_STRUCT_INCLUDE(FTonemapParameters, Tonemap)
+		SHADER_PARAMETER_STRUCT_INCLUDE(FTonemapParameters, Common)
 		RENDER_TARGET_BINDING_SLOTS()
 	END_SHADER_PARAMETER_STRUCT()
 };
 
-class FTonemapCS : public FGlobalShader
+class FTonemapCS : public Drydock::FScreenComputeShader
 {
 public:
 	DECLARE_GLOBAL_SHADER(FTonemapCS);
-	SHADER_USE_PARAMETER_STRUCT(FTonemapCS, FGlobalShader);
+	SHADER_USE_PARAMETER_STRUCT(FTonemapCS, Drydock::FScreenComputeShader);
 
 	using FPermutationDomain = FTonemapPermutation;
 
 	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
-		SHADER_PARAMETER_STRUCT_INCLUDE(FTonemapParameters, Tonemap)
+		SHADER_PARAMETER_STRUCT_INCLUDE(FTonemapParameters, Common)
 		SHADER_PARAMETER_RDG_TEXTURE_UAV(RWTexture2D<float4>, RWOutputTexture)
 	END_SHADER_PARAMETER_STRUCT()
-
-	static void ModifyCompilationEnvironment(
-		const FGlobalShaderPermutationParameters& Parameters, FShaderCompilerEnvironment& OutEnvironment)
-	{
-		FGlobalShader::ModifyCompilationEnvironment(Parameters, OutEnvironment);
-		OutEnvironment.SetDefine(TEXT("THREADGROUP_SIZEX"), FComputeShaderUtils::kGolden2DGroupSize);
-		OutEnvironment.SetDefine(TEXT("THREADGROUP_SIZEY"), FComputeShaderUtils::kGolden2DGroupSize);
-	}
 };
 
 IMPLEMENT_GLOBAL_SHADER(FTonemapPS, "/Engine/Private/PostProcessTonemap.usf", "MainPS", SF_Pixel);
@@ -103,13 +96,9 @@ IMPLEMENT_GLOBAL_SHADER(FTonemapCS, "/Engine/Private/PostProcessTonemap.usf", "M
 FScreenPassRenderTarget CreateOutput(FRDGBuilder& GraphBuilder, const FTonemapInputs& Inputs, bool bCompute)
 {
 	FRDGTextureDesc Desc = Inputs.SceneColor.Texture->Desc;
-	Desc.Reset();
 	Desc.Format = Inputs.OutputFormat;
-	Desc.Flags &= ~(TexCreate_RenderTargetable | TexCreate_UAV);
-	Desc.Flags |= TexCreate_ShaderResource | (bCompute ? TexCreate_UAV : TexCreate_RenderTargetable);
 	Desc.ClearValue = FClearValueBinding(FLinearColor(0.0f, 0.0f, 0.0f, 0.0f));
-	return FScreenPassRenderTarget(GraphBuilder.CreateTexture(Desc, TEXT("Tonemap")), Inputs.SceneColor.ViewRect,
-		ERenderTargetLoadAction::ENoAction);
+	return Drydock::CreateScreenTarget(GraphBuilder, Desc, Inputs.SceneColor.ViewRect, TEXT("Tonemap"), bCompute);
 }
 
 /** The parts that the settings call for; of gamma only, none. */
@@ -189,7 +178,7 @@ FTonemapParameters MakeParameters(FRDGBuilder& GraphBuilder, const FViewInfo& Vi
 	{
 		SetBloom(GraphBuilder, View.FinalPostProcessSettings, Inputs.Bloom, Parameters);
 	}
-	Parameters.LocalExposure = GetLocalExposureShaderParameters(Inputs.LocalExposure);
+	Parameters.LocalExposure = Drydock::GetLocalExposureShaderParameters(Inputs.LocalExposure);
 	Parameters.ColorGradingLUT = Inputs.ColorGradingTexture;
 	Parameters.ColorGradingSampler = Parameters.ColorSampler;
 	SetLens(View, Output.ViewRect.Size(), Parameters);
@@ -220,6 +209,31 @@ void SetRemap(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FTonemapIn
 
 } // namespace
 
+namespace Drydock
+{
+
+namespace
+{
+
+const FPassFactoryRegistration GTonemap({
+	.Type = "Tonemap",
+	.Doc = "The film curve and sRGB, by the view's settings, without bloom.",
+	.Inputs = {{"Input", PictureResource, "Linear, pre-exposed."}},
+	.Parameters = {MakeExposureScaleSpec()},
+	.Add =
+		[](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FPassArguments& Arguments)
+	{
+		FTonemapInputs Inputs;
+		Inputs.SceneColor = Arguments.GetInput("Input");
+		Inputs.EyeAdaptationBuffer = CreateEyeAdaptationBuffer(GraphBuilder, Arguments.Values);
+		return AddTonemapPass(GraphBuilder, View, Inputs);
+	},
+});
+
+} // namespace
+
+} // namespace Drydock
+
 FScreenPassTexture AddTonemapPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FTonemapInputs& Inputs)
 {
 	check(Inputs.SceneColor.IsValid());
@@ -234,29 +248,7 @@ FScreenPassTexture AddTonemapPass(FRDGBuilder& GraphBuilder, const FViewInfo& Vi
 	FTonemapPermutation Permutation = ChoosePermutation(View, Inputs, Parameters);
 	SetRemap(GraphBuilder, View, Inputs, Parameters, Permutation);
 
-	const int32 Width = Output.ViewRect.Width();
-	const int32 Height = Output.ViewRect.Height();
-	if (bCompute)
-	{
-		FTonemapCS::FParameters* PassParameters = GraphBuilder.AllocParameters<FTonemapCS::FParameters>();
-		PassParameters->Tonemap = Parameters;
-		PassParameters->RWOutputTexture = GraphBuilder.CreateUAV(Output.Texture);
-
-		TShaderMapRef<FTonemapCS> ComputeShader(View.ShaderMap, Permutation);
-		FComputeShaderUtils::AddPass(GraphBuilder, RDG_EVENT_NAME("Tonemap %dx%d (CS)", Width, Height), ComputeShader,
-			PassParameters,
-			FComputeShaderUtils::GetGroupCount(FIntPoint(Width, Height), FComputeShaderUtils::kGolden2DGroupSize));
-	}
-	else
-	{
-		FTonemapPS::FParameters* PassParameters = GraphBuilder.AllocParameters<FTonemapPS::FParameters>();
-		PassParameters->Tonemap = Parameters;
-		PassParameters->RenderTargets[0] = Output.GetRenderTargetBinding();
-
-		TShaderMapRef<FTonemapPS> PixelShader(View.ShaderMap, Permutation);
-		FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
-			RDG_EVENT_NAME("Tonemap %dx%d (PS)", Width, Height), PixelShader, PassParameters, Output.ViewRect);
-	}
-
-	return FScreenPassTexture(Output.Texture, Output.ViewRect);
+	const FString Name = FString::Printf(TEXT("Tonemap %dx%d"), Output.ViewRect.Width(), Output.ViewRect.Height());
+	return Drydock::AddScreenShaderPass<FTonemapPS, FTonemapCS>(GraphBuilder, View, {Name, Output, bCompute},
+		Parameters, Permutation, &FTonemapCS::FParameters::RWOutputTexture);
 }

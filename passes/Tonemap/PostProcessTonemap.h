@@ -37,7 +37,7 @@ struct FTonemapInputs
 	FRDGBufferRef EyeAdaptationBuffer = nullptr;
 
 	/** [Optional] Colour, not bloom, times its factor. */
-	FLocalExposureTextures LocalExposure;
+	Drydock::FLocalExposureTextures LocalExposure;
 
 	/** [Optional] The combined table (AddCombineLUTPass) of this view. */
 	FRDGTextureRef ColorGradingTexture = nullptr;

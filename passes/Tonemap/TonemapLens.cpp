@@ -1,4 +1,4 @@
-// Source: engine file PostProcessTonemap.cpp.
+// Vignette, fringe, sharpening and grain out of the settings. Source: engine file PostProcessTonemap.cpp.
 #include "Tonemap/TonemapLens.h"
 
 #include "HAL/IConsoleManager.h"

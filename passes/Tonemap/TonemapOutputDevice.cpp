@@ -1,4 +1,5 @@
-// Source: engine file PostProcessTonemap.cpp (meaning of the variables).
+// The output device out of its console variables, its format and its encoding's name. Source: engine file
+// PostProcessTonemap.cpp (meaning of the variables).
 #include "Tonemap/TonemapOutputDevice.h"
 
 #include "HAL/IConsoleManager.h"

@@ -1,8 +1,9 @@
-// Source: article "RED post process"; drydock.
+// The passes of CharaGlow and their factories. Source: article "RED post process".
 #include "Toon/CharaGlow.h"
 
 #include "HAL/IConsoleManager.h"
 #include "Lens/REDPostProcess.h"
+#include "PassFactory.h"
 #include "PixelShaderUtils.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphUtils.h"
@@ -26,13 +27,8 @@ FCharaGlowBox GetCharaGlowBox(float Area, bool bAsPrinted)
 	return Box;
 }
 
-} // namespace Drydock
-
 namespace
 {
-
-using Drydock::FCharaGlowBoxParameters;
-using Drydock::FCharaGlowBoxPS;
 
 /** The article's double loop. */
 class FCharaGlowPrintedPS : public FGlobalShader
@@ -73,15 +69,15 @@ FIntRect FindReach(const FCharaGlowInputs& Inputs, int32 Further = 0)
 	{
 		return ViewRect;
 	}
-	const int32 Reach = Drydock::GetCharaGlowBox(Inputs.Area, Inputs.bAsPrinted).Radius + 1;
-	return Drydock::PlaceRect(Drydock::GrowRect(*Inputs.MaskBounds, Reach, Reach + Further), ViewRect);
+	const int32 Reach = GetCharaGlowBox(Inputs.Area, Inputs.bAsPrinted).Radius + 1;
+	return PlaceRect(GrowRect(*Inputs.MaskBounds, Reach, Reach + Further), ViewRect);
 }
 
 /** Source: what has the mask's viewport, or the rows. */
 FCharaGlowBoxParameters* MakeBoxParameters(FRDGBuilder& GraphBuilder, const FCharaGlowInputs& Inputs,
 	const FScreenPassTexture& Source, const FScreenPassRenderTarget& Output)
 {
-	const Drydock::FCharaGlowBox Box = Drydock::GetCharaGlowBox(Inputs.Area, Inputs.bAsPrinted);
+	const FCharaGlowBox Box = GetCharaGlowBox(Inputs.Area, Inputs.bAsPrinted);
 	auto* Parameters = GraphBuilder.AllocParameters<FCharaGlowBoxParameters>();
 	Parameters->SceneTextures = GetSceneTextureShaderParameters(Inputs.SceneTextures);
 	Parameters->Source = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Source));
@@ -98,10 +94,9 @@ FScreenPassTexture AddBoxPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, 
 	const FScreenPassTexture& Source, bool bColumns)
 {
 	const TCHAR* const Name = bColumns ? TEXT("CharaGlow") : TEXT("CharaGlowRows");
-	const FScreenPassRenderTarget Output =
-		Drydock::CreateRasterTargetLike(GraphBuilder, Inputs.SceneColor, Name, PF_R16F);
+	const FScreenPassRenderTarget Output = CreateRasterTargetLike(GraphBuilder, Inputs.SceneColor, Name, PF_R16F);
 	// Columns read rows beyond their own.
-	const int32 Further = bColumns ? 0 : Drydock::GetCharaGlowBox(Inputs.Area, Inputs.bAsPrinted).Radius + 1;
+	const int32 Further = bColumns ? 0 : GetCharaGlowBox(Inputs.Area, Inputs.bAsPrinted).Radius + 1;
 	const FIntRect Drawn = FindReach(Inputs, Further);
 	FCharaGlowBoxPS::FPermutationDomain Permutation;
 	Permutation.Set<FCharaGlowBoxPS::FColumnsDimension>(bColumns);
@@ -115,7 +110,7 @@ FScreenPassTexture AddBoxPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, 
 FScreenPassTexture AddPrintedPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FCharaGlowInputs& Inputs)
 {
 	const FScreenPassRenderTarget Output =
-		Drydock::CreateRasterTargetLike(GraphBuilder, Inputs.SceneColor, TEXT("CharaGlow"), PF_R16F);
+		CreateRasterTargetLike(GraphBuilder, Inputs.SceneColor, TEXT("CharaGlow"), PF_R16F);
 	const FIntRect Drawn = FindReach(Inputs);
 	TShaderMapRef<FCharaGlowPrintedPS> PixelShader(View.ShaderMap);
 	FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
@@ -123,6 +118,44 @@ FScreenPassTexture AddPrintedPass(FRDGBuilder& GraphBuilder, const FViewInfo& Vi
 		MakeBoxParameters(GraphBuilder, Inputs, Inputs.SceneColor, Output), Drawn);
 	return FScreenPassTexture(Output.Texture, Output.ViewRect);
 }
+
+FCharaGlowInputs MakeCharaGlow(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FPassArguments& Arguments)
+{
+	FCharaGlowInputs Inputs;
+	Inputs.SceneColor = Arguments.GetInput("Input");
+	Inputs.SceneTextures = CreateSceneTextureUniformBuffer(GraphBuilder, View);
+	return Inputs;
+}
+
+const FPassFactoryRegistration GCharaGlow({
+	.Type = "CharaGlow",
+	.Doc = "The character mask of the G-buffer, widened by a box.",
+	.Inputs = {{"Input", PictureResource, "Gives size and rect."}},
+	.Parameters = {FParameterSpec::Number("Area", 4, 0.01, static_cast<double>(MaxCharaGlowArea), "Radius in pixels."),
+		FParameterSpec::Bool("AsPrinted", false, "The article's form, with its faults.")},
+	.Add =
+		[](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FPassArguments& Arguments)
+	{
+		FCharaGlowInputs Inputs = MakeCharaGlow(GraphBuilder, View, Arguments);
+		Inputs.Area = Arguments.Values.GetFloat("Area");
+		Inputs.bAsPrinted = Arguments.Values.GetBool("AsPrinted");
+		return AddCharaGlowPasses(GraphBuilder, View, Inputs);
+	},
+});
+
+const FPassFactoryRegistration GCharaGlowComp({
+	.Type = "CharaGlowComp",
+	.Doc = "Adds the glow that a widened mask leaves outside the mask.",
+	.Inputs = {{"Input", PictureResource, "The picture."}, {"Widened", "", "What CharaGlow gave."}},
+	.Parameters = {FParameterSpec::Color("Color", FLinearColor(1.0f, 1.0f, 1.0f, 1.0f), "Alpha is the strength.")},
+	.Add =
+		[](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FPassArguments& Arguments)
+	{
+		FCharaGlowInputs Inputs = MakeCharaGlow(GraphBuilder, View, Arguments);
+		Inputs.Color = Arguments.Values.GetColor("Color");
+		return AddCharaGlowCompPass(GraphBuilder, View, Inputs, Arguments.GetInput("Widened"));
+	},
+});
 
 } // namespace
 
@@ -161,7 +194,7 @@ FScreenPassTexture AddCharaGlowCompPass(FRDGBuilder& GraphBuilder, const FViewIn
 	check(Inputs.SceneTextures);
 
 	FScreenPassRenderTarget Output = Inputs.OverrideOutput.IsValid() ? Inputs.OverrideOutput
-																	 : Drydock::CreateRasterTargetLike(GraphBuilder,
+																	 : CreateRasterTargetLike(GraphBuilder,
 																		   Inputs.SceneColor, TEXT("CharaGlowComp"));
 	const FIntRect Drawn = FindReach(Inputs);
 	if (Drawn != Inputs.SceneColor.ViewRect)
@@ -193,3 +226,5 @@ FScreenPassTexture AddCharaGlow(FRDGBuilder& GraphBuilder, const FViewInfo& View
 	const FScreenPassTexture BlurredMask = AddCharaGlowPasses(GraphBuilder, View, Inputs);
 	return BlurredMask.IsValid() ? AddCharaGlowCompPass(GraphBuilder, View, Inputs, BlurredMask) : Inputs.SceneColor;
 }
+
+} // namespace Drydock

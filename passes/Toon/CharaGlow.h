@@ -25,6 +25,9 @@
 class FRDGBuilder;
 class FViewInfo;
 
+namespace Drydock
+{
+
 struct FCharaGlowInputs
 {
 	FScreenPassTexture SceneColor;
@@ -56,9 +59,6 @@ DRYDOCK_API FScreenPassTexture AddCharaGlowCompPass(FRDGBuilder& GraphBuilder, c
 /** Both; SceneColor itself where there is no area (then OverrideOutput is not written). */
 DRYDOCK_API FScreenPassTexture AddCharaGlow(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FCharaGlowInputs& Inputs);
-
-namespace Drydock
-{
 
 /** One direction of the corrected box: texels within Radius weigh 1, the one beyond Fraction, all times Scale. */
 struct FCharaGlowBox

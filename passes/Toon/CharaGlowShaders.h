@@ -1,4 +1,4 @@
-// The box pass of CharaGlow as a shader class, which its native kernel shares. Source: drydock.
+// The box pass of CharaGlow as a shader class, which its native kernel shares.
 #pragma once
 
 #include "GlobalShader.h"

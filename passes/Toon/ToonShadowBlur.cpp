@@ -1,4 +1,4 @@
-// Source: article "Toon-shadow blur"; drydock.
+// The passes of the toon-shadow blur. Source: article "Toon-shadow blur".
 #include "Toon/ToonShadowBlur.h"
 
 #include "Bloom/PostProcessGaussianBloom.h"
@@ -13,6 +13,9 @@
 #include "ShaderParameterStruct.h"
 
 #include <cmath>
+
+namespace Drydock
+{
 
 namespace
 {
@@ -116,8 +119,8 @@ FScreenPassTexture AddToonShadowSetupPass(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& ToonShadow, EToonShadowBlurStore Store)
 {
 	check(ToonShadow.IsValid());
-	const FScreenPassRenderTarget Output = Drydock::CreateRasterTargetLike(
-		GraphBuilder, ToonShadow, TEXT("ToonShadowSetup"), Drydock::GetToonShadowBlurFormat(Store));
+	const FScreenPassRenderTarget Output =
+		CreateRasterTargetLike(GraphBuilder, ToonShadow, TEXT("ToonShadowSetup"), GetToonShadowBlurFormat(Store));
 
 	auto* PassParameters = GraphBuilder.AllocParameters<FToonShadowSetupPS::FParameters>();
 	PassParameters->ToonShadow = GetViewportOf(ToonShadow);
@@ -136,8 +139,7 @@ FScreenPassTexture AddToonShadowCombinePass(FRDGBuilder& GraphBuilder, const FVi
 	const FScreenPassTexture& ToonShadow, const FScreenPassTexture& Blurred, EToonShadowBlurStore Store)
 {
 	check(ToonShadow.IsValid());
-	const FScreenPassRenderTarget Output =
-		Drydock::CreateRasterTargetLike(GraphBuilder, ToonShadow, TEXT("ToonShadowBlurred"));
+	const FScreenPassRenderTarget Output = CreateRasterTargetLike(GraphBuilder, ToonShadow, TEXT("ToonShadowBlurred"));
 
 	auto* PassParameters = GraphBuilder.AllocParameters<FToonShadowCombinePS::FParameters>();
 	PassParameters->ToonShadow = GetViewportOf(ToonShadow);
@@ -167,12 +169,12 @@ FScreenPassTexture AddToonShadowBlurPasses(
 	check(Inputs.ToonShadow.IsValid());
 	RDG_EVENT_SCOPE(GraphBuilder, "ToonShadowBlur");
 
-	FGaussianBlurPassesInputs Blur = Inputs.Blur;
+	FGaussianSumInputs Blur = Inputs.Blur;
 	Blur.TintScale = GetNormalizingTintScale(Blur);
 	Blur.bClampAddressing = !Inputs.bAsPrinted;
 	const FScreenPassTexture Setup = AddToonShadowSetupPass(GraphBuilder, View, Inputs.ToonShadow, Inputs.Store);
-	const FScreenPassTexture Blurred = AddTextureBlurPass(
-		GraphBuilder, View, Setup, Drydock::GetToonShadowBlurFormat(Inputs.Store), TEXT("ToonShadowDownsample"), Blur);
+	const FScreenPassTexture Blurred = AddTextureGaussianSumPasses(
+		GraphBuilder, View, Setup, GetToonShadowBlurFormat(Inputs.Store), TEXT("ToonShadowDownsample"), Blur);
 	return AddToonShadowCombinePass(GraphBuilder, View, Inputs.ToonShadow, Blurred, Inputs.Store);
 }
 
@@ -186,7 +188,7 @@ FScreenPassTexture AddToonShadowLightingPass(
 	const FScreenPassRenderTarget Output =
 		Inputs.OverrideOutput.IsValid()
 			? Inputs.OverrideOutput
-			: Drydock::CreateRasterTargetLike(GraphBuilder, Inputs.SceneColor, TEXT("ToonShadowLighting"));
+			: CreateRasterTargetLike(GraphBuilder, Inputs.SceneColor, TEXT("ToonShadowLighting"));
 
 	auto* PassParameters = GraphBuilder.AllocParameters<FToonShadowLightingPS::FParameters>();
 	PassParameters->SceneTextures = GetSceneTextureShaderParameters(Inputs.SceneTextures);
@@ -209,9 +211,6 @@ FScreenPassTexture AddToonShadowLightingPass(
 		PassParameters, Output.ViewRect);
 	return FScreenPassTexture(Output.Texture, Output.ViewRect);
 }
-
-namespace Drydock
-{
 
 float EncodeToonShadowBlur(float Blurred, EToonShadowBlurStore Store)
 {

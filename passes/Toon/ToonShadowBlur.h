@@ -5,7 +5,7 @@
 //
 //   Setup       darker of R and G, into a single-channel temporary
 //
-//   Blur        the bloom's sum of Gaussians, tints normalised per channel (TextureBlur.h)
+//   Blur        the bloom's sum of Gaussians, tints normalised per channel (GaussianSum.h)
 //
 //   Combine     the result, stretched bilinearly to full size, into A
 //
@@ -25,7 +25,7 @@
 // none.
 #pragma once
 
-#include "Blur/TextureBlur.h"
+#include "Blur/GaussianSum.h"
 #include "CoreMinimal.h"
 #include "PostProcessSettings.h"
 #include "SceneTextureParameters.h"
@@ -34,12 +34,15 @@
 class FRDGBuilder;
 class FViewInfo;
 
+namespace Drydock
+{
+
 struct FToonShadowBlurInputs
 {
 	/** The shadow buffer, PF_R8G8B8A8 or PF_B8G8R8A8. */
 	FScreenPassTexture ToonShadow;
 	/** Sizes, tints, scale and quality of the blur. */
-	FGaussianBlurPassesInputs Blur;
+	FGaussianSumInputs Blur;
 	EToonShadowBlurStore Store = EToonShadowBlurStore::SqrtEightBit;
 	bool bAsPrinted = false;
 
@@ -81,9 +84,6 @@ struct FToonShadowLightingInputs
 /** Uses the blurred shadow in the lighting of an already lit frame. The result is like SceneColor. */
 DRYDOCK_API FScreenPassTexture AddToonShadowLightingPass(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FToonShadowLightingInputs& Inputs);
-
-namespace Drydock
-{
 
 /** What A holds of a blurred shadow of 0..1, before rounding to 8 bit, and back. */
 DRYDOCK_API float EncodeToonShadowBlur(float Blurred, EToonShadowBlurStore Store);

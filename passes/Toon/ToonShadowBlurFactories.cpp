@@ -1,9 +1,10 @@
-// The passes of the toon-shadow blur that a config can insert by name, one by one. Source: drydock.
+// The passes of the toon-shadow blur that a config can insert by name, one by one.
 #include "Bloom/PostProcessGaussianBloom.h"
 #include "PassFactory.h"
 #include "Toon/ToonShadowBlur.h"
 
-using namespace Drydock;
+namespace Drydock
+{
 
 namespace
 {
@@ -52,17 +53,17 @@ std::vector<FParameterSpec> MakeTextureBlurParameters()
 	return Parameters;
 }
 
-FGaussianBlurPassesInputs MakeTextureBlur(const FParameterValues& Values)
+FGaussianSumInputs MakeTextureBlur(const FParameterValues& Values)
 {
-	FGaussianBlurPassesInputs Blur;
+	FGaussianSumInputs Blur;
 	for (int32 Stage = NumStages - 1; Stage >= 0; --Stage)
 	{
 		const std::string Number = std::to_string(Stage + 1);
-		Blur.Stages.Add({StageNamesX[Stage], StageNamesY[Stage], static_cast<float>(Values.GetNumber("Size" + Number)),
+		Blur.Stages.Add({StageNamesX[Stage], StageNamesY[Stage], Values.GetFloat("Size" + Number),
 			Values.GetColor("Tint" + Number)});
 	}
 	Blur.StageCount = GetBloomStageCount(static_cast<EBloomQuality>(Values.GetInteger("Quality")));
-	Blur.SizeScale = static_cast<float>(Values.GetNumber("SizeScale"));
+	Blur.SizeScale = Values.GetFloat("SizeScale");
 	Blur.bClampAddressing = Values.GetBool("Clamp");
 	if (Values.GetBool("Normalize"))
 	{
@@ -103,7 +104,7 @@ const FPassFactoryRegistration GTextureBlur({
 	{
 		const FScreenPassTexture& Input = Arguments.GetInput("Input");
 		const FScreenPassTexture Blurred =
-			AddTextureBlurPass(GraphBuilder, View, Input, GetFormat(Arguments.Values.GetText("Format"), Input),
+			AddTextureGaussianSumPasses(GraphBuilder, View, Input, GetFormat(Arguments.Values.GetText("Format"), Input),
 				TEXT("TextureBlurDownsample"), MakeTextureBlur(Arguments.Values));
 		return Blurred.IsValid() ? Blurred : Input; // no stage has a size
 	},
@@ -140,7 +141,7 @@ const FPassFactoryRegistration GToonShadowLighting({
 		Inputs.ToonShadow = Arguments.GetInput("Shadow");
 		Inputs.SceneTextures = CreateSceneTextureUniformBuffer(GraphBuilder, View);
 		Inputs.LightColor = Arguments.Values.GetColor("LightColor");
-		Inputs.Intensity = static_cast<float>(Arguments.Values.GetNumber("Intensity"));
+		Inputs.Intensity = Arguments.Values.GetFloat("Intensity");
 		Inputs.Blend =
 			Arguments.Values.GetText("Blend") == "Max" ? EToonShadowBlurBlend::Max : EToonShadowBlurBlend::Screen;
 		Inputs.Store = GetStore(Arguments.Values);
@@ -150,3 +151,5 @@ const FPassFactoryRegistration GToonShadowLighting({
 });
 
 } // namespace
+
+} // namespace Drydock

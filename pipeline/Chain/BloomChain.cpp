@@ -33,10 +33,7 @@ FBloomSetupInputs MakeSetup(const FBloomChainInputs& Inputs, const FScreenPassTe
 	Setup.Threshold = Threshold;
 	if (Inputs.Toon != nullptr)
 	{
-		Setup.SceneTextures = Inputs.Toon->SceneTextures;
-		Setup.ToonIntensity = Inputs.Toon->ToonIntensity;
-		Setup.ToonBounds = Inputs.Toon->ToonBounds;
-		Setup.FullResolutionSceneColor = Inputs.SceneColor;
+		Setup.Toon = *Inputs.Toon;
 		Setup.DownsampleQuality = GetDownsampleQuality();
 	}
 	return Setup;

@@ -23,9 +23,9 @@ struct FBloomChainInputs
 	/** [Required] (PostProcessEyeAdaptation.h) */
 	FRDGBufferRef EyeAdaptationBuffer = nullptr;
 	/** Not valid where it is off, or does not act on bloom. A convolution reads none, as in the engine. */
-	FLocalExposureTextures LocalExposure;
+	Drydock::FLocalExposureTextures LocalExposure;
 	/** Set where toon bloom is active. */
-	const FToonBloomInputs* Toon = nullptr;
+	const Drydock::FToonBloomInputs* Toon = nullptr;
 };
 
 struct FBloomChainOutputs

@@ -10,6 +10,8 @@
 #include "SceneViewState.h"
 #include "Screen/TextureAssets.h"
 
+using namespace Drydock;
+
 namespace
 {
 

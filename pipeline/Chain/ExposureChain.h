@@ -28,7 +28,7 @@ struct FExposureChainOutputs
 	/** Null where there is none. */
 	FRDGTextureRef Histogram = nullptr;
 	/** Not valid where it is off. */
-	FLocalExposureTextures LocalExposure;
+	Drydock::FLocalExposureTextures LocalExposure;
 };
 
 /** The level of the downsample chain whose luminance local exposure blurs. */

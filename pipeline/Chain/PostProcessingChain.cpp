@@ -17,10 +17,11 @@
 
 #include <algorithm>
 
+using namespace Drydock;
+
 namespace
 {
 
-using namespace Drydock;
 using EPoint = FInsertionPoints::EPoint;
 
 /** The passes of one view, in the order of its methods. */

@@ -1,7 +1,8 @@
-// Source: drydock.
+// Reads what metering left in its buffers.
 #include "Effects/ExposureReport.h"
 
 #include "Effects/Exposure.h"
+#include "Exposure/PostProcessEyeAdaptation.h"
 
 #include <cmath>
 #include <cstring>

@@ -8,7 +8,8 @@
 #include "Blur/DualKawaseBlurPass.h"
 #include "Blur/DualKawaseBlurWidth.h"
 #include "Blur/FourTapBlur.h"
-#include "Blur/TextureBlur.h"
+#include "Blur/GaussianSum.h"
+#include "Blur/MatchedGaussianBlur.h"
 #include "Picture/TextureImage.h"
 #include "RHICommandList.h"
 #include "RenderGraphBuilder.h"
@@ -48,11 +49,11 @@ EPixelFormat GetFormat(const std::string& Storage)
 FScreenPassTexture AddMatchedGaussian(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& Input, double Sigma, bool bSeparable)
 {
-	FDualKawaseGaussianInputs Inputs;
+	FMatchedGaussianBlurInputs Inputs;
 	Inputs.SceneColor = Input;
 	Inputs.StandardDeviation = Sigma;
 	Inputs.bSeparable = bSeparable;
-	return AddDualKawaseGaussianPass(GraphBuilder, View, Inputs);
+	return AddMatchedGaussianBlurPasses(GraphBuilder, View, Inputs);
 }
 
 FScreenPassTexture AddSeparable(
@@ -109,7 +110,7 @@ FAddBlur MakeGaussianSum(double Sigma)
 		{
 			LevelWidth = FMath::DivideAndRoundUp(LevelWidth, 2);
 		}
-		FGaussianBlurPassesInputs Inputs;
+		FGaussianSumInputs Inputs;
 		for (int32 Stage = 0; Stage < Level; ++Stage)
 		{
 			Inputs.Stages.Add({TEXT("GaussianSumX"), TEXT("GaussianSumY"),
@@ -117,8 +118,8 @@ FAddBlur MakeGaussianSum(double Sigma)
 		}
 		Inputs.StageCount = 1;
 		Inputs.bClampAddressing = true;
-		const FScreenPassTexture Blurred =
-			AddTextureBlurPass(GraphBuilder, View, Input, Input.Texture->Desc.Format, TEXT("GaussianSum"), Inputs);
+		const FScreenPassTexture Blurred = AddTextureGaussianSumPasses(
+			GraphBuilder, View, Input, Input.Texture->Desc.Format, TEXT("GaussianSum"), Inputs);
 		return AddBilinearStretchPass(GraphBuilder, View, Blurred, Input);
 	};
 }

@@ -1,5 +1,5 @@
 // The dual Kawase blur a second time, in double, as a direct sum over taps; and impulse responses measured. Shares no
-// code with the passes. Source: drydock; formulas of Bjorge, SIGGRAPH 2015.
+// code with the passes. Source: formulas of Bjorge, SIGGRAPH 2015.
 #pragma once
 
 #include "PassReference.h"

@@ -1,4 +1,4 @@
-// Runs metering and adaptation on synthetic pictures and reads back what shaders would see. Source: drydock.
+// Runs metering and adaptation on synthetic pictures and reads back what shaders would see.
 #pragma once
 
 #include "PassTestUtils.h"
@@ -73,7 +73,7 @@ public:
 		Inputs.Parameters = Parameters;
 		if (Metering.LastScale)
 		{
-			Inputs.LastEyeAdaptationBuffer = CreateEyeAdaptationBuffer(Run.GraphBuilder, *Metering.LastScale);
+			Inputs.LastEyeAdaptationBuffer = Drydock::CreateEyeAdaptationBuffer(Run.GraphBuilder, *Metering.LastScale);
 		}
 		FRHIGPUBufferReadback Readback(TEXT("EyeAdaptation"));
 		const FRDGBufferRef Buffer = AddBuffer(Inputs);
@@ -92,7 +92,7 @@ private:
 		switch (Metering.Method)
 		{
 		case AEM_Manual:
-			return CreateManualEyeAdaptationBuffer(Run.GraphBuilder, Parameters);
+			return Drydock::CreateManualEyeAdaptationBuffer(Run.GraphBuilder, Parameters);
 		case AEM_Basic:
 			return AddBasicEyeAdaptationPass(Run.GraphBuilder, Run.View, Inputs,
 				AddBasicEyeAdaptationSetupPass(Run.GraphBuilder, Run.View, Parameters, Run.Input), Mask);

@@ -1,5 +1,5 @@
 // What the tests of convolution bloom and of its kernel share: a kernel as a texture, settings of one texel to a pixel,
-// runs of the pass. Source: drydock.
+// runs of the pass.
 #pragma once
 
 #include "PassTestUtils.h"

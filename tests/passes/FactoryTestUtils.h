@@ -1,4 +1,4 @@
-// Runs a pass that a config could insert, by its name. Source: drydock.
+// Runs a pass that a config could insert, by its name.
 #pragma once
 
 #include "PassTestUtils.h"

@@ -1,6 +1,5 @@
 // Independent double computations of what the passes do, written from their formulas: sampling, downsampling, bloom
 // setup, the Gaussian blur as a direct sum, the film curve from published primaries. Shares no code with the passes.
-// Source: drydock.
 #pragma once
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 //     const FScreenPassTexture Output = AddDownsamplePass(Run.GraphBuilder, Run.View, {...Run.Input...});
 //     const FImage Result = Run.Execute(Output);
 //
-// The input's texels outside the view rect are NaN, so that a pass that reads them shows it. Source: drydock.
+// The input's texels outside the view rect are NaN, so that a pass that reads them shows it.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,6 +1,5 @@
 // The film curve in double, from published primaries and formulas. Shares no code or numbers with the shader.
-// Sources: ITU-R BT.709, SMPTE ST 2065-1, S-2014-004, Bradford adaptation, ACES 1.0 rendering transform. Source:
-// drydock.
+// Sources: ITU-R BT.709, SMPTE ST 2065-1, S-2014-004, Bradford adaptation, ACES 1.0 rendering transform.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Runs the tonemapper with any settings, in one line. Source: drydock.
+// Runs the tonemapper with any settings, in one line.
 #pragma once
 
 #include "PassTestUtils.h"
@@ -42,7 +42,7 @@ inline FImage Tonemap(const FImage& Image, const FTonemapRun& Setup = {})
 
 	FTonemapInputs Inputs;
 	Inputs.SceneColor = Run.Input;
-	Inputs.EyeAdaptationBuffer = CreateEyeAdaptationBuffer(Run.GraphBuilder, 1.0f);
+	Inputs.EyeAdaptationBuffer = Drydock::CreateEyeAdaptationBuffer(Run.GraphBuilder, 1.0f);
 	Inputs.OutputFormat = Setup.OutputFormat;
 	Inputs.bGammaOnly = Setup.bGammaOnly;
 	if (Setup.bLUT)

@@ -1,4 +1,4 @@
-// Rules of blending. Data only. Source: drydock.
+// Rows of the stability table for the rules of blending: data only.
 #include "Table.h"
 
 namespace Stability

@@ -1,4 +1,4 @@
-// Bloom: setup, sums of Gaussians, convolution, the Unity form. Data only. Source: drydock.
+// Rows of the stability table for bloom setup, sums of Gaussians, convolution and the Unity form: data only.
 #include "Runs.h"
 #include "Table.h"
 
@@ -16,7 +16,7 @@ constexpr FPassRow Rows[] =
 	{
 		{
 			.Name = "Bloom setup",
-			.Header = "PostProcessBloomSetup.h",
+			.Header = "Bloom/PostProcessBloomSetup.h",
 			.Factories = "BloomSetup",
 			.Run = RunBloomSetup,
 			.Formula = BloomSetupFormula,
@@ -65,7 +65,7 @@ constexpr FPassRow Rows[] =
 		},
 		{
 			.Name = "Toon bloom mask",
-			.Header = "PostProcessToonBloom.h",
+			.Header = "Bloom/PostProcessToonBloom.h",
 			.Factories = "",
 			.Run = RunToonBloomMask,
 			.Formula = ToonBloomMaskFormula,
@@ -112,7 +112,7 @@ constexpr FPassRow Rows[] =
 		},
 		{
 			.Name = "Bloom, sum of Gaussians",
-			.Header = "PostProcessGaussianBloom.h",
+			.Header = "Bloom/PostProcessGaussianBloom.h",
 			.Factories = "",
 			.Run = RunGaussianBloom,
 			.Gain = 0.7951 / 6,
@@ -160,7 +160,7 @@ constexpr FPassRow Rows[] =
 		},
 		{
 			.Name = "Bloom, FFT",
-			.Header = "PostProcessFFTBloom.h",
+			.Header = "Bloom/PostProcessFFTBloom.h",
 			.Factories = "",
 			.Run = RunFFTBloom,
 			.Cells =
@@ -207,7 +207,7 @@ constexpr FPassRow Rows[] =
 		},
 		{
 			.Name = "FFT convolution",
-			.Header = "FFTConvolution.h",
+			.Header = "Bloom/FFTConvolution.h",
 			.Factories = "",
 			.Run = RunFFTConvolution,
 			.Cells =
@@ -252,7 +252,7 @@ constexpr FPassRow Rows[] =
 		},
 		{
 			.Name = "Unity bloom",
-			.Header = "UnityBloom.h",
+			.Header = "Bloom/UnityBloom.h",
 			.Factories =
 				"UnityBloomExtract UnityBloomGaussianBlurHorizontal UnityBloomGaussianBlurVertical UnityBloomComposite",
 			.Run = RunUnityBloom,
@@ -302,7 +302,7 @@ constexpr FPassRow Rows[] =
 		},
 		{
 			.Name = "Unity bloom as printed",
-			.Header = "UnityBloom.h",
+			.Header = "Bloom/UnityBloom.h",
 			.Factories =
 				"UnityBloomExtract UnityBloomGaussianBlurHorizontal UnityBloomGaussianBlurVertical UnityBloomComposite",
 			.Run = RunUnityBloomAsPrinted,

@@ -1,4 +1,4 @@
-// Source: drydock.
+// How the bloom's rows are run, and their formulas.
 #include "Runs.h"
 
 #include "Cases.h"
@@ -10,6 +10,8 @@
 #include "Bloom/UnityBloom.h"
 #include "PostProcess/PostProcessFFTBloom.h"
 #include "RenderGraphUtils.h"
+
+using namespace Drydock;
 
 namespace Stability
 {

@@ -1,4 +1,4 @@
-// Blurs. Data only. Source: drydock.
+// Rows of the stability table for the blurs: data only.
 #include "Runs.h"
 #include "Table.h"
 
@@ -16,7 +16,7 @@ constexpr FPassRow Rows[] =
 	{
 		{
 			.Name = "Gaussian blur: clamp, mirror",
-			.Header = "PostProcessWeightedSampleSum.h",
+			.Header = "Blur/PostProcessWeightedSampleSum.h",
 			.Factories = "GaussianBlur",
 			.Run = RunGaussianBlur,
 			.NumVariants = 2,
@@ -63,7 +63,7 @@ constexpr FPassRow Rows[] =
 		},
 		{
 			.Name = "Gaussian blur: black border",
-			.Header = "PostProcessWeightedSampleSum.h",
+			.Header = "Blur/PostProcessWeightedSampleSum.h",
 			.Factories = "GaussianBlur",
 			.Run = RunGaussianBlurBorder,
 			.Reach = 6.0,
@@ -109,7 +109,7 @@ constexpr FPassRow Rows[] =
 		},
 		{
 			.Name = "Dual Kawase blur",
-			.Header = "DualKawaseBlurPass.h",
+			.Header = "Blur/DualKawaseBlurPass.h",
 			.Factories = "DualKawase DualKawaseBlur",
 			.Run = RunDualKawase,
 			.Reach = 16.0,
@@ -155,7 +155,7 @@ constexpr FPassRow Rows[] =
 		},
 		{
 			.Name = "Dual Kawase blur as printed",
-			.Header = "DualKawaseBlurPass.h",
+			.Header = "Blur/DualKawaseBlurPass.h",
 			.Factories = "DualKawase DualKawaseBlur",
 			.Run = RunDualKawaseAsPrinted,
 			.Cells =
@@ -200,7 +200,7 @@ constexpr FPassRow Rows[] =
 		},
 		{
 			.Name = "Gaussian of dual Kawase",
-			.Header = "DualKawaseBlurPass.h",
+			.Header = "Blur/MatchedGaussianBlur.h",
 			.Factories = "MatchedGaussian",
 			.Run = RunDualKawaseGaussian,
 			.NumVariants = 2,
@@ -247,7 +247,7 @@ constexpr FPassRow Rows[] =
 		},
 		{
 			.Name = "Kawase blur",
-			.Header = "FourTapBlur.h",
+			.Header = "Blur/FourTapBlur.h",
 			.Factories = "Kawase",
 			.Run = RunKawase,
 			.Reach = 7.0,
@@ -293,7 +293,7 @@ constexpr FPassRow Rows[] =
 		},
 		{
 			.Name = "Pyramid blur",
-			.Header = "FourTapBlur.h",
+			.Header = "Blur/FourTapBlur.h",
 			.Factories = "PyramidBlur",
 			.Run = RunPyramid,
 			.Reach = 18.0,
@@ -339,7 +339,7 @@ constexpr FPassRow Rows[] =
 		},
 		{
 			.Name = "Texture blur",
-			.Header = "TextureBlur.h",
+			.Header = "Blur/GaussianSum.h",
 			.Factories = "TextureBlur",
 			.Run = RunTextureBlur,
 			.Shrink = 2.0,

@@ -1,14 +1,17 @@
-// Source: drydock.
+// How the blurs' rows are run, and their formulas.
 #include "Runs.h"
 
 #include "Cases.h"
 
 #include "Blur/DualKawaseBlurPass.h"
 #include "Blur/FourTapBlur.h"
+#include "Blur/GaussianSum.h"
+#include "Blur/MatchedGaussianBlur.h"
 #include "Blur/PostProcessWeightedSampleSum.h"
-#include "Blur/TextureBlur.h"
 
 #include <algorithm>
+
+using namespace Drydock;
 
 namespace Stability
 {
@@ -76,12 +79,12 @@ FImage RunDualKawaseAsPrinted(const FCase& Case)
 FImage RunDualKawaseGaussian(const FCase& Case)
 {
 	FFrameRun Run(Case);
-	FDualKawaseGaussianInputs Inputs;
+	FMatchedGaussianBlurInputs Inputs;
 	Inputs.SceneColor = Run.Input;
 	Inputs.StandardDeviation = Case.Sigma ? std::clamp(*Case.Sigma, 0.5, 200.0) : 2.0;
 	// The direct form of a huge one would take hours.
 	Inputs.bSeparable = Case.Variant == 0 || Case.Sigma.value_or(0.0) > 8.0;
-	return Run.Execute(AddDualKawaseGaussianPass(Run.GraphBuilder, Run.View, Inputs));
+	return Run.Execute(AddMatchedGaussianBlurPasses(Run.GraphBuilder, Run.View, Inputs));
 }
 
 FImage RunKawase(const FCase& Case)
@@ -101,7 +104,7 @@ FImage RunTextureBlur(const FCase& Case)
 {
 	FFrameRun Run(Case);
 	const float Size = static_cast<float>(Case.Sigma.value_or(8.0));
-	FGaussianBlurPassesInputs Inputs;
+	FGaussianSumInputs Inputs;
 	const auto AddStage = [&](const TCHAR* NameX, const TCHAR* NameY, float StageSize)
 	{
 		Inputs.Stages.Add({NameX, NameY, StageSize, FLinearColor(1, 1, 1, 1)});
@@ -115,7 +118,7 @@ FImage RunTextureBlur(const FCase& Case)
 	Inputs.bClampAddressing = true;
 	Inputs.TintScale = GetNormalizingTintScale(Inputs);
 	const FScreenPassTexture Blurred =
-		AddTextureBlurPass(Run.GraphBuilder, Run.View, Run.Input, Case.Format, TEXT("Blur"), Inputs);
+		AddTextureGaussianSumPasses(Run.GraphBuilder, Run.View, Run.Input, Case.Format, TEXT("Blur"), Inputs);
 	if (Blurred.IsValid())
 	{
 		return Run.Execute(Blurred);

@@ -1,4 +1,4 @@
-// What a pass is run with, and the frame around it. Source: drydock.
+// What a pass is run with, and the frame around it.
 #pragma once
 
 #include "passes/PassTestUtils.h"

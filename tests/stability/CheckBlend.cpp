@@ -1,5 +1,5 @@
 // The expectations of blend rules. Every rule is tried as a function from a base, a source's value and a weight to the
-// numbers that come of it. Source: drydock.
+// numbers that come of it.
 #include "CheckPass.h"
 
 #include "settings/BlendTesting.h"

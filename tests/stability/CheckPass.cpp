@@ -1,4 +1,4 @@
-// The expectations, one function each. Source: drydock.
+// The expectations, one function each.
 #include "CheckPass.h"
 
 #include "Cases.h"

@@ -1,4 +1,4 @@
-// Runs one cell of a pass and holds it to what the table expects. Source: drydock.
+// Runs one cell of a pass and holds it to what the table expects.
 #pragma once
 
 #include "Table.h"

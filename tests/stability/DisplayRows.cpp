@@ -1,4 +1,4 @@
-// The combined table, the tonemapper and antialiasing. Data only. Source: drydock.
+// Rows of the stability table for the combined table, the tonemapper and antialiasing: data only.
 #include "Runs.h"
 #include "Table.h"
 
@@ -19,7 +19,7 @@ constexpr FCell Grading = UnitRange("grading is made finite before the curve", 0
 constexpr FPassRow Rows[] = {
 	{
 		.Name = "Combined table: sRGB, linear",
-		.Header = "PostProcessCombineLUTs.h",
+		.Header = "Tonemap/PostProcessCombineLUTs.h",
 		.Factories = "",
 		.Run = RunCombineLUTs,
 		.NumVariants = 2,
@@ -65,7 +65,7 @@ constexpr FPassRow Rows[] = {
 	},
 	{
 		.Name = "Tonemapper: maths, table",
-		.Header = "PostProcessTonemap.h",
+		.Header = "Tonemap/PostProcessTonemap.h",
 		.Factories = "Tonemap",
 		.Run = RunTonemap,
 		.NumVariants = 2,
@@ -111,7 +111,7 @@ constexpr FPassRow Rows[] = {
 	},
 	{
 		.Name = "Tonemapper with lens and bloom",
-		.Header = "PostProcessTonemap.h",
+		.Header = "Tonemap/PostProcessTonemap.h",
 		.Factories = "Tonemap",
 		.Run = RunTonemapLens,
 		.Cells =
@@ -156,7 +156,7 @@ constexpr FPassRow Rows[] = {
 	},
 	{
 		.Name = "Tonemapper, gamma only",
-		.Header = "PostProcessTonemap.h",
+		.Header = "Tonemap/PostProcessTonemap.h",
 		.Factories = "Tonemap",
 		.Run = RunTonemapGamma,
 		.Cells =
@@ -201,7 +201,7 @@ constexpr FPassRow Rows[] = {
 	},
 	{
 		.Name = "FXAA",
-		.Header = "PostProcessAA.h",
+		.Header = "Screen/PostProcessAA.h",
 		.Factories = "",
 		.Run = RunFXAA,
 		.NumVariants = 6,

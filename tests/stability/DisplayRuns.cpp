@@ -1,4 +1,4 @@
-// Source: drydock.
+// How the rows of the combined table, the tonemapper and antialiasing are run, and their formulas.
 #include "Runs.h"
 
 #include "Cases.h"
@@ -8,6 +8,8 @@
 #include "Tonemap/PostProcessTonemap.h"
 
 #include <algorithm>
+
+using namespace Drydock;
 
 namespace Stability
 {

@@ -1,4 +1,4 @@
-// Metering, adaptation and local exposure. Data only. Source: drydock.
+// Rows of the stability table for metering, adaptation and local exposure: data only.
 #include "Runs.h"
 #include "Table.h"
 
@@ -17,7 +17,7 @@ constexpr FCell FlatFactor = Formula("the factor of a flat area, from the formul
 constexpr FPassRow Rows[] = {
 	{
 		.Name = "Histogram",
-		.Header = "PostProcessHistogram.h",
+		.Header = "Exposure/PostProcessHistogram.h",
 		.Factories = "",
 		.Run = RunHistogram,
 		.Formula = HistogramFormula,
@@ -63,7 +63,7 @@ constexpr FPassRow Rows[] = {
 	},
 	{
 		.Name = "Eye adaptation: histogram, basic",
-		.Header = "PostProcessEyeAdaptation.h",
+		.Header = "Exposure/PostProcessEyeAdaptation.h",
 		.Factories = "",
 		.Run = RunEyeAdaptation,
 		.Formula = EyeAdaptationFormula,
@@ -110,7 +110,7 @@ constexpr FPassRow Rows[] = {
 	},
 	{
 		.Name = "Local exposure",
-		.Header = "PostProcessLocalExposure.h",
+		.Header = "Exposure/PostProcessLocalExposure.h",
 		.Factories = "",
 		.Run = RunLocalExposure,
 		.Formula = LocalExposureFormula,

@@ -1,4 +1,4 @@
-// Source: drydock.
+// How the rows of metering, adaptation and local exposure are run, and their formulas.
 #include "Runs.h"
 
 #include "Cases.h"
@@ -8,6 +8,8 @@
 #include "Exposure/PostProcessLocalExposure.h"
 
 #include <cmath>
+
+using namespace Drydock;
 
 namespace Stability
 {

@@ -1,4 +1,4 @@
-// The frame around a pass (Cases.h). Source: drydock.
+// The frame around a pass (Cases.h).
 #include "Cases.h"
 
 #include <cmath>

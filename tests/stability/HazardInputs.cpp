@@ -1,4 +1,4 @@
-// What each hazard is as a picture or as parameters (Hazards.h says it in words). Source: drydock.
+// What each hazard is as a picture or as parameters (Hazards.h says it in words).
 #include "Cases.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// What is stated of the hazard scene's runs. Source: drydock.
+// What is stated of the hazard scene's runs.
 #pragma once
 
 #include <array>

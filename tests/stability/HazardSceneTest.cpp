@@ -1,5 +1,5 @@
 // The hazard scene, configs/scenes/hazards.exr: what is in it, and what every sample config makes of it. Run with
-// DRYDOCK_BLESS=1 to write the scene anew. Source: drydock.
+// DRYDOCK_BLESS=1 to write the scene anew.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// The hazards: columns of the stability table. Source: drydock.
+// The hazards: columns of the stability table.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Depth of field and motion blur. Data only. Source: drydock.
+// Rows of the stability table for depth of field and motion blur: data only.
 #include "Runs.h"
 #include "Table.h"
 
@@ -15,7 +15,7 @@ constexpr FCell ByMovement = DoesNotApply("movement decides, not light");
 constexpr FPassRow Rows[] = {
 	{
 		.Name = "Depth of field",
-		.Header = "DiaphragmDOF.h",
+		.Header = "Lens/DiaphragmDOF.h",
 		.Factories = "",
 		.Run = RunDiaphragmDOF,
 		.Reach = 12.0,
@@ -61,7 +61,7 @@ constexpr FPassRow Rows[] = {
 	},
 	{
 		.Name = "Motion blur",
-		.Header = "PostProcessMotionBlur.h",
+		.Header = "Lens/PostProcessMotionBlur.h",
 		.Factories = "",
 		.Run = RunMotionBlur,
 		.Reach = 4.0,

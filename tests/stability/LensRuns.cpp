@@ -1,4 +1,4 @@
-// Source: drydock.
+// How the rows of depth of field and motion blur are run, and their formulas.
 #include "Runs.h"
 
 #include "Cases.h"

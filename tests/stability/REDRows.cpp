@@ -1,4 +1,4 @@
-// The RED post process, CharaGlow and its depth of field. Data only. Source: drydock.
+// Rows of the stability table for the RED post process, CharaGlow and RED depth of field: data only.
 #include "Runs.h"
 #include "Table.h"
 
@@ -17,7 +17,7 @@ constexpr FCell NothingToDo = Identity("no pass is added");
 constexpr FPassRow Rows[] = {
 	{
 		.Name = "RED diffusion filter",
-		.Header = "REDPostProcess.h",
+		.Header = "Lens/REDPostProcess.h",
 		.Factories = "REDDownSample REDBlurH REDBlurV REDDiffusionFilter REDDiffusionFilter2",
 		.Run = RunREDDiffusion,
 		.Formula = REDDiffusionFormula,
@@ -65,7 +65,7 @@ constexpr FPassRow Rows[] = {
 	},
 	{
 		.Name = "RED diffusion filter as printed",
-		.Header = "REDPostProcess.h",
+		.Header = "Lens/REDPostProcess.h",
 		.Factories = "REDDownSample REDBlurH REDBlurV REDDiffusionFilter REDDiffusionFilter2",
 		.Run = RunREDDiffusionAsPrinted,
 		.Reach = 18.0,
@@ -111,7 +111,7 @@ constexpr FPassRow Rows[] = {
 	},
 	{
 		.Name = "RED soft focus",
-		.Header = "REDPostProcess.h",
+		.Header = "Lens/REDPostProcess.h",
 		.Factories = "REDSoftFocus",
 		.Run = RunREDSoftFocus,
 		.Reach = 12.0,
@@ -157,7 +157,7 @@ constexpr FPassRow Rows[] = {
 	},
 	{
 		.Name = "RED glow",
-		.Header = "REDPostProcess.h",
+		.Header = "Lens/REDPostProcess.h",
 		.Factories = "REDGlow",
 		.Run = RunREDGlow,
 		.Formula = REDGlowFormula,
@@ -205,7 +205,7 @@ constexpr FPassRow Rows[] = {
 	},
 	{
 		.Name = "CharaGlow",
-		.Header = "CharaGlow.h",
+		.Header = "Toon/CharaGlow.h",
 		.Factories = "CharaGlow CharaGlowComp",
 		.Run = RunCharaGlow,
 		.Formula = CharaGlowFormula,
@@ -251,7 +251,7 @@ constexpr FPassRow Rows[] = {
 	},
 	{
 		.Name = "CharaGlow as printed",
-		.Header = "CharaGlow.h",
+		.Header = "Toon/CharaGlow.h",
 		.Factories = "CharaGlow CharaGlowComp",
 		.Run = RunCharaGlowAsPrinted,
 		.Cells =
@@ -297,7 +297,7 @@ constexpr FPassRow Rows[] = {
 	},
 	{
 		.Name = "RED depth of field",
-		.Header = "REDDepthOfField.h",
+		.Header = "Lens/REDDepthOfField.h",
 		.Factories = "REDDepthOfField",
 		.Run = RunREDDepthOfField,
 		.Reach = 10.0,
@@ -343,7 +343,7 @@ constexpr FPassRow Rows[] = {
 	},
 	{
 		.Name = "RED depth of field as printed",
-		.Header = "REDDepthOfField.h",
+		.Header = "Lens/REDDepthOfField.h",
 		.Factories = "REDDepthOfField",
 		.Run = RunREDDepthOfFieldAsPrinted,
 		.Reach = 10.0,

@@ -1,4 +1,4 @@
-// Source: drydock.
+// How the rows of the RED post process, CharaGlow and RED depth of field are run, and their formulas.
 #include "Runs.h"
 
 #include "Cases.h"
@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+
+using namespace Drydock;
 
 namespace Stability
 {

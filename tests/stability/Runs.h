@@ -1,5 +1,5 @@
 // How each row's pass is built and run, and the formulas that some are held to. What a case leaves open is chosen by
-// the run, and said here. Source: drydock.
+// the run, and said here.
 #pragma once
 
 namespace PassReference

@@ -1,4 +1,4 @@
-// Downsampling, upscaling and the tint. Data only. Source: drydock.
+// Rows of the stability table for downsampling, upscaling and the tint: data only.
 #include "Runs.h"
 #include "Table.h"
 
@@ -17,7 +17,7 @@ constexpr FPassRow
 		{
 			{
 				.Name = "Downsample, low quality",
-				.Header = "PostProcessDownsample.h",
+				.Header = "Screen/PostProcessDownsample.h",
 				.Factories = "Downsample",
 				.Run = RunDownsampleLow,
 				.NumVariants = 2,
@@ -64,7 +64,7 @@ constexpr FPassRow
 			},
 			{
 				.Name = "Downsample, high quality",
-				.Header = "PostProcessDownsample.h",
+				.Header = "Screen/PostProcessDownsample.h",
 				.Factories = "Downsample",
 				.Run = RunDownsampleHigh,
 				.NumVariants = 2,
@@ -112,7 +112,7 @@ constexpr FPassRow
 			},
 			{
 				.Name = "Downsample chain",
-				.Header = "PostProcessDownsample.h",
+				.Header = "Screen/PostProcessDownsample.h",
 				.Factories = "",
 				.Run = RunDownsampleChain,
 				.Shrink = 4.0,
@@ -159,7 +159,7 @@ constexpr FPassRow
 			},
 			{
 				.Name = "Upscale: nearest, bilinear",
-				.Header = "PostProcessUpscale.h",
+				.Header = "Screen/PostProcessUpscale.h",
 				.Factories = "",
 				.Run = RunUpscaleBilinear,
 				.NumVariants = 2,
@@ -207,7 +207,7 @@ constexpr FPassRow
 			},
 			{
 				.Name = "Upscale: Catmull-Rom, Lanczos",
-				.Header = "PostProcessUpscale.h",
+				.Header = "Screen/PostProcessUpscale.h",
 				.Factories = "",
 				.Run = RunUpscaleLobes,
 				.NumVariants = 2,
@@ -255,7 +255,7 @@ constexpr FPassRow
 			},
 			{
 				.Name = "Upscale: directional, Gaussian",
-				.Header = "PostProcessUpscale.h",
+				.Header = "Screen/PostProcessUpscale.h",
 				.Factories = "",
 				.Run = RunUpscaleSharpened,
 				.NumVariants = 2,
@@ -306,7 +306,7 @@ constexpr FPassRow
 			},
 			{
 				.Name = "Tint",
-				.Header = "Tint.h",
+				.Header = "Screen/Tint.h",
 				.Factories = "Tint",
 				.Run = RunTint,
 				.Cells =

@@ -1,4 +1,4 @@
-// Source: drydock.
+// How the rows of downsampling, upscaling and the tint are run, and their formulas.
 #include "Runs.h"
 
 #include "Cases.h"
@@ -6,6 +6,8 @@
 #include "Screen/PostProcessDownsample.h"
 #include "Screen/PostProcessUpscale.h"
 #include "Screen/Tint.h"
+
+using namespace Drydock;
 
 namespace Stability
 {

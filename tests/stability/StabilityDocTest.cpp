@@ -1,5 +1,4 @@
 // docs/stability.md is made of the table: run with DRYDOCK_BLESS=1 to write it anew after changing a cell.
-// Source: drydock.
 #include <gtest/gtest.h>
 
 #include "HazardScene.h"

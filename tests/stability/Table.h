@@ -1,6 +1,6 @@
 // Cells and rows of the stability table. A cell says what is expected and why, or why the hazard does not apply. Cells
 // have no default, and a reason is tested when it is compiled: a row that leaves one out does not build. Data only; the
-// checkers are CheckPass.cpp and CheckBlend.cpp. Source: drydock.
+// checkers are CheckPass.cpp and CheckBlend.cpp.
 #pragma once
 
 #include "Hazards.h"

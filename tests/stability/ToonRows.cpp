@@ -1,4 +1,4 @@
-// The toon-shadow blur. Data only. Source: drydock.
+// Rows of the stability table for the toon-shadow blur: data only.
 #include "Runs.h"
 #include "Table.h"
 
@@ -15,7 +15,7 @@ constexpr FCell FlatShadow = Formula("a constant shadow stays constant to the ed
 constexpr FPassRow Rows[] = {
 	{
 		.Name = "Toon-shadow blur",
-		.Header = "ToonShadowBlur.h",
+		.Header = "Toon/ToonShadowBlur.h",
 		.Factories = "ToonShadowSetup ToonShadowCombine",
 		.Run = RunToonShadowBlur,
 		.Formula = ToonShadowBlurFormula,
@@ -61,7 +61,7 @@ constexpr FPassRow Rows[] = {
 	},
 	{
 		.Name = "Toon-shadow blur as printed",
-		.Header = "ToonShadowBlur.h",
+		.Header = "Toon/ToonShadowBlur.h",
 		.Factories = "ToonShadowSetup ToonShadowCombine",
 		.Run = RunToonShadowBlurAsPrinted,
 		.Formula = ToonShadowBlurFormula,
@@ -107,7 +107,7 @@ constexpr FPassRow Rows[] = {
 	},
 	{
 		.Name = "Toon-shadow lighting",
-		.Header = "ToonShadowBlur.h",
+		.Header = "Toon/ToonShadowBlur.h",
 		.Factories = "ToonShadowLighting",
 		.Run = RunToonShadowLighting,
 		.Formula = ToonShadowLightingFormula,
@@ -154,7 +154,7 @@ constexpr FPassRow Rows[] = {
 	},
 	{
 		.Name = "Toon-shadow lighting as printed",
-		.Header = "ToonShadowBlur.h",
+		.Header = "Toon/ToonShadowBlur.h",
 		.Factories = "ToonShadowLighting",
 		.Run = RunToonShadowLightingAsPrinted,
 		.NumVariants = 2,

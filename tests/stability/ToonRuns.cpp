@@ -1,4 +1,4 @@
-// Source: drydock.
+// How the toon-shadow blur's rows are run, and their formulas.
 #include "Runs.h"
 
 #include "Cases.h"
@@ -6,6 +6,8 @@
 #include "Toon/ToonShadowBlur.h"
 
 #include <algorithm>
+
+using namespace Drydock;
 
 namespace Stability
 {
@@ -26,7 +28,7 @@ FImage RunBlur(const FCase& Case, bool bAsPrinted)
 	Settings.ToonShadowBlurStore = Store;
 	FToonShadowBlurInputs Inputs = FToonShadowBlurInputs::FromSettings(Settings, Run.Input);
 	Inputs.bAsPrinted = bAsPrinted;
-	for (FGaussianBlurStage& Stage : Inputs.Blur.Stages)
+	for (FGaussianSumStage& Stage : Inputs.Blur.Stages)
 	{
 		Stage.Size = Case.Sigma ? static_cast<float>(*Case.Sigma) : Stage.Size;
 	}

@@ -408,13 +408,3 @@ uint32 GetTypeHash(const FString& Text)
 	}
 	return Hash;
 }
-
-uint32 GetMemoryHash(const void* Data, SIZE_T Size)
-{
-	uint32 Hash = 2166136261u;
-	for (SIZE_T Index = 0; Index < Size; ++Index)
-	{
-		Hash = (Hash ^ static_cast<const uint8*>(Data)[Index]) * 16777619u;
-	}
-	return Hash;
-}

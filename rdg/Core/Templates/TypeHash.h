@@ -44,6 +44,3 @@ uint32 GetTypeHash(T* Value)
 {
 	return GetTypeHash(reinterpret_cast<UPTRINT>(Value));
 }
-
-/** Hash of an object's bytes, for types without padding. */
-DRYDOCK_API uint32 GetMemoryHash(const void* Data, SIZE_T Size);

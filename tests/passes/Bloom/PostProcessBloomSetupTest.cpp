@@ -3,6 +3,8 @@
 
 #include "Bloom/PostProcessBloomSetup.h"
 
+using namespace Drydock;
+
 using namespace PassTest;
 using PassReference::MaxDifference;
 

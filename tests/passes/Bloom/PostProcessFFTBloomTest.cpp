@@ -5,6 +5,8 @@
 
 #include <functional>
 
+using namespace Drydock;
+
 using namespace PassTest;
 using PassReference::MaxDifference;
 using PassReference::SumOf;
@@ -408,10 +410,9 @@ TEST(FFTBloomToon, TheSetupMasksWhatIsConvolved)
 	Run.View.SceneTextures = &SceneTextures;
 	Run.View.FinalPostProcessSettings = Settings;
 	FBloomSetupInputs Setup;
-	Setup.SceneColor = Setup.FullResolutionSceneColor = Run.Input;
+	Setup.SceneColor = Run.Input;
 	Setup.EyeAdaptationBuffer = CreateEyeAdaptationBuffer(Run.GraphBuilder, 1.0f);
-	Setup.SceneTextures = CreateSceneTextureUniformBuffer(Run.GraphBuilder, Run.View);
-	Setup.ToonIntensity = 0.25f;
+	Setup.Toon = {Run.Input, CreateSceneTextureUniformBuffer(Run.GraphBuilder, Run.View), 0.25f};
 	const FBloom Result = Execute(Run, {AddBloomSetupPass(Run.GraphBuilder, Run.View, Setup), {}, {}});
 	EXPECT_EQ(Expected.Texels, Result.Bloom.Texels);
 }

@@ -5,6 +5,8 @@
 #include "Bloom/PostProcessGaussianBloom.h"
 #include "Blur/PostProcessWeightedSampleSum.h"
 
+using namespace Drydock;
+
 using namespace PassTest;
 using PassReference::EAddress;
 using PassReference::MaxDifference;

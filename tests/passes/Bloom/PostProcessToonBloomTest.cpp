@@ -9,6 +9,8 @@
 #include <cstring>
 #include <optional>
 
+using namespace Drydock;
+
 using namespace PassTest;
 using PassReference::CeilHalf;
 using PassReference::MaxDifference;
@@ -72,9 +74,7 @@ public:
 		Inputs.Threshold = Toon.Threshold;
 		if (Toon.Factor)
 		{
-			Inputs.SceneTextures = CreateSceneTextureUniformBuffer(Run.GraphBuilder, Run.View);
-			Inputs.ToonIntensity = *Toon.Factor;
-			Inputs.FullResolutionSceneColor = Run.Input;
+			Inputs.Toon = {Run.Input, CreateSceneTextureUniformBuffer(Run.GraphBuilder, Run.View), *Toon.Factor};
 			Inputs.DownsampleQuality = Toon.Quality;
 		}
 		return Inputs;
@@ -442,7 +442,7 @@ TEST(ToonBloom, TheSceneTexturesColourStandsInForAMissingFullResolution)
 	const FImage Expected = SetUpBloom(Scene.Color, Scene.Ids, {0.1f}, EArithmetic::Native);
 	FToonRun Run(Scene.Color, Scene.Ids, {0, 0, 64, 36}, FIntPoint(64, 36), {0.1f}, EArithmetic::Native);
 	FBloomSetupInputs Inputs = Run.MakeInputs();
-	Inputs.FullResolutionSceneColor = FScreenPassTexture();
+	Inputs.Toon->SceneColor = FScreenPassTexture();
 	EXPECT_EQ(Expected.Texels, Run.Run.Execute(AddBloomSetupPass(Run.Run.GraphBuilder, Run.Run.View, Inputs)).Texels);
 }
 
@@ -451,7 +451,7 @@ TEST(ToonBloom, AnInputOfTheIdsSizeIsMaskedPixelByPixel)
 	FToonRun Run(Grey(4, 4, 8), QuadIds(), {0, 0, 4, 4}, FIntPoint(4, 4), {0.25f}, EArithmetic::Native);
 	FBloomSetupInputs Inputs = Run.MakeInputs();
 	Inputs.SceneColor = Run.Run.Input;
-	Inputs.FullResolutionSceneColor = FScreenPassTexture();
+	Inputs.Toon->SceneColor = FScreenPassTexture();
 	const FImage Result = Run.Run.Execute(AddBloomSetupPass(Run.Run.GraphBuilder, Run.Run.View, Inputs));
 	EXPECT_EQ((std::vector<double>{2, 8, 2, 2, 8, 2, 2, 2, 8, 8, 8, 8, 8, 8, 8, 2}), Reds(Result));
 }

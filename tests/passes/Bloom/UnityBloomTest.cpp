@@ -7,6 +7,8 @@
 
 #include "RenderGraphCompiled.h"
 
+using namespace Drydock;
+
 using namespace PassTest;
 using Drydock::FRDGCompiledGraph;
 using PassReference::CeilHalf;

@@ -1,4 +1,4 @@
-// The dual Kawase blur as the article prints it: its sizes, its taps, its faults. Source: drydock.
+// The dual Kawase blur as the article prints it: its sizes, its taps, its faults.
 #include "PassTestUtils.h"
 
 #include "DualKawaseBlurReference.h"
@@ -6,6 +6,8 @@
 #include "Blur/DualKawaseBlurErrors.h"
 #include "Blur/DualKawaseBlurPass.h"
 #include "RenderGraphNotes.h"
+
+using namespace Drydock;
 
 using namespace PassTest;
 using DualKawaseReference::FTap;

@@ -1,5 +1,4 @@
 // The corrected dual Kawase blur against the double reference, its properties, sizes, rects, targets and hazards.
-// Source: drydock.
 #include "PassTestUtils.h"
 
 #include "DualKawaseBlurReference.h"
@@ -8,6 +7,8 @@
 #include "Blur/DualKawaseBlurPass.h"
 #include "Blur/DualKawaseBlurWidth.h"
 #include "RenderGraphNotes.h"
+
+using namespace Drydock;
 
 using namespace PassTest;
 using DualKawaseReference::FMoments;

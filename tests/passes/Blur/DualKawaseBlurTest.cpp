@@ -1,5 +1,5 @@
 // The dual Kawase view extension: where it subscribes, what it makes of its parameters, the settings and the console
-// variables, and its factory. Source: drydock.
+// variables, and its factory.
 #include "PassTestUtils.h"
 
 #include "DualKawaseBlurReference.h"
@@ -11,6 +11,8 @@
 #include "PassFactory.h"
 #include "PostProcess/PostProcessMaterial.h"
 #include "RenderGraphNotes.h"
+
+using namespace Drydock;
 
 using namespace PassTest;
 using EPass = ISceneViewExtension::EPostProcessingPass;

@@ -1,4 +1,4 @@
-// Level sizes, widths and matched settings of the dual Kawase blur, as pure functions. Source: drydock.
+// Level sizes, widths and matched settings of the dual Kawase blur, as pure functions.
 #include <gtest/gtest.h>
 
 #include "DualKawaseBlurReference.h"

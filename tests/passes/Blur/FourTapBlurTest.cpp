@@ -1,9 +1,11 @@
-// Kawase's blur and the pyramid, against their closed forms. Source: drydock.
+// Kawase's blur and the pyramid, against their closed forms.
 #include "PassTestUtils.h"
 
 #include "DualKawaseBlurReference.h"
 
 #include "Blur/FourTapBlur.h"
+
+using namespace Drydock;
 
 using namespace PassTest;
 using PassReference::MaxDifference;

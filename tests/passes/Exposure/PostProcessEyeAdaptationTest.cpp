@@ -16,6 +16,8 @@
 #include <limits>
 #include <vector>
 
+using namespace Drydock;
+
 namespace
 {
 

@@ -7,6 +7,8 @@
 #include "Exposure/PostProcessLocalExposure.h"
 #include "Tonemap/PostProcessTonemap.h"
 
+using namespace Drydock;
+
 using namespace PassTest;
 using PassReference::EAddress;
 using PassReference::MaxDifference;

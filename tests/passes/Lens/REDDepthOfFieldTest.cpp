@@ -3,6 +3,8 @@
 
 #include "Lens/REDDepthOfField.h"
 
+using namespace Drydock;
+
 using namespace PassTest;
 using PassReference::FRect;
 using PassReference::MaxDifference;

@@ -6,6 +6,8 @@
 #include "Lens/REDPostProcess.h"
 #include "RenderGraphCompiled.h"
 
+using namespace Drydock;
+
 using namespace PassTest;
 using PassReference::CeilHalf;
 using PassReference::MaxDifference;

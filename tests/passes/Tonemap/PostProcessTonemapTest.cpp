@@ -8,6 +8,8 @@
 
 #include <optional>
 
+using namespace Drydock;
+
 using namespace PassTest;
 using PassReference::MaxDifference;
 

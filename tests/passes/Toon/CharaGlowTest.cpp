@@ -3,6 +3,8 @@
 
 #include "Toon/CharaGlow.h"
 
+using namespace Drydock;
+
 using namespace PassTest;
 using PassReference::FRect;
 using PassReference::MaxDifference;

@@ -5,6 +5,8 @@
 
 #include <set>
 
+using namespace Drydock;
+
 using namespace PassTest;
 using PassReference::FRect;
 using PassReference::MaxDifference;
@@ -93,7 +95,7 @@ size_t CountDarkLevels(const FImage& Image, EToonShadowBlurStore Store)
 TEST(ToonShadowBlur, OneGaussianEqualsItsFormulaInDouble)
 {
 	FToonShadowBlurInputs Inputs = MakeInputs(EToonShadowBlurStore::SixteenBit);
-	for (FGaussianBlurStage& Stage : Inputs.Blur.Stages)
+	for (FGaussianSumStage& Stage : Inputs.Blur.Stages)
 	{
 		Stage.Size = 0;
 	}

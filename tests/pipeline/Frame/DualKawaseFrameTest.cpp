@@ -7,6 +7,8 @@
 #include "Blur/DualKawaseBlurErrors.h"
 #include "HAL/ConsoleVariableTools.h"
 
+using namespace Drydock;
+
 using namespace ExtensionTest;
 
 namespace

@@ -1,5 +1,5 @@
 // The bloom's sum of Gaussians made general: stages, sizes, tints and scale come from outside. Source: article
-// "Toon-shadow blur" (AddGaussianBlurPasses, AddTextureBlurPass), after engine file PostProcessBloomSetup.cpp.
+// "Toon-shadow blur" (AddGaussianSumPasses, AddTextureGaussianSumPasses), after engine file PostProcessBloomSetup.cpp.
 //
 // From the coarsest level of a downsample chain to the finest: blur the level, times tint * TintScale, plus what came
 // before. Hazards are those of the blur (PostProcessWeightedSampleSum.h), stage by stage; levels of high quality
@@ -14,8 +14,11 @@
 class FRDGBuilder;
 class FViewInfo;
 
+namespace Drydock
+{
+
 /** One Gaussian of the sum. */
-struct FGaussianBlurStage
+struct FGaussianSumStage
 {
 	/** Names of its two passes and their outputs; kept as pointers. */
 	const TCHAR* NameX = nullptr;
@@ -25,10 +28,10 @@ struct FGaussianBlurStage
 	FLinearColor Tint = FLinearColor(1.0f, 1.0f, 1.0f, 1.0f);
 };
 
-struct FGaussianBlurPassesInputs
+struct FGaussianSumInputs
 {
 	/** Coarsest first: stage i blurs level Num - 1 - i of the chain. */
-	TArray<FGaussianBlurStage> Stages;
+	TArray<FGaussianSumStage> Stages;
 	/** Stages that run, from the coarsest on. */
 	uint32 StageCount = 0;
 	float SizeScale = 1.0f;
@@ -42,14 +45,16 @@ struct FGaussianBlurPassesInputs
 
 /** One over the sum of the tints of the stages that run, channel by channel, so that a constant stays that constant; 0
  *  where a channel's sum is 0. */
-DRYDOCK_API FLinearColor GetNormalizingTintScale(const FGaussianBlurPassesInputs& Inputs);
+DRYDOCK_API FLinearColor GetNormalizingTintScale(const FGaussianSumInputs& Inputs);
 
 /** Chain: at least as many levels as there are stages. Gives the finest stage that ran, or an invalid texture when none
  *  did. */
-DRYDOCK_API FScreenPassTexture AddGaussianBlurPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View,
-	const FTextureDownsampleChain& Chain, const FGaussianBlurPassesInputs& Inputs);
+DRYDOCK_API FScreenPassTexture AddGaussianSumPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View,
+	const FTextureDownsampleChain& Chain, const FGaussianSumInputs& Inputs);
 
 /** Blurs any texture: half resolution, downsample chain, Gaussian sum. Format: of all that is made; Name: of the event
  *  scope and the levels. The result has half of Source's resolution; invalid when no stage runs. */
-DRYDOCK_API FScreenPassTexture AddTextureBlurPass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
-	const FScreenPassTexture& Source, EPixelFormat Format, const TCHAR* Name, const FGaussianBlurPassesInputs& Inputs);
+DRYDOCK_API FScreenPassTexture AddTextureGaussianSumPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View,
+	const FScreenPassTexture& Source, EPixelFormat Format, const TCHAR* Name, const FGaussianSumInputs& Inputs);
+
+} // namespace Drydock

@@ -1,11 +1,13 @@
-// The Gaussian that the dual Kawase blur is compared with. Source: drydock.
+// The Gaussian that the dual Kawase blur is compared with.
 #include "PassTestUtils.h"
 
 #include "DualKawaseBlurReference.h"
 
-#include "Blur/DualKawaseBlurPass.h"
 #include "Blur/DualKawaseBlurWidth.h"
+#include "Blur/MatchedGaussianBlur.h"
 #include "RenderGraphNotes.h"
+
+using namespace Drydock;
 
 using namespace PassTest;
 using PassReference::MaxDifference;
@@ -15,11 +17,11 @@ namespace
 
 FScreenPassTexture AddPass(FPassRun& Run, double StandardDeviation, bool bSeparable = false)
 {
-	FDualKawaseGaussianInputs Inputs;
+	FMatchedGaussianBlurInputs Inputs;
 	Inputs.SceneColor = Run.Input;
 	Inputs.StandardDeviation = StandardDeviation;
 	Inputs.bSeparable = bSeparable;
-	return AddDualKawaseGaussianPass(Run.GraphBuilder, Run.View, Inputs);
+	return AddMatchedGaussianBlurPasses(Run.GraphBuilder, Run.View, Inputs);
 }
 
 FImage Blur(
@@ -58,7 +60,7 @@ FImage Expected(const FImage& Image, double Sigma, int Reach)
 
 } // namespace
 
-TEST(DualKawaseGaussian, IsAGaussianWiderByWhatItsTailsLack)
+TEST(MatchedGaussianBlur, IsAGaussianWiderByWhatItsTailsLack)
 {
 	// Weights at distances 0 and 1 differ by exp(-1 / 2 s^2), which gives the s that was used.
 	const TArray<double> Weights = Drydock::ComputeMatchedGaussian(2.0);
@@ -72,7 +74,7 @@ TEST(DualKawaseGaussian, IsAGaussianWiderByWhatItsTailsLack)
 	}
 }
 
-TEST(DualKawaseGaussian, MeasuredWidthIsThatOfTheDualKawaseBlur)
+TEST(MatchedGaussianBlur, MeasuredWidthIsThatOfTheDualKawaseBlur)
 {
 	const double Kawase = Drydock::GetDualKawaseStandardDeviation(2, 1.0);
 	for (const bool bSeparable : {false, true})
@@ -85,7 +87,7 @@ TEST(DualKawaseGaussian, MeasuredWidthIsThatOfTheDualKawaseBlur)
 	}
 }
 
-TEST(DualKawaseGaussian, ConstantStaysConstantToTheEdgeOfAnOffsetRect)
+TEST(MatchedGaussianBlur, ConstantStaysConstantToTheEdgeOfAnOffsetRect)
 {
 	const FImage Constant(19, 13, {0.75, 0.5, 3, 1});
 	for (const bool bSeparable : {false, true})
@@ -95,7 +97,7 @@ TEST(DualKawaseGaussian, ConstantStaysConstantToTheEdgeOfAnOffsetRect)
 	}
 }
 
-TEST(DualKawaseGaussian, OffsetRectGivesTheBitsOfTheCroppedImage)
+TEST(MatchedGaussianBlur, OffsetRectGivesTheBitsOfTheCroppedImage)
 {
 	const FImage Image = FImage::Noise(23, 17);
 	for (const bool bSeparable : {false, true})
@@ -106,13 +108,13 @@ TEST(DualKawaseGaussian, OffsetRectGivesTheBitsOfTheCroppedImage)
 	}
 }
 
-TEST(DualKawaseGaussian, OnePixelStaysAsItIs)
+TEST(MatchedGaussianBlur, OnePixelStaysAsItIs)
 {
 	const FImage Pixel(1, 1, {0.5, 0.25, 0.125, 1});
 	EXPECT_EQ(Pixel.Texels, Blur(Pixel, 5.0, false, EArithmetic::Native).Texels);
 }
 
-TEST(DualKawaseGaussian, ManyTapsAreRemarkedOn)
+TEST(MatchedGaussianBlur, ManyTapsAreRemarkedOn)
 {
 	// Reach 3 * 12 = 36: 73^2 taps, or 2 * 73.
 	FPassRun Run(FImage::Noise(4, 4), EArithmetic::Native);
@@ -126,7 +128,7 @@ TEST(DualKawaseGaussian, ManyTapsAreRemarkedOn)
 	Run.Execute(Output);
 }
 
-TEST(DualKawaseGaussian, FewTapsAreNot)
+TEST(MatchedGaussianBlur, FewTapsAreNot)
 {
 	FPassRun Run(FImage::Noise(4, 4), EArithmetic::Native);
 	AddPass(Run, 12.0, true);
@@ -135,16 +137,16 @@ TEST(DualKawaseGaussian, FewTapsAreNot)
 	Run.Execute(Output);
 }
 
-TEST(DualKawaseGaussian, OverrideOutputIsWritten)
+TEST(MatchedGaussianBlur, OverrideOutputIsWritten)
 {
 	const FImage Expected = Blur(FImage::Noise(16, 12), 1.5, false, EArithmetic::Native);
 	FPassRun Run(FImage::Noise(16, 12), EArithmetic::Native);
-	FDualKawaseGaussianInputs Inputs;
+	FMatchedGaussianBlurInputs Inputs;
 	Inputs.SceneColor = Run.Input;
 	Inputs.StandardDeviation = 1.5;
 	Inputs.OverrideOutput = FScreenPassRenderTarget::CreateFromInput(
 		Run.GraphBuilder, Run.Input, ERenderTargetLoadAction::ENoAction, TEXT("Override"));
-	const FScreenPassTexture Output = AddDualKawaseGaussianPass(Run.GraphBuilder, Run.View, Inputs);
+	const FScreenPassTexture Output = AddMatchedGaussianBlurPasses(Run.GraphBuilder, Run.View, Inputs);
 	EXPECT_EQ(Inputs.OverrideOutput.Texture, Output.Texture);
 	EXPECT_EQ(Expected.Texels, Run.Execute(Output).Texels);
 }

@@ -1,8 +1,11 @@
-// Source: article "Toon-shadow blur"; engine file PostProcessBloomSetup.cpp.
-#include "Blur/TextureBlur.h"
+// The stages of a sum of Gaussians. Source: article "Toon-shadow blur"; engine file PostProcessBloomSetup.cpp.
+#include "Blur/GaussianSum.h"
 
 #include "RenderGraphBuilder.h"
 #include "SceneRendering.h"
+
+namespace Drydock
+{
 
 namespace
 {
@@ -10,14 +13,14 @@ namespace
 /** A stage this small would copy its level. */
 constexpr float SmallestStageSize = 1e-8f;
 
-bool DoesStageRun(const FGaussianBlurPassesInputs& Inputs, int32 StageIndex)
+bool DoesStageRun(const FGaussianSumInputs& Inputs, int32 StageIndex)
 {
 	return static_cast<uint32>(StageIndex) < Inputs.StageCount && Inputs.Stages[StageIndex].Size > SmallestStageSize;
 }
 
 } // namespace
 
-FLinearColor GetNormalizingTintScale(const FGaussianBlurPassesInputs& Inputs)
+FLinearColor GetNormalizingTintScale(const FGaussianSumInputs& Inputs)
 {
 	FLinearColor Sum(0.0f, 0.0f, 0.0f, 0.0f);
 	for (int32 StageIndex = 0; StageIndex < Inputs.Stages.Num(); ++StageIndex)
@@ -34,8 +37,8 @@ FLinearColor GetNormalizingTintScale(const FGaussianBlurPassesInputs& Inputs)
 	return FLinearColor(Invert(Sum.R), Invert(Sum.G), Invert(Sum.B), Invert(Sum.A));
 }
 
-FScreenPassTexture AddGaussianBlurPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View,
-	const FTextureDownsampleChain& Chain, const FGaussianBlurPassesInputs& Inputs)
+FScreenPassTexture AddGaussianSumPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View,
+	const FTextureDownsampleChain& Chain, const FGaussianSumInputs& Inputs)
 {
 	const int32 NumStages = Inputs.Stages.Num();
 	check(static_cast<int32>(Chain.GetLevelCount()) >= NumStages);
@@ -47,7 +50,7 @@ FScreenPassTexture AddGaussianBlurPasses(FRDGBuilder& GraphBuilder, const FViewI
 		{
 			continue;
 		}
-		const FGaussianBlurStage& Stage = Inputs.Stages[StageIndex];
+		const FGaussianSumStage& Stage = Inputs.Stages[StageIndex];
 		FGaussianBlurInputs PassInputs;
 		PassInputs.NameX = Stage.NameX;
 		PassInputs.NameY = Stage.NameY;
@@ -62,8 +65,8 @@ FScreenPassTexture AddGaussianBlurPasses(FRDGBuilder& GraphBuilder, const FViewI
 	return Result;
 }
 
-FScreenPassTexture AddTextureBlurPass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
-	const FScreenPassTexture& Source, EPixelFormat Format, const TCHAR* Name, const FGaussianBlurPassesInputs& Inputs)
+FScreenPassTexture AddTextureGaussianSumPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View,
+	const FScreenPassTexture& Source, EPixelFormat Format, const TCHAR* Name, const FGaussianSumInputs& Inputs)
 {
 	check(Source.IsValid());
 	RDG_EVENT_SCOPE(GraphBuilder, "%s", Name);
@@ -76,5 +79,7 @@ FScreenPassTexture AddTextureBlurPass(FRDGBuilder& GraphBuilder, const FViewInfo
 	FTextureDownsampleChain Chain;
 	Chain.Init(GraphBuilder, View, AddDownsamplePass(GraphBuilder, View, HalfInputs), GetDownsampleChainQuality(), Name,
 		static_cast<uint32>(FMath::Max(1, Inputs.Stages.Num())));
-	return AddGaussianBlurPasses(GraphBuilder, View, Chain, Inputs);
+	return AddGaussianSumPasses(GraphBuilder, View, Chain, Inputs);
 }
+
+} // namespace Drydock

@@ -1,10 +1,11 @@
-// Source: drydock.
-#include "Blur/DualKawaseBlurPass.h"
+// The passes of the Gaussian with a given standard deviation, and their factory.
+#include "Blur/MatchedGaussianBlur.h"
 
 #include "Blur/DualKawaseBlurErrors.h"
 #include "Blur/DualKawaseBlurOutput.h"
 #include "Blur/DualKawaseBlurWidth.h"
 #include "GlobalShader.h"
+#include "PassFactory.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphNotes.h"
 #include "RenderGraphUtils.h"
@@ -13,7 +14,8 @@
 
 #include <string>
 
-using namespace Drydock;
+namespace Drydock
+{
 
 namespace
 {
@@ -85,10 +87,31 @@ void AddPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPass
 		FComputeShaderUtils::GetGroupCount(Size, GroupSize));
 }
 
+const FPassFactoryRegistration GMatchedGaussian({
+	.Type = "MatchedGaussian",
+	.Doc = "A Gaussian of a given standard deviation, clamped at the edges.",
+	.Inputs = {{"Input", PictureResource, "The image."}},
+	.Parameters =
+		{
+			FParameterSpec::Number(
+				"StandardDeviation", 7.714, 0.5, 1000, "Pixels; the default is dual Kawase's with 3 levels."),
+			FParameterSpec::Bool("Separable", true, "Rows, then columns; else all taps of a square at once."),
+		},
+	.Add =
+		[](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FPassArguments& Arguments)
+	{
+		FMatchedGaussianBlurInputs Inputs;
+		Inputs.SceneColor = Arguments.GetInput("Input");
+		Inputs.StandardDeviation = Arguments.Values.GetNumber("StandardDeviation");
+		Inputs.bSeparable = Arguments.Values.GetBool("Separable");
+		return AddMatchedGaussianBlurPasses(GraphBuilder, View, Inputs);
+	},
+});
+
 } // namespace
 
-FScreenPassTexture AddDualKawaseGaussianPass(
-	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FDualKawaseGaussianInputs& Inputs)
+FScreenPassTexture AddMatchedGaussianBlurPasses(
+	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FMatchedGaussianBlurInputs& Inputs)
 {
 	check(Inputs.SceneColor.IsValid());
 	RDG_EVENT_SCOPE(GraphBuilder, "DualKawaseGaussian");
@@ -120,3 +143,5 @@ FScreenPassTexture AddDualKawaseGaussianPass(
 	AddPass(GraphBuilder, View, Rows, Output, Buffer, LastReach);
 	return FinishBlurOutput(GraphBuilder, View, Output, Inputs.OverrideOutput);
 }
+
+} // namespace Drydock

@@ -2,7 +2,9 @@
 #include "PassTestUtils.h"
 
 #include "Bloom/PostProcessGaussianBloom.h"
-#include "Blur/TextureBlur.h"
+#include "Blur/GaussianSum.h"
+
+using namespace Drydock;
 
 using namespace PassTest;
 using PassReference::MaxDifference;
@@ -12,22 +14,22 @@ namespace
 {
 
 /** Two stages, white tints. */
-FGaussianBlurPassesInputs MakeStages(float Coarse, float Fine)
+FGaussianSumInputs MakeStages(float Coarse, float Fine)
 {
-	FGaussianBlurPassesInputs Inputs;
+	FGaussianSumInputs Inputs;
 	Inputs.Stages = {{TEXT("CoarseX"), TEXT("CoarseY"), Coarse, FLinearColor(1, 1, 1, 1)},
 		{TEXT("FineX"), TEXT("FineY"), Fine, FLinearColor(1, 1, 1, 1)}};
 	Inputs.StageCount = 2;
 	return Inputs;
 }
 
-FScreenPassTexture AddBlur(FPassRun& Run, FGaussianBlurPassesInputs Inputs, EPixelFormat Format = PF_A32B32G32R32F)
+FScreenPassTexture AddBlur(FPassRun& Run, FGaussianSumInputs Inputs, EPixelFormat Format = PF_A32B32G32R32F)
 {
 	Inputs.TintScale = GetNormalizingTintScale(Inputs);
-	return AddTextureBlurPass(Run.GraphBuilder, Run.View, Run.Input, Format, TEXT("Blur"), Inputs);
+	return AddTextureGaussianSumPasses(Run.GraphBuilder, Run.View, Run.Input, Format, TEXT("Blur"), Inputs);
 }
 
-FImage Blur(const FImage& Image, const FGaussianBlurPassesInputs& Inputs)
+FImage Blur(const FImage& Image, const FGaussianSumInputs& Inputs)
 {
 	FPassRun Run(Image, EArithmetic::Float32, PF_A32B32G32R32F);
 	return Run.Execute(AddBlur(Run, Inputs));
@@ -35,9 +37,9 @@ FImage Blur(const FImage& Image, const FGaussianBlurPassesInputs& Inputs)
 
 } // namespace
 
-TEST(TextureBlur, TintScaleIsOneOverTheSumOfWhatRuns)
+TEST(GaussianSum, TintScaleIsOneOverTheSumOfWhatRuns)
 {
-	FGaussianBlurPassesInputs Inputs = MakeStages(8, 2);
+	FGaussianSumInputs Inputs = MakeStages(8, 2);
 	Inputs.Stages[0].Tint = FLinearColor(0.25f, 0.5f, 1, 1);
 	Inputs.Stages[1].Tint = FLinearColor(0.25f, 1.5f, 1, 1);
 	EXPECT_EQ(FLinearColor(2, 0.5f, 0.5f, 0.5f), GetNormalizingTintScale(Inputs));
@@ -45,24 +47,24 @@ TEST(TextureBlur, TintScaleIsOneOverTheSumOfWhatRuns)
 	EXPECT_EQ(FLinearColor(4, 2, 1, 1), GetNormalizingTintScale(Inputs));
 }
 
-TEST(TextureBlur, StagesOfNoSizeDoNotCountForTheTintScale)
+TEST(GaussianSum, StagesOfNoSizeDoNotCountForTheTintScale)
 {
-	FGaussianBlurPassesInputs Inputs = MakeStages(0, 2);
+	FGaussianSumInputs Inputs = MakeStages(0, 2);
 	Inputs.Stages[1].Tint = FLinearColor(0.25f, 0.25f, 0.25f, 0.25f);
 	EXPECT_EQ(FLinearColor(4, 4, 4, 4), GetNormalizingTintScale(Inputs));
 }
 
-TEST(TextureBlur, ChannelWithoutTintStaysDark)
+TEST(GaussianSum, ChannelWithoutTintStaysDark)
 {
-	FGaussianBlurPassesInputs Inputs = MakeStages(8, 2);
+	FGaussianSumInputs Inputs = MakeStages(8, 2);
 	Inputs.Stages[0].Tint = Inputs.Stages[1].Tint = FLinearColor(1, 0, 1, 1);
 	EXPECT_EQ(FLinearColor(0.5f, 0, 0.5f, 0.5f), GetNormalizingTintScale(Inputs));
 	EXPECT_EQ(0, Blur(FImage(16, 16, {1, 1, 1, 1}), Inputs).At(4, 4)[1]);
 }
 
-TEST(TextureBlur, ConstantStaysConstantToTheEdgeWithClampAddressing)
+TEST(GaussianSum, ConstantStaysConstantToTheEdgeWithClampAddressing)
 {
-	FGaussianBlurPassesInputs Inputs = MakeStages(64, 20);
+	FGaussianSumInputs Inputs = MakeStages(64, 20);
 	Inputs.bClampAddressing = true;
 	for (const auto& [Width, Height] : {std::pair(64, 36), {65, 37}, {1, 1}, {1, 9}, {31, 2}})
 	{
@@ -72,15 +74,15 @@ TEST(TextureBlur, ConstantStaysConstantToTheEdgeWithClampAddressing)
 	}
 }
 
-TEST(TextureBlur, BorderAddressingDarkensTheEdge)
+TEST(GaussianSum, BorderAddressingDarkensTheEdge)
 {
 	const FImage Result = Blur(FImage(64, 36, {1, 1, 1, 1}), MakeStages(64, 20));
 	EXPECT_LT(Result.At(0, 0)[0], 0.75);
 }
 
-TEST(TextureBlur, ClampedRectEqualsTheCroppedImage)
+TEST(GaussianSum, ClampedRectEqualsTheCroppedImage)
 {
-	FGaussianBlurPassesInputs Inputs = MakeStages(64, 20);
+	FGaussianSumInputs Inputs = MakeStages(64, 20);
 	Inputs.bClampAddressing = true;
 	const FImage Image = FImage::Noise(32, 16);
 	const FImage Cropped = Blur(Image, Inputs);
@@ -89,7 +91,7 @@ TEST(TextureBlur, ClampedRectEqualsTheCroppedImage)
 	EXPECT_LE(MaxDifference(Cropped, Run.Execute(AddBlur(Run, Inputs)), 4), 1e-6);
 }
 
-TEST(TextureBlur, ResultHasHalfTheResolution)
+TEST(GaussianSum, ResultHasHalfTheResolution)
 {
 	FPassRun Run(FImage(17, 11), {3, 2, 20, 13}, FIntPoint(33, 23), EArithmetic::Native);
 	const FScreenPassTexture Output = AddBlur(Run, MakeStages(8, 2), PF_R16F);
@@ -98,21 +100,21 @@ TEST(TextureBlur, ResultHasHalfTheResolution)
 	Run.Execute(Output);
 }
 
-TEST(TextureBlur, NoStageGivesNoTexture)
+TEST(GaussianSum, NoStageGivesNoTexture)
 {
 	FPassRun Run(FImage(8, 8), EArithmetic::Native);
 	EXPECT_FALSE(AddBlur(Run, MakeStages(0, 0)).IsValid());
 	Run.GraphBuilder.Execute();
 }
 
-TEST(TextureBlur, LightOfAnImpulseIsKept)
+TEST(GaussianSum, LightOfAnImpulseIsKept)
 {
 	FImage Image(128, 128, {0, 0, 0, 0});
 	Image.At(64, 64) = {64, 64, 64, 64};
 	EXPECT_NEAR(64.0 / 4, SumOf(Blur(Image, MakeStages(20, 10)), 0), 1e-3); // half resolution: a quarter of the texels
 }
 
-TEST(TextureBlur, BloomIsOneCaseOfIt)
+TEST(GaussianSum, BloomIsOneCaseOfIt)
 {
 	const FImage Image = FImage::Noise(96, 54);
 	const auto RunChain = [&](const std::function<FScreenPassTexture(FPassRun&, const FTextureDownsampleChain&)>& Add)
@@ -127,7 +129,7 @@ TEST(TextureBlur, BloomIsOneCaseOfIt)
 	const FImage General = RunChain(
 		[](FPassRun& Run, const FTextureDownsampleChain& Chain)
 		{
-			FGaussianBlurPassesInputs Inputs;
+			FGaussianSumInputs Inputs;
 			const float Sizes[] = {64, 30, 10, 2, 1, 0.3f};
 			const float Tints[] = {0.061f, 0.066f, 0.066f, 0.1176f, 0.138f, 0.3465f};
 			for (int32 Stage = 0; Stage < 6; ++Stage)
@@ -138,7 +140,7 @@ TEST(TextureBlur, BloomIsOneCaseOfIt)
 			Inputs.StageCount = 6;
 			Inputs.SizeScale = 4;
 			Inputs.TintScale = FLinearColor(0.675f / 6, 0.675f / 6, 0.675f / 6, 0.675f / 6);
-			return AddGaussianBlurPasses(Run.GraphBuilder, Run.View, Chain, Inputs);
+			return AddGaussianSumPasses(Run.GraphBuilder, Run.View, Chain, Inputs);
 		});
 	EXPECT_EQ(Bloom.Texels, General.Texels);
 }

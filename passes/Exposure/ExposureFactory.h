@@ -1,0 +1,23 @@
+// The exposure of passes that a config inserts by name: a parameter of theirs, and the buffer that it stands for.
+#pragma once
+
+#include "Exposure/PostProcessEyeAdaptation.h"
+#include "FactoryParameters.h"
+
+namespace Drydock
+{
+
+/** "ExposureScale": above 0, 1 by default. */
+inline FParameterSpec MakeExposureScaleSpec()
+{
+	return FParameterSpec::Number(
+		"ExposureScale", 1.0, 1e-9, 1e9, "What scene colour is multiplied by to be display-referred.");
+}
+
+/** Holds the "ExposureScale" of Values. */
+inline FRDGBufferRef CreateEyeAdaptationBuffer(FRDGBuilder& GraphBuilder, const FParameterValues& Values)
+{
+	return CreateEyeAdaptationBuffer(GraphBuilder, Values.GetFloat("ExposureScale"));
+}
+
+} // namespace Drydock

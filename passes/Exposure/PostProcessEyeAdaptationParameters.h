@@ -1,0 +1,55 @@
+// What settings and console variables say about metering and adapting the exposure: parameters of the shaders of
+// PostProcessEyeAdaptation.h and of local exposure. Source: engine file PostProcessEyeAdaptation.h.
+#pragma once
+
+#include "CoreMinimal.h"
+#include "PostProcessSettingsEnums.h"
+#include "ShaderParameterMacros.h"
+
+class FViewInfo;
+struct FFinalPostProcessSettings;
+
+/** What metering and adaptation work with. Luminances in scene units. */
+BEGIN_SHADER_PARAMETER_STRUCT(FEyeAdaptationParameters, DRYDOCK_API)
+	SHADER_PARAMETER(float, ExposureLowPercent)  // 0.01 .. 0.99
+	SHADER_PARAMETER(float, ExposureHighPercent) // likewise, at least the low one
+	SHADER_PARAMETER(float, MinAverageLuminance)
+	SHADER_PARAMETER(float, MaxAverageLuminance)
+	SHADER_PARAMETER(float, ExposureCompensationSettings) // 2^bias
+	SHADER_PARAMETER(float, ExposureCompensationCurve)
+	SHADER_PARAMETER(float, DeltaWorldTime)    // s
+	SHADER_PARAMETER(float, ExposureSpeedUp)   // EV per second, as the scene gets brighter
+	SHADER_PARAMETER(float, ExposureSpeedDown) // as it gets darker
+	SHADER_PARAMETER(float, StartDistance)     // EV
+	SHADER_PARAMETER(float, ExponentialUpM)
+	SHADER_PARAMETER(float, ExponentialDownM)
+	SHADER_PARAMETER(float, HistogramScale) // position in the range = log2 luminance * scale + bias
+	SHADER_PARAMETER(float, HistogramBias)
+	SHADER_PARAMETER(float, LuminanceMin)
+	SHADER_PARAMETER(float, BlackHistogramBucketInfluence)
+	SHADER_PARAMETER(float, ForceTarget) // 1: no adaptation
+END_SHADER_PARAMETER_STRUCT()
+
+/** What the settings and r.EyeAdaptation.MethodOverride, r.EyeAdaptationQuality say. */
+DRYDOCK_API EAutoExposureMethod GetAutoExposureMethod(const FFinalPostProcessSettings& Settings);
+
+/** Time is that of View.Family. bForceTarget: there is no last frame to start from. */
+DRYDOCK_API FEyeAdaptationParameters GetEyeAdaptationParameters(
+	const FViewInfo& View, EAutoExposureMethod Method, bool bForceTarget);
+
+namespace Drydock
+{
+
+/** r.EyeAdaptationQuality is not 0. */
+DRYDOCK_API bool IsEyeAdaptationAllowed();
+
+/** EV100 of the camera's settings: log2(f-stop^2 * shutter speed * 100 / ISO); 0 where they are not applied. */
+DRYDOCK_API float GetManualExposureEV100(const FFinalPostProcessSettings& Settings);
+
+/** r.EyeAdaptation.LensAttenuation: the luminance at EV100 0, 0.78 / attenuation. */
+DRYDOCK_API float GetEyeAdaptationLuminanceMax();
+
+/** log2 luminance of both ends of the histogram's range, x below y by 1 at least; of basic metering -10 and 20. */
+DRYDOCK_API FVector2f GetHistogramLogRange(const FFinalPostProcessSettings& Settings, EAutoExposureMethod Method);
+
+} // namespace Drydock
