@@ -5,9 +5,10 @@
 #include "Blur/DualKawaseBlurPass.h"
 #include "ExtensionFactory.h"
 #include "HAL/IConsoleManager.h"
-#include "PostProcess/PostProcessMaterial.h"
+#include "PostProcess/PostProcessMaterialInputs.h"
 #include "RenderGraphNotes.h"
 #include "SceneRendering.h"
+#include "ScreenPass.h"
 
 #include <string>
 

@@ -494,6 +494,12 @@ void FConfigMessages::Add(
 	Diagnostics.push_back(Diagnostic);
 }
 
+const FEngineProfile& FConfig::GetEngineProfile() const
+{
+	const FEngineProfile* const Row = FindEngineProfile(Engine.Value);
+	return Row != nullptr ? *Row : GetDefaultEngineProfile();
+}
+
 std::string FConfig::Resolve(const std::string& Path) const
 {
 	const std::filesystem::path Given(Path);

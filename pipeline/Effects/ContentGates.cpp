@@ -83,8 +83,10 @@ void ApplyContentGate(const FChainSettings& Chain, FEffectDecision& Effect)
 	}
 	if (Effect.Name == "ToonBloom" && GetToonBloomMode() < 0 && Content.Toon)
 	{
-		const bool bRounds = IsToonBloomAsPrinted() && !(Chain.Settings.BloomThreshold > -1.0f);
-		if (HasNone(Content.Toon) && !bRounds)
+		// The setup pass, which toon bloom brings into the graph, may change more than what is toon.
+		const bool bChangesAll = (IsToonBloomAsPrinted() || Chain.Engine.bBloomRampWithoutThreshold) &&
+								 !(Chain.Settings.BloomThreshold > -1.0f);
+		if (HasNone(Content.Toon) && !bChangesAll)
 		{
 			Skip(Effect, "no pixel of the view is shaded as toon");
 		}

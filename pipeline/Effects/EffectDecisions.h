@@ -5,6 +5,7 @@
 
 #include "Effects/Banding.h"
 #include "Effects/ToonBleed.h"
+#include "EngineProfile.h"
 #include "FinalPostProcessSettings.h"
 #include "SceneFile/ViewContent.h"
 
@@ -44,6 +45,7 @@ DRYDOCK_API const std::vector<std::string>& GetEffectNames();
 struct FChainSettings
 {
 	FFinalPostProcessSettings Settings; // after show flags and console variables
+	FEngineProfile Engine = GetDefaultEngineProfile();
 	FEngineShowFlags ShowFlags;
 	std::vector<FSettingGate> Gates;        // what those two changed
 	bool bAutoExposure = false;             // asked for: see IsAutoExposureActive (ExposureDecisions.h)

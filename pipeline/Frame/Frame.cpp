@@ -146,7 +146,7 @@ class FFrameRenderer
 public:
 	explicit FFrameRenderer(const FFrameInputs& InInputs)
 		: Inputs(InInputs)
-		, Extensions(InInputs.EngineMinor, Result.Log)
+		, Extensions(InInputs.Engine, Result.Log)
 		, Observer(InInputs.Observer)
 	{
 		check(!Inputs.Views.empty());
@@ -227,6 +227,7 @@ private:
 
 		const bool bMoved = !IsSameCamera(Camera, Source.Camera);
 		Target.Chain = bMoved && Source.MakeChain ? Source.MakeChain(Camera) : Source.Chain;
+		Target.Chain.Engine = Inputs.Engine;
 		if (!AreSameFlags(Family.EngineShowFlags, Inputs.ShowFlags))
 		{
 			Target.Chain.ShowFlags = Family.EngineShowFlags;
@@ -243,6 +244,7 @@ private:
 		View.UnscaledViewRect = Source.Rect;
 		View.UnconstrainedViewRect = Source.Rect;
 		View.PreExposure = Source.PreExposure;
+		View.EngineProfile = Inputs.Engine;
 		View.ViewLocation = Projection.ViewOrigin;
 		View.FinalPostProcessSettings = Target.Chain.Settings;
 		if (View.ViewRect != Source.Rect)

@@ -145,7 +145,7 @@ FSettingsBlender MakeSettingsBlender(const FConfig& Config)
 	Inputs.CameraWeight = static_cast<float>(Config.Camera.PostProcessBlendWeight);
 	Inputs.CommandLine = Config.CommandLine.Settings;
 	Inputs.ShowFlags = MakeShowFlags(Config);
-	Inputs.bEngine53 = Config.Engine.Value == "5.3";
+	Inputs.Engine = Config.GetEngineProfile();
 	return FSettingsBlender(std::move(Inputs));
 }
 
@@ -196,6 +196,7 @@ FChainSettings MakeChainSettings(const FConfig& Config, std::vector<FDiagnostic>
 		WarnOfMetering(Config, *Diagnostics);
 	}
 	FChainSettings Chain;
+	Chain.Engine = Config.GetEngineProfile();
 	Chain.ShowFlags = MakeShowFlags(Config);
 	Chain.Settings = std::move(Blended.Settings);
 	Chain.Gates = std::move(Blended.Gates);

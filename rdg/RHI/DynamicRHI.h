@@ -1,4 +1,0 @@
-// Source: engine DynamicRHI.h. What code takes from it lies in RHI.h.
-#pragma once
-
-#include "RHI.h"

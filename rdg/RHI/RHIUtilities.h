@@ -1,4 +1,0 @@
-// Source: engine RHIUtilities.h. What code takes from it lies in RHI.h.
-#pragma once
-
-#include "RHI.h"
