@@ -3,6 +3,8 @@
 #
 # cmake -DBUILD=<drydock build folder> -DSOURCE=<this folder> -DWORK=<scratch folder> -P InstalledPackageTest.cmake
 
+cmake_minimum_required(VERSION 3.25)
+
 function(run_step Name)
 	execute_process(COMMAND ${ARGN} RESULT_VARIABLE Result OUTPUT_VARIABLE Output ERROR_VARIABLE Output)
 	if(NOT Result EQUAL 0)
