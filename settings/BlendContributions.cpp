@@ -1,4 +1,5 @@
-// Source: engine FinalPostProcessSettings.h and SceneView.cpp; the descriptions are drydock's.
+// Colour tables, ambient cubemaps and blendables of settings objects, gathered by weight. Source: engine
+// FinalPostProcessSettings.h and SceneView.cpp; the descriptions are drydock's.
 #include "BlendContributions.h"
 
 #include "SettingObjects.h"

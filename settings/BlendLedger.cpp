@@ -1,4 +1,4 @@
-// Source: drydock.
+// What is written to the ledger, and how an entry is found by its field.
 #include "BlendLedger.h"
 
 #include <unordered_map>

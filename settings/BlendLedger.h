@@ -1,5 +1,5 @@
 // The ledger: for every setting the story of its value, from the default through volumes, camera, command line, console
-// variables and show flags to what a view renders with. Source: drydock.
+// variables and show flags to what a view renders with.
 #pragma once
 
 #include "PostProcessSettingsReflection.h"

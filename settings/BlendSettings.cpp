@@ -1,4 +1,4 @@
-// Source: engine World.cpp and SceneView.cpp for the order; the ledger is drydock's.
+// Blends all sources of a view's settings, and warns of ties. Source: engine World.cpp and SceneView.cpp for the order.
 #include "BlendSettings.h"
 
 #include "BlendContributions.h"
@@ -265,7 +265,7 @@ std::vector<FVolumeAtPlace> FSettingsBlender::FindVolumes(const FVector& Locatio
 FBlendedSettings FSettingsBlender::At(const FVector& Location, FBlendLedger* Ledger) const
 {
 	FPass Pass{*this, Ledger, {}, std::vector<FFieldTie>(GetSettingFields().size())};
-	Pass.Result.Settings = StartFinalPostProcessSettings(Ledger, Inputs.bEngine53);
+	Pass.Result.Settings = StartFinalPostProcessSettings(Ledger, Inputs.Engine);
 	for (const size_t Index : Order)
 	{
 		const APostProcessVolume& Volume = Inputs.Volumes[Index];

@@ -6,6 +6,7 @@
 
 #include "BlendLedger.h"
 #include "BlendSource.h"
+#include "EngineProfile.h"
 #include "FinalPostProcessSettings.h"
 #include "PostProcessVolumeWeight.h"
 #include "Engine/PostProcessVolume.h"
@@ -25,7 +26,7 @@ struct FBlendInputs
 	float CameraWeight = 1.0f;
 	FPostProcessSettings CommandLine; // after the camera, at full weight
 	FEngineShowFlags ShowFlags;
-	bool bEngine53 = false; // the behaviour of 5.3 where it differs
+	FEngineProfile Engine = GetDefaultEngineProfile();
 };
 
 /** Two volumes of one priority that both act, and give these settings different values: their order decides. */

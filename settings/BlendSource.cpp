@@ -1,4 +1,4 @@
-// Source: drydock.
+// Finds the fields that a settings object overrides, and says which values have no effect.
 #include "BlendSource.h"
 
 #include <algorithm>

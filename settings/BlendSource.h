@@ -1,5 +1,4 @@
-// A settings object made ready for blending: which fields it overrides is found once, not at every blend. Source:
-// drydock.
+// A settings object made ready for blending: which fields it overrides is found once, not at every blend.
 #pragma once
 
 #include "PostProcessSettingsReflection.h"

@@ -3,6 +3,7 @@
 // OverridePostProcessSettings and EndFinalPostprocessSettings; the record of what was changed is drydock's.
 #pragma once
 
+#include "EngineProfile.h"
 #include "PostProcessSettings.h"
 #include "ShowFlags.h"
 
@@ -21,10 +22,9 @@ struct FSettingGate
 	std::string Reason;  // "ShowFlag.Bloom is off"
 };
 
-/** Defaults, with what r.DefaultFeature.* says of them. Overrides nothing. bEngine53: the shadows' contrast comes from
- * the highlights' variable, as 5.3 had it. */
+/** Defaults, with what r.DefaultFeature.* says of them in this version of the engine. Overrides nothing. */
 DRYDOCK_API FFinalPostProcessSettings StartFinalPostProcessSettings(
-	FBlendLedger* Ledger = nullptr, bool bEngine53 = false);
+	FBlendLedger* Ledger = nullptr, const FEngineProfile& Engine = GetDefaultEngineProfile());
 
 /** Blends every field that Source overrides into Settings, by the field's rule, and marks it overridden there. Weight
  * is clamped to 1; 0, less and NaN do nothing. Values that are not finite are left out. */

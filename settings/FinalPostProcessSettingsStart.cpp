@@ -81,20 +81,21 @@ void StartExposure(FFinalPostProcessSettings& Settings, FSettingsEditor& Editor)
 	}
 }
 
-void StartLocalExposure(FFinalPostProcessSettings& Settings, bool bEngine53, FSettingsEditor& Editor)
+void StartLocalExposure(FFinalPostProcessSettings& Settings, const FEngineProfile& Engine, FSettingsEditor& Editor)
 {
 	const char* const Highlights = "r.DefaultFeature.LocalExposure.HighlightContrastScale";
 	const char* const Shadows = "r.DefaultFeature.LocalExposure.ShadowContrastScale";
 	Editor.Assign(DRYDOCK_MEMBER(LocalExposureHighlightContrastScale), CVarHighlightContrastScale.GetValueOnAnyThread(),
 		ByVariable(Highlights, "Assign", "is the default"));
+	const bool bOfHighlights = Engine.bShadowContrastOfHighlights;
 	Editor.Assign(DRYDOCK_MEMBER(LocalExposureShadowContrastScale),
-		(bEngine53 ? CVarHighlightContrastScale : CVarShadowContrastScale).GetValueOnAnyThread(),
-		ByVariable(bEngine53 ? Highlights : Shadows, "Assign", "is the default"));
+		(bOfHighlights ? CVarHighlightContrastScale : CVarShadowContrastScale).GetValueOnAnyThread(),
+		ByVariable(bOfHighlights ? Highlights : Shadows, "Assign", "is the default"));
 }
 
 } // namespace
 
-FFinalPostProcessSettings StartFinalPostProcessSettings(FBlendLedger* Ledger, bool bEngine53)
+FFinalPostProcessSettings StartFinalPostProcessSettings(FBlendLedger* Ledger, const FEngineProfile& Engine)
 {
 	FFinalPostProcessSettings Settings;
 	const std::vector<FSettingField>& Fields = GetSettingFields();
@@ -116,7 +117,7 @@ FFinalPostProcessSettings StartFinalPostProcessSettings(FBlendLedger* Ledger, bo
 	SwitchOff(CVarMotionBlur, DRYDOCK_MEMBER(MotionBlurAmount), "r.DefaultFeature.MotionBlur");
 	SwitchOff(CVarLensFlare, DRYDOCK_MEMBER(LensFlareIntensity), "r.DefaultFeature.LensFlare");
 	StartExposure(Settings, Editor);
-	StartLocalExposure(Settings, bEngine53, Editor);
+	StartLocalExposure(Settings, Engine, Editor);
 	return Settings;
 }
 

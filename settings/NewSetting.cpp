@@ -1,4 +1,4 @@
-// Source: drydock.
+// Reads a setting as it was thought of on the command line, or takes it from the table.
 #include "NewSetting.h"
 
 #include "PostProcessSettingsTextScan.h"

@@ -1,5 +1,4 @@
-// A setting as its declaration in C++ needs it: from a line of the table, or one that is only thought of. Source:
-// drydock.
+// A setting as its declaration in C++ needs it: from a line of the table, or one that is only thought of.
 #pragma once
 
 #include "PostProcessSettingsReflection.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Writes the plan of an engine patch for one setting, place by place.
 #include "NewSettingSheet.h"
 
 #include <algorithm>

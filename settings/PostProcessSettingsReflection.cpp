@@ -1,4 +1,4 @@
-// Source: drydock.
+// Makes the fields of the settings table from its lines, and finds them by name.
 #include "PostProcessSettingsReflection.h"
 
 #include "PostProcessSettingsBlending.h"

@@ -1,5 +1,5 @@
 // The settings table as data: every field with its type, default, range, unit, category and blend rule, and a way to
-// read and write it in any settings object. JSON, `--pp`, the schema and the lists are built on it. Source: drydock.
+// read and write it in any settings object. JSON, `--pp`, the schema and the lists are built on it.
 #pragma once
 
 #include "PostProcessSettings.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Reads pasted settings: fields by name, array elements, and the text that no field is for.
 #include "PostProcessSettingsText.h"
 
 #include "PostProcessSettingsTextNames.h"

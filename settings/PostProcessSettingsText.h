@@ -4,7 +4,7 @@
 //
 // The engine writes six decimals. They hold every float that was typed with up to six decimals, and every float from 16
 // up; another one (1e-7, one third) comes back rounded, and WriteSettingsText says so. Doubles (vectors) hold what was
-// typed with up to six decimals. Source: engine text of pasted properties; drydock.
+// typed with up to six decimals. Source: engine text of pasted properties.
 #pragma once
 
 #include "PostProcessSettingsTextTree.h"

@@ -1,4 +1,5 @@
-// Source: drydock. Line by line, as the engine reads it; only a (..) may go over several lines.
+// Takes copied actors apart into blocks and properties. Line by line, as the engine reads it; only a (..) may go over
+// several lines.
 #include "PostProcessSettingsTextBlocks.h"
 
 #include "PostProcessSettingsTextScan.h"

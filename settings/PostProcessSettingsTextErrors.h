@@ -1,5 +1,5 @@
 // The numbers of the messages about engine text, and how they are collected. A number never changes its meaning;
-// docs/errors.md explains each one. Source: drydock.
+// docs/errors.md explains each one.
 #pragma once
 
 #include "Diagnostics.h"

@@ -1,4 +1,4 @@
-// What the reader and the writer of settings share. Source: drydock.
+// Names of keys and classes that the reader and the writer of settings share.
 #pragma once
 
 #include <algorithm>

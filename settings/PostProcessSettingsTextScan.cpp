@@ -1,4 +1,4 @@
-// Source: drydock.
+// Words, spaces and places in engine text.
 #include "PostProcessSettingsTextScan.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What the readers of engine text share: words, spaces, what stands where. Source: drydock.
+// What the readers of engine text share: words, spaces, what stands where.
 #pragma once
 
 #include "PostProcessSettingsTextErrors.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Parses engine text into a tree, and writes a tree as text.
 #include "PostProcessSettingsTextTree.h"
 
 #include "PostProcessSettingsTextScan.h"

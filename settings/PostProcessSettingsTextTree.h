@@ -1,6 +1,5 @@
 // The engine's property text as a tree: `(bOverride_BloomIntensity=True,BloomIntensity=1.200000,...)`. Names, indices
-// and values as they are written; no field is known here. Source: engine text of pasted properties (public samples);
-// drydock.
+// and values as they are written; no field is known here. Source: engine text of pasted properties (public samples).
 #pragma once
 
 #include "PostProcessSettingsTextErrors.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Turns a node of engine text into a field's value, and a value into text.
 #include "PostProcessSettingsTextValue.h"
 
 #include "PostProcessSettingsTextScan.h"

@@ -1,4 +1,4 @@
-// One value of the settings table as engine text, both ways. Source: engine text of pasted properties; drydock.
+// One value of the settings table as engine text, both ways. Source: engine text of pasted properties.
 #pragma once
 
 #include "PostProcessSettingsReflection.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Finds volumes in the text of copied actors: their settings, their place and the shape of their brush.
 #include "PostProcessSettingsTextVolume.h"
 
 #include "PostProcessSettingsTextBlocks.h"

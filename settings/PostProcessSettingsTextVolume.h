@@ -1,5 +1,5 @@
 // Post-process volumes as the engine's text of copied actors, both ways. Source: engine text of copied actors
-// (APostProcessVolume and its brush); drydock.
+// (APostProcessVolume and its brush).
 #pragma once
 
 #include "PostProcessSettingsText.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Writes settings as text that the engine's editor takes when it is pasted.
 #include "PostProcessSettingsText.h"
 
 #include "PostProcessSettingsTextNames.h"

@@ -1,5 +1,5 @@
 // What the table's C++ types are as FSettingValue: Pack and Store are inverses, bit for bit. For
-// PostProcessSettingsReflection.cpp. Source: drydock.
+// PostProcessSettingsReflection.cpp.
 #pragma once
 
 #include "PostProcessSettings.h"

@@ -1,4 +1,4 @@
-// Text of single setting values, both ways. Source: drydock; the `(R=..)` form is the engine's.
+// Text of single setting values, both ways. The `(R=..)` form is the engine's.
 #include "PostProcessSettingsReflection.h"
 
 #include "SettingObjects.h"

@@ -1,4 +1,5 @@
-// Source: engine Scene.cpp (ExportToPostProcessSettings, the check of bloom settings in FPostProcessSettings).
+// Exports of the lens, film and camera structs, along their lists of pairs. Source: engine Scene.cpp
+// (ExportToPostProcessSettings, the check of bloom settings in FPostProcessSettings).
 #include "PostProcessSubSettings.h"
 
 #include "PostProcessSettingsReflection.h"

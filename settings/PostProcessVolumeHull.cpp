@@ -1,4 +1,4 @@
-// Source: the paper named in the header.
+// Finds the nearest point of a convex hull. Source: the paper named in the header.
 #include "PostProcessVolumeHull.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Distances to boxes, spheres, capsules and convex bodies, where they stand and as they are turned.
 #include "PostProcessVolumeShape.h"
 
 #include "PostProcessVolumeHull.h"

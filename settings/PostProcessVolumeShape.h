@@ -1,4 +1,4 @@
-// Shapes of bounded volumes, and how far a point is from them. Source: drydock (in the engine a brush has a shape).
+// Shapes of bounded volumes, and how far a point is from them. In the engine a brush has a shape.
 #pragma once
 
 #include "CoreMinimal.h"

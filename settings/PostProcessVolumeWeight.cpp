@@ -1,4 +1,4 @@
-// Source: engine World.cpp; the reasons are drydock's.
+// A volume's weight by distance, and the reasons why one is skipped, in words. Source: engine World.cpp for the weight.
 #include "PostProcessVolumeWeight.h"
 
 #include <algorithm>

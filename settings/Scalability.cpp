@@ -1,4 +1,5 @@
-// Source: engine Scalability.cpp (a group's variable sets the others), BaseScalability (values, as documented).
+// The presets of sg.PostProcessQuality. Source: engine Scalability.cpp (a group's variable sets the others),
+// BaseScalability (values, as documented).
 #include "Scalability.h"
 
 #include "HAL/IConsoleManager.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Keeps one object for each path and class.
 #include "SettingObjects.h"
 
 #include <map>

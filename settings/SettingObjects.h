@@ -1,5 +1,5 @@
 // Objects that settings refer to, by path: one object per path and class, so that equal paths are equal pointers and
-// null is "None". Nothing is loaded. Source: drydock.
+// null is "None". Nothing is loaded.
 #pragma once
 
 #include "Curves/CurveFloat.h"

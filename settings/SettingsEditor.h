@@ -1,5 +1,5 @@
 // How console variables and show flags change settings: each change is returned as a gate and written to the ledger.
-// For the FinalPostProcessSettings*.cpp files. Source: drydock.
+// For the FinalPostProcessSettings*.cpp files.
 #pragma once
 
 #include "BlendLedger.h"

@@ -1,4 +1,4 @@
-// Source: engine ShowFlags.cpp.
+// Names of show flags, and how they are set by name. Source: engine ShowFlags.cpp.
 #include "ShowFlags.h"
 
 #include <strings.h>

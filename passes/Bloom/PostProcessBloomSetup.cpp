@@ -12,6 +12,8 @@
 #include "Screen/ScreenShaderPass.h"
 #include "ShaderParameterStruct.h"
 
+#include <cmath>
+
 namespace
 {
 
@@ -230,7 +232,8 @@ FScreenPassTexture AddBloomSetupPass(FRDGBuilder& GraphBuilder, const FViewInfo&
 
 	FBloomSetupPermutation Permutation;
 	// Written so that a NaN threshold, which no comparison holds for, means none.
-	Permutation.Set<FThresholdDimension>(Inputs.Threshold > -1.0f);
+	Permutation.Set<FThresholdDimension>(
+		Inputs.Threshold > -1.0f || (View.EngineProfile.bBloomRampWithoutThreshold && std::isfinite(Inputs.Threshold)));
 	Permutation.Set<FToonBloomDimension>(ToonBloom);
 	Permutation.Set<FLocalExposureDimension>(Inputs.LocalExposure.IsValid());
 

@@ -2,7 +2,8 @@
 // article's patch of it.
 //
 // Formula, per pixel: C = scene colour / PreExposure, C = min(C, 65536), L = luminance(C) * exposure scale,
-// amount = saturate((L - Threshold) / 2), or exactly 1 where Threshold <= -1; result (amount * C * PreExposure, 0).
+// amount = saturate((L - Threshold) / 2), or exactly 1 where Threshold <= -1 and the view's engine has no ramp then
+// (EngineProfile.h); result (amount * C * PreExposure, 0).
 // Local exposure multiplies C before the clamp.
 // Contract. Same extent, rect and format as the input. NaN becomes 65536 * PreExposure before the ramp (min takes the
 // other operand, as on a GPU), +Inf likewise; -Inf and negatives pass on until an unsigned store clips them. An input
@@ -30,7 +31,8 @@ struct FBloomSetupInputs
 	FScreenPassTexture SceneColor;
 	/** [Required] Entry 0's x is the exposure scale. */
 	FRDGBufferRef EyeAdaptationBuffer = nullptr;
-	/** In exposed luminance; -1 and below: no threshold. */
+	/** In exposed luminance; -1 and below: no threshold. -infinity, NaN: none in engines whose ramp acts all the same,
+	 * either. */
 	float Threshold = -1.0f;
 	/** Not valid: none. */
 	Drydock::FLocalExposureTextures LocalExposure;

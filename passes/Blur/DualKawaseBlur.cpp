@@ -6,9 +6,10 @@
 #include "Blur/MatchedGaussianBlur.h"
 #include "ExtensionFactory.h"
 #include "HAL/IConsoleManager.h"
-#include "PostProcess/PostProcessMaterial.h"
+#include "PostProcess/PostProcessMaterialInputs.h"
 #include "RenderGraphNotes.h"
 #include "SceneRendering.h"
+#include "ScreenPass.h"
 
 #include <string>
 

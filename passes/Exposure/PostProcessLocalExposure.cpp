@@ -147,9 +147,14 @@ FLocalExposureParameters GetLocalExposureParameters(
 	const FFinalPostProcessSettings& Settings = View.FinalPostProcessSettings;
 	FLocalExposureParameters Parameters;
 	Parameters.ContrastAndThreshold =
-		FVector4f(Settings.LocalExposureHighlightContrastScale, Settings.LocalExposureShadowContrastScale,
-			Settings.LocalExposureHighlightThreshold * Settings.LocalExposureHighlightThresholdStrength,
-			Settings.LocalExposureShadowThreshold * Settings.LocalExposureShadowThresholdStrength);
+		FVector4f(Settings.LocalExposureHighlightContrastScale, Settings.LocalExposureShadowContrastScale, 0.0f, 0.0f);
+	if (View.EngineProfile.bLocalExposureThresholds)
+	{
+		Parameters.ContrastAndThreshold.Z =
+			Settings.LocalExposureHighlightThreshold * Settings.LocalExposureHighlightThresholdStrength;
+		Parameters.ContrastAndThreshold.W =
+			Settings.LocalExposureShadowThreshold * Settings.LocalExposureShadowThresholdStrength;
+	}
 	Parameters.DetailStrength = Settings.LocalExposureDetailStrength;
 	Parameters.BlurredLuminanceBlend = Settings.LocalExposureBlurredLuminanceBlend;
 	const float Compensation = EyeAdaptation.ExposureCompensationSettings * EyeAdaptation.ExposureCompensationCurve;

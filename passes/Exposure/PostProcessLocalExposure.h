@@ -6,7 +6,8 @@
 // For a pixel of exposed log2 luminance l with base b, middle grey g, contrast k and threshold t (of highlights where b
 // is above g, else of shadows) and detail strength d: log2 of the factor is (k - 1) max(|b - g| - t, 0) sign(b - g) +
 // (d - 1) (l - b). The thresholds' rule is a guess that keeps the factor continuous; each counts times its
-// ThresholdStrength. The contrast curves have no keys here and count as 1.
+// ThresholdStrength, in engines that have thresholds (EngineProfile.h). The contrast curves have no keys here and count
+// as 1.
 //
 // Contract. With contrasts and detail strength at 1 nothing is built and no bit changes. Luminance is the mean of the
 // channels in scene units, at least LuminanceMin; NaN and negatives count as that, infinity as 65536. Texels that are

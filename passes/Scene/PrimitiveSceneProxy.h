@@ -2,7 +2,10 @@
 #pragma once
 
 #include "Components/PrimitiveComponent.h"
-#include "SceneManagement.h"
+#include "RHI.h"
+#include "RenderResource.h"
+#include "SceneInterface.h"
+#include "SceneView.h"
 
 class DRYDOCK_API FPrimitiveSceneProxy
 {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "CoreMinimal.h"
+#include "EngineProfile.h"
 #include "SceneTextures.h"
 #include "SceneView.h"
 
@@ -20,6 +21,9 @@ public:
 
 	/** Compute entries in place of pixel shaders (r.PostProcessing.PreferCompute). */
 	bool bUseComputePasses = false;
+
+	/** What differs between engine versions: the row of the frame's. */
+	Drydock::FEngineProfile EngineProfile = Drydock::GetDefaultEngineProfile();
 
 	/** Camera matrices and times to start InitViewUniformBuffer from; pipeline/ fills them, defaults are neutral. */
 	FViewUniformShaderParameters UniformParameters;

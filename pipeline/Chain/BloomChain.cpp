@@ -9,10 +9,13 @@
 #include "SceneRendering.h"
 #include "Screen/PostProcessDownsample.h"
 
+#include <limits>
+
 namespace
 {
 
 constexpr float NoThreshold = -1.0f;
+constexpr float NoRamp = -std::numeric_limits<float>::infinity(); // in no version of the engine
 
 FScreenPassTexture AddHalf(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& Picture,
 	const TCHAR* Name, EDownsampleQuality Quality, EPixelFormat Format)
@@ -46,7 +49,7 @@ FBloomChainOutputs AddFFTBloomPasses(FRDGBuilder& GraphBuilder, const FViewInfo&
 	FFFTBloomInputs FFTInputs{Inputs.SceneColor, Inputs.HalfResolution, Inputs.SceneDownsampleChain->GetTexture(1)};
 	if (Inputs.Toon != nullptr)
 	{
-		FFTInputs.SceneColor = AddBloomSetupPass(GraphBuilder, View, MakeSetup(Inputs, Inputs.SceneColor, NoThreshold));
+		FFTInputs.SceneColor = AddBloomSetupPass(GraphBuilder, View, MakeSetup(Inputs, Inputs.SceneColor, NoRamp));
 		// As the scene's own, so that a factor of 1 changes no bit.
 		const EPixelFormat Format = Inputs.HalfResolution.Texture->Desc.Format;
 		FFTInputs.HalfResolution = AddHalf(

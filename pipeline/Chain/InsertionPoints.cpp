@@ -58,7 +58,7 @@ void FInsertionPoints::Subscribe()
 {
 	for (const FInsertionPoint& Point : GetInsertionPoints())
 	{
-		if (!HasInsertionPoint(Point.Pass, Extensions.GetEngineMinor()))
+		if (!HasInsertionPoint(Point.Pass, Extensions.GetEngine().Minor))
 		{
 			continue;
 		}

@@ -57,7 +57,7 @@ public:
 
 private:
 	std::vector<FPassCallback>& At(EPoint Point) { return Callbacks[static_cast<size_t>(Point)]; }
-	bool IsThere(EPoint Point) const { return HasInsertionPoint(Point, Extensions.GetEngineMinor()); }
+	bool IsThere(EPoint Point) const { return HasInsertionPoint(Point, Extensions.GetEngine().Minor); }
 	FPostProcessMaterialInputs MakeInputs(const FScreenPassTexture& SceneColor) const;
 	void Record(EPoint Point, const FScreenPassTexture& SceneColor, bool bReached, const std::string& Reason);
 

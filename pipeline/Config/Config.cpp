@@ -7,6 +7,12 @@
 namespace Drydock
 {
 
+const FEngineProfile& FConfig::GetEngineProfile() const
+{
+	const FEngineProfile* const Row = FindEngineProfile(Engine.Value);
+	return Row != nullptr ? *Row : GetDefaultEngineProfile();
+}
+
 std::string FConfig::Resolve(const std::string& Path) const
 {
 	const std::filesystem::path Given(Path);

@@ -4,6 +4,7 @@
 
 #include "Config/SceneUnits.h"
 #include "Diagnostics.h"
+#include "EngineProfile.h"
 #include "PostProcessSettings.h"
 #include "PostProcessSettingsText.h"
 #include "Text/Json.h"
@@ -145,7 +146,7 @@ struct FConfigShowFlag
 struct FConfig
 {
 	std::string File; // as given on the command line
-	TConfigValue<std::string> Engine{"5.4", {}};
+	TConfigValue<std::string> Engine{GetDefaultEngineProfile().GetVersion(), {}};
 	std::vector<TConfigValue<std::string>> Plugins; // as written; see Resolve
 	FConfigScene Scene;
 	FConfigView View;                               // the first of Views where these are given
@@ -162,6 +163,9 @@ struct FConfig
 	FJsonValue Budget;                  // likewise
 	std::vector<TConfigValue<std::string>> Dump;
 	bool bNoSkip = false; // of the command line: see FRunOptions
+
+	/** The row of Engine; the default's while the config has a mistake there. */
+	DRYDOCK_API const FEngineProfile& GetEngineProfile() const;
 
 	/** A path of the config, relative to the config's own folder, as one relative to the working folder. */
 	DRYDOCK_API std::string Resolve(const std::string& Path) const;

@@ -1,6 +1,8 @@
 // Source: drydock (docs: configs/README.md).
 #include "Config/ConfigKeys.h"
 
+#include "EngineProfile.h"
+
 #include <algorithm>
 
 namespace Drydock
@@ -12,10 +14,11 @@ const std::vector<FConfigKey>& GetConfigKeys()
 	constexpr bool Required = true;
 	constexpr bool Optional = false;
 	constexpr bool Built = true;
+	static const std::string Engines = ListEngineVersions("|");
 	// clang-format off
 	static const std::vector<FConfigKey> Keys = {
 		{"", "$schema", String, "", 0, Optional, Built, "Path of this schema: gives completion in editors."},
-		{"", "engine", String, "5.1|5.2|5.3|5.4|5.5|5.6", 0, Optional, Built, "Engine version whose behaviour holds; 5.4 by default."},
+		{"", "engine", String, Engines.c_str(), 0, Optional, Built, "Engine version whose behaviour holds; 5.4 by default."},
 		{"", "plugins", StringArray, "", 0, Optional, Built, "Shared objects to load, relative to the config."},
 		{"", "scene", Object, "scene", 0, Optional, Built, "The rendered frame that goes in; needed by all that builds a frame."},
 		{"", "view", Object, "view", 0, Optional, Built, "The camera; without it the scene file's own."},

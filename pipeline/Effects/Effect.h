@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Effects/EffectFigures.h"
+#include "EngineProfile.h"
 #include "FinalPostProcessSettings.h"
 #include "SceneFile/ViewContent.h"
 #include "SceneTextureParameters.h"
@@ -73,6 +74,7 @@ DRYDOCK_API bool IsEffectActive(const std::vector<FEffectDecision>& Effects, EEf
 /** What decides about a view's effects beside its settings; made once, when the settings are blended. */
 struct FViewConditions
 {
+	FEngineProfile Engine = GetDefaultEngineProfile();
 	FEngineShowFlags ShowFlags;
 	std::vector<FSettingGate> Gates;        // what show flags and console variables changed in the settings
 	bool bAutoExposure = false;             // asked for: see IsAutoExposureActive (Exposure.h)

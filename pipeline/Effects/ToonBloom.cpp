@@ -95,8 +95,9 @@ void ApplyGate(const FGateInputs& Gate, FEffectDecision& Toon)
 	{
 		return;
 	}
-	const bool bRounds = IsToonBloomAsPrinted() && !(Gate.Inputs.Settings.BloomThreshold > -1.0f);
-	if (HasNone(Gate.Content.Toon) && !bRounds)
+	const bool bChangesAll = (IsToonBloomAsPrinted() || Gate.Inputs.Conditions.Engine.bBloomRampWithoutThreshold) &&
+							 !(Gate.Inputs.Settings.BloomThreshold > -1.0f);
+	if (HasNone(Gate.Content.Toon) && !bChangesAll)
 	{
 		Skip(Toon, "no pixel of the view is shaded as toon");
 	}

@@ -2,7 +2,7 @@
 #include "Extensions/ConfigExtensions.h"
 
 #include "Config/ConfigReader.h"
-#include "Extensions/EngineProfile.h"
+#include "Extensions/EngineHooks.h"
 #include "Extensions/ExtensionErrors.h"
 #include "SceneViewState.h"
 
@@ -189,8 +189,8 @@ bool CheckHook(const FConfig& Config, const FJsonValue& Value, const std::string
 		return false;
 	}
 	const auto Pass = FindPassByName(Hook);
-	const int32 EngineMinor = ParseEngineVersion(Config.Engine.Value);
-	if (Pass && EngineMinor != 0 && !HasInsertionPoint(*Pass, EngineMinor))
+	const FEngineProfile* const Engine = FindEngineProfile(Config.Engine.Value);
+	if (Pass && Engine != nullptr && !HasInsertionPoint(*Pass, Engine->Minor))
 	{
 		Messages.Error(ErrorUnknownValue, Value,
 			"engine " + Config.Engine.Value + " has no hook " + Hook + ": it is there from " +

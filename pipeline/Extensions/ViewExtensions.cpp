@@ -74,8 +74,8 @@ FDiagnostic MakeExtensionDiagnostic(
 	return Diagnostic;
 }
 
-FViewExtensionFrame::FViewExtensionFrame(int32 InEngineMinor, FHookLog& InLog)
-	: EngineMinor(InEngineMinor)
+FViewExtensionFrame::FViewExtensionFrame(const FEngineProfile& InEngine, FHookLog& InLog)
+	: Engine(InEngine)
 	, Log(InLog)
 {
 }
@@ -98,7 +98,7 @@ void FViewExtensionFrame::Gather(FSceneViewFamily& Family, const std::optional<s
 			[&](const FExtension& Earlier) { return Earlier.Info.Name == Info->Name; });
 		const std::string Label = Same == 0 ? Info->Name : Info->Name + " #" + std::to_string(Same + 1);
 		Extensions.push_back(
-			{Extension, *Info, Label, Info->EngineMinor == AnyEngineVersion ? EngineMinor : Info->EngineMinor});
+			{Extension, *Info, Label, Info->EngineMinor == AnyEngineVersion ? Engine.Minor : Info->EngineMinor});
 		ReportVersion(Extensions.back());
 	}
 }
@@ -124,11 +124,10 @@ void FViewExtensionFrame::ReportVersion(const FExtension& Extension)
 		Log.Diagnostics.push_back(MakeExtensionDiagnostic(ESeverity::Warning, Code, Extension.Label, Message));
 	};
 	const std::string Own = GetEngineVersionText(Extension.EngineMinor);
-	if (Extension.EngineMinor != EngineMinor)
+	if (Extension.EngineMinor != Engine.Minor)
 	{
 		Warn(WarnEngineDiffers, "it is compiled for engine " + Own +
-									" and gets the hooks of that version; the run is " +
-									GetEngineVersionText(EngineMinor));
+									" and gets the hooks of that version; the run is " + Engine.GetVersion());
 	}
 	for (const FHookVersions& Hook : GetHookVersions())
 	{

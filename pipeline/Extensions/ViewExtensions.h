@@ -2,7 +2,7 @@
 // drydock; the order is the engine's.
 #pragma once
 
-#include "Extensions/EngineProfile.h"
+#include "Extensions/EngineHooks.h"
 #include "Extensions/HookLog.h"
 #include "FinalPostProcessSettings.h"
 #include "RenderGraphCompiled.h"
@@ -33,9 +33,9 @@ struct FPassCallback
 class DRYDOCK_API FViewExtensionFrame
 {
 public:
-	FViewExtensionFrame(int32 InEngineMinor, FHookLog& InLog);
+	FViewExtensionFrame(const FEngineProfile& InEngine, FHookLog& InLog);
 
-	int32 GetEngineMinor() const { return EngineMinor; }
+	const FEngineProfile& GetEngine() const { return Engine; }
 	FHookLog& GetLog() { return Log; }
 
 	/** Plugins: those whose extensions take part; empty optional: all. Gathers the active extensions into
@@ -88,7 +88,7 @@ private:
 	void CallInGraph(FRDGBuilder& GraphBuilder, FExtension& Extension, EExtensionHook Hook, const std::string& ViewName,
 		TFunction Function);
 
-	int32 EngineMinor;
+	FEngineProfile Engine;
 	FHookLog& Log;
 	std::vector<FExtension> Extensions;
 };

@@ -1,7 +1,7 @@
 // Source: drydock.
 #include "Frame/DrydockFrame.h"
 
-#include "Extensions/EngineProfile.h"
+#include "EngineProfile.h"
 #include "FinalPostProcessSettings.h"
 #include "Frame/Frame.h"
 #include "RenderGraphBuilder.h"
@@ -56,11 +56,10 @@ void CheckDesc(const FFrameDesc& Desc)
 	{
 		Fail(ErrorBadValue, "ViewRect", "it must be inside the extent and not empty");
 	}
-	if (Desc.EngineMinorVersion < OldestEngineMinor || Desc.EngineMinorVersion > NewestEngineMinor)
+	if (FindEngineProfile(Desc.EngineMinorVersion) == nullptr)
 	{
 		Fail(ErrorBadValue, "EngineMinorVersion",
-			"5." + std::to_string(Desc.EngineMinorVersion) + " is none of " + GetEngineVersionText(OldestEngineMinor) +
-				" to " + GetEngineVersionText(NewestEngineMinor));
+			"5." + std::to_string(Desc.EngineMinorVersion) + " is none of " + ListEngineVersions(", "));
 	}
 }
 
@@ -130,7 +129,7 @@ FFrameOutput RenderFrame(const FFrameDesc& Desc)
 {
 	CheckDesc(Desc);
 	FFrameInputs Inputs;
-	Inputs.EngineMinor = Desc.EngineMinorVersion;
+	Inputs.Engine = *FindEngineProfile(Desc.EngineMinorVersion);
 	Inputs.Extent = Desc.Extent;
 	Inputs.ShowFlags = MakeShowFlags(Desc);
 	FFrameView View;

@@ -123,7 +123,7 @@ class FFrameRenderer
 public:
 	explicit FFrameRenderer(const FFrameInputs& InInputs)
 		: Inputs(InInputs)
-		, Extensions(InInputs.EngineMinor, Result.Log)
+		, Extensions(InInputs.Engine, Result.Log)
 		, Observer(InInputs.Observer)
 	{
 		check(!Inputs.Views.empty());
@@ -204,6 +204,7 @@ private:
 
 		const bool bMoved = !IsSameCamera(Camera, Source.Camera);
 		FViewSettings Settings = bMoved && Source.MakeSettings ? Source.MakeSettings(Camera) : Source.Settings;
+		Settings.Engine = Inputs.Engine;
 		if (!AreSameFlags(Family.EngineShowFlags, Inputs.ShowFlags))
 		{
 			Settings.ShowFlags = Family.EngineShowFlags;
@@ -220,6 +221,7 @@ private:
 		View.UnscaledViewRect = Source.Rect;
 		View.UnconstrainedViewRect = Source.Rect;
 		View.PreExposure = Source.PreExposure;
+		View.EngineProfile = Inputs.Engine;
 		View.ViewLocation = Projection.ViewOrigin;
 		View.FinalPostProcessSettings = std::move(Settings.Settings);
 		Target.Conditions = std::move(Settings);

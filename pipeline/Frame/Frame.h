@@ -4,6 +4,7 @@
 
 #include "Effects/Effect.h"
 #include "Effects/ExposureReport.h"
+#include "EngineProfile.h"
 #include "Extensions/HookLog.h"
 #include "Picture/ImageFile.h"
 #include "RenderGraphCompiled.h"
@@ -44,7 +45,7 @@ struct FFrameView
 
 struct FFrameInputs
 {
-	int32 EngineMinor = ENGINE_MINOR_VERSION;
+	FEngineProfile Engine = GetDefaultEngineProfile();
 	FIntPoint Extent = FIntPoint(0, 0);       // of the scene textures
 	FIntPoint OutputExtent = FIntPoint(0, 0); // 0: the same
 	FEngineShowFlags ShowFlags;

@@ -2,7 +2,7 @@
 #include "Program/ExtensionList.h"
 
 #include "ExtensionFactory.h"
-#include "Extensions/EngineProfile.h"
+#include "Extensions/EngineHooks.h"
 #include "PassFactory.h"
 #include "Program/Verbs.h"
 #include "Run/Run.h"
@@ -62,7 +62,7 @@ FListTable ListExtensions()
 FListTable ListHooks()
 {
 	FListTable Table{{"point", "since", "sees", "doc"}, {}};
-	Table.Rows.push_back({PrePostProcessPassName, GetEngineVersionText(OldestEngineMinor),
+	Table.Rows.push_back({PrePostProcessPassName, GetEngineProfiles().front().GetVersion(),
 		ToString(EColorSpace::LinearHDR), "before the chain: scene colour, edited in place"});
 	for (const FInsertionPoint& Point : GetInsertionPoints())
 	{

@@ -1,6 +1,5 @@
 // `drydock blend`. Source: drydock.
 #include "Blend/BlendReport.h"
-#include "Extensions/EngineProfile.h"
 #include "Extensions/ViewExtensions.h"
 #include "Program/ProgressBar.h"
 #include "Program/Verbs.h"
@@ -33,7 +32,7 @@ std::string ExplainLocation(const FVerbOptions& Options, const FConfig& Config)
 void AddExtensionEdits(const FRunSetup& Setup, FBlendReport& Report)
 {
 	FHookLog Log;
-	FViewExtensionFrame Extensions(ParseEngineVersion(Setup.Config.Engine.Value), Log);
+	FViewExtensionFrame Extensions(Setup.Config.GetEngineProfile(), Log);
 	FSceneViewFamily Family;
 	Family.EngineShowFlags = Setup.Settings.ShowFlags;
 	Extensions.Gather(Family, Setup.Plugins);

@@ -2,7 +2,7 @@
 #include "Program/Verbs.h"
 #include "Run/Run.h"
 #include "Run/RunJson.h"
-#include "SceneFile/Scene.h"
+#include "SceneFile/SceneFile.h"
 #include "Text/JsonWriter.h"
 
 #include <cstdio>
@@ -42,7 +42,7 @@ int CheckVerb(const FVerbOptions& Options)
 		ClosingLines = MakeClosingLines(Result.Effects);
 		if (Result.Config.Scene.File.IsSet())
 		{
-			const FScene Scene(Result.Config); // reads the header, checks the names of channels
+			const FSceneFile Scene(Result.Config); // reads the header, checks the names of channels
 		}
 	}
 	catch (const FError& Error)

@@ -163,7 +163,7 @@ FSettingsBlender MakeSettingsBlender(const FConfig& Config)
 	Inputs.CameraWeight = static_cast<float>(Config.Camera.PostProcessBlendWeight);
 	Inputs.CommandLine = Config.CommandLine.Settings;
 	Inputs.ShowFlags = MakeShowFlags(Config);
-	Inputs.bEngine53 = Config.Engine.Value == "5.3";
+	Inputs.Engine = Config.GetEngineProfile();
 	return FSettingsBlender(std::move(Inputs));
 }
 
@@ -217,6 +217,7 @@ FViewSettings MakeViewSettings(const FConfig& Config, std::vector<FDiagnostic>* 
 		WarnOfMetering(Config, *Diagnostics);
 	}
 	FViewSettings View;
+	View.Engine = Config.GetEngineProfile();
 	View.ShowFlags = MakeShowFlags(Config);
 	View.Settings = std::move(Blended.Settings);
 	View.Gates = std::move(Blended.Gates);

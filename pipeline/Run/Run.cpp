@@ -1,7 +1,6 @@
 // Runs a config: scene, frame, measurements, report.
 #include "Run/Run.h"
 
-#include "Extensions/EngineProfile.h"
 #include "Frame/Frame.h"
 #include "Picture/TextureImage.h"
 #include "RenderGraphObserver.h"
@@ -42,7 +41,7 @@ int32 GetVariableInt(const char* Name)
 class FRunObserver final : public IRDGObserver
 {
 public:
-	FRunObserver(const FRunOptions& InOptions, const FRunSetup& InSetup, FScene& InScene, FRunResult& InResult)
+	FRunObserver(const FRunOptions& InOptions, const FRunSetup& InSetup, FSceneFile& InScene, FRunResult& InResult)
 		: Options(InOptions)
 		, Setup(InSetup)
 		, Scene(InScene)
@@ -147,13 +146,13 @@ private:
 
 	const FRunOptions& Options;
 	const FRunSetup& Setup;
-	FScene& Scene;
+	FSceneFile& Scene;
 	FRunResult& Result;
 	int NumToExecute = 0;
 };
 
 /** A view's rect, which counts in pixels of the picture, as a rect of the scene textures. */
-FIntRect GetViewRect(const FConfig& Config, const FConfigView& View, const FScene& Scene)
+FIntRect GetViewRect(const FConfig& Config, const FConfigView& View, const FSceneFile& Scene)
 {
 	const FIntRect Picture = Scene.GetPictureRect();
 	if (!View.Rect.IsSet())
@@ -214,7 +213,7 @@ void ReportNonFinite(const FNonFiniteCount& Found, const std::string& What, FRun
 }
 
 /** What is known before the graph. */
-FRunResult MakeResult(const FRunSetup& Setup, const FScene& Scene)
+FRunResult MakeResult(const FRunSetup& Setup, const FSceneFile& Scene)
 {
 	const char* const StorageNames[] = {"native", "float32", "float64"};
 	FRunResult Result;
@@ -238,7 +237,7 @@ FRunResult MakeResult(const FRunSetup& Setup, const FScene& Scene)
 }
 
 /** The camera of a view: the config's word, else the scene file's. */
-FSceneCamera GetLens(const FConfigView& View, const FScene& Scene)
+FSceneCamera GetLens(const FConfigView& View, const FSceneFile& Scene)
 {
 	FSceneCamera Lens = Scene.GetCamera().value_or(FSceneCamera());
 	if (View.Location.IsSet())
@@ -261,7 +260,7 @@ FSceneCamera GetLens(const FConfigView& View, const FScene& Scene)
 }
 
 /** Where each view's pixels of the file go in scene textures of another resolution; none: the file's own. */
-std::vector<FSceneRegion> MakeRegions(const FRunSetup& Setup, const FScene& Scene)
+std::vector<FSceneRegion> MakeRegions(const FRunSetup& Setup, const FSceneFile& Scene)
 {
 	const double Percentage = GetScreenPercentage(Setup.Settings);
 	if (Percentage == 100.0)
@@ -287,7 +286,7 @@ std::vector<FSceneRegion> MakeRegions(const FRunSetup& Setup, const FScene& Scen
 }
 
 /** All but the settings. */
-FFrameView MakeFrameView(const FRunSetup& Setup, const FConfigView& ConfigView, const FScene& Scene)
+FFrameView MakeFrameView(const FRunSetup& Setup, const FConfigView& ConfigView, const FSceneFile& Scene)
 {
 	FFrameView View;
 	View.Rect = GetViewRect(Setup.Config, ConfigView, Scene);
@@ -311,7 +310,7 @@ FFrameView MakeFrameView(const FRunSetup& Setup, const FConfigView& ConfigView, 
 }
 
 /** Of a frame of a sequence, which begins at frame 0; a scene that is none knows no time. Last: the frame before. */
-FGameTime GetFrameTime(const FConfigScene& Config, const FScene& Scene, const std::vector<FViewHistory>& Last)
+FGameTime GetFrameTime(const FConfigScene& Config, const FSceneFile& Scene, const std::vector<FViewHistory>& Last)
 {
 	constexpr double DefaultFps = 24.0;
 	if (!Config.Frame)
@@ -335,11 +334,11 @@ struct FBeforeFrame
 	std::vector<std::shared_ptr<FSceneViewState>>& Caches; // by view
 };
 
-FFrameInputs MakeFrameInputs(const FRunOptions& Options, const FRunSetup& Setup, FScene& Scene,
+FFrameInputs MakeFrameInputs(const FRunOptions& Options, const FRunSetup& Setup, FSceneFile& Scene,
 	const FBeforeFrame& Before, IRDGObserver& Observer, double& LoadMilliseconds)
 {
 	FFrameInputs Inputs;
-	Inputs.EngineMinor = ParseEngineVersion(Setup.Config.Engine.Value);
+	Inputs.Engine = Setup.Config.GetEngineProfile();
 	Inputs.Extent = Scene.GetExtent();
 	Inputs.OutputExtent = Scene.GetOutputExtent();
 	Inputs.LightColor = Scene.GetLightColor();
@@ -390,8 +389,8 @@ FFrameInputs MakeFrameInputs(const FRunOptions& Options, const FRunSetup& Setup,
 }
 
 /** Builds the graph and runs or compiles it. */
-void RunGraph(
-	const FRunOptions& Options, const FRunSetup& Setup, FScene& Scene, const FBeforeFrame& Before, FRunResult& Result)
+void RunGraph(const FRunOptions& Options, const FRunSetup& Setup, FSceneFile& Scene, const FBeforeFrame& Before,
+	FRunResult& Result)
 {
 	FRunObserver Observer(Options, Setup, Scene, Result);
 	const FFrameInputs Inputs = MakeFrameInputs(Options, Setup, Scene, Before, Observer, Result.Times.Load);
@@ -453,7 +452,7 @@ FRunResult FRunSession::Run(std::optional<int> Frame, const std::vector<FViewHis
 	Setup->BeginFrame(Frame);
 	try
 	{
-		FScene Scene(Setup->Config);
+		FSceneFile Scene(Setup->Config);
 		Scene.SetResolution(GetScreenPercentage(Setup->Settings), MakeRegions(*Setup, Scene));
 		FRunResult Result = MakeResult(*Setup, Scene);
 		RunGraph(Options, *Setup, Scene, {Last, Caches}, Result);

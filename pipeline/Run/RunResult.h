@@ -8,7 +8,7 @@
 #include "PassCounters.h"
 #include "Picture/ImageFile.h"
 #include "RenderGraphCompiled.h"
-#include "SceneFile/Scene.h"
+#include "SceneFile/SceneFile.h"
 #include "SceneViewState.h"
 #include "Tonemap/TonemapOutputDevice.h"
 

@@ -1,7 +1,7 @@
 // Source: drydock.
 #include "SceneFile/SceneContent.h"
 
-#include "SceneFile/Scene.h"
+#include "SceneFile/SceneFile.h"
 
 #include <algorithm>
 
@@ -69,7 +69,7 @@ FIntRect MapBounds(const FIntRect& Bounds, const FSceneRegion& Region)
 	return Region.Source.Size() == Size ? Bounds - Region.Source.Min : FIntRect(FIntPoint::ZeroValue, Size);
 }
 
-FViewContent MeasureViewContent(FScene& Scene, const FIntRect& ViewRect, const FContentQuestions& Questions)
+FViewContent MeasureViewContent(FSceneFile& Scene, const FIntRect& ViewRect, const FContentQuestions& Questions)
 {
 	std::vector<std::string> Names;
 	const auto Ask = [&](bool bAsked, std::initializer_list<const char*> Channels)

@@ -10,7 +10,7 @@
 namespace Drydock
 {
 
-class FScene;
+class FSceneFile;
 
 /** A channel's values, row by row, or one value for all pixels. */
 struct FChannelValues
@@ -58,6 +58,6 @@ DRYDOCK_API FIntRect MapBounds(const FIntRect& Bounds, const FSceneRegion& Regio
 /** ViewRect: of a view in the scene textures. Reads the channels that it needs and the scene keeps them for Load;
  * throws FError (exit code 3) for a broken file. */
 DRYDOCK_API FViewContent MeasureViewContent(
-	FScene& Scene, const FIntRect& ViewRect, const FContentQuestions& Questions);
+	FSceneFile& Scene, const FIntRect& ViewRect, const FContentQuestions& Questions);
 
 } // namespace Drydock

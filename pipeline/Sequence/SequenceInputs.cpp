@@ -1,10 +1,13 @@
 // Source: drydock.
 #include "Sequence/SequenceInputs.h"
 
+#include "InstallPaths.h"
+#include "PostProcessSettingsReflection.h"
 #include "Text/Fingerprint.h"
 #include "Text/TextFile.h"
 #include "Text/Version.h"
 #include "Text/WatchedFiles.h"
+#include "Tonemap/PostProcessTonemap.h"
 
 #include <algorithm>
 #include <dlfcn.h>
@@ -20,12 +23,19 @@ namespace Files = std::filesystem;
 
 const char* const FilePrefix = "file ";
 
-/** The library that this code is in: another build may compute other bits. */
+/** The libraries of the storeys, each by one of its functions: another build may compute other bits. */
 std::string FingerprintOfDrydock()
 {
-	Dl_info Info = {};
-	const bool bFound = dladdr(reinterpret_cast<const void*>(&FindSequenceInputs), &Info) != 0 && Info.dli_fname;
-	return std::string(GetVersion()) + " " + (bFound ? FingerprintFile(Info.dli_fname) : "");
+	std::string Text = GetVersion();
+	for (const void* const Function :
+		{reinterpret_cast<const void*>(&FindInstalled), reinterpret_cast<const void*>(&GetSettingFields),
+			reinterpret_cast<const void*>(&AddTonemapPass), reinterpret_cast<const void*>(&FindSequenceInputs)})
+	{
+		Dl_info Info = {};
+		const bool bFound = dladdr(Function, &Info) != 0 && Info.dli_fname;
+		Text += " " + (bFound ? FingerprintFile(Info.dli_fname) : "");
+	}
+	return Text;
 }
 
 /** Every shader file that a pass may be built of, by name and contents. */

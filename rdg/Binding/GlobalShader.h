@@ -2,8 +2,8 @@
 #pragma once
 
 #include "CoreMinimal.h"
-#include "DataDrivenShaderPlatformInfo.h"
 #include "RHI.h"
+#include "RHIDefinitions.h"
 #include "Shader.h"
 #include "ShaderParameterMacros.h"
 #include "ShaderParameterStruct.h"

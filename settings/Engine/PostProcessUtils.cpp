@@ -1,4 +1,5 @@
-// Source: engine PostProcessUtils.cpp, from its documentation.
+// Blends settings objects as the engine's utility for code does. Source: engine PostProcessUtils.cpp, from its
+// documentation.
 #include "Engine/PostProcessUtils.h"
 
 #include "PostProcessSettingsReflection.h"

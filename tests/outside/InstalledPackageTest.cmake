@@ -3,6 +3,8 @@
 #
 # cmake -DBUILD=<drydock build folder> -DSOURCE=<this folder> -DWORK=<scratch folder> -P InstalledPackageTest.cmake
 
+cmake_minimum_required(VERSION 3.25)
+
 function(run_step Name)
 	execute_process(COMMAND ${ARGN} RESULT_VARIABLE Result OUTPUT_VARIABLE Output ERROR_VARIABLE Output)
 	if(NOT Result EQUAL 0)
@@ -14,6 +16,21 @@ endfunction()
 file(REMOVE_RECURSE "${WORK}")
 file(MAKE_DIRECTORY "${WORK}/elsewhere")
 run_step("install" ${CMAKE_COMMAND} --install "${BUILD}" --prefix "${WORK}/prefix")
+
+# The public face: headers of rdg, settings and passes, the engine's names for them, and one of the pipeline's.
+file(GLOB_RECURSE Headers RELATIVE "${WORK}/prefix/include/drydock" "${WORK}/prefix/include/drydock/*")
+foreach(Header IN LISTS Headers)
+	if(NOT Header MATCHES "^(rdg|settings|passes|engine)/.*[.](h|inl)$" AND NOT Header STREQUAL "pipeline/DrydockFrame.h")
+		message(FATAL_ERROR "${Header} is installed, which is no affair of plugins")
+	endif()
+endforeach()
+foreach(Header IN ITEMS rdg/Core/CoreMinimal.h settings/PostProcessSettings.h passes/Scene/SceneView.h
+	engine/Runtime/Engine/Public/SceneView.h pipeline/DrydockFrame.h)
+	if(NOT Header IN_LIST Headers)
+		message(FATAL_ERROR "${Header} is not installed")
+	endif()
+endforeach()
+
 run_step("configure" ${CMAKE_COMMAND} -S "${SOURCE}" -B "${WORK}/build" -G Ninja
 	-DCMAKE_BUILD_TYPE=Release "-DCMAKE_PREFIX_PATH=${WORK}/prefix")
 run_step("build" ${CMAKE_COMMAND} --build "${WORK}/build")

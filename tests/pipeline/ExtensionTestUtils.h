@@ -108,7 +108,7 @@ inline TSharedRef<FAtPoint, ESPMode::ThreadSafe> MakeExtension(EPoint Point, FCa
 inline FFrameInputs MakeFrame(FIntRect ViewRect = FIntRect(0, 0, Width, Height))
 {
 	FFrameInputs Inputs;
-	Inputs.EngineMinor = 4;
+	Inputs.Engine = *FindEngineProfile(4);
 	Inputs.Plugins = std::vector<std::string>(); // other tests load some
 	Inputs.Extent = FIntPoint(Width, Height);
 	FFrameView View;

@@ -246,13 +246,17 @@ TEST(StartSettings, ContrastsHaveTheirOwnVariables)
 	EXPECT_EQ(0.5f, StartFinalPostProcessSettings().LocalExposureShadowContrastScale);
 }
 
-TEST(StartSettings, Profile53MixesTheContrastsUp)
+TEST(StartSettings, ShadowsTakeTheContrastThatTheEngineVersionSays)
 {
 	const FScopedConsoleVariable Highlights(
 		TEXT("r.DefaultFeature.LocalExposure.HighlightContrastScale"), FString("0.75"));
 	const FScopedConsoleVariable Shadows(TEXT("r.DefaultFeature.LocalExposure.ShadowContrastScale"), FString("0.5"));
-	constexpr bool bEngine53 = true;
-	EXPECT_EQ(0.75f, StartFinalPostProcessSettings(nullptr, bEngine53).LocalExposureShadowContrastScale);
+	for (const FEngineProfile& Engine : GetEngineProfiles())
+	{
+		EXPECT_EQ(Engine.bShadowContrastOfHighlights ? 0.75f : 0.5f,
+			StartFinalPostProcessSettings(nullptr, Engine).LocalExposureShadowContrastScale)
+			<< Engine.GetVersion();
+	}
 }
 
 TEST(StartSettings, VolumeBeatsTheDefaultFeature)

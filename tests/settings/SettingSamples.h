@@ -1,4 +1,4 @@
-// Values to test settings with, of any field. Source: drydock.
+// Values to test settings with, of any field.
 #pragma once
 
 #include "PostProcessSettingsReflection.h"

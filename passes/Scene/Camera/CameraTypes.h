@@ -3,7 +3,8 @@
 #pragma once
 
 #include "CoreMinimal.h"
-#include "Engine/Scene.h"
+#include "PostProcessSettings.h"
+#include "PostProcessSubSettings.h"
 
 /** Lengths in cm, angles in degrees. */
 struct FMinimalViewInfo

@@ -1,3 +1,4 @@
+// Adds the compute pass, as a plugin does that ships its shader.
 #include "InvertCompute.h"
 
 #include "GlobalShader.h"

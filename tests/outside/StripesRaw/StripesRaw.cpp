@@ -1,3 +1,4 @@
+// Adds the raw pass: a clear and copies, without a shader.
 #include "StripesRaw.h"
 
 #include "RenderGraphUtils.h"

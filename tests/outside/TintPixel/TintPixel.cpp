@@ -1,3 +1,4 @@
+// Adds the full-screen pass, with a parameter struct that the shader mirrors.
 #include "TintPixel.h"
 
 #include "GlobalShader.h"

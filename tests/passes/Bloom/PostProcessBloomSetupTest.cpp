@@ -18,11 +18,13 @@ struct FSetup
 	float PreExposure = 1.0f;
 	bool bCompute = false;
 	EPixelFormat Format = PF_A32B32G32R32F;
+	Drydock::FEngineProfile Engine;
 };
 
 FImage BloomSetup(const FImage& Image, const FSetup& Setup, EArithmetic Arithmetic = EArithmetic::Float32)
 {
 	FPassRun Run(Image, Arithmetic, Setup.Format);
+	Run.View.EngineProfile = Setup.Engine;
 	Run.View.PreExposure = Setup.PreExposure;
 	Run.View.InitViewUniformBuffer(Run.Input.Texture->Desc.Extent);
 	Run.View.bUseComputePasses = Setup.bCompute;
@@ -86,6 +88,25 @@ TEST(BloomSetup, RampIsTwoUnitsWide)
 	EXPECT_FLOAT_EQ(1.0, static_cast<float>(SetUpPixel({2, 2, 2, 1}, Setup)[0]));
 	EXPECT_FLOAT_EQ(3.0, static_cast<float>(SetUpPixel({3, 3, 3, 1}, Setup)[0]));
 	EXPECT_FLOAT_EQ(4.0, static_cast<float>(SetUpPixel({4, 4, 4, 1}, Setup)[0]));
+}
+
+TEST(BloomSetup, WithoutThresholdTheRampIsThatOfTheEngineVersion)
+{
+	for (const Drydock::FEngineProfile& Engine : Drydock::GetEngineProfiles())
+	{
+		FSetup Setup;
+		Setup.Engine = Engine;
+		const double Half = Engine.bBloomRampWithoutThreshold ? 0.375 : 0.5;
+		EXPECT_NEAR(Half, SetUpPixel({0.5, 0.5, 0.5, 1}, Setup)[0], 1e-6) << Engine.GetVersion();
+		EXPECT_NEAR(2.0, SetUpPixel({2, 2, 2, 1}, Setup)[0], 1e-6) << Engine.GetVersion();
+	}
+}
+
+TEST(BloomSetup, NoEngineVersionHasARampFromMinusInfinity)
+{
+	FSetup Setup{-std::numeric_limits<float>::infinity()};
+	Setup.Engine = *Drydock::FindEngineProfile(3);
+	EXPECT_EQ(0.5, SetUpPixel({0.5, 0.5, 0.5, 1}, Setup)[0]);
 }
 
 TEST(BloomSetup, ThresholdIsInExposedUnits)

@@ -297,6 +297,23 @@ TEST(LocalExposure, WhatLiesWithinTheThresholdIsLeftAlone)
 	EXPECT_NEAR(Stops(-1.5), ApplyToGrey(Stops(-1.5), Local), 1e-6);
 }
 
+TEST(LocalExposure, ThresholdsCountWhereTheEngineVersionHasThem)
+{
+	FPassRun Run(FImage(1, 1, {1, 1, 1, 1}), EArithmetic::Float32);
+	Run.View.FinalPostProcessSettings.LocalExposureHighlightThreshold = 1;
+	Run.View.FinalPostProcessSettings.LocalExposureShadowThreshold = 2;
+	for (const Drydock::FEngineProfile& Engine : Drydock::GetEngineProfiles())
+	{
+		Run.View.EngineProfile = Engine;
+		const FVector4f Parameters =
+			GetLocalExposureParameters(Run.View, GetEyeAdaptationParameters(Run.View, AEM_Histogram, true), false)
+				.ContrastAndThreshold;
+		EXPECT_EQ(Engine.bLocalExposureThresholds ? 1.0f : 0.0f, Parameters.Z) << Engine.GetVersion();
+		EXPECT_EQ(Engine.bLocalExposureThresholds ? 2.0f : 0.0f, Parameters.W) << Engine.GetVersion();
+	}
+	Run.Execute(Run.Input);
+}
+
 TEST(LocalExposure, MiddleGreyIsThatOfTheExposedPicture)
 {
 	FLocal Local = Highlights(0.5f);

@@ -1,7 +1,7 @@
 // The fuzzers' checks over their corpus, so that they run without clang too; and over every cut of it.
 #include <gtest/gtest.h>
 
-#include "SceneFile/Scene.h"
+#include "SceneFile/SceneFile.h"
 #include "fuzz/FuzzChecks.h"
 #include "fuzz/FuzzImageChecks.h"
 #include "fuzz/FuzzSpirvChecks.h"
@@ -132,7 +132,7 @@ TEST_P(ExrCorpus, IsASceneUnlessForged)
 	bool bScene = false;
 	try
 	{
-		bScene = FScene(Config).GetExtent().X > 0;
+		bScene = FSceneFile(Config).GetExtent().X > 0;
 	}
 	catch (const FError& Error)
 	{

@@ -177,6 +177,17 @@ TEST(ContentGates, AsPrintedItRoundsUnlessTheThresholdDoesToo)
 	EXPECT_FALSE(Decide(Chain, "ToonBloom").bActive);
 }
 
+TEST(ContentGates, WhereTheSetupPassHasARampItChangesMoreThanToon)
+{
+	FChainSettings Chain = MakeChain(R"("BloomToonIntensity": 0.1)");
+	Chain.Content.Toon = None;
+	for (const FEngineProfile& Engine : GetEngineProfiles())
+	{
+		Chain.Engine = Engine;
+		EXPECT_EQ(Engine.bBloomRampWithoutThreshold, Decide(Chain, "ToonBloom").bActive) << Engine.GetVersion();
+	}
+}
+
 TEST(ContentGates, AlwaysMeansAlways)
 {
 	const FScopedConsoleVariable Variable(TEXT("r.ToonBloom"), 1);

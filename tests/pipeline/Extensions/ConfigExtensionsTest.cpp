@@ -153,10 +153,14 @@ TEST(ConfigViews, StandInPlaceOfView)
 	EXPECT_EQ(ErrorBadValue, Diagnostics[0].Code);
 }
 
-TEST(ConfigEngine, KnowsFiveOneToFiveSix)
+TEST(ConfigEngine, EveryRowOfTheProfileCanBeChosen)
 {
 	std::vector<FDiagnostic> Diagnostics;
-	EXPECT_EQ("5.6", Read(R"({"engine": "5.6"})", Diagnostics).Engine.Value);
+	for (const FEngineProfile& Engine : GetEngineProfiles())
+	{
+		const FConfig Config = Read(R"({"engine": ")" + Engine.GetVersion() + R"("})", Diagnostics);
+		EXPECT_EQ(Engine.Minor, Config.GetEngineProfile().Minor);
+	}
 	EXPECT_TRUE(Diagnostics.empty());
 	Read(R"({"engine": "5.7"})", Diagnostics);
 	EXPECT_EQ(1u, Diagnostics.size());

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "ExtensionTestUtils.h"
-#include "Extensions/EngineProfile.h"
+#include "Extensions/EngineHooks.h"
 #include "Extensions/ExtensionErrors.h"
 #include "Frame/DrydockFrame.h"
 
@@ -414,7 +414,7 @@ TEST(EngineProfile, OldAndNewSignatureOfSubscribe)
 
 	SetEngine(*Extension, 5);
 	FFrameInputs Inputs = MakeFrame();
-	Inputs.EngineMinor = 5;
+	Inputs.Engine = *FindEngineProfile(5);
 	Render(Inputs);
 	EXPECT_EQ(5, Extension->NumOld);
 	EXPECT_EQ(9, Extension->NumNew); // every point of 5.5
@@ -456,7 +456,7 @@ TEST(EngineProfile, OneThatFollowsGetsWhatItHas)
 		MakeExtension(EPoint::Tonemap, [](const FCall& Call) { return Call.Fill(FLinearColor::Red); });
 	SetEngine(*Extension, AnyEngineVersion);
 	FFrameInputs Inputs = MakeFrame();
-	Inputs.EngineMinor = 6;
+	Inputs.Engine = *FindEngineProfile(6);
 	EXPECT_TRUE(Render(Inputs).Log.Diagnostics.empty());
 	EXPECT_EQ(1, Extension->NumCalls);
 }
@@ -473,19 +473,17 @@ TEST(EngineProfile, ReplacingTheTonemapper)
 	FFrameInputs Inputs = MakeFrame();
 	Render(Inputs);
 	EXPECT_EQ(0, Extension->NumCalls); // 5.4 has no such point
-	Inputs.EngineMinor = 5;
+	Inputs.Engine = *FindEngineProfile(5);
 	EXPECT_EQ(1.0, Render(Inputs).Final.Get(3, 3, 1));
 	EXPECT_EQ(1, Extension->NumCalls);
 }
 
-TEST(EngineProfile, EveryHookHasARow)
+TEST(EngineHooks, EveryHookHasARow)
 {
 	for (int Index = 0; Index < static_cast<int>(EExtensionHook::Num); ++Index)
 	{
 		EXPECT_NE('\0', GetHookVersions(static_cast<EExtensionHook>(Index)).Signature[0]);
 	}
-	EXPECT_EQ(4, ParseEngineVersion("5.4"));
-	EXPECT_EQ(0, ParseEngineVersion("4.27"));
 }
 
 // RenderFrame

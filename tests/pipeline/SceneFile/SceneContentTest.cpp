@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "Config/ReadConfig.h"
-#include "SceneFile/Scene.h"
+#include "SceneFile/SceneFile.h"
 #include "SceneFile/SceneContent.h"
 
 #include <cmath>
@@ -20,10 +20,10 @@ constexpr int Height = 8;
 using FChannelFunction = std::function<double(int X, int Y)>;
 
 /** A scene file of 12 x 8 with these channels, gone at the end. */
-class FSceneFile
+class FSceneOnDisk
 {
 public:
-	explicit FSceneFile(const std::vector<std::pair<std::string, FChannelFunction>>& Channels)
+	explicit FSceneOnDisk(const std::vector<std::pair<std::string, FChannelFunction>>& Channels)
 		: Path((std::filesystem::temp_directory_path() / ("drydock_content_" + std::to_string(getpid()) + ".exr"))
 				   .string())
 	{
@@ -45,7 +45,7 @@ public:
 		}
 		WriteExr(Path, Image, Names);
 	}
-	~FSceneFile() { std::filesystem::remove(Path); }
+	~FSceneOnDisk() { std::filesystem::remove(Path); }
 
 	FConfig MakeConfig(const std::string& More = "") const
 	{
@@ -80,10 +80,10 @@ FContentQuestions AskAll()
 	return {true, true, true, true};
 }
 
-FViewContent Measure(const FSceneFile& File, const FIntRect& ViewRect, const std::string& More = "")
+FViewContent Measure(const FSceneOnDisk& File, const FIntRect& ViewRect, const std::string& More = "")
 {
 	const FConfig Config = File.MakeConfig(More);
-	FScene Scene(Config);
+	FSceneFile Scene(Config);
 	return MeasureViewContent(Scene, ViewRect, AskAll());
 }
 
@@ -123,7 +123,7 @@ TEST(MapBounds, AtAnotherResolutionTheWholeViewOrNothing)
 TEST(SceneContent, ToonIsWhatIsShadedAsCloth)
 {
 	const FIntRect Toon(4, 2, 7, 3);
-	const FSceneFile File({{"shadingmodel.ID", Within(Toon, 8.0, 1.0)}});
+	const FSceneOnDisk File({{"shadingmodel.ID", Within(Toon, 8.0, 1.0)}});
 	EXPECT_EQ(Toon, Measure(File, Whole).Toon);
 	EXPECT_EQ(FIntRect(2, 1, 5, 2), Measure(File, FIntRect(2, 1, 12, 8)).Toon); // from the view's corner
 	EXPECT_EQ(0, Measure(File, FIntRect(0, 3, 12, 8)).Toon->Area());            // beside the toon
@@ -133,20 +133,20 @@ TEST(SceneContent, ToonIsWhatIsShadedAsCloth)
 TEST(SceneContent, AnIdIsRoundedAndItsUpperBitsAreNoModel)
 {
 	// 24 is 8 with a bit of the selective output mask; NaN is packed as 0.
-	EXPECT_EQ(Whole, Measure(FSceneFile({{"shadingmodel.ID", Constant(24.2)}}), Whole).Toon);
-	EXPECT_EQ(0, Measure(FSceneFile({{"shadingmodel.ID", Constant(std::nan(""))}}), Whole).Toon->Area());
+	EXPECT_EQ(Whole, Measure(FSceneOnDisk({{"shadingmodel.ID", Constant(24.2)}}), Whole).Toon);
+	EXPECT_EQ(0, Measure(FSceneOnDisk({{"shadingmodel.ID", Constant(std::nan(""))}}), Whole).Toon->Area());
 }
 
 TEST(SceneContent, PaddingIsNoPartOfTheView)
 {
-	const FSceneFile File({{"shadingmodel.ID", Within(FIntRect(0, 0, 1, 1), 8.0, 1.0)}});
+	const FSceneOnDisk File({{"shadingmodel.ID", Within(FIntRect(0, 0, 1, 1), 8.0, 1.0)}});
 	EXPECT_EQ(
 		FIntRect(0, 0, 1, 1), Measure(File, Whole + FIntPoint(5, 3), R"(, "padding": {"left": 5, "top": 3})").Toon);
 }
 
 TEST(SceneContent, ADefaultCountsAsAChannel)
 {
-	const FSceneFile File({{"R", Constant(0.0)}});
+	const FSceneOnDisk File({{"R", Constant(0.0)}});
 	const std::string Toon = R"(, "defaults": {"shadingmodel.ID": 8})";
 	EXPECT_EQ(Whole, Measure(File, Whole, Toon).Toon);
 }
@@ -154,18 +154,18 @@ TEST(SceneContent, ADefaultCountsAsAChannel)
 TEST(SceneContent, GlowMaskIsWhatIsNotZero)
 {
 	const FIntRect Mask(9, 6, 12, 8);
-	EXPECT_EQ(Mask, Measure(FSceneFile({{"custommask.B", Within(Mask, 0.5, 0.0)}}), Whole).GlowMask);
-	EXPECT_EQ(0, Measure(FSceneFile({{"custommask.B", Constant(0.0)}}), Whole).GlowMask->Area());
+	EXPECT_EQ(Mask, Measure(FSceneOnDisk({{"custommask.B", Within(Mask, 0.5, 0.0)}}), Whole).GlowMask);
+	EXPECT_EQ(0, Measure(FSceneOnDisk({{"custommask.B", Constant(0.0)}}), Whole).GlowMask->Area());
 	// Sums of what is tiny, or not finite, are not exact: nothing is promised about where they end.
-	EXPECT_EQ(Whole, Measure(FSceneFile({{"custommask.B", Within(Mask, 1e-30, 0.0)}}), Whole).GlowMask);
-	EXPECT_EQ(Whole, Measure(FSceneFile({{"custommask.B", Within(Mask, std::nan(""), 0.0)}}), Whole).GlowMask);
+	EXPECT_EQ(Whole, Measure(FSceneOnDisk({{"custommask.B", Within(Mask, 1e-30, 0.0)}}), Whole).GlowMask);
+	EXPECT_EQ(Whole, Measure(FSceneOnDisk({{"custommask.B", Within(Mask, std::nan(""), 0.0)}}), Whole).GlowMask);
 }
 
 TEST(SceneContent, StillMeansNoVelocityAtAll)
 {
 	const auto Measured = [](double X, double Y)
 	{
-		return Measure(FSceneFile({{"velocity.X", Constant(X)}, {"velocity.Y", Constant(Y)}}), Whole).bStill;
+		return Measure(FSceneOnDisk({{"velocity.X", Constant(X)}, {"velocity.Y", Constant(Y)}}), Whole).bStill;
 	};
 	EXPECT_EQ(true, Measured(0.0, -0.0));
 	EXPECT_EQ(false, Measured(0.0, 1e-3));
@@ -177,7 +177,8 @@ TEST(SceneContent, BrightestIsTheLargestComponentAndUnknownWithoutAnEnd)
 	const FIntRect Lamp(5, 5, 6, 6);
 	const auto Measured = [&](double Lit)
 	{
-		return Measure(FSceneFile({{"R", Constant(0.25)}, {"G", Within(Lamp, Lit, 0.5)}, {"B", Constant(-2.0)}}), Whole)
+		return Measure(
+			FSceneOnDisk({{"R", Constant(0.25)}, {"G", Within(Lamp, Lit, 0.5)}, {"B", Constant(-2.0)}}), Whole)
 			.Brightest;
 	};
 	EXPECT_EQ(96.0, Measured(96.0));
@@ -187,10 +188,10 @@ TEST(SceneContent, BrightestIsTheLargestComponentAndUnknownWithoutAnEnd)
 
 TEST(SceneContent, ReadsOnlyWhatIsAskedAndOnce)
 {
-	const FSceneFile File({{"R", Constant(1.0)}, {"G", Constant(1.0)}, {"B", Constant(1.0)},
+	const FSceneOnDisk File({{"R", Constant(1.0)}, {"G", Constant(1.0)}, {"B", Constant(1.0)},
 		{"custommask.B", Constant(0.0)}, {"shadingmodel.ID", Constant(8.0)}});
 	const FConfig Config = File.MakeConfig();
-	FScene Scene(Config);
+	FSceneFile Scene(Config);
 	FContentQuestions Questions;
 	Questions.bGlowMask = true;
 	const FViewContent Content = MeasureViewContent(Scene, Whole, Questions);

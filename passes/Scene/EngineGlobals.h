@@ -1,4 +1,0 @@
-// GEngine. Source: engine file EngineGlobals.h.
-#pragma once
-
-#include "Engine/Engine.h"

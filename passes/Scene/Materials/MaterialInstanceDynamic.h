@@ -1,4 +1,0 @@
-// UMaterialInstanceDynamic under its engine header. Source: engine file Materials/MaterialInstanceDynamic.h.
-#pragma once
-
-#include "Materials/MaterialInterface.h"

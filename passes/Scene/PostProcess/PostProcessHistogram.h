@@ -1,4 +1,0 @@
-// Forwards under the engine's path. Source: engine file PostProcess/PostProcessHistogram.h.
-#pragma once
-
-#include <Exposure/PostProcessHistogram.h>

@@ -1,4 +1,0 @@
-// Forwards under the engine's path. Source: engine file PostProcess/PostProcessMotionBlur.h.
-#pragma once
-
-#include <Lens/PostProcessMotionBlur.h>

@@ -1,4 +1,0 @@
-// Forwards under the engine's whole path. Source: engine file SceneView.h.
-#pragma once
-
-#include <SceneView.h>

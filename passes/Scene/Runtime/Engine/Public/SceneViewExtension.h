@@ -1,4 +1,0 @@
-// Forwards under the engine's whole path. Source: engine file SceneViewExtension.h.
-#pragma once
-
-#include <SceneViewExtension.h>

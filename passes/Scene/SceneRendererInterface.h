@@ -1,4 +1,0 @@
-// What code takes from it lies in SceneView.h. Source: engine file SceneRendererInterface.h.
-#pragma once
-
-#include "SceneView.h"

@@ -1,4 +1,0 @@
-// Full-screen draws (FScreenVS, FScreenPassVS) lie in ScreenPass.h. Source: engine file ScreenRendering.h.
-#pragma once
-
-#include "ScreenPass.h"

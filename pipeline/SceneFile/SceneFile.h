@@ -1,0 +1,143 @@
+// The rendered frame that goes in. Its channels are registered as external textures without memory; after culling, one
+// read brings what surviving passes use. Source: drydock (channels and units: configs/scenes/README.md).
+#pragma once
+
+#include "Config/Config.h"
+#include "Picture/ImageFile.h"
+#include "RHIResources.h"
+#include "RenderGraphFwd.h"
+#include "SceneFile/SceneCamera.h"
+#include "SceneFile/SceneContent.h"
+#include "SceneFile/SceneResolution.h"
+#include "SceneFile/SceneTexturePacking.h"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+struct FSceneChannel
+{
+	std::string Name; // in the file
+	bool bDecoded = false;
+};
+
+/** A scene texture that the compiled graph uses, and the first surviving pass that does. */
+struct FNeededSceneTexture
+{
+	std::string Texture;
+	std::string Pass;
+	bool bIsRead = true; // false: the pass may leave it unread, so a missing channel is no error
+};
+
+/** Non-finite values found in an image. */
+struct FNonFiniteCount
+{
+	size_t Count = 0;
+	int FirstX = 0;
+	int FirstY = 0;
+};
+
+class DRYDOCK_API FSceneFile
+{
+public:
+	/** Reads the header only. Throws FError: no scene in the config (exit code 2), a file that cannot be read (3),
+	 * channel names that do not exist (2). */
+	explicit FSceneFile(const FConfig& Config);
+
+	/** Registers and loads at another resolution than the file's. Regions: of each view, in the picture; what lies
+	 * outside of them is padding. Before RegisterTextures; none, and 100: as the file is. */
+	void SetResolution(double InScreenPercentage, std::vector<FSceneRegion> InRegions);
+
+	/** Extent of the scene textures: the picture and its padding. */
+	FIntPoint GetExtent() const;
+
+	/** The same at the file's resolution: that of the output. */
+	FIntPoint GetOutputExtent() const;
+
+	/** The picture's pixels in the output. */
+	FIntRect GetPictureRect() const;
+
+	/** From the header's drydock:camera_json; empty when there is none. */
+	const std::optional<FSceneCamera>& GetCamera() const { return Camera; }
+
+	/** Seconds from one frame to the next, from the same; empty when it does not say. */
+	const std::optional<double>& GetDeltaTime() const { return DeltaTime; }
+
+	/** Of the main light, relative, from the same; white when there is none (SceneLight.h). */
+	const FLinearColor& GetLightColor() const { return LightColor; }
+
+	/** Registers every texture that the packing table knows; none has memory until Load. The others stay null. */
+	FSceneTextures RegisterTextures(FRDGBuilder& GraphBuilder);
+
+	/** The registered texture of that name, as the RHI has it; null when there is none. */
+	FRHITexture* GetTexture(const std::string& Name) const;
+
+	/** Fills the textures named that are not filled yet, from one read of the file; others are not its business. Throws
+	 * FError (exit code 3) when the file is broken or lacks a channel of a texture that is read. */
+	void Load(const std::vector<FNeededSceneTexture>& Needed, const FScenePackContext& Context);
+
+	/** Marks the channels that Load would decode, and reads nothing. Throws as Load does for missing channels. */
+	void Plan(const std::vector<FNeededSceneTexture>& Needed);
+
+	/** Values of the channels named, by the names that passes know; one that the file lacks and that has no default is
+	 * left out. What is named counts as decoded, and is kept for Load with scene colour, which comes in the same read.
+	 * The values live until then. */
+	std::map<std::string, FChannelValues> ReadChannels(const std::vector<std::string>& Names);
+
+	/** Where the pixels of a view come from and go to; ViewRect in the scene textures. */
+	FSceneRegion FindRegion(const FIntRect& ViewRect) const;
+
+	/** Loaded, or planned to be. */
+	bool IsFilled(const std::string& Texture) const;
+
+	/** What scene colour held that is not finite, before r.Drydock.NonFinite did anything about it. */
+	const FNonFiniteCount& GetNonFinite() const { return NonFinite; }
+
+	/** All channels of the file. */
+	const std::vector<FSceneChannel>& GetChannels() const { return Channels; }
+
+private:
+	/** Where a channel of ours comes from: a plane of the file, or a constant. */
+	struct FSource
+	{
+		int FileChannel = -1;
+		float Default = 0.0f;
+	};
+	struct FFill
+	{
+		const FScenePacking* Packing = nullptr;
+		FRHITexture* Texture = nullptr;
+		std::vector<FSource> Sources; // one to a channel slot in use
+	};
+	using FPlanes = std::map<int, std::vector<float>>; // by the file's channel index
+
+	void CheckNames(const FConfig& Config) const;
+	std::optional<FSource> FindSource(const FScenePackChannel& Channel) const;
+	std::optional<FFill> PlanFill(const FNeededSceneTexture& Needed) const;
+	FError MakeMissingChannel(const std::string& Channel, const FNeededSceneTexture& Needed) const;
+	std::vector<FFill> PlanFills(const std::vector<FNeededSceneTexture>& Needed);
+	void ReadPlanes(const std::vector<int>& FileChannels);
+	void CountDecoded(const std::vector<FSource>& Sources);
+	void Fill(const FFill& Fill, const FScenePackContext& Context);
+	std::vector<FSceneRegion> GetRegions() const;
+
+	const FConfigScene& Config;
+	FImageFile File;
+	double ScreenPercentage = 100.0;
+	std::vector<FSceneRegion> Regions;
+	std::optional<FSceneCamera> Camera;
+	std::optional<double> DeltaTime;
+	FLinearColor LightColor;
+	std::vector<FSceneChannel> Channels;
+	std::map<std::string, TRefCountPtr<FRHITexture>> Textures;
+	std::map<std::string, bool> Filled;
+	FPlanes Planes; // read and not yet loaded
+	FNonFiniteCount NonFinite;
+};
+
+} // namespace Drydock

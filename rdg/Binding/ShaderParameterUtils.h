@@ -1,4 +1,0 @@
-// SetShaderParameters and its neighbours lie in ShaderParameterStruct.h. Source: engine ShaderParameterUtils.h.
-#pragma once
-
-#include "ShaderParameterStruct.h"

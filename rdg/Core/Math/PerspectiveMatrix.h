@@ -1,4 +1,0 @@
-// Perspective matrices under their engine header. Source: engine Math/PerspectiveMatrix.h.
-#pragma once
-
-#include "Math/Matrix.h"

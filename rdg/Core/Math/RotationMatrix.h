@@ -1,4 +1,0 @@
-// Rotation matrices under their engine header. Source: engine Math/RotationMatrix.h.
-#pragma once
-
-#include "Math/Matrix.h"

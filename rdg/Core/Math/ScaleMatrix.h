@@ -1,4 +1,0 @@
-// Scale matrices under their engine header. Source: engine Math/ScaleMatrix.h.
-#pragma once
-
-#include "Math/Matrix.h"

@@ -1,4 +1,0 @@
-// Strong object pointers under their engine header. Source: engine UObject/StrongObjectPtr.h.
-#pragma once
-
-#include "UObject/Object.h"

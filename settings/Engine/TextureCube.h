@@ -1,4 +1,0 @@
-// UTextureCube under its engine header. Source: engine Engine/TextureCube.h.
-#pragma once
-
-#include "Engine/Texture.h"

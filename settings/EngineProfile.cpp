@@ -1,0 +1,67 @@
+// The table of engine versions, and its rows by number and by name.
+#include "EngineProfile.h"
+
+#include <algorithm>
+
+namespace Drydock
+{
+
+namespace
+{
+
+template <class PredicateType>
+const FEngineProfile* FindRow(const PredicateType& Predicate)
+{
+	const std::vector<FEngineProfile>& Rows = GetEngineProfiles();
+	const auto Found = std::find_if(Rows.begin(), Rows.end(), Predicate);
+	return Found == Rows.end() ? nullptr : &*Found;
+}
+
+} // namespace
+
+const std::vector<FEngineProfile>& GetEngineProfiles()
+{
+	// clang-format off
+	static const std::vector<FEngineProfile> Rows = {
+		{.Minor = 1, .bShadowContrastOfHighlights = false, .bBloomRampWithoutThreshold = true,  .bLocalExposureThresholds = false},
+		{.Minor = 2, .bShadowContrastOfHighlights = false, .bBloomRampWithoutThreshold = true,  .bLocalExposureThresholds = false},
+		{.Minor = 3, .bShadowContrastOfHighlights = true,  .bBloomRampWithoutThreshold = true,  .bLocalExposureThresholds = false},
+		{.Minor = 4, .bShadowContrastOfHighlights = false, .bBloomRampWithoutThreshold = false, .bLocalExposureThresholds = true},
+		{.Minor = 5, .bShadowContrastOfHighlights = false, .bBloomRampWithoutThreshold = false, .bLocalExposureThresholds = true},
+		{.Minor = 6, .bShadowContrastOfHighlights = false, .bBloomRampWithoutThreshold = false, .bLocalExposureThresholds = true},
+	};
+	// clang-format on
+	return Rows;
+}
+
+std::string FEngineProfile::GetVersion() const
+{
+	return "5." + std::to_string(Minor);
+}
+
+const FEngineProfile* FindEngineProfile(int32 Minor)
+{
+	return FindRow([Minor](const FEngineProfile& Row) { return Row.Minor == Minor; });
+}
+
+const FEngineProfile* FindEngineProfile(const std::string& Version)
+{
+	return FindRow([&Version](const FEngineProfile& Row) { return Row.GetVersion() == Version; });
+}
+
+const FEngineProfile& GetDefaultEngineProfile()
+{
+	return *FindEngineProfile(FEngineProfile().Minor);
+}
+
+std::string ListEngineVersions(const char* Separator)
+{
+	std::string Versions;
+	for (const FEngineProfile& Row : GetEngineProfiles())
+	{
+		Versions += (Versions.empty() ? "" : Separator) + Row.GetVersion();
+	}
+	return Versions;
+}
+
+} // namespace Drydock

@@ -1,0 +1,51 @@
+// What differs between the versions of engine 5: one row of data for each that drydock knows. A config's `engine`
+// chooses the row of a run, and the whole row goes to whatever obeys it. Which hooks and insertion points a version has
+// stands in Extensions/EngineHooks.h, by the same numbers. Source: engine 5.3 and 5.4, as far as they are described
+// publicly; what is said of the others is said beside the field.
+#pragma once
+
+#include "CoreMinimal.h"
+
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+struct FEngineProfile
+{
+	/** Engine 5.Minor. */
+	int32 Minor = 4;
+
+	/** The start of LocalExposureShadowContrastScale is r.DefaultFeature.LocalExposure.HighlightContrastScale in place
+	 * of the shadows' own variable: a mistake of 5.3. It is not known of others, which therefore lack it. */
+	bool bShadowContrastOfHighlights = false;
+
+	/** Where bloom's setup pass runs, its ramp saturate((luminance - BloomThreshold) / 2) acts at a threshold of -1 and
+	 * below as well: so in 5.3 and before, as in engine 4. From 5.4 there is no ramp then. */
+	bool bBloomRampWithoutThreshold = false;
+
+	/** LocalExposureHighlightThreshold and LocalExposureShadowThreshold act: from 5.4. Before, there are no such
+	 * settings. */
+	bool bLocalExposureThresholds = true;
+
+	/** "5.4". */
+	DRYDOCK_API std::string GetVersion() const;
+};
+
+/** Ascending, without gaps. */
+DRYDOCK_API const std::vector<FEngineProfile>& GetEngineProfiles();
+
+/** Null when there is no row for 5.Minor. */
+DRYDOCK_API const FEngineProfile* FindEngineProfile(int32 Minor);
+
+/** Version: "5.4". Null when there is no such row. */
+DRYDOCK_API const FEngineProfile* FindEngineProfile(const std::string& Version);
+
+/** The row of 5.4: of configs that name no version. */
+DRYDOCK_API const FEngineProfile& GetDefaultEngineProfile();
+
+/** The versions of all rows, with Separator between them. */
+DRYDOCK_API std::string ListEngineVersions(const char* Separator);
+
+} // namespace Drydock
