@@ -1,5 +1,5 @@
 // What blending costs: volumes that each override every field, all of them reaching the view. Sizes take turns, small
-// ones several times in a row; medians of 15. Linear growth shows as a ratio of 2 from row to row. Source: drydock.
+// ones several times in a row; medians of 15. Linear growth shows as a ratio of 2 from row to row.
 #include "BlendSettings.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// What widening the character mask costs by area: the native kernel's running sums, the separable shader, the article's
-// double loop. 1920x1080; all variants alternate inside one measurement; medians of 7. Source: drydock.
+// What widening the character mask costs by area: the native kernel's running sums, the separable shader, the
+// article's double loop. 1920x1080; all variants alternate inside one measurement; medians of 7.
 #include "HAL/IConsoleManager.h"
 #include "RHICommandList.h"
 #include "RenderGraphBuilder.h"

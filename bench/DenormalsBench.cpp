@@ -1,6 +1,6 @@
 // What denormal numbers cost: blurs and bloom of a picture of denormals against one of ordinary numbers, in 32-bit
 // storage, and of denormal halves in half storage. The two alternate inside one measurement; medians of 15. Prints a
-// table in Markdown and exits with 1 where a ratio is above 2. Source: drydock.
+// table in Markdown and exits with 1 where a ratio is above 2.
 //
 //     bench_denormals [WIDTH]
 #include "Bloom/PostProcessGaussianBloom.h"

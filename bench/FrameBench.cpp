@@ -1,5 +1,5 @@
 // What a 1920x1080 frame with default bloom and tonemap costs, pass by pass, in units of a plain copy of its scene
-// colour (RGBA16F, one thread) made in the same process. Frames and copies alternate; medians of 7. Source: drydock.
+// colour (RGBA16F, one thread) made in the same process. Frames and copies alternate; medians of 7.
 #include "Run/Run.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // The dual Kawase blur against a Gaussian of the same width. Prints tables in Markdown, as docs/dual-kawase.md has
 // them: widths measured on the passes, corrected and as printed; what one blur of a scene costs, and how far it is from
-// the Gaussian. The three filters alternate inside one measurement; medians of 7. Source: drydock.
+// the Gaussian. The three filters alternate inside one measurement; medians of 7.
 //
 //     bench_kawase [SCENE]
 #include "Blur/DualKawaseBlurPass.h"

@@ -1,7 +1,7 @@
 // The .usf of three shaders, as the shader tier compiles it, against the same shaders as scalar C++ with GLM and as
 // lane code written by hand; 1920x1080, one thread. The three alternate frame by frame inside one measurement, so that
-// all see the same state of the machine; the counters give the milliseconds of each, and scalar over .usf as the ratio.
-// Wanted: 2 (Kawase 1.2) with AVX-512, 1 with AVX2. Source: drydock.
+// all see the same state of the machine; the counters give the milliseconds of each, and scalar over .usf as the
+// ratio. Wanted: 2 (Kawase 1.2) with AVX-512, 1 with AVX2.
 #include <benchmark/benchmark.h>
 
 #include "LanesDispatch.h"

@@ -1,5 +1,5 @@
 // Three shaders, each as lane code (what the emitter writes) and as plain scalar C++ with GLM, built per instruction
-// set. Source: drydock.
+// set.
 #pragma once
 
 #include "ShaderKernel.h"

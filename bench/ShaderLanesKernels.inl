@@ -1,6 +1,6 @@
-// Body of ShaderLanesKernels.h: included with DRYDOCK_BENCH_LANES and DRYDOCK_BENCH_GETTER set.
-// Lane half: what the emitter writes for these shaders, one statement per SPIR-V instruction, by hand.
-// Scalar half: as one would write it without lanes, same storage, same maths, F16C for halves. Source: drydock.
+// Body of ShaderLanesKernels.h: included with DRYDOCK_BENCH_LANES and DRYDOCK_BENCH_GETTER set. Lane half: what the
+// emitter writes for these shaders, one statement per SPIR-V instruction, by hand. Scalar half: as one would write it
+// without lanes, same storage, same maths, F16C for halves.
 #include <immintrin.h>
 
 #include <glm/glm.hpp>

@@ -1,5 +1,5 @@
-// A .usf entry point compiled by the shader tier, with its parameters given by HLSL name: what a pass runs, without the
-// pass. Source: drydock.
+// A .usf entry point compiled by the shader tier, with its parameters given by HLSL name: what a pass runs, without
+// the pass.
 #pragma once
 
 #include "ShaderCompiler.h"

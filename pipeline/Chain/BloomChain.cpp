@@ -1,4 +1,5 @@
-// Source: engine PostProcess/PostProcessing.cpp.
+// Adds bloom's passes: setup where something calls for it, then the sum of Gaussians or the convolution. Source:
+// engine PostProcess/PostProcessing.cpp.
 #include "Chain/BloomChain.h"
 
 #include "Bloom/PostProcessBloomSetup.h"

@@ -1,4 +1,4 @@
-// Source: engine PostProcess/PostProcessing.cpp.
+// Adds the passes of exposure: metering, adaptation, local exposure. Source: engine PostProcess/PostProcessing.cpp.
 #include "Chain/ExposureChain.h"
 
 #include "Effects/Effect.h"

@@ -1,4 +1,5 @@
-// Source: engine PostProcess/PostProcessing.cpp.
+// Calls view extensions at their points of the chain and records what they did. Source: engine
+// PostProcess/PostProcessing.cpp.
 #include "Chain/InsertionPoints.h"
 
 #include "Chain/PassCallbacks.h"

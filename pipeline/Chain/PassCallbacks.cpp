@@ -1,4 +1,4 @@
-// Source: drydock; the contract is the engine's.
+// Calls one callback and holds what it returns to the engine's contract.
 #include "Chain/PassCallbacks.h"
 
 #include "Extensions/ExtensionErrors.h"

@@ -1,6 +1,6 @@
 // Calls one callback of a view extension and holds it to its contract: return the picture with its rect, and draw to
 // OverrideOutput where that is given. A callback that breaks it is reported and the picture goes on untouched; with
-// r.RDG.Validation 2 the run stops. Source: drydock; the contract is the engine's.
+// r.RDG.Validation 2 the run stops. The contract is the engine's.
 #pragma once
 
 #include "Extensions/ViewExtensions.h"

@@ -1,4 +1,5 @@
-// Source: engine PostProcess/PostProcessing.cpp (order of the chain, what each part needs).
+// Builds the chain of one view, part by part in the engine's order. Source: engine PostProcess/PostProcessing.cpp
+// (order of the chain, what each part needs).
 #include "Chain/PostProcessingChain.h"
 
 #include "Bloom/PostProcessFFTBloom.h"

@@ -1,5 +1,5 @@
-// A run's configuration as plain data, with the place of every value in its file. Source: drydock (design of the
-// format: configs/README.md; keys: ConfigKeys.cpp).
+// A run's configuration as plain data, with the place of every value in its file. See configs/README.md; keys:
+// ConfigKeys.cpp.
 #pragma once
 
 #include "Config/SceneUnits.h"

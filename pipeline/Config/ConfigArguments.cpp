@@ -1,4 +1,4 @@
-// `--pp`, `--set` and `--exec` of the command line, and console variables by name. Source: drydock.
+// `--pp`, `--set` and `--exec` of the command line, and console variables by name.
 #include "Config/ReadConfig.h"
 
 #include "Config/ConfigReader.h"

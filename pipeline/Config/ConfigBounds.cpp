@@ -1,4 +1,4 @@
-// Shapes of bounded volumes. Source: drydock.
+// Shapes of bounded volumes.
 #include "Config/ConfigReader.h"
 
 #include <map>

@@ -1,4 +1,4 @@
-// Source: drydock (docs: configs/README.md).
+// Lists the keys of a config; configs/README.md describes them.
 #include "Config/ConfigKeys.h"
 
 #include "EngineProfile.h"

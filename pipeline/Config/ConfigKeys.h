@@ -1,5 +1,5 @@
 // The one list of config keys: what the reader accepts, what the schema publishes and what the messages suggest all
-// come from it. Source: drydock.
+// come from it.
 #pragma once
 
 #include "DrydockAPI.h"

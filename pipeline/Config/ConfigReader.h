@@ -1,4 +1,4 @@
-// The steps of reading a config, between Config.cpp and its helpers. Source: drydock.
+// The steps of reading a config, between Config.cpp and its helpers.
 #pragma once
 
 #include "Config/Config.h"

@@ -1,4 +1,4 @@
-// Source: drydock (JSON Schema draft 7).
+// Writes the JSON schema (draft 7) from keys, settings and show flags.
 #include "Config/ConfigSchema.h"
 
 #include "Config/ConfigKeys.h"

@@ -1,5 +1,5 @@
-// The published JSON schema, made from the list of config keys, the settings table and the list of show flags. The file
-// in configs/schema is this text; a test holds them together. Source: drydock (JSON Schema draft 7).
+// The published JSON schema, made from the list of config keys, the settings table and the list of show flags. The
+// file in configs/schema is this text; a test holds them together. It is JSON Schema draft 7.
 #pragma once
 
 #include "DrydockAPI.h"

@@ -1,4 +1,4 @@
-// The "Settings" object of volumes and camera. Source: drydock; the meaning of override bits is the engine's.
+// The "Settings" object of volumes and camera. The meaning of override bits is the engine's.
 #include "Config/ConfigReader.h"
 
 #include "PostProcessSettingsReflection.h"

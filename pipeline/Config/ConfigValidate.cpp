@@ -1,4 +1,4 @@
-// Keys and types of a config against the list of keys. Source: drydock.
+// Keys and types of a config against the list of keys.
 #include "Config/ConfigReader.h"
 
 #include "Config/ConfigKeys.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Formats console variables for people and for machines.
 #include "Config/ConsoleVariableText.h"
 
 #include "Text/GlobPattern.h"

@@ -1,5 +1,5 @@
-// Console variables as text for people and for machines: pure, from what ListConsoleVariables returns. Source: drydock;
-// the wording of the help is the engine's console.
+// Console variables as text for people and for machines: pure, from what ListConsoleVariables returns. The wording of
+// the help is the engine's console.
 #pragma once
 
 #include "HAL/ConsoleVariableTools.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Reads a list of frames such as 1-9x2.
 #include "Config/FrameList.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Frames of a sequence as a person names them: "all", "1-8", "1-9x2" (every second), "1,3,5-8". Source: drydock; the
-// notation is the usual one of renderers.
+// Frames of a sequence as a person names them: "all", "1-8", "1-9x2" (every second), "1,3,5-8". The notation is the
+// usual one of renderers.
 #pragma once
 
 #include "DrydockAPI.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Finds the files that a name with #### stands for.
 #include "Config/FrameSequence.h"
 
 #include "Config/FrameList.h"

@@ -1,5 +1,5 @@
 // Scene files that are a frame each: "scenes/walk.####.exr" stands for walk.0001.exr, walk.0002.exr and so on, as far
-// as they exist. Source: drydock; the notation is the usual one of renderers.
+// as they exist. The notation is the usual one of renderers.
 #pragma once
 
 #include "Config/Config.h"

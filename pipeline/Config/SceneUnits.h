@@ -1,4 +1,4 @@
-// Units of a scene file's channels. Source: drydock (defaults: configs/scenes/README.md).
+// Units of a scene file's channels. See configs/scenes/README.md.
 #pragma once
 
 namespace Drydock

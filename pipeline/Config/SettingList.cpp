@@ -1,4 +1,4 @@
-// Source: drydock.
+// Formats the table of settings as text and as JSON.
 #include "Config/SettingList.h"
 
 #include "Text/JsonWriter.h"

@@ -1,4 +1,4 @@
-// The table of settings for readers: text of 80 columns, and JSON. Source: drydock.
+// The table of settings for readers: text of 80 columns, and JSON.
 #pragma once
 
 #include "PostProcessSettingsReflection.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Writes volumes of engine text as a config has them, and back.
 #include "Config/SettingsJson.h"
 
 #include "PostProcessSettingsReflection.h"

@@ -1,4 +1,4 @@
-// Volumes between engine text and config. Source: drydock (format: configs/README.md).
+// Volumes between engine text and config. See configs/README.md.
 #pragma once
 
 #include "Config/Config.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Counts levels, steps and flat runs of a stored gradient.
 #include "Effects/Banding.h"
 
 #include <algorithm>

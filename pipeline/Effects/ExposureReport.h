@@ -1,4 +1,4 @@
-// What a metered exposure came to, read back from a frame that ran. Source: drydock.
+// What a metered exposure came to, read back from a frame that ran.
 #pragma once
 
 #include "Exposure/PostProcessHistogram.h"

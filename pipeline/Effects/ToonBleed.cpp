@@ -1,4 +1,4 @@
-// Source: drydock.
+// Sums the bloom's energy inside and outside of what is toon.
 #include "Effects/ToonBleed.h"
 
 #include <cmath>

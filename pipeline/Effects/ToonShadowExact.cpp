@@ -1,4 +1,4 @@
-// Source: drydock.
+// Runs the toon-shadow blur once more on 64-bit storage.
 #include "Effects/ToonShadowExact.h"
 
 #include "Picture/TextureImage.h"

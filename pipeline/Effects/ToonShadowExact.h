@@ -1,4 +1,4 @@
-// The toon-shadow blur as it would be if no texture rounded: what the stored one is measured against. Source: drydock.
+// The toon-shadow blur as it would be if no texture rounded: what the stored one is measured against.
 #pragma once
 
 #include "FinalPostProcessSettings.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Reads the config's extensions and passes against the factories that exist.
 #include "Extensions/ConfigExtensions.h"
 
 #include "Config/ConfigReader.h"

@@ -1,5 +1,5 @@
-// The config's `extensions` and `passes`, matched with the factories there are: types, hooks, parameters, resources. It
-// comes after the plugins are loaded, because they bring factories. Source: drydock.
+// The config's `extensions` and `passes`, matched with the factories there are: types, hooks, parameters, resources.
+// It comes after the plugins are loaded, because they bring factories.
 #pragma once
 
 #include "Config/Config.h"

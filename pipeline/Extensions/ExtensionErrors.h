@@ -1,5 +1,5 @@
 // The numbers of the messages about view extensions and inserted passes. A number never changes its meaning;
-// docs/errors.md explains each one. Source: drydock.
+// docs/errors.md explains each one.
 #pragma once
 
 namespace Drydock

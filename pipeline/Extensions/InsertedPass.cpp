@@ -1,4 +1,4 @@
-// Source: drydock.
+// Makes a view extension of each pass that a config inserts.
 #include "Extensions/InsertedPass.h"
 
 #include "Extensions/ExtensionErrors.h"

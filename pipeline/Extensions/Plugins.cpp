@@ -1,4 +1,4 @@
-// Source: drydock.
+// Loads shared objects once and starts their modules.
 #include "Extensions/Plugins.h"
 
 #include "Config/ConfigReader.h"

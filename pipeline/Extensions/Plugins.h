@@ -1,6 +1,6 @@
 // Plugins: shared objects whose extensions, passes, shaders and console variables register themselves when they are
-// loaded. One is loaded once in a process and stays; its extensions take part in the runs whose config names it. A file
-// that has changed is loaded anew. Source: drydock.
+// loaded. One is loaded once in a process and stays; its extensions take part in the runs whose config names it. A
+// file that has changed is loaded anew.
 #pragma once
 
 #include "Config/Config.h"

@@ -1,4 +1,4 @@
-// Source: drydock; the order is the engine's.
+// Calls the hooks of view extensions, in the engine's order.
 #include "Extensions/ViewExtensions.h"
 
 #include "ExtensionFactory.h"

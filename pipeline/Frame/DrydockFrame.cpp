@@ -1,4 +1,4 @@
-// Source: drydock.
+// Makes a frame of plain pixels and settings and renders it.
 #include "Frame/DrydockFrame.h"
 
 #include "EngineProfile.h"

@@ -1,5 +1,5 @@
 // The one entry of drydock's own for code from outside: one frame through all hooks of the registered view extensions
-// and the post-processing chain at default settings, from pixels to pixels. Source: drydock.
+// and the post-processing chain at default settings, from pixels to pixels.
 #pragma once
 
 #include "CoreMinimal.h"

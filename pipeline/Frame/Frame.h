@@ -1,5 +1,5 @@
 // One frame: the views of a family, their extensions' hooks, the graph and the pictures, in the engine's order. It
-// knows no config: RunConfig and RenderFrame both come here. Source: drydock; the order is the engine's.
+// knows no config: RunConfig and RenderFrame both come here. The order is the engine's.
 #pragma once
 
 #include "Effects/Effect.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Learns from runs what a texel of a pass costs, and estimates by it.
 #include "Run/CostModel.h"
 
 #include "Run/RunOutputs.h"

@@ -1,5 +1,5 @@
 // What a pass costs on this machine, before it runs: nanoseconds for each texel it writes, learned from the runs there
-// were. Kept as costs.json beside the shader cache. Source: drydock.
+// were. Kept as costs.json beside the shader cache.
 #pragma once
 
 #include "RenderGraphCompiled.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Puts a frame beside the same frame with nothing skipped.
 #include "Run/Explain.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Why a frame does what it does and leaves out what it leaves out: effects, passes, channels, memory and time, beside
-// the same frame with nothing skipped. Source: drydock.
+// the same frame with nothing skipped.
 #pragma once
 
 #include "Run/CostModel.h"

@@ -1,4 +1,4 @@
-// What `drydock explain` prints. Source: drydock.
+// What `drydock explain` prints.
 #include "Run/Explain.h"
 #include "Text/ConfigErrors.h"
 #include "Text/JsonWriter.h"

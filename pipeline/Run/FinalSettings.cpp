@@ -1,4 +1,4 @@
-// Source: drydock; the order is the engine's.
+// Blends a config's settings, in the engine's order.
 #include "Run/FinalSettings.h"
 
 #include "Config/ConfigReader.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Writes a compiled graph as JSON.
 #include "Run/GraphJson.h"
 
 #include "RenderGraphDump.h"

@@ -1,4 +1,4 @@
-// A compiled graph as JSON. Source: drydock.
+// A compiled graph as JSON.
 #pragma once
 
 #include "RenderGraphCompiled.h"

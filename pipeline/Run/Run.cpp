@@ -10,6 +10,7 @@
 #include "Run/RunSetup.h"
 #include "Run/VariableTaps.h"
 #include "SceneFile/NonFinite.h"
+#include "SceneFile/SceneContent.h"
 #include "Text/ConfigErrors.h"
 #include "TileExecutor.h"
 #include "Tonemap/TonemapOutputDevice.h"

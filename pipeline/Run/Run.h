@@ -1,5 +1,5 @@
 // One run of a config, in this process and without writing a file: what the program's verbs, the tests and the
-// benchmarks call. Source: drydock.
+// benchmarks call.
 #pragma once
 
 #include "Budget/RunOptions.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Decides which resources are kept and what their files are called.
 #include "Run/RunDump.h"
 
 #include "Config/ConfigReader.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Writes run.json, timing.json and trace.json.
 #include "Run/RunJson.h"
 
 #include "PostProcessSettingsReflection.h"

@@ -1,5 +1,5 @@
 // The machine-readable reports of a run. run.json holds nothing that changes from one run to the next of the same
-// config; times are in timing.json and trace.json. Source: drydock; trace.json is Chrome's trace-event format.
+// config; times are in timing.json and trace.json. Trace.json is Chrome's trace-event format.
 #pragma once
 
 #include "Run/RunResult.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Writes a run's pictures and reports aside and moves them into place.
 #include "Run/RunOutputs.h"
 
 #include "Picture/DisplayPreview.h"

@@ -1,5 +1,5 @@
 // Writes what a run made into a folder. Everything is written aside first and renamed when it is complete, so that
-// nobody ever sees half a run. Source: drydock.
+// nobody ever sees half a run.
 #pragma once
 
 #include "Run/RunResult.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Counts taps where a loop's length is a parameter.
 #include "Run/VariableTaps.h"
 
 #include "RenderGraphPass.h"

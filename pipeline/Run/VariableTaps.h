@@ -1,5 +1,4 @@
 // Taps of passes whose loops run over a count that is a parameter, which a count of the shader's text does not see.
-// Source: drydock.
 #pragma once
 
 #include "PassCounters.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Applies the policies for values that are not finite, and for spikes.
 #include "SceneFile/NonFinite.h"
 
 #include "HAL/IConsoleManager.h"

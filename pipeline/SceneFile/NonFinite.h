@@ -1,5 +1,5 @@
 // What a run does about NaN and infinities (r.Drydock.NonFinite) and about spikes (r.Drydock.SceneColorClamp) of the
-// scene. Source: drydock.
+// scene.
 #pragma once
 
 #include "CoreMinimal.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Reads the camera from a file's header and makes its matrices.
 #include "SceneFile/SceneCamera.h"
 
 #include "Config/ConfigReader.h"

@@ -1,5 +1,5 @@
-// The camera of a rendered frame, and what shaders read of it. Source: drydock (attribute: configs/scenes/README.md);
-// matrices: engine SceneView.h, row vectors, view space x right, y up, z forward.
+// The camera of a rendered frame, and what shaders read of it. Matrices: engine
+// SceneView.h, row vectors, view space x right, y up, z forward.
 #pragma once
 
 #include "CoreMinimal.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Measures what of a scene could leave an effect nothing to do.
 #include "SceneFile/SceneContent.h"
 
 #include "SceneFile/SceneFile.h"

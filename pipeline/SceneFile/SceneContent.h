@@ -1,34 +1,14 @@
-// Answers FContentQuestions from the channels of a scene. Source: drydock.
+// Answers the questions of effects (FContentQuestions) from the channels of a scene.
 #pragma once
 
 #include "CoreMinimal.h"
 #include "SceneFile/SceneResolution.h"
 #include "SceneFile/ViewContent.h"
 
-#include <cmath>
-
 namespace Drydock
 {
 
 class FSceneFile;
-
-/** A channel's values, row by row, or one value for all pixels. */
-struct FChannelValues
-{
-	const float* Values = nullptr;
-	float Constant = 0.0f;
-	int Width = 0;
-	/** r.Drydock.NonFinite 1: what is not finite counts as 0. */
-	bool bZeroNonFinite = false;
-
-	float Get(int X, int Y) const
-	{
-		const float Value = Values != nullptr
-								? Values[static_cast<size_t>(Y) * static_cast<size_t>(Width) + static_cast<size_t>(X)]
-								: Constant;
-		return bZeroNonFinite && !std::isfinite(Value) ? 0.0f : Value;
-	}
-};
 
 /** The least rect that holds every pixel of Area for which IsMarked(X, Y) holds; without area where there is none. */
 template<typename TPredicate>

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Registers a scene's channels and loads those that surviving passes read.
 #include "SceneFile/SceneFile.h"
 
 #include "Config/ConfigReader.h"

@@ -1,13 +1,13 @@
 // The rendered frame that goes in. Its channels are registered as external textures without memory; after culling, one
-// read brings what surviving passes use. Source: drydock (channels and units: configs/scenes/README.md).
+// read brings what surviving passes use. See configs/scenes/README.md.
 #pragma once
 
 #include "Config/Config.h"
 #include "Picture/ImageFile.h"
 #include "RHIResources.h"
 #include "RenderGraphFwd.h"
+#include "SceneFile/ChannelValues.h"
 #include "SceneFile/SceneCamera.h"
-#include "SceneFile/SceneContent.h"
 #include "SceneFile/SceneResolution.h"
 #include "SceneFile/SceneTexturePacking.h"
 

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Reads the main light's colour from a file's header.
 #include "SceneFile/SceneLight.h"
 
 #include "Config/ConfigReader.h"

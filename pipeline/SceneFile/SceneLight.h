@@ -1,5 +1,4 @@
-// The colour of a rendered frame's main light, for what is lit after rendering. Source: drydock (attribute:
-// configs/scenes/README.md).
+// The colour of a rendered frame's main light, for what is lit after rendering. See configs/scenes/README.md.
 #pragma once
 
 #include "CoreMinimal.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Resamples channels to the resolution of the scene textures.
 #include "SceneFile/SceneResolution.h"
 
 #include <algorithm>

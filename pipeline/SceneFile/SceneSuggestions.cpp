@@ -1,4 +1,4 @@
-// Source: drydock.
+// Reads camera and volumes that a scene's header suggests.
 #include "SceneFile/SceneSuggestions.h"
 
 #include "Config/ConfigReader.h"

@@ -1,5 +1,5 @@
 // What a scene file's header says of its camera and of post-process volumes: the attribute drydock:camera_json,
-// described in configs/scenes/README.md. Source: drydock.
+// described in configs/scenes/README.md.
 #pragma once
 
 #include "Config/Config.h"

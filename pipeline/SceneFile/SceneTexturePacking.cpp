@@ -1,4 +1,5 @@
-// Source: drydock; encodings: engine DeferredShadingCommon.ush, Common.ush.
+// Packs channels into scene textures, row by row of one table. Source of the encodings: engine
+// DeferredShadingCommon.ush, Common.ush.
 #include "SceneFile/SceneTexturePacking.h"
 
 #include "SceneFile/SceneCamera.h"

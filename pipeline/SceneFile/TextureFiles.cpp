@@ -1,4 +1,4 @@
-// Source: drydock.
+// Loads image files that settings name as textures.
 #include "SceneFile/TextureFiles.h"
 
 #include "Picture/ImageFile.h"

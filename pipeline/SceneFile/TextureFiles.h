@@ -1,5 +1,4 @@
 // Textures out of image files: how a path that a config's settings name becomes pixels (TextureAssets.h).
-// Source: drydock.
 #pragma once
 
 #include "Config/Config.h"

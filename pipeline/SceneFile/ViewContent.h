@@ -1,6 +1,6 @@
 // What a view's part of the scene holds, as far as an effect's passes can be left out or confined by it: the third and
-// the fourth gate (settings, the graph's outputs, content, region, loading). Measured on the file's own channels before
-// the graph is built; only what an effect that the settings call for asks is looked at. Source: drydock.
+// the fourth gate (settings, the graph's outputs, content, region, loading). Measured on the file's own channels
+// before the graph is built; only what an effect that the settings call for asks is looked at.
 #pragma once
 
 #include "CoreMinimal.h"

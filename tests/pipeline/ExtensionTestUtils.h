@@ -3,7 +3,7 @@
 //     const auto Extension = MakeExtension(EPoint::Tonemap, [](FCall Call) { return Call.Untouched(); });
 //     const FFrameResult Frame = Render(MakeFrame());
 //
-// Source: drydock.
+//
 #pragma once
 
 #include "ExtensionFactory.h"

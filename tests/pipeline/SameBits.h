@@ -1,4 +1,4 @@
-// Pictures compared bit for bit. Source: drydock.
+// Pictures compared bit for bit.
 #pragma once
 
 #include <gtest/gtest.h>

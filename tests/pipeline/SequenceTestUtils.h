@@ -1,4 +1,4 @@
-// Sequences of few small frames, and their folders compared. Source: drydock.
+// Sequences of few small frames, and their folders compared.
 #pragma once
 
 #include <gtest/gtest.h>

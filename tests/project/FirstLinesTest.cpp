@@ -11,7 +11,8 @@ namespace
 {
 
 /** The folders where it holds. */
-const std::vector<std::string> GFolders = {"rdg", "tests/rdg", "tests/project"};
+const std::vector<std::string> GFolders = {"rdg", "settings", "passes", "pipeline", "tests/rdg", "tests/settings",
+	"tests/passes", "tests/pipeline", "tests/project", "tests/stability", "bench"};
 
 /** The comment lines that a file begins with, as one text. */
 std::string GetOpening(const std::string& Text)

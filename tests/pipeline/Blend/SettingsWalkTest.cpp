@@ -1,5 +1,5 @@
 // The settings along a path, against values by hand and against the weights that the moving_camera scene's author
-// computed (in configs/scenes/moving_camera.*.json). Source: drydock.
+// computed (in configs/scenes/moving_camera.*.json).
 #include <nlohmann/json.hpp>
 
 #include <gtest/gtest.h>

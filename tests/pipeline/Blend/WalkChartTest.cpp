@@ -1,4 +1,4 @@
-// The chart of a walk: well-formed, the same bytes every time, nothing outside, and where lines go. Source: drydock.
+// The chart of a walk: well-formed, the same bytes every time, nothing outside, and where lines go.
 #include <gtest/gtest.h>
 
 #include "Blend/WalkChart.h"

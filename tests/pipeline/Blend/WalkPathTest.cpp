@@ -1,4 +1,4 @@
-// Paths: what is read, and what is said of mistakes. Source: drydock.
+// Paths: what is read, and what is said of mistakes.
 #include <gtest/gtest.h>
 
 #include "Blend/WalkPath.h"

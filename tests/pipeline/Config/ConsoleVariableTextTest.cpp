@@ -1,4 +1,4 @@
-// How console variables are listed: filter, wrapping, help of one, JSON. Source: drydock.
+// How console variables are listed: filter, wrapping, help of one, JSON.
 #include <gtest/gtest.h>
 
 #include "Config/ConsoleVariableText.h"

@@ -1,4 +1,4 @@
-// Lists of frames as a person writes them. Source: drydock.
+// Lists of frames as a person writes them.
 #include <gtest/gtest.h>
 
 #include "Config/FrameList.h"

@@ -1,4 +1,4 @@
-// Scene files with ####: which frames there are, and which one is taken. Source: drydock.
+// Scene files with ####: which frames there are, and which one is taken.
 #include <gtest/gtest.h>
 
 #include "Config/FrameSequence.h"

@@ -1,4 +1,4 @@
-// The dual Kawase blur in a frame: by its settings, by its extension, and what the frame says of it. Source: drydock.
+// The dual Kawase blur in a frame: by its settings, by its extension, and what the frame says of it.
 #include <gtest/gtest.h>
 
 #include "ExtensionTestUtils.h"

@@ -1,4 +1,4 @@
-// Error figures against closed forms. Source: drydock.
+// Error figures against closed forms.
 #include <gtest/gtest.h>
 
 #include "Picture/ImageMetrics.h"

@@ -1,4 +1,4 @@
-// `drydock diff`: what it compares, and what it says by its exit code. Source: drydock.
+// `drydock diff`: what it compares, and what it says by its exit code.
 #include <gtest/gtest.h>
 
 #include "Program/Verbs.h"

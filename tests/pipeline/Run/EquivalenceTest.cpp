@@ -1,6 +1,6 @@
 // The promise of equal bits: whatever may change how a frame is computed but not what it is (threads, lane width,
 // aliasing, skipping, immediate mode, clobbered memory) leaves every output of every shipped config bit for bit the
-// same. A config joins by lying in configs/, an equivalence by a line in GEquivalences. Source: drydock.
+// same. A config joins by lying in configs/, an equivalence by a line in GEquivalences.
 #include <gtest/gtest.h>
 
 #include "Run/Run.h"

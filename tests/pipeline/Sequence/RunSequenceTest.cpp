@@ -1,4 +1,4 @@
-// Sequences in this process: what is written, what lives on, and when a folder is taken up again. Source: drydock.
+// Sequences in this process: what is written, what lives on, and when a folder is taken up again.
 #include <gtest/gtest.h>
 
 #include "Run/Run.h"

@@ -1,5 +1,5 @@
 // Videos by a program that stands for ffmpeg: what it is given, and what becomes of its failures. And the words of the
-// progress bar. Source: drydock.
+// progress bar.
 #include <gtest/gtest.h>
 
 #include "Program/ProgressBar.h"

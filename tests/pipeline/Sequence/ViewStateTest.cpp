@@ -1,4 +1,4 @@
-// What lives on from frame to frame: who sees it, and that it survives as bytes. Source: drydock.
+// What lives on from frame to frame: who sees it, and that it survives as bytes.
 #include <gtest/gtest.h>
 
 #include "ExtensionTestUtils.h"

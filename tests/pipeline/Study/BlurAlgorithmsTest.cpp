@@ -1,5 +1,5 @@
 // Every blur of standard deviation s: its width as measured, its constants, its costs; the exact one against direct
-// convolution written out here. Source: drydock.
+// convolution written out here.
 #include <gtest/gtest.h>
 
 #include "Picture/ImageMetrics.h"

@@ -1,4 +1,4 @@
-// Fronts, noise, budgets: of figures written down here. And what is drawn of them. Source: drydock.
+// Fronts, noise, budgets: of figures written down here. And what is drawn of them.
 #include <gtest/gtest.h>
 
 #include "Budget/StudyBudget.h"

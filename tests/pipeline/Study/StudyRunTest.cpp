@@ -1,5 +1,5 @@
 // Studies as a config asks for them: what is varied, what is measured (the figures: StudyFiguresTest.cpp), that it is
-// the same twice, and what a run takes from it. Source: drydock.
+// the same twice, and what a run takes from it.
 #include <gtest/gtest.h>
 
 #include "Config/ReadConfig.h"

@@ -1,0 +1,78 @@
+// docs/architecture.md and the tree agree: every room has a row that says what it is for, and no row names another.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+
+namespace
+{
+
+namespace Files = std::filesystem;
+
+const Files::path GRoot = DRYDOCK_TEST_SOURCE_DIR;
+
+std::string ReadPage()
+{
+	std::ostringstream Text;
+	Text << std::ifstream(GRoot / "docs/architecture.md").rdbuf();
+	return Text.str();
+}
+
+/** "rdg/Core", ...: folders of a storey that hold files. */
+std::set<std::string> FindRooms()
+{
+	std::set<std::string> Rooms;
+	for (const char* const Storey : {"rdg", "settings", "passes", "pipeline"})
+	{
+		for (const auto& Entry : Files::directory_iterator(GRoot / Storey))
+		{
+			if (Entry.is_directory())
+			{
+				Rooms.insert(std::string(Storey) + "/" + Entry.path().filename().string());
+			}
+		}
+	}
+	return Rooms;
+}
+
+/** What the first cells of the map name. */
+std::set<std::string> FindRows()
+{
+	std::set<std::string> Rows;
+	std::istringstream Lines(ReadPage());
+	const std::regex Name("`((?:rdg|settings|passes|pipeline)/[A-Za-z]+)`");
+	for (std::string Line; std::getline(Lines, Line);)
+	{
+		const std::string First = Line.rfind("| `", 0) == 0 ? Line.substr(0, Line.find('|', 1)) : "";
+		for (std::sregex_iterator It(First.begin(), First.end(), Name), End; It != End; ++It)
+		{
+			Rows.insert((*It)[1]);
+		}
+	}
+	return Rows;
+}
+
+} // namespace
+
+TEST(ArchitectureDoc, EveryRoomHasARow)
+{
+	const std::set<std::string> Rows = FindRows();
+	EXPECT_GT(Rows.size(), 30u);
+	for (const std::string& Room : FindRooms())
+	{
+		EXPECT_TRUE(Rows.count(Room)) << Room << " is missing in the map of docs/architecture.md";
+	}
+}
+
+TEST(ArchitectureDoc, EveryRowIsARoom)
+{
+	const std::set<std::string> Rooms = FindRooms();
+	for (const std::string& Row : FindRows())
+	{
+		EXPECT_TRUE(Rooms.count(Row)) << Row << " is in the map of docs/architecture.md, and no folder";
+	}
+}
