@@ -1,0 +1,45 @@
+// The picture in few levels: an effect with a setting, as small as one can be.
+#include "Effects/Switches.h"
+#include "Lens/Posterize.h"
+#include "SceneRendering.h"
+
+namespace Drydock
+{
+
+namespace
+{
+
+constexpr FSettingClaim Settings[] = {{"Posterize"}};
+
+constexpr FSwitch Switches[] = {{"PosterizeLevels", &FPostProcessSettings::PosterizeLevels, 0.0f}};
+
+FEffectDecision Decide(const FEffect& Effect, const FEffectInputs& Inputs)
+{
+	return DecideBySwitches(Effect, Inputs, Switches, "; before bloom");
+}
+
+FScreenPassTexture AddPasses(const FEffectPassInputs& Inputs)
+{
+	return AddPosterizePass(Inputs.GraphBuilder, Inputs.View, Inputs.SceneColor,
+		Inputs.View.FinalPostProcessSettings.PosterizeLevels);
+}
+
+} // namespace
+
+const FEffect GPosterizeEffect{
+	.Id = EEffect::Posterize,
+	.Name = "Posterize",
+	.Doc = "The picture in few levels.",
+	.Settings = Settings,
+	.bMayBrightenBeforeBloom = false,
+	.Decide = &Decide,
+	.Ask = nullptr,
+	.Gate = nullptr,
+	.Complete = nullptr,
+	.GetPlace = [] { return FChainPlace{EChainPlace::BeforeBloom, 2}; },
+	.AddPasses = &AddPasses,
+	.Measured = NothingMeasured,
+	.Measure = nullptr,
+};
+
+} // namespace Drydock
