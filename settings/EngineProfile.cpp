@@ -9,7 +9,7 @@ namespace Drydock
 namespace
 {
 
-template <class PredicateType>
+template<class PredicateType>
 const FEngineProfile* FindRow(const PredicateType& Predicate)
 {
 	const std::vector<FEngineProfile>& Rows = GetEngineProfiles();

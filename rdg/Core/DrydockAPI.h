@@ -1,4 +1,4 @@
-// The one export macro. libdrydock.so is built with hidden visibility; what outside code, tests and compiled shaders
+// The one export macro. The libraries are built with hidden visibility; what outside code, tests and compiled shaders
 // use is marked with it. It stays "default" for users too, so that exceptions and RTTI match across shared objects.
 #pragma once
 

@@ -18,7 +18,7 @@ struct FSetup
 	float PreExposure = 1.0f;
 	bool bCompute = false;
 	EPixelFormat Format = PF_A32B32G32R32F;
-	Drydock::FEngineProfile Engine;
+	Drydock::FEngineProfile Engine = Drydock::GetDefaultEngineProfile();
 };
 
 FImage BloomSetup(const FImage& Image, const FSetup& Setup, EArithmetic Arithmetic = EArithmetic::Float32)
