@@ -43,8 +43,8 @@ FScreenPassTexture AddPosterizePass(
 
 	const TShaderMapRef<FPosterizePS> PixelShader(View.ShaderMap);
 	FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
-		RDG_EVENT_NAME("Posterize %dx%d", Output.ViewRect.Width(), Output.ViewRect.Height()), PixelShader, PassParameters,
-		Output.ViewRect);
+		RDG_EVENT_NAME("Posterize %dx%d", Output.ViewRect.Width(), Output.ViewRect.Height()), PixelShader,
+		PassParameters, Output.ViewRect);
 	return FScreenPassTexture(Output.Texture, Output.ViewRect);
 }
 

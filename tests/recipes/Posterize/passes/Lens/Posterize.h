@@ -1,7 +1,7 @@
 // Posterize: rounds the picture down to a number of levels, as the recipe of docs/architecture.md makes an effect.
 //
-// Contract. Same extent, rect and format as the input; each of R, G and B is floor(value * Levels) / Levels, alpha as it
-// is. Infinities stay, NaN stays NaN.
+// Contract. Same extent, rect and format as the input; each of R, G and B is floor(value * Levels) / Levels, alpha as
+// it is. Infinities stay, NaN stays NaN.
 #pragma once
 
 #include "CoreMinimal.h"

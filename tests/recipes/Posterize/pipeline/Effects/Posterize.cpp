@@ -20,8 +20,8 @@ FEffectDecision Decide(const FEffect& Effect, const FEffectInputs& Inputs)
 
 FScreenPassTexture AddPasses(const FEffectPassInputs& Inputs)
 {
-	return AddPosterizePass(Inputs.GraphBuilder, Inputs.View, Inputs.SceneColor,
-		Inputs.View.FinalPostProcessSettings.PosterizeLevels);
+	return AddPosterizePass(
+		Inputs.GraphBuilder, Inputs.View, Inputs.SceneColor, Inputs.View.FinalPostProcessSettings.PosterizeLevels);
 }
 
 } // namespace
@@ -36,7 +36,10 @@ const FEffect GPosterizeEffect{
 	.Ask = nullptr,
 	.Gate = nullptr,
 	.Complete = nullptr,
-	.GetPlace = [] { return FChainPlace{EChainPlace::BeforeBloom, 2}; },
+	.GetPlace =
+		[] {
+			return FChainPlace{EChainPlace::BeforeBloom, 2};
+		},
 	.AddPasses = &AddPasses,
 	.Measured = NothingMeasured,
 	.Measure = nullptr,
