@@ -65,11 +65,7 @@ public:
 	/** Message: goes on after "the image file ". */
 	[[noreturn]] void Fail(const std::string& Message, EConfigError Code = ErrorImageBroken) const
 	{
-		FDiagnostic Diagnostic;
-		Diagnostic.Code = Code;
-		Diagnostic.File = Path;
-		Diagnostic.Message = "the image file " + Message;
-		throw FError(Diagnostic, ExitFiles);
+		throw FError({.Code = Code, .Message = "the image file " + Message, .File = Path}, ExitFiles);
 	}
 
 	int64_t GetSize() const { return Size; }

@@ -19,11 +19,7 @@ namespace
 
 FError MakeError(EConfigError Code, const std::string& Path, const std::string& Message)
 {
-	FDiagnostic Diagnostic;
-	Diagnostic.Code = Code;
-	Diagnostic.File = Path;
-	Diagnostic.Message = Message;
-	return FError(Diagnostic, ExitFiles);
+	return FError({.Code = Code, .Message = Message, .File = Path}, ExitFiles);
 }
 
 /** The library's messages may run over several lines; ours are one. */

@@ -4,7 +4,7 @@
 #include "ExtensionFactory.h"
 #include "Extensions/EngineHooks.h"
 #include "PassFactory.h"
-#include "Program/Verbs.h"
+#include "Program/ProgramOutput.h"
 #include "Run/Run.h"
 
 namespace Drydock

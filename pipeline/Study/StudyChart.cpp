@@ -67,7 +67,7 @@ private:
 		for (const size_t Index : Job.Variants)
 		{
 			const FStudyVariant& Variant = Result.Variants[Index];
-			if (!FStudyView::Competes(Variant))
+			if (!Variant.Competes())
 			{
 				continue;
 			}
@@ -258,7 +258,7 @@ private:
 			for (const FStudyJob& Job : Result.Jobs)
 			{
 				const FStudyVariant& Variant = Result.Variants[Job.Variants[Choice]];
-				if (FStudyView::Competes(Variant))
+				if (Variant.Competes())
 				{
 					Add(Variant.Label,
 						[&](double SymbolX, double SymbolY) {
@@ -278,7 +278,7 @@ private:
 		const auto Any = [&](bool FStudyVariant::*Member)
 		{
 			return std::any_of(Result.Variants.begin(), Result.Variants.end(),
-				[&](const FStudyVariant& Variant) { return Variant.*Member && FStudyView::Competes(Variant); });
+				[&](const FStudyVariant& Variant) { return Variant.*Member && Variant.Competes(); });
 		};
 		if (Cost == EStudyCost::Milliseconds && Any(&FStudyVariant::bRecommended))
 		{

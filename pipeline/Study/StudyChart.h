@@ -9,12 +9,6 @@
 namespace Drydock
 {
 
-enum class EStudyCost
-{
-	Milliseconds, // of this CPU
-	Taps,         // per pixel: the same everywhere
-};
-
 /** Legible on light and dark pages: it follows the reader's colour scheme. */
 DRYDOCK_API std::string DrawStudyChart(const FStudyResult& Result, EStudyCost Cost);
 

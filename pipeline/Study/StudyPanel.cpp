@@ -68,28 +68,6 @@ std::vector<double> FLogAxis::GetTicks() const
 	return Ticks;
 }
 
-std::string SvgText(double X, double Y, const std::string& Class, const std::string& Text)
-{
-	return "<text x=\"" + Px(X) + "\" y=\"" + Px(Y) + "\"" + (Class.empty() ? "" : " class=\"" + Class + "\"") + ">" +
-		   EscapeXml(Text) + "</text>\n";
-}
-
-std::string SvgLine(double X1, double Y1, double X2, double Y2, const std::string& Class)
-{
-	return "<line x1=\"" + Px(X1) + "\" y1=\"" + Px(Y1) + "\" x2=\"" + Px(X2) + "\" y2=\"" + Px(Y2) + "\" class=\"" +
-		   Class + "\"/>\n";
-}
-
-std::string SvgPath(const std::vector<FSvgPoint>& Points, const std::string& Class)
-{
-	std::string Text;
-	for (const FSvgPoint& Point : Points)
-	{
-		Text += (Text.empty() ? "M" : " L") + Px(Point.first) + " " + Px(Point.second);
-	}
-	return "<path d=\"" + Text + "\" class=\"" + Class + "\"/>\n";
-}
-
 double EstimateTextWidth(const std::string& Text, double FontSize)
 {
 	double Width = 0.0;
@@ -117,9 +95,7 @@ std::string TickMarkup(double Value)
 std::string DrawAxes(const FSvgBox& Plot, const FLogAxis& X, const FLogAxis& Y, const std::vector<double>& XTicks,
 	const std::string& XName, const std::string& YName)
 {
-	std::string Svg = "<rect x=\"" + Px(Plot.Left) + "\" y=\"" + Px(Plot.Top) + "\" width=\"" +
-					  Px(Plot.Right - Plot.Left) + "\" height=\"" + Px(Plot.Bottom - Plot.Top) +
-					  "\" class=\"plot\"/>\n";
+	std::string Svg = SvgRect(Plot, "plot");
 	double LastRight = -HUGE_VAL;
 	for (const double Tick : XTicks)
 	{

@@ -43,8 +43,4 @@ private:
 /** The figures alone. Throws as FStudyRun does. */
 DRYDOCK_API FStudyResult RunStudy(const FRunOptions& Options);
 
-/** The scene's colour as a study of blurs takes it, RGBA: scene, point or edge. The point is as bright as makes the
- * exact blur's peak 1; the edge is slanted. */
-DRYDOCK_API FImage MakeBlurInput(const std::string& Input, const FImage& Scene, double Sigma);
-
 } // namespace Drydock

@@ -42,6 +42,15 @@ struct FJsonValue
 	/** Null when this is no object or has no such member. */
 	DRYDOCK_API const FJsonValue* Find(const std::string& Key) const;
 
+	/** The member's number; Otherwise where there is none, as where infinite figures are null. */
+	DRYDOCK_API double GetNumber(const std::string& Key, double Otherwise) const;
+
+	/** The member's text; "" where there is none. */
+	DRYDOCK_API std::string GetString(const std::string& Key) const;
+
+	/** The elements of the member, an array; no elements where there is none. */
+	DRYDOCK_API const std::vector<FJsonValue>& GetElements(const std::string& Key) const;
+
 	/** "a number", "an array", ... for messages. */
 	DRYDOCK_API const char* Describe() const;
 };
