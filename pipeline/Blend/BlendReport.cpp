@@ -1,4 +1,4 @@
-// The text of `drydock blend`. Source: drydock.
+// Writes what `drydock blend` says as text: volumes, and the story of each setting in columns.
 #include "Blend/BlendReport.h"
 
 #include "HAL/IConsoleManager.h"

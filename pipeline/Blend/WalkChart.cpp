@@ -1,4 +1,4 @@
-// Source: drydock. Colours: an orange and a blue first, that also the colour-blind tell apart.
+// Draws the chart of a walk. Its first two colours are an orange and a blue, which colour-blind readers tell apart too.
 #include "Blend/WalkChart.h"
 
 #include "Picture/SvgTools.h"

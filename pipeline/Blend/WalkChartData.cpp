@@ -1,4 +1,4 @@
-// From a walk to what its chart shows. Source: drydock.
+// Turns a walk into what its chart shows.
 #include "Blend/SettingsWalk.h"
 #include "Blend/WalkChart.h"
 

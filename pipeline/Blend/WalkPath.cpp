@@ -1,4 +1,4 @@
-// Source: drydock.
+// Reads a path from JSON, or from the cameras of a scene's frames.
 #include "Blend/WalkPath.h"
 
 #include "Config/ConfigReader.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Reads the files of a study and chooses the cheapest variant within the budget.
 #include "Budget/BudgetChoice.h"
 
 #include "Config/ReadConfig.h"

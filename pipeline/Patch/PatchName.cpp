@@ -1,4 +1,4 @@
-// Source: drydock.
+// Collects the names that are taken, and explains why a name cannot be a patch's.
 #include "Patch/PatchName.h"
 
 #include "GlobalShader.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Copies the template of a patch under another name, whole or not at all.
 #include "Patch/PatchTemplate.h"
 
 #include "Diagnostics.h"

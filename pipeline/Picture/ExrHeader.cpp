@@ -1,4 +1,4 @@
-// Source: drydock; the format: "OpenEXR File Layout", ASWF.
+// Reads an OpenEXR header and refuses what the file cannot hold. Source: "OpenEXR File Layout", ASWF.
 #include "Picture/ExrHeader.h"
 
 #include "Diagnostics.h"

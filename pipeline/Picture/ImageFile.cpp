@@ -1,4 +1,4 @@
-// Source: drydock, over OpenImageIO; the sRGB curve: IEC 61966-2-1.
+// Reads and writes image files by OpenImageIO. Source of the sRGB curve: IEC 61966-2-1.
 #include <Imath/half.h>
 #include <OpenImageIO/imageio.h>
 

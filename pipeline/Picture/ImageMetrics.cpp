@@ -1,4 +1,4 @@
-// Source: drydock.
+// Computes error figures of two images, and the map of where they differ.
 #include "Picture/ImageMetrics.h"
 
 #include "Text/ConfigErrors.h"

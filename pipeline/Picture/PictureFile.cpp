@@ -1,4 +1,4 @@
-// Source: drydock.
+// Reads a picture as it is displayed, and writes one aside before it takes its place.
 #include "Picture/PictureFile.h"
 
 #include "Picture/Srgb.h"

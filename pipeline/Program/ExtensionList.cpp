@@ -1,4 +1,4 @@
-// Source: drydock.
+// Makes the tables of extensions, insertable passes and hooks.
 #include "Program/ExtensionList.h"
 
 #include "ExtensionFactory.h"

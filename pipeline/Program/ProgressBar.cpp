@@ -1,4 +1,4 @@
-// Source: drydock; escape sequences: ECMA-48.
+// Draws the bar with escape sequences of ECMA-48, and puts a rate into words.
 #include "Program/ProgressBar.h"
 
 #include <fmt/format.h>

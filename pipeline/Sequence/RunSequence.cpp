@@ -1,4 +1,4 @@
-// Source: drydock.
+// Renders the frames that are missing, with the history of those that are there.
 #include "Sequence/RunSequence.h"
 
 #include "Config/FrameSequence.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Finds, reads and writes the files of a sequence under a lock.
 #include "Sequence/SequenceFolder.h"
 
 #include "Run/RunOutputs.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Writes and reads frame.json and sequence.json.
 #include "Sequence/SequenceJson.h"
 
 #include "Run/FinalSettings.h"

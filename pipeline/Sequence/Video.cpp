@@ -1,4 +1,4 @@
-// Source: drydock.
+// Pipes pictures to ffmpeg, which makes a video of them.
 #include "Sequence/Video.h"
 
 #include "Text/AsideFile.h"

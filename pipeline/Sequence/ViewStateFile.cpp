@@ -1,4 +1,4 @@
-// Source: drydock.
+// Writes the states of views as bytes and reads them back.
 #include "Sequence/ViewStateFile.h"
 
 #include "Diagnostics.h"

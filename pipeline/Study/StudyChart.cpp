@@ -1,4 +1,4 @@
-// Source: drydock.
+// Draws the panels of a study's chart, with legend and labels.
 #include "Study/StudyChart.h"
 
 #include "Study/StudyPanel.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Draws the pictures of a study and the maps of their errors into one SVG.
 #include "Study/StudyInsetSheet.h"
 
 #include "Picture/ImageMetrics.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Chooses the pictures that show what errors look like, and writes them to files.
 #include "Study/StudyInsets.h"
 
 #include "Study/StudyRun.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Maps numbers to logarithmic axes, draws these, and places labels where nothing is yet.
 #include "Study/StudyPanel.h"
 
 #include <algorithm>

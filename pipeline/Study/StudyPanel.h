@@ -1,5 +1,4 @@
-// One pair of logarithmic axes in a drawing, and labels that keep out of each other's way. Inner to StudyChart. Source:
-// drydock.
+// One pair of logarithmic axes in a drawing, and labels that keep out of each other's way. Inner to StudyChart.
 #pragma once
 
 #include "Picture/SvgTools.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Ranks the variants of each job, and recommends one within the budget.
 #include "Study/StudyRank.h"
 #include "Budget/StudyBudget.h"
 

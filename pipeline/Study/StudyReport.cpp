@@ -1,4 +1,4 @@
-// Source: drydock.
+// Writes the results of a study as a table, JSON and CSV.
 #include "Study/StudyReport.h"
 
 #include "Run/RunJson.h"

@@ -1,5 +1,5 @@
 // What a study found. The figures that are the same on every run (errors, taps, bytes, the front over taps) and the
-// measured times are kept apart. Source: drydock.
+// measured times are kept apart.
 #pragma once
 
 #include "Budget/StudyConfig.h"

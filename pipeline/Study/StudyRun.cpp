@@ -1,4 +1,4 @@
-// Source: drydock.
+// Runs all variants of a study in turn, measures their errors and times, and ranks them.
 #include "Study/StudyRun.h"
 
 #include "Budget/StudyRequest.h"

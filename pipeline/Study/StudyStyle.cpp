@@ -1,4 +1,5 @@
-// Source: drydock. Colours: the first ones also the colour-blind tell apart.
+// Holds the style sheet and the markers of a study's drawings. The first colours are those that colour-blind readers
+// tell apart too.
 #include "Study/StudyStyle.h"
 
 #include "Picture/SvgTools.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Runs a blur of an image, or a frame of a config, with what a study sets.
 #include "Study/StudySubject.h"
 
 #include "Budget/StudyRequest.h"

@@ -1,4 +1,4 @@
-// What a study runs, once with each variant: blurs of an image, or frames of a config. Source: drydock.
+// What a study runs, once with each variant: blurs of an image, or frames of a config.
 #pragma once
 
 #include "Budget/RunOptions.h"

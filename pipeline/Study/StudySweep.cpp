@@ -1,4 +1,4 @@
-// Source: drydock.
+// Draws cost and error of jobs against the number by which they differ.
 #include "Study/StudySweep.h"
 
 #include "Study/StudyReport.h"

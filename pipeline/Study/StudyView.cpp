@@ -1,4 +1,4 @@
-// Source: drydock.
+// Picks the cost and the error that a chart shows, and maps errors to its axis.
 #include "Study/StudyView.h"
 
 #include "Budget/StudyBudget.h"

@@ -1,5 +1,4 @@
-// What a chart shows of a study: one of its costs against the metric that it ranks by. Inner to StudyChart. Source:
-// drydock.
+// What a chart shows of a study: one of its costs against the metric that it ranks by. Inner to StudyChart.
 #pragma once
 
 #include "Study/StudyPanel.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Mixes bytes into a fingerprint in four lanes at once.
 #include "Text/Fingerprint.h"
 
 #include "Diagnostics.h"

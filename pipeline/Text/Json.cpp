@@ -1,5 +1,5 @@
-// Source: drydock. The grammar is nlohmann-json's; positions come from the scan before it, which lists keys and values
-// in the order in which the parser reports them.
+// Builds the tree from nlohmann-json's events. The grammar is that parser's; positions come from the scan before it,
+// which lists keys and values in the order in which the parser reports them.
 #include <nlohmann/json.hpp>
 
 #include "Text/Json.h"

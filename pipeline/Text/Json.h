@@ -1,6 +1,6 @@
 // JSON text to a tree in which every value knows its line, column and JSON pointer. Stricter and more helpful than
 // plain JSON: duplicate keys, NaN, Infinity and overflowing numbers are reported, all of them, each at its place. `//`
-// and block comments are allowed. Source: drydock, over nlohmann-json's SAX parser.
+// and block comments are allowed. It stands on nlohmann-json's SAX parser.
 #pragma once
 
 #include "Diagnostics.h"
