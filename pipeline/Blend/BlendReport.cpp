@@ -1,12 +1,12 @@
 // Writes what `drydock blend` says as text: volumes, and the story of each setting in columns.
+#include <fmt/format.h>
+
 #include "Blend/BlendReport.h"
 
 #include "HAL/IConsoleManager.h"
 #include "SettingObjects.h"
 #include "Text/ConfigErrors.h"
 #include "Text/GlobPattern.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -215,8 +215,8 @@ std::string PrintRest(const FBlendReport& Report, const std::vector<size_t>& Cha
 {
 	const size_t NumRest = GetSettingFields().size() - Changed.size();
 	const std::vector<std::string> Named = FindNamedOnly(Report, Changed);
-	std::string Text = std::to_string(NumRest) + (Changed.empty() ? " settings: all" : " other settings") +
-					   " at their defaults; --setting NAME tells of one, --json of all\n";
+	std::string Text = fmt::format("{} {} at their defaults; --setting NAME tells of one, --json of all\n", NumRest,
+		Changed.empty() ? "settings: all" : "other settings");
 	if (!Named.empty())
 	{
 		Text += "named, but nothing that names them acts here: " + ListSome(Named) + "\n";

@@ -1,4 +1,6 @@
 // Draws the chart of a walk. Its first two colours are an orange and a blue, which colour-blind readers tell apart too.
+#include <fmt/format.h>
+
 #include "Blend/WalkChart.h"
 
 #include "Picture/SvgTools.h"
@@ -106,12 +108,14 @@ private:
 			{
 				continue;
 			}
-			Svg += "<linearGradient id=\"g" + std::to_string(Index) + "\" gradientUnits=\"userSpaceOnUse\" x1=\"" +
-				   Px(Left) + "\" y1=\"0\" x2=\"" + Px(Right) + "\" y2=\"0\">";
+			Svg += fmt::format(
+				"<linearGradient id=\"g{}\" gradientUnits=\"userSpaceOnUse\" x1=\"{}\" y1=\"0\" x2=\"{}\" y2=\"0\">",
+				Index, Px(Left), Px(Right));
 			for (const FSvgPoint& Point : GetWeights(Chart.Volumes[Index], RowHeight))
 			{
-				Svg += "<stop offset=\"" + FixedText((Point.first - Left) / (Right - Left), 5) + "\" class=\"" +
-					   GetColor(Index) + "\" stop-opacity=\"" + FixedText(0.2 * Point.second / RowHeight, 4) + "\"/>";
+				Svg += fmt::format("<stop offset=\"{}\" class=\"{}\" stop-opacity=\"{}\"/>",
+					FixedText((Point.first - Left) / (Right - Left), 5), GetColor(Index),
+					FixedText(0.2 * Point.second / RowHeight, 4));
 			}
 			Svg += "</linearGradient>\n";
 		}
@@ -129,8 +133,8 @@ private:
 			{
 				if (!Chart.Volumes[Index].bUnbound)
 				{
-					Svg += "<rect x=\"" + Px(Left) + "\" y=\"" + Px(Top) + "\" width=\"" + Px(Right - Left) +
-						   "\" height=\"" + Px(RowHeight) + "\" fill=\"url(#g" + std::to_string(Index) + ")\"/>\n";
+					Svg += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"url(#g{})\"/>\n",
+						Px(Left), Px(Top), Px(Right - Left), Px(RowHeight), Index);
 				}
 			}
 		}
@@ -225,18 +229,17 @@ private:
 
 	std::string DrawRowTitle(const FWalkChartRow& Row, double Top) const
 	{
-		std::string Title =
-			"<text x=\"" + Px(Left) + "\" y=\"" + Px(Top - 10.0) + "\" class=\"name\">" + EscapeXml(Row.Name);
+		std::string Markup = EscapeXml(Row.Name);
 		if (!Row.Unit.empty())
 		{
-			Title += "<tspan class=\"quiet\" dx=\"8\" font-weight=\"400\">" + EscapeXml(Row.Unit) + "</tspan>";
+			Markup += "<tspan class=\"quiet\" dx=\"8\" font-weight=\"400\">" + EscapeXml(Row.Unit) + "</tspan>";
 		}
 		for (size_t Line = 0; Line < Row.Lines.size() && Row.Lines.size() > 1; ++Line)
 		{
-			Title += "<tspan class=\"d" + std::to_string(1 + Line % 4) + "\" dx=\"8\">" +
-					 EscapeXml(Row.Lines[Line].Label) + "</tspan>";
+			Markup +=
+				fmt::format("<tspan class=\"d{}\" dx=\"8\">{}</tspan>", 1 + Line % 4, EscapeXml(Row.Lines[Line].Label));
 		}
-		Title += "</text>\n";
+		std::string Title = SvgMarkup(Left, Top - 10.0, "name", Markup);
 		if (Row.Lines.size() == 1 && !Row.Lines[0].Values.empty())
 		{
 			const double First = Row.Lines[0].Values.front().second;

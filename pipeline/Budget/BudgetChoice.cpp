@@ -1,4 +1,6 @@
 // Reads the files of a study and chooses the cheapest variant within the budget.
+#include <fmt/format.h>
+
 #include "Budget/BudgetChoice.h"
 
 #include "Config/ReadConfig.h"
@@ -8,8 +10,6 @@
 #include "Config/ConfigReader.h"
 #include "PostProcessSettingsReflection.h"
 #include "Text/TextFile.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>

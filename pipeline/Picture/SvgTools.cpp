@@ -1,7 +1,7 @@
 // Writes SVG elements and the texts in them.
-#include "Picture/SvgTools.h"
-
 #include <fmt/format.h>
+
+#include "Picture/SvgTools.h"
 
 #include <algorithm>
 #include <charconv>
@@ -89,16 +89,19 @@ std::string ShortenText(const std::string& Text, size_t MaxCharacters)
 
 std::string SvgText(double X, double Y, const std::string& Class, const std::string& Text)
 {
+	return SvgMarkup(X, Y, Class, EscapeXml(Text));
+}
+
+std::string SvgMarkup(double X, double Y, const std::string& Class, const std::string& Markup)
+{
 	const std::string Attribute = Class.empty() ? "" : " class=\"" + Class + "\"";
-	return fmt::format("<text x=\"{}\" y=\"{}\"{}>{}</text>
-", Px(X), Px(Y), Attribute, EscapeXml(Text));
+	return fmt::format("<text x=\"{}\" y=\"{}\"{}>{}</text>\n", Px(X), Px(Y), Attribute, Markup);
 }
 
 std::string SvgLine(double X1, double Y1, double X2, double Y2, const std::string& Class)
 {
-	return fmt::format("<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" class=\"{}\"/>
-					   ", Px(X1), Px(Y1), Px(X2), Px(Y2),
-		Class);
+	return fmt::format(
+		"<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" class=\"{}\"/>\n", Px(X1), Px(Y1), Px(X2), Px(Y2), Class);
 }
 
 std::string SvgRect(const FSvgBox& Box, const std::string& Class)

@@ -50,6 +50,9 @@ DRYDOCK_API std::string ShortenText(const std::string& Text, size_t MaxCharacter
 /** Text whose base line begins, or is aligned as the class says, at X, Y. Class: empty for none. */
 DRYDOCK_API std::string SvgText(double X, double Y, const std::string& Class, const std::string& Text);
 
+/** The same with markup inside, such as <tspan>. */
+DRYDOCK_API std::string SvgMarkup(double X, double Y, const std::string& Class, const std::string& Markup);
+
 DRYDOCK_API std::string SvgLine(double X1, double Y1, double X2, double Y2, const std::string& Class);
 
 DRYDOCK_API std::string SvgRect(const FSvgBox& Box, const std::string& Class);

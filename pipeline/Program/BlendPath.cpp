@@ -1,4 +1,6 @@
 // `drydock blend --path`: the settings along a path, as a table, a chart and a summary.
+#include <fmt/format.h>
+
 #include "Blend/BlendReport.h"
 #include "Blend/SettingsWalk.h"
 #include "Blend/WalkChart.h"
@@ -11,8 +13,6 @@
 #include "Text/JsonWriter.h"
 #include "Text/TextFile.h"
 #include "Text/TextFormat.h"
-
-#include <fmt/format.h>
 
 #include <cstdio>
 #include <filesystem>

@@ -3,6 +3,7 @@
 
 #include "Effects/Effects.h"
 #include "Program/ProgressBar.h"
+#include "Run/RunJson.h"
 #include "Text/JsonWriter.h"
 
 #include <cstdio>

@@ -1,7 +1,7 @@
 // Draws the bar with escape sequences of ECMA-48, and puts a rate into words.
-#include "Program/ProgressBar.h"
-
 #include <fmt/format.h>
+
+#include "Program/ProgressBar.h"
 
 #include <algorithm>
 #include <cstdio>

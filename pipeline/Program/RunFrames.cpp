@@ -1,4 +1,6 @@
 // Runs a sequence of frames for `drydock run`, shows how far it is, and sums up what was done.
+#include <fmt/format.h>
+
 #include "Program/RunFrames.h"
 
 #include "Program/ProgramOutput.h"
@@ -7,8 +9,6 @@
 #include "Sequence/RunSequence.h"
 #include "Sequence/SequenceErrors.h"
 #include "Sequence/Video.h"
-
-#include <fmt/format.h>
 
 #include <chrono>
 #include <cstdio>

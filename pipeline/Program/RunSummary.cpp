@@ -1,9 +1,9 @@
 // Puts into words what a run did: passes with bars of their times, channels, memory.
+#include <fmt/format.h>
+
 #include "Program/RunSummary.h"
 
 #include "Run/Run.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 

@@ -1,5 +1,6 @@
 // `drydock diff`: prints how far two images are apart, or two runs picture by picture.
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "Picture/ImageMetrics.h"
 #include "Program/VerbOptions.h"
@@ -7,8 +8,6 @@
 #include "Text/ConfigErrors.h"
 #include "Text/JsonWriter.h"
 #include "Text/TextFormat.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,12 @@
 // `drydock sheet`: puts pictures side by side into one, each with a caption.
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "Picture/ContactSheet.h"
 #include "Picture/PictureFile.h"
 #include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
 #include "Text/ConfigErrors.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>

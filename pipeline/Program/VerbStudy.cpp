@@ -1,5 +1,6 @@
 // `drydock study`: measures what accuracy costs, by the variants of a config's study.
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "Program/ProgramOutput.h"
 #include "Program/ProgressBar.h"
@@ -10,8 +11,6 @@
 #include "Study/StudyReport.h"
 #include "Study/StudyRun.h"
 #include "Text/TextFile.h"
-
-#include <fmt/format.h>
 
 #include <chrono>
 #include <cstdio>

@@ -1,10 +1,10 @@
 // Pipes pictures to ffmpeg, which makes a video of them.
+#include <fmt/format.h>
+
 #include "Sequence/Video.h"
 
 #include "Text/AsideFile.h"
 #include "Text/TextFile.h"
-
-#include <fmt/format.h>
 
 #include <csignal>
 #include <cstdio>

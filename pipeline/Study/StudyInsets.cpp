@@ -1,11 +1,11 @@
 // Chooses the pictures that show what errors look like, and writes them to files.
+#include <fmt/format.h>
+
 #include "Study/StudyInsets.h"
 
 #include "Study/StudyRun.h"
 #include "Text/ConfigErrors.h"
 #include "Text/TextFile.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,6 @@
 // Maps numbers to logarithmic axes, draws these, and places labels where nothing is yet.
+#include <fmt/format.h>
+
 #include "Study/StudyPanel.h"
 
 #include <algorithm>
@@ -86,8 +88,8 @@ std::string TickMarkup(double Value)
 	const bool bPower = std::abs(std::log10(Value) - Power) < 1e-9;
 	if (bPower && (Power < -3 || Power > 4))
 	{
-		return "10<tspan dy=\"-4\" font-size=\"8.5\">" + std::string(Power < 0 ? "\xE2\x88\x92" : "") +
-			   std::to_string(std::abs(Power)) + "</tspan>";
+		return fmt::format(
+			"10<tspan dy=\"-4\" font-size=\"8.5\">{}{}</tspan>", Power < 0 ? "\xE2\x88\x92" : "", std::abs(Power));
 	}
 	return Value < 1e-3 ? ShortText(Value) : FixedText(Value, Value < 1.0 ? 4 : 2);
 }
@@ -105,8 +107,7 @@ std::string DrawAxes(const FSvgBox& Plot, const FLogAxis& X, const FLogAxis& Y, 
 		const double Half = Markup.find('<') == std::string::npos ? EstimateTextWidth(Markup, LabelSize) / 2.0 : 12.0;
 		if (Place - Half > LastRight)
 		{
-			Svg += "<text x=\"" + Px(Place) + "\" y=\"" + Px(Plot.Bottom + 16.0) + "\" class=\"tick mid\">" + Markup +
-				   "</text>\n";
+			Svg += SvgMarkup(Place, Plot.Bottom + 16.0, "tick mid", Markup);
 			LastRight = Place + Half + 5.0;
 		}
 	}
@@ -114,13 +115,11 @@ std::string DrawAxes(const FSvgBox& Plot, const FLogAxis& X, const FLogAxis& Y, 
 	{
 		const double Place = Y.Map(Tick);
 		Svg += SvgLine(Plot.Left, Place, Plot.Right, Place, "grid");
-		Svg += "<text x=\"" + Px(Plot.Left - 7.0) + "\" y=\"" + Px(Place + 4.0) + "\" class=\"tick end\">" +
-			   TickMarkup(Tick) + "</text>\n";
+		Svg += SvgMarkup(Plot.Left - 7.0, Place + 4.0, "tick end", TickMarkup(Tick));
 	}
 	Svg += SvgText((Plot.Left + Plot.Right) / 2.0, Plot.Bottom + 33.0, "tick quiet mid", XName);
-	const std::string Turn = Px(Plot.Left - 44.0) + " " + Px((Plot.Top + Plot.Bottom) / 2.0);
-	return Svg + "<text transform=\"translate(" + Turn + ") rotate(-90)\" class=\"tick quiet mid\">" +
-		   EscapeXml(YName) + "</text>\n";
+	return Svg + fmt::format("<text transform=\"translate({} {}) rotate(-90)\" class=\"tick quiet mid\">{}</text>\n",
+					 Px(Plot.Left - 44.0), Px((Plot.Top + Plot.Bottom) / 2.0), EscapeXml(YName));
 }
 
 bool FLabelPlacer::IsFree(const FSvgBox& Box) const

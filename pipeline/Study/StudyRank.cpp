@@ -1,8 +1,9 @@
 // Ranks the variants of each job, and recommends one within the budget.
-#include "Study/StudyRank.h"
-#include "Budget/StudyBudget.h"
-
 #include <fmt/format.h>
+
+#include "Study/StudyRank.h"
+
+#include "Budget/StudyBudget.h"
 
 #include <algorithm>
 #include <cmath>

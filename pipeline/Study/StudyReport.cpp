@@ -1,12 +1,12 @@
 // Writes the results of a study as a table, JSON and CSV.
+#include <fmt/format.h>
+
 #include "Study/StudyReport.h"
 
 #include "Run/RunJson.h"
 #include "Text/JsonWriter.h"
 #include "Text/TextFormat.h"
 #include "Text/Version.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>

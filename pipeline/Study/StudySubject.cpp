@@ -1,4 +1,6 @@
 // Runs a blur of an image, or a frame of a config, with what a study sets.
+#include <fmt/format.h>
+
 #include "Study/StudySubject.h"
 
 #include "Budget/StudyRequest.h"
@@ -7,8 +9,6 @@
 #include "Study/BlurAlgorithms.h"
 #include "Study/BlurNative.h"
 #include "Toon/ToonShadowBlur.h"
-
-#include <fmt/format.h>
 
 #include <chrono>
 #include <cmath>
@@ -66,8 +66,7 @@ FImage LoadSceneColor(const FConfig& Config, const std::optional<std::array<int,
 	if (Region && ((*Region)[2] > File.GetWidth() || (*Region)[3] > File.GetHeight()))
 	{
 		throw MakeStudyError(ErrorBadValue, Config, {0, 0, "/study/region"},
-			"the region leaves the scene, which is " + std::to_string(File.GetWidth()) + " x " +
-				std::to_string(File.GetHeight()) + " pixels");
+			fmt::format("the region leaves the scene, which is {} x {} pixels", File.GetWidth(), File.GetHeight()));
 	}
 	const std::vector<std::vector<float>> Planes = File.Read(Indices);
 	FImage Image{File.GetWidth(), File.GetHeight(), 4, {}};

@@ -1,10 +1,10 @@
 // Picks the cost and the error that a chart shows, and maps errors to its axis.
+#include <fmt/format.h>
+
 #include "Study/StudyView.h"
 
 #include "Budget/StudyBudget.h"
 #include "Study/StudyRank.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // Mixes bytes into a fingerprint in four lanes at once.
+#include <fmt/format.h>
+
 #include "Text/Fingerprint.h"
 
 #include "Diagnostics.h"
 #include "Text/ConfigErrors.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>

@@ -1,9 +1,9 @@
 // Writes JSON text with indents, the shortest numbers that read back, and the string escapes of RFC 8259.
+#include <fmt/format.h>
+
 #include "Text/JsonWriter.h"
 
 #include "Text/TextFormat.h"
-
-#include <fmt/format.h>
 
 #include <cmath>
 
