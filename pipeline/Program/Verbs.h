@@ -2,6 +2,8 @@
 // and its help, so that a new verb needs no other file.
 #pragma once
 
+#include "Diagnostics.h"
+
 #include <functional>
 #include <vector>
 
