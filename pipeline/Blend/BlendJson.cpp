@@ -1,4 +1,4 @@
-// The JSON of `drydock blend`. Source: drydock.
+// Writes what `drydock blend` says as JSON.
 #include "Blend/BlendReport.h"
 #include "Run/RunJson.h"
 #include "SettingObjects.h"

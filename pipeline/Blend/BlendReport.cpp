@@ -1,11 +1,12 @@
-// The text of `drydock blend`. Source: drydock.
+// Writes what `drydock blend` says as text: volumes, and the story of each setting in columns.
+#include <fmt/format.h>
+
 #include "Blend/BlendReport.h"
 
 #include "HAL/IConsoleManager.h"
 #include "SettingObjects.h"
 #include "Text/ConfigErrors.h"
 #include "Text/GlobPattern.h"
-#include "Text/TextFormat.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +28,7 @@ std::string FormatValue(const FSettingField& Field, const FSettingValue& Value)
 	const int32 NumComponents = Field.GetNumComponents();
 	if (Field.Type == ESettingType::Float)
 	{
-		return Format("%.5g", Value.Components[0]);
+		return fmt::format("{:.5g}", Value.Components[0]);
 	}
 	if (NumComponents < 2)
 	{
@@ -37,19 +38,22 @@ std::string FormatValue(const FSettingField& Field, const FSettingValue& Value)
 	for (int32 Index = 0; Index < NumComponents; ++Index)
 	{
 		const bool bNewColor = Field.Type == ESettingType::ColorArray && Index % 4 == 0;
-		Text += std::string(Index == 0 ? "(" : bNewColor ? ") (" : ", ") + Format("%.4g", Value.Components[Index]);
+		Text += std::string(Index == 0  ? "("
+							: bNewColor ? ") ("
+										: ", ") +
+				fmt::format("{:.4g}", Value.Components[Index]);
 	}
 	return Text + ")";
 }
 
 std::string FormatDistance(const std::optional<double>& Distance)
 {
-	return !Distance ? "" : *Distance < 1e7 ? Format("%.1f cm", *Distance) : Format("%.4g cm", *Distance);
+	return !Distance ? "" : *Distance < 1e7 ? fmt::format("{:.1f} cm", *Distance) : fmt::format("{:.4g} cm", *Distance);
 }
 
 std::string FormatWeight(const std::optional<float>& Weight)
 {
-	return Weight ? Format("%.4g %%", 100.0 * static_cast<double>(*Weight)) : "";
+	return Weight ? fmt::format("{:.4g} %", 100.0 * static_cast<double>(*Weight)) : "";
 }
 
 /** Lines of cells in columns as wide as their widest cell. */
@@ -141,7 +145,7 @@ std::string PrintVolumes(const FBlendReport& Report, bool bColorful)
 		const bool bSkipped = Place.Influence.Skip != EVolumeSkip::None;
 		const std::string Skip = ExplainSkip(Place.Influence.Skip, Properties, Place.Distance.value_or(0.0));
 		Columns.Add({{bSkipped ? "-" : " ", Report.VolumeNames[Place.Volume],
-						 Format("%g", static_cast<double>(Properties.Priority)),
+						 fmt::format("{:g}", static_cast<double>(Properties.Priority)),
 						 Properties.bIsUnbound ? "unbound" : FormatDistance(Place.Distance),
 						 bSkipped ? Skip : FormatWeight(Place.Influence.Weight)},
 			bSkipped});
@@ -211,8 +215,8 @@ std::string PrintRest(const FBlendReport& Report, const std::vector<size_t>& Cha
 {
 	const size_t NumRest = GetSettingFields().size() - Changed.size();
 	const std::vector<std::string> Named = FindNamedOnly(Report, Changed);
-	std::string Text = std::to_string(NumRest) + (Changed.empty() ? " settings: all" : " other settings") +
-					   " at their defaults; --setting NAME tells of one, --json of all\n";
+	std::string Text = fmt::format("{} {} at their defaults; --setting NAME tells of one, --json of all\n", NumRest,
+		Changed.empty() ? "settings: all" : "other settings");
 	if (!Named.empty())
 	{
 		Text += "named, but nothing that names them acts here: " + ListSome(Named) + "\n";
@@ -249,12 +253,9 @@ std::vector<size_t> FindSettings(const std::vector<std::string>& Patterns)
 		if (!bFound)
 		{
 			const std::string Nearest = FindNearestName(Pattern, GetSettingNames());
-			FDiagnostic Diagnostic;
-			Diagnostic.Code = ErrorUnknownSetting;
-			Diagnostic.Where = "--setting";
-			Diagnostic.Message =
-				"unknown setting " + Pattern + (Nearest.empty() ? "" : "; did you mean " + Nearest + "?");
-			Diagnostics.push_back(Diagnostic);
+			Diagnostics.push_back({.Code = ErrorUnknownSetting,
+				.Message = "unknown setting " + Pattern + (Nearest.empty() ? "" : "; did you mean " + Nearest + "?"),
+				.Where = "--setting"});
 		}
 	}
 	if (!Diagnostics.empty())
@@ -294,9 +295,8 @@ std::vector<size_t> FindChangedSettings(const FBlendReport& Report)
 
 std::string MakeBlendText(const FBlendReport& Report, const std::vector<size_t>& Settings, bool bRest, bool bColorful)
 {
-	std::string Text = Report.Config + " at " + Format("%.6g", Report.Location.X) + ", " +
-					   Format("%.6g", Report.Location.Y) + ", " + Format("%.6g", Report.Location.Z) + " (" +
-					   Report.LocationFrom + ")\n\n" + PrintVolumes(Report, bColorful);
+	std::string Text = fmt::format("{} at {:.6g}, {:.6g}, {:.6g} ({})\n\n{}", Report.Config, Report.Location.X,
+		Report.Location.Y, Report.Location.Z, Report.LocationFrom, PrintVolumes(Report, bColorful));
 	FColumns Columns("llrrlll");
 	for (const size_t Index : Settings)
 	{

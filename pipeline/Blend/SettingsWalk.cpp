@@ -1,4 +1,4 @@
-// Source: drydock.
+// Samples the settings along a path and writes them as a table.
 #include "Blend/SettingsWalk.h"
 
 #include "PostProcessVolumeWeight.h"

@@ -1,5 +1,4 @@
-// The settings along a path: what a view has at every step of a walk, and how strongly each volume acts there. Source:
-// drydock.
+// The settings along a path: what a view has at every step of a walk, and how strongly each volume acts there.
 #pragma once
 
 #include "Blend/WalkPath.h"

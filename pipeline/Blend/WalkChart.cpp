@@ -1,4 +1,6 @@
-// Source: drydock. Colours: an orange and a blue first, that also the colour-blind tell apart.
+// Draws the chart of a walk. Its first two colours are an orange and a blue, which colour-blind readers tell apart too.
+#include <fmt/format.h>
+
 #include "Blend/WalkChart.h"
 
 #include "Picture/SvgTools.h"
@@ -26,8 +28,7 @@ constexpr double AxisHeight = 58.0;
 
 constexpr size_t NumVolumeColors = 6;
 
-const char* const Style =
-	"text{font:12px system-ui,-apple-system,'Segoe UI',Helvetica,Arial,sans-serif;fill:#1f2328}\n"
+const char* const LightStyle =
 	".title{font-size:18px;font-weight:600}.name{font-size:13px;font-weight:600}.quiet{fill:#59636e}\n"
 	".end{text-anchor:end}.mid{text-anchor:middle}.page{fill:#ffffff}\n"
 	".grid{stroke:#d1d9e0}.mark{stroke:#818b98;stroke-dasharray:2 3;stroke-opacity:.6}.track{fill:#818b98;"
@@ -37,34 +38,13 @@ const char* const Style =
 	".l3{stroke:#0969da}.d3{fill:#0969da}.l4{stroke:#6e7781}.d4{fill:#6e7781}\n"
 	".u{fill:#8c959f}.v0{fill:#d9730d;stop-color:#d9730d}.v1{fill:#2f6fdb;stop-color:#2f6fdb}"
 	".v2{fill:#2a9d68;stop-color:#2a9d68}.v3{fill:#a651b5;stop-color:#a651b5}.v4{fill:#b08d00;stop-color:#b08d00}"
-	".v5{fill:#1b97b0;stop-color:#1b97b0}\n"
-	"@media (prefers-color-scheme:dark){text{fill:#e6edf3}.quiet{fill:#9198a1}.page{fill:#0d1117}.grid{stroke:#30363d}"
-	".dot{stroke:#0d1117}.l0{stroke:#e6edf3}.d0{fill:#e6edf3}.l1{stroke:#ff7b72}.d1{fill:#ff7b72}.l2{stroke:#56d364}"
+	".v5{fill:#1b97b0;stop-color:#1b97b0}\n";
+
+const char* const DarkStyle =
+	".l0{stroke:#e6edf3}.d0{fill:#e6edf3}.l1{stroke:#ff7b72}.d1{fill:#ff7b72}.l2{stroke:#56d364}"
 	".d2{fill:#56d364}.l3{stroke:#79c0ff}.d3{fill:#79c0ff}.l4{stroke:#9198a1}.d4{fill:#9198a1}"
 	".v0{fill:#f0883e;stop-color:#f0883e}.v1{fill:#58a6ff;stop-color:#58a6ff}.v2{fill:#3fb950;stop-color:#3fb950}"
-	".v3{fill:#d2a8ff;stop-color:#d2a8ff}.v4{fill:#e3b341;stop-color:#e3b341}.v5{fill:#56d4dd;stop-color:#56d4dd}}\n";
-
-std::string DrawText(double X, double Y, const std::string& Class, const std::string& Text)
-{
-	return "<text x=\"" + Px(X) + "\" y=\"" + Px(Y) + "\"" + (Class.empty() ? "" : " class=\"" + Class + "\"") + ">" +
-		   EscapeXml(Text) + "</text>\n";
-}
-
-std::string DrawLine(double X1, double Y1, double X2, double Y2, const std::string& Class)
-{
-	return "<line x1=\"" + Px(X1) + "\" y1=\"" + Px(Y1) + "\" x2=\"" + Px(X2) + "\" y2=\"" + Px(Y2) + "\" class=\"" +
-		   Class + "\"/>\n";
-}
-
-std::string PathText(const std::vector<FSvgPoint>& Points)
-{
-	std::string Text;
-	for (const FSvgPoint& Point : Points)
-	{
-		Text += (Text.empty() ? "M" : " L") + Px(Point.first) + " " + Px(Point.second);
-	}
-	return Text;
-}
+	".v3{fill:#d2a8ff;stop-color:#d2a8ff}.v4{fill:#e3b341;stop-color:#e3b341}.v5{fill:#56d4dd;stop-color:#56d4dd}";
 
 /** From data to pixels. */
 class FCanvas
@@ -79,14 +59,10 @@ public:
 
 	std::string Draw() const
 	{
-		const std::string Size = "0 0 " + Px(Width) + " " + Px(Bottom + AxisHeight);
-		std::string Svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"" + Size + "\" width=\"" + Px(Width) +
-						  "\" height=\"" + Px(Bottom + AxisHeight) + "\" role=\"img\" aria-label=\"" +
-						  EscapeXml(Chart.Title) + "\">\n<style>\n" + Style + "</style>\n";
-		Svg += DrawGradients();
-		Svg +=
-			"<rect width=\"" + Px(Width) + "\" height=\"" + Px(Bottom + AxisHeight) + "\" rx=\"6\" class=\"page\"/>\n";
-		Svg += DrawText(24.0, 36.0, "title", Chart.Title) + DrawText(24.0, 58.0, "quiet", Chart.Subtitle);
+		const double Height = Bottom + AxisHeight;
+		std::string Svg = BeginSvg(Width, Height, Chart.Title, LightStyle, DarkStyle) + DrawGradients();
+		Svg += SvgPage(Width, Height, 6.0);
+		Svg += SvgText(24.0, 36.0, "title", Chart.Title) + SvgText(24.0, 58.0, "quiet", Chart.Subtitle);
 		Svg += DrawShades() + DrawMarks() + DrawLanes();
 		for (size_t Index = 0; Index < Chart.Rows.size(); ++Index)
 		{
@@ -132,12 +108,14 @@ private:
 			{
 				continue;
 			}
-			Svg += "<linearGradient id=\"g" + std::to_string(Index) + "\" gradientUnits=\"userSpaceOnUse\" x1=\"" +
-				   Px(Left) + "\" y1=\"0\" x2=\"" + Px(Right) + "\" y2=\"0\">";
+			Svg += fmt::format(
+				"<linearGradient id=\"g{}\" gradientUnits=\"userSpaceOnUse\" x1=\"{}\" y1=\"0\" x2=\"{}\" y2=\"0\">",
+				Index, Px(Left), Px(Right));
 			for (const FSvgPoint& Point : GetWeights(Chart.Volumes[Index], RowHeight))
 			{
-				Svg += "<stop offset=\"" + FixedText((Point.first - Left) / (Right - Left), 5) + "\" class=\"" +
-					   GetColor(Index) + "\" stop-opacity=\"" + FixedText(0.2 * Point.second / RowHeight, 4) + "\"/>";
+				Svg += fmt::format("<stop offset=\"{}\" class=\"{}\" stop-opacity=\"{}\"/>",
+					FixedText((Point.first - Left) / (Right - Left), 5), GetColor(Index),
+					FixedText(0.2 * Point.second / RowHeight, 4));
 			}
 			Svg += "</linearGradient>\n";
 		}
@@ -155,8 +133,8 @@ private:
 			{
 				if (!Chart.Volumes[Index].bUnbound)
 				{
-					Svg += "<rect x=\"" + Px(Left) + "\" y=\"" + Px(Top) + "\" width=\"" + Px(Right - Left) +
-						   "\" height=\"" + Px(RowHeight) + "\" fill=\"url(#g" + std::to_string(Index) + ")\"/>\n";
+					Svg += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"url(#g{})\"/>\n",
+						Px(Left), Px(Top), Px(Right - Left), Px(RowHeight), Index);
 				}
 			}
 		}
@@ -177,7 +155,7 @@ private:
 
 	std::string DrawMarks() const
 	{
-		std::string Svg = DrawText(Left - 12.0, LanesTop - 10.0, "quiet end", Chart.MarkName);
+		std::string Svg = SvgText(Left - 12.0, LanesTop - 10.0, "quiet end", Chart.MarkName);
 		double Free = Left - 24.0; // where the next label may begin
 		for (const FWalkChartMark& Mark : Chart.Marks)
 		{
@@ -187,7 +165,7 @@ private:
 			Svg += DrawGuides(X);
 			if (X - Half >= Free)
 			{
-				Svg += DrawText(X, LanesTop - 10.0, "quiet mid", Label);
+				Svg += SvgText(X, LanesTop - 10.0, "quiet mid", Label);
 				Free = X + Half + 6.0;
 			}
 		}
@@ -208,10 +186,9 @@ private:
 				Area.emplace_back(Point.first, Top + LaneHeight - Point.second);
 			}
 			Area.emplace_back(Right, Top + LaneHeight);
-			Svg += DrawText(Left - 12.0, Top + LaneHeight - 3.0, "end", ShortenText(Volume.Name, 17));
-			Svg += "<rect x=\"" + Px(Left) + "\" y=\"" + Px(Top) + "\" width=\"" + Px(Right - Left) + "\" height=\"" +
-				   Px(LaneHeight) + "\" class=\"track\"/>\n";
-			Svg += "<path d=\"" + PathText(Area) + " Z\" class=\"" + GetColor(Index) +
+			Svg += SvgText(Left - 12.0, Top + LaneHeight - 3.0, "end", ShortenText(Volume.Name, 17));
+			Svg += SvgRect({Left, Top, Right, Top + LaneHeight}, "track");
+			Svg += "<path d=\"" + SvgPathData(Area) + " Z\" class=\"" + GetColor(Index) +
 				   "\" fill-opacity=\".85\"><title>" + EscapeXml(Volume.Name) +
 				   (Volume.bUnbound ? ": everywhere" : ": weight along the path") + "</title></path>\n";
 		}
@@ -238,7 +215,7 @@ private:
 		}
 		if (!(Low <= High) || !std::isfinite(High - Low))
 		{
-			return DrawText(Left, Top - 10.0, "name", Row.Name);
+			return SvgText(Left, Top - 10.0, "name", Row.Name);
 		}
 		const double Pad = High > Low ? 0.1 * (High - Low) : std::max(0.1 * std::abs(High), 0.5);
 		Low -= Pad;
@@ -252,23 +229,22 @@ private:
 
 	std::string DrawRowTitle(const FWalkChartRow& Row, double Top) const
 	{
-		std::string Title =
-			"<text x=\"" + Px(Left) + "\" y=\"" + Px(Top - 10.0) + "\" class=\"name\">" + EscapeXml(Row.Name);
+		std::string Markup = EscapeXml(Row.Name);
 		if (!Row.Unit.empty())
 		{
-			Title += "<tspan class=\"quiet\" dx=\"8\" font-weight=\"400\">" + EscapeXml(Row.Unit) + "</tspan>";
+			Markup += "<tspan class=\"quiet\" dx=\"8\" font-weight=\"400\">" + EscapeXml(Row.Unit) + "</tspan>";
 		}
 		for (size_t Line = 0; Line < Row.Lines.size() && Row.Lines.size() > 1; ++Line)
 		{
-			Title += "<tspan class=\"d" + std::to_string(1 + Line % 4) + "\" dx=\"8\">" +
-					 EscapeXml(Row.Lines[Line].Label) + "</tspan>";
+			Markup +=
+				fmt::format("<tspan class=\"d{}\" dx=\"8\">{}</tspan>", 1 + Line % 4, EscapeXml(Row.Lines[Line].Label));
 		}
-		Title += "</text>\n";
+		std::string Title = SvgMarkup(Left, Top - 10.0, "name", Markup);
 		if (Row.Lines.size() == 1 && !Row.Lines[0].Values.empty())
 		{
 			const double First = Row.Lines[0].Values.front().second;
 			const double Last = Row.Lines[0].Values.back().second;
-			Title += First != Last ? DrawText(Right, Top - 10.0, "quiet end",
+			Title += First != Last ? SvgText(Right, Top - 10.0, "quiet end",
 										 NameValue(Row, First) + " \xE2\x86\x92 " + NameValue(Row, Last))
 								   : "";
 		}
@@ -285,8 +261,8 @@ private:
 			const bool bBetweenNames = !Row.ValueNames.empty() && Value != std::floor(Value);
 			if (!bBetweenNames)
 			{
-				Svg += DrawLine(Left, GetY(Value), Right, GetY(Value), "grid");
-				Svg += DrawText(Left - 12.0, GetY(Value) + 4.0, "quiet end",
+				Svg += SvgLine(Left, GetY(Value), Right, GetY(Value), "grid");
+				Svg += SvgText(Left - 12.0, GetY(Value) + 4.0, "quiet end",
 					Row.ValueNames.empty() ? FixedText(Value, Ticks.Digits) : ShortenText(NameValue(Row, Value), 17));
 			}
 		}
@@ -309,7 +285,7 @@ private:
 				}
 				Points.emplace_back(GetX(Distance), GetY(Value));
 			}
-			Svg += "<path d=\"" + PathText(SimplifyCurve(Points)) + "\" class=\"line l" + Color + "\"/>\n";
+			Svg += SvgPath(SimplifyCurve(Points), "line l" + Color);
 			Svg += DrawDots(Row, Row.Lines[Line], "d" + Color, GetY);
 		}
 		return Svg;
@@ -349,11 +325,11 @@ private:
 			for (const double Value : Ticks.Values)
 			{
 				const double X = GetX(Value);
-				Svg += DrawLine(X, Bottom - 8.0, X, Bottom - 3.0, "grid");
-				Svg += DrawText(X, Bottom + 12.0, "quiet mid", FixedText(Value, Ticks.Digits));
+				Svg += SvgLine(X, Bottom - 8.0, X, Bottom - 3.0, "grid");
+				Svg += SvgText(X, Bottom + 12.0, "quiet mid", FixedText(Value, Ticks.Digits));
 			}
 		}
-		return Svg + DrawText((Left + Right) / 2.0, Bottom + 34.0, "quiet mid", "distance along the path, cm");
+		return Svg + SvgText((Left + Right) / 2.0, Bottom + 34.0, "quiet mid", "distance along the path, cm");
 	}
 
 	const FWalkChart& Chart;

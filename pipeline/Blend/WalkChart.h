@@ -1,5 +1,5 @@
 // A walk as a picture: settings along a path, one small chart each, over shades of the volumes that act. Pure, from
-// plain data to SVG; equal data give equal bytes. Source: drydock.
+// plain data to SVG; equal data give equal bytes.
 #pragma once
 
 #include "DrydockAPI.h"

@@ -1,4 +1,6 @@
-// From a walk to what its chart shows. Source: drydock.
+// Turns a walk into what its chart shows.
+#include <fmt/format.h>
+
 #include "Blend/SettingsWalk.h"
 #include "Blend/WalkChart.h"
 
@@ -81,8 +83,8 @@ FWalkChart MakeWalkChart(const FSettingsWalk& Walk, const std::string& Title, co
 			Chart.Rows.push_back(MakeRow(Walk, Setting));
 		}
 	}
-	Chart.Subtitle = std::to_string(Walk.Points.size()) + " " + MarkName + "s, " + LengthText(Chart.Length) + " cm, " +
-					 std::to_string(Chart.Rows.size()) + (Chart.Rows.size() == 1 ? " setting" : " settings");
+	Chart.Subtitle = fmt::format("{} {}s, {} cm, {} {}", Walk.Points.size(), MarkName, LengthText(Chart.Length),
+		Chart.Rows.size(), Chart.Rows.size() == 1 ? "setting" : "settings");
 	return Chart;
 }
 

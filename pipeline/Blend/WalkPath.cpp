@@ -1,17 +1,15 @@
-// Source: drydock.
+// Reads a path from JSON, or from the cameras of a scene's frames.
 #include "Blend/WalkPath.h"
 
 #include "Config/ConfigReader.h"
 #include "Config/FrameSequence.h"
 #include "Picture/ImageFile.h"
 #include "SceneFile/SceneSuggestions.h"
+#include "Text/TextFile.h"
 #include "Text/TextFormat.h"
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
 namespace Drydock
 {
@@ -79,12 +77,11 @@ FPathPoint ReadPoint(const FJsonValue& Value, size_t Index, FConfigMessages& Mes
 
 [[noreturn]] void ThrowNoScenePath(const FConfig& Config, const std::string& File, const std::string& Message)
 {
-	FDiagnostic Diagnostic;
-	Diagnostic.Code = ErrorBadArgument;
-	Diagnostic.File = File.empty() ? Config.File : File;
-	Diagnostic.Where = "--path scene";
-	Diagnostic.Message = Message;
-	throw FError(Diagnostic, ExitUsage);
+	throw FError({.Code = ErrorBadArgument,
+					 .Message = Message,
+					 .File = File.empty() ? Config.File : File,
+					 .Where = "--path scene"},
+		ExitUsage);
 }
 
 } // namespace
@@ -118,18 +115,8 @@ std::vector<FPathPoint> ReadPath(
 
 std::vector<FPathPoint> LoadPath(const std::string& File)
 {
-	std::ifstream Stream(File, std::ios::binary);
-	std::stringstream Text;
 	std::vector<FDiagnostic> Diagnostics;
-	if (std::filesystem::is_directory(File) || !Stream || !(Text << Stream.rdbuf()))
-	{
-		FDiagnostic Diagnostic;
-		Diagnostic.Code = ErrorFileMissing;
-		Diagnostic.File = File;
-		Diagnostic.Message = "the path cannot be read";
-		throw FError(Diagnostic, ExitFiles);
-	}
-	std::vector<FPathPoint> Points = ReadPath(Text.str(), File, Diagnostics);
+	std::vector<FPathPoint> Points = ReadPath(ReadTextFile(File, "the path cannot be read"), File, Diagnostics);
 	if (HasErrors(Diagnostics))
 	{
 		throw FError(Diagnostics, ExitUsage);

@@ -1,4 +1,4 @@
-// A path through a level: the places whose settings `drydock blend --path` follows. Source: drydock.
+// A path through a level: the places whose settings `drydock blend --path` follows.
 #pragma once
 
 #include "Config/Config.h"

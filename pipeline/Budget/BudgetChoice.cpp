@@ -1,4 +1,6 @@
-// Source: drydock.
+// Reads the files of a study and chooses the cheapest variant within the budget.
+#include <fmt/format.h>
+
 #include "Budget/BudgetChoice.h"
 
 #include "Config/ReadConfig.h"
@@ -7,14 +9,12 @@
 #include "Budget/StudyRequest.h"
 #include "Config/ConfigReader.h"
 #include "PostProcessSettingsReflection.h"
+#include "Text/TextFile.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <limits>
-#include <sstream>
 
 namespace Drydock
 {
@@ -35,48 +35,27 @@ struct FCandidate
 
 std::optional<FJsonValue> ReadJsonFile(const std::filesystem::path& File)
 {
-	std::ifstream Stream(File, std::ios::binary);
-	if (!Stream)
+	const std::optional<std::string> Text = TryReadTextFile(File.string());
+	if (!Text)
 	{
 		return std::nullopt;
 	}
-	std::stringstream Text;
-	Text << Stream.rdbuf();
 	std::vector<FDiagnostic> Ignored;
 	bool bSyntaxError = false;
-	FJsonValue Root = ParseJson(Text.str(), File.string(), Ignored, bSyntaxError);
+	FJsonValue Root = ParseJson(*Text, File.string(), Ignored, bSyntaxError);
 	return bSyntaxError ? std::nullopt : std::optional<FJsonValue>(std::move(Root));
 }
 
-const std::vector<FJsonValue>& GetElements(const FJsonValue& Object, const char* Key)
-{
-	static const std::vector<FJsonValue> None;
-	const FJsonValue* Array = Object.Find(Key);
-	return Array != nullptr ? Array->Elements : None;
-}
-
-/** Not there, or null as infinite figures are: what is given. */
-double GetNumber(const FJsonValue& Object, const char* Key, double Otherwise)
-{
-	const FJsonValue* Value = Object.Find(Key);
-	return Value != nullptr && Value->Type == EJsonType::Number ? Value->Number : Otherwise;
-}
-
-std::string GetString(const FJsonValue& Object, const char* Key)
-{
-	const FJsonValue* Value = Object.Find(Key);
-	return Value != nullptr ? Value->String : "";
-}
-
+/** Figures that are null are infinite. */
 FImageError ReadError(const FJsonValue& Variant)
 {
 	constexpr double Infinity = std::numeric_limits<double>::infinity();
 	FImageError Error;
-	Error.Max = GetNumber(Variant, "max", Infinity);
-	Error.Rms = GetNumber(Variant, "rms", Infinity);
-	Error.Relative = GetNumber(Variant, "relative", Infinity);
-	Error.Psnr = GetNumber(Variant, "psnr", Error.Rms == 0.0 ? Infinity : 0.0);
-	Error.Ssim = GetNumber(Variant, "ssim", 0.0);
+	Error.Max = Variant.GetNumber("max", Infinity);
+	Error.Rms = Variant.GetNumber("rms", Infinity);
+	Error.Relative = Variant.GetNumber("relative", Infinity);
+	Error.Psnr = Variant.GetNumber("psnr", Error.Rms == 0.0 ? Infinity : 0.0);
+	Error.Ssim = Variant.GetNumber("ssim", 0.0);
 	return Error;
 }
 
@@ -84,21 +63,21 @@ FImageError ReadError(const FJsonValue& Variant)
 std::vector<FCandidate> ReadCandidates(const FJsonValue& Study, const FJsonValue& Timing, const FStudyBudget& Budget)
 {
 	std::vector<FCandidate> Candidates;
-	const std::vector<FJsonValue>& Jobs = GetElements(Study, "jobs");
-	const std::vector<FJsonValue>& Times = GetElements(Timing, "jobs");
+	const std::vector<FJsonValue>& Jobs = Study.GetElements("jobs");
+	const std::vector<FJsonValue>& Times = Timing.GetElements("jobs");
 	for (size_t Job = 0; Job < Jobs.size() && Job < Times.size(); ++Job)
 	{
-		const std::vector<FJsonValue>& Variants = GetElements(Jobs[Job], "variants");
-		const std::vector<FJsonValue>& TimedVariants = GetElements(Times[Job], "variants");
+		const std::vector<FJsonValue>& Variants = Jobs[Job].GetElements("variants");
+		const std::vector<FJsonValue>& TimedVariants = Times[Job].GetElements("variants");
 		Candidates.resize(std::max(Candidates.size(), Variants.size()));
 		for (size_t Index = 0; Index < Variants.size() && Index < TimedVariants.size(); ++Index)
 		{
 			FCandidate& Candidate = Candidates[Index];
 			const FImageError Error = ReadError(Variants[Index]);
-			Candidate.Label = GetString(Variants[Index], "label");
-			Candidate.Milliseconds += GetNumber(TimedVariants[Index], "medianMs", HUGE_VAL);
+			Candidate.Label = Variants[Index].GetString("label");
+			Candidate.Milliseconds += TimedVariants[Index].GetNumber("medianMs", HUGE_VAL);
 			Candidate.bMeets =
-				Candidate.bMeets && GetString(Variants[Index], "excluded").empty() && MeetsBudget(Error, Budget);
+				Candidate.bMeets && Variants[Index].GetString("excluded").empty() && MeetsBudget(Error, Budget);
 			if (GetErrorToRank(Error, Budget.Metric) >= Candidate.Worst)
 			{
 				Candidate.Worst = GetErrorToRank(Error, Budget.Metric);
@@ -135,16 +114,15 @@ const FCandidate* Choose(const std::vector<FCandidate>& Candidates, const FStudy
 
 FBudgetChoice KeepOwn(const std::string& Why, const FConfig& Config, std::vector<FDiagnostic>& Diagnostics)
 {
-	FDiagnostic Note;
-	Note.Severity = ESeverity::Note;
-	Note.Code = NoteBudgetWithoutChoice;
-	Note.File = Config.File;
-	Note.Line = Config.Budget.Line;
-	Note.Column = Config.Budget.Column;
-	Note.Where = Config.Budget.Pointer;
-	Note.Message = Why + "; the config's own values hold";
-	Diagnostics.push_back(Note);
-	return {{}, Note.Message};
+	const std::string Message = Why + "; the config's own values hold";
+	Diagnostics.push_back({.Severity = ESeverity::Note,
+		.Code = NoteBudgetWithoutChoice,
+		.Message = Message,
+		.File = Config.File,
+		.Line = Config.Budget.Line,
+		.Column = Config.Budget.Column,
+		.Where = Config.Budget.Pointer});
+	return {{}, Message};
 }
 
 } // namespace
@@ -166,7 +144,7 @@ std::optional<FBudgetChoice> ReadBudgetChoice(
 	{
 		return KeepOwn("a study of blurs chooses nothing that a frame has a place for", Config, Diagnostics);
 	}
-	const std::string Given = GetString(Config.Budget, "study");
+	const std::string Given = Config.Budget.GetString("study");
 	const std::filesystem::path Folder = Given.empty() ? GetDefaultOutputFolder(Config.File) : Config.Resolve(Given);
 	const std::optional<FJsonValue> Study = ReadJsonFile(Folder / "study.json");
 	const std::optional<FJsonValue> Timing = ReadJsonFile(Folder / "study_timing.json");
@@ -175,7 +153,7 @@ std::optional<FBudgetChoice> ReadBudgetChoice(
 		return KeepOwn("there is no study in " + Folder.string() + " to choose by (drydock study " + Config.File + ")",
 			Config, Diagnostics);
 	}
-	if (GetString(*Study, "fingerprint") != GetStudyFingerprint(GetConfigText(Options)))
+	if (Study->GetString("fingerprint") != GetStudyFingerprint(GetConfigText(Options)))
 	{
 		return KeepOwn(
 			"the study in " + Folder.string() + " is of an earlier form of this config", Config, Diagnostics);
@@ -186,11 +164,10 @@ std::optional<FBudgetChoice> ReadBudgetChoice(
 	{
 		return KeepOwn("no variant of the study in " + Folder.string() + " meets the budget", Config, Diagnostics);
 	}
-	char Text[160];
-	std::snprintf(Text, sizeof(Text), " (%s %.3g, %.4g ms) is the %s within the budget by the study in ",
-		Read->Budget.Metric.c_str(), Best->WorstValue, Best->Milliseconds,
-		Read->Budget.Max ? "cheapest" : "most exact");
-	return FBudgetChoice{Best->Set, Best->Label + Text + Folder.string()};
+	return FBudgetChoice{
+		Best->Set, fmt::format("{} ({} {:.3g}, {:.4g} ms) is the {} within the budget by the study in {}", Best->Label,
+					   Read->Budget.Metric, Best->WorstValue, Best->Milliseconds,
+					   Read->Budget.Max ? "cheapest" : "most exact", Folder.string())};
 }
 
 void ApplyBudgetChoice(const FBudgetChoice& Choice, FConfig& Config, FRunOptions& Options)

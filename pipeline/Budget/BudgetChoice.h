@@ -1,5 +1,4 @@
 // What a run takes from a study: with a budget in its config, the cheapest variant that the study found to meet it.
-// Source: drydock.
 #pragma once
 
 #include "Budget/StudyConfig.h"

@@ -1,5 +1,4 @@
-// What a run is asked for. Plain: needs none of the engine's headers, whose macros would break others'. Source:
-// drydock.
+// What a run is asked for. Plain: needs none of the engine's headers, whose macros would break others'.
 #pragma once
 
 #include "DrydockAPI.h"

@@ -1,4 +1,4 @@
-// The jobs and choices that a study's axes make. Source: drydock.
+// Combines the values of a study's axes into jobs and choices.
 #include "Budget/StudyConfig.h"
 
 namespace Drydock

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Reads "study" and "budget" of a config, and reports mistakes in them.
 #include "Budget/StudyConfig.h"
 
 #include "Config/ReadConfig.h"

@@ -1,4 +1,4 @@
-// What a study varies, as plain data, and the row of variants that comes of it. Source: drydock (keys: ConfigKeys.cpp).
+// What a study varies, as plain data, and the row of variants that comes of it. Its keys are in ConfigKeys.cpp.
 #pragma once
 
 #include "Config/Config.h"

@@ -4,9 +4,7 @@
 #include "ContentHash.h"
 #include "PostProcessSettingsReflection.h"
 #include "Text/Json.h"
-
-#include <fstream>
-#include <sstream>
+#include "Text/TextFile.h"
 
 namespace Drydock
 {
@@ -59,14 +57,7 @@ void ApplyToRun(const std::vector<FStudyAssignment>& Set, FRunOptions& Options)
 
 std::string GetConfigText(const FRunOptions& Options)
 {
-	if (Options.ConfigText)
-	{
-		return *Options.ConfigText;
-	}
-	std::ifstream Stream(Options.ConfigFile, std::ios::binary);
-	std::stringstream Text;
-	Text << Stream.rdbuf();
-	return Text.str();
+	return Options.ConfigText ? *Options.ConfigText : TryReadTextFile(Options.ConfigFile).value_or("");
 }
 
 std::string GetStudyFingerprint(const std::string& ConfigText)

@@ -1,8 +1,9 @@
-// Source: drydock.
+// Collects the names that are taken, and explains why a name cannot be a patch's.
 #include "Patch/PatchName.h"
 
 #include "GlobalShader.h"
 #include "InstallPaths.h"
+#include "Text/TextFile.h"
 
 #include <algorithm>
 #include <array>
@@ -146,8 +147,7 @@ std::set<std::string> FindTakenNames()
 		{
 			if (Entry->path().extension() == ".h")
 			{
-				std::ifstream Stream(Entry->path(), std::ios::binary);
-				Taken.merge(FindDeclaredNames(std::string(std::istreambuf_iterator<char>(Stream), {})));
+				Taken.merge(FindDeclaredNames(TryReadTextFile(Entry->path()).value_or("")));
 				Taken.insert(Entry->path().stem().string());
 			}
 		}

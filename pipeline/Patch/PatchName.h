@@ -1,5 +1,4 @@
-// Which names a patch can have: its files, its module, its C++ classes and its CMake target all bear it. Source:
-// drydock.
+// Which names a patch can have: its files, its module, its C++ classes and its CMake target all bear it.
 #pragma once
 
 #include "DrydockAPI.h"

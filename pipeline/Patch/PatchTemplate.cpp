@@ -1,18 +1,15 @@
-// Source: drydock.
+// Copies the template of a patch under another name, whole or not at all.
 #include "Patch/PatchTemplate.h"
 
 #include "Diagnostics.h"
 #include "InstallPaths.h"
 #include "Patch/PatchErrors.h"
-#include "Run/RunOutputs.h"
+#include "Text/AsideFile.h"
 #include "Text/ConfigErrors.h"
 #include "Text/TextFile.h"
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <unistd.h>
 
 namespace Drydock
 {
@@ -26,21 +23,12 @@ const std::string TemplateName = "MyPatch";
 
 [[noreturn]] void Fail(int Code, EExitCode ExitCode, const Files::path& File, const std::string& Message)
 {
-	FDiagnostic Diagnostic;
-	Diagnostic.Code = Code;
-	Diagnostic.File = File.string();
-	Diagnostic.Message = Message;
-	throw FError(Diagnostic, ExitCode);
+	throw FError({.Code = Code, .Message = Message, .File = File.string()}, ExitCode);
 }
 
 std::string ReadFile(const Files::path& Path)
 {
-	std::ifstream Stream(Path, std::ios::binary);
-	if (!Stream)
-	{
-		Fail(ErrorFileMissing, ExitFiles, Path, "drydock's own file cannot be opened: is it installed completely?");
-	}
-	return std::string(std::istreambuf_iterator<char>(Stream), {});
+	return ReadTextFile(Path, "drydock's own file cannot be opened: is it installed completely?");
 }
 
 /** Folder of the files that drydock brings along, in an installed tree and in its source. */
@@ -100,28 +88,19 @@ void WritePatch(const std::string& Folder, const std::vector<FPatchFile>& Projec
 		}
 	};
 	RefuseExisting();
-	const Files::path Aside =
-		Target.parent_path() / ("." + Target.filename().string() + ".writing." + std::to_string(getpid()));
-	std::error_code Error;
 	try
 	{
+		FAsideFile Aside(Target);
 		for (const FPatchFile& File : Project)
 		{
-			WriteTextFile((Aside / File.Path).string(), File.Text);
+			WriteTextFile((Aside.GetPath() / File.Path).string(), File.Text);
 		}
-		Files::rename(Aside, Target, Error);
+		Aside.PutInPlace();
 	}
 	catch (const FError& Unwritten)
 	{
-		Files::remove_all(Aside, Error);
+		RefuseExisting(); // somebody made it meanwhile
 		Fail(ErrorFileNotWritten, ExitFiles, Folder, Unwritten.GetDiagnostics().front().Message);
-	}
-	if (Error)
-	{
-		std::error_code Ignored;
-		Files::remove_all(Aside, Ignored);
-		RefuseExisting();
-		Fail(ErrorFileNotWritten, ExitFiles, Folder, "cannot be written: " + Error.message());
 	}
 }
 

@@ -1,5 +1,4 @@
-// A patch from scratch: the project of templates/MyPatch under another name, with a small frame to run on. Source:
-// drydock.
+// A patch from scratch: the project of templates/MyPatch under another name, with a small frame to run on.
 #pragma once
 
 #include "DrydockAPI.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Scales pictures to tiles, lays them out in rows and writes their captions.
 #include "Picture/ContactSheet.h"
 
 #include "Picture/Srgb.h"

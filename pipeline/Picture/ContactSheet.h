@@ -1,5 +1,5 @@
 // Pictures side by side, each with a caption: one picture to look at many by. Pure: pictures in, a picture out, equal
-// input gives equal bits. Source: drydock.
+// input gives equal bits.
 #pragma once
 
 #include "DrydockAPI.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Decodes a picture for its device and encodes it for an sRGB display.
 #include "Picture/DisplayPreview.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// final.png of a picture that is not for an sRGB display: what of it such a display can show. Pure. Source: drydock;
+// final.png of a picture that is not for an sRGB display: what of it such a display can show. Pure. Source of the
 // transfer functions: SMPTE ST 2084, ITU-R BT.709, BT.2020, IEC 61966-2-1.
 #pragma once
 

@@ -1,4 +1,6 @@
-// Source: drydock; the format: "OpenEXR File Layout", ASWF.
+// Reads an OpenEXR header and refuses what the file cannot hold. Source: "OpenEXR File Layout", ASWF.
+#include <fmt/format.h>
+
 #include "Picture/ExrHeader.h"
 
 #include "Diagnostics.h"
@@ -65,11 +67,7 @@ public:
 	/** Message: goes on after "the image file ". */
 	[[noreturn]] void Fail(const std::string& Message, EConfigError Code = ErrorImageBroken) const
 	{
-		FDiagnostic Diagnostic;
-		Diagnostic.Code = Code;
-		Diagnostic.File = Path;
-		Diagnostic.Message = "the image file " + Message;
-		throw FError(Diagnostic, ExitFiles);
+		throw FError({.Code = Code, .Message = "the image file " + Message, .File = Path}, ExitFiles);
 	}
 
 	int64_t GetSize() const { return Size; }
@@ -149,9 +147,8 @@ void ReadWindow(FBytes& Bytes, FPart& Part)
 	}
 	if (Part.Width > MaxImageSide || Part.Height > MaxImageSide || Part.Width * Part.Height > MaxImagePixels)
 	{
-		Bytes.Fail("says " + std::to_string(Part.Width) + " x " + std::to_string(Part.Height) +
-					   " pixels; the largest frame is " + std::to_string(MaxImageSide) + " a side and " +
-					   std::to_string(MaxImagePixels) + " in all",
+		Bytes.Fail(fmt::format("says {} x {} pixels; the largest frame is {} a side and {} in all", Part.Width,
+					   Part.Height, MaxImageSide, MaxImagePixels),
 			ErrorImageTooLarge);
 	}
 }
@@ -244,8 +241,7 @@ bool ReadPart(FBytes& Bytes, FPart& Part)
 		const int64_t End = Bytes.GetPosition() + Size;
 		if (Size < 0 || Size > Bytes.GetLeft())
 		{
-			Bytes.Fail(
-				"is truncated or corrupt: its attribute \"" + Name + "\" says " + std::to_string(Size) + " bytes");
+			Bytes.Fail(fmt::format("is truncated or corrupt: its attribute \"{}\" says {} bytes", Name, Size));
 		}
 		const auto Fixed = std::find_if(
 			FixedTypes.begin(), FixedTypes.end(), [&Type](const FFixedType& Known) { return Known.Name == Type; });
@@ -291,7 +287,7 @@ void CheckPart(const FPart& Part, const FBytes& Bytes)
 	{
 		Bytes.Fail("is corrupt: its tiles are larger than the picture");
 	}
-	const std::string Size = std::to_string(Bytes.GetSize()) + " bytes cannot hold";
+	const std::string Size = fmt::format("{} bytes cannot hold", Bytes.GetSize());
 	if (CountChunks(Part) > Bytes.GetLeft() / 8)
 	{
 		Bytes.Fail("is truncated or corrupt: its " + Size + " the table of its chunks");
@@ -299,8 +295,8 @@ void CheckPart(const FPart& Part, const FBytes& Bytes)
 	const int64_t Raw = Part.Width * Part.Height * Part.BytesPerPixel;
 	if (Raw / Compressions[Part.Compression].GreatestRatio > Bytes.GetSize())
 	{
-		Bytes.Fail("is truncated or corrupt: its " + Size + " " + std::to_string(Part.Width) + " x " +
-				   std::to_string(Part.Height) + " pixels of " + std::to_string(Part.NumChannels) + " channels");
+		Bytes.Fail(fmt::format("is truncated or corrupt: its {} {} x {} pixels of {} channels", Size, Part.Width,
+			Part.Height, Part.NumChannels));
 	}
 }
 

@@ -1,6 +1,6 @@
 // A look at an OpenEXR header before the library that decodes the file sees it. OpenEXR believes what a header says: an
 // attribute of 2 GB, a table of 2^31 chunks or a tile of 2 GB is allocated first and found to be missing afterwards.
-// Source: drydock; the format: "OpenEXR File Layout", ASWF.
+// Source of the format: "OpenEXR File Layout", ASWF.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,6 @@
-// Source: drydock, over OpenImageIO; the sRGB curve: IEC 61966-2-1.
+// Reads and writes image files by OpenImageIO. Source of the sRGB curve: IEC 61966-2-1.
+#include <fmt/format.h>
+
 #include <Imath/half.h>
 #include <OpenImageIO/imageio.h>
 
@@ -19,11 +21,7 @@ namespace
 
 FError MakeError(EConfigError Code, const std::string& Path, const std::string& Message)
 {
-	FDiagnostic Diagnostic;
-	Diagnostic.Code = Code;
-	Diagnostic.File = Path;
-	Diagnostic.Message = Message;
-	return FError(Diagnostic, ExitFiles);
+	return FError({.Code = Code, .Message = Message, .File = Path}, ExitFiles);
 }
 
 /** The library's messages may run over several lines; ours are one. */
@@ -105,9 +103,8 @@ FImageFile::FImageFile(const std::string& InPath)
 	if (Width > MaxImageSide || Height > MaxImageSide || int64_t(Width) * Height > MaxImagePixels)
 	{
 		throw MakeError(ErrorImageTooLarge, Path,
-			"the image file says " + std::to_string(Width) + " x " + std::to_string(Height) +
-				" pixels; the largest frame is " + std::to_string(MaxImageSide) + " a side and " +
-				std::to_string(MaxImagePixels) + " in all");
+			fmt::format("the image file says {} x {} pixels; the largest frame is {} a side and {} in all", Width,
+				Height, MaxImageSide, MaxImagePixels));
 	}
 }
 

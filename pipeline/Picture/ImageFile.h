@@ -1,6 +1,5 @@
 // Pictures in files: multi-layer EXR, and plain RGB formats, by OpenImageIO. Reading goes in two steps, header first,
-// so that a run decodes only what it needs. Written files hold no date: equal pictures give equal bytes. Source:
-// drydock.
+// so that a run decodes only what it needs. Written files hold no date: equal pictures give equal bytes.
 #pragma once
 
 #include "Diagnostics.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Computes error figures of two images, and the map of where they differ.
 #include "Picture/ImageMetrics.h"
 
 #include "Text/ConfigErrors.h"
@@ -304,11 +304,9 @@ FComparedImage ReadComparedImage(const std::string& Path)
 {
 	if (!std::filesystem::is_regular_file(Path))
 	{
-		FDiagnostic Diagnostic;
-		Diagnostic.Code = ErrorFileMissing;
-		Diagnostic.File = Path;
-		Diagnostic.Message = "the image cannot be opened: there is no such file";
-		throw FError(Diagnostic, ExitFiles);
+		throw FError(
+			{.Code = ErrorFileMissing, .Message = "the image cannot be opened: there is no such file", .File = Path},
+			ExitFiles);
 	}
 	FImageFile File(Path);
 	FComparedImage Result;

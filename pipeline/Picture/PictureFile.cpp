@@ -1,21 +1,18 @@
-// Source: drydock.
+// Reads a picture as it is displayed, and writes one aside before it takes its place.
 #include "Picture/PictureFile.h"
 
 #include "Picture/Srgb.h"
-#include "Text/ConfigErrors.h"
+#include "Text/AsideFile.h"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <unistd.h>
 
 namespace Drydock
 {
 
 namespace
 {
-
-namespace Files = std::filesystem;
 
 double ToDisplay(double Value, bool bEightBit, bool bEncoded)
 {
@@ -56,26 +53,9 @@ FImage ReadPicture(const std::string& Path)
 
 void WritePicture(const std::string& Path, const FImage& Picture)
 {
-	const Files::path Target(Path);
-	const Files::path Aside =
-		Target.parent_path() / (Target.stem().string() + ".writing." + std::to_string(getpid()) + ".png");
-	std::error_code Error;
-	if (Target.has_parent_path())
-	{
-		Files::create_directories(Target.parent_path(), Error);
-	}
-	WritePng(Aside.string(), Picture, 9);
-	Files::rename(Aside, Target, Error);
-	if (Error)
-	{
-		std::error_code Ignored;
-		Files::remove(Aside, Ignored);
-		FDiagnostic Diagnostic;
-		Diagnostic.Code = ErrorFileNotWritten;
-		Diagnostic.File = Path;
-		Diagnostic.Message = "cannot be written: " + Error.message();
-		throw FError(Diagnostic, ExitFiles);
-	}
+	FAsideFile Aside{std::filesystem::path(Path)};
+	WritePng(Aside.GetPath().string(), Picture, 9);
+	Aside.PutInPlace();
 }
 
 } // namespace Drydock

@@ -1,4 +1,4 @@
-// Pictures to look at, from and to files. Source: drydock.
+// Pictures to look at, from and to files.
 #pragma once
 
 #include "DrydockAPI.h"

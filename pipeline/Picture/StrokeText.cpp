@@ -1,4 +1,4 @@
-// Source: drydock; the letters are drawn for it.
+// Holds the strokes of every letter, drawn for drydock, and paints them into pictures.
 #include "Picture/StrokeText.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Text in pictures, drawn with strokes of a font that is built in: the same pixels on every machine, at any size.
-// Printable ASCII; of anything else each byte sequence of UTF-8 is one question mark. Source: drydock.
+// Printable ASCII; of anything else each byte sequence of UTF-8 is one question mark.
 #pragma once
 
 #include "DrydockAPI.h"

@@ -1,4 +1,6 @@
-// Source: drydock.
+// Writes SVG elements and the texts in them.
+#include <fmt/format.h>
+
 #include "Picture/SvgTools.h"
 
 #include <algorithm>
@@ -7,6 +9,17 @@
 
 namespace Drydock
 {
+
+namespace
+{
+
+const char* const LightStyle =
+	"text{font:12px system-ui,-apple-system,'Segoe UI',Helvetica,Arial,sans-serif;fill:#1f2328}\n";
+
+const char* const DarkStyle = "@media (prefers-color-scheme:dark){text{fill:#e6edf3}.quiet{fill:#9198a1}"
+							  ".page{fill:#0d1117}.grid{stroke:#30363d}.dot{stroke:#0d1117}";
+
+} // namespace
 
 std::string FixedText(double Number, int Digits)
 {
@@ -72,6 +85,57 @@ std::string ShortenText(const std::string& Text, size_t MaxCharacters)
 		}
 	}
 	return Text;
+}
+
+std::string SvgText(double X, double Y, const std::string& Class, const std::string& Text)
+{
+	return SvgMarkup(X, Y, Class, EscapeXml(Text));
+}
+
+std::string SvgMarkup(double X, double Y, const std::string& Class, const std::string& Markup)
+{
+	const std::string Attribute = Class.empty() ? "" : " class=\"" + Class + "\"";
+	return fmt::format("<text x=\"{}\" y=\"{}\"{}>{}</text>\n", Px(X), Px(Y), Attribute, Markup);
+}
+
+std::string SvgLine(double X1, double Y1, double X2, double Y2, const std::string& Class)
+{
+	return fmt::format(
+		"<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" class=\"{}\"/>\n", Px(X1), Px(Y1), Px(X2), Px(Y2), Class);
+}
+
+std::string SvgRect(const FSvgBox& Box, const std::string& Class)
+{
+	return fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" class=\"{}\"/>\n", Px(Box.Left), Px(Box.Top),
+		Px(Box.Right - Box.Left), Px(Box.Bottom - Box.Top), Class);
+}
+
+std::string SvgPathData(const std::vector<FSvgPoint>& Points)
+{
+	std::string Text;
+	for (const FSvgPoint& Point : Points)
+	{
+		Text += fmt::format("{}{} {}", Text.empty() ? "M" : " L", Px(Point.first), Px(Point.second));
+	}
+	return Text;
+}
+
+std::string SvgPath(const std::vector<FSvgPoint>& Points, const std::string& Class)
+{
+	return "<path d=\"" + SvgPathData(Points) + "\" class=\"" + Class + "\"/>\n";
+}
+
+std::string BeginSvg(double Width, double Height, const std::string& Title, const char* Light, const char* Dark)
+{
+	return fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
+					   "role=\"img\" aria-label=\"{2}\">\n<style>\n{3}{4}{5}{6}}}\n</style>\n",
+		Px(Width), Px(Height), EscapeXml(Title), LightStyle, Light, DarkStyle, Dark);
+}
+
+std::string SvgPage(double Width, double Height, double Radius)
+{
+	return fmt::format(
+		"<rect width=\"{}\" height=\"{}\" rx=\"{}\" class=\"page\"/>\n", Px(Width), Px(Height), Px(Radius));
 }
 
 FAxisTicks::FAxisTicks(double Low, double High, int MaxTicks)

@@ -1,5 +1,5 @@
-// What a drawing needs beside lines: numbers as text, names that fit, ticks of an axis, curves of few points. Equal
-// arguments give equal bytes. Source: drydock.
+// Parts of SVG drawings: the page with its style sheet, text, lines and paths, numbers as text, names that fit, ticks
+// of an axis, curves of few points. Equal arguments give equal bytes.
 #pragma once
 
 #include "DrydockAPI.h"
@@ -13,6 +13,24 @@ namespace Drydock
 {
 
 using FSvgPoint = std::pair<double, double>;
+
+/** Pixels. */
+struct FSvgBox
+{
+	double Left = 0.0;
+	double Top = 0.0;
+	double Right = 0.0;
+	double Bottom = 0.0;
+
+	bool Overlaps(const FSvgBox& Other) const
+	{
+		return Left < Other.Right && Other.Left < Right && Top < Other.Bottom && Other.Top < Bottom;
+	}
+	bool Contains(const FSvgBox& Other) const
+	{
+		return Other.Left >= Left && Other.Right <= Right && Other.Top >= Top && Other.Bottom <= Bottom;
+	}
+};
 
 /** At most that many digits after the point, without zeros at the end. */
 DRYDOCK_API std::string FixedText(double Number, int Digits);
@@ -28,6 +46,30 @@ DRYDOCK_API std::string EscapeXml(const std::string& Text);
 
 /** A longer name ends in an ellipsis. UTF-8 stays whole. */
 DRYDOCK_API std::string ShortenText(const std::string& Text, size_t MaxCharacters);
+
+/** Text whose base line begins, or is aligned as the class says, at X, Y. Class: empty for none. */
+DRYDOCK_API std::string SvgText(double X, double Y, const std::string& Class, const std::string& Text);
+
+/** The same with markup inside, such as <tspan>. */
+DRYDOCK_API std::string SvgMarkup(double X, double Y, const std::string& Class, const std::string& Markup);
+
+DRYDOCK_API std::string SvgLine(double X1, double Y1, double X2, double Y2, const std::string& Class);
+
+DRYDOCK_API std::string SvgRect(const FSvgBox& Box, const std::string& Class);
+
+/** "M1 2 L3 4": the points as the data of a path. */
+DRYDOCK_API std::string SvgPathData(const std::vector<FSvgPoint>& Points);
+
+/** An open line through the points. */
+DRYDOCK_API std::string SvgPath(const std::vector<FSvgPoint>& Points, const std::string& Class);
+
+/** Opens a drawing of that size in pixels, with its style sheet: the font, then the classes of Light, then those of
+ * Dark for readers who prefer a dark page. Title: for who cannot see it. */
+DRYDOCK_API std::string BeginSvg(
+	double Width, double Height, const std::string& Title, const char* Light, const char* Dark);
+
+/** The page that a drawing lies on. Radius: of its corners, pixels. */
+DRYDOCK_API std::string SvgPage(double Width, double Height, double Radius);
 
 /** Where ticks stand: multiples of 1, 2 or 5 times a power of ten, at most MaxTicks steps from Low to High (above Low).
  */

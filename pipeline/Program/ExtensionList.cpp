@@ -1,10 +1,10 @@
-// Source: drydock.
+// Makes the tables of extensions, insertable passes and hooks.
 #include "Program/ExtensionList.h"
 
 #include "ExtensionFactory.h"
 #include "Extensions/EngineHooks.h"
 #include "PassFactory.h"
-#include "Program/Verbs.h"
+#include "Program/ProgramOutput.h"
 #include "Run/Run.h"
 
 namespace Drydock

@@ -1,4 +1,4 @@
-// What `drydock list extensions` and `drydock list hooks` say. Source: drydock.
+// What `drydock list extensions` and `drydock list hooks` say.
 #pragma once
 
 #include "Budget/RunOptions.h"

@@ -1,4 +1,6 @@
-// Source: drydock; escape sequences: ECMA-48.
+// Draws the bar with escape sequences of ECMA-48, and puts a rate into words.
+#include <fmt/format.h>
+
 #include "Program/ProgressBar.h"
 
 #include <algorithm>
@@ -47,13 +49,10 @@ std::string DescribeRate(int Done, int NumLeft, double Seconds)
 	}
 	const double Left = Seconds / Done * NumLeft;
 	const long Whole = static_cast<long>(std::min(Left, 1e9) + 0.5);
-	char Rate[32];
-	std::snprintf(Rate, sizeof(Rate), "%.1f frames/s, ", Done / Seconds);
-	const std::string Rest = Whole >= 3600
-								 ? std::to_string(Whole / 3600) + " h " + std::to_string(Whole % 3600 / 60) + " min"
-							 : Whole >= 60 ? std::to_string(Whole / 60) + " min " + std::to_string(Whole % 60) + " s"
-										   : std::to_string(Whole) + " s";
-	return Rate + Rest + " left";
+	const std::string Rest = Whole >= 3600 ? fmt::format("{} h {} min", Whole / 3600, Whole % 3600 / 60)
+							 : Whole >= 60 ? fmt::format("{} min {} s", Whole / 60, Whole % 60)
+										   : fmt::format("{} s", Whole);
+	return fmt::format("{:.1f} frames/s, {} left", Done / Seconds, Rest);
 }
 
 bool IsColorful(int FileDescriptor)

@@ -1,4 +1,4 @@
-// A bar on stderr while passes run; nothing when stderr is no terminal. Source: drydock.
+// A bar on stderr while passes run; nothing when stderr is no terminal.
 #pragma once
 
 #include "DrydockAPI.h"

@@ -1,15 +1,18 @@
-// `drydock blend`. Source: drydock.
+// `drydock blend`: prints the post-process settings at a place or along a path, and how each came about.
+#include <CLI/CLI.hpp>
+
 #include "Blend/BlendReport.h"
 #include "Extensions/ViewExtensions.h"
 #include "Program/ProgressBar.h"
+#include "Program/ProgramOutput.h"
+#include "Program/SettingStory.h"
+#include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
 #include "Run/FinalSettings.h"
 #include "Run/RunSetup.h"
-#include "Text/ConfigErrors.h"
 
-#include <charconv>
-#include <cmath>
 #include <cstdio>
+#include <memory>
 #include <numeric>
 #include <unistd.h>
 
@@ -19,7 +22,7 @@ namespace Drydock
 namespace
 {
 
-std::string ExplainLocation(const FVerbOptions& Options, const FConfig& Config)
+std::string ExplainLocation(const FBlendOptions& Options, const FConfig& Config)
 {
 	return !Options.At.empty()            ? "--at"
 		   : Config.View.Location.IsSet() ? "view.location"
@@ -49,7 +52,7 @@ void AddExtensionEdits(const FRunSetup& Setup, FBlendReport& Report)
 }
 
 /** Console variables are those of the setup, which must live on. */
-FBlendReport MakeReport(const FVerbOptions& Options, const FRunSetup& Setup)
+FBlendReport MakeReport(const FBlendOptions& Options, const FRunSetup& Setup)
 {
 	const FSettingsBlender Blender = MakeSettingsBlender(Setup.Config);
 	FBlendReport Report;
@@ -76,39 +79,44 @@ std::vector<size_t> GetAllSettings()
 	return All;
 }
 
-} // namespace
-
-std::array<double, 3> ParseLocation(const std::string& Text)
+FVerbCall AddOptions(CLI::App& Verb)
 {
-	std::array<double, 3> Location = {};
-	const char* At = Text.c_str();
-	const char* const End = At + Text.size();
-	bool bGood = true;
-	for (size_t Index = 0; bGood && Index < Location.size(); ++Index)
+	const auto Options = std::make_shared<FBlendOptions>();
+	AddConfig(Verb, Options->Run);
+	CLI::Option* const At =
+		Verb.add_option("--at", Options->At, "Where, in cm; the view's location by default")->type_name("X,Y,Z");
+	CLI::Option* const Path = Verb.add_option("--path", Options->Path,
+									  "Along these points: a JSON file, or \"scene\" for the cameras of the scene's "
+									  "frames")
+								  ->type_name("FILE|scene")
+								  ->excludes(At);
+	RequireRange(
+		Verb.add_option("--steps", Options->Steps, "Places between two points of the path; some 240 in all by default"),
+		0, 100000)
+		->type_name("N")
+		->needs(Path);
+	Verb.add_option("--out", Options->OutputFolder, "Folder for walk.csv and walk.svg; out/NAME by default")
+		->type_name("DIR")
+		->needs(Path);
+	AddRepeated(Verb, "--setting", "NAME", Options->Names,
+		"Only these settings, with * and ?; repeats; by default those that changed");
+	Verb.add_flag("--json", Options->bJson, "Print all settings with their whole ledger as JSON");
+	return [Options]
 	{
-		while (*At == ' ')
-		{
-			++At;
-		}
-		const std::from_chars_result Result = std::from_chars(At, End, Location[Index]);
-		bGood = Result.ec == std::errc() && std::isfinite(Location[Index]);
-		At = Result.ptr;
-		const bool bLast = Index + 1 == Location.size();
-		bGood = bGood && (bLast ? At == End : *At == ',');
-		At += bLast ? 0 : 1;
-	}
-	if (!bGood)
-	{
-		FDiagnostic Diagnostic;
-		Diagnostic.Code = ErrorBadArgument;
-		Diagnostic.Where = "--at";
-		Diagnostic.Message = "expected X,Y,Z in centimetres such as 25,470,135, found \"" + Text + "\"";
-		throw FError(Diagnostic, ExitUsage);
-	}
-	return Location;
+		return Options->Path.empty() ? PrintSettingStory(*Options) : WalkAlongPath(*Options);
+	};
 }
 
-int BlendVerb(const FVerbOptions& Options)
+const FVerbRegistration GRegistration({
+	.Name = "blend",
+	.Place = 30,
+	.Doc = "Print the post-process settings at a place, and how each came about",
+	.AddOptions = AddOptions,
+});
+
+} // namespace
+
+int PrintSettingStory(const FBlendOptions& Options)
 {
 	FRunOptions RunOptions = Options.Run;
 	if (!Options.At.empty())

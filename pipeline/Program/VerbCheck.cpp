@@ -1,4 +1,8 @@
-// `drydock check`. Source: drydock.
+// `drydock check`: reads and validates a config and its scene's header, and runs nothing.
+#include <CLI/CLI.hpp>
+
+#include "Program/ProgramOutput.h"
+#include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
 #include "Run/Run.h"
 #include "Run/RunJson.h"
@@ -6,40 +10,30 @@
 #include "Text/JsonWriter.h"
 
 #include <cstdio>
+#include <memory>
 
 namespace Drydock
 {
 
-void WriteDiagnostics(FJsonWriter& Writer, const std::vector<FDiagnostic>& Diagnostics)
+namespace
 {
-	Writer.BeginArray();
-	for (const FDiagnostic& Diagnostic : Diagnostics)
-	{
-		Writer.BeginObject(true);
-		Writer.Member("severity", Diagnostic.Severity == ESeverity::Error     ? "error"
-								  : Diagnostic.Severity == ESeverity::Warning ? "warning"
-																			  : "note");
-		Writer.Member("code", FormatCode(Diagnostic.Code));
-		Writer.Member("message", Diagnostic.Message);
-		Writer.Member("file", Diagnostic.File);
-		Writer.Member("line", Diagnostic.Line);
-		Writer.Member("column", Diagnostic.Column);
-		Writer.Member("where", Diagnostic.Where);
-		Writer.EndObject();
-	}
-	Writer.EndArray();
-}
 
-int CheckVerb(const FVerbOptions& Options)
+struct FCheckOptions
+{
+	FRunOptions Run;
+	bool bJson = false;
+};
+
+int Check(const FCheckOptions& Options)
 {
 	std::vector<FDiagnostic> Diagnostics;
-	std::vector<std::string> ClosingLines;
+	std::vector<FEffectDecision> Effects;
 	int ExitCode = ExitDone;
 	try
 	{
 		const FCheckResult Result = CheckConfig(Options.Run);
 		Diagnostics = Result.Diagnostics;
-		ClosingLines = MakeClosingLines(Result.Effects);
+		Effects = Result.Effects;
 		if (Result.Config.Scene.File.IsSet())
 		{
 			const FSceneFile Scene(Result.Config); // reads the header, checks the names of channels
@@ -58,15 +52,32 @@ int CheckVerb(const FVerbOptions& Options)
 		return ExitCode;
 	}
 	PrintDiagnostics(Diagnostics);
-	for (const std::string& Line : ClosingLines)
-	{
-		std::fprintf(stderr, "%s\n", Line.c_str());
-	}
+	PrintClosingLines(Effects);
 	if (ExitCode == ExitDone)
 	{
 		std::printf("%s: no errors\n", Options.Run.ConfigFile.c_str());
 	}
 	return ExitCode;
 }
+
+FVerbCall AddOptions(CLI::App& Verb)
+{
+	const auto Options = std::make_shared<FCheckOptions>();
+	AddConfig(Verb, Options->Run);
+	Verb.add_flag("--json", Options->bJson, "Print the messages as JSON");
+	return [Options]
+	{
+		return Check(*Options);
+	};
+}
+
+const FVerbRegistration GRegistration({
+	.Name = "check",
+	.Place = 20,
+	.Doc = "Read and validate a config and its scene's header; run nothing",
+	.AddOptions = AddOptions,
+});
+
+} // namespace
 
 } // namespace Drydock

@@ -1,5 +1,9 @@
-// `drydock diff`. Source: drydock.
+// `drydock diff`: prints how far two images are apart, or two runs picture by picture.
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
 #include "Picture/ImageMetrics.h"
+#include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
 #include "Text/ConfigErrors.h"
 #include "Text/JsonWriter.h"
@@ -10,6 +14,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <map>
+#include <memory>
 
 namespace Drydock
 {
@@ -18,6 +23,15 @@ namespace
 {
 
 namespace Files = std::filesystem;
+
+struct FDiffOptions
+{
+	std::string A; // an image, or the folder of a run
+	std::string B; // what A is measured against, of the same kind
+	std::optional<double> Max;
+	std::string HeatMap; // PNG to write; of two folders the folder for one of each image; empty: none
+	bool bJson = false;
+};
 
 struct FPair
 {
@@ -30,11 +44,7 @@ struct FPair
 
 FError MakeError(EConfigError Code, const std::string& File, const std::string& Message, EExitCode ExitCode)
 {
-	FDiagnostic Diagnostic;
-	Diagnostic.Code = Code;
-	Diagnostic.File = File;
-	Diagnostic.Message = Message;
-	return FError(Diagnostic, ExitCode);
+	return FError({.Code = Code, .Message = Message, .File = File}, ExitCode);
 }
 
 /** "BloomSetup.BloomSetup" of "007.BloomSetup.BloomSetup.exr": an inserted pass moves the number of all that follow. */
@@ -112,12 +122,7 @@ std::vector<FPair> PairRuns(const std::string& FolderA, const std::string& Folde
 
 std::string Describe(const FComparedImage& Image)
 {
-	std::string Names;
-	for (const std::string& Channel : Image.Channels)
-	{
-		Names += (Names.empty() ? "" : ",") + Channel;
-	}
-	return std::to_string(Image.Image.Width) + " x " + std::to_string(Image.Image.Height) + " (" + Names + ")";
+	return fmt::format("{} x {} ({})", Image.Image.Width, Image.Image.Height, fmt::join(Image.Channels, ","));
 }
 
 /** HeatMap: a file to write, or empty. */
@@ -164,35 +169,15 @@ std::string MakeTable(const std::vector<FPair>& Pairs)
 			continue;
 		}
 		const FImageError& Error = Pair.Error;
-		const std::string Where = Error.Max == 0.0
-									  ? "equal"
-									  : "(" + std::to_string(Error.MaxX) + ", " + std::to_string(Error.MaxY) + ") " +
-											Pair.Channels[static_cast<size_t>(Error.MaxChannel)] + ": " +
-											Format("%.6g", Error.MaxA) + " against " + Format("%.6g", Error.MaxB);
-		Rows.push_back({Pair.Name, Format("%.4g", Error.Max), Format("%.4g", Error.Rms), Format("%.4g", Error.Relative),
-			Format("%.2f", Error.Psnr), Format("%.6f", Error.Ssim), Where});
+		const std::string Where =
+			Error.Max == 0.0 ? "equal"
+							 : fmt::format("({}, {}) {}: {:.6g} against {:.6g}", Error.MaxX, Error.MaxY,
+								   Pair.Channels[static_cast<size_t>(Error.MaxChannel)], Error.MaxA, Error.MaxB);
+		Rows.push_back({Pair.Name, fmt::format("{:.4g}", Error.Max), fmt::format("{:.4g}", Error.Rms),
+			fmt::format("{:.4g}", Error.Relative), fmt::format("{:.2f}", Error.Psnr), fmt::format("{:.6f}", Error.Ssim),
+			Where});
 	}
-	std::vector<size_t> Widths(Rows[0].size(), 0);
-	for (const std::vector<std::string>& Row : Rows)
-	{
-		for (size_t Column = 0; Column < Row.size(); ++Column)
-		{
-			Widths[Column] = std::max(Widths[Column], Row[Column].size());
-		}
-	}
-	std::string Text;
-	for (const std::vector<std::string>& Row : Rows)
-	{
-		std::string Line;
-		for (size_t Column = 0; Column < Row.size(); ++Column)
-		{
-			const std::string Padding(Widths[Column] - Row[Column].size(), ' ');
-			const bool bText = Column == 0 || Column + 1 == Row.size();
-			Line += (Column > 0 ? "  " : "") + (bText ? Row[Column] + Padding : Padding + Row[Column]);
-		}
-		Text += Line.substr(0, Line.find_last_not_of(' ') + 1) + "\n";
-	}
-	return Text;
+	return AlignColumns(Rows, [&](size_t Column) { return Column == 0 || Column + 1 == Rows[0].size(); });
 }
 
 /** {max: number or null, passed, images: [{name, a, b, max, rms, relative, psnr, ssim, nonFinite, at, channel}]} */
@@ -234,9 +219,9 @@ std::string GetHeatMapFile(const std::string& HeatMap, const FPair& Pair, bool b
 	return HeatMap.empty() || !bFolders ? HeatMap : (Files::path(HeatMap) / (Pair.Name + ".png")).string();
 }
 
-} // namespace
-
-int DiffVerb(const FDiffOptions& Options)
+/** ExitPolicy where a difference is above Max, or an image is there once only. Throws FError when they cannot be
+ * compared. */
+int Diff(const FDiffOptions& Options)
 {
 	const bool bFolders = Files::is_directory(Options.A) && Files::is_directory(Options.B);
 	if (!bFolders && (Files::is_directory(Options.A) || Files::is_directory(Options.B)))
@@ -266,5 +251,31 @@ int DiffVerb(const FDiffOptions& Options)
 	}
 	return bPassed ? ExitDone : ExitPolicy;
 }
+
+FVerbCall AddOptions(CLI::App& Verb)
+{
+	const auto Options = std::make_shared<FDiffOptions>();
+	Verb.add_option("A", Options->A, "Image, or folder of a run")->required();
+	Verb.add_option("B", Options->B, "What A is measured against: another one of the same kind and size")->required();
+	RequireNonNegative(Verb.add_option("--max", Options->Max, "Exit code 1 where a value differs by more than this"))
+		->type_name("M");
+	Verb.add_option("--heatmap", Options->HeatMap,
+			"PNG of where the error is, over four decades of it; of two runs a folder, with one of each picture")
+		->type_name("FILE");
+	Verb.add_flag("--json", Options->bJson, "Print the figures as JSON");
+	return [Options]
+	{
+		return Diff(*Options);
+	};
+}
+
+const FVerbRegistration GRegistration({
+	.Name = "diff",
+	.Place = 60,
+	.Doc = "Print how far two images are apart, or two runs picture by picture",
+	.AddOptions = AddOptions,
+});
+
+} // namespace
 
 } // namespace Drydock

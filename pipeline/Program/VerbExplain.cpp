@@ -1,10 +1,16 @@
-// `drydock explain`. Source: drydock.
+// `drydock explain`: prints which effects and passes run, which do not and why, and what leaving out saves.
+#include <CLI/CLI.hpp>
+
 #include "Program/ProgressBar.h"
+#include "Program/ProgramOutput.h"
+#include "Program/SettingStory.h"
+#include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
 #include "Run/Explain.h"
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <unistd.h>
 
 namespace Drydock
@@ -12,6 +18,16 @@ namespace Drydock
 
 namespace
 {
+
+struct FExplainOptions
+{
+	FRunOptions Run;
+	std::string Pass;               // only this one, by name or index; empty: all
+	std::string Effect;             // only this one; empty: all
+	std::vector<std::string> Names; // settings whose story is told, in place of everything else
+	bool bMeasure = false;          // run the frame, with and without skipping
+	bool bJson = false;
+};
 
 /** Runs of each kind, interleaved, after one that warms up. */
 constexpr int NumMeasurements = 7;
@@ -52,7 +68,7 @@ FMeasuredPasses TakeMedians(FSamples Samples)
 	return Medians;
 }
 
-FExplainReport MeasureFrame(const FVerbOptions& Options, FCostModel& Model)
+FExplainReport MeasureFrame(const FExplainOptions& Options, FCostModel& Model)
 {
 	FProgressBar Bar;
 	FSamples Samples[2];
@@ -81,17 +97,23 @@ FExplainReport MeasureFrame(const FVerbOptions& Options, FCostModel& Model)
 	return MakeExplainReport(Last[0], Last[1], Model, &Frame, &NoSkip);
 }
 
-FExplainReport EstimateFrame(const FVerbOptions& Options, const FCostModel& Model)
+FExplainReport EstimateFrame(const FExplainOptions& Options, const FCostModel& Model)
 {
 	const FRunResult Frame = CompileFrame(Options.Run, false);
 	PrintDiagnostics(Frame.Diagnostics);
 	return MakeExplainReport(Frame, CompileFrame(Options.Run, true), Model);
 }
 
-} // namespace
-
-int ExplainVerb(const FVerbOptions& Options)
+int Explain(const FExplainOptions& Options)
 {
+	if (!Options.Names.empty())
+	{
+		FBlendOptions Blend;
+		Blend.Run = Options.Run;
+		Blend.Names = Options.Names;
+		Blend.bJson = Options.bJson;
+		return PrintSettingStory(Blend);
+	}
 	FCostModel Model = FCostModel::Load();
 	const FExplainReport Report = Options.bMeasure ? MeasureFrame(Options, Model) : EstimateFrame(Options, Model);
 	std::string Text;
@@ -114,5 +136,38 @@ int ExplainVerb(const FVerbOptions& Options)
 	std::fputs(Text.c_str(), stdout);
 	return ExitDone;
 }
+
+FVerbCall AddOptions(CLI::App& Verb)
+{
+	const auto Options = std::make_shared<FExplainOptions>();
+	AddConfig(Verb, Options->Run);
+	AddArithmetic(Verb, Options->Run);
+	CLI::Option* const Pass = Verb.add_option("--pass", Options->Pass,
+									  "Only this pass, by name or index: what it reads and writes, who reads that, why "
+									  "it is culled")
+								  ->type_name("PASS");
+	CLI::Option* const Effect = Verb.add_option("--effect", Options->Effect, "Only this effect, with its passes")
+									->type_name("EFFECT")
+									->excludes(Pass);
+	AddRepeated(Verb, "--setting", "NAME", Options->Names, "How this setting came about, as `drydock blend` says it")
+		->excludes(Pass)
+		->excludes(Effect);
+	Verb.add_flag("--measure", Options->bMeasure,
+		"Run the frame as it is and with --no-skip, interleaved, and give medians in place of estimates");
+	Verb.add_flag("--json", Options->bJson, "Print effects, passes and costs as JSON");
+	return [Options]
+	{
+		return Explain(*Options);
+	};
+}
+
+const FVerbRegistration GRegistration({
+	.Name = "explain",
+	.Place = 70,
+	.Doc = "Print which effects and passes run, which do not and why, and what leaving out saves",
+	.AddOptions = AddOptions,
+});
+
+} // namespace
 
 } // namespace Drydock

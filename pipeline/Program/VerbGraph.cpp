@@ -1,15 +1,19 @@
-// `drydock graph`. Source: drydock.
+// `drydock graph`: prints the compiled graph of a config without running it.
+#include <CLI/CLI.hpp>
+
 #include "ChildProcess.h"
+#include "Program/ProgramOutput.h"
+#include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
 #include "RenderGraphDump.h"
 #include "Run/GraphJson.h"
 #include "Run/Run.h"
 #include "Text/ConfigErrors.h"
+#include "Text/TextFile.h"
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <memory>
 #include <unistd.h>
 
 namespace Drydock
@@ -17,6 +21,13 @@ namespace Drydock
 
 namespace
 {
+
+struct FGraphOptions
+{
+	FRunOptions Run;
+	std::string Format = "text"; // or dot, svg, json
+	bool bJson = false;          // the same as json
+};
 
 /** Removes a file when it goes out of scope. */
 struct FTemporaryFile
@@ -40,24 +51,19 @@ std::string MakeSvg(const std::string& Dot)
 	constexpr int TimeLimitSeconds = 60;
 	const FTemporaryFile Input(".dot");
 	const FTemporaryFile Output(".svg");
-	std::ofstream(Input.Path, std::ios::binary) << Dot;
+	WriteWholeFile(Input.Path, Dot);
 	const FChildResult Child = RunChild({"dot", "-Tsvg", Input.Path, "-o", Output.Path}, TimeLimitSeconds);
 	if (!Child.Succeeded())
 	{
-		FDiagnostic Diagnostic;
-		Diagnostic.Code = ErrorFileNotWritten;
-		Diagnostic.Message = "the SVG needs Graphviz: the program dot " +
-							 (Child.bStarted ? Child.Describe(TimeLimitSeconds) : std::string("is not installed")) +
-							 "; --format dot needs nothing";
-		throw FError(Diagnostic, ExitFiles);
+		const std::string Why = Child.bStarted ? Child.Describe(TimeLimitSeconds) : "is not installed";
+		throw FError({.Code = ErrorFileNotWritten,
+						 .Message = "the SVG needs Graphviz: the program dot " + Why + "; --format dot needs nothing"},
+			ExitFiles);
 	}
-	std::ifstream Stream(Output.Path, std::ios::binary);
-	return std::string(std::istreambuf_iterator<char>(Stream), {});
+	return ReadTextFile(Output.Path);
 }
 
-} // namespace
-
-int GraphVerb(const FVerbOptions& Options)
+int PrintGraph(const FGraphOptions& Options)
 {
 	FRunOptions RunOptions = Options.Run;
 	RunOptions.bExecute = false;
@@ -69,11 +75,32 @@ int GraphVerb(const FVerbOptions& Options)
 							 : Format == "svg" ? MakeSvg(DumpDot(Result.Graph))
 											   : DumpText(Result.Graph);
 	std::fputs(Text.c_str(), stdout);
-	for (const std::string& Line : MakeClosingLines(Result.Effects))
-	{
-		std::fprintf(stderr, "%s\n", Line.c_str());
-	}
+	PrintClosingLines(Result.Effects);
 	return ExitDone;
 }
+
+FVerbCall AddOptions(CLI::App& Verb)
+{
+	const auto Options = std::make_shared<FGraphOptions>();
+	AddConfig(Verb, Options->Run);
+	AddArithmetic(Verb, Options->Run);
+	RequireOneOf(Verb.add_option("--format", Options->Format, "text (default), dot, svg (needs Graphviz) or json"),
+		{"text", "dot", "svg", "json"})
+		->type_name("F");
+	Verb.add_flag("--json", Options->bJson, "The same as --format json");
+	return [Options]
+	{
+		return PrintGraph(*Options);
+	};
+}
+
+const FVerbRegistration GRegistration({
+	.Name = "graph",
+	.Place = 40,
+	.Doc = "Print the compiled graph of a config without running it",
+	.AddOptions = AddOptions,
+});
+
+} // namespace
 
 } // namespace Drydock

@@ -1,13 +1,19 @@
-// `drydock list`. Source: drydock.
+// `drydock list`: lists what there is of passes, settings, console variables, effects, extensions and hooks.
+#include <CLI/CLI.hpp>
+
 #include "Config/SettingList.h"
 #include "Effects/Effects.h"
 #include "GlobalShader.h"
 #include "Program/ExtensionList.h"
+#include "Program/VariableList.h"
+#include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
 #include "Text/JsonWriter.h"
+#include "Text/TextFormat.h"
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <strings.h>
 
 namespace Drydock
@@ -15,6 +21,14 @@ namespace Drydock
 
 namespace
 {
+
+struct FListOptions
+{
+	FRunOptions Run; // for cvars: a config and variables to be set
+	std::string Things;
+	std::string Filter; // only names that contain it; for hooks a config, whose chain is listed
+	bool bJson = false;
+};
 
 bool ContainsIgnoringCase(const std::string& Text, const std::string& Part)
 {
@@ -83,32 +97,9 @@ bool MakeTable(const std::string& Things, FListTable& OutTable)
 
 std::string FormatText(const FListTable& Table)
 {
-	std::vector<size_t> Widths;
-	for (size_t Column = 0; Column < Table.Header.size(); ++Column)
-	{
-		size_t Width = Table.Header[Column].size();
-		for (const std::vector<std::string>& Row : Table.Rows)
-		{
-			Width = std::max(Width, Row[Column].size());
-		}
-		Widths.push_back(Width);
-	}
-	const auto FormatRow = [&](const std::vector<std::string>& Row)
-	{
-		std::string Line;
-		for (size_t Column = 0; Column < Row.size(); ++Column)
-		{
-			Line +=
-				Row[Column] + std::string(Column + 1 < Row.size() ? Widths[Column] - Row[Column].size() + 2 : 0, ' ');
-		}
-		return Line.substr(0, Line.find_last_not_of(' ') + 1) + "\n";
-	};
-	std::string Text = FormatRow(Table.Header);
-	for (const std::vector<std::string>& Row : Table.Rows)
-	{
-		Text += FormatRow(Row);
-	}
-	return Text;
+	std::vector<std::vector<std::string>> Rows = {Table.Header};
+	Rows.insert(Rows.end(), Table.Rows.begin(), Table.Rows.end());
+	return AlignColumns(Rows, [](size_t) { return true; });
 }
 
 std::string FormatJson(const FListTable& Table)
@@ -128,10 +119,13 @@ std::string FormatJson(const FListTable& Table)
 	return Writer.GetText();
 }
 
-} // namespace
-
-int ListVerb(const std::string& Things, const std::string& Filter, bool bJson)
+int PrintList(const FListOptions& ListOptions)
 {
+	const auto& [Run, Things, Filter, bJson] = ListOptions;
+	if (Things == "cvars")
+	{
+		return PrintVariables(Run, Filter, bJson);
+	}
 	if (Things == "settings")
 	{
 		const std::vector<const FSettingField*> Fields = FindSettingFields(Filter);
@@ -177,5 +171,30 @@ int ListVerb(const std::string& Things, const std::string& Filter, bool bJson)
 	}
 	return ExitDone;
 }
+
+FVerbCall AddOptions(CLI::App& Verb)
+{
+	const auto Options = std::make_shared<FListOptions>();
+	Verb.add_option("THINGS", Options->Things, "passes, settings, cvars, effects, extensions or hooks")->required();
+	Verb.add_option("FILTER", Options->Filter,
+		"Only names that contain this, or match it where it has * or ? (settings, cvars), ignoring case; for hooks a "
+		"config, whose chain is listed");
+	Verb.add_option("--config", Options->Run.ConfigFile, "cvars: as this config sets them")->type_name("CONFIG");
+	AddVariables(Verb, Options->Run);
+	Verb.add_flag("--json", Options->bJson, "Print an array of objects");
+	return [Options]
+	{
+		return PrintList(*Options);
+	};
+}
+
+const FVerbRegistration GRegistration({
+	.Name = "list",
+	.Place = 80,
+	.Doc = "List what there is: passes, settings, cvars, effects, extensions, hooks",
+	.AddOptions = AddOptions,
+});
+
+} // namespace
 
 } // namespace Drydock

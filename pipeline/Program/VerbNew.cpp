@@ -1,4 +1,6 @@
-// `drydock new`: a patch to begin with. Source: drydock.
+// `drydock new`: makes a patch to begin with, of sources, shader, config, test and build file.
+#include <CLI/CLI.hpp>
+
 #include "InstallPaths.h"
 #include "Patch/PatchErrors.h"
 #include "Patch/PatchName.h"
@@ -10,6 +12,7 @@
 #include <cctype>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 
 namespace Drydock
 {
@@ -18,6 +21,13 @@ namespace
 {
 
 namespace Files = std::filesystem;
+
+struct FNewPatchOptions
+{
+	std::string Name;
+	std::string Folder; // that the project's folder is made in; empty: here
+	bool bJson = false;
+};
 
 void CheckName(const std::string& Name)
 {
@@ -28,11 +38,9 @@ void CheckName(const std::string& Name)
 		return;
 	}
 	const std::string Near = SuggestPatchName(Name, Taken);
-	FDiagnostic Diagnostic;
-	Diagnostic.Code = ErrorPatchName;
-	Diagnostic.Message = "\"" + Name + "\" cannot be a patch's name: " + Why +
-						 (Near.empty() ? "; MyPatch would do" : "; did you mean " + Near + "?");
-	throw FError(Diagnostic, ExitUsage);
+	const std::string Hint = Near.empty() ? "; MyPatch would do" : "; did you mean " + Near + "?";
+	throw FError(
+		{.Code = ErrorPatchName, .Message = "\"" + Name + "\" cannot be a patch's name: " + Why + Hint}, ExitUsage);
 }
 
 std::string QuoteForShell(const std::string& Text)
@@ -105,9 +113,7 @@ std::string FormatText(
 	return Text;
 }
 
-} // namespace
-
-int NewVerb(const FNewPatchOptions& Options)
+int MakePatch(const FNewPatchOptions& Options)
 {
 	CheckName(Options.Name);
 	const std::string Folder = (Files::path(Options.Folder) / Options.Name).string();
@@ -116,5 +122,27 @@ int NewVerb(const FNewPatchOptions& Options)
 	std::fputs((Options.bJson ? FormatJson : FormatText)(Options, Folder, Project).c_str(), stdout);
 	return ExitDone;
 }
+
+FVerbCall AddOptions(CLI::App& Verb)
+{
+	const auto Options = std::make_shared<FNewPatchOptions>();
+	Verb.add_option("NAME", Options->Name, "Name of the patch, such as MyPatch: a C++ identifier")->required();
+	Verb.add_option("--dir", Options->Folder, "Folder that the folder NAME is made in; here by default")
+		->type_name("DIR");
+	Verb.add_flag("--json", Options->bJson, "Print name, folder, files and the commands to go on with");
+	return [Options]
+	{
+		return MakePatch(*Options);
+	};
+}
+
+const FVerbRegistration GRegistration({
+	.Name = "new",
+	.Place = 110,
+	.Doc = "Make a patch to begin with: sources, shader, config, test, build file",
+	.AddOptions = AddOptions,
+});
+
+} // namespace
 
 } // namespace Drydock

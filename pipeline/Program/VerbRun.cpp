@@ -1,18 +1,23 @@
-// `drydock run`. Source: drydock.
-#include "Program/ProgressBar.h"
+// `drydock run`: runs a frame, or the frames of a sequence, and writes pictures and reports.
+#include <CLI/CLI.hpp>
+
 #include "Config/ReadConfig.h"
+#include "Program/ProgramOutput.h"
+#include "Program/ProgressBar.h"
+#include "Program/RunFrames.h"
+#include "Program/RunSummary.h"
+#include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
 #include "Run/CostModel.h"
 #include "Run/Run.h"
 #include "Run/RunOutputs.h"
-#include "Text/WatchedFiles.h"
-
-#include "Budget/RunOptions.h"
 #include "ShaderCompilation.h"
 #include "Text/ConfigErrors.h"
+#include "Text/WatchedFiles.h"
 
 #include <chrono>
 #include <cstdio>
+#include <memory>
 #include <thread>
 
 namespace Drydock
@@ -21,7 +26,12 @@ namespace Drydock
 namespace
 {
 
-int RunOnce(const FVerbOptions& Options)
+struct FRunVerbOptions : FFramesOptions
+{
+	bool bWatch = false; // run again whenever something changes
+};
+
+int RunOnce(const FRunVerbOptions& Options)
 {
 	FProgressBar Bar;
 	FRunOptions RunOptions = Options.Run;
@@ -32,23 +42,19 @@ int RunOnce(const FVerbOptions& Options)
 	const FRunResult Result = RunConfig(RunOptions);
 	Bar.Clear();
 	PrintDiagnostics(Result.Diagnostics);
-	const std::string Folder =
-		Options.OutputFolder.empty() ? GetDefaultOutputFolder(Options.Run.ConfigFile) : Options.OutputFolder;
+	const std::string Folder = ChooseOutputFolder(Options.OutputFolder, Options.Run);
 	const double SaveMs = WriteRunOutputs(Result, Folder);
 	FCostModel Costs = FCostModel::Load();
 	Costs.Learn(Result);
 	Costs.Save();
 	std::fputs((Options.bJson ? Result.RunJson : MakeRunSummary(Result, Folder, SaveMs)).c_str(), stdout);
 	std::fflush(stdout);
-	for (const std::string& Line : MakeClosingLines(Result.Effects))
-	{
-		std::fprintf(stderr, "%s\n", Line.c_str());
-	}
+	PrintClosingLines(Result.Effects);
 	return ExitDone;
 }
 
 /** What a run of the config reads: itself, its scene, its plugins, and every shader file there is. */
-FWatchedFiles GetWatchedFiles(const FVerbOptions& Options)
+FWatchedFiles GetWatchedFiles(const FRunVerbOptions& Options)
 {
 	FWatchedFiles Files;
 	Files.AddFile(Options.Run.ConfigFile);
@@ -73,7 +79,7 @@ FWatchedFiles GetWatchedFiles(const FVerbOptions& Options)
 	return Files;
 }
 
-[[noreturn]] void Watch(const FVerbOptions& Options)
+[[noreturn]] void Watch(const FRunVerbOptions& Options)
 {
 	constexpr std::chrono::milliseconds Interval(200);
 	for (;;)
@@ -97,7 +103,7 @@ FWatchedFiles GetWatchedFiles(const FVerbOptions& Options)
 }
 
 /** Asked for on the command line, or by the config where the command line names no frame. */
-bool IsSequence(const FVerbOptions& Options)
+bool IsSequence(const FRunVerbOptions& Options)
 {
 	if (!Options.Frames.empty() || Options.Run.Frame || Options.bWatch)
 	{
@@ -114,22 +120,20 @@ bool IsSequence(const FVerbOptions& Options)
 	}
 }
 
-} // namespace
-
-int RunVerb(const FVerbOptions& Options)
+int RunOrWatch(const FRunVerbOptions& Options)
 {
 	if (IsSequence(Options))
 	{
-		return RunSequenceVerb(Options);
+		return RunFrames(Options);
 	}
 	if (Options.bRestart || !Options.Video.empty())
 	{
-		FDiagnostic Diagnostic;
-		Diagnostic.Code = ErrorBadArgument;
-		Diagnostic.Where = Options.bRestart ? "--restart" : "--video";
-		Diagnostic.Message =
-			"is about the frames of a sequence: name them with --frames, or in the config's scene.frames";
-		throw FError(Diagnostic, ExitUsage);
+		throw FError(
+			{.Code = ErrorBadArgument,
+				.Message =
+					"is about the frames of a sequence: name them with --frames, or in the config's scene.frames",
+				.Where = Options.bRestart ? "--restart" : "--video"},
+			ExitUsage);
 	}
 	if (Options.bWatch)
 	{
@@ -137,5 +141,45 @@ int RunVerb(const FVerbOptions& Options)
 	}
 	return RunOnce(Options);
 }
+
+FVerbCall AddOptions(CLI::App& Verb)
+{
+	const auto Options = std::make_shared<FRunVerbOptions>();
+	AddConfig(Verb, Options->Run);
+	AddArithmetic(Verb, Options->Run);
+	Verb.add_option("--out", Options->OutputFolder, "Folder for the outputs; out/NAME of the config by default")
+		->type_name("DIR");
+	AddRepeated(Verb, "--dump", "PATTERN", Options->Run.Dump,
+		"Keep what matches: a pass, a resource or Pass.Resource, with * and ?; repeats");
+	Verb.add_flag("--no-skip", Options->Run.bNoSkip,
+		"Leave nothing out because nobody needs it: slower, the same bits; what is switched off stays off");
+	Verb.add_flag("--measure-effects", Options->Run.bMeasureEffects,
+		"Measure what effects come to (bleed of toon bloom, banding of the toon shadow) and add it to run.json");
+	CLI::Option* const Frames =
+		Verb.add_option("--frames", Options->Frames,
+				"Frames of a sequence, each with what lives on from the one before: all, 1-8, 1-9x2 (every second) or "
+				"1,3,5-8; the config's scene.frames by default. A run that was stopped goes on where it stood")
+			->type_name("LIST")
+			->excludes(Verb.get_option("--frame"));
+	Verb.add_flag("--restart", Options->bRestart, "Render all frames again, whatever the folder holds");
+	Verb.add_option("--video", Options->Video, "Video of the frames, such as walk.mp4; needs ffmpeg")
+		->type_name("FILE");
+	Verb.add_flag("--watch", Options->bWatch, "Run again whenever the config, its scene or a shader changes")
+		->excludes(Frames);
+	Verb.add_flag("--json", Options->bJson, "Print run.json instead of the summary");
+	return [Options]
+	{
+		return RunOrWatch(*Options);
+	};
+}
+
+const FVerbRegistration GRegistration({
+	.Name = "run",
+	.Place = 10,
+	.Doc = "Run the frame of a config and write its pictures and reports",
+	.AddOptions = AddOptions,
+});
+
+} // namespace
 
 } // namespace Drydock

@@ -1,18 +1,23 @@
-// `drydock settings import` and `export`: the engine's paste text from and to configs. Source: drydock.
+// `drydock settings import` and `export`: turn the engine's paste text into volumes of a config, and back.
+#include <CLI/CLI.hpp>
+
 #include "Config/ReadConfig.h"
 #include "Config/SettingsJson.h"
 #include "PostProcessSettingsReflection.h"
+#include "Program/ProgramOutput.h"
+#include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
 #include "Run/RunSetup.h"
 #include "Text/ConfigErrors.h"
 #include "Text/JsonWriter.h"
+#include "Text/TextFile.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <iterator>
+#include <memory>
 
 namespace Drydock
 {
@@ -20,22 +25,29 @@ namespace Drydock
 namespace
 {
 
+struct FImportOptions
+{
+	std::string File;      // engine text; "-": stdin
+	bool bUpgrade = false; // as the engine upgrades old assets
+	bool bJson = false;
+};
+
+struct FExportOptions
+{
+	std::string File;                  // a config
+	std::optional<std::string> Volume; // only the volume of this name
+	std::string At;                    // "X,Y,Z", cm: the settings there, blended, in place of the volumes
+	bool bFull = false;                // not only what differs from the defaults
+	bool bStruct = false;              // the settings alone, without an actor around them
+};
+
 std::string ReadText(const std::string& File)
 {
 	if (File == "-")
 	{
 		return std::string(std::istreambuf_iterator<char>(std::cin), {});
 	}
-	std::ifstream Stream(File, std::ios::binary);
-	if (std::filesystem::is_directory(File) || !Stream)
-	{
-		FDiagnostic Diagnostic;
-		Diagnostic.Code = ErrorFileMissing;
-		Diagnostic.File = File;
-		Diagnostic.Message = "the text cannot be read";
-		throw FError(Diagnostic, ExitFiles);
-	}
-	return std::string(std::istreambuf_iterator<char>(Stream), {});
+	return ReadTextFile(File, "the text cannot be read");
 }
 
 void Upgrade(std::vector<FVolumeText>& Volumes, const std::string& File, std::vector<FDiagnostic>& Diagnostics)
@@ -49,13 +61,11 @@ void Upgrade(std::vector<FVolumeText>& Volumes, const std::string& File, std::ve
 		}
 		if (!Names.empty())
 		{
-			FDiagnostic Diagnostic;
-			Diagnostic.Severity = ESeverity::Note;
-			Diagnostic.Code = NoteTextUpgraded;
-			Diagnostic.File = File;
-			Diagnostic.Where = Volume.Name;
-			Diagnostic.Message = "BloomMethod is BM_FFT, so these become 1, as the engine upgrades them: " + Names;
-			Diagnostics.push_back(Diagnostic);
+			Diagnostics.push_back({.Severity = ESeverity::Note,
+				.Code = NoteTextUpgraded,
+				.Message = "BloomMethod is BM_FFT, so these become 1, as the engine upgrades them: " + Names,
+				.File = File,
+				.Where = Volume.Name});
 		}
 	}
 }
@@ -86,7 +96,7 @@ std::string MakeImportJson(const std::vector<FVolumeText>& Volumes, const std::v
 
 /** The volumes that are asked for; none, or several where one is wanted, is an error. */
 std::vector<FVolumeText> CollectVolumes(
-	const FConfig& Config, const FSettingsVerbOptions& Options, std::vector<FDiagnostic>& Diagnostics)
+	const FConfig& Config, const FExportOptions& Options, std::vector<FDiagnostic>& Diagnostics)
 {
 	std::vector<FVolumeText> Volumes;
 	std::vector<std::string> Names;
@@ -113,7 +123,7 @@ std::vector<FVolumeText> CollectVolumes(
 }
 
 /** What volumes and camera override at a place, with the values that render: one unbound volume. */
-std::vector<FVolumeText> BlendVolume(const FSettingsVerbOptions& Options)
+std::vector<FVolumeText> BlendVolume(const FExportOptions& Options)
 {
 	FRunOptions RunOptions;
 	RunOptions.ConfigFile = Options.File;
@@ -134,7 +144,7 @@ std::vector<FVolumeText> BlendVolume(const FSettingsVerbOptions& Options)
 	return {Volume};
 }
 
-std::vector<FVolumeText> LoadVolumes(const FSettingsVerbOptions& Options, std::vector<FDiagnostic>& Diagnostics)
+std::vector<FVolumeText> LoadVolumes(const FExportOptions& Options, std::vector<FDiagnostic>& Diagnostics)
 {
 	const FConfig Config = LoadConfig(Options.File, Diagnostics);
 	if (HasErrors(Diagnostics))
@@ -145,9 +155,7 @@ std::vector<FVolumeText> LoadVolumes(const FSettingsVerbOptions& Options, std::v
 	return CollectVolumes(Config, Options, Diagnostics);
 }
 
-} // namespace
-
-int SettingsImportVerb(const FSettingsVerbOptions& Options)
+int Import(const FImportOptions& Options)
 {
 	const std::string File = Options.File == "-" ? "<stdin>" : Options.File;
 	std::vector<FDiagnostic> Diagnostics;
@@ -178,7 +186,7 @@ int SettingsImportVerb(const FSettingsVerbOptions& Options)
 	return ExitDone;
 }
 
-int SettingsExportVerb(const FSettingsVerbOptions& Options)
+int Export(const FExportOptions& Options)
 {
 	std::vector<FDiagnostic> Diagnostics;
 	const ESettingsTextForm Form = Options.bFull ? ESettingsTextForm::Full : ESettingsTextForm::Delta;
@@ -194,5 +202,64 @@ int SettingsExportVerb(const FSettingsVerbOptions& Options)
 	std::fputs(Text.c_str(), stdout);
 	return ExitDone;
 }
+
+FVerbCall AddNothing(CLI::App& Verb)
+{
+	Verb.require_subcommand(1);
+	return nullptr;
+}
+
+const FVerbRegistration GRegistration({
+	.Name = "settings",
+	.Place = 100,
+	.Doc = "Engine paste text of settings to and from configs: import, export, plan",
+	.AddOptions = AddNothing,
+});
+
+FVerbCall AddImportOptions(CLI::App& Verb)
+{
+	const auto Options = std::make_shared<FImportOptions>();
+	Verb.add_option("TEXT", Options->File, "File of engine text, or - for stdin")->required();
+	Verb.add_flag("--upgrade", Options->bUpgrade,
+		"As the engine upgrades assets from before convolution bloom had an intensity: BM_FFT sets intensities to 1");
+	Verb.add_flag("--json", Options->bJson, "Print an object of volumes and messages");
+	return [Options]
+	{
+		return Import(*Options);
+	};
+}
+
+const FVerbRegistration GImportRegistration({
+	.Name = "settings import",
+	.Place = 101,
+	.Doc = "Print the config's \"volumes\" of settings or actors copied in the editor",
+	.AddOptions = AddImportOptions,
+});
+
+FVerbCall AddExportOptions(CLI::App& Verb)
+{
+	const auto Options = std::make_shared<FExportOptions>();
+	Verb.add_option("CONFIG", Options->File, "JSON config")->required();
+	CLI::Option* const Volume =
+		Verb.add_option("--volume", Options->Volume, "Only the volume of this name")->type_name("NAME");
+	Verb.add_option("--at", Options->At, "What all volumes and the camera come to at this place, cm, as one volume")
+		->type_name("X,Y,Z")
+		->excludes(Volume);
+	Verb.add_flag("--struct", Options->bStruct, "Only the settings (..), to paste into a volume's Settings");
+	Verb.add_flag("--full", Options->bFull, "All settings, not only those that are overridden or changed");
+	return [Options]
+	{
+		return Export(*Options);
+	};
+}
+
+const FVerbRegistration GExportRegistration({
+	.Name = "settings export",
+	.Place = 102,
+	.Doc = "Print the volumes of a config as actors to paste into the editor",
+	.AddOptions = AddExportOptions,
+});
+
+} // namespace
 
 } // namespace Drydock

@@ -1,10 +1,13 @@
-// `drydock settings plan`. Source: drydock.
+// `drydock settings plan`: prints every place that an engine patch for one setting touches.
+#include <CLI/CLI.hpp>
+
 #include "NewSettingSheet.h"
 #include "Program/Verbs.h"
 #include "Text/ConfigErrors.h"
 #include "Text/JsonWriter.h"
 
 #include <cstdio>
+#include <memory>
 
 namespace Drydock
 {
@@ -12,12 +15,19 @@ namespace Drydock
 namespace
 {
 
+struct FSettingsPlanOptions
+{
+	std::string Name;
+	std::string Type;     // of a setting that the table does not have; empty: the table has it
+	std::string Default;  // of such a setting; empty: the plan chooses
+	std::string Category; // of such a setting; empty: the plan chooses
+	std::string Doc;      // of such a setting; empty: the plan chooses
+	bool bJson = false;
+};
+
 [[noreturn]] void Refuse(const std::string& Message)
 {
-	FDiagnostic Diagnostic;
-	Diagnostic.Code = ErrorBadArgument;
-	Diagnostic.Message = Message;
-	throw FError(Diagnostic, ExitUsage);
+	throw FError({.Code = ErrorBadArgument, .Message = Message}, ExitUsage);
 }
 
 /** From the table, or from the arguments where the table does not have it. */
@@ -61,14 +71,37 @@ std::string MakePlanJson(const std::vector<FSettingPlace>& Places)
 	return Writer.GetText();
 }
 
-} // namespace
-
-int SettingsPlanVerb(const FSettingsPlanOptions& Options)
+int PrintPlan(const FSettingsPlanOptions& Options)
 {
 	const FNewSetting Setting = FindSetting(Options);
 	const std::string Text = Options.bJson ? MakePlanJson(MakeSettingPlan(Setting)) : FormatSettingPlan(Setting);
 	std::fputs(Text.c_str(), stdout);
 	return ExitDone;
 }
+
+FVerbCall AddOptions(CLI::App& Verb)
+{
+	const auto Options = std::make_shared<FSettingsPlanOptions>();
+	Verb.add_option("SETTING", Options->Name, "Name, such as BloomToonIntensity")->required();
+	Verb.add_option("--type", Options->Type, "Of a setting that is not in the table: float, bool, int, color, ...")
+		->type_name("TYPE");
+	Verb.add_option("--default", Options->Default, "Likewise its default; 0 by default")->type_name("VALUE");
+	Verb.add_option("--category", Options->Category, "Likewise its category")->type_name("A|B");
+	Verb.add_option("--doc", Options->Doc, "Likewise its description")->type_name("TEXT");
+	Verb.add_flag("--json", Options->bJson, "Print an array of places");
+	return [Options]
+	{
+		return PrintPlan(*Options);
+	};
+}
+
+const FVerbRegistration GRegistration({
+	.Name = "settings plan",
+	.Place = 103,
+	.Doc = "Print every place that an engine patch for one setting touches",
+	.AddOptions = AddOptions,
+});
+
+} // namespace
 
 } // namespace Drydock

@@ -1,6 +1,10 @@
-// `drydock sheet`. Source: drydock.
+// `drydock sheet`: puts pictures side by side into one, each with a caption.
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
 #include "Picture/ContactSheet.h"
 #include "Picture/PictureFile.h"
+#include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
 #include "Text/ConfigErrors.h"
 
@@ -8,6 +12,7 @@
 #include <charconv>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 
 namespace Drydock
 {
@@ -17,13 +22,20 @@ namespace
 
 namespace Files = std::filesystem;
 
+struct FSheetVerbOptions
+{
+	std::vector<std::string> Pictures; // files, or folders of runs
+	std::string OutputFile;
+	std::vector<std::string> Captions; // of the first pictures, in place of their names
+	int Columns = 0;                   // 0: chosen
+	int TileWidth = 320;
+	std::string Crop;  // "X,Y,WIDTH,HEIGHT"; empty: all
+	std::string Inset; // "X,Y,WIDTH,HEIGHT[,GAIN]"; empty: none
+};
+
 FError MakeArgumentError(const std::string& Where, const std::string& Message)
 {
-	FDiagnostic Diagnostic;
-	Diagnostic.Code = ErrorBadArgument;
-	Diagnostic.Where = Where;
-	Diagnostic.Message = Message;
-	return FError(Diagnostic, ExitUsage);
+	return FError({.Code = ErrorBadArgument, .Message = Message, .Where = Where}, ExitUsage);
 }
 
 /** The numbers of "1,2,3"; throws unless there are that many. */
@@ -81,14 +93,12 @@ void CheckRegion(
 {
 	if (Region && !IsInside(*Region, Width, Height))
 	{
-		throw MakeArgumentError(Option, "the region leaves " + Picture.string() + ", which is " +
-											std::to_string(Width) + " x " + std::to_string(Height) + " pixels there");
+		throw MakeArgumentError(Option,
+			fmt::format("the region leaves {}, which is {} x {} pixels there", Picture.string(), Width, Height));
 	}
 }
 
-} // namespace
-
-int SheetVerb(const FSheetVerbOptions& Options)
+int MakeSheet(const FSheetVerbOptions& Options)
 {
 	if (Files::path(Options.OutputFile).extension() != ".png")
 	{
@@ -114,9 +124,9 @@ int SheetVerb(const FSheetVerbOptions& Options)
 	}
 	if (Options.Captions.size() > Options.Pictures.size())
 	{
-		throw MakeArgumentError("--caption", "there are " + std::to_string(Options.Captions.size()) +
-												 " captions and only " + std::to_string(Options.Pictures.size()) +
-												 (Options.Pictures.size() == 1 ? " picture" : " pictures"));
+		throw MakeArgumentError(
+			"--caption", fmt::format("there are {} captions and only {} {}", Options.Captions.size(),
+							 Options.Pictures.size(), Options.Pictures.size() == 1 ? "picture" : "pictures"));
 	}
 
 	std::vector<FSheetTile> Tiles;
@@ -139,5 +149,36 @@ int SheetVerb(const FSheetVerbOptions& Options)
 		Tiles.size() == 1 ? "picture" : "pictures", Picture.Width, Picture.Height);
 	return ExitDone;
 }
+
+FVerbCall AddOptions(CLI::App& Verb)
+{
+	const auto Options = std::make_shared<FSheetVerbOptions>();
+	Verb.add_option("PICTURE", Options->Pictures, "Pictures, or folders of runs, whose final.png it is")->required();
+	Verb.add_option("--out", Options->OutputFile, "The picture to write")->type_name("FILE.png")->required();
+	RequireRange(
+		Verb.add_option("--columns", Options->Columns, "Pictures in a row; by default as many as rows"), 1, 100)
+		->type_name("N");
+	RequireRange(
+		Verb.add_option("--width", Options->TileWidth, "Width of each picture in pixels; 320 by default"), 16, 4096)
+		->type_name("N");
+	AddRepeated(Verb, "--caption", "TEXT", Options->Captions,
+		"Of the first picture, then of the second ...; repeats; by default the name of file or folder");
+	Verb.add_option("--crop", Options->Crop, "Only this part of each picture")->type_name("X,Y,WIDTH,HEIGHT");
+	Verb.add_option("--inset", Options->Inset, "This part once more beneath, enlarged, its light times GAIN")
+		->type_name("X,Y,WIDTH,HEIGHT[,GAIN]");
+	return [Options]
+	{
+		return MakeSheet(*Options);
+	};
+}
+
+const FVerbRegistration GRegistration({
+	.Name = "sheet",
+	.Place = 90,
+	.Doc = "Put pictures side by side into one, each with a caption",
+	.AddOptions = AddOptions,
+});
+
+} // namespace
 
 } // namespace Drydock

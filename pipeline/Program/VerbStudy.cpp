@@ -1,23 +1,38 @@
-// `drydock study`. Source: drydock.
-#include "Budget/RunOptions.h"
+// `drydock study`: measures what accuracy costs, by the variants of a config's study.
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "Program/ProgramOutput.h"
 #include "Program/ProgressBar.h"
+#include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
-#include "Run/RunOutputs.h"
 #include "Study/StudyChart.h"
 #include "Study/StudyInsets.h"
 #include "Study/StudyReport.h"
 #include "Study/StudyRun.h"
 #include "Text/TextFile.h"
-#include "Text/TextFormat.h"
 
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 
 namespace Drydock
 {
 
-int StudyVerb(const FVerbOptions& Options)
+namespace
+{
+
+struct FStudyOptions
+{
+	FRunOptions Run;
+	std::string OutputFolder; // empty: GetDefaultOutputFolder
+	bool bJson = false;
+};
+
+/** Prints the table of the study, or study.json, and writes study.json, study.csv, study_taps.svg and, with times,
+ * study_timing.json, study_timing.csv, study.svg; and study_insets.svg with insets/. */
+int RunStudy(const FStudyOptions& Options)
 {
 	FProgressBar Bar;
 	FRunOptions RunOptions = Options.Run;
@@ -28,8 +43,7 @@ int StudyVerb(const FVerbOptions& Options)
 	const auto Begin = std::chrono::steady_clock::now();
 	FStudyRun Run(RunOptions);
 	const FStudyResult Result = Run.Measure();
-	const std::filesystem::path Folder =
-		Options.OutputFolder.empty() ? GetDefaultOutputFolder(Options.Run.ConfigFile) : Options.OutputFolder;
+	const std::filesystem::path Folder = ChooseOutputFolder(Options.OutputFolder, Options.Run);
 	const auto Write = [&](const char* Name, const std::string& Text)
 	{
 		WriteTextFile((Folder / Name).string(), Text);
@@ -51,11 +65,34 @@ int StudyVerb(const FVerbOptions& Options)
 		return ExitDone;
 	}
 	const double Seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - Begin).count();
-	std::fputs((MakeStudyTable(Result) + "\npicture  " + (Folder / "study.svg").string() +
-				   Format(" (%.0f s, ", Seconds) + Format("%.0f s of them measuring)\n", Result.Seconds))
+	std::fputs(fmt::format("{}\npicture  {} ({:.0f} s, {:.0f} s of them measuring)\n", MakeStudyTable(Result),
+				   (Folder / "study.svg").string(), Seconds, Result.Seconds)
 				   .c_str(),
 		stdout);
 	return ExitDone;
 }
+
+FVerbCall AddOptions(CLI::App& Verb)
+{
+	const auto Options = std::make_shared<FStudyOptions>();
+	AddConfig(Verb, Options->Run);
+	AddThreads(Verb, Options->Run, "Threads; 0: all cores (default)");
+	Verb.add_option("--out", Options->OutputFolder, "Folder for tables and pictures; out/NAME of the config by default")
+		->type_name("DIR");
+	Verb.add_flag("--json", Options->bJson, "Print study.json instead of the table");
+	return [Options]
+	{
+		return RunStudy(*Options);
+	};
+}
+
+const FVerbRegistration GRegistration({
+	.Name = "study",
+	.Place = 50,
+	.Doc = "Measure what accuracy costs: the variants of a config's study",
+	.AddOptions = AddOptions,
+});
+
+} // namespace
 
 } // namespace Drydock

@@ -1,28 +1,60 @@
-// `drydock warm`: what the build calls so that a first run needs no compiler. Source: drydock.
+// `drydock warm`: compiles the shaders of configs, which the build does so that a first run needs no compiler.
+#include <CLI/CLI.hpp>
+
 #include "Program/Verbs.h"
 #include "Run/Run.h"
 
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 
 namespace Drydock
 {
 
-int WarmVerb(const std::vector<std::string>& Configs, const std::string& Folder)
+namespace
 {
-	if (!Folder.empty())
+
+struct FWarmOptions
+{
+	std::vector<std::string> Configs;
+	std::string CacheFolder; // empty: the usual one
+};
+
+int Warm(const FWarmOptions& Options)
+{
+	if (!Options.CacheFolder.empty())
 	{
-		setenv("DRYDOCK_CACHE_DIR", Folder.c_str(), 1);
+		setenv("DRYDOCK_CACHE_DIR", Options.CacheFolder.c_str(), 1);
 	}
-	for (const std::string& Config : Configs)
+	for (const std::string& Config : Options.Configs)
 	{
 		// Running is what asks for exactly the shaders that the config uses.
-		FRunOptions Options;
-		Options.ConfigFile = Config;
-		const FRunResult Result = RunConfig(Options);
+		FRunOptions Run;
+		Run.ConfigFile = Config;
+		const FRunResult Result = RunConfig(Run);
 		std::fprintf(stderr, "warmed the shaders of %s: %zu passes\n", Config.c_str(), Result.Passes.size());
 	}
 	return ExitDone;
 }
+
+FVerbCall AddOptions(CLI::App& Verb)
+{
+	const auto Options = std::make_shared<FWarmOptions>();
+	Verb.add_option("CONFIG", Options->Configs, "JSON configs")->required();
+	Verb.add_option("--cache", Options->CacheFolder, "Folder of the cache; the usual one by default")->type_name("DIR");
+	return [Options]
+	{
+		return Warm(*Options);
+	};
+}
+
+const FVerbRegistration GRegistration({
+	.Name = "warm",
+	.Place = 120,
+	.Doc = "Compile the shaders of configs into the shader cache",
+	.AddOptions = AddOptions,
+});
+
+} // namespace
 
 } // namespace Drydock

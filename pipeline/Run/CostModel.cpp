@@ -97,8 +97,7 @@ uint64_t CountWrittenTexels(const FRDGCompiledGraph& Graph, const FRDGCompiledPa
 
 FCostModel FCostModel::Load()
 {
-	std::ifstream Stream(GetFile(), std::ios::binary);
-	return FromJson(std::string(std::istreambuf_iterator<char>(Stream), {}));
+	return FromJson(TryReadTextFile(GetFile()).value_or(""));
 }
 
 void FCostModel::Learn(const FRunResult& Result)

@@ -7,7 +7,7 @@
 #include "RenderGraphDump.h"
 #include "Run/RunDump.h"
 #include "Run/RunJson.h"
-#include "Text/ConfigErrors.h"
+#include "Text/AsideFile.h"
 #include "Text/TextFile.h"
 #include "TileExecutor.h"
 
@@ -17,7 +17,6 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <unistd.h>
 
 namespace Drydock
 {
@@ -64,30 +63,19 @@ FImage MakePreview(const FImage& Image)
 	return Preview;
 }
 
-/** A folder beside the target, removed with everything in it unless it was emptied. */
-class FAsideFolder
+/** A folder for the outputs of a run, beside the one that they are for. */
+struct FAsideFolder : FAsideFile
 {
-public:
 	explicit FAsideFolder(const Files::path& Target)
-		: Path(Target.string() + ".writing." + std::to_string(getpid()))
+		: FAsideFile(Target)
 	{
 		std::error_code Error;
-		Files::remove_all(Path, Error);
-		Files::create_directories(Path / "passes", Error);
+		Files::create_directories(GetPath() / "passes", Error);
 		if (Error)
 		{
-			throw MakeWriteError(Path, Error.message());
+			throw MakeWriteError(GetPath(), Error.message());
 		}
 	}
-	~FAsideFolder()
-	{
-		std::error_code Ignored;
-		Files::remove_all(Path, Ignored);
-	}
-	FAsideFolder(const FAsideFolder&) = delete;
-	FAsideFolder& operator=(const FAsideFolder&) = delete;
-
-	const Files::path Path;
 };
 
 void WriteAside(const FRunResult& Result, const Files::path& Folder)
@@ -157,11 +145,11 @@ double WriteRunOutputs(const FRunResult& Result, const std::string& Folder)
 	{
 		throw MakeWriteError(Target, "there is a file of that name");
 	}
-	const FAsideFolder Aside(Target.has_filename() ? Target : Target.parent_path());
-	WriteAside(Result, Aside.Path);
+	const FAsideFolder Aside(Target);
+	WriteAside(Result, Aside.GetPath());
 	const double SaveMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Begin).count();
-	WriteWholeFile(Aside.Path / "timing.json", MakeTimingJson(Result, SaveMs));
-	MoveInto(Aside.Path, Target, !Result.Dumps.empty());
+	WriteWholeFile(Aside.GetPath() / "timing.json", MakeTimingJson(Result, SaveMs));
+	MoveInto(Aside.GetPath(), Target, !Result.Dumps.empty());
 	return SaveMs;
 }
 
@@ -174,24 +162,20 @@ double WriteNewRunFolder(
 	{
 		throw MakeWriteError(Target, "it is there already");
 	}
-	const FAsideFolder Aside(Target);
-	WriteAside(Result, Aside.Path);
+	FAsideFolder Aside(Target);
+	WriteAside(Result, Aside.GetPath());
 	for (const auto& [Name, Contents] : Further)
 	{
-		WriteWholeFile(Aside.Path / Name, Contents);
+		WriteWholeFile(Aside.GetPath() / Name, Contents);
 	}
 	const double SaveMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Begin).count();
-	WriteWholeFile(Aside.Path / "timing.json", MakeTimingJson(Result, SaveMs));
+	WriteWholeFile(Aside.GetPath() / "timing.json", MakeTimingJson(Result, SaveMs));
 	std::error_code Error;
 	if (Result.Dumps.empty())
 	{
-		Files::remove(Aside.Path / "passes", Error);
+		Files::remove(Aside.GetPath() / "passes", Error);
 	}
-	Files::rename(Aside.Path, Target, Error);
-	if (Error)
-	{
-		throw MakeWriteError(Target, Error.message());
-	}
+	Aside.PutInPlace();
 	return SaveMs;
 }
 

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Renders the frames that are missing, with the history of those that are there.
 #include "Sequence/RunSequence.h"
 
 #include "Config/FrameSequence.h"
@@ -27,11 +27,7 @@ using FClock = std::chrono::steady_clock;
 
 [[noreturn]] void Throw(int Code, const std::string& Folder, const std::string& Message)
 {
-	FDiagnostic Diagnostic;
-	Diagnostic.Code = Code;
-	Diagnostic.File = Folder;
-	Diagnostic.Message = Message;
-	throw FError(Diagnostic, ExitUsage);
+	throw FError({.Code = Code, .Message = Message, .File = Folder}, ExitUsage);
 }
 
 std::string Join(const std::vector<std::string>& Parts)

@@ -1,6 +1,6 @@
 // The frames of a sequence one after another, each in a folder of its own, with what lives on from one to the next. A
 // run that was stopped, whenever it was, is taken up again where it stood: the finished frames stay as they are, and
-// the rest is bit for bit what an undisturbed run writes. Source: drydock.
+// the rest is bit for bit what an undisturbed run writes.
 #pragma once
 
 #include "Budget/RunOptions.h"

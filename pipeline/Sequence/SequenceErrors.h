@@ -1,4 +1,4 @@
-// The numbers of the messages about sequences of frames; docs/errors.md explains each one. Source: drydock.
+// The numbers of the messages about sequences of frames; docs/errors.md explains each one.
 #pragma once
 
 namespace Drydock

@@ -1,9 +1,10 @@
-// Source: drydock.
+// Finds, reads and writes the files of a sequence under a lock.
 #include "Sequence/SequenceFolder.h"
 
 #include "Run/RunOutputs.h"
 #include "Sequence/SequenceErrors.h"
 #include "Text/ConfigErrors.h"
+#include "Text/AsideFile.h"
 #include "Text/TextFile.h"
 
 #include <algorithm>
@@ -27,22 +28,12 @@ const char* const SequenceJsonName = "sequence.json";
 
 [[noreturn]] void Throw(int Code, const Files::path& Path, const std::string& Message)
 {
-	FDiagnostic Diagnostic;
-	Diagnostic.Code = Code;
-	Diagnostic.File = Path.string();
-	Diagnostic.Message = Message;
-	throw FError(Diagnostic, ExitFiles);
+	throw FError({.Code = Code, .Message = Message, .File = Path.string()}, ExitFiles);
 }
 
 Files::path GetFrames(const std::string& Path)
 {
 	return Files::path(Path) / "frames";
-}
-
-/** What writing aside calls its files until they are complete. */
-bool IsHalfWritten(const Files::path& Path)
-{
-	return Path.filename().string().find(".writing.") != std::string::npos;
 }
 
 } // namespace
@@ -82,7 +73,7 @@ void FSequenceFolder::RemoveLeftovers()
 	{
 		for (const Files::directory_entry& Entry : Files::directory_iterator(Folder, Ignored))
 		{
-			if (IsHalfWritten(Entry.path()))
+			if (FAsideFile::IsAside(Entry.path()))
 			{
 				Leftovers.push_back(Entry.path());
 			}

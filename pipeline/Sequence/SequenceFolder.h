@@ -1,6 +1,6 @@
 // The folder of a sequence: frames/0001, frames/0002, ... each as a single run writes it and complete from the moment
 // it is there, with frame.json, what sequence.json will say of it; the latest one holds what the next frame needs of
-// it, view_state.bin. One run at a time writes to a folder. Source: drydock.
+// it, view_state.bin. One run at a time writes to a folder.
 #pragma once
 
 #include "Run/Run.h"

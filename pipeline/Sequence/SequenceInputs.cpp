@@ -1,4 +1,4 @@
-// Source: drydock.
+// Collects fingerprints of what a sequence depends on.
 #include "Sequence/SequenceInputs.h"
 
 #include "InstallPaths.h"

@@ -1,5 +1,5 @@
 // What the pictures of a sequence depend on besides its frames: while that is the same, a stopped run may go on; when
-// it is not, the frames that are there belong to another one. Source: drydock.
+// it is not, the frames that are there belong to another one.
 #pragma once
 
 #include "Budget/RunOptions.h"

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Writes and reads frame.json and sequence.json.
 #include "Sequence/SequenceJson.h"
 
 #include "Run/FinalSettings.h"
@@ -54,11 +54,10 @@ FJsonValue Parse(const std::string& Text, const std::string& File, const char* W
 	FJsonValue Root = ParseJson(Text, File, Diagnostics, bSyntaxError);
 	if (bSyntaxError || Root.Type != EJsonType::Object)
 	{
-		FDiagnostic Diagnostic;
-		Diagnostic.Code = ErrorSequenceBroken;
-		Diagnostic.File = File;
-		Diagnostic.Message = std::string("is no ") + What + " of drydock's: --restart renders all frames again";
-		throw FError(Diagnostic, ExitFiles);
+		throw FError({.Code = ErrorSequenceBroken,
+						 .Message = std::string("is no ") + What + " of drydock's: --restart renders all frames again",
+						 .File = File},
+			ExitFiles);
 	}
 	return Root;
 }
@@ -99,12 +98,6 @@ void WriteValue(FJsonWriter& Writer, const FJsonValue& Value)
 		Writer.Null();
 		return;
 	}
-}
-
-std::string GetText(const FJsonValue& Root, const char* Key)
-{
-	const FJsonValue* Value = Root.Find(Key);
-	return Value != nullptr ? Value->String : "";
 }
 
 void WriteHead(FJsonWriter& Writer, const FConfig& Config, const FSequenceInputs& Inputs, bool bComplete)
@@ -230,13 +223,12 @@ std::string MakeFrameJson(const FRunResult& Result, const FFrameRecord& Record)
 FFrameRecord ReadFrameRecord(const std::string& FrameJson, const std::string& File)
 {
 	const FJsonValue Root = Parse(FrameJson, File, "frame.json");
-	const FJsonValue* Frame = Root.Find("frame");
 	FFrameRecord Record;
-	Record.Frame = Frame != nullptr ? static_cast<int>(Frame->Number) : 0;
-	Record.File = GetText(Root, "file");
-	Record.FileFingerprint = GetText(Root, "fileFingerprint");
-	Record.Picture = GetText(Root, "picture");
-	Record.State = GetText(Root, "state");
+	Record.Frame = static_cast<int>(Root.GetNumber("frame", 0.0));
+	Record.File = Root.GetString("file");
+	Record.FileFingerprint = Root.GetString("fileFingerprint");
+	Record.Picture = Root.GetString("picture");
+	Record.State = Root.GetString("state");
 	return Record;
 }
 
@@ -296,11 +288,7 @@ bool IsSequenceComplete(const std::string& SequenceJson, const std::string& File
 		return false;
 	}
 	return std::equal(Records->Elements.begin(), Records->Elements.end(), Frames.begin(), Frames.end(),
-		[](const FJsonValue& Record, int Frame)
-		{
-			const FJsonValue* Number = Record.Find("frame");
-			return Number != nullptr && Number->Number == Frame;
-		});
+		[](const FJsonValue& Record, int Frame) { return Record.GetNumber("frame", -1.0) == Frame; });
 }
 
 FSequenceInputs ReadSequenceInputs(const std::string& SequenceJson, const std::string& File)

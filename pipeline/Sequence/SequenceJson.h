@@ -1,5 +1,5 @@
 // What a sequence says of itself: frame.json of one frame, sequence.json of all. Nothing in them changes from one run
-// to the next of the same inputs. Source: drydock.
+// to the next of the same inputs.
 #pragma once
 
 #include "Run/Run.h"

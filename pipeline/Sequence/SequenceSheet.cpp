@@ -1,4 +1,4 @@
-// Source: drydock.
+// Puts the frames of a sequence onto a contact sheet.
 #include "Sequence/SequenceSheet.h"
 
 #include "Picture/ContactSheet.h"

@@ -1,4 +1,4 @@
-// A contact sheet of a sequence: its frames side by side. Source: drydock.
+// A contact sheet of a sequence: its frames side by side.
 #pragma once
 
 #include "DrydockAPI.h"

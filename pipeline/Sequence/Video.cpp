@@ -1,12 +1,15 @@
-// Source: drydock.
+// Pipes pictures to ffmpeg, which makes a video of them.
+#include <fmt/format.h>
+
 #include "Sequence/Video.h"
+
+#include "Text/AsideFile.h"
+#include "Text/TextFile.h"
 
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 #include <unistd.h>
 
@@ -57,27 +60,14 @@ private:
 	void (*Before)(int);
 };
 
-} // namespace
-
-std::string MakeVideo(const std::vector<std::string>& Pictures, double FramesPerSecond, const std::string& File)
+/** What went wrong, or nothing. Throws FError where the file cannot be written. */
+std::string PipeToEncoder(const std::vector<std::string>& Pictures, double FramesPerSecond, const std::string& File)
 {
-	if (!IsInstalled("ffmpeg"))
-	{
-		return "there is no ffmpeg on the PATH (Debian: apt install ffmpeg); the frames are there";
-	}
-	const Files::path Target(File);
-	std::error_code Error;
-	if (Target.has_parent_path())
-	{
-		Files::create_directories(Target.parent_path(), Error);
-	}
-	const Files::path Aside = Target.parent_path() / (Target.stem().string() + ".writing." + std::to_string(getpid()) +
-														 Target.extension().string());
+	FAsideFile Aside{Files::path(File)};
 	// Through a pipe, because frame numbers may leave gaps. Video coders want even sizes and halved colour.
-	char Rate[32];
-	std::snprintf(Rate, sizeof(Rate), "%.6g", FramesPerSecond);
-	const std::string Command = std::string("ffmpeg -v error -y -f image2pipe -c:v png -framerate ") + Rate +
-								" -i - -vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p " + Quote(Aside.string());
+	const std::string Command = fmt::format("ffmpeg -v error -y -f image2pipe -c:v png -framerate {:.6g} -i - -vf "
+											"'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p {}",
+		FramesPerSecond, Quote(Aside.GetPath().string()));
 	const FBrokenPipesIgnored Guard;
 	FILE* const Pipe = popen(Command.c_str(), "w");
 	if (Pipe == nullptr)
@@ -86,22 +76,34 @@ std::string MakeVideo(const std::vector<std::string>& Pictures, double FramesPer
 	}
 	for (const std::string& Picture : Pictures)
 	{
-		std::ifstream Stream(Picture, std::ios::binary);
-		const std::string Bytes(std::istreambuf_iterator<char>(Stream), {});
+		const std::string Bytes = TryReadTextFile(Picture).value_or("");
 		std::fwrite(Bytes.data(), 1, Bytes.size(), Pipe);
 	}
-	const bool bDone = pclose(Pipe) == 0 && Files::exists(Aside, Error);
-	if (bDone)
+	std::error_code Ignored;
+	if (pclose(Pipe) != 0 || !Files::exists(Aside.GetPath(), Ignored))
 	{
-		Files::rename(Aside, Target, Error);
+		return "ffmpeg failed; what it said stands above";
 	}
-	if (!bDone || Error)
-	{
-		std::error_code Ignored;
-		Files::remove(Aside, Ignored);
-		return bDone ? File + " cannot be written: " + Error.message() : "ffmpeg failed; what it said stands above";
-	}
+	Aside.PutInPlace();
 	return "";
+}
+
+} // namespace
+
+std::string MakeVideo(const std::vector<std::string>& Pictures, double FramesPerSecond, const std::string& File)
+{
+	if (!IsInstalled("ffmpeg"))
+	{
+		return "there is no ffmpeg on the PATH (Debian: apt install ffmpeg); the frames are there";
+	}
+	try
+	{
+		return PipeToEncoder(Pictures, FramesPerSecond, File);
+	}
+	catch (const FError& Unwritten)
+	{
+		return File + " " + Unwritten.GetDiagnostics().front().Message;
+	}
 }
 
 } // namespace Drydock

@@ -1,4 +1,4 @@
-// Pictures to a video, by ffmpeg where that is installed. Source: drydock.
+// Pictures to a video, by ffmpeg where that is installed.
 #pragma once
 
 #include "DrydockAPI.h"

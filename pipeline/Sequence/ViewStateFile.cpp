@@ -1,4 +1,4 @@
-// Source: drydock.
+// Writes the states of views as bytes and reads them back.
 #include "Sequence/ViewStateFile.h"
 
 #include "Diagnostics.h"
@@ -97,11 +97,7 @@ public:
 	bool IsAtEnd() const { return At == End; }
 	[[noreturn]] void Fail(const std::string& Why) const
 	{
-		FDiagnostic Diagnostic;
-		Diagnostic.Code = ErrorStateBroken;
-		Diagnostic.File = File;
-		Diagnostic.Message = "the state of a frame " + Why;
-		throw FError(Diagnostic, ExitFiles);
+		throw FError({.Code = ErrorStateBroken, .Message = "the state of a frame " + Why, .File = File}, ExitFiles);
 	}
 
 private:

@@ -1,4 +1,5 @@
-// Source: drydock; algorithms: where they are.
+// Builds and matches the blurs of a study, and runs them through the graph or as plain code. Each blur names its source
+// where it is.
 #include "Study/BlurAlgorithms.h"
 
 #include "Study/BlurNative.h"

@@ -1,6 +1,6 @@
 // All ways to blur an image by a standard deviation of s pixels, behind one interface, each with what it costs. Those
 // of shaders run through the render graph, as in a frame; the others are plain code in double and say so. Widths are
-// matched by measurement: the second moment of the impulse response. Source: drydock; algorithms: where they are.
+// matched by measurement: the second moment of the impulse response. Each names its source where it is.
 #pragma once
 
 #include "Budget/BlurNames.h"

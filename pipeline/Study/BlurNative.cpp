@@ -1,4 +1,4 @@
-// Source: drydock; papers: see the header.
+// Computes blurs line by line in double. The header names their papers.
 #include "Study/BlurNative.h"
 
 #include "TileExecutor.h"

@@ -1,7 +1,7 @@
 // Blurs of standard deviation s as plain code in double, without graph and shaders: the exact Gaussian that all are
 // measured against, and algorithms that no shader of the engine's kind can run. Images are interleaved, any number of
 // channels; outside lies the edge texel, without end. Tiles of lines run on all threads; the same bits for any number.
-// A value that is not finite spoils its row and column. Source: drydock; each function names its paper.
+// A value that is not finite spoils its row and column. Each function names its paper.
 #pragma once
 
 #include "Picture/ImageFile.h"

@@ -1,4 +1,6 @@
-// Source: drydock.
+// Draws the panels of a study's chart, with legend and labels.
+#include <fmt/format.h>
+
 #include "Study/StudyChart.h"
 
 #include "Study/StudyPanel.h"
@@ -47,15 +49,14 @@ public:
 private:
 	std::string DrawSubtitle() const
 	{
-		const std::string Size = std::to_string(Result.Width) + " x " + std::to_string(Result.Height);
-		const std::string Clock = "; CPU milliseconds on " + std::to_string(Result.Threads) + " threads, medians of " +
-								  std::to_string(Result.Study.Repetitions) +
-								  " runs in turn, whiskers between quartiles";
+		const std::string Clock =
+			fmt::format("CPU milliseconds on {} threads, medians of {} runs in turn, whiskers between quartiles",
+				Result.Threads, Result.Study.Repetitions);
 		const std::string Reference = Result.Jobs.empty() ? "nothing" : Result.Jobs[0].Reference;
 		constexpr size_t MostCharacters = 160;
 		return SvgText(StudyPageMargin, 58.0, "quiet",
-				   Result.Scene + ", " + Size +
-					   (Cost == EStudyCost::Taps ? "; taps and errors are the same on every run" : Clock)) +
+				   fmt::format("{}, {} x {}; {}", Result.Scene, Result.Width, Result.Height,
+					   Cost == EStudyCost::Taps ? "taps and errors are the same on every run" : Clock)) +
 			   SvgText(StudyPageMargin, 76.0, "quiet", ShortenText("errors against " + Reference, MostCharacters));
 	}
 
@@ -67,7 +68,7 @@ private:
 		for (const size_t Index : Job.Variants)
 		{
 			const FStudyVariant& Variant = Result.Variants[Index];
-			if (!FStudyView::Competes(Variant))
+			if (!Variant.Competes())
 			{
 				continue;
 			}
@@ -258,7 +259,7 @@ private:
 			for (const FStudyJob& Job : Result.Jobs)
 			{
 				const FStudyVariant& Variant = Result.Variants[Job.Variants[Choice]];
-				if (FStudyView::Competes(Variant))
+				if (Variant.Competes())
 				{
 					Add(Variant.Label,
 						[&](double SymbolX, double SymbolY) {
@@ -278,7 +279,7 @@ private:
 		const auto Any = [&](bool FStudyVariant::*Member)
 		{
 			return std::any_of(Result.Variants.begin(), Result.Variants.end(),
-				[&](const FStudyVariant& Variant) { return Variant.*Member && FStudyView::Competes(Variant); });
+				[&](const FStudyVariant& Variant) { return Variant.*Member && Variant.Competes(); });
 		};
 		if (Cost == EStudyCost::Milliseconds && Any(&FStudyVariant::bRecommended))
 		{

@@ -1,4 +1,6 @@
-// Source: drydock.
+// Draws the pictures of a study and the maps of their errors into one SVG.
+#include <fmt/format.h>
+
 #include "Study/StudyInsetSheet.h"
 
 #include "Picture/ImageMetrics.h"
@@ -84,11 +86,12 @@ std::string DrawStudyInsets(const std::string& Title, const std::vector<FStudyIn
 	{
 		double Color[3];
 		GetHeatColor((Step + 0.5) / Steps, Color);
-		char Hex[8];
-		std::snprintf(Hex, sizeof(Hex), "#%02x%02x%02x", static_cast<unsigned>(Color[0] * 255.0 + 0.5),
-			static_cast<unsigned>(Color[1] * 255.0 + 0.5), static_cast<unsigned>(Color[2] * 255.0 + 0.5));
-		Body += "<rect x=\"" + Px(StudyPageMargin + Step * 6.0) + "\" y=\"" + Px(Y) +
-				"\" width=\"6.3\" height=\"10\" fill=\"" + Hex + "\"/>\n";
+		const auto ToByte = [](double Part)
+		{
+			return static_cast<unsigned>(Part * 255.0 + 0.5);
+		};
+		Body += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"6.3\" height=\"10\" fill=\"#{:02x}{:02x}{:02x}\"/>\n",
+			Px(StudyPageMargin + Step * 6.0), Px(Y), ToByte(Color[0]), ToByte(Color[1]), ToByte(Color[2]));
 	}
 	Body += SvgText(StudyPageMargin + Steps * 6.0 + 10.0, Y + 9.0, "label quiet",
 		"error, logarithmic: black a ten-thousandth of the largest of its row of pictures, pale yellow the largest");

@@ -1,5 +1,5 @@
 // Pictures of a study beside one another, each over the map of its error. Pure, from PNGs to SVG; equal data give equal
-// bytes. Source: drydock.
+// bytes.
 #pragma once
 
 #include "DrydockAPI.h"

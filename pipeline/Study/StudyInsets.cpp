@@ -1,17 +1,16 @@
-// Source: drydock.
+// Chooses the pictures that show what errors look like, and writes them to files.
+#include <fmt/format.h>
+
 #include "Study/StudyInsets.h"
 
 #include "Study/StudyRun.h"
 #include "Text/ConfigErrors.h"
-#include "Text/TextFormat.h"
+#include "Text/TextFile.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <tuple>
 
 namespace Drydock
@@ -26,11 +25,6 @@ constexpr int InsetWidth = 240;
 constexpr int InsetHeight = 160;
 constexpr size_t MostRows = 4;
 constexpr size_t MostVariants = 3;
-
-bool Competes(const FStudyVariant& Variant)
-{
-	return Variant.bRan && Variant.Excluded.empty();
-}
 
 /** First, last and evenly between. */
 std::vector<size_t> ChooseJobs(size_t NumJobs)
@@ -49,7 +43,7 @@ std::vector<size_t> ChooseVariants(const FStudyResult& Result, const FStudyJob& 
 {
 	std::vector<size_t> Chosen;
 	std::copy_if(Job.Variants.begin(), Job.Variants.end(), std::back_inserter(Chosen),
-		[&](size_t Index) { return Competes(Result.Variants[Index]); });
+		[&](size_t Index) { return Result.Variants[Index].Competes(); });
 	const auto GetOrder = [&](size_t Index)
 	{
 		const FStudyVariant& Variant = Result.Variants[Index];
@@ -116,16 +110,13 @@ std::string MakeFileName(const std::string& Name)
 std::string WriteInset(const Files::path& File, const FImage& Image)
 {
 	WritePng(File.string(), Image);
-	std::ifstream Stream(File, std::ios::binary);
-	return std::string(std::istreambuf_iterator<char>(Stream), {});
+	return ReadTextFile(File);
 }
 
 std::string DescribeError(const FStudyResult& Result, const FStudyVariant& Variant)
 {
-	char Text[96];
-	std::snprintf(Text, sizeof(Text), "%s %.3g, SSIM %.4f", Result.GetMetric().c_str(),
-		GetMetric(Variant.Error, Result.GetMetric()), Variant.Error.Ssim);
-	return Text;
+	return fmt::format(
+		"{} {:.3g}, SSIM {:.4f}", Result.GetMetric(), GetMetric(Variant.Error, Result.GetMetric()), Variant.Error.Ssim);
 }
 
 FStudyInsetRow MakeRow(FStudyRun& Run, const FStudyResult& Result, const FStudyJob& Job, const Files::path& Folder)
@@ -158,8 +149,8 @@ FStudyInsetRow MakeRow(FStudyRun& Run, const FStudyResult& Result, const FStudyJ
 	};
 	FStudyInset& First = Row.Insets.emplace_back();
 	First.Title = "Reference";
-	First.Subtitle = Format("around (%.0f, ", X) + Format("%.0f)", Y) +
-					 (Exposure < 1.0 ? Format(", shown times %.2g", Exposure) : "");
+	First.Subtitle = fmt::format("around ({}, {})", X, Y);
+	First.Subtitle += Exposure < 1.0 ? fmt::format(", shown times {:.2g}", Exposure) : "";
 	First.Png = Write("reference", Exact, Reference.Encoding, First);
 	for (const size_t Index : Chosen)
 	{
@@ -172,7 +163,7 @@ FStudyInsetRow MakeRow(FStudyRun& Run, const FStudyResult& Result, const FStudyJ
 		Inset.Png = Write(Name, Picture.Image, Picture.Encoding, Inset);
 		const FImage Heat = MakeHeatMap(Picture.Image, Exact, Full, std::min(3, Exact.NumChannels));
 		Inset.HeatPng = Write(Name + ".heat", Heat, EImageEncoding::Display, Inset);
-		Inset.HeatTitle = Format("its error, at most %.3g", Variant.Error.Max);
+		Inset.HeatTitle = fmt::format("its error, at most {:.3g}", Variant.Error.Max);
 	}
 	return Row;
 }
@@ -187,11 +178,10 @@ std::vector<FStudyInsetRow> WriteStudyInsets(FStudyRun& Run, const FStudyResult&
 	Files::create_directories(Insets, Error);
 	if (Error)
 	{
-		FDiagnostic Diagnostic;
-		Diagnostic.Code = ErrorFileNotWritten;
-		Diagnostic.File = Insets.string();
-		Diagnostic.Message = "the folder cannot be made: " + Error.message();
-		throw FError(Diagnostic, ExitFiles);
+		throw FError({.Code = ErrorFileNotWritten,
+						 .Message = "the folder cannot be made: " + Error.message(),
+						 .File = Insets.string()},
+			ExitFiles);
 	}
 	std::vector<FStudyInsetRow> Rows;
 	for (const size_t Job : ChooseJobs(Result.Jobs.size()))

@@ -1,5 +1,5 @@
 // What errors look like: for a few jobs of a study the reference and three variants (what is recommended, what is in
-// use, then the front's and the largest errors), each over a map of its error. Source: drydock.
+// use, then the front's and the largest errors), each over a map of its error.
 #pragma once
 
 #include "Study/StudyInsetSheet.h"

@@ -1,4 +1,6 @@
-// Source: drydock.
+// Maps numbers to logarithmic axes, draws these, and places labels where nothing is yet.
+#include <fmt/format.h>
+
 #include "Study/StudyPanel.h"
 
 #include <algorithm>
@@ -68,28 +70,6 @@ std::vector<double> FLogAxis::GetTicks() const
 	return Ticks;
 }
 
-std::string SvgText(double X, double Y, const std::string& Class, const std::string& Text)
-{
-	return "<text x=\"" + Px(X) + "\" y=\"" + Px(Y) + "\"" + (Class.empty() ? "" : " class=\"" + Class + "\"") + ">" +
-		   EscapeXml(Text) + "</text>\n";
-}
-
-std::string SvgLine(double X1, double Y1, double X2, double Y2, const std::string& Class)
-{
-	return "<line x1=\"" + Px(X1) + "\" y1=\"" + Px(Y1) + "\" x2=\"" + Px(X2) + "\" y2=\"" + Px(Y2) + "\" class=\"" +
-		   Class + "\"/>\n";
-}
-
-std::string SvgPath(const std::vector<FSvgPoint>& Points, const std::string& Class)
-{
-	std::string Text;
-	for (const FSvgPoint& Point : Points)
-	{
-		Text += (Text.empty() ? "M" : " L") + Px(Point.first) + " " + Px(Point.second);
-	}
-	return "<path d=\"" + Text + "\" class=\"" + Class + "\"/>\n";
-}
-
 double EstimateTextWidth(const std::string& Text, double FontSize)
 {
 	double Width = 0.0;
@@ -108,8 +88,8 @@ std::string TickMarkup(double Value)
 	const bool bPower = std::abs(std::log10(Value) - Power) < 1e-9;
 	if (bPower && (Power < -3 || Power > 4))
 	{
-		return "10<tspan dy=\"-4\" font-size=\"8.5\">" + std::string(Power < 0 ? "\xE2\x88\x92" : "") +
-			   std::to_string(std::abs(Power)) + "</tspan>";
+		return fmt::format(
+			"10<tspan dy=\"-4\" font-size=\"8.5\">{}{}</tspan>", Power < 0 ? "\xE2\x88\x92" : "", std::abs(Power));
 	}
 	return Value < 1e-3 ? ShortText(Value) : FixedText(Value, Value < 1.0 ? 4 : 2);
 }
@@ -117,9 +97,7 @@ std::string TickMarkup(double Value)
 std::string DrawAxes(const FSvgBox& Plot, const FLogAxis& X, const FLogAxis& Y, const std::vector<double>& XTicks,
 	const std::string& XName, const std::string& YName)
 {
-	std::string Svg = "<rect x=\"" + Px(Plot.Left) + "\" y=\"" + Px(Plot.Top) + "\" width=\"" +
-					  Px(Plot.Right - Plot.Left) + "\" height=\"" + Px(Plot.Bottom - Plot.Top) +
-					  "\" class=\"plot\"/>\n";
+	std::string Svg = SvgRect(Plot, "plot");
 	double LastRight = -HUGE_VAL;
 	for (const double Tick : XTicks)
 	{
@@ -129,8 +107,7 @@ std::string DrawAxes(const FSvgBox& Plot, const FLogAxis& X, const FLogAxis& Y, 
 		const double Half = Markup.find('<') == std::string::npos ? EstimateTextWidth(Markup, LabelSize) / 2.0 : 12.0;
 		if (Place - Half > LastRight)
 		{
-			Svg += "<text x=\"" + Px(Place) + "\" y=\"" + Px(Plot.Bottom + 16.0) + "\" class=\"tick mid\">" + Markup +
-				   "</text>\n";
+			Svg += SvgMarkup(Place, Plot.Bottom + 16.0, "tick mid", Markup);
 			LastRight = Place + Half + 5.0;
 		}
 	}
@@ -138,13 +115,11 @@ std::string DrawAxes(const FSvgBox& Plot, const FLogAxis& X, const FLogAxis& Y, 
 	{
 		const double Place = Y.Map(Tick);
 		Svg += SvgLine(Plot.Left, Place, Plot.Right, Place, "grid");
-		Svg += "<text x=\"" + Px(Plot.Left - 7.0) + "\" y=\"" + Px(Place + 4.0) + "\" class=\"tick end\">" +
-			   TickMarkup(Tick) + "</text>\n";
+		Svg += SvgMarkup(Plot.Left - 7.0, Place + 4.0, "tick end", TickMarkup(Tick));
 	}
 	Svg += SvgText((Plot.Left + Plot.Right) / 2.0, Plot.Bottom + 33.0, "tick quiet mid", XName);
-	const std::string Turn = Px(Plot.Left - 44.0) + " " + Px((Plot.Top + Plot.Bottom) / 2.0);
-	return Svg + "<text transform=\"translate(" + Turn + ") rotate(-90)\" class=\"tick quiet mid\">" +
-		   EscapeXml(YName) + "</text>\n";
+	return Svg + fmt::format("<text transform=\"translate({} {}) rotate(-90)\" class=\"tick quiet mid\">{}</text>\n",
+					 Px(Plot.Left - 44.0), Px((Plot.Top + Plot.Bottom) / 2.0), EscapeXml(YName));
 }
 
 bool FLabelPlacer::IsFree(const FSvgBox& Box) const

@@ -1,5 +1,4 @@
-// One pair of logarithmic axes in a drawing, and labels that keep out of each other's way. Inner to StudyChart. Source:
-// drydock.
+// One pair of logarithmic axes in a drawing, and labels that keep out of each other's way. Inner to StudyChart.
 #pragma once
 
 #include "Picture/SvgTools.h"
@@ -10,24 +9,6 @@
 
 namespace Drydock
 {
-
-/** Pixels. */
-struct FSvgBox
-{
-	double Left = 0.0;
-	double Top = 0.0;
-	double Right = 0.0;
-	double Bottom = 0.0;
-
-	bool Overlaps(const FSvgBox& Other) const
-	{
-		return Left < Other.Right && Other.Left < Right && Top < Other.Bottom && Other.Top < Bottom;
-	}
-	bool Contains(const FSvgBox& Other) const
-	{
-		return Other.Left >= Left && Other.Right <= Right && Other.Top >= Top && Other.Bottom <= Bottom;
-	}
-};
 
 /** From numbers above 0 to pixels, in equal steps for equal factors. */
 class FLogAxis
@@ -49,10 +30,6 @@ private:
 	double From;
 	double To;
 };
-
-std::string SvgText(double X, double Y, const std::string& Class, const std::string& Text);
-std::string SvgLine(double X1, double Y1, double X2, double Y2, const std::string& Class);
-std::string SvgPath(const std::vector<FSvgPoint>& Points, const std::string& Class);
 
 /** About as wide as it will be, at a size of the font in pixels. */
 double EstimateTextWidth(const std::string& Text, double FontSize);

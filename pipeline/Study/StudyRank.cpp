@@ -1,7 +1,9 @@
-// Source: drydock.
+// Ranks the variants of each job, and recommends one within the budget.
+#include <fmt/format.h>
+
 #include "Study/StudyRank.h"
+
 #include "Budget/StudyBudget.h"
-#include "Text/TextFormat.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,11 +24,6 @@ double Interpolate(const std::vector<double>& Sorted, double Part)
 	return Sorted[Index] + (Sorted[Next] - Sorted[Index]) * (Place - static_cast<double>(Index));
 }
 
-bool Competes(const FStudyVariant& Variant)
-{
-	return Variant.bRan && Variant.Excluded.empty();
-}
-
 using FCost = std::function<double(const FStudyVariant&)>;
 
 void Rank(FStudyResult& Result, const FStudyJob& Job, const FCost& Cost, FStudyRank FStudyVariant::*Member)
@@ -39,7 +36,7 @@ void Rank(FStudyResult& Result, const FStudyJob& Job, const FCost& Cost, FStudyR
 	{
 		FStudyVariant& Variant = Result.Variants[Index];
 		Variant.*Member = {};
-		if (!Competes(Variant))
+		if (!Variant.Competes())
 		{
 			continue;
 		}
@@ -48,7 +45,7 @@ void Rank(FStudyResult& Result, const FStudyJob& Job, const FCost& Cost, FStudyR
 		{
 			const FStudyVariant& Rival = Result.Variants[Other];
 			// Plain code cannot run where shaders do.
-			if (!Competes(Rival) || (Rival.bPlainCode && !Variant.bPlainCode) || Error(Rival) > Error(Variant) ||
+			if (!Rival.Competes() || (Rival.bPlainCode && !Variant.bPlainCode) || Error(Rival) > Error(Variant) ||
 				Cost(Rival) > Cost(Variant) || (Error(Rival) == Error(Variant) && Cost(Rival) == Cost(Variant)))
 			{
 				continue;
@@ -73,7 +70,7 @@ void FindNoise(FStudyResult& Result, const FStudyJob& Job)
 		for (const size_t Other : Job.Variants)
 		{
 			const FStudyVariant& Rival = Result.Variants[Other];
-			if (Other != Index && Competes(Variant) && Competes(Rival) && Rival.Time.Low <= Variant.Time.High &&
+			if (Other != Index && Variant.Competes() && Rival.Competes() && Rival.Time.Low <= Variant.Time.High &&
 				Variant.Time.Low <= Rival.Time.High)
 			{
 				Variant.WithinNoiseOf.push_back(Other);
@@ -87,12 +84,12 @@ std::string DescribeBudget(const FStudyBudget& Budget)
 	std::string Text;
 	if (Budget.Max)
 	{
-		Text =
-			Budget.Metric + (IsHigherBetter(Budget.Metric) ? " at least " : " at most ") + Format("%.3g", *Budget.Max);
+		Text = fmt::format(
+			"{} {} {:.3g}", Budget.Metric, IsHigherBetter(Budget.Metric) ? "at least" : "at most", *Budget.Max);
 	}
 	if (Budget.Ms)
 	{
-		Text += (Text.empty() ? "" : " and ") + Format("%.3g ms", *Budget.Ms);
+		Text += fmt::format("{}{:.3g} ms", Text.empty() ? "" : " and ", *Budget.Ms);
 	}
 	return Text;
 }
@@ -113,7 +110,7 @@ void Recommend(FStudyResult& Result, FStudyJob& Job)
 	{
 		const FStudyVariant& Variant = Result.Variants[Index];
 		Result.Variants[Index].bRecommended = false;
-		if (Competes(Variant) && !Variant.bPlainCode && MeetsBudget(Variant.Error, Budget) &&
+		if (Variant.Competes() && !Variant.bPlainCode && MeetsBudget(Variant.Error, Budget) &&
 			(!Budget.Ms || Variant.Time.Median <= *Budget.Ms))
 		{
 			Fit.push_back(Index);
@@ -141,19 +138,17 @@ void Recommend(FStudyResult& Result, FStudyJob& Job)
 	}
 	FStudyVariant& Chosen = Result.Variants[Best];
 	Chosen.bRecommended = true;
-	Job.Recommendation = Chosen.Label + ": " + Result.GetMetric() + " " +
-						 Format("%.3g", GetMetric(Chosen.Error, Result.GetMetric())) + ", " +
-						 Format("%.3g ms", Chosen.Time.Median);
+	Job.Recommendation = fmt::format("{}: {} {:.3g}, {:.3g} ms", Chosen.Label, Result.GetMetric(),
+		GetMetric(Chosen.Error, Result.GetMetric()), Chosen.Time.Median);
 	for (const size_t Index : Job.Variants)
 	{
 		const FStudyVariant& Now = Result.Variants[Index];
 		if (Now.bCurrent && Now.bRan && Index != Best)
 		{
 			const double Faster = Now.Time.Median / Chosen.Time.Median;
-			Job.Recommendation += Faster >= 1.0 ? Format("; %.3g times as fast as ", Faster)
-												: Format("; %.3g times as slow as ", 1.0 / Faster);
-			Job.Recommendation += "now (" + Now.Label + ": " + Result.GetMetric() + " " +
-								  Format("%.3g", GetMetric(Now.Error, Result.GetMetric())) + ")";
+			Job.Recommendation += fmt::format("; {:.3g} times as {} as now ({}: {} {:.3g})",
+				Faster >= 1.0 ? Faster : 1.0 / Faster, Faster >= 1.0 ? "fast" : "slow", Now.Label, Result.GetMetric(),
+				GetMetric(Now.Error, Result.GetMetric()));
 		}
 	}
 }

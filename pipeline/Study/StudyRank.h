@@ -1,4 +1,4 @@
-// Who dominates whom, what is within noise, and what a budget recommends: pure, from figures to words. Source: drydock.
+// Who dominates whom, what is within noise, and what a budget recommends: pure, from figures to words.
 #pragma once
 
 #include "Study/StudyResult.h"

@@ -1,4 +1,6 @@
-// Source: drydock.
+// Writes the results of a study as a table, JSON and CSV.
+#include <fmt/format.h>
+
 #include "Study/StudyReport.h"
 
 #include "Run/RunJson.h"
@@ -8,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace Drydock
 {
@@ -18,36 +19,18 @@ namespace
 
 using FRow = std::vector<std::string>;
 
-/** Columns as wide as their widest cell; the first and the last are text, the others numbers. */
+/** The first and the last column are text, the others numbers. */
 std::string AlignRows(const std::vector<FRow>& Rows)
 {
-	std::vector<size_t> Widths(Rows[0].size(), 0);
-	for (const FRow& Row : Rows)
-	{
-		for (size_t Column = 0; Column < Row.size(); ++Column)
-		{
-			Widths[Column] = std::max(Widths[Column], Row[Column].size());
-		}
-	}
-	std::string Text;
-	for (const FRow& Row : Rows)
-	{
-		std::string Line;
-		for (size_t Column = 0; Column < Row.size(); ++Column)
-		{
-			const std::string Padding(Widths[Column] - Row[Column].size(), ' ');
-			const bool bText = Column == 0 || Column + 1 == Row.size();
-			Line += (Column > 0 ? "  " : "") + (bText ? Row[Column] + Padding : Padding + Row[Column]);
-		}
-		Text += "  " + Line.substr(0, Line.find_last_not_of(' ') + 1) + "\n";
-	}
-	return Text;
+	return AlignColumns(
+		Rows, [&](size_t Column) { return Column == 0 || Column + 1 == Rows[0].size(); }, "  ");
 }
 
 std::string DescribeRank(const FStudyResult& Result, const FStudyVariant& Variant)
 {
 	std::string Text;
-	if (!Variant.Excluded.empty())
+	const bool bExcluded = Variant.Exclusion != EStudyExclusion::None;
+	if (bExcluded)
 	{
 		Text = Variant.Excluded;
 	}
@@ -62,7 +45,7 @@ std::string DescribeRank(const FStudyResult& Result, const FStudyVariant& Varian
 			std::find(Variant.WithinNoiseOf.begin(), Variant.WithinNoiseOf.end(), By) != Variant.WithinNoiseOf.end();
 		Text = "dominated by " + Result.Variants[By].Label + (bNoise ? " (time within noise)" : "");
 	}
-	Text += Variant.bPlainCode && Variant.Excluded.empty() ? ", plain code" : "";
+	Text += Variant.bPlainCode && !bExcluded ? ", plain code" : "";
 	Text += Variant.bRecommended ? ", recommended" : "";
 	return Text + (Variant.bCurrent ? ", in use now" : "");
 }
@@ -71,15 +54,16 @@ FRow MakeRow(const FStudyResult& Result, const FStudyJob& Job, const FStudyVaria
 {
 	if (!Variant.bRan)
 	{
-		return {Variant.Label, "", "", "", "", "", "", "", "", Variant.Taps > 0.0 ? Format("%.0f", Variant.Taps) : "",
-			"", DescribeRank(Result, Variant)};
+		return {Variant.Label, "", "", "", "", "", "", "", "",
+			Variant.Taps > 0.0 ? fmt::format("{:.0f}", Variant.Taps) : "", "", DescribeRank(Result, Variant)};
 	}
 	const FImageError& Error = Variant.Error;
 	const double Times = Variant.Time.Median > 0.0 ? Job.ReferenceTime.Median / Variant.Time.Median : 0.0;
-	return {Variant.Label, Format("%.2f", Variant.Time.Median), Format("%.2f", Variant.Time.High - Variant.Time.Low),
-		Format("%.3g", Times), Format("%.3g", Error.Max), Format("%.3g", Error.Rms), Format("%.3g", Error.Relative),
-		Format("%.1f", Error.Psnr), Format("%.5f", Error.Ssim), Format("%.1f", Variant.Taps),
-		Format("%.0f", Variant.Bytes), DescribeRank(Result, Variant)};
+	return {Variant.Label, fmt::format("{:.2f}", Variant.Time.Median),
+		fmt::format("{:.2f}", Variant.Time.High - Variant.Time.Low), fmt::format("{:.3g}", Times),
+		fmt::format("{:.3g}", Error.Max), fmt::format("{:.3g}", Error.Rms), fmt::format("{:.3g}", Error.Relative),
+		fmt::format("{:.1f}", Error.Psnr), fmt::format("{:.5f}", Error.Ssim), fmt::format("{:.1f}", Variant.Taps),
+		fmt::format("{:.0f}", Variant.Bytes), DescribeRank(Result, Variant)};
 }
 
 /** What is as fast as something else: pairs of the front only, for they are what is chosen among. */
@@ -198,10 +182,9 @@ std::string GetErrorTitle(const std::string& Metric)
 
 std::string MakeStudyTable(const FStudyResult& Result)
 {
-	std::string Text = Result.Name + ": " + Result.Scene + ", " + std::to_string(Result.Width) + " x " +
-					   std::to_string(Result.Height) + "; " + GetCpuName() + ", " + std::to_string(Result.Threads) +
-					   " threads, medians of " + std::to_string(Result.Study.Repetitions) +
-					   " interleaved runs, spread between quartiles\n";
+	std::string Text = fmt::format(
+		"{}: {}, {} x {}; {}, {} threads, medians of {} interleaved runs, spread between quartiles\n", Result.Name,
+		Result.Scene, Result.Width, Result.Height, GetCpuName(), Result.Threads, Result.Study.Repetitions);
 	for (const FStudyJob& Job : Result.Jobs)
 	{
 		std::vector<FRow> Rows = {{"variant", "CPU ms", "spread", "x ref", "max", "rms", "relative", "PSNR", "SSIM",
@@ -210,9 +193,9 @@ std::string MakeStudyTable(const FStudyResult& Result)
 		{
 			Rows.push_back(MakeRow(Result, Job, Result.Variants[Index]));
 		}
-		Text += "\n" + (Job.Case.Label.empty() ? "" : Job.Case.Label + "; ") + "reference: " + Job.Reference + ", " +
-				Format("%.1f ms", Job.ReferenceTime.Median) + "\n" + AlignRows(Rows) + DescribeNoise(Result, Job) +
-				"  recommended  " + Job.Recommendation + "\n";
+		Text += fmt::format("\n{}reference: {}, {:.1f} ms\n{}{}  recommended  {}\n",
+			Job.Case.Label.empty() ? "" : Job.Case.Label + "; ", Job.Reference, Job.ReferenceTime.Median,
+			AlignRows(Rows), DescribeNoise(Result, Job), Job.Recommendation);
 	}
 	return Text;
 }
@@ -350,21 +333,20 @@ std::string MakeStudyCsv(const FStudyResult& Result, bool bTiming)
 		}
 		for (const std::string& Metric : GetMetricNames())
 		{
-			Text += (Variant.bRan ? Format("%.17g", GetMetric(Variant.Error, Metric)) : "") + ",";
+			Text += (Variant.bRan ? fmt::format("{:.17g}", GetMetric(Variant.Error, Metric)) : "") + ",";
 		}
 		if (bTiming)
 		{
 			const FStudyTime& Time = Variant.Time;
 			const double Times = Time.Median > 0.0 ? Job.ReferenceTime.Median / Time.Median : 0.0;
-			Text += Variant.bRan ? Format("%.4f,", Time.Median) + Format("%.4f,", Time.Low) +
-									   Format("%.4f,", Time.High) + Format("%.4g,", Times)
+			Text += Variant.bRan ? fmt::format("{:.4f},{:.4f},{:.4f},{:.4g},", Time.Median, Time.Low, Time.High, Times)
 								 : ",,,,";
-			Text += std::string(Variant.ByTime.bFront ? "1," : "0,") + (Variant.bRecommended ? "1\n" : "0\n");
+			Text += fmt::format("{:d},{:d}\n", Variant.ByTime.bFront, Variant.bRecommended);
 			continue;
 		}
-		Text += Format("%.17g,", Variant.Taps) + Format("%.17g,", Variant.Bytes) +
-				(Variant.MeasuredSigma > 0.0 ? Format("%.17g", Variant.MeasuredSigma) : "") + "," +
-				(Variant.ByTaps.bFront ? "1," : "0,") + CsvText(Variant.Excluded) + "\n";
+		Text += fmt::format("{:.17g},{:.17g},{},{:d},{}\n", Variant.Taps, Variant.Bytes,
+			Variant.MeasuredSigma > 0.0 ? fmt::format("{:.17g}", Variant.MeasuredSigma) : "", Variant.ByTaps.bFront,
+			CsvText(Variant.Excluded));
 	}
 	return Text;
 }

@@ -1,5 +1,5 @@
 // What a study says, as text for people and machines. What differs from run to run (times, and what follows from them)
-// is in texts of its own: the others are the same bytes on every run. Source: drydock.
+// is in texts of its own: the others are the same bytes on every run.
 #pragma once
 
 #include "Study/StudyResult.h"

@@ -1,5 +1,5 @@
 // What a study found. The figures that are the same on every run (errors, taps, bytes, the front over taps) and the
-// measured times are kept apart. Source: drydock.
+// measured times are kept apart.
 #pragma once
 
 #include "Budget/StudyConfig.h"
@@ -29,14 +29,29 @@ struct FStudyRank
 	int DominatedBy = -1;
 };
 
+/** Why a variant has no rank. */
+enum class EStudyExclusion
+{
+	None,
+	NotRun,     // it cannot be made, or would take too long
+	WrongWidth, // it runs, and is a blur of another width than was asked for
+};
+
+/** A cost that variants are compared by. */
+enum class EStudyCost
+{
+	Milliseconds, // of this CPU
+	Taps,         // per pixel: the same everywhere
+};
+
 /** One way to do one job. */
 struct FStudyVariant
 {
 	size_t Case = 0;
 	size_t Choice = 0;
 	std::string Label; // of the choice
-	/** Why it did not run, or why it does not compete; then it has no rank. */
-	std::string Excluded;
+	EStudyExclusion Exclusion = EStudyExclusion::None;
+	std::string Excluded; // the exclusion in words
 	bool bRan = false;
 	FImageError Error;
 	double Taps = 0.0;          // per pixel of the picture
@@ -51,6 +66,9 @@ struct FStudyVariant
 	FStudyRank ByTime;
 	std::vector<size_t> WithinNoiseOf; // other variants of the job whose quartiles overlap
 	bool bRecommended = false;
+
+	/** It ran, and is what was asked for. */
+	bool Competes() const { return bRan && Exclusion == EStudyExclusion::None; }
 };
 
 /** One job. */

@@ -1,29 +1,21 @@
-// Source: drydock.
+// Runs all variants of a study in turn, measures their errors and times, and ranks them.
 #include "Study/StudyRun.h"
 
 #include "Budget/StudyRequest.h"
-#include "ContentHash.h"
 #include "HAL/IConsoleManager.h"
 #include "PostProcessSettingsReflection.h"
 #include "Run/Run.h"
-#include "Run/RunDump.h"
 #include "Run/RunSetup.h"
-#include "Study/BlurAlgorithms.h"
-#include "Study/BlurNative.h"
 #include "Study/StudyRank.h"
 #include "Study/StudySubject.h"
 #include "Text/ConfigErrors.h"
 #include "TileExecutor.h"
-#include "Toon/ToonShadowBlur.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <map>
-#include <numbers>
-#include <sstream>
 
 namespace Drydock
 {
@@ -221,7 +213,7 @@ private:
 				Show(Job.Case.Label + " " + Variant.Label);
 				++NumDone;
 				Subject.Prepare(GetSet(Variant), Variant);
-				if (Variant.Excluded.rfind("not run", 0) == 0)
+				if (Variant.Exclusion == EStudyExclusion::NotRun)
 				{
 					continue;
 				}
@@ -301,30 +293,6 @@ private:
 };
 
 } // namespace
-
-FImage MakeBlurInput(const std::string& Input, const FImage& Scene, double Sigma)
-{
-	if (Input == "scene")
-	{
-		return Scene;
-	}
-	FImage Image{Scene.Width, Scene.Height, 4, {}};
-	Image.Values.reserve(Scene.Values.size());
-	const int PointX = Scene.Width * 2 / 5;
-	const int PointY = Scene.Height * 3 / 5;
-	const double Brightness = 2.0 * std::numbers::pi * Sigma * Sigma;
-	for (int Y = 0; Y < Scene.Height; ++Y)
-	{
-		for (int X = 0; X < Scene.Width; ++X)
-		{
-			const bool bLit =
-				Input == "point" ? X == PointX && Y == PointY : 3 * (X - Scene.Width / 2) > Y - Scene.Height / 2;
-			const double Value = !bLit ? 0.0 : Input == "point" ? Brightness : 1.0;
-			Image.Values.insert(Image.Values.end(), {Value, Value, Value, 1.0});
-		}
-	}
-	return Image;
-}
 
 struct FStudyRun::FState
 {

@@ -1,5 +1,5 @@
 // Runs a study: everything in one process, all variants in turn again and again, so that what slows the machine down
-// for a while slows all of them. Source: drydock.
+// for a while slows all of them.
 #pragma once
 
 #include "Study/StudyResult.h"
@@ -42,9 +42,5 @@ private:
 
 /** The figures alone. Throws as FStudyRun does. */
 DRYDOCK_API FStudyResult RunStudy(const FRunOptions& Options);
-
-/** The scene's colour as a study of blurs takes it, RGBA: scene, point or edge. The point is as bright as makes the
- * exact blur's peak 1; the edge is slanted. */
-DRYDOCK_API FImage MakeBlurInput(const std::string& Input, const FImage& Scene, double Sigma);
 
 } // namespace Drydock

@@ -1,4 +1,5 @@
-// Source: drydock. Colours: the first ones also the colour-blind tell apart.
+// Holds the style sheet and the markers of a study's drawings. The first colours are those that colour-blind readers
+// tell apart too.
 #include "Study/StudyStyle.h"
 
 #include "Picture/SvgTools.h"
@@ -11,8 +12,7 @@ namespace
 
 constexpr size_t NumColors = 10;
 
-const char* const Style =
-	"text{font:12px system-ui,-apple-system,'Segoe UI',Helvetica,Arial,sans-serif;fill:#1f2328}\n"
+const char* const LightStyle =
 	".title{font-size:19px;font-weight:600}.name{font-size:13.5px;font-weight:600}.quiet{fill:#59636e}.tick{font-size:"
 	"11px}"
 	".label{font-size:11px}.strong{font-weight:600}\n"
@@ -29,23 +29,21 @@ const char* const Style =
 	".f0{fill:#d9730d}.s0{stroke:#d9730d}.f1{fill:#2f6fdb}.s1{stroke:#2f6fdb}.f2{fill:#2a9d68}.s2{stroke:#2a9d68}"
 	".f3{fill:#a651b5}.s3{stroke:#a651b5}.f4{fill:#b08d00}.s4{stroke:#b08d00}.f5{fill:#1b97b0}.s5{stroke:#1b97b0}"
 	".f6{fill:#c2335c}.s6{stroke:#c2335c}.f7{fill:#6e7781}.s7{stroke:#6e7781}.f8{fill:#5b4fc9}.s8{stroke:#5b4fc9}"
-	".f9{fill:#7a8f1e}.s9{stroke:#7a8f1e}\n"
-	"@media (prefers-color-scheme:dark){text{fill:#e6edf3}.quiet{fill:#9198a1}.page{fill:#0d1117}.grid{stroke:#30363d}"
-	".dot{stroke:#0d1117}.front{stroke:#e6edf3}.now{stroke:#e6edf3}.pick{stroke:#3fb950}.budget{stroke:#ff7b72}"
+	".f9{fill:#7a8f1e}.s9{stroke:#7a8f1e}\n";
+
+const char* const DarkStyle =
+	".front{stroke:#e6edf3}.now{stroke:#e6edf3}.pick{stroke:#3fb950}.budget{stroke:#ff7b72}"
 	".budgettext{fill:#ff7b72}.within{fill:#3fb950}"
 	".f0{fill:#f0883e}.s0{stroke:#f0883e}.f1{fill:#58a6ff}.s1{stroke:#58a6ff}.f2{fill:#3fb950}.s2{stroke:#3fb950}"
 	".f3{fill:#d2a8ff}.s3{stroke:#d2a8ff}.f4{fill:#e3b341}.s4{stroke:#e3b341}.f5{fill:#56d4dd}.s5{stroke:#56d4dd}"
 	".f6{fill:#ff7b9c}.s6{stroke:#ff7b9c}.f7{fill:#9198a1}.s7{stroke:#9198a1}.f8{fill:#a5a0ff}.s8{stroke:#a5a0ff}"
-	".f9{fill:#b9ce5a}.s9{stroke:#b9ce5a}}\n";
+	".f9{fill:#b9ce5a}.s9{stroke:#b9ce5a}";
 
 } // namespace
 
 std::string BeginStudySvg(double Height, const std::string& Title)
 {
-	return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + Px(StudyPageWidth) + " " + Px(Height) +
-		   "\" width=\"" + Px(StudyPageWidth) + "\" height=\"" + Px(Height) + "\" role=\"img\" aria-label=\"" +
-		   EscapeXml(Title) + "\">\n<style>\n" + Style + "</style>\n<rect width=\"" + Px(StudyPageWidth) +
-		   "\" height=\"" + Px(Height) + "\" rx=\"8\" class=\"page\"/>\n";
+	return BeginSvg(StudyPageWidth, Height, Title, LightStyle, DarkStyle) + SvgPage(StudyPageWidth, Height, 8.0);
 }
 
 std::string GetStudyColor(size_t Choice)

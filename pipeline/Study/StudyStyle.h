@@ -1,4 +1,4 @@
-// What the drawings of a study share: page, style sheet, colours, markers. Inner to Study. Source: drydock.
+// What the drawings of a study share: page, style sheet, colours, markers. Inner to Study.
 #pragma once
 
 #include <string>

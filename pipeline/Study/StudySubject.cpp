@@ -1,4 +1,6 @@
-// Source: drydock.
+// Runs a blur of an image, or a frame of a config, with what a study sets.
+#include <fmt/format.h>
+
 #include "Study/StudySubject.h"
 
 #include "Budget/StudyRequest.h"
@@ -11,6 +13,7 @@
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 namespace Drydock
 {
@@ -63,8 +66,7 @@ FImage LoadSceneColor(const FConfig& Config, const std::optional<std::array<int,
 	if (Region && ((*Region)[2] > File.GetWidth() || (*Region)[3] > File.GetHeight()))
 	{
 		throw MakeStudyError(ErrorBadValue, Config, {0, 0, "/study/region"},
-			"the region leaves the scene, which is " + std::to_string(File.GetWidth()) + " x " +
-				std::to_string(File.GetHeight()) + " pixels");
+			fmt::format("the region leaves the scene, which is {} x {} pixels", File.GetWidth(), File.GetHeight()));
 	}
 	const std::vector<std::vector<float>> Planes = File.Read(Indices);
 	FImage Image{File.GetWidth(), File.GetHeight(), 4, {}};
@@ -78,6 +80,12 @@ FImage LoadSceneColor(const FConfig& Config, const std::optional<std::array<int,
 		Image.Values.push_back(1.0);
 	}
 	return Crop(Image, Region);
+}
+
+void Exclude(FStudyVariant& Variant, EStudyExclusion Exclusion, const std::string& Why)
+{
+	Variant.Exclusion = Exclusion;
+	Variant.Excluded = Why;
 }
 
 class FBlurSubject final : public IStudySubject
@@ -116,30 +124,26 @@ public:
 									GetAssigned(Set, "resolution", "100") != "100";
 		if (bFixed && bOwnArithmetic)
 		{
-			Variant.Excluded =
-				std::string("not run: ") + (Variant.bPlainCode ? "64" : "32") + " bit at full resolution only";
-			return;
+			return Exclude(Variant, EStudyExclusion::NotRun,
+				fmt::format("not run: {} bit at full resolution only", Variant.bPlainCode ? 64 : 32));
 		}
 		if (Sigma > Algorithm.LargestSigma && Algorithm.Name == "Direct")
 		{
 			Variant.Taps = GetDirectTaps(Sigma);
-			Variant.Excluded =
-				"not run: it would take " + std::to_string(static_cast<long>(Variant.Taps)) + " taps per pixel";
-			return;
+			return Exclude(Variant, EStudyExclusion::NotRun,
+				fmt::format("not run: it would take {} taps per pixel", static_cast<long>(Variant.Taps)));
 		}
 		const double LowSigma = Sigma * std::exp2(-GetArithmetic(Set).ResolutionLevels);
 		if (LowSigma > Algorithm.LargestSigma || LowSigma < Algorithm.SmallestSigma)
 		{
-			Variant.Excluded = "not run: it cannot be made this wide";
-			return;
+			return Exclude(Variant, EStudyExclusion::NotRun, "not run: it cannot be made this wide");
 		}
 		const FBlur& Blur = GetBlur(Set);
 		Variant.MeasuredSigma = Blur.GetMeasuredSigma();
 		if (!Blur.IsMatched())
 		{
-			char Text[96];
-			std::snprintf(Text, sizeof(Text), "its width is %.3g pixels, not %.3g", Variant.MeasuredSigma, Sigma);
-			Variant.Excluded = Text;
+			Exclude(Variant, EStudyExclusion::WrongWidth,
+				fmt::format("its width is {:.3g} pixels, not {:.3g}", Variant.MeasuredSigma, Sigma));
 		}
 	}
 
@@ -290,16 +294,39 @@ FStudySet Join(const FStudySet& A, const FStudySet& B)
 	return Both;
 }
 
+FImage MakeBlurInput(const std::string& Input, const FImage& Scene, double Sigma)
+{
+	if (Input == "scene")
+	{
+		return Scene;
+	}
+	FImage Image{Scene.Width, Scene.Height, 4, {}};
+	Image.Values.reserve(Scene.Values.size());
+	const int PointX = Scene.Width * 2 / 5;
+	const int PointY = Scene.Height * 3 / 5;
+	const double Brightness = 2.0 * std::numbers::pi * Sigma * Sigma;
+	for (int Y = 0; Y < Scene.Height; ++Y)
+	{
+		for (int X = 0; X < Scene.Width; ++X)
+		{
+			const bool bLit =
+				Input == "point" ? X == PointX && Y == PointY : 3 * (X - Scene.Width / 2) > Y - Scene.Height / 2;
+			const double Value = !bLit ? 0.0 : Input == "point" ? Brightness : 1.0;
+			Image.Values.insert(Image.Values.end(), {Value, Value, Value, 1.0});
+		}
+	}
+	return Image;
+}
+
 FError MakeStudyError(EConfigError Code, const FConfig& Config, const FConfigPlace& Place, const std::string& Message)
 {
-	FDiagnostic Diagnostic;
-	Diagnostic.Code = Code;
-	Diagnostic.File = Config.File;
-	Diagnostic.Line = Place.Line;
-	Diagnostic.Column = Place.Column;
-	Diagnostic.Where = Place.Pointer;
-	Diagnostic.Message = Message;
-	return FError(Diagnostic, ExitUsage);
+	return FError({.Code = Code,
+					  .Message = Message,
+					  .File = Config.File,
+					  .Line = Place.Line,
+					  .Column = Place.Column,
+					  .Where = Place.Pointer},
+		ExitUsage);
 }
 
 std::unique_ptr<IStudySubject> MakeBlurSubject(const FConfig& Config, const FStudy& Study)

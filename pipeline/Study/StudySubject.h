@@ -1,7 +1,8 @@
-// What a study runs, once with each variant: blurs of an image, or frames of a config. Source: drydock.
+// What a study runs, once with each variant: blurs of an image, or frames of a config.
 #pragma once
 
-#include "Study/StudyRun.h"
+#include "Budget/RunOptions.h"
+#include "Study/StudyResult.h"
 #include "Text/ConfigErrors.h"
 
 #include <memory>
@@ -34,7 +35,7 @@ public:
 
 	virtual FMeasured RunReference(const FStudySet& Case) = 0;
 	virtual FMeasured Run(const FStudySet& Set) = 0;
-	/** Before anything runs: what is known of a variant without running it. */
+	/** Before anything runs: what is known of a variant without running it, its exclusion included. */
 	virtual void Prepare(const FStudySet& Set, FStudyVariant& Variant) = 0;
 	/** What is set so takes the time of everything else of that key, whatever its input; empty: each its own. A case
 	 * alone: its reference. */
@@ -48,6 +49,10 @@ std::unique_ptr<IStudySubject> MakeBlurSubject(const FConfig& Config, const FStu
 
 /** Frames; the reference is a run as Study.Reference sets it. Study must outlive it. */
 std::unique_ptr<IStudySubject> MakeFrameSubject(const FRunOptions& Options, const FStudy& Study);
+
+/** The scene's colour as a study of blurs takes it, RGBA: scene, point or edge. The point is as bright as makes the
+ * exact blur's peak 1; the edge is slanted. */
+DRYDOCK_API FImage MakeBlurInput(const std::string& Input, const FImage& Scene, double Sigma);
 
 /** A mistake of the config at Place. */
 FError MakeStudyError(EConfigError Code, const FConfig& Config, const FConfigPlace& Place, const std::string& Message);

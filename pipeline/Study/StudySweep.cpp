@@ -1,4 +1,4 @@
-// Source: drydock.
+// Draws cost and error of jobs against the number by which they differ.
 #include "Study/StudySweep.h"
 
 #include "Study/StudyReport.h"
@@ -142,7 +142,7 @@ std::string FStudySweep::DrawPanel(const FSvgBox& Plot, const std::string& Other
 		Numbers.push_back(GetNumber(Job));
 		for (const size_t Index : Job.Variants)
 		{
-			if (FStudyView::Competes(Result.Variants[Index]))
+			if (Result.Variants[Index].Competes())
 			{
 				Values.push_back(GetValue(Result.Variants[Index]));
 			}
@@ -166,7 +166,7 @@ std::string FStudySweep::DrawPanel(const FSvgBox& Plot, const std::string& Other
 		{
 			const FStudyVariant& Variant = Result.Variants[Job.Variants[Choice]];
 			const double Value = GetValue(Variant);
-			if (GetOther(Job) != Other || !FStudyView::Competes(Variant) || !(Value > 0.0))
+			if (GetOther(Job) != Other || !Variant.Competes() || !(Value > 0.0))
 			{
 				continue;
 			}

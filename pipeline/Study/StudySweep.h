@@ -1,4 +1,4 @@
-// Jobs that differ by a number, such as a width: cost and error against it. Inner to StudyChart. Source: drydock.
+// Jobs that differ by a number, such as a width: cost and error against it. Inner to StudyChart.
 #pragma once
 
 #include "Study/StudyView.h"

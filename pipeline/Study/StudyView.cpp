@@ -1,9 +1,10 @@
-// Source: drydock.
+// Picks the cost and the error that a chart shows, and maps errors to its axis.
+#include <fmt/format.h>
+
 #include "Study/StudyView.h"
 
 #include "Budget/StudyBudget.h"
 #include "Study/StudyRank.h"
-#include "Text/TextFormat.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,17 +32,12 @@ std::vector<double> Append(std::vector<double> A, const std::vector<double>& B)
 /** "2e-7": one digit. */
 std::string RoughText(double Number)
 {
-	std::string Text = Format("%.0e", Number);
+	std::string Text = fmt::format("{:.0e}", Number);
 	const size_t Zero = Text.find("e-0");
 	return Zero == std::string::npos ? Text : Text.erase(Zero + 2, 1);
 }
 
 } // namespace
-
-bool FStudyView::Competes(const FStudyVariant& Variant)
-{
-	return Variant.bRan && Variant.Excluded.empty();
-}
 
 double FStudyView::GetCost(const FStudyVariant& Variant) const
 {
@@ -93,8 +89,7 @@ std::string FStudyView::DrawBudget(const FSvgBox& Plot, const FLogAxis& Y) const
 		return "";
 	}
 	const double Place = Y.Map(*Budget);
-	return "<rect x=\"" + Px(Plot.Left) + "\" y=\"" + Px(Place) + "\" width=\"" + Px(Plot.Right - Plot.Left) +
-		   "\" height=\"" + Px(Plot.Bottom - Place) + "\" class=\"within\"/>\n" +
+	return SvgRect({Plot.Left, Place, Plot.Right, Plot.Bottom}, "within") +
 		   SvgLine(Plot.Left, Place, Plot.Right, Place, "budget");
 }
 

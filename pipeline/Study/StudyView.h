@@ -1,9 +1,8 @@
-// What a chart shows of a study: one of its costs against the metric that it ranks by. Inner to StudyChart. Source:
-// drydock.
+// What a chart shows of a study: one of its costs against the metric that it ranks by. Inner to StudyChart.
 #pragma once
 
-#include "Study/StudyChart.h"
 #include "Study/StudyPanel.h"
+#include "Study/StudyResult.h"
 
 #include <optional>
 #include <string>
@@ -17,8 +16,6 @@ struct FStudyView
 	const FStudyResult& Result;
 	EStudyCost Cost;
 
-	/** It ran and has the width that was asked for. */
-	static bool Competes(const FStudyVariant& Variant);
 	double GetCost(const FStudyVariant& Variant) const;
 	/** Smaller is better, whatever the metric. */
 	double GetError(const FStudyVariant& Variant) const;

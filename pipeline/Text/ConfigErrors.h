@@ -1,5 +1,5 @@
 // The numbers of the messages that pipeline/ gives. A number never changes its meaning; docs/errors.md explains each
-// one. Source: drydock.
+// one.
 #pragma once
 
 namespace Drydock

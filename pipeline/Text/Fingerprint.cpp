@@ -1,4 +1,6 @@
-// Source: drydock.
+// Mixes bytes into a fingerprint in four lanes at once.
+#include <fmt/format.h>
+
 #include "Text/Fingerprint.h"
 
 #include "Diagnostics.h"
@@ -6,7 +8,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <vector>
@@ -89,10 +90,7 @@ std::string FFingerprint::Get() const
 		First = Spread(Mix(First, Lane));
 		Second = Spread(Mix(Second, Spread(Lane) + First));
 	}
-	char Text[33];
-	std::snprintf(Text, sizeof(Text), "%016llx%016llx", static_cast<unsigned long long>(First),
-		static_cast<unsigned long long>(Second));
-	return Text;
+	return fmt::format("{:016x}{:016x}", First, Second);
 }
 
 std::string FingerprintFile(const std::string& Path)
@@ -106,11 +104,7 @@ std::string FingerprintFile(const std::string& Path)
 	}
 	if (!Stream.eof())
 	{
-		FDiagnostic Diagnostic;
-		Diagnostic.Code = ErrorFileMissing;
-		Diagnostic.File = Path;
-		Diagnostic.Message = "cannot be read";
-		throw FError(Diagnostic, ExitFiles);
+		throw FError({.Code = ErrorFileMissing, .Message = "cannot be read", .File = Path}, ExitFiles);
 	}
 	return Fingerprint.Get();
 }

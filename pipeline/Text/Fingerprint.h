@@ -1,6 +1,6 @@
 // A fast digest that tells whether bytes are the same: of pictures, scene files and what lives on between frames, some
 // ten gigabytes a second. It is no defence against somebody who wants two to agree: names in the shader cache are
-// SHA-256 (ContentHash.h). Source: drydock; multiply and rotate as in FNV-1a and xxHash.
+// SHA-256 (ContentHash.h). It multiplies and rotates as in FNV-1a and xxHash.
 #pragma once
 
 #include "DrydockAPI.h"

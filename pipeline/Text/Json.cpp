@@ -1,5 +1,5 @@
-// Source: drydock. The grammar is nlohmann-json's; positions come from the scan before it, which lists keys and values
-// in the order in which the parser reports them.
+// Builds the tree from nlohmann-json's events. The grammar is that parser's; positions come from the scan before it,
+// which lists keys and values in the order in which the parser reports them.
 #include <nlohmann/json.hpp>
 
 #include "Text/Json.h"
@@ -142,14 +142,12 @@ private:
 	void Report(EConfigError Code, FTextPosition Position, const std::string& Pointer, const std::string& Message)
 	{
 		bSyntaxError = bSyntaxError || Code == ErrorJsonSyntax || Code == ErrorJsonDepth;
-		FDiagnostic Diagnostic;
-		Diagnostic.Code = Code;
-		Diagnostic.Message = Message;
-		Diagnostic.File = File;
-		Diagnostic.Line = Position.Line;
-		Diagnostic.Column = Position.Column;
-		Diagnostic.Where = Pointer;
-		Diagnostics.push_back(Diagnostic);
+		Diagnostics.push_back({.Code = Code,
+			.Message = Message,
+			.File = File,
+			.Line = Position.Line,
+			.Column = Position.Column,
+			.Where = Pointer});
 	}
 
 	/** The scan's next key or value. A text that the two lexers cut differently is a syntax error sooner or later;
@@ -262,6 +260,25 @@ const FJsonValue* FJsonValue::Find(const std::string& Key) const
 		}
 	}
 	return nullptr;
+}
+
+double FJsonValue::GetNumber(const std::string& Key, double Otherwise) const
+{
+	const FJsonValue* Value = Find(Key);
+	return Value != nullptr && Value->Type == EJsonType::Number ? Value->Number : Otherwise;
+}
+
+std::string FJsonValue::GetString(const std::string& Key) const
+{
+	const FJsonValue* Value = Find(Key);
+	return Value != nullptr ? Value->String : "";
+}
+
+const std::vector<FJsonValue>& FJsonValue::GetElements(const std::string& Key) const
+{
+	static const std::vector<FJsonValue> None;
+	const FJsonValue* Value = Find(Key);
+	return Value != nullptr ? Value->Elements : None;
 }
 
 const char* FJsonValue::Describe() const

@@ -1,6 +1,6 @@
 // JSON text to a tree in which every value knows its line, column and JSON pointer. Stricter and more helpful than
 // plain JSON: duplicate keys, NaN, Infinity and overflowing numbers are reported, all of them, each at its place. `//`
-// and block comments are allowed. Source: drydock, over nlohmann-json's SAX parser.
+// and block comments are allowed. It stands on nlohmann-json's SAX parser.
 #pragma once
 
 #include "Diagnostics.h"
@@ -41,6 +41,15 @@ struct FJsonValue
 
 	/** Null when this is no object or has no such member. */
 	DRYDOCK_API const FJsonValue* Find(const std::string& Key) const;
+
+	/** The member's number; Otherwise where there is none, as where infinite figures are null. */
+	DRYDOCK_API double GetNumber(const std::string& Key, double Otherwise) const;
+
+	/** The member's text; "" where there is none. */
+	DRYDOCK_API std::string GetString(const std::string& Key) const;
+
+	/** The elements of the member, an array; no elements where there is none. */
+	DRYDOCK_API const std::vector<FJsonValue>& GetElements(const std::string& Key) const;
 
 	/** "a number", "an array", ... for messages. */
 	DRYDOCK_API const char* Describe() const;

@@ -1,4 +1,4 @@
-// Source: drydock; token shapes: RFC 8259.
+// Finds the places of keys and values, and numbers that overflow. Source of the token shapes: RFC 8259.
 #include "Text/JsonScan.h"
 
 #include <algorithm>

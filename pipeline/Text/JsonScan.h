@@ -1,4 +1,4 @@
-// A first look over JSON text: where each key and value begins, and numbers that no parser can hold. Source: drydock.
+// A first look over JSON text: where each key and value begins, and numbers that no parser can hold.
 #pragma once
 
 #include "TextPositions.h"

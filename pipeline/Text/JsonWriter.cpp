@@ -1,25 +1,14 @@
-// Source: drydock; string escapes: RFC 8259.
+// Writes JSON text with indents, the shortest numbers that read back, and the string escapes of RFC 8259.
+#include <fmt/format.h>
+
 #include "Text/JsonWriter.h"
 
-#include <charconv>
+#include "Text/TextFormat.h"
+
 #include <cmath>
-#include <cstdio>
 
 namespace Drydock
 {
-
-namespace
-{
-
-template<typename T>
-std::string ShortestText(T Number)
-{
-	char Buffer[64];
-	const std::to_chars_result Result = std::to_chars(Buffer, Buffer + sizeof(Buffer), Number);
-	return std::string(Buffer, Result.ptr);
-}
-
-} // namespace
 
 std::string FJsonWriter::Quote(const std::string& Text)
 {
@@ -46,9 +35,7 @@ std::string FJsonWriter::Quote(const std::string& Text)
 		default:
 			if (static_cast<unsigned char>(Character) < 0x20)
 			{
-				char Escape[8];
-				std::snprintf(Escape, sizeof(Escape), "\\u%04x", static_cast<unsigned>(Character));
-				Quoted += Escape;
+				Quoted += fmt::format("\\u{:04x}", static_cast<unsigned>(Character));
 			}
 			else
 			{
@@ -79,12 +66,12 @@ void FJsonWriter::Value(bool bValue)
 
 void FJsonWriter::Value(double Number)
 {
-	Raw(std::isfinite(Number) ? ShortestText(Number) : "null");
+	Raw(std::isfinite(Number) ? NumberText(Number) : "null");
 }
 
 void FJsonWriter::Value(float Number)
 {
-	Raw(std::isfinite(Number) ? ShortestText(Number) : "null");
+	Raw(std::isfinite(Number) ? NumberText(Number) : "null");
 }
 
 void FJsonWriter::Raw(const std::string& Json)

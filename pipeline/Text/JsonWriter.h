@@ -1,5 +1,5 @@
 // Writes JSON text: keys in the order given, numbers in the shortest form that reads back to the same bits, so that
-// equal data gives equal bytes. Source: drydock.
+// equal data gives equal bytes.
 #pragma once
 
 #include "DrydockAPI.h"

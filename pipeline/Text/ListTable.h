@@ -1,4 +1,4 @@
-// A table that `drydock list` prints: rows of equal length under a header. Source: drydock.
+// A table that `drydock list` prints: rows of equal length under a header.
 #pragma once
 
 #include <string>

@@ -1,32 +1,35 @@
 // Reads a file whole, and writes one aside before it takes its place.
 #include "Text/TextFile.h"
 
+#include "Text/AsideFile.h"
 #include "Text/ConfigErrors.h"
 
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <unistd.h>
 
 namespace Drydock
 {
 
-namespace Files = std::filesystem;
-
-FError MakeWriteError(const std::string& Path, const std::string& Why)
+std::optional<std::string> TryReadTextFile(const std::string& Path)
 {
-	return FError({.Code = ErrorFileNotWritten, .Message = "cannot be written: " + Why, .File = Path}, ExitFiles);
+	std::error_code Ignored;
+	std::ifstream Stream(Path, std::ios::binary);
+	if (!Stream || std::filesystem::is_directory(Path, Ignored))
+	{
+		return std::nullopt;
+	}
+	return std::string(std::istreambuf_iterator<char>(Stream), {});
 }
 
-std::string ReadTextFile(const std::string& Path)
+std::string ReadTextFile(const std::string& Path, const char* Message)
 {
-	std::ifstream Stream(Path, std::ios::binary);
-	std::string Text(std::istreambuf_iterator<char>(Stream), {});
-	if (!Stream)
+	std::optional<std::string> Text = TryReadTextFile(Path);
+	if (!Text)
 	{
-		throw FError({.Code = ErrorFileMissing, .Message = "cannot be read", .File = Path}, ExitFiles);
+		throw FError({.Code = ErrorFileMissing, .Message = Message, .File = Path}, ExitFiles);
 	}
-	return Text;
+	return std::move(*Text);
 }
 
 void WriteWholeFile(const std::string& Path, const std::string& Text)
@@ -42,25 +45,9 @@ void WriteWholeFile(const std::string& Path, const std::string& Text)
 
 void WriteTextFile(const std::string& Path, const std::string& Text)
 {
-	const Files::path Target(Path);
-	const Files::path Aside(Path + ".writing." + std::to_string(getpid()));
-	std::error_code Error;
-	if (Target.has_parent_path())
-	{
-		Files::create_directories(Target.parent_path(), Error);
-	}
-	if (Error)
-	{
-		throw MakeWriteError(Path, Error.message());
-	}
-	WriteWholeFile(Aside.string(), Text);
-	Files::rename(Aside, Target, Error);
-	if (Error)
-	{
-		std::error_code Ignored;
-		Files::remove(Aside, Ignored);
-		throw MakeWriteError(Path, Error.message());
-	}
+	FAsideFile Aside{std::filesystem::path(Path)};
+	WriteWholeFile(Aside.GetPath().string(), Text);
+	Aside.PutInPlace();
 }
 
 } // namespace Drydock

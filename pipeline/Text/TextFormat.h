@@ -1,10 +1,12 @@
-// Small pieces of the texts that verbs print: numbers by a printf pattern, and columns. Source: drydock.
+// Small pieces of the texts that verbs print: numbers, and columns.
 #pragma once
 
 #include "DrydockAPI.h"
 
 #include <cstddef>
+#include <functional>
 #include <string>
+#include <vector>
 
 namespace Drydock
 {
@@ -15,6 +17,12 @@ DRYDOCK_API std::string Format(const char* Pattern, double Number);
 /** The shortest text that reads back as the number: "0.1", "1e+30". */
 DRYDOCK_API std::string NumberText(float Number);
 DRYDOCK_API std::string NumberText(double Number);
+
+/** Lines of columns two blanks apart, each as wide as its widest cell in bytes, without blanks at the ends of lines.
+ * Rows: of equal length, one at least. IsText: columns of text stand at the left, numbers at the right. Indent: before
+ * each line. */
+DRYDOCK_API std::string AlignColumns(const std::vector<std::vector<std::string>>& Rows,
+	const std::function<bool(size_t Column)>& IsText, const std::string& Indent = "");
 
 /** Width: in bytes; a longer text stays as it is. */
 DRYDOCK_API std::string PadRight(const std::string& Text, size_t Width);

@@ -1,4 +1,4 @@
-// Source: drydock.
+// Lists shader files and compares times of last change.
 #include "Text/WatchedFiles.h"
 
 #include "GlobalShader.h"

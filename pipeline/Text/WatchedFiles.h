@@ -1,4 +1,4 @@
-// Files whose change makes `run --watch` run again. Source: drydock.
+// Files whose change makes `run --watch` run again.
 #pragma once
 
 #include <cstdint>

@@ -2,8 +2,6 @@
 //
 //     const auto Extension = MakeExtension(EPoint::Tonemap, [](FCall Call) { return Call.Untouched(); });
 //     const FFrameResult Frame = Render(MakeFrame());
-//
-//
 #pragma once
 
 #include "ExtensionFactory.h"

@@ -5,7 +5,7 @@
 
 #include "Diagnostics.h"
 #include "Patch/PatchTemplate.h"
-#include "Program/Verbs.h"
+#include "Program/CommandLine.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -40,11 +40,7 @@ protected:
 		std::pair<int, int> Outcome = {ExitDone, 0};
 		try
 		{
-			FNewPatchOptions Options;
-			Options.Name = Name;
-			Options.Folder = Dir;
-			Options.bJson = true;
-			NewVerb(Options);
+			CallProgram({"new", Name, "--dir", Dir, "--json"});
 		}
 		catch (const FError& Error)
 		{

@@ -1,7 +1,7 @@
-// `drydock diff`: what it compares, and what it says by its exit code.
+// Tests of `drydock diff`: what it compares, and what it says by its exit code.
 #include <gtest/gtest.h>
 
-#include "Program/Verbs.h"
+#include "Program/CommandLine.h"
 #include "Text/ConfigErrors.h"
 #include "Text/Json.h"
 
@@ -37,21 +37,23 @@ protected:
 		return Path;
 	}
 
-	FJsonValue Call(FDiffOptions Options)
+	/** What `drydock diff A B --json` prints; sets ExitCode. */
+	FJsonValue Call(const std::string& A, const std::string& B, const std::vector<std::string>& Options = {})
 	{
-		Options.bJson = true;
+		std::vector<std::string> Arguments = {"diff", A, B, "--json"};
+		Arguments.insert(Arguments.end(), Options.begin(), Options.end());
 		testing::internal::CaptureStdout();
-		ExitCode = Drydock::DiffVerb(Options);
+		ExitCode = CallProgram(Arguments);
 		std::vector<FDiagnostic> Diagnostics;
 		bool bSyntaxError = false;
 		return ParseJson(testing::internal::GetCapturedStdout(), "stdout", Diagnostics, bSyntaxError);
 	}
 
-	int ErrorOf(const FDiffOptions& Options)
+	int ErrorOf(const std::string& A, const std::string& B)
 	{
 		try
 		{
-			Drydock::DiffVerb(Options);
+			CallProgram({"diff", A, B});
 		}
 		catch (const FError& Error)
 		{
@@ -68,8 +70,7 @@ protected:
 
 TEST_F(DiffVerb, GivesTheFiguresOfTwoImages)
 {
-	const FJsonValue Report =
-		Call({Write("a.exr", {0.5, 1, 0.25, 1}), Write("b.exr", {0.5, 1, 0.75, 1}), std::nullopt, "", true});
+	const FJsonValue Report = Call(Write("a.exr", {0.5, 1, 0.25, 1}), Write("b.exr", {0.5, 1, 0.75, 1}));
 	const FJsonValue& Image = Report.Find("images")->Elements.at(0);
 	EXPECT_EQ(0, ExitCode);
 	EXPECT_EQ(0.5, Image.Find("max")->Number);
@@ -82,32 +83,30 @@ TEST_F(DiffVerb, MaxDecidesTheExitCode)
 {
 	const std::string A = Write("a.exr", {0.5, 1});
 	const std::string B = Write("b.exr", {0.75, 1});
-	Call({A, B, 0.25, "", true});
+	Call(A, B, {"--max", "0.25"});
 	EXPECT_EQ(ExitDone, ExitCode);
-	Call({A, B, 0.24, "", true});
+	Call(A, B, {"--max", "0.24"});
 	EXPECT_EQ(ExitPolicy, ExitCode);
 }
 
 TEST_F(DiffVerb, ImagesOfOtherSizesCannotBeCompared)
 {
-	EXPECT_EQ(
-		ErrorImagesDiffer, ErrorOf({Write("a.exr", {1, 1}), Write("b.exr", {1, 1, 1, 1}), std::nullopt, "", true}));
+	EXPECT_EQ(ErrorImagesDiffer, ErrorOf(Write("a.exr", {1, 1}), Write("b.exr", {1, 1, 1, 1})));
 }
 
 TEST_F(DiffVerb, MissingImageIsAFileError)
 {
-	EXPECT_EQ(
-		ErrorFileMissing, ErrorOf({(Folder / "none.exr").string(), Write("b.exr", {1, 1}), std::nullopt, "", true}));
+	EXPECT_EQ(ErrorFileMissing, ErrorOf((Folder / "none.exr").string(), Write("b.exr", {1, 1})));
 }
 
 TEST_F(DiffVerb, ImageAndFolderCannotBeCompared)
 {
-	EXPECT_EQ(ErrorImagesDiffer, ErrorOf({Write("a.exr", {1, 1}), (Folder / "b").string(), std::nullopt, "", true}));
+	EXPECT_EQ(ErrorImagesDiffer, ErrorOf(Write("a.exr", {1, 1}), (Folder / "b").string()));
 }
 
 TEST_F(DiffVerb, EmptyFoldersAreAnError)
 {
-	EXPECT_EQ(ErrorFileMissing, ErrorOf({(Folder / "a").string(), (Folder / "b").string(), std::nullopt, "", true}));
+	EXPECT_EQ(ErrorFileMissing, ErrorOf((Folder / "a").string(), (Folder / "b").string()));
 }
 
 TEST_F(DiffVerb, RunsArePairedByPassAlthoughTheirNumbersMove)
@@ -119,7 +118,7 @@ TEST_F(DiffVerb, RunsArePairedByPassAlthoughTheirNumbersMove)
 	Write("a/passes/005.Blur.Blur.exr", {2, 0}); // the second of that name
 	Write("b/passes/006.Blur.Blur.exr", {2, 0});
 	Write("b/passes/002.Setup.Setup.exr", {1, 1});
-	const FJsonValue Report = Call({(Folder / "a").string(), (Folder / "b").string(), 1.0, "", true});
+	const FJsonValue Report = Call((Folder / "a").string(), (Folder / "b").string(), {"--max", "1.0"});
 	const std::vector<FJsonValue>& Images = Report.Find("images")->Elements;
 	ASSERT_EQ(4u, Images.size());
 	EXPECT_EQ("Blur.Blur", Images[0].Find("name")->String);
@@ -135,7 +134,7 @@ TEST_F(DiffVerb, RunsArePairedByPassAlthoughTheirNumbersMove)
 TEST_F(DiffVerb, HeatMapIsAsLargeAsTheImages)
 {
 	const std::string HeatMap = (Folder / "maps" / "heat.png").string();
-	Call({Write("a.exr", {0.5, 1, 0.25, 1}), Write("b.exr", {0.5, 1, 0.75, 1}), std::nullopt, HeatMap, true});
+	Call(Write("a.exr", {0.5, 1, 0.25, 1}), Write("b.exr", {0.5, 1, 0.75, 1}), {"--heatmap", HeatMap});
 	const FImageFile File(HeatMap);
 	EXPECT_EQ(2, File.GetWidth());
 	EXPECT_EQ(1, File.GetHeight());
@@ -150,6 +149,6 @@ TEST_F(DiffVerb, PngIsComparedAsItIsDisplayed)
 		WritePng(Path, {1, 1, 3, {Value, Value, Value}});
 		return Path;
 	};
-	const FJsonValue Report = Call({WriteGrey("a.png", 0.2), WriteGrey("b.png", 0.4), std::nullopt, "", true});
+	const FJsonValue Report = Call(WriteGrey("a.png", 0.2), WriteGrey("b.png", 0.4));
 	EXPECT_NEAR(0.2, Report.Find("images")->Elements[0].Find("max")->Number, 1e-6);
 }

@@ -71,6 +71,12 @@ bool Contains(const std::string& Text, const std::string& Part)
 	return Text.find(Part) != std::string::npos;
 }
 
+std::string ReadFile(const std::filesystem::path& Path)
+{
+	std::ifstream Stream(Path, std::ios::binary);
+	return std::string(std::istreambuf_iterator<char>(Stream), {});
+}
+
 int CountLines(const std::string& Text, const std::string& Part)
 {
 	int Count = 0;
@@ -100,9 +106,56 @@ TEST_F(DrydockProgram, HelpNamesEveryVerb)
 	}
 }
 
-TEST_F(DrydockProgram, NoVerbIsAUsageError)
+TEST_F(DrydockProgram, EveryVerbsFileIsInTheHelpAndInTheReadme)
 {
-	EXPECT_EQ(2, Call("").ExitCode);
+	const std::string Readme = ReadFile(DRYDOCK_TEST_SOURCE_DIR "/README.md");
+	const std::regex Registered("\\.Name = \"(\\w+ )?(\\w+)\"");
+	for (const auto& Entry : std::filesystem::directory_iterator(DRYDOCK_TEST_SOURCE_DIR "/pipeline/Program"))
+	{
+		const std::string File = Entry.path().filename().string();
+		if (!std::regex_match(File, std::regex("Verb[A-Z]\\w*\\.cpp")) || File == "VerbOptions.cpp")
+		{
+			continue;
+		}
+		const std::string Source = ReadFile(Entry.path());
+		std::sregex_iterator Verb(Source.begin(), Source.end(), Registered);
+		EXPECT_NE(std::sregex_iterator(), Verb) << File << " registers no verb";
+		for (; Verb != std::sregex_iterator(); ++Verb)
+		{
+			const std::string Above = (*Verb)[1];
+			const std::string Name = (*Verb)[2];
+			EXPECT_TRUE(Contains(Call(Above + "--help").Out, "\n  " + Name + " ")) << File << ": " << Name;
+			EXPECT_TRUE(Contains(Readme, "\n| `" + Above + Name + " ")) << File << ": README.md has no row of " << Name;
+		}
+	}
+}
+
+TEST_F(DrydockProgram, HelpListsVerbsByTheirPlaces)
+{
+	const std::string Help = Call("--help").Out;
+	size_t Last = 0;
+	for (const char* Verb :
+		{"run", "check", "blend", "graph", "study", "diff", "explain", "list", "sheet", "settings", "new", "warm"})
+	{
+		const size_t Place = Help.find(std::string("\n  ") + Verb + " ");
+		EXPECT_NE(std::string::npos, Place) << Verb;
+		EXPECT_LT(Last, Place) << Verb;
+		Last = Place;
+	}
+}
+
+TEST_F(DrydockProgram, NoVerbIsAUsageErrorThatNamesThemAll)
+{
+	const FOutcome Outcome = Call("");
+	EXPECT_EQ(2, Outcome.ExitCode);
+	EXPECT_TRUE(Contains(Outcome.Err, "a verb is missing: run, check, blend, graph, study, diff, explain, list, sheet, "
+									  "settings, new or warm\n"))
+		<< Outcome.Err;
+}
+
+TEST_F(DrydockProgram, VerbUnderAVerbCanBeMissingToo)
+{
+	EXPECT_TRUE(Contains(Call("settings").Err, "a verb is missing after settings"));
 }
 
 TEST_F(DrydockProgram, UnknownVerbNamesTheNearest)

@@ -1,5 +1,4 @@
-// The program killed in the middle of a sequence: what it writes afterwards is what an undisturbed run writes. Source:
-// drydock.
+// The program killed in the middle of a sequence: what it writes afterwards is what an undisturbed run writes.
 #include <gtest/gtest.h>
 
 #include "SequenceTestUtils.h"

@@ -1,7 +1,7 @@
 // Error figures of a study, computed a second time. Everything here is plain loops in double from the definitions: the
 // true Gaussian as a two-dimensional sum over all taps, four of the blurs as their papers and headers describe them,
-// the widths matched by this file's own second moments, the figures. Shared with the program: the container FImage,
-// and the reader of the scene file.
+// the widths matched by this file's own second moments, the figures. Shared with the program: the container FImage, and
+// the reader of the scene file.
 #include <gtest/gtest.h>
 
 #include "Study/BlurAlgorithms.h"

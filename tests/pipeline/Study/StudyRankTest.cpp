@@ -235,6 +235,7 @@ TEST(StudyRank, WhatDidNotRunHasNoRank)
 {
 	FStudyResult Result = MakeResult(GFour);
 	Result.Variants[0].bRan = false;
+	Result.Variants[0].Exclusion = EStudyExclusion::NotRun;
 	Result.Variants[0].Excluded = "not run: too much";
 	RankStudy(Result);
 	EXPECT_FALSE(Result.Variants[0].ByTime.bFront);

@@ -10,6 +10,7 @@
 #include "Study/BlurAlgorithms.h"
 #include "Study/StudyReport.h"
 #include "Study/StudyRun.h"
+#include "Study/StudySubject.h"
 #include "Text/ConfigErrors.h"
 #include "Text/Json.h"
 #include "Text/TextFile.h"

@@ -64,6 +64,18 @@ TEST(Json, ReadsEveryType)
 	EXPECT_EQ(EJsonType::Object, Parsed.Root.Find("o")->Type);
 }
 
+TEST(Json, MembersHaveDefaults)
+{
+	const FJsonValue Root = Parse(R"({"n": 2, "s": "a", "a": [1, 2], "null": null})").Root;
+	EXPECT_EQ(2.0, Root.GetNumber("n", 7.0));
+	EXPECT_EQ(7.0, Root.GetNumber("null", 7.0));
+	EXPECT_EQ(7.0, Root.GetNumber("none", 7.0));
+	EXPECT_EQ("a", Root.GetString("s"));
+	EXPECT_EQ("", Root.GetString("none"));
+	EXPECT_EQ(2u, Root.GetElements("a").size());
+	EXPECT_TRUE(Root.GetElements("none").empty());
+}
+
 TEST(Json, NegativeZeroKeepsItsSign)
 {
 	EXPECT_TRUE(std::signbit(Parse("-0").Root.Number));

@@ -1,8 +1,11 @@
-// `drydock run` of a sequence of frames. Source: drydock.
-#include "Budget/RunOptions.h"
+// Runs a sequence of frames for `drydock run`, shows how far it is, and sums up what was done.
+#include <fmt/format.h>
+
+#include "Program/RunFrames.h"
+
+#include "Program/ProgramOutput.h"
 #include "Program/ProgressBar.h"
-#include "Program/Verbs.h"
-#include "Run/RunOutputs.h"
+#include "Program/VerbOptions.h"
 #include "Sequence/RunSequence.h"
 #include "Sequence/SequenceErrors.h"
 #include "Sequence/Video.h"
@@ -44,31 +47,29 @@ private:
 std::string MakeSummary(const FSequenceResult& Result, const std::string& ConfigFile, const std::string& Folder)
 {
 	const int NumThere = static_cast<int>(Result.Frames.size()) - Result.NumRendered;
-	char Time[64];
-	std::snprintf(Time, sizeof(Time), "%.1f s, %.2f frames/s", Result.Seconds,
-		Result.Seconds > 0.0 ? Result.NumRendered / Result.Seconds : 0.0);
-	std::string Text = ConfigFile + ": frames " + std::to_string(Result.Frames.front()) + " to " +
-					   std::to_string(Result.Frames.back()) + "\n";
-	const std::string Rendered = std::to_string(Result.NumRendered) + " rendered in " + Time;
-	const std::string There = std::to_string(NumThere) + " were there already";
+	const double Rate = Result.Seconds > 0.0 ? Result.NumRendered / Result.Seconds : 0.0;
+	std::string Text = fmt::format("{}: frames {} to {}\n", ConfigFile, Result.Frames.front(), Result.Frames.back());
+	const std::string Rendered =
+		fmt::format("{} rendered in {:.1f} s, {:.2f} frames/s", Result.NumRendered, Result.Seconds, Rate);
+	const std::string There = fmt::format("{} were there already", NumThere);
 	Text += "frames   " + (Result.NumRendered == 0 ? There : Rendered + (NumThere > 0 ? ", " + There : "")) + "\n";
 	if (Result.NumRepeated > 0)
 	{
-		Text += "history  " + std::to_string(Result.NumRepeated) +
-				" of them computed again for what plugins remember of them; they are what they were\n";
+		Text += fmt::format(
+			"history  {} of them computed again for what plugins remember of them; they are what they were\n",
+			Result.NumRepeated);
 	}
 	return Text + "folder   " + Folder + "\n";
 }
 
 } // namespace
 
-int RunSequenceVerb(const FVerbOptions& Options)
+int RunFrames(const FFramesOptions& Options)
 {
 	FSequenceOptions Sequence;
 	Sequence.Run = Options.Run;
 	Sequence.Frames = Options.Frames;
-	Sequence.Folder =
-		Options.OutputFolder.empty() ? GetDefaultOutputFolder(Options.Run.ConfigFile) : Options.OutputFolder;
+	Sequence.Folder = ChooseOutputFolder(Options.OutputFolder, Options.Run);
 	Sequence.bRestart = Options.bRestart;
 	FSequenceProgress Progress;
 	Sequence.Progress = [&](int Done, int Total, const std::string& What)

@@ -1,6 +1,8 @@
-// `drydock list cvars`. Source: drydock.
+// `drydock list cvars`: prints console variables as a config and the command line set them.
+#include "Program/VariableList.h"
+
 #include "Config/ConsoleVariableText.h"
-#include "Program/Verbs.h"
+#include "Program/ProgramOutput.h"
 #include "Run/RunSetup.h"
 
 #include <cstdio>
@@ -9,11 +11,11 @@
 namespace Drydock
 {
 
-int ListVariablesVerb(const FVerbOptions& Options, const std::string& Filter)
+int PrintVariables(const FRunOptions& Options, const std::string& Filter, bool bJson)
 {
 	// While it lives, the variables are as the config and the command line set them.
 	std::optional<FRunSetup> Setup;
-	FRunOptions Run = Options.Run;
+	FRunOptions Run = Options;
 	if (!Run.ConfigFile.empty() || !Run.Variables.empty() || !Run.Exec.empty())
 	{
 		if (Run.ConfigFile.empty())
@@ -31,7 +33,7 @@ int ListVariablesVerb(const FVerbOptions& Options, const std::string& Filter)
 		Names.emplace_back(*Info.Name);
 	}
 	const std::vector<FConsoleVariableInfo> Infos = FilterConsoleVariables(All, Filter);
-	if (Options.bJson)
+	if (bJson)
 	{
 		std::fputs(FormatConsoleVariablesAsJson(Infos).c_str(), stdout);
 	}

@@ -1,16 +1,19 @@
-// `drydock blend --path`. Source: drydock.
+// `drydock blend --path`: the settings along a path, as a table, a chart and a summary.
+#include <fmt/format.h>
+
 #include "Blend/BlendReport.h"
 #include "Blend/SettingsWalk.h"
 #include "Blend/WalkChart.h"
-#include "Budget/RunOptions.h"
-#include "Program/Verbs.h"
+#include "Program/ProgramOutput.h"
+#include "Program/SettingStory.h"
+#include "Program/VerbOptions.h"
 #include "Run/FinalSettings.h"
 #include "Run/RunOutputs.h"
 #include "Run/RunSetup.h"
 #include "Text/JsonWriter.h"
 #include "Text/TextFile.h"
+#include "Text/TextFormat.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -31,33 +34,13 @@ std::string MakeSummary(const FSettingsWalk& Walk, const std::string& MarkName)
 		{
 			continue;
 		}
-		char Buffer[64];
-		std::snprintf(Buffer, sizeof(Buffer), "%.1f", Sample.Distance);
-		Rows.push_back({Walk.Points[static_cast<size_t>(Sample.Point)].Label, Buffer});
+		Rows.push_back({Walk.Points[static_cast<size_t>(Sample.Point)].Label, fmt::format("{:.1f}", Sample.Distance)});
 		for (const float Weight : Sample.Weights)
 		{
-			std::snprintf(Buffer, sizeof(Buffer), "%.4f", static_cast<double>(Weight));
-			Rows.back().emplace_back(Buffer);
+			Rows.back().push_back(fmt::format("{:.4f}", static_cast<double>(Weight)));
 		}
 	}
-	std::vector<size_t> Widths(Rows[0].size(), 0);
-	for (const std::vector<std::string>& Row : Rows)
-	{
-		for (size_t Column = 0; Column < Row.size(); ++Column)
-		{
-			Widths[Column] = std::max(Widths[Column], Row[Column].size());
-		}
-	}
-	std::string Text;
-	for (const std::vector<std::string>& Row : Rows)
-	{
-		for (size_t Column = 0; Column < Row.size(); ++Column)
-		{
-			Text += std::string(Widths[Column] - Row[Column].size() + (Column > 0 ? 2 : 0), ' ') + Row[Column];
-		}
-		Text += "\n";
-	}
-	return Text;
+	return AlignColumns(Rows, [](size_t) { return false; });
 }
 
 std::vector<std::string> GetNames(const FSettingsWalk& Walk)
@@ -124,7 +107,7 @@ std::string MakeJson(const FSettingsWalk& Walk, const std::string& Csv, const st
 
 } // namespace
 
-int BlendPathVerb(const FVerbOptions& Options)
+int WalkAlongPath(const FBlendOptions& Options)
 {
 	const std::vector<size_t> Chosen = Options.Names.empty() ? std::vector<size_t>() : FindSettings(Options.Names);
 	const FRunSetup Setup(Options.Run);
@@ -135,15 +118,14 @@ int BlendPathVerb(const FVerbOptions& Options)
 		MakeSettingsBlender(Setup.Config), Points, Options.Steps.value_or(GetDefaultNumSteps(Points.size())), Chosen);
 	const std::string MarkName = bScene ? "frame" : "point";
 	const std::string Title = "Settings along the path: " + std::filesystem::path(Setup.Config.File).stem().string();
-	const std::string Folder =
-		Options.OutputFolder.empty() ? GetDefaultOutputFolder(Setup.Config.File) : Options.OutputFolder;
+	const std::string Folder = ChooseOutputFolder(Options.OutputFolder, Options.Run);
 	const std::string Csv = (std::filesystem::path(Folder) / "walk.csv").string();
 	const std::string Svg = (std::filesystem::path(Folder) / "walk.svg").string();
 	WriteTextFile(Csv, MakeWalkCsv(Walk));
 	WriteTextFile(Svg, DrawWalkChart(MakeWalkChart(Walk, Title, MarkName)));
 	const std::string Text = Options.bJson ? MakeJson(Walk, Csv, Svg)
-										   : MakeSummary(Walk, MarkName) + "\nsettings  " + ListSettings(Walk) +
-												 "\ntable     " + Csv + "\nchart     " + Svg + "\n";
+										   : fmt::format("{}\nsettings  {}\ntable     {}\nchart     {}\n",
+												 MakeSummary(Walk, MarkName), ListSettings(Walk), Csv, Svg);
 	std::fputs(Text.c_str(), stdout);
 	return ExitDone;
 }

@@ -1,0 +1,73 @@
+// Puts into words what a run did: passes with bars of their times, channels, memory.
+#include <fmt/format.h>
+
+#include "Program/RunSummary.h"
+
+#include "Run/Run.h"
+
+#include <algorithm>
+
+namespace Drydock
+{
+
+namespace
+{
+
+std::string FormatMegabytes(uint64_t Bytes)
+{
+	return fmt::format("{:.1f} MB", static_cast<double>(Bytes) / 1e6);
+}
+
+/** Where the time went, as a bar of at most ten characters. */
+std::string MakeBar(double Part, double Largest)
+{
+	const int Length = Largest > 0.0 ? static_cast<int>(Part / Largest * 10.0 + 0.5) : 0;
+	return std::string(static_cast<size_t>(std::clamp(Length, 0, 10)), '#');
+}
+
+std::string FormatPasses(const FRunResult& Result)
+{
+	size_t NameWidth = 4;
+	double Largest = 0.0;
+	for (const FRunPass& Pass : Result.Passes)
+	{
+		NameWidth = std::max(NameWidth, Result.Graph.Passes[static_cast<size_t>(Pass.Index)].Name.size());
+		Largest = std::max(Largest, Pass.Milliseconds);
+	}
+	std::string Text;
+	for (const FRunPass& Pass : Result.Passes)
+	{
+		Text += fmt::format("{:5}  {:{}}{:9.2f} ms  {}\n", Pass.Index,
+			Result.Graph.Passes[static_cast<size_t>(Pass.Index)].Name, NameWidth, Pass.Milliseconds,
+			MakeBar(Pass.Milliseconds, Largest));
+	}
+	return Text;
+}
+
+} // namespace
+
+std::string MakeRunSummary(const FRunResult& Result, const std::string& Folder, double SaveMs)
+{
+	const auto IsReal = [](const FRDGCompiledPass& Pass)
+	{
+		return !Pass.bIsSentinel;
+	};
+	const auto NumPasses = std::count_if(Result.Graph.Passes.begin(), Result.Graph.Passes.end(), IsReal);
+	const auto NumDecoded = std::count_if(
+		Result.Channels.begin(), Result.Channels.end(), [](const FSceneChannel& Channel) { return Channel.bDecoded; });
+	const long NumRun = static_cast<long>(Result.Passes.size());
+	std::string Text = fmt::format("{}: {} x {}, {} arithmetic, {} storage, {} {}\n", Result.Config.File,
+		Result.ViewRect.Width(), Result.ViewRect.Height(), Result.Precision, Result.Storage, Result.Threads,
+		Result.Threads == 1 ? "thread" : "threads");
+	Text += FormatPasses(Result);
+	Text += fmt::format(
+		"passes   {} of {} ran in {:.1f} ms, {} culled\n", NumRun, NumPasses, Result.Times.Execute, NumPasses - NumRun);
+	Text += fmt::format(
+		"scene    {} of {} channels decoded in {:.1f} ms\n", NumDecoded, Result.Channels.size(), Result.Times.Load);
+	Text += fmt::format("memory   {} transient, {} without aliasing\n",
+		FormatMegabytes(Result.Graph.Memory.TransientPeakBytes),
+		FormatMegabytes(Result.Graph.Memory.WithoutAliasingBytes));
+	return Text + fmt::format("picture  {}/final.png (written in {:.1f} ms)\n", Folder, SaveMs);
+}
+
+} // namespace Drydock

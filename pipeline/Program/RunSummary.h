@@ -1,0 +1,15 @@
+// What a person wants to know of a run once it is done.
+#pragma once
+
+#include <string>
+
+namespace Drydock
+{
+
+struct FRunResult;
+
+/** Several lines: passes with their times, what was decoded, memory, where the picture is. SaveMs: milliseconds that
+ * writing took. */
+std::string MakeRunSummary(const FRunResult& Result, const std::string& Folder, double SaveMs);
+
+} // namespace Drydock
