@@ -39,7 +39,6 @@ struct FConfigKey
 					// or an ObjectArray may be instead, after =
 	int Length; // of a NumberArray
 	bool bRequired;
-	bool bBuilt; // false: read and checked, but nothing acts on it yet
 	const char* Doc;
 };
 

@@ -150,7 +150,7 @@ void WriteKey(FJsonWriter& Writer, const FConfigKey& Key)
 	const std::string Of = Key.Of;
 	const size_t Equals = Of.find('=');
 	Writer.Key(Key.Name).BeginObject();
-	Writer.Member("description", std::string(Key.Doc) + (Key.bBuilt ? "" : " (Not built yet.)"));
+	Writer.Member("description", Key.Doc);
 	if (Equals == std::string::npos)
 	{
 		WriteKind(Writer, Key, Of);

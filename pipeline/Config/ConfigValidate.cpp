@@ -56,8 +56,7 @@ public:
 	{
 	}
 
-	/** bLater: something above has already been reported as not built. */
-	void ValidateObject(const FJsonValue& Value, const std::string& Object, bool bLater)
+	void ValidateObject(const FJsonValue& Value, const std::string& Object)
 	{
 		for (const auto& [Name, Member] : Value.Members)
 		{
@@ -68,13 +67,7 @@ public:
 					ErrorUnknownKey, Member, "unknown key \"" + Name + "\"" + Suggest(Name, NamesOf(Object)));
 				continue;
 			}
-			const bool bReportLater = !Key->bBuilt && !bLater;
-			if (bReportLater)
-			{
-				Messages.WarnAtKey(WarnNotBuilt, Member,
-					"\"" + Name + "\" is not built yet: it is read and checked, and does nothing");
-			}
-			ValidateMember(Member, *Key, bLater || bReportLater);
+			ValidateMember(Member, *Key);
 		}
 		for (const FConfigKey& Key : GetConfigKeys())
 		{
@@ -131,7 +124,7 @@ private:
 		return false;
 	}
 
-	void ValidateMember(const FJsonValue& Value, const FConfigKey& Key, bool bLater)
+	void ValidateMember(const FJsonValue& Value, const FConfigKey& Key)
 	{
 		const std::string Alternative = AlternativeOf(Key);
 		if (!Alternative.empty() && Value.Type == EJsonType::String)
@@ -169,7 +162,7 @@ private:
 		case EConfigKind::Object:
 			if (Expect(Value, EJsonType::Object, Key))
 			{
-				ValidateObject(Value, Key.Of, bLater);
+				ValidateObject(Value, Key.Of);
 			}
 			break;
 		case EConfigKind::ObjectArray:
@@ -179,7 +172,7 @@ private:
 					if (ExpectElement(Element, EJsonType::Object, "an object"))
 					{
 						const std::string Of = Key.Of;
-						ValidateObject(Element, Of.substr(0, Of.find('=')), bLater);
+						ValidateObject(Element, Of.substr(0, Of.find('=')));
 					}
 				});
 			break;
@@ -190,7 +183,7 @@ private:
 			ValidateMap(Value, Key, EJsonType::Number, "a number");
 			break;
 		case EConfigKind::Padding:
-			ValidatePadding(Value, Key, bLater);
+			ValidatePadding(Value, Key);
 			break;
 		case EConfigKind::Settings:
 		case EConfigKind::Variables:
@@ -243,7 +236,7 @@ private:
 		}
 	}
 
-	void ValidatePadding(const FJsonValue& Value, const FConfigKey& Key, bool bLater)
+	void ValidatePadding(const FJsonValue& Value, const FConfigKey& Key)
 	{
 		if (Value.Type == EJsonType::Array)
 		{
@@ -254,7 +247,7 @@ private:
 		}
 		else if (Value.Type == EJsonType::Object)
 		{
-			ValidateObject(Value, Key.Of, bLater);
+			ValidateObject(Value, Key.Of);
 		}
 		else
 		{
@@ -314,7 +307,7 @@ void ValidateConfigShape(const FJsonValue& Root, FConfigMessages& Messages)
 		Messages.Error(ErrorWrongType, Root, std::string("expected an object, found ") + Root.Describe());
 		return;
 	}
-	FShapeValidator(Messages).ValidateObject(Root, "", false);
+	FShapeValidator(Messages).ValidateObject(Root, "");
 }
 
 } // namespace Drydock

@@ -163,15 +163,15 @@ FIntRect GetViewRect(const FConfig& Config, const FConfigView& View, const FScen
 	const std::array<int, 4>& Corners = View.Rect.Value;
 	if (Corners[2] > Picture.Width() || Corners[3] > Picture.Height())
 	{
-		FDiagnostic Diagnostic;
-		Diagnostic.Code = ErrorBadValue;
-		Diagnostic.File = Config.File;
-		Diagnostic.Line = View.Rect.Place.Line;
-		Diagnostic.Column = View.Rect.Place.Column;
-		Diagnostic.Where = View.Rect.Place.Pointer;
-		Diagnostic.Message = "the rect leaves the scene, which is " + std::to_string(Picture.Width()) + " x " +
-							 std::to_string(Picture.Height()) + " pixels";
-		throw FError(Diagnostic, ExitUsage);
+		const FConfigPlace& Place = View.Rect.Place;
+		throw FError({.Code = ErrorBadValue,
+						 .Message = "the rect leaves the scene, which is " + std::to_string(Picture.Width()) + " x " +
+									std::to_string(Picture.Height()) + " pixels",
+						 .File = Config.File,
+						 .Line = Place.Line,
+						 .Column = Place.Column,
+						 .Where = Place.Pointer},
+			ExitUsage);
 	}
 	return FIntRect(Corners[0], Corners[1], Corners[2], Corners[3]) + Picture.Min;
 }
@@ -199,15 +199,14 @@ void ReportNonFinite(const FNonFiniteCount& Found, const std::string& What, FRun
 		return;
 	}
 	const ENonFinitePolicy Policy = GetNonFinitePolicy();
-	FDiagnostic Diagnostic;
-	Diagnostic.Severity = Policy == ENonFinitePolicy::Error ? ESeverity::Error : ESeverity::Warning;
-	Diagnostic.Code = Policy == ENonFinitePolicy::Error ? ErrorNonFinite : WarnNonFinite;
-	Diagnostic.Where = What;
-	Diagnostic.Message = std::to_string(Found.Count) + (Found.Count == 1 ? " value is" : " values are") +
-						 " NaN or infinite, first at pixel (" + std::to_string(Found.FirstX) + ", " +
-						 std::to_string(Found.FirstY) + ")";
-	Result.Diagnostics.push_back(Diagnostic);
-	if (Policy == ENonFinitePolicy::Error)
+	const bool bError = Policy == ENonFinitePolicy::Error;
+	Result.Diagnostics.push_back({.Severity = bError ? ESeverity::Error : ESeverity::Warning,
+		.Code = bError ? ErrorNonFinite : WarnNonFinite,
+		.Message = std::to_string(Found.Count) + (Found.Count == 1 ? " value is" : " values are") +
+				   " NaN or infinite, first at pixel (" + std::to_string(Found.FirstX) + ", " +
+				   std::to_string(Found.FirstY) + ")",
+		.Where = What});
+	if (bError)
 	{
 		throw FError(Result.Diagnostics, ExitPolicy);
 	}
@@ -425,12 +424,43 @@ void RunGraph(const FRunOptions& Options, const FRunSetup& Setup, FSceneFile& Sc
 	Result.Final = std::move(Frame.Final);
 }
 
-/** Adds what is known only with the config to an error of a later stage. */
-[[noreturn]] void RethrowWith(const std::vector<FDiagnostic>& Earlier, const FError& Error)
+/** A run before its policies are applied. */
+struct FRendered
 {
-	std::vector<FDiagnostic> All = Earlier;
-	All.insert(All.end(), Error.GetDiagnostics().begin(), Error.GetDiagnostics().end());
-	throw FError(All, Error.GetExitCode());
+	FRunResult Result;
+	FNonFiniteCount NonFiniteInFile;
+};
+
+/** Scene, frame and what they say. An error comes with what was known before. */
+FRendered Render(const FRunOptions& Options, const FRunSetup& Setup, const FBeforeFrame& Before)
+{
+	try
+	{
+		FSceneFile Scene(Setup.Config);
+		Scene.SetResolution(GetScreenPercentage(Setup.Settings), MakeRegions(Setup, Scene));
+		FRendered Rendered{MakeResult(Setup, Scene), {}};
+		FRunResult& Result = Rendered.Result;
+		RunGraph(Options, Setup, Scene, Before, Result);
+		Result.Channels = Scene.GetChannels();
+		for (const FRDGCompiledResource& Resource : Result.Graph.Resources)
+		{
+			Result.SceneTextureBytes += Resource.bExternal && Scene.IsFilled(Resource.Name) ? Resource.Bytes : 0;
+		}
+		Result.Diagnostics.insert(Result.Diagnostics.end(), Result.Graph.Warnings.begin(), Result.Graph.Warnings.end());
+		if (Options.bExecute)
+		{
+			const std::vector<FDiagnostic> DumpWarnings = CheckDumpPatterns(Setup.Dump, Result);
+			Result.Diagnostics.insert(Result.Diagnostics.end(), DumpWarnings.begin(), DumpWarnings.end());
+		}
+		Rendered.NonFiniteInFile = Scene.GetNonFinite();
+		return Rendered;
+	}
+	catch (const FError& Error)
+	{
+		std::vector<FDiagnostic> All = Setup.Diagnostics;
+		All.insert(All.end(), Error.GetDiagnostics().begin(), Error.GetDiagnostics().end());
+		throw FError(All, Error.GetExitCode());
+	}
 }
 
 } // namespace
@@ -451,38 +481,16 @@ const FConfig& FRunSession::GetConfig() const
 FRunResult FRunSession::Run(std::optional<int> Frame, const std::vector<FViewHistory>& Last)
 {
 	Setup->BeginFrame(Frame);
-	try
+	FRendered Rendered = Render(Options, *Setup, {Last, Caches});
+	FRunResult& Result = Rendered.Result;
+	if (Options.bExecute)
 	{
-		FSceneFile Scene(Setup->Config);
-		Scene.SetResolution(GetScreenPercentage(Setup->Settings), MakeRegions(*Setup, Scene));
-		FRunResult Result = MakeResult(*Setup, Scene);
-		RunGraph(Options, *Setup, Scene, {Last, Caches}, Result);
-		Result.Channels = Scene.GetChannels();
-		for (const FRDGCompiledResource& Resource : Result.Graph.Resources)
-		{
-			Result.SceneTextureBytes += Resource.bExternal && Scene.IsFilled(Resource.Name) ? Resource.Bytes : 0;
-		}
-		Result.Diagnostics.insert(Result.Diagnostics.end(), Result.Graph.Warnings.begin(), Result.Graph.Warnings.end());
-		if (Options.bExecute)
-		{
-			const std::vector<FDiagnostic> DumpWarnings = CheckDumpPatterns(Setup->Dump, Result);
-			Result.Diagnostics.insert(Result.Diagnostics.end(), DumpWarnings.begin(), DumpWarnings.end());
-			const FNonFiniteCount InFile = Scene.GetNonFinite();
-			ReportNonFinite(InFile.Count > 0 ? InFile : CountNonFinite(Result.SceneLinear), "scene colour", Result);
-			ReportNonFinite(CountNonFinite(Result.Final), "final picture", Result);
-		}
-		Result.RunJson = MakeRunJson(Result);
-		return Result;
+		const FNonFiniteCount& InFile = Rendered.NonFiniteInFile;
+		ReportNonFinite(InFile.Count > 0 ? InFile : CountNonFinite(Result.SceneLinear), "scene colour", Result);
+		ReportNonFinite(CountNonFinite(Result.Final), "final picture", Result);
 	}
-	catch (const FError& Error)
-	{
-		// ReportNonFinite throws all; everything else throws its own only.
-		if (Error.GetExitCode() == ExitPolicy)
-		{
-			throw;
-		}
-		RethrowWith(Setup->Diagnostics, Error);
-	}
+	Result.RunJson = MakeRunJson(Result);
+	return std::move(Rendered.Result);
 }
 
 FRunResult RunConfig(const FRunOptions& Options)

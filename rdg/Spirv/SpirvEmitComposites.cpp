@@ -45,13 +45,8 @@ bool FSpirvEmitter::EmitComposite(const FSpirvInstruction& I)
 	case OpCompositeInsert:
 	{
 		const size_t Composite = I.Op == OpCompositeInsert ? 1 : 0;
-		uint32_t Type = Module.GetValueTypeId(I.Operands[Composite]);
-		uint32_t Offset = 0;
-		for (size_t i = Composite + 1; i < I.Operands.size(); ++i)
-		{
-			Offset += Module.GetMemberScalar(Type, I.Operands[i]);
-			Type = Module.GetMemberType(Type, I.Operands[i]);
-		}
+		const auto [Offset, Type] = Module.FindPart(Module.GetValueTypeId(I.Operands[Composite]),
+			I.Operands.data() + Composite + 1, I.Operands.data() + I.Operands.size());
 		const uint32_t Size = Module.GetType(Type).NumScalars;
 		for (uint32_t i = 0; i < SizeOf(I.Result); ++i)
 		{

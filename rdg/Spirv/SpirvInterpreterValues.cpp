@@ -34,13 +34,8 @@ bool FSpirvInterpreterImpl::ExecuteComposite(const FSpirvInstruction& I, FScalar
 	case OpCompositeInsert:
 	{
 		const size_t Composite = I.Op == OpCompositeInsert ? 1 : 0;
-		uint32_t Type = Module.GetValueTypeId(I.Operands[Composite]);
-		uint32_t Offset = 0;
-		for (size_t i = Composite + 1; i < I.Operands.size(); ++i)
-		{
-			Offset += Module.GetMemberScalar(Type, I.Operands[i]);
-			Type = Module.GetMemberType(Type, I.Operands[i]);
-		}
+		const auto [Offset, Type] = Module.FindPart(Module.GetValueTypeId(I.Operands[Composite]),
+			I.Operands.data() + Composite + 1, I.Operands.data() + I.Operands.size());
 		const FScalars Whole = Get(I.Operands[Composite]);
 		if (I.Op == OpCompositeExtract)
 		{

@@ -108,6 +108,17 @@ uint32_t FSpirvModule::GetMemberType(uint32_t Type, uint32_t Index) const
 	Fail("SPIR-V: type " + std::to_string(Type) + " has no member " + std::to_string(Index));
 }
 
+FSpirvModule::FPart FSpirvModule::FindPart(uint32_t Type, const uint32_t* Begin, const uint32_t* End) const
+{
+	FPart Part{0, Type};
+	for (const uint32_t* Index = Begin; Index != End; ++Index)
+	{
+		Part.Offset += GetMemberScalar(Part.Type, *Index);
+		Part.Type = GetMemberType(Part.Type, *Index);
+	}
+	return Part;
+}
+
 uint32_t FSpirvModule::GetMemberScalar(uint32_t Type, uint32_t Index) const
 {
 	const FSpirvType& T = GetType(Type);

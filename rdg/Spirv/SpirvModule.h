@@ -145,6 +145,15 @@ struct FSpirvModule
 	ESpirvType GetScalarKind(uint32_t Type, uint32_t Scalar) const; // Bool, Int, Uint or Float of one flattened scalar
 	uint32_t GetMemberScalar(uint32_t Type, uint32_t Index) const;  // flattened position of a member or element
 	uint32_t GetMemberType(uint32_t Type, uint32_t Index) const;
+
+	/** A part of a composite: where its scalars begin among those of the whole, and its type. */
+	struct FPart
+	{
+		uint32_t Offset = 0;
+		uint32_t Type = 0;
+	};
+	/** Walks from a value of Type by the indices, one a level. */
+	FPart FindPart(uint32_t Type, const uint32_t* Begin, const uint32_t* End) const;
 	[[noreturn]] void Fail(const std::string& Message, const FSpirvInstruction* Where = nullptr) const;
 };
 

@@ -12,6 +12,7 @@
 #include "PassReference.h"
 
 #include "Exposure/PostProcessEyeAdaptation.h"
+#include "HAL/ConsoleVariableTools.h"
 #include "HAL/IConsoleManager.h"
 #include "RHICommandList.h"
 #include "RenderGraphBuilder.h"
@@ -36,34 +37,7 @@ using PassReference::FRect;
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/** Sets a console variable and puts the old value back. */
-class FScopedConsoleVariable
-{
-public:
-	FScopedConsoleVariable(const TCHAR* Name, float Value)
-		: Variable(IConsoleManager::Get().FindConsoleVariable(Name))
-	{
-		EXPECT_NE(Variable, nullptr) << Name;
-		if (Variable)
-		{
-			Old = Variable->GetFloat();
-			Variable->Set(Value);
-		}
-	}
-	~FScopedConsoleVariable()
-	{
-		if (Variable)
-		{
-			Variable->Set(Old);
-		}
-	}
-	FScopedConsoleVariable(const FScopedConsoleVariable&) = delete;
-	FScopedConsoleVariable& operator=(const FScopedConsoleVariable&) = delete;
-
-private:
-	IConsoleVariable* Variable;
-	float Old = 0.0f;
-};
+using Drydock::FScopedConsoleVariable;
 
 enum class EArithmetic
 {

@@ -80,6 +80,10 @@ public:
 		: FScopedConsoleVariable(Name, FString::FromInt(Value))
 	{
 	}
+	FScopedConsoleVariable(const TCHAR* Name, float Value)
+		: FScopedConsoleVariable(Name, FString::SanitizeFloat(static_cast<double>(Value)))
+	{
+	}
 	~FScopedConsoleVariable();
 	FScopedConsoleVariable(const FScopedConsoleVariable&) = delete;
 	FScopedConsoleVariable& operator=(const FScopedConsoleVariable&) = delete;

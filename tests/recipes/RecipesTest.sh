@@ -1,25 +1,27 @@
 #!/usr/bin/env bash
-# Carries out the recipe "an effect with a setting" of docs/architecture.md on a scratch copy of the tree: copies the files
-# of Posterize in, adds the rows, builds the program and looks for the effect where a person would.
+# Carries out two recipes of docs/architecture.md on a scratch copy of the tree: an effect with a setting (Posterize) and a
+# verb (Hello). Copies their files in, adds their rows, builds the program and looks for both where a person would.
 #
-#   EffectRecipeTest.sh SOURCE WORK
+#   RecipesTest.sh SOURCE WORK
 set -euo pipefail
 
 Here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 Source=$(realpath "$1") Work=$2
 Tree=$Work/tree
-Fail() { printf 'EffectRecipeTest: %s\n' "$*" >&2; exit 1; }
+Fail() { printf 'RecipesTest: %s\n' "$*" >&2; exit 1; }
 
 # Times of files are kept, so that a second run compiles only what changed.
 rm -rf "$Tree"
 mkdir -p "$Tree" "$Work/edited"
 (cd "$Source" && cp -a CMakeLists.txt CMakePresets.json rdg settings passes pipeline cmake templates configs "$Tree/")
 
-# New files, as they stand in the recipe's folder; its test is compiled with the others of its room.
-(cd "$Here/Posterize" && find passes pipeline configs -type f) | while read -r File; do
-	[ ! -e "$Tree/$File" ] || Fail "$File is no new file"
-	mkdir -p "$(dirname "$Tree/$File")"
-	cp -p "$Here/Posterize/$File" "$Tree/$File"
+# New files, as they stand in the recipes' folders. Posterize's test stays there: it would be built with all of its room.
+for Recipe in Posterize Hello; do
+	(cd "$Here/$Recipe" && find passes pipeline configs -type f 2>/dev/null) | while read -r File; do
+		[ ! -e "$Tree/$File" ] || Fail "$File is no new file"
+		mkdir -p "$(dirname "$Tree/$File")"
+		cp -p "$Here/$Recipe/$File" "$Tree/$File"
+	done
 done
 # Rows, each after the last line that begins as it does.
 grep -v '^#' "$Here/Posterize/rows.txt" | while IFS=$'\t' read -r File Row; do
@@ -50,4 +52,6 @@ Expect "$("$Drydock" explain "$Tree/configs/posterize.json" --effect Posterize)"
 "$Drydock" run "$Tree/configs/posterize.json" --pp PosterizeLevels=0 --out without >/dev/null
 ! cmp -s with/final.exr without/final.exr || Fail "the picture is as without the effect"
 Expect "$(cat with/run.json)" '"name": "Posterize", "active": true'
-echo "EffectRecipeTest: Posterize was added in $(cd "$Here/Posterize" && find passes pipeline tests configs -type f | wc -l) new files and $(grep -vc '^#' "$Here/Posterize/rows.txt") rows"
+Expect "$("$Drydock" --help)" 'hello +Greet somebody'
+[ "$("$Drydock" hello --name drydock)" = "hello drydock" ] || Fail "the verb does not greet"
+echo "RecipesTest: Posterize was added in $(cd "$Here/Posterize" && find passes pipeline tests configs -type f | wc -l) new files and $(grep -vc '^#' "$Here/Posterize/rows.txt") rows"
