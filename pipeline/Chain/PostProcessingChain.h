@@ -1,4 +1,4 @@
-// The post-processing chain: builds the passes of the effects that were decided on (EffectDecisions.h), in the engine's
+// The post-processing chain: builds the passes of the effects that were decided on (Effects.h), in the engine's
 // order, and calls view extensions at its insertion points. Source: engine PostProcess/PostProcessing.h.
 #pragma once
 

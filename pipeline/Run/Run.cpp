@@ -2,13 +2,11 @@
 #include "Run/Run.h"
 
 #include "Frame/Frame.h"
-#include "Picture/TextureImage.h"
-#include "RenderGraphObserver.h"
 #include "Run/FinalSettings.h"
 #include "Run/RunDump.h"
 #include "Run/RunJson.h"
+#include "Run/RunObserver.h"
 #include "Run/RunSetup.h"
-#include "Run/VariableTaps.h"
 #include "SceneFile/NonFinite.h"
 #include "SceneFile/SceneContent.h"
 #include "Text/ConfigErrors.h"
@@ -37,120 +35,6 @@ int32 GetVariableInt(const char* Name)
 	const IConsoleVariable* Variable = IConsoleManager::Get().FindConsoleVariable(Name);
 	return Variable != nullptr ? Variable->GetInt() : 0;
 }
-
-/** Loads what the compiled graph needs, keeps what is dumped, and notes what each pass cost. */
-class FRunObserver final : public IRDGObserver
-{
-public:
-	FRunObserver(const FRunOptions& InOptions, const FRunSetup& InSetup, FSceneFile& InScene, FRunResult& InResult)
-		: Options(InOptions)
-		, Setup(InSetup)
-		, Scene(InScene)
-		, Result(InResult)
-	{
-	}
-
-	void OnGraphCompiled(const FRDGCompiledGraph& Graph) override
-	{
-		Result.Graph = Graph;
-		NumToExecute = static_cast<int>(std::count_if(Graph.Passes.begin(), Graph.Passes.end(),
-			[](const FRDGCompiledPass& Pass) { return !Pass.bCulled && !Pass.bIsSentinel; }));
-		ReportProgress();
-	}
-
-	bool WantsPlannedExternals() const override { return Options.bPlanLoads; }
-	void OnExternalsPlanned(const std::vector<FRDGExternalLoad>& Loads) override { Scene.Plan(FindNeeded(Loads)); }
-
-	void OnLoadExternals(const std::vector<FRDGExternalLoad>& Loads) override
-	{
-		const FClock::time_point Begin = FClock::now();
-		const std::vector<FNeededSceneTexture> Needed = FindNeeded(Loads);
-		Scene.Load(Needed, {static_cast<float>(Setup.Config.View.PreExposure.Value), Result.ViewRect.Size(),
-							   Setup.Config.Scene.Units});
-		Result.Times.Load += MillisecondsSince(Begin);
-		for (const FNeededSceneTexture& Texture : Needed)
-		{
-			FRHITexture* const Loaded = Scene.GetTexture(Texture.Texture);
-			// A texture that may be read is announced again once it is.
-			const bool bKept = std::any_of(Result.Dumps.begin(), Result.Dumps.end(),
-				[&](const FRunDump& Dump) { return Dump.PassIndex == 0 && Dump.Resource == Texture.Texture; });
-			if (Loaded != nullptr && !bKept && IsDumped(Setup.Dump, "External", Texture.Texture))
-			{
-				KeepTexture(0, "External", Texture.Texture, *Loaded);
-			}
-		}
-	}
-
-	void OnPassExecuted(int32_t PassIndex, const FRDGPass& Pass, double Milliseconds, const FPassCounters& Counters,
-		const std::vector<FRDGTexture*>& WrittenTextures) override
-	{
-		Result.Passes.push_back({PassIndex, Milliseconds, Counters});
-		Result.Passes.back().Counters.Taps = CountTaps(Pass, Counters);
-		for (FRDGTexture* Texture : WrittenTextures)
-		{
-			if (IsDumped(Setup.Dump, Pass.GetName(), Texture->Name))
-			{
-				KeepTexture(PassIndex, Pass.GetName(), Texture->Name, *Texture->GetRHI());
-			}
-		}
-		ReportProgress();
-	}
-
-private:
-	/** Without skipping, every texture that the file can fill. */
-	std::vector<FNeededSceneTexture> FindNeeded(const std::vector<FRDGExternalLoad>& Loads) const
-	{
-		std::vector<FNeededSceneTexture> Needed;
-		for (const FRDGExternalLoad& Load : Loads)
-		{
-			Needed.push_back({Load.Texture->Name, Load.Pass->GetName(), Load.bIsRead});
-		}
-		for (const FScenePacking& Packing : GetScenePackings())
-		{
-			if (Options.bNoSkip)
-			{
-				Needed.push_back({Packing.Name, "", false});
-			}
-		}
-		return Needed;
-	}
-
-	void KeepTexture(int PassIndex, const std::string& Pass, const std::string& Resource, FRHITexture& Texture)
-	{
-		const int NumMips = static_cast<int>(Texture.GetNumMips());
-		for (int Mip = 0; Mip < NumMips; ++Mip)
-		{
-			FRunDump Dump{PassIndex, Pass, Resource, NumMips > 1 ? Mip : -1, ReadTexture(Texture, Mip), {}};
-			Dump.Channels = GetChannelNames(Dump.Image.NumChannels);
-			Result.Dumps.push_back(std::move(Dump));
-		}
-	}
-
-	void ReportProgress() const
-	{
-		if (!Options.Progress)
-		{
-			return;
-		}
-		const int Done = static_cast<int>(Result.Passes.size());
-		int Position = 0;
-		for (const FRDGCompiledPass& Pass : Result.Graph.Passes)
-		{
-			if (!Pass.bCulled && !Pass.bIsSentinel && Position++ == Done)
-			{
-				Options.Progress(Done, NumToExecute, Pass.Name);
-				return;
-			}
-		}
-		Options.Progress(Done, NumToExecute, "");
-	}
-
-	const FRunOptions& Options;
-	const FRunSetup& Setup;
-	FSceneFile& Scene;
-	FRunResult& Result;
-	int NumToExecute = 0;
-};
 
 /** A view's rect, which counts in pixels of the picture, as a rect of the scene textures. */
 FIntRect GetViewRect(const FConfig& Config, const FConfigView& View, const FSceneFile& Scene)

@@ -179,7 +179,7 @@ TEST(ContentGates, AsPrintedItRoundsUnlessTheThresholdDoesToo)
 
 TEST(ContentGates, WhereTheSetupPassHasARampItChangesMoreThanToon)
 {
-	FChainSettings Chain = MakeChain(R"("BloomToonIntensity": 0.1)");
+	FGatedView Chain = MakeChain(R"("BloomToonIntensity": 0.1)");
 	Chain.Content.Toon = None;
 	for (const FEngineProfile& Engine : GetEngineProfiles())
 	{

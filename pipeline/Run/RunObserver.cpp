@@ -1,0 +1,126 @@
+// Serves a graph while it is built and executed: scene textures, dumps, counters, progress.
+#include "Run/RunObserver.h"
+
+#include "Budget/RunOptions.h"
+#include "Picture/TextureImage.h"
+#include "Run/RunDump.h"
+#include "Run/RunSetup.h"
+#include "Run/VariableTaps.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace Drydock
+{
+
+FRunObserver::FRunObserver(
+	const FRunOptions& InOptions, const FRunSetup& InSetup, FSceneFile& InScene, FRunResult& InResult)
+	: Options(InOptions)
+	, Setup(InSetup)
+	, Scene(InScene)
+	, Result(InResult)
+{
+}
+
+void FRunObserver::OnGraphCompiled(const FRDGCompiledGraph& Graph)
+{
+	Result.Graph = Graph;
+	NumToExecute = static_cast<int>(std::count_if(Graph.Passes.begin(), Graph.Passes.end(),
+		[](const FRDGCompiledPass& Pass) { return !Pass.bCulled && !Pass.bIsSentinel; }));
+	ReportProgress();
+}
+
+bool FRunObserver::WantsPlannedExternals() const
+{
+	return Options.bPlanLoads;
+}
+
+void FRunObserver::OnExternalsPlanned(const std::vector<FRDGExternalLoad>& Loads)
+{
+	Scene.Plan(FindNeeded(Loads));
+}
+
+void FRunObserver::OnLoadExternals(const std::vector<FRDGExternalLoad>& Loads)
+{
+	const auto Begin = std::chrono::steady_clock::now();
+	const std::vector<FNeededSceneTexture> Needed = FindNeeded(Loads);
+	Scene.Load(Needed,
+		{static_cast<float>(Setup.Config.View.PreExposure.Value), Result.ViewRect.Size(), Setup.Config.Scene.Units});
+	Result.Times.Load += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Begin).count();
+	for (const FNeededSceneTexture& Texture : Needed)
+	{
+		FRHITexture* const Loaded = Scene.GetTexture(Texture.Texture);
+		// A texture that may be read is announced again once it is.
+		const bool bKept = std::any_of(Result.Dumps.begin(), Result.Dumps.end(),
+			[&](const FRunDump& Dump) { return Dump.PassIndex == 0 && Dump.Resource == Texture.Texture; });
+		if (Loaded != nullptr && !bKept && IsDumped(Setup.Dump, "External", Texture.Texture))
+		{
+			KeepTexture(0, "External", Texture.Texture, *Loaded);
+		}
+	}
+}
+
+void FRunObserver::OnPassExecuted(int32_t PassIndex, const FRDGPass& Pass, double Milliseconds,
+	const FPassCounters& Counters, const std::vector<FRDGTexture*>& WrittenTextures)
+{
+	Result.Passes.push_back({PassIndex, Milliseconds, Counters});
+	Result.Passes.back().Counters.Taps = CountTaps(Pass, Counters);
+	for (FRDGTexture* Texture : WrittenTextures)
+	{
+		if (IsDumped(Setup.Dump, Pass.GetName(), Texture->Name))
+		{
+			KeepTexture(PassIndex, Pass.GetName(), Texture->Name, *Texture->GetRHI());
+		}
+	}
+	ReportProgress();
+}
+
+std::vector<FNeededSceneTexture> FRunObserver::FindNeeded(const std::vector<FRDGExternalLoad>& Loads) const
+{
+	std::vector<FNeededSceneTexture> Needed;
+	for (const FRDGExternalLoad& Load : Loads)
+	{
+		Needed.push_back({Load.Texture->Name, Load.Pass->GetName(), Load.bIsRead});
+	}
+	for (const FScenePacking& Packing : GetScenePackings())
+	{
+		if (Options.bNoSkip)
+		{
+			Needed.push_back({Packing.Name, "", false});
+		}
+	}
+	return Needed;
+}
+
+void FRunObserver::KeepTexture(
+	int PassIndex, const std::string& Pass, const std::string& Resource, FRHITexture& Texture)
+{
+	const int NumMips = static_cast<int>(Texture.GetNumMips());
+	for (int Mip = 0; Mip < NumMips; ++Mip)
+	{
+		FRunDump Dump{PassIndex, Pass, Resource, NumMips > 1 ? Mip : -1, ReadTexture(Texture, Mip), {}};
+		Dump.Channels = GetChannelNames(Dump.Image.NumChannels);
+		Result.Dumps.push_back(std::move(Dump));
+	}
+}
+
+void FRunObserver::ReportProgress() const
+{
+	if (!Options.Progress)
+	{
+		return;
+	}
+	const int Done = static_cast<int>(Result.Passes.size());
+	int Position = 0;
+	for (const FRDGCompiledPass& Pass : Result.Graph.Passes)
+	{
+		if (!Pass.bCulled && !Pass.bIsSentinel && Position++ == Done)
+		{
+			Options.Progress(Done, NumToExecute, Pass.Name);
+			return;
+		}
+	}
+	Options.Progress(Done, NumToExecute, "");
+}
+
+} // namespace Drydock

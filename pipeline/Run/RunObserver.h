@@ -1,0 +1,40 @@
+// What a run does while its graph is built and executed: loads the scene, keeps what is dumped, notes what passes cost.
+#pragma once
+
+#include "RenderGraphObserver.h"
+#include "Run/RunResult.h"
+#include "SceneFile/SceneFile.h"
+
+namespace Drydock
+{
+
+struct FRunOptions;
+struct FRunSetup;
+
+/** Loads what the compiled graph needs, keeps what is dumped, and notes what each pass cost. All outlive it. */
+class FRunObserver final : public IRDGObserver
+{
+public:
+	FRunObserver(const FRunOptions& InOptions, const FRunSetup& InSetup, FSceneFile& InScene, FRunResult& InResult);
+
+	void OnGraphCompiled(const FRDGCompiledGraph& Graph) override;
+	bool WantsPlannedExternals() const override;
+	void OnExternalsPlanned(const std::vector<FRDGExternalLoad>& Loads) override;
+	void OnLoadExternals(const std::vector<FRDGExternalLoad>& Loads) override;
+	void OnPassExecuted(int32_t PassIndex, const FRDGPass& Pass, double Milliseconds, const FPassCounters& Counters,
+		const std::vector<FRDGTexture*>& WrittenTextures) override;
+
+private:
+	/** Without skipping, every texture that the file can fill. */
+	std::vector<FNeededSceneTexture> FindNeeded(const std::vector<FRDGExternalLoad>& Loads) const;
+	void KeepTexture(int PassIndex, const std::string& Pass, const std::string& Resource, FRHITexture& Texture);
+	void ReportProgress() const;
+
+	const FRunOptions& Options;
+	const FRunSetup& Setup;
+	FSceneFile& Scene;
+	FRunResult& Result;
+	int NumToExecute = 0;
+};
+
+} // namespace Drydock
