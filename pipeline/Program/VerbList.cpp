@@ -56,7 +56,7 @@ FListTable ListPasses()
 
 FListTable ListEffects()
 {
-	FListTable Table{{"name", "settings", "what it is"}, {}, ""};
+	FListTable Table{{"name", "what it is", "settings"}, {}, ""};
 	for (const FEffect* const Effect : GetEffects())
 	{
 		std::string Settings;
@@ -65,7 +65,7 @@ FListTable ListEffects()
 			const bool bActs = Claim.NotBuilt[0] == '\0';
 			Settings += bActs ? (Settings.empty() ? "" : " ") + std::string(Claim.Beginning) + "*" : "";
 		}
-		Table.Rows.push_back({*Effect->Name, Settings.empty() ? "-" : Settings, *Effect->Doc});
+		Table.Rows.push_back({*Effect->Name, *Effect->Doc, Settings.empty() ? "-" : Settings});
 	}
 	return Table;
 }

@@ -42,7 +42,7 @@ Drydock=$Work/build/bin/drydock
 export DRYDOCK_CACHE_DIR=$Work/cache
 cd "$Work"
 Expect() { grep -qE "$2" <<<"$1" || Fail "expected \"$2\" in: $1"; }
-Expect "$("$Drydock" list effects)" '^Posterize +Posterize\* +The picture in few levels\.'
+Expect "$("$Drydock" list effects)" '^Posterize +The picture in few levels\. +Posterize\*'
 Expect "$("$Drydock" list settings Posterize)" 'PosterizeLevels'
 Expect "$("$Drydock" check "$Tree/configs/posterize.json" 2>&1)" 'no errors'
 Expect "$("$Drydock" explain "$Tree/configs/posterize.json")" '^Posterize +yes +.*PosterizeLevels is 8; before bloom'
