@@ -1,5 +1,4 @@
-// A pass of the config's `passes` as a view extension: it adds the pass at its hook, like any other subscriber. Source:
-// drydock.
+// A pass of the config's `passes` as a view extension: it adds the pass at its hook, like any other subscriber.
 #pragma once
 
 #include "Extensions/ConfigExtensions.h"

@@ -1,5 +1,5 @@
-// The settings of a run: defaults, volumes, camera, command line, then console variables and show flags. Source:
-// drydock; the order is the engine's.
+// The settings of a run: defaults, volumes, camera, command line, then console variables and show flags. The order is
+// the engine's.
 #pragma once
 
 #include "BlendSettings.h"

@@ -1,5 +1,4 @@
-// Which resources a run keeps to look at, and what they hold. Dumping observes and never changes culling. Source:
-// drydock.
+// Which resources a run keeps to look at, and what they hold. Dumping observes and never changes culling.
 #pragma once
 
 #include "Run/RunResult.h"

@@ -76,8 +76,8 @@ struct FRDGPassDescription
 {
 	int32_t Index = -1; // position in Passes: 0 the prologue, 1 the first pass, last the epilogue
 	std::string Name;
-	std::string Scope; // open event scopes, outermost first, joined by '/'
-	std::string Effect; // whose pass it is, by the innermost FRDGEffectScope; empty: nobody's
+	std::string Scope;                // open event scopes, outermost first, joined by '/'
+	std::string Effect;               // whose pass it is, by the innermost FRDGEffectScope; empty: nobody's
 	FIntPoint Area = FIntPoint(0, 0); // pixels that it draws or dispatches; 0: not known
 	ERDGPassFlags Flags = ERDGPassFlags::None;
 	std::string File; // of the AddPass call

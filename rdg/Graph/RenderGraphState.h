@@ -30,7 +30,7 @@ struct TRDGExtraction
 
 struct FRDGScope
 {
-	std::string Path; // with those around it
+	std::string Path;   // with those around it
 	std::string Effect; // whose passes it holds; of the one around it where it does not say
 	bool bFinal = false;
 	bool bRecorded = true;

@@ -30,7 +30,7 @@ std::set<std::string> FindRooms()
 	{
 		for (const auto& Entry : Files::directory_iterator(GRoot / Storey))
 		{
-			if (Entry.is_directory())
+			if (Entry.is_directory() && !Files::is_empty(Entry.path()))
 			{
 				Rooms.insert(std::string(Storey) + "/" + Entry.path().filename().string());
 			}

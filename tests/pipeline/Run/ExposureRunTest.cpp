@@ -49,7 +49,7 @@ bool HasPass(const FRunResult& Result, const std::string& Begin)
 std::string GetReason(const FRunResult& Result, const std::string& Name)
 {
 	return std::find_if(Result.Effects.begin(), Result.Effects.end(),
-		[&](const FEffectDecision& Effect) { return Effect.Name == Name; })
+		[&](const FEffectDecision& Effect) { return Effect.GetName() == Name; })
 		->Reason;
 }
 
