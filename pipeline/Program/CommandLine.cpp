@@ -97,10 +97,6 @@ void AddVerb(CLI::App& Program, const FVerb& Verb, int& ExitCode)
 		Name = Name.substr(Space + 1);
 	}
 	CLI::App* const Added = Above->add_subcommand(Name, Verb.Doc);
-	if (Above == &Program)
-	{
-		Added->group("Verbs");
-	}
 	if (const FVerbCall Call = Verb.AddOptions(*Added))
 	{
 		Added->callback([&ExitCode, Call] { ExitCode = Call(); });
@@ -122,6 +118,10 @@ int CallProgram(const std::vector<std::string>& Arguments)
 	for (const FVerb& Verb : GetVerbs())
 	{
 		AddVerb(Program, Verb, ExitCode);
+	}
+	for (CLI::App* const Verb : GetVerbsOf(Program))
+	{
+		Verb->group("Verbs"); // once all are there: those under a verb would take it over
 	}
 	try
 	{

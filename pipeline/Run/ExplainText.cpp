@@ -1,11 +1,11 @@
 // What `drydock explain` prints.
+#include <fmt/format.h>
+
 #include "Run/Explain.h"
 #include "Text/ConfigErrors.h"
 #include "Text/JsonWriter.h"
-#include "Text/TextFormat.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace Drydock
 {
@@ -23,17 +23,18 @@ std::string Count(int Number, const char* Thing)
 
 std::string FormatMilliseconds(const FExplainReport& Report, double Milliseconds)
 {
-	return (Report.bMeasured ? "" : "about ") + Format("%.1f ms", Milliseconds);
+	return fmt::format("{}{:.1f} ms", Report.bMeasured ? "" : "about ", Milliseconds);
 }
 
 std::string FormatEffect(const FExplainedEffect& Effect, size_t NameWidth)
 {
 	const FEffectDecision& Decision = Effect.Decision;
 	const bool bPasses = Effect.NumPasses > 0;
-	return PadRight(Decision.GetName(), NameWidth) + "  " + (Decision.bActive ? "yes" : "no ") +
-		   PadLeft(bPasses ? std::to_string(Effect.NumPasses) : "-", 8) +
-		   PadLeft(bPasses ? Format("%.2f", Effect.Milliseconds) : "-", 9) +
-		   PadLeft(bPasses ? Format("%.1f", Effect.Megabytes) : "-", 8) + "  " + Decision.Reason + "\n";
+	const std::string Figures =
+		bPasses ? fmt::format("{:8}{:9.2f}{:8.1f}", Effect.NumPasses, Effect.Milliseconds, Effect.Megabytes)
+				: fmt::format("{:>8}{:>9}{:>8}", "-", "-", "-");
+	return fmt::format("{:{}}  {:3}{}  {}\n", Decision.GetName(), NameWidth, Decision.bActive ? "yes" : "no", Figures,
+		Decision.Reason);
 }
 
 std::string FormatSaved(const FExplainReport& Report)
@@ -44,11 +45,10 @@ std::string FormatSaved(const FExplainReport& Report)
 										static_cast<double>(With.TransientBytes + With.SceneBytes));
 	// A region costs a copy, and now and then that is one pass more.
 	const int NumPasses = Without.NumPasses - With.NumPasses;
-	return "saved    " +
-		   (NumPasses < 0 ? "no pass (" + std::to_string(-NumPasses) + " more)" : Count(NumPasses, "pass")) + ", " +
-		   Format("%.1f MB", Megabytes) + ", " + Count(Without.NumChannels - With.NumChannels, "channel") + ", " +
-		   FormatMilliseconds(Report, Without.Milliseconds - With.Milliseconds) +
-		   ", against the same frame with --no-skip\n";
+	return fmt::format("saved    {}, {:.1f} MB, {}, {}, against the same frame with --no-skip\n",
+		NumPasses < 0 ? fmt::format("no pass ({} more)", -NumPasses) : Count(NumPasses, "pass"), Megabytes,
+		Count(Without.NumChannels - With.NumChannels, "channel"),
+		FormatMilliseconds(Report, Without.Milliseconds - With.Milliseconds));
 }
 
 std::string List(const std::vector<std::string>& Names, const char* Otherwise)
@@ -63,22 +63,20 @@ std::string List(const std::vector<std::string>& Names, const char* Otherwise)
 
 std::string FormatPassLine(const FExplainedPass& Pass, size_t NameWidth)
 {
-	return PadLeft(std::to_string(Pass.Index), 5) + "  " + PadRight(Pass.Name, NameWidth) + "  " +
-		   (Pass.bExecutes ? PadLeft(Format("%.2f ms", Pass.Milliseconds), 9) + "  read by " +
-								 List(Pass.Readers, "nobody in the graph: it is an output")
-						   : "   culled  " + Pass.Reason) +
-		   "\n";
+	const std::string State = Pass.bExecutes ? fmt::format("{:6.2f} ms  read by {}", Pass.Milliseconds,
+												   List(Pass.Readers, "nobody in the graph: it is an output"))
+											 : "   culled  " + Pass.Reason;
+	return fmt::format("{:5}  {:{}}  {}\n", Pass.Index, Pass.Name, NameWidth, State);
 }
 
 [[noreturn]] void ThrowUnknown(const char* Thing, const std::string& Name, const std::vector<std::string>& Names)
 {
 	const std::string Nearest = FindNearestName(Name, Names);
-	FDiagnostic Diagnostic;
-	Diagnostic.Code = ErrorBadArgument;
-	Diagnostic.Where = std::string("--") + Thing;
-	Diagnostic.Message = std::string("this frame has no ") + Thing + " " + Name +
-						 (Nearest.empty() ? "" : "; did you mean " + Nearest + "?");
-	throw FError(Diagnostic, ExitUsage);
+	const std::string Hint = Nearest.empty() ? "" : "; did you mean " + Nearest + "?";
+	throw FError({.Code = ErrorBadArgument,
+					 .Message = fmt::format("this frame has no {} {}{}", Thing, Name, Hint),
+					 .Where = std::string("--") + Thing},
+		ExitUsage);
 }
 
 /** By its whole name, its index, or the name without what follows it ("BloomSetup" for "BloomSetup 480x270 (PS)"). */
@@ -122,8 +120,8 @@ std::string MakeExplainText(const FExplainReport& Report, bool bColorful)
 	{
 		NameWidth = std::max(NameWidth, Effect.Decision.GetName().size());
 	}
-	std::string Text = Bold + PadRight("effect", NameWidth) + "  runs  passes" +
-					   PadLeft(Report.bMeasured ? "ms" : "est. ms", 9) + PadLeft("MB", 8) + "  why" + Normal + "\n";
+	std::string Text = fmt::format("{}{:{}}  runs  passes{:>9}{:>8}  why{}\n", Bold, "effect", NameWidth,
+		Report.bMeasured ? "ms" : "est. ms", "MB", Normal);
 	for (const FExplainedEffect& Effect : Report.Effects)
 	{
 		const bool bDim = !Effect.Decision.bActive;
@@ -144,18 +142,16 @@ std::string MakeExplainText(const FExplainReport& Report, bool bColorful)
 	{
 		Decoded += Channel.bDecoded ? (Decoded.empty() ? "" : ", ") + Channel.Name : "";
 	}
-	Text += "\npasses   " + std::to_string(Report.Cost.NumPasses) + " run, " + std::to_string(NumCulled) + " culled" +
-			(NumCulled > 0 ? " (explain --pass NAME says why)" : "") + "; " +
-			FormatMilliseconds(Report, Report.Cost.Milliseconds) + "\n";
+	Text += fmt::format("\npasses   {} run, {} culled{}; {}\n", Report.Cost.NumPasses, NumCulled,
+		NumCulled > 0 ? " (explain --pass NAME says why)" : "", FormatMilliseconds(Report, Report.Cost.Milliseconds));
 	if (!Extensions.empty())
 	{
 		Text += "others   passes of no effect, from view extensions or copies: " + Extensions + "\n";
 	}
-	Text += "memory   " + Format("%.1f MB", 1e-6 * static_cast<double>(Report.Cost.TransientBytes)) + " transient, " +
-			Format("%.1f MB", 1e-6 * static_cast<double>(Report.Cost.SceneBytes)) + " scene textures\n";
-	Text += "scene    " + std::to_string(Report.Cost.NumChannels) + " of " +
-			Count(static_cast<int>(Report.Channels.size()), "channel") +
-			" decoded: " + (Decoded.empty() ? "none" : Decoded) + "\n";
+	Text += fmt::format("memory   {:.1f} MB transient, {:.1f} MB scene textures\n",
+		1e-6 * static_cast<double>(Report.Cost.TransientBytes), 1e-6 * static_cast<double>(Report.Cost.SceneBytes));
+	Text += fmt::format("scene    {} of {} decoded: {}\n", Report.Cost.NumChannels,
+		Count(static_cast<int>(Report.Channels.size()), "channel"), Decoded.empty() ? "none" : Decoded);
 	Text += FormatSaved(Report);
 	if (!Report.bMeasured && Report.NumUnknown > 0)
 	{

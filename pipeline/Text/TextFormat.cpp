@@ -3,17 +3,9 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstdio>
 
 namespace Drydock
 {
-
-std::string Format(const char* Pattern, double Number)
-{
-	char Buffer[64];
-	std::snprintf(Buffer, sizeof(Buffer), Pattern, Number);
-	return Buffer;
-}
 
 namespace
 {
@@ -60,16 +52,6 @@ std::string AlignColumns(const std::vector<std::vector<std::string>>& Rows,
 		Text += Indent + Line.substr(0, Line.find_last_not_of(' ') + 1) + "\n";
 	}
 	return Text;
-}
-
-std::string PadRight(const std::string& Text, size_t Width)
-{
-	return Text + std::string(Width > Text.size() ? Width - Text.size() : 0, ' ');
-}
-
-std::string PadLeft(const std::string& Text, size_t Width)
-{
-	return std::string(Width > Text.size() ? Width - Text.size() : 0, ' ') + Text;
 }
 
 } // namespace Drydock

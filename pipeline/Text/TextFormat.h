@@ -11,9 +11,6 @@
 namespace Drydock
 {
 
-/** Pattern: of printf, for one double; up to 63 characters come out. */
-DRYDOCK_API std::string Format(const char* Pattern, double Number);
-
 /** The shortest text that reads back as the number: "0.1", "1e+30". */
 DRYDOCK_API std::string NumberText(float Number);
 DRYDOCK_API std::string NumberText(double Number);
@@ -23,9 +20,5 @@ DRYDOCK_API std::string NumberText(double Number);
  * each line. */
 DRYDOCK_API std::string AlignColumns(const std::vector<std::vector<std::string>>& Rows,
 	const std::function<bool(size_t Column)>& IsText, const std::string& Indent = "");
-
-/** Width: in bytes; a longer text stays as it is. */
-DRYDOCK_API std::string PadRight(const std::string& Text, size_t Width);
-DRYDOCK_API std::string PadLeft(const std::string& Text, size_t Width);
 
 } // namespace Drydock

@@ -5,23 +5,6 @@
 
 using namespace Drydock;
 
-TEST(TextFormat, NumbersFollowThePattern)
-{
-	EXPECT_EQ("1.50 ms", Format("%.2f ms", 1.5));
-}
-
-TEST(TextFormat, ColumnsAreFilledOnEitherSide)
-{
-	EXPECT_EQ("ab  ", PadRight("ab", 4));
-	EXPECT_EQ("  ab", PadLeft("ab", 4));
-}
-
-TEST(TextFormat, LongerTextsStay)
-{
-	EXPECT_EQ("abcde", PadRight("abcde", 4));
-	EXPECT_EQ("abcde", PadLeft("abcde", 4));
-}
-
 TEST(TextFormat, NumbersAreTheShortestThatReadBack)
 {
 	EXPECT_EQ("0.1", NumberText(0.1f));
