@@ -145,6 +145,7 @@ FScreenPassTexture AddToonColorWithin(FRDGBuilder& GraphBuilder, const FViewInfo
 /** The setup's input with the factor in it: masked at full resolution, then downsampled as the input was. */
 FScreenPassTexture AddToonColor(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FBloomSetupInputs& Inputs)
 {
+	const Drydock::FRDGEffectScope EffectScope(GraphBuilder, "ToonBloom");
 	Drydock::FToonBloomInputs MaskInputs = *Inputs.Toon;
 	MaskInputs.SceneColor = FindFullResolution(View, Inputs);
 	if (MaskInputs.ToonBounds && !View.bUseComputePasses)

@@ -13,7 +13,8 @@ namespace
 {
 
 const std::string OwnBlur = R"(, "extensions": [{"type": "DualKawaseBlur", "pass": "MotionBlur", "PassNum": 3}])";
-const std::string SameNames = R"(, "plugins": [")" DRYDOCK_TEST_BINARY_DIR R"(/lib/libSameNames.so"])";
+const std::string SameNames =
+	R"(, "plugins": [")" DRYDOCK_TEST_BINARY_DIR R"(/lib/libSameNames.so"], "cvars": {"r.SameNames": 1})";
 
 FImage RunWith(const std::string& More)
 {

@@ -1,6 +1,7 @@
 // The article's extension by its own name: with a layout of its own, a shader class of its own and everything else that
 // bears a name of drydock's. Draws half of the picture plus one where all of these are the plugin's.
 #include "GlobalShader.h"
+#include "HAL/IConsoleManager.h"
 #include "Modules/ModuleManager.h"
 #include "OwnNames.h"
 #include "PixelShaderUtils.h"
@@ -8,6 +9,9 @@
 #include "SceneRendering.h"
 #include "SceneViewExtension.h"
 #include "ShaderParameterStruct.h"
+
+/** A plugin stays loaded: other tests of the process are not to see it. */
+static TAutoConsoleVariable<int32> CVarSameNames(TEXT("r.SameNames"), 0, TEXT("1: draws."));
 
 class FDualKawaseBlurPS final : public FGlobalShader
 {
@@ -57,7 +61,7 @@ FDualKawaseBlur::~FDualKawaseBlur() = default;
 void FDualKawaseBlur::SubscribeToPostProcessingPass(
 	EPostProcessingPass PassId, FAfterPassCallbackDelegateArray& InOutPassCallbacks, bool bIsPassEnabled)
 {
-	if (PassId == EPostProcessingPass::MotionBlur)
+	if (PassId == EPostProcessingPass::MotionBlur && CVarSameNames.GetValueOnAnyThread() != 0)
 	{
 		InOutPassCallbacks.Add(FAfterPassCallbackDelegate::CreateRaw(this, &FDualKawaseBlur::AddPasses));
 	}
