@@ -7,6 +7,7 @@
 #include "ExtensionFactory.h"
 #include "HAL/IConsoleManager.h"
 #include "PostProcess/PostProcessMaterialInputs.h"
+#include "RenderGraphBuilder.h"
 #include "RenderGraphNotes.h"
 #include "SceneRendering.h"
 #include "ScreenPass.h"
@@ -114,6 +115,7 @@ FScreenPassTexture FDualKawaseBlur::AddPasses(
 	FRDGBuilder& GraphBuilder, const FSceneView& View, const FPostProcessMaterialInputs& Inputs)
 {
 	check(View.bIsViewInfo);
+	const Drydock::FRDGEffectScope EffectScope(GraphBuilder, "DualKawaseBlur");
 	const FViewInfo& ViewInfo = static_cast<const FViewInfo&>(View);
 	const FScreenPassTexture SceneColor = Inputs.GetInput(EPostProcessMaterialInput::SceneColor);
 	const FIntPoint Size = SceneColor.ViewRect.Size();

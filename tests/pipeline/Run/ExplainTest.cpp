@@ -93,6 +93,16 @@ TEST(EffectOfPass, EveryPassOfAFrameWithoutExtensionsHasOne)
 	}
 }
 
+TEST(EffectOfPass, AnEffectsOwnExtensionSaysWhoseItsPassesAre)
+{
+	int NumPasses = 0;
+	for (const FRDGCompiledPass& Pass : RunShipped("kawase_motionblur.json", false).Graph.Passes)
+	{
+		NumPasses += Pass.Effect == "DualKawaseBlur";
+	}
+	EXPECT_EQ(6, NumPasses); // three down, three up
+}
+
 TEST(EffectOfPass, APassKnowsThePixelsThatItDraws)
 {
 	for (const FRDGCompiledPass& Pass : RunShipped("toon_bloom.json", false).Graph.Passes)
