@@ -43,7 +43,7 @@ public:
 	 */
 	void Gather(FSceneViewFamily& Family, const std::optional<std::vector<std::string>>& Plugins);
 	bool IsEmpty() const { return Extensions.empty(); }
-	/** An active extension of that class, without namespaces. */
+	/** Of all active extensions: the class without namespaces; one of a config bears the name of its type. */
 	std::vector<std::string> GetNames() const;
 
 	// Game thread, in this order; the three in the middle view by view.

@@ -104,7 +104,7 @@ bool AreSameFlags(const FEngineShowFlags& A, const FEngineShowFlags& B)
 	return true;
 }
 
-/** Where Rect lies when the picture begins at Origin. */
+/** Copies Source into Target, which has as many channels, with its corner at Position, pixels. */
 void Paste(const FImage& Source, FIntPoint Position, FImage& Target)
 {
 	const size_t NumValues = static_cast<size_t>(Source.Width) * static_cast<size_t>(Source.NumChannels);
