@@ -1,4 +1,4 @@
-// What `drydock new` writes, and what it refuses. tests/outside/FirstPatchTest.sh builds and runs a patch.
+// What `drydock new` writes, and what it refuses. docs/first-patch.md, which a test does as it says, builds and runs one.
 #include <nlohmann/json.hpp>
 
 #include <gtest/gtest.h>
