@@ -46,7 +46,7 @@ TAutoConsoleVariable<int32> CVarMotionBlurTargetFPS(TEXT("r.MotionBlur.TargetFPS
 /** What a flag switches off; LocalExposure and GlobalIllumination by hand. */
 void EndFlags(FFinalPostProcessSettings& Settings, const FEngineShowFlags& ShowFlags, FSettingsEditor& Editor)
 {
-	Editor.SwitchOff(!ShowFlags.Bloom, DRYDOCK_MEMBER(BloomIntensity), ByFlag("ShowFlag.Bloom"));
+	SwitchBloomOff(!ShowFlags.Bloom, Settings, Editor, ByFlag("ShowFlag.Bloom"));
 	Editor.SwitchOff(!ShowFlags.Vignette, DRYDOCK_MEMBER(VignetteIntensity), ByFlag("ShowFlag.Vignette"));
 	Editor.SwitchOff(!ShowFlags.Grain, DRYDOCK_MEMBER(FilmGrainIntensity), ByFlag("ShowFlag.Grain"));
 	Editor.SwitchOff(!ShowFlags.ToneCurve, DRYDOCK_MEMBER(ToneCurveAmount), ByFlag("ShowFlag.ToneCurve"));
@@ -72,7 +72,7 @@ void EndFlags(FFinalPostProcessSettings& Settings, const FEngineShowFlags& ShowF
 void EndQualities(FFinalPostProcessSettings& Settings, FSettingsEditor& Editor)
 {
 	const int32 TonemapperQuality = CVarTonemapperQuality.GetValueOnAnyThread();
-	Editor.SwitchOff(GetVariableOfPasses(TEXT("r.BloomQuality"), 5.0f) <= 0.0f, DRYDOCK_MEMBER(BloomIntensity),
+	SwitchBloomOff(GetVariableOfPasses(TEXT("r.BloomQuality"), 5.0f) <= 0.0f, Settings, Editor,
 		ByVariable("r.BloomQuality", "Assign", "is 0"));
 	Editor.SwitchOff(TonemapperQuality < 2, DRYDOCK_MEMBER(VignetteIntensity),
 		ByVariable("r.Tonemapper.Quality", "Assign", "is below 2"));

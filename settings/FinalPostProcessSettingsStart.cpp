@@ -10,7 +10,8 @@ namespace
 {
 
 TAutoConsoleVariable<int32> CVarBloom(TEXT("r.DefaultFeature.Bloom"), 1,
-	TEXT("0: BloomIntensity is 0 unless a volume or the camera sets it."), ECVF_RenderThreadSafe);
+	TEXT("0: BloomIntensity and BloomToonIntensity are 0 unless a volume or the camera sets them."),
+	ECVF_RenderThreadSafe);
 
 TAutoConsoleVariable<int32> CVarAmbientOcclusion(TEXT("r.DefaultFeature.AmbientOcclusion"), 1,
 	TEXT("0: AmbientOcclusionIntensity is 0 unless a volume or the camera sets it."), ECVF_RenderThreadSafe);
@@ -110,7 +111,8 @@ FFinalPostProcessSettings StartFinalPostProcessSettings(FBlendLedger* Ledger, co
 	{
 		Editor.SwitchOff(Variable.GetValueOnAnyThread() == 0, Name, Value, ByVariable(VariableName, "Assign", "is 0"));
 	};
-	SwitchOff(CVarBloom, DRYDOCK_MEMBER(BloomIntensity), "r.DefaultFeature.Bloom");
+	SwitchBloomOff(
+		CVarBloom.GetValueOnAnyThread() == 0, Settings, Editor, ByVariable("r.DefaultFeature.Bloom", "Assign", "is 0"));
 	SwitchOff(CVarAmbientOcclusion, DRYDOCK_MEMBER(AmbientOcclusionIntensity), "r.DefaultFeature.AmbientOcclusion");
 	SwitchOff(CVarAmbientOcclusionStaticFraction, DRYDOCK_MEMBER(AmbientOcclusionStaticFraction),
 		"r.DefaultFeature.AmbientOcclusionStaticFraction");

@@ -103,4 +103,12 @@ inline float GetVariableOfPasses(const TCHAR* Name, float Default)
 // A member of Settings after its name, which so cannot differ.
 #define DRYDOCK_MEMBER(Name) #Name, Settings.Name
 
+/** Whatever takes the engine's bloom away takes the toon patch's strength along, as the patch's article has it. */
+inline void SwitchBloomOff(
+	bool bOff, FFinalPostProcessSettings& Settings, FSettingsEditor& Editor, const FSettingsEdit& Edit)
+{
+	Editor.SwitchOff(bOff, DRYDOCK_MEMBER(BloomIntensity), Edit);
+	Editor.SwitchOff(bOff, DRYDOCK_MEMBER(BloomToonIntensity), Edit);
+}
+
 } // namespace Drydock

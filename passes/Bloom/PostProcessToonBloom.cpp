@@ -17,7 +17,7 @@ namespace
 
 TAutoConsoleVariable<int32> CVarToonBloom(TEXT("r.ToonBloom"), -1,
 	TEXT("Own bloom strength of toon pixels. -1: where a volume, the camera or --pp names BloomToonIntensity and it is "
-		 "not 1 (default); 0: never; 1: always."),
+		 "not 1, or r.DefaultFeature.Bloom made it 0 (default); 0: never; 1: always."),
 	ECVF_RenderThreadSafe);
 
 TAutoConsoleVariable<int32> CVarToonBloomAsPrinted(TEXT("r.ToonBloom.AsPrinted"), 0,

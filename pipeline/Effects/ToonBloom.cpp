@@ -37,13 +37,17 @@ FEffectDecision Decide(const FEffect&, const FEffectInputs& Inputs)
 	// A view extension that sets the final settings says so by the override bit.
 	const bool bNamed = Inputs.IsNamed("BloomToonIntensity") || Inputs.Settings.bOverride_BloomToonIntensity;
 	const std::string NoBloom = FindNoBloomReason(Inputs);
+	// r.DefaultFeature.Bloom 0 makes the strength 0 without anyone naming it, and bloom that a volume brings back does
+	// not bring it back: the engine, which knows no "named", then blooms without toon.
+	const bool bTakenAway = !bNamed && NoBloom.empty() && Factor != FPostProcessSettings().BloomToonIntensity;
+	const bool bCalledFor = bNamed || bTakenAway;
 	FEffectDecision Toon;
-	Toon.bConfigured = bNamed || Mode > 0;
+	Toon.bConfigured = bCalledFor || Mode > 0;
 	if (Mode == 0)
 	{
 		Toon.Reason = "r.ToonBloom is 0";
 	}
-	else if (Mode < 0 && !bNamed)
+	else if (Mode < 0 && !bCalledFor)
 	{
 		Toon.Reason = "not called for: nothing names BloomToonIntensity";
 	}
@@ -63,6 +67,7 @@ FEffectDecision Decide(const FEffect&, const FEffectInputs& Inputs)
 	{
 		Toon.bActive = true;
 		Toon.Reason = "BloomToonIntensity is " + NumberText(Factor) +
+					  (bTakenAway ? ", not its default though nothing names it" : "") +
 					  (bThreshold ? "" : ": it brings the setup pass into the graph") + AsPrintedText();
 	}
 	if (!Toon.bActive && NoBloom.empty() && !bThreshold)

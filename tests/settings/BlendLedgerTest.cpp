@@ -170,6 +170,31 @@ TEST(BlendLedger, ShowFlagStandsLast)
 	EXPECT_EQ(0.0, Story.back().After.Components[0]);
 }
 
+TEST(BlendLedger, ToonStrengthIsSwitchedOffWithBloom)
+{
+	FBlendInputs Scene = Inputs({Unbound(0, 0.5f, Give({{"BloomToonIntensity", 1}}))});
+	const auto Steps = [&]
+	{
+		std::string Text;
+		for (const FBlendLedgerEntry& Entry : StoryOf("BloomToonIntensity", Scene))
+		{
+			Text += Entry.Source + " " + SettingToText(*FindSettingField("BloomToonIntensity"), Entry.After) + "; ";
+		}
+		return Text;
+	};
+	{
+		const FScopedConsoleVariable Off(TEXT("r.DefaultFeature.Bloom"), 0);
+		EXPECT_NE(std::string::npos, Steps().find("r.DefaultFeature.Bloom 0; ")) << Steps();
+		EXPECT_TRUE(Steps().ends_with(" 0.5; ")) << Steps();
+	}
+	{
+		const FScopedConsoleVariable Off(TEXT("r.BloomQuality"), 0);
+		EXPECT_TRUE(Steps().ends_with("r.BloomQuality 0; ")) << Steps();
+	}
+	Scene.ShowFlags.SetBloom(false);
+	EXPECT_TRUE(Steps().ends_with("ShowFlag.Bloom 0; ")) << Steps();
+}
+
 TEST(BlendLedger, VariablesSayWhatTheyDo)
 {
 	const FScopedConsoleVariable Offset(TEXT("r.ExposureOffset"), FString("0.5"));

@@ -83,6 +83,18 @@ TEST(StartSettings, DefaultFeatureBloomOffMeansNoIntensity)
 	EXPECT_EQ(0.0f, StartFinalPostProcessSettings().BloomIntensity);
 }
 
+TEST(StartSettings, DefaultFeatureBloomOffTakesTheToonStrengthAlong)
+{
+	const FScopedConsoleVariable Off(TEXT("r.DefaultFeature.Bloom"), 0);
+	FFinalPostProcessSettings Settings = StartFinalPostProcessSettings();
+	EXPECT_EQ(0.0f, Settings.BloomToonIntensity);
+	FPostProcessSettings Volume;
+	Volume.bOverride_BloomToonIntensity = true;
+	Volume.BloomToonIntensity = 1.0f;
+	OverridePostProcessSettings(Settings, Volume, 0.5f);
+	EXPECT_EQ(0.5f, Settings.BloomToonIntensity); // half way from 0, not from 0.675
+}
+
 TEST(StartSettings, DefaultBiasIsAVariable)
 {
 	EXPECT_EQ(1.0f, StartFinalPostProcessSettings().AutoExposureBias);
@@ -95,6 +107,7 @@ TEST(EndSettings, DefaultsStayAsTheyAre)
 	FFinalPostProcessSettings Settings;
 	EXPECT_TRUE(EndFinalPostProcessSettings(Settings, FEngineShowFlags(ESFIM_Game)).empty());
 	EXPECT_EQ(0.675f, Settings.BloomIntensity);
+	EXPECT_EQ(0.675f, Settings.BloomToonIntensity);
 	EXPECT_EQ(0.4f, Settings.VignetteIntensity);
 }
 
@@ -105,6 +118,22 @@ TEST(EndSettings, ShowFlagBloomSwitchesBloomOff)
 	Flags.SetBloom(false);
 	EXPECT_EQ("ShowFlag.Bloom is off", ReasonOf(EndFinalPostProcessSettings(Settings, Flags), "BloomIntensity"));
 	EXPECT_EQ(0.0f, Settings.BloomIntensity);
+}
+
+TEST(EndSettings, WhatSwitchesBloomOffTakesTheToonStrengthAlong)
+{
+	FFinalPostProcessSettings ByVariable;
+	{
+		const FScopedConsoleVariable Quality(TEXT("r.BloomQuality"), 0);
+		EXPECT_EQ("r.BloomQuality is 0",
+			ReasonOf(EndFinalPostProcessSettings(ByVariable, FEngineShowFlags()), "BloomToonIntensity"));
+	}
+	EXPECT_EQ(0.0f, ByVariable.BloomToonIntensity);
+	FFinalPostProcessSettings ByFlag;
+	FEngineShowFlags Flags;
+	Flags.SetBloom(false);
+	EXPECT_EQ("ShowFlag.Bloom is off", ReasonOf(EndFinalPostProcessSettings(ByFlag, Flags), "BloomToonIntensity"));
+	EXPECT_EQ(0.0f, ByFlag.BloomToonIntensity);
 }
 
 TEST(EndSettings, ZeroThatWasZeroIsNotListed)
@@ -424,7 +453,7 @@ TEST(EndSettings, FlagsMayBeAppliedAgain)
 	EndFinalPostProcessSettings(Settings, FEngineShowFlags());
 	FEngineShowFlags Flags;
 	Flags.SetBloom(false);
-	EXPECT_EQ(1u, ApplyShowFlags(Settings, Flags).size());
+	EXPECT_EQ(2u, ApplyShowFlags(Settings, Flags).size());
 	EXPECT_TRUE(ApplyShowFlags(Settings, Flags).empty());
 	EXPECT_EQ(0.0f, Settings.BloomIntensity);
 	EXPECT_EQ(1.5f, Settings.AutoExposureBias);

@@ -137,6 +137,23 @@ TEST(EffectDecisions, ToonBloomIsCalledForByAnExtensionThatSetsItsOverrideBit)
 	EXPECT_TRUE(IsEffectActive(DecideEffects(Edited), EEffect::ToonBloom));
 }
 
+TEST(EffectDecisions, ToonBloomIsZeroWhereTheDefaultFeatureIsOffAndOnlyBloomIsBroughtBack)
+{
+	const FScopedConsoleVariable Off(TEXT("r.DefaultFeature.Bloom"), 0);
+	const FEffectDecision ToonBloom = Decision(Unbound(R"("BloomIntensity": 1, "BloomThreshold": 0)"), "ToonBloom");
+	EXPECT_TRUE(ToonBloom.bActive);
+	EXPECT_TRUE(ToonBloom.bConfigured);
+	EXPECT_EQ("BloomToonIntensity is 0, not its default though nothing names it", ToonBloom.Reason);
+}
+
+TEST(EffectDecisions, ToonBloomIsNotMissedWhereBloomIsOff)
+{
+	const FScopedConsoleVariable Off(TEXT("r.DefaultFeature.Bloom"), 0);
+	EXPECT_FALSE(Decision("{}", "ToonBloom").bActive);
+	EXPECT_FALSE(Decision("{}", "ToonBloom").bConfigured);
+	EXPECT_FALSE(Decision(R"({"showFlags": {"Bloom": false}})", "ToonBloom").bConfigured);
+}
+
 TEST(EffectDecisions, ToonBloomOfFactorOneChangesNothing)
 {
 	const FEffectDecision ToonBloom = Decision(Unbound(R"("BloomToonIntensity": 1, "BloomThreshold": 0)"), "ToonBloom");

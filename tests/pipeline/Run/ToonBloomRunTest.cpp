@@ -89,6 +89,13 @@ TEST(ToonBloomRun, SwitchedOffGivesTheBitsOfAFrameWithoutIt)
 	EXPECT_EQ(RunToon("").Final.Values, RunToon(R"("BloomToonIntensity": 0.1)", {"r.ToonBloom=0"}).Final.Values);
 }
 
+TEST(ToonBloomRun, BeginsAtZeroWhereTheDefaultFeatureIsOff)
+{
+	const FRunResult Off = RunToon(R"("BloomIntensity": 1.5)", {"r.DefaultFeature.Bloom=0"});
+	EXPECT_EQ(RunToon(R"("BloomIntensity": 1.5, "BloomToonIntensity": 0)").Final.Values, Off.Final.Values);
+	EXPECT_NE(RunToon(R"("BloomIntensity": 1.5)").Final.Values, Off.Final.Values);
+}
+
 TEST(ToonBloomRun, LessToonBleedsLess)
 {
 	const FRunResult Weak = RunToon(R"("BloomToonIntensity": 0.1)");
