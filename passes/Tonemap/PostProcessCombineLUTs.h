@@ -6,9 +6,10 @@
 // clip); half float for the devices of high dynamic range. Positions: 14 stops around middle grey, black exactly on the
 // first texel, values above 43.7 on the last; devices of high dynamic range: ST 2084 of 100 nits for each 1.
 //
-// Against the same maths for each pixel (r.Drydock.TonemapLUT 0) the table errs, in sRGB code values of 0..1, default
-// settings, over colours of 2^-8 to 2^5: 0.002 at most and 0.0006 on average for greys; 0.010 at most and 0.0006 on
-// average for all, the most where a saturated colour's channel is near 0. A step of the table is 1.05 / 1023 = 0.00103.
+// Against the same maths for each pixel (r.Drydock.TonemapLUT 0) the table errs, in sRGB code values cut to 0..1,
+// default settings, over channels drawn from 2^-8 to 2^5: 0.002 at most and 0.0005 on average for greys; 0.096 at most
+// and 0.0008 on average for all, above 0.01 for one colour in fifty: saturated ones, in a channel that comes out near 0
+// (docs/tonemapper.md). A step of the table is 1.05 / 1023 = 0.00103.
 //
 // Source of the order: white balance, gamut expansion, colour correction, blue correction, film curve, legacy tables,
 // fade, gamma, encoding: engine file PostProcessCombineLUTs.usf (PostProcessColorRemap.ush here).

@@ -10,12 +10,19 @@
 #   ```diff                is applied to the files in the current folder
 #   <!-- file PATH -->     before another block: that block is the content of a new file
 #   <!-- check ... -->     holds commands for what a reader sees with his eyes; they must succeed
-#   `! COMMAND`            in both must fail
+#   <!-- figures ... -->   holds commands that print figures of the page; see below
+#   <!-- not run: WHY -->  before a block: it is not run, nor compared
+#   `! COMMAND`            in sh and check must fail
 # Helpers of check blocks: `wait_for 'COMMAND'`, until it succeeds; $DRYDOCK_SOURCE, the checkout.
 #
 # A text block is the whole output, errors included. Runs of spaces count as one, empty lines as none. `...` stands for what
 # is left out: in a line for any text, alone in a line for any lines. Milliseconds and seconds (`12.3 ms`, `0.05 sec`), and the
 # bar behind them, may be others.
+#
+# A figures block prints lines as they stand somewhere behind it in the page: rows of a table or words of a sentence. Words
+# and signs must be the same, numbers the page's when rounded to as many digits as the page has; `<!-- figures within 3%`
+# allows that much besides. In a line `...` stands for words of the page that are not compared, no further than a table's row.
+# Spaces within numbers (12 345), line breaks, backticks and asterisks do not count.
 #
 # The reader stands in a checkout, with copies of configs/ and docs/, ./dev and build/release/bin/drydock. With --from-nothing
 # he stands in an empty folder, has no shaders compiled, and `git clone` gives him `dev` alone. Stood in for are `git clone`,
@@ -54,15 +61,19 @@ chmod +x "$Work"/stand-ins/*
 awk -v Steps="$Work/steps" '
 	function Begin() { print "Begin " NR " " Steps "/" NR }
 	/^```/ && !Mode && File    { Mode = "file"; Begin(); print "Write " File " <<\"END_OF_FILE\""; File = ""; next }
+	/^<!-- not run: .* -->$/   { Skipped = 1; next }
+	/^```/ && !Mode && Skipped { Mode = "shown"; Skipped = 0; next }
 	/^```sh$/                  { Mode = "sh"; Printed = Steps "/" NR; Begin(); print "{"; next }
 	/^```text$/                { Mode = "text"; Begin(); print "ExpectIn " Printed " <<\"END_OF_TEXT\""; next }
 	/^```diff$/                { Mode = "diff"; Begin(); print "Apply <<\"END_OF_DIFF\""; next }
 	/^<!-- file [^ ]+ -->$/    { File = $3; next }
 	/^```/ && !Mode            { Mode = "shown"; next }
 	/^<!-- check$/             { Mode = "check"; Check = Steps "/" NR; Begin(); print "{"; next }
+	/^<!-- figures( within [0-9.]+%)?$/ { Mode = "figures"; Within = $4 + 0; Check = Steps "/" NR; Begin(); print "{"; next }
+	/^-->$/ && Mode == "figures" { print "} >" Check ".figures 2>" Check; print "Figures " NR " " Within " " Check ".figures"; Mode = ""; next }
 	/^```$/ && Mode == "sh"    { print "} >" Printed " 2>&1"; Mode = ""; next }
 	/^-->$/ && Mode == "check" { print "} >" Check " 2>&1"; Mode = ""; next }
-	/^```$/ && Mode != "check" { if (Mode != "shown") { print "END_OF_" toupper(Mode) } Mode = ""; next }
+	/^```$/ && Mode != "check" && Mode != "figures" { if (Mode != "shown") { print "END_OF_" toupper(Mode) } Mode = ""; next }
 	Mode == "sh" || Mode == "check" { sub(/^! /, "Fails "); sub(/^gdb /, "WithDebugger gdb ") }
 	Mode && Mode != "shown"
 	END                        { if (Mode || File) { print "Unfinished " NR } }
@@ -140,6 +151,80 @@ ExpectIn() {
 	' - "$1" >"$Log"
 }
 
+# Figures LINE PERCENT FILE: looks for the lines of the file in the page, from the line on.
+Figures() {
+	Log=$3.log
+	[ -s "$3" ] || { echo "no figure was printed" >"$Log"; return 1; }
+	awk -v From="$1" -v Within="$2" '
+		function Clean(Text,  Place) {
+			gsub(/[`*]/, "", Text)
+			gsub(/\|/, " | ", Text)
+			while (match(Text, /(^|[^0-9.])[0-9][0-9]?[0-9]? [0-9][0-9][0-9]([^0-9.]|$)/)) {
+				Place = RSTART + index(substr(Text, RSTART + 1), " ")
+				Text = substr(Text, 1, Place - 1) substr(Text, Place + 1)
+			}
+			return Text
+		}
+		# Sets Before, Number, After of a word; 0 where there is no number in it.
+		function Split(Word) {
+			if (!match(Word, /-?[0-9]+(\.[0-9]+)?(e-?[0-9]+)?/)) { return 0 }
+			Before = substr(Word, 1, RSTART - 1)
+			Number = substr(Word, RSTART, RLENGTH)
+			After = substr(Word, RSTART + RLENGTH)
+			return 1
+		}
+		# Half of what the last digit counts.
+		function Half(Written,  Mantissa, Exponent) {
+			Mantissa = Written
+			Exponent = sub(/e.*/, "", Mantissa) ? substr(Written, length(Mantissa) + 2) + 0 : 0
+			return 0.5000001 * 10 ^ (Exponent - (index(Mantissa, ".") ? length(Mantissa) - index(Mantissa, ".") : 0))
+		}
+		function IsSame(Printed, Shown,  Prefix, Value, Suffix, Distance) {
+			sub(/[,.;:]+$/, "", Printed)
+			sub(/[,.;:]+$/, "", Shown)
+			if (Printed == Shown) { return 1 }
+			if (!Split(Printed)) { return 0 }
+			Prefix = Before; Value = Number + 0; Suffix = After
+			if (!Split(Shown) || Before != Prefix || After != Suffix) { return 0 }
+			Distance = Number - Value
+			Distance = Distance < 0 ? -Distance : Distance
+			return Distance <= Half(Number) + Within / 100 * (Value < 0 ? -Value : Value)
+		}
+		function Match(At, Place) {
+			if (At > Furthest) { Furthest = At; FurthestPlace = Place }
+			if (At == NumWords) { return Words[At] != "|" || Page[Place] == "\n" }
+			if (Words[At + 1] == "...") {
+				for (; Place <= NumPage; ++Place) {
+					if (Match(At + 1, Place)) { return 1 }
+					if (Page[Place] == "\n") { return 0 }
+				}
+				return At + 1 == NumWords
+			}
+			return Place <= NumPage && IsSame(Words[At + 1], Page[Place]) ? Match(At + 1, Place + 1) : 0
+		}
+		BEGIN { NumPage = 0 }
+		FNR == NR && FNR <= From { next }
+		{ Line = $0; Count = split(Clean(Line), Words, " ") }
+		FNR == NR {
+			for (Index = 1; Index <= Count; ++Index) { Page[++NumPage] = Words[Index] }
+			if (Line ~ /^\|.*\|$/) { Page[++NumPage] = "\n" }
+			next
+		}
+		{
+			NumWords = Count
+			Furthest = -1
+			for (Place = 1; Place <= NumPage && !Match(0, Place); ++Place) {}
+			if (Place <= NumPage) { next }
+			Shown = ""
+			for (Index = 0; Index < 8; ++Index) { Shown = Shown " " Page[FurthestPlace + Index] }
+			print "the page has no such figures:  " Line
+			print "from the word \"" Words[Furthest + 1] "\" on it has:  " Shown
+			Failed = 1
+		}
+		END { exit Failed }
+	' "$Page" "$3" >"$Log"
+}
+
 Finish() {
 	local Result=$?
 	kill $(jobs -p) 2>/dev/null || true
@@ -165,4 +250,4 @@ else
 	cd "$Checkout"
 fi
 . "$Work/page.sh"
-grep -c '^Begin' "$Work/page.sh" | sed 's/$/ steps passed, 0 failed/'
+printf '%s steps passed, 0 failed\n' "$(awk '/^Begin/ { ++N } END { print N + 0 }' "$Work/page.sh")"

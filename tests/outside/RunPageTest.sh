@@ -77,4 +77,26 @@ Expect fails 'a block without an end' <<'END'
 ```sh
 true
 END
+
+# Figures passes|fails WHAT PRINTED PAGE: a page with a figures block that prints PRINTED, and the text PAGE behind it.
+Figures() { Expect "$1" "$2" < <(printf 'Before 1.5.\n<!-- figures%s\nprintf '"'%s'"'\n-->\n\n%b\n' "${5:-}" "$3" "$4"); }
+
+Figures passes 'a row, rounded as the page rounds' '| a | 0.1249 | 17.04 |\n' '| | x | y |\n|---|---|---|\n| a | 0.12 | 17 |'
+Figures fails 'a row with a last digit too large' '| a | 0.1249 | 17.04 |\n' '| a | 0.13 | 17 |'
+Figures fails 'a row with a number too many' '| a | 0.1249 |\n' '| a | 0.12 | 17 |'
+Figures passes 'a row whose middle is not compared' '| a | ... | 17.04 |\n' '| a | some words, 3 | 17 |'
+Figures fails 'a row that goes on in the next one' '| a | ... | 18.04 |\n' '| a | words | 17 |\n| b | words | 18 |'
+Figures passes 'a sentence' 'off by 0.00981 at quality 4, 3.4e-7 at 5\n' 'It is off by\n**0.0098** at\n`quality 4`, 3e-7 at 5.'
+Figures fails 'a sentence with another number' 'off by 0.00991 at quality 4\n' 'It is off by\n0.0098 at quality 4.'
+Figures fails 'a sentence that stands before' 'Before 1.5\n' 'nothing'
+Figures passes 'thousands' '| a | 200231.7 |\n' '| a | 200 232 |'
+Figures passes 'a stated bound' '| a | 103 |\n' '| a | 100 |' ' within 3%'
+Figures fails 'more than a stated bound' '| a | 104 |\n' '| a | 100 |' ' within 3%'
+Figures fails 'no figures at all' '' 'nothing'
+Expect passes 'a block that is not run' <<'END'
+<!-- not run: it would fail -->
+```sh
+false
+```
+END
 echo "RunPageTest: $Count pages as expected"

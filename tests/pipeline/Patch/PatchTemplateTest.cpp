@@ -1,4 +1,5 @@
-// What `drydock new` writes, and what it refuses. docs/first-patch.md, which a test does as it says, builds and runs one.
+// What `drydock new` writes, and what it refuses. Building and running a patch: docs/first-patch.md, which a test
+// carries out.
 #include <nlohmann/json.hpp>
 
 #include <gtest/gtest.h>
