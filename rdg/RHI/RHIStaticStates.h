@@ -1,5 +1,5 @@
-// States named by their template arguments and made once. Note the engine's defaults: a sampler is point and WRAP, a
-// depth-stencil state tests and writes. Source: engine RHIStaticStates.h.
+// States named by their template arguments and made once. Note the engine's defaults: a sampler is point and clamp
+// (while FSamplerStateInitializerRHI wraps), a depth-stencil state tests and writes. Source: engine RHIStaticStates.h.
 #pragma once
 
 #include "RHIStates.h"
@@ -21,8 +21,8 @@ public:
 
 } // namespace Drydock
 
-template<ESamplerFilter Filter = SF_Point, ESamplerAddressMode AddressU = AM_Wrap,
-	ESamplerAddressMode AddressV = AM_Wrap, ESamplerAddressMode AddressW = AM_Wrap, int32 MipBias = 0,
+template<ESamplerFilter Filter = SF_Point, ESamplerAddressMode AddressU = AM_Clamp,
+	ESamplerAddressMode AddressV = AM_Clamp, ESamplerAddressMode AddressW = AM_Clamp, int32 MipBias = 0,
 	int32 MaxAnisotropy = 1, uint32 BorderColor = 0, ESamplerCompareFunction SamplerComparisonFunction = SCF_Never>
 class TStaticSamplerState
 	: public Drydock::TStaticState<TStaticSamplerState<Filter, AddressU, AddressV, AddressW, MipBias, MaxAnisotropy,

@@ -5,14 +5,22 @@
 using namespace Drydock;
 using namespace Drydock::Tests;
 
-TEST(Sampler, DefaultIsPointAndWrap)
+TEST(Sampler, DefaultOfAStaticStateIsPointAndClamp)
 {
 	const FKernelSampler Sampler = TStaticSamplerState<>::GetRHI()->GetKernelSampler();
 	EXPECT_EQ(EKernelFilter::Point, Sampler.Filter);
-	EXPECT_EQ(EKernelAddress::Wrap, Sampler.AddressU);
-	EXPECT_EQ(EKernelAddress::Wrap, Sampler.AddressV);
-	EXPECT_EQ(EKernelAddress::Wrap, Sampler.AddressW);
+	EXPECT_EQ(EKernelAddress::Clamp, Sampler.AddressU);
+	EXPECT_EQ(EKernelAddress::Clamp, Sampler.AddressV);
+	EXPECT_EQ(EKernelAddress::Clamp, Sampler.AddressW);
 	EXPECT_EQ(0.0f, Sampler.Border[3]);
+}
+
+TEST(Sampler, DefaultOfAnInitializerIsPointAndWrap)
+{
+	const FKernelSampler Sampler = RHICreateSamplerState(FSamplerStateInitializerRHI())->GetKernelSampler();
+	EXPECT_EQ(EKernelFilter::Point, Sampler.Filter);
+	EXPECT_EQ(EKernelAddress::Wrap, Sampler.AddressU);
+	EXPECT_EQ(EKernelAddress::Wrap, Sampler.AddressW);
 }
 
 TEST(Sampler, ArgumentsReachTheKernel)
