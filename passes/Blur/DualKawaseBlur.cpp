@@ -61,9 +61,10 @@ const FExtensionFactoryRegistration GDualKawaseFactory({
 		{
 			FParameterSpec::Number(
 				"Offset", 1, 0, 8, "Distance of the taps; 1 is the published filter, above 2 shows blocks."),
-			FParameterSpec::Integer(
-				"PassNum", 3, 1, GDualKawaseMaxPasses, "Levels down, and as many up; each doubles the width."),
-			FParameterSpec::Bool("UseGaussian", false, "A Gaussian of the same width instead, to compare with."),
+			FParameterSpec::Integer("PassNum", 3, 0, GDualKawaseMaxPasses,
+				"Levels down, and as many up; each doubles the width, 0: no blur."),
+			FParameterSpec::Bool(
+				"UseGaussian", false, "A Gaussian of the same width instead, to compare with; no effect as printed."),
 			FParameterSpec::Number("StandardDeviation", 0, 0, 1000,
 				"Width in pixels, for which levels and offset are found; 0: Offset and PassNum hold."),
 		},
@@ -120,10 +121,11 @@ FScreenPassTexture FDualKawaseBlur::AddPasses(
 	const FScreenPassTexture SceneColor = Inputs.GetInput(EPostProcessMaterialInput::SceneColor);
 	const FIntPoint Size = SceneColor.ViewRect.Size();
 	const FDualKawaseSetting Setting = ChooseSetting(GraphBuilder, View, Size);
+	const bool bAsPrinted = IsDualKawaseAsPrinted();
 	const int32 Levels =
-		GetDualKawaseLevelSizes(Size, FMath::Clamp(Setting.PassNum, 1, GDualKawaseMaxPasses)).Num() - 1;
+		GetDualKawaseLevelSizes(Size, FMath::Clamp(Setting.PassNum, 0, GDualKawaseMaxPasses)).Num() - 1;
 
-	if (bUseGaussian && Levels > 0)
+	if (bUseGaussian && !bAsPrinted && Levels > 0)
 	{
 		FMatchedGaussianBlurInputs PassInputs;
 		PassInputs.SceneColor = SceneColor;
@@ -138,7 +140,7 @@ FScreenPassTexture FDualKawaseBlur::AddPasses(
 	PassInputs.OverrideOutput = Inputs.OverrideOutput;
 	PassInputs.Offset = static_cast<float>(Setting.Offset);
 	PassInputs.PassNum = Setting.PassNum;
-	PassInputs.bAsPrinted = IsDualKawaseAsPrinted();
+	PassInputs.bAsPrinted = bAsPrinted;
 	return AddDualKawaseBlurPass(GraphBuilder, ViewInfo, PassInputs);
 }
 

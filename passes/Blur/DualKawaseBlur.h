@@ -20,8 +20,9 @@ namespace Drydock
 class DRYDOCK_API FDualKawaseBlur : public FSceneViewExtensionBase
 {
 public:
-	/** Offset: distance of the taps, 1 is the published filter. PassNum: levels down, and as many up, 1 to 8.
-	 * UseGaussian: a Gaussian of the same width instead, to compare with. */
+	/** Offset: distance of the taps, 1 is the published filter. PassNum: levels down, and as many up, 0 to 8; 0 leaves
+	 * the picture as it is. UseGaussian: a Gaussian of the same width instead, to compare with; as printed it has no
+	 * effect, because the article's constructor takes it and drops it. */
 	FDualKawaseBlur(const FAutoRegister& AutoRegister, float InOffset, int32 InPassNum, bool bInUseGaussian);
 
 	/** Levels and offset for this standard deviation, in pixels of the picture, in place of the given ones; 0: the

@@ -172,7 +172,10 @@ FScreenPassTexture AddCorrectedPasses(
 	const int32 Levels = Sizes.Num() - 1;
 	const FDualKawaseTaps Taps = GetDualKawaseTaps(Inputs.Offset);
 	NoteLevels(GraphBuilder, InputSize, Inputs.PassNum, Levels);
-	NoteOffset(GraphBuilder, Inputs.Offset);
+	if (Levels > 0)
+	{
+		NoteOffset(GraphBuilder, Inputs.Offset);
+	}
 	NotePrintedLoss(GraphBuilder, Input.Texture->Desc.Extent, PassNum, false);
 
 	FScreenPassTexture Current = Input;
@@ -212,7 +215,7 @@ FRDGTextureRef AddPrintedPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, 
 	FRDGTextureRef Output = GraphBuilder.CreateTexture(Desc, Name);
 	PassParameters->ViewSize = FVector4f(static_cast<float>(Size.X), static_cast<float>(Size.Y), Offset, 0.0f);
 	PassParameters->View = View.ViewUniformBuffer;
-	PassParameters->Sampler = TStaticSamplerState<>::GetRHI();
+	PassParameters->Sampler = TStaticSamplerState<SF_Point, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
 	PassParameters->Intexture = Input;
 	PassParameters->OutTexture = GraphBuilder.CreateUAV(Output);
 
@@ -258,7 +261,8 @@ const FPassFactoryRegistration GDualKawase({
 	.Parameters =
 		{
 			FParameterSpec::Number("Offset", 1, 0, 8, "Distance of the taps; 1 is the published filter."),
-			FParameterSpec::Integer("PassNum", 3, 1, GDualKawaseMaxPasses, "Levels down, and as many up."),
+			FParameterSpec::Integer(
+				"PassNum", 3, 0, GDualKawaseMaxPasses, "Levels down, and as many up; 0 leaves the image as it is."),
 			FParameterSpec::Bool("AsPrinted", false, "The article's form."),
 		},
 	.Add =
@@ -285,7 +289,7 @@ FScreenPassTexture AddDualKawaseBlurPass(
 {
 	check(Inputs.SceneColor.IsValid());
 	checkf(std::isfinite(Inputs.Offset), TEXT("the dual Kawase blur's Offset is not a number"));
-	const int32 PassNum = FMath::Clamp(Inputs.PassNum, 1, GDualKawaseMaxPasses);
+	const int32 PassNum = FMath::Clamp(Inputs.PassNum, 0, GDualKawaseMaxPasses);
 	RDG_EVENT_SCOPE(GraphBuilder, "DualKawaseBlur");
 	return Inputs.bAsPrinted ? AddPrintedPasses(GraphBuilder, View, Inputs, PassNum)
 							 : AddCorrectedPasses(GraphBuilder, View, Inputs, PassNum);

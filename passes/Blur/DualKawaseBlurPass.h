@@ -37,13 +37,15 @@ struct FDualKawaseBlurInputs
 	 * published filter; above 2 blocks show (a remark on the graph). */
 	float Offset = 1.0f;
 
-	/** Number of halvings, 1 to 8. Fewer run, with a remark on the graph, where the shorter side would fall below 2. */
+	/** Number of halvings, 0 to 8; 0 and below: none. Fewer run, with a remark on the graph, where the shorter side
+	 * would fall below 2. */
 	int32 PassNum = 3;
 
 	/** The article's own form, for comparison: the first pass down is not smaller than the image, sizes are halved and
 	 * doubled truncating, so that rows and columns are lost (a remark on the graph says how many); taps are half a
-	 * pixel of each pass's output apart; the engine's default sampler (point, wrap); the texture's extent for the rect;
-	 * a UAV flag alone. OverrideOutput is not honoured. */
+	 * pixel of each pass's output apart; a point sampler, clamped; the texture's extent for the rect; a UAV flag alone.
+	 * OverrideOutput is not honoured. The article prints its C++ and shows its taps in a figure; the .usf is not in its
+	 * text, so the taps are Bjorge's. */
 	bool bAsPrinted = false;
 };
 

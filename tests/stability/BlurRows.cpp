@@ -160,7 +160,7 @@ constexpr FPassRow Rows[] =
 			.Run = RunDualKawaseAsPrinted,
 			.Cells =
 				{
-					.NaN = SpreadsAnywhere("point taps that wrap around; no bound is stated"),
+					.NaN = SpreadsAnywhere("point taps of pictures stretched over each other; no bound is stated"),
 					.PlusInf = SpreadsAnywhere("likewise"),
 					.MinusInf = SpreadsAnywhere("likewise"),
 					.LargestHalf = Kept("a weighted mean in float", 1e-3),

@@ -7,13 +7,14 @@
 #include "Blur/DualKawaseBlurPass.h"
 #include "RenderGraphNotes.h"
 
+#include <algorithm>
+#include <cmath>
+
 using namespace Drydock;
 
 using namespace PassTest;
-using DualKawaseReference::FTap;
 using DualKawaseReference::GetMoments;
 using DualKawaseReference::Impulse;
-using PassReference::MaxDifference;
 
 namespace
 {
@@ -34,45 +35,112 @@ FImage Blur(const FImage& Image, int Levels, float Offset = 1.0f)
 	return Run.Execute(AddPass(Run, Levels, Offset));
 }
 
-/** One pass: the input stretched over the output; taps in half pixels of the output, nearest texel, wrapping around. */
-FImage AverageNearest(const FImage& In, int Width, int Height, double Offset, const std::vector<FTap>& Taps)
+// The article a second time, from its text and in its precision: sizes and passes from its C++ (the first pass down at
+// the picture's size, integers halved and doubled, point sampler, clamped on all axes, ViewSize the size of what is
+// written), taps from its figure, which is Bjorge's filter, "Bandwidth-Efficient Rendering", SIGGRAPH 2015.
+
+struct FFloatTap
 {
-	const auto Wrap = [](double Coordinate, int Size)
+	float X, Y, Weight;
+};
+
+/** What a point sampler with clamped addresses takes at this coordinate: snapped to 1/256 texel, then the texel. */
+int GetClampedTexel(float Coordinate, int Size)
+{
+	const int Texel = static_cast<int>(std::floor(Coordinate * static_cast<float>(Size) * 256.0f + 0.5f)) >> 8;
+	return std::clamp(Texel, 0, Size - 1);
+}
+
+FImage RunArticlePass(const FImage& In, int Width, int Height, float Offset, const std::vector<FFloatTap>& Taps)
+{
+	float WeightSum = 0;
+	for (const FFloatTap& Tap : Taps)
 	{
-		const int Texel = static_cast<int>(std::floor(std::floor(Coordinate * 256 + 0.5) / 256));
-		return ((Texel % Size) + Size) % Size;
-	};
+		WeightSum += Tap.Weight;
+	}
+	const float SizeX = static_cast<float>(Width), SizeY = static_cast<float>(Height);
 	return FImage::Make(Width, Height,
 		[&](int X, int Y)
 		{
-			FTexel Color{0, 0, 0, 0};
-			double Sum = 0;
-			for (const FTap& Tap : Taps)
+			float Sum[4] = {};
+			for (const FFloatTap& Tap : Taps)
 			{
-				const double U = (X + 0.5 + Tap.X * 0.5 * Offset) * In.Width / Width;
-				const double V = (Y + 0.5 + Tap.Y * 0.5 * Offset) * In.Height / Height;
-				Color = Color + In.At(Wrap(U, In.Width), Wrap(V, In.Height)) * Tap.Weight;
-				Sum += Tap.Weight;
+				const float U = (static_cast<float>(X) + 0.5f) / SizeX + Tap.X * (0.5f / SizeX * Offset);
+				const float V = (static_cast<float>(Y) + 0.5f) / SizeY + Tap.Y * (0.5f / SizeY * Offset);
+				const FTexel& Texel = In.At(GetClampedTexel(U, In.Width), GetClampedTexel(V, In.Height));
+				for (int Channel = 0; Channel < 4; ++Channel)
+				{
+					Sum[Channel] += Tap.Weight * static_cast<float>(Texel[Channel]);
+				}
 			}
-			return Color * (1 / Sum);
+			// HLSL's compiler divides by a constant as it multiplies by its reciprocal.
+			const float Scale = 1.0f / WeightSum;
+			return FTexel{Sum[0] * Scale, Sum[1] * Scale, Sum[2] * Scale, Sum[3] * Scale};
 		});
 }
 
-const std::vector<FTap> DownTaps = {{0, 0, 4}, {-1, -1, 1}, {1, -1, 1}, {-1, 1, 1}, {1, 1, 1}};
-const std::vector<FTap> UpTaps = {
-	{-2, 0, 1}, {2, 0, 1}, {0, -2, 1}, {0, 2, 1}, {-1, -1, 2}, {1, -1, 2}, {-1, 1, 2}, {1, 1, 2}};
+FImage RunArticle(FImage Image, int PassNum, float Offset)
+{
+	int Width = Image.Width, Height = Image.Height;
+	for (int Pass = 0; Pass < PassNum; ++Pass)
+	{
+		Image =
+			RunArticlePass(Image, Width, Height, Offset, {{0, 0, 4}, {-1, -1, 1}, {1, 1, 1}, {1, -1, 1}, {-1, 1, 1}});
+		Width = Width / 2;
+		Height = Height / 2;
+	}
+	for (int Pass = 0; Pass < PassNum; ++Pass)
+	{
+		Width = Width * 2;
+		Height = Height * 2;
+		Image = RunArticlePass(Image, Width, Height, Offset,
+			{{-2, 0, 1}, {2, 0, 1}, {0, -2, 1}, {0, 2, 1}, {-1, 1, 2}, {1, 1, 2}, {1, -1, 2}, {-1, -1, 2}});
+	}
+	return Image;
+}
 
 } // namespace
 
-TEST(DualKawaseAsPrinted, TwoLevelsOfAnEvenImage)
+TEST(DualKawaseAsPrinted, IsTheArticlesLoopBitForBitAtEvenAndOddSizes)
 {
-	// An offset that leaves no tap on a border between texels, where a last bit would decide.
-	const FImage Image = FImage::Noise(32, 24);
-	FImage Expected = AverageNearest(Image, 32, 24, 0.9, DownTaps);
-	Expected = AverageNearest(Expected, 16, 12, 0.9, DownTaps);
-	Expected = AverageNearest(Expected, 16, 12, 0.9, UpTaps);
-	Expected = AverageNearest(Expected, 32, 24, 0.9, UpTaps);
-	EXPECT_LE(MaxDifference(Expected, Blur(Image, 2, 0.9f), 4), 1e-6);
+	for (const auto& [Width, Height] : {std::pair(32, 24), {43, 11}, {7, 5}, {64, 2}, {65, 37}})
+	{
+		const FImage Image = FImage::Noise(Width, Height, 8.0, 7);
+		for (const int PassNum : {1, 2, 3})
+		{
+			if (std::min(Width, Height) >> (PassNum - 1) < 2)
+			{
+				continue; // the article's texture would be of no size
+			}
+			for (const float Offset : {0.0f, 0.9f, 1.0f, 2.25f})
+			{
+				EXPECT_EQ(RunArticle(Image, PassNum, Offset).Texels, Blur(Image, PassNum, Offset).Texels)
+					<< Width << "x" << Height << ", " << PassNum << " passes, offset " << Offset;
+			}
+		}
+	}
+}
+
+TEST(DualKawaseAsPrinted, BordersAreClampedNotWrapped)
+{
+	// White below a black picture: nothing of it reaches the top.
+	FImage Image(16, 16, {0, 0, 0, 1});
+	for (int X = 0; X < 16; ++X)
+	{
+		Image.At(X, 15) = {1, 1, 1, 1};
+	}
+	const FImage Result = Blur(Image, 1);
+	EXPECT_EQ(0.0, Result.At(8, 0)[0]);
+	EXPECT_EQ(1.0, Blur(FImage(16, 16, {1, 1, 1, 1}), 1).At(0, 15)[0]);
+	EXPECT_GT(Result.At(8, 15)[0], 0.9);
+}
+
+TEST(DualKawaseAsPrinted, NoPassReturnsTheInput)
+{
+	FPassRun Run(FImage::Noise(16, 16), EArithmetic::Native);
+	EXPECT_EQ(Run.Input, AddPass(Run, 0));
+	EXPECT_TRUE(Drydock::GetGraphNotes(Run.GraphBuilder).empty());
+	Run.Execute(Run.Input);
 }
 
 TEST(DualKawaseAsPrinted, OddSizesLoseColumnsAndRows)

@@ -161,6 +161,25 @@ TEST(DualKawaseExtension, AsPrintedIsChosenByTheConsoleVariable)
 	EXPECT_EQ(RunPass(Image, 2, 1.0f, true).Texels, RunExtension(Image, NewBlur(1.0f, 2)).Texels);
 }
 
+TEST(DualKawaseExtension, AsPrintedUseGaussianHasNoEffect)
+{
+	// The article's constructor takes the flag and stores it nowhere.
+	const FImage Image = FImage::Noise(40, 30);
+	const FScopedConsoleVariable AsPrinted(TEXT("r.DualKawase.AsPrinted"), 1);
+	EXPECT_EQ(RunPass(Image, 2, 1.0f, true).Texels, RunExtension(Image, NewBlur(1.0f, 2, true)).Texels);
+}
+
+TEST(DualKawaseExtension, NoPassLeavesThePictureInEitherForm)
+{
+	const FImage Image = FImage::Noise(40, 30);
+	for (const bool bAsPrinted : {false, true})
+	{
+		const FScopedConsoleVariable AsPrinted(TEXT("r.DualKawase.AsPrinted"), bAsPrinted);
+		EXPECT_EQ(Image.Texels, RunExtension(Image, NewBlur(1.0f, 0)).Texels);
+		EXPECT_EQ(Image.Texels, RunExtension(Image, NewBlur(1.0f, 0, true)).Texels);
+	}
+}
+
 TEST(DualKawaseExtension, DrawsToTheOverrideOutput)
 {
 	for (const bool bUseGaussian : {false, true})
