@@ -325,6 +325,7 @@ DRYDOCK_SETTING(float, REDDofFarTransition, 500.0f, AtLeast(0, 10000), "cm", "RE
 DRYDOCK_SETTING(float, REDDofNearBlurSize, 1.0f, AtLeast(0, 15), "% of the view's width", "RED|Depth of Field", Lerp, "drydock: blur in front.")
 DRYDOCK_SETTING(float, REDDofFarBlurSize, 1.0f, AtLeast(0, 15), "% of the view's width", "RED|Depth of Field", Lerp, "drydock: blur behind.")
 DRYDOCK_SETTING(float, UnityBloomThreshold, 0.6f, AtLeast(0, 4), "luminance", "Unity|Bloom", Lerp, "drydock: taken off the luminance before it weighs the colour.")
+DRYDOCK_SETTING(float, UnityBloomSoftKnee, 0.0f, Between(0, 1), "part of the threshold", "Unity|Bloom", Lerp, "drydock: light begins this far below the threshold, and softly; 0 is a sharp threshold.")
 DRYDOCK_SETTING(int32, UnityBloomIterations, 3, Between(1, 8), "", "Unity|Bloom", Set, "drydock: rounds of blur.")
 DRYDOCK_SETTING(float, UnityBloomSpread, 0.6f, AtLeast(0, 4), "texels", "Unity|Bloom", Lerp, "drydock: iteration i steps 1 + i times this.")
 DRYDOCK_SETTING(int32, UnityBloomDownSample, 2, Between(1, 8), "", "Unity|Bloom", Set, "drydock: the blur runs at one part in this many.")

@@ -65,6 +65,8 @@ public:
 		SHADER_PARAMETER_SAMPLER(SamplerState, BloomSampler)
 		SHADER_PARAMETER(FVector4f, Weights)
 		SHADER_PARAMETER(float, Threshold)
+		SHADER_PARAMETER(float, SoftKnee)
+		SHADER_PARAMETER(float, BloomHasAlpha)
 		SHADER_PARAMETER(float, Spread)
 		SHADER_PARAMETER(float, Intensity)
 		RENDER_TARGET_BINDING_SLOTS()
@@ -139,6 +141,8 @@ FScreenPassTexture AddUnityBloomPass(
 	}
 	PassParameters->Weights = GetWeights(Inputs.bAsPrinted);
 	PassParameters->Threshold = Inputs.Threshold;
+	PassParameters->SoftKnee = Inputs.bAsPrinted ? 0.0f : Inputs.SoftKnee;
+	PassParameters->BloomHasAlpha = Inputs.bAsPrinted ? 1.0f : 0.0f;
 	PassParameters->Spread = Inputs.Spread;
 	PassParameters->Intensity = Inputs.Intensity;
 	PassParameters->RenderTargets[0] = Output.GetRenderTargetBinding();
@@ -159,6 +163,7 @@ FUnityBloomInputs FUnityBloomInputs::FromSettings(
 	FUnityBloomInputs Inputs;
 	Inputs.SceneColor = SceneColor;
 	Inputs.Threshold = Settings.UnityBloomThreshold;
+	Inputs.SoftKnee = Settings.UnityBloomSoftKnee;
 	Inputs.Iterations = Settings.UnityBloomIterations;
 	Inputs.Spread = Settings.UnityBloomSpread;
 	Inputs.DownSample = Settings.UnityBloomDownSample;
@@ -177,6 +182,7 @@ FScreenPassTexture AddUnityBloomPasses(
 	Extract.Pass = EUnityBloomPass::Extract;
 	Extract.Source = Inputs.SceneColor;
 	Extract.Threshold = Inputs.Threshold;
+	Extract.SoftKnee = Inputs.SoftKnee;
 	Extract.OverrideOutput = CreateSmallTarget(GraphBuilder, Inputs);
 	Extract.bAsPrinted = Inputs.bAsPrinted;
 	FScreenPassTexture Bloom = AddUnityBloomPass(GraphBuilder, View, Extract);

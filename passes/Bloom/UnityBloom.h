@@ -9,8 +9,13 @@
 //   luminance below the threshold gives 0; a negative channel of a bright texel passes on; -Inf gives NaN. What picture
 //   and bloom add up to above 65504 is infinite in a half.
 //   Alpha: the scene's own; the bloom carries none.
+//   Soft knee: with k = SoftKnee * max(Threshold, 0), the weight's L - Threshold is max(L - Threshold, s^2 / (4 k))
+//   with s = clamp(L - Threshold + k, 0, 2 k): no corner, and no jump as SoftKnee grows from 0, where the lesson's
+//   extract holds bit for bit. Source of the parabola: Unity's post-processing stack, Bloom.shader; which divides by
+//   the brightness, where the lesson cuts at 1.
 // As printed (r.UnityBloom.AsPrinted 1): temporaries of 8 bit, which cut the light at 1 and band what is left, weights
-// as written; runs after the tonemapper. Corrected: temporaries in half floats, weights divided by their sum.
+// as written, no soft knee, alpha a channel like the others: extracted, blurred and added; runs after the tonemapper.
+// Corrected: temporaries in half floats, weights divided by their sum.
 #pragma once
 
 #include "CoreMinimal.h"
@@ -50,6 +55,8 @@ struct FUnityBloomPassInputs
 	FScreenPassTexture Bloom;
 	/** Extract: luminance at which light starts to count. Any value; the setting's default is 0.6. */
 	float Threshold = 0.6f;
+	/** Extract: how far below the threshold light begins, softly, as a part of it; 0 to 1, 0 and below: sharp. */
+	float SoftKnee = 0.0f;
 	/** Blur: distance of the taps in texels of Source, 0 and above. */
 	float Spread = 1.0f;
 	/** Composite. */
@@ -69,6 +76,7 @@ struct FUnityBloomInputs
 	/** Written by the composite where valid. */
 	FScreenPassRenderTarget OverrideOutput;
 	float Threshold = 0.6f;
+	float SoftKnee = 0.0f;
 	/** Blurs of both directions; 0 leaves the extract unblurred. Below 0 counts as 0. */
 	int32 Iterations = 3;
 	/** Iteration i blurs with taps 1 + i * Spread texels apart. */

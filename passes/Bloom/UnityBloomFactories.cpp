@@ -44,9 +44,13 @@ void ReadSpread(const FParameterValues& Values, FUnityBloomPassInputs& Inputs)
 
 const FPassFactoryRegistration GExtract(
 	MakeFactory(EUnityBloomPass::Extract, "Keeps what is brighter than a threshold.",
-		{FParameterSpec::Number("Threshold", 0.6, -1e6, 1e6, "Taken off the luminance.")},
+		{FParameterSpec::Number("Threshold", 0.6, -1e6, 1e6, "Taken off the luminance."),
+			FParameterSpec::Number("SoftKnee", 0, 0, 1, "Part of the threshold below it where light begins softly.")},
 		[](const FParameterValues& Values, FUnityBloomPassInputs& Inputs)
-		{ Inputs.Threshold = Values.GetFloat("Threshold"); }));
+		{
+			Inputs.Threshold = Values.GetFloat("Threshold");
+			Inputs.SoftKnee = Values.GetFloat("SoftKnee");
+		}));
 
 const FPassFactoryRegistration GVertical(
 	MakeFactory(EUnityBloomPass::GaussianBlurVertical, "Blurs columns.", {GSpread}, &ReadSpread));

@@ -9,6 +9,14 @@ TEST(UnityBloomFactories, ExtractTakesItsThreshold)
 	EXPECT_NEAR(0.125, RunFactory("UnityBloomExtract", Image, {{"Threshold", 0.25}}).At(0, 0)[0], 1e-6);
 }
 
+TEST(UnityBloomFactories, ExtractTakesItsSoftKnee)
+{
+	// At the threshold the parabola is a quarter of the knee, which is the threshold.
+	const FImage Image(2, 2, {0.5, 0.5, 0.5, 1});
+	EXPECT_NEAR(
+		0.5 * 0.125, RunFactory("UnityBloomExtract", Image, {{"Threshold", 0.5}, {"SoftKnee", 1.0}}).At(0, 0)[0], 1e-5);
+}
+
 TEST(UnityBloomFactories, BlursTakeTheirSpread)
 {
 	FImage Image(9, 9, {0, 0, 0, 0});

@@ -176,6 +176,81 @@ TEST(UnityBloom, ThresholdMinusOneLetsAllOfABrightPixelPass)
 	EXPECT_EQ(FImage(2, 2, {0.25, 0.25, 0.25, 0}).Texels, Extract(FImage(2, 2, {0.25, 0.25, 0.25, 1}), -1.0f).Texels);
 }
 
+TEST(UnityBloom, SoftKneeBeginsBelowTheThresholdAndMeetsTheLineAboveIt)
+{
+	// A threshold of 1/2 and a knee of half of it: grey x gives x * w(x), w 0 up to 1/4, (x - 1/4)^2 up to 3/4, then
+	// x - 1/2.
+	const FImage Image = FImage::Make(65, 1,
+		[](int X, int)
+		{
+			const double Grey = X / 64.0;
+			return FTexel{Grey, Grey, Grey, 1};
+		});
+	FUnityBloomPassInputs Inputs;
+	Inputs.Threshold = 0.5f;
+	Inputs.SoftKnee = 0.5f;
+	const FImage Result = RunPass(Image, Inputs);
+	for (int X = 0; X <= 64; ++X)
+	{
+		const double Grey = X / 64.0, FromKnee = std::clamp(Grey - 0.25, 0.0, 0.5);
+		const double Weight = std::clamp(std::max(FromKnee * FromKnee, Grey - 0.5), 0.0, 1.0);
+		EXPECT_NEAR(Grey * Weight, Result.At(X, 0)[1], 1e-5) << X; // the formula's 1e-5 in the divisor
+		EXPECT_EQ(0.0, Result.At(X, 0)[3]);
+	}
+}
+
+TEST(UnityBloom, SoftKneeOfNothingIsTheSharpThresholdBitForBit)
+{
+	const FImage Image = FImage::Noise(40, 30, 2.0);
+	for (const float Threshold : {-1.0f, 0.0f, 0.6f})
+	{
+		FUnityBloomPassInputs Inputs;
+		Inputs.Threshold = Threshold;
+		const FImage Sharp = RunPass(Image, Inputs);
+		Inputs.SoftKnee = -1.0f;
+		EXPECT_EQ(Sharp.Texels, RunPass(Image, Inputs).Texels);
+		// No jump: a knee of a millionth.
+		Inputs.SoftKnee = 1e-6f;
+		EXPECT_LE(MaxDifference(Sharp, RunPass(Image, Inputs), 4), 1e-5);
+		// A threshold of 0 and below has no part to begin in.
+		Inputs.SoftKnee = 1.0f;
+		EXPECT_EQ(Threshold <= 0.0f, Sharp.Texels == RunPass(Image, Inputs).Texels) << Threshold;
+	}
+}
+
+TEST(UnityBloom, SoftKneeComesFromTheSettingsAndAsPrintedHasNone)
+{
+	FFinalPostProcessSettings Settings;
+	Settings.UnityBloomSoftKnee = 0.25f;
+	EXPECT_EQ(0.25f, FUnityBloomInputs::FromSettings(Settings, {}).SoftKnee);
+
+	const FImage Image = FImage::Noise(16, 16, 1.0);
+	FUnityBloomInputs Inputs;
+	Inputs.bAsPrinted = true;
+	const FImage Printed = RunBloom(Image, Inputs, EArithmetic::Native);
+	Inputs.SoftKnee = 1.0f;
+	EXPECT_EQ(Printed.Texels, RunBloom(Image, Inputs, EArithmetic::Native).Texels);
+	Inputs.bAsPrinted = false;
+	const FImage Soft = RunBloom(Image, Inputs, EArithmetic::Native);
+	Inputs.SoftKnee = 0.0f;
+	EXPECT_GT(SumOf(Soft, 0), SumOf(RunBloom(Image, Inputs, EArithmetic::Native), 0));
+}
+
+TEST(UnityBloom, AsPrintedAlphaIsExtractedBlurredAndAdded)
+{
+	// The lesson multiplies and adds whole fixed4: 0.5 of alpha, a weight of 1 - 0.6. 8 bits hold 0.2 as 51/255.
+	FUnityBloomPassInputs Inputs;
+	Inputs.bAsPrinted = true;
+	const FImage Image(4, 4, {1, 1, 1, 0.5});
+	EXPECT_NEAR(0.2, RunPass(Image, Inputs).At(1, 1)[3], 1e-6);
+
+	FUnityBloomInputs Whole;
+	Whole.bAsPrinted = true;
+	EXPECT_NEAR(0.7, RunBloom(Image, Whole, EArithmetic::Native).At(1, 1)[3], 0.5 / 255);
+	Whole.bAsPrinted = false;
+	EXPECT_EQ(0.5, RunBloom(Image, Whole, EArithmetic::Native).At(1, 1)[3]);
+}
+
 TEST(UnityBloom, BlurHasTheArticlesFiveWeights)
 {
 	const FImage Result = BlurVertically(Impulse(9, 9, 4, 4, 1), 1.0f, EArithmetic::Double);
