@@ -72,6 +72,7 @@ public:
 			Next->OnExternalsPlanned(Loads);
 		}
 	}
+	bool WantsZeroedTextures() const override { return Next != nullptr && Next->WantsZeroedTextures(); }
 	void OnPassExecuted(int32_t PassIndex, const FRDGPass& Pass, double Milliseconds, const FPassCounters& Counters,
 		const std::vector<FRDGTexture*>& WrittenTextures) override
 	{

@@ -94,6 +94,7 @@ FImageFile::FImageFile(const std::string& InPath)
 	const OIIO::ImageSpec& Spec = Input->File->spec();
 	Width = Spec.width;
 	Height = Spec.height;
+	Window = {Spec.x - Spec.full_x, Spec.y - Spec.full_y, Spec.full_width, Spec.full_height};
 	Channels = Spec.channelnames;
 	bEncoded = Spec.get_string_attribute("oiio:ColorSpace") == "sRGB";
 	if (Width < 1 || Height < 1 || Spec.depth > 1 || Channels.empty())
@@ -175,7 +176,7 @@ void WriteImage(const std::string& Path, OIIO::ImageSpec& Spec, OIIO::TypeDesc P
 } // namespace
 
 void WriteExr(const std::string& Path, const FImage& Image, const std::vector<std::string>& ChannelNames,
-	const std::map<std::string, std::string>& Attributes)
+	const std::map<std::string, std::string>& Attributes, const FImageWindow& Window)
 {
 	// Half floats where they lose nothing: half the size, and faster to compress.
 	const bool bHalf = std::all_of(Image.Values.begin(), Image.Values.end(), IsExactHalf);
@@ -183,6 +184,13 @@ void WriteExr(const std::string& Path, const FImage& Image, const std::vector<st
 		Image.Width, Image.Height, Image.NumChannels, bHalf ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT);
 	Spec.channelnames = ChannelNames;
 	Spec.attribute("compression", "zip");
+	if (Window.FullWidth > 0)
+	{
+		Spec.x = Window.X;
+		Spec.y = Window.Y;
+		Spec.full_width = Window.FullWidth;
+		Spec.full_height = Window.FullHeight;
+	}
 	for (const auto& [Name, Text] : Attributes)
 	{
 		Spec.attribute(Name, Text);

@@ -28,6 +28,18 @@ struct FImage
 	}
 };
 
+/** Where an image lies in a larger one, of which only this part is in the file: an EXR's data window in its display
+ * window. Pixels. */
+struct FImageWindow
+{
+	int X = 0;
+	int Y = 0;
+	int FullWidth = 0; // 0: the image is the whole
+	int FullHeight = 0;
+
+	bool operator==(const FImageWindow&) const = default;
+};
+
 /** An image file of which the header has been read. */
 class DRYDOCK_API FImageFile
 {
@@ -41,6 +53,8 @@ public:
 	const std::string& GetPath() const { return Path; }
 	int GetWidth() const { return Width; }
 	int GetHeight() const { return Height; }
+	/** Where these pixels lie in the picture that the file stands for; with FullWidth and FullHeight. */
+	const FImageWindow& GetWindow() const { return Window; }
 	/** Names as in the file: "R", "depth.Z". */
 	const std::vector<std::string>& GetChannels() const { return Channels; }
 	/** -1 when there is none of this name. */
@@ -61,6 +75,7 @@ private:
 	std::unique_ptr<FInput> Input;
 	int Width = 0;
 	int Height = 0;
+	FImageWindow Window;
 	std::vector<std::string> Channels;
 	bool bEncoded = false;
 };
@@ -68,7 +83,7 @@ private:
 /** Lossless ZIP, no date; half float channels where every value is one, else 32-bit float. Throws FError (exit code 3)
  * when it cannot be written. */
 DRYDOCK_API void WriteExr(const std::string& Path, const FImage& Image, const std::vector<std::string>& ChannelNames,
-	const std::map<std::string, std::string>& Attributes = {});
+	const std::map<std::string, std::string>& Attributes = {}, const FImageWindow& Window = {});
 
 /** 8 bits per channel, one to four channels; values are display-encoded, clamped to 0..1 (NaN to 0) and rounded to
  * nearest. Compression: 1 to 9; 3 is a few percent larger than 6 and twice as fast. Throws FError (exit code 3) when it

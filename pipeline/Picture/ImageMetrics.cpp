@@ -319,6 +319,7 @@ FComparedImage ReadComparedImage(const std::string& Path)
 	const std::vector<std::vector<float>> Planes = File.Read(Indices);
 	const bool bOwnDisplay = File.GetAttribute("drydock:encoding") == "sRGB";
 	Result.Encoding = File.IsEncoded() || bOwnDisplay ? EImageEncoding::Display : EImageEncoding::Linear;
+	Result.Window = File.GetWindow();
 	Result.Image = {File.GetWidth(), File.GetHeight(), static_cast<int>(Planes.size()), {}};
 	Result.Image.Values.reserve(Planes[0].size() * Planes.size());
 	for (size_t Pixel = 0; Pixel < Planes[0].size(); ++Pixel)

@@ -81,6 +81,7 @@ DRYDOCK_API void GetHeatColor(double Heat, double OutColor[3]);
 struct FComparedImage
 {
 	FImage Image;
+	FImageWindow Window; // where it lies in what the file stands for
 	std::vector<std::string> Channels;
 	EImageEncoding Encoding = EImageEncoding::Linear;
 };

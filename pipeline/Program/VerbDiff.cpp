@@ -122,15 +122,52 @@ std::vector<FPair> PairRuns(const std::string& FolderA, const std::string& Folde
 
 std::string Describe(const FComparedImage& Image)
 {
-	return fmt::format("{} x {} ({})", Image.Image.Width, Image.Image.Height, fmt::join(Image.Channels, ","));
+	const FImageWindow& Window = Image.Window;
+	const bool bPart = Window.FullWidth != Image.Image.Width || Window.FullHeight != Image.Image.Height;
+	const std::string Where =
+		bPart ? fmt::format(" at ({}, {}) of {} x {}", Window.X, Window.Y, Window.FullWidth, Window.FullHeight)
+			  : std::string();
+	return fmt::format("{} x {}{} ({})", Image.Image.Width, Image.Image.Height, Where, fmt::join(Image.Channels, ","));
+}
+
+/** The image with zeros around it, which is what EXR says of pixels outside the data window. */
+FImage Widen(const FComparedImage& Part, const FImageWindow& Corner, int Width, int Height)
+{
+	FImage Wide{Width, Height, Part.Image.NumChannels, {}};
+	const size_t NumChannels = static_cast<size_t>(Wide.NumChannels);
+	Wide.Values.resize(static_cast<size_t>(Width) * static_cast<size_t>(Height) * NumChannels);
+	const size_t RowSize = static_cast<size_t>(Part.Image.Width) * NumChannels;
+	for (int Y = 0; Y < Part.Image.Height; ++Y)
+	{
+		const size_t To = (static_cast<size_t>(Part.Window.Y - Corner.Y + Y) * static_cast<size_t>(Width) +
+							  static_cast<size_t>(Part.Window.X - Corner.X)) *
+						  NumChannels;
+		std::copy_n(Part.Image.Values.begin() + static_cast<std::ptrdiff_t>(static_cast<size_t>(Y) * RowSize), RowSize,
+			Wide.Values.begin() + static_cast<std::ptrdiff_t>(To));
+	}
+	return Wide;
+}
+
+/** Two parts of pictures of one size become what covers both. */
+void WidenToBoth(FComparedImage& A, FComparedImage& B)
+{
+	FImageWindow Both = A.Window;
+	Both.X = std::min(A.Window.X, B.Window.X);
+	Both.Y = std::min(A.Window.Y, B.Window.Y);
+	const int Width = std::max(A.Window.X + A.Image.Width, B.Window.X + B.Image.Width) - Both.X;
+	const int Height = std::max(A.Window.Y + A.Image.Height, B.Window.Y + B.Image.Height) - Both.Y;
+	A.Image = Widen(A, Both, Width, Height);
+	B.Image = Widen(B, Both, Width, Height);
+	A.Window = B.Window = Both;
 }
 
 /** HeatMap: a file to write, or empty. */
 void Compare(FPair& Pair, const std::string& HeatMap)
 {
-	const FComparedImage A = ReadComparedImage(Pair.A);
-	const FComparedImage B = ReadComparedImage(Pair.B);
-	if (A.Image.Width != B.Image.Width || A.Image.Height != B.Image.Height || A.Channels != B.Channels)
+	FComparedImage A = ReadComparedImage(Pair.A);
+	FComparedImage B = ReadComparedImage(Pair.B);
+	const bool bSameWhole = A.Window.FullWidth == B.Window.FullWidth && A.Window.FullHeight == B.Window.FullHeight;
+	if (!bSameWhole || A.Channels != B.Channels)
 	{
 		throw MakeError(ErrorImagesDiffer, Pair.A,
 			"the images cannot be compared: this one is " + Describe(A) + ", " + Pair.B + " is " + Describe(B),
@@ -142,10 +179,17 @@ void Compare(FPair& Pair, const std::string& HeatMap)
 			"the images cannot be compared: one is display-encoded, the other linear light (" + Pair.B + ")",
 			ExitUsage);
 	}
+	const bool bSamePart = A.Window == B.Window && A.Image.Width == B.Image.Width && A.Image.Height == B.Image.Height;
+	if (!bSamePart)
+	{
+		WidenToBoth(A, B);
+	}
 	FImageErrorOptions Options;
 	Options.Encoding = A.Encoding;
 	Pair.Channels = A.Channels;
 	Pair.Error = CompareImages(A.Image, B.Image, Options);
+	Pair.Error.MaxX += A.Window.X;
+	Pair.Error.MaxY += A.Window.Y;
 	if (!HeatMap.empty())
 	{
 		const double Full = std::isfinite(Pair.Error.Max) ? Pair.Error.Max : Pair.Error.Peak;

@@ -2,6 +2,8 @@
 #include "Run/RunDump.h"
 
 #include "Config/ConfigReader.h"
+#include "RenderGraphPass.h"
+#include "ShaderParameterMetadata.h"
 #include "Text/ConfigErrors.h"
 #include "Text/GlobPattern.h"
 #include "TileExecutor.h"
@@ -9,6 +11,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
+#include <cstring>
 
 namespace Drydock
 {
@@ -92,6 +95,49 @@ std::string GetDumpFileName(const FRunDump& Dump)
 	std::snprintf(Number, sizeof(Number), "%03d", Dump.PassIndex);
 	return std::string(Number) + "." + Sanitize(GetShortPassName(Dump.Pass)) + "." + Sanitize(Dump.Resource) +
 		   (Dump.Mip >= 0 ? ".mip" + std::to_string(Dump.Mip) : "");
+}
+
+TOptional<FIntRect> FindOutputRect(const FRDGPass& Pass, FIntPoint Extent)
+{
+	if (Pass.GetParametersMetadata() == nullptr)
+	{
+		return {};
+	}
+	const std::vector<FHlslMember>& Members = Pass.GetParametersMetadata()->GetHlslMembers();
+	const auto Find = [&](const char* Name, EUniformBufferBaseType Type, auto& Value)
+	{
+		const auto Member = std::find_if(Members.begin(), Members.end(),
+			[&](const FHlslMember& Each)
+			{ return Each.Name == Name && Each.BaseType == Type && Each.NumColumns == 2 && Each.NumElements == 0; });
+		if (Member != Members.end())
+		{
+			std::memcpy(&Value, static_cast<const uint8*>(Pass.GetParameters()) + Member->Offset, sizeof(Value));
+		}
+		return Member != Members.end();
+	};
+	FVector2f OutputExtent;
+	FIntRect Rect;
+	const bool bSaid = Find("Output_Extent", UBMT_FLOAT32, OutputExtent) &&
+					   Find("Output_ViewportMin", UBMT_INT32, Rect.Min) &&
+					   Find("Output_ViewportMax", UBMT_INT32, Rect.Max);
+	return bSaid && OutputExtent == FVector2f(Extent) ? TOptional<FIntRect>(Rect) : TOptional<FIntRect>();
+}
+
+std::pair<FImage, FImageWindow> CropToWindow(const FRunDump& Dump)
+{
+	const FIntRect& Window = Dump.Window;
+	const size_t RowSize = static_cast<size_t>(Window.Width()) * static_cast<size_t>(Dump.Image.NumChannels);
+	FImage Part{Window.Width(), Window.Height(), Dump.Image.NumChannels, {}};
+	Part.Values.reserve(RowSize * static_cast<size_t>(Window.Height()));
+	for (int Y = Window.Min.Y; Y < Window.Max.Y; ++Y)
+	{
+		const size_t First =
+			(static_cast<size_t>(Y) * static_cast<size_t>(Dump.Image.Width) + static_cast<size_t>(Window.Min.X)) *
+			static_cast<size_t>(Dump.Image.NumChannels);
+		const auto Row = Dump.Image.Values.begin() + static_cast<std::ptrdiff_t>(First);
+		Part.Values.insert(Part.Values.end(), Row, Row + static_cast<std::ptrdiff_t>(RowSize));
+	}
+	return {std::move(Part), {Window.Min.X, Window.Min.Y, Dump.Image.Width, Dump.Image.Height}};
 }
 
 std::vector<FDiagnostic> CheckDumpPatterns(

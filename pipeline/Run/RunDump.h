@@ -17,6 +17,13 @@ DRYDOCK_API bool IsDumped(
  * [A-Za-z0-9_-] become _. */
 DRYDOCK_API std::string GetDumpFileName(const FRunDump& Dump);
 
+/** The rect of a texture that a pass says it writes: where its parameters have a viewport Output (as
+ * GetScreenPassTextureViewportParameters fills it) whose extent is the texture's. Null where they say nothing. */
+DRYDOCK_API TOptional<FIntRect> FindOutputRect(const FRDGPass& Pass, FIntPoint Extent);
+
+/** What is in a dump's file: the window alone, and where it lies in the whole. */
+DRYDOCK_API std::pair<FImage, FImageWindow> CropToWindow(const FRunDump& Dump);
+
 /** A warning for each pattern that no executed pass fits. */
 std::vector<FDiagnostic> CheckDumpPatterns(
 	const std::vector<TConfigValue<std::string>>& Patterns, const FRunResult& Result);

@@ -13,6 +13,23 @@
 namespace Drydock
 {
 
+namespace
+{
+
+/** The rect of each mip. */
+std::vector<FIntRect> GetWholeMips(const FRHITexture& Texture)
+{
+	std::vector<FIntRect> Rects;
+	for (uint32 Mip = 0; Mip < Texture.GetNumMips(); ++Mip)
+	{
+		const FIntVector Size = Texture.GetMipDimensions(static_cast<uint8>(Mip));
+		Rects.emplace_back(0, 0, Size.X, Size.Y);
+	}
+	return Rects;
+}
+
+} // namespace
+
 FRunObserver::FRunObserver(
 	const FRunOptions& InOptions, const FRunSetup& InSetup, FSceneFile& InScene, FRunResult& InResult)
 	: Options(InOptions)
@@ -35,6 +52,11 @@ bool FRunObserver::WantsPlannedExternals() const
 	return Options.bPlanLoads;
 }
 
+bool FRunObserver::WantsZeroedTextures() const
+{
+	return !Setup.Dump.empty();
+}
+
 void FRunObserver::OnExternalsPlanned(const std::vector<FRDGExternalLoad>& Loads)
 {
 	Scene.Plan(FindNeeded(Loads));
@@ -55,7 +77,7 @@ void FRunObserver::OnLoadExternals(const std::vector<FRDGExternalLoad>& Loads)
 			[&](const FRunDump& Dump) { return Dump.PassIndex == 0 && Dump.Resource == Texture.Texture; });
 		if (Loaded != nullptr && !bKept && IsDumped(Setup.Dump, "External", Texture.Texture))
 		{
-			KeepTexture(0, "External", Texture.Texture, *Loaded);
+			KeepTexture(0, "External", Texture.Texture, *Loaded, GetWholeMips(*Loaded));
 		}
 	}
 }
@@ -65,14 +87,55 @@ void FRunObserver::OnPassExecuted(int32_t PassIndex, const FRDGPass& Pass, doubl
 {
 	Result.Passes.push_back({PassIndex, Milliseconds, Counters});
 	Result.Passes.back().Counters.Taps = CountTaps(Pass, Counters);
+	if (!Setup.Dump.empty())
+	{
+		NoteDrawn(Pass, Counters, WrittenTextures);
+	}
 	for (FRDGTexture* Texture : WrittenTextures)
 	{
 		if (IsDumped(Setup.Dump, Pass.GetName(), Texture->Name))
 		{
-			KeepTexture(PassIndex, Pass.GetName(), Texture->Name, *Texture->GetRHI());
+			KeepTexture(PassIndex, Pass.GetName(), Texture->Name, *Texture->GetRHI(), Drawn[Texture]);
 		}
 	}
 	ReportProgress();
+}
+
+void FRunObserver::NoteDrawn(
+	const FRDGPass& Pass, const FPassCounters& Counters, const std::vector<FRDGTexture*>& WrittenTextures)
+{
+	for (FRDGTexture* Texture : WrittenTextures)
+	{
+		FRHITexture& RHITexture = *Texture->GetRHI();
+		const std::vector<FIntRect> Whole = GetWholeMips(RHITexture);
+		const auto [Known, bNew] = Drawn.try_emplace(Texture, Whole.size());
+		std::vector<FIntRect>& Rects = Known->second;
+		const auto Add = [&Rects](int32 Mip, const FIntRect& Rect)
+		{
+			FIntRect& Sum = Rects[static_cast<size_t>(Mip)];
+			Sum.Area() == 0 ? void(Sum = Rect) : Sum.Union(Rect);
+		};
+
+		bool bNoted = false;
+		for (const FTextureWrite& Write : Counters.Writes)
+		{
+			if (Write.Texture == &RHITexture)
+			{
+				bNoted = true;
+				Add(Write.Mip, Write.Rect);
+			}
+		}
+		const TOptional<FIntRect> Output = FindOutputRect(Pass, Texture->Desc.Extent);
+		if (!bNoted && Output.IsSet() && Whole.size() == 1)
+		{
+			Add(0, Output.GetValue());
+		}
+		// A texture from outside holds something everywhere.
+		else if (!bNoted || (bNew && Texture->IsExternal()))
+		{
+			Rects = Whole;
+		}
+	}
 }
 
 std::vector<FNeededSceneTexture> FRunObserver::FindNeeded(const std::vector<FRDGExternalLoad>& Loads) const
@@ -92,13 +155,20 @@ std::vector<FNeededSceneTexture> FRunObserver::FindNeeded(const std::vector<FRDG
 	return Needed;
 }
 
-void FRunObserver::KeepTexture(
-	int PassIndex, const std::string& Pass, const std::string& Resource, FRHITexture& Texture)
+void FRunObserver::KeepTexture(int PassIndex, const std::string& Pass, const std::string& Resource,
+	FRHITexture& Texture, const std::vector<FIntRect>& Windows)
 {
 	const int NumMips = static_cast<int>(Texture.GetNumMips());
 	for (int Mip = 0; Mip < NumMips; ++Mip)
 	{
-		FRunDump Dump{PassIndex, Pass, Resource, NumMips > 1 ? Mip : -1, ReadTexture(Texture, Mip), {}};
+		FRunDump Dump{PassIndex, Pass, Resource, NumMips > 1 ? Mip : -1, ReadTexture(Texture, Mip), {}, {}};
+		const FIntRect Whole(0, 0, Dump.Image.Width, Dump.Image.Height);
+		Dump.Window = Windows[static_cast<size_t>(Mip)];
+		Dump.Window.Clip(Whole);
+		if (Dump.Window.Area() == 0) // a mip that nobody has drawn yet: a file without pixels there cannot be
+		{
+			Dump.Window = Whole;
+		}
 		Dump.Channels = GetChannelNames(Dump.Image.NumChannels);
 		Result.Dumps.push_back(std::move(Dump));
 	}

@@ -5,6 +5,8 @@
 #include "Run/RunResult.h"
 #include "SceneFile/SceneFile.h"
 
+#include <map>
+
 namespace Drydock
 {
 
@@ -19,6 +21,7 @@ public:
 
 	void OnGraphCompiled(const FRDGCompiledGraph& Graph) override;
 	bool WantsPlannedExternals() const override;
+	bool WantsZeroedTextures() const override;
 	void OnExternalsPlanned(const std::vector<FRDGExternalLoad>& Loads) override;
 	void OnLoadExternals(const std::vector<FRDGExternalLoad>& Loads) override;
 	void OnPassExecuted(int32_t PassIndex, const FRDGPass& Pass, double Milliseconds, const FPassCounters& Counters,
@@ -27,13 +30,19 @@ public:
 private:
 	/** Without skipping, every texture that the file can fill. */
 	std::vector<FNeededSceneTexture> FindNeeded(const std::vector<FRDGExternalLoad>& Loads) const;
-	void KeepTexture(int PassIndex, const std::string& Pass, const std::string& Resource, FRHITexture& Texture);
+	/** Adds what the pass drew of each texture to what is known of it. */
+	void NoteDrawn(
+		const FRDGPass& Pass, const FPassCounters& Counters, const std::vector<FRDGTexture*>& WrittenTextures);
+	void KeepTexture(int PassIndex, const std::string& Pass, const std::string& Resource, FRHITexture& Texture,
+		const std::vector<FIntRect>& Windows);
 	void ReportProgress() const;
 
 	const FRunOptions& Options;
 	const FRunSetup& Setup;
 	FSceneFile& Scene;
 	FRunResult& Result;
+	/** Of each texture that passes have written, by mip: the least rect around what they drew. */
+	std::map<const FRDGTexture*, std::vector<FIntRect>> Drawn;
 	int NumToExecute = 0;
 };
 

@@ -103,8 +103,9 @@ void WriteAside(const FRunResult& Result, const Files::path& Folder)
 		Jobs.push_back(
 			[&Dump, Name]
 			{
-				WriteExr(Name + ".exr", Dump.Image, Dump.Channels);
-				WritePng(Name + ".png", MakePreview(Dump.Image));
+				const auto [Part, Window] = CropToWindow(Dump);
+				WriteExr(Name + ".exr", Part, Dump.Channels, {}, Window);
+				WritePng(Name + ".png", MakePreview(Part));
 			});
 	}
 	ForEachTile(FKernelTile{0, 0, 0, static_cast<int32>(Jobs.size()), 1, 1}, FIntPoint(1, 1),

@@ -26,7 +26,8 @@ struct FRunDump
 	std::string Pass;  // "External" for those
 	std::string Resource;
 	int Mip = -1;                      // -1: there is only one
-	FImage Image;                      // the whole extent, values as stored
+	FImage Image;                      // the whole extent, values as stored; 0 where nothing was written
+	FIntRect Window;                   // what passes have drawn of it so far, pixels; all of it where that is not known
 	std::vector<std::string> Channels; // "R", "G", ...: those the format has
 };
 

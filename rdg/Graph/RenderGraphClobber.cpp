@@ -62,6 +62,16 @@ void ClobberTexture(FRHITexture& Texture, int32 Mode)
 	}
 }
 
+void ZeroTexture(FRHITexture& Texture)
+{
+	Texture.EnsureMemory();
+	const uint8 Texel[32] = {};
+	for (int32 Plane = 0; Plane < int32(Texture.GetNumPlanes()); ++Plane)
+	{
+		FillPlane(Texture, Texel, Plane);
+	}
+}
+
 void ClobberBuffer(FRHIBuffer& Buffer, int32 Mode)
 {
 	Buffer.EnsureMemory();

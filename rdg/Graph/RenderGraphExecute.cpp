@@ -260,9 +260,18 @@ void FRDGExecutor::MakeReady(FRDGViewableResource& Resource)
 		Upload(static_cast<FRDGBuffer&>(Resource));
 		return;
 	}
-	if (State.Settings.ClobberResources == 0 || Resource.bExternal || !PassesRDGGraphFilter(State.Graph.Name.c_str()) ||
+	if (Resource.bExternal)
+	{
+		return;
+	}
+	if (State.Settings.ClobberResources == 0 || !PassesRDGGraphFilter(State.Graph.Name.c_str()) ||
 		!PassesRDGResourceFilter(Resource.Name))
 	{
+		if (Resource.Type == ERDGViewableResourceType::Texture && State.Observer &&
+			State.Observer->WantsZeroedTextures())
+		{
+			ZeroTexture(static_cast<FRHITexture&>(*Resource.ResourceRHI));
+		}
 		return;
 	}
 	if (Resource.Type == ERDGViewableResourceType::Texture)

@@ -39,6 +39,10 @@ public:
 	virtual bool WantsPlannedExternals() const { return false; }
 	virtual void OnExternalsPlanned(const std::vector<FRDGExternalLoad>&) {}
 
+	/** Whether what nobody has written yet is 0 in every texture that the graph makes, not what the memory held before:
+	 *  for observers that show textures beyond what passes wrote. Asked before anything is executed. */
+	virtual bool WantsZeroedTextures() const { return false; }
+
 	/** After each pass. PassIndex is its position in FRDGCompiledGraph::Passes; WrittenTextures may be read through
 	 *  FRDGTexture::GetRHI during the call. */
 	virtual void OnPassExecuted(int32_t /*PassIndex*/, const FRDGPass&, double /*Milliseconds*/, const FPassCounters&,

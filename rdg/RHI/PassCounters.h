@@ -1,11 +1,24 @@
 // Counts what a pass cost, in units that do not depend on the machine.
 #pragma once
 
+#include "Math/IntRect.h"
+
 #include <cstdint>
 #include <string>
+#include <vector>
+
+class FRHITexture;
 
 namespace Drydock
 {
+
+/** Texels of one mip of a texture that were drawn, cleared or copied to; of all its slices. */
+struct FTextureWrite
+{
+	const FRHITexture* Texture = nullptr;
+	int32_t Mip = 0;
+	FIntRect Rect;
+};
 
 /** Sums over the dispatches and draws of a pass. */
 struct FPassCounters
@@ -17,6 +30,11 @@ struct FPassCounters
 	uint64_t BytesRead = 0; // of every view bound for reading, each texel once
 	/** Of every texel written; views bound for writing by compute shaders: at most all of them. */
 	uint64_t BytesWritten = 0;
+	/** What draws, clears and copies wrote, each texture's mip once, as the least rect around it. Where a compute
+	 * shader stores is not known. */
+	std::vector<FTextureWrite> Writes;
+
+	void AddWrite(const FRHITexture* Texture, int32_t Mip, const FIntRect& Rect);
 };
 
 } // namespace Drydock

@@ -65,7 +65,39 @@ uint64 GetBytesBoundForWriting(const Drydock::FBoundShader& Shader, uint64 NumTh
 	return Bytes;
 }
 
+FIntRect GetMipRect(const FRHITexture& Texture, int32 Mip)
+{
+	const Drydock::FTextureMipLayout& At = Texture.GetMipLayout(Mip);
+	return FIntRect(0, 0, At.SizeX, At.SizeY);
+}
+
+/** Texels of the destination that a copy writes, of the mip that is this many after its first. */
+FIntRect GetCopiedRect(const FRHITexture& Source, const FRHICopyTextureInfo& Info, uint32 Mip)
+{
+	const bool bWhole = Info.Size.X == 0 && Info.Size.Y == 0 && Info.Size.Z == 0;
+	const Drydock::FTextureMipLayout& At = Source.GetMipLayout(int32(Info.SourceMipIndex + Mip));
+	const FIntPoint Size =
+		bWhole ? FIntPoint(At.SizeX - (Info.SourcePosition.X >> Mip), At.SizeY - (Info.SourcePosition.Y >> Mip))
+			   : FIntPoint(std::max(Info.Size.X >> Mip, 1), std::max(Info.Size.Y >> Mip, 1));
+	const FIntPoint Min(Info.DestPosition.X >> Mip, Info.DestPosition.Y >> Mip);
+	return FIntRect(Min, Min + Size);
+}
+
 } // namespace
+
+void Drydock::FPassCounters::AddWrite(const FRHITexture* Texture, int32_t Mip, const FIntRect& Rect)
+{
+	const auto Known = std::find_if(Writes.begin(), Writes.end(),
+		[&](const FTextureWrite& Write) { return Write.Texture == Texture && Write.Mip == Mip; });
+	if (Known == Writes.end())
+	{
+		Writes.push_back({Texture, Mip, Rect});
+	}
+	else
+	{
+		Known->Rect.Union(Rect);
+	}
+}
 
 void FRHIComputeCommandList::SetComputePipelineState(FRHIComputeShader*)
 {
@@ -142,13 +174,23 @@ void FRHIComputeCommandList::RunTiles(
 void FRHIComputeCommandList::ClearUAVFloat(FRHIUnorderedAccessView* View, const FVector4f& Value)
 {
 	Counters.Pixels += Drydock::ClearView(View, Value);
-	Counters.BytesWritten += View->GetSizeInBytes();
+	NoteCleared(View);
 }
 
 void FRHIComputeCommandList::ClearUAVUint(FRHIUnorderedAccessView* View, const FUintVector4& Value)
 {
 	Counters.Pixels += Drydock::ClearView(View, Value);
+	NoteCleared(View);
+}
+
+void FRHIComputeCommandList::NoteCleared(const FRHIUnorderedAccessView* View)
+{
 	Counters.BytesWritten += View->GetSizeInBytes();
+	if (const FRHITexture* const Texture = View->GetTexture())
+	{
+		const int32 Mip = int32(View->GetFirstMip());
+		Counters.AddWrite(Texture, Mip, GetMipRect(*Texture, Mip));
+	}
 }
 
 void FRHICommandList::BeginRenderPass(const FRHIRenderPassInfo& Info, const TCHAR* Name)
@@ -175,12 +217,14 @@ void FRHICommandList::BeginRenderPass(const FRHIRenderPassInfo& Info, const TCHA
 		if (GetLoadAction(GetDepthActions(DepthStencilAction)) == ERenderTargetLoadAction::EClear)
 		{
 			Depth->FillRect(&ClearDepth, Whole, 0);
+			Counters.AddWrite(Depth, 0, Whole);
 		}
 		if (Depth->GetNumPlanes() > 1 &&
 			GetLoadAction(GetStencilActions(DepthStencilAction)) == ERenderTargetLoadAction::EClear)
 		{
 			const uint8 Stencil = uint8(ClearStencil);
 			Depth->FillRect(&Stencil, Whole, 0, -1, 1);
+			Counters.AddWrite(Depth, 0, Whole);
 		}
 	}
 
@@ -205,7 +249,8 @@ void FRHICommandList::ClearTarget(FRHITexture* Texture, int32 Mip, int32 Slice)
 	uint8 Texel[32];
 	Drydock::EncodeTexel(Texture->GetStorage(), Channels, Texel, Drydock::IsStoreOverflowSaturated());
 	const Drydock::FTextureMipLayout& At = Texture->GetMipLayout(Mip);
-	Texture->FillRect(Texel, FIntRect(0, 0, At.SizeX, At.SizeY), Mip, Slice);
+	Texture->FillRect(Texel, GetMipRect(*Texture, Mip), Mip, Slice);
+	Counters.AddWrite(Texture, Mip, GetMipRect(*Texture, Mip));
 
 	const uint64 Texels = uint64(At.SizeX) * uint64(At.SizeY) * (Slice < 0 ? uint64(At.SizeZ) : 1);
 	Counters.BytesWritten += Texels * Drydock::GetTexelStorageInfo(Texture->GetStorage()).BytesPerTexel;
@@ -379,6 +424,13 @@ void FRHICommandList::DrawViewport(uint32 NumInstances)
 
 	const FKernelTile Whole = {Rect.Min.X, Rect.Min.Y, 0, Rect.Max.X, Rect.Max.Y, 1};
 	const uint64 Pixels = uint64(Rect.Width()) * uint64(Rect.Height());
+	for (const FRHIRenderPassInfo::FColorEntry& Entry : RenderPass.ColorRenderTargets)
+	{
+		if (Entry.RenderTarget && NumInstances > 0)
+		{
+			Counters.AddWrite(Entry.RenderTarget, Entry.MipIndex, Rect);
+		}
+	}
 	for (uint32 Instance = 0; Instance < NumInstances; ++Instance)
 	{
 		RunTiles(BoundPixel, Args, Whole, FIntVector(GTileSizeX, GTileSizeY, 1));
@@ -398,6 +450,11 @@ void FRHICommandList::DrawViewport(uint32 NumInstances)
 void FRHICommandList::CopyTexture(FRHITexture* Source, FRHITexture* Dest, const FRHICopyTextureInfo& Info)
 {
 	const uint64 Texels = Drydock::CopyTextureRegion(Source, Dest, Info);
+	for (uint32 Mip = 0; Mip < Info.NumMips; ++Mip)
+	{
+		const int32 DestMip = int32(Info.DestMipIndex + Mip);
+		Counters.AddWrite(Dest, DestMip, GetCopiedRect(*Source, Info, Mip));
+	}
 	const uint64 Bytes = Texels * Drydock::GetTexelStorageInfo(Source->GetStorage()).BytesPerTexel;
 	Counters.Pixels += Texels;
 	Counters.BytesRead += Bytes;

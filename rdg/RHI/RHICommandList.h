@@ -112,6 +112,8 @@ protected:
 		FIntVector TileSize);
 
 private:
+	void NoteCleared(const FRHIUnorderedAccessView* View);
+
 	Drydock::FBoundShader BoundCompute;
 };
 

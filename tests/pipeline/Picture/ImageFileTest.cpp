@@ -89,6 +89,27 @@ TEST_F(ImageFile, ExrKeepsFloatsExactly)
 	EXPECT_EQ((std::vector<std::vector<float>>{{0.0f, -2.0f}, {0.25f, 65504.0f}, {1.5f, 1e-7f}}), File.Read({0, 1, 2}));
 }
 
+TEST_F(ImageFile, ExrOfAPartSaysWhereItLies)
+{
+	WriteExr(Path("a.exr"), TwoPixels, {"R", "G", "B"}, {}, {5, 3, 16, 8});
+	FImageFile File(Path("a.exr"));
+	EXPECT_EQ((FImageWindow{5, 3, 16, 8}), File.GetWindow());
+	EXPECT_EQ(2, File.GetWidth());
+	EXPECT_EQ(1, File.GetHeight());
+	EXPECT_EQ((std::vector<std::vector<float>>{{0.0f, -2.0f}}), File.Read({0}));
+	const std::unique_ptr<OIIO::ImageInput> Seen = OIIO::ImageInput::open(Path("a.exr"));
+	EXPECT_EQ(5, Seen->spec().x);
+	EXPECT_EQ(16, Seen->spec().full_width);
+}
+
+TEST_F(ImageFile, AWholePictureIsItsOwnWindow)
+{
+	WriteExr(Path("a.exr"), TwoPixels, {"R", "G", "B"});
+	EXPECT_EQ((FImageWindow{0, 0, 2, 1}), FImageFile(Path("a.exr")).GetWindow());
+	WritePng(Path("a.png"), TwoPixels);
+	EXPECT_EQ((FImageWindow{0, 0, 2, 1}), FImageFile(Path("a.png")).GetWindow());
+}
+
 TEST_F(ImageFile, ExrKeepsNonFiniteValues)
 {
 	WriteExr(Path("a.exr"), {2, 1, 1, {std::nan(""), std::numeric_limits<double>::infinity()}}, {"R"});

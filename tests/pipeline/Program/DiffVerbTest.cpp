@@ -7,6 +7,7 @@
 
 #include "Picture/ImageFile.h"
 
+#include <cmath>
 #include <filesystem>
 #include <unistd.h>
 
@@ -92,6 +93,30 @@ TEST_F(DiffVerb, MaxDecidesTheExitCode)
 TEST_F(DiffVerb, ImagesOfOtherSizesCannotBeCompared)
 {
 	EXPECT_EQ(ErrorImagesDiffer, ErrorOf(Write("a.exr", {1, 1}), Write("b.exr", {1, 1, 1, 1})));
+}
+
+TEST_F(DiffVerb, PartsOfAPictureAreComparedWhereTheyLie)
+{
+	const auto WritePart = [this](const std::string& Name, int X, int Y, double Second, int FullWidth = 16)
+	{
+		const std::string Path = (Folder / Name).string();
+		WriteExr(Path, {2, 1, 1, {0.5, Second}}, {"R"}, {}, {X, Y, FullWidth, 8});
+		return Path;
+	};
+	const std::string A = WritePart("a.exr", 4, 3, 0.25);
+	const FJsonValue Same = Call(A, WritePart("b.exr", 4, 3, 0.75));
+	EXPECT_EQ(0.5, Same.Find("images")->Elements.at(0).Find("max")->Number);
+	EXPECT_EQ(5, Same.Find("images")->Elements.at(0).Find("at")->Elements[0].Number); // of the whole picture
+	EXPECT_EQ(3, Same.Find("images")->Elements.at(0).Find("at")->Elements[1].Number);
+
+	// 3 x 2 pixels hold both, and 0 beside them.
+	const FJsonValue Moved = Call(A, WritePart("c.exr", 3, 4, 0.875));
+	EXPECT_EQ(0.875, Moved.Find("images")->Elements.at(0).Find("max")->Number);
+	EXPECT_EQ(4, Moved.Find("images")->Elements.at(0).Find("at")->Elements[0].Number);
+	EXPECT_EQ(4, Moved.Find("images")->Elements.at(0).Find("at")->Elements[1].Number);
+	EXPECT_NEAR(std::sqrt((0.5 * 0.5 + 0.25 * 0.25 + 0.5 * 0.5 + 0.875 * 0.875) / 6),
+		Moved.Find("images")->Elements.at(0).Find("rms")->Number, 1e-12);
+	EXPECT_EQ(ErrorImagesDiffer, ErrorOf(A, WritePart("d.exr", 4, 3, 0.25, 17)));
 }
 
 TEST_F(DiffVerb, MissingImageIsAFileError)

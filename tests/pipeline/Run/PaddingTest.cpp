@@ -216,7 +216,8 @@ TEST(PaddedScene, TheOutsideIsNeitherReadNorWritten)
 	ASSERT_FALSE(Result.Dumps.empty());
 	for (const FRunDump& Dump : Result.Dumps)
 	{
-		// Corners are outside every rect: NaN in what comes in, what the clobber left in what passes make.
+		// Corners are outside every rect: NaN in what comes in, what the clobber left in what passes make. The image is
+		// the whole extent; files hold what was drawn.
 		const double Corner = Dump.Image.Get(0, 0, 0);
 		const bool bScene = Dump.PassIndex == 0;
 		const FScenePacking* Packing = FindScenePacking(Dump.Resource);

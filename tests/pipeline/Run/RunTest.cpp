@@ -490,6 +490,67 @@ TEST(RunDumps, KeepTheResourceAfterThePass)
 	EXPECT_EQ((std::vector<std::string>{"R", "G", "B"}), Result.Dumps[0].Channels);
 }
 
+TEST(RunDumps, HoldWhatWasDrawnAndNothingOfOtherTextures)
+{
+	// The glow's mask is drawn where the scene has one, in memory that is used again and again.
+	FRunOptions Options;
+	Options.ConfigFile = Root + "configs/chara_glow.json";
+	Options.Dump = {"CharaGlow*", "Bloom*"};
+	const FRunResult Result = RunConfig(Options);
+	int NumMasks = 0;
+	for (const FRunDump& Dump : Result.Dumps)
+	{
+		const FIntRect Whole(0, 0, Dump.Image.Width, Dump.Image.Height);
+		const auto [Part, Window] = CropToWindow(Dump);
+		EXPECT_EQ(Dump.Window.Width(), Part.Width) << Dump.Resource;
+		EXPECT_EQ((FImageWindow{Dump.Window.Min.X, Dump.Window.Min.Y, Whole.Width(), Whole.Height()}), Window);
+		if (Dump.Resource == "CharaGlow" || Dump.Resource == "CharaGlowRows")
+		{
+			++NumMasks;
+			EXPECT_LT(Dump.Window.Area(), Whole.Area()) << Dump.Resource;
+			EXPECT_TRUE(std::all_of(
+				Part.Values.begin(), Part.Values.end(), [](double Value) { return Value >= 0.0 && Value <= 1.0; }))
+				<< Dump.Resource;
+			for (int Y = 0; Y < Whole.Max.Y; ++Y)
+			{
+				for (int X = 0; X < Whole.Max.X; ++X)
+				{
+					EXPECT_TRUE(Dump.Window.Contains(FIntPoint(X, Y)) || Dump.Image.Get(X, Y, 0) == 0.0);
+				}
+			}
+		}
+		else if (Dump.Pass.starts_with("Bloom"))
+		{
+			EXPECT_EQ(Whole, Dump.Window) << Dump.Resource;
+		}
+	}
+	EXPECT_EQ(2, NumMasks);
+}
+
+TEST(RunDumps, TheFilesDataWindowIsWhatWasDrawnByEitherKindOfPass)
+{
+	// A view of 320 x 240 at (64, 32) of textures that are larger: half of it at half the corner.
+	for (const std::string Compute : {"0", "1"})
+	{
+		FRunOptions Options = SmallScene(R"("view": {"rect": [64, 32, 384, 272]})");
+		Options.Variables = {"r.PostProcessing.PreferCompute=" + Compute};
+		Options.Dump = {"HalfResolutionSceneColor"};
+		const FRunResult Result = RunConfig(Options);
+		ASSERT_EQ(1u, Result.Dumps.size());
+		EXPECT_EQ(FIntRect(32, 16, 192, 136), Result.Dumps[0].Window) << Compute;
+
+		const std::filesystem::path Folder = MakeTemporaryFolder();
+		WriteRunOutputs(Result, (Folder / "a").string());
+		const std::filesystem::path File = Folder / "a" / "passes" / GetDumpFileName(Result.Dumps[0]);
+		const FImageFile Exr(File.string() + ".exr");
+		EXPECT_EQ(160, Exr.GetWidth());
+		EXPECT_EQ(120, Exr.GetHeight());
+		EXPECT_EQ((FImageWindow{32, 16, Result.Dumps[0].Image.Width, Result.Dumps[0].Image.Height}), Exr.GetWindow());
+		EXPECT_EQ(160, FImageFile(File.string() + ".png").GetWidth());
+		std::filesystem::remove_all(Folder);
+	}
+}
+
 TEST(RunDumps, ExternalInputsAreNumberZero)
 {
 	FRunOptions Options = SmallScene();

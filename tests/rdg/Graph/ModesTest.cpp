@@ -363,6 +363,25 @@ TEST(Observer, IsNotAskedOnceTheGraphHasRun)
 	EXPECT_EQ(NumAskedInRun, Observer.NumAsked);
 }
 
+TEST(Observer, MayHaveTexturesBeginAtZeroInUsedMemory)
+{
+	class FShowingObserver final : public FNotingObserver
+	{
+	public:
+		bool WantsZeroedTextures() const override { return true; }
+	};
+	FShowingObserver Observer;
+	FGraphTest Graph;
+	Graph.Builder->SetObserver(&Observer);
+	Graph.Pass("A").Writes("X").Value(5);
+	Graph.Pass("B").Reads("X").Writes("Y").Value(1);
+	Graph.Pass("C").Reads("Y").Writes("Z").Does([](FRHICommandListImmediate&) {}); // where X was
+	Graph.Pass("D").Reads("Z").Writes("Out").Value(2);
+	Graph.Extract("Out");
+	Graph.Run();
+	EXPECT_EQ("compiled:6 1:A(X=5) 2:B(Y=6) 3:C(Z=0) 4:D(Out=2) ", Observer.Log);
+}
+
 TEST(Observer, LoadsOnlyWhatSurvivingPassesTouch)
 {
 	FGraphTest Graph;

@@ -289,6 +289,49 @@ TEST_F(Draw, CountersCountPixelsAndBytes)
 	EXPECT_EQ(32u * 16, RHICmdList.GetCounters().BytesRead);
 }
 
+TEST_F(Draw, CountersSayWhichTexelsWereWritten)
+{
+	const auto GetRect = [this](FRHITexture* Of, int32 Mip = 0)
+	{
+		for (const FTextureWrite& Write : RHICmdList.GetCounters().Writes)
+		{
+			if (Write.Texture == Of && Write.Mip == Mip)
+			{
+				return Write.Rect;
+			}
+		}
+		return FIntRect(-1, -1, -1, -1);
+	};
+	Begin();
+	Bind(RecordTargets);
+	RHICmdList.SetViewport(2, 1, 0, 6, 3, 1);
+	RHICmdList.DrawPrimitive(0, 0, 1);
+	EXPECT_TRUE(RHICmdList.GetCounters().Writes.empty());
+	RHICmdList.DrawPrimitive(0, 1, 1);
+	EXPECT_EQ(FIntRect(2, 1, 6, 3), GetRect(Texture));
+	RHICmdList.SetScissorRect(true, 5, 0, 100, 2);
+	RHICmdList.DrawPrimitive(0, 1, 1);
+	EXPECT_EQ(FIntRect(2, 1, 6, 3), GetRect(Texture));
+	RHICmdList.EndRenderPass();
+
+	const FTextureRHIRef Copy = MakeTexture(FIntPoint(16, 8), PF_A32B32G32R32F);
+	FRHICopyTextureInfo Info;
+	Info.DestPosition = FIntVector(3, 2, 0);
+	RHICmdList.CopyTexture(Texture, Copy, Info);
+	EXPECT_EQ(FIntRect(3, 2, 11, 6), GetRect(Copy));
+	Info.Size = FIntVector(2, 1, 1);
+	Info.DestPosition = FIntVector(0, 0, 0);
+	RHICmdList.CopyTexture(Texture, Copy, Info);
+	EXPECT_EQ(FIntRect(0, 0, 11, 6), GetRect(Copy)); // both
+
+	const FTextureRHIRef Chain = MakeTexture(Make2D(FIntPoint(8, 4), PF_A32B32G32R32F, 2));
+	RHICmdList.BeginRenderPass(FRHIRenderPassInfo(Chain, ERenderTargetActions::Clear_Store, nullptr, 1), TEXT("Test"));
+	EXPECT_EQ(FIntRect(0, 0, 4, 2), GetRect(Chain, 1));
+	EXPECT_EQ(FIntRect(-1, -1, -1, -1), GetRect(Chain, 0));
+	RHICmdList.ResetCounters();
+	EXPECT_TRUE(RHICmdList.GetCounters().Writes.empty());
+}
+
 TEST_F(Draw, PipelineStateTakesTheTargetsFormats)
 {
 	FGraphicsPipelineStateInitializer Initializer;
