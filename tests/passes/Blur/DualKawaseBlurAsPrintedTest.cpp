@@ -37,7 +37,8 @@ FImage Blur(const FImage& Image, int Levels, float Offset = 1.0f)
 
 // The article a second time, from its text and in its precision: sizes and passes from its C++ (the first pass down at
 // the picture's size, integers halved and doubled, point sampler, clamped on all axes, ViewSize the size of what is
-// written), taps from its figure, which is Bjorge's filter, "Bandwidth-Efficient Rendering", SIGGRAPH 2015.
+// written), taps as it describes them, corners and then sides and corners: Bjorge's filter, "Bandwidth-Efficient
+// Rendering", SIGGRAPH 2015.
 
 struct FFloatTap
 {
