@@ -256,6 +256,7 @@ constexpr FPassRow Rows[] =
 			.Factories =
 				"UnityBloomExtract UnityBloomGaussianBlurHorizontal UnityBloomGaussianBlurVertical UnityBloomComposite",
 			.Run = RunUnityBloom,
+			.NumVariants = 2,
 			.Reach = 18.0,
 			.Gain = 2.0,
 			.Cells =

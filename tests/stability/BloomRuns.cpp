@@ -123,6 +123,7 @@ FImage RunUnity(const FCase& Case, bool bAsPrinted)
 	FUnityBloomInputs Inputs;
 	Inputs.SceneColor = Run.Input;
 	Inputs.Threshold = static_cast<float>(Case.Threshold.value_or(-1.0));
+	Inputs.SoftKnee = Case.Variant == 0 ? 0.0f : 0.5f;
 	Inputs.Iterations = 2;
 	Inputs.Spread = static_cast<float>(Case.Sigma.value_or(0.6));
 	Inputs.DownSample = Case.Levels ? 64 : 2;

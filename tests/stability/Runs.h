@@ -37,7 +37,8 @@ FImage RunGaussianBloom(const FCase& Case);
 /** Intensity: 1. The built-in kernel, half a picture wide. */
 FImage RunFFTBloom(const FCase& Case);
 FImage RunFFTConvolution(const FCase& Case);
-/** Threshold -1, two iterations, spread (Sigma) 0.6, small target (Levels) half, intensity 1. */
+/** Threshold -1, two iterations, spread (Sigma) 0.6, small target (Levels) half, intensity 1. Variants of the
+ * first: sharp, soft knee. */
 FImage RunUnityBloom(const FCase& Case);
 FImage RunUnityBloomAsPrinted(const FCase& Case);
 
