@@ -70,6 +70,13 @@ std::unique_ptr<OIIO::ImageInput> Open(const std::string& Path, std::string& Fau
 	return File;
 }
 
+/** Far enough that nothing is there, and near enough to be counted on with. */
+int GetDistance(int From, int To)
+{
+	constexpr int64_t Farthest = int64_t(1) << 30;
+	return static_cast<int>(std::clamp(int64_t(To) - From, -Farthest, Farthest));
+}
+
 } // namespace
 
 struct FImageFile::FInput
@@ -94,7 +101,7 @@ FImageFile::FImageFile(const std::string& InPath)
 	const OIIO::ImageSpec& Spec = Input->File->spec();
 	Width = Spec.width;
 	Height = Spec.height;
-	Window = {Spec.x - Spec.full_x, Spec.y - Spec.full_y, Spec.full_width, Spec.full_height};
+	Window = {GetDistance(Spec.full_x, Spec.x), GetDistance(Spec.full_y, Spec.y), Spec.full_width, Spec.full_height};
 	Channels = Spec.channelnames;
 	bEncoded = Spec.get_string_attribute("oiio:ColorSpace") == "sRGB";
 	if (Width < 1 || Height < 1 || Spec.depth > 1 || Channels.empty())

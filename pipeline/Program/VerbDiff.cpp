@@ -130,7 +130,13 @@ std::string Describe(const FComparedImage& Image)
 	return fmt::format("{} x {}{} ({})", Image.Image.Width, Image.Image.Height, Where, fmt::join(Image.Channels, ","));
 }
 
-/** The image with zeros around it, which is what EXR says of pixels outside the data window. */
+bool LiesInWhole(const FComparedImage& Part)
+{
+	return Part.Window.X >= 0 && Part.Window.Y >= 0 && Part.Window.X + Part.Image.Width <= Part.Window.FullWidth &&
+		   Part.Window.Y + Part.Image.Height <= Part.Window.FullHeight;
+}
+
+/** The image with zeros around it: a resource holds 0 where nothing was drawn. */
 FImage Widen(const FComparedImage& Part, const FImageWindow& Corner, int Width, int Height)
 {
 	FImage Wide{Width, Height, Part.Image.NumChannels, {}};
@@ -167,7 +173,8 @@ void Compare(FPair& Pair, const std::string& HeatMap)
 	FComparedImage A = ReadComparedImage(Pair.A);
 	FComparedImage B = ReadComparedImage(Pair.B);
 	const bool bSameWhole = A.Window.FullWidth == B.Window.FullWidth && A.Window.FullHeight == B.Window.FullHeight;
-	if (!bSameWhole || A.Channels != B.Channels)
+	const bool bSamePart = A.Window == B.Window && A.Image.Width == B.Image.Width && A.Image.Height == B.Image.Height;
+	if (!bSameWhole || (!bSamePart && !(LiesInWhole(A) && LiesInWhole(B))) || A.Channels != B.Channels)
 	{
 		throw MakeError(ErrorImagesDiffer, Pair.A,
 			"the images cannot be compared: this one is " + Describe(A) + ", " + Pair.B + " is " + Describe(B),
@@ -179,7 +186,6 @@ void Compare(FPair& Pair, const std::string& HeatMap)
 			"the images cannot be compared: one is display-encoded, the other linear light (" + Pair.B + ")",
 			ExitUsage);
 	}
-	const bool bSamePart = A.Window == B.Window && A.Image.Width == B.Image.Width && A.Image.Height == B.Image.Height;
 	if (!bSamePart)
 	{
 		WidenToBoth(A, B);

@@ -113,7 +113,14 @@ void FRunObserver::NoteDrawn(
 		const auto Add = [&Rects](int32 Mip, const FIntRect& Rect)
 		{
 			FIntRect& Sum = Rects[static_cast<size_t>(Mip)];
-			Sum.Area() == 0 ? void(Sum = Rect) : Sum.Union(Rect);
+			if (Sum.Area() == 0)
+			{
+				Sum = Rect;
+			}
+			else
+			{
+				Sum.Union(Rect);
+			}
 		};
 
 		bool bNoted = false;

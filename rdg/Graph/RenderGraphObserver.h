@@ -40,7 +40,7 @@ public:
 	virtual void OnExternalsPlanned(const std::vector<FRDGExternalLoad>&) {}
 
 	/** Whether what nobody has written yet is 0 in every texture that the graph makes, not what the memory held before:
-	 *  for observers that show textures beyond what passes wrote. Asked before anything is executed. */
+	 *  for observers that show textures beyond what passes wrote. Always the same answer. */
 	virtual bool WantsZeroedTextures() const { return false; }
 
 	/** After each pass. PassIndex is its position in FRDGCompiledGraph::Passes; WrittenTextures may be read through

@@ -117,6 +117,7 @@ TEST_F(DiffVerb, PartsOfAPictureAreComparedWhereTheyLie)
 	EXPECT_NEAR(std::sqrt((0.5 * 0.5 + 0.25 * 0.25 + 0.5 * 0.5 + 0.875 * 0.875) / 6),
 		Moved.Find("images")->Elements.at(0).Find("rms")->Number, 1e-12);
 	EXPECT_EQ(ErrorImagesDiffer, ErrorOf(A, WritePart("d.exr", 4, 3, 0.25, 17)));
+	EXPECT_EQ(ErrorImagesDiffer, ErrorOf(A, WritePart("e.exr", -1, 3, 0.25))); // beyond the whole
 }
 
 TEST_F(DiffVerb, MissingImageIsAFileError)
