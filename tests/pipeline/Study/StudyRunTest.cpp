@@ -245,6 +245,27 @@ TEST(StudyRegion, OfAFrameIsOnlyCompared)
 	EXPECT_EQ(All.Variants[0].Taps, Part.Variants[0].Taps);
 }
 
+TEST(StudyRegion, PicturesToLookAtAreThatPartOfTheWhole)
+{
+	const std::string Axes = R"("axes": [{"name": "algorithm", "values": ["Boxes"]}], "repetitions": 1)";
+	FStudyRun All(MakeOptions("\"study\": {" + Axes + "}"));
+	FStudyRun Part(MakeOptions("\"study\": {" + Axes + R"(, "region": [300, 140, 348, 180]})"));
+	const FStudyResult OfAll = All.Measure();
+	const FStudyResult OfPart = Part.Measure();
+	const FImage Whole = All.RunVariant(OfAll, OfAll.Variants[0]).Image;
+	const FImage Cut = Part.RunVariant(OfPart, OfPart.Variants[0]).Image;
+	ASSERT_EQ(48, Cut.Width);
+	ASSERT_EQ(40, Cut.Height);
+	for (int Y = 0; Y < Cut.Height; ++Y)
+	{
+		for (int X = 0; X < Cut.Width; ++X)
+		{
+			ASSERT_EQ(Whole.Get(300 + X, 140 + Y, 1), Cut.Get(X, Y, 1)) << X << ", " << Y;
+		}
+	}
+	EXPECT_EQ(48, Part.RunReference(OfPart.Jobs[0]).Image.Width);
+}
+
 TEST(StudyFrame, ConfigWithoutAStudyIsAnError)
 {
 	EXPECT_THROW(RunStudy(MakeOptions(R"("cvars": {})")), FError);
