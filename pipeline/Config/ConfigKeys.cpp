@@ -107,7 +107,7 @@ const std::vector<FConfigKey>& GetConfigKeys()
 		{"study", "reference", Anything, "", 0, Optional, "What errors are measured against: exact (of blurs), double (of frames), or an object of what else the frame's is set to."},
 		{"study", "metrics", StringArray, "", 0, Optional, "Error metrics: rms, max, relative, psnr, ssim; the first one is drawn and ranks."},
 		{"study", "repetitions", Number, "", 0, Optional, "Timed runs per variant; 7 by default."},
-		{"study", "region", NumberArray, "", 4, Optional, "MinX, MinY, MaxX, MaxY: the part of the picture where errors are measured; of blurs the part that is blurred."},
+		{"study", "region", NumberArray, "", 4, Optional, "MinX, MinY, MaxX, MaxY: the part of the picture where errors are measured; what is computed is the whole picture."},
 		{"study", "measure", String, "", 0, Optional, "Of frames: final (default), sceneLinear, toonShadow (the blurred one, as it would be displayed), or a resource by name or Pass.Resource."},
 		{"study", "current", Anything, "", 0, Optional, "Of blurs: the variant in use now, {axis: value}; of frames it is what the config sets."},
 		{"axis", "name", String, "", 0, Required, "A setting, a console variable, precision or storage; of blurs algorithm, sigma, input, storage, precision or resolution."},

@@ -229,7 +229,7 @@ FImageError CompareImages(const FImage& A, const FImage& B, const FImageErrorOpt
 	Error.Rms = NumValues > 0.0 ? std::sqrt(Squares / NumValues) : 0.0;
 	Error.Relative = Squares == 0.0 ? 0.0 : std::sqrt(Squares / ReferenceSquares);
 	Error.Psnr = Error.Rms == 0.0 ? Infinity : 20.0 * std::log10(Error.Peak / Error.Rms);
-	Error.Ssim = ComputeSsim(A, B, Options.Encoding);
+	Error.Ssim = Options.bSsim ? ComputeSsim(A, B, Options.Encoding) : 1.0;
 	return Error;
 }
 

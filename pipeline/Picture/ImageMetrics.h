@@ -23,6 +23,7 @@ struct FImageErrorOptions
 {
 	EImageEncoding Encoding = EImageEncoding::Linear;
 	int NumChannels = 0; // the first ones only; 0: all
+	bool bSsim = true;   // the one figure that takes long; else it is 1
 };
 
 struct FImageError

@@ -55,7 +55,7 @@ private:
 		const std::string Reference = Result.Jobs.empty() ? "nothing" : Result.Jobs[0].Reference;
 		constexpr size_t MostCharacters = 160;
 		return SvgText(StudyPageMargin, 58.0, "quiet",
-				   fmt::format("{}, {} x {}; {}", Result.Scene, Result.Width, Result.Height,
+				   fmt::format("{}; {}", DescribeStudied(Result),
 					   Cost == EStudyCost::Taps ? "taps and errors are the same on every run" : Clock)) +
 			   SvgText(StudyPageMargin, 76.0, "quiet", ShortenText("errors against " + Reference, MostCharacters));
 	}

@@ -149,7 +149,8 @@ FStudyInsetRow MakeRow(FStudyRun& Run, const FStudyResult& Result, const FStudyJ
 	};
 	FStudyInset& First = Row.Insets.emplace_back();
 	First.Title = "Reference";
-	First.Subtitle = fmt::format("around ({}, {})", X, Y);
+	const std::array<int, 4> Region = Result.Study.Region.value_or(std::array<int, 4>());
+	First.Subtitle = fmt::format("around ({}, {})", Region[0] + X, Region[1] + Y);
 	First.Subtitle += Exposure < 1.0 ? fmt::format(", shown times {:.2g}", Exposure) : "";
 	First.Png = Write("reference", Exact, Reference.Encoding, First);
 	for (const size_t Index : Chosen)

@@ -125,6 +125,10 @@ void WriteVariant(
 			Writer.Member(Metric, GetMetric(Variant.Error, Metric));
 		}
 		Writer.Member("nonFinite", Variant.Error.NumNonFinite);
+		if (Result.Study.Region)
+		{
+			Writer.Member("relativeWithBorder", Variant.RelativeWithBorder);
+		}
 	}
 	Writer.Member("taps", Variant.Taps);
 	Writer.Member("bytes", Variant.Bytes);
@@ -171,6 +175,17 @@ std::string CsvText(const std::string& Text)
 
 } // namespace
 
+std::string DescribeStudied(const FStudyResult& Result)
+{
+	std::string Text = fmt::format("{}, {} x {}", Result.Scene, Result.Width, Result.Height);
+	if (Result.Study.Region)
+	{
+		const auto& [MinX, MinY, MaxX, MaxY] = *Result.Study.Region;
+		Text += fmt::format(", errors of {} x {} at ({}, {})", MaxX - MinX, MaxY - MinY, MinX, MinY);
+	}
+	return Text;
+}
+
 std::string GetErrorTitle(const std::string& Metric)
 {
 	return Metric == "rms"        ? "RMS error"
@@ -182,9 +197,8 @@ std::string GetErrorTitle(const std::string& Metric)
 
 std::string MakeStudyTable(const FStudyResult& Result)
 {
-	std::string Text = fmt::format(
-		"{}: {}, {} x {}; {}, {} threads, medians of {} interleaved runs, spread between quartiles\n", Result.Name,
-		Result.Scene, Result.Width, Result.Height, GetCpuName(), Result.Threads, Result.Study.Repetitions);
+	std::string Text = fmt::format("{}: {}; {}, {} threads, medians of {} interleaved runs, spread between quartiles\n",
+		Result.Name, DescribeStudied(Result), GetCpuName(), Result.Threads, Result.Study.Repetitions);
 	for (const FStudyJob& Job : Result.Jobs)
 	{
 		std::vector<FRow> Rows = {{"variant", "CPU ms", "spread", "x ref", "max", "rms", "relative", "PSNR", "SSIM",
@@ -213,6 +227,15 @@ std::string MakeStudyJson(const FStudyResult& Result)
 	Writer.Value(Result.Width);
 	Writer.Value(Result.Height);
 	Writer.EndArray();
+	if (Result.Study.Region)
+	{
+		Writer.Key("region").BeginArray(true);
+		for (const int Corner : *Result.Study.Region)
+		{
+			Writer.Value(Corner);
+		}
+		Writer.EndArray();
+	}
 	Writer.Member("subject", Result.Study.bBlur ? "blurs" : "frames");
 	Writer.Member("reference", Result.Study.ReferenceName);
 	Writer.Member("metric", Result.GetMetric());
@@ -321,6 +344,7 @@ std::string MakeStudyCsv(const FStudyResult& Result, bool bTiming)
 	{
 		Text += Metric + ",";
 	}
+	Text += Result.Study.Region ? "relative_with_border," : "";
 	Text += bTiming ? "median_ms,low_ms,high_ms,times_reference,front_by_time,recommended\n"
 					: "taps_per_pixel,bytes_per_pixel,sigma,front_by_taps,excluded\n";
 	for (const FStudyVariant& Variant : Result.Variants)
@@ -334,6 +358,10 @@ std::string MakeStudyCsv(const FStudyResult& Result, bool bTiming)
 		for (const std::string& Metric : GetMetricNames())
 		{
 			Text += (Variant.bRan ? fmt::format("{:.17g}", GetMetric(Variant.Error, Metric)) : "") + ",";
+		}
+		if (Result.Study.Region)
+		{
+			Text += (Variant.bRan ? fmt::format("{:.17g}", Variant.RelativeWithBorder) : "") + ",";
 		}
 		if (bTiming)
 		{

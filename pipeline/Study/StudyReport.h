@@ -10,9 +10,12 @@ namespace Drydock
 /** For the terminal: a table per job, with times. */
 DRYDOCK_API std::string MakeStudyTable(const FStudyResult& Result);
 
-/** study.json: {version, config, fingerprint, scene, size, subject, reference, metric, budget, axes: [{name, each,
- * values}], jobs: [{label, set, reference, referenceTaps, variants: [{label, set, excluded, max, rms, relative, psnr,
- * ssim, taps, bytes, sigma, plainCode, current, front, dominatedBy}]}]}; front and dominatedBy over taps per pixel. */
+/** study.json: {version, config, fingerprint, scene, size, region, subject, reference, metric, budget, axes: [{name,
+ * each, values}], jobs: [{label, set, reference, referenceTaps, variants: [{label, set, excluded, max, rms, relative,
+ * psnr, ssim, relativeWithBorder, taps, bytes, sigma, plainCode, current, front, dominatedBy}]}]}; front and
+ * dominatedBy over taps per pixel; region and relativeWithBorder (the relative error of the whole picture) of a study
+ * with a region.
+ */
 DRYDOCK_API std::string MakeStudyJson(const FStudyResult& Result);
 
 /** study_timing.json: {cpu, threads, repetitions, seconds, jobs: [{label, referenceMs, recommended, recommendation,
@@ -22,6 +25,9 @@ DRYDOCK_API std::string MakeStudyTimingJson(const FStudyResult& Result);
 
 /** study.csv: a line per variant, without times; study_timing.csv: likewise, with them. */
 DRYDOCK_API std::string MakeStudyCsv(const FStudyResult& Result, bool bTiming);
+
+/** "toon.exr, 641 x 359, errors of 512 x 288 at (64, 32)": what was studied. */
+DRYDOCK_API std::string DescribeStudied(const FStudyResult& Result);
 
 /** "RMS error", ...: what an axis of a drawing says. */
 DRYDOCK_API std::string GetErrorTitle(const std::string& Metric);

@@ -53,7 +53,9 @@ struct FStudyVariant
 	EStudyExclusion Exclusion = EStudyExclusion::None;
 	std::string Excluded; // the exclusion in words
 	bool bRan = false;
-	FImageError Error;
+	FImageError Error; // of the study's region, places too are counted from its corner
+	/** Relative error of the whole picture, which blurs and frames are computed in. */
+	double RelativeWithBorder = 0.0;
 	double Taps = 0.0;          // per pixel of the picture
 	double Bytes = 0.0;         // likewise
 	double MeasuredSigma = 0.0; // of blurs
@@ -89,7 +91,7 @@ struct FStudyResult
 	std::string ConfigFile;
 	std::string Fingerprint; // of what was studied: see GetStudyFingerprint
 	std::string Scene;
-	int Width = 0; // of what errors are measured on
+	int Width = 0; // of the pictures; errors are measured on Study.Region of them
 	int Height = 0;
 	int Threads = 0;
 	std::vector<FStudyJob> Jobs;

@@ -1,4 +1,6 @@
 // Runs all variants of a study in turn, measures their errors and times, and ranks them.
+#include <fmt/format.h>
+
 #include "Study/StudyRun.h"
 
 #include "Budget/StudyRequest.h"
@@ -58,6 +60,28 @@ FImage Stretch(const FImage& Image, int Width, int Height)
 		}
 	}
 	return Result;
+}
+
+/** The part that counts. */
+FImage CutOut(const FImage& Image, const std::optional<std::array<int, 4>>& Region)
+{
+	if (!Region)
+	{
+		return Image;
+	}
+	const auto& [MinX, MinY, MaxX, MaxY] = *Region;
+	FImage Part{MaxX - MinX, MaxY - MinY, Image.NumChannels, {}};
+	for (int Y = MinY; Y < MaxY; ++Y)
+	{
+		for (int X = MinX; X < MaxX; ++X)
+		{
+			for (int Channel = 0; Channel < Image.NumChannels; ++Channel)
+			{
+				Part.Values.push_back(Image.Get(X, Y, Channel));
+			}
+		}
+	}
+	return Part;
 }
 
 /** Values that the config itself gives to what the axes vary. */
@@ -197,6 +221,16 @@ private:
 		NumToDo = static_cast<int>(Result.Variants.size() * static_cast<size_t>(Study.Repetitions + 1));
 	}
 
+	/** Throws where the region leaves the picture. */
+	void CheckRegion() const
+	{
+		if (Study.Region && ((*Study.Region)[2] > Result.Width || (*Study.Region)[3] > Result.Height))
+		{
+			throw MakeStudyError(ErrorBadValue, Check.Config, {0, 0, "/study/region"},
+				fmt::format("the region leaves the picture, which is {} x {} pixels", Result.Width, Result.Height));
+		}
+	}
+
 	/** This is the warm-up too: shaders are compiled and the scene is in memory afterwards. */
 	void MeasureErrors()
 	{
@@ -207,6 +241,8 @@ private:
 			Job.ReferenceTaps = Reference.Taps;
 			Result.Width = Reference.Image.Width;
 			Result.Height = Reference.Image.Height;
+			CheckRegion();
+			const FImage ReferencePart = CutOut(Reference.Image, Study.Region);
 			for (const size_t Index : Job.Variants)
 			{
 				FStudyVariant& Variant = Result.Variants[Index];
@@ -218,10 +254,12 @@ private:
 					continue;
 				}
 				const FMeasured Measured = Subject.Run(GetSet(Variant));
-				const FImage& Image = Measured.Image;
-				FImageErrorOptions ErrorOptions{Measured.Encoding, std::min(3, Reference.Image.NumChannels)};
-				Variant.Error = CompareImages(
-					Stretch(Image, Reference.Image.Width, Reference.Image.Height), Reference.Image, ErrorOptions);
+				const FImage Image = Stretch(Measured.Image, Result.Width, Result.Height);
+				FImageErrorOptions ErrorOptions{Measured.Encoding, std::min(3, Image.NumChannels)};
+				Variant.Error = CompareImages(CutOut(Image, Study.Region), ReferencePart, ErrorOptions);
+				ErrorOptions.bSsim = false;
+				Variant.RelativeWithBorder = Study.Region ? CompareImages(Image, Reference.Image, ErrorOptions).Relative
+														  : Variant.Error.Relative;
 				Variant.Taps = Measured.Taps;
 				Variant.Bytes = Measured.Bytes;
 				Variant.bRan = true;
@@ -313,7 +351,7 @@ struct FStudyRun::FState
 			throw MakeStudyError(ErrorMissingKey, Check.Config, {}, "the config has no \"study\"");
 		}
 		Study = std::move(*Read);
-		Subject = Study.bBlur ? MakeBlurSubject(Check.Config, Study) : MakeFrameSubject(Options, Study);
+		Subject = Study.bBlur ? MakeBlurSubject(Check.Config) : MakeFrameSubject(Options, Study);
 	}
 
 	FRunOptions Options;
@@ -337,14 +375,14 @@ FStudyResult FStudyRun::Measure()
 FStudyPicture FStudyRun::RunReference(const FStudyJob& Job)
 {
 	const FMeasured Measured = State->Subject->RunReference(Job.Case.Set);
-	return {Measured.Image, Measured.Encoding};
+	return {CutOut(Measured.Image, State->Study.Region), Measured.Encoding};
 }
 
 FStudyPicture FStudyRun::RunVariant(const FStudyResult& Result, const FStudyVariant& Variant)
 {
 	const FSet& Case = Result.Jobs[Variant.Case].Case.Set;
 	const FMeasured Measured = State->Subject->Run(Join(Case, State->Study.GetChoices()[Variant.Choice].Set));
-	return {Stretch(Measured.Image, Result.Width, Result.Height), Measured.Encoding};
+	return {CutOut(Stretch(Measured.Image, Result.Width, Result.Height), State->Study.Region), Measured.Encoding};
 }
 
 FStudyResult RunStudy(const FRunOptions& Options)

@@ -30,9 +30,9 @@ public:
 	/** Runs everything. Progress of Options is called before each run. Throws FError: a run that fails. */
 	FStudyResult Measure();
 
-	/** Runs once more to see. */
+	/** Runs once more to see; of the study's region. */
 	FStudyPicture RunReference(const FStudyJob& Job);
-	/** Of the reference's size. */
+	/** Likewise, as large. */
 	FStudyPicture RunVariant(const FStudyResult& Result, const FStudyVariant& Variant);
 
 private:

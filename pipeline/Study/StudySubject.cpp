@@ -21,30 +21,9 @@ namespace Drydock
 namespace
 {
 
-/** The part of an image that is studied. */
-FImage Crop(const FImage& Image, const std::optional<std::array<int, 4>>& Region)
-{
-	if (!Region)
-	{
-		return Image;
-	}
-	FImage Part{(*Region)[2] - (*Region)[0], (*Region)[3] - (*Region)[1], Image.NumChannels, {}};
-	for (int Y = (*Region)[1]; Y < (*Region)[3]; ++Y)
-	{
-		for (int X = (*Region)[0]; X < (*Region)[2]; ++X)
-		{
-			for (int Channel = 0; Channel < Image.NumChannels; ++Channel)
-			{
-				Part.Values.push_back(Image.Get(X, Y, Channel));
-			}
-		}
-	}
-	return Part;
-}
-
 // Blurs -------------------------------------------------------------------------------------------------------------
 
-FImage LoadSceneColor(const FConfig& Config, const std::optional<std::array<int, 4>>& Region)
+FImage LoadSceneColor(const FConfig& Config)
 {
 	if (!Config.Scene.File.IsSet())
 	{
@@ -63,11 +42,6 @@ FImage LoadSceneColor(const FConfig& Config, const std::optional<std::array<int,
 		}
 		Indices.push_back(Index);
 	}
-	if (Region && ((*Region)[2] > File.GetWidth() || (*Region)[3] > File.GetHeight()))
-	{
-		throw MakeStudyError(ErrorBadValue, Config, {0, 0, "/study/region"},
-			fmt::format("the region leaves the scene, which is {} x {} pixels", File.GetWidth(), File.GetHeight()));
-	}
 	const std::vector<std::vector<float>> Planes = File.Read(Indices);
 	FImage Image{File.GetWidth(), File.GetHeight(), 4, {}};
 	Image.Values.reserve(Planes[0].size() * 4);
@@ -79,7 +53,7 @@ FImage LoadSceneColor(const FConfig& Config, const std::optional<std::array<int,
 		}
 		Image.Values.push_back(1.0);
 	}
-	return Crop(Image, Region);
+	return Image;
 }
 
 void Exclude(FStudyVariant& Variant, EStudyExclusion Exclusion, const std::string& Why)
@@ -91,8 +65,8 @@ void Exclude(FStudyVariant& Variant, EStudyExclusion Exclusion, const std::strin
 class FBlurSubject final : public IStudySubject
 {
 public:
-	FBlurSubject(const FConfig& Config, const FStudy& Study)
-		: Scene(LoadSceneColor(Config, Study.Region))
+	explicit FBlurSubject(const FConfig& Config)
+		: Scene(LoadSceneColor(Config))
 	{
 	}
 
@@ -257,11 +231,11 @@ private:
 		if (Study.Measure == "final")
 		{
 			Encoding = EImageEncoding::Display;
-			return Crop(Result.Final, Study.Region);
+			return Result.Final;
 		}
 		if (Study.Measure == "sceneLinear")
 		{
-			return Crop(Result.SceneLinear, Study.Region);
+			return Result.SceneLinear;
 		}
 		// The last one that fits: what a chain of passes ends with.
 		for (size_t Index = Result.Dumps.size(); Index-- > 0;)
@@ -272,7 +246,7 @@ private:
 				if (Study.Measure == "toonShadow" && Dump.Image.NumChannels == 4)
 				{
 					Encoding = EImageEncoding::Display;
-					return Crop(DecodeToonShadow(Dump.Image, Result.Settings.ToonShadowBlurStore), Study.Region);
+					return DecodeToonShadow(Dump.Image, Result.Settings.ToonShadowBlurStore);
 				}
 				return Dump.Image;
 			}
@@ -329,9 +303,9 @@ FError MakeStudyError(EConfigError Code, const FConfig& Config, const FConfigPla
 		ExitUsage);
 }
 
-std::unique_ptr<IStudySubject> MakeBlurSubject(const FConfig& Config, const FStudy& Study)
+std::unique_ptr<IStudySubject> MakeBlurSubject(const FConfig& Config)
 {
-	return std::make_unique<FBlurSubject>(Config, Study);
+	return std::make_unique<FBlurSubject>(Config);
 }
 
 std::unique_ptr<IStudySubject> MakeFrameSubject(const FRunOptions& Options, const FStudy& Study)

@@ -17,7 +17,7 @@ using FStudySet = std::vector<FStudyAssignment>;
 
 FStudySet Join(const FStudySet& A, const FStudySet& B);
 
-/** One run of something. Taps and bytes are for each pixel. */
+/** One run of something: the whole picture, whatever the study's region. Taps and bytes are for each pixel. */
 struct FMeasured
 {
 	FImage Image;
@@ -43,9 +43,8 @@ public:
 	virtual std::string DescribeReference(const FStudySet& Case) = 0;
 };
 
-/** Images, blurred; the reference is the exact Gaussian. Throws FError (exit code 2) for a scene or region that does
- * not fit. */
-std::unique_ptr<IStudySubject> MakeBlurSubject(const FConfig& Config, const FStudy& Study);
+/** Images, blurred; the reference is the exact Gaussian. Throws FError (exit code 2) for a scene that does not fit. */
+std::unique_ptr<IStudySubject> MakeBlurSubject(const FConfig& Config);
 
 /** Frames; the reference is a run as Study.Reference sets it. Study must outlive it. */
 std::unique_ptr<IStudySubject> MakeFrameSubject(const FRunOptions& Options, const FStudy& Study);

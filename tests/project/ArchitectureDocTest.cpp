@@ -76,3 +76,24 @@ TEST(ArchitectureDoc, EveryRowIsARoom)
 		EXPECT_TRUE(Rooms.count(Row)) << Row << " is in the map of docs/architecture.md, and no folder";
 	}
 }
+
+TEST(Pages, NameTestsThatExist)
+{
+	const std::regex Named("`(tests/[A-Za-z0-9_/]+\\.(cpp|sh))`");
+	for (const auto& Entry : Files::recursive_directory_iterator(GRoot / "docs"))
+	{
+		if (Entry.path().extension() != ".md")
+		{
+			continue;
+		}
+		std::ostringstream Page;
+		Page << std::ifstream(Entry.path()).rdbuf();
+		const std::string Text = Page.str();
+		for (std::sregex_iterator Match(Text.begin(), Text.end(), Named), End; Match != End; ++Match)
+		{
+			const std::string Path = (*Match)[1];
+			const bool bPlaceholder = Path.find("/ROOM/") != std::string::npos;
+			EXPECT_TRUE(bPlaceholder || Files::exists(GRoot / Path)) << Entry.path().filename() << ": " << Path;
+		}
+	}
+}

@@ -1,6 +1,7 @@
 // Level sizes, widths and matched settings of the dual Kawase blur, as pure functions.
 #include <gtest/gtest.h>
 
+#include "DocFigures.h"
 #include "DualKawaseBlurReference.h"
 
 #include "Blur/DualKawaseBlurWidth.h"
@@ -218,5 +219,55 @@ TEST(DualKawaseWidth, GaussianHasTheWantedVarianceAlthoughItsTailsAreCut)
 		}
 		EXPECT_NEAR(1.0, Sum, 1e-12);
 		EXPECT_NEAR(Wanted, std::sqrt(Variance), 1e-9 * Wanted);
+	}
+}
+
+// docs/dual-kawase.md -----------------------------------------------------------------------------------------------
+
+TEST(DualKawaseDoc, WidthsAreThoseOfTheClosedForm)
+{
+	const DocFigures::FPage Page(DRYDOCK_TEST_SOURCE_DIR, "dual-kawase.md");
+	const auto Rows = Page.GetTable("| levels | offset 0 |");
+	ASSERT_EQ(8u, Rows.size());
+	for (int32 Levels = 1; Levels <= 8; ++Levels)
+	{
+		const auto& Row = Rows[static_cast<size_t>(Levels - 1)];
+		ASSERT_EQ(6u, Row.size());
+		for (size_t Column = 1; Column < 6; ++Column)
+		{
+			const double Offset = 0.5 * static_cast<double>(Column - 1);
+			DocFigures::ExpectWritten(DocFigures::ParseFigure(Row[Column]),
+				GetDualKawaseStandardDeviation(Levels, Offset), Row[0] + " levels, column " + std::to_string(Column));
+		}
+	}
+	const auto Corrected = Page.GetTable("| levels | 1 | 2 |")[1];
+	ASSERT_EQ(9u, Corrected.size());
+	for (int32 Levels = 1; Levels <= 8; ++Levels)
+	{
+		DocFigures::ExpectWritten(DocFigures::ParseFigure(Corrected[static_cast<size_t>(Levels)]),
+			GetDualKawaseStandardDeviation(Levels, 1.0), "corrected, " + std::to_string(Levels) + " levels");
+	}
+}
+
+TEST(DualKawaseDoc, TapsPerPixelAreCountedLevelByLevel)
+{
+	const DocFigures::FPage Page(DRYDOCK_TEST_SOURCE_DIR, "dual-kawase.md");
+	double Kawase = 0.0;
+	double PixelsOfLevel = 1.0;
+	for (const auto& Row : Page.GetTable("| levels | standard deviation | dual Kawase |"))
+	{
+		const auto InBrackets = [&](size_t Column)
+		{
+			return DocFigures::ParseFigure(Row[Column].substr(Row[Column].find('(') + 1));
+		};
+		// Five taps for each texel of the next level down, eight for each of this one up.
+		Kawase += 5.0 * PixelsOfLevel / 4.0 + 8.0 * PixelsOfLevel;
+		PixelsOfLevel /= 4.0;
+		const double Sigma = GetDualKawaseStandardDeviation(std::stoi(Row[0]), 1.0);
+		const double Across = 2.0 * std::ceil(3.0 * Sigma) + 1.0;
+		DocFigures::ExpectWritten(DocFigures::ParseFigure(Row[1]), Sigma, "width of " + Row[0]);
+		DocFigures::ExpectWritten(InBrackets(2), Kawase, "taps of " + Row[0]);
+		DocFigures::ExpectWritten(InBrackets(3), 2.0 * Across, "taps of two passes, " + Row[0]);
+		DocFigures::ExpectWritten(InBrackets(4), Across * Across, "taps of the direct one, " + Row[0]);
 	}
 }

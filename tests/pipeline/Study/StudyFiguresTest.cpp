@@ -1,7 +1,8 @@
 // Error figures of a study, computed a second time. Everything here is plain loops in double from the definitions: the
 // true Gaussian as a two-dimensional sum over all taps, four of the blurs as their papers and headers describe them,
-// the widths matched by this file's own second moments, the figures. Shared with the program: the container FImage, and
-// the reader of the scene file.
+// the widths matched by this file's own second moments, the figures. All of it works on the whole picture; the study's
+// region, which lies away from the picture's borders, only says where blurs are compared. Shared with the program: the
+// container FImage, and the reader of the scene file.
 #include <gtest/gtest.h>
 
 #include "Study/BlurAlgorithms.h"
@@ -19,16 +20,25 @@ namespace
 
 const std::string Root = DRYDOCK_TEST_SOURCE_DIR "/";
 
-constexpr int RegionLeft = 300;
-constexpr int RegionTop = 140;
-constexpr int Width = 48;
-constexpr int Height = 40;
+constexpr int Width = 641;
+constexpr int Height = 359;
+
+/** Pixels from MinX, MinY up to but not MaxX, MaxY. */
+struct FPart
+{
+	int MinX;
+	int MinY;
+	int MaxX;
+	int MaxY;
+};
+constexpr FPart Whole = {0, 0, Width, Height};
+constexpr FPart Region = {236, 196, 284, 236}; // the point is in it
 
 const char* const GConfig = R"({"scene": {"file": "scenes/toon_character_641x359.exr"}, "study": {"axes": [
 	{"name": "algorithm", "values":
 		["Separable", "DualKawase", "Boxes", "Pyramid", "GaussianSum", "Kawase", "FFT", "Recursive"]},
 	{"name": "sigma", "values": [2, 5]}, {"name": "input", "values": ["scene", "point"]}],
-	"region": [300, 140, 348, 180], "repetitions": 1}})";
+	"region": [236, 196, 284, 236], "repetitions": 1}})";
 
 // Pictures ------------------------------------------------------------------------------------------------------------
 
@@ -54,7 +64,7 @@ FImage Make(int W, int H, const std::function<double(int X, int Y, int Channel)>
 	return Image;
 }
 
-/** The studied part of the scene, as the file has it. */
+/** As the file has it. */
 FImage LoadScene()
 {
 	FImageFile File(Root + "configs/scenes/toon_character_641x359.exr");
@@ -63,7 +73,7 @@ FImage LoadScene()
 	return Make(Width, Height,
 		[&](int X, int Y, int Channel)
 		{
-			const size_t Texel = static_cast<size_t>((RegionTop + Y) * 641 + RegionLeft + X);
+			const size_t Texel = static_cast<size_t>(Y * Width + X);
 			return static_cast<double>(Planes[static_cast<size_t>(Channel)][Texel]);
 		});
 }
@@ -72,7 +82,7 @@ FImage LoadScene()
 FImage MakePoint(double Sigma)
 {
 	return Make(Width, Height,
-		[&](int X, int Y, int) { return X == 19 && Y == 24 ? 2.0 * std::numbers::pi * Sigma * Sigma : 0.0; });
+		[&](int X, int Y, int) { return X == 256 && Y == 215 ? 2.0 * std::numbers::pi * Sigma * Sigma : 0.0; });
 }
 
 FImage MakeInput(const std::string& Input, double Sigma)
@@ -80,13 +90,18 @@ FImage MakeInput(const std::string& Input, double Sigma)
 	return Input == "scene" ? LoadScene() : MakePoint(Sigma);
 }
 
-/** Two-dimensional, weights by distance from 0 on along each axis, all taps; divided by their sum. */
-FImage Convolve(const FImage& Image, const std::vector<double>& Weights)
+/** Two-dimensional, weights by distance from 0 on along each axis, all taps; divided by their sum. Only in Part: 0
+ * elsewhere. */
+FImage Convolve(const FImage& Image, const std::vector<double>& Weights, const FPart& Part = Whole)
 {
 	const int Reach = static_cast<int>(Weights.size()) - 1;
 	return Make(Image.Width, Image.Height,
 		[&](int X, int Y, int Channel)
 		{
+			if (X < Part.MinX || X >= Part.MaxX || Y < Part.MinY || Y >= Part.MaxY)
+			{
+				return 0.0;
+			}
 			double Sum = 0.0;
 			double Total = 0.0;
 			for (int DY = -Reach; DY <= Reach; ++DY)
@@ -136,24 +151,24 @@ double Bisect(double Low, double High, double Wanted, const std::function<double
 	return Low;
 }
 
-FImage BlurExactly(const FImage& Image, double Sigma)
+FImage BlurExactly(const FImage& Image, double Sigma, const FPart& Part)
 {
 	// Beyond 9 deviations a weight is below 3e-18 of the middle one.
-	return Convolve(Image, MakeGaussian(Sigma, static_cast<int>(9.0 * Sigma)));
+	return Convolve(Image, MakeGaussian(Sigma, static_cast<int>(9.0 * Sigma)), Part);
 }
 
 // The blurs -----------------------------------------------------------------------------------------------------------
 
 /** Cut at three deviations, the exponent's deviation chosen so that what is left has the wanted variance. */
-FImage BlurSeparable(const FImage& Image, double Sigma)
+FImage BlurSeparable(const FImage& Image, double Sigma, const FPart& Part = Whole)
 {
 	const int Reach = std::max(1, static_cast<int>(std::ceil(3.0 * Sigma)));
 	const double Exponent = Bisect(
 		0.1, 4.0 * Sigma, Sigma * Sigma, [&](double Candidate) { return GetVariance(MakeGaussian(Candidate, Reach)); });
-	return Convolve(Image, MakeGaussian(Exponent, Reach));
+	return Convolve(Image, MakeGaussian(Exponent, Reach), Part);
 }
 
-/** Three averages over whole texels and a fraction of the next ones, of a third of the variance each. */
+/** Three averages over whole texels and a fraction of the next ones, of a third of the variance each. In the region. */
 FImage BlurBoxes(const FImage& Image, double Sigma)
 {
 	const double Wanted = Sigma * Sigma / 3.0;
@@ -169,7 +184,12 @@ FImage BlurBoxes(const FImage& Image, double Sigma)
 			Box.back() = Fraction;
 			return GetVariance(Box);
 		});
-	return Convolve(Convolve(Convolve(Image, Box), Box), Box);
+	const int Reach = static_cast<int>(Box.size()) - 1;
+	const auto Around = [](int Distance)
+	{
+		return FPart{Region.MinX - Distance, Region.MinY - Distance, Region.MaxX + Distance, Region.MaxY + Distance};
+	};
+	return Convolve(Convolve(Convolve(Image, Box, Around(2 * Reach)), Box, Around(Reach)), Box, Region);
 }
 
 /** Halved by [1 3 3 1] / 8, blurred, doubled by the same kernel: 3 parts of the nearer texel and 1 of the next. The two
@@ -324,15 +344,15 @@ struct FFigures
 	double Relative = 0.0;
 };
 
-/** Over the colours of Exact. */
-FFigures Compare(const FImage& Blurred, const FImage& Exact)
+/** Over the colours of Part. */
+FFigures Compare(const FImage& Blurred, const FImage& Exact, const FPart& Part)
 {
 	FFigures Figures;
 	double Squares = 0.0;
 	double ExactSquares = 0.0;
-	for (int Y = 0; Y < Exact.Height; ++Y)
+	for (int Y = Part.MinY; Y < Part.MaxY; ++Y)
 	{
-		for (int X = 0; X < Exact.Width; ++X)
+		for (int X = Part.MinX; X < Part.MaxX; ++X)
 		{
 			for (int Channel = 0; Channel < 3; ++Channel)
 			{
@@ -343,7 +363,7 @@ FFigures Compare(const FImage& Blurred, const FImage& Exact)
 			}
 		}
 	}
-	Figures.Rms = std::sqrt(Squares / (3.0 * Exact.Width * Exact.Height));
+	Figures.Rms = std::sqrt(Squares / (3.0 * (Part.MaxX - Part.MinX) * (Part.MaxY - Part.MinY)));
 	Figures.Relative = std::sqrt(Squares / ExactSquares);
 	return Figures;
 }
@@ -370,7 +390,7 @@ class StudyFigures : public testing::TestWithParam<FCase>
 {
 protected:
 	/** What the study reports of an algorithm. */
-	const FImageError& GetReported(const std::string& Algorithm) const
+	const FStudyVariant& GetReported(const std::string& Algorithm) const
 	{
 		const std::string Job = "sigma " + std::to_string(static_cast<int>(GetParam().Sigma)) + ", " + GetParam().Input;
 		for (const FStudyVariant& Variant : GetStudy().Variants)
@@ -378,7 +398,7 @@ protected:
 			if (Variant.Label == Algorithm && GetStudy().Jobs[Variant.Case].Case.Label == Job)
 			{
 				EXPECT_TRUE(Variant.bRan) << Variant.Excluded;
-				return Variant.Error;
+				return Variant;
 			}
 		}
 		throw std::logic_error("no such variant");
@@ -386,15 +406,15 @@ protected:
 
 	void ExpectReported(const std::string& Algorithm, const FImage& Blurred, double Tolerance) const
 	{
-		const FFigures Figures = Compare(Blurred, Exact);
-		const FImageError& Reported = GetReported(Algorithm);
+		const FFigures Figures = Compare(Blurred, Exact, Region);
+		const FImageError& Reported = GetReported(Algorithm).Error;
 		EXPECT_NEAR(1.0, Reported.Rms / Figures.Rms, Tolerance) << Algorithm << " " << Figures.Rms;
 		EXPECT_NEAR(1.0, Reported.Relative / Figures.Relative, Tolerance) << Algorithm;
 		EXPECT_NEAR(1.0, Reported.Max / Figures.Max, Tolerance) << Algorithm;
 	}
 
 	const FImage Input = MakeInput(GetParam().Input, GetParam().Sigma);
-	const FImage Exact = BlurExactly(Input, GetParam().Sigma);
+	const FImage Exact = BlurExactly(Input, GetParam().Sigma, Region);
 };
 
 } // namespace
@@ -408,11 +428,29 @@ INSTANTIATE_TEST_SUITE_P(All, StudyFigures,
 TEST_P(StudyFigures, OfBlursWrittenOutHere)
 {
 	constexpr double OfFloat = 1e-3;
-	ExpectReported("Separable", BlurSeparable(Input, GetParam().Sigma), OfFloat);
+	ExpectReported("Separable", BlurSeparable(Input, GetParam().Sigma, Region), OfFloat);
 	ExpectReported("Pyramid", BlurPyramid(Input, GetParam().Sigma), OfFloat);
 	ExpectReported("DualKawase", BlurDualKawase(Input, GetParam().Sigma), OfFloat);
 	constexpr double OfDouble = 1e-9;
 	ExpectReported("Boxes", BlurBoxes(Input, GetParam().Sigma), OfDouble);
+}
+
+/** The second figure is that of the whole picture, where dual Kawase repeats coarse texels along the borders. */
+TEST(StudyFiguresWithBorder, AreOfTheWholePicture)
+{
+	constexpr double Sigma = 2.0;
+	const FImage Input = LoadScene();
+	const FFigures Figures = Compare(BlurDualKawase(Input, Sigma), BlurExactly(Input, Sigma, Whole), Whole);
+	for (const FStudyVariant& Variant : GetStudy().Variants)
+	{
+		if (Variant.Label == "DualKawase" && GetStudy().Jobs[Variant.Case].Case.Label == "sigma 2, scene")
+		{
+			EXPECT_NEAR(1.0, Variant.RelativeWithBorder / Figures.Relative, 1e-3);
+			EXPECT_NE(Variant.Error.Relative, Variant.RelativeWithBorder);
+		}
+	}
+	EXPECT_EQ(Width, GetStudy().Width);
+	EXPECT_EQ(Height, GetStudy().Height);
 }
 
 /** The blurs are the program's, the reference and the figures are from here. */

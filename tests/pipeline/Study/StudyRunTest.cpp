@@ -218,6 +218,54 @@ TEST(StudyFrame, ErrorIsThatOfTwoRuns)
 	EXPECT_DOUBLE_EQ(Largest, Result.Variants[0].Error.Max);
 }
 
+TEST(StudyRegion, BeyondThePictureIsAnError)
+{
+	for (const char* Study : {R"({"axes": [{"name": "algorithm", "values": ["Boxes"]}], "region": [0, 0, 642, 359]})",
+			 R"({"axes": [{"name": "precision", "values": ["float"]}], "region": [0, 0, 641, 360]})"})
+	{
+		try
+		{
+			RunStudy(MakeOptions(std::string(R"("study": )") + Study));
+			ADD_FAILURE() << Study;
+		}
+		catch (const FError& Error)
+		{
+			EXPECT_EQ("the region leaves the picture, which is 641 x 359 pixels", Error.GetDiagnostics()[0].Message);
+		}
+	}
+}
+
+TEST(StudyRegion, OfAFrameIsOnlyCompared)
+{
+	const std::string Axes = R"("axes": [{"name": "r.BloomQuality", "values": [1, 5]}], "repetitions": 1)";
+	const FStudyResult All = RunStudy(MakeOptions("\"study\": {" + Axes + "}"));
+	const FStudyResult Part = RunStudy(MakeOptions("\"study\": {" + Axes + R"(, "region": [300, 140, 348, 180]})"));
+	EXPECT_EQ(All.Variants[0].Error.Relative, Part.Variants[0].RelativeWithBorder);
+	EXPECT_NE(All.Variants[0].Error.Relative, Part.Variants[0].Error.Relative);
+	EXPECT_EQ(All.Variants[0].Taps, Part.Variants[0].Taps);
+}
+
+TEST(StudyRegion, PicturesToLookAtAreThatPartOfTheWhole)
+{
+	const std::string Axes = R"("axes": [{"name": "algorithm", "values": ["Boxes"]}], "repetitions": 1)";
+	FStudyRun All(MakeOptions("\"study\": {" + Axes + "}"));
+	FStudyRun Part(MakeOptions("\"study\": {" + Axes + R"(, "region": [300, 140, 348, 180]})"));
+	const FStudyResult OfAll = All.Measure();
+	const FStudyResult OfPart = Part.Measure();
+	const FImage Whole = All.RunVariant(OfAll, OfAll.Variants[0]).Image;
+	const FImage Cut = Part.RunVariant(OfPart, OfPart.Variants[0]).Image;
+	ASSERT_EQ(48, Cut.Width);
+	ASSERT_EQ(40, Cut.Height);
+	for (int Y = 0; Y < Cut.Height; ++Y)
+	{
+		for (int X = 0; X < Cut.Width; ++X)
+		{
+			ASSERT_EQ(Whole.Get(300 + X, 140 + Y, 1), Cut.Get(X, Y, 1)) << X << ", " << Y;
+		}
+	}
+	EXPECT_EQ(48, Part.RunReference(OfPart.Jobs[0]).Image.Width);
+}
+
 TEST(StudyFrame, ConfigWithoutAStudyIsAnError)
 {
 	EXPECT_THROW(RunStudy(MakeOptions(R"("cvars": {})")), FError);
