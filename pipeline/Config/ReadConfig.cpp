@@ -168,7 +168,10 @@ void ReadScene(const FJsonValue& Value, FConfigScene& Scene, FConfigMessages& Me
 		{
 			for (const auto& [Name, Channel] : Channels.Members)
 			{
-				Scene.Channels[Name] = {Channel.String, PlaceOf(Channel)};
+				if (Channel.Type == EJsonType::String)
+				{
+					Scene.Channels[Name] = {Channel.String, PlaceOf(Channel)};
+				}
 			}
 		});
 	WithMember(Value, "defaults", EJsonType::Object,
