@@ -6,6 +6,7 @@
 #include "Budget/BudgetChoice.h"
 #include "Config/ConfigReader.h"
 #include "Config/FrameSequence.h"
+#include "CurveKeys.h"
 #include "ExtensionFactory.h"
 #include "Extensions/ConfigExtensions.h"
 #include "Extensions/ExtensionErrors.h"
@@ -65,6 +66,18 @@ void WarnOfMissingPictures(const FFinalPostProcessSettings& Settings, FConfigMes
 	}
 }
 
+/** A curve that would act, but that is the name of an engine asset. */
+void WarnOfMissingKeys(const FViewSettings& View, FConfigMessages& Messages)
+{
+	const UCurveFloat* const Curve = View.Settings.AutoExposureBiasCurve;
+	if (View.bAutoExposure && Curve != nullptr && !FindCurveKeys(Curve))
+	{
+		Messages.Warn(WarnIneffectiveValue, FConfigPlace(),
+			"AutoExposureBiasCurve " + GetObjectPath(Curve) +
+				" has no keys here, and nothing is done with it: give them, {\"keys\": [[EV100, EV], ...]}");
+	}
+}
+
 /** Values that are valid, but that this build cannot act on. */
 void WarnOfIneffectiveValues(const FConfig& Config, const FViewSettings& View, std::vector<FDiagnostic>& Diagnostics)
 {
@@ -84,6 +97,7 @@ void WarnOfIneffectiveValues(const FConfig& Config, const FViewSettings& View, s
 		Messages.Warn(WarnIneffectiveValue, Nowhere, "BloomMethod BM_FFT: " + Obstacle + ", so the Gaussian sum runs");
 	}
 	WarnOfMissingPictures(View.Settings, Messages);
+	WarnOfMissingKeys(View, Messages);
 }
 
 FConfigDocument OpenDocument(const FRunOptions& Options)
