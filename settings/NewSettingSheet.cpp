@@ -80,6 +80,12 @@ bool IsSwitchedOff(const FNewSetting& Setting)
 	return IsBloom(Setting) && Setting.Type == "float" && EndsWith(Setting.Name, "Intensity");
 }
 
+/** Whether it is a strength of bloom that the engine does not have: it is for something that the G-buffer marks. */
+bool IsOwnStrength(const FNewSetting& Setting)
+{
+	return IsSwitchedOff(Setting) && (!Setting.bInTable || StartsWith(Setting.Doc, "drydock: "));
+}
+
 std::string DeclareMember(const FNewSetting& Setting, const std::string& Name)
 {
 	if (Setting.Type == "bool")
@@ -219,57 +225,128 @@ void AddBlending(const FNewSetting& Setting, std::vector<FSettingPlace>& Places)
 	}
 }
 
-/** From the final settings to the shader. */
+/** Names of types and values on the way from the final settings to the shader. */
+struct FPassTypes
+{
+	explicit FPassTypes(const FNewSetting& Setting)
+	{
+		const std::string& Type = Setting.Type;
+		bObject = StartsWith(Type, "TObjectPtr");
+		const bool bWide = Type == "FLinearColor" || Type == "FVector4";
+		Cpp = bWide                 ? "FLinearColor"
+			  : Type == "FVector2D" ? "FVector2f"
+			  : Type == "float"     ? "float"
+			  : bObject             ? "FRDGTextureRef"
+									: "int32";
+		Parameter = Type == "FVector4" ? "FVector4f" : Cpp;
+		Shader = bWide ? "float4" : Cpp == "FVector2f" ? "float2" : Cpp == "float" ? "float" : "int";
+		const std::string Final = "View.FinalPostProcessSettings." + Setting.Name;
+		Value = Type == "FVector4"    ? "FLinearColor(" + Final + ")"
+				: Type == "FVector2D" ? "FVector2f(" + Final + ")"
+				: bObject             ? "/* registered texture of */ " + Final
+									  : Final;
+		Initial = bObject ? " = nullptr;" : bWide || Cpp == "FVector2f" ? ";" : " = 0;";
+	}
+
+	bool bObject = false;
+	std::string Cpp;
+	std::string Parameter;
+	std::string Shader;
+	std::string Value;
+	std::string Initial;
+};
+
+/** What multiplies the bloom of marked pixels. */
+void AddShaderBranch(const std::string& Short, const std::string& ShaderFile, std::vector<FSettingPlace>& Places)
+{
+	const std::string Call = "OutColor *= Get" + Short + "(UV);";
+	Places.push_back({ShaderFile, "among the includes, unless it is there", "#include \"DeferredShadingCommon.ush\"",
+		"GetScreenSpaceData reads the G-buffer that SceneTextures binds."});
+	Places.push_back({ShaderFile, "globals, and a function before BloomSetupPS",
+		"float " + Short + ";\n\n// Ids are point-sampled: between two ids lies none.\nfloat Get" + Short +
+			"(float2 UV)\n{\n\treturn GetScreenSpaceData(UV).GBuffer.ShadingModelID == SHADINGMODELID_CLOTH ? " +
+			Short + " : 1.0f;\n}",
+		"SHADINGMODELID_CLOTH marks cloth, and stylised characters where a project uses it for them; take your own "
+		"mark."});
+	Places.push_back({ShaderFile, "BloomSetupPS, when OutColor has its value", Call,
+		"UV is the input's; where scene textures have another extent or rect, map it by the viewport first."});
+	Places.push_back({ShaderFile, "BloomSetupCS, on the colour that is stored, by whatever name", Call,
+		"r.PostProcessing.PreferCompute 1 runs this entry: patched alone, BloomSetupPS loses the setting there."});
+}
+
+/** From the final settings to the bloom setup's shader. */
+void AddBloomSetup(
+	const FNewSetting& Setting, const FPassTypes& Types, const std::string& Short, std::vector<FSettingPlace>& Places)
+{
+	const bool bMarked = IsOwnStrength(Setting);
+	const auto WithScene = [bMarked](const char* OfScene, const std::string& Line)
+	{
+		return bMarked ? OfScene + std::string("\n") + Line : Line;
+	};
+	const std::string Stem = PostProcessFolder + "PostProcessBloomSetup";
+	Places.push_back({Stem + ".h", "FBloomSetupInputs",
+		WithScene("TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures = nullptr;",
+			Types.Cpp + " " + Short + Types.Initial),
+		bMarked ? "The pass has no G-buffer of itself: SceneTextures tell what a pixel is shaded as." : ""});
+	Places.push_back({Stem + ".cpp", "FBloomSetupParameters",
+		WithScene("SHADER_PARAMETER_RDG_UNIFORM_BUFFER(FSceneTextureUniformParameters, SceneTextures)",
+			Types.bObject ? "SHADER_PARAMETER_RDG_TEXTURE(Texture2D, " + Short + ")"
+						  : "SHADER_PARAMETER(" + Types.Parameter + ", " + Short + ")"),
+		"The name must be the shader's, to the letter: a mismatch binds nothing."});
+	Places.push_back(
+		{Stem + ".cpp", "where FBloomSetupParameters are filled: for the pixel and the compute shader alike",
+			WithScene(
+				"Parameters.SceneTextures = Inputs.SceneTextures;", "Parameters." + Short + " = Inputs." + Short + ";"),
+			"r.PostProcessing.PreferCompute 1 runs the compute shader."});
+	if (bMarked)
+	{
+		Places.push_back({PostProcessFolder + "PostProcessing.cpp",
+			"AddPostProcessingPasses, in the condition for the bloom setup (bBloomSetupRequiredEnabled)",
+			"|| View.FinalPostProcessSettings." + Setting.Name + " != 1.0f",
+			"With BloomThreshold -1 and neutral local exposure the engine adds no bloom setup, and the branch in it "
+			"does "
+			"nothing. Before 5.4 the setup that is added then dims what is darker than 1: it has a ramp at -1 too."});
+	}
+	Places.push_back({PostProcessFolder + "PostProcessing.cpp",
+		"AddPostProcessingPasses, where SetupPassInputs are filled, before AddBloomSetupPass",
+		WithScene("SetupPassInputs.SceneTextures = Inputs.SceneTextures;",
+			"SetupPassInputs." + Short + " = " + Types.Value + ";"),
+		bMarked ? ""
+				: "With BloomThreshold -1 and neutral local exposure the engine adds no bloom setup: make it be added "
+				  "when this setting asks for it."});
+	const std::string ShaderFile = "Engine/Shaders/Private/PostProcessBloom.usf";
+	if (bMarked)
+	{
+		AddShaderBranch(Short, ShaderFile, Places);
+		return;
+	}
+	Places.push_back({ShaderFile, "globals; used in BloomSetupPS and in BloomSetupCS",
+		(Types.bObject ? "Texture2D" : Types.Shader) + " " + Short + ";", ""});
+}
+
+/** From the final settings to the shader of a pass that is yet to be named. */
 void AddPass(const FNewSetting& Setting, const FTwinStruct* Twin, std::vector<FSettingPlace>& Places)
 {
 	const std::string Short = Twin == nullptr ? Setting.Name : GetTwinName(Setting.Name, *Twin);
-	const bool bBloom = IsBloom(Setting);
-	const bool bObject = StartsWith(Setting.Type, "TObjectPtr");
-	const std::string Stem = bBloom ? PostProcessFolder + "PostProcessBloomSetup" : PostProcessFolder + "PASS";
-	const std::string Inputs = bBloom ? "FBloomSetupInputs" : "inputs struct of the pass that reads it";
-	const bool bWide = Setting.Type == "FLinearColor" || Setting.Type == "FVector4";
-	const std::string CppType = bWide                         ? "FLinearColor"
-								: Setting.Type == "FVector2D" ? "FVector2f"
-								: Setting.Type == "float"     ? "float"
-								: bObject                     ? "FRDGTextureRef"
-															  : "int32";
-	const std::string ParameterType = bWide && Setting.Type == "FVector4" ? "FVector4f" : CppType;
-	const std::string ShaderType = bWide                    ? "float4"
-								   : CppType == "FVector2f" ? "float2"
-								   : CppType == "float"     ? "float"
-															: "int";
-	const std::string Value =
-		Setting.Type == "FVector4"    ? "FLinearColor(View.FinalPostProcessSettings." + Setting.Name + ")"
-		: Setting.Type == "FVector2D" ? "FVector2f(View.FinalPostProcessSettings." + Setting.Name + ")"
-									  : "View.FinalPostProcessSettings." + Setting.Name;
-	Places.push_back({Stem + ".h", Inputs,
-		CppType + " " + Short +
-			(bObject                     ? " = nullptr;"
-				: bWide                  ? ";"
-				: CppType == "FVector2f" ? ";"
-										 : " = 0;"),
-		""});
-	Places.push_back({Stem + ".cpp", bBloom ? "FBloomSetupParameters" : "parameter struct of the pass",
-		bObject ? "SHADER_PARAMETER_RDG_TEXTURE(Texture2D, " + Short + ")"
-				: "SHADER_PARAMETER(" + ParameterType + ", " + Short + ")",
-		"The name must be the shader's, to the letter: a mismatch binds nothing."});
-	Places.push_back({Stem + ".cpp",
-		bBloom ? "where FBloomSetupParameters are filled: for the pixel and the compute shader alike"
-			   : "where the parameters are filled",
-		"Parameters." + Short + " = Inputs." + Short + ";",
-		bBloom ? "r.PostProcessing.PreferCompute 1 runs the compute shader." : ""});
-	Places.push_back({PostProcessFolder + "PostProcessing.cpp", "AddPostProcessingPasses, before the pass is added",
-		bObject ? "PassInputs." + Short + " = /* registered texture of */ " + Value + ";"
-				: "PassInputs." + Short + " = " + Value + ";",
-		bBloom
-			? "With BloomThreshold -1 and neutral local exposure the engine adds no bloom setup: make it be added when "
-			  "this setting asks for it."
-			: "Add the pass only where this value is not neutral."});
-	const std::string ShaderFile =
-		bBloom ? "Engine/Shaders/Private/PostProcessBloom.usf" : "Engine/Shaders/Private/PASS.usf";
+	const FPassTypes Types(Setting);
+	if (IsBloom(Setting))
+	{
+		AddBloomSetup(Setting, Types, Short, Places);
+		return;
+	}
+	const std::string Stem = PostProcessFolder + "PASS";
 	Places.push_back(
-		{ShaderFile, bBloom ? "globals; used in BloomSetupPS and in BloomSetupCS" : "globals, and its entries",
-			bObject ? "Texture2D " + Short + ";" : ShaderType + " " + Short + ";", ""});
+		{Stem + ".h", "inputs struct of the pass that reads it", Types.Cpp + " " + Short + Types.Initial, ""});
+	Places.push_back({Stem + ".cpp", "parameter struct of the pass",
+		Types.bObject ? "SHADER_PARAMETER_RDG_TEXTURE(Texture2D, " + Short + ")"
+					  : "SHADER_PARAMETER(" + Types.Parameter + ", " + Short + ")",
+		"The name must be the shader's, to the letter: a mismatch binds nothing."});
+	Places.push_back(
+		{Stem + ".cpp", "where the parameters are filled", "Parameters." + Short + " = Inputs." + Short + ";", ""});
+	Places.push_back({PostProcessFolder + "PostProcessing.cpp", "AddPostProcessingPasses, before the pass is added",
+		"PassInputs." + Short + " = " + Types.Value + ";", "Add the pass only where this value is not neutral."});
+	Places.push_back({"Engine/Shaders/Private/PASS.usf", "globals, and its entries",
+		(Types.bObject ? "Texture2D" : Types.Shader) + " " + Short + ";", ""});
 }
 
 } // namespace

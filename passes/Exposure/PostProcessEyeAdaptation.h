@@ -10,8 +10,8 @@
 //
 // Contract. Scale and target scale are above 0 and finite for every picture and every last frame. Neither step goes
 // beyond its target (drydock: however long the frame). Black: A is the histogram's when black counts for nothing, 1.
-// Divisors are at least 1e-4 as in the engine: a scale is never above Compensation * 10^4. The bias curve has no keys
-// here and counts as 0 EV. Average local exposure is that of a flat area as bright as A.
+// Divisors are at least 1e-4 as in the engine: a scale is never above Compensation * 10^4. Average local exposure is
+// that of a flat area as bright as A.
 #pragma once
 
 #include "CoreMinimal.h"

@@ -1,10 +1,14 @@
 // Settings and console variables of metering and adaptation. Source: engine file PostProcessEyeAdaptation.cpp.
 #include "Exposure/PostProcessEyeAdaptationParameters.h"
 
+#include "CurveKeys.h"
 #include "HAL/IConsoleManager.h"
 #include "SceneRendering.h"
+#include "SceneViewState.h"
 
 #include <cmath>
+#include <cstring>
+#include <optional>
 
 namespace
 {
@@ -49,6 +53,24 @@ float ComputeExponentialM(float Speed, float StartDistance)
 	constexpr float FrameTime = 1.0f / 60.0f;
 	const float Positive = FMath::Max(Speed, 0.001f);
 	return FrameTime / ((1.0f - std::exp2(-FrameTime * Positive)) * (StartDistance / Positive));
+}
+
+/** Of the last frame, scene units; 0 where there is none. */
+float GetLastAverageLuminance(const FViewInfo& View)
+{
+	if (View.ViewState == nullptr)
+	{
+		return 0.0f;
+	}
+	const auto& Buffers = View.ViewState->GetLast().Buffers;
+	const auto Found = Buffers.find(Drydock::EyeAdaptationName);
+	if (Found == Buffers.end())
+	{
+		return 0.0f;
+	}
+	FVector4f Entry;
+	std::memcpy(&Entry, Found->second->GetRHI()->GetData(), sizeof(Entry));
+	return Entry.Z;
 }
 
 } // namespace
@@ -97,6 +119,22 @@ float GetEyeAdaptationLuminanceMax()
 	return 0.78f / FMath::Max(CVarLensAttenuation.GetValueOnAnyThread(), 0.01f);
 }
 
+float LuminanceToEV100(float Luminance)
+{
+	return std::log2(Luminance / GetEyeAdaptationLuminanceMax());
+}
+
+float GetExposureCompensationFromCurve(const FFinalPostProcessSettings& Settings, float AverageLuminance)
+{
+	const std::optional<FRichCurve> Curve = FindCurveKeys(Settings.AutoExposureBiasCurve);
+	if (!Curve || !(AverageLuminance > 0.0f))
+	{
+		return 1.0f;
+	}
+	// Together with the bias still far from where a scale of 10^4 times it is infinite.
+	return std::exp2(FMath::Clamp(Curve->Eval(LuminanceToEV100(AverageLuminance)), -30.0f, 30.0f));
+}
+
 FVector2f GetHistogramLogRange(const FFinalPostProcessSettings& Settings, EAutoExposureMethod Method)
 {
 	if (Method == AEM_Basic)
@@ -138,7 +176,8 @@ FEyeAdaptationParameters GetEyeAdaptationParameters(
 	Parameters.MinAverageLuminance = MinWhite * 0.18f;
 	Parameters.MaxAverageLuminance = (bNoRange ? MinWhite : MaxWhite) * 0.18f;
 	Parameters.ExposureCompensationSettings = ClampedExp2(Settings.AutoExposureBias);
-	Parameters.ExposureCompensationCurve = 1.0f;
+	Parameters.ExposureCompensationCurve = Drydock::GetExposureCompensationFromCurve(
+		Settings, Method == AEM_Manual ? Parameters.MinAverageLuminance : GetLastAverageLuminance(View));
 
 	Parameters.DeltaWorldTime =
 		View.Family != nullptr ? FMath::Max(View.Family->Time.GetDeltaWorldTimeSeconds(), 0.0f) : 0.0f;

@@ -33,7 +33,9 @@ END_SHADER_PARAMETER_STRUCT()
 /** What the settings and r.EyeAdaptation.MethodOverride, r.EyeAdaptationQuality say. */
 DRYDOCK_API EAutoExposureMethod GetAutoExposureMethod(const FFinalPostProcessSettings& Settings);
 
-/** Time is that of View.Family. bForceTarget: there is no last frame to start from. */
+/** Time is that of View.Family. bForceTarget: there is no last frame to start from. ExposureCompensationCurve is that
+ * of the last frame's average luminance, as in the engine; of the camera's, where the method is manual; 1 where there
+ * is neither. */
 DRYDOCK_API FEyeAdaptationParameters GetEyeAdaptationParameters(
 	const FViewInfo& View, EAutoExposureMethod Method, bool bForceTarget);
 
@@ -48,6 +50,13 @@ DRYDOCK_API float GetManualExposureEV100(const FFinalPostProcessSettings& Settin
 
 /** r.EyeAdaptation.LensAttenuation: the luminance at EV100 0, 0.78 / attenuation. */
 DRYDOCK_API float GetEyeAdaptationLuminanceMax();
+
+/** The EV100 of a luminance in scene units. */
+DRYDOCK_API float LuminanceToEV100(float Luminance);
+
+/** 2 to what AutoExposureBiasCurve says at the EV100 of an average luminance; 1 where the curve has no keys
+ * (CurveKeys.h) or the luminance is not above 0. Above 0 and finite. */
+DRYDOCK_API float GetExposureCompensationFromCurve(const FFinalPostProcessSettings& Settings, float AverageLuminance);
 
 /** log2 luminance of both ends of the histogram's range, x below y by 1 at least; of basic metering -10 and 20. */
 DRYDOCK_API FVector2f GetHistogramLogRange(const FFinalPostProcessSettings& Settings, EAutoExposureMethod Method);

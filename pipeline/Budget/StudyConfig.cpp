@@ -82,7 +82,7 @@ public:
 				ReadAxis(Axis);
 			}
 		}
-		if (Study.Axes.empty())
+		if (Axes != nullptr && Axes->Type == EJsonType::Array && Axes->Elements.empty())
 		{
 			Messages.Error(ErrorMissingKey, Value, "\"axes\" is missing: a study varies one thing at least");
 		}
@@ -358,6 +358,10 @@ private:
 		{
 			for (const FJsonValue& Metric : Metrics->Elements)
 			{
+				if (Metric.Type != EJsonType::String)
+				{
+					continue; // reported
+				}
 				CheckIsOneOf(Metric, Metric.String, GetMetricNames(), "metric");
 				Study.Metrics.push_back(Metric.String);
 			}
@@ -387,7 +391,10 @@ private:
 	void ReadRegion(const FJsonValue& Value)
 	{
 		const FJsonValue* Region = Value.Find("region");
-		if (Region == nullptr || Region->Type != EJsonType::Array || Region->Elements.size() != 4)
+		const bool bNumbers = Region != nullptr && Region->Type == EJsonType::Array &&
+							  std::all_of(Region->Elements.begin(), Region->Elements.end(),
+								  [](const FJsonValue& Element) { return Element.Type == EJsonType::Number; });
+		if (!bNumbers || Region->Elements.size() != 4)
 		{
 			return; // absent, or reported
 		}

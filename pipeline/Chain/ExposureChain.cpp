@@ -2,6 +2,7 @@
 #include "Chain/ExposureChain.h"
 
 #include "Effects/Effect.h"
+#include "Exposure/PostProcessExposureCurve.h"
 #include "Exposure/PostProcessHistogram.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphEvent.h"
@@ -87,6 +88,11 @@ FExposureChainOutputs AddExposurePasses(
 	RDG_EVENT_SCOPE(GraphBuilder, "EyeAdaptation");
 	Adaptation.LastEyeAdaptationBuffer = Last;
 	AddMetering(GraphBuilder, View, Inputs, Method, Adaptation, Outputs);
+	if (Last == nullptr && Method != AEM_Manual)
+	{
+		Outputs.EyeAdaptationBuffer =
+			AddExposureCurvePass(GraphBuilder, View.FinalPostProcessSettings, Outputs.EyeAdaptationBuffer);
+	}
 	if (View.ViewState != nullptr)
 	{
 		View.ViewState->KeepBuffer(GraphBuilder, Drydock::EyeAdaptationName, Outputs.EyeAdaptationBuffer);

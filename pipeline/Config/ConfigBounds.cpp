@@ -1,6 +1,8 @@
 // Shapes of bounded volumes.
 #include "Config/ConfigReader.h"
 
+#include <algorithm>
+#include <array>
 #include <map>
 
 namespace Drydock
@@ -22,6 +24,26 @@ bool ReadConfigVector(const FJsonValue& Value, FConfigVector& OutVector)
 		OutVector[Index] = Component->Number;
 	}
 	return true;
+}
+
+bool ReadConfigRotator(const FJsonValue& Value, FConfigVector& OutRotator)
+{
+	if (Value.Type != EJsonType::Object || Value.Find("X") != nullptr)
+	{
+		return ReadConfigVector(Value, OutRotator);
+	}
+	constexpr std::array Names = {"Pitch", "Yaw", "Roll"};
+	OutRotator = {};
+	for (const auto& [Name, Angle] : Value.Members)
+	{
+		const auto Found = std::find(Names.begin(), Names.end(), Name);
+		if (Found == Names.end() || Angle.Type != EJsonType::Number)
+		{
+			return false;
+		}
+		OutRotator[static_cast<size_t>(Found - Names.begin())] = Angle.Number;
+	}
+	return !Value.Members.empty();
 }
 
 namespace
@@ -111,7 +133,10 @@ std::optional<FConfigBounds> ReadConfigBounds(const FJsonValue& Value, FConfigMe
 		Bounds.Center = ReadVector(Value, "center");
 		Bounds.Extent = ReadVector(Value, "extent");
 	}
-	Bounds.Rotation = ReadVector(Value, "rotation");
+	if (const FJsonValue* Rotation = Value.Find("rotation"))
+	{
+		ReadConfigRotator(*Rotation, Bounds.Rotation);
+	}
 	Bounds.Radius = ReadNumber(Value, "radius");
 	Bounds.HalfHeight = ReadNumber(Value, "halfHeight");
 	if (const FJsonValue* Points = Value.Find("points"))

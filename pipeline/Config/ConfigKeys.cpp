@@ -51,7 +51,7 @@ const std::vector<FConfigKey>& GetConfigKeys()
 		{"units", "normal", String, "rightHanded|leftHanded", 0, Optional, "Of normal.X, Y, Z; rightHanded by default."},
 
 		{"view", "location", Vector3, "", 0, Optional, "Camera position, cm, left-handed, Z up."},
-		{"view", "rotation", Vector3, "", 0, Optional, "Pitch, yaw, roll in degrees; the scene file's by default."},
+		{"view", "rotation", Rotator, "", 0, Optional, "Pitch, yaw, roll in degrees; the scene file's by default."},
 		{"view", "fov", Number, "", 0, Optional, "Horizontal field of view of the whole picture, 1 to 179 degrees; the scene file's by default."},
 		{"view", "rect", NumberArray, "", 4, Optional, "MinX, MinY, MaxX, MaxY in pixels of the scene; all of it by default."},
 		{"view", "exposure", Number, "=auto", 0, Optional, "Exposure scale at default AutoExposureBias; 1 by default. \"auto\": eye adaptation."},
@@ -76,7 +76,7 @@ const std::vector<FConfigKey>& GetConfigKeys()
 		{"bounds", "max", Vector3, "", 0, Optional, "Box: greatest corner, cm."},
 		{"bounds", "center", Vector3, "", 0, Optional, "Box, sphere, capsule: centre, cm."},
 		{"bounds", "extent", Vector3, "", 0, Optional, "Box: half sizes, cm."},
-		{"bounds", "rotation", Vector3, "", 0, Optional, "Box, capsule: pitch, yaw, roll in degrees."},
+		{"bounds", "rotation", Rotator, "", 0, Optional, "Box, capsule: pitch, yaw, roll in degrees."},
 		{"bounds", "radius", Number, "", 0, Optional, "Sphere, capsule: radius, cm."},
 		{"bounds", "halfHeight", Number, "", 0, Optional, "Capsule: half height, caps included, cm."},
 		{"bounds", "points", Vector3Array, "", 0, Optional, "Convex: points whose hull it is, cm."},

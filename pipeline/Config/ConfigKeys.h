@@ -16,6 +16,7 @@ enum class EConfigKind
 	Number,
 	Bool,
 	Vector3,     // [x, y, z] or {"X":, "Y":, "Z":}
+	Rotator,     // [pitch, yaw, roll], {"Pitch":, "Yaw":, "Roll":}, or {"X":, "Y":, "Z":} in that order
 	NumberArray, // of Length numbers
 	StringArray,
 	Vector3Array,

@@ -65,6 +65,11 @@ void ValidateConfigShape(const FJsonValue& Root, FConfigMessages& Messages);
 /** The Settings of a volume or camera. Not an object: nothing (that has been reported). */
 FConfigSettings ReadConfigSettings(const FJsonValue& Value, FConfigMessages& Messages);
 
+/** Keys of a setting's curve as the text that stands for it (CurveKeys.h); empty when something is wrong with them,
+ * which is reported. Value: an object. */
+std::optional<std::string> ReadConfigCurve(
+	const FJsonValue& Value, const std::string& Setting, FConfigMessages& Messages);
+
 /** Fields of engine text that drydock does not have. What has another shape is skipped (that has been reported). */
 std::vector<FUnknownSetting> ReadConfigUnknownSettings(const FJsonValue& Value);
 
@@ -73,6 +78,10 @@ std::optional<FConfigBounds> ReadConfigBounds(const FJsonValue& Value, FConfigMe
 
 /** [x, y, z] or {X, Y, Z}; false when it is neither. */
 bool ReadConfigVector(const FJsonValue& Value, FConfigVector& OutVector);
+
+/** Pitch, yaw, roll: [pitch, yaw, roll], {Pitch, Yaw, Roll} with 0 for what is left out, or {X, Y, Z} in that order;
+ * false when it is none of these. */
+bool ReadConfigRotator(const FJsonValue& Value, FConfigVector& OutRotator);
 
 /** "; did you mean X?", or nothing. */
 std::string Suggest(const std::string& Name, const std::vector<std::string>& Candidates);

@@ -2,6 +2,7 @@
 #include "Config/ConfigSchema.h"
 
 #include "Config/ConfigKeys.h"
+#include "CurveKeys.h"
 #include "PostProcessSettingsReflection.h"
 #include "ShowFlags.h"
 #include "Text/JsonWriter.h"
@@ -89,6 +90,9 @@ void WriteKind(FJsonWriter& Writer, const FConfigKey& Key, const std::string& Of
 		break;
 	case EConfigKind::Vector3:
 		WriteReference(Writer, "vector3");
+		break;
+	case EConfigKind::Rotator:
+		WriteReference(Writer, "rotator");
 		break;
 	case EConfigKind::NumberArray:
 		WriteArray(Writer, "number", "", Key.Length);
@@ -224,6 +228,33 @@ std::string DescribeSetting(const FSettingField& Field)
 	return Text;
 }
 
+/** Keys, the path of an asset, or null. */
+void WriteCurve(FJsonWriter& Writer)
+{
+	Writer.Key("type").BeginArray(true);
+	Writer.Value("object");
+	Writer.Value("string");
+	Writer.Value("null");
+	Writer.EndArray();
+	Writer.Key("properties").BeginObject();
+	Writer.Key("keys").BeginObject();
+	Writer.Member("description", "[time, value] each, times ascending.");
+	WriteType(Writer, "array");
+	Writer.Member("minItems", 1);
+	Writer.Key("items").BeginObject();
+	WriteArray(Writer, "number", "", 2);
+	Writer.EndObject();
+	Writer.EndObject();
+	Writer.Key("interp").BeginObject();
+	WriteEnum(Writer, GetCurveInterpNames());
+	Writer.EndObject();
+	Writer.EndObject();
+	Writer.Key("required").BeginArray(true);
+	Writer.Value("keys");
+	Writer.EndArray();
+	Writer.Member("additionalProperties", false);
+}
+
 void WriteSetting(FJsonWriter& Writer, const FSettingField& Field)
 {
 	Writer.Key(Field.Name).BeginObject();
@@ -249,6 +280,11 @@ void WriteSetting(FJsonWriter& Writer, const FSettingField& Field)
 		WriteReference(Writer, "vector4");
 		break;
 	case ESettingType::Object:
+		if (std::string_view(Field.ObjectClass) == "CurveFloat")
+		{
+			WriteCurve(Writer);
+			break;
+		}
 		Writer.Key("type").BeginArray(true);
 		Writer.Value("string");
 		Writer.Value("null");
@@ -369,6 +405,31 @@ void WriteNumbers(FJsonWriter& Writer, const std::string& Name, const std::strin
 	Writer.EndObject();
 }
 
+/** A vector, or angles by name. */
+void WriteRotator(FJsonWriter& Writer)
+{
+	Writer.Key("rotator").BeginObject();
+	Writer.Key("anyOf").BeginArray();
+	Writer.BeginObject(true);
+	WriteReference(Writer, "vector3");
+	Writer.EndObject();
+	Writer.BeginObject(true);
+	WriteType(Writer, "object");
+	Writer.Key("properties").BeginObject();
+	for (const char* const Angle : {"Pitch", "Yaw", "Roll"})
+	{
+		Writer.Key(Angle).BeginObject();
+		WriteType(Writer, "number");
+		Writer.EndObject();
+	}
+	Writer.EndObject();
+	Writer.Member("minProperties", 1);
+	Writer.Member("additionalProperties", false);
+	Writer.EndObject();
+	Writer.EndArray();
+	Writer.EndObject();
+}
+
 } // namespace
 
 std::string MakeConfigSchema()
@@ -394,6 +455,7 @@ std::string MakeConfigSchema()
 	WriteShowFlags(Writer);
 	WriteNumbers(Writer, "vector2", "XY", 2);
 	WriteNumbers(Writer, "vector3", "XYZ", 3);
+	WriteRotator(Writer);
 	WriteNumbers(Writer, "vector4", "XYZW", 4);
 	WriteNumbers(Writer, "color", "RGBA", 3);
 	Writer.EndObject();

@@ -15,6 +15,11 @@ namespace
 
 const std::string OverridePrefix = "bOverride_";
 
+bool IsCurve(const FSettingField& Field)
+{
+	return std::string_view(Field.ObjectClass) == "CurveFloat";
+}
+
 std::string ExpectedText(const FSettingField& Field)
 {
 	switch (Field.Type)
@@ -32,7 +37,8 @@ std::string ExpectedText(const FSettingField& Field)
 	case ESettingType::Vector4:
 		return "four numbers: [X, Y, Z, W] or {\"X\": .., \"Y\": .., \"Z\": .., \"W\": ..}";
 	case ESettingType::Object:
-		return std::string("the path of a ") + Field.ObjectClass + ", such as \"/Game/Folder/Name.Name\", or null";
+		return (IsCurve(Field) ? "keys, {\"keys\": [[time, value], ...], \"interp\": \"linear\"}, or " : "") +
+			   std::string("the path of a ") + Field.ObjectClass + ", such as \"/Game/Folder/Name.Name\", or null";
 	case ESettingType::ColorArray:
 		return "eight colours: [[R, G, B, A], ...]";
 	case ESettingType::Enum:
@@ -156,7 +162,16 @@ void ReadSetting(const std::string& Name, const FJsonValue& Value, FConfigSettin
 	{
 		return;
 	}
-	if (!ReadSettingValue(*Field, Value, SettingValue))
+	if (IsCurve(*Field) && Value.Type == EJsonType::Object)
+	{
+		const std::optional<std::string> Curve = ReadConfigCurve(Value, Name, Messages);
+		if (!Curve)
+		{
+			return;
+		}
+		SettingValue = {ESettingType::Object, {}, Field->FindOrAddObject(*Curve)};
+	}
+	else if (!ReadSettingValue(*Field, Value, SettingValue))
 	{
 		const std::string Suggestion =
 			Field->Type == ESettingType::Enum && Value.Type == EJsonType::String

@@ -23,6 +23,8 @@ const char* ExpectedType(const FConfigKey& Key)
 		return "true or false";
 	case EConfigKind::Vector3:
 		return "three numbers: [x, y, z] or {\"X\": x, \"Y\": y, \"Z\": z}";
+	case EConfigKind::Rotator:
+		return "an angle each: [pitch, yaw, roll] or {\"Pitch\": p, \"Yaw\": y, \"Roll\": r}";
 	case EConfigKind::NumberArray:
 		return "an array of numbers";
 	case EConfigKind::StringArray:
@@ -147,6 +149,7 @@ private:
 			Expect(Value, EJsonType::Bool, Key);
 			break;
 		case EConfigKind::Vector3:
+		case EConfigKind::Rotator:
 			ValidateVector(Value, Key);
 			break;
 		case EConfigKind::NumberArray:
@@ -221,7 +224,9 @@ private:
 		{
 			return Element.Type == EJsonType::Invalid;
 		};
-		if (Value.Type == EJsonType::Array && std::any_of(Value.Elements.begin(), Value.Elements.end(), IsInvalid))
+		if (std::any_of(Value.Elements.begin(), Value.Elements.end(), IsInvalid) ||
+			std::any_of(Value.Members.begin(), Value.Members.end(),
+				[&](const FJsonMember& Member) { return IsInvalid(Member.Value); }))
 		{
 			return;
 		}
@@ -230,10 +235,26 @@ private:
 			Messages.Error(
 				ErrorWrongLength, Value, "expected three numbers, found " + std::to_string(Value.Elements.size()));
 		}
-		else if (!ReadConfigVector(Value, Vector))
+		else if (!(Key.Kind == EConfigKind::Rotator ? ReadConfigRotator : ReadConfigVector)(Value, Vector))
 		{
-			WrongType(Value, Key);
+			ReportVector(Value, Key);
 		}
+	}
+
+	/** At a member that a rotator does not have, else at the value. */
+	void ReportVector(const FJsonValue& Value, const FConfigKey& Key)
+	{
+		static const std::vector<std::string> Angles = {"Pitch", "Yaw", "Roll"};
+		const auto Unknown = std::find_if(Value.Members.begin(), Value.Members.end(),
+			[](const FJsonMember& Member)
+			{ return std::find(Angles.begin(), Angles.end(), Member.Key) == Angles.end(); });
+		if (Key.Kind == EConfigKind::Rotator && Unknown != Value.Members.end() && Value.Find("X") == nullptr)
+		{
+			Messages.ErrorAtKey(ErrorUnknownKey, Unknown->Value,
+				"a rotation has Pitch, Yaw and Roll, and no \"" + Unknown->Key + "\"" + Suggest(Unknown->Key, Angles));
+			return;
+		}
+		WrongType(Value, Key);
 	}
 
 	void ValidatePadding(const FJsonValue& Value, const FConfigKey& Key)

@@ -168,7 +168,10 @@ void ReadScene(const FJsonValue& Value, FConfigScene& Scene, FConfigMessages& Me
 		{
 			for (const auto& [Name, Channel] : Channels.Members)
 			{
-				Scene.Channels[Name] = {Channel.String, PlaceOf(Channel)};
+				if (Channel.Type == EJsonType::String)
+				{
+					Scene.Channels[Name] = {Channel.String, PlaceOf(Channel)};
+				}
 			}
 		});
 	WithMember(Value, "defaults", EJsonType::Object,
@@ -232,17 +235,17 @@ void ReadRect(const FJsonValue& Value, FConfigView& View, FConfigMessages& Messa
 
 void ReadView(const FJsonValue& Value, FConfigView& View, FConfigMessages& Messages)
 {
-	const auto ReadVector = [&Value](const char* Key, TConfigValue<FConfigVector>& OutVector)
+	const auto ReadVector = [&Value](const char* Key, auto Read, TConfigValue<FConfigVector>& OutVector)
 	{
 		const FJsonValue* Member = Value.Find(Key);
 		FConfigVector Vector;
-		if (Member != nullptr && ReadConfigVector(*Member, Vector))
+		if (Member != nullptr && Read(*Member, Vector))
 		{
 			OutVector = {Vector, PlaceOf(*Member)};
 		}
 	};
-	ReadVector("location", View.Location);
-	ReadVector("rotation", View.Rotation);
+	ReadVector("location", ReadConfigVector, View.Location);
+	ReadVector("rotation", ReadConfigRotator, View.Rotation);
 	WithMember(Value, "fov", EJsonType::Number,
 		[&](const FJsonValue& Fov)
 		{

@@ -18,7 +18,6 @@ constexpr const char* NoPassReadsIt = "no pass reads it; it is blended and repor
 constexpr FSettingClaim Settings[] = {
 	{"AutoExposure"},
 	{"AutoExposureBiasBackup", NoPassReadsIt},
-	{"AutoExposureBiasCurve", "a config has no keys of curves: it counts as a curve of no effect"},
 	{"AutoExposureCalibrationConstant", NoPassReadsIt},
 	{"Histogram"},
 	{"Camera"},
@@ -110,7 +109,7 @@ bool IsAutoExposureActive(const FViewConditions& Conditions)
 
 bool IsMeteringSetting(std::string_view Name)
 {
-	return (Name.starts_with("AutoExposure") && !Name.starts_with("AutoExposureBias")) ||
+	return (Name.starts_with("AutoExposure") && (!Name.starts_with("AutoExposureBias") || Name.ends_with("Curve"))) ||
 		   Name.starts_with("Histogram") || Name.starts_with("Camera");
 }
 

@@ -4,7 +4,6 @@
 #include "Effects/Exposure.h"
 #include "Exposure/PostProcessEyeAdaptation.h"
 
-#include <cmath>
 #include <cstring>
 
 namespace Drydock
@@ -20,7 +19,7 @@ FExposureReport MakeExposureReport(
 	Report.Scale = Entries[0].X;
 	Report.TargetScale = Entries[0].Y;
 	Report.AverageLuminance = Entries[0].Z;
-	Report.EV100 = std::log2(Report.AverageLuminance / GetEyeAdaptationLuminanceMax());
+	Report.EV100 = LuminanceToEV100(Report.AverageLuminance);
 	Report.Compensation = Entries[0].W;
 	Report.AverageLocalExposure = Entries[1].X;
 	if (Histogram != nullptr)

@@ -10,7 +10,7 @@ namespace Drydock
 namespace
 {
 
-constexpr const char* Curve = "a config has no keys of curves: it counts as a curve of no effect";
+constexpr const char* Curve = "its keys are read, and no pass evaluates them: it counts as a curve of no effect";
 constexpr FSettingClaim Settings[] = {
 	{"LocalExposure"},
 	{"LocalExposureHighlightContrastCurve", Curve},

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace Drydock
 {
@@ -228,11 +229,17 @@ void ReadPassInputs(const FJsonValue& Value, const FPassFactory& Factory, const 
 	}
 	std::vector<std::string> Resources = GetPassResources();
 	Resources.insert(Resources.end(), Earlier.begin(), Earlier.end());
+	std::set<std::string> Given;
 	const FJsonValue* Inputs = Value.Find("inputs");
 	if (Inputs != nullptr && Inputs->Type == EJsonType::Object)
 	{
 		for (const auto& [Name, Resource] : Inputs->Members)
 		{
+			Given.insert(Name);
+			if (Resource.Type != EJsonType::String)
+			{
+				continue; // reported with the config's shape
+			}
 			if (std::find(Names.begin(), Names.end(), Name) == Names.end())
 			{
 				Messages.ErrorAtKey(ErrorPassInput, Resource,
@@ -253,7 +260,7 @@ void ReadPassInputs(const FJsonValue& Value, const FPassFactory& Factory, const 
 	}
 	for (const auto& [Name, Resource] : Request.Resources)
 	{
-		if (Resource.empty())
+		if (Resource.empty() && Given.count(Name) == 0)
 		{
 			Messages.Error(ErrorPassInput, Value, "the input \"" + Name + "\" of " + Factory.Type + " must be given");
 		}
@@ -313,7 +320,16 @@ std::vector<FPassRequest> ReadPassRequests(const FConfig& Config, std::vector<FD
 	{
 		const FJsonValue* Type = FindString(Value, "type");
 		const FJsonValue* At = FindString(Value, "at");
-		if (Type == nullptr || At == nullptr)
+		const FJsonValue* Name = FindString(Value, "name");
+		const std::string TypeName = Type != nullptr ? Type->String : "pass";
+		if (At != nullptr)
+		{
+			CheckHook(Config, *At, At->String, GetInsertionHooks(), TypeName, Messages);
+		}
+		// Later passes may read its result even where it has a mistake.
+		const std::vector<std::string> Before = Earlier;
+		Earlier.push_back(Name != nullptr ? Name->String : TypeName);
+		if (Type == nullptr)
 		{
 			continue; // reported with the config's shape
 		}
@@ -328,19 +344,16 @@ std::vector<FPassRequest> ReadPassRequests(const FConfig& Config, std::vector<FD
 		}
 		FPassRequest Request;
 		Request.Type = Factory->Type;
-		Request.Hook = At->String;
-		CheckHook(Config, *At, At->String, GetInsertionHooks(), Factory->Type, Messages);
-		const FJsonValue* Name = FindString(Value, "name");
-		Request.Name = Name != nullptr ? Name->String : Factory->Type;
+		Request.Hook = At != nullptr ? At->String : "";
+		Request.Name = Earlier.back();
 		if (const FJsonValue* Replace = Value.Find("replace"))
 		{
 			Request.bReplace = Replace->Type != EJsonType::Bool || Replace->Bool;
 		}
-		ReadPassInputs(Value, *Factory, Earlier, Request, Messages);
+		ReadPassInputs(Value, *Factory, Before, Request, Messages);
 		const FJsonValue* Parameters = Value.Find("parameters");
 		Request.Values = ReadParameters(
 			Parameters != nullptr ? *Parameters : FJsonValue(), Factory->Parameters, {}, Factory->Type, Messages);
-		Earlier.push_back(Request.Name);
 		Requests.push_back(std::move(Request));
 	}
 	return Requests;

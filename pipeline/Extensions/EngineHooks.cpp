@@ -26,9 +26,9 @@ const std::vector<FHookVersions>& GetHookVersions()
 		{PreInitViews, "PreInitViews_RenderThread(FRDGBuilder&)", Oldest, Newest, ""},
 		{PreRenderBasePass, "PreRenderBasePass_RenderThread(FRDGBuilder&, bool)", 4, Newest, "PreInitViews_RenderThread(FRDGBuilder&)"},
 		{PostRenderBasePassDeferred, "PostRenderBasePassDeferred_RenderThread(FRDGBuilder&, FSceneView&, const FRenderTargetBindingSlots&, TRDGUniformBufferRef<FSceneTextureUniformParameters>)", Oldest, Newest, ""},
-		{PostRenderBasePassMobile, "PostRenderBasePassMobile_RenderThread(FRHICommandList&, FSceneView&)", Oldest, Never, ""},
+		{PostRenderBasePassMobile, "PostRenderBasePassMobile_RenderThread(FRHICommandList&, FSceneView&)", Oldest, Never, "PostRenderBasePassDeferred_RenderThread(FRDGBuilder&, FSceneView&, const FRenderTargetBindingSlots&, TRDGUniformBufferRef<FSceneTextureUniformParameters>)", true},
 		{PrePostProcessPass, "PrePostProcessPass_RenderThread(FRDGBuilder&, const FSceneView&, const FPostProcessingInputs&)", Oldest, Newest, ""},
-		{PrePostProcessPassMobile, "PrePostProcessPassMobile_RenderThread(FRDGBuilder&, const FSceneView&, const FMobilePostProcessingInputs&)", Oldest, Never, ""},
+		{PrePostProcessPassMobile, "PrePostProcessPassMobile_RenderThread(FRDGBuilder&, const FSceneView&, const FMobilePostProcessingInputs&)", Oldest, Never, "PrePostProcessPass_RenderThread(FRDGBuilder&, const FSceneView&, const FPostProcessingInputs&)", true},
 		{Subscribe, "SubscribeToPostProcessingPass(EPostProcessingPass, FAfterPassCallbackDelegateArray&, bool)", Oldest, 4, "SubscribeToPostProcessingPass(EPostProcessingPass, const FSceneView&, FPostProcessingPassDelegateArray&, bool)"},
 		{SubscribeWithView, "SubscribeToPostProcessingPass(EPostProcessingPass, const FSceneView&, FPostProcessingPassDelegateArray&, bool)", 5, Newest, "SubscribeToPostProcessingPass(EPostProcessingPass, FAfterPassCallbackDelegateArray&, bool)"},
 		{PostRenderView, "PostRenderView_RenderThread(FRDGBuilder&, FSceneView&)", Oldest, Newest, ""},
@@ -45,6 +45,13 @@ const FHookVersions& GetHookVersions(EExtensionHook Hook)
 	const FHookVersions& Versions = GetHookVersions()[static_cast<size_t>(Hook)];
 	check(Versions.Hook == Hook);
 	return Versions;
+}
+
+std::string GetHookName(EExtensionHook Hook)
+{
+	const std::string Signature = GetHookVersions(Hook).Signature;
+	const std::string Name = Signature.substr(0, Signature.find('('));
+	return Name.substr(0, Name.find("_RenderThread"));
 }
 
 bool IsHookCalled(EExtensionHook Hook, int32 EngineMinor)

@@ -41,19 +41,6 @@ size_t CountRegistered()
 	return NumShaders + GetExtensionFactories().size() + GetPassFactories().size();
 }
 
-[[noreturn]] void Fail(const FConfig& Config, const TConfigValue<std::string>& Plugin, int Code, EExitCode ExitCode,
-	const std::string& Message)
-{
-	FDiagnostic Diagnostic;
-	Diagnostic.Code = Code;
-	Diagnostic.Message = Message;
-	Diagnostic.File = Config.File;
-	Diagnostic.Line = Plugin.Place.Line;
-	Diagnostic.Column = Plugin.Place.Column;
-	Diagnostic.Where = Plugin.Place.Pointer;
-	throw FError(Diagnostic, ExitCode);
-}
-
 /** Whether the library is gone: one with unique symbols stays in memory until the end. */
 bool Unload(const std::string& Path, FLoadedPlugin& Plugin)
 {
@@ -68,17 +55,16 @@ bool Unload(const std::string& Path, FLoadedPlugin& Plugin)
 	return true;
 }
 
-void Load(const FConfig& Config, const TConfigValue<std::string>& Plugin, const std::string& Path,
-	std::vector<FDiagnostic>& Diagnostics)
+/** Whether it is loaded; else that is reported. */
+bool Load(const TConfigValue<std::string>& Plugin, const std::string& Path, FConfigMessages& Messages)
 {
-	FConfigMessages Messages(Config.File, Diagnostics);
 	const Files::file_time_type Time = Files::last_write_time(Path);
 	const auto Known = GetLoaded().find(Path);
 	if (Known != GetLoaded().end())
 	{
 		if (Known->second.Time == Time)
 		{
-			return;
+			return true;
 		}
 		FLoadedPlugin Old = Known->second;
 		GetLoaded().erase(Known);
@@ -96,8 +82,9 @@ void Load(const FConfig& Config, const TConfigValue<std::string>& Plugin, const 
 	if (Handle == nullptr)
 	{
 		const char* const Reason = dlerror();
-		Fail(Config, Plugin, ErrorPluginNotLoaded, ExitUsage,
+		Messages.Error(ErrorPluginNotLoaded, Plugin.Place,
 			"the plugin cannot be loaded: " + std::string(Reason != nullptr ? Reason : "unknown reason"));
+		return false;
 	}
 	GetLoaded()[Path] = {Handle, Time};
 	FModuleManager::Get().StartupPendingModules();
@@ -108,12 +95,14 @@ void Load(const FConfig& Config, const TConfigValue<std::string>& Plugin, const 
 			"the plugin registered no extension, pass or shader: an extension must be made by "
 			"FSceneViewExtensions::NewExtension and held, in a static variable or by the module");
 	}
+	return true;
 }
 
 } // namespace
 
 std::vector<std::string> LoadPlugins(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics)
 {
+	FConfigMessages Messages(Config.File, Diagnostics);
 	std::vector<std::string> Paths;
 	for (const TConfigValue<std::string>& Plugin : Config.Plugins)
 	{
@@ -122,10 +111,12 @@ std::vector<std::string> LoadPlugins(const FConfig& Config, std::vector<FDiagnos
 		const std::string Path = Files::canonical(Given, Missing).string();
 		if (Missing || !Files::is_regular_file(Path))
 		{
-			Fail(Config, Plugin, ErrorFileMissing, ExitFiles, "the plugin " + Given + " does not exist");
+			Messages.Error(ErrorFileMissing, Plugin.Place, "the plugin " + Given + " does not exist");
 		}
-		Load(Config, Plugin, Path, Diagnostics);
-		Paths.push_back(Path);
+		else if (Load(Plugin, Path, Messages))
+		{
+			Paths.push_back(Path);
+		}
 	}
 	return Paths;
 }

@@ -12,8 +12,8 @@ namespace Drydock
 {
 
 /** Loads what Config.Plugins names and is not loaded yet, and starts its modules. Returns the files, for
- * FFrameInputs::Plugins. Throws FError: a file that does not exist (exit code 3), one that cannot be loaded (2). What
- * is doubtful is appended to Diagnostics. */
+ * FFrameInputs::Plugins. What does not exist or cannot be loaded is an error in Diagnostics and left out; what is
+ * doubtful is a warning there. */
 DRYDOCK_API std::vector<std::string> LoadPlugins(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics);
 
 } // namespace Drydock

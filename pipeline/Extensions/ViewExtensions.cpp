@@ -15,14 +15,6 @@ namespace Drydock
 namespace
 {
 
-/** A hook's name without the suffix of its thread and without arguments. */
-std::string GetHookName(EExtensionHook Hook)
-{
-	const std::string Signature = GetHookVersions(Hook).Signature;
-	const std::string Name = Signature.substr(0, Signature.find('('));
-	return Name.substr(0, Name.find("_RenderThread"));
-}
-
 /** "BloomIntensity 0.675 -> 2, ..." of what differs. */
 std::string DescribeChanges(const FPostProcessSettings& Before, const FPostProcessSettings& After)
 {
@@ -115,26 +107,37 @@ std::vector<std::string> FViewExtensionFrame::GetNames() const
 
 void FViewExtensionFrame::ReportVersion(const FExtension& Extension)
 {
-	if (Extension.Info.EngineMinor == AnyEngineVersion)
+	const auto Report = [&](ESeverity Severity, int Code, const std::string& Message)
 	{
-		return;
-	}
-	const auto Warn = [&](int Code, const std::string& Message)
-	{
-		Log.Diagnostics.push_back(MakeExtensionDiagnostic(ESeverity::Warning, Code, Extension.Label, Message));
+		Log.Diagnostics.push_back(MakeExtensionDiagnostic(Severity, Code, Extension.Label, Message));
 	};
 	const std::string Own = GetEngineVersionText(Extension.EngineMinor);
-	if (Extension.EngineMinor != Engine.Minor)
+	const bool bFollows = Extension.Info.EngineMinor == AnyEngineVersion;
+	if (!bFollows && Extension.EngineMinor != Engine.Minor)
 	{
-		Warn(WarnEngineDiffers, "it is compiled for engine " + Own +
-									" and gets the hooks of that version; the run is " + Engine.GetVersion());
+		Report(ESeverity::Warning, WarnEngineDiffers,
+			"it is compiled for engine " + Own + " and gets the hooks of that version; the run is " +
+				Engine.GetVersion());
 	}
 	for (const FHookVersions& Hook : GetHookVersions())
 	{
-		if (Extension.Info.Has(Hook.Hook) && Hook.Instead[0] != '\0' && !IsHookCalled(Hook.Hook, Extension.EngineMinor))
+		const bool bNever = Extension.Info.Has(Hook.Hook) && !IsHookCalled(Hook.Hook, Extension.EngineMinor);
+		if (bNever && Hook.bMobile)
 		{
-			Warn(WarnHookNeverCalled, "it overrides " + std::string(Hook.Signature) + ", which engine " + Own +
-										  " never calls; override " + Hook.Instead);
+			// One that has both is right for both renderers.
+			const bool bHasOther = std::any_of(GetHookVersions().begin(), GetHookVersions().end(),
+				[&](const FHookVersions& Other)
+				{ return Extension.Info.Has(Other.Hook) && std::string(Other.Signature) == Hook.Instead; });
+			Report(bHasOther ? ESeverity::Note : ESeverity::Warning, WarnHookNeverCalled,
+				"it overrides " + std::string(Hook.Signature) +
+					", which is the mobile renderer's and which the deferred renderer never calls" +
+					(bHasOther ? "" : "; override " + std::string(Hook.Instead)));
+		}
+		else if (bNever && !bFollows && Hook.Instead[0] != '\0')
+		{
+			Report(ESeverity::Warning, WarnHookNeverCalled,
+				"it overrides " + std::string(Hook.Signature) + ", which engine " + Own + " never calls; override " +
+					Hook.Instead);
 		}
 	}
 }

@@ -32,6 +32,26 @@ void AddParameters(const std::string& Type, const std::vector<FParameterSpec>& P
 	}
 }
 
+/** "5.1", "5.1 to 5.4", "never". */
+std::string DescribeVersions(const FHookVersions& Hook)
+{
+	if (Hook.First > Hook.Last)
+	{
+		return "never";
+	}
+	const bool bStill = Hook.Last == GetEngineProfiles().back().Minor;
+	return GetEngineVersionText(Hook.First) + (bStill ? "" : " to " + GetEngineVersionText(Hook.Last));
+}
+
+std::string DescribeHook(const FHookVersions& Hook)
+{
+	const std::string Instead = "; override " + std::string(Hook.Instead);
+	return std::string(Hook.Signature) + (Hook.bMobile
+												 ? ": the mobile renderer's, never called by the deferred one" + Instead
+											 : Hook.First > Hook.Last ? ": no longer called" + Instead
+																	  : "");
+}
+
 } // namespace
 
 FListTable ListExtensions()
@@ -68,6 +88,10 @@ FListTable ListHooks()
 	{
 		Table.Rows.push_back(
 			{GetPassName(Point.Pass), GetEngineVersionText(Point.First), ToString(Point.Space), Point.Doc});
+	}
+	for (const FHookVersions& Hook : GetHookVersions())
+	{
+		Table.Rows.push_back({GetHookName(Hook.Hook), DescribeVersions(Hook), "hook", DescribeHook(Hook)});
 	}
 	return Table;
 }

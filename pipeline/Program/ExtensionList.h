@@ -11,7 +11,7 @@ namespace Drydock
 /** Types of extensions and of insertable passes: a row for each, followed by one for each of its parameters. */
 DRYDOCK_API FListTable ListExtensions();
 
-/** The insertion points that there are, by engine version. */
+/** The insertion points that there are, then the hooks, with the engine versions that call them. */
 DRYDOCK_API FListTable ListHooks();
 
 /** The chain of a config, compiled and not run: point, what it sees, format, size, who is subscribed, and why nobody is

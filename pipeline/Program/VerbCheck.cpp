@@ -6,7 +6,6 @@
 #include "Program/Verbs.h"
 #include "Run/Run.h"
 #include "Run/RunJson.h"
-#include "SceneFile/SceneFile.h"
 #include "Text/JsonWriter.h"
 
 #include <cstdio>
@@ -34,10 +33,6 @@ int Check(const FCheckOptions& Options)
 		const FCheckResult Result = CheckConfig(Options.Run);
 		Diagnostics = Result.Diagnostics;
 		Effects = Result.Effects;
-		if (Result.Config.Scene.File.IsSet())
-		{
-			const FSceneFile Scene(Result.Config); // reads the header, checks the names of channels
-		}
 	}
 	catch (const FError& Error)
 	{

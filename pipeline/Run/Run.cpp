@@ -36,28 +36,13 @@ int32 GetVariableInt(const char* Name)
 	return Variable != nullptr ? Variable->GetInt() : 0;
 }
 
-/** A view's rect, which counts in pixels of the picture, as a rect of the scene textures. */
-FIntRect GetViewRect(const FConfig& Config, const FConfigView& View, const FSceneFile& Scene)
+/** A view's rect, which counts in pixels of the picture and is inside it (CheckScene), as a rect of the scene
+ * textures. */
+FIntRect GetViewRect(const FConfigView& View, const FSceneFile& Scene)
 {
 	const FIntRect Picture = Scene.GetPictureRect();
-	if (!View.Rect.IsSet())
-	{
-		return Picture;
-	}
 	const std::array<int, 4>& Corners = View.Rect.Value;
-	if (Corners[2] > Picture.Width() || Corners[3] > Picture.Height())
-	{
-		const FConfigPlace& Place = View.Rect.Place;
-		throw FError({.Code = ErrorBadValue,
-						 .Message = "the rect leaves the scene, which is " + std::to_string(Picture.Width()) + " x " +
-									std::to_string(Picture.Height()) + " pixels",
-						 .File = Config.File,
-						 .Line = Place.Line,
-						 .Column = Place.Column,
-						 .Where = Place.Pointer},
-			ExitUsage);
-	}
-	return FIntRect(Corners[0], Corners[1], Corners[2], Corners[3]) + Picture.Min;
+	return View.Rect.IsSet() ? FIntRect(Corners[0], Corners[1], Corners[2], Corners[3]) + Picture.Min : Picture;
 }
 
 FNonFiniteCount CountNonFinite(const FImage& Image)
@@ -112,10 +97,10 @@ FRunResult MakeResult(const FRunSetup& Setup, const FSceneFile& Scene)
 	Result.LightColor = Scene.GetLightColor();
 	Result.OutputDevice = GetTonemapperOutputDeviceParameters().OutputDevice;
 	Result.SceneExtent = Scene.GetExtent();
-	Result.ViewRect = GetViewRect(Setup.Config, Setup.Config.View, Scene);
+	Result.ViewRect = GetViewRect(Setup.Config.View, Scene);
 	for (const FConfigView& View : Setup.Config.Views)
 	{
-		Result.ViewRect.Union(GetViewRect(Setup.Config, View, Scene));
+		Result.ViewRect.Union(GetViewRect(View, Scene));
 	}
 	return Result;
 }
@@ -155,7 +140,7 @@ std::vector<FSceneRegion> MakeRegions(const FRunSetup& Setup, const FSceneFile& 
 	std::vector<FSceneRegion> Regions;
 	const auto Add = [&](const FConfigView& View)
 	{
-		const FIntRect Source = GetViewRect(Setup.Config, View, Scene) - Corner;
+		const FIntRect Source = GetViewRect(View, Scene) - Corner;
 		Regions.push_back({Source, ScaleRect(Source, Percentage)});
 	};
 	for (const FConfigView& View : Setup.Config.Views)
@@ -173,7 +158,7 @@ std::vector<FSceneRegion> MakeRegions(const FRunSetup& Setup, const FSceneFile& 
 FFrameView MakeFrameView(const FRunSetup& Setup, const FConfigView& ConfigView, const FSceneFile& Scene)
 {
 	FFrameView View;
-	View.Rect = GetViewRect(Setup.Config, ConfigView, Scene);
+	View.Rect = GetViewRect(ConfigView, Scene);
 	const FIntPoint Corner = Scene.GetPictureRect().Min;
 	View.SceneRect = ScaleRect(View.Rect - Corner, GetScreenPercentage(Setup.Settings)) + Corner;
 	View.Lens = GetLens(ConfigView, Scene);
@@ -351,7 +336,7 @@ FRendered Render(const FRunOptions& Options, const FRunSetup& Setup, const FBefo
 
 FRunSession::FRunSession(const FRunOptions& InOptions)
 	: Options(InOptions)
-	, Setup(std::make_unique<FRunSetup>(InOptions))
+	, Setup(std::make_unique<FRunSetup>(InOptions, ESceneNeed::Required))
 {
 }
 
@@ -384,7 +369,7 @@ FRunResult RunConfig(const FRunOptions& Options)
 
 FCheckResult CheckConfig(const FRunOptions& Options)
 {
-	FRunSetup Setup(Options);
+	FRunSetup Setup(Options, ESceneNeed::IfNamed);
 	return {
 		std::move(Setup.Config), std::move(Setup.Diagnostics), Setup.Settings.Settings, DecideEffects(Setup.Settings)};
 }

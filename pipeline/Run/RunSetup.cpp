@@ -6,8 +6,10 @@
 #include "Budget/BudgetChoice.h"
 #include "Config/ConfigReader.h"
 #include "Config/FrameSequence.h"
+#include "CurveKeys.h"
 #include "ExtensionFactory.h"
 #include "Extensions/ConfigExtensions.h"
+#include "Extensions/ExtensionErrors.h"
 #include "Extensions/InsertedPass.h"
 #include "Extensions/Plugins.h"
 #include "Run/FinalSettings.h"
@@ -17,6 +19,8 @@
 #include "SettingObjects.h"
 
 #include <algorithm>
+#include <set>
+#include <tuple>
 
 namespace Drydock
 {
@@ -62,6 +66,18 @@ void WarnOfMissingPictures(const FFinalPostProcessSettings& Settings, FConfigMes
 	}
 }
 
+/** A curve that would act, but that is the name of an engine asset. */
+void WarnOfMissingKeys(const FViewSettings& View, FConfigMessages& Messages)
+{
+	const UCurveFloat* const Curve = View.Settings.AutoExposureBiasCurve;
+	if (View.bAutoExposure && Curve != nullptr && !FindCurveKeys(Curve))
+	{
+		Messages.Warn(WarnIneffectiveValue, FConfigPlace(),
+			"AutoExposureBiasCurve " + GetObjectPath(Curve) +
+				" has no keys here, and nothing is done with it: give them, {\"keys\": [[EV100, EV], ...]}");
+	}
+}
+
 /** Values that are valid, but that this build cannot act on. */
 void WarnOfIneffectiveValues(const FConfig& Config, const FViewSettings& View, std::vector<FDiagnostic>& Diagnostics)
 {
@@ -81,6 +97,7 @@ void WarnOfIneffectiveValues(const FConfig& Config, const FViewSettings& View, s
 		Messages.Warn(WarnIneffectiveValue, Nowhere, "BloomMethod BM_FFT: " + Obstacle + ", so the Gaussian sum runs");
 	}
 	WarnOfMissingPictures(View.Settings, Messages);
+	WarnOfMissingKeys(View, Messages);
 }
 
 FConfigDocument OpenDocument(const FRunOptions& Options)
@@ -89,12 +106,75 @@ FConfigDocument OpenDocument(const FRunOptions& Options)
 							  : LoadConfigDocument(Options.ConfigFile);
 }
 
-void ThrowErrors(const std::vector<FDiagnostic>& Diagnostics)
+/** False when the step could not be taken: why is appended to Diagnostics. */
+template<typename TStep>
+bool Try(std::vector<FDiagnostic>& Diagnostics, const TStep& Step)
 {
-	if (HasErrors(Diagnostics))
+	try
 	{
-		throw FError(Diagnostics, ExitUsage);
+		Step();
+		return true;
 	}
+	catch (const FError& Error)
+	{
+		Diagnostics.insert(Diagnostics.end(), Error.GetDiagnostics().begin(), Error.GetDiagnostics().end());
+		return false;
+	}
+}
+
+bool IsError(const FDiagnostic& Diagnostic)
+{
+	return Diagnostic.Severity == ESeverity::Error;
+}
+
+/** Throws all that was found, in the order of the config; what two steps found is said once. Exit code 3 where files
+ * are all that is wrong, else 2. */
+void ThrowErrors(const FConfig& Config, std::vector<FDiagnostic> Diagnostics)
+{
+	if (!HasErrors(Diagnostics))
+	{
+		return;
+	}
+	const auto GetOrder = [&](const FDiagnostic& Diagnostic)
+	{
+		const bool bInConfig = Diagnostic.File == Config.File && Diagnostic.Line > 0;
+		return bInConfig ? std::tuple(0, Diagnostic.Line, Diagnostic.Column) : std::tuple(1, 0, 0);
+	};
+	std::stable_sort(Diagnostics.begin(), Diagnostics.end(),
+		[&](const FDiagnostic& A, const FDiagnostic& B) { return GetOrder(A) < GetOrder(B); });
+	std::set<std::string> Known;
+	std::erase_if(
+		Diagnostics, [&](const FDiagnostic& Diagnostic) { return !Known.insert(Diagnostic.ToString()).second; });
+	constexpr int FileCodes = 5; // DD5...
+	const bool bFilesOnly = std::all_of(Diagnostics.begin(), Diagnostics.end(),
+		[](const FDiagnostic& Diagnostic) { return !IsError(Diagnostic) || Diagnostic.Code / 1000 == FileCodes; });
+	throw FError(Diagnostics, bFilesOnly ? ExitFiles : ExitUsage);
+}
+
+/** What is unknown may be a plugin's that could not be loaded. */
+void MentionPlugins(std::vector<FDiagnostic>& Diagnostics)
+{
+	for (FDiagnostic& Diagnostic : Diagnostics)
+	{
+		if (Diagnostic.Code == ErrorUnknownVariable || Diagnostic.Code == ErrorUnknownExtension ||
+			Diagnostic.Code == ErrorUnknownPass)
+		{
+			Diagnostic.Message += " (or a plugin has it that could not be loaded)";
+		}
+	}
+}
+
+/** Whether what the config says of its scene is reported already. */
+bool IsSceneReported(const std::vector<FDiagnostic>& Diagnostics)
+{
+	return std::any_of(Diagnostics.begin(), Diagnostics.end(),
+		[](const FDiagnostic& Diagnostic)
+		{
+			const bool bMisspelt =
+				Diagnostic.Code == ErrorUnknownKey && Diagnostic.Message.ends_with("; did you mean scene?");
+			return IsError(Diagnostic) &&
+				   (bMisspelt || Diagnostic.Where == "/scene" || Diagnostic.Where == "/scene/file");
+		});
 }
 
 /** --set and --exec in the order of the command line, in which an --exec stands behind a number of --set. */
@@ -116,7 +196,7 @@ void AddVariableArguments(FConfig& Config, const FRunOptions& Options, std::vect
 	AddVariablesUpTo(Options.Variables.size());
 }
 
-/** The config with the command line's say. Throws FError with all mistakes of both. */
+/** The config with the command line's say. */
 FConfig ReadWithArguments(
 	const FConfigDocument& Document, const FRunOptions& Options, std::vector<FDiagnostic>& Diagnostics)
 {
@@ -127,9 +207,7 @@ FConfig ReadWithArguments(
 	}
 	AddVariableArguments(Config, Options, Diagnostics);
 	WarnOfUnreadSettings(Config, Diagnostics);
-	ThrowErrors(Diagnostics);
 	ReadStudy(Config, Diagnostics);
-	ThrowErrors(Diagnostics);
 	Config.bNoSkip = Options.bNoSkip;
 	return Config;
 }
@@ -175,17 +253,11 @@ void ApplyVariables(
 	IConsoleManager::Get().CallAllConsoleVariableSinks();
 }
 
-/** Mistakes are appended to Diagnostics; then there are no extensions. */
-FRunExtensions CreateExtensions(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics)
+FRunExtensions CreateExtensions(
+	const std::vector<FExtensionRequest>& Requests, const std::vector<FPassRequest>& PassRequests)
 {
 	FRunExtensions Made;
 	Made.PassResults = std::make_shared<FPassResults>();
-	const std::vector<FExtensionRequest> Requests = ReadExtensionRequests(Config, Diagnostics);
-	const std::vector<FPassRequest> PassRequests = ReadPassRequests(Config, Diagnostics);
-	if (HasErrors(Diagnostics))
-	{
-		return Made;
-	}
 	const auto Add = [&Made](
 						 const TSharedRef<ISceneViewExtension, ESPMode::ThreadSafe>& Extension, const std::string& Name)
 	{
@@ -261,18 +333,33 @@ void FRunVariables::Apply(
 	Found->Set(Variable.Value.c_str(), SetBy);
 }
 
-FRunSetup::FRunSetup(const FRunOptions& Options)
+FRunSetup::FRunSetup(const FRunOptions& Options, ESceneNeed InNeed)
+	: Need(InNeed)
 {
 	const FConfigDocument Document = OpenDocument(Options);
+	if (Document.bSyntaxError)
+	{
+		throw FError(Document.Diagnostics, ExitUsage); // what stands behind it was not read
+	}
 	Plugins = LoadPlugins(ReadConfigPlugins(Document), OfConfig);
+	const bool bPluginLacks = HasErrors(OfConfig);
 	Variables.emplace(); // with those that plugins brought
-	OfRun = ChooseBudget(ReadWithArguments(Document, Options, OfConfig), Options, OfConfig);
+	FConfig Read = ReadWithArguments(Document, Options, OfConfig);
+	Need = IsSceneReported(OfConfig) ? ESceneNeed::None : Need;
+	OfRun = HasErrors(OfConfig) ? FConfigOfRun{std::move(Read), Options, ""}
+								: ChooseBudget(std::move(Read), Options, OfConfig);
 	BudgetReason = OfRun.BudgetReason;
 	PlaceFrame(Options.Frame);
-	ApplyVariables(Config, OfRun.Options, *Variables, OfExtensions);
-	Extensions = CreateExtensions(Config, OfExtensions);
+	const std::vector<FExtensionRequest> Requests = ReadExtensionRequests(Config, OfExtensions);
+	const std::vector<FPassRequest> PassRequests = ReadPassRequests(Config, OfExtensions);
 	Diagnostics = Join({&OfConfig, &OfFrame, &OfExtensions});
-	ThrowErrors(Diagnostics);
+	if (bPluginLacks)
+	{
+		MentionPlugins(Diagnostics);
+	}
+	ThrowErrors(Config, Diagnostics);
+	ApplyVariables(Config, OfRun.Options, *Variables, OfExtensions);
+	Extensions = CreateExtensions(Requests, PassRequests);
 	TextureLoader.emplace(MakeTextureLoader(Config));
 	BlendSettings();
 	Dump = ListDumpPatterns(Config, Options);
@@ -282,12 +369,19 @@ void FRunSetup::PlaceFrame(std::optional<int> Frame)
 {
 	OfFrame.clear();
 	Config = OfRun.Config;
-	ChooseSceneFrame(Config, Frame);
 	if (OfRun.Options.Location)
 	{
 		Config.View.Location = {*OfRun.Options.Location, {1, 1, "--at"}};
 	}
-	CompleteFromScene(Config, OfFrame);
+	if (Try(OfFrame, [&] { ChooseSceneFrame(Config, Frame); }))
+	{
+		Try(OfFrame, [&] { CompleteFromScene(Config, OfFrame); });
+	}
+	CheckScene(Config, Need, OfFrame);
+	if (Need != ESceneNeed::None)
+	{
+		CheckTextureFiles(Config, OfFrame);
+	}
 }
 
 void FRunSetup::BlendSettings()
@@ -303,6 +397,7 @@ void FRunSetup::BeginFrame(std::optional<int> Frame)
 	if (Frame && Config.Scene.Frame && *Frame != *Config.Scene.Frame)
 	{
 		PlaceFrame(Frame);
+		ThrowErrors(Config, OfFrame);
 		BlendSettings();
 	}
 }

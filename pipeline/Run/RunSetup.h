@@ -7,6 +7,7 @@
 #include "Effects/Effect.h"
 #include "Extensions/InsertedPass.h"
 #include "HAL/ConsoleVariableTools.h"
+#include "SceneFile/SceneCheck.h"
 #include "SceneViewExtension.h"
 #include "Screen/TextureAssets.h"
 
@@ -46,8 +47,10 @@ struct FRunExtensions
 
 struct DRYDOCK_API FRunSetup
 {
-	/** Throws FError (exit code 2 or 3) with everything found when something is wrong. */
-	explicit FRunSetup(const FRunOptions& Options);
+	/** Throws FError with all mistakes of config, command line, plugins, extensions, study and budget, and of the scene
+	 * as far as it is needed; exit code 3 where files are all that is wrong, else 2. JSON that is none is all that is
+	 * said of it. */
+	explicit FRunSetup(const FRunOptions& Options, ESceneNeed Need = ESceneNeed::None);
 
 	/** Before each frame. Frame: of a sequence, whose config and settings are as if it had been the first; empty: the
 	 * one of before. Throws FError when there is no such frame, or something is wrong with it. */
@@ -67,6 +70,7 @@ private:
 	void PlaceFrame(std::optional<int> Frame);
 	void BlendSettings();
 
+	ESceneNeed Need;
 	std::optional<FRunVariables> Variables;
 	std::optional<FScopedTextureLoader> TextureLoader;
 	FRunExtensions Extensions;

@@ -5,6 +5,7 @@
 #include "RenderGraphBuilder.h"
 #include "RenderTargetPool.h"
 #include "SceneFile/NonFinite.h"
+#include "SceneFile/SceneCheck.h"
 #include "SceneFile/SceneLight.h"
 #include "TileExecutor.h"
 
@@ -22,12 +23,7 @@ std::string ResolveSceneFile(const FConfig& Config)
 {
 	if (!Config.Scene.File.IsSet())
 	{
-		FDiagnostic Diagnostic;
-		Diagnostic.Code = ErrorMissingKey;
-		Diagnostic.File = Config.File;
-		Diagnostic.Where = "/scene/file";
-		Diagnostic.Message = "the config names no scene: \"scene\": {\"file\": \"...\"}";
-		throw FError(Diagnostic, ExitUsage);
+		throw FError(DescribeMissingScene(Config), ExitUsage);
 	}
 	return Config.Resolve(Config.Scene.File.Value);
 }
@@ -46,7 +42,12 @@ FSceneFile::FSceneFile(const FConfig& InConfig)
 	{
 		Channels.push_back({Name, false});
 	}
-	CheckNames(InConfig);
+	std::vector<FDiagnostic> Diagnostics;
+	CheckSceneChannels(InConfig, &File, Diagnostics);
+	if (!Diagnostics.empty())
+	{
+		throw FError(Diagnostics, ExitUsage);
+	}
 }
 
 void FSceneFile::SetResolution(double InScreenPercentage, std::vector<FSceneRegion> InRegions)
@@ -72,38 +73,6 @@ FIntRect FSceneFile::GetPictureRect() const
 {
 	const FIntPoint Min(Config.Padding.Left, Config.Padding.Top);
 	return FIntRect(Min, Min + FIntPoint(File.GetWidth(), File.GetHeight()));
-}
-
-void FSceneFile::CheckNames(const FConfig& InConfig) const
-{
-	std::vector<FDiagnostic> Diagnostics;
-	FConfigMessages Messages(InConfig.File, Diagnostics);
-	const auto CheckKnown = [&](const std::string& Name, const FConfigPlace& Place)
-	{
-		const std::vector<std::string>& Known = GetSceneChannelNames();
-		if (std::find(Known.begin(), Known.end(), Name) == Known.end())
-		{
-			Messages.Error(ErrorUnknownValue, Place, "no pass knows a channel \"" + Name + "\"" + Suggest(Name, Known));
-		}
-	};
-	for (const auto& [Name, Channel] : Config.Channels)
-	{
-		CheckKnown(Name, Channel.Place);
-		if (File.FindChannel(Channel.Value) < 0)
-		{
-			Messages.Error(ErrorUnknownValue, Channel.Place,
-				File.GetPath() + " has no channel \"" + Channel.Value + "\"" +
-					Suggest(Channel.Value, File.GetChannels()));
-		}
-	}
-	for (const auto& [Name, Default] : Config.Defaults)
-	{
-		CheckKnown(Name, Default.Place);
-	}
-	if (!Diagnostics.empty())
-	{
-		throw FError(Diagnostics, ExitUsage);
-	}
 }
 
 FSceneTextures FSceneFile::RegisterTextures(FRDGBuilder& GraphBuilder)

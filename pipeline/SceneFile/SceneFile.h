@@ -116,7 +116,6 @@ private:
 	};
 	using FPlanes = std::map<int, std::vector<float>>; // by the file's channel index
 
-	void CheckNames(const FConfig& Config) const;
 	std::optional<FSource> FindSource(const FScenePackChannel& Channel) const;
 	std::optional<FFill> PlanFill(const FNeededSceneTexture& Needed) const;
 	FError MakeMissingChannel(const std::string& Channel, const FNeededSceneTexture& Needed) const;

@@ -54,14 +54,14 @@ FConfigVolume ReadSuggestedVolume(const FJsonValue& Value, FConfigMessages& Mess
 	return Volume;
 }
 
-[[noreturn]] void ThrowNoSuggestion(const FConfig& Config, const std::string& Message)
+void ReportNoSuggestion(const FConfig& Config, const std::string& Message, std::vector<FDiagnostic>& Diagnostics)
 {
-	FDiagnostic Diagnostic;
-	Diagnostic.Code = ErrorNothingFromScene;
-	Diagnostic.File = Config.File;
-	Diagnostic.Where = "/volumes";
-	Diagnostic.Message = "\"volumes\" is \"fromScene\", but " + Message;
-	throw FError(Diagnostic, ExitUsage);
+	Diagnostics.push_back({.Code = ErrorNothingFromScene,
+		.Message = "\"volumes\" is \"fromScene\", but " + Message,
+		.File = Config.File,
+		.Line = Config.VolumesFromScene.Place.Line,
+		.Column = Config.VolumesFromScene.Place.Column,
+		.Where = "/volumes"});
 }
 
 bool NeedsLocation(const FConfig& Config)
@@ -114,7 +114,8 @@ void CompleteFromScene(FConfig& Config, std::vector<FDiagnostic>& Diagnostics)
 	const bool bVolumes = Config.VolumesFromScene.Value;
 	if (bVolumes && !Config.Scene.File.IsSet())
 	{
-		ThrowNoSuggestion(Config, "the config names no scene");
+		ReportNoSuggestion(Config, "the config names no scene", Diagnostics);
+		return;
 	}
 	if (!bVolumes && !NeedsLocation(Config))
 	{
@@ -131,7 +132,7 @@ void CompleteFromScene(FConfig& Config, std::vector<FDiagnostic>& Diagnostics)
 		}
 		if (bVolumes && Config.Volumes.empty())
 		{
-			ThrowNoSuggestion(Config, File.GetPath() + " suggests no volumes");
+			ReportNoSuggestion(Config, File.GetPath() + " suggests no volumes", Diagnostics);
 		}
 	}
 	if (NeedsLocation(Config) && !Config.Scene.CameraLocation)

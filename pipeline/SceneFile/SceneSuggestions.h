@@ -9,8 +9,8 @@ namespace Drydock
 
 /** Fills what the config leaves to its scene: the volumes where it says "fromScene", and the camera's location where
  * bounded volumes ask for one and the config has none. The header is read only for these. A suggested setting that does
- * not exist here is left out, with a warning. Throws FError: "fromScene" without a scene or with one that suggests
- * nothing (exit code 2), a file that cannot be read (3). */
+ * not exist here is left out, with a warning; "fromScene" without a scene, or with one that suggests nothing, is an
+ * error. Throws FError (exit code 3): a file that cannot be read. */
 DRYDOCK_API void CompleteFromScene(FConfig& Config, std::vector<FDiagnostic>& Diagnostics);
 
 /** The volumes of a text as in the attribute; File names the scene in messages. */

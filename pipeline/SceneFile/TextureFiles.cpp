@@ -1,7 +1,10 @@
 // Loads image files that settings name as textures.
 #include "SceneFile/TextureFiles.h"
 
+#include "Config/ConfigReader.h"
 #include "Picture/ImageFile.h"
+#include "PostProcessSettingsReflection.h"
+#include "SettingObjects.h"
 
 #include <algorithm>
 #include <array>
@@ -45,6 +48,40 @@ FTextureRHIRef LoadPicture(const std::string& File, const std::string& Name)
 }
 
 } // namespace
+
+void CheckTextureFiles(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics)
+{
+	const auto Check = [&](const FConfigSettings& Settings, const std::string& From)
+	{
+		FConfigMessages Messages(From, Diagnostics);
+		for (const auto& [Name, Place] : Settings.Places)
+		{
+			const FSettingField& Field = *FindSettingField(Name);
+			const UObject* const Object =
+				Field.IsOverridden(Settings.Settings) ? Field.Get(Settings.Settings).Object : nullptr;
+			const std::string Path = GetObjectPath(Object);
+			if (Object == nullptr || !IsImagePath(Path))
+			{
+				continue;
+			}
+			try
+			{
+				const FImageFile Header(Config.Resolve(Path));
+			}
+			catch (const FError& Error)
+			{
+				const FDiagnostic& Reason = Error.GetDiagnostics().front();
+				Messages.Error(Reason.Code, Place, Name + " " + Reason.File + ": " + Reason.Message);
+			}
+		}
+	};
+	for (const FConfigVolume& Volume : Config.Volumes)
+	{
+		Check(Volume.Settings, Config.File);
+	}
+	Check(Config.Camera.Settings, Config.File);
+	Check(Config.CommandLine, CommandLineName);
+}
 
 FTextureLoader MakeTextureLoader(const FConfig& Config)
 {

@@ -12,4 +12,8 @@ namespace Drydock
  * (exit code 3) for a file that is missing or broken. */
 DRYDOCK_API FTextureLoader MakeTextureLoader(const FConfig& Config);
 
+/** Appends to Diagnostics an error for each such file that a volume, the camera or --pp names and whose header cannot
+ * be read, whether or not a pass would read it. */
+DRYDOCK_API void CheckTextureFiles(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics);
+
 } // namespace Drydock

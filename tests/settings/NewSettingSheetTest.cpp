@@ -61,25 +61,70 @@ std::string ErrorOf(const std::string& Name, const std::string& Type, const std:
 
 TEST(SettingPlan, ToonBloomTouchesTheArticlesPlacesInEngineOrder)
 {
-	EXPECT_EQ((std::vector<std::string>{
-				  "Scene.h: uint8 bOverride_BloomToonIntensity:1;",
-				  "Scene.h: float BloomToonIntensity;",
-				  "Scene.h: float ToonIntensity;",
-				  "Scene.cpp: ToonIntensity = 0.675f;",
-				  "Scene.cpp: OutPostProcessSettings->BloomToonIntensity = ToonIntensity;",
-				  "Scene.cpp: BloomToonIntensity = 0.675f;",
-				  "Scene.cpp: BloomToonIntensity = 1.0f;",
-				  "SceneView.cpp: LERP_PP(BloomToonIntensity);",
-				  "SceneView.cpp: FinalPostProcessSettings.BloomToonIntensity = 0.0f;",
-				  "SceneView.cpp: FinalPostProcessSettings.BloomToonIntensity = 0.0f;",
-				  "SceneView.cpp: FinalPostProcessSettings.BloomToonIntensity = 0.0f;",
-				  "PostProcessBloomSetup.h: float ToonIntensity = 0;",
-				  "PostProcessBloomSetup.cpp: SHADER_PARAMETER(float, ToonIntensity)",
-				  "PostProcessBloomSetup.cpp: Parameters.ToonIntensity = Inputs.ToonIntensity;",
-				  "PostProcessing.cpp: PassInputs.ToonIntensity = View.FinalPostProcessSettings.BloomToonIntensity;",
-				  "PostProcessBloom.usf: float ToonIntensity;",
-			  }),
+	EXPECT_EQ(
+		(std::vector<std::string>{
+			"Scene.h: uint8 bOverride_BloomToonIntensity:1;",
+			"Scene.h: float BloomToonIntensity;",
+			"Scene.h: float ToonIntensity;",
+			"Scene.cpp: ToonIntensity = 0.675f;",
+			"Scene.cpp: OutPostProcessSettings->BloomToonIntensity = ToonIntensity;",
+			"Scene.cpp: BloomToonIntensity = 0.675f;",
+			"Scene.cpp: BloomToonIntensity = 1.0f;",
+			"SceneView.cpp: LERP_PP(BloomToonIntensity);",
+			"SceneView.cpp: FinalPostProcessSettings.BloomToonIntensity = 0.0f;",
+			"SceneView.cpp: FinalPostProcessSettings.BloomToonIntensity = 0.0f;",
+			"SceneView.cpp: FinalPostProcessSettings.BloomToonIntensity = 0.0f;",
+			"PostProcessBloomSetup.h: float ToonIntensity = 0;",
+			"PostProcessBloomSetup.cpp: SHADER_PARAMETER(float, ToonIntensity)",
+			"PostProcessBloomSetup.cpp: Parameters.ToonIntensity = Inputs.ToonIntensity;",
+			"PostProcessing.cpp: || View.FinalPostProcessSettings.BloomToonIntensity != 1.0f",
+			"PostProcessing.cpp: SetupPassInputs.ToonIntensity = View.FinalPostProcessSettings.BloomToonIntensity;",
+			"PostProcessBloom.usf: #include \"DeferredShadingCommon.ush\"",
+			"PostProcessBloom.usf: }",
+			"PostProcessBloom.usf: OutColor *= GetToonIntensity(UV);",
+			"PostProcessBloom.usf: OutColor *= GetToonIntensity(UV);",
+		}),
 		Summary(PlanOf("BloomToonIntensity")));
+}
+
+TEST(SettingPlan, ToonBloomBringsTheSceneTexturesFromTheCallToTheBranch)
+{
+	const std::vector<FSettingPlace> Plan = PlanOf("BloomToonIntensity");
+	const auto First = [&](const char* File, const char* Where)
+	{
+		const std::string Text = TextAt(Plan, File, Where);
+		return Text.substr(0, Text.find('\n'));
+	};
+	EXPECT_EQ("TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures = nullptr;",
+		First("PostProcessBloomSetup.h", "FBloomSetupInputs"));
+	EXPECT_EQ("SHADER_PARAMETER_RDG_UNIFORM_BUFFER(FSceneTextureUniformParameters, SceneTextures)",
+		First("PostProcessBloomSetup.cpp", "FBloomSetupParameters"));
+	EXPECT_EQ("Parameters.SceneTextures = Inputs.SceneTextures;", First("PostProcessBloomSetup.cpp", "are filled"));
+	EXPECT_EQ("SetupPassInputs.SceneTextures = Inputs.SceneTextures;",
+		First("PostProcessing.cpp", "SetupPassInputs are filled"));
+	EXPECT_NE(std::string::npos,
+		TextAt(Plan, "PostProcessBloom.usf", "a function")
+			.find("GetScreenSpaceData(UV).GBuffer.ShadingModelID == SHADINGMODELID_CLOTH ? ToonIntensity : 1.0f"));
+	EXPECT_EQ("OutColor *= GetToonIntensity(UV);", TextAt(Plan, "PostProcessBloom.usf", "BloomSetupPS, "));
+	EXPECT_EQ("OutColor *= GetToonIntensity(UV);", TextAt(Plan, "PostProcessBloom.usf", "BloomSetupCS, "));
+}
+
+TEST(SettingPlan, NewStrengthsOfBloomAreMaskedAndTheEnginesOwnAreNot)
+{
+	const std::string Text = FormatSettingPlan(Make("BloomHairIntensity", "float", "1"));
+	for (const char* Line : {"HairIntensity = 0;", "SHADER_PARAMETER(float, HairIntensity)", "float HairIntensity;",
+			 "OutColor *= GetHairIntensity(UV);", "SceneTextures = Inputs.SceneTextures;"})
+	{
+		EXPECT_NE(std::string::npos, Text.find(Line)) << Line << " is not in\n" << Text;
+	}
+	EXPECT_EQ(std::string::npos, Text.find("Toon"));
+	EXPECT_EQ("int Method;", TextAt(PlanOf("BloomMethod"), "PostProcessBloom.usf", "globals"));
+	for (const char* Name : {"BloomIntensity", "BloomThreshold", "Bloom1Size", "VignetteIntensity"})
+	{
+		EXPECT_EQ(
+			std::string::npos, FormatSettingPlan(DescribeNewSetting(*FindSettingField(Name))).find("SceneTextures"))
+			<< Name;
+	}
 }
 
 TEST(SettingPlan, TheThreeSwitchesOfBloomAreNamed)

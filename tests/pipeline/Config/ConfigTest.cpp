@@ -4,6 +4,7 @@
 
 #include "Config/ReadConfig.h"
 #include "PostProcessSettingsReflection.h"
+#include "SettingObjects.h"
 #include "Text/ConfigErrors.h"
 
 #include <algorithm>
@@ -136,6 +137,75 @@ TEST(Config, VectorsMayBeObjects)
 {
 	EXPECT_EQ((FConfigVector{1, 2, 3}),
 		ReadClean(R"({"view": {"location": {"Z": 3, "X": 1, "Y": 2}}})").Config.View.Location.Value);
+}
+
+TEST(Config, RotationsMayBeRotators)
+{
+	const auto RotationOf = [](const std::string& Rotation)
+	{
+		const FRead Result = ReadClean(R"({"view": {"rotation": )" + Rotation + R"(}, "volumes": [{"bounds":
+			{"type": "box", "center": [0, 0, 0], "extent": [1, 1, 1], "rotation": )" +
+									   Rotation + "}}]}");
+		EXPECT_EQ(Result.Config.View.Rotation.Value, Result.Config.Volumes.at(0).Bounds->Rotation);
+		return Result.Config.View.Rotation.Value;
+	};
+	EXPECT_EQ((FConfigVector{10, 20, 30}), RotationOf("[10, 20, 30]"));
+	EXPECT_EQ((FConfigVector{10, 20, 30}), RotationOf(R"({"Yaw": 20, "Roll": 30, "Pitch": 10})"));
+	EXPECT_EQ((FConfigVector{0, 20, 0}), RotationOf(R"({"Yaw": 20})"));
+	EXPECT_EQ((FConfigVector{10, 20, 30}), RotationOf(R"({"X": 10, "Y": 20, "Z": 30})"));
+}
+
+TEST(ConfigMistakes, RotationsNameTheirAngles)
+{
+	const auto Message = [](const std::string& Rotation)
+	{
+		return OnlyText(R"({"view": {"rotation": )" + Rotation + "}}");
+	};
+	EXPECT_EQ("a rotation has Pitch, Yaw and Roll, and no \"Yow\"; did you mean Yaw?", Message(R"({"Yow": 20})"));
+	const std::string Expected =
+		"expected an angle each: [pitch, yaw, roll] or {\"Pitch\": p, \"Yaw\": y, \"Roll\": r}";
+	EXPECT_EQ(Expected + ", found an object", Message(R"({"Yaw": "20"})"));
+	EXPECT_EQ(Expected + ", found an object", Message("{}"));
+	EXPECT_EQ(Expected + ", found a number", Message("20"));
+	EXPECT_EQ("1004 error 1:30 /view/rotation/Yaw", Only(R"({"view": {"rotation": {"Yaw":NaN}}})"));
+}
+
+TEST(Config, CurvesMayBeGivenByTheirKeys)
+{
+	const auto PathOf = [](const std::string& Curve)
+	{
+		const FRead Result = Read(Volume(R"("AutoExposureBiasCurve": )" + Curve));
+		EXPECT_FALSE(HasErrors(Result.Diagnostics));
+		return GetObjectPath(Result.Config.Volumes.at(0).Settings.Settings.AutoExposureBiasCurve);
+	};
+	EXPECT_EQ("linear(-4 1, 0 0, 4 -0.5)", PathOf(R"({"keys": [[-4, 1], [0, 0], [4, -0.5]]})"));
+	EXPECT_EQ("cubic(1 2)", PathOf(R"({"interp": "cubic", "keys": [[1, 2]]})"));
+	EXPECT_EQ("/Game/C.C", PathOf(R"("/Game/C.C")"));
+	EXPECT_EQ("None", PathOf("null"));
+}
+
+TEST(ConfigMistakes, CurvesNameWhatIsWrongWithThem)
+{
+	const auto Message = [](const std::string& Curve)
+	{
+		const FRead Result = Read(Volume(R"("AutoExposureBiasCurve": )" + Curve));
+		return Result.Diagnostics.at(0).Where.substr(std::string("/volumes/0/Settings/AutoExposureBiasCurve").size()) +
+			   " " + Result.Diagnostics[0].Message;
+	};
+	EXPECT_EQ(" \"keys\" is missing: AutoExposureBiasCurve is a curve through [time, value]", Message("{}"));
+	EXPECT_EQ("/keys \"keys\" of AutoExposureBiasCurve is an array of one [time, value] at least",
+		Message(R"({"keys": []})"));
+	EXPECT_EQ(
+		"/keys/1 a key of AutoExposureBiasCurve is [time, value], two numbers", Message(R"({"keys": [[0, 1], [2]]})"));
+	EXPECT_EQ("/keys/0 a key of AutoExposureBiasCurve is [time, value], two numbers",
+		Message(R"({"keys": [[0, 1e39], [2, 1]]})"));
+	EXPECT_EQ(
+		"/keys/1 the times of the keys of AutoExposureBiasCurve must ascend", Message(R"({"keys": [[0, 1], [0, 2]]})"));
+	EXPECT_EQ("/interp \"interp\" of AutoExposureBiasCurve is linear, constant or cubic; did you mean linear?",
+		Message(R"({"keys": [[0, 1]], "interp": "linar"})"));
+	EXPECT_EQ("/key a curve has \"keys\" and \"interp\", and no \"key\"; did you mean keys?",
+		Message(R"({"key": [], "keys": [[0, 1]]})"));
+	EXPECT_EQ(0u, Message("5").find(" AutoExposureBiasCurve is keys, {\"keys\": ")) << Message("5");
 }
 
 TEST(Config, ReadsAnUnboundVolume)

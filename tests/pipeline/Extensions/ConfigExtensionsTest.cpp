@@ -309,6 +309,12 @@ TEST(ExtensionLists, HaveTypesParametersAndHooks)
 	EXPECT_TRUE(HasRow(ListExtensions(), {"Tint", "parameter", "Left", "number", "0", "0 .. 1"}));
 	EXPECT_TRUE(HasRow(ListExtensions(), {"GaussianBlur", "input", "Input", "resource", "SceneColor"}));
 	EXPECT_TRUE(HasRow(ListHooks(), {"Tonemap", "5.1", "display-encoded"}));
+	EXPECT_TRUE(HasRow(ListHooks(), {"PreRenderBasePass", "5.4", "hook"}));
+	EXPECT_TRUE(HasRow(ListHooks(), {"PrePostProcessPassMobile", "never", "hook",
+										"PrePostProcessPassMobile_RenderThread(FRDGBuilder&, const FSceneView&, const "
+										"FMobilePostProcessingInputs&): the mobile renderer's, never called by the "
+										"deferred one; override PrePostProcessPass_RenderThread(FRDGBuilder&, const "
+										"FSceneView&, const FPostProcessingInputs&)"}));
 	FRunOptions Options;
 	Options.ConfigFile = Root + "configs/hooks_all.json";
 	const FListTable Chain = ListHooks(Options);

@@ -433,6 +433,39 @@ TEST(EngineProfile, OverridesThatAreNeverCalledAreReported)
 	EXPECT_NE(std::string::npos, Frame.Log.Diagnostics[1].Message.find("const FSceneView&"));
 }
 
+TEST(EngineProfile, HooksOfTheMobileRendererAreReportedAsNeverCalled)
+{
+	class FMobileAlone : public FSceneViewExtensionBase
+	{
+	public:
+		using FSceneViewExtensionBase::FSceneViewExtensionBase;
+		void PostRenderBasePassMobile_RenderThread(FRHICommandList&, FSceneView&) override { ADD_FAILURE(); }
+	};
+	class FBothRenderers : public FSceneViewExtensionBase
+	{
+	public:
+		using FSceneViewExtensionBase::FSceneViewExtensionBase;
+		void PrePostProcessPassMobile_RenderThread(
+			FRDGBuilder&, const FSceneView&, const FMobilePostProcessingInputs&) override
+		{
+			ADD_FAILURE();
+		}
+		void PrePostProcessPass_RenderThread(FRDGBuilder&, const FSceneView&, const FPostProcessingInputs&) override {}
+	};
+	const auto Alone = FSceneViewExtensions::NewExtension<FMobileAlone>();
+	const auto Both = FSceneViewExtensions::NewExtension<FBothRenderers>();
+	const FFrameResult Frame = Render();
+	ASSERT_EQ((std::vector<int>{WarnHookNeverCalled, WarnHookNeverCalled}), GetCodes(Frame));
+	EXPECT_EQ(ESeverity::Warning, Frame.Log.Diagnostics[0].Severity);
+	EXPECT_EQ(0u, Frame.Log.Diagnostics[0].Message.find(
+					  "it overrides PostRenderBasePassMobile_RenderThread(FRHICommandList&, FSceneView&), which is the "
+					  "mobile renderer's and which the deferred renderer never calls; override "
+					  "PostRenderBasePassDeferred_RenderThread("))
+		<< Frame.Log.Diagnostics[0].Message;
+	EXPECT_EQ(ESeverity::Note, Frame.Log.Diagnostics[1].Severity);
+	EXPECT_TRUE(Frame.Log.Diagnostics[1].Message.ends_with("the deferred renderer never calls"));
+}
+
 TEST(EngineProfile, APluginOfAnotherVersionIsReported)
 {
 	const auto Extension =

@@ -6,6 +6,7 @@
 #include "HAL/IConsoleManager.h"
 #include "Run/FinalSettings.h"
 #include "Run/Run.h"
+#include "SettingObjects.h"
 #include "Text/ConfigErrors.h"
 #include "Text/Json.h"
 
@@ -101,6 +102,57 @@ TEST(ExposureRun, TheNextFrameAdaptsFromTheViewsState)
 	Inputs.Time.DeltaWorldTimeSeconds = 0.25f;
 	Inputs.ViewStates = SecondFrame.ViewStates;
 	EXPECT_NEAR(Second.Scale * std::exp2(-0.75f), Render(Inputs).Views[0].Exposure->Scale, 1e-4f * First);
+}
+
+TEST(ExposureRun, TheCurveCompensatesByTheEV100OfTheAverage)
+{
+	// The curve is a line: -0.2 EV for each EV100.
+	const FFrameInputs Inputs = MakeAutoFrame();
+	for (const EAutoExposureMethod Method : {AEM_Histogram, AEM_Basic, AEM_Manual})
+	{
+		FFrameInputs Plain = Inputs;
+		Plain.Views[0].Settings.Settings.AutoExposureMethod = Method;
+		Plain.Views[0].Settings.Settings.AutoExposureApplyPhysicalCameraExposure = true;
+		FFrameInputs Curved = Plain;
+		Curved.Views[0].Settings.Settings.AutoExposureBiasCurve = FindOrAddCurve("linear(-20 4, 20 -4)");
+		const FExposureReport Without = *Render(Plain).Views[0].Exposure;
+		const FExposureReport With = *Render(Curved).Views[0].Exposure;
+		const double Factor = std::exp2(-0.2 * static_cast<double>(Without.EV100));
+		EXPECT_EQ(Without.AverageLuminance, With.AverageLuminance) << Without.Method;
+		EXPECT_NEAR(1.0, With.Scale / (static_cast<double>(Without.Scale) * Factor), 1e-5) << Without.Method;
+		EXPECT_NEAR(1.0, With.TargetScale / (static_cast<double>(Without.TargetScale) * Factor), 1e-5);
+		EXPECT_NEAR(1.0, With.Compensation / (static_cast<double>(Without.Compensation) * Factor), 1e-5);
+	}
+}
+
+TEST(ExposureRun, FromTheSecondFrameOnTheCurveGoesByTheLastOnesAverage)
+{
+	FFrameInputs Inputs = MakeAutoFrame();
+	Inputs.Views[0].Settings.Settings.AutoExposureBiasCurve = FindOrAddCurve("linear(-20 4, 20 -4)");
+	const FFrameResult First = Render(Inputs);
+	Inputs.Views[0].PreExposure = 0.25f; // two stops brighter
+	Inputs.Time.DeltaWorldTimeSeconds = 1.0f / 24.0f;
+	Inputs.ViewStates = First.ViewStates;
+	const FExposureReport Last = *First.Views[0].Exposure;
+	const FExposureReport Second = *Render(Inputs).Views[0].Exposure;
+	const double Compensation = 2.0 * std::exp2(-0.2 * static_cast<double>(Last.EV100));
+	EXPECT_NEAR(1.0, Second.Compensation / Compensation, 1e-5);
+	EXPECT_NEAR(1.0, Second.TargetScale * Second.AverageLuminance / (0.18 * Compensation), 1e-5);
+	EXPECT_NEAR(Last.EV100 + 2, Second.EV100, 0.1);
+}
+
+TEST(ExposureRun, AConfigGivesTheCurveItsKeys)
+{
+	const FRunResult Without = RunBoxes(Auto, "");
+	const FRunResult With =
+		RunBoxes(Auto, R"("AutoExposureBiasCurve": {"keys": [[-20, 1.5], [20, 1.5]], "interp": "constant"})");
+	EXPECT_NEAR(std::exp2(1.5), With.ExposureScale / Without.ExposureScale, 1e-5);
+	EXPECT_TRUE(With.Diagnostics.empty());
+	const FRunResult Asset = RunBoxes(Auto, R"("AutoExposureBiasCurve": "/Game/C.C")");
+	EXPECT_EQ(Without.Final.Values, Asset.Final.Values);
+	ASSERT_EQ(1u, Asset.Diagnostics.size());
+	EXPECT_EQ(WarnIneffectiveValue, Asset.Diagnostics[0].Code);
+	EXPECT_EQ(0u, Asset.Diagnostics[0].Message.find("AutoExposureBiasCurve /Game/C.C has no keys here"));
 }
 
 TEST(ExposureRun, WithoutAStateEveryFrameStartsAfresh)

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/EffectTestUtils.h"
+#include "Picture/ImageFile.h"
 #include "Run/Run.h"
 #include "Text/ConfigErrors.h"
 #include "Text/Json.h"
@@ -94,6 +95,35 @@ TEST(ToonBloomRun, BeginsAtZeroWhereTheDefaultFeatureIsOff)
 	const FRunResult Off = RunToon(R"("BloomIntensity": 1.5)", {"r.DefaultFeature.Bloom=0"});
 	EXPECT_EQ(RunToon(R"("BloomIntensity": 1.5, "BloomToonIntensity": 0)").Final.Values, Off.Final.Values);
 	EXPECT_NE(RunToon(R"("BloomIntensity": 1.5)").Final.Values, Off.Final.Values);
+}
+
+TEST(ToonBloomRun, WithoutAThresholdTheSetupOf53KeepsItsRamp)
+{
+	// A grey frame without toon, and a factor of 1: all that the setup pass does is its ramp, (L + 1) / 2 of the engine
+	// up to 5.3 at a threshold of -1, and bloom is linear in what it gives.
+	const std::filesystem::path Folder = std::filesystem::temp_directory_path() / "drydock_toon_bloom_ramp";
+	std::filesystem::create_directories(Folder);
+	const auto Render = [&](double Grey, const std::string& Engine, const std::string& Mode)
+	{
+		WriteExr((Folder / "grey.exr").string(), {64, 32, 3, std::vector<double>(64 * 32 * 3, Grey)}, {"R", "G", "B"});
+		FRunOptions Options;
+		Options.ConfigFile = (Folder / "a.json").string();
+		Options.ConfigText = R"({"engine": ")" + Engine + R"(", "scene": {"file": "grey.exr",
+			"defaults": {"shadingmodel.ID": 1}}, "camera": {"Settings": {"BloomToonIntensity": 1}}})";
+		Options.Variables = {"r.ToonBloom=" + Mode};
+		Options.Storage = ERunStorage::Float32;
+		Options.bMeasureEffects = true;
+		return RunConfig(Options);
+	};
+	for (const double Grey : {0.06, 0.25, 0.96})
+	{
+		const FRunResult With = Render(Grey, "5.4", "1");
+		EXPECT_NEAR((Grey + 1) / 2, GetBleed(Render(Grey, "5.3", "1"), "outside") / GetBleed(With, "outside"), 1e-4);
+		const FImage Without = Render(Grey, "5.4", "0").Final;
+		EXPECT_EQ(Without.Values, With.Final.Values);
+		EXPECT_EQ(Without.Values, Render(Grey, "5.3", "0").Final.Values); // no setup pass, no ramp
+	}
+	std::filesystem::remove_all(Folder);
 }
 
 TEST(ToonBloomRun, LessToonBleedsLess)

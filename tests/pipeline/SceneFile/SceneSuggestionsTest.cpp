@@ -41,13 +41,13 @@ int CodeOfError(const std::string& ConfigText)
 {
 	try
 	{
-		Complete(ConfigText);
+		const FCompleted Result = Complete(ConfigText);
+		return HasErrors(Result.Diagnostics) ? Result.Diagnostics.back().Code : 0;
 	}
 	catch (const FError& Error)
 	{
 		return Error.GetDiagnostics().back().Code;
 	}
-	return 0;
 }
 
 } // namespace

@@ -1,0 +1,106 @@
+// Opens headers and holds against them what the config says.
+#include "SceneFile/SceneCheck.h"
+
+#include "Config/ConfigReader.h"
+#include "Config/FrameSequence.h"
+#include "Picture/ImageFile.h"
+#include "SceneFile/SceneTexturePacking.h"
+
+#include <algorithm>
+
+namespace Drydock
+{
+
+namespace
+{
+
+void CheckRect(const FConfigView& View, const FImageFile& File, FConfigMessages& Messages)
+{
+	const std::array<int, 4>& Corners = View.Rect.Value;
+	if (View.Rect.IsSet() && (Corners[2] > File.GetWidth() || Corners[3] > File.GetHeight()))
+	{
+		Messages.Error(ErrorBadValue, View.Rect.Place,
+			"the rect leaves the scene, which is " + std::to_string(File.GetWidth()) + " x " +
+				std::to_string(File.GetHeight()) + " pixels");
+	}
+}
+
+void CheckFile(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics)
+{
+	const FImageFile File(Config.Resolve(Config.Scene.File.Value));
+	CheckSceneChannels(Config, &File, Diagnostics);
+	FConfigMessages Messages(Config.File, Diagnostics);
+	for (const FConfigView& View : Config.Views)
+	{
+		CheckRect(View, File, Messages);
+	}
+	if (Config.Views.empty())
+	{
+		CheckRect(Config.View, File, Messages);
+	}
+}
+
+} // namespace
+
+FDiagnostic DescribeMissingScene(const FConfig& Config)
+{
+	return {.Code = ErrorMissingKey,
+		.Message = "the config names no scene: \"scene\": {\"file\": \"...\"}",
+		.File = Config.File,
+		.Where = "/scene/file"};
+}
+
+void CheckSceneChannels(const FConfig& Config, const FImageFile* File, std::vector<FDiagnostic>& Diagnostics)
+{
+	FConfigMessages Messages(Config.File, Diagnostics);
+	const auto CheckKnown = [&](const std::string& Name, const FConfigPlace& Place)
+	{
+		const std::vector<std::string>& Known = GetSceneChannelNames();
+		if (std::find(Known.begin(), Known.end(), Name) == Known.end())
+		{
+			Messages.Error(ErrorUnknownValue, Place, "no pass knows a channel \"" + Name + "\"" + Suggest(Name, Known));
+		}
+	};
+	for (const auto& [Name, Channel] : Config.Scene.Channels)
+	{
+		CheckKnown(Name, Channel.Place);
+		if (File != nullptr && File->FindChannel(Channel.Value) < 0)
+		{
+			Messages.Error(ErrorUnknownValue, Channel.Place,
+				File->GetPath() + " has no channel \"" + Channel.Value + "\"" +
+					Suggest(Channel.Value, File->GetChannels()));
+		}
+	}
+	for (const auto& [Name, Default] : Config.Scene.Defaults)
+	{
+		CheckKnown(Name, Default.Place);
+	}
+}
+
+void CheckScene(const FConfig& Config, ESceneNeed Need, std::vector<FDiagnostic>& Diagnostics)
+{
+	if (Need == ESceneNeed::None)
+	{
+		return;
+	}
+	if (!Config.Scene.File.IsSet() || IsFrameSequence(Config.Scene.File.Value))
+	{
+		CheckSceneChannels(Config, nullptr, Diagnostics);
+		if (!Config.Scene.File.IsSet() && Need == ESceneNeed::Required)
+		{
+			Diagnostics.push_back(DescribeMissingScene(Config));
+		}
+		return;
+	}
+	try
+	{
+		CheckFile(Config, Diagnostics);
+	}
+	catch (const FError& Error)
+	{
+		CheckSceneChannels(Config, nullptr, Diagnostics);
+		Diagnostics.insert(Diagnostics.end(), Error.GetDiagnostics().begin(), Error.GetDiagnostics().end());
+	}
+}
+
+} // namespace Drydock

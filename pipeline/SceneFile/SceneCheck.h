@@ -1,0 +1,32 @@
+// What can be wrong with a config's scene and pictures as far as their headers tell it: all of it at once, before a
+// frame is built.
+#pragma once
+
+#include "Config/Config.h"
+
+namespace Drydock
+{
+
+class FImageFile;
+
+/** What a verb wants of the scene. */
+enum class ESceneNeed
+{
+	None,    // it is not looked at
+	IfNamed, // it is checked where the config names one
+	Required,
+};
+
+/** Of a config without a scene. */
+DRYDOCK_API FDiagnostic DescribeMissingScene(const FConfig& Config);
+
+/** Channels that the config maps or gives a value to, and that no pass knows; where File is not null also those that
+ * they are mapped to and that the file does not have. */
+DRYDOCK_API void CheckSceneChannels(
+	const FConfig& Config, const FImageFile* File, std::vector<FDiagnostic>& Diagnostics);
+
+/** The scene: its file, its channels, and views that leave its picture. Of a sequence whose frame is not chosen yet,
+ * only what needs no file. */
+DRYDOCK_API void CheckScene(const FConfig& Config, ESceneNeed Need, std::vector<FDiagnostic>& Diagnostics);
+
+} // namespace Drydock
