@@ -39,6 +39,7 @@ BEGIN_SHADER_PARAMETER_STRUCT(FTonemapParameters, )
 	SHADER_PARAMETER(FVector3f, FilmGrainIntensities)
 	SHADER_PARAMETER(FVector4f, FilmGrainRanges)
 	SHADER_PARAMETER(uint32, FilmGrainFrame)
+	SHADER_PARAMETER(float, GrainQuantizationStep)
 	SHADER_PARAMETER(float, SharpenAmount)
 	SHADER_PARAMETER(FVector2f, VignetteScale)
 	SHADER_PARAMETER(float, VignetteIntensity)
@@ -52,6 +53,7 @@ class FTonemapDirtMaskDimension : SHADER_PERMUTATION_BOOL("USE_DIRT_MASK");
 class FTonemapVignetteDimension : SHADER_PERMUTATION_BOOL("USE_VIGNETTE");
 class FTonemapSharpenDimension : SHADER_PERMUTATION_BOOL("USE_SHARPEN");
 class FTonemapFilmGrainDimension : SHADER_PERMUTATION_BOOL("USE_FILM_GRAIN");
+class FTonemapGrainQuantizationDimension : SHADER_PERMUTATION_BOOL("USE_GRAIN_QUANTIZATION");
 class FTonemapColorFringeDimension : SHADER_PERMUTATION_BOOL("USE_COLOR_FRINGE");
 class FTonemapLocalExposureDimension : SHADER_PERMUTATION_BOOL("USE_LOCAL_EXPOSURE");
 class FTonemapLUTDimension : SHADER_PERMUTATION_BOOL("USE_LUT");
@@ -59,8 +61,8 @@ class FTonemapSceneColorApplyDimension : SHADER_PERMUTATION_BOOL("USE_SCENE_COLO
 
 using FTonemapPermutation = TShaderPermutationDomain<FTonemapGammaOnlyDimension, FTonemapBloomDimension,
 	FTonemapDirtMaskDimension, FTonemapVignetteDimension, FTonemapSharpenDimension, FTonemapFilmGrainDimension,
-	FTonemapColorFringeDimension, FTonemapLocalExposureDimension, FTonemapLUTDimension,
-	FTonemapSceneColorApplyDimension, Drydock::FColorRemapPermutation>;
+	FTonemapGrainQuantizationDimension, FTonemapColorFringeDimension, FTonemapLocalExposureDimension,
+	FTonemapLUTDimension, FTonemapSceneColorApplyDimension, Drydock::FColorRemapPermutation>;
 
 class FTonemapPS : public FGlobalShader
 {
@@ -117,6 +119,7 @@ FTonemapPermutation ChoosePermutation(
 	Permutation.Set<FTonemapVignetteDimension>(Settings.VignetteIntensity > 0.0f);
 	Permutation.Set<FTonemapSharpenDimension>(Parameters.SharpenAmount > 0.0f);
 	Permutation.Set<FTonemapFilmGrainDimension>(Drydock::HasFilmGrain(Settings));
+	Permutation.Set<FTonemapGrainQuantizationDimension>(Parameters.GrainQuantizationStep > 0.0f);
 	Permutation.Set<FTonemapColorFringeDimension>(Drydock::HasChromaticAberration(Settings));
 	Permutation.Set<FTonemapLocalExposureDimension>(Inputs.LocalExposure.IsValid());
 	Permutation.Set<FTonemapLUTDimension>(Inputs.ColorGradingTexture != nullptr);
@@ -182,6 +185,7 @@ FTonemapParameters MakeParameters(FRDGBuilder& GraphBuilder, const FViewInfo& Vi
 	Parameters.ColorGradingLUT = Inputs.ColorGradingTexture;
 	Parameters.ColorGradingSampler = Parameters.ColorSampler;
 	SetLens(View, Output.ViewRect.Size(), Parameters);
+	Parameters.GrainQuantizationStep = Drydock::GetGrainQuantizationStep(Output.Texture->Desc.Format);
 	return Parameters;
 }
 

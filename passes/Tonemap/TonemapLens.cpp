@@ -1,4 +1,4 @@
-// Vignette, fringe, sharpening and grain out of the settings. Source: engine file PostProcessTonemap.cpp.
+// Vignette, fringe, sharpening, grain and dithering out of the settings. Source: engine file PostProcessTonemap.cpp.
 #include "Tonemap/TonemapLens.h"
 
 #include "HAL/IConsoleManager.h"
@@ -21,6 +21,11 @@ TAutoConsoleVariable<int32> CVarFilmGrain(
 
 TAutoConsoleVariable<int32> CVarFilmGrainSequenceLength(TEXT("r.FilmGrain.SequenceLength"), 97,
 	TEXT("Frames after which the grain repeats; 97 by default."), ECVF_RenderThreadSafe);
+
+TAutoConsoleVariable<int32> CVarGrainQuantization(TEXT("r.Tonemapper.GrainQuantization"), 0,
+	TEXT("Noise of up to half a code before an output is rounded to 8 or 10 bits: 0 off (default; the engine's is 1), "
+		 "1 on."),
+	ECVF_Scalability | ECVF_RenderThreadSafe);
 
 } // namespace
 
@@ -67,6 +72,24 @@ FFilmGrain MakeFilmGrain(const FPostProcessSettings& Settings, uint32 FrameNumbe
 bool HasFilmGrain(const FPostProcessSettings& Settings)
 {
 	return Settings.FilmGrainIntensity > 0.0f && CVarFilmGrain.GetValueOnAnyThread() != 0;
+}
+
+float GetGrainQuantizationStep(EPixelFormat OutputFormat)
+{
+	if (CVarGrainQuantization.GetValueOnAnyThread() == 0)
+	{
+		return 0.0f;
+	}
+	switch (OutputFormat)
+	{
+	case PF_B8G8R8A8:
+	case PF_R8G8B8A8:
+		return 1.0f / 255.0f;
+	case PF_A2B10G10R10:
+		return 1.0f / 1023.0f;
+	default:
+		return 0.0f;
+	}
 }
 
 } // namespace Drydock

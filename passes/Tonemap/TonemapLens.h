@@ -3,6 +3,7 @@
 #pragma once
 
 #include "CoreMinimal.h"
+#include "PixelFormat.h"
 #include "PostProcessSettings.h"
 
 namespace Drydock
@@ -33,5 +34,9 @@ DRYDOCK_API FFilmGrain MakeFilmGrain(const FPostProcessSettings& Settings, uint3
 
 /** Whether there is any: intensity above 0 and r.FilmGrain 1. */
 DRYDOCK_API bool HasFilmGrain(const FPostProcessSettings& Settings);
+
+/** Between two codes of an output of 8 or 10 bits, over which r.Tonemapper.GrainQuantization spreads the values between
+ * them; 0: it does not, or the output is none of these. */
+DRYDOCK_API float GetGrainQuantizationStep(EPixelFormat OutputFormat);
 
 } // namespace Drydock

@@ -243,3 +243,80 @@ TEST(FilmGrain, TheVariableSwitchesItOff)
 	const FImage Image(8, 8, {0.25, 0.25, 0.25, 1});
 	EXPECT_EQ(Tonemap(Image, Plain([](FSettings&) {})).Texels, Tonemap(Image, Grainy(1)).Texels);
 }
+
+namespace
+{
+
+/** Codes of 0 .. Largest that a flat grey, by its linear light, becomes. */
+std::vector<double> DitherCodes(double Light, EPixelFormat Format, double Largest, uint32 Frame = 0)
+{
+	const FScopedConsoleVariable On(TEXT("r.Tonemapper.GrainQuantization"), 1);
+	FTonemapRun Run = Plain([](FSettings&) {});
+	Run.Arithmetic = EArithmetic::Native;
+	Run.OutputFormat = Format;
+	Run.FrameNumber = Frame;
+	std::vector<double> Codes;
+	for (const FTexel& Texel : Tonemap(FImage(256, 256, {Light, Light, Light, 1}), Run).Texels)
+	{
+		for (int Channel = 0; Channel < 3; ++Channel)
+		{
+			Codes.push_back(Texel[Channel] * Largest);
+		}
+	}
+	return Codes;
+}
+
+} // namespace
+
+TEST(GrainQuantization, TheMeanOfTheCodesIsTheGreyBetweenThem)
+{
+	std::mt19937 Random(9);
+	std::uniform_real_distribution<double> Grey(0.05, 0.95);
+	for (const auto& [Format, Largest] : {std::pair(PF_B8G8R8A8, 255.0), {PF_A2B10G10R10, 1023.0}})
+	{
+		for (int Case = 0; Case < 6; ++Case)
+		{
+			const double Code = Grey(Random);
+			const std::vector<double> Codes = DitherCodes(Decode(Code), Format, Largest);
+			double Sum = 0;
+			for (const double Value : Codes)
+			{
+				Sum += Value;
+				EXPECT_LT(std::abs(Value - Code * Largest), 1.0);
+			}
+			// Two neighbouring codes: a deviation of at most half a code; 3 * 256^2 of them.
+			EXPECT_NEAR(Code * Largest, Sum / Codes.size(), 4 * 0.5 / std::sqrt(3.0 * 256 * 256))
+				<< Code << " " << Largest;
+		}
+	}
+}
+
+TEST(GrainQuantization, AValueOnACodeStaysThere)
+{
+	for (const int Code : {0, 1, 100, 255})
+	{
+		// The curve gives the code but for a few of its last bits, so a few pixels of 100000 may leave it.
+		const std::vector<double> Codes = DitherCodes(Decode(Code / 255.0), PF_B8G8R8A8, 255);
+		const auto Stay = std::ranges::count_if(Codes, [&](double Value) { return std::abs(Value - Code) < 1e-6; });
+		EXPECT_GT(Stay, Codes.size() * (1 - 1e-4)) << Code;
+	}
+}
+
+TEST(GrainQuantization, IsTheSameForAFrameAndAnotherForTheNext)
+{
+	const double Light = Decode(100.5 / 255);
+	EXPECT_EQ(DitherCodes(Light, PF_B8G8R8A8, 255, 3), DitherCodes(Light, PF_B8G8R8A8, 255, 3));
+	EXPECT_NE(DitherCodes(Light, PF_B8G8R8A8, 255, 3), DitherCodes(Light, PF_B8G8R8A8, 255, 4));
+}
+
+TEST(GrainQuantization, LeavesFloatOutputsAndDefaultsAlone)
+{
+	const FImage Image = MakeSwatches();
+	const FTonemapRun Plainly = Plain([](FSettings&) {});
+	const FImage Expected = Tonemap(Image, Plainly);
+	const FScopedConsoleVariable On(TEXT("r.Tonemapper.GrainQuantization"), 1);
+	EXPECT_EQ(Expected.Texels, Tonemap(Image, Plainly).Texels);
+	EXPECT_EQ(0.0f, Drydock::GetGrainQuantizationStep(PF_FloatRGBA));
+	const FScopedConsoleVariable Off(TEXT("r.Tonemapper.GrainQuantization"), 0);
+	EXPECT_EQ(0.0f, Drydock::GetGrainQuantizationStep(PF_B8G8R8A8));
+}
