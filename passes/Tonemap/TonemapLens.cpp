@@ -27,6 +27,17 @@ TAutoConsoleVariable<int32> CVarGrainQuantization(TEXT("r.Tonemapper.GrainQuanti
 		 "1 on."),
 	ECVF_Scalability | ECVF_RenderThreadSafe);
 
+/** The Halton sequence: 0..1, evenly spread. */
+double GetHalton(uint32 Index, uint32 Base)
+{
+	double Result = 0.0;
+	for (double Digit = 1.0 / Base; Index > 0; Index /= Base, Digit /= Base)
+	{
+		Result += Digit * (Index % Base);
+	}
+	return Result;
+}
+
 } // namespace
 
 FVector2f ComputeVignetteScale(FIntPoint ViewSize)
@@ -67,6 +78,38 @@ FFilmGrain MakeFilmGrain(const FPostProcessSettings& Settings, uint32 FrameNumbe
 		Settings.FilmGrainHighlightsMax, 1.0f / TexelSize);
 	Grain.Frame = FrameNumber % static_cast<uint32>(Length);
 	return Grain;
+}
+
+FFilmGrainPicture MakeFilmGrainPicture(const FFilmGrain& Grain, FRHITexture& Picture)
+{
+	const FIntPoint Size = Picture.GetSizeXY();
+	FVector Sum(0.0, 0.0, 0.0);
+	for (int32 Y = 0; Y < Size.Y; ++Y)
+	{
+		for (int32 X = 0; X < Size.X; ++X)
+		{
+			const FVector4 Texel = Picture.ReadTexelDouble(X, Y);
+			const auto Part = [](double Value)
+			{
+				return std::isfinite(Value) ? std::max(Value, 0.0) : 0.0;
+			};
+			Sum += FVector(Part(Texel.X), Part(Texel.Y), Part(Texel.Z));
+		}
+	}
+	const auto Invert = [&](double Total)
+	{
+		return Total > 0.0 ? static_cast<float>(static_cast<double>(Size.X) * Size.Y / Total) : 0.0f;
+	};
+	const auto Move = [&](uint32 Base, int32 Count)
+	{
+		return static_cast<float>(std::floor(GetHalton(Grain.Frame + 1, Base) * Count)) / static_cast<float>(Count);
+	};
+	FFilmGrainPicture Result;
+	Result.UVPerPixel =
+		FVector2f(Grain.Ranges.W / static_cast<float>(Size.X), Grain.Ranges.W / static_cast<float>(Size.Y));
+	Result.UVOffset = FVector2f(Move(2, Size.X), Move(3, Size.Y));
+	Result.MeanInverse = FVector3f(Invert(Sum.X), Invert(Sum.Y), Invert(Sum.Z));
+	return Result;
 }
 
 bool HasFilmGrain(const FPostProcessSettings& Settings)

@@ -15,6 +15,7 @@
 #include "SceneFile/TextureFiles.h"
 #include "Screen/TextureAssets.h"
 #include "SettingObjects.h"
+#include "Tonemap/TonemapLens.h"
 
 #include <algorithm>
 
@@ -55,6 +56,10 @@ void WarnOfMissingPictures(const FFinalPostProcessSettings& Settings, FConfigMes
 	if (Settings.BloomDirtMaskIntensity > 0.0f)
 	{
 		Check("BloomDirtMask", Settings.BloomDirtMask.Get());
+	}
+	if (HasFilmGrain(Settings))
+	{
+		Check("FilmGrainTexture", Settings.FilmGrainTexture.Get());
 	}
 	for (const FFinalPostProcessSettings::FLUTEntry& Entry : Settings.ContributingLUTs)
 	{
