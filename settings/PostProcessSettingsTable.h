@@ -106,8 +106,8 @@ DRYDOCK_SETTING(FLinearColor, BloomDirtMaskTint, FLinearColor(0.5f, 0.5f, 0.5f, 
 DRYDOCK_SETTING(float, CameraShutterSpeed, 60.0f, AtLeast(1, 2000), "1/s", "Lens|Camera", Lerp, "Shutter speed, as the denominator of a second.")
 DRYDOCK_SETTING(float, CameraISO, 100.0f, AtLeast(1, 51200), "ISO", "Lens|Camera", Lerp, "Sensitivity of the sensor.")
 DRYDOCK_SETTING(float, DepthOfFieldFstop, 4.0f, AtLeast(1, 32), "f-number", "Lens|Camera", Lerp, "Aperture: a smaller number blurs more, and exposes more with AEM_Manual.")
-DRYDOCK_SETTING(float, DepthOfFieldMinFstop, 1.2f, AtLeast(0, 5), "f-number", "Lens|Camera", Lerp, "Widest aperture, where the blades no longer show; 0: round always.")
-DRYDOCK_SETTING(int32, DepthOfFieldBladeCount, 5, Between(4, 16), "", "Lens|Camera", Set, "Blades of the diaphragm.")
+DRYDOCK_SETTING(float, DepthOfFieldMinFstop, 1.2f, AtLeast(0, 5), "f-number", "Lens|Camera", Lerp, "Widest aperture, where the opening is round: the blades bend as its edge does; 0: straight blades.")
+DRYDOCK_SETTING(int32, DepthOfFieldBladeCount, 5, Between(4, 16), "", "Lens|Camera", Set, "Blades of the diaphragm: corners of the bokeh.")
 
 // Exposure
 DRYDOCK_SETTING(EAutoExposureMethod, AutoExposureMethod, AEM_Histogram, Anything, "", "Lens|Exposure", Set, "How the exposure is found: AEM_Histogram, AEM_Basic, AEM_Manual.")

@@ -1,4 +1,4 @@
-// The lens and the passes of depth of field. Source: engine file PostProcess/DiaphragmDOF.cpp (lens, limits).
+// The passes of depth of field. Source: engine file PostProcess/DiaphragmDOF.cpp (order of passes).
 #include "Lens/DiaphragmDOF.h"
 
 #include "GlobalShader.h"
@@ -10,28 +10,25 @@
 #include "Screen/RasterTarget.h"
 #include "ShaderParameterStruct.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace
 {
 
-TAutoConsoleVariable<float> CVarMaxForegroundRadius(TEXT("r.DOF.Kernel.MaxForegroundRadius"), 0.025f,
-	TEXT("Largest blur before the focus, as a part of the view's width (0.025)."),
-	ECVF_Scalability | ECVF_RenderThreadSafe);
-TAutoConsoleVariable<float> CVarMaxBackgroundRadius(TEXT("r.DOF.Kernel.MaxBackgroundRadius"), 0.025f,
-	TEXT("Largest blur behind the focus, as a part of the view's width (0.025)."),
-	ECVF_Scalability | ECVF_RenderThreadSafe);
-
 constexpr int32 GTileSize = 16; // pixels of half size
+constexpr int32 GMaxRings = 8;
+constexpr int32 GReachSteps = 128; // per spacing of the samples
 
 BEGIN_SHADER_PARAMETER_STRUCT(FDOFParameters, )
 	SHADER_PARAMETER_STRUCT_REF(FViewUniformShaderParameters, View)
 	SHADER_PARAMETER_STRUCT_INCLUDE(FSceneTextureShaderParameters, SceneTextures)
 	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Color)
-	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Layer)
 	SHADER_PARAMETER(FIntPoint, HalfSize)
 	SHADER_PARAMETER(FIntPoint, TileCount)
 	SHADER_PARAMETER(int32, TileReach)
+	SHADER_PARAMETER(int32, BokehSampleCount)
 	SHADER_PARAMETER(FVector4f, CocModel)  // focus distance, radius at infinity, least, largest
 	SHADER_PARAMETER(FVector4f, DepthBlur) // radius, 1 / half depth
 	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, ColorTexture)
@@ -40,6 +37,8 @@ BEGIN_SHADER_PARAMETER_STRUCT(FDOFParameters, )
 	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, BackgroundTexture)
 	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, ForegroundTexture)
 	SHADER_PARAMETER_SAMPLER(SamplerState, LayerSampler)
+	SHADER_PARAMETER_RDG_BUFFER_SRV(StructuredBuffer<float4>, BokehSamples)
+	SHADER_PARAMETER_RDG_BUFFER_SRV(StructuredBuffer<float>, ReachSums)
 	RENDER_TARGET_BINDING_SLOTS()
 END_SHADER_PARAMETER_STRUCT()
 
@@ -92,17 +91,64 @@ IMPLEMENT_GLOBAL_SHADER(FDOFNeighborMaxPS, "/Engine/Private/DiaphragmDOF.usf", "
 IMPLEMENT_GLOBAL_SHADER(FDOFGatherPS, "/Engine/Private/DiaphragmDOF.usf", "GatherPS", SF_Pixel);
 IMPLEMENT_GLOBAL_SHADER(FDOFRecombinePS, "/Engine/Private/DiaphragmDOF.usf", "RecombinePS", SF_Pixel);
 
+/** The places around a pixel that a gather looks at, and what it needs to weigh them. */
+struct FBokehSamples
+{
+	/** From the centre outwards: offset in spacings, and its distance as the bokeh measures it. */
+	std::vector<FVector4f> Samples;
+	/** Of a bokeh of radius i / GReachSteps spacings: how many samples it reaches, those on its edge in part. */
+	std::vector<float> ReachSums;
+};
+
+FBokehSamples MakeBokehSamples(const DiaphragmDOF::FBokehModel& Bokeh)
+{
+	constexpr double Farthest = GMaxRings + 0.5; // an edge is one spacing wide
+	const int32 Side = FMath::CeilToInt(Farthest * Bokeh.CocRadiusToCircumscribedRadius);
+	FBokehSamples Result;
+	for (int32 Y = -Side; Y <= Side; ++Y)
+	{
+		for (int32 X = -Side; X <= Side; ++X)
+		{
+			const double Distance = Bokeh.MeasureDistance(X, Y);
+			if (Distance < Farthest)
+			{
+				Result.Samples.emplace_back(X, Y, Distance, 0.0f);
+			}
+		}
+	}
+	std::ranges::stable_sort(Result.Samples, {}, &FVector4f::Z);
+	for (int32 Step = 0; Step <= GMaxRings * GReachSteps; ++Step)
+	{
+		const double Radius = static_cast<double>(Step) / GReachSteps;
+		double Sum = 0.0;
+		for (const FVector4f& Sample : Result.Samples)
+		{
+			Sum += std::clamp(Radius - Sample.Z + 0.5, 0.0, 1.0);
+		}
+		Result.ReachSums.push_back(static_cast<float>(Sum));
+	}
+	return Result;
+}
+
+template<typename ElementType>
+FRDGBufferSRVRef UploadElements(FRDGBuilder& GraphBuilder, const TCHAR* Name, const std::vector<ElementType>& Elements)
+{
+	return GraphBuilder.CreateSRV(CreateStructuredBuffer(GraphBuilder, Name, sizeof(ElementType),
+		static_cast<uint32>(Elements.size()), Elements.data(), sizeof(ElementType) * Elements.size()));
+}
+
 class FDOFPasses
 {
 public:
 	FDOFPasses(FRDGBuilder& InGraphBuilder, const FViewInfo& InView,
 		TRDGUniformBufferRef<FSceneTextureUniformParameters> InSceneTextures, const FScreenPassTexture& InSceneColor,
-		const DiaphragmDOF::FPhysicalCocModel& InModel)
+		const DiaphragmDOF::FPhysicalCocModel& InModel, const DiaphragmDOF::FBokehModel& InBokeh)
 		: GraphBuilder(InGraphBuilder)
 		, View(InView)
 		, SceneTextures(InSceneTextures)
 		, SceneColor(InSceneColor)
 		, Model(InModel)
+		, Bokeh(InBokeh)
 		, HalfSize(FIntPoint::DivideAndRoundUp(InSceneColor.ViewRect.Size(), 2))
 		, TileCount(FIntPoint::DivideAndRoundUp(HalfSize, GTileSize))
 	{
@@ -123,6 +169,10 @@ public:
 		Parameters->TileTexture = TileMax.Texture;
 		AddPass(TShaderMapRef<FDOFNeighborMaxPS>(View.ShaderMap), "DOF NeighborMax", Tiles, Parameters);
 
+		const FBokehSamples Samples = MakeBokehSamples(Bokeh);
+		BokehSampleCount = static_cast<int32>(Samples.Samples.size());
+		BokehSamples = UploadElements(GraphBuilder, TEXT("DOF.BokehSamples"), Samples.Samples);
+		ReachSums = UploadElements(GraphBuilder, TEXT("DOF.ReachSums"), Samples.ReachSums);
 		const FScreenPassRenderTarget Background = AddGather(false, Setup.Texture, Tiles.Texture);
 		const FScreenPassRenderTarget Foreground = AddGather(true, Setup.Texture, Tiles.Texture);
 
@@ -132,7 +182,6 @@ public:
 		Parameters->ColorTexture = SceneColor.Texture;
 		Parameters->BackgroundTexture = Background.Texture;
 		Parameters->ForegroundTexture = Foreground.Texture;
-		Parameters->Layer = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Background));
 		AddPass(TShaderMapRef<FDOFRecombinePS>(View.ShaderMap), "DOF Recombine", Output, Parameters);
 		return FScreenPassTexture(Output.Texture, Output.ViewRect);
 	}
@@ -145,6 +194,9 @@ private:
 		FDOFParameters* Parameters = MakeParameters(Output);
 		Parameters->SetupTexture = Setup;
 		Parameters->TileTexture = Tiles;
+		Parameters->BokehSampleCount = BokehSampleCount;
+		Parameters->BokehSamples = BokehSamples;
+		Parameters->ReachSums = ReachSums;
 		FDOFGatherPS::FPermutationDomain Permutation;
 		Permutation.Set<FDOFGatherPS::FForegroundDimension>(bForeground);
 		AddPass(TShaderMapRef<FDOFGatherPS>(View.ShaderMap, Permutation),
@@ -168,7 +220,9 @@ private:
 		Parameters->HalfSize = HalfSize;
 		Parameters->TileCount = TileCount;
 		const float Largest = FMath::Max3(Model.MaxForegroundRadius, Model.MaxBackgroundRadius, Model.DepthBlurRadius);
-		Parameters->TileReach = FMath::DivideAndRoundUp(FMath::CeilToInt(0.5f * Largest) + 1, GTileSize);
+		// To the farthest corner, and half the width of the edge.
+		const double Reach = (0.5 * Largest * (1.0 + 0.5 / GMaxRings) + 1.0) * Bokeh.CocRadiusToCircumscribedRadius;
+		Parameters->TileReach = FMath::DivideAndRoundUp(static_cast<int32>(std::ceil(Reach)), GTileSize);
 		Parameters->CocModel =
 			FVector4f(Model.FocusDistance, Model.InfinityRadius, -Model.MaxForegroundRadius, Model.MaxBackgroundRadius);
 		Parameters->DepthBlur = FVector4f(Model.DepthBlurRadius, 1.0f / Model.DepthBlurHalfDepth, 0.0f, 0.0f);
@@ -190,8 +244,12 @@ private:
 	const TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures;
 	const FScreenPassTexture& SceneColor;
 	const DiaphragmDOF::FPhysicalCocModel& Model;
+	const DiaphragmDOF::FBokehModel& Bokeh;
 	const FIntPoint HalfSize;
 	const FIntPoint TileCount;
+	int32 BokehSampleCount = 0;
+	FRDGBufferSRVRef BokehSamples = nullptr;
+	FRDGBufferSRVRef ReachSums = nullptr;
 };
 
 } // namespace
@@ -199,50 +257,9 @@ private:
 namespace DiaphragmDOF
 {
 
-FPhysicalCocModel FPhysicalCocModel::Compile(
-	const FFinalPostProcessSettings& Settings, int32 ViewWidth, float CotHalfFov)
-{
-	constexpr float MillimetresPerCentimetre = 10.0f;
-	constexpr float CentimetresPerKilometre = 100000.0f;
-	const float Width = static_cast<float>(ViewWidth);
-	const float SensorWidth = Settings.DepthOfFieldSensorWidth;
-	const float FocalLength = 0.5f * SensorWidth * CotHalfFov;
-	const float Aperture = FocalLength / Settings.DepthOfFieldFstop;
-	const float Focus = MillimetresPerCentimetre * Settings.DepthOfFieldFocalDistance;
-
-	FPhysicalCocModel Model;
-	Model.FocusDistance = Settings.DepthOfFieldFocalDistance;
-	// A lens cannot focus nearer than its focal length.
-	const float Diameter = Focus > FocalLength ? Aperture * FocalLength / (Focus - FocalLength) : 0.0f;
-	Model.InfinityRadius = 0.5f * Diameter / SensorWidth * Width;
-	Model.MaxForegroundRadius = FMath::Max(CVarMaxForegroundRadius.GetValueOnRenderThread(), 0.0f) * Width;
-	Model.MaxBackgroundRadius = FMath::Max(CVarMaxBackgroundRadius.GetValueOnRenderThread(), 0.0f) * Width;
-	Model.DepthBlurRadius = FMath::Max(Settings.DepthOfFieldDepthBlurRadius, 0.0f) * Width / 1920.0f;
-	Model.DepthBlurHalfDepth = FMath::Max(Settings.DepthOfFieldDepthBlurAmount * CentimetresPerKilometre, 1.0f);
-	return Model;
-}
-
-float FPhysicalCocModel::DepthToCocRadius(float Depth) const
-{
-	if (!(Depth > 0.0f) || !std::isfinite(Depth))
-	{
-		return 0.0f;
-	}
-	const float Lens =
-		FMath::Clamp(InfinityRadius * (1.0f - FocusDistance / Depth), -MaxForegroundRadius, MaxBackgroundRadius);
-	const float Air = DepthBlurRadius * (1.0f - std::exp2(-Depth / DepthBlurHalfDepth));
-	return Depth > FocusDistance ? FMath::Max(Lens, Air) : Lens;
-}
-
-bool IsEnabled(const FFinalPostProcessSettings& Settings)
-{
-	return Settings.DepthOfFieldFocalDistance > 0.0f && Settings.DepthOfFieldFstop > 0.0f &&
-		   Settings.DepthOfFieldSensorWidth > 0.0f;
-}
-
 FScreenPassTexture AddPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View,
 	TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures, const FScreenPassTexture& SceneColor,
-	const FPhysicalCocModel& Model)
+	const FPhysicalCocModel& Model, const FBokehModel& Bokeh)
 {
 	check(SceneColor.IsValid());
 	check(SceneTextures);
@@ -251,7 +268,7 @@ FScreenPassTexture AddPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View,
 		return SceneColor;
 	}
 	RDG_EVENT_SCOPE(GraphBuilder, "DepthOfField");
-	return FDOFPasses(GraphBuilder, View, SceneTextures, SceneColor, Model).AddAll();
+	return FDOFPasses(GraphBuilder, View, SceneTextures, SceneColor, Model, Bokeh).AddAll();
 }
 
 } // namespace DiaphragmDOF

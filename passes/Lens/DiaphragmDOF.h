@@ -7,17 +7,27 @@
 // positive behind the focus, negative before it; at most r.DOF.Kernel.MaxBackgroundRadius and MaxForegroundRadius. The
 // blur of the air (DepthOfFieldDepthBlur*): behind the focus at least Radius * W / 1920 * (1 - 2^(-d / Amount)).
 //
+// The bokeh, the picture of a point out of focus, has the form of the lens's opening, as the settings' tooltips
+// say (memory): a disc at DepthOfFieldMinFstop; at larger stops as many arcs as there are blades, bent as the edge of
+// the disc is; straight sides where DepthOfFieldMinFstop is 0. Its area is that of the disc of radius r, so that a stop
+// lets through the light of its number; a corner points up behind the focus and down before it (both drydock's choice).
+// r.DOF.Gather.EnableBokehSettings 0: a disc.
+//
 // DOF Setup: half size, colour and radius. DOF TileMax, NeighborMax: the largest radius that can reach a tile of 16
-// x 16. DOF Gather: behind the focus a pixel is the mean of what reaches it, where nothing reaches over what is nearer
-// than itself; before the focus everything that reaches it covers it. DOF Recombine: full size, mixed by the radius.
-// What the engine has and this has not: the shape of the aperture (a disc here), scattered highlights, the slight
-// out-of-focus pass, squeeze, Petzval, temporal accumulation. Samples lie on a grid of at most 17 x 17: above 16 pixels
-// of radius they are farther apart than pixels, and a single bright pixel shows the grid.
+// x 16. DOF Gather: the bokehs of all samples, each of the light and the opacity of what it stands for. Behind the
+// focus a pixel is the mean of what reaches it, where nothing reaches over what is nearer than itself; before the focus
+// what reaches it covers it. Where bokehs would cover a pixel more than once, those of what is nearer come first. What
+// lies behind something before the focus nobody knows: it is filled in from around. DOF Recombine: full size, mixed by
+// the radius; a pixel before the focus gives its own place away to the extent that it spreads over others. What the
+// engine has and this has not: scattered highlights, the slight out-of-focus pass, squeeze, Petzval, barrel, temporal
+// accumulation. Samples lie on a grid of at most 17 x 17: above 16 pixels of radius they are farther apart than pixels,
+// and a single bright pixel shows the grid.
 //
 // Contract. Where no radius of half a pixel reaches, the picture is unchanged bit for bit. A constant stays constant.
-// Every result is a mix of input colours. A depth that is not finite or not above 0 counts as in focus. FocalDistance
-// or Fstop 0 and below: no pass. NaN, infinities and negatives go where the pixels that hold them go, and nowhere else:
-// what is in focus keeps its bits. Nothing outside the rect is read. Any size from 1x1.
+// Every result is a mix of input colours. A spot keeps its light, unless something nearer, or the picture's edge, hides
+// a part of it. A depth that is not finite or not above 0 counts as in focus. FocalDistance or Fstop 0 and below: no
+// pass. NaN, infinities and negatives go where the pixels that hold them go, and nowhere else: what is in focus keeps
+// its bits. Nothing outside the rect is read. Any size from 1x1.
 #pragma once
 
 #include "CoreMinimal.h"
@@ -50,12 +60,35 @@ struct FPhysicalCocModel
 	DRYDOCK_API float DepthToCocRadius(float Depth) const;
 };
 
+enum class EBokehShape : uint8
+{
+	Circle,
+	StraightBlades,
+	RoundedBlades,
+};
+
+/** The form of the opening, for a radius of 1 of the disc of its area. */
+struct FBokehModel
+{
+	EBokehShape BokehShape = EBokehShape::Circle;
+	int32 DiaphragmBladeCount = 0;               // of a circle 0; else 4 to 16
+	double CocRadiusToCircumscribedRadius = 1.0; // centre to a corner
+	double CocRadiusToIncircleRadius = 1.0;      // centre to the middle of a side
+	double DiaphragmBladeRadius = 1.0;           // of RoundedBlades: of the arcs
+
+	DRYDOCK_API static FBokehModel Compile(const FFinalPostProcessSettings& Settings);
+
+	/** Of a point as large as the offset whose bokeh just reaches there: 1 on the edge. The offset's y points down, to
+	 * a corner. */
+	DRYDOCK_API double MeasureDistance(double X, double Y) const;
+};
+
 /** Whether the settings focus at all. */
 DRYDOCK_API bool IsEnabled(const FFinalPostProcessSettings& Settings);
 
 /** SceneColor itself where there is nothing to do. */
 DRYDOCK_API FScreenPassTexture AddPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View,
 	TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures, const FScreenPassTexture& SceneColor,
-	const FPhysicalCocModel& Model);
+	const FPhysicalCocModel& Model, const FBokehModel& Bokeh);
 
 } // namespace DiaphragmDOF

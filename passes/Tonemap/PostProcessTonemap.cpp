@@ -39,6 +39,12 @@ BEGIN_SHADER_PARAMETER_STRUCT(FTonemapParameters, )
 	SHADER_PARAMETER(FVector3f, FilmGrainIntensities)
 	SHADER_PARAMETER(FVector4f, FilmGrainRanges)
 	SHADER_PARAMETER(uint32, FilmGrainFrame)
+	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, FilmGrainTexture)
+	SHADER_PARAMETER_SAMPLER(SamplerState, FilmGrainSampler)
+	SHADER_PARAMETER(FVector2f, FilmGrainUVPerPixel)
+	SHADER_PARAMETER(FVector2f, FilmGrainUVOffset)
+	SHADER_PARAMETER(FVector3f, FilmGrainMeanInverse)
+	SHADER_PARAMETER(float, GrainQuantizationStep)
 	SHADER_PARAMETER(float, SharpenAmount)
 	SHADER_PARAMETER(FVector2f, VignetteScale)
 	SHADER_PARAMETER(float, VignetteIntensity)
@@ -52,6 +58,8 @@ class FTonemapDirtMaskDimension : SHADER_PERMUTATION_BOOL("USE_DIRT_MASK");
 class FTonemapVignetteDimension : SHADER_PERMUTATION_BOOL("USE_VIGNETTE");
 class FTonemapSharpenDimension : SHADER_PERMUTATION_BOOL("USE_SHARPEN");
 class FTonemapFilmGrainDimension : SHADER_PERMUTATION_BOOL("USE_FILM_GRAIN");
+class FTonemapFilmGrainTextureDimension : SHADER_PERMUTATION_BOOL("USE_FILM_GRAIN_TEXTURE");
+class FTonemapGrainQuantizationDimension : SHADER_PERMUTATION_BOOL("USE_GRAIN_QUANTIZATION");
 class FTonemapColorFringeDimension : SHADER_PERMUTATION_BOOL("USE_COLOR_FRINGE");
 class FTonemapLocalExposureDimension : SHADER_PERMUTATION_BOOL("USE_LOCAL_EXPOSURE");
 class FTonemapLUTDimension : SHADER_PERMUTATION_BOOL("USE_LUT");
@@ -59,8 +67,9 @@ class FTonemapSceneColorApplyDimension : SHADER_PERMUTATION_BOOL("USE_SCENE_COLO
 
 using FTonemapPermutation = TShaderPermutationDomain<FTonemapGammaOnlyDimension, FTonemapBloomDimension,
 	FTonemapDirtMaskDimension, FTonemapVignetteDimension, FTonemapSharpenDimension, FTonemapFilmGrainDimension,
-	FTonemapColorFringeDimension, FTonemapLocalExposureDimension, FTonemapLUTDimension,
-	FTonemapSceneColorApplyDimension, Drydock::FColorRemapPermutation>;
+	FTonemapFilmGrainTextureDimension, FTonemapGrainQuantizationDimension, FTonemapColorFringeDimension,
+	FTonemapLocalExposureDimension, FTonemapLUTDimension, FTonemapSceneColorApplyDimension,
+	Drydock::FColorRemapPermutation>;
 
 class FTonemapPS : public FGlobalShader
 {
@@ -117,6 +126,8 @@ FTonemapPermutation ChoosePermutation(
 	Permutation.Set<FTonemapVignetteDimension>(Settings.VignetteIntensity > 0.0f);
 	Permutation.Set<FTonemapSharpenDimension>(Parameters.SharpenAmount > 0.0f);
 	Permutation.Set<FTonemapFilmGrainDimension>(Drydock::HasFilmGrain(Settings));
+	Permutation.Set<FTonemapFilmGrainTextureDimension>(Parameters.FilmGrainTexture != nullptr);
+	Permutation.Set<FTonemapGrainQuantizationDimension>(Parameters.GrainQuantizationStep > 0.0f);
 	Permutation.Set<FTonemapColorFringeDimension>(Drydock::HasChromaticAberration(Settings));
 	Permutation.Set<FTonemapLocalExposureDimension>(Inputs.LocalExposure.IsValid());
 	Permutation.Set<FTonemapLUTDimension>(Inputs.ColorGradingTexture != nullptr);
@@ -144,7 +155,7 @@ void SetBloom(FRDGBuilder& GraphBuilder, const FFinalPostProcessSettings& Settin
 }
 
 /** What lens and sensor do. */
-void SetLens(const FViewInfo& View, FIntPoint Size, FTonemapParameters& Parameters)
+void SetLens(FRDGBuilder& GraphBuilder, const FViewInfo& View, FIntPoint Size, FTonemapParameters& Parameters)
 {
 	const FFinalPostProcessSettings& Settings = View.FinalPostProcessSettings;
 	const Drydock::FFilmGrain Grain = Drydock::MakeFilmGrain(Settings, View.UniformParameters.StateFrameIndex);
@@ -153,6 +164,18 @@ void SetLens(const FViewInfo& View, FIntPoint Size, FTonemapParameters& Paramete
 	Parameters.FilmGrainIntensities = Grain.Intensities;
 	Parameters.FilmGrainRanges = Grain.Ranges;
 	Parameters.FilmGrainFrame = Grain.Frame;
+	const FTextureRHIRef GrainPicture =
+		Drydock::HasFilmGrain(Settings) ? Drydock::FindTexturePixels(Settings.FilmGrainTexture.Get()) : nullptr;
+	if (GrainPicture)
+	{
+		const Drydock::FFilmGrainPicture Picture = Drydock::MakeFilmGrainPicture(Grain, *GrainPicture);
+		Parameters.FilmGrainTexture =
+			GraphBuilder.RegisterExternalTexture(CreateRenderTarget(GrainPicture, TEXT("FilmGrainTexture")));
+		Parameters.FilmGrainSampler = TStaticSamplerState<SF_Bilinear, AM_Wrap, AM_Wrap, AM_Wrap>::GetRHI();
+		Parameters.FilmGrainUVPerPixel = Picture.UVPerPixel;
+		Parameters.FilmGrainUVOffset = Picture.UVOffset;
+		Parameters.FilmGrainMeanInverse = Picture.MeanInverse;
+	}
 	Parameters.SharpenAmount = Drydock::GetSharpenAmount(Settings);
 	Parameters.VignetteScale = Drydock::ComputeVignetteScale(Size);
 	Parameters.VignetteIntensity = Settings.VignetteIntensity;
@@ -181,7 +204,8 @@ FTonemapParameters MakeParameters(FRDGBuilder& GraphBuilder, const FViewInfo& Vi
 	Parameters.LocalExposure = Drydock::GetLocalExposureShaderParameters(Inputs.LocalExposure);
 	Parameters.ColorGradingLUT = Inputs.ColorGradingTexture;
 	Parameters.ColorGradingSampler = Parameters.ColorSampler;
-	SetLens(View, Output.ViewRect.Size(), Parameters);
+	SetLens(GraphBuilder, View, Output.ViewRect.Size(), Parameters);
+	Parameters.GrainQuantizationStep = Drydock::GetGrainQuantizationStep(Output.Texture->Desc.Format);
 	return Parameters;
 }
 

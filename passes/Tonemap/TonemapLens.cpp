@@ -1,4 +1,4 @@
-// Vignette, fringe, sharpening and grain out of the settings. Source: engine file PostProcessTonemap.cpp.
+// Vignette, fringe, sharpening, grain and dithering out of the settings. Source: engine file PostProcessTonemap.cpp.
 #include "Tonemap/TonemapLens.h"
 
 #include "HAL/IConsoleManager.h"
@@ -21,6 +21,22 @@ TAutoConsoleVariable<int32> CVarFilmGrain(
 
 TAutoConsoleVariable<int32> CVarFilmGrainSequenceLength(TEXT("r.FilmGrain.SequenceLength"), 97,
 	TEXT("Frames after which the grain repeats; 97 by default."), ECVF_RenderThreadSafe);
+
+TAutoConsoleVariable<int32> CVarGrainQuantization(TEXT("r.Tonemapper.GrainQuantization"), 0,
+	TEXT("Noise of up to half a code before an output is rounded to 8 or 10 bits: 0 off (default; the engine's is 1), "
+		 "1 on."),
+	ECVF_Scalability | ECVF_RenderThreadSafe);
+
+/** The Halton sequence: 0..1, evenly spread. */
+double GetHalton(uint32 Index, uint32 Base)
+{
+	double Result = 0.0;
+	for (double Digit = 1.0 / Base; Index > 0; Index /= Base, Digit /= Base)
+	{
+		Result += Digit * (Index % Base);
+	}
+	return Result;
+}
 
 } // namespace
 
@@ -64,9 +80,59 @@ FFilmGrain MakeFilmGrain(const FPostProcessSettings& Settings, uint32 FrameNumbe
 	return Grain;
 }
 
+FFilmGrainPicture MakeFilmGrainPicture(const FFilmGrain& Grain, FRHITexture& Picture)
+{
+	const FIntPoint Size = Picture.GetSizeXY();
+	FVector Sum(0.0, 0.0, 0.0);
+	for (int32 Y = 0; Y < Size.Y; ++Y)
+	{
+		for (int32 X = 0; X < Size.X; ++X)
+		{
+			const FVector4 Texel = Picture.ReadTexelDouble(X, Y);
+			const auto Part = [](double Value)
+			{
+				return std::isfinite(Value) ? std::max(Value, 0.0) : 0.0;
+			};
+			Sum += FVector(Part(Texel.X), Part(Texel.Y), Part(Texel.Z));
+		}
+	}
+	const auto Invert = [&](double Total)
+	{
+		return Total > 0.0 ? static_cast<float>(static_cast<double>(Size.X) * Size.Y / Total) : 0.0f;
+	};
+	const auto Move = [&](uint32 Base, int32 Count)
+	{
+		return static_cast<float>(std::floor(GetHalton(Grain.Frame + 1, Base) * Count)) / static_cast<float>(Count);
+	};
+	FFilmGrainPicture Result;
+	Result.UVPerPixel =
+		FVector2f(Grain.Ranges.W / static_cast<float>(Size.X), Grain.Ranges.W / static_cast<float>(Size.Y));
+	Result.UVOffset = FVector2f(Move(2, Size.X), Move(3, Size.Y));
+	Result.MeanInverse = FVector3f(Invert(Sum.X), Invert(Sum.Y), Invert(Sum.Z));
+	return Result;
+}
+
 bool HasFilmGrain(const FPostProcessSettings& Settings)
 {
 	return Settings.FilmGrainIntensity > 0.0f && CVarFilmGrain.GetValueOnAnyThread() != 0;
+}
+
+float GetGrainQuantizationStep(EPixelFormat OutputFormat)
+{
+	if (CVarGrainQuantization.GetValueOnAnyThread() == 0)
+	{
+		return 0.0f;
+	}
+	switch (OutputFormat)
+	{
+	case PF_B8G8R8A8:
+	case PF_R8G8B8A8:
+		return 1.0f / 255.0f;
+	case PF_A2B10G10R10:
+		return 1.0f / 1023.0f;
+	default:
+		return 0.0f;
+	}
 }
 
 } // namespace Drydock

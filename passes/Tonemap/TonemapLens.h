@@ -3,6 +3,8 @@
 #pragma once
 
 #include "CoreMinimal.h"
+#include "PixelFormat.h"
+#include "RHIResources.h"
 #include "PostProcessSettings.h"
 
 namespace Drydock
@@ -33,5 +35,21 @@ DRYDOCK_API FFilmGrain MakeFilmGrain(const FPostProcessSettings& Settings, uint3
 
 /** Whether there is any: intensity above 0 and r.FilmGrain 1. */
 DRYDOCK_API bool HasFilmGrain(const FPostProcessSettings& Settings);
+
+/** How a picture becomes grain: repeated over the view, and divided by its mean so that the light stays. Source: what
+ * is written of r.FilmGrain.SequenceLength and r.FilmGrain.CacheTextureConstants; that it is the mean is drydock's
+ * reading. */
+struct FFilmGrainPicture
+{
+	FVector2f UVPerPixel;  // of FilmGrainTexelSize
+	FVector2f UVOffset;    // whole texels, by the Halton sequence of the frame
+	FVector3f MeanInverse; // by channel; 0 where the mean is not above 0
+};
+
+DRYDOCK_API FFilmGrainPicture MakeFilmGrainPicture(const FFilmGrain& Grain, FRHITexture& Picture);
+
+/** Between two codes of an output of 8 or 10 bits, over which r.Tonemapper.GrainQuantization spreads the values between
+ * them; 0: it does not, or the output is none of these. */
+DRYDOCK_API float GetGrainQuantizationStep(EPixelFormat OutputFormat);
 
 } // namespace Drydock

@@ -1,4 +1,4 @@
-// Depth of field by a gathered disc, a simplification of the engine's. Source: engine PostProcess/DiaphragmDOF.cpp
+// Depth of field by gathered bokehs, a simplification of the engine's. Source: engine PostProcess/DiaphragmDOF.cpp
 // (conditions); the wording is drydock's.
 #include "Effects/Effect.h"
 #include "Lens/DiaphragmDOF.h"
@@ -14,6 +14,8 @@ namespace
 constexpr FSettingClaim Settings[] = {
 	{"DepthOfFieldFocalDistance"},
 	{"DepthOfFieldFstop"},
+	{"DepthOfFieldMinFstop"},
+	{"DepthOfFieldBladeCount"},
 	{"DepthOfFieldSensorWidth"},
 	{"DepthOfFieldDepthBlur"},
 };
@@ -40,7 +42,9 @@ FScreenPassTexture AddPasses(const FEffectPassInputs& Inputs)
 	const FViewInfo& View = Inputs.View;
 	const auto Model = DiaphragmDOF::FPhysicalCocModel::Compile(View.FinalPostProcessSettings,
 		Inputs.SceneColor.ViewRect.Width(), static_cast<float>(View.UniformParameters.ViewToClip.M[0][0]));
-	return DiaphragmDOF::AddPasses(Inputs.GraphBuilder, View, Inputs.GetSceneTextures(), Inputs.SceneColor, Model);
+	const auto Bokeh = DiaphragmDOF::FBokehModel::Compile(View.FinalPostProcessSettings);
+	return DiaphragmDOF::AddPasses(
+		Inputs.GraphBuilder, View, Inputs.GetSceneTextures(), Inputs.SceneColor, Model, Bokeh);
 }
 
 } // namespace

@@ -17,7 +17,6 @@ constexpr FSettingClaim Settings[] = {
 	{"ToneCurveAmount"},
 	{"SceneColorTint"},
 	{"Film"},
-	{"FilmGrainTexture", "the grain is a noise of its own, not a picture's"},
 	{"TemperatureType"},
 	{"White"},
 	{"ColorSaturation"},

@@ -17,8 +17,10 @@
 #include "SceneFile/TextureFiles.h"
 #include "Screen/TextureAssets.h"
 #include "SettingObjects.h"
+#include "Tonemap/TonemapLens.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <tuple>
 
@@ -27,6 +29,22 @@ namespace Drydock
 
 namespace
 {
+
+TAutoConsoleVariable<float> CVarPreExposureOverride(TEXT("r.EyeAdaptation.PreExposureOverride"), 0.0f,
+	TEXT("Above 0: PreExposure of every view, in place of view.preExposure; 0 by default."), ECVF_RenderThreadSafe);
+
+void OverridePreExposure(FConfig& Config)
+{
+	const float Override = CVarPreExposureOverride.GetValueOnAnyThread();
+	if (Override > 0.0f && std::isfinite(Override))
+	{
+		Config.View.PreExposure.Value = Override;
+		for (FConfigView& View : Config.Views)
+		{
+			View.PreExposure.Value = Override;
+		}
+	}
+}
 
 const char* GetStorageValue(const FRunOptions& Options)
 {
@@ -59,6 +77,10 @@ void WarnOfMissingPictures(const FFinalPostProcessSettings& Settings, FConfigMes
 	if (Settings.BloomDirtMaskIntensity > 0.0f)
 	{
 		Check("BloomDirtMask", Settings.BloomDirtMask.Get());
+	}
+	if (HasFilmGrain(Settings))
+	{
+		Check("FilmGrainTexture", Settings.FilmGrainTexture.Get());
 	}
 	for (const FFinalPostProcessSettings::FLUTEntry& Entry : Settings.ContributingLUTs)
 	{
@@ -387,6 +409,7 @@ void FRunSetup::PlaceFrame(std::optional<int> Frame)
 void FRunSetup::BlendSettings()
 {
 	Diagnostics = Join({&OfConfig, &OfFrame, &OfExtensions});
+	OverridePreExposure(Config);
 	Settings = MakeViewSettings(Config, &Diagnostics);
 	WarnOfIneffectiveValues(Config, Settings, Diagnostics);
 }

@@ -17,7 +17,7 @@ FImage RunDiaphragmDOF(const FCase& Case)
 	Model.InfinityRadius = static_cast<float>(Case.Sigma.value_or(6.0));
 	Model.MaxForegroundRadius = Model.MaxBackgroundRadius = 40.0f;
 	const auto SceneTextures = Run.GetSceneTextures();
-	return Run.Execute(DiaphragmDOF::AddPasses(Run.GraphBuilder, Run.View, SceneTextures, Run.Input, Model));
+	return Run.Execute(DiaphragmDOF::AddPasses(Run.GraphBuilder, Run.View, SceneTextures, Run.Input, Model, {}));
 }
 
 FImage RunMotionBlur(const FCase& Case)

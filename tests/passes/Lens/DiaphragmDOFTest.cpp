@@ -4,6 +4,8 @@
 #include "Lens/DiaphragmDOF.h"
 
 using namespace PassTest;
+using DiaphragmDOF::EBokehShape;
+using DiaphragmDOF::FBokehModel;
 using DiaphragmDOF::FPhysicalCocModel;
 using PassReference::FRect;
 using PassReference::MaxDifference;
@@ -26,6 +28,7 @@ FFinalPostProcessSettings MakeLens()
 struct FDofRun
 {
 	FPhysicalCocModel Model;
+	FBokehModel Bokeh;
 	FIntPoint Padding = FIntPoint(0, 0);
 	EArithmetic Arithmetic = EArithmetic::Float32;
 
@@ -53,7 +56,7 @@ struct FDofRun
 									  Rect, Extent, PF_R32_FLOAT, TEXT("Depth"))
 								  .Texture;
 		const auto Textures = CreateSceneTextureUniformBuffer(Pass.GraphBuilder, &SceneTextures);
-		return Pass.Execute(DiaphragmDOF::AddPasses(Pass.GraphBuilder, Pass.View, Textures, Pass.Input, Model));
+		return Pass.Execute(DiaphragmDOF::AddPasses(Pass.GraphBuilder, Pass.View, Textures, Pass.Input, Model, Bokeh));
 	}
 
 	FImage Run(const FImage& Color, double Depth) const
@@ -89,6 +92,48 @@ double MeasureRadius(const FImage& Image)
 	// A disc: the mean of the squared distance is R^2 / 2. Of that, 2/3 + 1/3 pixel are the point's own size and the
 	// bilinear way back from half size (variances of a box and of a tent of two pixels, both axes).
 	return std::sqrt(2 * (Second / Sum - 1.0));
+}
+
+/** A bright spot on an even background, each with the radius that its depth gives it. */
+struct FSpot
+{
+	double Radius = 0;           // pixels; negative before the focus
+	double BackgroundRadius = 0; // likewise
+	int X = 0, Y = 0;            // its first pixel
+	int Size = 0;                // 0: one pixel, 1: two by two, else a disc of this radius
+	double Brightness = 1;
+
+	bool Covers(int PixelX, int PixelY) const
+	{
+		const int Right = PixelX - X, Down = PixelY - Y;
+		return Size > 1 ? Right * Right + Down * Down <= Size * Size
+						: Right >= 0 && Down >= 0 && Right <= Size && Down <= Size;
+	}
+
+	/** What the picture holds above its background, as a part of what was put in. */
+	double MeasureLight() const
+	{
+		constexpr double Background = 0.25;
+		// d = F / (1 - r / r(infinity)) gives the radius r.
+		constexpr double InfinityRadius = 24.0;
+		const auto Depth = [](double Radius)
+		{
+			return 400.0 / (1.0 - Radius / InfinityRadius);
+		};
+		const FImage Picture = FImage::Make(
+			128, 128, [&](int PixelX, int PixelY) { return Grey(Covers(PixelX, PixelY) ? Brightness : Background); });
+		const FImage Result = FDofRun(static_cast<float>(InfinityRadius))
+								  .Run(Picture, [&](int PixelX, int PixelY)
+									  { return Depth(Covers(PixelX, PixelY) ? Radius : BackgroundRadius); });
+		const double Floor = 128 * 128 * Background;
+		return (SumOf(Result, 0) - Floor) / (SumOf(Picture, 0) - Floor);
+	}
+};
+
+std::ostream& operator<<(std::ostream& Stream, const FSpot& Spot)
+{
+	return Stream << "radius " << Spot.Radius << " on " << Spot.BackgroundRadius << " at " << Spot.X << "," << Spot.Y
+				  << ", size " << Spot.Size << ", brightness " << Spot.Brightness;
 }
 
 void ExpectSameBits(const FImage& Expected, const FImage& Actual)
@@ -176,6 +221,26 @@ TEST(DiaphragmDOF, ADiscKeepsTheLightOfItsPoint)
 	for (const double Depth : {800.0, 200.0})
 	{
 		EXPECT_NEAR(4.0, SumOf(FDofRun(16.0f).Run(MakePoint(), Depth), 0), 0.2) << Depth;
+	}
+}
+
+TEST(DiaphragmDOF, ASpotKeepsItsLight)
+{
+	// Whatever its size, place and depth; the background lies at the spot's depth, in focus or farther away.
+	std::mt19937 Random(20261122);
+	const auto Draw = [&](int Least, int Most)
+	{
+		return std::uniform_int_distribution<int>(Least, Most)(Random);
+	};
+	for (const double SpotRadius : {-20.0, -16.0, -11.0, -6.0, -4.0, -2.5, -1.5, -0.8, 1.5, 4.0, 8.0, 16.0})
+	{
+		for (const double BackgroundRadius : {SpotRadius, 0.0, SpotRadius < 0 ? SpotRadius / 2 : SpotRadius + 4, 18.0})
+		{
+			const FSpot Spot{SpotRadius, BackgroundRadius, Draw(56, 72), Draw(56, 72), Draw(0, 3), 50.0 + Draw(0, 100)};
+			// Over what is out of focus at another depth, bokehs of two sizes only nearly tile a pixel.
+			const bool bEven = BackgroundRadius == SpotRadius || BackgroundRadius == 0.0;
+			EXPECT_NEAR(1.0, Spot.MeasureLight(), bEven ? 0.01 : 0.02) << Spot;
+		}
 	}
 }
 
@@ -267,4 +332,169 @@ TEST(DiaphragmDOF, WithoutFocusOrApertureThereIsNoPass)
 	FDofRun Off(0.0f);
 	const FImage Noise = FImage::Noise(31, 17);
 	ExpectSameBits(Noise, Off.Run(Noise, 4000.0));
+}
+
+namespace
+{
+
+/** The opening by its geometry: the points within all of as many discs as there are blades, whose edges pass through
+ * neighbouring corners; of the area of the disc of radius 1. A corner points along +y. */
+struct FOpening
+{
+	int Blades = 0;
+	double BladeRadius = 0;
+	double Corner = 1;
+
+	FOpening(int InBlades, double InBladeRadius)
+		: Blades(InBlades)
+		, BladeRadius(InBladeRadius)
+	{
+		// At most that of straight sides.
+		double Least = 1, Most = std::sqrt(2 * Pi / (Blades * std::sin(2 * Pi / Blades)));
+		for (int Step = 0; Step < 40; ++Step)
+		{
+			Corner = (Least + Most) / 2;
+			(Mean([](double, double) { return 1.0; }) < Pi ? Least : Most) = Corner;
+		}
+	}
+
+	/** Distance of the edge at an angle from +y. */
+	double Edge(double Angle) const
+	{
+		double Nearest = 10;
+		for (int Blade = 0; Blade < Blades; ++Blade)
+		{
+			// Seen along the blade's middle: the disc's centre lies behind, at Y = -Behind.
+			const double Half = Pi / Blades, Middle = (2 * Blade + 1) * Half;
+			const double Behind =
+				std::sqrt(BladeRadius * BladeRadius - std::pow(Corner * std::sin(Half), 2)) - Corner * std::cos(Half);
+			const double B = Behind * std::cos(Angle - Middle);
+			Nearest = std::min(Nearest, -B + std::sqrt(B * B + BladeRadius * BladeRadius - Behind * Behind));
+		}
+		return Nearest;
+	}
+
+	/** Integral over the opening of what depends on the distance squared and the angle. */
+	double Mean(const std::function<double(double, double)>& Value) const
+	{
+		constexpr int Angles = 720, Rings = 20;
+		double Sum = 0;
+		for (int Index = 0; Index < Angles; ++Index)
+		{
+			const double Angle = 2 * Pi * (Index + 0.5) / Angles, Most = Edge(Angle);
+			for (int Ring = 0; Ring < Rings; ++Ring)
+			{
+				// Rings of equal area.
+				const double Square = Most * Most * (Ring + 0.5) / Rings;
+				Sum += Value(Square, Angle) * Most * Most / 2 / Rings * 2 * Pi / Angles;
+			}
+		}
+		return Sum;
+	}
+
+	static constexpr double Pi = 3.14159265358979324;
+};
+
+FBokehModel MakeBokeh(float Fstop, float MinFstop, int32 Blades)
+{
+	FFinalPostProcessSettings Settings = MakeLens();
+	Settings.DepthOfFieldFstop = Fstop;
+	Settings.DepthOfFieldMinFstop = MinFstop;
+	Settings.DepthOfFieldBladeCount = Blades;
+	return FBokehModel::Compile(Settings);
+}
+
+} // namespace
+
+TEST(BokehModel, IsADiscWhereTheLensIsWideOpen)
+{
+	for (const float Fstop : {0.5f, 1.2f})
+	{
+		const FBokehModel Model = MakeBokeh(Fstop, 1.2f, 5);
+		EXPECT_EQ(EBokehShape::Circle, Model.BokehShape);
+		EXPECT_DOUBLE_EQ(5.0, Model.MeasureDistance(3.0, -4.0));
+	}
+	const FScopedConsoleVariable Off(TEXT("r.DOF.Gather.EnableBokehSettings"), 0);
+	EXPECT_EQ(EBokehShape::Circle, MakeBokeh(4.0f, 1.2f, 5).BokehShape);
+}
+
+TEST(BokehModel, IsARegularPolygonOfTheDiscsAreaWhereBladesAreStraight)
+{
+	for (const int Blades : {4, 5, 6, 9, 16})
+	{
+		const FBokehModel Model = MakeBokeh(2.0f, 0.0f, Blades);
+		EXPECT_EQ(EBokehShape::StraightBlades, Model.BokehShape);
+		const double Angle = 2 * FOpening::Pi / Blades;
+		// Blades triangles of two sides R and the angle between them.
+		const double Corner = std::sqrt(FOpening::Pi / (Blades * std::sin(Angle) / 2));
+		EXPECT_NEAR(Corner, Model.CocRadiusToCircumscribedRadius, 1e-12);
+		EXPECT_NEAR(Corner * std::cos(Angle / 2), Model.CocRadiusToIncircleRadius, 1e-12);
+		EXPECT_NEAR(1.0, Model.MeasureDistance(0.0, Corner), 1e-12);
+		EXPECT_NEAR(1.0, Model.MeasureDistance(Corner * std::sin(Angle), Corner * std::cos(Angle)), 1e-12);
+	}
+	EXPECT_EQ(4, MakeBokeh(2.0f, 0.0f, 1).DiaphragmBladeCount);
+	EXPECT_EQ(16, MakeBokeh(2.0f, 0.0f, 99).DiaphragmBladeCount);
+}
+
+TEST(BokehModel, BladesBendAsTheEdgeOfTheOpenLens)
+{
+	std::mt19937 Random(3);
+	std::uniform_real_distribution<double> Angle(0, 2 * FOpening::Pi);
+	for (const auto& [Fstop, MinFstop, Blades] : {std::tuple(4.0f, 1.2f, 5), {2.0f, 1.8f, 6}, {16.0f, 2.0f, 9}})
+	{
+		const FBokehModel Model = MakeBokeh(Fstop, MinFstop, Blades);
+		EXPECT_EQ(EBokehShape::RoundedBlades, Model.BokehShape);
+		const FOpening Opening(Blades, Fstop / static_cast<double>(MinFstop));
+		EXPECT_NEAR(Opening.Corner, Model.CocRadiusToCircumscribedRadius, 1e-4);
+		for (int Case = 0; Case < 20; ++Case)
+		{
+			const double At = Angle(Random), Edge = Opening.Edge(At);
+			EXPECT_NEAR(1.0, Model.MeasureDistance(Edge * std::sin(At), Edge * std::cos(At)), 2e-4) << At;
+		}
+	}
+}
+
+TEST(DiaphragmDOF, APointHasTheFormOfTheOpening)
+{
+	struct FCase
+	{
+		float Fstop, MinFstop;
+		int Blades;
+	};
+	for (const FCase& Case : {FCase{4.0f, 0.0f, 5}, {4.0f, 0.0f, 4}, {4.0f, 0.0f, 6}, {4.0f, 1.2f, 5}, {4.0f, 2.5f, 7}})
+	{
+		constexpr double Radius = 16.0;
+		// The sides of a large circle are straight.
+		const FOpening Opening(Case.Blades, Case.MinFstop > 0 ? Case.Fstop / Case.MinFstop : 1e5);
+		const double Second = Opening.Mean([](double Square, double) { return Square; }) / FOpening::Pi;
+		const auto Corners = [&](double Square, double Angle)
+		{
+			return Square * std::cos(Case.Blades * Angle);
+		};
+		const double Form = Opening.Mean(Corners) / FOpening::Pi;
+		for (const bool bBehind : {false, true})
+		{
+			// At half the focal distance the radius is that at infinity, at twice half of it.
+			FDofRun Dof(static_cast<float>(bBehind ? 2 * Radius : Radius));
+			Dof.Bokeh = MakeBokeh(Case.Fstop, Case.MinFstop, Case.Blades);
+			const FImage Result = Dof.Run(MakePoint(), bBehind ? 800.0 : 200.0);
+			double Light = 0, Squares = 0, Forms = 0;
+			for (int Y = 0; Y < Result.Height; ++Y)
+			{
+				for (int X = 0; X < Result.Width; ++X)
+				{
+					// Behind the focus a corner points up, before it down.
+					const double Right = X - 48.5, Down = (bBehind ? -1 : 1) * (Y - 48.5), Value = Result.At(X, Y)[0];
+					const double Square = Right * Right + Down * Down;
+					Light += Value;
+					Squares += Value * Square;
+					Forms += Value * Corners(Square, std::atan2(Right, Down));
+				}
+			}
+			// The point's own size and the way back from half size: see MeasureRadius.
+			EXPECT_NEAR(Second, (Squares / Light - 1.0) / (Radius * Radius), 0.02 * Second) << Case.Blades << bBehind;
+			EXPECT_NEAR(Form, Forms / Light / (Radius * Radius), 0.01 + 0.1 * Form) << Case.Blades << bBehind;
+			EXPECT_NEAR(4.0, Light, 0.02) << Case.Blades << bBehind;
+		}
+	}
 }

@@ -243,3 +243,174 @@ TEST(FilmGrain, TheVariableSwitchesItOff)
 	const FImage Image(8, 8, {0.25, 0.25, 0.25, 1});
 	EXPECT_EQ(Tonemap(Image, Plain([](FSettings&) {})).Texels, Tonemap(Image, Grainy(1)).Texels);
 }
+
+namespace
+{
+
+/** Codes of 0 .. Largest that a flat grey, by its linear light, becomes. */
+std::vector<double> DitherCodes(double Light, EPixelFormat Format, double Largest, uint32 Frame = 0)
+{
+	const FScopedConsoleVariable On(TEXT("r.Tonemapper.GrainQuantization"), 1);
+	FTonemapRun Run = Plain([](FSettings&) {});
+	Run.Arithmetic = EArithmetic::Native;
+	Run.OutputFormat = Format;
+	Run.FrameNumber = Frame;
+	std::vector<double> Codes;
+	for (const FTexel& Texel : Tonemap(FImage(256, 256, {Light, Light, Light, 1}), Run).Texels)
+	{
+		for (int Channel = 0; Channel < 3; ++Channel)
+		{
+			Codes.push_back(Texel[Channel] * Largest);
+		}
+	}
+	return Codes;
+}
+
+} // namespace
+
+TEST(GrainQuantization, TheMeanOfTheCodesIsTheGreyBetweenThem)
+{
+	std::mt19937 Random(9);
+	std::uniform_real_distribution<double> Grey(0.05, 0.95);
+	for (const auto& [Format, Largest] : {std::pair(PF_B8G8R8A8, 255.0), {PF_A2B10G10R10, 1023.0}})
+	{
+		for (int Case = 0; Case < 6; ++Case)
+		{
+			const double Code = Grey(Random);
+			const std::vector<double> Codes = DitherCodes(Decode(Code), Format, Largest);
+			double Sum = 0;
+			for (const double Value : Codes)
+			{
+				Sum += Value;
+				EXPECT_LT(std::abs(Value - Code * Largest), 1.0);
+			}
+			// Two neighbouring codes: a deviation of at most half a code; 3 * 256^2 of them.
+			EXPECT_NEAR(Code * Largest, Sum / Codes.size(), 4 * 0.5 / std::sqrt(3.0 * 256 * 256))
+				<< Code << " " << Largest;
+		}
+	}
+}
+
+TEST(GrainQuantization, AValueOnACodeStaysThere)
+{
+	for (const int Code : {0, 1, 100, 255})
+	{
+		// The curve gives the code but for a few of its last bits, so a few pixels of 100000 may leave it.
+		const std::vector<double> Codes = DitherCodes(Decode(Code / 255.0), PF_B8G8R8A8, 255);
+		const auto Stay = std::ranges::count_if(Codes, [&](double Value) { return std::abs(Value - Code) < 1e-6; });
+		EXPECT_GT(Stay, Codes.size() * (1 - 1e-4)) << Code;
+	}
+}
+
+TEST(GrainQuantization, IsTheSameForAFrameAndAnotherForTheNext)
+{
+	const double Light = Decode(100.5 / 255);
+	EXPECT_EQ(DitherCodes(Light, PF_B8G8R8A8, 255, 3), DitherCodes(Light, PF_B8G8R8A8, 255, 3));
+	EXPECT_NE(DitherCodes(Light, PF_B8G8R8A8, 255, 3), DitherCodes(Light, PF_B8G8R8A8, 255, 4));
+}
+
+TEST(GrainQuantization, LeavesFloatOutputsAndDefaultsAlone)
+{
+	const FImage Image = MakeSwatches();
+	const FTonemapRun Plainly = Plain([](FSettings&) {});
+	const FImage Expected = Tonemap(Image, Plainly);
+	const FScopedConsoleVariable On(TEXT("r.Tonemapper.GrainQuantization"), 1);
+	EXPECT_EQ(Expected.Texels, Tonemap(Image, Plainly).Texels);
+	EXPECT_EQ(0.0f, Drydock::GetGrainQuantizationStep(PF_FloatRGBA));
+	const FScopedConsoleVariable Off(TEXT("r.Tonemapper.GrainQuantization"), 0);
+	EXPECT_EQ(0.0f, Drydock::GetGrainQuantizationStep(PF_B8G8R8A8));
+}
+
+namespace
+{
+
+UTexture2D GGrain;
+
+FTonemapRun Pictured(float Intensity, float TexelSize, uint32 Frame = 0)
+{
+	FTonemapRun Run = Plain(
+		[=](FSettings& Settings)
+		{
+			GGrain.SetFName(FName("Grain"));
+			Settings.FilmGrainTexture = &GGrain;
+			Settings.FilmGrainIntensity = Intensity;
+			Settings.FilmGrainTexelSize = TexelSize;
+		});
+	Run.FrameNumber = Frame;
+	return Run;
+}
+
+} // namespace
+
+TEST(FilmGrainTexture, RepeatsOverTheViewDividedByItsMean)
+{
+	// Red is 1, 2, 3 and 6 of a mean of 3; the offset of the frame is one and the same for all pixels.
+	const double Reds[4] = {1, 2, 3, 6};
+	const Drydock::FScopedTextureLoader Loader(
+		[&](const std::string&)
+		{
+			std::vector<FLinearColor> Colors;
+			for (const double Red : Reds)
+			{
+				Colors.emplace_back(static_cast<float>(Red), 0.5f, 0.25f);
+			}
+			return Drydock::MakePictureTexture(FIntPoint(4, 1), Colors, "Grain");
+		});
+	for (const int TexelSize : {1, 2})
+	{
+		const FImage Result =
+			Tonemap(FImage(16, 3, {0.25, 0.25, 0.25, 1}), Pictured(0.5f, static_cast<float>(TexelSize)));
+		int Matches = 0;
+		for (int Offset = 0; Offset < 4; ++Offset)
+		{
+			double Largest = 0;
+			for (int X = 0; X < 16; ++X)
+			{
+				// Bilinear: a texel of grain of two pixels has its centre between them.
+				const double At = (X + 0.5) / TexelSize - 0.5 + Offset;
+				const double Left = Reds[static_cast<int>(std::floor(At + 4)) % 4];
+				const double Right = Reds[static_cast<int>(std::floor(At + 4) + 1) % 4];
+				const double Red = Left + (Right - Left) * (At - std::floor(At));
+				Largest = std::max(Largest, std::abs(0.25 * (0.5 + 0.5 * Red / 3) - Decode(Result.At(X, 1)[0])));
+			}
+			Matches += Largest < 1e-4 ? 1 : 0;
+		}
+		EXPECT_EQ(1, Matches) << TexelSize;
+		// Even channels are their own mean.
+		EXPECT_NEAR(0.25, Decode(Result.At(5, 2)[1]), 1e-5);
+		EXPECT_NEAR(0.25, Decode(Result.At(5, 2)[2]), 1e-5);
+	}
+}
+
+TEST(FilmGrainTexture, MovesFromFrameToFrame)
+{
+	const Drydock::FScopedTextureLoader Loader(
+		[](const std::string&)
+		{
+			std::vector<FLinearColor> Colors(64 * 64);
+			std::mt19937 Random(5);
+			for (FLinearColor& Color : Colors)
+			{
+				Color.R = Color.G = Color.B = static_cast<float>(Random() % 1000) / 1000;
+			}
+			return Drydock::MakePictureTexture(FIntPoint(64, 64), Colors, "Grain");
+		});
+	const FImage Image(64, 64, {0.25, 0.25, 0.25, 1});
+	const FImage First = Tonemap(Image, Pictured(1, 1, 3));
+	EXPECT_EQ(First.Texels, Tonemap(Image, Pictured(1, 1, 3)).Texels);
+	EXPECT_NE(First.Texels, Tonemap(Image, Pictured(1, 1, 4)).Texels);
+	EXPECT_EQ(First.Texels, Tonemap(Image, Pictured(1, 1, 100)).Texels); // 97 later
+	// The whole picture once: the light stays.
+	double Sum = 0;
+	for (const FTexel& Texel : First.Texels)
+	{
+		Sum += Decode(Texel[1]);
+	}
+	EXPECT_NEAR(0.25, Sum / (64 * 64), 1e-3);
+}
+
+TEST(FilmGrainTexture, WithoutPixelsTheNoiseStays)
+{
+	const FImage Image(16, 16, {0.25, 0.25, 0.25, 1});
+	EXPECT_EQ(Tonemap(Image, Grainy(1)).Texels, Tonemap(Image, Pictured(1, 1)).Texels);
+}

@@ -136,7 +136,8 @@ TEST(Effects, TheLongestClaimOwns)
 TEST(Effects, ASettingThatDoesNothingSaysWhy)
 {
 	EXPECT_EQ("", GetSettingNotBuiltReason("BloomIntensity"));
-	EXPECT_EQ("the grain is a noise of its own, not a picture's", GetSettingNotBuiltReason("FilmGrainTexture"));
+	EXPECT_EQ("it came with engine 5.6, whose convolution bloom is not simulated",
+		GetSettingNotBuiltReason("BloomConvolutionIntensity"));
 	EXPECT_EQ(
 		"no pass reads it; it is blended and reported all the same", GetSettingNotBuiltReason("AmbientOcclusionBias"));
 }

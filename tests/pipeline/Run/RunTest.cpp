@@ -191,6 +191,16 @@ TEST(RunFrame, PreExposureMultipliesWhatIsStoredAndNotThePicture)
 	EXPECT_LE(MaxDifference(Plain.Final, Exposed.Final), 2.5 / 255.0); // formats round a halved image elsewhere
 }
 
+TEST(RunFrame, TheVariableOverridesPreExposure)
+{
+	const FRunResult Exposed = RunConfig(SmallScene(R"("view": {"preExposure": 0.25})"));
+	const FRunResult Overridden =
+		RunConfig(SmallScene(R"("view": {"preExposure": 8}, "cvars": {"r.EyeAdaptation.PreExposureOverride": 0.25})"));
+	EXPECT_EQ(Exposed.SceneLinear.Values, Overridden.SceneLinear.Values);
+	EXPECT_EQ(Exposed.Final.Values, Overridden.Final.Values);
+	EXPECT_EQ(0.25, Overridden.Config.View.PreExposure.Value);
+}
+
 TEST(RunFrame, BloomBrightens)
 {
 	const FRunResult Off = RunConfig(SmallScene(R"("camera": {"Settings": {"BloomIntensity": 0}})"));
