@@ -25,6 +25,10 @@ FImage RunUpscaleLobes(const FCase& Case);
 /** Variants: directional, Gaussian. */
 FImage RunUpscaleSharpened(const FCase& Case);
 
+/** Translucency everywhere: radiance (0.25, 0.5, 0.125), transmittance 0.5. */
+FImage RunSeparateTranslucency(const FCase& Case);
+FImage SeparateTranslucencyFormula(const FCase& Case);
+
 // Bloom.
 /** Threshold: -1, none. Variants: pixel shader, compute. */
 FImage RunBloomSetup(const FCase& Case);
