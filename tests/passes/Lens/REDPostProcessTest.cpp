@@ -569,7 +569,10 @@ TEST(REDPostProcess, GlowThresholdBeginsWhereNothingIsTakenAway)
 	Parameters.GlowLuminanceThreshold = -0.999f;
 	EXPECT_TRUE(Parameters.WantsGlowExtract());
 	EXPECT_LE(MaxDifference(Without, RunChain(Image, Parameters), 4), 0.002);
-	EXPECT_EQ(-1.0f, FREDPostProcessParameters::FromSettings(FFinalPostProcessSettings()).GlowLuminanceThreshold);
+	FFinalPostProcessSettings Settings;
+	EXPECT_EQ(-1.0f, FREDPostProcessParameters::FromSettings(Settings).GlowLuminanceThreshold);
+	Settings.GlowLuminanceThreshold = 0.5f;
+	EXPECT_EQ(0.5f, FREDPostProcessParameters::FromSettings(Settings).GlowLuminanceThreshold);
 }
 
 TEST(REDPostProcess, QuarterResolutionDownsamplesTwice)
