@@ -316,6 +316,7 @@ DRYDOCK_SETTING(FLinearColor, DiffusionFilterSepiaTint, FLinearColor(1.0f, 0.82f
 DRYDOCK_SETTING(float, SoftFocusBlend, 0.0f, Between(0, 1), "", "RED|Soft Focus", Lerp, "drydock: share of the blurred picture; 0 switches it off.")
 DRYDOCK_SETTING(float, SoftFocusSaturation, 1.0f, AtLeast(0, 2), "", "RED|Soft Focus", Lerp, "drydock: saturation after that; 1 leaves it as it is.")
 DRYDOCK_SETTING(float, GlowIntensity, 0.0f, AtLeast(0, 8), "", "RED|Glow", Lerp, "drydock: factor of the blurred picture in the screen blend; 0 switches it off.")
+DRYDOCK_SETTING(float, GlowLuminanceThreshold, -1.0f, AtLeast(-1, 1), "luma", "RED|Glow", Lerp, "drydock: taken off the luma before it weighs what glows; -1: everything glows.")
 DRYDOCK_SETTING(float, CharaGlowArea, 0.0f, AtLeast(0, 16), "px", "RED|Glow", Lerp, "drydock: radius of the glow around characters; 0 switches it off.")
 DRYDOCK_SETTING(FLinearColor, CharaGlowColor, FLinearColor(1.0f, 1.0f, 1.0f, 1.0f), Anything, "", "RED|Glow", Lerp, "drydock: colour of that glow; alpha is its strength.")
 DRYDOCK_SETTING(float, REDDofFocalDistance, 0.0f, AtLeast(0, 10000), "cm", "RED|Depth of Field", FocalDistance, "drydock: distance in focus; 0 switches the effect off.")

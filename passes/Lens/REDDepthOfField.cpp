@@ -55,6 +55,9 @@ class FREDDepthOfFieldPS : public FGlobalShader
 public:
 	DECLARE_GLOBAL_SHADER(FREDDepthOfFieldPS);
 	SHADER_USE_PARAMETER_STRUCT(FREDDepthOfFieldPS, FGlobalShader);
+
+	class FAsPrintedDimension : SHADER_PERMUTATION_BOOL("AS_PRINTED");
+	using FPermutationDomain = TShaderPermutationDomain<FAsPrintedDimension>;
 	using FParameters = FREDDepthOfFieldParameters;
 };
 
@@ -85,6 +88,22 @@ FREDDepthOfFieldParameters* MakeParameters(FRDGBuilder& GraphBuilder, const FVie
 	return Parameters;
 }
 
+/** The article's loop, widened until its last taps lie on the kernel's radius. */
+FScreenPassTexture BlurAsPrinted(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FGaussianBlurInputs& Blur)
+{
+	const float Radius = static_cast<float>(Blur.Filter.ViewRect.Width()) * Blur.KernelSizePercent / 200.0f;
+	FREDPostProcessPassInputs Inputs;
+	Inputs.Parameters.bAsPrinted = true;
+	Inputs.BlurStep = Radius / static_cast<float>(GetREDBlurReach(EREDBlurKernel::Printed));
+	Inputs.Pass = EREDPostProcessPass::BlurH;
+	Inputs.Name = Blur.NameX;
+	Inputs.SceneColor = Blur.Filter;
+	Inputs.SceneColor = AddREDPostProcessPass(GraphBuilder, View, Inputs);
+	Inputs.Pass = EREDPostProcessPass::BlurV;
+	Inputs.Name = Blur.NameY;
+	return AddREDPostProcessPass(GraphBuilder, View, Inputs);
+}
+
 /** A layer at half resolution, blurred. */
 FScreenPassTexture AddLayer(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FREDDepthOfFieldInputs& Inputs, ELayer Layer)
@@ -107,7 +126,7 @@ FScreenPassTexture AddLayer(
 	Blur.Filter = Output;
 	Blur.KernelSizePercent = bFar ? Inputs.FarBlurSize : Inputs.NearBlurSize;
 	Blur.UseClampAddressMode = true;
-	return AddGaussianBlurPass(GraphBuilder, View, Blur);
+	return Inputs.bAsPrinted ? BlurAsPrinted(GraphBuilder, View, Blur) : AddGaussianBlurPass(GraphBuilder, View, Blur);
 }
 
 const FPassFactoryRegistration GREDDepthOfField({
@@ -180,7 +199,9 @@ FScreenPassTexture AddREDDepthOfFieldPasses(
 	Parameters->Layer = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Far));
 	Parameters->FarTexture = Far.Texture;
 	Parameters->NearTexture = Near.Texture;
-	TShaderMapRef<FREDDepthOfFieldPS> PixelShader(View.ShaderMap);
+	FREDDepthOfFieldPS::FPermutationDomain Permutation;
+	Permutation.Set<FREDDepthOfFieldPS::FAsPrintedDimension>(Inputs.bAsPrinted);
+	TShaderMapRef<FREDDepthOfFieldPS> PixelShader(View.ShaderMap, Permutation);
 	FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
 		RDG_EVENT_NAME("REDDepthOfField %dx%d", Output.ViewRect.Width(), Output.ViewRect.Height()), PixelShader,
 		Parameters, Output.ViewRect);

@@ -4,14 +4,16 @@
 //   far  = saturate((depth - FocalDistance - FocalRegion) / FarTransition)
 //   near = saturate((FocalDistance - depth) / NearTransition)
 //   result = lerp(lerp(c, farBlur, far), nearBlur, near)
-// Depths in cm along the view's axis; both blurs are Gaussian, rows then columns, at half resolution.
+// Depths in cm along the view's axis; both blurs run over rows, then columns, at half resolution.
 //
 // Contract. FocalDistance 0 and below, or NaN: no pass. Where near and far are 0 the picture is unchanged bit for bit.
-// A transition of 0 is a step. A constant picture stays constant to the edge. Nothing outside the rects is read.
-// Corrected: the far layer is weighted by far before it is blurred and divided by the blurred weight after, so that it
-// does not gather pixels that are in focus; where nothing far is near, it is the picture itself. As printed
-// (r.RED.AsPrinted 1): the far blur takes the whole picture, and what is in focus bleeds outwards. NaN and infinities
-// spread over the kernel, to what is out of focus only; negatives pass on. Any size from 1x1.
+// A transition of 0 is a step. Nothing outside the rects is read. Corrected: Gaussians; a constant picture stays
+// constant to the edge; the far layer is weighted by far before it is blurred and divided by the blurred weight after,
+// so that it does not gather pixels that are in focus; where nothing far is near, it is the picture itself. As printed
+// (r.RED.AsPrinted 1): the article's loop of 13 taps over its table by distance, a sixth of the kernel's radius apart,
+// which multiplies the light of a layer by 1.9952 a pass, 3.98 in all; the far layer takes the whole picture, and what
+// is in focus bleeds outwards. NaN and infinities spread over the kernel, to what is out of focus only; negatives pass
+// on. Any size from 1x1.
 #pragma once
 
 #include "CoreMinimal.h"

@@ -21,8 +21,17 @@ namespace
 {
 
 TAutoConsoleVariable<int32> CVarREDAsPrinted(TEXT("r.RED.AsPrinted"), 0,
-	TEXT("1: as the article prints it: a blur that doubles the light, screen and pow of light above 1, no extract. "
-		 "Default 0."),
+	TEXT("1: as the article prints it: a blur that doubles the light, the extract after it, screen and pow of light "
+		 "above 1; for depth of field that blur and no weights. Default 0."),
+	ECVF_RenderThreadSafe);
+
+TAutoConsoleVariable<int32> CVarREDKernel(TEXT("r.RED.Kernel"), 0,
+	TEXT("How the corrected form reads the article's blur weights. 0: seven taps, one texel apart (default). 1: seven "
+		 "bilinear fetches over thirteen texels. 2: nine taps, the half kernel of the article's comment."),
+	ECVF_RenderThreadSafe);
+
+TAutoConsoleVariable<int32> CVarREDQuarterResolution(TEXT("r.RED.QuarterResolution"), 0,
+	TEXT("1: the RED post process downsamples twice and blurs at a quarter of the resolution. Default 0: half."),
 	ECVF_RenderThreadSafe);
 
 TAutoConsoleVariable<int32> CVarREDPostprocessAfterTranslucency(TEXT("r.REDPostprocessAfterTranslucency"), 0,
@@ -31,11 +40,34 @@ TAutoConsoleVariable<int32> CVarREDPostprocessAfterTranslucency(TEXT("r.REDPostp
 		 "is then composited before it."),
 	ECVF_RenderThreadSafe);
 
-/** The article's table; the taps that a kernel does not have weigh 0. */
+/** The article's table, and the half kernel of its comment, which begins in the middle. */
 constexpr float PrintedWeights[] = {0.0044f, 0.0540f, 0.2420f, 0.3990f, 0.2420f, 0.0540f, 0.0044f};
-constexpr int32 NumPrintedWeights = 7;
-constexpr int32 CorrectedReach = NumPrintedWeights / 2;
-constexpr int32 PrintedReach = NumPrintedWeights - 1;
+constexpr float CommentedWeights[] = {0.3990f, 0.2420f, 0.0540f, 0.0044f, 0.0001f};
+constexpr int32 MaxFetches = UE_ARRAY_COUNT(PrintedWeights); // of one side, with the middle
+
+/** The weights of a kernel's fetches, from the middle outwards. */
+std::vector<double> GetFetchWeights(EREDBlurKernel Kernel)
+{
+	const auto* const PrintedEnd = PrintedWeights + UE_ARRAY_COUNT(PrintedWeights);
+	if (Kernel == EREDBlurKernel::Printed)
+	{
+		return std::vector<double>(PrintedWeights, PrintedEnd);
+	}
+	std::vector<double> Weights =
+		Kernel == EREDBlurKernel::NineTaps
+			? std::vector<double>(CommentedWeights, CommentedWeights + UE_ARRAY_COUNT(CommentedWeights))
+			: std::vector<double>(PrintedWeights + UE_ARRAY_COUNT(PrintedWeights) / 2, PrintedEnd);
+	double Sum = 0.0;
+	for (size_t Fetch = Weights.size(); Fetch-- > 0;)
+	{
+		Sum += Weights[Fetch] * (Fetch > 0 ? 2.0 : 1.0);
+	}
+	for (double& Weight : Weights)
+	{
+		Weight /= Sum;
+	}
+	return Weights;
+}
 
 class FREDPostProcessPS : public FGlobalShader
 {
@@ -47,8 +79,9 @@ public:
 	class FBlendDimension : SHADER_PERMUTATION_INT("RED_BLEND", 2);
 	class FSepiaDimension : SHADER_PERMUTATION_BOOL("USE_SEPIA");
 	class FAsPrintedDimension : SHADER_PERMUTATION_BOOL("AS_PRINTED");
-	using FPermutationDomain =
-		TShaderPermutationDomain<FPassDimension, FBlendDimension, FSepiaDimension, FAsPrintedDimension>;
+	class FKernelDimension : SHADER_PERMUTATION_ENUM_CLASS("RED_KERNEL", EREDBlurKernel);
+	using FPermutationDomain = TShaderPermutationDomain<FPassDimension, FBlendDimension, FSepiaDimension,
+		FAsPrintedDimension, FKernelDimension>;
 
 	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
 		SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Color)
@@ -58,7 +91,8 @@ public:
 		SHADER_PARAMETER_SAMPLER(SamplerState, ColorSampler)
 		SHADER_PARAMETER_RDG_TEXTURE(Texture2D, BlurredTexture)
 		SHADER_PARAMETER_SAMPLER(SamplerState, BlurredSampler)
-		SHADER_PARAMETER_SCALAR_ARRAY(float, BlurWeights, [PrintedReach + 1])
+		SHADER_PARAMETER_SCALAR_ARRAY(float, BlurWeights, [MaxFetches])
+		SHADER_PARAMETER(float, BlurStep)
 		SHADER_PARAMETER(FLinearColor, SepiaTint)
 		SHADER_PARAMETER(float, Sepia)
 		SHADER_PARAMETER(float, LuminancePow)
@@ -79,16 +113,22 @@ bool ReadsBlurred(EREDPostProcessPass Pass)
 		   Pass == EREDPostProcessPass::Glow;
 }
 
-/** The article's table is a fault that is declared; anything else that is none of a blur is refused. */
-void CheckBlurKernel(FRDGBuilder& GraphBuilder, bool bAsPrinted)
+bool IsBlur(EREDPostProcessPass Pass)
 {
-	const int32 Reach = GetREDBlurReach(bAsPrinted);
+	return Pass == EREDPostProcessPass::BlurH || Pass == EREDPostProcessPass::BlurV;
+}
+
+/** The article's loop is a fault that is declared; anything else that is none of a blur is refused. */
+void CheckBlurKernel(FRDGBuilder& GraphBuilder, EREDBlurKernel Kernel)
+{
+	const int32 Reach = GetREDBlurReach(Kernel);
 	std::vector<double> Weights;
-	for (int32 Tap = -Reach; Tap <= Reach; ++Tap)
+	for (int32 Texel = -Reach; Texel <= Reach; ++Texel)
 	{
-		Weights.push_back(static_cast<double>(GetREDBlurWeight(Tap, bAsPrinted)));
+		Weights.push_back(static_cast<double>(GetREDBlurWeight(Texel, Kernel)));
 	}
-	CheckKernel(GraphBuilder, "RED blur", Weights, bAsPrinted ? EKernelFault::Printed : EKernelFault::None);
+	CheckKernel(GraphBuilder, "RED blur", Weights,
+		Kernel == EREDBlurKernel::Printed ? EKernelFault::Printed : EKernelFault::None);
 }
 
 FScreenPassRenderTarget CreateOutput(FRDGBuilder& GraphBuilder, const FREDPostProcessPassInputs& Inputs)
@@ -103,34 +143,96 @@ FScreenPassRenderTarget CreateOutput(FRDGBuilder& GraphBuilder, const FREDPostPr
 FREDPostProcessPS::FPermutationDomain GetPermutation(const FREDPostProcessPassInputs& Inputs)
 {
 	const bool bCombine = Inputs.Pass == EREDPostProcessPass::DiffusionFilter2;
-	const bool bHasTwoForms = Inputs.Pass != EREDPostProcessPass::DownSample;
+	const bool bHasTwoForms =
+		bCombine || Inputs.Pass == EREDPostProcessPass::DiffusionFilter || Inputs.Pass == EREDPostProcessPass::Glow;
 	FREDPostProcessPS::FPermutationDomain Permutation;
 	Permutation.Set<FREDPostProcessPS::FPassDimension>(Inputs.Pass);
 	Permutation.Set<FREDPostProcessPS::FBlendDimension>(
 		bCombine ? static_cast<int32>(Inputs.Parameters.DiffusionFilterBlend) : 0);
 	Permutation.Set<FREDPostProcessPS::FSepiaDimension>(bCombine && Inputs.Parameters.Sepia > 0.0f);
 	Permutation.Set<FREDPostProcessPS::FAsPrintedDimension>(bHasTwoForms && Inputs.Parameters.bAsPrinted);
+	Permutation.Set<FREDPostProcessPS::FKernelDimension>(
+		IsBlur(Inputs.Pass) ? Inputs.Parameters.GetKernel() : EREDBlurKernel::SevenTaps);
 	return Permutation;
 }
 
-/** The picture, half as large, blurred both ways. */
-FScreenPassTexture AddBlur(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& SceneColor,
-	const FREDPostProcessParameters& Parameters, bool bExtract)
+/** The blurred pictures of one chain, each made when it is first asked for. */
+class FBlurs
 {
-	FREDPostProcessPassInputs Inputs;
-	Inputs.Parameters = Parameters;
-	Inputs.SceneColor = SceneColor;
-	for (const EREDPostProcessPass Pass : {EREDPostProcessPass::DownSample, EREDPostProcessPass::DiffusionFilter,
-			 EREDPostProcessPass::BlurH, EREDPostProcessPass::BlurV})
+public:
+	FBlurs(FRDGBuilder& InGraphBuilder, const FViewInfo& InView, const FScreenPassTexture& InSceneColor,
+		const FREDPostProcessParameters& InParameters)
+		: GraphBuilder(InGraphBuilder)
+		, View(InView)
+		, SceneColor(InSceneColor)
+		, Parameters(InParameters)
 	{
-		if (Pass != EREDPostProcessPass::DiffusionFilter || bExtract)
-		{
-			Inputs.Pass = Pass;
-			Inputs.SceneColor = AddREDPostProcessPass(GraphBuilder, View, Inputs);
-		}
 	}
-	return Inputs.SceneColor;
-}
+
+	/** What a pass of the chain combines its picture with. */
+	FScreenPassTexture GetFor(EREDPostProcessPass Pass)
+	{
+		// As printed the diffusion filter's extract comes after the blur.
+		if (Pass == EREDPostProcessPass::DiffusionFilter2 && !Parameters.bAsPrinted)
+		{
+			return Blur(Extract(Parameters));
+		}
+		if (Pass == EREDPostProcessPass::Glow && Parameters.WantsGlowExtract())
+		{
+			FREDPostProcessParameters Glow = Parameters;
+			Glow.LuminancePow = 1.0f;
+			Glow.LuminanceThreshold = Parameters.GlowLuminanceThreshold;
+			return Blur(Extract(Glow));
+		}
+		if (!Plain.IsValid())
+		{
+			Plain = Blur(GetSmall());
+		}
+		return Plain;
+	}
+
+private:
+	FScreenPassTexture GetSmall()
+	{
+		if (!Small.IsValid())
+		{
+			Small = Add(EREDPostProcessPass::DownSample, SceneColor, Parameters);
+			if (Parameters.bQuarterResolution)
+			{
+				Small = Add(EREDPostProcessPass::DownSample, Small, Parameters, TEXT("DownSampleQuarter"));
+			}
+		}
+		return Small;
+	}
+
+	FScreenPassTexture Extract(const FREDPostProcessParameters& ExtractParameters)
+	{
+		return Add(EREDPostProcessPass::DiffusionFilter, GetSmall(), ExtractParameters);
+	}
+
+	FScreenPassTexture Blur(const FScreenPassTexture& Picture)
+	{
+		return Add(EREDPostProcessPass::BlurV, Add(EREDPostProcessPass::BlurH, Picture, Parameters), Parameters);
+	}
+
+	FScreenPassTexture Add(EREDPostProcessPass Pass, const FScreenPassTexture& Picture,
+		const FREDPostProcessParameters& PassParameters, const TCHAR* Name = nullptr)
+	{
+		FREDPostProcessPassInputs Inputs;
+		Inputs.Pass = Pass;
+		Inputs.Name = Name;
+		Inputs.SceneColor = Picture;
+		Inputs.Parameters = PassParameters;
+		return AddREDPostProcessPass(GraphBuilder, View, Inputs);
+	}
+
+	FRDGBuilder& GraphBuilder;
+	const FViewInfo& View;
+	const FScreenPassTexture& SceneColor;
+	const FREDPostProcessParameters& Parameters;
+	FScreenPassTexture Small;
+	FScreenPassTexture Plain; // blurred without an extract
+};
 
 } // namespace
 
@@ -143,28 +245,33 @@ const TCHAR* ToString(EREDPostProcessPass Pass)
 	return Names[static_cast<uint32>(Pass)];
 }
 
-float GetREDBlurWeight(int32 Tap, bool bAsPrinted)
+const TCHAR* ToString(EREDBlurKernel Kernel)
 {
-	const int32 Distance = FMath::Abs(Tap);
-	if (Distance > GetREDBlurReach(bAsPrinted))
+	constexpr const TCHAR* Names[] = {TEXT("SevenTaps"), TEXT("ThirteenTexels"), TEXT("NineTaps"), TEXT("Printed")};
+	static_assert(UE_ARRAY_COUNT(Names) == static_cast<uint32>(EREDBlurKernel::MAX));
+	check(Kernel < EREDBlurKernel::MAX);
+	return Names[static_cast<uint32>(Kernel)];
+}
+
+float GetREDBlurWeight(int32 Texel, EREDBlurKernel Kernel)
+{
+	const int32 Distance = FMath::Abs(Texel);
+	if (Distance > GetREDBlurReach(Kernel))
 	{
 		return 0.0f;
 	}
-	if (bAsPrinted)
+	const std::vector<double> Weights = GetFetchWeights(Kernel);
+	if (Kernel == EREDBlurKernel::ThirteenTexels && Distance > 0)
 	{
-		return PrintedWeights[Distance];
+		return static_cast<float>(Weights[static_cast<size_t>(Distance + 1) / 2] / 2.0);
 	}
-	double Sum = 0.0;
-	for (const float Weight : PrintedWeights)
-	{
-		Sum += Weight;
-	}
-	return static_cast<float>(PrintedWeights[CorrectedReach + Distance] / Sum);
+	return static_cast<float>(Weights[static_cast<size_t>(Distance)]);
 }
 
-int32 GetREDBlurReach(bool bAsPrinted)
+int32 GetREDBlurReach(EREDBlurKernel Kernel)
 {
-	return bAsPrinted ? PrintedReach : CorrectedReach;
+	const int32 LastFetch = static_cast<int32>(GetFetchWeights(Kernel).size()) - 1;
+	return Kernel == EREDBlurKernel::ThirteenTexels ? 2 * LastFetch : LastFetch;
 }
 
 FREDPostProcessParameters FREDPostProcessParameters::FromSettings(const FFinalPostProcessSettings& Settings)
@@ -180,6 +287,10 @@ FREDPostProcessParameters FREDPostProcessParameters::FromSettings(const FFinalPo
 	Parameters.SoftFocusBlend = Settings.SoftFocusBlend;
 	Parameters.SoftFocusSaturation = Settings.SoftFocusSaturation;
 	Parameters.GlowIntensity = Settings.GlowIntensity;
+	Parameters.GlowLuminanceThreshold = Settings.GlowLuminanceThreshold;
+	Parameters.Kernel = static_cast<EREDBlurKernel>(
+		FMath::Clamp(CVarREDKernel.GetValueOnRenderThread(), 0, static_cast<int32>(EREDBlurKernel::Printed) - 1));
+	Parameters.bQuarterResolution = CVarREDQuarterResolution.GetValueOnRenderThread() != 0;
 	Parameters.bAsPrinted = CVarREDAsPrinted.GetValueOnRenderThread() != 0;
 	return Parameters;
 }
@@ -191,9 +302,9 @@ FScreenPassTexture AddREDPostProcessPass(
 	check(!ReadsBlurred(Inputs.Pass) || Inputs.Blurred.IsValid());
 
 	const FREDPostProcessParameters& Parameters = Inputs.Parameters;
-	if (Inputs.Pass == EREDPostProcessPass::BlurH || Inputs.Pass == EREDPostProcessPass::BlurV)
+	if (IsBlur(Inputs.Pass))
 	{
-		CheckBlurKernel(GraphBuilder, Parameters.bAsPrinted);
+		CheckBlurKernel(GraphBuilder, Parameters.GetKernel());
 	}
 	const FScreenPassRenderTarget Output =
 		Inputs.OverrideOutput.IsValid() ? Inputs.OverrideOutput : CreateOutput(GraphBuilder, Inputs);
@@ -210,10 +321,12 @@ FScreenPassTexture AddREDPostProcessPass(
 		PassParameters->BlurredTexture = Inputs.Blurred.Texture;
 		PassParameters->BlurredSampler = BilinearClamp;
 	}
-	for (int32 Tap = 0; Tap <= PrintedReach; ++Tap)
+	const std::vector<double> FetchWeights = GetFetchWeights(Parameters.GetKernel());
+	for (size_t Fetch = 0; Fetch < FetchWeights.size(); ++Fetch)
 	{
-		GET_SCALAR_ARRAY_ELEMENT(PassParameters->BlurWeights, Tap) = GetREDBlurWeight(Tap, Parameters.bAsPrinted);
+		GET_SCALAR_ARRAY_ELEMENT(PassParameters->BlurWeights, Fetch) = static_cast<float>(FetchWeights[Fetch]);
 	}
+	PassParameters->BlurStep = Inputs.BlurStep;
 	PassParameters->SepiaTint = Parameters.SepiaTint;
 	PassParameters->Sepia = Parameters.Sepia;
 	PassParameters->LuminancePow = Parameters.LuminancePow;
@@ -256,7 +369,7 @@ FScreenPassTexture AddREDPostProcessPasses(FRDGBuilder& GraphBuilder, const FVie
 	}
 
 	RDG_EVENT_SCOPE(GraphBuilder, "REDPostProcess");
-	FScreenPassTexture Plain; // blurred without the extract, made when first needed
+	FBlurs Blurs(GraphBuilder, View, SceneColor, Parameters);
 	FScreenPassTexture Result = SceneColor;
 	for (int32 Index = 0; Index < Passes.Num(); ++Index)
 	{
@@ -264,18 +377,7 @@ FScreenPassTexture AddREDPostProcessPasses(FRDGBuilder& GraphBuilder, const FVie
 		Inputs.Pass = Passes[Index];
 		Inputs.SceneColor = Result;
 		Inputs.Parameters = Parameters;
-		if (Inputs.Pass == EREDPostProcessPass::DiffusionFilter2 && !Parameters.bAsPrinted)
-		{
-			Inputs.Blurred = AddBlur(GraphBuilder, View, SceneColor, Parameters, true);
-		}
-		else
-		{
-			if (!Plain.IsValid())
-			{
-				Plain = AddBlur(GraphBuilder, View, SceneColor, Parameters, false);
-			}
-			Inputs.Blurred = Plain;
-		}
+		Inputs.Blurred = Blurs.GetFor(Inputs.Pass);
 		if (Index == Passes.Num() - 1)
 		{
 			Inputs.OverrideOutput = OverrideOutput;

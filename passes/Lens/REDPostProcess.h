@@ -4,19 +4,30 @@
 // Luma is BT.601: 0.299, 0.587, 0.114. screen(a, b) = 1 - (1 - a)(1 - b).
 //   DownSample       mean of four bilinear taps half a source texel off; size ceil-divided by two
 //   BlurH, BlurV     seven taps .0044 .0540 .2420 .3990 .2420 .0540 .0044, one texel apart, divided by their sum
-//   DiffusionFilter  c * saturate(pow(luma(c), LuminancePow) - LuminanceThreshold), alpha 1
+//   DiffusionFilter  extract: c * saturate(pow(luma(c), LuminancePow) - LuminanceThreshold), alpha 1
 //   DiffusionFilter2 pow(screen(c, blurred), Power), or max; then sepia: lerp(c, luma(c) * SepiaTint, Sepia)
 //   SoftFocus        lerp(luma(s), s, Saturation) of s = lerp(c, blurred, Blend)
 //   Glow             screen(c, blurred * GlowIntensity)
 //
+// The article's seven weights can be read in several ways (EREDBlurKernel). What a pass multiplies the light by, before
+// the corrected kernels are divided by it, and its width (standard deviation, texels of the blurred picture):
+//   SevenTaps        0.9998  0.9977  W[i + 3], i = -3..3
+//   ThirteenTexels   0.9998  1.6820  the same, but for the middle one each weight is a bilinear fetch of two texels
+//   NineTaps         1.0000  0.9992  the half kernel of the article's comment: .3990 .2420 .0540 .0044 .0001
+//   Printed          1.9952  3.1650  the article's loop: W[abs(i)], i = -6..6
+//
 // Contract. Nothing outside the rects is read; a constant stays constant to the edge. Corrected: operands of screen and
 // pow are cut to 0..1 and what lies above 1 is added, so light is never lost and no NaN is made of finite numbers; on
-// 0..1 both forms agree. Luma below 0 counts as 0. Alpha: the picture's own. NaN and what is below 0 become 0 in
-// DiffusionFilter2 and Glow and pass on in SoftFocus; +Inf stays; picture and blur above 65504 together are infinite in
-// half floats. Any size from 1x1.
-// As printed (r.RED.AsPrinted 1): the blur runs 13 taps over the same table by |i|, which doubles the light (1.9952 a
-// pass) and makes two lobes; screen and pow take light above 1 as it is: negative, then NaN for a power that is not a
-// whole number. The kernel is declared to be faulty, so that the audit (KernelAudit.h) warns and does not refuse.
+// 0..1 the blends of both forms agree. Luma below 0 counts as 0. Alpha: the picture's own. NaN and what is below 0
+// become 0 in DiffusionFilter2 and Glow and pass on in SoftFocus; +Inf stays; picture and blur above 65504 together are
+// infinite in half floats. Any size from 1x1.
+//
+// As printed (r.RED.AsPrinted 1): the blur runs the article's loop, which doubles the light and makes two lobes, and
+// there is no extract before it: LuminancePow and LuminanceThreshold go to the last node, whose blurred picture is
+// extracted there. Screen and pow take light above 1 as it is: the screen of two such lights is negative, and pow of
+// what is negative is NaN in HLSL, exp2(p * log2(x)), for every power: 1 and 0 and whole numbers too. So is the
+// extract's pow of a negative luma, but saturate makes 0 of that NaN. The kernel is declared to be faulty, so that the
+// audit (KernelAudit.h) warns and does not refuse.
 #pragma once
 
 #include "CoreMinimal.h"
@@ -41,6 +52,16 @@ enum class EREDPostProcessPass : uint8
 	MAX
 };
 
+/** How the article's blur weights are read: r.RED.Kernel, but for Printed, which r.RED.AsPrinted brings. */
+enum class EREDBlurKernel : uint8
+{
+	SevenTaps,
+	ThirteenTexels,
+	NineTaps,
+	Printed,
+	MAX
+};
+
 /** What the passes need of the settings; each pass reads its own. */
 struct FREDPostProcessParameters
 {
@@ -56,14 +77,22 @@ struct FREDPostProcessParameters
 	float SoftFocusBlend = 0.0f;
 	float SoftFocusSaturation = 1.0f;
 	float GlowIntensity = 0.0f;
+	/** Taken off the luma before it weighs what glows, as in the extract; up to -1 all glows alike. */
+	float GlowLuminanceThreshold = -1.0f;
+	/** Of the corrected form. */
+	EREDBlurKernel Kernel = EREDBlurKernel::SevenTaps;
+	/** The blur runs at a quarter of the resolution: DownSample twice. */
+	bool bQuarterResolution = false;
 	bool bAsPrinted = false;
 
-	/** From the settings and r.RED.AsPrinted. */
+	/** From the settings and the console variables r.RED.*. */
 	DRYDOCK_API static FREDPostProcessParameters FromSettings(const FFinalPostProcessSettings& Settings);
 
 	bool WantsDiffusionFilter() const { return DiffusionFilterIntensity > 0.0f; }
 	bool WantsSoftFocus() const { return SoftFocusBlend > 0.0f || SoftFocusSaturation != 1.0f; }
 	bool WantsGlow() const { return GlowIntensity > 0.0f; }
+	bool WantsGlowExtract() const { return WantsGlow() && GlowLuminanceThreshold > -1.0f; }
+	EREDBlurKernel GetKernel() const { return bAsPrinted ? EREDBlurKernel::Printed : Kernel; }
 };
 
 struct FREDPostProcessPassInputs
@@ -74,6 +103,8 @@ struct FREDPostProcessPassInputs
 	FScreenPassTexture SceneColor;
 	/** DiffusionFilter2, SoftFocus and Glow: the blurred picture, stretched over SceneColor. */
 	FScreenPassTexture Blurred;
+	/** BlurH and BlurV: multiplies the distances of the taps. */
+	float BlurStep = 1.0f;
 	FREDPostProcessParameters Parameters;
 	/** Where to draw; a new texture where invalid. */
 	FScreenPassRenderTarget OverrideOutput;
@@ -83,9 +114,10 @@ struct FREDPostProcessPassInputs
 DRYDOCK_API FScreenPassTexture AddREDPostProcessPass(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FREDPostProcessPassInputs& Inputs);
 
-/** The chain: DownSample, (DiffusionFilter,) BlurH, BlurV, DiffusionFilter2; then SoftFocus and Glow with a blur that
- * is not filtered. As printed the extract is left out and all share one blur. Neutral parameters add no pass and give
- *  SceneColor itself (then OverrideOutput is not written). */
+/** The chain: DownSample, (DiffusionFilter,) BlurH, BlurV, DiffusionFilter2; then SoftFocus and Glow, whose blur is not
+ * extracted, or for a Glow with a threshold extracted by that. All blurs begin from one downsampled picture, and
+ * equal ones are made once. Neutral parameters add no pass and give SceneColor itself (then OverrideOutput is not
+ * written). */
 DRYDOCK_API FScreenPassTexture AddREDPostProcessPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View,
 	const FScreenPassTexture& SceneColor, const FREDPostProcessParameters& Parameters,
 	const FScreenPassRenderTarget& OverrideOutput = FScreenPassRenderTarget());
@@ -104,10 +136,13 @@ DRYDOCK_API EREDPostProcessInsertion GetREDPostProcessInsertion();
 /** "DownSample", "BlurH", ... */
 DRYDOCK_API const TCHAR* ToString(EREDPostProcessPass Pass);
 
-/** Weight of the tap i texels away; 0 outside the kernel. The sum over all taps is 1 corrected, 1.9952 as printed. */
-DRYDOCK_API float GetREDBlurWeight(int32 Tap, bool bAsPrinted);
+/** "SevenTaps", ... */
+DRYDOCK_API const TCHAR* ToString(EREDBlurKernel Kernel);
 
-/** How far taps reach: 3 corrected, 6 as printed. */
-DRYDOCK_API int32 GetREDBlurReach(bool bAsPrinted);
+/** Weight of the texel that many texels away; 0 outside the kernel. Corrected kernels sum to 1, Printed to 1.9952. */
+DRYDOCK_API float GetREDBlurWeight(int32 Texel, EREDBlurKernel Kernel);
+
+/** The farthest texel that a kernel weighs: 3, 6, 4 and 6. */
+DRYDOCK_API int32 GetREDBlurReach(EREDBlurKernel Kernel);
 
 } // namespace Drydock

@@ -2,6 +2,10 @@
 #include "Lens/REDPostProcess.h"
 #include "PassFactory.h"
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 namespace Drydock
 {
 
@@ -28,11 +32,12 @@ FPassFactory MakeFactory(EREDPostProcessPass Pass, const char* Doc, std::vector<
 		Factory.Inputs.push_back({"Blurred", "", "The blurred picture, of any size; stretched over the input."});
 	}
 	Factory.Parameters = std::move(Parameters);
-	if (Pass != EREDPostProcessPass::DownSample && Pass != EREDPostProcessPass::SoftFocus)
+	const bool bHasTwoForms = Pass != EREDPostProcessPass::DownSample && Pass != EREDPostProcessPass::SoftFocus;
+	if (bHasTwoForms)
 	{
 		Factory.Parameters.push_back(GAsPrinted);
 	}
-	Factory.Add = [Pass, bReadsBlurred, Read](
+	Factory.Add = [Pass, bReadsBlurred, bHasTwoForms, Read](
 					  FRDGBuilder& GraphBuilder, const FViewInfo& View, const FPassArguments& Arguments)
 	{
 		FREDPostProcessPassInputs Inputs;
@@ -42,7 +47,7 @@ FPassFactory MakeFactory(EREDPostProcessPass Pass, const char* Doc, std::vector<
 		{
 			Inputs.Blurred = Arguments.GetInput("Blurred");
 		}
-		if (Pass != EREDPostProcessPass::DownSample && Pass != EREDPostProcessPass::SoftFocus)
+		if (bHasTwoForms)
 		{
 			Inputs.Parameters.bAsPrinted = Arguments.Values.GetBool("AsPrinted");
 		}
@@ -54,33 +59,64 @@ FPassFactory MakeFactory(EREDPostProcessPass Pass, const char* Doc, std::vector<
 
 void ReadNothing(const FParameterValues&, FREDPostProcessParameters&) {}
 
+/** As in the names of EREDBlurKernel. */
+std::vector<std::string> ListKernels()
+{
+	std::vector<std::string> Names;
+	for (uint8 Kernel = 0; Kernel < static_cast<uint8>(EREDBlurKernel::Printed); ++Kernel)
+	{
+		Names.emplace_back(ToString(static_cast<EREDBlurKernel>(Kernel)));
+	}
+	return Names;
+}
+
+FParameterSpec MakeKernelSpec()
+{
+	return FParameterSpec::Text("Kernel", "SevenTaps", ListKernels(), "How the article's weights are read.");
+}
+
+void ReadKernel(const FParameterValues& Values, FREDPostProcessParameters& Parameters)
+{
+	const std::vector<std::string> Names = ListKernels();
+	const auto Found = std::find(Names.begin(), Names.end(), Values.GetText("Kernel"));
+	Parameters.Kernel = static_cast<EREDBlurKernel>(Found - Names.begin());
+}
+
+std::vector<FParameterSpec> MakeExtractSpecs()
+{
+	return {Positive("LuminancePow", 1, "Power of the luma."), Positive("LuminanceThreshold", 0, "Taken off that.")};
+}
+
+void ReadExtract(const FParameterValues& Values, FREDPostProcessParameters& Parameters)
+{
+	Parameters.LuminancePow = Values.GetFloat("LuminancePow");
+	Parameters.LuminanceThreshold = Values.GetFloat("LuminanceThreshold");
+}
+
 const FPassFactoryRegistration GDownSample(
 	MakeFactory(EREDPostProcessPass::DownSample, "Halves a picture by four taps.", {}, false, &ReadNothing));
 
-const FPassFactoryRegistration GBlurH(
-	MakeFactory(EREDPostProcessPass::BlurH, "Blurs rows by seven taps.", {}, false, &ReadNothing));
+const FPassFactoryRegistration GBlurH(MakeFactory(
+	EREDPostProcessPass::BlurH, "Blurs rows by the article's weights.", {MakeKernelSpec()}, false, &ReadKernel));
 
-const FPassFactoryRegistration GBlurV(
-	MakeFactory(EREDPostProcessPass::BlurV, "Blurs columns by seven taps.", {}, false, &ReadNothing));
+const FPassFactoryRegistration GBlurV(MakeFactory(
+	EREDPostProcessPass::BlurV, "Blurs columns by the article's weights.", {MakeKernelSpec()}, false, &ReadKernel));
 
-const FPassFactoryRegistration GDiffusionFilter(MakeFactory(EREDPostProcessPass::DiffusionFilter,
-	"Keeps what is bright, by luma.",
-	{Positive("LuminancePow", 1, "Power of the luma."), Positive("LuminanceThreshold", 0, "Taken off that.")}, false,
-	[](const FParameterValues& Values, FREDPostProcessParameters& Parameters)
-	{
-		Parameters.LuminancePow = Values.GetFloat("LuminancePow");
-		Parameters.LuminanceThreshold = Values.GetFloat("LuminanceThreshold");
-	}));
+const FPassFactoryRegistration GDiffusionFilter(MakeFactory(
+	EREDPostProcessPass::DiffusionFilter, "Keeps what is bright, by luma.", MakeExtractSpecs(), false, &ReadExtract));
 
 const FPassFactoryRegistration GDiffusionFilter2(
 	MakeFactory(EREDPostProcessPass::DiffusionFilter2, "Combines a picture with its blur.",
 		{Positive("Intensity", 1, "Scales the blur."), Positive("Power", 1, "Of the combined picture."),
 			FParameterSpec::Text("Blend", "Screen", {"Screen", "Max"}, "How the two meet."),
 			FParameterSpec::Number("Sepia", 0, 0, 1, "Weight of the sepia picture."),
-			FParameterSpec::Color("SepiaTint", FLinearColor(1.0f, 0.82f, 0.6f, 1.0f), "Its colour.")},
+			FParameterSpec::Color("SepiaTint", FLinearColor(1.0f, 0.82f, 0.6f, 1.0f), "Its colour."),
+			Positive("LuminancePow", 1, "As printed: power of the blur's luma, which weighs the blur."),
+			Positive("LuminanceThreshold", 0, "As printed: taken off that.")},
 		true,
 		[](const FParameterValues& Values, FREDPostProcessParameters& Parameters)
 		{
+			ReadExtract(Values, Parameters);
 			Parameters.DiffusionFilterIntensity = Values.GetFloat("Intensity");
 			Parameters.DiffusionFilterPower = Values.GetFloat("Power");
 			Parameters.DiffusionFilterBlend =

@@ -23,4 +23,7 @@ struct FSceneTextures
 	FRDGTextureSRVRef CustomStencil = nullptr;
 	/** drydock: R projected shadow of the main light, G the character's self shadow, 1 = lit; 8 bit. */
 	FRDGTextureRef ToonShadow = nullptr;
+	/** drydock: what is composed over the picture after depth of field: premultiplied radiance, pre-exposed, and in
+	 * alpha the transmittance of what lies behind. The engine keeps it in FTranslucencyPassResources. */
+	FRDGTextureRef SeparateTranslucency = nullptr;
 };

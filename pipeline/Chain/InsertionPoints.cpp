@@ -140,8 +140,11 @@ FPostProcessMaterialInputs FInsertionPoints::MakeInputs(const FScreenPassTexture
 	FPostProcessMaterialInputs CallbackInputs;
 	CallbackInputs.SetInput(GraphBuilder, EPostProcessMaterialInput::SceneColor, SceneColor);
 	const FRDGSystemTextures& SystemTextures = FRDGSystemTextures::Get(GraphBuilder);
-	CallbackInputs.SetInput(
-		GraphBuilder, EPostProcessMaterialInput::SeparateTranslucency, FScreenPassTexture(SystemTextures.Black));
+	const FRDGTextureRef Translucency =
+		View.View->SceneTextures ? View.View->SceneTextures->SeparateTranslucency : nullptr;
+	CallbackInputs.SetInput(GraphBuilder, EPostProcessMaterialInput::SeparateTranslucency,
+		Translucency ? FScreenPassTexture(Translucency, View.View->ViewRect)
+					 : FScreenPassTexture(SystemTextures.Black));
 	const FRDGTextureRef Velocity =
 		SceneTextures ? SceneTextures->GetContents()->GBufferVelocityTexture : SystemTextures.Black;
 	CallbackInputs.SetInput(GraphBuilder, EPostProcessMaterialInput::Velocity,

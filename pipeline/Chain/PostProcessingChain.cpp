@@ -13,6 +13,7 @@
 #include "Screen/PostProcessAA.h"
 #include "Screen/PostProcessDownsample.h"
 #include "Screen/PostProcessUpscale.h"
+#include "Screen/SeparateTranslucencyComposition.h"
 #include "Tonemap/PostProcessCombineLUTs.h"
 #include "Tonemap/PostProcessTonemap.h"
 
@@ -60,18 +61,31 @@ public:
 		SceneColor = Points.Run(EPoint::BeforeDOF, SceneColor);
 		AddEffects(EChainPlace::DepthOfField);
 		AddEffects(EChainPlace::BeforeTranslucency);
+		if (IsActive(EEffect::Translucency))
+		{
+			const FScreenPassTexture Translucency = Points.Run(EPoint::TranslucencyAfterDOF, GetSeparateTranslucency());
+			Points.SetSlot(EPostProcessMaterialInput::SeparateTranslucency, Translucency);
+			ComposeTranslucency(Translucency);
+		}
 		SceneColor = Points.Run(EPoint::AfterDOF, SceneColor);
 		AddEffects(EChainPlace::AfterTranslucency);
-		Points.Skip(EPoint::TranslucencyAfterDOF, "the scene has no separate translucency");
+		if (!IsActive(EEffect::Translucency))
+		{
+			Points.Skip(EPoint::TranslucencyAfterDOF, FindEffect(Effects, EEffect::Translucency)->Reason);
+		}
 		RunSSRInput();
 		AddEffects(EChainPlace::MotionBlur);
 		SceneColor = Points.Run(EPoint::MotionBlur, SceneColor);
 		AddEffects(EChainPlace::BeforeBloom);
 	}
 
-	/** Where post-processing is off: what comes before the tonemapper is not there. */
+	/** Where post-processing is off: of what comes before the tonemapper translucency alone is there. */
 	void SkipSceneLinear()
 	{
+		if (IsActive(EEffect::Translucency))
+		{
+			ComposeTranslucency(GetSeparateTranslucency());
+		}
 		for (const EPoint Point : {EPoint::BeforeDOF, EPoint::AfterDOF, EPoint::TranslucencyAfterDOF, EPoint::SSRInput,
 				 EPoint::MotionBlur, EPoint::ReplacingTonemapper})
 		{
@@ -282,6 +296,17 @@ private:
 			SceneColor = (*Decision->Effect->AddPasses)({GraphBuilder, View, *Decision, SceneColor, Inputs.LightColor,
 				OverrideOutput, [this] { return GetSceneTextures(); }, Outputs.Kept});
 		}
+	}
+
+	FScreenPassTexture GetSeparateTranslucency() const
+	{
+		return FScreenPassTexture(View.SceneTextures->SeparateTranslucency, View.ViewRect);
+	}
+
+	void ComposeTranslucency(const FScreenPassTexture& Translucency)
+	{
+		const FRDGEffectScope Scope(GraphBuilder, *GTranslucencyEffect.Name);
+		SceneColor = AddSeparateTranslucencyCompositionPass(GraphBuilder, View, SceneColor, Translucency);
 	}
 
 	/** For effects that want bloom in the picture: the tonemapper then adds none. */

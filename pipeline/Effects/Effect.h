@@ -77,6 +77,7 @@ struct FViewConditions
 	FEngineProfile Engine = GetDefaultEngineProfile();
 	FEngineShowFlags ShowFlags;
 	std::vector<FSettingGate> Gates;        // what show flags and console variables changed in the settings
+	bool bSeparateTranslucency = false;     // the scene has it; known once its textures are registered
 	bool bAutoExposure = false;             // asked for: see IsAutoExposureActive (Exposure.h)
 	float ExposureScale = 1.0f;             // final; of an automatic exposure once the frame has run
 	double ScreenPercentage = 100.0;        // of the config, whatever the show flag says
@@ -133,6 +134,7 @@ enum class EChainPlace : uint8
 	Lighting, // first of all
 	DepthOfField,
 	BeforeTranslucency,
+	Translucency, // separate translucency comes into the picture
 	AfterTranslucency,
 	MotionBlur,
 	BeforeBloom, // the last that sees the scene alone, linear

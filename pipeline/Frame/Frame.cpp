@@ -334,6 +334,7 @@ private:
 	void AddChain(FRDGBuilder& GraphBuilder, const FNamedView& NamedView, FViewOfFrame& Target,
 		const FSceneTextures& SceneTextures, const FPostProcessingInputs& PostProcessingInputs)
 	{
+		Target.Conditions.bSeparateTranslucency = SceneTextures.SeparateTranslucency != nullptr;
 		const std::vector<std::string> ExtensionNames = Extensions.GetNames();
 		const FEffectInputs Deciding(NamedView.View->FinalPostProcessSettings, Target.Conditions, ExtensionNames);
 		Target.Effects = Decide(Deciding, *NamedView.View);

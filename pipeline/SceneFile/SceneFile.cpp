@@ -81,6 +81,10 @@ FSceneTextures FSceneFile::RegisterTextures(FRDGBuilder& GraphBuilder)
 	Registered.Config.Extent = GetExtent();
 	for (const FScenePacking& Packing : GetScenePackings())
 	{
+		if (Packing.bOptional && !HasAnyChannel(Packing))
+		{
+			continue;
+		}
 		const FRHITextureDesc Desc =
 			FRHITextureDesc::Create2D(GetExtent(), Packing.Format, FClearValueBinding::Black, Packing.Flags);
 		TRefCountPtr<FRHITexture>& Texture = Textures[Packing.Name];
@@ -111,6 +115,13 @@ std::optional<FSceneFile::FSource> FSceneFile::FindSource(const FScenePackChanne
 		return FSource{-1, static_cast<float>(Default->second.Value)};
 	}
 	return Channel.Default ? std::optional(FSource{-1, *Channel.Default}) : std::nullopt;
+}
+
+bool FSceneFile::HasAnyChannel(const FScenePacking& Packing) const
+{
+	return std::any_of(Packing.Channels.begin(), Packing.Channels.end(),
+		[this](const FScenePackChannel& Channel)
+		{ return Channel.Name != nullptr && FindSource(Channel).has_value(); });
 }
 
 FError FSceneFile::MakeMissingChannel(const std::string& Channel, const FNeededSceneTexture& Needed) const
@@ -384,7 +395,7 @@ void FSceneFile::Fill(const FFill& Fill, const FScenePackContext& Context)
 	std::vector<FPixelSource> PixelSources;
 	for (const FSceneRegion& Region : AllRegions)
 	{
-		PixelSources.emplace_back(Region, bColor);
+		PixelSources.emplace_back(Region, Fill.Packing->bMeanOfArea);
 	}
 	const auto FillRow = [&](int32 Y, TArray<FLinearColor>& Row)
 	{

@@ -71,7 +71,8 @@ public:
 	/** Of the main light, relative, from the same; white when there is none (SceneLight.h). */
 	const FLinearColor& GetLightColor() const { return LightColor; }
 
-	/** Registers every texture that the packing table knows; none has memory until Load. The others stay null. */
+	/** Registers every texture that the packing table knows, optional ones where the file has something of them; none
+	 * has memory until Load. The others stay null. */
 	FSceneTextures RegisterTextures(FRDGBuilder& GraphBuilder);
 
 	/** The registered texture of that name, as the RHI has it; null when there is none. */
@@ -117,6 +118,7 @@ private:
 	using FPlanes = std::map<int, std::vector<float>>; // by the file's channel index
 
 	std::optional<FSource> FindSource(const FScenePackChannel& Channel) const;
+	bool HasAnyChannel(const FScenePacking& Packing) const;
 	std::optional<FFill> PlanFill(const FNeededSceneTexture& Needed) const;
 	FError MakeMissingChannel(const std::string& Channel, const FNeededSceneTexture& Needed) const;
 	std::vector<FFill> PlanFills(const std::vector<FNeededSceneTexture>& Needed);

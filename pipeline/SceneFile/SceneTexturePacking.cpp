@@ -81,7 +81,7 @@ const std::vector<FScenePacking>& GetScenePackings()
 {
 	static const std::vector<FScenePacking> Packings = {
 		{"SceneColor", PF_FloatRGBA, Read | ETextureCreateFlags::UAV, &FSceneTextures::Color,
-			{{{"R", {}}, {"G", {}}, {"B", {}}, {"A", 1.0f}}}, PackColor, FLinearColor(NaN, NaN, NaN, NaN)},
+			{{{"R", {}}, {"G", {}}, {"B", {}}, {"A", 1.0f}}}, PackColor, FLinearColor(NaN, NaN, NaN, NaN), true},
 		{"SceneDepthZ", PF_DepthStencil,
 			ETextureCreateFlags::ShaderResource | ETextureCreateFlags::DepthStencilTargetable, &FSceneTextures::Depth,
 			{{{"depth.Z", {}}}}, PackDepth, FLinearColor(1.0f, 0.0f, 0.0f, 0.0f)},
@@ -99,6 +99,9 @@ const std::vector<FScenePacking>& GetScenePackings()
 			FLinearColor(1.0f, 1.0f, 1.0f, 1.0f)},
 		{"ToonShadow", PF_R8G8B8A8, Read, &FSceneTextures::ToonShadow, {{{"shadow.R", {}}, {"shadow.G", {}}}}, PackAsIs,
 			FLinearColor(0.0f, 0.0f, 1.0f, 1.0f)},
+		{"SeparateTranslucency", PF_FloatRGBA, Read, &FSceneTextures::SeparateTranslucency,
+			{{{"translucency.R", {}}, {"translucency.G", {}}, {"translucency.B", {}}, {"translucency.A", {}}}},
+			PackColor, FLinearColor(NaN, NaN, NaN, NaN), true, true},
 	};
 	return Packings;
 }

@@ -42,6 +42,10 @@ struct FScenePacking
 	std::array<FScenePackChannel, 4> Channels;
 	FLinearColor (*Pack)(const FScenePackValues& Values, const FScenePackContext& Context);
 	FLinearColor Outside; // what padding holds: nothing that a frame would
+	/** At another resolution than the file's: the mean of the area under a pixel, as colour; otherwise its middle. */
+	bool bMeanOfArea = false;
+	/** There is such a texture only where the file, or scene.defaults, has one of its channels at least. */
+	bool bOptional = false;
 };
 
 /** Scene colour first. */

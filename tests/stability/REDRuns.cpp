@@ -111,6 +111,7 @@ FImage RunREDSoftFocus(const FCase& Case)
 	FREDPostProcessParameters Parameters;
 	Parameters.DiffusionFilterIntensity = 0.0f;
 	Parameters.SoftFocusBlend = static_cast<float>(Case.Intensity.value_or(1.0));
+	Parameters.Kernel = static_cast<EREDBlurKernel>(Case.Variant);
 	return RunChain(Case, Parameters);
 }
 
@@ -119,6 +120,7 @@ FImage RunREDGlow(const FCase& Case)
 	FREDPostProcessParameters Parameters;
 	Parameters.DiffusionFilterIntensity = 0.0f;
 	Parameters.GlowIntensity = static_cast<float>(Case.Intensity.value_or(1.0));
+	Parameters.GlowLuminanceThreshold = static_cast<float>(Case.Threshold.value_or(-1.0));
 	return RunChain(Case, Parameters);
 }
 

@@ -25,6 +25,10 @@ FImage RunUpscaleLobes(const FCase& Case);
 /** Variants: directional, Gaussian. */
 FImage RunUpscaleSharpened(const FCase& Case);
 
+/** Translucency everywhere: radiance (0.25, 0.5, 0.125), transmittance 0.5. */
+FImage RunSeparateTranslucency(const FCase& Case);
+FImage SeparateTranslucencyFormula(const FCase& Case);
+
 // Bloom.
 /** Threshold: -1, none. Variants: pixel shader, compute. */
 FImage RunBloomSetup(const FCase& Case);
@@ -73,9 +77,9 @@ FImage RunToonShadowLightingAsPrinted(const FCase& Case);
 FImage RunREDDiffusion(const FCase& Case);
 FImage REDDiffusionFormula(const FCase& Case);
 FImage RunREDDiffusionAsPrinted(const FCase& Case);
-/** Intensity: the blend, 1; saturation 1. */
+/** Intensity: the blend, 1; saturation 1. Variants: kernels of the corrected form. */
 FImage RunREDSoftFocus(const FCase& Case);
-/** Intensity: 1. */
+/** Intensity: 1. Threshold: of the luma, -1. */
 FImage RunREDGlow(const FCase& Case);
 FImage REDGlowFormula(const FCase& Case);
 /** Area (Sigma) 3.5; Intensity: alpha of the colour, 1. */

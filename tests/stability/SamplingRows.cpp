@@ -1,4 +1,4 @@
-// Rows of the stability table for downsampling, upscaling and the tint: data only.
+// Rows of the stability table for downsampling, upscaling, the tint and separate translucency: data only.
 #include "Runs.h"
 #include "Table.h"
 
@@ -11,6 +11,8 @@ namespace
 constexpr FCell KeptWeights = Kept("weights sum to 1 at the edge too, where taps are clamped", 1e-3);
 constexpr FCell CentredByUV = Centred("sizes map by UV, edge to edge, so halves of odd sizes do not shift");
 constexpr FCell RectIsAll = SameAsCropped("taps are clamped to half a texel inside the rect");
+
+constexpr FCell Composite = Formula("colour times transmittance and radiance, pixel by pixel", 1e-3);
 
 constexpr FPassRow
 	Rows[] =
@@ -344,6 +346,52 @@ constexpr FPassRow
 						.PowOfNegative = NoPower,
 						.LuminanceZero = NoLuminance,
 						.HalfAccumulation = NoSum,
+						.WeightOutside = NoWeight,
+						.EqualPriorities = NoPriority,
+						.TenThousand = NoHistory,
+					},
+			},
+			{
+				.Name = "Separate translucency",
+				.Header = "Screen/SeparateTranslucencyComposition.h",
+				.Factories = "",
+				.Run = RunSeparateTranslucency,
+				.Formula = SeparateTranslucencyFormula,
+				.Cells =
+					{
+						.NaN = Spreads("a product and a sum; a pixel depends on no other"),
+						.PlusInf = Spreads("likewise"),
+						.MinusInf = Spreads("likewise"),
+						.LargestHalf = Composite,
+						.BeyondHalf = RoundedBefore,
+						.Huge = Composite,
+						.Denormals = Composite,
+						.NegativeZero = Composite,
+						.NegativeColors = Composite,
+						.HotPixel = Composite,
+						.MovingHotPixel = Smooth("slope: the transmittance", 0.51),
+						.Black = Composite,
+						.Constant = Composite,
+						.OneByOne = Composite,
+						.OneByN = Composite,
+						.NByOne = Composite,
+						.Odd = Composite,
+						.Prime = Composite,
+						.RectOffset = RectIsAll,
+						.PaddedExtent = RectIsAll,
+						.TooManyLevels = NoLevels,
+						.SigmaZero = NoKernel,
+						.SigmaHuge = NoKernel,
+						.ThresholdZero = NoThreshold,
+						.ThresholdNegative = NoThreshold,
+						.ThresholdHuge = NoThreshold,
+						.IntensityZero = NoIntensity,
+						.IntensityNegative = NoIntensity,
+						.IntensityHuge = NoIntensity,
+						.PowOfZero = NoPower,
+						.PowOfNegative = NoPower,
+						.LuminanceZero = NoLuminance,
+						.HalfAccumulation = Accurate("one product and one sum in float, rounded to half once", 1e-3),
 						.WeightOutside = NoWeight,
 						.EqualPriorities = NoPriority,
 						.TenThousand = NoHistory,

@@ -1,10 +1,11 @@
-// How the rows of downsampling, upscaling and the tint are run, and their formulas.
+// How the rows of downsampling, upscaling, the tint and separate translucency are run, and their formulas.
 #include "Runs.h"
 
 #include "Cases.h"
 
 #include "Screen/PostProcessDownsample.h"
 #include "Screen/PostProcessUpscale.h"
+#include "Screen/SeparateTranslucencyComposition.h"
 #include "Screen/Tint.h"
 
 using namespace Drydock;
@@ -80,6 +81,24 @@ FImage RunTint(const FCase& Case)
 	const float Factor = static_cast<float>(Case.Intensity.value_or(1.0));
 	Inputs.Color = FLinearColor(Factor, Factor, Factor, 1.0f);
 	return Run.Execute(AddTintPass(Run.GraphBuilder, Run.View, Inputs));
+}
+
+FImage RunSeparateTranslucency(const FCase& Case)
+{
+	FFrameRun Run(Case);
+	const FScreenPassTexture Translucency = Run.AddInput(
+		FImage(Case.Image.Width, Case.Image.Height, {0.25, 0.5, 0.125, 0.5}), PF_FloatRGBA, TEXT("Translucency"));
+	return Run.Execute(AddSeparateTranslucencyCompositionPass(Run.GraphBuilder, Run.View, Run.Input, Translucency));
+}
+
+FImage SeparateTranslucencyFormula(const FCase& Case)
+{
+	return FImage::Make(Case.Image.Width, Case.Image.Height,
+		[&](int X, int Y)
+		{
+			const FTexel& Color = Case.Image.At(X, Y);
+			return FTexel{Color[0] * 0.5 + 0.25, Color[1] * 0.5 + 0.5, Color[2] * 0.5 + 0.125, Color[3]};
+		});
 }
 
 } // namespace Stability

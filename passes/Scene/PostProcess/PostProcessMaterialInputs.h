@@ -10,7 +10,8 @@ enum class EPostProcessMaterialInput : uint32
 {
 	/** The picture so far; always there. */
 	SceneColor = 0,
-	/** Translucency that is composed later; transparent black here. */
+	/** Translucency that is composed after depth of field: premultiplied, alpha = transmittance. Black where the scene
+	 * has none. */
 	SeparateTranslucency = 1,
 	/** Bloom, where the tonemapper is replaced. */
 	CombinedBloom = 2,

@@ -76,8 +76,33 @@ double Saturate(double Value)
 	return std::min(std::max(Value, 0.0), 1.0);
 }
 
+/** The article's loop over its table by distance, rows then columns, the last tap on the radius. */
+FImage BlurAsPrinted(const FImage& Layer, double Radius)
+{
+	constexpr double Weights[] = {0.0044, 0.0540, 0.2420, 0.3990, 0.2420, 0.0540, 0.0044};
+	FImage Result = Layer;
+	for (const bool bRows : {true, false})
+	{
+		const FImage Source = Result;
+		Result = FImage::Make(Layer.Width, Layer.Height,
+			[&](int X, int Y)
+			{
+				FTexel Sum{0, 0, 0, 0};
+				for (int Tap = -6; Tap <= 6; ++Tap)
+				{
+					const double Distance = Tap * Radius / 6;
+					Sum = Sum + PassReference::SampleInRect(Source, {0, 0, Layer.Width, Layer.Height},
+									X + 0.5 + (bRows ? Distance : 0), Y + 0.5 + (bRows ? 0 : Distance), false) *
+									Weights[std::abs(Tap)];
+				}
+				return Sum;
+			});
+	}
+	return Result;
+}
+
 /** A layer: the mean of 2x2 texels, in red times its weight, the weight itself in alpha; blurred. */
-FImage BlurLayer(const FImage& Color, const std::function<double(int, int)>& Weight, double Radius)
+FImage BlurLayer(const FImage& Color, const std::function<double(int, int)>& Weight, double Radius, bool bAsPrinted)
 {
 	const FImage Layer = FImage::Make((Color.Width + 1) / 2, (Color.Height + 1) / 2,
 		[&](int X, int Y)
@@ -93,8 +118,9 @@ FImage BlurLayer(const FImage& Color, const std::function<double(int, int)>& Wei
 			}
 			return Sum;
 		});
-	return PassReference::GaussianBlur(
-		Layer, Radius, static_cast<int>(std::ceil(Radius)), PassReference::EAddress::Clamp);
+	return bAsPrinted ? BlurAsPrinted(Layer, Radius)
+					  : PassReference::GaussianBlur(
+							Layer, Radius, static_cast<int>(std::ceil(Radius)), PassReference::EAddress::Clamp);
 }
 
 /** The effect by its formula, in double. */
@@ -110,8 +136,9 @@ FImage Reference(const FImage& Color, const std::function<double(int, int)>& Dep
 	};
 	const int HalfWidth = (Color.Width + 1) / 2;
 	const FImage FarLayer = BlurLayer(Color, Dof.bAsPrinted ? std::function<double(int, int)>(One) : Far,
-		HalfWidth * static_cast<double>(Dof.FarBlurSize) / 200);
-	const FImage NearLayer = BlurLayer(Color, One, HalfWidth * static_cast<double>(Dof.NearBlurSize) / 200);
+		HalfWidth * static_cast<double>(Dof.FarBlurSize) / 200, Dof.bAsPrinted);
+	const FImage NearLayer =
+		BlurLayer(Color, One, HalfWidth * static_cast<double>(Dof.NearBlurSize) / 200, Dof.bAsPrinted);
 	return FImage::Make(Color.Width, Color.Height,
 		[&](int X, int Y)
 		{
@@ -119,7 +146,7 @@ FImage Reference(const FImage& Color, const std::function<double(int, int)>& Dep
 			{
 				const FTexel Texel = PassReference::SampleInRect(
 					Layer, {0, 0, Layer.Width, Layer.Height}, (X + 0.5) / 2, (Y + 0.5) / 2, false);
-				return Texel[3] > 0 ? Texel * (1 / Texel[3]) : Color.At(X, Y);
+				return Dof.bAsPrinted ? Texel : Texel[3] > 0 ? Texel * (1 / Texel[3]) : Color.At(X, Y);
 			};
 			const double FarMix = Far(X, Y);
 			const double NearMix = Saturate((Dof.FocalDistance - Depth(X, Y)) / Dof.NearTransition);
@@ -206,6 +233,20 @@ TEST(REDDepthOfField, ConstantPictureStaysConstantAtEveryDepth)
 	const FImage Image(31, 19, {0.75, 0.5, 3, 1});
 	const FImage Result = FDofRun().Run(Image, [](int X, int Y) { return 50.0 + 60 * X + 11 * Y; });
 	EXPECT_LE(MaxDifference(Image, Result, 4), 1e-5);
+}
+
+TEST(REDDepthOfField, AsPrintedTheBlurQuadruplesTheLight)
+{
+	// The weights by distance sum to 0.0044 + 2 * (0.9998 - 0.0044), once for the rows and once for the columns.
+	const double Gain = 1.9952 * 1.9952;
+	FDofRun Run;
+	Run.Inputs.bAsPrinted = true;
+	const FImage Image(31, 19, {0.75, 0.5, 3, 1});
+	for (const double Depth : {100.0, 5000.0})
+	{
+		EXPECT_NEAR(0.5 * Gain, Run.Run(Image, Depth).At(7, 9)[1], 1e-5) << Depth;
+	}
+	EXPECT_EQ(Image.Texels, Run.Run(Image, 550).Texels);
 }
 
 TEST(REDDepthOfField, FarLayerDoesNotGatherWhatIsInFocus)

@@ -16,6 +16,32 @@ TEST(REDPostProcessFactories, BlurAsPrintedDoublesTheLight)
 	EXPECT_NEAR(1.9952, PassReference::SumOf(RunFactory("REDBlurH", Image, {{"AsPrinted", true}}), 0), 1e-6);
 }
 
+TEST(REDPostProcessFactories, BlurTakesItsKernel)
+{
+	FImage Image(1, 21, {0, 0, 0, 0});
+	Image.At(0, 10) = {1, 1, 1, 1};
+	const auto Blur = [&](const char* Kernel)
+	{
+		return RunFactory("REDBlurV", Image, {{"Kernel", std::string(Kernel)}});
+	};
+	EXPECT_EQ(0, Blur("SevenTaps").At(0, 14)[0]);
+	EXPECT_NEAR(0.0001, Blur("NineTaps").At(0, 14)[0], 1e-7);
+	EXPECT_NEAR(0.0540 / 2 / 0.9998, Blur("ThirteenTexels").At(0, 14)[0], 1e-6);
+}
+
+TEST(REDPostProcessFactories, PrintedDiffusionFilter2TakesTheThreshold)
+{
+	const FImage Image(2, 2, {0.5, 0.5, 0.5, 1});
+	const auto Combine = [&](double Threshold)
+	{
+		return RunFactory(
+			"REDDiffusionFilter2", Image, {{"AsPrinted", true}, {"LuminanceThreshold", Threshold}}, "Blurred")
+			.At(0, 0)[0];
+	};
+	EXPECT_NEAR(0.5625, Combine(0.25), 1e-6); // the blur weighs 0.5 - 0.25: 1 - 0.5 * (1 - 0.125)
+	EXPECT_NEAR(0.5, Combine(1), 1e-6);
+}
+
 TEST(REDPostProcessFactories, DiffusionFilterTakesItsThreshold)
 {
 	const FImage Result =

@@ -92,6 +92,47 @@ FREDPostProcessParameters MakeNeutral()
 
 constexpr double PrintedWeights[] = {0.0044, 0.0540, 0.2420, 0.3990, 0.2420, 0.0540, 0.0044};
 
+/** A reading of the article's kernel: weights by texel, from the middle outwards, and what header and docs say of it.
+ */
+struct FKernelFacts
+{
+	EREDBlurKernel Kernel;
+	std::vector<double> Texels;
+	double Gain;
+	double Deviation;
+};
+
+std::vector<FKernelFacts> ListKernels()
+{
+	// Of the thirteen texels two share each weight but the middle one's.
+	const double A = 0.2420 / 2, B = 0.0540 / 2, C = 0.0044 / 2;
+	return {{EREDBlurKernel::SevenTaps, {0.3990, 0.2420, 0.0540, 0.0044}, 0.9998, 0.9977},
+		{EREDBlurKernel::ThirteenTexels, {0.3990, A, A, B, B, C, C}, 0.9998, 1.6820},
+		{EREDBlurKernel::NineTaps, {0.3990, 0.2420, 0.0540, 0.0044, 0.0001}, 1.0000, 0.9992},
+		{EREDBlurKernel::Printed, {0.0044, 0.0540, 0.2420, 0.3990, 0.2420, 0.0540, 0.0044}, 1.9952, 3.1650}};
+}
+
+FREDPostProcessParameters MakeParameters(EREDBlurKernel Kernel)
+{
+	FREDPostProcessParameters Parameters;
+	Parameters.bAsPrinted = Kernel == EREDBlurKernel::Printed;
+	Parameters.Kernel = Parameters.bAsPrinted ? EREDBlurKernel::SevenTaps : Kernel;
+	return Parameters;
+}
+
+/** Sum and standard deviation of weights at whole distances from the middle, both sides. */
+std::pair<double, double> MeasureWeights(const std::vector<double>& Weights)
+{
+	double Sum = 0, SecondMoment = 0;
+	for (int Texel = 0; Texel < static_cast<int>(Weights.size()); ++Texel)
+	{
+		const double Both = Weights[static_cast<size_t>(Texel)] * (Texel > 0 ? 2 : 1);
+		Sum += Both;
+		SecondMoment += Both * Texel * Texel;
+	}
+	return {Sum, std::sqrt(SecondMoment / Sum)};
+}
+
 } // namespace
 
 TEST(REDPostProcess, DownSampleIsATwoByTwoMeanWhereSizesAreEven)
@@ -153,18 +194,79 @@ TEST(REDPostProcess, PrintedBlurDoublesTheLightInTwoLobes)
 	EXPECT_NEAR(1.9952, SumOf(Result, 0), 1e-6); // 0.0044 + 2 * (0.9998 - 0.0044)
 }
 
-TEST(REDPostProcess, BlurWeightsByTap)
+TEST(REDPostProcess, BlurWeightsByTexel)
 {
-	double Corrected = 0, Printed = 0;
-	for (int32 Tap = -10; Tap <= 10; ++Tap)
+	for (const FKernelFacts& Facts : ListKernels())
 	{
-		Corrected += Drydock::GetREDBlurWeight(Tap, false);
-		Printed += Drydock::GetREDBlurWeight(Tap, true);
+		const double Sum = Facts.Kernel == EREDBlurKernel::Printed ? 1 : Facts.Gain;
+		const int32 Reach = static_cast<int32>(Facts.Texels.size()) - 1;
+		EXPECT_EQ(Reach, GetREDBlurReach(Facts.Kernel)) << ToString(Facts.Kernel);
+		for (int32 Texel = -10; Texel <= 10; ++Texel)
+		{
+			const double Expected = std::abs(Texel) <= Reach ? Facts.Texels[static_cast<size_t>(std::abs(Texel))] : 0.0;
+			EXPECT_NEAR(Expected / Sum, GetREDBlurWeight(Texel, Facts.Kernel), 1e-7)
+				<< ToString(Facts.Kernel) << " " << Texel;
+		}
 	}
-	EXPECT_NEAR(1, Corrected, 1e-6);
-	EXPECT_NEAR(1.9952, Printed, 1e-6);
-	EXPECT_EQ(0, Drydock::GetREDBlurWeight(4, false));
-	EXPECT_EQ(0, Drydock::GetREDBlurWeight(-7, true));
+}
+
+TEST(REDPostProcess, KernelsHaveTheStatedGainAndWidth)
+{
+	for (const FKernelFacts& Facts : ListKernels())
+	{
+		SCOPED_TRACE(ToString(Facts.Kernel));
+		const auto [Gain, Deviation] = MeasureWeights(Facts.Texels);
+		EXPECT_NEAR(Facts.Gain, Gain, 5e-5);
+		EXPECT_NEAR(Facts.Deviation, Deviation, 5e-5);
+
+		// The same of what the pass makes of a point of light.
+		FImage Point(31, 1, {0, 0, 0, 0});
+		Point.At(15, 0) = {1, 1, 1, 1};
+		const FImage Result = RunPass(Point, EREDPostProcessPass::BlurH, MakeParameters(Facts.Kernel));
+		double SecondMoment = 0;
+		for (int X = 0; X < 31; ++X)
+		{
+			SecondMoment += Result.At(X, 0)[0] * (X - 15) * (X - 15);
+			const size_t Texel = static_cast<size_t>(std::abs(X - 15));
+			const double Weight = Texel < Facts.Texels.size() ? Facts.Texels[Texel] : 0.0;
+			EXPECT_NEAR(Facts.Kernel == EREDBlurKernel::Printed ? Weight : Weight / Gain, Result.At(X, 0)[0], 1e-7)
+				<< X;
+		}
+		EXPECT_NEAR(Facts.Kernel == EREDBlurKernel::Printed ? Facts.Gain : 1.0, SumOf(Result, 0), 1e-6);
+		EXPECT_NEAR(Facts.Deviation, std::sqrt(SecondMoment / SumOf(Result, 0)), 5e-5);
+	}
+}
+
+TEST(REDPostProcess, KernelIsChosenByConsoleVariable)
+{
+	const auto Choose = [](int32 Value)
+	{
+		const FScopedConsoleVariable Kernel(TEXT("r.RED.Kernel"), static_cast<float>(Value));
+		return FREDPostProcessParameters::FromSettings(FFinalPostProcessSettings()).GetKernel();
+	};
+	EXPECT_EQ(EREDBlurKernel::SevenTaps, FREDPostProcessParameters::FromSettings({}).GetKernel());
+	EXPECT_EQ(EREDBlurKernel::ThirteenTexels, Choose(1));
+	EXPECT_EQ(EREDBlurKernel::NineTaps, Choose(2));
+	EXPECT_EQ(EREDBlurKernel::NineTaps, Choose(3)); // the printed one has a variable of its own, which wins
+	const FScopedConsoleVariable AsPrinted(TEXT("r.RED.AsPrinted"), 1);
+	EXPECT_EQ(EREDBlurKernel::Printed, Choose(1));
+}
+
+TEST(REDPostProcess, BlurStepWidensTheKernel)
+{
+	FImage Point(31, 1, {0, 0, 0, 0});
+	Point.At(15, 0) = {1, 1, 1, 1};
+	FPassRun Run(Point, EArithmetic::Double, PF_A32B32G32R32F);
+	FREDPostProcessPassInputs Inputs;
+	Inputs.Pass = EREDPostProcessPass::BlurH;
+	Inputs.SceneColor = Run.Input;
+	Inputs.BlurStep = 2.0f;
+	const FImage Result = Run.Execute(AddREDPostProcessPass(Run.GraphBuilder, Run.View, Inputs));
+	for (int Tap = -3; Tap <= 3; ++Tap)
+	{
+		EXPECT_NEAR(PrintedWeights[Tap + 3] / 0.9998, Result.At(15 + 2 * Tap, 0)[0], 1e-7) << Tap;
+		EXPECT_EQ(0, Result.At(16 + 2 * Tap, 0)[0]) << Tap;
+	}
 }
 
 TEST(REDPostProcess, BlurHIsBlurVTransposed)
@@ -180,11 +282,16 @@ TEST(REDPostProcess, BlurHIsBlurVTransposed)
 
 TEST(REDPostProcess, ConstantStaysConstantToTheEdge)
 {
-	for (const auto& [Width, Height] : {std::pair(1, 1), {1, 9}, {8, 5}})
+	for (const EREDBlurKernel Kernel :
+		{EREDBlurKernel::SevenTaps, EREDBlurKernel::ThirteenTexels, EREDBlurKernel::NineTaps})
 	{
-		const FImage Image(Width, Height, {0.75, 0.5, 3, 1});
-		EXPECT_LE(MaxDifference(Image, RunPass(Image, EREDPostProcessPass::BlurH), 4), 1e-6);
-		EXPECT_LE(MaxDifference(Image, RunPass(Image, EREDPostProcessPass::BlurV), 4), 1e-6);
+		for (const auto& [Width, Height] : {std::pair(1, 1), {1, 9}, {8, 5}})
+		{
+			const FImage Image(Width, Height, {0.75, 0.5, 3, 1});
+			const FREDPostProcessParameters Parameters = MakeParameters(Kernel);
+			EXPECT_LE(MaxDifference(Image, RunPass(Image, EREDPostProcessPass::BlurH, Parameters), 4), 1e-6);
+			EXPECT_LE(MaxDifference(Image, RunPass(Image, EREDPostProcessPass::BlurV, Parameters), 4), 1e-6);
+		}
 	}
 }
 
@@ -205,6 +312,40 @@ TEST(REDPostProcess, ExtractOfNegativeLumaIsBlack)
 	Parameters.LuminancePow = 0.5f;
 	EXPECT_EQ((FTexel{0, 0, 0, 1}),
 		RunPass(FImage(2, 2, {-1, -1, -1, 1}), EREDPostProcessPass::DiffusionFilter, Parameters).At(0, 0));
+}
+
+TEST(REDPostProcess, LumaBelowZeroCountsAsZeroInTheExtract)
+{
+	// Where a luma of 0 extracts something the power of a negative one, which is NaN and saturates to 0, would not.
+	const FTexel Negative{1, -2, 0, 1}; // luma -0.875
+	FREDPostProcessParameters Parameters;
+	Parameters.LuminancePow = 0.0f; // 0 to the power 0 is 1
+	ExpectNear(Negative, RunPass(FImage(2, 2, Negative), EREDPostProcessPass::DiffusionFilter, Parameters).At(0, 0));
+	Parameters.LuminancePow = 2.0f;
+	Parameters.LuminanceThreshold = -0.25f;
+	ExpectNear(
+		{0.25, -0.5, 0, 1}, RunPass(FImage(2, 2, Negative), EREDPostProcessPass::DiffusionFilter, Parameters).At(0, 0));
+	Parameters.bAsPrinted = true;
+	ExpectNear(
+		{0, 0, 0, 1}, RunPass(FImage(2, 2, Negative), EREDPostProcessPass::DiffusionFilter, Parameters).At(0, 0));
+}
+
+TEST(REDPostProcess, ExtractWeighsByZeroToOne)
+{
+	for (const bool bAsPrinted : {false, true})
+	{
+		FREDPostProcessParameters Parameters;
+		Parameters.bAsPrinted = bAsPrinted;
+		Parameters.LuminanceThreshold = 0.5f;
+		const auto Extract = [&](double Grey)
+		{
+			return RunPass(FImage(2, 2, {Grey, Grey, Grey, 1}), EREDPostProcessPass::DiffusionFilter, Parameters)
+				.At(0, 0)[0];
+		};
+		EXPECT_EQ(0, Extract(0.25));              // luma below the threshold takes nothing away
+		EXPECT_NEAR(0.1875, Extract(0.75), 1e-6); // 0.75 * (0.75 - 0.5)
+		EXPECT_NEAR(4, Extract(4), 1e-6);         // and no luma multiplies: 4, not 14
+	}
 }
 
 TEST(REDPostProcess, DiffusionFilterCombinesByScreenAndPower)
@@ -246,12 +387,67 @@ TEST(REDPostProcess, PrintedScreenOfLightAboveOneIsNegativeThenNaN)
 	EXPECT_NEAR(-2, Combine({4, 4, 4, 1}, {2, 2, 2, 1}, EREDPostProcessPass::Glow, Parameters)[0], 1e-6);
 }
 
+TEST(REDPostProcess, PrintedPowerOfANegativeScreenIsNaNForEveryPower)
+{
+	for (const EArithmetic Arithmetic : {EArithmetic::Float32, EArithmetic::Double})
+	{
+		for (const float Power : {0.0f, 0.5f, 1.0f, 2.0f, 3.0f})
+		{
+			FREDPostProcessParameters Parameters;
+			Parameters.bAsPrinted = true;
+			Parameters.DiffusionFilterPower = Power;
+			const FImage Result = RunPass(FImage(4, 4, {4, 0.5, 4, 1}), EREDPostProcessPass::DiffusionFilter2,
+				Parameters, FImage(2, 2, {2, 0.5, 2, 1}), Arithmetic);
+			EXPECT_TRUE(std::isnan(Result.At(1, 2)[0])) << Power;
+			EXPECT_FALSE(std::isnan(Result.At(1, 2)[1])) << Power; // its screen is positive
+		}
+	}
+}
+
+TEST(REDPostProcess, PrintedLastNodeExtractsFromTheBlur)
+{
+	// From the article: mask = saturate(pow(luma, LuminancePow) - LuminanceThreshold), screen, pow.
+	FREDPostProcessParameters Parameters;
+	Parameters.bAsPrinted = true;
+	Parameters.LuminancePow = 2.0f;
+	Parameters.LuminanceThreshold = 0.25f;
+	Parameters.DiffusionFilterPower = 1.5f;
+	Parameters.DiffusionFilterIntensity = 0.75f;
+	const FTexel Color{0.5, 0.25, 0.75, 0.5}, Blurred{0.75, 1, 0.5, 1};
+	const double Mask = std::clamp(Luma(Blurred) * Luma(Blurred) - 0.25, 0.0, 1.0);
+	const auto Expected = [&](int Channel)
+	{
+		return std::pow(Screen(Color[Channel], Blurred[Channel] * Mask * 0.75), 1.5);
+	};
+	ExpectNear({Expected(0), Expected(1), Expected(2), 0.5},
+		Combine(Color, Blurred, EREDPostProcessPass::DiffusionFilter2, Parameters));
+	Parameters.LuminanceThreshold = 2.0f; // above every luma to that power: the picture alone
+	EXPECT_NEAR(
+		std::pow(0.5, 1.5), Combine(Color, Blurred, EREDPostProcessPass::DiffusionFilter2, Parameters)[0], 1e-6);
+}
+
+TEST(REDPostProcess, PrintedChainHeedsLuminancePowAndThreshold)
+{
+	const FImage Image = FImage::Noise(32, 16, 0.25);
+	const auto Run = [&](float Pow, float Threshold)
+	{
+		FREDPostProcessParameters Parameters;
+		Parameters.bAsPrinted = true;
+		Parameters.LuminancePow = Pow;
+		Parameters.LuminanceThreshold = Threshold;
+		return RunChain(Image, Parameters);
+	};
+	EXPECT_GT(MaxDifference(Run(1, 0), Run(2, 0), 3), 0.01);
+	EXPECT_GT(MaxDifference(Run(1, 0), Run(1, 0.25f), 3), 0.01);
+}
+
 TEST(REDPostProcess, BothFormsGiveTheSameBitsBetweenZeroAndOne)
 {
 	const FImage Image = FImage::Noise(16, 8), Blurred = FImage::Noise(8, 4, 1.0, 2);
 	for (const EREDPostProcessPass Pass : {EREDPostProcessPass::DiffusionFilter2, EREDPostProcessPass::Glow})
 	{
 		FREDPostProcessParameters Parameters;
+		Parameters.LuminancePow = 0.0f; // the printed last node then extracts all
 		Parameters.DiffusionFilterPower = 1.5f;
 		Parameters.GlowIntensity = 0.75f;
 		const FImage Corrected = RunPass(Image, Pass, Parameters, Blurred);
@@ -308,7 +504,7 @@ TEST(REDPostProcess, ChainOfTheDiffusionFilter)
 															 "RED.BlurH", "RED.BlurV", "RED.DiffusionFilter2"));
 }
 
-TEST(REDPostProcess, AsPrintedTheExtractIsLeftOut)
+TEST(REDPostProcess, AsPrintedNoExtractComesBeforeTheBlur)
 {
 	FREDPostProcessParameters Parameters;
 	Parameters.bAsPrinted = true;
@@ -323,6 +519,85 @@ TEST(REDPostProcess, SoftFocusAndGlowShareOneBlur)
 	Parameters.GlowIntensity = 0.5f;
 	EXPECT_THAT(ListPasses(Parameters),
 		testing::ElementsAre("RED.DownSample", "RED.BlurH", "RED.BlurV", "RED.SoftFocus", "RED.Glow"));
+}
+
+TEST(REDPostProcess, AllEffectsBeginFromOneDownsampledPicture)
+{
+	FREDPostProcessParameters Parameters;
+	Parameters.SoftFocusBlend = 0.5f;
+	Parameters.GlowIntensity = 0.5f;
+	EXPECT_THAT(
+		ListPasses(Parameters), testing::ElementsAre("RED.DownSample", "RED.DiffusionFilter", "RED.BlurH", "RED.BlurV",
+									"RED.DiffusionFilter2", "RED.BlurH", "RED.BlurV", "RED.SoftFocus", "RED.Glow"));
+
+	const FImage Image = FImage::Noise(33, 17, 2.0);
+	const auto Blur = [&](bool bExtract)
+	{
+		FImage Small = RunPass(Image, EREDPostProcessPass::DownSample);
+		Small = bExtract ? RunPass(Small, EREDPostProcessPass::DiffusionFilter) : Small;
+		return RunPass(RunPass(Small, EREDPostProcessPass::BlurH), EREDPostProcessPass::BlurV);
+	};
+	FImage Expected = RunPass(Image, EREDPostProcessPass::DiffusionFilter2, Parameters, Blur(true));
+	Expected = RunPass(Expected, EREDPostProcessPass::SoftFocus, Parameters, Blur(false));
+	Expected = RunPass(Expected, EREDPostProcessPass::Glow, Parameters, Blur(false));
+	EXPECT_EQ(Expected.Texels, RunChain(Image, Parameters).Texels);
+}
+
+TEST(REDPostProcess, GlowWithAThresholdExtractsBeforeItsBlur)
+{
+	FREDPostProcessParameters Parameters = MakeNeutral();
+	Parameters.SoftFocusBlend = 0.5f;
+	Parameters.GlowIntensity = 0.5f;
+	Parameters.GlowLuminanceThreshold = 0.25f;
+	EXPECT_THAT(
+		ListPasses(Parameters), testing::ElementsAre("RED.DownSample", "RED.BlurH", "RED.BlurV", "RED.SoftFocus",
+									"RED.DiffusionFilter", "RED.BlurH", "RED.BlurV", "RED.Glow"));
+	Parameters.SoftFocusBlend = 0.0f;
+	// A grey of 0.75 has as much above the threshold as 0.75 * (0.75 - 0.25); of a grey of 0.25 nothing glows.
+	EXPECT_NEAR(Screen(0.75, 0.375 * 0.5), RunChain(FImage(9, 7, {0.75, 0.75, 0.75, 1}), Parameters).At(4, 3)[1], 1e-6);
+	EXPECT_NEAR(0.25, RunChain(FImage(9, 7, {0.25, 0.25, 0.25, 1}), Parameters).At(4, 3)[1], 1e-6);
+}
+
+TEST(REDPostProcess, GlowThresholdBeginsWhereNothingIsTakenAway)
+{
+	// So a volume that brings a threshold begins with the picture without: at -1 the extract changes nothing.
+	FREDPostProcessParameters Parameters = MakeNeutral();
+	Parameters.GlowIntensity = 1.0f;
+	const FImage Image = FImage::Noise(32, 16, 2.0);
+	const FImage Without = RunChain(Image, Parameters);
+	EXPECT_FALSE(Parameters.WantsGlowExtract());
+	Parameters.GlowLuminanceThreshold = -0.999f;
+	EXPECT_TRUE(Parameters.WantsGlowExtract());
+	EXPECT_LE(MaxDifference(Without, RunChain(Image, Parameters), 4), 0.002);
+	FFinalPostProcessSettings Settings;
+	EXPECT_EQ(-1.0f, FREDPostProcessParameters::FromSettings(Settings).GlowLuminanceThreshold);
+	Settings.GlowLuminanceThreshold = 0.5f;
+	EXPECT_EQ(0.5f, FREDPostProcessParameters::FromSettings(Settings).GlowLuminanceThreshold);
+}
+
+TEST(REDPostProcess, QuarterResolutionDownsamplesTwice)
+{
+	FREDPostProcessParameters Parameters = MakeNeutral();
+	Parameters.SoftFocusBlend = 1.0f;
+	Parameters.bQuarterResolution = true;
+	EXPECT_THAT(ListPasses(Parameters),
+		testing::ElementsAre("RED.DownSample", "RED.DownSample", "RED.BlurH", "RED.BlurV", "RED.SoftFocus"));
+
+	// A point of light ends up in one pixel of quarter size with a sixteenth of it, and so on in the seven taps.
+	FImage Point(64, 64, {0, 0, 0, 1});
+	Point.At(33, 33) = {16, 16, 16, 1};
+	const FImage Result = RunChain(Point, Parameters, EArithmetic::Exact);
+	const double Middle = 0.3990 / 0.9998, Next = 0.2420 / 0.9998;
+	// Stretched bilinearly: pixel 33 lies an eighth of a quarter-size texel before the middle of texel 8.
+	const double Row = Middle * 0.875 + Next * 0.125;
+	EXPECT_NEAR(Row * Row, Result.At(33, 33)[0], 1e-5);
+}
+
+TEST(REDPostProcess, QuarterResolutionIsAConsoleVariable)
+{
+	EXPECT_FALSE(FREDPostProcessParameters::FromSettings(FFinalPostProcessSettings()).bQuarterResolution);
+	const FScopedConsoleVariable Quarter(TEXT("r.RED.QuarterResolution"), 1);
+	EXPECT_TRUE(FREDPostProcessParameters::FromSettings(FFinalPostProcessSettings()).bQuarterResolution);
 }
 
 TEST(REDPostProcess, ChainOnAConstantIsTheFormulaOfTheConstant)

@@ -96,6 +96,80 @@ TEST(PostProcessingChain, ThePointsComeInTheEnginesOrder)
 	EXPECT_EQ((std::vector<std::string>{"SSRInput", "MotionBlur", "Tonemap", "FXAA", "VisualizeDepthOfField"}), Names);
 }
 
+namespace
+{
+
+/** With separate translucency of that colour all over. */
+FFrameInputs MakeFrameWithTranslucency(const FLinearColor& Color, int32 EngineMinor)
+{
+	FFrameInputs Inputs = MakeFrame();
+	Inputs.Engine = *FindEngineProfile(EngineMinor);
+	Inputs.RegisterSceneTextures = [Register = Inputs.RegisterSceneTextures, Color](FRDGBuilder& GraphBuilder)
+	{
+		FSceneTextures SceneTextures = Register(GraphBuilder);
+		const TRefCountPtr<FRHITexture> Texture = new FRHITexture(
+			FRHITextureDesc::Create2D(SceneTextures.Config.Extent, PF_FloatRGBA, FClearValueBinding::Black,
+				ETextureCreateFlags::ShaderResource | ETextureCreateFlags::RenderTargetable),
+			TEXT("SeparateTranslucency"));
+		for (int32 Index = 0; Index < SceneTextures.Config.Extent.X * SceneTextures.Config.Extent.Y; ++Index)
+		{
+			Texture->WriteTexelDouble(Index % SceneTextures.Config.Extent.X, Index / SceneTextures.Config.Extent.X,
+				FVector4(static_cast<double>(Color.R), static_cast<double>(Color.G), static_cast<double>(Color.B),
+					static_cast<double>(Color.A)));
+		}
+		SceneTextures.SeparateTranslucency = GraphBuilder.RegisterExternalTexture(
+			CreateRenderTarget(Texture, TEXT("SeparateTranslucency")), TEXT("SeparateTranslucency"));
+		return SceneTextures;
+	};
+	return Inputs;
+}
+
+} // namespace
+
+TEST(PostProcessingChain, ExtensionsSeeSeparateTranslucency)
+{
+	std::string WithName, WithoutName;
+	{
+		const auto Extension = MakeExtension(EPoint::MotionBlur,
+			[&](const FCall& Call)
+			{
+				const FScreenPassTexture Slot = Call.Inputs.GetInput(EPostProcessMaterialInput::SeparateTranslucency);
+				WithName = Slot.Texture->Name;
+				return Call.GetPicture();
+			});
+		Render(MakeFrameWithTranslucency(FLinearColor(0.25f, 0.25f, 0.25f, 0.5f), 4));
+	}
+	const auto Extension = MakeExtension(EPoint::MotionBlur,
+		[&](const FCall& Call)
+		{
+			const FScreenPassTexture Slot = Call.Inputs.GetInput(EPostProcessMaterialInput::SeparateTranslucency);
+			WithoutName = Slot.Texture->Name;
+			return Call.GetPicture();
+		});
+	Render();
+	EXPECT_EQ("SeparateTranslucency", WithName);
+	EXPECT_NE("SeparateTranslucency", WithoutName);
+}
+
+TEST(PostProcessingChain, WhatIsMadeOfTranslucencyIsComposed)
+{
+	// Opaque red in its place: the picture is that.
+	const auto Extension = MakeExtension(EPoint::TranslucencyAfterDOF,
+		[](const FCall& Call)
+		{
+			EXPECT_STREQ("SeparateTranslucency", Call.GetPicture().Texture->Name);
+			return Call.Fill(FLinearColor(1.0f, 0.0f, 0.0f, 0.0f));
+		});
+	FExtensionInfo Info = *GEngine->ViewExtensions->FindInfo(*Extension);
+	Info.EngineMinor = AnyEngineVersion;
+	GEngine->ViewExtensions->SetInfo(*Extension, Info);
+	const FFrameResult Frame = Render(MakeFrameWithTranslucency(FLinearColor(0.25f, 0.25f, 0.25f, 0.5f), 5));
+	EXPECT_EQ(RedPixel, GetPixel(Frame.SceneLinear, 5, 5));
+	const FHookPoint* Point = FindPoint(Frame, "TranslucencyAfterDOF");
+	ASSERT_NE(nullptr, Point);
+	EXPECT_TRUE(Point->bCalled);
+}
+
 // What becomes of the result
 // --------------------------------------------------------------------------------------------
 
