@@ -73,11 +73,12 @@ enum class EReflectedAndRefractedRayTracedShadows : uint8
 	Area_shadows,
 };
 
-/** How lighting uses the blurred shadow: 1-(1-lit)(1-blurred), or the greater of shadow and blurred. */
+/** How lighting uses the blurred shadow: 1-(1-lit)(1-blurred), the greater of shadow and blurred, lit + blurred. */
 enum class EToonShadowBlurBlend : uint8
 {
 	Screen,
 	Max,
+	Add,
 };
 
 /** In what the blurred shadow is computed and kept. */

@@ -305,6 +305,7 @@ DRYDOCK_SETTING(FLinearColor, ToonShadowBlur4Tint, FLinearColor(0.066f, 0.066f, 
 DRYDOCK_SETTING(FLinearColor, ToonShadowBlur5Tint, FLinearColor(0.066f, 0.066f, 0.066f, 1.0f), Anything, "", "Toon|Shadow Blur", Lerp, "drydock: colour and weight of the fifth Gaussian; weights are normalised per channel.")
 DRYDOCK_SETTING(FLinearColor, ToonShadowBlur6Tint, FLinearColor(0.061f, 0.061f, 0.061f, 1.0f), Anything, "", "Toon|Shadow Blur", Lerp, "drydock: colour and weight of the widest Gaussian; weights are normalised per channel.")
 DRYDOCK_SETTING(EToonShadowBlurBlend, ToonShadowBlurBlend, EToonShadowBlurBlend::Screen, Anything, "", "Toon|Shadow Blur", Set, "drydock: how lighting uses the blurred shadow.")
+DRYDOCK_SETTING(TObjectPtr<UTexture>, ToonShadowBlurRamp, nullptr, Anything, "", "Toon|Shadow Blur", SetIfNonZero, "drydock: with Max: picture of the light that a shadow term lets through, from dark (left) to lit (right).")
 DRYDOCK_SETTING(EToonShadowBlurStore, ToonShadowBlurStore, EToonShadowBlurStore::SqrtEightBit, Anything, "", "Toon|Shadow Blur", Set, "drydock: in what the blurred shadow is computed and kept.")
 DRYDOCK_SETTING(float, DiffusionFilterIntensity, 0.0f, AtLeast(0, 8), "", "RED|Diffusion Filter", Lerp, "drydock: scales the blurred part; 0 switches the filter off.")
 DRYDOCK_SETTING(float, DiffusionFilterLuminancePow, 1.0f, AtLeast(0, 8), "", "RED|Diffusion Filter", Lerp, "drydock: power of the luma when bright parts are extracted.")

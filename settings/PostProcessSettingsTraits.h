@@ -140,8 +140,8 @@ DRYDOCK_SETTING_ENUM(
 	ELumenRayLightingModeOverride, "Default", "SurfaceCache", "HitLightingForReflections", "HitLighting");
 DRYDOCK_SETTING_ENUM(ETranslucencyType, "Raster", "RayTracing");
 DRYDOCK_SETTING_ENUM(EReflectedAndRefractedRayTracedShadows, "Disabled", "Hard_shadows", "Area_shadows");
-DRYDOCK_SETTING_ENUM(EToonShadowBlurBlend, "Screen", "Max");
 DRYDOCK_SETTING_ENUM(EToonShadowBlurStore, "EightBit", "SixteenBit", "SqrtEightBit");
+DRYDOCK_SETTING_ENUM(EToonShadowBlurBlend, "Screen", "Max", "Add");
 DRYDOCK_SETTING_ENUM(EDiffusionFilterBlend, "Screen", "Max");
 
 #undef DRYDOCK_SETTING_ENUM

@@ -65,10 +65,12 @@ public:
 	DECLARE_GLOBAL_SHADER(FToonShadowLightingPS);
 	SHADER_USE_PARAMETER_STRUCT(FToonShadowLightingPS, FGlobalShader);
 
-	class FBlendDimension : SHADER_PERMUTATION_INT("TOON_SHADOW_BLEND", 2);
+	class FBlendDimension : SHADER_PERMUTATION_INT("TOON_SHADOW_BLEND", 3);
 	class FStoreDimension : SHADER_PERMUTATION_INT("TOON_SHADOW_STORE", 3);
 	class FAsPrintedDimension : SHADER_PERMUTATION_BOOL("AS_PRINTED");
-	using FPermutationDomain = TShaderPermutationDomain<FBlendDimension, FStoreDimension, FAsPrintedDimension>;
+	class FRampDimension : SHADER_PERMUTATION_BOOL("USE_RAMP");
+	using FPermutationDomain =
+		TShaderPermutationDomain<FBlendDimension, FStoreDimension, FAsPrintedDimension, FRampDimension>;
 
 	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
 		SHADER_PARAMETER_STRUCT_INCLUDE(FSceneTextureShaderParameters, SceneTextures)
@@ -79,6 +81,9 @@ public:
 		SHADER_PARAMETER_RDG_TEXTURE(Texture2D, ToonShadowTexture)
 		SHADER_PARAMETER(FLinearColor, LightColor)
 		SHADER_PARAMETER(float, Intensity)
+		SHADER_PARAMETER_RDG_TEXTURE(Texture2D, RampTexture)
+		SHADER_PARAMETER_SAMPLER(SamplerState, RampSampler)
+		SHADER_PARAMETER(FVector2f, RampScaleBias)
 		RENDER_TARGET_BINDING_SLOTS()
 	END_SHADER_PARAMETER_STRUCT()
 };
@@ -199,12 +204,22 @@ FScreenPassTexture AddToonShadowLightingPass(
 	PassParameters->ToonShadowTexture = Inputs.ToonShadow.Texture;
 	PassParameters->LightColor = Inputs.LightColor;
 	PassParameters->Intensity = Inputs.Intensity;
+	const bool bRamp = Inputs.Ramp && Inputs.Blend == EToonShadowBlurBlend::Max;
+	if (bRamp)
+	{
+		const float Width = static_cast<float>(Inputs.Ramp->GetSizeXY().X);
+		PassParameters->RampTexture =
+			GraphBuilder.RegisterExternalTexture(CreateRenderTarget(Inputs.Ramp, TEXT("ToonShadowBlurRamp")));
+		PassParameters->RampSampler = TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
+		PassParameters->RampScaleBias = FVector2f((Width - 1.0f) / Width, 0.5f / Width);
+	}
 	PassParameters->RenderTargets[0] = Output.GetRenderTargetBinding();
 
 	FToonShadowLightingPS::FPermutationDomain Permutation;
 	Permutation.Set<FToonShadowLightingPS::FBlendDimension>(static_cast<int32>(Inputs.Blend));
 	Permutation.Set<FToonShadowLightingPS::FStoreDimension>(static_cast<int32>(Inputs.Store));
 	Permutation.Set<FToonShadowLightingPS::FAsPrintedDimension>(Inputs.bAsPrinted);
+	Permutation.Set<FToonShadowLightingPS::FRampDimension>(bRamp);
 	TShaderMapRef<FToonShadowLightingPS> PixelShader(View.ShaderMap, Permutation);
 	FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
 		RDG_EVENT_NAME("ToonShadowLighting %dx%d", Output.ViewRect.Width(), Output.ViewRect.Height()), PixelShader,

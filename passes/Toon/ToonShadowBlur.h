@@ -11,8 +11,11 @@
 //
 //   Lighting    Screen: lit' = 1 - (1 - lit)(1 - b), b = Intensity * blurred * LightColor * BaseColor
 //
+//               Add: lit' = lit + b
+//
 //               Max: the shadow term s becomes max(s, blurred); what that lights more is added to the frame, which is
-//               lit already: lit' = lit + Intensity * (max(s, blurred) - s) * LightColor * BaseColor
+//               lit already: lit' = lit + Intensity * (R(max(s, blurred)) - R(s)) * LightColor * BaseColor. R is the
+//               ramp of the toon shading, a colour for each shadow term; without one R(x) = x
 //
 // Stores (ToonShadowBlurStore), the article's three pictures: EightBit keeps temporaries and A in 8 bit (mosaic);
 // SixteenBit has half-float temporaries and A linear (bands); SqrtEightBit keeps A as a square root (smooth).
@@ -20,9 +23,10 @@
 // Contract. Nothing outside the rects is read or written. Corrected: clamp addressing, a constant shadow stays constant
 // to the edge; the screen is taken of what lies in 0..1 and light above 1 is kept, so the result is never negative and
 // never darker than lit. As printed (r.ToonShadowBlur.AsPrinted 1): border addressing, the edge of the picture darkens;
-// the raw screen, which goes below lit where lit is above 1. Pixels that are not toon are copied bit for bit. NaN in
-// the scene colour of a toon pixel: NaN with Max, corrected Screen gives light from b alone; shadows are 8 bit and hold
-// none.
+// the raw screen, which goes below lit where lit is above 1. Add and Max have one form: a sum is right for any light,
+// negative light is added to. Max keeps the bits of what the blur does not brighten; a ramp that falls takes no more
+// light than there is, and its NaN takes all. Pixels that are not toon are copied bit for bit. NaN in the scene colour
+// of a toon pixel: NaN with Add and Max, corrected Screen gives light from b alone; shadows are 8 bit and hold none.
 #pragma once
 
 #include "Blur/GaussianSum.h"
@@ -77,6 +81,9 @@ struct FToonShadowLightingInputs
 	FLinearColor LightColor = FLinearColor(1.0f, 1.0f, 1.0f, 1.0f);
 	float Intensity = 1.0f;
 	EToonShadowBlurBlend Blend = EToonShadowBlurBlend::Screen;
+	/** With Max: linear colours of shadow terms, 0 at the centre of the first texel, 1 at that of the last, bilinear in
+	 * between, from the middle row; of any range. Null: each term is its own light. */
+	FTextureRHIRef Ramp;
 	EToonShadowBlurStore Store = EToonShadowBlurStore::SqrtEightBit;
 	bool bAsPrinted = false;
 };

@@ -1,6 +1,7 @@
 // The passes of the toon-shadow blur that a config can insert by name, one by one.
 #include "Bloom/PostProcessGaussianBloom.h"
 #include "PassFactory.h"
+#include "Screen/TextureAssets.h"
 #include "Toon/ToonShadowBlur.h"
 
 namespace Drydock
@@ -18,6 +19,14 @@ EToonShadowBlurStore GetStore(const FParameterValues& Values)
 	return Store == "EightBit"     ? EToonShadowBlurStore::EightBit
 		   : Store == "SixteenBit" ? EToonShadowBlurStore::SixteenBit
 								   : EToonShadowBlurStore::SqrtEightBit;
+}
+
+EToonShadowBlurBlend GetBlend(const FParameterValues& Values)
+{
+	const std::string& Blend = Values.GetText("Blend");
+	return Blend == "Max"   ? EToonShadowBlurBlend::Max
+		   : Blend == "Add" ? EToonShadowBlurBlend::Add
+							: EToonShadowBlurBlend::Screen;
 }
 
 constexpr int32 NumStages = 6;
@@ -130,20 +139,22 @@ const FPassFactoryRegistration GToonShadowLighting({
 	.Inputs = {{"Input", PictureResource, "The picture, lit already."},
 		{"Shadow", "", "What ToonShadowCombine gave, with the same Store."}},
 	.Parameters = {GStore, FParameterSpec::Number("Intensity", 1, 0, 1000, "Scales the light."),
-		FParameterSpec::Text("Blend", "Screen", {"Screen", "Max"}, "Screen, or by the brighter of the two shadows."),
+		FParameterSpec::Text("Blend", "Screen", {"Screen", "Max", "Add"}, "Max: by the brighter of the two shadows."),
+		FParameterSpec::Text("Ramp", "", {}, "Max: a picture from dark to lit; empty: each shadow is its own light."),
 		FParameterSpec::Color("LightColor", FLinearColor(1.0f, 1.0f, 1.0f, 1.0f), "Of the main light."),
 		FParameterSpec::Bool("AsPrinted", false, "The article's form, with its faults.")},
 	.Add =
 		[](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FPassArguments& Arguments)
 	{
+		const std::string& Ramp = Arguments.Values.GetText("Ramp");
 		FToonShadowLightingInputs Inputs;
 		Inputs.SceneColor = Arguments.GetInput("Input");
 		Inputs.ToonShadow = Arguments.GetInput("Shadow");
 		Inputs.SceneTextures = CreateSceneTextureUniformBuffer(GraphBuilder, View);
 		Inputs.LightColor = Arguments.Values.GetColor("LightColor");
 		Inputs.Intensity = Arguments.Values.GetFloat("Intensity");
-		Inputs.Blend =
-			Arguments.Values.GetText("Blend") == "Max" ? EToonShadowBlurBlend::Max : EToonShadowBlurBlend::Screen;
+		Inputs.Blend = GetBlend(Arguments.Values);
+		Inputs.Ramp = Ramp.empty() ? nullptr : FindTexturePixels(Ramp);
 		Inputs.Store = GetStore(Arguments.Values);
 		Inputs.bAsPrinted = Arguments.Values.GetBool("AsPrinted");
 		return AddToonShadowLightingPass(GraphBuilder, View, Inputs);

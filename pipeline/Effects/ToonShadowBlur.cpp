@@ -5,6 +5,7 @@
 #include "Effects/ToonShadowExact.h"
 #include "Picture/TextureImage.h"
 #include "SceneRendering.h"
+#include "Screen/TextureAssets.h"
 #include "Toon/ToonShadowBlur.h"
 
 namespace Drydock
@@ -59,6 +60,7 @@ FScreenPassTexture AddPasses(const FEffectPassInputs& Inputs)
 	Lighting.LightColor = Inputs.LightColor;
 	Lighting.Intensity = Values.ToonShadowBlurIntensity;
 	Lighting.Blend = Values.ToonShadowBlurBlend;
+	Lighting.Ramp = FindTexturePixels(Values.ToonShadowBlurRamp.Get());
 	Lighting.Store = Blur.Store;
 	Lighting.bAsPrinted = Blur.bAsPrinted;
 	return AddToonShadowLightingPass(Inputs.GraphBuilder, View, Lighting);

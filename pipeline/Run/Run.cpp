@@ -2,6 +2,7 @@
 #include "Run/Run.h"
 
 #include "Frame/Frame.h"
+#include "HAL/ConsoleVariableTools.h"
 #include "Run/FinalSettings.h"
 #include "Run/RunDump.h"
 #include "Run/RunJson.h"
@@ -332,6 +333,17 @@ FRendered Render(const FRunOptions& Options, const FRunSetup& Setup, const FBefo
 	}
 }
 
+/** The final picture of the same frame with 0 in place of what is not finite. */
+FImage RenderWithZeros(const FRunOptions& Options, const FRunSetup& Setup, const std::vector<FViewHistory>& Last)
+{
+	const FScopedConsoleVariable Zeros(TEXT("r.Drydock.NonFinite"), static_cast<int32>(ENonFinitePolicy::Zero));
+	FRunOptions Plain = Options;
+	Plain.Progress = nullptr;
+	Plain.bMeasureEffects = false;
+	std::vector<std::shared_ptr<FSceneViewState>> Caches;
+	return Render(Plain, Setup, {Last, Caches}).Result.Final;
+}
+
 } // namespace
 
 FRunSession::FRunSession(const FRunOptions& InOptions)
@@ -357,6 +369,14 @@ FRunResult FRunSession::Run(std::optional<int> Frame, const std::vector<FViewHis
 		const FNonFiniteCount& InFile = Rendered.NonFiniteInFile;
 		ReportNonFinite(InFile.Count > 0 ? InFile : CountNonFinite(Result.SceneLinear), "scene colour", Result);
 		ReportNonFinite(CountNonFinite(Result.Final), "final picture", Result);
+		if (InFile.Count > 0 && GetNonFinitePolicy() == ENonFinitePolicy::Propagate)
+		{
+			if (Setup->Config.Plugins.empty())
+			{
+				Result.NonFinite.Final = CompareFinal(Result.Final, RenderWithZeros(Options, *Setup, Last));
+			}
+			Result.Diagnostics.push_back(DescribeSpread(Result.NonFinite));
+		}
 	}
 	Result.RunJson = MakeRunJson(Result);
 	return std::move(Rendered.Result);

@@ -6,6 +6,7 @@
 #include "Run/RunDump.h"
 #include "Run/RunSetup.h"
 #include "Run/VariableTaps.h"
+#include "SceneFile/NonFinite.h"
 
 #include <algorithm>
 #include <chrono>
@@ -91,8 +92,14 @@ void FRunObserver::OnPassExecuted(int32_t PassIndex, const FRDGPass& Pass, doubl
 	{
 		NoteDrawn(Pass, Counters, WrittenTextures);
 	}
+	// Looking costs as much as the pass, so only a scene that holds such values is looked at.
+	const bool bWatch = Scene.GetNonFinite().Count > 0 && GetNonFinitePolicy() == ENonFinitePolicy::Propagate;
 	for (FRDGTexture* Texture : WrittenTextures)
 	{
+		if (bWatch)
+		{
+			AddFootprint(Result.NonFinite, CountNonFinitePixels(Pass, *Texture));
+		}
 		if (IsDumped(Setup.Dump, Pass.GetName(), Texture->Name))
 		{
 			KeepTexture(PassIndex, Pass.GetName(), Texture->Name, *Texture->GetRHI(), Drawn[Texture]);

@@ -8,6 +8,7 @@
 #include "PassCounters.h"
 #include "Picture/ImageFile.h"
 #include "RenderGraphCompiled.h"
+#include "Run/NonFiniteSpread.h"
 #include "SceneFile/SceneFile.h"
 #include "SceneViewState.h"
 #include "Tonemap/TonemapOutputDevice.h"
@@ -85,6 +86,7 @@ struct FRunResult
 	std::vector<FRunPass> Passes; // those that executed
 	FImage SceneLinear;           // RGBA: the tonemapper's input, the views only, at the scene's resolution
 	FImage Final;                 // RGBA, display-encoded, the view rect only
+	FNonFiniteSpread NonFinite;   // where the scene's NaN and infinities went
 	std::vector<FRunDump> Dumps;
 	std::vector<FViewHistory> ViewStates; // what lives on to the next frame
 	FRunTimes Times;

@@ -86,6 +86,10 @@ void WarnOfMissingPictures(const FFinalPostProcessSettings& Settings, FConfigMes
 	{
 		Check("ColorGradingLUT", Entry.LUT.Get());
 	}
+	if (Settings.ToonShadowBlurIntensity > 0.0f && Settings.ToonShadowBlurBlend == EToonShadowBlurBlend::Max)
+	{
+		Check("ToonShadowBlurRamp", Settings.ToonShadowBlurRamp.Get());
+	}
 }
 
 /** A curve that would act, but that is the name of an engine asset. */
@@ -117,6 +121,12 @@ void WarnOfIneffectiveValues(const FConfig& Config, const FViewSettings& View, s
 	if (!Obstacle.empty())
 	{
 		Messages.Warn(WarnIneffectiveValue, Nowhere, "BloomMethod BM_FFT: " + Obstacle + ", so the Gaussian sum runs");
+	}
+	if (View.Settings.ToonShadowBlurRamp != nullptr && View.Settings.ToonShadowBlurIntensity > 0.0f &&
+		View.Settings.ToonShadowBlurBlend != EToonShadowBlurBlend::Max)
+	{
+		Messages.Warn(WarnIneffectiveValue, Nowhere,
+			"ToonShadowBlurRamp is read with ToonShadowBlurBlend Max only, and nothing is done with it");
 	}
 	WarnOfMissingPictures(View.Settings, Messages);
 	WarnOfMissingKeys(View, Messages);

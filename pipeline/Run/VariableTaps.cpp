@@ -50,26 +50,29 @@ uint64_t CountTaps(const FRDGPass& Pass, const FPassCounters& Counters)
 	return static_cast<uint64_t>(PerPixel) * Counters.Pixels;
 }
 
-uint64_t CountWantedPixels(const FRDGPass& Pass, const FPassCounters& Counters)
+std::optional<FIntRect> FindOutputRect(const FRDGPass& Pass)
 {
 	if (Pass.GetParameters() == nullptr || Pass.GetParametersMetadata() == nullptr)
 	{
-		return Counters.Pixels;
+		return std::nullopt;
 	}
-	int64_t Sides[2] = {0, 0};
+	FIntRect Rect;
 	for (const FHlslMember& Member : Pass.GetParametersMetadata()->GetHlslMembers())
 	{
 		const bool bMin = Member.Name == "Output_ViewportMin";
 		if ((bMin || Member.Name == "Output_ViewportMax") && Member.BaseType == UBMT_INT32 && Member.NumColumns == 2)
 		{
-			for (size_t Axis = 0; Axis < 2; ++Axis)
-			{
-				Sides[Axis] += (bMin ? -1 : 1) * int64_t{ReadMember<int32>(Pass.GetParameters(), Member, Axis)};
-			}
+			(bMin ? Rect.Min : Rect.Max) = FIntPoint(
+				ReadMember<int32>(Pass.GetParameters(), Member, 0), ReadMember<int32>(Pass.GetParameters(), Member, 1));
 		}
 	}
-	const bool bHasRect = Sides[0] > 0 && Sides[1] > 0;
-	return bHasRect ? std::min(Counters.Pixels, static_cast<uint64_t>(Sides[0] * Sides[1])) : Counters.Pixels;
+	return Rect.Width() > 0 && Rect.Height() > 0 ? std::optional(Rect) : std::nullopt;
+}
+
+uint64_t CountWantedPixels(const FRDGPass& Pass, const FPassCounters& Counters)
+{
+	const std::optional<FIntRect> Rect = FindOutputRect(Pass);
+	return Rect ? std::min(Counters.Pixels, uint64_t(Rect->Width()) * uint64_t(Rect->Height())) : Counters.Pixels;
 }
 
 } // namespace Drydock

@@ -1,7 +1,10 @@
 // Taps of passes whose loops run over a count that is a parameter, which a count of the shader's text does not see.
 #pragma once
 
+#include "CoreMinimal.h"
 #include "PassCounters.h"
+
+#include <optional>
 
 class FRDGPass;
 
@@ -11,6 +14,9 @@ namespace Drydock
 /** Counters.Taps where that is known; else from the parameters: SampleCount (one more where Additive_Texture is bound),
  * or Reach, of which (2 x + 1) (2 y + 1) texels are read; times Pixels. 0 where there is neither. */
 uint64_t CountTaps(const FRDGPass& Pass, const FPassCounters& Counters);
+
+/** What a pass writes of its textures: the viewport named Output in its parameters; empty where there is none. */
+std::optional<FIntRect> FindOutputRect(const FRDGPass& Pass);
 
 /** Pixels that a pass is asked for: of its Output rect where it has one, else Counters.Pixels. The threads that fill up
  * the last groups of a compute shader are in Counters.Pixels, and store nothing. */

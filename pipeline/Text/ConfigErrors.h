@@ -41,8 +41,9 @@ enum EConfigError
 	WarnNonFiniteSetting = 3101, // a source's value is NaN or infinite; it does not enter the blend
 
 	// DD4: numbers
-	WarnNonFinite = 4001,  // NaN or infinity in an image
-	ErrorNonFinite = 4002, // the same, with r.Drydock.NonFinite 2
+	WarnNonFinite = 4001,       // NaN or infinity in an image
+	ErrorNonFinite = 4002,      // the same, with r.Drydock.NonFinite 2
+	WarnNonFiniteSpread = 4003, // where those of the scene went
 
 	// DD5: files
 	ErrorFileMissing = 5001,    // cannot be opened

@@ -152,6 +152,21 @@ std::string CheckCleaned(const FContext& Context)
 	return !Found.empty() ? Found : CheckOutside(Context, Result);
 }
 
+std::string CheckFloods(const FContext& Context)
+{
+	const FImage Result = Run(Context), Clean = Context.Row.Run(Context.Trial.Clean);
+	size_t NumChanged = 0;
+	for (size_t Index = 0; Index < Result.Texels.size(); ++Index)
+	{
+		NumChanged += Result.Texels[Index] != Clean.Texels[Index] ? 1 : 0;
+	}
+	const double Share = static_cast<double>(NumChanged) / static_cast<double>(Result.Texels.size());
+	const std::string Found = CheckFinite(Result);
+	return !Found.empty()                                  ? Found
+		   : std::abs(Share - Context.Cell.Bound) <= 0.005 ? ""
+														   : Say("share of the picture", Share, Context.Cell.Bound);
+}
+
 std::string CheckReadsAs(const FContext& Context)
 {
 	FCase Replaced = Context.Trial.Case;
@@ -348,6 +363,8 @@ std::string CheckOne(const FContext& Context)
 		return CheckCleaned(Context);
 	case EExpect::Contained:
 		return CheckOutside(Context, Run(Context));
+	case EExpect::Floods:
+		return CheckFloods(Context);
 	case EExpect::ReadsAs:
 		return CheckReadsAs(Context);
 	case EExpect::Ignored:

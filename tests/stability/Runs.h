@@ -67,7 +67,7 @@ FImage RunToonShadowBlur(const FCase& Case);
 /** Of a flat picture. */
 FImage ToonShadowBlurFormula(const FCase& Case);
 FImage RunToonShadowBlurAsPrinted(const FCase& Case);
-/** The picture is lit scene colour; the shadow is 0.4, blurred 0.6. Variants: Screen, Max. */
+/** The picture is lit scene colour; the shadow is 0.4, blurred 0.6. Variants: Screen, Max, Add, Max with a ramp. */
 FImage RunToonShadowLighting(const FCase& Case);
 FImage ToonShadowLightingFormula(const FCase& Case);
 FImage RunToonShadowLightingAsPrinted(const FCase& Case);
@@ -121,5 +121,12 @@ FImage RunTonemapGamma(const FCase& Case);
 FImage RunFXAA(const FCase& Case);
 /** Intensity: the factor, 1. */
 FImage RunTint(const FCase& Case);
+
+// The whole frame.
+/** Final picture at default settings. Intensity, Threshold: the bloom's; Sigma: its size scale, 4; Power: gamma of the
+ *  grading. */
+FImage RunFrame(const FCase& Case);
+/** By the show flag. */
+FImage FrameWithoutBloom(const FCase& Case);
 
 } // namespace Stability

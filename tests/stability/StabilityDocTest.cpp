@@ -3,6 +3,7 @@
 
 #include "HazardScene.h"
 #include "Table.h"
+#include "WholeFrame.h"
 
 #include <cstdlib>
 #include <fstream>
@@ -27,8 +28,9 @@ made of the table in `tests/stability` (`DRYDOCK_BLESS=1 build/release/bin/test_
 program runs every cell; a cell that is missing there does not compile. Each pass states its contract in its header too.
 
 **In a frame.** `r.Drydock.NonFinite` says what becomes of NaN and infinities in the scene's colour: 0 they pass on, as in
-the engine, and are counted (DD4001); 1 they are loaded as 0; 2 the run fails (DD4002). `r.Drydock.SceneColorClamp V`, off by
-default, comes first and loads red, green and blue within -V .. V, infinities too; NaN it leaves to the policy.
+the engine, and are counted (DD4001), with where they went (DD4003); 1 they are loaded as 0; 2 the run fails (DD4002).
+`r.Drydock.SceneColorClamp V`, off by default, comes first and loads red, green and blue within -V .. V, infinities too; NaN
+it leaves to the policy.
 
 **Denormals.** Shaders of float flush them to 0, on input and on output; stores keep denormal halves. The control word of the
 thread is as it was after every pass.
@@ -51,6 +53,13 @@ With `r.Drydock.NonFinite=1` and `r.Drydock.SceneColorClamp=1000` the linear pic
 and studies run as their first frame.
 )";
 
+constexpr const char* AboutFrame = R"(
+## The whole frame
+
+From scene colour through bloom and tonemapper to the final picture, at default settings, in pictures of 64 x 48 pixels: in
+so small a one the bloom's kernels reach everywhere.
+)";
+
 constexpr const char* GroupTitles[] = {"Values", "Sizes", "Parameters", "Sums and weights"};
 
 /** What a row of either kind says. */
@@ -71,6 +80,16 @@ std::vector<FSection> GetPasses()
 		{
 			Sections.push_back({Row.Name, std::string("passes/") + Row.Header, &Row.Cells});
 		}
+	}
+	return Sections;
+}
+
+std::vector<FSection> GetFrames()
+{
+	std::vector<FSection> Sections;
+	for (const FPassRow& Row : GetFrameRows())
+	{
+		Sections.push_back({Row.Name, std::string("pipeline/") + Row.Header, &Row.Cells});
 	}
 	return Sections;
 }
@@ -186,10 +205,23 @@ void WriteReasons(std::ostream& Text, const FSection& Section)
 	}
 }
 
+/** What WholeFrameTest.cpp measures and computes. */
+std::string MakeFloodFigure()
+{
+	std::ostringstream Text;
+	Text << "\n**One infinite pixel turns " << 100 * ShareTurnedWhite << " % of the final picture white**: +Inf at ("
+		 << InfinitePixelX << ", " << InfinitePixelY
+		 << ") of `toon_character.exr` at default settings, because\nbloom carries it over the whole reach of its "
+			"kernels; with `r.Drydock.NonFinite 1` it is one pixel of 0. A run of such a scene names\nthe passes "
+			"that spread it and counts the pixels (DD4003). The figure: "
+			"`build/release/bin/test_stability --gtest_filter='WholeFrame.*'`.\n";
+	return Text.str();
+}
+
 std::string MakeDoc()
 {
 	std::ostringstream Text;
-	Text << Introduction << "\n## How to read it\n\n| symbol | what holds |\n|:-:|---|\n";
+	Text << Introduction << MakeFloodFigure() << "\n## How to read it\n\n| symbol | what holds |\n|:-:|---|\n";
 	for (const FExpectation& Expectation : Expectations)
 	{
 		Text << "| " << Expectation.Symbol << " | " << Expectation.Meaning << " |\n";
@@ -207,10 +239,17 @@ std::string MakeDoc()
 	{
 		Text << "| " << Stated.Config << ".json | " << Stated.Reason << " |\n";
 	}
-	Text << AfterScene << "\n## Passes\n";
+	Text << AfterScene << AboutFrame;
+	WriteTables(Text, GetFrames(), "frame");
+	Text << "\n## Passes\n";
 	WriteTables(Text, GetPasses(), "pass");
 	Text << "\n## Rules of blending\n";
 	WriteTables(Text, GetRules(), "rule");
+	Text << "\n## Why: the whole frame\n";
+	for (const FSection& Section : GetFrames())
+	{
+		WriteReasons(Text, Section);
+	}
 	Text << "\n## Why: passes\n";
 	for (const FSection& Section : GetPasses())
 	{

@@ -33,6 +33,16 @@ std::vector<const FPassRow*> GetPassRows()
 	return Rows;
 }
 
+std::vector<const FPassRow*> GetFrameRowPointers()
+{
+	std::vector<const FPassRow*> Rows;
+	for (const FPassRow& Row : GetFrameRows())
+	{
+		Rows.push_back(&Row);
+	}
+	return Rows;
+}
+
 std::vector<const FBlendRow*> GetBlendRowPointers()
 {
 	std::vector<const FBlendRow*> Rows;
@@ -122,6 +132,7 @@ TEST_P(BlendCells, AreAsTheTableSays)
 		<< Row->Name << ", " << Hazards[static_cast<size_t>(Hazard)].Title << ": " << Describe(*Row, Hazard);
 }
 
+INSTANTIATE_TEST_SUITE_P(Frame, PassCells, testing::ValuesIn(MakeCells(GetFrameRowPointers())), FCellName());
 INSTANTIATE_TEST_SUITE_P(Table, PassCells, testing::ValuesIn(MakeCells(GetPassRows())), FCellName());
 INSTANTIATE_TEST_SUITE_P(Table, BlendCells, testing::ValuesIn(MakeCells(GetBlendRowPointers())), FCellName());
 

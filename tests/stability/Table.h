@@ -26,6 +26,7 @@ struct FCase;
 	X(SpreadsAnywhere, "S", "what is not finite spreads; no bound is stated") \
 	X(Cleaned, "c", "every value is finite, and every pixel outside the footprint keeps its bits") \
 	X(Contained, "n", "every pixel outside the footprint keeps its bits") \
+	X(Floods, "%", "finite, and the stated share of the picture's pixels, to a hundredth, is changed") \
 	X(ReadsAs, "r", "the bits of a picture with a finite number in its place") \
 	X(Ignored, "=", "the bits of the result without the hazard") \
 	X(AsInfinity, "i", "65520 gives the bits of infinity, 65519 those of 65504") \
@@ -195,6 +196,8 @@ std::span<const FPassRow> GetREDRows();
 std::span<const FPassRow> GetLensRows();
 std::span<const FPassRow> GetExposureRows();
 std::span<const FPassRow> GetDisplayRows();
+/** Frames, not passes: each Header is one of pipeline/. */
+std::span<const FPassRow> GetFrameRows();
 std::span<const FBlendRow> GetBlendRows();
 
 } // namespace Stability

@@ -3,9 +3,11 @@
 
 #include "Cases.h"
 
+#include "Screen/TextureAssets.h"
 #include "Toon/ToonShadowBlur.h"
 
 #include <algorithm>
+#include <vector>
 
 using namespace Drydock;
 
@@ -41,6 +43,26 @@ FImage RunBlur(const FCase& Case, bool bAsPrinted)
 		});
 }
 
+enum ELightingVariant
+{
+	Screen,
+	Max,
+	Add,
+	MaxWithRamp,
+};
+
+/** As many shades as 8 bits have: a shadow term is its own light. */
+FTextureRHIRef MakeStraightRamp()
+{
+	std::vector<FLinearColor> Colors;
+	for (int Shade = 0; Shade < 256; ++Shade)
+	{
+		const float Value = static_cast<float>(Shade) / 255.0f;
+		Colors.push_back(FLinearColor(Value, Value, Value, 1.0f));
+	}
+	return MakePictureTexture(FIntPoint(256, 1), Colors, "Ramp");
+}
+
 FImage RunLighting(const FCase& Case, bool bAsPrinted)
 {
 	FFrameRun Run(Case);
@@ -50,7 +72,10 @@ FImage RunLighting(const FCase& Case, bool bAsPrinted)
 	Inputs.ToonShadow = Run.AddInput(FImage(Case.Image.Width, Case.Image.Height, {PlainShadow, 1, 0, BlurredShadow}),
 		PF_R8G8B8A8, TEXT("ToonShadow"));
 	Inputs.Intensity = static_cast<float>(Case.Intensity.value_or(1.0));
-	Inputs.Blend = Case.Variant == 0 ? EToonShadowBlurBlend::Screen : EToonShadowBlurBlend::Max;
+	Inputs.Blend = Case.Variant == Screen ? EToonShadowBlurBlend::Screen
+				   : Case.Variant == Add  ? EToonShadowBlurBlend::Add
+										  : EToonShadowBlurBlend::Max;
+	Inputs.Ramp = Case.Variant == MaxWithRamp ? MakeStraightRamp() : nullptr;
 	Inputs.Store = EToonShadowBlurStore::SixteenBit;
 	Inputs.bAsPrinted = bAsPrinted;
 	return Run.Execute(AddToonShadowLightingPass(Run.GraphBuilder, Run.View, Inputs));
@@ -96,9 +121,11 @@ FImage ToonShadowLightingFormula(const FCase& Case)
 			for (int Channel = 0; Channel < 3 && FFrameRun::IsCloth(X); ++Channel)
 			{
 				double& Value = Color[Channel];
-				if (Case.Variant == 1)
+				if (Case.Variant != Screen)
 				{
-					Value += (BlurredShadow - PlainShadow) * Intensity;
+					const double Light =
+						(Case.Variant == Add ? BlurredShadow : BlurredShadow - PlainShadow) * Intensity;
+					Value += Case.Variant == MaxWithRamp ? std::max(Light, -std::max(Value, 0.0)) : Light;
 					continue;
 				}
 				const double Lit = std::max(Value, 0.0), Light = std::max(BlurredShadow * Intensity, 0.0);

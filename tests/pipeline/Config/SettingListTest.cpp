@@ -55,7 +55,8 @@ TEST(SettingList, ReadsAsASentencePerFieldUnderItsCategory)
 
 TEST(SettingList, EnumsNameTheirValuesAndObjectsTheirClass)
 {
-	EXPECT_NE(std::string::npos, FormatSettings(FindSettingFields("ToonShadowBlurBlend")).find("One of Screen, Max."));
+	EXPECT_NE(
+		std::string::npos, FormatSettings(FindSettingFields("ToonShadowBlurBlend")).find("One of Screen, Max, Add."));
 	EXPECT_NE(std::string::npos,
 		FormatSettings(FindSettingFields("FilmGrainTexture")).find("path of a Texture2D = None, SetIfNonZero"));
 }

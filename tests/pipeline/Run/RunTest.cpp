@@ -410,6 +410,69 @@ TEST(RunNonFinite, IsCountedZeroedOrRefusedByPolicy)
 	std::filesystem::remove_all(Folder);
 }
 
+TEST(RunNonFinite, PassesThatSpreadThemAndTheFinalPictureAreNamed)
+{
+	const std::filesystem::path Folder = MakeTemporaryFolder();
+	std::filesystem::create_directories(Folder);
+	FImage Image{96, 64, 3, std::vector<double>(96 * 64 * 3, 0.05)};
+	for (int Channel = 0; Channel < 3; ++Channel)
+	{
+		Image.Values[static_cast<size_t>((20 * 96 + 30) * 3 + Channel)] = std::numeric_limits<double>::infinity();
+	}
+	WriteExr((Folder / "inf.exr").string(), Image, {"R", "G", "B"});
+	FRunOptions Options;
+	Options.ConfigFile = (Folder / "a.json").string();
+	Options.ConfigText = R"({"scene": {"file": "inf.exr"}})";
+	Options.Dump = {"*"};
+	const FRunResult Result = RunConfig(Options);
+	Options.Variables = {"r.Drydock.NonFinite=1"};
+	const FRunResult Zeroed = RunConfig(Options);
+
+	// The largest share among the textures that passes wrote, counted in the dumps.
+	double Largest = 0.0;
+	std::string Pass;
+	for (const FRunDump& Dump : Result.Dumps)
+	{
+		const size_t NumChannels = static_cast<size_t>(Dump.Image.NumChannels);
+		size_t NumBad = 0, NumPixels = Dump.Image.Values.size() / NumChannels;
+		for (size_t Pixel = 0; Pixel < NumPixels; ++Pixel)
+		{
+			const double* const Values = &Dump.Image.Values[Pixel * NumChannels];
+			NumBad +=
+				std::all_of(Values, Values + NumChannels, [](double Value) { return std::isfinite(Value); }) ? 0 : 1;
+		}
+		const double Share = static_cast<double>(NumBad) / static_cast<double>(NumPixels);
+		Pass = Dump.PassIndex > 0 && Share > Largest ? Dump.Pass : Pass;
+		Largest = Dump.PassIndex > 0 ? std::max(Largest, Share) : Largest;
+	}
+	ASSERT_FALSE(Result.NonFinite.Passes.empty());
+	EXPECT_EQ(Pass, Result.NonFinite.Passes.back().Pass);
+	EXPECT_EQ(Largest, Result.NonFinite.Passes.back().GetShare());
+	EXPECT_GT(Largest, 0.5); // bloom
+
+	uint64_t NumChanged = 0, NumWhite = 0;
+	for (size_t Pixel = 0; Pixel < 96 * 64; ++Pixel)
+	{
+		const double* const A = &Result.Final.Values[4 * Pixel];
+		const double* const B = &Zeroed.Final.Values[4 * Pixel];
+		NumChanged += std::equal(A, A + 4, B) ? 0 : 1;
+		NumWhite += A[0] == 1.0 && A[1] == 1.0 && A[2] == 1.0 && B[0] < 1.0 ? 1 : 0; // grey: all three or none
+	}
+	ASSERT_TRUE(Result.NonFinite.Final.has_value());
+	EXPECT_EQ(96u * 64u, Result.NonFinite.Final->NumPixels);
+	EXPECT_EQ(NumChanged, Result.NonFinite.Final->Changed);
+	EXPECT_EQ(NumWhite, Result.NonFinite.Final->White);
+	EXPECT_EQ(0u, Result.NonFinite.Final->NotFinite);
+	const FDiagnostic& Said = Result.Diagnostics.back();
+	EXPECT_EQ(WarnNonFiniteSpread, Said.Code);
+	EXPECT_NE(std::string::npos, Said.Message.find(Pass)) << Said.Message;
+	EXPECT_NE(std::string::npos, Said.Message.find(" " + std::to_string(NumWhite) + " (")) << Said.Message;
+
+	EXPECT_TRUE(Zeroed.NonFinite.Passes.empty());
+	EXPECT_FALSE(Zeroed.NonFinite.Final.has_value());
+	std::filesystem::remove_all(Folder);
+}
+
 TEST(RunNonFinite, SceneColorClampCutsSpikesAndInfinitiesOnly)
 {
 	const std::filesystem::path Folder = MakeTemporaryFolder();

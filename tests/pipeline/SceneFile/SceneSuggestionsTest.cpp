@@ -55,7 +55,8 @@ int CodeOfError(const std::string& ConfigText)
 TEST(SceneSuggestions, VolumesHaveTheAuthorsDistancesAndWeights)
 {
 	int NumCompared = 0;
-	for (const char* Scene : {"toon_character", "toon_character_641x359", "two_boxes", "night_fireflies"})
+	for (const char* Scene :
+		{"toon_character", "toon_character_641x359", "two_boxes", "night_fireflies", "toon_portrait"})
 	{
 		const nlohmann::json Written = nlohmann::json::parse(std::ifstream(Scenes + Scene + ".json"));
 		const FCompleted Result = Complete(FromScene(std::string(Scene) + ".exr"));
@@ -69,7 +70,7 @@ TEST(SceneSuggestions, VolumesHaveTheAuthorsDistancesAndWeights)
 			++NumCompared;
 		}
 	}
-	EXPECT_EQ(8, NumCompared);
+	EXPECT_EQ(10, NumCompared);
 }
 
 TEST(SceneSuggestions, SettingsBlendWithThoseWeights)
