@@ -430,10 +430,11 @@ TEST(DualKawase, NegativesPassOn)
 	EXPECT_EQ(Negative.Texels, Blur(Negative, 3, 1.3).Texels);
 }
 
-TEST(DualKawase, PassNumIsHeldWithinOneAndEight)
+TEST(DualKawase, PassNumIsHeldWithinNoneAndEight)
 {
 	const FImage Image = FImage::Noise(20, 20);
-	EXPECT_EQ(Blur(Image, 1, 1.0).Texels, Blur(Image, 0, 1.0).Texels);
+	EXPECT_EQ(Image.Texels, Blur(Image, 0, 1.0).Texels);
+	EXPECT_EQ(Image.Texels, Blur(Image, -1, 1.0).Texels);
 	FPassRun Run(FImage::Noise(600, 600), EArithmetic::Native);
 	const FScreenPassTexture Output = AddPass(Run, 99, 1.0);
 	EXPECT_STREQ("DualKawaseUp1", Output.Texture->Name);
