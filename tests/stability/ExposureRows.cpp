@@ -11,6 +11,7 @@ namespace
 constexpr FCell Counted = Formula("counted texel by texel, in double", 1e-5);
 constexpr FCell RectOnly = SameAsCropped("nothing outside the rect is read");
 constexpr FCell Guarded = Finite("divisors and logarithms are guarded");
+constexpr FCell CurveBounded = Finite("a scale is at most 10^4, and a curve gives at most 30 EV");
 constexpr FCell Floats = DoesNotApply("metering takes 32-bit values here; what a half rounds is rounded before");
 constexpr FCell FlatFactor = Formula("the factor of a flat area, from the formula", 0.02);
 
@@ -106,6 +107,51 @@ constexpr FPassRow Rows[] = {
 				.WeightOutside = NoWeight,
 				.EqualPriorities = NoPriority,
 				.TenThousand = Settles("adaptation ends at its target and does not go beyond", 1e-3),
+			},
+	},
+	{
+		.Name = "Exposure curve",
+		.Header = "Exposure/PostProcessExposureCurve.h",
+		.Factories = "",
+		.Run = RunExposureCurve,
+		.Cells =
+			{
+				.NaN = Finite("left out of the histogram"),
+				.PlusInf = CurveBounded,
+				.MinusInf = CurveBounded,
+				.LargestHalf = CurveBounded,
+				.BeyondHalf = Floats,
+				.Huge = CurveBounded,
+				.Denormals = CurveBounded,
+				.NegativeZero = CurveBounded,
+				.NegativeColors = CurveBounded,
+				.HotPixel = CurveBounded,
+				.MovingHotPixel = CurveBounded,
+				.Black = CurveBounded,
+				.Constant = CurveBounded,
+				.OneByOne = CurveBounded,
+				.OneByN = CurveBounded,
+				.NByOne = CurveBounded,
+				.Odd = CurveBounded,
+				.Prime = CurveBounded,
+				.RectOffset = RectOnly,
+				.PaddedExtent = RectOnly,
+				.TooManyLevels = NoLevels,
+				.SigmaZero = NoKernel,
+				.SigmaHuge = NoKernel,
+				.ThresholdZero = NoThreshold,
+				.ThresholdNegative = NoThreshold,
+				.ThresholdHuge = NoThreshold,
+				.IntensityZero = NoIntensity,
+				.IntensityNegative = NoIntensity,
+				.IntensityHuge = NoIntensity,
+				.PowOfZero = NoPower,
+				.PowOfNegative = NoPower,
+				.LuminanceZero = CurveBounded,
+				.HalfAccumulation = DoesNotApply("the buffer holds 32-bit floats"),
+				.WeightOutside = NoWeight,
+				.EqualPriorities = NoPriority,
+				.TenThousand = DoesNotApply("a frame without a frame before it"),
 			},
 	},
 	{

@@ -5,7 +5,9 @@
 #include "passes/ExposureTestUtils.h"
 
 #include "Bloom/PostProcessBloomSetup.h"
+#include "Exposure/PostProcessExposureCurve.h"
 #include "Exposure/PostProcessLocalExposure.h"
+#include "SettingObjects.h"
 
 #include <cmath>
 
@@ -32,6 +34,16 @@ PassTest::FMeteringRun MakeRun(const FCase& Case, const PassTest::FMetering& Met
 	return PassTest::FMeteringRun(Case.Image,
 		{Case.Offset.X, Case.Offset.Y, Case.Offset.X + Case.Image.Width, Case.Offset.Y + Case.Image.Height}, Extent,
 		Metering);
+}
+
+FImage ExecuteAndRead(FRDGBuilder& GraphBuilder, FRDGBufferRef EyeAdaptation)
+{
+	FRHIGPUBufferReadback Readback(TEXT("EyeAdaptation"));
+	AddEnqueueCopyPass(GraphBuilder, &Readback, EyeAdaptation, EyeAdaptation->Desc.GetSize());
+	GraphBuilder.Execute();
+	const FVector4f Entry = *static_cast<const FVector4f*>(Readback.Lock(sizeof(FVector4f)));
+	Readback.Unlock();
+	return FImage(1, 1, {Entry.X, Entry.Y, Entry.Z, 1});
 }
 
 } // namespace
@@ -89,19 +101,29 @@ FImage RunEyeAdaptation(const FCase& Case)
 											 ? AddHistogramEyeAdaptationPass(GraphBuilder, View, Inputs, Histogram)
 											 : AddBasicEyeAdaptationPass(GraphBuilder, View, Inputs, Setup);
 	}
-	FRHIGPUBufferReadback Readback(TEXT("EyeAdaptation"));
-	AddEnqueueCopyPass(
-		GraphBuilder, &Readback, Inputs.LastEyeAdaptationBuffer, Inputs.LastEyeAdaptationBuffer->Desc.GetSize());
-	GraphBuilder.Execute();
-	const FVector4f Entry = *static_cast<const FVector4f*>(Readback.Lock(sizeof(FVector4f)));
-	Readback.Unlock();
-	return FImage(1, 1, {Entry.X, Entry.Y, Entry.Z, 1});
+	return ExecuteAndRead(GraphBuilder, Inputs.LastEyeAdaptationBuffer);
 }
 
 // Settled: 2^1 * 0.18 / 0.25, the bias of the default settings being 1 EV.
 FImage EyeAdaptationFormula(const FCase&)
 {
 	return FImage(1, 1, {2 * 0.18 / 0.25, 2 * 0.18 / 0.25, 0.25, 1});
+}
+
+FImage RunExposureCurve(const FCase& Case)
+{
+	PassTest::FMeteringRun Metered = MakeRun(Case, {});
+	FRDGBuilder& GraphBuilder = Metered.Run.GraphBuilder;
+	const FViewInfo& View = Metered.Run.View;
+	FEyeAdaptationInputs Inputs;
+	Inputs.Parameters = Metered.Parameters;
+	Inputs.Parameters.ForceTarget = 1.0f;
+	Inputs.LastEyeAdaptationBuffer = CreateEyeAdaptationBuffer(GraphBuilder, 1.0f);
+	const FRDGTextureRef Histogram = AddHistogramPass(GraphBuilder, View, Inputs.Parameters, Metered.Run.Input);
+	FFinalPostProcessSettings Settings;
+	Settings.AutoExposureBiasCurve = FindOrAddCurve("linear(-20 1000, 20 -1000)");
+	return ExecuteAndRead(GraphBuilder, AddExposureCurvePass(GraphBuilder, Settings,
+											AddHistogramEyeAdaptationPass(GraphBuilder, View, Inputs, Histogram)));
 }
 
 FImage RunLocalExposure(const FCase& Case)

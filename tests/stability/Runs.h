@@ -103,6 +103,7 @@ FImage HistogramFormula(const FCase& Case);
 /** 1 x 1: scale, target, average. Variants: histogram, basic. Frames: so many of 1/60 s. */
 FImage RunEyeAdaptation(const FCase& Case);
 FImage EyeAdaptationFormula(const FCase& Case);
+FImage RunExposureCurve(const FCase& Case);
 /** The picture times its factor. Intensity: the contrast of highlights, 0.5; Sigma: kernel in percent, 10. */
 FImage RunLocalExposure(const FCase& Case);
 /** Of a flat picture. */
