@@ -249,6 +249,87 @@ TEST(DualKawaseDoc, WidthsAreThoseOfTheClosedForm)
 	}
 }
 
+namespace
+{
+
+/** A weight of a column of taps, Step half pixels of the output to the right. */
+struct FTapColumn
+{
+	double Weight;
+	double Step;
+};
+
+// The taps by columns: along one axis rows do not matter.
+const std::vector<FTapColumn> GDownColumns = {{4.0 / 8, 0}, {2.0 / 8, -1}, {2.0 / 8, 1}};
+const std::vector<FTapColumn> GUpColumns = {
+	{2.0 / 12, 0}, {1.0 / 12, -2}, {1.0 / 12, 2}, {4.0 / 12, -1}, {4.0 / 12, 1}};
+
+/** Means over what each output column gathers; sizes of the article's textures, point taps. */
+std::vector<double> GatherAsPrinted(
+	const std::vector<double>& Input, size_t Size, const std::vector<FTapColumn>& Columns)
+{
+	std::vector<double> Output(Size);
+	for (size_t Column = 0; Column < Size; ++Column)
+	{
+		for (const FTapColumn& Tap : Columns)
+		{
+			const double UV = (static_cast<double>(Column) + 0.5 + 0.5 * Tap.Step) / static_cast<double>(Size);
+			const double Texel = std::floor(UV * static_cast<double>(Input.size()));
+			Output[Column] +=
+				Tap.Weight * Input[static_cast<size_t>(std::clamp(Texel, 0.0, static_cast<double>(Input.size() - 1)))];
+		}
+	}
+	return Output;
+}
+
+std::vector<double> BlurAsPrinted(std::vector<double> Line, int32 Levels)
+{
+	size_t Size = Line.size();
+	for (int32 Level = 0; Level < Levels; ++Level, Size /= 2)
+	{
+		Line = GatherAsPrinted(Line, Size, GDownColumns);
+	}
+	for (int32 Level = 0; Level < Levels; ++Level)
+	{
+		Size *= 2;
+		Line = GatherAsPrinted(Line, Size, GUpColumns);
+	}
+	return Line;
+}
+
+} // namespace
+
+// Of lines that hold the places and their squares: what comes out is where a column's light is from, and how far apart.
+TEST(DualKawaseDoc, PrintedWidthsAndShiftsAreThoseOfTheArticlesLoop)
+{
+	const DocFigures::FPage Page(DRYDOCK_TEST_SOURCE_DIR, "dual-kawase.md");
+	const auto Rows = Page.GetTable("| levels | 1 | 2 |");
+	ASSERT_EQ(4u, Rows.size());
+	for (int32 Levels = 1; Levels <= 8; ++Levels)
+	{
+		const size_t Size = size_t(1) << (Levels + 6);
+		std::vector<double> Places(Size), Squares(Size);
+		for (size_t Column = 0; Column < Size; ++Column)
+		{
+			Places[Column] = static_cast<double>(Column);
+			Squares[Column] = Places[Column] * Places[Column];
+		}
+		const std::vector<double> From = BlurAsPrinted(Places, Levels), FromSquares = BlurAsPrinted(Squares, Levels);
+		double Mean = 0.0, MeanSquare = 0.0;
+		for (size_t Column = Size / 4; Column < 3 * Size / 4; ++Column) // clear of the borders; every phase as often
+		{
+			const double X = static_cast<double>(Column);
+			Mean += (From[Column] - X) / static_cast<double>(Size / 2);
+			MeanSquare += (FromSquares[Column] - 2.0 * X * From[Column] + X * X) / static_cast<double>(Size / 2);
+		}
+		const std::string Name = std::to_string(Levels) + " levels";
+		DocFigures::ExpectWritten(DocFigures::ParseFigure(Rows[0][static_cast<size_t>(Levels)]),
+			std::sqrt(MeanSquare - Mean * Mean), "width, " + Name);
+		DocFigures::ExpectWritten(
+			DocFigures::ParseFigure(Rows[2][static_cast<size_t>(Levels)]), Mean, "shift, " + Name);
+	}
+}
+
 TEST(DualKawaseDoc, TapsPerPixelAreCountedLevelByLevel)
 {
 	const DocFigures::FPage Page(DRYDOCK_TEST_SOURCE_DIR, "dual-kawase.md");
