@@ -77,6 +77,7 @@ struct FConfigView
 	TConfigValue<double> Exposure{1.0, {}};
 	bool bAutoExposure = false; // in place of it
 	TConfigValue<double> PreExposure{1.0, {}};
+	bool bAutoPreExposure = false; // in place of it: it follows the exposure
 };
 
 enum class EConfigShape

@@ -55,7 +55,7 @@ const std::vector<FConfigKey>& GetConfigKeys()
 		{"view", "fov", Number, "", 0, Optional, "Horizontal field of view of the whole picture, 1 to 179 degrees; the scene file's by default."},
 		{"view", "rect", NumberArray, "", 4, Optional, "MinX, MinY, MaxX, MaxY in pixels of the scene; all of it by default."},
 		{"view", "exposure", Number, "=auto", 0, Optional, "Exposure scale at default AutoExposureBias; 1 by default. \"auto\": eye adaptation."},
-		{"view", "preExposure", Number, "", 0, Optional, "Scene colour is stored multiplied by this; 1 by default."},
+		{"view", "preExposure", Number, "=auto", 0, Optional, "Scene colour is stored multiplied by this; 1 by default. \"auto\": the exposure of the frame before."},
 
 		{"volume", "name", String, "", 0, Optional, "For messages and reports."},
 		{"volume", "bEnabled", Bool, "", 0, Optional, "true by default."},

@@ -261,6 +261,8 @@ void ReadView(const FJsonValue& Value, FConfigView& View, FConfigMessages& Messa
 	WithMember(Value, "exposure", EJsonType::String,
 		[&](const FJsonValue& Exposure) { View.bAutoExposure = Exposure.String == "auto"; });
 	ReadScale(Value, "preExposure", View.PreExposure, Messages);
+	WithMember(Value, "preExposure", EJsonType::String,
+		[&](const FJsonValue& PreExposure) { View.bAutoPreExposure = PreExposure.String == "auto"; });
 }
 
 FConfigVolume ReadVolume(const FJsonValue& Value, FConfigMessages& Messages)

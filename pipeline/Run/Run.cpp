@@ -4,6 +4,7 @@
 #include "Frame/Frame.h"
 #include "HAL/ConsoleVariableTools.h"
 #include "Run/FinalSettings.h"
+#include "Run/PreExposure.h"
 #include "Run/RunDump.h"
 #include "Run/RunJson.h"
 #include "Run/RunObserver.h"
@@ -362,6 +363,7 @@ const FConfig& FRunSession::GetConfig() const
 FRunResult FRunSession::Run(std::optional<int> Frame, const std::vector<FViewHistory>& Last)
 {
 	Setup->BeginFrame(Frame);
+	SetPreExposure(Setup->Config, Setup->Settings.ExposureScale, Last);
 	FRendered Rendered = Render(Options, *Setup, {Last, Caches});
 	FRunResult& Result = Rendered.Result;
 	if (Options.bExecute)

@@ -20,7 +20,6 @@
 #include "Tonemap/TonemapLens.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <tuple>
 
@@ -29,22 +28,6 @@ namespace Drydock
 
 namespace
 {
-
-TAutoConsoleVariable<float> CVarPreExposureOverride(TEXT("r.EyeAdaptation.PreExposureOverride"), 0.0f,
-	TEXT("Above 0: PreExposure of every view, in place of view.preExposure; 0 by default."), ECVF_RenderThreadSafe);
-
-void OverridePreExposure(FConfig& Config)
-{
-	const float Override = CVarPreExposureOverride.GetValueOnAnyThread();
-	if (Override > 0.0f && std::isfinite(Override))
-	{
-		Config.View.PreExposure.Value = Override;
-		for (FConfigView& View : Config.Views)
-		{
-			View.PreExposure.Value = Override;
-		}
-	}
-}
 
 const char* GetStorageValue(const FRunOptions& Options)
 {
@@ -419,7 +402,6 @@ void FRunSetup::PlaceFrame(std::optional<int> Frame)
 void FRunSetup::BlendSettings()
 {
 	Diagnostics = Join({&OfConfig, &OfFrame, &OfExtensions});
-	OverridePreExposure(Config);
 	Settings = MakeViewSettings(Config, &Diagnostics);
 	WarnOfIneffectiveValues(Config, Settings, Diagnostics);
 }
