@@ -1,20 +1,24 @@
 #!/usr/bin/env bash
-# Runs every fuzzer for SECONDS_EACH (default 60), each from its corpus; what makes one fail is left in build/fuzz/found.
+# Runs the fuzzers NAMES (default: every one that is built) for SECONDS_EACH (default 60), each from its corpus; what makes
+# one fail is left in build/fuzz/found.
+#   tests/fuzz/run.sh [SECONDS_EACH [NAMES...]]
 # Exit 0: all clean.
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 Seconds=${1:-60}
+shift
 Failed=0
-for Pair in settings_text:settings config_json:config exr_header:exr spirv_reader:spirv; do
-	Name=${Pair%%:*}
+while read -r Name Corpus <&3; do
+	[ -x build/fuzz/bin/fuzz_"$Name" ] || continue
+	[ $# = 0 ] || [[ " $* " = *" $Name "* ]] || continue
 	Found=build/fuzz/found/$Name
 	mkdir -p "$Found/corpus"
 	# No input of a few kB may want a gigabyte, or ten seconds.
 	build/fuzz/bin/fuzz_"$Name" -max_total_time="$Seconds" -timeout=10 -malloc_limit_mb=1000 -rss_limit_mb=4000 \
-		-max_len=16384 -print_final_stats=1 -artifact_prefix="$Found/" "$Found/corpus" "tests/fuzz/corpus/${Pair##*:}" \
+		-max_len=16384 -print_final_stats=1 -artifact_prefix="$Found/" "$Found/corpus" "tests/fuzz/corpus/$Corpus" \
 		>"$Found/log" 2>&1
 	Exit=$?
 	[ $Exit = 0 ] || Failed=1
 	printf '%s: rc %d, %s\n' "$Name" $Exit "$(grep -m1 number_of_executed_units "$Found/log" || tail -1 "$Found/log")"
-done
+done 3<build/fuzz/fuzzers.txt
 exit $Failed
