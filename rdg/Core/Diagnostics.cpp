@@ -41,6 +41,14 @@ std::string ToLowerCase(std::string Text)
 	return Text;
 }
 
+/** No name is longer; a text of megabytes in its place is no misspelling, and would be compared letter by letter. */
+constexpr size_t MaxNameLength = 200;
+
+bool IsNearEnough(size_t Distance, size_t LongerLength)
+{
+	return Distance * 3 <= LongerLength;
+}
+
 /** Insertions, deletions, replacements and exchanges of neighbours that lead from A to B (optimal string alignment). */
 size_t GetEditDistance(const std::string& A, const std::string& B)
 {
@@ -116,14 +124,22 @@ FError::~FError() = default;
 
 std::string FindNearestName(const std::string& Name, const std::vector<std::string>& Candidates)
 {
-	const std::string LowerName = ToLowerCase(Name);
 	std::string Nearest;
+	if (Name.size() > MaxNameLength)
+	{
+		return Nearest;
+	}
+	const std::string LowerName = ToLowerCase(Name);
 	size_t NearestDistance = 0;
 	for (const std::string& Candidate : Candidates)
 	{
+		const size_t Longer = std::max(Name.size(), Candidate.size());
+		if (!IsNearEnough(Longer - std::min(Name.size(), Candidate.size()), Longer)) // so many are inserted at least
+		{
+			continue;
+		}
 		const size_t Distance = GetEditDistance(LowerName, ToLowerCase(Candidate));
-		const bool bNearEnough = Distance * 3 <= std::max(Name.size(), Candidate.size());
-		if (bNearEnough && (Nearest.empty() || Distance < NearestDistance))
+		if (IsNearEnough(Distance, Longer) && (Nearest.empty() || Distance < NearestDistance))
 		{
 			Nearest = Candidate;
 			NearestDistance = Distance;

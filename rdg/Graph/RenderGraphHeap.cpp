@@ -1,11 +1,11 @@
 // Keeps the one block of memory that the transient resources of all graphs share.
 #include "RenderGraphHeap.h"
 
+#include "DiagnosticList.h"
 #include "RenderGraphAlias.h"
 
 #include <cstdlib>
 #include <memory>
-#include <new>
 
 namespace Drydock
 {
@@ -45,7 +45,7 @@ uint8* ReserveTransientHeap(uint64 Bytes)
 		Heap.Memory.reset(static_cast<uint8*>(std::aligned_alloc(GRDGHeapAlignment, Rounded)));
 		if (!Heap.Memory)
 		{
-			throw std::bad_alloc();
+			throw Drydock::MakeMemoryError("the transient textures of the graph", Rounded);
 		}
 		Heap.Bytes = Rounded;
 	}

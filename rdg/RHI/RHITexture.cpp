@@ -1,6 +1,7 @@
 // Allocates the memory of textures, with their mip tables, and reads and writes single texels.
 #include "RHITexture.h"
 
+#include "DiagnosticList.h"
 #include "PixelFormatConversion.h"
 
 #include <algorithm>
@@ -81,11 +82,22 @@ void FRHITexture::PlaceAt(void* InMemory)
 
 void FRHITexture::EnsureMemory()
 {
-	if (!HasMemory())
+	if (HasMemory())
+	{
+		return;
+	}
+	try
 	{
 		Memory.Ensure(Layout.SizeInBytes);
-		RebuildMipTables();
 	}
+	catch (const std::bad_alloc&)
+	{
+		const FIntVector Size = GetMipDimensions(0);
+		throw Drydock::MakeMemoryError("the texture " + GetName().ToString().ToStdString() + ", " +
+										   std::to_string(Size.X) + " x " + std::to_string(Size.Y),
+			Layout.SizeInBytes);
+	}
+	RebuildMipTables();
 }
 
 void FRHITexture::RebuildMipTables()

@@ -1,0 +1,19 @@
+// The numbers of the messages about limits: of what is read, and of what is said. docs/errors.md explains each one.
+#pragma once
+
+#include "DiagnosticList.h"
+
+namespace Drydock
+{
+
+enum ELimitError
+{
+	ErrorTooManyValues = 1024, // JSON of more values than any config has
+	MoreMessages = 1025,       // how many more of a severity there are than are listed
+	ErrorTextTooLarge = 5007,  // a text of more than MaxTextBytes
+	ErrorOutOfMemory = 5008,   // the system gives no memory
+};
+
+static_assert(MoreMessages == MoreDiagnosticsCode);
+
+} // namespace Drydock
