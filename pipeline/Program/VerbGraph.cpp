@@ -60,7 +60,7 @@ std::string MakeSvg(const std::string& Dot)
 						 .Message = "the SVG needs Graphviz: the program dot " + Why + "; --format dot needs nothing"},
 			ExitFiles);
 	}
-	return ReadTextFile(Output.Path);
+	return ReadTextFile(Output.Path, "cannot be read", MaxBinaryBytes);
 }
 
 int PrintGraph(const FGraphOptions& Options)

@@ -15,8 +15,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <iostream>
-#include <iterator>
 #include <memory>
 
 namespace Drydock
@@ -45,7 +43,7 @@ std::string ReadText(const std::string& File)
 {
 	if (File == "-")
 	{
-		return std::string(std::istreambuf_iterator<char>(std::cin), {});
+		return ReadStandardInputText();
 	}
 	return ReadTextFile(File, "the text cannot be read");
 }

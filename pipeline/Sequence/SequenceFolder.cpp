@@ -133,7 +133,7 @@ std::string FSequenceFolder::GetViewStatePath(int Frame) const
 
 std::string FSequenceFolder::ReadViewState(int Frame) const
 {
-	return ReadTextFile(GetViewStatePath(Frame));
+	return ReadTextFile(GetViewStatePath(Frame), "cannot be read", MaxBinaryBytes);
 }
 
 void FSequenceFolder::RemoveViewState(int Frame)

@@ -76,7 +76,7 @@ std::string PipeToEncoder(const std::vector<std::string>& Pictures, double Frame
 	}
 	for (const std::string& Picture : Pictures)
 	{
-		const std::string Bytes = TryReadTextFile(Picture).value_or("");
+		const std::string Bytes = TryReadTextFile(Picture, MaxBinaryBytes).value_or("");
 		std::fwrite(Bytes.data(), 1, Bytes.size(), Pipe);
 	}
 	std::error_code Ignored;

@@ -110,7 +110,7 @@ std::string MakeFileName(const std::string& Name)
 std::string WriteInset(const Files::path& File, const FImage& Image)
 {
 	WritePng(File.string(), Image);
-	return ReadTextFile(File);
+	return ReadTextFile(File, "cannot be read", MaxBinaryBytes);
 }
 
 std::string DescribeError(const FStudyResult& Result, const FStudyVariant& Variant)

@@ -4,12 +4,12 @@
 #include "Text/Fingerprint.h"
 
 #include "Diagnostics.h"
+#include "RegularFile.h"
 #include "Text/ConfigErrors.h"
 
 #include <algorithm>
 #include <bit>
 #include <cstring>
-#include <fstream>
 #include <vector>
 
 namespace Drydock
@@ -95,16 +95,17 @@ std::string FFingerprint::Get() const
 
 std::string FingerprintFile(const std::string& Path)
 {
-	std::ifstream Stream(Path, std::ios::binary);
+	FRegularFile File(Path);
 	FFingerprint Fingerprint;
 	std::vector<char> Buffer(1 << 20);
-	while (Stream.read(Buffer.data(), static_cast<std::streamsize>(Buffer.size())) || Stream.gcount() > 0)
+	for (size_t NumRead; (NumRead = File.Read(Buffer.data(), Buffer.size())) > 0;)
 	{
-		Fingerprint.Add(Buffer.data(), static_cast<size_t>(Stream.gcount()));
+		Fingerprint.Add(Buffer.data(), NumRead);
 	}
-	if (!Stream.eof())
+	if (!File.GetProblem().empty())
 	{
-		throw FError({.Code = ErrorFileMissing, .Message = "cannot be read", .File = Path}, ExitFiles);
+		throw FError(
+			{.Code = ErrorFileMissing, .Message = "cannot be read: " + File.GetProblem(), .File = Path}, ExitFiles);
 	}
 	return Fingerprint.Get();
 }

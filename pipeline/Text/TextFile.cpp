@@ -3,33 +3,42 @@
 
 #include "Text/AsideFile.h"
 #include "Text/ConfigErrors.h"
+#include "Text/LimitErrors.h"
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
 namespace Drydock
 {
 
-std::optional<std::string> TryReadTextFile(const std::string& Path)
+namespace
 {
-	std::error_code Ignored;
-	std::ifstream Stream(Path, std::ios::binary);
-	if (!Stream || std::filesystem::is_directory(Path, Ignored))
+
+std::string TakeText(FFileBytes Read, const std::string& Path, const char* Message)
+{
+	if (!Read.Bytes)
 	{
-		return std::nullopt;
+		const int Code = Read.bTooLarge ? static_cast<int>(ErrorTextTooLarge) : static_cast<int>(ErrorFileMissing);
+		throw FError({.Code = Code, .Message = std::string(Message) + ": " + Read.Problem, .File = Path}, ExitFiles);
 	}
-	return std::string(std::istreambuf_iterator<char>(Stream), {});
+	return std::move(*Read.Bytes);
 }
 
-std::string ReadTextFile(const std::string& Path, const char* Message)
+} // namespace
+
+std::optional<std::string> TryReadTextFile(const std::string& Path, size_t MaxBytes)
 {
-	std::optional<std::string> Text = TryReadTextFile(Path);
-	if (!Text)
-	{
-		throw FError({.Code = ErrorFileMissing, .Message = Message, .File = Path}, ExitFiles);
-	}
-	return std::move(*Text);
+	return ReadRegularFile(Path, MaxBytes).Bytes;
+}
+
+std::string ReadTextFile(const std::string& Path, const char* Message, size_t MaxBytes)
+{
+	return TakeText(ReadRegularFile(Path, MaxBytes), Path, Message);
+}
+
+std::string ReadStandardInputText()
+{
+	return TakeText(ReadStandardInput(), "standard input", "cannot be read");
 }
 
 void WriteWholeFile(const std::string& Path, const std::string& Text)

@@ -66,7 +66,7 @@ std::string FindIgnoringCase(const fs::path& Root, const fs::path& Relative)
 		Found /= Match;
 	}
 	std::error_code Error;
-	return fs::is_regular_file(Found, Error) ? Found.string() : std::string();
+	return fs::exists(Found, Error) ? Found.string() : std::string(); // who reads it says what else it may be
 }
 
 } // namespace

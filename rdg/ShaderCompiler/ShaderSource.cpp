@@ -3,12 +3,12 @@
 // once. Source of the mapping of paths and of the rule "every file once": the engine's shader preprocessor.
 #include "ShaderSource.h"
 
+#include "RegularFile.h"
 #include "ShaderDirectories.h"
 
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <set>
 #include <sstream>
@@ -129,6 +129,10 @@ private:
 	void AppendFile(const std::string& Path, int ConditionDepth);
 	void AppendInclude(const std::string& Target, const std::string& Includer, int Line, int ConditionDepth);
 	FFile* FindFile(const std::string& Path);
+	std::string DescribeAbsence() const
+	{
+		return Unreadable.empty() ? "; is its directory mapped by AddShaderSourceDirectoryMapping?" : Unreadable;
+	}
 	void Error(int Code, const std::string& Message, const std::string& File, int Line)
 	{
 		Errors.push_back({ESeverity::Error, Code, Message, File, Line, 0, {}});
@@ -142,6 +146,7 @@ private:
 	FShaderSource Result;
 	std::map<std::string, FFile> Files;
 	std::vector<std::string> Open; // files being appended
+	std::string Unreadable;        // the last file that is there and cannot be read, and why
 	std::vector<FDiagnostic> Errors;
 };
 
@@ -164,8 +169,13 @@ FFlattener::FFile* FFlattener::FindFile(const std::string& Path)
 		const std::string Real = FindShaderFile(Path);
 		if (!Real.empty())
 		{
-			std::ifstream Stream(Real, std::ios::binary);
-			Bytes.assign(std::istreambuf_iterator<char>(Stream), {});
+			FFileBytes Read = ReadRegularFile(Real);
+			if (!Read.Bytes)
+			{
+				Unreadable = ": " + Real + ": " + Read.Problem;
+				return nullptr;
+			}
+			Bytes = std::move(*Read.Bytes);
 			if (std::find(Result.Files.begin(), Result.Files.end(), Real) == Result.Files.end())
 			{
 				Result.Files.push_back(Real);
@@ -202,8 +212,7 @@ void FFlattener::AppendInclude(const std::string& Target, const std::string& Inc
 	{
 		const bool bMapped = Path != Target && Target[0] != '/';
 		Error(6001,
-			"cannot open include file '" + Target + "'" + (bMapped ? " (" + Path + ")" : "") +
-				"; is its directory mapped by AddShaderSourceDirectoryMapping?",
+			"cannot open include file '" + Target + "'" + (bMapped ? " (" + Path + ")" : "") + DescribeAbsence(),
 			Includer, Line);
 		return;
 	}
@@ -319,10 +328,7 @@ FShaderSource FFlattener::Run()
 	}
 	else
 	{
-		Error(6001,
-			"cannot open shader '" + Request.VirtualPath +
-				"'; is its directory mapped by AddShaderSourceDirectoryMapping?",
-			{}, 0);
+		Error(6001, "cannot open shader '" + Request.VirtualPath + "'" + DescribeAbsence(), {}, 0);
 	}
 	if (!Errors.empty())
 	{

@@ -3,9 +3,11 @@
 
 #include "Text/AsideFile.h"
 #include "Text/ConfigErrors.h"
+#include "Text/Fingerprint.h"
 #include "Text/TextFile.h"
 
 #include <filesystem>
+#include <sys/stat.h>
 #include <unistd.h>
 
 using namespace Drydock;
@@ -48,6 +50,40 @@ TEST_F(TextFile, MissingFileAndFolderCannotBeRead)
 	EXPECT_EQ(std::nullopt, TryReadTextFile((Folder / "none").string()));
 	EXPECT_EQ(std::nullopt, TryReadTextFile(Folder.string()));
 	EXPECT_THROW(ReadTextFile(Folder.string()), FError);
+}
+
+TEST_F(TextFile, APipeIsRefusedAndNobodyWaits)
+{
+	const std::string Pipe = (Folder / "pipe").string();
+	ASSERT_EQ(0, mkfifo(Pipe.c_str(), 0600));
+	alarm(20);
+	EXPECT_EQ(std::nullopt, TryReadTextFile(Pipe));
+	EXPECT_THROW(ReadTextFile(Pipe), FError);
+	EXPECT_THROW(FingerprintFile(Pipe), FError);
+	alarm(0);
+}
+
+TEST_F(TextFile, WhyATextCannotBeReadIsSaid)
+{
+	const auto ErrorOf = [](const std::string& Path, size_t MaxBytes)
+	{
+		try
+		{
+			ReadTextFile(Path, "the text cannot be read", MaxBytes);
+		}
+		catch (const FError& Error)
+		{
+			EXPECT_EQ(ExitFiles, Error.GetExitCode());
+			return Error.GetDiagnostics()[0].ToString();
+		}
+		return std::string();
+	};
+	const std::string Path = (Folder / "a.txt").string();
+	EXPECT_EQ(Path + ": error DD5001: the text cannot be read: No such file or directory", ErrorOf(Path, 10));
+	WriteTextFile(Path, "01234567890");
+	EXPECT_EQ(
+		Path + ": error DD5007: the text cannot be read: it has 11 bytes, and at most 10 are read", ErrorOf(Path, 10));
+	EXPECT_EQ("", ErrorOf(Path, 11));
 }
 
 TEST_F(TextFile, NothingStaysBesideWhatWasWritten)

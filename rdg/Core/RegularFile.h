@@ -1,0 +1,59 @@
+// Files that strangers name are read here: only regular files, and of these no more than somebody wants. A pipe would
+// wait for ever, a device may act on being read, and an endless file fills the memory.
+#pragma once
+
+#include "DrydockAPI.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace Drydock
+{
+
+/** No text that drydock reads is larger: a config of 16 MB holds a million numbers, some thousand times what the
+ * largest that ships does. */
+constexpr size_t MaxTextBytes = size_t(16) << 20;
+
+/** A file that is open for reading. */
+class DRYDOCK_API FRegularFile
+{
+public:
+	/** Opens without waiting for anybody, and refuses what is no regular file once it is open: between a look and the
+	 * opening it could be replaced. */
+	explicit FRegularFile(const std::string& Path);
+	~FRegularFile();
+	FRegularFile(const FRegularFile&) = delete;
+	FRegularFile& operator=(const FRegularFile&) = delete;
+
+	/** Why it cannot be read, "Permission denied" or "it is a folder"; empty while all is well. */
+	const std::string& GetProblem() const { return Problem; }
+
+	/** Bytes, as the system says; files of /proc have more than their 0. */
+	uint64_t GetSize() const { return Size; }
+
+	/** The number of bytes read: fewer than Count at the end of the file, or where reading fails, which is a problem.
+	 */
+	size_t Read(void* Bytes, size_t Count);
+
+private:
+	int Descriptor = -1;
+	uint64_t Size = 0;
+	std::string Problem;
+};
+
+struct FFileBytes
+{
+	std::optional<std::string> Bytes; // none: it cannot be read
+	std::string Problem;              // why, as FRegularFile says it
+	bool bTooLarge = false;           // the file has more than was allowed
+};
+
+/** All bytes of a regular file of at most MaxBytes. */
+DRYDOCK_API FFileBytes ReadRegularFile(const std::string& Path, size_t MaxBytes = MaxTextBytes);
+
+/** All that stdin gives, whatever it is, up to MaxBytes. */
+DRYDOCK_API FFileBytes ReadStandardInput(size_t MaxBytes = MaxTextBytes);
+
+} // namespace Drydock
