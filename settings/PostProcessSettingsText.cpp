@@ -1,6 +1,7 @@
 // Reads pasted settings: fields by name, array elements, and the text that no field is for.
 #include "PostProcessSettingsText.h"
 
+#include "DiagnosticList.h"
 #include "PostProcessSettingsTextNames.h"
 #include "PostProcessSettingsTextScan.h"
 #include "PostProcessSettingsTextValue.h"
@@ -87,16 +88,27 @@ public:
 		{
 			ReadItem(Item);
 		}
+		if (NumErrors > MaxDiagnostics)
+		{
+			Messages.Error(ErrorTextGivenTwice, Struct.Offset, Where + "Settings",
+				"and " + std::to_string(NumErrors - MaxDiagnostics) + " more fields are wrong");
+		}
 		ReportPairs();
 		return std::move(Result);
 	}
 
 private:
+	/** Whether this mistake is one of the first. Each looks for its place in the text, which may be one long line. */
+	bool CountError() { return ++NumErrors <= MaxDiagnostics; }
+
 	void ReadItem(const FEngineTextItem& Item)
 	{
-		if (Item.Name.empty())
+		if (Item.Name.empty() && CountError())
 		{
 			Messages.Error(ErrorTextSyntax, Item.Offset, "", "expected NAME=VALUE, found " + Item.Value.Describe());
+		}
+		if (Item.Name.empty())
+		{
 			return;
 		}
 		const FTextName Name = FindTextName(Item.Name);
@@ -106,10 +118,13 @@ private:
 															 : Name.Field->Name;
 		const std::string Key = FEngineTextItem{Spelling, Item.Index, {}, 0}.GetKey();
 		const auto [First, bNew] = Given.emplace(Name.Field == nullptr ? ToLowerCase(Key) : Key, Item.Offset);
-		if (!bNew)
+		if (!bNew && CountError())
 		{
 			Messages.Error(ErrorTextGivenTwice, Item.Offset, Where + Key,
 				Key + " is given twice, first at " + Messages.Place(First->second));
+		}
+		if (!bNew)
+		{
 			return;
 		}
 		if (Name.Field == nullptr && !Name.bBlendables)
@@ -123,7 +138,7 @@ private:
 		const bool bRead = Name.bOverride     ? ReadOverride(*Name.Field, Item, Problem)
 						   : Name.bBlendables ? ReadBlendables(Item, Problem)
 											  : ReadValue(*Name.Field, Item, Problem);
-		if (!bRead)
+		if (!bRead && CountError())
 		{
 			Messages.Error(Problem.Code, Problem.Offset, Where + Key, Problem.Message);
 		}
@@ -233,6 +248,7 @@ private:
 	std::map<const FSettingField*, size_t> ValueOffsets;
 	std::map<const FSettingField*, size_t> BitOffsets;
 	std::vector<size_t> UnknownOffsets;
+	size_t NumErrors = 0;
 	std::string LastKnown;
 };
 

@@ -112,7 +112,9 @@ bool CheckEngineTextEncoding(const std::string& Text, FSettingsTextMessages& Mes
 		const size_t Length = GetUtf8Length(Text, At);
 		if (Length == 0 || Text[At] == '\0')
 		{
-			Messages.Error(ErrorTextNotUtf8, At, "", "the text is not UTF-8: save it as UTF-8");
+			Messages.Error(ErrorTextNotUtf8, At, "",
+				Length == 0 ? "the text is not UTF-8: save it as UTF-8"
+							: "the text holds the character NUL: it is not UTF-8 (save it as UTF-8), or it is damaged");
 			return false;
 		}
 		At += Length;

@@ -17,6 +17,9 @@ namespace
 /** Deeper than any settings, shallow enough for recursive readers. */
 constexpr int MaxDepth = 64;
 
+/** More than any struct has; each takes some 200 bytes, however short its text. */
+constexpr size_t MaxItems = 1'000'000;
+
 /** Larger than any static array. */
 constexpr size_t MaxIndexDigits = 6;
 
@@ -173,6 +176,10 @@ private:
 
 	bool ReadItem(FEngineTextItem& OutItem, size_t Open)
 	{
+		if (++NumItems > MaxItems)
+		{
+			return Fail(At, "more than " + std::to_string(MaxItems) + " values; no more are read", ErrorTextDepth);
+		}
 		SkipEngineTextSpace(Text, At);
 		OutItem.Offset = At;
 		if (At >= Text.size())
@@ -310,6 +317,7 @@ private:
 	const std::string& Where;
 	FSettingsTextMessages& Messages;
 	int Depth = 0;
+	size_t NumItems = 0;
 };
 
 } // namespace

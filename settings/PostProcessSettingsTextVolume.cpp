@@ -1,6 +1,7 @@
 // Finds volumes in the text of copied actors: their settings, their place and the shape of their brush.
 #include "PostProcessSettingsTextVolume.h"
 
+#include "DiagnosticList.h"
 #include "PostProcessSettingsTextBlocks.h"
 #include "PostProcessSettingsTextScan.h"
 #include "PostProcessSettingsTextValue.h"
@@ -325,6 +326,7 @@ std::vector<FVolumeText> ReadVolumesText(
 		Messages.Error(ErrorTextNoSettings, Begin, "",
 			"there are no post-process settings in this text: expected (NAME=VALUE,..) or an actor with Settings=(..)");
 	}
+	Diagnostics = LimitDiagnostics(Diagnostics);
 	return Volumes;
 }
 

@@ -55,7 +55,7 @@ FPathPoint ReadPoint(const FJsonValue& Value, size_t Index, FConfigMessages& Mes
 	{
 		if (std::find(PointKeys.begin(), PointKeys.end(), Key) == PointKeys.end())
 		{
-			Messages.ErrorAtKey(ErrorUnknownKey, Member, "unknown key" + Suggest(Key, PointKeys));
+			Messages.ErrorAtKey(ErrorUnknownKey, Member, "unknown key" + Messages.Suggest(Key, PointKeys));
 		}
 	}
 	const FJsonValue* Location = Value.Find("location");

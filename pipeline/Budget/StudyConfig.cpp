@@ -147,7 +147,8 @@ private:
 		if (std::find(Names.begin(), Names.end(), Value) == Names.end())
 		{
 			Messages.Error(ErrorUnknownValue, At,
-				std::string("there is no ") + What + " \"" + Value + "\": " + List(Names) + Suggest(Value, Names));
+				std::string("there is no ") + What + " \"" + Value + "\": " + List(Names) +
+					Messages.Suggest(Value, Names));
 		}
 	}
 
@@ -226,7 +227,7 @@ private:
 				"\"" + Name + "\" is " +
 					(Study.bBlur ? "nothing that a study of blurs varies: " + List(GBlurNames)
 								 : "no setting, no console variable, and neither precision nor storage") +
-					Suggest(Name, Names));
+					Messages.Suggest(Name, Names));
 		}
 		return bKnown;
 	}

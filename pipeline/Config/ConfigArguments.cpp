@@ -79,7 +79,7 @@ void CheckVariable(const FConfigVariable& Variable, FConfigMessages& Messages)
 	if (Found == nullptr)
 	{
 		Messages.Error(ErrorUnknownVariable, Variable.Place,
-			"unknown console variable " + Variable.Name + Suggest(Variable.Name, GetVariableNames()));
+			"unknown console variable " + Variable.Name + Messages.SuggestFrom(Variable.Name, GetVariableNames));
 	}
 	else if (!DoesConsoleVariableTake(*Found, Variable.Value.c_str()))
 	{
@@ -112,7 +112,8 @@ void AddSettingArgument(FConfig& Config, const std::string& Argument, std::vecto
 	const FSettingField* Field = FindSettingField(Name);
 	if (Field == nullptr)
 	{
-		Messages.Error(ErrorUnknownSetting, Place, "unknown setting " + Name + Suggest(Name, GetSettingNames()));
+		Messages.Error(
+			ErrorUnknownSetting, Place, "unknown setting " + Name + Messages.SuggestFrom(Name, GetSettingNames));
 		return;
 	}
 	FSettingValue Value;

@@ -57,7 +57,8 @@ std::optional<std::string> ReadConfigCurve(
 		if (Name != "keys" && Name != "interp")
 		{
 			Messages.ErrorAtKey(ErrorUnknownKey, Member,
-				"a curve has \"keys\" and \"interp\", and no \"" + Name + "\"" + Suggest(Name, {"keys", "interp"}));
+				"a curve has \"keys\" and \"interp\", and no \"" + Name + "\"" +
+					Messages.Suggest(Name, {"keys", "interp"}));
 			bRight = false;
 		}
 	}
@@ -67,7 +68,7 @@ std::optional<std::string> ReadConfigCurve(
 	if (Found == Names.end())
 	{
 		Messages.Error(ErrorUnknownValue, *Interp,
-			"\"interp\" of " + Setting + " is linear, constant or cubic" + Suggest(Mode, Names));
+			"\"interp\" of " + Setting + " is linear, constant or cubic" + Messages.Suggest(Mode, Names));
 		bRight = false;
 	}
 	if (Keys == nullptr)

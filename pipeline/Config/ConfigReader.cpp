@@ -26,7 +26,7 @@ void FConfigMessages::Add(
 	Diagnostic.Line = Line;
 	Diagnostic.Column = Column;
 	Diagnostic.Where = Pointer;
-	Diagnostics.push_back(Diagnostic);
+	AddDiagnostic(Diagnostics, std::move(Diagnostic));
 }
 
 } // namespace Drydock

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Config/Config.h"
+#include "DiagnosticList.h"
 #include "Text/ConfigErrors.h"
 #include "Text/Json.h"
 
@@ -14,7 +15,10 @@ namespace Drydock
 /** The command line as the file of a message. */
 constexpr const char* CommandLineName = "command line";
 
-/** Collects messages about one file. */
+/** "; did you mean X?", or nothing. */
+std::string Suggest(const std::string& Name, const std::vector<std::string>& Candidates);
+
+/** Collects messages about one file, as many as AddDiagnostic keeps. */
 class FConfigMessages
 {
 public:
@@ -51,6 +55,19 @@ public:
 		Add(ESeverity::Error, Code, At.Line, At.Column, At.Pointer, Message);
 	}
 
+	/** "; did you mean X?", or nothing, as where messages are no more than counted: whoever misspells thousands of
+	 * names does not want each of them compared with all there are. GetCandidates: makes the names, where they are
+	 * wanted. */
+	template<typename TFunction>
+	std::string SuggestFrom(const std::string& Name, const TFunction& GetCandidates) const
+	{
+		return Diagnostics.size() < MaxDiagnostics ? Drydock::Suggest(Name, GetCandidates()) : "";
+	}
+	std::string Suggest(const std::string& Name, const std::vector<std::string>& Candidates) const
+	{
+		return Diagnostics.size() < MaxDiagnostics ? Drydock::Suggest(Name, Candidates) : "";
+	}
+
 private:
 	void Add(
 		ESeverity Severity, int Code, int Line, int Column, const std::string& Pointer, const std::string& Message);
@@ -82,9 +99,6 @@ bool ReadConfigVector(const FJsonValue& Value, FConfigVector& OutVector);
 /** Pitch, yaw, roll: [pitch, yaw, roll], {Pitch, Yaw, Roll} with 0 for what is left out, or {X, Y, Z} in that order;
  * false when it is none of these. */
 bool ReadConfigRotator(const FJsonValue& Value, FConfigVector& OutRotator);
-
-/** "; did you mean X?", or nothing. */
-std::string Suggest(const std::string& Name, const std::vector<std::string>& Candidates);
 
 FConfigPlace PlaceOf(const FJsonValue& Value);
 

@@ -154,7 +154,8 @@ void ReadSetting(const std::string& Name, const FJsonValue& Value, FConfigSettin
 	const FSettingField* Field = FindSettingField(Name);
 	if (Field == nullptr)
 	{
-		Messages.ErrorAtKey(ErrorUnknownSetting, Value, "unknown setting" + Suggest(Name, GetSettingNames()));
+		Messages.ErrorAtKey(
+			ErrorUnknownSetting, Value, "unknown setting" + Messages.SuggestFrom(Name, GetSettingNames));
 		return;
 	}
 	FSettingValue SettingValue;
@@ -175,7 +176,8 @@ void ReadSetting(const std::string& Name, const FJsonValue& Value, FConfigSettin
 	{
 		const std::string Suggestion =
 			Field->Type == ESettingType::Enum && Value.Type == EJsonType::String
-				? Suggest(Value.String, std::vector<std::string>(Field->EnumNames.begin(), Field->EnumNames.end()))
+				? Messages.Suggest(
+					  Value.String, std::vector<std::string>(Field->EnumNames.begin(), Field->EnumNames.end()))
 				: "";
 		const EConfigError Code = Suggestion.empty() && Value.Type != EJsonType::String ? ErrorWrongType
 								  : Field->Type == ESettingType::Enum                   ? ErrorUnknownValue
@@ -202,6 +204,16 @@ void ReadSetting(const std::string& Name, const FJsonValue& Value, FConfigSettin
 	Settings.Places[Name] = {Value.KeyLine, Value.KeyColumn, Value.Pointer};
 }
 
+std::vector<std::string> GetOverrideNames()
+{
+	std::vector<std::string> Names;
+	for (const FSettingField& Field : GetSettingFields())
+	{
+		Names.emplace_back(Field.OverrideName);
+	}
+	return Names;
+}
+
 /** Override bits come after all values, whatever their order in the file. */
 void ReadOverride(
 	const std::string& Name, const FJsonValue& Value, FConfigSettings& Settings, FConfigMessages& Messages)
@@ -210,12 +222,8 @@ void ReadOverride(
 	const std::string Setting = Field == nullptr ? "" : Field->Name;
 	if (Field == nullptr)
 	{
-		std::vector<std::string> Names;
-		for (const FSettingField& Candidate : GetSettingFields())
-		{
-			Names.emplace_back(Candidate.OverrideName);
-		}
-		Messages.ErrorAtKey(ErrorUnknownSetting, Value, "unknown setting" + Suggest(Name, Names));
+		Messages.ErrorAtKey(
+			ErrorUnknownSetting, Value, "unknown setting" + Messages.SuggestFrom(Name, GetOverrideNames));
 	}
 	else if (Value.Type != EJsonType::Bool)
 	{

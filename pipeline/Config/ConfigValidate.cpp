@@ -65,8 +65,8 @@ public:
 			const FConfigKey* Key = FindConfigKey(Object, Name);
 			if (Key == nullptr)
 			{
-				Messages.ErrorAtKey(
-					ErrorUnknownKey, Member, "unknown key \"" + Name + "\"" + Suggest(Name, NamesOf(Object)));
+				Messages.ErrorAtKey(ErrorUnknownKey, Member,
+					"unknown key \"" + Name + "\"" + Messages.SuggestFrom(Name, [&] { return NamesOf(Object); }));
 				continue;
 			}
 			ValidateMember(Member, *Key);
@@ -213,7 +213,7 @@ private:
 				List += std::string(List.empty() ? "" : ", ") + Text;
 			}
 			Messages.Error(ErrorUnknownValue, Value,
-				"\"" + Value.String + "\" is none of " + List + Suggest(Value.String, Allowed));
+				"\"" + Value.String + "\" is none of " + List + Messages.Suggest(Value.String, Allowed));
 		}
 	}
 
@@ -251,7 +251,8 @@ private:
 		if (Key.Kind == EConfigKind::Rotator && Unknown != Value.Members.end() && Value.Find("X") == nullptr)
 		{
 			Messages.ErrorAtKey(ErrorUnknownKey, Unknown->Value,
-				"a rotation has Pitch, Yaw and Roll, and no \"" + Unknown->Key + "\"" + Suggest(Unknown->Key, Angles));
+				"a rotation has Pitch, Yaw and Roll, and no \"" + Unknown->Key + "\"" +
+					Messages.Suggest(Unknown->Key, Angles));
 			return;
 		}
 		WrongType(Value, Key);

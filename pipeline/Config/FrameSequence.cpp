@@ -66,7 +66,10 @@ std::vector<FSequenceFrame> FindFrames(const FConfig& Config, const std::string&
 	std::vector<FSequenceFrame> Frames = FindSequenceFrames(Config.Resolve(Pattern));
 	if (Frames.empty())
 	{
-		ThrowNoFrame(Config, "no file matches " + Config.Resolve(Pattern));
+		const Files::path Resolved = Config.Resolve(Pattern);
+		std::error_code Error;
+		const Files::directory_iterator Listed(Resolved.has_parent_path() ? Resolved.parent_path() : ".", Error);
+		ThrowNoFrame(Config, "no file matches " + Resolved.string() + (Error ? ": " + Error.message() : ""));
 	}
 	return Frames;
 }

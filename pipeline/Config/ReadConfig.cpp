@@ -7,13 +7,12 @@
 #include "Config/FrameList.h"
 #include "Config/FrameSequence.h"
 #include "ShowFlags.h"
+#include "Text/LimitErrors.h"
+#include "Text/TextFile.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <tuple>
 
 namespace Drydock
@@ -26,6 +25,8 @@ namespace
 constexpr double MaxExtent = 65536.0;
 constexpr double MaxPadding = 4096.0;
 constexpr double MaxScreenPercentage = 400.0;
+/** Each holds all settings, some kilobytes. */
+constexpr size_t MaxVolumes = 10'000;
 
 template<typename TFunction>
 void WithMember(const FJsonValue& Object, const char* Key, EJsonType Type, const TFunction& Function)
@@ -304,6 +305,12 @@ void ReadVolumes(const FJsonValue& Root, FConfig& Config, FConfigMessages& Messa
 				{
 					continue;
 				}
+				if (Config.Volumes.size() == MaxVolumes)
+				{
+					Messages.Error(
+						ErrorBadValue, Value, "more than " + std::to_string(MaxVolumes) + " volumes; no more are read");
+					break;
+				}
 				Config.Volumes.push_back(ReadVolume(Value, Messages));
 			}
 		});
@@ -371,7 +378,8 @@ void ReadShowFlags(const FJsonValue& Root, FConfig& Config, FConfigMessages& Mes
 			{
 				if (std::find(Names.begin(), Names.end(), Name) == Names.end())
 				{
-					Messages.ErrorAtKey(ErrorUnknownShowFlag, Value, "unknown show flag" + Suggest(Name, Names));
+					Messages.ErrorAtKey(
+						ErrorUnknownShowFlag, Value, "unknown show flag" + Messages.Suggest(Name, Names));
 				}
 				else if (Value.Type != EJsonType::Bool)
 				{
@@ -490,13 +498,7 @@ FConfigDocument ParseConfigDocument(const std::string& Text, const std::string& 
 
 FConfigDocument LoadConfigDocument(const std::string& File)
 {
-	std::ifstream Stream(File, std::ios::binary);
-	std::stringstream Text;
-	if (std::filesystem::is_directory(File) || !Stream || !(Text << Stream.rdbuf()))
-	{
-		throw FError({.Code = ErrorFileMissing, .Message = "the config cannot be read", .File = File}, ExitFiles);
-	}
-	return ParseConfigDocument(Text.str(), File);
+	return ParseConfigDocument(ReadTextFile(File, "the config cannot be read"), File);
 }
 
 FConfig ReadConfigPlugins(const FConfigDocument& Document)
@@ -521,9 +523,12 @@ FConfig ReadConfig(const FConfigDocument& Document, std::vector<FDiagnostic>& Di
 		ValidateConfigShape(Document.Root, Messages);
 		ReadRoot(Document.Root, Config, Messages);
 	}
+	const auto GetOrder = [](const FDiagnostic& Diagnostic)
+	{
+		return std::tuple(Diagnostic.Code == MoreMessages, Diagnostic.Line, Diagnostic.Column);
+	};
 	std::stable_sort(Found.begin(), Found.end(),
-		[](const FDiagnostic& A, const FDiagnostic& B)
-		{ return std::tie(A.Line, A.Column) < std::tie(B.Line, B.Column); });
+		[&](const FDiagnostic& A, const FDiagnostic& B) { return GetOrder(A) < GetOrder(B); });
 	Diagnostics.insert(Diagnostics.end(), Found.begin(), Found.end());
 	return Config;
 }

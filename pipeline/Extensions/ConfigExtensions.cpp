@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 namespace Drydock
@@ -126,7 +127,7 @@ void ReadParameter(
 		{
 			Messages.Error(ErrorUnknownValue, Value,
 				Spec.Name + ": \"" + Value.String + "\" is none of " + Join(Spec.Choices) +
-					Suggest(Value.String, Spec.Choices));
+					Messages.Suggest(Value.String, Spec.Choices));
 		}
 		else
 		{
@@ -173,7 +174,7 @@ FParameterValues ReadParameters(const FJsonValue& Object, const std::vector<FPar
 		else if (std::find(Others.begin(), Others.end(), Name) == Others.end())
 		{
 			Messages.ErrorAtKey(
-				ErrorUnknownKey, Member, Type + " has no parameter \"" + Name + "\"" + Suggest(Name, Names));
+				ErrorUnknownKey, Member, Type + " has no parameter \"" + Name + "\"" + Messages.Suggest(Name, Names));
 		}
 	}
 	return Values;
@@ -186,7 +187,7 @@ bool CheckHook(const FConfig& Config, const FJsonValue& Value, const std::string
 	if (std::find(Allowed.begin(), Allowed.end(), Hook) == Allowed.end())
 	{
 		Messages.Error(ErrorUnknownValue, Value,
-			"\"" + Hook + "\" is no hook of " + Type + ": " + Join(Allowed) + Suggest(Hook, Allowed));
+			"\"" + Hook + "\" is no hook of " + Type + ": " + Join(Allowed) + Messages.Suggest(Hook, Allowed));
 		return false;
 	}
 	const auto Pass = FindPassByName(Hook);
@@ -217,8 +218,33 @@ std::vector<std::string> GetInsertionHooks()
 	return Hooks;
 }
 
-/** Earlier: names of the results of the passes before. */
-void ReadPassInputs(const FJsonValue& Value, const FPassFactory& Factory, const std::vector<std::string>& Earlier,
+/** What a pass is called of which the type is missing. */
+const std::string NamelessPass = "pass";
+
+/** Names of the results of passes: those that stand before a pass in the config. */
+class FPassNames
+{
+public:
+	void Add(const std::string& Name)
+	{
+		InOrder.push_back(Name);
+		Known.insert(Name);
+	}
+	bool Contains(const std::string& Name) const { return Known.count(Name) != 0; }
+
+	/** The last of them, for messages. */
+	std::vector<std::string> GetLast() const
+	{
+		constexpr size_t MaxListed = 100;
+		return {InOrder.end() - static_cast<std::ptrdiff_t>(std::min(InOrder.size(), MaxListed)), InOrder.end()};
+	}
+
+private:
+	std::vector<std::string> InOrder;
+	std::set<std::string> Known;
+};
+
+void ReadPassInputs(const FJsonValue& Value, const FPassFactory& Factory, const FPassNames& Earlier,
 	FPassRequest& Request, FConfigMessages& Messages)
 {
 	std::vector<std::string> Names;
@@ -228,7 +254,8 @@ void ReadPassInputs(const FJsonValue& Value, const FPassFactory& Factory, const 
 		Request.Resources[Spec.Name] = Spec.Default;
 	}
 	std::vector<std::string> Resources = GetPassResources();
-	Resources.insert(Resources.end(), Earlier.begin(), Earlier.end());
+	const std::vector<std::string> LastEarlier = Earlier.GetLast();
+	Resources.insert(Resources.end(), LastEarlier.begin(), LastEarlier.end());
 	std::set<std::string> Given;
 	const FJsonValue* Inputs = Value.Find("inputs");
 	if (Inputs != nullptr && Inputs->Type == EJsonType::Object)
@@ -243,14 +270,15 @@ void ReadPassInputs(const FJsonValue& Value, const FPassFactory& Factory, const 
 			if (std::find(Names.begin(), Names.end(), Name) == Names.end())
 			{
 				Messages.ErrorAtKey(ErrorPassInput, Resource,
-					Factory.Type + " has no input \"" + Name + "\"" + Suggest(Name, Names) + "; there is " +
+					Factory.Type + " has no input \"" + Name + "\"" + Messages.Suggest(Name, Names) + "; there is " +
 						Join(Names));
 			}
-			else if (std::find(Resources.begin(), Resources.end(), Resource.String) == Resources.end())
+			else if (!Earlier.Contains(Resource.String) &&
+					 std::find(Resources.begin(), Resources.end(), Resource.String) == Resources.end())
 			{
 				Messages.Error(ErrorPassInput, Resource,
-					"there is no resource \"" + Resource.String + "\" here" + Suggest(Resource.String, Resources) +
-						"; there is " + Join(Resources));
+					"there is no resource \"" + Resource.String + "\" here" +
+						Messages.Suggest(Resource.String, Resources) + "; there is " + Join(Resources));
 			}
 			else
 			{
@@ -285,8 +313,8 @@ std::vector<FExtensionRequest> ReadExtensionRequests(const FConfig& Config, std:
 		{
 			const std::vector<std::string> Types = GetTypes(GetExtensionFactories());
 			Messages.Error(ErrorUnknownExtension, *Type,
-				"there is no extension \"" + Type->String + "\"" + Suggest(Type->String, Types) + "; there is " +
-					Join(Types));
+				"there is no extension \"" + Type->String + "\"" + Messages.Suggest(Type->String, Types) +
+					"; there is " + Join(Types));
 			continue;
 		}
 		FExtensionRequest Request;
@@ -311,50 +339,65 @@ std::vector<FExtensionRequest> ReadExtensionRequests(const FConfig& Config, std:
 	return Requests;
 }
 
+namespace
+{
+
+/** Empty where there is no such pass, which is reported. */
+std::optional<FPassRequest> ReadPassRequest(const FConfig& Config, const FJsonValue& Value, const std::string& Name,
+	const FPassNames& Earlier, FConfigMessages& Messages)
+{
+	const FJsonValue* Type = FindString(Value, "type");
+	const FJsonValue* At = FindString(Value, "at");
+	if (At != nullptr)
+	{
+		CheckHook(
+			Config, *At, At->String, GetInsertionHooks(), Type != nullptr ? Type->String : NamelessPass, Messages);
+	}
+	if (Type == nullptr)
+	{
+		return std::nullopt; // reported with the config's shape
+	}
+	const FPassFactory* Factory = FindPassFactory(Type->String);
+	if (Factory == nullptr)
+	{
+		const std::vector<std::string> Types = GetTypes(GetPassFactories());
+		Messages.Error(ErrorUnknownPass, *Type,
+			"there is no pass \"" + Type->String + "\"" + Messages.Suggest(Type->String, Types) + "; there is " +
+				Join(Types));
+		return std::nullopt;
+	}
+	FPassRequest Request;
+	Request.Type = Factory->Type;
+	Request.Hook = At != nullptr ? At->String : "";
+	Request.Name = Name;
+	if (const FJsonValue* Replace = Value.Find("replace"))
+	{
+		Request.bReplace = Replace->Type != EJsonType::Bool || Replace->Bool;
+	}
+	ReadPassInputs(Value, *Factory, Earlier, Request, Messages);
+	const FJsonValue* Parameters = Value.Find("parameters");
+	Request.Values = ReadParameters(
+		Parameters != nullptr ? *Parameters : FJsonValue(), Factory->Parameters, {}, Factory->Type, Messages);
+	return Request;
+}
+
+} // namespace
+
 std::vector<FPassRequest> ReadPassRequests(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics)
 {
 	FConfigMessages Messages(Config.File, Diagnostics);
 	std::vector<FPassRequest> Requests;
-	std::vector<std::string> Earlier;
+	FPassNames Earlier;
 	for (const FJsonValue& Value : Config.Passes)
 	{
 		const FJsonValue* Type = FindString(Value, "type");
-		const FJsonValue* At = FindString(Value, "at");
-		const FJsonValue* Name = FindString(Value, "name");
-		const std::string TypeName = Type != nullptr ? Type->String : "pass";
-		if (At != nullptr)
+		const FJsonValue* Given = FindString(Value, "name");
+		const std::string Name = Given != nullptr ? Given->String : Type != nullptr ? Type->String : NamelessPass;
+		if (std::optional<FPassRequest> Request = ReadPassRequest(Config, Value, Name, Earlier, Messages))
 		{
-			CheckHook(Config, *At, At->String, GetInsertionHooks(), TypeName, Messages);
+			Requests.push_back(std::move(*Request));
 		}
-		// Later passes may read its result even where it has a mistake.
-		const std::vector<std::string> Before = Earlier;
-		Earlier.push_back(Name != nullptr ? Name->String : TypeName);
-		if (Type == nullptr)
-		{
-			continue; // reported with the config's shape
-		}
-		const FPassFactory* Factory = FindPassFactory(Type->String);
-		if (Factory == nullptr)
-		{
-			const std::vector<std::string> Types = GetTypes(GetPassFactories());
-			Messages.Error(ErrorUnknownPass, *Type,
-				"there is no pass \"" + Type->String + "\"" + Suggest(Type->String, Types) + "; there is " +
-					Join(Types));
-			continue;
-		}
-		FPassRequest Request;
-		Request.Type = Factory->Type;
-		Request.Hook = At != nullptr ? At->String : "";
-		Request.Name = Earlier.back();
-		if (const FJsonValue* Replace = Value.Find("replace"))
-		{
-			Request.bReplace = Replace->Type != EJsonType::Bool || Replace->Bool;
-		}
-		ReadPassInputs(Value, *Factory, Before, Request, Messages);
-		const FJsonValue* Parameters = Value.Find("parameters");
-		Request.Values = ReadParameters(
-			Parameters != nullptr ? *Parameters : FJsonValue(), Factory->Parameters, {}, Factory->Type, Messages);
-		Requests.push_back(std::move(Request));
+		Earlier.Add(Name); // later passes may read its result even where it has a mistake
 	}
 	return Requests;
 }

@@ -58,7 +58,8 @@ void CheckSceneChannels(const FConfig& Config, const FImageFile* File, std::vect
 		const std::vector<std::string>& Known = GetSceneChannelNames();
 		if (std::find(Known.begin(), Known.end(), Name) == Known.end())
 		{
-			Messages.Error(ErrorUnknownValue, Place, "no pass knows a channel \"" + Name + "\"" + Suggest(Name, Known));
+			Messages.Error(
+				ErrorUnknownValue, Place, "no pass knows a channel \"" + Name + "\"" + Messages.Suggest(Name, Known));
 		}
 	};
 	for (const auto& [Name, Channel] : Config.Scene.Channels)
@@ -68,7 +69,7 @@ void CheckSceneChannels(const FConfig& Config, const FImageFile* File, std::vect
 		{
 			Messages.Error(ErrorUnknownValue, Channel.Place,
 				File->GetPath() + " has no channel \"" + Channel.Value + "\"" +
-					Suggest(Channel.Value, File->GetChannels()));
+					Messages.Suggest(Channel.Value, File->GetChannels()));
 		}
 	}
 	for (const auto& [Name, Default] : Config.Scene.Defaults)

@@ -4,13 +4,17 @@
 
 #include "Text/Json.h"
 
+#include "DiagnosticList.h"
+#include "RegularFile.h"
 #include "Text/ConfigErrors.h"
 #include "Text/JsonScan.h"
+#include "Text/LimitErrors.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <iterator>
+#include <unordered_map>
 
 namespace Drydock
 {
@@ -20,6 +24,13 @@ namespace
 
 /** Deeper than any config, shallow enough for recursive readers. */
 constexpr size_t MaxDepth = 64;
+
+/** More than any config has. Each takes some 200 bytes, wherever it stands: half a gigabyte while they are collected.
+ */
+constexpr size_t MaxValues = 1'000'000;
+
+/** Bytes of a pointer. Behind that it goes on with "...", for each value has its own, and keys may be long. */
+constexpr size_t MaxPointer = 240;
 
 std::string EscapePointer(const std::string& Key)
 {
@@ -60,6 +71,10 @@ public:
 		FJsonValue Value;
 		Value.Type = EJsonType::String;
 		Value.String = Text;
+		if (HoldsNul(Text))
+		{
+			return RefuseNul(Frames.empty() ? "" : PointerOf(Frames.back()));
+		}
 		return AddLeaf(std::move(Value));
 	}
 	bool binary(std::vector<std::uint8_t>&) { return false; }
@@ -70,18 +85,20 @@ public:
 
 	bool key(std::string& Key)
 	{
+		if (HoldsNul(Key))
+		{
+			return RefuseNul(CurrentPointer());
+		}
 		const FTextPosition Position = Positions.Find(TakeToken().Offset);
 		FFrame& Frame = Frames.back();
 		Frame.Key = Key;
 		Frame.KeyPosition = Position;
-		for (const auto& [Name, Value] : Frame.Value.Members)
+		const auto [First, bNew] = Frame.KeyLines.emplace(Key, Position.Line);
+		Frame.bDuplicate = !bNew;
+		if (Frame.bDuplicate)
 		{
-			if (Name == Key)
-			{
-				Report(ErrorDuplicateKey, Position, PointerOf(Frame),
-					"key \"" + Key + "\" appears twice in this object; first on line " + std::to_string(Value.KeyLine));
-				break;
-			}
+			Report(ErrorDuplicateKey, Position, PointerOf(Frame),
+				"key \"" + Key + "\" appears twice in this object; first on line " + std::to_string(First->second));
 		}
 		return true;
 	}
@@ -115,13 +132,18 @@ private:
 		FJsonValue Value;
 		std::string Key; // of the member being read
 		FTextPosition KeyPosition;
+		bool bDuplicate = false; // the member's key stood there before
+		std::unordered_map<std::string, int> KeyLines;
 	};
 
 	static std::string PointerOf(const FFrame& Frame)
 	{
-		return Frame.Value.Pointer + "/" +
-			   (Frame.Value.Type == EJsonType::Array ? std::to_string(Frame.Value.Elements.size())
-													 : EscapePointer(Frame.Key));
+		const std::string& Parent = Frame.Value.Pointer;
+		const std::string Pointer =
+			Parent + "/" +
+			(Frame.Value.Type == EJsonType::Array ? std::to_string(Frame.Value.Elements.size())
+												  : EscapePointer(Frame.Key.substr(0, MaxPointer)));
+		return Pointer.size() <= MaxPointer ? Pointer : Parent.ends_with("/...") ? Parent : Parent + "/...";
 	}
 
 	/** Where the token that the parser stopped at begins; it counts the bytes read up to the token's end. */
@@ -139,15 +161,32 @@ private:
 
 	std::string CurrentPointer() const { return Frames.empty() ? "" : Frames.back().Value.Pointer; }
 
-	void Report(EConfigError Code, FTextPosition Position, const std::string& Pointer, const std::string& Message)
+	void Report(int Code, FTextPosition Position, const std::string& Pointer, const std::string& Message)
 	{
 		bSyntaxError = bSyntaxError || Code == ErrorJsonSyntax || Code == ErrorJsonDepth;
-		Diagnostics.push_back({.Code = Code,
-			.Message = Message,
-			.File = File,
-			.Line = Position.Line,
-			.Column = Position.Column,
-			.Where = Pointer});
+		AddDiagnostic(Diagnostics, {.Code = Code,
+									   .Message = Message,
+									   .File = File,
+									   .Line = Position.Line,
+									   .Column = Position.Column,
+									   .Where = Pointer});
+	}
+
+	/** Reports what ends the file although it is JSON. */
+	bool Refuse(int Code, FTextPosition Position, const std::string& Pointer, const std::string& Message)
+	{
+		bSyntaxError = true;
+		Report(Code, Position, Pointer, Message);
+		return false;
+	}
+
+	/** A name or path with one ends there for half of all readers, and not for the other half. */
+	static bool HoldsNul(const std::string& Text) { return Text.find('\0') != std::string::npos; }
+
+	bool RefuseNul(const std::string& Pointer)
+	{
+		return Refuse(ErrorBadValue, Positions.Find(TakeToken().Offset), Pointer,
+			"the text holds the character NUL (\\u0000), which no name, path or value can");
 	}
 
 	/** The scan's next key or value. A text that the two lexers cut differently is a syntax error sooner or later;
@@ -159,8 +198,8 @@ private:
 											  : Scan.Tokens.back();
 	}
 
-	/** Gives a value that has just begun its place. */
-	void Locate(FJsonValue& Value)
+	/** Gives a value that has just begun its place. False: there are too many. */
+	bool Locate(FJsonValue& Value)
 	{
 		const FTextPosition Position = Positions.Find(TakeToken().Offset);
 		Value.Line = Position.Line;
@@ -171,6 +210,8 @@ private:
 			Value.KeyLine = Frames.back().KeyPosition.Line;
 			Value.KeyColumn = Frames.back().KeyPosition.Column;
 		}
+		return ++NumValues <= MaxValues || Refuse(ErrorTooManyValues, Position, Value.Pointer,
+											   "more than " + std::to_string(MaxValues) + " values; no more are read");
 	}
 
 	bool AddNumber(double Number)
@@ -180,7 +221,10 @@ private:
 		FJsonValue Value;
 		Value.Type = bNotFinite ? EJsonType::Invalid : EJsonType::Number;
 		Value.Number = std::copysign(Number, bNegative ? -1.0 : 1.0); // the parser takes -0 for an integer, 0
-		Locate(Value);
+		if (!Locate(Value))
+		{
+			return false;
+		}
 		if (bNotFinite)
 		{
 			Report(ErrorNumberNotFinite, {Value.Line, Value.Column}, Value.Pointer,
@@ -192,7 +236,10 @@ private:
 
 	bool AddLeaf(FJsonValue Value)
 	{
-		Locate(Value);
+		if (!Locate(Value))
+		{
+			return false;
+		}
 		Attach(std::move(Value));
 		return true;
 	}
@@ -201,14 +248,17 @@ private:
 	{
 		FJsonValue Value;
 		Value.Type = Type;
-		Locate(Value);
+		if (!Locate(Value))
+		{
+			return false;
+		}
 		if (Frames.size() >= MaxDepth)
 		{
 			Report(ErrorJsonDepth, {Value.Line, Value.Column}, Value.Pointer,
 				"nested deeper than " + std::to_string(MaxDepth) + " levels");
 			return false;
 		}
-		Frames.push_back({std::move(Value), "", {}});
+		Frames.emplace_back().Value = std::move(Value);
 		return true;
 	}
 
@@ -232,7 +282,7 @@ private:
 		{
 			Parent.Value.Elements.push_back(std::move(Value));
 		}
-		else if (Parent.Value.Find(Parent.Key) == nullptr)
+		else if (!Parent.bDuplicate)
 		{
 			Parent.Value.Members.push_back({Parent.Key, std::move(Value)});
 		}
@@ -245,6 +295,7 @@ private:
 	std::vector<FFrame> Frames;
 	FJsonValue Root;
 	size_t NextToken = 0;
+	size_t NumValues = 0;
 	bool bSyntaxError = false;
 };
 
@@ -306,7 +357,16 @@ const char* FJsonValue::Describe() const
 FJsonValue ParseJson(
 	const std::string& Text, const std::string& File, std::vector<FDiagnostic>& Diagnostics, bool& OutSyntaxError)
 {
-	const FJsonScan Scan = ScanJson(Text);
+	if (Text.size() > MaxTextBytes)
+	{
+		OutSyntaxError = true;
+		AddDiagnostic(Diagnostics, {.Code = ErrorTextTooLarge,
+									   .Message = "the text has " + std::to_string(Text.size()) +
+												  " bytes, and at most " + std::to_string(MaxTextBytes) + " are read",
+									   .File = File});
+		return {};
+	}
+	const FJsonScan Scan = ScanJson(Text, 2 * MaxValues + 2); // a key and a value each
 	FTreeBuilder Builder(Text, Scan, File, Diagnostics);
 	const bool bRead = nlohmann::json::sax_parse(Scan.Text, &Builder, nlohmann::json::input_format_t::json, true, true);
 	OutSyntaxError = !bRead || Builder.HasSyntaxError();

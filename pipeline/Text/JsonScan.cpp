@@ -67,11 +67,11 @@ size_t SkipComment(const std::string& Text, size_t Begin)
 
 } // namespace
 
-FJsonScan ScanJson(const std::string& Text)
+FJsonScan ScanJson(const std::string& Text, size_t MaxTokens)
 {
 	FJsonScan Scan;
 	Scan.Text = Text;
-	for (size_t At = 0; At < Text.size();)
+	for (size_t At = 0; At < Text.size() && Scan.Tokens.size() < MaxTokens;)
 	{
 		const char Character = Text[At];
 		if (Character == '"')

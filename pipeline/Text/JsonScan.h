@@ -25,6 +25,7 @@ struct FJsonScan
 	std::string Text;
 };
 
-FJsonScan ScanJson(const std::string& Text);
+/** Looks no further than MaxTokens keys and values: nobody asks for those behind. */
+FJsonScan ScanJson(const std::string& Text, size_t MaxTokens);
 
 } // namespace Drydock

@@ -7,6 +7,7 @@
 #include "Text/Json.h"
 #include "Text/JsonWriter.h"
 
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -203,6 +204,98 @@ TEST(Json, DeepNestingIsRefused)
 TEST(Json, ABombOfBracketsEndsQuickly)
 {
 	EXPECT_TRUE(Parse(std::string(1000000, '[')).bSyntaxError);
+}
+
+namespace
+{
+
+/** Count times Make(index), with commas between. */
+template<typename TFunction>
+std::string Join(size_t Count, const TFunction& Make)
+{
+	std::string Text;
+	for (size_t Index = 0; Index < Count; ++Index)
+	{
+		Text += (Index > 0 ? "," : "") + Make(Index);
+	}
+	return Text;
+}
+
+class FStopwatch
+{
+public:
+	double GetSeconds() const
+	{
+		return std::chrono::duration<double>(std::chrono::steady_clock::now() - Begin).count();
+	}
+
+private:
+	const std::chrono::steady_clock::time_point Begin = std::chrono::steady_clock::now();
+};
+
+} // namespace
+
+/** Compared with each other, these keys took five minutes. */
+TEST(Json, ManyKeysTakeLinearTime)
+{
+	const std::string Text =
+		"{" + Join(200'000, [](size_t Index) { return "\"k" + std::to_string(Index) + "\":1"; }) + "}";
+	const FStopwatch Watch;
+	const FParsed Parsed = Parse(Text);
+	EXPECT_LT(Watch.GetSeconds(), 20.0);
+	EXPECT_TRUE(Parsed.Diagnostics.empty());
+	EXPECT_EQ(200'000u, Parsed.Root.Members.size());
+}
+
+TEST(Json, AMillionMistakesAreAHundredMessages)
+{
+	const FParsed Parsed = Parse("[" + Join(900'000, [](size_t) { return std::string("NaN"); }) + "]");
+	EXPECT_FALSE(Parsed.bSyntaxError);
+	ASSERT_EQ(101u, Parsed.Diagnostics.size());
+	EXPECT_EQ("/99", Parsed.Diagnostics[99].Where);
+	EXPECT_EQ("and 899900 more errors", Parsed.Diagnostics[100].Message);
+}
+
+TEST(Json, MoreValuesThanAnyConfigHasAreRefused)
+{
+	const auto One = [](size_t)
+	{
+		return std::string("1");
+	};
+	EXPECT_FALSE(Parse("[" + Join(999'999, One) + "]").bSyntaxError); // the array is the millionth
+	const FParsed Parsed = Parse("[" + Join(1'000'000, One) + "]");
+	EXPECT_TRUE(Parsed.bSyntaxError);
+	ASSERT_EQ(1u, Parsed.Diagnostics.size());
+	EXPECT_EQ("t.json:1:2000000: error DD1024 at /999999: more than 1000000 values; no more are read",
+		Parsed.Diagnostics[0].ToString());
+}
+
+TEST(Json, MoreTextThanIsReadIsRefused)
+{
+	const FParsed Parsed = Parse(std::string((16 << 20) + 1, ' '));
+	EXPECT_TRUE(Parsed.bSyntaxError);
+	ASSERT_EQ(1u, Parsed.Diagnostics.size());
+	EXPECT_EQ("t.json: error DD5007: the text has 16777217 bytes, and at most 16777216 are read",
+		Parsed.Diagnostics[0].ToString());
+}
+
+/** A pointer of the whole key for every element would be a terabyte. */
+TEST(Json, LongKeysDoNotMakeLongPointers)
+{
+	const FParsed Parsed = Parse(
+		"{\"" + std::string(5'000'000, 'k') + "\":[" + Join(200'000, [](size_t) { return std::string("1"); }) + "]}");
+	EXPECT_TRUE(Parsed.Diagnostics.empty());
+	const FJsonValue& Array = Parsed.Root.Members[0].Value;
+	EXPECT_EQ("/...", Array.Pointer);
+	EXPECT_LT(Array.Elements.back().Pointer.size(), 300u);
+}
+
+TEST(Json, ATextWithNulIsRefused)
+{
+	EXPECT_EQ("1:17 1010 /scene/f", OnlyMessage(R"({"scene": {"f": "a\u0000.exr"}})"));
+	EXPECT_EQ("1:2 1010 ", OnlyMessage(R"({"sc\u0000ene": 1})"));
+	EXPECT_TRUE(Parse(R"(["\u0000"])").bSyntaxError);
+	EXPECT_FALSE(Parse(R"(["\u0001"])").bSyntaxError);
 }
 
 /** Seeds for random damage. */
