@@ -3,13 +3,8 @@
 
 #include "Picture/ExrHeader.h"
 
-#include "Diagnostics.h"
-#include "Text/ConfigErrors.h"
-
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <fstream>
 #include <string_view>
 #include <vector>
 
@@ -21,7 +16,6 @@ namespace
 
 constexpr uint32_t Magic = 20000630;
 constexpr uint32_t MultiPartFlag = 0x1000;
-constexpr size_t MaxName = 255;
 constexpr size_t MaxParts = 1024;
 /** Tiles larger than the window are legal, up to this many pixels a side. */
 constexpr int64_t MaxTileSide = 512;
@@ -51,74 +45,6 @@ constexpr std::array<FFixedType, 24> FixedTypes = {{{"box2f", 16}, {"box2i", 16}
 	{"lineOrder", 1}, {"m33d", 72}, {"m33f", 36}, {"m44d", 128}, {"m44f", 64}, {"rational", 8}, {"tiledesc", 9},
 	{"timecode", 8}, {"v2d", 16}, {"v2f", 8}, {"v2i", 8}, {"v3d", 24}, {"v3f", 12}, {"v3i", 12}}};
 
-/** The bytes of the file, read in order. */
-class FBytes
-{
-public:
-	explicit FBytes(const std::string& InPath)
-		: Path(InPath)
-		, Stream(InPath, std::ios::binary)
-	{
-		Stream.seekg(0, std::ios::end);
-		Size = std::max<int64_t>(0, Stream.tellg());
-		Stream.seekg(0);
-	}
-
-	/** Message: goes on after "the image file ". */
-	[[noreturn]] void Fail(const std::string& Message, EConfigError Code = ErrorImageBroken) const
-	{
-		throw FError({.Code = Code, .Message = "the image file " + Message, .File = Path}, ExitFiles);
-	}
-
-	int64_t GetSize() const { return Size; }
-	int64_t GetLeft() const { return Size - Position; }
-
-	template<typename T>
-	T Read()
-	{
-		T Value{};
-		Take(&Value, sizeof(T));
-		return Value;
-	}
-
-	std::string ReadText()
-	{
-		std::string Text;
-		for (char Character = Read<char>(); Character != '\0'; Character = Read<char>())
-		{
-			Text += Character;
-			if (Text.size() > MaxName || static_cast<unsigned char>(Character) < ' ')
-			{
-				Fail("is corrupt: a name in its header is none");
-			}
-		}
-		return Text;
-	}
-
-	void SkipTo(int64_t InPosition)
-	{
-		Position = InPosition;
-		Stream.seekg(Position);
-	}
-
-	int64_t GetPosition() const { return Position; }
-
-private:
-	void Take(void* Data, int64_t Count)
-	{
-		if (Count > GetLeft() || !Stream.read(static_cast<char*>(Data), Count))
-		{
-			Fail("is truncated or corrupt: it ends inside its header");
-		}
-		Position += Count;
-	}
-
-	const std::string Path;
-	std::ifstream Stream;
-	int64_t Size = 0;
-	int64_t Position = 0;
-};
-
 /** What memory depends on in the header of one part. */
 struct FPart
 {
@@ -133,7 +59,7 @@ struct FPart
 	bool bDeep = false;
 };
 
-void ReadWindow(FBytes& Bytes, FPart& Part)
+void ReadWindow(FHeaderBytes& Bytes, FPart& Part)
 {
 	const int64_t MinX = Bytes.Read<int32_t>();
 	const int64_t MinY = Bytes.Read<int32_t>();
@@ -141,19 +67,10 @@ void ReadWindow(FBytes& Bytes, FPart& Part)
 	const int64_t MaxY = Bytes.Read<int32_t>();
 	Part.Width = MaxX - MinX + 1;
 	Part.Height = MaxY - MinY + 1;
-	if (Part.Width < 1 || Part.Height < 1)
-	{
-		Bytes.Fail("holds no picture");
-	}
-	if (Part.Width > MaxImageSide || Part.Height > MaxImageSide || Part.Width * Part.Height > MaxImagePixels)
-	{
-		Bytes.Fail(fmt::format("says {} x {} pixels; the largest frame is {} a side and {} in all", Part.Width,
-					   Part.Height, MaxImageSide, MaxImagePixels),
-			ErrorImageTooLarge);
-	}
+	Bytes.CheckSize(Part.Width, Part.Height);
 }
 
-void ReadChannels(FBytes& Bytes, FPart& Part)
+void ReadChannels(FHeaderBytes& Bytes, FPart& Part)
 {
 	Part.NumChannels = 0;
 	Part.BytesPerPixel = 0;
@@ -176,7 +93,7 @@ void ReadChannels(FBytes& Bytes, FPart& Part)
 	}
 }
 
-void ReadAttribute(FBytes& Bytes, const std::string& Name, FPart& Part)
+void ReadAttribute(FHeaderBytes& Bytes, const std::string& Name, FPart& Part)
 {
 	if (Name == "dataWindow")
 	{
@@ -215,7 +132,7 @@ void ReadAttribute(FBytes& Bytes, const std::string& Name, FPart& Part)
 }
 
 /** Texts, each behind its length, up to End exactly. Leaves the position where it was. */
-bool IsStringVector(FBytes& Bytes, int64_t End)
+bool IsStringVector(FHeaderBytes& Bytes, int64_t End)
 {
 	const int64_t Begin = Bytes.GetPosition();
 	int64_t At = Begin;
@@ -230,7 +147,7 @@ bool IsStringVector(FBytes& Bytes, int64_t End)
 }
 
 /** False: the empty header that ends the list of parts. */
-bool ReadPart(FBytes& Bytes, FPart& Part)
+bool ReadPart(FHeaderBytes& Bytes, FPart& Part)
 {
 	bool bAny = false;
 	for (std::string Name = Bytes.ReadText(); !Name.empty(); Name = Bytes.ReadText())
@@ -273,7 +190,7 @@ int64_t CountChunks(const FPart& Part)
 	return std::max(Computed, Part.NumChunks);
 }
 
-void CheckPart(const FPart& Part, const FBytes& Bytes)
+void CheckPart(const FPart& Part, const FHeaderBytes& Bytes)
 {
 	if (Part.Width == 0 || Part.NumChannels == 0)
 	{
@@ -302,18 +219,9 @@ void CheckPart(const FPart& Part, const FBytes& Bytes)
 
 } // namespace
 
-bool IsExrFile(const std::string& Path)
+void CheckExrHeader(FHeaderBytes& Bytes)
 {
-	std::string End = Path.size() < 4 ? std::string() : Path.substr(Path.size() - 4);
-	std::transform(End.begin(), End.end(), End.begin(), [](unsigned char C) { return std::tolower(C); });
-	uint32_t First = 0;
-	std::ifstream(Path, std::ios::binary).read(reinterpret_cast<char*>(&First), sizeof(First));
-	return End == ".exr" || First == Magic;
-}
-
-void CheckExrHeader(const std::string& Path)
-{
-	FBytes Bytes(Path);
+	Bytes.SkipTo(0);
 	if (Bytes.Read<uint32_t>() != Magic)
 	{
 		Bytes.Fail("cannot be read: it is no OpenEXR file");

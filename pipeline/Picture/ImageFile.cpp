@@ -2,16 +2,22 @@
 #include <fmt/format.h>
 
 #include <Imath/half.h>
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include "Picture/ImageFile.h"
 
-#include "Picture/ExrHeader.h"
+#include "DiagnosticList.h"
+#include "Picture/ImageBytes.h"
+#include "Picture/ImageFormat.h"
+#include "RegularFile.h"
 #include "Text/ConfigErrors.h"
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
+#include <fstream>
+#include <new>
+#include <sstream>
 
 namespace Drydock
 {
@@ -50,26 +56,6 @@ bool IsColorChannel(const std::string& Name)
 namespace
 {
 
-/** Null with a reason. OpenEXR's reader alone gets its files: others would be asked about a broken one, too. */
-std::unique_ptr<OIIO::ImageInput> Open(const std::string& Path, std::string& Fault)
-{
-	if (!IsExrFile(Path))
-	{
-		std::unique_ptr<OIIO::ImageInput> File = OIIO::ImageInput::open(Path);
-		Fault = File ? std::string() : OIIO::geterror();
-		return File;
-	}
-	CheckExrHeader(Path);
-	std::unique_ptr<OIIO::ImageInput> File = OIIO::ImageInput::create("openexr");
-	OIIO::ImageSpec Spec;
-	if (!File || !File->open(Path, Spec))
-	{
-		Fault = File ? File->geterror() : OIIO::geterror();
-		return nullptr;
-	}
-	return File;
-}
-
 /** Far enough that nothing is there, and near enough to be counted on with. */
 int GetDistance(int From, int To)
 {
@@ -79,24 +65,84 @@ int GetDistance(int From, int To)
 
 } // namespace
 
+namespace
+{
+
+/** Numbers that one read gives: 8 GB of them. */
+constexpr size_t MaxImageValues = size_t(1) << 31;
+
+/** Rows that are read at once, so that no second copy of the whole picture is held. Tiles are read all at once. */
+int GetBandHeight(const OIIO::ImageSpec& Spec, size_t NumChannels)
+{
+	constexpr size_t MaxBandValues = size_t(1) << 24;
+	constexpr size_t LargestChunk = 256; // rows that OpenEXR packs together
+	if (Spec.tile_width > 0)
+	{
+		return Spec.height;
+	}
+	const size_t RowValues = static_cast<size_t>(Spec.width) * NumChannels;
+	const size_t NumRows = std::max(MaxBandValues / RowValues / LargestChunk, size_t(1)) * LargestChunk;
+	return static_cast<int>(std::min(NumRows, static_cast<size_t>(Spec.height)));
+}
+
+/** Rows Y to EndY, counted from the first, of the channels Begin to End. */
+bool ReadBand(OIIO::ImageInput& File, int Y, int EndY, int Begin, int End, float* To)
+{
+	const OIIO::ImageSpec& Spec = File.spec();
+	return Spec.tile_width > 0
+			   ? File.read_image(0, 0, Begin, End, OIIO::TypeDesc::FLOAT, To)
+			   : File.read_scanlines(0, 0, Spec.y + Y, Spec.y + EndY, 0, Begin, End, OIIO::TypeDesc::FLOAT, To);
+}
+
+} // namespace
+
 struct FImageFile::FInput
 {
-	std::unique_ptr<OIIO::ImageInput> File;
+	std::unique_ptr<OIIO::Filesystem::IOMemReader> Memory; // of bytes that stand for a file
+	std::unique_ptr<OIIO::ImageInput> File;                // goes first: it reads from Memory
+
+	/** Why the file cannot be read, or nothing. Only the reader that the header calls for is asked: the library would
+	 * try them all. */
+	std::string Open(const std::string& Path);
 };
+
+std::string FImageFile::FInput::Open(const std::string& Path)
+{
+	std::string Reader;
+	if (const std::string* const Bytes = FImageBytes::Find(Path))
+	{
+		std::istringstream Stream(*Bytes);
+		FHeaderBytes Header(Path, Stream);
+		Reader = CheckImageHeader(Path, Header);
+		Memory = std::make_unique<OIIO::Filesystem::IOMemReader>(Bytes->data(), Bytes->size());
+	}
+	else
+	{
+		const FRegularFile Readable(Path);
+		if (!Readable.GetProblem().empty())
+		{
+			throw MakeError(ErrorFileMissing, Path, "the image file cannot be opened: " + Readable.GetProblem());
+		}
+		std::ifstream Stream(Path, std::ios::binary);
+		FHeaderBytes Header(Path, Stream);
+		Reader = CheckImageHeader(Path, Header);
+	}
+	File = OIIO::ImageInput::create(Reader);
+	OIIO::ImageSpec Spec;
+	if (!File || (Memory && !File->set_ioproxy(Memory.get())) || !File->open(Path, Spec))
+	{
+		return OneLine(File ? File->geterror() : OIIO::geterror());
+	}
+	return "";
+}
 
 FImageFile::FImageFile(const std::string& InPath)
 	: Path(InPath)
 	, Input(std::make_unique<FInput>())
 {
-	if (!std::filesystem::is_regular_file(Path))
+	if (const std::string Fault = Input->Open(Path); !Fault.empty())
 	{
-		throw MakeError(ErrorFileMissing, Path, "the image file cannot be opened: there is no such file");
-	}
-	std::string Fault;
-	Input->File = Open(Path, Fault);
-	if (!Input->File)
-	{
-		throw MakeError(ErrorImageBroken, Path, "the image file cannot be read: " + OneLine(Fault));
+		throw MakeError(ErrorImageBroken, Path, "the image file cannot be read: " + Fault);
 	}
 	const OIIO::ImageSpec& Spec = Input->File->spec();
 	Width = Spec.width;
@@ -138,24 +184,49 @@ std::vector<std::vector<float>> FImageFile::Read(const std::vector<int>& Channel
 	}
 	const auto [First, Last] = std::minmax_element(ChannelIndices.begin(), ChannelIndices.end());
 	const int Begin = *First;
-	const size_t NumRead = static_cast<size_t>(*Last - Begin + 1);
+	const int End = *Last + 1;
+	const size_t NumRead = static_cast<size_t>(End - Begin);
 	const size_t NumPixels = static_cast<size_t>(Width) * static_cast<size_t>(Height);
-	std::vector<float> Pixels(NumPixels * NumRead);
-	if (!Input->File->read_image(0, 0, Begin, *Last + 1, OIIO::TypeDesc::FLOAT, Pixels.data()))
+	if (NumPixels * Planes.size() > MaxImageValues)
 	{
-		throw MakeError(
-			ErrorImageBroken, Path, "the image file is truncated or corrupt: " + OneLine(Input->File->geterror()));
+		throw MakeError(ErrorImageTooLarge, Path,
+			fmt::format("{} channels of {} x {} pixels are wanted of the image file; at most {} values are read",
+				Planes.size(), Width, Height, MaxImageValues));
 	}
-	for (size_t Plane = 0; Plane < Planes.size(); ++Plane)
+	try
 	{
-		const size_t Channel = static_cast<size_t>(ChannelIndices[Plane] - Begin);
-		const bool bDecode = bEncoded && IsColorChannel(Channels[static_cast<size_t>(ChannelIndices[Plane])]);
-		Planes[Plane].resize(NumPixels);
-		for (size_t Pixel = 0; Pixel < NumPixels; ++Pixel)
+		const int BandHeight = GetBandHeight(Input->File->spec(), NumRead);
+		std::vector<float> Band(static_cast<size_t>(Width) * static_cast<size_t>(BandHeight) * NumRead);
+		for (std::vector<float>& Plane : Planes)
 		{
-			const float Value = Pixels[Pixel * NumRead + Channel];
-			Planes[Plane][Pixel] = bDecode ? DecodeSrgb(Value) : Value;
+			Plane.resize(NumPixels);
 		}
+		for (int Y = 0; Y < Height; Y += BandHeight)
+		{
+			const int BandEnd = std::min(Y + BandHeight, Height);
+			if (!ReadBand(*Input->File, Y, BandEnd, Begin, End, Band.data()))
+			{
+				throw MakeError(ErrorImageBroken, Path,
+					"the image file is truncated or corrupt: " + OneLine(Input->File->geterror()));
+			}
+			const size_t At = static_cast<size_t>(Y) * static_cast<size_t>(Width);
+			const size_t NumInBand = static_cast<size_t>(BandEnd - Y) * static_cast<size_t>(Width);
+			for (size_t Plane = 0; Plane < Planes.size(); ++Plane)
+			{
+				const size_t Channel = static_cast<size_t>(ChannelIndices[Plane] - Begin);
+				const bool bDecode = bEncoded && IsColorChannel(Channels[static_cast<size_t>(ChannelIndices[Plane])]);
+				for (size_t Pixel = 0; Pixel < NumInBand; ++Pixel)
+				{
+					const float Value = Band[Pixel * NumRead + Channel];
+					Planes[Plane][At + Pixel] = bDecode ? DecodeSrgb(Value) : Value;
+				}
+			}
+		}
+	}
+	catch (const std::bad_alloc&)
+	{
+		throw MakeMemoryError(fmt::format("{} channels of {} x {} pixels of {}", Planes.size(), Width, Height, Path),
+			NumPixels * Planes.size() * sizeof(float));
 	}
 	return Planes;
 }

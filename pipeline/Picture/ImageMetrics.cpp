@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <stdexcept>
 
@@ -302,12 +301,6 @@ FImage MakeHeatMap(const FImage& A, const FImage& B, double Full, int NumChannel
 
 FComparedImage ReadComparedImage(const std::string& Path)
 {
-	if (!std::filesystem::is_regular_file(Path))
-	{
-		throw FError(
-			{.Code = ErrorFileMissing, .Message = "the image cannot be opened: there is no such file", .File = Path},
-			ExitFiles);
-	}
 	FImageFile File(Path);
 	FComparedImage Result;
 	Result.Channels = File.GetChannels();

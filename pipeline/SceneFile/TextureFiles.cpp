@@ -3,28 +3,17 @@
 
 #include "Config/ConfigReader.h"
 #include "Picture/ImageFile.h"
+#include "Picture/ImageFormat.h"
 #include "PostProcessSettingsReflection.h"
 #include "SettingObjects.h"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
-#include <filesystem>
 
 namespace Drydock
 {
 
 namespace
 {
-
-bool IsImagePath(const std::string& Path)
-{
-	constexpr std::array Extensions = {".exr", ".hdr", ".png", ".jpg", ".jpeg", ".tga", ".tif", ".tiff", ".bmp"};
-	std::string Extension = std::filesystem::path(Path).extension().string();
-	std::transform(Extension.begin(), Extension.end(), Extension.begin(),
-		[](unsigned char Character) { return static_cast<char>(std::tolower(Character)); });
-	return std::find(Extensions.begin(), Extensions.end(), Extension) != Extensions.end();
-}
 
 /** R, G and B by name; else the first channel for all three. */
 std::vector<int> ChooseChannels(const FImageFile& File)

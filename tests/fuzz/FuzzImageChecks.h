@@ -1,12 +1,11 @@
-// What must hold for any bytes in a file that is called .exr: a picture, or one message. Used by the fuzzer, and by a
-// test that runs its corpus.
+// What must hold for any bytes in an image file: a picture, or one message. Used by the fuzzers, and by a test that
+// runs their corpus.
 #pragma once
 
 #include "Text/ConfigErrors.h"
+#include "Picture/ImageBytes.h"
 #include "Picture/ImageFile.h"
-#include "TemporaryFolder.h"
 
-#include <fstream>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -15,7 +14,7 @@ namespace Drydock
 {
 
 /** What a run reads of a scene: the header, and the channels in one go unless they are more than MaxValues numbers. */
-inline std::string CheckExrFile(const std::string& Path, int64_t MaxValues = int64_t(1) << 21)
+inline std::string CheckImageFile(const std::string& Path, int64_t MaxValues = int64_t(1) << 21)
 {
 	try
 	{
@@ -48,12 +47,28 @@ inline std::string CheckExrFile(const std::string& Path, int64_t MaxValues = int
 	return "";
 }
 
+/** From memory, as a file of that name. */
+inline std::string CheckImageBytes(const std::string& Name, const std::string& Bytes)
+{
+	const FImageBytes Memory(Name, Bytes);
+	return CheckImageFile(Name, int64_t(1) << 16);
+}
+
 inline std::string CheckExrBytes(const std::string& Bytes)
 {
-	static const FTemporaryFolder Folder;
-	const std::string Path = Folder.Path + "/fuzzed.exr";
-	std::ofstream(Path, std::ios::binary) << Bytes;
-	return CheckExrFile(Path);
+	return CheckImageBytes("fuzzed.exr", Bytes);
+}
+
+/** Of the format that the first byte is of; Targa, which has none of its own, for all others. */
+inline std::string CheckPictureBytes(const std::string& Bytes)
+{
+	const unsigned char First = Bytes.empty() ? 0 : static_cast<unsigned char>(Bytes[0]);
+	return CheckImageBytes(First == 0x89   ? "fuzzed.png"
+						   : First == '#'  ? "fuzzed.hdr"
+						   : First == 0xFF ? "fuzzed.jpg"
+						   : First == 'B'  ? "fuzzed.bmp"
+										   : "fuzzed.tga",
+		Bytes);
 }
 
 } // namespace Drydock

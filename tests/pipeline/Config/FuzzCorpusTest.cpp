@@ -54,6 +54,10 @@ protected:
 	bool Is(const char* Kind) const { return GetParam().stem().string().rfind(Kind, 0) == 0; }
 };
 
+class PictureCorpus : public testing::TestWithParam<FPath>
+{
+};
+
 class SpirvCorpus : public testing::TestWithParam<FPath>
 {
 protected:
@@ -109,7 +113,7 @@ TEST_P(ConfigJsonCorpus, HoldsCutAnywhere)
 
 TEST_P(ExrCorpus, Holds)
 {
-	EXPECT_EQ("", CheckExrFile(GetParam().string()));
+	EXPECT_EQ("", CheckImageFile(GetParam().string()));
 }
 
 TEST_P(ExrCorpus, HoldsDamaged)
@@ -141,6 +145,21 @@ TEST_P(ExrCorpus, IsASceneUnlessForged)
 	EXPECT_EQ(!Is("forged"), bScene);
 }
 
+TEST_P(PictureCorpus, IsReadFromFileAndMemory)
+{
+	EXPECT_EQ("", CheckImageFile(GetParam().string()));
+	EXPECT_EQ("", CheckPictureBytes(Read(GetParam())));
+	EXPECT_LE(1, FImageFile(GetParam().string()).GetWidth());
+}
+
+TEST_P(PictureCorpus, HoldsDamaged)
+{
+	for (const std::string& Bytes : Damage(Read(GetParam()), 50))
+	{
+		ASSERT_EQ("", CheckPictureBytes(Bytes));
+	}
+}
+
 TEST_P(SpirvCorpus, Holds)
 {
 	EXPECT_EQ("", CheckSpirvBytes(Read(GetParam())));
@@ -167,4 +186,5 @@ TEST_P(SpirvCorpus, RunsUnlessItWasFoundByTheFuzzer)
 INSTANTIATE_TEST_SUITE_P(Files, SettingsTextCorpus, testing::ValuesIn(FindCorpus("settings")), GetName);
 INSTANTIATE_TEST_SUITE_P(Files, ConfigJsonCorpus, testing::ValuesIn(FindCorpus("config")), GetName);
 INSTANTIATE_TEST_SUITE_P(Files, ExrCorpus, testing::ValuesIn(FindCorpus("exr")), GetName);
+INSTANTIATE_TEST_SUITE_P(Files, PictureCorpus, testing::ValuesIn(FindCorpus("image")), GetName);
 INSTANTIATE_TEST_SUITE_P(Files, SpirvCorpus, testing::ValuesIn(FindCorpus("spirv")), GetName);
