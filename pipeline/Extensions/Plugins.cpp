@@ -7,6 +7,7 @@
 #include "GlobalShader.h"
 #include "Modules/ModuleManager.h"
 #include "PassFactory.h"
+#include "RegularFile.h"
 
 #include <dlfcn.h>
 #include <filesystem>
@@ -58,7 +59,8 @@ bool Unload(const std::string& Path, FLoadedPlugin& Plugin)
 /** Whether it is loaded; else that is reported. */
 bool Load(const TConfigValue<std::string>& Plugin, const std::string& Path, FConfigMessages& Messages)
 {
-	const Files::file_time_type Time = Files::last_write_time(Path);
+	std::error_code Gone; // it was there a moment ago: dlopen says what is wrong with it
+	const Files::file_time_type Time = Files::last_write_time(Path, Gone);
 	const auto Known = GetLoaded().find(Path);
 	if (Known != GetLoaded().end())
 	{
@@ -109,9 +111,14 @@ std::vector<std::string> LoadPlugins(const FConfig& Config, std::vector<FDiagnos
 		const std::string Given = Config.Resolve(Plugin.Value);
 		std::error_code Missing;
 		const std::string Path = Files::canonical(Given, Missing).string();
-		if (Missing || !Files::is_regular_file(Path))
+		if (Missing == std::errc::no_such_file_or_directory)
 		{
 			Messages.Error(ErrorFileMissing, Plugin.Place, "the plugin " + Given + " does not exist");
+		}
+		else if (const std::string Problem = Missing ? Missing.message() : FRegularFile(Path).GetProblem();
+				 !Problem.empty())
+		{
+			Messages.Error(ErrorFileMissing, Plugin.Place, "the plugin " + Given + " cannot be read: " + Problem);
 		}
 		else if (Load(Plugin, Path, Messages))
 		{

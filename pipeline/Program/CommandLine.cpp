@@ -4,6 +4,7 @@
 #include "Program/CommandLine.h"
 
 #include "Diagnostics.h"
+#include "Program/ProgramOutput.h"
 #include "Program/Verbs.h"
 #include "Text/Version.h"
 
@@ -129,7 +130,7 @@ int CallProgram(const std::vector<std::string>& Arguments)
 	}
 	catch (const CLI::Success& Success)
 	{
-		return Program.exit(Success, std::cout, std::cerr); // --help and --version
+		ExitCode = Program.exit(Success, std::cout, std::cerr); // --help and --version
 	}
 	catch (const CLI::ParseError& Error)
 	{
@@ -137,6 +138,7 @@ int CallProgram(const std::vector<std::string>& Arguments)
 		std::fprintf(stderr, "drydock: %s\nTry drydock --help.\n", Mistake.c_str());
 		return ExitUsage;
 	}
+	FlushOutput();
 	return ExitCode;
 }
 

@@ -1,24 +1,19 @@
 // The program: calls the verb that the arguments name, and turns errors into exit codes.
-#include "Diagnostics.h"
 #include "Program/CommandLine.h"
+#include "Program/ProgramFailure.h"
 #include "Program/ProgramOutput.h"
-
-#include <cstdio>
 
 int main(int NumArguments, char** Arguments)
 {
+	Drydock::HoldStandardStreams();
 	try
 	{
 		return Drydock::CallProgram({Arguments + (NumArguments > 0 ? 1 : 0), Arguments + NumArguments});
 	}
-	catch (const Drydock::FError& Error)
+	catch (...)
 	{
+		const Drydock::FError Error = Drydock::ExplainFailure(std::current_exception());
 		Drydock::PrintDiagnostics(Error.GetDiagnostics());
 		return Error.GetExitCode();
-	}
-	catch (const std::exception& Error)
-	{
-		std::fprintf(stderr, "drydock: internal error: %s\n", Error.what());
-		return Drydock::ExitInternal;
 	}
 }

@@ -11,11 +11,20 @@ namespace Drydock
 class FJsonWriter;
 struct FEffectDecision;
 
-/** Writes an array of objects, for editors and scripts. */
+/** Writes an array of objects, for editors and scripts; as many as LimitDiagnostics keeps. */
 void WriteDiagnostics(FJsonWriter& Writer, const std::vector<FDiagnostic>& Diagnostics);
 
-/** Prints diagnostics to stderr, one a line, coloured on a terminal (unless NO_COLOR is set). */
+/** Prints diagnostics to stderr, as many as LimitDiagnostics keeps, one a line, coloured on a terminal (unless NO_COLOR
+ * is set). */
 DRYDOCK_API void PrintDiagnostics(const std::vector<FDiagnostic>& Diagnostics);
+
+/** Sees to it that what was printed to stdout is there. Throws FError (exit code 3) where some of it could not be
+ * written: the disk is full, nobody reads the pipe, or stdout is closed. */
+DRYDOCK_API void FlushOutput();
+
+/** Holds the places of stdin, stdout and stderr where they are closed. The next file that is opened would get their
+ * number, and what is printed would go into it. */
+DRYDOCK_API void HoldStandardStreams();
 
 /** Prints to stderr one line for each effect that was configured and does not run, and why. */
 void PrintClosingLines(const std::vector<FEffectDecision>& Effects);

@@ -62,15 +62,18 @@ std::string GetPassKey(const Files::path& File)
 std::vector<std::pair<std::string, std::string>> ListRun(const std::string& Folder)
 {
 	std::vector<Files::path> Passes;
-	if (Files::is_directory(Files::path(Folder) / "passes"))
+	std::error_code Error;
+	const Files::path PassFolder = Files::path(Folder) / "passes";
+	for (Files::directory_iterator Entry(PassFolder, Error), End; !Error && Entry != End; Entry.increment(Error))
 	{
-		for (const Files::directory_entry& Entry : Files::directory_iterator(Files::path(Folder) / "passes"))
+		if (Entry->path().extension() == ".exr")
 		{
-			if (Entry.path().extension() == ".exr")
-			{
-				Passes.push_back(Entry.path());
-			}
+			Passes.push_back(Entry->path());
 		}
+	}
+	if (Error && Error != std::errc::no_such_file_or_directory)
+	{
+		throw MakeError(ErrorFileMissing, PassFolder.string(), "cannot be listed: " + Error.message(), ExitFiles);
 	}
 	std::sort(Passes.begin(), Passes.end());
 	std::vector<std::pair<std::string, std::string>> Images;
@@ -84,7 +87,7 @@ std::vector<std::pair<std::string, std::string>> ListRun(const std::string& Fold
 	for (const char* Name : {"scene_linear", "final"})
 	{
 		const Files::path File = Files::path(Folder) / (std::string(Name) + ".exr");
-		if (Files::is_regular_file(File))
+		if (Files::is_regular_file(File, Error))
 		{
 			Images.emplace_back(Name, File.string());
 		}
@@ -273,10 +276,13 @@ std::string GetHeatMapFile(const std::string& HeatMap, const FPair& Pair, bool b
  * compared. */
 int Diff(const FDiffOptions& Options)
 {
-	const bool bFolders = Files::is_directory(Options.A) && Files::is_directory(Options.B);
-	if (!bFolders && (Files::is_directory(Options.A) || Files::is_directory(Options.B)))
+	std::error_code Ignored; // what cannot be looked at cannot be opened either, which is reported there
+	const bool bFolderA = Files::is_directory(Options.A, Ignored);
+	const bool bFolderB = Files::is_directory(Options.B, Ignored);
+	const bool bFolders = bFolderA && bFolderB;
+	if (bFolderA != bFolderB)
 	{
-		throw MakeError(ErrorImagesDiffer, Files::is_directory(Options.A) ? Options.B : Options.A,
+		throw MakeError(ErrorImagesDiffer, bFolderA ? Options.B : Options.A,
 			"a folder of a run can be compared with another one only, an image with an image", ExitUsage);
 	}
 	std::vector<FPair> Pairs =

@@ -8,10 +8,10 @@
 #include "Program/RunSummary.h"
 #include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
+#include "Program/WatchLoop.h"
 #include "Run/CostModel.h"
 #include "Run/Run.h"
 #include "Run/RunOutputs.h"
-#include "ShaderCompilation.h"
 #include "Text/ConfigErrors.h"
 #include "Text/WatchedFiles.h"
 
@@ -48,7 +48,7 @@ int RunOnce(const FRunVerbOptions& Options)
 	Costs.Learn(Result);
 	Costs.Save();
 	std::fputs((Options.bJson ? Result.RunJson : MakeRunSummary(Result, Folder, SaveMs)).c_str(), stdout);
-	std::fflush(stdout);
+	std::fflush(stdout); // before the closing lines, where both go to one terminal
 	PrintClosingLines(Result.Effects);
 	return ExitDone;
 }
@@ -58,6 +58,7 @@ FWatchedFiles GetWatchedFiles(const FRunVerbOptions& Options)
 {
 	FWatchedFiles Files;
 	Files.AddFile(Options.Run.ConfigFile);
+	Files.AddShaders();
 	try
 	{
 		std::vector<FDiagnostic> Ignored;
@@ -75,31 +76,27 @@ FWatchedFiles GetWatchedFiles(const FRunVerbOptions& Options)
 	{
 		// The config itself is watched: it may come back.
 	}
-	Files.AddShaders();
 	return Files;
 }
 
-[[noreturn]] void Watch(const FRunVerbOptions& Options)
+/** Until somebody ends the program. */
+int Watch(const FRunVerbOptions& Options)
 {
 	constexpr std::chrono::milliseconds Interval(200);
-	for (;;)
-	{
-		const FWatchedFiles Before = GetWatchedFiles(Options);
-		try
-		{
-			RunOnce(Options);
-		}
-		catch (const FError& Error)
-		{
-			PrintDiagnostics(Error.GetDiagnostics());
-		}
-		std::fputs("watching; Ctrl+C ends it\n", stderr);
-		while (GetWatchedFiles(Options) == Before)
+	RunWatchLoop({.Run =
+					  [&]
+				  {
+					  RunOnce(Options);
+					  FlushOutput();
+				  },
+		.List = [&] { return GetWatchedFiles(Options); },
+		.Wait =
+			[&]
 		{
 			std::this_thread::sleep_for(Interval);
-		}
-		ForgetShaders();
-	}
+			return true;
+		}});
+	return ExitDone;
 }
 
 /** Asked for on the command line, or by the config where the command line names no frame. */
@@ -137,7 +134,7 @@ int RunOrWatch(const FRunVerbOptions& Options)
 	}
 	if (Options.bWatch)
 	{
-		Watch(Options);
+		return Watch(Options);
 	}
 	return RunOnce(Options);
 }

@@ -1,11 +1,13 @@
-// Lists shader files and compares times of last change.
+// Lists shader files, and asks the system for the state of each.
 #include "Text/WatchedFiles.h"
 
 #include "GlobalShader.h"
 #include "ShaderCompiler.h"
+#include "ShaderCore.h"
 
 #include <filesystem>
 #include <set>
+#include <sys/stat.h>
 
 namespace Drydock
 {
@@ -14,13 +16,19 @@ namespace Files = std::filesystem;
 
 void FWatchedFiles::AddFile(const std::string& Path)
 {
-	std::error_code Error;
-	const Files::file_time_type Time = Files::last_write_time(Path, Error);
-	Times[Path] = Error ? 0 : static_cast<int64_t>(Time.time_since_epoch().count());
+	constexpr int64_t Billion = 1'000'000'000;
+	struct stat Status = {};
+	// The time of a change, not of a writing: a file that becomes readable again is not written.
+	States[Path] =
+		stat(Path.c_str(), &Status) != 0
+			? std::array<int64_t, 3>()
+			: std::array<int64_t, 3>{static_cast<int64_t>(Status.st_ino), static_cast<int64_t>(Status.st_size),
+				  static_cast<int64_t>(Status.st_ctim.tv_sec) * Billion + Status.st_ctim.tv_nsec};
 }
 
 void FWatchedFiles::AddShaders()
 {
+	MapShippedShaders(); // before the first shader is compiled nobody has: then it would look as if they had come
 	std::set<Files::path> Folders = {Files::path(FindShaderFile("/Engine/Private/Common.ush")).parent_path()};
 	ForEachGlobalShader([&](const FGlobalShaderType& Type)
 		{ Folders.insert(Files::path(FindShaderFile(Type.GetShaderFilename())).parent_path()); });
@@ -42,7 +50,7 @@ void FWatchedFiles::AddShaders()
 std::vector<std::string> FWatchedFiles::GetPaths() const
 {
 	std::vector<std::string> Paths;
-	for (const auto& [Path, Time] : Times)
+	for (const auto& [Path, State] : States)
 	{
 		Paths.push_back(Path);
 	}

@@ -1,6 +1,9 @@
 // Files whose change makes `run --watch` run again.
 #pragma once
 
+#include "DrydockAPI.h"
+
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -9,8 +12,9 @@
 namespace Drydock
 {
 
-/** Times of last change, taken when a file is added. Equal when no file appeared, went away or changed. */
-class FWatchedFiles
+/** What the system says of files when they are added: which one it is, its size, and when it or its permissions last
+ * changed. Equal when no file appeared, went away or changed. */
+class DRYDOCK_API FWatchedFiles
 {
 public:
 	/** A file that does not exist is watched for appearing. */
@@ -25,7 +29,7 @@ public:
 	bool operator==(const FWatchedFiles&) const = default;
 
 private:
-	std::map<std::string, int64_t> Times;
+	std::map<std::string, std::array<int64_t, 3>> States;
 };
 
 } // namespace Drydock

@@ -1,0 +1,15 @@
+// What ended a verb as messages and an exit code: the one place that decides who is to blame.
+#pragma once
+
+#include "Diagnostics.h"
+
+#include <exception>
+
+namespace Drydock
+{
+
+/** The FError that stands for what was thrown. Files that the system refuses, and memory or threads that it does not
+ * give, are exit code 3 and named; what nobody foresaw is a fault of drydock's own, 70. */
+DRYDOCK_API FError ExplainFailure(const std::exception_ptr& Thrown);
+
+} // namespace Drydock
