@@ -1,6 +1,8 @@
 // Starts a child process, reads what it prints, and stops it when its time is over.
 #include "ChildProcess.h"
 
+#include "EndAction.h"
+
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -99,6 +101,7 @@ FChildResult RunChild(const std::vector<std::string>& Arguments, int TimeLimitSe
 	close(Pipe[1]);
 	if (Result.bStarted)
 	{
+		const FEndAction End([Child] { kill(-Child, SIGKILL); }); // a terminal's Ctrl+C does not reach another group
 		const auto Deadline = std::chrono::steady_clock::now() + std::chrono::seconds(TimeLimitSeconds);
 		Result.bTimedOut = !ReadAll(Pipe[0], Deadline, Result.Output);
 		if (Result.bTimedOut)

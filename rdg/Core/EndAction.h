@@ -1,0 +1,54 @@
+// What a process does when a signal tells it to end: takes its temporary files away, stops its children.
+#pragma once
+
+#include "DrydockAPI.h"
+
+#include <filesystem>
+#include <functional>
+
+namespace Drydock
+{
+
+/** While it lives, the action is among those of DoEndActions. From any thread. */
+class DRYDOCK_API FEndAction
+{
+public:
+	/** Action: called from another thread than the one that made it; throws nothing. */
+	explicit FEndAction(std::function<void()> Action);
+	~FEndAction();
+	FEndAction(const FEndAction&) = delete;
+	FEndAction& operator=(const FEndAction&) = delete;
+
+private:
+	const int Number;
+};
+
+/** A file or folder, there or not, that goes with its scope, and with the process when that is told to end. */
+class DRYDOCK_API FScratchPath
+{
+public:
+	explicit FScratchPath(std::filesystem::path InPath);
+	~FScratchPath();
+
+	const std::filesystem::path& Get() const { return Path; }
+
+private:
+	const std::filesystem::path Path;
+	const FEndAction Removal;
+};
+
+/** While it lives, DoEndActions waits: for a few steps that belong together. */
+class DRYDOCK_API FEndActionsHeld
+{
+public:
+	FEndActionsHeld();
+	~FEndActionsHeld();
+	FEndActionsHeld(const FEndActionsHeld&) = delete;
+	FEndActionsHeld& operator=(const FEndActionsHeld&) = delete;
+};
+
+/** Calls the actions, the latest first. Whoever makes or ends one from now on waits for ever: the caller ends the
+ * process. */
+DRYDOCK_API void DoEndActions();
+
+} // namespace Drydock
