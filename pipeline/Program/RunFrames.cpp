@@ -55,9 +55,9 @@ std::string MakeSummary(const FSequenceResult& Result, const std::string& Config
 	Text += "frames   " + (Result.NumRendered == 0 ? There : Rendered + (NumThere > 0 ? ", " + There : "")) + "\n";
 	if (Result.NumRepeated > 0)
 	{
-		Text += fmt::format(
-			"history  {} of them computed again for what plugins remember of them; they are what they were\n",
-			Result.NumRepeated);
+		Text +=
+			fmt::format("history  {} of them computed again for the history that they leave; they are what they were\n",
+				Result.NumRepeated);
 	}
 	return Text + "folder   " + Folder + "\n";
 }

@@ -18,6 +18,7 @@
 #include <chrono>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <thread>
 
 namespace Drydock
@@ -39,11 +40,18 @@ int RunOnce(const FRunVerbOptions& Options)
 	{
 		Bar.Show(Done, Total, Pass);
 	};
-	const FRunResult Result = RunConfig(RunOptions);
+	const std::string Folder = ChooseOutputFolder(Options.OutputFolder, Options.Run);
+	std::optional<FOutputFolder> Output;
+	const FRunResult Result = [&]
+	{
+		FRunSession Session(RunOptions);
+		Output.emplace(Folder, GetRunOutputNames()); // after mistakes of the config, before the work
+		return Session.Run(std::nullopt, {});
+	}();
 	Bar.Clear();
 	PrintDiagnostics(Result.Diagnostics);
-	const std::string Folder = ChooseOutputFolder(Options.OutputFolder, Options.Run);
-	const double SaveMs = WriteRunOutputs(Result, Folder);
+	const double SaveMs = WriteRunOutputs(Result, *Output);
+	Output.reset(); // whoever watches for the summary may start the next run
 	FCostModel Costs = FCostModel::Load();
 	Costs.Learn(Result);
 	Costs.Save();

@@ -10,11 +10,11 @@
 #include "Study/StudyInsets.h"
 #include "Study/StudyReport.h"
 #include "Study/StudyRun.h"
+#include "Text/OutputFolder.h"
 #include "Text/TextFile.h"
 
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 
 namespace Drydock
@@ -30,6 +30,18 @@ struct FStudyOptions
 	bool bJson = false;
 };
 
+/** study.json last: a budget reads it. */
+const FOutputNames& GetStudyOutputNames()
+{
+	static const FOutputNames Names = {.Name = "study",
+		.Files = {"study.json", "study.csv", "study.svg", "study_taps.svg", "study_insets.svg", "study_timing.json",
+			"study_timing.csv"},
+		.Last = "study.json",
+		.Folders = {"insets"},
+		.Unsteady = {}};
+	return Names;
+}
+
 /** Prints the table of the study, or study.json, and writes study.json, study.csv, study_taps.svg and, with times,
  * study_timing.json, study_timing.csv, study.svg; and study_insets.svg with insets/. */
 int RunStudy(const FStudyOptions& Options)
@@ -42,21 +54,22 @@ int RunStudy(const FStudyOptions& Options)
 	};
 	const auto Begin = std::chrono::steady_clock::now();
 	FStudyRun Run(RunOptions);
+	FOutputFolder Folder(ChooseOutputFolder(Options.OutputFolder, Options.Run), GetStudyOutputNames());
 	const FStudyResult Result = Run.Measure();
-	const std::filesystem::path Folder = ChooseOutputFolder(Options.OutputFolder, Options.Run);
 	const auto Write = [&](const char* Name, const std::string& Text)
 	{
-		WriteTextFile((Folder / Name).string(), Text);
+		WriteWholeFile((Folder.GetAside() / Name).string(), Text);
 	};
 	Bar.Show(1, 1, "pictures");
-	Write("study_insets.svg",
-		DrawStudyInsets(Result.Name + ": what the errors look like", WriteStudyInsets(Run, Result, Folder.string())));
+	Write("study_insets.svg", DrawStudyInsets(Result.Name + ": what the errors look like",
+								  WriteStudyInsets(Run, Result, Folder.GetAside().string())));
 	Write("study.json", MakeStudyJson(Result));
 	Write("study.csv", MakeStudyCsv(Result, false));
 	Write("study_taps.svg", DrawStudyChart(Result, EStudyCost::Taps));
 	Write("study_timing.json", MakeStudyTimingJson(Result));
 	Write("study_timing.csv", MakeStudyCsv(Result, true));
 	Write("study.svg", DrawStudyChart(Result, EStudyCost::Milliseconds));
+	Folder.PutInPlace();
 	Bar.Clear();
 	PrintDiagnostics(Result.Diagnostics);
 	if (Options.bJson)
@@ -66,7 +79,7 @@ int RunStudy(const FStudyOptions& Options)
 	}
 	const double Seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - Begin).count();
 	std::fputs(fmt::format("{}\npicture  {} ({:.0f} s, {:.0f} s of them measuring)\n", MakeStudyTable(Result),
-				   (Folder / "study.svg").string(), Seconds, Result.Seconds)
+				   (Folder.GetPath() / "study.svg").string(), Seconds, Result.Seconds)
 				   .c_str(),
 		stdout);
 	return ExitDone;

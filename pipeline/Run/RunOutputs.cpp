@@ -63,22 +63,21 @@ FImage MakePreview(const FImage& Image)
 	return Preview;
 }
 
-/** A folder for the outputs of a run, beside the one that they are for. */
-struct FAsideFolder : FAsideFile
-{
-	explicit FAsideFolder(const Files::path& Target)
-		: FAsideFile(Target)
-	{
-		std::error_code Error;
-		Files::create_directories(GetPath() / "passes", Error);
-		if (Error)
-		{
-			throw MakeWriteError(GetPath(), Error.message());
-		}
-	}
-};
+/** Milliseconds are in them. */
+const std::set<std::string> TimedFiles = {"timing.json", "trace.json"};
 
-void WriteAside(const FRunResult& Result, const Files::path& Folder)
+void MakeFolder(const Files::path& Folder)
+{
+	std::error_code Error;
+	Files::create_directory(Folder, Error);
+	if (Error)
+	{
+		throw MakeWriteError(Folder.string(), Error.message());
+	}
+}
+
+/** All but timing.json. */
+void WriteFiles(const FRunResult& Result, const Files::path& Folder)
 {
 	const std::map<std::string, std::string> Display = {{"drydock:encoding", GetEncodingName(Result.OutputDevice)}};
 	const std::map<std::string, std::string> Linear = {{"drydock:encoding", "linear Rec.709, scene-referred"}};
@@ -96,6 +95,10 @@ void WriteAside(const FRunResult& Result, const Files::path& Folder)
 			Jobs.push_back([&Picture, File = (Folder / (Picture.File + ".png")).string()]
 				{ WritePng(File, Picture.bLinear ? MakePreview(Picture.Image) : Picture.Image); });
 		}
+	}
+	if (!Result.Dumps.empty())
+	{
+		MakeFolder(Folder / "passes");
 	}
 	for (const FRunDump& Dump : Result.Dumps)
 	{
@@ -115,67 +118,59 @@ void WriteAside(const FRunResult& Result, const Files::path& Folder)
 	WriteWholeFile(Folder / "trace.json", MakeTraceJson(Result));
 }
 
-void MoveInto(const Files::path& Aside, const Files::path& Folder, bool bHasDumps)
+/** Fills the folder; further files are by name. Returns the milliseconds it took. */
+double FillFolder(
+	const FRunResult& Result, const Files::path& Folder, const std::map<std::string, std::string>& Further = {})
 {
-	try
+	const auto Begin = std::chrono::steady_clock::now();
+	WriteFiles(Result, Folder);
+	for (const auto& [Name, Contents] : Further)
 	{
-		Files::create_directories(Folder);
-		Files::remove_all(Folder / "passes");
-		if (!bHasDumps)
-		{
-			Files::remove(Aside / "passes");
-		}
-		for (const Files::directory_entry& Entry : Files::directory_iterator(Aside))
-		{
-			Files::rename(Entry.path(), Folder / Entry.path().filename());
-		}
+		WriteWholeFile((Folder / Name).string(), Contents);
 	}
-	catch (const Files::filesystem_error& Error)
-	{
-		throw MakeWriteError(Folder, Error.code().message());
-	}
+	const double SaveMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Begin).count();
+	WriteWholeFile((Folder / "timing.json").string(), MakeTimingJson(Result, SaveMs));
+	return SaveMs;
 }
 
 } // namespace
 
+const FOutputNames& GetRunOutputNames()
+{
+	static const FOutputNames Names = {.Name = "run",
+		.Files = {"final.png", "final.exr", "scene_linear.exr", "run.json", "timing.json", "graph.dot", "trace.json"},
+		.Last = "run.json",
+		.Folders = {"passes"},
+		.Unsteady = TimedFiles};
+	return Names;
+}
+
+double WriteRunOutputs(const FRunResult& Result, FOutputFolder& Folder)
+{
+	const double SaveMs = FillFolder(Result, Folder.GetAside());
+	Folder.PutInPlace();
+	return SaveMs;
+}
+
 double WriteRunOutputs(const FRunResult& Result, const std::string& Folder)
 {
-	const auto Begin = std::chrono::steady_clock::now();
-	const Files::path Target = Files::path(Folder).lexically_normal();
-	if (Files::exists(Target) && !Files::is_directory(Target))
-	{
-		throw MakeWriteError(Target, "there is a file of that name");
-	}
-	const FAsideFolder Aside(Target);
-	WriteAside(Result, Aside.GetPath());
-	const double SaveMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Begin).count();
-	WriteWholeFile(Aside.GetPath() / "timing.json", MakeTimingJson(Result, SaveMs));
-	MoveInto(Aside.GetPath(), Target, !Result.Dumps.empty());
-	return SaveMs;
+	FOutputFolder Output(Folder, GetRunOutputNames());
+	return WriteRunOutputs(Result, Output);
 }
 
 double WriteNewRunFolder(
 	const FRunResult& Result, const std::string& Folder, const std::map<std::string, std::string>& Further)
 {
-	const auto Begin = std::chrono::steady_clock::now();
 	const Files::path Target = Files::path(Folder).lexically_normal();
 	if (Files::exists(Target))
 	{
 		throw MakeWriteError(Target, "it is there already");
 	}
-	FAsideFolder Aside(Target);
-	WriteAside(Result, Aside.GetPath());
-	for (const auto& [Name, Contents] : Further)
-	{
-		WriteWholeFile(Aside.GetPath() / Name, Contents);
-	}
-	const double SaveMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Begin).count();
-	WriteWholeFile(Aside.GetPath() / "timing.json", MakeTimingJson(Result, SaveMs));
-	std::error_code Error;
-	if (Result.Dumps.empty())
-	{
-		Files::remove(Aside.GetPath() / "passes", Error);
-	}
+	FAsideFile Aside(Target);
+	MakeFolder(Aside.GetPath());
+	const double SaveMs = FillFolder(Result, Aside.GetPath(), Further);
+	WriteWholeFile(
+		(Aside.GetPath() / RunFolderListName).string(), FFileList::Make(Aside.GetPath(), TimedFiles).GetText());
 	Aside.PutInPlace();
 	return SaveMs;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Run/RunResult.h"
+#include "Text/OutputFolder.h"
 
 #include <map>
 #include <string>
@@ -10,13 +11,22 @@
 namespace Drydock
 {
 
-/** final.png, final.exr, scene_linear.exr, run.json, timing.json, graph.dot, trace.json and passes/. What the folder
- * holds beside these stays; a passes/ of an earlier run goes. Returns the milliseconds it took. Throws FError (exit
- * code 3); then the folder is as it was. */
+/** final.png, final.exr, scene_linear.exr, run.json, timing.json, graph.dot, trace.json and passes/. */
+DRYDOCK_API const FOutputNames& GetRunOutputNames();
+
+/** These files, and those of effects that were measured, in place of an earlier run's. Returns the milliseconds it
+ * took. Throws FError: something else is in the way (exit code 2), or a file cannot be written (3); then the folder is
+ * as it was. */
+DRYDOCK_API double WriteRunOutputs(const FRunResult& Result, FOutputFolder& Folder);
+
+/** The same into the folder of this path. Throws FError as FOutputFolder, too. */
 DRYDOCK_API double WriteRunOutputs(const FRunResult& Result, const std::string& Folder);
 
-/** The same into a folder that is not there yet and appears complete, with further files (name to contents) in it.
- * Throws FError (exit code 3): it is there, or it cannot be written. */
+/** In a folder that WriteNewRunFolder wrote: the list of its files (FFileList). */
+inline constexpr const char* RunFolderListName = ".drydock.frame.files";
+
+/** The same files into a folder that is not there yet and appears complete, with further files (name to contents) in
+ * it. Throws FError (exit code 3): it is there, or it cannot be written. */
 DRYDOCK_API double WriteNewRunFolder(
 	const FRunResult& Result, const std::string& Folder, const std::map<std::string, std::string>& Further);
 

@@ -9,7 +9,6 @@
 #include "Sequence/SequenceFolder.h"
 #include "Sequence/SequenceInputs.h"
 #include "Sequence/SequenceJson.h"
-#include "Sequence/SequenceSheet.h"
 #include "Sequence/ViewStateFile.h"
 #include "Text/Fingerprint.h"
 
@@ -75,22 +74,18 @@ public:
 	FSequenceResult Run()
 	{
 		const auto Begin = FClock::now();
-		const size_t NumFinished = FindFinished();
-		if (NumFinished < Frames.size())
+		const std::vector<bool> bFinished = FindFinished();
+		for (size_t Index = 0; Index < Frames.size(); ++Index)
 		{
-			Folder.WriteSequenceJson(MakeSequenceHead(Session.GetConfig(), Inputs));
+			if (!bFinished[Index] || !SawHistoryBefore(Index))
+			{
+				BringHistoryTo(Index);
+				RenderFrame(Index);
+			}
 		}
-		for (size_t Index = 0; Index + 1 < NumFinished; ++Index)
+		for (size_t Index = 0; Index + 1 < Frames.size(); ++Index)
 		{
 			Folder.RemoveViewState(Frames[Index].Number);
-		}
-		if (NumFinished < Frames.size())
-		{
-			Resume(NumFinished);
-			for (Current = NumFinished; Current < Frames.size(); ++Current)
-			{
-				RenderFrame(Frames[Current]);
-			}
 		}
 		return Finish(Begin);
 	}
@@ -118,19 +113,23 @@ private:
 	/** Extensions from outside may keep a history where nobody else sees it. */
 	bool IsHistoryKnown() const { return Session.GetConfig().Plugins.empty(); }
 
-	/** How many of the frames are there and are of this sequence. */
-	size_t FindFinished()
+	/** The frame before one, by its number; -1 before the first. */
+	int GetNumberBefore(size_t Index) const { return Index == 0 ? -1 : Frames[Index - 1].Number; }
+
+	/** For each frame whether it is there, whole and of this sequence. */
+	std::vector<bool> FindFinished()
 	{
 		if (Options.bRestart)
 		{
 			Folder.Clear();
 		}
+		std::vector<bool> bFinished(Frames.size(), false);
 		std::vector<std::string> Changes;
 		const std::string Json = Folder.ReadSequenceJson();
 		const std::vector<int> There = Folder.FindFrames();
 		if (There.empty())
 		{
-			return 0;
+			return bFinished;
 		}
 		if (Json.empty())
 		{
@@ -140,16 +139,33 @@ private:
 		{
 			Changes = DescribeChanges(ReadSequenceInputs(Json, GetSequenceJsonPath()), Inputs);
 		}
-		for (size_t Index = 0; Changes.empty() && Index < There.size(); ++Index)
+		std::vector<FDiagnostic> Damages;
+		for (size_t At = 0; Changes.empty() && At < There.size(); ++At)
 		{
-			if (Index >= Frames.size() || There[Index] != Frames[Index].Number)
+			const auto Frame = std::find_if(
+				Frames.begin(), Frames.end(), [&](const FSequenceFrame& Each) { return Each.Number == There[At]; });
+			const bool bAskedFor = Frame != Frames.end();
+			const std::string Damage = bAskedFor ? Folder.FindDamage(There[At]) : "";
+			if (!Damage.empty())
 			{
-				Changes.push_back("frame " + std::to_string(There[Index]) +
+				Folder.RequireOwnFrame(There[At]);
+				Damages.push_back(DescribeDamage(There[At], "its " + Damage));
+				continue;
+			}
+			const size_t Index = static_cast<size_t>(Frame - Frames.begin());
+			const FFrameRecord Record = bAskedFor ? ReadRecord(There[At]) : FFrameRecord();
+			if (!bAskedFor || Record.After != GetNumberBefore(Index))
+			{
+				Changes.push_back("frame " + std::to_string(There[At]) +
 								  " is there, and the frames asked for do not begin like that");
 			}
-			else if (ReadRecord(There[Index]).FileFingerprint != FingerprintFile(Frames[Index].Path))
+			else if (Record.FileFingerprint != FingerprintFile(Frame->Path))
 			{
-				Changes.push_back("file " + Frames[Index].Path + " has changed");
+				Changes.push_back("file " + Frame->Path + " has changed");
+			}
+			else
+			{
+				bFinished[Index] = true;
 			}
 		}
 		if (!Changes.empty())
@@ -158,7 +174,15 @@ private:
 				"the folder holds frames of another sequence: " + Join(Changes) +
 					"; --restart renders all frames again, --out writes to another folder");
 		}
-		return There.size();
+		for (size_t Index = 0; Index < Frames.size() && Frames[Index].Number < There.back(); ++Index)
+		{
+			if (std::find(There.begin(), There.end(), Frames[Index].Number) == There.end())
+			{
+				Damages.push_back(DescribeDamage(Frames[Index].Number, "it is missing"));
+			}
+		}
+		Report(Damages);
+		return bFinished;
 	}
 
 	std::string GetSequenceJsonPath() const { return Folder.GetPath() + "/sequence.json"; }
@@ -168,33 +192,80 @@ private:
 		return ReadFrameRecord(Folder.ReadFrameJson(Frame), Folder.GetFramePath(Frame) + "/frame.json");
 	}
 
-	/** Brings History to where it was after the finished frames. */
-	void Resume(size_t NumFinished)
+	FDiagnostic DescribeDamage(int Frame, const std::string& Why) const
 	{
-		if (NumFinished == 0)
+		return {.Severity = ESeverity::Warning,
+			.Code = WarnFrameDamaged,
+			.Message = "frame " + std::to_string(Frame) + " is rendered again: " + Why,
+			.File = Folder.GetFramePath(Frame)};
+	}
+
+	/** Whether a finished frame goes on from what the frame before it is now. Says so where it does not. */
+	bool SawHistoryBefore(size_t Index) const
+	{
+		const std::string Left = Index == 0 ? "" : ReadRecord(Frames[Index - 1].Number).State;
+		const bool bSaw = ReadRecord(Frames[Index].Number).Seen == Left;
+		if (!bSaw)
 		{
-			return;
+			Report({DescribeDamage(Frames[Index].Number, "the frame before it is not what it was")});
 		}
-		if (IsHistoryKnown())
+		return bSaw;
+	}
+
+	/** Brings History to where it was before a frame; all before that are there. */
+	void BringHistoryTo(size_t Index)
+	{
+		if (NumInHistory < Index && IsHistoryKnown() && Folder.HasViewState(Frames[Index - 1].Number))
 		{
-			const int Frame = Frames[NumFinished - 1].Number;
-			History = UnpackViewStates(Folder.ReadViewState(Frame), Folder.GetViewStatePath(Frame));
-			FillCaches(NumFinished - 1);
-			return;
+			ReadHistory(Index - 1);
+			FillCaches(Index - 1);
 		}
-		for (Current = 0; Current < NumFinished; ++Current)
+		while (NumInHistory < Index)
 		{
-			const FRunResult Result = Session.Run(Frames[Current].Number, History);
-			const FFrameRecord Before = ReadRecord(Frames[Current].Number);
-			if (MakeFrameRecord(Result, Before.FileFingerprint) != Before)
-			{
-				Throw(ErrorSequenceNotRepeatable, Folder.GetFramePath(Frames[Current].Number),
-					"computed again for the history that its plugins keep, the frame is not what it was: a plugin "
-					"reckons with more than its inputs; --restart renders all frames again");
-			}
-			EndFrame(Result);
-			++NumRepeated;
+			RepeatFrame(NumInHistory);
 		}
+	}
+
+	/** As a frame left it. */
+	void ReadHistory(size_t Index)
+	{
+		const int Frame = Frames[Index].Number;
+		const std::string File = Folder.GetViewStatePath(Frame);
+		History = UnpackViewStates(Folder.ReadViewState(Frame), File);
+		LastState = FingerprintViewStates(History);
+		NumInHistory = Index + 1;
+		if (LastState != ReadRecord(Frame).State)
+		{
+			throw FError({.Code = ErrorStateBroken, .Message = "the state of a frame is another frame's", .File = File},
+				ExitFiles);
+		}
+	}
+
+	/** For the history alone: it is there already. */
+	void RepeatFrame(size_t Index)
+	{
+		Current = Index;
+		const int Frame = Frames[Index].Number;
+		const FRunResult Result = Session.Run(Frame, History);
+		const FFrameRecord Before = ReadRecord(Frame);
+		const FFrameRecord Record = MakeRecord(Result, Before.FileFingerprint);
+		if (Record != Before)
+		{
+			Throw(ErrorSequenceNotRepeatable, Folder.GetFramePath(Frame),
+				"computed again for the history that it leaves, the frame is not what it was: a plugin reckons with "
+				"more "
+				"than its inputs; --restart renders all frames again");
+		}
+		EndFrame(Result, Record);
+		++NumRepeated;
+	}
+
+	FFrameRecord MakeRecord(const FRunResult& Result, const std::string& FileFingerprint) const
+	{
+		FFrameRecord Record = MakeFrameRecord(Result, FileFingerprint);
+		Record.After = GetNumberBefore(Current);
+		Record.Seen = LastState;
+		return Record;
 	}
 
 	/** Caches change no picture, but a frame that finds them filled has fewer passes to report. */
@@ -207,28 +278,41 @@ private:
 		}
 	}
 
-	void RenderFrame(const FSequenceFrame& Frame)
+	void RenderFrame(size_t Index)
 	{
+		Current = Index;
+		const FSequenceFrame& Frame = Frames[Index];
+		if (NumRendered == 0)
+		{
+			Folder.WriteSequenceJson(MakeSequenceHead(Session.GetConfig(), Inputs));
+		}
 		const FRunResult Result = Session.Run(Frame.Number, History);
-		const FFrameRecord Record = MakeFrameRecord(Result, FingerprintFile(Frame.Path));
+		const FFrameRecord Record = MakeRecord(Result, FingerprintFile(Frame.Path));
 		Folder.WriteFrame(Frame.Number, Result, MakeFrameJson(Result, Record),
 			IsHistoryKnown() ? PackViewStates(Result.ViewStates) : "");
-		if (Current > 0)
+		if (Index > 0)
 		{
-			Folder.RemoveViewState(Frames[Current - 1].Number);
+			Folder.RemoveViewState(Frames[Index - 1].Number);
 		}
-		if (Options.Report)
-		{
-			Options.Report(Result.Diagnostics);
-		}
-		EndFrame(Result);
+		Report(Result.Diagnostics);
+		EndFrame(Result, Record);
 		++NumRendered;
 	}
 
-	void EndFrame(const FRunResult& Result)
+	void EndFrame(const FRunResult& Result, const FFrameRecord& Record)
 	{
 		History = Result.ViewStates;
+		LastState = Record.State;
+		++NumInHistory;
 		FRDGBuilder::TickPoolElements();
+	}
+
+	void Report(const std::vector<FDiagnostic>& Diagnostics) const
+	{
+		if (Options.Report && !Diagnostics.empty())
+		{
+			Options.Report(Diagnostics);
+		}
 	}
 
 	void ReportProgress(const std::string& What) const
@@ -249,11 +333,11 @@ private:
 			Result.Pictures.push_back(Folder.GetFramePath(Frame.Number) + "/final.png");
 		}
 		Result.SequenceJson = Folder.ReadSequenceJson();
-		if (!IsSequenceComplete(Result.SequenceJson, GetSequenceJsonPath(), Result.Frames))
+		if (!Folder.HasSheet() || !IsSequenceComplete(Result.SequenceJson, GetSequenceJsonPath(), Result.Frames))
 		{
 			Result.SequenceJson = MakeSequenceJson(Session.GetConfig(), Inputs, Folder, Result.Frames);
 			// The sheet first: a complete sequence.json says that everything is there.
-			WriteSequenceSheet(Folder.GetPath() + "/sheet.png", Result.Frames, Result.Pictures);
+			Folder.WriteSheet(Result.Frames, Result.Pictures);
 			Folder.WriteSequenceJson(Result.SequenceJson);
 		}
 		Result.NumRendered = NumRendered;
@@ -270,6 +354,8 @@ private:
 	const FSequenceInputs Inputs;
 	FSequenceFolder Folder;
 	std::vector<FViewHistory> History;
+	std::string LastState;   // its fingerprint; empty before the first frame
+	size_t NumInHistory = 0; // how many of the frames it comes from
 	int NumRendered = 0;
 	int NumRepeated = 0;
 };

@@ -1,6 +1,6 @@
 // The frames of a sequence one after another, each in a folder of its own, with what lives on from one to the next. A
-// run that was stopped, whenever it was, is taken up again where it stood: the finished frames stay as they are, and
-// the rest is bit for bit what an undisturbed run writes.
+// run that was stopped, whenever it was, is taken up again where it stood: the finished frames stay as they are, those
+// that are not as they were written are rendered again, and the rest is bit for bit what an undisturbed run writes.
 #pragma once
 
 #include "Budget/RunOptions.h"
@@ -21,7 +21,7 @@ struct FSequenceOptions
 	bool bRestart = false; // render all frames again, whatever the folder holds
 	/** Called before each pass and after each frame. Done and Total count frames; What: "frame 3: Tonemap". */
 	std::function<void(int Done, int Total, const std::string& What)> Progress;
-	/** Called with what each frame that is rendered reports. */
+	/** Called with what each frame that is rendered reports, and with why frames are rendered again (DD1073). */
 	std::function<void(const std::vector<FDiagnostic>&)> Report;
 };
 
@@ -29,7 +29,7 @@ struct FSequenceResult
 {
 	std::vector<int> Frames;
 	int NumRendered = 0; // the others were there already
-	/** Frames whose extensions had to run again for the history they keep: nothing of them was written. */
+	/** Frames that had to run again for the history they leave: nothing of them was written. */
 	int NumRepeated = 0;
 	double Seconds = 0.0;              // of the frames rendered or repeated, writing included
 	double FramesPerSecond = 0.0;      // of the scene, in its own time

@@ -9,9 +9,9 @@ enum ESequenceError
 	ErrorSequenceChanged = 1070,       // the folder holds a sequence made of other inputs
 	ErrorSequenceNotRepeatable = 1071, // a frame computed again is not the one that was written
 	WarnNoVideo = 1072,                // frames are there, but no video could be made of them
+	WarnFrameDamaged = 1073,           // a finished frame is not as it was written, and is rendered again
 
 	ErrorStateBroken = 5020,    // what lives on from a frame cannot be read
-	ErrorSequenceInUse = 5021,  // another run writes to the folder
 	ErrorSequenceBroken = 5022, // sequence.json of the folder cannot be read
 };
 

@@ -3,16 +3,15 @@
 
 #include "Run/RunOutputs.h"
 #include "Sequence/SequenceErrors.h"
+#include "Sequence/SequenceSheet.h"
 #include "Text/ConfigErrors.h"
-#include "Text/AsideFile.h"
+#include "Text/Fingerprint.h"
+#include "Text/OutputFolder.h"
 #include "Text/TextFile.h"
 
 #include <algorithm>
 #include <charconv>
-#include <fcntl.h>
-#include <filesystem>
-#include <sys/file.h>
-#include <unistd.h>
+#include <optional>
 
 namespace Drydock
 {
@@ -25,15 +24,27 @@ namespace Files = std::filesystem;
 const char* const FrameJsonName = "frame.json";
 const char* const ViewStateName = "view_state.bin";
 const char* const SequenceJsonName = "sequence.json";
-
-[[noreturn]] void Throw(int Code, const Files::path& Path, const std::string& Message)
-{
-	throw FError({.Code = Code, .Message = Message, .File = Path.string()}, ExitFiles);
-}
+const char* const SheetName = "sheet.png";
+const char* const ListName = ".drydock.sequence.files";
 
 Files::path GetFrames(const std::string& Path)
 {
 	return Files::path(Path) / "frames";
+}
+
+/** The number that a frame's folder has for a name. */
+std::optional<int> ParseFrame(const std::string& Name)
+{
+	int Frame = 0;
+	const std::from_chars_result Result = std::from_chars(Name.data(), Name.data() + Name.size(), Frame);
+	const bool bNumber = Result.ec == std::errc() && Result.ptr == Name.data() + Name.size() && Frame >= 0;
+	return bNumber ? std::optional(Frame) : std::nullopt;
+}
+
+bool IsThere(const Files::path& Path)
+{
+	std::error_code Ignored;
+	return Files::exists(Files::symlink_status(Path, Ignored));
 }
 
 } // namespace
@@ -41,42 +52,48 @@ Files::path GetFrames(const std::string& Path)
 FSequenceFolder::FSequenceFolder(const std::string& InPath, int InNumDigits)
 	: Path(InPath)
 	, NumDigits(InNumDigits)
+	, Lock(InPath)
+	, List(FFileList::Read(Files::path(InPath) / ListName))
 {
-	std::error_code Error;
-	Files::create_directories(GetFrames(Path), Error);
-	const std::string LockPath = (Files::path(Path) / ".sequence.lock").string();
-	Lock = Error ? -1 : open(LockPath.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-	if (Lock < 0)
-	{
-		Throw(
-			ErrorFileNotWritten, Path, "cannot be written: " + (Error ? Error.message() : "the lock file is refused"));
-	}
-	if (flock(Lock, LOCK_EX | LOCK_NB) != 0)
-	{
-		close(Lock);
-		Throw(
-			ErrorSequenceInUse, Path, "another run is writing to this folder: wait for it, or name another with --out");
-	}
+	RequireOwn();
 	RemoveLeftovers();
 }
 
-FSequenceFolder::~FSequenceFolder()
+void FSequenceFolder::RequireOwn() const
 {
-	close(Lock); // and with it goes the lock; the file stays, for who would remove it might race another run
+	std::error_code Ignored;
+	for (const char* Name : {SequenceJsonName, SheetName})
+	{
+		const Files::path File = Files::path(Path) / Name;
+		if (IsThere(File) && !List.Has(Name) && (!Files::is_regular_file(File) || Files::file_size(File) > 0))
+		{
+			throw MakeForeignError(File, "drydock did not write this");
+		}
+	}
+	if (IsThere(GetFrames(Path)) && !Files::is_directory(Files::symlink_status(GetFrames(Path), Ignored)))
+	{
+		throw MakeForeignError(GetFrames(Path), "drydock did not write this");
+	}
+	for (const int Frame : FindFrames())
+	{
+		const Files::path Folder = GetFramePath(Frame);
+		if (!IsThere(Folder / RunFolderListName))
+		{
+			throw MakeForeignError(Folder, "drydock did not write this");
+		}
+	}
 }
 
 void FSequenceFolder::RemoveLeftovers()
 {
 	std::error_code Ignored;
 	std::vector<Files::path> Leftovers;
-	for (const Files::path& Folder : {Files::path(Path), GetFrames(Path)})
+	for (const Files::directory_entry& Entry : Files::directory_iterator(GetFrames(Path), Ignored))
 	{
-		for (const Files::directory_entry& Entry : Files::directory_iterator(Folder, Ignored))
+		const std::optional<Files::path> Target = FAsideFile::FindAbandonedTarget(Entry.path());
+		if (Target && ParseFrame(Target->filename().string()))
 		{
-			if (FAsideFile::IsAside(Entry.path()))
-			{
-				Leftovers.push_back(Entry.path());
-			}
+			Leftovers.push_back(Entry.path());
 		}
 	}
 	for (const Files::path& Leftover : Leftovers)
@@ -85,18 +102,44 @@ void FSequenceFolder::RemoveLeftovers()
 	}
 }
 
+FFileList FSequenceFolder::ReadFrameList(int Frame) const
+{
+	return FFileList::Read(Files::path(GetFramePath(Frame)) / RunFolderListName);
+}
+
+void FSequenceFolder::RequireOwnFrame(int Frame) const
+{
+	const std::string Foreign = ReadFrameList(Frame).FindForeign(GetFramePath(Frame), "", {RunFolderListName});
+	if (!Foreign.empty())
+	{
+		throw MakeForeignError(Files::path(GetFramePath(Frame)) / Foreign, "drydock did not write this");
+	}
+}
+
+void FSequenceFolder::RemoveFrame(int Frame)
+{
+	const Files::path Folder = GetFramePath(Frame);
+	if (!IsThere(Folder))
+	{
+		return;
+	}
+	RequireOwnFrame(Frame);
+	RemoveFiles(Folder, ReadFrameList(Frame).GetNames());
+	RemoveFiles(Folder, {RunFolderListName}); // last: without it, what is left would be nobody's
+	RemoveFiles(Folder.parent_path(), {Folder.filename().string()});
+}
+
 std::vector<int> FSequenceFolder::FindFrames() const
 {
 	std::vector<int> Frames;
 	std::error_code Ignored;
 	for (const Files::directory_entry& Entry : Files::directory_iterator(GetFrames(Path), Ignored))
 	{
-		const std::string Name = Entry.path().filename().string();
-		int Frame = 0;
-		const std::from_chars_result Result = std::from_chars(Name.data(), Name.data() + Name.size(), Frame);
-		if (Result.ec == std::errc() && Result.ptr == Name.data() + Name.size() && Entry.path() == GetFramePath(Frame))
+		const std::optional<int> Frame = ParseFrame(Entry.path().filename().string());
+		const bool bEmpty = Entry.is_directory(Ignored) && Files::is_empty(Entry.path(), Ignored); // half removed
+		if (Frame && Entry.path() == GetFramePath(*Frame) && !bEmpty)
 		{
-			Frames.push_back(Frame);
+			Frames.push_back(*Frame);
 		}
 	}
 	std::sort(Frames.begin(), Frames.end());
@@ -110,6 +153,20 @@ std::string FSequenceFolder::GetFramePath(int Frame) const
 	return (GetFrames(Path) / (std::string(NumZeros, '0') + Number)).string();
 }
 
+std::string FSequenceFolder::FindDamage(int Frame) const
+{
+	const FFileList Written = ReadFrameList(Frame);
+	for (const std::string& Name : Written.GetNames())
+	{
+		const std::string Fault = Name == ViewStateName ? "" : Written.FindFault(GetFramePath(Frame), Name);
+		if (!Fault.empty())
+		{
+			return Name + " " + Fault;
+		}
+	}
+	return Written.Has(FrameJsonName) ? "" : std::string(FrameJsonName) + " is missing";
+}
+
 void FSequenceFolder::WriteFrame(
 	int Frame, const FRunResult& Result, const std::string& FrameJson, const std::string& ViewState)
 {
@@ -118,6 +175,7 @@ void FSequenceFolder::WriteFrame(
 	{
 		Further[ViewStateName] = ViewState;
 	}
+	RemoveFrame(Frame);
 	WriteNewRunFolder(Result, GetFramePath(Frame), Further);
 }
 
@@ -129,6 +187,11 @@ std::string FSequenceFolder::ReadFrameJson(int Frame) const
 std::string FSequenceFolder::GetViewStatePath(int Frame) const
 {
 	return (Files::path(GetFramePath(Frame)) / ViewStateName).string();
+}
+
+bool FSequenceFolder::HasViewState(int Frame) const
+{
+	return IsThere(GetViewStatePath(Frame));
 }
 
 std::string FSequenceFolder::ReadViewState(int Frame) const
@@ -144,33 +207,70 @@ void FSequenceFolder::RemoveViewState(int Frame)
 
 std::string FSequenceFolder::ReadSequenceJson() const
 {
-	const std::string File = (Files::path(Path) / SequenceJsonName).string();
-	std::error_code Ignored;
-	return Files::exists(File, Ignored) ? ReadTextFile(File) : "";
+	const Files::path File = Files::path(Path) / SequenceJsonName;
+	if (!IsThere(File))
+	{
+		return "";
+	}
+	const std::string Fault = List.FindFault(Path, SequenceJsonName);
+	if (!Fault.empty())
+	{
+		throw FError({.Code = ErrorSequenceBroken,
+						 .Message = "this " + Fault + ": --restart renders all frames again",
+						 .File = File.string()},
+			ExitFiles);
+	}
+	return ReadTextFile(File.string());
+}
+
+void FSequenceFolder::WriteList() const
+{
+	WriteTextFile((Files::path(Path) / ListName).string(), List.GetText());
+}
+
+void FSequenceFolder::Put(FAsideFile& Aside, const std::string& Name)
+{
+	const std::string Fingerprint = FingerprintFile(Aside.GetPath().string());
+	const FEndActionsHeld Held;
+	List.Add(Name, Fingerprint);
+	WriteList();
+	Aside.PutInPlace();
+	List.Remove(Name);
+	List.Add(Name, Fingerprint);
+	WriteList();
 }
 
 void FSequenceFolder::WriteSequenceJson(const std::string& Text)
 {
-	WriteTextFile((Files::path(Path) / SequenceJsonName).string(), Text);
+	FAsideFile Aside(Files::path(Path) / SequenceJsonName);
+	WriteWholeFile(Aside.GetPath().string(), Text);
+	Put(Aside, SequenceJsonName);
+}
+
+bool FSequenceFolder::HasSheet() const
+{
+	return List.FindFault(Path, SheetName).empty();
+}
+
+void FSequenceFolder::WriteSheet(const std::vector<int>& Frames, const std::vector<std::string>& Pictures)
+{
+	FAsideFile Aside(Files::path(Path) / SheetName);
+	WriteSequenceSheet(Aside.GetPath().string(), Frames, Pictures);
+	Put(Aside, SheetName);
 }
 
 void FSequenceFolder::Clear()
 {
-	// sequence.json last: without it the frames would be nobody's.
-	std::error_code Error;
-	Files::remove_all(GetFrames(Path), Error);
-	if (!Error)
+	const std::vector<int> Frames = FindFrames();
+	for (const int Frame : Frames)
 	{
-		Files::create_directories(GetFrames(Path), Error);
+		RequireOwnFrame(Frame);
 	}
-	if (!Error)
+	for (const int Frame : Frames)
 	{
-		Files::remove(Files::path(Path) / SequenceJsonName, Error);
+		RemoveFrame(Frame);
 	}
-	if (Error)
-	{
-		Throw(ErrorFileNotWritten, Path, "cannot be cleared: " + Error.message());
-	}
+	RemoveFiles(Path, {SequenceJsonName}); // last: without it the frames would be nobody's
 }
 
 } // namespace Drydock

@@ -186,6 +186,10 @@ std::string MakeFrameJson(const FRunResult& Result, const FFrameRecord& Record)
 	FJsonWriter Writer;
 	Writer.BeginObject();
 	Writer.Member("frame", Record.Frame);
+	if (Record.After >= 0)
+	{
+		Writer.Member("after", Record.After);
+	}
 	Writer.Member("file", Record.File);
 	Writer.Member("fileFingerprint", Record.FileFingerprint);
 	Writer.Key("location").BeginArray(true);
@@ -215,6 +219,10 @@ std::string MakeFrameJson(const FRunResult& Result, const FFrameRecord& Record)
 	Writer.Member("culled", static_cast<int64_t>(NumPasses) - static_cast<int64_t>(Result.Passes.size()));
 	Writer.EndObject();
 	Writer.Member("picture", Record.Picture);
+	if (!Record.Seen.empty())
+	{
+		Writer.Member("seen", Record.Seen);
+	}
 	Writer.Member("state", Record.State);
 	Writer.EndObject();
 	return Writer.GetText();
@@ -225,9 +233,11 @@ FFrameRecord ReadFrameRecord(const std::string& FrameJson, const std::string& Fi
 	const FJsonValue Root = Parse(FrameJson, File, "frame.json");
 	FFrameRecord Record;
 	Record.Frame = static_cast<int>(Root.GetNumber("frame", 0.0));
+	Record.After = static_cast<int>(Root.GetNumber("after", -1.0));
 	Record.File = Root.GetString("file");
 	Record.FileFingerprint = Root.GetString("fileFingerprint");
 	Record.Picture = Root.GetString("picture");
+	Record.Seen = Root.GetString("seen");
 	Record.State = Root.GetString("state");
 	return Record;
 }

@@ -16,18 +16,22 @@ namespace Drydock
 struct FFrameRecord
 {
 	int Frame = 0;
+	int After = -1;              // the frame before it; -1: none
 	std::string File;            // of the scene, as run.json names it
 	std::string FileFingerprint; // of its contents
 	std::string Picture;         // fingerprint of final and scene-linear picture, and of the dumps
+	std::string Seen;            // fingerprint of what the frame before it left; empty: nothing
 	std::string State;           // fingerprint of what lives on
 
 	bool operator==(const FFrameRecord&) const = default;
 };
 
-/** Of a frame that has run. Must be called while its session lives: weights depend on console variables. */
+/** Of a frame that has run, without what was before it. Must be called while its session lives: weights depend on
+ * console variables. */
 DRYDOCK_API FFrameRecord MakeFrameRecord(const FRunResult& Result, const std::string& FileFingerprint);
 
-/** {frame, file, fileFingerprint, location, fov?, exposure, passes, volumes: {name: weight}, picture, state}. */
+/** {frame, after?, file, fileFingerprint, location, fov?, exposure, passes, volumes: {name: weight}, picture, seen?,
+ * state}. */
 DRYDOCK_API std::string MakeFrameJson(const FRunResult& Result, const FFrameRecord& Record);
 
 /** File names the text in messages. Throws FError (exit code 3) when it is no frame.json. */

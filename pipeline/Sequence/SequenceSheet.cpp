@@ -32,7 +32,8 @@ void WriteSequenceSheet(
 		Tiles.push_back(
 			{ScalePicture(ReadPicture(Pictures[Index]), Options.TileWidth), "frame " + std::to_string(Frames[Index])});
 	}
-	WritePicture(File, MakeContactSheet(Tiles, Options));
+	constexpr int SmallestFile = 9;
+	WritePng(File, MakeContactSheet(Tiles, Options), SmallestFile);
 }
 
 } // namespace Drydock

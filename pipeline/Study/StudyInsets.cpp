@@ -4,7 +4,7 @@
 #include "Study/StudyInsets.h"
 
 #include "Study/StudyRun.h"
-#include "Text/ConfigErrors.h"
+#include "Text/AsideFile.h"
 #include "Text/TextFile.h"
 
 #include <algorithm>
@@ -175,14 +175,10 @@ std::vector<FStudyInsetRow> WriteStudyInsets(FStudyRun& Run, const FStudyResult&
 {
 	const Files::path Insets = Files::path(Folder) / "insets";
 	std::error_code Error;
-	Files::remove_all(Insets, Error);
-	Files::create_directories(Insets, Error);
+	Files::create_directory(Insets, Error);
 	if (Error)
 	{
-		throw FError({.Code = ErrorFileNotWritten,
-						 .Message = "the folder cannot be made: " + Error.message(),
-						 .File = Insets.string()},
-			ExitFiles);
+		throw MakeWriteError(Insets.string(), Error.message());
 	}
 	std::vector<FStudyInsetRow> Rows;
 	for (const size_t Job : ChooseJobs(Result.Jobs.size()))

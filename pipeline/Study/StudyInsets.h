@@ -9,7 +9,7 @@ namespace Drydock
 {
 
 /** Runs what is shown once more. Writes PNGs to Folder/insets, parts of the pictures around the largest error, and
- * gives them for DrawStudyInsets; Folder/insets of an earlier study goes. Throws FError (exit code 3) when a file
+ * gives them for DrawStudyInsets; for a folder that is not seen yet. Throws FError (exit code 3) when a file
  * cannot be written. */
 DRYDOCK_API std::vector<FStudyInsetRow> WriteStudyInsets(
 	FStudyRun& Run, const FStudyResult& Result, const std::string& Folder);

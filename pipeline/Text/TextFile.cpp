@@ -5,8 +5,11 @@
 #include "Text/ConfigErrors.h"
 #include "Text/LimitErrors.h"
 
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
 #include <filesystem>
-#include <fstream>
+#include <unistd.h>
 
 namespace Drydock
 {
@@ -43,12 +46,21 @@ std::string ReadStandardInputText()
 
 void WriteWholeFile(const std::string& Path, const std::string& Text)
 {
-	std::ofstream Stream(Path, std::ios::binary);
-	Stream << Text;
-	Stream.close();
-	if (!Stream)
+	const int File = open(Path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+	int Error = File < 0 ? errno : 0;
+	for (size_t Done = 0; Error == 0 && Done < Text.size();)
 	{
-		throw MakeWriteError(Path, "the disk refuses it");
+		const ssize_t Count = write(File, Text.data() + Done, Text.size() - Done);
+		Error = Count < 0 && errno != EINTR ? errno : 0;
+		Done += Count > 0 ? static_cast<size_t>(Count) : 0;
+	}
+	if (File >= 0 && close(File) != 0 && Error == 0)
+	{
+		Error = errno; // file systems across a network say it here
+	}
+	if (Error != 0)
+	{
+		throw MakeWriteError(Path, std::strerror(Error));
 	}
 }
 

@@ -32,14 +32,14 @@ inline std::string ReadBytes(const Files::path& Path)
 	return std::string(std::istreambuf_iterator<char>(Stream), {});
 }
 
-/** All files by name, with their bytes; those that hold milliseconds, and the lock, without. */
+/** All files by name, with their bytes; those that hold milliseconds without. */
 inline std::map<std::string, std::string> ReadFolder(const Files::path& Folder)
 {
 	std::map<std::string, std::string> Contents;
 	for (const Files::directory_entry& Entry : Files::recursive_directory_iterator(Folder))
 	{
 		const std::string Name = Entry.path().filename().string();
-		if (Entry.is_regular_file() && Name != ".sequence.lock")
+		if (Entry.is_regular_file())
 		{
 			const bool bTimes = Name == "timing.json" || Name == "trace.json";
 			Contents[Files::relative(Entry.path(), Folder).string()] = bTimes ? "" : ReadBytes(Entry.path());

@@ -4,6 +4,7 @@
 #include "Run/Run.h"
 #include "SceneViewExtension.h"
 #include "Sequence/RunSequence.h"
+#include "Sequence/SequenceErrors.h"
 #include "Sequence/SequenceFolder.h"
 #include "Sequence/SequenceSheet.h"
 #include "SequenceTestUtils.h"
@@ -65,6 +66,24 @@ protected:
 				   Error.GetDiagnostics().at(0).Message;
 		}
 		return "none";
+	}
+
+	/** Runs; the warnings that say which frames are rendered again, without their places. */
+	static std::vector<std::string> RunAgain(FSequenceOptions Options)
+	{
+		std::vector<std::string> Messages;
+		Options.Report = [&](const std::vector<FDiagnostic>& Diagnostics)
+		{
+			for (const FDiagnostic& Diagnostic : Diagnostics)
+			{
+				if (Diagnostic.Code == WarnFrameDamaged)
+				{
+					Messages.push_back(Diagnostic.Message);
+				}
+			}
+		};
+		RunSequence(Options);
+		return Messages;
 	}
 
 	static FJsonValue Parse(const std::string& Text)
@@ -236,8 +255,9 @@ TEST(SequenceSheet, ManyFramesAreThinnedOutEvenly)
 TEST_F(RunSequences, OneRunWritesAtATime)
 {
 	const FSequenceFolder Folder((Temporary.Path / "out").string(), 4);
-	EXPECT_EQ(
-		"5021 3 another run is writing to this folder: wait for it, or name another with --out", ErrorOf(Ask("2")));
+	EXPECT_EQ("5021 3 process " + std::to_string(getpid()) +
+				  " is writing to this folder: wait for it, or name another with --out",
+		ErrorOf(Ask("2")));
 }
 
 TEST_F(RunSequences, TimeIsThatOfTheScene)
@@ -260,4 +280,127 @@ TEST_F(RunSequences, ConfigsRateBeatsTheScenes)
 	Options.Run.ConfigText = R"({"scene": {"fps": 50, "file": ")" + Scenes + R"(moving_camera.####.exr"}})";
 	EXPECT_EQ(50.0, RunSequence(Options).FramesPerSecond);
 	EXPECT_FLOAT_EQ(0.02f, Watch->Times.at(0).DeltaWorldTimeSeconds);
+}
+
+TEST_F(RunSequences, FrameThatIsNotAsItWasWrittenIsRenderedAgain)
+{
+	using FMessages = std::vector<std::string>;
+	RunSequence(Ask("1-4", "whole"));
+	RunSequence(Ask("1-4"));
+	const Files::path Frames = Temporary.Path / "out/frames";
+	const auto ExpectAgain = [&](const FMessages& Messages)
+	{
+		EXPECT_EQ(Messages, RunAgain(Ask("1-4")));
+		EXPECT_TRUE(AreSameFolders(Temporary.Path / "whole", Temporary.Path / "out"));
+	};
+	Files::remove(Frames / "0002/final.png");
+	ExpectAgain({"frame 2 is rendered again: its final.png is missing"});
+	Files::resize_file(Frames / "0001/final.exr", 0);
+	ExpectAgain({"frame 1 is rendered again: its final.exr is empty"});
+	std::string Bytes = ReadBytes(Frames / "0004/scene_linear.exr");
+	Bytes[Bytes.size() / 2] = static_cast<char>(Bytes[Bytes.size() / 2] ^ 1);
+	std::ofstream(Frames / "0004/scene_linear.exr", std::ios::binary) << Bytes;
+	ExpectAgain({"frame 4 is rendered again: its scene_linear.exr is not as it was written"});
+	Files::resize_file(Frames / "0003/frame.json", Files::file_size(Frames / "0003/frame.json") / 2);
+	Files::remove_all(Frames / "0001");
+	ExpectAgain({"frame 3 is rendered again: its frame.json is not as it was written",
+		"frame 1 is rendered again: it is missing"});
+	Files::remove(Temporary.Path / "out/sheet.png");
+	ExpectAgain({});
+}
+
+TEST_F(RunSequences, LaterFrameIsRenderedAgainWhereItsHistoryIsAnother)
+{
+	// Frame 3 of another camera: what frame 4 saw of it is no more.
+	const auto Copy = [&](int Frame, int From)
+	{
+		const std::string Number = std::to_string(From);
+		Files::copy_file(Scenes + "moving_camera.000" + Number + ".exr",
+			Temporary.Path / ("f." + std::to_string(Frame) + ".exr"), Files::copy_options::overwrite_existing);
+	};
+	const auto AskFor = [&](const std::string& Out)
+	{
+		FSequenceOptions Options = Ask("1-3", Out);
+		Options.Run.ConfigText = R"({"scene": {"file": "f.#.exr"}})";
+		return Options;
+	};
+	Copy(1, 1);
+	Copy(2, 2);
+	Copy(3, 3);
+	RunSequence(AskFor("out"));
+	Copy(2, 8);
+	Files::remove_all(Temporary.Path / "out/frames/2");
+	EXPECT_EQ((std::vector<std::string>{"frame 2 is rendered again: it is missing",
+				  "frame 3 is rendered again: the frame before it is not what it was"}),
+		RunAgain(AskFor("out")));
+	RunSequence(AskFor("whole"));
+	EXPECT_TRUE(AreSameFolders(Temporary.Path / "whole", Temporary.Path / "out"));
+}
+
+TEST_F(RunSequences, OnlyItsOwnFilesAreRemoved)
+{
+	const Files::path Out = Temporary.Path / "out";
+	RunSequence(Ask("2"));
+	std::ofstream(Out / "frames/0002/note.txt") << "mine";
+	FSequenceOptions Restart = Ask("1");
+	Restart.bRestart = true;
+	EXPECT_EQ(0u, ErrorOf(Restart).find("1080 2 drydock did not write this")) << ErrorOf(Restart);
+	EXPECT_EQ("mine", ReadBytes(Out / "frames/0002/note.txt"));
+	EXPECT_TRUE(Files::exists(Out / "frames/0002/final.png"));
+	Files::rename(Out / "frames/0002/note.txt", Out / "frames/note.txt");
+	std::ofstream(Out / "frames/0002.writing.notes") << "mine";
+	std::ofstream(Out / "story.writing.2.txt") << "mine";
+	RunSequence(Restart);
+	EXPECT_FALSE(Files::exists(Out / "frames/0002"));
+	EXPECT_EQ("mine", ReadBytes(Out / "frames/note.txt"));
+	EXPECT_EQ("mine", ReadBytes(Out / "frames/0002.writing.notes"));
+	EXPECT_EQ("mine", ReadBytes(Out / "story.writing.2.txt"));
+}
+
+TEST_F(RunSequences, ForeignContentInTheWayIsRefusedBeforeAnythingIsWritten)
+{
+	for (const char* Name : {"frames/0002/picture.png", "sequence.json", "sheet.png", "frames"})
+	{
+		const Files::path Out = Temporary.Path / ("out" + Files::path(Name).filename().string());
+		const Files::path File = Out / Name;
+		const FSequenceOptions Options = Ask("2", Out.filename().string());
+		Files::create_directories(File.parent_path());
+		std::ofstream(File) << "mine";
+		EXPECT_EQ(0u, ErrorOf(Options).find("1080 2 drydock did not write this")) << Name << ErrorOf(Options);
+		EXPECT_EQ("mine", ReadBytes(File));
+		EXPECT_EQ(1u, ReadFolder(Out).size());
+	}
+}
+
+TEST_F(RunSequences, DamagedSequenceJsonIsRefusedAndRestartMendsIt)
+{
+	RunSequence(Ask("2"));
+	const Files::path File = Temporary.Path / "out/sequence.json";
+	std::string Bytes = ReadBytes(File);
+	Bytes.replace(Bytes.find("\"varying\""), 9, "\"wandering\"");
+	std::ofstream(File, std::ios::binary) << Bytes;
+	EXPECT_EQ("5022 3 this is not as it was written: --restart renders all frames again", ErrorOf(Ask("2")));
+	FSequenceOptions Restart = Ask("2");
+	Restart.bRestart = true;
+	EXPECT_EQ(1, RunSequence(Restart).NumRendered);
+}
+
+TEST_F(RunSequences, StateOfAnotherFrameIsNotGoneOnFrom)
+{
+	RunSequence(Ask("1", "other"));
+	RunSequence(Ask("2"));
+	Files::copy_file(Temporary.Path / "other/frames/0001/view_state.bin",
+		Temporary.Path / "out/frames/0002/view_state.bin", Files::copy_options::overwrite_existing);
+	EXPECT_EQ("5020 3 the state of a frame is another frame's", ErrorOf(Ask("2-3")));
+}
+
+TEST_F(RunSequences, LostStateIsComputedAgain)
+{
+	RunSequence(Ask("2-4", "whole"));
+	RunSequence(Ask("2-3"));
+	Files::remove(Temporary.Path / "out/frames/0003/view_state.bin");
+	const FSequenceResult Result = RunSequence(Ask("2-4"));
+	EXPECT_EQ(1, Result.NumRendered);
+	EXPECT_EQ(2, Result.NumRepeated);
+	EXPECT_TRUE(AreSameFolders(Temporary.Path / "whole", Temporary.Path / "out"));
 }

@@ -97,7 +97,7 @@ TEST_F(TextFile, WhatIsNotPutInPlaceGoesAway)
 	{
 		const FAsideFile Aside(Folder / "a.txt");
 		WriteWholeFile(Aside.GetPath().string(), "half");
-		EXPECT_TRUE(FAsideFile::IsAside(Aside.GetPath()));
+		EXPECT_EQ("a.writing." + std::to_string(getpid()) + ".txt", Aside.GetPath().filename().string());
 		EXPECT_EQ(1u, CountFiles());
 	}
 	EXPECT_EQ(0u, CountFiles());
@@ -121,4 +121,20 @@ TEST_F(TextFile, PlaceUnderAFileIsAnError)
 {
 	WriteTextFile((Folder / "a").string(), "one");
 	EXPECT_THROW(FAsideFile(Folder / "a" / "b.txt"), FError);
+}
+
+TEST_F(TextFile, DiskThatIsFullIsSaidOfTheFile)
+{
+	Files::create_symlink("/dev/full", Folder / "full.txt");
+	try
+	{
+		WriteWholeFile((Folder / "full.txt").string(), "one");
+		FAIL();
+	}
+	catch (const FError& Error)
+	{
+		EXPECT_EQ(ExitFiles, Error.GetExitCode());
+		EXPECT_EQ((Folder / "full.txt").string() + ": error DD5004: cannot be written: No space left on device",
+			Error.GetDiagnostics().at(0).ToString());
+	}
 }

@@ -1,0 +1,61 @@
+// The list of the files that drydock wrote into a folder, which stands in that folder: by it, and by nothing else, a
+// later run knows what it may replace and remove.
+#pragma once
+
+#include "DrydockAPI.h"
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace Drydock
+{
+
+class DRYDOCK_API FFileList
+{
+public:
+	/** The list that File holds; an empty one where there is no such file. Throws FError (DD5023, exit code 3) where it
+	 * is cut short, changed, or of another version. */
+	static FFileList Read(const std::filesystem::path& File);
+
+	/** All files in Folder and beneath it. Unsteady: names of those whose bytes differ from run to run, which are told
+	 * by their names alone, so that equal runs give equal lists. Throws FError (exit code 3) when one cannot be read.
+	 */
+	static FFileList Make(const std::filesystem::path& Folder, const std::set<std::string>& Unsteady);
+
+	/** One line for each file, and a fingerprint of them all. */
+	std::string GetText() const;
+
+	/** Name: its path from the folder, with '/'. Fingerprint: of its bytes (FingerprintFile), or empty. */
+	void Add(const std::string& Name, const std::string& Fingerprint);
+	/** Both lists: where names are in both, files like either are. */
+	void Add(const FFileList& Other);
+	/** Forgets what it has of this name. */
+	void Remove(const std::string& Name);
+
+	bool IsEmpty() const { return Files.empty(); }
+	bool Has(const std::string& Name) const;
+	/** Ascending, each once. */
+	std::set<std::string> GetNames() const;
+
+	/** What is wrong with the file of this name beneath Folder: "is missing", "is empty", "is not as it was written",
+	 * "is not on the list"; nothing where it is as the list has it. */
+	std::string FindFault(const std::filesystem::path& Folder, const std::string& Name) const;
+
+	/** What stands in Folder/Sub and is not on the list, by its name: "passes/Bloom.cpp". Folders that hold only listed
+	 * files are none of that. Empty: there is nothing else. Names that are in Besides count as listed. */
+	std::string FindForeign(
+		const std::filesystem::path& Folder, const std::string& Sub, const std::set<std::string>& Besides = {}) const;
+
+	bool operator==(const FFileList&) const = default;
+
+private:
+	std::set<std::pair<std::string, std::string>> Files; // name and fingerprint; a name twice while it is replaced
+};
+
+/** Removes the files of these names, then the folders beneath Folder that this leaves empty. Throws FError (exit code
+ * 3). */
+DRYDOCK_API void RemoveFiles(const std::filesystem::path& Folder, const std::set<std::string>& Names);
+
+} // namespace Drydock
