@@ -1,11 +1,13 @@
 // The program: calls the verb that the arguments name, and turns errors into exit codes.
 #include "Program/CommandLine.h"
+#include "Program/EndingSignals.h"
 #include "Program/ProgramFailure.h"
 #include "Program/ProgramOutput.h"
 
 int main(int NumArguments, char** Arguments)
 {
 	Drydock::HoldStandardStreams();
+	Drydock::CatchEndingSignals();
 	try
 	{
 		return Drydock::CallProgram({Arguments + (NumArguments > 0 ? 1 : 0), Arguments + NumArguments});

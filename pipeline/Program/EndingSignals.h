@@ -1,0 +1,13 @@
+// SIGINT, SIGTERM and SIGHUP end the program and leave nothing behind.
+#pragma once
+
+#include "DrydockAPI.h"
+
+namespace Drydock
+{
+
+/** From now on these signals do the end actions (EndAction.h), clear the line that a progress bar is on, and end the
+ * process with exit code 128 + signal. A second one ends it at once. */
+DRYDOCK_API void CatchEndingSignals();
+
+} // namespace Drydock
