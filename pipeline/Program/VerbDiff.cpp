@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "Picture/ImageMetrics.h"
+#include "Picture/PictureFile.h"
 #include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
 #include "Text/ConfigErrors.h"
@@ -202,12 +203,7 @@ void Compare(FPair& Pair, const std::string& HeatMap)
 	if (!HeatMap.empty())
 	{
 		const double Full = std::isfinite(Pair.Error.Max) ? Pair.Error.Max : Pair.Error.Peak;
-		std::error_code Ignored;
-		if (Files::path(HeatMap).has_parent_path())
-		{
-			Files::create_directories(Files::path(HeatMap).parent_path(), Ignored);
-		}
-		WritePng(HeatMap, MakeHeatMap(A.Image, B.Image, Full));
+		WritePicture(HeatMap, MakeHeatMap(A.Image, B.Image, Full));
 	}
 }
 

@@ -6,10 +6,12 @@
 #include "Picture/ImageFile.h"
 #include "Text/ConfigErrors.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <random>
 #include <unistd.h>
 
 using namespace Drydock;
@@ -75,6 +77,15 @@ int64_t GetPeakKilobytes()
 		}
 	}
 	return 0;
+}
+
+std::vector<double> DrawNoise(size_t Count)
+{
+	std::mt19937 Random(16);
+	std::uniform_real_distribution<double> Value(0.0, 1.0);
+	std::vector<double> Values(Count);
+	std::generate(Values.begin(), Values.end(), [&] { return Value(Random); });
+	return Values;
 }
 
 const FImage TwoPixels{2, 1, 3, {0.0, 0.25, 1.5, -2.0, 65504.0, 1e-7}};
@@ -260,6 +271,32 @@ TEST_F(ImageFile, ForgedHeadersAreRefusedForWhatTheySay)
 		EXPECT_EQ((std::pair<int, int>{Code, ExitFiles}), ErrorOf(Corpus + Name + ".exr")) << Name;
 	}
 	EXPECT_LT(GetPeakKilobytes() - Before, 100'000); // of the gigabytes that they ask for
+}
+
+TEST_F(ImageFile, DiskThatIsFullIsAWriteError)
+{
+	// Large enough that no buffer keeps it all until the file is closed, and as small as a first picture.
+	const FImage Noise{256, 256, 3, DrawNoise(size_t(256) * 256 * 3)};
+	for (const FImage& Image : {Noise, TwoPixels})
+	{
+		for (const char* Name : {"full.png", "full.exr"})
+		{
+			std::filesystem::remove(Path(Name));
+			std::filesystem::create_symlink("/dev/full", Path(Name));
+			try
+			{
+				std::string(Name) == "full.png" ? WritePng(Path(Name), Image)
+												: WriteExr(Path(Name), Image, {"R", "G", "B"});
+				ADD_FAILURE() << Name << " " << Image.Width;
+			}
+			catch (const FError& Error)
+			{
+				EXPECT_EQ(ErrorFileNotWritten, Error.GetDiagnostics()[0].Code);
+				EXPECT_EQ(Path(Name), Error.GetDiagnostics()[0].File);
+				EXPECT_EQ(ExitFiles, Error.GetExitCode());
+			}
+		}
+	}
 }
 
 TEST_F(ImageFile, FolderThatDoesNotExistIsAWriteError)
