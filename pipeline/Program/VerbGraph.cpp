@@ -8,13 +8,12 @@
 #include "RenderGraphDump.h"
 #include "Run/GraphJson.h"
 #include "Run/Run.h"
+#include "TemporaryFolder.h"
 #include "Text/ConfigErrors.h"
 #include "Text/TextFile.h"
 
 #include <cstdio>
-#include <filesystem>
 #include <memory>
-#include <unistd.h>
 
 namespace Drydock
 {
@@ -29,30 +28,21 @@ struct FGraphOptions
 	bool bJson = false;          // the same as json
 };
 
-/** Removes a file when it goes out of scope. */
-struct FTemporaryFile
-{
-	explicit FTemporaryFile(const std::string& Suffix)
-		: Path((std::filesystem::temp_directory_path() / ("drydock." + std::to_string(getpid()) + Suffix)).string())
-	{
-	}
-	~FTemporaryFile()
-	{
-		std::error_code Ignored;
-		std::filesystem::remove(Path, Ignored);
-	}
-
-	const std::string Path;
-};
-
 /** Layout by Graphviz's dot, where it is installed. */
 std::string MakeSvg(const std::string& Dot)
 {
 	constexpr int TimeLimitSeconds = 60;
-	const FTemporaryFile Input(".dot");
-	const FTemporaryFile Output(".svg");
-	WriteWholeFile(Input.Path, Dot);
-	const FChildResult Child = RunChild({"dot", "-Tsvg", Input.Path, "-o", Output.Path}, TimeLimitSeconds);
+	const FTemporaryFolder Folder;
+	if (Folder.Path.empty())
+	{
+		throw FError({.Code = ErrorFileNotWritten,
+						 .Message = "the SVG needs a temporary folder, and none can be made: see TMPDIR"},
+			ExitFiles);
+	}
+	const std::string Input = Folder.Path + "/graph.dot";
+	const std::string Output = Folder.Path + "/graph.svg";
+	WriteWholeFile(Input, Dot);
+	const FChildResult Child = RunChild({"dot", "-Tsvg", Input, "-o", Output}, TimeLimitSeconds);
 	if (!Child.Succeeded())
 	{
 		const std::string Why = Child.bStarted ? Child.Describe(TimeLimitSeconds) : "is not installed";
@@ -60,7 +50,7 @@ std::string MakeSvg(const std::string& Dot)
 						 .Message = "the SVG needs Graphviz: the program dot " + Why + "; --format dot needs nothing"},
 			ExitFiles);
 	}
-	return ReadTextFile(Output.Path, "cannot be read", MaxBinaryBytes);
+	return ReadTextFile(Output, "cannot be read", MaxBinaryBytes);
 }
 
 int PrintGraph(const FGraphOptions& Options)

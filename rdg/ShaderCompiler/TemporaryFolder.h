@@ -1,38 +1,30 @@
-// A folder for the files of one compilation, gone with its scope.
+// A folder for the files of one compilation, gone with its scope, or with the process when a signal ends that.
 #pragma once
 
-#include <cstdlib>
-#include <filesystem>
+#include "DrydockAPI.h"
+#include "EndAction.h"
+
+#include <optional>
 #include <string>
 
 namespace Drydock
 {
 
-class FTemporaryFolder
+/** drydock-PROCESS-XXXXXX in the system's folder for temporary files, for this user alone. The first one of a process
+ * removes those that processes of this user have left which were killed. */
+class DRYDOCK_API FTemporaryFolder
 {
 public:
-	FTemporaryFolder()
-	{
-		std::error_code Error;
-		std::filesystem::path Parent = std::filesystem::temp_directory_path(Error);
-		std::string Pattern = ((Error ? std::filesystem::path("/tmp") : Parent) / "drydock-XXXXXX").string();
-		if (mkdtemp(Pattern.data()))
-		{
-			Path = Pattern;
-		}
-	}
-	~FTemporaryFolder()
-	{
-		std::error_code Error;
-		if (!Path.empty())
-		{
-			std::filesystem::remove_all(Path, Error);
-		}
-	}
+	FTemporaryFolder();
+	~FTemporaryFolder();
 	FTemporaryFolder(const FTemporaryFolder&) = delete;
 	FTemporaryFolder& operator=(const FTemporaryFolder&) = delete;
 
 	std::string Path; // empty: none could be made
+
+private:
+	int Lock = -1; // of the folder: nobody else takes it for abandoned
+	std::optional<FScratchPath> Scratch;
 };
 
 } // namespace Drydock
