@@ -1,5 +1,5 @@
-// Folders of outputs: what drydock wrote is replaced and removed by its own list; whatever else is in the way stays, and
-// is named.
+// Folders of outputs: what drydock wrote is replaced and removed by its own list; whatever else is in the way stays,
+// and is named.
 #include <gtest/gtest.h>
 
 #include "SequenceTestUtils.h"
