@@ -8,6 +8,7 @@
 #include "PostProcessSettingsReflection.h"
 
 #include <algorithm>
+#include <unordered_map>
 
 namespace Drydock
 {
@@ -31,26 +32,40 @@ std::string DescribeChanges(const FPostProcessSettings& Before, const FPostProce
 	return Text;
 }
 
-std::string DescribePasses(const FRDGCompiledGraph& Graph, const std::string& Scope)
+/** The passes inside each event scope, by its name without those around it. */
+using FPassesByScope = std::unordered_map<std::string, std::vector<const FRDGCompiledPass*>>;
+
+FPassesByScope SortByScope(const FRDGCompiledGraph& Graph)
 {
-	std::string Names;
-	int NumAdded = 0;
-	int NumCulled = 0;
+	FPassesByScope Passes;
 	for (const FRDGCompiledPass& Pass : Graph.Passes)
 	{
-		if (("/" + Pass.Scope + "/").find("/" + Scope + "/") != std::string::npos)
+		for (size_t Begin = 0; Begin < Pass.Scope.size();)
 		{
-			++NumAdded;
-			NumCulled += Pass.bCulled ? 1 : 0;
-			Names += (Names.empty() ? "" : ", ") + Pass.Name;
+			const size_t End = std::min(Pass.Scope.find('/', Begin), Pass.Scope.size());
+			std::vector<const FRDGCompiledPass*>& Inside = Passes[Pass.Scope.substr(Begin, End - Begin)];
+			if (Inside.empty() || Inside.back() != &Pass)
+			{
+				Inside.push_back(&Pass);
+			}
+			Begin = End + 1;
 		}
 	}
-	if (NumAdded == 0)
+	return Passes;
+}
+
+std::string DescribePasses(const std::vector<const FRDGCompiledPass*>& Passes)
+{
+	std::string Names;
+	size_t NumCulled = 0;
+	for (const FRDGCompiledPass* Pass : Passes)
 	{
-		return "";
+		NumCulled += Pass->bCulled ? 1 : 0;
+		Names += (Names.empty() ? "" : ", ") + Pass->Name;
 	}
 	const std::string Culled = NumCulled == 0 ? "" : " (" + std::to_string(NumCulled) + " culled)";
-	return "added " + std::to_string(NumAdded) + (NumAdded == 1 ? " pass" : " passes") + Culled + ": " + Names;
+	return "added " + std::to_string(Passes.size()) + (Passes.size() == 1 ? " pass" : " passes") + Culled + ": " +
+		   Names;
 }
 
 } // namespace
@@ -82,13 +97,17 @@ void FViewExtensionFrame::Gather(FSceneViewFamily& Family, const std::optional<s
 			return Plugins && Info != nullptr && !Info->Plugin.empty() &&
 				   std::find(Plugins->begin(), Plugins->end(), Info->Plugin) == Plugins->end();
 		});
+	std::unordered_map<std::string, int> Numbers; // how many of a name
+	for (const FExtension& Earlier : Extensions)
+	{
+		++Numbers[Earlier.Info.Name];
+	}
 	for (const TSharedRef<ISceneViewExtension, ESPMode::ThreadSafe>& Extension : Family.ViewExtensions)
 	{
 		const FExtensionInfo* Info = GEngine->ViewExtensions->FindInfo(*Extension);
 		check(Info);
-		const auto Same = std::count_if(Extensions.begin(), Extensions.end(),
-			[&](const FExtension& Earlier) { return Earlier.Info.Name == Info->Name; });
-		const std::string Label = Same == 0 ? Info->Name : Info->Name + " #" + std::to_string(Same + 1);
+		const int Number = ++Numbers[Info->Name];
+		const std::string Label = Number == 1 ? Info->Name : Info->Name + " #" + std::to_string(Number);
 		Extensions.push_back(
 			{Extension, *Info, Label, Info->EngineMinor == AnyEngineVersion ? Engine.Minor : Info->EngineMinor});
 		ReportVersion(Extensions.back());
@@ -377,10 +396,14 @@ void FViewExtensionFrame::PostRender(
 
 void FViewExtensionFrame::Finish(const FRDGCompiledGraph& Graph)
 {
+	const FPassesByScope Passes = SortByScope(Graph);
 	for (FHookCall& Call : Log.Calls)
 	{
-		const std::string Passes = Call.Scope.empty() ? "" : DescribePasses(Graph, Call.Scope);
-		Call.Did += (Call.Did.empty() || Passes.empty() ? "" : "; ") + Passes;
+		const auto Inside = Passes.find(Call.Scope);
+		if (Inside != Passes.end())
+		{
+			Call.Did += (Call.Did.empty() ? "" : "; ") + DescribePasses(Inside->second);
+		}
 	}
 }
 

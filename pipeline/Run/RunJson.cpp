@@ -16,11 +16,12 @@ namespace Drydock
 namespace
 {
 
+/** Passes run in the order of their indices. */
 const FRunPass* FindRunPass(const FRunResult& Result, int Index)
 {
-	const auto Found = std::find_if(
-		Result.Passes.begin(), Result.Passes.end(), [&](const FRunPass& Pass) { return Pass.Index == Index; });
-	return Found == Result.Passes.end() ? nullptr : &*Found;
+	const auto Found = std::lower_bound(Result.Passes.begin(), Result.Passes.end(), Index,
+		[](const FRunPass& Pass, int Wanted) { return Pass.Index < Wanted; });
+	return Found == Result.Passes.end() || Found->Index != Index ? nullptr : &*Found;
 }
 
 void WriteSettings(FJsonWriter& Writer, const FRunResult& Result)

@@ -43,8 +43,14 @@ FRunObserver::FRunObserver(
 void FRunObserver::OnGraphCompiled(const FRDGCompiledGraph& Graph)
 {
 	Result.Graph = Graph;
-	NumToExecute = static_cast<int>(std::count_if(Graph.Passes.begin(), Graph.Passes.end(),
-		[](const FRDGCompiledPass& Pass) { return !Pass.bCulled && !Pass.bIsSentinel; }));
+	ToExecute.clear();
+	for (const FRDGCompiledPass& Pass : Result.Graph.Passes)
+	{
+		if (!Pass.bCulled && !Pass.bIsSentinel)
+		{
+			ToExecute.push_back(static_cast<size_t>(Pass.Index));
+		}
+	}
 	ReportProgress();
 }
 
@@ -194,17 +200,9 @@ void FRunObserver::ReportProgress() const
 	{
 		return;
 	}
-	const int Done = static_cast<int>(Result.Passes.size());
-	int Position = 0;
-	for (const FRDGCompiledPass& Pass : Result.Graph.Passes)
-	{
-		if (!Pass.bCulled && !Pass.bIsSentinel && Position++ == Done)
-		{
-			Options.Progress(Done, NumToExecute, Pass.Name);
-			return;
-		}
-	}
-	Options.Progress(Done, NumToExecute, "");
+	const size_t NumDone = Result.Passes.size();
+	Options.Progress(static_cast<int>(NumDone), static_cast<int>(ToExecute.size()),
+		NumDone < ToExecute.size() ? Result.Graph.Passes[ToExecute[NumDone]].Name : "");
 }
 
 } // namespace Drydock

@@ -43,7 +43,8 @@ private:
 	FRunResult& Result;
 	/** Of each texture that passes have written, by mip: the least rect around what they drew. */
 	std::map<const FRDGTexture*, std::vector<FIntRect>> Drawn;
-	int NumToExecute = 0;
+	/** Indices of the graph's passes that are not left out; empty while a graph runs in immediate mode. */
+	std::vector<size_t> ToExecute;
 };
 
 } // namespace Drydock

@@ -2,7 +2,13 @@
 #include "RenderGraphAlias.h"
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <map>
 #include <numeric>
+#include <queue>
+#include <set>
 
 namespace Drydock
 {
@@ -10,27 +16,80 @@ namespace Drydock
 namespace
 {
 
-struct FBlock
+/** What is free of the heap, which has no end here. Taking costs by the number of different sizes of gaps, which is
+ * small; giving back by the logarithm of their number. */
+class FFreeSpace
 {
-	uint64_t Begin;
-	uint64_t End;
-	int32_t Last;
+public:
+	/** The lowest place with so much room. */
+	uint64_t Take(uint64_t Bytes)
+	{
+		uint64_t Begin = Endless;
+		for (auto Size = BeginsBySize.lower_bound(Bytes); Size != BeginsBySize.end(); ++Size)
+		{
+			Begin = std::min(Begin, *Size->second.begin());
+		}
+		const uint64_t End = Gaps.at(Begin);
+		RemoveGap(Begin);
+		AddGap(Begin + Bytes, End);
+		return Begin;
+	}
+
+	/** It joins the gaps beside it. */
+	void GiveBack(uint64_t Begin, uint64_t End)
+	{
+		const auto After = Gaps.find(End);
+		if (After != Gaps.end())
+		{
+			End = After->second;
+			RemoveGap(After->first);
+		}
+		const auto Next = Gaps.lower_bound(Begin);
+		if (Next != Gaps.begin() && std::prev(Next)->second == Begin)
+		{
+			Begin = std::prev(Next)->first;
+			RemoveGap(Begin);
+		}
+		AddGap(Begin, End);
+	}
+
+private:
+	static constexpr uint64_t Endless = std::numeric_limits<uint64_t>::max();
+
+	void AddGap(uint64_t Begin, uint64_t End)
+	{
+		if (Begin < End)
+		{
+			Gaps[Begin] = End;
+			BeginsBySize[End - Begin].insert(Begin);
+		}
+	}
+
+	void RemoveGap(uint64_t Begin)
+	{
+		const auto Gap = Gaps.find(Begin);
+		const auto Size = BeginsBySize.find(Gap->second - Begin);
+		Size->second.erase(Begin);
+		if (Size->second.empty())
+		{
+			BeginsBySize.erase(Size);
+		}
+		Gaps.erase(Gap);
+	}
+
+	std::map<uint64_t, uint64_t> Gaps = {{0, Endless}}; // end by begin
+	std::map<uint64_t, std::set<uint64_t>> BeginsBySize = {{Endless, {0}}};
 };
 
-/** The lowest gap of at least Bytes between blocks sorted by Begin. */
-uint64_t FindGap(const std::vector<FBlock>& Blocks, uint64_t Bytes)
+/** In the heap up to and with a pass. */
+struct FBlock
 {
-	uint64_t Offset = 0;
-	for (const FBlock& Block : Blocks)
-	{
-		if (Block.Begin >= Offset + Bytes)
-		{
-			break;
-		}
-		Offset = std::max(Offset, Block.End);
-	}
-	return Offset;
-}
+	int32_t Last;
+	uint64_t Begin;
+	uint64_t End;
+
+	bool operator>(const FBlock& Other) const { return Last > Other.Last; }
+};
 
 } // namespace
 
@@ -43,7 +102,8 @@ FRDGHeapLayout PlaceInHeap(const std::vector<FRDGHeapRequest>& Requests)
 
 	FRDGHeapLayout Layout;
 	Layout.Offsets.assign(Requests.size(), -1);
-	std::vector<FBlock> Blocks; // alive at the current pass, sorted by Begin
+	FFreeSpace Free;
+	std::priority_queue<FBlock, std::vector<FBlock>, std::greater<>> Alive; // the first to end on top
 	for (const size_t Index : Order)
 	{
 		const FRDGHeapRequest& Request = Requests[Index];
@@ -51,14 +111,18 @@ FRDGHeapLayout PlaceInHeap(const std::vector<FRDGHeapRequest>& Requests)
 		{
 			continue;
 		}
-		std::erase_if(Blocks, [&](const FBlock& Block) { return Block.Last < Request.First; });
+		for (; !Alive.empty() && Alive.top().Last < Request.First; Alive.pop())
+		{
+			Free.GiveBack(Alive.top().Begin, Alive.top().End);
+		}
 		const uint64_t Bytes = (Request.Bytes + GRDGHeapAlignment - 1) / GRDGHeapAlignment * GRDGHeapAlignment;
-		const FBlock Block{FindGap(Blocks, Bytes), FindGap(Blocks, Bytes) + Bytes, Request.Last};
-		Blocks.insert(std::upper_bound(Blocks.begin(), Blocks.end(), Block,
-						  [](const FBlock& A, const FBlock& B) { return A.Begin < B.Begin; }),
-			Block);
-		Layout.Offsets[Index] = int64_t(Block.Begin);
-		Layout.PeakBytes = std::max(Layout.PeakBytes, Block.End);
+		const uint64_t Begin = Bytes > 0 ? Free.Take(Bytes) : 0;
+		if (Bytes > 0)
+		{
+			Alive.push({Request.Last, Begin, Begin + Bytes});
+		}
+		Layout.Offsets[Index] = int64_t(Begin);
+		Layout.PeakBytes = std::max(Layout.PeakBytes, Begin + Bytes);
 		Layout.WithoutAliasingBytes += Bytes;
 	}
 	return Layout;

@@ -54,7 +54,8 @@ FRDGPassRef FRDGBuilder::AdoptPass(std::unique_ptr<FRDGPass>&& InPass)
 		if (State->Settings.bImmediateMode)
 		{
 			ResolveBufferSizes();
-			ThrowCollectedErrors(ValidateGraph(State->Graph, false).Errors);
+			// Those before it were found right when they were added.
+			ThrowCollectedErrors(ValidatePass(State->Graph, State->Graph.Passes.back()));
 			FRDGExecutor(*State, RHICmdList).RunPassImmediately(*Pass);
 		}
 	}

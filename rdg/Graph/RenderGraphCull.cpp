@@ -67,27 +67,66 @@ const char* IsOrAre(const std::string& Outputs)
 	return Outputs.compare(0, 8, "outputs ") == 0 ? " are" : " is";
 }
 
-/** Follows the first consumer of each culled pass to the end of the chain that nobody reads. */
+/** Where the first consumers of a culled pass lead: a consumer always comes after its producer. */
+struct FChain
+{
+	int32_t Next = -1; // the first consumer
+	int32_t End = -1;  // the pass that nobody reads
+	int32_t Length = 0;
+};
+
+/** By pass. A culled pass's consumers are all culled, else it would have survived. */
+std::vector<FChain> FindChains(const FRDGDependencies& Dependencies)
+{
+	std::vector<FChain> Chains(Dependencies.Producers.size());
+	for (int32_t Pass = int32_t(Chains.size()) - 1; Pass >= 0; --Pass)
+	{
+		FChain& Chain = Chains[size_t(Pass)];
+		Chain.End = Chain.Next < 0 ? Pass : Chains[size_t(Chain.Next)].End;
+		Chain.Length = Chain.Next < 0 ? 0 : Chains[size_t(Chain.Next)].Length + 1;
+		for (const int32_t Producer : Dependencies.Producers[size_t(Pass)])
+		{
+			Chains[size_t(Producer)].Next = Pass;
+		}
+	}
+	return Chains;
+}
+
+/** "A -> B -> C"; of a long one the first and the last passes, so that the reasons of all passes stay short. */
+std::string DescribeChain(const FRDGGraphDescription& Graph, const std::vector<FChain>& Chains, int32_t Pass)
+{
+	constexpr int32_t MostNamed = 16;
+	const FChain& Whole = Chains[size_t(Pass)];
+	const int32_t NumNamed = Whole.Length <= MostNamed ? Whole.Length : MostNamed - 1;
+	std::string Text;
+	for (int32_t Step = 0; Step < NumNamed; ++Step)
+	{
+		Pass = Chains[size_t(Pass)].Next;
+		Text += (Text.empty() ? "" : " -> ") + Graph.Passes[size_t(Pass)].Name;
+	}
+	if (NumNamed < Whole.Length)
+	{
+		Text +=
+			" -> " + std::to_string(Whole.Length - NumNamed - 1) + " more -> " + Graph.Passes[size_t(Whole.End)].Name;
+	}
+	return Text;
+}
+
+/** What the pass's outputs would have gone into. */
 std::string ExplainCulled(
-	const FRDGGraphDescription& Graph, const std::vector<int32_t>& FirstConsumer, const FRDGPassDescription& Pass)
+	const FRDGGraphDescription& Graph, const std::vector<FChain>& Chains, const FRDGPassDescription& Pass)
 {
 	if (!HasOutputs(Pass))
 	{
 		return "no output: the pass writes nothing";
 	}
 	const std::string Outputs = DescribeOutputs(Graph, Pass);
-	int32_t Last = Pass.Index;
-	std::string Chain;
-	while (FirstConsumer[size_t(Last)] >= 0)
-	{
-		Last = FirstConsumer[size_t(Last)];
-		Chain += (Chain.empty() ? "" : " -> ") + Graph.Passes[size_t(Last)].Name;
-	}
+	const std::string Chain = DescribeChain(Graph, Chains, Pass.Index);
 	if (Chain.empty())
 	{
 		return "no reader: " + Outputs + IsOrAre(Outputs) + " neither read by a surviving pass nor extracted";
 	}
-	const FRDGPassDescription& End = Graph.Passes[size_t(Last)];
+	const FRDGPassDescription& End = Graph.Passes[size_t(Chains[size_t(Pass.Index)].End)];
 	const std::string Text = "no reader: " + Outputs + IsOrAre(Outputs) + " used only by culled passes (" + Chain + ")";
 	if (!HasOutputs(End))
 	{
@@ -123,20 +162,12 @@ FRDGCullResult CullPasses(const FRDGGraphDescription& Graph, const FRDGDependenc
 		}
 	}
 
-	// A culled pass's consumers are all culled, else it would have survived.
-	std::vector<int32_t> FirstConsumer(Graph.Passes.size(), -1);
-	for (int32_t Pass = int32_t(Graph.Passes.size()) - 1; Pass >= 0; --Pass)
-	{
-		for (const int32_t Producer : Dependencies.Producers[size_t(Pass)])
-		{
-			FirstConsumer[size_t(Producer)] = Pass;
-		}
-	}
+	const std::vector<FChain> Chains = FindChains(Dependencies);
 	for (const FRDGPassDescription& Pass : Graph.Passes)
 	{
 		if (Result.bCulled[size_t(Pass.Index)])
 		{
-			Result.Reasons[size_t(Pass.Index)] = ExplainCulled(Graph, FirstConsumer, Pass);
+			Result.Reasons[size_t(Pass.Index)] = ExplainCulled(Graph, Chains, Pass);
 		}
 	}
 	return Result;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdarg>
 #include <cstdio>
+#include <unordered_map>
 
 namespace Drydock
 {
@@ -49,23 +50,28 @@ std::string DescribeBox(const FRDGResourceDescription& Resource, const FRDGSubre
 	return Text;
 }
 
-/** The resource's name; the second of one name and later ones get a number: "Blur #2". */
-std::string GetUniqueName(const FRDGCompiledGraph& Graph, size_t Index)
+/** By resource: its name; the second of one name and later ones get a number: "Blur #2". */
+std::vector<std::string> MakeUniqueNames(const FRDGCompiledGraph& Graph)
 {
-	const std::string& Name = Graph.Resources[Index].Name;
-	const auto Number = 1 + std::count_if(Graph.Resources.begin(), Graph.Resources.begin() + ptrdiff_t(Index),
-								[&Name](const FRDGCompiledResource& Resource) { return Resource.Name == Name; });
-	return Number == 1 ? Name : Format("%s #%d", Name.c_str(), int(Number));
+	std::unordered_map<std::string, int> Numbers;
+	std::vector<std::string> Names;
+	for (const FRDGCompiledResource& Resource : Graph.Resources)
+	{
+		const int Number = ++Numbers[Resource.Name];
+		Names.push_back(Number == 1 ? Resource.Name : Format("%s #%d", Resource.Name.c_str(), Number));
+	}
+	return Names;
 }
 
 /** "A, B mip 1", each once. */
-std::string ListUses(const FRDGCompiledGraph& Graph, const FRDGCompiledPass& Pass, bool bWrites)
+std::string ListUses(const FRDGCompiledGraph& Graph, const std::vector<std::string>& ResourceNames,
+	const FRDGCompiledPass& Pass, bool bWrites)
 {
 	std::vector<std::string> Names;
 	for (const FRDGUse& Use : Pass.Uses)
 	{
 		const FRDGCompiledResource& Resource = Graph.Resources[size_t(Use.Resource)];
-		const std::string Name = GetUniqueName(Graph, size_t(Use.Resource)) + DescribeBox(Resource, Use);
+		const std::string Name = ResourceNames[size_t(Use.Resource)] + DescribeBox(Resource, Use);
 		if ((bWrites ? Use.IsWrite() : Use.IsRead()) && std::find(Names.begin(), Names.end(), Name) == Names.end())
 		{
 			Names.push_back(Name);
@@ -79,17 +85,18 @@ std::string ListUses(const FRDGCompiledGraph& Graph, const FRDGCompiledPass& Pas
 	return Text;
 }
 
-size_t FindNameWidth(const FRDGCompiledGraph& Graph)
+size_t FindNameWidth(const std::vector<std::string>& Names)
 {
 	size_t Width = 8;
-	for (size_t Index = 0; Index < Graph.Resources.size(); ++Index)
+	for (const std::string& Name : Names)
 	{
-		Width = std::max(Width, GetUniqueName(Graph, Index).size());
+		Width = std::max(Width, Name.size());
 	}
 	return Width;
 }
 
-std::string DumpPass(const FRDGCompiledGraph& Graph, const FRDGCompiledPass& Pass)
+std::string DumpPass(
+	const FRDGCompiledGraph& Graph, const std::vector<std::string>& ResourceNames, const FRDGCompiledPass& Pass)
 {
 	std::string Text = Format("%4d  %s\n", Pass.Index, Pass.Name.c_str());
 	const auto AddLine = [&Text](const char* Label, const std::string& Value)
@@ -97,8 +104,8 @@ std::string DumpPass(const FRDGCompiledGraph& Graph, const FRDGCompiledPass& Pas
 		Text += Value.empty() ? "" : Format("        %-8s %s\n", Label, Value.c_str());
 	};
 	AddLine("shader", Pass.Shader + (Pass.Entry.empty() ? "" : " (" + Pass.Entry + ")"));
-	AddLine("reads", ListUses(Graph, Pass, false));
-	AddLine("writes", ListUses(Graph, Pass, true));
+	AddLine("reads", ListUses(Graph, ResourceNames, Pass, false));
+	AddLine("writes", ListUses(Graph, ResourceNames, Pass, true));
 	if (Pass.RenderPassBegin >= 0 && Pass.RenderPassBegin != Pass.Index)
 	{
 		AddLine("merged", "into the render pass of " + Graph.Passes[size_t(Pass.RenderPassBegin)].Name);
@@ -110,7 +117,7 @@ std::string DumpPass(const FRDGCompiledGraph& Graph, const FRDGCompiledPass& Pas
 	return Text;
 }
 
-std::string DumpPasses(const FRDGCompiledGraph& Graph)
+std::string DumpPasses(const FRDGCompiledGraph& Graph, const std::vector<std::string>& ResourceNames)
 {
 	std::string Text;
 	std::string Scope;
@@ -125,7 +132,7 @@ std::string DumpPasses(const FRDGCompiledGraph& Graph)
 			Text += Pass.Scope.empty() ? "  -\n" : "  " + Pass.Scope + "\n";
 			Scope = Pass.Scope;
 		}
-		Text += DumpPass(Graph, Pass);
+		Text += DumpPass(Graph, ResourceNames, Pass);
 	}
 	return Text;
 }
@@ -215,16 +222,17 @@ std::string DumpText(const FRDGCompiledGraph& Graph)
 
 	std::string Text = Format("graph %s: %ld passes run, %ld culled\n", Graph.Name.empty() ? "-" : Graph.Name.c_str(),
 		NumPasses - NumCulled, NumCulled);
-	Text += "\npasses\n" + DumpPasses(Graph);
+	const std::vector<std::string> ResourceNames = MakeUniqueNames(Graph);
+	Text += "\npasses\n" + DumpPasses(Graph, ResourceNames);
 
-	const int Width = int(FindNameWidth(Graph));
+	const int Width = int(FindNameWidth(ResourceNames));
 	Text += "\nresources                     (first and last pass that hold it)\n";
 	for (size_t Index = 0; Index < Graph.Resources.size(); ++Index)
 	{
 		const FRDGCompiledResource& Resource = Graph.Resources[Index];
 		if (Resource.FirstPass >= 0)
 		{
-			Text += Format("  %-*s  %-34s %10s  %3d..%-3d  %s\n", Width, GetUniqueName(Graph, Index).c_str(),
+			Text += Format("  %-*s  %-34s %10s  %3d..%-3d  %s\n", Width, ResourceNames[Index].c_str(),
 				DescribeResource(Resource).c_str(), DescribeBytes(Resource.Bytes).c_str(), Resource.FirstPass,
 				Resource.LastPass, DescribeHome(Resource).c_str());
 		}

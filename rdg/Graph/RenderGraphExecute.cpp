@@ -136,10 +136,12 @@ EExternalUse GetExternalUse(
 std::vector<FRDGExternalLoad> FRDGExecutor::FindExternals(int32 PassIndex)
 {
 	std::vector<FRDGExternalLoad> Found;
-	for (size_t Index = 0; Index < State.Passes.size(); ++Index)
+	const size_t First = PassIndex < 0 ? 0 : size_t(PassIndex) - 1;
+	const size_t Last = PassIndex < 0 ? State.Passes.size() : First + 1;
+	for (size_t Index = First; Index < Last; ++Index)
 	{
 		const FRDGPass& Pass = *State.Passes[Index];
-		if (PassIndex < 0 ? Pass.bCulled : Pass.GetIndex() != PassIndex)
+		if (PassIndex < 0 && Pass.bCulled)
 		{
 			continue;
 		}

@@ -93,14 +93,12 @@ std::vector<FRDGRenderPass> MergeRenderPasses(
 							: bEnabled ? FindObstacle(Graph.Passes[size_t(Before)], Pass)
 									   : "merging is off";
 		RenderPass.Begin = RenderPass.Reason.empty() ? Result[size_t(Before)].Begin : Pass.Index;
-		for (int32_t Member = RenderPass.Begin; Member <= Pass.Index; ++Member)
-		{
-			if (Result[size_t(Member)].Begin == RenderPass.Begin)
-			{
-				Result[size_t(Member)].End = Pass.Index;
-			}
-		}
+		Result[size_t(RenderPass.Begin)].End = Pass.Index;
 		Before = Pass.Index;
+	}
+	for (FRDGRenderPass& RenderPass : Result)
+	{
+		RenderPass.End = RenderPass.Begin < 0 ? -1 : Result[size_t(RenderPass.Begin)].End;
 	}
 	return Result;
 }

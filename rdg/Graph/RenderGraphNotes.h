@@ -5,7 +5,8 @@
 #include "Diagnostics.h"
 #include "RenderGraphBuilder.h"
 
-#include <algorithm>
+#include <set>
+#include <string>
 #include <vector>
 
 namespace Drydock
@@ -14,6 +15,7 @@ namespace Drydock
 struct FRDGNotes
 {
 	std::vector<FDiagnostic> Diagnostics; // in the order of the passes, each text once
+	std::set<std::string> Texts;          // of all of them
 };
 
 } // namespace Drydock
@@ -25,14 +27,10 @@ namespace Drydock
 
 inline void AddGraphNote(FRDGBuilder& GraphBuilder, const FDiagnostic& Diagnostic)
 {
-	std::vector<FDiagnostic>& Notes = GraphBuilder.Blackboard.GetOrCreate<FRDGNotes>().Diagnostics;
-	const auto IsSame = [Text = Diagnostic.ToString()](const FDiagnostic& Other)
+	FRDGNotes& Notes = GraphBuilder.Blackboard.GetOrCreate<FRDGNotes>();
+	if (Notes.Texts.insert(Diagnostic.ToString()).second)
 	{
-		return Other.ToString() == Text;
-	};
-	if (std::none_of(Notes.begin(), Notes.end(), IsSame))
-	{
-		Notes.push_back(Diagnostic);
+		Notes.Diagnostics.push_back(Diagnostic);
 	}
 }
 

@@ -2,6 +2,7 @@
 #include "RenderGraphTransitions.h"
 
 #include <algorithm>
+#include <map>
 #include <tuple>
 
 namespace Drydock
@@ -225,26 +226,31 @@ private:
 		{
 			return;
 		}
-		const auto WithoutBox = [](FRDGTransition Transition)
+		const auto GetKey = [](const FRDGTransition& Transition)
 		{
-			static_cast<FRDGSubresources&>(Transition) = FRDGSubresources();
-			return Transition;
+			return std::tuple(
+				Transition.BeginPass, Transition.EndPass, Transition.Before, Transition.After, Transition.bUAVBarrier);
 		};
-		for (size_t Index = 0; Index < Found.size(); ++Index)
+		std::map<decltype(GetKey(Found[0])), int32_t> NumAlike;
+		for (const FRDGTransition& Transition : Found)
 		{
-			const FRDGTransition Alike = WithoutBox(Found[Index]);
-			const auto IsAlike = [&](const FRDGTransition& Other)
+			++NumAlike[GetKey(Transition)];
+		}
+		std::vector<FRDGTransition> Joined;
+		for (const FRDGTransition& Transition : Found)
+		{
+			int32_t& Num = NumAlike[GetKey(Transition)];
+			if (Num == NumSubresources)
 			{
-				return WithoutBox(Other) == Alike;
-			};
-			if (std::count_if(Found.begin(), Found.end(), IsAlike) == NumSubresources)
+				static_cast<FRDGSubresources&>(Joined.emplace_back(Transition)) = Description.GetWhole();
+				Num = 0; // the others are in it
+			}
+			else if (Num > 0)
 			{
-				FRDGTransition Whole = Alike;
-				static_cast<FRDGSubresources&>(Whole) = Description.GetWhole();
-				Found.erase(std::remove_if(Found.begin() + ptrdiff_t(Index), Found.end(), IsAlike), Found.end());
-				Found.insert(Found.begin() + ptrdiff_t(Index), Whole);
+				Joined.push_back(Transition);
 			}
 		}
+		Found = std::move(Joined);
 	}
 
 	const FRDGGraphDescription& Graph;

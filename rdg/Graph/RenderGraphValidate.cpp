@@ -13,6 +13,15 @@ constexpr ERDGPassFlags WorkFlags =
 	ERDGPassFlags::Raster | ERDGPassFlags::Compute | ERDGPassFlags::AsyncCompute | ERDGPassFlags::Copy;
 constexpr ERDGPassFlags RasterOnlyFlags = ERDGPassFlags::SkipRenderPass | ERDGPassFlags::NeverMerge;
 
+/** Which passes use a resource, and as what. */
+struct FUsers
+{
+	ERHIAccess All = ERHIAccess::Unknown;
+	const FRDGPassDescription* Producer = nullptr; // the last that writes it
+	const FRDGPassDescription* Last = nullptr;
+	int32_t Num = 0;
+};
+
 class FGraphValidator
 {
 public:
@@ -35,11 +44,7 @@ public:
 			{
 				continue;
 			}
-			CheckFlags(Pass);
-			CheckOutputs(Pass);
-			CheckTargets(Pass);
-			CheckAccesses(Pass);
-			CheckHazards(Pass);
+			CheckPass(Pass);
 			CheckReads(Pass, bProduced);
 			for (const FRDGUse& Use : Pass.Uses)
 			{
@@ -50,7 +55,23 @@ public:
 		return std::move(Result);
 	}
 
+	std::vector<FDiagnostic> RunPass(const FRDGPassDescription& Pass)
+	{
+		CheckPass(Pass);
+		return std::move(Result.Errors);
+	}
+
 private:
+	/** All that needs no other pass. */
+	void CheckPass(const FRDGPassDescription& Pass)
+	{
+		CheckFlags(Pass);
+		CheckOutputs(Pass);
+		CheckTargets(Pass);
+		CheckAccesses(Pass);
+		CheckHazards(Pass);
+	}
+
 	const FRDGResourceDescription& GetResource(const FRDGUse& Use) const
 	{
 		return Graph.Resources[size_t(Use.Resource)];
@@ -280,43 +301,39 @@ private:
 		{
 			return;
 		}
+		std::vector<FUsers> Users(Graph.Resources.size());
+		for (const FRDGPassDescription& Pass : Graph.Passes)
+		{
+			for (const FRDGUse& Use : Pass.Uses)
+			{
+				FUsers& OfResource = Users[size_t(Use.Resource)];
+				OfResource.All |= Use.Access;
+				OfResource.Producer = Use.IsWrite() ? &Pass : OfResource.Producer;
+				OfResource.Num += OfResource.Last != &Pass;
+				OfResource.Last = &Pass;
+			}
+		}
 		for (size_t Resource = 0; Resource < Graph.Resources.size(); ++Resource)
 		{
-			WarnAboutResource(Graph.Resources[Resource], int32_t(Resource));
+			WarnAboutResource(Graph.Resources[Resource], Users[Resource]);
 		}
 	}
 
-	void WarnAboutResource(const FRDGResourceDescription& Resource, int32_t Index)
+	void WarnAboutResource(const FRDGResourceDescription& Resource, const FUsers& Users)
 	{
-		ERHIAccess All = ERHIAccess::Unknown;
-		const FRDGPassDescription* Producer = nullptr;
-		int32_t NumUsers = 0;
-		for (const FRDGPassDescription& Pass : Graph.Passes)
-		{
-			bool bUses = false;
-			for (const FRDGUse& Use : Pass.Uses)
-			{
-				if (Use.Resource == Index)
-				{
-					bUses = true;
-					All |= Use.Access;
-					Producer = Use.IsWrite() ? &Pass : Producer;
-				}
-			}
-			NumUsers += bUses;
-		}
-		if (Resource.bExternal || NumUsers == 0)
+		const FRDGPassDescription* const Producer = Users.Producer;
+		if (Resource.bExternal || Users.Num == 0)
 		{
 			return;
 		}
-		if (Producer && NumUsers == 1 && !Resource.bExtracted && !Resource.bSkipUnusedWarning)
+		if (Producer && Users.Num == 1 && !Resource.bExtracted && !Resource.bSkipUnusedWarning)
 		{
 			Warn(RDGWarningUnusedOutput, *Producer, "the resource is produced by this pass and never used by another",
 				"", Resource.Name);
 		}
 		const auto WarnFlag = [&](ETextureCreateFlags Flag, ERHIAccess Access, const char* Message)
 		{
-			if (Producer && EnumHasAnyFlags(Resource.TextureFlags, Flag) && !EnumHasAnyFlags(All, Access))
+			if (Producer && EnumHasAnyFlags(Resource.TextureFlags, Flag) && !EnumHasAnyFlags(Users.All, Access))
 			{
 				Warn(RDGWarningUnusedFlag, *Producer, Message, "", Resource.Name);
 			}
@@ -336,6 +353,11 @@ private:
 FRDGValidationResult ValidateGraph(const FRDGGraphDescription& Graph, bool bDebug)
 {
 	return FGraphValidator(Graph, bDebug).Run();
+}
+
+std::vector<FDiagnostic> ValidatePass(const FRDGGraphDescription& Graph, const FRDGPassDescription& Pass)
+{
+	return FGraphValidator(Graph, false).RunPass(Pass);
 }
 
 FDiagnostic MakePassDiagnostic(ESeverity Severity, int Code, const FRDGPassDescription& Pass,

@@ -18,6 +18,9 @@ struct FRDGValidationResult
 /** bDebug (r.RDG.Debug): also what merely wastes. */
 DRYDOCK_API FRDGValidationResult ValidateGraph(const FRDGGraphDescription& Graph, bool bDebug);
 
+/** The errors of one pass of the graph alone. */
+DRYDOCK_API std::vector<FDiagnostic> ValidatePass(const FRDGGraphDescription& Graph, const FRDGPassDescription& Pass);
+
 /** A message about a pass, at its AddPass call. Parameter and Resource may be empty. */
 DRYDOCK_API FDiagnostic MakePassDiagnostic(ESeverity Severity, int Code, const FRDGPassDescription& Pass,
 	const std::string& Message, const std::string& Parameter = "", const std::string& Resource = "");

@@ -128,3 +128,44 @@ RC_GTEST_PROP(AliasProperty, TheHeapIsAtLeastWhatTheFullestPassHolds, ())
 		RC_ASSERT(Held <= Layout.PeakBytes);
 	}
 }
+
+RC_GTEST_PROP(AliasProperty, EachLiesAtTheLowestPlaceThatIsFree, ())
+{
+	// A map of the heap, one entry to 64 bytes, for each request anew: no gaps to keep track of.
+	const std::vector<FRDGHeapRequest> Requests = MakeRandomRequests();
+	const FRDGHeapLayout Layout = PlaceInHeap(Requests);
+	const auto Blocks = [](const FRDGHeapRequest& Request)
+	{
+		return size_t(Request.Bytes + 63) / 64;
+	};
+	std::vector<size_t> Placed;
+	for (int32_t First = 0; First < 20; ++First)
+	{
+		for (size_t Index = 0; Index < Requests.size(); ++Index)
+		{
+			if (Requests[Index].First != First)
+			{
+				continue;
+			}
+			std::vector<bool> bUsed(4000, false);
+			for (const size_t Other : Placed)
+			{
+				for (size_t Block = 0; Requests[Other].Last >= First && Block < Blocks(Requests[Other]); ++Block)
+				{
+					bUsed[size_t(Layout.Offsets[Other]) / 64 + Block] = true;
+				}
+			}
+			size_t Begin = 0;
+			for (size_t Room = 0; Room < Blocks(Requests[Index]); ++Room)
+			{
+				if (bUsed[Begin + Room])
+				{
+					Begin += Room + 1;
+					Room = size_t(-1);
+				}
+			}
+			RC_ASSERT(size_t(Layout.Offsets[Index]) == 64 * Begin);
+			Placed.push_back(Index);
+		}
+	}
+}

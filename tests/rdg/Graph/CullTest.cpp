@@ -172,6 +172,22 @@ TEST(Cull, TheReasonFollowsTheChainOfCulledReaders)
 		Cull(Graph).Reasons[1]);
 }
 
+TEST(Cull, TheReasonOfALongChainNamesItsBothEnds)
+{
+	FDescribedGraph Graph;
+	for (int32_t Pass = 0; Pass < 30; ++Pass)
+	{
+		Graph.Pass(
+			"P" + std::to_string(Pass), {Read("X" + std::to_string(Pass)), Write("X" + std::to_string(Pass + 1))});
+	}
+	const FRDGCullResult Result = Cull(Graph);
+	EXPECT_THAT(Result.Reasons[1],
+		HasSubstr("used only by culled passes (P1 -> P2 -> P3 -> P4 -> P5 -> P6 -> P7 -> P8 -> P9 -> P10 -> P11 -> P12 "
+				  "-> P13 -> P14 -> P15 -> 13 more -> P29), and output X30 of P29 is neither read"));
+	EXPECT_THAT(Result.Reasons[14], HasSubstr("(P14 -> P15 -> P16 -> P17 -> P18 -> P19 -> P20 -> P21 -> P22 -> P23 -> "
+											  "P24 -> P25 -> P26 -> P27 -> P28 -> P29), and output X30 of P29 is"));
+}
+
 TEST(Cull, ASurvivorHasNoReason)
 {
 	FDescribedGraph Graph;
