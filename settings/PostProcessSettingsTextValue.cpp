@@ -1,6 +1,7 @@
 // Turns a node of engine text into a field's value, and a value into text.
 #include "PostProcessSettingsTextValue.h"
 
+#include "Math/ToInteger.h"
 #include "PostProcessSettingsTextScan.h"
 #include "SettingObjects.h"
 
@@ -299,7 +300,7 @@ std::string WriteSettingText(const FSettingField& Field, const FSettingValue& Va
 	case ESettingType::Float:
 		return WriteNumberText(Value.Components[0]);
 	case ESettingType::Int:
-		return std::to_string(static_cast<int32>(Value.Components[0]));
+		return std::to_string(ToInteger<int32>(Value.Components[0]));
 	case ESettingType::Bool:
 		return Value.Components[0] != 0.0 ? "True" : "False";
 	case ESettingType::Enum:

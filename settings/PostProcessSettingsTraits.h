@@ -2,6 +2,7 @@
 // PostProcessSettingsReflection.cpp.
 #pragma once
 
+#include "Math/ToInteger.h"
 #include "PostProcessSettings.h"
 #include "PostProcessSettingsValue.h"
 #include "SettingObjects.h"
@@ -38,7 +39,7 @@ struct TSettingTraits<int32> : FSettingTraitsBase
 {
 	static constexpr ESettingType Type = ESettingType::Int;
 	static FSettingValue Pack(int32 Value) { return {Type, {static_cast<double>(Value)}}; }
-	static void Store(int32& Target, const FSettingValue& Value) { Target = static_cast<int32>(Value.Components[0]); }
+	static void Store(int32& Target, const FSettingValue& Value) { Target = ToInteger<int32>(Value.Components[0]); }
 };
 
 template<>
@@ -114,7 +115,7 @@ struct TEnumSettingTraits : FSettingTraitsBase
 	static FSettingValue Pack(T Value) { return {Type, {static_cast<double>(static_cast<int32>(Value))}}; }
 	static void Store(T& Target, const FSettingValue& Value)
 	{
-		Target = static_cast<T>(static_cast<int32>(Value.Components[0]));
+		Target = static_cast<T>(ToInteger<int32>(Value.Components[0]));
 	}
 };
 

@@ -1,6 +1,7 @@
 // Text of single setting values, both ways. The `(R=..)` form is the engine's.
 #include "PostProcessSettingsReflection.h"
 
+#include "Math/ToInteger.h"
 #include "SettingObjects.h"
 
 #include <algorithm>
@@ -221,7 +222,7 @@ std::string SettingToText(const FSettingField& Field, const FSettingValue& Value
 		return Value.Components[0] != 0.0 ? "true" : "false";
 	case ESettingType::Enum:
 	{
-		const int32 Index = static_cast<int32>(Value.Components[0]);
+		const int32 Index = ToInteger<int32>(Value.Components[0]);
 		return Index >= 0 && Index < Field.EnumNames.Num() ? Field.EnumNames[Index] : std::to_string(Index);
 	}
 	case ESettingType::Float:

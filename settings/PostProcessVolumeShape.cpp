@@ -1,6 +1,7 @@
 // Distances to boxes, spheres, capsules and convex bodies, where they stand and as they are turned.
 #include "PostProcessVolumeShape.h"
 
+#include "Math/ToInteger.h"
 #include "PostProcessVolumeHull.h"
 
 #include <algorithm>
@@ -30,7 +31,7 @@ struct FSineCosine
 			return;
 		}
 		constexpr double Sines[] = {0.0, 1.0, 0.0, -1.0};
-		const int Quarter = (static_cast<int>(Turn / 90.0) + 4) % 4;
+		const int Quarter = (ToInteger<int>(Turn / 90.0) + 4) % 4;
 		Sine = Sines[Quarter];
 		Cosine = Sines[(Quarter + 1) % 4];
 	}

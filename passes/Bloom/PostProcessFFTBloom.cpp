@@ -5,6 +5,7 @@
 #include "Bloom/PostProcessFFTBloomKernel.h"
 #include "GlobalShader.h"
 #include "HAL/IConsoleManager.h"
+#include "Math/ToInteger.h"
 #include "PixelShaderUtils.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
@@ -86,7 +87,7 @@ FIntPoint GetImageSize(FIntPoint ViewSize, float Fraction)
 {
 	const auto Scale = [&](int32 Size)
 	{
-		return FMath::Max(1, FMath::CeilToInt(static_cast<float>(Size) * Fraction));
+		return Drydock::ToCount(std::ceil(static_cast<float>(Size) * Fraction), 1, Size);
 	};
 	return FIntPoint(Scale(ViewSize.X), Scale(ViewSize.Y));
 }
@@ -103,8 +104,14 @@ Drydock::FFFTDomain GetDomain(
 	};
 	const FVector2D KernelSize =
 		Drydock::GetBloomKernelSize(ImageSize, KernelTexture.GetSizeXY(), Settings.BloomConvolutionSize);
-	return Drydock::FFFTDomain::Make(ImageSize, FIntPoint(FMath::Max(Pad(ImageSize.X), FMath::CeilToInt(KernelSize.X)),
-													FMath::Max(Pad(ImageSize.Y), FMath::CeilToInt(KernelSize.Y))));
+	// A kernel picture much higher than wide is cut: its size follows from its width.
+	const int32 LargestKernel = FMath::Max(MaxScanLineLength, ImageSize.GetMax());
+	const auto Hold = [&](int32 Size, double KernelSide)
+	{
+		return FMath::Max(Pad(Size), Drydock::ToCount(std::ceil(KernelSide), 1, LargestKernel));
+	};
+	return Drydock::FFFTDomain::Make(
+		ImageSize, FIntPoint(Hold(ImageSize.X, KernelSize.X), Hold(ImageSize.Y, KernelSize.Y)));
 }
 
 /** The smallest picture that has the resolution of the bloom. */
@@ -257,7 +264,7 @@ int32 ComputeFFTBloomPadding(FIntPoint ImageSize, float Size, float BufferScale)
 {
 	const float KernelSupport = FMath::Clamp(Size, 0.0f, 1.0f);
 	const float Support = BufferScale > 0.0f ? FMath::Min(KernelSupport, BufferScale) : KernelSupport;
-	return FMath::CeilToInt(0.5f * Support * static_cast<float>(ImageSize.X));
+	return ToCount(std::ceil(0.5f * Support * static_cast<float>(ImageSize.X)), 0, ImageSize.X);
 }
 
 } // namespace Drydock

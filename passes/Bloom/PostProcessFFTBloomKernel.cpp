@@ -124,7 +124,7 @@ FVector4f FindCenter(FRHITexture& Kernel)
 
 bool IsCenter(const FVector4f& Center, int32 X, int32 Y)
 {
-	return static_cast<int32>(Center.X) == X && static_cast<int32>(Center.Y) == Y;
+	return Center.X == static_cast<float>(X) && Center.Y == static_cast<float>(Y);
 }
 
 /** Of the texels beside the centre. */

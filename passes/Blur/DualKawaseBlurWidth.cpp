@@ -1,6 +1,8 @@
 // Level sizes, widths and matching settings of the dual Kawase blur, from closed forms.
 #include "Blur/DualKawaseBlurWidth.h"
 
+#include "Math/ToInteger.h"
+
 #include <cmath>
 
 namespace Drydock
@@ -135,14 +137,14 @@ int32 GetDualKawaseReach(int32 PassNum, double Offset)
 	// A bilinear tap touches texel centres less than one texel from it. The texels of level k are 2^k pixels.
 	const FDualKawaseTaps Taps = GetDualKawaseTaps(Offset);
 	const double FirstLevel = (Taps.DownDiagonal + 1.0) + 2.0 * (Taps.UpAxis + 1.0);
-	return static_cast<int32>(std::ceil(FirstLevel * (std::exp2(PassNum) - 1.0)));
+	return ToInteger<int32>(std::ceil(FirstLevel * (std::exp2(PassNum) - 1.0)));
 }
 
 FDualKawaseSetting FitDualKawase(double Radius)
 {
 	// Below 1, and for a radius that is not a number, the logarithm is of no use.
 	const double Levels = Radius > 1.0 ? std::round(4.0 / 3.0 * std::log(Radius)) : 1.0;
-	const int32 PassNum = static_cast<int32>(FMath::Clamp(Levels, 1.0, 64.0));
+	const int32 PassNum = ToCount(Levels, 1, 64);
 	return {PassNum, std::pow(0.4538, PassNum) * Radius};
 }
 
@@ -173,7 +175,7 @@ FDualKawaseMatch MatchDualKawaseWidth(double StandardDeviation, int32 MaxPasses)
 TArray<double> ComputeMatchedGaussian(double StandardDeviation)
 {
 	const double Wanted = FMath::Max(StandardDeviation, 0.5);
-	const int32 Reach = FMath::Max(1, static_cast<int32>(std::ceil(3.0 * Wanted)));
+	const int32 Reach = ToCount(std::ceil(3.0 * Wanted), 1, GMatchedGaussianMaxReach);
 	const auto GetWeights = [Reach](double Sigma)
 	{
 		TArray<double> Weights;

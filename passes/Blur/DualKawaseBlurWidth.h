@@ -58,7 +58,7 @@ DRYDOCK_API FDualKawaseTaps GetDualKawaseTaps(double Offset);
 DRYDOCK_API double GetDualKawaseVariance(int32 PassNum, double Offset);
 DRYDOCK_API double GetDualKawaseStandardDeviation(int32 PassNum, double Offset);
 
-/** No pixel reads another that is further away than this, in pixels along either axis. */
+/** No pixel reads another that is further away than this, in pixels along either axis; at most the largest int32. */
 DRYDOCK_API int32 GetDualKawaseReach(int32 PassNum, double Offset);
 
 struct FDualKawaseSetting
@@ -84,8 +84,12 @@ struct FDualKawaseMatch
  * grid step. */
 DRYDOCK_API FDualKawaseMatch MatchDualKawaseWidth(double StandardDeviation, int32 MaxPasses = GDualKawaseMaxPasses);
 
+/** Farther than any picture is wide. */
+constexpr int32 GMatchedGaussianMaxReach = 32768;
+
 /** Weights of a Gaussian's texels at distance 0, 1, ... R = max(1, ceil(3 StandardDeviation)), which together with
- * their mirror sum to 1 and have exactly this variance although the tails are cut. At least 0.5 pixels. */
+ * their mirror sum to 1 and have exactly this variance although the tails are cut. At least 0.5 pixels. R is at most
+ * GMatchedGaussianMaxReach; beyond a third of that the variance is smaller than wanted. */
 DRYDOCK_API TArray<double> ComputeMatchedGaussian(double StandardDeviation);
 
 } // namespace Drydock

@@ -3,6 +3,7 @@
 #include "Blur/PostProcessWeightedSampleSum.h"
 
 #include "HAL/IConsoleManager.h"
+#include "Math/ToInteger.h"
 
 #include <cmath>
 
@@ -56,8 +57,7 @@ float GetClampedKernelRadius(int32 SampleCountMax, float KernelRadius)
 int32 GetIntegerKernelRadius(int32 SampleCountMax, float KernelRadius)
 {
 	const float SizeScale = FMath::Clamp(CVarFilterSizeScale.GetValueOnRenderThread(), 0.1f, 10.0f);
-	return FMath::Min(static_cast<int32>(std::ceil(GetClampedKernelRadius(SampleCountMax, KernelRadius * SizeScale))),
-		SampleCountMax - 1);
+	return ToIndex(std::ceil(GetClampedKernelRadius(SampleCountMax, KernelRadius * SizeScale)), SampleCountMax);
 }
 
 TArray<FGaussianTap> ComputeGaussianKernel(int32 SampleCountMax, float KernelRadius, float CrossCenterWeight)

@@ -2,6 +2,7 @@
 // PostProcessHistogramCommon.ush (formulas).
 #pragma once
 
+#include "Math/ToInteger.h"
 #include "RHITexture.h"
 
 #include <algorithm>
@@ -31,11 +32,13 @@ struct FBucketShare
 	double SecondWeight = 0.0;
 };
 
+/** At least two buckets. What is below the range, and a position that is no number, counts in the first. */
 inline FBucketShare ShareBetweenBuckets(double LogLuminance, double Scale, double Bias, int32 NumBuckets)
 {
-	const double Position = std::clamp(LogLuminance * Scale + Bias, 0.0, 1.0) * (NumBuckets - 1);
+	const double Place = LogLuminance * Scale + Bias;
+	const double Position = (Place > 0.0 ? std::min(Place, 1.0) : 0.0) * (NumBuckets - 1);
 	FBucketShare Share;
-	Share.First = std::min(static_cast<int32>(Position), NumBuckets - 2);
+	Share.First = ToIndex(Position, NumBuckets - 1);
 	Share.SecondWeight = Position - Share.First;
 	Share.FirstWeight = 1.0 - Share.SecondWeight;
 	return Share;

@@ -33,10 +33,12 @@ TAutoConsoleVariable<float> CVarBlackHistogramBucketInfluence(TEXT("r.EyeAdaptat
 	0.0f, TEXT("Weight of the histogram's lowest bucket: 0 leaves black out (default), 1 counts it."),
 	ECVF_RenderThreadSafe);
 
-/** Exponents that keep 2^x and its reciprocal normal floats. */
+/** Exponents up to this keep 2^x and its reciprocal normal floats. */
+constexpr float LargestExponent = 60.0f;
+
 float ClampedExp2(float Exponent)
 {
-	return std::exp2(FMath::Clamp(Exponent, -60.0f, 60.0f));
+	return std::exp2(FMath::Clamp(Exponent, -LargestExponent, LargestExponent));
 }
 
 /** Brightness settings and the histogram's range are EV100. */
@@ -143,7 +145,10 @@ FVector2f GetHistogramLogRange(const FFinalPostProcessSettings& Settings, EAutoE
 	}
 	const float Shift = IsLuminanceRangeExtended() ? std::log2(GetEyeAdaptationLuminanceMax()) : 0.0f;
 	const float Max = Settings.HistogramLogMax;
-	return FVector2f(FMath::Min(Settings.HistogramLogMin, Max - 1.0f) + Shift, Max + Shift);
+	const float Low = FMath::Min(Settings.HistogramLogMin, Max - 1.0f) + Shift;
+	// Far out a float and the one below by 1 are the same, and the range would be none.
+	const float High = FMath::Clamp(Max + Shift, 1.0f - LargestExponent, LargestExponent);
+	return FVector2f(FMath::Clamp(Low, -LargestExponent, High - 1.0f), High);
 }
 
 } // namespace Drydock

@@ -58,7 +58,8 @@ DRYDOCK_API float LuminanceToEV100(float Luminance);
  * (CurveKeys.h) or the luminance is not above 0. Above 0 and finite. */
 DRYDOCK_API float GetExposureCompensationFromCurve(const FFinalPostProcessSettings& Settings, float AverageLuminance);
 
-/** log2 luminance of both ends of the histogram's range, x below y by 1 at least; of basic metering -10 and 20. */
+/** log2 luminance of both ends of the histogram's range, within -60 .. 60 and x below y by 1 at least, whatever the
+ * settings say: where they are an empty or inverted range, y is theirs. Of basic metering -10 and 20. */
 DRYDOCK_API FVector2f GetHistogramLogRange(const FFinalPostProcessSettings& Settings, EAutoExposureMethod Method);
 
 } // namespace Drydock

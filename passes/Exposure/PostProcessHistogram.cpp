@@ -39,10 +39,7 @@ double SampleMask(FRHITexture& Mask, double U, double V)
 	const double FloorX = std::floor(X), FloorY = std::floor(Y);
 	const auto Read = [&](double AtX, double AtY)
 	{
-		return Mask
-			.ReadTexelDouble(FMath::Clamp(static_cast<int32>(AtX), 0, Size.X - 1),
-				FMath::Clamp(static_cast<int32>(AtY), 0, Size.Y - 1))
-			.X;
+		return Mask.ReadTexelDouble(Drydock::ToIndex(AtX, Size.X), Drydock::ToIndex(AtY, Size.Y)).X;
 	};
 	const double Upper = Read(FloorX, FloorY) * (1.0 - (X - FloorX)) + Read(FloorX + 1.0, FloorY) * (X - FloorX);
 	const double Lower =

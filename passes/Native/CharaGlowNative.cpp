@@ -113,10 +113,8 @@ void RunCharaGlowBox(const FNativeKernelArgs& Args, const FKernelTile& Tile)
 	const FKernelTexture* const Source =
 		Args.FindTexture(bColumns ? "RowsTexture" : "SceneTexturesStruct_GBufferDTexture");
 	check(Source);
-	const FIntRect Bounds(int32(Parameters.Source.ViewportMin.X), int32(Parameters.Source.ViewportMin.Y),
-		int32(Parameters.Source.ViewportMax.X), int32(Parameters.Source.ViewportMax.Y));
-	const FIntPoint Offset(
-		Bounds.Min.X - int32(Parameters.Output.ViewportMin.X), Bounds.Min.Y - int32(Parameters.Output.ViewportMin.Y));
+	const FIntRect Bounds(Parameters.Source.ViewportMin, Parameters.Source.ViewportMax);
+	const FIntPoint Offset = Bounds.Min - Parameters.Output.ViewportMin;
 	const int32 Reach = Parameters.Radius + 1;
 	const FIntPoint Margin(bColumns ? 0 : Reach, bColumns ? Reach : 0);
 	const FIntRect Window(Tile.MinX + Offset.X - Margin.X, Tile.MinY + Offset.Y - Margin.Y,

@@ -1,6 +1,8 @@
 // Values of parameters by name, and the text that says what they may be.
 #include "FactoryParameters.h"
 
+#include "Math/ToInteger.h"
+
 #include <charconv>
 #include <cmath>
 
@@ -96,7 +98,7 @@ float FParameterValues::GetFloat(const std::string& Name) const
 
 int32 FParameterValues::GetInteger(const std::string& Name) const
 {
-	return static_cast<int32>(Get<double>(Name));
+	return ToInteger<int32>(Get<double>(Name));
 }
 
 bool FParameterValues::GetBool(const std::string& Name) const

@@ -3,6 +3,9 @@
 #pragma once
 
 #include "CoreMinimal.h"
+#include "Math/ToInteger.h"
+
+#include <cmath>
 
 namespace Drydock
 {
@@ -18,11 +21,11 @@ inline FIntRect ScaleRectOutward(const FIntRect& Rect, FIntPoint From, FIntPoint
 {
 	const auto Down = [](int32 Value, int32 FromSide, int32 ToSide)
 	{
-		return static_cast<int32>(FMath::FloorToInt(static_cast<double>(Value) * ToSide / FromSide));
+		return ToInteger<int32>(std::floor(static_cast<double>(Value) * ToSide / FromSide));
 	};
 	const auto Up = [](int32 Value, int32 FromSide, int32 ToSide)
 	{
-		return static_cast<int32>(FMath::CeilToInt(static_cast<double>(Value) * ToSide / FromSide));
+		return ToInteger<int32>(std::ceil(static_cast<double>(Value) * ToSide / FromSide));
 	};
 	return FIntRect(Down(Rect.Min.X, From.X, To.X), Down(Rect.Min.Y, From.Y, To.Y), Up(Rect.Max.X, From.X, To.X),
 		Up(Rect.Max.Y, From.Y, To.Y));

@@ -3,6 +3,7 @@
 
 #include "HAL/IConsoleManager.h"
 #include "Lens/REDPostProcess.h"
+#include "Math/ToInteger.h"
 #include "PassFactory.h"
 #include "PixelShaderUtils.h"
 #include "RenderGraphBuilder.h"
@@ -21,7 +22,7 @@ FCharaGlowBox GetCharaGlowBox(float Area, bool bAsPrinted)
 {
 	const float Clamped = Area > 0.0f ? FMath::Min(Area, MaxCharaGlowArea) : 0.0f; // NaN: no area
 	FCharaGlowBox Box;
-	Box.Radius = static_cast<int32>(Clamped);
+	Box.Radius = ToInteger<int32>(Clamped);
 	Box.Fraction = bAsPrinted ? 0.0f : Clamped - static_cast<float>(Box.Radius);
 	Box.Scale = 1.0f / (2.0f * static_cast<float>(Box.Radius) + 1.0f + 2.0f * Box.Fraction);
 	return Box;

@@ -3,6 +3,7 @@
 
 #include "Blend/WalkChart.h"
 
+#include "Math/ToInteger.h"
 #include "Picture/SvgTools.h"
 
 #include <algorithm>
@@ -197,8 +198,9 @@ private:
 
 	static std::string NameValue(const FWalkChartRow& Row, double Value)
 	{
-		const bool bNamed = Value >= 0.0 && Value < static_cast<double>(Row.ValueNames.size());
-		return bNamed ? Row.ValueNames[static_cast<size_t>(Value)] : ShortText(Value);
+		const int32_t NumNames = static_cast<int32_t>(Row.ValueNames.size());
+		const bool bNamed = Value >= 0.0 && Value < NumNames;
+		return bNamed ? Row.ValueNames[static_cast<size_t>(ToIndex(Value, NumNames))] : ShortText(Value);
 	}
 
 	std::string DrawRow(const FWalkChartRow& Row, double Top) const

@@ -5,6 +5,7 @@
 #include "Budget/BlurNames.h"
 #include "Config/ConfigReader.h"
 #include "HAL/IConsoleManager.h"
+#include "Math/ToInteger.h"
 #include "Picture/ImageMetrics.h"
 #include "PostProcessSettingsReflection.h"
 #include "Text/TextFormat.h"
@@ -386,7 +387,7 @@ private:
 			Messages.Error(ErrorBadValue, *Repetitions, "repetitions is a whole number, 1 to 1000; 7 make a spread");
 			return;
 		}
-		Study.Repetitions = static_cast<int>(Repetitions->Number);
+		Study.Repetitions = ToInteger<int>(Repetitions->Number);
 	}
 
 	void ReadRegion(const FJsonValue& Value)
@@ -409,7 +410,7 @@ private:
 					ErrorBadValue, Region->Elements[Index], "a corner of the region is a whole number of pixels");
 				return;
 			}
-			Corners[Index] = static_cast<int>(Number);
+			Corners[Index] = ToInteger<int>(Number);
 		}
 		if (Corners[0] >= Corners[2] || Corners[1] >= Corners[3])
 		{

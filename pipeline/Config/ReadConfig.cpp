@@ -6,6 +6,7 @@
 #include "Config/ConfigKeys.h"
 #include "Config/FrameList.h"
 #include "Config/FrameSequence.h"
+#include "Math/ToInteger.h"
 #include "ShowFlags.h"
 #include "Text/LimitErrors.h"
 #include "Text/TextFile.h"
@@ -97,7 +98,7 @@ std::optional<int> ReadPaddingSide(const FJsonValue& Value, FConfigMessages& Mes
 		Messages.Error(ErrorBadValue, Value, "padding is a whole number of texels, 0 to 4096");
 		return std::nullopt;
 	}
-	return static_cast<int>(Value.Number);
+	return ToInteger<int>(Value.Number);
 }
 
 void ReadPadding(const FJsonValue& Value, FConfigPadding& Padding, FConfigMessages& Messages)
@@ -222,7 +223,7 @@ void ReadRect(const FJsonValue& Value, FConfigView& View, FConfigMessages& Messa
 						ErrorBadValue, Corner, "a corner of the rect is a whole number of pixels, 0 or more");
 					return;
 				}
-				Corners[Index] = static_cast<int>(Corner.Number);
+				Corners[Index] = ToInteger<int>(Corner.Number);
 			}
 			if (Corners[0] >= Corners[2] || Corners[1] >= Corners[3])
 			{

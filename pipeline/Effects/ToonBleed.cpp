@@ -1,6 +1,8 @@
 // Sums the bloom's energy inside and outside of what is toon.
 #include "Effects/ToonBleed.h"
 
+#include "Math/ToInteger.h"
+
 #include <cmath>
 
 namespace Drydock
@@ -13,7 +15,7 @@ constexpr long ShadingModelCloth = 8;
 
 bool IsToon(double Alpha)
 {
-	return (std::lround(Alpha * 255.0) & 0xF) == ShadingModelCloth;
+	return (ToInteger<long>(std::round(Alpha * 255.0)) & 0xF) == ShadingModelCloth;
 }
 
 double GetLuminance(const FImage& Bloom, int X, int Y)

@@ -1,6 +1,7 @@
 // Scales pictures to tiles, lays them out in rows and writes their captions.
 #include "Picture/ContactSheet.h"
 
+#include "Math/ToInteger.h"
 #include "Picture/Srgb.h"
 #include "Picture/StrokeText.h"
 
@@ -66,7 +67,7 @@ double DecodeLight(double Encoded)
 	const double Clamped = std::min(Encoded, 1.0);
 	const double Level = Clamped * 255.0;
 	const double Nearest = std::round(Level);
-	return std::abs(Level - Nearest) < 1e-6 ? Table[static_cast<size_t>(Nearest)] : DecodeSrgb(Clamped);
+	return std::abs(Level - Nearest) < 1e-6 ? Table[static_cast<size_t>(ToIndex(Nearest, 256))] : DecodeSrgb(Clamped);
 }
 
 FImage MakePlain(int Width, int Height, const FTextColor& Color)
@@ -154,8 +155,8 @@ void DrawFrame(FImage& Picture, int Left, int Top, int Right, int Bottom)
 std::string GetGainText(double Gain)
 {
 	const double Rounded = std::round(Gain * 10.0) / 10.0;
-	std::string Text = std::to_string(static_cast<long>(Rounded));
-	const long Tenths = std::lround((Rounded - std::floor(Rounded)) * 10.0);
+	std::string Text = std::to_string(ToInteger<long>(Rounded));
+	const long Tenths = ToInteger<long>(std::round((Rounded - std::floor(Rounded)) * 10.0));
 	return "x " + Text + (Tenths > 0 ? "." + std::to_string(Tenths) : "");
 }
 
@@ -166,7 +167,7 @@ FImage MakeInset(const FImage& Picture, const FSheetOptions& Options)
 	DrawFrame(Inset, 0, 0, Inset.Width - 1, Inset.Height - 1);
 	const std::string Text = GetGainText(Options.InsetGain);
 	const double TextWidth = GetStrokeTextWidth(Text, CapHeight);
-	const int BoxWidth = static_cast<int>(TextWidth) + 13, BoxHeight = 20;
+	const int BoxWidth = ToInteger<int>(TextWidth) + 13, BoxHeight = 20;
 	if (Options.InsetGain != 1.0 && Inset.Width > BoxWidth && Inset.Height > BoxHeight)
 	{
 		Paste(MakePlain(BoxWidth, BoxHeight, Background), Inset.Width - BoxWidth, Inset.Height - BoxHeight, Inset);
@@ -186,9 +187,9 @@ FImage MakeBody(const FImage& Picture, const FSheetOptions& Options)
 	}
 	const double Scale = static_cast<double>(Body.Width) / Cropped.Width;
 	const FSheetRegion& Region = *Options.Inset;
-	DrawFrame(Body, static_cast<int>(Region.X * Scale), static_cast<int>(Region.Y * Scale),
-		static_cast<int>(std::ceil((Region.X + Region.Width) * Scale)) - 1,
-		static_cast<int>(std::ceil((Region.Y + Region.Height) * Scale)) - 1);
+	DrawFrame(Body, ToInteger<int>(Region.X * Scale), ToInteger<int>(Region.Y * Scale),
+		ToInteger<int>(std::ceil((Region.X + Region.Width) * Scale)) - 1,
+		ToInteger<int>(std::ceil((Region.Y + Region.Height) * Scale)) - 1);
 	const FImage Inset = MakeInset(Cropped, Options);
 	FImage Both = MakePlain(Options.TileWidth, Body.Height + Gap / 2 + Inset.Height, Background);
 	Paste(Body, 0, 0, Both);
@@ -199,7 +200,7 @@ FImage MakeBody(const FImage& Picture, const FSheetOptions& Options)
 /** A sheet is rather wide than high: pictures are, too. */
 int ChooseColumns(size_t NumTiles)
 {
-	return std::max(1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(NumTiles)))));
+	return std::max(1, ToInteger<int>(std::ceil(std::sqrt(static_cast<double>(NumTiles)))));
 }
 
 } // namespace
@@ -213,7 +214,7 @@ bool IsInside(const FSheetRegion& Region, int Width, int Height)
 FImage ScalePicture(const FImage& Picture, int Width)
 {
 	const int Height =
-		std::max(1, static_cast<int>(std::lround(static_cast<double>(Picture.Height) * Width / Picture.Width)));
+		std::max(1, ToInteger<int>(std::round(static_cast<double>(Picture.Height) * Width / Picture.Width)));
 	const FImage Light = ToLight(Picture);
 	const std::vector<FSpan> Columns = MakeSpans(Picture.Width, Width);
 	const std::vector<FSpan> Rows = MakeSpans(Picture.Height, Height);

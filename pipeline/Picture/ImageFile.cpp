@@ -8,6 +8,7 @@
 #include "Picture/ImageFile.h"
 
 #include "DiagnosticList.h"
+#include "Math/ToInteger.h"
 #include "Picture/ImageBytes.h"
 #include "Picture/ImageFormat.h"
 #include "RegularFile.h"
@@ -286,7 +287,7 @@ void WritePng(const std::string& Path, const FImage& Image, int Compression)
 	std::vector<uint8_t> Pixels(Image.Values.size());
 	std::transform(Image.Values.begin(), Image.Values.end(), Pixels.begin(),
 		[](double Value)
-		{ return static_cast<uint8_t>(std::lround((Value > 0.0 ? std::min(Value, 1.0) : 0.0) * 255.0)); });
+		{ return ToInteger<uint8_t>(std::round((Value > 0.0 ? std::min(Value, 1.0) : 0.0) * 255.0)); });
 	WriteImage(Path, Spec, OIIO::TypeDesc::UINT8, Pixels.data());
 }
 

@@ -1,6 +1,7 @@
 // Computes error figures of two images, and the map of where they differ.
 #include "Picture/ImageMetrics.h"
 
+#include "Math/ToInteger.h"
 #include "Text/ConfigErrors.h"
 #include "TileExecutor.h"
 
@@ -259,7 +260,7 @@ void GetHeatColor(double Heat, double OutColor[3])
 	static constexpr std::array<std::array<double, 3>, 6> Stops = {{{0.0, 0.0, 0.02}, {0.23, 0.06, 0.44},
 		{0.57, 0.15, 0.50}, {0.88, 0.30, 0.31}, {0.99, 0.62, 0.25}, {0.99, 0.97, 0.75}}};
 	const double Place = (Heat > 0.0 ? std::min(Heat, 1.0) : 0.0) * static_cast<double>(Stops.size() - 1);
-	const size_t Index = std::min(static_cast<size_t>(Place), Stops.size() - 2);
+	const size_t Index = static_cast<size_t>(ToIndex(Place, static_cast<int32_t>(Stops.size()) - 1));
 	const double Part = Place - static_cast<double>(Index);
 	for (size_t Channel = 0; Channel < 3; ++Channel)
 	{

@@ -1,6 +1,8 @@
 // Holds the strokes of every letter, drawn for drydock, and paints them into pictures.
 #include "Picture/StrokeText.h"
 
+#include "Math/ToInteger.h"
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -148,7 +150,7 @@ void AddArc(FStroke& Stroke, std::istringstream& Text)
 	constexpr double StepDegrees = 15.0;
 	double CenterX, CenterY, RadiusX, RadiusY, From, To;
 	Text >> CenterX >> CenterY >> RadiusX >> RadiusY >> From >> To;
-	const int NumSteps = static_cast<int>(std::ceil(std::abs(To - From) / StepDegrees));
+	const int NumSteps = ToInteger<int>(std::ceil(std::abs(To - From) / StepDegrees));
 	for (int Step = 0; Step <= NumSteps; ++Step)
 	{
 		const double Angle = (From + (To - From) * Step / NumSteps) * DegreesToRadians;
@@ -233,10 +235,10 @@ double GetDistance(const FPoint& Point, const FGlyph& Glyph)
 
 void DrawGlyph(FImage& Picture, double Left, double Baseline, const FGlyph& Glyph, double Unit, const FTextColor& Color)
 {
-	const int MinX = std::max(0, static_cast<int>(std::floor(Left - Unit)));
-	const int MaxX = std::min(Picture.Width, static_cast<int>(std::ceil(Left + (Glyph.Width + 1.0) * Unit)));
-	const int MinY = std::max(0, static_cast<int>(std::floor(Baseline - AscentUnits * Unit)));
-	const int MaxY = std::min(Picture.Height, static_cast<int>(std::ceil(Baseline + DescentUnits * Unit)));
+	const int MinX = std::max(0, ToInteger<int>(std::floor(Left - Unit)));
+	const int MaxX = std::min(Picture.Width, ToInteger<int>(std::ceil(Left + (Glyph.Width + 1.0) * Unit)));
+	const int MinY = std::max(0, ToInteger<int>(std::floor(Baseline - AscentUnits * Unit)));
+	const int MaxY = std::min(Picture.Height, ToInteger<int>(std::ceil(Baseline + DescentUnits * Unit)));
 	const double HalfPen = 0.5 * std::max(StrokeUnits * Unit, 1.0);
 	for (int Y = MinY; Y < MaxY; ++Y)
 	{

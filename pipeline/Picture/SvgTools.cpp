@@ -3,6 +3,8 @@
 
 #include "Picture/SvgTools.h"
 
+#include "Math/ToInteger.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -147,10 +149,12 @@ FAxisTicks::FAxisTicks(double Low, double High, int MaxTicks)
 	{
 		Step = Step < Rough ? Factor * Power : Step;
 	}
-	Digits = std::max(0, static_cast<int>(-std::floor(std::log10(Step) + 1e-9)));
-	for (double Index = std::ceil(Low / Step - 1e-9); Index * Step <= High + Step * 1e-9; ++Index)
+	Digits = std::max(0, ToInteger<int>(-std::floor(std::log10(Step) + 1e-9)));
+	// Counted: between two neighbouring numbers a step is too small to lead from one to the other.
+	const double First = std::ceil(Low / Step - 1e-9);
+	for (int Tick = 0; Tick <= 2 * MaxTicks && (First + Tick) * Step <= High + Step * 1e-9; ++Tick)
 	{
-		Values.push_back(Index * Step);
+		Values.push_back((First + Tick) * Step);
 	}
 }
 

@@ -3,6 +3,8 @@
 
 #include "Program/ProgressBar.h"
 
+#include "Math/ToInteger.h"
+
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -48,7 +50,7 @@ std::string DescribeRate(int Done, int NumLeft, double Seconds)
 		return "";
 	}
 	const double Left = Seconds / Done * NumLeft;
-	const long Whole = static_cast<long>(std::min(Left, 1e9) + 0.5);
+	const long Whole = ToInteger<long>(std::min(Left, 1e9) + 0.5);
 	const std::string Rest = Whole >= 3600 ? fmt::format("{} h {} min", Whole / 3600, Whole % 3600 / 60)
 							 : Whole >= 60 ? fmt::format("{} min {} s", Whole / 60, Whole % 60)
 										   : fmt::format("{} s", Whole);

@@ -3,6 +3,7 @@
 
 #include "Program/RunSummary.h"
 
+#include "Math/ToInteger.h"
 #include "Run/Run.h"
 
 #include <algorithm>
@@ -21,8 +22,8 @@ std::string FormatMegabytes(uint64_t Bytes)
 /** Where the time went, as a bar of at most ten characters. */
 std::string MakeBar(double Part, double Largest)
 {
-	const int Length = Largest > 0.0 ? static_cast<int>(Part / Largest * 10.0 + 0.5) : 0;
-	return std::string(static_cast<size_t>(std::clamp(Length, 0, 10)), '#');
+	const int Length = Largest > 0.0 ? ToCount(Part / Largest * 10.0 + 0.5, 0, 10) : 0;
+	return std::string(static_cast<size_t>(Length), '#');
 }
 
 std::string FormatPasses(const FRunResult& Result)

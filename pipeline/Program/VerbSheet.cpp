@@ -8,6 +8,8 @@
 #include "Program/Verbs.h"
 #include "Text/ConfigErrors.h"
 
+#include "Math/ToInteger.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
@@ -69,8 +71,8 @@ FSheetRegion ToRegion(const std::vector<double>& Numbers)
 {
 	const auto ToInt = [](double Number)
 	{
-		constexpr double Largest = 1 << 30;
-		return static_cast<int>(std::min(std::max(Number, -Largest), Largest));
+		constexpr int Largest = 1 << 30;
+		return std::clamp(ToInteger<int>(Number), -Largest, Largest);
 	};
 	return {ToInt(Numbers[0]), ToInt(Numbers[1]), ToInt(Numbers[2]), ToInt(Numbers[3])};
 }

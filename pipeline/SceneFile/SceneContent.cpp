@@ -1,6 +1,7 @@
 // Measures what of a scene could leave an effect nothing to do.
 #include "SceneFile/SceneContent.h"
 
+#include "Math/ToInteger.h"
 #include "SceneFile/SceneFile.h"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ constexpr long ShadingModelMask = 0xF;
 
 bool IsToon(float Id)
 {
-	return std::isfinite(Id) && (std::lround(Id) & ShadingModelMask) == ToonShadingModel;
+	return std::isfinite(Id) && (ToInteger<long>(std::round(Id)) & ShadingModelMask) == ToonShadingModel;
 }
 
 /** Sums of such values are exact in double, in whichever order. */

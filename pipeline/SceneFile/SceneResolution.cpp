@@ -1,6 +1,8 @@
 // Resamples channels to the resolution of the scene textures.
 #include "SceneFile/SceneResolution.h"
 
+#include "Math/ToInteger.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +15,7 @@ namespace
 /** A percentage that is not exact in binary must not round one pixel too far up. */
 int ScaleEdge(int Edge, double Percentage)
 {
-	return static_cast<int>(std::ceil(Edge * Percentage / 100.0 - 1e-9));
+	return ToInteger<int>(std::ceil(Edge * Percentage / 100.0 - 1e-9));
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 // DeferredShadingCommon.ush, Common.ush.
 #include "SceneFile/SceneTexturePacking.h"
 
+#include "Math/ToInteger.h"
 #include "SceneFile/SceneCamera.h"
 
 #include <algorithm>
@@ -39,7 +40,7 @@ FLinearColor PackNormal(const FScenePackValues& Values, const FScenePackContext&
 /** Metallic, specular, roughness; the id in the low four bits of alpha, the selective output mask above it is 0. */
 FLinearColor PackMaterial(const FScenePackValues& Values, const FScenePackContext&)
 {
-	const long Id = std::isfinite(Values[3]) ? std::lround(Values[3]) : 0;
+	const long Id = std::isfinite(Values[3]) ? ToInteger<long>(std::round(Values[3])) : 0;
 	return FLinearColor(Values[0], Values[1], Values[2], static_cast<float>(Id & 0xF) / 255.0f);
 }
 

@@ -2,6 +2,7 @@
 // where it is.
 #include "Study/BlurAlgorithms.h"
 
+#include "Math/ToInteger.h"
 #include "Study/BlurNative.h"
 
 #include "Bloom/FFTConvolution.h"
@@ -282,7 +283,7 @@ FImage MakeWrappedGaussian(FIntPoint Size, double Sigma)
 /** The bloom's transforms, over the image and 5 deviations of its edge around it. */
 FBlurRun RunFFT(const FImage& Image, double Sigma)
 {
-	const int Margin = static_cast<int>(std::ceil(5.0 * Sigma));
+	const int Margin = ToCount(std::ceil(5.0 * Sigma), 0, 1 << 14);
 	const FImage Extended = Extend(Image, Margin);
 	const FIntPoint Size(Extended.Width, Extended.Height);
 	const FFFTDomain Domain = FFFTDomain::Make(Size, Size);
@@ -380,7 +381,7 @@ double FBlur::MeasureVariance(bool bVertical) const
 	{
 		Block *= 2;
 	}
-	const int Margin = (static_cast<int>(10.0 * Sigma) / Block + 1) * Block;
+	const int Margin = (ToCount(10.0 * Sigma, 0, 1 << 14) / Block + 1) * Block;
 	const bool bLevels = Arithmetic.ResolutionLevels > 0 || Algorithm.Name == "GaussianSum" ||
 						 Algorithm.Name == "DualKawase" || Algorithm.Name == "Pyramid";
 	const int Length = 2 * Margin + Block;

@@ -1,6 +1,7 @@
 // Computes blurs line by line in double. The header names their papers.
 #include "Study/BlurNative.h"
 
+#include "Math/ToInteger.h"
 #include "TileExecutor.h"
 
 #include <algorithm>
@@ -89,10 +90,12 @@ FImage FilterBoth(const FImage& Image, FLineFilter Filter)
 
 // Exact -------------------------------------------------------------------------------------------------------------
 
+constexpr int LargestReach = 1 << 20; // of a standard deviation far beyond the 1000 that a study takes
+
 int GetExactReach(double Sigma)
 {
 	// exp(-x^2 / 2 s^2) is 2^-60 at 9.12 s.
-	return static_cast<int>(std::ceil(9.2 * Sigma)) + 1;
+	return ToCount(std::ceil(9.2 * Sigma), 0, LargestReach) + 1;
 }
 
 /** Weights at distance 0, 1, ...: with their mirror they sum to 1. */
@@ -210,7 +213,7 @@ struct FRecursion
 /** The state beyond the end is linear in the state at the end: run the filter far enough past it from three states. */
 void FindTurn(FRecursion& Filter, double Sigma)
 {
-	const size_t Steps = static_cast<size_t>(60.0 * Sigma) + 60;
+	const size_t Steps = static_cast<size_t>(ToCount(60.0 * Sigma, 0, LargestReach)) + 60;
 	for (size_t Unit = 0; Unit < 3; ++Unit)
 	{
 		std::vector<double> Forward(Steps + 3, 0.0); // [2] is the last texel of the line

@@ -3,6 +3,7 @@
 
 #include "Study/StudyInsetSheet.h"
 
+#include "Math/ToInteger.h"
 #include "Picture/ImageMetrics.h"
 #include "Study/StudyPanel.h"
 #include "Study/StudyStyle.h"
@@ -88,7 +89,7 @@ std::string DrawStudyInsets(const std::string& Title, const std::vector<FStudyIn
 		GetHeatColor((Step + 0.5) / Steps, Color);
 		const auto ToByte = [](double Part)
 		{
-			return static_cast<unsigned>(Part * 255.0 + 0.5);
+			return ToInteger<unsigned>(Part * 255.0 + 0.5);
 		};
 		Body += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"6.3\" height=\"10\" fill=\"#{:02x}{:02x}{:02x}\"/>\n",
 			Px(StudyPageMargin + Step * 6.0), Px(Y), ToByte(Color[0]), ToByte(Color[1]), ToByte(Color[2]));

@@ -3,6 +3,8 @@
 
 #include "Study/StudyPanel.h"
 
+#include "Math/ToInteger.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -50,8 +52,9 @@ std::vector<double> FLogAxis::GetTicks() const
 	const double Decades = std::log10(High / Low);
 	const int Step = Decades > 7.0 ? 2 : 1;
 	std::vector<double> Ticks;
-	for (int Power = static_cast<int>(std::floor(std::log10(Low)));
-		 Power <= static_cast<int>(std::ceil(std::log10(High))); ++Power)
+	constexpr int Smallest = -324, Largest = 309; // powers of ten that a double can be of
+	const int LastPower = ToCount(std::ceil(std::log10(High)), Smallest, Largest);
+	for (int Power = ToCount(std::floor(std::log10(Low)), Smallest, Largest); Power <= LastPower; ++Power)
 	{
 		for (const double Factor : {1.0, 1.5, 2.0, 3.0, 5.0, 7.0})
 		{
@@ -84,7 +87,7 @@ double EstimateTextWidth(const std::string& Text, double FontSize)
 
 std::string TickMarkup(double Value)
 {
-	const int Power = static_cast<int>(std::lround(std::log10(Value)));
+	const int Power = ToInteger<int>(std::round(std::log10(Value)));
 	const bool bPower = std::abs(std::log10(Value) - Power) < 1e-9;
 	if (bPower && (Power < -3 || Power > 4))
 	{

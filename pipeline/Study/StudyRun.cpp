@@ -5,6 +5,7 @@
 
 #include "Budget/StudyRequest.h"
 #include "HAL/IConsoleManager.h"
+#include "Math/ToInteger.h"
 #include "PostProcessSettingsReflection.h"
 #include "Run/Run.h"
 #include "Run/RunSetup.h"
@@ -41,11 +42,11 @@ FImage Stretch(const FImage& Image, int Width, int Height)
 	for (int Y = 0; Y < Height; ++Y)
 	{
 		const double V = (Y + 0.5) * Image.Height / Height - 0.5;
-		const int Y0 = static_cast<int>(std::floor(V));
+		const int Y0 = ToInteger<int>(std::floor(V));
 		for (int X = 0; X < Width; ++X)
 		{
 			const double U = (X + 0.5) * Image.Width / Width - 0.5;
-			const int X0 = static_cast<int>(std::floor(U));
+			const int X0 = ToInteger<int>(std::floor(U));
 			for (int Channel = 0; Channel < Image.NumChannels; ++Channel)
 			{
 				const auto Get = [&](int DX, int DY)

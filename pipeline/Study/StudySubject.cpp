@@ -4,6 +4,7 @@
 #include "Study/StudySubject.h"
 
 #include "Budget/StudyRequest.h"
+#include "Math/ToInteger.h"
 #include "Run/Run.h"
 #include "Run/RunDump.h"
 #include "Study/BlurAlgorithms.h"
@@ -105,7 +106,7 @@ public:
 		{
 			Variant.Taps = GetDirectTaps(Sigma);
 			return Exclude(Variant, EStudyExclusion::NotRun,
-				fmt::format("not run: it would take {} taps per pixel", static_cast<long>(Variant.Taps)));
+				fmt::format("not run: it would take {} taps per pixel", ToInteger<long>(Variant.Taps)));
 		}
 		const double LowSigma = Sigma * std::exp2(-GetArithmetic(Set).ResolutionLevels);
 		if (LowSigma > Algorithm.LargestSigma || LowSigma < Algorithm.SmallestSigma)
@@ -142,7 +143,7 @@ private:
 		Arithmetic.Storage = GetAssigned(Set, "storage", "float32");
 		Arithmetic.bDouble = GetAssigned(Set, "precision", "float") == "double";
 		Arithmetic.ResolutionLevels =
-			static_cast<int>(std::lround(-std::log2(std::stod(GetAssigned(Set, "resolution", "100")) / 100.0)));
+			ToInteger<int>(std::round(-std::log2(std::stod(GetAssigned(Set, "resolution", "100")) / 100.0)));
 		return Arithmetic;
 	}
 

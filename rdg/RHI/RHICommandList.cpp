@@ -2,6 +2,7 @@
 #include "RHICommandList.h"
 
 #include "KernelWatch.h"
+#include "Math/ToInteger.h"
 #include "PixelFormatConversion.h"
 #include "TextureTransfer.h"
 #include "TileExecutor.h"
@@ -291,8 +292,12 @@ void FRHICommandList::SetInterpolants(TConstArrayView<Drydock::FKernelInterpolan
 
 void FRHICommandList::SetViewport(float MinX, float MinY, float, float MaxX, float MaxY, float)
 {
-	Viewport = FIntRect(int32(std::floor(MinX + 0.5f)), int32(std::floor(MinY + 0.5f)), int32(std::floor(MaxX + 0.5f)),
-		int32(std::floor(MaxY + 0.5f)));
+	const auto Round = [](float Edge)
+	{
+		constexpr int32 Farthest = 32767; // Direct3D's bounds of a viewport
+		return Drydock::ToCount(std::floor(Edge + 0.5f), -Farthest - 1, Farthest);
+	};
+	Viewport = FIntRect(Round(MinX), Round(MinY), Round(MaxX), Round(MaxY));
 }
 
 void FRHICommandList::SetScissorRect(bool bEnable, uint32 MinX, uint32 MinY, uint32 MaxX, uint32 MaxY)

@@ -1,6 +1,8 @@
 // Converts colours: sRGB by its definition (IEC 61966-2-1), HSV by its definition.
 #include "Math/Color.h"
 
+#include "Math/ToInteger.h"
+
 namespace
 {
 
@@ -19,7 +21,7 @@ uint8 Quantize(float Value)
 {
 	// Written so that a NaN becomes 0.
 	const float Clamped = Value > 0.0f ? FMath::Min(Value, 1.0f) : 0.0f;
-	return static_cast<uint8>(Clamped * 255.0f + 0.5f);
+	return Drydock::ToInteger<uint8>(Clamped * 255.0f + 0.5f);
 }
 
 /** The number behind "Name=" in Text. */
@@ -80,7 +82,7 @@ FLinearColor FLinearColor::HSVToLinearRGB() const
 	const float Low = B * (1.0f - G);
 	const float Falling = B * (1.0f - Fraction * G);
 	const float Rising = B * (1.0f - (1.0f - Fraction) * G);
-	switch (static_cast<int32>(std::floor(Sector)) % 6)
+	switch (Drydock::ToInteger<int32>(std::floor(Sector)) % 6)
 	{
 	case 0:
 		return {B, Rising, Low, A};

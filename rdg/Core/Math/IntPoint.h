@@ -40,11 +40,11 @@ struct TIntPoint
 		, Y(static_cast<IntType>(Other.Y))
 	{
 	}
-	/** Towards zero. */
+	/** Towards zero; what an integer cannot hold as ToInteger.h says. */
 	template<typename T>
 	constexpr explicit TIntPoint(const TVector2<T>& Vector)
-		: X(static_cast<IntType>(Vector.X))
-		, Y(static_cast<IntType>(Vector.Y))
+		: X(Drydock::ToInteger<IntType>(Vector.X))
+		, Y(Drydock::ToInteger<IntType>(Vector.Y))
 	{
 	}
 
@@ -68,7 +68,7 @@ struct TIntPoint
 	/** Length, rounded down. */
 	IntType Size() const
 	{
-		return static_cast<IntType>(std::sqrt(static_cast<double>(X) * X + static_cast<double>(Y) * Y));
+		return Drydock::ToInteger<IntType>(std::sqrt(static_cast<double>(X) * X + static_cast<double>(Y) * Y));
 	}
 	static constexpr int32 Num() { return 2; }
 	FString ToString() const { return FString("X=") + LexToString(X) + " Y=" + LexToString(Y); }

@@ -77,10 +77,10 @@ struct TIntRect
 	/** Min rounded down, Max rounded up. */
 	constexpr TIntRect Scale(double Fraction) const
 	{
-		return {IntPointType(static_cast<IntType>(FMath::FloorToInt(Min.X * Fraction)),
-					static_cast<IntType>(FMath::FloorToInt(Min.Y * Fraction))),
-			IntPointType(static_cast<IntType>(FMath::CeilToInt(Max.X * Fraction)),
-				static_cast<IntType>(FMath::CeilToInt(Max.Y * Fraction)))};
+		return {IntPointType(Drydock::ToInteger<IntType>(std::floor(Min.X * Fraction)),
+					Drydock::ToInteger<IntType>(std::floor(Min.Y * Fraction))),
+			IntPointType(Drydock::ToInteger<IntType>(std::ceil(Max.X * Fraction)),
+				Drydock::ToInteger<IntType>(std::ceil(Max.Y * Fraction)))};
 	}
 	static constexpr TIntRect DivideAndRoundUp(TIntRect Left, IntType Divisor)
 	{

@@ -5,6 +5,7 @@
 #include "Math/MathFwd.h"
 #include "Misc/AssertionMacros.h"
 #include "Math/NumericLimits.h"
+#include "Math/ToInteger.h"
 
 #include <bit>
 #include <cmath>
@@ -116,34 +117,35 @@ struct FMath
 		return Value >= Low && Value <= High;
 	}
 
-	// Rounding. Results of float are int32, of double int64, as in the engine; halves go up.
-	static int32 TruncToInt(float Value) { return static_cast<int32>(Value); }
-	static int64 TruncToInt(double Value) { return static_cast<int64>(Value); }
-	static int32 FloorToInt(float Value) { return static_cast<int32>(std::floor(Value)); }
-	static int64 FloorToInt(double Value) { return static_cast<int64>(std::floor(Value)); }
-	static int32 CeilToInt(float Value) { return static_cast<int32>(std::ceil(Value)); }
-	static int64 CeilToInt(double Value) { return static_cast<int64>(std::ceil(Value)); }
+	// Rounding. Results of float are int32, of double int64, as in the engine; halves go up. What the integer cannot
+	// hold gives its nearest end and NaN 0 (ToInteger.h), where the engine's result is the CPU's.
+	static int32 TruncToInt(float Value) { return Drydock::ToInteger<int32>(Value); }
+	static int64 TruncToInt(double Value) { return Drydock::ToInteger<int64>(Value); }
+	static int32 FloorToInt(float Value) { return Drydock::ToInteger<int32>(std::floor(Value)); }
+	static int64 FloorToInt(double Value) { return Drydock::ToInteger<int64>(std::floor(Value)); }
+	static int32 CeilToInt(float Value) { return Drydock::ToInteger<int32>(std::ceil(Value)); }
+	static int64 CeilToInt(double Value) { return Drydock::ToInteger<int64>(std::ceil(Value)); }
 	static int32 RoundToInt(float Value) { return FloorToInt(Value + 0.5f); }
 	static int64 RoundToInt(double Value) { return FloorToInt(Value + 0.5); }
 	template<std::floating_point T>
 	static int32 TruncToInt32(T Value)
 	{
-		return static_cast<int32>(Value);
+		return Drydock::ToInteger<int32>(Value);
 	}
 	template<std::floating_point T>
 	static int32 FloorToInt32(T Value)
 	{
-		return static_cast<int32>(std::floor(Value));
+		return Drydock::ToInteger<int32>(std::floor(Value));
 	}
 	template<std::floating_point T>
 	static int32 CeilToInt32(T Value)
 	{
-		return static_cast<int32>(std::ceil(Value));
+		return Drydock::ToInteger<int32>(std::ceil(Value));
 	}
 	template<std::floating_point T>
 	static int32 RoundToInt32(T Value)
 	{
-		return static_cast<int32>(std::floor(Value + T(0.5)));
+		return Drydock::ToInteger<int32>(std::floor(Value + T(0.5)));
 	}
 	static float TruncToFloat(float Value) { return std::trunc(Value); }
 	static float FloorToFloat(float Value) { return std::floor(Value); }

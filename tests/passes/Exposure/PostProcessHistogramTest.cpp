@@ -1,6 +1,9 @@
 // The histogram of log2 luminance against its bucket maths, the mask, pre-exposure, rects and hazards.
 #include "ExposureTestUtils.h"
 
+#include "Exposure/ExposureMetering.h"
+
+#include <algorithm>
 #include <numeric>
 
 using namespace PassTest;
@@ -102,6 +105,48 @@ TEST(PostProcessHistogram, NaNIsLeftOutNegativesAreBlackInfinityIsBright)
 	EXPECT_NEAR(0.5, Buckets[0], 1e-6);
 	EXPECT_NEAR(0.25, Buckets[63], 1e-6);
 	EXPECT_NEAR(0.75, SumOf(Buckets), 1e-6);
+}
+
+TEST(PostProcessHistogram, NoRangeOfTheSettingsCountsOutsideOfItsBuckets)
+{
+	const FScopedConsoleVariable Influence(TEXT("r.EyeAdaptation.BlackHistogramBucketInfluence"), 1.0f);
+	const float Infinite = static_cast<float>(Infinity), NoNumber = static_cast<float>(NaN);
+	const float Ends[] = {
+		0.0f, -1.0f, 1.0f, 1e-40f, 1e9f, -1e9f, 1e20f, 1e38f, -1e38f, 3e38f, Infinite, -Infinite, NoNumber};
+	for (const float Low : Ends)
+	{
+		for (const float High : Ends)
+		{
+			FMetering Metering;
+			Metering.Settings = [&](FFinalPostProcessSettings& Settings)
+			{
+				Settings.HistogramLogMin = Low;
+				Settings.HistogramLogMax = High;
+			};
+			const FImage Image = FImage::Make(4, 2, [](int X, int Y) { return Grey(X * 1000.0 * Y).At(0, 0); });
+			const FBuckets Buckets = Count(Image, Metering);
+			EXPECT_NEAR(1.0, SumOf(Buckets), 1e-6) << Low << " .. " << High;
+			EXPECT_TRUE(std::all_of(Buckets.begin(), Buckets.end(), [](double Bucket) { return Bucket >= 0.0; }));
+		}
+	}
+}
+
+TEST(PostProcessHistogram, ASharedLuminanceIsAlwaysBetweenTwoBuckets)
+{
+	const double Numbers[] = {0, -1, 0.5, 1, 1e-310, 1e300, -1e300, Infinity, -Infinity, NaN};
+	for (const double LogLuminance : Numbers)
+	{
+		for (const double Scale : Numbers)
+		{
+			for (const double Bias : Numbers)
+			{
+				const Drydock::FBucketShare Share = Drydock::ShareBetweenBuckets(LogLuminance, Scale, Bias, 64);
+				EXPECT_TRUE(Share.First >= 0 && Share.First <= 62);
+				EXPECT_TRUE(Share.FirstWeight >= 0.0 && Share.FirstWeight <= 1.0);
+				EXPECT_NEAR(1.0, Share.FirstWeight + Share.SecondWeight, 1e-15);
+			}
+		}
+	}
 }
 
 TEST(PostProcessHistogram, PreExposureIsTakenOut)
