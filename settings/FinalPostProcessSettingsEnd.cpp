@@ -36,7 +36,9 @@ TAutoConsoleVariable<float> CVarMotionBlurAmount(TEXT("r.MotionBlur.Amount"), -1
 	ECVF_RenderThreadSafe);
 
 TAutoConsoleVariable<float> CVarMotionBlurMax(TEXT("r.MotionBlur.Max"), -1.0f,
-	TEXT("0 and above: MotionBlurMax, in percent of the width, whatever the settings say. -1: the settings (default)."),
+	TEXT("0 and above: MotionBlurMax, in percent of the width, whatever the settings say. -1: the settings (default). "
+		 "No "
+		 "blur is longer than twice the picture's width and height together."),
 	ECVF_RenderThreadSafe);
 
 TAutoConsoleVariable<int32> CVarMotionBlurTargetFPS(TEXT("r.MotionBlur.TargetFPS"), -1,

@@ -10,6 +10,7 @@
 #include "RenderGraphBuilder.h"
 #include "RenderGraphUtils.h"
 #include "SceneRendering.h"
+#include "Screen/LimitErrors.h"
 #include "Screen/RasterTarget.h"
 #include "ShaderParameterStruct.h"
 
@@ -78,8 +79,8 @@ IMPLEMENT_GLOBAL_SHADER(FUnityBloomPS, "/Project/UnityBloom.usf", "MainPS", SF_P
 /** The target of extract and blurs. */
 FScreenPassRenderTarget CreateSmallTarget(FRDGBuilder& GraphBuilder, const FUnityBloomInputs& Inputs)
 {
-	const int32 Divisor = FMath::Max(1, Inputs.DownSample);
 	const FIntPoint FullSize = Inputs.SceneColor.ViewRect.Size();
+	const int32 Divisor = FMath::Clamp(Inputs.DownSample, 1, FullSize.GetMax());
 	const FIntPoint Size = Inputs.bAsPrinted ? FIntPoint(FullSize.X / Divisor, FullSize.Y / Divisor)
 											 : FIntPoint::DivideAndRoundUp(FullSize, Divisor);
 	return CreateSmallRasterTarget(GraphBuilder, Inputs.SceneColor, Size, TEXT("UnityBloom.Extract"),
@@ -187,7 +188,13 @@ FScreenPassTexture AddUnityBloomPasses(
 	Extract.bAsPrinted = Inputs.bAsPrinted;
 	FScreenPassTexture Bloom = AddUnityBloomPass(GraphBuilder, View, Extract);
 
-	for (int32 Iteration = 0; Iteration < Inputs.Iterations; ++Iteration)
+	if (Inputs.Iterations > GUnityBloomMaxIterations)
+	{
+		AddLimitNote(GraphBuilder, "UnityBloom",
+			"UnityBloomIterations is " + std::to_string(Inputs.Iterations) + "; " +
+				std::to_string(GUnityBloomMaxIterations) + " rounds of blur are made");
+	}
+	for (int32 Iteration = 0; Iteration < FMath::Min(Inputs.Iterations, GUnityBloomMaxIterations); ++Iteration)
 	{
 		for (const EUnityBloomPass Pass :
 			{EUnityBloomPass::GaussianBlurVertical, EUnityBloomPass::GaussianBlurHorizontal})

@@ -69,6 +69,9 @@ struct FUnityBloomPassInputs
 DRYDOCK_API FScreenPassTexture AddUnityBloomPass(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FUnityBloomPassInputs& Inputs);
 
+/** Eight times what the setting's range has. */
+constexpr int32 GUnityBloomMaxIterations = 64;
+
 /** The whole effect. */
 struct FUnityBloomInputs
 {
@@ -77,7 +80,8 @@ struct FUnityBloomInputs
 	FScreenPassRenderTarget OverrideOutput;
 	float Threshold = 0.6f;
 	float SoftKnee = 0.0f;
-	/** Blurs of both directions; 0 leaves the extract unblurred. Below 0 counts as 0. */
+	/** Blurs of both directions; 0 leaves the extract unblurred. Below 0 counts as 0, more than
+	 * GUnityBloomMaxIterations as that, with a warning (DD2110). */
 	int32 Iterations = 3;
 	/** Iteration i blurs with taps 1 + i * Spread texels apart. */
 	float Spread = 0.6f;

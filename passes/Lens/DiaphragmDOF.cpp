@@ -2,6 +2,7 @@
 #include "Lens/DiaphragmDOF.h"
 
 #include "GlobalShader.h"
+#include "Math/ToInteger.h"
 #include "PixelShaderUtils.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
@@ -102,8 +103,9 @@ struct FBokehSamples
 
 FBokehSamples MakeBokehSamples(const DiaphragmDOF::FBokehModel& Bokeh)
 {
-	constexpr double Farthest = GMaxRings + 0.5; // an edge is one spacing wide
-	const int32 Side = FMath::CeilToInt(Farthest * Bokeh.CocRadiusToCircumscribedRadius);
+	constexpr double Farthest = GMaxRings + 0.5;          // an edge is one spacing wide
+	constexpr int32 FarthestCorner = 2 * (GMaxRings + 1); // of four straight blades it is at 1.26 times the radius
+	const int32 Side = Drydock::ToCount(std::ceil(Farthest * Bokeh.CocRadiusToCircumscribedRadius), 0, FarthestCorner);
 	FBokehSamples Result;
 	for (int32 Y = -Side; Y <= Side; ++Y)
 	{
@@ -222,7 +224,7 @@ private:
 		const float Largest = FMath::Max3(Model.MaxForegroundRadius, Model.MaxBackgroundRadius, Model.DepthBlurRadius);
 		// To the farthest corner, and half the width of the edge.
 		const double Reach = (0.5 * Largest * (1.0 + 0.5 / GMaxRings) + 1.0) * Bokeh.CocRadiusToCircumscribedRadius;
-		Parameters->TileReach = FMath::DivideAndRoundUp(static_cast<int32>(std::ceil(Reach)), GTileSize);
+		Parameters->TileReach = Drydock::ToCount(std::ceil(Reach / GTileSize), 0, TileCount.GetMax() - 1);
 		Parameters->CocModel =
 			FVector4f(Model.FocusDistance, Model.InfinityRadius, -Model.MaxForegroundRadius, Model.MaxBackgroundRadius);
 		Parameters->DepthBlur = FVector4f(Model.DepthBlurRadius, 1.0f / Model.DepthBlurHalfDepth, 0.0f, 0.0f);

@@ -5,7 +5,8 @@
 //   f = SensorWidth / 2 * cot(half field of view),  A = f / Fstop
 //   r(d) = A * f / (FocalDistance - f) * (d - FocalDistance) / d / SensorWidth * W / 2
 // positive behind the focus, negative before it; at most r.DOF.Kernel.MaxBackgroundRadius and MaxForegroundRadius. The
-// blur of the air (DepthOfFieldDepthBlur*): behind the focus at least Radius * W / 1920 * (1 - 2^(-d / Amount)).
+// blur of the air (DepthOfFieldDepthBlur*): behind the focus at least Radius * W / 1920 * (1 - 2^(-d / Amount)). None
+// is larger than W.
 //
 // The bokeh, the picture of a point out of focus, has the form of the lens's opening, as the settings' tooltips
 // say (memory): a disc at DepthOfFieldMinFstop; at larger stops as many arcs as there are blades, bent as the edge of

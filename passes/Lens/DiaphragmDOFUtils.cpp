@@ -12,10 +12,10 @@ namespace
 {
 
 TAutoConsoleVariable<float> CVarMaxForegroundRadius(TEXT("r.DOF.Kernel.MaxForegroundRadius"), 0.025f,
-	TEXT("Largest blur before the focus, as a part of the view's width (0.025)."),
+	TEXT("Largest blur before the focus, as a part of the view's width, at most 1 (0.025)."),
 	ECVF_Scalability | ECVF_RenderThreadSafe);
 TAutoConsoleVariable<float> CVarMaxBackgroundRadius(TEXT("r.DOF.Kernel.MaxBackgroundRadius"), 0.025f,
-	TEXT("Largest blur behind the focus, as a part of the view's width (0.025)."),
+	TEXT("Largest blur behind the focus, as a part of the view's width, at most 1 (0.025)."),
 	ECVF_Scalability | ECVF_RenderThreadSafe);
 TAutoConsoleVariable<int32> CVarEnableGatherBokehSettings(TEXT("r.DOF.Gather.EnableBokehSettings"), 1,
 	TEXT("Form of the bokeh: 0 a disc, 1 that of the diaphragm's blades (default)."),
@@ -61,10 +61,12 @@ FPhysicalCocModel FPhysicalCocModel::Compile(
 	Model.FocusDistance = Settings.DepthOfFieldFocalDistance;
 	// A lens cannot focus nearer than its focal length.
 	const float Diameter = Focus > FocalLength ? Aperture * FocalLength / (Focus - FocalLength) : 0.0f;
-	Model.InfinityRadius = 0.5f * Diameter / SensorWidth * Width;
-	Model.MaxForegroundRadius = FMath::Max(CVarMaxForegroundRadius.GetValueOnRenderThread(), 0.0f) * Width;
-	Model.MaxBackgroundRadius = FMath::Max(CVarMaxBackgroundRadius.GetValueOnRenderThread(), 0.0f) * Width;
-	Model.DepthBlurRadius = FMath::Max(Settings.DepthOfFieldDepthBlurRadius, 0.0f) * Width / 1920.0f;
+	const float InfinityRadius = 0.5f * Diameter / SensorWidth * Width;
+	// Any larger one is cut to the largest blur but in the plane of focus, where it would not be a number.
+	Model.InfinityRadius = InfinityRadius > 0.0f ? FMath::Min(InfinityRadius, 1e6f * Width) : 0.0f;
+	Model.MaxForegroundRadius = FMath::Clamp(CVarMaxForegroundRadius.GetValueOnRenderThread(), 0.0f, 1.0f) * Width;
+	Model.MaxBackgroundRadius = FMath::Clamp(CVarMaxBackgroundRadius.GetValueOnRenderThread(), 0.0f, 1.0f) * Width;
+	Model.DepthBlurRadius = FMath::Min(FMath::Max(Settings.DepthOfFieldDepthBlurRadius, 0.0f) * Width / 1920.0f, Width);
 	Model.DepthBlurHalfDepth = FMath::Max(Settings.DepthOfFieldDepthBlurAmount * CentimetresPerKilometre, 1.0f);
 	return Model;
 }

@@ -2,10 +2,12 @@
 #include "Lens/PostProcessMotionBlur.h"
 
 #include "GlobalShader.h"
+#include "Math/ToInteger.h"
 #include "PixelShaderUtils.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphUtils.h"
 #include "SceneRendering.h"
+#include "Screen/LimitErrors.h"
 #include "Screen/RasterTarget.h"
 #include "ShaderParameterStruct.h"
 
@@ -149,8 +151,9 @@ private:
 		Parameters->Output = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Output));
 		Parameters->FlatSize = Size;
 		Parameters->TileCount = TileCount;
-		// A blur reaches half its length to either side.
-		Parameters->TileReach = FMath::DivideAndRoundUp(FMath::CeilToInt(0.5f * Inputs.MaxLength), GTileSize);
+		// A blur reaches half its length to either side; beyond the farthest tile there is none.
+		Parameters->TileReach =
+			Drydock::ToCount(std::ceil(0.5f * Inputs.MaxLength / GTileSize), 0, TileCount.GetMax() - 1);
 		Parameters->MaxSamples = GetMaxSamples(Inputs.Quality);
 		Parameters->VelocityScale = Inputs.VelocityScale;
 		Parameters->MaxLength = Inputs.MaxLength;
@@ -173,6 +176,13 @@ private:
 	const FIntPoint Size;
 	const FIntPoint TileCount;
 };
+
+/** The longest blur in a picture of this size: half of it, to either side, leads from any pixel across the picture. */
+float GetLargestMaxLength(FIntPoint Size)
+{
+	constexpr float LargestHalf = 65504.0f; // velocities are stored in half floats
+	return FMath::Min(2.0f * (static_cast<float>(Size.X) + static_cast<float>(Size.Y)), LargestHalf);
+}
 
 } // namespace
 
@@ -202,8 +212,18 @@ FScreenPassTexture AddMotionBlurPass(FRDGBuilder& GraphBuilder, const FViewInfo&
 	{
 		return Inputs.SceneColor;
 	}
+	FMotionBlurInputs Limited = Inputs;
+	Limited.MaxLength = FMath::Min(Inputs.MaxLength, GetLargestMaxLength(Inputs.SceneColor.ViewRect.Size()));
+	if (Limited.MaxLength < Inputs.MaxLength)
+	{
+		const FString Message = FString::Printf(
+			TEXT("a blur of up to %g pixels is asked for (MotionBlurMax, r.MotionBlur.Max); %g are taken, which reach "
+				 "across the picture from any pixel"),
+			Inputs.MaxLength, Limited.MaxLength);
+		Drydock::AddLimitNote(GraphBuilder, "MotionBlur", *Message);
+	}
 	RDG_EVENT_SCOPE(GraphBuilder, "MotionBlur");
-	FMotionBlurPasses Passes(GraphBuilder, View, Inputs);
+	FMotionBlurPasses Passes(GraphBuilder, View, Limited);
 	const FRDGTextureRef Flat = Passes.AddFlatten();
 	return Passes.AddFilter(Flat, Passes.AddNeighborMax(Passes.AddTileMax(Flat)));
 }

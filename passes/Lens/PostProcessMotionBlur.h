@@ -49,7 +49,8 @@ struct FMotionBlurInputs
 	EMotionBlurQuality Quality = EMotionBlurQuality::VeryHigh;
 	/** Blur length for a velocity of one pixel per frame; 0 and below: no pass. */
 	float VelocityScale = 0.0f;
-	/** Longest blur, pixels; above 0. */
+	/** Longest blur, pixels; above 0. More than twice the picture's width and height together counts as that (DD2110).
+	 */
 	float MaxLength = 0.0f;
 
 	/** From MotionBlurAmount, Max and TargetFPS; DeltaTime: of the frame, seconds; 0: that of the target. */

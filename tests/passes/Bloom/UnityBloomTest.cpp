@@ -4,6 +4,7 @@
 #include "PassTestUtils.h"
 
 #include "Bloom/UnityBloom.h"
+#include "Screen/LimitErrors.h"
 
 #include "RenderGraphCompiled.h"
 
@@ -420,6 +421,26 @@ TEST(UnityBloom, DivisorsBelowOneAndBeyondTheSizeAreSafe)
 		const FImage Result = RunBloom(FImage(5, 3, {2, 2, 2, 1}), Inputs);
 		EXPECT_LE(MaxDifference(FImage(5, 3, {4, 4, 4, 1}), Result, 4), 1e-5) << DownSample;
 	}
+}
+
+TEST(UnityBloom, NoMoreRoundsAreMadeThanHaveAnEffectAndARemarkSaysSo)
+{
+	const FImage Image = Impulse(16, 9, 5, 4, 8);
+	FUnityBloomInputs Inputs;
+	Inputs.Iterations = 64;
+	const FImage Most = RunBloom(Image, Inputs);
+	Inputs.Iterations = std::numeric_limits<int32>::max();
+	EXPECT_EQ(0.0, MaxDifference(Most, RunBloom(Image, Inputs)));
+
+	FPassRun Run(Image, EArithmetic::Native);
+	Inputs.SceneColor = Run.Input;
+	AddUnityBloomPasses(Run.GraphBuilder, Run.View, Inputs);
+	const std::vector<FDiagnostic> Notes = GetGraphNotes(Run.GraphBuilder);
+	Run.GraphBuilder.Discard();
+	ASSERT_EQ(1u, Notes.size());
+	EXPECT_EQ(WarnLimited, Notes[0].Code);
+	EXPECT_NE(std::string::npos, Notes[0].Message.find("UnityBloomIterations is 2147483647; 64 rounds"))
+		<< Notes[0].Message;
 }
 
 TEST(UnityBloom, NaNStaysWithinItsFootprint)

@@ -176,6 +176,33 @@ TEST(DiaphragmDOF, RadiusIsLimitedOnBothSides)
 	EXPECT_EQ(-2.0f, Model.DepthToCocRadius(1.0f));
 }
 
+TEST(DiaphragmDOF, NoLensGivesARadiusThatIsNoNumberOrWiderThanTheView)
+{
+	const float Extremes[] = {1e-40f, 1e-20f, 1.0f, 1e9f, 1e20f, 3e38f};
+	const FScopedConsoleVariable Foreground(TEXT("r.DOF.Kernel.MaxForegroundRadius"), 1e9f);
+	const FScopedConsoleVariable Background(TEXT("r.DOF.Kernel.MaxBackgroundRadius"), 3e38f);
+	for (const float Fstop : Extremes)
+	{
+		for (const float SensorWidth : Extremes)
+		{
+			for (const float FocalDistance : Extremes)
+			{
+				FFinalPostProcessSettings Settings;
+				Settings.DepthOfFieldFstop = Fstop;
+				Settings.DepthOfFieldSensorWidth = SensorWidth;
+				Settings.DepthOfFieldFocalDistance = FocalDistance;
+				Settings.DepthOfFieldDepthBlurRadius = Fstop;
+				const FPhysicalCocModel Model = FPhysicalCocModel::Compile(Settings, 1000, 1.0f);
+				for (const float Depth : {1e-30f, 1.0f, FocalDistance, 1e9f, 3e38f})
+				{
+					EXPECT_GE(1000.0f, std::abs(Model.DepthToCocRadius(Depth)))
+						<< Fstop << " " << SensorWidth << " " << FocalDistance << " " << Depth;
+				}
+			}
+		}
+	}
+}
+
 TEST(DiaphragmDOF, TheAirBlursTheDistance)
 {
 	FFinalPostProcessSettings Settings = MakeLens();

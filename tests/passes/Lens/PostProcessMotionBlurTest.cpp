@@ -131,6 +131,25 @@ TEST(MotionBlur, StillnessIsTheIdentityBitForBit)
 	}
 }
 
+TEST(MotionBlur, NoBlurIsLongerThanTwiceWidthAndHeight)
+{
+	// Half of it, to either side, crosses the picture from any pixel: 2 * (80 + 48).
+	FMotionBlurRun Longest;
+	Longest.MaxLength = 256.0f;
+	const FMotionAt Motion = [](int X, int)
+	{
+		return FMotion{X < 40 ? 3000.0 : 7.0, X < 20 ? 1500.0 : 0.0};
+	};
+	const FImage Noise = FImage::Noise(80, 48);
+	const FImage Expected = Longest.Run(Noise, Motion);
+	for (const float MaxLength : {257.0f, 1e5f, 1.6e8f, 1e20f, 3e38f, std::numeric_limits<float>::infinity()})
+	{
+		FMotionBlurRun Blur;
+		Blur.MaxLength = MaxLength;
+		ExpectSameBits(Expected, Blur.Run(Noise, Motion));
+	}
+}
+
 TEST(MotionBlur, LessThanHalfAPixelIsStillness)
 {
 	const FImage Noise = FImage::Noise(67, 35);
