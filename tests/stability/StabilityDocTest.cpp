@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "HazardScene.h"
+#include "RangeRows.h"
 #include "Table.h"
 #include "WholeFrame.h"
 
@@ -58,6 +59,28 @@ constexpr const char* AboutFrame = R"(
 
 From scene colour through bloom and tonemapper to the final picture, at default settings, in pictures of 64 x 48 pixels: in
 so small a one the bloom's kernels reach everywhere.
+)";
+
+constexpr const char* AboutRanges = R"(
+## Ranges
+
+Settings that span a range, each pair of ends in `settings/PostProcessSettingsTable.h` among them, where the range is empty,
+inverted or far away: in a frame with every effect on the picture is finite, the final one within 0..1, and it has the bits
+of the picture that the last column names (`tests/stability/RangeRows.h`).
+
+| range | case | settings | counts as |
+|---|---|---|---|
+)";
+
+constexpr const char* AboutSweep = R"(
+## The sweep
+
+`DRYDOCK_SWEEP=all build/release/bin/test_stability --gtest_filter='Sweep.*'` runs every setting and every console variable,
+by the table and the registry, with 0, 1, -1, both ends of its range and of its slider, +-1e9, 1e20, +-1e38, a denormal, NaN
+and the infinities (whole numbers: the ends of their type; enums: each of their names), in two frames with every effect on,
+of 32 x 18 pixels. Each run ends with a finite final picture or with a message and exit code 2, within 20 s and 4 GB. All
+tests run one case in 40; `DRYDOCK_SWEEP=TEXT` runs those whose name holds the text. `r.Drydock.ShaderSeconds` is left out: it
+ends the process.
 )";
 
 constexpr const char* GroupTitles[] = {"Values", "Sizes", "Parameters", "Sums and weights"};
@@ -239,7 +262,12 @@ std::string MakeDoc()
 	{
 		Text << "| " << Stated.Config << ".json | " << Stated.Reason << " |\n";
 	}
-	Text << AfterScene << AboutFrame;
+	Text << AfterScene << AboutRanges;
+	for (const FRangeCase& Case : RangeCases)
+	{
+		Text << "| " << Case.Range << " | " << Case.Kind << " | `" << Case.Given << "` | " << Case.Result << " |\n";
+	}
+	Text << AboutSweep << AboutFrame;
 	WriteTables(Text, GetFrames(), "frame");
 	Text << "\n## Passes\n";
 	WriteTables(Text, GetPasses(), "pass");

@@ -188,8 +188,8 @@ TEST(StabilityTable, HasARowForEveryHeaderOfPasses)
 			 "Blur/DualKawaseBlurErrors.h", "Blur/DualKawaseBlurOutput.h", "Blur/DualKawaseBlurWidth.h",
 			 "Blur/KernelAudit.h", "Blur/KernelAuditErrors.h", "Exposure/ExposureFactory.h",
 			 "Exposure/ExposureMetering.h", "Exposure/PostProcessEyeAdaptationParameters.h", "Screen/BuiltinTextures.h",
-			 "Screen/DrawRegion.h", "Screen/RasterTarget.h", "Screen/SampleSteps.h", "Screen/ScreenShaderPass.h",
-			 "Screen/TextureAssets.h", "Tonemap/ColorGrading.h", "Tonemap/TonemapLens.h",
+			 "Screen/DrawRegion.h", "Screen/LimitErrors.h", "Screen/RasterTarget.h", "Screen/SampleSteps.h",
+			 "Screen/ScreenShaderPass.h", "Screen/TextureAssets.h", "Tonemap/ColorGrading.h", "Tonemap/TonemapLens.h",
 			 "Tonemap/TonemapOutputDevice.h", "Toon/CharaGlowShaders.h"})
 	{
 		EXPECT_EQ(1u, Headers.erase(Name)) << Name << " is no longer there";
