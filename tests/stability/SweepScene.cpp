@@ -59,9 +59,10 @@ std::string MakeCamera()
 
 constexpr const char* AllOn = R"(
 	"MotionBlurAmount": 0.5, "MotionBlurTargetFPS": 0, "MotionBlurMax": 20,
-	"DepthOfFieldFocalDistance": 350, "DepthOfFieldFstop": 2, "DepthOfFieldSensorWidth": 60,
-	"DepthOfFieldDepthBlurRadius": 200, "LocalExposureHighlightContrastScale": 0.8,
-	"LocalExposureShadowContrastScale": 0.8, "LocalExposureDetailStrength": 1.2, "BloomThreshold": 0.5,
+	"DepthOfFieldFocalDistance": 350, "DepthOfFieldFstop": 2, "DepthOfFieldSensorWidth": 1000,
+	"DepthOfFieldDepthBlurRadius": 200, "DepthOfFieldDepthBlurAmount": 0.01, "LocalExposureHighlightContrastScale": 0.8,
+	"LocalExposureShadowContrastScale": 0.8, "LocalExposureDetailStrength": 1.2, "BloomThreshold": 0.5, "BloomConvolutionPreFilterMin": 0.5,
+	"BloomConvolutionPreFilterMax": 100, "BloomConvolutionPreFilterMult": 3,
 	"BloomToonIntensity": 0.3, "BloomDirtMask": "Builtin/Disc", "BloomDirtMaskIntensity": 1,
 	"ToonShadowBlurIntensity": 1, "DiffusionFilterIntensity": 0.3, "DiffusionFilterSepia": 0.2, "SoftFocusBlend": 0.3,
 	"SoftFocusSaturation": 1.1, "GlowIntensity": 0.2, "CharaGlowArea": 3, "REDDofFocalDistance": 400, "REDDofNearBlurSize": 12, "REDDofFarBlurSize": 12,
