@@ -26,6 +26,7 @@ static_assert(std::size(PassNames) == static_cast<size_t>(ISceneViewExtension::E
 bool RegisterExtensionFactory(FExtensionFactory Factory)
 {
 	const std::string Type = Factory.Type;
+	Factory.Owner = MakeCodeOwner("extension type " + Type);
 	if (GetFactories().emplace(Type, std::move(Factory)).second)
 	{
 		return true;

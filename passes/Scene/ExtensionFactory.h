@@ -12,6 +12,7 @@
 #pragma once
 
 #include "FactoryParameters.h"
+#include "RunningCode.h"
 #include "SceneViewExtension.h"
 
 #include <functional>
@@ -42,6 +43,7 @@ struct FExtensionFactory
 	std::vector<std::string> Passes = {};
 	std::vector<FParameterSpec> Parameters = {};
 	std::function<TSharedRef<ISceneViewExtension, ESPMode::ThreadSafe>(const FExtensionArguments&)> Create = {};
+	FCodeOwner Owner = {}; // of the function; set by registering
 };
 
 /** A second one of the same type is refused with a warning in the log; the first stays. False then. */

@@ -19,6 +19,7 @@ std::map<std::string, FPassFactory>& GetFactories()
 bool RegisterPassFactory(FPassFactory Factory)
 {
 	const std::string Type = Factory.Type;
+	Factory.Owner = MakeCodeOwner("pass type " + Type);
 	if (GetFactories().emplace(Type, std::move(Factory)).second)
 	{
 		return true;

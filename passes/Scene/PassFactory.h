@@ -3,6 +3,7 @@
 #pragma once
 
 #include "FactoryParameters.h"
+#include "RunningCode.h"
 #include "SceneRendering.h"
 #include "ScreenPass.h"
 
@@ -46,6 +47,7 @@ struct FPassFactory
 	std::vector<FParameterSpec> Parameters = {};
 	/** Adds the pass and returns its output, a texture of any size with its rect. */
 	std::function<FScreenPassTexture(FRDGBuilder&, const FViewInfo&, const FPassArguments&)> Add = {};
+	FCodeOwner Owner = {}; // of the function; set by registering
 };
 
 /** A second one of the same type is refused with a warning in the log; the first stays. False then. */

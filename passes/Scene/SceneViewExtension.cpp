@@ -2,6 +2,8 @@
 // (order and activity); the record of signatures is drydock's.
 #include "SceneViewExtension.h"
 
+#include "CodeScope.h"
+
 #include <algorithm>
 #include <cxxabi.h>
 
@@ -124,21 +126,37 @@ bool FWorldSceneViewExtension::IsActiveThisFrame_Internal(const FSceneViewExtens
 TArray<FExtensionRef> FSceneViewExtensions::GatherActiveExtensions(const FSceneViewExtensionContext& InContext) const
 {
 	// Strong references first: an extension may let go of others while it is asked.
-	std::vector<FExtensionRef> Active;
+	struct FAsked
+	{
+		FExtensionRef Extension;
+		Drydock::FExtensionInfo Info;
+		int32 Priority = 0;
+	};
+	std::vector<FAsked> Active;
 	for (const FEntry& Entry : Entries)
 	{
 		if (const TSharedPtr<ISceneViewExtension, ESPMode::ThreadSafe> Extension = Entry.Extension.Pin())
 		{
-			Active.push_back(Extension.ToSharedRef());
+			Active.push_back({Extension.ToSharedRef(), Entry.Info});
 		}
 	}
-	std::erase_if(Active, [&](const FExtensionRef& Extension) { return !Extension->IsActiveThisFrame(InContext); });
-	std::stable_sort(Active.begin(), Active.end(),
-		[](const FExtensionRef& A, const FExtensionRef& B) { return A->GetPriority() > B->GetPriority(); });
-	TArray<FExtensionRef> Result;
-	for (const FExtensionRef& Extension : Active)
+	std::erase_if(Active,
+		[&](const FAsked& Asked)
+		{
+			return !Drydock::CallCode(Asked.Info.MakeOwner("IsActiveThisFrame"),
+				[&] { return Asked.Extension->IsActiveThisFrame(InContext); });
+		});
+	for (FAsked& Asked : Active)
 	{
-		Result.Add(Extension);
+		Asked.Priority =
+			Drydock::CallCode(Asked.Info.MakeOwner("GetPriority"), [&] { return Asked.Extension->GetPriority(); });
+	}
+	std::stable_sort(
+		Active.begin(), Active.end(), [](const FAsked& A, const FAsked& B) { return A.Priority > B.Priority; });
+	TArray<FExtensionRef> Result;
+	for (const FAsked& Asked : Active)
+	{
+		Result.Add(Asked.Extension);
 	}
 	return Result;
 }
@@ -178,6 +196,7 @@ void FSceneViewExtensions::ForgetPlugin(const std::string& Plugin)
 void FSceneViewExtensions::RegisterExtension(const FExtensionRef& Extension, Drydock::FExtensionInfo Info)
 {
 	FSceneViewExtensions& Registry = *GEngine->ViewExtensions;
+	Info.Owner = Drydock::MakeCodeOwner("").Plugin;
 	Registry.Entries.RemoveAll([](const FEntry& Entry) { return !Entry.Extension.IsValid(); });
 	Registry.Entries.Add({Extension.ToWeakPtr(), &Extension.Get(), Registry.NextRegistration++, std::move(Info)});
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "CoreMinimal.h"
+#include "RunningCode.h"
 #include "Runtime/Launch/Resources/Version.h"
 
 #include <string>
@@ -51,8 +52,11 @@ struct FExtensionInfo
 	int32 EngineMinor = ENGINE_MINOR_VERSION; // of engine 5, that it was compiled for; AnyEngineVersion
 	uint32 Overrides = 0;                     // bits of EExtensionHook that its class declares
 	std::string Plugin;                       // file of the plugin whose loading registered it; empty: none did
+	std::string Owner;                        // name of the plugin whose code made it, then or later; empty: none
 
 	bool Has(EExtensionHook Hook) const { return (Overrides >> static_cast<uint32>(Hook) & 1u) != 0; }
+	/** "SetupView of extension FTint" */
+	FCodeOwner MakeOwner(const std::string& Function) const { return {Owner, Function + " of extension " + Name}; }
 };
 
 /** Name of a type as a person writes it: no namespaces. */

@@ -1,6 +1,7 @@
 // Calls one callback and holds what it returns to the engine's contract.
 #include "Chain/PassCallbacks.h"
 
+#include "CodeScope.h"
 #include "Extensions/ExtensionErrors.h"
 #include "PixelFormat.h"
 
@@ -112,7 +113,16 @@ FScreenPassTexture RunPassCallback(FRDGBuilder& GraphBuilder, const FNamedView& 
 	Log.Calls.push_back({Point, View.Name, Callback.Extension, "", Scope});
 
 	const bool bWasDrawn = Inputs.OverrideOutput.IsValid() && Inputs.OverrideOutput.Texture->HasBeenProduced();
-	const FScreenPassTexture Result = Callback.Delegate.Execute(GraphBuilder, *View.View, Inputs);
+	const FScreenPassTexture Result = CallCode(Callback.Owner,
+		[&]
+		{
+			const FScreenPassTexture Returned = Callback.Delegate.Execute(GraphBuilder, *View.View, Inputs);
+			if (Returned.Texture != nullptr)
+			{
+				GraphBuilder.CheckArgument(Returned.Texture, "what it returned", "Texture");
+			}
+			return Returned;
+		});
 	const FBreach Breach = FindBreach(Inputs, Result, bWasDrawn);
 	if (Breach.Code == 0)
 	{

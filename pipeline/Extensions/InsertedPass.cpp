@@ -1,6 +1,7 @@
 // Makes a view extension of each pass that a config inserts.
 #include "Extensions/InsertedPass.h"
 
+#include "CodeScope.h"
 #include "Extensions/ExtensionErrors.h"
 #include "PostProcess/PostProcessing.h"
 #include "SceneViewState.h"
@@ -35,7 +36,13 @@ public:
 		{
 			Arguments.Inputs[Name] = Find(GraphBuilder, View, Picture, Resource);
 		}
-		const FScreenPassTexture Result = Factory->Add(GraphBuilder, View, Arguments);
+		const FScreenPassTexture Result = CallCode(Factory->Owner,
+			[&]
+			{
+				const FScreenPassTexture Returned = Factory->Add(GraphBuilder, View, Arguments);
+				GraphBuilder.CheckArgument(Returned.Texture, "what it returned", "Texture");
+				return Returned;
+			});
 		(*Results)[{&View, Request.Name}] = Result;
 		return Request.bReplace ? Result : Picture;
 	}

@@ -2,6 +2,7 @@
 #include "Extensions/Plugins.h"
 
 #include "Config/ConfigReader.h"
+#include "CodeScope.h"
 #include "ExtensionFactory.h"
 #include "Extensions/ExtensionErrors.h"
 #include "GlobalShader.h"
@@ -11,6 +12,7 @@
 
 #include <dlfcn.h>
 #include <filesystem>
+#include <link.h>
 #include <map>
 
 namespace Drydock
@@ -42,12 +44,23 @@ size_t CountRegistered()
 	return NumShaders + GetExtensionFactories().size() + GetPassFactories().size();
 }
 
+std::string GetFileName(const std::string& Path)
+{
+	return Files::path(Path).filename().string();
+}
+
 /** Whether the library is gone: one with unique symbols stays in memory until the end. */
 bool Unload(const std::string& Path, FLoadedPlugin& Plugin)
 {
 	// Its extensions' weak references are its own code: they go first.
-	GEngine->ViewExtensions->ForgetPlugin(Path);
-	dlclose(Plugin.Handle);
+	const FCodeOwner Owner = {GetFileName(Path), "destructors of static variables (dlclose)"};
+	CallCode(Owner,
+		[&]
+		{
+			GEngine->ViewExtensions->ForgetPlugin(Path);
+			dlclose(Plugin.Handle);
+		});
+	ForgetPluginCode(Owner.Plugin);
 	if (void* const Still = dlopen(Path.c_str(), RTLD_NOW | RTLD_NOLOAD))
 	{
 		dlclose(Still);
@@ -80,7 +93,9 @@ bool Load(const TConfigValue<std::string>& Plugin, const std::string& Path, FCon
 	const size_t NumBefore = CountRegistered();
 	const uint64 FirstExtension = GEngine->ViewExtensions->GetNextRegistration();
 	// Local: plugins see drydock's symbols and not each other's, which may bear the same names.
-	void* const Handle = dlopen(Path.c_str(), RTLD_NOW | RTLD_LOCAL);
+	const std::string Name = GetFileName(Path);
+	void* const Handle = CallCode(FCodeOwner{Name, "constructors of static variables (dlopen)"},
+		[&] { return dlopen(Path.c_str(), RTLD_NOW | RTLD_LOCAL); });
 	if (Handle == nullptr)
 	{
 		const char* const Reason = dlerror();
@@ -89,7 +104,12 @@ bool Load(const TConfigValue<std::string>& Plugin, const std::string& Path, FCon
 		return false;
 	}
 	GetLoaded()[Path] = {Handle, Time};
-	FModuleManager::Get().StartupPendingModules();
+	link_map* Map = nullptr;
+	if (dlinfo(Handle, RTLD_DI_LINKMAP, &Map) == 0)
+	{
+		NotePluginCode(Name, Map->l_ld);
+	}
+	CallCode(FCodeOwner{Name, "the start of its modules"}, [] { FModuleManager::Get().StartupPendingModules(); });
 	const int32 NumExtensions = GEngine->ViewExtensions->MarkPlugin(Path, FirstExtension);
 	if (NumExtensions == 0 && CountRegistered() == NumBefore)
 	{

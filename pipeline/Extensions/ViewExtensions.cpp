@@ -1,6 +1,7 @@
 // Calls the hooks of view extensions, in the engine's order.
 #include "Extensions/ViewExtensions.h"
 
+#include "CodeScope.h"
 #include "ExtensionFactory.h"
 #include "Extensions/ExtensionErrors.h"
 #include "FinalPostProcessSettings.h"
@@ -173,7 +174,7 @@ void FViewExtensionFrame::Call(
 	{
 		Log.Calls.push_back({GetHookName(Hook), ViewName, Extension.Label, "", ""});
 	}
-	Function(*Extension.Extension);
+	CallCode(Extension.Info.MakeOwner(GetHookName(Hook)), [&] { Function(*Extension.Extension); });
 }
 
 template<typename TFunction>
@@ -339,7 +340,7 @@ std::vector<FPassCallback> FViewExtensionFrame::Subscribe(
 	ISceneViewExtension::EPostProcessingPass Pass, const FNamedView& View, bool bIsPassEnabled)
 {
 	FPostProcessingPassDelegateArray Delegates;
-	std::vector<std::string> Owners;
+	std::vector<const FExtension*> Owners;
 	for (FExtension& Extension : Extensions)
 	{
 		if (!HasInsertionPoint(Pass, Extension.EngineMinor))
@@ -351,16 +352,20 @@ std::vector<FPassCallback> FViewExtensionFrame::Subscribe(
 		const bool bWithView = bChooses ? Extension.Info.Has(EExtensionHook::SubscribeWithView)
 										: IsHookCalled(EExtensionHook::SubscribeWithView, Extension.EngineMinor);
 		const int32 NumBefore = Delegates.Num();
-		if (bWithView)
-		{
-			Extension.Extension->SubscribeToPostProcessingPass(Pass, *View.View, Delegates, bIsPassEnabled);
-		}
-		else
-		{
-			Extension.Extension->SubscribeToPostProcessingPass(Pass, Delegates, bIsPassEnabled);
-		}
+		CallCode(Extension.Info.MakeOwner(std::string("SubscribeToPostProcessingPass(") + GetPassName(Pass) + ")"),
+			[&]
+			{
+				if (bWithView)
+				{
+					Extension.Extension->SubscribeToPostProcessingPass(Pass, *View.View, Delegates, bIsPassEnabled);
+				}
+				else
+				{
+					Extension.Extension->SubscribeToPostProcessingPass(Pass, Delegates, bIsPassEnabled);
+				}
+			});
 		// An extension may also take away what others added: whose the rest is stays as it was.
-		Owners.resize(static_cast<size_t>(Delegates.Num()), Extension.Label);
+		Owners.resize(static_cast<size_t>(Delegates.Num()), &Extension);
 		if (Extension.Info.Has(bWithView ? EExtensionHook::SubscribeWithView : EExtensionHook::Subscribe))
 		{
 			const int32 NumAdded = Delegates.Num() - NumBefore;
@@ -374,7 +379,9 @@ std::vector<FPassCallback> FViewExtensionFrame::Subscribe(
 	std::vector<FPassCallback> Callbacks;
 	for (int32 Index = 0; Index < Delegates.Num(); ++Index)
 	{
-		Callbacks.push_back({Delegates[Index], Owners[static_cast<size_t>(Index)]});
+		const FExtension& Owner = *Owners[static_cast<size_t>(Index)];
+		Callbacks.push_back(
+			{Delegates[Index], Owner.Label, Owner.Info.MakeOwner(std::string("the callback at ") + GetPassName(Pass))});
 	}
 	return Callbacks;
 }

@@ -27,6 +27,7 @@ struct FPassCallback
 {
 	FPostProcessingPassDelegate Delegate;
 	std::string Extension;
+	FCodeOwner Owner = {};
 };
 
 /** The extensions of one frame. Made for a frame and gone with it. */

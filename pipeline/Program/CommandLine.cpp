@@ -114,7 +114,7 @@ int CallProgram(const std::vector<std::string>& Arguments)
 	SetLabels(Program);
 	Program.footer(
 		"Exit codes: 0 done, 1 a policy failed, 2 usage, config or graph error, 3 a file cannot be read or written,\n"
-		"70 a fault of drydock's own. `drydock VERB --help` explains a verb.");
+		"70 a fault of drydock's own, 71 one of a plugin's. `drydock VERB --help` explains a verb.");
 	int ExitCode = ExitDone;
 	for (const FVerb& Verb : GetVerbs())
 	{

@@ -4,6 +4,7 @@
 #include "Config/ReadConfig.h"
 #include "Bloom/PostProcessFFTBloom.h"
 #include "Budget/BudgetChoice.h"
+#include "CodeScope.h"
 #include "Config/ConfigReader.h"
 #include "Config/FrameSequence.h"
 #include "CurveKeys.h"
@@ -287,7 +288,8 @@ FRunExtensions CreateExtensions(
 	};
 	for (const FExtensionRequest& Request : Requests)
 	{
-		Add(FindExtensionFactory(Request.Type)->Create(Request.Arguments), Request.Type);
+		const FExtensionFactory& Factory = *FindExtensionFactory(Request.Type);
+		Add(CallCode(Factory.Owner, [&] { return Factory.Create(Request.Arguments); }), Request.Type);
 	}
 	for (const FPassRequest& Request : PassRequests)
 	{

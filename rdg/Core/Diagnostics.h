@@ -23,10 +23,11 @@ enum class ESeverity
 enum EExitCode
 {
 	ExitDone = 0,
-	ExitPolicy = 1,   // a comparison, budget or numeric policy failed
-	ExitUsage = 2,    // usage, config or graph error
-	ExitFiles = 3,    // a file cannot be read or written
-	ExitInternal = 70 // a fault of drydock's own
+	ExitPolicy = 1,    // a comparison, budget or numeric policy failed
+	ExitUsage = 2,     // usage, config or graph error
+	ExitFiles = 3,     // a file cannot be read or written
+	ExitInternal = 70, // a fault of drydock's own
+	ExitPlugin = 71    // a plugin's code crashed, threw or did not come back
 };
 
 struct FDiagnostic

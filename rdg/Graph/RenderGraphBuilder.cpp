@@ -2,6 +2,7 @@
 // Behaviour is the engine's.
 #include "RenderGraphBuilder.h"
 
+#include "CodeScope.h"
 #include "RenderGraphExecute.h"
 #include "RenderGraphHeap.h"
 #include "RenderGraphReport.h"
@@ -32,6 +33,7 @@ void AddError(FRDGBuilderState& State, int Code, const std::string& Message, con
 		Diagnostic.Code = Code;
 		Diagnostic.Message = Message;
 		Diagnostic.Where = Where;
+		Diagnostic = AddRunningWords(Diagnostic);
 	}
 }
 
@@ -117,9 +119,10 @@ FRDGBuilder::~FRDGBuilder()
 	GActiveBuilder = nullptr;
 	if (!State->bFinished && !State->bFailed && std::uncaught_exceptions() == State->UncaughtExceptions)
 	{
-		std::fprintf(stderr,
-			"error DD%d: graph %s: the builder must be executed: FRDGBuilder was destroyed without a call of Execute\n",
-			RDGErrorNotExecuted, State->Graph.Name.c_str());
+		const FDiagnostic Diagnostic = AddRunningWords({ESeverity::Error, RDGErrorNotExecuted,
+			"the builder must be executed: FRDGBuilder was destroyed without a call of Execute", {}, 0, 0,
+			"graph " + State->Graph.Name});
+		std::fprintf(stderr, "%s\n", Diagnostic.ToString().c_str());
 		std::terminate();
 	}
 }
@@ -136,6 +139,26 @@ void FRDGBuilder::RequireOpen(const char* Call) const
 	{
 		Fail(RDGErrorAfterExecute, std::string(Call) + " was called after Execute", "graph " + State->Graph.Name);
 	}
+}
+
+void FRDGBuilder::CheckKnown(const void* Object, ERDGObject Kinds, const char* Call, const char* Parameter,
+	const std::source_location* Location) const
+{
+	if (Object && State->IsKnown(Object, Kinds))
+	{
+		return;
+	}
+	State->bFailed = true;
+	FDiagnostic Diagnostic;
+	Diagnostic.Code = Object ? RDGErrorForeignResource : RDGErrorNullArgument;
+	Diagnostic.Message = Object
+							 ? "the parameter points to something that is not of this graph (left from another graph, "
+							   "or deleted)"
+							 : "the parameter is null";
+	Diagnostic.File = Location ? Location->file_name() : "";
+	Diagnostic.Line = Location ? int(Location->line()) : 0;
+	Diagnostic.Where = std::string(Call) + ", parameter " + Parameter;
+	ThrowRDGErrors({Diagnostic});
 }
 
 FRDGAllocator& FRDGBuilder::GetAllocator()
@@ -245,7 +268,8 @@ void FRDGBuilder::AdoptResource(FRDGViewableResource* Resource, const FRDGResour
 	Resource->Index = int32(State->Resources.size());
 	State->Resources.emplace_back(Resource);
 	State->Graph.Resources.push_back(Description);
-	State->Known.insert(Resource);
+	State->Known[Resource] =
+		Resource->Type == ERDGViewableResourceType::Texture ? ERDGObject::Texture : ERDGObject::Buffer;
 }
 
 void FRDGBuilder::ResolveBufferSizes()
@@ -276,33 +300,18 @@ FRDGTextureRef FRDGBuilder::CheckParent(FRDGTextureRef Texture) const
 	return Texture;
 }
 
-void FRDGBuilder::CheckViewParent(const FRDGViewableResource* Parent, const char* Call)
-{
-	RequireOpen(Call);
-	if (!Parent)
-	{
-		Fail(
-			RDGErrorNullArgument, std::string(Call) + " was called with a null resource", "graph " + State->Graph.Name);
-	}
-	if (!State->Known.count(Parent))
-	{
-		Fail(RDGErrorForeignResource, std::string(Call) + " was called with a resource that is not of this graph",
-			"graph " + State->Graph.Name);
-	}
-}
-
 template<typename ViewType>
 ViewType* FRDGBuilder::AdoptView(ViewType* View)
 {
 	View->ViewIndex = int32(State->Views.size());
 	State->Views.emplace_back(View);
-	State->Known.insert(View);
+	State->Known[View] = GetKinds(View);
 	return View;
 }
 
 FRDGTextureSRVRef FRDGBuilder::CreateSRV(const FRDGTextureSRVDesc& Desc)
 {
-	CheckViewParent(Desc.Texture, "CreateSRV");
+	CheckOwn(Desc.Texture, "CreateSRV");
 	const FRDGTextureSubresourceLayout Layout = Desc.Texture->GetSubresourceLayout();
 	if (Desc.MipLevel + FMath::Max<uint32>(Desc.NumMipLevels, 1) > Layout.NumMips ||
 		Desc.FirstArraySlice + FMath::Max<uint32>(Desc.NumArraySlices, 1) > Layout.NumArraySlices)
@@ -315,13 +324,13 @@ FRDGTextureSRVRef FRDGBuilder::CreateSRV(const FRDGTextureSRVDesc& Desc)
 
 FRDGBufferSRVRef FRDGBuilder::CreateSRV(const FRDGBufferSRVDesc& Desc)
 {
-	CheckViewParent(Desc.Buffer, "CreateSRV");
+	CheckOwn(Desc.Buffer, "CreateSRV");
 	return AdoptView(new FRDGBufferSRV(Desc));
 }
 
 FRDGTextureUAVRef FRDGBuilder::CreateUAV(const FRDGTextureUAVDesc& Desc, ERDGUnorderedAccessViewFlags Flags)
 {
-	CheckViewParent(Desc.Texture, "CreateUAV");
+	CheckOwn(Desc.Texture, "CreateUAV");
 	const FRDGTextureSubresourceLayout Layout = Desc.Texture->GetSubresourceLayout();
 	if (Desc.MipLevel >= Layout.NumMips ||
 		Desc.FirstArraySlice + FMath::Max<uint32>(Desc.NumArraySlices, 1) > Layout.NumArraySlices)
@@ -341,7 +350,7 @@ FRDGTextureUAVRef FRDGBuilder::CreateUAV(const FRDGTextureUAVDesc& Desc, ERDGUno
 
 FRDGBufferUAVRef FRDGBuilder::CreateUAV(const FRDGBufferUAVDesc& Desc, ERDGUnorderedAccessViewFlags Flags)
 {
-	CheckViewParent(Desc.Buffer, "CreateUAV");
+	CheckOwn(Desc.Buffer, "CreateUAV");
 	if (!EnumHasAnyFlags(Desc.Buffer->Desc.Usage, EBufferUsageFlags::UnorderedAccess))
 	{
 		AddError(*State, RDGErrorView, "a UAV was created of a buffer without BUF_UnorderedAccess",
@@ -363,7 +372,7 @@ void FRDGBuilder::CheckUniformBufferParameters(const void* Parameters, const FSh
 void FRDGBuilder::AdoptUniformBuffer(FRDGUniformBuffer* Buffer)
 {
 	State->UniformBuffers.emplace_back(Buffer);
-	State->Known.insert(Buffer);
+	State->Known[Buffer] = ERDGObject::UniformBuffer;
 }
 
 // External resources ------------------------------------------------------------------------------------------------

@@ -21,6 +21,7 @@
 #include "RenderGraphCompiled.h"
 #include "RenderGraphDefinitions.h"
 #include "RenderGraphEvent.h"
+#include "RenderGraphObjects.h"
 #include "RenderGraphPass.h"
 #include "RenderGraphResources.h"
 #include "RenderTargetPool.h"
@@ -140,6 +141,7 @@ public:
 	template<typename ParameterStructType>
 	ParameterStructType* AllocParameters(const ParameterStructType* StructToCopy)
 	{
+		check(StructToCopy);
 		return AllocObject<ParameterStructType>(*StructToCopy);
 	}
 
@@ -278,6 +280,16 @@ public:
 	 * EndEventScope; see FRDGEffectScope. */
 	void BeginEffectScope(const char* Effect);
 
+	/** Throws (DD2006, DD2013) unless Object is one of this graph: a texture, buffer, view, uniform buffer or pass.
+	 * Call and Parameter name the place in the message, and Location that of the call. Only the pointer is looked at,
+	 * which may be any. */
+	template<typename ObjectType>
+	void CheckArgument(const ObjectType* Object, const char* Call, const char* Parameter,
+		const std::source_location* Location = nullptr) const
+	{
+		CheckKnown(Object, Drydock::GetKinds(Object), Call, Parameter, Location);
+	}
+
 	/** Null for none. Must outlive the builder or be reset. */
 	void SetObserver(Drydock::IRDGObserver* Observer);
 
@@ -295,9 +307,15 @@ private:
 	void DeclarePass(FRDGPass& Pass);
 	[[noreturn]] void Fail(int Code, const std::string& Message, const std::string& Where) const;
 	void RequireOpen(const char* Call) const;
+	void CheckKnown(const void* Object, Drydock::ERDGObject Kinds, const char* Call, const char* Parameter,
+		const std::source_location* Location) const;
 	FRDGTextureRef CheckParent(FRDGTextureRef Texture) const;
-	void CheckViewParent(const FRDGViewableResource* Parent, const char* Call);
-	void CheckOwn(const FRDGResource* Resource, const char* Call) const;
+	template<typename ObjectType>
+	void CheckOwn(const ObjectType* Object, const char* Call) const
+	{
+		CheckOwn(Object, Drydock::GetKinds(Object), Call);
+	}
+	void CheckOwn(const void* Object, Drydock::ERDGObject Kinds, const char* Call) const;
 	bool CheckExtraction(FRDGViewableResource* Resource, const void* Out, const char* Call);
 	void AddResourceError(int Code, const std::string& Message, const FRDGResource& Resource);
 	void ThrowCollectedErrors(const std::vector<Drydock::FDiagnostic>& GraphErrors);

@@ -2,6 +2,7 @@
 // the engine's.
 #include "RenderGraphBuilder.h"
 
+#include "CodeScope.h"
 #include "RenderGraphExecute.h"
 #include "RenderGraphReport.h"
 #include "RenderGraphState.h"
@@ -27,15 +28,15 @@ ERDGPassFlags GetFlagsFor(ERHIAccess Access)
 
 } // namespace
 
-void FRDGBuilder::CheckOwn(const FRDGResource* Resource, const char* Call) const
+void FRDGBuilder::CheckOwn(const void* Object, ERDGObject Kinds, const char* Call) const
 {
 	RequireOpen(Call);
-	if (!Resource)
+	if (!Object)
 	{
 		Fail(
 			RDGErrorNullArgument, std::string(Call) + " was called with a null resource", "graph " + State->Graph.Name);
 	}
-	if (!State->Known.count(Resource))
+	if (!State->IsKnown(Object, Kinds))
 	{
 		Fail(RDGErrorForeignResource, std::string(Call) + " was called with a resource that is not of this graph",
 			"graph " + State->Graph.Name);
@@ -50,6 +51,7 @@ void FRDGBuilder::AddResourceError(int Code, const std::string& Message, const F
 		Diagnostic.Code = Code;
 		Diagnostic.Message = Message;
 		Diagnostic.Where = std::string("resource ") + Resource.Name;
+		Diagnostic = AddRunningWords(Diagnostic);
 	}
 }
 
@@ -187,7 +189,7 @@ FRHIUniformBuffer* FRDGBuilder::ConvertToExternalUniformBuffer(FRDGUniformBuffer
 	FRDGPassDescription Walked;
 	const FRDGPassResources Resources = CollectPassResources(
 		UniformBuffer->GetMetadata(), UniformBuffer->GetContents(),
-		[this](const void* Pointer) { return State->Known.count(Pointer) != 0; }, Walked);
+		[this](const void* Pointer, ERDGObject Kinds) { return State->IsKnown(Pointer, Kinds); }, Walked);
 	for (FRDGViewableResource* Resource : Resources.Viewables)
 	{
 		ConvertToExternal(Resource);

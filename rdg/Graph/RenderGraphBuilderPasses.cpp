@@ -1,6 +1,7 @@
 // Takes in the builder's passes and scopes, and does what happens at the end. Behaviour is the engine's.
 #include "RenderGraphBuilder.h"
 
+#include "CodeScope.h"
 #include "RenderGraphCompile.h"
 #include "RenderGraphExecute.h"
 #include "RenderGraphObserver.h"
@@ -30,6 +31,7 @@ FRDGPassDescription DescribePass(const FRDGPass& Pass, const FRDGSettings& Setti
 	Description.Name = Pass.GetName();
 	Description.Scope = Pass.GetScope();
 	Description.Effect = Pass.GetEffect();
+	Description.Owner = FCodeOwner{Pass.GetOwner().Plugin, Pass.GetOwner().Callback}.Describe();
 	Description.Flags = Pass.GetFlags();
 	Description.File = Pass.GetLocation().file_name();
 	Description.Line = int32(Pass.GetLocation().line());
@@ -51,6 +53,7 @@ FRDGPassRef FRDGBuilder::AdoptPass(std::unique_ptr<FRDGPass>&& InPass)
 	{
 		DeclarePass(*Pass);
 		State->Passes.push_back(MoveTemp(InPass));
+		State->Known[Pass] = ERDGObject::Pass;
 		if (State->Settings.bImmediateMode)
 		{
 			ResolveBufferSizes();
@@ -73,6 +76,13 @@ void FRDGBuilder::DeclarePass(FRDGPass& Pass)
 	Pass.Scope = State->Scopes.empty() ? "" : State->Scopes.back().Path;
 	Pass.Effect = State->Scopes.empty() ? "" : State->Scopes.back().Effect;
 
+	if (const FCodeOwner* const Running = GetRunningCode())
+	{
+		Pass.Owner = {Running->Plugin, Running->IsForeign() ? Running->Callback : ""};
+	}
+	Pass.Owner.Pass = Pass.GetName();
+	Pass.Owner.File = Pass.Location.file_name();
+	Pass.Owner.Line = int(Pass.Location.line());
 	FRDGPassDescription Description = DescribePass(Pass, State->Settings);
 	if (Pass.Metadata && !Pass.Parameters)
 	{
@@ -83,8 +93,8 @@ void FRDGBuilder::DeclarePass(FRDGPass& Pass)
 	if (Pass.Metadata)
 	{
 		Resources = CollectPassResources(
-			*Pass.Metadata, Pass.Parameters, [this](const void* Pointer) { return State->Known.count(Pointer) != 0; },
-			Description);
+			*Pass.Metadata, Pass.Parameters,
+			[this](const void* Pointer, ERDGObject Kinds) { return State->IsKnown(Pointer, Kinds); }, Description);
 	}
 	for (const FRDGUse& Use : Description.Uses)
 	{
@@ -105,10 +115,9 @@ void FRDGBuilder::DeclarePass(FRDGPass& Pass)
 
 void FRDGBuilder::AddPassDependency(FRDGPassRef Producer, FRDGPassRef Consumer)
 {
-	if (!Producer || !Consumer)
-	{
-		Fail(RDGErrorNullArgument, "AddPassDependency was called with a null pass", "graph " + State->Graph.Name);
-	}
+	RequireOpen("AddPassDependency");
+	CheckArgument(Producer, "AddPassDependency", "Producer");
+	CheckArgument(Consumer, "AddPassDependency", "Consumer");
 	if (Producer->GetIndex() >= Consumer->GetIndex())
 	{
 		State->Errors.push_back(
@@ -121,6 +130,8 @@ void FRDGBuilder::AddPassDependency(FRDGPassRef Producer, FRDGPassRef Consumer)
 
 void FRDGBuilder::SetPassWorkload(FRDGPassRef Pass, uint32 Workload)
 {
+	RequireOpen("SetPassWorkload");
+	CheckArgument(Pass, "SetPassWorkload", "Pass");
 	Pass->Workload = Workload;
 	State->GetDescription(*Pass).Workload = Workload;
 }

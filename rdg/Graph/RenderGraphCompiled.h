@@ -78,12 +78,14 @@ struct FRDGPassDescription
 	std::string Name;
 	std::string Scope;                // open event scopes, outermost first, joined by '/'
 	std::string Effect;               // whose pass it is, by the innermost FRDGEffectScope; empty: nobody's
+	std::string Owner;                // the plugin whose code added it, and from where; empty: none
 	FIntPoint Area = FIntPoint(0, 0); // pixels that it draws or dispatches; 0: not known
 	ERDGPassFlags Flags = ERDGPassFlags::None;
 	std::string File; // of the AddPass call
 	int32_t Line = 0;
 	std::string Shader; // class name; empty: a lambda of its own
 	std::string Entry;
+	std::vector<std::string> UnsetOutputs; // parameters through which it could write and that are null
 	std::vector<FRDGUse> Uses;
 	std::vector<int32_t> DeclaredProducers; // AddPassDependency
 	FRDGTargets Targets;

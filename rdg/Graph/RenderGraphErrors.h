@@ -24,6 +24,9 @@ enum ERDGError : int
 	RDGErrorAccessFinal = 2012,        // of a resource that is neither external nor extracted
 	RDGErrorForeignResource = 2013,    // a pointer to something that is not of this graph
 	RDGErrorScope = 2014,              // EndEventScope without BeginEventScope
+	RDGErrorUnsetParameter = 2015,     // what the shader reads was not set
+	RDGErrorCopy = 2016,               // a copy between formats, or beyond one of its textures or buffers
+	RDGErrorGroupCount = 2017,         // a negative number of thread groups
 
 	// Passes.
 	RDGErrorPassFlags = 2020,

@@ -1,6 +1,7 @@
 // Runs the passes of a compiled graph, or one pass at a time in immediate mode.
 #include "RenderGraphExecute.h"
 
+#include "CodeScope.h"
 #include "RenderGraphAlias.h"
 #include "RenderGraphClobber.h"
 #include "RenderGraphDump.h"
@@ -313,9 +314,9 @@ void FRDGExecutor::AllowAccess(const FRDGPassResources& Resources, bool bAllow)
 	}
 }
 
-void FRDGExecutor::RunPass(FRDGPass& Pass)
+/** Gives what the pass declares its memory and views. */
+void FRDGExecutor::MakeReady(const FRDGPassResources& Resources)
 {
-	const FRDGPassResources& Resources = State.PassResources[size_t(Pass.GetIndex()) - 1];
 	for (FRDGViewableResource* Resource : Resources.Viewables)
 	{
 		MakeReady(*Resource);
@@ -336,6 +337,12 @@ void FRDGExecutor::RunPass(FRDGPass& Pass)
 			Buffer->ResourceRHI = CreateUniformBuffer(Buffer->GetMetadata(), Buffer->GetContents()).GetReference();
 		}
 	}
+}
+
+void FRDGExecutor::RunPass(FRDGPass& Pass)
+{
+	const FRDGPassResources& Resources = State.PassResources[size_t(Pass.GetIndex()) - 1];
+	CallCode(Pass.GetOwner(), [&] { MakeReady(Resources); });
 
 	struct FAccess
 	{
@@ -353,7 +360,7 @@ void FRDGExecutor::RunPass(FRDGPass& Pass)
 
 	RHICmdList.ResetCounters();
 	const auto Begin = std::chrono::steady_clock::now();
-	RunLambda(Pass, Resources);
+	CallCode(Pass.GetOwner(), [&] { RunLambda(Pass, Resources); });
 	const std::chrono::duration<double, std::milli> Elapsed = std::chrono::steady_clock::now() - Begin;
 	WarnAboutUnused(Pass, Resources);
 	if (State.Observer)

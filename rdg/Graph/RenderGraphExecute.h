@@ -41,6 +41,7 @@ private:
 	void LoadExternals(const std::vector<FRDGExternalLoad>& Loads);
 	std::vector<FRDGExternalLoad> FindExternals(int32 PassIndex);
 	void MakeReady(FRDGViewableResource& Resource);
+	void MakeReady(const FRDGPassResources& Resources);
 	void Allocate(FRDGViewableResource& Resource);
 	void Upload(FRDGBuffer& Buffer);
 	void AllowAccess(const FRDGPassResources& Resources, bool bAllow);

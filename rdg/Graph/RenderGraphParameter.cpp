@@ -39,7 +39,7 @@ ERHIAccess GetWriteAccess(ERDGPassFlags Flags)
 class FCollector
 {
 public:
-	FCollector(TFunctionRef<bool(const void*)> InIsKnown, FRDGPassDescription& InPass)
+	FCollector(TFunctionRef<bool(const void*, ERDGObject)> InIsKnown, FRDGPassDescription& InPass)
 		: IsKnown(InIsKnown)
 		, Pass(InPass)
 	{
@@ -77,7 +77,7 @@ private:
 	template<typename T>
 	T* CheckKnown(T* Pointer, const std::string& Name)
 	{
-		if (Pointer && !IsKnown(Pointer))
+		if (Pointer && !IsKnown(Pointer, GetKinds(Pointer)))
 		{
 			const FDiagnostic Diagnostic = MakePassDiagnostic(ESeverity::Error, RDGErrorForeignResource, Pass,
 				"the parameter points to something that is not a resource of this graph (left from another graph, or "
@@ -192,6 +192,10 @@ private:
 				AddView(View, ToBox(View->GetSubresourceRange()), GetWriteAccess(Pass.Flags), Name,
 					GetSkipBarrierView(View));
 			}
+			else
+			{
+				Pass.UnsetOutputs.push_back(Name);
+			}
 			break;
 		case UBMT_RDG_BUFFER_SRV:
 			if (FRDGBufferSRV* View = Read<FRDGBufferSRV>(Contents, Member, Name))
@@ -203,6 +207,10 @@ private:
 			if (FRDGBufferUAV* View = Read<FRDGBufferUAV>(Contents, Member, Name))
 			{
 				AddView(View, FRDGSubresources(), GetWriteAccess(Pass.Flags), Name, GetSkipBarrierView(View));
+			}
+			else
+			{
+				Pass.UnsetOutputs.push_back(Name);
 			}
 			break;
 		case UBMT_RDG_TEXTURE_ACCESS:
@@ -253,6 +261,10 @@ private:
 		while (NumSlots > 0 && !Slots[NumSlots - 1].GetTexture() && !Slots[NumSlots - 1].GetResolveTexture())
 		{
 			--NumSlots;
+		}
+		if (NumSlots == 0 && !Slots.DepthStencil.GetTexture())
+		{
+			Pass.UnsetOutputs.push_back(Name + "[0]");
 		}
 		for (int32 Slot = 0; Slot < NumSlots; ++Slot)
 		{
@@ -342,7 +354,7 @@ private:
 		}
 	}
 
-	TFunctionRef<bool(const void*)> IsKnown;
+	TFunctionRef<bool(const void*, ERDGObject)> IsKnown;
 	FRDGPassDescription& Pass;
 	FRDGPassResources Found;
 	std::vector<FPending> UniformBuffers;
@@ -354,7 +366,7 @@ private:
 } // namespace
 
 FRDGPassResources CollectPassResources(const FShaderParametersMetadata& Metadata, const void* Parameters,
-	TFunctionRef<bool(const void*)> IsKnown, FRDGPassDescription& Pass)
+	TFunctionRef<bool(const void*, ERDGObject)> IsKnown, FRDGPassDescription& Pass)
 {
 	return FCollector(IsKnown, Pass).Run(Metadata, Parameters);
 }

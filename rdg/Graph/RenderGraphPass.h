@@ -4,6 +4,7 @@
 #include "RHICommandList.h"
 #include "RenderGraphDefinitions.h"
 #include "RenderGraphEvent.h"
+#include "RunningCode.h"
 
 #include <source_location>
 #include <string>
@@ -55,6 +56,9 @@ public:
 	void SetArea(FIntPoint InArea) { Area = InArea; }
 	FIntPoint GetArea() const { return Area; }
 
+	/** Whose code added it, and so whose its lambda is. */
+	const Drydock::FCodeOwner& GetOwner() const { return Owner; }
+
 	/** Known once compiled. */
 	bool IsCulled() const { return bCulled; }
 
@@ -82,6 +86,7 @@ private:
 	std::source_location Location;
 	std::string Scope;
 	std::string Effect;
+	Drydock::FCodeOwner Owner;
 	FIntPoint Area = FIntPoint(0, 0);
 	std::string Shader;
 	std::string Entry;

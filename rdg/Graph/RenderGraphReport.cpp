@@ -1,4 +1,4 @@
-// Prints the graph's messages and throws its errors.
+// Throws the graph's errors and prints its other messages.
 #include "RenderGraphReport.h"
 
 #include "CoreMinimal.h"
@@ -21,10 +21,6 @@ void ThrowRDGError(int Code, const std::string& Message, const std::string& Wher
 
 void ThrowRDGErrors(const std::vector<FDiagnostic>& Diagnostics)
 {
-	for (const FDiagnostic& Diagnostic : Diagnostics)
-	{
-		std::fprintf(stderr, "%s\n", Diagnostic.ToString().c_str());
-	}
 	throw FError(Diagnostics, ExitUsage);
 }
 

@@ -1,4 +1,4 @@
-// Prints and throws the graph's messages.
+// Throws the graph's errors and prints its other messages.
 #pragma once
 
 #include "Diagnostics.h"
@@ -9,10 +9,10 @@
 namespace Drydock
 {
 
-/** Prints the message on stderr and throws it: for what must not go on. */
+/** Throws the message: for what must not go on. */
 [[noreturn]] DRYDOCK_API void ThrowRDGError(int Code, const std::string& Message, const std::string& Where);
 
-/** Prints all on stderr and throws them together. Must not be empty. */
+/** Throws them together; whoever catches them prints them. Must not be empty. */
 [[noreturn]] DRYDOCK_API void ThrowRDGErrors(const std::vector<FDiagnostic>& Diagnostics);
 
 /** Reports a failed ensure with the message; returns. */

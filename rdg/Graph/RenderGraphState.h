@@ -10,7 +10,7 @@
 
 #include <map>
 #include <memory>
-#include <unordered_set>
+#include <unordered_map>
 
 namespace Drydock
 {
@@ -47,9 +47,9 @@ struct FRDGBuilderState
 	std::vector<std::unique_ptr<FRDGViewableResource>> Resources;
 	std::vector<std::unique_ptr<FRDGView>> Views;
 	std::vector<std::unique_ptr<FRDGUniformBuffer>> UniformBuffers;
-	std::vector<std::unique_ptr<FRDGPass>> Passes; // Passes[i] has index i + 1
-	std::vector<FRDGPassResources> PassResources;  // by position in Passes
-	std::unordered_set<const void*> Known;         // everything above that parameters may point to
+	std::vector<std::unique_ptr<FRDGPass>> Passes;     // Passes[i] has index i + 1
+	std::vector<FRDGPassResources> PassResources;      // by position in Passes
+	std::unordered_map<const void*, ERDGObject> Known; // all of the above, by address
 
 	std::map<FRHITexture*, FRDGTexture*> ExternalTextures;
 	std::map<FRHIBuffer*, FRDGBuffer*> ExternalBuffers;
@@ -65,6 +65,12 @@ struct FRDGBuilderState
 	bool bFinished = false; // executed or discarded
 	bool bFailed = false;   // an error was thrown: whoever caught it need not execute
 	int UncaughtExceptions = 0;
+
+	bool IsKnown(const void* Object, ERDGObject Kinds) const
+	{
+		const auto Found = Known.find(Object);
+		return Found != Known.end() && EnumHasAnyFlags(Found->second, Kinds);
+	}
 
 	FRDGPassDescription& GetDescription(const FRDGPass& Pass) { return Graph.Passes[size_t(Pass.GetIndex())]; }
 	FRDGResourceDescription& GetDescription(const FRDGViewableResource& Resource)

@@ -136,7 +136,14 @@ private:
 		if (Pass.bHasParameters && !bWrites && !Pass.bHasExternalOutputs &&
 			!EnumHasAnyFlags(Pass.Flags, ERDGPassFlags::NeverCull))
 		{
-			Error(RDGErrorNoOutput, Pass, "the pass has no outputs and lacks NeverCull: it would always be culled");
+			std::string Unset;
+			for (const std::string& Output : Pass.UnsetOutputs)
+			{
+				Unset += (Unset.empty() ? "" : ", ") + Output;
+			}
+			Error(RDGErrorNoOutput, Pass,
+				"the pass has no outputs and lacks NeverCull: it would always be culled" +
+					(Unset.empty() ? "" : "; not set, or unused by its shader: " + Unset));
 		}
 	}
 
@@ -369,7 +376,7 @@ FDiagnostic MakePassDiagnostic(ESeverity Severity, int Code, const FRDGPassDescr
 	Diagnostic.Message = Message;
 	Diagnostic.File = Pass.File;
 	Diagnostic.Line = Pass.Line;
-	Diagnostic.Where = "pass " + Pass.Name;
+	Diagnostic.Where = (Pass.Owner.empty() ? "" : Pass.Owner + ", ") + "pass " + Pass.Name;
 	if (!Parameter.empty())
 	{
 		Diagnostic.Where += ", parameter " + Parameter;

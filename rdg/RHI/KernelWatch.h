@@ -3,8 +3,9 @@
 #pragma once
 
 #include "CoreMinimal.h"
+#include "HAL/Watchdog.h"
 
-#include <atomic>
+#include <optional>
 #include <string>
 
 namespace Drydock
@@ -16,23 +17,22 @@ class DRYDOCK_API FKernelWatch
 {
 public:
 	/** The names must outlive it. */
-	FKernelWatch(const std::string& InShader, const std::string& InEntryPoint);
+	FKernelWatch(const std::string& Shader, const std::string& EntryPoint);
 	~FKernelWatch();
 	FKernelWatch(const FKernelWatch&) = delete;
 	FKernelWatch& operator=(const FKernelWatch&) = delete;
 
 	/** From any thread. */
-	void TileHasEnded() { NumEnded.fetch_add(1, std::memory_order_relaxed); }
+	void TileHasEnded()
+	{
+		if (Watch)
+		{
+			Watch->IsAlive();
+		}
+	}
 
 private:
-	friend class FKernelWatcher;
-
-	const std::string& Shader;
-	const std::string& EntryPoint;
-	const double Limit; // seconds; 0: none
-	std::atomic<uint64> NumEnded{0};
-	uint64 NumSeen = 0;       // of the watcher
-	double SecondsSilent = 0; // since NumEnded became NumSeen
+	std::optional<FWatchdog> Watch; // none: no limit
 };
 
 } // namespace Drydock

@@ -1,6 +1,7 @@
 // Dispatches, draws, clears and copies. Source: engine RHICommandList.h for meaning; the execution is drydock's.
 #include "RHICommandList.h"
 
+#include "CodeScope.h"
 #include "KernelWatch.h"
 #include "Math/ToInteger.h"
 #include "PixelFormatConversion.h"
@@ -150,6 +151,9 @@ void FRHIComputeCommandList::RunTiles(
 	const int32 StaticSamples = Shader.GetReflection().StaticSamples;
 	const bool bMeasure = StaticSamples < 0 && bMeasureTaps;
 	std::atomic<uint64> MeasuredTaps{0};
+	// Compiled by drydock: what goes wrong inside a kernel is no fault of whoever dispatches it.
+	const Drydock::FCodeOwner Kernel{.Callback = "shader " + Shader.Name};
+	const Drydock::FCodeScope Scope(Kernel);
 	Drydock::FKernelWatch Watch(Shader.Name, Shader.EntryPoint);
 	const auto RunTile = [&](const FKernelTile& Tile)
 	{

@@ -37,6 +37,8 @@ void FRHIGPUTextureReadback::EnqueueCopy(FRHICommandList&, FRHITexture* SourceTe
 	check(SourceTexture);
 	const FIntPoint Min(SourcePosition.X, SourcePosition.Y);
 	Extent = Size.X == 0 ? SourceTexture->GetSizeXY() - Min : FIntPoint(Size.X, Size.Y);
+	checkf(Extent.X > 0 && Extent.Y > 0, TEXT("readback of %d x %d texels of texture %s"), Extent.X, Extent.Y,
+		*SourceTexture->GetName().ToString());
 	const size_t RowBytes = size_t(Extent.X) * Drydock::GetNativeTexelBytes(SourceTexture);
 	const int32 Slice = SourceTexture->GetDesc().IsTexture3D() ? SourcePosition.Z : int32(SourceSlice);
 	Bytes.resize(RowBytes * size_t(Extent.Y));

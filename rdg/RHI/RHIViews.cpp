@@ -13,6 +13,7 @@ FRHIView::FRHIView(FRHITexture* InTexture, EPixelFormat InFormat, uint32 InFirst
 	, NumSlices(InNumSlices)
 {
 	checkf(InTexture, TEXT("a view needs a texture"));
+	checkf(Format < PF_MAX, TEXT("a view of texture %s has no format"), *Texture->GetName().ToString());
 	const FRHITextureDesc& Desc = Texture->GetDesc();
 	const TCHAR* const What = TEXT("a view of texture %s goes beyond its mips or slices");
 	checkf(FirstMip < Desc.NumMips, What, *Texture->GetName().ToString());
@@ -31,6 +32,7 @@ FRHIView::FRHIView(FRHIBuffer* InBuffer, const FRHIBufferSRVCreateInfo& Info)
 	, FirstByte(Info.StartOffsetBytes)
 {
 	checkf(InBuffer, TEXT("a view needs a buffer"));
+	checkf(Format < PF_MAX, TEXT("a view of buffer %s has no format"), *Buffer->GetName().ToString());
 	const uint32 ElementBytes =
 		Format != PF_Unknown ? uint32(GPixelFormats[Format].BlockBytes) : FMath::Max(1u, Buffer->GetStride());
 	NumBytes = Info.NumElements * ElementBytes;

@@ -1,13 +1,16 @@
 // Cuts work into tiles, sets the denormal mode of each thread, and carries exceptions out.
 #include "TileExecutor.h"
 
+#include "FaultHandlers.h"
 #include "HAL/IConsoleManager.h"
 #include "ParallelFor.h"
+#include "RunningCode.h"
 
 #include <algorithm>
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #if defined(__x86_64__)
@@ -163,11 +166,20 @@ void ForEachTile(
 {
 	const FTiling Tiling(Whole, TileSize);
 	FFirstException FirstException;
+	const FCodeOwner* const Owner = GetRunningCode();
+	const FRunningWords& Words = GetRunningWords();
 	const auto RunTile = [&](int32 Index)
 	{
 		if (FirstException.IsAfterFailure(Index))
 		{
 			return;
+		}
+		// Whoever called is to blame on the workers, too.
+		std::optional<FBorrowedCode> Borrowed;
+		if (Owner != GetRunningCode())
+		{
+			EnsureFaultStack();
+			Borrowed.emplace(Owner, Words);
 		}
 		const FScopedDenormals Scope(Denormals);
 		const bool bNested = std::exchange(bInsideTile, true);

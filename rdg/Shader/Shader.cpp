@@ -1,6 +1,7 @@
 // Keeps the registry of shader classes and the instances of their permutations.
 #include "Shader.h"
 
+#include "CodeScope.h"
 #include "ShaderState.h"
 
 #include <algorithm>
@@ -31,6 +32,7 @@ FShaderType::FShaderType(const TCHAR* InName, const TCHAR* InSourceFilename, con
 	, FunctionName(InFunctionName)
 	, Frequency(InFrequency)
 	, Functions(InFunctions)
+	, Owner(Drydock::MakeCodeOwner(std::string("shader class ") + InName))
 {
 	FShaderTypeRegistry& Registry = FShaderTypeRegistry::Get();
 	std::lock_guard Lock(Registry.Mutex);
@@ -47,7 +49,7 @@ FShaderType::~FShaderType()
 FShaderCompilerEnvironment FShaderType::GetCompilationEnvironment(int32 PermutationId) const
 {
 	FShaderCompilerEnvironment Environment;
-	Functions.ModifyCompilationEnvironment(PermutationId, Environment);
+	Drydock::CallCode(Owner, [&] { Functions.ModifyCompilationEnvironment(PermutationId, Environment); });
 	return Environment;
 }
 
@@ -59,7 +61,7 @@ FShader* FShaderType::FindOrCreateShader(int32 PermutationId) const
 	std::unique_ptr<FShader>& Shader = Shaders[PermutationId];
 	if (!Shader)
 	{
-		checkf(Functions.ShouldCompilePermutation(PermutationId),
+		checkf(Drydock::CallCode(Owner, [&] { return Functions.ShouldCompilePermutation(PermutationId); }),
 			TEXT("%s was asked for permutation %d, which its ShouldCompilePermutation refuses"), Name, PermutationId);
 		Shader.reset(Functions.Construct(*this, PermutationId));
 		Shader->Adopt(*this, PermutationId);

@@ -5,6 +5,7 @@
 #include "CoreMinimal.h"
 #include "RHIDefinitions.h"
 #include "RHIResources.h"
+#include "RunningCode.h"
 #include "ShaderCore.h"
 #include "ShaderParameterMetadata.h"
 #include "ShaderPermutation.h"
@@ -101,6 +102,7 @@ private:
 	const TCHAR* FunctionName;
 	EShaderFrequency Frequency;
 	Drydock::FShaderTypeFunctions Functions;
+	Drydock::FCodeOwner Owner; // of the functions
 	mutable std::mutex Mutex;
 	mutable std::map<int32, std::unique_ptr<FShader>> Shaders;
 };

@@ -2,6 +2,7 @@
 // warms many at once.
 #include "ShaderCompilation.h"
 
+#include "CodeScope.h"
 #include "ShaderState.h"
 
 #include "HAL/IConsoleManager.h"
@@ -21,6 +22,9 @@ TAutoConsoleVariable<int32> CVarPrecision(TEXT("r.Drydock.Precision"), 0,
 
 TAutoConsoleVariable<int32> CVarLaneWidth(TEXT("r.Drydock.LaneWidth"), 0,
 	TEXT("Pixels per step of a shader. 0: the widest of this CPU; 4, 8, 16: that many floats (half as many doubles)."));
+
+/** Whose work compiling is, whoever asks for it. */
+const FCodeOwner GCompiler{.Callback = "the shader compiler"};
 
 const char* const GeneratedUniformBuffersPath = "/Engine/Generated/GeneratedUniformBuffers.ush";
 
@@ -117,6 +121,7 @@ std::shared_ptr<const FCompiledShader> GetCompiledShader(const FShaderRef& Shade
 	std::shared_ptr<const FCompiledShader>& Compiled = State.Compiled[{Lanes.bDouble, Lanes.Lanes}];
 	if (!Compiled)
 	{
+		const FCodeScope Scope(GCompiler);
 		Compiled = CompileShader(MakeShaderCompileRequest(Shader, Shader.GetRootParametersMetadata()));
 	}
 	return Compiled;
@@ -135,6 +140,7 @@ std::shared_ptr<const FShaderReflection> GetShaderReflection(const FShaderRef& S
 	}
 	if (!State.Reflection)
 	{
+		const FCodeScope Scope(GCompiler);
 		State.Reflection = std::make_shared<FShaderReflection>(
 			ReflectShader(MakeShaderCompileRequest(Shader, Shader.GetRootParametersMetadata())));
 	}

@@ -1,6 +1,8 @@
 // Does what follows a failed check or ensure.
 #include "Misc/AssertionMacros.h"
 
+#include "RunningCode.h"
+
 #include <cstdarg>
 #include <cstdio>
 #include <mutex>
@@ -47,8 +49,9 @@ std::string FormatFailure(
 
 } // namespace
 
-FCheckFailure::FCheckFailure(const std::string& Message)
+FCheckFailure::FCheckFailure(const std::string& Message, bool bInOfPlugin)
 	: std::runtime_error(Message)
+	, bOfPlugin(bInOfPlugin)
 {
 }
 
@@ -60,8 +63,12 @@ void FailCheck(const char* Expression, const char* File, int Line, const char* F
 	va_start(Arguments, Format);
 	const std::string Text = FormatFailure("Assertion failed", Expression, File, Line, Format, Arguments);
 	va_end(Arguments);
-	std::fprintf(stderr, "%s\n", Text.c_str());
-	throw FCheckFailure(Text);
+	if (!IsForeignCodeRunning())
+	{
+		std::fprintf(stderr, "%s\n", Text.c_str());
+	}
+	uint64 Offset = 0;
+	throw FCheckFailure(Text, FindPluginCode(__builtin_return_address(0), Offset) != nullptr);
 }
 
 bool FailEnsure(std::atomic<bool>& bReported, bool bAlways, const char* Expression, const char* File, int Line,

@@ -14,12 +14,19 @@
 namespace Drydock
 {
 
-/** A failed check: a fault of the calling code, its message already printed on stderr. */
+/** A failed check: a fault of the calling code, its message already printed on stderr (not of a plugin's code: what it
+ * lets out is told where it was called). */
 class DRYDOCK_API FCheckFailure : public std::runtime_error
 {
 public:
-	explicit FCheckFailure(const std::string& Message);
+	explicit FCheckFailure(const std::string& Message, bool bInOfPlugin = false);
 	~FCheckFailure() override;
+
+	/** The check stands in a plugin's own code. */
+	bool IsOfPlugin() const { return bOfPlugin; }
+
+private:
+	bool bOfPlugin;
 };
 
 /** Prints "Assertion failed: Expression [File:x] [Line: n] message" on stderr and throws it. Format may be null. */

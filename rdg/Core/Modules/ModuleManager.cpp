@@ -1,6 +1,7 @@
 // Keeps the registered modules and starts them.
 #include "Modules/ModuleManager.h"
 
+#include "CodeScope.h"
 #include "Logging/LogMacros.h"
 #include "Misc/CoreDelegates.h"
 #include "Subsystems/Subsystem.h"
@@ -18,7 +19,8 @@ void FModuleManager::RegisterModule(FName Name, FModuleFactory Factory)
 		UE_LOG(LogCore, Warning, "Module %s is registered twice; the first one stays", *Name.ToString());
 		return;
 	}
-	Entries.Add(MakeUnique<FEntry>(FEntry{Name, Factory, nullptr}));
+	Entries.Add(MakeUnique<FEntry>(
+		FEntry{Name, Factory, Drydock::MakeCodeOwner("module " + std::string(*Name.ToString())), nullptr}));
 }
 
 void FModuleManager::UnregisterModule(FName Name)
@@ -27,6 +29,8 @@ void FModuleManager::UnregisterModule(FName Name)
 	{
 		if (Entry->Module.IsValid())
 		{
+			const Drydock::FCodeOwner Owner = {Entry->Owner.Plugin, "ShutdownModule of " + Entry->Owner.Callback};
+			const Drydock::FCodeScope Scope(Owner);
 			Entry->Module->ShutdownModule();
 		}
 		Entries.RemoveAll([Entry](const TUniquePtr<FEntry>& Other) { return Other.Get() == Entry; });
@@ -80,8 +84,13 @@ void FModuleManager::Startup(FEntry& Entry)
 {
 	if (!Entry.Module.IsValid())
 	{
-		Entry.Module = TUniquePtr<IModuleInterface>(Entry.Factory());
-		Entry.Module->StartupModule();
+		const Drydock::FCodeOwner Owner = {Entry.Owner.Plugin, "StartupModule of " + Entry.Owner.Callback};
+		Drydock::CallCode(Owner,
+			[&]
+			{
+				Entry.Module = TUniquePtr<IModuleInterface>(Entry.Factory());
+				Entry.Module->StartupModule();
+			});
 	}
 }
 

@@ -5,6 +5,7 @@
 #include "Containers/Array.h"
 #include "Delegates/Delegate.h"
 #include "Modules/ModuleInterface.h"
+#include "RunningCode.h"
 #include "Templates/Function.h"
 #include "Templates/UniquePtr.h"
 #include "UObject/NameTypes.h"
@@ -53,6 +54,7 @@ private:
 	{
 		FName Name;
 		FModuleFactory Factory;
+		Drydock::FCodeOwner Owner;
 		TUniquePtr<IModuleInterface> Module; // null until started
 	};
 

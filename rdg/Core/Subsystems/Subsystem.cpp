@@ -1,6 +1,7 @@
 // Makes the subsystems of all registered classes, and ends them, in the engine's order.
 #include "Subsystems/Subsystem.h"
 
+#include "CodeScope.h"
 #include "Logging/LogMacros.h"
 
 #include <map>
@@ -14,6 +15,7 @@ namespace
 struct FEntry
 {
 	FSubsystemClass Class;
+	FCodeOwner Owner;
 	std::unique_ptr<USubsystem> Object; // null until started
 	bool bAsked = false;                // whether it is to be made
 	bool bNotified = false;             // its collection has started
@@ -51,6 +53,8 @@ void StartEntry(FEntry& Entry)
 		return;
 	}
 	Entry.bAsked = true;
+	const FCodeOwner Owner = {Entry.Owner.Plugin, "Initialize of " + Entry.Owner.Callback};
+	const FCodeScope Scope(Owner);
 	UObject* const Outer = GetState().Outers[Entry.Class.Kind];
 	std::unique_ptr<USubsystem> Object(Entry.Class.Make());
 	Object->SetFName(Entry.Class.Name);
@@ -78,7 +82,8 @@ void FSubsystems::Register(const FSubsystemClass& Class)
 		UE_LOG(LogCore, Warning, "Subsystem %s is registered twice; the first one stays", Class.Name);
 		return;
 	}
-	GetState().Entries.push_back(std::make_unique<FEntry>(FEntry{Class, nullptr}));
+	GetState().Entries.push_back(
+		std::make_unique<FEntry>(FEntry{Class, MakeCodeOwner(std::string("subsystem ") + Class.Name), nullptr}));
 }
 
 void FSubsystems::Unregister(const std::type_info& Type)
@@ -90,6 +95,8 @@ void FSubsystems::Unregister(const std::type_info& Type)
 	}
 	if (Entry->Object != nullptr)
 	{
+		const FCodeOwner Owner = {Entry->Owner.Plugin, "Deinitialize of " + Entry->Owner.Callback};
+		const FCodeScope Scope(Owner);
 		Entry->Object->Deinitialize();
 	}
 	std::erase_if(GetState().Entries, [Entry](const std::unique_ptr<FEntry>& Other) { return Other.get() == Entry; });

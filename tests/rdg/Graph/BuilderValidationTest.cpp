@@ -348,17 +348,25 @@ TEST(BuilderValidation, NothingRunsWhenThereAreMistakes)
 	EXPECT_EQ("", Graph.Log);
 }
 
-TEST(BuilderValidation, MistakesAreOnStderrWithTheLineOfAddPass)
+TEST(BuilderValidation, MistakesAreThrownWithTheLineOfAddPass)
 {
 	FGraphTest Graph;
-	testing::internal::CaptureStderr();
 	auto* Parameters = Graph.Builder->AllocParameters<FGraphTestParameters>();
 	const int Line = int(std::source_location::current().line()) + 1;
 	Graph.Builder->AddPass(RDG_EVENT_NAME("Idle %d", 7), Parameters, ERDGPassFlags::Compute, [](FRHICommandList&) {});
-	EXPECT_EQ("2021", Graph.RunForErrors());
-	const std::string Text = testing::internal::GetCapturedStderr();
-	EXPECT_THAT(Text, HasSubstr("BuilderValidationTest.cpp:" + std::to_string(Line)));
-	EXPECT_THAT(Text, HasSubstr("error DD2021 at pass Idle 7"));
+	testing::internal::CaptureStderr();
+	try
+	{
+		Graph.Run();
+		FAIL() << "no message";
+	}
+	catch (const FError& Error)
+	{
+		const std::string Text = Error.what();
+		EXPECT_THAT(Text, HasSubstr("BuilderValidationTest.cpp:" + std::to_string(Line)));
+		EXPECT_THAT(Text, HasSubstr("error DD2021 at pass Idle 7"));
+	}
+	EXPECT_EQ("", testing::internal::GetCapturedStderr()) << "whoever catches it prints it";
 }
 
 TEST(BuilderValidation, AnEnsurePrintsAndGoesOn)

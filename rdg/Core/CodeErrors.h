@@ -1,0 +1,16 @@
+// The numbers of the messages about a plugin's code that ends badly. A number never changes its meaning;
+// docs/errors.md explains each one.
+#pragma once
+
+namespace Drydock
+{
+
+enum ECodeError
+{
+	ErrorPluginCrashed = 2086, // a signal, exit or std::terminate in its code
+	ErrorPluginThrew = 2087,   // an exception, or a failed check of its own
+	ErrorPluginCall = 2088,    // a call that drydock refuses by a check
+	ErrorPluginSilent = 2089,  // it does not come back
+};
+
+} // namespace Drydock

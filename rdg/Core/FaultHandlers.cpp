@@ -1,0 +1,384 @@
+// Tells a crash in one line. Everything that a handler of signals calls here is safe there: no memory is taken, no
+// lock, and the words are ready before anything can happen.
+#include "FaultHandlers.h"
+
+#include "CodeErrors.h"
+#include "Diagnostics.h"
+#include "RunningCode.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <ucontext.h>
+#include <unistd.h>
+
+#if defined(__has_feature)
+#define DRYDOCK_HAS_FEATURE(Feature) __has_feature(Feature)
+#else
+#define DRYDOCK_HAS_FEATURE(Feature) 0
+#endif
+
+namespace Drydock
+{
+
+namespace
+{
+
+/** Sanitizers have handlers of their own, which say more. */
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || DRYDOCK_HAS_FEATURE(address_sanitizer) || \
+	DRYDOCK_HAS_FEATURE(thread_sanitizer)
+constexpr bool bHasSanitizer = true;
+#else
+constexpr bool bHasSanitizer = false;
+#endif
+
+constexpr int Signals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGABRT};
+
+bool GInstalled = false;
+std::atomic<long> GEndingThread{0}; // that tells its fault; 0: none
+
+/** A line of text without memory of its own. */
+class FLine
+{
+public:
+	FLine& Add(const char* Text)
+	{
+		const size_t Length = std::min(std::strlen(Text), sizeof(Buffer) - Size);
+		std::memcpy(Buffer + Size, Text, Length);
+		Size += Length;
+		return *this;
+	}
+
+	FLine& AddNumber(uint64 Value, unsigned Base)
+	{
+		char Digits[24];
+		char* Begin = Digits + sizeof(Digits) - 1;
+		*Begin = '\0';
+		do
+		{
+			*--Begin = "0123456789abcdef"[Value % Base];
+			Value /= Base;
+		} while (Value > 0);
+		return Add(Base == 16 ? "0x" : "").Add(Begin);
+	}
+
+	void Write() const
+	{
+		for (size_t Written = 0; Written < Size;)
+		{
+			const ssize_t Step = write(STDERR_FILENO, Buffer + Written, Size - Written);
+			if (Step <= 0)
+			{
+				return;
+			}
+			Written += size_t(Step);
+		}
+	}
+
+private:
+	char Buffer[2048];
+	size_t Size = 0;
+};
+
+const char* GetSignalText(int Signal)
+{
+	switch (Signal)
+	{
+	case SIGSEGV:
+		return "segmentation fault (SIGSEGV)";
+	case SIGBUS:
+		return "bus error (SIGBUS)";
+	case SIGFPE:
+		return "arithmetic fault (SIGFPE)";
+	case SIGILL:
+		return "illegal instruction (SIGILL)";
+	case SIGTRAP:
+		return "breakpoint (SIGTRAP)";
+	default:
+		return "abort (SIGABRT)";
+	}
+}
+
+const void* GetInstruction(const void* Context)
+{
+	const mcontext_t& Machine = static_cast<const ucontext_t*>(Context)->uc_mcontext;
+#if defined(__x86_64__)
+	return reinterpret_cast<const void*>(Machine.gregs[REG_RIP]);
+#elif defined(__aarch64__)
+	return reinterpret_cast<const void*>(Machine.pc);
+#else
+	(void)Machine;
+	return nullptr;
+#endif
+}
+
+/** Whether a fault at Address is that of a stack without room: such a one lies beside the stack pointer. */
+bool IsStackOverflow(int Signal, const void* Address, const void* Context)
+{
+	const mcontext_t& Machine = static_cast<const ucontext_t*>(Context)->uc_mcontext;
+#if defined(__x86_64__)
+	const auto Stack = uintptr_t(Machine.gregs[REG_RSP]);
+#elif defined(__aarch64__)
+	const auto Stack = uintptr_t(Machine.sp);
+#else
+	const uintptr_t Stack = 0;
+	(void)Machine;
+#endif
+	constexpr uintptr_t Near = 1 << 16;
+	const auto Fault = reinterpret_cast<uintptr_t>(Address);
+	return (Signal == SIGSEGV || Signal == SIGBUS) && (Fault > Stack ? Fault - Stack : Stack - Fault) < Near;
+}
+
+/** Whose fault it is, by what runs on this thread and by where the instruction lies. */
+struct FBlame
+{
+	bool bForeign = false;
+	const char* Plugin = nullptr; // that the instruction lies in
+	uint64 Offset = 0;
+};
+
+FBlame FindBlame(const void* Instruction)
+{
+	FBlame Blame;
+	Blame.Plugin = FindPluginCode(Instruction, Blame.Offset);
+	Blame.bForeign = GetRunningWords().bForeign || Blame.Plugin != nullptr;
+	return Blame;
+}
+
+/** One line: whose code, what happened, in which instruction. */
+void WriteFault(const FBlame& Blame, const FLine& (*AddWhat)(FLine&, const void*), const void* What)
+{
+	const FRunningWords& Words = GetRunningWords();
+	FLine Line;
+	Line.Add(isatty(STDERR_FILENO) ? "\n" : ""); // a progress bar may stand in the line
+	if (Blame.bForeign)
+	{
+		Line.Add("error DD").AddNumber(ErrorPluginCrashed, 10).Add(" at ");
+		if (!Words.bForeign)
+		{
+			Line.Add("plugin ").Add(Blame.Plugin).Add(Words.Text[0] != '\0' ? ", in " : "");
+		}
+		Line.Add(Words.Text).Add(": the plugin ");
+	}
+	else
+	{
+		Line.Add("drydock crashed in ").Add(Words.Text[0] != '\0' ? Words.Text : "a thread of its own").Add(": it ");
+	}
+	AddWhat(Line, What);
+	if (Blame.Plugin != nullptr)
+	{
+		Line.Add(" (").Add(Blame.Plugin).Add("+").AddNumber(Blame.Offset, 16).Add(")");
+	}
+	Line.Add(Blame.bForeign ? "\n" : "; this is drydock's fault\n").Write();
+}
+
+/** True in a child that is to die of the signal for the sake of its core file, once per fault; the parent has waited
+ * for it. */
+bool IsChildForCore(int Signal)
+{
+#if defined(__GLIBC__) && __GLIBC_PREREQ(2, 34)
+	rlimit Limit;
+	if (getrlimit(RLIMIT_CORE, &Limit) != 0 || Limit.rlim_cur == 0)
+	{
+		return false;
+	}
+	const pid_t Child = _Fork();
+	if (Child == 0)
+	{
+		signal(Signal, SIG_DFL);
+		return true;
+	}
+	int Status = 0;
+	while (Child > 0 && waitpid(Child, &Status, 0) < 0 && errno == EINTR)
+	{
+	}
+#else
+	(void)Signal;
+#endif
+	return false;
+}
+
+struct FSignal
+{
+	int Number;
+	const siginfo_t* Info;
+	const void* Context;
+};
+
+void OnSignal(int Number, siginfo_t* Info, void* Context)
+{
+	if (Info->si_code <= 0 && Info->si_pid != getpid())
+	{
+		// Nobody's fault: another process has sent it, and wants what it always does.
+		signal(Number, SIG_DFL);
+		kill(getpid(), Number);
+		return;
+	}
+	static std::atomic<int> ExitCode{ExitInternal};
+	const long Thread = syscall(SYS_gettid);
+	long Other = 0;
+	if (!GEndingThread.compare_exchange_strong(Other, Thread))
+	{
+		if (Other == Thread)
+		{
+			_exit(ExitCode); // the telling itself has failed
+		}
+		for (;;)
+		{
+			pause(); // the other's telling ends the process
+		}
+	}
+	const FBlame Blame = FindBlame(GetInstruction(Context));
+	ExitCode = Blame.bForeign ? ExitPlugin : ExitInternal;
+	const FSignal What = {Number, Info, Context};
+	WriteFault(
+		Blame,
+		[](FLine& Line, const void* Data) -> const FLine&
+		{
+			const FSignal& Signal = *static_cast<const FSignal*>(Data);
+			if (Signal.Number == SIGABRT)
+			{
+				return Line.Add("called abort");
+			}
+			if (IsStackOverflow(Signal.Number, Signal.Info->si_addr, Signal.Context))
+			{
+				return Line.Add("overflowed its stack");
+			}
+			Line.Add("crashed: ").Add(GetSignalText(Signal.Number));
+			const bool bHasAddress = (Signal.Number == SIGSEGV || Signal.Number == SIGBUS) &&
+									 Signal.Info->si_code > 0 && Signal.Info->si_code != SI_KERNEL;
+			return bHasAddress ? Line.Add(" at address ").AddNumber(uint64(Signal.Info->si_addr), 16) : Line;
+		},
+		&What);
+	if (!IsChildForCore(Number))
+	{
+		_exit(ExitCode);
+	}
+	// The child goes back to the instruction, which kills it.
+}
+
+[[noreturn]] void EndWith(const char* What)
+{
+	GEndingThread = syscall(SYS_gettid);
+	const FBlame Blame = FindBlame(nullptr);
+	WriteFault(
+		Blame, [](FLine& Line, const void* Data) -> const FLine& { return Line.Add(static_cast<const char*>(Data)); },
+		What);
+	if (IsChildForCore(SIGABRT))
+	{
+		std::abort();
+	}
+	_exit(Blame.bForeign ? ExitPlugin : ExitInternal);
+}
+
+[[noreturn]] void OnTerminate()
+{
+	char What[512] = "called std::terminate";
+	if (std::current_exception())
+	{
+		try
+		{
+			throw;
+		}
+		catch (const std::exception& Exception)
+		{
+			std::snprintf(What, sizeof(What), "let an exception out where none may leave: %s", Exception.what());
+		}
+		catch (...)
+		{
+			std::snprintf(What, sizeof(What), "let an exception out where none may leave");
+		}
+	}
+	EndWith(What);
+}
+
+/** The program's own end comes outside any plugin's code. */
+void OnExit()
+{
+	if (GetRunningWords().bForeign)
+	{
+		EndWith("called exit");
+	}
+}
+
+/** The handlers' stack of one thread. */
+class FFaultStack
+{
+public:
+	FFaultStack()
+	{
+		Size = std::max<size_t>(1 << 17, size_t(std::max(0L, sysconf(_SC_SIGSTKSZ))));
+		Memory = mmap(nullptr, Size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+		if (Memory != MAP_FAILED)
+		{
+			stack_t Stack = {};
+			Stack.ss_sp = Memory;
+			Stack.ss_size = Size;
+			sigaltstack(&Stack, nullptr);
+		}
+	}
+	~FFaultStack()
+	{
+		if (Memory != MAP_FAILED)
+		{
+			stack_t None = {};
+			None.ss_flags = SS_DISABLE;
+			sigaltstack(&None, nullptr);
+			munmap(Memory, Size);
+		}
+	}
+	FFaultStack(const FFaultStack&) = delete;
+	FFaultStack& operator=(const FFaultStack&) = delete;
+
+private:
+	void* Memory;
+	size_t Size;
+};
+
+} // namespace
+
+void InstallFaultHandlers()
+{
+	if (bHasSanitizer)
+	{
+		return;
+	}
+	GInstalled = true;
+	EnsureFaultStack();
+	struct sigaction Action = {};
+	Action.sa_sigaction = OnSignal;
+	Action.sa_flags = SA_SIGINFO | SA_ONSTACK | SA_NODEFER;
+	sigemptyset(&Action.sa_mask);
+	for (const int Signal : Signals)
+	{
+		sigaction(Signal, &Action, nullptr);
+	}
+	std::set_terminate(OnTerminate);
+	std::atexit(OnExit);
+	std::at_quick_exit(OnExit);
+}
+
+bool IsEndingByFault()
+{
+	return GEndingThread != 0;
+}
+
+void EnsureFaultStack()
+{
+	if (GInstalled)
+	{
+		thread_local const FFaultStack Stack;
+		(void)Stack;
+	}
+}
+
+} // namespace Drydock

@@ -1,0 +1,44 @@
+// Something that must not stay silent for too long: a shader's tiles, a plugin's function. One thread looks at all.
+#pragma once
+
+#include "CoreTypes.h"
+
+#include <atomic>
+#include <functional>
+
+namespace Drydock
+{
+
+/** For its scope it is watched: once nothing was heard of it for Limit seconds, Report is called, from another thread,
+ * and ends the process, unless something else does. */
+class DRYDOCK_API FWatchdog
+{
+public:
+	FWatchdog(double InLimit, std::function<void()> InReport);
+	~FWatchdog();
+	FWatchdog(const FWatchdog&) = delete;
+	FWatchdog& operator=(const FWatchdog&) = delete;
+
+	/** From any thread. */
+	void IsAlive() { NumSigns.fetch_add(1, std::memory_order_relaxed); }
+
+	/** While suspended (it counts), silence is no fault of it. */
+	void Suspend() { NumSuspended.fetch_add(1, std::memory_order_relaxed); }
+	void Resume()
+	{
+		IsAlive();
+		NumSuspended.fetch_sub(1, std::memory_order_relaxed);
+	}
+
+private:
+	friend class FWatcher;
+
+	const double Limit; // seconds
+	const std::function<void()> Report;
+	std::atomic<uint64> NumSigns{0};
+	std::atomic<int32> NumSuspended{0};
+	uint64 NumSeen = 0;       // of the watcher
+	double SecondsSilent = 0; // since NumSigns became NumSeen
+};
+
+} // namespace Drydock

@@ -1,0 +1,68 @@
+// Whose code runs on a thread, in words that are ready before anything can happen: for messages and for the handlers of
+// signals. CodeScope.h says it.
+#pragma once
+
+#include "CoreTypes.h"
+
+#include <string>
+
+namespace Drydock
+{
+
+/** Whose code it is and from where it is called. */
+struct FCodeOwner
+{
+	std::string Plugin = {};   // file name of the shared object; empty: drydock's own, or that of a program around it
+	std::string Callback = {}; // "SetupView of extension FTint", "StartupModule of module Tint", "shader FTintPS"
+	std::string Pass = {};     // empty: none
+	std::string File = {};     // of the pass's AddPass; empty: unknown
+	int Line = 0;
+
+	bool IsForeign() const { return !Plugin.empty(); }
+	/** "plugin libTint.so, SetupView of extension FTint, pass Tint" */
+	DRYDOCK_API std::string Describe() const;
+};
+
+/** Of the innermost scope of this thread; null: none. */
+DRYDOCK_API const FCodeOwner* GetRunningCode();
+
+/** A plugin's code runs on this thread. */
+DRYDOCK_API bool IsForeignCodeRunning();
+
+/** Code of whoever runs now: what a plugin registers is the plugin's. */
+DRYDOCK_API FCodeOwner MakeCodeOwner(const std::string& Callback);
+
+/** Sets what GetRunningCode returns, and the words; returns what it was. For FCodeScope. */
+DRYDOCK_API const FCodeOwner* ExchangeRunningCode(const FCodeOwner* Owner);
+
+/** What a handler of signals may read: Describe() of the running code, outside any stack. */
+struct FRunningWords
+{
+	bool bForeign = false;
+	char Text[512] = "";
+};
+DRYDOCK_API const FRunningWords& GetRunningWords();
+
+/** For its scope this thread works for another, whose code and words (GetRunningCode, GetRunningWords) it takes over.
+ * They must outlive it. */
+class DRYDOCK_API FBorrowedCode
+{
+public:
+	FBorrowedCode(const FCodeOwner* Owner, const FRunningWords& Words);
+	~FBorrowedCode();
+	FBorrowedCode(const FBorrowedCode&) = delete;
+	FBorrowedCode& operator=(const FBorrowedCode&) = delete;
+
+private:
+	const FCodeOwner* OwnerBefore;
+	FRunningWords WordsBefore;
+};
+
+/** Notes where a plugin lies in memory, by the address of anything in it; an unloaded one is forgotten. */
+DRYDOCK_API void NotePluginCode(const std::string& Plugin, const void* Anything);
+DRYDOCK_API void ForgetPluginCode(const std::string& Plugin);
+
+/** The plugin that Address lies in, and how far from its start; null: none. For handlers of signals, too. */
+DRYDOCK_API const char* FindPluginCode(const void* Address, uint64& OutOffset);
+
+} // namespace Drydock
