@@ -2,8 +2,10 @@
 #include "ShaderBinding.h"
 
 #include "NativeKernels.h"
+#include "RenderGraphErrors.h"
 #include "RHIResources.h"
 #include "RenderGraphResources.h"
+#include "RunningCode.h"
 #include "ShaderBindingPlan.h"
 #include "ShaderCompilation.h"
 #include "ShaderParameterMacros.h"
@@ -107,13 +109,44 @@ std::shared_ptr<const FShaderBindingPlan> GetPlan(
 	return Plan;
 }
 
-/** A check in the engine's words unless every uniform buffer and resource that the shader reads is there. */
+/** Where the struct declares a member, for a message. */
+std::string DescribeDeclaration(const FShaderParametersMetadata& Metadata, const std::string& CodeName)
+{
+	for (const FHlslMember& Member : Metadata.GetHlslMembers())
+	{
+		if (Member.CodeName == CodeName && Member.DeclaredIn)
+		{
+			return std::string(" (declared at ") + Member.DeclaredIn->GetFileName() + ":" +
+				   std::to_string(Member.FileLine) + ")";
+		}
+	}
+	return "";
+}
+
+/** Throws, in the engine's words, one message for each uniform buffer and resource that the shader reads and that is
+ * not there. */
 void CheckRequiredParameters(const FShaderBindingPlan& Plan, const std::string& ShaderName, const void* Parameters)
 {
+	std::vector<FDiagnostic> Unset;
+	const FShaderParametersMetadata& Struct = *Plan.Sources[0].Metadata;
 	const auto Require = [&](const void* Contents, uint32 Offset, const std::string& CodeName)
 	{
-		checkf(ReadPointer<void>(Contents, Offset), TEXT("%s's required shader parameter %s::%s was not set."),
-			ShaderName.c_str(), Plan.Sources[0].Metadata->GetStructTypeName(), CodeName.c_str());
+		if (Contents && ReadPointer<void>(Contents, Offset))
+		{
+			return;
+		}
+		FDiagnostic& Diagnostic = Unset.emplace_back();
+		Diagnostic.Code = RDGErrorUnsetParameter;
+		Diagnostic.Message = ShaderName + "'s required shader parameter " + Struct.GetStructTypeName() +
+							 "::" + CodeName + " was not set." + DescribeDeclaration(Struct, CodeName);
+		Diagnostic.Where = "parameter " + CodeName;
+		const FCodeOwner* const Pass = GetRunningCode();
+		if (Pass && !Pass->Pass.empty())
+		{
+			Diagnostic.Where = "pass " + Pass->Pass + ", " + Diagnostic.Where;
+			Diagnostic.File = Pass->File;
+			Diagnostic.Line = Pass->Line;
+		}
 	};
 	for (const FBindingSource& Source : Plan.Sources)
 	{
@@ -124,7 +157,15 @@ void CheckRequiredParameters(const FShaderBindingPlan& Plan, const std::string& 
 	}
 	for (const FResourceCopy& Copy : Plan.Resources)
 	{
-		Require(GetContents(Plan.Sources[Copy.Source], Parameters), Copy.SourceOffset, Copy.CodeName);
+		// Of a uniform buffer that is not there, its own message tells.
+		if (const void* const Contents = GetContents(Plan.Sources[Copy.Source], Parameters))
+		{
+			Require(Contents, Copy.SourceOffset, Copy.CodeName);
+		}
+	}
+	if (!Unset.empty())
+	{
+		throw FError(std::move(Unset), ExitUsage);
 	}
 }
 

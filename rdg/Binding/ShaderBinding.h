@@ -14,8 +14,8 @@ namespace Drydock
 
 struct FShaderBindingPlan;
 
-/** Fills Out from Parameters, inside a pass. Throws FError with every mismatch between shader and struct. A resource or
- * uniform buffer that the shader reads and that is null is a check. */
+/** Fills Out from Parameters, inside a pass. Throws FError with every mismatch between shader and struct, or with every
+ * resource and uniform buffer that the shader reads and that is null (DD2015). */
 DRYDOCK_API void BindShaderParameters(
 	const FShaderRef& Shader, const FShaderParametersMetadata& Metadata, const void* Parameters, FBoundShader& Out);
 
@@ -27,12 +27,12 @@ DRYDOCK_API void BindShaderParameters(const FShaderRef& Shader, const void* Para
 DRYDOCK_API std::vector<FDiagnostic> MatchShaderParameters(
 	const std::string& ShaderName, const FShaderReflection& Reflection, const FShaderParametersMetadata& Metadata);
 
-/** Packs the constants and takes views of the resources. A resource or buffer that is read and null is a check. */
+/** Packs the constants and takes views of the resources. A resource or buffer that is read and null is DD2015. */
 DRYDOCK_API void FollowShaderBindingPlan(
 	const FShaderBindingPlan& Plan, const FShaderReflection& Reflection, const void* Parameters, FBoundShader& Out);
 
-/** A check, in the engine's words, unless every resource and uniform buffer that the shader reads is set in Parameters.
- * Vertex shaders read nothing. */
+/** Throws DD2015, in the engine's words, unless every resource and uniform buffer that the shader reads is set in
+ * Parameters. Vertex shaders read nothing. */
 DRYDOCK_API void RequireShaderParameters(
 	const FShaderRef& Shader, const FShaderParametersMetadata& Metadata, const void* Parameters);
 

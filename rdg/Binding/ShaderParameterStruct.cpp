@@ -2,6 +2,7 @@
 // set.
 #include "ShaderParameterStruct.h"
 
+#include "RenderGraphReport.h"
 #include "RenderGraphResources.h"
 #include "ShaderCompilation.h"
 
@@ -70,6 +71,11 @@ std::shared_ptr<const FShaderReflection> GetReflectionIfAny(const FShaderRef& Sh
 void ClearUnused(const std::vector<std::shared_ptr<const FShaderReflection>>& Reflections,
 	const FShaderParametersMetadata& Metadata, void* Parameters, std::initializer_list<FRDGResource*> ExcludeList)
 {
+	if (!Parameters)
+	{
+		ThrowRDGError(RDGErrorNullArgument, "the shader parameters are null",
+			std::string("ClearUnusedGraphResources, struct ") + Metadata.GetStructTypeName());
+	}
 	for (const FHlslMember& Member : Metadata.GetHlslMembers())
 	{
 		void* const Resource = IsGraphResource(Member.BaseType) ? ReadPointer(Parameters, Member.Offset) : nullptr;

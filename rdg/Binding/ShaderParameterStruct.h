@@ -28,7 +28,7 @@ public: \
 #define SHADER_USE_ROOT_PARAMETER_STRUCT(ShaderClass, ShaderParentClass) \
 	SHADER_USE_PARAMETER_STRUCT(ShaderClass, ShaderParentClass)
 
-/** A check when a resource that the shader reads is null; the message names shader, struct and member. */
+/** Throws DD2015 when a resource that the shader reads is null; the message names shader, struct and member. */
 DRYDOCK_API void ValidateShaderParameters(
 	const TShaderRef<FShader>& Shader, const FShaderParametersMetadata* ParametersMetadata, const void* Parameters);
 

@@ -54,7 +54,8 @@ struct DRYDOCK_API FPixelShaderUtils
 		FRHIDepthStencilState* DepthStencilState = nullptr, uint32 StencilRef = 0,
 		std::source_location Location = std::source_location::current())
 	{
-		check(PixelShader.IsValid());
+		Drydock::CheckPassArguments(
+			"FPixelShaderUtils::AddFullscreenPass", PassName, TShaderRef<FShader>(PixelShader), Parameters, Location);
 		ClearUnusedGraphResources(PixelShader, Parameters);
 		FScreenPassPipelineState State(TShaderRef<FShader>(), PixelShader);
 		State.BlendState = BlendState ? BlendState : State.BlendState;

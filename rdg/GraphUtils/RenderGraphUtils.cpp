@@ -2,6 +2,7 @@
 #include "RenderGraphUtils.h"
 
 #include "PixelFormatConversion.h"
+#include "RenderGraphReport.h"
 
 BEGIN_SHADER_PARAMETER_STRUCT(FCopyTextureParameters, )
 	RDG_TEXTURE_ACCESS(Input, ERHIAccess::CopySrc)
@@ -28,6 +29,29 @@ END_SHADER_PARAMETER_STRUCT()
 namespace Drydock
 {
 
+namespace
+{
+
+[[noreturn]] void ThrowAt(
+	const std::source_location& Location, int Code, const std::string& Message, const std::string& Where)
+{
+	FDiagnostic Diagnostic;
+	Diagnostic.Code = Code;
+	Diagnostic.Message = Message;
+	Diagnostic.File = Location.file_name();
+	Diagnostic.Line = int(Location.line());
+	Diagnostic.Where = Where;
+	ThrowRDGErrors({Diagnostic});
+}
+
+/** "4 x 4 x 1" */
+std::string ToText(const FIntVector& Vector)
+{
+	return std::to_string(Vector.X) + " x " + std::to_string(Vector.Y) + " x " + std::to_string(Vector.Z);
+}
+
+} // namespace
+
 void AnnotatePass(FRDGPassRef Pass, const TShaderRef<FShader>& Shader)
 {
 	if (Pass && Shader.IsValid())
@@ -36,15 +60,148 @@ void AnnotatePass(FRDGPassRef Pass, const TShaderRef<FShader>& Shader)
 	}
 }
 
+void CheckPassArguments(const char* Call, const FRDGEventName& PassName, const TShaderRef<FShader>& Shader,
+	const void* Parameters, const std::source_location& Location)
+{
+	const char* const Null = !Shader.IsValid() ? "shader" : !Parameters ? "Parameters" : nullptr;
+	if (Null)
+	{
+		ThrowAt(Location, RDGErrorNullArgument, "the parameter is null",
+			std::string("pass ") + PassName.GetTCHAR() + ", " + Call + ", parameter " + Null);
+	}
+}
+
+void CheckGroupCount(const FRDGEventName& PassName, const FIntVector& GroupCount, const std::source_location& Location)
+{
+	if (GroupCount.X < 0 || GroupCount.Y < 0 || GroupCount.Z < 0)
+	{
+		ThrowAt(Location, RDGErrorGroupCount,
+			"the number of thread groups (" + std::to_string(GroupCount.X) + ", " + std::to_string(GroupCount.Y) +
+				", " + std::to_string(GroupCount.Z) + ") is negative",
+			std::string("pass ") + PassName.GetTCHAR());
+	}
+}
+
+namespace
+{
+
+/** Whether Size texels from Position lie within Extent, along one axis. */
+bool IsWithin(int64 Position, int64 Size, int64 Extent)
+{
+	return Position >= 0 && Size > 0 && Position + Size <= Extent;
+}
+
+/** One side of a copy at one mip. */
+struct FCopySide
+{
+	FRDGTextureRef Texture;
+	uint32 Mip;
+	FIntVector Position;
+	uint32 Slice;
+
+	FIntVector GetExtent() const
+	{
+		const FRDGTextureDesc& Desc = Texture->Desc;
+		return FIntVector(FMath::Max(1, Desc.Extent.X >> Mip), FMath::Max(1, Desc.Extent.Y >> Mip),
+			Desc.IsTexture3D() ? FMath::Max(1, int32(Desc.Depth) >> Mip)
+							   : int32(Texture->GetSubresourceLayout().NumArraySlices));
+	}
+	/** In mips' own texels; slices are the third axis of what has no depth. */
+	FIntVector GetFirst(uint32 MipsFurther) const
+	{
+		return FIntVector(Position.X >> MipsFurther, Position.Y >> MipsFurther,
+			Texture->Desc.IsTexture3D() ? Position.Z >> MipsFurther : int32(Slice));
+	}
+};
+
+/** What CopyTexture would refuse when the pass runs is said here, where it was written. */
+void CheckCopy(
+	FRDGTextureRef Input, FRDGTextureRef Output, const FRHICopyTextureInfo& Info, const std::source_location& Location)
+{
+	const std::string Where = std::string("pass CopyTexture(") + Input->Name + " -> " + Output->Name + ")";
+	if (Input->Desc.Format != Output->Desc.Format)
+	{
+		ThrowAt(Location, RDGErrorCopy,
+			std::string("a copy does not convert: ") + Input->Name + " is " + GetPixelFormatString(Input->Desc.Format) +
+				", " + Output->Name + " is " + GetPixelFormatString(Output->Desc.Format) +
+				"; draw it with AddDrawTexturePass",
+			Where);
+	}
+	const bool bWhole = Info.Size.X == 0 && Info.Size.Y == 0 && Info.Size.Z == 0;
+	for (uint32 Mip = 0; Mip < Info.NumMips; ++Mip)
+	{
+		const FCopySide Sides[] = {
+			{Input, Info.SourceMipIndex + Mip, Info.SourcePosition, Info.SourceSliceIndex},
+			{Output, Info.DestMipIndex + Mip, Info.DestPosition, Info.DestSliceIndex},
+		};
+		for (const FCopySide& Side : Sides)
+		{
+			if (Side.Mip >= Side.Texture->Desc.NumMips)
+			{
+				ThrowAt(Location, RDGErrorCopy,
+					"the copy is of mip " + std::to_string(Side.Mip) + ", but " + Side.Texture->Name + " has " +
+						std::to_string(Side.Texture->Desc.NumMips),
+					Where);
+			}
+		}
+		FIntVector Size(
+			FMath::Max(1, Info.Size.X >> Mip), FMath::Max(1, Info.Size.Y >> Mip), FMath::Max(1, Info.Size.Z >> Mip));
+		if (bWhole)
+		{
+			const FIntVector All = Sides[0].GetExtent();
+			const FIntVector First = Sides[0].GetFirst(Mip);
+			Size = FIntVector(All.X - First.X, All.Y - First.Y, All.Z - First.Z);
+		}
+		if (!Input->Desc.IsTexture3D())
+		{
+			Size.Z = int32(Info.NumSlices);
+		}
+		for (const FCopySide& Side : Sides)
+		{
+			const FIntVector First = Side.GetFirst(Mip);
+			const FIntVector Extent = Side.GetExtent();
+			if (!IsWithin(First.X, Size.X, Extent.X) || !IsWithin(First.Y, Size.Y, Extent.Y) ||
+				!IsWithin(First.Z, Size.Z, Extent.Z))
+			{
+				ThrowAt(Location, RDGErrorCopy,
+					"the copy of " + ToText(Size) + " texels at " + ToText(First) + " goes beyond mip " +
+						std::to_string(Side.Mip) + " of " + Side.Texture->Name + ", which has " + ToText(Extent),
+					Where);
+			}
+		}
+	}
+}
+
+void CheckBufferCopy(
+	const FRDGBuffer& Buffer, uint64 Offset, uint64 NumBytes, const char* Call, const std::source_location& Location)
+{
+	if (NumBytes > Buffer.GetSize() || Offset > Buffer.GetSize() - NumBytes)
+	{
+		ThrowAt(Location, RDGErrorCopy,
+			std::to_string(NumBytes) + " bytes at " + std::to_string(Offset) + " go beyond the buffer, which has " +
+				std::to_string(Buffer.GetSize()),
+			std::string(Call) + ", resource " + Buffer.Name);
+	}
+}
+
+void CheckReadback(const void* Readback, const std::source_location& Location)
+{
+	if (!Readback)
+	{
+		ThrowAt(Location, RDGErrorNullArgument, "the parameter is null", "AddEnqueueCopyPass, parameter Readback");
+	}
+}
+
+} // namespace
+
 } // namespace Drydock
 
 void AddCopyTexturePass(FRDGBuilder& GraphBuilder, FRDGTextureRef InputTexture, FRDGTextureRef OutputTexture,
 	const FRHICopyTextureInfo& CopyInfo, std::source_location Location)
 {
-	checkf(InputTexture && OutputTexture, TEXT("AddCopyTexturePass needs an input and an output texture"));
-	checkf(InputTexture->Desc.Format == OutputTexture->Desc.Format,
-		TEXT("AddCopyTexturePass: %s and %s have different formats; draw it with AddDrawTexturePass"),
-		InputTexture->Name, OutputTexture->Name);
+	GraphBuilder.CheckArgument(InputTexture, "AddCopyTexturePass", "InputTexture", &Location);
+	GraphBuilder.CheckArgument(OutputTexture, "AddCopyTexturePass", "OutputTexture", &Location);
+	Drydock::CheckCopy(InputTexture, OutputTexture, CopyInfo, Location);
 	FCopyTextureParameters* Parameters = GraphBuilder.AllocParameters<FCopyTextureParameters>();
 	Parameters->Input = InputTexture;
 	Parameters->Output = OutputTexture;
@@ -72,6 +229,10 @@ void AddCopyTexturePass(FRDGBuilder& GraphBuilder, FRDGTextureRef InputTexture, 
 void AddCopyBufferPass(FRDGBuilder& GraphBuilder, FRDGBufferRef DstBuffer, uint64 DstOffset, FRDGBufferRef SrcBuffer,
 	uint64 SrcOffset, uint64 NumBytes, std::source_location Location)
 {
+	GraphBuilder.CheckArgument(DstBuffer, "AddCopyBufferPass", "DstBuffer", &Location);
+	GraphBuilder.CheckArgument(SrcBuffer, "AddCopyBufferPass", "SrcBuffer", &Location);
+	Drydock::CheckBufferCopy(*DstBuffer, DstOffset, NumBytes, "AddCopyBufferPass", Location);
+	Drydock::CheckBufferCopy(*SrcBuffer, SrcOffset, NumBytes, "AddCopyBufferPass", Location);
 	FCopyBufferParameters* Parameters = GraphBuilder.AllocParameters<FCopyBufferParameters>();
 	Parameters->SrcBuffer = SrcBuffer;
 	Parameters->DstBuffer = DstBuffer;
@@ -85,11 +246,13 @@ void AddCopyBufferPass(FRDGBuilder& GraphBuilder, FRDGBufferRef DstBuffer, uint6
 void AddCopyBufferPass(
 	FRDGBuilder& GraphBuilder, FRDGBufferRef DstBuffer, FRDGBufferRef SrcBuffer, std::source_location Location)
 {
+	GraphBuilder.CheckArgument(SrcBuffer, "AddCopyBufferPass", "SrcBuffer", &Location);
 	AddCopyBufferPass(GraphBuilder, DstBuffer, 0, SrcBuffer, 0, SrcBuffer->GetSize(), Location);
 }
 
 void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, std::source_location Location)
 {
+	GraphBuilder.CheckArgument(Texture, "AddClearRenderTargetPass", "Texture", &Location);
 	FRenderTargetParameters* Parameters = GraphBuilder.AllocParameters<FRenderTargetParameters>();
 	Parameters->RenderTargets[0] = FRenderTargetBinding(Texture, ERenderTargetLoadAction::EClear);
 	GraphBuilder.AddPass(
@@ -100,6 +263,7 @@ void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture,
 void AddClearRenderTargetPass(
 	FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, const FLinearColor& ClearColor, std::source_location Location)
 {
+	GraphBuilder.CheckArgument(Texture, "AddClearRenderTargetPass", "Texture", &Location);
 	AddClearRenderTargetPass(
 		GraphBuilder, Texture, ClearColor, FIntRect(FIntPoint::ZeroValue, Texture->Desc.Extent), Location);
 }
@@ -107,6 +271,7 @@ void AddClearRenderTargetPass(
 void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, const FLinearColor& ClearColor,
 	FIntRect Viewport, std::source_location Location)
 {
+	GraphBuilder.CheckArgument(Texture, "AddClearRenderTargetPass", "Texture", &Location);
 	const FIntRect Whole(FIntPoint::ZeroValue, Texture->Desc.Extent);
 	Viewport.Clip(Whole);
 	FRenderTargetParameters* Parameters = GraphBuilder.AllocParameters<FRenderTargetParameters>();
@@ -129,6 +294,7 @@ void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture,
 void AddClearDepthStencilPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, bool bClearDepth, float Depth,
 	bool bClearStencil, uint8 Stencil, std::source_location Location)
 {
+	GraphBuilder.CheckArgument(Texture, "AddClearDepthStencilPass", "Texture", &Location);
 	using EAccess = FExclusiveDepthStencil;
 	const auto GetLoad = [](bool bClear)
 	{
@@ -166,6 +332,7 @@ namespace
 template<typename ParametersType, typename UAVType, typename LambdaType>
 void AddClearPass(FRDGBuilder& GraphBuilder, UAVType UAV, const std::source_location& Location, LambdaType&& Clear)
 {
+	GraphBuilder.CheckArgument(UAV, "AddClearUAVPass", "UAV", &Location);
 	ParametersType* Parameters = GraphBuilder.AllocParameters<ParametersType>();
 	Parameters->UAV = UAV;
 	GraphBuilder.AddPass(
@@ -230,6 +397,8 @@ void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, co
 void AddEnqueueCopyPass(FRDGBuilder& GraphBuilder, FRHIGPUTextureReadback* Readback, FRDGTextureRef SourceTexture,
 	FResolveRect Rect, std::source_location Location)
 {
+	GraphBuilder.CheckArgument(SourceTexture, "AddEnqueueCopyPass", "SourceTexture", &Location);
+	Drydock::CheckReadback(Readback, Location);
 	AddReadbackTexturePass(
 		GraphBuilder, RDG_EVENT_NAME("EnqueueCopy(%s)", SourceTexture->Name), SourceTexture,
 		[Readback, SourceTexture, Rect](FRHICommandList& RHICmdList)
@@ -245,6 +414,9 @@ void AddEnqueueCopyPass(FRDGBuilder& GraphBuilder, FRHIGPUTextureReadback* Readb
 void AddEnqueueCopyPass(FRDGBuilder& GraphBuilder, FRHIGPUBufferReadback* Readback, FRDGBufferRef SourceBuffer,
 	uint32 NumBytes, std::source_location Location)
 {
+	GraphBuilder.CheckArgument(SourceBuffer, "AddEnqueueCopyPass", "SourceBuffer", &Location);
+	Drydock::CheckReadback(Readback, Location);
+	Drydock::CheckBufferCopy(*SourceBuffer, 0, NumBytes, "AddEnqueueCopyPass", Location);
 	AddReadbackBufferPass(
 		GraphBuilder, RDG_EVENT_NAME("EnqueueCopy(%s)", SourceBuffer->Name), SourceBuffer,
 		[Readback, SourceBuffer, NumBytes](FRHICommandList& RHICmdList)
@@ -293,6 +465,11 @@ FRDGTextureRef RegisterExternalTexture(FRDGBuilder& GraphBuilder, FRHITexture* T
 	if (FRDGTextureRef Registered = GraphBuilder.FindExternalTexture(Texture))
 	{
 		return Registered;
+	}
+	if (!Texture)
+	{
+		Drydock::ThrowRDGError(
+			Drydock::RDGErrorNullArgument, "the parameter is null", "RegisterExternalTexture, parameter Texture");
 	}
 	return GraphBuilder.RegisterExternalTexture(CreateRenderTarget(Texture, NameIfUnregistered));
 }

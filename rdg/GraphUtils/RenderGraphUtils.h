@@ -18,6 +18,14 @@ namespace Drydock
 /** Notes on the pass which shader it runs, so that listings know it without executing. */
 DRYDOCK_API void AnnotatePass(FRDGPassRef Pass, const TShaderRef<FShader>& Shader);
 
+/** Throws DD2006 where a pass would be added without a shader or without parameters. */
+DRYDOCK_API void CheckPassArguments(const char* Call, const FRDGEventName& PassName, const TShaderRef<FShader>& Shader,
+	const void* Parameters, const std::source_location& Location);
+
+/** Throws DD2017 for a negative count. */
+DRYDOCK_API void CheckGroupCount(
+	const FRDGEventName& PassName, const FIntVector& GroupCount, const std::source_location& Location);
+
 } // namespace Drydock
 
 // Copies ------------------------------------------------------------------------------------------------------------
@@ -296,9 +304,9 @@ struct FComputeShaderUtils
 		const TShaderRef<TShaderClass>& ComputeShader, const FShaderParametersMetadata* ParametersMetadata,
 		void* Parameters, FIntVector GroupCount, std::source_location Location = std::source_location::current())
 	{
-		checkf(GroupCount.X >= 0 && GroupCount.Y >= 0 && GroupCount.Z >= 0,
-			TEXT("Pass %s: group count (%d, %d, %d) is negative"), PassName.GetTCHAR(), GroupCount.X, GroupCount.Y,
-			GroupCount.Z);
+		Drydock::CheckGroupCount(PassName, GroupCount, Location);
+		Drydock::CheckPassArguments(
+			"FComputeShaderUtils::AddPass", PassName, TShaderRef<FShader>(ComputeShader), Parameters, Location);
 		ClearUnusedGraphResources(TShaderRef<FShader>(ComputeShader), ParametersMetadata, Parameters);
 		FRDGPassRef Pass = GraphBuilder.AddPass(
 			MoveTemp(PassName), ParametersMetadata, Parameters, PassFlags,
@@ -324,6 +332,8 @@ struct FComputeShaderUtils
 		const TShaderRef<TShaderClass>& ComputeShader, typename TShaderClass::FParameters* Parameters,
 		TFunction<FIntVector()>&& GroupCountCallback, std::source_location Location = std::source_location::current())
 	{
+		Drydock::CheckPassArguments(
+			"FComputeShaderUtils::AddPass", PassName, TShaderRef<FShader>(ComputeShader), Parameters, Location);
 		ClearUnusedGraphResources(ComputeShader, Parameters);
 		FRDGPassRef Pass = GraphBuilder.AddPass(
 			MoveTemp(PassName), Parameters, PassFlags,
@@ -341,6 +351,9 @@ struct FComputeShaderUtils
 		FRDGBufferRef IndirectArgsBuffer, uint32 IndirectArgsOffset,
 		std::source_location Location = std::source_location::current())
 	{
+		GraphBuilder.CheckArgument(IndirectArgsBuffer, "FComputeShaderUtils::AddPass", "IndirectArgsBuffer", &Location);
+		Drydock::CheckPassArguments(
+			"FComputeShaderUtils::AddPass", PassName, TShaderRef<FShader>(ComputeShader), Parameters, Location);
 		ClearUnusedGraphResources(ComputeShader, Parameters, {IndirectArgsBuffer});
 		FRDGPassRef Pass = GraphBuilder.AddPass(
 			MoveTemp(PassName), Parameters, PassFlags,
@@ -369,6 +382,7 @@ template<typename ExecuteLambdaType>
 void AddReadbackTexturePass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name, FRDGTextureRef Texture,
 	ExecuteLambdaType&& ExecuteLambda, std::source_location Location)
 {
+	GraphBuilder.CheckArgument(Texture, "AddReadbackTexturePass", "Texture", &Location);
 	auto* Parameters = GraphBuilder.AllocParameters<FTextureAccessDynamicParameters>();
 	Parameters->Texture = Texture;
 	GraphBuilder.AddPass(
@@ -379,6 +393,7 @@ template<typename ExecuteLambdaType>
 void AddReadbackBufferPass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name, FRDGBufferRef Buffer,
 	ExecuteLambdaType&& ExecuteLambda, std::source_location Location)
 {
+	GraphBuilder.CheckArgument(Buffer, "AddReadbackBufferPass", "Buffer", &Location);
 	auto* Parameters = GraphBuilder.AllocParameters<FBufferAccessDynamicParameters>();
 	Parameters->Buffer = Buffer;
 	GraphBuilder.AddPass(

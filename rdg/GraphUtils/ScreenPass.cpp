@@ -41,6 +41,10 @@ FScreenPassTexture::FScreenPassTexture(const FScreenPassTextureSlice& Slice)
 
 FScreenPassTexture FScreenPassTexture::CopyFromSlice(FRDGBuilder& GraphBuilder, const FScreenPassTextureSlice& Slice)
 {
+	if (Slice.TextureSRV)
+	{
+		GraphBuilder.CheckArgument(Slice.TextureSRV, "FScreenPassTexture::CopyFromSlice", "Slice");
+	}
 	FRDGTextureRef Source = GetTexture(Slice.TextureSRV);
 	if (!Source || !Source->Desc.IsTextureArray())
 	{
@@ -69,7 +73,7 @@ FScreenPassTextureSlice FScreenPassTextureSlice::CreateFromScreenPassTexture(
 FScreenPassRenderTarget FScreenPassRenderTarget::CreateFromInput(FRDGBuilder& GraphBuilder, FScreenPassTexture Input,
 	ERenderTargetLoadAction OutputLoadAction, const TCHAR* OutputName)
 {
-	check(Input.IsValid());
+	GraphBuilder.CheckArgument(Input.Texture, "FScreenPassRenderTarget::CreateFromInput", "Input");
 	FRDGTextureDesc OutputDesc = Input.Texture->Desc;
 	OutputDesc.Reset();
 	return FScreenPassRenderTarget(
@@ -284,6 +288,8 @@ void DrawRectangle(FRHICommandList& RHICmdList, float X, float Y, float SizeX, f
 void AddDrawTexturePass(FRDGBuilder& GraphBuilder, const FScreenPassViewInfo& ViewInfo, FScreenPassTexture Input,
 	FScreenPassRenderTarget Output)
 {
+	GraphBuilder.CheckArgument(Input.Texture, "AddDrawTexturePass", "Input");
+	GraphBuilder.CheckArgument(Output.Texture, "AddDrawTexturePass", "Output");
 	const bool bSameSize = Input.ViewRect.Size() == Output.ViewRect.Size();
 	const bool bSameFormat = Input.Texture->Desc.Format == Output.Texture->Desc.Format;
 	if (bSameSize && bSameFormat && Output.LoadAction != ERenderTargetLoadAction::EClear)
@@ -304,6 +310,8 @@ void AddDrawTexturePass(FRDGBuilder& GraphBuilder, const FScreenPassViewInfo& Vi
 void AddDrawTexturePass(FRDGBuilder& GraphBuilder, const FScreenPassViewInfo& ViewInfo, FRDGTextureRef InputTexture,
 	FRDGTextureRef OutputTexture, FIntPoint InputPosition, FIntPoint OutputPosition, FIntPoint Size)
 {
+	GraphBuilder.CheckArgument(InputTexture, "AddDrawTexturePass", "InputTexture");
+	GraphBuilder.CheckArgument(OutputTexture, "AddDrawTexturePass", "OutputTexture");
 	if (Size == FIntPoint::ZeroValue)
 	{
 		Size = (InputTexture->Desc.Extent - InputPosition).ComponentMin(OutputTexture->Desc.Extent - OutputPosition);

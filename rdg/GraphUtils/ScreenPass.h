@@ -323,6 +323,8 @@ FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassNam
 	typename TPixelShader::FParameters* PixelShaderParameters, EScreenPassDrawFlags = EScreenPassDrawFlags::None,
 	std::source_location Location = std::source_location::current())
 {
+	Drydock::CheckPassArguments(
+		"AddDrawScreenPass", PassName, TShaderRef<FShader>(PixelShader), PixelShaderParameters, Location);
 	ClearUnusedGraphResources(PixelShader, PixelShaderParameters);
 	return Drydock::AddScreenPass(GraphBuilder, MoveTemp(PassName), OutputViewport, InputViewport, PipelineState,
 		TPixelShader::FParameters::FTypeInfo::GetStructMetadata(), PixelShaderParameters, Location);
@@ -410,6 +412,7 @@ requires std::is_invocable_v<TSetupFunction&, FRHICommandList&> FRDGPassRef AddD
 	TPassParameters* PassParameters, EScreenPassDrawFlags Flags, TSetupFunction SetupFunction,
 	std::source_location Location = std::source_location::current())
 {
+	Drydock::CheckPassArguments("AddDrawScreenPass", PassName, PipelineState.PixelShader, PassParameters, Location);
 	FRDGPassRef Pass = GraphBuilder.AddPass(
 		MoveTemp(PassName), PassParameters, ERDGPassFlags::Raster,
 		[ViewInfo, OutputViewport, InputViewport, PipelineState, Flags, SetupFunction](FRHICommandList& RHICmdList)

@@ -320,11 +320,11 @@ TEST(ShaderBinding, UniformBuffersAreReadWhenTheyWereMade)
 	EXPECT_EQ(4.0f, FloatAt(Bind(Reflection, Parameters), 0));
 }
 
-TEST(ShaderBinding, ANullUniformBufferThatIsReadIsACheck)
+TEST(ShaderBinding, ANullUniformBufferThatIsReadIsAMessage)
 {
 	FShaderReflection Reflection = Loose({Constant("TestView_PreExposure", EShaderScalar::Float, 1, 0)}, 16);
 	Reflection.ConstantBuffers[0].Name = "TestView";
-	EXPECT_THROW(Bind(Reflection, FBloomParameters()), FCheckFailure);
+	EXPECT_THROW(Bind(Reflection, FBloomParameters()), FError);
 }
 
 TEST(ShaderBinding, TexturesGiveTheirViews)
@@ -339,16 +339,17 @@ TEST(ShaderBinding, TexturesGiveTheirViews)
 	EXPECT_EQ(ETexelStorage::RGBA32_FLOAT, Bound.Textures[0].Storage);
 }
 
-TEST(ShaderBinding, ANullTextureThatIsReadIsACheckThatNamesIt)
+TEST(ShaderBinding, ANullTextureThatIsReadIsAMessageThatNamesIt)
 {
 	try
 	{
 		Bind(Texture("Input_Texture"), FBloomParameters());
-		FAIL() << "no check";
+		FAIL() << "no message";
 	}
-	catch (const FCheckFailure& Failure)
+	catch (const FError& Error)
 	{
-		EXPECT_THAT(Failure.what(), HasSubstr("Input.Texture"));
+		EXPECT_EQ(ExitUsage, Error.GetExitCode());
+		EXPECT_THAT(Error.what(), HasSubstr("DD2015 at parameter Input.Texture"));
 	}
 }
 

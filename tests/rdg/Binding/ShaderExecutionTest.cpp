@@ -124,12 +124,16 @@ TEST_F(FShaderExecution, ValidationNamesShaderStructAndMember)
 	try
 	{
 		ValidateShaderParameters(Tint(false), Parameters);
-		FAIL() << "no check";
+		FAIL() << "no message";
 	}
-	catch (const FCheckFailure& Failure)
+	catch (const FError& Error)
 	{
-		EXPECT_THAT(Failure.what(),
-			HasSubstr("FTestTintCS's required shader parameter FParameters::InputTexture was not set."));
+		EXPECT_EQ(ExitUsage, Error.GetExitCode());
+		ASSERT_EQ(1u, Error.GetDiagnostics().size());
+		EXPECT_EQ(2015, Error.GetDiagnostics()[0].Code);
+		EXPECT_THAT(Error.what(),
+			HasSubstr("FTestTintCS's required shader parameter FParameters::InputTexture was not set. (declared at "));
+		EXPECT_THAT(Error.what(), HasSubstr("ShaderTypes.h:"));
 	}
 }
 
@@ -140,7 +144,7 @@ TEST_F(FShaderExecution, ValidationLeavesUnreadResourcesAlone)
 
 TEST_F(FShaderExecution, ValidationMissesAUniformBuffer)
 {
-	EXPECT_THROW(ValidateShaderParameters(Tint(true), Parameters), FCheckFailure);
+	EXPECT_THROW(ValidateShaderParameters(Tint(true), Parameters), FError);
 }
 
 TEST_F(FShaderExecution, MismatchThrowsTheMessageWithTheUsfLine)
