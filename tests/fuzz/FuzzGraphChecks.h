@@ -1,0 +1,670 @@
+// Plugin-like calls on the render graph, decoded from bytes: whatever is called in whatever order, with null, garbage
+// and left-over pointers, it ends in a run or in messages. Used by the fuzzer, and by a test that runs its corpus.
+#pragma once
+
+#include "CodeScope.h"
+#include "HAL/ConsoleVariableTools.h"
+#include "RHIGPUReadback.h"
+#include "RenderGraphBuilder.h"
+#include "RenderGraphUtils.h"
+#include "ScreenPass.h"
+
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+BEGIN_GLOBAL_SHADER_PARAMETER_STRUCT(FFuzzUniforms, )
+	SHADER_PARAMETER(float, Scale)
+	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, SceneColor)
+	SHADER_PARAMETER_RDG_TEXTURE_SRV(Texture2D, SceneDepth)
+END_GLOBAL_SHADER_PARAMETER_STRUCT()
+IMPLEMENT_GLOBAL_SHADER_PARAMETER_STRUCT(FFuzzUniforms, "FuzzUniforms");
+
+BEGIN_SHADER_PARAMETER_STRUCT(FFuzzParameters, )
+	SHADER_PARAMETER_RDG_TEXTURE_ARRAY(Texture2D, Textures, [2])
+	SHADER_PARAMETER_RDG_TEXTURE_SRV(Texture2D, SRV)
+	SHADER_PARAMETER_RDG_TEXTURE_UAV_ARRAY(RWTexture2D<float4>, UAVs, [2])
+	SHADER_PARAMETER_RDG_BUFFER_SRV(Buffer<float4>, BufferSRV)
+	SHADER_PARAMETER_RDG_BUFFER_UAV(RWBuffer<float4>, BufferUAV)
+	SHADER_PARAMETER_RDG_UNIFORM_BUFFER(FFuzzUniforms, Uniforms)
+	RDG_TEXTURE_ACCESS_ARRAY(Accesses)
+	RDG_BUFFER_ACCESS_DYNAMIC(Buffer)
+END_SHADER_PARAMETER_STRUCT()
+
+BEGIN_SHADER_PARAMETER_STRUCT(FFuzzRasterParameters, )
+	SHADER_PARAMETER_STRUCT_INCLUDE(FFuzzParameters, Common)
+	RENDER_TARGET_BINDING_SLOTS()
+END_SHADER_PARAMETER_STRUCT()
+
+namespace Drydock
+{
+
+/** Decodes calls and makes them: first a byte of modes, then for each call its number and what it is called with. */
+class FGraphCalls
+{
+public:
+	FGraphCalls(const uint8_t* InData, size_t InSize)
+		: Data(InData)
+		, Size(InSize)
+	{
+	}
+
+	~FGraphCalls()
+	{
+		if (Builder)
+		{
+			Builder->Discard();
+		}
+	}
+
+	/** What does not hold, or nothing. */
+	std::string Run()
+	{
+		const uint8 Modes = Byte();
+		Switch("r.RDG.ImmediateMode", 0, Modes & 1);
+		Switch("r.RDG.ClobberResources", 0, (Modes >> 1) & 3);
+		Switch("r.RDG.CullPasses", 1, (Modes & 8) != 0 ? 0 : 1);
+		Switch("r.RDG.TransientAllocator", 1, (Modes & 16) != 0 ? 0 : 1);
+		Switch("r.RDG.AsyncCompute", 1, (Modes & 32) != 0 ? 0 : 1);
+		Begin();
+		// As in a frame: what a hook lets out ends the hook and the run, unless the hook has caught it.
+		for (int NumCalls = 0; Problem.empty() && At < Size && NumCalls < MaxCalls; ++NumCalls)
+		{
+			const uint8 Call = Byte();
+			Try([&] { CallCode(Hook, [&] { Make(Call); }); });
+		}
+		Try([&] { Builder->Execute(); });
+		Builder->Discard();
+		Builder.reset();
+		return Problem;
+	}
+
+private:
+	static constexpr int MaxCalls = 48;
+
+	uint8 Byte() { return At < Size ? Data[At++] : 0; }
+
+	/** Mostly small, now and then far off. */
+	int32 Number()
+	{
+		const int8 Value = int8(Byte());
+		return Value > 100 ? Value << 20 : Value < -100 ? Value << 20 : Value / 4;
+	}
+
+	/** For this run; the default costs nothing. */
+	void Switch(const char* Name, int32 Default, int32 Value)
+	{
+		if (Value != Default)
+		{
+			Switches.push_back(std::make_unique<FScopedConsoleVariable>(Name, Value));
+		}
+	}
+
+	template<typename TFunction>
+	void Try(TFunction Function)
+	{
+		try
+		{
+			Function();
+		}
+		catch (const FError& Error)
+		{
+			for (const FDiagnostic& Diagnostic : Error.GetDiagnostics())
+			{
+				if (Diagnostic.Code < 2001 || Diagnostic.Code > 2999 || Diagnostic.Message.empty())
+				{
+					Problem = "a message without number or sentence: " + Diagnostic.ToString();
+				}
+			}
+		}
+		catch (const std::exception& Exception)
+		{
+			Problem = std::string("an exception: ") + Exception.what();
+		}
+	}
+
+	void Begin()
+	{
+		Builder.reset();
+		Builder.emplace(FRHICommandListExecutor::GetImmediateCommandList(), RDG_EVENT_NAME("Fuzz"));
+	}
+
+	template<typename T>
+	static T* MakeGarbage()
+	{
+		alignas(16) static uint8 Garbage[512];
+		std::memset(Garbage, 0x5a, sizeof(Garbage));
+		return reinterpret_cast<T*>(Garbage);
+	}
+
+	/** One of the list, which may be of a graph that is gone; or null, or garbage. */
+	template<typename T>
+	T* Pick(const std::vector<T*>& List)
+	{
+		const uint8 Choice = Byte();
+		if (Choice == 255)
+		{
+			return MakeGarbage<T>();
+		}
+		return Choice >= 250 || List.empty() ? nullptr : List[List.size() - 1 - Choice % List.size()];
+	}
+
+	FRDGTextureDesc MakeTextureDesc()
+	{
+		static constexpr EPixelFormat Formats[] = {PF_FloatRGBA, PF_R32_FLOAT, PF_R8G8B8A8, PF_DepthStencil,
+			PF_R32_UINT, PF_FloatR11G11B10, PF_R8, PF_A32B32G32R32F};
+		const uint8 Kind = Byte();
+		const uint8 Shape = Byte();
+		const FIntPoint Extent((Shape & 15) + ((Kind & 64) != 0 ? 0 : 1), (Shape >> 4) + 1);
+		const EPixelFormat Format = (Kind & 128) != 0 ? EPixelFormat(Byte()) : Formats[Kind & 7];
+		const uint8 More = Byte();
+		ETextureCreateFlags Flags = TexCreate_ShaderResource;
+		Flags |= (More & 1) != 0 ? TexCreate_None : TexCreate_RenderTargetable;
+		Flags |= (More & 2) != 0 ? TexCreate_None : TexCreate_UAV;
+		Flags |= IsDepthOrStencilFormat(Format) ? TexCreate_DepthStencilTargetable : TexCreate_None;
+		const FClearValueBinding Clear = (More & 4) != 0 ? FClearValueBinding::None : FClearValueBinding::Black;
+		const uint8 NumMips = uint8((More >> 3) & 7);
+		switch ((Kind >> 3) & 7)
+		{
+		case 1:
+			return FRDGTextureDesc::Create2DArray(Extent, Format, Clear, Flags, uint16(More >> 6), NumMips);
+		case 2:
+			return FRDGTextureDesc::Create3D(
+				FIntVector(Extent.X, Extent.Y, More >> 6), Format, Clear, Flags, uint8(NumMips));
+		case 3:
+			return FRDGTextureDesc::CreateCube(uint32(Extent.X), Format, Clear, Flags, NumMips);
+		case 4:
+			return FRDGTextureDesc::Create2D(Extent, Format, Clear, Flags, NumMips, uint8(1 << (More >> 6)));
+		default:
+			return FRDGTextureDesc::Create2D(Extent, Format, Clear, Flags, uint8(NumMips + 1));
+		}
+	}
+
+	FRHICopyTextureInfo MakeCopyInfo()
+	{
+		FRHICopyTextureInfo Info;
+		const uint8 Which = Byte();
+		if ((Which & 1) != 0)
+		{
+			Info.Size = FIntVector(Number(), Number(), Number());
+		}
+		if ((Which & 2) != 0)
+		{
+			Info.SourcePosition = FIntVector(Number(), Number(), Number());
+		}
+		if ((Which & 4) != 0)
+		{
+			Info.DestPosition = FIntVector(Number(), Number(), Number());
+		}
+		if ((Which & 8) != 0)
+		{
+			Info.SourceMipIndex = uint32(Number());
+			Info.DestMipIndex = uint32(Number());
+			Info.NumMips = uint32(Number());
+		}
+		if ((Which & 16) != 0)
+		{
+			Info.SourceSliceIndex = uint32(Number());
+			Info.DestSliceIndex = uint32(Number());
+			Info.NumSlices = uint32(Number());
+		}
+		return Info;
+	}
+
+	void Fill(FFuzzParameters& Parameters)
+	{
+		const uint8 Which = Byte();
+		Parameters.Textures[0] = (Which & 1) != 0 ? Pick(Textures) : nullptr;
+		Parameters.Textures[1] = (Which & 1) != 0 ? Pick(Textures) : nullptr;
+		Parameters.SRV = (Which & 2) != 0 ? Pick(SRVs) : nullptr;
+		Parameters.UAVs[0] = (Which & 4) != 0 ? Pick(UAVs) : nullptr;
+		Parameters.UAVs[1] = (Which & 8) != 0 ? Pick(UAVs) : nullptr;
+		Parameters.BufferSRV = (Which & 16) != 0 ? Pick(BufferSRVs) : nullptr;
+		Parameters.BufferUAV = (Which & 32) != 0 ? Pick(BufferUAVs) : nullptr;
+		Parameters.Uniforms = (Which & 64) != 0 ? Pick(Uniforms) : nullptr;
+		if ((Which & 128) != 0)
+		{
+			Parameters.Accesses.Add(FRDGTextureAccess(Pick(Textures), MakeAccess()));
+			Parameters.Buffer = FRDGBufferAccess(Pick(Buffers), MakeAccess());
+		}
+	}
+
+	ERHIAccess MakeAccess()
+	{
+		const uint8 Value = Byte();
+		return (Value & 128) != 0 ? ERHIAccess(uint32(Value & 127) << (Byte() & 15)) : ERHIAccess(1u << (Value % 19));
+	}
+
+	/** What a pass does when it runs: some of it is not declared, or not what its kind of pass may do. */
+	void Work(FRHICommandListImmediate& RHICmdList, const FFuzzParameters* Parameters, uint8 What, FRDGTextureRef Other)
+	{
+		if ((What & 1) != 0 && Parameters->UAVs[0])
+		{
+			RHICmdList.ClearUAVFloat(Parameters->UAVs[0]->GetRHI(), FVector4f(1.0f, 2.0f, 3.0f, 4.0f));
+		}
+		if ((What & 2) != 0 && Parameters->BufferUAV)
+		{
+			RHICmdList.ClearUAVUint(Parameters->BufferUAV->GetRHI(), FUintVector4(1, 2, 3, 4));
+		}
+		if ((What & 4) != 0 && Parameters->SRV)
+		{
+			Parameters->SRV->GetRHI();
+		}
+		if ((What & 8) != 0 && Other)
+		{
+			Other->GetRHI();
+		}
+		if ((What & 16) != 0 && Parameters->Textures[0] && Parameters->Textures[1])
+		{
+			RHICmdList.CopyTexture(Parameters->Textures[0]->GetRHI(), Parameters->Textures[1]->GetRHI(), {});
+		}
+		if ((What & 32) != 0)
+		{
+			RHICmdList.DrawPrimitive(0, 1, 1);
+		}
+		if ((What & 64) != 0)
+		{
+			throw What;
+		}
+		if ((What & 128) != 0 && Parameters->BufferSRV)
+		{
+			Parameters->BufferSRV->GetRHI()->GetKernelBuffer();
+		}
+	}
+
+	void AddComputePass()
+	{
+		FFuzzParameters* const Parameters = Builder->AllocParameters<FFuzzParameters>();
+		Fill(*Parameters);
+		const ERDGPassFlags Flags = MakePassFlags(ERDGPassFlags::Compute);
+		const uint8 What = Byte();
+		const FRDGTextureRef Other = Textures.empty() ? nullptr : FindAlive(Textures.back());
+		Passes.push_back(Builder->AddPass(RDG_EVENT_NAME("Compute"), What == 251 ? nullptr : Parameters, Flags,
+			[this, Parameters, What, Other](FRHICommandListImmediate& RHICmdList)
+			{ Work(RHICmdList, Parameters, What, Other); }));
+	}
+
+	void AddRasterPass()
+	{
+		FFuzzRasterParameters* const Parameters = Builder->AllocParameters<FFuzzRasterParameters>();
+		Fill(Parameters->Common);
+		const uint8 Targets = Byte();
+		for (int32 Slot = 0; Slot < 2; ++Slot)
+		{
+			if ((Targets & (1 << Slot)) != 0)
+			{
+				FRDGTexture* const Resolve = (Targets & 4) != 0 ? Pick(Textures) : nullptr;
+				const auto Load = ERenderTargetLoadAction(Byte() % 3);
+				Parameters->RenderTargets[Slot] =
+					FRenderTargetBinding(Pick(Textures), Resolve, Load, uint8(Number()), int16(Number()));
+			}
+		}
+		if ((Targets & 8) != 0)
+		{
+			const uint8 Actions = Byte();
+			Parameters->RenderTargets.DepthStencil =
+				FDepthStencilBinding(Pick(Textures), ERenderTargetLoadAction(Actions % 3),
+					ERenderTargetLoadAction((Actions >> 2) % 3), FExclusiveDepthStencil::Type((Actions >> 4) & 0x3));
+		}
+		if ((Targets & 16) != 0)
+		{
+			Parameters->RenderTargets.ShadingRateTexture = Pick(Textures);
+		}
+		const ERDGPassFlags Flags = MakePassFlags(ERDGPassFlags::Raster);
+		const uint8 What = Byte();
+		Passes.push_back(Builder->AddPass(RDG_EVENT_NAME("Raster"), Parameters, Flags,
+			[this, Parameters, What](FRHICommandListImmediate& RHICmdList)
+			{ Work(RHICmdList, &Parameters->Common, What, nullptr); }));
+	}
+
+	ERDGPassFlags MakePassFlags(ERDGPassFlags Usual)
+	{
+		const uint8 Value = Byte();
+		return Value < 128 ? Usual | (Value < 32 ? ERDGPassFlags::NeverCull : ERDGPassFlags::None)
+						   : ERDGPassFlags(uint16(Value & 127) | uint16((Byte() & 3) << 7));
+	}
+
+	/** The lambda may look into it only while its graph is there. */
+	FRDGTextureRef FindAlive(FRDGTextureRef Texture) const { return AliveFrom < Textures.size() ? Texture : nullptr; }
+
+	TRefCountPtr<IPooledRenderTarget> MakePooled()
+	{
+		FTextureRHIRef Texture =
+			new FRHITexture(FRHITextureDesc::Create2D(FIntPoint(4, 4), PF_R32_FLOAT, FClearValueBinding::Black,
+								TexCreate_ShaderResource | TexCreate_RenderTargetable | TexCreate_UAV),
+				TEXT("Pooled"));
+		return CreateRenderTarget(Texture, TEXT("Pooled"));
+	}
+
+	void MakeView(uint8 Kind)
+	{
+		if ((Kind & 3) == 0)
+		{
+			FRDGTextureSRVDesc Desc(Pick(Textures));
+			Desc.MipLevel = uint8(Number());
+			Desc.NumMipLevels = uint8(Number());
+			Desc.FirstArraySlice = uint16(Number());
+			Desc.NumArraySlices = uint16(Number());
+			Desc.Format = (Kind & 4) != 0 ? EPixelFormat(Byte()) : PF_Unknown;
+			SRVs.push_back((Kind & 8) != 0 ? Builder->CreateSRV(Desc.Texture) : Builder->CreateSRV(Desc));
+		}
+		else if ((Kind & 3) == 1)
+		{
+			FRDGTextureUAVDesc Desc(Pick(Textures));
+			Desc.MipLevel = uint8(Number());
+			Desc.FirstArraySlice = uint16(Number());
+			Desc.NumArraySlices = uint16(Number());
+			Desc.Format = (Kind & 4) != 0 ? EPixelFormat(Byte()) : PF_Unknown;
+			UAVs.push_back((Kind & 8) != 0 ? Builder->CreateUAV(Desc.Texture, ERDGUnorderedAccessViewFlags::SkipBarrier)
+										   : Builder->CreateUAV(Desc));
+		}
+		else if ((Kind & 3) == 2)
+		{
+			FRDGBufferSRVDesc Desc(Pick(Buffers));
+			Desc.Format = (Kind & 4) != 0 ? EPixelFormat(Byte()) : PF_R32_UINT;
+			Desc.StartOffsetBytes = uint32(Number());
+			Desc.NumElements = uint32(Number());
+			BufferSRVs.push_back((Kind & 8) != 0 ? Builder->CreateSRV(Desc.Buffer) : Builder->CreateSRV(Desc));
+		}
+		else
+		{
+			const EPixelFormat Format = (Kind & 4) != 0 ? EPixelFormat(Byte()) : PF_Unknown;
+			BufferUAVs.push_back(Builder->CreateUAV(Pick(Buffers), Format));
+		}
+	}
+
+	void MakeBuffer()
+	{
+		const uint8 Kind = Byte();
+		const uint32 NumElements = (Kind & 64) != 0 ? uint32(Number()) & 0xffff : Kind & 15u;
+		const uint32 Bytes = 1u << (Kind >> 4 & 3);
+		FRDGBufferDesc Desc = (Kind & 128) != 0 ? FRDGBufferDesc::CreateBufferDesc(Bytes, NumElements)
+												: FRDGBufferDesc::CreateStructuredDesc(Bytes * 4, NumElements);
+		if ((Kind & 32) != 0)
+		{
+			Buffers.push_back(Builder->CreateBuffer(Desc, TEXT("Later"), [NumElements] { return NumElements * 2; }));
+		}
+		else
+		{
+			Buffers.push_back(Builder->CreateBuffer(Desc, NumElements == 7 ? nullptr : TEXT("Buffer")));
+		}
+	}
+
+	void TakeOut(uint8 Kind)
+	{
+		switch (Kind & 7)
+		{
+		case 0:
+			Builder->QueueTextureExtraction(Pick(Textures), (Kind & 8) != 0 ? nullptr : &ExtractedTexture);
+			break;
+		case 1:
+			Builder->QueueTextureExtraction(Pick(Textures), &ExtractedTexture, MakeAccess());
+			break;
+		case 2:
+			Builder->QueueBufferExtraction(Pick(Buffers), (Kind & 8) != 0 ? nullptr : &ExtractedBuffer);
+			break;
+		case 3:
+			ExtractedTexture = Builder->ConvertToExternalTexture(Pick(Textures));
+			break;
+		case 4:
+			ExtractedBuffer = Builder->ConvertToExternalBuffer(Pick(Buffers));
+			break;
+		case 5:
+			Builder->ConvertToExternalUniformBuffer(Pick(Uniforms));
+			break;
+		case 6:
+			Builder->GetPooledTexture(Pick(Textures));
+			break;
+		default:
+			AddEnqueueCopyPass(*Builder, (Kind & 8) != 0 ? nullptr : &Readback, Pick(Textures),
+				(Kind & 16) != 0 ? FResolveRect(Number(), Number(), Number(), Number()) : FResolveRect());
+			break;
+		}
+	}
+
+	void Register(uint8 Kind)
+	{
+		if ((Kind & 1) != 0)
+		{
+			const TRefCountPtr<FRDGPooledBuffer> Given = (Kind & 2) != 0 ? nullptr : ExtractedBuffer;
+			Buffers.push_back(Builder->RegisterExternalBuffer(Given));
+			return;
+		}
+		const TRefCountPtr<IPooledRenderTarget> Given = (Kind & 2) != 0   ? nullptr
+														: (Kind & 4) != 0 ? ExtractedTexture
+																		  : MakePooled();
+		Textures.push_back(Builder->RegisterExternalTexture(
+			Given, (Kind & 8) != 0 ? ERDGTextureFlags::SkipTracking : ERDGTextureFlags::None));
+	}
+
+	void SetAccess(uint8 Kind)
+	{
+		switch (Kind & 7)
+		{
+		case 0:
+			Builder->SetTextureAccessFinal(Pick(Textures), MakeAccess());
+			break;
+		case 1:
+			Builder->SetBufferAccessFinal(Pick(Buffers), MakeAccess());
+			break;
+		case 2:
+			Builder->UseExternalAccessMode(Pick(Textures), MakeAccess());
+			break;
+		case 3:
+			Builder->UseInternalAccessMode(Pick(Textures));
+			break;
+		case 4:
+			Builder->UseExternalAccessMode(Pick(Buffers), MakeAccess());
+			break;
+		case 5:
+			Builder->RemoveUnusedTextureWarning(Pick(Textures));
+			break;
+		case 6:
+			Builder->AddPassDependency(Pick(Passes), Pick(Passes));
+			break;
+		default:
+			Builder->SetPassWorkload(Pick(Passes), 3);
+			break;
+		}
+	}
+
+	void Clear(uint8 Kind)
+	{
+		switch (Kind & 7)
+		{
+		case 0:
+			AddClearRenderTargetPass(*Builder, Pick(Textures));
+			break;
+		case 1:
+			AddClearRenderTargetPass(*Builder, Pick(Textures), FLinearColor::Red);
+			break;
+		case 2:
+			AddClearRenderTargetPass(
+				*Builder, Pick(Textures), FLinearColor::Red, FIntRect(Number(), Number(), Number(), Number()));
+			break;
+		case 3:
+			AddClearDepthStencilPass(*Builder, Pick(Textures), (Kind & 8) != 0, 0.5f, (Kind & 16) != 0, 7);
+			break;
+		case 4:
+			AddClearUAVPass(*Builder, Pick(UAVs), FVector4f(1.0f, 2.0f, 3.0f, 4.0f));
+			break;
+		case 5:
+			AddClearUAVPass(*Builder, Pick(UAVs), FUintVector4(1, 2, 3, 4));
+			break;
+		case 6:
+			AddClearUAVPass(*Builder, Pick(BufferUAVs), 7u);
+			break;
+		default:
+			AddClearUAVFloatPass(*Builder, Pick(BufferUAVs), 7.0f);
+			break;
+		}
+	}
+
+	void Copy(uint8 Kind)
+	{
+		if ((Kind & 1) != 0)
+		{
+			AddCopyTexturePass(*Builder, Pick(Textures), Pick(Textures), MakeCopyInfo());
+		}
+		else if ((Kind & 2) != 0)
+		{
+			const FIntPoint From(Number(), Number());
+			const FIntPoint To(Number(), Number());
+			AddCopyTexturePass(*Builder, Pick(Textures), Pick(Textures), From, To, FIntPoint(Number(), Number()));
+		}
+		else if ((Kind & 4) != 0)
+		{
+			AddCopyBufferPass(
+				*Builder, Pick(Buffers), uint64(Number()), Pick(Buffers), uint64(Number()), uint64(Number()));
+		}
+		else
+		{
+			AddCopyBufferPass(*Builder, Pick(Buffers), Pick(Buffers));
+		}
+	}
+
+	/** What a plugin keeps beyond the end of a graph points nowhere in the next one. */
+	void BeginAnother(uint8 Kind)
+	{
+		Try(
+			[&]
+			{
+				if ((Kind & 2) != 0)
+				{
+					Builder->Compile();
+				}
+				if ((Kind & 1) == 0)
+				{
+					Builder->Execute();
+				}
+			});
+		// Now and then calls go on after the end.
+		if ((Kind & 28) != 4)
+		{
+			Builder->Discard();
+			Begin();
+			AliveFrom = Textures.size();
+		}
+	}
+
+	void Make(uint8 Call)
+	{
+		switch (Call % 20)
+		{
+		case 0:
+		case 1:
+		{
+			const bool bSkipTracking = Byte() == 250;
+			Textures.push_back(Builder->CreateTexture(MakeTextureDesc(), TEXT("Texture"),
+				bSkipTracking ? ERDGTextureFlags::SkipTracking : ERDGTextureFlags::None));
+			break;
+		}
+		case 2:
+			MakeBuffer();
+			break;
+		case 3:
+		case 4:
+		case 5:
+			MakeView(Byte());
+			break;
+		case 6:
+		case 7:
+		case 8:
+			AddComputePass();
+			break;
+		case 9:
+		case 10:
+			AddRasterPass();
+			break;
+		case 11:
+			Passes.push_back(Builder->AddPass(
+				RDG_EVENT_NAME("Bare"), MakePassFlags(ERDGPassFlags::None), [](FRHICommandListImmediate&) {}));
+			break;
+		case 12:
+			Copy(Byte());
+			break;
+		case 13:
+			Clear(Byte());
+			break;
+		case 14:
+		{
+			static const uint8 Bytes[64] = {};
+			const uint8 Given = Byte();
+			Builder->QueueBufferUpload(Pick(Buffers), Given == 255 ? nullptr : Bytes, Given % 65);
+			break;
+		}
+		case 15:
+			TakeOut(Byte());
+			break;
+		case 16:
+			Register(Byte());
+			break;
+		case 17:
+			SetAccess(Byte());
+			break;
+		case 18:
+		{
+			const uint8 Kind = Byte();
+			if ((Kind & 3) == 0)
+			{
+				Builder->BeginEventScope(RDG_EVENT_NAME("Scope"));
+			}
+			else if ((Kind & 3) == 1)
+			{
+				Builder->EndEventScope();
+			}
+			else if ((Kind & 3) == 2)
+			{
+				auto* const Contents = Builder->AllocParameters<FFuzzUniforms>();
+				Contents->SceneColor = Pick(Textures);
+				Contents->SceneDepth = Pick(SRVs);
+				Uniforms.push_back(Builder->CreateUniformBuffer((Kind & 4) != 0 ? nullptr : Contents));
+			}
+			else
+			{
+				FScreenPassTexture Input;
+				Input.Texture = Pick(Textures);
+				FScreenPassRenderTarget::CreateFromInput(
+					*Builder, Input, ERenderTargetLoadAction::ENoAction, TEXT("Output"));
+			}
+			break;
+		}
+		default:
+			BeginAnother(Byte());
+			break;
+		}
+	}
+
+	const uint8_t* Data;
+	size_t Size;
+	size_t At = 0;
+	std::string Problem;
+	const FCodeOwner Hook{.Plugin = "libFuzz.so", .Callback = "hook"};
+	std::vector<std::unique_ptr<FScopedConsoleVariable>> Switches;
+	std::vector<FRDGTexture*> Textures;
+	size_t AliveFrom = 0; // those before are of graphs that are gone
+	std::vector<FRDGBuffer*> Buffers;
+	std::vector<FRDGTextureSRV*> SRVs;
+	std::vector<FRDGTextureUAV*> UAVs;
+	std::vector<FRDGBufferSRV*> BufferSRVs;
+	std::vector<FRDGBufferUAV*> BufferUAVs;
+	std::vector<TRDGUniformBuffer<FFuzzUniforms>*> Uniforms;
+	std::vector<FRDGPass*> Passes;
+	TRefCountPtr<IPooledRenderTarget> ExtractedTexture;
+	TRefCountPtr<FRDGPooledBuffer> ExtractedBuffer;
+	FRHIGPUTextureReadback Readback{TEXT("Readback")};
+	std::optional<FRDGBuilder> Builder;
+};
+
+/** What does not hold for the calls that the bytes mean, or nothing. */
+inline std::string CheckGraphCalls(const uint8_t* Data, size_t Size)
+{
+	const FEnsureHandler Before = SetEnsureHandler([](const std::string&) {});
+	std::string Problem = FGraphCalls(Data, Size).Run();
+	SetEnsureHandler(Before);
+	return Problem;
+}
+
+} // namespace Drydock
