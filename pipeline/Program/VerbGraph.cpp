@@ -33,15 +33,8 @@ std::string MakeSvg(const std::string& Dot)
 {
 	constexpr int TimeLimitSeconds = 60;
 	const FTemporaryFolder Folder;
-	if (Folder.Path.empty())
-	{
-		throw FError({.Code = ErrorFileNotWritten,
-						 .Message = "the SVG needs a temporary folder, and none can be made: see TMPDIR"},
-			ExitFiles);
-	}
-	const std::string Input = Folder.Path + "/graph.dot";
+	const std::string Input = Folder.WriteFile("graph.dot", Dot);
 	const std::string Output = Folder.Path + "/graph.svg";
-	WriteWholeFile(Input, Dot);
 	const FChildResult Child = RunChild({"dot", "-Tsvg", Input, "-o", Output}, TimeLimitSeconds);
 	if (!Child.Succeeded())
 	{

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <set>
 #include <thread>
 
 namespace Drydock
@@ -153,6 +154,7 @@ void WarmShaders(const std::vector<FShaderRef>& Shaders, int32 NumThreads)
 	const size_t NumWorkers = std::min(Shaders.size(), NumThreads > 0 ? static_cast<size_t>(NumThreads) : NumCores);
 	std::atomic<size_t> Next = 0;
 	std::vector<std::vector<FDiagnostic>> Failures(Shaders.size());
+	std::vector<EExitCode> ExitCodes(Shaders.size());
 	std::vector<std::exception_ptr> Faults(Shaders.size());
 	const auto Work = [&]
 	{
@@ -165,6 +167,7 @@ void WarmShaders(const std::vector<FShaderRef>& Shaders, int32 NumThreads)
 			catch (const FError& Error)
 			{
 				Failures[Index] = Error.GetDiagnostics();
+				ExitCodes[Index] = Error.GetExitCode();
 			}
 			catch (...)
 			{
@@ -183,11 +186,16 @@ void WarmShaders(const std::vector<FShaderRef>& Shaders, int32 NumThreads)
 	}
 
 	std::vector<FDiagnostic> All;
+	std::set<EExitCode> Ends; // of those that failed
 	for (size_t Index = 0; Index < Shaders.size(); ++Index)
 	{
 		if (Faults[Index])
 		{
 			std::rethrow_exception(Faults[Index]);
+		}
+		if (ExitCodes[Index] != ExitDone)
+		{
+			Ends.insert(ExitCodes[Index]);
 		}
 		// Permutations of one file fail alike: each message once.
 		for (const FDiagnostic& Failure : Failures[Index])
@@ -202,7 +210,7 @@ void WarmShaders(const std::vector<FShaderRef>& Shaders, int32 NumThreads)
 	}
 	if (!All.empty())
 	{
-		throw FError(std::move(All), ExitUsage);
+		throw FError(std::move(All), Ends.size() == 1 ? *Ends.begin() : ExitUsage);
 	}
 }
 

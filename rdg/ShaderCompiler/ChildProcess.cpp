@@ -3,6 +3,7 @@
 
 #include "EndAction.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -54,6 +55,36 @@ bool ReadAll(int Pipe, std::chrono::steady_clock::time_point Deadline, std::stri
 	}
 }
 
+/** For the functions of C: pointers to the texts, and a null at the end. */
+std::vector<char*> GetPointers(const std::vector<std::string>& Texts)
+{
+	std::vector<char*> Pointers;
+	for (const std::string& Text : Texts)
+	{
+		Pointers.push_back(const_cast<char*>(Text.c_str()));
+	}
+	Pointers.push_back(nullptr);
+	return Pointers;
+}
+
+/** Changed, and of the own environment what that does not name. */
+std::vector<std::string> MakeEnvironment(const std::vector<std::string>& Changed)
+{
+	std::vector<std::string> All = Changed;
+	for (char** Entry = environ; *Entry; ++Entry)
+	{
+		const std::string Text = *Entry;
+		const std::string Name = Text.substr(0, Text.find('=')) + "=";
+		const bool bChanged = std::any_of(
+			Changed.begin(), Changed.end(), [&Name](const std::string& One) { return One.starts_with(Name); });
+		if (!bChanged)
+		{
+			All.push_back(Text);
+		}
+	}
+	return All;
+}
+
 } // namespace
 
 std::string FChildResult::Describe(int TimeLimitSeconds) const
@@ -70,21 +101,19 @@ std::string FChildResult::Describe(int TimeLimitSeconds) const
 				  : "ended with exit code " + std::to_string(ExitCode);
 }
 
-FChildResult RunChild(const std::vector<std::string>& Arguments, int TimeLimitSeconds)
+FChildResult RunChild(
+	const std::vector<std::string>& Arguments, int TimeLimitSeconds, const std::vector<std::string>& Environment)
 {
 	FChildResult Result;
 	int Pipe[2];
 	if (Arguments.empty() || pipe2(Pipe, O_CLOEXEC) != 0)
 	{
+		Result.StartError = Arguments.empty() ? EINVAL : errno;
 		return Result;
 	}
-	std::vector<char*> Pointers;
-	for (const std::string& Argument : Arguments)
-	{
-		Pointers.push_back(const_cast<char*>(Argument.c_str()));
-	}
-	Pointers.push_back(nullptr);
-
+	const std::vector<std::string> Variables = MakeEnvironment(Environment);
+	const std::vector<char*> ArgumentPointers = GetPointers(Arguments);
+	const std::vector<char*> VariablePointers = GetPointers(Variables);
 	posix_spawn_file_actions_t Actions;
 	posix_spawn_file_actions_init(&Actions);
 	posix_spawn_file_actions_addopen(&Actions, 0, "/dev/null", O_RDONLY, 0);
@@ -95,7 +124,9 @@ FChildResult RunChild(const std::vector<std::string>& Arguments, int TimeLimitSe
 	posix_spawnattr_setflags(&Attributes, POSIX_SPAWN_SETPGROUP); // its own group, so that all of it can be ended
 	posix_spawnattr_setpgroup(&Attributes, 0);
 	pid_t Child = 0;
-	Result.bStarted = posix_spawnp(&Child, Pointers[0], &Actions, &Attributes, Pointers.data(), environ) == 0;
+	Result.StartError = posix_spawnp(
+		&Child, ArgumentPointers[0], &Actions, &Attributes, ArgumentPointers.data(), VariablePointers.data());
+	Result.bStarted = Result.StartError == 0;
 	posix_spawnattr_destroy(&Attributes);
 	posix_spawn_file_actions_destroy(&Actions);
 	close(Pipe[1]);
@@ -115,6 +146,7 @@ FChildResult RunChild(const std::vector<std::string>& Arguments, int TimeLimitSe
 		Result.Signal = WIFSIGNALED(Status) ? WTERMSIG(Status) : 0;
 		Result.ExitCode = WIFEXITED(Status) ? WEXITSTATUS(Status) : 0;
 		Result.bStarted = Result.ExitCode != 127; // an older posix_spawn reports a missing program this way
+		Result.StartError = Result.bStarted ? 0 : ENOENT;
 	}
 	close(Pipe[0]);
 	return Result;

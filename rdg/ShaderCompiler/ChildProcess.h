@@ -12,6 +12,7 @@ namespace Drydock
 struct FChildResult
 {
 	bool bStarted = false;
+	int StartError = 0; // errno of one that was not started
 	bool bTimedOut = false;
 	int Signal = 0;     // that ended it, 0: none
 	int ExitCode = 0;   // where it ended by itself
@@ -22,8 +23,10 @@ struct FChildResult
 	DRYDOCK_API std::string Describe(int TimeLimitSeconds) const;
 };
 
-/** Arguments[0] is the program, searched in PATH. The child and all it starts are killed when the time is over. */
-DRYDOCK_API FChildResult RunChild(const std::vector<std::string>& Arguments, int TimeLimitSeconds);
+/** Arguments[0] is the program, searched in PATH. Environment: "NAME=VALUE" in place of what is inherited. The child
+ * and all it starts are killed when the time is over. */
+DRYDOCK_API FChildResult RunChild(
+	const std::vector<std::string>& Arguments, int TimeLimitSeconds, const std::vector<std::string>& Environment = {});
 
 /** Full path of an executable: Name itself when it has a slash, else searched in PATH; empty when there is none. */
 DRYDOCK_API std::string FindProgram(const std::string& Name);

@@ -1,20 +1,24 @@
 // Calls the system's C++ compiler on generated kernels, and loads what comes out.
 #include "KernelCompiler.h"
 
-#include "ChildProcess.h"
 #include "ContentHash.h"
 #include "Diagnostics.h"
 #include "InstallPaths.h"
 #include "LanesDispatch.h"
+#include "TimeLimit.h"
+#include "ToolFault.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
 #include <dlfcn.h>
+#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <mutex>
 #include <sstream>
 #include <sys/stat.h>
+#include <unistd.h>
 
 namespace Drydock
 {
@@ -24,7 +28,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-constexpr int TimeLimitSeconds = 300;
+constexpr int DefaultTimeLimitSeconds = 300;
 
 std::vector<std::string> GetFlags(const FLaneConfig& Lanes)
 {
@@ -73,9 +77,67 @@ const std::string& GetHeaderHash()
 	return Result;
 }
 
-FError MakeError(int Code, const std::string& Message, const FShaderCompileRequest& Request)
+FError MakeError(
+	int Code, const std::string& Message, const FShaderCompileRequest& Request, EExitCode ExitCode = ExitUsage)
 {
-	return FError({ESeverity::Error, Code, Message, Request.VirtualPath, 0, 0, {}}, ExitUsage);
+	return FError({ESeverity::Error, Code, Message, Request.VirtualPath, 0, 0, {}}, ExitCode);
+}
+
+/** Keeps the generated text for the report of a fault that is ours, and says where. */
+std::string KeepKernel(const std::string& Cpp)
+{
+	const std::string Suffix = ".cpp";
+	std::string Path = GetTemporaryParent() + "/drydock-failed-XXXXXX" + Suffix;
+	FFileDescriptor File(mkostemps(Path.data(), int(Suffix.size()), O_CLOEXEC)); // made anew, 0600
+	const bool bMade = bool(File);
+	const int Error = bMade ? WriteAndClose(std::move(File), Cpp) : errno;
+	if (Error == 0)
+	{
+		return "the code is in " + Path;
+	}
+	if (bMade)
+	{
+		unlink(Path.c_str());
+	}
+	return "the code cannot be kept in " + GetTemporaryParent() + ": " + DescribeSystemError(Error);
+}
+
+/** The first line of the compiler that names an error. */
+std::string FindErrorLine(const std::string& Output)
+{
+	std::istringstream Lines(Output);
+	for (std::string Line; std::getline(Lines, Line);)
+	{
+		if (Line.find("error") != std::string::npos)
+		{
+			return ": " + Line;
+		}
+	}
+	return {};
+}
+
+/** Why the compiler gave no kernel: it was kept from its work, takes too long, or the code is wrong. */
+FError ExplainFailure(const FChildResult& Child, int TimeLimitSeconds, const std::string& Cpp,
+	const FTemporaryFolder& Folder, const FShaderCompileRequest& Request)
+{
+	const std::string OnWhat = " on the code generated for '" + Request.EntryPoint + "'";
+	const std::string Fault = FindToolFault(Child);
+	if (!Fault.empty())
+	{
+		return MakeError(6032, "the C++ compiler " + Fault + OnWhat, Request, ExitFiles);
+	}
+	Folder.CheckSpace();
+	if (Child.bTimedOut)
+	{
+		return MakeError(6033,
+			"the C++ compiler " + Child.Describe(TimeLimitSeconds) + OnWhat +
+				" and was ended: is so much of it unrolled or inlined? (DRYDOCK_CXX_SECONDS)",
+			Request);
+	}
+	return MakeError(6030,
+		"the C++ compiler " + Child.Describe(TimeLimitSeconds) + OnWhat + ", which is a fault of drydock (" +
+			KeepKernel(Cpp) + ")" + FindErrorLine(Child.Output),
+		Request, ExitInternal);
 }
 
 } // namespace
@@ -145,8 +207,8 @@ std::string GetKernelBuildIdentity(const FLaneConfig& Lanes)
 	return Hash.Finish();
 }
 
-std::string CompileKernel(
-	const std::string& Cpp, const std::string& Folder, const FLaneConfig& Lanes, const FShaderCompileRequest& Request)
+std::string CompileKernel(const std::string& Cpp, const FTemporaryFolder& Folder, const FLaneConfig& Lanes,
+	const FShaderCompileRequest& Request)
 {
 	const std::string Compiler = FindKernelCompiler();
 	if (Compiler.empty())
@@ -162,43 +224,24 @@ std::string CompileKernel(
 			"cannot compile '" + Request.EntryPoint + "': the lane headers (Lanes.h) were not found beside the library",
 			Request);
 	}
-	const std::string Input = Folder + "/kernel.cpp";
-	const std::string Output = Folder + "/kernel.so";
-	std::ofstream(Input, std::ios::binary) << Cpp;
+	const std::string Output = Folder.Path + "/kernel.so";
 	std::vector<std::string> Arguments = GetFlags(Lanes);
 	Arguments.insert(Arguments.begin(), Compiler);
 	for (const std::string& Include : Includes)
 	{
 		Arguments.push_back("-I" + Include);
 	}
-	Arguments.insert(Arguments.end(), {"-o", Output, Input});
-	const FChildResult Child = RunChild(Arguments, TimeLimitSeconds);
+	Arguments.insert(Arguments.end(), {"-o", Output, Folder.WriteFile("kernel.cpp", Cpp)});
+	const int TimeLimitSeconds = GetTimeLimitSeconds("DRYDOCK_CXX_SECONDS", DefaultTimeLimitSeconds);
+	const FChildResult Child = RunChild(Arguments, TimeLimitSeconds, MakeToolEnvironment(Folder.Path));
 	if (!Child.Succeeded())
 	{
-		// The generated text is kept for the report of a fault that is ours.
-		const std::string Kept =
-			(fs::temp_directory_path() / ("drydock-failed-" + Request.EntryPoint + ".cpp")).string();
-		std::error_code Error;
-		fs::copy_file(Input, Kept, fs::copy_options::overwrite_existing, Error);
-		std::string First;
-		std::istringstream Lines(Child.Output);
-		for (std::string Line; std::getline(Lines, Line);)
-		{
-			if (Line.find("error") != std::string::npos)
-			{
-				First = ": " + Line;
-				break;
-			}
-		}
-		throw MakeError(6030,
-			"the C++ compiler " + Child.Describe(TimeLimitSeconds) + " on the code generated for '" +
-				Request.EntryPoint + "', which is a fault of drydock (the code is in " + Kept + ")" + First,
-			Request);
+		throw ExplainFailure(Child, TimeLimitSeconds, Cpp, Folder, Request);
 	}
 	return Output;
 }
 
-FKernelFunction LoadKernel(const std::string& SharedObject, const FLaneConfig& Lanes)
+FKernelFunction LoadKernel(const std::string& SharedObject, const FLaneConfig& Lanes, std::string& OutFault)
 {
 	// Kernels call into this library; it may have been opened without making its symbols visible to others.
 	static std::once_flag Once;
@@ -206,6 +249,8 @@ FKernelFunction LoadKernel(const std::string& SharedObject, const FLaneConfig& L
 	void* const Handle = dlopen(SharedObject.c_str(), RTLD_NOW | RTLD_LOCAL);
 	if (!Handle)
 	{
+		const char* const Reason = dlerror();
+		OutFault = Reason ? Reason : SharedObject;
 		return nullptr;
 	}
 	const auto* const Module = static_cast<const FKernelModule*>(dlsym(Handle, "DrydockShaderKernel"));
@@ -213,6 +258,7 @@ FKernelFunction LoadKernel(const std::string& SharedObject, const FLaneConfig& L
 					   Module->RealSize == (Lanes.bDouble ? sizeof(double) : sizeof(float));
 	if (!bFits)
 	{
+		OutFault = SharedObject + " is no kernel of this kind";
 		dlclose(Handle);
 		return nullptr;
 	}

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ShaderCompileRequest.h"
+#include "TemporaryFolder.h"
 
 namespace Drydock
 {
@@ -23,11 +24,15 @@ std::string GetCompilerId(const std::string& Compiler);
  */
 std::string GetKernelBuildIdentity(const FLaneConfig& Lanes);
 
-/** Compiles Cpp into Folder/kernel.so and returns that path. Throws FError: DD6031 no compiler, DD6030 it failed. */
-std::string CompileKernel(
-	const std::string& Cpp, const std::string& Folder, const FLaneConfig& Lanes, const FShaderCompileRequest& Request);
+/** Compiles Cpp into Folder/kernel.so and returns that path. Throws FError: DD6031 no compiler; DD6030 it found an
+ * error (exit code 70: the text is ours); DD6032 it was killed or ran out of memory or disk (exit code 3); DD6033 it
+ * took longer than DRYDOCK_CXX_SECONDS, 300 by default; DD5004 the folder cannot be written (exit code 3). */
+std::string CompileKernel(const std::string& Cpp, const FTemporaryFolder& Folder, const FLaneConfig& Lanes,
+	const FShaderCompileRequest& Request);
 
-/** Loads a kernel and checks that it is what was asked for; null when it is not. It stays loaded. */
-FKernelFunction LoadKernel(const std::string& SharedObject, const FLaneConfig& Lanes);
+/** Loads a kernel and checks that it is what was asked for; null when it is not, and OutFault says why. It stays
+ * loaded.
+ */
+FKernelFunction LoadKernel(const std::string& SharedObject, const FLaneConfig& Lanes, std::string& OutFault);
 
 } // namespace Drydock

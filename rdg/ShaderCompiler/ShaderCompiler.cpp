@@ -8,7 +8,6 @@
 #include "ShaderFrontEnd.h"
 #include "ShaderSource.h"
 #include "SpirvEmit.h"
-#include "TemporaryFolder.h"
 
 #include <chrono>
 #include <map>
@@ -167,15 +166,20 @@ void Build(const FShaderSource& Source, const FShaderCompileRequest& Request, co
 		});
 	Result.Reflection = Shader.Reflection.Reflection;
 	const FTemporaryFolder Folder;
-	const std::string SharedObject = CompileKernel(Cpp, Folder.Path, Result.Lanes, Request);
+	const std::string SharedObject = CompileKernel(Cpp, Folder, Result.Lanes, Request);
 	Cache.StoreReflection(HashSource(Source, Request, {}), Result.Reflection);
 	const std::string Stored = Cache.StoreKernel(Result.Key, CompilerId, Result.Reflection, SharedObject);
-	Result.Run = LoadKernel(Stored.empty() ? SharedObject : Stored, Result.Lanes);
+	std::string Fault;
+	for (const std::string& Place : {Stored, SharedObject}) // code may run in one folder and not in the other
+	{
+		Result.Run = Result.Run || Place.empty() ? Result.Run : LoadKernel(Place, Result.Lanes, Fault);
+	}
 	if (!Result.Run)
 	{
-		throw FError({ESeverity::Error, 6030, "the kernel compiled for '" + Request.EntryPoint + "' cannot be loaded",
-						 Request.VirtualPath, 0, 0, {}},
-			ExitUsage);
+		throw FError(
+			{ESeverity::Error, 6034, "the kernel compiled for '" + Request.EntryPoint + "' cannot be loaded: " + Fault,
+				Request.VirtualPath, 0, 0, {}},
+			ExitFiles);
 	}
 }
 
@@ -186,7 +190,8 @@ bool LoadFromCache(const FShaderCache& Cache, const std::string& CompilerId, FCo
 	{
 		return false;
 	}
-	Result.Run = LoadKernel(Found->SharedObject, Result.Lanes);
+	std::string Ignored;
+	Result.Run = LoadKernel(Found->SharedObject, Result.Lanes, Ignored);
 	Result.Reflection = Found->Reflection;
 	Result.bFromCache = Result.Run != nullptr;
 	return Result.bFromCache;

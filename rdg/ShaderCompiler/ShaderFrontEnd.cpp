@@ -1,8 +1,10 @@
 // Runs glslangValidator (written for the options of version 12), and reads its messages.
 #include "ShaderFrontEnd.h"
 
-#include "ChildProcess.h"
+#include "FrontEndCrash.h"
 #include "TemporaryFolder.h"
+#include "TimeLimit.h"
+#include "ToolFault.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -17,13 +19,7 @@ namespace
 {
 
 constexpr int DefaultTimeLimitSeconds = 60;
-
-int GetTimeLimitSeconds()
-{
-	const char* const Chosen = std::getenv("DRYDOCK_GLSLANG_SECONDS");
-	const int Seconds = Chosen ? std::atoi(Chosen) : 0;
-	return Seconds > 0 ? Seconds : DefaultTimeLimitSeconds;
-}
+constexpr const char* OutputName = "shader.spv";
 
 bool StartsWith(const std::string& Text, const char* Prefix)
 {
@@ -131,6 +127,66 @@ std::vector<FDiagnostic> ParseFrontEndMessages(const std::string& Output, const 
 	return Errors;
 }
 
+namespace
+{
+
+FChildResult RunFrontEnd(const std::string& Program, const FTemporaryFolder& Folder, const std::string& Input,
+	const FShaderCompileRequest& Request, int TimeLimitSeconds)
+{
+	// --nan-clamp: min, max and clamp by D3D's NaN rules. hlsl_functionality1: semantics of inputs are kept.
+	return RunChild(
+		{Program, "-D", "-V", "-g", "--hlsl-offsets", "--nan-clamp", "-fhlsl_functionality1", "--auto-map-bindings",
+			"--auto-map-locations", "-S", Request.Stage == EShaderStage::Pixel ? "frag" : "comp", "-e",
+			Request.EntryPoint, "-o", Folder.Path + "/" + OutputName, Input},
+		TimeLimitSeconds, MakeToolEnvironment(Folder.Path));
+}
+
+/** Of a front end that failed without a word about the shader. */
+FError ExplainFailure(const FChildResult& Child, const std::string& Program, const FTemporaryFolder& Folder,
+	const FShaderSource& Source, const FShaderCompileRequest& Request, int TimeLimitSeconds)
+{
+	const std::string OnWhat = " on '" + Request.EntryPoint + "'";
+	const bool bCrashed = Child.bStarted && !Child.bTimedOut && Child.Signal && !IsSignalFromOutside(Child.Signal);
+	const std::string Fault = bCrashed ? std::string() : FindToolFault(Child);
+	if (!Fault.empty())
+	{
+		return FError(
+			{ESeverity::Error, 6032, "glslangValidator " + Fault + OnWhat, Request.VirtualPath, 0, 0, {}}, ExitFiles);
+	}
+	Folder.CheckSpace();
+	FCrashPlace Place{Request.VirtualPath, 0, {}};
+	if (bCrashed)
+	{
+		int Number = 0;
+		Place = FindCrashPlace(Source.Text, Request,
+			[&](const std::string& Text)
+			{
+				const std::string Input = Folder.WriteFile("part" + std::to_string(Number++) + ".hlsl", Text);
+				return RunFrontEnd(Program, Folder, Input, Request, TimeLimitSeconds).Signal == Child.Signal;
+			});
+	}
+	return FError({ESeverity::Error, 6012, "glslangValidator " + Child.Describe(TimeLimitSeconds) + OnWhat + Place.When,
+					  Place.File, Place.Line, 0, {}},
+		ExitUsage);
+}
+
+/** Whether these are the words of a whole module: one that was cut short does not end with the end of a function. */
+bool IsWhole(const std::vector<uint32_t>& Words)
+{
+	constexpr size_t HeaderWords = 5;
+	constexpr uint32_t OpFunctionEnd = 56;
+	size_t At = HeaderWords;
+	uint32_t Last = 0;
+	while (At < Words.size() && Words[At] >> 16)
+	{
+		Last = Words[At] & 0xffff;
+		At += Words[At] >> 16;
+	}
+	return At == Words.size() && Last == OpFunctionEnd;
+}
+
+} // namespace
+
 std::vector<uint32_t> CompileToSpirv(const FShaderSource& Source, const FShaderCompileRequest& Request)
 {
 	const char* const Chosen = std::getenv("DRYDOCK_GLSLANG");
@@ -143,35 +199,29 @@ std::vector<uint32_t> CompileToSpirv(const FShaderSource& Source, const FShaderC
 						 Request.VirtualPath, 0, 0, {}},
 			ExitUsage);
 	}
-	const int TimeLimitSeconds = GetTimeLimitSeconds();
+	const int TimeLimitSeconds = GetTimeLimitSeconds("DRYDOCK_GLSLANG_SECONDS", DefaultTimeLimitSeconds);
 	const FTemporaryFolder Folder;
-	const std::string Input = Folder.Path + "/shader.hlsl";
-	const std::string Output = Folder.Path + "/shader.spv";
-	std::ofstream(Input, std::ios::binary) << Source.Text;
-	// --nan-clamp: min, max and clamp by D3D's NaN rules. hlsl_functionality1: semantics of inputs are kept.
-	const FChildResult Child = RunChild(
-		{Program, "-D", "-V", "-g", "--hlsl-offsets", "--nan-clamp", "-fhlsl_functionality1", "--auto-map-bindings",
-			"--auto-map-locations", "-S", Request.Stage == EShaderStage::Pixel ? "frag" : "comp", "-e",
-			Request.EntryPoint, "-o", Output, Input},
-		TimeLimitSeconds);
-
+	const std::string Input = Folder.WriteFile("shader.hlsl", Source.Text);
+	const FChildResult Child = RunFrontEnd(Program, Folder, Input, Request, TimeLimitSeconds);
 	std::vector<FDiagnostic> Errors = ParseFrontEndMessages(Child.Output, Request);
 	if (Errors.empty() && !Child.Succeeded())
 	{
-		Errors.push_back({ESeverity::Error, 6012,
-			"glslangValidator " + Child.Describe(TimeLimitSeconds) + " on '" + Request.EntryPoint + "'",
-			Request.VirtualPath, 0, 0, {}});
+		throw ExplainFailure(Child, Program, Folder, Source, Request, TimeLimitSeconds);
 	}
 	if (!Errors.empty())
 	{
 		throw FError(std::move(Errors), ExitUsage);
 	}
-	std::ifstream Stream(Output, std::ios::binary);
+	std::ifstream Stream(Folder.Path + "/" + OutputName, std::ios::binary);
 	const std::string Bytes((std::istreambuf_iterator<char>(Stream)), {});
 	std::vector<uint32_t> Words(Bytes.size() / 4);
 	if (!Words.empty()) // memcpy takes no null pointer, not even for nothing
 	{
 		std::memcpy(Words.data(), Bytes.data(), Words.size() * 4);
+	}
+	if (!IsWhole(Words))
+	{
+		Folder.CheckSpace(); // glslangValidator does not look whether all was written
 	}
 	return Words;
 }

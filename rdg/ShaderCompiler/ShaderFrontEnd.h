@@ -11,8 +11,9 @@ namespace Drydock
 {
 
 /** SPIR-V of the flattened text. Throws FError: DD6010 for what the shader's author wrote, each message with virtual
- * path and line; DD6011 when the entry point does not exist; DD6012 when glslangValidator is missing, hangs or crashes.
- */
+ * path and line; DD6011 when the entry point does not exist; DD6012 when glslangValidator is missing, hangs or crashes
+ * (on which line, found by giving it less and less of the text); DD6032 when it was killed and DD5004 when the
+ * temporary folder cannot be written, both with exit code 3. */
 DRYDOCK_API std::vector<uint32_t> CompileToSpirv(const FShaderSource& Source, const FShaderCompileRequest& Request);
 
 /** The errors in glslangValidator's output, in its order, without its own summary lines. */
