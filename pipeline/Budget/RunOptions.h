@@ -38,6 +38,7 @@ struct FRunOptions
 	std::optional<int> Frame;   // which of a sequence, the lowest by default; shaders see it as View.FrameNumber
 	std::optional<int> Threads; // 0: all cores
 	bool bDouble = false;       // double arithmetic
+	bool bNoPlugins = false;    // a config that names plugins is an error
 	ERunStorage Storage = ERunStorage::Default;
 	bool bExecute = true;    // false: stop when the graph is compiled
 	bool bPlanLoads = false; // of a graph that is not executed: find out which channels it would decode

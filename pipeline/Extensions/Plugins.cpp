@@ -148,4 +148,14 @@ std::vector<std::string> LoadPlugins(const FConfig& Config, std::vector<FDiagnos
 	return Paths;
 }
 
+void RefusePlugins(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics)
+{
+	FConfigMessages Messages(Config.File, Diagnostics);
+	for (const TConfigValue<std::string>& Plugin : Config.Plugins)
+	{
+		Messages.Error(
+			ErrorPluginRefused, Plugin.Place, "the plugin " + Plugin.Value + " is not loaded: --no-plugins was given");
+	}
+}
+
 } // namespace Drydock

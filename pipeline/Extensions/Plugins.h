@@ -16,4 +16,7 @@ namespace Drydock
  * doubtful is a warning there. */
 DRYDOCK_API std::vector<std::string> LoadPlugins(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics);
 
+/** In place of that, for a config that is not trusted with code: each plugin that it names is an error. */
+void RefusePlugins(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics);
+
 } // namespace Drydock

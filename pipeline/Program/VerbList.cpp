@@ -144,6 +144,7 @@ int PrintList(const FListOptions& ListOptions)
 	{
 		FRunOptions Options;
 		Options.ConfigFile = Filter;
+		Options.bNoPlugins = Run.bNoPlugins;
 		Table = ListHooks(Options);
 	}
 	else if (!MakeTable(Things, Table))
@@ -181,6 +182,7 @@ FVerbCall AddOptions(CLI::App& Verb)
 		"config, whose chain is listed");
 	Verb.add_option("--config", Options->Run.ConfigFile, "cvars: as this config sets them")->type_name("CONFIG");
 	AddVariables(Verb, Options->Run);
+	AddTrust(Verb, Options->Run);
 	Verb.add_flag("--json", Options->bJson, "Print an array of objects");
 	return [Options]
 	{

@@ -5,6 +5,7 @@
 #include "Program/VerbOptions.h"
 
 #include "Diagnostics.h"
+#include "ShaderCache.h"
 #include "Text/ConfigErrors.h"
 
 #include <charconv>
@@ -46,6 +47,14 @@ void AddVariables(CLI::App& Verb, FRunOptions& Options)
 		"Tell the console: \"r.A 1, r.B=2, r.C\" sets two, prints the third; repeats; beats --set");
 }
 
+void AddTrust(CLI::App& Verb, FRunOptions& Options)
+{
+	Verb.add_flag("--no-plugins", Options.bNoPlugins, "Refuse a config that names plugins: they are code that is run");
+	Verb.add_flag_callback(
+		"--read-only-cache", [] { FShaderCache::SetUse(EShaderCacheUse::ReadOnly); },
+		"Write nothing to the shader cache; what it lacks is compiled for this run alone");
+}
+
 void AddConfig(CLI::App& Verb, FRunOptions& Options)
 {
 	Verb.add_option("CONFIG", Options.ConfigFile, "JSON config, such as configs/toon_bloom.json")->required();
@@ -56,6 +65,7 @@ void AddConfig(CLI::App& Verb, FRunOptions& Options)
 					 "--frame", Options.Frame, "Which frame of a sequence, by default the first; shaders see it too"),
 		0, 1 << 30)
 		->type_name("N");
+	AddTrust(Verb, Options);
 }
 
 void AddThreads(CLI::App& Verb, FRunOptions& Options, const char* Doc)

@@ -23,7 +23,11 @@ CLI::Option* AddRepeated(
 /** --set and --exec, in the order in which they were given. */
 void AddVariables(CLI::App& Verb, FRunOptions& Options);
 
-/** The config that the verb is about, with the options that change it: --set, --exec, --pp and --frame. */
+/** What a config from a stranger is run with: --no-plugins and --read-only-cache. */
+void AddTrust(CLI::App& Verb, FRunOptions& Options);
+
+/** The config that the verb is about, with the options that change it (--set, --exec, --pp and --frame) and those of
+ * AddTrust. */
 void AddConfig(CLI::App& Verb, FRunOptions& Options);
 
 /** --threads. Doc: its line in --help. */

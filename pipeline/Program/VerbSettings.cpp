@@ -32,6 +32,7 @@ struct FImportOptions
 
 struct FExportOptions
 {
+	FRunOptions Run;                   // of --at
 	std::string File;                  // a config
 	std::optional<std::string> Volume; // only the volume of this name
 	std::string At;                    // "X,Y,Z", cm: the settings there, blended, in place of the volumes
@@ -123,7 +124,7 @@ std::vector<FVolumeText> CollectVolumes(
 /** What volumes and camera override at a place, with the values that render: one unbound volume. */
 std::vector<FVolumeText> BlendVolume(const FExportOptions& Options)
 {
-	FRunOptions RunOptions;
+	FRunOptions RunOptions = Options.Run;
 	RunOptions.ConfigFile = Options.File;
 	RunOptions.Location = ParseLocation(Options.At);
 	const FRunSetup Setup(RunOptions);
@@ -245,6 +246,7 @@ FVerbCall AddExportOptions(CLI::App& Verb)
 		->excludes(Volume);
 	Verb.add_flag("--struct", Options->bStruct, "Only the settings (..), to paste into a volume's Settings");
 	Verb.add_flag("--full", Options->bFull, "All settings, not only those that are overridden or changed");
+	AddTrust(Verb, Options->Run);
 	return [Options]
 	{
 		return Export(*Options);

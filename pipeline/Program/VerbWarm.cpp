@@ -3,6 +3,7 @@
 
 #include "Program/Verbs.h"
 #include "Run/Run.h"
+#include "ShaderCache.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -18,6 +19,7 @@ struct FWarmOptions
 {
 	std::vector<std::string> Configs;
 	std::string CacheFolder; // empty: the usual one
+	bool bNoPlugins = false;
 };
 
 int Warm(const FWarmOptions& Options)
@@ -26,11 +28,13 @@ int Warm(const FWarmOptions& Options)
 	{
 		setenv("DRYDOCK_CACHE_DIR", Options.CacheFolder.c_str(), 1);
 	}
+	FShaderCache::SetUse(EShaderCacheUse::Required);
 	for (const std::string& Config : Options.Configs)
 	{
 		// Running is what asks for exactly the shaders that the config uses.
 		FRunOptions Run;
 		Run.ConfigFile = Config;
+		Run.bNoPlugins = Options.bNoPlugins;
 		const FRunResult Result = RunConfig(Run);
 		std::fprintf(stderr, "warmed the shaders of %s: %zu passes\n", Config.c_str(), Result.Passes.size());
 	}
@@ -42,6 +46,7 @@ FVerbCall AddOptions(CLI::App& Verb)
 	const auto Options = std::make_shared<FWarmOptions>();
 	Verb.add_option("CONFIG", Options->Configs, "JSON configs")->required();
 	Verb.add_option("--cache", Options->CacheFolder, "Folder of the cache; the usual one by default")->type_name("DIR");
+	Verb.add_flag("--no-plugins", Options->bNoPlugins, "Refuse a config that names plugins: they are code that is run");
 	return [Options]
 	{
 		return Warm(*Options);

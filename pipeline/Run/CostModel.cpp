@@ -5,7 +5,6 @@
 #include "ShaderCache.h"
 #include "Text/Json.h"
 #include "Text/JsonWriter.h"
-#include "Text/TextFile.h"
 
 #include <algorithm>
 #include <charconv>
@@ -19,10 +18,7 @@ namespace Drydock
 namespace
 {
 
-std::string GetFile()
-{
-	return FShaderCache::Open().GetFolder() + "/costs.json";
-}
+const char* const CostsFile = "costs.json"; // in the shader cache
 
 /** Passes of one shader cost alike; passes without one are known by name, whichever their number. */
 std::string GetKey(const FRDGCompiledPass& Pass, const std::string& Conditions)
@@ -97,7 +93,7 @@ uint64_t CountWrittenTexels(const FRDGCompiledGraph& Graph, const FRDGCompiledPa
 
 FCostModel FCostModel::Load()
 {
-	return FromJson(TryReadTextFile(GetFile()).value_or(""));
+	return FromJson(FShaderCache::Open().ReadText(CostsFile).value_or(""));
 }
 
 void FCostModel::Learn(const FRunResult& Result)
@@ -132,14 +128,7 @@ void FCostModel::Learn(const FRunResult& Result)
 
 void FCostModel::Save() const
 {
-	try
-	{
-		WriteTextFile(GetFile(), ToJson());
-	}
-	catch (const FError&)
-	{
-		return;
-	}
+	FShaderCache::Open().StoreText(CostsFile, ToJson());
 }
 
 bool FCostModel::IsKnown(const FRDGCompiledPass& Pass, const std::string& Conditions) const

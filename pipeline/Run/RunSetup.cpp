@@ -358,7 +358,15 @@ FRunSetup::FRunSetup(const FRunOptions& Options, ESceneNeed InNeed)
 	{
 		throw FError(Document.Diagnostics, ExitUsage); // what stands behind it was not read
 	}
-	Plugins = LoadPlugins(ReadConfigPlugins(Document), OfConfig);
+	const FConfig OfPlugins = ReadConfigPlugins(Document);
+	if (Options.bNoPlugins)
+	{
+		RefusePlugins(OfPlugins, OfConfig);
+	}
+	else
+	{
+		Plugins = LoadPlugins(OfPlugins, OfConfig);
+	}
 	const bool bPluginLacks = HasErrors(OfConfig);
 	Variables.emplace(); // with those that plugins brought
 	FConfig Read = ReadWithArguments(Document, Options, OfConfig);

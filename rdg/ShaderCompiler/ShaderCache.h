@@ -1,50 +1,78 @@
 // Compiled shaders on disk. An entry is KEY.ID.so and KEY.ID.json (reflection, hash of the shared object); ID tells
 // which compiler made it. Entries are written aside and renamed, the .json last, under a lock that other processes
-// respect. Two places: a read-only one that came with the installation, then the user's.
+// respect. They are code that is run: folders and entries that someone else could have written are not used
+// (TrustedFolder.h). Two places: a read-only one that came with the installation, then the user's; in place of one that
+// cannot be used or written, a third for this run alone.
 #pragma once
 
 #include "DrydockAPI.h"
 #include "ShaderReflection.h"
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
 namespace Drydock
 {
 
+class FTrustedFolder;
+struct FFileToWrite;
+
+/** What the user's folder is to the process. */
+enum class EShaderCacheUse
+{
+	Usual,    // what is wrong with it is a warning
+	ReadOnly, // nothing is written to it
+	Required, // what is wrong with it is an error: filling it is what the process is for
+};
+
 struct FCachedShader
 {
 	FShaderReflection Reflection;
-	std::string SharedObject; // path, verified against its hash; empty where only the reflection was asked for
+	/** Path, good as long as the cache is open; verified against its hash. Empty where only the reflection was asked
+	 * for. */
+	std::string SharedObject;
 };
 
 class DRYDOCK_API FShaderCache
 {
 public:
-	/** The user's folder (DRYDOCK_CACHE_DIR, else XDG_CACHE_HOME/drydock, else ~/.cache/drydock; a temporary one when
-	 *  that cannot be written) and share/drydock/shader-cache of the installation. */
-	static FShaderCache Open();
+	/** Of the whole process; Usual at first. */
+	static void SetUse(EShaderCacheUse Use);
 
-	FShaderCache(std::string InFolder, std::string InPrewarmed);
+	/** The user's folder (DRYDOCK_CACHE_DIR, else XDG_CACHE_HOME/drydock, else ~/.cache/drydock) and
+	 * share/drydock/shader-cache of the installation. What is wrong with them is said once: DD6050, not to be trusted,
+	 * and DD6051, not to be written. Where the user's is required, that is thrown as an FError (exit code 3). */
+	static FShaderCache Open();
 
 	/** CompilerId empty: there is no compiler, any entry for Key will do. */
 	std::optional<FCachedShader> FindKernel(const std::string& Key, const std::string& CompilerId) const;
 	std::optional<FShaderReflection> FindReflection(const std::string& Key) const;
 
-	/** Moves the file SharedObject into the cache. The entry's path; empty when it could not be stored. */
+	/** Copies the file SharedObject into the cache. The entry's path, good as long as the cache is open; empty when it
+	 * could not be stored. */
 	std::string StoreKernel(const std::string& Key, const std::string& CompilerId, const FShaderReflection& Reflection,
 		const std::string& SharedObject) const;
 	void StoreReflection(const std::string& Key, const FShaderReflection& Reflection) const;
 
-	/** Runs Work while no other process works on the same key. */
+	/** Runs Work while no other process works on the same key, unless one does for too long (ShaderCacheLock.h). */
 	void WithLock(const std::string& Key, const std::function<void()>& Work) const;
 
-	const std::string& GetFolder() const { return Folder; }
+	/** A text beside the shaders in the user's folder. */
+	std::optional<std::string> ReadText(const std::string& Name) const;
+	void StoreText(const std::string& Name, const std::string& Text) const;
 
 private:
-	std::string Folder;
-	std::string Prewarmed; // may be empty
+	void OpenPrewarmed();
+	void OpenUsers(const std::string& Path);
+	bool WriteUsers(const std::vector<FFileToWrite>& Files) const;
+
+	// Each null where there is none.
+	std::shared_ptr<const FTrustedFolder> Prewarmed;
+	std::shared_ptr<const FTrustedFolder> Users;
+	std::shared_ptr<const FTrustedFolder> OfRun;
+	bool bWritable = false; // Users
 };
 
 DRYDOCK_API std::string ReflectionToJson(const FShaderReflection& Reflection);

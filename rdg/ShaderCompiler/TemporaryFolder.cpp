@@ -52,7 +52,12 @@ FTemporaryFolder::FTemporaryFolder()
 	Path = Pattern;
 	Lock = FFileDescriptor(open(Path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
 	flock(Lock.Get(), LOCK_EX | LOCK_NB);
-	Scratch.emplace(Path);
+	Removal.emplace(
+		[Folder = Path]
+		{
+			std::error_code Ignored;
+			std::filesystem::remove_all(Folder, Ignored);
+		});
 }
 
 FTemporaryFolder::~FTemporaryFolder()

@@ -37,7 +37,7 @@ public:
 private:
 	FFileDescriptor Lock; // tells other processes, whatever numbers they see, that this one lives
 	pid_t Owner;          // a child that forked off removes nothing
-	std::optional<FScratchPath> Scratch;
+	std::optional<FEndAction> Removal;
 };
 
 } // namespace Drydock
