@@ -131,9 +131,11 @@ auto ExplainSpirvErrors(const FShaderCompileRequest& Request, FWork Work)
 	catch (const FSpirvError& Error)
 	{
 		const bool bKnown = !Error.File.empty();
-		const std::string Where = bKnown ? std::string() : "entry point " + Request.EntryPoint;
-		throw FError(
-			{ESeverity::Error, 6020, Error.what(), bKnown ? Error.File : Request.VirtualPath, Error.Line, 0, Where},
+		const bool bLimit = dynamic_cast<const FSpirvLimitError*>(&Error) != nullptr;
+		const std::string Entry = "entry point " + Request.EntryPoint;
+		const std::string Message = Error.what() + (bKnown && bLimit ? " (" + Entry + ")" : std::string());
+		throw FError({ESeverity::Error, bLimit ? 6021 : 6020, Message, bKnown ? Error.File : Request.VirtualPath,
+						 Error.Line, 0, bKnown ? std::string() : Entry},
 			ExitUsage);
 	}
 }

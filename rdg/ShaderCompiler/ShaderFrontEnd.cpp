@@ -80,6 +80,21 @@ std::string Explain(const std::string& Message, const FShaderCompileRequest& Req
 	return Message;
 }
 
+/** "    F(i1; calling G(i1;" -> "'F' calls 'G'"; empty for other lines. */
+std::string ExplainCall(const std::string& Text)
+{
+	const size_t Calling = Text.find(" calling ");
+	if (Calling == std::string::npos)
+	{
+		return {};
+	}
+	const auto NameOf = [](const std::string& Mangled)
+	{
+		return "'" + Mangled.substr(0, Mangled.find('(')) + "'";
+	};
+	return NameOf(Text.substr(0, Calling)) + " calls " + NameOf(Text.substr(Calling + 9));
+}
+
 } // namespace
 
 std::vector<FDiagnostic> ParseFrontEndMessages(const std::string& Output, const FShaderCompileRequest& Request)
@@ -88,9 +103,23 @@ std::vector<FDiagnostic> ParseFrontEndMessages(const std::string& Output, const 
 	std::istringstream Lines(Output);
 	std::string Text;
 	bool bEntryPointMissing = false;
+	bool bRecursion = false; // the calls are listed on the lines that follow
 	while (std::getline(Lines, Text))
 	{
 		Text = Trim(Text);
+		if (const std::string Call = bRecursion ? ExplainCall(Text) : std::string(); !Call.empty())
+		{
+			Errors.back().Message += (Errors.back().Message.back() == ':' ? " " : ", ") + Call;
+			continue;
+		}
+		bRecursion = Text.find("Recursion detected:") != std::string::npos;
+		if (bRecursion)
+		{
+			Errors.push_back({ESeverity::Error, 6010,
+				"functions of HLSL cannot call themselves, not even through others; write a loop. Here:",
+				Request.VirtualPath, 0, 0, {}});
+			continue;
+		}
 		bEntryPointMissing = bEntryPointMissing || Text.find("Entry point not found") != std::string::npos;
 		const bool bError = StartsWith(Text, "ERROR: ");
 		std::string File;

@@ -1,6 +1,8 @@
 // Checks the operands of instructions on vectors, matrices and textures. Source: SPIR-V specification, section 3.
 #include "SpirvChecker.h"
 
+#include "SpirvRefusals.h"
+
 namespace Drydock
 {
 
@@ -133,16 +135,20 @@ const FSpirvType& FSpirvChecker::Image(const FSpirvInstruction& I, size_t i) con
 	Expect(Type->Kind == ESpirvType::Image, I);
 	if (Type->bMultisampled)
 	{
-		Module.Fail("multisampled textures are not supported on the CPU tier; use Texture2D", &I);
+		Module.Fail(
+			GetHlslTypeName(Module, *Type) + ": multisampled textures are not supported on the CPU tier; use Texture2D",
+			&I);
 	}
 	if (Type->Dim == DimCube)
 	{
-		Module.Fail("cube maps are not supported on the CPU tier; use a Texture2D in a latitude-longitude layout", &I);
+		Module.Fail(GetHlslTypeName(Module, *Type) +
+						": cube maps are not supported on the CPU tier; use a Texture2D in a latitude-longitude layout",
+			&I);
 	}
 	if (Type->Dim != Dim2D && Type->Dim != Dim3D && Type->Dim != DimBuffer)
 	{
-		Module.Fail(
-			"this kind of texture is not supported on the CPU tier; use Texture2D, Texture2DArray, Texture3D or Buffer",
+		Module.Fail(GetHlslTypeName(Module, *Type) +
+						" is not supported on the CPU tier; use Texture2D, Texture2DArray, Texture3D or Buffer",
 			&I);
 	}
 	return *Type;

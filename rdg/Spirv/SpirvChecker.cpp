@@ -2,6 +2,8 @@
 // expects. What the CPU tier does not do is refused here, with the line and what to write instead.
 #include "SpirvChecker.h"
 
+#include "SpirvRefusals.h"
+
 #include <algorithm>
 
 namespace Drydock
@@ -11,44 +13,6 @@ namespace
 {
 
 using namespace Spirv;
-
-/** What to do about an operation that is refused; null: the operation is not one of those. */
-const char* GetRefusal(uint16_t Op)
-{
-	if (Op >= OpDPdx && Op <= OpFwidthCoarse)
-	{
-		return "there are no derivatives on the CPU tier: threads do not run in quads. Compute the step from the texel "
-			   "size, or use SampleLevel";
-	}
-	if (Op == OpControlBarrier || Op == OpMemoryBarrier)
-	{
-		return "barriers are not supported on the CPU tier: threads do not run in groups. Split the shader into two "
-			   "passes";
-	}
-	if ((Op >= OpAtomicLoad && Op <= OpAtomicXor) || Op == OpImageTexelPointer)
-	{
-		return "atomics (Interlocked*, append buffers) are not supported on the CPU tier. Give each thread a place of "
-			   "its own and reduce in another pass";
-	}
-	if (Op >= OpGroupNonUniformElect && Op <= OpGroupNonUniformQuadSwap)
-	{
-		return "wave operations are not supported on the CPU tier: the number of lanes differs between machines";
-	}
-	if (Op == OpImageQuerySamples)
-	{
-		return "multisampled textures are not supported on the CPU tier. Use Texture2D";
-	}
-	if (Op == OpImageQueryLod)
-	{
-		return "CalculateLevelOfDetail needs derivatives, which the CPU tier does not have. Compute the mip level and "
-			   "use SampleLevel";
-	}
-	if (Op == 89 || Op == 90 || Op == 97)
-	{
-		return "comparison samplers are not supported on the CPU tier. Sample the texture and compare";
-	}
-	return nullptr;
-}
 
 /** Operand counts and sizes of the operations that work scalar by scalar: all operands as large as the result. */
 int GetComponentwiseOperands(uint16_t Op)
@@ -131,7 +95,8 @@ void FSpirvChecker::CheckGroupSize()
 
 void FSpirvChecker::CheckInput(const FSpirvVariable& Variable)
 {
-	const uint32_t Size = Module.GetType(Variable.Type).NumScalars;
+	const FSpirvType& Type = Module.GetType(Variable.Type);
+	const uint32_t Size = Type.NumScalars;
 	bool bFits = true;
 	switch (Variable.BuiltIn)
 	{
@@ -156,7 +121,8 @@ void FSpirvChecker::CheckInput(const FSpirvVariable& Variable)
 	if (!bFits)
 	{
 		Module.Fail("input '" + Variable.Name + "' (" + Variable.Semantic +
-					") is of a type that the CPU tier does not fill; use float, float2, float3 or float4");
+					") is of a type that the CPU tier does not fill (" + GetHlslTypeName(Module, Type) +
+					"); use float, float2, float3 or float4");
 	}
 }
 
@@ -173,7 +139,9 @@ void FSpirvChecker::CheckVariables()
 		case StorageOutput:
 			if (Type.NumScalars == 0)
 			{
-				Module.Fail("SPIR-V: variable '" + Variable.Name + "' is not numeric");
+				Module.Fail(
+					"the variable '" + Variable.Name + "' holds a " + GetHlslTypeName(Module, Type) +
+					", which variables cannot on the CPU tier; name the texture, sampler or buffer where it is used");
 			}
 			if (Variable.Storage == StorageInput)
 			{
@@ -271,9 +239,9 @@ void FSpirvChecker::CheckPhi(const FSpirvInstruction& I)
 
 void FSpirvChecker::CheckInstruction(const FSpirvInstruction& I)
 {
-	if (const char* Refusal = GetRefusal(I.Op))
+	if (const std::string Refusal = ExplainRefusedOp(I.Op, I.Operands.data(), I.Operands.size()); !Refusal.empty())
 	{
-		Module.Fail(GetSpirvOpName(I.Op) + ": " + Refusal, &I);
+		Module.Fail(Refusal, &I);
 	}
 	if (const int Operands = GetComponentwiseOperands(I.Op))
 	{
@@ -296,9 +264,7 @@ void FSpirvChecker::CheckInstruction(const FSpirvInstruction& I)
 		const std::vector<uint32_t>& Kills = Module.KillFunctions;
 		if (std::find(Kills.begin(), Kills.end(), I.Operands[0]) == Kills.end())
 		{
-			Module.Fail(
-				"a function call could not be inlined (OpFunctionCall); the CPU tier needs functions without recursion",
-				&I);
+			FailCall(I);
 		}
 		return;
 	}
@@ -308,6 +274,22 @@ void FSpirvChecker::CheckInstruction(const FSpirvInstruction& I)
 						" is not supported on the CPU tier; write the expression in another way, or report it",
 			&I);
 	}
+}
+
+/** The front end inlines nothing at all where it meets an operation that it does not know. */
+void FSpirvChecker::FailCall(const FSpirvInstruction& I) const
+{
+	if (!Module.RefusedElsewhere.Message.empty())
+	{
+		const FSpirvRefusedPlace& Place = Module.RefusedElsewhere;
+		throw FSpirvError(Place.Message, Module.Files[Place.File], Place.Line);
+	}
+	const auto Name = Module.FunctionNames.find(I.Operands[0]);
+	Module.Fail(
+		"the function " + (Name == Module.FunctionNames.end() ? std::string() : "'" + Name->second + "' ") +
+			"could not be inlined, which the CPU tier needs: it or one that it calls has no body, calls itself, or "
+			"does what the front end does not know",
+		&I);
 }
 
 void FSpirvChecker::RefuseGroupshared(uint32_t Id, const FSpirvInstruction& I) const

@@ -24,6 +24,7 @@ private:
 	void CheckBlock(const FSpirvBlock& Block);
 	void CheckTerminator(const FSpirvInstruction& I);
 	void CheckInstruction(const FSpirvInstruction& I);
+	[[noreturn]] void FailCall(const FSpirvInstruction& I) const;
 	void RefuseGroupshared(uint32_t Id, const FSpirvInstruction& I) const;
 	bool CheckMemory(const FSpirvInstruction& I);
 	bool CheckComposite(const FSpirvInstruction& I);

@@ -1,6 +1,8 @@
 // Emits control flow: masks where lanes part, plain branches where they do not.
 #include "SpirvEmitter.h"
 
+#include "SpirvLimits.h"
+
 #include <algorithm>
 
 namespace Drydock
@@ -26,11 +28,25 @@ void FSpirvEmitter::OpenScope(const std::string& Head)
 	Scopes.push_back(NumScopes++);
 }
 
-void FSpirvEmitter::CloseScope()
+void FSpirvEmitter::CloseScope(const char* Tail)
 {
 	Scopes.pop_back();
 	--Indent;
-	Line("}");
+	Line(Tail);
+}
+
+void FSpirvEmitter::SetPart(bool bOpen)
+{
+	if (bOpen && !PartStart)
+	{
+		OpenScope("[&]() __attribute__((noinline))");
+		PartStart = NumLines;
+	}
+	else if (!bOpen && PartStart)
+	{
+		CloseScope("}();");
+		PartStart = 0;
+	}
 }
 
 std::string FSpirvEmitter::MaskOf(uint32_t Label)
@@ -48,67 +64,95 @@ bool FSpirvEmitter::IsDirectBreak(uint32_t To) const
 	return !Loops.empty() && Module.GetBlock(Loops.back()).Merge == To && !Uniformity.IsDivergentLoop(Loops.back());
 }
 
-/** Some lanes that enter the region may not reach its end, while others do. A direct break takes all of them. */
-bool FSpirvEmitter::EscapesFrom(const FStructRegion& Region, const std::set<uint32_t>& Inside, bool bInnerLoop) const
+/** Some lanes that enter the region may not reach its end, while others do. A direct break takes all of them. Inside:
+ *  labels that jumps may go to without leaving. */
+bool FSpirvEmitter::EscapesFrom(
+	const FStructRegion& Region, std::initializer_list<uint32_t> Inside, bool bInnerLoop) const
 {
-	for (const FStructNode& Node : Region.Nodes)
-	{
-		if (Node.Kind == EStructNode::Kill || Node.Kind == EStructNode::Return)
-		{
-			return true;
-		}
-		if (Node.Kind == EStructNode::Edge && Node.bJump && !Inside.count(Node.To) &&
-			(bInnerLoop || !IsDirectBreak(Node.To)))
-		{
-			return true;
-		}
-		std::set<uint32_t> Deeper = Inside;
-		Deeper.insert({Node.Merge, Node.Continue});
-		for (const FStructCase& Case : Node.Cases)
-		{
-			Deeper.insert(Case.Label);
-		}
-		for (const FStructRegion& Inner : Node.Regions)
-		{
-			if (EscapesFrom(Inner, Deeper, bInnerLoop || Node.Kind == EStructNode::Loop))
-			{
-				return true;
-			}
-		}
-	}
-	return false;
+	return Region.bEnds || std::any_of(Region.Jumps.begin(), Region.Jumps.end(),
+							   [this, &Inside, bInnerLoop](const FStructJump& Jump)
+							   {
+								   const bool bStays = Jump.bFallsThrough ||
+													   std::find(Inside.begin(), Inside.end(), Jump.To) != Inside.end();
+								   return !bStays && (bInnerLoop || Jump.bInnerLoop || !IsDirectBreak(Jump.To));
+							   });
 }
 
 bool FSpirvEmitter::Escapes(const FStructNode& Node) const
 {
-	std::set<uint32_t> Inside{Node.Merge, Node.Continue};
-	for (const FStructCase& Case : Node.Cases)
-	{
-		Inside.insert(Case.Label);
-	}
+	const bool bLoop = Node.Kind == EStructNode::Loop;
 	return std::any_of(Node.Regions.begin(), Node.Regions.end(),
-		[this, &Inside, &Node](const FStructRegion& Region)
-		{ return EscapesFrom(Region, Inside, Node.Kind == EStructNode::Loop); });
+		[this, &Node, bLoop](const FStructRegion& Region) {
+			return EscapesFrom(Region, {Node.Merge, Node.Continue}, bLoop);
+		});
 }
 
-void FSpirvEmitter::EmitRegion(const FStructRegion& Region)
+void FSpirvEmitter::EmitRegion(const FStructRegion& Region, size_t First)
 {
+	const bool bCut = bInParts && !PartStart && Region.Weight > SpirvLimits::LinesPerPart;
 	size_t Guards = 0;
-	for (size_t i = 0; i < Region.Nodes.size(); ++i)
+	for (size_t i = First; i < Region.Nodes.size(); ++i)
 	{
 		const FStructNode& Node = Region.Nodes[i];
-		EmitNode(Node);
 		const bool bConstruct =
 			Node.Kind == EStructNode::If || Node.Kind == EStructNode::Switch || Node.Kind == EStructNode::Loop;
-		if (bConstruct && i + 1 < Region.Nodes.size() && Escapes(Node))
+		const bool bGuard = bConstruct && i + 1 < Region.Nodes.size() && Escapes(Node);
+		if (bCut)
+		{
+			SetPart(!bGuard && Node.Weight <= SpirvLimits::LinesPerPart && !Breaks(Node));
+		}
+		EmitNode(Node);
+		if (bCut && NumLines - PartStart > SpirvLimits::LinesPerPart)
+		{
+			SetPart(false);
+		}
+		if (bGuard)
 		{
 			OpenScope(GuardRest);
 			++Guards;
 		}
 	}
+	if (bCut)
+	{
+		SetPart(false);
+	}
 	for (; Guards; --Guards)
 	{
 		CloseScope();
+	}
+}
+
+/** The text of the node has a `break` out of it, which a function of its own could not have. */
+bool FSpirvEmitter::Breaks(const FStructNode& Node) const
+{
+	return (Node.Kind == EStructNode::Edge && Node.bJump && IsDirectBreak(Node.To)) ||
+		   std::any_of(Node.Regions.begin(), Node.Regions.end(),
+			   [this](const FStructRegion& Region)
+			   {
+				   return std::any_of(Region.Jumps.begin(), Region.Jumps.end(),
+					   [this](const FStructJump& Jump) { return IsDirectBreak(Jump.To); });
+			   });
+}
+
+void FSpirvEmitter::EmitBlock(const FStructNode& Node)
+{
+	CurrentBlock = Node.Label;
+	const bool bCut = bInParts && !PartStart && Node.Weight > SpirvLimits::LinesPerPart;
+	for (const FSpirvInstruction& I : Module.GetBlock(Node.Label).Instructions)
+	{
+		if (bCut)
+		{
+			SetPart(true);
+		}
+		EmitInstruction(I);
+		if (bCut && NumLines - PartStart > SpirvLimits::LinesPerPart)
+		{
+			SetPart(false);
+		}
+	}
+	if (bCut)
+	{
+		SetPart(false);
 	}
 }
 
@@ -117,11 +161,7 @@ void FSpirvEmitter::EmitNode(const FStructNode& Node)
 	switch (Node.Kind)
 	{
 	case EStructNode::Block:
-		CurrentBlock = Node.Label;
-		for (const FSpirvInstruction& I : Module.GetBlock(Node.Label).Instructions)
-		{
-			EmitInstruction(I);
-		}
+		EmitBlock(Node);
 		break;
 	case EStructNode::Edge:
 		EmitEdge(Node);
@@ -169,6 +209,7 @@ void FSpirvEmitter::EmitPhiCopies(uint32_t From, uint32_t To)
 	{
 		std::string Target;
 		std::string Source;
+		std::string Read; // the variable that Source reads
 		bool bMasked;
 	};
 	std::vector<FCopy> Copies;
@@ -212,20 +253,14 @@ void FSpirvEmitter::EmitPhiCopies(uint32_t From, uint32_t To)
 			const std::string Source = UseAs(Incoming, Kind, bVarying);
 			if (Source != Name)
 			{
-				Copies.push_back({Name, Source, bMasked});
+				Copies.push_back({Name, Source, Incoming.Text, bMasked});
 				Targets.insert(Name);
 			}
 		}
 	}
 	// All sources are read before any target is written; only sources that are targets themselves need a copy.
-	bool bOverlap = false;
-	for (const FCopy& Copy : Copies)
-	{
-		bOverlap = bOverlap ||
-				   std::any_of(Targets.begin(), Targets.end(),
-					   [&Copy](const std::string& Target)
-					   { return Copy.Source == Target || Copy.Source.find("(" + Target + ")") != std::string::npos; });
-	}
+	const bool bOverlap = std::any_of(
+		Copies.begin(), Copies.end(), [&Targets](const FCopy& Copy) { return Targets.count(Copy.Read) != 0; });
 	if (bOverlap)
 	{
 		OpenScope("");
@@ -369,18 +404,18 @@ void FSpirvEmitter::EmitSwitch(const FStructNode& Node)
 		for (size_t i = 0; i < Node.Cases.size(); ++i)
 		{
 			Line("e = " + Chosen(i) + ";");
-			FStructRegion Region = Node.Regions[i];
-			if (Findings.MasksNeeded.count(Node.Cases[i].Label) && Node.Cases[i].Label != Node.Merge)
+			const bool bFallenInto =
+				Findings.MasksNeeded.count(Node.Cases[i].Label) && Node.Cases[i].Label != Node.Merge;
+			if (bFallenInto)
 			{
 				// Lanes that fall into the case have their phis already; those that chose it get them now.
 				OpenScope(GuardRest);
 				EmitPhiCopies(Node.Label, Node.Cases[i].Label);
 				CloseScope();
-				Region.Nodes.erase(Region.Nodes.begin());
 				Line("e = e | " + MaskOf(Node.Cases[i].Label) + ";");
 			}
 			OpenScope(GuardRest);
-			EmitRegion(Region);
+			EmitRegion(Node.Regions[i], bFallenInto ? 1 : 0);
 			CloseScope();
 			Line("f" + Label + " = f" + Label + " | e;");
 		}

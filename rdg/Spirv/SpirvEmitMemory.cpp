@@ -1,6 +1,8 @@
 // Emits what concerns variables, buffers, inputs and outputs; SpirvEmitImages.cpp has the textures.
 #include "SpirvEmitter.h"
 
+#include "SpirvLimits.h"
+
 #include <algorithm>
 
 namespace Drydock
@@ -28,10 +30,14 @@ std::string Number(uint32_t Value)
 
 } // namespace
 
+const char* FSpirvEmitter::ArraySuffix(ESpirvType Kind)
+{
+	return Kind == Float ? "_f" : Kind == Int ? "_i" : Kind == Uint ? "_u" : "_b";
+}
+
 std::string FSpirvEmitter::LocalArray(const FSpirvVariable& Variable, ESpirvType Kind) const
 {
-	const char* const Suffix = Kind == Float ? "_f" : Kind == Int ? "_i" : Kind == Uint ? "_u" : "_b";
-	return "a" + Number(Variable.Id) + Suffix;
+	return "a" + Number(Variable.Id) + ArraySuffix(Kind);
 }
 
 FSpirvPlace FSpirvEmitter::Resolve(uint32_t Pointer) const
@@ -48,6 +54,14 @@ void FSpirvEmitter::DeclareVariables()
 		if (bChain && !Resolve(Id).Indices.empty())
 		{
 			DynamicVariables.insert(I->Operands[0]);
+		}
+	}
+	for (const FSpirvVariable& Variable : Module.Variables)
+	{
+		if (Variable.Storage != StorageOutput && IsLocal(Variable) &&
+			Module.GetType(Variable.Type).NumScalars >= SpirvLimits::MinArrayScalars)
+		{
+			DynamicVariables.insert(Variable.Id);
 		}
 	}
 	for (const FSpirvVariable& Variable : Module.Variables)
@@ -99,10 +113,13 @@ void FSpirvEmitter::DeclareVariables()
 			}
 			continue;
 		}
-		std::set<ESpirvType> Kinds;
-		for (uint32_t i = 0; i < Size; ++i)
+		const std::set<ESpirvType> Kinds = GetKinds(Variable.Type);
+		if (Table == Tables.end())
 		{
-			Kinds.insert(Module.GetScalarKind(Variable.Type, i));
+			const auto Chain = std::find_if(Definitions.begin(), Definitions.end(),
+				[&Variable](const auto& Entry)
+				{ return !Entry.second->Operands.empty() && Entry.second->Operands[0] == Variable.Id; });
+			CountArray(Size, Kinds.size(), Chain == Definitions.end() ? nullptr : Chain->second);
 		}
 		for (const ESpirvType Kind : Kinds)
 		{
@@ -126,11 +143,11 @@ void FSpirvEmitter::DeclareVariables()
 	}
 }
 
-std::string FSpirvEmitter::IndexText(const FSpirvPlace& Place, uint32_t Offset, bool& bVarying)
+std::string FSpirvEmitter::IndexText(const FSpirvPlace& Place, const std::string& Offset, bool& bVarying)
 {
 	bVarying = std::any_of(Place.Indices.begin(), Place.Indices.end(),
 		[this](const FSpirvIndex& Index) { return Scalar(Index.Value, 0).bVarying; });
-	std::string Text = bVarying ? "I(" + Number(Offset) + ")" : Number(Offset);
+	std::string Text = bVarying ? "I(" + Offset + ")" : Offset;
 	for (const FSpirvIndex& Index : Place.Indices)
 	{
 		const FEmitScalar Value = Scalar(Index.Value, 0);
@@ -157,7 +174,7 @@ FEmitScalar FSpirvEmitter::LoadLocal(const FSpirvPlace& Place, uint32_t ScalarIn
 		return {"l" + Number(Variable.Id) + "_" + Number(Offset), Kind, bVariableVaries, -1};
 	}
 	bool bIndexVaries = false;
-	const std::string Index = IndexText(Place, Offset, bIndexVaries);
+	const std::string Index = IndexText(Place, Number(Offset), bIndexVaries);
 	const std::string Array = LocalArray(Variable, Kind);
 	return {bIndexVaries ? "PickElement(" + Array + ", " + Index + ")" : Array + "[" + Index + "]", Kind,
 		bVariableVaries || bIndexVaries, -1};
@@ -166,7 +183,7 @@ FEmitScalar FSpirvEmitter::LoadLocal(const FSpirvPlace& Place, uint32_t ScalarIn
 FEmitScalar FSpirvEmitter::LoadConstantBuffer(const FSpirvPlace& Place, uint32_t ScalarIndex, ESpirvType Kind)
 {
 	bool bVarying = false;
-	const std::string Offset = IndexText(Place, Place.Offset + Place.Scalars[ScalarIndex], bVarying);
+	const std::string Offset = IndexText(Place, Number(Place.Offset + Place.Scalars[ScalarIndex]), bVarying);
 	const std::string Type = Kind == Float ? "float" : Kind == Int ? "int32_t" : "uint32_t";
 	const std::string Read = "ReadConstant<" + Type + ">(g" + Number(Place.Variable->Id) + ", " +
 							 (bVarying ? Offset : "uint32_t(" + Offset + ")") + ")";
@@ -187,7 +204,7 @@ std::string FSpirvEmitter::BufferOffsetText(const FSpirvPlace& Place, uint32_t S
 	if (!Place.Indices.empty())
 	{
 		bool bInnerVaries = false;
-		const std::string Inner = IndexText(Place, 0, bInnerVaries);
+		const std::string Inner = IndexText(Place, "0", bInnerVaries);
 		Text = (bInnerVaries && !bVarying ? "U(" + Text + ")" : Text) + " + " +
 			   (bInnerVaries ? "AsUint(" : "uint32_t(") + Inner + ")";
 		bVarying = bVarying || bInnerVaries;
@@ -268,6 +285,11 @@ std::vector<FEmitScalar> FSpirvEmitter::LoadInput(const FSpirvVariable& Variable
 void FSpirvEmitter::EmitLoad(const FSpirvInstruction& I)
 {
 	const FSpirvPlace Place = Resolve(I.Operands[0]);
+	if (IsLoopedCopy(Place))
+	{
+		EmitLoopedLoad(I, Place);
+		return;
+	}
 	std::vector<FEmitScalar> Loaded;
 	if (Place.Variable->Storage == StorageInput)
 	{
@@ -329,7 +351,7 @@ void FSpirvEmitter::EmitStore(uint32_t Pointer, const std::vector<FEmitScalar>& 
 		std::string Target = "l" + Number(Variable.Id) + "_" + Number(Offset);
 		if (DynamicVariables.count(Variable.Id))
 		{
-			const std::string Index = IndexText(Place, Offset, bIndexVaries);
+			const std::string Index = IndexText(Place, Number(Offset), bIndexVaries);
 			const std::string Array = LocalArray(Variable, Kind);
 			if (bIndexVaries)
 			{
@@ -358,6 +380,10 @@ bool FSpirvEmitter::EmitMemory(const FSpirvInstruction& I)
 		return true;
 	case OpStore:
 	{
+		if (EmitLoopedStore(I))
+		{
+			return true;
+		}
 		std::vector<FEmitScalar> New;
 		for (uint32_t i = 0; i < SizeOf(I.Operands[1]); ++i)
 		{

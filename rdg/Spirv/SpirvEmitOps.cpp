@@ -89,6 +89,7 @@ void FSpirvEmitter::EmitInstruction(const FSpirvInstruction& I)
 	{
 		return; // its variables are written by the edges
 	}
+	Current = &I;
 	SourceLine(I);
 	if (I.Op >= OpBranch && I.Op <= OpUnreachable)
 	{

@@ -1,6 +1,8 @@
 // Emits the kernel around the shader's code, and the scalars that it is made of.
 #include "SpirvEmitter.h"
 
+#include "SpirvLimits.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -27,12 +29,21 @@ FSpirvEmitter::FSpirvEmitter(const FSpirvEmitInput& Input, FFindings InFindings)
 			{
 				Definitions[I.Result] = &I;
 			}
+			for (const uint32_t Operand : I.Operands) // a literal that looks like an id costs a copy at worst
+			{
+				++NumUses[Operand];
+			}
 		}
 	}
 }
 
 void FSpirvEmitter::Line(const std::string& Text)
 {
+	if (++NumLines > SpirvLimits::MaxLines)
+	{
+		Module.FailLimit(SpirvLimits::MaxLines, "lines of C++ when it is translated",
+			"do less in one pass, or put large arrays into a buffer", Current);
+	}
 	Body.append(size_t(Indent), '\t');
 	Body += Text;
 	Body += '\n';
@@ -199,6 +210,7 @@ void FSpirvEmitter::DefineAll(const FSpirvInstruction& I, const std::vector<FEmi
 
 std::string FSpirvEmitter::EmitBody()
 {
+	bInParts = Structure.Root.Weight > SpirvLimits::MaxLinesUncut;
 	DeclareVariables();
 	EmitRegion(Structure.Root);
 	return Body;

@@ -1,13 +1,14 @@
 // The emitter's state and its parts: SpirvEmitter.cpp (module), SpirvEmitFlow.cpp (control flow and masks),
 // SpirvEmitOps.cpp (arithmetic), SpirvEmitComposites.cpp, SpirvEmitMemory.cpp (variables, buffers),
-// SpirvEmitImages.cpp.
+// SpirvEmitArrays.cpp, SpirvEmitImages.cpp.
 //
 // Values are single scalars: `const R v12_0 = v9_1 * v7_0;`. Moves between components cost no code at all. A scalar is
 // uniform (Real, int32_t, uint32_t, bool) or varying (R, I, U, M); C++ overloads do the rest. `e` is the mask of lanes
 // that run, and is never empty where code runs. A jump to T is `mT = mT | e; e = M(false);`, T itself `e = e | mT;`.
 //
 // The text is made twice: the first pass finds which values are used outside of the C++ block that defines them, the
-// second declares those at the top. Source of the masks per merge block: Pharr and Mark, "ispc" (InPar 2012).
+// second declares those at the top. A long text is cut into lambdas that are not inlined; what goes from one to the
+// other is found in the same way. Source of the masks per merge block: Pharr and Mark, "ispc" (InPar 2012).
 #pragma once
 
 #include "SpirvEmit.h"
@@ -47,7 +48,7 @@ public:
 
 private:
 	// Control flow
-	void EmitRegion(const FStructRegion& Region);
+	void EmitRegion(const FStructRegion& Region, size_t First = 0);
 	void EmitNode(const FStructNode& Node);
 	void EmitIf(const FStructNode& Node);
 	void EmitSwitch(const FStructNode& Node);
@@ -55,11 +56,15 @@ private:
 	void EmitEdge(const FStructNode& Node);
 	void EmitPhiCopies(uint32_t From, uint32_t To);
 	bool Escapes(const FStructNode& Node) const;
-	bool EscapesFrom(const FStructRegion& Region, const std::set<uint32_t>& Inside, bool bInnerLoop) const;
+	bool EscapesFrom(const FStructRegion& Region, std::initializer_list<uint32_t> Inside, bool bInnerLoop) const;
 	bool IsDirectBreak(uint32_t To) const;
 	std::string MaskOf(uint32_t Label);
 	void OpenScope(const std::string& Head);
-	void CloseScope();
+	void CloseScope(const char* Tail = "}");
+	void EmitBlock(const FStructNode& Node);
+	bool Breaks(const FStructNode& Node) const;
+	/** In a long kernel: what is emitted from here on is in a function of its own, or is not. */
+	void SetPart(bool bOpen);
 
 	// Instructions
 	void EmitInstruction(const FSpirvInstruction& I);
@@ -79,8 +84,9 @@ private:
 	FEmitScalar LoadConstantBuffer(const FSpirvPlace& Place, uint32_t Scalar, ESpirvType Kind);
 	FEmitScalar LoadStorageBuffer(const FSpirvPlace& Place, uint32_t Scalar, ESpirvType Kind);
 	FEmitScalar LoadLocal(const FSpirvPlace& Place, uint32_t Scalar, ESpirvType Kind);
-	std::string IndexText(const FSpirvPlace& Place, uint32_t Offset, bool& bVarying);
+	std::string IndexText(const FSpirvPlace& Place, const std::string& Offset, bool& bVarying);
 	std::string BufferOffsetText(const FSpirvPlace& Place, uint32_t Scalar, bool& bVarying);
+	static const char* ArraySuffix(ESpirvType Kind);
 	std::string LocalArray(const FSpirvVariable& Variable, ESpirvType Kind) const;
 	FSpirvPlace Resolve(uint32_t Pointer) const;
 	std::string HandleOf(uint32_t Id) const;
@@ -89,6 +95,23 @@ private:
 		const FSpirvInstruction& I, size_t Operand, uint32_t Count, bool bReal, size_t OffsetOperand);
 	void DeclareVariables();
 	void EmitOutputs();
+
+	// Arrays as values: copied by a loop, and not at all where the variable they come from can be read instead.
+	struct FArrayValue
+	{
+		std::map<ESpirvType, std::string> Names; // one C++ array for each kind of scalar in it
+		uint32_t Offset = 0;
+		bool bVarying = false;
+		int Local = -1;
+	};
+	bool IsLoopedCopy(const FSpirvPlace& Place) const;
+	bool CanReadInPlace(const FSpirvInstruction& Load, uint32_t Variable) const;
+	void EmitLoopedLoad(const FSpirvInstruction& I, const FSpirvPlace& Place);
+	/** False when the value is no array. */
+	bool EmitLoopedStore(const FSpirvInstruction& I);
+	const FArrayValue* FindArrayValue(uint32_t Value);
+	std::set<ESpirvType> GetKinds(uint32_t Type) const;
+	void CountArray(uint32_t Size, size_t NumKinds, const FSpirvInstruction* Where);
 
 	// Scalars
 	FEmitScalar Scalar(uint32_t Value, uint32_t Index);
@@ -124,8 +147,15 @@ private:
 	int NumScopes = 1;
 	std::vector<uint32_t> Loops; // headers of the C++ loops around the text
 	std::vector<FLocal> Locals;
-	std::map<uint32_t, std::vector<FEmitScalar>> Values;
+	std::unordered_map<uint32_t, std::vector<FEmitScalar>> Values;
+	std::map<uint32_t, FArrayValue> ArrayValues;
 	std::map<uint32_t, const FSpirvInstruction*> Definitions;
+	std::unordered_map<uint32_t, uint32_t> NumUses; // of results
+	const FSpirvInstruction* Current = nullptr;
+	uint64_t ArrayBytes = 0;
+	size_t NumLines = 0;
+	bool bInParts = false;               // long text is cut into functions
+	size_t PartStart = 0;                // line that the open part begins at, 0: none is open
 	std::set<uint32_t> DynamicVariables; // indexed at run time: C++ arrays
 	std::set<std::string> Declared;
 	uint32_t CurrentBlock = 0;

@@ -3,6 +3,8 @@
 // Source: Microsoft, "Packing rules for constant variables"; structured buffers are packed without padding.
 #include "SpirvLayout.h"
 
+#include "SpirvRefusals.h"
+
 namespace Drydock
 {
 
@@ -95,7 +97,10 @@ private:
 		const auto [Known, bNew] = Packing.emplace(TypeId, bTightPacking);
 		if (Known->second != bTightPacking)
 		{
-			Module.Fail("SPIR-V: a type is laid out in two ways");
+			Module.Fail(
+				"the type " + GetHlslTypeName(Module, Module.GetType(TypeId)) +
+				" is used in a constant buffer and in a structured buffer, which lay it out differently; declare it "
+				"twice, under two names");
 		}
 	}
 

@@ -15,6 +15,8 @@ FSpirvError::FSpirvError(const std::string& Message, std::string InFile, int InL
 
 FSpirvError::~FSpirvError() = default;
 
+FSpirvLimitError::~FSpirvLimitError() = default;
+
 void FSpirvModule::Fail(const std::string& Message, const FSpirvInstruction* Where) const
 {
 	if (Where && Where->File < Files.size())
@@ -22,6 +24,15 @@ void FSpirvModule::Fail(const std::string& Message, const FSpirvInstruction* Whe
 		throw FSpirvError(Message, Files[Where->File], Where->Line);
 	}
 	throw FSpirvError(Message);
+}
+
+void FSpirvModule::FailLimit(
+	size_t Limit, const std::string& What, const std::string& Advice, const FSpirvInstruction* Where) const
+{
+	const bool bKnown = Where && Where->File < Files.size();
+	throw FSpirvLimitError(
+		"the shader has more than " + std::to_string(Limit) + " " + What + ", which is drydock's limit; " + Advice,
+		bKnown ? Files[Where->File] : std::string(), bKnown ? Where->Line : 0);
 }
 
 const FSpirvType& FSpirvModule::GetType(uint32_t Id) const
@@ -127,12 +138,7 @@ uint32_t FSpirvModule::GetMemberScalar(uint32_t Type, uint32_t Index) const
 	{
 		return Index * GetType(MemberType).NumScalars;
 	}
-	uint32_t Position = 0;
-	for (uint32_t i = 0; i < Index; ++i)
-	{
-		Position += GetType(T.Members[i].Type).NumScalars;
-	}
-	return Position;
+	return T.MemberScalars[Index];
 }
 
 ESpirvType FSpirvModule::GetScalarKind(uint32_t Type, uint32_t Scalar) const
@@ -154,14 +160,12 @@ ESpirvType FSpirvModule::GetScalarKind(uint32_t Type, uint32_t Scalar) const
 		}
 		break;
 	case ESpirvType::Struct:
-		for (const FSpirvMember& Member : T.Members)
+		if (Scalar < T.NumScalars)
 		{
-			const uint32_t Size = GetType(Member.Type).NumScalars;
-			if (Scalar < Size)
-			{
-				return GetScalarKind(Member.Type, Scalar);
-			}
-			Scalar -= Size;
+			// The last member that begins at Scalar or before it.
+			const auto After = std::upper_bound(T.MemberScalars.begin(), T.MemberScalars.end(), Scalar);
+			const size_t Index = size_t(After - T.MemberScalars.begin()) - 1;
+			return GetScalarKind(T.Members[Index].Type, Scalar - T.MemberScalars[Index]);
 		}
 		break;
 	default:
@@ -204,40 +208,7 @@ std::vector<uint32_t> GetSuccessors(const FSpirvInstruction& Terminator)
 
 std::string GetSpirvOpName(uint16_t Op)
 {
-	struct FName
-	{
-		uint16_t Op;
-		const char* Name;
-	};
-	// Only what may stand in a message: operations that are refused.
-	static constexpr FName Names[] = {
-		{Spirv::OpFunctionCall, "OpFunctionCall"},
-		{Spirv::OpImageTexelPointer, "OpImageTexelPointer (atomics on a texture)"},
-		{88 + 1, "OpImageSampleDrefImplicitLod"},
-		{88 + 2, "OpImageSampleDrefExplicitLod"},
-		{97, "OpImageDrefGather"},
-		{Spirv::OpImageQueryLod, "OpImageQueryLod"},
-		{Spirv::OpImageQuerySamples, "OpImageQuerySamples"},
-		{Spirv::OpDPdx, "OpDPdx (ddx)"},
-		{Spirv::OpDPdy, "OpDPdy (ddy)"},
-		{Spirv::OpFwidth, "OpFwidth (fwidth)"},
-		{210, "OpDPdxFine (ddx_fine)"},
-		{211, "OpDPdyFine (ddy_fine)"},
-		{212, "OpFwidthFine"},
-		{213, "OpDPdxCoarse (ddx_coarse)"},
-		{214, "OpDPdyCoarse (ddy_coarse)"},
-		{215, "OpFwidthCoarse"},
-		{Spirv::OpControlBarrier, "OpControlBarrier (GroupMemoryBarrierWithGroupSync)"},
-		{Spirv::OpMemoryBarrier, "OpMemoryBarrier"},
-	};
-	for (const FName& Name : Names)
-	{
-		if (Name.Op == Op)
-		{
-			return Name.Name;
-		}
-	}
-	return "Op" + std::to_string(Op);
+	return Op == Spirv::OpFunctionCall ? "OpFunctionCall" : "Op" + std::to_string(Op);
 }
 
 } // namespace Drydock

@@ -30,6 +30,14 @@ public:
 	int Line;
 };
 
+/** A shader beyond one of the limits of SpirvLimits.h. */
+class DRYDOCK_API FSpirvLimitError : public FSpirvError
+{
+public:
+	using FSpirvError::FSpirvError;
+	~FSpirvLimitError() override;
+};
+
 enum class ESpirvType : uint8_t
 {
 	None,
@@ -69,6 +77,7 @@ struct FSpirvType
 	uint32_t Storage = 0;     // pointer
 	uint32_t ArrayStride = 0; // bytes
 	std::vector<FSpirvMember> Members;
+	std::vector<uint32_t> MemberScalars; // numeric struct: where the scalars of each member begin
 	std::string Name;
 	bool bBlock = false;
 	bool bBufferBlock = false;
@@ -120,6 +129,14 @@ struct FSpirvVariable
 	std::string Semantic; // "TEXCOORD0", "SV_TARGET1"
 };
 
+/** An operation that drydock does not run, in a function that was not inlined. */
+struct FSpirvRefusedPlace
+{
+	std::string Message; // empty: there is none
+	uint32_t File = 0;
+	int Line = 0;
+};
+
 struct FSpirvModule
 {
 	uint32_t Bound = 0;
@@ -127,13 +144,15 @@ struct FSpirvModule
 	uint32_t LocalSize[3] = {1, 1, 1};
 	std::unordered_map<uint32_t, FSpirvType> Types;
 	std::unordered_map<uint32_t, FSpirvConstant> Constants;
-	std::vector<FSpirvVariable> Variables;                // module scope first, then the function's
-	std::vector<std::string> Files;                       // Files[0] is empty
-	std::vector<FSpirvBlock> Blocks;                      // the entry function; Blocks[0] is its first block
-	std::unordered_map<uint32_t, uint32_t> BlockIndex;    // label -> index
-	std::unordered_map<uint32_t, uint32_t> VariableIndex; // id -> index
-	std::unordered_map<uint32_t, uint32_t> ValueTypes;    // id of a constant, variable or result -> type
-	std::vector<uint32_t> KillFunctions;                  // functions that only discard
+	std::vector<FSpirvVariable> Variables;                   // module scope first, then the function's
+	std::vector<std::string> Files;                          // Files[0] is empty
+	std::vector<FSpirvBlock> Blocks;                         // the entry function; Blocks[0] is its first block
+	std::unordered_map<uint32_t, uint32_t> BlockIndex;       // label -> index
+	std::unordered_map<uint32_t, uint32_t> VariableIndex;    // id -> index
+	std::unordered_map<uint32_t, uint32_t> ValueTypes;       // id of a constant, variable or result -> type
+	std::vector<uint32_t> KillFunctions;                     // functions that only discard
+	std::unordered_map<uint32_t, std::string> FunctionNames; // as in HLSL
+	FSpirvRefusedPlace RefusedElsewhere;
 
 	const FSpirvType& GetType(uint32_t Id) const;      // throws on an unknown id, as all of these
 	const FSpirvType& GetValueType(uint32_t Id) const; // type of a value
@@ -155,6 +174,9 @@ struct FSpirvModule
 	/** Walks from a value of Type by the indices, one a level. */
 	FPart FindPart(uint32_t Type, const uint32_t* Begin, const uint32_t* End) const;
 	[[noreturn]] void Fail(const std::string& Message, const FSpirvInstruction* Where = nullptr) const;
+	/** "more than LIMIT WHAT, which is drydock's limit; ADVICE" */
+	[[noreturn]] void FailLimit(size_t Limit, const std::string& What, const std::string& Advice,
+		const FSpirvInstruction* Where = nullptr) const;
 };
 
 /** Reads and checks a module with one entry point. Throws FSpirvError. */
@@ -163,7 +185,7 @@ DRYDOCK_API FSpirvModule ReadSpirv(const std::vector<uint32_t>& Words);
 /** Labels a terminator can go to, in operand order, without repetition. */
 std::vector<uint32_t> GetSuccessors(const FSpirvInstruction& Terminator);
 
-/** "OpDPdx", or "Op4711" when the number is unknown. */
+/** "OpFunctionCall", or "Op4711" when the number is not one that messages name. */
 std::string GetSpirvOpName(uint16_t Op);
 
 } // namespace Drydock

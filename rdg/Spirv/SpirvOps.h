@@ -43,7 +43,7 @@ enum EOp : uint16_t
 	OpControlBarrier = 224, OpMemoryBarrier = 225, OpAtomicLoad = 227, OpAtomicXor = 242,
 	OpPhi = 245, OpLoopMerge = 246, OpSelectionMerge = 247, OpLabel = 248, OpBranch = 249, OpBranchConditional = 250,
 	OpSwitch = 251, OpKill = 252, OpReturn = 253, OpReturnValue = 254, OpUnreachable = 255,
-	OpNoLine = 317, OpModuleProcessed = 330, OpGroupNonUniformElect = 333, OpGroupNonUniformQuadSwap = 366,
+	OpNoLine = 317, OpModuleProcessed = 330, OpDecorateId = 332, OpGroupNonUniformElect = 333, OpGroupNonUniformQuadSwap = 366,
 	OpDecorateString = 5632, OpMemberDecorateString = 5633
 };
 

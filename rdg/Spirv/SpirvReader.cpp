@@ -4,6 +4,8 @@
 
 #include "SpirvCheck.h"
 #include "SpirvLayout.h"
+#include "SpirvLimits.h"
+#include "SpirvRefusals.h"
 
 #include <algorithm>
 
@@ -11,13 +13,6 @@ namespace Drydock
 {
 
 using namespace Spirv;
-
-namespace
-{
-
-constexpr uint32_t MaxBound = 1u << 22;
-
-} // namespace
 
 void FSpirvReader::CheckId(uint32_t Id) const
 {
@@ -64,11 +59,66 @@ uint32_t FSpirvReader::FindFile(uint32_t StringId)
 	return Found->second;
 }
 
+void FSpirvReader::ReadInOtherFunction(uint16_t Op, FSpirvOperands& Operands)
+{
+	OpsOfOtherFunction.push_back(Op);
+	if (!Module.RefusedElsewhere.Message.empty() || Op == OpLabel)
+	{
+		return;
+	}
+	const std::vector<uint32_t> Words = Operands.Rest(); // type and result first, where there are any
+	std::string Message;
+	if (Op == OpLoad && Words.size() > 2)
+	{
+		const auto Found = Decorations.find(Words[2]);
+		const bool bBuiltIn = Found != Decorations.end() && Found->second.Values.count(DecorationBuiltIn);
+		Message = bBuiltIn ? ExplainRefusedBuiltIn(Found->second.Values.at(DecorationBuiltIn)) : std::string();
+	}
+	else if (Words.size() >= 2)
+	{
+		Message = ExplainRefusedOp(Op, Words.data() + 2, Words.size() - 2);
+	}
+	Module.RefusedElsewhere = {Message, CurrentFile, CurrentLine};
+}
+
+void FSpirvReader::CheckTypeFaults(const FSpirvInstruction& Instruction) const
+{
+	const auto Check = [this, &Instruction](uint32_t Type)
+	{
+		const auto Fault = TypeFaults.find(Type);
+		if (Fault != TypeFaults.end())
+		{
+			Fault->second.Throw(Module.Files[Instruction.File], Instruction.Line);
+		}
+	};
+	Check(Instruction.Type);
+	for (const uint32_t Operand : Instruction.Operands)
+	{
+		const auto Value = Module.ValueTypes.find(Operand);
+		Check(Value == Module.ValueTypes.end() ? 0 : Value->second);
+	}
+}
+
+void FSpirvReader::CountInstruction(const FSpirvInstruction& Instruction)
+{
+	if (++NumInstructions > SpirvLimits::MaxInstructions)
+	{
+		Module.FailLimit(SpirvLimits::MaxInstructions, "instructions when all calls are inlined",
+			"do less in one pass, or write what is unrolled as a loop", &Instruction);
+	}
+	NumValueScalars += Instruction.Result ? Module.GetType(Instruction.Type).NumScalars : 0;
+	if (NumValueScalars > SpirvLimits::MaxValueScalars)
+	{
+		Module.FailLimit(SpirvLimits::MaxValueScalars, "numbers in all its intermediate results",
+			"pass large arrays and structs less often, or put them into a buffer", &Instruction);
+	}
+}
+
 void FSpirvReader::ReadInFunction(uint16_t Op, FSpirvOperands& Operands)
 {
 	if (CurrentFunction != EntryPoint)
 	{
-		OpsOfOtherFunction.push_back(Op);
+		ReadInOtherFunction(Op, Operands);
 		return;
 	}
 	if (Op == OpLabel)
@@ -116,14 +166,20 @@ void FSpirvReader::ReadInFunction(uint16_t Op, FSpirvOperands& Operands)
 		Instruction.Result = Operands.Next();
 	}
 	Instruction.Operands = Operands.Rest();
+	if (!TypeFaults.empty())
+	{
+		CheckTypeFaults(Instruction);
+	}
 	if (Op == OpExtInst && (Instruction.Operands.size() < 2 || Instruction.Operands[0] != GlslImport))
 	{
-		throw FSpirvError("SPIR-V: an instruction of an unknown extended set", Module.Files[CurrentFile], CurrentLine);
+		throw FSpirvError("printf and other extensions are not supported on the CPU tier; leave them out",
+			Module.Files[CurrentFile], CurrentLine);
 	}
 	if (Instruction.Result)
 	{
 		DefineValue(Instruction.Result, Instruction.Type);
 	}
+	CountInstruction(Instruction);
 	if (Op == OpUndef)
 	{
 		const uint32_t NumScalars = Module.GetType(Instruction.Type).NumScalars;
@@ -146,6 +202,7 @@ void FSpirvReader::ReadInstruction(uint16_t Op, FSpirvOperands Operands)
 	case OpCapability:
 	case OpMemoryModel:
 	case OpModuleProcessed:
+	case OpDecorateId:
 		return;
 	case OpExtInstImport:
 	{
@@ -212,6 +269,9 @@ void FSpirvReader::ReadInstruction(uint16_t Op, FSpirvOperands Operands)
 		CurrentFunction = Operands.Next();
 		CheckId(CurrentFunction);
 		OpsOfOtherFunction.clear();
+		// "@F(f1;" is F(float) behind the front end's own entry point.
+		Module.FunctionNames[CurrentFunction] = Names[CurrentFunction].substr(0, Names[CurrentFunction].find('('));
+		std::erase(Module.FunctionNames[CurrentFunction], '@');
 		return;
 	case OpFunctionEnd:
 		if (OpsOfOtherFunction == std::vector<uint16_t>{OpLabel, OpKill})
@@ -256,7 +316,7 @@ FSpirvModule FSpirvReader::Read()
 		throw FSpirvError("SPIR-V: not a module");
 	}
 	Module.Bound = Words[3];
-	if (Module.Bound > MaxBound)
+	if (Module.Bound > SpirvLimits::MaxIds)
 	{
 		throw FSpirvError("SPIR-V: too many ids");
 	}
@@ -274,6 +334,10 @@ FSpirvModule FSpirvReader::Read()
 	if (bBlockOpen || CurrentFunction)
 	{
 		throw FSpirvError("SPIR-V: a block has no end");
+	}
+	if (!TypeFaults.empty())
+	{
+		TypeFaults.begin()->second.Throw();
 	}
 
 	for (auto& [Id, Type] : Module.Types)

@@ -60,6 +60,22 @@ private:
 	size_t Position = 0;
 };
 
+/** A type that cannot be used. It is reported where the shader first uses it, which has a line. */
+struct FSpirvTypeFault
+{
+	std::string Message;
+	bool bLimit = false;
+
+	[[noreturn]] void Throw(const std::string& File = {}, int Line = 0) const
+	{
+		if (bLimit)
+		{
+			throw FSpirvLimitError(Message, File, Line);
+		}
+		throw FSpirvError(Message, File, Line);
+	}
+};
+
 struct FSpirvDecorations
 {
 	std::map<uint32_t, uint32_t> Values; // decoration -> first literal
@@ -86,6 +102,9 @@ private:
 	void DefineType(uint32_t Id, FSpirvType Type);
 	void DefineValue(uint32_t Id, uint32_t Type);
 	void CheckId(uint32_t Id) const;
+	void CheckTypeFaults(const FSpirvInstruction& Instruction) const;
+	void ReadInOtherFunction(uint16_t Op, FSpirvOperands& Operands);
+	void CountInstruction(const FSpirvInstruction& Instruction);
 	uint32_t FindFile(uint32_t StringId);
 
 	const std::vector<uint32_t>& Words;
@@ -97,6 +116,9 @@ private:
 	std::map<uint32_t, FSpirvDecorations> Decorations;
 	std::map<std::pair<uint32_t, uint32_t>, FSpirvDecorations> MemberDecorations;
 	std::map<uint32_t, int> TypeDepths;
+	std::map<uint32_t, FSpirvTypeFault> TypeFaults;
+	size_t NumInstructions = 0;
+	size_t NumValueScalars = 0;
 	size_t NumConstantScalars = 0;
 	uint32_t EntryPoint = 0;
 	uint32_t GlslImport = 0;

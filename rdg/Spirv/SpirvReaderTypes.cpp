@@ -1,6 +1,9 @@
 // What a module declares outside of its function. Source: Khronos, SPIR-V specification 1.0.
 #include "SpirvReaderImpl.h"
 
+#include "SpirvLimits.h"
+#include "SpirvRefusals.h"
+
 #include <algorithm>
 
 namespace Drydock
@@ -8,23 +11,20 @@ namespace Drydock
 
 using namespace Spirv;
 
-namespace
-{
-
-constexpr uint32_t MaxScalars = 1u << 16;       // of one value
-constexpr size_t MaxConstantScalars = 1u << 22; // of all constants: three words make one of MaxScalars
-constexpr int MaxTypeDepth = 32;
-
-} // namespace
-
 void FSpirvReader::DefineType(uint32_t Id, FSpirvType Type)
 {
 	CheckId(Id);
+	Type.Name = Names[Id];
 	int Depth = 0;
-	const auto Contains = [this, &Depth](uint32_t Part) -> const FSpirvType&
+	const auto Contains = [this, &Depth, Id](uint32_t Part) -> const FSpirvType&
 	{
 		const FSpirvType& Found = Module.GetType(Part); // must be defined already, so types cannot contain themselves
 		Depth = std::max(Depth, TypeDepths[Part] + 1);
+		const auto Fault = TypeFaults.find(Part);
+		if (Fault != TypeFaults.end())
+		{
+			TypeFaults.emplace(Id, Fault->second);
+		}
 		return Found;
 	};
 	uint64_t NumScalars = 0;
@@ -48,7 +48,10 @@ void FSpirvReader::DefineType(uint32_t Id, FSpirvType Type)
 							   : Type.Count >= 1;
 		if (!bFits)
 		{
-			throw FSpirvError("SPIR-V: type " + std::to_string(Id) + " is malformed");
+			TypeFaults.emplace(Id, FSpirvTypeFault{"the type " + GetHlslTypeName(Module, Type) +
+												   " is not supported on the CPU tier; vectors have 2 to 4 components, "
+												   "matrices 2 to 4 rows and columns, "
+												   "arrays at least one element"});
 		}
 		NumScalars = uint64_t(Element.NumScalars) * Type.Count;
 		break;
@@ -59,6 +62,7 @@ void FSpirvReader::DefineType(uint32_t Id, FSpirvType Type)
 		for (const FSpirvMember& Member : Type.Members)
 		{
 			const uint32_t Size = Contains(Member.Type).NumScalars;
+			Type.MemberScalars.push_back(uint32_t(NumScalars));
 			bFlat = bFlat && Size != 0;
 			NumScalars += Size;
 		}
@@ -74,9 +78,19 @@ void FSpirvReader::DefineType(uint32_t Id, FSpirvType Type)
 	default:
 		break;
 	}
-	if (NumScalars > MaxScalars || Depth > MaxTypeDepth)
+	if (NumScalars > SpirvLimits::MaxTypeScalars)
 	{
-		throw FSpirvError("SPIR-V: type " + std::to_string(Id) + " is too large");
+		TypeFaults.emplace(
+			Id, FSpirvTypeFault{"the type " + GetHlslTypeName(Module, Type) + " has " + std::to_string(NumScalars) +
+									" numbers, more than the " + std::to_string(SpirvLimits::MaxTypeScalars) +
+									" that are drydock's limit; put a large array into a buffer or a texture",
+					true});
+		NumScalars = 0;
+	}
+	if (Depth > SpirvLimits::MaxTypeDepth)
+	{
+		Module.FailLimit(
+			SpirvLimits::MaxTypeDepth, "levels of structs and arrays inside each other", "use fewer levels");
 	}
 	Type.NumScalars = uint32_t(NumScalars);
 	TypeDepths[Id] = Depth;
@@ -104,8 +118,8 @@ void FSpirvReader::ReadType(uint16_t Op, FSpirvOperands& Operands)
 		Type.Kind = Operands.Next() ? ESpirvType::Int : ESpirvType::Uint;
 		if (Width != 32)
 		{
-			throw FSpirvError(
-				"integers of " + std::to_string(Width) + " bits are not supported on the CPU tier; use int or uint");
+			const std::string Name = (Type.Kind == ESpirvType::Int ? "int" : "uint") + std::to_string(Width) + "_t";
+			TypeFaults.emplace(Id, FSpirvTypeFault{Name + " is not supported on the CPU tier; use int or uint"});
 		}
 		break;
 	}
@@ -115,9 +129,10 @@ void FSpirvReader::ReadType(uint16_t Op, FSpirvOperands& Operands)
 		Type.Kind = ESpirvType::Float;
 		if (Width != 32)
 		{
-			throw FSpirvError("floats of " + std::to_string(Width) +
-							  " bits are not supported on the CPU tier; use float "
-							  "(run with --precision double for 64-bit arithmetic)");
+			TypeFaults.emplace(
+				Id, FSpirvTypeFault{(Width == 64 ? std::string("double") : "float" + std::to_string(Width) + "_t") +
+									" is not supported on the CPU tier; use float (and --precision double for 64-bit "
+									"arithmetic)"});
 		}
 		break;
 	}
@@ -179,6 +194,11 @@ void FSpirvReader::ReadConstant(uint16_t Op, FSpirvOperands& Operands)
 	FSpirvConstant Constant;
 	Constant.Type = Operands.Next();
 	const uint32_t Id = Operands.Next();
+	if (TypeFaults.count(Constant.Type))
+	{
+		DefineValue(Id, Constant.Type); // what uses it is refused
+		return;
+	}
 	const FSpirvType& Type = Module.GetType(Constant.Type);
 	switch (Op)
 	{
@@ -209,9 +229,9 @@ void FSpirvReader::ReadConstant(uint16_t Op, FSpirvOperands& Operands)
 		throw FSpirvError("SPIR-V: constant " + std::to_string(Id) + " does not fit its type");
 	}
 	NumConstantScalars += Constant.Scalars.size();
-	if (NumConstantScalars > MaxConstantScalars)
+	if (NumConstantScalars > SpirvLimits::MaxConstantScalars)
 	{
-		throw FSpirvError("SPIR-V: the constants are too large");
+		Module.FailLimit(SpirvLimits::MaxConstantScalars, "numbers in its constants", "put tables into a buffer");
 	}
 	DefineValue(Id, Constant.Type);
 	Module.Constants.emplace(Id, std::move(Constant));
@@ -231,7 +251,7 @@ void FSpirvReader::ReadVariable(FSpirvOperands& Operands, bool bInFunction)
 		throw FSpirvError("SPIR-V: variable " + std::to_string(Variable.Id) + " is malformed");
 	}
 	Variable.Type = Pointer.Element;
-	if (Variable.Initializer)
+	if (Variable.Initializer && !TypeFaults.count(Variable.Type))
 	{
 		const FSpirvConstant* Initial = Module.FindConstant(Variable.Initializer);
 		if (!Initial || Initial->Scalars.size() != Module.GetType(Variable.Type).NumScalars)

@@ -257,8 +257,9 @@ void FReflector::AddStorageBuffer(const FSpirvVariable& Variable)
 	const FSpirvType& Type = Module.GetType(Variable.Type);
 	if (Type.Members.size() != 1 || Module.GetType(Type.Members[0].Type).Kind != ESpirvType::RuntimeArray)
 	{
-		Module.Fail("buffer '" + Variable.Name +
-					"' is of a kind that the CPU tier does not know (append and consume buffers are not supported)");
+		Module.Fail("buffer '" + (Variable.Name.empty() ? Type.Name : Variable.Name) +
+					"' is of a kind that the CPU tier does not know (append and consume buffers and tbuffer are not "
+					"supported); use a StructuredBuffer, a Buffer or a cbuffer");
 	}
 	const FSpirvType& Array = Module.GetType(Type.Members[0].Type);
 	FShaderResource Resource;

@@ -1,6 +1,8 @@
 // Builds the tree of a shader's control flow from its merge instructions. Source: SPIR-V specification, section 2.11.
 #include "SpirvStructure.h"
 
+#include "SpirvLimits.h"
+
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -13,7 +15,73 @@ namespace
 
 using namespace Spirv;
 
-constexpr int MaxNesting = 200;
+bool CallsDiscard(const FSpirvBlock& Block)
+{
+	return std::any_of(Block.Instructions.begin(), Block.Instructions.end(),
+		[](const FSpirvInstruction& I) { return I.Op == OpFunctionCall; });
+}
+
+size_t GetWeight(const FSpirvModule& Module, const FSpirvBlock& Block)
+{
+	size_t Weight = 0;
+	for (const FSpirvInstruction& I : Block.Instructions)
+	{
+		Weight += I.Op == OpStore ? Module.GetValueType(I.Operands[1]).NumScalars
+				  : I.Result      ? Module.GetType(I.Type).NumScalars
+								  : 1;
+	}
+	return Weight;
+}
+
+/** Fills in what is found from the innermost regions outwards. */
+void FindExits(const FSpirvModule& Module, FStructRegion& Region)
+{
+	std::map<uint32_t, FStructJump> Jumps;
+	const auto Add = [&Jumps](const FStructJump& Jump)
+	{
+		FStructJump& Known = Jumps.emplace(Jump.To, Jump).first->second;
+		Known.bInnerLoop = Known.bInnerLoop || Jump.bInnerLoop;
+		Known.bFallsThrough = Known.bFallsThrough || Jump.bFallsThrough;
+	};
+	for (FStructNode& Node : Region.Nodes)
+	{
+		Region.bEnds = Region.bEnds || Node.Kind == EStructNode::Return || Node.Kind == EStructNode::Kill;
+		if (Node.Kind == EStructNode::Block)
+		{
+			Region.bDiscards = Region.bDiscards || CallsDiscard(Module.GetBlock(Node.Label));
+			Node.Weight = GetWeight(Module, Module.GetBlock(Node.Label));
+		}
+		if (Node.Kind == EStructNode::Edge && Node.bJump)
+		{
+			Add({Node.To, false, false});
+		}
+		std::set<uint32_t> Cases;
+		for (const FStructCase& Case : Node.Cases)
+		{
+			Cases.insert(Case.Label);
+		}
+		for (FStructRegion& Inner : Node.Regions)
+		{
+			FindExits(Module, Inner);
+			Region.bEnds = Region.bEnds || Inner.bEnds;
+			Region.bDiscards = Region.bDiscards || Inner.bDiscards;
+			Node.Weight += Inner.Weight;
+			for (FStructJump& Jump : Inner.Jumps)
+			{
+				Jump.bFallsThrough = Jump.bFallsThrough || Cases.count(Jump.To);
+				if (Jump.To != Node.Merge && Jump.To != Node.Continue)
+				{
+					Add({Jump.To, Jump.bInnerLoop || Node.Kind == EStructNode::Loop, Jump.bFallsThrough});
+				}
+			}
+		}
+		Region.Weight += Node.Weight;
+	}
+	for (const auto& [Label, Jump] : Jumps)
+	{
+		Region.Jumps.push_back(Jump);
+	}
+}
 
 class FBuilder
 {
@@ -26,6 +94,7 @@ public:
 	FSpirvStructure Build()
 	{
 		AddRegion(Result.Root, Module.Blocks[0].Label, 0);
+		FindExits(Module, Result.Root);
 		return std::move(Result);
 	}
 
@@ -60,9 +129,11 @@ private:
 
 void FBuilder::AddRegion(FStructRegion& Region, uint32_t Label, uint32_t Follow)
 {
-	if (++Nesting > MaxNesting)
+	if (++Nesting > SpirvLimits::MaxNesting)
 	{
-		Module.Fail("SPIR-V: control flow is nested too deeply");
+		Module.FailLimit(SpirvLimits::MaxNesting, "selections and loops inside each other",
+			"calls are inlined, and a return from the middle of a function nests all that follows it",
+			&Module.GetBlock(Label).Terminator());
 	}
 	Region.Follow = Follow;
 	while (Label)
@@ -205,6 +276,11 @@ uint32_t FBuilder::AddSwitch(FStructRegion& Region, const FSpirvBlock& Block)
 	{
 		Module.Fail("SPIR-V: a switch without a merge block of its own", &Terminator);
 	}
+	if (Open.size() + Terminator.Operands.size() / 2 > SpirvLimits::MaxOpenLabels)
+	{
+		Module.FailLimit(SpirvLimits::MaxOpenLabels, "cases in a switch and those around it",
+			"read a table (a static const array, a buffer) instead", &Terminator);
+	}
 	FStructNode Node;
 	Node.Kind = EStructNode::Switch;
 	Node.Label = Block.Label;
@@ -240,8 +316,14 @@ uint32_t FBuilder::AddSwitch(FStructRegion& Region, const FSpirvBlock& Block)
 	}
 	Result.OpenLabels[Block.Label] = Open;
 	// A case that falls through must come before the one it falls into.
+	std::map<uint32_t, size_t> CaseIndex;
+	for (size_t i = 0; i < Node.Cases.size(); ++i)
+	{
+		CaseIndex[Node.Cases[i].Label] = i;
+	}
 	std::vector<FStructRegion> Regions(Node.Cases.size());
-	std::vector<std::set<uint32_t>> FallsInto(Node.Cases.size());
+	std::vector<std::vector<size_t>> FallsInto(Node.Cases.size());
+	std::vector<size_t> NumBefore(Node.Cases.size(), 0);
 	for (size_t i = 0; i < Node.Cases.size(); ++i)
 	{
 		const uint32_t Label = Node.Cases[i].Label;
@@ -260,36 +342,45 @@ uint32_t FBuilder::AddSwitch(FStructRegion& Region, const FSpirvBlock& Block)
 		{
 			AddRegion(Regions[i], Label, Block.Merge);
 		}
-		FallsInto[i] = Reached;
+		for (const uint32_t To : Reached)
+		{
+			const auto Into = CaseIndex.find(To);
+			if (Into != CaseIndex.end() && Into->second != i && To != Block.Merge)
+			{
+				FallsInto[i].push_back(Into->second);
+				++NumBefore[Into->second];
+			}
+		}
 		Reached.insert(ReachedBefore.begin(), ReachedBefore.end());
 	}
 	Pop(Pushed);
 
-	std::vector<FStructCase> Ordered;
-	std::vector<bool> Placed(Node.Cases.size(), false);
-	while (Ordered.size() < Node.Cases.size())
+	std::set<size_t> Ready; // the first of them comes next
+	for (size_t i = 0; i < Node.Cases.size(); ++i)
 	{
-		const size_t Before = Ordered.size();
-		for (size_t i = 0; i < Node.Cases.size(); ++i)
+		if (NumBefore[i] == 0)
 		{
-			bool bReady = !Placed[i];
-			for (size_t k = 0; bReady && k < Node.Cases.size(); ++k)
+			Ready.insert(i);
+		}
+	}
+	std::vector<FStructCase> Ordered;
+	while (!Ready.empty())
+	{
+		const size_t Next = *Ready.begin();
+		Ready.erase(Ready.begin());
+		Ordered.push_back(Node.Cases[Next]);
+		Node.Regions.push_back(std::move(Regions[Next]));
+		for (const size_t Into : FallsInto[Next])
+		{
+			if (--NumBefore[Into] == 0)
 			{
-				bReady = Placed[k] || k == i || Node.Cases[i].Label == Block.Merge ||
-						 !FallsInto[k].count(Node.Cases[i].Label);
-			}
-			if (bReady)
-			{
-				Placed[i] = true;
-				Ordered.push_back(Node.Cases[i]);
-				Node.Regions.push_back(std::move(Regions[i]));
-				break;
+				Ready.insert(Into);
 			}
 		}
-		if (Ordered.size() == Before)
-		{
-			Module.Fail("SPIR-V: the cases of a switch fall through in a circle", &Terminator);
-		}
+	}
+	if (Ordered.size() < Node.Cases.size())
+	{
+		Module.Fail("SPIR-V: the cases of a switch fall through in a circle", &Terminator);
 	}
 	Node.Cases = std::move(Ordered);
 	const uint32_t Next = Reached.count(Block.Merge) ? Block.Merge : 0;

@@ -12,11 +12,23 @@ namespace Drydock
 
 struct FStructNode;
 
+/** A way out of a region past what follows it in the text. */
+struct FStructJump
+{
+	uint32_t To = 0;
+	bool bInnerLoop = false;    // from a loop inside of the region, perhaps among others
+	bool bFallsThrough = false; // to another case of a switch that the region is a case of, or that lies in it
+};
+
 /** Statements one after the other. Control that reaches the end goes on to the region's Follow label. */
 struct FStructRegion
 {
 	uint32_t Follow = 0; // 0: end of the function
 	std::vector<FStructNode> Nodes;
+	std::vector<FStructJump> Jumps; // of the region and all inside, by label
+	bool bEnds = false;             // a Return or Kill is in it or inside
+	bool bDiscards = false;         // a call of a function that discards is in it or inside
+	size_t Weight = 0;              // scalars that its instructions and all inside compute or store
 };
 
 enum class EStructNode : uint8_t
@@ -49,6 +61,7 @@ struct FStructNode
 	uint32_t Continue = 0; // loop
 	std::vector<FStructCase> Cases;
 	std::vector<FStructRegion> Regions;
+	size_t Weight = 0; // as of regions
 };
 
 struct FOpenLabel

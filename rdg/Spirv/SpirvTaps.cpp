@@ -2,8 +2,9 @@
 #include "SpirvReflect.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <optional>
-#include <set>
+#include <unordered_map>
 
 namespace Drydock
 {
@@ -15,12 +16,76 @@ using namespace Spirv;
 
 constexpr int32_t Unknown = -1;
 constexpr int64_t MaxTrips = 1 << 20;
+constexpr int64_t MaxSamples = 1 << 30;
 
 int32_t Add(int32_t A, int32_t B)
 {
-	return A == Unknown || B == Unknown ? Unknown : A + B;
+	return A == Unknown || B == Unknown || int64_t(A) + B > MaxSamples ? Unknown : A + B;
 }
 
+/** Some threads may not reach the region's end. Inside: labels that jumps may go to without leaving. */
+bool LeavesEarly(const FStructRegion& Region, std::initializer_list<uint32_t> Inside = {})
+{
+	return Region.bEnds || Region.bDiscards ||
+		   std::any_of(Region.Jumps.begin(), Region.Jumps.end(),
+			   [&Inside](const FStructJump& Jump)
+			   { return std::find(Inside.begin(), Inside.end(), Jump.To) == Inside.end(); });
+}
+
+/** How often `for (i = Start; i OP End; i += Step)` runs; nothing when that is never decided by the condition. */
+std::optional<int64_t> CountTrips(uint16_t Op, int64_t Start, int64_t End, int64_t Step)
+{
+	// Towards a bound that is not reached itself, in steps upwards.
+	int64_t Distance = 0;
+	int64_t Upwards = Step;
+	switch (Op)
+	{
+	case OpSLessThan:
+	case OpULessThan:
+		Distance = End - Start;
+		break;
+	case OpSLessThanEqual:
+	case OpULessThanEqual:
+		Distance = End - Start + 1;
+		break;
+	case OpSGreaterThan:
+	case OpUGreaterThan:
+		Distance = Start - End;
+		Upwards = -Step;
+		break;
+	case OpSGreaterThanEqual:
+	case OpUGreaterThanEqual:
+		Distance = Start - End + 1;
+		Upwards = -Step;
+		break;
+	case OpINotEqual:
+		if (Start == End)
+		{
+			return 0;
+		}
+		if (Step == 0 || (End - Start) % Step != 0)
+		{
+			return {};
+		}
+		Distance = Step > 0 ? End - Start : Start - End;
+		Upwards = Step > 0 ? Step : -Step;
+		if (Distance < 0)
+		{
+			return {};
+		}
+		break;
+	default:
+		return {};
+	}
+	if (Distance <= 0)
+	{
+		return 0;
+	}
+	const int64_t Trips = Upwards > 0 ? (Distance + Upwards - 1) / Upwards : MaxTrips + 1;
+	return Trips <= MaxTrips ? std::optional<int64_t>(Trips) : std::nullopt;
+}
+
+/** Each region is counted once, whoever asks how often. */
 class FCounter
 {
 public:
@@ -41,23 +106,31 @@ public:
 
 	int32_t Count(const FStructRegion& Region)
 	{
+		const auto Known = Counts.find(&Region);
+		if (Known != Counts.end())
+		{
+			return Known->second;
+		}
 		int32_t Sum = 0;
 		bool bSomeLeft = false; // threads that skip what follows
 		for (const FStructNode& Node : Region.Nodes)
 		{
 			const int32_t Samples = Count(Node);
-			Sum = Add(Sum, bSomeLeft && Samples != 0 ? Unknown : Samples);
+			Sum = bSomeLeft && Samples != 0 ? Unknown : Add(Sum, Samples);
 			for (const FStructRegion& Inner : Node.Regions)
 			{
 				bSomeLeft = bSomeLeft || LeavesEarly(Inner, {Node.Merge, Node.Continue});
 			}
 			bSomeLeft = bSomeLeft || (Node.Kind == EStructNode::Block && Discards(Node.Label));
 		}
+		Counts.emplace(&Region, Sum);
 		return Sum;
 	}
 
 private:
 	int32_t Count(const FStructNode& Node);
+	int32_t CountBlock(uint32_t Label) const;
+	int32_t CountLoop(const FStructNode& Node);
 	/** The block calls a function that discards. */
 	bool Discards(uint32_t Label) const
 	{
@@ -66,35 +139,11 @@ private:
 			[](const FSpirvInstruction& I) { return I.Op == OpFunctionCall; });
 	}
 	std::optional<int64_t> GetTrips(const FStructNode& Loop) const;
-	/** Some threads may not reach the region's end. Inside: labels that jumps may go to without leaving. */
-	bool LeavesEarly(const FStructRegion& Region, const std::set<uint32_t>& Inside = {}) const;
 
 	const FSpirvModule& Module;
-	std::map<uint32_t, const FSpirvInstruction*> Definitions;
+	std::unordered_map<uint32_t, const FSpirvInstruction*> Definitions;
+	std::unordered_map<const FStructRegion*, int32_t> Counts;
 };
-
-bool FCounter::LeavesEarly(const FStructRegion& Region, const std::set<uint32_t>& Inside) const
-{
-	for (const FStructNode& Node : Region.Nodes)
-	{
-		if ((Node.Kind == EStructNode::Edge && Node.bJump && !Inside.count(Node.To)) ||
-			(Node.Kind == EStructNode::Block && Discards(Node.Label)) || Node.Kind == EStructNode::Return ||
-			Node.Kind == EStructNode::Kill)
-		{
-			return true;
-		}
-		std::set<uint32_t> Deeper = Inside;
-		Deeper.insert({Node.Merge, Node.Continue});
-		for (const FStructRegion& Inner : Node.Regions)
-		{
-			if (LeavesEarly(Inner, Deeper))
-			{
-				return true;
-			}
-		}
-	}
-	return false;
-}
 
 /** for (i = A; i < B; i += C) with constants, left by its condition only. */
 std::optional<int64_t> FCounter::GetTrips(const FStructNode& Loop) const
@@ -143,28 +192,36 @@ std::optional<int64_t> FCounter::GetTrips(const FStructNode& Loop) const
 	{
 		return bSigned ? int64_t(int32_t(Bits)) : int64_t(Bits);
 	};
-	const int64_t End = Widen(Bound->Scalars[0]);
-	int64_t Trips = 0;
-	for (int64_t i = Widen(Start->Scalars[0]); Trips <= MaxTrips; i += *Step, ++Trips)
+	return CountTrips(Test.Op, Widen(Start->Scalars[0]), Widen(Bound->Scalars[0]), *Step);
+}
+
+int32_t FCounter::CountBlock(uint32_t Label) const
+{
+	int32_t Samples = 0;
+	for (const FSpirvInstruction& I : Module.GetBlock(Label).Instructions)
 	{
-		bool bGoOn = false;
-		// clang-format off
-		switch (Test.Op)
-		{
-		case OpSLessThan: case OpULessThan: bGoOn = i < End; break;
-		case OpSLessThanEqual: case OpULessThanEqual: bGoOn = i <= End; break;
-		case OpSGreaterThan: case OpUGreaterThan: bGoOn = i > End; break;
-		case OpSGreaterThanEqual: case OpUGreaterThanEqual: bGoOn = i >= End; break;
-		case OpINotEqual: bGoOn = i != End; break;
-		default: return {};
-		}
-		// clang-format on
-		if (!bGoOn)
-		{
-			return Trips;
-		}
+		Samples += I.Op == OpImageSampleExplicitLod || I.Op == OpImageSampleImplicitLod || I.Op == OpImageGather ||
+				   I.Op == OpImageFetch;
 	}
-	return {};
+	return Samples;
+}
+
+int32_t FCounter::CountLoop(const FStructNode& Node)
+{
+	const int32_t Once = Add(Count(Node.Regions[0]), Count(Node.Regions[1]));
+	if (Once == 0)
+	{
+		return 0;
+	}
+	// The header's own exit is the If that the body starts with; every other way out makes the count unknown.
+	const FStructRegion& Body = Node.Regions[0];
+	if (Body.Nodes.size() < 2 || Body.Nodes[1].Kind != EStructNode::If || LeavesEarly(Body.Nodes[1].Regions[0]))
+	{
+		return Unknown;
+	}
+	const std::optional<int64_t> Trips = GetTrips(Node);
+	const int32_t Inside = Add(Count(Body.Nodes[1].Regions[0]), Count(Node.Regions[1]));
+	return !Trips || Inside == Unknown || *Trips * Inside > MaxSamples ? Unknown : int32_t(*Trips) * Inside;
 }
 
 int32_t FCounter::Count(const FStructNode& Node)
@@ -172,43 +229,18 @@ int32_t FCounter::Count(const FStructNode& Node)
 	switch (Node.Kind)
 	{
 	case EStructNode::Block:
-	{
-		int32_t Samples = 0;
-		for (const FSpirvInstruction& I : Module.GetBlock(Node.Label).Instructions)
-		{
-			const bool bSample = I.Op == OpImageSampleExplicitLod || I.Op == OpImageSampleImplicitLod ||
-								 I.Op == OpImageGather || I.Op == OpImageFetch;
-			Samples += bSample;
-		}
-		return Samples;
-	}
+		return CountBlock(Node.Label);
 	case EStructNode::If:
 	case EStructNode::Switch:
 	{
-		int32_t Same = Count(Node.Regions[0]);
-		for (const FStructRegion& Region : Node.Regions)
-		{
-			Same = Count(Region) == Same ? Same : Unknown;
-		}
-		return Same;
+		const int32_t First = Count(Node.Regions[0]);
+		return std::all_of(Node.Regions.begin(), Node.Regions.end(),
+				   [this, First](const FStructRegion& Region) { return Count(Region) == First; })
+				   ? First
+				   : Unknown;
 	}
 	case EStructNode::Loop:
-	{
-		const int32_t Once = Add(Count(Node.Regions[0]), Count(Node.Regions[1]));
-		if (Once == 0)
-		{
-			return 0;
-		}
-		// The header's own exit is the If that the body starts with; every other way out makes the count unknown.
-		const FStructRegion& Body = Node.Regions[0];
-		if (Body.Nodes.size() < 2 || Body.Nodes[1].Kind != EStructNode::If || LeavesEarly(Body.Nodes[1].Regions[0]))
-		{
-			return Unknown;
-		}
-		const std::optional<int64_t> Trips = GetTrips(Node);
-		const int32_t Inside = Add(Count(Body.Nodes[1].Regions[0]), Count(Node.Regions[1]));
-		return !Trips || Inside == Unknown || *Trips * Inside > (1 << 30) ? Unknown : int32_t(*Trips) * Inside;
-	}
+		return CountLoop(Node);
 	default:
 		return 0;
 	}

@@ -58,8 +58,9 @@ private:
 	const FSpirvModule& Module;
 	const FSpirvStructure& Structure;
 	const std::map<uint32_t, uint32_t> Tables;
-	std::map<uint32_t, uint32_t> BlockOf; // value -> label of the block that defines it
-	std::map<uint32_t, const FSpirvInstruction*> Chains;
+	std::unordered_map<uint32_t, uint32_t> BlockOf; // value -> label of the block that defines it
+	std::unordered_map<uint32_t, const FSpirvInstruction*> Chains;
+	std::set<uint32_t> DivergentBranches; // blocks whose divergence has been spread: it only depends on the structure
 	FSpirvUniformity Result;
 	bool bChanged = false;
 };
@@ -77,9 +78,12 @@ void FUniformityAnalysis::Mark(uint32_t Value, uint32_t Scalar)
 
 void FUniformityAnalysis::MarkAll(uint32_t Value)
 {
-	for (uint32_t i = 0; i < SizeOf(Value); ++i)
+	std::vector<bool>& Flags = Result.Varying[Value];
+	Flags.resize(SizeOf(Value), false);
+	if (std::find(Flags.begin(), Flags.end(), false) != Flags.end())
 	{
-		Mark(Value, i);
+		Flags.assign(Flags.size(), true);
+		bChanged = true;
 	}
 }
 
@@ -353,7 +357,7 @@ void FUniformityAnalysis::VisitUses(const FSpirvBlock& Block, const FSpirvInstru
 void FUniformityAnalysis::SpreadDivergence(uint32_t Label)
 {
 	const auto Found = Structure.OpenLabels.find(Label);
-	if (Found == Structure.OpenLabels.end())
+	if (Found == Structure.OpenLabels.end() || !DivergentBranches.insert(Label).second)
 	{
 		return;
 	}
@@ -377,6 +381,12 @@ void FUniformityAnalysis::SpreadDivergence(uint32_t Label)
 		}
 	}
 
+	std::unordered_map<uint32_t, size_t> IndexOf; // a label may be open twice: the outer one counts
+	for (size_t i = 0; i < Open.size(); ++i)
+	{
+		IndexOf.emplace(Open[i].Label, i);
+	}
+
 	// The lanes meet again at the outermost label that any of them can reach.
 	size_t Join = Open.size();
 	std::set<size_t> Hit;
@@ -396,11 +406,10 @@ void FUniformityAnalysis::SpreadDivergence(uint32_t Label)
 			{
 				const uint32_t Current = Work.back();
 				Work.pop_back();
-				const auto Entry = std::find_if(
-					Open.begin(), Open.end(), [Current](const FOpenLabel& O) { return O.Label == Current; });
-				if (Entry != Open.end())
+				const auto Entry = IndexOf.find(Current);
+				if (Entry != IndexOf.end())
 				{
-					const size_t Index = size_t(Entry - Open.begin());
+					const size_t Index = Entry->second;
 					Hit.insert(Index);
 					Join = std::min(Join, Index);
 					bReachedOwn = bReachedOwn || Index == Own;

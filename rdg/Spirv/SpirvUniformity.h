@@ -27,7 +27,7 @@ public:
 
 private:
 	friend class FUniformityAnalysis;
-	std::map<uint32_t, std::vector<bool>> Varying;
+	std::unordered_map<uint32_t, std::vector<bool>> Varying;
 	std::set<uint32_t> VaryingVariables;
 	std::set<uint32_t> DivergentJoins;
 	std::set<uint32_t> DivergentLoops;

@@ -111,14 +111,54 @@ TEST(ShaderRefusals, GroupsharedNamesTheVariableAndTheLine)
 TEST(ShaderRefusals, BarriersAreNamed)
 {
 	EXPECT_THAT(ErrorsOfStatement("GroupMemoryBarrierWithGroupSync();\nOut[Id.xy] = 1;"),
-		HasSubstr("/Test/Shader.usf:4: error: OpControlBarrier"));
+		HasSubstr("/Test/Shader.usf:4: error: GroupMemoryBarrierWithGroupSync: barriers are not supported"));
 }
 
 TEST(ShaderRefusals, DerivativesSayWhatToDo)
 {
 	const std::string Errors = ErrorsOf(
 		"float4 Main(float2 UV : TEXCOORD0) : SV_Target0\n{\n\treturn ddx(UV).xyxy;\n}\n", EShaderStage::Pixel);
-	EXPECT_THAT(Errors, HasSubstr("/Test/Shader.usf:4: error: OpDPdx (ddx): there are no derivatives on the CPU tier"));
+	EXPECT_THAT(Errors, HasSubstr("/Test/Shader.usf:4: error: ddx: there are no derivatives on the CPU tier"));
+}
+
+TEST(ShaderRefusals, WaveIntrinsicsAreNamedAsInHlsl)
+{
+	const char* const Calls[] = {"WaveActiveSum(x)", "WavePrefixSum(x)", "WaveActiveProduct(x)", "WaveActiveMax(x)",
+		"WaveActiveMin(x)", "WaveActiveAnyTrue(x > 1)", "WaveActiveAllTrue(x > 1)", "WaveActiveBallot(x > 1).x",
+		"WaveReadLaneFirst(x)", "WaveReadLaneAt(x, 1)", "WaveIsFirstLane()", "WaveGetLaneCount()",
+		"WaveGetLaneIndex()"};
+	for (const std::string Call : Calls)
+	{
+		const std::string Name = Call.substr(0, Call.find('('));
+		EXPECT_THAT(ErrorsOfStatement("float x = Id.x;\nOut[Id.xy] = float4(" + Call + ", 0, 0, 1);"),
+			HasSubstr("/Test/Shader.usf:5: error: " + Name + ": wave operations are not supported on the CPU tier"));
+	}
+	EXPECT_THAT(ErrorsOfStatement("float x = Id.x;\nOut[Id.xy] = QuadReadAcrossX(x);"),
+		HasSubstr("/Test/Shader.usf:5: error: QuadReadAcross*: quad operations are not supported"));
+}
+
+TEST(ShaderRefusals, TypesAreNamedAsInHlsl)
+{
+	EXPECT_THAT(ErrorsOfStatement("double d = Id.x;\nOut[Id.xy] = float(d * d);"),
+		HasSubstr("error: double is not supported on the CPU tier; use float"));
+	EXPECT_THAT(ErrorsOfStatement("uint64_t d = Id.x;\nOut[Id.xy] = float(d * d);"),
+		HasSubstr("int64_t is not supported on the CPU tier; use int or uint"));
+	EXPECT_THAT(ErrorsOfStatement("Out[Id.xy] = T.Load(int2(0, 0), 0);", "Texture2DMS<float4> T;"),
+		HasSubstr("error: Texture2DMS<float4>: multisampled textures are not supported"));
+	EXPECT_THAT(ErrorsOfStatement("Out[Id.xy] = T.Load(int2(0, 0));", "Texture1D<float4> T;"),
+		HasSubstr("/Test/Shader.usf:4: error: Texture1D<float4> is not supported on the CPU tier; use Texture2D"));
+	EXPECT_THAT(ErrorsOf("float4 Main(float4x4 C : TEXCOORD0) : SV_Target0 { return C[1]; }\n", EShaderStage::Pixel),
+		HasSubstr("(float4x4)"));
+}
+
+TEST(ShaderRefusals, RecursionNamesTheFunctions)
+{
+	const std::string Errors = ErrorsOfStatement("Out[Id.xy] = F(int(Id.x));",
+		"float G(int n); float F(int n) { return n < 2 ? 1 : G(n - 1) * n; } float G(int n) { "
+		"return F(n - 1); }");
+	EXPECT_THAT(Errors, HasSubstr("'F' calls 'G'"));
+	EXPECT_THAT(Errors, HasSubstr("'G' calls 'F'"));
+	EXPECT_THAT(Errors, HasSubstr("write a loop"));
 }
 
 TEST(ShaderRefusals, AtomicsSayWhatToDo)

@@ -210,6 +210,42 @@ TEST(ShaderReflection, TapsAreUnknownWhereTheyDependOnParametersOrPixels)
 	EXPECT_EQ(-1, TapsOf("for (int i = 0; i < 4; ++i) { if (UV.x > i) break; C += T.SampleLevel(S, UV + i, 0); }"));
 }
 
+TEST(ShaderReflection, TapsOfDeepNestingAreCountedOnce)
+{
+	// 2^20 of 20 loops, and one behind 60 branches: a count that walks a branch twice would take 2^60 steps.
+	std::string Loops;
+	std::string Branches;
+	std::string Ends;
+	for (int i = 0; i < 20; ++i)
+	{
+		const std::string Name = "i" + std::to_string(i);
+		Loops += "for (int " + Name + " = 0; " + Name + " < 2; ++" + Name + ") ";
+	}
+	for (int i = 0; i < 60; ++i)
+	{
+		Branches += "if (UV.x > " + std::to_string(i) + ") { C.x += UV.y;\n";
+		Ends += "}";
+	}
+	EXPECT_EQ(1 << 20, TapsOf(Loops + "C += T.SampleLevel(S, UV + C.xy, 0);"));
+	EXPECT_EQ(1, TapsOf(Branches + Ends + "C += T.SampleLevel(S, UV, 0);"));
+	EXPECT_EQ(-1, TapsOf(Branches + "C += T.SampleLevel(S, UV, 0);" + Ends));
+}
+
+TEST(ShaderReflection, TapsFollowTheStepsOfALoop)
+{
+	const auto Count = [](const std::string& Head)
+	{
+		return TapsOf("for (" + Head + ") C += T.SampleLevel(S, UV + i, 0);");
+	};
+	EXPECT_EQ(4, Count("int i = 1; i < 11; i += 3"));
+	EXPECT_EQ(4, Count("int i = 1; i <= 10; i += 3"));
+	EXPECT_EQ(5, Count("int i = 10; i > 0; i += -2"));
+	EXPECT_EQ(6, Count("int i = 10; i >= 0; i += -2"));
+	EXPECT_EQ(5, Count("int i = 10; i != 0; i += -2"));
+	EXPECT_EQ(0, Count("int i = 10; i < 0; i += 1"));
+	EXPECT_EQ(-1, Count("int i = 0; i < 10000000; i += 1")) << "more than a count is worth";
+}
+
 TEST(ShaderReflection, TapsAreUnknownBehindADiscard)
 {
 	const std::string Head =

@@ -91,8 +91,9 @@ TEST(SpirvReader, RefusesFewWordsThatStandForGigabytes)
 			return Error.what();
 		}
 	};
-	EXPECT_EQ("SPIR-V: the constants are too large", ReadWith(64)) << "the length of the array is a constant too";
-	EXPECT_NE("SPIR-V: the constants are too large", ReadWith(63));
+	const std::string TooMany = "the shader has more than 4194304 numbers in its constants";
+	EXPECT_EQ(0u, ReadWith(64).find(TooMany)) << "the length of the array is a constant too";
+	EXPECT_NE(0u, ReadWith(63).find(TooMany));
 }
 
 TEST(SpirvReader, SurvivesMutations)
