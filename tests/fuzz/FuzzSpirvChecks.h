@@ -21,16 +21,17 @@ enum class ESpirvWalk : uint8_t
 	Run
 };
 
-/** Everything that is done with a module but compiling its text. Message: of what was refused. Anything thrown but
+/** Everything that is done with a module but compiling its text. Source: the .usf text that bindings are looked up in.
+ * Message: of what was refused. Anything thrown but
  * FSpirvError is the caller's to see. */
-inline ESpirvWalk WalkSpirv(const std::vector<uint32_t>& Words, std::string& Message)
+inline ESpirvWalk WalkSpirv(const std::vector<uint32_t>& Words, std::string& Message, const std::string& Source = {})
 {
 	ESpirvWalk Result = ESpirvWalk::Refused;
 	try
 	{
 		const FSpirvModule Module = ReadSpirv(Words);
 		const FSpirvStructure Structure = BuildSpirvStructure(Module);
-		const FSpirvReflection Reflection = ReflectSpirv(Module, Structure, "");
+		const FSpirvReflection Reflection = ReflectSpirv(Module, Structure, Source);
 		const FSpirvUniformity Uniformity = AnalyzeUniformity(Module, Structure);
 		EmitKernel({Module, Structure, Uniformity, Reflection}, "fuzzed");
 		Result = ESpirvWalk::Emitted;
