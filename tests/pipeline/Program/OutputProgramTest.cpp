@@ -132,7 +132,7 @@ TEST_F(OutputProgram, FolderInUseIsRefusedAtOnceByEveryVerb)
 {
 	const Drydock::FFolderLock Lock(Temporary.Path / "out");
 	for (const std::vector<std::string>& Arguments : {std::vector<std::string>{"run", Configs + "neutral.json"},
-			 {"run", Configs + "sequence.json"}, {"study", Configs + "study_blur_quick.json"}})
+			 {"run", Configs + "sequence.json"}, {"study", Configs + "study_storage.json"}})
 	{
 		std::vector<std::string> All = Arguments;
 		All.insert(All.end(), {"--out", "out"});
