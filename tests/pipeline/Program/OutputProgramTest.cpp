@@ -28,6 +28,7 @@ protected:
 		const pid_t Child = fork();
 		if (Child == 0)
 		{
+			std::signal(SIGHUP, SIG_DFL); // whoever runs the tests may ignore it
 			const int Log = open((Temporary.Path / "log.txt").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
 			dup2(Log, STDOUT_FILENO);
 			dup2(Log, STDERR_FILENO);
