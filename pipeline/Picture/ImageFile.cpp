@@ -13,6 +13,7 @@
 #include "Picture/ImageFormat.h"
 #include "RegularFile.h"
 #include "Text/ConfigErrors.h"
+#include "Text/TextFile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -244,11 +245,17 @@ void WriteImage(const std::string& Path, OIIO::ImageSpec& Spec, OIIO::TypeDesc P
 {
 	// No date in the header: an empty one keeps the library from adding today's.
 	Spec.attribute("DateTime", "");
+	OIIO::Filesystem::IOVecOutput Memory; // the library does not notice a full disk in PNG and in small EXR files
 	const std::unique_ptr<OIIO::ImageOutput> Output = OIIO::ImageOutput::create(Path);
+	const bool bInMemory = Output && Output->supports("ioproxy") && Output->set_ioproxy(&Memory);
 	if (!Output || !Output->open(Path, Spec) || !Output->write_image(PixelType, Pixels) || !Output->close())
 	{
 		throw MakeError(ErrorFileNotWritten, Path,
 			"the picture cannot be written: " + OneLine(Output ? Output->geterror() : OIIO::geterror()));
+	}
+	if (bInMemory)
+	{
+		WriteWholeFile(Path, std::string(Memory.buffer().begin(), Memory.buffer().end()));
 	}
 }
 
