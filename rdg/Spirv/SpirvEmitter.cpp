@@ -56,7 +56,8 @@ void FSpirvEmitter::SourceLine(const FSpirvInstruction& I)
 		LastFile = I.File;
 		LastLine = I.Line;
 		std::string File = Module.Files[I.File];
-		std::erase_if(File, [](char c) { return c == '"' || c == '\\' || c == '\n'; });
+		std::erase_if(File, [](char Character)
+			{ return Character == '"' || Character == '\\' || static_cast<unsigned char>(Character) < ' '; });
 		Body += "#line " + std::to_string(I.Line) + " \"" + File + "\"\n";
 	}
 }
