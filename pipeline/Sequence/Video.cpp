@@ -67,7 +67,7 @@ std::string PipeToEncoder(const std::vector<std::string>& Pictures, double Frame
 	// Through a pipe, because frame numbers may leave gaps. Video coders want even sizes and halved colour.
 	const std::string Command = fmt::format("ffmpeg -v error -y -f image2pipe -c:v png -framerate {:.6g} -i - -vf "
 											"'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p {}",
-		FramesPerSecond, Quote(Aside.GetPath().string()));
+		FramesPerSecond, Quote("file:" + Aside.GetPath().string())); // no option, no address
 	const FBrokenPipesIgnored Guard;
 	FILE* const Pipe = popen(Command.c_str(), "w");
 	if (Pipe == nullptr)
