@@ -39,7 +39,7 @@ struct FToonBloomInputs
 	/** Factor of toon pixels. */
 	float ToonIntensity = 1.0f;
 	/** Where toon pixels can be, from the corner of SceneColor's rect; not set: anywhere. Read by the bloom setup. */
-	std::optional<FIntRect> ToonBounds;
+	std::optional<FIntRect> ToonBounds = std::nullopt;
 };
 
 /** The input with toon pixels times the factor, in the same format. DrawRect: drawn by a pixel shader, in Output's

@@ -37,7 +37,7 @@ struct FScreenShaderPass
 	FScreenPassRenderTarget Output;
 	bool bCompute = false;
 	/** Texels of Output that are drawn, the others stay; not set: its rect. Pixel shaders only. */
-	std::optional<FIntRect> DrawRect;
+	std::optional<FIntRect> DrawRect = std::nullopt;
 };
 
 /** Adds the pass. The parameter structs of both shaders hold Common under that name; Permutation is that of both;

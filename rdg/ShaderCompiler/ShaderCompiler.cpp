@@ -134,8 +134,10 @@ auto ExplainSpirvErrors(const FShaderCompileRequest& Request, FWork Work)
 		const bool bLimit = dynamic_cast<const FSpirvLimitError*>(&Error) != nullptr;
 		const std::string Entry = "entry point " + Request.EntryPoint;
 		const std::string Message = Error.what() + (bKnown && bLimit ? " (" + Entry + ")" : std::string());
-		throw FError({ESeverity::Error, bLimit ? 6021 : 6020, Message, bKnown ? Error.File : Request.VirtualPath,
-						 Error.Line, 0, bKnown ? std::string() : Entry},
+		const std::string File = bKnown ? Error.File : Request.VirtualPath;
+		const std::string Where = bKnown ? std::string() : Entry;
+		throw FError(bLimit ? FDiagnostic{ESeverity::Error, 6021, Message, File, Error.Line, 0, Where}
+							: FDiagnostic{ESeverity::Error, 6020, Message, File, Error.Line, 0, Where},
 			ExitUsage);
 	}
 }

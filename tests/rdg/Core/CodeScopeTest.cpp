@@ -175,6 +175,7 @@ TEST(FaultDeathTest, OneOutsideAPluginIsDrydocksFault)
 
 TEST(FaultDeathTest, TheProgramsOwnEndIsNone)
 {
+	GTEST_FLAG_SET(death_test_style, "threadsafe"); // exit waits for threads of libraries, which a fork does not have
 	EXPECT_EXIT(
 		{
 			CrashAs(GHook, [] {});
