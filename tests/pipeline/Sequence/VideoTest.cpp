@@ -26,10 +26,12 @@ protected:
 	}
 	~Video() override { setenv("PATH", OldPath.c_str(), 1); }
 
-	/** A program whose last argument is $Last. */
+	/** A program whose last argument is $Last, a file and not an address. */
 	void Install(const std::string& Script) const
 	{
-		std::ofstream(Temporary.Path / "ffmpeg") << "#!/bin/sh\nfor Last; do :; done\n" << Script << "\n";
+		std::ofstream(Temporary.Path / "ffmpeg") << "#!/bin/sh\nfor Last; do :; done\n"
+													"case $Last in file:*) Last=${Last#file:};; *) exit 2;; esac\n"
+												 << Script << "\n";
 		Files::permissions(Temporary.Path / "ffmpeg", Files::perms::owner_all);
 	}
 
