@@ -6,9 +6,9 @@
 #include "PixelShaderUtils.h"
 #include "RenderGraphUtils.h"
 #include "SceneRendering.h"
+#include "SourceLocation.h"
 
 #include <optional>
-#include <source_location>
 
 namespace Drydock
 {
@@ -45,8 +45,7 @@ struct FScreenShaderPass
 template<typename TPixelShader, typename TComputeShader, typename TCommonParameters, typename TOutputParameter>
 FScreenPassTexture AddScreenShaderPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenShaderPass& Pass,
 	const TCommonParameters& Common, const typename TPixelShader::FPermutationDomain& Permutation,
-	TOutputParameter TComputeShader::FParameters::*ComputeOutput,
-	std::source_location Location = std::source_location::current())
+	TOutputParameter TComputeShader::FParameters::*ComputeOutput, FSourceLocation Location = FSourceLocation::Current())
 {
 	check(!Pass.bCompute || !Pass.DrawRect);
 	if (Pass.bCompute)

@@ -53,11 +53,6 @@ bool IsColorChannel(const std::string& Name)
 	return Name == "R" || Name == "G" || Name == "B" || Name == "Y" || Name == "I";
 }
 
-} // namespace
-
-namespace
-{
-
 /** Far enough that nothing is there, and near enough to be counted on with. */
 int GetDistance(int From, int To)
 {
@@ -65,18 +60,13 @@ int GetDistance(int From, int To)
 	return static_cast<int>(std::clamp(int64_t(To) - From, -Farthest, Farthest));
 }
 
-} // namespace
-
-namespace
-{
-
 /** Numbers that one read gives: 8 GB of them. */
 constexpr size_t MaxImageValues = size_t(1) << 31;
 
 /** Rows that are read at once, so that no second copy of the whole picture is held. Tiles are read all at once. */
 int GetBandHeight(const OIIO::ImageSpec& Spec, size_t NumChannels)
 {
-	constexpr size_t MaxBandValues = size_t(1) << 24;
+	constexpr size_t MaxBandValues = size_t(1) << 22;
 	constexpr size_t LargestChunk = 256; // rows that OpenEXR packs together
 	if (Spec.tile_width > 0)
 	{
@@ -87,13 +77,35 @@ int GetBandHeight(const OIIO::ImageSpec& Spec, size_t NumChannels)
 	return static_cast<int>(std::min(NumRows, static_cast<size_t>(Spec.height)));
 }
 
-/** Rows Y to EndY, counted from the first, of the channels Begin to End. */
+/** Rows Y to EndY, counted from the first, of the channels Begin to End. Rows are read as they are stored and converted
+ * here: the library's own conversion takes 16 MB for every call, however small the picture is. */
 bool ReadBand(OIIO::ImageInput& File, int Y, int EndY, int Begin, int End, float* To)
 {
 	const OIIO::ImageSpec& Spec = File.spec();
-	return Spec.tile_width > 0
-			   ? File.read_image(0, 0, Begin, End, OIIO::TypeDesc::FLOAT, To)
-			   : File.read_scanlines(0, 0, Spec.y + Y, Spec.y + EndY, 0, Begin, End, OIIO::TypeDesc::FLOAT, To);
+	if (Spec.tile_width > 0)
+	{
+		return File.read_image(0, 0, Begin, End, OIIO::TypeDesc::FLOAT, To);
+	}
+	const int NumRows = EndY - Y;
+	const size_t PixelBytes = Spec.pixel_bytes(Begin, End, true);
+	std::vector<std::byte> Stored(PixelBytes * static_cast<size_t>(Spec.width) * static_cast<size_t>(NumRows));
+	if (!File.read_native_scanlines(0, 0, Spec.y + Y, Spec.y + EndY, 0, Begin, End, Stored.data()))
+	{
+		return false;
+	}
+	const auto PixelStride = static_cast<OIIO::stride_t>(PixelBytes);
+	const auto FloatStride = static_cast<OIIO::stride_t>(sizeof(float)) * (End - Begin);
+	for (int Channel = Begin; Channel < End; ++Channel)
+	{
+		const size_t Offset = Spec.pixel_bytes(Begin, Channel, true);
+		if (!OIIO::convert_image(1, Spec.width, NumRows, 1, Stored.data() + Offset, Spec.channelformat(Channel),
+				PixelStride, OIIO::AutoStride, OIIO::AutoStride, To + (Channel - Begin), OIIO::TypeDesc::FLOAT,
+				FloatStride, OIIO::AutoStride, OIIO::AutoStride))
+		{
+			return false;
+		}
+	}
+	return true;
 }
 
 } // namespace

@@ -142,7 +142,7 @@ void FRDGBuilder::RequireOpen(const char* Call) const
 }
 
 void FRDGBuilder::CheckKnown(const void* Object, ERDGObject Kinds, const char* Call, const char* Parameter,
-	const std::source_location* Location) const
+	const Drydock::FSourceLocation* Location) const
 {
 	if (Object && State->IsKnown(Object, Kinds))
 	{
@@ -155,8 +155,8 @@ void FRDGBuilder::CheckKnown(const void* Object, ERDGObject Kinds, const char* C
 							 ? "the parameter points to something that is not of this graph (left from another graph, "
 							   "or deleted)"
 							 : "the parameter is null";
-	Diagnostic.File = Location ? Location->file_name() : "";
-	Diagnostic.Line = Location ? int(Location->line()) : 0;
+	Diagnostic.File = Location ? Location->File : "";
+	Diagnostic.Line = Location ? int(Location->Line) : 0;
 	Diagnostic.Where = std::string(Call) + ", parameter " + Parameter;
 	ThrowRDGErrors({Diagnostic});
 }

@@ -26,9 +26,9 @@
 #include "RenderGraphResources.h"
 #include "RenderTargetPool.h"
 #include "ShaderParameterMacros.h"
+#include "SourceLocation.h"
 
 #include <memory>
-#include <source_location>
 
 class DRYDOCK_API FRDGBuilder
 {
@@ -150,7 +150,7 @@ public:
 	/** Parameters declare what the pass touches; they must not change after the call. Null members are skipped. */
 	template<typename ParameterStructType, typename ExecuteLambdaType>
 	FRDGPassRef AddPass(FRDGEventName&& Name, const ParameterStructType* ParameterStruct, ERDGPassFlags Flags,
-		ExecuteLambdaType&& ExecuteLambda, std::source_location Location = std::source_location::current())
+		ExecuteLambdaType&& ExecuteLambda, Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current())
 	{
 		return AddPass(MoveTemp(Name), ParameterStructType::FTypeInfo::GetStructMetadata(), ParameterStruct, Flags,
 			std::forward<ExecuteLambdaType>(ExecuteLambda), Location);
@@ -159,7 +159,7 @@ public:
 	template<typename ExecuteLambdaType>
 	FRDGPassRef AddPass(FRDGEventName&& Name, const FShaderParametersMetadata* ParametersMetadata,
 		const void* ParameterStruct, ERDGPassFlags Flags, ExecuteLambdaType&& ExecuteLambda,
-		std::source_location Location = std::source_location::current())
+		Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current())
 	{
 		using FLambda = std::decay_t<ExecuteLambdaType>;
 		return AdoptPass(std::unique_ptr<FRDGPass>(new TRDGLambdaPass<FLambda>(MoveTemp(Name), ParametersMetadata,
@@ -169,7 +169,7 @@ public:
 	/** Without parameters: never culled, touches nothing that the graph knows. Flags: None, or NeverCull. */
 	template<typename ExecuteLambdaType>
 	FRDGPassRef AddPass(FRDGEventName&& Name, ERDGPassFlags Flags, ExecuteLambdaType&& ExecuteLambda,
-		std::source_location Location = std::source_location::current())
+		Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current())
 	{
 		return AddPass(MoveTemp(Name), nullptr, static_cast<const void*>(nullptr), Flags,
 			std::forward<ExecuteLambdaType>(ExecuteLambda), Location);
@@ -285,7 +285,7 @@ public:
 	 * which may be any. */
 	template<typename ObjectType>
 	void CheckArgument(const ObjectType* Object, const char* Call, const char* Parameter,
-		const std::source_location* Location = nullptr) const
+		const Drydock::FSourceLocation* Location = nullptr) const
 	{
 		CheckKnown(Object, Drydock::GetKinds(Object), Call, Parameter, Location);
 	}
@@ -308,7 +308,7 @@ private:
 	[[noreturn]] void Fail(int Code, const std::string& Message, const std::string& Where) const;
 	void RequireOpen(const char* Call) const;
 	void CheckKnown(const void* Object, Drydock::ERDGObject Kinds, const char* Call, const char* Parameter,
-		const std::source_location* Location) const;
+		const Drydock::FSourceLocation* Location) const;
 	FRDGTextureRef CheckParent(FRDGTextureRef Texture) const;
 	template<typename ObjectType>
 	void CheckOwn(const ObjectType* Object, const char* Call) const

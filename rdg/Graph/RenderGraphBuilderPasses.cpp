@@ -33,8 +33,8 @@ FRDGPassDescription DescribePass(const FRDGPass& Pass, const FRDGSettings& Setti
 	Description.Effect = Pass.GetEffect();
 	Description.Owner = FCodeOwner{Pass.GetOwner().Plugin, Pass.GetOwner().Callback}.Describe();
 	Description.Flags = Pass.GetFlags();
-	Description.File = Pass.GetLocation().file_name();
-	Description.Line = int32(Pass.GetLocation().line());
+	Description.File = Pass.GetLocation().File;
+	Description.Line = int32(Pass.GetLocation().Line);
 	Description.bHasParameters = Pass.GetParametersMetadata() != nullptr;
 	const ERDGPassFlags Async =
 		Settings.AsyncCompute == 2 ? ERDGPassFlags::AsyncCompute | ERDGPassFlags::Compute : ERDGPassFlags::AsyncCompute;
@@ -81,8 +81,8 @@ void FRDGBuilder::DeclarePass(FRDGPass& Pass)
 		Pass.Owner = {Running->Plugin, Running->IsForeign() ? Running->Callback : ""};
 	}
 	Pass.Owner.Pass = Pass.GetName();
-	Pass.Owner.File = Pass.Location.file_name();
-	Pass.Owner.Line = int(Pass.Location.line());
+	Pass.Owner.File = Pass.Location.File;
+	Pass.Owner.Line = int(Pass.Location.Line);
 	FRDGPassDescription Description = DescribePass(Pass, State->Settings);
 	if (Pass.Metadata && !Pass.Parameters)
 	{

@@ -476,8 +476,8 @@ void FRDGExecutor::WarnAboutUnused(const FRDGPass& Pass, const FRDGPassResources
 		Diagnostic.Code = RDGWarningUnusedParameter;
 		Diagnostic.Message = std::to_string(NumUnused) + " of " + std::to_string(Resources.Viewables.size()) +
 							 " resources of the pass were not actually used: " + Unused;
-		Diagnostic.File = Pass.GetLocation().file_name();
-		Diagnostic.Line = int(Pass.GetLocation().line());
+		Diagnostic.File = Pass.GetLocation().File;
+		Diagnostic.Line = int(Pass.GetLocation().Line);
 		Diagnostic.Where = std::string("pass ") + Pass.GetName();
 		ReportRDGWarning(Diagnostic, State.Settings.Debug == 1);
 	}

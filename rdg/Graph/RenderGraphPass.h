@@ -5,8 +5,8 @@
 #include "RenderGraphDefinitions.h"
 #include "RenderGraphEvent.h"
 #include "RunningCode.h"
+#include "SourceLocation.h"
 
-#include <source_location>
 #include <string>
 #include <type_traits>
 
@@ -37,7 +37,7 @@ public:
 	int32 GetIndex() const { return Index; }
 
 	/** Where AddPass was called. */
-	const std::source_location& GetLocation() const { return Location; }
+	const Drydock::FSourceLocation& GetLocation() const { return Location; }
 
 	/** Null for a pass without parameters. */
 	const FShaderParametersMetadata* GetParametersMetadata() const { return Metadata; }
@@ -64,7 +64,7 @@ public:
 
 protected:
 	FRDGPass(FRDGEventName&& InName, const FShaderParametersMetadata* InMetadata, const void* InParameters,
-		ERDGPassFlags InFlags, const std::source_location& InLocation)
+		ERDGPassFlags InFlags, const Drydock::FSourceLocation& InLocation)
 		: Name(MoveTemp(InName))
 		, Metadata(InMetadata)
 		, Parameters(InParameters)
@@ -83,7 +83,7 @@ private:
 	const FShaderParametersMetadata* Metadata;
 	const void* Parameters;
 	ERDGPassFlags Flags;
-	std::source_location Location;
+	Drydock::FSourceLocation Location;
 	std::string Scope;
 	std::string Effect;
 	Drydock::FCodeOwner Owner;
@@ -102,7 +102,7 @@ class TRDGLambdaPass final : public FRDGPass
 {
 public:
 	TRDGLambdaPass(FRDGEventName&& InName, const FShaderParametersMetadata* InMetadata, const void* InParameters,
-		ERDGPassFlags InFlags, LambdaType&& InLambda, const std::source_location& InLocation)
+		ERDGPassFlags InFlags, LambdaType&& InLambda, const Drydock::FSourceLocation& InLocation)
 		: FRDGPass(MoveTemp(InName), InMetadata, InParameters, InFlags, InLocation)
 		, Lambda(std::move(InLambda))
 	{

@@ -52,7 +52,7 @@ struct DRYDOCK_API FPixelShaderUtils
 		const TShaderRef<TShaderClass>& PixelShader, typename TShaderClass::FParameters* Parameters,
 		const FIntRect& Viewport, FRHIBlendState* BlendState = nullptr, FRHIRasterizerState* = nullptr,
 		FRHIDepthStencilState* DepthStencilState = nullptr, uint32 StencilRef = 0,
-		std::source_location Location = std::source_location::current())
+		Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current())
 	{
 		Drydock::CheckPassArguments(
 			"FPixelShaderUtils::AddFullscreenPass", PassName, TShaderRef<FShader>(PixelShader), Parameters, Location);

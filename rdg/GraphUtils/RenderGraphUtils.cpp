@@ -33,13 +33,13 @@ namespace
 {
 
 [[noreturn]] void ThrowAt(
-	const std::source_location& Location, int Code, const std::string& Message, const std::string& Where)
+	const Drydock::FSourceLocation& Location, int Code, const std::string& Message, const std::string& Where)
 {
 	FDiagnostic Diagnostic;
 	Diagnostic.Code = Code;
 	Diagnostic.Message = Message;
-	Diagnostic.File = Location.file_name();
-	Diagnostic.Line = int(Location.line());
+	Diagnostic.File = Location.File;
+	Diagnostic.Line = int(Location.Line);
 	Diagnostic.Where = Where;
 	ThrowRDGErrors({Diagnostic});
 }
@@ -61,7 +61,7 @@ void AnnotatePass(FRDGPassRef Pass, const TShaderRef<FShader>& Shader)
 }
 
 void CheckPassArguments(const char* Call, const FRDGEventName& PassName, const TShaderRef<FShader>& Shader,
-	const void* Parameters, const std::source_location& Location)
+	const void* Parameters, const Drydock::FSourceLocation& Location)
 {
 	const char* const Null = !Shader.IsValid() ? "shader" : !Parameters ? "Parameters" : nullptr;
 	if (Null)
@@ -71,7 +71,8 @@ void CheckPassArguments(const char* Call, const FRDGEventName& PassName, const T
 	}
 }
 
-void CheckGroupCount(const FRDGEventName& PassName, const FIntVector& GroupCount, const std::source_location& Location)
+void CheckGroupCount(
+	const FRDGEventName& PassName, const FIntVector& GroupCount, const Drydock::FSourceLocation& Location)
 {
 	if (GroupCount.X < 0 || GroupCount.Y < 0 || GroupCount.Z < 0)
 	{
@@ -115,8 +116,8 @@ struct FCopySide
 };
 
 /** What CopyTexture would refuse when the pass runs is said here, where it was written. */
-void CheckCopy(
-	FRDGTextureRef Input, FRDGTextureRef Output, const FRHICopyTextureInfo& Info, const std::source_location& Location)
+void CheckCopy(FRDGTextureRef Input, FRDGTextureRef Output, const FRHICopyTextureInfo& Info,
+	const Drydock::FSourceLocation& Location)
 {
 	const std::string Where = std::string("pass CopyTexture(") + Input->Name + " -> " + Output->Name + ")";
 	if (Input->Desc.Format != Output->Desc.Format)
@@ -172,8 +173,8 @@ void CheckCopy(
 	}
 }
 
-void CheckBufferCopy(
-	const FRDGBuffer& Buffer, uint64 Offset, uint64 NumBytes, const char* Call, const std::source_location& Location)
+void CheckBufferCopy(const FRDGBuffer& Buffer, uint64 Offset, uint64 NumBytes, const char* Call,
+	const Drydock::FSourceLocation& Location)
 {
 	if (NumBytes > Buffer.GetSize() || Offset > Buffer.GetSize() - NumBytes)
 	{
@@ -184,11 +185,24 @@ void CheckBufferCopy(
 	}
 }
 
-void CheckReadback(const void* Readback, const std::source_location& Location)
+void CheckReadback(const void* Readback, const Drydock::FSourceLocation& Location)
 {
 	if (!Readback)
 	{
 		ThrowAt(Location, RDGErrorNullArgument, "the parameter is null", "AddEnqueueCopyPass, parameter Readback");
+	}
+}
+
+void CheckReadbackRect(FRDGTextureRef Texture, const FIntRect& Rect, const Drydock::FSourceLocation& Location)
+{
+	const FIntPoint Extent = Texture->Desc.Extent;
+	if (!IsWithin(Rect.Min.X, Rect.Width(), Extent.X) || !IsWithin(Rect.Min.Y, Rect.Height(), Extent.Y))
+	{
+		ThrowAt(Location, RDGErrorCopy,
+			"the readback of " + ToText(FIntVector(Rect.Width(), Rect.Height(), 1)) + " texels at " +
+				ToText(FIntVector(Rect.Min.X, Rect.Min.Y, 0)) + " goes beyond the texture, which has " +
+				ToText(FIntVector(Extent.X, Extent.Y, 1)),
+			std::string("AddEnqueueCopyPass, resource ") + Texture->Name);
 	}
 }
 
@@ -197,7 +211,7 @@ void CheckReadback(const void* Readback, const std::source_location& Location)
 } // namespace Drydock
 
 void AddCopyTexturePass(FRDGBuilder& GraphBuilder, FRDGTextureRef InputTexture, FRDGTextureRef OutputTexture,
-	const FRHICopyTextureInfo& CopyInfo, std::source_location Location)
+	const FRHICopyTextureInfo& CopyInfo, Drydock::FSourceLocation Location)
 {
 	GraphBuilder.CheckArgument(InputTexture, "AddCopyTexturePass", "InputTexture", &Location);
 	GraphBuilder.CheckArgument(OutputTexture, "AddCopyTexturePass", "OutputTexture", &Location);
@@ -214,7 +228,7 @@ void AddCopyTexturePass(FRDGBuilder& GraphBuilder, FRDGTextureRef InputTexture, 
 }
 
 void AddCopyTexturePass(FRDGBuilder& GraphBuilder, FRDGTextureRef InputTexture, FRDGTextureRef OutputTexture,
-	FIntPoint InputPosition, FIntPoint OutputPosition, FIntPoint Size, std::source_location Location)
+	FIntPoint InputPosition, FIntPoint OutputPosition, FIntPoint Size, Drydock::FSourceLocation Location)
 {
 	FRHICopyTextureInfo CopyInfo;
 	CopyInfo.SourcePosition = FIntVector(InputPosition.X, InputPosition.Y, 0);
@@ -227,7 +241,7 @@ void AddCopyTexturePass(FRDGBuilder& GraphBuilder, FRDGTextureRef InputTexture, 
 }
 
 void AddCopyBufferPass(FRDGBuilder& GraphBuilder, FRDGBufferRef DstBuffer, uint64 DstOffset, FRDGBufferRef SrcBuffer,
-	uint64 SrcOffset, uint64 NumBytes, std::source_location Location)
+	uint64 SrcOffset, uint64 NumBytes, Drydock::FSourceLocation Location)
 {
 	GraphBuilder.CheckArgument(DstBuffer, "AddCopyBufferPass", "DstBuffer", &Location);
 	GraphBuilder.CheckArgument(SrcBuffer, "AddCopyBufferPass", "SrcBuffer", &Location);
@@ -244,13 +258,13 @@ void AddCopyBufferPass(FRDGBuilder& GraphBuilder, FRDGBufferRef DstBuffer, uint6
 }
 
 void AddCopyBufferPass(
-	FRDGBuilder& GraphBuilder, FRDGBufferRef DstBuffer, FRDGBufferRef SrcBuffer, std::source_location Location)
+	FRDGBuilder& GraphBuilder, FRDGBufferRef DstBuffer, FRDGBufferRef SrcBuffer, Drydock::FSourceLocation Location)
 {
 	GraphBuilder.CheckArgument(SrcBuffer, "AddCopyBufferPass", "SrcBuffer", &Location);
 	AddCopyBufferPass(GraphBuilder, DstBuffer, 0, SrcBuffer, 0, SrcBuffer->GetSize(), Location);
 }
 
-void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, std::source_location Location)
+void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, Drydock::FSourceLocation Location)
 {
 	GraphBuilder.CheckArgument(Texture, "AddClearRenderTargetPass", "Texture", &Location);
 	FRenderTargetParameters* Parameters = GraphBuilder.AllocParameters<FRenderTargetParameters>();
@@ -260,8 +274,8 @@ void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture,
 		[](FRHICommandList&) {}, Location);
 }
 
-void AddClearRenderTargetPass(
-	FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, const FLinearColor& ClearColor, std::source_location Location)
+void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, const FLinearColor& ClearColor,
+	Drydock::FSourceLocation Location)
 {
 	GraphBuilder.CheckArgument(Texture, "AddClearRenderTargetPass", "Texture", &Location);
 	AddClearRenderTargetPass(
@@ -269,7 +283,7 @@ void AddClearRenderTargetPass(
 }
 
 void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, const FLinearColor& ClearColor,
-	FIntRect Viewport, std::source_location Location)
+	FIntRect Viewport, Drydock::FSourceLocation Location)
 {
 	GraphBuilder.CheckArgument(Texture, "AddClearRenderTargetPass", "Texture", &Location);
 	const FIntRect Whole(FIntPoint::ZeroValue, Texture->Desc.Extent);
@@ -292,7 +306,7 @@ void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture,
 }
 
 void AddClearDepthStencilPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, bool bClearDepth, float Depth,
-	bool bClearStencil, uint8 Stencil, std::source_location Location)
+	bool bClearStencil, uint8 Stencil, Drydock::FSourceLocation Location)
 {
 	GraphBuilder.CheckArgument(Texture, "AddClearDepthStencilPass", "Texture", &Location);
 	using EAccess = FExclusiveDepthStencil;
@@ -330,7 +344,7 @@ namespace
 {
 
 template<typename ParametersType, typename UAVType, typename LambdaType>
-void AddClearPass(FRDGBuilder& GraphBuilder, UAVType UAV, const std::source_location& Location, LambdaType&& Clear)
+void AddClearPass(FRDGBuilder& GraphBuilder, UAVType UAV, const Drydock::FSourceLocation& Location, LambdaType&& Clear)
 {
 	GraphBuilder.CheckArgument(UAV, "AddClearUAVPass", "UAV", &Location);
 	ParametersType* Parameters = GraphBuilder.AllocParameters<ParametersType>();
@@ -342,7 +356,8 @@ void AddClearPass(FRDGBuilder& GraphBuilder, UAVType UAV, const std::source_loca
 
 } // namespace
 
-void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGBufferUAVRef BufferUAV, uint32 Value, std::source_location Location)
+void AddClearUAVPass(
+	FRDGBuilder& GraphBuilder, FRDGBufferUAVRef BufferUAV, uint32 Value, Drydock::FSourceLocation Location)
 {
 	AddClearPass<FClearBufferUAVParameters>(GraphBuilder, BufferUAV, Location,
 		[Value](FRHIComputeCommandList& RHICmdList, FRHIUnorderedAccessView* UAV)
@@ -350,7 +365,7 @@ void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGBufferUAVRef BufferUAV, uint
 }
 
 void AddClearUAVFloatPass(
-	FRDGBuilder& GraphBuilder, FRDGBufferUAVRef BufferUAV, float Value, std::source_location Location)
+	FRDGBuilder& GraphBuilder, FRDGBufferUAVRef BufferUAV, float Value, Drydock::FSourceLocation Location)
 {
 	AddClearPass<FClearBufferUAVParameters>(GraphBuilder, BufferUAV, Location,
 		[Value](FRHIComputeCommandList& RHICmdList, FRHIUnorderedAccessView* UAV)
@@ -358,7 +373,7 @@ void AddClearUAVFloatPass(
 }
 
 void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const FUintVector4& ClearValues,
-	std::source_location Location)
+	Drydock::FSourceLocation Location)
 {
 	AddClearPass<FClearTextureUAVParameters>(GraphBuilder, TextureUAV, Location,
 		[ClearValues](FRHIComputeCommandList& RHICmdList, FRHIUnorderedAccessView* UAV)
@@ -366,7 +381,7 @@ void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, co
 }
 
 void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const FVector4f& ClearValues,
-	std::source_location Location)
+	Drydock::FSourceLocation Location)
 {
 	AddClearPass<FClearTextureUAVParameters>(GraphBuilder, TextureUAV, Location,
 		[ClearValues](FRHIComputeCommandList& RHICmdList, FRHIUnorderedAccessView* UAV)
@@ -374,45 +389,46 @@ void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, co
 }
 
 void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const FLinearColor& ClearColor,
-	std::source_location Location)
+	Drydock::FSourceLocation Location)
 {
 	AddClearUAVPass(
 		GraphBuilder, TextureUAV, FVector4f(ClearColor.R, ClearColor.G, ClearColor.B, ClearColor.A), Location);
 }
 
 void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const float (&ClearValues)[4],
-	std::source_location Location)
+	Drydock::FSourceLocation Location)
 {
 	AddClearUAVPass(
 		GraphBuilder, TextureUAV, FVector4f(ClearValues[0], ClearValues[1], ClearValues[2], ClearValues[3]), Location);
 }
 
 void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const uint32 (&ClearValues)[4],
-	std::source_location Location)
+	Drydock::FSourceLocation Location)
 {
 	AddClearUAVPass(GraphBuilder, TextureUAV,
 		FUintVector4(ClearValues[0], ClearValues[1], ClearValues[2], ClearValues[3]), Location);
 }
 
 void AddEnqueueCopyPass(FRDGBuilder& GraphBuilder, FRHIGPUTextureReadback* Readback, FRDGTextureRef SourceTexture,
-	FResolveRect Rect, std::source_location Location)
+	FResolveRect Rect, Drydock::FSourceLocation Location)
 {
 	GraphBuilder.CheckArgument(SourceTexture, "AddEnqueueCopyPass", "SourceTexture", &Location);
 	Drydock::CheckReadback(Readback, Location);
+	const FIntRect Area = Rect.IsValid() ? FIntRect(Rect.X1, Rect.Y1, Rect.X2, Rect.Y2)
+										 : FIntRect(FIntPoint(0, 0), SourceTexture->Desc.Extent);
+	Drydock::CheckReadbackRect(SourceTexture, Area, Location);
 	AddReadbackTexturePass(
 		GraphBuilder, RDG_EVENT_NAME("EnqueueCopy(%s)", SourceTexture->Name), SourceTexture,
-		[Readback, SourceTexture, Rect](FRHICommandList& RHICmdList)
+		[Readback, SourceTexture, Area](FRHICommandList& RHICmdList)
 		{
-			const FIntVector Position(Rect.X1 >= 0 ? Rect.X1 : 0, Rect.Y1 >= 0 ? Rect.Y1 : 0, 0);
-			const FIntVector Size(Rect.X2 - Position.X, Rect.Y2 - Position.Y, 1);
-			Readback->EnqueueCopy(
-				RHICmdList, SourceTexture->GetRHI(), Position, 0, Rect.IsValid() ? Size : FIntVector(0, 0, 0));
+			Readback->EnqueueCopy(RHICmdList, SourceTexture->GetRHI(), FIntVector(Area.Min.X, Area.Min.Y, 0), 0,
+				FIntVector(Area.Width(), Area.Height(), 1));
 		},
 		Location);
 }
 
 void AddEnqueueCopyPass(FRDGBuilder& GraphBuilder, FRHIGPUBufferReadback* Readback, FRDGBufferRef SourceBuffer,
-	uint32 NumBytes, std::source_location Location)
+	uint32 NumBytes, Drydock::FSourceLocation Location)
 {
 	GraphBuilder.CheckArgument(SourceBuffer, "AddEnqueueCopyPass", "SourceBuffer", &Location);
 	Drydock::CheckReadback(Readback, Location);

@@ -7,9 +7,9 @@
 #include "RHIGPUReadback.h"
 #include "RenderGraphBuilder.h"
 #include "ShaderParameterStruct.h"
+#include "SourceLocation.h"
 #include "SystemTextures.h"
 
-#include <source_location>
 #include <type_traits>
 
 namespace Drydock
@@ -20,11 +20,11 @@ DRYDOCK_API void AnnotatePass(FRDGPassRef Pass, const TShaderRef<FShader>& Shade
 
 /** Throws DD2006 where a pass would be added without a shader or without parameters. */
 DRYDOCK_API void CheckPassArguments(const char* Call, const FRDGEventName& PassName, const TShaderRef<FShader>& Shader,
-	const void* Parameters, const std::source_location& Location);
+	const void* Parameters, const Drydock::FSourceLocation& Location);
 
 /** Throws DD2017 for a negative count. */
 DRYDOCK_API void CheckGroupCount(
-	const FRDGEventName& PassName, const FIntVector& GroupCount, const std::source_location& Location);
+	const FRDGEventName& PassName, const FIntVector& GroupCount, const Drydock::FSourceLocation& Location);
 
 } // namespace Drydock
 
@@ -33,73 +33,75 @@ DRYDOCK_API void CheckGroupCount(
 /** Copies a region of mips and slices; formats must agree. */
 DRYDOCK_API void AddCopyTexturePass(FRDGBuilder& GraphBuilder, FRDGTextureRef InputTexture,
 	FRDGTextureRef OutputTexture, const FRHICopyTextureInfo& CopyInfo,
-	std::source_location Location = std::source_location::current());
+	Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current());
 
 /** Copies Size texels (zero: the whole input) from InputPosition to OutputPosition. */
 DRYDOCK_API void AddCopyTexturePass(FRDGBuilder& GraphBuilder, FRDGTextureRef InputTexture,
 	FRDGTextureRef OutputTexture, FIntPoint InputPosition = FIntPoint::ZeroValue,
 	FIntPoint OutputPosition = FIntPoint::ZeroValue, FIntPoint Size = FIntPoint::ZeroValue,
-	std::source_location Location = std::source_location::current());
+	Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current());
 
 DRYDOCK_API void AddCopyBufferPass(FRDGBuilder& GraphBuilder, FRDGBufferRef DstBuffer, uint64 DstOffset,
 	FRDGBufferRef SrcBuffer, uint64 SrcOffset, uint64 NumBytes,
-	std::source_location Location = std::source_location::current());
+	Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current());
 DRYDOCK_API void AddCopyBufferPass(FRDGBuilder& GraphBuilder, FRDGBufferRef DstBuffer, FRDGBufferRef SrcBuffer,
-	std::source_location Location = std::source_location::current());
+	Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current());
 
 // Clears ------------------------------------------------------------------------------------------------------------
 
 /** Clears to the texture's own clear value. */
-DRYDOCK_API void AddClearRenderTargetPass(
-	FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, std::source_location Location = std::source_location::current());
 DRYDOCK_API void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture,
-	const FLinearColor& ClearColor, std::source_location Location = std::source_location::current());
+	Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current());
+DRYDOCK_API void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture,
+	const FLinearColor& ClearColor, Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current());
 /** Clears a rectangle; the rest stays. */
 DRYDOCK_API void AddClearRenderTargetPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture,
-	const FLinearColor& ClearColor, FIntRect Viewport, std::source_location Location = std::source_location::current());
+	const FLinearColor& ClearColor, FIntRect Viewport,
+	Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current());
 
 /** Planes that are not cleared keep what they hold. */
 DRYDOCK_API void AddClearDepthStencilPass(FRDGBuilder& GraphBuilder, FRDGTextureRef Texture, bool bClearDepth = true,
 	float Depth = 0.0f, bool bClearStencil = true, uint8 Stencil = 0,
-	std::source_location Location = std::source_location::current());
+	Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current());
 
 /** Values are stored as the format stores them. */
 DRYDOCK_API void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGBufferUAVRef BufferUAV, uint32 Value,
-	std::source_location Location = std::source_location::current());
+	Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current());
 DRYDOCK_API void AddClearUAVFloatPass(FRDGBuilder& GraphBuilder, FRDGBufferUAVRef BufferUAV, float Value,
-	std::source_location Location = std::source_location::current());
+	Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current());
 DRYDOCK_API void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV,
-	const FUintVector4& ClearValues, std::source_location Location = std::source_location::current());
+	const FUintVector4& ClearValues, Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current());
 DRYDOCK_API void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const FVector4f& ClearValues,
-	std::source_location Location = std::source_location::current());
+	Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current());
 DRYDOCK_API void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV,
-	const FLinearColor& ClearColor, std::source_location Location = std::source_location::current());
+	const FLinearColor& ClearColor, Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current());
 DRYDOCK_API void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const float (&ClearValues)[4],
-	std::source_location Location = std::source_location::current());
+	Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current());
 DRYDOCK_API void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV,
-	const uint32 (&ClearValues)[4], std::source_location Location = std::source_location::current());
+	const uint32 (&ClearValues)[4], Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current());
 
 // Readbacks ---------------------------------------------------------------------------------------------------------
 
 /** What the readback holds can be read right after Execute. */
 DRYDOCK_API void AddEnqueueCopyPass(FRDGBuilder& GraphBuilder, FRHIGPUTextureReadback* Readback,
 	FRDGTextureRef SourceTexture, FResolveRect Rect = FResolveRect(),
-	std::source_location Location = std::source_location::current());
+	Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current());
 DRYDOCK_API void AddEnqueueCopyPass(FRDGBuilder& GraphBuilder, FRHIGPUBufferReadback* Readback,
-	FRDGBufferRef SourceBuffer, uint32 NumBytes, std::source_location Location = std::source_location::current());
+	FRDGBufferRef SourceBuffer, uint32 NumBytes,
+	Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current());
 
 /** A pass that only needs Texture (or Buffer) ready to be copied from, and is never culled. */
 template<typename ExecuteLambdaType>
 void AddReadbackTexturePass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name, FRDGTextureRef Texture,
-	ExecuteLambdaType&& ExecuteLambda, std::source_location Location = std::source_location::current());
+	ExecuteLambdaType&& ExecuteLambda, Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current());
 template<typename ExecuteLambdaType>
 void AddReadbackBufferPass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name, FRDGBufferRef Buffer,
-	ExecuteLambdaType&& ExecuteLambda, std::source_location Location = std::source_location::current());
+	ExecuteLambdaType&& ExecuteLambda, Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current());
 
 /** A pass without parameters: it always runs. */
 template<typename ExecuteLambdaType>
 FRDGPassRef AddPass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name, ExecuteLambdaType&& ExecuteLambda,
-	std::source_location Location = std::source_location::current())
+	Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current())
 {
 	return GraphBuilder.AddPass(
 		MoveTemp(Name), ERDGPassFlags::None, std::forward<ExecuteLambdaType>(ExecuteLambda), Location);
@@ -283,7 +285,7 @@ struct FComputeShaderUtils
 	template<typename TShaderClass>
 	static FRDGPassRef AddPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, ERDGPassFlags PassFlags,
 		const TShaderRef<TShaderClass>& ComputeShader, typename TShaderClass::FParameters* Parameters,
-		FIntVector GroupCount, std::source_location Location = std::source_location::current())
+		FIntVector GroupCount, Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current())
 	{
 		return AddPass(GraphBuilder, MoveTemp(PassName), PassFlags, ComputeShader,
 			TShaderClass::FParameters::FTypeInfo::GetStructMetadata(), Parameters, GroupCount, Location);
@@ -292,7 +294,7 @@ struct FComputeShaderUtils
 	template<typename TShaderClass>
 	static FRDGPassRef AddPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName,
 		const TShaderRef<TShaderClass>& ComputeShader, typename TShaderClass::FParameters* Parameters,
-		FIntVector GroupCount, std::source_location Location = std::source_location::current())
+		FIntVector GroupCount, Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current())
 	{
 		return AddPass(
 			GraphBuilder, MoveTemp(PassName), ERDGPassFlags::Compute, ComputeShader, Parameters, GroupCount, Location);
@@ -302,7 +304,8 @@ struct FComputeShaderUtils
 	template<typename TShaderClass>
 	static FRDGPassRef AddPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, ERDGPassFlags PassFlags,
 		const TShaderRef<TShaderClass>& ComputeShader, const FShaderParametersMetadata* ParametersMetadata,
-		void* Parameters, FIntVector GroupCount, std::source_location Location = std::source_location::current())
+		void* Parameters, FIntVector GroupCount,
+		Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current())
 	{
 		Drydock::CheckGroupCount(PassName, GroupCount, Location);
 		Drydock::CheckPassArguments(
@@ -321,7 +324,8 @@ struct FComputeShaderUtils
 	template<typename TShaderClass>
 	static FRDGPassRef AddPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName,
 		const TShaderRef<TShaderClass>& ComputeShader, typename TShaderClass::FParameters* Parameters,
-		TFunction<FIntVector()>&& GroupCountCallback, std::source_location Location = std::source_location::current())
+		TFunction<FIntVector()>&& GroupCountCallback,
+		Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current())
 	{
 		return AddPass(GraphBuilder, MoveTemp(PassName), ERDGPassFlags::Compute, ComputeShader, Parameters,
 			MoveTemp(GroupCountCallback), Location);
@@ -330,7 +334,8 @@ struct FComputeShaderUtils
 	template<typename TShaderClass>
 	static FRDGPassRef AddPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, ERDGPassFlags PassFlags,
 		const TShaderRef<TShaderClass>& ComputeShader, typename TShaderClass::FParameters* Parameters,
-		TFunction<FIntVector()>&& GroupCountCallback, std::source_location Location = std::source_location::current())
+		TFunction<FIntVector()>&& GroupCountCallback,
+		Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current())
 	{
 		Drydock::CheckPassArguments(
 			"FComputeShaderUtils::AddPass", PassName, TShaderRef<FShader>(ComputeShader), Parameters, Location);
@@ -349,7 +354,7 @@ struct FComputeShaderUtils
 	static FRDGPassRef AddPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, ERDGPassFlags PassFlags,
 		const TShaderRef<TShaderClass>& ComputeShader, typename TShaderClass::FParameters* Parameters,
 		FRDGBufferRef IndirectArgsBuffer, uint32 IndirectArgsOffset,
-		std::source_location Location = std::source_location::current())
+		Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current())
 	{
 		GraphBuilder.CheckArgument(IndirectArgsBuffer, "FComputeShaderUtils::AddPass", "IndirectArgsBuffer", &Location);
 		Drydock::CheckPassArguments(
@@ -371,7 +376,7 @@ struct FComputeShaderUtils
 	static FRDGPassRef AddPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName,
 		const TShaderRef<TShaderClass>& ComputeShader, typename TShaderClass::FParameters* Parameters,
 		FRDGBufferRef IndirectArgsBuffer, uint32 IndirectArgsOffset,
-		std::source_location Location = std::source_location::current())
+		Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current())
 	{
 		return AddPass(GraphBuilder, MoveTemp(PassName), ERDGPassFlags::Compute, ComputeShader, Parameters,
 			IndirectArgsBuffer, IndirectArgsOffset, Location);
@@ -380,7 +385,7 @@ struct FComputeShaderUtils
 
 template<typename ExecuteLambdaType>
 void AddReadbackTexturePass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name, FRDGTextureRef Texture,
-	ExecuteLambdaType&& ExecuteLambda, std::source_location Location)
+	ExecuteLambdaType&& ExecuteLambda, Drydock::FSourceLocation Location)
 {
 	GraphBuilder.CheckArgument(Texture, "AddReadbackTexturePass", "Texture", &Location);
 	auto* Parameters = GraphBuilder.AllocParameters<FTextureAccessDynamicParameters>();
@@ -391,7 +396,7 @@ void AddReadbackTexturePass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name, FRD
 
 template<typename ExecuteLambdaType>
 void AddReadbackBufferPass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name, FRDGBufferRef Buffer,
-	ExecuteLambdaType&& ExecuteLambda, std::source_location Location)
+	ExecuteLambdaType&& ExecuteLambda, Drydock::FSourceLocation Location)
 {
 	GraphBuilder.CheckArgument(Buffer, "AddReadbackBufferPass", "Buffer", &Location);
 	auto* Parameters = GraphBuilder.AllocParameters<FBufferAccessDynamicParameters>();

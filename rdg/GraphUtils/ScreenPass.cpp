@@ -255,7 +255,7 @@ void SetScreenPassInterpolants(FRHICommandList& RHICmdList, const FScreenPassTex
 FRDGPassRef AddScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name,
 	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
 	const FScreenPassPipelineState& PipelineState, const FShaderParametersMetadata* ParametersMetadata,
-	const void* Parameters, const std::source_location& Location)
+	const void* Parameters, const Drydock::FSourceLocation& Location)
 {
 	FRDGPassRef Pass = GraphBuilder.AddPass(
 		MoveTemp(Name), ParametersMetadata, Parameters, ERDGPassFlags::Raster,

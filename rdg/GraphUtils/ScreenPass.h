@@ -283,7 +283,7 @@ DRYDOCK_API void SetScreenPassInterpolants(FRHICommandList& RHICmdList,
 DRYDOCK_API FRDGPassRef AddScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name,
 	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
 	const FScreenPassPipelineState& PipelineState, const FShaderParametersMetadata* ParametersMetadata,
-	const void* Parameters, const std::source_location& Location);
+	const void* Parameters, const Drydock::FSourceLocation& Location);
 
 } // namespace Drydock
 
@@ -321,7 +321,7 @@ FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassNam
 	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
 	const FScreenPassPipelineState& PipelineState, const TShaderRef<TPixelShader>& PixelShader,
 	typename TPixelShader::FParameters* PixelShaderParameters, EScreenPassDrawFlags = EScreenPassDrawFlags::None,
-	std::source_location Location = std::source_location::current())
+	Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current())
 {
 	Drydock::CheckPassArguments(
 		"AddDrawScreenPass", PassName, TShaderRef<FShader>(PixelShader), PixelShaderParameters, Location);
@@ -336,7 +336,7 @@ FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassNam
 	const TShaderRef<TVertexShader>& VertexShader, const TShaderRef<TPixelShader>& PixelShader,
 	FRHIBlendState* BlendState, FRHIDepthStencilState* DepthStencilState,
 	typename TPixelShader::FParameters* PixelShaderParameters, EScreenPassDrawFlags Flags = EScreenPassDrawFlags::None,
-	std::source_location Location = std::source_location::current())
+	Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current())
 {
 	return AddDrawScreenPass(GraphBuilder, MoveTemp(PassName), ViewInfo, OutputViewport, InputViewport,
 		FScreenPassPipelineState(VertexShader, PixelShader, BlendState, DepthStencilState), PixelShader,
@@ -349,7 +349,7 @@ FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassNam
 	const TShaderRef<TVertexShader>& VertexShader, const TShaderRef<TPixelShader>& PixelShader,
 	FRHIBlendState* BlendState, typename TPixelShader::FParameters* PixelShaderParameters,
 	EScreenPassDrawFlags Flags = EScreenPassDrawFlags::None,
-	std::source_location Location = std::source_location::current())
+	Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current())
 {
 	return AddDrawScreenPass(GraphBuilder, MoveTemp(PassName), ViewInfo, OutputViewport, InputViewport,
 		FScreenPassPipelineState(VertexShader, PixelShader, BlendState), PixelShader, PixelShaderParameters, Flags,
@@ -361,7 +361,7 @@ FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassNam
 	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
 	const TShaderRef<TVertexShader>& VertexShader, const TShaderRef<TPixelShader>& PixelShader,
 	typename TPixelShader::FParameters* PixelShaderParameters, EScreenPassDrawFlags Flags = EScreenPassDrawFlags::None,
-	std::source_location Location = std::source_location::current())
+	Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current())
 {
 	return AddDrawScreenPass(GraphBuilder, MoveTemp(PassName), ViewInfo, OutputViewport, InputViewport,
 		FScreenPassPipelineState(VertexShader, PixelShader), PixelShader, PixelShaderParameters, Flags, Location);
@@ -372,7 +372,7 @@ FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassNam
 	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
 	const TShaderRef<TPixelShader>& PixelShader, FRHIBlendState* BlendState, FRHIDepthStencilState* DepthStencilState,
 	typename TPixelShader::FParameters* PixelShaderParameters, EScreenPassDrawFlags Flags = EScreenPassDrawFlags::None,
-	std::source_location Location = std::source_location::current())
+	Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current())
 {
 	return AddDrawScreenPass(GraphBuilder, MoveTemp(PassName), ViewInfo, OutputViewport, InputViewport,
 		FScreenPassPipelineState(TShaderRef<FShader>(), PixelShader, BlendState, DepthStencilState), PixelShader,
@@ -384,7 +384,7 @@ FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassNam
 	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
 	const TShaderRef<TPixelShader>& PixelShader, FRHIBlendState* BlendState,
 	typename TPixelShader::FParameters* PixelShaderParameters, EScreenPassDrawFlags Flags = EScreenPassDrawFlags::None,
-	std::source_location Location = std::source_location::current())
+	Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current())
 {
 	return AddDrawScreenPass(GraphBuilder, MoveTemp(PassName), ViewInfo, OutputViewport, InputViewport,
 		FScreenPassPipelineState(TShaderRef<FShader>(), PixelShader, BlendState), PixelShader, PixelShaderParameters,
@@ -396,7 +396,7 @@ FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassNam
 	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,
 	const TShaderRef<TPixelShader>& PixelShader, typename TPixelShader::FParameters* PixelShaderParameters,
 	EScreenPassDrawFlags Flags = EScreenPassDrawFlags::None,
-	std::source_location Location = std::source_location::current())
+	Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current())
 {
 	return AddDrawScreenPass(GraphBuilder, MoveTemp(PassName), ViewInfo, OutputViewport, InputViewport,
 		FScreenPassPipelineState(TShaderRef<FShader>(), PixelShader), PixelShader, PixelShaderParameters, Flags,
@@ -410,7 +410,7 @@ requires std::is_invocable_v<TSetupFunction&, FRHICommandList&> FRDGPassRef AddD
 	FRDGEventName&& PassName, const FScreenPassViewInfo& ViewInfo, const FScreenPassTextureViewport& OutputViewport,
 	const FScreenPassTextureViewport& InputViewport, const FScreenPassPipelineState& PipelineState,
 	TPassParameters* PassParameters, EScreenPassDrawFlags Flags, TSetupFunction SetupFunction,
-	std::source_location Location = std::source_location::current())
+	Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current())
 {
 	Drydock::CheckPassArguments("AddDrawScreenPass", PassName, PipelineState.PixelShader, PassParameters, Location);
 	FRDGPassRef Pass = GraphBuilder.AddPass(
@@ -428,7 +428,7 @@ requires std::is_invocable_v<TSetupFunction&, FRHICommandList&> FRDGPassRef AddD
 	FRDGEventName&& PassName, const FScreenPassViewInfo& ViewInfo, const FScreenPassTextureViewport& OutputViewport,
 	const FScreenPassTextureViewport& InputViewport, const FScreenPassPipelineState& PipelineState,
 	TPassParameters* PassParameters, TSetupFunction SetupFunction,
-	std::source_location Location = std::source_location::current())
+	Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current())
 {
 	return AddDrawScreenPass(GraphBuilder, MoveTemp(PassName), ViewInfo, OutputViewport, InputViewport, PipelineState,
 		PassParameters, EScreenPassDrawFlags::None, SetupFunction, Location);

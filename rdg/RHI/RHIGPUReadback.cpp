@@ -37,8 +37,11 @@ void FRHIGPUTextureReadback::EnqueueCopy(FRHICommandList&, FRHITexture* SourceTe
 	check(SourceTexture);
 	const FIntPoint Min(SourcePosition.X, SourcePosition.Y);
 	Extent = Size.X == 0 ? SourceTexture->GetSizeXY() - Min : FIntPoint(Size.X, Size.Y);
-	checkf(Extent.X > 0 && Extent.Y > 0, TEXT("readback of %d x %d texels of texture %s"), Extent.X, Extent.Y,
-		*SourceTexture->GetName().ToString());
+	const FIntPoint Whole = SourceTexture->GetSizeXY();
+	checkf(Min.X >= 0 && Min.Y >= 0 && Extent.X > 0 && Extent.Y > 0 && Extent.X <= Whole.X - Min.X &&
+			   Extent.Y <= Whole.Y - Min.Y,
+		TEXT("readback of %d x %d texels at (%d, %d) of texture %s, which has %d x %d"), Extent.X, Extent.Y, Min.X,
+		Min.Y, *SourceTexture->GetName().ToString(), Whole.X, Whole.Y);
 	const size_t RowBytes = size_t(Extent.X) * Drydock::GetNativeTexelBytes(SourceTexture);
 	const int32 Slice = SourceTexture->GetDesc().IsTexture3D() ? SourcePosition.Z : int32(SourceSlice);
 	Bytes.resize(RowBytes * size_t(Extent.Y));

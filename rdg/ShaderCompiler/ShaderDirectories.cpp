@@ -5,6 +5,7 @@
 #include <cctype>
 #include <filesystem>
 #include <mutex>
+#include <vector>
 
 namespace Drydock
 {

@@ -419,7 +419,7 @@ private:
 			break;
 		default:
 			AddEnqueueCopyPass(*Builder, (Kind & 8) != 0 ? nullptr : &Readback, Pick(Textures),
-				(Kind & 16) != 0 ? FResolveRect(Number(), Number(), Number(), Number()) : FResolveRect());
+				(Kind & 16) != 0 ? FResolveRect{Number(), Number(), Number(), Number()} : FResolveRect{});
 			break;
 		}
 	}

@@ -45,6 +45,10 @@ inline FUsfInput ReadUsfInput(const std::string& Text)
 		std::istringstream Words(Line.substr(4));
 		std::string Kind, Name, Value;
 		Words >> Kind >> Name >> Value;
+		if (std::any_of(Line.begin(), Line.end(), [](char c) { return c < 0; }))
+		{
+			continue; // paths, names and values come from C++, not from a shader's author
+		}
 		if (Kind == "messages")
 		{
 			Section = &Input.Messages;

@@ -24,6 +24,17 @@ concept CVector = requires
 }
 &&sizeof(V) == sizeof(typename V::GlmType);
 
+template<typename V, typename = typename V::GlmType>
+struct TSame
+{
+	using Type = V;
+};
+
+/** V, not deduced from, and no type at all where V is no vector: clang before 16 looks at what the parameters become
+ * before it looks at the concept. */
+template<typename V>
+using TOperand = typename TSame<V>::Type;
+
 template<CVector V>
 constexpr typename V::GlmType ToGlm(const V& Vector)
 {
@@ -37,22 +48,22 @@ constexpr V FromGlm(const typename V::GlmType& Vector)
 }
 
 template<CVector V>
-constexpr V operator+(const V& A, const std::type_identity_t<V>& B)
+constexpr V operator+(const V& A, const TOperand<V>& B)
 {
 	return FromGlm<V>(ToGlm(A) + ToGlm(B));
 }
 template<CVector V>
-constexpr V operator-(const V& A, const std::type_identity_t<V>& B)
+constexpr V operator-(const V& A, const TOperand<V>& B)
 {
 	return FromGlm<V>(ToGlm(A) - ToGlm(B));
 }
 template<CVector V>
-constexpr V operator*(const V& A, const std::type_identity_t<V>& B)
+constexpr V operator*(const V& A, const TOperand<V>& B)
 {
 	return FromGlm<V>(ToGlm(A) * ToGlm(B));
 }
 template<CVector V>
-constexpr V operator/(const V& A, const std::type_identity_t<V>& B)
+constexpr V operator/(const V& A, const TOperand<V>& B)
 {
 	return FromGlm<V>(ToGlm(A) / ToGlm(B));
 }
@@ -108,22 +119,22 @@ constexpr V operator<<(const V& A, typename V::FReal B)
 }
 
 template<CVector V>
-constexpr V& operator+=(V& A, const std::type_identity_t<V>& B)
+constexpr V& operator+=(V& A, const TOperand<V>& B)
 {
 	return A = A + B;
 }
 template<CVector V>
-constexpr V& operator-=(V& A, const std::type_identity_t<V>& B)
+constexpr V& operator-=(V& A, const TOperand<V>& B)
 {
 	return A = A - B;
 }
 template<CVector V>
-constexpr V& operator*=(V& A, const std::type_identity_t<V>& B)
+constexpr V& operator*=(V& A, const TOperand<V>& B)
 {
 	return A = A * B;
 }
 template<CVector V>
-constexpr V& operator/=(V& A, const std::type_identity_t<V>& B)
+constexpr V& operator/=(V& A, const TOperand<V>& B)
 {
 	return A = A / B;
 }

@@ -280,6 +280,24 @@ TEST(Arguments, ANullReadbackIsNamed)
 	EXPECT_THAT(Message.Where, HasSubstr("Readback"));
 }
 
+TEST(Arguments, AReadbackBeyondItsTextureIsNamed)
+{
+	FGraphTest Graph;
+	FRHIGPUTextureReadback Readback(TEXT("Readback"));
+	const FRDGTextureRef Texture = Graph.Texture("X");
+	const FIntPoint Extent = Texture->Desc.Extent;
+	const FResolveRect Beyond[] = {
+		{0, 0, Extent.X + 1, 1}, {0, Extent.Y, 1, Extent.Y + 1}, {1, 1, 2147483647, 2147483647}};
+	for (const FResolveRect& Rect : Beyond)
+	{
+		const FDiagnostic Message = GetMessage([&] { AddEnqueueCopyPass(*Graph.Builder, &Readback, Texture, Rect); });
+		EXPECT_EQ(RDGErrorCopy, Message.Code);
+		EXPECT_THAT(Message.Where, HasSubstr("resource X"));
+	}
+	const FResolveRect Corner{Extent.X - 1, Extent.Y - 1, Extent.X, Extent.Y};
+	EXPECT_EQ(0, GetMessage([&] { AddEnqueueCopyPass(*Graph.Builder, &Readback, Texture, Corner); }).Code);
+}
+
 TEST(Arguments, APassWithoutOutputsSaysWhichAreNotSet)
 {
 	FGraphTest Graph;
