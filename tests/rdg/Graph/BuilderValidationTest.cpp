@@ -6,7 +6,6 @@
 #include "GraphTestBuilder.h"
 #include "RenderGraphUtils.h"
 
-#include <source_location>
 
 using namespace Drydock;
 using testing::HasSubstr;
@@ -352,7 +351,7 @@ TEST(BuilderValidation, MistakesAreThrownWithTheLineOfAddPass)
 {
 	FGraphTest Graph;
 	auto* Parameters = Graph.Builder->AllocParameters<FGraphTestParameters>();
-	const int Line = int(std::source_location::current().line()) + 1;
+	const int Line = __LINE__ + 1;
 	Graph.Builder->AddPass(RDG_EVENT_NAME("Idle %d", 7), Parameters, ERDGPassFlags::Compute, [](FRHICommandList&) {});
 	testing::internal::CaptureStderr();
 	try

@@ -161,7 +161,7 @@ TEST(Arguments, AnObjectOfAnotherKindIsNone)
 TEST(Arguments, TheLineIsThatOfTheCall)
 {
 	FGraphTest Graph;
-	const int Line = int(std::source_location::current().line()) + 1;
+	const int Line = __LINE__ + 1;
 	const FDiagnostic Message = GetMessage([&] { AddCopyTexturePass(*Graph.Builder, nullptr, Graph.Texture("X")); });
 	EXPECT_EQ(Line, Message.Line);
 	EXPECT_THAT(Message.File, HasSubstr("ArgumentsTest.cpp"));

@@ -146,7 +146,7 @@ TEST(Utils, ClearDepthStencilOfStencilKeepsTheDepth)
 TEST(Utils, AMistakeInAHelperIsReportedWhereItWasCalled)
 {
 	FGraphTest Graph;
-	const int Line = int(std::source_location::current().line()) + 1;
+	const int Line = __LINE__ + 1;
 	AddCopyTexturePass(*Graph.Builder, Graph.Texture("X"), Graph.Texture("X"));
 	try
 	{
