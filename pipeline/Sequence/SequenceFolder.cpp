@@ -77,7 +77,7 @@ void FSequenceFolder::RequireOwn() const
 	for (const int Frame : FindFrames())
 	{
 		const Files::path Folder = GetFramePath(Frame);
-		if (!IsThere(Folder / RunFolderListName))
+		if (Files::is_symlink(Folder) || !IsThere(Folder / RunFolderListName))
 		{
 			throw MakeForeignError(Folder, "drydock did not write this");
 		}

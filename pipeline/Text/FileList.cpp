@@ -31,6 +31,40 @@ std::string MakeFoot(const std::string& Body)
 	return Foot + Fingerprint.Get() + "\n";
 }
 
+/** As Make writes them: a path that leads down from the folder. A list may come from a stranger. */
+bool LeadsDown(const std::string& Name)
+{
+	const Files::path Path(Name);
+	return !Name.empty() && Path.is_relative() && Path == Path.lexically_normal() && *Path.begin() != ".." &&
+		   *Path.begin() != "." && Path.has_filename();
+}
+
+/** Whether Name is reached without a symbolic link. */
+bool HasOwnFolders(const Files::path& Folder, const std::string& Name)
+{
+	std::error_code Ignored;
+	Files::path At = Folder;
+	for (const Files::path& Part : Files::path(Name).parent_path())
+	{
+		At /= Part;
+		if (Files::is_symlink(Files::symlink_status(At, Ignored)))
+		{
+			return false;
+		}
+	}
+	return true;
+}
+
+FError MakeDamageError(const Files::path& File)
+{
+	return FError({.Code = ErrorListDamaged,
+					  .Message = "the list of the files that drydock wrote here is damaged, so that nothing here is "
+								 "known to be drydock's: remove it with those files, or name another folder with "
+								 "--out",
+					  .File = File.string()},
+		ExitFiles);
+}
+
 } // namespace
 
 FFileList FFileList::Read(const Files::path& File)
@@ -46,18 +80,18 @@ FFileList FFileList::Read(const Files::path& File)
 	const std::string Body = Text.substr(0, Text.size() - std::min(Text.size(), FootSize));
 	if (Body.compare(0, Head.size(), Head) != 0 || Text != Body + MakeFoot(Body))
 	{
-		throw FError({.Code = ErrorListDamaged,
-						 .Message = "the list of the files that drydock wrote here is damaged, so that nothing here is "
-									"known to be drydock's: remove it with those files, or name another folder with "
-									"--out",
-						 .File = File.string()},
-			ExitFiles);
+		throw MakeDamageError(File);
 	}
 	std::istringstream Lines(Body.substr(Head.size()));
 	for (std::string Line; std::getline(Lines, Line) && Line.size() > FingerprintSize;)
 	{
 		const std::string Fingerprint = Line.substr(0, FingerprintSize);
-		List.Add(Line.substr(FingerprintSize + 1), Fingerprint == NoFingerprint ? "" : Fingerprint);
+		const std::string Name = Line.substr(FingerprintSize + 1);
+		if (!LeadsDown(Name))
+		{
+			throw MakeDamageError(File);
+		}
+		List.Add(Name, Fingerprint == NoFingerprint ? "" : Fingerprint);
 	}
 	return List;
 }
@@ -125,6 +159,10 @@ std::string FFileList::FindFault(const Files::path& Folder, const std::string& N
 	if (!Has(Name))
 	{
 		return "is not on the list";
+	}
+	if (!HasOwnFolders(Folder, Name))
+	{
+		return "is behind a symbolic link";
 	}
 	if (!Files::exists(Status))
 	{

@@ -16,7 +16,7 @@ class DRYDOCK_API FFileList
 {
 public:
 	/** The list that File holds; an empty one where there is no such file. Throws FError (DD5023, exit code 3) where it
-	 * is cut short, changed, or of another version. */
+	 * is cut short, changed, of another version, or has names that lead out of the folder. */
 	static FFileList Read(const std::filesystem::path& File);
 
 	/** All files in Folder and beneath it. Unsteady: names of those whose bytes differ from run to run, which are told
@@ -40,7 +40,7 @@ public:
 	std::set<std::string> GetNames() const;
 
 	/** What is wrong with the file of this name beneath Folder: "is missing", "is empty", "is not as it was written",
-	 * "is not on the list"; nothing where it is as the list has it. */
+	 * "is not on the list", "is behind a symbolic link"; nothing where it is as the list has it. */
 	std::string FindFault(const std::filesystem::path& Folder, const std::string& Name) const;
 
 	/** What stands in Folder/Sub and is not on the list, by its name: "passes/Bloom.cpp". Folders that hold only listed

@@ -372,6 +372,18 @@ TEST_F(RunSequences, ForeignContentInTheWayIsRefusedBeforeAnythingIsWritten)
 	}
 }
 
+TEST_F(RunSequences, FrameBehindALinkIsNotItsOwn)
+{
+	const Files::path Out = Temporary.Path / "out";
+	RunSequence(Ask("2"));
+	Files::rename(Out / "frames/0002", Temporary.Path / "elsewhere");
+	Files::create_directory_symlink(Temporary.Path / "elsewhere", Out / "frames/0002");
+	FSequenceOptions Restart = Ask("2");
+	Restart.bRestart = true;
+	EXPECT_EQ(0u, ErrorOf(Restart).find("1080 2 drydock did not write this")) << ErrorOf(Restart);
+	EXPECT_TRUE(Files::exists(Temporary.Path / "elsewhere/final.png"));
+}
+
 TEST_F(RunSequences, DamagedSequenceJsonIsRefusedAndRestartMendsIt)
 {
 	RunSequence(Ask("2"));

@@ -173,6 +173,34 @@ TEST_F(OutputFolder, DamagedListIsNoList)
 	EXPECT_EQ((FFiles{{"a.txt", "1"}, {"last.txt", "1"}}), Read());
 }
 
+TEST_F(OutputFolder, ListThatLeadsOutOfTheFolderIsNoList)
+{
+	Write({{"a.txt", "1"}, {"last.txt", "1"}});
+	std::ofstream(Temporary.Path / "mine.txt") << "mine";
+	for (const std::string& Name : {std::string("../mine.txt"), std::string("parts/../../mine.txt"),
+			 (Temporary.Path / "mine.txt").string(), std::string(".."), std::string("./a.txt"), std::string("parts/")})
+	{
+		FFileList Forged;
+		Forged.Add(Name, ""); // its bytes are no matter
+		std::ofstream(Out / ".drydock.test.files", std::ios::binary) << Forged.GetText();
+		EXPECT_EQ("5023 3 .drydock.test.files", ErrorOf({})) << Name;
+		EXPECT_EQ("mine", ReadBytes(Temporary.Path / "mine.txt")) << Name;
+	}
+}
+
+TEST_F(OutputFolder, ListThatLeadsThroughALinkRemovesNothing)
+{
+	Write({{"a.txt", "1"}, {"last.txt", "1"}});
+	Files::create_directories(Temporary.Path / "elsewhere");
+	std::ofstream(Temporary.Path / "elsewhere" / "mine.txt") << "mine";
+	Files::create_directory_symlink(Temporary.Path / "elsewhere", Out / "other");
+	FFileList Forged = FFileList::Read(Out / ".drydock.test.files");
+	Forged.Add("other/mine.txt", "");
+	std::ofstream(Out / ".drydock.test.files", std::ios::binary) << Forged.GetText();
+	EXPECT_EQ("1080 2 other/mine.txt", ErrorOf({{"last.txt", "2"}}));
+	EXPECT_EQ("mine", ReadBytes(Temporary.Path / "elsewhere" / "mine.txt"));
+}
+
 TEST_F(OutputFolder, StoppedBetweenTwoFilesGoesOnNextTime)
 {
 	// As PutInPlace leaves it when it is killed after its first rename.
