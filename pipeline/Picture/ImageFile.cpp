@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <new>
 #include <sstream>
@@ -108,12 +109,47 @@ bool ReadBand(OIIO::ImageInput& File, int Y, int EndY, int Begin, int End, float
 	return true;
 }
 
+/** As the library's own reader of memory, which also reads before the first byte where a header sends it there. */
+class FMemoryReader final : public OIIO::Filesystem::IOProxy
+{
+public:
+	explicit FMemoryReader(const std::string& InBytes)
+		: IOProxy("", Read)
+		, Bytes(InBytes)
+	{
+	}
+
+	const char* proxytype() const override { return "memory"; }
+	size_t size() const override { return Bytes.size(); }
+
+	size_t pread(void* To, size_t Count, int64_t Offset) override
+	{
+		if (Offset < 0 || static_cast<size_t>(Offset) > Bytes.size())
+		{
+			return 0;
+		}
+		const size_t NumRead = std::min(Count, Bytes.size() - static_cast<size_t>(Offset));
+		std::memcpy(To, Bytes.data() + Offset, NumRead);
+		return NumRead;
+	}
+
+	size_t read(void* To, size_t Count) override
+	{
+		const size_t NumRead = pread(To, Count, m_pos);
+		m_pos += static_cast<int64_t>(NumRead);
+		return NumRead;
+	}
+
+private:
+	const std::string& Bytes;
+};
+
 } // namespace
 
 struct FImageFile::FInput
 {
-	std::unique_ptr<OIIO::Filesystem::IOMemReader> Memory; // of bytes that stand for a file
-	std::unique_ptr<OIIO::ImageInput> File;                // goes first: it reads from Memory
+	std::unique_ptr<FMemoryReader> Memory;  // of bytes that stand for a file
+	std::unique_ptr<OIIO::ImageInput> File; // goes first: it reads from Memory
 
 	/** Why the file cannot be read, or nothing. Only the reader that the header calls for is asked: the library would
 	 * try them all. */
@@ -128,7 +164,7 @@ std::string FImageFile::FInput::Open(const std::string& Path)
 		std::istringstream Stream(*Bytes);
 		FHeaderBytes Header(Path, Stream);
 		Reader = CheckImageHeader(Path, Header);
-		Memory = std::make_unique<OIIO::Filesystem::IOMemReader>(Bytes->data(), Bytes->size());
+		Memory = std::make_unique<FMemoryReader>(*Bytes);
 	}
 	else
 	{

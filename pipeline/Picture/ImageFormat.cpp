@@ -31,8 +31,27 @@ struct FImageClaim
 /** Deflate copies 258 bytes by two bits at best. */
 constexpr int64_t DeflateRatio = 1032;
 
+/** Memory is taken for what a chunk says it holds. */
+void CheckPngChunks(FHeaderBytes& Bytes)
+{
+	constexpr int64_t NumBytesAround = 12; // its length, type and checksum
+	Bytes.SkipTo(8);
+	while (Bytes.GetLeft() >= NumBytesAround)
+	{
+		const int64_t Length = Bytes.ReadBigEndian(4);
+		Bytes.ReadBigEndian(4);
+		if (Length > Bytes.GetLeft())
+		{
+			Bytes.Fail(fmt::format("is truncated or corrupt: a chunk says that it has {} bytes, and {} are left",
+				Length, Bytes.GetLeft()));
+		}
+		Bytes.SkipTo(Bytes.GetPosition() + Length + 4);
+	}
+}
+
 FImageClaim ReadPngClaim(FHeaderBytes& Bytes)
 {
+	CheckPngChunks(Bytes);
 	Bytes.SkipTo(8);
 	Bytes.ReadBigEndian(4);                   // length of the first chunk
 	if (Bytes.ReadBigEndian(4) != 0x49484452) // IHDR

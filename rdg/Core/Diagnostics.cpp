@@ -2,6 +2,8 @@
 #include "Diagnostics.h"
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 
 namespace Drydock
 {
@@ -44,33 +46,47 @@ std::string ToLowerCase(std::string Text)
 /** No name is longer; a text of megabytes in its place is no misspelling, and would be compared letter by letter. */
 constexpr size_t MaxNameLength = 200;
 
-bool IsNearEnough(size_t Distance, size_t LongerLength)
+/** How far a name may be from one that it stands for, by the length of the longer one. */
+size_t GetFarthest(size_t LongerLength)
 {
-	return Distance * 3 <= LongerLength;
+	return LongerLength / 3;
 }
 
-/** Insertions, deletions, replacements and exchanges of neighbours that lead from A to B (optimal string alignment). */
-size_t GetEditDistance(const std::string& A, const std::string& B)
+/** Insertions, deletions, replacements and exchanges of neighbours that lead from A to B (optimal string alignment);
+ * where they are more than Most, any number above it. */
+size_t GetEditDistance(const std::string& A, const std::string& B, size_t Most)
 {
-	std::vector<std::vector<size_t>> Distance(A.size() + 1, std::vector<size_t>(B.size() + 1));
-	for (size_t I = 0; I <= A.size(); ++I)
+	if (std::max(A.size(), B.size()) - std::min(A.size(), B.size()) > Most) // so many are inserted at least
 	{
-		for (size_t J = 0; J <= B.size(); ++J)
+		return Most + 1;
+	}
+	std::array<std::vector<size_t>, 3> Rows; // of the table: this one and the two before it
+	Rows.fill(std::vector<size_t>(B.size() + 1));
+	std::iota(Rows[0].begin(), Rows[0].end(), size_t(0));
+	size_t LeastBefore = 0;
+	for (size_t I = 1; I <= A.size(); ++I)
+	{
+		std::vector<size_t>& Row = Rows[I % 3];
+		const std::vector<size_t>& Before = Rows[(I + 2) % 3];
+		const std::vector<size_t>& BeforeThat = Rows[(I + 1) % 3];
+		Row[0] = I;
+		size_t Least = I;
+		for (size_t J = 1; J <= B.size(); ++J)
 		{
-			if (I == 0 || J == 0)
-			{
-				Distance[I][J] = I + J;
-				continue;
-			}
-			Distance[I][J] = std::min({Distance[I - 1][J] + 1, Distance[I][J - 1] + 1,
-				Distance[I - 1][J - 1] + (A[I - 1] == B[J - 1] ? 0 : 1)});
+			Row[J] = std::min({Before[J] + 1, Row[J - 1] + 1, Before[J - 1] + (A[I - 1] == B[J - 1] ? 0 : 1)});
 			if (I > 1 && J > 1 && A[I - 1] == B[J - 2] && A[I - 2] == B[J - 1])
 			{
-				Distance[I][J] = std::min(Distance[I][J], Distance[I - 2][J - 2] + 1);
+				Row[J] = std::min(Row[J], BeforeThat[J - 2] + 1);
 			}
+			Least = std::min(Least, Row[J]);
 		}
+		if (Least > Most && LeastBefore >= Most)
+		{
+			return Most + 1; // no way leads back down
+		}
+		LeastBefore = Least;
 	}
-	return Distance[A.size()][B.size()];
+	return Rows[A.size() % 3][B.size()];
 }
 
 } // namespace
@@ -130,19 +146,19 @@ std::string FindNearestName(const std::string& Name, const std::vector<std::stri
 		return Nearest;
 	}
 	const std::string LowerName = ToLowerCase(Name);
-	size_t NearestDistance = 0;
+	size_t Nearer = MaxNameLength; // than this
 	for (const std::string& Candidate : Candidates)
 	{
-		const size_t Longer = std::max(Name.size(), Candidate.size());
-		if (!IsNearEnough(Longer - std::min(Name.size(), Candidate.size()), Longer)) // so many are inserted at least
-		{
-			continue;
-		}
-		const size_t Distance = GetEditDistance(LowerName, ToLowerCase(Candidate));
-		if (IsNearEnough(Distance, Longer) && (Nearest.empty() || Distance < NearestDistance))
+		const size_t Farthest = std::min(GetFarthest(std::max(Name.size(), Candidate.size())), Nearer - 1);
+		const size_t Distance = GetEditDistance(LowerName, ToLowerCase(Candidate), Farthest);
+		if (Distance <= Farthest)
 		{
 			Nearest = Candidate;
-			NearestDistance = Distance;
+			Nearer = Distance;
+		}
+		if (Nearer == 0)
+		{
+			break;
 		}
 	}
 	return Nearest;

@@ -21,11 +21,6 @@ namespace
 constexpr int DefaultTimeLimitSeconds = 60;
 constexpr const char* OutputName = "shader.spv";
 
-bool StartsWith(const std::string& Text, const char* Prefix)
-{
-	return Text.rfind(Prefix, 0) == 0;
-}
-
 /** "/X.usf:12: text" or "/X.usf(12): text" -> file, line and text; false when there is no such head. */
 bool SplitPosition(const std::string& Text, std::string& File, int& Line, std::string& Rest)
 {
@@ -64,7 +59,7 @@ std::string Explain(const std::string& Message, const FShaderCompileRequest& Req
 		const std::string Name = Message.substr(1, Message.find('\'', 1) - 1);
 		for (const auto& [Buffer, Members] : Request.UniformBuffers)
 		{
-			if (StartsWith(Name, (Buffer + "_").c_str()))
+			if (Name.starts_with(Buffer + "_"))
 			{
 				const std::string Member = Name.substr(Buffer.size() + 1);
 				const std::string Nearest = FindNearestName(Member, Members);
@@ -121,13 +116,13 @@ std::vector<FDiagnostic> ParseFrontEndMessages(const std::string& Output, const 
 			continue;
 		}
 		bEntryPointMissing = bEntryPointMissing || Text.find("Entry point not found") != std::string::npos;
-		const bool bError = StartsWith(Text, "ERROR: ");
+		const bool bError = Text.starts_with("ERROR: ");
 		std::string File;
 		std::string Message;
 		int Line = 0;
 		const bool bPositioned = SplitPosition(bError ? Text.substr(7) : Text, File, Line, Message);
 		const bool bSummary =
-			!bError && bPositioned && StartsWith(Message, "error at column "); // the parser's last words
+			!bError && bPositioned && Message.starts_with("error at column "); // the parser's last words
 		const bool bSameLine = !Errors.empty() && Errors.back().File == File && Errors.back().Line == Line;
 		if (bSummary && !bSameLine)
 		{

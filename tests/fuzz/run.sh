@@ -8,6 +8,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 Seconds=${1:-60}
 shift
 export LSAN_OPTIONS="suppressions=tests/fuzz/lsan.supp:print_suppressions=0${LSAN_OPTIONS:+:$LSAN_OPTIONS}"
+# Short stacks of allocations: what is found is run again with the defaults.
+export ASAN_OPTIONS="malloc_context_size=3:quarantine_size_mb=16${ASAN_OPTIONS:+:$ASAN_OPTIONS}"
 Failed=0
 while read -r Name Corpus <&3; do
 	[ -x build/fuzz/bin/fuzz_"$Name" ] || continue

@@ -194,6 +194,24 @@ TEST_F(ImageFormat, AHeaderThatTheFileCannotHoldIsRefusedBeforeMemoryIsTaken)
 	EXPECT_LT(GetPeakKilobytes() - Before, 100'000); // of the gigabytes that they ask for
 }
 
+TEST_F(ImageFormat, AChunkLongerThanTheFileIsRefusedBeforeMemoryIsTaken)
+{
+	std::string Bytes = MakePng(1, 1, 10);
+	const size_t End = Bytes.size() - 12; // IEND
+	std::ofstream("/proc/self/clear_refs") << "5";
+	const int64_t Before = GetPeakKilobytes();
+	for (const char* Type : {"eXIf", "zTXt", "iCCP", "IDAT", "vpAg"})
+	{
+		const std::string Long = BigEndian(1'500'000'000, 4) + Type + "1234";
+		EXPECT_EQ(
+			"DD5002 the image file is truncated or corrupt: a chunk says that it has 1500000000 bytes, and 16 are "
+			"left",
+			ErrorOf(Write("a.png", Bytes.substr(0, End) + Long + Bytes.substr(End))))
+			<< Type;
+	}
+	EXPECT_LT(GetPeakKilobytes() - Before, 100'000);
+}
+
 TEST_F(ImageFormat, LargerThanAnyFrameIsRefusedWhateverTheFileHolds)
 {
 	for (const auto& [Name, Bytes] :

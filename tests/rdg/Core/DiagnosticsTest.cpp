@@ -9,6 +9,12 @@
 #include "Misc/Paths.h"
 #include "Modules/ModuleManager.h"
 
+#include <algorithm>
+#include <cctype>
+#include <functional>
+#include <map>
+#include <random>
+
 using Drydock::FDiagnostic;
 using Drydock::FindNearestName;
 
@@ -93,6 +99,75 @@ TEST(NearestName, IsEmptyWhenNothingIsNear)
 	EXPECT_EQ("", FindNearestName("Vignette", {"Bloom", "Exposure"}));
 	EXPECT_EQ("", FindNearestName("ab", {"ac"}));
 	EXPECT_EQ("", FindNearestName("Bloom", {}));
+}
+
+namespace
+{
+
+/** Edits from A to B, case aside, by trying every way from the ends. */
+int MeasureDistance(const std::string& A, const std::string& B)
+{
+	std::map<std::pair<size_t, size_t>, int> Known;
+	const std::function<int(size_t, size_t)> Measure = [&](size_t I, size_t J) -> int
+	{
+		if (I == 0 || J == 0)
+		{
+			return int(I + J);
+		}
+		if (const auto Found = Known.find({I, J}); Found != Known.end())
+		{
+			return Found->second;
+		}
+		const auto Same = [&](size_t At, size_t Other)
+		{
+			return std::tolower(A[At - 1]) == std::tolower(B[Other - 1]);
+		};
+		int Least = std::min(Measure(I - 1, J), Measure(I, J - 1)) + 1;
+		Least = std::min(Least, Measure(I - 1, J - 1) + (Same(I, J) ? 0 : 1));
+		if (I > 1 && J > 1 && Same(I, J - 1) && Same(I - 1, J))
+		{
+			Least = std::min(Least, Measure(I - 2, J - 2) + 1);
+		}
+		return Known[{I, J}] = Least;
+	};
+	return Measure(A.size(), B.size());
+}
+
+} // namespace
+
+TEST(NearestName, IsTheFirstOfTheNearestByTheWholeTableOfDistances)
+{
+	std::mt19937 Random(1);
+	const auto Draw = [&](size_t Most)
+	{
+		std::string Name(Random() % (Most + 1), ' ');
+		for (char& Letter : Name)
+		{
+			Letter = "abcA"[Random() % 4];
+		}
+		return Name;
+	};
+	for (int Round = 0; Round < 3000; ++Round)
+	{
+		const std::string Name = Draw(9);
+		std::vector<std::string> Candidates(Random() % 6);
+		for (std::string& Candidate : Candidates)
+		{
+			Candidate = Draw(9);
+		}
+		std::string Nearest;
+		int Least = 1000;
+		for (const std::string& Candidate : Candidates)
+		{
+			const int Distance = MeasureDistance(Name, Candidate);
+			if (3 * Distance <= int(std::max(Name.size(), Candidate.size())) && Distance < Least)
+			{
+				Nearest = Candidate;
+				Least = Distance;
+			}
+		}
+		ASSERT_EQ(Nearest, FindNearestName(Name, Candidates)) << "round " << Round << ", " << Name;
+	}
 }
 
 TEST(Log, LinesCarryCategoryAndText)
