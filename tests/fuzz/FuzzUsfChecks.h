@@ -45,7 +45,7 @@ inline FUsfInput ReadUsfInput(const std::string& Text)
 		std::istringstream Words(Line.substr(4));
 		std::string Kind, Name, Value;
 		Words >> Kind >> Name >> Value;
-		if (std::any_of(Line.begin(), Line.end(), [](char c) { return c < 0; }))
+		if (std::any_of(Line.begin(), Line.end(), [](char c) { return c < ' ' && c != '\t' && c != '\n'; }))
 		{
 			continue; // paths, names and values come from C++, not from a shader's author
 		}
