@@ -38,14 +38,19 @@ int AddEndAction(std::function<void()> Action)
 	return Actions.Next++;
 }
 
-/** Again and again for a moment: other threads may still be writing into the folder. */
+/** Other threads may still be writing into the folder: under another name they do not find it. Who has it open does, so
+ * it is tried again for a moment. */
 void RemoveWhileWritten(const Files::path& Path)
 {
-	std::error_code Ignored;
+	std::error_code Error;
+	Files::path Renamed = Path;
+	Renamed += ".going";
+	Files::rename(Path, Renamed, Error);
+	const Files::path& Removed = Error ? Path : Renamed;
 	for (int Try = 0; Try < 100; ++Try)
 	{
-		Files::remove_all(Path, Ignored);
-		if (!Files::exists(Files::symlink_status(Path, Ignored)))
+		Files::remove_all(Removed, Error);
+		if (!Files::exists(Files::symlink_status(Removed, Error)))
 		{
 			return;
 		}

@@ -48,20 +48,23 @@ class ConfigJsonCorpus : public testing::TestWithParam<FPath>
 {
 };
 
-class ExrCorpus : public testing::TestWithParam<FPath>
+/** Files whose names begin with what they are: "forged_window.exr". */
+class FNamedCorpus : public testing::TestWithParam<FPath>
 {
 protected:
 	bool Is(const char* Kind) const { return GetParam().stem().string().rfind(Kind, 0) == 0; }
 };
 
-class PictureCorpus : public testing::TestWithParam<FPath>
+class ExrCorpus : public FNamedCorpus
 {
 };
 
-class SpirvCorpus : public testing::TestWithParam<FPath>
+class PictureCorpus : public FNamedCorpus
 {
-protected:
-	bool Is(const char* Kind) const { return GetParam().stem().string().rfind(Kind, 0) == 0; }
+};
+
+class SpirvCorpus : public FNamedCorpus
+{
 };
 
 /** Cuts and flips at a stride that makes about Number of them. */
@@ -149,7 +152,10 @@ TEST_P(PictureCorpus, IsReadFromFileAndMemory)
 {
 	EXPECT_EQ("", CheckImageFile(GetParam().string()));
 	EXPECT_EQ("", CheckPictureBytes(Read(GetParam())));
-	EXPECT_LE(1, FImageFile(GetParam().string()).GetWidth());
+	if (!Is("found"))
+	{
+		EXPECT_LE(1, FImageFile(GetParam().string()).GetWidth());
+	}
 }
 
 TEST_P(PictureCorpus, HoldsDamaged)

@@ -6,7 +6,6 @@
 #include "GraphTestBuilder.h"
 #include "RenderGraphUtils.h"
 
-
 using namespace Drydock;
 using testing::HasSubstr;
 
