@@ -29,6 +29,8 @@ const std::vector<FEngineProfile>& GetEngineProfiles()
 		{.Minor = 4, .bShadowContrastOfHighlights = false, .bBloomRampWithoutThreshold = false, .bLocalExposureThresholds = true},
 		{.Minor = 5, .bShadowContrastOfHighlights = false, .bBloomRampWithoutThreshold = false, .bLocalExposureThresholds = true},
 		{.Minor = 6, .bShadowContrastOfHighlights = false, .bBloomRampWithoutThreshold = false, .bLocalExposureThresholds = true},
+		{.Minor = 7, .bShadowContrastOfHighlights = false, .bBloomRampWithoutThreshold = false, .bLocalExposureThresholds = true},
+		{.Minor = 8, .bShadowContrastOfHighlights = false, .bBloomRampWithoutThreshold = false, .bLocalExposureThresholds = true},
 	};
 	// clang-format on
 	return Rows;
@@ -47,6 +49,12 @@ const FEngineProfile* FindEngineProfile(int32 Minor)
 const FEngineProfile* FindEngineProfile(const std::string& Version)
 {
 	return FindRow([&Version](const FEngineProfile& Row) { return Row.GetVersion() == Version; });
+}
+
+const FEngineProfile& GetNearestEngineProfile(int32 Minor)
+{
+	const std::vector<FEngineProfile>& Rows = GetEngineProfiles();
+	return *FindEngineProfile(std::clamp(Minor, Rows.front().Minor, Rows.back().Minor));
 }
 
 const FEngineProfile& GetDefaultEngineProfile()

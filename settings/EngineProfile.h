@@ -39,6 +39,9 @@ DRYDOCK_API const std::vector<FEngineProfile>& GetEngineProfiles();
 /** Null when there is no row for 5.Minor. */
 DRYDOCK_API const FEngineProfile* FindEngineProfile(int32 Minor);
 
+/** The row of 5.Minor, or of the oldest or newest version that there is one of. */
+DRYDOCK_API const FEngineProfile& GetNearestEngineProfile(int32 Minor);
+
 /** Version: "5.4". Null when there is no such row. */
 DRYDOCK_API const FEngineProfile* FindEngineProfile(const std::string& Version);
 

@@ -18,7 +18,7 @@ std::map<std::string, FExtensionFactory>& GetFactories()
 
 /** By EPostProcessingPass. */
 constexpr const char* PassNames[] = {"BeforeDOF", "AfterDOF", "TranslucencyAfterDOF", "SSRInput", "ReplacingTonemapper",
-	"MotionBlur", "Tonemap", "FXAA", "VisualizeDepthOfField"};
+	"MotionBlur", "Tonemap", "FXAA", "SMAA", "VisualizeDepthOfField"};
 static_assert(std::size(PassNames) == static_cast<size_t>(ISceneViewExtension::EPostProcessingPass::MAX));
 
 } // namespace

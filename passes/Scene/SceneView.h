@@ -136,7 +136,8 @@ enum EAntiAliasingMethod : int32
 	AAM_TemporalAA = 2,
 	AAM_MSAA = 3,
 	AAM_TSR = 4,
-	AAM_MAX = 5,
+	AAM_SMAA = 5, // 5.7
+	AAM_MAX = 6,
 };
 
 /** One camera's picture of the scene. */

@@ -52,6 +52,7 @@ void ISceneViewExtension::SetupViewPoint(APlayerController*, FMinimalViewInfo&) 
 void ISceneViewExtension::SetupViewProjectionMatrix(FSceneViewProjectionData&) {}
 void ISceneViewExtension::SetupView(FSceneViewFamily&, FSceneView&) {}
 void ISceneViewExtension::BeginRenderViewFamily(FSceneViewFamily&) {}
+void ISceneViewExtension::PostCreateSceneRenderer(const FSceneViewFamily&, ISceneRenderer*) {}
 void ISceneViewExtension::PreRenderViewFamily_RenderThread(FRDGBuilder&, FSceneViewFamily&) {}
 void ISceneViewExtension::PreRenderView_RenderThread(FRDGBuilder&, FSceneView&) {}
 void ISceneViewExtension::PreInitViews_RenderThread(FRDGBuilder&) {}
@@ -61,6 +62,7 @@ void ISceneViewExtension::PostRenderBasePassDeferred_RenderThread(
 {
 }
 void ISceneViewExtension::PostRenderBasePassMobile_RenderThread(FRHICommandList&, FSceneView&) {}
+void ISceneViewExtension::PostTLASBuild_RenderThread(FRDGBuilder&, FSceneView&) {}
 void ISceneViewExtension::PrePostProcessPass_RenderThread(FRDGBuilder&, const FSceneView&, const FPostProcessingInputs&)
 {
 }
@@ -79,6 +81,11 @@ void ISceneViewExtension::PreRenderViewFamily_RenderThread(FRHICommandListImmedi
 void ISceneViewExtension::PreRenderView_RenderThread(FRHICommandListImmediate&, FSceneView&) {}
 void ISceneViewExtension::PostRenderView_RenderThread(FRHICommandListImmediate&, FSceneView&) {}
 void ISceneViewExtension::PostRenderViewFamily_RenderThread(FRHICommandListImmediate&, FSceneViewFamily&) {}
+
+ESceneViewExtensionFlags ISceneViewExtension::GetFlags() const
+{
+	return ESceneViewExtensionFlags::None;
+}
 
 int32 ISceneViewExtension::GetPriority() const
 {

@@ -17,7 +17,7 @@
 //     };
 //     TSharedPtr<FMyExtension, ESPMode::ThreadSafe> Extension = FSceneViewExtensions::NewExtension<FMyExtension>();
 //
-// The interface is a superset of engine 5.1 to 5.6: both signatures of what changed are virtual. The version that a
+// The interface is a superset of engine 5.1 to 5.8: both signatures of what changed are virtual. The version that a
 // plugin is compiled for (ENGINE_MINOR_VERSION) decides which one is called; the other is reported.
 // Source: engine file SceneViewExtension.h.
 #pragma once
@@ -36,10 +36,20 @@
 class APlayerController;
 class FSceneViewExtensions;
 class FViewport;
+class ISceneRenderer;
 class UWorld;
 struct FMobilePostProcessingInputs;
 struct FPostProcessMaterialInputs;
 struct FPostProcessingInputs;
+
+/** What an extension wants of the renderer. */
+enum class ESceneViewExtensionFlags : uint32
+{
+	None = 0,
+	SubscribesToPostTLASBuild = 1 << 0,
+	RequiresHardwareInlineRayTracing = 1 << 1,
+};
+ENUM_CLASS_FLAGS(ESceneViewExtensionFlags)
 
 /** What an extension is asked about when it says whether it is active. */
 class FSceneViewExtensionContext
@@ -100,6 +110,7 @@ public:
 		MotionBlur,
 		Tonemap,
 		FXAA,
+		SMAA, // 5.7
 		VisualizeDepthOfField,
 		MAX
 	};
@@ -118,6 +129,8 @@ public:
 	virtual void SetupViewProjectionMatrix(FSceneViewProjectionData& InOutProjectionData);
 	virtual void SetupView(FSceneViewFamily& InViewFamily, FSceneView& InView);
 	virtual void BeginRenderViewFamily(FSceneViewFamily& InViewFamily);
+	/** From 5.7. Renderer is null: there is none to hand out, and the type is incomplete here. */
+	virtual void PostCreateSceneRenderer(const FSceneViewFamily& InViewFamily, ISceneRenderer* Renderer);
 
 	// On the render thread --------------------------------------------------------------------------------------------
 
@@ -130,6 +143,8 @@ public:
 		TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures);
 	/** Never called: the renderer here is the deferred one. So is the next but one. */
 	virtual void PostRenderBasePassMobile_RenderThread(FRHICommandList& RHICmdList, FSceneView& InView);
+	/** From 5.7, for those whose flags ask for it. Never called: there is no ray-tracing scene here. */
+	virtual void PostTLASBuild_RenderThread(FRDGBuilder& GraphBuilder, FSceneView& InView);
 	/** Scene colour may be edited in place. */
 	virtual void PrePostProcessPass_RenderThread(
 		FRDGBuilder& GraphBuilder, const FSceneView& View, const FPostProcessingInputs& Inputs);
@@ -156,6 +171,8 @@ public:
 
 	/** Higher is called first; equal ones in the order of registration. */
 	virtual int32 GetPriority() const;
+	/** From 5.7. Nothing that they ask for is here. */
+	virtual ESceneViewExtensionFlags GetFlags() const;
 	virtual bool IsActiveThisFrame(const FSceneViewExtensionContext& Context) const;
 };
 
@@ -221,6 +238,8 @@ FExtensionInfo DescribeExtension(int32 EngineMinor)
 	Note(SetupViewProjectionMatrix, DRYDOCK_HAS_HOOK(T, SetupViewProjectionMatrix, FSceneViewProjectionData&));
 	Note(SetupView, DRYDOCK_HAS_HOOK(T, SetupView, FSceneViewFamily&, FSceneView&));
 	Note(BeginRenderViewFamily, DRYDOCK_HAS_HOOK(T, BeginRenderViewFamily, FSceneViewFamily&));
+	Note(PostCreateSceneRenderer,
+		DRYDOCK_HAS_HOOK(T, PostCreateSceneRenderer, const FSceneViewFamily&, ISceneRenderer*));
 	Note(PreRenderViewFamily, DRYDOCK_HAS_HOOK(T, PreRenderViewFamily_RenderThread, FRDGBuilder&, FSceneViewFamily&));
 	Note(PreRenderViewFamilyCommandList,
 		DRYDOCK_HAS_HOOK(T, PreRenderViewFamily_RenderThread, FCommandList&, FSceneViewFamily&));
@@ -232,6 +251,7 @@ FExtensionInfo DescribeExtension(int32 EngineMinor)
 										 FSceneView&, const FRenderTargetBindingSlots&, FSceneTexturesRef));
 	Note(PostRenderBasePassMobile,
 		DRYDOCK_HAS_HOOK(T, PostRenderBasePassMobile_RenderThread, FRHICommandList&, FSceneView&));
+	Note(PostTLASBuild, DRYDOCK_HAS_HOOK(T, PostTLASBuild_RenderThread, FRDGBuilder&, FSceneView&));
 	Note(PrePostProcessPass, DRYDOCK_HAS_HOOK(T, PrePostProcessPass_RenderThread, FRDGBuilder&, const FSceneView&,
 								 const FPostProcessingInputs&));
 	Note(PrePostProcessPassMobile, DRYDOCK_HAS_HOOK(T, PrePostProcessPassMobile_RenderThread, FRDGBuilder&,

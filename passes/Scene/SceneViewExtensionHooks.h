@@ -23,6 +23,7 @@ enum class EExtensionHook : uint8
 	SetupViewProjectionMatrix,
 	SetupView,
 	BeginRenderViewFamily,
+	PostCreateSceneRenderer,
 	PreRenderViewFamily,
 	PreRenderViewFamilyCommandList, // first argument FRHICommandListImmediate&
 	PreRenderView,
@@ -31,6 +32,7 @@ enum class EExtensionHook : uint8
 	PreRenderBasePass,
 	PostRenderBasePassDeferred,
 	PostRenderBasePassMobile,
+	PostTLASBuild,
 	PrePostProcessPass,
 	PrePostProcessPassMobile,
 	Subscribe,         // (Pass, Array&, bool)

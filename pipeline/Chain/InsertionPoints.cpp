@@ -28,6 +28,8 @@ std::optional<EFramePass> FindPass(EPoint Point)
 		return EFramePass::Tonemap;
 	case EPoint::FXAA:
 		return EFramePass::FXAA;
+	case EPoint::SMAA:
+		return EFramePass::SMAA;
 	case EPoint::VisualizeDepthOfField:
 		return EFramePass::VisualizeDepthOfField;
 	default:

@@ -21,6 +21,7 @@ enum class EFramePass : uint32
 	Tonemap,
 	AfterTonemap, // effects that stand there
 	FXAA,
+	SMAA,
 	VisualizeDepthOfField,
 	PrimaryUpscale,
 	MAX

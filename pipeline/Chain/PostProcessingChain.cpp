@@ -48,6 +48,7 @@ public:
 		Sequence.SetEnabled(EFramePass::Tonemap, true);
 		Sequence.SetEnabled(EFramePass::AfterTonemap, HasPasses(EChainPlace::AfterTonemap));
 		Sequence.SetEnabled(EFramePass::FXAA, bPostProcessing && IsActive(EEffect::FXAA));
+		Sequence.SetEnabled(EFramePass::SMAA, false);
 		Sequence.SetEnabled(EFramePass::VisualizeDepthOfField, false);
 		Sequence.SetEnabled(EFramePass::PrimaryUpscale, IsActive(EEffect::Upscale));
 		Sequence.Finalize();
@@ -227,11 +228,13 @@ public:
 		if (bPostProcessing)
 		{
 			SceneColor = Points.Run(EPoint::FXAA, SceneColor);
+			SceneColor = Points.Run(EPoint::SMAA, SceneColor);
 			SceneColor = Points.Run(EPoint::VisualizeDepthOfField, SceneColor);
 		}
 		else
 		{
 			Points.Skip(EPoint::FXAA, Off);
+			Points.Skip(EPoint::SMAA, Off);
 			Points.Skip(EPoint::VisualizeDepthOfField, Off);
 		}
 	}

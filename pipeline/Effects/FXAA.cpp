@@ -13,7 +13,7 @@ namespace
 constexpr std::span<const FSettingClaim> Settings = {};
 
 TAutoConsoleVariable<int32> CVarAntiAliasingMethod(TEXT("r.AntiAliasingMethod"), 0,
-	TEXT("0: off (default). 1: FXAA. 2 TAA, 3 MSAA, 4 TSR: not simulated."), ECVF_RenderThreadSafe);
+	TEXT("0: off (default). 1: FXAA. 2 TAA, 3 MSAA, 4 TSR, 5 SMAA: not simulated."), ECVF_RenderThreadSafe);
 
 FEffectDecision Decide(const FEffect&, const FEffectInputs& Inputs)
 {

@@ -12,6 +12,9 @@ const std::vector<FHookVersions>& GetHookVersions()
 	const int32 Oldest = GetEngineProfiles().front().Minor;
 	const int32 Newest = GetEngineProfiles().back().Minor;
 	constexpr int32 Never = 0;
+	const char* const Mobile = "is the mobile renderer's and which the deferred renderer never calls";
+	const char* const RayTracing =
+		"follows the building of a ray-tracing scene, which there is none of here: it is never called";
 	// clang-format off
 	static const std::vector<FHookVersions> Versions = {
 		{SetupViewFamily, "SetupViewFamily(FSceneViewFamily&)", Oldest, Newest, ""},
@@ -19,6 +22,7 @@ const std::vector<FHookVersions>& GetHookVersions()
 		{SetupViewProjectionMatrix, "SetupViewProjectionMatrix(FSceneViewProjectionData&)", Oldest, Newest, ""},
 		{SetupView, "SetupView(FSceneViewFamily&, FSceneView&)", Oldest, Newest, ""},
 		{BeginRenderViewFamily, "BeginRenderViewFamily(FSceneViewFamily&)", Oldest, Newest, ""},
+		{PostCreateSceneRenderer, "PostCreateSceneRenderer(const FSceneViewFamily&, ISceneRenderer*)", 7, Newest, ""},
 		{PreRenderViewFamily, "PreRenderViewFamily_RenderThread(FRDGBuilder&, FSceneViewFamily&)", Oldest, Newest, ""},
 		{PreRenderViewFamilyCommandList, "PreRenderViewFamily_RenderThread(FRHICommandListImmediate&, FSceneViewFamily&)", Oldest, Never, "PreRenderViewFamily_RenderThread(FRDGBuilder&, FSceneViewFamily&)"},
 		{PreRenderView, "PreRenderView_RenderThread(FRDGBuilder&, FSceneView&)", Oldest, Newest, ""},
@@ -26,9 +30,10 @@ const std::vector<FHookVersions>& GetHookVersions()
 		{PreInitViews, "PreInitViews_RenderThread(FRDGBuilder&)", Oldest, Newest, ""},
 		{PreRenderBasePass, "PreRenderBasePass_RenderThread(FRDGBuilder&, bool)", 4, Newest, "PreInitViews_RenderThread(FRDGBuilder&)"},
 		{PostRenderBasePassDeferred, "PostRenderBasePassDeferred_RenderThread(FRDGBuilder&, FSceneView&, const FRenderTargetBindingSlots&, TRDGUniformBufferRef<FSceneTextureUniformParameters>)", Oldest, Newest, ""},
-		{PostRenderBasePassMobile, "PostRenderBasePassMobile_RenderThread(FRHICommandList&, FSceneView&)", Oldest, Never, "PostRenderBasePassDeferred_RenderThread(FRDGBuilder&, FSceneView&, const FRenderTargetBindingSlots&, TRDGUniformBufferRef<FSceneTextureUniformParameters>)", true},
+		{PostRenderBasePassMobile, "PostRenderBasePassMobile_RenderThread(FRHICommandList&, FSceneView&)", Oldest, Never, "PostRenderBasePassDeferred_RenderThread(FRDGBuilder&, FSceneView&, const FRenderTargetBindingSlots&, TRDGUniformBufferRef<FSceneTextureUniformParameters>)", Mobile},
+		{PostTLASBuild, "PostTLASBuild_RenderThread(FRDGBuilder&, FSceneView&)", 7, Never, "", RayTracing},
 		{PrePostProcessPass, "PrePostProcessPass_RenderThread(FRDGBuilder&, const FSceneView&, const FPostProcessingInputs&)", Oldest, Newest, ""},
-		{PrePostProcessPassMobile, "PrePostProcessPassMobile_RenderThread(FRDGBuilder&, const FSceneView&, const FMobilePostProcessingInputs&)", Oldest, Never, "PrePostProcessPass_RenderThread(FRDGBuilder&, const FSceneView&, const FPostProcessingInputs&)", true},
+		{PrePostProcessPassMobile, "PrePostProcessPassMobile_RenderThread(FRDGBuilder&, const FSceneView&, const FMobilePostProcessingInputs&)", Oldest, Never, "PrePostProcessPass_RenderThread(FRDGBuilder&, const FSceneView&, const FPostProcessingInputs&)", Mobile},
 		{Subscribe, "SubscribeToPostProcessingPass(EPostProcessingPass, FAfterPassCallbackDelegateArray&, bool)", Oldest, 4, "SubscribeToPostProcessingPass(EPostProcessingPass, const FSceneView&, FPostProcessingPassDelegateArray&, bool)"},
 		{SubscribeWithView, "SubscribeToPostProcessingPass(EPostProcessingPass, const FSceneView&, FPostProcessingPassDelegateArray&, bool)", 5, Newest, "SubscribeToPostProcessingPass(EPostProcessingPass, FAfterPassCallbackDelegateArray&, bool)"},
 		{PostRenderView, "PostRenderView_RenderThread(FRDGBuilder&, FSceneView&)", Oldest, Newest, ""},
@@ -80,6 +85,7 @@ const std::vector<FInsertionPoint>& GetInsertionPoints()
 		{ReplacingTonemapper, Linear, 5, "in place of the tonemapper: reads colour and bloom, writes display-encoded"},
 		{Tonemap, Display, 1, "after the tonemapper"},
 		{FXAA, Display, 1, "after antialiasing"},
+		{SMAA, Display, 7, "after the antialiasing of that name, which is not simulated: the pass is never enabled"},
 		{VisualizeDepthOfField, Display, 1, "the last one"},
 	};
 	// clang-format on

@@ -19,8 +19,8 @@ struct FHookVersions
 	const char* Signature;
 	int32 First;
 	int32 Last;
-	const char* Instead;  // what those versions call that do not call this; empty: overriding it is no mistake
-	bool bMobile = false; // the mobile renderer's, which drydock is not: Instead is the deferred one's
+	const char* Instead; // what those versions call that do not call this; empty: overriding it is no mistake
+	const char* NeverHere = nullptr; // why drydock never calls it, whatever the version; goes on after "which "
 };
 
 /** By EExtensionHook. */
@@ -31,7 +31,7 @@ DRYDOCK_API const FHookVersions& GetHookVersions(EExtensionHook Hook);
 /** "SetupView": without its arguments and the suffix of its thread. */
 DRYDOCK_API std::string GetHookName(EExtensionHook Hook);
 
-/** EngineMinor: of a plugin, which may be newer than all rows of EngineProfile.h. */
+/** EngineMinor: one of EngineProfile.h. */
 DRYDOCK_API bool IsHookCalled(EExtensionHook Hook, int32 EngineMinor);
 
 enum class EColorSpace : uint8

@@ -18,6 +18,7 @@ enum EExtensionError
 	WarnCallbackDropped = 2072,   // a callback after the last enabled pass: its texture is not seen
 	WarnCallbackUnbound = 2073,   // the object of a callback is gone
 	WarnPointNotReached = 2074,   // subscribed where this frame does not call
+	WarnEngineUnknown = 2075,     // compiled for an engine version that there is no row of
 	ErrorPluginRefused = 2079,    // one that a config names in a run without plugins
 	ErrorUnknownExtension = 2080, // no extension type of that name
 	ErrorUnknownPass = 2081,      // no pass type of that name

@@ -109,8 +109,9 @@ void FViewExtensionFrame::Gather(FSceneViewFamily& Family, const std::optional<s
 		check(Info);
 		const int Number = ++Numbers[Info->Name];
 		const std::string Label = Number == 1 ? Info->Name : Info->Name + " #" + std::to_string(Number);
-		Extensions.push_back(
-			{Extension, *Info, Label, Info->EngineMinor == AnyEngineVersion ? Engine.Minor : Info->EngineMinor});
+		const bool bFollows = Info->EngineMinor == AnyEngineVersion;
+		const int32 EngineMinor = bFollows ? Engine.Minor : GetNearestEngineProfile(Info->EngineMinor).Minor;
+		Extensions.push_back({Extension, *Info, Label, EngineMinor});
 		ReportVersion(Extensions.back());
 	}
 }
@@ -133,6 +134,12 @@ void FViewExtensionFrame::ReportVersion(const FExtension& Extension)
 	};
 	const std::string Own = GetEngineVersionText(Extension.EngineMinor);
 	const bool bFollows = Extension.Info.EngineMinor == AnyEngineVersion;
+	if (!bFollows && FindEngineProfile(Extension.Info.EngineMinor) == nullptr)
+	{
+		Report(ESeverity::Warning, WarnEngineUnknown,
+			"it is compiled for engine " + GetEngineVersionText(Extension.Info.EngineMinor) +
+				", which drydock does not know (" + ListEngineVersions(", ") + "); it gets the hooks of " + Own);
+	}
 	if (!bFollows && Extension.EngineMinor != Engine.Minor)
 	{
 		Report(ESeverity::Warning, WarnEngineDiffers,
@@ -142,16 +149,15 @@ void FViewExtensionFrame::ReportVersion(const FExtension& Extension)
 	for (const FHookVersions& Hook : GetHookVersions())
 	{
 		const bool bNever = Extension.Info.Has(Hook.Hook) && !IsHookCalled(Hook.Hook, Extension.EngineMinor);
-		if (bNever && Hook.bMobile)
+		if (bNever && Hook.NeverHere != nullptr)
 		{
-			// One that has both is right for both renderers.
+			// One that has both is right wherever it runs.
 			const bool bHasOther = std::any_of(GetHookVersions().begin(), GetHookVersions().end(),
 				[&](const FHookVersions& Other)
 				{ return Extension.Info.Has(Other.Hook) && std::string(Other.Signature) == Hook.Instead; });
 			Report(bHasOther ? ESeverity::Note : ESeverity::Warning, WarnHookNeverCalled,
-				"it overrides " + std::string(Hook.Signature) +
-					", which is the mobile renderer's and which the deferred renderer never calls" +
-					(bHasOther ? "" : "; override " + std::string(Hook.Instead)));
+				"it overrides " + std::string(Hook.Signature) + ", which " + Hook.NeverHere +
+					(bHasOther || Hook.Instead[0] == '\0' ? "" : "; override " + std::string(Hook.Instead)));
 		}
 		else if (bNever && !bFollows && Hook.Instead[0] != '\0')
 		{
@@ -232,7 +238,8 @@ void FViewExtensionFrame::SetupView(
 		const FFinalPostProcessSettings Before = View.View->FinalPostProcessSettings;
 		Call(Extension, EExtensionHook::SetupView, View.Name,
 			[&](ISceneViewExtension& Called) { Called.SetupView(Family, *View.View); });
-		if (Extension.Info.Has(EExtensionHook::SetupView))
+		if (Extension.Info.Has(EExtensionHook::SetupView) &&
+			IsHookCalled(EExtensionHook::SetupView, Extension.EngineMinor))
 		{
 			const std::vector<FSettingGate> Edits =
 				RecordExtensionEdits(Before, View.View->FinalPostProcessSettings, Extension.Label, Ledger);
@@ -248,6 +255,15 @@ void FViewExtensionFrame::BeginRenderViewFamily(FSceneViewFamily& Family)
 	{
 		Call(Extension, EExtensionHook::BeginRenderViewFamily, "",
 			[&](ISceneViewExtension& Called) { Called.BeginRenderViewFamily(Family); });
+	}
+}
+
+void FViewExtensionFrame::PostCreateSceneRenderer(const FSceneViewFamily& Family)
+{
+	for (FExtension& Extension : Extensions)
+	{
+		Call(Extension, EExtensionHook::PostCreateSceneRenderer, "",
+			[&](ISceneViewExtension& Called) { Called.PostCreateSceneRenderer(Family, nullptr); });
 	}
 }
 

@@ -55,6 +55,7 @@ public:
 	void SetupView(FSceneViewFamily& Family, const FNamedView& View, std::vector<FSettingGate>& Gates,
 		FBlendLedger* Ledger = nullptr);
 	void BeginRenderViewFamily(FSceneViewFamily& Family);
+	void PostCreateSceneRenderer(const FSceneViewFamily& Family);
 
 	// Render thread, in this order. Each extension has its family hook called and then those of its views.
 	void PreRender(FRDGBuilder& GraphBuilder, FSceneViewFamily& Family, const std::vector<FNamedView>& Views);

@@ -194,6 +194,7 @@ private:
 			Extensions.SetupView(Family, NamedViews.back(), Views.back()->Conditions.Gates);
 		}
 		Extensions.BeginRenderViewFamily(Family);
+		Extensions.PostCreateSceneRenderer(Family);
 	}
 
 	void SetUpView(const FFrameView& Source, FViewOfFrame& Target)

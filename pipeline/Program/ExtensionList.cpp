@@ -45,11 +45,11 @@ std::string DescribeVersions(const FHookVersions& Hook)
 
 std::string DescribeHook(const FHookVersions& Hook)
 {
-	const std::string Instead = "; override " + std::string(Hook.Instead);
-	return std::string(Hook.Signature) + (Hook.bMobile
-												 ? ": the mobile renderer's, never called by the deferred one" + Instead
-											 : Hook.First > Hook.Last ? ": no longer called" + Instead
-																	  : "");
+	const std::string Instead = Hook.Instead[0] != '\0' ? "; override " + std::string(Hook.Instead) : "";
+	const std::string Why = Hook.NeverHere != nullptr ? ": it " + std::string(Hook.NeverHere)
+							: Hook.First > Hook.Last  ? ": no longer called"
+													  : "";
+	return Hook.Signature + (Why.empty() ? "" : Why + Instead);
 }
 
 } // namespace

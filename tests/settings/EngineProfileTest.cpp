@@ -39,6 +39,13 @@ TEST(EngineProfile, IsFoundByNumberAndByName)
 	EXPECT_EQ(nullptr, FindEngineProfile(""));
 }
 
+TEST(EngineProfile, NearestIsTheNewestForNewerAndTheOldestForOlder)
+{
+	EXPECT_EQ(5, GetNearestEngineProfile(5).Minor);
+	EXPECT_EQ(GetEngineProfiles().back().Minor, GetNearestEngineProfile(99).Minor);
+	EXPECT_EQ(GetEngineProfiles().front().Minor, GetNearestEngineProfile(-1).Minor);
+}
+
 TEST(EngineProfile, TheDefaultIs54)
 {
 	EXPECT_EQ("5.4", GetDefaultEngineProfile().GetVersion());
@@ -64,10 +71,10 @@ TEST(EngineProfile, BloomHasARampWithoutThresholdUpTo53)
 
 TEST(EngineProfile, LocalExposureHasThresholdsFrom54)
 {
-	EXPECT_EQ("5.4 5.5 5.6 ", ListWhere(&FEngineProfile::bLocalExposureThresholds));
+	EXPECT_EQ("5.4 5.5 5.6 5.7 5.8 ", ListWhere(&FEngineProfile::bLocalExposureThresholds));
 }
 
 TEST(EngineProfile, ListsItsVersions)
 {
-	EXPECT_EQ("5.1, 5.2, 5.3, 5.4, 5.5, 5.6", ListEngineVersions(", "));
+	EXPECT_EQ("5.1, 5.2, 5.3, 5.4, 5.5, 5.6, 5.7, 5.8", ListEngineVersions(", "));
 }

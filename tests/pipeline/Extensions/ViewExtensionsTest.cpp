@@ -2,6 +2,7 @@
 // share the extension that records every hook.
 #include <gtest/gtest.h>
 
+#include "ExtensionFactory.h"
 #include "ExtensionTestUtils.h"
 #include "Extensions/EngineHooks.h"
 #include "Extensions/ExtensionErrors.h"
@@ -472,6 +473,81 @@ TEST(EngineProfile, APluginOfAnotherVersionIsReported)
 		MakeExtension(EPoint::Tonemap, [](const FCall& Call) { return Call.Fill(FLinearColor::Red); });
 	SetEngine(*Extension, 3);
 	EXPECT_EQ((std::vector<int>{WarnEngineDiffers}), GetCodes(Render()));
+}
+
+TEST(EngineProfile, APluginOfAVersionThatNobodyKnowsGetsTheNearestOnesHooks)
+{
+	std::string Calls;
+	const auto Extension = FSceneViewExtensions::NewExtension<FEverything>(Calls, "A");
+	for (const int32 Minor : {GetEngineProfiles().back().Minor + 1, 99, -3})
+	{
+		SetEngine(*Extension, Minor);
+		Calls.clear();
+		const FFrameResult Frame = Render();
+		EXPECT_NE(std::string::npos, Calls.find("A.SetupView\n")) << Minor;
+		ASSERT_FALSE(Frame.Log.Diagnostics.empty());
+		EXPECT_EQ(WarnEngineUnknown, Frame.Log.Diagnostics[0].Code);
+		EXPECT_NE(std::string::npos, Frame.Log.Diagnostics[0].Message.find("engine 5." + std::to_string(Minor)));
+	}
+}
+
+TEST(EngineProfile, SMAAIsAPointFrom57BetweenFXAAAndTheLast)
+{
+	class FRecorder : public FSceneViewExtensionBase
+	{
+	public:
+		using FSceneViewExtensionBase::FSceneViewExtensionBase;
+		void SubscribeToPostProcessingPass(EPostProcessingPass Pass, const FSceneView&,
+			FPostProcessingPassDelegateArray&, bool bIsPassEnabled) override
+		{
+			Points += std::string(GetPassName(Pass)) + (bIsPassEnabled ? "+ " : " ");
+		}
+		std::string Points;
+	};
+	const auto Extension = FSceneViewExtensions::NewExtension<FRecorder>();
+	for (const int32 Minor : {6, 7})
+	{
+		SetEngine(*Extension, Minor);
+		FFrameInputs Inputs = MakeFrame();
+		Inputs.Engine = *FindEngineProfile(Minor);
+		Extension->Points.clear();
+		Render(Inputs);
+		EXPECT_TRUE(Extension->Points.ends_with(
+			Minor == 6 ? "Tonemap+ FXAA VisualizeDepthOfField " : "Tonemap+ FXAA SMAA VisualizeDepthOfField "))
+			<< Extension->Points;
+	}
+}
+
+TEST(EngineProfile, HooksOf57)
+{
+	class FNew : public FSceneViewExtensionBase
+	{
+	public:
+		using FSceneViewExtensionBase::FSceneViewExtensionBase;
+		void BeginRenderViewFamily(FSceneViewFamily&) override { Calls += "Begin "; }
+		void PostCreateSceneRenderer(const FSceneViewFamily&, ISceneRenderer*) override { Calls += "Created "; }
+		void PreRenderViewFamily_RenderThread(FRDGBuilder&, FSceneViewFamily&) override { Calls += "Pre "; }
+		void PostTLASBuild_RenderThread(FRDGBuilder&, FSceneView&) override { ADD_FAILURE(); }
+		ESceneViewExtensionFlags GetFlags() const override
+		{
+			return ESceneViewExtensionFlags::SubscribesToPostTLASBuild;
+		}
+		std::string Calls;
+	};
+	const auto Extension = FSceneViewExtensions::NewExtension<FNew>();
+	SetEngine(*Extension, 7);
+	FFrameInputs Inputs = MakeFrame();
+	Inputs.Engine = *FindEngineProfile(7);
+	const FFrameResult Frame = Render(Inputs);
+	EXPECT_EQ("Begin Created Pre ", Extension->Calls);
+	ASSERT_EQ((std::vector<int>{WarnHookNeverCalled}), GetCodes(Frame));
+	EXPECT_NE(std::string::npos, Frame.Log.Diagnostics[0].Message.find("ray-tracing"));
+
+	SetEngine(*Extension, 6);
+	Inputs.Engine = *FindEngineProfile(6);
+	Extension->Calls.clear();
+	Render(Inputs);
+	EXPECT_EQ("Begin Pre ", Extension->Calls);
 }
 
 TEST(EngineProfile, ThePluginsVersionDecidesWhichHooksItGets)
