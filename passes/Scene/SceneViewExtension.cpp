@@ -62,6 +62,8 @@ void ISceneViewExtension::PostRenderBasePassDeferred_RenderThread(
 {
 }
 void ISceneViewExtension::PostRenderBasePassMobile_RenderThread(FRHICommandList&, FSceneView&) {}
+void ISceneViewExtension::PostRenderBasePassMobile_RenderThread(FRHICommandListImmediate&, FSceneView&) {}
+void ISceneViewExtension::PostRenderBasePass_RenderThread(FRHICommandListImmediate&, FSceneView&) {}
 void ISceneViewExtension::PostTLASBuild_RenderThread(FRDGBuilder&, FSceneView&) {}
 void ISceneViewExtension::PrePostProcessPass_RenderThread(FRDGBuilder&, const FSceneView&, const FPostProcessingInputs&)
 {

@@ -143,6 +143,8 @@ public:
 		TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures);
 	/** Never called: the renderer here is the deferred one. So is the next but one. */
 	virtual void PostRenderBasePassMobile_RenderThread(FRHICommandList& RHICmdList, FSceneView& InView);
+	/** As up to 5.2. */
+	virtual void PostRenderBasePassMobile_RenderThread(FRHICommandListImmediate& RHICmdList, FSceneView& InView);
 	/** From 5.7, for those whose flags ask for it. Never called: there is no ray-tracing scene here. */
 	virtual void PostTLASBuild_RenderThread(FRDGBuilder& GraphBuilder, FSceneView& InView);
 	/** Scene colour may be edited in place. */
@@ -163,6 +165,7 @@ public:
 	// Signatures of 5.0; no version here calls them.
 	virtual void PreRenderViewFamily_RenderThread(FRHICommandListImmediate& RHICmdList, FSceneViewFamily& InViewFamily);
 	virtual void PreRenderView_RenderThread(FRHICommandListImmediate& RHICmdList, FSceneView& InView);
+	virtual void PostRenderBasePass_RenderThread(FRHICommandListImmediate& RHICmdList, FSceneView& InView);
 	virtual void PostRenderView_RenderThread(FRHICommandListImmediate& RHICmdList, FSceneView& InView);
 	virtual void PostRenderViewFamily_RenderThread(
 		FRHICommandListImmediate& RHICmdList, FSceneViewFamily& InViewFamily);
@@ -251,6 +254,9 @@ FExtensionInfo DescribeExtension(int32 EngineMinor)
 										 FSceneView&, const FRenderTargetBindingSlots&, FSceneTexturesRef));
 	Note(PostRenderBasePassMobile,
 		DRYDOCK_HAS_HOOK(T, PostRenderBasePassMobile_RenderThread, FRHICommandList&, FSceneView&));
+	Note(PostRenderBasePassMobileImmediate,
+		DRYDOCK_HAS_HOOK(T, PostRenderBasePassMobile_RenderThread, FCommandList&, FSceneView&));
+	Note(PostRenderBasePass, DRYDOCK_HAS_HOOK(T, PostRenderBasePass_RenderThread, FCommandList&, FSceneView&));
 	Note(PostTLASBuild, DRYDOCK_HAS_HOOK(T, PostTLASBuild_RenderThread, FRDGBuilder&, FSceneView&));
 	Note(PrePostProcessPass, DRYDOCK_HAS_HOOK(T, PrePostProcessPass_RenderThread, FRDGBuilder&, const FSceneView&,
 								 const FPostProcessingInputs&));

@@ -32,6 +32,8 @@ enum class EExtensionHook : uint8
 	PreRenderBasePass,
 	PostRenderBasePassDeferred,
 	PostRenderBasePassMobile,
+	PostRenderBasePassMobileImmediate, // first argument FRHICommandListImmediate&
+	PostRenderBasePass,                // of 5.0
 	PostTLASBuild,
 	PrePostProcessPass,
 	PrePostProcessPassMobile,

@@ -31,6 +31,8 @@ const std::vector<FHookVersions>& GetHookVersions()
 		{PreRenderBasePass, "PreRenderBasePass_RenderThread(FRDGBuilder&, bool)", 4, Newest, "PreInitViews_RenderThread(FRDGBuilder&)"},
 		{PostRenderBasePassDeferred, "PostRenderBasePassDeferred_RenderThread(FRDGBuilder&, FSceneView&, const FRenderTargetBindingSlots&, TRDGUniformBufferRef<FSceneTextureUniformParameters>)", Oldest, Newest, ""},
 		{PostRenderBasePassMobile, "PostRenderBasePassMobile_RenderThread(FRHICommandList&, FSceneView&)", Oldest, Never, "PostRenderBasePassDeferred_RenderThread(FRDGBuilder&, FSceneView&, const FRenderTargetBindingSlots&, TRDGUniformBufferRef<FSceneTextureUniformParameters>)", Mobile},
+		{PostRenderBasePassMobileImmediate, "PostRenderBasePassMobile_RenderThread(FRHICommandListImmediate&, FSceneView&)", Oldest, Never, "PostRenderBasePassDeferred_RenderThread(FRDGBuilder&, FSceneView&, const FRenderTargetBindingSlots&, TRDGUniformBufferRef<FSceneTextureUniformParameters>)", Mobile},
+		{PostRenderBasePass, "PostRenderBasePass_RenderThread(FRHICommandListImmediate&, FSceneView&)", Oldest, Never, "PostRenderBasePassDeferred_RenderThread(FRDGBuilder&, FSceneView&, const FRenderTargetBindingSlots&, TRDGUniformBufferRef<FSceneTextureUniformParameters>)"},
 		{PostTLASBuild, "PostTLASBuild_RenderThread(FRDGBuilder&, FSceneView&)", 7, Never, "", RayTracing},
 		{PrePostProcessPass, "PrePostProcessPass_RenderThread(FRDGBuilder&, const FSceneView&, const FPostProcessingInputs&)", Oldest, Newest, ""},
 		{PrePostProcessPassMobile, "PrePostProcessPassMobile_RenderThread(FRDGBuilder&, const FSceneView&, const FMobilePostProcessingInputs&)", Oldest, Never, "PrePostProcessPass_RenderThread(FRDGBuilder&, const FSceneView&, const FPostProcessingInputs&)", Mobile},

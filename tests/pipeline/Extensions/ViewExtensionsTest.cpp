@@ -467,6 +467,25 @@ TEST(EngineProfile, HooksOfTheMobileRendererAreReportedAsNeverCalled)
 	EXPECT_TRUE(Frame.Log.Diagnostics[1].Message.ends_with("the deferred renderer never calls"));
 }
 
+TEST(EngineProfile, HooksAsOlderArticlesHaveThemAreAcceptedAndReported)
+{
+	class FOld : public FSceneViewExtensionBase
+	{
+	public:
+		using FSceneViewExtensionBase::FSceneViewExtensionBase;
+		void PostRenderBasePassMobile_RenderThread(FRHICommandListImmediate&, FSceneView&) override { ADD_FAILURE(); }
+		void PostRenderBasePass_RenderThread(FRHICommandListImmediate&, FSceneView&) override { ADD_FAILURE(); }
+	};
+	const auto Extension = FSceneViewExtensions::NewExtension<FOld>();
+	const FFrameResult Frame = Render();
+	ASSERT_EQ((std::vector<int>{WarnHookNeverCalled, WarnHookNeverCalled}), GetCodes(Frame));
+	EXPECT_NE(std::string::npos, Frame.Log.Diagnostics[0].Message.find("the mobile renderer's"));
+	for (const FDiagnostic& Diagnostic : Frame.Log.Diagnostics)
+	{
+		EXPECT_NE(std::string::npos, Diagnostic.Message.find("; override PostRenderBasePassDeferred_RenderThread("));
+	}
+}
+
 TEST(EngineProfile, APluginOfAnotherVersionIsReported)
 {
 	const auto Extension =
