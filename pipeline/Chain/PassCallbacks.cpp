@@ -129,7 +129,8 @@ FScreenPassTexture RunPassCallback(FRDGBuilder& GraphBuilder, const FNamedView& 
 		Log.Calls[LogIndex].Did = DescribeResult(Inputs, Result);
 		return Result;
 	}
-	FDiagnostic Diagnostic = MakeExtensionDiagnostic(ESeverity::Error, Breach.Code, Callback.Extension, Breach.Message);
+	const ESeverity Severity = IsValidationStrict() ? ESeverity::Error : ESeverity::Warning;
+	FDiagnostic Diagnostic = MakeExtensionDiagnostic(Severity, Breach.Code, Callback.Extension, Breach.Message);
 	Diagnostic.Where += " at " + Point;
 	Log.Diagnostics.push_back(Diagnostic);
 	if (IsValidationStrict())

@@ -58,7 +58,8 @@ FRDGPassRef FRDGBuilder::AdoptPass(std::unique_ptr<FRDGPass>&& InPass)
 		{
 			ResolveBufferSizes();
 			// Those before it were found right when they were added.
-			ThrowCollectedErrors(ValidatePass(State->Graph, State->Graph.Passes.back()));
+			ThrowCollectedErrors(
+				ValidatePass(State->Graph, State->Graph.Passes.back(), State->Settings.bStrictValidation));
 			FRDGExecutor(*State, RHICmdList).RunPassImmediately(*Pass);
 		}
 	}
@@ -249,7 +250,7 @@ FRDGCompiledGraph FRDGBuilder::Compile()
 	FRDGValidationResult Validation;
 	if (State->Settings.bValidation)
 	{
-		Validation = ValidateGraph(Graph, State->Settings.Debug != 0);
+		Validation = ValidateGraph(Graph, State->Settings.Debug != 0, State->Settings.bStrictValidation);
 		Validation.Ensures.insert(Validation.Ensures.begin(), State->Ensures.begin(), State->Ensures.end());
 		ThrowCollectedErrors(Validation.Errors);
 		if (!State->bEnsuresReported)
@@ -261,8 +262,7 @@ FRDGCompiledGraph FRDGBuilder::Compile()
 			}
 			for (const FDiagnostic& Diagnostic : Validation.Warnings)
 			{
-				ReportRDGWarning(
-					Diagnostic, State->Settings.Debug == 1 && Diagnostic.Code != RDGWarningNotShaderResource);
+				ReportRDGWarning(Diagnostic, State->Settings.Debug == 1 && IsRDGWarningOfWaste(Diagnostic.Code));
 			}
 		}
 	}

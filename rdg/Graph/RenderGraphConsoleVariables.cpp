@@ -10,8 +10,9 @@ TAutoConsoleVariable<int32> CVarImmediateMode(TEXT("r.RDG.ImmediateMode"), 0,
 	TEXT("Runs each pass inside AddPass: nothing is culled, merged or aliased, and a fault shows where it was "
 		 "declared."),
 	ECVF_RenderThreadSafe);
-TAutoConsoleVariable<int32> CVarValidation(
-	TEXT("r.RDG.Validation"), 1, TEXT("Checks the graph: 0 off, 1 on (default)."), ECVF_RenderThreadSafe);
+TAutoConsoleVariable<int32> CVarValidation(TEXT("r.RDG.Validation"), 1,
+	TEXT("Checks the graph: 0 off, 1 on (default), 2 also ends the run for what is undefined, where 1 warns."),
+	ECVF_RenderThreadSafe);
 TAutoConsoleVariable<int32> CVarDebug(TEXT("r.RDG.Debug"), 0,
 	TEXT("Warns about waste: 0 off (default), 1 once per message, 2 always."), ECVF_RenderThreadSafe);
 TAutoConsoleVariable<int32> CVarFlushGPU(TEXT("r.RDG.Debug.FlushGPU"), 0,
@@ -90,6 +91,7 @@ FRDGSettings GetRDGSettings()
 	FRDGSettings Settings;
 	Settings.bImmediateMode = CVarImmediateMode.GetValueOnAnyThread() != 0;
 	Settings.bValidation = CVarValidation.GetValueOnAnyThread() != 0;
+	Settings.bStrictValidation = CVarValidation.GetValueOnAnyThread() >= 2;
 	Settings.Debug = CVarDebug.GetValueOnAnyThread();
 	Settings.bExtendResourceLifetimes = CVarExtendLifetimes.GetValueOnAnyThread() != 0;
 	Settings.bDisableTransientResources = CVarDisableTransient.GetValueOnAnyThread() != 0;

@@ -12,6 +12,7 @@ struct FRDGSettings
 {
 	bool bImmediateMode = false;
 	bool bValidation = true;
+	bool bStrictValidation = false;
 	int32 Debug = 0;
 	bool bExtendResourceLifetimes = false;
 	bool bDisableTransientResources = false;

@@ -51,6 +51,13 @@ enum ERDGError : int
 	RDGWarningUnusedOutput = 2051,      // this and the next ones with r.RDG.Debug only
 	RDGWarningUnusedFlag = 2052,
 	RDGWarningUnusedParameter = 2053,
+	RDGWarningFeedback = 2054, // a pass samples what it renders to
 };
+
+/** Those of r.RDG.Debug. */
+constexpr bool IsRDGWarningOfWaste(int Code)
+{
+	return Code >= RDGWarningUnusedOutput && Code <= RDGWarningUnusedParameter;
+}
 
 } // namespace Drydock

@@ -5,6 +5,7 @@
 #include "RenderGraphAlias.h"
 #include "RenderGraphClobber.h"
 #include "RenderGraphDump.h"
+#include "RenderGraphFeedback.h"
 #include "RenderGraphHeap.h"
 #include "RenderGraphObserver.h"
 #include "RenderGraphReport.h"
@@ -391,8 +392,18 @@ void FRDGExecutor::RunLambda(FRDGPass& Pass, const FRDGPassResources& Resources)
 		~FRenderPassScope() { List.EndRenderPass(); }
 
 		FRHICommandListImmediate& List;
-	} RenderPass(RHICmdList, MakeRenderPassInfo(*Resources.TargetSlots), Pass.GetName());
-	Pass.Execute(RHICmdList);
+	};
+	const auto GetTexture = [this](int32 Resource)
+	{
+		return static_cast<FRHITexture*>(State.Resources[size_t(Resource)]->ResourceRHI.GetReference());
+	};
+	FRHIRenderPassInfo Info = MakeRenderPassInfo(*Resources.TargetSlots);
+	FRDGFeedbackTargets Feedback(State.GetDescription(Pass), GetTexture, Info);
+	{
+		const FRenderPassScope RenderPass(RHICmdList, Info, Pass.GetName());
+		Pass.Execute(RHICmdList);
+	}
+	Feedback.PutBack(RHICmdList);
 }
 
 FRHIRenderPassInfo FRDGExecutor::MakeRenderPassInfo(const FRenderTargetBindingSlots& Slots) const

@@ -1,6 +1,8 @@
 // Checks a declared graph, rule by rule, before it is compiled.
 #include "RenderGraphValidate.h"
 
+#include "RenderGraphFeedback.h"
+
 #include <algorithm>
 
 namespace Drydock
@@ -25,9 +27,10 @@ struct FUsers
 class FGraphValidator
 {
 public:
-	FGraphValidator(const FRDGGraphDescription& InGraph, bool bInDebug)
+	FGraphValidator(const FRDGGraphDescription& InGraph, bool bInDebug, bool bInStrict)
 		: Graph(InGraph)
 		, bDebug(bInDebug)
+		, bStrict(bInStrict)
 	{
 	}
 
@@ -273,6 +276,11 @@ private:
 			{
 				const FRDGUse& First = Pass.Uses[A];
 				const FRDGUse& Second = Pass.Uses[B];
+				if (!bStrict && IsFeedback(First, Second))
+				{
+					WarnAboutFeedback(Pass, First, Second);
+					continue;
+				}
 				const bool bAlone = IsValidAccess(First.Access) && IsValidAccess(Second.Access);
 				if (First.Resource == Second.Resource && bAlone && First.Overlaps(Second) &&
 					!IsValidAccess(First.Access | Second.Access))
@@ -285,6 +293,20 @@ private:
 				}
 			}
 		}
+	}
+
+	void WarnAboutFeedback(const FRDGPassDescription& Pass, const FRDGUse& First, const FRDGUse& Second)
+	{
+		const FRDGUse& Target = First.Access == ERHIAccess::RTV ? First : Second;
+		const FRDGUse& Read = &Target == &First ? Second : First;
+		const std::string& Name = GetResource(Target).Name;
+		Warn(RDGWarningFeedback, Pass,
+			"the pass samples what it renders to: " + Name + " is " + Target.Parameter + " and is read as " +
+				Read.Parameter +
+				". What such a read finds is undefined; here it is what was there before the pass. Read a copy, or "
+				"draw "
+				"to another texture (r.RDG.Validation 2 makes this an error)",
+			Read.Parameter, Name);
 	}
 
 	void CheckReads(const FRDGPassDescription& Pass, const std::vector<bool>& bProduced)
@@ -352,19 +374,20 @@ private:
 
 	const FRDGGraphDescription& Graph;
 	bool bDebug;
+	bool bStrict;
 	FRDGValidationResult Result;
 };
 
 } // namespace
 
-FRDGValidationResult ValidateGraph(const FRDGGraphDescription& Graph, bool bDebug)
+FRDGValidationResult ValidateGraph(const FRDGGraphDescription& Graph, bool bDebug, bool bStrict)
 {
-	return FGraphValidator(Graph, bDebug).Run();
+	return FGraphValidator(Graph, bDebug, bStrict).Run();
 }
 
-std::vector<FDiagnostic> ValidatePass(const FRDGGraphDescription& Graph, const FRDGPassDescription& Pass)
+std::vector<FDiagnostic> ValidatePass(const FRDGGraphDescription& Graph, const FRDGPassDescription& Pass, bool bStrict)
 {
-	return FGraphValidator(Graph, false).RunPass(Pass);
+	return FGraphValidator(Graph, false, bStrict).RunPass(Pass);
 }
 
 FDiagnostic MakePassDiagnostic(ESeverity Severity, int Code, const FRDGPassDescription& Pass,

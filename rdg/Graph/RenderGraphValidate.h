@@ -15,11 +15,12 @@ struct FRDGValidationResult
 	std::vector<FDiagnostic> Warnings;
 };
 
-/** bDebug (r.RDG.Debug): also what merely wastes. */
-DRYDOCK_API FRDGValidationResult ValidateGraph(const FRDGGraphDescription& Graph, bool bDebug);
+/** bDebug (r.RDG.Debug): also what merely wastes. bStrict (r.RDG.Validation 2): what is undefined is an error. */
+DRYDOCK_API FRDGValidationResult ValidateGraph(const FRDGGraphDescription& Graph, bool bDebug, bool bStrict = false);
 
 /** The errors of one pass of the graph alone. */
-DRYDOCK_API std::vector<FDiagnostic> ValidatePass(const FRDGGraphDescription& Graph, const FRDGPassDescription& Pass);
+DRYDOCK_API std::vector<FDiagnostic> ValidatePass(
+	const FRDGGraphDescription& Graph, const FRDGPassDescription& Pass, bool bStrict = false);
 
 /** A message about a pass, at its AddPass call. Parameter and Resource may be empty. */
 DRYDOCK_API FDiagnostic MakePassDiagnostic(ESeverity Severity, int Code, const FRDGPassDescription& Pass,

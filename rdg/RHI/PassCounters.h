@@ -35,6 +35,7 @@ struct FPassCounters
 	std::vector<FTextureWrite> Writes;
 
 	void AddWrite(const FRHITexture* Texture, int32_t Mip, const FIntRect& Rect);
+	void Rename(const FRHITexture* From, const FRHITexture* To);
 };
 
 } // namespace Drydock

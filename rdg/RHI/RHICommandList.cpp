@@ -101,6 +101,14 @@ void Drydock::FPassCounters::AddWrite(const FRHITexture* Texture, int32_t Mip, c
 	}
 }
 
+void Drydock::FPassCounters::Rename(const FRHITexture* From, const FRHITexture* To)
+{
+	for (FTextureWrite& Write : Writes)
+	{
+		Write.Texture = Write.Texture == From ? To : Write.Texture;
+	}
+}
+
 void FRHIComputeCommandList::SetComputePipelineState(FRHIComputeShader*)
 {
 	BoundCompute = Drydock::FBoundShader();

@@ -62,6 +62,8 @@ public:
 	/** Sums since ResetCounters. */
 	const Drydock::FPassCounters& GetCounters() const { return Counters; }
 	void ResetCounters() { Counters = Drydock::FPassCounters(); }
+	/** Counts what was written to Drawn as written to Target. */
+	void CountAs(const FRHITexture* Drawn, const FRHITexture* Target) { Counters.Rename(Drawn, Target); }
 
 	/** Count texture samples while running where the shader's static count is unknown. Slower. */
 	void SetMeasureTaps(bool bMeasure) { bMeasureTaps = bMeasure; }

@@ -100,6 +100,22 @@ void FRHITexture::EnsureMemory()
 	RebuildMipTables();
 }
 
+TRefCountPtr<FRHITexture> FRHITexture::Clone()
+{
+	TRefCountPtr<FRHITexture> Copy = new FRHITexture(Desc, *GetName().ToString());
+	Copy->Layout = Layout; // r.Drydock.Storage may be another one by now
+	Copy->CopyFrom(*this);
+	return Copy;
+}
+
+void FRHITexture::CopyFrom(FRHITexture& Source)
+{
+	check(Source.Layout.SizeInBytes == Layout.SizeInBytes);
+	Source.EnsureMemory();
+	EnsureMemory();
+	std::memcpy(Memory.Get(), Source.Memory.Get(), Layout.SizeInBytes);
+}
+
 void FRHITexture::RebuildMipTables()
 {
 	for (size_t Plane = 0; Plane < Layout.Planes.size(); ++Plane)

@@ -96,6 +96,11 @@ public:
 	void ReadRow(int32 X, int32 Y, TArrayView<FLinearColor> OutColors, int32 Mip = 0, int32 Z = 0);
 	void WriteRow(int32 X, int32 Y, TConstArrayView<FLinearColor> Colors, int32 Mip = 0, int32 Z = 0);
 
+	/** Another texture of this description, layout and contents. */
+	TRefCountPtr<FRHITexture> Clone();
+	/** All that a clone holds, bit for bit. */
+	void CopyFrom(FRHITexture& Source);
+
 	/** Every texel of every mip and slice, as the format stores the value. Stencil is left alone. */
 	void Fill(const FLinearColor& Value);
 

@@ -248,12 +248,18 @@ TEST(Validate, ReadingAndWritingOneSubresourceIsAHazard)
 	EXPECT_THAT(ValidateGraph(Graph.Get(), false).Errors[0].Message, HasSubstr("UAVCompute"));
 }
 
-TEST(Validate, ReadingAndRenderingOneSubresourceIsAHazard)
+TEST(Validate, ReadingAndRenderingOneSubresourceIsAWarningAndStrictlyAnError)
 {
 	FDescribedGraph Graph;
 	Graph.Resource("X").bExternal = true;
 	Graph.RasterPass("A", "X", ERenderTargetLoadAction::ELoad, {{"X", ERHIAccess::SRVGraphics}});
-	EXPECT_EQ("2025", Errors(Graph));
+	EXPECT_EQ("", Errors(Graph));
+	EXPECT_EQ("2054", Warnings(Graph, false));
+	const FDiagnostic Warning = ValidateGraph(Graph.Get(), false).Warnings[0];
+	EXPECT_THAT(Warning.Message, HasSubstr("undefined"));
+	EXPECT_THAT(Warning.Where, HasSubstr("resource X"));
+	EXPECT_EQ("2025", GetCodes(ValidateGraph(Graph.Get(), false, true).Errors));
+	EXPECT_EQ("", GetCodes(ValidateGraph(Graph.Get(), false, true).Warnings));
 }
 
 TEST(Validate, OneMipReadAnotherWrittenIsNone)
