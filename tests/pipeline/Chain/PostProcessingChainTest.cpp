@@ -347,7 +347,7 @@ TEST_P(BrokenContract, IsReportedAndThePictureGoesOnUntouched)
 	const auto Extension = MakeExtension(GetParam().Point, GetParam().Callback);
 	const FFrameResult Frame = Render();
 	EXPECT_EQ((std::vector<int>{GetParam().Code}), GetCodes(Frame));
-	EXPECT_EQ(ESeverity::Error, Frame.Log.Diagnostics.at(0).Severity);
+	EXPECT_EQ(ESeverity::Warning, Frame.Log.Diagnostics.at(0).Severity);
 	EXPECT_NE(std::string::npos, Frame.Log.Diagnostics[0].ToString().find("FAtPoint"));
 	EXPECT_EQ(Plain.Values, Frame.Final.Values);
 }
