@@ -1,4 +1,4 @@
-// `drydock check`: reads and validates a config and its scene's header, and runs nothing.
+// `drydock check`: reads and validates a config and its scene's header, compiles its frame and shaders, draws nothing.
 #include <CLI/CLI.hpp>
 
 #include "Program/ProgramOutput.h"
@@ -30,7 +30,7 @@ int Check(const FCheckOptions& Options)
 	int ExitCode = ExitDone;
 	try
 	{
-		const FCheckResult Result = CheckConfig(Options.Run);
+		const FCheckResult Result = CheckRun(Options.Run);
 		Diagnostics = Result.Diagnostics;
 		Effects = Result.Effects;
 	}
@@ -69,7 +69,7 @@ FVerbCall AddOptions(CLI::App& Verb)
 const FVerbRegistration GRegistration({
 	.Name = "check",
 	.Place = 20,
-	.Doc = "Read and validate a config and its scene's header; run nothing",
+	.Doc = "Read and validate a config, compile its frame and shaders; draw nothing",
 	.AddOptions = AddOptions,
 });
 

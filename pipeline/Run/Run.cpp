@@ -224,13 +224,17 @@ FFrameInputs MakeFrameInputs(const FRunOptions& Options, const FRunSetup& Setup,
 	{
 		return Scene.RegisterTextures(GraphBuilder);
 	};
-	Inputs.MeasureContent = [&Scene, &LoadMilliseconds](const FIntRect& ViewRect, const FContentQuestions& Questions)
+	if (Options.bLookAtContent)
 	{
-		const FClock::time_point Begin = FClock::now();
-		const FViewContent Content = MeasureViewContent(Scene, ViewRect, Questions);
-		LoadMilliseconds += MillisecondsSince(Begin);
-		return Content;
-	};
+		Inputs.MeasureContent = [&Scene, &LoadMilliseconds](
+									const FIntRect& ViewRect, const FContentQuestions& Questions)
+		{
+			const FClock::time_point Begin = FClock::now();
+			const FViewContent Content = MeasureViewContent(Scene, ViewRect, Questions);
+			LoadMilliseconds += MillisecondsSince(Begin);
+			return Content;
+		};
+	}
 	Inputs.Plugins = Setup.Plugins;
 	if (Setup.Config.Views.size() <= 1)
 	{
@@ -394,6 +398,24 @@ FCheckResult CheckConfig(const FRunOptions& Options)
 	FRunSetup Setup(Options, ESceneNeed::IfNamed);
 	return {
 		std::move(Setup.Config), std::move(Setup.Diagnostics), Setup.Settings.Settings, DecideEffects(Setup.Settings)};
+}
+
+FCheckResult CheckRun(const FRunOptions& Options)
+{
+	FRunSetup Setup(Options, ESceneNeed::IfNamed);
+	FCheckResult Check = {Setup.Config, Setup.Diagnostics, Setup.Settings.Settings, DecideEffects(Setup.Settings)};
+	if (!Setup.Config.Scene.File.empty())
+	{
+		FRunOptions Compiled = Options;
+		Compiled.bExecute = false;
+		Compiled.bPlanLoads = true; // which takes the shaders
+		Compiled.bLookAtContent = false;
+		Setup.BeginFrame(std::nullopt);
+		SetPreExposure(Setup.Config, Setup.Settings.ExposureScale, {});
+		std::vector<std::shared_ptr<FSceneViewState>> Caches;
+		Check.Diagnostics = Render(Compiled, Setup, {{}, Caches}).Result.Diagnostics;
+	}
+	return Check;
 }
 
 } // namespace Drydock

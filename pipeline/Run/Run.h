@@ -54,4 +54,8 @@ struct FCheckResult
 };
 DRYDOCK_API FCheckResult CheckConfig(const FRunOptions& Options);
 
+/** As CheckConfig; where a scene is named, also what comes to light when its frame is compiled: mistakes of extensions
+ * and passes, and of the shaders of all passes that settings let run. Nothing is drawn, and no picture is decoded. */
+DRYDOCK_API FCheckResult CheckRun(const FRunOptions& Options);
+
 } // namespace Drydock
