@@ -404,7 +404,7 @@ FCheckResult CheckRun(const FRunOptions& Options)
 {
 	FRunSetup Setup(Options, ESceneNeed::IfNamed);
 	FCheckResult Check = {Setup.Config, Setup.Diagnostics, Setup.Settings.Settings, DecideEffects(Setup.Settings)};
-	if (!Setup.Config.Scene.File.empty())
+	if (!Setup.Config.Scene.File.Value.empty())
 	{
 		FRunOptions Compiled = Options;
 		Compiled.bExecute = false;
