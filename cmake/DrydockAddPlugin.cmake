@@ -1,16 +1,30 @@
-# drydock_add_plugin(NAME SOURCES file... [SHADERS file...])
+# drydock_add_plugin(NAME [FOLDER folder] [SOURCES file...] [SHADERS file...] [EXCLUDE pattern...] [UNITY])
 #
 # A plugin as Unreal has it: a shared library lib<NAME>.so whose extensions and shaders register themselves when it is
 # loaded ("plugins": ["path/libNAME.so"] in a config, or linked to a program).
 #
-# SOURCES  C++ files, in one folder or in the engine's layout (Source/MODULE/Public and Private). Headers of the module
-#          are found as in the engine. A header with `#include "X.generated.h"` gets that file made here, and its UCLASSes
-#          are registered, so that subsystems start by themselves; it is made again whenever the header changes.
-# SHADERS  .usf and .ush files. The virtual path "/Plugin/<NAME>" means the plugin's folder Shaders where they lie in it,
-#          else their common folder; the files are read in place, so that an edit is seen by the next run.
+# FOLDER   The plugin's folder, where its .uplugin is; by default that of the CMakeLists.txt.
+# SOURCES  C++ files, in one folder or in the engine's layout (Source/MODULE/Public and Private). Without SOURCES they are
+#          found: those of the modules that the .uplugin and the .Build.cs files name, without modules of the editor and
+#          without files that include its headers or Slate's; each that is left out is named. Definitions and folders of
+#          the .Build.cs files count. Plugins that the .uplugin needs and that lie beside it are built and linked too. Headers of a module are found as in the engine. A header with
+#          `#include "X.generated.h"` gets that file made here, and its UCLASSes are registered, so that subsystems start by
+#          themselves; it is made again whenever the header changes.
+# SHADERS  .usf and .ush files; without SOURCES and SHADERS those below folders named Shaders. The virtual path
+#          "/Plugin/<NAME>" means the plugin's folder Shaders where they lie in it, else their common folder; the files are
+#          read in place, so that an edit is seen by the next run.
+# EXCLUDE  What does not belong to it: paths from the plugin's folder on (a folder means all below it), names of files or of
+#          modules, with * and ?. Headers too: their classes are not registered then.
+# UNITY    The sources as one file, in the order of their names. The engine's build does so, and some published files lack
+#          an include that another one before them has.
+#
+# Every file begins with what the engine's shared precompiled header brings (EngineSharedPCH.h), which is precompiled once
+# for the plugin.
 #
 # IPluginManager::Get().FindPlugin(TEXT("<NAME>"))->GetBaseDir() is the folder of the nearest .uplugin file, else the one
-# that holds Source or Shaders, else the folder of the CMakeLists.txt.
+# that holds Source or Shaders, else the folder of the CMakeLists.txt. It has the name of the .uplugin as well.
+
+include("${CMAKE_CURRENT_LIST_DIR}/DrydockPluginSources.cmake")
 
 # Folder of the plugin that Source belongs to.
 function(_drydock_plugin_folder Source ShaderFolder OutVariable)
@@ -51,6 +65,7 @@ function(_drydock_generate_header Header GeneratedFolder Name OutClasses)
 	string(REGEX REPLACE "[][;\\]" " " Text "${Text}")
 	string(REPLACE "\n" " ;" Text "${Text}")
 	set(Macros "")
+	set(Declarations "")
 	set(Classes "")
 	set(Kind "")
 	set(Head "")
@@ -73,6 +88,7 @@ function(_drydock_generate_header Header GeneratedFolder Name OutClasses)
 			set(Class "${CMAKE_MATCH_3}")
 			set(Key "${CMAKE_MATCH_1}")
 			set(Base "${CMAKE_MATCH_7}")
+			string(APPEND Declarations "${Key} ${Class};\n")
 			set(Body "public:")
 			if(Base)
 				string(APPEND Body " using Super = ${Base};")
@@ -98,7 +114,8 @@ function(_drydock_generate_header Header GeneratedFolder Name OutClasses)
 
 #undef CURRENT_FILE_ID
 #define CURRENT_FILE_ID @FileId@
-@Macros@")
+@Macros@
+@Declarations@")
 	set(Registrations "")
 	foreach(Class IN LISTS Classes)
 		string(APPEND Registrations "const Drydock::TClassRegistration<${Class}> GRegister${Class}(TEXT(\"${Class}\"));\n")
@@ -116,14 +133,115 @@ namespace
 	set(${OutClasses} "${Classes}" PARENT_SCOPE)
 endfunction()
 
+# What _drydock_glob_plugin finds of a plugin that does not list its files: in OutSources and OutShaders the files, in
+# OutModules the folders of its modules.
+function(_drydock_find_plugin_files Name Folder Excludes OutSources OutShaders OutModules)
+	if(NOT IS_DIRECTORY "${Folder}")
+		message(FATAL_ERROR "drydock_add_plugin(${Name}): there is no folder ${Folder}")
+	endif()
+	_drydock_find_modules("${Name}" "${Folder}" "${Excludes}" Modules)
+	set(Files "")
+	foreach(Module IN LISTS Modules)
+		_drydock_glob_plugin("${Module}" ModuleFiles "*.h" "*.hpp" "*.inl" "*.cpp")
+		list(APPEND Files ${ModuleFiles})
+	endforeach()
+	list(REMOVE_DUPLICATES Files)
+	set(Wanted "")
+	foreach(File IN LISTS Files)
+		_drydock_is_excluded("${File}" "${Folder}" "${Excludes}" Pattern)
+		if(NOT Pattern)
+			list(APPEND Wanted "${File}")
+		elseif(File MATCHES "[.]cpp$")
+			file(RELATIVE_PATH Path "${Folder}" "${File}")
+			message(STATUS "${Name}: left out ${Path}: EXCLUDE ${Pattern}")
+		endif()
+	endforeach()
+	_drydock_leave_out_tools("${Name}" "${Folder}" Kept ${Wanted})
+	list(FILTER Kept INCLUDE REGEX "[.]cpp$")
+	if(NOT Kept)
+		message(FATAL_ERROR "drydock_add_plugin(${Name}): no sources found in ${Folder}: a plugin has a .uplugin file, and "
+			"in Source/MODULE a MODULE.Build.cs beside its .cpp files")
+	endif()
+	_drydock_glob_plugin("${Folder}" Shaders "*.usf" "*.ush")
+	list(FILTER Shaders INCLUDE REGEX "/Shaders/")
+	set(${OutSources} "${Kept}" PARENT_SCOPE)
+	set(${OutShaders} "${Shaders}" PARENT_SCOPE)
+	set(${OutModules} "${Modules}" PARENT_SCOPE)
+endfunction()
+
+# Builds the plugins that the one in Folder needs where they lie beside it: those of its .uplugin's "Plugins", and those
+# that a Build.cs names as a module.
+function(_drydock_add_needed_plugins Name Folder OutTargets)
+	set(Plugins "")
+	file(GLOB Descriptions "${Folder}/*.uplugin")
+	foreach(Description IN LISTS Descriptions)
+		_drydock_read_description("${Description}" Modules Plugins)
+	endforeach()
+	_drydock_glob_plugin("${Folder}" BuildFiles "*.Build.cs")
+	file(GLOB Neighbours "${Folder}/../*/*.uplugin")
+	foreach(BuildFile IN LISTS BuildFiles)
+		file(READ "${BuildFile}" Text)
+		foreach(Neighbour IN LISTS Neighbours)
+			cmake_path(GET Neighbour STEM Plugin)
+			cmake_path(GET Neighbour PARENT_PATH NeighbourFolder)
+			cmake_path(NORMAL_PATH NeighbourFolder)
+			string(FIND "${Text}" "\"${Plugin}\"" At)
+			if(At GREATER_EQUAL 0 AND NOT NeighbourFolder STREQUAL Folder)
+				list(APPEND Plugins "${Plugin}")
+			endif()
+		endforeach()
+	endforeach()
+	list(REMOVE_DUPLICATES Plugins)
+	set(Targets "")
+	foreach(Plugin IN LISTS Plugins)
+		file(GLOB Found "${Folder}/../*/${Plugin}.uplugin")
+		if(Found AND NOT TARGET ${Plugin})
+			list(GET Found 0 Found)
+			cmake_path(GET Found PARENT_PATH PluginFolder)
+			cmake_path(NORMAL_PATH PluginFolder)
+			drydock_add_plugin(${Plugin} FOLDER "${PluginFolder}")
+			message(STATUS "${Name}: plugin ${Plugin}, which it needs, is built from ${PluginFolder}")
+		elseif(NOT Found)
+			message(STATUS "${Name}: plugin ${Plugin}, which it names, does not lie beside it")
+		endif()
+		if(TARGET ${Plugin})
+			list(APPEND Targets ${Plugin})
+		endif()
+	endforeach()
+	set(${OutTargets} "${Targets}" PARENT_SCOPE)
+endfunction()
+
+# The plugin's files as the compiler takes them: every one begins with the engine's shared header.
+function(_drydock_precompile Name)
+	if(CMAKE_DISABLE_PRECOMPILE_HEADERS)
+		target_compile_options(${Name} PRIVATE "SHELL:-include EngineSharedPCH.h")
+	else()
+		target_precompile_headers(${Name} PRIVATE <EngineSharedPCH.h>)
+	endif()
+endfunction()
+
 function(drydock_add_plugin Name)
-	cmake_parse_arguments(PARSE_ARGV 1 Arg "" "" "SOURCES;SHADERS")
+	cmake_parse_arguments(PARSE_ARGV 1 Arg "UNITY" "FOLDER" "SOURCES;SHADERS;EXCLUDE")
 	if(Arg_UNPARSED_ARGUMENTS)
 		message(FATAL_ERROR "drydock_add_plugin(${Name}): unknown arguments ${Arg_UNPARSED_ARGUMENTS}; "
-			"expected SOURCES and SHADERS")
+			"expected FOLDER, SOURCES, SHADERS, EXCLUDE and UNITY")
 	endif()
+	set(Root "${CMAKE_CURRENT_SOURCE_DIR}")
+	if(Arg_FOLDER)
+		cmake_path(ABSOLUTE_PATH Arg_FOLDER BASE_DIRECTORY "${Root}" NORMALIZE OUTPUT_VARIABLE Root)
+		string(REGEX REPLACE "/$" "" Root "${Root}")
+	endif()
+	set(Needed "")
 	if(NOT Arg_SOURCES)
-		message(FATAL_ERROR "drydock_add_plugin(${Name}): no SOURCES given")
+		_drydock_add_needed_plugins("${Name}" "${Root}" Needed)
+	endif()
+	set_property(GLOBAL PROPERTY DRYDOCK_USED_EXCLUDES "")
+	set(FoundModules "")
+	if(NOT Arg_SOURCES)
+		_drydock_find_plugin_files("${Name}" "${Root}" "${Arg_EXCLUDE}" Arg_SOURCES FoundShaders FoundModules)
+		if(NOT Arg_SHADERS)
+			set(Arg_SHADERS ${FoundShaders})
+		endif()
 	endif()
 
 	set(GeneratedFolder "${CMAKE_CURRENT_BINARY_DIR}/${Name}.generated")
@@ -133,9 +251,13 @@ function(drydock_add_plugin Name)
 	set(ModuleNames "${Name}")
 	set(SourceFiles "")
 	foreach(Source IN LISTS Arg_SOURCES)
-		cmake_path(ABSOLUTE_PATH Source BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" NORMALIZE)
+		cmake_path(ABSOLUTE_PATH Source BASE_DIRECTORY "${Root}" NORMALIZE)
 		if(NOT EXISTS "${Source}")
 			message(FATAL_ERROR "drydock_add_plugin(${Name}): source file ${Source} does not exist")
+		endif()
+		_drydock_is_excluded("${Source}" "${Root}" "${Arg_EXCLUDE}" Pattern)
+		if(Pattern)
+			continue()
 		endif()
 		cmake_path(GET Source PARENT_PATH Folder)
 		list(APPEND Folders "${Folder}")
@@ -154,8 +276,20 @@ function(drydock_add_plugin Name)
 			list(APPEND ModuleFolders "${Folder}/.")
 		endif()
 	endforeach()
+	set(Definitions "")
+	foreach(Module IN LISTS FoundModules)
+		cmake_path(GET Module FILENAME ModuleName)
+		list(APPEND ModuleNames "${ModuleName}")
+		list(APPEND ModuleFolders "${Module}")
+		_drydock_read_build_file("${Module}" "${Root}" BuildFolders BuildDefinitions)
+		# As the engine has it, a header is found from Source on as well: "MyModule/Public/X.h".
+		cmake_path(GET Module PARENT_PATH Parent)
+		list(APPEND Folders ${BuildFolders} "${Parent}")
+		list(APPEND Definitions ${BuildDefinitions})
+	endforeach()
 	list(REMOVE_DUPLICATES Folders)
 	list(REMOVE_DUPLICATES ModuleFolders)
+	list(REMOVE_DUPLICATES Definitions)
 
 	set(Headers "")
 	set(InlineGenerated "")
@@ -168,6 +302,26 @@ function(drydock_add_plugin Name)
 		list(APPEND Headers ${Files})
 	endforeach()
 	list(REMOVE_DUPLICATES Headers)
+	list(FILTER Headers EXCLUDE REGEX "/(Intermediate|Binaries)/")
+	set(Wanted "")
+	foreach(Header IN LISTS Headers)
+		_drydock_is_excluded("${Header}" "${Root}" "${Arg_EXCLUDE}" Pattern)
+		if(NOT Pattern)
+			list(APPEND Wanted "${Header}")
+		endif()
+	endforeach()
+	set(Headers ${Wanted})
+	if(FoundModules)
+		_drydock_leave_out_tools("" "${Root}" Headers ${Headers})
+		list(REMOVE_ITEM Headers "")
+	endif()
+	_drydock_forward_windows_names("${GeneratedFolder}" ${Headers})
+	set(OwnFolders ${Folders})
+	foreach(Plugin IN LISTS Needed)
+		get_target_property(NeededFolders ${Plugin} INTERFACE_INCLUDE_DIRECTORIES)
+		list(APPEND OwnFolders ${NeededFolders})
+	endforeach()
+	_drydock_make_absent_headers("${Name}" "${GeneratedFolder}/absent" "${OwnFolders}" ${Headers})
 	foreach(Header IN LISTS Headers)
 		file(STRINGS "${Header}" Inlines REGEX "#[ \t]*include[ \t]*UE_INLINE_GENERATED_CPP_BY_NAME")
 		foreach(Inline IN LISTS Inlines)
@@ -186,6 +340,8 @@ function(drydock_add_plugin Name)
 		_drydock_generate_header("${Header}" "${GeneratedFolder}" "${GeneratedName}" Classes)
 		if(Classes AND Header MATCHES "\\.h$" AND NOT GeneratedName IN_LIST InlineGenerated)
 			list(APPEND SourceFiles "${GeneratedFolder}/${GeneratedName}.gen.cpp")
+			set_source_files_properties("${GeneratedFolder}/${GeneratedName}.gen.cpp"
+				PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 		endif()
 	endforeach()
 
@@ -193,7 +349,7 @@ function(drydock_add_plugin Name)
 	set(Mapping "")
 	if(Arg_SHADERS)
 		foreach(Shader IN LISTS Arg_SHADERS)
-			cmake_path(ABSOLUTE_PATH Shader BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" NORMALIZE)
+			cmake_path(ABSOLUTE_PATH Shader BASE_DIRECTORY "${Root}" NORMALIZE)
 			if(NOT EXISTS "${Shader}")
 				message(FATAL_ERROR "drydock_add_plugin(${Name}): shader file ${Shader} does not exist")
 			endif()
@@ -219,6 +375,27 @@ function(drydock_add_plugin Name)
 		set(Mapping
 			"const bool bMapped = (AddShaderSourceDirectoryMapping(TEXT(\"/Plugin/${Name}\"), TEXT(\"${ShaderFolder}\")), true);\n")
 	endif()
+	get_property(UsedExcludes GLOBAL PROPERTY DRYDOCK_USED_EXCLUDES)
+	foreach(Pattern IN LISTS Arg_EXCLUDE)
+		if(NOT Pattern IN_LIST UsedExcludes)
+			message(FATAL_ERROR "drydock_add_plugin(${Name}): EXCLUDE ${Pattern} matches nothing; expected a path from "
+				"${Root} on, a file's name or a module's, with * and ? for what differs")
+		endif()
+	endforeach()
+	# The engine knows a plugin by its .uplugin.
+	set(PluginNames "${Name}")
+	file(GLOB Descriptions CONFIGURE_DEPENDS "${PluginFolder}/*.uplugin")
+	foreach(Description IN LISTS Descriptions)
+		cmake_path(GET Description STEM PluginName)
+		list(APPEND PluginNames "${PluginName}")
+	endforeach()
+	list(REMOVE_DUPLICATES PluginNames)
+	set(Registrations "")
+	foreach(PluginName IN LISTS PluginNames)
+		string(MAKE_C_IDENTIFIER "${PluginName}" Identifier)
+		string(APPEND Registrations
+			"const bool bRegistered_${Identifier} = (IPluginManager::Get().RegisterPlugin(TEXT(\"${PluginName}\"), TEXT(\"${PluginFolder}\")), true);\n")
+	endforeach()
 	set(MappingFile "${GeneratedFolder}/${Name}ShaderDirectory.cpp")
 	file(CONFIGURE OUTPUT "${MappingFile}" @ONLY CONTENT
 "// Made by drydock_add_plugin: where the plugin and its shaders are.
@@ -227,15 +404,20 @@ function(drydock_add_plugin Name)
 
 namespace
 {
-@Mapping@const bool bRegistered = (IPluginManager::Get().RegisterPlugin(TEXT(\"@Name@\"), TEXT(\"@PluginFolder@\")), true);
-} // namespace
+@Mapping@@Registrations@} // namespace
 ")
 	list(APPEND SourceFiles "${MappingFile}")
+	set_source_files_properties("${MappingFile}" PROPERTIES SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
 
 	add_library(${Name} SHARED ${SourceFiles})
-	target_include_directories(${Name} PUBLIC ${Folders} PRIVATE "${GeneratedFolder}")
-	target_link_libraries(${Name} PUBLIC drydock::drydock)
+	target_include_directories(${Name} PUBLIC ${Folders} PRIVATE "${GeneratedFolder}" "${GeneratedFolder}/absent")
+	target_link_libraries(${Name} PUBLIC drydock::drydock ${Needed})
 	target_compile_features(${Name} PUBLIC cxx_std_20)
+	target_compile_definitions(${Name} PRIVATE ${Definitions})
+	_drydock_precompile(${Name})
+	if(Arg_UNITY)
+		set_target_properties(${Name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+	endif()
 	# The engine's export macros, one per module: a plugin is one library here.
 	list(REMOVE_DUPLICATES ModuleNames)
 	foreach(ModuleName IN LISTS ModuleNames)

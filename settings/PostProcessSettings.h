@@ -65,11 +65,65 @@ struct FPostProcessSettings
 	}
 };
 
+/** What the blendables of a view have pushed, one entry each. */
+struct FBlendableEntry
+{
+	float Weight = 0.0f; // 0..1
+
+	/** Ours: the name that its type bears (GetFName), and the data, which copies of the settings share. */
+	FName Type;
+	std::shared_ptr<void> Data;
+};
+
 /** The blendables of all sources that act on a view, in the order in which they were blended, each with its weight
  * times that of its source. One that several sources name is there as often. */
 struct FBlendableManager
 {
 	TArray<FWeightedBlendable> Blendables;
+
+	/** Adds data for whoever asks for its type; T has a static GetFName. Weight: 0..1. Returns the copy. */
+	template<typename T>
+	T* PushBlendableData(float Weight, const T& Data)
+	{
+		const std::shared_ptr<T> Copy = std::make_shared<T>(Data);
+		Entries.push_back(std::make_shared<FBlendableEntry>(FBlendableEntry{Weight, T::GetFName(), Copy}));
+		return Copy.get();
+	}
+
+	/** The data after Iterator (null: the first) of that type, and Iterator becomes its entry; null when there is no
+	 * more. */
+	template<typename T>
+	T* IterateBlendables(FBlendableEntry*& Iterator) const
+	{
+		bool bBehind = Iterator == nullptr;
+		for (const std::shared_ptr<FBlendableEntry>& Entry : Entries)
+		{
+			if (bBehind && Entry->Type == T::GetFName())
+			{
+				Iterator = Entry.get();
+				return static_cast<T*>(Entry->Data.get());
+			}
+			bBehind = bBehind || Entry.get() == Iterator;
+		}
+		Iterator = nullptr;
+		return nullptr;
+	}
+
+	/** The last that was pushed of that type, or null. */
+	template<typename T>
+	T* GetSingleFinalData() const
+	{
+		T* Last = nullptr;
+		FBlendableEntry* Iterator = nullptr;
+		while (T* const Data = IterateBlendables<T>(Iterator))
+		{
+			Last = Data;
+		}
+		return Last;
+	}
+
+private:
+	std::vector<std::shared_ptr<FBlendableEntry>> Entries; // whose addresses stay
 };
 
 /** What a view renders with, after defaults, volumes, camera, clamps and show flags. Beside the fields, of which each

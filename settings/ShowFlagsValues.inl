@@ -23,4 +23,5 @@ DRYDOCK_SHOWFLAG(GlobalIllumination, true, "Indirect light; off sets its colour 
 DRYDOCK_SHOWFLAG(PostProcessMaterial, true, "Post-process materials.")
 DRYDOCK_SHOWFLAG(Translucency, true, "Translucency.")
 DRYDOCK_SHOWFLAG(ScreenPercentage, true, "Rendering at another resolution than the output's.")
+DRYDOCK_SHOWFLAG(PathTracing, false, "The path tracer; there is none here.")
 // clang-format on

@@ -4,6 +4,7 @@
 #include "CoreMinimal.h"
 #include "RHI.h"
 
+class FScene;
 class UWorld;
 
 class DRYDOCK_API FSceneInterface
@@ -16,9 +17,11 @@ public:
 	virtual ~FSceneInterface();
 
 	virtual UWorld* GetWorld() const { return World; }
+	/** The renderer's; never null for the world's scene. */
+	virtual FScene* GetRenderScene() { return nullptr; }
 	ERHIFeatureLevel::Type GetFeatureLevel() const { return GMaxRHIFeatureLevel; }
 	EShaderPlatform GetShaderPlatform() const { return GMaxRHIShaderPlatform; }
 
-private:
+protected:
 	UWorld* World;
 };

@@ -9,6 +9,12 @@
 
 class FSceneViewState;
 
+/** What volumetric fog has made: nothing here. */
+struct FVolumetricFogViewResources
+{
+	FRDGTextureRef IntegratedLightScatteringTexture = nullptr;
+};
+
 class FViewInfo : public FSceneView
 {
 public:
@@ -35,6 +41,19 @@ public:
 	/** The scene textures of the frame in progress, or null. */
 	const FSceneTextures* SceneTextures = nullptr;
 
+	/** Height fog of density 0: the engine's members, for plugins that pass them on. Lengths in cm. */
+	FVector4f ExponentialFogParameters = FVector4f(0.0f, 0.0f, 0.0f, 0.0f);
+	FVector4f ExponentialFogParameters2 = FVector4f(0.0f, 0.0f, 0.0f, 0.0f);
+	FVector4f ExponentialFogParameters3 = FVector4f(0.0f, 0.0f, 0.0f, 0.0f);
+	FVector3f ExponentialFogColor = FVector3f(0.0f, 0.0f, 0.0f);
+	float FogMaxOpacity = 1.0f;
+	float VolumetricFogStartDistance = 0.0f;
+	FVolumetricFogViewResources VolumetricFogResources;
+
+	/** Hierarchical depth: none is built. */
+	FRDGTextureRef HZB = nullptr;
+	FIntPoint HZBMipmap0Size = FIntPoint::ZeroValue;
+
 	DRYDOCK_API FViewInfo();
 
 	/** A view of Rect with neutral camera, settings at their defaults and a built uniform buffer: all that a pass
@@ -46,6 +65,7 @@ public:
 	 * after ViewRect, PreExposure and UniformParameters are final. */
 	DRYDOCK_API void InitViewUniformBuffer(FIntPoint BufferExtent);
 
+	const FSceneTextures& GetSceneTextures() const { return GetSceneTexturesChecked(); }
 	const FSceneTextures& GetSceneTexturesChecked() const
 	{
 		check(SceneTextures);

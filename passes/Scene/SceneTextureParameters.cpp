@@ -78,3 +78,43 @@ FSceneTextureShaderParameters CreateSceneTextureShaderParameters(
 {
 	return GetSceneTextureShaderParameters(CreateSceneTextureUniformBuffer(GraphBuilder, View, SetupMode));
 }
+
+namespace
+{
+
+FSceneTextureParameters TakeTextures(FRDGBuilder& GraphBuilder, const FSceneTextureUniformParameters& Source)
+{
+	FSceneTextureParameters Parameters;
+	Parameters.SceneDepthTexture = Source.SceneDepthTexture;
+	Parameters.SceneStencilTexture = FRDGSystemTextures::Get(GraphBuilder).StencilDummySRV;
+	Parameters.GBufferVelocityTexture = Source.GBufferVelocityTexture;
+	Parameters.GBufferATexture = Source.GBufferATexture;
+	Parameters.GBufferBTexture = Source.GBufferBTexture;
+	Parameters.GBufferCTexture = Source.GBufferCTexture;
+	Parameters.GBufferDTexture = Source.GBufferDTexture;
+	Parameters.GBufferETexture = Source.GBufferETexture;
+	Parameters.GBufferFTexture = Source.GBufferFTexture;
+	return Parameters;
+}
+
+} // namespace
+
+FSceneTextureParameters GetSceneTextureParameters(FRDGBuilder& GraphBuilder, const FSceneTextures& SceneTextures)
+{
+	FSceneTextureUniformParameters Source;
+	SetupSceneTextureUniformParameters(GraphBuilder, &SceneTextures, ESceneTextureSetupMode::All, Source);
+	return TakeTextures(GraphBuilder, Source);
+}
+
+FSceneTextureParameters GetSceneTextureParameters(FRDGBuilder& GraphBuilder, const FSceneView& View)
+{
+	FSceneTextureUniformParameters Source;
+	SetupSceneTextureUniformParameters(GraphBuilder, FindSceneTextures(View), ESceneTextureSetupMode::All, Source);
+	return TakeTextures(GraphBuilder, Source);
+}
+
+FSceneTextureParameters GetSceneTextureParameters(
+	FRDGBuilder& GraphBuilder, TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextureUniformBuffer)
+{
+	return TakeTextures(GraphBuilder, *SceneTextureUniformBuffer->GetParameters());
+}

@@ -33,6 +33,19 @@ BEGIN_SHADER_PARAMETER_STRUCT(FSceneTextureShaderParameters, DRYDOCK_API)
 	SHADER_PARAMETER_RDG_UNIFORM_BUFFER(FSceneTextureUniformParameters, SceneTextures)
 END_SHADER_PARAMETER_STRUCT()
 
+/** The scene textures one by one, for passes that do without the uniform buffer. */
+BEGIN_SHADER_PARAMETER_STRUCT(FSceneTextureParameters, DRYDOCK_API)
+	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, SceneDepthTexture)
+	SHADER_PARAMETER_RDG_TEXTURE_SRV(Texture2D<uint2>, SceneStencilTexture)
+	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, GBufferVelocityTexture)
+	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, GBufferATexture)
+	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, GBufferBTexture)
+	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, GBufferCTexture)
+	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, GBufferDTexture)
+	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, GBufferETexture)
+	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, GBufferFTexture)
+END_SHADER_PARAMETER_STRUCT()
+
 /** Those textures of SceneTextures that SetupMode names; black dummies for the rest and for absent ones. SceneTextures
  * may be null: all black. */
 DRYDOCK_API void SetupSceneTextureUniformParameters(FRDGBuilder& GraphBuilder, const FSceneTextures* SceneTextures,
@@ -57,3 +70,24 @@ inline FSceneTextureShaderParameters GetSceneTextureShaderParameters(
 	Parameters.SceneTextures = UniformBuffer;
 	return Parameters;
 }
+
+/** The same by reference, and with the feature level of older engines. */
+inline FSceneTextureShaderParameters CreateSceneTextureShaderParameters(FRDGBuilder& GraphBuilder,
+	const FSceneTextures& SceneTextures, ERHIFeatureLevel::Type FeatureLevel,
+	ESceneTextureSetupMode SetupMode = ESceneTextureSetupMode::All)
+{
+	return CreateSceneTextureShaderParameters(GraphBuilder, &SceneTextures, FeatureLevel, SetupMode);
+}
+inline TRDGUniformBufferRef<FSceneTextureUniformParameters> CreateSceneTextureUniformBuffer(FRDGBuilder& GraphBuilder,
+	const FSceneTextures* SceneTextures, ERHIFeatureLevel::Type,
+	ESceneTextureSetupMode SetupMode = ESceneTextureSetupMode::All)
+{
+	return CreateSceneTextureUniformBuffer(GraphBuilder, SceneTextures, SetupMode);
+}
+
+/** The renderer's scene textures one by one: black where the frame has none, and a stencil of 0. */
+DRYDOCK_API FSceneTextureParameters GetSceneTextureParameters(
+	FRDGBuilder& GraphBuilder, const FSceneTextures& SceneTextures);
+DRYDOCK_API FSceneTextureParameters GetSceneTextureParameters(FRDGBuilder& GraphBuilder, const FSceneView& View);
+DRYDOCK_API FSceneTextureParameters GetSceneTextureParameters(
+	FRDGBuilder& GraphBuilder, TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextureUniformBuffer);

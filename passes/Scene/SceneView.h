@@ -15,6 +15,7 @@
 #include "UniformBuffer.h"
 
 class FSceneView;
+class FViewInfo; // SceneRendering.h
 class ISceneViewExtension;
 
 /** What shaders read as View.X. Lengths in centimetres, times in seconds, rects and extents in pixels. */
@@ -172,6 +173,7 @@ public:
 	bool bIsSceneCapture = false;
 	bool bIsReflectionCapture = false;
 	bool bIsPlanarReflection = false;
+	bool bIsVirtualTexture = false;
 	bool bCameraCut = false;
 
 	virtual ~FSceneView() = default;

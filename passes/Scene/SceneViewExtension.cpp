@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cxxabi.h>
+#include <set>
 
 namespace
 {
@@ -28,6 +29,34 @@ UEngine::UEngine()
 }
 
 UEngine::~UEngine() = default;
+
+UWorld* UEngine::GetWorldFromContextObject(const UObject* Object, EGetWorldErrorMode ErrorMode) const
+{
+	UWorld* const World = Object != nullptr ? Object->GetWorld() : nullptr;
+	if (World == nullptr && ErrorMode != EGetWorldErrorMode::ReturnNull)
+	{
+		const FString Name = Object != nullptr ? Object->GetName() : FString(TEXT("null"));
+		checkf(ErrorMode != EGetWorldErrorMode::Assert, "%s has no world", *Name);
+		UE_LOG(LogRenderer, Warning, "GetWorldFromContextObject: %s has no world", *Name);
+	}
+	return World;
+}
+
+const TArray<FWorldContext>& UEngine::GetWorldContexts() const
+{
+	static const TArray<FWorldContext> Contexts = {
+		FWorldContext{.ContextHandle = TEXT("Context_0"), .OwningGameInstance = GWorld->GetGameInstance()}};
+	return Contexts;
+}
+
+void UEngine::AddOnScreenDebugMessage(uint64, float, FColor, const FString& DebugMessage, bool, const FVector2D&)
+{
+	static std::set<std::string> Shown; // frames repeat themselves
+	if (Shown.insert(DebugMessage.ToStdString()).second)
+	{
+		UE_LOG(LogRenderer, Log, "On screen: %s", *DebugMessage);
+	}
+}
 
 namespace Drydock
 {

@@ -179,6 +179,8 @@ public:
 	virtual bool IsActiveThisFrame(const FSceneViewExtensionContext& Context) const;
 };
 
+using FSceneViewExtensionRef = TSharedRef<ISceneViewExtension, ESPMode::ThreadSafe>;
+
 /** Only the registry can make one: it is the proof that an extension was made by NewExtension. */
 class FAutoRegister
 {

@@ -83,6 +83,10 @@ public:
 	/** There is no frame before this one: nothing to adapt or reproject from. */
 	bool IsFirstFrame() const { return !Last.bValid; }
 
+	/** Of this frame's world, in seconds; the difference to the frame before is 0 without one. */
+	float LastRenderTime = 0.0f;
+	float LastRenderTimeDelta = 0.0f;
+
 	/** What the next frame will find; textures and buffers are there once the graph has run. */
 	Drydock::FViewHistory Next;
 

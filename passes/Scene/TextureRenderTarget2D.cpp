@@ -2,7 +2,23 @@
 #include "Engine/TextureRenderTarget2D.h"
 
 #include "Engine/BlendableInterface.h"
+#include "Kismet/KismetRenderingLibrary.h"
 #include "RenderGraphUtils.h"
+
+namespace
+{
+
+void Fill(FRHITexture& Texture, const FLinearColor& Color, FIntPoint Size)
+{
+	TArray<FLinearColor> Row;
+	Row.Init(Color, Size.X);
+	for (int32 Y = 0; Y < Size.Y; ++Y)
+	{
+		Texture.WriteRow(0, Y, Row);
+	}
+}
+
+} // namespace
 
 EPixelFormat GetPixelFormatFromRenderTargetFormat(ETextureRenderTargetFormat Format)
 {
@@ -84,12 +100,7 @@ void UTextureRenderTarget2D::UpdateResourceImmediate(bool bClearRenderTarget)
 			TEXT("TextureRenderTarget2D"));
 	if (bClearRenderTarget)
 	{
-		TArray<FLinearColor> Row;
-		Row.Init(ClearColor, SizeX);
-		for (int32 Y = 0; Y < SizeY; ++Y)
-		{
-			TargetResource->TextureRHI->WriteRow(0, Y, Row);
-		}
+		Fill(*TargetResource->TextureRHI, ClearColor, FIntPoint(SizeX, SizeY));
 	}
 	SetResource(TargetResource.get());
 }
@@ -99,3 +110,46 @@ FRenderTarget::~FRenderTarget() = default;
 IBlendableInterface::~IBlendableInterface() = default;
 
 void IBlendableInterface::OverrideBlendableSettings(FSceneView&, float) const {}
+
+UTextureRenderTarget2D* UKismetRenderingLibrary::CreateRenderTarget2D(UObject* WorldContextObject, int32 Width,
+	int32 Height, ETextureRenderTargetFormat Format, FLinearColor ClearColor, bool bAutoGenerateMipMaps,
+	bool bSupportUAVs)
+{
+	if (Width <= 0 || Height <= 0)
+	{
+		return nullptr;
+	}
+	UTextureRenderTarget2D* const Target = NewObject<UTextureRenderTarget2D>(WorldContextObject);
+	Target->RenderTargetFormat = Format;
+	Target->ClearColor = ClearColor;
+	Target->bAutoGenerateMips = bAutoGenerateMipMaps;
+	Target->bCanCreateUAV = bSupportUAVs;
+	Target->InitAutoFormat(Width, Height);
+	return Target;
+}
+
+void UKismetRenderingLibrary::ReleaseRenderTarget2D(UTextureRenderTarget2D* TextureRenderTarget)
+{
+	if (TextureRenderTarget != nullptr)
+	{
+		TextureRenderTarget->SizeX = 0;
+		TextureRenderTarget->SizeY = 0;
+		TextureRenderTarget->UpdateResource();
+	}
+}
+
+void UKismetRenderingLibrary::ClearRenderTarget2D(
+	UObject*, UTextureRenderTarget2D* TextureRenderTarget, FLinearColor ClearColor)
+{
+	const FTextureRenderTargetResource* const Resource =
+		TextureRenderTarget != nullptr ? TextureRenderTarget->GetRenderTargetResource() : nullptr;
+	if (Resource != nullptr)
+	{
+		Fill(*Resource->TextureRHI, ClearColor, Resource->GetSizeXY());
+	}
+}
+
+void UKismetRenderingLibrary::DrawMaterialToRenderTarget(UObject*, UTextureRenderTarget2D*, UMaterialInterface*)
+{
+	UE_LOG(LogRenderer, Warning, "DrawMaterialToRenderTarget draws nothing: no material is compiled here");
+}

@@ -2,7 +2,8 @@
 #include "Engine/World.h"
 
 #include "GameFramework/Actor.h"
-#include "SceneInterface.h"
+#include "GameFramework/WorldSettings.h"
+#include "ScenePrivate.h"
 #include "Subsystems/WorldSubsystem.h"
 
 namespace
@@ -28,8 +29,9 @@ UWorld* UGameInstance::GetWorld() const
 }
 
 UWorld::UWorld()
-	: Scene(new FSceneInterface(this))
+	: Scene(new FScene(this))
 	, GameInstance(new UGameInstance)
+	, WorldSettings(new AWorldSettings)
 {
 	SetFName(TEXT("World"));
 }
@@ -38,6 +40,12 @@ UWorld::~UWorld()
 {
 	delete Scene;
 	delete GameInstance;
+	delete WorldSettings;
+}
+
+AWorldSettings* UWorld::GetWorldSettings(bool, bool) const
+{
+	return WorldSettings;
 }
 
 void UWorld::AddActor(const std::shared_ptr<AActor>& Actor)

@@ -4,6 +4,7 @@
 #include "Chain/PostProcessingChain.h"
 #include "Effects/Effects.h"
 #include "Effects/Exposure.h"
+#include "Engine/BlendableInterface.h"
 #include "Extensions/ViewExtensions.h"
 #include "Modules/ModuleManager.h"
 #include "Picture/TextureImage.h"
@@ -219,6 +220,8 @@ private:
 		View.State = Target.State.get();
 		View.ViewState = Target.State.get();
 		View.bCameraCut = Target.State->IsFirstFrame();
+		Target.State->LastRenderTime = Family.Time.GetWorldTimeSeconds();
+		Target.State->LastRenderTimeDelta = Family.Time.GetDeltaWorldTimeSeconds();
 		View.ViewRect = GetSceneRect(Source);
 		View.UnscaledViewRect = Source.Rect;
 		View.UnconstrainedViewRect = Source.Rect;
@@ -226,6 +229,14 @@ private:
 		View.EngineProfile = Inputs.Engine;
 		View.ViewLocation = Projection.ViewOrigin;
 		View.FinalPostProcessSettings = std::move(Settings.Settings);
+		const TArray<FWeightedBlendable> Blendables = View.FinalPostProcessSettings.BlendableManager.Blendables;
+		for (const FWeightedBlendable& Blendable : Blendables)
+		{
+			if (const auto* const Blended = Cast<IBlendableInterface>(Blendable.Object.Get()))
+			{
+				Blended->OverrideBlendableSettings(View, Blendable.Weight);
+			}
+		}
 		Target.Conditions = std::move(Settings);
 		if (View.ViewRect != Source.Rect)
 		{

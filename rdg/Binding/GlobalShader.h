@@ -31,7 +31,7 @@ public:
 	using ShaderMetaType = FGlobalShaderType;
 
 	FGlobalShader() = default;
-	explicit FGlobalShader(const ShaderMetaType::CompiledShaderInitializerType& Initializer)
+	FGlobalShader(const ShaderMetaType::CompiledShaderInitializerType& Initializer)
 		: FShader(Initializer)
 	{
 	}

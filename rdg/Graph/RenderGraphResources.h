@@ -452,6 +452,17 @@ inline FRDGBufferRef GetIfProduced(FRDGBufferRef Buffer, FRDGBufferRef FallbackB
 	return Buffer && Buffer->HasBeenProduced() ? Buffer : FallbackBuffer;
 }
 
+/** The engine's older name, and its casts; the resource must be of that type. */
+using FRDGParentResource = FRDGViewableResource;
+inline FRDGTexture* GetAsTexture(FRDGViewableResource* Resource)
+{
+	return static_cast<FRDGTexture*>(Resource);
+}
+inline FRDGBuffer* GetAsBuffer(FRDGViewableResource* Resource)
+{
+	return static_cast<FRDGBuffer*>(Resource);
+}
+
 inline bool HasBeenProduced(const FRDGViewableResource* Resource)
 {
 	return Resource && Resource->HasBeenProduced();

@@ -75,6 +75,12 @@ DRYDOCK_API void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef Te
 	Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current());
 DRYDOCK_API void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV,
 	const FLinearColor& ClearColor, Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current());
+/** Every channel to that value. */
+inline void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, float ClearValue,
+	Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current())
+{
+	AddClearUAVPass(GraphBuilder, TextureUAV, FVector4f(ClearValue, ClearValue, ClearValue, ClearValue), Location);
+}
 DRYDOCK_API void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV, const float (&ClearValues)[4],
 	Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current());
 DRYDOCK_API void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef TextureUAV,

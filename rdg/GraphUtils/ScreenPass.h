@@ -11,6 +11,7 @@
 #include "ShaderParameterStruct.h"
 
 class FSceneView;
+class FViewInfo; // the renderer's, which the engine's plugins know by this declaration; SceneRendering.h
 struct FScreenPassTextureSlice;
 
 /** A texture and the rectangle of it, in texels, that holds the picture. */
@@ -30,6 +31,9 @@ struct DRYDOCK_API FScreenPassTexture
 	static FScreenPassTexture CopyFromSlice(FRDGBuilder& GraphBuilder, const FScreenPassTextureSlice& Slice);
 
 	bool IsValid() const { return Texture != nullptr && ViewRect.Width() > 0 && ViewRect.Height() > 0; }
+
+	/** For the engine's texture viewer, which drydock does not have: a dump shows the whole texture. */
+	void UpdateVisualizeTextureExtent() const {}
 
 	bool operator==(const FScreenPassTexture&) const = default;
 

@@ -4,6 +4,8 @@
 #include "RenderGraphBlackboard.h"
 #include "RenderTargetPool.h"
 
+#include <mutex>
+
 RDG_REGISTER_BLACKBOARD_STRUCT(FRDGSystemTextures);
 
 FSystemTextures GSystemTextures;
@@ -52,3 +54,19 @@ const FRDGSystemTextures& FRDGSystemTextures::Get(FRDGBuilder& GraphBuilder)
 		RegisterConstantTexture(GraphBuilder, TEXT("VolumetricBlackAlphaOneDummy"), FLinearColor(0, 0, 0, 1), true);
 	return Textures;
 }
+
+namespace Drydock
+{
+
+const TRefCountPtr<IPooledRenderTarget>& FPooledPlainTexture::Get() const
+{
+	static std::mutex Mutex;
+	const std::lock_guard Lock(Mutex);
+	if (Pooled == nullptr)
+	{
+		Pooled = new TRefCountPtr<IPooledRenderTarget>(CreateRenderTarget(Texture->TextureRHI, Name));
+	}
+	return *Pooled;
+}
+
+} // namespace Drydock

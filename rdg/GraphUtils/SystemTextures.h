@@ -2,6 +2,7 @@
 #pragma once
 
 #include "RenderGraphBuilder.h"
+#include "RenderResource.h"
 
 /** One-texel textures registered with a graph. */
 class DRYDOCK_API FRDGSystemTextures
@@ -23,10 +24,39 @@ public:
 	FRDGTextureRef VolumetricBlackAlphaOne = nullptr;
 };
 
+namespace Drydock
+{
+
+/** A plain texture as a graph registers it; made on first use, never freed. */
+class DRYDOCK_API FPooledPlainTexture
+{
+public:
+	constexpr FPooledPlainTexture(const TCHAR* InName, const FPlainTexture& InTexture)
+		: Name(InName)
+		, Texture(InTexture)
+	{
+	}
+
+	const TRefCountPtr<IPooledRenderTarget>& Get() const;
+	operator const TRefCountPtr<IPooledRenderTarget>&() const { return Get(); }
+	IPooledRenderTarget* operator->() const { return Get().GetReference(); }
+
+private:
+	const TCHAR* Name;
+	const FPlainTexture& Texture;
+	mutable TRefCountPtr<IPooledRenderTarget>* Pooled = nullptr;
+};
+
+} // namespace Drydock
+
 /** The same as pooled textures, for code outside a graph. */
 class DRYDOCK_API FSystemTextures
 {
 public:
+	Drydock::FPooledPlainTexture WhiteDummy{TEXT("WhiteDummy"), GWhiteTexture};
+	Drydock::FPooledPlainTexture BlackDummy{TEXT("BlackDummy"), GTransparentBlackTexture};
+	Drydock::FPooledPlainTexture BlackAlphaOneDummy{TEXT("BlackAlphaOneDummy"), GBlackTexture};
+
 	FRDGTextureRef GetBlackDummy(FRDGBuilder& GraphBuilder) const
 	{
 		return FRDGSystemTextures::Get(GraphBuilder).Black;

@@ -24,6 +24,13 @@ public:
 		uint32 Size, EBufferUsageFlags Usage, uint32 Stride, ERHIAccess State, const FRHIResourceCreateInfo& Info);
 	FBufferRHIRef CreateBuffer(const FRHIBufferDesc& Desc, ERHIAccess State, const FRHIResourceCreateInfo& Info);
 	FBufferRHIRef CreateVertexBuffer(uint32 Size, EBufferUsageFlags Usage, const FRHIResourceCreateInfo& Info);
+	/** Stride: bytes of an index, 2 or 4. */
+	FBufferRHIRef CreateIndexBuffer(
+		uint32 Stride, uint32 Size, EBufferUsageFlags Usage, const FRHIResourceCreateInfo& Info)
+	{
+		return CreateBuffer(
+			Size, Usage | EBufferUsageFlags::IndexBuffer, Stride, ERHIAccess::VertexOrIndexBuffer, Info);
+	}
 	FBufferRHIRef CreateStructuredBuffer(
 		uint32 Stride, uint32 Size, EBufferUsageFlags Usage, const FRHIResourceCreateInfo& Info);
 	FShaderResourceViewRHIRef CreateShaderResourceView(FRHITexture* Texture, const FRHITextureSRVCreateInfo& Info);

@@ -14,6 +14,9 @@ constexpr int32 GMaxTextureMipCount = 15;
 /** Extents beyond this are a usage error. 2^14 texels each way, as D3D12. */
 constexpr int32 GMaxTextureDimensions = 16384;
 
+/** Groups of a dispatch in each direction, as D3D has it. */
+inline const FIntVector GRHIMaxDispatchThreadGroupsPerDimension = FIntVector(65535, 65535, 65535);
+
 enum class ETextureDimension : uint8
 {
 	Texture2D,

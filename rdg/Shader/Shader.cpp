@@ -58,12 +58,12 @@ FShader* FShaderType::FindOrCreateShader(int32 PermutationId) const
 	checkf(PermutationId >= 0 && PermutationId < Functions.PermutationCount,
 		TEXT("%s has no permutation %d: its domain has %d"), Name, PermutationId, Functions.PermutationCount);
 	std::lock_guard Lock(Mutex);
-	std::unique_ptr<FShader>& Shader = Shaders[PermutationId];
+	std::shared_ptr<FShader>& Shader = Shaders[PermutationId];
 	if (!Shader)
 	{
 		checkf(Drydock::CallCode(Owner, [&] { return Functions.ShouldCompilePermutation(PermutationId); }),
 			TEXT("%s was asked for permutation %d, which its ShouldCompilePermutation refuses"), Name, PermutationId);
-		Shader.reset(Functions.Construct(*this, PermutationId));
+		Shader = Functions.Construct(*this, PermutationId);
 		Shader->Adopt(*this, PermutationId);
 	}
 	return Shader.get();

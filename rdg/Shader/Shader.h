@@ -26,7 +26,7 @@ struct FShaderState;
 struct FShaderTypeFunctions
 {
 	int32 PermutationCount = 1;
-	FShader* (*Construct)(const FShaderType& Type, int32 PermutationId) = nullptr;
+	std::shared_ptr<FShader> (*Construct)(const FShaderType& Type, int32 PermutationId) = nullptr;
 	bool (*ShouldCompilePermutation)(int32 PermutationId) = nullptr;
 	void (*ModifyCompilationEnvironment)(int32 PermutationId, FShaderCompilerEnvironment& OutEnvironment) = nullptr;
 	const FShaderParametersMetadata* (*GetRootParametersMetadata)() = nullptr;
@@ -104,7 +104,7 @@ private:
 	Drydock::FShaderTypeFunctions Functions;
 	Drydock::FCodeOwner Owner; // of the functions
 	mutable std::mutex Mutex;
-	mutable std::map<int32, std::unique_ptr<FShader>> Shaders;
+	mutable std::map<int32, std::shared_ptr<FShader>> Shaders; // which know how to destroy what they hold
 };
 
 /** One permutation of a shader class. Lives as long as its type. */
@@ -118,7 +118,8 @@ public:
 
 	FShader();
 	explicit FShader(const CompiledShaderInitializerType& Initializer);
-	virtual ~FShader();
+	/** Not virtual, as in the engine: a class between FGlobalShader and a shader needs no constructors. */
+	~FShader();
 	FShader(const FShader&) = delete;
 	FShader& operator=(const FShader&) = delete;
 
@@ -218,15 +219,15 @@ FShaderTypeFunctions MakeShaderTypeFunctions()
 {
 	FShaderTypeFunctions Functions;
 	Functions.PermutationCount = TShaderClass::FPermutationDomain::PermutationCount;
-	Functions.Construct = [](const FShaderType& Type, int32 PermutationId) -> FShader*
+	Functions.Construct = [](const FShaderType& Type, int32 PermutationId) -> std::shared_ptr<FShader>
 	{
 		if constexpr (std::is_constructible_v<TShaderClass, const FShaderCompiledShaderInitializerType&>)
 		{
-			return new TShaderClass(FShaderCompiledShaderInitializerType{&Type, PermutationId});
+			return std::make_shared<TShaderClass>(FShaderCompiledShaderInitializerType{&Type, PermutationId});
 		}
 		else
 		{
-			return new TShaderClass();
+			return std::make_shared<TShaderClass>();
 		}
 	};
 	Functions.ShouldCompilePermutation = [](int32 PermutationId)

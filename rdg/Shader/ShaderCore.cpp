@@ -3,14 +3,40 @@
 
 #include "InstallPaths.h"
 #include "ShaderCompiler.h"
+#include "ShaderDirectories.h"
 
 #include <charconv>
 #include <mutex>
+
+namespace
+{
+
+size_t GNumShippedShaderDirectories = 0;
+
+} // namespace
 
 void AddShaderSourceDirectoryMapping(const FString& VirtualShaderDirectory, const FString& RealShaderDirectory)
 {
 	Drydock::MapShippedShaders();
 	Drydock::AddShaderDirectory(*VirtualShaderDirectory, *RealShaderDirectory);
+}
+
+const TMap<FString, FString>& AllShaderSourceDirectoryMappings()
+{
+	Drydock::MapShippedShaders();
+	static TMap<FString, FString> Mappings;
+	Mappings.Reset();
+	for (const auto& [Virtual, Real] : Drydock::GetShaderDirectories())
+	{
+		Mappings.Add(FString(Virtual), FString(Real));
+	}
+	return Mappings;
+}
+
+void ResetAllShaderSourceDirectoryMappings()
+{
+	Drydock::MapShippedShaders();
+	Drydock::ForgetShaderDirectories(GNumShippedShaderDirectories);
 }
 
 void FShaderCompilerEnvironment::SetDefine(const TCHAR* Name, const TCHAR* Value)
@@ -67,6 +93,7 @@ void MapShippedShaders()
 			AddShaderDirectory("/Engine", Root + "/rdg/Shaders/Engine");
 			AddShaderDirectory("/Engine/Private", Passes);
 			AddShaderDirectory("/Project", Passes);
+			GNumShippedShaderDirectories = CountShaderDirectories();
 		});
 }
 

@@ -13,6 +13,15 @@
 DRYDOCK_API void AddShaderSourceDirectoryMapping(
 	const FString& VirtualShaderDirectory, const FString& RealShaderDirectory);
 
+/** What AddShaderSourceDirectoryMapping has mapped, and what drydock maps itself: virtual to real directories. */
+DRYDOCK_API const TMap<FString, FString>& AllShaderSourceDirectoryMappings();
+
+/** Forgets those that were added; drydock's own stay. */
+DRYDOCK_API void ResetAllShaderSourceDirectoryMappings();
+
+/** `SET_SHADER_DEFINE(OutEnvironment, MY_DEFINE, 1)`. */
+#define SET_SHADER_DEFINE(Environment, Name, Value) (Environment).SetDefine(TEXT(#Name), Value)
+
 /** Accepted and ignored. */
 enum ECompilerFlags
 {

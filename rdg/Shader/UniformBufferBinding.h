@@ -91,6 +91,13 @@ public:
 	}
 };
 
+/** What a shader's parameter takes: the buffer itself. */
+template<typename TBufferStruct>
+const TUniformBufferRef<TBufferStruct>& GetShaderBinding(const TUniformBufferRef<TBufferStruct>& Buffer)
+{
+	return Buffer;
+}
+
 template<typename TBufferStruct>
 TUniformBufferRef<TBufferStruct> CreateUniformBufferImmediate(const TBufferStruct& Value, EUniformBufferUsage Usage,
 	EUniformBufferValidation Validation = EUniformBufferValidation::ValidateResources)

@@ -84,6 +84,32 @@ void AddShaderDirectory(const std::string& VirtualDirectory, const std::string& 
 	Mappings.List.push_back(std::move(Mapping));
 }
 
+std::map<std::string, std::string> GetShaderDirectories()
+{
+	FMappings& Mappings = GetMappings();
+	const std::lock_guard Lock(Mappings.Mutex);
+	std::map<std::string, std::string> Directories;
+	for (const FMapping& Mapping : Mappings.List)
+	{
+		Directories[Mapping.Virtual] = Mapping.Real;
+	}
+	return Directories;
+}
+
+size_t CountShaderDirectories()
+{
+	FMappings& Mappings = GetMappings();
+	const std::lock_guard Lock(Mappings.Mutex);
+	return Mappings.List.size();
+}
+
+void ForgetShaderDirectories(size_t Keep)
+{
+	FMappings& Mappings = GetMappings();
+	const std::lock_guard Lock(Mappings.Mutex);
+	Mappings.List.resize(std::min(Keep, Mappings.List.size()));
+}
+
 std::string FindShaderFile(const std::string& VirtualPath)
 {
 	std::vector<FMapping> Fitting;

@@ -3,6 +3,7 @@
 
 #include "DrydockAPI.h"
 
+#include <map>
 #include <string>
 
 namespace Drydock
@@ -10,6 +11,13 @@ namespace Drydock
 
 /** Maps a virtual directory ("/Project") to a directory on disk. Later mappings of the same prefix win. */
 DRYDOCK_API void AddShaderDirectory(const std::string& VirtualDirectory, const std::string& RealDirectory);
+
+/** Every virtual directory with the real one that was mapped last. */
+DRYDOCK_API std::map<std::string, std::string> GetShaderDirectories();
+
+/** Forgets all mappings that were added after the first Keep ones. */
+DRYDOCK_API void ForgetShaderDirectories(size_t Keep);
+DRYDOCK_API size_t CountShaderDirectories();
 
 /** Real path of a virtual shader path, empty when no mapping fits or the file does not exist. */
 DRYDOCK_API std::string FindShaderFile(const std::string& VirtualPath);

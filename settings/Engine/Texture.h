@@ -19,7 +19,11 @@ public:
 	/** Not owned. */
 	void SetResource(FTextureResource* InResource) { Resource = InResource; }
 
-private:
+	/** Texels; 0 for an asset's name. */
+	virtual float GetSurfaceWidth() const { return 0.0f; }
+	virtual float GetSurfaceHeight() const { return 0.0f; }
+
+	/** As older code names it. */
 	FTextureResource* Resource = nullptr;
 };
 

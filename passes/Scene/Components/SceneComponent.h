@@ -3,6 +3,17 @@
 
 #include "Components/ActorComponent.h"
 
+/** How a component may move. Nothing moves by itself here. */
+namespace EComponentMobility
+{
+enum Type : int
+{
+	Static,
+	Stationary,
+	Movable
+};
+} // namespace EComponentMobility
+
 class DRYDOCK_API USceneComponent : public UActorComponent
 {
 public:
@@ -16,6 +27,8 @@ public:
 	void SetWorldLocation(const FVector& InLocation) { Location = InLocation; }
 	void SetWorldRotation(const FRotator& InRotation) { Rotation = InRotation; }
 	void SetWorldScale3D(const FVector& InScale) { Scale = InScale; }
+	void SetMobility(EComponentMobility::Type InMobility) { Mobility = InMobility; }
+	EComponentMobility::Type Mobility = EComponentMobility::Static;
 	void SetupAttachment(USceneComponent* InParent, FName = NAME_None) { Parent = InParent; }
 	USceneComponent* GetAttachParent() const { return Parent; }
 

@@ -16,6 +16,6 @@ class DRYDOCK_API IBlendableInterface
 public:
 	virtual ~IBlendableInterface();
 
-	/** Weight: 0..1. Never called: a frame's blendables are listed, not mixed. */
+	/** Once for each time that settings name it, after they were blended. Weight: 0..1. */
 	virtual void OverrideBlendableSettings(FSceneView& View, float Weight) const;
 };

@@ -21,4 +21,14 @@ public:
 	/** Nothing is written. */
 	void SaveConfig() {}
 	void LoadConfig() {}
+	bool TryUpdateDefaultConfigFile(const FString& = FString(), bool = true) { return false; }
+};
+
+/** In the engine console variables and fields follow each other (meta ConsoleVariable); here the fields keep the values
+ * of the constructor. */
+class DRYDOCK_API UDeveloperSettingsBackedByCVars : public UDeveloperSettings
+{
+public:
+	using Super = UDeveloperSettingsBackedByCVars;
+	using UDeveloperSettings::UDeveloperSettings;
 };

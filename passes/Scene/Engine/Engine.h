@@ -8,6 +8,14 @@
 
 class FSceneViewExtensions;
 
+/** What GetWorldFromContextObject does where an object has no world. */
+enum class EGetWorldErrorMode
+{
+	ReturnNull,
+	LogAndReturnNull,
+	Assert
+};
+
 class DRYDOCK_API UEngine : public UObject
 {
 public:
@@ -23,6 +31,20 @@ public:
 	{
 		return Drydock::FSubsystems::Get().Find<T>(Drydock::ESubsystemKind::Engine);
 	}
+	/** The world of an object; null where it is null or has none. */
+	UWorld* GetWorldFromContextObject(const UObject* Object, EGetWorldErrorMode ErrorMode) const;
+	UWorld* GetWorldFromContextObjectChecked(const UObject* Object) const
+	{
+		return GetWorldFromContextObject(Object, EGetWorldErrorMode::Assert);
+	}
+	/** One: the game's. */
+	const TArray<FWorldContext>& GetWorldContexts() const;
+	/** A line of the log, as there is no screen; each text once. */
+	void AddOnScreenDebugMessage(uint64 Key, float TimeToDisplay, FColor DisplayColor, const FString& DebugMessage,
+		bool bNewerOnTop = true, const FVector2D& TextScale = FVector2D(1.0, 1.0));
+	/** Null: there is no window. */
+	UGameViewportClient* GameViewport = nullptr;
+
 	UWorld* GetCurrentPlayWorld(UWorld* = nullptr) const { return GWorld; }
 };
 

@@ -63,6 +63,9 @@ public:
 	bool bAutoGenerateMips = false;
 	bool bCanCreateUAV = false;
 
+	float GetSurfaceWidth() const override { return static_cast<float>(SizeX); }
+	float GetSurfaceHeight() const override { return static_cast<float>(SizeY); }
+
 	/** OverrideFormat, or what RenderTargetFormat means. */
 	EPixelFormat GetFormat() const;
 	/** Of RenderTargetFormat. */

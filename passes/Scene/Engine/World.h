@@ -8,6 +8,7 @@
 
 class AActor;
 class APlayerController;
+class AWorldSettings;
 class FSceneInterface;
 
 class DRYDOCK_API UGameInstance : public UObject
@@ -26,11 +27,18 @@ public:
 	}
 };
 
+class UGameViewportClient;
+
 class DRYDOCK_API UWorld : public UObject
 {
 public:
 	UWorld();
 	~UWorld() override;
+
+	/** Never null; with the engine's defaults (GameFramework/WorldSettings.h). */
+	AWorldSettings* GetWorldSettings(bool bCheckStreamingPersistent = false, bool bChecked = true) const;
+	/** Null: there is no window. */
+	UGameViewportClient* GetGameViewport() const { return nullptr; }
 
 	UWorld* GetWorld() const override { return const_cast<UWorld*>(this); }
 
@@ -73,8 +81,20 @@ private:
 	void AddActor(const std::shared_ptr<AActor>& Actor);
 
 	UGameInstance* GameInstance;
+	AWorldSettings* WorldSettings;
 	std::vector<std::shared_ptr<AActor>> Actors;
 };
 
 /** The world. Always valid. */
 extern DRYDOCK_API UWorld* GWorld;
+
+/** What a world is to the engine: there is one, of the game. */
+struct FWorldContext
+{
+	EWorldType::Type WorldType = EWorldType::Game;
+	FName ContextHandle;
+	UGameInstance* OwningGameInstance = nullptr;
+	UGameViewportClient* GameViewport = nullptr; // there is no window
+
+	UWorld* World() const { return GWorld; }
+};

@@ -60,8 +60,8 @@ struct FPostProcessMaterialInputs
 	/** Valid for the last callback of the last pass: it must draw into it, over its whole ViewRect, and return it. */
 	FScreenPassRenderTarget OverrideOutput;
 
-	/** By EPostProcessMaterialInput. */
-	TStaticArray<Drydock::FScreenPassInput, kPostProcessMaterialInputCountMax> Textures;
+	/** By EPostProcessMaterialInput; as code up to engine 5.3 reads them. */
+	TStaticArray<FScreenPassTexture, kPostProcessMaterialInputCountMax> Textures;
 
 	/** Format of a new output; PF_Unknown: the input's. */
 	EPixelFormat OutputFormat = PF_Unknown;
@@ -75,18 +75,20 @@ struct FPostProcessMaterialInputs
 
 	Drydock::FScreenPassInput GetInput(EPostProcessMaterialInput Input) const
 	{
-		return Textures[static_cast<uint32>(Input)];
+		const uint32 Slot = static_cast<uint32>(Input);
+		const bool bSame = Views[Slot] != nullptr && Views[Slot]->Desc.Texture == Textures[Slot].Texture;
+		return Drydock::FScreenPassInput(Textures[Slot], bSame ? Views[Slot] : nullptr);
 	}
 	void SetInput(FRDGBuilder& GraphBuilder, EPostProcessMaterialInput Input, const FScreenPassTexture& Texture)
 	{
-		Textures[static_cast<uint32>(Input)] = {
-			Texture, Texture.Texture ? GraphBuilder.CreateSRV(Texture.Texture) : nullptr};
+		Textures[static_cast<uint32>(Input)] = Texture;
+		Views[static_cast<uint32>(Input)] = Texture.Texture ? GraphBuilder.CreateSRV(Texture.Texture) : nullptr;
 	}
 	void SetInput(EPostProcessMaterialInput Input, const FScreenPassTextureSlice& Slice)
 	{
-		Textures[static_cast<uint32>(Input)] = {
-			FScreenPassTexture(Slice.TextureSRV ? Slice.TextureSRV->Desc.Texture : nullptr, Slice.ViewRect),
-			Slice.TextureSRV};
+		Textures[static_cast<uint32>(Input)] =
+			FScreenPassTexture(Slice.TextureSRV ? Slice.TextureSRV->Desc.Texture : nullptr, Slice.ViewRect);
+		Views[static_cast<uint32>(Input)] = Slice.TextureSRV;
 	}
 	void SetInput(EPostProcessMaterialInput Input, const FScreenPassTexture& Texture)
 	{
@@ -106,4 +108,8 @@ struct FPostProcessMaterialInputs
 		check(GetInput(EPostProcessMaterialInput::SceneColor).IsValid());
 		check(!OverrideOutput.IsValid() || OutputFormat == PF_Unknown);
 	}
+
+private:
+	/** Of the textures, as code from engine 5.4 on reads them; null where a texture was set without a graph builder. */
+	TStaticArray<FRDGTextureSRVRef, kPostProcessMaterialInputCountMax> Views = {};
 };

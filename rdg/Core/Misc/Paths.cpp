@@ -1,5 +1,7 @@
-// Takes path names apart and puts them together by std::filesystem.
+// Takes path names apart and puts them together by std::filesystem, and knows the running plugin's folders.
 #include "Misc/Paths.h"
+
+#include "Interfaces/IPluginManager.h"
 
 #include <filesystem>
 
@@ -16,6 +18,57 @@ Files::path ToPath(const FString& Text)
 FString ToText(const Files::path& Path)
 {
 	return FString(Path.generic_string());
+}
+
+struct FFolders
+{
+	Files::path Plugin;
+	Files::path Plugins;
+	Files::path Project;
+};
+
+bool HasProjectFile(const Files::path& Folder)
+{
+	std::error_code Error;
+	for (Files::directory_iterator Entry(Folder, Error), End; !Error && Entry != End; Entry.increment(Error))
+	{
+		if (Entry->path().extension() == ".uproject")
+		{
+			return true;
+		}
+	}
+	return false;
+}
+
+/** Folders of the plugin whose code runs. */
+FFolders FindFolders()
+{
+	const TSharedPtr<IPlugin> Plugin = IPluginManager::Get().FindRunningPlugin();
+	if (!Plugin.IsValid())
+	{
+		const Files::path Here = Files::current_path();
+		return {Here, Here / "Plugins", Here};
+	}
+	FFolders Folders;
+	Folders.Plugin = Files::absolute(ToPath(Plugin->GetBaseDir())).lexically_normal();
+	Folders.Plugins = Folders.Plugin.parent_path();
+	Folders.Project = Folders.Plugins;
+	for (Files::path Folder = Folders.Plugin; Folder.has_relative_path(); Folder = Folder.parent_path())
+	{
+		if (Folder.filename() == "Plugins")
+		{
+			Folders.Project = Folder.parent_path();
+		}
+	}
+	for (Files::path Folder = Folders.Plugin; Folder.has_relative_path(); Folder = Folder.parent_path())
+	{
+		if (HasProjectFile(Folder))
+		{
+			Folders.Project = Folder;
+			break;
+		}
+	}
+	return Folders;
 }
 
 } // namespace
@@ -69,17 +122,77 @@ FString FPaths::ConvertRelativePathToFull(const FString& Base, const FString& Pa
 	return ToText(Files::absolute(ToPath(Base) / ToPath(Path)).lexically_normal());
 }
 
+FString FPaths::ChangeExtension(const FString& Path, const FString& Extension)
+{
+	Files::path Changed = ToPath(Path);
+	return ToText(Changed.replace_extension(ToPath(Extension)));
+}
+
+void FPaths::NormalizeDirectoryName(FString& InOutPath)
+{
+	NormalizeFilename(InOutPath);
+	std::string Text = InOutPath.ToStdString();
+	if (Text.size() > 1 && Text.back() == '/')
+	{
+		Text.pop_back();
+	}
+	InOutPath = FString(Text);
+}
+
 FString FPaths::ProjectDir()
 {
-	return ToText(Files::current_path()) + "/";
+	return ToText(FindFolders().Project) + "/";
 }
 
 FString FPaths::ProjectPluginsDir()
 {
-	return ProjectDir() + "Plugins/";
+	return ToText(FindFolders().Plugins) + "/";
+}
+
+FString FPaths::ProjectContentDir()
+{
+	return ProjectDir() + "Content/";
+}
+
+FString FPaths::ProjectConfigDir()
+{
+	return ProjectDir() + "Config/";
 }
 
 FString FPaths::ProjectSavedDir()
 {
 	return ProjectDir() + "Saved/";
+}
+
+FString FPaths::ProjectIntermediateDir()
+{
+	return ProjectDir() + "Intermediate/";
+}
+
+FString FPaths::ProjectLogDir()
+{
+	return ProjectSavedDir() + "Logs/";
+}
+
+FString FPaths::GameSourceDir()
+{
+	const FFolders Folders = FindFolders();
+	const Files::path OfProject = Folders.Project / "Source";
+	std::error_code Error;
+	return ToText(Files::is_directory(OfProject, Error) ? OfProject : Folders.Plugin / "Source") + "/";
+}
+
+FString FPaths::EngineDir()
+{
+	return TEXT("../../../Engine/");
+}
+
+FString FPaths::EngineContentDir()
+{
+	return EngineDir() + "Content/";
+}
+
+FString FPaths::EnginePluginsDir()
+{
+	return EngineDir() + "Plugins/";
 }

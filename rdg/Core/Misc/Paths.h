@@ -31,8 +31,33 @@ public:
 	static FString ConvertRelativePathToFull(const FString& Base, const FString& Path);
 	static void NormalizeFilename(FString& InOutPath) { InOutPath.ReplaceInline("\\", "/"); }
 
-	/** Where the program runs: there is no project folder. */
+	/** The last "." and what follows, replaced. */
+	static FString ChangeExtension(const FString& Path, const FString& Extension);
+	static FString SetExtension(const FString& Path, const FString& Extension)
+	{
+		return ChangeExtension(Path, Extension);
+	}
+	static void NormalizeDirectoryName(FString& InOutPath);
+	static FString GetPathLeaf(const FString& Path) { return GetCleanFilename(Path); }
+
+	/** Folders of the project that the running plugin is part of, with a slash at the end. The plugin's folder is that
+	 * of its .uplugin; the project's is the nearest above it with a .uproject, else the one that holds its folder
+	 * Plugins, else the one that holds the plugin's folder. Without a plugin, where the program runs. */
 	static FString ProjectDir();
+	/** The folder that the plugin's folder is in: below the project's Plugins, or elsewhere. */
 	static FString ProjectPluginsDir();
+	static FString ProjectContentDir();
+	static FString ProjectConfigDir();
 	static FString ProjectSavedDir();
+	static FString ProjectIntermediateDir();
+	static FString ProjectLogDir();
+	/** The project's Source; where there is none, the plugin's. */
+	static FString GameSourceDir();
+	static FString GameDir() { return ProjectDir(); }
+	static FString GamePluginsDir() { return ProjectPluginsDir(); }
+
+	/** There is no engine: "../../../Engine/", as the engine says where it is not installed elsewhere. */
+	static FString EngineDir();
+	static FString EngineContentDir();
+	static FString EnginePluginsDir();
 };

@@ -34,11 +34,35 @@ FState& GetState()
 	return *State;
 }
 
+/** File name of the plugin whose code runs; empty for drydock's own. */
+std::string GetRunningPlugin()
+{
+	const FCodeOwner* const Running = GetRunningCode();
+	return Running != nullptr ? Running->Plugin : std::string();
+}
+
+/** Plugins may have classes of equal names, whose types count as equal: that of the running plugin comes first. */
 FEntry* FindEntry(const std::type_info& Type)
+{
+	const std::string Running = GetRunningPlugin();
+	FEntry* First = nullptr;
+	for (const std::unique_ptr<FEntry>& Entry : GetState().Entries)
+	{
+		if (*Entry->Class.Type == Type && Entry->Owner.Plugin == Running)
+		{
+			return Entry.get();
+		}
+		First = First == nullptr && *Entry->Class.Type == Type ? Entry.get() : First;
+	}
+	return First;
+}
+
+/** That of the library that Type lies in. */
+FEntry* FindOwnEntry(const std::type_info& Type)
 {
 	for (const std::unique_ptr<FEntry>& Entry : GetState().Entries)
 	{
-		if (*Entry->Class.Type == Type)
+		if (Entry->Class.Type == &Type)
 		{
 			return Entry.get();
 		}
@@ -77,7 +101,8 @@ FSubsystems& FSubsystems::Get()
 
 void FSubsystems::Register(const FSubsystemClass& Class)
 {
-	if (FindEntry(*Class.Type) != nullptr)
+	const FEntry* const Present = FindEntry(*Class.Type);
+	if (Present != nullptr && Present->Owner.Plugin == GetRunningPlugin())
 	{
 		UE_LOG(LogCore, Warning, "Subsystem %s is registered twice; the first one stays", Class.Name);
 		return;
@@ -88,7 +113,7 @@ void FSubsystems::Register(const FSubsystemClass& Class)
 
 void FSubsystems::Unregister(const std::type_info& Type)
 {
-	FEntry* const Entry = FindEntry(Type);
+	FEntry* const Entry = FindOwnEntry(Type);
 	if (Entry == nullptr)
 	{
 		return;
@@ -143,11 +168,16 @@ USubsystem* FSubsystems::Start(const std::type_info& Type)
 
 void FSubsystems::ForEach(ESubsystemKind Kind, TFunctionRef<bool(USubsystem&)> Function) const
 {
-	for (const std::unique_ptr<FEntry>& Entry : GetState().Entries)
+	const std::string Running = GetRunningPlugin();
+	for (const bool bOwn : {true, false})
 	{
-		if (Entry->Class.Kind == Kind && Entry->Object != nullptr && Function(*Entry->Object))
+		for (const std::unique_ptr<FEntry>& Entry : GetState().Entries)
 		{
-			return;
+			if (Entry->Class.Kind == Kind && Entry->Object != nullptr && (Entry->Owner.Plugin == Running) == bOwn &&
+				Function(*Entry->Object))
+			{
+				return;
+			}
 		}
 	}
 }

@@ -89,7 +89,7 @@ public:
 	/** Starts those of a kind that have not started. */
 	void StartPending(ESubsystemKind Kind);
 	USubsystem* Start(const std::type_info& Type);
-	/** Calls Function for each object of a kind, until it answers true. */
+	/** Calls Function for each object of a kind, until it answers true; those of the running plugin come first. */
 	void ForEach(ESubsystemKind Kind, TFunctionRef<bool(USubsystem&)> Function) const;
 
 	/** The first object of a kind that is a T; null if there is none. */

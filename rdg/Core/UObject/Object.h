@@ -13,6 +13,22 @@
 class UObject;
 class UWorld;
 
+/** A property and how it was changed, in the engine's editor. */
+class FProperty
+{
+public:
+	FName GetFName() const { return NAME_None; }
+	FString GetName() const { return FString(); }
+};
+struct FPropertyChangedEvent
+{
+	FProperty* Property = nullptr;
+	FProperty* MemberProperty = nullptr;
+
+	FName GetPropertyName() const { return Property != nullptr ? Property->GetFName() : NAME_None; }
+	FName GetMemberPropertyName() const { return MemberProperty != nullptr ? MemberProperty->GetFName() : NAME_None; }
+};
+
 /** The argument of constructors of older style: `UMyObject(const FObjectInitializer& ObjectInitializer)`. */
 class DRYDOCK_API FObjectInitializer
 {
@@ -38,6 +54,8 @@ public:
 	virtual void PostInitProperties() {}
 	virtual void PostLoad() {}
 	virtual void BeginDestroy() {}
+	/** Never called: nothing is edited. */
+	virtual void PostEditChangeProperty(FPropertyChangedEvent&) {}
 	/** Null for an object that was made without one. */
 	UObject* GetOuter() const { return Outer; }
 	/** Ours: NewObject tells it. */
@@ -100,6 +118,63 @@ T* NewObject(UObject* Outer = nullptr, FName Name = NAME_None)
 	return Object;
 }
 
+namespace Drydock
+{
+
+/** Says, once for each path, that no asset is loaded. */
+DRYDOCK_API void WarnOfMissingAsset(const TCHAR* Path);
+
+} // namespace Drydock
+
+/** In the engine the asset of that path. No asset is loaded here: null, with a warning that names the path. */
+template<typename T>
+T* LoadObject(UObject*, const TCHAR* Path, const TCHAR* = nullptr, uint32 = 0)
+{
+	Drydock::WarnOfMissingAsset(Path);
+	return nullptr;
+}
+/** Null: objects are not found by their names. */
+template<typename T>
+T* FindObject(UObject*, const TCHAR*, bool = false)
+{
+	return nullptr;
+}
+
+/** The path of an asset, which is not loaded here. */
+class FSoftObjectPath
+{
+public:
+	FSoftObjectPath() = default;
+	FSoftObjectPath(FString InPath)
+		: Path(std::move(InPath))
+	{
+	}
+	FSoftObjectPath(const TCHAR* InPath)
+		: Path(InPath)
+	{
+	}
+
+	const FString& ToString() const { return Path; }
+	FString GetAssetPathString() const { return Path; }
+	bool IsNull() const { return Path.IsEmpty(); }
+	bool IsValid() const { return !IsNull(); }
+	/** Null: nothing is loaded. */
+	UObject* ResolveObject() const { return nullptr; }
+	/** Null, with a warning that names the path. */
+	UObject* TryLoad() const { return LoadObject<UObject>(nullptr, *Path); }
+
+private:
+	FString Path;
+};
+
+/** Base of the U half of an interface; the I half is what classes implement. */
+class DRYDOCK_API UInterface : public UObject
+{
+public:
+	using Super = UInterface;
+	using UObject::UObject;
+};
+
 /** The object that holds a class's default values. */
 template<typename T>
 T* GetMutableDefault()
@@ -119,7 +194,9 @@ class TObjectPtr
 {
 public:
 	TObjectPtr() = default;
-	TObjectPtr(std::nullptr_t) {}
+	// A template, so that NULL, which is a number, means the pointer below.
+	template<typename U>
+	requires std::is_same_v<U, std::nullptr_t> TObjectPtr(U) {}
 	TObjectPtr(T* InObject)
 		: Object(InObject)
 	{
@@ -182,8 +259,32 @@ class TSoftObjectPtr : public TObjectPtr<T>
 {
 public:
 	using TObjectPtr<T>::TObjectPtr;
+	TSoftObjectPtr() = default;
+	/** What a path gives (null, as no asset is loaded), or an object of another static type. */
+	explicit TSoftObjectPtr(UObject* Object) requires(!std::is_same_v<T, UObject>)
+		: TObjectPtr<T>(Cast<T>(Object))
+	{
+	}
+	explicit TSoftObjectPtr(const FSoftObjectPath& InPath)
+		: Path(InPath)
+	{
+	}
+
+	const FSoftObjectPath& ToSoftObjectPath() const { return Path; }
+	FString ToString() const { return Path.ToString(); }
+	void Reset() { *this = TSoftObjectPtr(); }
 
 	bool IsNull() const { return this->Get() == nullptr; }
 	bool IsValid() const { return !IsNull(); }
-	T* LoadSynchronous() const { return this->Get(); }
+	T* LoadSynchronous() const
+	{
+		if (IsNull() && !Path.IsNull())
+		{
+			Drydock::WarnOfMissingAsset(*Path.ToString());
+		}
+		return this->Get();
+	}
+
+private:
+	FSoftObjectPath Path;
 };

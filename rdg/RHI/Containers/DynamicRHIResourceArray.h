@@ -3,6 +3,10 @@
 
 #include "RHIBuffer.h"
 
+/** Alignments of the arrays that index and vertex buffers are made from, in bytes; 0: the element's. */
+inline constexpr uint32 INDEXBUFFER_ALIGNMENT = 0;
+inline constexpr uint32 VERTEXBUFFER_ALIGNMENT = 0;
+
 template<typename ElementType, uint32 Alignment = 16>
 class TResourceArray : public FResourceArrayInterface, public TArray<ElementType>
 {

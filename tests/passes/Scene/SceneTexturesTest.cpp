@@ -171,6 +171,27 @@ struct FSmallProbe
 
 } // namespace
 
+TEST(SceneTextures, OneByOneTheyAreThoseOfTheUniformBuffer)
+{
+	FPassRun Run(FImage::Noise(Width, Height), EArithmetic::Float32, PF_A32B32G32R32F);
+	FSceneTextures SceneTextures;
+	SceneTextures.Color = Run.Input.Texture;
+	SceneTextures.GBufferB = Run.Input.Texture;
+	Run.View.SceneTextures = &SceneTextures;
+	const FSceneTextureParameters OfTextures = GetSceneTextureParameters(Run.GraphBuilder, SceneTextures);
+	const FSceneTextureParameters OfView = GetSceneTextureParameters(Run.GraphBuilder, Run.View);
+	const FSceneTextureParameters OfBuffer =
+		GetSceneTextureParameters(Run.GraphBuilder, CreateSceneTextureUniformBuffer(Run.GraphBuilder, Run.View));
+	for (const FSceneTextureParameters& Parameters : {OfTextures, OfView, OfBuffer})
+	{
+		EXPECT_EQ(Run.Input.Texture, Parameters.GBufferBTexture);
+		EXPECT_STREQ("BlackDummy", Parameters.GBufferATexture->Name);
+		EXPECT_STREQ("BlackDummy", Parameters.SceneDepthTexture->Name);
+		EXPECT_NE(nullptr, Parameters.SceneStencilTexture);
+	}
+	Run.GraphBuilder.Discard();
+}
+
 TEST(SceneTextures, OnlyWhatTheShaderReadsIsLoaded)
 {
 	FSmallProbe Probe;

@@ -3,6 +3,9 @@
 
 #include "ExtensionFactory.h"
 #include "PostProcess/PostProcessing.h"
+#include "GameFramework/WorldSettings.h"
+#include "Kismet/KismetRenderingLibrary.h"
+#include "ScenePrivate.h"
 
 using Drydock::EExtensionHook;
 
@@ -180,6 +183,54 @@ TEST(PostProcessMaterialInputs, InputIsATextureAndASlice)
 	EXPECT_EQ(FIntRect(0, 0, 8, 4), Inputs.Textures[0].ViewRect);
 	EXPECT_FALSE(Inputs.GetInput(EPostProcessMaterialInput::Velocity).IsValid());
 	GraphBuilder.Discard();
+}
+
+TEST(PostProcessMaterialInputs, TexturesArePlainOnesAsUpTo53)
+{
+	static_assert(std::is_same_v<FScreenPassTexture&, decltype(FPostProcessMaterialInputs().Textures[0])>);
+	FRDGBuilder GraphBuilder(FRHICommandListExecutor::GetImmediateCommandList());
+	const FRDGTextureDesc Desc =
+		FRDGTextureDesc::Create2D(FIntPoint(8, 4), PF_FloatRGBA, FClearValueBinding::Black, TexCreate_ShaderResource);
+	const FScreenPassTexture First(GraphBuilder.CreateTexture(Desc, TEXT("First")));
+	const FScreenPassTexture Second(GraphBuilder.CreateTexture(Desc, TEXT("Second")));
+	FPostProcessMaterialInputs Inputs;
+	Inputs.SetInput(GraphBuilder, EPostProcessMaterialInput::SceneColor, First);
+	Inputs.Textures[0] = Second;
+	// The view of the texture before is not that of this one.
+	EXPECT_EQ(Second.Texture, Inputs.GetInput(EPostProcessMaterialInput::SceneColor).Texture);
+	EXPECT_EQ(nullptr, Inputs.GetInput(EPostProcessMaterialInput::SceneColor).TextureSRV);
+	GraphBuilder.Discard();
+}
+
+TEST(World, IsFoundFromAnObjectAndHasSettings)
+{
+	UObject Nobody;
+	EXPECT_EQ(nullptr, GEngine->GetWorldFromContextObject(&Nobody, EGetWorldErrorMode::ReturnNull));
+	EXPECT_EQ(GWorld, GEngine->GetWorldFromContextObject(GWorld, EGetWorldErrorMode::Assert));
+	ASSERT_EQ(1, GEngine->GetWorldContexts().Num());
+	EXPECT_EQ(GWorld, GEngine->GetWorldContexts()[0].World());
+	EXPECT_EQ(100.0f, GWorld->GetWorldSettings()->WorldToMeters);
+	ASSERT_NE(nullptr, GWorld->Scene->GetRenderScene());
+	EXPECT_EQ(GWorld, GWorld->Scene->GetRenderScene()->World);
+}
+
+TEST(RenderTarget, IsClearedByTheRenderingLibrary)
+{
+	const std::unique_ptr<UTextureRenderTarget2D> Target(
+		UKismetRenderingLibrary::CreateRenderTarget2D(nullptr, 3, 2, RTF_RGBA32f));
+	ASSERT_NE(nullptr, Target);
+	EXPECT_EQ(3.0f, Target->GetSurfaceWidth());
+	EXPECT_EQ(2.0f, Target->GetSurfaceHeight());
+	UKismetRenderingLibrary::ClearRenderTarget2D(nullptr, Target.get(), FLinearColor(0.25f, 0.5f, 2.0f, 0.0f));
+	TArray<FLinearColor> Pixels;
+	FRHICommandListExecutor::GetImmediateCommandList().ReadSurfaceData(
+		Target->GetResource()->TextureRHI, FIntRect(0, 0, 3, 2), Pixels, FReadSurfaceDataFlags(RCM_MinMax));
+	ASSERT_EQ(6, Pixels.Num());
+	for (const FLinearColor& Pixel : Pixels)
+	{
+		EXPECT_EQ(FLinearColor(0.25f, 0.5f, 2.0f, 0.0f), Pixel);
+	}
+	EXPECT_EQ(nullptr, UKismetRenderingLibrary::CreateRenderTarget2D(nullptr, 0, 2));
 }
 
 TEST(PostProcessMaterialInputs, UntouchedPictureIsTheInputItself)

@@ -1,6 +1,7 @@
 // Subsystems: who is made when, what Super means with a generated header, and parts of objects.
 #include <gtest/gtest.h>
 
+#include "CodeScope.h"
 #include "CoreMinimal.h"
 #include "Misc/CoreDelegates.h"
 #include "Modules/ModuleManager.h"
@@ -147,3 +148,41 @@ TEST(Objects, AGeneratedBodyNamesTheClassAndItsBase)
 	UWithoutBody WithoutBody;
 	EXPECT_EQ(&WithoutBody, WithoutBody.AsSuper());
 }
+
+namespace
+{
+
+class USameName : public UEngineSubsystem
+{
+};
+
+TEST(Subsystems, OfOneClassNameInTwoPluginsAreBothMade)
+{
+	Drydock::FSubsystems& Subsystems = Drydock::FSubsystems::Get();
+	const Drydock::FSubsystemClass Class{TEXT("USameName"), Drydock::ESubsystemKind::Engine, &typeid(USameName),
+		[]() -> USubsystem*
+		{
+			return new USameName;
+		}};
+	USameName* Found[2] = {};
+	const Drydock::FCodeOwner Owners[2] = {
+		{.Plugin = "libA.so", .Callback = "a test"}, {.Plugin = "libB.so", .Callback = "a test"}};
+	for (const Drydock::FCodeOwner& Owner : Owners)
+	{
+		Drydock::CallCode(Owner, [&] { Subsystems.Register(Class); });
+	}
+	Subsystems.StartPending(Drydock::ESubsystemKind::Engine);
+	for (int32 Index : {0, 1})
+	{
+		Drydock::CallCode(
+			Owners[Index], [&] { Found[Index] = Subsystems.Find<USameName>(Drydock::ESubsystemKind::Engine); });
+	}
+	EXPECT_NE(nullptr, Found[0]);
+	EXPECT_NE(nullptr, Found[1]);
+	EXPECT_NE(Found[0], Found[1]);
+	Subsystems.Unregister(typeid(USameName));
+	Subsystems.Unregister(typeid(USameName));
+	EXPECT_EQ(nullptr, Subsystems.Find<USameName>(Drydock::ESubsystemKind::Engine));
+}
+
+} // namespace

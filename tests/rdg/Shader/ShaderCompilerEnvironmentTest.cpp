@@ -57,3 +57,22 @@ TEST(ShaderCompilerEnvironment, TheLastValueWinsAtTheFirstPlace)
 	Environment.SetDefine(TEXT("A"), 3);
 	EXPECT_EQ((FDefines{{"A", "3"}, {"B", "2"}}), Environment.GetDefines());
 }
+
+TEST(ShaderCompilerEnvironment, TheMacroNamesTheDefine)
+{
+	FShaderCompilerEnvironment Environment;
+	SET_SHADER_DEFINE(Environment, USE_MASK, true);
+	SET_SHADER_DEFINE(Environment, GROUP_SIZE, 8);
+	EXPECT_EQ((FDefines{{"USE_MASK", "1"}, {"GROUP_SIZE", "8"}}), Environment.GetDefines());
+}
+
+TEST(ShaderDirectories, AreListedAndForgotten)
+{
+	AddShaderSourceDirectoryMapping(TEXT("/Listed"), TEXT("/tmp/first"));
+	AddShaderSourceDirectoryMapping(TEXT("/Listed"), TEXT("/tmp/second"));
+	ASSERT_TRUE(AllShaderSourceDirectoryMappings().Contains(TEXT("/Listed")));
+	EXPECT_STREQ("/tmp/second", **AllShaderSourceDirectoryMappings().Find(TEXT("/Listed")));
+	ResetAllShaderSourceDirectoryMappings();
+	EXPECT_FALSE(AllShaderSourceDirectoryMappings().Contains(TEXT("/Listed")));
+	EXPECT_TRUE(AllShaderSourceDirectoryMappings().Contains(TEXT("/Engine")));
+}

@@ -1,0 +1,306 @@
+// Writes the project of a plugin, runs cmake on it, and says what it left out or what the compiler said.
+#include "Patch/PluginBuild.h"
+
+#include "ChildProcess.h"
+#include "Diagnostics.h"
+#include "InstallPaths.h"
+#include "Patch/PluginBuildErrors.h"
+#include "Text/TextFile.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <regex>
+#include <sstream>
+
+namespace Drydock
+{
+
+namespace
+{
+
+namespace Files = std::filesystem;
+
+constexpr int DefaultEngineMinor = 4;
+constexpr size_t MostErrorLines = 12;
+
+[[noreturn]] void Fail(EPluginBuildError Code, const std::string& File, const std::string& Message)
+{
+	throw FError({.Code = Code, .Message = Message, .File = File}, ExitUsage);
+}
+
+std::vector<std::string> SplitLines(const std::string& Text)
+{
+	std::vector<std::string> Lines;
+	std::istringstream Stream(Text);
+	for (std::string Line; std::getline(Stream, Line);)
+	{
+		Lines.push_back(Line);
+	}
+	return Lines;
+}
+
+/** The first file of Folder with that extension; empty: none. */
+Files::path FindByExtension(const Files::path& Folder, const char* Extension)
+{
+	std::vector<Files::path> Found;
+	std::error_code Error;
+	for (Files::directory_iterator Entry(Folder, Error), End; !Error && Entry != End; Entry.increment(Error))
+	{
+		if (Entry->path().extension() == Extension)
+		{
+			Found.push_back(Entry->path());
+		}
+	}
+	std::sort(Found.begin(), Found.end());
+	return Found.empty() ? Files::path() : Found.front();
+}
+
+/** The x of the first "5.x" that one of the keys has in a file; 0: none. */
+int FindVersion(const Files::path& File)
+{
+	const std::string Text = File.empty() ? std::string() : TryReadTextFile(File.string()).value_or("");
+	std::smatch Match;
+	const std::regex Pattern("\"(EngineVersion|EngineAssociation)\"\\s*:\\s*\"5\\.([0-9]{1,2})");
+	return std::regex_search(Text, Match, Pattern) ? std::stoi(Match[2]) : 0;
+}
+
+/** A name for CMake's target and the library's file. */
+std::string MakeTargetName(const std::string& Text)
+{
+	std::string Name;
+	for (const char Letter : Text)
+	{
+		const bool bPlain = std::isalnum(static_cast<unsigned char>(Letter)) != 0 || Letter == '_';
+		Name += bPlain ? Letter : '_';
+	}
+	return Name.empty() || std::isdigit(static_cast<unsigned char>(Name[0])) != 0 ? "Plugin" + Name : Name;
+}
+
+/** Text between quotes of CMake. */
+std::string Quote(const std::string& Text)
+{
+	std::string Quoted = "\"";
+	for (const char Letter : Text)
+	{
+		if (Letter == '"' || Letter == '\\' || Letter == '$' || Letter == ';')
+		{
+			Quoted += '\\';
+		}
+		Quoted += Letter;
+	}
+	return Quoted + "\"";
+}
+
+/** Folder of drydockConfig.cmake: of the installation, else of the build that this program belongs to. */
+std::string FindPackage()
+{
+	const std::string Installed = FindInstalled(DRYDOCK_PACKAGE_DIR);
+	if (!Installed.empty())
+	{
+		return Installed;
+	}
+	std::error_code Error;
+	if (Files::is_regular_file(Files::path(DRYDOCK_BINARY_DIR) / "drydockConfig.cmake", Error))
+	{
+		return DRYDOCK_BINARY_DIR;
+	}
+	Fail(ErrorBuildTools, "", "drydock's CMake package is nowhere: is it installed completely?");
+}
+
+std::string RunTool(const std::vector<std::string>& Arguments, int TimeLimitSeconds, bool& bOutSucceeded)
+{
+	const FChildResult Result = RunChild(Arguments, TimeLimitSeconds);
+	if (!Result.bStarted)
+	{
+		Fail(ErrorBuildTools, "", Arguments[0] + " cannot be started: a plugin is built by cmake 3.25 or newer");
+	}
+	bOutSucceeded = Result.Succeeded();
+	return Result.Output + (Result.bTimedOut ? Result.Describe(TimeLimitSeconds) + "\n" : std::string());
+}
+
+/** What a reader needs of what the compiler and the linker printed. */
+std::string TakeErrors(const std::string& Output, const std::string& LogFile)
+{
+	std::string Errors;
+	size_t Count = 0;
+	std::vector<std::string> Said;
+	for (const std::string& Line : SplitLines(Output))
+	{
+		const bool bError = Line.find("error:") != std::string::npos ||
+							Line.find("undefined reference") != std::string::npos ||
+							Line.find("multiple definition") != std::string::npos;
+		if (bError && std::find(Said.begin(), Said.end(), Line) == Said.end())
+		{
+			Said.push_back(Line);
+			Errors += ++Count <= MostErrorLines ? "\n  " + Line : std::string();
+		}
+	}
+	const std::string More =
+		Count > MostErrorLines ? "\n  and " + std::to_string(Count - MostErrorLines) + " more" : std::string();
+	return Errors + More + "\n  all of it: " + LogFile;
+}
+
+/** CMake's own message, without its decoration. */
+std::string TakeRefusal(const std::string& Output, const std::string& LogFile)
+{
+	std::string Text;
+	bool bError = false;
+	for (const std::string& Line : SplitLines(Output))
+	{
+		if (Line.rfind("CMake Error", 0) == 0)
+		{
+			bError = true;
+			continue;
+		}
+		if (bError && Line.rfind("Call Stack", 0) == 0)
+		{
+			break;
+		}
+		const size_t Start = Line.find_first_not_of(' ');
+		if (bError && Start != std::string::npos)
+		{
+			Text += (Text.empty() ? "" : " ") + Line.substr(Start);
+		}
+	}
+	return (Text.empty() ? "cmake failed" : Text) + "\n  all of it: " + LogFile;
+}
+
+struct FAttempt
+{
+	bool bCompiled = false;
+	std::string Errors; // what the compiler said, as the end of a message
+};
+
+/** Writes the project, configures and builds it. */
+FAttempt Attempt(const FPluginBuild& Build, const std::string& Package, std::vector<std::string>& OutNotes)
+{
+	const std::string Project = Build.BuildFolder + "/CMakeLists.txt";
+	const std::string Text = MakePluginProject(Build, Package);
+	// As it stands where nothing changed: cmake does not start over then.
+	if (TryReadTextFile(Project) != Text)
+	{
+		WriteTextFile(Project, Text);
+	}
+	std::vector<std::string> Configure = {"cmake", "-S", Build.BuildFolder, "-B", Build.BuildFolder + "/cmake"};
+	if (!FindProgram("ninja").empty())
+	{
+		Configure.insert(Configure.end(), {"-G", "Ninja"});
+	}
+	if (!Build.Compiler.empty())
+	{
+		Configure.push_back("-DCMAKE_CXX_COMPILER=" + Build.Compiler);
+	}
+	const std::string LogFile = Build.BuildFolder + "/build.log";
+	bool bSucceeded = false;
+	const std::string Configured = RunTool(Configure, Build.TimeLimitSeconds, bSucceeded);
+	WriteTextFile(LogFile, Configured);
+	if (!bSucceeded)
+	{
+		const bool bNoSources = Configured.find("no sources found") != std::string::npos;
+		Fail(bNoSources ? ErrorNoPlugin : ErrorPluginNotConfigured, Build.Folder, TakeRefusal(Configured, LogFile));
+	}
+	const std::string Prefix = "-- " + Build.Name + ": ";
+	for (const std::string& Line : SplitLines(Configured))
+	{
+		if (Line.rfind(Prefix, 0) == 0)
+		{
+			OutNotes.push_back(Line.substr(Prefix.size()));
+		}
+	}
+	const std::string Compiled =
+		RunTool({"cmake", "--build", Build.BuildFolder + "/cmake", "--parallel"}, Build.TimeLimitSeconds, bSucceeded);
+	WriteTextFile(LogFile, Configured + Compiled);
+	return {bSucceeded, bSucceeded ? std::string() : TakeErrors(Compiled, LogFile)};
+}
+
+} // namespace
+
+int FindEngineMinor(const std::string& Folder)
+{
+	const Files::path Plugin = Files::absolute(Folder).lexically_normal();
+	if (const int Own = FindVersion(FindByExtension(Plugin, ".uplugin")))
+	{
+		return Own;
+	}
+	Files::path Above = Plugin;
+	for (int Level = 0; Level < 4 && Above.has_relative_path(); ++Level, Above = Above.parent_path())
+	{
+		if (const int OfProject = FindVersion(FindByExtension(Above, ".uproject")))
+		{
+			return OfProject;
+		}
+	}
+	return 0;
+}
+
+std::string MakePluginProject(const FPluginBuild& Build, const std::string& Package)
+{
+	std::string Rest;
+	for (const std::string& Exclude : Build.Excludes)
+	{
+		Rest += (Rest.empty() ? "\n\tEXCLUDE " : " ") + Quote(Exclude);
+	}
+	Rest += Build.bUnity ? "\n\tUNITY" : "";
+	return "# Made by drydock build. Everything is built beside this file, nothing in the plugin's folder.\n"
+		   "cmake_minimum_required(VERSION 3.25)\n"
+		   "project(" +
+		   Build.Name +
+		   " LANGUAGES CXX)\n"
+		   "if(NOT CMAKE_BUILD_TYPE)\n\tset(CMAKE_BUILD_TYPE Debug)\nendif()\n"
+		   "find_package(drydock CONFIG REQUIRED PATHS " +
+		   Quote(Package) +
+		   " NO_DEFAULT_PATH)\n"
+		   "drydock_add_plugin(" +
+		   Build.Name + "\n\tFOLDER " + Quote(Build.Folder) + Rest +
+		   ")\n"
+		   "target_compile_definitions(" +
+		   Build.Name + " PUBLIC ENGINE_MINOR_VERSION=" + std::to_string(Build.EngineMinor) + ")\n";
+}
+
+FBuiltPlugin BuildPlugin(FPluginBuild Build)
+{
+	const Files::path Folder = Files::absolute(Build.Folder).lexically_normal();
+	std::error_code Error;
+	if (!Files::is_directory(Folder, Error))
+	{
+		Fail(ErrorNoPlugin, Build.Folder, "is no folder; expected a plugin's, with its .uplugin");
+	}
+	Build.Folder = (Folder.has_filename() ? Folder : Folder.parent_path()).string();
+	if (Build.Name.empty())
+	{
+		const Files::path Description = FindByExtension(Build.Folder, ".uplugin");
+		Build.Name = MakeTargetName((Description.empty() ? Files::path(Build.Folder) : Description).stem().string());
+	}
+	if (Build.EngineMinor == 0)
+	{
+		const int Named = FindEngineMinor(Build.Folder);
+		Build.EngineMinor = Named != 0 ? Named : DefaultEngineMinor;
+	}
+	if (Build.BuildFolder.empty())
+	{
+		Build.BuildFolder = "build/" + Build.Name;
+	}
+	const std::string Package = FindPackage();
+	FBuiltPlugin Built{.Name = Build.Name, .EngineMinor = Build.EngineMinor};
+	const FAttempt First = Attempt(Build, Package, Built.Notes);
+	if (!First.bCompiled && !Build.bUnity)
+	{
+		// The engine's build puts a module's sources into one file, and published ones are used to it.
+		Build.bUnity = true;
+		std::vector<std::string> Notes;
+		Build.bUnity = Attempt(Build, Package, Notes).bCompiled;
+	}
+	if (!First.bCompiled && !Build.bUnity)
+	{
+		Fail(ErrorPluginNotCompiled, Build.Folder, "does not compile:" + First.Errors);
+	}
+	if (!First.bCompiled)
+	{
+		Built.Notes.push_back("built as one file, as the engine does: one by one its sources do not compile");
+	}
+	Built.Library = Build.BuildFolder + "/cmake/lib" + Build.Name + ".so";
+	return Built;
+}
+
+} // namespace Drydock

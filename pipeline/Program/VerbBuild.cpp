@@ -1,0 +1,93 @@
+// `drydock build`: a plugin's folder, as the engine has it, becomes a shared object that a config can name.
+#include <CLI/CLI.hpp>
+
+#include "Diagnostics.h"
+#include "Patch/PluginBuild.h"
+#include "Program/VerbOptions.h"
+#include "Program/Verbs.h"
+#include "Text/JsonWriter.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+namespace Drydock
+{
+
+namespace
+{
+
+struct FBuildOptions
+{
+	FPluginBuild Build;
+	bool bJson = false;
+};
+
+std::string FormatJson(const FBuiltPlugin& Built)
+{
+	FJsonWriter Writer;
+	Writer.BeginObject();
+	Writer.Member("name", Built.Name);
+	Writer.Member("engine", "5." + std::to_string(Built.EngineMinor));
+	Writer.Member("library", std::filesystem::absolute(Built.Library).lexically_normal().string());
+	Writer.Key("notes").BeginArray();
+	for (const std::string& Note : Built.Notes)
+	{
+		Writer.Value(Note);
+	}
+	Writer.EndArray();
+	Writer.EndObject();
+	return Writer.GetText();
+}
+
+std::string FormatText(const FBuiltPlugin& Built)
+{
+	std::string Text = Built.Name + ": built for engine 5." + std::to_string(Built.EngineMinor) + "\n";
+	for (const std::string& Note : Built.Notes)
+	{
+		Text += "  " + Note + "\n";
+	}
+	return Text + Built.Library + "\n";
+}
+
+int Build(const FBuildOptions& Options)
+{
+	const FBuiltPlugin Built = BuildPlugin(Options.Build);
+	std::fputs((Options.bJson ? FormatJson : FormatText)(Built).c_str(), stdout);
+	return ExitDone;
+}
+
+FVerbCall AddOptions(CLI::App& Verb)
+{
+	const auto Options = std::make_shared<FBuildOptions>();
+	Verb.add_option("PLUGIN_DIR", Options->Build.Folder, "Folder of a plugin, with its .uplugin")->required();
+	Verb.add_option("--out", Options->Build.BuildFolder, "Folder of the build; build/NAME by default")
+		->type_name("DIR");
+	Verb.add_option("--name", Options->Build.Name, "Name of the library; that of the .uplugin by default")
+		->type_name("NAME");
+	RequireRange(Verb.add_option("--engine-minor", Options->Build.EngineMinor,
+						 "Engine 5.X that it is compiled for; by default the one that the .uplugin or .uproject names, "
+						 "else 4")
+					 ->type_name("X"),
+		1, 99);
+	AddRepeated(Verb, "--exclude", "PATTERN", Options->Build.Excludes,
+		"Leave out a file, folder or module: a path from PLUGIN_DIR on or a name, with * and ?");
+	Verb.add_option("--compiler", Options->Build.Compiler, "C++ compiler; CMake's choice by default")
+		->type_name("PATH");
+	Verb.add_flag("--json", Options->bJson, "Print name, engine, library and what was left out");
+	return [Options]
+	{
+		return Build(*Options);
+	};
+}
+
+const FVerbRegistration GRegistration({
+	.Name = "build",
+	.Place = 115,
+	.Doc = "Build a plugin's folder as it is into a shared object for \"plugins\" of a config",
+	.AddOptions = AddOptions,
+});
+
+} // namespace
+
+} // namespace Drydock

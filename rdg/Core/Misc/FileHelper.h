@@ -1,0 +1,27 @@
+// Whole files as text. Source: engine Misc/FileHelper.h.
+#pragma once
+
+#include "HAL/FileManager.h"
+
+#define LINE_TERMINATOR TEXT("\n")
+
+class DRYDOCK_API FFileHelper
+{
+public:
+	/** Text is UTF-8 here, whatever is asked for. */
+	enum class EEncodingOptions
+	{
+		AutoDetect,
+		ForceAnsi,
+		ForceUnicode,
+		ForceUTF8,
+		ForceUTF8WithoutBOM
+	};
+
+	/** False where it cannot be read. */
+	static bool LoadFileToString(FString& Result, const TCHAR* Filename);
+	/** WriteFlags: FILEWRITE_Append adds to what is there. False where it cannot be written. */
+	static bool SaveStringToFile(const FString& Text, const TCHAR* Filename,
+		EEncodingOptions EncodingOptions = EEncodingOptions::AutoDetect,
+		IFileManager* FileManager = &IFileManager::Get(), uint32 WriteFlags = FILEWRITE_None);
+};

@@ -1,0 +1,159 @@
+// `drydock build`: what is found in a plugin's folder, what is left out, and what a mistake is answered with. One
+// plugin is built for real; whether plugins run is for PluginStylesTest.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "Diagnostics.h"
+#include "Patch/PluginBuild.h"
+#include "Patch/PluginBuildErrors.h"
+
+#include <dlfcn.h>
+#include <filesystem>
+#include <fstream>
+#include <unistd.h>
+
+using namespace Drydock;
+
+namespace
+{
+
+namespace Files = std::filesystem;
+
+/** A plugin in a folder that goes away. */
+class PluginBuild : public testing::Test
+{
+protected:
+	PluginBuild()
+		: Root(Files::temp_directory_path() / ("drydock_plugin_build_" + std::to_string(getpid())))
+	{
+		Files::remove_all(Root);
+		Write("Plugins/Tint/Tint.uplugin", R"({ // comments and commas too many do no harm
+			"EngineVersion": "5.3.0",
+			"Modules": [
+				{ "Name": "Tint", "Type": "Runtime", "LoadingPhase": "PostConfigInit" },
+				{ "Name": "TintTools", "Type": "Editor", },
+			] })");
+		Write("Plugins/Tint/Source/Tint/Tint.Build.cs", R"(public class Tint : ModuleRules {
+			public Tint() { PrivateDefinitions.Add("TINT_ANSWER=42"); PublicIncludePaths.Add("Deep/Inside"); } })");
+		Write("Plugins/Tint/Source/Tint/Deep/Inside/Deep.h", "inline int Deep() { return TINT_ANSWER; }\n");
+	}
+	~PluginBuild() override { Files::remove_all(Root); }
+
+	void Write(const std::string& Path, const std::string& Text) const
+	{
+		Files::create_directories((Root / Path).parent_path());
+		std::ofstream(Root / Path) << Text;
+	}
+	FPluginBuild Describe() const
+	{
+		FPluginBuild Build;
+		Build.Folder = (Root / "Plugins/Tint").string();
+		Build.BuildFolder = (Root / "build").string();
+		return Build;
+	}
+	/** Number and text of the message that ends it. */
+	static std::pair<int, std::string> Refuse(const FPluginBuild& Build)
+	{
+		try
+		{
+			BuildPlugin(Build);
+		}
+		catch (const FError& Error)
+		{
+			EXPECT_EQ(ExitUsage, Error.GetExitCode());
+			return {Error.GetDiagnostics().front().Code, Error.GetDiagnostics().front().Message};
+		}
+		return {};
+	}
+
+	Files::path Root;
+};
+
+TEST_F(PluginBuild, IsFoundBuiltAndLoaded)
+{
+	Write("Plugins/Tint/Source/TintTools/TintTools.Build.cs", "");
+	Write("Plugins/Tint/Source/TintTools/Private/Tools.cpp", "#error an editor's module\n");
+	Write("Plugins/Tint/Source/Tint/Private/TintPanel.cpp", "#include \"Widgets/SPanel.h\"\n");
+	Write("Plugins/Tint/Source/Tint/Private/Old.cpp", "#error left out by its name\n");
+	Write("Plugins/Tint/Source/Tint/Public/TintActor.h", R"(#pragma once
+#include "TintActor.generated.h"
+// Declared by the generated header: AActor and UWorldSubsystem come without an include.
+UCLASS()
+class UTintSubsystem : public UWorldSubsystem
+{
+	GENERATED_BODY()
+	TWeakObjectPtr<ATintActor> Actor;
+};
+UCLASS()
+class ATintActor : public AActor
+{
+	GENERATED_BODY()
+};
+)");
+	Write("Plugins/Tint/Source/Tint/Private/Tint.cpp", R"(#include "tintactor.h"
+#include "Deep.h"
+#include "PostProcess\PostProcessMaterial.h"
+#include "CompGeom/Delaunay2.h"
+#if WITH_EDITOR
+#include "Editor.h"
+#endif
+extern "C" int TintAnswer() { return Deep(); }
+extern "C" const char* TintFolder() { static const FString Folder = FPaths::ProjectPluginsDir(); return *Folder; }
+IMPLEMENT_MODULE(FDefaultModuleImpl, Tint)
+)");
+	FPluginBuild Build = Describe();
+	Build.Excludes = {"Source/Tint/Private/Old.*"};
+	const FBuiltPlugin Built = BuildPlugin(Build);
+
+	EXPECT_EQ("Tint", Built.Name);
+	EXPECT_EQ(3, Built.EngineMinor);
+	EXPECT_THAT(Built.Notes, testing::Contains("left out module TintTools: it is of type Editor"));
+	EXPECT_THAT(
+		Built.Notes, testing::Contains("left out Source/Tint/Private/TintPanel.cpp: it includes Widgets/SPanel.h, "
+									   "and there is no editor and no Slate"));
+	EXPECT_THAT(
+		Built.Notes, testing::Contains("left out Source/Tint/Private/Old.cpp: EXCLUDE Source/Tint/Private/Old.*"));
+	EXPECT_THAT(Built.Notes,
+		testing::Contains(testing::StartsWith("there is no CompGeom/Delaunay2.h here, it is taken as empty")));
+	void* const Library = dlopen(Built.Library.c_str(), RTLD_NOW | RTLD_LOCAL);
+	ASSERT_NE(nullptr, Library) << dlerror();
+	EXPECT_EQ(42, reinterpret_cast<int (*)()>(dlsym(Library, "TintAnswer"))());
+	EXPECT_EQ((Root / "Plugins").string() + "/", reinterpret_cast<const char* (*)()>(dlsym(Library, "TintFolder"))());
+	dlclose(Library);
+	EXPECT_FALSE(Files::exists(Root / "Plugins/Tint/build"));
+}
+
+TEST_F(PluginBuild, MistakesAreNumbered)
+{
+	FPluginBuild Build = Describe();
+	Build.Folder = (Root / "Nowhere").string();
+	EXPECT_EQ(ErrorNoPlugin, Refuse(Build).first);
+
+	Build = Describe();
+	Build.Folder = (Root / "Plugins").string();
+	Files::remove_all(Root / "Plugins/Tint");
+	const auto [Number, Message] = Refuse(Build);
+	EXPECT_EQ(ErrorNoPlugin, Number);
+	EXPECT_THAT(Message, testing::HasSubstr("no sources found"));
+}
+
+TEST_F(PluginBuild, AnExcludeThatMatchesNothingIsAMistake)
+{
+	Write("Plugins/Tint/Source/Tint/Private/Tint.cpp", "\n");
+	FPluginBuild Build = Describe();
+	Build.Excludes = {"Nobody.cpp"};
+	const auto [Number, Message] = Refuse(Build);
+	EXPECT_EQ(ErrorPluginNotConfigured, Number);
+	EXPECT_THAT(Message, testing::HasSubstr("EXCLUDE Nobody.cpp matches nothing"));
+}
+
+TEST_F(PluginBuild, EngineIsThatOfTheDescription)
+{
+	EXPECT_EQ(3, FindEngineMinor((Root / "Plugins/Tint").string()));
+	Write("Plugins/Tint/Tint.uplugin", "{}");
+	EXPECT_EQ(0, FindEngineMinor((Root / "Plugins/Tint").string()));
+	Write("Game.uproject", R"({ "EngineAssociation": "5.6" })");
+	EXPECT_EQ(6, FindEngineMinor((Root / "Plugins/Tint").string()));
+}
+
+} // namespace
