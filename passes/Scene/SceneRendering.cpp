@@ -52,6 +52,15 @@ void FViewInfo::InitViewUniformBuffer(FIntPoint BufferExtent)
 	Parameters.ScreenPositionScaleBias = FVector4f(0.5f * Size.X / Extent.X, -0.5f * Size.Y / Extent.Y,
 		(0.5f * Size.Y + Min.Y) / Extent.Y, (0.5f * Size.X + Min.X) / Extent.X);
 
+	Parameters.TemporalAAParams = FVector4f(0.0f, 1.0f, 0.0f, 0.0f);
+	Parameters.MaterialTextureDerivativeMultiply = 1.0f;
+	Parameters.CullingSign = 1.0f;
+	Parameters.CameraCut = bCameraCut ? 1.0f : 0.0f;
+	Parameters.PrevFrameGameTime = Parameters.GameTime - Parameters.DeltaTime;
+	Parameters.PrevGameTime = Parameters.PrevFrameGameTime;
+	Parameters.PrevFrameRealTime = Parameters.RealTime - Parameters.DeltaTime;
+	Parameters.Random = Parameters.StateFrameIndex * 747796405u + 2891336453u; // one step of a congruential generator
+
 	Parameters.PreExposure = PreExposure;
 	Parameters.OneOverPreExposure = 1.0f / PreExposure;
 

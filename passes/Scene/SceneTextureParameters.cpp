@@ -51,6 +51,16 @@ void SetupSceneTextureUniformParameters(FRDGBuilder& GraphBuilder, const FSceneT
 			? Source.CustomStencil
 			: SystemTextures.StencilDummySRV;
 	OutParameters.PointClampSampler = TStaticSamplerState<SF_Point, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
+	using FParameters = FSceneTextureUniformParameters;
+	for (const auto Sampler : {&FParameters::SceneColorTextureSampler, &FParameters::SceneDepthTextureSampler,
+			 &FParameters::GBufferATextureSampler, &FParameters::GBufferBTextureSampler,
+			 &FParameters::GBufferCTextureSampler, &FParameters::GBufferDTextureSampler,
+			 &FParameters::GBufferETextureSampler, &FParameters::GBufferFTextureSampler,
+			 &FParameters::GBufferVelocityTextureSampler, &FParameters::ScreenSpaceAOTextureSampler,
+			 &FParameters::CustomDepthTextureSampler})
+	{
+		OutParameters.*Sampler = OutParameters.PointClampSampler;
+	}
 }
 
 TRDGUniformBufferRef<FSceneTextureUniformParameters> CreateSceneTextureUniformBuffer(

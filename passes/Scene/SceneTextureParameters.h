@@ -26,6 +26,18 @@ BEGIN_GLOBAL_SHADER_PARAMETER_STRUCT(FSceneTextureUniformParameters, DRYDOCK_API
 	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, CustomDepthTexture)
 	SHADER_PARAMETER_RDG_TEXTURE_SRV(Texture2D<uint2>, CustomStencilTexture)
 	SHADER_PARAMETER_SAMPLER(SamplerState, PointClampSampler)
+	// One for each texture, as shaders of older engines name them; all point, clamped.
+	SHADER_PARAMETER_SAMPLER(SamplerState, SceneColorTextureSampler)
+	SHADER_PARAMETER_SAMPLER(SamplerState, SceneDepthTextureSampler)
+	SHADER_PARAMETER_SAMPLER(SamplerState, GBufferATextureSampler)
+	SHADER_PARAMETER_SAMPLER(SamplerState, GBufferBTextureSampler)
+	SHADER_PARAMETER_SAMPLER(SamplerState, GBufferCTextureSampler)
+	SHADER_PARAMETER_SAMPLER(SamplerState, GBufferDTextureSampler)
+	SHADER_PARAMETER_SAMPLER(SamplerState, GBufferETextureSampler)
+	SHADER_PARAMETER_SAMPLER(SamplerState, GBufferFTextureSampler)
+	SHADER_PARAMETER_SAMPLER(SamplerState, GBufferVelocityTextureSampler)
+	SHADER_PARAMETER_SAMPLER(SamplerState, ScreenSpaceAOTextureSampler)
+	SHADER_PARAMETER_SAMPLER(SamplerState, CustomDepthTextureSampler)
 END_GLOBAL_SHADER_PARAMETER_STRUCT()
 
 /** Included by a shader's parameters to reach the scene textures. */

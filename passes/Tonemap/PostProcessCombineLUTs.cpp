@@ -59,8 +59,8 @@ public:
 	END_SHADER_PARAMETER_STRUCT()
 };
 
-IMPLEMENT_GLOBAL_SHADER(FCombineLUTPS, "/Engine/Private/PostProcessCombineLUTs.usf", "MainPS", SF_Pixel);
-IMPLEMENT_GLOBAL_SHADER(FCombineLUTCS, "/Engine/Private/PostProcessCombineLUTs.usf", "MainCS", SF_Compute);
+IMPLEMENT_GLOBAL_SHADER(FCombineLUTPS, "/Engine/Private/PostProcessColorRemap.usf", "MainPS", SF_Pixel);
+IMPLEMENT_GLOBAL_SHADER(FCombineLUTCS, "/Engine/Private/PostProcessColorRemap.usf", "MainCS", SF_Compute);
 
 float EncodeSrgb(double Linear)
 {

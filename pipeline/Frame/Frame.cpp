@@ -246,6 +246,7 @@ private:
 		if (const std::optional<FSceneViewProjectionData>& Last = Target.State->GetLast().Projection)
 		{
 			View.UniformParameters.ClipToPrevClip = MakeClipToPrevClip(Projection, *Last);
+			SetPrevCameraParameters(*Last, View.UniformParameters);
 		}
 		FViewHistory& Next = Target.State->Next;
 		Next.bValid = true;

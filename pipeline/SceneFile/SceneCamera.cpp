@@ -140,6 +140,12 @@ void SetCameraParameters(const FSceneViewProjectionData& ProjectionData, FViewUn
 	Parameters.ScreenToTranslatedWorld = FMatrix44f(ScreenToClip * FromClip);
 	Parameters.ScreenToWorld = FMatrix44f(ScreenToClip * FromClip * FTranslationMatrix(ProjectionData.ViewOrigin));
 	Parameters.ClipToPrevClip = FMatrix44f::Identity;
+	const FTranslationMatrix ToTranslatedWorld(ProjectionData.ViewOrigin * -1.0);
+	const FTranslationMatrix ToWorld(ProjectionData.ViewOrigin);
+	Parameters.WorldToView = FMatrix44f(ToTranslatedWorld * ViewRotation);
+	Parameters.WorldToClip = FMatrix44f(ToTranslatedWorld * ToClip);
+	Parameters.ViewToWorld = FMatrix44f(ViewRotation.GetTransposed() * ToWorld);
+	Parameters.ClipToWorld = FMatrix44f(FromClip * ToWorld);
 
 	const auto GetAxis = [&ViewRotation](int32 Column)
 	{
@@ -151,11 +157,25 @@ void SetCameraParameters(const FSceneViewProjectionData& ProjectionData, FViewUn
 	Parameters.WorldCameraOrigin = ToFloat(ProjectionData.ViewOrigin);
 	Parameters.TranslatedWorldCameraOrigin = FVector3f(0.0f, 0.0f, 0.0f);
 	Parameters.PreViewTranslation = ToFloat(ProjectionData.ViewOrigin * -1.0);
+	Parameters.RelativeWorldCameraOrigin = Parameters.WorldCameraOrigin;
+	Parameters.WorldViewOriginHigh = Parameters.WorldCameraOrigin;
+	const FVector High(Parameters.WorldCameraOrigin.X, Parameters.WorldCameraOrigin.Y, Parameters.WorldCameraOrigin.Z);
+	Parameters.WorldViewOriginLow = ToFloat(ProjectionData.ViewOrigin - High);
 	Parameters.InvDeviceZToWorldZTransform = GetInvDeviceZToWorldZTransform();
 	Parameters.NearPlane = static_cast<float>(SceneNearPlane);
 	const float AngleX = static_cast<float>(2.0 * std::atan(1.0 / Projection.M[0][0]));
 	const float AngleY = static_cast<float>(2.0 * std::atan(1.0 / Projection.M[1][1]));
 	Parameters.FieldOfViewWideAngles = FVector4f(AngleX, AngleY, AngleX, AngleY);
+	SetPrevCameraParameters(ProjectionData, Parameters);
+}
+
+void SetPrevCameraParameters(const FSceneViewProjectionData& Previous, FViewUniformShaderParameters& Parameters)
+{
+	Parameters.PrevTranslatedWorldToView = FMatrix44f(Previous.ViewRotationMatrix);
+	Parameters.PrevViewToClip = FMatrix44f(Previous.ProjectionMatrix);
+	Parameters.PrevTranslatedWorldToClip = FMatrix44f(Previous.ViewRotationMatrix * Previous.ProjectionMatrix);
+	Parameters.PrevWorldCameraOrigin = ToFloat(Previous.ViewOrigin);
+	Parameters.PrevPreViewTranslation = ToFloat(Previous.ViewOrigin * -1.0);
 }
 
 FMatrix44f MakeClipToPrevClip(const FSceneViewProjectionData& Current, const FSceneViewProjectionData& Previous)

@@ -47,9 +47,14 @@ DRYDOCK_API float MakeDeviceDepth(double Depth);
 DRYDOCK_API FSceneViewProjectionData MakeProjectionData(
 	const FSceneCamera& Camera, FIntPoint PictureExtent, const FIntRect& Rect, const FIntRect& BufferRect);
 
-/** Fills matrices, vectors and depth transform; ClipToPrevClip is that of a camera that stands still. */
+/** Fills matrices, vectors and depth transform; ClipToPrevClip and the members of the previous frame are those of a
+ * camera that stands still. */
 DRYDOCK_API void SetCameraParameters(
 	const FSceneViewProjectionData& ProjectionData, FViewUniformShaderParameters& Parameters);
+
+/** Fills the members that tell where the camera was in the previous frame. */
+DRYDOCK_API void SetPrevCameraParameters(
+	const FSceneViewProjectionData& Previous, FViewUniformShaderParameters& Parameters);
 
 /** What projects a point of this frame's clip space to last frame's, where the world stood still; exactly the identity
  * where the camera did. */

@@ -2,7 +2,10 @@
 // types, the line of the .usf and of the C++ struct, and the nearest name.
 #include "ShaderBindingPlan.h"
 
+#include "UniformBufferStructs.h"
+
 #include <algorithm>
+#include <set>
 
 namespace Drydock
 {
@@ -249,22 +252,58 @@ private:
 
 	void ReportMissingConstant(const FShaderConstant& Constant, const std::string& UniformBuffer)
 	{
-		const auto IsNamed = [&](const FBindingSource& Source)
-		{
-			const TCHAR* const Name = Source.Metadata->GetShaderVariableName();
-			return Source.BaseType != UBMT_INVALID && Name && UniformBuffer == Name;
-		};
 		const std::string Struct = Metadata.GetStructTypeName();
-		if (!UniformBuffer.empty() && std::none_of(Plan.Sources.begin(), Plan.Sources.end(), IsNamed))
+		if (!UniformBuffer.empty() && !HasUniformBuffer(UniformBuffer))
 		{
-			Report(MissingUniformBuffer,
-				"'" + Constant.Name + "' of uniform buffer '" + UniformBuffer + "' " + ReadBy(Constant.Where) +
-					", but " + Struct +
-					" has no SHADER_PARAMETER_STRUCT_REF or SHADER_PARAMETER_RDG_UNIFORM_BUFFER of that buffer");
+			ReportMissingUniformBuffer(UniformBuffer, Constant.Name, Constant.Where);
 			return;
 		}
 		Report(MissingParameter, "'" + Constant.Name + "' (" + GetTypeName(Constant) + ") " + ReadBy(Constant.Where) +
 									 " but " + Struct + " has no such member" + Suggest(Constant.Name));
+	}
+
+	bool HasUniformBuffer(const std::string& HlslName) const
+	{
+		return std::any_of(Plan.Sources.begin(), Plan.Sources.end(),
+			[&HlslName](const FBindingSource& Source)
+			{
+				const TCHAR* const Name = Source.Metadata->GetShaderVariableName();
+				return Source.BaseType != UBMT_INVALID && Name && HlslName == Name;
+			});
+	}
+
+	/** The registered uniform buffer that a resource of this name belongs to; empty when none. */
+	static std::string FindUniformBufferOf(const std::string& HlslName)
+	{
+		for (const FShaderParametersMetadata* Struct : GetUniformBufferStructs())
+		{
+			const std::string Prefix = std::string(Struct->GetShaderVariableName()) + "_";
+			for (const FHlslMember& Member : Struct->GetHlslMembers())
+			{
+				if (HlslName == Prefix + Member.Name)
+				{
+					return Struct->GetShaderVariableName();
+				}
+			}
+		}
+		return {};
+	}
+
+	/** Once for a buffer, however many of its members are read. */
+	void ReportMissingUniformBuffer(
+		const std::string& UniformBuffer, const std::string& HlslName, const std::string& Where)
+	{
+		if (!MissingBuffers.insert(UniformBuffer).second)
+		{
+			return;
+		}
+		const FShaderParametersMetadata* const Struct = FindUniformBufferStruct(UniformBuffer);
+		const std::string Arguments =
+			Struct ? std::string("(") + Struct->GetStructTypeName() + ", " + UniformBuffer + ")" : std::string();
+		Report(MissingUniformBuffer, "'" + HlslName + "' of uniform buffer '" + UniformBuffer + "' " + ReadBy(Where) +
+										 ", but " + Metadata.GetStructTypeName() +
+										 " has no SHADER_PARAMETER_STRUCT_REF" + Arguments +
+										 " or SHADER_PARAMETER_RDG_UNIFORM_BUFFER of that buffer");
 	}
 
 	/** Elements are 16 bytes apart in C++; matrices are row after row there, and in HLSL as the reflection says. */
@@ -310,6 +349,12 @@ private:
 				Plan.StaticSamplers.push_back({Slot, StaticSampler});
 				continue;
 			}
+			const std::string UniformBuffer = Found.Member ? std::string() : FindUniformBufferOf(Resource.Name);
+			if (!UniformBuffer.empty() && !HasUniformBuffer(UniformBuffer))
+			{
+				ReportMissingUniformBuffer(UniformBuffer, Resource.Name, Resource.Where);
+				continue;
+			}
 			if (!Found.Member)
 			{
 				Report(MissingResource, "'" + Resource.Name + "' (" + HlslType + ") " + ReadBy(Resource.Where) +
@@ -338,6 +383,7 @@ private:
 	const FShaderParametersMetadata& Metadata;
 	std::vector<FDiagnostic>& Diagnostics;
 	FShaderBindingPlan Plan;
+	std::set<std::string> MissingBuffers; // reported
 };
 
 } // namespace

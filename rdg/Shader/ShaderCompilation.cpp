@@ -4,6 +4,7 @@
 
 #include "CodeScope.h"
 #include "ShaderState.h"
+#include "UniformBufferStructs.h"
 
 #include "HAL/IConsoleManager.h"
 
@@ -27,17 +28,17 @@ TAutoConsoleVariable<int32> CVarLaneWidth(TEXT("r.Drydock.LaneWidth"), 0,
 /** Whose work compiling is, whoever asks for it. */
 const FCodeOwner GCompiler{.Callback = "the shader compiler"};
 
-const char* const GeneratedUniformBuffersPath = "/Engine/Generated/GeneratedUniformBuffers.ush";
-
-/** `cbuffer View { float4 View_Member; ... };`, the buffer's resources as globals, and a macro by which includes know
- * that it is there. */
-std::string DeclareUniformBuffer(const FShaderParametersMetadata& Struct)
+/** `cbuffer View { float4 View_Member; ... };` and the buffer's resources as globals. */
+FShaderUniformBuffer DescribeUniformBuffer(const FShaderParametersMetadata& Struct)
 {
-	const std::string Name = Struct.GetShaderVariableName();
+	FShaderUniformBuffer Buffer;
+	Buffer.Name = Struct.GetShaderVariableName();
+	const std::string& Name = Buffer.Name;
 	std::string Constants;
 	std::string Resources;
 	for (const FHlslMember& Member : Struct.GetHlslMembers())
 	{
+		Buffer.Members.push_back(Member.Name);
 		if (Member.IsConstant())
 		{
 			const std::string Elements = Member.NumElements ? "[" + std::to_string(Member.NumElements) + "]" : "";
@@ -48,40 +49,38 @@ std::string DeclareUniformBuffer(const FShaderParametersMetadata& Struct)
 			Resources += Member.Type + " " + Name + "_" + Member.Name + ";\n";
 		}
 	}
-	return "#define HAS_UNIFORM_BUFFER_" + Name + " 1\n" +
-		   (Constants.empty() ? "" : "cbuffer " + Name + "\n{\n" + Constants + "};\n") + Resources;
+	Buffer.Declaration = (Constants.empty() ? "" : "cbuffer " + Name + "\n{\n" + Constants + "};\n") + Resources;
+	return Buffer;
 }
 
-void AddUniformBuffers(const FShaderParametersMetadata& Metadata, FShaderCompileRequest& Request)
+/** Those of the parameter struct, then all others that are registered: a shader may name them in functions that it does
+ * not call. What it does read without a buffer is found when it is matched with its parameters. */
+void AddUniformBuffers(const FShaderParametersMetadata* Metadata, FShaderCompileRequest& Request)
 {
-	std::vector<const FShaderParametersMetadata*> Structs;
-	for (const FHlslMember& Member : Metadata.GetHlslMembers())
+	const auto Add = [&Request](const FShaderParametersMetadata& Struct)
 	{
-		const auto HasSameName = [&Member](const FShaderParametersMetadata* Struct)
+		const std::string Name = Struct.GetShaderVariableName();
+		const bool bKnown = std::any_of(Request.UniformBuffers.begin(), Request.UniformBuffers.end(),
+			[&Name](const FShaderUniformBuffer& Buffer) { return Buffer.Name == Name; });
+		if (!bKnown)
 		{
-			return std::string(Struct->GetShaderVariableName()) == Member.Struct->GetShaderVariableName();
-		};
-		if (Member.IsUniformBuffer() && std::none_of(Structs.begin(), Structs.end(), HasSameName))
+			Request.UniformBuffers.push_back(DescribeUniformBuffer(Struct));
+		}
+	};
+	if (Metadata)
+	{
+		for (const FHlslMember& Member : Metadata->GetHlslMembers())
 		{
-			Structs.push_back(Member.Struct);
+			if (Member.IsUniformBuffer())
+			{
+				Add(*Member.Struct);
+			}
 		}
 	}
-	if (Structs.empty())
+	for (const FShaderParametersMetadata* Struct : GetUniformBufferStructs())
 	{
-		return;
+		Add(*Struct);
 	}
-	std::string Text = "#pragma once\n";
-	for (const FShaderParametersMetadata* Struct : Structs)
-	{
-		Text += DeclareUniformBuffer(*Struct);
-		std::vector<std::string> Names;
-		for (const FHlslMember& Member : Struct->GetHlslMembers())
-		{
-			Names.push_back(Member.Name);
-		}
-		Request.UniformBuffers.emplace_back(Struct->GetShaderVariableName(), std::move(Names));
-	}
-	Request.GeneratedFiles.emplace_back(GeneratedUniformBuffersPath, std::move(Text));
 }
 
 } // namespace
@@ -107,10 +106,7 @@ FShaderCompileRequest MakeShaderCompileRequest(const FShaderRef& Shader, const F
 	Request.Stage = Type.GetFrequency() == SF_Pixel ? EShaderStage::Pixel : EShaderStage::Compute;
 	Request.Defines = Type.GetCompilationEnvironment(Shader->GetPermutationId()).GetDefines();
 	Request.Lanes = GetShaderLaneConfig();
-	if (Metadata)
-	{
-		AddUniformBuffers(*Metadata, Request);
-	}
+	AddUniformBuffers(Metadata, Request);
 	return Request;
 }
 

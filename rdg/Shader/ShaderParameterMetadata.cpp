@@ -1,9 +1,10 @@
 // Flattens the metadata of parameter structs to the members that HLSL sees, and looks them up. The names are the
 // engine's.
-#include "ShaderParameterMetadata.h"
+#include "UniformBufferStructs.h"
 
 #include <algorithm>
 #include <cstring>
+#include <map>
 #include <mutex>
 
 namespace Drydock
@@ -55,6 +56,26 @@ const FShaderParametersMetadata* FindUniformBufferStruct(const std::string& Hlsl
 		}
 	}
 	return nullptr;
+}
+
+std::vector<const FShaderParametersMetadata*> GetUniformBufferStructs()
+{
+	FUniformBufferRegistry& Registry = FUniformBufferRegistry::Get();
+	std::lock_guard Lock(Registry.Mutex);
+	std::map<std::string, const FShaderParametersMetadata*> ByName; // the first of a name, as when it is looked up
+	for (const FUniformBufferStructRegistrar* Entry : Registry.Entries)
+	{
+		if (!ByName.count(Entry->HlslName))
+		{
+			ByName[Entry->HlslName] = &Entry->GetMetadata();
+		}
+	}
+	std::vector<const FShaderParametersMetadata*> Structs;
+	for (const auto& [Name, Struct] : ByName)
+	{
+		Structs.push_back(Struct);
+	}
+	return Structs;
 }
 
 std::string GetHlslTypeName(EUniformBufferBaseType BaseType, uint32 NumRows, uint32 NumColumns)

@@ -19,6 +19,14 @@ struct FLaneConfig
 	int32_t Lanes = 0;
 };
 
+/** A uniform buffer that the shader may read. */
+struct FShaderUniformBuffer
+{
+	std::string Name;                 // in HLSL
+	std::vector<std::string> Members; // X.Member is rewritten to X_Member
+	std::string Declaration;          // HLSL; stands in the text of shaders that read the buffer
+};
+
 struct FShaderCompileRequest
 {
 	std::string VirtualPath; // "/Engine/Private/PostProcessBloom.usf"
@@ -26,8 +34,7 @@ struct FShaderCompileRequest
 	EShaderStage Stage = EShaderStage::Compute;
 	std::vector<std::pair<std::string, std::string>> Defines;        // in the order of SetDefine
 	std::vector<std::pair<std::string, std::string>> GeneratedFiles; // virtual path, text ("/Engine/Generated/...")
-	std::vector<std::pair<std::string, std::vector<std::string>>>
-		UniformBuffers; // HLSL name, member names: X.Y is rewritten to X_Y
+	std::vector<FShaderUniformBuffer> UniformBuffers;
 	FLaneConfig Lanes;
 };
 

@@ -90,11 +90,12 @@ std::string HashRequest(const FShaderCompileRequest& Request)
 	Hash.Add(std::to_string(int(Request.Stage)));
 	AddPairs(Request.Defines);
 	AddPairs(Request.GeneratedFiles);
-	for (const auto& [Name, Members] : Request.UniformBuffers)
+	for (const FShaderUniformBuffer& Buffer : Request.UniformBuffers)
 	{
-		Hash.Add(Name);
-		Hash.Add(std::to_string(Members.size()));
-		for (const std::string& Member : Members)
+		Hash.Add(Buffer.Name);
+		Hash.Add(Buffer.Declaration);
+		Hash.Add(std::to_string(Buffer.Members.size()));
+		for (const std::string& Member : Buffer.Members)
 		{
 			Hash.Add(Member);
 		}

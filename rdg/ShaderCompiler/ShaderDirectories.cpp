@@ -1,9 +1,12 @@
 // Maps virtual shader directories ("/Engine", "/Project") to folders on disk.
 #include "ShaderDirectories.h"
 
+#include "Diagnostics.h"
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <map>
 #include <mutex>
 #include <vector>
 
@@ -15,16 +18,10 @@ namespace
 
 namespace fs = std::filesystem;
 
-struct FMapping
-{
-	std::string Virtual; // no slash at the end
-	std::string Real;
-};
-
 struct FMappings
 {
 	std::mutex Mutex;
-	std::vector<FMapping> List;
+	std::vector<FShaderDirectory> List;
 };
 
 FMappings& GetMappings()
@@ -70,11 +67,35 @@ std::string FindIgnoringCase(const fs::path& Root, const fs::path& Relative)
 	return fs::exists(Found, Error) ? Found.string() : std::string(); // who reads it says what else it may be
 }
 
+constexpr size_t MaxListed = 20000; // files; a whole disk may be mapped
+
+/** Virtual paths of the shader files in every mapped directory. */
+std::vector<std::string> ListShaderFiles()
+{
+	std::vector<std::string> Files;
+	for (const FShaderDirectory& Mapping : GetShaderDirectories())
+	{
+		std::error_code Error;
+		fs::recursive_directory_iterator It(Mapping.Real, fs::directory_options::skip_permission_denied, Error);
+		for (const fs::recursive_directory_iterator End; !Error && It != End && Files.size() < MaxListed;
+			 It.increment(Error))
+		{
+			const std::string Extension = It->path().extension().string();
+			if (EqualsIgnoringCase(Extension, ".ush") || EqualsIgnoringCase(Extension, ".usf"))
+			{
+				Files.push_back(Mapping.Virtual + "/" + It->path().lexically_relative(Mapping.Real).generic_string());
+			}
+		}
+	}
+	std::sort(Files.begin(), Files.end());
+	return Files;
+}
+
 } // namespace
 
 void AddShaderDirectory(const std::string& VirtualDirectory, const std::string& RealDirectory)
 {
-	FMapping Mapping{VirtualDirectory, RealDirectory};
+	FShaderDirectory Mapping{VirtualDirectory, RealDirectory};
 	while (!Mapping.Virtual.empty() && Mapping.Virtual.back() == '/')
 	{
 		Mapping.Virtual.pop_back();
@@ -112,11 +133,11 @@ void ForgetShaderDirectories(size_t Keep)
 
 std::string FindShaderFile(const std::string& VirtualPath)
 {
-	std::vector<FMapping> Fitting;
+	std::vector<FShaderDirectory> Fitting;
 	{
 		FMappings& Mappings = GetMappings();
 		const std::lock_guard Lock(Mappings.Mutex);
-		for (const FMapping& Mapping : Mappings.List)
+		for (const FShaderDirectory& Mapping : Mappings.List)
 		{
 			const std::string Prefix = Mapping.Virtual + "/";
 			if (VirtualPath.size() > Prefix.size() && EqualsIgnoringCase(VirtualPath.substr(0, Prefix.size()), Prefix))
@@ -129,13 +150,52 @@ std::string FindShaderFile(const std::string& VirtualPath)
 	// it.
 	std::reverse(Fitting.begin(), Fitting.end());
 	std::stable_sort(Fitting.begin(), Fitting.end(),
-		[](const FMapping& A, const FMapping& B) { return A.Virtual.size() > B.Virtual.size(); });
-	for (const FMapping& Mapping : Fitting)
+		[](const FShaderDirectory& A, const FShaderDirectory& B) { return A.Virtual.size() > B.Virtual.size(); });
+	for (const FShaderDirectory& Mapping : Fitting)
 	{
 		const std::string Found = FindIgnoringCase(Mapping.Real, VirtualPath.substr(Mapping.Virtual.size() + 1));
 		if (!Found.empty())
 		{
 			return Found;
+		}
+	}
+	return {};
+}
+
+std::vector<FShaderDirectory> GetShaderDirectories()
+{
+	FMappings& Mappings = GetMappings();
+	const std::lock_guard Lock(Mappings.Mutex);
+	return Mappings.List;
+}
+
+std::string FindNearestShaderFile(const std::string& VirtualPath)
+{
+	const fs::path Wanted(VirtualPath);
+	const std::string Stem = Wanted.stem().string();
+	std::map<std::string, std::string> Beside; // name without extension, path: in the same folder
+	std::map<std::string, std::string> Elsewhere;
+	for (const std::string& File : ListShaderFiles())
+	{
+		const fs::path Path(File);
+		if (EqualsIgnoringCase(Path.stem().string(), Stem))
+		{
+			return File;
+		}
+		const bool bBeside = EqualsIgnoringCase(Path.parent_path().string(), Wanted.parent_path().string());
+		(bBeside ? Beside : Elsewhere).emplace(Path.stem().string(), File);
+	}
+	for (const std::map<std::string, std::string>& Files : {Beside, Elsewhere})
+	{
+		std::vector<std::string> Names;
+		for (const auto& [Name, File] : Files)
+		{
+			Names.push_back(Name);
+		}
+		const std::string Nearest = FindNearestName(Stem, Names);
+		if (!Nearest.empty())
+		{
+			return Files.at(Nearest);
 		}
 	}
 	return {};

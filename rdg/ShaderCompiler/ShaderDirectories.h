@@ -5,6 +5,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace Drydock
 {
@@ -21,5 +22,19 @@ DRYDOCK_API size_t CountShaderDirectories();
 
 /** Real path of a virtual shader path, empty when no mapping fits or the file does not exist. */
 DRYDOCK_API std::string FindShaderFile(const std::string& VirtualPath);
+
+struct FShaderDirectory
+{
+	std::string Virtual; // no slash at the end
+	std::string Real;
+};
+
+/** Every mapping, in the order in which they were made. */
+DRYDOCK_API std::vector<FShaderDirectory> GetShaderDirectories();
+
+/** The virtual path of a file in the mapped directories that VirtualPath may have meant: the same name in another
+ * folder or with another extension, else a similar name in the same folder, else one in another; empty when none is
+ * near. */
+DRYDOCK_API std::string FindNearestShaderFile(const std::string& VirtualPath);
 
 } // namespace Drydock

@@ -57,7 +57,7 @@ std::string Explain(const std::string& Message, const FShaderCompileRequest& Req
 	if (Message[0] == '\'' && Message.find("unknown variable") != std::string::npos)
 	{
 		const std::string Name = Message.substr(1, Message.find('\'', 1) - 1);
-		for (const auto& [Buffer, Members] : Request.UniformBuffers)
+		for (const auto& [Buffer, Members, Declaration] : Request.UniformBuffers)
 		{
 			if (Name.starts_with(Buffer + "_"))
 			{

@@ -1,5 +1,6 @@
-// One text from a .usf and all it includes: virtual paths, every file once, `#line N "/Virtual/path"` at each seam,
-// uniform-buffer members rewritten. That text is what is compiled and what the cache key covers.
+// One text from a .usf and all it includes: virtual paths, every file once, macros replaced, `#line N "/Virtual/path"`
+// at each seam, rewritten for the front end (ShaderRewrites.h). That text is what is compiled and what the cache key
+// covers.
 #pragma once
 
 #include "Diagnostics.h"
@@ -14,8 +15,8 @@ struct FShaderSource
 	std::vector<std::string> Files; // on disk, in order of first reading
 };
 
-/** Flattens Request's file behind its defines. Throws FError (DD6001 file or include not found, DD6003 sources that
- * cannot be flattened) with every fault found. */
+/** Flattens Request's file behind its defines. Throws FError (DD6001 file or include not found, DD6002 a directive or a
+ * macro that is wrong, DD6003 sources that cannot be flattened) with every fault found. */
 DRYDOCK_API FShaderSource FlattenShader(const FShaderCompileRequest& Request);
 
 /** Plain ASCII with \n line ends: byte-order mark, CRLF, NUL and the bytes of any encoding of comments removed, without
@@ -24,11 +25,5 @@ DRYDOCK_API std::string NormalizeShaderText(const std::string& Bytes);
 
 /** "/A/B/../C.ush" -> "/A/C.ush"; relative paths are taken from the folder of Includer. */
 DRYDOCK_API std::string ResolveVirtualPath(const std::string& Path, const std::string& Includer);
-
-using FUniformBufferNames = std::vector<std::pair<std::string, std::vector<std::string>>>;
-
-/** X.Y -> X_Y for each uniform buffer X, outside of comments and strings. Lines stay where they are. A member that does
- *  not exist becomes an undeclared X_Y, which the front end reports if the preprocessor lets it through at all. */
-DRYDOCK_API std::string RewriteUniformBuffers(const std::string& Text, const FUniformBufferNames& Buffers);
 
 } // namespace Drydock

@@ -181,3 +181,43 @@ TEST(SceneCamera, PixelAndDepthGiveTheWorldPositionBack)
 	const FVector4f World = View.ScreenToWorld.TransformFVector4(FVector4f(Clip.X, Clip.Y, Clip.W, 1.0f));
 	EXPECT_NEAR(200, World.X / World.W, 0.05);
 }
+
+TEST(SceneCamera, WorldMatricesHaveTheCameraInThem)
+{
+	const FSceneCamera Camera{FVector(1000.0, -250.0, 40.0), 10.0, -35.0, 0.0, 70.0, {}, {}};
+	const FViewUniformShaderParameters View = MakeView(Camera, Whole, Whole);
+	for (const FVector3f Point : {FVector3f(1300.0f, -400.0f, 90.0f), FVector3f(2000.0f, -1200.0f, 0.0f)})
+	{
+		const FVector4f Relative = View.TranslatedWorldToClip.TransformPosition(Point + View.PreViewTranslation);
+		const FVector4f Clip = View.WorldToClip.TransformPosition(Point);
+		for (int32 Index = 0; Index < 4; ++Index)
+		{
+			// By row vectors in double: the point against the matrix that has the translation in it.
+			const double World[4] = {Point.X, Point.Y, Point.Z, 1.0};
+			double Sum = 0.0;
+			for (int32 Row = 0; Row < 4; ++Row)
+			{
+				Sum += World[Row] * double(View.WorldToClip.M[Row][Index]);
+			}
+			const float Parts[4] = {Clip.X, Clip.Y, Clip.Z, Clip.W};
+			const float Expected[4] = {Relative.X, Relative.Y, Relative.Z, Relative.W};
+			EXPECT_NEAR(Expected[Index], Parts[Index], 2e-3);
+			EXPECT_NEAR(Sum, Parts[Index], 2e-3);
+		}
+	}
+	EXPECT_EQ(View.WorldCameraOrigin, View.RelativeWorldCameraOrigin);
+}
+
+TEST(SceneCamera, ThePreviousFrameIsThisOneUntilThereIsAnother)
+{
+	const FSceneCamera Camera{FVector(1000.0, -250.0, 40.0), 10.0, -35.0, 0.0, 70.0, {}, {}};
+	FSceneCamera Before = Camera;
+	Before.Location = FVector(900.0, -250.0, 40.0);
+	FViewUniformShaderParameters View = MakeView(Camera, Whole, Whole);
+	EXPECT_EQ(View.TranslatedWorldToClip.M[0][0], View.PrevTranslatedWorldToClip.M[0][0]);
+	EXPECT_EQ(View.PreViewTranslation, View.PrevPreViewTranslation);
+	SetPrevCameraParameters(MakeProjectionData(Before, FIntPoint(200, 100), Whole, Whole), View);
+	EXPECT_EQ(FVector3f(-900.0f, 250.0f, -40.0f), View.PrevPreViewTranslation);
+	EXPECT_EQ(FVector3f(900.0f, -250.0f, 40.0f), View.PrevWorldCameraOrigin);
+	EXPECT_EQ(FVector3f(-1000.0f, 250.0f, -40.0f), View.PreViewTranslation);
+}

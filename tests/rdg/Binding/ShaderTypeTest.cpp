@@ -142,17 +142,15 @@ TEST(ShaderCompileRequest, DeclaresTheUniformBuffersOfTheStruct)
 	const TShaderMapRef<FTestTintCS> Shader(Map());
 	const Drydock::FShaderCompileRequest Request =
 		Drydock::MakeShaderCompileRequest(Shader, Shader.GetRootParametersMetadata());
-	ASSERT_EQ(1u, Request.UniformBuffers.size());
-	EXPECT_EQ("TestView", Request.UniformBuffers[0].first);
-	EXPECT_THAT(Request.UniformBuffers[0].second,
-		testing::ElementsAre("ScreenToWorld", "PreExposure", "Planes", "SharedSampler", "Noise"));
-	ASSERT_EQ(1u, Request.GeneratedFiles.size());
-	EXPECT_EQ("/Engine/Generated/GeneratedUniformBuffers.ush", Request.GeneratedFiles[0].first);
-	EXPECT_EQ("#pragma once\n#define HAS_UNIFORM_BUFFER_TestView 1\ncbuffer TestView\n{\n\tfloat4x4 "
-			  "TestView_ScreenToWorld;\n\tfloat "
+	ASSERT_FALSE(Request.UniformBuffers.empty());
+	const Drydock::FShaderUniformBuffer& Buffer = Request.UniformBuffers[0];
+	EXPECT_EQ("TestView", Buffer.Name);
+	EXPECT_THAT(
+		Buffer.Members, testing::ElementsAre("ScreenToWorld", "PreExposure", "Planes", "SharedSampler", "Noise"));
+	EXPECT_EQ("cbuffer TestView\n{\n\tfloat4x4 TestView_ScreenToWorld;\n\tfloat "
 			  "TestView_PreExposure;\n\tfloat4 TestView_Planes[3];\n};\n"
 			  "SamplerState TestView_SharedSampler;\nTexture2D TestView_Noise;\n",
-		Request.GeneratedFiles[0].second);
+		Buffer.Declaration);
 }
 
 TEST(ShaderCompileRequest, PrecisionAndWidthAreConsoleVariables)

@@ -92,13 +92,32 @@ TEST(FlattenShader, MissingShaderIsAnErrorThatNamesIt)
 	EXPECT_THAT(ErrorOf([&] { FlattenShader(Request); }), HasSubstr("cannot open shader '/Nowhere/X.usf'"));
 }
 
+TEST(FlattenShader, AMissingFileNamesTheNearestAndTheMappedFolders)
+{
+	const std::filesystem::path Folder = std::filesystem::temp_directory_path() / "drydock-nearest-test";
+	std::filesystem::create_directories(Folder / "Private");
+	std::ofstream(Folder / "Private" / "OutlineCommon.ush") << "int c;\n";
+	AddShaderDirectory("/NearestTest", Folder.string());
+	AddShaderDirectory("/NearestGone", (Folder / "None").string());
+	const auto ErrorOfInclude = [](const std::string& Target)
+	{
+		return ErrorOf([&] { Flatten({{"/T/A.usf", "#include \"" + Target + "\"\n"}}); });
+	};
+	const std::string Misspelt = ErrorOfInclude("/NearestTest/Private/OutlineComon.ush");
+	EXPECT_THAT(Misspelt, HasSubstr("did you mean /NearestTest/Private/OutlineCommon.ush?"));
+	EXPECT_THAT(Misspelt, HasSubstr("/NearestTest to " + Folder.string()));
+	EXPECT_THAT(Misspelt, HasSubstr((Folder / "None").string() + " (no such folder)"));
+	EXPECT_THAT(ErrorOfInclude("/NearestTest/OutlineCommon.ush"),
+		HasSubstr("did you mean /NearestTest/Private/OutlineCommon.ush?"));
+	EXPECT_THAT(ErrorOfInclude("/NearestTest/Private/Fog.ush"), Not(HasSubstr("did you mean")));
+	std::filesystem::remove_all(Folder);
+}
+
 TEST(FlattenShader, LaterDefineOfTheSameNameWins)
 {
-	FShaderCompileRequest Request = MakeRequest({{"/T/A.usf", ""}});
+	FShaderCompileRequest Request = MakeRequest({{"/T/A.usf", "int a = SIZE;\n"}});
 	Request.Defines = {{"SIZE", "1"}, {"SIZE", "2"}};
-	const std::string Text = FlattenShader(Request).Text;
-	EXPECT_THAT(Text, HasSubstr("#define SIZE 2\n"));
-	EXPECT_THAT(Text, Not(HasSubstr("#define SIZE 1\n")));
+	EXPECT_THAT(FlattenShader(Request).Text, HasSubstr("int a = 2;\n"));
 }
 
 TEST(FlattenShader, ListsTheFilesOnDisk)
@@ -153,31 +172,4 @@ TEST(ResolveVirtualPath, TakesRelativePathsFromTheIncludersFolder)
 	EXPECT_EQ("/P/Sub/B.ush", ResolveVirtualPath("B.ush", "/P/Sub/A.usf"));
 	EXPECT_EQ("/P/B.ush", ResolveVirtualPath("../B.ush", "/P/Sub/A.usf"));
 	EXPECT_EQ("/Q/B.ush", ResolveVirtualPath("/Q/B.ush", "/P/A.usf"));
-}
-
-class FRewrite : public testing::Test
-{
-protected:
-	std::string Rewrite(const std::string& Text)
-	{
-		return RewriteUniformBuffers(Text, {{"View", {"ViewSize", "Exposure"}}});
-	}
-};
-
-TEST_F(FRewrite, JoinsBufferAndMember)
-{
-	EXPECT_EQ(
-		"float2 s = View_ViewSize.xy * View_Exposure;", Rewrite("float2 s = View.ViewSize.xy * View . Exposure;"));
-}
-
-TEST_F(FRewrite, LeavesCommentsStringsAndOtherNamesAlone)
-{
-	const std::string Text =
-		"// View.ViewSize\n/* View.Exposure */ \"View.ViewSize\" MyView.ViewSize In.View.Exposure View2.X View";
-	EXPECT_EQ(Text, Rewrite(Text));
-}
-
-TEST_F(FRewrite, KeepsTheLines)
-{
-	EXPECT_EQ("a\nView_Exposure\nb", Rewrite("a\nView.Exposure\nb"));
 }

@@ -1,0 +1,14 @@
+// Which uniform buffers there are: those that an IMPLEMENT_ macro registered in the code loaded so far.
+#pragma once
+
+#include "ShaderParameterMetadata.h"
+
+#include <vector>
+
+namespace Drydock
+{
+
+/** Each HLSL name once, in the order of the names. */
+DRYDOCK_API std::vector<const FShaderParametersMetadata*> GetUniformBufferStructs();
+
+} // namespace Drydock
