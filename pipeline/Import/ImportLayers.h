@@ -24,10 +24,10 @@ struct FImportLayer
 {
 	size_t File = 0;
 	int Part = 0;
-	std::string Name;                     // "FinalImageWorldNormal", "ViewLayer.Depth"; empty: the file's main picture
-	std::string Label;                    // what it is called in messages and by --map: its name, or the file's
-	std::string Hint;                     // what its meaning is guessed from: likewise, but for the number of a frame
-	std::vector<FImportChannel> Channels; // by slot, each once
+	std::string Name;       // "FinalImageWorldNormal", "ViewLayer.Depth"; empty: the file's main picture
+	std::string Label = {}; // what it is called in messages and by --map: its name, or the file's
+	std::string Hint = {};  // what its meaning is guessed from: likewise, but for the number of a frame
+	std::vector<FImportChannel> Channels = {}; // by slot, each once
 
 	/** Null where it has none there. */
 	DRYDOCK_API const FImportChannel* Find(int Slot) const;
@@ -47,10 +47,10 @@ struct FImportPart
 struct FImportFile
 {
 	std::string Path;
-	std::vector<FImportPart> Parts;
-	std::map<std::string, std::string> Attributes; // texts of all parts' headers; the first part's win
-	std::vector<float> Chromaticities;             // x, y of red, green, blue and white; empty: the file does not say
-	bool bEncoded = false;                         // as a PNG
+	std::vector<FImportPart> Parts = {};
+	std::map<std::string, std::string> Attributes = {}; // texts of all parts' headers; the first part's win
+	std::vector<float> Chromaticities = {}; // x, y of red, green, blue and white; empty: the file does not say
+	bool bEncoded = false;                  // as a PNG
 };
 
 struct FImportLayers
