@@ -45,7 +45,8 @@ void SetupSceneTextureUniformParameters(FRDGBuilder& GraphBuilder, const FSceneT
 	OutParameters.GBufferVelocityTexture = Choose(ESceneTextureSetupMode::SceneVelocity, Source.Velocity);
 	OutParameters.ScreenSpaceAOTexture =
 		ChooseOr(ESceneTextureSetupMode::SSAO, Source.ScreenSpaceAO, SystemTextures.White);
-	OutParameters.CustomDepthTexture = Choose(ESceneTextureSetupMode::CustomDepth, Source.CustomDepth);
+	OutParameters.CustomDepthTexture =
+		ChooseOr(ESceneTextureSetupMode::CustomDepth, Source.CustomDepth, SystemTextures.DepthDummy);
 	OutParameters.CustomStencilTexture =
 		Source.CustomStencil && EnumHasAnyFlags(SetupMode, ESceneTextureSetupMode::CustomDepth)
 			? Source.CustomStencil

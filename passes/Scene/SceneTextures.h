@@ -21,6 +21,9 @@ struct FSceneTextures
 	FRDGTextureRef ScreenSpaceAO = nullptr;
 	FRDGTextureRef CustomDepth = nullptr;
 	FRDGTextureSRVRef CustomStencil = nullptr;
+	/** drydock: what CustomStencil views, PF_R8G8_UINT with the value in green, where the engine's shaders look for it.
+	 * The engine has it as a plane of CustomDepth. */
+	FRDGTextureRef CustomStencilTexture = nullptr;
 	/** drydock: R projected shadow of the main light, G the character's self shadow, 1 = lit; 8 bit. */
 	FRDGTextureRef ToonShadow = nullptr;
 	/** drydock: what is composed over the picture after depth of field: premultiplied radiance, pre-exposed, and in

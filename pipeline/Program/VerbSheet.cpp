@@ -4,6 +4,7 @@
 
 #include "Picture/ContactSheet.h"
 #include "Picture/PictureFile.h"
+#include "Program/NumberList.h"
 #include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
 #include "Text/ConfigErrors.h"
@@ -11,7 +12,6 @@
 #include "Math/ToInteger.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -38,33 +38,6 @@ struct FSheetVerbOptions
 FError MakeArgumentError(const std::string& Where, const std::string& Message)
 {
 	return FError({.Code = ErrorBadArgument, .Message = Message, .Where = Where}, ExitUsage);
-}
-
-/** The numbers of "1,2,3"; throws unless there are that many. */
-std::vector<double> ParseNumbers(
-	const char* Option, const std::string& Text, size_t Least, size_t Most, const char* Expected)
-{
-	std::vector<double> Numbers;
-	const char* Position = Text.data();
-	const char* const End = Text.data() + Text.size();
-	for (bool bMore = true; bMore;)
-	{
-		double Number = 0.0;
-		const std::from_chars_result Result = std::from_chars(Position, End, Number);
-		bMore = Result.ec == std::errc() && Result.ptr != End && *Result.ptr == ',';
-		if (Result.ec != std::errc() || (Result.ptr != End && !bMore))
-		{
-			Numbers.clear();
-			break;
-		}
-		Numbers.push_back(Number);
-		Position = Result.ptr + 1;
-	}
-	if (Numbers.size() < Least || Numbers.size() > Most)
-	{
-		throw MakeArgumentError(Option, "\"" + Text + "\": expected " + Expected);
-	}
-	return Numbers;
 }
 
 FSheetRegion ToRegion(const std::vector<double>& Numbers)

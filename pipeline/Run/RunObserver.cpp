@@ -7,6 +7,7 @@
 #include "Run/RunSetup.h"
 #include "Run/VariableTaps.h"
 #include "SceneFile/NonFinite.h"
+#include "SceneFile/SceneErrors.h"
 
 #include <algorithm>
 #include <chrono>
@@ -67,6 +68,7 @@ bool FRunObserver::WantsZeroedTextures() const
 void FRunObserver::OnExternalsPlanned(const std::vector<FRDGExternalLoad>& Loads)
 {
 	Scene.Plan(FindNeeded(Loads));
+	ReportAbsent(Loads);
 }
 
 void FRunObserver::OnLoadExternals(const std::vector<FRDGExternalLoad>& Loads)
@@ -76,6 +78,7 @@ void FRunObserver::OnLoadExternals(const std::vector<FRDGExternalLoad>& Loads)
 	Scene.Load(Needed,
 		{static_cast<float>(Setup.Config.View.PreExposure.Value), Result.ViewRect.Size(), Setup.Config.Scene.Units});
 	Result.Times.Load += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Begin).count();
+	ReportAbsent(Loads);
 	for (const FNeededSceneTexture& Texture : Needed)
 	{
 		FRHITexture* const Loaded = Scene.GetTexture(Texture.Texture);
@@ -173,6 +176,32 @@ std::vector<FNeededSceneTexture> FRunObserver::FindNeeded(const std::vector<FRDG
 		}
 	}
 	return Needed;
+}
+
+void FRunObserver::ReportAbsent(const std::vector<FRDGExternalLoad>& Loads)
+{
+	// What stands in for them, as in the engine (SceneTextureParameters.cpp).
+	const std::pair<const char*, const char*> StandIns[] = {
+		{"DepthDummy", "customdepth.Z"}, {"StencilDummy", "customstencil.ID"}};
+	for (const FRDGExternalLoad& Load : Loads)
+	{
+		for (const auto& [Texture, Channel] : StandIns)
+		{
+			const std::string Name = Channel;
+			if (!Load.bIsRead || Load.Texture->Name != std::string(Texture))
+			{
+				continue;
+			}
+			const std::string Message =
+				"the shader reads custom " + Name.substr(6, Name.find('.') - 6) + ", and the scene has no channel \"" +
+				Name + "\": there is none anywhere; map it in scene.channels ({\"" + Name +
+				"\": \"name in the file\"}) or give it a value in scene.defaults ({\"" + Name + "\": 1})";
+			Result.Diagnostics.push_back({.Severity = ESeverity::Warning,
+				.Code = WarnNoCustomDepth,
+				.Message = Message,
+				.Where = std::string("pass ") + Load.Pass->GetName()});
+		}
+	}
 }
 
 void FRunObserver::KeepTexture(int PassIndex, const std::string& Pass, const std::string& Resource,

@@ -30,6 +30,8 @@ public:
 private:
 	/** Without skipping, every texture that the file can fill. */
 	std::vector<FNeededSceneTexture> FindNeeded(const std::vector<FRDGExternalLoad>& Loads) const;
+	/** Warns of shaders that read custom depth or stencil of a scene that has none. */
+	void ReportAbsent(const std::vector<FRDGExternalLoad>& Loads);
 	/** Adds what the pass drew of each texture to what is known of it. */
 	void NoteDrawn(
 		const FRDGPass& Pass, const FPassCounters& Counters, const std::vector<FRDGTexture*>& WrittenTextures);

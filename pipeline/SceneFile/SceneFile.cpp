@@ -92,6 +92,10 @@ FSceneTextures FSceneFile::RegisterTextures(FRDGBuilder& GraphBuilder)
 		Registered.*Packing.Texture =
 			GraphBuilder.RegisterExternalTexture(CreateRenderTarget(Texture, Packing.Name), Packing.Name);
 	}
+	if (Registered.CustomStencilTexture)
+	{
+		Registered.CustomStencil = GraphBuilder.CreateSRV(FRDGTextureSRVDesc::Create(Registered.CustomStencilTexture));
+	}
 	return Registered;
 }
 

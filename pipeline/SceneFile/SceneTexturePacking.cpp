@@ -28,6 +28,19 @@ FLinearColor PackDepth(const FScenePackValues& Values, const FScenePackContext& 
 	return FLinearColor(MakeDeviceDepth(static_cast<double>(Values[0]) * Centimetres), 0.0f, 0.0f, 0.0f);
 }
 
+/** 0, where no object has custom depth, is as far as can be. */
+FLinearColor PackCustomDepth(const FScenePackValues& Values, const FScenePackContext& Context)
+{
+	return Values[0] > 0.0f ? PackDepth(Values, Context) : FLinearColor(0.0f, 0.0f, 0.0f, 0.0f);
+}
+
+/** In green, as stencil is read. */
+FLinearColor PackCustomStencil(const FScenePackValues& Values, const FScenePackContext&)
+{
+	return FLinearColor(
+		0.0f, std::isfinite(Values[0]) ? std::clamp(std::round(Values[0]), 0.0f, 255.0f) : 0.0f, 0.0f, 0.0f);
+}
+
 /** A right-handed Y axis points the other way. No surface: all bits 0, as a cleared G-buffer. */
 FLinearColor PackNormal(const FScenePackValues& Values, const FScenePackContext& Context)
 {
@@ -103,6 +116,12 @@ const std::vector<FScenePacking>& GetScenePackings()
 		{"SeparateTranslucency", PF_FloatRGBA, Read, &FSceneTextures::SeparateTranslucency,
 			{{{"translucency.R", {}}, {"translucency.G", {}}, {"translucency.B", {}}, {"translucency.A", {}}}},
 			PackColor, FLinearColor(NaN, NaN, NaN, NaN), true, true},
+		{"CustomDepth", PF_DepthStencil,
+			ETextureCreateFlags::ShaderResource | ETextureCreateFlags::DepthStencilTargetable,
+			&FSceneTextures::CustomDepth, {{{"customdepth.Z", {}}}}, PackCustomDepth,
+			FLinearColor(1.0f, 0.0f, 0.0f, 0.0f), false, true},
+		{"CustomStencil", PF_R8G8_UINT, Read, &FSceneTextures::CustomStencilTexture, {{{"customstencil.ID", {}}}},
+			PackCustomStencil, FLinearColor(255.0f, 255.0f, 0.0f, 0.0f), false, true},
 	};
 	return Packings;
 }

@@ -25,7 +25,7 @@ const std::map<std::string, FSteps> GRooms = {
 				{"Binding"}, {"GraphUtils"}}},
 	{"passes", {{"Scene"}, {"Screen"}, {"Blur"}, {"Exposure"}, {"Bloom"}, {"Tonemap"}, {"Lens"}, {"Toon"}, {"Native"}}},
 	{"pipeline", {{"Text"}, {"Picture"}, {"Config"}, {"SceneFile"}, {"Effects"}, {"Extensions"}, {"Chain"}, {"Frame"},
-					 {"Budget"}, {"Run"}, {"Sequence", "Study", "Blend", "Patch"}, {"Program"}}},
+					 {"Budget"}, {"Run"}, {"Sequence", "Study", "Blend", "Patch", "Import"}, {"Program"}}},
 };
 
 /** The folders of a path from the root. */

@@ -1,0 +1,35 @@
+// A frame of one's own as a scene: layers read, meaning guessed, numbers converted, scene and config written.
+#pragma once
+
+#include "Diagnostics.h"
+#include "Import/ImportEncoding.h"
+
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+struct FImportOptions
+{
+	std::vector<std::string> Inputs; // files; "shot.####.exr" is a sequence
+	std::string OutputFile;          // .exr; of a sequence with #### too; may be empty where nothing is written
+	FImportAsked Asked;
+	bool bDryRun = false; // nothing is written
+	bool bForce = false;  // also over what import did not write
+	bool bJson = false;
+};
+
+struct FImportResult
+{
+	std::string Report; // the table, or the same as JSON
+	std::vector<FDiagnostic> Diagnostics;
+	std::vector<std::string> Scenes; // written
+	std::string Config;              // written; empty: there was one
+};
+
+/** Of a sequence the first frame is guessed from, the others follow it. Throws FError: the user's mistakes (exit code
+ * 2), files that cannot be read or written (3). */
+DRYDOCK_API FImportResult ImportFrame(const FImportOptions& Options);
+
+} // namespace Drydock

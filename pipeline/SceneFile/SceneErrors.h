@@ -1,0 +1,12 @@
+// The numbers of the messages about what a scene has. docs/errors.md explains each one.
+#pragma once
+
+namespace Drydock
+{
+
+enum ESceneError
+{
+	WarnNoCustomDepth = 5032, // a pass reads custom depth or stencil, and the scene has none
+};
+
+} // namespace Drydock
