@@ -91,6 +91,8 @@ FShader::FShader(const CompiledShaderInitializerType&)
 {
 }
 
+FShader::FShader(FShader&& Other) = default;
+
 FShader::~FShader() = default;
 
 void FShader::Adopt(const FShaderType& InType, int32 InPermutationId)

@@ -120,7 +120,6 @@ public:
 	explicit FShader(const CompiledShaderInitializerType& Initializer);
 	/** Not virtual, as in the engine: a class between FGlobalShader and a shader needs no constructors. */
 	~FShader();
-	FShader(const FShader&) = delete;
 	FShader& operator=(const FShader&) = delete;
 
 	/** Defaults of the statics that shader classes redefine. */
@@ -138,6 +137,9 @@ public:
 
 	/** What the shader tier keeps of this permutation: compiled code, reflection, copy plans. */
 	Drydock::FShaderState& GetState() const { return *State; }
+
+protected:
+	FShader(FShader&& Other); // a class without constructors initialises its base with one that is moved
 
 private:
 	friend class FShaderType;

@@ -105,18 +105,6 @@ void AddShaderDirectory(const std::string& VirtualDirectory, const std::string& 
 	Mappings.List.push_back(std::move(Mapping));
 }
 
-std::map<std::string, std::string> GetShaderDirectories()
-{
-	FMappings& Mappings = GetMappings();
-	const std::lock_guard Lock(Mappings.Mutex);
-	std::map<std::string, std::string> Directories;
-	for (const FMapping& Mapping : Mappings.List)
-	{
-		Directories[Mapping.Virtual] = Mapping.Real;
-	}
-	return Directories;
-}
-
 size_t CountShaderDirectories()
 {
 	FMappings& Mappings = GetMappings();

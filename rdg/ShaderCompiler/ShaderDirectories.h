@@ -3,7 +3,6 @@
 
 #include "DrydockAPI.h"
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -12,9 +11,6 @@ namespace Drydock
 
 /** Maps a virtual directory ("/Project") to a directory on disk. Later mappings of the same prefix win. */
 DRYDOCK_API void AddShaderDirectory(const std::string& VirtualDirectory, const std::string& RealDirectory);
-
-/** Every virtual directory with the real one that was mapped last. */
-DRYDOCK_API std::map<std::string, std::string> GetShaderDirectories();
 
 /** Forgets all mappings that were added after the first Keep ones. */
 DRYDOCK_API void ForgetShaderDirectories(size_t Keep);
