@@ -82,19 +82,28 @@ inline std::vector<std::string> SplitLines(const std::string& Text)
 	return Lines;
 }
 
+inline std::string TrimEnd(const std::string& Line)
+{
+	return Line.substr(0, Line.find_last_not_of(" \t") + 1);
+}
+
 /** By its #line directives, every line of the flattened text that claims to be of the shader is at one that the shader
- * has; and where the shader has no directives, comments, joined lines or enums, and no defines, the lines are its own.
- */
+ * has; and where nothing replaces words (macros, comments, joined lines, enums, loads) it is that line itself. */
 inline std::string CheckLinesKeepTheirPlace(const FUsfInput& Input, const std::string& Flattened)
 {
 	const std::string Main = NormalizeShaderText(Input.Request.GeneratedFiles[0].second);
 	std::set<std::string> Used;
 	const std::vector<std::string> Expected =
 		SplitLines(RewriteUniformBuffers(Main, Input.Request.UniformBuffers, Used));
-	bool bPlain = Input.Request.Defines.empty() && Main.find_first_of("#\\\"'") == std::string::npos;
-	for (const char* const Changed : {"//", "/*", "enum", "_", "SHADER", "PROFILE", "DRYDOCK", ".Load", "View\n"})
+	std::string All;
+	for (const auto& [Path, Text] : Input.Request.GeneratedFiles)
 	{
-		bPlain = bPlain && Main.find(Changed) == std::string::npos;
+		All += Text;
+	}
+	bool bPlain = Input.Request.Defines.empty();
+	for (const char* const Changed : {"define", "//", "/*", "\\", "SHADER", "enum", "_", "DRYDOCK", ".Load", "View\n"})
+	{
+		bPlain = bPlain && All.find(Changed) == std::string::npos;
 	}
 	const std::string Mine = " \"" + Input.Request.VirtualPath + "\"";
 	bool bMain = false;
@@ -108,7 +117,7 @@ inline std::string CheckLinesKeepTheirPlace(const FUsfInput& Input, const std::s
 			continue;
 		}
 		const bool bPlace = Number >= 1 && Number <= Expected.size();
-		if (bMain && !Line.empty() && (!bPlace || (bPlain && Expected[Number - 1] != Line)))
+		if (bMain && !Line.empty() && (!bPlace || (bPlain && TrimEnd(Expected[Number - 1]) != Line)))
 		{
 			return "line " + std::to_string(Number) + " of the shader became '" + Line + "'";
 		}

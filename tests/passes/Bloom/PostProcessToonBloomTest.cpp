@@ -173,7 +173,7 @@ FTexel SetUpToonPixel(const FTexel& Color, float Factor, float Threshold = -1.0f
 }
 
 /** The left third is toon; noise exact in every format. */
-struct FScene
+struct FToonScene
 {
 	FImage Color = FImage::Noise(64, 36, 4);
 	FImage Ids = MakeIds(64, 36, [](int X, int) { return X < 21; });
@@ -243,7 +243,7 @@ TEST(ToonBloom, TheSelectiveOutputMaskDoesNotHideTheId)
 
 TEST(ToonBloom, FactorOneGivesTheBitsOfAFrameWithoutTheSetup)
 {
-	const FScene Scene;
+	const FToonScene Scene;
 	for (const EArithmetic Arithmetic : {EArithmetic::Native, EArithmetic::Double})
 	{
 		FToon Toon{1.0f};
@@ -260,7 +260,7 @@ TEST(ToonBloom, FactorOneGivesTheBitsOfAFrameWithoutTheSetup)
 
 TEST(ToonBloom, FactorOneGivesTheBitsOfTheSetupWithoutThePatch)
 {
-	const FScene Scene;
+	const FToonScene Scene;
 	for (const EArithmetic Arithmetic : {EArithmetic::Native, EArithmetic::Double})
 	{
 		EXPECT_EQ(SetUpBloom(Scene.Color, Scene.Ids, {std::nullopt, 0.75f}, Arithmetic).Texels,
@@ -271,7 +271,7 @@ TEST(ToonBloom, FactorOneGivesTheBitsOfTheSetupWithoutThePatch)
 
 TEST(ToonBloom, TexelsThatNoToonReachesHaveTheSameBitsForAllFactors)
 {
-	const FScene Scene;
+	const FToonScene Scene;
 	for (const float Threshold : {-1.0f, 0.75f})
 	{
 		const FImage Unmasked = SetUpBloom(Scene.Color, Scene.Ids, {1.0f, Threshold}, EArithmetic::Native);
@@ -289,7 +289,7 @@ TEST(ToonBloom, TexelsThatNoToonReachesHaveTheSameBitsForAllFactors)
 
 TEST(ToonBloom, BloomIsLinearInTheFactor)
 {
-	const FScene Scene;
+	const FToonScene Scene;
 	for (const float Threshold : {-1.0f, 0.75f})
 	{
 		const FImage Zero = Bloom(Scene.Color, Scene.Ids, {0.0f, Threshold});
@@ -345,7 +345,7 @@ INSTANTIATE_TEST_SUITE_P(Arithmetic, ToonBloomReference, testing::ValuesIn(Snapp
 
 TEST(ToonBloom, ComputeAndPixelShaderGiveTheSameBits)
 {
-	const FScene Scene;
+	const FToonScene Scene;
 	for (const float Threshold : {-1.0f, 0.75f})
 	{
 		FToon Compute{0.1f, Threshold};
@@ -357,7 +357,7 @@ TEST(ToonBloom, ComputeAndPixelShaderGiveTheSameBits)
 
 TEST(ToonBloom, PreExposureChangesTheUnitsOnly)
 {
-	const FScene Scene;
+	const FToonScene Scene;
 	FImage Brighter = Scene.Color;
 	for (FTexel& Texel : Brighter.Texels)
 	{
@@ -438,7 +438,7 @@ TEST(ToonBloom, NegativesAreMultipliedToo)
 
 TEST(ToonBloom, TheSceneTexturesColourStandsInForAMissingFullResolution)
 {
-	const FScene Scene;
+	const FToonScene Scene;
 	const FImage Expected = SetUpBloom(Scene.Color, Scene.Ids, {0.1f}, EArithmetic::Native);
 	FToonRun Run(Scene.Color, Scene.Ids, {0, 0, 64, 36}, FIntPoint(64, 36), {0.1f}, EArithmetic::Native);
 	FBloomSetupInputs Inputs = Run.MakeInputs();
