@@ -1,5 +1,7 @@
 // Flattens the metadata of parameter structs to the members that HLSL sees, and looks them up. The names are the
 // engine's.
+#include "ShaderParameterMetadata.h"
+
 #include "UniformBufferStructs.h"
 
 #include <algorithm>

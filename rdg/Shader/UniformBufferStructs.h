@@ -1,9 +1,11 @@
 // Which uniform buffers there are: those that an IMPLEMENT_ macro registered in the code loaded so far.
 #pragma once
 
-#include "ShaderParameterMetadata.h"
+#include "DrydockAPI.h"
 
 #include <vector>
+
+class FShaderParametersMetadata;
 
 namespace Drydock
 {

@@ -14,7 +14,7 @@ namespace
 struct FOutcome
 {
 	int ExitCode = -1;
-	std::string Out; // with what goes to stderr
+	std::string Out; // with what goes to stderr, unless Arguments send that elsewhere
 };
 
 class ImportProgram : public FImportFolder
@@ -24,7 +24,7 @@ protected:
 	FOutcome Call(const std::string& Arguments) const
 	{
 		const std::string Command =
-			"cd '" + Folder.string() + "' && '" DRYDOCK_TEST_BINARY_DIR "/bin/drydock' " + Arguments + " 2>&1";
+			"cd '" + Folder.string() + "' && '" DRYDOCK_TEST_BINARY_DIR "/bin/drydock' 2>&1 " + Arguments;
 		FOutcome Outcome;
 		FILE* Pipe = popen(Command.c_str(), "r");
 		std::array<char, 4096> Buffer;

@@ -134,8 +134,8 @@ TEST_F(DrydockProgram, HelpListsVerbsByTheirPlaces)
 {
 	const std::string Help = Call("--help").Out;
 	size_t Last = 0;
-	for (const char* Verb :
-		{"run", "check", "blend", "graph", "study", "diff", "explain", "list", "sheet", "settings", "import", "new", "warm"})
+	for (const char* Verb : {"run", "check", "blend", "graph", "study", "diff", "explain", "list", "sheet", "settings",
+			 "import", "new", "warm"})
 	{
 		const size_t Place = Help.find(std::string("\n  ") + Verb + " ");
 		EXPECT_NE(std::string::npos, Place) << Verb;

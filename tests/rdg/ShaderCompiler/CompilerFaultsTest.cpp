@@ -244,8 +244,8 @@ TEST_F(FCompilerFaults, ASpirvFileThatIsCutShortOnAFullDiskIsNoFaultOfTheShader)
 
 TEST_F(FCompilerFaults, ACrashOfTheFrontEndNamesTheLine)
 {
-	const FShaderRun Run = RunWithFrontEnd(
-		"for Input; do :; done; grep -q BOOM \"$Input\" && kill -SEGV $$; exit 1", "//\n//\n// BOOM\n//");
+	const FShaderRun Run = RunWithFrontEnd("for Input; do :; done; grep -q BOOM \"$Input\" && kill -SEGV $$; exit 1",
+		"//\n//\nstatic const int BOOM = 1;\n//");
 	EXPECT_EQ(ExitUsage, Run.ExitCode);
 	EXPECT_EQ(
 		"/Test/Shader.usf:3: error: glslangValidator was ended by signal 11 on 'Main' when it had read up to this "
