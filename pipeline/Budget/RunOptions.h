@@ -40,8 +40,8 @@ struct FRunOptions
 	bool bDouble = false;       // double arithmetic
 	bool bNoPlugins = false;    // a config that names plugins is an error
 	ERunStorage Storage = ERunStorage::Default;
-	bool bExecute = true;    // false: stop when the graph is compiled
-	bool bPlanLoads = false; // of a graph that is not executed: find out which channels it would decode
+	bool bExecute = true;       // false: stop when the graph is compiled
+	bool bPlanLoads = false;    // of a graph that is not executed: find out which channels it would decode
 	bool bLookAtContent = true; // false: settings alone decide what runs, so that no picture is decoded for it
 	/** Nothing is left out because no output needs it: culled passes run, all channels are decoded, effects whose
 	 * values are neutral or whose input is empty run. What is switched off stays off. The outputs are the same bits. */

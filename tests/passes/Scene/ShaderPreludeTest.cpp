@@ -3,6 +3,7 @@
 
 #include "GlobalShader.h"
 #include "RenderGraphUtils.h"
+#include "ShaderCompilation.h"
 #include "ShaderCompiler.h"
 #include "ShaderCore.h"
 #include "ShaderParameterStruct.h"
@@ -78,6 +79,7 @@ TEST(ShaderPrelude, EveryHeaderCompilesAloneInBothStages)
 	fs::create_directories(Folder);
 	AddShaderSourceDirectoryMapping(TEXT("/PreludeShaders"), FString(Folder.c_str()));
 
+	const Drydock::FShaderRef Probe(FPreludeProbeCS::GetStaticType().FindOrCreateShader(0));
 	int Headers = 0;
 	for (const fs::directory_entry& Entry : fs::recursive_directory_iterator(Engine))
 	{
@@ -94,7 +96,9 @@ TEST(ShaderPrelude, EveryHeaderCompilesAloneInBothStages)
 			<< "float4 MainPS(float4 Position : SV_POSITION) : SV_Target0 { return Position; }\n";
 		for (const Drydock::EShaderStage Stage : {Drydock::EShaderStage::Compute, Drydock::EShaderStage::Pixel})
 		{
-			Drydock::FShaderCompileRequest Request;
+			// As a shader class asks: any registered uniform buffer may be named.
+			Drydock::FShaderCompileRequest Request =
+				Drydock::MakeShaderCompileRequest(Probe, FPreludeProbeCS::GetRootParametersMetadata());
 			Request.VirtualPath = "/PreludeShaders/" + Name;
 			Request.EntryPoint = Stage == Drydock::EShaderStage::Compute ? "MainCS" : "MainPS";
 			Request.Stage = Stage;

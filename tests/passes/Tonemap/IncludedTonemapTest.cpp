@@ -140,6 +140,7 @@ TEST(IncludedTonemap, TheEnginesParametersFillTheTable)
 	Parameters->WorkingColorSpace = GDefaultWorkingColorSpaceUniformBuffer.GetUniformBufferRef();
 	Parameters->LUTSize = Size;
 	Parameters->ColorScale = FVector3f(1.0f, 1.0f, 1.0f);
+	Parameters->OverlayColor = FVector4f(0.0f, 0.0f, 0.0f, 0.0f); // no fade
 	using FMember = FVector4f FIncludedLUTCS::FParameters::*;
 	using FP = FIncludedLUTCS::FParameters;
 	constexpr FMember Grades[5][4] = {{&FP::ColorSaturation, &FP::ColorSaturationShadows, &FP::ColorSaturationMidtones,
