@@ -85,10 +85,15 @@ FScreenPassTexture ReturnUntouched(
 	return Inputs.OverrideOutput;
 }
 
+bool IsInput(const FPostProcessMaterialInputs& Inputs, const FScreenPassTexture& Result)
+{
+	const FScreenPassTexture SceneColor(Inputs.GetInput(EPostProcessMaterialInput::SceneColor));
+	return Result.Texture == SceneColor.Texture && Result.ViewRect == SceneColor.ViewRect;
+}
+
 std::string DescribeResult(const FPostProcessMaterialInputs& Inputs, const FScreenPassTexture& Result)
 {
-	const FScreenPassTexture SceneColor = Inputs.GetInput(EPostProcessMaterialInput::SceneColor);
-	if (Result.Texture == SceneColor.Texture && Result.ViewRect == SceneColor.ViewRect)
+	if (IsInput(Inputs, Result))
 	{
 		return "returned its input";
 	}
@@ -127,6 +132,11 @@ FScreenPassTexture RunPassCallback(FRDGBuilder& GraphBuilder, const FNamedView& 
 	if (Breach.Code == 0)
 	{
 		Log.Calls[LogIndex].Did = DescribeResult(Inputs, Result);
+		if (IsInput(Inputs, Result))
+		{
+			Log.Diagnostics.push_back(MakeExtensionDiagnostic(ESeverity::Note, NoteCallbackReturnedInput,
+				Callback.Extension, "its callback at " + Point + " returned its input: the picture goes on as it was"));
+		}
 		return Result;
 	}
 	const ESeverity Severity = IsValidationStrict() ? ESeverity::Error : ESeverity::Warning;

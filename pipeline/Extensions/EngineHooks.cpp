@@ -12,7 +12,7 @@ const std::vector<FHookVersions>& GetHookVersions()
 	const int32 Oldest = GetEngineProfiles().front().Minor;
 	const int32 Newest = GetEngineProfiles().back().Minor;
 	constexpr int32 Never = 0;
-	const char* const Mobile = "is the mobile renderer's and which the deferred renderer never calls";
+	const char* const Mobile = "is the mobile renderer's: the deferred one never calls it";
 	const char* const RayTracing =
 		"follows the building of a ray-tracing scene, which there is none of here: it is never called";
 	// clang-format off

@@ -4,6 +4,7 @@
 #include "NativeKernels.h"
 #include "RenderGraphErrors.h"
 #include "RHIResources.h"
+#include "RenderGraphReport.h"
 #include "RenderGraphResources.h"
 #include "RunningCode.h"
 #include "ShaderBindingPlan.h"
@@ -169,6 +170,37 @@ void CheckRequiredParameters(const FShaderBindingPlan& Plan, const std::string& 
 	}
 }
 
+/** Says where a shader stores more components than the texture keeps. That is no mistake, but often one:
+ * three-component formats are stored to as float4 everywhere, those of one or two seldom on purpose. */
+void ReportDroppedComponents(const FShaderBindingPlan& Plan, const FShaderReflection& Reflection,
+	const std::string& ShaderName, const void* Parameters)
+{
+	constexpr int32 MaxRemarkable = 2;
+	for (const FResourceCopy& Copy : Plan.Resources)
+	{
+		const void* const Contents = GetContents(Plan.Sources[Copy.Source], Parameters);
+		if (Copy.List != EResourceList::RWTextures || Copy.BaseType != UBMT_RDG_TEXTURE_UAV || !Contents)
+		{
+			continue;
+		}
+		const FRDGTextureUAVDesc& View = ReadPointer<FRDGTextureUAV>(Contents, Copy.SourceOffset)->Desc;
+		const FShaderResource& Resource = Reflection.RWTextures[Copy.Slot];
+		const FPixelFormatInfo& Format =
+			GPixelFormats[View.Format == PF_Unknown ? View.Texture->Desc.Format : View.Format];
+		if (Format.NumComponents <= MaxRemarkable && Resource.NumComponents > Format.NumComponents)
+		{
+			FDiagnostic Diagnostic;
+			Diagnostic.Severity = ESeverity::Note;
+			Diagnostic.Code = RDGNoteDroppedComponents;
+			Diagnostic.Where = ShaderName + ", parameter " + Copy.CodeName;
+			Diagnostic.Message = "the shader stores " + std::to_string(Resource.NumComponents) + " components, and " +
+								 View.Texture->Name + " is " + Format.Name + ", which keeps " +
+								 std::to_string(Format.NumComponents);
+			ReportRDGWarning(Diagnostic, true);
+		}
+	}
+}
+
 } // namespace
 
 std::vector<FDiagnostic> MatchShaderParameters(
@@ -255,7 +287,9 @@ void BindShaderParameters(
 		Out.Kernel = Compiled->Run;
 		Out.Reflection = std::shared_ptr<const FShaderReflection>(Compiled, &Compiled->Reflection);
 	}
-	FollowShaderBindingPlan(*GetPlan(Shader, *Out.Reflection, Metadata), *Out.Reflection, Parameters, Out);
+	const std::shared_ptr<const FShaderBindingPlan> Plan = GetPlan(Shader, *Out.Reflection, Metadata);
+	FollowShaderBindingPlan(*Plan, *Out.Reflection, Parameters, Out);
+	ReportDroppedComponents(*Plan, *Out.Reflection, Out.Name, Parameters);
 }
 
 void BindShaderParameters(const FShaderRef& Shader, const void* Parameters, FBoundShader& Out)

@@ -51,7 +51,8 @@ enum ERDGError : int
 	RDGWarningUnusedOutput = 2051,      // this and the next ones with r.RDG.Debug only
 	RDGWarningUnusedFlag = 2052,
 	RDGWarningUnusedParameter = 2053,
-	RDGWarningFeedback = 2054, // a pass samples what it renders to
+	RDGWarningFeedback = 2054,       // a pass samples what it renders to
+	RDGNoteDroppedComponents = 2055, // a note: a UAV's format has fewer components than are stored
 };
 
 /** Those of r.RDG.Debug. */

@@ -110,6 +110,33 @@ FShaderCompileRequest MakeShaderCompileRequest(const FShaderRef& Shader, const F
 	return Request;
 }
 
+namespace
+{
+
+/** Runs the compiler; its first message then says for which class and entry, which its file and line do not. */
+template<typename TFunction>
+auto CompileFor(const FShaderRef& Shader, TFunction Compile)
+{
+	const FCodeScope Scope(GCompiler);
+	try
+	{
+		return Compile(MakeShaderCompileRequest(Shader, Shader.GetRootParametersMetadata()));
+	}
+	catch (const FError& Error)
+	{
+		std::vector<FDiagnostic> Diagnostics = Error.GetDiagnostics();
+		const FShaderType& Type = *Shader.GetType();
+		if (!Diagnostics.empty())
+		{
+			Diagnostics.front().Message +=
+				std::string(" (compiled for ") + Type.GetName() + ", entry " + Type.GetFunctionName() + ")";
+		}
+		throw FError(std::move(Diagnostics), Error.GetExitCode());
+	}
+}
+
+} // namespace
+
 std::shared_ptr<const FCompiledShader> GetCompiledShader(const FShaderRef& Shader)
 {
 	const FLaneConfig Lanes = GetShaderLaneConfig();
@@ -118,8 +145,7 @@ std::shared_ptr<const FCompiledShader> GetCompiledShader(const FShaderRef& Shade
 	std::shared_ptr<const FCompiledShader>& Compiled = State.Compiled[{Lanes.bDouble, Lanes.Lanes}];
 	if (!Compiled)
 	{
-		const FCodeScope Scope(GCompiler);
-		Compiled = CompileShader(MakeShaderCompileRequest(Shader, Shader.GetRootParametersMetadata()));
+		Compiled = CompileFor(Shader, CompileShader);
 	}
 	return Compiled;
 }
@@ -137,9 +163,7 @@ std::shared_ptr<const FShaderReflection> GetShaderReflection(const FShaderRef& S
 	}
 	if (!State.Reflection)
 	{
-		const FCodeScope Scope(GCompiler);
-		State.Reflection = std::make_shared<FShaderReflection>(
-			ReflectShader(MakeShaderCompileRequest(Shader, Shader.GetRootParametersMetadata())));
+		State.Reflection = std::make_shared<FShaderReflection>(CompileFor(Shader, ReflectShader));
 	}
 	return State.Reflection;
 }

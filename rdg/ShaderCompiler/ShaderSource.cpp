@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 
 namespace Drydock
 {
@@ -25,12 +26,16 @@ std::string DescribeAbsence(const std::string& Path, const std::string& Unreadab
 	}
 	const std::string Nearest = FindNearestShaderFile(Path);
 	std::string Folders;
+	std::set<std::string> Listed;
 	for (const FShaderDirectory& Directory : GetShaderDirectories())
 	{
 		std::error_code Ignored;
 		const bool bThere = std::filesystem::is_directory(Directory.Real, Ignored);
-		Folders += (Folders.empty() ? "" : ", ") + Directory.Virtual + " to " + Directory.Real +
-				   (bThere ? "" : " (no such folder)");
+		const std::string Mapping = Directory.Virtual + " to " + Directory.Real + (bThere ? "" : " (no such folder)");
+		if (Listed.insert(Mapping).second) // a plugin may map what drydock_add_plugin has mapped
+		{
+			Folders += (Folders.empty() ? "" : ", ") + Mapping;
+		}
 	}
 	return (Nearest.empty() ? std::string() : "; did you mean " + Nearest + "?") +
 		   (Nearest.empty() ? "; mapped by AddShaderSourceDirectoryMapping: " : " Mapped: ") +

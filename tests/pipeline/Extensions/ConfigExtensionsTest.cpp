@@ -162,7 +162,7 @@ TEST(ConfigEngine, EveryRowOfTheProfileCanBeChosen)
 		EXPECT_EQ(Engine.Minor, Config.GetEngineProfile().Minor);
 	}
 	EXPECT_TRUE(Diagnostics.empty());
-	Read(R"({"engine": "5.7"})", Diagnostics);
+	Read(R"({"engine": "5.9"})", Diagnostics);
 	EXPECT_EQ(1u, Diagnostics.size());
 }
 
@@ -312,9 +312,9 @@ TEST(ExtensionLists, HaveTypesParametersAndHooks)
 	EXPECT_TRUE(HasRow(ListHooks(), {"PreRenderBasePass", "5.4", "hook"}));
 	EXPECT_TRUE(HasRow(ListHooks(), {"PrePostProcessPassMobile", "never", "hook",
 										"PrePostProcessPassMobile_RenderThread(FRDGBuilder&, const FSceneView&, const "
-										"FMobilePostProcessingInputs&): the mobile renderer's, never called by the "
-										"deferred one; override PrePostProcessPass_RenderThread(FRDGBuilder&, const "
-										"FSceneView&, const FPostProcessingInputs&)"}));
+										"FMobilePostProcessingInputs&): it is the mobile renderer's: the deferred one "
+										"never calls it; override PrePostProcessPass_RenderThread(FRDGBuilder&, "
+										"const FSceneView&, const FPostProcessingInputs&)"}));
 	FRunOptions Options;
 	Options.ConfigFile = Root + "configs/hooks_all.json";
 	const FListTable Chain = ListHooks(Options);

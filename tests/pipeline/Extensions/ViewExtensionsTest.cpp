@@ -460,11 +460,11 @@ TEST(EngineProfile, HooksOfTheMobileRendererAreReportedAsNeverCalled)
 	EXPECT_EQ(ESeverity::Warning, Frame.Log.Diagnostics[0].Severity);
 	EXPECT_EQ(0u, Frame.Log.Diagnostics[0].Message.find(
 					  "it overrides PostRenderBasePassMobile_RenderThread(FRHICommandList&, FSceneView&), which is the "
-					  "mobile renderer's and which the deferred renderer never calls; override "
+					  "mobile renderer's: the deferred one never calls it; override "
 					  "PostRenderBasePassDeferred_RenderThread("))
 		<< Frame.Log.Diagnostics[0].Message;
 	EXPECT_EQ(ESeverity::Note, Frame.Log.Diagnostics[1].Severity);
-	EXPECT_TRUE(Frame.Log.Diagnostics[1].Message.ends_with("the deferred renderer never calls"));
+	EXPECT_TRUE(Frame.Log.Diagnostics[1].Message.ends_with("the deferred one never calls it"));
 }
 
 TEST(EngineProfile, HooksAsOlderArticlesHaveThemAreAcceptedAndReported)

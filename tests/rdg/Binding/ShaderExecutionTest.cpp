@@ -218,6 +218,7 @@ TEST_F(FShaderExecution, WarmingGoesOnAfterAFailureAndReportsIt)
 		ASSERT_FALSE(Error.GetDiagnostics().empty());
 		EXPECT_EQ("/DrydockTest/Broken.usf", Error.GetDiagnostics()[0].File);
 		EXPECT_EQ(7, Error.GetDiagnostics()[0].Line);
+		EXPECT_TRUE(Error.GetDiagnostics()[0].Message.ends_with(" (compiled for FTestBrokenCS, entry BrokenCS)"));
 	}
 	EXPECT_NE(nullptr, GetCompiledShader(Tint(true))->Run);
 }

@@ -21,21 +21,22 @@ protected:
 			TEXT("/DrydockTest"), FString(DRYDOCK_TEST_SOURCE_DIR "/tests/rdg/Binding/Shaders"));
 	}
 
-	static FRDGTextureRef MakeTexture(FRDGBuilder& GraphBuilder, const TCHAR* Name, const FLinearColor& Value)
+	static FRDGTextureRef MakeTexture(
+		FRDGBuilder& GraphBuilder, const TCHAR* Name, const FLinearColor& Value, EPixelFormat Format = PF_A32B32G32R32F)
 	{
 		const FRDGTextureRef Texture =
-			GraphBuilder.CreateTexture(FRDGTextureDesc::Create2D(FIntPoint(9, 5), PF_A32B32G32R32F,
-										   FClearValueBinding::None, TexCreate_ShaderResource | TexCreate_UAV),
+			GraphBuilder.CreateTexture(FRDGTextureDesc::Create2D(FIntPoint(9, 5), Format, FClearValueBinding::None,
+										   TexCreate_ShaderResource | TexCreate_UAV),
 				Name);
 		AddClearUAVPass(GraphBuilder, GraphBuilder.CreateUAV(Texture), Value);
 		return Texture;
 	}
 
 	/** What the shader leaves in the last texel of a 9x5 texture. */
-	static FLinearColor Run(bool bUseScene)
+	static FLinearColor Run(bool bUseScene, EPixelFormat Format = PF_A32B32G32R32F)
 	{
 		FRDGBuilder GraphBuilder(FRHICommandListExecutor::GetImmediateCommandList());
-		const FRDGTextureRef Output = MakeTexture(GraphBuilder, TEXT("Output"), FLinearColor::Transparent);
+		const FRDGTextureRef Output = MakeTexture(GraphBuilder, TEXT("Output"), FLinearColor::Transparent, Format);
 		FTestSceneUniforms* const Scene = GraphBuilder.AllocParameters<FTestSceneUniforms>();
 		Scene->SceneColorTexture = MakeTexture(GraphBuilder, TEXT("Scene"), FLinearColor(1.0f, 2.0f, 3.0f, 4.0f));
 		Scene->Tint = FVector4f(10.0f, 10.0f, 10.0f, 10.0f);
@@ -65,4 +66,19 @@ TEST_F(FShaderGraphResources, TexturesAndViewsReachTheKernel)
 TEST_F(FShaderGraphResources, UniformBuffersReachTheKernelWithTheirTextures)
 {
 	EXPECT_EQ(FLinearColor(10.5f, 20.25f, 30.125f, 41.0f), Run(true));
+}
+
+TEST_F(FShaderGraphResources, ComponentsThatTheFormatDropsAreRemarkedOnce)
+{
+	testing::internal::CaptureStderr();
+	Run(false, PF_R16F);
+	Run(false, PF_R16F);
+	EXPECT_EQ(
+		"note DD2055 at FTestGraphCS, parameter OutputTexture: the shader stores 4 components, and Output is R16F, "
+		"which keeps 1\n",
+		testing::internal::GetCapturedStderr());
+
+	testing::internal::CaptureStderr();
+	Run(false, PF_FloatR11G11B10); // as is usual
+	EXPECT_EQ("", testing::internal::GetCapturedStderr());
 }
