@@ -78,7 +78,7 @@ public:
 	}
 
 private:
-	static constexpr int MaxCalls = 48;
+	static constexpr int MaxCalls = 24;
 
 	/** For this run; the default costs nothing. */
 	void Switch(const char* Name, int32 Default, int32 Value)

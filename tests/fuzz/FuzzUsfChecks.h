@@ -163,7 +163,7 @@ inline std::string CheckUsfText(const std::string& Text, const std::vector<std::
 		return Problem;
 	}
 	std::mt19937 Random(uint32_t(std::hash<std::string>()(Text)));
-	if (Random() % 4 != 0)
+	if (Random() % 8 != 0)
 	{
 		return ""; // a module takes longer than a text, and has a fuzzer of its own
 	}
