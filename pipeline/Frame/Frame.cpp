@@ -74,6 +74,7 @@ public:
 		}
 	}
 	bool WantsZeroedTextures() const override { return Next != nullptr && Next->WantsZeroedTextures(); }
+	bool ShowsWarnings() const override { return Next != nullptr && Next->ShowsWarnings(); }
 	void OnPassExecuted(int32_t PassIndex, const FRDGPass& Pass, double Milliseconds, const FPassCounters& Counters,
 		const std::vector<FRDGTexture*>& WrittenTextures) override
 	{

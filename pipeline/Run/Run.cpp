@@ -263,13 +263,29 @@ FFrameInputs MakeFrameInputs(const FRunOptions& Options, const FRunSetup& Setup,
 	return Inputs;
 }
 
+/** What Function returns; an error comes with the graph's warnings, if it got as far as that. */
+template<typename TFunction>
+auto CallWithWarnings(TFunction Function, const FRunResult& Result)
+{
+	try
+	{
+		return Function();
+	}
+	catch (const FError& Error)
+	{
+		std::vector<FDiagnostic> All = Result.Graph.Warnings;
+		All.insert(All.end(), Error.GetDiagnostics().begin(), Error.GetDiagnostics().end());
+		throw FError(All, Error.GetExitCode());
+	}
+}
+
 /** Builds the graph and runs or compiles it. */
 void RunGraph(const FRunOptions& Options, const FRunSetup& Setup, FSceneFile& Scene, const FBeforeFrame& Before,
 	FRunResult& Result)
 {
 	FRunObserver Observer(Options, Setup, Scene, Result);
 	const FFrameInputs Inputs = MakeFrameInputs(Options, Setup, Scene, Before, Observer, Result.Times.Load);
-	FFrameResult Frame = RenderViewFamily(Inputs);
+	FFrameResult Frame = CallWithWarnings([&] { return RenderViewFamily(Inputs); }, Result);
 	const FFrameViewResult& View = Frame.Views[0];
 	for (const FFrameViewResult& Other : Frame.Views)
 	{

@@ -22,6 +22,7 @@ public:
 	void OnGraphCompiled(const FRDGCompiledGraph& Graph) override;
 	bool WantsPlannedExternals() const override;
 	bool WantsZeroedTextures() const override;
+	bool ShowsWarnings() const override { return true; } // they are among the run's
 	void OnExternalsPlanned(const std::vector<FRDGExternalLoad>& Loads) override;
 	void OnLoadExternals(const std::vector<FRDGExternalLoad>& Loads) override;
 	void OnPassExecuted(int32_t PassIndex, const FRDGPass& Pass, double Milliseconds, const FPassCounters& Counters,

@@ -253,7 +253,7 @@ FRDGCompiledGraph FRDGBuilder::Compile()
 		Validation = ValidateGraph(Graph, State->Settings.Debug != 0, State->Settings.bStrictValidation);
 		Validation.Ensures.insert(Validation.Ensures.begin(), State->Ensures.begin(), State->Ensures.end());
 		ThrowCollectedErrors(Validation.Errors);
-		if (!State->bEnsuresReported)
+		if (!State->bEnsuresReported && !(State->Observer && State->Observer->ShowsWarnings()))
 		{
 			State->bEnsuresReported = true;
 			for (const FDiagnostic& Diagnostic : Validation.Ensures)

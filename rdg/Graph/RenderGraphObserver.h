@@ -43,6 +43,9 @@ public:
 	 *  for observers that show textures beyond what passes wrote. Always the same answer. */
 	virtual bool WantsZeroedTextures() const { return false; }
 
+	/** Whether the observer shows the warnings that OnGraphCompiled brings, so that the graph prints none itself. */
+	virtual bool ShowsWarnings() const { return false; }
+
 	/** After each pass. PassIndex is its position in FRDGCompiledGraph::Passes; WrittenTextures may be read through
 	 *  FRDGTexture::GetRHI during the call. */
 	virtual void OnPassExecuted(int32_t /*PassIndex*/, const FRDGPass&, double /*Milliseconds*/, const FPassCounters&,

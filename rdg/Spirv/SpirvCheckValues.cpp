@@ -159,10 +159,15 @@ bool FSpirvChecker::CheckImage(const FSpirvInstruction& I)
 	switch (I.Op)
 	{
 	case OpSampledImage:
-		Image(I, 0);
+	{
+		const FSpirvType& Type = Image(I, 0);
+		const FSpirvType& Pair = Module.GetType(I.Type);
 		ExpectCount(I, 2);
+		Expect(
+			!Type.bStorageImage && Pair.Kind == ESpirvType::SampledImage && &Module.GetType(Pair.Element) == &Type, I);
 		Expect(Module.GetValueType(I.Operands[1]).Kind == ESpirvType::Sampler, I);
 		return true;
+	}
 	case OpImage:
 		Image(I, 0);
 		return true;

@@ -382,6 +382,33 @@ TEST(Observer, MayHaveTexturesBeginAtZeroInUsedMemory)
 	EXPECT_EQ("compiled:6 1:A(X=5) 2:B(Y=6) 3:C(Z=0) 4:D(Out=2) ", Observer.Log);
 }
 
+TEST(Observer, ThatShowsWarningsLeavesNoneToTheGraph)
+{
+	class FShowingObserver final : public FNotingObserver
+	{
+	public:
+		void OnGraphCompiled(const FRDGCompiledGraph& Graph) override { Warnings = Graph.Warnings; }
+		bool ShowsWarnings() const override { return bShows; }
+		std::vector<FDiagnostic> Warnings;
+		bool bShows = true;
+	};
+	const auto Run = [](bool bShows)
+	{
+		FShowingObserver Observer;
+		Observer.bShows = bShows;
+		FGraphTest Graph;
+		Graph.Builder->SetObserver(&Observer);
+		Graph.Pass("A").Reads("Never").Writes("X");
+		Graph.Extract("X");
+		testing::internal::CaptureStderr();
+		Graph.Run();
+		EXPECT_EQ(1u, Observer.Warnings.size());
+		return testing::internal::GetCapturedStderr();
+	};
+	EXPECT_EQ("", Run(true));
+	EXPECT_NE(std::string::npos, Run(false).find("Never"));
+}
+
 TEST(Observer, LoadsOnlyWhatSurvivingPassesTouch)
 {
 	FGraphTest Graph;
