@@ -25,6 +25,7 @@
 # that holds Source or Shaders, else the folder of the CMakeLists.txt. It has the name of the .uplugin as well.
 
 include("${CMAKE_CURRENT_LIST_DIR}/DrydockPluginSources.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/DrydockReflection.cmake")
 
 # Folder of the plugin that Source belongs to.
 function(_drydock_plugin_folder Source ShaderFolder OutVariable)
@@ -54,9 +55,10 @@ function(_drydock_plugin_folder Source ShaderFolder OutVariable)
 	endif()
 endfunction()
 
-# What Unreal's header tool does, as far as there is something to say here: for each UCLASS and USTRUCT of Header its
-# Super and ThisClass at the line of GENERATED_BODY, and a NAME.gen.cpp that registers the classes.
-function(_drydock_generate_header Header GeneratedFolder Name OutClasses)
+# What Unreal's header tool does, as far as there is something to say here: for each UCLASS and USTRUCT of Header, which is
+# of Module, its Super and ThisClass at the line of GENERATED_BODY, and a NAME.gen.cpp that registers classes, fields and
+# enums; OutMade says whether there is anything to register.
+function(_drydock_generate_header Header GeneratedFolder Name Module OutMade)
 	file(READ "${Header}" Text)
 	string(MAKE_C_IDENTIFIER "FID_${Name}_h" FileId)
 	# One list element per line: none empty, and nothing in them that means something to a list.
@@ -93,7 +95,7 @@ function(_drydock_generate_header Header GeneratedFolder Name OutClasses)
 			if(Base)
 				string(APPEND Body " using Super = ${Base};")
 			endif()
-			string(APPEND Body " using ThisClass = ${Class};")
+			string(APPEND Body " using ThisClass = ${Class}; template<typename> friend struct ::Drydock::TReflected;")
 			if(Line MATCHES "GENERATED_UCLASS_BODY")
 				string(APPEND Body " ${Class}(const FObjectInitializer& ObjectInitializer = FObjectInitializer::Get());")
 			elseif(Key STREQUAL "class")
@@ -120,17 +122,23 @@ function(_drydock_generate_header Header GeneratedFolder Name OutClasses)
 	foreach(Class IN LISTS Classes)
 		string(APPEND Registrations "const Drydock::TClassRegistration<${Class}> GRegister${Class}(TEXT(\"${Class}\"));\n")
 	endforeach()
+	_drydock_reflect_header("${Header}" "${Module}" Reflection)
 	file(CONFIGURE OUTPUT "${GeneratedFolder}/${Name}.gen.cpp" @ONLY CONTENT
-"// Made by drydock_add_plugin: registers the classes of @Header@.
+"// Made by drydock_add_plugin: registers classes, fields and enums of @Header@.
 #include \"@Header@\"
 
 #include \"Subsystems/Subsystem.h\"
+#include \"UObject/Reflection.h\"
 
 namespace
 {
 @Registrations@} // namespace
-")
-	set(${OutClasses} "${Classes}" PARENT_SCOPE)
+
+@Reflection@")
+	set(${OutMade} OFF PARENT_SCOPE)
+	if(Classes OR Reflection)
+		set(${OutMade} ON PARENT_SCOPE)
+	endif()
 endfunction()
 
 # What _drydock_glob_plugin finds of a plugin that does not list its files: in OutSources and OutShaders the files, in
@@ -302,6 +310,13 @@ function(drydock_add_plugin Name)
 		list(APPEND Headers ${Files})
 	endforeach()
 	list(REMOVE_DUPLICATES Headers)
+	set(OwnSources "") # those that are left out too
+	foreach(Header IN LISTS Headers)
+		if(Header MATCHES "[.]cpp$")
+			cmake_path(ABSOLUTE_PATH Header NORMALIZE)
+			list(APPEND OwnSources "${Header}")
+		endif()
+	endforeach()
 	list(FILTER Headers EXCLUDE REGEX "/(Intermediate|Binaries)/")
 	set(Wanted "")
 	foreach(Header IN LISTS Headers)
@@ -337,8 +352,19 @@ function(drydock_add_plugin Name)
 		cmake_path(ABSOLUTE_PATH Header NORMALIZE)
 		set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${Header}")
 		string(REGEX REPLACE ".*\"([^\"]*)\\.generated\\.h\".*" "\\1" GeneratedName "${Include}")
-		_drydock_generate_header("${Header}" "${GeneratedFolder}" "${GeneratedName}" Classes)
-		if(Classes AND Header MATCHES "\\.h$" AND NOT GeneratedName IN_LIST InlineGenerated)
+		set(HeaderModule "${Name}")
+		if(Header MATCHES "/Source/([^/]+)/")
+			set(HeaderModule "${CMAKE_MATCH_1}")
+		endif()
+		_drydock_generate_header("${Header}" "${GeneratedFolder}" "${GeneratedName}" "${HeaderModule}" bMade)
+		# What its .cpp file defines is not there where that is left out.
+		cmake_path(GET Header STEM HeaderStem)
+		foreach(Source IN LISTS OwnSources)
+			if(Source MATCHES "/${HeaderStem}[.]cpp$" AND NOT Source IN_LIST SourceFiles)
+				set(bMade OFF)
+			endif()
+		endforeach()
+		if(bMade AND Header MATCHES "\\.h$" AND NOT GeneratedName IN_LIST InlineGenerated)
 			list(APPEND SourceFiles "${GeneratedFolder}/${GeneratedName}.gen.cpp")
 			set_source_files_properties("${GeneratedFolder}/${GeneratedName}.gen.cpp"
 				PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

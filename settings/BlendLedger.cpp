@@ -47,12 +47,19 @@ int32 FindSettingIndex(const std::string& Name)
 		std::unordered_map<std::string, int32> Map;
 		for (const FSettingField& Field : GetSettingFields())
 		{
-			Map.emplace(Field.Name, static_cast<int32>(Map.size()));
+			if (Field.AddedId == 0)
+			{
+				Map.emplace(Field.Name, static_cast<int32>(Map.size()));
+			}
 		}
 		return Map;
 	}();
-	const auto Found = Indices.find(Name);
-	return Found == Indices.end() ? -1 : Found->second;
+	if (const auto Found = Indices.find(Name); Found != Indices.end())
+	{
+		return Found->second;
+	}
+	const FSettingField* const Added = FindSettingField(Name);
+	return Added == nullptr ? -1 : static_cast<int32>(Added - GetSettingFields().data());
 }
 
 } // namespace Drydock

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "CoreMinimal.h"
+#include "AddedSettings.h"
 #include "Curves/CurveFloat.h"
 #include "Engine/Texture.h"
 #include "PostProcessSettingsEnums.h"
@@ -32,6 +33,9 @@ struct FPostProcessSettings
 	/** Beside the table, not in it: it has no override bit, no default to compare with and any number of members, and
 	 * it is merged by object instead of blended by value, in this as in the engine. */
 	FWeightedBlendables WeightedBlendables;
+
+	/** Ours: values of settings that plugins have added; read and set by their TPostProcessSetting. */
+	Drydock::FAddedSettings AddedSettings;
 
 	/** Defaults for all values and override bits; no blendables. */
 	void SetBaseValues()

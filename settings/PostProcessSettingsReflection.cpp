@@ -99,10 +99,23 @@ bool FSettingField::IsInRange(const FSettingValue& Value) const
 	return true;
 }
 
+std::vector<FSettingField>& GetMutableSettingFields()
+{
+	// Never destroyed: plugins take theirs away at the very end of the program.
+	static auto* const Fields = new std::vector<FSettingField>(MakeSettingFields());
+	return *Fields;
+}
+
 const std::vector<FSettingField>& GetSettingFields()
 {
-	static const std::vector<FSettingField> Fields = MakeSettingFields();
-	return Fields;
+	return GetMutableSettingFields();
+}
+
+size_t GetNumTableSettings()
+{
+	const std::vector<FSettingField>& Fields = GetSettingFields();
+	return static_cast<size_t>(
+		std::count_if(Fields.begin(), Fields.end(), [](const FSettingField& Field) { return Field.AddedId == 0; }));
 }
 
 const FSettingField* FindSettingField(const std::string& Name)

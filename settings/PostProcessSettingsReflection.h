@@ -5,6 +5,7 @@
 #include "PostProcessSettings.h"
 #include "PostProcessSettingsValue.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -36,18 +37,21 @@ struct FSettingField
 	const char* ObjectClass;                // "Texture2D", without the U; empty for other types
 	bool bInterpolates;                     // whether the type has values between two values
 
-	FSettingValue (*Get)(const FPostProcessSettings& Settings);
+	std::function<FSettingValue(const FPostProcessSettings& Settings)> Get;
 	/** Value: of this field's type. Leaves the override bit alone. */
-	void (*Set)(FPostProcessSettings& Settings, const FSettingValue& Value);
-	bool (*IsOverridden)(const FPostProcessSettings& Settings);
-	void (*SetOverridden)(FPostProcessSettings& Settings, bool bOverridden);
+	std::function<void(FPostProcessSettings& Settings, const FSettingValue& Value)> Set;
+	std::function<bool(const FPostProcessSettings& Settings)> IsOverridden;
+	std::function<void(FPostProcessSettings& Settings, bool bOverridden)> SetOverridden;
 	/** Blends Source's value into Settings by the field's rule, whatever the override bit says. Weight: 0..1; 1 assigns
 	 * exactly; 0 and NaN do nothing, nor does a source that is not finite. */
-	void (*BlendFrom)(FPostProcessSettings& Settings, const FPostProcessSettings& Source, float Weight);
+	std::function<void(FPostProcessSettings& Settings, const FPostProcessSettings& Source, float Weight)> BlendFrom;
 	/** The same without the field's rule: linear where the type interpolates, else Source's value. */
-	void (*LerpFrom)(FPostProcessSettings& Settings, const FPostProcessSettings& Source, float Weight);
+	std::function<void(FPostProcessSettings& Settings, const FPostProcessSettings& Source, float Weight)> LerpFrom;
 	/** The object of a path, null for "None"; null pointer where ObjectClass is empty. */
 	UObject* (*FindOrAddObject)(const std::string& Path);
+
+	/** Of a setting that a plugin added (AddedSettings.h); 0: of the table. */
+	uint32 AddedId = 0;
 
 	/** 1 for numbers, 4 for colours, ..., 0 for objects. */
 	DRYDOCK_API int32 GetNumComponents() const;
@@ -55,8 +59,14 @@ struct FSettingField
 	DRYDOCK_API bool IsInRange(const FSettingValue& Value) const;
 };
 
-/** All fields in the order of the table. */
+/** All fields in the order of the table; behind them those that plugins have added. */
 DRYDOCK_API const std::vector<FSettingField>& GetSettingFields();
+
+/** The same list for AddedSettingFields.cpp, which adds to it and takes away. */
+std::vector<FSettingField>& GetMutableSettingFields();
+
+/** Those of the table are the first ones of GetSettingFields(). */
+DRYDOCK_API size_t GetNumTableSettings();
 
 /** Null when no field has exactly this name. */
 DRYDOCK_API const FSettingField* FindSettingField(const std::string& Name);

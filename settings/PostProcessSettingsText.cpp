@@ -26,19 +26,39 @@ struct FTextName
 
 FTextName FindTextName(const std::string& Name)
 {
-	static const std::unordered_map<std::string, FTextName> Names = []
+	// Indices, as plugins that come and go move the list; theirs stand behind those of the table, and are few.
+	struct FIndexedName
 	{
-		std::unordered_map<std::string, FTextName> ByName;
-		for (const FSettingField& Field : GetSettingFields())
+		size_t Index = 0;
+		bool bOverride = false;
+	};
+	static const std::unordered_map<std::string, FIndexedName> Names = []
+	{
+		std::unordered_map<std::string, FIndexedName> ByName;
+		for (size_t Index = 0; Index < GetNumTableSettings(); ++Index)
 		{
-			ByName[ToLowerCase(Field.Name)] = {&Field, false, false};
-			ByName[ToLowerCase(Field.OverrideName)] = {&Field, true, false};
+			const FSettingField& Field = GetSettingFields()[Index];
+			ByName[ToLowerCase(Field.Name)] = {Index, false};
+			ByName[ToLowerCase(Field.OverrideName)] = {Index, true};
 		}
-		ByName[ToLowerCase(BlendablesName)] = {nullptr, false, true};
 		return ByName;
 	}();
-	const auto Found = Names.find(ToLowerCase(Name));
-	return Found == Names.end() ? FTextName() : Found->second;
+	const std::string Lower = ToLowerCase(Name);
+	const std::vector<FSettingField>& Fields = GetSettingFields();
+	if (const auto Found = Names.find(Lower); Found != Names.end())
+	{
+		return {&Fields[Found->second.Index], Found->second.bOverride, false};
+	}
+	for (size_t Index = Fields.size(); Index > 0 && Fields[Index - 1].AddedId != 0; --Index)
+	{
+		const FSettingField& Field = Fields[Index - 1];
+		const bool bOverride = Lower == ToLowerCase(Field.OverrideName);
+		if (bOverride || Lower == ToLowerCase(Field.Name))
+		{
+			return {&Field, bOverride, false};
+		}
+	}
+	return {nullptr, false, Lower == ToLowerCase(BlendablesName)};
 }
 
 /** Whether only a stretch of two letters differs. */

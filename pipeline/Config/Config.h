@@ -149,6 +149,7 @@ struct FConfig
 	std::string File; // as given on the command line
 	TConfigValue<std::string> Engine{GetDefaultEngineProfile().GetVersion(), {}};
 	std::vector<TConfigValue<std::string>> Plugins; // as written; see Resolve
+	FJsonValue Objects;                             // as it stands, null where there is none: see FObjectValues
 	FConfigScene Scene;
 	FConfigView View;                               // the first of Views where these are given
 	std::vector<FConfigView> Views;                 // empty: View alone

@@ -19,6 +19,7 @@ const std::vector<FConfigKey>& GetConfigKeys()
 		{"", "$schema", String, "", 0, Optional, "Path of this schema: gives completion in editors."},
 		{"", "engine", String, Engines.c_str(), 0, Optional, "Engine version whose behaviour holds; 5.4 by default."},
 		{"", "plugins", StringArray, "", 0, Optional, "Shared objects to load, relative to the config."},
+		{"", "objects", Object, "objects", 0, Optional, "Values for fields (UPROPERTY) of the plugins' classes, by class."},
 		{"", "scene", Object, "scene", 0, Optional, "The rendered frame that goes in; needed by all that builds a frame."},
 		{"", "view", Object, "view", 0, Optional, "The camera; without it the scene file's own."},
 		{"", "views", ObjectArray, "view", 0, Optional, "Several cameras in one frame, each with its rect; in place of view."},
@@ -31,6 +32,9 @@ const std::vector<FConfigKey>& GetConfigKeys()
 		{"", "outputs", Object, "outputs", 0, Optional, "What is written beside the final picture."},
 		{"", "budget", Object, "budget", 0, Optional, "The error or time that an approximation may cost."},
 		{"", "study", Object, "study", 0, Optional, "What a study of accuracy against time varies."},
+
+		{"objects", "*", Object, "object", 0, Optional, "Fields of a class by name; the class with or without its U."},
+		{"object", "*", Anything, "", 0, Optional, "A number, text, true or false, an array, or an object of a struct's fields."},
 
 		{"scene", "file", String, "", 0, Required, "Multi-layer EXR, or an RGB image (.exr, .hdr, .png, .jpg, .jpeg, .tga, .bmp), relative to the config; with #### in its name a sequence of frames."},
 		{"scene", "frames", String, "", 0, Optional, "Frames that a run of a sequence renders: \"all\", \"1-8\", \"1-9x2\", \"1,3,5-8\"; the lowest alone by default."},

@@ -177,7 +177,7 @@ void WriteKey(FJsonWriter& Writer, const FConfigKey& Key)
 void WriteObject(FJsonWriter& Writer, const std::string& Object)
 {
 	std::vector<std::string> Required;
-	bool bOpen = false;
+	const FConfigKey* Open = nullptr; // of any further key
 	WriteType(Writer, "object");
 	Writer.Key("properties").BeginObject();
 	for (const FConfigKey& Key : GetConfigKeys())
@@ -188,7 +188,7 @@ void WriteObject(FJsonWriter& Writer, const std::string& Object)
 		}
 		if (std::string(Key.Name) == "*")
 		{
-			bOpen = true;
+			Open = &Key;
 			continue;
 		}
 		WriteKey(Writer, Key);
@@ -207,7 +207,14 @@ void WriteObject(FJsonWriter& Writer, const std::string& Object)
 		}
 		Writer.EndArray();
 	}
-	Writer.Member("additionalProperties", bOpen);
+	if (Open != nullptr && Open->Kind == EConfigKind::Object)
+	{
+		Writer.Key("additionalProperties").BeginObject(true);
+		WriteReference(Writer, Open->Of);
+		Writer.EndObject();
+		return;
+	}
+	Writer.Member("additionalProperties", Open != nullptr);
 }
 
 std::string DescribeSetting(const FSettingField& Field)
@@ -338,12 +345,14 @@ void WriteSettings(FJsonWriter& Writer)
 	Writer.Key("Settings").BeginObject();
 	WriteType(Writer, "object");
 	Writer.Key("properties").BeginObject();
-	for (const FSettingField& Field : GetSettingFields())
+	const std::vector<FSettingField> Fields(
+		GetSettingFields().begin(), GetSettingFields().begin() + static_cast<ptrdiff_t>(GetNumTableSettings()));
+	for (const FSettingField& Field : Fields)
 	{
 		WriteSetting(Writer, Field);
 	}
 	WriteBlendables(Writer);
-	for (const FSettingField& Field : GetSettingFields())
+	for (const FSettingField& Field : Fields)
 	{
 		Writer.Key(Field.OverrideName).BeginObject(true);
 		WriteType(Writer, "boolean");

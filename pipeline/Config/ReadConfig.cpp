@@ -446,6 +446,7 @@ void ReadPlugins(const FJsonValue& Root, FConfig& Config)
 				}
 			}
 		});
+	WithMember(Root, "objects", EJsonType::Object, [&](const FJsonValue& Objects) { Config.Objects = Objects; });
 }
 
 void ReadRoot(const FJsonValue& Root, FConfig& Config, FConfigMessages& Messages)

@@ -1,6 +1,7 @@
 // Holds the table of effects and walks it: every question to all effects is a loop over it.
 #include "Effects/Effects.h"
 
+#include "PostProcessSettingsReflection.h"
 #include "SceneRendering.h"
 
 #include <algorithm>
@@ -216,6 +217,11 @@ const FEffect* FindSettingOwner(std::string_view Setting)
 
 std::string GetSettingNotBuiltReason(std::string_view Setting)
 {
+	const FSettingField* const Field = FindSettingField(std::string(Setting));
+	if (Field != nullptr && Field->AddedId != 0)
+	{
+		return ""; // who added it reads it
+	}
 	const FClaimed Found = FindClaim(Setting);
 	return Found.Claim == nullptr ? NoPassReadsIt : Found.Claim->NotBuilt;
 }

@@ -2,12 +2,14 @@
 #include "Extensions/Plugins.h"
 
 #include "Config/ConfigReader.h"
+#include "AddedSettingFields.h"
 #include "CodeScope.h"
 #include "ExtensionFactory.h"
 #include "Extensions/ExtensionErrors.h"
 #include "GlobalShader.h"
 #include "Modules/ModuleManager.h"
 #include "PassFactory.h"
+#include "PostProcessSettingsReflection.h"
 #include "RegularFile.h"
 
 #include <dlfcn.h>
@@ -41,7 +43,7 @@ size_t CountRegistered()
 {
 	size_t NumShaders = 0;
 	ForEachGlobalShader([&](const FGlobalShaderType&) { ++NumShaders; });
-	return NumShaders + GetExtensionFactories().size() + GetPassFactories().size();
+	return NumShaders + GetExtensionFactories().size() + GetPassFactories().size() + GetSettingFields().size();
 }
 
 std::string GetFileName(const std::string& Path)
@@ -70,8 +72,10 @@ bool Unload(const std::string& Path, FLoadedPlugin& Plugin)
 }
 
 /** Whether it is loaded; else that is reported. */
-bool Load(const TConfigValue<std::string>& Plugin, const std::string& Path, FConfigMessages& Messages)
+bool Load(
+	const TConfigValue<std::string>& Plugin, const std::string& Path, FObjectValues& Values, FConfigMessages& Messages)
 {
+	const std::string Name = GetFileName(Path);
 	std::error_code Gone; // it was there a moment ago: dlopen says what is wrong with it
 	const Files::file_time_type Time = Files::last_write_time(Path, Gone);
 	const auto Known = GetLoaded().find(Path);
@@ -79,6 +83,7 @@ bool Load(const TConfigValue<std::string>& Plugin, const std::string& Path, FCon
 	{
 		if (Known->second.Time == Time)
 		{
+			Values.GiveTo(Name);
 			return true;
 		}
 		FLoadedPlugin Old = Known->second;
@@ -93,9 +98,12 @@ bool Load(const TConfigValue<std::string>& Plugin, const std::string& Path, FCon
 	const size_t NumBefore = CountRegistered();
 	const uint64 FirstExtension = GEngine->ViewExtensions->GetNextRegistration();
 	// Local: plugins see drydock's symbols and not each other's, which may bear the same names.
-	const std::string Name = GetFileName(Path);
 	void* const Handle = CallCode(FCodeOwner{Name, "constructors of static variables (dlopen)"},
 		[&] { return dlopen(Path.c_str(), RTLD_NOW | RTLD_LOCAL); });
+	for (const FDiagnostic& Problem : TakeSettingProblems())
+	{
+		Messages.Error(Problem.Code, Plugin.Place, Problem.Message);
+	}
 	if (Handle == nullptr)
 	{
 		const char* const Reason = dlerror();
@@ -109,6 +117,7 @@ bool Load(const TConfigValue<std::string>& Plugin, const std::string& Path, FCon
 	{
 		NotePluginCode(Name, Map->l_ld);
 	}
+	Values.GiveTo(Name);
 	CallCode(FCodeOwner{Name, "the start of its modules"}, [] { FModuleManager::Get().StartupPendingModules(); });
 	const int32 NumExtensions = GEngine->ViewExtensions->MarkPlugin(Path, FirstExtension);
 	if (NumExtensions == 0 && CountRegistered() == NumBefore)
@@ -122,10 +131,11 @@ bool Load(const TConfigValue<std::string>& Plugin, const std::string& Path, FCon
 
 } // namespace
 
-std::vector<std::string> LoadPlugins(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics)
+FLoadedPlugins LoadPlugins(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics)
 {
 	FConfigMessages Messages(Config.File, Diagnostics);
-	std::vector<std::string> Paths;
+	FObjectValues Values(Config, Diagnostics);
+	FLoadedPlugins Loaded;
 	for (const TConfigValue<std::string>& Plugin : Config.Plugins)
 	{
 		const std::string Given = Config.Resolve(Plugin.Value);
@@ -140,12 +150,14 @@ std::vector<std::string> LoadPlugins(const FConfig& Config, std::vector<FDiagnos
 		{
 			Messages.Error(ErrorFileMissing, Plugin.Place, "the plugin " + Given + " cannot be read: " + Problem);
 		}
-		else if (Load(Plugin, Path, Messages))
+		else if (Load(Plugin, Path, Values, Messages))
 		{
-			Paths.push_back(Path);
+			Loaded.Files.push_back(Path);
 		}
 	}
-	return Paths;
+	Values.ReportUnknownClasses(Loaded.Files.size() == Config.Plugins.size());
+	Loaded.IniVariables = Values.GetVariables();
+	return Loaded;
 }
 
 void RefusePlugins(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics)

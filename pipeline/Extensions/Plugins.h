@@ -4,6 +4,7 @@
 #pragma once
 
 #include "Config/Config.h"
+#include "Objects/ObjectValues.h"
 
 #include <string>
 #include <vector>
@@ -11,10 +12,16 @@
 namespace Drydock
 {
 
-/** Loads what Config.Plugins names and is not loaded yet, and starts its modules. Returns the files, for
- * FFrameInputs::Plugins. What does not exist or cannot be loaded is an error in Diagnostics and left out; what is
- * doubtful is a warning there. */
-DRYDOCK_API std::vector<std::string> LoadPlugins(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics);
+struct FLoadedPlugins
+{
+	std::vector<std::string> Files;         // for FFrameInputs::Plugins
+	std::vector<FIniVariable> IniVariables; // that their ini files set
+};
+
+/** Loads what Config.Plugins names and is not loaded yet, gives its classes the values of its ini files and of
+ * Config.Objects, and starts its modules. What does not exist or cannot be loaded is an error in Diagnostics and left
+ * out; what is doubtful is a warning there. */
+DRYDOCK_API FLoadedPlugins LoadPlugins(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics);
 
 /** In place of that, for a config that is not trusted with code: each plugin that it names is an error. */
 void RefusePlugins(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics);

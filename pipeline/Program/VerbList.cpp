@@ -4,16 +4,20 @@
 #include "Config/SettingList.h"
 #include "Effects/Effects.h"
 #include "GlobalShader.h"
+#include "PostProcessSettingsReflection.h"
+#include "Program/ProgramOutput.h"
 #include "Program/ExtensionList.h"
 #include "Program/VariableList.h"
 #include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
+#include "Run/RunSetup.h"
 #include "Text/JsonWriter.h"
 #include "Text/TextFormat.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <strings.h>
 
 namespace Drydock
@@ -128,6 +132,13 @@ int PrintList(const FListOptions& ListOptions)
 	}
 	if (Things == "settings")
 	{
+		// Its plugins may bring settings.
+		std::optional<FRunSetup> Setup;
+		if (!Run.ConfigFile.empty())
+		{
+			Setup.emplace(Run);
+			PrintDiagnostics(Setup->Diagnostics);
+		}
 		const std::vector<const FSettingField*> Fields = FindSettingFields(Filter);
 		if (Fields.empty())
 		{
@@ -180,7 +191,9 @@ FVerbCall AddOptions(CLI::App& Verb)
 	Verb.add_option("FILTER", Options->Filter,
 		"Only names that contain this, or match it where it has * or ? (settings, cvars), ignoring case; for hooks a "
 		"config, whose chain is listed");
-	Verb.add_option("--config", Options->Run.ConfigFile, "cvars: as this config sets them")->type_name("CONFIG");
+	Verb.add_option(
+			"--config", Options->Run.ConfigFile, "cvars: as this config sets them; settings: with those of its plugins")
+		->type_name("CONFIG");
 	AddVariables(Verb, Options->Run);
 	AddTrust(Verb, Options->Run);
 	Verb.add_flag("--json", Options->bJson, "Print an array of objects");

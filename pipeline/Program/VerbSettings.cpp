@@ -3,6 +3,7 @@
 
 #include "Config/ReadConfig.h"
 #include "Config/SettingsJson.h"
+#include "Extensions/Plugins.h"
 #include "PostProcessSettingsReflection.h"
 #include "Program/ProgramOutput.h"
 #include "Program/VerbOptions.h"
@@ -25,6 +26,7 @@ namespace
 
 struct FImportOptions
 {
+	FRunOptions Run;       // of --config
 	std::string File;      // engine text; "-": stdin
 	bool bUpgrade = false; // as the engine upgrades old assets
 	bool bJson = false;
@@ -145,7 +147,13 @@ std::vector<FVolumeText> BlendVolume(const FExportOptions& Options)
 
 std::vector<FVolumeText> LoadVolumes(const FExportOptions& Options, std::vector<FDiagnostic>& Diagnostics)
 {
-	const FConfig Config = LoadConfig(Options.File, Diagnostics);
+	const FConfigDocument Document = LoadConfigDocument(Options.File);
+	const FConfig OfPlugins = ReadConfigPlugins(Document);
+	if (!Options.Run.bNoPlugins)
+	{
+		LoadPlugins(OfPlugins, Diagnostics); // they may bring settings
+	}
+	const FConfig Config = ReadConfig(Document, Diagnostics);
 	if (HasErrors(Diagnostics))
 	{
 		throw FError(Diagnostics, ExitUsage);
@@ -158,6 +166,11 @@ int Import(const FImportOptions& Options)
 {
 	const std::string File = Options.File == "-" ? "<stdin>" : Options.File;
 	std::vector<FDiagnostic> Diagnostics;
+	std::optional<FRunSetup> Setup;
+	if (!Options.Run.ConfigFile.empty())
+	{
+		Setup.emplace(Options.Run); // its plugins may bring settings
+	}
 	std::vector<FVolumeText> Volumes = ReadVolumesText(ReadText(Options.File), File, Diagnostics);
 	const bool bBroken = HasErrors(Diagnostics);
 	if (bBroken)
@@ -221,6 +234,9 @@ FVerbCall AddImportOptions(CLI::App& Verb)
 	Verb.add_option("TEXT", Options->File, "File of engine text, or - for stdin")->required();
 	Verb.add_flag("--upgrade", Options->bUpgrade,
 		"As the engine upgrades assets from before convolution bloom had an intensity: BM_FFT sets intensities to 1");
+	Verb.add_option("--config", Options->Run.ConfigFile, "With the settings that this config's plugins add")
+		->type_name("CONFIG");
+	AddTrust(Verb, Options->Run);
 	Verb.add_flag("--json", Options->bJson, "Print an object of volumes and messages");
 	return [Options]
 	{

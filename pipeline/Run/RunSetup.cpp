@@ -173,7 +173,7 @@ void MentionPlugins(std::vector<FDiagnostic>& Diagnostics)
 	for (FDiagnostic& Diagnostic : Diagnostics)
 	{
 		if (Diagnostic.Code == ErrorUnknownVariable || Diagnostic.Code == ErrorUnknownExtension ||
-			Diagnostic.Code == ErrorUnknownPass)
+			Diagnostic.Code == ErrorUnknownPass || Diagnostic.Code == ErrorUnknownSetting)
 		{
 			Diagnostic.Message += " (or a plugin has it that could not be loaded)";
 		}
@@ -359,13 +359,16 @@ FRunSetup::FRunSetup(const FRunOptions& Options, ESceneNeed InNeed)
 		throw FError(Document.Diagnostics, ExitUsage); // what stands behind it was not read
 	}
 	const FConfig OfPlugins = ReadConfigPlugins(Document);
+	std::vector<FIniVariable> IniVariables;
 	if (Options.bNoPlugins)
 	{
 		RefusePlugins(OfPlugins, OfConfig);
 	}
 	else
 	{
-		Plugins = LoadPlugins(OfPlugins, OfConfig);
+		FLoadedPlugins Loaded = LoadPlugins(OfPlugins, OfConfig);
+		Plugins = std::move(Loaded.Files);
+		IniVariables = std::move(Loaded.IniVariables);
 	}
 	const bool bPluginLacks = HasErrors(OfConfig);
 	Variables.emplace(); // with those that plugins brought
@@ -383,6 +386,7 @@ FRunSetup::FRunSetup(const FRunOptions& Options, ESceneNeed InNeed)
 		MentionPlugins(Diagnostics);
 	}
 	ThrowErrors(Config, Diagnostics);
+	ApplyIniVariables(IniVariables, OfExtensions);
 	ApplyVariables(Config, OfRun.Options, *Variables, OfExtensions);
 	Extensions = CreateExtensions(Requests, PassRequests);
 	TextureLoader.emplace(MakeTextureLoader(Config));

@@ -24,8 +24,8 @@ const std::map<std::string, FSteps> GRooms = {
 	{"rdg", {{"Core"}, {"Kernel"}, {"RHI"}, {"Lanes"}, {"Spirv"}, {"ShaderCompiler"}, {"Shader"}, {"Graph"},
 				{"Binding"}, {"GraphUtils"}}},
 	{"passes", {{"Scene"}, {"Screen"}, {"Blur"}, {"Exposure"}, {"Bloom"}, {"Tonemap"}, {"Lens"}, {"Toon"}, {"Native"}}},
-	{"pipeline", {{"Text"}, {"Picture"}, {"Config"}, {"SceneFile"}, {"Effects"}, {"Extensions"}, {"Chain"}, {"Frame"},
-					 {"Budget"}, {"Run"}, {"Sequence", "Study", "Blend", "Patch", "Import"}, {"Program"}}},
+	{"pipeline", {{"Text"}, {"Picture"}, {"Config"}, {"Objects"}, {"SceneFile"}, {"Effects"}, {"Extensions"}, {"Chain"},
+					 {"Frame"}, {"Budget"}, {"Run"}, {"Sequence", "Study", "Blend", "Patch", "Import"}, {"Program"}}},
 };
 
 /** The folders of a path from the root. */

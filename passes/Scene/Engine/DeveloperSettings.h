@@ -1,5 +1,5 @@
-// Project settings: read with GetDefault<T>(). No ini file is read; the values are those of the constructor. Source:
-// engine file Engine/DeveloperSettings.h.
+// Project settings: read with GetDefault<T>(). Values are those of the constructor, of the plugin's Config/Default*.ini
+// and of a config's "objects" (docs/plugins.md). Source: engine file Engine/DeveloperSettings.h.
 #pragma once
 
 #include "CoreMinimal.h"
@@ -18,14 +18,14 @@ public:
 	virtual FName GetContainerName() const { return FName(TEXT("Project")); }
 	virtual FName GetCategoryName() const { return CategoryName; }
 	virtual FName GetSectionName() const { return SectionName; }
-	/** Nothing is written. */
+	/** Nothing is written, and ini files are read once, when the plugin is loaded. */
 	void SaveConfig() {}
 	void LoadConfig() {}
 	bool TryUpdateDefaultConfigFile(const FString& = FString(), bool = true) { return false; }
 };
 
-/** In the engine console variables and fields follow each other (meta ConsoleVariable); here the fields keep the values
- * of the constructor. */
+/** In the engine console variables and fields follow each other (meta ConsoleVariable); here the fields are as those of
+ * any settings, and move no variable. */
 class DRYDOCK_API UDeveloperSettingsBackedByCVars : public UDeveloperSettings
 {
 public:

@@ -71,6 +71,7 @@ public:
 	T* SpawnActor()
 	{
 		const std::shared_ptr<T> Actor = std::make_shared<T>();
+		Drydock::FinishNewObject(*Actor, typeid(T));
 		AddActor(Actor);
 		return Actor.get();
 	}

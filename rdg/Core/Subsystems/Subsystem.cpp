@@ -83,6 +83,7 @@ void StartEntry(FEntry& Entry)
 	std::unique_ptr<USubsystem> Object(Entry.Class.Make());
 	Object->SetFName(Entry.Class.Name);
 	Object->SetOuter(Outer);
+	FinishNewObject(*Object, *Entry.Class.Type);
 	if (Object->ShouldCreateSubsystem(Outer))
 	{
 		Entry.Object = std::move(Object);

@@ -8,10 +8,20 @@
 #include "UObject/ObjectMacros.h"
 #include "UObject/UObjectBase.h"
 
+#include <typeinfo>
 #include <vector>
 
 class UObject;
 class UWorld;
+
+namespace Drydock
+{
+
+/** Ours: gives a new object of a class what its default object was given by a config or an ini file, and calls
+ * PostInitProperties. Type: the class. */
+DRYDOCK_API void FinishNewObject(UObject& Object, const std::type_info& Type);
+
+} // namespace Drydock
 
 /** A property and how it was changed, in the engine's editor. */
 class FProperty
@@ -51,6 +61,7 @@ public:
 	explicit UObject(const FObjectInitializer&) {}
 
 	virtual UWorld* GetWorld() const { return nullptr; }
+	/** Called once the object has its values: those of its constructor, then those given by ini files and config. */
 	virtual void PostInitProperties() {}
 	virtual void PostLoad() {}
 	virtual void BeginDestroy() {}
@@ -69,6 +80,7 @@ public:
 		Result->SetFName(SubobjectName);
 		Result->SetOuter(this);
 		Parts.push_back(Part);
+		Drydock::FinishNewObject(*Result, typeid(T));
 		return Result;
 	}
 	FString GetName() const { return Name.ToString(); }
@@ -115,6 +127,7 @@ T* NewObject(UObject* Outer = nullptr, FName Name = NAME_None)
 	T* Object = new T();
 	Object->SetFName(Name);
 	Object->SetOuter(Outer);
+	Drydock::FinishNewObject(*Object, typeid(T));
 	return Object;
 }
 

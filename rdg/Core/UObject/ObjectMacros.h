@@ -1,9 +1,19 @@
-// The macros that Unreal's header tool reads. There is no reflection here, so most say nothing to the compiler; the
-// metadata in them may be anything. In a plugin built with drydock_add_plugin the generated header of a class gives
-// GENERATED_BODY its Super and ThisClass. Source: engine UObject/ObjectMacros.h.
+// The macros that Unreal's header tool reads. Most say nothing to the compiler; the metadata in them may be anything.
+// In a plugin built with drydock_add_plugin the generated header of a class gives GENERATED_BODY its Super and
+// ThisClass, and the fields marked UPROPERTY are known by name and type (UObject/Reflection.h). Source: engine
+// UObject/ObjectMacros.h.
 #pragma once
 
 #include "CoreTypes.h"
+
+namespace Drydock
+{
+
+/** What generated code says of a class: a friend of it, so that private fields are seen (UObject/Reflection.h). */
+template<typename T>
+struct TReflected;
+
+} // namespace Drydock
 
 // A generated header sets CURRENT_FILE_ID and defines, for the line of each GENERATED_BODY, a macro `, <text>`. Where
 // there is none (no generated header, or one of another line) the second argument is empty, and so is the body.

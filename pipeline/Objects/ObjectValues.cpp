@@ -1,0 +1,421 @@
+// Finds the classes that ini files and "objects" mean, and gives them their values.
+#include "Objects/ObjectValues.h"
+
+#include "Config/ConfigReader.h"
+#include "HAL/ConsoleVariableTools.h"
+#include "Interfaces/IPluginManager.h"
+#include "Objects/IniText.h"
+#include "Objects/ObjectErrors.h"
+#include "Objects/PropertyText.h"
+#include "RegularFile.h"
+#include "UObject/Reflection.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <strings.h>
+
+namespace Drydock
+{
+
+namespace
+{
+
+namespace Files = std::filesystem;
+
+bool IsSame(const std::string& A, const std::string& B)
+{
+	return strcasecmp(A.c_str(), B.c_str()) == 0;
+}
+
+/** "MySettings" and "UMySettings" mean UMySettings. */
+bool IsNameOf(const std::string& Name, const FReflectedStruct& Class)
+{
+	return IsSame(Name, Class.Name) || IsSame(Name, Class.Name + 1);
+}
+
+/** The class of "/Script/Module.Class"; other names as they are. */
+std::string GetClassName(const std::string& Name)
+{
+	return Name.starts_with("/Script/") ? Name.substr(Name.rfind('.') + 1) : Name;
+}
+
+FPropertyValue MakeValue(const FJsonValue& Json)
+{
+	FPropertyValue Value;
+	switch (Json.Type)
+	{
+	case EJsonType::Bool:
+		return FPropertyValue::MakeBool(Json.Bool);
+	case EJsonType::Number:
+		return FPropertyValue::MakeNumber(Json.Number);
+	case EJsonType::String:
+		return FPropertyValue::MakeText(Json.String);
+	case EJsonType::Array:
+		Value = FPropertyValue::MakeList();
+		for (const FJsonValue& Element : Json.Elements)
+		{
+			Value.Items.emplace_back("", MakeValue(Element));
+		}
+		return Value;
+	case EJsonType::Object:
+		Value = FPropertyValue::MakeFields();
+		for (const FJsonMember& Member : Json.Members)
+		{
+			Value.Items.emplace_back(Member.Key, MakeValue(Member.Value));
+		}
+		return Value;
+	case EJsonType::Null:
+	case EJsonType::Invalid:
+		break;
+	}
+	return Value;
+}
+
+bool ContainsInvalid(const FJsonValue& Value)
+{
+	return Value.Type == EJsonType::Invalid ||
+		   std::any_of(Value.Elements.begin(), Value.Elements.end(), ContainsInvalid) ||
+		   std::any_of(Value.Members.begin(), Value.Members.end(),
+			   [](const FJsonMember& Member) { return ContainsInvalid(Member.Value); });
+}
+
+/** The value that a path ("/Colors/2") leads to from Value on. */
+const FJsonValue& FindAt(const FJsonValue& Value, const std::string& Path)
+{
+	const size_t End = std::min(Path.find('/', 1), Path.size());
+	const std::string Step = Path.empty() ? "" : Path.substr(1, End - 1);
+	if (Value.Type == EJsonType::Object && Value.Find(Step) != nullptr)
+	{
+		return FindAt(*Value.Find(Step), Path.substr(End));
+	}
+	if (Value.Type == EJsonType::Array && !Step.empty())
+	{
+		return FindAt(Value.Elements.at(std::stoul(Step)), Path.substr(End));
+	}
+	return Value;
+}
+
+/** Names of a plugin that its classes may stand under, and its folders. */
+struct FPluginFolders
+{
+	std::vector<std::string> Names;
+	std::vector<std::string> Folders;
+};
+
+FPluginFolders FindPluginFolders(const std::string& Library)
+{
+	FPluginFolders Found;
+	for (const TSharedRef<IPlugin>& Plugin : IPluginManager::Get().GetEnabledPlugins())
+	{
+		if (*Plugin->GetLibrary() == Library)
+		{
+			Found.Names.emplace_back(*Plugin->GetName());
+			const std::string Folder = *Plugin->GetBaseDir();
+			if (std::find(Found.Folders.begin(), Found.Folders.end(), Folder) == Found.Folders.end())
+			{
+				Found.Folders.push_back(Folder);
+			}
+		}
+	}
+	return Found;
+}
+
+/** Default*.ini of a folder, in the order of their names. */
+std::vector<std::string> ListIniFiles(const Files::path& Folder)
+{
+	std::vector<std::string> Paths;
+	std::error_code None; // no folder: no files
+	for (const Files::directory_entry& Entry : Files::directory_iterator(Folder, None))
+	{
+		const std::string Name = Entry.path().filename().string();
+		if (Name.starts_with("Default") && Name.ends_with(".ini"))
+		{
+			Paths.push_back(Entry.path().string());
+		}
+	}
+	std::sort(Paths.begin(), Paths.end());
+	return Paths;
+}
+
+/** Of UCLASS(config=Game): "Game". It goes down to derived classes, which may name another. */
+std::string FindConfigName(const FReflectedStruct& Class)
+{
+	const FReflectedStruct* Each = &Class;
+	while (Each != nullptr && (Each->Config[0] == '\0' || IsSame(Each->Config, "inherit")))
+	{
+		Each = Each->Super != nullptr ? FReflection::Get().FindStruct(*Each->Super) : nullptr;
+	}
+	return Each != nullptr ? Each->Config : "";
+}
+
+/** Gives the classes of one plugin what one ini file says. */
+class FIniGiver
+{
+public:
+	FIniGiver(const std::string& Library, const std::string& InFile, std::vector<FDiagnostic>& InDiagnostics)
+		: File(InFile)
+		, Diagnostics(InDiagnostics)
+		, Classes(FReflection::Get().FindClasses(Library))
+		, ModuleNames(FindPluginFolders(Library).Names)
+		, Category(Files::path(InFile).stem().string().substr(std::string("Default").size()))
+	{
+		for (const FReflectedStruct* const Class : Classes)
+		{
+			ModuleNames.emplace_back(Class->Module);
+		}
+	}
+
+	void Give(const FIniSection& Section, std::vector<FIniVariable>& OutVariables)
+	{
+		const bool bProject = IsSame(Section.Name, "/Script/Engine.RendererSettings");
+		if (bProject || IsSame(Section.Name, "SystemSettings") || IsSame(Section.Name, "ConsoleVariables"))
+		{
+			ReadVariables(Section, bProject ? ECVF_SetByProjectSetting : ECVF_SetBySystemSettingsIni, OutVariables);
+			return;
+		}
+		const size_t Dot = Section.Name.rfind('.');
+		if (strncasecmp(Section.Name.c_str(), "/Script/", 8) != 0 || Dot == std::string::npos)
+		{
+			return; // of code that reads it by itself
+		}
+		const std::string Module = Section.Name.substr(8, Dot - 8);
+		if (std::none_of(
+				ModuleNames.begin(), ModuleNames.end(), [&](const std::string& Name) { return IsSame(Name, Module); }))
+		{
+			return; // of another plugin or the engine
+		}
+		const auto Class = std::find_if(Classes.begin(), Classes.end(),
+			[&](const FReflectedStruct* Each) { return IsNameOf(Section.Name.substr(Dot + 1), *Each); });
+		if (Class == Classes.end())
+		{
+			std::vector<std::string> Names;
+			std::transform(Classes.begin(), Classes.end(), std::back_inserter(Names),
+				[](const FReflectedStruct* Each) { return Each->Name + 1; });
+			Warn(GetLine(Section), "the plugin has no class " + Section.Name.substr(Dot + 1) +
+									   Suggest(Section.Name.substr(Dot + 1), Names));
+			return;
+		}
+		GiveClass(Section, **Class);
+	}
+
+private:
+	static int GetLine(const FIniSection& Section)
+	{
+		for (const FIniKey& Key : Section.Keys)
+		{
+			if (!Key.Values.empty())
+			{
+				return Key.Values[0].Line;
+			}
+		}
+		return 0;
+	}
+
+	void Warn(int Line, const std::string& Message)
+	{
+		AddDiagnostic(Diagnostics,
+			{.Severity = ESeverity::Warning, .Code = WarnIniValue, .Message = Message, .File = File, .Line = Line});
+	}
+
+	void ReadVariables(
+		const FIniSection& Section, EConsoleVariableFlags SetBy, std::vector<FIniVariable>& OutVariables) const
+	{
+		if (!IsSame(Category, "Engine"))
+		{
+			return; // the engine asks its own ini alone
+		}
+		for (const FIniKey& Key : Section.Keys)
+		{
+			for (const FIniValue& Value : Key.Values)
+			{
+				OutVariables.push_back({Key.Name, Value.Text, SetBy, File, Value.Line});
+			}
+		}
+	}
+
+	void GiveClass(const FIniSection& Section, const FReflectedStruct& Class)
+	{
+		const std::string Wanted = FindConfigName(Class);
+		if (!IsSame(Wanted, Category))
+		{
+			Warn(GetLine(Section),
+				Wanted.empty()
+					? std::string(Class.Name) + " is no UCLASS(config=" + Category + "): nothing of it is read"
+					: std::string(Class.Name) + " is a UCLASS(config=" + Wanted +
+						  "), whose values are read from Default" + Wanted + ".ini alone");
+			return;
+		}
+		for (const FIniKey& Key : Section.Keys)
+		{
+			GiveKey(Key, Class);
+		}
+	}
+
+	void GiveKey(const FIniKey& Key, const FReflectedStruct& Class)
+	{
+		const int Line = Key.Values.empty() ? 0 : Key.Values[0].Line;
+		const std::string FullName = std::string(Class.Name) + "::" + Key.Name;
+		const FFoundProperty Found = FReflection::Get().FindProperty(Class, Key.Name, true);
+		if (Found.Property == nullptr)
+		{
+			Warn(Line, std::string(Class.Name) + " has no UPROPERTY " + Key.Name +
+						   Suggest(Key.Name, FReflection::Get().GetPropertyNames(Class)));
+			return;
+		}
+		if (!Found.Property->bConfig)
+		{
+			Warn(Line, FullName + " is no UPROPERTY(config): it keeps its value");
+			return;
+		}
+		const std::optional<FPropertyValue> Value = ReadPropertyText(*Found.Property->Type, Key.Values);
+		FPropertyProblem Problem;
+		if (!Value)
+		{
+			Warn(Line, FullName + ": expected " + DescribeExpected(*Found.Property->Type) + ", found " +
+						   (Key.Values.empty() ? "nothing" : Key.Values[0].Text));
+		}
+		else if (!FReflection::Get().Give(Class, Found.Property->Name, *Value, Problem))
+		{
+			Warn(Line, Problem.Message + (Problem.Path.empty() ? "" : " (at " + FullName + Problem.Path + ")"));
+		}
+	}
+
+	const std::string& File;
+	std::vector<FDiagnostic>& Diagnostics;
+	std::vector<const FReflectedStruct*> Classes;
+	std::vector<std::string> ModuleNames;
+	std::string Category; // "Game" of DefaultGame.ini
+};
+
+} // namespace
+
+FObjectValues::FObjectValues(const FConfig& InConfig, std::vector<FDiagnostic>& InDiagnostics)
+	: Config(InConfig)
+	, Diagnostics(InDiagnostics)
+{
+	FReflection::Get().TakeBack();
+}
+
+void FObjectValues::GiveTo(const std::string& Library)
+{
+	for (const FReflectedStruct* const Class : FReflection::Get().FindClasses(Library))
+	{
+		ClassNames.emplace_back(Class->Name);
+	}
+	for (const std::string& Folder : FindPluginFolders(Library).Folders)
+	{
+		for (const std::string& Path : ListIniFiles(Files::path(Folder) / "Config"))
+		{
+			GiveIniFile(Library, Path);
+		}
+	}
+	GiveObjects(Library);
+	FReflection::Get().FinishDefaults(Library);
+}
+
+void FObjectValues::GiveIniFile(const std::string& Library, const std::string& Path)
+{
+	const FFileBytes Read = ReadRegularFile(Path);
+	const bool bWide = Read.Bytes && (Read.Bytes->starts_with("\xFF\xFE") || Read.Bytes->starts_with("\xFE\xFF") ||
+										 Read.Bytes->find('\0') != std::string::npos);
+	if (!Read.Bytes || bWide)
+	{
+		AddDiagnostic(
+			Diagnostics, {.Severity = ESeverity::Warning,
+							 .Code = WarnIniFile,
+							 .Message = Read.bTooLarge ? "the ini file has more than 16 MB; it is left out"
+										: bWide ? "the ini file is not UTF-8 (UTF-16, or no text); it is left out"
+												: "the ini file cannot be read: " + Read.Problem,
+							 .File = Path});
+		return;
+	}
+	FIniGiver Giver(Library, Path, Diagnostics);
+	for (const FIniSection& Section : ReadIniText(*Read.Bytes, Path, Diagnostics))
+	{
+		Giver.Give(Section, Variables);
+	}
+}
+
+void FObjectValues::GiveObjects(const std::string& Library)
+{
+	FConfigMessages Messages(Config.File, Diagnostics);
+	for (const FJsonMember& Object : Config.Objects.Members)
+	{
+		for (const FReflectedStruct* const Class : FReflection::Get().FindClasses(Library))
+		{
+			if (!IsNameOf(GetClassName(Object.Key), *Class))
+			{
+				continue;
+			}
+			Taken.insert(Object.Key);
+			for (const FJsonMember& Member : Object.Value.Members)
+			{
+				FPropertyProblem Problem;
+				if (ContainsInvalid(Member.Value) ||
+					FReflection::Get().Give(*Class, Member.Key, MakeValue(Member.Value), Problem))
+				{
+					continue;
+				}
+				const FJsonValue& At = FindAt(Member.Value, Problem.Path);
+				if (Problem.Kind == FPropertyProblem::EKind::UnknownProperty)
+				{
+					Messages.ErrorAtKey(ErrorUnknownProperty, At, Problem.Message);
+				}
+				else
+				{
+					const bool bNotGiven = Problem.Kind == FPropertyProblem::EKind::NotGiven;
+					Messages.Error(bNotGiven ? ErrorPropertyNotGiven : ErrorPropertyValue, At, Problem.Message);
+				}
+			}
+			break;
+		}
+	}
+}
+
+void FObjectValues::ReportUnknownClasses(bool bAllLoaded)
+{
+	FConfigMessages Messages(Config.File, Diagnostics);
+	for (const FJsonMember& Object : Config.Objects.Members)
+	{
+		if (Taken.count(Object.Key) != 0)
+		{
+			continue;
+		}
+		const std::string Lacking = ClassNames.empty() ? "; no loaded plugin has a UCLASS with a generated header" : "";
+		Messages.ErrorAtKey(ErrorUnknownClass, Object.Value,
+			"no plugin has a class " + Object.Key + Messages.Suggest(GetClassName(Object.Key), ClassNames) +
+				(bAllLoaded ? Lacking : " (or a plugin has it that was not loaded)"));
+	}
+}
+
+void ApplyIniVariables(const std::vector<FIniVariable>& Variables, std::vector<FDiagnostic>& Diagnostics)
+{
+	for (const FIniVariable& Variable : Variables)
+	{
+		FDiagnostic Message = {
+			.Severity = ESeverity::Warning, .Code = WarnIniValue, .File = Variable.File, .Line = Variable.Line};
+		IConsoleVariable* const Found = IConsoleManager::Get().FindConsoleVariable(Variable.Name.c_str());
+		if (Found == nullptr)
+		{
+			Message.Severity = ESeverity::Note;
+			Message.Code = NoteIniVariable;
+			Message.Message = "there is no console variable " + Variable.Name + " here; it is left out";
+		}
+		else if (!DoesConsoleVariableTake(*Found, Variable.Value.c_str()))
+		{
+			Message.Message = Variable.Name + " cannot be \"" + Variable.Value + "\"; it keeps its value";
+		}
+		else if (DescribeRefusedSet(Variable.Name.c_str(), *Found, Variable.SetBy).IsEmpty())
+		{
+			Found->Set(Variable.Value.c_str(), Variable.SetBy);
+			continue;
+		}
+		else
+		{
+			continue; // who set it before comes later in the engine's order
+		}
+		AddDiagnostic(Diagnostics, Message);
+	}
+}
+
+} // namespace Drydock

@@ -1,0 +1,60 @@
+// Values for a plugin's own objects: what the ini files in its folder Config say, then what the config says under
+// "objects". They reach a class's default object and its subsystem before the plugin's modules start, and every object
+// of the class that is made later. Source of the rules of ini files: Epic's page "Configuration Files".
+#pragma once
+
+#include "Config/Config.h"
+#include "HAL/IConsoleManager.h"
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+struct FReflectedStruct;
+
+/** A console variable that an ini file sets. */
+struct FIniVariable
+{
+	std::string Name;
+	std::string Value;
+	EConsoleVariableFlags SetBy = ECVF_SetBySystemSettingsIni;
+	std::string File;
+	int Line = 0;
+};
+
+/** The values of one run. */
+class DRYDOCK_API FObjectValues
+{
+public:
+	/** Takes back what an earlier run gave. Both arguments must outlive this. */
+	FObjectValues(const FConfig& InConfig, std::vector<FDiagnostic>& InDiagnostics);
+
+	/** Gives the classes of a loaded plugin theirs. Library: its file name. A mistake of the config is an error, one of
+	 * an ini file a warning. */
+	void GiveTo(const std::string& Library);
+
+	/** Once all plugins are there: names of "objects" that none of them has are errors. bAllLoaded: no plugin is
+	 * missing. */
+	void ReportUnknownClasses(bool bAllLoaded);
+
+	/** What ini files of all plugins set, in their order. */
+	const std::vector<FIniVariable>& GetVariables() const { return Variables; }
+
+private:
+	void GiveIniFile(const std::string& Library, const std::string& Path);
+	void GiveObjects(const std::string& Library);
+
+	const FConfig& Config;
+	std::vector<FDiagnostic>& Diagnostics;
+	std::vector<FIniVariable> Variables;
+	std::set<std::string> Taken; // keys of "objects" that some plugin has
+	std::vector<std::string> ClassNames;
+};
+
+/** Sets them; what cannot be set is said. */
+DRYDOCK_API void ApplyIniVariables(const std::vector<FIniVariable>& Variables, std::vector<FDiagnostic>& Diagnostics);
+
+} // namespace Drydock

@@ -1,0 +1,20 @@
+// Values of an ini file as the property they are for wants them: numbers, True and False, names, and the engine's text
+// of structs and arrays, (X=1,Y=2) and (1,2,3).
+#pragma once
+
+#include "Objects/IniText.h"
+#include "UObject/Reflection.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+/** The value for a property of that type; nothing where the text is of no form that it could have. Whether the property
+ * takes the value, WriteProperty says. */
+DRYDOCK_API std::optional<FPropertyValue> ReadPropertyText(
+	const FPropertyType& Type, const std::vector<FIniValue>& Values);
+
+} // namespace Drydock

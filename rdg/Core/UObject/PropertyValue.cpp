@@ -1,0 +1,41 @@
+// Numbers as properties take them, and words for messages.
+#include "UObject/PropertyValue.h"
+
+#include <cmath>
+
+namespace Drydock
+{
+
+FPropertyValue FPropertyValue::MakeNumber(double Value)
+{
+	// 2^63: what is below it and whole is an int64.
+	constexpr double End = 9223372036854775808.0;
+	if (Value == std::floor(Value) && Value >= -End && Value < End)
+	{
+		return MakeWhole(static_cast<int64>(Value));
+	}
+	return {.Kind = EKind::Real, .Real = Value};
+}
+
+const char* FPropertyValue::Describe() const
+{
+	switch (Kind)
+	{
+	case EKind::None:
+		return "nothing";
+	case EKind::Bool:
+		return bBool ? "true" : "false";
+	case EKind::Whole:
+	case EKind::Real:
+		return "a number";
+	case EKind::Text:
+		return "a text";
+	case EKind::List:
+		return "a list";
+	case EKind::Fields:
+		return "named values";
+	}
+	return "?";
+}
+
+} // namespace Drydock

@@ -1,0 +1,531 @@
+// What is known at run time of a plugin's classes, structs and enums: the names and types of their UPROPERTY fields, so
+// that a config's "objects" and ini files can give them values. drydock_add_plugin generates the code that registers
+// them (NAME.gen.cpp) from the headers; nobody else includes this. Source of the idea: engine UObject/Class.h and
+// UnrealType.h; names and shape are drydock's own.
+#pragma once
+
+#include "CoreMinimal.h"
+#include "UObject/Object.h"
+#include "UObject/PropertyValue.h"
+
+#include <array>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <typeinfo>
+#include <vector>
+
+namespace Drydock
+{
+
+enum class EPropertyKind : uint8
+{
+	Bool,
+	Whole,
+	Real,
+	Text, // FString, FName
+	Enum,
+	Vector, // colours, vectors, points, rotators: a number for each component
+	Array,  // TArray of any kind but itself
+	Struct, // a USTRUCT, or a type that nothing is known of
+	Object, // a pointer to an object or to an asset
+	Other,  // an array of fixed length and the like
+};
+
+/** How values of a type are read and written. Address is that of the value; of a bit field that of the object. */
+struct FPropertyType
+{
+	EPropertyKind Kind = EPropertyKind::Other;
+
+	// Bool, Whole, Enum
+	int64 (*GetWhole)(const void* Address) = nullptr;
+	void (*SetWhole)(void* Address, int64 Value) = nullptr;
+	// Whole; of Vector where its components are whole
+	int64 Least = 0;
+	int64 Most = 0;
+
+	// Real: Component 0; Vector
+	double (*GetReal)(const void* Address, int32 Component) = nullptr;
+	void (*SetReal)(void* Address, int32 Component, double Value) = nullptr;
+	bool bFloat = false;                 // Real, Vector: what a float cannot hold is refused
+	bool bWholeComponents = false;       // Vector
+	std::vector<std::string> Names = {}; // of components
+	bool bLastMayBeMissing = false;      // the alpha of a colour: 1, or 255
+
+	// Text
+	std::string (*GetText)(const void* Address) = nullptr;
+	void (*SetText)(void* Address, const std::string& Text) = nullptr;
+
+	// Enum, Struct: whose names are registered under it
+	const std::type_info* Type = nullptr;
+
+	// Array
+	const FPropertyType* Element = nullptr;
+	int32 (*GetNum)(const void* Address) = nullptr;
+	void (*Reset)(void* Address, int32 Num) = nullptr; // to Num new elements
+	void* (*GetElement)(void* Address, int32 Index) = nullptr;
+};
+
+/** A UPROPERTY. */
+struct FReflectedProperty
+{
+	const TCHAR* Name = nullptr;
+	const TCHAR* TypeName = nullptr; // as the header has it
+	bool bConfig = false;            // UPROPERTY(config)
+	const FPropertyType* Type = nullptr;
+	void* (*GetAddress)(void* Container) = nullptr;
+};
+
+struct FReflectedEnum
+{
+	const TCHAR* Name = nullptr;
+	const std::type_info* Type = nullptr;
+	std::vector<std::pair<const TCHAR*, int64>> Values;
+};
+
+/** A UCLASS or a USTRUCT. */
+struct FReflectedStruct
+{
+	const TCHAR* Name = nullptr;   // "UMySettings"
+	const TCHAR* Module = nullptr; // "MyPlugin"
+	const TCHAR* Config = nullptr; // of UCLASS(config=Game): "Game"; else empty
+	const std::type_info* Type = nullptr;
+	const std::type_info* Super = nullptr; // null: none
+	void* (*ToSuper)(void* Container) = nullptr;
+	UObject* (*GetDefault)() = nullptr; // null: a struct, or a class that cannot be made
+	void* (*FromObject)(UObject* Object) = nullptr;
+	std::vector<FReflectedProperty> Properties = {};
+};
+
+/** A property, and how to get from an object of some class to the class that has it. */
+struct FFoundProperty
+{
+	const FReflectedProperty* Property = nullptr;
+	std::vector<void* (*)(void*)> Steps;
+
+	DRYDOCK_API void* GetAddress(void* Container) const;
+};
+
+/** Why a value was not taken. */
+struct FPropertyProblem
+{
+	enum class EKind : uint8
+	{
+		UnknownProperty,
+		WrongValue,
+		NotGiven, // of a type that a config cannot give
+	};
+	EKind Kind = EKind::WrongValue;
+	std::string Path;    // from the value on: "/Colors/2/R"; empty: the value itself
+	std::string Message; // one sentence
+};
+
+/** All that is registered. Plugins come and go on one thread. */
+class DRYDOCK_API FReflection
+{
+public:
+	static FReflection& Get();
+
+	void Register(const FReflectedStruct& Struct);
+	void Register(const FReflectedEnum& Enum);
+	/** With the values that were given to it. */
+	void Unregister(const FReflectedStruct& Struct);
+	void Unregister(const FReflectedEnum& Enum);
+
+	/** Classes of a plugin, by the file name of its shared object, in the order of registration. */
+	std::vector<const FReflectedStruct*> FindClasses(const std::string& Plugin) const;
+	/** Null: nothing is known of the type. */
+	const FReflectedStruct* FindStruct(const std::type_info& Type) const;
+	const FReflectedEnum* FindEnum(const std::type_info& Type) const;
+
+	/** Of a class and those it is derived from; ignoring case where bIgnoreCase. Property null: there is none. */
+	FFoundProperty FindProperty(const FReflectedStruct& Struct, const std::string& Name, bool bIgnoreCase) const;
+	std::vector<std::string> GetPropertyNames(const FReflectedStruct& Struct) const;
+
+	/** Gives a property of a class's default object, and of its subsystem, a value; objects made later begin with it.
+	 * What was there before is kept. False, with the reason, where it cannot have it. */
+	bool Give(const FReflectedStruct& Class, const std::string& Name, const FPropertyValue& Value,
+		FPropertyProblem& OutProblem);
+	/** Calls PostInitProperties of the default objects of a plugin that were given something. */
+	void FinishDefaults(const std::string& Plugin);
+	/** Puts back all that was given, of all plugins. */
+	void TakeBack();
+
+	/** What a new object of a class begins with: the values that were given; then PostInitProperties. */
+	void FinishObject(UObject& Object, const std::type_info& Type);
+
+private:
+	FReflection() = default;
+};
+
+/** Reads a value; what a type cannot give is None. */
+DRYDOCK_API FPropertyValue ReadProperty(const FPropertyType& Type, const void* Address);
+
+/** Writes a value, all of it or nothing: elements of an array are replaced, members and components that are not named
+ * stay. */
+DRYDOCK_API bool WriteProperty(
+	const FPropertyType& Type, void* Address, const FPropertyValue& Value, FPropertyProblem& OutProblem);
+
+/** "a whole number from 0 to 255", "one of Off, On", ... */
+DRYDOCK_API std::string DescribeExpected(const FPropertyType& Type);
+
+// What follows makes the types, for the generated code.
+
+template<typename T>
+const FPropertyType& GetPropertyType();
+
+inline std::array<float*, 4> GetComponents(FLinearColor& Value)
+{
+	return {&Value.R, &Value.G, &Value.B, &Value.A};
+}
+inline std::array<uint8*, 4> GetComponents(FColor& Value)
+{
+	return {&Value.R, &Value.G, &Value.B, &Value.A};
+}
+template<typename T>
+std::array<T*, 2> GetComponents(UE::Math::TVector2<T>& Value)
+{
+	return {&Value.X, &Value.Y};
+}
+template<typename T>
+std::array<T*, 3> GetComponents(UE::Math::TVector<T>& Value)
+{
+	return {&Value.X, &Value.Y, &Value.Z};
+}
+template<typename T>
+std::array<T*, 4> GetComponents(UE::Math::TVector4<T>& Value)
+{
+	return {&Value.X, &Value.Y, &Value.Z, &Value.W};
+}
+template<typename T>
+std::array<T*, 2> GetComponents(UE::Math::TIntPoint<T>& Value)
+{
+	return {&Value.X, &Value.Y};
+}
+template<typename T>
+std::array<T*, 2> GetComponents(UE::Math::TIntVector2<T>& Value)
+{
+	return {&Value.X, &Value.Y};
+}
+template<typename T>
+std::array<T*, 3> GetComponents(UE::Math::TIntVector3<T>& Value)
+{
+	return {&Value.X, &Value.Y, &Value.Z};
+}
+template<typename T>
+std::array<T*, 4> GetComponents(UE::Math::TIntVector4<T>& Value)
+{
+	return {&Value.X, &Value.Y, &Value.Z, &Value.W};
+}
+template<typename T>
+std::array<T*, 3> GetComponents(UE::Math::TRotator<T>& Value)
+{
+	return {&Value.Pitch, &Value.Yaw, &Value.Roll};
+}
+
+template<typename T>
+concept CHasComponents = requires(T& Value)
+{
+	GetComponents(Value);
+};
+
+template<typename T>
+constexpr bool bIsColor = std::is_same_v<T, FLinearColor> || std::is_same_v<T, FColor>;
+
+template<typename T>
+struct TIsRotator : std::false_type
+{
+};
+template<typename T>
+struct TIsRotator<UE::Math::TRotator<T>> : std::true_type
+{
+};
+
+template<typename T>
+struct TArrayElementOf
+{
+	using Type = void;
+};
+template<typename T, typename Allocator>
+struct TArrayElementOf<TArray<T, Allocator>>
+{
+	using Type = T;
+};
+
+template<typename T>
+struct TIsObjectPointer : std::is_pointer<T>
+{
+};
+template<typename T>
+struct TIsObjectPointer<TObjectPtr<T>> : std::true_type
+{
+};
+template<typename T>
+struct TIsObjectPointer<TWeakObjectPtr<T>> : std::true_type
+{
+};
+template<typename T>
+struct TIsObjectPointer<TSoftObjectPtr<T>> : std::true_type
+{
+};
+template<>
+struct TIsObjectPointer<FSoftObjectPath> : std::true_type
+{
+};
+
+template<typename T>
+void SetWholeRange(FPropertyType& Type)
+{
+	using FLimits = std::numeric_limits<T>;
+	Type.Least = static_cast<int64>(FLimits::min());
+	constexpr bool bBeyond = std::is_unsigned_v<T> && sizeof(T) == sizeof(int64);
+	Type.Most = bBeyond ? std::numeric_limits<int64>::max() : static_cast<int64>(FLimits::max());
+}
+
+template<typename T>
+FPropertyType MakeComponentsType()
+{
+	using FComponents = decltype(GetComponents(std::declval<T&>()));
+	using FNumber = std::remove_pointer_t<typename FComponents::value_type>;
+	FPropertyType Type;
+	Type.Kind = EPropertyKind::Vector;
+	Type.bWholeComponents = std::is_integral_v<FNumber>;
+	Type.bFloat = std::is_same_v<FNumber, float>;
+	Type.bLastMayBeMissing = bIsColor<T>;
+	if constexpr (std::is_integral_v<FNumber>)
+	{
+		SetWholeRange<FNumber>(Type);
+	}
+	const char* const Names[] = {"X", "Y", "Z", "W"};
+	const char* const ColorNames[] = {"R", "G", "B", "A"};
+	const char* const RotatorNames[] = {"Pitch", "Yaw", "Roll", ""};
+	const char* const* const Chosen = bIsColor<T> ? ColorNames : TIsRotator<T>::value ? RotatorNames : Names;
+	Type.Names.assign(Chosen, Chosen + std::tuple_size_v<FComponents>);
+	Type.GetReal = [](const void* Address, int32 Component)
+	{
+		T Copy = *static_cast<const T*>(Address);
+		return static_cast<double>(*GetComponents(Copy)[static_cast<size_t>(Component)]);
+	};
+	Type.SetReal = [](void* Address, int32 Component, double Value)
+	{
+		*GetComponents(*static_cast<T*>(Address))[static_cast<size_t>(Component)] = static_cast<FNumber>(Value);
+	};
+	return Type;
+}
+
+template<typename T>
+FPropertyType MakeArrayType()
+{
+	using FElement = typename TArrayElementOf<T>::Type;
+	FPropertyType Type;
+	Type.Kind = EPropertyKind::Array;
+	Type.Element = &GetPropertyType<FElement>();
+	Type.GetNum = [](const void* Address)
+	{
+		return static_cast<const T*>(Address)->Num();
+	};
+	Type.Reset = [](void* Address, int32 Num)
+	{
+		T& Array = *static_cast<T*>(Address);
+		Array = T();
+		for (int32 Index = 0; Index < Num; ++Index)
+		{
+			Array.Add(FElement());
+		}
+	};
+	Type.GetElement = [](void* Address, int32 Index) -> void*
+	{
+		return static_cast<T*>(Address)->GetData() + Index;
+	};
+	return Type;
+}
+
+template<typename T>
+FPropertyType MakePropertyType()
+{
+	FPropertyType Type;
+	if constexpr (std::is_integral_v<T> || std::is_enum_v<T>)
+	{
+		Type.Kind = std::is_same_v<T, bool> ? EPropertyKind::Bool
+					: std::is_enum_v<T>     ? EPropertyKind::Enum
+											: EPropertyKind::Whole;
+		Type.GetWhole = [](const void* Address)
+		{
+			return static_cast<int64>(*static_cast<const T*>(Address));
+		};
+		Type.SetWhole = [](void* Address, int64 Value)
+		{
+			*static_cast<T*>(Address) = static_cast<T>(Value);
+		};
+		if constexpr (std::is_enum_v<T>)
+		{
+			Type.Type = &typeid(T);
+			SetWholeRange<std::underlying_type_t<T>>(Type);
+		}
+		else
+		{
+			SetWholeRange<T>(Type);
+		}
+	}
+	else if constexpr (std::is_floating_point_v<T>)
+	{
+		Type.Kind = EPropertyKind::Real;
+		Type.bFloat = std::is_same_v<T, float>;
+		Type.GetReal = [](const void* Address, int32)
+		{
+			return static_cast<double>(*static_cast<const T*>(Address));
+		};
+		Type.SetReal = [](void* Address, int32, double Value)
+		{
+			*static_cast<T*>(Address) = static_cast<T>(Value);
+		};
+	}
+	else if constexpr (std::is_same_v<T, FString> || std::is_same_v<T, FName>)
+	{
+		Type.Kind = EPropertyKind::Text;
+		Type.GetText = [](const void* Address)
+		{
+			const T& Value = *static_cast<const T*>(Address);
+			if constexpr (std::is_same_v<T, FName>)
+			{
+				return std::string(*Value.ToString());
+			}
+			else
+			{
+				return std::string(*Value);
+			}
+		};
+		Type.SetText = [](void* Address, const std::string& Text)
+		{
+			*static_cast<T*>(Address) = T(Text.c_str());
+		};
+	}
+	else if constexpr (CHasComponents<T>)
+	{
+		Type = MakeComponentsType<T>();
+	}
+	else if constexpr (!std::is_void_v<typename TArrayElementOf<T>::Type>)
+	{
+		Type = MakeArrayType<T>();
+	}
+	else if constexpr (TIsObjectPointer<T>::value)
+	{
+		Type.Kind = EPropertyKind::Object;
+	}
+	else if constexpr (std::is_class_v<T>)
+	{
+		Type.Kind = EPropertyKind::Struct;
+		Type.Type = &typeid(T);
+	}
+	return Type;
+}
+
+template<typename T>
+const FPropertyType& GetPropertyType()
+{
+	static const FPropertyType Type = MakePropertyType<T>();
+	return Type;
+}
+
+template<typename T>
+FReflectedStruct MakeReflectedStruct(const TCHAR* Name, const TCHAR* Module, const TCHAR* Config)
+{
+	FReflectedStruct Struct{.Name = Name, .Module = Module, .Config = Config, .Type = &typeid(T)};
+	if constexpr (requires { typename T::Super; })
+	{
+		if constexpr (!std::is_same_v<typename T::Super, T>)
+		{
+			Struct.Super = &typeid(typename T::Super);
+			Struct.ToSuper = [](void* Container) -> void*
+			{
+				return static_cast<typename T::Super*>(static_cast<T*>(Container));
+			};
+		}
+	}
+	if constexpr (std::is_base_of_v<UObject, T>)
+	{
+		Struct.FromObject = [](UObject* Object) -> void*
+		{
+			return static_cast<T*>(Object);
+		};
+		if constexpr (!std::is_abstract_v<T> && std::is_default_constructible_v<T>)
+		{
+			Struct.GetDefault = []() -> UObject*
+			{
+				return GetMutableDefault<T>();
+			};
+		}
+	}
+	return Struct;
+}
+
+/** Known for as long as the library is loaded. */
+template<typename T>
+class TReflectionRegistration
+{
+public:
+	explicit TReflectionRegistration(T InInfo)
+		: Info(std::make_unique<T>(std::move(InInfo)))
+	{
+		FReflection::Get().Register(*Info);
+	}
+	~TReflectionRegistration() { FReflection::Get().Unregister(*Info); }
+	TReflectionRegistration(const TReflectionRegistration&) = delete;
+	TReflectionRegistration& operator=(const TReflectionRegistration&) = delete;
+
+private:
+	std::unique_ptr<T> Info;
+};
+
+} // namespace Drydock
+
+// Generated code: BEGIN, a line for each property with the header's own #if around it, END. Private fields are reached
+// because GENERATED_BODY makes Drydock::TReflected a friend.
+#define DRYDOCK_REFLECT_BEGIN(Class, Module, Config) \
+	template<> \
+	struct Drydock::TReflected<Class> \
+	{ \
+		using FType = Class; \
+		static ::Drydock::FReflectedStruct Make() \
+		{ \
+			::Drydock::FReflectedStruct Struct = \
+				::Drydock::MakeReflectedStruct<Class>(TEXT(#Class), TEXT(Module), TEXT(Config));
+
+#define DRYDOCK_REFLECT(Field, TypeName, bConfig) \
+	Struct.Properties.push_back( \
+		{TEXT(#Field), TEXT(TypeName), bConfig, &::Drydock::GetPropertyType<decltype(FType::Field)>(), \
+			[](void* Container) -> void* \
+			{ \
+				return std::addressof(static_cast<FType*>(Container)->Field); \
+			}});
+
+#define DRYDOCK_REFLECT_BITS(Field, TypeName, bConfig, NumBits) \
+	static const ::Drydock::FPropertyType TypeOf##Field = { \
+		.Kind = NumBits == 1 ? ::Drydock::EPropertyKind::Bool : ::Drydock::EPropertyKind::Whole, \
+		.GetWhole = [](const void* Container) \
+		{ return static_cast<int64>(static_cast<const FType*>(Container)->Field); }, \
+		.SetWhole = [](void* Container, int64 Value) \
+		{ static_cast<FType*>(Container)->Field = static_cast<decltype(FType::Field)>(Value); }, \
+		.Most = (int64(1) << NumBits) - 1}; \
+	Struct.Properties.push_back({TEXT(#Field), TEXT(TypeName), bConfig, &TypeOf##Field, \
+		[](void* Container) \
+		{ \
+			return Container; \
+		}});
+
+#define DRYDOCK_REFLECT_END(Class) \
+	return Struct; \
+	} \
+	} \
+	; \
+	static const ::Drydock::TReflectionRegistration<::Drydock::FReflectedStruct> GReflect##Class( \
+		::Drydock::TReflected<Class>::Make());
+
+#define DRYDOCK_REFLECT_ENUM_BEGIN(Enum, Id) \
+	static const ::Drydock::TReflectionRegistration<::Drydock::FReflectedEnum> GReflect##Id({TEXT(#Id), &typeid(Enum), {
+
+#define DRYDOCK_REFLECT_ENUMERATOR(Scope, Value) {TEXT(#Value), static_cast<int64>(Scope::Value)},
+
+#define DRYDOCK_REFLECT_ENUM_END() \
+	} \
+	});
