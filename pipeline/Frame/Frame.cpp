@@ -320,6 +320,9 @@ private:
 		if (Inputs.bExecute)
 		{
 			GraphBuilder.Execute();
+			const std::vector<FDiagnostic> All = GetGraphNotes(GraphBuilder);
+			Result.Log.Diagnostics.insert(
+				Result.Log.Diagnostics.end(), All.begin() + static_cast<std::ptrdiff_t>(Notes.size()), All.end());
 		}
 		else
 		{

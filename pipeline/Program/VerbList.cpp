@@ -53,7 +53,7 @@ FListTable ListPasses()
 			Table.Rows.push_back({Type.GetName(), Type.GetShaderFilename(), Type.GetFunctionName(),
 				Stage == SF_Compute ? "compute"
 				: Stage == SF_Pixel ? "pixel"
-									: "vertex (not run)"});
+									: "vertex"});
 		});
 	return Table;
 }

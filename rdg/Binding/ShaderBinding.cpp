@@ -11,6 +11,7 @@
 #include "ShaderCompilation.h"
 #include "ShaderParameterMacros.h"
 #include "ShaderState.h"
+#include "VertexDraw.h"
 
 #include <cstring>
 
@@ -108,6 +109,18 @@ std::shared_ptr<const FShaderBindingPlan> GetPlan(
 		Plan = std::move(NewPlan);
 	}
 	return Plan;
+}
+
+/** All zero. */
+void MakeConstantBuffers(const FShaderReflection& Reflection, FBoundShader& Out)
+{
+	Out.ConstantData.resize(Reflection.ConstantBuffers.size());
+	Out.ConstantBuffers.resize(Reflection.ConstantBuffers.size());
+	for (size_t Buffer = 0; Buffer < Reflection.ConstantBuffers.size(); ++Buffer)
+	{
+		Out.ConstantData[Buffer].assign(Reflection.ConstantBuffers[Buffer].Size, 0);
+		Out.ConstantBuffers[Buffer] = Out.ConstantData[Buffer].data();
+	}
 }
 
 /** Where the struct declares a member, for a message. */
@@ -222,13 +235,7 @@ void FollowShaderBindingPlan(
 	}
 
 	Out.Parameters = Parameters;
-	Out.ConstantData.resize(Reflection.ConstantBuffers.size());
-	Out.ConstantBuffers.resize(Reflection.ConstantBuffers.size());
-	for (size_t Buffer = 0; Buffer < Reflection.ConstantBuffers.size(); ++Buffer)
-	{
-		Out.ConstantData[Buffer].assign(Reflection.ConstantBuffers[Buffer].Size, 0);
-		Out.ConstantBuffers[Buffer] = Out.ConstantData[Buffer].data();
-	}
+	MakeConstantBuffers(Reflection, Out);
 	for (const FConstantCopy& Copy : Plan.Constants)
 	{
 		std::memcpy(Out.ConstantData[Copy.Buffer].data() + Copy.Offset,
@@ -285,6 +292,7 @@ void BindShaderParameters(
 	{
 		const std::shared_ptr<const FCompiledShader> Compiled = GetCompiledShader(Shader);
 		Out.Kernel = Compiled->Run;
+		Out.Vertex = Compiled->Vertex;
 		Out.Reflection = std::shared_ptr<const FShaderReflection>(Compiled, &Compiled->Reflection);
 	}
 	const std::shared_ptr<const FShaderBindingPlan> Plan = GetPlan(Shader, *Out.Reflection, Metadata);
@@ -302,11 +310,61 @@ void BindShaderParameters(const FShaderRef& Shader, const void* Parameters, FBou
 void RequireShaderParameters(
 	const FShaderRef& Shader, const FShaderParametersMetadata& Metadata, const void* Parameters)
 {
-	if (Shader->GetFrequency() != SF_Vertex)
+	if (IsRun(Shader))
 	{
 		const std::shared_ptr<const FShaderBindingPlan> Plan = GetPlan(Shader, *GetShaderReflection(Shader), Metadata);
 		CheckRequiredParameters(*Plan, Shader.GetType()->GetName(), Parameters);
 	}
 }
+
+namespace
+{
+
+/** The name of something that the shader reads of parameters; empty: nothing. */
+std::string FindParameter(const FShaderReflection& Reflection)
+{
+	for (const FShaderConstant& Constant : Reflection.Constants)
+	{
+		if (Constant.bUsed && !IsBoundByDraw(Reflection, Reflection.ConstantBuffers[Constant.Buffer].Name))
+		{
+			return Constant.Name;
+		}
+	}
+	for (const auto* Resources : {&Reflection.Textures, &Reflection.RWTextures, &Reflection.Samplers,
+			 &Reflection.Buffers, &Reflection.RWBuffers})
+	{
+		if (!Resources->empty())
+		{
+			return Resources->front().Name;
+		}
+	}
+	return {};
+}
+
+FBoundShader BindVertexShaderWithoutParameters(FShader& Shader)
+{
+	const std::shared_ptr<const FCompiledShader> Compiled = GetCompiledShader(FShaderRef(&Shader));
+	const FShaderType& Type = *Shader.GetType();
+	if (const std::string Parameter = FindParameter(Compiled->Reflection); !Parameter.empty())
+	{
+		throw FError(MakeVertexDiagnostic(ESeverity::Error, ErrorVertexInput,
+						 std::string("vertex shader ") + Type.GetName() + " reads '" + Parameter +
+							 "', and its parameters were not set: call SetShaderParameters for it, after the pipeline "
+							 "state and before the draw"),
+			ExitUsage);
+	}
+	FBoundShader Bound;
+	Bound.Name = Type.GetName();
+	Bound.EntryPoint = Type.GetFunctionName();
+	Bound.PermutationId = Shader.GetPermutationId();
+	Bound.Reflection = std::shared_ptr<const FShaderReflection>(Compiled, &Compiled->Reflection);
+	Bound.Vertex = Compiled->Vertex;
+	MakeConstantBuffers(Compiled->Reflection, Bound);
+	return Bound;
+}
+
+[[maybe_unused]] const bool GBinderIsSet = (SetVertexShaderBinder(&BindVertexShaderWithoutParameters), true);
+
+} // namespace
 
 } // namespace Drydock

@@ -31,8 +31,14 @@ DRYDOCK_API std::vector<FDiagnostic> MatchShaderParameters(
 DRYDOCK_API void FollowShaderBindingPlan(
 	const FShaderBindingPlan& Plan, const FShaderReflection& Reflection, const void* Parameters, FBoundShader& Out);
 
+/** False for the engine's vertex shader of screen passes, whose rectangle draws know without running it. */
+inline bool IsRun(const FShaderRef& Shader)
+{
+	return Shader->GetFrequency() != SF_Vertex || Shader.GetType()->IsRunByDraws();
+}
+
 /** Throws DD2015, in the engine's words, unless every resource and uniform buffer that the shader reads is set in
- * Parameters. Vertex shaders read nothing. */
+ * Parameters. */
 DRYDOCK_API void RequireShaderParameters(
 	const FShaderRef& Shader, const FShaderParametersMetadata& Metadata, const void* Parameters);
 

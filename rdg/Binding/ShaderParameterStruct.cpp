@@ -61,11 +61,9 @@ bool Reads(const FShaderReflection& Reflection, const FHlslMember& Member)
 		   std::any_of(Reflection.Constants.begin(), Reflection.Constants.end(), IsConstantMeant);
 }
 
-/** Vertex shaders read nothing here. */
 std::shared_ptr<const FShaderReflection> GetReflectionIfAny(const FShaderRef& Shader)
 {
-	const bool bRuns = Shader.IsValid() && Shader->GetFrequency() != SF_Vertex;
-	return bRuns ? GetShaderReflection(Shader) : nullptr;
+	return Shader.IsValid() && IsRun(Shader) ? GetShaderReflection(Shader) : nullptr;
 }
 
 void ClearUnused(const std::vector<std::shared_ptr<const FShaderReflection>>& Reflections,

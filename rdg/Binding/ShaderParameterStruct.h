@@ -65,24 +65,28 @@ void ClearUnusedGraphResources(const TShaderRef<TShaderClassA>& ShaderA, const T
 		TPassParameters::FTypeInfo::GetStructMetadata(), InoutParameters, ExcludeList);
 }
 
-/** Inside a pass: binds Parameters to the shader for the dispatches and draws that follow, with the same checks. Vertex
- *  shaders bind nothing. */
+/** Inside a pass: binds Parameters to the shader for the dispatches and draws that follow, with the same checks. */
 template<typename TRHICmdList, typename TShaderClass, typename TShaderRHI>
 void SetShaderParameters(TRHICmdList& RHICmdList, const TShaderRef<TShaderClass>& Shader, TShaderRHI*,
 	const FShaderParametersMetadata* ParametersMetadata, const void* Parameters)
 {
-	if constexpr (!std::is_same_v<TShaderRHI, FRHIVertexShader>)
+	if (!Drydock::IsRun(TShaderRef<FShader>(Shader)))
 	{
-		Drydock::FBoundShader Bound;
-		Drydock::BindShaderParameters(TShaderRef<FShader>(Shader), *ParametersMetadata, Parameters, Bound);
-		if constexpr (std::is_same_v<TShaderRHI, FRHIComputeShader>)
-		{
-			RHICmdList.SetBoundComputeShader(std::move(Bound));
-		}
-		else
-		{
-			RHICmdList.SetBoundPixelShader(std::move(Bound));
-		}
+		return;
+	}
+	Drydock::FBoundShader Bound;
+	Drydock::BindShaderParameters(TShaderRef<FShader>(Shader), *ParametersMetadata, Parameters, Bound);
+	if constexpr (std::is_same_v<TShaderRHI, FRHIComputeShader>)
+	{
+		RHICmdList.SetBoundComputeShader(std::move(Bound));
+	}
+	else if constexpr (std::is_same_v<TShaderRHI, FRHIVertexShader>)
+	{
+		RHICmdList.SetBoundVertexShader(std::move(Bound));
+	}
+	else
+	{
+		RHICmdList.SetBoundPixelShader(std::move(Bound));
 	}
 }
 

@@ -7,6 +7,7 @@
 #include "RenderGraphHeap.h"
 #include "RenderGraphReport.h"
 #include "RenderGraphState.h"
+#include "RenderResource.h"
 
 #include <cstdio>
 #include <cstring>
@@ -104,6 +105,7 @@ FRDGBuilder::FRDGBuilder(FRHICommandListImmediate& InRHICmdList, FRDGEventName I
 			"another FRDGBuilder already exists on the stack; only one may be alive at a time",
 			std::string("graph ") + InName.GetTCHAR());
 	}
+	InitGlobalResources();
 	GActiveBuilder = this;
 	State->Settings = GetRDGSettings();
 	State->UncaughtExceptions = std::uncaught_exceptions();

@@ -4,6 +4,7 @@
 #include "CodeScope.h"
 #include "RenderGraphCompile.h"
 #include "RenderGraphExecute.h"
+#include "RenderGraphNotes.h"
 #include "RenderGraphObserver.h"
 #include "RenderGraphReport.h"
 #include "RenderGraphState.h"
@@ -290,5 +291,9 @@ void FRDGBuilder::Execute()
 	else
 	{
 		Executor.RunGraph(Compiled);
+	}
+	for (const FDiagnostic& Remark : State->Remarks)
+	{
+		AddGraphNote(*this, Remark);
 	}
 }

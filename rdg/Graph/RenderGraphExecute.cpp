@@ -73,10 +73,13 @@ void FRDGExecutor::CompileShaders()
 	std::vector<FShaderRef> Shaders;
 	for (const std::unique_ptr<FRDGPass>& Pass : State.Passes)
 	{
-		const FShaderRef Shader(Pass->ShaderToCompile);
-		if (!Pass->bCulled && Shader.IsValid() && std::find(Shaders.begin(), Shaders.end(), Shader) == Shaders.end())
+		for (const FShaderRef Shader : {FShaderRef(Pass->ShaderToCompile), FShaderRef(Pass->VertexShaderToCompile)})
 		{
-			Shaders.push_back(Shader);
+			if (!Pass->bCulled && Shader.IsValid() &&
+				std::find(Shaders.begin(), Shaders.end(), Shader) == Shaders.end())
+			{
+				Shaders.push_back(Shader);
+			}
 		}
 	}
 	WarmShaders(Shaders);
@@ -109,8 +112,8 @@ enum class EExternalUse
 };
 
 /** How a pass uses a resource among its Viewables. A uniform buffer names more than a shader reads. */
-EExternalUse GetExternalUse(
-	const FRDGPassResources& Resources, const FRDGViewableResource* Resource, const FShaderReflection* Shader)
+EExternalUse GetExternalUse(const FRDGPassResources& Resources, const FRDGViewableResource* Resource,
+	const std::vector<std::shared_ptr<const FShaderReflection>>& Shaders)
 {
 	bool bInUniformBuffer = false;
 	for (const FRDGUniformBufferResource& Member : Resources.InUniformBuffers)
@@ -124,12 +127,15 @@ EExternalUse GetExternalUse(
 		{
 			return Read.Name == Member.HlslName;
 		};
-		if (Shader && std::any_of(Shader->Textures.begin(), Shader->Textures.end(), IsMember))
+		for (const std::shared_ptr<const FShaderReflection>& Shader : Shaders)
 		{
-			return EExternalUse::Read;
+			if (std::any_of(Shader->Textures.begin(), Shader->Textures.end(), IsMember))
+			{
+				return EExternalUse::Read;
+			}
 		}
 	}
-	return !bInUniformBuffer ? EExternalUse::Read : Shader ? EExternalUse::None : EExternalUse::Possible;
+	return !bInUniformBuffer ? EExternalUse::Read : Shaders.empty() ? EExternalUse::Possible : EExternalUse::None;
 }
 
 } // namespace
@@ -148,10 +154,13 @@ std::vector<FRDGExternalLoad> FRDGExecutor::FindExternals(int32 PassIndex)
 			continue;
 		}
 		const FRDGPassResources& Resources = State.PassResources[Index];
-		std::shared_ptr<const FShaderReflection> Shader;
-		if (Pass.ShaderToCompile && !Resources.InUniformBuffers.empty())
+		std::vector<std::shared_ptr<const FShaderReflection>> Shaders;
+		for (FShader* const Shader : {Pass.ShaderToCompile, Pass.VertexShaderToCompile})
 		{
-			Shader = GetShaderReflection(FShaderRef(Pass.ShaderToCompile));
+			if (Pass.ShaderToCompile && Shader && !Resources.InUniformBuffers.empty())
+			{
+				Shaders.push_back(GetShaderReflection(FShaderRef(Shader)));
+			}
 		}
 		for (FRDGViewableResource* Resource : Resources.Viewables)
 		{
@@ -159,7 +168,7 @@ std::vector<FRDGExternalLoad> FRDGExecutor::FindExternals(int32 PassIndex)
 			{
 				continue;
 			}
-			const EExternalUse Use = GetExternalUse(Resources, Resource, Shader.get());
+			const EExternalUse Use = GetExternalUse(Resources, Resource, Shaders);
 			const bool bRead = Use == EExternalUse::Read;
 			const FRDGExternalLoad Load{static_cast<FRDGTexture*>(Resource), &Pass, bRead};
 			if (Use == EExternalUse::None)
@@ -364,6 +373,8 @@ void FRDGExecutor::RunPass(FRDGPass& Pass)
 	CallCode(Pass.GetOwner(), [&] { RunLambda(Pass, Resources); });
 	const std::chrono::duration<double, std::milli> Elapsed = std::chrono::steady_clock::now() - Begin;
 	WarnAboutUnused(Pass, Resources);
+	const std::vector<FDiagnostic>& Remarks = RHICmdList.GetCounters().Remarks;
+	State.Remarks.insert(State.Remarks.end(), Remarks.begin(), Remarks.end());
 	if (State.Observer)
 	{
 		State.Observer->OnPassExecuted(

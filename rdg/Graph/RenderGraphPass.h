@@ -46,6 +46,8 @@ public:
 	/** Tells which shader the pass runs: for listings made without executing, and so that it is compiled before the
 	 * graph's first pass runs. */
 	void SetShader(FShader& InShader);
+	/** The same of a vertex shader that its draws run. */
+	void SetVertexShader(FShader& InShader) { VertexShaderToCompile = &InShader; }
 	const std::string& GetShader() const { return Shader; }
 	const std::string& GetEntry() const { return Entry; }
 
@@ -91,6 +93,7 @@ private:
 	std::string Shader;
 	std::string Entry;
 	FShader* ShaderToCompile = nullptr;
+	FShader* VertexShaderToCompile = nullptr;
 	int32 Index = -1;
 	uint32 Workload = 1;
 	bool bCulled = false;

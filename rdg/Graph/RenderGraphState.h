@@ -60,6 +60,7 @@ struct FRDGBuilderState
 
 	std::vector<FDiagnostic> Errors; // collected so far
 	std::vector<FDiagnostic> Ensures;
+	std::vector<FDiagnostic> Remarks;             // of the draws of passes that ran
 	std::map<FRDGTexture*, bool> LoadedExternals; // and whether they were said to be read
 	bool bEnsuresReported = false;
 	bool bFinished = false; // executed or discarded

@@ -52,11 +52,15 @@ std::string ToText(const FIntVector& Vector)
 
 } // namespace
 
-void AnnotatePass(FRDGPassRef Pass, const TShaderRef<FShader>& Shader)
+void AnnotatePass(FRDGPassRef Pass, const TShaderRef<FShader>& Shader, const TShaderRef<FShader>& VertexShader)
 {
 	if (Pass && Shader.IsValid())
 	{
 		Pass->SetShader(*Shader.GetShader());
+	}
+	if (Pass && VertexShader.IsValid() && VertexShader.GetType()->IsRunByDraws())
+	{
+		Pass->SetVertexShader(*VertexShader.GetShader());
 	}
 }
 

@@ -16,7 +16,8 @@ namespace Drydock
 {
 
 /** Notes on the pass which shader it runs, so that listings know it without executing. */
-DRYDOCK_API void AnnotatePass(FRDGPassRef Pass, const TShaderRef<FShader>& Shader);
+DRYDOCK_API void AnnotatePass(
+	FRDGPassRef Pass, const TShaderRef<FShader>& Shader, const TShaderRef<FShader>& VertexShader = {});
 
 /** Throws DD2006 where a pass would be added without a shader or without parameters. */
 DRYDOCK_API void CheckPassArguments(const char* Call, const FRDGEventName& PassName, const TShaderRef<FShader>& Shader,

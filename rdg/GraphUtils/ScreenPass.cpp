@@ -1,8 +1,11 @@
 // Fills the parameters of screen passes and adds the passes that draw or copy rectangles of textures.
 #include "ScreenPass.h"
 
+#include "CommonRenderResources.h"
 #include "SystemTextures.h"
+#include "VertexDraw.h"
 
+IMPLEMENT_GLOBAL_SHADER_PARAMETER_STRUCT(FDrawRectangleParameters, Drydock::GDrawRectangleParametersName);
 IMPLEMENT_GLOBAL_SHADER(FScreenPassVS, "/Engine/Private/ScreenPass.usf", "ScreenPassVS", SF_Vertex);
 IMPLEMENT_GLOBAL_SHADER(FCopyRectPS, "/Engine/Private/ScreenPass.usf", "CopyRectPS", SF_Pixel);
 
@@ -201,6 +204,7 @@ void SetScreenPassPipelineState(FRHICommandList& RHICmdList, const FScreenPassPi
 	Initializer.BlendState = ScreenPassDraw.BlendState;
 	Initializer.RasterizerState = TStaticRasterizerState<>::GetRHI();
 	Initializer.DepthStencilState = ScreenPassDraw.DepthStencilState;
+	Initializer.BoundShaderState.VertexDeclarationRHI = GFilterVertexDeclaration.VertexDeclarationRHI;
 	Initializer.BoundShaderState.VertexShaderRHI = ScreenPassDraw.VertexShader.GetVertexShader();
 	Initializer.BoundShaderState.PixelShaderRHI = ScreenPassDraw.PixelShader.GetPixelShader();
 	Initializer.PrimitiveType = PT_TriangleList;
@@ -242,14 +246,36 @@ void SetRectInterpolants(
 	RHICmdList.SetInterpolants(TConstArrayView<FKernelInterpolant>(&Interpolant, 1));
 }
 
+void DrawByVertexShader(FRHICommandList& RHICmdList, const FVector2f& Position, const FVector2f& Size,
+	const FVector2f& UVMin, const FVector2f& UVSize, const FVector2f& TargetSize, const FVector2f& TextureSize)
+{
+	FDrawRectangleParameters Parameters;
+	Parameters.PosScaleBias = FVector4f(Size.X, Size.Y, Position.X, Position.Y);
+	Parameters.UVScaleBias = FVector4f(UVSize.X, UVSize.Y, UVMin.X, UVMin.Y);
+	Parameters.InvTargetSizeAndTextureSize =
+		FVector4f(1.0f / TargetSize.X, 1.0f / TargetSize.Y, 1.0f / TextureSize.X, 1.0f / TextureSize.Y);
+	RHICmdList.DrawScreenRectangle(&Parameters, sizeof(Parameters));
+}
+
 } // namespace
 
-void SetScreenPassInterpolants(FRHICommandList& RHICmdList, const FScreenPassTextureViewport& OutputViewport,
+void DrawScreenPassRectangle(FRHICommandList& RHICmdList, const FScreenPassTextureViewport& OutputViewport,
 	const FScreenPassTextureViewport& InputViewport)
 {
 	const FVector2f Extent(InputViewport.Extent);
-	SetRectInterpolants(RHICmdList, OutputViewport.Rect, FVector2f(InputViewport.Rect.Min) / Extent,
-		FVector2f(InputViewport.Rect.Size()) / Extent);
+	const FVector2f UVMin = FVector2f(InputViewport.Rect.Min);
+	const FVector2f UVSize = FVector2f(InputViewport.Rect.Size());
+	if (RHICmdList.HasVertexShader())
+	{
+		const FIntRect& Rect = OutputViewport.Rect;
+		RHICmdList.SetViewport(static_cast<float>(Rect.Min.X), static_cast<float>(Rect.Min.Y), 0.0f,
+			static_cast<float>(Rect.Max.X), static_cast<float>(Rect.Max.Y), 1.0f);
+		DrawByVertexShader(
+			RHICmdList, FVector2f(0, 0), FVector2f(Rect.Size()), UVMin, UVSize, FVector2f(Rect.Size()), Extent);
+		return;
+	}
+	SetRectInterpolants(RHICmdList, OutputViewport.Rect, UVMin / Extent, UVSize / Extent);
+	RHICmdList.DrawPrimitive(0, 1, 1);
 }
 
 FRDGPassRef AddScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name,
@@ -264,11 +290,10 @@ FRDGPassRef AddScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name,
 			SetScreenPassPipelineState(RHICmdList, PipelineState);
 			SetShaderParameters(RHICmdList, PipelineState.PixelShader, PipelineState.PixelShader.GetPixelShader(),
 				ParametersMetadata, Parameters);
-			SetScreenPassInterpolants(RHICmdList, OutputViewport, InputViewport);
-			RHICmdList.DrawPrimitive(0, 1, 1);
+			DrawScreenPassRectangle(RHICmdList, OutputViewport, InputViewport);
 		},
 		Location);
-	AnnotatePass(Pass, PipelineState.PixelShader);
+	AnnotatePass(Pass, PipelineState.PixelShader, PipelineState.VertexShader);
 	Pass->SetArea(OutputViewport.Rect.Size());
 	return Pass;
 }
@@ -276,9 +301,15 @@ FRDGPassRef AddScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name,
 } // namespace Drydock
 
 void DrawRectangle(FRHICommandList& RHICmdList, float X, float Y, float SizeX, float SizeY, float U, float V,
-	float SizeU, float SizeV, FIntPoint, FIntPoint TextureSize, const TShaderRef<FShader>&)
+	float SizeU, float SizeV, FIntPoint TargetSize, FIntPoint TextureSize, const TShaderRef<FShader>&)
 {
 	const FVector2f Texture(TextureSize);
+	if (RHICmdList.HasVertexShader())
+	{
+		Drydock::DrawByVertexShader(RHICmdList, FVector2f(X, Y), FVector2f(SizeX, SizeY), FVector2f(U, V),
+			FVector2f(SizeU, SizeV), FVector2f(TargetSize), Texture);
+		return;
+	}
 	const FIntRect Target(
 		FMath::RoundToInt(X), FMath::RoundToInt(Y), FMath::RoundToInt(X + SizeX), FMath::RoundToInt(Y + SizeY));
 	Drydock::SetRectInterpolants(RHICmdList, Target, FVector2f(U, V) / Texture, FVector2f(SizeU, SizeV) / Texture);

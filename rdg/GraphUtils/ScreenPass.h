@@ -218,7 +218,16 @@ enum class EScreenPassDrawFlags : uint8
 };
 ENUM_CLASS_FLAGS(EScreenPassDrawFlags)
 
-/** The engine's vertex shader of screen passes: passes on UV and screen position in TEXCOORD0. Never run here. */
+/** What the engine's DrawRectangle gives Common.ush's DrawRectangle: the rectangle in pixels of the viewport, and the
+ * UV rectangle in texels, each as scale (x, y) and bias (z, w) of the unit square. */
+BEGIN_GLOBAL_SHADER_PARAMETER_STRUCT(FDrawRectangleParameters, DRYDOCK_API)
+	SHADER_PARAMETER(FVector4f, PosScaleBias)
+	SHADER_PARAMETER(FVector4f, UVScaleBias)
+	SHADER_PARAMETER(FVector4f, InvTargetSizeAndTextureSize)
+END_GLOBAL_SHADER_PARAMETER_STRUCT()
+
+/** The engine's vertex shader of screen passes: passes on UV and screen position in TEXCOORD0. Draws know what it gives
+ * without running it. */
 class DRYDOCK_API FScreenPassVS : public FGlobalShader
 {
 public:
@@ -230,6 +239,14 @@ public:
 };
 
 using FScreenVS = FScreenPassVS;
+
+namespace Drydock
+{
+
+template<>
+inline constexpr bool TIsScreenRectangle<FScreenPassVS> = true;
+
+} // namespace Drydock
 
 /** Copies a rectangle texel by texel (point sampling where sizes differ). */
 class DRYDOCK_API FCopyRectPS : public FGlobalShader
@@ -278,10 +295,10 @@ DRYDOCK_API void SetScreenPassPipelineState(
 namespace Drydock
 {
 
-/** Inside a raster lambda: viewport and interpolants of a draw over OutputViewport whose TEXCOORD0 is (u, v, screen x,
- *  screen y); u, v run over the input's rectangle relative to its extent. */
-DRYDOCK_API void SetScreenPassInterpolants(FRHICommandList& RHICmdList,
-	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport);
+/** Inside a raster lambda: draws OutputViewport by the state's vertex shader, or without one so that TEXCOORD0 is (u,
+ * v, screen x, screen y); u, v run over the input's rectangle relative to its extent. */
+DRYDOCK_API void DrawScreenPassRectangle(FRHICommandList& RHICmdList, const FScreenPassTextureViewport& OutputViewport,
+	const FScreenPassTextureViewport& InputViewport);
 
 /** Adds the raster pass of AddDrawScreenPass: Parameters are those of the state's pixel shader. */
 DRYDOCK_API FRDGPassRef AddScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name,
@@ -292,7 +309,8 @@ DRYDOCK_API FRDGPassRef AddScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&&
 } // namespace Drydock
 
 /** Inside a raster lambda: draws a rectangle of the viewport with UVs of a rectangle of the texture. The rectangle
- * covers X..X+SizeX of a target of TargetSize; the UV rectangle is U..U+SizeU of a texture of TextureSize. */
+ * covers X..X+SizeX of a target of TargetSize; the UV rectangle is U..U+SizeU of a texture of TextureSize. A vertex
+ * shader of a plugin's own is run, with FDrawRectangleParameters, and places the rectangle in the viewport. */
 DRYDOCK_API void DrawRectangle(FRHICommandList& RHICmdList, float X, float Y, float SizeX, float SizeY, float U,
 	float V, float SizeU, float SizeV, FIntPoint TargetSize, FIntPoint TextureSize,
 	const TShaderRef<FShader>& VertexShader = {});
@@ -305,8 +323,7 @@ void DrawScreenPass(FRHICommandList& RHICmdList, const FScreenPassViewInfo&,
 {
 	SetScreenPassPipelineState(RHICmdList, PipelineState);
 	SetupFunction(RHICmdList);
-	Drydock::SetScreenPassInterpolants(RHICmdList, OutputViewport, InputViewport);
-	RHICmdList.DrawPrimitive(0, 1, 1);
+	Drydock::DrawScreenPassRectangle(RHICmdList, OutputViewport, InputViewport);
 }
 
 template<typename TSetupFunction>
@@ -422,7 +439,7 @@ requires std::is_invocable_v<TSetupFunction&, FRHICommandList&> FRDGPassRef AddD
 		[ViewInfo, OutputViewport, InputViewport, PipelineState, Flags, SetupFunction](FRHICommandList& RHICmdList)
 		{ DrawScreenPass(RHICmdList, ViewInfo, OutputViewport, InputViewport, PipelineState, Flags, SetupFunction); },
 		Location);
-	Drydock::AnnotatePass(Pass, PipelineState.PixelShader);
+	Drydock::AnnotatePass(Pass, PipelineState.PixelShader, PipelineState.VertexShader);
 	Pass->SetArea(OutputViewport.Rect.Size());
 	return Pass;
 }

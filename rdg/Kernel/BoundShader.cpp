@@ -47,6 +47,8 @@ const FKernelBuffer* FNativeKernelArgs::FindRWBuffer(const char* HlslName) const
 	return FindByName(Reflection.RWBuffers, Args.RWBuffers, HlslName);
 }
 
+FVertexProgram::~FVertexProgram() = default;
+
 FKernelArgs FBoundShader::GetArgs() const
 {
 	FKernelArgs Args{};

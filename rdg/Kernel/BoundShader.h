@@ -6,6 +6,7 @@
 #include "DrydockAPI.h"
 #include "ShaderKernel.h"
 #include "ShaderReflection.h"
+#include "VertexProgram.h"
 
 #include <cstdint>
 #include <memory>
@@ -65,7 +66,7 @@ struct DRYDOCK_API FBoundShader
 	 * this object lives and is not moved from. */
 	FKernelArgs GetArgs() const;
 
-	/** Runs one tile. Thread-safe: any number of tiles at once. */
+	/** Runs one tile; not of a vertex shader. Thread-safe: any number of tiles at once. */
 	void Run(const FKernelArgs& Args, const FKernelTile& Tile) const;
 
 	std::string Name;                                    // shader class, "FBloomSetupPS"
@@ -73,6 +74,7 @@ struct DRYDOCK_API FBoundShader
 	std::shared_ptr<const FShaderReflection> Reflection; // shares ownership with the compiled shader
 	FKernelFunction Kernel = nullptr;                    // the compiled .usf, or
 	FNativeKernelFunction Native = nullptr;              // a hand-written kernel that stands in for it
+	std::shared_ptr<const FVertexProgram> Vertex;        // of a vertex shader, which has no kernel
 	bool bDouble = false;                                // arithmetic of Kernel
 	const void* Parameters = nullptr;
 	int32_t PermutationId = 0;

@@ -14,7 +14,8 @@ namespace Drydock
 enum class EShaderStage : uint8_t
 {
 	Pixel,
-	Compute
+	Compute,
+	Vertex
 };
 enum class EShaderScalar : uint8_t
 {
@@ -80,7 +81,7 @@ struct FShaderReflection
 	std::vector<FShaderResource> Buffers;
 	std::vector<FShaderResource> RWBuffers;
 	int32_t NumTargets = 0;      // pixel: 1 + highest SV_TargetN written
-	int32_t NumInterpolants = 0; // pixel: 1 + highest TEXCOORD location read
+	int32_t NumInterpolants = 0; // pixel: 1 + highest TEXCOORD read; vertex: written
 	bool bUsesDiscard = false;
 	int32_t StaticSamples =
 		-1; // texture samples and loads per pixel where control flow is uniform and bounded, else -1

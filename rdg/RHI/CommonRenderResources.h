@@ -1,5 +1,4 @@
-// Vertex layouts and buffers that full-screen draws name. No vertex shader runs, so they are empty. Source: engine
-// CommonRenderResources.h.
+// Vertex layouts and buffers of rectangles of the screen. Source: engine CommonRenderResources.h.
 #pragma once
 
 #include "PipelineStateCache.h"
@@ -14,31 +13,80 @@ struct FFilterVertex
 namespace Drydock
 {
 
-/** Makes its declaration when it is asked for. */
-class FFullScreenVertexDeclaration : public FRenderResource
+/** Something of the RHI that is made when it is first asked for; converts to the engine's pointer. */
+template<typename ResourceType, ResourceType* (*Get)()>
+struct TLazyResource
 {
-public:
-	struct FLazyDeclaration
-	{
-		operator FRHIVertexDeclaration*() const
-		{
-			static FRHIVertexDeclaration* const Declaration = PipelineStateCache::GetOrCreateVertexDeclaration({});
-			return Declaration;
-		}
-		FRHIVertexDeclaration* GetReference() const { return *this; }
-	};
-
-	FLazyDeclaration VertexDeclarationRHI;
+	operator ResourceType*() const { return Get(); }
+	ResourceType* operator->() const { return Get(); }
+	ResourceType* GetReference() const { return Get(); }
+	bool IsValid() const { return true; }
 };
+
+// Made on first use, never freed.
+DRYDOCK_API FRHIVertexDeclaration* GetFilterVertexDeclaration();
+DRYDOCK_API FRHIVertexDeclaration* GetTileVertexDeclaration();
+DRYDOCK_API FRHIVertexDeclaration* GetEmptyVertexDeclaration();
+DRYDOCK_API FRHIBuffer* GetScreenRectangleVertexBuffer();
+DRYDOCK_API FRHIBuffer* GetScreenRectangleIndexBuffer();
+DRYDOCK_API FRHIBuffer* GetScreenSpaceVertexBuffer();
+DRYDOCK_API FRHIBuffer* GetTwoTrianglesIndexBuffer();
 
 } // namespace Drydock
 
-using FFilterVertexDeclaration = Drydock::FFullScreenVertexDeclaration;
-using FEmptyVertexDeclaration = Drydock::FFullScreenVertexDeclaration;
-using FScreenRectangleVertexBuffer = FVertexBuffer;
-using FScreenRectangleIndexBuffer = FIndexBuffer;
+/** ATTRIBUTE0: position, four floats; ATTRIBUTE1: UV, two floats; as FFilterVertex. */
+class FFilterVertexDeclaration : public FRenderResource
+{
+public:
+	Drydock::TLazyResource<FRHIVertexDeclaration, &Drydock::GetFilterVertexDeclaration> VertexDeclarationRHI;
+};
+
+/** ATTRIBUTE0: position, two floats. */
+class FTileVertexDeclaration : public FRenderResource
+{
+public:
+	Drydock::TLazyResource<FRHIVertexDeclaration, &Drydock::GetTileVertexDeclaration> VertexDeclarationRHI;
+};
+
+/** For vertex shaders that need SV_VertexID only. */
+class FEmptyVertexDeclaration : public FRenderResource
+{
+public:
+	Drydock::TLazyResource<FRHIVertexDeclaration, &Drydock::GetEmptyVertexDeclaration> VertexDeclarationRHI;
+};
+
+/** FFilterVertex: the corners (1, 1), (0, 1), (1, 0), (0, 0), then (-1, 1) and (1, -1), each with itself as UV. */
+class FScreenRectangleVertexBuffer : public FRenderResource
+{
+public:
+	Drydock::TLazyResource<FRHIBuffer, &Drydock::GetScreenRectangleVertexBuffer> VertexBufferRHI;
+};
+
+/** Of FScreenRectangleVertexBuffer, 16 bit: two triangles that are the rectangle, then one that covers it. */
+class FScreenRectangleIndexBuffer : public FRenderResource
+{
+public:
+	Drydock::TLazyResource<FRHIBuffer, &Drydock::GetScreenRectangleIndexBuffer> IndexBufferRHI;
+};
+
+/** FVector2f: the corners of clip space (-1, -1), (-1, 1), (1, -1), (1, 1). */
+class FScreenSpaceVertexBuffer : public FRenderResource
+{
+public:
+	Drydock::TLazyResource<FRHIBuffer, &Drydock::GetScreenSpaceVertexBuffer> VertexBufferRHI;
+};
+
+/** Of four corners of which the first and the last are opposite, 16 bit: 0 1 3 and 0 3 2. */
+class FTwoTrianglesIndexBuffer : public FRenderResource
+{
+public:
+	Drydock::TLazyResource<FRHIBuffer, &Drydock::GetTwoTrianglesIndexBuffer> IndexBufferRHI;
+};
 
 inline TGlobalResource<FFilterVertexDeclaration> GFilterVertexDeclaration;
+inline TGlobalResource<FTileVertexDeclaration> GTileVertexDeclaration;
 inline TGlobalResource<FEmptyVertexDeclaration> GEmptyVertexDeclaration;
 inline TGlobalResource<FScreenRectangleVertexBuffer> GScreenRectangleVertexBuffer;
 inline TGlobalResource<FScreenRectangleIndexBuffer> GScreenRectangleIndexBuffer;
+inline TGlobalResource<FScreenSpaceVertexBuffer> GScreenSpaceVertexBuffer;
+inline TGlobalResource<FTwoTrianglesIndexBuffer> GTwoTrianglesIndexBuffer;

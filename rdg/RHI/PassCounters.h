@@ -1,6 +1,7 @@
 // Counts what a pass cost, in units that do not depend on the machine.
 #pragma once
 
+#include "Diagnostics.h"
 #include "Math/IntRect.h"
 
 #include <cstdint>
@@ -33,9 +34,12 @@ struct FPassCounters
 	/** What draws, clears and copies wrote, each texture's mip once, as the least rect around it. Where a compute
 	 * shader stores is not known. */
 	std::vector<FTextureWrite> Writes;
+	std::vector<FDiagnostic> Remarks; // warnings of draws
 
 	void AddWrite(const FRHITexture* Texture, int32_t Mip, const FIntRect& Rect);
 	void Rename(const FRHITexture* From, const FRHITexture* To);
+	/** Each text once. */
+	void AddRemark(const FDiagnostic& Remark);
 };
 
 } // namespace Drydock

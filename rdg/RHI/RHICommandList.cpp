@@ -101,6 +101,18 @@ void Drydock::FPassCounters::AddWrite(const FRHITexture* Texture, int32_t Mip, c
 	}
 }
 
+void Drydock::FPassCounters::AddRemark(const FDiagnostic& Remark)
+{
+	const auto Same = [&Remark](const FDiagnostic& Known)
+	{
+		return Known.ToString() == Remark.ToString();
+	};
+	if (std::none_of(Remarks.begin(), Remarks.end(), Same))
+	{
+		Remarks.push_back(Remark);
+	}
+}
+
 void Drydock::FPassCounters::Rename(const FRHITexture* From, const FRHITexture* To)
 {
 	for (FTextureWrite& Write : Writes)
@@ -251,6 +263,7 @@ void FRHICommandList::EndRenderPass()
 	checkf(bInsideRenderPass, TEXT("EndRenderPass outside a render pass"));
 	bInsideRenderPass = false;
 	RenderPass = FRHIRenderPassInfo();
+	Vertices = Drydock::FVertexState(); // whose buffers may be of this pass only
 }
 
 void FRHICommandList::ClearTarget(FRHITexture* Texture, int32 Mip, int32 Slice)
@@ -289,6 +302,7 @@ void FRHICommandList::SetGraphicsPipelineState(const FGraphicsPipelineStateIniti
 	BlendState = Initializer.BlendState;
 	DepthStencilState = Initializer.DepthStencilState;
 	BoundPixel = Drydock::FBoundShader();
+	Vertices.SetPipeline(Initializer);
 	Interpolants.clear();
 }
 
@@ -321,44 +335,6 @@ void FRHICommandList::SetScissorRect(bool bEnable, uint32 MinX, uint32 MinY, uin
 void FRHICommandList::SetBlendFactor(const FLinearColor& BlendFactor)
 {
 	checkf(BlendFactor == FLinearColor(1, 1, 1, 1), TEXT("blend factors other than white are not simulated"));
-}
-
-void FRHICommandList::DrawPrimitive(uint32, uint32 NumPrimitives, uint32 NumInstances)
-{
-	DrawViewport(NumPrimitives > 0 ? std::max(1u, NumInstances) : 0);
-}
-
-void FRHICommandList::DrawIndexedPrimitive(
-	FRHIBuffer*, int32, uint32, uint32, uint32, uint32 NumPrimitives, uint32 NumInstances)
-{
-	DrawViewport(NumPrimitives > 0 ? std::max(1u, NumInstances) : 0);
-}
-
-FIntRect FRHICommandList::GetDrawRect() const
-{
-	FIntRect Rect = Viewport;
-	const auto Clip = [&Rect](const FIntRect& To)
-	{
-		Rect.Min = FIntPoint(std::max(Rect.Min.X, To.Min.X), std::max(Rect.Min.Y, To.Min.Y));
-		Rect.Max = FIntPoint(std::min(Rect.Max.X, To.Max.X), std::min(Rect.Max.Y, To.Max.Y));
-	};
-	for (const FRHIRenderPassInfo::FColorEntry& Entry : RenderPass.ColorRenderTargets)
-	{
-		if (Entry.RenderTarget)
-		{
-			const Drydock::FTextureMipLayout& At = Entry.RenderTarget->GetMipLayout(Entry.MipIndex);
-			Clip(FIntRect(0, 0, At.SizeX, At.SizeY));
-		}
-	}
-	if (FRHITexture* const Depth = RenderPass.DepthStencilRenderTarget.DepthStencilTarget)
-	{
-		Clip(FIntRect(FIntPoint(0, 0), Depth->GetSizeXY()));
-	}
-	if (bScissor)
-	{
-		Clip(Scissor);
-	}
-	return Rect;
 }
 
 std::vector<Drydock::FKernelTarget> FRHICommandList::MakeTargets(int32 NumWritten) const
@@ -395,45 +371,15 @@ std::vector<Drydock::FKernelTarget> FRHICommandList::MakeTargets(int32 NumWritte
 	return Targets;
 }
 
-std::vector<Drydock::FKernelInterpolant> FRHICommandList::MakeInterpolants(int32 NumRead) const
+void FRHICommandList::DrawRect(
+	const FIntRect& Rect, const std::vector<Drydock::FKernelInterpolant>& Inputs, uint32 NumInstances)
 {
-	std::vector<Drydock::FKernelInterpolant> Result = Interpolants;
-	if (Result.empty())
-	{
-		const double Width = Viewport.Width();
-		const double Height = Viewport.Height();
-		const double U = -Viewport.Min.X / Width;
-		const double V = -Viewport.Min.Y / Height;
-		Result.push_back({
-			{U, V, 2 * U - 1, 1 - 2 * V},
-			{1 / Width, 0, 2 / Width, 0},
-			{0, 1 / Height, 0, -2 / Height},
-		});
-	}
-	Result.resize(std::max(Result.size(), size_t(NumRead)));
-	return Result;
-}
-
-void FRHICommandList::DrawViewport(uint32 NumInstances)
-{
-	checkf(bInsideRenderPass, TEXT("a draw outside a render pass"));
-	checkf(BoundPixel.IsValid(), TEXT("a draw without a pixel shader: call SetShaderParameters first"));
-	const Drydock::FShaderReflection& Reflection = BoundPixel.GetReflection();
-	checkf(Reflection.Stage == Drydock::EShaderStage::Pixel, TEXT("a draw: %s is not a pixel shader"),
-		BoundPixel.Name.c_str());
-	checkf(!RenderPass.DepthStencilRenderTarget.DepthStencilTarget || !DepthStencilState ||
-			   !DepthStencilState->IsTesting(),
-		TEXT(
-			"%s: depth and stencil tests and writes are not simulated; use TStaticDepthStencilState<false, CF_Always>"),
-		BoundPixel.Name.c_str());
-
-	const FIntRect Rect = GetDrawRect();
 	if (Rect.Width() <= 0 || Rect.Height() <= 0)
 	{
 		return;
 	}
+	const Drydock::FShaderReflection& Reflection = BoundPixel.GetReflection();
 	const std::vector<Drydock::FKernelTarget> Targets = MakeTargets(Reflection.NumTargets);
-	const std::vector<Drydock::FKernelInterpolant> Inputs = MakeInterpolants(Reflection.NumInterpolants);
 	Drydock::FKernelArgs Args = BoundPixel.GetArgs();
 	Args.Targets = Targets.data();
 	Args.NumTargets = int32(Targets.size());

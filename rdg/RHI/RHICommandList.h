@@ -1,5 +1,6 @@
 // Command lists. They run at once: when a call returns, its work is done. A draw runs the bound pixel shader over the
-// viewport, whatever its vertices say; no vertex shader runs. Source: engine RHICommandList.h.
+// viewport, or over the rectangles that a vertex shader of a plugin makes of its vertices. Source: engine
+// RHICommandList.h.
 #pragma once
 
 #include <map>
@@ -9,6 +10,7 @@
 #include "PassCounters.h"
 #include "RHIResources.h"
 #include "RHITransition.h"
+#include "VertexDraw.h"
 
 /** Creation, locks, uploads and clears; counters. */
 class DRYDOCK_API FRHICommandListBase
@@ -145,7 +147,17 @@ public:
 	/** The parameters' binder hands over what draws run. Stays until the next pipeline state. */
 	void SetBoundPixelShader(Drydock::FBoundShader&& Shader);
 
-	/** What the vertex shader would have passed on, by location. Without it, location 0 is
+	/** The same of the pipeline state's vertex shader. */
+	void SetBoundVertexShader(Drydock::FBoundShader&& Shader) { Vertices.Bound = std::move(Shader); }
+
+	/** The pipeline state has a vertex shader that draws run: one other than the engine's of screen passes. */
+	bool HasVertexShader() const { return Vertices.Shader && Vertices.Shader->GetShaderToRun(); }
+
+	/** Draws two triangles of GScreenRectangleVertexBuffer by the vertex shader, which has to be one that draws run.
+	 * Parameters: contents of the uniform buffer DrawRectangleParameters, FDrawRectangleParameters. */
+	void DrawScreenRectangle(const void* Parameters, uint32 NumBytes);
+
+	/** What the engine's vertex shader of screen passes passes on, by location. Without it, location 0 is
 	 *  (u, v, screen x, screen y): 0..1 over the viewport with v down, and -1..1 with y up. Stays until the next
 	 * pipeline state. */
 	void SetInterpolants(TConstArrayView<Drydock::FKernelInterpolant> InInterpolants);
@@ -153,12 +165,14 @@ public:
 	void SetViewport(float MinX, float MinY, float MinZ, float MaxX, float MaxY, float MaxZ);
 	void SetScissorRect(bool bEnable, uint32 MinX, uint32 MinY, uint32 MaxX, uint32 MaxY);
 	void SetStencilRef(uint32) {}
-	void SetStreamSource(uint32, FRHIBuffer*, uint32) {}
+	/** Where the vertex declaration's elements of that stream lie: Offset bytes into Buffer. */
+	void SetStreamSource(uint32 StreamIndex, FRHIBuffer* Buffer, uint32 Offset);
 
 	/** Only white, the default, is simulated (checked). */
 	void SetBlendFactor(const FLinearColor& BlendFactor);
 
-	/** Each instance covers the viewport once, within scissor and targets. */
+	/** Each instance covers the viewport once, within scissor and targets; or what the vertex shader makes of it, which
+	 * have to be rectangles (VertexRectangles.h): others are not drawn, which is a warning of the pass (DD2130). */
 	void DrawPrimitive(uint32 BaseVertexIndex, uint32 NumPrimitives, uint32 NumInstances);
 	void DrawIndexedPrimitive(FRHIBuffer* IndexBuffer, int32 BaseVertexIndex, uint32 FirstInstance, uint32 NumVertices,
 		uint32 StartIndex, uint32 NumPrimitives, uint32 NumInstances);
@@ -171,6 +185,9 @@ public:
 private:
 	void ClearTarget(FRHITexture* Texture, int32 Mip, int32 Slice);
 	void DrawViewport(uint32 NumInstances);
+	void DrawRect(const FIntRect& Rect, const std::vector<Drydock::FKernelInterpolant>& Inputs, uint32 NumInstances);
+	void DrawVertices(const Drydock::FVertexDraw& Draw, uint32 NumInstances);
+	void CheckDraw() const;
 	std::vector<Drydock::FKernelTarget> MakeTargets(int32 NumWritten) const;
 	std::vector<Drydock::FKernelInterpolant> MakeInterpolants(int32 NumRead) const;
 	FIntRect GetDrawRect() const;
@@ -179,6 +196,7 @@ private:
 	Drydock::FBoundShader BoundPixel;
 	TRefCountPtr<FRHIBlendState> BlendState;
 	TRefCountPtr<FRHIDepthStencilState> DepthStencilState;
+	Drydock::FVertexState Vertices;
 	std::vector<Drydock::FKernelInterpolant> Interpolants;
 	FIntRect Viewport;
 	FIntRect Scissor;

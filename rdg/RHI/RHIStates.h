@@ -6,6 +6,8 @@
 #include "RHIResource.h"
 #include "ShaderKernel.h"
 
+class FShader;
+
 struct FSamplerStateInitializerRHI
 {
 	FSamplerStateInitializerRHI(ESamplerFilter InFilter = SF_Point, ESamplerAddressMode InAddressU = AM_Wrap,
@@ -107,7 +109,7 @@ struct FRasterizerStateInitializerRHI
 	bool bEnableLineAA = false;
 };
 
-/** Draws cover the viewport whatever it says: there is no geometry to cull. */
+/** Draws are rectangles that face the camera, whatever it says. */
 class DRYDOCK_API FRHIRasterizerState final : public FRHIResource
 {
 public:
@@ -189,7 +191,8 @@ enum EVertexElementType
 	VET_UInt,
 };
 
-/** One vertex attribute. Kept for code that declares vertex layouts; no vertex shader runs. */
+/** One vertex attribute: where it lies in the buffer of its stream, and as which ATTRIBUTEn a vertex shader reads it.
+ */
 struct FVertexElement
 {
 	FVertexElement() = default;
@@ -255,10 +258,16 @@ public:
 class DRYDOCK_API FRHIVertexShader : public FRHIGraphicsShader
 {
 public:
-	FRHIVertexShader()
+	/** ShaderToRun: null for the engine's rectangle of screen passes, which draws know without running it. */
+	explicit FRHIVertexShader(FShader* InShaderToRun = nullptr)
 		: FRHIGraphicsShader(SF_Vertex)
+		, ShaderToRun(InShaderToRun)
 	{
 	}
+	FShader* GetShaderToRun() const { return ShaderToRun; }
+
+private:
+	FShader* ShaderToRun;
 };
 
 class DRYDOCK_API FRHIPixelShader : public FRHIGraphicsShader

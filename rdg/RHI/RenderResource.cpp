@@ -1,7 +1,11 @@
 // Render resources and the plain textures. Source: engine RenderResource.cpp, RenderUtils.cpp for behaviour.
 #include "RenderResource.h"
 
+#include "CodeScope.h"
 #include "PipelineStateCache.h"
+
+#include <mutex>
+#include <vector>
 
 constinit const Drydock::FPlainTexture GWhiteTexture(TEXT("WhiteTexture"), 0xffffffff);
 constinit const Drydock::FPlainTexture GBlackTexture(TEXT("BlackTexture"), 0xff000000);
@@ -29,6 +33,66 @@ void FRenderResource::ReleaseResource()
 
 namespace Drydock
 {
+
+namespace
+{
+
+struct FGlobalResource
+{
+	FRenderResource* Resource;
+	FCodeOwner Owner;
+	bool bMade = false;
+};
+
+struct FGlobalResources
+{
+	std::mutex Mutex;
+	std::vector<FGlobalResource> Resources;
+
+	static FGlobalResources& Get()
+	{
+		static FGlobalResources* const Registry = new FGlobalResources; // outlives resources of any shared object
+		return *Registry;
+	}
+};
+
+} // namespace
+
+void AddGlobalResource(FRenderResource& Resource)
+{
+	FGlobalResources& Registry = FGlobalResources::Get();
+	const std::lock_guard Lock(Registry.Mutex);
+	Registry.Resources.push_back({&Resource, MakeCodeOwner("InitRHI of a global resource")});
+}
+
+void RemoveGlobalResource(FRenderResource& Resource)
+{
+	FGlobalResources& Registry = FGlobalResources::Get();
+	const std::lock_guard Lock(Registry.Mutex);
+	std::erase_if(
+		Registry.Resources, [&Resource](const FGlobalResource& Known) { return Known.Resource == &Resource; });
+}
+
+void InitGlobalResources()
+{
+	FGlobalResources& Registry = FGlobalResources::Get();
+	std::vector<FGlobalResource> ToMake;
+	{
+		const std::lock_guard Lock(Registry.Mutex);
+		for (FGlobalResource& Known : Registry.Resources)
+		{
+			if (!Known.bMade)
+			{
+				ToMake.push_back(Known);
+				Known.bMade = true;
+			}
+		}
+	}
+	for (const FGlobalResource& Made : ToMake)
+	{
+		CallCode(Made.Owner, [&] { Made.Resource->InitResource(); });
+	}
+}
 
 FTextureWithSRV* FPlainTexture::Get() const
 {

@@ -5,6 +5,8 @@
 #include "RHICommandList.h"
 #include "RHIStaticStates.h"
 
+#include <utility>
+
 class DRYDOCK_API FRenderResource
 {
 public:
@@ -25,12 +27,36 @@ private:
 	bool bInitialized = false;
 };
 
-/** A resource that is made when it is first asked for; the engine makes it when the RHI starts. */
+namespace Drydock
+{
+
+DRYDOCK_API void AddGlobalResource(FRenderResource& Resource);
+DRYDOCK_API void RemoveGlobalResource(FRenderResource& Resource);
+
+/** Makes those that exist and are not made yet. */
+DRYDOCK_API void InitGlobalResources();
+
+} // namespace Drydock
+
+/** A resource that lives as long as its module; made before the first graph after the module was loaded, where the
+ * engine makes it when the RHI starts. */
 template<typename ResourceType>
 class TGlobalResource : public ResourceType
 {
 public:
-	using ResourceType::ResourceType;
+	template<typename... ArgumentTypes>
+	explicit TGlobalResource(ArgumentTypes&&... Arguments)
+		: ResourceType(std::forward<ArgumentTypes>(Arguments)...)
+	{
+		Drydock::AddGlobalResource(*this);
+	}
+	~TGlobalResource() override
+	{
+		Drydock::RemoveGlobalResource(*this);
+		this->ReleaseResource();
+	}
+	TGlobalResource(const TGlobalResource&) = delete;
+	TGlobalResource& operator=(const TGlobalResource&) = delete;
 };
 
 class DRYDOCK_API FTexture : public FRenderResource

@@ -108,7 +108,7 @@ void FShader::Adopt(const FShaderType& InType, int32 InPermutationId)
 		PixelShader = new FRHIPixelShader();
 		break;
 	case SF_Vertex:
-		VertexShader = new FRHIVertexShader();
+		VertexShader = new FRHIVertexShader(InType.IsRunByDraws() ? this : nullptr);
 		break;
 	default:
 		checkf(false, TEXT("%s: only vertex, pixel and compute shaders exist here"), InType.GetName());

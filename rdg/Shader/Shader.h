@@ -30,7 +30,12 @@ struct FShaderTypeFunctions
 	bool (*ShouldCompilePermutation)(int32 PermutationId) = nullptr;
 	void (*ModifyCompilationEnvironment)(int32 PermutationId, FShaderCompilerEnvironment& OutEnvironment) = nullptr;
 	const FShaderParametersMetadata* (*GetRootParametersMetadata)() = nullptr;
+	bool bScreenRectangle = false;
 };
+
+/** A vertex shader whose rectangle every draw knows without running it: the engine's of screen passes. */
+template<typename TShaderClass>
+inline constexpr bool TIsScreenRectangle = false;
 
 } // namespace Drydock
 
@@ -84,6 +89,8 @@ public:
 	{
 		return Functions.ShouldCompilePermutation(PermutationId);
 	}
+	/** Of a vertex shader: draws run it. */
+	bool IsRunByDraws() const { return Frequency == SF_Vertex && !Functions.bScreenRectangle; }
 	/** Null for a class without SHADER_USE_PARAMETER_STRUCT. */
 	const FShaderParametersMetadata* GetRootParametersMetadata() const { return Functions.GetRootParametersMetadata(); }
 
@@ -246,6 +253,7 @@ FShaderTypeFunctions MakeShaderTypeFunctions()
 	{
 		return TShaderClass::GetRootParametersMetadata();
 	};
+	Functions.bScreenRectangle = TIsScreenRectangle<TShaderClass>;
 	return Functions;
 }
 

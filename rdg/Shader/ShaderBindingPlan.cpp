@@ -3,6 +3,7 @@
 #include "ShaderBindingPlan.h"
 
 #include "UniformBufferStructs.h"
+#include "VertexDraw.h"
 
 #include <algorithm>
 #include <set>
@@ -293,7 +294,7 @@ private:
 	void ReportMissingUniformBuffer(
 		const std::string& UniformBuffer, const std::string& HlslName, const std::string& Where)
 	{
-		if (!MissingBuffers.insert(UniformBuffer).second)
+		if (!MissingBuffers.insert(UniformBuffer).second || IsBoundByDraw(Reflection, UniformBuffer))
 		{
 			return;
 		}
@@ -387,6 +388,11 @@ private:
 };
 
 } // namespace
+
+bool IsBoundByDraw(const FShaderReflection& Reflection, const std::string& UniformBuffer)
+{
+	return Reflection.Stage == EShaderStage::Vertex && UniformBuffer == GDrawRectangleParametersName;
+}
 
 FShaderBindingPlan MakeShaderBindingPlan(const std::string& ShaderName, const FShaderReflection& Reflection,
 	const FShaderParametersMetadata& Metadata, std::vector<FDiagnostic>& Diagnostics)

@@ -72,6 +72,9 @@ struct FShaderBindingPlan
 	std::vector<FStaticSamplerCopy> StaticSamplers;
 };
 
+/** A vertex shader's uniform buffer of that HLSL name that no parameter struct holds: each draw brings its own. */
+DRYDOCK_API bool IsBoundByDraw(const FShaderReflection& Reflection, const std::string& UniformBuffer);
+
 /** Appends a message for each thing that the shader reads and the struct does not offer in that type. */
 DRYDOCK_API FShaderBindingPlan MakeShaderBindingPlan(const std::string& ShaderName, const FShaderReflection& Reflection,
 	const FShaderParametersMetadata& Metadata, std::vector<FDiagnostic>& Diagnostics);

@@ -97,13 +97,12 @@ FShaderCompileRequest MakeShaderCompileRequest(const FShaderRef& Shader, const F
 {
 	MapShippedShaders();
 	const FShaderType& Type = *Shader.GetType();
-	checkf(Type.GetFrequency() != SF_Vertex,
-		TEXT("%s is a vertex shader: those are registered, but a CPU draws without them"), Type.GetName());
-
 	FShaderCompileRequest Request;
 	Request.VirtualPath = Type.GetShaderFilename();
 	Request.EntryPoint = Type.GetFunctionName();
-	Request.Stage = Type.GetFrequency() == SF_Pixel ? EShaderStage::Pixel : EShaderStage::Compute;
+	Request.Stage = Type.GetFrequency() == SF_Pixel    ? EShaderStage::Pixel
+					: Type.GetFrequency() == SF_Vertex ? EShaderStage::Vertex
+													   : EShaderStage::Compute;
 	Request.Defines = Type.GetCompilationEnvironment(Shader->GetPermutationId()).GetDefines();
 	Request.Lanes = GetShaderLaneConfig();
 	AddUniformBuffers(Metadata, Request);

@@ -4,7 +4,9 @@
 
 #include "ShaderKernel.h"
 #include "ShaderReflection.h"
+#include "VertexProgram.h"
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,8 +44,9 @@ struct FCompiledShader
 {
 	FShaderReflection Reflection;
 	FKernelFunction Run = nullptr;
-	FLaneConfig Lanes; // the resolved lane count
-	std::string Key;   // content hash, hexadecimal
+	std::shared_ptr<const FVertexProgram> Vertex; // of a vertex shader, which has no kernel
+	FLaneConfig Lanes;                            // the resolved lane count
+	std::string Key;                              // content hash, hexadecimal
 	bool bFromCache = false;
 	double CompileMs = 0;
 	std::vector<std::string> Files; // every file on disk that was read (for --watch)

@@ -8,10 +8,13 @@
 #include "ShaderFrontEnd.h"
 #include "ShaderSource.h"
 #include "SpirvEmit.h"
+#include "SpirvInterpreter.h"
 
 #include <chrono>
+#include <cstring>
 #include <map>
 #include <mutex>
+#include <utility>
 
 namespace Drydock
 {
@@ -143,9 +146,9 @@ auto ExplainSpirvErrors(const FShaderCompileRequest& Request, FWork Work)
 	}
 }
 
-FAnalysedShader Analyse(const FShaderSource& Source, const FShaderCompileRequest& Request)
+FAnalysedShader Analyse(
+	const std::vector<uint32_t>& Words, const FShaderSource& Source, const FShaderCompileRequest& Request)
 {
-	const std::vector<uint32_t> Words = CompileToSpirv(Source, Request);
 	return ExplainSpirvErrors(Request,
 		[&]
 		{
@@ -161,7 +164,7 @@ FAnalysedShader Analyse(const FShaderSource& Source, const FShaderCompileRequest
 void Build(const FShaderSource& Source, const FShaderCompileRequest& Request, const FShaderCache& Cache,
 	const std::string& CompilerId, FCompiledShader& Result)
 {
-	const FAnalysedShader Shader = Analyse(Source, Request);
+	const FAnalysedShader Shader = Analyse(CompileToSpirv(Source, Request), Source, Request);
 	const std::string Cpp = ExplainSpirvErrors(Request,
 		[&]
 		{
@@ -202,8 +205,46 @@ bool LoadFromCache(const FShaderCache& Cache, const std::string& CompilerId, FCo
 	return Result.bFromCache;
 }
 
+/** The words of a vertex shader's SPIR-V: from the cache, or from the front end and then there. An entry is the hash of
+ * the words, and the words. */
+std::vector<uint32_t> FindVertexWords(
+	const FShaderSource& Source, const FShaderCompileRequest& Request, const std::string& Key)
+{
+	const FShaderCache Cache = FShaderCache::Open();
+	const std::string Name = Key.substr(0, 2) + "/" + Key + ".vertex.spv";
+	const size_t HashSize = HashBytes({}).size();
+	const std::string Entry = Cache.ReadText(Name).value_or("");
+	if (Entry.size() > HashSize && HashBytes(Entry.substr(HashSize)) == Entry.substr(0, HashSize))
+	{
+		std::vector<uint32_t> Words((Entry.size() - HashSize) / sizeof(uint32_t));
+		std::memcpy(Words.data(), Entry.data() + HashSize, Words.size() * sizeof(uint32_t));
+		return Words;
+	}
+	const std::vector<uint32_t> Words = CompileToSpirv(Source, Request);
+	const std::string Bytes(reinterpret_cast<const char*>(Words.data()), Words.size() * sizeof(uint32_t));
+	Cache.StoreText(Name, HashBytes(Bytes) + Bytes);
+	return Words;
+}
+
+/** Vertex shaders are interpreted: there is no kernel to compile. */
+std::shared_ptr<const FCompiledShader> MakeVertexShader(const FShaderCompileRequest& Request)
+{
+	const auto Result = std::make_shared<FCompiledShader>();
+	const FShaderSource Source = FlattenShader(Request);
+	Result->Files = Source.Files;
+	Result->Key = HashSource(Source, Request, {});
+	FAnalysedShader Shader = Analyse(FindVertexWords(Source, Request, Result->Key), Source, Request);
+	Result->Reflection = Shader.Reflection.Reflection;
+	Result->Vertex = MakeVertexProgram(std::move(Shader.Module), std::move(Shader.Reflection));
+	return Result;
+}
+
 std::shared_ptr<const FCompiledShader> MakeShader(const FShaderCompileRequest& Request, const FLaneConfig& Lanes)
 {
+	if (Request.Stage == EShaderStage::Vertex)
+	{
+		return MakeVertexShader(Request);
+	}
 	const auto Start = std::chrono::steady_clock::now();
 	const auto Result = std::make_shared<FCompiledShader>();
 	const FShaderSource Source = FlattenShader(Request);
@@ -248,7 +289,8 @@ FShaderReflection ReflectShader(const FShaderCompileRequest& Request)
 			{
 				return std::make_shared<FShaderReflection>(*Found);
 			}
-			const auto Result = std::make_shared<FShaderReflection>(Analyse(Source, Request).Reflection.Reflection);
+			const auto Result = std::make_shared<FShaderReflection>(
+				Analyse(CompileToSpirv(Source, Request), Source, Request).Reflection.Reflection);
 			Cache.StoreReflection(Key, *Result);
 			return Result;
 		});

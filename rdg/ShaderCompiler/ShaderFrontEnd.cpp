@@ -154,14 +154,19 @@ std::vector<FDiagnostic> ParseFrontEndMessages(const std::string& Output, const 
 namespace
 {
 
+/** As glslang calls it. */
+const char* GetStageName(EShaderStage Stage)
+{
+	return Stage == EShaderStage::Pixel ? "frag" : Stage == EShaderStage::Vertex ? "vert" : "comp";
+}
+
 FChildResult RunFrontEnd(const std::string& Program, const FTemporaryFolder& Folder, const std::string& Input,
 	const FShaderCompileRequest& Request, int TimeLimitSeconds)
 {
 	// --nan-clamp: min, max and clamp by D3D's NaN rules. hlsl_functionality1: semantics of inputs are kept.
-	return RunChild(
-		{Program, "-D", "-V", "-g", "--hlsl-offsets", "--nan-clamp", "-fhlsl_functionality1", "--auto-map-bindings",
-			"--auto-map-locations", "-S", Request.Stage == EShaderStage::Pixel ? "frag" : "comp", "-e",
-			Request.EntryPoint, "-o", Folder.Path + "/" + OutputName, Input},
+	return RunChild({Program, "-D", "-V", "-g", "--hlsl-offsets", "--nan-clamp", "-fhlsl_functionality1",
+						"--auto-map-bindings", "--auto-map-locations", "-S", GetStageName(Request.Stage), "-e",
+						Request.EntryPoint, "-o", Folder.Path + "/" + OutputName, Input},
 		TimeLimitSeconds, MakeToolEnvironment(Folder.Path));
 }
 

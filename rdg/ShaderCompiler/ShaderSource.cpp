@@ -134,7 +134,7 @@ void FFlattener::Define()
 		{"DRYDOCK", "1"},
 		{"PIXELSHADER", Request.Stage == EShaderStage::Pixel ? "1" : "0"},
 		{"COMPUTESHADER", Request.Stage == EShaderStage::Compute ? "1" : "0"},
-		{"VERTEXSHADER", "0"},
+		{"VERTEXSHADER", Request.Stage == EShaderStage::Vertex ? "1" : "0"},
 		{"GEOMETRYSHADER", "0"},
 		{"HULLSHADER", "0"},
 		{"DOMAINSHADER", "0"},

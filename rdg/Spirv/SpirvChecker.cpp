@@ -68,9 +68,10 @@ void FSpirvChecker::Check()
 	{
 		Module.Fail("SPIR-V: the module has no entry function");
 	}
-	if (Module.ExecutionModel != ExecutionModelFragment && Module.ExecutionModel != ExecutionModelCompute)
+	if (Module.ExecutionModel != ExecutionModelFragment && Module.ExecutionModel != ExecutionModelCompute &&
+		Module.ExecutionModel != ExecutionModelVertex)
 	{
-		Module.Fail("only pixel and compute shaders run on the CPU tier");
+		Module.Fail("only vertex, pixel and compute shaders run on the CPU tier");
 	}
 	CheckGroupSize();
 	for (const FSpirvBlock& Block : Module.Blocks)
@@ -110,10 +111,13 @@ void FSpirvChecker::CheckInput(const FSpirvVariable& Variable)
 		break;
 	case BuiltInLocalInvocationIndex:
 	case BuiltInFrontFacing:
+	case BuiltInVertexIndex:
+	case BuiltInInstanceIndex:
 		bFits = Size == 1;
 		break;
 	case BuiltInNone:
-		bFits = Size <= 4 && Module.GetScalarKind(Variable.Type, 0) == ESpirvType::Float;
+		bFits = Size <= 4 && (Module.ExecutionModel == ExecutionModelVertex ||
+								 Module.GetScalarKind(Variable.Type, 0) == ESpirvType::Float);
 		break;
 	default: // reflection refuses what is used of these
 		break;

@@ -219,6 +219,10 @@ std::string FSpirvEmitter::EmitBody()
 
 std::string EmitKernel(const FSpirvEmitInput& Input, const std::string& Title)
 {
+	if (Input.Reflection.Reflection.Stage == EShaderStage::Vertex)
+	{
+		Input.Module.Fail("a vertex shader has no kernel");
+	}
 	// The number of passes is bounded: what one finds can only grow.
 	FSpirvEmitter::FFindings Findings;
 	for (int Pass = 0;; ++Pass)

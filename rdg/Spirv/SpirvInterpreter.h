@@ -1,10 +1,11 @@
-// The model of the shader tier: runs a shader's SPIR-V one thread at a time, block after block, as the specification
-// says, in float. It knows nothing of lanes, masks, structure or uniformity; compiled kernels are tested against it.
-// Slow, and needs no compiler.
+// Runs a shader's SPIR-V one thread at a time, block after block, as the specification says, in float. Slow, and needs
+// no compiler: vertex shaders run by it, and it is the model that compiled kernels are tested against, for it knows
+// nothing of lanes, masks, structure or uniformity.
 #pragma once
 
 #include "ShaderKernel.h"
 #include "SpirvReflect.h"
+#include "VertexProgram.h"
 
 #include <memory>
 
@@ -31,8 +32,14 @@ public:
 	 *  Throws FSpirvError when the shader does not end within MaxSteps instructions or does what it must not. */
 	FInterpretedPixel Run(const FKernelArgs& Args, int32_t X, int32_t Y, int32_t Z, uint64_t MaxSteps = 10'000'000);
 
+	/** Runs a vertex shader for one vertex; throws as Run does. */
+	FVertexOutput RunVertex(const FKernelArgs& Args, const FVertexInput& Input, uint64_t MaxSteps = 10'000'000);
+
 private:
 	std::unique_ptr<FSpirvInterpreterImpl> Impl;
 };
+
+/** The vertex shader of a module. */
+DRYDOCK_API std::shared_ptr<const FVertexProgram> MakeVertexProgram(FSpirvModule Module, FSpirvReflection Reflection);
 
 } // namespace Drydock

@@ -31,8 +31,16 @@ FSpirvInterpreterImpl::FScalars FSpirvInterpreterImpl::LoadInput(const FSpirvVar
 		return {ToBits(float(Position[0]) + 0.5f), ToBits(float(Position[1]) + 0.5f), ToBits(0.0f), ToBits(1.0f)};
 	case BuiltInFrontFacing:
 		return {1};
+	case BuiltInVertexIndex:
+		return {Vertex->VertexId};
+	case BuiltInInstanceIndex:
+		return {Vertex->InstanceId};
 	default:
 	{
+		if (Vertex)
+		{
+			return LoadAttribute(Variable);
+		}
 		FScalars Result;
 		const FKernelInterpolant& Interpolant = Args->Interpolants[GetTexCoordIndex(Variable.Semantic)];
 		for (uint32_t i = 0; i < Module.GetType(Variable.Type).NumScalars; ++i)
@@ -222,13 +230,8 @@ uint32_t FSpirvInterpreterImpl::ChooseTarget(const FSpirvInstruction& Terminator
 	}
 }
 
-FInterpretedPixel FSpirvInterpreterImpl::Run(
-	const FKernelArgs& InArgs, int32_t X, int32_t Y, int32_t Z, uint64_t MaxSteps)
+void FSpirvInterpreterImpl::RunThread(uint64_t MaxSteps)
 {
-	Args = &InArgs;
-	Position[0] = X;
-	Position[1] = Y;
-	Position[2] = Z;
 	bDiscarded = false;
 	Values.clear();
 	Memory.clear();
@@ -268,6 +271,21 @@ FInterpretedPixel FSpirvInterpreterImpl::Run(
 		}
 		Block = Next;
 	}
+}
+
+FInterpretedPixel FSpirvInterpreterImpl::Run(
+	const FKernelArgs& InArgs, int32_t X, int32_t Y, int32_t Z, uint64_t MaxSteps)
+{
+	if (Module.ExecutionModel == ExecutionModelVertex)
+	{
+		Module.Fail("a vertex shader has no pixel or thread to run for");
+	}
+	Args = &InArgs;
+	Vertex = nullptr;
+	Position[0] = X;
+	Position[1] = Y;
+	Position[2] = Z;
+	RunThread(MaxSteps);
 	FInterpretedPixel Pixel;
 	Pixel.bDiscarded = bDiscarded;
 	for (const FSpirvVariable& Variable : Module.Variables)

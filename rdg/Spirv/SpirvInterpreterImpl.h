@@ -1,5 +1,6 @@
 // The interpreter's state while one thread runs. SpirvInterpreterImpl.cpp: blocks and memory;
-// SpirvInterpreterValues.cpp: vectors, matrices and functions of them; SpirvInterpreterImages.cpp: textures.
+// SpirvInterpreterValues.cpp: vectors, matrices and functions of them; SpirvInterpreterImages.cpp: textures;
+// SpirvVertexProgram.cpp: what belongs to vertices.
 #pragma once
 
 #include "SpirvInterpreter.h"
@@ -33,10 +34,12 @@ public:
 	}
 
 	FInterpretedPixel Run(const FKernelArgs& InArgs, int32_t X, int32_t Y, int32_t Z, uint64_t MaxSteps);
+	FVertexOutput RunVertex(const FKernelArgs& InArgs, const FVertexInput& Input, uint64_t MaxSteps);
 
 private:
 	using FScalars = std::vector<uint32_t>;
 
+	void RunThread(uint64_t MaxSteps);
 	void Execute(const FSpirvInstruction& I);
 	bool ExecuteComposite(const FSpirvInstruction& I, FScalars& Result);
 	bool ExecuteMatrix(const FSpirvInstruction& I, FScalars& Result);
@@ -45,6 +48,7 @@ private:
 	FScalars Load(uint32_t Pointer);
 	void Store(uint32_t Pointer, const FScalars& Value);
 	FScalars LoadInput(const FSpirvVariable& Variable) const;
+	FScalars LoadAttribute(const FSpirvVariable& Variable) const;
 	uint32_t ChooseTarget(const FSpirvInstruction& Terminator);
 	void EnterBlock(const FSpirvBlock& Block, uint32_t From);
 
@@ -82,6 +86,7 @@ private:
 	std::unordered_map<uint32_t, FScalars> Values;
 	std::unordered_map<uint32_t, FScalars> Memory; // variables of the thread
 	const FKernelArgs* Args = nullptr;
+	const FVertexInput* Vertex = nullptr; // of a vertex shader
 	int32_t Position[3] = {};
 	bool bDiscarded = false;
 };

@@ -140,7 +140,7 @@ struct FSpirvRefusedPlace
 struct FSpirvModule
 {
 	uint32_t Bound = 0;
-	uint32_t ExecutionModel = 0;
+	uint32_t ExecutionModel = ~0u; // of the entry point
 	uint32_t LocalSize[3] = {1, 1, 1};
 	std::unordered_map<uint32_t, FSpirvType> Types;
 	std::unordered_map<uint32_t, FSpirvConstant> Constants;

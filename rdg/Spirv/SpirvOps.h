@@ -70,8 +70,9 @@ enum EDecoration : uint32_t
 
 enum EBuiltIn : uint32_t
 {
-	BuiltInFragCoord = 15, BuiltInFrontFacing = 17, BuiltInFragDepth = 22, BuiltInWorkgroupId = 26,
-	BuiltInLocalInvocationId = 27, BuiltInGlobalInvocationId = 28, BuiltInLocalInvocationIndex = 29, BuiltInNone = ~0u
+	BuiltInPosition = 0, BuiltInFragCoord = 15, BuiltInFrontFacing = 17, BuiltInFragDepth = 22, BuiltInWorkgroupId = 26,
+	BuiltInLocalInvocationId = 27, BuiltInGlobalInvocationId = 28, BuiltInLocalInvocationIndex = 29,
+	BuiltInVertexIndex = 42, BuiltInInstanceIndex = 43, BuiltInNone = ~0u
 };
 
 enum EStorage : uint32_t
@@ -90,6 +91,7 @@ enum EImageOperand : uint32_t
 
 constexpr uint32_t Magic = 0x07230203;
 constexpr uint32_t ExecutionModeLocalSize = 17;
+constexpr uint32_t ExecutionModelVertex = 0;
 constexpr uint32_t ExecutionModelFragment = 4;
 constexpr uint32_t ExecutionModelCompute = 5;
 

@@ -8,6 +8,7 @@
 #include "SpirvRefusals.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace Drydock
 {
@@ -309,6 +310,29 @@ void FSpirvReader::ReadInstruction(uint16_t Op, FSpirvOperands Operands)
 	}
 }
 
+namespace
+{
+
+/** The front end takes structs of inputs and outputs apart, arrays in them too, and gives every element the semantic of
+ * the whole: "In.UV[2]" at TEXCOORD1 is TEXCOORD3. */
+std::string GetElementSemantic(const std::string& Semantic, const std::string& Name)
+{
+	constexpr size_t MaxDigits = 3;
+	const size_t Open = Name.rfind('[');
+	const size_t Digits = Semantic.find_last_not_of("0123456789") + 1;
+	const bool bElement = Open != std::string::npos && Name.back() == ']' && Name.size() - Open - 2 <= MaxDigits &&
+						  Name.find_first_not_of("0123456789", Open + 1) == Name.size() - 1 &&
+						  Semantic.size() - Digits <= MaxDigits;
+	if (!bElement || Semantic.empty())
+	{
+		return Semantic;
+	}
+	const int First = std::atoi(Semantic.c_str() + Digits);
+	return Semantic.substr(0, Digits) + std::to_string(First + std::atoi(Name.c_str() + Open + 1));
+}
+
+} // namespace
+
 FSpirvModule FSpirvReader::Read()
 {
 	if (Words.size() < 5 || Words[0] != Magic)
@@ -373,7 +397,7 @@ FSpirvModule FSpirvReader::Read()
 			return Value == Found.Values.end() ? Default : Value->second;
 		};
 		Variable.Name = Names[Variable.Id];
-		Variable.Semantic = Found.Semantic;
+		Variable.Semantic = GetElementSemantic(Found.Semantic, Variable.Name);
 		Variable.BuiltIn = Get(DecorationBuiltIn, BuiltInNone);
 		Variable.Location = Get(DecorationLocation, 0);
 	}

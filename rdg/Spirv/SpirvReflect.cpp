@@ -2,6 +2,8 @@
 #include "SpirvReflect.h"
 
 #include "SpirvPlace.h"
+#include "SpirvRefusals.h"
+#include "VertexProgram.h"
 
 #include <algorithm>
 #include <cctype>
@@ -56,6 +58,8 @@ private:
 	void FindUses();
 	void AddInput(const FSpirvVariable& Variable);
 	void AddOutput(const FSpirvVariable& Variable);
+	void AddVertexInput(const FSpirvVariable& Variable);
+	void AddVertexOutput(const FSpirvVariable& Variable);
 	void AddConstantBuffer(const FSpirvVariable& Variable);
 	void AddConstant(const FSpirvVariable& Variable, uint32_t Buffer, const FSpirvMember& Member,
 		const std::string& Name, uint32_t Offset, const std::string& Where, bool bUsed);
@@ -79,6 +83,7 @@ private:
 	FSpirvReflection Result;
 	std::map<uint32_t, std::string> Uses;                            // variable -> first place that uses it
 	std::map<std::pair<uint32_t, uint32_t>, std::string> MemberUses; // variable, member
+	bool bWritesPosition = false;
 };
 
 void FReflector::FindUses()
@@ -172,6 +177,46 @@ void FReflector::AddOutput(const FSpirvVariable& Variable)
 					") is not supported on the CPU tier; outputs are float colours to SV_Target0..7");
 	}
 	Result.Reflection.NumTargets = std::max(Result.Reflection.NumTargets, int32_t(Variable.Location) + 1);
+}
+
+void FReflector::AddVertexInput(const FSpirvVariable& Variable)
+{
+	if (Variable.BuiltIn == BuiltInVertexIndex || Variable.BuiltIn == BuiltInInstanceIndex)
+	{
+		return;
+	}
+	const int32_t Index = Variable.BuiltIn == BuiltInNone ? GetSemanticIndex(Variable.Semantic, "ATTRIBUTE") : -1;
+	if (Index < 0)
+	{
+		Module.Fail("vertex input '" + Variable.Name + "' has the semantic " + Variable.Semantic +
+					", which no vertex declaration feeds; use ATTRIBUTEn, SV_VertexID or SV_InstanceID");
+	}
+	Result.AttributesRead |= 1u << Index;
+}
+
+void FReflector::AddVertexOutput(const FSpirvVariable& Variable)
+{
+	if (Variable.BuiltIn == BuiltInPosition)
+	{
+		bWritesPosition = true;
+		return;
+	}
+	const FSpirvType& Type = Module.GetType(Variable.Type);
+	const bool bArray = Type.Kind == ESpirvType::Array;
+	const FSpirvType& Element = bArray ? Module.GetType(Type.Element) : Type;
+	const int32_t Index = Variable.BuiltIn == BuiltInNone ? GetTexCoordIndex(Variable.Semantic) : -1;
+	const int32_t Count = bArray ? int32_t(std::min<uint32_t>(Type.Count, 1u + GMaxTexCoords)) : 1;
+	const bool bFits = Index >= 0 && Index + Count <= GMaxTexCoords && Element.NumScalars <= 4 &&
+					   Module.GetScalarKind(Variable.Type, 0) == ESpirvType::Float;
+	if (!bFits)
+	{
+		Module.Fail("vertex output '" + Variable.Name + "' (" + Variable.Semantic + ", " +
+					GetHlslTypeName(Module, Type) +
+					") is not supported on the CPU tier; outputs are SV_POSITION and float, float2, float3 or float4 "
+					"to TEXCOORD0..15");
+	}
+	Result.TexCoordsWritten |= ((1u << Count) - 1) << Index;
+	Result.Reflection.NumInterpolants = std::max(Result.Reflection.NumInterpolants, Index + Count);
 }
 
 void FReflector::AddConstant(const FSpirvVariable& Variable, uint32_t Buffer, const FSpirvMember& Member,
@@ -307,7 +352,10 @@ void FReflector::AddHandle(const FSpirvVariable& Variable)
 FSpirvReflection FReflector::Run()
 {
 	FShaderReflection& Reflection = Result.Reflection;
-	Reflection.Stage = Module.ExecutionModel == ExecutionModelFragment ? EShaderStage::Pixel : EShaderStage::Compute;
+	Reflection.Stage = Module.ExecutionModel == ExecutionModelFragment ? EShaderStage::Pixel
+					   : Module.ExecutionModel == ExecutionModelVertex ? EShaderStage::Vertex
+																	   : EShaderStage::Compute;
+	const bool bVertex = Reflection.Stage == EShaderStage::Vertex;
 	for (int i = 0; i < 3; ++i)
 	{
 		Reflection.GroupSize[i] = int32_t(Module.LocalSize[i]);
@@ -322,10 +370,10 @@ FSpirvReflection FReflector::Run()
 		switch (Variable.Storage)
 		{
 		case StorageInput:
-			AddInput(Variable);
+			bVertex ? AddVertexInput(Variable) : AddInput(Variable);
 			break;
 		case StorageOutput:
-			AddOutput(Variable);
+			bVertex ? AddVertexOutput(Variable) : AddOutput(Variable);
 			break;
 		case StorageUniform:
 		case StorageStorageBuffer:
@@ -337,6 +385,10 @@ FSpirvReflection FReflector::Run()
 		default:
 			break;
 		}
+	}
+	if (bVertex && !bWritesPosition)
+	{
+		Module.Fail("the vertex shader writes no SV_POSITION");
 	}
 	for (const FSpirvBlock& Block : Module.Blocks)
 	{
@@ -351,9 +403,8 @@ FSpirvReflection FReflector::Run()
 
 } // namespace
 
-int32_t GetTexCoordIndex(const std::string& Semantic)
+int32_t GetSemanticIndex(const std::string& Semantic, const std::string& Prefix)
 {
-	static const std::string Prefix = "TEXCOORD";
 	if (Semantic.size() < Prefix.size())
 	{
 		return -1;
@@ -368,6 +419,11 @@ int32_t GetTexCoordIndex(const std::string& Semantic)
 	}
 	const int Index = std::atoi(Semantic.c_str() + Prefix.size());
 	return Semantic.size() - Prefix.size() <= 2 && Index < 16 ? Index : -1;
+}
+
+int32_t GetTexCoordIndex(const std::string& Semantic)
+{
+	return GetSemanticIndex(Semantic, "TEXCOORD");
 }
 
 FSpirvReflection ReflectSpirv(const FSpirvModule& Module, const FSpirvStructure& Structure, const std::string& Source)

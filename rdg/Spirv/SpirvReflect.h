@@ -13,6 +13,8 @@ struct FSpirvReflection
 {
 	FShaderReflection Reflection;
 	std::map<uint32_t, uint32_t> Slots; // variable id -> index in its list of the reflection
+	uint32_t AttributesRead = 0;        // vertex: bit n for ATTRIBUTEn
+	uint32_t TexCoordsWritten = 0;      // vertex: bit n for TEXCOORDn
 };
 
 /** Source is the flattened HLSL: SPIR-V does not tell a ByteAddressBuffer from a StructuredBuffer<uint>. Throws
@@ -23,7 +25,8 @@ DRYDOCK_API FSpirvReflection ReflectSpirv(
 /** Texture samples and loads that every thread makes; -1 when that depends on the thread or on parameters. */
 int32_t CountStaticSamples(const FSpirvModule& Module, const FSpirvStructure& Structure);
 
-/** Number of "TEXCOORD7", its TEXCOORD index; -1 when Semantic is another one. */
+/** 7 of "TEXCOORD7" where Prefix is "TEXCOORD", 0 without a number; -1 when Semantic is another one or above 15. */
+int32_t GetSemanticIndex(const std::string& Semantic, const std::string& Prefix);
 int32_t GetTexCoordIndex(const std::string& Semantic);
 
 } // namespace Drydock

@@ -1,10 +1,11 @@
-// Sixteen plugins in the styles of public ones (tests/plugins), loaded as a config loads them. Each does something
+// Seventeen plugins in the styles of public ones (tests/plugins), loaded as a config loads them. Each does something
 // whose result a line of arithmetic tells, on a picture of 16 x 8: red x / 16, green y / 8, blue 1/4.
 #include <gtest/gtest.h>
 
 #include "Picture/ImageFile.h"
 #include "Run/Run.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -127,6 +128,14 @@ const std::vector<FStyle> GStyles = {
 	// Raw, lambda and shared pointer add 1 to a channel each, the static function doubles, the object adds 4 to red.
 	{"ManyDelegates",
 		{{"", [](int, int, FColor3 C) -> FColor3 { return {2 * (C[0] + 1) + 4, 2 * (C[1] + 1), 2 * (C[2] + 1)}; }}}},
+	// Means of the four diagonal neighbours; blue is the UV of a triangle made from vertex numbers.
+	{"FourTaps",
+		{{"",
+			[](int X, int Y, FColor3) -> FColor3
+			{
+				return {(std::max(X - 1, 0) + std::min(X + 1, Width - 1)) / 2.0 / 16,
+					(std::max(Y - 1, 0) + std::min(Y + 1, Height - 1)) / 2.0 / 8, (X + 0.5) / 16};
+			}}}},
 	// Means of blocks of 4 x 4.
 	{"Pyramid",
 		{{"",
@@ -169,5 +178,5 @@ TEST_P(PluginStyles, DoWhatTheirArithmeticSays)
 	Files::remove(Scene);
 }
 
-INSTANTIATE_TEST_SUITE_P(Sixteen, PluginStyles, testing::ValuesIn(GStyles),
+INSTANTIATE_TEST_SUITE_P(Seventeen, PluginStyles, testing::ValuesIn(GStyles),
 	[](const testing::TestParamInfo<FStyle>& Info) { return std::string(Info.param.Plugin); });

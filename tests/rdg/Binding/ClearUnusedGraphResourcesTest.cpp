@@ -108,10 +108,11 @@ TEST_F(FClearUnused, OfTwoShadersEitherMayRead)
 	EXPECT_EQ(nullptr, Parameters.UnusedTexture);
 }
 
-TEST_F(FClearUnused, VertexShadersReadNothing)
+TEST_F(FClearUnused, WhatAVertexShaderReadsStays)
 {
 	const TShaderMapRef<FTestVS> VertexShader(GetGlobalShaderMap(GMaxRHIFeatureLevel));
 	ClearUnusedGraphResources(VertexShader, Shader(false), &Parameters);
-	EXPECT_EQ(nullptr, Parameters.UnusedTexture);
+	EXPECT_EQ(Fake<FRDGTexture>(0x2000), Parameters.UnusedTexture);
 	EXPECT_EQ(Fake<FRDGTexture>(0x1000), Parameters.InputTexture);
+	EXPECT_EQ(nullptr, Parameters.UnusedView);
 }

@@ -170,8 +170,10 @@ TEST(ShaderCompileRequest, PrecisionAndWidthAreConsoleVariables)
 	EXPECT_EQ(0, Drydock::GetShaderLaneConfig().Lanes);
 }
 
-TEST(ShaderCompileRequest, VertexShadersAreNeverCompiled)
+TEST(ShaderCompileRequest, VertexShadersAreAStageOfTheirOwn)
 {
 	const TShaderMapRef<FTestVS> Shader(Map());
-	EXPECT_THROW(Drydock::MakeShaderCompileRequest(Shader, nullptr), Drydock::FCheckFailure);
+	const Drydock::FShaderCompileRequest Request = Drydock::MakeShaderCompileRequest(Shader, nullptr);
+	EXPECT_EQ(Drydock::EShaderStage::Vertex, Request.Stage);
+	EXPECT_EQ("MainVS", Request.EntryPoint);
 }

@@ -82,7 +82,7 @@ class FTestBrokenCS : public FGlobalShader
 	END_SHADER_PARAMETER_STRUCT()
 };
 
-/** Registered, never compiled. */
+/** Reads UnusedTexture. */
 class FTestVS : public FGlobalShader
 {
 	DECLARE_EXPORTED_SHADER_TYPE(FTestVS, Global, );

@@ -1,0 +1,172 @@
+// What draws cover: the viewport, or the rectangles that a vertex shader makes. Source: engine RHICommandList.h for
+// meaning; the execution is drydock's.
+#include "CommonRenderResources.h"
+#include "VertexRectangles.h"
+
+#include <algorithm>
+#include <cstring>
+#include <iterator>
+
+namespace
+{
+
+/** Each vertex is interpreted; what draws more is no post-processing. */
+constexpr uint64 GMaxTriangles = 8192;
+
+} // namespace
+
+FIntRect FRHICommandList::GetDrawRect() const
+{
+	FIntRect Rect = Viewport;
+	const auto Clip = [&Rect](const FIntRect& To)
+	{
+		Rect.Min = FIntPoint(std::max(Rect.Min.X, To.Min.X), std::max(Rect.Min.Y, To.Min.Y));
+		Rect.Max = FIntPoint(std::min(Rect.Max.X, To.Max.X), std::min(Rect.Max.Y, To.Max.Y));
+	};
+	for (const FRHIRenderPassInfo::FColorEntry& Entry : RenderPass.ColorRenderTargets)
+	{
+		if (Entry.RenderTarget)
+		{
+			const Drydock::FTextureMipLayout& At = Entry.RenderTarget->GetMipLayout(Entry.MipIndex);
+			Clip(FIntRect(0, 0, At.SizeX, At.SizeY));
+		}
+	}
+	if (FRHITexture* const Depth = RenderPass.DepthStencilRenderTarget.DepthStencilTarget)
+	{
+		Clip(FIntRect(FIntPoint(0, 0), Depth->GetSizeXY()));
+	}
+	if (bScissor)
+	{
+		Clip(Scissor);
+	}
+	return Rect;
+}
+
+std::vector<Drydock::FKernelInterpolant> FRHICommandList::MakeInterpolants(int32 NumRead) const
+{
+	std::vector<Drydock::FKernelInterpolant> Result = Interpolants;
+	if (Result.empty())
+	{
+		const double Width = Viewport.Width();
+		const double Height = Viewport.Height();
+		const double U = -Viewport.Min.X / Width;
+		const double V = -Viewport.Min.Y / Height;
+		Result.push_back({
+			{U, V, 2 * U - 1, 1 - 2 * V},
+			{1 / Width, 0, 2 / Width, 0},
+			{0, 1 / Height, 0, -2 / Height},
+		});
+	}
+	Result.resize(std::max(Result.size(), size_t(NumRead)));
+	return Result;
+}
+
+void FRHICommandList::CheckDraw() const
+{
+	checkf(bInsideRenderPass, TEXT("a draw outside a render pass"));
+	checkf(BoundPixel.IsValid(), TEXT("a draw without a pixel shader: call SetShaderParameters first"));
+	checkf(BoundPixel.GetReflection().Stage == Drydock::EShaderStage::Pixel, TEXT("a draw: %s is not a pixel shader"),
+		BoundPixel.Name.c_str());
+	checkf(!RenderPass.DepthStencilRenderTarget.DepthStencilTarget || !DepthStencilState ||
+			   !DepthStencilState->IsTesting(),
+		TEXT(
+			"%s: depth and stencil tests and writes are not simulated; use TStaticDepthStencilState<false, CF_Always>"),
+		BoundPixel.Name.c_str());
+}
+
+void FRHICommandList::DrawViewport(uint32 NumInstances)
+{
+	CheckDraw();
+	DrawRect(GetDrawRect(), MakeInterpolants(BoundPixel.GetReflection().NumInterpolants), NumInstances);
+}
+
+void FRHICommandList::SetStreamSource(uint32 StreamIndex, FRHIBuffer* Buffer, uint32 Offset)
+{
+	checkf(StreamIndex < uint32(Drydock::FVertexState::MaxStreams), TEXT("SetStreamSource: stream %u; there are %d"),
+		StreamIndex, Drydock::FVertexState::MaxStreams);
+	Vertices.Streams[StreamIndex] = {Buffer, Offset};
+}
+
+void FRHICommandList::DrawPrimitive(uint32 BaseVertexIndex, uint32 NumPrimitives, uint32 NumInstances)
+{
+	Drydock::FVertexDraw Draw;
+	Draw.BaseVertex = int32(BaseVertexIndex);
+	Draw.NumPrimitives = NumPrimitives;
+	DrawVertices(Draw, NumInstances);
+}
+
+void FRHICommandList::DrawIndexedPrimitive(FRHIBuffer* IndexBuffer, int32 BaseVertexIndex, uint32 FirstInstance, uint32,
+	uint32 StartIndex, uint32 NumPrimitives, uint32 NumInstances)
+{
+	DrawVertices({IndexBuffer, true, BaseVertexIndex, StartIndex, FirstInstance, NumPrimitives}, NumInstances);
+}
+
+void FRHICommandList::DrawScreenRectangle(const void* Parameters, uint32 NumBytes)
+{
+	checkf(HasVertexShader(), TEXT("DrawScreenRectangle without a vertex shader that draws run"));
+	if (!Vertices.Bound.IsValid())
+	{
+		Vertices.Bound = Drydock::BindVertexShader(*Vertices.Shader->GetShaderToRun());
+	}
+	const std::vector<Drydock::FShaderConstantBuffer>& Buffers = Vertices.Bound.GetReflection().ConstantBuffers;
+	for (size_t Buffer = 0; Buffer < Buffers.size(); ++Buffer)
+	{
+		if (Buffers[Buffer].Name == Drydock::GDrawRectangleParametersName)
+		{
+			std::vector<uint8_t>& Data = Vertices.Bound.ConstantData[Buffer];
+			std::memcpy(Data.data(), Parameters, std::min<size_t>(Data.size(), NumBytes));
+		}
+	}
+	Vertices.bDrawsScreenRectangle = true;
+	SetStreamSource(0, GScreenRectangleVertexBuffer.VertexBufferRHI, 0);
+	DrawIndexedPrimitive(GScreenRectangleIndexBuffer.IndexBufferRHI, 0, 0, 4, 0, 2, 1);
+	Vertices.bDrawsScreenRectangle = false;
+}
+
+void FRHICommandList::DrawVertices(const Drydock::FVertexDraw& Draw, uint32 NumInstances)
+{
+	if (!HasVertexShader())
+	{
+		DrawViewport(Draw.NumPrimitives > 0 ? std::max(1u, NumInstances) : 0);
+		return;
+	}
+	CheckDraw();
+	if (!Vertices.Bound.IsValid())
+	{
+		Vertices.Bound = Drydock::BindVertexShader(*Vertices.Shader->GetShaderToRun());
+	}
+	Vertices.CheckInput(Draw);
+	const int32 NumTexCoords = BoundPixel.GetReflection().NumInterpolants;
+	Vertices.CheckTexCoords(NumTexCoords, BoundPixel.Name);
+
+	const uint64 NumTriangles = uint64(Draw.NumPrimitives) * std::max(1u, NumInstances);
+	Drydock::FDrawnRectangles Drawn;
+	if (Vertices.PrimitiveType != PT_TriangleList && Vertices.PrimitiveType != PT_TriangleStrip)
+	{
+		Drawn.Fault = "it draws lists of rectangles or quads, which graphics cards of today do not know";
+	}
+	else if (NumTriangles > GMaxTriangles)
+	{
+		Drawn.Fault = "it draws " + std::to_string(NumTriangles) + " triangles, and " + std::to_string(GMaxTriangles) +
+					  " are the most";
+	}
+	const FIntRect Bounds = GetDrawRect();
+	for (uint32 Instance = 0; Instance < std::max(1u, NumInstances) && Drawn.Fault.empty(); ++Instance)
+	{
+		Drydock::FDrawnRectangles OfInstance =
+			Drydock::FindDrawnRectangles(Vertices.RunVertices(Draw, Instance), Viewport, Bounds, NumTexCoords);
+		Drawn.Fault = OfInstance.Fault;
+		std::move(OfInstance.Rectangles.begin(), OfInstance.Rectangles.end(), std::back_inserter(Drawn.Rectangles));
+	}
+	if (!Drawn.Fault.empty())
+	{
+		Counters.AddRemark(Drydock::MakeVertexDiagnostic(Drydock::ESeverity::Warning, Drydock::WarnNoRectangle,
+			"nothing is drawn with vertex shader " + Vertices.Bound.Name + ": " + Drawn.Fault +
+				". What drydock draws are rectangles of the screen, and triangles that cover the viewport"));
+		return;
+	}
+	for (const Drydock::FDrawnRectangle& Rectangle : Drawn.Rectangles)
+	{
+		DrawRect(Rectangle.Rect, Rectangle.Interpolants, 1);
+	}
+}

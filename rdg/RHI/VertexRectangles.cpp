@@ -1,0 +1,263 @@
+// Pairs triangles to rectangles and fits planes to their TEXCOORDs, in double.
+#include "VertexRectangles.h"
+
+#include "Math/ToInteger.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Drydock
+{
+
+namespace
+{
+
+/** TEXCOORDs are floats, computed with a rounding or two: how far, in parts of the largest, a corner may lie off the
+ * plane of the others. */
+constexpr double GPlaneTolerance = 1.0 / (1 << 18);
+
+/** A vertex on its way to the pixels. */
+struct FCorner
+{
+	double X = 0; // pixels, in steps of 1/256
+	double Y = 0;
+	const FVertexOutput* Vertex = nullptr;
+};
+
+double Snap(double Pixels)
+{
+	return std::floor(Pixels * 256 + 0.5) / 256;
+}
+
+double GetTwiceTheArea(const FCorner* Triangle)
+{
+	return (Triangle[1].X - Triangle[0].X) * (Triangle[2].Y - Triangle[0].Y) -
+		   (Triangle[2].X - Triangle[0].X) * (Triangle[1].Y - Triangle[0].Y);
+}
+
+/** First pixel whose centre lies at or after an edge: the top-left rule, for left and right edges alike. */
+int32 GetFirstPixel(double Edge)
+{
+	return ToInteger<int32>(std::ceil(Edge - 0.5));
+}
+
+class FFinder
+{
+public:
+	FFinder(const std::vector<FVertexOutput>& InVertices, const FIntRect& InViewport, const FIntRect& InBounds,
+		int32_t InNumTexCoords)
+		: Vertices(InVertices)
+		, Viewport(InViewport)
+		, Bounds(InBounds)
+		, NumTexCoords(InNumTexCoords)
+	{
+	}
+
+	FDrawnRectangles Run()
+	{
+		if (!PlaceCorners())
+		{
+			return std::move(Result);
+		}
+		for (size_t First = 0; First + 3 <= Corners.size() && Result.Fault.empty();)
+		{
+			const FCorner* const Triangle = &Corners[First];
+			if (GetTwiceTheArea(Triangle) == 0)
+			{
+				First += 3;
+			}
+			else if (First + 6 <= Corners.size() && AddRectangle(Triangle))
+			{
+				First += 6;
+			}
+			else
+			{
+				AddCovering(Triangle);
+				First += 3;
+			}
+		}
+		return std::move(Result);
+	}
+
+private:
+	/** From clip space to pixels. */
+	bool PlaceCorners()
+	{
+		for (const FVertexOutput& Vertex : Vertices)
+		{
+			const float* const P = Vertex.Position;
+			const auto IsFinite = [](float Value)
+			{
+				return std::isfinite(Value);
+			};
+			if (!std::all_of(P, P + 4, IsFinite) || P[3] <= 0)
+			{
+				Result.Fault = "SV_POSITION is not finite, or its w is not above 0";
+			}
+			else if (P[3] != Vertices[0].Position[3])
+			{
+				Result.Fault = "SV_POSITION has another w at each vertex: it is seen in perspective";
+			}
+			else if (P[2] < 0 || P[2] > P[3])
+			{
+				Result.Fault = "the z of SV_POSITION lies outside 0..w, which is clipped away";
+			}
+			if (!Result.Fault.empty())
+			{
+				return false;
+			}
+			const double W = P[3];
+			Corners.push_back({Snap(Viewport.Min.X + (P[0] / W * 0.5 + 0.5) * Viewport.Width()),
+				Snap(Viewport.Min.Y + (0.5 - P[1] / W * 0.5) * Viewport.Height()), &Vertex});
+		}
+		return true;
+	}
+
+	/** Both triangles as one rectangle; false where they are none. A fault where only the TEXCOORDs do not fit. */
+	bool AddRectangle(const FCorner* Six)
+	{
+		double Left = Six[0].X, Right = Six[0].X, Top = Six[0].Y, Bottom = Six[0].Y;
+		for (int32 i = 1; i < 6; ++i)
+		{
+			Left = std::min(Left, Six[i].X);
+			Right = std::max(Right, Six[i].X);
+			Top = std::min(Top, Six[i].Y);
+			Bottom = std::max(Bottom, Six[i].Y);
+		}
+		const FCorner* ByPlace[4] = {}; // left top, right top, left bottom, right bottom
+		int32 Missing[2] = {0 + 1 + 2 + 3, 0 + 1 + 2 + 3};
+		for (int32 i = 0; i < 6; ++i)
+		{
+			const bool bOnCorner = (Six[i].X == Left || Six[i].X == Right) && (Six[i].Y == Top || Six[i].Y == Bottom);
+			const int32 Place = (Six[i].X == Right ? 1 : 0) + (Six[i].Y == Bottom ? 2 : 0);
+			if (!bOnCorner)
+			{
+				return false;
+			}
+			ByPlace[Place] = &Six[i];
+			Missing[i / 3] -= Place;
+		}
+		// Halves of the rectangle lack opposite corners.
+		if (GetTwiceTheArea(Six) == 0 || GetTwiceTheArea(Six + 3) == 0 || Missing[0] + Missing[1] != 3)
+		{
+			return false;
+		}
+		const FCorner Plane[3] = {*ByPlace[0], *ByPlace[1], *ByPlace[2]};
+		std::vector<FKernelInterpolant> Interpolants = FitPlanes(Plane);
+		const int32 Bent = FindBent(Six, Interpolants);
+		if (Bent >= 0)
+		{
+			Result.Fault = "TEXCOORD" + std::to_string(Bent) +
+						   " does not run evenly over the rectangle: its four corners lie on no plane";
+			return true;
+		}
+		const FIntRect Rect(GetFirstPixel(Left), GetFirstPixel(Top), GetFirstPixel(Right), GetFirstPixel(Bottom));
+		Add(Rect, std::move(Interpolants));
+		return true;
+	}
+
+	/** The TEXCOORD of which a vertex lies off its plane; -1: none. */
+	int32 FindBent(const FCorner* Six, const std::vector<FKernelInterpolant>& Interpolants) const
+	{
+		for (int32 Index = 0; Index < NumTexCoords; ++Index)
+		{
+			for (int32 Part = 0; Part < 4; ++Part)
+			{
+				const FKernelInterpolant& In = Interpolants[size_t(Index)];
+				double Largest = 0;
+				double Worst = 0;
+				for (int32 i = 0; i < 6; ++i)
+				{
+					const double Value = Six[i].Vertex->TexCoords[Index][Part];
+					const double Fitted = In.Base[Part] + In.DX[Part] * Six[i].X + In.DY[Part] * Six[i].Y;
+					Largest = std::max(Largest, std::abs(Value));
+					Worst = std::max(Worst, std::abs(Value - Fitted));
+				}
+				if (Worst > GPlaneTolerance * Largest)
+				{
+					return Index;
+				}
+			}
+		}
+		return -1;
+	}
+
+	/** A triangle that is all that is seen. */
+	void AddCovering(const FCorner* Triangle)
+	{
+		const double Area = GetTwiceTheArea(Triangle);
+		for (int32 Corner = 0; Corner < 4 && Bounds.Width() > 0 && Bounds.Height() > 0; ++Corner)
+		{
+			const double X = (Corner & 1 ? Bounds.Max.X - 1 : Bounds.Min.X) + 0.5;
+			const double Y = (Corner & 2 ? Bounds.Max.Y - 1 : Bounds.Min.Y) + 0.5;
+			for (int32 i = 0; i < 3; ++i)
+			{
+				const FCorner& A = Triangle[i];
+				const FCorner& B = Triangle[(i + 1) % 3];
+				const double Turn = Area > 0 ? 1 : -1; // clockwise on the screen, or not
+				const double EdgeX = (B.X - A.X) * Turn;
+				const double EdgeY = (B.Y - A.Y) * Turn;
+				const double Inside = EdgeX * (Y - A.Y) - (X - A.X) * EdgeY;
+				const bool bTopOrLeft = EdgeY < 0 || (EdgeY == 0 && EdgeX > 0);
+				if (Inside < 0 || (Inside == 0 && !bTopOrLeft))
+				{
+					Result.Fault = "its triangles are neither halves of rectangles along the edges of the screen nor "
+								   "cover the viewport";
+					return;
+				}
+			}
+		}
+		Add(Bounds, FitPlanes(Triangle));
+	}
+
+	std::vector<FKernelInterpolant> FitPlanes(const FCorner* Three) const
+	{
+		const double Area = GetTwiceTheArea(Three);
+		const double X1 = Three[1].X - Three[0].X, Y1 = Three[1].Y - Three[0].Y;
+		const double X2 = Three[2].X - Three[0].X, Y2 = Three[2].Y - Three[0].Y;
+		std::vector<FKernelInterpolant> Planes(static_cast<size_t>(NumTexCoords), FKernelInterpolant{});
+		for (int32 Index = 0; Index < NumTexCoords; ++Index)
+		{
+			for (int32 Part = 0; Part < 4; ++Part)
+			{
+				const double V0 = Three[0].Vertex->TexCoords[Index][Part];
+				const double V1 = Three[1].Vertex->TexCoords[Index][Part];
+				const double V2 = Three[2].Vertex->TexCoords[Index][Part];
+				FKernelInterpolant& Plane = Planes[size_t(Index)];
+				// What is the same everywhere stays so, infinities too.
+				const bool bConstant = V0 == V1 && V0 == V2;
+				Plane.DX[Part] = bConstant ? 0 : ((V1 - V0) * Y2 - (V2 - V0) * Y1) / Area;
+				Plane.DY[Part] = bConstant ? 0 : ((V2 - V0) * X1 - (V1 - V0) * X2) / Area;
+				Plane.Base[Part] = bConstant ? V0 : V0 - Plane.DX[Part] * Three[0].X - Plane.DY[Part] * Three[0].Y;
+			}
+		}
+		return Planes;
+	}
+
+	void Add(const FIntRect& Rect, std::vector<FKernelInterpolant>&& Interpolants)
+	{
+		const FIntRect Clipped(std::max(Rect.Min.X, Bounds.Min.X), std::max(Rect.Min.Y, Bounds.Min.Y),
+			std::min(Rect.Max.X, Bounds.Max.X), std::min(Rect.Max.Y, Bounds.Max.Y));
+		if (Clipped.Min.X < Clipped.Max.X && Clipped.Min.Y < Clipped.Max.Y)
+		{
+			Result.Rectangles.push_back({Clipped, std::move(Interpolants)});
+		}
+	}
+
+	const std::vector<FVertexOutput>& Vertices;
+	const FIntRect Viewport;
+	const FIntRect Bounds;
+	const int32 NumTexCoords;
+	std::vector<FCorner> Corners;
+	FDrawnRectangles Result;
+};
+
+} // namespace
+
+FDrawnRectangles FindDrawnRectangles(
+	const std::vector<FVertexOutput>& Vertices, const FIntRect& Viewport, const FIntRect& Bounds, int32_t NumTexCoords)
+{
+	return FFinder(Vertices, Viewport, Bounds, NumTexCoords).Run();
+}
+
+} // namespace Drydock
