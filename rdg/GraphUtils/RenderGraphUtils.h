@@ -247,6 +247,24 @@ struct FComputeShaderUtils
 		return GetGroupCountWrapped(FMath::DivideAndRoundUp(ThreadCount, GroupSize));
 	}
 
+	/** A check where a count is negative. */
+	static void ValidateGroupCount(const FIntVector& GroupCount)
+	{
+		checkf(GroupCount.X >= 0 && GroupCount.Y >= 0 && GroupCount.Z >= 0, TEXT("a dispatch of %d x %d x %d groups"),
+			GroupCount.X, GroupCount.Y, GroupCount.Z);
+	}
+	/** A check where three counts do not lie in the buffer from the offset on. */
+	static void ValidateIndirectArgsBuffer(uint32 IndirectArgsBufferSize, uint32 IndirectArgOffset)
+	{
+		checkf(IndirectArgOffset % sizeof(uint32) == 0 &&
+				   uint64(IndirectArgOffset) + 3 * sizeof(uint32) <= IndirectArgsBufferSize,
+			TEXT("arguments of a dispatch at byte %u of a buffer of %u"), IndirectArgOffset, IndirectArgsBufferSize);
+	}
+	static void ValidateIndirectArgsBuffer(FRDGBufferRef IndirectArgsBuffer, uint32 IndirectArgOffset)
+	{
+		ValidateIndirectArgsBuffer(static_cast<uint32>(IndirectArgsBuffer->Desc.GetSize()), IndirectArgOffset);
+	}
+
 	/** Inside a pass: binds and dispatches. */
 	template<typename TShaderClass>
 	static void Dispatch(FRHIComputeCommandList& RHICmdList, const TShaderRef<TShaderClass>& ComputeShader,

@@ -281,6 +281,9 @@ struct FScreenPassPipelineState
 	{
 	}
 
+	/** A check where a shader is missing. */
+	void Validate() const { check(VertexShader.IsValid() && PixelShader.IsValid()); }
+
 	TShaderRef<FShader> VertexShader;
 	TShaderRef<FShader> PixelShader;
 	FRHIBlendState* BlendState = nullptr;

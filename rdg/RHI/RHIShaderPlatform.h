@@ -55,3 +55,25 @@ inline bool RHISupportsComputeShaders(EShaderPlatform)
 {
 	return true;
 }
+
+/** Draws go to one slice at a time, and there are no geometry shaders. */
+inline bool RHISupportsGeometryShaders(EShaderPlatform)
+{
+	return false;
+}
+inline bool RHISupportsVertexShaderLayer(EShaderPlatform)
+{
+	return false;
+}
+inline bool RHIVolumeTextureRenderingSupportGuaranteed(EShaderPlatform)
+{
+	return false;
+}
+inline bool IsMetalMRTPlatform(EShaderPlatform)
+{
+	return false;
+}
+
+/** Asynchronous passes are planned as on a GPU, and run one after another. */
+inline constexpr bool GSupportsEfficientAsyncCompute = false;
+inline constexpr uint32 GNumExplicitGPUsForRendering = 1;

@@ -91,3 +91,15 @@ public:
 	UMobileShared() { SetMobility(EComponentMobility::Movable); }
 	void PostEditChangeProperty(FPropertyChangedEvent& Event) override { Super::PostEditChangeProperty(Event); }
 };
+
+static_assert(!GSupportsEfficientAsyncCompute && GNumExplicitGPUsForRendering == 1);
+
+/** What plugins ask before they draw or dispatch. */
+bool CanDraw(const FIntVector& GroupCount)
+{
+	FComputeShaderUtils::ValidateGroupCount(GroupCount);
+	FComputeShaderUtils::ValidateIndirectArgsBuffer(12u, 0);
+	return !IsMetalMRTPlatform(GMaxRHIShaderPlatform) && !RHISupportsGeometryShaders(GMaxRHIShaderPlatform) &&
+		   !RHISupportsVertexShaderLayer(GMaxRHIShaderPlatform) &&
+		   !RHIVolumeTextureRenderingSupportGuaranteed(GMaxRHIShaderPlatform);
+}
