@@ -34,6 +34,8 @@ struct FRunOptions
 	std::vector<FExec> Exec;                       // beat Variables
 	std::vector<std::string> Settings;             // "Setting=Value", beat all volumes and the camera
 	std::vector<std::string> Dump;                 // patterns, beside the config's
+	std::string Engine;                            // "5.6"; beats the config's; empty: that
+	std::vector<std::string> Plugins;              // shared objects; one in place of the config's of its file name
 	std::optional<std::array<double, 3>> Location; // of the view, cm; beats the config's and the scene's
 	std::optional<int> Frame;   // which of a sequence, the lowest by default; shaders see it as View.FrameNumber
 	std::optional<int> Threads; // 0: all cores
@@ -47,6 +49,7 @@ struct FRunOptions
 	 * values are neutral or whose input is empty run. What is switched off stays off. The outputs are the same bits. */
 	bool bNoSkip = false;
 	bool bMeasureEffects = false; // figures and pictures of effects (FEffect::Measure), after the frame
+	bool bFingerprints = false;   // of what each pass wrote, in run.json
 	bool bUseBudget = true;       // a config with a budget and a study runs what the study recommends
 	/** Called before each pass that executes. */
 	std::function<void(int Done, int Total, const std::string& Pass)> Progress;

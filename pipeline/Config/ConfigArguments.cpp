@@ -7,6 +7,7 @@
 #include "Scalability.h"
 
 #include <algorithm>
+#include <filesystem>
 
 namespace Drydock
 {
@@ -97,6 +98,33 @@ void CheckVariable(const FConfigVariable& Variable, FConfigMessages& Messages)
 		Messages.Warn(
 			WarnIneffectiveValue, Variable.Place, Variable.Name + " is not simulated: nothing in drydock reads it");
 	}
+}
+
+void SetEngineArgument(FConfig& Config, const std::string& Version, std::vector<FDiagnostic>& Diagnostics)
+{
+	if (FindEngineProfile(Version) == nullptr)
+	{
+		FConfigMessages(CommandLine, Diagnostics)
+			.Error(ErrorBadArgument, FConfigPlace{0, 0, "--engine"},
+				"\"" + Version + "\" is none of the versions " + ListEngineVersions(", "));
+		return;
+	}
+	Config.Engine = {Version, {0, 0, "--engine"}};
+}
+
+void AddPluginArgument(FConfig& Config, const std::string& File)
+{
+	const std::filesystem::path Path = std::filesystem::absolute(File).lexically_normal();
+	const TConfigValue<std::string> Plugin{Path.string(), {0, 0, "--plugin"}};
+	const auto Same = std::find_if(Config.Plugins.begin(), Config.Plugins.end(),
+		[&Path](const TConfigValue<std::string>& Other)
+		{ return std::filesystem::path(Other.Value).filename() == Path.filename(); });
+	if (Same != Config.Plugins.end())
+	{
+		*Same = Plugin;
+		return;
+	}
+	Config.Plugins.push_back(Plugin);
 }
 
 void AddSettingArgument(FConfig& Config, const std::string& Argument, std::vector<FDiagnostic>& Diagnostics)

@@ -39,6 +39,13 @@ DRYDOCK_API FConfig ReadConfig(const std::string& Text, const std::string& File,
 /** Reads a file. Throws FError (exit code 3) when it cannot be opened. */
 DRYDOCK_API FConfig LoadConfig(const std::string& File, std::vector<FDiagnostic>& Diagnostics);
 
+/** `--engine`: Version in place of the config's. */
+DRYDOCK_API void SetEngineArgument(FConfig& Config, const std::string& Version, std::vector<FDiagnostic>& Diagnostics);
+
+/** `--plugin`: a file, relative to the working folder, in place of the config's plugin of its file name, else beside
+ * them. */
+DRYDOCK_API void AddPluginArgument(FConfig& Config, const std::string& File);
+
 /** Adds `Setting=Value` of the command line. */
 DRYDOCK_API void AddSettingArgument(
 	FConfig& Config, const std::string& Argument, std::vector<FDiagnostic>& Diagnostics);

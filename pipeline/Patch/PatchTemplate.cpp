@@ -31,14 +31,13 @@ std::string ReadFile(const Files::path& Path)
 	return ReadTextFile(Path, "drydock's own file cannot be opened: is it installed completely?");
 }
 
-/** Folder of the files that drydock brings along, in an installed tree and in its source. */
-Files::path FindRoot()
+} // namespace
+
+std::string FindTemplates()
 {
 	const std::string Installed = FindInstalled("share/drydock/templates");
-	return Installed.empty() ? Files::path(DRYDOCK_SOURCE_DIR) : Files::path(Installed).parent_path();
+	return Installed.empty() ? DRYDOCK_SOURCE_DIR "/templates" : Installed;
 }
-
-} // namespace
 
 std::string RenamePatch(const std::string& Text, const std::string& Name)
 {
@@ -53,7 +52,7 @@ std::string RenamePatch(const std::string& Text, const std::string& Name)
 
 std::vector<FPatchFile> MakePatchFiles(const std::string& Name)
 {
-	const Files::path Root = FindRoot();
+	const Files::path Root = Files::path(FindTemplates()).parent_path();
 	const Files::path Template = Root / "templates" / TemplateName;
 	std::vector<FPatchFile> Project;
 	std::error_code Error;

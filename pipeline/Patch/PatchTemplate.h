@@ -16,6 +16,9 @@ struct FPatchFile
 	std::string Text; // or bytes
 };
 
+/** The folder of the files that drydock brings along to make others from, in an installed tree and in its source. */
+DRYDOCK_API std::string FindTemplates();
+
 /** Every "MyPatch" of the text becomes Name. */
 DRYDOCK_API std::string RenamePatch(const std::string& Text, const std::string& Name);
 

@@ -5,11 +5,13 @@
 #include "Diagnostics.h"
 #include "InstallPaths.h"
 #include "Patch/PluginBuildErrors.h"
+#include "Text/OutputFolder.h"
 #include "Text/TextFile.h"
 
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <optional>
 #include <regex>
 #include <sstream>
 
@@ -23,6 +25,7 @@ namespace Files = std::filesystem;
 
 constexpr int DefaultEngineMinor = 4;
 constexpr size_t MostErrorLines = 12;
+const std::string ProjectMark = "# Made by drydock build.";
 
 [[noreturn]] void Fail(EPluginBuildError Code, const std::string& File, const std::string& Message)
 {
@@ -177,8 +180,13 @@ FAttempt Attempt(const FPluginBuild& Build, const std::string& Package, std::vec
 {
 	const std::string Project = Build.BuildFolder + "/CMakeLists.txt";
 	const std::string Text = MakePluginProject(Build, Package);
+	const std::optional<std::string> Before = TryReadTextFile(Project);
+	if (Before && Before->rfind(ProjectMark, 0) != 0)
+	{
+		throw MakeForeignError(Project, "drydock did not write this");
+	}
 	// As it stands where nothing changed: cmake does not start over then.
-	if (TryReadTextFile(Project) != Text)
+	if (Before != Text)
 	{
 		WriteTextFile(Project, Text);
 	}
@@ -208,8 +216,12 @@ FAttempt Attempt(const FPluginBuild& Build, const std::string& Package, std::vec
 			OutNotes.push_back(Line.substr(Prefix.size()));
 		}
 	}
-	const std::string Compiled =
-		RunTool({"cmake", "--build", Build.BuildFolder + "/cmake", "--parallel"}, Build.TimeLimitSeconds, bSucceeded);
+	std::vector<std::string> Compile = {"cmake", "--build", Build.BuildFolder + "/cmake", "--parallel"};
+	if (Build.NumJobs > 0)
+	{
+		Compile.push_back(std::to_string(Build.NumJobs));
+	}
+	const std::string Compiled = RunTool(Compile, Build.TimeLimitSeconds, bSucceeded);
 	WriteTextFile(LogFile, Configured + Compiled);
 	return {bSucceeded, bSucceeded ? std::string() : TakeErrors(Compiled, LogFile)};
 }
@@ -234,6 +246,13 @@ int FindEngineMinor(const std::string& Folder)
 	return 0;
 }
 
+std::string FindPluginName(const std::string& Folder)
+{
+	const Files::path Plugin = Files::absolute(Files::path(Folder) / ".").lexically_normal().parent_path();
+	const Files::path Description = FindByExtension(Plugin, ".uplugin");
+	return MakeTargetName((Description.empty() ? Plugin : Description).stem().string());
+}
+
 std::string MakePluginProject(const FPluginBuild& Build, const std::string& Package)
 {
 	std::string Rest;
@@ -242,7 +261,8 @@ std::string MakePluginProject(const FPluginBuild& Build, const std::string& Pack
 		Rest += (Rest.empty() ? "\n\tEXCLUDE " : " ") + Quote(Exclude);
 	}
 	Rest += Build.bUnity ? "\n\tUNITY" : "";
-	return "# Made by drydock build. Everything is built beside this file, nothing in the plugin's folder.\n"
+	return ProjectMark +
+		   " Everything is built beside this file, nothing in the plugin's folder.\n"
 		   "cmake_minimum_required(VERSION 3.25)\n"
 		   "project(" +
 		   Build.Name +
@@ -269,8 +289,7 @@ FBuiltPlugin BuildPlugin(FPluginBuild Build)
 	Build.Folder = (Folder.has_filename() ? Folder : Folder.parent_path()).string();
 	if (Build.Name.empty())
 	{
-		const Files::path Description = FindByExtension(Build.Folder, ".uplugin");
-		Build.Name = MakeTargetName((Description.empty() ? Files::path(Build.Folder) : Description).stem().string());
+		Build.Name = FindPluginName(Build.Folder);
 	}
 	if (Build.EngineMinor == 0)
 	{

@@ -19,6 +19,7 @@ struct FPluginBuild
 	std::vector<std::string> Excludes; // EXCLUDE of drydock_add_plugin
 	bool bUnity = false;               // all sources as one file; else only where they do not compile one by one
 	std::string Compiler;              // empty: CMake's choice
+	int NumJobs = 0;                   // compilers at a time; 0: CMake's choice
 	int TimeLimitSeconds = 1800;       // for cmake, and for the compilers once more
 };
 
@@ -32,6 +33,9 @@ struct FBuiltPlugin
 
 /** The 5.x that the engine version in a plugin's .uplugin, or in a .uproject above it, means; 0 where neither says. */
 DRYDOCK_API int FindEngineMinor(const std::string& Folder);
+
+/** Of the library that is built of a plugin's folder: the .uplugin's name, else the folder's. */
+DRYDOCK_API std::string FindPluginName(const std::string& Folder);
 
 /** The CMakeLists.txt that builds it. Package: folder of drydockConfig.cmake. */
 DRYDOCK_API std::string MakePluginProject(const FPluginBuild& Build, const std::string& Package);

@@ -65,6 +65,10 @@ void AddConfig(CLI::App& Verb, FRunOptions& Options)
 					 "--frame", Options.Frame, "Which frame of a sequence, by default the first; shaders see it too"),
 		0, 1 << 30)
 		->type_name("N");
+	Verb.add_option("--engine", Options.Engine, "Engine version whose behaviour holds; beats the config's")
+		->type_name("5.X");
+	AddRepeated(Verb, "--plugin", "FILE", Options.Plugins,
+		"Load a plugin, in place of the config's of the same file name; repeats");
 	AddTrust(Verb, Options);
 }
 

@@ -26,8 +26,8 @@ void AddVariables(CLI::App& Verb, FRunOptions& Options);
 /** What a config from a stranger is run with: --no-plugins and --read-only-cache. */
 void AddTrust(CLI::App& Verb, FRunOptions& Options);
 
-/** The config that the verb is about, with the options that change it (--set, --exec, --pp and --frame) and those of
- * AddTrust. */
+/** The config that the verb is about, with the options that change it (--set, --exec, --pp, --frame, --engine and
+ * --plugin) and those of AddTrust. */
 void AddConfig(CLI::App& Verb, FRunOptions& Options);
 
 /** --threads. Doc: its line in --help. */

@@ -79,6 +79,10 @@ FWatchedFiles GetWatchedFiles(const FRunVerbOptions& Options)
 		{
 			Files.AddFile(Config.Resolve(Plugin.Value));
 		}
+		for (const std::string& Plugin : Options.Run.Plugins)
+		{
+			Files.AddFile(Plugin);
+		}
 	}
 	catch (const FError&)
 	{
@@ -160,6 +164,8 @@ FVerbCall AddOptions(CLI::App& Verb)
 		"Leave nothing out because nobody needs it: slower, the same bits; what is switched off stays off");
 	Verb.add_flag("--measure-effects", Options->Run.bMeasureEffects,
 		"Measure what effects come to (bleed of toon bloom, banding of the toon shadow) and add it to run.json");
+	Verb.add_flag("--fingerprints", Options->Run.bFingerprints,
+		"Add to each pass of run.json a fingerprint of every texture that it wrote");
 	CLI::Option* const Frames =
 		Verb.add_option("--frames", Options->Frames,
 				"Frames of a sequence, each with what lives on from the one before: all, 1-8, 1-9x2 (every second) or "

@@ -120,6 +120,15 @@ void WritePasses(FJsonWriter& Writer, const FRunResult& Result)
 		Writer.Member("taps", Counters.Taps);
 		Writer.Member("bytesRead", Counters.BytesRead);
 		Writer.Member("bytesWritten", Counters.BytesWritten);
+		if (Run != nullptr && !Run->Written.empty())
+		{
+			Writer.Key("written").BeginObject();
+			for (const FRunFingerprint& Texture : Run->Written)
+			{
+				Writer.Member(Texture.Resource, Texture.Fingerprint);
+			}
+			Writer.EndObject();
+		}
 		Writer.EndObject();
 	}
 	Writer.EndArray();

@@ -8,8 +8,10 @@
 #include "Run/VariableTaps.h"
 #include "SceneFile/NonFinite.h"
 #include "SceneFile/SceneErrors.h"
+#include "Text/Fingerprint.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 
 namespace Drydock
@@ -28,6 +30,19 @@ std::vector<FIntRect> GetWholeMips(const FRHITexture& Texture)
 		Rects.emplace_back(0, 0, Size.X, Size.Y);
 	}
 	return Rects;
+}
+
+std::string FingerprintTexture(FRHITexture& Texture)
+{
+	FFingerprint Fingerprint;
+	for (int Mip = 0; Mip < static_cast<int>(Texture.GetNumMips()); ++Mip)
+	{
+		const FImage Image = ReadTexture(Texture, Mip);
+		const std::array<int, 3> Size = {Image.Width, Image.Height, Image.NumChannels};
+		Fingerprint.Add(Size.data(), sizeof(Size));
+		Fingerprint.Add(Image.Values.data(), Image.Values.size() * sizeof(double));
+	}
+	return Fingerprint.Get();
 }
 
 } // namespace
@@ -62,7 +77,7 @@ bool FRunObserver::WantsPlannedExternals() const
 
 bool FRunObserver::WantsZeroedTextures() const
 {
-	return !Setup.Dump.empty();
+	return !Setup.Dump.empty() || Options.bFingerprints;
 }
 
 void FRunObserver::OnExternalsPlanned(const std::vector<FRDGExternalLoad>& Loads)
@@ -108,6 +123,10 @@ void FRunObserver::OnPassExecuted(int32_t PassIndex, const FRDGPass& Pass, doubl
 		if (bWatch)
 		{
 			AddFootprint(Result.NonFinite, CountNonFinitePixels(Pass, *Texture));
+		}
+		if (Options.bFingerprints)
+		{
+			Result.Passes.back().Written.push_back({Texture->Name, FingerprintTexture(*Texture->GetRHI())});
 		}
 		if (IsDumped(Setup.Dump, Pass.GetName(), Texture->Name))
 		{

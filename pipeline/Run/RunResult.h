@@ -32,11 +32,19 @@ struct FRunDump
 	std::vector<std::string> Channels; // "R", "G", ...: those the format has
 };
 
+/** What a texture was right after a pass. */
+struct FRunFingerprint
+{
+	std::string Resource;
+	std::string Fingerprint; // FFingerprint of size and values of all mips
+};
+
 struct FRunPass
 {
 	int Index = 0;
 	double Milliseconds = 0.0;
 	FPassCounters Counters;
+	std::vector<FRunFingerprint> Written = {}; // where FRunOptions::bFingerprints asked for them
 };
 
 /** One view of several. */

@@ -212,11 +212,24 @@ void AddVariableArguments(FConfig& Config, const FRunOptions& Options, std::vect
 	AddVariablesUpTo(Options.Variables.size());
 }
 
+void AddPluginArguments(FConfig& Config, const FRunOptions& Options)
+{
+	for (const std::string& Plugin : Options.Plugins)
+	{
+		AddPluginArgument(Config, Plugin);
+	}
+}
+
 /** The config with the command line's say. */
 FConfig ReadWithArguments(
 	const FConfigDocument& Document, const FRunOptions& Options, std::vector<FDiagnostic>& Diagnostics)
 {
 	FConfig Config = ReadConfig(Document, Diagnostics);
+	if (!Options.Engine.empty())
+	{
+		SetEngineArgument(Config, Options.Engine, Diagnostics);
+	}
+	AddPluginArguments(Config, Options);
 	for (const std::string& Argument : Options.Settings)
 	{
 		AddSettingArgument(Config, Argument, Diagnostics);
@@ -358,7 +371,8 @@ FRunSetup::FRunSetup(const FRunOptions& Options, ESceneNeed InNeed)
 	{
 		throw FError(Document.Diagnostics, ExitUsage); // what stands behind it was not read
 	}
-	const FConfig OfPlugins = ReadConfigPlugins(Document);
+	FConfig OfPlugins = ReadConfigPlugins(Document);
+	AddPluginArguments(OfPlugins, Options);
 	std::vector<FIniVariable> IniVariables;
 	if (Options.bNoPlugins)
 	{

@@ -78,6 +78,18 @@ std::string DescribeOptions(const FRunOptions& Options)
 	{
 		Add("--pp " + Setting);
 	}
+	if (!Options.Engine.empty())
+	{
+		Add("--engine " + Options.Engine);
+	}
+	for (const std::string& Plugin : Options.Plugins)
+	{
+		Add("--plugin " + Plugin);
+	}
+	if (Options.bFingerprints)
+	{
+		Add("--fingerprints");
+	}
 	for (const std::string& Pattern : Options.Dump)
 	{
 		Add("--dump " + Pattern);
@@ -128,6 +140,14 @@ FSequenceInputs FindSequenceInputs(const FRunOptions& Options, const FConfig& Co
 	std::vector<FDiagnostic> Ignored;
 	bool bSyntaxError = false;
 	AddFiles(ParseJson(Text, Options.ConfigFile, Ignored, bSyntaxError), Config, Inputs);
+	for (const std::string& Plugin : Options.Plugins)
+	{
+		std::error_code Missing;
+		if (Files::is_regular_file(Plugin, Missing))
+		{
+			Inputs[FilePrefix + Plugin] = FingerprintFile(Plugin);
+		}
+	}
 	return Inputs;
 }
 

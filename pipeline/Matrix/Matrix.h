@@ -1,0 +1,38 @@
+// `drydock matrix`: one plugin compiled for and run under several engine versions, each in a process of its own, and
+// what came of it side by side.
+#pragma once
+
+#include "DrydockAPI.h"
+#include "Matrix/MatrixResult.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+struct FMatrixRequest
+{
+	std::string Folder;                // of the plugin
+	std::string Config;                // empty: drydock's own small frame
+	std::vector<int> Minors;           // ascending; see ParseMatrixVersions
+	std::string OutputFolder;          // empty: build/NAME-matrix, below the working folder
+	std::vector<std::string> Excludes; // as of FPluginBuild
+	std::string Compiler;              // likewise
+	std::string Program;               // drydock's own, which is started for each version; empty: this process's
+	/** Called from one thread at a time. */
+	std::function<void(int Done, int Total, const std::string& What)> Progress;
+};
+
+/** Builds, runs, compares, and writes matrix.txt, matrix.json and matrix.png (the pictures side by side) to the output
+ * folder; below it 5.X/ is the build of 5.X, 5.X/run/ its run. What does not build or crashes is in the result. Throws
+ * FError: exit code 2 where there is nothing to build or no tool to build it with, 3 where files cannot be read or
+ * written. */
+DRYDOCK_API FVersionMatrix RunMatrix(const FMatrixRequest& Request);
+
+/** What `drydock run` is told for one version. */
+DRYDOCK_API std::vector<std::string> MakeRunArguments(
+	const std::string& Program, const FVersionMatrix& Matrix, const FMatrixRow& Row);
+
+} // namespace Drydock

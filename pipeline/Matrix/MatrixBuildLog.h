@@ -1,0 +1,45 @@
+// What the compiler and the linker said, out of the text that cmake's build prints. Pure: texts in, data out.
+#pragma once
+
+#include "DrydockAPI.h"
+#include "Matrix/MatrixResult.h"
+
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+/** One thing that a build did. */
+struct FBuildStep
+{
+	std::string Name;   // "Building CXX object CMakeFiles/MyTint.dir/MyTint.cpp.o"
+	std::string Output; // what was printed of it, lines
+
+	bool operator==(const FBuildStep&) const = default;
+};
+
+/** The steps of what ninja or make printed: each begins with a line "[2/5] NAME" or "[ 40%] NAME". What stands before
+ * the first one is left out. */
+DRYDOCK_API std::vector<FBuildStep> ReadBuildSteps(const std::string& Log);
+
+/** A text that ReadBuildSteps reads as Steps. */
+DRYDOCK_API std::string WriteBuildSteps(const std::vector<FBuildStep>& Steps);
+
+/** A build does again only what is out of date, and says nothing of the rest: the steps of Before that Now does not
+ * have, then those of Now. */
+DRYDOCK_API std::vector<FBuildStep> MergeBuildSteps(
+	const std::vector<FBuildStep>& Before, const std::vector<FBuildStep>& Now);
+
+enum class ECompilerMessage
+{
+	Error, // the linker's too
+	Warning,
+};
+
+/** Messages of that kind, in their order, each once. Folder: of the plugin, absolute; files in it are given from there
+ * on. */
+DRYDOCK_API std::vector<FMatrixMessage> ReadCompilerMessages(
+	const std::string& Text, ECompilerMessage Kind, const std::string& Folder);
+
+} // namespace Drydock

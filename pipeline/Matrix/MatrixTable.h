@@ -1,0 +1,21 @@
+// A matrix as its reader sees it: a table with a row for each version, what was said, and what it comes to. Pure: data
+// in, text out.
+#pragma once
+
+#include "DrydockAPI.h"
+#include "Matrix/MatrixResult.h"
+
+#include <string>
+
+namespace Drydock
+{
+
+DRYDOCK_API std::string FormatMatrix(const FVersionMatrix& Matrix);
+
+/** {plugin, folder, config, versions: [{engine, builds, firstError, compilerWarnings, notes, library, log, run:
+ * {exitCode, end, firstError, warnings, extensions, folder}, picture: {fingerprint, before, same, max, pixels, first,
+ * sameAs}, firstDifference: {pass, what}}], summary, advice, passed}. A message: {code, file, line, where, text}. What
+ * there is none of is null. */
+DRYDOCK_API std::string MakeMatrixJson(const FVersionMatrix& Matrix);
+
+} // namespace Drydock

@@ -1,0 +1,101 @@
+// Reads and writes lists of engine versions.
+#include "Matrix/MatrixVersions.h"
+
+#include "Diagnostics.h"
+#include "EngineProfile.h"
+#include "Matrix/MatrixErrors.h"
+
+#include <set>
+#include <sstream>
+
+namespace Drydock
+{
+
+namespace
+{
+
+std::string Trim(const std::string& Text)
+{
+	const size_t First = Text.find_first_not_of(" \t");
+	return First == std::string::npos ? "" : Text.substr(First, Text.find_last_not_of(" \t") - First + 1);
+}
+
+[[noreturn]] void Fail(const std::string& Message)
+{
+	throw FError({.Code = ErrorMatrixVersions, .Message = Message, .Where = "--versions"}, ExitUsage);
+}
+
+int ParseVersion(const std::string& Text)
+{
+	const FEngineProfile* const Known = FindEngineProfile(Text);
+	if (Known == nullptr)
+	{
+		Fail("\"" + Text + "\" is no engine version that drydock knows: these are " + ListEngineVersions(", "));
+	}
+	return Known->Minor;
+}
+
+} // namespace
+
+std::vector<int> ParseMatrixVersions(const std::string& Text)
+{
+	std::set<int> Minors;
+	if (Text.empty())
+	{
+		for (const FEngineProfile& Row : GetEngineProfiles())
+		{
+			Minors.insert(Row.Minor);
+		}
+	}
+	std::istringstream Parts(Text);
+	for (std::string Part; std::getline(Parts, Part, ',');)
+	{
+		const size_t Dash = Part.find('-');
+		const int First = ParseVersion(Trim(Part.substr(0, Dash)));
+		const int Last = Dash == std::string::npos ? First : ParseVersion(Trim(Part.substr(Dash + 1)));
+		if (First > Last)
+		{
+			Fail("\"" + Trim(Part) + "\" ends before it begins: the older version comes first");
+		}
+		for (int Minor = First; Minor <= Last; ++Minor)
+		{
+			Minors.insert(Minor);
+		}
+	}
+	return {Minors.begin(), Minors.end()};
+}
+
+std::string DescribeVersions(const std::vector<int>& Minors)
+{
+	std::vector<std::string> Parts;
+	for (size_t First = 0; First < Minors.size();)
+	{
+		size_t Last = First;
+		while (Last + 1 < Minors.size() && Minors[Last + 1] == Minors[Last] + 1)
+		{
+			++Last;
+		}
+		if (Last - First >= 2)
+		{
+			Parts.push_back(DescribeVersion(Minors[First]) + " to " + DescribeVersion(Minors[Last]));
+		}
+		for (size_t Index = First; Last - First < 2 && Index <= Last; ++Index)
+		{
+			Parts.push_back(DescribeVersion(Minors[Index]));
+		}
+		First = Last + 1;
+	}
+	std::string Text;
+	for (size_t Index = 0; Index < Parts.size(); ++Index)
+	{
+		Text += (Index == 0 ? "" : Index + 1 < Parts.size() ? ", " : " and ") + Parts[Index];
+	}
+	return Text;
+}
+
+std::string DescribeVersion(int Minor)
+{
+	return FEngineProfile{.Minor = Minor}.GetVersion();
+}
+
+} // namespace Drydock

@@ -1,0 +1,112 @@
+// Makes the table row by row; a row that all versions agree on is left out.
+#include "Matrix/VersionTable.h"
+
+#include "ExtensionFactory.h"
+#include "Extensions/EngineHooks.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace Drydock
+{
+
+namespace
+{
+
+struct FRow
+{
+	std::string What;
+	std::vector<bool> Holds; // by version, as GetEngineProfiles
+};
+
+FRow MakeProfileRow(const std::string& What, bool FEngineProfile::*Member)
+{
+	FRow Row{What, {}};
+	for (const FEngineProfile& Profile : GetEngineProfiles())
+	{
+		Row.Holds.push_back(Profile.*Member);
+	}
+	return Row;
+}
+
+/** In a function of its own, so that a new member of the profile does not compile until it is listed here. */
+std::vector<FRow> MakeMathsRows()
+{
+	const auto& [Minor, bShadowContrast, bRamp, bThresholds] = GetDefaultEngineProfile();
+	static_cast<void>(Minor);
+	static_cast<void>(bShadowContrast);
+	static_cast<void>(bRamp);
+	static_cast<void>(bThresholds);
+	return {
+		MakeProfileRow("maths: `LocalExposureShadowContrastScale` starts at the highlights' console variable",
+			&FEngineProfile::bShadowContrastOfHighlights),
+		MakeProfileRow("maths: bloom's setup ramps at a `BloomThreshold` of -1 and below too",
+			&FEngineProfile::bBloomRampWithoutThreshold),
+		MakeProfileRow("settings: `LocalExposureHighlightThreshold` and `LocalExposureShadowThreshold` act",
+			&FEngineProfile::bLocalExposureThresholds),
+	};
+}
+
+std::vector<FRow> MakeHookRows()
+{
+	std::vector<FRow> Rows;
+	for (const FHookVersions& Hook : GetHookVersions())
+	{
+		FRow Row{std::string("hook `") + Hook.Signature + "`", {}};
+		for (const FEngineProfile& Profile : GetEngineProfiles())
+		{
+			Row.Holds.push_back(IsHookCalled(Hook.Hook, Profile.Minor));
+		}
+		Rows.push_back(Row);
+	}
+	return Rows;
+}
+
+std::vector<FRow> MakePointRows()
+{
+	std::vector<FRow> Rows;
+	for (const FInsertionPoint& Point : GetInsertionPoints())
+	{
+		FRow Row{"insertion point `" + std::string(GetPassName(Point.Pass)) + "`: " + Point.Doc, {}};
+		for (const FEngineProfile& Profile : GetEngineProfiles())
+		{
+			Row.Holds.push_back(HasInsertionPoint(Point.Pass, Profile.Minor));
+		}
+		Rows.push_back(Row);
+	}
+	return Rows;
+}
+
+} // namespace
+
+std::string MakeVersionTable()
+{
+	std::string Head = "| what |";
+	std::string Rule = "|---|";
+	for (const FEngineProfile& Profile : GetEngineProfiles())
+	{
+		Head += " " + Profile.GetVersion() + " |";
+		Rule += "---|";
+	}
+	std::string Table = Head + "\n" + Rule + "\n";
+	for (const std::vector<FRow>& Rows : {MakeHookRows(), MakePointRows(), MakeMathsRows()})
+	{
+		for (const FRow& Row : Rows)
+		{
+			const auto NumHolding = std::count(Row.Holds.begin(), Row.Holds.end(), true);
+			if (NumHolding == 0 || NumHolding == static_cast<std::ptrdiff_t>(Row.Holds.size()))
+			{
+				continue;
+			}
+			Table += "| " + Row.What + " |";
+			for (const bool bHolds : Row.Holds)
+			{
+				Table += bHolds ? " yes |" : " |";
+			}
+			Table += "\n";
+		}
+	}
+	return Table;
+}
+
+} // namespace Drydock

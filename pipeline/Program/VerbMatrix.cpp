@@ -1,0 +1,79 @@
+// `drydock matrix`: one plugin under every engine version, side by side.
+#include <CLI/CLI.hpp>
+
+#include "Matrix/Matrix.h"
+#include "Matrix/MatrixSummary.h"
+#include "Matrix/MatrixTable.h"
+#include "Matrix/MatrixVersions.h"
+#include "Program/ProgressBar.h"
+#include "Program/VerbOptions.h"
+#include "Program/Verbs.h"
+
+#include <cstdio>
+#include <memory>
+
+namespace Drydock
+{
+
+namespace
+{
+
+struct FMatrixOptions
+{
+	FMatrixRequest Request;
+	std::string Versions; // of --versions
+	bool bJson = false;
+};
+
+int MakeMatrix(const FMatrixOptions& Options)
+{
+	FProgressBar Bar;
+	FMatrixRequest Request = Options.Request;
+	Request.Minors = ParseMatrixVersions(Options.Versions);
+	Request.Progress = [&Bar](int Done, int Total, const std::string& What)
+	{
+		Bar.Show(Done, Total, What);
+	};
+	const FVersionMatrix Matrix = RunMatrix(Request);
+	Bar.Clear();
+	std::fputs((Options.bJson ? MakeMatrixJson : FormatMatrix)(Matrix).c_str(), stdout);
+	if (!Options.bJson)
+	{
+		std::printf("pictures side by side: %s/matrix.png\n", Matrix.OutputFolder.c_str());
+	}
+	return GetMatrixExitCode(Matrix);
+}
+
+FVerbCall AddOptions(CLI::App& Verb)
+{
+	const auto Options = std::make_shared<FMatrixOptions>();
+	FMatrixRequest& Request = Options->Request;
+	Verb.add_option("PLUGIN_DIR", Request.Folder, "Folder of a plugin, with its .uplugin")->required();
+	Verb.add_option("CONFIG", Request.Config,
+		"JSON config to run it in, which need not name the plugin; a small frame of drydock's own by default");
+	Verb.add_option(
+			"--versions", Options->Versions, "Engine versions, such as 5.3-5.6,5.8; all that drydock knows by default")
+		->type_name("LIST");
+	Verb.add_option("--out", Request.OutputFolder,
+			"Folder for builds, runs, matrix.txt, matrix.json and matrix.png; build/NAME-matrix by default")
+		->type_name("DIR");
+	AddRepeated(Verb, "--exclude", "PATTERN", Request.Excludes,
+		"Leave out a file, folder or module: a path from PLUGIN_DIR on or a name, with * and ?");
+	Verb.add_option("--compiler", Request.Compiler, "C++ compiler; CMake's choice by default")->type_name("PATH");
+	Verb.add_flag("--json", Options->bJson, "Print the table as JSON");
+	return [Options]
+	{
+		return MakeMatrix(*Options);
+	};
+}
+
+const FVerbRegistration GRegistration({
+	.Name = "matrix",
+	.Place = 117,
+	.Doc = "Build and run a plugin under every engine version, side by side",
+	.AddOptions = AddOptions,
+});
+
+} // namespace
+
+} // namespace Drydock

@@ -1,0 +1,90 @@
+// What is read out of logs of builds, written by hand as ninja, make, g++ and ld write them.
+#include <gtest/gtest.h>
+
+#include "Matrix/MatrixBuildLog.h"
+
+using namespace Drydock;
+
+namespace
+{
+
+const std::string GFolder = "/home/me/Plugins/Tint";
+
+const std::string GLog = R"(-- Configuring done
+[1/4] Building CXX object CMakeFiles/Tint.dir/a.cpp.o
+In file included from /home/me/Plugins/Tint/Source/Tint/Private/a.cpp:3:
+/home/me/Plugins/Tint/Source/Tint/Public/Tint.h:12:7: warning: 'Old' is deprecated [-Wdeprecated-declarations]
+   12 |   Old();
+[2/4] Building CXX object CMakeFiles/Tint.dir/b.cpp.o
+/home/me/Plugins/Tint/Source/Tint/Public/Tint.h:12:7: warning: 'Old' is deprecated [-Wdeprecated-declarations]
+/home/me/Plugins/Tint/Source/Tint/Private/b.cpp:41:9: error: 'FScreenPassTextureSlice' was not declared in this scope
+/usr/include/x.h:5: fatal error: y.h: No such file or directory
+[3/4] Linking CXX shared library libTint.so
+)";
+
+} // namespace
+
+TEST(MatrixBuildLog, ErrorsAreRelativeToThePlugin)
+{
+	const std::vector<FMatrixMessage> Errors = ReadCompilerMessages(GLog, ECompilerMessage::Error, GFolder);
+	ASSERT_EQ(2u, Errors.size());
+	EXPECT_EQ("Source/Tint/Private/b.cpp", Errors[0].File);
+	EXPECT_EQ(41, Errors[0].Line);
+	EXPECT_EQ("'FScreenPassTextureSlice' was not declared in this scope", Errors[0].Text);
+	EXPECT_EQ("/usr/include/x.h", Errors[1].File);
+	EXPECT_EQ(5, Errors[1].Line);
+	EXPECT_EQ("y.h: No such file or directory", Errors[1].Text);
+}
+
+TEST(MatrixBuildLog, AWarningOfAHeaderCountsOnce)
+{
+	const std::vector<FMatrixMessage> Warnings = ReadCompilerMessages(GLog, ECompilerMessage::Warning, GFolder);
+	ASSERT_EQ(1u, Warnings.size());
+	EXPECT_EQ("Source/Tint/Public/Tint.h", Warnings[0].File);
+	EXPECT_EQ(12, Warnings[0].Line);
+}
+
+TEST(MatrixBuildLog, TheLinkersErrorsCount)
+{
+	const std::vector<FMatrixMessage> Errors = ReadCompilerMessages(
+		"/usr/bin/ld: a.o: in function `F()':\n"
+		"/home/me/Plugins/Tint/a.cpp:7: undefined reference to `Missing()'\n"
+		"/usr/bin/ld: b.o:(.text+0x0): multiple definition of `F()'; a.o:(.text+0x0): first defined here\n"
+		"collect2: error: ld returned 1 exit status\n",
+		ECompilerMessage::Error, GFolder);
+	ASSERT_EQ(2u, Errors.size());
+	EXPECT_EQ("a.cpp", Errors[0].File);
+	EXPECT_EQ(7, Errors[0].Line);
+	EXPECT_EQ("undefined reference to `Missing()'", Errors[0].Text);
+	EXPECT_EQ("", Errors[1].File);
+	EXPECT_EQ(0, Errors[1].Line);
+	EXPECT_EQ(0u, Errors[1].Text.find("multiple definition of `F()'"));
+}
+
+TEST(MatrixBuildLog, StepsAreThoseOfNinjaAndMake)
+{
+	const std::vector<FBuildStep> Steps = ReadBuildSteps(GLog);
+	ASSERT_EQ(3u, Steps.size());
+	EXPECT_EQ("Building CXX object CMakeFiles/Tint.dir/a.cpp.o", Steps[0].Name);
+	EXPECT_NE(std::string::npos, Steps[0].Output.find("   12 |   Old();\n"));
+	EXPECT_EQ("Linking CXX shared library libTint.so", Steps[2].Name);
+	EXPECT_EQ("", Steps[2].Output);
+
+	const std::vector<FBuildStep> OfMake =
+		ReadBuildSteps("[ 50%] Building CXX object a.o\nsaid\n[100%] Built target Tint\n");
+	EXPECT_EQ((std::vector<FBuildStep>{{"Building CXX object a.o", "said\n"}, {"Built target Tint", ""}}), OfMake);
+}
+
+TEST(MatrixBuildLog, WrittenStepsAreReadBack)
+{
+	EXPECT_EQ(ReadBuildSteps(GLog), ReadBuildSteps(WriteBuildSteps(ReadBuildSteps(GLog))));
+	EXPECT_EQ("", WriteBuildSteps({}));
+}
+
+TEST(MatrixBuildLog, WhatWasUpToDateKeepsWhatItSaid)
+{
+	const std::vector<FBuildStep> Before = {{"Building a.o", "warning of a\n"}, {"Building b.o", "warning of b\n"}};
+	EXPECT_EQ(Before, MergeBuildSteps(Before, {}));
+	EXPECT_EQ((std::vector<FBuildStep>{{"Building b.o", "warning of b\n"}, {"Building a.o", ""}}),
+		MergeBuildSteps(Before, {{"Building a.o", ""}}));
+}
