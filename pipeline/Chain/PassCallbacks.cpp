@@ -132,11 +132,7 @@ FScreenPassTexture RunPassCallback(FRDGBuilder& GraphBuilder, const FNamedView& 
 	if (Breach.Code == 0)
 	{
 		Log.Calls[LogIndex].Did = DescribeResult(Inputs, Result);
-		if (IsInput(Inputs, Result))
-		{
-			Log.Diagnostics.push_back(MakeExtensionDiagnostic(ESeverity::Note, NoteCallbackReturnedInput,
-				Callback.Extension, "its callback at " + Point + " returned its input: the picture goes on as it was"));
-		}
+		Log.Calls[LogIndex].bReturnedInput = IsInput(Inputs, Result);
 		return Result;
 	}
 	const ESeverity Severity = IsValidationStrict() ? ESeverity::Error : ESeverity::Warning;

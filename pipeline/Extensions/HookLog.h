@@ -14,11 +14,12 @@ namespace Drydock
  */
 struct FHookCall
 {
-	std::string Hook;      // "SetupView", "SubscribeToPostProcessingPass(Tonemap)", "Tonemap"
-	std::string View;      // empty: the whole family
-	std::string Extension; // its class, or its type in the config; the second of a kind is "FTint #2"
-	std::string Did;       // what came of it, in words; empty: nothing that can be seen from outside
-	std::string Scope;     // event scope of the passes it added; empty: it had no graph
+	std::string Hook;            // "SetupView", "SubscribeToPostProcessingPass(Tonemap)", "Tonemap"
+	std::string View;            // empty: the whole family
+	std::string Extension;       // its class, or its type in the config; the second of a kind is "FTint #2"
+	std::string Did;             // what came of it, in words; empty: nothing that can be seen from outside
+	std::string Scope;           // event scope of the passes it added; empty: it had no graph
+	bool bReturnedInput = false; // of a callback
 };
 
 /** One insertion point of one view. */

@@ -425,6 +425,14 @@ void FViewExtensionFrame::Finish(const FRDGCompiledGraph& Graph)
 		const auto Inside = Passes.find(Call.Scope);
 		if (Inside != Passes.end())
 		{
+			if (Call.bReturnedInput)
+			{
+				Log.Diagnostics.push_back(
+					MakeExtensionDiagnostic(ESeverity::Note, NoteCallbackReturnedInput, Call.Extension,
+						"its callback at " + Call.Hook +
+							" added passes and returned its input: what they drew is seen only "
+							"where something else reads it"));
+			}
 			Call.Did += (Call.Did.empty() ? "" : "; ") + DescribePasses(Inside->second);
 		}
 	}

@@ -390,14 +390,25 @@ INSTANTIATE_TEST_SUITE_P(All, BrokenContract,
 		FMisdeed{"OverrideNotDrawn", ErrorCallbackNotDrawn, EPoint::Tonemap, DrawNothing}),
 	[](const auto& Info) { return Info.param.Name; });
 
-TEST(BrokenContracts, ReturningTheInputIsNoneAndRemarked)
+TEST(BrokenContracts, DrawingAndReturningTheInputIsNoneAndRemarked)
 {
 	const FImage Plain = Render().Final;
-	const auto Extension = MakeExtension(EPoint::MotionBlur, [](const FCall& Call) { return Call.GetPicture(); });
+	const auto Extension = MakeExtension(EPoint::MotionBlur,
+		[](const FCall& Call)
+		{
+			Call.MakeTexture(FIntPoint(Width, Height), PF_FloatRGBA, Red);
+			return Call.GetPicture();
+		});
 	const FFrameResult Frame = Render();
 	EXPECT_EQ((std::vector<int>{NoteCallbackReturnedInput}), GetCodes(Frame));
 	EXPECT_EQ(ESeverity::Note, Frame.Log.Diagnostics.at(0).Severity);
 	EXPECT_EQ(Plain.Values, Frame.Final.Values);
+}
+
+TEST(BrokenContracts, ReturningTheInputAloneIsSilent)
+{
+	const auto Extension = MakeExtension(EPoint::MotionBlur, [](const FCall& Call) { return Call.GetPicture(); });
+	EXPECT_TRUE(Render().Log.Diagnostics.empty());
 }
 
 TEST(BrokenContracts, AnUnboundDelegateIsPassedOver)

@@ -176,7 +176,7 @@ TEST_F(ObjectValues, WithoutPluginsTheMessagesSayWhatIsNotKnown)
 TEST_F(ObjectValues, AddedSettingsAreInTheLedgerTheListAndThePasteText)
 {
 	const FRunSetup Setup(MakeOptions(R"(, "camera": {"Settings": {"TunedGlow": 2.5, "TunedMix": "Keep"}})"));
-	EXPECT_EQ("TunedGlow: float = 0, 0 to 8, Lerp",
+	EXPECT_EQ("TunedGlow: float = 0, 0 .. 8, Lerp",
 		[]
 		{
 			const std::string Text = FormatSettings(FindSettingFields("TunedGlow"));
