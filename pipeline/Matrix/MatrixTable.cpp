@@ -89,6 +89,18 @@ std::vector<std::string> FormatRow(const FMatrixRow& Row)
 		Row.FirstDifference ? Row.FirstDifference->Pass + " " + Row.FirstDifference->What : Nothing};
 }
 
+/** A message without the name of the version that it was said under, so that it is one message under all of them. */
+std::string DescribeMessageOf(const FMatrixMessage& Message, int Minor)
+{
+	std::string Text = DescribeMessage(Message);
+	const std::string Named = "engine " + DescribeVersion(Minor);
+	for (size_t At = Text.find(Named); At != std::string::npos; At = Text.find(Named, At))
+	{
+		Text.replace(At, Named.size(), "that engine");
+	}
+	return Text;
+}
+
 /** All that was said, each text with the versions it was said under. */
 FVersionGroups CollectTexts(const FVersionMatrix& Matrix)
 {
@@ -116,7 +128,7 @@ FVersionGroups CollectTexts(const FVersionMatrix& Matrix)
 		}
 		for (const FMatrixMessage& Warning : Row.Run ? Row.Run->Warnings : std::vector<FMatrixMessage>())
 		{
-			Texts.Add(DescribeMessage(Warning), Row.Minor);
+			Texts.Add(DescribeMessageOf(Warning, Row.Minor), Row.Minor);
 		}
 	}
 	return Texts;

@@ -108,6 +108,17 @@ Builds and runs under 5.4, 5.6 and 5.7, and draws 2 pictures: one under 5.4 and 
 	EXPECT_EQ(ExitUsage, GetMatrixExitCode(Matrix));
 }
 
+TEST(MatrixTable, AMessageThatNamesTheVersionIsOne)
+{
+	FMatrixRow First = MakeGood(5, GOne, std::nullopt);
+	First.Run->Warnings = {{2070, "", 0, "extension FTint", "which engine 5.5 never calls"}};
+	FMatrixRow Second = MakeGood(6, GOne, 5);
+	Second.Run->Warnings = {{2070, "", 0, "extension FTint", "which engine 5.6 never calls"}};
+	const std::string Text = FormatMatrix(MakeMatrix({First, Second}));
+	EXPECT_NE(std::string::npos, Text.find("\n5.5 and 5.6: DD2070 at extension FTint: which that engine never calls\n"))
+		<< Text;
+}
+
 TEST(MatrixTable, WhereNothingBuildsItSaysSo)
 {
 	EXPECT_EQ("Fails under each of 5.1 and 5.2; 5.1 and 5.2: does not compile, 'FSlice' was not declared in this scope "
