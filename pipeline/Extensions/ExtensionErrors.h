@@ -12,7 +12,7 @@ enum EExtensionError
 	ErrorCallbackRect = 2061,           // a rect that is not inside the texture
 	ErrorCallbackOverride = 2062,       // not OverrideOutput, though that was valid
 	ErrorCallbackNotDrawn = 2063,       // OverrideOutput, with nothing drawn to it
-	NoteCallbackReturnedInput = 2064,   // though it added passes
+	NoteCallbackReturnedInput = 2064,   // though it added passes, which nobody reads
 
 	WarnHookNeverCalled = 2070,   // an override that this engine version does not call
 	WarnEngineDiffers = 2071,     // compiled for another engine version than the run's

@@ -425,13 +425,14 @@ void FViewExtensionFrame::Finish(const FRDGCompiledGraph& Graph)
 		const auto Inside = Passes.find(Call.Scope);
 		if (Inside != Passes.end())
 		{
-			if (Call.bReturnedInput)
+			const bool bAllCulled = std::all_of(Inside->second.begin(), Inside->second.end(),
+				[](const FRDGCompiledPass* Pass) { return Pass->bCulled; });
+			if (Call.bReturnedInput && bAllCulled)
 			{
-				Log.Diagnostics.push_back(
-					MakeExtensionDiagnostic(ESeverity::Note, NoteCallbackReturnedInput, Call.Extension,
-						"its callback at " + Call.Hook +
-							" added passes and returned its input: what they drew is seen only "
-							"where something else reads it"));
+				Log.Diagnostics.push_back(MakeExtensionDiagnostic(ESeverity::Note, NoteCallbackReturnedInput,
+					Call.Extension,
+					"its callback at " + Call.Hook +
+						" added passes and returned its input: nobody reads what they draw, and they are left out"));
 			}
 			Call.Did += (Call.Did.empty() ? "" : "; ") + DescribePasses(Inside->second);
 		}
