@@ -90,7 +90,8 @@ bool Declares(const std::string& Text, const std::string& Name)
 	{
 		const std::string Word = Words.Get();
 		const bool bAdjacent = Words.SkipBlanks(LastEnd) == Words.Begin && Words.Begin > LastEnd;
-		const bool bTyped = bAdjacent && IsWordCharacter(Last.back()) && !NoTypes.count(Last) && !std::isdigit(Last[0]);
+		const bool bTyped = bAdjacent && !Last.empty() && IsWordCharacter(Last.back()) && !NoTypes.count(Last) &&
+							!std::isdigit(Last[0]);
 		if (Word == Name && bTyped && Words.Behind() != '.')
 		{
 			return true;
