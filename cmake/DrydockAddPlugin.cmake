@@ -7,9 +7,10 @@
 # SOURCES  C++ files, in one folder or in the engine's layout (Source/MODULE/Public and Private). Without SOURCES they are
 #          found: those of the modules that the .uplugin and the .Build.cs files name, without modules of the editor and
 #          without files that include its headers or Slate's; each that is left out is named. Definitions and folders of
-#          the .Build.cs files count. Plugins that the .uplugin needs and that lie beside it are built and linked too. Headers of a module are found as in the engine. A header with
-#          `#include "X.generated.h"` gets that file made here, and its UCLASSes are registered, so that subsystems start by
-#          themselves; it is made again whenever the header changes.
+#          the .Build.cs files count. Plugins that the .uplugin needs and that lie beside it are built and linked too.
+#          Headers of a module are found as in the engine. A header with `#include "X.generated.h"` gets that file made
+#          here, and its UCLASSes are registered, so that subsystems start by themselves; it is made again whenever the
+#          header changes.
 # SHADERS  .usf and .ush files; without SOURCES and SHADERS those below folders named Shaders. The virtual path
 #          "/Plugin/<NAME>" means the plugin's folder Shaders where they lie in it, else their common folder; the files are
 #          read in place, so that an edit is seen by the next run.

@@ -1,8 +1,7 @@
 // A post-process setting that a plugin adds, from its own source: volumes blend it, `--pp`, configs, `drydock blend`,
 // `drydock list settings` and the engine's paste text know it while the plugin is loaded.
 //
-//   static const Drydock::TPostProcessSetting<float> GTintStrength(TEXT("TintStrength"), 0.0f, 0.0f, 1.0f,
-//   TEXT("..."));
+//   static const Drydock::TPostProcessSetting<float> GTintStrength(TEXT("TintStrength"), 0.0f, 0.0f, 1.0f);
 //   ...
 //   const float Strength = GTintStrength.Get(View.FinalPostProcessSettings);
 //

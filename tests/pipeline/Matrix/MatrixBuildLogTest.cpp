@@ -8,16 +8,16 @@ using namespace Drydock;
 namespace
 {
 
-const std::string GFolder = "/home/me/Plugins/Tint";
+const std::string GFolder = "/p/Tint";
 
 const std::string GLog = R"(-- Configuring done
 [1/4] Building CXX object CMakeFiles/Tint.dir/a.cpp.o
-In file included from /home/me/Plugins/Tint/Source/Tint/Private/a.cpp:3:
-/home/me/Plugins/Tint/Source/Tint/Public/Tint.h:12:7: warning: 'Old' is deprecated [-Wdeprecated-declarations]
+In file included from /p/Tint/Source/Tint/Private/a.cpp:3:
+/p/Tint/Source/Tint/Public/Tint.h:12:7: warning: 'Old' is deprecated [-Wdeprecated-declarations]
    12 |   Old();
 [2/4] Building CXX object CMakeFiles/Tint.dir/b.cpp.o
-/home/me/Plugins/Tint/Source/Tint/Public/Tint.h:12:7: warning: 'Old' is deprecated [-Wdeprecated-declarations]
-/home/me/Plugins/Tint/Source/Tint/Private/b.cpp:41:9: error: 'FScreenPassTextureSlice' was not declared in this scope
+/p/Tint/Source/Tint/Public/Tint.h:12:7: warning: 'Old' is deprecated [-Wdeprecated-declarations]
+/p/Tint/Source/Tint/Private/b.cpp:41:9: error: 'FScreenPassTextureSlice' was not declared in this scope
 /usr/include/x.h:5: fatal error: y.h: No such file or directory
 [3/4] Linking CXX shared library libTint.so
 )";
@@ -48,7 +48,7 @@ TEST(MatrixBuildLog, TheLinkersErrorsCount)
 {
 	const std::vector<FMatrixMessage> Errors = ReadCompilerMessages(
 		"/usr/bin/ld: a.o: in function `F()':\n"
-		"/home/me/Plugins/Tint/a.cpp:7: undefined reference to `Missing()'\n"
+		"/p/Tint/a.cpp:7: undefined reference to `Missing()'\n"
 		"/usr/bin/ld: b.o:(.text+0x0): multiple definition of `F()'; a.o:(.text+0x0): first defined here\n"
 		"collect2: error: ld returned 1 exit status\n",
 		ECompilerMessage::Error, GFolder);
