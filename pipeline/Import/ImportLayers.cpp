@@ -2,7 +2,7 @@
 #include "Import/ImportLayers.h"
 
 #include "Import/ImportTargets.h"
-#include "Picture/ImageParts.h"
+#include "Picture/ImageFile.h"
 
 #include <algorithm>
 #include <cctype>
@@ -172,8 +172,9 @@ FImportLayers ReadImportLayers(const std::vector<std::string>& Paths)
 	FImportLayers Read;
 	for (const std::string& Path : Paths)
 	{
-		Read.Files.push_back({.Path = Path, .bEncoded = FImageFile(Path).IsEncoded()});
-		for (const FImagePart& Part : ReadImageParts(Path))
+		const FImageFile File(Path);
+		Read.Files.push_back({.Path = Path, .bEncoded = File.IsEncoded()});
+		for (const FImagePart& Part : File.GetParts())
 		{
 			AddPart(Read, Part);
 		}

@@ -4,7 +4,7 @@
 #include "Import/ImportPlanes.h"
 
 #include "Import/ImportErrors.h"
-#include "Picture/ImageParts.h"
+#include "Picture/ImageFile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -133,13 +133,14 @@ FImportPlanes ReadImportPlanes(const FImportLayers& Layers, const FImportPlan& P
 			{
 				Indices.push_back(One.Channel->Index);
 			}
-			const std::vector<std::vector<float>> Values = bColor && Where.second == 0
-															   ? FImageFile(File.Path).Read(Indices)
-															   : ReadImagePlanes(File.Path, Where.second, Indices);
+			FImageFile Image(File.Path);
+			std::vector<FImagePlane> Values =
+				bColor && Where.second == 0 ? Image.ReadPlanes(Indices) : Image.ReadPart(Where.second, Indices);
 			for (size_t Index = 0; Index < Wanted.size(); ++Index)
 			{
 				const FImportSource& Source = Wanted[Index].Source;
-				Planes.Planes[{Source.Layer, Source.Slot}] = LayInto(Planes, Part, Wanted[Index], Values[Index]);
+				Values[Index].MakeFloats();
+				Planes.Planes[{Source.Layer, Source.Slot}] = LayInto(Planes, Part, Wanted[Index], Values[Index].Floats);
 			}
 		}
 	}

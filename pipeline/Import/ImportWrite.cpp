@@ -2,7 +2,7 @@
 #include "Import/ImportWrite.h"
 
 #include "Import/ImportErrors.h"
-#include "Picture/ImageParts.h"
+#include "Picture/ExrWriter.h"
 #include "Text/AsideFile.h"
 #include "Text/JsonWriter.h"
 #include "Text/Version.h"

@@ -1,8 +1,9 @@
-// Pictures in files: multi-layer EXR, and plain RGB formats, by OpenImageIO. Reading goes in two steps, header first,
-// so that a run decodes only what it needs. Written files hold no date: equal pictures give equal bytes.
+// Pictures in files: multi-layer EXR, and plain RGB formats. Reading goes in two steps, header first, so that a run
+// decodes only what it needs. Written files hold no date: equal pictures give equal bytes.
 #pragma once
 
 #include "Diagnostics.h"
+#include "Picture/ImageReader.h"
 
 #include <map>
 #include <memory>
@@ -28,18 +29,6 @@ struct FImage
 	}
 };
 
-/** Where an image lies in a larger one, of which only this part is in the file: an EXR's data window in its display
- * window. Pixels. */
-struct FImageWindow
-{
-	int X = 0;
-	int Y = 0;
-	int FullWidth = 0; // 0: the image is the whole
-	int FullHeight = 0;
-
-	bool operator==(const FImageWindow&) const = default;
-};
-
 /** An image file of which the header has been read. */
 class DRYDOCK_API FImageFile
 {
@@ -51,33 +40,34 @@ public:
 	FImageFile& operator=(const FImageFile&) = delete;
 
 	const std::string& GetPath() const { return Path; }
-	int GetWidth() const { return Width; }
-	int GetHeight() const { return Height; }
+	int GetWidth() const { return GetParts()[0].Width; }
+	int GetHeight() const { return GetParts()[0].Height; }
 	/** Where these pixels lie in the picture that the file stands for; with FullWidth and FullHeight. */
-	const FImageWindow& GetWindow() const { return Window; }
+	const FImageWindow& GetWindow() const { return GetParts()[0].Window; }
 	/** Names as in the file: "R", "depth.Z". */
-	const std::vector<std::string>& GetChannels() const { return Channels; }
+	const std::vector<std::string>& GetChannels() const { return GetParts()[0].Channels; }
 	/** -1 when there is none of this name. */
 	int FindChannel(const std::string& Name) const;
 	/** Text attribute of the header, or empty. */
 	std::string GetAttribute(const std::string& Name) const;
 	/** Whether values are sRGB-encoded, as in PNG; Read decodes colour. */
-	bool IsEncoded() const { return bEncoded; }
+	bool IsEncoded() const { return GetParts()[0].bEncoded; }
+	/** All parts: one, but for an EXR that has several. The functions above are about the first. */
+	const std::vector<FImagePart>& GetParts() const { return Reader->GetParts(); }
 
-	/** One read of the channels with these indices, each a plane of Width * Height linear values, row-major. Throws
-	 * FError (exit code 3) when the file is truncated or corrupt. */
+	/** One read of the channels with these indices, each a plane of Width * Height linear values, in the width that
+	 * they are stored in. Throws FError (exit code 3) when the file is truncated or corrupt. */
+	std::vector<FImagePlane> ReadPlanes(const std::vector<int>& ChannelIndices);
+
+	/** The same as floats. */
 	std::vector<std::vector<float>> Read(const std::vector<int>& ChannelIndices);
 
-private:
-	struct FInput;
+	/** Channels of any part, values as they are stored: colour stays encoded. Throws as Read does. */
+	std::vector<FImagePlane> ReadPart(int Part, const std::vector<int>& ChannelIndices);
 
+private:
 	std::string Path;
-	std::unique_ptr<FInput> Input;
-	int Width = 0;
-	int Height = 0;
-	FImageWindow Window;
-	std::vector<std::string> Channels;
-	bool bEncoded = false;
+	std::unique_ptr<IImageReader> Reader;
 };
 
 /** Lossless ZIP, no date; half float channels where every value is one, else 32-bit float. Throws FError (exit code 3)

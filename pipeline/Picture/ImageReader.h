@@ -1,0 +1,79 @@
+// What a reader of image files gives, whatever the format: parts with all that their headers say, and channels as they
+// are stored. One reader to a library: OpenEXR's, libpng's, and OpenImageIO's for all other formats.
+#pragma once
+
+#include <Imath/half.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+/** Where an image lies in a larger one, of which only this part is in the file: an EXR's data window in its display
+ * window. Pixels. */
+struct FImageWindow
+{
+	int X = 0;
+	int Y = 0;
+	int FullWidth = 0; // 0: the image is the whole
+	int FullHeight = 0;
+
+	bool operator==(const FImageWindow&) const = default;
+};
+
+/** One picture of a file: EXR files may have several. */
+struct FImagePart
+{
+	std::string Name; // in the file; empty where it has none
+	int Width = 0;
+	int Height = 0;
+	FImageWindow Window;               // of these pixels in the picture that the part stands for
+	std::vector<std::string> Channels; // layer by layer, red before green before blue before alpha
+	std::vector<double> Greatest;      // of each channel: the greatest whole number, which is read as 1; 0: floats
+	std::map<std::string, std::string> Attributes; // of text
+	std::vector<float> Chromaticities;             // x, y of red, green, blue and white; empty: it does not say
+	bool bEncoded = false;                         // colour is sRGB-encoded
+};
+
+/** One channel of a picture, row-major, in the width that it is stored in. */
+struct FImagePlane
+{
+	std::vector<uint16_t> Halves; // where the file has half floats
+	std::vector<float> Floats;    // otherwise; whole numbers as parts of the greatest
+
+	float Get(size_t Pixel) const { return Halves.empty() ? Floats[Pixel] : imath_half_to_float(Halves[Pixel]); }
+
+	/** From now on as floats. */
+	void MakeFloats()
+	{
+		if (!Halves.empty())
+		{
+			Floats.resize(Halves.size());
+			std::transform(Halves.begin(), Halves.end(), Floats.begin(), imath_half_to_float);
+			Halves = {};
+		}
+	}
+};
+
+/** A file whose header has been read. Errors of its functions are std::exception with the library's own words. */
+class IImageReader
+{
+public:
+	virtual ~IImageReader() = default;
+
+	/** One at least. */
+	virtual const std::vector<FImagePart>& GetParts() const = 0;
+
+	/** The channels with these indices, once through the file. */
+	virtual std::vector<FImagePlane> Read(int Part, const std::vector<int>& Channels) = 0;
+};
+
+/** The bytes of a file that lies in memory; null: it lies on the disk. They live as long as the reader. */
+using FImageBytesPointer = const std::string*;
+
+} // namespace Drydock
