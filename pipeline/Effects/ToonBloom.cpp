@@ -5,6 +5,7 @@
 #include "Effects/Bloom.h"
 #include "Effects/ContentGate.h"
 #include "Effects/ToonBleed.h"
+#include "Picture/Picture.h"
 #include "Picture/TextureImage.h"
 #include "Text/TextFormat.h"
 
@@ -118,7 +119,7 @@ FEffectFigures Measure(const FMeasureInputs& Inputs)
 	constexpr int Alpha = 3;
 	const FKeptTexture& Bloom = Inputs.Textures.at("Bloom");
 	const FKeptTexture& GBufferB = Inputs.Textures.at("GBufferB");
-	const FToonBleed Bleed = MeasureToonBleed(CropToRgba(ReadTexture(*Bloom.Texture->GetRHI()), Bloom.Rect),
+	const FToonBleed Bleed = MeasureToonBleed(FPicture(Bloom.Texture, Bloom.Rect).ToImage(),
 		ReadChannel(*GBufferB.Texture->GetRHI(), GBufferB.Rect, Alpha), static_cast<double>(Inputs.PreExposure));
 	return {{{"bleed", {{"outside", Bleed.Outside}, {"inside", Bleed.Inside}, {"ratio", Bleed.GetRatio()}}}}, {}};
 }

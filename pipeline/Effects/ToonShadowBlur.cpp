@@ -3,7 +3,7 @@
 #include "Effects/ContentGate.h"
 #include "Effects/Switches.h"
 #include "Effects/ToonShadowExact.h"
-#include "Picture/TextureImage.h"
+#include "Picture/Picture.h"
 #include "SceneRendering.h"
 #include "Screen/TextureAssets.h"
 #include "Toon/ToonShadowBlur.h"
@@ -71,7 +71,7 @@ FEffectFigures Measure(const FMeasureInputs& Inputs)
 {
 	constexpr int Blurred = 3;
 	const FKeptTexture& Kept = Inputs.Textures.at("BlurredToonShadow");
-	FImage Shadow = CropToRgba(ReadTexture(*Kept.Texture->GetRHI()), Kept.Rect);
+	FImage Shadow = FPicture(Kept.Texture, Kept.Rect).ToImage();
 	FImage Alone{Shadow.Width, Shadow.Height, 1, {}};
 	for (size_t Index = Blurred; Index < Shadow.Values.size(); Index += 4)
 	{

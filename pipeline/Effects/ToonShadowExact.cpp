@@ -1,7 +1,7 @@
 // Runs the toon-shadow blur once more on 64-bit storage.
 #include "Effects/ToonShadowExact.h"
 
-#include "Picture/TextureImage.h"
+#include "Picture/Picture.h"
 #include "RHICommandList.h"
 #include "RenderGraphBuilder.h"
 #include "RenderTargetPool.h"
@@ -47,7 +47,7 @@ FImage BlurToonShadowExactly(const FImage& ToonShadow, const FFinalPostProcessSe
 	TRefCountPtr<IPooledRenderTarget> Extracted;
 	GraphBuilder.QueueTextureExtraction(Blurred.Texture, &Extracted);
 	GraphBuilder.Execute();
-	return CropToRgba(ReadTexture(*Extracted->GetRHI()), Blurred.ViewRect);
+	return FPicture(Extracted, Blurred.ViewRect).ToImage();
 }
 
 } // namespace Drydock

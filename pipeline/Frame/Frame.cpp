@@ -7,7 +7,6 @@
 #include "Engine/BlendableInterface.h"
 #include "Extensions/ViewExtensions.h"
 #include "Modules/ModuleManager.h"
-#include "Picture/TextureImage.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphNotes.h"
 #include "Tonemap/TonemapOutputDevice.h"
@@ -105,20 +104,6 @@ bool AreSameFlags(const FEngineShowFlags& A, const FEngineShowFlags& B)
 		}
 	}
 	return true;
-}
-
-/** Copies Source into Target, which has as many channels, with its corner at Position, pixels. */
-void Paste(const FImage& Source, FIntPoint Position, FImage& Target)
-{
-	const size_t NumValues = static_cast<size_t>(Source.Width) * static_cast<size_t>(Source.NumChannels);
-	for (int Y = 0; Y < Source.Height; ++Y)
-	{
-		const size_t To = (static_cast<size_t>(Y + Position.Y) * static_cast<size_t>(Target.Width) +
-							  static_cast<size_t>(Position.X)) *
-						  static_cast<size_t>(Target.NumChannels);
-		std::copy_n(Source.Values.begin() + static_cast<std::ptrdiff_t>(static_cast<size_t>(Y) * NumValues), NumValues,
-			Target.Values.begin() + static_cast<std::ptrdiff_t>(To));
-	}
 }
 
 class FFrameRenderer
@@ -427,11 +412,11 @@ private:
 
 	void ReadPictures()
 	{
-		Result.Final = CropToRgba(ReadTexture(*Final->GetRHI()), Result.Rect);
+		Result.Final = FPicture(Final, Result.Rect);
+		const FPicture First(Views[0]->SceneLinear, Views[0]->Outputs.SceneLinear.ViewRect);
 		if (Views.size() == 1)
 		{
-			Result.SceneLinear =
-				CropToRgba(ReadTexture(*Views[0]->SceneLinear->GetRHI()), Views[0]->Outputs.SceneLinear.ViewRect);
+			Result.SceneLinear = First;
 			return;
 		}
 		FIntRect All = GetSceneRect(Inputs.Views[0]);
@@ -439,17 +424,18 @@ private:
 		{
 			All.Union(GetSceneRect(View));
 		}
-		Result.SceneLinear = {All.Width(), All.Height(), 4,
-			std::vector<double>(static_cast<size_t>(All.Width()) * static_cast<size_t>(All.Height()) * 4)};
+		const FRHITextureDesc Desc = FRHITextureDesc::Create2D(
+			All.Size(), Views[0]->SceneLinear->GetDesc().Format, FClearValueBinding::None, TexCreate_ShaderResource);
+		const TRefCountPtr<FRHITexture> Texture = new FRHITexture(Desc, TEXT("SceneLinear"));
+		Result.SceneLinear = FPicture(Texture, FIntRect(FIntPoint(0, 0), All.Size()));
 		for (size_t Index = 0; Index < Views.size(); ++Index)
 		{
 			const FIntRect Rect = GetSceneRect(Inputs.Views[Index]);
-			const FImage Picture = CropToRgba(
-				ReadTexture(*Views[Index]->SceneLinear->GetRHI()), Views[Index]->Outputs.SceneLinear.ViewRect);
+			const FPicture Picture(Views[Index]->SceneLinear, Views[Index]->Outputs.SceneLinear.ViewRect);
 			// A view whose extensions changed its size has no place in the picture of all.
 			if (Picture.Width == Rect.Width() && Picture.Height == Rect.Height())
 			{
-				Paste(Picture, Rect.Min - All.Min, Result.SceneLinear);
+				Picture.PasteInto(*Texture, Rect.Min - All.Min);
 			}
 		}
 	}

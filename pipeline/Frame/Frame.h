@@ -6,7 +6,7 @@
 #include "Effects/ExposureReport.h"
 #include "EngineProfile.h"
 #include "Extensions/HookLog.h"
-#include "Picture/ImageFile.h"
+#include "Picture/Picture.h"
 #include "RenderGraphCompiled.h"
 #include "RenderGraphObserver.h"
 #include "SceneFile/SceneCamera.h"
@@ -89,8 +89,8 @@ struct FFrameResult
 
 	// Only of an executed frame.
 	std::vector<FViewHistory> ViewStates; // for the next frame
-	FImage SceneLinear;                   // RGBA: the tonemapper's input, of all SceneRects; black where no view is
-	FImage Final;                         // RGBA: display-encoded, of all Rects, likewise
+	FPicture SceneLinear;                 // RGBA: the tonemapper's input, of all SceneRects; black where no view is
+	FPicture Final;                       // RGBA: display-encoded, of all Rects, likewise
 
 	// Only of one that was not.
 	FRDGCompiledGraph Graph;

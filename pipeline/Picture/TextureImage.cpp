@@ -1,7 +1,7 @@
-// Reads textures into pictures, tile by tile.
+// Reads textures into images of doubles.
 #include "Picture/TextureImage.h"
 
-#include "TileExecutor.h"
+#include "Picture/Picture.h"
 
 #include <algorithm>
 
@@ -10,30 +10,7 @@ namespace Drydock
 
 FImage ReadTexture(FRHITexture& Texture, int Mip)
 {
-	const FIntVector Size = Texture.GetMipDimensions(static_cast<uint8>(Mip));
-	FImage Image;
-	Image.Width = Size.X;
-	Image.Height = Size.Y;
-	Image.NumChannels = std::clamp(GPixelFormats[Texture.GetFormat()].NumComponents, 1, 4);
-	Image.Values.resize(
-		static_cast<size_t>(Size.X) * static_cast<size_t>(Size.Y) * static_cast<size_t>(Image.NumChannels));
-	Texture.EnsureMemory();
-	ForEachTile(FKernelTile{0, 0, 0, Size.X, Size.Y, 1}, FIntPoint(Size.X, 16),
-		[&](const FKernelTile& Tile)
-		{
-			double* Out = Image.Values.data() + static_cast<size_t>(Tile.MinY) * static_cast<size_t>(Size.X) *
-													static_cast<size_t>(Image.NumChannels);
-			for (int32 Y = Tile.MinY; Y < Tile.MaxY; ++Y)
-			{
-				for (int32 X = 0; X < Size.X; ++X)
-				{
-					const FVector4 Texel = Texture.ReadTexelDouble(X, Y, Mip);
-					const double Components[4] = {Texel.X, Texel.Y, Texel.Z, Texel.W};
-					Out = std::copy(Components, Components + Image.NumChannels, Out);
-				}
-			}
-		});
-	return Image;
+	return FPicture::Copy(Texture, Mip).ToImage();
 }
 
 FImage ReadChannel(FRHITexture& Texture, const FIntRect& Rect, int Channel)
@@ -52,28 +29,6 @@ FImage ReadChannel(FRHITexture& Texture, const FIntRect& Rect, int Channel)
 		}
 	}
 	return Values;
-}
-
-FImage CropToRgba(const FImage& Image, const FIntRect& Rect)
-{
-	FImage Crop;
-	Crop.Width = Rect.Width();
-	Crop.Height = Rect.Height();
-	Crop.NumChannels = 4;
-	Crop.Values.reserve(static_cast<size_t>(Crop.Width) * static_cast<size_t>(Crop.Height) * 4);
-	for (int Y = Rect.Min.Y; Y < Rect.Max.Y; ++Y)
-	{
-		for (int X = Rect.Min.X; X < Rect.Max.X; ++X)
-		{
-			for (int Channel = 0; Channel < 4; ++Channel)
-			{
-				Crop.Values.push_back(Channel < Image.NumChannels ? Image.Get(X, Y, Channel)
-									  : Channel == 3              ? 1.0
-																  : 0.0);
-			}
-		}
-	}
-	return Crop;
 }
 
 std::vector<std::string> GetChannelNames(int NumChannels)

@@ -16,9 +16,6 @@ DRYDOCK_API FImage ReadTexture(FRHITexture& Texture, int Mip = 0);
 /** One channel (0 red to 3 alpha) inside a rect, in the precision that shaders read. */
 DRYDOCK_API FImage ReadChannel(FRHITexture& Texture, const FIntRect& Rect, int Channel);
 
-/** The part of an image inside a rect, padded to four channels (0, alpha 1). */
-DRYDOCK_API FImage CropToRgba(const FImage& Image, const FIntRect& Rect);
-
 /** "R", "RG", ... for a number of channels. */
 DRYDOCK_API std::vector<std::string> GetChannelNames(int NumChannels);
 

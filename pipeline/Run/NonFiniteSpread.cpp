@@ -3,7 +3,6 @@
 
 #include "Run/NonFiniteSpread.h"
 
-#include "Picture/TextureImage.h"
 #include "RenderGraphPass.h"
 #include "RenderGraphResources.h"
 #include "Run/VariableTaps.h"
@@ -50,9 +49,10 @@ std::string FormatShare(uint64_t Pixels, uint64_t NumPixels)
 	return fmt::format("{:.3g} %", 100.0 * static_cast<double>(Pixels) / static_cast<double>(NumPixels));
 }
 
-bool IsWhite(const FImage& Image, int X, int Y)
+/** Of one pixel, alpha last. */
+bool IsWhite(const float* Pixel)
 {
-	return Image.Get(X, Y, 0) >= 1.0 && Image.Get(X, Y, 1) >= 1.0 && Image.Get(X, Y, 2) >= 1.0;
+	return std::all_of(Pixel, Pixel + 3, [](float Value) { return Value >= 1.0f; });
 }
 
 } // namespace
@@ -64,20 +64,26 @@ FNonFiniteFootprint CountNonFinitePixels(const FRDGPass& Pass, FRDGTexture& Writ
 	{
 		return Footprint;
 	}
-	const FImage Image = ReadTexture(*Written.GetRHI());
-	const FIntRect Whole(0, 0, Image.Width, Image.Height);
+	FRHITexture& Texture = *Written.GetRHI();
+	const FIntPoint Extent = Texture.GetSizeXY();
+	const FIntRect Whole(FIntPoint(0, 0), Extent);
 	FIntRect Rect = FindOutputRect(Pass).value_or(Whole);
 	Rect.Clip(Whole);
 	Footprint.NumPixels = static_cast<uint64_t>(Rect.Area());
-	for (int Y = Rect.Min.Y; Y < Rect.Max.Y; ++Y)
+	if (Footprint.NumPixels == 0)
 	{
-		for (int X = Rect.Min.X; X < Rect.Max.X; ++X)
+		return Footprint;
+	}
+	const int NumChannels = std::clamp(GPixelFormats[Texture.GetFormat()].NumComponents, 1, 4);
+	const FPicture Picture(&Texture, Rect, NumChannels);
+	std::vector<float> Row(static_cast<size_t>(Rect.Width()) * static_cast<size_t>(NumChannels));
+	for (int Y = 0; Y < Rect.Height(); ++Y)
+	{
+		Picture.ReadRow(Y, Row.data());
+		for (auto Pixel = Row.begin(); Pixel != Row.end(); Pixel += NumChannels)
 		{
-			bool bFinite = true;
-			for (int Channel = 0; Channel < Image.NumChannels; ++Channel)
-			{
-				bFinite = bFinite && std::isfinite(Image.Get(X, Y, Channel));
-			}
+			const bool bFinite =
+				std::all_of(Pixel, Pixel + NumChannels, [](float Value) { return std::isfinite(Value); });
 			Footprint.Pixels += bFinite ? 0 : 1;
 		}
 	}
@@ -92,23 +98,24 @@ void AddFootprint(FNonFiniteSpread& Spread, FNonFiniteFootprint Footprint)
 	}
 }
 
-FNonFiniteFinal CompareFinal(const FImage& Final, const FImage& WithZeros)
+FNonFiniteFinal CompareFinal(const FPicture& Final, const FPicture& WithZeros)
 {
+	constexpr size_t NumChannels = 4;
 	FNonFiniteFinal Found;
+	std::vector<float> Row(static_cast<size_t>(Final.Width) * NumChannels);
+	std::vector<float> Other(Row.size());
 	for (int Y = 0; Y < Final.Height; ++Y)
 	{
-		for (int X = 0; X < Final.Width; ++X, ++Found.NumPixels)
+		Final.ReadRow(Y, Row.data());
+		WithZeros.ReadRow(Y, Other.data());
+		for (size_t At = 0; At < Row.size(); At += NumChannels, ++Found.NumPixels)
 		{
-			bool bFinite = true, bSame = true;
-			for (int Channel = 0; Channel < Final.NumChannels; ++Channel)
-			{
-				const double Value = Final.Get(X, Y, Channel);
-				bFinite = bFinite && std::isfinite(Value);
-				bSame = bSame && Value == WithZeros.Get(X, Y, Channel);
-			}
+			const float* const Pixel = &Row[At];
+			const bool bFinite =
+				std::all_of(Pixel, Pixel + NumChannels, [](float Value) { return std::isfinite(Value); });
 			Found.NotFinite += bFinite ? 0 : 1;
-			Found.Changed += bSame ? 0 : 1;
-			Found.White += IsWhite(Final, X, Y) && !IsWhite(WithZeros, X, Y) ? 1 : 0;
+			Found.Changed += std::equal(Pixel, Pixel + NumChannels, &Other[At]) ? 0 : 1;
+			Found.White += IsWhite(Pixel) && !IsWhite(&Other[At]) ? 1 : 0;
 		}
 	}
 	return Found;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Diagnostics.h"
-#include "Picture/ImageFile.h"
+#include "Picture/Picture.h"
 
 #include <cstdint>
 #include <optional>
@@ -54,7 +54,7 @@ FNonFiniteFootprint CountNonFinitePixels(const FRDGPass& Pass, FRDGTexture& Writ
 void AddFootprint(FNonFiniteSpread& Spread, FNonFiniteFootprint Footprint);
 
 /** Both of one size. */
-FNonFiniteFinal CompareFinal(const FImage& Final, const FImage& WithZeros);
+FNonFiniteFinal CompareFinal(const FPicture& Final, const FPicture& WithZeros);
 
 /** The up to three passes that spread it most, and the final picture, in one warning. */
 FDiagnostic DescribeSpread(const FNonFiniteSpread& Spread);

@@ -47,16 +47,20 @@ FIntRect GetViewRect(const FConfigView& View, const FSceneFile& Scene)
 	return View.Rect.IsSet() ? FIntRect(Corners[0], Corners[1], Corners[2], Corners[3]) + Picture.Min : Picture;
 }
 
-FNonFiniteCount CountNonFinite(const FImage& Image)
+FNonFiniteCount CountNonFinite(const FPicture& Picture)
 {
 	FNonFiniteCount Found;
-	for (size_t Index = 0; Index < Image.Values.size(); ++Index)
+	std::vector<float> Row(static_cast<size_t>(Picture.Width) * static_cast<size_t>(Picture.NumChannels));
+	for (int Y = 0; Y < Picture.Height && Picture.MayHoldNonFinite(); ++Y)
 	{
-		if (!std::isfinite(Image.Values[Index]) && Found.Count++ == 0)
+		Picture.ReadRow(Y, Row.data());
+		for (size_t Index = 0; Index < Row.size(); ++Index)
 		{
-			const size_t Pixel = Index / static_cast<size_t>(Image.NumChannels);
-			Found.FirstX = static_cast<int>(Pixel % static_cast<size_t>(Image.Width));
-			Found.FirstY = static_cast<int>(Pixel / static_cast<size_t>(Image.Width));
+			if (!std::isfinite(Row[Index]) && Found.Count++ == 0)
+			{
+				Found.FirstX = static_cast<int>(Index) / Picture.NumChannels;
+				Found.FirstY = Y;
+			}
 		}
 	}
 	return Found;
@@ -355,7 +359,7 @@ FRendered Render(const FRunOptions& Options, const FRunSetup& Setup, const FBefo
 }
 
 /** The final picture of the same frame with 0 in place of what is not finite. */
-FImage RenderWithZeros(const FRunOptions& Options, const FRunSetup& Setup, const std::vector<FViewHistory>& Last)
+FPicture RenderWithZeros(const FRunOptions& Options, const FRunSetup& Setup, const std::vector<FViewHistory>& Last)
 {
 	const FScopedConsoleVariable Zeros(TEXT("r.Drydock.NonFinite"), static_cast<int32>(ENonFinitePolicy::Zero));
 	FRunOptions Plain = Options;

@@ -123,23 +123,6 @@ TOptional<FIntRect> FindOutputRect(const FRDGPass& Pass, FIntPoint Extent)
 	return bSaid && OutputExtent == FVector2f(Extent) ? TOptional<FIntRect>(Rect) : TOptional<FIntRect>();
 }
 
-std::pair<FImage, FImageWindow> CropToWindow(const FRunDump& Dump)
-{
-	const FIntRect& Window = Dump.Window;
-	const size_t RowSize = static_cast<size_t>(Window.Width()) * static_cast<size_t>(Dump.Image.NumChannels);
-	FImage Part{Window.Width(), Window.Height(), Dump.Image.NumChannels, {}};
-	Part.Values.reserve(RowSize * static_cast<size_t>(Window.Height()));
-	for (int Y = Window.Min.Y; Y < Window.Max.Y; ++Y)
-	{
-		const size_t First =
-			(static_cast<size_t>(Y) * static_cast<size_t>(Dump.Image.Width) + static_cast<size_t>(Window.Min.X)) *
-			static_cast<size_t>(Dump.Image.NumChannels);
-		const auto Row = Dump.Image.Values.begin() + static_cast<std::ptrdiff_t>(First);
-		Part.Values.insert(Part.Values.end(), Row, Row + static_cast<std::ptrdiff_t>(RowSize));
-	}
-	return {std::move(Part), {Window.Min.X, Window.Min.Y, Dump.Image.Width, Dump.Image.Height}};
-}
-
 std::vector<FDiagnostic> CheckDumpPatterns(
 	const std::vector<TConfigValue<std::string>>& Patterns, const FRunResult& Result)
 {

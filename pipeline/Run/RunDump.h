@@ -21,9 +21,6 @@ DRYDOCK_API std::string GetDumpFileName(const FRunDump& Dump);
  * GetScreenPassTextureViewportParameters fills it) whose extent is the texture's. Null where they say nothing. */
 DRYDOCK_API TOptional<FIntRect> FindOutputRect(const FRDGPass& Pass, FIntPoint Extent);
 
-/** What is in a dump's file: the window alone, and where it lies in the whole. */
-DRYDOCK_API std::pair<FImage, FImageWindow> CropToWindow(const FRunDump& Dump);
-
 /** A warning for each pattern that no executed pass fits. */
 std::vector<FDiagnostic> CheckDumpPatterns(
 	const std::vector<TConfigValue<std::string>>& Patterns, const FRunResult& Result);

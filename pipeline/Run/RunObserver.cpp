@@ -229,7 +229,7 @@ void FRunObserver::KeepTexture(int PassIndex, const std::string& Pass, const std
 	const int NumMips = static_cast<int>(Texture.GetNumMips());
 	for (int Mip = 0; Mip < NumMips; ++Mip)
 	{
-		FRunDump Dump{PassIndex, Pass, Resource, NumMips > 1 ? Mip : -1, ReadTexture(Texture, Mip), {}, {}};
+		FRunDump Dump{PassIndex, Pass, Resource, NumMips > 1 ? Mip : -1, FPicture::Copy(Texture, Mip), {}, {}};
 		const FIntRect Whole(0, 0, Dump.Image.Width, Dump.Image.Height);
 		Dump.Window = Windows[static_cast<size_t>(Mip)];
 		Dump.Window.Clip(Whole);

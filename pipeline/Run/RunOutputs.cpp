@@ -1,8 +1,7 @@
 // Writes a run's pictures and reports aside and moves them into place.
 #include "Run/RunOutputs.h"
 
-#include "Picture/DisplayPreview.h"
-#include "Picture/Srgb.h"
+#include "Picture/Preview.h"
 #include "Picture/TextureImage.h"
 #include "RenderGraphDump.h"
 #include "Run/RunDump.h"
@@ -26,43 +25,6 @@ namespace
 
 namespace Files = std::filesystem;
 
-/** RGB of an RGBA image; alpha of a final picture says nothing. */
-FImage TakeRgb(const FImage& Image)
-{
-	FImage Rgb{Image.Width, Image.Height, 3, {}};
-	Rgb.Values.reserve(Image.Values.size() / 4 * 3);
-	for (size_t Index = 0; Index + 3 < Image.Values.size(); Index += 4)
-	{
-		Rgb.Values.insert(Rgb.Values.end(), {Image.Values[Index], Image.Values[Index + 1], Image.Values[Index + 2]});
-	}
-	return Rgb;
-}
-
-/** To look at: as it is where all values lie in 0..1, else compressed by x / (1 + x); then sRGB. */
-FImage MakePreview(const FImage& Image)
-{
-	const bool bDisplayRange = std::all_of(
-		Image.Values.begin(), Image.Values.end(), [](double Value) { return Value >= 0.0 && Value <= 1.0; });
-	FImage Preview = Image.NumChannels == 4 ? TakeRgb(Image) : Image;
-	if (Preview.NumChannels == 2)
-	{
-		// PNG has no two-channel colour: red and green, blue 0.
-		FImage Three{Image.Width, Image.Height, 3, {}};
-		for (size_t Index = 0; Index + 1 < Image.Values.size(); Index += 2)
-		{
-			Three.Values.insert(Three.Values.end(), {Image.Values[Index], Image.Values[Index + 1], 0.0});
-		}
-		Preview = std::move(Three);
-	}
-	for (double& Value : Preview.Values)
-	{
-		const double Clipped = std::max(Value, 0.0);
-		const double Linear = bDisplayRange ? Clipped : std::isinf(Clipped) ? 1.0 : Clipped / (1.0 + Clipped);
-		Value = EncodeSrgb(Linear);
-	}
-	return Preview;
-}
-
 /** Milliseconds are in them. */
 const std::set<std::string> TimedFiles = {"timing.json", "trace.json"};
 
@@ -85,15 +47,14 @@ void WriteFiles(const FRunResult& Result, const Files::path& Folder)
 	Jobs.push_back(
 		[&] { WriteExr((Folder / "scene_linear.exr").string(), Result.SceneLinear, GetChannelNames(4), Linear); });
 	Jobs.push_back(
-		[&] { WriteExr((Folder / "final.exr").string(), TakeRgb(Result.Final), GetChannelNames(3), Display); });
-	Jobs.push_back([&]
-		{ WritePng((Folder / "final.png").string(), MakeDisplayPreview(TakeRgb(Result.Final), Result.OutputDevice)); });
+		[&] { WriteExr((Folder / "final.exr").string(), Result.Final.Take(3), GetChannelNames(3), Display); });
+	Jobs.push_back([&] { WriteDisplayPng((Folder / "final.png").string(), Result.Final, Result.OutputDevice); });
 	for (const auto& [Id, Figures] : Result.Figures)
 	{
 		for (const FEffectPicture& Picture : Figures.Pictures)
 		{
 			Jobs.push_back([&Picture, File = (Folder / (Picture.File + ".png")).string()]
-				{ WritePng(File, Picture.bLinear ? MakePreview(Picture.Image) : Picture.Image); });
+				{ Picture.bLinear ? WritePreviewPng(File, Picture.Image) : WritePng(File, Picture.Image); });
 		}
 	}
 	if (!Result.Dumps.empty())
@@ -106,9 +67,10 @@ void WriteFiles(const FRunResult& Result, const Files::path& Folder)
 		Jobs.push_back(
 			[&Dump, Name]
 			{
-				const auto [Part, Window] = CropToWindow(Dump);
+				const FPicture Part = Dump.Image.Crop(Dump.Window);
+				const FImageWindow Window = {Dump.Window.Min.X, Dump.Window.Min.Y, Dump.Image.Width, Dump.Image.Height};
 				WriteExr(Name + ".exr", Part, Dump.Channels, {}, Window);
-				WritePng(Name + ".png", MakePreview(Part));
+				WritePreviewPng(Name + ".png", Part);
 			});
 	}
 	ForEachTile(FKernelTile{0, 0, 0, static_cast<int32>(Jobs.size()), 1, 1}, FIntPoint(1, 1),

@@ -6,7 +6,7 @@
 #include "Effects/ExposureReport.h"
 #include "Extensions/HookLog.h"
 #include "PassCounters.h"
-#include "Picture/ImageFile.h"
+#include "Picture/Picture.h"
 #include "RenderGraphCompiled.h"
 #include "Run/NonFiniteSpread.h"
 #include "SceneFile/SceneFile.h"
@@ -27,7 +27,7 @@ struct FRunDump
 	std::string Pass;  // "External" for those
 	std::string Resource;
 	int Mip = -1;                      // -1: there is only one
-	FImage Image;                      // the whole extent, values as stored; 0 where nothing was written
+	FPicture Image;                    // the whole extent, values as stored; 0 where nothing was written
 	FIntRect Window;                   // what passes have drawn of it so far, pixels; all of it where that is not known
 	std::vector<std::string> Channels; // "R", "G", ...: those the format has
 };
@@ -92,8 +92,8 @@ struct FRunResult
 
 	// Only of an executed run.
 	std::vector<FRunPass> Passes; // those that executed
-	FImage SceneLinear;           // RGBA: the tonemapper's input, the views only, at the scene's resolution
-	FImage Final;                 // RGBA, display-encoded, the view rect only
+	FPicture SceneLinear;         // RGBA: the tonemapper's input, the views only, at the scene's resolution
+	FPicture Final;               // RGBA, display-encoded, the view rect only
 	FNonFiniteSpread NonFinite;   // where the scene's NaN and infinities went
 	std::vector<FRunDump> Dumps;
 	std::vector<FViewHistory> ViewStates; // what lives on to the next frame

@@ -28,11 +28,23 @@ void AddImage(FFingerprint& Fingerprint, const FImage& Image)
 	Fingerprint.Add(Image.Values.data(), Image.Values.size() * sizeof(double));
 }
 
+void AddPicture(FFingerprint& Fingerprint, const FPicture& Picture)
+{
+	const int Shape[] = {Picture.Width, Picture.Height, Picture.NumChannels};
+	Fingerprint.Add(Shape, sizeof(Shape));
+	std::vector<float> Row(static_cast<size_t>(Picture.Width) * static_cast<size_t>(Picture.NumChannels));
+	for (int Y = 0; Y < Picture.Height; ++Y)
+	{
+		Picture.ReadRow(Y, Row.data());
+		Fingerprint.Add(Row.data(), Row.size() * sizeof(float));
+	}
+}
+
 std::string FingerprintPictures(const FRunResult& Result)
 {
 	FFingerprint Fingerprint;
-	AddImage(Fingerprint, Result.Final);
-	AddImage(Fingerprint, Result.SceneLinear);
+	AddPicture(Fingerprint, Result.Final);
+	AddPicture(Fingerprint, Result.SceneLinear);
 	for (const auto& [Id, Figures] : Result.Figures)
 	{
 		for (const FEffectPicture& Picture : Figures.Pictures)
@@ -42,7 +54,7 @@ std::string FingerprintPictures(const FRunResult& Result)
 	}
 	for (const FRunDump& Dump : Result.Dumps)
 	{
-		AddImage(Fingerprint, Dump.Image);
+		AddPicture(Fingerprint, Dump.Image);
 	}
 	return Fingerprint.Get();
 }

@@ -12,7 +12,7 @@
 #include "Blur/FourTapBlur.h"
 #include "Blur/GaussianSum.h"
 #include "Blur/MatchedGaussianBlur.h"
-#include "Picture/TextureImage.h"
+#include "Picture/Picture.h"
 #include "RHICommandList.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphObserver.h"
@@ -182,8 +182,7 @@ FTextureRHIRef MakeTexture(const FImage& Image, EPixelFormat Format)
 /** Channels that a format lacks: 0, alpha 1. */
 FImage ReadRgba(FRHITexture& Texture)
 {
-	const FImage Image = ReadTexture(Texture);
-	return Image.NumChannels == 4 ? Image : CropToRgba(Image, FIntRect(0, 0, Image.Width, Image.Height));
+	return FPicture(&Texture, FIntRect(FIntPoint(0, 0), Texture.GetSizeXY())).ToImage();
 }
 
 FBlurRun RunGraph(const FImage& Image, const FAddBlur& AddBlur, double Sigma, const FBlurArithmetic& Arithmetic)

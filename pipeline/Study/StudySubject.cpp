@@ -232,11 +232,11 @@ private:
 		if (Study.Measure == "final")
 		{
 			Encoding = EImageEncoding::Display;
-			return Result.Final;
+			return Result.Final.ToImage();
 		}
 		if (Study.Measure == "sceneLinear")
 		{
-			return Result.SceneLinear;
+			return Result.SceneLinear.ToImage();
 		}
 		// The last one that fits: what a chain of passes ends with.
 		for (size_t Index = Result.Dumps.size(); Index-- > 0;)
@@ -247,9 +247,9 @@ private:
 				if (Study.Measure == "toonShadow" && Dump.Image.NumChannels == 4)
 				{
 					Encoding = EImageEncoding::Display;
-					return DecodeToonShadow(Dump.Image, Result.Settings.ToonShadowBlurStore);
+					return DecodeToonShadow(Dump.Image.ToImage(), Result.Settings.ToonShadowBlurStore);
 				}
-				return Dump.Image;
+				return Dump.Image.ToImage();
 			}
 		}
 		throw MakeStudyError(ErrorUnknownValue, Result.Config, {0, 0, "/study/measure"},

@@ -3,6 +3,7 @@
 
 #include "DiagnosticList.h"
 #include "PixelFormatConversion.h"
+#include "TexelRows.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -215,15 +216,8 @@ void FRHITexture::ReadRow(int32 X, int32 Y, TArrayView<FLinearColor> OutColors, 
 		return;
 	}
 	GetTexel(X + OutColors.Num() - 1, Y, Mip, Z); // checks the far end
-	const uint8* Texel = GetTexel(X, Y, Mip, Z);
-	const size_t TexelBytes = Drydock::GetTexelStorageInfo(GetStorage()).BytesPerTexel;
-	for (FLinearColor& Color : OutColors)
-	{
-		float Value[4];
-		Drydock::DecodeTexel(GetStorage(), Texel, Value);
-		Color = FLinearColor(Value[0], Value[1], Value[2], Value[3]);
-		Texel += TexelBytes;
-	}
+	static_assert(sizeof(FLinearColor) == 4 * sizeof(float));
+	Drydock::DecodeTexelRow(GetStorage(), GetTexel(X, Y, Mip, Z), OutColors.Num(), 4, &OutColors[0].R);
 }
 
 void FRHITexture::WriteRow(int32 X, int32 Y, TConstArrayView<FLinearColor> Colors, int32 Mip, int32 Z)
@@ -233,15 +227,8 @@ void FRHITexture::WriteRow(int32 X, int32 Y, TConstArrayView<FLinearColor> Color
 		return;
 	}
 	GetTexel(X + Colors.Num() - 1, Y, Mip, Z); // checks the far end
-	uint8* Texel = GetTexel(X, Y, Mip, Z);
-	const size_t TexelBytes = Drydock::GetTexelStorageInfo(GetStorage()).BytesPerTexel;
-	const bool bSaturate = Drydock::IsStoreOverflowSaturated();
-	for (const FLinearColor& Color : Colors)
-	{
-		const float Channels[4] = {Color.R, Color.G, Color.B, Color.A};
-		Drydock::EncodeTexel(GetStorage(), Channels, Texel, bSaturate);
-		Texel += TexelBytes;
-	}
+	Drydock::EncodeTexelRow(
+		GetStorage(), &Colors[0].R, Colors.Num(), GetTexel(X, Y, Mip, Z), Drydock::IsStoreOverflowSaturated());
 }
 
 void FRHITexture::Fill(const FLinearColor& Value)
