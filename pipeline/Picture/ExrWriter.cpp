@@ -24,7 +24,8 @@ namespace Drydock
 namespace
 {
 
-/** Deflate's fastest but one: a tenth larger than its default of 4 and twice as fast (docs/performance.md). */
+/** By measurement (docs/performance.md): PIZ is smaller than ZIP on half floats, and faster; on 32-bit floats ZIP is,
+ * and its lower levels take half the time of its usual one for a tenth more. */
 constexpr int ZipLevel = 2;
 
 Imf::Header MakeHeader(const FExrDescription& Description)
@@ -35,7 +36,8 @@ Imf::Header MakeHeader(const FExrDescription& Description)
 	const Imath::V2i Corner(Window.X, Window.Y);
 	Imf::Header Header(Imath::Box2i(Imath::V2i(0, 0), Imath::V2i(FullWidth - 1, FullHeight - 1)),
 		Imath::Box2i(Corner, Corner + Imath::V2i(Description.Width - 1, Description.Height - 1)));
-	Header.compression() = Imf::ZIP_COMPRESSION;
+	const bool bHalf = std::all_of(Description.Half.begin(), Description.Half.end(), [](bool bOne) { return bOne; });
+	Header.compression() = bHalf ? Imf::PIZ_COMPRESSION : Imf::ZIP_COMPRESSION;
 	Header.zipCompressionLevel() = ZipLevel;
 	for (size_t Channel = 0; Channel < Description.Channels.size(); ++Channel)
 	{

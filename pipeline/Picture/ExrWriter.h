@@ -24,7 +24,8 @@ struct FExrDescription
 /** Gives row Y, channels interleaved in the description's order. Called from several threads, each row once. */
 using FRowSource = std::function<void(int Y, float* Row)>;
 
-/** Lossless ZIP. Throws FError (exit code 3) when it cannot be written. */
+/** Lossless: PIZ where all channels are half floats, else ZIP. Throws FError (exit code 3) when it cannot be written.
+ */
 DRYDOCK_API void WriteExrRows(const std::string& Path, const FExrDescription& Description, const FRowSource& Rows);
 
 /** The same of whole planes: each channel is half where all its values are. */

@@ -205,10 +205,10 @@ void WriteExr(const std::string& Path, const FImage& Image, const std::vector<st
 		});
 }
 
-void WritePng(const std::string& Path, const FImage& Image, int Compression)
+void WritePng(const std::string& Path, const FImage& Image, EPngEffort Effort)
 {
 	const std::ptrdiff_t RowSize = std::ptrdiff_t(Image.Width) * Image.NumChannels;
-	WritePngRows(Path, Image.Width, Image.Height, Image.NumChannels, Compression,
+	WritePngRows(Path, Image.Width, Image.Height, Image.NumChannels, Effort,
 		[&](int Y, uint8_t* Row)
 		{
 			const auto Begin = Image.Values.begin() + Y * RowSize;

@@ -4,6 +4,7 @@
 
 #include "Diagnostics.h"
 #include "Picture/ImageReader.h"
+#include "Picture/PngWriter.h"
 
 #include <map>
 #include <memory>
@@ -70,14 +71,13 @@ private:
 	std::unique_ptr<IImageReader> Reader;
 };
 
-/** Lossless ZIP, no date; half float channels where every value is one, else 32-bit float. Throws FError (exit code 3)
+/** Lossless, no date; half float channels where every value is one, else 32-bit float. Throws FError (exit code 3)
  * when it cannot be written. */
 DRYDOCK_API void WriteExr(const std::string& Path, const FImage& Image, const std::vector<std::string>& ChannelNames,
 	const std::map<std::string, std::string>& Attributes = {}, const FImageWindow& Window = {});
 
 /** 8 bits per channel, one to four channels; values are display-encoded, clamped to 0..1 (NaN to 0) and rounded to
- * nearest. Compression: 1 to 9; 3 is a few percent larger than 6 and twice as fast. Throws FError (exit code 3) when it
- * cannot be written. */
-DRYDOCK_API void WritePng(const std::string& Path, const FImage& Image, int Compression = 3);
+ * nearest. Throws FError (exit code 3) when it cannot be written. */
+DRYDOCK_API void WritePng(const std::string& Path, const FImage& Image, EPngEffort Effort = EPngEffort::Quick);
 
 } // namespace Drydock

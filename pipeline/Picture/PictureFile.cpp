@@ -54,7 +54,7 @@ FImage ReadPicture(const std::string& Path)
 void WritePicture(const std::string& Path, const FImage& Picture)
 {
 	FAsideFile Aside{std::filesystem::path(Path)};
-	WritePng(Aside.GetPath().string(), Picture, 9);
+	WritePng(Aside.GetPath().string(), Picture, EPngEffort::Small);
 	Aside.PutInPlace();
 }
 

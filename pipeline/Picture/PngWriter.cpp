@@ -10,6 +10,7 @@
 #include <new>
 #include <png.h>
 #include <vector>
+#include <zlib.h>
 
 namespace Drydock
 {
@@ -32,7 +33,7 @@ public:
 	FPngWriter(const FPngWriter&) = delete;
 	FPngWriter& operator=(const FPngWriter&) = delete;
 
-	bool Begin(int Width, int Height, int NumChannels, int Compression)
+	bool Begin(int Width, int Height, int NumChannels, EPngEffort Effort)
 	{
 		constexpr std::array<int, 5> Types = {
 			0, PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB, PNG_COLOR_TYPE_RGB_ALPHA};
@@ -42,7 +43,15 @@ public:
 		}
 		png_set_write_fn(Png, this, OnWrite, OnFlush);
 		png_set_user_limits(Png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
-		png_set_compression_level(Png, Compression);
+		if (Effort == EPngEffort::Quick)
+		{
+			png_set_filter(Png, PNG_FILTER_TYPE_BASE, PNG_FILTER_PAETH);
+			png_set_compression_strategy(Png, Z_RLE);
+		}
+		else
+		{
+			png_set_compression_level(Png, Z_BEST_COMPRESSION);
+		}
 		png_set_IHDR(Png, Info, static_cast<png_uint_32>(Width), static_cast<png_uint_32>(Height), 8,
 			Types[static_cast<size_t>(NumChannels)], PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
 			PNG_FILTER_TYPE_DEFAULT);
@@ -97,11 +106,11 @@ private:
 } // namespace
 
 void WritePngRows(
-	const std::string& Path, int Width, int Height, int NumChannels, int Compression, const FByteRowSource& Rows)
+	const std::string& Path, int Width, int Height, int NumChannels, EPngEffort Effort, const FByteRowSource& Rows)
 {
 	FPngWriter Writer;
 	std::vector<uint8_t> Row(static_cast<size_t>(Width) * static_cast<size_t>(NumChannels));
-	bool bDone = Writer.Begin(Width, Height, NumChannels, Compression);
+	bool bDone = Writer.Begin(Width, Height, NumChannels, Effort);
 	for (int Y = 0; bDone && Y < Height; ++Y)
 	{
 		Rows(Y, Row.data());

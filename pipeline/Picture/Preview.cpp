@@ -28,9 +28,6 @@ double DecodeRec709(double Code)
 
 using FColor = std::array<double, 3>;
 
-/** A few percent larger than 6, and twice as fast. */
-constexpr int PreviewCompression = 3;
-
 FColor Rec2020ToRec709(const FColor& C)
 {
 	return {1.6604910021 * C[0] - 0.5876411388 * C[1] - 0.0728498633 * C[2],
@@ -96,7 +93,7 @@ void WritePreview(const std::string& Path, const TPicture& Picture)
 		bDisplayRange = std::all_of(Row.begin(), Row.end(), IsInDisplayRange);
 	}
 	const size_t NumShown = NumChannels == 1 ? 1 : 3; // PNG has no colour of two channels
-	WritePngRows(Path, Picture.Width, Picture.Height, static_cast<int>(NumShown), PreviewCompression,
+	WritePngRows(Path, Picture.Width, Picture.Height, static_cast<int>(NumShown), EPngEffort::Quick,
 		[&](int Y, uint8_t* Bytes)
 		{
 			ReadRow(Picture, Y, Row.data());
@@ -130,7 +127,7 @@ void WriteDisplayPng(const std::string& Path, const FPicture& Picture, EDisplayO
 {
 	const size_t NumChannels = static_cast<size_t>(Picture.NumChannels);
 	std::vector<double> Row(static_cast<size_t>(Picture.Width) * NumChannels);
-	WritePngRows(Path, Picture.Width, Picture.Height, 3, PreviewCompression,
+	WritePngRows(Path, Picture.Width, Picture.Height, 3, EPngEffort::Quick,
 		[&](int Y, uint8_t* Bytes)
 		{
 			Picture.ReadRow(Y, Row.data());

@@ -1,6 +1,8 @@
 // The values of one channel of a scene, as measurements read them.
 #pragma once
 
+#include "Picture/ImageReader.h"
+
 #include <cmath>
 #include <cstddef>
 
@@ -10,7 +12,7 @@ namespace Drydock
 /** A channel's values, row by row, or one value for all pixels. */
 struct FChannelValues
 {
-	const float* Values = nullptr;
+	const FImagePlane* Values = nullptr;
 	float Constant = 0.0f;
 	int Width = 0;
 	/** r.Drydock.NonFinite 1: what is not finite counts as 0. */
@@ -18,9 +20,10 @@ struct FChannelValues
 
 	float Get(int X, int Y) const
 	{
-		const float Value = Values != nullptr
-								? Values[static_cast<size_t>(Y) * static_cast<size_t>(Width) + static_cast<size_t>(X)]
-								: Constant;
+		const float Value =
+			Values != nullptr
+				? Values->Get(static_cast<size_t>(Y) * static_cast<size_t>(Width) + static_cast<size_t>(X))
+				: Constant;
 		return bZeroNonFinite && !std::isfinite(Value) ? 0.0f : Value;
 	}
 };

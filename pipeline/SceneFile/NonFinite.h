@@ -16,6 +16,23 @@ enum class ENonFinitePolicy : int32
 
 ENonFinitePolicy GetNonFinitePolicy();
 
+/** Non-finite values found in an image. */
+struct FNonFiniteCount
+{
+	size_t Count = 0;
+	int FirstX = 0;
+	int FirstY = 0;
+
+	void Add(int X, int Y)
+	{
+		if (Count++ == 0)
+		{
+			FirstX = X;
+			FirstY = Y;
+		}
+	}
+};
+
 /** Largest magnitude of a channel of scene colour, from r.Drydock.SceneColorClamp; infinity where it is off (0 and
  * below, NaN). It comes before the policy: an infinity that it cuts off is not counted any more. */
 float GetSceneColorClamp();

@@ -6,12 +6,10 @@
 #include "RenderTargetPool.h"
 #include "SceneFile/NonFinite.h"
 #include "SceneFile/SceneCheck.h"
+#include "SceneFile/SceneFill.h"
 #include "SceneFile/SceneLight.h"
-#include "TileExecutor.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 namespace Drydock
 {
@@ -182,7 +180,7 @@ void FSceneFile::ReadPlanes(const std::vector<int>& FileChannels)
 		[this](int Index) { return Index >= 0 && Planes.count(Index) == 0; });
 	std::sort(Indices.begin(), Indices.end());
 	Indices.erase(std::unique(Indices.begin(), Indices.end()), Indices.end());
-	std::vector<std::vector<float>> Values = File.Read(Indices);
+	std::vector<FImagePlane> Values = File.ReadPlanes(Indices);
 	for (size_t Index = 0; Index < Indices.size(); ++Index)
 	{
 		Planes[Indices[Index]] = std::move(Values[Index]);
@@ -232,7 +230,7 @@ std::map<std::string, FChannelValues> FSceneFile::ReadChannels(const std::vector
 	std::map<std::string, FChannelValues> Values;
 	for (const auto& [Name, Source] : Sources)
 	{
-		const float* const Plane = Source.FileChannel >= 0 ? Planes.at(Source.FileChannel).data() : nullptr;
+		const FImagePlane* const Plane = Source.FileChannel >= 0 ? &Planes.at(Source.FileChannel) : nullptr;
 		Values[Name] = {Plane, Source.Default, File.GetWidth(), bZero};
 	}
 	return Values;
@@ -298,147 +296,18 @@ FSceneRegion FSceneFile::FindRegion(const FIntRect& ViewRect) const
 								  : FSceneRegion{Whole, Target};
 }
 
-namespace
-{
-
-/** The file's values at one pixel of a texture at another resolution. */
-class FPixelSource
-{
-public:
-	FPixelSource(const FSceneRegion& Region, bool bInArea)
-		: bArea(bInArea)
-		, Corner(Region.Source.Min)
-	{
-		for (int32 X = 0; X < Region.Target.Width(); ++X)
-		{
-			Columns.push_back(Choose(Region.Source.Width(), Region.Target.Width(), X));
-		}
-		for (int32 Y = 0; Y < Region.Target.Height(); ++Y)
-		{
-			Rows.push_back(Choose(Region.Source.Height(), Region.Target.Height(), Y));
-		}
-	}
-
-	/** GetValues: of a pixel of the file. One source pixel alone comes through bit for bit. */
-	template<typename TFunction>
-	FScenePackValues Get(int32 X, int32 Y, TFunction&& GetValues) const
-	{
-		const FCoverage& Column = Columns[static_cast<size_t>(X)];
-		const FCoverage& Row = Rows[static_cast<size_t>(Y)];
-		if (Column.Parts.size() == 1 && Row.Parts.size() == 1)
-		{
-			return GetValues(Corner.X + Column.First, Corner.Y + Row.First);
-		}
-		std::array<double, std::tuple_size_v<FScenePackValues>> Sums = {};
-		for (size_t J = 0; J < Row.Parts.size(); ++J)
-		{
-			for (size_t I = 0; I < Column.Parts.size(); ++I)
-			{
-				const FScenePackValues Values = GetValues(
-					Corner.X + Column.First + static_cast<int32>(I), Corner.Y + Row.First + static_cast<int32>(J));
-				for (size_t Slot = 0; Slot < Sums.size(); ++Slot)
-				{
-					Sums[Slot] += static_cast<double>(Values[Slot]) * Column.Parts[I] * Row.Parts[J];
-				}
-			}
-		}
-		FScenePackValues Means = {};
-		std::transform(Sums.begin(), Sums.end(), Means.begin(), [](double Sum) { return static_cast<float>(Sum); });
-		return Means;
-	}
-
-private:
-	FCoverage Choose(int SourceSize, int TargetSize, int Index) const
-	{
-		return bArea ? MakeCoverage(SourceSize, TargetSize, Index)
-					 : FCoverage{FindCenterPixel(SourceSize, TargetSize, Index), {1.0}};
-	}
-
-	bool bArea;
-	FIntPoint Corner;
-	std::vector<FCoverage> Columns;
-	std::vector<FCoverage> Rows;
-};
-
-} // namespace
-
 void FSceneFile::Fill(const FFill& Fill, const FScenePackContext& Context)
 {
-	const FIntPoint Corner(Config.Padding.Left, Config.Padding.Top);
-	const FIntPoint Extent = GetExtent();
-	const bool bZero = GetNonFinitePolicy() == ENonFinitePolicy::Zero;
-	const bool bColor = Fill.Packing->Texture == &FSceneTextures::Color;
-	const float Limit = bColor ? GetSceneColorClamp() : std::numeric_limits<float>::infinity();
-	const std::vector<FSource>& Sources = Fill.Sources;
-	std::vector<const float*> Data;
-	for (const FSource& Source : Sources)
+	FSceneFillInputs Inputs{
+		*Fill.Packing, {}, File.GetWidth(), Context, GetRegions(), FIntPoint(Config.Padding.Left, Config.Padding.Top)};
+	for (const FSource& Source : Fill.Sources)
 	{
-		Data.push_back(Source.FileChannel >= 0 ? Planes.at(Source.FileChannel).data() : nullptr);
+		Inputs.Sources.push_back({Source.FileChannel >= 0 ? &Planes.at(Source.FileChannel) : nullptr, Source.Default});
 	}
-	std::vector<FNonFiniteCount> RowCounts(static_cast<size_t>(Extent.Y));
-	const auto GetValues = [&](int32 X, int32 Y, FNonFiniteCount& Count)
+	const FNonFiniteCount Count = FillSceneTexture(*Fill.Texture, Inputs);
+	if (Fill.Packing->Texture == &FSceneTextures::Color)
 	{
-		const size_t Pixel = static_cast<size_t>(Y) * static_cast<size_t>(File.GetWidth()) + static_cast<size_t>(X);
-		FScenePackValues Values = {};
-		for (size_t Slot = 0; Slot < Sources.size(); ++Slot)
-		{
-			Values[Slot] = Data[Slot] != nullptr ? Data[Slot][Pixel] : Sources[Slot].Default;
-			if (Slot < 3 && std::abs(Values[Slot]) > Limit)
-			{
-				Values[Slot] = std::copysign(Limit, Values[Slot]);
-			}
-			if (!std::isfinite(Values[Slot]))
-			{
-				Count = Count.Count++ == 0 ? FNonFiniteCount{1, X, Y} : Count;
-				Values[Slot] = bZero ? 0.0f : Values[Slot];
-			}
-		}
-		return Values;
-	};
-	const std::vector<FSceneRegion> AllRegions = GetRegions();
-	std::vector<FPixelSource> PixelSources;
-	for (const FSceneRegion& Region : AllRegions)
-	{
-		PixelSources.emplace_back(Region, Fill.Packing->bMeanOfArea);
-	}
-	const auto FillRow = [&](int32 Y, TArray<FLinearColor>& Row)
-	{
-		for (size_t Index = 0; Index < AllRegions.size(); ++Index)
-		{
-			const FIntRect Target = AllRegions[Index].Target + Corner;
-			const bool bInside = Y >= Target.Min.Y && Y < Target.Max.Y;
-			for (int32 X = Target.Min.X; bInside && X < Target.Max.X; ++X)
-			{
-				Row[X] =
-					Fill.Packing->Pack(PixelSources[Index].Get(X - Target.Min.X, Y - Target.Min.Y,
-										   [&](int32 SourceX, int32 SourceY)
-										   { return GetValues(SourceX, SourceY, RowCounts[static_cast<size_t>(Y)]); }),
-						Context);
-			}
-		}
-	};
-
-	Fill.Texture->EnsureMemory();
-	ForEachTile(FKernelTile{0, 0, 0, Extent.X, Extent.Y, 1}, FIntPoint(Extent.X, 16),
-		[&](const FKernelTile& Tile)
-		{
-			TArray<FLinearColor> Row;
-			for (int32 Y = Tile.MinY; Y < Tile.MaxY; ++Y)
-			{
-				Row.Init(Fill.Packing->Outside, Extent.X);
-				FillRow(Y, Row);
-				Fill.Texture->WriteRow(0, Y, Row);
-			}
-		});
-	if (!bColor)
-	{
-		return;
-	}
-	for (const FNonFiniteCount& Count : RowCounts)
-	{
-		NonFinite = NonFinite.Count == 0
-						? Count
-						: FNonFiniteCount{NonFinite.Count + Count.Count, NonFinite.FirstX, NonFinite.FirstY};
+		NonFinite = Count;
 	}
 }
 

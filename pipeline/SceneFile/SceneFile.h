@@ -7,6 +7,7 @@
 #include "RHIResources.h"
 #include "RenderGraphFwd.h"
 #include "SceneFile/ChannelValues.h"
+#include "SceneFile/NonFinite.h"
 #include "SceneFile/SceneCamera.h"
 #include "SceneFile/SceneResolution.h"
 #include "SceneFile/SceneTexturePacking.h"
@@ -32,14 +33,6 @@ struct FNeededSceneTexture
 	std::string Texture;
 	std::string Pass;
 	bool bIsRead = true; // false: the pass may leave it unread, so a missing channel is no error
-};
-
-/** Non-finite values found in an image. */
-struct FNonFiniteCount
-{
-	size_t Count = 0;
-	int FirstX = 0;
-	int FirstY = 0;
 };
 
 class DRYDOCK_API FSceneFile
@@ -115,7 +108,7 @@ private:
 		FRHITexture* Texture = nullptr;
 		std::vector<FSource> Sources; // one to a channel slot in use
 	};
-	using FPlanes = std::map<int, std::vector<float>>; // by the file's channel index
+	using FPlanes = std::map<int, FImagePlane>; // by the file's channel index
 
 	std::optional<FSource> FindSource(const FScenePackChannel& Channel) const;
 	bool HasAnyChannel(const FScenePacking& Packing) const;

@@ -32,8 +32,7 @@ void WriteSequenceSheet(
 		Tiles.push_back(
 			{ScalePicture(ReadPicture(Pictures[Index]), Options.TileWidth), "frame " + std::to_string(Frames[Index])});
 	}
-	constexpr int SmallestFile = 9;
-	WritePng(File, MakeContactSheet(Tiles, Options), SmallestFile);
+	WritePng(File, MakeContactSheet(Tiles, Options), EPngEffort::Small);
 }
 
 } // namespace Drydock

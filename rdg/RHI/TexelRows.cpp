@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <vector>
 
 namespace Drydock
@@ -149,6 +150,29 @@ void EncodeHalfRow(const float* Values, size_t Count, uint16_t* OutHalves, bool 
 	}
 }
 
+/** Of a float the product with up to 16 bits is exact in double, and so is its rounding to nearest even. */
+template<typename TCode>
+TCode EncodeUnormCode(float Value)
+{
+	constexpr double Max = std::numeric_limits<TCode>::max();
+	constexpr double RoundsToInteger = 6755399441055744.0; // 1.5 * 2^52
+	const double Clamped = Value > 0.0f ? std::min(static_cast<double>(Value), 1.0) : 0.0;
+	return static_cast<TCode>(std::bit_cast<uint64_t>(Clamped * Max + RoundsToInteger));
+}
+
+template<typename TCode>
+void EncodeUnormRow(const float* RGBA, int32_t Count, const std::array<size_t, 4>& Order, size_t NumChannels, void* Out)
+{
+	auto* Codes = static_cast<TCode*>(Out);
+	for (int32_t Index = 0; Index < Count; ++Index, RGBA += 4, Codes += NumChannels)
+	{
+		for (size_t Channel = 0; Channel < NumChannels; ++Channel)
+		{
+			Codes[Order[Channel]] = EncodeUnormCode<TCode>(RGBA[Channel]);
+		}
+	}
+}
+
 } // namespace
 
 void DecodeTexelRow(ETexelStorage Storage, const void* Texels, int32_t Count, int32_t NumChannels, float* OutValues)
@@ -190,8 +214,17 @@ void EncodeTexelRow(ETexelStorage Storage, const float* RGBA, int32_t Count, voi
 		EncodeHalfRow(RGBA, static_cast<size_t>(Count) * 4, static_cast<uint16_t*>(OutTexels), bSaturate);
 		return;
 	}
+	const FTexelStorageInfo& Info = GetTexelStorageInfo(Storage);
+	if (Info.Kind == ETexelKind::Unorm && Storage != ETexelStorage::RGB10A2_UNORM)
+	{
+		const bool bBgra = Storage == ETexelStorage::BGRA8_UNORM;
+		const std::array<size_t, 4> Order = {bBgra ? 2u : 0u, 1, bBgra ? 0u : 2u, 3};
+		Info.BitsPerChannel == 8 ? EncodeUnormRow<uint8_t>(RGBA, Count, Order, Info.NumChannels, OutTexels)
+								 : EncodeUnormRow<uint16_t>(RGBA, Count, Order, Info.NumChannels, OutTexels);
+		return;
+	}
 	auto* Bytes = static_cast<uint8_t*>(OutTexels);
-	for (int32_t Index = 0; Index < Count; ++Index, RGBA += 4, Bytes += GetTexelStorageInfo(Storage).BytesPerTexel)
+	for (int32_t Index = 0; Index < Count; ++Index, RGBA += 4, Bytes += Info.BytesPerTexel)
 	{
 		EncodeTexel(Storage, RGBA, Bytes, bSaturate);
 	}

@@ -1,0 +1,36 @@
+// Fills a scene texture from the planes of a file: row by row, or at another resolution pixel by pixel.
+#pragma once
+
+#include "Picture/ImageReader.h"
+#include "RHITexture.h"
+#include "SceneFile/NonFinite.h"
+#include "SceneFile/SceneResolution.h"
+#include "SceneFile/SceneTexturePacking.h"
+
+#include <vector>
+
+namespace Drydock
+{
+
+/** What one slot of a packing is made of. */
+struct FSceneFillSource
+{
+	const FImagePlane* Plane = nullptr; // null: Default everywhere
+	float Default = 0.0f;
+};
+
+struct FSceneFillInputs
+{
+	const FScenePacking& Packing;
+	std::vector<FSceneFillSource> Sources; // one to a slot in use
+	int Width = 0;                         // of the planes
+	FScenePackContext Context;
+	std::vector<FSceneRegion> Regions; // what lies outside of them is padding
+	FIntPoint Corner;                  // of the picture in the texture
+};
+
+/** Writes every texel of the texture, under r.Drydock.NonFinite and, for scene colour, r.Drydock.SceneColorClamp.
+ * Returns the values that are not finite, by pixels of the file. */
+FNonFiniteCount FillSceneTexture(FRHITexture& Texture, const FSceneFillInputs& Inputs);
+
+} // namespace Drydock
