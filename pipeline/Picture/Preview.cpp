@@ -126,14 +126,15 @@ std::array<double, 3> MakeDisplayColor(const std::array<double, 3>& Color, EDisp
 void WriteDisplayPng(const std::string& Path, const FPicture& Picture, EDisplayOutputFormat OutputDevice)
 {
 	const size_t NumChannels = static_cast<size_t>(Picture.NumChannels);
-	std::vector<double> Row(static_cast<size_t>(Picture.Width) * NumChannels);
+	std::vector<float> Row(static_cast<size_t>(Picture.Width) * NumChannels);
 	WritePngRows(Path, Picture.Width, Picture.Height, 3, EPngEffort::Quick,
 		[&](int Y, uint8_t* Bytes)
 		{
 			Picture.ReadRow(Y, Row.data());
 			for (size_t Pixel = 0; Pixel < Row.size(); Pixel += NumChannels)
 			{
-				const FColor Shown = MakeDisplayColor({Row[Pixel], Row[Pixel + 1], Row[Pixel + 2]}, OutputDevice);
+				const FColor Shown = MakeDisplayColor(
+					{double(Row[Pixel]), double(Row[Pixel + 1]), double(Row[Pixel + 2])}, OutputDevice);
 				Bytes = std::transform(Shown.begin(), Shown.end(), Bytes, ToByte);
 			}
 		});

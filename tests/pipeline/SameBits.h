@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "Picture/ImageFile.h"
+#include "Picture/Picture.h"
 
 #include <cstring>
 
@@ -34,6 +34,11 @@ inline testing::AssertionResult AreSameBits(const FImage& Expected, const FImage
 		}
 	}
 	return testing::AssertionSuccess();
+}
+
+inline testing::AssertionResult AreSameBits(const Drydock::FPicture& Expected, const Drydock::FPicture& Actual)
+{
+	return AreSameBits(Expected.ToImage(), Actual.ToImage());
 }
 
 } // namespace SameBits

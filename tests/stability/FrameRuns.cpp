@@ -63,7 +63,7 @@ FImage RunFrameOf(const FCase& Case, bool bBloom)
 	{
 		return RegisterScene(GraphBuilder, Case, Rect, Extent);
 	};
-	const Drydock::FImage Final = RenderViewFamily(Inputs).Final;
+	const Drydock::FImage Final = RenderViewFamily(Inputs).Final.ToImage();
 	return FImage::Make(Final.Width, Final.Height,
 		[&](int X, int Y) {
 			return FTexel{Final.Get(X, Y, 0), Final.Get(X, Y, 1), Final.Get(X, Y, 2), Final.Get(X, Y, 3)};

@@ -211,13 +211,13 @@ TEST(HazardScene, HoldsWhatItsDescriptionSays)
 
 TEST_P(HazardSceneConfig, FinalPictureIsFinite)
 {
-	EXPECT_EQ(0u, CountNonFinite(GetPlainRun(GetParam()).Final));
+	EXPECT_EQ(0u, CountNonFinite(GetPlainRun(GetParam()).Final.ToImage()));
 }
 
 TEST_P(HazardSceneConfig, LinearPictureIsNotFiniteWhereStatedOnly)
 {
 	const Stability::FStatedConfig* const Stated = Stability::FindStatedConfig(GetParam());
-	const size_t Count = CountNonFinite(GetPlainRun(GetParam()).SceneLinear);
+	const size_t Count = CountNonFinite(GetPlainRun(GetParam()).SceneLinear.ToImage());
 	if (Stated == nullptr)
 	{
 		EXPECT_EQ(3 * Stability::NumBadPixels, Count);
@@ -235,8 +235,8 @@ TEST_P(HazardSceneConfig, LinearPictureIsNotFiniteWhereStatedOnly)
 TEST_P(HazardSceneConfig, EverythingIsFiniteOnceTheInputIsZeroedAndClamped)
 {
 	const FRunResult Result = RunHazards(GetParam(), {"r.Drydock.NonFinite=1", "r.Drydock.SceneColorClamp=1000"});
-	EXPECT_EQ(0u, CountNonFinite(Result.SceneLinear));
-	EXPECT_EQ(0u, CountNonFinite(Result.Final));
+	EXPECT_EQ(0u, CountNonFinite(Result.SceneLinear.ToImage()));
+	EXPECT_EQ(0u, CountNonFinite(Result.Final.ToImage()));
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -62,19 +62,20 @@ TEST_P(Ranges, AreAsTheTableSays)
 	const FRangeCase& Case = GetParam();
 	const ESweepFrame Frame = Case.bPrinted ? ESweepFrame::Printed : ESweepFrame::Corrected;
 	const FRunResult Result = GetScene().Run(Frame, Split(Case.Given));
-	for (const double Value : Result.SceneLinear.Values)
+	const FImage SceneLinear = Result.SceneLinear.ToImage(), Final = Result.Final.ToImage();
+	for (const double Value : SceneLinear.Values)
 	{
 		ASSERT_TRUE(std::isfinite(Value)) << Case.Given;
 	}
-	for (const double Value : Result.Final.Values)
+	for (const double Value : Final.Values)
 	{
 		ASSERT_TRUE(Value >= 0.0 && Value <= 1.0) << Case.Given << ": " << Value;
 	}
 	if (*Case.As != '\0')
 	{
 		const FRunResult As = GetScene().Run(Frame, Split(Case.As));
-		EXPECT_EQ(As.SceneLinear.Values, Result.SceneLinear.Values) << Case.Given << " as " << Case.As;
-		EXPECT_EQ(As.Final.Values, Result.Final.Values) << Case.Given << " as " << Case.As;
+		EXPECT_EQ(As.SceneLinear.ToImage().Values, Result.SceneLinear.ToImage().Values) << Case.Given << " as " << Case.As;
+		EXPECT_EQ(As.Final.ToImage().Values, Result.Final.ToImage().Values) << Case.Given << " as " << Case.As;
 		EXPECT_EQ(As.ExposureScale, Result.ExposureScale);
 	}
 }
@@ -127,7 +128,7 @@ TEST(RangeTable, ItsSettingsChangeThePicture)
 		{
 			const FRunResult Result =
 				Scene.Run(Case.bPrinted ? ESweepFrame::Printed : ESweepFrame::Corrected, Split(Case.Given));
-			if (Result.Final.Values != Plain[Case.bPrinted].Final.Values)
+			if (Result.Final.ToImage().Values != Plain[Case.bPrinted].Final.ToImage().Values)
 			{
 				Seen.insert(Case.Range);
 			}

@@ -147,7 +147,7 @@ std::string FindFault(const FSweepScene& Scene, const FSweepCase& Case, bool& bO
 			Case.bVariable ? Scene.Run(Case.Frame, {}, Assignments) : Scene.Run(Case.Frame, Assignments);
 		bOutRefused = false;
 		// The linear one is infinite where a half does not hold what was asked for.
-		return IsFinite(Result.Final) ? "" : "the final picture is not finite";
+		return IsFinite(Result.Final.ToImage()) ? "" : "the final picture is not finite";
 	}
 	catch (const FError& Error)
 	{

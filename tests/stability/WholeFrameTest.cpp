@@ -209,12 +209,13 @@ TEST(WholeFrame, OneInfinitePixelTurnsTheStatedShareWhite)
 	const FRunResult Zeroed = Scene.Run({"r.Drydock.NonFinite=1"});
 	const FMask Flooded =
 		FindFlooded(Scene.Image.Width, Scene.Image.Height, Stability::InfinitePixelX, Stability::InfinitePixelY);
+	const FImage Final = Result.Final.ToImage(), FinalAnyway = Zeroed.Final.ToImage();
 	uint64_t NumWhite = 0, NumFlooded = 0, NumOthers = 0, NumPixels = 0;
-	for (int Y = 0; Y < Result.Final.Height; ++Y)
+	for (int Y = 0; Y < Final.Height; ++Y)
 	{
-		for (int X = 0; X < Result.Final.Width; ++X, ++NumPixels)
+		for (int X = 0; X < Final.Width; ++X, ++NumPixels)
 		{
-			const bool bWhite = IsWhite(Result.Final, X, Y), bWhiteAnyway = IsWhite(Zeroed.Final, X, Y);
+			const bool bWhite = IsWhite(Final, X, Y), bWhiteAnyway = IsWhite(FinalAnyway, X, Y);
 			NumWhite += bWhite && !bWhiteAnyway ? 1 : 0;
 			NumFlooded += Flooded.Get(X, Y) && !bWhiteAnyway ? 1 : 0;
 			NumOthers += Flooded.Get(X, Y) != bWhite && !bWhiteAnyway ? 1 : 0;

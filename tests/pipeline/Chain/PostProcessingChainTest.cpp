@@ -164,7 +164,7 @@ TEST(PostProcessingChain, WhatIsMadeOfTranslucencyIsComposed)
 	Info.EngineMinor = AnyEngineVersion;
 	GEngine->ViewExtensions->SetInfo(*Extension, Info);
 	const FFrameResult Frame = Render(MakeFrameWithTranslucency(FLinearColor(0.25f, 0.25f, 0.25f, 0.5f), 5));
-	EXPECT_EQ(RedPixel, GetPixel(Frame.SceneLinear, 5, 5));
+	EXPECT_EQ(RedPixel, GetPixel(Frame.SceneLinear.ToImage(), 5, 5));
 	const FHookPoint* Point = FindPoint(Frame, "TranslucencyAfterDOF");
 	ASSERT_NE(nullptr, Point);
 	EXPECT_TRUE(Point->bCalled);
@@ -177,14 +177,14 @@ TEST(PostProcessingChain, MotionBlurResultIsThePictureFromThenOn)
 {
 	const auto Extension = MakeExtension(EPoint::MotionBlur, FillRed);
 	const FFrameResult Frame = Render();
-	EXPECT_EQ(RedPixel, GetPixel(Frame.SceneLinear, 5, 5));
+	EXPECT_EQ(RedPixel, GetPixel(Frame.SceneLinear.ToImage(), 5, 5));
 	EXPECT_GT(Frame.Final.Get(5, 5, 0), Frame.Final.Get(5, 5, 1));
 }
 
 TEST(PostProcessingChain, TonemapResultIsTheOutput)
 {
 	const auto Extension = MakeExtension(EPoint::Tonemap, FillRed);
-	EXPECT_EQ(RedPixel, GetPixel(Render().Final, 5, 5));
+	EXPECT_EQ(RedPixel, GetPixel(Render().Final.ToImage(), 5, 5));
 }
 
 TEST(PostProcessingChain, UntouchedReturnCostsNothing)
@@ -198,10 +198,10 @@ TEST(PostProcessingChain, UntouchedReturnCostsNothing)
 
 TEST(PostProcessingChain, SSRInputIsKeptAndNotSeen)
 {
-	const FImage Plain = Render().Final;
+	const FImage Plain = Render().Final.ToImage();
 	const auto Extension = MakeExtension(EPoint::SSRInput, FillRed);
 	const FFrameResult Frame = Render();
-	EXPECT_EQ(Plain.Values, Frame.Final.Values);
+	EXPECT_EQ(Plain.Values, Frame.Final.ToImage().Values);
 	// Extraction keeps the pass alive though this frame does not look at it.
 	EXPECT_EQ(std::string::npos, GetDid(Frame, "SSRInput").find("culled")) << GetDid(Frame, "SSRInput");
 }
@@ -288,12 +288,12 @@ TEST(OverrideOutput, IsTheViewFamilysTextureAtTheViewsRect)
 
 TEST(DisabledPass, CallsItsSubscribersAndDropsWhatTheyReturn)
 {
-	const FImage Plain = Render().Final;
+	const FImage Plain = Render().Final.ToImage();
 	const auto Extension = MakeExtension(EPoint::FXAA, FillRed);
 	const FFrameResult Frame = Render();
 	EXPECT_EQ(1, Extension->NumCalls);
 	EXPECT_FALSE(Extension->bWasEnabled);
-	EXPECT_EQ(Plain.Values, Frame.Final.Values);
+	EXPECT_EQ(Plain.Values, Frame.Final.ToImage().Values);
 	EXPECT_EQ((std::vector<int>{WarnCallbackDropped}), GetCodes(Frame));
 }
 
@@ -303,7 +303,7 @@ TEST(DisabledPass, MotionBlurIsHeardAllTheSame)
 	const FFrameResult Frame = Render();
 	EXPECT_FALSE(Extension->bWasEnabled);
 	EXPECT_TRUE(Frame.Log.Diagnostics.empty());
-	EXPECT_EQ(RedPixel, GetPixel(Frame.SceneLinear, 0, 0));
+	EXPECT_EQ(RedPixel, GetPixel(Frame.SceneLinear.ToImage(), 0, 0));
 }
 
 TEST(DisabledPass, TonemapIsEnabledAlways)
@@ -343,13 +343,13 @@ class BrokenContract : public testing::TestWithParam<FMisdeed>
 
 TEST_P(BrokenContract, IsReportedAndThePictureGoesOnUntouched)
 {
-	const FImage Plain = Render().Final;
+	const FImage Plain = Render().Final.ToImage();
 	const auto Extension = MakeExtension(GetParam().Point, GetParam().Callback);
 	const FFrameResult Frame = Render();
 	EXPECT_EQ((std::vector<int>{GetParam().Code}), GetCodes(Frame));
 	EXPECT_EQ(ESeverity::Warning, Frame.Log.Diagnostics.at(0).Severity);
 	EXPECT_NE(std::string::npos, Frame.Log.Diagnostics[0].ToString().find("FAtPoint"));
-	EXPECT_EQ(Plain.Values, Frame.Final.Values);
+	EXPECT_EQ(Plain.Values, Frame.Final.ToImage().Values);
 }
 
 TEST_P(BrokenContract, StopsTheRunWithStrictValidation)
@@ -392,7 +392,7 @@ INSTANTIATE_TEST_SUITE_P(All, BrokenContract,
 
 TEST(BrokenContracts, DrawingAndReturningTheInputIsNoneAndRemarked)
 {
-	const FImage Plain = Render().Final;
+	const FImage Plain = Render().Final.ToImage();
 	const auto Extension = MakeExtension(EPoint::MotionBlur,
 		[](const FCall& Call)
 		{
@@ -402,7 +402,7 @@ TEST(BrokenContracts, DrawingAndReturningTheInputIsNoneAndRemarked)
 	const FFrameResult Frame = Render();
 	EXPECT_EQ((std::vector<int>{NoteCallbackReturnedInput}), GetCodes(Frame));
 	EXPECT_EQ(ESeverity::Note, Frame.Log.Diagnostics.at(0).Severity);
-	EXPECT_EQ(Plain.Values, Frame.Final.Values);
+	EXPECT_EQ(Plain.Values, Frame.Final.ToImage().Values);
 }
 
 TEST(BrokenContracts, ReturningTheInputAloneIsSilent)
@@ -426,9 +426,9 @@ TEST(BrokenContracts, AnUnboundDelegateIsPassedOver)
 			}
 		}
 	};
-	const FImage Plain = Render().Final;
+	const FImage Plain = Render().Final.ToImage();
 	const auto Extension = FSceneViewExtensions::NewExtension<FUnbound>();
 	const FFrameResult Frame = Render();
 	EXPECT_EQ((std::vector<int>{WarnCallbackUnbound}), GetCodes(Frame));
-	EXPECT_EQ(Plain.Values, Frame.Final.Values);
+	EXPECT_EQ(Plain.Values, Frame.Final.ToImage().Values);
 }

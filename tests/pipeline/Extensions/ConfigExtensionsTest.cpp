@@ -186,8 +186,8 @@ TEST(RunExtensions, TintInPlaceIsTheSameAsAfterMotionBlur)
 	const FRunResult Before =
 		RunWith(R"("extensions": [{"type": "Tint", "pass": "PrePostProcessPass", "Color": [2, 1, 0]}])");
 	const FRunResult After = RunWith(R"("extensions": [{"type": "Tint", "pass": "MotionBlur", "Color": [2, 1, 0]}])");
-	EXPECT_EQ(After.SceneLinear.Values, Before.SceneLinear.Values);
-	EXPECT_EQ(After.Final.Values, Before.Final.Values);
+	EXPECT_EQ(After.SceneLinear.ToImage().Values, Before.SceneLinear.ToImage().Values);
+	EXPECT_EQ(After.Final.ToImage().Values, Before.Final.ToImage().Values);
 }
 
 TEST(RunExtensions, TintAfterTheTonemapperIsTheOutput)
@@ -224,7 +224,7 @@ TEST(RunPasses, InsertedPassIsTheExtensionsPass)
 	const FRunResult Extension = RunWith(R"("extensions": [{"type": "Tint", "pass": "Tonemap", "Color": [0, 1, 0]}])");
 	const FRunResult Inserted =
 		RunWith(R"("passes": [{"type": "Tint", "at": "Tonemap", "parameters": {"Color": [0, 1, 0]}}])");
-	EXPECT_EQ(Extension.Final.Values, Inserted.Final.Values);
+	EXPECT_EQ(Extension.Final.ToImage().Values, Inserted.Final.ToImage().Values);
 	const FRunResult Before =
 		RunWith(R"("passes": [{"type": "Tint", "at": "PrePostProcessPass", "parameters": {"Color": [0, 1, 0]}}])");
 	EXPECT_EQ(0.0, Before.SceneLinear.Get(300, 100, 0));

@@ -22,7 +22,7 @@ FImage RunWith(const std::string& More)
 	Options.ConfigFile = DRYDOCK_TEST_SOURCE_DIR "/configs/test.json";
 	Options.ConfigText =
 		R"({"scene": {"file": "scenes/toon_character_641x359.exr"}, "showFlags": {"Bloom": false})" + More + "}";
-	return RunConfig(Options).SceneLinear;
+	return RunConfig(Options).SceneLinear.ToImage();
 }
 
 /** Half of Picture plus one, within what two half floats of up to 32 resolve. */

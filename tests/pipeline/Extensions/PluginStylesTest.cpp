@@ -157,7 +157,7 @@ TEST_P(PluginStyles, DoWhatTheirArithmeticSays)
 		{
 			ADD_FAILURE() << Diagnostic.ToString();
 		}
-		const FImage& Picture = GetParam().bDisplay ? Result.Final : Result.SceneLinear;
+		const FImage Picture = (GetParam().bDisplay ? Result.Final : Result.SceneLinear).ToImage();
 		// What a half float resolves up to 16, or half a step of 8 bits.
 		const double Tolerance = GetParam().bDisplay ? 0.501 / 255 : 1.0 / 1024;
 		ASSERT_EQ(Width, Picture.Width);

@@ -163,13 +163,13 @@ TEST(ViewExtensionHooks, EachViewHasItsOwnCalls)
 
 TEST(ViewExtensionHooks, TwoHalvesAreTheWholePicture)
 {
-	const FImage Whole = Render().Final;
+	const FImage Whole = Render().Final.ToImage();
 	FFrameInputs Inputs = MakeFrame(FIntRect(0, 0, 12, Height));
 	Inputs.Views.push_back(Inputs.Views[0]);
 	Inputs.Views[1].Rect = FIntRect(12, 0, Width, Height);
 	const FFrameResult Halves = Render(Inputs);
-	EXPECT_EQ(Whole.Values, Halves.Final.Values); // no bloom, no vignette: every pixel is its own
-	EXPECT_EQ(Render().SceneLinear.Values, Halves.SceneLinear.Values);
+	EXPECT_EQ(Whole.Values, Halves.Final.ToImage().Values); // no bloom, no vignette: every pixel is its own
+	EXPECT_EQ(Render().SceneLinear.ToImage().Values, Halves.SceneLinear.ToImage().Values);
 }
 
 TEST(ViewExtensionHooks, LogSaysWhatWasDone)

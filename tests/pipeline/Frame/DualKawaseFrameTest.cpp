@@ -48,7 +48,7 @@ TEST(DualKawaseFrame, SettingsAloneSwitchItOn)
 	const FFrameResult Sharp = Render(MakeFrame());
 	const FFrameResult Blurred = Render(MakeBlurredFrame(2));
 	EXPECT_TRUE(FindEffect(Blurred).bActive);
-	EXPECT_NE(Sharp.SceneLinear.Values, Blurred.SceneLinear.Values);
+	EXPECT_NE(Sharp.SceneLinear.ToImage().Values, Blurred.SceneLinear.ToImage().Values);
 }
 
 TEST(DualKawaseFrame, ExtensionAndSettingsGiveTheSamePictureAndBlurOnce)
@@ -56,10 +56,10 @@ TEST(DualKawaseFrame, ExtensionAndSettingsGiveTheSamePictureAndBlurOnce)
 	const FFrameResult BySettings = Render(MakeBlurredFrame(2, 1.5f));
 	const auto Extension = FSceneViewExtensions::NewExtension<FDualKawaseBlur>(1.5f, 2, false);
 	const FFrameResult ByExtension = Render(MakeFrame());
-	EXPECT_EQ(BySettings.SceneLinear.Values, ByExtension.SceneLinear.Values);
+	EXPECT_EQ(BySettings.SceneLinear.ToImage().Values, ByExtension.SceneLinear.ToImage().Values);
 	EXPECT_EQ("a view extension makes it", FindEffect(ByExtension).Reason);
 	const FFrameResult ByBoth = Render(MakeBlurredFrame(2, 1.5f));
-	EXPECT_EQ(BySettings.SceneLinear.Values, ByBoth.SceneLinear.Values);
+	EXPECT_EQ(BySettings.SceneLinear.ToImage().Values, ByBoth.SceneLinear.ToImage().Values);
 }
 
 TEST(DualKawaseFrame, AtTheTonemapPointItBlursTheDisplayedPicture)
@@ -68,8 +68,8 @@ TEST(DualKawaseFrame, AtTheTonemapPointItBlursTheDisplayedPicture)
 	const auto Extension = FSceneViewExtensions::NewExtension<FDualKawaseBlur>(1.0f, 2, false);
 	Extension->SetPass(EPoint::Tonemap);
 	const FFrameResult Frame = Render(MakeFrame());
-	EXPECT_EQ(Sharp.SceneLinear.Values, Frame.SceneLinear.Values);
-	EXPECT_NE(Sharp.Final.Values, Frame.Final.Values);
+	EXPECT_EQ(Sharp.SceneLinear.ToImage().Values, Frame.SceneLinear.ToImage().Values);
+	EXPECT_NE(Sharp.Final.ToImage().Values, Frame.Final.ToImage().Values);
 	EXPECT_TRUE(Frame.Log.Diagnostics.empty());
 }
 

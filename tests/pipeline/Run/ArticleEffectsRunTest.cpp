@@ -72,7 +72,7 @@ TEST(ArticleEffectsRun, NeutralSettingsAreTheIdentityBitForBit)
 		"REDDofFocalDistance": 0, "ToonShadowBlurIntensity": 0, "ToonShadowBlurSizeScale": 4, "UnityBloomIntensity": 0,
 		"UnityBloomThreshold": 0, "DualKawaseBlurPassNum": 0)");
 	const FRunResult Plain = RunText("");
-	EXPECT_EQ(Plain.Final.Values, Neutral.Final.Values);
+	EXPECT_EQ(Plain.Final.ToImage().Values, Neutral.Final.ToImage().Values);
 	EXPECT_EQ(Plain.Graph.Passes.size(), Neutral.Graph.Passes.size());
 }
 
@@ -102,9 +102,11 @@ TEST(ArticleEffectsRun, BloomCompositedBeforeTheTonemapperGivesThePictureOfBloom
 		"", {"r.REDPostprocessAfterTranslucency=2"});
 	ASSERT_GE(FindPass(Composited, "BloomComposite"), 0);
 	double Largest = 0;
-	for (size_t Index = 0; Index < Plain.Final.Values.size(); ++Index)
+	const FImage PlainFinal = Plain.Final.ToImage();
+	const FImage CompositedFinal = Composited.Final.ToImage();
+	for (size_t Index = 0; Index < PlainFinal.Values.size(); ++Index)
 	{
-		Largest = std::max(Largest, std::abs(Plain.Final.Values[Index] - Composited.Final.Values[Index]));
+		Largest = std::max(Largest, std::abs(PlainFinal.Values[Index] - CompositedFinal.Values[Index]));
 	}
 	EXPECT_LE(Largest, 1.01 / 255); // the composite is stored in half once more
 }
@@ -116,8 +118,8 @@ TEST(ArticleEffectsRun, UnityBloomAfterTheTonemapperWritesTheOutput)
 	EXPECT_LT(FindPass(Before, "UnityBloom.Composite"), FindPass(Before, "Tonemap"));
 	const FRunResult After = RunText(Settings, "", {"r.UnityBloom.Insertion=1"});
 	EXPECT_GT(FindPass(After, "UnityBloom.Composite"), FindPass(After, "Tonemap"));
-	EXPECT_NE(Before.Final.Values, After.Final.Values);
-	EXPECT_NE(RunText(R"("BloomIntensity": 0)").Final.Values, After.Final.Values);
+	EXPECT_NE(Before.Final.ToImage().Values, After.Final.ToImage().Values);
+	EXPECT_NE(RunText(R"("BloomIntensity": 0)").Final.ToImage().Values, After.Final.ToImage().Values);
 }
 
 TEST(ArticleEffectsRun, EachEffectDecodesOnlyItsChannels)
@@ -173,8 +175,8 @@ TEST(ArticleEffectsRun, ToonShadowPassByPassIsTheEffect)
 		{"type": "ToonShadowCombine", "at": "MotionBlur", "name": "Buffer", "replace": false, "inputs": {"Blurred": "Blur"}},
 		{"type": "ToonShadowLighting", "at": "MotionBlur", "inputs": {"Shadow": "Buffer"},
 			"parameters": {"Intensity": 0.5, "LightColor": [1, 0.91, 0.8]}}])");
-	EXPECT_NE(RunText("").Final.Values, BySettings.Final.Values);
-	EXPECT_EQ(BySettings.Final.Values, ByPasses.Final.Values);
+	EXPECT_NE(RunText("").Final.ToImage().Values, BySettings.Final.ToImage().Values);
+	EXPECT_EQ(BySettings.Final.ToImage().Values, ByPasses.Final.ToImage().Values);
 }
 
 TEST(ArticleEffectsRun, DepthOfFieldByNameIsTheEffect)
@@ -182,7 +184,7 @@ TEST(ArticleEffectsRun, DepthOfFieldByNameIsTheEffect)
 	const FRunResult BySettings = RunText(R"("REDDofFocalDistance": 400, "REDDofFarBlurSize": 4)");
 	const FRunResult ByPass = RunText("", R"(, "passes": [{"type": "REDDepthOfField", "at": "MotionBlur",
 		"parameters": {"FocalDistance": 400, "FarBlurSize": 4}}])");
-	EXPECT_EQ(BySettings.Final.Values, ByPass.Final.Values);
+	EXPECT_EQ(BySettings.Final.ToImage().Values, ByPass.Final.ToImage().Values);
 }
 
 TEST(ArticleEffectsRun, EveryPassOfTheEffectsRunsAtEveryHook)
@@ -220,7 +222,8 @@ TEST(ArticleEffectsRun, EveryPassOfTheEffectsRunsAtEveryHook)
 		const auto NumGlows = std::count_if(Result.Graph.Passes.begin(), Result.Graph.Passes.end(),
 			[](const FRDGCompiledPass& Pass) { return Pass.Name.rfind("RED.Glow", 0) == 0; });
 		EXPECT_EQ(NumPasses + 1, NumGlows) << Hook; // the glow is one of the passes itself
-		EXPECT_TRUE(std::all_of(Result.Final.Values.begin(), Result.Final.Values.end(),
+		const FImage ResultFinal = Result.Final.ToImage();
+		EXPECT_TRUE(std::all_of(ResultFinal.Values.begin(), ResultFinal.Values.end(),
 			[](double Value) { return Value >= 0 && Value <= 1; }))
 			<< Hook;
 	}
@@ -234,7 +237,7 @@ TEST(ArticleEffectsRun, TextureBlurWorksOnAnyPictureAtAnyHook)
 			{"type": "TextureBlur", "at": ")" + std::string(Hook) +
 												  R"(", "name": "B", "replace": false},
 			{"type": "REDGlow", "at": ")" + Hook + R"(", "inputs": {"Blurred": "B"}}])");
-		EXPECT_NE(RunText("").Final.Values, Result.Final.Values) << Hook;
+		EXPECT_NE(RunText("").Final.ToImage().Values, Result.Final.ToImage().Values) << Hook;
 	}
 }
 
@@ -266,7 +269,7 @@ TEST(ArticleEffectsRun, InsertedPassesBuildTheChainOfTheSettings)
 		{"type": "REDBlurH", "at": "MotionBlur", "name": "H", "replace": false, "inputs": {"Input": "Half"}},
 		{"type": "REDBlurV", "at": "MotionBlur", "name": "V", "replace": false, "inputs": {"Input": "H"}},
 		{"type": "REDGlow", "at": "MotionBlur", "inputs": {"Blurred": "V"}, "parameters": {"Intensity": 0.5}}])");
-	EXPECT_EQ(BySettings.Final.Values, ByPasses.Final.Values);
+	EXPECT_EQ(BySettings.Final.ToImage().Values, ByPasses.Final.ToImage().Values);
 }
 
 TEST(ArticleEffectsRun, CharaGlowPassByPassIsTheEffect)
@@ -275,7 +278,7 @@ TEST(ArticleEffectsRun, CharaGlowPassByPassIsTheEffect)
 	const FRunResult ByPasses = RunText("", R"(, "passes": [
 		{"type": "CharaGlow", "at": "MotionBlur", "name": "Wide", "replace": false, "parameters": {"Area": 5.5}},
 		{"type": "CharaGlowComp", "at": "MotionBlur", "inputs": {"Widened": "Wide"}, "parameters": {"Color": [1, 0.5, 0.25, 1]}}])");
-	EXPECT_EQ(BySettings.Final.Values, ByPasses.Final.Values);
+	EXPECT_EQ(BySettings.Final.ToImage().Values, ByPasses.Final.ToImage().Values);
 }
 
 TEST(ArticleEffectsRun, BlurOfOneEffectServesAnother)
@@ -285,5 +288,5 @@ TEST(ArticleEffectsRun, BlurOfOneEffectServesAnother)
 		{"type": "UnityBloomGaussianBlurVertical", "at": "MotionBlur", "name": "V", "replace": false, "parameters": {"Spread": 2}},
 		{"type": "REDGlow", "at": "MotionBlur", "inputs": {"Blurred": "V"}, "parameters": {"Intensity": 0.5}}])");
 	EXPECT_GT(FindPass(Result, "RED.Glow"), FindPass(Result, "UnityBloom.GaussianBlurVertical"));
-	EXPECT_NE(RunText("").Final.Values, Result.Final.Values);
+	EXPECT_NE(RunText("").Final.ToImage().Values, Result.Final.ToImage().Values);
 }

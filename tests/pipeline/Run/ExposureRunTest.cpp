@@ -149,7 +149,7 @@ TEST(ExposureRun, AConfigGivesTheCurveItsKeys)
 	EXPECT_NEAR(std::exp2(1.5), With.ExposureScale / Without.ExposureScale, 1e-5);
 	EXPECT_TRUE(With.Diagnostics.empty());
 	const FRunResult Asset = RunBoxes(Auto, R"("AutoExposureBiasCurve": "/Game/C.C")");
-	EXPECT_EQ(Without.Final.Values, Asset.Final.Values);
+	EXPECT_EQ(Without.Final.ToImage().Values, Asset.Final.ToImage().Values);
 	ASSERT_EQ(1u, Asset.Diagnostics.size());
 	EXPECT_EQ(WarnIneffectiveValue, Asset.Diagnostics[0].Code);
 	EXPECT_EQ(0u, Asset.Diagnostics[0].Message.find("AutoExposureBiasCurve /Game/C.C has no keys here"));
@@ -192,11 +192,13 @@ TEST(ExposureRun, BasicMeteringExposesAsTheSameNumberDoes)
 	const FRunResult Basic = RunBoxes(Auto, R"("AutoExposureMethod": "AEM_Basic")");
 	const FRunResult Fixed =
 		RunBoxes(R"("exposure": )" + std::to_string(Basic.ExposureScale), R"("VignetteIntensity": 0.4)");
-	ASSERT_EQ(Fixed.Final.Values.size(), Basic.Final.Values.size());
-	for (size_t Index = 0; Index < Basic.Final.Values.size(); ++Index)
+	ASSERT_EQ(Fixed.Final.ToImage().Values.size(), Basic.Final.ToImage().Values.size());
+	const FImage BasicFinal = Basic.Final.ToImage();
+	const FImage FixedFinal = Fixed.Final.ToImage();
+	for (size_t Index = 0; Index < BasicFinal.Values.size(); ++Index)
 	{
 		// The number is written with six digits.
-		EXPECT_NEAR(Fixed.Final.Values[Index], Basic.Final.Values[Index], 1.01 / 255) << Index;
+		EXPECT_NEAR(FixedFinal.Values[Index], BasicFinal.Values[Index], 1.01 / 255) << Index;
 	}
 }
 
@@ -226,7 +228,7 @@ TEST(ExposureRun, ANumberIgnoresMeteringAndItsVariables)
 	const FRunResult Plain = RunBoxes(R"("exposure": 1)", "");
 	const FRunResult Other = RunBoxes(R"("exposure": 1)", R"("AutoExposureMethod": "AEM_Manual")",
 		{"r.EyeAdaptationQuality=0", "r.EyeAdaptation.MethodOverride=2"});
-	EXPECT_EQ(Plain.Final.Values, Other.Final.Values);
+	EXPECT_EQ(Plain.Final.ToImage().Values, Other.Final.ToImage().Values);
 	EXPECT_FALSE(HasPass(Plain, "Histogram "));
 }
 
@@ -287,16 +289,16 @@ TEST(LocalExposureRun, BuildsItsPassesAndChangesThePicture)
 	EXPECT_TRUE(HasPass(Local, "LocalExposureBilateralGrid"));
 	EXPECT_TRUE(HasPass(Local, "BlurredLogLuminance"));
 	EXPECT_TRUE(HasPass(Local, "BloomSetup"));
-	EXPECT_NE(Plain.Final.Values, Local.Final.Values);
-	EXPECT_EQ(Plain.SceneLinear.Values, Local.SceneLinear.Values);
+	EXPECT_NE(Plain.Final.ToImage().Values, Local.Final.ToImage().Values);
+	EXPECT_EQ(Plain.SceneLinear.ToImage().Values, Local.SceneLinear.ToImage().Values);
 }
 
 TEST(LocalExposureRun, NeutralValuesKeepEveryBit)
 {
-	EXPECT_EQ(RunBoxes(R"("exposure": 1)", "").Final.Values,
+	EXPECT_EQ(RunBoxes(R"("exposure": 1)", "").Final.ToImage().Values,
 		RunBoxes(R"("exposure": 1)", R"("LocalExposureHighlightContrastScale": 1, "LocalExposureShadowThreshold": 2,
 			"LocalExposureDetailStrength": 1, "LocalExposureBlurredLuminanceBlend": 0.1)")
-			.Final.Values);
+			.Final.ToImage().Values);
 }
 
 TEST(LocalExposureRun, VariablesSwitchItOffForBloomAndAltogether)

@@ -99,7 +99,7 @@ TEST(FFTBloomRun, AnEngineAssetHasNoPixelsSoTheSumOfGaussiansRuns)
 {
 	const FRunResult Result = RunFFT(R"("BloomConvolutionTexture": "/Game/Lens/Kernel.Kernel", )");
 	EXPECT_TRUE(HasPass(Result.Graph, "Bloom6"));
-	EXPECT_EQ(RunFFT("", {}, "").Final.Values, Result.Final.Values);
+	EXPECT_EQ(RunFFT("", {}, "").Final.ToImage().Values, Result.Final.ToImage().Values);
 	ASSERT_FALSE(Result.Diagnostics.empty());
 	EXPECT_EQ(WarnIneffectiveValue, Result.Diagnostics[0].Code);
 	EXPECT_EQ("BloomMethod BM_FFT: there are no pixels for BloomConvolutionTexture /Game/Lens/Kernel.Kernel, so the "
@@ -113,7 +113,7 @@ TEST(FFTBloomRun, ToonBloomMasksTheWholeResolution)
 	EXPECT_TRUE(HasPass(Less.Graph, "BloomSetup 641x359"));
 	EXPECT_TRUE(HasPass(Less.Graph, "FFTBloom.Multiply"));
 	EXPECT_TRUE(FindEffect(Less, "ToonBloom").bActive);
-	EXPECT_NE(Less.Final.Values, More.Final.Values);
+	EXPECT_NE(Less.Final.ToImage().Values, More.Final.ToImage().Values);
 }
 
 TEST(FFTBloomRun, AToonFactorOfOneGivesTheBitsOfAFrameWithoutIt)
@@ -124,7 +124,7 @@ TEST(FFTBloomRun, AToonFactorOfOneGivesTheBitsOfAFrameWithoutIt)
 		const FRunResult Without = RunFFT("", {Resolution});
 		const FRunResult Forced = RunFFT(R"("BloomToonIntensity": 1, )", {Resolution, "r.ToonBloom=1"});
 		EXPECT_TRUE(HasPass(Forced.Graph, "BloomSetup"));
-		EXPECT_EQ(Without.Final.Values, Forced.Final.Values) << Percentage;
+		EXPECT_EQ(Without.Final.ToImage().Values, Forced.Final.ToImage().Values) << Percentage;
 	}
 }
 
@@ -145,7 +145,7 @@ TEST(FFTBloomFrame, AViewKeepsItsKernelForTheNextFrame)
 	const FFrameResult Second = Render(Inputs);
 	Inputs.bExecute = false;
 	const FFrameResult Third = Render(Inputs);
-	EXPECT_EQ(First.Final.Values, Second.Final.Values);
+	EXPECT_EQ(First.Final.ToImage().Values, Second.Final.ToImage().Values);
 	EXPECT_TRUE(HasPass(Third.Graph, "FFTBloom.Multiply"));
 	EXPECT_FALSE(HasPass(Third.Graph, "FFTBloom.FindKernelCenter"));
 	Inputs.Views[0].State = nullptr;

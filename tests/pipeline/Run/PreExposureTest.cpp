@@ -25,8 +25,9 @@ double GetPreExposure(const FRunResult& Result)
 }
 
 /** Pixels whose display code is another one, and that none is another by more than a code. */
-double CountOtherCodes(const FImage& A, const FImage& B)
+double CountOtherCodes(const FPicture& PictureA, const FPicture& PictureB)
 {
+	const FImage A = PictureA.ToImage(), B = PictureB.ToImage();
 	size_t Others = 0;
 	for (size_t Index = 0; Index < A.Values.size(); ++Index)
 	{
@@ -48,10 +49,12 @@ TEST(PreExposure, FollowsTheFrameBefore)
 	EXPECT_EQ(1.0, GetPreExposure(First));
 	EXPECT_GT(std::abs(std::log2(Scale)), 0.25f); // or there is nothing to see here
 	EXPECT_EQ(static_cast<double>(Scale), GetPreExposure(Second));
-	for (size_t Index = 0; Index < First.SceneLinear.Values.size(); Index += 4)
+	const FImage FirstSceneLinear = First.SceneLinear.ToImage();
+	const FImage SecondSceneLinear = Second.SceneLinear.ToImage();
+	for (size_t Index = 0; Index < FirstSceneLinear.Values.size(); Index += 4)
 	{
-		const double Expected = First.SceneLinear.Values[Index] * static_cast<double>(Scale);
-		ASSERT_NEAR(Expected, Second.SceneLinear.Values[Index], std::ldexp(Expected, -11) + 1e-7);
+		const double Expected = FirstSceneLinear.Values[Index] * static_cast<double>(Scale);
+		ASSERT_NEAR(Expected, SecondSceneLinear.Values[Index], std::ldexp(Expected, -11) + 1e-7);
 	}
 }
 
@@ -69,7 +72,7 @@ TEST(PreExposure, OfAFixedExposureIsThatScale)
 	const FRunResult Result = RunConfig(Boxes(R"("exposure": 0.25, "preExposure": "auto")"));
 	EXPECT_EQ(static_cast<double>(Result.ExposureScale), GetPreExposure(Result));
 	EXPECT_EQ(0.25, GetPreExposure(Result));
-	EXPECT_EQ(RunConfig(Boxes(R"("exposure": 0.25, "preExposure": 0.25)")).Final.Values, Result.Final.Values);
+	EXPECT_EQ(RunConfig(Boxes(R"("exposure": 0.25, "preExposure": 0.25)")).Final.ToImage().Values, Result.Final.ToImage().Values);
 }
 
 TEST(PreExposure, VariableBeatsAuto)

@@ -45,9 +45,9 @@ struct FDifference
 
 FDifference Compare(const char* Name, const FRunResult& Run, const FRunResult& Reference)
 {
-	const FDifference Difference = {MaxRelativeDifference(Run.SceneLinear, Reference.SceneLinear, 1e-3),
-		MaxRelativeDifference(Run.Dumps.at(0).Image, Reference.Dumps.at(0).Image, 1e-3),
-		MaxRelativeDifference(Run.Final, Reference.Final, 1.0)};
+	const FDifference Difference = {MaxRelativeDifference(Run.SceneLinear.ToImage(), Reference.SceneLinear.ToImage(), 1e-3),
+		MaxRelativeDifference(Run.Dumps.at(0).Image.ToImage(), Reference.Dumps.at(0).Image.ToImage(), 1e-3),
+		MaxRelativeDifference(Run.Final.ToImage(), Reference.Final.ToImage(), 1.0)};
 	std::printf("%-22s against double: scene colour %.3g, bloom %.3g (of max(|value|, 1e-3)), final %.3g\n", Name,
 		Difference.SceneLinear, Difference.Bloom, Difference.Final);
 	return Difference;

@@ -75,26 +75,26 @@ TEST(ToonBloomRun, FactorOneGivesTheBitsOfAFrameWithoutIt)
 	EXPECT_FALSE(HasPass(Without, "BloomSetup"));
 	EXPECT_FALSE(HasPass(Neutral, "BloomSetup"));
 	EXPECT_TRUE(HasPass(Forced, "BloomSetup"));
-	EXPECT_EQ(Without.Final.Values, Neutral.Final.Values);
-	EXPECT_EQ(Without.Final.Values, Forced.Final.Values);
+	EXPECT_EQ(Without.Final.ToImage().Values, Neutral.Final.ToImage().Values);
+	EXPECT_EQ(Without.Final.ToImage().Values, Forced.Final.ToImage().Values);
 }
 
 TEST(ToonBloomRun, FactorOneWithAThresholdToo)
 {
-	EXPECT_EQ(RunToon(R"("BloomThreshold": 0.5)").Final.Values,
-		RunToon(R"("BloomThreshold": 0.5, "BloomToonIntensity": 1)", {"r.ToonBloom=1"}).Final.Values);
+	EXPECT_EQ(RunToon(R"("BloomThreshold": 0.5)").Final.ToImage().Values,
+		RunToon(R"("BloomThreshold": 0.5, "BloomToonIntensity": 1)", {"r.ToonBloom=1"}).Final.ToImage().Values);
 }
 
 TEST(ToonBloomRun, SwitchedOffGivesTheBitsOfAFrameWithoutIt)
 {
-	EXPECT_EQ(RunToon("").Final.Values, RunToon(R"("BloomToonIntensity": 0.1)", {"r.ToonBloom=0"}).Final.Values);
+	EXPECT_EQ(RunToon("").Final.ToImage().Values, RunToon(R"("BloomToonIntensity": 0.1)", {"r.ToonBloom=0"}).Final.ToImage().Values);
 }
 
 TEST(ToonBloomRun, BeginsAtZeroWhereTheDefaultFeatureIsOff)
 {
 	const FRunResult Off = RunToon(R"("BloomIntensity": 1.5)", {"r.DefaultFeature.Bloom=0"});
-	EXPECT_EQ(RunToon(R"("BloomIntensity": 1.5, "BloomToonIntensity": 0)").Final.Values, Off.Final.Values);
-	EXPECT_NE(RunToon(R"("BloomIntensity": 1.5)").Final.Values, Off.Final.Values);
+	EXPECT_EQ(RunToon(R"("BloomIntensity": 1.5, "BloomToonIntensity": 0)").Final.ToImage().Values, Off.Final.ToImage().Values);
+	EXPECT_NE(RunToon(R"("BloomIntensity": 1.5)").Final.ToImage().Values, Off.Final.ToImage().Values);
 }
 
 TEST(ToonBloomRun, WithoutAThresholdTheSetupOf53KeepsItsRamp)
@@ -119,9 +119,9 @@ TEST(ToonBloomRun, WithoutAThresholdTheSetupOf53KeepsItsRamp)
 	{
 		const FRunResult With = Render(Grey, "5.4", "1");
 		EXPECT_NEAR((Grey + 1) / 2, GetBleed(Render(Grey, "5.3", "1"), "outside") / GetBleed(With, "outside"), 1e-4);
-		const FImage Without = Render(Grey, "5.4", "0").Final;
-		EXPECT_EQ(Without.Values, With.Final.Values);
-		EXPECT_EQ(Without.Values, Render(Grey, "5.3", "0").Final.Values); // no setup pass, no ramp
+		const FImage Without = Render(Grey, "5.4", "0").Final.ToImage();
+		EXPECT_EQ(Without.Values, With.Final.ToImage().Values);
+		EXPECT_EQ(Without.Values, Render(Grey, "5.3", "0").Final.ToImage().Values); // no setup pass, no ramp
 	}
 	std::filesystem::remove_all(Folder);
 }
@@ -190,5 +190,5 @@ TEST(ToonBloomRun, ADefaultStandsInForTheMissingId)
 
 TEST(ToonBloomRun, APlainPictureNeedsNoIdsWithoutIt)
 {
-	EXPECT_FALSE(RunToon("", {}, R"("file": "../docs/images/toon_input.png")").Final.Values.empty());
+	EXPECT_FALSE(RunToon("", {}, R"("file": "../docs/images/toon_input.png")").Final.ToImage().Values.empty());
 }

@@ -50,7 +50,7 @@ FImage RenderAt(const std::string& X)
 		{"bounds": {"min": [0, -250, 0], "max": [600, 250, 300]}, "Priority": 1, "BlendRadius": 100,
 			"Settings": {"BloomToonIntensity": 0.05}}]})";
 	Options.ConfigText = Text;
-	return RunConfig(Options).Final;
+	return RunConfig(Options).Final.ToImage();
 }
 
 double MaxDifference(const FImage& A, const FImage& B)

@@ -175,7 +175,7 @@ TEST(TranslucencyRun, PlacesOfREDAreOneWithoutIt)
 	const FSceneOnDisk Scene(6);
 	const FRunResult Before = Scene.Run(Grey, {"r.REDPostprocessAfterTranslucency=0"});
 	const FRunResult After = Scene.Run(Grey, {"r.REDPostprocessAfterTranslucency=1"});
-	EXPECT_EQ(Before.SceneLinear.Values, After.SceneLinear.Values);
+	EXPECT_EQ(Before.SceneLinear.ToImage().Values, After.SceneLinear.ToImage().Values);
 	EXPECT_EQ(-1, FindPass(Before, "ComposeSeparateTranslucency"));
 	const FEffectDecision& Decision = FindEffect(Before, "Translucency");
 	EXPECT_FALSE(Decision.bActive);
@@ -272,6 +272,6 @@ TEST(TranslucencyRun, WithoutSkippingTheBitsAreTheSame)
 	for (const size_t NumChannels : {size_t(6), AllChannels.size()})
 	{
 		const FSceneOnDisk Scene(NumChannels);
-		EXPECT_EQ(Scene.Run(Grey).SceneLinear.Values, Scene.Run(Grey, {}, "", "", true).SceneLinear.Values);
+		EXPECT_EQ(Scene.Run(Grey).SceneLinear.ToImage().Values, Scene.Run(Grey, {}, "", "", true).SceneLinear.ToImage().Values);
 	}
 }

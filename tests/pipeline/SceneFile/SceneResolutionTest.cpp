@@ -94,7 +94,7 @@ TEST(ScreenPercentage, AHundredBuildsNoUpscale)
 {
 	const FRunResult Result = RunAt("100", Quiet);
 	EXPECT_EQ(nullptr, FindPass(Result.Graph, "PrimaryUpscale"));
-	EXPECT_EQ(RunAt("", Quiet).Final.Values, Result.Final.Values);
+	EXPECT_EQ(RunAt("", Quiet).Final.ToImage().Values, Result.Final.ToImage().Values);
 }
 
 TEST(ScreenPercentage, RendersSmallerAndGivesTheOutputsSize)
@@ -111,7 +111,7 @@ TEST(ScreenPercentage, RendersSmallerAndGivesTheOutputsSize)
 TEST(ScreenPercentage, ColourIsTheMeanOfTheAreaAPixelCovers)
 {
 	const FRunResult Whole = RunAt("100", Quiet), Half = RunAt("50", Quiet);
-	EXPECT_NEAR(MeanOf(Whole.SceneLinear), MeanOf(Half.SceneLinear), 2e-3 * MeanOf(Whole.SceneLinear));
+	EXPECT_NEAR(MeanOf(Whole.SceneLinear.ToImage()), MeanOf(Half.SceneLinear.ToImage()), 2e-3 * MeanOf(Whole.SceneLinear.ToImage()));
 	// Pixel 1, 0 covers columns 641/321 to 1282/321 and rows 0 to 359/180.
 	const FCoverage Columns = MakeCoverage(641, 321, 1), Rows = MakeCoverage(359, 180, 0);
 	double Sum = 0;
@@ -132,13 +132,15 @@ TEST(ScreenPercentage, ThePictureStaysWhereItIs)
 	for (const char* Percentage : {"50", "67", "200"})
 	{
 		const FRunResult Whole = RunAt("100", Quiet), Scaled = RunAt(Percentage, Quiet);
-		ASSERT_EQ(Whole.Final.Values.size(), Scaled.Final.Values.size());
+		ASSERT_EQ(Whole.Final.ToImage().Values.size(), Scaled.Final.ToImage().Values.size());
 		double Sum = 0;
-		for (size_t Index = 0; Index < Whole.Final.Values.size(); ++Index)
+		const FImage WholeFinal = Whole.Final.ToImage();
+		const FImage ScaledFinal = Scaled.Final.ToImage();
+		for (size_t Index = 0; Index < WholeFinal.Values.size(); ++Index)
 		{
-			Sum += std::fabs(Whole.Final.Values[Index] - Scaled.Final.Values[Index]);
+			Sum += std::fabs(WholeFinal.Values[Index] - ScaledFinal.Values[Index]);
 		}
-		EXPECT_LT(Sum / static_cast<double>(Whole.Final.Values.size()), 0.015) << Percentage;
+		EXPECT_LT(Sum / static_cast<double>(Whole.Final.ToImage().Values.size()), 0.015) << Percentage;
 	}
 }
 
@@ -153,11 +155,13 @@ TEST(ScreenPercentage, PaddingMovesTheSceneNotThePicture)
 		Quiet + "}";
 	const FRunResult Padded = RunConfig(Options);
 	EXPECT_EQ(FIntPoint(321 + 12, 180 + 12), Padded.SceneExtent);
-	ASSERT_EQ(Plain.Final.Values.size(), Padded.Final.Values.size());
+	ASSERT_EQ(Plain.Final.ToImage().Values.size(), Padded.Final.ToImage().Values.size());
 	double Largest = 0;
-	for (size_t Index = 0; Index < Plain.Final.Values.size(); ++Index)
+	const FImage PlainFinal = Plain.Final.ToImage();
+	const FImage PaddedFinal = Padded.Final.ToImage();
+	for (size_t Index = 0; Index < PlainFinal.Values.size(); ++Index)
 	{
-		Largest = std::max(Largest, std::fabs(Plain.Final.Values[Index] - Padded.Final.Values[Index]));
+		Largest = std::max(Largest, std::fabs(PlainFinal.Values[Index] - PaddedFinal.Values[Index]));
 	}
 	EXPECT_LE(Largest, 1.01 / 255); // texture coordinates over another extent
 }
@@ -170,11 +174,13 @@ TEST(ScreenPercentage, EachOfTwoViewsFillsItsRect)
 	EXPECT_EQ(321, Result.SceneLinear.Width);
 	const FRunResult Whole = RunAt("100", Views + Quiet);
 	double Sum = 0;
-	for (size_t Index = 0; Index < Whole.Final.Values.size(); ++Index)
+	const FImage WholeFinal = Whole.Final.ToImage();
+	const FImage ResultFinal = Result.Final.ToImage();
+	for (size_t Index = 0; Index < WholeFinal.Values.size(); ++Index)
 	{
-		Sum += std::fabs(Whole.Final.Values[Index] - Result.Final.Values[Index]);
+		Sum += std::fabs(WholeFinal.Values[Index] - ResultFinal.Values[Index]);
 	}
-	EXPECT_LT(Sum / static_cast<double>(Whole.Final.Values.size()), 0.015);
+	EXPECT_LT(Sum / static_cast<double>(Whole.Final.ToImage().Values.size()), 0.015);
 }
 
 TEST(ScreenPercentage, HooksSeeTheScenesSize)
@@ -199,5 +205,5 @@ TEST(ScreenPercentage, AGraphMayNeedTheGBufferToo)
 TEST(ScreenPercentage, TheShowFlagSwitchesItOff)
 {
 	const FRunResult Result = RunAt("50", std::string(R"("showFlags": {"ScreenPercentage": false}, )") + Quiet);
-	EXPECT_EQ(RunAt("100", Quiet).Final.Values, Result.Final.Values);
+	EXPECT_EQ(RunAt("100", Quiet).Final.ToImage().Values, Result.Final.ToImage().Values);
 }

@@ -124,9 +124,9 @@ TEST_F(RunSequences, FrameSeesWhatTheOneBeforeKept)
 {
 	FRunSession Session(Ask("2").Run);
 	const FRunResult First = Session.Run(2, {});
-	EXPECT_EQ(0.0, GetGreatest(First.SceneLinear, 1)); // it shows the frame before, and there is none
-	EXPECT_LT(0.0, GetGreatest(Session.Run(3, First.ViewStates).SceneLinear, 1));
-	EXPECT_EQ(0.0, GetGreatest(Session.Run(3, {}).SceneLinear, 1));
+	EXPECT_EQ(0.0, GetGreatest(First.SceneLinear.ToImage(), 1)); // it shows the frame before, and there is none
+	EXPECT_LT(0.0, GetGreatest(Session.Run(3, First.ViewStates).SceneLinear.ToImage(), 1));
+	EXPECT_EQ(0.0, GetGreatest(Session.Run(3, {}).SceneLinear.ToImage(), 1));
 }
 
 TEST_F(RunSequences, FirstFrameIsThatOfASingleRun)

@@ -85,7 +85,7 @@ TEST(ViewState, SameHistoryGivesTheSameFrame)
 {
 	const auto Keep = MakeExtension(EPoint::SSRInput, [](const FCall& Call) { return Call.Fill(Red); });
 	const FFrameResult First = Render();
-	EXPECT_EQ(RenderAfter(First).Final.Values, RenderAfter(First).Final.Values);
+	EXPECT_EQ(RenderAfter(First).Final.ToImage().Values, RenderAfter(First).Final.ToImage().Values);
 	EXPECT_EQ(
 		FingerprintViewStates(RenderAfter(First).ViewStates), FingerprintViewStates(RenderAfter(First).ViewStates));
 }

@@ -197,10 +197,10 @@ TEST(StudyFrame, ErrorIsThatOfTwoRuns)
 	// Quality 1 in float against quality 1 in double, as two runs of their own have it.
 	FRunOptions Options = MakeOptions(GFrameStudy);
 	Options.Variables = {"r.BloomQuality=1"};
-	const FImage Float = RunConfig(Options).Final;
+	const FImage Float = RunConfig(Options).Final.ToImage();
 	Options.bDouble = true;
 	Options.Variables.push_back("r.Drydock.SampleBits=0");
-	const FImage Double = RunConfig(Options).Final;
+	const FImage Double = RunConfig(Options).Final.ToImage();
 	double Largest = 0.0;
 	for (int Y = 0; Y < Float.Height; ++Y)
 	{
