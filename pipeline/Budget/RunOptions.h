@@ -1,6 +1,7 @@
 // What a run is asked for. Plain: needs none of the engine's headers, whose macros would break others'.
 #pragma once
 
+#include "Config/OutputKinds.h"
 #include "DrydockAPI.h"
 
 #include <array>
@@ -31,12 +32,14 @@ struct FRunOptions
 		std::string Text;              // "r.A 1, r.B=2"
 		size_t NumVariablesBefore = 0; // of Variables: where it stands among them
 	};
-	std::vector<FExec> Exec;                       // beat Variables
-	std::vector<std::string> Settings;             // "Setting=Value", beat all volumes and the camera
-	std::vector<std::string> Dump;                 // patterns, beside the config's
-	std::string Engine;                            // "5.6"; beats the config's; empty: that
-	std::vector<std::string> Plugins;              // shared objects; one in place of the config's of its file name
-	std::optional<std::array<double, 3>> Location; // of the view, cm; beats the config's and the scene's
+	std::vector<FExec> Exec;                           // beat Variables
+	std::vector<std::string> Settings;                 // "Setting=Value", beat all volumes and the camera
+	std::vector<std::string> Dump;                     // patterns, beside the config's
+	std::optional<FOutputKinds> Write;                 // what of the outputs is written; beats the config's
+	FOutputKinds WriteByDefault = GetAllOutputKinds(); // where neither says anything
+	std::string Engine;                                // "5.6"; beats the config's; empty: that
+	std::vector<std::string> Plugins;                  // shared objects; one in place of the config's of its file name
+	std::optional<std::array<double, 3>> Location;     // of the view, cm; beats the config's and the scene's
 	std::optional<int> Frame;   // which of a sequence, the lowest by default; shaders see it as View.FrameNumber
 	std::optional<int> Threads; // 0: all cores
 	bool bDouble = false;       // double arithmetic
@@ -48,9 +51,10 @@ struct FRunOptions
 	/** Nothing is left out because no output needs it: culled passes run, all channels are decoded, effects whose
 	 * values are neutral or whose input is empty run. What is switched off stays off. The outputs are the same bits. */
 	bool bNoSkip = false;
-	bool bMeasureEffects = false; // figures and pictures of effects (FEffect::Measure), after the frame
-	bool bFingerprints = false;   // of what each pass wrote, in run.json
-	bool bUseBudget = true;       // a config with a budget and a study runs what the study recommends
+	bool bMeasureEffects = false;   // figures and pictures of effects (FEffect::Measure), after the frame
+	bool bFingerprints = false;     // of what each pass wrote, in run.json
+	bool bUseBudget = true;         // a config with a budget and a study runs what the study recommends
+	double StartMilliseconds = 0.0; // that the process took before the run, for the run's times
 	/** Called before each pass that executes. */
 	std::function<void(int Done, int Total, const std::string& Pass)> Progress;
 };

@@ -2,6 +2,7 @@
 // ConfigKeys.cpp.
 #pragma once
 
+#include "Config/OutputKinds.h"
 #include "Config/SceneUnits.h"
 #include "Diagnostics.h"
 #include "EngineProfile.h"
@@ -164,7 +165,8 @@ struct FConfig
 	FJsonValue Study;                   // as it stands, null where there is none: see ReadStudy
 	FJsonValue Budget;                  // likewise
 	std::vector<TConfigValue<std::string>> Dump;
-	bool bNoSkip = false; // of the command line: see FRunOptions
+	std::optional<FOutputKinds> Write; // what of its outputs a run writes; empty: the config does not say
+	bool bNoSkip = false;              // of the command line: see FRunOptions
 
 	/** The row of Engine; the default's while the config has a mistake there. */
 	DRYDOCK_API const FEngineProfile& GetEngineProfile() const;

@@ -100,6 +100,7 @@ const std::vector<FConfigKey>& GetConfigKeys()
 		{"pass", "parameters", Object, "parameters", 0, Optional, "Values for its parameters."},
 		{"parameters", "*", Anything, "", 0, Optional, "A number, an array of numbers, a text or true or false."},
 
+		{"outputs", "write", StringArray, "png|exr|json|dot", 0, Optional, "Kinds of files that a run writes beside run.json: png, exr, json (timing.json, trace.json), dot (the graph); all by default."},
 		{"outputs", "dump", StringArray, "", 0, Optional, "Patterns with * and ?: a pass, a resource, or Pass.Resource."},
 
 		{"budget", "metric", String, "", 0, Optional, "Error metric that max refers to: max, rms, relative, psnr or ssim; rms by default."},

@@ -36,8 +36,8 @@ struct FConfigKey
 	const char* Object; // kind of object that has it; "" is the root
 	const char* Name;   // "*": any further key is accepted
 	EConfigKind Kind;
-	const char* Of; // kind of nested object; allowed texts of a String, separated by |; the text that a Number,
-					// or an ObjectArray may be instead, after =
+	const char* Of; // kind of nested object; allowed texts of a String or StringArray, separated by |; the text that a
+					// Number, or an ObjectArray may be instead, after =
 	int Length; // of a NumberArray
 	bool bRequired;
 	const char* Doc;

@@ -98,7 +98,14 @@ void WriteKind(FJsonWriter& Writer, const FConfigKey& Key, const std::string& Of
 		WriteArray(Writer, "number", "", Key.Length);
 		break;
 	case EConfigKind::StringArray:
-		WriteArray(Writer, "string", "", 0);
+		WriteType(Writer, "array");
+		Writer.Key("items").BeginObject(Of.empty());
+		WriteType(Writer, "string");
+		if (!Of.empty())
+		{
+			WriteEnum(Writer, SplitAlternatives(Of));
+		}
+		Writer.EndObject();
 		break;
 	case EConfigKind::Vector3Array:
 		WriteArray(Writer, "", "vector3", 0);

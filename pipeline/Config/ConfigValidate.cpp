@@ -156,8 +156,14 @@ private:
 			ValidateNumberArray(Value, Key);
 			break;
 		case EConfigKind::StringArray:
-			ValidateElements(
-				Value, Key, [&](const FJsonValue& Element) { ExpectElement(Element, EJsonType::String, "a string"); });
+			ValidateElements(Value, Key,
+				[&](const FJsonValue& Element)
+				{
+					if (ExpectElement(Element, EJsonType::String, "a string"))
+					{
+						RequireAllowed(Element, Key);
+					}
+				});
 			break;
 		case EConfigKind::Vector3Array:
 			ValidateElements(Value, Key, [&](const FJsonValue& Element) { ValidateVector(Element, Key); });
@@ -200,7 +206,16 @@ private:
 
 	void ValidateString(const FJsonValue& Value, const FConfigKey& Key)
 	{
-		if (!Expect(Value, EJsonType::String, Key) || Key.Of[0] == '\0')
+		if (Expect(Value, EJsonType::String, Key))
+		{
+			RequireAllowed(Value, Key);
+		}
+	}
+
+	/** A text that is one of those that the key allows, where it names them. */
+	void RequireAllowed(const FJsonValue& Value, const FConfigKey& Key)
+	{
+		if (Key.Of[0] == '\0')
 		{
 			return;
 		}

@@ -474,6 +474,16 @@ void ReadRoot(const FJsonValue& Root, FConfig& Config, FConfigMessages& Messages
 	WithMember(Root, "outputs", EJsonType::Object,
 		[&](const FJsonValue& Outputs)
 		{
+			WithMember(Outputs, "write", EJsonType::Array,
+				[&](const FJsonValue& Kinds)
+				{
+					std::vector<std::string> Names;
+					for (const FJsonValue& Kind : Kinds.Elements)
+					{
+						Names.push_back(Kind.String);
+					}
+					Config.Write = MakeOutputKinds(Names);
+				});
 			WithMember(Outputs, "dump", EJsonType::Array,
 				[&](const FJsonValue& Patterns)
 				{

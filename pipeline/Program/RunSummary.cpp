@@ -68,7 +68,14 @@ std::string MakeRunSummary(const FRunResult& Result, const std::string& Folder, 
 	Text += fmt::format("memory   {} transient, {} without aliasing\n",
 		FormatMegabytes(Result.Graph.Memory.TransientPeakBytes),
 		FormatMegabytes(Result.Graph.Memory.WithoutAliasingBytes));
-	return Text + fmt::format("picture  {}/final.png (written in {:.1f} ms)\n", Folder, SaveMs);
+	const FRunTimes& Times = Result.Times;
+	Text += fmt::format(
+		"time     {:.0f} ms: start {:.0f}, setup {:.0f}, load {:.0f}, compile {:.0f}, passes {:.0f}, report {:.0f}, "
+		"save {:.0f}\n",
+		Times.GetSum() + SaveMs, Times.Start, Times.Setup, Times.Load, Times.Compile, Times.Execute, Times.Report,
+		SaveMs);
+	const bool bPng = Result.Write.count(EOutputKind::Png) > 0;
+	return Text + fmt::format("picture  {}{}\n", Folder, bPng ? "/final.png" : "");
 }
 
 } // namespace Drydock

@@ -16,6 +16,7 @@
 #include "Text/WatchedFiles.h"
 
 #include <chrono>
+#include <ctime>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -31,6 +32,12 @@ struct FRunVerbOptions : FFramesOptions
 {
 	bool bWatch = false; // run again whenever something changes
 };
+
+/** CPU time so far: loading libraries and registering what registers itself, which nothing waits for. */
+double GetStartMilliseconds()
+{
+	return 1000.0 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
 
 int RunOnce(const FRunVerbOptions& Options)
 {
@@ -95,10 +102,12 @@ FWatchedFiles GetWatchedFiles(const FRunVerbOptions& Options)
 int Watch(const FRunVerbOptions& Options)
 {
 	constexpr std::chrono::milliseconds Interval(200);
+	FRunVerbOptions Looked = Options;
+	Looked.Run.WriteByDefault = {EOutputKind::Png};
 	RunWatchLoop({.Run =
 					  [&]
 				  {
-					  RunOnce(Options);
+					  RunOnce(Looked);
 					  FlushOutput();
 				  },
 		.List = [&] { return GetWatchedFiles(Options); },
@@ -148,7 +157,9 @@ int RunOrWatch(const FRunVerbOptions& Options)
 	{
 		return Watch(Options);
 	}
-	return RunOnce(Options);
+	FRunVerbOptions Once = Options;
+	Once.Run.StartMilliseconds = GetStartMilliseconds();
+	return RunOnce(Once);
 }
 
 FVerbCall AddOptions(CLI::App& Verb)
@@ -158,6 +169,16 @@ FVerbCall AddOptions(CLI::App& Verb)
 	AddArithmetic(Verb, Options->Run);
 	Verb.add_option("--out", Options->OutputFolder, "Folder for the outputs; out/NAME of the config by default")
 		->type_name("DIR");
+	RequireOneOf(
+		Verb.add_option_function<std::vector<std::string>>(
+				"--outputs",
+				[Options](const std::vector<std::string>& Names) { Options->Run.Write = MakeOutputKinds(Names); },
+				"What is written beside run.json: png, exr, json (timing, trace), dot (the graph); all by default, "
+				"with "
+				"--watch png; beats the config's outputs.write")
+			->delimiter(','),
+		GetOutputKindNames())
+		->type_name("KIND,...");
 	AddRepeated(Verb, "--dump", "PATTERN", Options->Run.Dump,
 		"Keep what matches: a pass, a resource or Pass.Resource, with * and ?; repeats");
 	Verb.add_flag("--no-skip", Options->Run.bNoSkip,

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace Drydock
 {
@@ -95,6 +96,7 @@ FRunResult MakeResult(const FRunSetup& Setup, const FSceneFile& Scene)
 	Result.Config = Setup.Config;
 	Result.Diagnostics = Setup.Diagnostics;
 	Result.BudgetReason = Setup.BudgetReason;
+	Result.Write = Setup.Write;
 	Result.Settings = Setup.Settings.Settings;
 	Result.ExposureScale = Setup.Settings.ExposureScale;
 	Result.Precision = GetVariableInt("r.Drydock.Precision") == 1 ? "double" : "float";
@@ -372,7 +374,9 @@ FPicture RenderWithZeros(const FRunOptions& Options, const FRunSetup& Setup, con
 } // namespace
 
 FRunSession::FRunSession(const FRunOptions& InOptions)
-	: Options(InOptions)
+	: Begin(FClock::now())
+	, StartMilliseconds(InOptions.StartMilliseconds)
+	, Options(InOptions)
 	, Setup(std::make_unique<FRunSetup>(InOptions, ESceneNeed::Required))
 {
 }
@@ -386,8 +390,11 @@ const FConfig& FRunSession::GetConfig() const
 
 FRunResult FRunSession::Run(std::optional<int> Frame, const std::vector<FViewHistory>& Last)
 {
+	// The first frame's setup is the session's.
+	const FClock::time_point FrameBegin = std::exchange(Begin, std::nullopt).value_or(FClock::now());
 	Setup->BeginFrame(Frame);
 	SetPreExposure(Setup->Config, Setup->Settings.ExposureScale, Last);
+	const double SetupMs = MillisecondsSince(FrameBegin);
 	FRendered Rendered = Render(Options, *Setup, {Last, Caches});
 	FRunResult& Result = Rendered.Result;
 	if (Options.bExecute)
@@ -405,6 +412,10 @@ FRunResult FRunSession::Run(std::optional<int> Frame, const std::vector<FViewHis
 		}
 	}
 	Result.RunJson = MakeRunJson(Result);
+	Result.Times.Begin = FrameBegin;
+	Result.Times.Start = std::exchange(StartMilliseconds, 0.0);
+	Result.Times.Setup = SetupMs;
+	Result.Times.Report = MillisecondsSince(FrameBegin) + Result.Times.Start - Result.Times.GetSum();
 	return std::move(Rendered.Result);
 }
 

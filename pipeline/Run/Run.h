@@ -39,6 +39,8 @@ public:
 	FRunResult Run(std::optional<int> Frame, const std::vector<FViewHistory>& Last);
 
 private:
+	std::optional<std::chrono::steady_clock::time_point> Begin; // of the session, until its first frame counts it
+	double StartMilliseconds;                                   // likewise
 	const FRunOptions Options;
 	const std::unique_ptr<FRunSetup> Setup;
 	std::vector<std::shared_ptr<FSceneViewState>> Caches; // by view

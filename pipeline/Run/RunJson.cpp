@@ -137,23 +137,33 @@ void WritePasses(FJsonWriter& Writer, const FRunResult& Result)
 void WriteOutputs(FJsonWriter& Writer, const FRunResult& Result)
 {
 	Writer.Key("outputs").BeginObject();
-	Writer.Member("final", "final.png");
-	Writer.Member("finalExr", "final.exr");
-	Writer.Member("sceneLinear", "scene_linear.exr");
-	Writer.Member("timing", "timing.json");
-	Writer.Member("graph", "graph.dot");
-	Writer.Member("trace", "trace.json");
+	const auto MemberIf = [&](EOutputKind Kind, const char* Name, const char* File)
+	{
+		if (Result.Write.count(Kind) > 0)
+		{
+			Writer.Member(Name, File);
+		}
+	};
+	MemberIf(EOutputKind::Png, "final", "final.png");
+	MemberIf(EOutputKind::Exr, "finalExr", "final.exr");
+	MemberIf(EOutputKind::Exr, "sceneLinear", "scene_linear.exr");
+	MemberIf(EOutputKind::Json, "timing", "timing.json");
+	MemberIf(EOutputKind::Dot, "graph", "graph.dot");
+	MemberIf(EOutputKind::Json, "trace", "trace.json");
 	for (const auto& [Id, Figures] : Result.Figures)
 	{
 		for (const FEffectPicture& Picture : Figures.Pictures)
 		{
-			Writer.Member(Picture.Name.c_str(), Picture.File + ".png");
+			MemberIf(EOutputKind::Png, Picture.Name.c_str(), (Picture.File + ".png").c_str());
 		}
 	}
+	const char* const Extension = Result.Write.count(EOutputKind::Exr) > 0   ? ".exr"
+								  : Result.Write.count(EOutputKind::Png) > 0 ? ".png"
+																			 : nullptr;
 	Writer.Key("passes").BeginArray();
-	for (const FRunDump& Dump : Result.Dumps)
+	for (size_t Index = 0; Extension != nullptr && Index < Result.Dumps.size(); ++Index)
 	{
-		Writer.Value("passes/" + GetDumpFileName(Dump) + ".exr");
+		Writer.Value("passes/" + GetDumpFileName(Result.Dumps[Index]) + Extension);
 	}
 	Writer.EndArray();
 	Writer.EndObject();
@@ -338,10 +348,15 @@ std::string MakeTimingJson(const FRunResult& Result, double SaveMs)
 		Writer.EndObject();
 	}
 	Writer.EndArray();
+	Writer.Member("startMs", Result.Times.Start);
+	Writer.Member("setupMs", Result.Times.Setup);
 	Writer.Member("loadMs", Result.Times.Load);
 	Writer.Member("compileMs", Result.Times.Compile);
 	Writer.Member("executeMs", Result.Times.Execute);
+	Writer.Member("reportMs", Result.Times.Report);
 	Writer.Member("saveMs", SaveMs);
+	const std::chrono::duration<double, std::milli> Wall = std::chrono::steady_clock::now() - Result.Times.Begin;
+	Writer.Member("wallMs", Result.Times.Start + Wall.count());
 	Writer.EndObject();
 	return Writer.GetText();
 }

@@ -9,7 +9,8 @@ namespace Drydock
 
 std::string MakeRunJson(const FRunResult& Result);
 
-/** SaveMs: how long writing the pictures took. */
+/** SaveMs: how long writing the pictures took. The parts add up to wallMs, which is taken for itself, but for what lies
+ * between them. */
 std::string MakeTimingJson(const FRunResult& Result, double SaveMs);
 
 /** Opens in chrome://tracing and ui.perfetto.dev. */

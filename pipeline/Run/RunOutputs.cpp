@@ -38,46 +38,84 @@ void MakeFolder(const Files::path& Folder)
 	}
 }
 
-/** All but timing.json. */
-void WriteFiles(const FRunResult& Result, const Files::path& Folder)
+using FJobs = std::vector<std::function<void()>>;
+
+void AddPictures(const FRunResult& Result, const Files::path& Folder, EOutputKind Kind, FJobs& Jobs)
 {
-	const std::map<std::string, std::string> Display = {{"drydock:encoding", GetEncodingName(Result.OutputDevice)}};
-	const std::map<std::string, std::string> Linear = {{"drydock:encoding", "linear Rec.709, scene-referred"}};
-	std::vector<std::function<void()>> Jobs;
-	Jobs.push_back(
-		[&] { WriteExr((Folder / "scene_linear.exr").string(), Result.SceneLinear, GetChannelNames(4), Linear); });
-	Jobs.push_back(
-		[&] { WriteExr((Folder / "final.exr").string(), Result.Final.Take(3), GetChannelNames(3), Display); });
-	Jobs.push_back([&] { WriteDisplayPng((Folder / "final.png").string(), Result.Final, Result.OutputDevice); });
-	for (const auto& [Id, Figures] : Result.Figures)
+	if (Kind == EOutputKind::Png)
 	{
-		for (const FEffectPicture& Picture : Figures.Pictures)
+		Jobs.push_back([&Result, File = (Folder / "final.png").string()]
+			{ WriteDisplayPng(File, Result.Final, Result.OutputDevice); });
+		for (const auto& [Id, Figures] : Result.Figures)
 		{
-			Jobs.push_back([&Picture, File = (Folder / (Picture.File + ".png")).string()]
-				{ Picture.bLinear ? WritePreviewPng(File, Picture.Image) : WritePng(File, Picture.Image); });
+			for (const FEffectPicture& Picture : Figures.Pictures)
+			{
+				Jobs.push_back([&Picture, File = (Folder / (Picture.File + ".png")).string()]
+					{ Picture.bLinear ? WritePreviewPng(File, Picture.Image) : WritePng(File, Picture.Image); });
+			}
 		}
+		return;
 	}
-	if (!Result.Dumps.empty())
-	{
-		MakeFolder(Folder / "passes");
-	}
+	Jobs.push_back(
+		[&Result, File = (Folder / "scene_linear.exr").string()] {
+			WriteExr(
+				File, Result.SceneLinear, GetChannelNames(4), {{"drydock:encoding", "linear Rec.709, scene-referred"}});
+		});
+	Jobs.push_back(
+		[&Result, File = (Folder / "final.exr").string()]
+		{
+			WriteExr(File, Result.Final.Take(3), GetChannelNames(3),
+				{{"drydock:encoding", GetEncodingName(Result.OutputDevice)}});
+		});
+}
+
+void AddDumps(const FRunResult& Result, const Files::path& Folder, EOutputKind Kind, FJobs& Jobs)
+{
 	for (const FRunDump& Dump : Result.Dumps)
 	{
-		const std::string Name = (Folder / "passes" / GetDumpFileName(Dump)).string();
 		Jobs.push_back(
-			[&Dump, Name]
+			[&Dump, Kind, Name = (Folder / GetDumpFileName(Dump)).string()]
 			{
 				const FPicture Part = Dump.Image.Crop(Dump.Window);
-				const FImageWindow Window = {Dump.Window.Min.X, Dump.Window.Min.Y, Dump.Image.Width, Dump.Image.Height};
-				WriteExr(Name + ".exr", Part, Dump.Channels, {}, Window);
-				WritePreviewPng(Name + ".png", Part);
+				if (Kind == EOutputKind::Png)
+				{
+					WritePreviewPng(Name + ".png", Part);
+					return;
+				}
+				WriteExr(Name + ".exr", Part, Dump.Channels, {},
+					{Dump.Window.Min.X, Dump.Window.Min.Y, Dump.Image.Width, Dump.Image.Height});
 			});
+	}
+}
+
+/** All but timing.json. What takes longest goes first, side by side with the rest. */
+void WriteFiles(const FRunResult& Result, const Files::path& Folder)
+{
+	FJobs Jobs;
+	for (const EOutputKind Kind : {EOutputKind::Exr, EOutputKind::Png})
+	{
+		if (Result.Write.count(Kind) == 0)
+		{
+			continue;
+		}
+		AddPictures(Result, Folder, Kind, Jobs);
+		if (!Result.Dumps.empty())
+		{
+			MakeFolder(Folder / "passes");
+		}
+		AddDumps(Result, Folder / "passes", Kind, Jobs);
+	}
+	if (Result.Write.count(EOutputKind::Dot) > 0)
+	{
+		Jobs.push_back([&] { WriteWholeFile(Folder / "graph.dot", DumpDot(Result.Graph)); });
+	}
+	if (Result.Write.count(EOutputKind::Json) > 0)
+	{
+		Jobs.push_back([&] { WriteWholeFile(Folder / "trace.json", MakeTraceJson(Result)); });
 	}
 	ForEachTile(FKernelTile{0, 0, 0, static_cast<int32>(Jobs.size()), 1, 1}, FIntPoint(1, 1),
 		[&](const FKernelTile& Tile) { Jobs[static_cast<size_t>(Tile.MinX)](); });
 	WriteWholeFile(Folder / "run.json", Result.RunJson);
-	WriteWholeFile(Folder / "graph.dot", DumpDot(Result.Graph));
-	WriteWholeFile(Folder / "trace.json", MakeTraceJson(Result));
 }
 
 /** Fills the folder; further files are by name. Returns the milliseconds it took. */
@@ -91,7 +129,10 @@ double FillFolder(
 		WriteWholeFile((Folder / Name).string(), Contents);
 	}
 	const double SaveMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Begin).count();
-	WriteWholeFile((Folder / "timing.json").string(), MakeTimingJson(Result, SaveMs));
+	if (Result.Write.count(EOutputKind::Json) > 0)
+	{
+		WriteWholeFile((Folder / "timing.json").string(), MakeTimingJson(Result, SaveMs));
+	}
 	return SaveMs;
 }
 

@@ -13,6 +13,7 @@
 #include "SceneViewState.h"
 #include "Tonemap/TonemapOutputDevice.h"
 
+#include <chrono>
 #include <optional>
 #include <string>
 #include <vector>
@@ -58,12 +59,19 @@ struct FRunView
 	std::optional<FExposureReport> Exposure;
 };
 
-/** Milliseconds of the run's parts. */
+/** Milliseconds of the run's parts, which add up. */
 struct FRunTimes
 {
+	double Start = 0.0;   // of the process, before the run (FRunOptions::StartMilliseconds)
+	double Setup = 0.0;   // reading the config, blending settings, loading plugins, the scene's header
 	double Load = 0.0;    // reading and converting scene channels
-	double Compile = 0.0; // building and compiling the graph
+	double Compile = 0.0; // building and compiling the graph, and its shaders
 	double Execute = 0.0; // the passes
+	double Report = 0.0;  // looking for what is not finite, measuring effects, run.json
+
+	std::chrono::steady_clock::time_point Begin = std::chrono::steady_clock::now(); // of Setup
+
+	double GetSum() const { return Start + Setup + Load + Compile + Execute + Report; }
 };
 
 struct FRunResult
@@ -80,6 +88,7 @@ struct FRunResult
 	std::string Storage;                     // "native", "float32", "float64"
 	std::string BudgetReason;                // what a study chose for this run, and why; empty: nothing was asked
 	int Threads = 0;
+	FOutputKinds Write; // which of the outputs WriteRunOutputs writes
 	FIntPoint SceneExtent = FIntPoint(0, 0);
 	FIntRect ViewRect; // of all views
 	std::vector<FRunView> Views;

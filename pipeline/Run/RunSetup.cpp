@@ -406,6 +406,7 @@ FRunSetup::FRunSetup(const FRunOptions& Options, ESceneNeed InNeed)
 	TextureLoader.emplace(MakeTextureLoader(Config));
 	BlendSettings();
 	Dump = ListDumpPatterns(Config, Options);
+	Write = Options.Write.value_or(Config.Write.value_or(Options.WriteByDefault));
 }
 
 void FRunSetup::PlaceFrame(std::optional<int> Frame)

@@ -64,6 +64,7 @@ struct DRYDOCK_API FRunSetup
 	FConfig Config;
 	FViewSettings Settings;                      // at the view's location
 	std::vector<TConfigValue<std::string>> Dump; // of config and command line
+	FOutputKinds Write;                          // likewise
 	std::string BudgetReason;                    // see FConfigOfRun
 
 private:

@@ -286,7 +286,8 @@ private:
 		{
 			Folder.WriteSequenceJson(MakeSequenceHead(Session.GetConfig(), Inputs));
 		}
-		const FRunResult Result = Session.Run(Frame.Number, History);
+		FRunResult Result = Session.Run(Frame.Number, History);
+		Result.Write.insert(EOutputKind::Png); // the sheet and the video are made of them
 		const FFrameRecord Record = MakeRecord(Result, FingerprintFile(Frame.Path));
 		Folder.WriteFrame(Frame.Number, Result, MakeFrameJson(Result, Record),
 			IsHistoryKnown() ? PackViewStates(Result.ViewStates) : "");

@@ -90,6 +90,14 @@ std::string DescribeOptions(const FRunOptions& Options)
 	{
 		Add("--fingerprints");
 	}
+	if (Options.Write)
+	{
+		Add("--outputs");
+		for (const EOutputKind Kind : *Options.Write)
+		{
+			Add(GetOutputKindNames()[static_cast<size_t>(Kind)]);
+		}
+	}
 	for (const std::string& Pattern : Options.Dump)
 	{
 		Add("--dump " + Pattern);

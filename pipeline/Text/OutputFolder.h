@@ -19,7 +19,7 @@ namespace Drydock
 struct FOutputNames
 {
 	std::string Name;                 // of the verb: its list is .drydock.NAME.files
-	std::vector<std::string> Files;   // that it always writes; it may write others, too
+	std::vector<std::string> Files;   // that it writes unless it is asked for less; it may write others, too
 	std::string Last;                 // of these: it goes first and comes last, so that where it is, all is there
 	std::vector<std::string> Folders; // that hold its outputs and nothing else
 	std::set<std::string> Unsteady;   // files whose bytes differ from run to run (FFileList::Make)
