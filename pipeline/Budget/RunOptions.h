@@ -6,6 +6,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,8 @@ enum class ERunStorage
 	Float32,
 	Float64,
 };
+
+class FSceneCache;
 
 struct FRunOptions
 {
@@ -51,10 +54,11 @@ struct FRunOptions
 	/** Nothing is left out because no output needs it: culled passes run, all channels are decoded, effects whose
 	 * values are neutral or whose input is empty run. What is switched off stays off. The outputs are the same bits. */
 	bool bNoSkip = false;
-	bool bMeasureEffects = false;   // figures and pictures of effects (FEffect::Measure), after the frame
-	bool bFingerprints = false;     // of what each pass wrote, in run.json
-	bool bUseBudget = true;         // a config with a budget and a study runs what the study recommends
-	double StartMilliseconds = 0.0; // that the process took before the run, for the run's times
+	bool bMeasureEffects = false;            // figures and pictures of effects (FEffect::Measure), after the frame
+	bool bFingerprints = false;              // of what each pass wrote, in run.json
+	bool bUseBudget = true;                  // a config with a budget and a study runs what the study recommends
+	std::shared_ptr<FSceneCache> SceneCache; // of runs in a row: decoded channels; null: each run reads for itself
+	double StartMilliseconds = 0.0;          // that the process took before the run, for the run's times
 	/** Called before each pass that executes. */
 	std::function<void(int Done, int Total, const std::string& Pass)> Progress;
 };

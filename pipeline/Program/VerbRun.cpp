@@ -12,6 +12,7 @@
 #include "Run/CostModel.h"
 #include "Run/Run.h"
 #include "Run/RunOutputs.h"
+#include "SceneFile/SceneCache.h"
 #include "Text/ConfigErrors.h"
 #include "Text/WatchedFiles.h"
 
@@ -104,6 +105,7 @@ int Watch(const FRunVerbOptions& Options)
 	constexpr std::chrono::milliseconds Interval(200);
 	FRunVerbOptions Looked = Options;
 	Looked.Run.WriteByDefault = {EOutputKind::Png};
+	Looked.Run.SceneCache = std::make_shared<FSceneCache>();
 	RunWatchLoop({.Run =
 					  [&]
 				  {

@@ -333,7 +333,7 @@ FRendered Render(const FRunOptions& Options, const FRunSetup& Setup, const FBefo
 {
 	try
 	{
-		FSceneFile Scene(Setup.Config);
+		FSceneFile Scene(Setup.Config, Options.SceneCache.get());
 		Scene.SetResolution(GetScreenPercentage(Setup.Settings), MakeRegions(Setup, Scene));
 		FRendered Rendered{MakeResult(Setup, Scene), {}};
 		FRunResult& Result = Rendered.Result;

@@ -10,6 +10,7 @@
 #include "SceneFile/SceneLight.h"
 
 #include <algorithm>
+#include <set>
 
 namespace Drydock
 {
@@ -28,9 +29,10 @@ std::string ResolveSceneFile(const FConfig& Config)
 
 } // namespace
 
-FSceneFile::FSceneFile(const FConfig& InConfig)
+FSceneFile::FSceneFile(const FConfig& InConfig, FSceneCache* InCache)
 	: Config(InConfig.Scene)
 	, File(ResolveSceneFile(InConfig))
+	, Cache(InCache)
 	, Camera(ReadSceneCamera(File.GetAttribute("drydock:camera_json")))
 	, DeltaTime(ReadSceneDeltaTime(File.GetAttribute("drydock:camera_json")))
 	, LightColor(
@@ -172,18 +174,39 @@ std::optional<FSceneFile::FFill> FSceneFile::PlanFill(const FNeededSceneTexture&
 	return Fill;
 }
 
-/** Those that are not read yet, in one read of the file. */
+/** Those that are not here yet, in one read of the file. */
 void FSceneFile::ReadPlanes(const std::vector<int>& FileChannels)
 {
-	std::vector<int> Indices;
-	std::copy_if(FileChannels.begin(), FileChannels.end(), std::back_inserter(Indices),
-		[this](int Index) { return Index >= 0 && Planes.count(Index) == 0; });
-	std::sort(Indices.begin(), Indices.end());
-	Indices.erase(std::unique(Indices.begin(), Indices.end()), Indices.end());
+	if (Cache != nullptr)
+	{
+		Cache->Begin(File.GetPath());
+	}
+	std::set<int> Missing;
+	for (const int Index : FileChannels)
+	{
+		if (Index < 0 || Planes.count(Index) > 0)
+		{
+			continue;
+		}
+		if (const FSceneCache::FPlane Kept = Cache != nullptr ? Cache->Find(Index) : nullptr)
+		{
+			Planes[Index] = Kept;
+		}
+		else
+		{
+			Missing.insert(Index);
+		}
+	}
+	const std::vector<int> Indices(Missing.begin(), Missing.end());
 	std::vector<FImagePlane> Values = File.ReadPlanes(Indices);
 	for (size_t Index = 0; Index < Indices.size(); ++Index)
 	{
-		Planes[Indices[Index]] = std::move(Values[Index]);
+		const auto Plane = std::make_shared<const FImagePlane>(std::move(Values[Index]));
+		Planes[Indices[Index]] = Plane;
+		if (Cache != nullptr)
+		{
+			Cache->Keep(Indices[Index], Plane);
+		}
 	}
 }
 
@@ -230,7 +253,7 @@ std::map<std::string, FChannelValues> FSceneFile::ReadChannels(const std::vector
 	std::map<std::string, FChannelValues> Values;
 	for (const auto& [Name, Source] : Sources)
 	{
-		const FImagePlane* const Plane = Source.FileChannel >= 0 ? &Planes.at(Source.FileChannel) : nullptr;
+		const FImagePlane* const Plane = Source.FileChannel >= 0 ? Planes.at(Source.FileChannel).get() : nullptr;
 		Values[Name] = {Plane, Source.Default, File.GetWidth(), bZero};
 	}
 	return Values;
@@ -302,7 +325,8 @@ void FSceneFile::Fill(const FFill& Fill, const FScenePackContext& Context)
 		*Fill.Packing, {}, File.GetWidth(), Context, GetRegions(), FIntPoint(Config.Padding.Left, Config.Padding.Top)};
 	for (const FSource& Source : Fill.Sources)
 	{
-		Inputs.Sources.push_back({Source.FileChannel >= 0 ? &Planes.at(Source.FileChannel) : nullptr, Source.Default});
+		Inputs.Sources.push_back(
+			{Source.FileChannel >= 0 ? Planes.at(Source.FileChannel).get() : nullptr, Source.Default});
 	}
 	const FNonFiniteCount Count = FillSceneTexture(*Fill.Texture, Inputs);
 	if (Fill.Packing->Texture == &FSceneTextures::Color)

@@ -8,6 +8,7 @@
 #include "RenderGraphFwd.h"
 #include "SceneFile/ChannelValues.h"
 #include "SceneFile/NonFinite.h"
+#include "SceneFile/SceneCache.h"
 #include "SceneFile/SceneCamera.h"
 #include "SceneFile/SceneResolution.h"
 #include "SceneFile/SceneTexturePacking.h"
@@ -39,8 +40,8 @@ class DRYDOCK_API FSceneFile
 {
 public:
 	/** Reads the header only. Throws FError: no scene in the config (exit code 2), a file that cannot be read (3),
-	 * channel names that do not exist (2). */
-	explicit FSceneFile(const FConfig& Config);
+	 * channel names that do not exist (2). Cache: where channels are looked for and kept; null: nowhere. */
+	explicit FSceneFile(const FConfig& Config, FSceneCache* InCache = nullptr);
 
 	/** Registers and loads at another resolution than the file's. Regions: of each view, in the picture; what lies
 	 * outside of them is padding. Before RegisterTextures; none, and 100: as the file is. */
@@ -108,7 +109,7 @@ private:
 		FRHITexture* Texture = nullptr;
 		std::vector<FSource> Sources; // one to a channel slot in use
 	};
-	using FPlanes = std::map<int, FImagePlane>; // by the file's channel index
+	using FPlanes = std::map<int, FSceneCache::FPlane>; // by the file's channel index
 
 	std::optional<FSource> FindSource(const FScenePackChannel& Channel) const;
 	bool HasAnyChannel(const FScenePacking& Packing) const;
@@ -122,6 +123,7 @@ private:
 
 	const FConfigScene& Config;
 	FImageFile File;
+	FSceneCache* const Cache;
 	double ScreenPercentage = 100.0;
 	std::vector<FSceneRegion> Regions;
 	std::optional<FSceneCamera> Camera;

@@ -6,6 +6,7 @@
 #include "Budget/StudyRequest.h"
 #include "Math/ToInteger.h"
 #include "Run/Run.h"
+#include "SceneFile/SceneCache.h"
 #include "Run/RunDump.h"
 #include "Study/BlurAlgorithms.h"
 #include "Study/BlurNative.h"
@@ -178,6 +179,7 @@ public:
 	{
 		Options.Progress = nullptr;
 		Options.bUseBudget = false;
+		Options.SceneCache = std::make_shared<FSceneCache>();
 		if (Study.Measure != "final" && Study.Measure != "sceneLinear")
 		{
 			Options.Dump.push_back(GetDumped());

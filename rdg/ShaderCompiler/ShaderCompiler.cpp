@@ -75,6 +75,13 @@ TMemory<FShaderReflection>& GetReflections()
 	return Memory;
 }
 
+/** SPIR-V by the source it was made of: reflection and kernel, in every arithmetic, come from one front-end run. */
+TMemory<std::vector<uint32_t>>& GetWords()
+{
+	static TMemory<std::vector<uint32_t>> Memory;
+	return Memory;
+}
+
 /** Hash of what was asked, not of the files behind it. */
 std::string HashRequest(const FShaderCompileRequest& Request)
 {
@@ -115,6 +122,12 @@ std::string HashSource(const FShaderSource& Source, const FShaderCompileRequest&
 	Hash.Add(std::to_string(int(Request.Stage)));
 	Hash.Add(Build);
 	return Hash.Finish();
+}
+
+std::vector<uint32_t> CompileOnce(const FShaderSource& Source, const FShaderCompileRequest& Request)
+{
+	return *GetWords().Find(HashSource(Source, Request, {}),
+		[&] { return std::make_shared<std::vector<uint32_t>>(CompileToSpirv(Source, Request)); });
 }
 
 struct FAnalysedShader
@@ -164,7 +177,7 @@ FAnalysedShader Analyse(
 void Build(const FShaderSource& Source, const FShaderCompileRequest& Request, const FShaderCache& Cache,
 	const std::string& CompilerId, FCompiledShader& Result)
 {
-	const FAnalysedShader Shader = Analyse(CompileToSpirv(Source, Request), Source, Request);
+	const FAnalysedShader Shader = Analyse(CompileOnce(Source, Request), Source, Request);
 	const std::string Cpp = ExplainSpirvErrors(Request,
 		[&]
 		{
@@ -290,7 +303,7 @@ FShaderReflection ReflectShader(const FShaderCompileRequest& Request)
 				return std::make_shared<FShaderReflection>(*Found);
 			}
 			const auto Result = std::make_shared<FShaderReflection>(
-				Analyse(CompileToSpirv(Source, Request), Source, Request).Reflection.Reflection);
+				Analyse(CompileOnce(Source, Request), Source, Request).Reflection.Reflection);
 			Cache.StoreReflection(Key, *Result);
 			return Result;
 		});
@@ -300,6 +313,7 @@ void ForgetCompiledShaders()
 {
 	GetKernels().Clear();
 	GetReflections().Clear();
+	GetWords().Clear();
 }
 
 } // namespace Drydock
