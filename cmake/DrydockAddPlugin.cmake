@@ -12,8 +12,8 @@
 #          here, and its UCLASSes are registered, so that subsystems start by themselves; it is made again whenever the
 #          header changes.
 # SHADERS  .usf and .ush files; without SOURCES and SHADERS those below folders named Shaders. The virtual path
-#          "/Plugin/<NAME>" means the plugin's folder Shaders where they lie in it, else their common folder; the files are
-#          read in place, so that an edit is seen by the next run.
+#          "/Plugin/<NAME>" means the plugin's folder Shaders where they lie in it, else their common folder, and so does
+#          that of the .uplugin's name; the files are read in place, so that an edit is seen by the next run.
 # EXCLUDE  What does not belong to it: paths from the plugin's folder on (a folder means all below it), names of files or of
 #          modules, with * and ?. Headers too: their classes are not registered then.
 # UNITY    The sources as one file, in the order of their names. The engine's build does so, and some published files lack
@@ -373,7 +373,6 @@ function(drydock_add_plugin Name)
 	endforeach()
 
 	set(ShaderFolder "")
-	set(Mapping "")
 	if(Arg_SHADERS)
 		foreach(Shader IN LISTS Arg_SHADERS)
 			cmake_path(ABSOLUTE_PATH Shader BASE_DIRECTORY "${Root}" NORMALIZE)
@@ -399,8 +398,6 @@ function(drydock_add_plugin Name)
 		if(bInside)
 			set(ShaderFolder "${EngineShaderFolder}")
 		endif()
-		set(Mapping
-			"const bool bMapped = (AddShaderSourceDirectoryMapping(TEXT(\"/Plugin/${Name}\"), TEXT(\"${ShaderFolder}\")), true);\n")
 	endif()
 	get_property(UsedExcludes GLOBAL PROPERTY DRYDOCK_USED_EXCLUDES)
 	foreach(Pattern IN LISTS Arg_EXCLUDE)
@@ -418,10 +415,15 @@ function(drydock_add_plugin Name)
 	endforeach()
 	list(REMOVE_DUPLICATES PluginNames)
 	set(Registrations "")
+	set(Mapping "")
 	foreach(PluginName IN LISTS PluginNames)
 		string(MAKE_C_IDENTIFIER "${PluginName}" Identifier)
 		string(APPEND Registrations
 			"const bool bRegistered_${Identifier} = (IPluginManager::Get().RegisterPlugin(TEXT(\"${PluginName}\"), TEXT(\"${PluginFolder}\")), true);\n")
+		if(ShaderFolder)
+			string(APPEND Mapping
+				"const bool bMapped_${Identifier} = (AddShaderSourceDirectoryMapping(TEXT(\"/Plugin/${PluginName}\"), TEXT(\"${ShaderFolder}\")), true);\n")
+		endif()
 	endforeach()
 	set(MappingFile "${GeneratedFolder}/${Name}ShaderDirectory.cpp")
 	file(CONFIGURE OUTPUT "${MappingFile}" @ONLY CONTENT

@@ -1,6 +1,8 @@
 # What belongs to a plugin, found as the engine's build tool finds it: modules by NAME.uplugin and MODULE.Build.cs, the
 # sources below a module's folder, shaders below Shaders. What only the editor can compile is left out, with a line.
 
+include("${CMAKE_CURRENT_LIST_DIR}/DrydockMadeFiles.cmake")
+
 # Modules of these types are no part of a game.
 set(_DrydockToolModuleTypes Editor EditorNoCommandlet EditorAndProgram UncookedOnly Developer DeveloperTool Program)
 
@@ -327,9 +329,5 @@ function(_drydock_make_absent_headers Name Folder OwnFolders)
 			endif()
 		endforeach()
 	endforeach()
-	file(GLOB_RECURSE Present "${Folder}/*")
-	list(REMOVE_ITEM Present ${Made})
-	if(Present)
-		file(REMOVE ${Present})
-	endif()
+	_drydock_remove_files_no_longer_made("${Folder}" ${Made})
 endfunction()

@@ -1,6 +1,8 @@
 # drydock_make_engine_headers(LIST FOLDER REAL_FOLDERS...): writes to FOLDER the headers that LIST (EngineHeaders.txt)
 # maps to others, each of which must lie in one of REAL_FOLDERS; nothing else stays in FOLDER.
 
+include("${CMAKE_CURRENT_LIST_DIR}/DrydockMadeFiles.cmake")
+
 # Splits LIST: names of all headers, and beside each what it includes, as a list with "," between; "": itself.
 function(drydock_read_engine_headers List OutNames OutTargets)
 	file(STRINGS "${List}" Lines REGEX "^[^#]")
@@ -65,9 +67,5 @@ function(drydock_make_engine_headers List Folder)
 @Includes@")
 		list(APPEND Made "${Folder}/${Name}")
 	endforeach()
-	file(GLOB_RECURSE Present "${Folder}/*")
-	list(REMOVE_ITEM Present ${Made})
-	if(Present)
-		file(REMOVE ${Present})
-	endif()
+	_drydock_remove_files_no_longer_made("${Folder}" ${Made})
 endfunction()

@@ -160,6 +160,12 @@ FLoadedPlugins LoadPlugins(const FConfig& Config, std::vector<FDiagnostic>& Diag
 	return Loaded;
 }
 
+std::vector<std::string> FindPluginIniFiles(const std::string& Plugin)
+{
+	std::error_code Missing;
+	return FindIniFiles(GetFileName(Files::canonical(Plugin, Missing).string()));
+}
+
 void RefusePlugins(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics)
 {
 	FConfigMessages Messages(Config.File, Diagnostics);

@@ -23,6 +23,9 @@ struct FLoadedPlugins
  * out; what is doubtful is a warning there. */
 DRYDOCK_API FLoadedPlugins LoadPlugins(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics);
 
+/** What a loaded plugin was given values from: its ini files. Plugin: the path of its library. */
+DRYDOCK_API std::vector<std::string> FindPluginIniFiles(const std::string& Plugin);
+
 /** In place of that, for a config that is not trusted with code: each plugin that it names is an error. */
 void RefusePlugins(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics);
 

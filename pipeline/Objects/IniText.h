@@ -1,5 +1,9 @@
 // The text of an ini file (Config/DefaultGame.ini) as data: sections with their keys and values, after what +, -, . and
-// ! do. Source: Epic's page "Configuration Files" (dev.epicgames.com), of its forms those that docs/plugins.md names.
+// ! do. Source: Epic's page "Configuration Files" (dev.epicgames.com/documentation, "configuration-files-in-unreal-
+// engine"), of its forms those that docs/plugins.md names: + adds a value that the array does not have yet, ! empties
+// it whatever stands behind the =. The page's older form, "Special Characters", as quoted in
+// answers.unrealengine.com/questions/471435: - removes a value that matches exactly, . adds one all the same, ! needs
+// the name alone.
 #pragma once
 
 #include "Diagnostics.h"

@@ -120,23 +120,6 @@ FPluginFolders FindPluginFolders(const std::string& Library)
 	return Found;
 }
 
-/** Default*.ini of a folder, in the order of their names. */
-std::vector<std::string> ListIniFiles(const Files::path& Folder)
-{
-	std::vector<std::string> Paths;
-	std::error_code None; // no folder: no files
-	for (const Files::directory_entry& Entry : Files::directory_iterator(Folder, None))
-	{
-		const std::string Name = Entry.path().filename().string();
-		if (Name.starts_with("Default") && Name.ends_with(".ini"))
-		{
-			Paths.push_back(Entry.path().string());
-		}
-	}
-	std::sort(Paths.begin(), Paths.end());
-	return Paths;
-}
-
 /** Of UCLASS(config=Game): "Game". It goes down to derived classes, which may name another. */
 std::string FindConfigName(const FReflectedStruct& Class)
 {
@@ -289,6 +272,26 @@ private:
 
 } // namespace
 
+std::vector<std::string> FindIniFiles(const std::string& Library)
+{
+	std::vector<std::string> Paths;
+	for (const std::string& Folder : FindPluginFolders(Library).Folders)
+	{
+		std::error_code None; // no folder: no files
+		const size_t NumBefore = Paths.size();
+		for (const Files::directory_entry& Entry : Files::directory_iterator(Files::path(Folder) / "Config", None))
+		{
+			const std::string Name = Entry.path().filename().string();
+			if (Name.starts_with("Default") && Name.ends_with(".ini"))
+			{
+				Paths.push_back(Entry.path().string());
+			}
+		}
+		std::sort(Paths.begin() + std::ptrdiff_t(NumBefore), Paths.end());
+	}
+	return Paths;
+}
+
 FObjectValues::FObjectValues(const FConfig& InConfig, std::vector<FDiagnostic>& InDiagnostics)
 	: Config(InConfig)
 	, Diagnostics(InDiagnostics)
@@ -302,12 +305,9 @@ void FObjectValues::GiveTo(const std::string& Library)
 	{
 		ClassNames.emplace_back(Class->Name);
 	}
-	for (const std::string& Folder : FindPluginFolders(Library).Folders)
+	for (const std::string& Path : FindIniFiles(Library))
 	{
-		for (const std::string& Path : ListIniFiles(Files::path(Folder) / "Config"))
-		{
-			GiveIniFile(Library, Path);
-		}
+		GiveIniFile(Library, Path);
 	}
 	GiveObjects(Library);
 	FReflection::Get().FinishDefaults(Library);

@@ -25,6 +25,9 @@ struct FIniVariable
 	int Line = 0;
 };
 
+/** Config/Default*.ini of a plugin that is loaded, by folder and name; of another none. Library: its file name. */
+std::vector<std::string> FindIniFiles(const std::string& Library);
+
 /** The values of one run. */
 class DRYDOCK_API FObjectValues
 {

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 
 #include "Config/ReadConfig.h"
+#include "Extensions/Plugins.h"
 #include "Program/ProgramOutput.h"
 #include "Program/ProgressBar.h"
 #include "Program/RunFrames.h"
@@ -69,6 +70,16 @@ int RunOnce(const FRunVerbOptions& Options)
 	return ExitDone;
 }
 
+/** A library, and the ini files of the plugin, which are known once it is loaded. */
+void AddPlugin(const std::string& Path, FWatchedFiles& Files)
+{
+	Files.AddFile(Path);
+	for (const std::string& IniFile : FindPluginIniFiles(Path))
+	{
+		Files.AddFile(IniFile);
+	}
+}
+
 /** What a run of the config reads: itself, its scene, its plugins, and every shader file there is. */
 FWatchedFiles GetWatchedFiles(const FRunVerbOptions& Options)
 {
@@ -85,11 +96,11 @@ FWatchedFiles GetWatchedFiles(const FRunVerbOptions& Options)
 		}
 		for (const TConfigValue<std::string>& Plugin : Config.Plugins)
 		{
-			Files.AddFile(Config.Resolve(Plugin.Value));
+			AddPlugin(Config.Resolve(Plugin.Value), Files);
 		}
 		for (const std::string& Plugin : Options.Run.Plugins)
 		{
-			Files.AddFile(Plugin);
+			AddPlugin(Plugin, Files);
 		}
 	}
 	catch (const FError&)
@@ -198,7 +209,7 @@ FVerbCall AddOptions(CLI::App& Verb)
 	Verb.add_flag("--restart", Options->bRestart, "Render all frames again, whatever the folder holds");
 	Verb.add_option("--video", Options->Video, "Video of the frames, such as walk.mp4; needs ffmpeg")
 		->type_name("FILE");
-	Verb.add_flag("--watch", Options->bWatch, "Run again whenever the config, its scene or a shader changes")
+	Verb.add_flag("--watch", Options->bWatch, "Run again whenever the config, its scene, a plugin or a shader changes")
 		->excludes(Frames);
 	Verb.add_flag("--json", Options->bJson, "Print run.json instead of the summary");
 	return [Options]

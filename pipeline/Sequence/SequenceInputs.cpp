@@ -1,6 +1,7 @@
 // Collects fingerprints of what a sequence depends on.
 #include "Sequence/SequenceInputs.h"
 
+#include "Extensions/Plugins.h"
 #include "InstallPaths.h"
 #include "PostProcessSettingsReflection.h"
 #include "Text/Fingerprint.h"
@@ -118,13 +119,28 @@ std::string DescribeOptions(const FRunOptions& Options)
 	return Text;
 }
 
-void AddFiles(const FJsonValue& Value, const FConfig& Config, FSequenceInputs& Inputs)
+void AddFile(const std::string& Name, const std::string& Path, FSequenceInputs& Inputs)
 {
 	std::error_code Ignored;
-	if (Value.Type == EJsonType::String && !Value.String.empty() && Value.Pointer != "/$schema" &&
-		Files::is_regular_file(Config.Resolve(Value.String), Ignored))
+	if (Files::is_regular_file(Path, Ignored))
 	{
-		Inputs[FilePrefix + Value.String] = FingerprintFile(Config.Resolve(Value.String));
+		Inputs[FilePrefix + Name] = FingerprintFile(Path);
+	}
+}
+
+void AddIniFiles(const std::string& Plugin, FSequenceInputs& Inputs)
+{
+	for (const std::string& Path : FindPluginIniFiles(Plugin))
+	{
+		AddFile(Path, Path, Inputs);
+	}
+}
+
+void AddFiles(const FJsonValue& Value, const FConfig& Config, FSequenceInputs& Inputs)
+{
+	if (Value.Type == EJsonType::String && !Value.String.empty() && Value.Pointer != "/$schema")
+	{
+		AddFile(Value.String, Config.Resolve(Value.String), Inputs);
 	}
 	for (const FJsonValue& Element : Value.Elements)
 	{
@@ -150,11 +166,12 @@ FSequenceInputs FindSequenceInputs(const FRunOptions& Options, const FConfig& Co
 	AddFiles(ParseJson(Text, Options.ConfigFile, Ignored, bSyntaxError), Config, Inputs);
 	for (const std::string& Plugin : Options.Plugins)
 	{
-		std::error_code Missing;
-		if (Files::is_regular_file(Plugin, Missing))
-		{
-			Inputs[FilePrefix + Plugin] = FingerprintFile(Plugin);
-		}
+		AddFile(Plugin, Plugin, Inputs);
+		AddIniFiles(Plugin, Inputs);
+	}
+	for (const TConfigValue<std::string>& Plugin : Config.Plugins)
+	{
+		AddIniFiles(Config.Resolve(Plugin.Value), Inputs);
 	}
 	return Inputs;
 }

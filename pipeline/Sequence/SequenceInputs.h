@@ -16,8 +16,9 @@ namespace Drydock
  * are no part of it. */
 using FSequenceInputs = std::map<std::string, std::string>;
 
-/** Config: of those options. Files that the config names, plugins among them, count by their contents; frames do not
- * count. Throws FError (exit code 3) when a file cannot be read. */
+/** Config: of those options. Files that the config names, plugins among them, count by their contents, and so do the
+ * ini files of plugins, which are loaded; frames do not count. Throws FError (exit code 3) when a file cannot be read.
+ */
 DRYDOCK_API FSequenceInputs FindSequenceInputs(const FRunOptions& Options, const FConfig& Config);
 
 /** One part of a sentence for each difference: "the config has changed". */

@@ -246,7 +246,7 @@ void SetRectInterpolants(
 	RHICmdList.SetInterpolants(TConstArrayView<FKernelInterpolant>(&Interpolant, 1));
 }
 
-void DrawByVertexShader(FRHICommandList& RHICmdList, const FVector2f& Position, const FVector2f& Size,
+void DrawRectangleOfViewport(FRHICommandList& RHICmdList, const FVector2f& Position, const FVector2f& Size,
 	const FVector2f& UVMin, const FVector2f& UVSize, const FVector2f& TargetSize, const FVector2f& TextureSize)
 {
 	FDrawRectangleParameters Parameters;
@@ -270,7 +270,7 @@ void DrawScreenPassRectangle(FRHICommandList& RHICmdList, const FScreenPassTextu
 		const FIntRect& Rect = OutputViewport.Rect;
 		RHICmdList.SetViewport(static_cast<float>(Rect.Min.X), static_cast<float>(Rect.Min.Y), 0.0f,
 			static_cast<float>(Rect.Max.X), static_cast<float>(Rect.Max.Y), 1.0f);
-		DrawByVertexShader(
+		DrawRectangleOfViewport(
 			RHICmdList, FVector2f(0, 0), FVector2f(Rect.Size()), UVMin, UVSize, FVector2f(Rect.Size()), Extent);
 		return;
 	}
@@ -303,17 +303,8 @@ FRDGPassRef AddScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name,
 void DrawRectangle(FRHICommandList& RHICmdList, float X, float Y, float SizeX, float SizeY, float U, float V,
 	float SizeU, float SizeV, FIntPoint TargetSize, FIntPoint TextureSize, const TShaderRef<FShader>&)
 {
-	const FVector2f Texture(TextureSize);
-	if (RHICmdList.HasVertexShader())
-	{
-		Drydock::DrawByVertexShader(RHICmdList, FVector2f(X, Y), FVector2f(SizeX, SizeY), FVector2f(U, V),
-			FVector2f(SizeU, SizeV), FVector2f(TargetSize), Texture);
-		return;
-	}
-	const FIntRect Target(
-		FMath::RoundToInt(X), FMath::RoundToInt(Y), FMath::RoundToInt(X + SizeX), FMath::RoundToInt(Y + SizeY));
-	Drydock::SetRectInterpolants(RHICmdList, Target, FVector2f(U, V) / Texture, FVector2f(SizeU, SizeV) / Texture);
-	RHICmdList.DrawPrimitive(0, 1, 1);
+	Drydock::DrawRectangleOfViewport(RHICmdList, FVector2f(X, Y), FVector2f(SizeX, SizeY), FVector2f(U, V),
+		FVector2f(SizeU, SizeV), FVector2f(TargetSize), FVector2f(TextureSize));
 }
 
 void AddDrawTexturePass(FRDGBuilder& GraphBuilder, const FScreenPassViewInfo& ViewInfo, FScreenPassTexture Input,

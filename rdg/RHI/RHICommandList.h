@@ -153,7 +153,7 @@ public:
 	/** The pipeline state has a vertex shader that draws run: one other than the engine's of screen passes. */
 	bool HasVertexShader() const { return Vertices.Shader && Vertices.Shader->GetShaderToRun(); }
 
-	/** Draws two triangles of GScreenRectangleVertexBuffer by the vertex shader, which has to be one that draws run.
+	/** Draws two triangles of GScreenRectangleVertexBuffer by the vertex shader, the engine's where the state has none.
 	 * Parameters: contents of the uniform buffer DrawRectangleParameters, FDrawRectangleParameters. */
 	void DrawScreenRectangle(const void* Parameters, uint32 NumBytes);
 

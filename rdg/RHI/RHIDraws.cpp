@@ -13,6 +13,43 @@ namespace
 /** Each vertex is interpreted; what draws more is no post-processing. */
 constexpr uint64 GMaxTriangles = 8192;
 
+/** What the engine's vertex shader of screen passes makes of the unit square's corners, as ScreenPass.usf has it.
+ * Parameters: contents of the uniform buffer DrawRectangleParameters. */
+std::vector<Drydock::FVertexOutput> RunScreenPassVS(const void* Parameters, uint32 NumBytes)
+{
+	struct
+	{
+		float PosScaleBias[4];
+		float UVScaleBias[4];
+		float InvTargetSizeAndTextureSize[4];
+	} Given = {};
+	std::memcpy(&Given, Parameters, std::min<size_t>(sizeof(Given), NumBytes));
+	constexpr float Corners[6][2] = {{0, 0}, {1, 0}, {0, 1}, {0, 1}, {1, 0}, {1, 1}};
+	std::vector<Drydock::FVertexOutput> Vertices;
+	for (const float(&Corner)[2] : Corners)
+	{
+		Drydock::FVertexOutput& Vertex = Vertices.emplace_back();
+		for (int32 Axis = 0; Axis < 2; ++Axis)
+		{
+			const float Pixel = Corner[Axis] * Given.PosScaleBias[Axis] + Given.PosScaleBias[2 + Axis];
+			const float ViewportUV = Pixel * Given.InvTargetSizeAndTextureSize[Axis];
+			const float Texel = Corner[Axis] * Given.UVScaleBias[Axis] + Given.UVScaleBias[2 + Axis];
+			Vertex.Position[Axis] = Axis == 0 ? 2.0f * ViewportUV - 1.0f : 1.0f - 2.0f * ViewportUV;
+			Vertex.TexCoords[0][Axis] = Texel * Given.InvTargetSizeAndTextureSize[2 + Axis];
+			Vertex.TexCoords[0][2 + Axis] = Vertex.Position[Axis];
+		}
+		Vertex.Position[3] = 1.0f;
+	}
+	return Vertices;
+}
+
+Drydock::FDiagnostic MakeNoRectangle(const std::string& VertexShader, const std::string& Fault)
+{
+	return Drydock::MakeVertexDiagnostic(Drydock::ESeverity::Warning, Drydock::WarnNoRectangle,
+		"nothing is drawn with vertex shader " + VertexShader + ": " + Fault +
+			". What drydock draws are rectangles of the screen, and triangles that cover the viewport");
+}
+
 } // namespace
 
 FIntRect FRHICommandList::GetDrawRect() const
@@ -103,7 +140,23 @@ void FRHICommandList::DrawIndexedPrimitive(FRHIBuffer* IndexBuffer, int32 BaseVe
 
 void FRHICommandList::DrawScreenRectangle(const void* Parameters, uint32 NumBytes)
 {
-	checkf(HasVertexShader(), TEXT("DrawScreenRectangle without a vertex shader that draws run"));
+	if (!HasVertexShader())
+	{
+		CheckDraw();
+		Drydock::FDrawnRectangles Drawn =
+			Drydock::FindDrawnRectangles(RunScreenPassVS(Parameters, NumBytes), Viewport, GetDrawRect(), 1);
+		if (!Drawn.Fault.empty())
+		{
+			Counters.AddRemark(MakeNoRectangle("FScreenPassVS", Drawn.Fault));
+		}
+		for (Drydock::FDrawnRectangle& Rectangle : Drawn.Rectangles)
+		{
+			const int32 NumRead = BoundPixel.GetReflection().NumInterpolants;
+			Rectangle.Interpolants.resize(size_t(std::max(NumRead, 1)));
+			DrawRect(Rectangle.Rect, Rectangle.Interpolants, 1);
+		}
+		return;
+	}
 	if (!Vertices.Bound.IsValid())
 	{
 		Vertices.Bound = Drydock::BindVertexShader(*Vertices.Shader->GetShaderToRun());
@@ -160,9 +213,7 @@ void FRHICommandList::DrawVertices(const Drydock::FVertexDraw& Draw, uint32 NumI
 	}
 	if (!Drawn.Fault.empty())
 	{
-		Counters.AddRemark(Drydock::MakeVertexDiagnostic(Drydock::ESeverity::Warning, Drydock::WarnNoRectangle,
-			"nothing is drawn with vertex shader " + Vertices.Bound.Name + ": " + Drawn.Fault +
-				". What drydock draws are rectangles of the screen, and triangles that cover the viewport"));
+		Counters.AddRemark(MakeNoRectangle(Vertices.Bound.Name, Drawn.Fault));
 		return;
 	}
 	for (const Drydock::FDrawnRectangle& Rectangle : Drawn.Rectangles)

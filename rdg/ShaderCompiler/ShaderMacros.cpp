@@ -12,8 +12,23 @@ namespace Drydock
 namespace
 {
 
-constexpr size_t MaxTokens = 1u << 20; // of one line's expansion
 constexpr int MaxDepth = 200;
+
+/** A token's share of the bounds, so that they bound the text as well. */
+size_t GetCost(const FShaderToken& Token)
+{
+	return 1 + Token.Text.size() / 64;
+}
+
+size_t GetCost(const FShaderTokens& Tokens)
+{
+	size_t Cost = 0;
+	for (const FShaderToken& Token : Tokens)
+	{
+		Cost += GetCost(Token);
+	}
+	return Cost;
+}
 
 bool IsWordStart(char c)
 {
@@ -86,21 +101,26 @@ bool WouldMerge(const FShaderToken& A, const FShaderToken& B)
 class FExpansion
 {
 public:
-	FExpansion(const FShaderMacros& InMacros, bool bInComplete, std::string& InProblem, bool& bInNeedsMore)
+	FExpansion(const FShaderMacros& InMacros, bool bInComplete, std::string& InProblem, bool& bInNeedsMore,
+		size_t& InNumAllTokens)
 		: Macros(InMacros)
 		, Problem(InProblem)
 		, bNeedsMore(bInNeedsMore)
+		, NumAllTokens(InNumAllTokens)
 		, bComplete(bInComplete)
 	{
 	}
 
 	FShaderTokens Run(const FShaderTokens& Tokens)
 	{
+		Spend(GetCost(Tokens));
 		std::deque<FShaderToken> Input(Tokens.begin(), Tokens.end());
 		FShaderTokens Result;
 		while (!Input.empty() && Problem.empty() && !bNeedsMore)
 		{
 			FShaderToken Token = std::move(Input.front());
+			const size_t Cost = GetCost(Token);
+			Spend(Cost);
 			Input.pop_front();
 			if (Token.Kind == EShaderToken::Ended)
 			{
@@ -118,15 +138,32 @@ public:
 			{
 				Result.push_back(std::move(Token));
 			}
-			if (++NumTokens > MaxTokens || Input.size() > MaxTokens)
+			NumTokens += Cost;
+			if (NumTokens > FShaderMacros::MaxLineTokens || Input.size() > FShaderMacros::MaxLineTokens)
 			{
-				Problem = "the macros of this line expand to more than " + std::to_string(MaxTokens) + " tokens";
+				RefuseLine();
 			}
 		}
 		return Result;
 	}
 
 private:
+	void RefuseLine()
+	{
+		Problem =
+			"the macros of this line expand to more than " + std::to_string(FShaderMacros::MaxLineTokens) + " tokens";
+	}
+
+	void Spend(size_t Cost)
+	{
+		NumAllTokens += Cost;
+		if (NumAllTokens > FShaderMacros::MaxTokens && Problem.empty())
+		{
+			Problem = "the macros of this shader expand to more than " + std::to_string(FShaderMacros::MaxTokens) +
+					  " tokens, with calls over several lines once for each line";
+		}
+	}
+
 	/** Puts the expansion before the rest of Input; false when the name of a function-like macro is no call. */
 	bool Replace(const FShaderToken& Name, const FShaderMacro& Macro, std::deque<FShaderToken>& Input)
 	{
@@ -181,6 +218,7 @@ private:
 			{
 				break;
 			}
+			Spend(GetCost(Token));
 			const bool bSplits =
 				NumOpen == 1 && IsSign(Token, ",") && !(Macro.bVariadic && Arguments.size() == Macro.Parameters.size());
 			if (bSplits)
@@ -226,7 +264,8 @@ private:
 		FShaderTokens Result;
 		std::vector<FShaderTokens> Expanded(Arguments.size());
 		std::vector<bool> bExpanded(Arguments.size());
-		for (size_t i = 0; i < Macro.Body.size(); ++i)
+		size_t Cost = 0;
+		for (size_t i = 0; i < Macro.Body.size() && Problem.empty(); ++i)
 		{
 			const FShaderToken& Token = Macro.Body[i];
 			const bool bStringize = IsSign(Token, "#") && i + 1 < Macro.Body.size();
@@ -238,6 +277,7 @@ private:
 			}
 			if (bStringize)
 			{
+				AddCost(GetCost(Arguments[Parameter]), Cost);
 				Result.push_back(
 					{EShaderToken::Quoted, "\"" + JoinTokens(Arguments[Parameter]) + "\"", Token.bSpaceBefore, false});
 				++i;
@@ -251,6 +291,7 @@ private:
 				bExpanded[Parameter] = true;
 			}
 			const FShaderTokens& Value = bPasted ? Arguments[Parameter] : Expanded[Parameter];
+			AddCost(GetCost(Value), Cost);
 			const size_t First = Result.size();
 			Result.insert(Result.end(), Value.begin(), Value.end());
 			if (Value.empty())
@@ -260,6 +301,17 @@ private:
 			Result[First].bSpaceBefore = Token.bSpaceBefore;
 		}
 		return Result;
+	}
+
+	/** Of what is put in for one call: refused before it fills the memory. */
+	void AddCost(size_t More, size_t& Cost)
+	{
+		Spend(More);
+		Cost += More;
+		if (Cost > FShaderMacros::MaxLineTokens && Problem.empty())
+		{
+			RefuseLine();
+		}
 	}
 
 	FShaderTokens ExpandArgument(const FShaderTokens& Argument)
@@ -327,6 +379,7 @@ private:
 	const FShaderMacros& Macros;
 	std::string& Problem;
 	bool& bNeedsMore;
+	size_t& NumAllTokens;
 	std::multiset<std::string> Open; // macros whose expansion is being read
 	size_t NumTokens = 0;
 	bool bComplete; // nothing can be appended
@@ -439,7 +492,7 @@ FShaderTokens FShaderMacros::Expand(
 	const FShaderTokens& Tokens, bool bComplete, std::string& Problem, bool& bNeedsMore) const
 {
 	bNeedsMore = false;
-	return FExpansion(*this, bComplete, Problem, bNeedsMore).Run(Tokens);
+	return FExpansion(*this, bComplete, Problem, bNeedsMore, NumTokens).Run(Tokens);
 }
 
 } // namespace Drydock

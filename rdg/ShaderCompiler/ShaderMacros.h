@@ -63,8 +63,19 @@ public:
 	 * when a call may go on in that text: the result is then of no use. */
 	FShaderTokens Expand(const FShaderTokens& Tokens, bool bComplete, std::string& Problem, bool& bNeedsMore) const;
 
+	/** What one call of Expand, and what all calls together may work on: a line whose call goes on in the next is
+	 * expanded once more with each line, and a shader has many lines. */
+	static constexpr size_t MaxLineTokens = 1u << 20;
+	static constexpr size_t MaxTokens = 16u << 20;
+
+	/** What all calls have worked on: tokens that were read, put in for a macro or looked through for the end of a
+	 * call; a long one counts for several. */
+	size_t GetNumTokens() const { return NumTokens; }
+	bool IsSpent() const { return NumTokens > MaxTokens; }
+
 private:
 	std::map<std::string, FShaderMacro> Macros;
+	mutable size_t NumTokens = 0; // an expansion changes nothing else
 };
 
 } // namespace Drydock

@@ -366,7 +366,7 @@ void FShaderPreprocessor::Append(const std::string& FilePath, const std::string&
 	Path = FilePath;
 	FLines Lines(FileText);
 	std::string Line;
-	while (Lines.Read(Line))
+	while (!Macros.IsSpent() && Lines.Read(Line))
 	{
 		Number = Lines.First;
 		if (Text.size() > MaxText)
@@ -387,7 +387,10 @@ void FShaderPreprocessor::Append(const std::string& FilePath, const std::string&
 	if (Conditions.size() > NumConditions)
 	{
 		Number = Conditions.back().Line;
-		Error(6002, "this #if has no #endif");
+		if (!Macros.IsSpent()) // what follows has not been read
+		{
+			Error(6002, "this #if has no #endif");
+		}
 		Conditions.resize(NumConditions);
 	}
 	Open.pop_back();

@@ -40,6 +40,8 @@ public:
 	 * comments. A line is never moved. */
 	const std::string& GetText() const { return Text; }
 
+	const FShaderMacros& GetMacros() const { return Macros; }
+
 	/** DD6002 for directives and macros that are wrong, DD6003 for includes that cannot be followed. */
 	std::vector<FDiagnostic>& GetErrors() { return Errors; }
 

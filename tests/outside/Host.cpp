@@ -1,4 +1,4 @@
-// Runs the three plugins on a small picture and compares every pixel with what the formulas say.
+// Runs the four plugins on a small picture and compares every pixel with what the formulas say.
 #include "CoreMinimal.h"
 #include "RHICommandList.h"
 #include "RenderGraphBuilder.h"
@@ -6,6 +6,7 @@
 #include "RenderTargetPool.h"
 
 #include "InvertCompute.h"
+#include "LiftSetting.h"
 #include "StripesRaw.h"
 #include "TintPixel.h"
 
@@ -102,6 +103,17 @@ int main()
 		[&](FRDGBuilder& GraphBuilder, const FScreenPassTexture& Input)
 		{ return AddStripePass(GraphBuilder, Input, 5, Stripe); },
 		[&](int32 X, int32 Y) { return X < 5 ? Stripe : SourceColor(X, Y); });
-	std::printf("%d passed, %d failed\n", 3 - Failed, Failed);
+	FPostProcessSettings Settings;
+	SetOutsideLift(Settings, 0.375f);
+	Failed += !RunPass(
+		"Lift",
+		[&](FRDGBuilder& GraphBuilder, const FScreenPassTexture& Input)
+		{ return AddLiftPass(GraphBuilder, Input, Settings); },
+		[](int32 X, int32 Y)
+		{
+			const FLinearColor Color = SourceColor(X, Y);
+			return FLinearColor(Color.R + 0.375f, Color.G + 0.375f, Color.B + 0.375f, Color.A);
+		});
+	std::printf("%d passed, %d failed\n", 4 - Failed, Failed);
 	return Failed == 0 ? 0 : 1;
 }

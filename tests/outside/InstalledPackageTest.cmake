@@ -50,3 +50,36 @@ if(NOT Result EQUAL 0)
 	message(FATAL_ERROR "the installed program failed (${Result}): ${Output}${Errors}")
 endif()
 message(STATUS "installed program: ${Output}")
+
+# The plugin's own setting, blended by the installed program: 1, then a quarter of the way to 3.
+file(WRITE "${WORK}/elsewhere/lift.json" "{
+	\"scene\": {\"file\": \"${WORK}/prefix/share/drydock/configs/scenes/moving_camera.0001.exr\"},
+	\"plugins\": [\"${WORK}/build/libLiftSetting.so\"],
+	\"volumes\": [
+		{\"bUnbound\": true, \"Priority\": 1, \"Settings\": {\"OutsideLift\": 1}},
+		{\"bUnbound\": true, \"Priority\": 2, \"BlendWeight\": 0.25, \"Settings\": {\"OutsideLift\": 3}}]}\n")
+set(Drydock ${CMAKE_COMMAND} -E env "DRYDOCK_CACHE_DIR=${WORK}/cache"
+	${CMAKE_COMMAND} -E chdir "${WORK}/elsewhere" "${WORK}/prefix/bin/drydock")
+run_step("run of the blended setting" ${Drydock} run lift.json --out blended)
+run_step("run of the same value" ${Drydock} run lift.json --pp OutsideLift=1.5 --out given)
+run_step("run of the default" ${Drydock} run lift.json --pp OutsideLift=0 --out none)
+run_step("comparison of the first two" ${Drydock} diff blended given --max 0)
+execute_process(COMMAND ${Drydock} diff blended/scene_linear.exr none/scene_linear.exr --json
+	RESULT_VARIABLE Result OUTPUT_VARIABLE Output ERROR_VARIABLE Errors)
+message(STATUS "against the default: ${Output}")
+string(JSON Largest ERROR_VARIABLE NoNumber GET "${Output}" images 0 max)
+if(NOT Largest GREATER 1.49 OR NOT Largest LESS 1.51)
+	message(FATAL_ERROR "OutsideLift 1.5 adds ${Largest}, not 1.5: ${Output}")
+endif()
+
+# The article's plugin, as its folder is.
+run_step("build of a plugin's folder" ${Drydock} build "${SOURCE}/../plugins/ArticleBlur" --out article)
+file(WRITE "${WORK}/elsewhere/article.json" "{
+	\"scene\": {\"file\": \"${WORK}/prefix/share/drydock/configs/scenes/moving_camera.0001.exr\"},
+	\"plugins\": [\"article/cmake/libArticleBlur.so\"]}\n")
+execute_process(COMMAND ${Drydock} run article.json --out blurred
+	RESULT_VARIABLE Result OUTPUT_VARIABLE Output ERROR_VARIABLE Errors)
+if(NOT Result EQUAL 0 OR NOT Output MATCHES "ArticleUpPass")
+	message(FATAL_ERROR "the article's plugin does not run (${Result}): ${Output}${Errors}")
+endif()
+message(STATUS "the article's plugin: ${Output}")

@@ -6,6 +6,7 @@
 #include "Diagnostics.h"
 #include "Patch/PluginBuild.h"
 #include "Patch/PluginBuildErrors.h"
+#include "Text/OutputErrors.h"
 
 #include <dlfcn.h>
 #include <filesystem>
@@ -135,6 +136,20 @@ TEST_F(PluginBuild, MistakesAreNumbered)
 	const auto [Number, Message] = Refuse(Build);
 	EXPECT_EQ(ErrorNoPlugin, Number);
 	EXPECT_THAT(Message, testing::HasSubstr("no sources found"));
+}
+
+TEST_F(PluginBuild, AProjectOfSomebodyElsesIsNotReplaced)
+{
+	Write("Plugins/Tint/Source/Tint/Private/Tint.cpp", "\n");
+	Write("build/CMakeLists.txt", "project(Mine)\n");
+	const auto [Number, Message] = Refuse(Describe());
+	EXPECT_EQ(ErrorForeignContent, Number);
+	EXPECT_EQ("drydock did not write this, and outputs would take its place: move it away, or name another folder with "
+			  "--out",
+		Message);
+	std::ifstream Project(Root / "build/CMakeLists.txt");
+	EXPECT_EQ("project(Mine)\n", std::string(std::istreambuf_iterator<char>(Project), {}));
+	EXPECT_FALSE(Files::exists(Root / "build/cmake"));
 }
 
 TEST_F(PluginBuild, AnExcludeThatMatchesNothingIsAMistake)

@@ -268,6 +268,78 @@ TEST_F(OwnVertexShader, DrawRectangleLiesInTheViewport)
 	}
 }
 
+TEST_F(OwnVertexShader, DrawRectangleWithTheEnginesLiesWhereTheTargetSizePutsIt)
+{
+	std::mt19937 Random(303);
+	const auto Draw = [&Random](int32 Low, int32 High)
+	{
+		return std::uniform_int_distribution<int32>(Low, High)(Random);
+	};
+	int32 NumInside = 0;
+	for (int32 Round = 0; Round < 400; ++Round)
+	{
+		const FIntPoint Extent(Draw(1, 90), Draw(1, 70));
+		const FIntPoint Min(Draw(0, Extent.X - 1), Draw(0, Extent.Y - 1));
+		const FIntRect View(Min, Min + FIntPoint(Draw(1, Extent.X - Min.X), Draw(1, Extent.Y - Min.Y)));
+		// Pixels of the viewport one to one, or stretched over it.
+		const FIntPoint Target = Round % 2 ? View.Size() : FIntPoint(Draw(1, 200), Draw(1, 200));
+		const FIntPoint Texture(Draw(1, 300), Draw(1, 300));
+		const double Quarter = Round % 3 ? 4 : 1; // at whole pixels, or not
+		const double X = Draw(-20, 80) / Quarter, Y = Draw(-20, 80) / Quarter;
+		const double SizeX = Draw(1, 300) / Quarter, SizeY = Draw(1, 300) / Quarter;
+		const double U = Draw(0, 50), V = Draw(0, 50), SizeU = Draw(1, 100), SizeV = Draw(1, 100);
+		Run(Extent,
+			[&](FRDGBuilder& GraphBuilder, FRDGTextureRef TargetTexture)
+			{
+				AddRawShow<FScreenPassVS>(GraphBuilder, TargetTexture, GFilterVertexDeclaration.VertexDeclarationRHI,
+					[=](FRHICommandList& RHICmdList)
+					{
+						RHICmdList.SetViewport(
+							float(View.Min.X), float(View.Min.Y), 0, float(View.Max.X), float(View.Max.Y), 1);
+						DrawRectangle(RHICmdList, float(X), float(Y), float(SizeX), float(SizeY), float(U), float(V),
+							float(SizeU), float(SizeV), Target, Texture, Get<FScreenPassVS>());
+					});
+			});
+		EXPECT_TRUE(Notes.empty()) << Notes[0].ToString();
+		const double ScaleX = double(View.Width()) / Target.X, ScaleY = double(View.Height()) / Target.Y;
+		const double Left = View.Min.X + X * ScaleX, Right = View.Min.X + (X + SizeX) * ScaleX;
+		const double Top = View.Min.Y + Y * ScaleY, Bottom = View.Min.Y + (Y + SizeY) * ScaleY;
+		if (Right - Left < 0.5 || Bottom - Top < 0.5)
+		{
+			continue; // a step of 1/256 pixel would be no small part of it
+		}
+		const auto IsBeside = [](double Edge, double Centre)
+		{
+			return std::abs(Edge - Centre) < 1.0 / 200; // which an edge in steps of 1/256 may decide either way
+		};
+		for (int32 i = 0; i < Extent.X * Extent.Y; ++i)
+		{
+			const double AtX = i % Extent.X + 0.5, AtY = i / Extent.X + 0.5;
+			if (IsBeside(Left, AtX) || IsBeside(Right, AtX) || IsBeside(Top, AtY) || IsBeside(Bottom, AtY))
+			{
+				continue;
+			}
+			const bool bInView = AtX > View.Min.X && AtX < View.Max.X && AtY > View.Min.Y && AtY < View.Max.Y;
+			const bool bInside = bInView && AtX > Left && AtX < Right && AtY > Top && AtY < Bottom;
+			const FLinearColor Found = GetPixel(i % Extent.X, i / Extent.X);
+			ASSERT_EQ(bInside, Found != GUntouched) << AtX << ", " << AtY << ", round " << Round;
+			if (bInside)
+			{
+				// Edges in steps of 1/256 pixel move what runs over the rectangle by as much.
+				const double PartX = 1.0 / 256 / (Right - Left), PartY = 1.0 / 256 / (Bottom - Top);
+				ASSERT_NEAR(
+					(U + SizeU * (AtX - Left) / (Right - Left)) / Texture.X, Found.R, SizeU / Texture.X * PartX + 1e-5);
+				ASSERT_NEAR(
+					(V + SizeV * (AtY - Top) / (Bottom - Top)) / Texture.Y, Found.G, SizeV / Texture.Y * PartY + 1e-5);
+				ASSERT_NEAR(2 * (AtX - View.Min.X) / View.Width() - 1, Found.B, 2 * SizeX / Target.X * PartX + 1e-5);
+				ASSERT_NEAR(1 - 2 * (AtY - View.Min.Y) / View.Height(), Found.A, 2 * SizeY / Target.Y * PartY + 1e-5);
+				++NumInside;
+			}
+		}
+	}
+	EXPECT_GT(NumInside, 10000);
+}
+
 TEST_F(OwnVertexShader, TapsComputedPerVertexReachThePixels)
 {
 	const FIntPoint Size(23, 17);

@@ -201,6 +201,88 @@ TEST(ShaderPreprocessor, MacrosThatGrowWithoutEndAreStopped)
 	EXPECT_THAT(Preprocess("#define F(A) A\n" + Calls + std::string(5000, ')') + "\n").Errors, HasSubstr("deep"));
 }
 
+namespace
+{
+
+/** Preprocesses; how much of the bound of all macros that took, and the only error. */
+struct FSpending
+{
+	explicit FSpending(const std::string& Text)
+	{
+		FShaderPreprocessor Preprocessor(
+			[](const std::string& Target, const std::string&, int) {
+				return FShaderInclude{Target, nullptr};
+			});
+		Preprocessor.Append("/T/A.usf", Text);
+		NumTokens = Preprocessor.GetMacros().GetNumTokens();
+		EXPECT_EQ(1u, Preprocessor.GetErrors().size());
+		Error = Preprocessor.GetErrors().empty() ? "" : Preprocessor.GetErrors()[0].ToString();
+	}
+
+	size_t NumTokens = 0;
+	std::string Error;
+};
+
+/** Defines A8: 4 to the power of 9 times Leaf. */
+std::string DefineBomb(const std::string& Leaf)
+{
+	std::string Text = "#define A0 " + Leaf + " " + Leaf + " " + Leaf + " " + Leaf + "\n";
+	for (int i = 1; i <= 8; ++i)
+	{
+		const std::string Last = " A" + std::to_string(i - 1);
+		Text += "#define A" + std::to_string(i) + Last + Last + Last + Last + "\n";
+	}
+	return Text;
+}
+
+std::string Repeat(const std::string& Text, int Times)
+{
+	std::string Result;
+	for (int i = 0; i < Times; ++i)
+	{
+		Result += Text;
+	}
+	return Result;
+}
+
+/** The bound, and what the step that goes beyond it takes. */
+constexpr size_t GMostTokens = FShaderMacros::MaxTokens + FShaderMacros::MaxLineTokens;
+
+} // namespace
+
+TEST(ShaderPreprocessor, ACallThatGoesOnIsNotExpandedWithoutEnd)
+{
+	// With each of the lines once more all before it: 350 million tokens, were there no bound.
+	const FSpending Unclosed(
+		"#if 1\n#define F(A) A\n" + DefineBomb("x") + "A8 F(\n" + Repeat("y\n", 1000) + "#endif\n");
+	EXPECT_THAT(Unclosed.Error, HasSubstr("A.usf:12: error"));
+	EXPECT_THAT(Unclosed.Error, HasSubstr("the macros of this shader expand to more than 16777216 tokens"));
+	EXPECT_LE(Unclosed.NumTokens, GMostTokens);
+	// The call's own text is looked through again with each line.
+	const FSpending Long("#define F(A) A\nF(\n" + Repeat(Repeat("y ", 200) + "\n", 900));
+	EXPECT_THAT(Long.Error, HasSubstr("the macros of this shader expand to more than"));
+	EXPECT_LE(Long.NumTokens, GMostTokens);
+}
+
+TEST(ShaderPreprocessor, ManyLinesShareOneBound)
+{
+	const FSpending Nothing("#define E\n" + DefineBomb("E") + Repeat("A8\n", 1000));
+	EXPECT_THAT(Nothing.Error, HasSubstr("the macros of this shader expand to more than"));
+	EXPECT_LE(Nothing.NumTokens, GMostTokens);
+}
+
+TEST(ShaderPreprocessor, ACallIsRefusedBeforeItFillsTheMemory)
+{
+	// The last call puts 64 to the power of 4 tokens in, or fewer with many letters.
+	const std::string Define = "#define D(X)" + Repeat(" X", 64) + "\n";
+	const FSpending Tokens(Define + "D(D(D(D(a))))\n");
+	EXPECT_THAT(Tokens.Error, HasSubstr("the macros of this line expand to more than 1048576 tokens"));
+	EXPECT_LE(Tokens.NumTokens, 4 * FShaderMacros::MaxLineTokens);
+	const FSpending Letters(Define + "D(D(D(" + std::string(64 * 64, 'a') + ")))\n");
+	EXPECT_THAT(Letters.Error, HasSubstr("the macros of this line expand to more than"));
+	EXPECT_LE(Letters.NumTokens, 4 * FShaderMacros::MaxLineTokens);
+}
+
 TEST(ShaderCondition, IntegersAsInC)
 {
 	const FShaderMacros None;
