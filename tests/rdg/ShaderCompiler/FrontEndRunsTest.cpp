@@ -1,0 +1,61 @@
+// How often the front end runs: once for a shader, whoever asks for what of it.
+#include <gtest/gtest.h>
+
+#include "CacheTestUtils.h"
+#include "ShaderCompiler.h"
+
+#include <algorithm>
+
+namespace
+{
+
+using namespace Drydock;
+using namespace Drydock::Test;
+
+class FFrontEndRuns : public testing::Test
+{
+protected:
+	FFrontEndRuns() { ForgetCompiledShaders(); }
+
+	/** Runs of the front end so far. */
+	int64_t Count() const
+	{
+		const std::string Log = ReadBytes(Scratch.Path / "runs");
+		return std::count(Log.begin(), Log.end(), '\n');
+	}
+
+	static FShaderCompileRequest MakeRequest(const std::string& Text)
+	{
+		FShaderCompileRequest Request;
+		Request.VirtualPath = "/Engine/Generated/Edited.usf";
+		Request.EntryPoint = "Main";
+		Request.Stage = EShaderStage::Compute;
+		Request.GeneratedFiles = {{Request.VirtualPath, Text}};
+		return Request;
+	}
+
+	const FScratchFolder Scratch;
+	const FScopedVariable Cache{"DRYDOCK_CACHE_DIR", (Scratch.Path / "cache").string()};
+	const FScopedVariable FrontEnd{
+		"DRYDOCK_GLSLANG", Scratch.AddScript("frontend",
+							   "echo run >> " + (Scratch.Path / "runs").string() + "\nexec glslangValidator \"$@\"")};
+};
+
+} // namespace
+
+TEST_F(FFrontEndRuns, OnceForReflectionAndKernelsOfAnEdit)
+{
+	const std::string Text =
+		"RWTexture2D<float4> Out;\n[numthreads(8, 8, 1)] void Main(uint3 Id : SV_DispatchThreadID)\n"
+		"{\n\tOut[Id.xy] = ";
+	for (int Edit = 1; Edit <= 3; ++Edit)
+	{
+		const FShaderCompileRequest Request = MakeRequest(Text + std::to_string(Edit) + ";\n}\n");
+		EXPECT_EQ(1u, ReflectShader(Request).RWTextures.size());
+		CompileShader(Request);
+		FShaderCompileRequest InDouble = Request;
+		InDouble.Lanes.bDouble = true;
+		CompileShader(InDouble);
+		EXPECT_EQ(Edit, Count());
+	}
+}
