@@ -89,8 +89,8 @@ FSceneTextures FSceneFile::RegisterTextures(FRDGBuilder& GraphBuilder)
 			FRHITextureDesc::Create2D(GetExtent(), Packing.Format, FClearValueBinding::Black, Packing.Flags);
 		TRefCountPtr<FRHITexture>& Texture = Textures[Packing.Name];
 		Texture = new FRHITexture(Desc, Packing.Name);
-		Registered.*Packing.Texture =
-			GraphBuilder.RegisterExternalTexture(CreateRenderTarget(Texture, Packing.Name), Packing.Name);
+		Packing.SetTexture(
+			Registered, GraphBuilder.RegisterExternalTexture(CreateRenderTarget(Texture, Packing.Name), Packing.Name));
 	}
 	if (Registered.CustomStencilTexture)
 	{
@@ -367,7 +367,7 @@ void FSceneFile::Fill(const FFill& Fill, const FScenePackContext& Context)
 	const FIntPoint Corner(Config.Padding.Left, Config.Padding.Top);
 	const FIntPoint Extent = GetExtent();
 	const bool bZero = GetNonFinitePolicy() == ENonFinitePolicy::Zero;
-	const bool bColor = Fill.Packing->Texture == &FSceneTextures::Color;
+	const bool bColor = Fill.Packing == &GetScenePackings().front();
 	const float Limit = bColor ? GetSceneColorClamp() : std::numeric_limits<float>::infinity();
 	const std::vector<FSource>& Sources = Fill.Sources;
 	std::vector<const float*> Data;

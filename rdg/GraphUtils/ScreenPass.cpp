@@ -301,7 +301,8 @@ FRDGPassRef AddScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name,
 } // namespace Drydock
 
 void DrawRectangle(FRHICommandList& RHICmdList, float X, float Y, float SizeX, float SizeY, float U, float V,
-	float SizeU, float SizeV, FIntPoint TargetSize, FIntPoint TextureSize, const TShaderRef<FShader>&)
+	float SizeU, float SizeV, FIntPoint TargetSize, FIntPoint TextureSize, const TShaderRef<FShader>&,
+	EDrawRectangleFlags)
 {
 	const FVector2f Texture(TextureSize);
 	if (RHICmdList.HasVertexShader())
