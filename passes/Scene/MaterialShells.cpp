@@ -1,6 +1,7 @@
 // Materials and the renderer's module, which do nothing here.
 #include "EngineModule.h"
 #include "Materials/MaterialInterface.h"
+#include "Modules/ModuleManager.h"
 
 UMaterialInstanceDynamic* UMaterialInstanceDynamic::Create(UMaterialInterface* Parent, UObject* Outer)
 {
@@ -9,8 +10,9 @@ UMaterialInstanceDynamic* UMaterialInstanceDynamic::Create(UMaterialInterface* P
 	return Instance;
 }
 
+IMPLEMENT_MODULE(IRendererModule, Renderer)
+
 IRendererModule& GetRendererModule()
 {
-	static IRendererModule Module;
-	return Module;
+	return FModuleManager::LoadModuleChecked<IRendererModule>(TEXT("Renderer"));
 }

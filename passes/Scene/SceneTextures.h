@@ -2,15 +2,15 @@
 #pragma once
 
 #include "CoreMinimal.h"
-#include "RenderGraphFwd.h"
+#include "RenderGraphUtils.h"
 #include "SceneTexturesConfig.h"
 
 struct FSceneTextures
 {
 	FSceneTexturesConfig Config;
 
-	FRDGTextureRef Color = nullptr;
-	FRDGTextureRef Depth = nullptr; // reversed device depth: near 1, far 0
+	FRDGTextureMSAA Color;
+	FRDGTextureMSAA Depth; // reversed device depth: near 1, far 0
 	FRDGTextureRef Velocity = nullptr;
 	FRDGTextureRef GBufferA = nullptr;
 	FRDGTextureRef GBufferB = nullptr;

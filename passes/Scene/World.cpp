@@ -1,6 +1,7 @@
 // The one world, its actors and its subsystems.
 #include "Engine/World.h"
 
+#include "CodeScope.h"
 #include "GameFramework/Actor.h"
 #include "GameFramework/WorldSettings.h"
 #include "ScenePrivate.h"
@@ -57,7 +58,28 @@ void UWorld::AddActor(const std::shared_ptr<AActor>& Actor)
 
 void UWorld::RemoveActor(const AActor* Actor)
 {
+	std::erase(Placed, Actor);
 	std::erase_if(Actors, [Actor](const std::shared_ptr<AActor>& Other) { return Other.get() == Actor; });
+}
+
+void UWorld::RemovePlacedActors()
+{
+	for (AActor* const Actor : std::exchange(Placed, {}))
+	{
+		Actor->Destroy();
+	}
+}
+
+void UWorld::TickActors()
+{
+	const std::vector<std::shared_ptr<AActor>> Now = Actors; // one that ticks may spawn others
+	for (const std::shared_ptr<AActor>& Actor : Now)
+	{
+		if (Actor->PrimaryActorTick.bCanEverTick && Actor->PrimaryActorTick.IsTickFunctionEnabled())
+		{
+			Drydock::CallCode(Actor->GetCodeOwner(), [&Actor] { Actor->Tick(0.0f); });
+		}
+	}
 }
 
 FSceneInterface::~FSceneInterface() = default;
@@ -121,11 +143,14 @@ void AActor::Destroy()
 		Component->UnregisterComponent();
 	}
 	EndPlay(EEndPlayReason::Destroyed);
+	Destroyed();
 	GWorld->RemoveActor(this);
 }
 
 void AActor::StartPlay()
 {
+	Owner = Drydock::MakeCodeOwner("Tick of actor " + std::string(*GetName()));
+	PrimaryActorTick.SetTickFunctionEnable(PrimaryActorTick.bStartWithTickEnabled);
 	PostInitializeComponents();
 	for (UActorComponent* const Component : Components)
 	{

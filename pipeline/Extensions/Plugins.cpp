@@ -152,6 +152,7 @@ FLoadedPlugins LoadPlugins(const FConfig& Config, std::vector<FDiagnostic>& Diag
 		}
 		else if (Load(Plugin, Path, Values, Messages))
 		{
+			Values.PlaceActors(GetFileName(Path));
 			Loaded.Files.push_back(Path);
 		}
 	}

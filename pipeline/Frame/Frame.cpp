@@ -126,6 +126,7 @@ public:
 	{
 		const auto Begin = std::chrono::steady_clock::now();
 		FModuleManager::Get().StartupPendingModules();
+		GWorld->TickActors();
 		SetUpFamily();
 		BuildAndRunGraph();
 		Result.Milliseconds =

@@ -1,7 +1,9 @@
 // Finds the classes that ini files and "objects" mean, and gives them their values.
 #include "Objects/ObjectValues.h"
 
+#include "CodeScope.h"
 #include "Config/ConfigReader.h"
+#include "Engine/World.h"
 #include "HAL/ConsoleVariableTools.h"
 #include "Interfaces/IPluginManager.h"
 #include "Objects/IniText.h"
@@ -296,6 +298,7 @@ FObjectValues::FObjectValues(const FConfig& InConfig, std::vector<FDiagnostic>& 
 	: Config(InConfig)
 	, Diagnostics(InDiagnostics)
 {
+	GWorld->RemovePlacedActors();
 	FReflection::Get().TakeBack();
 }
 
@@ -368,6 +371,19 @@ void FObjectValues::GiveObjects(const std::string& Library)
 				}
 			}
 			break;
+		}
+	}
+}
+
+void FObjectValues::PlaceActors(const std::string& Library) const
+{
+	for (const FReflectedStruct* const Class : FReflection::Get().FindClasses(Library))
+	{
+		const bool bNamed = std::any_of(Config.Objects.Members.begin(), Config.Objects.Members.end(),
+			[Class](const FJsonMember& Object) { return IsNameOf(GetClassName(Object.Key), *Class); });
+		if (bNamed && Class->Place)
+		{
+			CallCode(FCodeOwner{Library, "BeginPlay of " + std::string(Class->Name)}, Class->Place);
 		}
 	}
 }

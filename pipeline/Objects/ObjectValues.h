@@ -39,6 +39,10 @@ public:
 	 * an ini file a warning. */
 	void GiveTo(const std::string& Library);
 
+	/** Once the plugin's modules have started: those of its classes that "objects" names and that are actors are placed
+	 * in the world, with their values; where the plugin has spawned one itself, none. */
+	void PlaceActors(const std::string& Library) const;
+
 	/** Once all plugins are there: names of "objects" that none of them has are errors. bAllLoaded: no plugin is
 	 * missing. */
 	void ReportUnknownClasses(bool bAllLoaded);

@@ -89,8 +89,8 @@ FSceneTextures FSceneFile::RegisterTextures(FRDGBuilder& GraphBuilder)
 			FRHITextureDesc::Create2D(GetExtent(), Packing.Format, FClearValueBinding::Black, Packing.Flags);
 		TRefCountPtr<FRHITexture>& Texture = Textures[Packing.Name];
 		Texture = new FRHITexture(Desc, Packing.Name);
-		Registered.*Packing.Texture =
-			GraphBuilder.RegisterExternalTexture(CreateRenderTarget(Texture, Packing.Name), Packing.Name);
+		Packing.SetTexture(
+			Registered, GraphBuilder.RegisterExternalTexture(CreateRenderTarget(Texture, Packing.Name), Packing.Name));
 	}
 	if (Registered.CustomStencilTexture)
 	{
@@ -329,7 +329,7 @@ void FSceneFile::Fill(const FFill& Fill, const FScenePackContext& Context)
 			{Source.FileChannel >= 0 ? Planes.at(Source.FileChannel).get() : nullptr, Source.Default});
 	}
 	const FNonFiniteCount Count = FillSceneTexture(*Fill.Texture, Inputs);
-	if (Fill.Packing->Texture == &FSceneTextures::Color)
+	if (Fill.Packing == &GetScenePackings().front())
 	{
 		NonFinite = Count;
 	}

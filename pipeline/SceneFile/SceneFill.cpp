@@ -19,7 +19,7 @@ class FFileValues
 public:
 	explicit FFileValues(const FSceneFillInputs& InInputs)
 		: Inputs(InInputs)
-		, Limit(InInputs.Packing.Texture == &FSceneTextures::Color ? GetSceneColorClamp() : HUGE_VALF)
+		, Limit(&InInputs.Packing == &GetScenePackings().front() ? GetSceneColorClamp() : HUGE_VALF)
 		, bZero(GetNonFinitePolicy() == ENonFinitePolicy::Zero)
 	{
 	}

@@ -86,6 +86,13 @@ FLinearColor PackVelocity(const FScenePackValues& Values, const FScenePackContex
 		EncodeVelocity(-2.0 * static_cast<double>(Values[1]) / Context.ViewSize.Y), 0.0f, 0.0f);
 }
 
+/** Of some members the type is FRDGTextureMSAA. */
+template<auto Member>
+void Set(FSceneTextures& SceneTextures, FRDGTextureRef Texture)
+{
+	SceneTextures.*Member = Texture;
+}
+
 constexpr float NaN = std::numeric_limits<float>::quiet_NaN();
 constexpr ETextureCreateFlags Read = ETextureCreateFlags::ShaderResource | ETextureCreateFlags::RenderTargetable;
 
@@ -94,33 +101,33 @@ constexpr ETextureCreateFlags Read = ETextureCreateFlags::ShaderResource | EText
 const std::vector<FScenePacking>& GetScenePackings()
 {
 	static const std::vector<FScenePacking> Packings = {
-		{"SceneColor", PF_FloatRGBA, Read | ETextureCreateFlags::UAV, &FSceneTextures::Color,
+		{"SceneColor", PF_FloatRGBA, Read | ETextureCreateFlags::UAV, Set<&FSceneTextures::Color>,
 			{{{"R", {}}, {"G", {}}, {"B", {}}, {"A", 1.0f}}}, PackColor, FLinearColor(NaN, NaN, NaN, NaN), true},
 		{"SceneDepthZ", PF_DepthStencil,
-			ETextureCreateFlags::ShaderResource | ETextureCreateFlags::DepthStencilTargetable, &FSceneTextures::Depth,
-			{{{"depth.Z", {}}}}, PackDepth, FLinearColor(1.0f, 0.0f, 0.0f, 0.0f)},
-		{"SceneVelocity", PF_G16R16, Read, &FSceneTextures::Velocity, {{{"velocity.X", {}}, {"velocity.Y", {}}}},
+			ETextureCreateFlags::ShaderResource | ETextureCreateFlags::DepthStencilTargetable,
+			Set<&FSceneTextures::Depth>, {{{"depth.Z", {}}}}, PackDepth, FLinearColor(1.0f, 0.0f, 0.0f, 0.0f)},
+		{"SceneVelocity", PF_G16R16, Read, Set<&FSceneTextures::Velocity>, {{{"velocity.X", {}}, {"velocity.Y", {}}}},
 			PackVelocity, FLinearColor(1.0f, 1.0f, 0.0f, 0.0f)},
-		{"GBufferA", PF_A2B10G10R10, Read, &FSceneTextures::GBufferA,
+		{"GBufferA", PF_A2B10G10R10, Read, Set<&FSceneTextures::GBufferA>,
 			{{{"normal.X", {}}, {"normal.Y", {}}, {"normal.Z", {}}}}, PackNormal, FLinearColor(1.0f, 1.0f, 1.0f, 1.0f)},
-		{"GBufferB", PF_B8G8R8A8, Read, &FSceneTextures::GBufferB,
+		{"GBufferB", PF_B8G8R8A8, Read, Set<&FSceneTextures::GBufferB>,
 			{{{"metallic", 0.0f}, {"specular", 0.5f}, {"roughness", 0.5f}, {"shadingmodel.ID", {}}}}, PackMaterial,
 			FLinearColor(1.0f, 1.0f, 1.0f, 8.0f / 255.0f)},
-		{"GBufferC", PF_B8G8R8A8, Read | ETextureCreateFlags::SRGB, &FSceneTextures::GBufferC,
+		{"GBufferC", PF_B8G8R8A8, Read | ETextureCreateFlags::SRGB, Set<&FSceneTextures::GBufferC>,
 			{{{"basecolor.R", {}}, {"basecolor.G", {}}, {"basecolor.B", {}}, {"ambientocclusion", 1.0f}}}, PackAsIs,
 			FLinearColor(1.0f, 0.0f, 1.0f, 0.0f)},
-		{"GBufferD", PF_B8G8R8A8, Read, &FSceneTextures::GBufferD, {{{"custommask.B", {}}}}, PackCustomData,
+		{"GBufferD", PF_B8G8R8A8, Read, Set<&FSceneTextures::GBufferD>, {{{"custommask.B", {}}}}, PackCustomData,
 			FLinearColor(1.0f, 1.0f, 1.0f, 1.0f)},
-		{"ToonShadow", PF_R8G8B8A8, Read, &FSceneTextures::ToonShadow, {{{"shadow.R", {}}, {"shadow.G", {}}}}, PackAsIs,
-			FLinearColor(0.0f, 0.0f, 1.0f, 1.0f)},
-		{"SeparateTranslucency", PF_FloatRGBA, Read, &FSceneTextures::SeparateTranslucency,
+		{"ToonShadow", PF_R8G8B8A8, Read, Set<&FSceneTextures::ToonShadow>, {{{"shadow.R", {}}, {"shadow.G", {}}}},
+			PackAsIs, FLinearColor(0.0f, 0.0f, 1.0f, 1.0f)},
+		{"SeparateTranslucency", PF_FloatRGBA, Read, Set<&FSceneTextures::SeparateTranslucency>,
 			{{{"translucency.R", {}}, {"translucency.G", {}}, {"translucency.B", {}}, {"translucency.A", {}}}},
 			PackColor, FLinearColor(NaN, NaN, NaN, NaN), true, true},
 		{"CustomDepth", PF_DepthStencil,
 			ETextureCreateFlags::ShaderResource | ETextureCreateFlags::DepthStencilTargetable,
-			&FSceneTextures::CustomDepth, {{{"customdepth.Z", {}}}}, PackCustomDepth,
+			Set<&FSceneTextures::CustomDepth>, {{{"customdepth.Z", {}}}}, PackCustomDepth,
 			FLinearColor(1.0f, 0.0f, 0.0f, 0.0f), false, true},
-		{"CustomStencil", PF_R8G8_UINT, Read, &FSceneTextures::CustomStencilTexture, {{{"customstencil.ID", {}}}},
+		{"CustomStencil", PF_R8G8_UINT, Read, Set<&FSceneTextures::CustomStencilTexture>, {{{"customstencil.ID", {}}}},
 			PackCustomStencil, FLinearColor(255.0f, 255.0f, 0.0f, 0.0f), false, true},
 	};
 	return Packings;

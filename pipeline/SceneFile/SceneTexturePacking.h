@@ -38,7 +38,7 @@ struct FScenePacking
 	const char* Name; // of the texture
 	EPixelFormat Format;
 	ETextureCreateFlags Flags;
-	FRDGTextureRef FSceneTextures::*Texture;
+	void (*SetTexture)(FSceneTextures& SceneTextures, FRDGTextureRef Texture);
 	std::array<FScenePackChannel, 4> Channels;
 	FLinearColor (*Pack)(const FScenePackValues& Values, const FScenePackContext& Context);
 	FLinearColor Outside; // what padding holds: nothing that a frame would

@@ -38,6 +38,12 @@ public:
 
 	static bool ShouldCompilePermutation(const FGlobalShaderPermutationParameters&) { return true; }
 	static void ModifyCompilationEnvironment(const FGlobalShaderPermutationParameters&, FShaderCompilerEnvironment&) {}
+
+	/** View of a shader that binds by name. Here it comes with the shader's FParameters, which sets it. */
+	template<typename TViewUniformShaderParameters>
+	static void SetParameters(FRHIBatchedShaderParameters&, FRHIUniformBuffer*)
+	{
+	}
 };
 
 /** Finds global shaders. There is one map: a CPU is one platform. */

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "CoreMinimal.h"
+#include "RHICommandList.h"
 #include "Shader.h"
 #include "ShaderBinding.h"
 #include "ShaderParameterMacros.h"
@@ -96,6 +97,26 @@ void SetShaderParameters(TRHICmdList& RHICmdList, const TShaderRef<TShaderClass>
 {
 	SetShaderParameters(
 		RHICmdList, Shader, ShaderRHI, TShaderClass::FParameters::FTypeInfo::GetStructMetadata(), &Parameters);
+}
+
+/** The same in two steps: FRHICommandList::SetBatchedShaderParameters sets what is bound here. */
+template<typename TShaderClass>
+void SetShaderParameters(FRHIBatchedShaderParameters& BatchedParameters, const TShaderRef<TShaderClass>& Shader,
+	const FShaderParametersMetadata* ParametersMetadata, const void* Parameters)
+{
+	if (Drydock::IsRun(TShaderRef<FShader>(Shader)))
+	{
+		Drydock::BindShaderParameters(
+			TShaderRef<FShader>(Shader), *ParametersMetadata, Parameters, BatchedParameters.Bound);
+	}
+}
+
+template<typename TShaderClass>
+void SetShaderParameters(FRHIBatchedShaderParameters& BatchedParameters, const TShaderRef<TShaderClass>& Shader,
+	const typename TShaderClass::FParameters& Parameters)
+{
+	SetShaderParameters(
+		BatchedParameters, Shader, TShaderClass::FParameters::FTypeInfo::GetStructMetadata(), &Parameters);
 }
 
 /** Nothing to undo: bound views end with the pass. */

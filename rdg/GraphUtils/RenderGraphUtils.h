@@ -29,6 +29,32 @@ DRYDOCK_API void CheckGroupCount(
 
 } // namespace Drydock
 
+/** A texture of several samples and the one that it is resolved to. Here one sample is all there is, so both are one.
+ */
+struct FRDGTextureMSAA
+{
+	FRDGTextureMSAA() = default;
+	FRDGTextureMSAA(FRDGTextureRef InTarget, FRDGTextureRef InResolve)
+		: Target(InTarget)
+		, Resolve(InResolve)
+	{
+	}
+	FRDGTextureMSAA(FRDGTextureRef InTexture)
+		: FRDGTextureMSAA(InTexture, InTexture)
+	{
+	}
+
+	/** Ours: what reads it wants the resolved one. */
+	operator FRDGTextureRef() const { return Resolve; }
+
+	bool IsValid() const { return Target != nullptr && Resolve != nullptr; }
+	bool IsSeparate() const { return Target != Resolve; }
+	bool operator==(const FRDGTextureMSAA&) const = default;
+
+	FRDGTextureRef Target = nullptr;
+	FRDGTextureRef Resolve = nullptr;
+};
+
 // Copies ------------------------------------------------------------------------------------------------------------
 
 /** Copies a region of mips and slices; formats must agree. */

@@ -301,7 +301,8 @@ FRDGPassRef AddScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& Name,
 } // namespace Drydock
 
 void DrawRectangle(FRHICommandList& RHICmdList, float X, float Y, float SizeX, float SizeY, float U, float V,
-	float SizeU, float SizeV, FIntPoint TargetSize, FIntPoint TextureSize, const TShaderRef<FShader>&)
+	float SizeU, float SizeV, FIntPoint TargetSize, FIntPoint TextureSize, const TShaderRef<FShader>&,
+	EDrawRectangleFlags)
 {
 	Drydock::DrawRectangleOfViewport(RHICmdList, FVector2f(X, Y), FVector2f(SizeX, SizeY), FVector2f(U, V),
 		FVector2f(SizeU, SizeV), FVector2f(TargetSize), FVector2f(TextureSize));

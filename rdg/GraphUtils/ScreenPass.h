@@ -7,6 +7,7 @@
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphUtils.h"
+#include "RendererInterface.h"
 #include "ScreenTransform.h"
 #include "ShaderParameterStruct.h"
 
@@ -316,7 +317,7 @@ DRYDOCK_API FRDGPassRef AddScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&&
  * shader of a plugin's own is run, with FDrawRectangleParameters, and places the rectangle in the viewport. */
 DRYDOCK_API void DrawRectangle(FRHICommandList& RHICmdList, float X, float Y, float SizeX, float SizeY, float U,
 	float V, float SizeU, float SizeV, FIntPoint TargetSize, FIntPoint TextureSize,
-	const TShaderRef<FShader>& VertexShader = {});
+	const TShaderRef<FShader>& VertexShader = {}, EDrawRectangleFlags = EDRF_Default);
 
 /** Inside a raster lambda: a whole screen pass; SetupFunction(RHICmdList) binds parameters after the states are set. */
 template<typename TSetupFunction>

@@ -66,6 +66,7 @@ constexpr std::array<FPixelFormatInfo, PF_MAX> MakeFormatTable()
 		Info.BlockBytes = Storage.BytesPerTexel;
 		Info.NumComponents = Storage.NumChannels;
 		Info.Supported = true;
+		Info.Capabilities = EPixelFormatCapabilities::AllFlags;
 		Info.UnrealFormat = Row.Format;
 		Info.Storage = Row.Storage;
 	}

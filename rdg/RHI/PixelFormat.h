@@ -49,6 +49,41 @@ enum EPixelFormat : uint8
 	PF_MAX = 93,
 };
 
+/** What a format can be used for. Every stored format can be used for everything. */
+enum class EPixelFormatCapabilities : uint32
+{
+	None = 0,
+	Texture1D = 1 << 0,
+	Texture2D = 1 << 1,
+	Texture3D = 1 << 2,
+	TextureCube = 1 << 3,
+	RenderTarget = 1 << 5,
+	DepthStencil = 1 << 6,
+	TextureMipmaps = 1 << 7,
+	TextureLoad = 1 << 8,
+	TextureSample = 1 << 9,
+	TextureGather = 1 << 10,
+	TextureAtomics = 1 << 11,
+	TextureStore = 1 << 12,
+	TextureBlendable = 1 << 13,
+	Buffer = 1 << 16,
+	VertexBuffer = 1 << 17,
+	IndexBuffer = 1 << 18,
+	BufferLoad = 1 << 19,
+	BufferStore = 1 << 20,
+	BufferAtomics = 1 << 21,
+	UAV = 1 << 22,
+	TypedUAVLoad = 1 << 23,
+	TypedUAVStore = 1 << 24,
+	AnyTexture = Texture1D | Texture2D | Texture3D | TextureCube,
+	AllTextureFlags = AnyTexture | RenderTarget | DepthStencil | TextureMipmaps | TextureLoad | TextureSample |
+					  TextureGather | TextureAtomics | TextureStore | TextureBlendable,
+	AllBufferFlags = Buffer | VertexBuffer | IndexBuffer | BufferLoad | BufferStore | BufferAtomics,
+	AllUAVFlags = UAV | TypedUAVLoad | TypedUAVStore,
+	AllFlags = AllTextureFlags | AllBufferFlags | AllUAVFlags,
+};
+ENUM_CLASS_FLAGS(EPixelFormatCapabilities)
+
 /** One row of GPixelFormats. Rows of formats that are not stored have Supported == false and Name "unknown". */
 struct FPixelFormatInfo
 {
@@ -59,6 +94,7 @@ struct FPixelFormatInfo
 	int32 BlockBytes = 0; // bytes per texel in native storage
 	int32 NumComponents = 0;
 	bool Supported = false;
+	EPixelFormatCapabilities Capabilities = EPixelFormatCapabilities::None;
 	EPixelFormat UnrealFormat = PF_Unknown;
 	Drydock::ETexelStorage Storage = Drydock::ETexelStorage::Count; // native, linear
 };
@@ -85,33 +121,20 @@ FORCEINLINE bool IsStencilFormat(EPixelFormat Format)
 /** Texels are unsigned integers: read as uint, never filtered, never widened. */
 DRYDOCK_API bool IsInteger(EPixelFormat Format);
 
-/** What a format can be used for. Every stored format can be used for everything. */
-enum class EPixelFormatCapabilities : uint32
+inline bool RHIPixelFormatHasCapabilities(EPixelFormat Format, EPixelFormatCapabilities Capabilities)
 {
-	None = 0,
-	Texture1D = 1 << 0,
-	Texture2D = 1 << 1,
-	Texture3D = 1 << 2,
-	TextureCube = 1 << 3,
-	RenderTarget = 1 << 5,
-	DepthStencil = 1 << 6,
-	TextureMipmaps = 1 << 7,
-	TextureLoad = 1 << 8,
-	TextureSample = 1 << 9,
-	TextureBlendable = 1 << 13,
-	Buffer = 1 << 16,
-	BufferLoad = 1 << 19,
-	UAV = 1 << 22,
-	TypedUAVLoad = 1 << 23,
-	TypedUAVStore = 1 << 24,
-	AnyTexture = Texture1D | Texture2D | Texture3D | TextureCube,
-};
-ENUM_CLASS_FLAGS(EPixelFormatCapabilities)
-
-inline bool RHIPixelFormatHasCapabilities(EPixelFormat Format, EPixelFormatCapabilities)
-{
-	return GPixelFormats[Format].Supported;
+	return EnumHasAllFlags(GPixelFormats[Format].Capabilities, Capabilities);
 }
+
+namespace UE::PixelFormat
+{
+
+inline bool HasCapabilities(EPixelFormat Format, EPixelFormatCapabilities Capabilities)
+{
+	return RHIPixelFormatHasCapabilities(Format, Capabilities);
+}
+
+} // namespace UE::PixelFormat
 
 inline bool RHIIsTypedUAVLoadSupported(EPixelFormat Format)
 {

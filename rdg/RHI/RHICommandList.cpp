@@ -302,6 +302,7 @@ void FRHICommandList::SetGraphicsPipelineState(const FGraphicsPipelineStateIniti
 	BlendState = Initializer.BlendState;
 	DepthStencilState = Initializer.DepthStencilState;
 	BoundPixel = Drydock::FBoundShader();
+	PixelShader = Initializer.BoundShaderState.PixelShaderRHI;
 	Vertices.SetPipeline(Initializer);
 	Interpolants.clear();
 }
@@ -309,6 +310,30 @@ void FRHICommandList::SetGraphicsPipelineState(const FGraphicsPipelineStateIniti
 void FRHICommandList::SetBoundPixelShader(Drydock::FBoundShader&& Shader)
 {
 	BoundPixel = std::move(Shader);
+}
+
+FRHIBatchedShaderParameters& FRHICommandList::GetScratchShaderParameters()
+{
+	ScratchShaderParameters.Reset();
+	return ScratchShaderParameters;
+}
+
+void FRHICommandList::SetBatchedShaderParameters(FRHIComputeShader*, FRHIBatchedShaderParameters& Parameters)
+{
+	SetBoundComputeShader(std::exchange(Parameters.Bound, {}));
+}
+
+void FRHICommandList::SetBatchedShaderParameters(FRHIGraphicsShader* Shader, FRHIBatchedShaderParameters& Parameters)
+{
+	checkf(Shader != nullptr, TEXT("parameters of no shader"));
+	if (Shader->GetFrequency() == SF_Vertex)
+	{
+		SetBoundVertexShader(std::exchange(Parameters.Bound, {}));
+	}
+	else
+	{
+		SetBoundPixelShader(std::exchange(Parameters.Bound, {}));
+	}
 }
 
 void FRHICommandList::SetInterpolants(TConstArrayView<Drydock::FKernelInterpolant> InInterpolants)

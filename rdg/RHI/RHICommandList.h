@@ -128,6 +128,16 @@ private:
 	Drydock::FBoundShader BoundCompute;
 };
 
+/** What SetShaderParameters has bound of one shader, for SetBatchedShaderParameters to set. */
+class FRHIBatchedShaderParameters
+{
+public:
+	bool HasParameters() const { return Bound.IsValid(); }
+	void Reset() { Bound = Drydock::FBoundShader(); }
+
+	Drydock::FBoundShader Bound; // ours
+};
+
 class DRYDOCK_API FRHICommandList : public FRHIComputeCommandList
 {
 public:
@@ -149,6 +159,15 @@ public:
 
 	/** The same of the pipeline state's vertex shader. */
 	void SetBoundVertexShader(Drydock::FBoundShader&& Shader) { Vertices.Bound = std::move(Shader); }
+
+	/** Empty; the list's own, for one shader at a time. */
+	FRHIBatchedShaderParameters& GetScratchShaderParameters();
+	/** Takes them over, for the dispatches and draws that follow. */
+	void SetBatchedShaderParameters(FRHIComputeShader* Shader, FRHIBatchedShaderParameters& Parameters);
+	void SetBatchedShaderParameters(FRHIGraphicsShader* Shader, FRHIBatchedShaderParameters& Parameters);
+	/** Of the pipeline state. */
+	FRHIVertexShader* GetBoundVertexShader() const { return Vertices.Shader; }
+	FRHIPixelShader* GetBoundPixelShader() const { return PixelShader; }
 
 	/** The pipeline state has a vertex shader that draws run: one other than the engine's of screen passes. */
 	bool HasVertexShader() const { return Vertices.Shader && Vertices.Shader->GetShaderToRun(); }
@@ -194,6 +213,8 @@ private:
 
 	FRHIRenderPassInfo RenderPass;
 	Drydock::FBoundShader BoundPixel;
+	FRHIBatchedShaderParameters ScratchShaderParameters;
+	FRHIPixelShader* PixelShader = nullptr;
 	TRefCountPtr<FRHIBlendState> BlendState;
 	TRefCountPtr<FRHIDepthStencilState> DepthStencilState;
 	Drydock::FVertexState Vertices;

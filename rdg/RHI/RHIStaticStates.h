@@ -57,6 +57,21 @@ public:
 	}
 };
 
+/** The static state of modes that are known only when it runs. */
+template<bool bEnableMSAA>
+FRHIRasterizerState* GetStaticRasterizerState(ERasterizerFillMode FillMode, ERasterizerCullMode CullMode)
+{
+	const auto Choose = [CullMode]<ERasterizerFillMode Fill>() -> FRHIRasterizerState*
+	{
+		return CullMode == CM_CW    ? TStaticRasterizerState<Fill, CM_CW, false, bEnableMSAA>::GetRHI()
+			   : CullMode == CM_CCW ? TStaticRasterizerState<Fill, CM_CCW, false, bEnableMSAA>::GetRHI()
+									: TStaticRasterizerState<Fill, CM_None, false, bEnableMSAA>::GetRHI();
+	};
+	return FillMode == FM_Wireframe ? Choose.template operator()<FM_Wireframe>()
+		   : FillMode == FM_Point   ? Choose.template operator()<FM_Point>()
+									: Choose.template operator()<FM_Solid>();
+}
+
 template<bool bEnableDepthWrite = true, ECompareFunction DepthTest = CF_DepthNearOrEqual,
 	bool bEnableFrontFaceStencil = false, ECompareFunction FrontFaceStencilTest = CF_Always,
 	EStencilOp FrontFaceStencilFailStencilOp = SO_Keep, EStencilOp FrontFaceDepthFailStencilOp = SO_Keep,

@@ -1,6 +1,8 @@
-// Textures that outlive a graph: their description and their interface. Source: engine RendererInterface.h.
+// What the renderer shows of itself: textures that outlive a graph, their description and their interface; the module.
+// Source: engine RendererInterface.h.
 #pragma once
 
+#include "Modules/ModuleInterface.h"
 #include "RHIResources.h"
 
 /** A texture description with the pool's own spellings. */
@@ -44,6 +46,14 @@ struct FSceneRenderTargetItem
 	FTextureRHIRef ShaderResourceTexture;
 };
 
+/** How the engine's rectangle is cut into triangles: a rectangle is a rectangle here. */
+enum EDrawRectangleFlags : int
+{
+	EDRF_Default,
+	EDRF_UseTriangleOptimization,
+	EDRF_UseTesselatedIndexBuffer
+};
+
 /** A texture that a graph can register and extract. */
 class DRYDOCK_API IPooledRenderTarget
 {
@@ -70,4 +80,9 @@ public:
 	FRHITexture* GetTargetableRHI() const { return GetRHI(); }
 	FRHITexture* GetShaderResourceRHI() const { return GetRHI(); }
 	FSceneRenderTargetItem GetRenderTargetItem() const { return {GetRHI(), GetRHI()}; }
+};
+
+/** The module "Renderer". */
+class DRYDOCK_API IRendererModule : public IModuleInterface
+{
 };

@@ -85,6 +85,13 @@ public:
 		return TUniformBufferRef(Drydock::CreateUniformBuffer(*TBufferStruct::FTypeInfo::GetStructMetadata(), &Value));
 	}
 
+	/** A new buffer takes the place of the one before, so passes keep what they were given. */
+	template<typename CommandListType>
+	void UpdateUniformBufferImmediate(CommandListType&, const TBufferStruct& Value)
+	{
+		*this = CreateUniformBufferImmediate(Value, UniformBuffer_MultiFrame);
+	}
+
 	static TUniformBufferRef CreateEmptyUniformBufferImmediate(EUniformBufferUsage Usage)
 	{
 		return CreateUniformBufferImmediate(TBufferStruct(), Usage);

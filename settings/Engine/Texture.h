@@ -32,6 +32,10 @@ class DRYDOCK_API UTexture2D : public UTexture
 public:
 	using Super = UTexture2D;
 	using UTexture::UTexture;
+
+	/** Texels; 0 for an asset's name. */
+	int32 GetSizeX() const { return int32(GetSurfaceWidth()); }
+	int32 GetSizeY() const { return int32(GetSurfaceHeight()); }
 };
 
 class DRYDOCK_API UTextureCube : public UTexture

@@ -1,5 +1,6 @@
 // UObject, module and engine glue as plugins write it around their passes. That it compiles is the test.
 #include "Components/PrimitiveComponent.h"
+#include "CompositingElements/CompositingElementPasses.h"
 #include "Engine/BlendableInterface.h"
 #include "Engine/DeveloperSettings.h"
 #include "Engine/Engine.h"
@@ -15,7 +16,9 @@
 #include "Misc/Paths.h"
 #include "Modules/ModuleManager.h"
 #include "RenderGraphUtils.h"
+#include "SceneManagement.h"
 #include "SceneViewExtension.h"
+#include "ScreenPass.h"
 #include "Subsystems/EngineSubsystem.h"
 #include "Subsystems/GameInstanceSubsystem.h"
 #include "Subsystems/WorldSubsystem.h"
@@ -178,6 +181,40 @@ private:
 };
 
 IMPLEMENT_MODULE(FGlueModule, Glue)
+
+/** The renderer by its name; what shaders take in two steps; the working colour space. */
+void SetGlueParameters(FRHICommandList& RHICmdList, const TShaderRef<FCopyRectPS>& Shader,
+	const FCopyRectPS::FParameters& Parameters, const FSceneView& View)
+{
+	IRendererModule* RendererModule = &FModuleManager::LoadModuleChecked<IRendererModule>(TEXT("Renderer"));
+	check(RendererModule);
+	FRHIBatchedShaderParameters& BatchedParameters = RHICmdList.GetScratchShaderParameters();
+	FGlobalShader::SetParameters<FViewUniformShaderParameters>(BatchedParameters, View.ViewUniformBuffer);
+	SetShaderParameters(BatchedParameters, Shader, Parameters);
+	RHICmdList.SetBatchedShaderParameters(RHICmdList.GetBoundPixelShader(), BatchedParameters);
+	TUniformBufferRef<FWorkingColorSpaceShaderParameters> Buffer =
+		GDefaultWorkingColorSpaceUniformBuffer.GetUniformBufferRef();
+	Buffer.UpdateUniformBufferImmediate(RHICmdList, FWorkingColorSpaceShaderParameters());
+	const EDrawRectangleFlags Flags = EDRF_UseTriangleOptimization;
+	DrawRectangle(RHICmdList, 0, 0, 1, 1, 0, 0, 1, 1, FIntPoint(1, 1), FIntPoint(1, 1), Shader, Flags);
+}
+
+/** A pass of a compositing element, which none runs here. */
+UCLASS()
+class UGluePass : public UCompositingElementTransform
+{
+	GENERATED_BODY()
+
+public:
+	virtual UTexture* ApplyTransform_Implementation(
+		UTexture* Input, UComposurePostProcessingPassProxy* PostProcessProxy, ACameraActor* TargetCamera) override
+	{
+		UTextureRenderTarget2D* Target = RequestRenderTarget(FIntPoint(1, 1), PF_FloatRGBA);
+		return Target ? Target : Input;
+	}
+
+	FTimerHandle Timer;
+};
 
 /** An external target and an external texture, into the graph. */
 FRDGTextureRef RegisterTextures(FRDGBuilder& GraphBuilder, UGlueComponent& Component)

@@ -25,6 +25,11 @@ public:
 	{
 		return Drydock::FSubsystems::Get().Find<T>(Drydock::ESubsystemKind::GameInstance);
 	}
+	template<typename T>
+	static T* GetSubsystem(const UGameInstance* GameInstance)
+	{
+		return GameInstance ? GameInstance->GetSubsystem<T>() : nullptr;
+	}
 };
 
 class UGameViewportClient;
@@ -65,6 +70,11 @@ public:
 	{
 		return Drydock::FSubsystems::Get().Find<T>(Drydock::ESubsystemKind::World);
 	}
+	template<typename T>
+	static T* GetSubsystem(const UWorld* World)
+	{
+		return World ? World->GetSubsystem<T>() : nullptr;
+	}
 
 	/** A new actor, which the world owns, after BeginPlay of its components and of itself. */
 	template<typename T>
@@ -78,12 +88,31 @@ public:
 	const std::vector<std::shared_ptr<AActor>>& GetActors() const { return Actors; }
 	void RemoveActor(const AActor* Actor);
 
+	/** Ours: an actor as a level has it, unless there is one of its class. */
+	template<typename T>
+	void PlaceActor()
+	{
+		for (const std::shared_ptr<AActor>& Actor : Actors)
+		{
+			if (dynamic_cast<const T*>(Actor.get()))
+			{
+				return;
+			}
+		}
+		Placed.push_back(SpawnActor<T>());
+	}
+	/** Ours: ends the play of those. */
+	void RemovePlacedActors();
+	/** Ours: before a frame. */
+	void TickActors();
+
 private:
 	void AddActor(const std::shared_ptr<AActor>& Actor);
 
 	UGameInstance* GameInstance;
 	AWorldSettings* WorldSettings;
 	std::vector<std::shared_ptr<AActor>> Actors;
+	std::vector<AActor*> Placed;
 };
 
 /** The world. Always valid. */

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "Components/SceneComponent.h"
+#include "Engine/TimerHandle.h"
 #include "Engine/World.h"
+#include "RunningCode.h"
 #include "UObject/ScriptDelegates.h"
 
 class FTransform;
@@ -20,10 +22,12 @@ public:
 
 	virtual void BeginPlay() {}
 	virtual void EndPlay(const EEndPlayReason::Type) {}
+	/** Of Destroy, after EndPlay. */
+	virtual void Destroyed() {}
 	virtual void OnConstruction(const FTransform&) {}
 	virtual void PostInitializeComponents() {}
 	virtual void PostRegisterAllComponents() {}
-	/** Nothing ticks here: a frame is one moment. */
+	/** Once before a frame, where PrimaryActorTick can; of 0 seconds, as the world stands still. */
 	virtual void Tick(float) {}
 	virtual bool ShouldTickIfViewportsOnly() const { return false; }
 
@@ -64,11 +68,22 @@ public:
 	 * module destroys it in ShutdownModule. */
 	void Destroy();
 
+	/** Ours: UWorld::PlaceActor, for code that knows no worlds. */
+	template<typename T>
+	static void PlaceInWorld()
+	{
+		GWorld->PlaceActor<T>();
+	}
+
 	/** Ours: registers the components, then they and the actor begin to play. UWorld::SpawnActor calls it. */
 	void StartPlay();
 
+	/** Ours: whose code it is. */
+	const Drydock::FCodeOwner& GetCodeOwner() const { return Owner; }
+
 private:
 	TArray<UActorComponent*> Components;
+	Drydock::FCodeOwner Owner;
 };
 
 inline AActor* UActorComponent::GetOwner() const

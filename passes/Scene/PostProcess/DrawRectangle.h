@@ -3,14 +3,6 @@
 
 #include "ScreenPass.h"
 
-/** How the engine's rectangle is cut into triangles: a rectangle is a rectangle here. */
-enum EDrawRectangleFlags : int
-{
-	EDRF_Default,
-	EDRF_UseTriangleOptimization,
-	EDRF_UseTesselatedIndexBuffer
-};
-
 namespace UE::Renderer::PostProcess
 {
 

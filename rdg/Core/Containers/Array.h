@@ -48,6 +48,41 @@ const auto& Dereference(const T& Element)
 
 } // namespace Drydock::Private
 
+/** Goes through an array by index: `for (auto It = Array.CreateIterator(); It; ++It)`. */
+template<typename ContainerType, typename ElementType>
+class TIndexedContainerIterator
+{
+public:
+	explicit TIndexedContainerIterator(ContainerType& InContainer, int32 StartIndex = 0)
+		: Container(&InContainer)
+		, Index(StartIndex)
+	{
+	}
+
+	TIndexedContainerIterator& operator++()
+	{
+		++Index;
+		return *this;
+	}
+	TIndexedContainerIterator& operator--()
+	{
+		--Index;
+		return *this;
+	}
+	ElementType& operator*() const { return (*Container)[Index]; }
+	ElementType* operator->() const { return &(*Container)[Index]; }
+	explicit operator bool() const { return Container->IsValidIndex(Index); }
+	int32 GetIndex() const { return Index; }
+	void Reset() { Index = 0; }
+	void SetToEnd() { Index = Container->Num(); }
+	/** The next ++ goes to the element behind it. */
+	void RemoveCurrent() { Container->RemoveAt(Index--); }
+
+private:
+	ContainerType* Container;
+	int32 Index;
+};
+
 template<typename T, typename Allocator>
 class TArray
 {
@@ -120,6 +155,11 @@ public:
 	const T* begin() const { return GetData(); }
 	T* end() { return GetData() + Data.size(); }
 	const T* end() const { return GetData() + Data.size(); }
+
+	using TIterator = TIndexedContainerIterator<TArray, T>;
+	using TConstIterator = TIndexedContainerIterator<const TArray, const T>;
+	TIterator CreateIterator() { return TIterator(*this); }
+	TConstIterator CreateConstIterator() const { return TConstIterator(*this); }
 
 	/** Adds at the end and returns the index. Element may lie in this array. */
 	int32 Add(const T& Element)

@@ -33,6 +33,7 @@
 #define SMALL_NUMBER UE_SMALL_NUMBER
 #define KINDA_SMALL_NUMBER UE_KINDA_SMALL_NUMBER
 #define BIG_NUMBER UE_BIG_NUMBER
+#define DELTA UE_DELTA
 
 namespace Drydock::Private
 {

@@ -95,6 +95,7 @@ struct FReflectedStruct
 	UObject* (*GetDefault)() = nullptr; // null: a struct, or a class that cannot be made
 	void* (*FromObject)(UObject* Object) = nullptr;
 	std::vector<FReflectedProperty> Properties = {};
+	void (*Place)() = nullptr; // an actor: puts one into the world, as a level has it
 };
 
 /** A property, and how to get from an object of some class to the class that has it. */
@@ -454,6 +455,13 @@ FReflectedStruct MakeReflectedStruct(const TCHAR* Name, const TCHAR* Module, con
 			{
 				return GetMutableDefault<T>();
 			};
+			if constexpr (requires { T::template PlaceInWorld<T>(); })
+			{
+				Struct.Place = []
+				{
+					T::template PlaceInWorld<T>();
+				};
+			}
 		}
 	}
 	return Struct;

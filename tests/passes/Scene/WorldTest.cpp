@@ -3,7 +3,9 @@
 
 #include "Engine/Engine.h"
 #include "Engine/TextureRenderTarget2D.h"
+#include "EngineModule.h"
 #include "EngineUtils.h"
+#include "Modules/ModuleManager.h"
 #include "SceneInterface.h"
 #include "Subsystems/WorldSubsystem.h"
 
@@ -27,7 +29,23 @@ class ATestActor : public AActor
 public:
 	ATestActor() { Component = CreateDefaultSubobject<UTestComponent>(TEXT("Test")); }
 	void BeginPlay() override { GPlay += " actor"; }
+	void Destroyed() override { GPlay += " destroyed"; }
 	UTestComponent* Component;
+};
+
+class ATickingActor : public AActor
+{
+public:
+	ATickingActor() { PrimaryActorTick.bCanEverTick = true; }
+	void Tick(float DeltaSeconds) override
+	{
+		NumTicks += DeltaSeconds == 0.0f;
+		if (NumTicks == 2)
+		{
+			SetActorTickEnabled(false);
+		}
+	}
+	int32 NumTicks = 0;
 };
 
 class UTestWorldSubsystem : public UWorldSubsystem
@@ -65,8 +83,43 @@ TEST(World, ASpawnedActorPlaysUntilItIsDestroyed)
 	}
 	EXPECT_EQ(1, NumFound);
 	Actor->Destroy();
-	EXPECT_EQ(" register component actor end", GPlay);
+	EXPECT_EQ(" register component actor end destroyed", GPlay);
 	EXPECT_FALSE(TActorIterator<ATestActor>(GWorld));
+}
+
+TEST(World, ActorsThatCanTickDoSoUntilTheyStop)
+{
+	ATickingActor* const Actor = GWorld->SpawnActor<ATickingActor>();
+	ATestActor* const Other = GWorld->SpawnActor<ATestActor>();
+	for (int32 Frame = 0; Frame < 4; ++Frame)
+	{
+		GWorld->TickActors();
+	}
+	EXPECT_EQ(2, Actor->NumTicks);
+	Actor->Destroy();
+	Other->Destroy();
+}
+
+TEST(World, PlacesAnActorWhereThereIsNoneOfItsClass)
+{
+	GWorld->PlaceActor<ATestActor>();
+	GWorld->PlaceActor<ATestActor>();
+	ATestActor* const Spawned = GWorld->SpawnActor<ATestActor>();
+	const auto Count = []
+	{
+		int32 NumFound = 0;
+		for (TActorIterator<ATestActor> It(GWorld); It; ++It)
+		{
+			++NumFound;
+		}
+		return NumFound;
+	};
+	EXPECT_EQ(2, Count());
+	GWorld->RemovePlacedActors();
+	EXPECT_EQ(1, Count());
+	GWorld->PlaceActor<ATestActor>();
+	EXPECT_EQ(1, Count());
+	Spawned->Destroy();
 }
 
 TEST(World, SubsystemsOfItsTypeStart)
@@ -78,6 +131,10 @@ TEST(World, SubsystemsOfItsTypeStart)
 	EXPECT_EQ(GWorld, GWorld->GetSubsystem<UTestWorldSubsystem>()->World);
 	EXPECT_EQ(GWorld, GWorld->GetSubsystem<UTestWorldSubsystem>()->GetWorld());
 	EXPECT_EQ(nullptr, GWorld->GetSubsystem<UEditorWorldSubsystem>());
+	EXPECT_EQ(GWorld->GetSubsystem<UTestWorldSubsystem>(), UWorld::GetSubsystem<UTestWorldSubsystem>(GWorld));
+	const UWorld* const None = nullptr;
+	EXPECT_EQ(nullptr, UWorld::GetSubsystem<UTestWorldSubsystem>(None));
+	EXPECT_EQ(nullptr, UGameInstance::GetSubsystem<UTestWorldSubsystem>(GWorld->GetGameInstance()));
 }
 
 TEST(TextureRenderTarget, HoldsItsClearColorInItsFormat)
@@ -95,4 +152,9 @@ TEST(TextureRenderTarget, HoldsItsClearColorInItsFormat)
 	EXPECT_EQ(Target.ClearColor, Pixels[5]);
 	Target.InitCustomFormat(1, 1, PF_B8G8R8A8, false);
 	EXPECT_EQ(PF_B8G8R8A8, Target.GetRenderTargetResource()->TextureRHI->GetFormat());
+}
+
+TEST(RendererModule, IsLoadedByName)
+{
+	EXPECT_EQ(&GetRendererModule(), &FModuleManager::LoadModuleChecked<IRendererModule>(TEXT("Renderer")));
 }

@@ -120,6 +120,20 @@ TEST_F(ObjectValues, ClassesMayBeNamedWithoutTheirPrefixAndByPath)
 		{0.5, 0.5, 1.375});
 }
 
+// An actor that "objects" names is in the world from its BeginPlay on, with its value, for that run: it ticks once.
+TEST_F(ObjectValues, AnActorThatTheConfigNamesIsPlaced)
+{
+	const double Scale[] = {0.5 * 2.0, 2.0 * 4.0, 0.0};
+	for (int Run = 0; Run < 2; ++Run)
+	{
+		ExpectPicture(RunConfig(MakeOptions(R"(, "objects": {"ATunedActor": {"Lift": 0.25}})")),
+			{Scale[0], Scale[1], Scale[2]}, {0.5 + 0.25, 0.5 + 0.25, 1.375 + 0.25 + 1.0});
+		ExpectPicture(RunConfig(MakeOptions(R"(, "objects": {"TunedActor": {}})")), {Scale[0], Scale[1], Scale[2]},
+			{0.5, 0.5, 1.375 + 1.0});
+		ExpectPicture(RunConfig(MakeOptions("")), {Scale[0], Scale[1], Scale[2]}, {0.5, 0.5, 1.375});
+	}
+}
+
 // Two volumes at weights 1 and 0.5, then the command line.
 TEST_F(ObjectValues, SettingsOfThePluginAreBlendedByVolumes)
 {

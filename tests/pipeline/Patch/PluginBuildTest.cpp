@@ -124,6 +124,34 @@ IMPLEMENT_MODULE(FDefaultModuleImpl, Tint)
 	EXPECT_FALSE(Files::exists(Root / "Plugins/Tint/build"));
 }
 
+// Its generated header comes with it.
+TEST_F(PluginBuild, AHeaderOfANeededPluginIsFoundWithItsClasses)
+{
+	Write("Plugins/Tint/Source/Tint/Public/TintSettings.h", R"(#pragma once
+#include "TintSettings.generated.h"
+UCLASS()
+class TINT_API UTintSettings : public UObject
+{
+	GENERATED_BODY()
+public:
+	int32 Answer = 42;
+};
+)");
+	Write("Plugins/Tint/Source/Tint/Private/Tint.cpp", "#include \"TintSettings.h\"\n");
+	Write("Plugins/User/User.uplugin", R"({"Plugins": [{"Name": "Tint", "Enabled": true}]})");
+	Write("Plugins/User/Source/User/User.Build.cs", "");
+	Write("Plugins/User/Source/User/Private/User.cpp", R"(#include "TintSettings.h"
+extern "C" int UserAnswer() { return GetDefault<UTintSettings>()->Answer; }
+)");
+	FPluginBuild Build = Describe();
+	Build.Folder = (Root / "Plugins/User").string();
+	const FBuiltPlugin Built = BuildPlugin(Build);
+	void* const Library = dlopen(Built.Library.c_str(), RTLD_NOW | RTLD_LOCAL);
+	ASSERT_NE(nullptr, Library) << dlerror();
+	EXPECT_EQ(42, reinterpret_cast<int (*)()>(dlsym(Library, "UserAnswer"))());
+	dlclose(Library);
+}
+
 TEST_F(PluginBuild, MistakesAreNumbered)
 {
 	FPluginBuild Build = Describe();

@@ -100,6 +100,34 @@ TEST_F(FShaderExecution, CommandListsDispatchWhatWasSet)
 	EXPECT_EQ(FLinearColor(2.0f, 4.0f, 6.0f, 8.0f), Output->ReadTexel(4, 2));
 }
 
+TEST_F(FShaderExecution, ABatchOfParametersIsSetAsOne)
+{
+	FRHICommandListImmediate& RHICmdList = FRHICommandListExecutor::GetImmediateCommandList();
+	const TShaderMapRef<FTestTintCS> Shader = Tint(false);
+	SetComputePipelineState(RHICmdList, Shader.GetComputeShader());
+	FRHIBatchedShaderParameters& Batch = RHICmdList.GetScratchShaderParameters();
+	EXPECT_FALSE(Batch.HasParameters());
+	SetShaderParameters(Batch, Shader, Parameters);
+	EXPECT_TRUE(Batch.HasParameters());
+	RHICmdList.SetBatchedShaderParameters(Shader.GetComputeShader(), Batch);
+	EXPECT_FALSE(Batch.HasParameters());
+	RHICmdList.DispatchComputeShader(1, 1, 1);
+	EXPECT_EQ(FLinearColor(2.0f, 4.0f, 6.0f, 8.0f), Output->ReadTexel(4, 2));
+}
+
+TEST_F(FShaderExecution, AnUpdatedUniformBufferLeavesTheOneBefore)
+{
+	FTestViewUniforms View;
+	View.PreExposure = 0.5f;
+	TUniformBufferRef<FTestViewUniforms> Buffer =
+		TUniformBufferRef<FTestViewUniforms>::CreateUniformBufferImmediate(View, UniformBuffer_MultiFrame);
+	const TUniformBufferRef<FTestViewUniforms> Before = Buffer;
+	View.PreExposure = 4.0f;
+	Buffer.UpdateUniformBufferImmediate(FRHICommandListExecutor::GetImmediateCommandList(), View);
+	EXPECT_EQ(0.5f, static_cast<const FTestViewUniforms*>(Before->GetContents())->PreExposure);
+	EXPECT_EQ(4.0f, static_cast<const FTestViewUniforms*>(Buffer->GetContents())->PreExposure);
+}
+
 TEST_F(FShaderExecution, MatricesMultiplyFromTheRightAsInTheEngine)
 {
 	Parameters.Transform.M[0][1] = 10.0f; // row vector times matrix: y gains 10 x

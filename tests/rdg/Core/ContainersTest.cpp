@@ -15,6 +15,28 @@ TEST(Array, AddReturnsTheIndex)
 	EXPECT_EQ((TArray<int32>{7, 8}), Array);
 }
 
+TEST(Array, IteratorsGoByIndexAndMayRemove)
+{
+	TArray<int32> Array{4, 5, 6, 7};
+	for (auto It = Array.CreateIterator(); It; ++It)
+	{
+		if (*It % 2 != 0)
+		{
+			It.RemoveCurrent();
+			continue;
+		}
+		*It += 10 * It.GetIndex();
+	}
+	EXPECT_EQ((TArray<int32>{4, 16}), Array);
+	int32 Sum = 0;
+	const TArray<int32>& Const = Array;
+	for (TArray<int32>::TConstIterator It = Const.CreateConstIterator(); It; ++It)
+	{
+		Sum += *It;
+	}
+	EXPECT_EQ(20, Sum);
+}
+
 TEST(Array, IndexOutsideFails)
 {
 	TArray<int32> Array{1, 2};

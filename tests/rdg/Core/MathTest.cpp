@@ -3,6 +3,7 @@
 #include <rapidcheck.h>
 
 #include "CoreMinimal.h"
+#include "MathUtil.h"
 
 namespace
 {
@@ -326,4 +327,16 @@ TEST(Math, LowestIsTheMostNegative)
 	EXPECT_LT(TNumericLimits<float>::Lowest(), -1e38f);
 	EXPECT_GT(TNumericLimits<float>::Min(), 0.0f);
 	EXPECT_EQ(255, TNumericLimits<uint8>::Max());
+}
+
+TEST(MathUtil, IsTheMathsOfOneType)
+{
+	static_assert(std::is_same_v<float, decltype(FMathf::Lerp(1, 2, 0))>);
+	EXPECT_EQ(2.5f, FMathf::Lerp(2.0f, 4.0f, 0.25f));
+	EXPECT_EQ(8.0f, FMathf::Pow(2, 3));
+	EXPECT_NEAR(std::exp(1.0), FMathd::Exp(1), 1e-15);
+	EXPECT_NEAR(1.5 * M_PI, FMathd::Atan2Positive(-1.0, 0.0), 1e-15);
+	EXPECT_EQ(-1.0, FMathd::Sign(-3.0));
+	EXPECT_EQ(0.0, FMathd::Sign(0.0));
+	EXPECT_EQ(0.00001f, DELTA);
 }

@@ -25,6 +25,22 @@ FLinearColor GetColor(const FGraphTest& Graph, const char* Name, int32 X, int32 
 
 } // namespace
 
+TEST(TextureMSAA, OfOneTextureIsBoth)
+{
+	FGraphTest Graph;
+	const FRDGTextureRef Texture = MakeColorTexture(Graph, "X");
+	EXPECT_FALSE(FRDGTextureMSAA().IsValid());
+	const FRDGTextureMSAA Pair = Texture;
+	EXPECT_TRUE(Pair.IsValid());
+	EXPECT_FALSE(Pair.IsSeparate());
+	EXPECT_EQ(Texture, Pair.Target);
+	EXPECT_EQ(Texture, Pair.Resolve);
+	const FRDGTextureMSAA Two(MakeColorTexture(Graph, "Y"), Texture);
+	EXPECT_TRUE(Two.IsSeparate());
+	const FRDGTextureRef Read = Two;
+	EXPECT_EQ(Texture, Read);
+}
+
 TEST(Utils, ClearRenderTargetGivesTheColor)
 {
 	FGraphTest Graph;

@@ -67,3 +67,13 @@ TEST(PixelFormat, Kinds)
 	EXPECT_FALSE(IsFloatFormat(PF_A2B10G10R10));
 	EXPECT_TRUE(IsDepthOrStencilFormat(PF_DepthStencil));
 }
+
+TEST(PixelFormat, StoredFormatsCanDoEverythingAndOthersNothing)
+{
+	constexpr EPixelFormatCapabilities Typed =
+		EPixelFormatCapabilities::TypedUAVLoad | EPixelFormatCapabilities::TypedUAVStore;
+	EXPECT_EQ(Typed, GPixelFormats[PF_FloatRGBA].Capabilities & Typed);
+	EXPECT_TRUE(UE::PixelFormat::HasCapabilities(PF_R8_UINT, Typed | EPixelFormatCapabilities::AnyTexture));
+	EXPECT_EQ(EPixelFormatCapabilities::None, GPixelFormats[PF_Unknown].Capabilities);
+	EXPECT_FALSE(RHIPixelFormatHasCapabilities(PF_Unknown, EPixelFormatCapabilities::Texture2D));
+}

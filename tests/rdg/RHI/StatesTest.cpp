@@ -129,3 +129,13 @@ TEST(VertexDeclarations, ExistForPipelineStates)
 	Initializer.BoundShaderState.VertexDeclarationRHI = GFilterVertexDeclaration.VertexDeclarationRHI;
 	EXPECT_NE(nullptr, Initializer.BoundShaderState.VertexDeclarationRHI);
 }
+
+TEST(RasterizerState, OfModesAtRunTimeIsTheStaticOne)
+{
+	EXPECT_EQ((TStaticRasterizerState<FM_Solid, CM_CW, false, true>::GetRHI()),
+		GetStaticRasterizerState<true>(FM_Solid, CM_CW));
+	EXPECT_EQ((TStaticRasterizerState<FM_Wireframe, CM_None, false, false>::GetRHI()),
+		GetStaticRasterizerState<false>(FM_Wireframe, CM_None));
+	EXPECT_EQ((TStaticRasterizerState<FM_Point, CM_CCW, false, true>::GetRHI()),
+		GetStaticRasterizerState<true>(FM_Point, CM_CCW));
+}

@@ -1,6 +1,7 @@
 // A plugin that is tuned from outside: by its ini files, by a config's "objects", and by settings of its own that
 // volumes blend.
 #include "Engine/Engine.h"
+#include "EngineUtils.h"
 #include "HAL/IConsoleManager.h"
 #include "Modules/ModuleManager.h"
 #include "PixelShaderUtils.h"
@@ -8,6 +9,7 @@
 #include "PostProcessSetting.h"
 #include "SceneRendering.h"
 #include "ShaderParameterStruct.h"
+#include "TunedActor.h"
 #include "TunedSettings.h"
 
 static TAutoConsoleVariable<float> CVarTunedGain(TEXT("r.Tuned.Gain"), 1.0f, TEXT("Multiplies green."));
@@ -89,6 +91,11 @@ private:
 			static_cast<float>(Settings->Weights.Lift.Y) + (Settings->bInvert ? 16.0f : 0.0f),
 			Settings->GetSumOfOffsets() + (Settings->Label == TEXT("a \"tuned\" plugin; no comment") ? 1.0f : 0.0f),
 			0.0f);
+		for (TActorIterator<ATunedActor> Actor(GWorld); Actor; ++Actor)
+		{
+			const float Lift = Actor->LiftAtPlay;
+			Parameters->Lift += FVector4f(Lift, Lift, Lift + static_cast<float>(Actor->NumTicks), 0.0f);
+		}
 		Parameters->RenderTargets[0] = Output.GetRenderTargetBinding();
 		FGlobalShaderMap* ShaderMap = GetGlobalShaderMap(View.FeatureLevel);
 		FPixelShaderUtils::AddFullscreenPass(GraphBuilder, ShaderMap, RDG_EVENT_NAME("Tuned"),
