@@ -1,5 +1,6 @@
 // Writes run.json, timing.json and trace.json.
 #include "Run/RunJson.h"
+#include "LanesScalarCalls.h"
 
 #include "PostProcessSettingsReflection.h"
 #include "Run/RunDump.h"
@@ -342,6 +343,13 @@ std::string MakeTimingJson(const FRunResult& Result, double SaveMs)
 	Writer.Member("compileMs", Result.Times.Compile);
 	Writer.Member("executeMs", Result.Times.Execute);
 	Writer.Member("saveMs", SaveMs);
+	// Of the process: packs of lanes whose texels were read or written one by one.
+	Writer.Key("scalarCalls").BeginObject(true);
+	for (uint8_t Index = 0; Index < uint8_t(EScalarCall::Count); ++Index)
+	{
+		Writer.Member(GetScalarCallName(EScalarCall(Index)), GetScalarCalls(EScalarCall(Index)));
+	}
+	Writer.EndObject();
 	Writer.EndObject();
 	return Writer.GetText();
 }

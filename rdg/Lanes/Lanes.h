@@ -34,7 +34,7 @@
 //                 LoadTyped, StoreTyped, BufferElements, ReadConstant, Interpolate
 //
 // Uniform scalars run the same code as lanes: an interpreter that calls these functions with plain float, int32_t and
-// uint32_t, and TSampling<float, 4> for textures, is a model of the compiled shader, bit for bit.
+// uint32_t, and TSampling<float, 1> for textures, is a model of the compiled shader, bit for bit.
 #pragma once
 
 #include "ShaderKernel.h"
