@@ -1,5 +1,6 @@
 // Writes run.json, timing.json and trace.json.
 #include "Run/RunJson.h"
+#include "LanesScalarCalls.h"
 
 #include "PostProcessSettingsReflection.h"
 #include "Run/RunDump.h"
@@ -357,6 +358,13 @@ std::string MakeTimingJson(const FRunResult& Result, double SaveMs)
 	Writer.Member("saveMs", SaveMs);
 	const std::chrono::duration<double, std::milli> Wall = std::chrono::steady_clock::now() - Result.Times.Begin;
 	Writer.Member("wallMs", Result.Times.Start + Wall.count());
+	// Of the process: packs of lanes whose texels were read or written one by one.
+	Writer.Key("scalarCalls").BeginObject(true);
+	for (uint8_t Index = 0; Index < uint8_t(EScalarCall::Count); ++Index)
+	{
+		Writer.Member(GetScalarCallName(EScalarCall(Index)), GetScalarCalls(EScalarCall(Index)));
+	}
+	Writer.EndObject();
 	Writer.EndObject();
 	return Writer.GetText();
 }

@@ -20,9 +20,9 @@
 //   Conversions   ToReal<Real>(x), ToInt(x), ToUint(x), ToBool(x) from any scalar or TVec; AsReal<Real>, AsInt, AsUint
 //                 keep the bits of a 32-bit value (double goes through float32)
 //   Arithmetic    Abs Sign Floor Ceil Round RoundEven Trunc Frac Sqrt InverseSqrt Min Max Clamp Saturate Mix Step
-//                 SmoothStep FMod (x - y floor(x/y)) FRem (x - y trunc(x/y)) Fma Ldexp IsNan IsInf IsFinite
-//                 Degrees Radians; integer: Abs Sign Min Max Clamp BitCount BitReverse FindLsb FindMsb
-//                 BitFieldExtract BitFieldInsert
+//                 SmoothStep FMod (x - y floor(x/y)) FRem (x - y trunc(x/y)) Fma (HLSL's mad: rounded twice)
+//                 Fused (x y + z rounded once) Ldexp IsNan IsInf IsFinite Degrees Radians; integer: Abs Sign Min Max
+//                 Clamp BitCount BitReverse FindLsb FindMsb BitFieldExtract BitFieldInsert
 //   Elementary    Exp2 Log2 Exp Log Pow Sin Cos Tan Asin Acos Atan Atan2 Sinh Cosh Tanh
 //   Vectors       Dot Cross Length Distance Normalize Reflect Refract FaceForward Any All (components);
 //                 Mul(M, V) Mul(V, M) Mul(M, M) Mul(M, x) Transpose Determinant OuterProduct
@@ -34,7 +34,7 @@
 //                 LoadTyped, StoreTyped, BufferElements, ReadConstant, Interpolate
 //
 // Uniform scalars run the same code as lanes: an interpreter that calls these functions with plain float, int32_t and
-// uint32_t, and TSampling<float, 4> for textures, is a model of the compiled shader, bit for bit.
+// uint32_t, and TSampling<float, 1> for textures, is a model of the compiled shader, bit for bit.
 #pragma once
 
 #include "ShaderKernel.h"

@@ -147,6 +147,77 @@ DRYDOCK_LANES_INLINE TReal<Real, N> Sqrt(TReal<Real, N> X)
 	}
 }
 
+/** P + C rounded to odd: an inexact sum that is even moves one bit towards what was lost. Where P is the product of two
+ *  floats and C a float, rounding the result to float is rounding the exact sum once (double has 2 * 24 + 5 bits). */
+template<int H>
+DRYDOCK_LANES_INLINE TRaw<double, H> AddToOdd(TRaw<double, H> P, TRaw<double, H> C)
+{
+	using FBits = TRaw<int64_t, H>;
+	const TRaw<double, H> Sum = P + C;
+	const TRaw<double, H> Part = Sum - P;
+	const TRaw<double, H> Error = (P - (Sum - Part)) + (C - Part);
+	const FBits bInexact = (Error < 0) | (Error > 0); // not where the sum is infinite and its error NaN
+	const FBits Direction = ((Error > 0) == (Sum > 0)) | 1;
+	const FBits Step = bInexact & ~-(FBits(Sum) & 1) & -Direction;
+	return TRaw<double, H>(FBits(Sum) + Step);
+}
+
+/** X * Y + Z, rounded once. Where the instruction set has no such operation its result is found in double. */
+template<typename Real, int N>
+DRYDOCK_LANES_INLINE TReal<Real, N> Fused(TReal<Real, N> X, TReal<Real, N> Y, TReal<Real, N> Z)
+{
+	using FLanes = TReal<Real, N>;
+	[[maybe_unused]] constexpr bool bFloat = sizeof(Real) == 4;
+#if DRYDOCK_LANES_LEVEL >= 3 && __has_builtin(__builtin_elementwise_fma)
+	return FLanes(__builtin_elementwise_fma(X.V, Y.V, Z.V));
+#else
+#if DRYDOCK_LANES_LEVEL >= 4
+	if constexpr (bFloat && N == 16)
+	{
+		return FLanes(__builtin_ia32_vfmaddps512_mask(X.V, Y.V, Z.V, uint16_t(0xFFFF), 4));
+	}
+	else
+#endif
+#if DRYDOCK_LANES_LEVEL >= 3
+		if constexpr (bFloat && N == 8)
+	{
+		return FLanes(__builtin_ia32_vfmaddps256(X.V, Y.V, Z.V));
+	}
+	else if constexpr (bFloat && N == 4)
+	{
+		return FLanes(__builtin_ia32_vfmaddps(X.V, Y.V, Z.V));
+	}
+	else
+#endif
+		if constexpr (bFloat)
+	{
+		using FWide = TRaw<double, N>;
+		constexpr int H = N > 1 ? N / 2 : 1; // what fills a register; wider comparisons would go lane by lane
+		const FWide Product = __builtin_convertvector(X.V, FWide) * __builtin_convertvector(Y.V, FWide);
+		const FWide Summand = __builtin_convertvector(Z.V, FWide);
+		TRaw<double, H> P[N / H], C[N / H];
+		__builtin_memcpy(P, &Product, sizeof(P));
+		__builtin_memcpy(C, &Summand, sizeof(C));
+		for (int i = 0; i < N / H; ++i)
+		{
+			P[i] = AddToOdd<H>(P[i], C[i]);
+		}
+		FWide Sum;
+		__builtin_memcpy(&Sum, P, sizeof(P));
+		return FLanes(__builtin_convertvector(Sum, TRaw<float, N>));
+	}
+	else
+	{
+		FLanes Result;
+		for (int Lane = 0; Lane < N; ++Lane)
+		{
+			Result.V[Lane] = __builtin_fma(X.V[Lane], Y.V[Lane], Z.V[Lane]);
+		}
+		return Result;
+	}
+#endif
+}
+
 template<typename Real, int N>
 DRYDOCK_LANES_INLINE TReal<Real, N> Abs(TReal<Real, N> X)
 {
@@ -398,7 +469,8 @@ DRYDOCK_LANES_BINARY(FRem, x - y * Impl::RoundTo<Impl::TowardsZero>(x / y))
 DRYDOCK_LANES_TERNARY(Clamp, Impl::Min(Impl::Max(x, y), z))
 DRYDOCK_LANES_TERNARY(Mix, Impl::Mix(x, y, z))
 DRYDOCK_LANES_TERNARY(SmoothStep, Impl::SmoothStep(x, y, z))
-DRYDOCK_LANES_TERNARY(Fma, x* y + z) // unfused: the same bits with and without FMA hardware
+DRYDOCK_LANES_TERNARY(Fma, x* y + z) // HLSL's mad: rounded twice
+DRYDOCK_LANES_TERNARY(Fused, Impl::Fused(x, y, z))
 
 template<CScalar A, CScalar B>
 DRYDOCK_LANES_INLINE auto Ldexp(A X, B Exponent)

@@ -61,7 +61,8 @@ struct TLaneOps<16>
 	{
 		return FUint(_mm512_i32gather_epi32(__m512i(Offsets), Base, 1));
 	}
-	/** Correctly rounded X / D for integers X up to D = 255: one Newton step on the product with the reciprocal. */
+	/** Correctly rounded X / D for integers X up to D = 2^k - 1, k <= 16: one Newton step on the product with the
+	 * reciprocal. */
 	static DRYDOCK_LANES_INLINE FFloat DivideExact(FFloat X, float D)
 	{
 		const __m512 Reciprocal = _mm512_set1_ps(1.0f / D);
@@ -112,6 +113,21 @@ struct TLaneOps<16>
 	static DRYDOCK_LANES_INLINE FFloat Permute2(FFloat Low, FFloat High, FInt Index)
 	{
 		return FFloat(_mm512_permutex2var_ps(__m512(Low), __m512i(Index), __m512(High)));
+	}
+	/** The even words of A and B in turn, and the odd ones. */
+	static DRYDOCK_LANES_INLINE void Deinterleave(FUint A, FUint B, FUint W[2])
+	{
+		const FInt Even = LaneIndex<16>().V * 2;
+		W[0] = FUint(Permute2(FFloat(A), FFloat(B), Even));
+		W[1] = FUint(Permute2(FFloat(A), FFloat(B), Even + 1));
+	}
+	/** The way back. */
+	static DRYDOCK_LANES_INLINE void Interleave(const FUint W[2], FUint Rows[2])
+	{
+		const FInt Lanes = LaneIndex<16>().V;
+		const FInt Low = (Lanes >> 1) | ((Lanes & 1) << 4);
+		Rows[0] = FUint(Permute2(FFloat(W[0]), FFloat(W[1]), Low));
+		Rows[1] = FUint(Permute2(FFloat(W[0]), FFloat(W[1]), Low + 8));
 	}
 	/** Texels 0 2 4 6 (1 3 5 7) of two AoS registers. */
 	static DRYDOCK_LANES_INLINE FFloat EvenTexels(FFloat A, FFloat B)
@@ -228,6 +244,20 @@ struct TLaneOps<8>
 		const __m256 FromHigh = _mm256_permutevar8x32_ps(__m256(High), __m256i(Index));
 		return FFloat(_mm256_blendv_ps(FromLow, FromHigh, _mm256_castsi256_ps(_mm256_slli_epi32(__m256i(Index), 28))));
 	}
+	static DRYDOCK_LANES_INLINE void Deinterleave(FUint A, FUint B, FUint W[2])
+	{
+		const __m256 Even = _mm256_shuffle_ps(__m256(A), __m256(B), 0x88); // halves of A and B in turn
+		const __m256 Odd = _mm256_shuffle_ps(__m256(A), __m256(B), 0xDD);
+		W[0] = FUint(_mm256_permute4x64_epi64(__m256i(Even), 0xD8));
+		W[1] = FUint(_mm256_permute4x64_epi64(__m256i(Odd), 0xD8));
+	}
+	static DRYDOCK_LANES_INLINE void Interleave(const FUint W[2], FUint Rows[2])
+	{
+		const __m256i Low = _mm256_unpacklo_epi32(__m256i(W[0]), __m256i(W[1]));
+		const __m256i High = _mm256_unpackhi_epi32(__m256i(W[0]), __m256i(W[1]));
+		Rows[0] = FUint(_mm256_permute2x128_si256(Low, High, 0x20));
+		Rows[1] = FUint(_mm256_permute2x128_si256(Low, High, 0x31));
+	}
 	static DRYDOCK_LANES_INLINE FFloat EvenTexels(FFloat A, FFloat B)
 	{
 		return FFloat(_mm256_permute2f128_ps(__m256(A), __m256(B), 0x20));
@@ -310,6 +340,16 @@ struct TLaneOps<4>
 	static DRYDOCK_LANES_INLINE void Join(const FFloat C[4], FFloat A[4]) { Split(C, A); }
 	static DRYDOCK_LANES_INLINE FFloat Permute(FFloat Table, FInt) { return Table; }
 	static DRYDOCK_LANES_INLINE FFloat Permute2(FFloat Low, FFloat, FInt) { return Low; }
+	static DRYDOCK_LANES_INLINE void Deinterleave(FUint A, FUint B, FUint W[2])
+	{
+		W[0] = FUint(_mm_shuffle_ps(__m128(A), __m128(B), 0x88));
+		W[1] = FUint(_mm_shuffle_ps(__m128(A), __m128(B), 0xDD));
+	}
+	static DRYDOCK_LANES_INLINE void Interleave(const FUint W[2], FUint Rows[2])
+	{
+		Rows[0] = FUint(_mm_unpacklo_epi32(__m128i(W[0]), __m128i(W[1])));
+		Rows[1] = FUint(_mm_unpackhi_epi32(__m128i(W[0]), __m128i(W[1])));
+	}
 	/** A register is one texel: A is the even, B the odd one. */
 	static DRYDOCK_LANES_INLINE FFloat EvenTexels(FFloat A, FFloat) { return A; }
 	static DRYDOCK_LANES_INLINE FFloat OddTexels(FFloat, FFloat B) { return B; }

@@ -1,6 +1,8 @@
-// Defines the members of TSampling for the instruction set of the including file.
+// Defines the members of TSampling for the instruction set of the including file. One float lane has no lane code: it
+// is the reference that the others are compared with.
 #pragma once
 
+#include "LanesBuffers.inl"
 #include "LanesSamplingRows.inl"
 #include "LanesStores.inl"
 
@@ -9,11 +11,12 @@ namespace Drydock::Lanes
 inline namespace DRYDOCK_LANES_SET
 {
 
-/** The rare half of SampleMip2D. */
+/** The rare half of SampleMip2D: 64-bit formats, slices too large for gathers, results that are NaN. */
 template<typename Real, int N>
 __attribute__((noinline)) void SampleMip2DRare(const FKernelTexture& Texture, const FKernelSampler& Sampler,
 	int32_t MipIndex, const Real* U, const Real* V, const Real* Layers, Real* Out)
 {
+	CountScalarCall<Real, N>(EScalarCall::Sample);
 	const FKernelMip& Mip = Texture.Mips[MipIndex];
 	const bool bPoint = Sampler.Filter == EKernelFilter::Point;
 	const TAxis<Real, N> X = MakeAxis<Real, N>(U, Mip.SizeX, bPoint, Sampler.SampleBits);
@@ -21,12 +24,35 @@ __attribute__((noinline)) void SampleMip2DRare(const FKernelTexture& Texture, co
 	SampleMip2DReference<Real, N>(Texture, Sampler, MipIndex, X, Y, Layers, Out);
 }
 
+/** Lanes in different layers of an array. False where SampleMip2DRare must decide. */
+template<int N>
+__attribute__((noinline)) bool SampleLayers(const FKernelTexture& Texture, const FKernelSampler& Sampler,
+	const FKernelMip& Mip, const float* U, const float* V, const float* Layers, float* Out)
+{
+	const TTapReader<N> Reader = {Texture, Sampler, Mip};
+	if (!Reader.CanRead())
+	{
+		return false;
+	}
+	const bool bPoint = Sampler.Filter == EKernelFilter::Point;
+	const TAxis<float, N> X = MakeAxis<float, N>(U, Mip.SizeX, bPoint, Sampler.SampleBits);
+	const TAxis<float, N> Y = MakeAxis<float, N>(V, Mip.SizeY, bPoint, Sampler.SampleBits);
+	TRaw<int32_t, N> Slices;
+	for (int Lane = 0; Lane < N; ++Lane)
+	{
+		Slices[Lane] = SelectLayer(Layers[Lane], Mip.SizeZ);
+	}
+	TRaw<float, N> C[4];
+	Reader.Filter2D(TTaps<N>(X, Mip.SizeX, Sampler.AddressU), TTaps<N>(Y, Mip.SizeY, Sampler.AddressV), Slices, C);
+	return FinishTaps<N>(C, Out);
+}
+
 /** One mip of a 2D texture or of one layer of an array. */
 template<typename Real, int N>
 DRYDOCK_LANES_INLINE void SampleMip2D(const FKernelTexture& Texture, const FKernelSampler& Sampler, int32_t MipIndex,
 	const Real* U, const Real* V, const Real* Layers, Real* Out)
 {
-	if constexpr (sizeof(Real) == 4)
+	if constexpr (HasLaneCode<Real, N>)
 	{
 		const FKernelMip& Mip = Texture.Mips[MipIndex];
 		const uint8_t* Base = Mip.Data;
@@ -40,8 +66,14 @@ DRYDOCK_LANES_INLINE void SampleMip2D(const FKernelTexture& Texture, const FKern
 			}
 			Base += int64_t(Layer) * Mip.SlicePitch;
 		}
-		if (bOneLayer && VisitFormat(Texture.Storage, [&](auto Format)
-							 { return SampleMip2DTuned<decltype(Format), N>(Mip, Base, Sampler, U, V, Out); }))
+		const auto Sample = [&](auto Format)
+		{
+			return SampleMip2DTuned<N>(Format, Texture, Mip, Base, Sampler, U, V, Out);
+		};
+		const FTexelStorageInfo& Info = GetTexelStorageInfo(Texture.Storage);
+		if (!bOneLayer ? SampleLayers<N>(Texture, Sampler, Mip, U, V, Layers, Out)
+					   : VisitPictureFormat(Texture.Storage, Sample) ||
+							 (Info.BitsPerChannel <= 32 && Sample(FAnyFormat{Texture.Storage, Info.BytesPerTexel})))
 		{
 			return;
 		}
@@ -58,6 +90,21 @@ inline void SampleMip3D(const FKernelTexture& Texture, const FKernelSampler& Sam
 	const TAxis<Real, N> X = MakeAxis<Real, N>(U, Mip.SizeX, bPoint, Sampler.SampleBits);
 	const TAxis<Real, N> Y = MakeAxis<Real, N>(V, Mip.SizeY, bPoint, Sampler.SampleBits);
 	const TAxis<Real, N> Z = MakeAxis<Real, N>(W, Mip.SizeZ, bPoint, Sampler.SampleBits);
+	if constexpr (HasLaneCode<Real, N>)
+	{
+		const TTapReader<N> Reader = {Texture, Sampler, Mip};
+		if (Reader.CanRead())
+		{
+			TRaw<float, N> C[4];
+			Reader.Filter3D(TTaps<N>(X, Mip.SizeX, Sampler.AddressU), TTaps<N>(Y, Mip.SizeY, Sampler.AddressV),
+				TTaps<N>(Z, Mip.SizeZ, Sampler.AddressW), C);
+			if (FinishTaps<N>(C, Out))
+			{
+				return;
+			}
+		}
+	}
+	CountScalarCall<Real, N>(EScalarCall::Sample);
 	SampleMip3DReference<Real, N>(Texture, Sampler, MipIndex, X, Y, Z, Out);
 }
 
@@ -130,56 +177,67 @@ inline Texel LoadInside(const FKernelTexture& Texture, int32_t X, int32_t Y, int
 	return Texel{};
 }
 
-template<int N>
-DRYDOCK_LANES_INLINE bool IsSame(TRaw<int32_t, N> X)
-{
-	return MaskBits(TMask<N>(X != X[0])) == 0;
-}
-
-/** Lane i is at (X[0] + i, Y[0]). */
-template<int N>
-DRYDOCK_LANES_INLINE bool IsRow(TRaw<int32_t, N> X, TRaw<int32_t, N> Y)
-{
-	return IsSame<N>((TInt<N>(X) - LaneIndex<N>()).V) && IsSame<N>(Y);
-}
-
-/** A row of texels inside one mip, no filter. */
-template<int N>
-inline bool LoadRowTuned(
-	const FKernelTexture& Texture, const int32_t* X, const int32_t* Y, const int32_t* Z, int32_t MipIndex, float* Out)
+/** One mip for the lanes of the mask; a row of texels inside it is read without gathers. */
+template<typename Scalar, int N>
+inline bool LoadMip(const FKernelTexture& Texture, int32_t MipIndex, TMask<N> Lanes, const int32_t* X, const int32_t* Y,
+	const int32_t* Z, TRaw<Scalar, N> C[4])
 {
 	if (uint32_t(MipIndex) >= uint32_t(Texture.NumMips))
 	{
-		return false;
+		for (int c = 0; c < 4; ++c)
+		{
+			C[c] = TRaw<Scalar, N>{};
+		}
+		return true;
 	}
 	const FKernelMip& Mip = Texture.Mips[MipIndex];
 	const int32_t Slice = Z ? Z[0] : 0;
-	const TRaw<int32_t, N> Columns = LoadRaw<TRaw<int32_t, N>>(X);
-	const TRaw<int32_t, N> Rows = LoadRaw<TRaw<int32_t, N>>(Y);
 	const bool bRow = X[0] >= 0 && X[0] <= Mip.SizeX - N && uint32_t(Y[0]) < uint32_t(Mip.SizeY) &&
-					  uint32_t(Slice) < uint32_t(Mip.SizeZ) && IsRow<N>(Columns, Rows) &&
+					  uint32_t(Slice) < uint32_t(Mip.SizeZ) && AllLanes(Lanes) &&
+					  IsRow<N>(LoadRaw<TRaw<int32_t, N>>(X), LoadRaw<TRaw<int32_t, N>>(Y)) &&
 					  (!Z || IsSame<N>(LoadRaw<TRaw<int32_t, N>>(Z)));
-	if (!bRow)
+	if (bRow)
 	{
-		return false;
+		const int32_t Bytes = GetTexelStorageInfo(Texture.Storage).BytesPerTexel;
+		return LoadTexels<Scalar, N>(Texture.Storage, TexelAddress(Mip, Bytes, X[0], Y[0], Slice), C);
 	}
-	return VisitFormat(Texture.Storage,
-		[&](auto Format)
-		{
-			using FFormat = decltype(Format);
-			TRaw<float, N> C[4];
-			LoadColumn<FFormat, N>(TexelAddress(Mip, FFormat::Bytes, X[0], Y[0], Slice), nullptr, 0, C);
-			for (int c = 0; c < 4; ++c)
-			{
-				StoreRaw(Out + c * N, c < FFormat::Channels ? C[c] : Broadcast<float, N>(c == 3 ? 1.0f : 0.0f));
-			}
-			return true;
-		});
+	return LoadLanes<Scalar, N>(Texture, Mip, Lanes, X, Y, Z, C);
 }
 
-inline bool IsInsideTyped(const FKernelBuffer& Buffer, uint32_t Index, int32_t BytesPerElement)
+/** Lanes from one mip or from one each. False when the storage has no lane code. */
+template<typename Scalar, int N>
+inline bool LoadMips(const FKernelTexture& Texture, const int32_t* X, const int32_t* Y, const int32_t* Z,
+	const int32_t* Mips, bool bUniformMip, Scalar* Out)
 {
-	return (uint64_t(Index) + 1) * uint64_t(BytesPerElement) <= Buffer.SizeInBytes;
+	TRaw<Scalar, N> C[4];
+	if (bUniformMip || IsSame<N>(LoadRaw<TRaw<int32_t, N>>(Mips)))
+	{
+		if (!LoadMip<Scalar, N>(Texture, Mips[0], TMask<N>(true), X, Y, Z, C))
+		{
+			return false;
+		}
+		StoreRaw(Out, C);
+		return true;
+	}
+	TRaw<Scalar, N> All[4] = {};
+	for (int32_t MipIndex = 0; MipIndex < Texture.NumMips; ++MipIndex)
+	{
+		const TMask<N> Lanes(LoadRaw<TRaw<int32_t, N>>(Mips) == MipIndex);
+		if (!AnyLane(Lanes))
+		{
+			continue;
+		}
+		if (!LoadMip<Scalar, N>(Texture, MipIndex, Lanes, X, Y, Z, C))
+		{
+			return false;
+		}
+		for (int c = 0; c < 4; ++c)
+		{
+			All[c] = Lanes.V != 0 ? C[c] : All[c];
+		}
+	}
+	StoreRaw(Out, All);
+	return true;
 }
 
 } // namespace DRYDOCK_LANES_SET
@@ -209,9 +267,34 @@ template<typename Real, int N>
 void TSampling<Real, N>::Gather2D(const FKernelTexture& Texture, const FKernelSampler& Sampler, const Real* U,
 	const Real* V, int32_t Component, Real* Out)
 {
+	const FKernelMip& Mip = Texture.Mips[0];
+	const TAxis<Real, N> X = MakeAxis<Real, N>(U, Mip.SizeX, false, Sampler.SampleBits);
+	const TAxis<Real, N> Y = MakeAxis<Real, N>(V, Mip.SizeY, false, Sampler.SampleBits);
+	if constexpr (HasLaneCode<Real, N>)
+	{
+		using FInt = TRaw<int32_t, N>;
+		const TTapReader<N> Lanes = {Texture, Sampler, Mip};
+		if (Lanes.CanRead())
+		{
+			const FInt Left = AddressTexels(X.First, Mip.SizeX, Sampler.AddressU).V;
+			const FInt Right = AddressTexels(X.First + TInt<N>(1), Mip.SizeX, Sampler.AddressU).V;
+			const FInt Top = AddressTexels(Y.First, Mip.SizeY, Sampler.AddressV).V;
+			const FInt Bottom = AddressTexels(Y.First + TInt<N>(1), Mip.SizeY, Sampler.AddressV).V;
+			const auto Take = [&](int Place, FInt Columns, FInt Rows)
+			{
+				TRaw<float, N> C[4];
+				Lanes.Read(Columns, Rows, FInt{}, C);
+				StoreRaw(Out + Place * N, C[Component & 3]);
+			};
+			Take(0, Left, Bottom);
+			Take(1, Right, Bottom);
+			Take(2, Right, Top);
+			Take(3, Left, Top);
+			return;
+		}
+	}
+	CountScalarCall<Real, N>(EScalarCall::Gather);
 	const TTexelReader<Real> Reader(Texture, Sampler, 0);
-	const TAxis<Real, N> X = MakeAxis<Real, N>(U, Reader.Mip.SizeX, false, Sampler.SampleBits);
-	const TAxis<Real, N> Y = MakeAxis<Real, N>(V, Reader.Mip.SizeY, false, Sampler.SampleBits);
 	for (int Lane = 0; Lane < N; ++Lane)
 	{
 		const TTap<Real> TapX = MakeTap(X, Lane, Reader.Mip.SizeX, Sampler.AddressU);
@@ -227,13 +310,14 @@ template<typename Real, int N>
 void TSampling<Real, N>::Load(const FKernelTexture& Texture, const int32_t* X, const int32_t* Y, const int32_t* Z,
 	const int32_t* Mips, bool bUniformMip, Real* Out)
 {
-	if constexpr (sizeof(Real) == 4)
+	if constexpr (HasLaneCode<Real, N>)
 	{
-		if (bUniformMip && LoadRowTuned<N>(Texture, X, Y, Z, Mips[0], Out))
+		if (LoadMips<float, N>(Texture, X, Y, Z, Mips, bUniformMip, Out))
 		{
 			return;
 		}
 	}
+	CountScalarCall<Real, N>(EScalarCall::Load);
 	for (int Lane = 0; Lane < N; ++Lane)
 	{
 		const int32_t MipIndex = Mips[bUniformMip ? 0 : Lane];
@@ -250,14 +334,20 @@ template<typename Real, int N>
 void TSampling<Real, N>::LoadUint(const FKernelTexture& Texture, const int32_t* X, const int32_t* Y, const int32_t* Z,
 	const int32_t* Mips, bool bUniformMip, uint32_t* Out)
 {
+	if constexpr (HasLaneCode<Real, N>)
+	{
+		if (LoadMips<uint32_t, N>(Texture, X, Y, Z, Mips, bUniformMip, Out))
+		{
+			return;
+		}
+	}
+	CountScalarCall<Real, N>(EScalarCall::Load);
 	for (int Lane = 0; Lane < N; ++Lane)
 	{
 		const int32_t MipIndex = Mips[bUniformMip ? 0 : Lane];
 		const auto Read = [&Texture](const uint8_t* Address)
 		{
-			TTexel<uint32_t> Texel;
-			DecodeTexel(Texture.Storage, Address, Texel.C);
-			return Texel;
+			return ReadTexel<uint32_t>(Texture.Storage, Address);
 		};
 		WriteLane<uint32_t, N>(
 			Out, Lane, LoadInside<TTexel<uint32_t>>(Texture, X[Lane], Y[Lane], Z ? Z[Lane] : 0, MipIndex, Read));
@@ -268,44 +358,14 @@ template<typename Real, int N>
 void TSampling<Real, N>::Store(const FKernelTexture& Texture, const int32_t* Mask, const int32_t* X, const int32_t* Y,
 	const int32_t* Z, const Real* Value)
 {
-	const FKernelMip& Mip = Texture.Mips[0];
-	const TRaw<int32_t, N> Columns = LoadRaw<TRaw<int32_t, N>>(X);
-	const TRaw<int32_t, N> Rows = LoadRaw<TRaw<int32_t, N>>(Y);
-	const bool bRow = IsRow<N>(Columns, Rows) && (!Z || IsSame<N>(LoadRaw<TRaw<int32_t, N>>(Z)));
-	if (bRow)
-	{
-		StoreConsecutive<Real, N>(Texture, Mip, Mask, X[0], Y[0], Z ? Z[0] : 0, Value);
-		return;
-	}
-	const int32_t Bytes = GetTexelStorageInfo(Texture.Storage).BytesPerTexel;
-	for (int Lane = 0; Lane < N; ++Lane)
-	{
-		const int32_t Slice = Z ? Z[Lane] : 0;
-		if (Mask[Lane] && uint32_t(X[Lane]) < uint32_t(Mip.SizeX) && uint32_t(Y[Lane]) < uint32_t(Mip.SizeY) &&
-			uint32_t(Slice) < uint32_t(Mip.SizeZ))
-		{
-			StoreLane<Real, N>(
-				Texture, const_cast<uint8_t*>(TexelAddress(Mip, Bytes, X[Lane], Y[Lane], Slice)), Value, Lane);
-		}
-	}
+	StoreLanes<Real, Real, N>(Texture, Mask, X, Y, Z, Value);
 }
 
 template<typename Real, int N>
 void TSampling<Real, N>::StoreUint(const FKernelTexture& Texture, const int32_t* Mask, const int32_t* X,
 	const int32_t* Y, const int32_t* Z, const uint32_t* Value)
 {
-	const FKernelMip& Mip = Texture.Mips[0];
-	const int32_t Bytes = GetTexelStorageInfo(Texture.Storage).BytesPerTexel;
-	for (int Lane = 0; Lane < N; ++Lane)
-	{
-		const int32_t Slice = Z ? Z[Lane] : 0;
-		if (Mask[Lane] && uint32_t(X[Lane]) < uint32_t(Mip.SizeX) && uint32_t(Y[Lane]) < uint32_t(Mip.SizeY) &&
-			uint32_t(Slice) < uint32_t(Mip.SizeZ))
-		{
-			const uint32_t RGBA[4] = {Value[Lane], Value[N + Lane], Value[2 * N + Lane], Value[3 * N + Lane]};
-			EncodeTexel(Texture.Storage, RGBA, const_cast<uint8_t*>(TexelAddress(Mip, Bytes, X[Lane], Y[Lane], Slice)));
-		}
-	}
+	StoreLanes<Real, uint32_t, N>(Texture, Mask, X, Y, Z, Value);
 }
 
 template<typename Real, int N>
@@ -318,58 +378,27 @@ void TSampling<Real, N>::StoreTarget(
 template<typename Real, int N>
 void TSampling<Real, N>::LoadTyped(const FKernelBuffer& Buffer, const uint32_t* Index, Real* Out)
 {
-	const int32_t Bytes = GetTexelStorageInfo(Buffer.Storage).BytesPerTexel;
-	for (int Lane = 0; Lane < N; ++Lane)
-	{
-		const bool bInside = IsInsideTyped(Buffer, Index[Lane], Bytes);
-		WriteLane<Real, N>(Out, Lane,
-			bInside ? ReadTexel<Real>(Buffer.Storage, Buffer.Data + uint64_t(Index[Lane]) * Bytes) : TTexel<Real>{});
-	}
+	LoadElements<Real, Real, N>(Buffer, Index, Out);
 }
 
 template<typename Real, int N>
 void TSampling<Real, N>::LoadTypedUint(const FKernelBuffer& Buffer, const uint32_t* Index, uint32_t* Out)
 {
-	const int32_t Bytes = GetTexelStorageInfo(Buffer.Storage).BytesPerTexel;
-	for (int Lane = 0; Lane < N; ++Lane)
-	{
-		TTexel<uint32_t> Texel = {};
-		if (IsInsideTyped(Buffer, Index[Lane], Bytes))
-		{
-			DecodeTexel(Buffer.Storage, Buffer.Data + uint64_t(Index[Lane]) * Bytes, Texel.C);
-		}
-		WriteLane<uint32_t, N>(Out, Lane, Texel);
-	}
+	LoadElements<Real, uint32_t, N>(Buffer, Index, Out);
 }
 
 template<typename Real, int N>
 void TSampling<Real, N>::StoreTyped(
 	const FKernelBuffer& Buffer, const int32_t* Mask, const uint32_t* Index, const Real* Value)
 {
-	const int32_t Bytes = GetTexelStorageInfo(Buffer.Storage).BytesPerTexel;
-	for (int Lane = 0; Lane < N; ++Lane)
-	{
-		if (Mask[Lane] && IsInsideTyped(Buffer, Index[Lane], Bytes))
-		{
-			const Real RGBA[4] = {Value[Lane], Value[N + Lane], Value[2 * N + Lane], Value[3 * N + Lane]};
-			EncodeTexel(Buffer.Storage, RGBA, Buffer.Data + uint64_t(Index[Lane]) * Bytes);
-		}
-	}
+	StoreElements<Real, Real, N>(Buffer, Mask, Index, Value);
 }
 
 template<typename Real, int N>
 void TSampling<Real, N>::StoreTypedUint(
 	const FKernelBuffer& Buffer, const int32_t* Mask, const uint32_t* Index, const uint32_t* Value)
 {
-	const int32_t Bytes = GetTexelStorageInfo(Buffer.Storage).BytesPerTexel;
-	for (int Lane = 0; Lane < N; ++Lane)
-	{
-		if (Mask[Lane] && IsInsideTyped(Buffer, Index[Lane], Bytes))
-		{
-			const uint32_t RGBA[4] = {Value[Lane], Value[N + Lane], Value[2 * N + Lane], Value[3 * N + Lane]};
-			EncodeTexel(Buffer.Storage, RGBA, Buffer.Data + uint64_t(Index[Lane]) * Bytes);
-		}
-	}
+	StoreElements<Real, uint32_t, N>(Buffer, Mask, Index, Value);
 }
 
 } // namespace Drydock::Lanes

@@ -1,9 +1,8 @@
-// Sampling of scattered lanes: one footprint per lane, with or without border texels. Same operations, same order, same
-// bits as LanesSamplingReference.inl, except where a result is NaN. Included by the LanesSampling_*.cpp only.
+// Sampling of scattered lanes: one footprint per lane. Same operations, same order, same bits as
+// LanesSamplingReference.inl, except where a result is NaN. Included by the LanesSampling_*.cpp only.
 #pragma once
 
-#include "LanesFormats.inl"
-#include "LanesSamplingReference.inl"
+#include "LanesTexels.inl"
 
 namespace Drydock::Lanes
 {
@@ -20,6 +19,48 @@ template<typename V, typename W>
 DRYDOCK_LANES_INLINE V Blend(V A, V B, W Weight)
 {
 	return A + Weight * (B - A);
+}
+
+/** The formats without sampling paths of their own: which one it is comes out at each tap. */
+struct FAnyFormat
+{
+	static constexpr bool bWide = false;
+	static constexpr int Channels = 4;
+	ETexelStorage Storage;
+	int32_t Bytes;
+};
+
+/** N neighbouring texels of a narrow format as channels. */
+template<int N, typename FFormat>
+DRYDOCK_LANES_INLINE void ReadNeighbours(FFormat Format, const uint8_t* P, TRaw<float, N> C[4])
+{
+	if constexpr (std::is_same_v<FFormat, FAnyFormat>)
+	{
+		LoadTexels<float, N>(Format.Storage, P, C);
+	}
+	else
+	{
+		TRaw<uint32_t, N> W[WordsOf<FFormat>];
+		LoadWords<FFormat, N>(P, W);
+		FFormat::template Decode<N>(W, C);
+	}
+}
+
+/** The texels of a narrow format at Base + Offsets as channels. */
+template<int N, typename FFormat>
+DRYDOCK_LANES_INLINE void ReadScattered(
+	FFormat Format, const uint8_t* Base, TRaw<int32_t, N> Offsets, TRaw<float, N> C[4])
+{
+	if constexpr (std::is_same_v<FFormat, FAnyFormat>)
+	{
+		GatherTexels<float, N>(Format.Storage, Base, Offsets, C);
+	}
+	else
+	{
+		TRaw<uint32_t, N> W[WordsOf<FFormat>];
+		GatherWords<FFormat, N>(Base, Offsets, W);
+		FFormat::template Decode<N>(W, C);
+	}
 }
 
 /** Writes the channels; false when one is NaN. Channels that the format lacks are 0, 0, 1. */
@@ -101,24 +142,24 @@ DRYDOCK_LANES_INLINE void SampleGeneralWide(
 	TLaneOps<N>::Split(A, C);
 }
 
-/** One footprint per lane by gathers. A gather reads a whole word: the margin of a texture's memory allows it. */
-template<typename FFormat, int N>
+/** One footprint per lane by gathers. */
+template<int N, typename FFormat>
 DRYDOCK_LANES_INLINE void SampleGeneralNarrow(
-	const FKernelMip& Mip, const uint8_t* Base, const TFootprints<N>& F, TRaw<float, N> C[4])
+	FFormat Format, const FKernelMip& Mip, const uint8_t* Base, const TFootprints<N>& F, TRaw<float, N> C[4])
 {
 	using FInt = TRaw<int32_t, N>;
 	using FFloat = TRaw<float, N>;
 	const FInt Row0 = F.Top * Mip.RowPitch;
 	const FInt Row1 = F.Bottom * Mip.RowPitch;
-	const FInt L = F.Left * FFormat::Bytes;
-	const FInt R = F.Right * FFormat::Bytes;
+	const FInt L = F.Left * Format.Bytes;
+	const FInt R = F.Right * Format.Bytes;
 	FFloat D[4];
-	FFormat::template Decode<N>(TLaneOps<N>::Gather(Base, Row0 + L), C);
+	ReadScattered<N>(Format, Base, Row0 + L, C);
 	const bool bTwoRows = !AllEqual<N>(F.WeightY, 0.0f);
 	const bool bTwoColumns = !AllEqual<N>(F.WeightX, 0.0f);
 	if (bTwoRows)
 	{
-		FFormat::template Decode<N>(TLaneOps<N>::Gather(Base, Row1 + L), D);
+		ReadScattered<N>(Format, Base, Row1 + L, D);
 		for (int c = 0; c < FFormat::Channels; ++c)
 		{
 			C[c] = F.WeightY == 0.0f ? C[c] : Blend(C[c], D[c], F.WeightY);
@@ -129,10 +170,10 @@ DRYDOCK_LANES_INLINE void SampleGeneralNarrow(
 		return;
 	}
 	FFloat E[4];
-	FFormat::template Decode<N>(TLaneOps<N>::Gather(Base, Row0 + R), E);
+	ReadScattered<N>(Format, Base, Row0 + R, E);
 	if (bTwoRows)
 	{
-		FFormat::template Decode<N>(TLaneOps<N>::Gather(Base, Row1 + R), D);
+		ReadScattered<N>(Format, Base, Row1 + R, D);
 		for (int c = 0; c < FFormat::Channels; ++c)
 		{
 			E[c] = F.WeightY == 0.0f ? E[c] : Blend(E[c], D[c], F.WeightY);
@@ -145,9 +186,9 @@ DRYDOCK_LANES_INLINE void SampleGeneralNarrow(
 }
 
 /** False when the texture is too large for gathers, which take 32-bit offsets. */
-template<typename FFormat, int N>
+template<int N, typename FFormat>
 DRYDOCK_LANES_INLINE bool SampleGeneral(
-	const FKernelMip& Mip, const uint8_t* Base, const TFootprints<N>& F, TRaw<float, N> C[4])
+	FFormat Format, const FKernelMip& Mip, const uint8_t* Base, const TFootprints<N>& F, TRaw<float, N> C[4])
 {
 	if constexpr (FFormat::bWide)
 	{
@@ -160,60 +201,9 @@ DRYDOCK_LANES_INLINE bool SampleGeneral(
 		{
 			return false;
 		}
-		SampleGeneralNarrow<FFormat, N>(Mip, Base, F, C);
+		SampleGeneralNarrow<N>(Format, Mip, Base, F, C);
 		return true;
 	}
-}
-
-/** Some texels are the border's colour: the four taps are fetched apart, from clamped places, and replaced where they
- *  lie outside. */
-template<typename FFormat, int N>
-inline bool SampleBordered(const FKernelMip& Mip, const uint8_t* Base, const FKernelSampler& Sampler,
-	const TAxis<float, N>& X, const TAxis<float, N>& Y, float* Out)
-{
-	using FInt = TRaw<int32_t, N>;
-	using FFloat = TRaw<float, N>;
-	const FInt ColumnTexels[2] = {AddressTexels(X.First, Mip.SizeX, Sampler.AddressU).V,
-		AddressTexels(X.First + TInt<N>(1), Mip.SizeX, Sampler.AddressU).V};
-	const FInt RowTexels[2] = {AddressTexels(Y.First, Mip.SizeY, Sampler.AddressV).V,
-		AddressTexels(Y.First + TInt<N>(1), Mip.SizeY, Sampler.AddressV).V};
-	const FFloat WeightX = X.Weight.V;
-	const FFloat WeightY = Y.Weight.V;
-	FFloat Columns[2][4];
-	for (int i = 0; i < 2; ++i)
-	{
-		FFloat Taps[2][4];
-		for (int j = 0; j < 2; ++j)
-		{
-			const FInt Outside = (ColumnTexels[i] | RowTexels[j]) < 0;
-			const FInt Column = ColumnTexels[i] < 0 ? FInt{} : ColumnTexels[i];
-			const FInt Row = RowTexels[j] < 0 ? FInt{} : RowTexels[j];
-			if (!SampleGeneral<FFormat, N>(Mip, Base, {Column, Column, Row, Row, FFloat{}, FFloat{}}, Taps[j]))
-			{
-				return false;
-			}
-			for (int c = 0; c < 4; ++c)
-			{
-				const FFloat Inside = c < FFormat::Channels ? Taps[j][c] : Broadcast<float, N>(c == 3 ? 1.0f : 0.0f);
-				Taps[j][c] = Outside != 0 ? Broadcast<float, N>(Sampler.Border[c]) : Inside;
-			}
-		}
-		for (int c = 0; c < 4; ++c)
-		{
-			Columns[i][c] = WeightY == 0.0f ? Taps[0][c] : Blend(Taps[0][c], Taps[1][c], WeightY);
-		}
-	}
-	FFloat C[4];
-	for (int c = 0; c < 4; ++c)
-	{
-		C[c] = WeightX == 0.0f ? Columns[0][c] : Blend(Columns[0][c], Columns[1][c], WeightX);
-	}
-	if (TLaneOps<N>::AnyNan(C[0], C[1], C[2], C[3]))
-	{
-		return false;
-	}
-	StoreRaw(Out, C);
-	return true;
 }
 
 } // namespace DRYDOCK_LANES_SET

@@ -5,12 +5,27 @@
 #pragma once
 
 #include "LanesCoordinates.inl"
+#include "LanesScalarCalls.h"
 #include "PixelFormatConversion.h"
 
 namespace Drydock::Lanes
 {
 inline namespace DRYDOCK_LANES_SET
 {
+
+/** Double lanes go one by one, and one float lane is the model of the others. */
+template<typename Real, int N>
+constexpr bool HasLaneCode = sizeof(Real) == 4 && N > 1;
+
+/** A pack of lanes goes one by one though it need not: somebody may want to know. */
+template<typename Real, int N>
+DRYDOCK_LANES_INLINE void CountScalarCall(EScalarCall Call)
+{
+	if constexpr (HasLaneCode<Real, N>)
+	{
+		AddScalarCall(Call);
+	}
+}
 
 template<typename Real>
 struct TTexel
@@ -31,11 +46,11 @@ DRYDOCK_LANES_INLINE TTexel<Real> ReadChannels(const uint8_t* Address)
 	return Texel;
 }
 
-/** Missing channels read 0, 0, 0, 1. */
+/** Missing channels read 0, 0, 0, 1. Real may be uint32_t, for storage of integers. */
 template<typename Real>
 inline TTexel<Real> ReadTexel(ETexelStorage Storage, const uint8_t* Address)
 {
-	switch (Storage)
+	switch (std::is_floating_point_v<Real> ? Storage : ETexelStorage::Count)
 	{
 	case ETexelStorage::R32_FLOAT:
 		return ReadChannels<float, 1, Real>(Address);

@@ -17,8 +17,9 @@ inline namespace DRYDOCK_LANES_SET
 {
 
 /** N neighbouring texels of one row, or of two blended (Row1 not null), as channels. */
-template<typename FFormat, int N>
-DRYDOCK_LANES_INLINE void LoadColumn(const uint8_t* Row0, const uint8_t* Row1, float Weight, TRaw<float, N> C[4])
+template<int N, typename FFormat>
+DRYDOCK_LANES_INLINE void LoadColumn(
+	FFormat Format, const uint8_t* Row0, const uint8_t* Row1, float Weight, TRaw<float, N> C[4])
 {
 	if constexpr (FFormat::bWide)
 	{
@@ -39,11 +40,11 @@ DRYDOCK_LANES_INLINE void LoadColumn(const uint8_t* Row0, const uint8_t* Row1, f
 	}
 	else
 	{
-		FFormat::template Decode<N>(LoadWords<FFormat, N>(Row0), C);
+		ReadNeighbours<N>(Format, Row0, C);
 		if (Row1)
 		{
 			TRaw<float, N> D[4];
-			FFormat::template Decode<N>(LoadWords<FFormat, N>(Row1), D);
+			ReadNeighbours<N>(Format, Row1, D);
 			for (int c = 0; c < FFormat::Channels; ++c)
 			{
 				C[c] = Blend(C[c], D[c], Weight);
@@ -53,13 +54,13 @@ DRYDOCK_LANES_INLINE void LoadColumn(const uint8_t* Row0, const uint8_t* Row1, f
 }
 
 /** Lane i samples texels Row + i and Row + i + 1. */
-template<typename FFormat, int N>
+template<int N, typename FFormat>
 DRYDOCK_LANES_INLINE void SampleConsecutive(
-	const uint8_t* Row0, const uint8_t* Row1, float WeightX, float WeightY, TRaw<float, N> C[4])
+	FFormat Format, const uint8_t* Row0, const uint8_t* Row1, float WeightX, float WeightY, TRaw<float, N> C[4])
 {
 	if (WeightX == 0)
 	{
-		LoadColumn<FFormat, N>(Row0, Row1, WeightY, C);
+		LoadColumn<N>(Format, Row0, Row1, WeightY, C);
 		return;
 	}
 	if constexpr (FFormat::bWide)
@@ -91,8 +92,8 @@ DRYDOCK_LANES_INLINE void SampleConsecutive(
 	else
 	{
 		TRaw<float, N> Right[4];
-		LoadColumn<FFormat, N>(Row0, Row1, WeightY, C);
-		LoadColumn<FFormat, N>(Row0 + FFormat::Bytes, Row1 ? Row1 + FFormat::Bytes : nullptr, WeightY, Right);
+		LoadColumn<N>(Format, Row0, Row1, WeightY, C);
+		LoadColumn<N>(Format, Row0 + Format.Bytes, Row1 ? Row1 + Format.Bytes : nullptr, WeightY, Right);
 		for (int c = 0; c < FFormat::Channels; ++c)
 		{
 			C[c] = Blend(C[c], Right[c], WeightX);
@@ -101,9 +102,9 @@ DRYDOCK_LANES_INLINE void SampleConsecutive(
 }
 
 /** Lane i samples texels Row + 2 i and Row + 2 i + 1; 2 N texels are read. */
-template<typename FFormat, int N>
+template<int N, typename FFormat>
 DRYDOCK_LANES_INLINE void SampleEveryOther(
-	const uint8_t* Row0, const uint8_t* Row1, float WeightX, float WeightY, TRaw<float, N> C[4])
+	FFormat Format, const uint8_t* Row0, const uint8_t* Row1, float WeightX, float WeightY, TRaw<float, N> C[4])
 {
 	using FOps = TLaneOps<N>;
 	if constexpr (FFormat::bWide)
@@ -131,12 +132,12 @@ DRYDOCK_LANES_INLINE void SampleEveryOther(
 	}
 	else
 	{
-		constexpr int Second = N * FFormat::Bytes;
+		const int Second = N * Format.Bytes;
 		const TRaw<int32_t, N> Even = LaneIndex<N>().V * 2;
 		TRaw<float, N> Low[4];
 		TRaw<float, N> High[4];
-		LoadColumn<FFormat, N>(Row0, Row1, WeightY, Low);
-		LoadColumn<FFormat, N>(Row0 + Second, Row1 ? Row1 + Second : nullptr, WeightY, High);
+		LoadColumn<N>(Format, Row0, Row1, WeightY, Low);
+		LoadColumn<N>(Format, Row0 + Second, Row1 ? Row1 + Second : nullptr, WeightY, High);
 		for (int c = 0; c < FFormat::Channels; ++c)
 		{
 			C[c] = FOps::Permute2(Low[c], High[c], Even);
@@ -149,18 +150,18 @@ DRYDOCK_LANES_INLINE void SampleEveryOther(
 }
 
 /** Lane i samples texels Left[i] and Right[i] of a window of N (bTwo: 2 N) texels that starts at Row. */
-template<typename FFormat, int N, bool bTwo>
-DRYDOCK_LANES_INLINE void SampleWindow(const uint8_t* Row0, const uint8_t* Row1, TRaw<int32_t, N> Left,
+template<int N, bool bTwo, typename FFormat>
+DRYDOCK_LANES_INLINE void SampleWindow(FFormat Format, const uint8_t* Row0, const uint8_t* Row1, TRaw<int32_t, N> Left,
 	TRaw<int32_t, N> Right, TRaw<float, N> WeightX, float WeightY, TRaw<float, N> C[4])
 {
 	using FOps = TLaneOps<N>;
-	constexpr int Second = N * FFormat::Bytes;
+	const int Second = N * Format.Bytes;
 	TRaw<float, N> Low[4];
 	TRaw<float, N> High[4];
-	LoadColumn<FFormat, N>(Row0, Row1, WeightY, Low);
+	LoadColumn<N>(Format, Row0, Row1, WeightY, Low);
 	if constexpr (bTwo)
 	{
-		LoadColumn<FFormat, N>(Row0 + Second, Row1 ? Row1 + Second : nullptr, WeightY, High);
+		LoadColumn<N>(Format, Row0 + Second, Row1 ? Row1 + Second : nullptr, WeightY, High);
 	}
 	for (int c = 0; c < FFormat::Channels; ++c)
 	{
@@ -198,10 +199,83 @@ DRYDOCK_LANES_INLINE bool FindRows(
 	return (Top | Bottom) >= 0;
 }
 
+/** Lanes on one row pair inside the texture, some of their columns the border's colour: the window of the nearest
+ *  columns, and a choice. False when the lanes are no such thing. */
+template<int N>
+inline bool SampleBorderedWindow(FAnyFormat Format, const FKernelMip& Mip, const uint8_t* Base,
+	const FKernelSampler& Sampler, const TAxis<float, N>& X, const TAxis<float, N>& Y, TRaw<float, N> C[4])
+{
+	using FOps = TLaneOps<N>;
+	using FInt = TRaw<int32_t, N>;
+	using FFloat = TRaw<float, N>;
+	FRowPair Rows;
+	if (Sampler.AddressU != EKernelAddress::Border || Mip.SizeX < 2 * N ||
+		!FOps::Equal(Y.First.V, Broadcast<int32_t, N>(Y.First.V[0])) || !AllEqual<N>(Y.Weight.V, Y.Weight.V[0]) ||
+		!FindRows(Mip, Base, Sampler.AddressV, Y.First.V[0], Y.Weight.V[0], Rows))
+	{
+		return false;
+	}
+	const FInt Left = AddressTexels(X.First, Mip.SizeX, EKernelAddress::Clamp).V;
+	const FInt Right = AddressTexels(X.First + TInt<N>(1), Mip.SizeX, EKernelAddress::Clamp).V;
+	const int32_t Lowest = Left[0] < Left[N - 1] ? Left[0] : Left[N - 1];
+	const int32_t Start = Lowest < Mip.SizeX - 2 * N ? Lowest : Mip.SizeX - 2 * N;
+	if (!FOps::NoBits((Left - Start) | (Right - Start), -2 * N))
+	{
+		return false;
+	}
+	const int64_t Offset = int64_t(Start) * Format.Bytes;
+	const int64_t Second = int64_t(N) * Format.Bytes;
+	const uint8_t* const Row0 = Rows.Row0 + Offset;
+	const uint8_t* const Row1 = Rows.Row1 ? Rows.Row1 + Offset : nullptr;
+	FFloat Low[4];
+	FFloat High[4];
+	LoadColumn<N>(Format, Row0, Row1, Rows.Weight, Low);
+	LoadColumn<N>(Format, Row0 + Second, Row1 ? Row1 + Second : nullptr, Rows.Weight, High);
+	const FInt bLeftInside = FInt(TRaw<uint32_t, N>(X.First.V) < uint32_t(Mip.SizeX));
+	const FInt bRightInside = FInt(TRaw<uint32_t, N>(X.First.V + 1) < uint32_t(Mip.SizeX));
+	for (int c = 0; c < 4; ++c)
+	{
+		// Filtered as any other column is: that makes 0 of -0, and NaN of infinity.
+		const float Colour = Sampler.Border[c];
+		const FFloat Border = Broadcast<float, N>(Row1 ? Blend(Colour, Colour, Rows.Weight) : Colour);
+		const FFloat L = bLeftInside != 0 ? FOps::Permute2(Low[c], High[c], Left - Start) : Border;
+		const FFloat R = bRightInside != 0 ? FOps::Permute2(Low[c], High[c], Right - Start) : Border;
+		C[c] = X.Weight.V == 0.0f ? L : Blend(L, R, X.Weight.V);
+	}
+	return true;
+}
+
+/** Some texels are the border's colour. False when a result is NaN, or the slice at Base too large for gathers. */
+template<int N>
+__attribute__((noinline)) bool SampleBordered(const FKernelTexture& Texture, const FKernelMip& Mip, const uint8_t* Base,
+	const FKernelSampler& Sampler, const TAxis<float, N>& X, const TAxis<float, N>& Y, float* Out)
+{
+	TRaw<float, N> C[4];
+	if constexpr (TLaneOps<N>::bHasPermute)
+	{
+		const FAnyFormat Format = {Texture.Storage, GetTexelStorageInfo(Texture.Storage).BytesPerTexel};
+		if (SampleBorderedWindow<N>(Format, Mip, Base, Sampler, X, Y, C))
+		{
+			return FinishTaps<N>(C, Out);
+		}
+	}
+	FKernelMip Slice = Mip;
+	Slice.Data = const_cast<uint8_t*>(Base);
+	Slice.SizeZ = 1;
+	const TTapReader<N> Reader = {Texture, Sampler, Slice};
+	if (!Reader.CanRead())
+	{
+		return false;
+	}
+	Reader.Filter2D(
+		TTaps<N>(X, Mip.SizeX, Sampler.AddressU), TTaps<N>(Y, Mip.SizeY, Sampler.AddressV), TRaw<int32_t, N>{}, C);
+	return FinishTaps<N>(C, Out);
+}
+
 /** The window and general paths. */
-template<typename FFormat, int N>
-inline bool SampleFootprints(const FKernelMip& Mip, const uint8_t* Base, const FKernelSampler& Sampler,
-	const TAxis<float, N>& X, const TAxis<float, N>& Y, float* Out)
+template<int N, typename FFormat>
+inline bool SampleFootprints(FFormat Format, const FKernelTexture& Texture, const FKernelMip& Mip, const uint8_t* Base,
+	const FKernelSampler& Sampler, const TAxis<float, N>& X, const TAxis<float, N>& Y, float* Out)
 {
 	using FOps = TLaneOps<N>;
 	TRaw<float, N> C[4];
@@ -213,7 +287,7 @@ inline bool SampleFootprints(const FKernelMip& Mip, const uint8_t* Base, const F
 	F.Right = F.WeightX == 0.0f ? F.Left : F.Right;
 	if (!FOps::NoBits(F.Left | F.Right, int32_t(0x80000000)))
 	{
-		return SampleBordered<FFormat, N>(Mip, Base, Sampler, X, Y, Out);
+		return SampleBordered<N>(Texture, Mip, Base, Sampler, X, Y, Out);
 	}
 	if constexpr (FOps::bHasPermute)
 	{
@@ -227,16 +301,16 @@ inline bool SampleFootprints(const FKernelMip& Mip, const uint8_t* Base, const F
 			const int32_t StartOne = Lowest < Mip.SizeX - N ? Lowest : Mip.SizeX - N;
 			if (FOps::NoBits((F.Left - StartOne) | (F.Right - StartOne), -N))
 			{
-				const int64_t Offset = int64_t(StartOne) * FFormat::Bytes;
-				SampleWindow<FFormat, N, false>(Rows.Row0 + Offset, Rows.Row1 ? Rows.Row1 + Offset : nullptr,
+				const int64_t Offset = int64_t(StartOne) * Format.Bytes;
+				SampleWindow<N, false>(Format, Rows.Row0 + Offset, Rows.Row1 ? Rows.Row1 + Offset : nullptr,
 					F.Left - StartOne, F.Right - StartOne, F.WeightX, Rows.Weight, C);
 				return Finish<FFormat, N>(C, Out);
 			}
 			const int32_t StartTwo = Lowest < Mip.SizeX - 2 * N ? Lowest : Mip.SizeX - 2 * N;
 			if (StartTwo >= 0 && FOps::NoBits((F.Left - StartTwo) | (F.Right - StartTwo), -2 * N))
 			{
-				const int64_t Offset = int64_t(StartTwo) * FFormat::Bytes;
-				SampleWindow<FFormat, N, true>(Rows.Row0 + Offset, Rows.Row1 ? Rows.Row1 + Offset : nullptr,
+				const int64_t Offset = int64_t(StartTwo) * Format.Bytes;
+				SampleWindow<N, true>(Format, Rows.Row0 + Offset, Rows.Row1 ? Rows.Row1 + Offset : nullptr,
 					F.Left - StartTwo, F.Right - StartTwo, F.WeightX, Rows.Weight, C);
 				return Finish<FFormat, N>(C, Out);
 			}
@@ -248,15 +322,15 @@ inline bool SampleFootprints(const FKernelMip& Mip, const uint8_t* Base, const F
 	F.Bottom = F.WeightY == 0.0f ? F.Top : F.Bottom;
 	if (!FOps::NoBits(F.Top | F.Bottom, int32_t(0x80000000)))
 	{
-		return SampleBordered<FFormat, N>(Mip, Base, Sampler, X, Y, Out);
+		return SampleBordered<N>(Texture, Mip, Base, Sampler, X, Y, Out);
 	}
-	return SampleGeneral<FFormat, N>(Mip, Base, F, C) && Finish<FFormat, N>(C, Out);
+	return SampleGeneral<N>(Format, Mip, Base, F, C) && Finish<FFormat, N>(C, Out);
 }
 
 /** One mip of one slice (Base). Fills Out; false when a result is NaN, which the reference decides. */
-template<typename FFormat, int N>
-inline bool SampleMip2DTuned(const FKernelMip& Mip, const uint8_t* Base, const FKernelSampler& Sampler, const float* U,
-	const float* V, float* Out)
+template<int N, typename FFormat>
+inline bool SampleMip2DTuned(FFormat Format, const FKernelTexture& Texture, const FKernelMip& Mip, const uint8_t* Base,
+	const FKernelSampler& Sampler, const float* U, const float* V, float* Out)
 {
 	using FInt = TRaw<int32_t, N>;
 	using FFloat = TRaw<float, N>;
@@ -266,7 +340,7 @@ inline bool SampleMip2DTuned(const FKernelMip& Mip, const uint8_t* Base, const F
 	{
 		const TAxis<float, N> X = MakeAxis<float, N>(U, Mip.SizeX, bPoint, Sampler.SampleBits);
 		const TAxis<float, N> Y = MakeAxis<float, N>(V, Mip.SizeY, bPoint, Sampler.SampleBits);
-		return SampleFootprints<FFormat, N>(Mip, Base, Sampler, X, Y, Out);
+		return SampleFootprints<N>(Format, Texture, Mip, Base, Sampler, X, Y, Out);
 	}
 
 	// In 1/256 texels. A power of two may join either factor of a product without changing its bits.
@@ -285,7 +359,7 @@ inline bool SampleMip2DTuned(const FKernelMip& Mip, const uint8_t* Base, const F
 		FindRows(Mip, Base, Sampler.AddressV, FixedY >> 8, bPoint ? 0.0f : float(FixedY & 255) * (1.0f / 256), Rows))
 	{
 		const float WeightX = bPoint ? 0.0f : float(FixedX & 255) * (1.0f / 256);
-		const int64_t Offset = int64_t(Start) * FFormat::Bytes;
+		const int64_t Offset = int64_t(Start) * Format.Bytes;
 		const uint8_t* Row0 = Rows.Row0 + Offset;
 		const uint8_t* Row1 = Rows.Row1 ? Rows.Row1 + Offset : nullptr;
 		const FInt Steps = (TInt<N>(SnappedX) - TInt<N>(SnappedX[0])).V;
@@ -293,14 +367,14 @@ inline bool SampleMip2DTuned(const FKernelMip& Mip, const uint8_t* Base, const F
 		FFloat C[4];
 		if (Start + N + (WeightX != 0) <= Mip.SizeX && FOps::Equal(Steps, Iota * 256))
 		{
-			SampleConsecutive<FFormat, N>(Row0, Row1, WeightX, Rows.Weight, C);
+			SampleConsecutive<N>(Format, Row0, Row1, WeightX, Rows.Weight, C);
 			return Finish<FFormat, N>(C, Out);
 		}
 		if constexpr (FOps::bHasPermute || FFormat::bWide)
 		{
 			if (Start + 2 * N <= Mip.SizeX && FOps::Equal(Steps, Iota * 512))
 			{
-				SampleEveryOther<FFormat, N>(Row0, Row1, WeightX, Rows.Weight, C);
+				SampleEveryOther<N>(Format, Row0, Row1, WeightX, Rows.Weight, C);
 				return Finish<FFormat, N>(C, Out);
 			}
 		}
@@ -312,13 +386,13 @@ inline bool SampleMip2DTuned(const FKernelMip& Mip, const uint8_t* Base, const F
 		// NaN, or beyond what an integer holds: once more, with care.
 		const TAxis<float, N> X = MakeAxis<float, N>(U, Mip.SizeX, bPoint, 8);
 		const TAxis<float, N> Y = MakeAxis<float, N>(V, Mip.SizeY, bPoint, 8);
-		return SampleFootprints<FFormat, N>(Mip, Base, Sampler, X, Y, Out);
+		return SampleFootprints<N>(Format, Texture, Mip, Base, Sampler, X, Y, Out);
 	}
 	const auto Bound = [Limit](FInt S)
 	{
 		return Max(Min(TInt<N>(S), TInt<N>(Limit)), TInt<N>(-Limit));
 	};
-	return SampleFootprints<FFormat, N>(Mip, Base, Sampler, MakeAxisFixed<float, N>(Bound(SnappedX), bPoint),
+	return SampleFootprints<N>(Format, Texture, Mip, Base, Sampler, MakeAxisFixed<float, N>(Bound(SnappedX), bPoint),
 		MakeAxisFixed<float, N>(Bound(SnappedY), bPoint), Out);
 }
 

@@ -2,221 +2,131 @@
 // Included by the LanesSampling_*.cpp only. Source: D3D11 functional specification 3.2.3, 17.6 (blending).
 #pragma once
 
-#include "LanesFormats.inl"
 #include "LanesSamplingReference.inl"
+#include "LanesTexels.inl"
 
 namespace Drydock::Lanes
 {
 inline namespace DRYDOCK_LANES_SET
 {
 
-/** Unsigned 5-bit-exponent floats of R11G11B10, in the low bits of each word: rounded once, from the float itself. */
-template<int MantissaBits, int N>
-DRYDOCK_LANES_INLINE TRaw<uint32_t, N> EncodeMiniFloat(TRaw<float, N> X)
-{
-	using FInt = TRaw<int32_t, N>;
-	using FFloat = TRaw<float, N>;
-	constexpr int Shift = 23 - MantissaBits;
-	constexpr int32_t Infinity = 31 << MantissaBits;
-	const FInt Bits = FInt(X);
-	const FInt Magnitude = Bits & 0x7FFFFFFF;
-	const FInt Normal = (Magnitude - (112 << 23) + ((1 << (Shift - 1)) - 1) + ((Magnitude >> Shift) & 1)) >> Shift;
-	// The unit of a denormal is 2^(-14 - MantissaBits); the last bit of a float in [Magic, 2 Magic) has the same
-	// weight.
-	const FFloat Magic = Broadcast<float, N>(__builtin_bit_cast(float, (127 - 14 - MantissaBits + 23) << 23));
-	const FInt Denormal = FInt(FFloat(FFloat(Magnitude) + Magic)) - FInt(Magic);
-	FInt Result = Magnitude < (113 << 23) ? Denormal : Normal;
-	Result = Result >= Infinity ? (FInt{} + (Infinity - 1)) : Result;
-	Result = Magnitude == 0x7F800000 ? (FInt{} + Infinity) : Result;
-	Result = Bits < 0 ? FInt{} : Result;
-	const FInt Nan = ((Magnitude >> Shift) & ((1 << MantissaBits) - 1)) | Infinity | (1 << (MantissaBits - 1));
-	Result = Magnitude > 0x7F800000 ? Nan : Result;
-	return TRaw<uint32_t, N>(Result);
-}
-
-/** X * Max rounded to the nearest even integer; the product is exact in double. NaN gives 0. */
 template<int N>
-DRYDOCK_LANES_INLINE TRaw<uint32_t, N> EncodeUnormField(TRaw<float, N> X, uint32_t Max)
+DRYDOCK_LANES_INLINE bool IsSame(TRaw<int32_t, N> X)
 {
-	const TRaw<float, N> Clamped = Saturate(TReal<float, N>(X)).V;
-	TRaw<uint32_t, N> Result;
-	constexpr int H = N / 2;
-	TRaw<float, H> Parts[2];
-	TRaw<int32_t, H> Codes[2];
-	__builtin_memcpy(Parts, &Clamped, sizeof(Parts));
-	for (int i = 0; i < 2; ++i)
-	{
-		const TReal<double, H> Wide(__builtin_convertvector(Parts[i], TRaw<double, H>));
-		Codes[i] = __builtin_convertvector(RoundEven(Wide * TReal<double, H>(double(Max))).V, TRaw<int32_t, H>);
-	}
-	__builtin_memcpy(&Result, Codes, sizeof(Codes));
-	return Result;
+	return MaskBits(TMask<N>(X != X[0])) == 0;
 }
 
+/** Lane i is at (X[0] + i, Y[0]). */
 template<int N>
-DRYDOCK_LANES_INLINE TRaw<uint32_t, N> EncodeHalfField(TRaw<float, N> X)
+DRYDOCK_LANES_INLINE bool IsRow(TRaw<int32_t, N> X, TRaw<int32_t, N> Y)
 {
-	return Convert::FloatToHalf(TReal<float, N>(X)).V;
+	return IsSame<N>((TInt<N>(X) - LaneIndex<N>()).V) && IsSame<N>(Y);
 }
 
-/** N whole texels, all lanes. False when the storage has no tuned store. */
-template<int N>
-inline bool StoreRow(const FKernelTexture& Texture, uint8_t* Address, const float* Value)
+template<typename Real>
+DRYDOCK_LANES_INLINE void EncodeOne(const FKernelTexture& Texture, const Real RGBA[4], uint8_t* Address)
 {
-	using FFloat = TRaw<float, N>;
-	using FWord = TRaw<uint32_t, N>;
-	FFloat C[4];
-	for (int c = 0; c < 4; ++c)
+	if constexpr (std::is_floating_point_v<Real>)
 	{
-		C[c] = LoadRaw<FFloat>(Value + c * N);
+		EncodeTexel(Texture.Storage, RGBA, Address, Texture.bSaturateStore != 0);
 	}
-	const bool bHalf = Texture.Storage == ETexelStorage::RGBA16_FLOAT || Texture.Storage == ETexelStorage::RG16_FLOAT ||
-					   Texture.Storage == ETexelStorage::R16_FLOAT;
-	if (bHalf && Texture.bSaturateStore)
+	else
 	{
-		return false;
-	}
-	switch (Texture.Storage)
-	{
-	case ETexelStorage::RGBA32_FLOAT:
-	{
-		FFloat A[4];
-		TLaneOps<N>::Join(C, A);
-		StoreRaw(Address, A);
-		return true;
-	}
-	case ETexelStorage::RGBA16_FLOAT:
-	{
-		FFloat A[4];
-		TLaneOps<N>::Join(C, A);
-		for (int k = 0; k < 4; ++k)
-		{
-			TLaneOps<N>::StoreHalves(Address + k * N * 2, A[k]);
-		}
-		return true;
-	}
-	case ETexelStorage::R11G11B10_FLOAT:
-		StoreRaw(Address, FWord(EncodeMiniFloat<6, N>(C[0]) | (EncodeMiniFloat<6, N>(C[1]) << 11) |
-								(EncodeMiniFloat<5, N>(C[2]) << 22)));
-		return true;
-	case ETexelStorage::R32_FLOAT:
-		StoreRaw(Address, C[0]);
-		return true;
-	case ETexelStorage::RG16_FLOAT:
-		StoreRaw(Address, FWord(EncodeHalfField<N>(C[0]) | (EncodeHalfField<N>(C[1]) << 16)));
-		return true;
-	case ETexelStorage::R16_FLOAT:
-		StoreRaw(Address, __builtin_convertvector(EncodeHalfField<N>(C[0]), TRaw<uint16_t, N>));
-		return true;
-	case ETexelStorage::RGBA8_UNORM:
-	case ETexelStorage::BGRA8_UNORM:
-	{
-		const bool bSwap = Texture.Storage == ETexelStorage::BGRA8_UNORM;
-		const FWord First = EncodeUnormField<N>(C[bSwap ? 2 : 0], 255);
-		const FWord Third = EncodeUnormField<N>(C[bSwap ? 0 : 2], 255);
-		StoreRaw(Address, FWord(First | (EncodeUnormField<N>(C[1], 255) << 8) | (Third << 16) |
-								(EncodeUnormField<N>(C[3], 255) << 24)));
-		return true;
-	}
-	case ETexelStorage::R8_UNORM:
-		StoreRaw(Address, __builtin_convertvector(EncodeUnormField<N>(C[0], 255), TRaw<uint8_t, N>));
-		return true;
-	default:
-		return false;
+		EncodeTexel(Texture.Storage, RGBA, Address);
 	}
 }
 
-template<typename Real, int N>
-inline void StoreLane(const FKernelTexture& Texture, uint8_t* Address, const Real* Value, int Lane)
+/** Lanes of Scalar to texels of one mip: those outside it or off in the mask are dropped, and where two meet in one
+ *  place the higher lane wins. Real: of the kernel. */
+template<typename Real, typename Scalar, int N>
+inline void StoreLanes(const FKernelTexture& Texture, const int32_t* Mask, const int32_t* X, const int32_t* Y,
+	const int32_t* Z, const Scalar* Value)
 {
-	const Real RGBA[4] = {Value[Lane], Value[N + Lane], Value[2 * N + Lane], Value[3 * N + Lane]};
-	EncodeTexel(Texture.Storage, RGBA, Address, Texture.bSaturateStore != 0);
-}
-
-/** A row piece at (X0, Y) of one mip: lanes outside it or off in the mask are dropped. */
-template<typename Real, int N>
-inline void StoreConsecutive(const FKernelTexture& Texture, const FKernelMip& Mip, const int32_t* Mask, int32_t X0,
-	int32_t Y, int32_t Z, const Real* Value)
-{
-	if (uint32_t(Y) >= uint32_t(Mip.SizeY) || uint32_t(Z) >= uint32_t(Mip.SizeZ))
-	{
-		return;
-	}
+	const FKernelMip& Mip = Texture.Mips[0];
 	const int32_t Bytes = GetTexelStorageInfo(Texture.Storage).BytesPerTexel;
-	if constexpr (sizeof(Real) == 4)
+	const auto ForEachInside = [&](auto f)
 	{
-		const TMask<N> Lanes(LoadRaw<TRaw<int32_t, N>>(Mask));
-		const bool bWhole = X0 >= 0 && X0 <= Mip.SizeX - N && AllLanes(Lanes);
-		if (bWhole && StoreRow<N>(Texture, const_cast<uint8_t*>(TexelAddress(Mip, Bytes, X0, Y, Z)), Value))
+		for (int Lane = 0; Lane < N; ++Lane)
 		{
-			return;
-		}
-		// A part of a row goes through the same conversion beside the texture: the tail of a row costs no more than its
-		// middle.
-		alignas(64) uint8_t Row[N * 16];
-		if (StoreRow<N>(Texture, Row, Value))
-		{
-			for (int Lane = 0; Lane < N; ++Lane)
+			const int32_t Slice = Z ? Z[Lane] : 0;
+			if (Mask[Lane] && uint32_t(X[Lane]) < uint32_t(Mip.SizeX) && uint32_t(Y[Lane]) < uint32_t(Mip.SizeY) &&
+				uint32_t(Slice) < uint32_t(Mip.SizeZ))
 			{
-				if (Mask[Lane] && uint32_t(X0) + uint32_t(Lane) < uint32_t(Mip.SizeX))
-				{
-					__builtin_memcpy(const_cast<uint8_t*>(TexelAddress(Mip, Bytes, X0 + Lane, Y, Z)),
-						Row + Lane * Bytes, size_t(Bytes));
-				}
+				f(Lane, const_cast<uint8_t*>(TexelAddress(Mip, Bytes, X[Lane], Y[Lane], Slice)));
+			}
+		}
+	};
+	if constexpr (HasLaneCode<Real, N>)
+	{
+		const bool bWhole = X[0] >= 0 && X[0] <= Mip.SizeX - N && uint32_t(Y[0]) < uint32_t(Mip.SizeY) &&
+							uint32_t(Z ? Z[0] : 0) < uint32_t(Mip.SizeZ) &&
+							AllLanes(TMask<N>(LoadRaw<TRaw<int32_t, N>>(Mask))) &&
+							IsRow<N>(LoadRaw<TRaw<int32_t, N>>(X), LoadRaw<TRaw<int32_t, N>>(Y)) &&
+							(!Z || IsSame<N>(LoadRaw<TRaw<int32_t, N>>(Z)));
+		// What is no whole row goes through the same conversion beside the texture.
+		alignas(64) uint8_t Row[N * 16];
+		uint8_t* const Place = bWhole ? const_cast<uint8_t*>(TexelAddress(Mip, Bytes, X[0], Y[0], Z ? Z[0] : 0)) : Row;
+		if (Bytes <= 16 && StoreTexels<Scalar, N>(Texture.Storage, Texture.bSaturateStore != 0, Place, Value))
+		{
+			if (!bWhole)
+			{
+				ForEachInside(
+					[&](int Lane, uint8_t* Address) { __builtin_memcpy(Address, Row + Lane * Bytes, size_t(Bytes)); });
 			}
 			return;
 		}
 	}
-	for (int Lane = 0; Lane < N; ++Lane)
-	{
-		if (Mask[Lane] && uint32_t(X0) + uint32_t(Lane) < uint32_t(Mip.SizeX))
+	CountScalarCall<Real, N>(EScalarCall::Store);
+	ForEachInside(
+		[&](int Lane, uint8_t* Address)
 		{
-			StoreLane<Real, N>(Texture, const_cast<uint8_t*>(TexelAddress(Mip, Bytes, X0 + Lane, Y, Z)), Value, Lane);
-		}
-	}
+			const Scalar RGBA[4] = {Value[Lane], Value[N + Lane], Value[2 * N + Lane], Value[3 * N + Lane]};
+			EncodeOne(Texture, RGBA, Address);
+		});
 }
 
-template<typename Real>
-inline Real BlendFactor(EKernelBlendFactor Factor, int Channel, const Real Source[4], const Real Dest[4])
+/** T: a real or lanes of reals. */
+template<typename T>
+inline T BlendFactor(EKernelBlendFactor Factor, int Channel, const T Source[4], const T Dest[4])
 {
 	switch (Factor)
 	{
 	case EKernelBlendFactor::Zero:
-		return 0;
+		return T(0);
 	case EKernelBlendFactor::One:
-		return 1;
+		return T(1);
 	case EKernelBlendFactor::SourceColor:
 		return Source[Channel];
 	case EKernelBlendFactor::InverseSourceColor:
-		return 1 - Source[Channel];
+		return T(1) - Source[Channel];
 	case EKernelBlendFactor::SourceAlpha:
 		return Source[3];
 	case EKernelBlendFactor::InverseSourceAlpha:
-		return 1 - Source[3];
+		return T(1) - Source[3];
 	case EKernelBlendFactor::DestAlpha:
 		return Dest[3];
 	case EKernelBlendFactor::InverseDestAlpha:
-		return 1 - Dest[3];
+		return T(1) - Dest[3];
 	case EKernelBlendFactor::DestColor:
 		return Dest[Channel];
 	case EKernelBlendFactor::InverseDestColor:
-		return 1 - Dest[Channel];
+		return T(1) - Dest[Channel];
 	case EKernelBlendFactor::ConstantBlendFactor:
-		return 1; // the blend constant is white, as the engine leaves it
+		return T(1); // the blend constant is white, as the engine leaves it
 	case EKernelBlendFactor::InverseConstantBlendFactor:
-		return 0;
+		return T(0);
 	}
-	return 0;
+	return T(0);
 }
 
 /** A factor of 0 removes its term even when the term is infinite or NaN: fixed-function blending does not multiply by
  *  a constant 0. Min and Max ignore the factors. */
-template<typename Real>
-inline Real BlendChannel(EKernelBlendOp Op, EKernelBlendFactor SourceFactor, EKernelBlendFactor DestFactor, int Channel,
-	const Real Source[4], const Real Dest[4])
+template<typename T>
+inline T BlendChannel(EKernelBlendOp Op, EKernelBlendFactor SourceFactor, EKernelBlendFactor DestFactor, int Channel,
+	const T Source[4], const T Dest[4])
 {
-	const Real S = Source[Channel];
-	const Real D = Dest[Channel];
+	const T S = Source[Channel];
+	const T D = Dest[Channel];
 	if (Op == EKernelBlendOp::Min)
 	{
 		return Min(S, D);
@@ -225,10 +135,10 @@ inline Real BlendChannel(EKernelBlendOp Op, EKernelBlendFactor SourceFactor, EKe
 	{
 		return Max(S, D);
 	}
-	const Real SourceTerm =
-		SourceFactor == EKernelBlendFactor::Zero ? Real(0) : S * BlendFactor(SourceFactor, Channel, Source, Dest);
-	const Real DestTerm =
-		DestFactor == EKernelBlendFactor::Zero ? Real(0) : D * BlendFactor(DestFactor, Channel, Source, Dest);
+	const T SourceTerm =
+		SourceFactor == EKernelBlendFactor::Zero ? T(0) : S * BlendFactor(SourceFactor, Channel, Source, Dest);
+	const T DestTerm =
+		DestFactor == EKernelBlendFactor::Zero ? T(0) : D * BlendFactor(DestFactor, Channel, Source, Dest);
 	switch (Op)
 	{
 	case EKernelBlendOp::Subtract:
@@ -240,8 +150,8 @@ inline Real BlendChannel(EKernelBlendOp Op, EKernelBlendFactor SourceFactor, EKe
 	}
 }
 
-template<typename Real>
-inline void BlendTexel(const FKernelTarget& Target, const Real Source[4], const Real Dest[4], Real Out[4])
+template<typename T>
+inline void BlendTexel(const FKernelTarget& Target, const T Source[4], const T Dest[4], T Out[4])
 {
 	for (int c = 0; c < 4; ++c)
 	{
@@ -254,8 +164,8 @@ inline void BlendTexel(const FKernelTarget& Target, const Real Source[4], const 
 	}
 }
 
-/** Channels that the write mask leaves out keep the bits they have in memory, not the re-encoded value. */
-inline void MergeTexel(ETexelStorage Storage, uint8_t WriteMask, const uint8_t* New, uint8_t* Texel)
+/** The bits of a texel that a write mask lets through. */
+inline void MakeWriteBits(ETexelStorage Storage, uint8_t WriteMask, uint8_t OutBits[32])
 {
 	const FTexelStorageInfo& Info = GetTexelStorageInfo(Storage);
 	uint64_t FieldBits[4] = {Info.BitsPerChannel, Info.BitsPerChannel, Info.BitsPerChannel, Info.BitsPerChannel};
@@ -268,20 +178,72 @@ inline void MergeTexel(ETexelStorage Storage, uint8_t WriteMask, const uint8_t* 
 		FieldBits[3] = 2;
 	}
 	const bool bBgra = Storage == ETexelStorage::BGRA8_UNORM || Storage == ETexelStorage::BGRA8_SRGB;
+	__builtin_memset(OutBits, 0, 32);
 	uint64_t Bit = 0;
 	for (int Field = 0; Field < Info.NumChannels; ++Field)
 	{
 		const int Channel = bBgra && Field < 3 ? 2 - Field : Field;
-		if (WriteMask & (1 << Channel))
+		const uint64_t End = Bit + FieldBits[Field];
+		for (; Bit < End; ++Bit)
 		{
-			for (uint64_t b = Bit; b < Bit + FieldBits[Field]; ++b)
-			{
-				const uint8_t One = uint8_t(1u << (b & 7));
-				Texel[b >> 3] = uint8_t((Texel[b >> 3] & ~One) | (New[b >> 3] & One));
-			}
+			OutBits[Bit >> 3] |= uint8_t(((WriteMask >> Channel) & 1u) << (Bit & 7));
 		}
-		Bit += FieldBits[Field];
 	}
+}
+
+/** Channels that the write mask leaves out keep the bits they have in memory, not the re-encoded value. Bits: of one
+ *  texel. */
+inline void MergeTexel(uint8_t* Texel, const uint8_t* New, const uint8_t* Bits, int32_t Bytes)
+{
+	for (int32_t i = 0; i < Bytes; ++i)
+	{
+		Texel[i] = uint8_t((Texel[i] & ~Bits[i]) | (New[i] & Bits[i]));
+	}
+}
+
+/** The same for N texels of up to 16 bytes: New becomes what is to be written. */
+template<int N>
+inline void MergeRow(uint8_t* New, const uint8_t* Old, const uint8_t* Bits, int32_t Bytes)
+{
+	using FChunk = TRaw<uint64_t, 2>;
+	uint8_t Pattern[48]; // whole texels of every size, and whole chunks
+	for (int32_t i = 0; i < 48; i += Bytes)
+	{
+		__builtin_memcpy(Pattern + i, Bits, size_t(Bytes));
+	}
+	for (int32_t i = 0; i < N * Bytes; i += 16)
+	{
+		const FChunk Written = LoadRaw<FChunk>(Pattern + i % 48);
+		StoreRaw(New + i, (LoadRaw<FChunk>(Old + i) & ~Written) | (LoadRaw<FChunk>(New + i) & Written));
+	}
+}
+
+/** N texels of a target, as they are in Old, blended with Value and merged, into New; both hold N * 16 bytes. False
+ *  when the storage has no lane code. */
+template<int N>
+inline bool BlendRow(const FKernelTarget& Target, const uint8_t* Old, const float* Value, uint8_t* New)
+{
+	const FKernelTexture& Texture = Target.Texture;
+	TRaw<float, N> Before[4];
+	if (!LoadTexels<float, N>(Texture.Storage, Old, Before))
+	{
+		return false;
+	}
+	TReal<float, N> Source[4], Dest[4], Blended[4];
+	for (int c = 0; c < 4; ++c)
+	{
+		Source[c] = TReal<float, N>(LoadRaw<TRaw<float, N>>(Value + c * N));
+		Dest[c] = TReal<float, N>(Before[c]);
+	}
+	BlendTexel(Target, Source, Dest, Blended);
+	StoreTexels<float, N>(Texture.Storage, Texture.bSaturateStore != 0, New, LanesOf(Blended[0]));
+	if ((Target.WriteMask & 15) != 15)
+	{
+		uint8_t Bits[32];
+		MakeWriteBits(Texture.Storage, Target.WriteMask, Bits);
+		MergeRow<N>(New, Old, Bits, GetTexelStorageInfo(Texture.Storage).BytesPerTexel);
+	}
+	return true;
 }
 
 template<typename Real, int N>
@@ -289,31 +251,65 @@ inline void StoreTargetLanes(const FKernelTarget& Target, const int32_t* Mask, i
 {
 	const FKernelTexture& Texture = Target.Texture;
 	const FKernelMip& Mip = Texture.Mips[0];
-	if (!Target.bBlend && (Target.WriteMask & 15) == 15)
-	{
-		StoreConsecutive<Real, N>(Texture, Mip, Mask, X0, Y, 0, Value);
-		return;
-	}
 	if (uint32_t(Y) >= uint32_t(Mip.SizeY))
 	{
 		return;
 	}
+	const bool bPlain = !Target.bBlend && (Target.WriteMask & 15) == 15;
 	const int32_t Bytes = GetTexelStorageInfo(Texture.Storage).BytesPerTexel;
-	for (int Lane = 0; Lane < N; ++Lane)
+	uint8_t* const First = Mip.Data + int64_t(Y) * Mip.RowPitch + int64_t(X0) * Bytes;
+	const auto ForEachInside = [&](auto f)
 	{
-		if (!Mask[Lane] || uint32_t(X0) + uint32_t(Lane) >= uint32_t(Mip.SizeX))
+		for (int Lane = 0; Lane < N; ++Lane)
 		{
-			continue;
+			if (Mask[Lane] && uint32_t(X0) + uint32_t(Lane) < uint32_t(Mip.SizeX))
+			{
+				f(Lane, First + Lane * Bytes);
+			}
 		}
-		uint8_t* Address = const_cast<uint8_t*>(TexelAddress(Mip, Bytes, X0 + Lane, Y, 0));
-		const Real Source[4] = {Value[Lane], Value[N + Lane], Value[2 * N + Lane], Value[3 * N + Lane]};
-		const TTexel<Real> Dest = ReadTexel<Real>(Texture.Storage, Address);
-		Real Blended[4];
-		BlendTexel(Target, Source, Dest.C, Blended);
-		uint8_t New[32];
-		EncodeTexel(Texture.Storage, Blended, New, Texture.bSaturateStore != 0);
-		MergeTexel(Texture.Storage, Target.WriteMask, New, Address);
+	};
+	if constexpr (HasLaneCode<Real, N>)
+	{
+		const bool bWhole = X0 >= 0 && X0 <= Mip.SizeX - N && AllLanes(TMask<N>(LoadRaw<TRaw<int32_t, N>>(Mask)));
+		const bool bInPlace = bWhole && bPlain;
+		alignas(64) uint8_t Old[N * 16] = {};
+		alignas(64) uint8_t New[N * 16];
+		if (Bytes <= 16 && !bPlain)
+		{
+			ForEachInside([&](int Lane, const uint8_t* Address)
+				{ __builtin_memcpy(Old + Lane * Bytes, Address, size_t(Bytes)); });
+		}
+		if (Bytes <= 16 &&
+			(bPlain ? StoreTexels<float, N>(Texture.Storage, Texture.bSaturateStore != 0, bInPlace ? First : New, Value)
+					: BlendRow<N>(Target, Old, Value, New)))
+		{
+			if (!bInPlace)
+			{
+				ForEachInside(
+					[&](int Lane, uint8_t* Address) { __builtin_memcpy(Address, New + Lane * Bytes, size_t(Bytes)); });
+			}
+			return;
+		}
 	}
+	CountScalarCall<Real, N>(EScalarCall::Store);
+	uint8_t Bits[32];
+	MakeWriteBits(Texture.Storage, Target.WriteMask, Bits);
+	ForEachInside(
+		[&](int Lane, uint8_t* Address)
+		{
+			const Real Source[4] = {Value[Lane], Value[N + Lane], Value[2 * N + Lane], Value[3 * N + Lane]};
+			if (bPlain)
+			{
+				EncodeOne(Texture, Source, Address);
+				return;
+			}
+			const TTexel<Real> Dest = ReadTexel<Real>(Texture.Storage, Address);
+			Real Blended[4];
+			BlendTexel(Target, Source, Dest.C, Blended);
+			uint8_t New[32];
+			EncodeOne(Texture, Blended, New);
+			MergeTexel(Address, New, Bits, Bytes);
+		});
 }
 
 } // namespace DRYDOCK_LANES_SET

@@ -11,7 +11,7 @@
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512BW__) && defined(__AVX512VL__)
 #define DRYDOCK_LANES_SET SetV4
 #define DRYDOCK_LANES_LEVEL 4
-#elif defined(__AVX2__) && defined(__F16C__)
+#elif defined(__AVX2__) && defined(__F16C__) && defined(__FMA__)
 #define DRYDOCK_LANES_SET SetV3
 #define DRYDOCK_LANES_LEVEL 3
 #elif defined(__SSE4_1__)

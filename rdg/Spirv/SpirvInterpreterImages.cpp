@@ -28,8 +28,9 @@ const FSpirvVariable& FSpirvInterpreterImpl::HandleOf(uint32_t Id) const
 
 bool FSpirvInterpreterImpl::ExecuteImage(const FSpirvInstruction& I, FScalars& Result)
 {
-	// Textures are read by the library's sampler with the same thread in all of its lanes.
-	constexpr int N = 4;
+	// Textures are read by the library's sampler of one lane, which goes texel by texel: the kernels' lane code is not
+	// its own judge.
+	constexpr int N = 1;
 	using FSampling = Lanes::TSampling<float, N>;
 	const auto Spread = [this](uint32_t Id, uint32_t Index, auto* Out)
 	{
@@ -44,7 +45,7 @@ bool FSpirvInterpreterImpl::ExecuteImage(const FSpirvInstruction& I, FScalars& R
 		const FSpirvType& Type = Module.GetValueType(Id);
 		return Type.Kind == ESpirvType::SampledImage ? Module.GetType(Type.Element) : Type;
 	};
-	const int32_t FirstLane[N] = {-1, 0, 0, 0};
+	const int32_t On[N] = {-1};
 	alignas(64) float Out[4 * N] = {};
 	alignas(64) uint32_t UintOut[4 * N] = {};
 	const auto Texture = [this, &I]() -> const FKernelTexture&
@@ -150,13 +151,13 @@ bool FSpirvInterpreterImpl::ExecuteImage(const FSpirvInstruction& I, FScalars& R
 		if (Type.Dim == DimBuffer)
 		{
 			const auto* const Index = reinterpret_cast<const uint32_t*>(X);
-			bInteger ? FSampling::StoreTypedUint(Buffer(), FirstLane, Index, UintOut)
-					 : FSampling::StoreTyped(Buffer(), FirstLane, Index, Out);
+			bInteger ? FSampling::StoreTypedUint(Buffer(), On, Index, UintOut)
+					 : FSampling::StoreTyped(Buffer(), On, Index, Out);
 		}
 		else
 		{
-			bInteger ? FSampling::StoreUint(Texture(), FirstLane, X, Y, Depth, UintOut)
-					 : FSampling::Store(Texture(), FirstLane, X, Y, Depth, Out);
+			bInteger ? FSampling::StoreUint(Texture(), On, X, Y, Depth, UintOut)
+					 : FSampling::Store(Texture(), On, X, Y, Depth, Out);
 		}
 		return true;
 	}

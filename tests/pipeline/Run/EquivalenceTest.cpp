@@ -3,6 +3,7 @@
 // same. A config joins by lying in configs/, an equivalence by a line in GEquivalences.
 #include <gtest/gtest.h>
 
+#include "LanesScalarCalls.h"
 #include "Run/Run.h"
 #include "SameBits.h"
 
@@ -96,6 +97,20 @@ TEST_P(Equivalence, GivesTheSameBits)
 
 INSTANTIATE_TEST_SUITE_P(ShippedConfigs, Equivalence,
 	testing::Combine(testing::ValuesIn(FindShippedConfigs()), testing::ValuesIn(GEquivalences)), GetTestName);
+
+class ScalarCalls : public testing::TestWithParam<std::string>
+{
+};
+
+TEST_P(ScalarCalls, NoShippedConfigReadsOrWritesTexelByTexel)
+{
+	const uint64_t Before = GetScalarCalls();
+	RunWith(GetParam(), {});
+	EXPECT_EQ(Before, GetScalarCalls());
+}
+
+INSTANTIATE_TEST_SUITE_P(ShippedConfigs, ScalarCalls, testing::ValuesIn(FindShippedConfigs()),
+	[](const testing::TestParamInfo<std::string>& Info) { return std::filesystem::path(Info.param).stem().string(); });
 
 TEST(EquivalenceHarness, NoticesASingleBit)
 {

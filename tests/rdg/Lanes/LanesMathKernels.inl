@@ -66,7 +66,8 @@ void RunOver(const T* A, const T* B, T* Out, int Count)
 					Do(Trunc, Trunc(x)) Do(RoundEven, RoundEven(x)) Do(Frac, Frac(x)) Do(Sqrt, Sqrt(x)) \
 						Do(InverseSqrt, InverseSqrt(x)) Do(FMod, FMod(x, y)) Do(FRem, FRem(x, y)) Do(Step, Step(x, y)) \
 							Do(Clamp, Clamp(x, y, y)) Do(SmoothStep, SmoothStep(y, y + T(2), x)) \
-								Do(Mix, Mix(x, y, T(0.25))) Do(Fma, Fma(x, y, x))
+								Do(Mix, Mix(x, y, T(0.25))) Do(Fma, Fma(x, y, x)) Do(Fused, Fused(x, y, x)) \
+									Do(FusedRest, Fused(x, y, -(x * y))) Do(FusedTie, Fused(x, y, T(16777218)))
 #define DRYDOCK_TEST_BITS_FUNCTIONS(Do) \
 	Do(ShiftLeft, ShiftLeft(x, y)) Do(ShiftRight, ShiftRight(x, y)) Do( \
 		ShiftRightSigned, ToUint(ShiftRight(ToInt(x), y))) Do(Divide, IntDivide(x, y)) Do(Remainder, \

@@ -98,6 +98,9 @@ public:
 		}
 	}
 
+	/** Texels, paddings and margins. */
+	const std::vector<uint8_t>& GetMemory() const { return Memory; }
+
 	std::vector<FKernelMip> Mips;
 	FKernelTexture Texture;
 

@@ -1,0 +1,32 @@
+// Counts the packs of lanes whose texels were read or written one by one: the slow way, which no picture should need.
+#pragma once
+
+#include "DrydockAPI.h"
+
+#include <cstdint>
+
+namespace Drydock
+{
+
+/** What a pack asked for. */
+enum class EScalarCall : uint8_t
+{
+	Sample,
+	Gather,
+	Load,
+	Store, // to render targets too
+	Buffer,
+	Count
+};
+
+/** "sample", "gather", ... */
+DRYDOCK_API const char* GetScalarCallName(EScalarCall Call);
+
+/** Since the start of the process, over all threads. Float lanes only: double ones know no other way. Packs whose
+ *  result is NaN count, as do formats of 64 bits a channel. */
+DRYDOCK_API uint64_t GetScalarCalls(EScalarCall Call);
+DRYDOCK_API uint64_t GetScalarCalls();
+
+DRYDOCK_API void AddScalarCall(EScalarCall Call);
+
+} // namespace Drydock
