@@ -85,7 +85,9 @@ TEST(ExportedSymbols, AreOursInOurNamespaceOrTheEnginesByName)
 	for (const auto& Entry : Files::directory_iterator(DRYDOCK_TEST_BINARY_DIR "/lib"))
 	{
 		const std::string Library = Entry.path().filename().string();
-		if (Library.rfind("libdrydock", 0) != 0 || Entry.path().extension() != ".so")
+		// A module is loaded for itself (RTLD_LOCAL): its names meet nobody's.
+		const bool bModule = Library == "libdrydock_openimageio.so";
+		if (Library.rfind("libdrydock", 0) != 0 || Entry.path().extension() != ".so" || bModule)
 		{
 			continue;
 		}

@@ -74,7 +74,8 @@ TEST_P(Ranges, AreAsTheTableSays)
 	if (*Case.As != '\0')
 	{
 		const FRunResult As = GetScene().Run(Frame, Split(Case.As));
-		EXPECT_EQ(As.SceneLinear.ToImage().Values, Result.SceneLinear.ToImage().Values) << Case.Given << " as " << Case.As;
+		EXPECT_EQ(As.SceneLinear.ToImage().Values, Result.SceneLinear.ToImage().Values)
+			<< Case.Given << " as " << Case.As;
 		EXPECT_EQ(As.Final.ToImage().Values, Result.Final.ToImage().Values) << Case.Given << " as " << Case.As;
 		EXPECT_EQ(As.ExposureScale, Result.ExposureScale);
 	}

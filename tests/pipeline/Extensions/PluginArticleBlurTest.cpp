@@ -18,7 +18,7 @@ namespace
 
 namespace Files = std::filesystem;
 
-using FPicture = PassReference::FImage;
+using FReference = PassReference::FImage;
 using FTexel = PassReference::FTexel;
 using PassReference::operator+;
 using PassReference::operator*;
@@ -39,9 +39,9 @@ int GetTexel(double UV, int Size)
 }
 
 /** One pass of the article: taps in half pixels of what is written, times Offset. */
-FPicture RunPass(const FPicture& In, int Width, int Height, double Offset, const std::vector<FTap>& Taps)
+FReference RunPass(const FReference& In, int Width, int Height, double Offset, const std::vector<FTap>& Taps)
 {
-	return FPicture::Make(Width, Height,
+	return FReference::Make(Width, Height,
 		[&](int X, int Y)
 		{
 			FTexel Sum = {0, 0, 0, 0};
@@ -58,7 +58,7 @@ FPicture RunPass(const FPicture& In, int Width, int Height, double Offset, const
 }
 
 /** The article's passes: down from the picture's own size, halving and doubling whole numbers. */
-FPicture RunArticle(FPicture Picture, int NumPasses, double Offset)
+FReference RunArticle(FReference Picture, int NumPasses, double Offset)
 {
 	int Width = Picture.Width, Height = Picture.Height;
 	for (int Pass = 0; Pass < NumPasses; ++Pass)
@@ -77,7 +77,7 @@ FPicture RunArticle(FPicture Picture, int NumPasses, double Offset)
 	return Picture;
 }
 
-double GetLargestDifference(const FPicture& A, const FPicture& B)
+double GetLargestDifference(const FReference& A, const FReference& B)
 {
 	double Largest = 0;
 	for (size_t Texel = 0; Texel < A.Texels.size(); ++Texel)
@@ -95,7 +95,7 @@ class PluginArticleBlur : public testing::TestWithParam<std::pair<int, int>>
 {
 protected:
 	PluginArticleBlur()
-		: Source(FPicture::Noise(GetParam().first, GetParam().second, 8.0, 17))
+		: Source(FReference::Noise(GetParam().first, GetParam().second, 8.0, 17))
 	{
 		FImage Image{Source.Width, Source.Height, 3, {}};
 		for (const FTexel& Texel : Source.Texels)
@@ -117,15 +117,15 @@ protected:
 	}
 
 	/** What the last pass that wrote a texture of this name left. */
-	static FPicture FindDump(const FRunResult& Result, const std::string& Resource, int& OutPass)
+	static FReference FindDump(const FRunResult& Result, const std::string& Resource, int& OutPass)
 	{
-		FPicture Picture;
+		FReference Picture;
 		for (const FRunDump& Dump : Result.Dumps)
 		{
 			if (Dump.Resource == Resource)
 			{
 				OutPass = Dump.PassIndex;
-				Picture = FPicture::Make(Dump.Image.Width, Dump.Image.Height,
+				Picture = FReference::Make(Dump.Image.Width, Dump.Image.Height,
 					[&](int X, int Y) {
 						return FTexel{Dump.Image.Get(X, Y, 0), Dump.Image.Get(X, Y, 1), Dump.Image.Get(X, Y, 2), 1};
 					});
@@ -135,7 +135,7 @@ protected:
 	}
 
 	/** Up to what the half floats of as many passes round away. */
-	static void ExpectSame(const FPicture& Expected, const FPicture& Found, int NumPasses)
+	static void ExpectSame(const FReference& Expected, const FReference& Found, int NumPasses)
 	{
 		ASSERT_EQ(Expected.Width, Found.Width);
 		ASSERT_EQ(Expected.Height, Found.Height);
@@ -143,7 +143,7 @@ protected:
 	}
 
 	const Files::path Scene = Files::temp_directory_path() / ("drydock_article_" + std::to_string(getpid()) + ".exr");
-	const FPicture Source;
+	const FReference Source;
 	const std::string Plugin = R"(, "plugins": [")" DRYDOCK_TEST_BINARY_DIR R"(/lib/libArticleBlur.so"])";
 	const std::string Own =
 		R"(, "extensions": [{"type": "DualKawaseBlur", "pass": "MotionBlur", "Offset": 0.75, "PassNum": 1}])";
@@ -154,7 +154,7 @@ protected:
 TEST_P(PluginArticleBlur, DrawsTheArticlesPicture)
 {
 	int Pass = 0;
-	const FPicture Found = FindDump(RunWith(Plugin), "ArticleUpPass", Pass);
+	const FReference Found = FindDump(RunWith(Plugin), "ArticleUpPass", Pass);
 	ExpectSame(RunArticle(Source, PluginPasses, PluginOffset), Found, 2 * PluginPasses);
 	// Far from what other parameters would give, and from no blur.
 	EXPECT_GT(GetLargestDifference(Found, RunArticle(Source, PluginPasses, 1.0)), 0.5);
@@ -168,17 +168,17 @@ TEST_P(PluginArticleBlur, DrydocksOwnBesideItBlursByItsParameters)
 		const FRunResult Result =
 			RunWith(Plugin + Own + (bAsPrinted ? R"(, "cvars": {"r.DualKawase.AsPrinted": 1})" : ""));
 		int PluginPass = 0, OwnPass = 0;
-		const FPicture OfPlugin = FindDump(Result, "ArticleUpPass", PluginPass);
-		const FPicture OfOwn = FindDump(Result, "DualKawaseUp1", OwnPass);
+		const FReference OfPlugin = FindDump(Result, "ArticleUpPass", PluginPass);
+		const FReference OfOwn = FindDump(Result, "DualKawaseUp1", OwnPass);
 		ASSERT_GT(PluginPass, 0);
 		ASSERT_GT(OwnPass, 0);
-		const auto BlurOwn = [&](const FPicture& In)
+		const auto BlurOwn = [&](const FReference& In)
 		{
 			return bAsPrinted ? RunArticle(In, 1, 0.75) : DualKawaseReference::Blur(In, 1, 0.75);
 		};
 		// The one that comes second blurs what the first one drew.
-		const FPicture& PluginInput = PluginPass < OwnPass ? Source : OfOwn;
-		const FPicture& OwnInput = PluginPass < OwnPass ? OfPlugin : Source;
+		const FReference& PluginInput = PluginPass < OwnPass ? Source : OfOwn;
+		const FReference& OwnInput = PluginPass < OwnPass ? OfPlugin : Source;
 		ExpectSame(RunArticle(PluginInput, PluginPasses, PluginOffset), OfPlugin, 2 * PluginPasses);
 		ExpectSame(BlurOwn(OwnInput), OfOwn, 2);
 		EXPECT_GT(GetLargestDifference(OwnInput, OfOwn), 0.03);

@@ -298,7 +298,8 @@ TEST(LocalExposureRun, NeutralValuesKeepEveryBit)
 	EXPECT_EQ(RunBoxes(R"("exposure": 1)", "").Final.ToImage().Values,
 		RunBoxes(R"("exposure": 1)", R"("LocalExposureHighlightContrastScale": 1, "LocalExposureShadowThreshold": 2,
 			"LocalExposureDetailStrength": 1, "LocalExposureBlurredLuminanceBlend": 0.1)")
-			.Final.ToImage().Values);
+			.Final.ToImage()
+			.Values);
 }
 
 TEST(LocalExposureRun, VariablesSwitchItOffForBloomAndAltogether)

@@ -72,7 +72,8 @@ TEST(PreExposure, OfAFixedExposureIsThatScale)
 	const FRunResult Result = RunConfig(Boxes(R"("exposure": 0.25, "preExposure": "auto")"));
 	EXPECT_EQ(static_cast<double>(Result.ExposureScale), GetPreExposure(Result));
 	EXPECT_EQ(0.25, GetPreExposure(Result));
-	EXPECT_EQ(RunConfig(Boxes(R"("exposure": 0.25, "preExposure": 0.25)")).Final.ToImage().Values, Result.Final.ToImage().Values);
+	EXPECT_EQ(RunConfig(Boxes(R"("exposure": 0.25, "preExposure": 0.25)")).Final.ToImage().Values,
+		Result.Final.ToImage().Values);
 }
 
 TEST(PreExposure, VariableBeatsAuto)

@@ -45,7 +45,8 @@ struct FDifference
 
 FDifference Compare(const char* Name, const FRunResult& Run, const FRunResult& Reference)
 {
-	const FDifference Difference = {MaxRelativeDifference(Run.SceneLinear.ToImage(), Reference.SceneLinear.ToImage(), 1e-3),
+	const FDifference Difference = {
+		MaxRelativeDifference(Run.SceneLinear.ToImage(), Reference.SceneLinear.ToImage(), 1e-3),
 		MaxRelativeDifference(Run.Dumps.at(0).Image.ToImage(), Reference.Dumps.at(0).Image.ToImage(), 1e-3),
 		MaxRelativeDifference(Run.Final.ToImage(), Reference.Final.ToImage(), 1.0)};
 	std::printf("%-22s against double: scene colour %.3g, bloom %.3g (of max(|value|, 1e-3)), final %.3g\n", Name,

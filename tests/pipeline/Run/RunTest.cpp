@@ -188,7 +188,8 @@ TEST(RunFrame, PreExposureMultipliesWhatIsStoredAndNotThePicture)
 	const FRunResult Plain = RunConfig(SmallScene());
 	const FRunResult Exposed = RunConfig(SmallScene(R"("view": {"preExposure": 0.5})"));
 	EXPECT_EQ(0.5 * Plain.SceneLinear.Get(200, 100, 1), Exposed.SceneLinear.Get(200, 100, 1));
-	EXPECT_LE(MaxDifference(Plain.Final.ToImage(), Exposed.Final.ToImage()), 2.5 / 255.0); // formats round a halved image elsewhere
+	EXPECT_LE(MaxDifference(Plain.Final.ToImage(), Exposed.Final.ToImage()),
+		2.5 / 255.0); // formats round a halved image elsewhere
 }
 
 TEST(RunFrame, TheVariableOverridesPreExposure)

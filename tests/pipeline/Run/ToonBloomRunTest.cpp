@@ -87,13 +87,15 @@ TEST(ToonBloomRun, FactorOneWithAThresholdToo)
 
 TEST(ToonBloomRun, SwitchedOffGivesTheBitsOfAFrameWithoutIt)
 {
-	EXPECT_EQ(RunToon("").Final.ToImage().Values, RunToon(R"("BloomToonIntensity": 0.1)", {"r.ToonBloom=0"}).Final.ToImage().Values);
+	EXPECT_EQ(RunToon("").Final.ToImage().Values,
+		RunToon(R"("BloomToonIntensity": 0.1)", {"r.ToonBloom=0"}).Final.ToImage().Values);
 }
 
 TEST(ToonBloomRun, BeginsAtZeroWhereTheDefaultFeatureIsOff)
 {
 	const FRunResult Off = RunToon(R"("BloomIntensity": 1.5)", {"r.DefaultFeature.Bloom=0"});
-	EXPECT_EQ(RunToon(R"("BloomIntensity": 1.5, "BloomToonIntensity": 0)").Final.ToImage().Values, Off.Final.ToImage().Values);
+	EXPECT_EQ(RunToon(R"("BloomIntensity": 1.5, "BloomToonIntensity": 0)").Final.ToImage().Values,
+		Off.Final.ToImage().Values);
 	EXPECT_NE(RunToon(R"("BloomIntensity": 1.5)").Final.ToImage().Values, Off.Final.ToImage().Values);
 }
 

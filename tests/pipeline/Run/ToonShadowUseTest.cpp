@@ -234,8 +234,7 @@ TEST(ToonShadowUse, SampleShowsAColoredFringeOnDarkSkin)
 			++NumLit;
 			for (size_t Channel = 0; Channel < 3; ++Channel)
 			{
-				ASSERT_EQ(
-					WithoutSceneLinear.Values[4 * Pixel + Channel], WithSceneLinear.Values[4 * Pixel + Channel]);
+				ASSERT_EQ(WithoutSceneLinear.Values[4 * Pixel + Channel], WithSceneLinear.Values[4 * Pixel + Channel]);
 			}
 		}
 		else if (Portrait.GetShadow(Pixel) < 0.01)

@@ -272,6 +272,7 @@ TEST(TranslucencyRun, WithoutSkippingTheBitsAreTheSame)
 	for (const size_t NumChannels : {size_t(6), AllChannels.size()})
 	{
 		const FSceneOnDisk Scene(NumChannels);
-		EXPECT_EQ(Scene.Run(Grey).SceneLinear.ToImage().Values, Scene.Run(Grey, {}, "", "", true).SceneLinear.ToImage().Values);
+		EXPECT_EQ(Scene.Run(Grey).SceneLinear.ToImage().Values,
+			Scene.Run(Grey, {}, "", "", true).SceneLinear.ToImage().Values);
 	}
 }

@@ -111,7 +111,8 @@ TEST(ScreenPercentage, RendersSmallerAndGivesTheOutputsSize)
 TEST(ScreenPercentage, ColourIsTheMeanOfTheAreaAPixelCovers)
 {
 	const FRunResult Whole = RunAt("100", Quiet), Half = RunAt("50", Quiet);
-	EXPECT_NEAR(MeanOf(Whole.SceneLinear.ToImage()), MeanOf(Half.SceneLinear.ToImage()), 2e-3 * MeanOf(Whole.SceneLinear.ToImage()));
+	EXPECT_NEAR(MeanOf(Whole.SceneLinear.ToImage()), MeanOf(Half.SceneLinear.ToImage()),
+		2e-3 * MeanOf(Whole.SceneLinear.ToImage()));
 	// Pixel 1, 0 covers columns 641/321 to 1282/321 and rows 0 to 359/180.
 	const FCoverage Columns = MakeCoverage(641, 321, 1), Rows = MakeCoverage(359, 180, 0);
 	double Sum = 0;
