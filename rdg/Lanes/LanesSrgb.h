@@ -1,4 +1,4 @@
-// 8-bit sRGB by tables, for lanes: the bits of EncodeSrgb8 and DecodeSrgb8.
+// Converts 8-bit sRGB by tables, for lanes: the bits of EncodeSrgb8 and DecodeSrgb8.
 #pragma once
 
 #include "DrydockAPI.h"
