@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstring>
 #include <fstream>
+#include <mutex>
 #include <stdexcept>
 
 namespace Drydock
@@ -101,6 +102,8 @@ void FExrOutput::write(const char Data[], int Count)
 
 int CountExrThreads()
 {
+	static std::mutex Mutex; // files are written side by side
+	const std::lock_guard Lock(Mutex);
 	const int NumThreads = GetNumThreads() > 1 ? GetNumThreads() : 0;
 	if (Imf::globalThreadCount() != NumThreads)
 	{
