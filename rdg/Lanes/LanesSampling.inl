@@ -11,13 +11,24 @@ namespace Drydock::Lanes
 inline namespace DRYDOCK_LANES_SET
 {
 
+/** Lane code that can read the texture and gave up has met a NaN. */
+template<typename Real, int N>
+DRYDOCK_LANES_INLINE void CountScalarSample(
+	const FKernelTexture& Texture, const FKernelSampler& Sampler, const FKernelMip& Mip)
+{
+	if constexpr (HasLaneCode<Real, N>)
+	{
+		AddScalarCall(TTapReader<N>{Texture, Sampler, Mip}.CanRead() ? EScalarCall::NaN : EScalarCall::Sample);
+	}
+}
+
 /** The rare half of SampleMip2D: 64-bit formats, slices too large for gathers, results that are NaN. */
 template<typename Real, int N>
 __attribute__((noinline)) void SampleMip2DRare(const FKernelTexture& Texture, const FKernelSampler& Sampler,
 	int32_t MipIndex, const Real* U, const Real* V, const Real* Layers, Real* Out)
 {
-	CountScalarCall<Real, N>(EScalarCall::Sample);
 	const FKernelMip& Mip = Texture.Mips[MipIndex];
+	CountScalarSample<Real, N>(Texture, Sampler, Mip);
 	const bool bPoint = Sampler.Filter == EKernelFilter::Point;
 	const TAxis<Real, N> X = MakeAxis<Real, N>(U, Mip.SizeX, bPoint, Sampler.SampleBits);
 	const TAxis<Real, N> Y = MakeAxis<Real, N>(V, Mip.SizeY, bPoint, Sampler.SampleBits);
@@ -104,7 +115,7 @@ inline void SampleMip3D(const FKernelTexture& Texture, const FKernelSampler& Sam
 			}
 		}
 	}
-	CountScalarCall<Real, N>(EScalarCall::Sample);
+	CountScalarSample<Real, N>(Texture, Sampler, Mip);
 	SampleMip3DReference<Real, N>(Texture, Sampler, MipIndex, X, Y, Z, Out);
 }
 

@@ -18,7 +18,7 @@ std::array<std::atomic<uint64_t>, GNumCalls> GCalls = {};
 
 const char* GetScalarCallName(EScalarCall Call)
 {
-	constexpr std::array<const char*, GNumCalls> Names = {"sample", "gather", "load", "store", "buffer"};
+	constexpr std::array<const char*, GNumCalls> Names = {"sample", "gather", "load", "store", "buffer", "nan"};
 	return Names[size_t(Call)];
 }
 
@@ -30,9 +30,9 @@ uint64_t GetScalarCalls(EScalarCall Call)
 uint64_t GetScalarCalls()
 {
 	uint64_t Sum = 0;
-	for (const std::atomic<uint64_t>& Calls : GCalls)
+	for (uint8_t Index = 0; Index < uint8_t(EScalarCall::NaN); ++Index)
 	{
-		Sum += Calls.load(std::memory_order_relaxed);
+		Sum += GetScalarCalls(EScalarCall(Index));
 	}
 	return Sum;
 }
