@@ -76,8 +76,8 @@ TEST_F(PluginIniProgram, WatchRendersAgainWhenOneIsEdited)
 		dup2(Log, STDERR_FILENO);
 		if (chdir(Folder.Path.c_str()) == 0)
 		{
-			execl(
-				DRYDOCK_TEST_BINARY_DIR "/bin/drydock", "drydock", "run", "a.json", "--watch", "--out", "out", nullptr);
+			execl(DRYDOCK_TEST_BINARY_DIR "/bin/drydock", "drydock", "run", "a.json", "--watch", "--outputs", "exr",
+				"--out", "out", nullptr);
 		}
 		_exit(127);
 	}
