@@ -284,17 +284,10 @@ void BindShaderParameters(
 	Out.PermutationId = Shader->GetPermutationId();
 	Out.bDouble = GetShaderLaneConfig().bDouble;
 	Out.Native = FindNativeKernel(Type);
-	if (Out.Native)
-	{
-		Out.Reflection = GetShaderReflection(Shader);
-	}
-	else
-	{
-		const std::shared_ptr<const FCompiledShader> Compiled = GetCompiledShader(Shader);
-		Out.Kernel = Compiled->Run;
-		Out.Vertex = Compiled->Vertex;
-		Out.Reflection = std::shared_ptr<const FShaderReflection>(Compiled, &Compiled->Reflection);
-	}
+	const std::shared_ptr<const FCompiledShader> Compiled = GetCompiledShader(Shader);
+	Out.Kernel = Compiled->Run;
+	Out.Vertex = Compiled->Vertex;
+	Out.Reflection = std::shared_ptr<const FShaderReflection>(Compiled, &Compiled->Reflection);
 	const std::shared_ptr<const FShaderBindingPlan> Plan = GetPlan(Shader, *Out.Reflection, Metadata);
 	FollowShaderBindingPlan(*Plan, *Out.Reflection, Parameters, Out);
 	ReportDroppedComponents(*Plan, *Out.Reflection, Out.Name, Parameters);

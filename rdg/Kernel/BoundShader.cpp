@@ -1,6 +1,10 @@
 // Runs a bound shader, and looks up by name what hand-written kernels ask for.
 #include "BoundShader.h"
 
+#include "NativeFallback.h"
+
+#include <atomic>
+
 namespace Drydock
 {
 
@@ -20,7 +24,32 @@ const T* FindByName(const std::vector<FShaderResource>& Resources, const T* View
 	return nullptr;
 }
 
+/** The only arguments of hand-written kernels that there are: with what RunShader runs. */
+struct FNativeKernelCall : FNativeKernelArgs
+{
+	FNativeKernelCall(const FBoundShader& Bound, const FKernelArgs& Args)
+		: FNativeKernelArgs(Args, *Bound.Reflection, Bound.Parameters, Bound.PermutationId)
+		, Shader(Bound.Kernel)
+	{
+	}
+
+	FKernelFunction Shader;
+};
+
+std::atomic<uint64_t> NumFallbacks{0};
+
 } // namespace
+
+uint64_t GetNativeFallbacks()
+{
+	return NumFallbacks.load();
+}
+
+void RunShader(const FNativeKernelArgs& Args, const FKernelTile& Tile)
+{
+	NumFallbacks.fetch_add(1, std::memory_order_relaxed);
+	static_cast<const FNativeKernelCall&>(Args).Shader(Args.GetArgs(), Tile);
+}
 
 const FKernelTexture* FNativeKernelArgs::FindTexture(const char* HlslName) const
 {
@@ -65,7 +94,7 @@ void FBoundShader::Run(const FKernelArgs& Args, const FKernelTile& Tile) const
 {
 	if (Native)
 	{
-		Native(FNativeKernelArgs(Args, *Reflection, Parameters, PermutationId), Tile);
+		Native(FNativeKernelCall(*this, Args), Tile);
 	}
 	else
 	{

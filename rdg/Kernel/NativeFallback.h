@@ -1,0 +1,15 @@
+// The way back from a hand-written kernel to the shader that it stands in for, where it cannot keep its promise.
+#pragma once
+
+#include "BoundShader.h"
+
+namespace Drydock
+{
+
+/** Runs the compiled .usf on a tile or a part of one. Args: those that the kernel was called with. */
+DRYDOCK_API void RunShader(const FNativeKernelArgs& Args, const FKernelTile& Tile);
+
+/** How often RunShader has been called in this process; for tests. */
+DRYDOCK_API uint64_t GetNativeFallbacks();
+
+} // namespace Drydock
