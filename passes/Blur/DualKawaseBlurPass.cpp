@@ -3,8 +3,8 @@
 
 #include "Blur/DualKawaseBlurErrors.h"
 #include "Blur/DualKawaseBlurOutput.h"
+#include "Blur/DualKawaseBlurShaders.h"
 #include "Blur/DualKawaseBlurWidth.h"
-#include "GlobalShader.h"
 #include "HAL/IConsoleManager.h"
 #include "PassFactory.h"
 #include "RHIStaticStates.h"
@@ -12,12 +12,14 @@
 #include "RenderGraphNotes.h"
 #include "RenderGraphUtils.h"
 #include "SceneRendering.h"
-#include "ShaderParameterStruct.h"
 
 #include <cmath>
 
 namespace Drydock
 {
+
+IMPLEMENT_GLOBAL_SHADER(FDualKawaseDownCS, "/Project/DualKawaseBlur.usf", "DownSampleCS", SF_Compute);
+IMPLEMENT_GLOBAL_SHADER(FDualKawaseUpCS, "/Project/DualKawaseBlur.usf", "UpSampleCS", SF_Compute);
 
 namespace
 {
@@ -26,57 +28,6 @@ TAutoConsoleVariable<int32> CVarAsPrinted(TEXT("r.DualKawase.AsPrinted"), 0,
 	TEXT("1: the dual Kawase blur as the article prints it, which loses rows and columns at odd sizes and ignores the "
 		 "view rect; 0: corrected (default)."),
 	ECVF_RenderThreadSafe);
-
-/** The article's. */
-constexpr int32 GroupSize = 32;
-
-class FAsPrintedDimension : SHADER_PERMUTATION_BOOL("AS_PRINTED");
-
-BEGIN_SHADER_PARAMETER_STRUCT(FDualKawaseParameters, )
-	SHADER_PARAMETER(FVector4f, ViewSize)
-	SHADER_PARAMETER_STRUCT_REF(FViewUniformShaderParameters, View)
-	SHADER_PARAMETER_SAMPLER(SamplerState, Sampler)
-	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, Intexture)
-	SHADER_PARAMETER_RDG_TEXTURE_UAV(RWTexture2D<float4>, OutTexture)
-	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Input)
-	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Output)
-	SHADER_PARAMETER(FVector2f, InputPerOutput)
-	SHADER_PARAMETER(FVector2f, TapOffset)
-END_SHADER_PARAMETER_STRUCT()
-
-class FDualKawaseShader : public FGlobalShader
-{
-public:
-	using FParameters = FDualKawaseParameters;
-	using FPermutationDomain = TShaderPermutationDomain<FAsPrintedDimension>;
-
-	static void ModifyCompilationEnvironment(
-		const FGlobalShaderPermutationParameters& Parameters, FShaderCompilerEnvironment& OutEnvironment)
-	{
-		FGlobalShader::ModifyCompilationEnvironment(Parameters, OutEnvironment);
-		OutEnvironment.SetDefine(TEXT("THREADGROUP_SIZE"), GroupSize);
-	}
-
-protected:
-	using FGlobalShader::FGlobalShader;
-};
-
-class FDualKawaseDownCS : public FDualKawaseShader
-{
-public:
-	DECLARE_GLOBAL_SHADER(FDualKawaseDownCS);
-	SHADER_USE_PARAMETER_STRUCT(FDualKawaseDownCS, FDualKawaseShader);
-};
-
-class FDualKawaseUpCS : public FDualKawaseShader
-{
-public:
-	DECLARE_GLOBAL_SHADER(FDualKawaseUpCS);
-	SHADER_USE_PARAMETER_STRUCT(FDualKawaseUpCS, FDualKawaseShader);
-};
-
-IMPLEMENT_GLOBAL_SHADER(FDualKawaseDownCS, "/Project/DualKawaseBlur.usf", "DownSampleCS", SF_Compute);
-IMPLEMENT_GLOBAL_SHADER(FDualKawaseUpCS, "/Project/DualKawaseBlur.usf", "UpSampleCS", SF_Compute);
 
 constexpr const TCHAR* DownNames[GDualKawaseMaxPasses] = {TEXT("DualKawaseDown1"), TEXT("DualKawaseDown2"),
 	TEXT("DualKawaseDown3"), TEXT("DualKawaseDown4"), TEXT("DualKawaseDown5"), TEXT("DualKawaseDown6"),
@@ -157,10 +108,10 @@ void AddCorrectedPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FS
 	PassParameters->TapOffset = TapOffset;
 
 	typename ShaderType::FPermutationDomain Permutation;
-	Permutation.template Set<FAsPrintedDimension>(false);
+	Permutation.template Set<FDualKawaseShader::FAsPrintedDimension>(false);
 	FComputeShaderUtils::AddPass(GraphBuilder, RDG_EVENT_NAME("%s %dx%d (CS)", Output.Texture->Name, Size.X, Size.Y),
 		TShaderMapRef<ShaderType>(View.ShaderMap, Permutation), PassParameters,
-		FComputeShaderUtils::GetGroupCount(Size, GroupSize));
+		FComputeShaderUtils::GetGroupCount(Size, DualKawaseGroupSize));
 }
 
 FScreenPassTexture AddCorrectedPasses(
@@ -220,10 +171,10 @@ FRDGTextureRef AddPrintedPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, 
 	PassParameters->OutTexture = GraphBuilder.CreateUAV(Output);
 
 	typename ShaderType::FPermutationDomain Permutation;
-	Permutation.template Set<FAsPrintedDimension>(true);
+	Permutation.template Set<FDualKawaseShader::FAsPrintedDimension>(true);
 	FComputeShaderUtils::AddPass(GraphBuilder, RDG_EVENT_NAME("%s %dx%d (CS, as printed)", Name, Size.X, Size.Y),
 		TShaderMapRef<ShaderType>(View.ShaderMap, Permutation), PassParameters,
-		FComputeShaderUtils::GetGroupCount(Size, GroupSize));
+		FComputeShaderUtils::GetGroupCount(Size, DualKawaseGroupSize));
 	return Output;
 }
 

@@ -2,6 +2,7 @@
 // engine file PostProcessWeightedSampleSum.cpp.
 #include "Blur/PostProcessWeightedSampleSum.h"
 
+#include "Blur/FilterShaders.h"
 #include "HAL/IConsoleManager.h"
 #include "PassFactory.h"
 #include "RHIStaticStates.h"
@@ -9,15 +10,21 @@
 #include "SceneRendering.h"
 #include "Screen/RasterTarget.h"
 #include "Screen/SampleSteps.h"
-#include "Screen/ScreenShaderPass.h"
-#include "ShaderParameterStruct.h"
 
 #include <cmath>
+
+namespace Drydock
+{
+
+IMPLEMENT_GLOBAL_SHADER(FFilterPS, "/Engine/Private/FilterPixelShader.usf", "MainPS", SF_Pixel);
+IMPLEMENT_GLOBAL_SHADER(FFilterCS, "/Engine/Private/FilterPixelShader.usf", "MainCS", SF_Compute);
+
+} // namespace Drydock
 
 namespace
 {
 
-constexpr int32 MaxFilterSamples = 128;
+using namespace Drydock;
 
 /** What lies outside the filter's rect. */
 enum class EGaussianBlurAddress : uint8
@@ -26,77 +33,6 @@ enum class EGaussianBlurAddress : uint8
 	Mirror,
 	Clamp,
 };
-
-/** Who gives the texels outside the filter's rect. */
-enum class ERectBorder : uint8
-{
-	Sampler, // the rect is the whole texture
-	Black,
-	Mirror,
-	Clamp,
-	MAX
-};
-
-BEGIN_SHADER_PARAMETER_STRUCT(FFilterParameters, )
-	SHADER_PARAMETER_STRUCT(FScreenPassTextureInput, Filter)
-	SHADER_PARAMETER_STRUCT(FScreenPassTextureInput, Additive)
-	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Output)
-	SHADER_PARAMETER_ARRAY(FVector4f, SampleOffsets, [MaxFilterSamples / 2])
-	SHADER_PARAMETER_ARRAY(FVector4f, SampleWeights, [MaxFilterSamples])
-	SHADER_PARAMETER(int32, SampleCount)
-	SHADER_PARAMETER(float, SampleSteps)
-	SHADER_PARAMETER(int32, bSnapTaps)
-END_SHADER_PARAMETER_STRUCT()
-
-class FAdditiveDimension : SHADER_PERMUTATION_BOOL("USE_ADDITIVE");
-class FRectBorderDimension : SHADER_PERMUTATION_ENUM_CLASS("RECT_BORDER", ERectBorder);
-
-using FFilterPermutation = TShaderPermutationDomain<FAdditiveDimension, FRectBorderDimension>;
-
-class FFilterPS : public FGlobalShader
-{
-public:
-	DECLARE_GLOBAL_SHADER(FFilterPS);
-	SHADER_USE_PARAMETER_STRUCT(FFilterPS, FGlobalShader);
-
-	using FPermutationDomain = FFilterPermutation;
-
-	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
-		SHADER_PARAMETER_STRUCT_INCLUDE(FFilterParameters, Common)
-		RENDER_TARGET_BINDING_SLOTS()
-	END_SHADER_PARAMETER_STRUCT()
-
-	static void ModifyCompilationEnvironment(
-		const FGlobalShaderPermutationParameters& Parameters, FShaderCompilerEnvironment& OutEnvironment)
-	{
-		FGlobalShader::ModifyCompilationEnvironment(Parameters, OutEnvironment);
-		OutEnvironment.SetDefine(TEXT("MAX_FILTER_SAMPLES"), MaxFilterSamples);
-	}
-};
-
-class FFilterCS : public Drydock::FScreenComputeShader
-{
-public:
-	DECLARE_GLOBAL_SHADER(FFilterCS);
-	SHADER_USE_PARAMETER_STRUCT(FFilterCS, Drydock::FScreenComputeShader);
-
-	using FPermutationDomain = FFilterPermutation;
-
-	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
-		SHADER_PARAMETER_STRUCT_INCLUDE(FFilterParameters, Common)
-		SHADER_PARAMETER_RDG_TEXTURE_UAV(RWTexture2D<float4>, RWOutputTexture)
-	END_SHADER_PARAMETER_STRUCT()
-
-	static void ModifyCompilationEnvironment(
-		const FGlobalShaderPermutationParameters& Parameters, FShaderCompilerEnvironment& OutEnvironment)
-	{
-		Drydock::FScreenComputeShader::ModifyCompilationEnvironment(Parameters, OutEnvironment);
-		OutEnvironment.SetDefine(TEXT("MAX_FILTER_SAMPLES"), MaxFilterSamples);
-	}
-};
-
-IMPLEMENT_GLOBAL_SHADER(FFilterPS, "/Engine/Private/FilterPixelShader.usf", "MainPS", SF_Pixel);
-IMPLEMENT_GLOBAL_SHADER(FFilterCS, "/Engine/Private/FilterPixelShader.usf", "MainCS", SF_Compute);
 
 /** One direction of the blur. */
 struct FFilterPassInputs

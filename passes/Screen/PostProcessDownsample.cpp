@@ -6,12 +6,21 @@
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
 #include "SceneRendering.h"
+#include "Screen/DownsampleShaders.h"
 #include "Screen/RasterTarget.h"
-#include "Screen/ScreenShaderPass.h"
-#include "ShaderParameterStruct.h"
+
+namespace Drydock
+{
+
+IMPLEMENT_GLOBAL_SHADER(FDownsamplePS, "/Engine/Private/PostProcessDownsample.usf", "MainPS", SF_Pixel);
+IMPLEMENT_GLOBAL_SHADER(FDownsampleCS, "/Engine/Private/PostProcessDownsample.usf", "MainCS", SF_Compute);
+
+} // namespace Drydock
 
 namespace
 {
+
+using namespace Drydock;
 
 TAutoConsoleVariable<int32> CVarDownsampleQuality(TEXT("r.PostProcessing.DownsampleQuality"), 0,
 	TEXT("Quality of the half-resolution scene colour: 0 low (2x2 box, default), 1 high (4x4 box)."),
@@ -25,46 +34,6 @@ EDownsampleQuality ToDownsampleQuality(int32 Value)
 {
 	return static_cast<EDownsampleQuality>(FMath::Clamp(Value, 0, static_cast<int32>(EDownsampleQuality::MAX) - 1));
 }
-
-BEGIN_SHADER_PARAMETER_STRUCT(FDownsampleParameters, )
-	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Input)
-	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Output)
-	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, InputTexture)
-	SHADER_PARAMETER_SAMPLER(SamplerState, InputSampler)
-END_SHADER_PARAMETER_STRUCT()
-
-class FDownsampleQualityDimension : SHADER_PERMUTATION_ENUM_CLASS("DOWNSAMPLE_QUALITY", EDownsampleQuality);
-
-class FDownsamplePS : public FGlobalShader
-{
-public:
-	DECLARE_GLOBAL_SHADER(FDownsamplePS);
-	SHADER_USE_PARAMETER_STRUCT(FDownsamplePS, FGlobalShader);
-
-	using FPermutationDomain = TShaderPermutationDomain<FDownsampleQualityDimension>;
-
-	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
-		SHADER_PARAMETER_STRUCT_INCLUDE(FDownsampleParameters, Common)
-		RENDER_TARGET_BINDING_SLOTS()
-	END_SHADER_PARAMETER_STRUCT()
-};
-
-class FDownsampleCS : public Drydock::FScreenComputeShader
-{
-public:
-	DECLARE_GLOBAL_SHADER(FDownsampleCS);
-	SHADER_USE_PARAMETER_STRUCT(FDownsampleCS, Drydock::FScreenComputeShader);
-
-	using FPermutationDomain = TShaderPermutationDomain<FDownsampleQualityDimension>;
-
-	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
-		SHADER_PARAMETER_STRUCT_INCLUDE(FDownsampleParameters, Common)
-		SHADER_PARAMETER_RDG_TEXTURE_UAV(RWTexture2D<float4>, OutComputeTexture)
-	END_SHADER_PARAMETER_STRUCT()
-};
-
-IMPLEMENT_GLOBAL_SHADER(FDownsamplePS, "/Engine/Private/PostProcessDownsample.usf", "MainPS", SF_Pixel);
-IMPLEMENT_GLOBAL_SHADER(FDownsampleCS, "/Engine/Private/PostProcessDownsample.usf", "MainCS", SF_Compute);
 
 FScreenPassRenderTarget CreateOutput(FRDGBuilder& GraphBuilder, const FDownsamplePassInputs& Inputs, bool bCompute)
 {
@@ -144,7 +113,7 @@ FScreenPassTexture AddDownsamplePass(
 	Common.InputSampler = TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
 
 	FDownsamplePS::FPermutationDomain Permutation;
-	Permutation.Set<FDownsampleQualityDimension>(Inputs.Quality);
+	Permutation.Set<FDownsampleQualityDimension>(static_cast<int32>(Inputs.Quality));
 
 	const FIntPoint Size = Inputs.DrawRect.value_or(Output.ViewRect).Size();
 	const FString Name = FString::Printf(TEXT("%s(%s) %dx%d"), Output.Texture->Name,

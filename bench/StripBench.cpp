@@ -1,0 +1,184 @@
+// What blurs and downsamples cost by their native kernels and by their shaders: whole passes of the graph, 1920x1080
+// unless said. Both run alternately in one process, with a copy of the picture by memcpy between them; medians of 15,
+// one thread. "copies": time over that of the copy of the picture in its own format.
+#include "Blur/DualKawaseBlurPass.h"
+#include "Blur/PostProcessWeightedSampleSum.h"
+#include "HAL/IConsoleManager.h"
+#include "RHICommandList.h"
+#include "RenderGraphBuilder.h"
+#include "RenderGraphObserver.h"
+#include "RenderTargetPool.h"
+#include "SceneRendering.h"
+#include "Screen/PostProcessDownsample.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <functional>
+#include <random>
+#include <string>
+#include <vector>
+
+using namespace Drydock;
+
+namespace
+{
+
+constexpr int GRepetitions = 15;
+const FIntPoint GSize(1920, 1080);
+
+using FAddPasses = std::function<FScreenPassTexture(FRDGBuilder&, const FViewInfo&, const FScreenPassTexture&)>;
+
+struct FRow
+{
+	std::string Name;
+	EPixelFormat Format;
+	FAddPasses AddPasses;
+	std::vector<double> Native = {};
+	std::vector<double> Shader = {};
+	std::vector<double> Copy = {};
+};
+
+FAddPasses Gaussian(float Radius)
+{
+	return [Radius](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& Input)
+	{
+		FGaussianBlurInputs Inputs;
+		Inputs.NameX = TEXT("X");
+		Inputs.NameY = TEXT("Y");
+		Inputs.Filter = Input;
+		Inputs.KernelSizePercent = 200.0f * Radius / static_cast<float>(GSize.X);
+		return AddGaussianBlurPass(GraphBuilder, View, Inputs);
+	};
+}
+
+FAddPasses Kawase(int32 Levels)
+{
+	return [Levels](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& Input)
+	{
+		FDualKawaseBlurInputs Inputs;
+		Inputs.SceneColor = Input;
+		Inputs.PassNum = Levels;
+		return AddDualKawaseBlurPass(GraphBuilder, View, Inputs);
+	};
+}
+
+FAddPasses Downsample(EDownsampleQuality Quality)
+{
+	return [Quality](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& Input)
+	{
+		FDownsamplePassInputs Inputs;
+		Inputs.Name = TEXT("Half");
+		Inputs.SceneColor = Input;
+		Inputs.Quality = Quality;
+		return AddDownsamplePass(GraphBuilder, View, Inputs);
+	};
+}
+
+class FPassTimer final : public IRDGObserver
+{
+public:
+	void OnPassExecuted(
+		int32_t, const FRDGPass&, double Milliseconds, const FPassCounters&, const std::vector<FRDGTexture*>&) override
+	{
+		Sum += Milliseconds;
+	}
+	double Sum = 0.0;
+};
+
+FTextureRHIRef MakeNoise(EPixelFormat Format)
+{
+	const FTextureRHIRef Texture = new FRHITexture(
+		FRDGTextureDesc::Create2D(GSize, Format, FClearValueBinding::None, TexCreate_ShaderResource), TEXT("Input"));
+	std::mt19937 Random(1);
+	std::uniform_real_distribution<double> Value(0.0, 1.0);
+	for (int32 Y = 0; Y < GSize.Y; ++Y)
+	{
+		for (int32 X = 0; X < GSize.X; ++X)
+		{
+			Texture->WriteTexelDouble(X, Y, FVector4(Value(Random), Value(Random), Value(Random), 1.0));
+		}
+	}
+	return Texture;
+}
+
+double Run(const FRow& Row, const FTextureRHIRef& Texture, bool bNative)
+{
+	IConsoleManager::Get().FindConsoleVariable(TEXT("r.Drydock.NativeKernels"))->Set(bNative ? 1 : 0);
+	FPassTimer Timer;
+	FViewInfo View(nullptr, FIntRect(FIntPoint(0, 0), GSize), GSize);
+	FRDGBuilder GraphBuilder(FRHICommandListExecutor::GetImmediateCommandList(), RDG_EVENT_NAME("Bench"));
+	GraphBuilder.SetObserver(&Timer);
+	const FScreenPassTexture Input(GraphBuilder.RegisterExternalTexture(CreateRenderTarget(Texture, TEXT("Input"))));
+	TRefCountPtr<IPooledRenderTarget> Result;
+	GraphBuilder.QueueTextureExtraction(Row.AddPasses(GraphBuilder, View, Input).Texture, &Result);
+	GraphBuilder.Execute();
+	return Timer.Sum;
+}
+
+double Copy(const FTextureRHIRef& Texture, std::vector<uint8_t>& To)
+{
+	const FKernelMip& Mip = Texture->GetKernelView().Mips[0];
+	const size_t Bytes = size_t(Mip.RowPitch) * size_t(Mip.SizeY);
+	To.resize(Bytes);
+	const auto Start = std::chrono::steady_clock::now();
+	std::memcpy(To.data(), Mip.Data, Bytes);
+	return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Start).count();
+}
+
+double Median(std::vector<double> Values)
+{
+	std::sort(Values.begin(), Values.end());
+	return Values[Values.size() / 2];
+}
+
+} // namespace
+
+int main()
+{
+	IConsoleManager::Get().FindConsoleVariable(TEXT("r.Drydock.Threads"))->Set(1);
+	std::vector<FRow> Rows;
+	for (const auto& [Format, Name] :
+		{std::pair(PF_FloatR11G11B10, "R11G11B10"), {PF_FloatRGBA, "RGBA16F"}, {PF_A32B32G32R32F, "RGBA32F"}})
+	{
+		for (const float Radius : {4.0f, 6.0f, 12.0f, 31.0f})
+		{
+			Rows.push_back({"Gaussian radius " + std::to_string(int(Radius)) + ", " + Name, Format, Gaussian(Radius)});
+		}
+		for (const int32 Levels : {1, 3, 5})
+		{
+			Rows.push_back({"dual Kawase " + std::to_string(Levels) + ", " + Name, Format, Kawase(Levels)});
+		}
+		Rows.push_back({std::string("downsample low, ") + Name, Format, Downsample(EDownsampleQuality::Low)});
+		Rows.push_back({std::string("downsample high, ") + Name, Format, Downsample(EDownsampleQuality::High)});
+	}
+	std::vector<uint8_t> To;
+	std::printf(
+		"Blurs at %dx%d, one thread, medians of %d\n\n| pass | native ms | shader ms | shader / native | native, "
+		"copies | shader, copies |\n|---|---|---|---|---|---|\n",
+		GSize.X, GSize.Y, GRepetitions);
+	for (FRow& Row : Rows)
+	{
+		const FTextureRHIRef Texture = MakeNoise(Row.Format);
+		for (int Repetition = -1; Repetition < GRepetitions; ++Repetition)
+		{
+			const double Native = Run(Row, Texture, true);
+			const double Copied = Copy(Texture, To);
+			const double Shader = Run(Row, Texture, false);
+			if (Repetition >= 0) // the first round warms up
+			{
+				Row.Native.push_back(Native);
+				Row.Copy.push_back(Copied);
+				Row.Shader.push_back(Shader);
+			}
+		}
+		const double Native = Median(Row.Native);
+		const double Shader = Median(Row.Shader);
+		const double Copied = Median(Row.Copy);
+		std::printf("| %s | %.2f | %.2f | %.1f | %.1f | %.1f |\n", Row.Name.c_str(), Native, Shader, Shader / Native,
+			Native / Copied, Shader / Copied);
+		std::fflush(stdout);
+	}
+	return 0;
+}

@@ -1,0 +1,82 @@
+// The shaders of the weighted sample sum as classes, which their native kernel shares. Source: engine file
+// PostProcessWeightedSampleSum.cpp.
+#pragma once
+
+#include "ScreenPass.h"
+#include "Screen/ScreenShaderPass.h"
+#include "ShaderParameterStruct.h"
+
+namespace Drydock
+{
+
+constexpr int32 MaxFilterSamples = 128;
+
+/** Who gives the texels outside the filter's rect. */
+enum class ERectBorder : uint8
+{
+	Sampler, // the rect is the whole texture
+	Black,
+	Mirror,
+	Clamp,
+	MAX
+};
+
+BEGIN_SHADER_PARAMETER_STRUCT(FFilterParameters, )
+	SHADER_PARAMETER_STRUCT(FScreenPassTextureInput, Filter)
+	SHADER_PARAMETER_STRUCT(FScreenPassTextureInput, Additive)
+	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Output)
+	SHADER_PARAMETER_ARRAY(FVector4f, SampleOffsets, [MaxFilterSamples / 2])
+	SHADER_PARAMETER_ARRAY(FVector4f, SampleWeights, [MaxFilterSamples])
+	SHADER_PARAMETER(int32, SampleCount)
+	SHADER_PARAMETER(float, SampleSteps)
+	SHADER_PARAMETER(int32, bSnapTaps)
+END_SHADER_PARAMETER_STRUCT()
+
+class FAdditiveDimension : SHADER_PERMUTATION_BOOL("USE_ADDITIVE");
+class FRectBorderDimension : SHADER_PERMUTATION_ENUM_CLASS("RECT_BORDER", ERectBorder);
+
+using FFilterPermutation = TShaderPermutationDomain<FAdditiveDimension, FRectBorderDimension>;
+
+class FFilterPS : public FGlobalShader
+{
+public:
+	DECLARE_GLOBAL_SHADER(FFilterPS);
+	SHADER_USE_PARAMETER_STRUCT(FFilterPS, FGlobalShader);
+
+	using FPermutationDomain = FFilterPermutation;
+
+	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
+		SHADER_PARAMETER_STRUCT_INCLUDE(FFilterParameters, Common)
+		RENDER_TARGET_BINDING_SLOTS()
+	END_SHADER_PARAMETER_STRUCT()
+
+	static void ModifyCompilationEnvironment(
+		const FGlobalShaderPermutationParameters& Parameters, FShaderCompilerEnvironment& OutEnvironment)
+	{
+		FGlobalShader::ModifyCompilationEnvironment(Parameters, OutEnvironment);
+		OutEnvironment.SetDefine(TEXT("MAX_FILTER_SAMPLES"), MaxFilterSamples);
+	}
+};
+
+class FFilterCS : public FScreenComputeShader
+{
+public:
+	DECLARE_GLOBAL_SHADER(FFilterCS);
+	SHADER_USE_PARAMETER_STRUCT(FFilterCS, FScreenComputeShader);
+
+	using FPermutationDomain = FFilterPermutation;
+
+	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
+		SHADER_PARAMETER_STRUCT_INCLUDE(FFilterParameters, Common)
+		SHADER_PARAMETER_RDG_TEXTURE_UAV(RWTexture2D<float4>, RWOutputTexture)
+	END_SHADER_PARAMETER_STRUCT()
+
+	static void ModifyCompilationEnvironment(
+		const FGlobalShaderPermutationParameters& Parameters, FShaderCompilerEnvironment& OutEnvironment)
+	{
+		FScreenComputeShader::ModifyCompilationEnvironment(Parameters, OutEnvironment);
+		OutEnvironment.SetDefine(TEXT("MAX_FILTER_SAMPLES"), MaxFilterSamples);
+	}
+};
+
+} // namespace Drydock

@@ -1,0 +1,270 @@
+// The native kernels of blurs and downsamples against the shaders that they stand for: the same stored bits for drawn
+// pictures, sizes, rects, formats, parameters, lane widths, and pictures full of hazards; and that they do the work.
+#include "PassTestUtils.h"
+
+#include "Blur/DualKawaseBlurPass.h"
+#include "Blur/PostProcessWeightedSampleSum.h"
+#include "NativeFallback.h"
+#include "Screen/PostProcessDownsample.h"
+
+#include <cstring>
+#include <functional>
+#include <random>
+
+using namespace Drydock;
+using namespace PassTest;
+
+namespace
+{
+
+bool IsSame(double A, double B)
+{
+	return (std::isnan(A) && std::isnan(B)) || std::memcmp(&A, &B, sizeof(A)) == 0;
+}
+
+/** The first texel that differs in a bit; NaN equals NaN. */
+std::string Compare(const FImage& Expected, const FImage& Actual)
+{
+	for (int Y = 0; Y < Expected.Height; ++Y)
+	{
+		for (int X = 0; X < Expected.Width; ++X)
+		{
+			for (int Channel = 0; Channel < 4; ++Channel)
+			{
+				const double A = Expected.At(X, Y)[size_t(Channel)];
+				const double B = Actual.At(X, Y)[size_t(Channel)];
+				if (!IsSame(A, B))
+				{
+					char Text[160];
+					std::snprintf(Text, sizeof(Text), "(%d, %d) channel %d of %dx%d: shader %a, native %a", X, Y,
+						Channel, Expected.Width, Expected.Height, A, B);
+					return Text;
+				}
+			}
+		}
+	}
+	return {};
+}
+
+/** By the shader and, at every lane width, by the native kernel. */
+void ExpectSameBits(const std::function<FImage()>& Run, const std::string& What)
+{
+	FImage Expected;
+	{
+		const FScopedConsoleVariable Switch(TEXT("r.Drydock.NativeKernels"), 0);
+		Expected = Run();
+	}
+	for (const int Lanes : {0, 4, 8})
+	{
+		const FScopedConsoleVariable Width(TEXT("r.Drydock.LaneWidth"), static_cast<float>(Lanes));
+		EXPECT_EQ("", Compare(Expected, Run())) << What << ", " << Lanes << " lanes";
+	}
+}
+
+/** Values of all kinds and both signs; bHazards: one in sixteen is NaN, infinite, -0, a denormal or very large. */
+FImage Draw(std::mt19937& Random, int Width, int Height, bool bHazards)
+{
+	const double Hazards[] = {NaN, Infinity, -Infinity, -0.0, 0.0, 65504, -65504, 1e-40, 6e-8, 3e38, -3e38};
+	std::uniform_real_distribution<double> Value(-1.0, 4.0);
+	std::uniform_int_distribution<size_t> Kind(0, 16 * std::size(Hazards) - 1);
+	return FImage::Make(Width, Height,
+		[&](int, int)
+		{
+			FTexel Texel;
+			for (double& Channel : Texel)
+			{
+				const size_t Hazard = Kind(Random);
+				Channel = bHazards && Hazard < std::size(Hazards) ? Hazards[Hazard] : Value(Random);
+			}
+			return Texel;
+		});
+}
+
+/** A picture that fills a texture or lies somewhere in one. */
+struct FPlace
+{
+	FImage Image;
+	FRect Rect;
+	FIntPoint Extent;
+	EPixelFormat Format;
+};
+
+FPlace DrawPlace(std::mt19937& Random)
+{
+	const auto Pick = [&Random](int Low, int High)
+	{
+		return std::uniform_int_distribution<int>(Low, High)(Random);
+	};
+	// One in three is wider than a tile.
+	const int Width = Pick(0, 2) == 0 ? Pick(257, 600) : Pick(1, 90);
+	const int Height = Pick(1, 60);
+	const FIntPoint Min = Pick(0, 1) == 0 ? FIntPoint(0, 0) : FIntPoint(Pick(0, 40), Pick(0, 40));
+	const int Padding = Pick(0, 2) == 0 ? Pick(1, 40) : 0;
+	const EPixelFormat Formats[] = {
+		PF_A32B32G32R32F, PF_FloatRGBA, PF_FloatR11G11B10, PF_B8G8R8A8, PF_R16F, PF_G16R16, PF_R32_FLOAT};
+	FPlace Place;
+	Place.Image = Draw(Random, Width, Height, Pick(0, 2) == 0);
+	Place.Rect = {Min.X, Min.Y, Min.X + Width, Min.Y + Height};
+	Place.Extent = FIntPoint(Place.Rect.MaxX + Padding, Place.Rect.MaxY + Padding);
+	Place.Format = Formats[Pick(0, static_cast<int>(std::size(Formats)) - 1)];
+	return Place;
+}
+
+std::string Describe(const FPlace& Place)
+{
+	char Text[160];
+	std::snprintf(Text, sizeof(Text), "%dx%d at (%d, %d) of %dx%d, format %d", Place.Rect.Width(), Place.Rect.Height(),
+		Place.Rect.MinX, Place.Rect.MinY, Place.Extent.X, Place.Extent.Y, static_cast<int>(Place.Format));
+	return Text;
+}
+
+struct FGaussian
+{
+	float Radius = 5.0f;
+	int Address = 0; // black, mirror, clamp
+	bool bCompute = false;
+	bool bAdditive = false;
+	FLinearColor Tint = FLinearColor(1.0f, 0.5f, -0.25f, 0.75f);
+};
+
+FImage Blur(const FPlace& Place, const FGaussian& Gaussian)
+{
+	FPassRun Run(Place.Image, Place.Rect, Place.Extent, EArithmetic::Native, Place.Format);
+	Run.View.bUseComputePasses = Gaussian.bCompute;
+	FGaussianBlurInputs Inputs;
+	Inputs.NameX = TEXT("BlurX");
+	Inputs.NameY = TEXT("BlurY");
+	Inputs.Filter = Run.Input;
+	Inputs.KernelSizePercent = 200.0f * Gaussian.Radius / Run.Input.ViewRect.Width();
+	Inputs.TintColor = Gaussian.Tint;
+	Inputs.UseMirrorAddressMode = Gaussian.Address == 1;
+	Inputs.UseClampAddressMode = Gaussian.Address == 2;
+	if (Gaussian.bAdditive)
+	{
+		const int Width = (Place.Rect.Width() + 1) / 2;
+		const int Height = (Place.Rect.Height() + 1) / 2;
+		Inputs.Additive = Run.AddInput(FImage::Noise(Width, Height), {3, 2, Width + 3, Height + 2},
+			FIntPoint(Width + 5, Height + 4), Place.Format, TEXT("Additive"));
+	}
+	return Run.Execute(AddGaussianBlurPass(Run.GraphBuilder, Run.View, Inputs));
+}
+
+FImage BlurKawase(const FPlace& Place, float Offset, int Levels, bool bAsPrinted = false)
+{
+	FPassRun Run(Place.Image, Place.Rect, Place.Extent, EArithmetic::Native, Place.Format);
+	FDualKawaseBlurInputs Inputs;
+	Inputs.SceneColor = Run.Input;
+	Inputs.Offset = Offset;
+	Inputs.PassNum = Levels;
+	Inputs.bAsPrinted = bAsPrinted;
+	return Run.Execute(AddDualKawaseBlurPass(Run.GraphBuilder, Run.View, Inputs));
+}
+
+FImage Halve(const FPlace& Place, EDownsampleQuality Quality, bool bCompute)
+{
+	FPassRun Run(Place.Image, Place.Rect, Place.Extent, EArithmetic::Native, Place.Format);
+	Run.View.bUseComputePasses = bCompute;
+	FDownsamplePassInputs Inputs;
+	Inputs.Name = TEXT("Downsample");
+	Inputs.SceneColor = Run.Input;
+	Inputs.Quality = Quality;
+	return Run.Execute(AddDownsamplePass(Run.GraphBuilder, Run.View, Inputs));
+}
+
+FPlace FillTexture(int Width, int Height)
+{
+	return {FImage::Noise(Width, Height), {0, 0, Width, Height}, FIntPoint(Width, Height), PF_FloatRGBA};
+}
+
+} // namespace
+
+TEST(TapSum, GaussianHasTheShadersBits)
+{
+	std::mt19937 Random(18);
+	for (int Case = 0; Case < 60; ++Case)
+	{
+		const FPlace Place = DrawPlace(Random);
+		FGaussian Gaussian;
+		Gaussian.Radius = std::uniform_real_distribution<float>(0.1f, 34.0f)(Random);
+		Gaussian.Address = Case % 3;
+		Gaussian.bCompute = Case % 4 == 3;
+		Gaussian.bAdditive = Case % 5 < 2;
+		ExpectSameBits([&] { return Blur(Place, Gaussian); }, "case " + std::to_string(Case) + ", " + Describe(Place) +
+																  ", radius " + std::to_string(Gaussian.Radius) +
+																  ", address " + std::to_string(Gaussian.Address));
+	}
+}
+
+TEST(TapSum, DualKawaseHasTheShadersBits)
+{
+	std::mt19937 Random(5);
+	for (int Case = 0; Case < 40; ++Case)
+	{
+		const FPlace Place = DrawPlace(Random);
+		const float Offset = Case % 2 == 0 ? 1.0f : std::uniform_real_distribution<float>(0.0f, 3.0f)(Random);
+		const int Levels = 1 + Case % 4;
+		ExpectSameBits([&] { return BlurKawase(Place, Offset, Levels); },
+			"case " + std::to_string(Case) + ", " + Describe(Place) + ", offset " + std::to_string(Offset) +
+				", levels " + std::to_string(Levels));
+	}
+}
+
+TEST(TapSum, DownsampleHasTheShadersBits)
+{
+	std::mt19937 Random(3);
+	for (int Case = 0; Case < 40; ++Case)
+	{
+		const FPlace Place = DrawPlace(Random);
+		const EDownsampleQuality Quality = Case % 2 == 0 ? EDownsampleQuality::Low : EDownsampleQuality::High;
+		ExpectSameBits([&] { return Halve(Place, Quality, Case % 3 == 0); },
+			"case " + std::to_string(Case) + ", " + Describe(Place) + ", quality " + std::to_string(Case % 2));
+	}
+}
+
+TEST(TapSum, NegativeZerosKeepTheirSignAtClampedEdges)
+{
+	for (const auto& [Width, Height] : {std::pair(1, 1), {7, 5}, {33, 2}})
+	{
+		const FPlace Place = {FImage(Width, Height, {-0.0, -0.0, -0.0, -0.0}), {2, 1, Width + 2, Height + 1},
+			FIntPoint(Width + 3, Height + 3), PF_FloatRGBA};
+		ExpectSameBits([&] { return BlurKawase(Place, 1.0f, 1); }, "Kawase, " + Describe(Place));
+		ExpectSameBits([&] { return Halve(Place, EDownsampleQuality::Low, false); }, "low, " + Describe(Place));
+		ExpectSameBits([&] { return Halve(Place, EDownsampleQuality::High, false); }, "high, " + Describe(Place));
+	}
+}
+
+TEST(TapSum, WholePicturesOfAnySizeAreNotLeftToTheShader)
+{
+	const uint64_t Before = GetNativeFallbacks();
+	for (const auto& [Width, Height] : {std::pair(640, 360), {641, 359}, {53, 47}, {1, 1}})
+	{
+		const FPlace Place = FillTexture(Width, Height);
+		for (const float Radius : {3.0f, 20.0f})
+		{
+			FGaussian Gaussian;
+			Gaussian.Radius = Radius;
+			Gaussian.bAdditive = true;
+			Blur(Place, Gaussian);
+		}
+		BlurKawase(Place, 1.0f, 3);
+		Halve(Place, EDownsampleQuality::Low, false);
+		Halve(Place, EDownsampleQuality::High, false);
+	}
+	EXPECT_EQ(Before, GetNativeFallbacks());
+}
+
+TEST(TapSum, WhatItDoesNotKnowIsLeftToTheShader)
+{
+	const FPlace Place = FillTexture(40, 30);
+	const uint64_t Before = GetNativeFallbacks();
+	ExpectSameBits([&] { return BlurKawase(Place, 1.0f, 2, true); }, "as printed: points");
+	EXPECT_LT(Before, GetNativeFallbacks());
+	const uint64_t BeforeUnsnapped = GetNativeFallbacks();
+	FPassRun Run(Place.Image, EArithmetic::Native);
+	const FScopedConsoleVariable SampleBits(TEXT("r.Drydock.SampleBits"), 0);
+	FDownsamplePassInputs Inputs;
+	Inputs.Name = TEXT("Downsample");
+	Inputs.SceneColor = Run.Input;
+	Run.Execute(AddDownsamplePass(Run.GraphBuilder, Run.View, Inputs));
+	EXPECT_LT(BeforeUnsnapped, GetNativeFallbacks());
+}
