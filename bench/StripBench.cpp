@@ -1,5 +1,5 @@
 // What blurs and downsamples cost by their native kernels and by their shaders: whole passes of the graph, 1920x1080
-// unless said. Both run alternately in one process, with a copy of the picture by memcpy between them; medians of 15,
+// unless said. Both run alternately in one process, with a copy of the picture by memcpy between them; medians of 7,
 // one thread. "copies": time over that of the copy of the picture in its own format.
 #include "Blur/DualKawaseBlurPass.h"
 #include "Blur/PostProcessWeightedSampleSum.h"
@@ -25,7 +25,7 @@ using namespace Drydock;
 namespace
 {
 
-constexpr int GRepetitions = 15;
+constexpr int GRepetitions = 7;
 const FIntPoint GSize(1920, 1080);
 
 using FAddPasses = std::function<FScreenPassTexture(FRDGBuilder&, const FViewInfo&, const FScreenPassTexture&)>;
