@@ -39,7 +39,7 @@ const char* GetColor(ESeverity Severity)
 void WriteDiagnostics(FJsonWriter& Writer, const std::vector<FDiagnostic>& Diagnostics)
 {
 	Writer.BeginArray();
-	for (const FDiagnostic& Diagnostic : LimitDiagnostics(Diagnostics))
+	for (const FDiagnostic& Diagnostic : Diagnostics)
 	{
 		Writer.BeginObject(true);
 		Writer.Member("severity", Diagnostic.Severity == ESeverity::Error     ? "error"
@@ -59,7 +59,7 @@ void WriteDiagnostics(FJsonWriter& Writer, const std::vector<FDiagnostic>& Diagn
 void PrintDiagnostics(const std::vector<FDiagnostic>& Diagnostics)
 {
 	const bool bColorful = IsColorful(STDERR_FILENO);
-	for (const FDiagnostic& Diagnostic : LimitDiagnostics(Diagnostics))
+	for (const FDiagnostic& Diagnostic : SummarizeDiagnostics(Diagnostics))
 	{
 		std::fprintf(stderr, "%s%s%s\n", bColorful ? GetColor(Diagnostic.Severity) : "", Diagnostic.ToString().c_str(),
 			bColorful ? "\x1b[0m" : "");

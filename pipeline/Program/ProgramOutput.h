@@ -11,11 +11,11 @@ namespace Drydock
 class FJsonWriter;
 struct FEffectDecision;
 
-/** Writes an array of objects, for editors and scripts; as many as LimitDiagnostics keeps. */
+/** Writes an array of objects, for editors and scripts: every message that was collected. */
 void WriteDiagnostics(FJsonWriter& Writer, const std::vector<FDiagnostic>& Diagnostics);
 
-/** Prints diagnostics to stderr, as many as LimitDiagnostics keeps, one a line, coloured on a terminal (unless NO_COLOR
- * is set). */
+/** Prints diagnostics to stderr, as many as SummarizeDiagnostics keeps, one a line, coloured on a terminal (unless
+ * NO_COLOR is set). */
 DRYDOCK_API void PrintDiagnostics(const std::vector<FDiagnostic>& Diagnostics);
 
 /** Sees to it that what was printed to stdout is there. Throws FError (exit code 3) where some of it could not be

@@ -9,7 +9,7 @@ namespace Drydock
 enum ELimitError
 {
 	ErrorTooManyValues = 1024, // JSON of more values than any config has
-	MoreMessages = 1025,       // how many more of a severity there are than are listed
+	MoreMessages = 1025,       // how many more of a kind there are than are listed
 	ErrorTextTooLarge = 5007,  // a text of more than MaxTextBytes
 	ErrorOutOfMemory = 5008,   // the system gives no memory
 };

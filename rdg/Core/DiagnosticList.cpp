@@ -1,9 +1,11 @@
-// Counts the messages of each severity and keeps the first of them.
+// Counts the messages of each kind and keeps the first of them.
 #include "DiagnosticList.h"
 
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <string_view>
+#include <utility>
 
 namespace Drydock
 {
@@ -12,23 +14,14 @@ namespace
 {
 
 constexpr std::string_view MoreBegin = "and ";
+constexpr std::string_view MoreMiddle = " more like it (DD";
 constexpr size_t MaxMessageBytes = 2000;
 
-const char* GetPlural(ESeverity Severity)
-{
-	switch (Severity)
-	{
-	case ESeverity::Error:
-		return " more errors";
-	case ESeverity::Warning:
-		return " more warnings";
-	case ESeverity::Note:
-		break;
-	}
-	return " more notes";
-}
+/** Messages of one severity and one number. */
+using FKind = std::pair<ESeverity, int>;
 
-/** How many messages it stands for. The sentence itself holds the number: a field would be one of every message. */
+/** How many messages it stands for; 0: for itself. The sentence holds the number, and the kind: fields would be some of
+ * every message. */
 uint64_t GetNumMore(const FDiagnostic& Diagnostic)
 {
 	return Diagnostic.Code == MoreDiagnosticsCode
@@ -36,9 +29,23 @@ uint64_t GetNumMore(const FDiagnostic& Diagnostic)
 			   : 0;
 }
 
-void SetNumMore(FDiagnostic& Diagnostic, uint64_t NumMore)
+FKind GetKind(const FDiagnostic& Diagnostic)
 {
-	Diagnostic.Message = std::string(MoreBegin) + std::to_string(NumMore) + GetPlural(Diagnostic.Severity);
+	const size_t Middle =
+		Diagnostic.Code == MoreDiagnosticsCode ? Diagnostic.Message.find(MoreMiddle) : std::string::npos;
+	const bool bMore = Middle != std::string::npos;
+	return {Diagnostic.Severity,
+		bMore ? std::atoi(Diagnostic.Message.c_str() + Middle + MoreMiddle.size()) : Diagnostic.Code};
+}
+
+FDiagnostic MakeMore(FKind Kind, uint64_t NumMore)
+{
+	FDiagnostic More;
+	More.Severity = Kind.first;
+	More.Code = MoreDiagnosticsCode;
+	More.Message =
+		std::string(MoreBegin) + std::to_string(NumMore) + std::string(MoreMiddle) + std::to_string(Kind.second) + ")";
+	return More;
 }
 
 /** At the beginning of a UTF-8 character. */
@@ -60,28 +67,25 @@ void CutMessage(std::string& Message)
 
 void AddDiagnostic(std::vector<FDiagnostic>& Diagnostics, FDiagnostic Diagnostic)
 {
-	size_t NumSame = 0;
+	const FKind Kind = GetKind(Diagnostic);
+	size_t NumAlike = 0;
 	for (FDiagnostic& Known : Diagnostics)
 	{
-		if (Known.Severity != Diagnostic.Severity)
+		if (GetKind(Known) != Kind)
 		{
 			continue;
 		}
 		if (const uint64_t NumMore = GetNumMore(Known); NumMore > 0)
 		{
-			SetNumMore(Known, NumMore + std::max<uint64_t>(1, GetNumMore(Diagnostic)));
+			Known = MakeMore(Kind, NumMore + std::max<uint64_t>(1, GetNumMore(Diagnostic)));
 			return;
 		}
-		++NumSame;
+		++NumAlike;
 	}
 	CutMessage(Diagnostic.Message);
-	if (NumSame >= MaxDiagnostics && GetNumMore(Diagnostic) == 0)
+	if (NumAlike >= MaxDiagnostics && GetNumMore(Diagnostic) == 0)
 	{
-		FDiagnostic More;
-		More.Severity = Diagnostic.Severity;
-		More.Code = MoreDiagnosticsCode;
-		SetNumMore(More, 1);
-		Diagnostic = std::move(More);
+		Diagnostic = MakeMore(Kind, 1);
 	}
 	Diagnostics.push_back(std::move(Diagnostic));
 }
@@ -94,6 +98,33 @@ std::vector<FDiagnostic> LimitDiagnostics(const std::vector<FDiagnostic>& Diagno
 		AddDiagnostic(Limited, Diagnostic);
 	}
 	return Limited;
+}
+
+std::vector<FDiagnostic> SummarizeDiagnostics(const std::vector<FDiagnostic>& Diagnostics)
+{
+	std::map<FKind, uint64_t> NumOfKind;
+	for (const FDiagnostic& Diagnostic : Diagnostics)
+	{
+		NumOfKind[GetKind(Diagnostic)] += std::max<uint64_t>(1, GetNumMore(Diagnostic));
+	}
+	std::map<FKind, uint64_t> NumListed;
+	std::vector<FDiagnostic> Summary;
+	for (const FDiagnostic& Diagnostic : Diagnostics)
+	{
+		const FKind Kind = GetKind(Diagnostic);
+		const uint64_t Num = NumOfKind[Kind];
+		const uint64_t Place = NumListed[Kind]++;
+		if (Num <= MaxListedAlike || Place < NumListedOfMany)
+		{
+			Summary.push_back(Diagnostic);
+			CutMessage(Summary.back().Message);
+		}
+		else if (Place == NumListedOfMany)
+		{
+			Summary.push_back(MakeMore(Kind, Num - NumListedOfMany));
+		}
+	}
+	return Summary;
 }
 
 FError MakeMemoryError(const std::string& What, uint64_t NumBytes)

@@ -1,6 +1,8 @@
 // Writes diagnostics as text, and finds the nearest name to a misspelt one.
 #include "Diagnostics.h"
 
+#include "DiagnosticList.h"
+
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -125,7 +127,7 @@ std::string FDiagnostic::ToString() const
 }
 
 FError::FError(std::vector<FDiagnostic> InDiagnostics, EExitCode InExitCode)
-	: std::runtime_error(JoinLines(InDiagnostics))
+	: std::runtime_error(JoinLines(SummarizeDiagnostics(InDiagnostics)))
 	, Diagnostics(std::move(InDiagnostics))
 	, ExitCode(InExitCode)
 {

@@ -253,7 +253,7 @@ TEST(Json, AMillionMistakesAreAHundredMessages)
 	EXPECT_FALSE(Parsed.bSyntaxError);
 	ASSERT_EQ(101u, Parsed.Diagnostics.size());
 	EXPECT_EQ("/99", Parsed.Diagnostics[99].Where);
-	EXPECT_EQ("and 899900 more errors", Parsed.Diagnostics[100].Message);
+	EXPECT_EQ("and 899900 more like it (DD1004)", Parsed.Diagnostics[100].Message);
 }
 
 TEST(Json, MoreValuesThanAnyConfigHasAreRefused)

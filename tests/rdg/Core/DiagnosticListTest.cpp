@@ -3,6 +3,7 @@
 
 #include "DiagnosticList.h"
 
+#include <algorithm>
 #include <chrono>
 
 using namespace Drydock;
@@ -28,7 +29,7 @@ TEST(DiagnosticList, TheFirstHundredStayAndTheOthersAreCounted)
 	const std::vector<FDiagnostic> Limited = LimitDiagnostics(Repeat(1234, ESeverity::Error));
 	ASSERT_EQ(101u, Limited.size());
 	EXPECT_EQ("mistake 99", Limited[99].Message);
-	EXPECT_EQ("error DD1025: and 1134 more errors", Limited[100].ToString());
+	EXPECT_EQ("error DD1025: and 1134 more like it (DD1012)", Limited[100].ToString());
 }
 
 TEST(DiagnosticList, EachSeverityHasItsOwnHundred)
@@ -36,8 +37,15 @@ TEST(DiagnosticList, EachSeverityHasItsOwnHundred)
 	std::vector<FDiagnostic> Diagnostics = Repeat(150, ESeverity::Warning);
 	AddDiagnostic(Diagnostics = LimitDiagnostics(Diagnostics), {ESeverity::Error, 1012, "an error"});
 	ASSERT_EQ(102u, Diagnostics.size());
-	EXPECT_EQ("warning DD1025: and 50 more warnings", Diagnostics[100].ToString());
+	EXPECT_EQ("warning DD1025: and 50 more like it (DD1012)", Diagnostics[100].ToString());
 	EXPECT_EQ("an error", Diagnostics[101].Message);
+}
+
+TEST(DiagnosticList, EachNumberHasItsOwnHundred)
+{
+	std::vector<FDiagnostic> Diagnostics = LimitDiagnostics(Repeat(150, ESeverity::Error));
+	AddDiagnostic(Diagnostics, {ESeverity::Error, 1013, "of another kind"});
+	EXPECT_EQ("of another kind", Diagnostics.back().Message);
 }
 
 TEST(DiagnosticList, ListsThatWereLimitedAddUp)
@@ -49,8 +57,37 @@ TEST(DiagnosticList, ListsThatWereLimitedAddUp)
 	}
 	const std::vector<FDiagnostic> Limited = LimitDiagnostics(Joined);
 	ASSERT_EQ(101u, Limited.size());
-	EXPECT_EQ("and 200 more errors", Limited[100].Message); // of 300
+	EXPECT_EQ("and 200 more like it (DD1012)", Limited[100].Message); // of 300
 	EXPECT_EQ(Limited[100].Message, LimitDiagnostics(Limited)[100].Message);
+}
+
+TEST(DiagnosticList, TwentyAlikeAreShownAndOfMoreFive)
+{
+	EXPECT_EQ(20u, SummarizeDiagnostics(Repeat(20, ESeverity::Error)).size());
+	const std::vector<FDiagnostic> Summary = SummarizeDiagnostics(Repeat(10'000, ESeverity::Error));
+	ASSERT_EQ(6u, Summary.size());
+	EXPECT_EQ("mistake 4", Summary[4].Message);
+	EXPECT_EQ("error DD1025: and 9995 more like it (DD1012)", Summary[5].ToString());
+}
+
+TEST(DiagnosticList, WhatIsShownCountsWhatAListCountedAndKeepsOtherKinds)
+{
+	std::vector<FDiagnostic> Diagnostics = LimitDiagnostics(Repeat(10'000, ESeverity::Warning));
+	Diagnostics.insert(Diagnostics.begin() + 50, {ESeverity::Warning, 1013, "of another kind"});
+	Diagnostics.push_back({ESeverity::Error, 1012, "of another severity"});
+	const std::vector<FDiagnostic> Summary = SummarizeDiagnostics(Diagnostics);
+	ASSERT_EQ(8u, Summary.size());
+	EXPECT_EQ("and 9995 more like it (DD1012)", Summary[5].Message);
+	EXPECT_EQ("of another kind", Summary[6].Message);
+	EXPECT_EQ("of another severity", Summary[7].Message);
+}
+
+TEST(DiagnosticList, AnErrorHoldsAllAndSaysTheFirst)
+{
+	const FError Error(Repeat(10'000, ESeverity::Error), ExitUsage);
+	EXPECT_EQ(10'000u, Error.GetDiagnostics().size());
+	const std::string What = Error.what();
+	EXPECT_EQ(5, std::count(What.begin(), What.end(), '\n')); // six lines
 }
 
 TEST(DiagnosticList, ALongMessageIsCutBetweenCharacters)
