@@ -113,7 +113,7 @@ FExplainReport MakeExplainReport(const FRunResult& Frame, const FRunResult& NoSk
 		Explained.Name = Pass.Name;
 		Explained.Effect = Pass.Effect;
 		Explained.bExecutes = !Pass.bCulled;
-		Explained.Reason = Pass.Reason;
+		Explained.Reason = Frame.Graph.DescribeCulled(Pass);
 		Explained.Shader = Pass.Shader;
 		Explained.Reads = NameResources(Frame.Graph, Pass, false);
 		Explained.Writes = NameResources(Frame.Graph, Pass, true);

@@ -22,7 +22,7 @@ void WriteUse(FJsonWriter& Writer, const FRDGUse& Use)
 	Writer.EndObject();
 }
 
-void WritePass(FJsonWriter& Writer, const FRDGCompiledPass& Pass)
+void WritePass(FJsonWriter& Writer, const FRDGCompiledGraph& Graph, const FRDGCompiledPass& Pass)
 {
 	Writer.BeginObject();
 	Writer.Member("index", Pass.Index);
@@ -30,7 +30,7 @@ void WritePass(FJsonWriter& Writer, const FRDGCompiledPass& Pass)
 	Writer.Member("scope", Pass.Scope);
 	Writer.Member("flags", DescribePassFlags(Pass.Flags));
 	Writer.Member("culled", Pass.bCulled);
-	Writer.Member("reason", Pass.Reason);
+	Writer.Member("reason", Graph.DescribeCulled(Pass));
 	Writer.Member("shader", Pass.Shader);
 	Writer.Member("entry", Pass.Entry);
 	Writer.Key("producers").BeginArray(true);
@@ -48,8 +48,9 @@ void WritePass(FJsonWriter& Writer, const FRDGCompiledPass& Pass)
 	Writer.EndObject();
 }
 
-void WriteResource(FJsonWriter& Writer, const FRDGCompiledResource& Resource, int32_t Index)
+void WriteResource(FJsonWriter& Writer, const FRDGCompiledGraph& Graph, int32_t Index)
 {
+	const FRDGCompiledResource& Resource = Graph.Resources[static_cast<size_t>(Index)];
 	Writer.BeginObject(true);
 	Writer.Member("index", Index);
 	Writer.Member("name", Resource.Name);
@@ -62,7 +63,7 @@ void WriteResource(FJsonWriter& Writer, const FRDGCompiledResource& Resource, in
 	Writer.Member("firstPass", Resource.FirstPass);
 	Writer.Member("lastPass", Resource.LastPass);
 	Writer.Member("heapOffset", Resource.HeapOffset);
-	Writer.Member("reason", Resource.Reason);
+	Writer.Member("reason", Graph.DescribeUnused(Resource));
 	Writer.EndObject();
 }
 
@@ -89,14 +90,14 @@ std::string MakeGraphJson(const FRDGCompiledGraph& Graph)
 	{
 		if (!Pass.bIsSentinel)
 		{
-			WritePass(Writer, Pass);
+			WritePass(Writer, Graph, Pass);
 		}
 	}
 	Writer.EndArray();
 	Writer.Key("resources").BeginArray();
 	for (size_t Index = 0; Index < Graph.Resources.size(); ++Index)
 	{
-		WriteResource(Writer, Graph.Resources[Index], static_cast<int32_t>(Index));
+		WriteResource(Writer, Graph, static_cast<int32_t>(Index));
 	}
 	Writer.EndArray();
 	Writer.Key("transitions").BeginArray();

@@ -139,7 +139,7 @@ std::vector<FDiagnostic> CheckDumpPatterns(
 		const FRDGCompiledPass* Culled = FindCulledMatch(Pattern.Value, Result.Graph);
 		const std::string Why =
 			Culled != nullptr
-				? "fits only culled passes: " + Culled->Name + " (" + Culled->Reason + ")"
+				? "fits only culled passes: " + Culled->Name + " (" + Result.Graph.DescribeCulled(*Culled) + ")"
 				: "fits no pass and no resource" + Suggest(Pattern.Value, GetDumpCandidates(Result.Graph));
 		Messages.Warn(WarnNothingDumped, Pattern.Place, "dump pattern \"" + Pattern.Value + "\" " + Why);
 	}

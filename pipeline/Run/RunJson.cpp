@@ -114,7 +114,7 @@ void WritePasses(FJsonWriter& Writer, const FRunResult& Result)
 		Writer.Member("index", Pass.Index);
 		Writer.Member("name", Pass.Name);
 		Writer.Member("executed", Run != nullptr);
-		Writer.Member("reason", Pass.bCulled ? Pass.Reason : std::string());
+		Writer.Member("reason", Result.Graph.DescribeCulled(Pass));
 		Writer.Member("shader", Pass.Shader.empty() ? Counters.Shader : Pass.Shader);
 		Writer.Member("entry", Pass.Entry.empty() ? Counters.Entry : Pass.Entry);
 		Writer.Member("pixels", Counters.Pixels);

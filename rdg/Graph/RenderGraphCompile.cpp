@@ -77,18 +77,19 @@ FRDGMemory SumMemory(const std::vector<FRDGCompiledResource>& Resources, const F
 
 } // namespace
 
-FRDGCompiledGraph CompileGraph(const FRDGGraphDescription& Graph, const FRDGCompileOptions& Options)
+FRDGCompiledGraph CompileGraph(FRDGGraphDescription Graph, const FRDGCompileOptions& Options)
 {
-	const FRDGDependencies Dependencies = FindDependencies(Graph);
+	FRDGDependencies Dependencies = FindDependencies(Graph);
 	const FRDGCullResult Cull = CullPasses(Graph, Dependencies, Options.bCullPasses);
-	const std::vector<FRDGRenderPass> RenderPasses = MergeRenderPasses(Graph, Cull.bCulled, Options.bMergeRenderPasses);
+	std::vector<FRDGRenderPass> RenderPasses = MergeRenderPasses(Graph, Cull.bCulled, Options.bMergeRenderPasses);
 	const std::vector<FRDGAsyncWindow> AsyncWindows = FindAsyncWindows(Graph, Dependencies, Cull.bCulled);
-	const std::vector<FRDGLifetime> Lifetimes =
-		FindLifetimes(Graph, Cull.bCulled, AsyncWindows, Options.bExtendLifetimes);
+	std::vector<FRDGLifetime> Lifetimes = FindLifetimes(Graph, Cull.bCulled, AsyncWindows, Options.bExtendLifetimes);
 
 	std::vector<FRDGHeapRequest> Requests;
+	Requests.reserve(Graph.Resources.size());
 	FRDGTransitionOptions TransitionOptions;
 	TransitionOptions.bOverlapUAVs = Options.bOverlapUAVs;
+	TransitionOptions.bTransient.reserve(Graph.Resources.size());
 	for (size_t Index = 0; Index < Graph.Resources.size(); ++Index)
 	{
 		const FRDGResourceDescription& Resource = Graph.Resources[Index];
@@ -99,33 +100,35 @@ FRDGCompiledGraph CompileGraph(const FRDGGraphDescription& Graph, const FRDGComp
 	const FRDGHeapLayout Heap = PlaceInHeap(Requests);
 
 	FRDGCompiledGraph Compiled;
-	Compiled.Name = Graph.Name;
-	for (const FRDGPassDescription& Pass : Graph.Passes)
+	Compiled.Transitions = FindTransitions(Graph, Cull.bCulled, TransitionOptions);
+	Compiled.Name = std::move(Graph.Name);
+	Compiled.Passes.reserve(Graph.Passes.size());
+	for (FRDGPassDescription& Pass : Graph.Passes)
 	{
 		const size_t Index = size_t(Pass.Index);
 		FRDGCompiledPass& Out = Compiled.Passes.emplace_back();
-		static_cast<FRDGPassDescription&>(Out) = Pass;
-		Out.Producers = Dependencies.Producers[Index];
+		static_cast<FRDGPassDescription&>(Out) = std::move(Pass);
+		Out.Producers = std::move(Dependencies.Producers[Index]);
 		Out.bCulled = Cull.bCulled[Index];
-		Out.Reason = Cull.Reasons[Index];
+		Out.Readers = Cull.Chains[Index];
 		Out.RenderPassBegin = RenderPasses[Index].Begin;
 		Out.RenderPassEnd = RenderPasses[Index].End;
-		Out.MergeReason = RenderPasses[Index].Reason;
+		Out.MergeReason = std::move(RenderPasses[Index].Reason);
 		Out.ForkPass = AsyncWindows[Index].Fork;
 		Out.JoinPass = AsyncWindows[Index].Join;
 	}
+	Compiled.Resources.reserve(Graph.Resources.size());
 	for (size_t Index = 0; Index < Graph.Resources.size(); ++Index)
 	{
 		FRDGCompiledResource& Out = Compiled.Resources.emplace_back();
-		static_cast<FRDGResourceDescription&>(Out) = Graph.Resources[Index];
+		static_cast<FRDGResourceDescription&>(Out) = std::move(Graph.Resources[Index]);
 		Out.FirstPass = Lifetimes[Index].First;
 		Out.LastPass = Lifetimes[Index].Last;
 		Out.NumUses = Lifetimes[Index].NumUses;
-		Out.Reason = Lifetimes[Index].Reason;
+		Out.CulledUsers = std::move(Lifetimes[Index].CulledUsers);
 		Out.bTransient = TransitionOptions.bTransient[Index];
 		Out.HeapOffset = Heap.Offsets[Index];
 	}
-	Compiled.Transitions = FindTransitions(Graph, Cull.bCulled, TransitionOptions);
 	Compiled.Memory = SumMemory(Compiled.Resources, Heap);
 	return Compiled;
 }

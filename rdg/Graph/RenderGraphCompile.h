@@ -20,6 +20,7 @@ struct FRDGCompileOptions
 	static DRYDOCK_API FRDGCompileOptions FromConsoleVariables();
 };
 
-DRYDOCK_API FRDGCompiledGraph CompileGraph(const FRDGGraphDescription& Graph, const FRDGCompileOptions& Options);
+/** Takes the description over: move it where it is not needed any more. */
+DRYDOCK_API FRDGCompiledGraph CompileGraph(FRDGGraphDescription Graph, const FRDGCompileOptions& Options);
 
 } // namespace Drydock

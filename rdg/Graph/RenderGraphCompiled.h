@@ -136,11 +136,19 @@ struct FRDGGraphDescription
 	int32_t GetEpilogue() const { return int32_t(Passes.size()) - 1; }
 };
 
+/** Where the readers of a culled pass lead: from one first reader to the next, all of them culled. */
+struct FRDGCulledChain
+{
+	int32_t Next = -1;  // the first pass that depends on it; -1: none does
+	int32_t End = -1;   // the last pass of the chain, which nobody reads; itself where there is no chain
+	int32_t Length = 0; // passes after it
+};
+
 struct FRDGCompiledPass : FRDGPassDescription
 {
 	std::vector<int32_t> Producers; // passes it depends on, ascending
 	bool bCulled = false;
-	std::string Reason;           // of a culled pass: why
+	FRDGCulledChain Readers;      // of a culled pass: what DescribeCulled explains
 	int32_t RenderPassBegin = -1; // raster: first and last pass of the render pass it is merged into
 	int32_t RenderPassEnd = -1;
 	std::string MergeReason; // raster: why it was not merged into the pass before
@@ -154,8 +162,8 @@ struct FRDGCompiledResource : FRDGResourceDescription
 	int32_t LastPass = -1;
 	int32_t NumUses = 0; // surviving passes that touch it
 	bool bTransient = false;
-	int64_t HeapOffset = -1; // transient: bytes from the start of the heap
-	std::string Reason;      // of an unused resource: why
+	int64_t HeapOffset = -1;          // transient: bytes from the start of the heap
+	std::vector<int32_t> CulledUsers; // of an unused resource: what DescribeUnused explains
 };
 
 /** A change of state that a GPU would need a barrier for. */
@@ -192,6 +200,12 @@ struct FRDGCompiledGraph
 	/** Null when there is none of that name; the first one otherwise. */
 	DRYDOCK_API const FRDGCompiledPass* FindPass(const std::string& PassName) const;
 	DRYDOCK_API const FRDGCompiledResource* FindResource(const std::string& ResourceName) const;
+
+	/** Why a pass is culled; empty for one that runs. Made when asked: of a long chain of readers the first ones, how
+	 * many more there are, and the last. */
+	DRYDOCK_API std::string DescribeCulled(const FRDGCompiledPass& Pass) const;
+	/** Why a resource is never allocated; empty for one that is. */
+	DRYDOCK_API std::string DescribeUnused(const FRDGCompiledResource& Resource) const;
 };
 
 } // namespace Drydock

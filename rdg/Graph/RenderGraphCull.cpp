@@ -1,4 +1,4 @@
-// Decides which passes are left out, and writes down why.
+// Decides which passes are left out, and notes what became of their readers.
 #include "RenderGraphCull.h"
 
 #include <algorithm>
@@ -36,52 +36,18 @@ std::vector<int32_t> FindRoots(const FRDGGraphDescription& Graph, const FRDGDepe
 	return Roots;
 }
 
-/** "output A is", "outputs A and B are", "outputs A, B and C are". */
-std::string DescribeOutputs(const FRDGGraphDescription& Graph, const FRDGPassDescription& Pass)
+/** By pass. A culled pass's consumers are all culled, else it would have survived; they come after it. */
+std::vector<FRDGCulledChain> FindChains(const FRDGDependencies& Dependencies, const std::vector<bool>& bCulled)
 {
-	std::vector<std::string> Names;
-	for (const FRDGUse& Use : Pass.Uses)
-	{
-		const std::string& Name = Graph.Resources[size_t(Use.Resource)].Name;
-		if (Use.IsWrite() && std::find(Names.begin(), Names.end(), Name) == Names.end())
-		{
-			Names.push_back(Name);
-		}
-	}
-	std::string Text = Names.size() > 1 ? "outputs " : "output ";
-	for (size_t Index = 0; Index < Names.size(); ++Index)
-	{
-		const char* const Separator = Index == 0 ? "" : Index + 1 == Names.size() ? " and " : ", ";
-		Text += Separator + Names[Index];
-	}
-	return Text;
-}
-
-bool HasOutputs(const FRDGPassDescription& Pass)
-{
-	return std::any_of(Pass.Uses.begin(), Pass.Uses.end(), [](const FRDGUse& Use) { return Use.IsWrite(); });
-}
-
-const char* IsOrAre(const std::string& Outputs)
-{
-	return Outputs.compare(0, 8, "outputs ") == 0 ? " are" : " is";
-}
-
-/** Where the first consumers of a culled pass lead: a consumer always comes after its producer. */
-struct FChain
-{
-	int32_t Next = -1; // the first consumer
-	int32_t End = -1;  // the pass that nobody reads
-	int32_t Length = 0;
-};
-
-/** By pass. A culled pass's consumers are all culled, else it would have survived. */
-std::vector<FChain> FindChains(const FRDGDependencies& Dependencies)
-{
-	std::vector<FChain> Chains(Dependencies.Producers.size());
+	std::vector<FRDGCulledChain> Chains(Dependencies.Producers.size());
 	for (int32_t Pass = int32_t(Chains.size()) - 1; Pass >= 0; --Pass)
 	{
-		FChain& Chain = Chains[size_t(Pass)];
+		FRDGCulledChain& Chain = Chains[size_t(Pass)];
+		if (!bCulled[size_t(Pass)])
+		{
+			Chain = FRDGCulledChain();
+			continue;
+		}
 		Chain.End = Chain.Next < 0 ? Pass : Chains[size_t(Chain.Next)].End;
 		Chain.Length = Chain.Next < 0 ? 0 : Chains[size_t(Chain.Next)].Length + 1;
 		for (const int32_t Producer : Dependencies.Producers[size_t(Pass)])
@@ -92,58 +58,13 @@ std::vector<FChain> FindChains(const FRDGDependencies& Dependencies)
 	return Chains;
 }
 
-/** "A -> B -> C"; of a long one the first and the last passes, so that the reasons of all passes stay short. */
-std::string DescribeChain(const FRDGGraphDescription& Graph, const std::vector<FChain>& Chains, int32_t Pass)
-{
-	constexpr int32_t MostNamed = 16;
-	const FChain& Whole = Chains[size_t(Pass)];
-	const int32_t NumNamed = Whole.Length <= MostNamed ? Whole.Length : MostNamed - 1;
-	std::string Text;
-	for (int32_t Step = 0; Step < NumNamed; ++Step)
-	{
-		Pass = Chains[size_t(Pass)].Next;
-		Text += (Text.empty() ? "" : " -> ") + Graph.Passes[size_t(Pass)].Name;
-	}
-	if (NumNamed < Whole.Length)
-	{
-		Text +=
-			" -> " + std::to_string(Whole.Length - NumNamed - 1) + " more -> " + Graph.Passes[size_t(Whole.End)].Name;
-	}
-	return Text;
-}
-
-/** What the pass's outputs would have gone into. */
-std::string ExplainCulled(
-	const FRDGGraphDescription& Graph, const std::vector<FChain>& Chains, const FRDGPassDescription& Pass)
-{
-	if (!HasOutputs(Pass))
-	{
-		return "no output: the pass writes nothing";
-	}
-	const std::string Outputs = DescribeOutputs(Graph, Pass);
-	const std::string Chain = DescribeChain(Graph, Chains, Pass.Index);
-	if (Chain.empty())
-	{
-		return "no reader: " + Outputs + IsOrAre(Outputs) + " neither read by a surviving pass nor extracted";
-	}
-	const FRDGPassDescription& End = Graph.Passes[size_t(Chains[size_t(Pass.Index)].End)];
-	const std::string Text = "no reader: " + Outputs + IsOrAre(Outputs) + " used only by culled passes (" + Chain + ")";
-	if (!HasOutputs(End))
-	{
-		return Text + ", and " + End.Name + " writes nothing";
-	}
-	const std::string EndOutputs = DescribeOutputs(Graph, End);
-	return Text + ", and " + EndOutputs + " of " + End.Name + IsOrAre(EndOutputs) +
-		   " neither read by a surviving pass nor extracted";
-}
-
 } // namespace
 
 FRDGCullResult CullPasses(const FRDGGraphDescription& Graph, const FRDGDependencies& Dependencies, bool bEnabled)
 {
 	FRDGCullResult Result;
 	Result.bCulled.assign(Graph.Passes.size(), bEnabled);
-	Result.Reasons.resize(Graph.Passes.size());
+	Result.Chains.resize(Graph.Passes.size());
 	if (!bEnabled)
 	{
 		return Result;
@@ -162,14 +83,7 @@ FRDGCullResult CullPasses(const FRDGGraphDescription& Graph, const FRDGDependenc
 		}
 	}
 
-	const std::vector<FChain> Chains = FindChains(Dependencies);
-	for (const FRDGPassDescription& Pass : Graph.Passes)
-	{
-		if (Result.bCulled[size_t(Pass.Index)])
-		{
-			Result.Reasons[size_t(Pass.Index)] = ExplainCulled(Graph, Chains, Pass);
-		}
-	}
+	Result.Chains = FindChains(Dependencies, Result.bCulled);
 	return Result;
 }
 

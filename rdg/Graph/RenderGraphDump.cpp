@@ -241,14 +241,16 @@ std::string DumpText(const FRDGCompiledGraph& Graph)
 	std::string Culled;
 	for (const FRDGCompiledPass& Pass : Graph.Passes)
 	{
-		Culled +=
-			Pass.bCulled ? Format("%4d  %s\n        %s\n", Pass.Index, Pass.Name.c_str(), Pass.Reason.c_str()) : "";
+		Culled += Pass.bCulled ? Format("%4d  %s\n        %s\n", Pass.Index, Pass.Name.c_str(),
+									 Graph.DescribeCulled(Pass).c_str())
+							   : "";
 	}
 	for (const FRDGCompiledResource& Resource : Graph.Resources)
 	{
-		Culled += Resource.FirstPass < 0 ? Format("   -  %s (%s)\n        %s\n", Resource.Name.c_str(),
-											   DescribeResource(Resource).c_str(), Resource.Reason.c_str())
-										 : "";
+		Culled += Resource.FirstPass < 0
+					  ? Format("   -  %s (%s)\n        %s\n", Resource.Name.c_str(), DescribeResource(Resource).c_str(),
+							Graph.DescribeUnused(Resource).c_str())
+					  : "";
 	}
 	Text += Culled.empty() ? "" : "\nleft out\n" + Culled;
 

@@ -15,44 +15,29 @@ void Widen(FRDGLifetime& Lifetime, int32_t First, int32_t Last)
 	Lifetime.Last = std::max(Lifetime.Last, Last);
 }
 
-std::string ExplainUnused(const std::vector<std::string>& CulledUsers)
-{
-	if (CulledUsers.empty())
-	{
-		return "no pass uses it";
-	}
-	std::string Text = "all passes that use it are culled: ";
-	for (const std::string& Name : CulledUsers)
-	{
-		Text += (&Name == &CulledUsers.front() ? "" : ", ") + Name;
-	}
-	return Text;
-}
-
 } // namespace
 
 std::vector<FRDGLifetime> FindLifetimes(const FRDGGraphDescription& Graph, const std::vector<bool>& bCulled,
 	const std::vector<FRDGAsyncWindow>& AsyncWindows, bool bExtend)
 {
 	std::vector<FRDGLifetime> Lifetimes(Graph.Resources.size());
-	std::vector<std::vector<std::string>> CulledUsers(Graph.Resources.size());
+	std::vector<int32_t> LastUsers(Graph.Resources.size(), -1); // so that a pass of several uses counts once
 	for (const FRDGPassDescription& Pass : Graph.Passes)
 	{
 		const FRDGAsyncWindow& Window = AsyncWindows[size_t(Pass.Index)];
-		std::vector<int32_t> Touched;
 		for (const FRDGUse& Use : Pass.Uses)
 		{
-			if (std::find(Touched.begin(), Touched.end(), Use.Resource) != Touched.end())
+			if (LastUsers[size_t(Use.Resource)] == Pass.Index)
 			{
 				continue;
 			}
-			Touched.push_back(Use.Resource);
+			LastUsers[size_t(Use.Resource)] = Pass.Index;
+			FRDGLifetime& Lifetime = Lifetimes[size_t(Use.Resource)];
 			if (bCulled[size_t(Pass.Index)])
 			{
-				CulledUsers[size_t(Use.Resource)].push_back(Pass.Name);
+				Lifetime.CulledUsers.push_back(Pass.Index);
 				continue;
 			}
-			FRDGLifetime& Lifetime = Lifetimes[size_t(Use.Resource)];
 			Widen(Lifetime, Pass.Index, Pass.Index);
 			if (Window.Fork >= 0)
 			{
@@ -67,9 +52,10 @@ std::vector<FRDGLifetime> FindLifetimes(const FRDGGraphDescription& Graph, const
 		FRDGLifetime& Lifetime = Lifetimes[Resource];
 		if (Lifetime.First < 0)
 		{
-			Lifetime.Reason = ExplainUnused(CulledUsers[Resource]);
+			continue;
 		}
-		else if (bExtend)
+		Lifetime.CulledUsers.clear();
+		if (bExtend)
 		{
 			Widen(Lifetime, 0, Graph.GetEpilogue());
 		}

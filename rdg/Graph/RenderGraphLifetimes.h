@@ -1,6 +1,5 @@
 // From which pass to which a resource has to be in memory: from the first surviving pass that touches it to the last,
-// and as long as the window of an async pass that does. Source: engine RenderGraphBuilder.cpp, restated; reasons are
-// drydock's.
+// and as long as the window of an async pass that does. Source: engine RenderGraphBuilder.cpp, restated.
 #pragma once
 
 #include "RenderGraphAsyncCompute.h"
@@ -13,7 +12,7 @@ struct FRDGLifetime
 	int32_t First = -1; // -1: no surviving pass touches it
 	int32_t Last = -1;
 	int32_t NumUses = 0;
-	std::string Reason; // of an unused resource
+	std::vector<int32_t> CulledUsers; // of an unused resource: the passes that would have used it
 };
 
 /** By resource. bExtend (r.RDG.Debug.ExtendResourceLifetimes): used resources live for the whole graph. */

@@ -131,9 +131,10 @@ TEST(RunGraph, ThresholdAddsTheSetupAndCullsTheScenesOwnChain)
 
 TEST(RunGraph, CulledPassesSayWhy)
 {
-	for (const FRDGCompiledPass& Pass : Compile(R"("camera": {"Settings": {"BloomThreshold": 1}})").Graph.Passes)
+	const FRunResult Result = Compile(R"("camera": {"Settings": {"BloomThreshold": 1}})");
+	for (const FRDGCompiledPass& Pass : Result.Graph.Passes)
 	{
-		EXPECT_EQ(Pass.bCulled, !Pass.Reason.empty()) << Pass.Name;
+		EXPECT_EQ(Pass.bCulled, !Result.Graph.DescribeCulled(Pass).empty()) << Pass.Name;
 	}
 }
 

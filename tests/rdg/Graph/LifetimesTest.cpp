@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "GraphDescriptionBuilder.h"
+#include "RenderGraphCompile.h"
 #include "RenderGraphLifetimes.h"
 
 using namespace Drydock;
@@ -16,6 +17,12 @@ FRDGLifetime FindLifetime(
 	bCulled = bCulled.empty() ? Graph.KeepAll() : bCulled;
 	const std::vector<FRDGAsyncWindow> Windows = FindAsyncWindows(Description, FindDependencies(Description), bCulled);
 	return FindLifetimes(Description, bCulled, Windows, bExtend)[size_t(Graph.GetIndex(Name))];
+}
+
+std::string ExplainUnused(FDescribedGraph& Graph, const std::string& Name)
+{
+	const FRDGCompiledGraph Compiled = CompileGraph(Graph.Get(), FRDGCompileOptions());
+	return Compiled.DescribeUnused(Compiled.Resources[size_t(Graph.GetIndex(Name))]);
 }
 
 void AddThree(FDescribedGraph& Graph)
@@ -58,7 +65,19 @@ TEST(Lifetimes, AnUnusedResourceHasNoneAndSaysWhy)
 	AddThree(Graph);
 	Graph.Resource("Unused");
 	EXPECT_EQ(-1, FindLifetime(Graph, "Unused").First);
-	EXPECT_EQ("no pass uses it", FindLifetime(Graph, "Unused").Reason);
+	EXPECT_EQ("no pass uses it", ExplainUnused(Graph, "Unused"));
+}
+
+TEST(Lifetimes, ManyCulledPassesThatUseAResourceAreCounted)
+{
+	FDescribedGraph Graph;
+	for (int32_t Pass = 0; Pass < 100; ++Pass)
+	{
+		Graph.Pass("P" + std::to_string(Pass), {Read("X"), Write("Y")});
+	}
+	EXPECT_EQ("all passes that use it are culled: P0, P1, P2, P3, P4, P5, P6, P7, P8, P9, P10, P11, P12, P13, P14 and "
+			  "85 more",
+		ExplainUnused(Graph, "X"));
 }
 
 TEST(Lifetimes, AResourceOfCulledPassesNamesThem)
@@ -67,7 +86,8 @@ TEST(Lifetimes, AResourceOfCulledPassesNamesThem)
 	AddThree(Graph);
 	const FRDGLifetime Lifetime = FindLifetime(Graph, "X", false, {false, true, false, true, false});
 	EXPECT_EQ(-1, Lifetime.First);
-	EXPECT_EQ("all passes that use it are culled: A, C", Lifetime.Reason);
+	EXPECT_EQ(std::vector<int32_t>({1, 3}), Lifetime.CulledUsers);
+	EXPECT_EQ("all passes that use it are culled: A, C", ExplainUnused(Graph, "X")); // nothing is extracted
 }
 
 TEST(Lifetimes, ExtendedTheySpanTheGraph)

@@ -321,7 +321,7 @@ TEST(RandomGraph, TheProducersOfASurvivorSurvive)
 		for (const FRDGCompiledPass& Pass : Compiled.Passes)
 		{
 			NumCulled += Pass.bCulled;
-			EXPECT_EQ(Pass.bCulled, !Pass.Reason.empty());
+			EXPECT_EQ(Pass.bCulled, !Compiled.DescribeCulled(Pass).empty());
 			for (const int32 Producer : Pass.Producers)
 			{
 				EXPECT_LT(Producer, Pass.Index);
