@@ -3,12 +3,10 @@
 
 #include <algorithm>
 #include <functional>
-#include <iterator>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <queue>
-#include <set>
+#include <utility>
 
 namespace Drydock
 {
@@ -16,69 +14,162 @@ namespace Drydock
 namespace
 {
 
-/** What is free of the heap, which has no end here. Taking costs by the number of different sizes of gaps, which is
- * small; giving back by the logarithm of their number. */
+/** What is free of the heap, which has no end here: gaps in a tree by their place, each node of which knows the largest
+ * gap below it. Every operation takes the logarithm of their number. */
 class FFreeSpace
 {
 public:
+	FFreeSpace() { Root = AddNode(0, std::numeric_limits<uint64_t>::max()); }
+
 	/** The lowest place with so much room. */
 	uint64_t Take(uint64_t Bytes)
 	{
-		uint64_t Begin = Endless;
-		for (auto Size = BeginsBySize.lower_bound(Bytes); Size != BeginsBySize.end(); ++Size)
-		{
-			Begin = std::min(Begin, *Size->second.begin());
-		}
-		const uint64_t End = Gaps.at(Begin);
-		RemoveGap(Begin);
-		AddGap(Begin + Bytes, End);
+		uint64_t Begin = 0;
+		Root = TakeFrom(Root, Bytes, Begin);
 		return Begin;
 	}
 
 	/** It joins the gaps beside it. */
 	void GiveBack(uint64_t Begin, uint64_t End)
 	{
-		const auto After = Gaps.find(End);
-		if (After != Gaps.end())
+		auto [Before, After] = Split(Root, Begin);
+		if (const int32_t Last = FindLast(Before); Last >= 0 && Nodes[size_t(Last)].End == Begin)
 		{
-			End = After->second;
-			RemoveGap(After->first);
+			Begin = Nodes[size_t(Last)].Begin;
+			Before = Split(Before, Begin).first;
+			FreeNodes.push_back(Last);
 		}
-		const auto Next = Gaps.lower_bound(Begin);
-		if (Next != Gaps.begin() && std::prev(Next)->second == Begin)
+		if (const int32_t First = FindFirst(After); First >= 0 && Nodes[size_t(First)].Begin == End)
 		{
-			Begin = std::prev(Next)->first;
-			RemoveGap(Begin);
+			End = Nodes[size_t(First)].End;
+			After = Split(After, Nodes[size_t(First)].Begin + 1).second;
+			FreeNodes.push_back(First);
 		}
-		AddGap(Begin, End);
+		Root = Join(Join(Before, AddNode(Begin, End)), After);
 	}
 
 private:
-	static constexpr uint64_t Endless = std::numeric_limits<uint64_t>::max();
-
-	void AddGap(uint64_t Begin, uint64_t End)
+	struct FNode
 	{
-		if (Begin < End)
+		uint64_t Begin;
+		uint64_t End;
+		uint64_t Largest;  // of its own gap and those below it
+		uint32_t Priority; // above those below it: with numbers that look random the tree is flat (a treap)
+		int32_t Left = -1;
+		int32_t Right = -1;
+	};
+
+	int32_t AddNode(uint64_t Begin, uint64_t End)
+	{
+		Random = Random * 1664525u + 1013904223u;
+		const FNode Node = {Begin, End, End - Begin, Random};
+		if (FreeNodes.empty())
 		{
-			Gaps[Begin] = End;
-			BeginsBySize[End - Begin].insert(Begin);
+			Nodes.push_back(Node);
+			return int32_t(Nodes.size()) - 1;
 		}
+		const int32_t Index = FreeNodes.back();
+		FreeNodes.pop_back();
+		Nodes[size_t(Index)] = Node;
+		return Index;
 	}
 
-	void RemoveGap(uint64_t Begin)
+	uint64_t GetLargest(int32_t Node) const { return Node < 0 ? 0 : Nodes[size_t(Node)].Largest; }
+
+	void Update(FNode& Node) const
 	{
-		const auto Gap = Gaps.find(Begin);
-		const auto Size = BeginsBySize.find(Gap->second - Begin);
-		Size->second.erase(Begin);
-		if (Size->second.empty())
-		{
-			BeginsBySize.erase(Size);
-		}
-		Gaps.erase(Gap);
+		Node.Largest = std::max({Node.End - Node.Begin, GetLargest(Node.Left), GetLargest(Node.Right)});
 	}
 
-	std::map<uint64_t, uint64_t> Gaps = {{0, Endless}}; // end by begin
-	std::map<uint64_t, std::set<uint64_t>> BeginsBySize = {{Endless, {0}}};
+	/** Returns what the tree is without that room. */
+	int32_t TakeFrom(int32_t Tree, uint64_t Bytes, uint64_t& OutBegin)
+	{
+		FNode& Node = Nodes[size_t(Tree)];
+		if (GetLargest(Node.Left) >= Bytes)
+		{
+			Node.Left = TakeFrom(Node.Left, Bytes, OutBegin);
+		}
+		else if (Node.End - Node.Begin >= Bytes)
+		{
+			OutBegin = Node.Begin;
+			Node.Begin += Bytes;
+			if (Node.Begin == Node.End)
+			{
+				FreeNodes.push_back(Tree);
+				return Join(Node.Left, Node.Right);
+			}
+		}
+		else
+		{
+			Node.Right = TakeFrom(Node.Right, Bytes, OutBegin);
+		}
+		Update(Node);
+		return Tree;
+	}
+
+	/** Gaps that begin before Place, and the others. */
+	std::pair<int32_t, int32_t> Split(int32_t Tree, uint64_t Place)
+	{
+		if (Tree < 0)
+		{
+			return {-1, -1};
+		}
+		FNode& Node = Nodes[size_t(Tree)];
+		if (Node.Begin < Place)
+		{
+			const auto [Before, After] = Split(Node.Right, Place);
+			Node.Right = Before;
+			Update(Node);
+			return {Tree, After};
+		}
+		const auto [Before, After] = Split(Node.Left, Place);
+		Node.Left = After;
+		Update(Node);
+		return {Before, Tree};
+	}
+
+	/** All gaps of Before lie before those of After. */
+	int32_t Join(int32_t Before, int32_t After)
+	{
+		if (Before < 0 || After < 0)
+		{
+			return std::max(Before, After);
+		}
+		FNode& Lower = Nodes[size_t(Before)];
+		FNode& Upper = Nodes[size_t(After)];
+		if (Lower.Priority > Upper.Priority)
+		{
+			Lower.Right = Join(Lower.Right, After);
+			Update(Lower);
+			return Before;
+		}
+		Upper.Left = Join(Before, Upper.Left);
+		Update(Upper);
+		return After;
+	}
+
+	int32_t FindFirst(int32_t Tree) const
+	{
+		while (Tree >= 0 && Nodes[size_t(Tree)].Left >= 0)
+		{
+			Tree = Nodes[size_t(Tree)].Left;
+		}
+		return Tree;
+	}
+
+	int32_t FindLast(int32_t Tree) const
+	{
+		while (Tree >= 0 && Nodes[size_t(Tree)].Right >= 0)
+		{
+			Tree = Nodes[size_t(Tree)].Right;
+		}
+		return Tree;
+	}
+
+	std::vector<FNode> Nodes;
+	std::vector<int32_t> FreeNodes; // places in Nodes
+	int32_t Root = -1;
+	uint32_t Random = 1;
 };
 
 /** In the heap up to and with a pass. */

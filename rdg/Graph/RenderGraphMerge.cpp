@@ -17,7 +17,7 @@ bool WritesOnlyTargets(const FRDGPassDescription& Pass)
 }
 
 /** Empty when the two may be one render pass. */
-std::string FindObstacle(const FRDGPassDescription& Before, const FRDGPassDescription& After)
+const char* FindObstacle(const FRDGPassDescription& Before, const FRDGPassDescription& After)
 {
 	const ERDGPassFlags Refusing = ERDGPassFlags::SkipRenderPass | ERDGPassFlags::NeverMerge;
 	if (EnumHasAnyFlags(Before.Flags | After.Flags, Refusing))
@@ -70,8 +70,8 @@ std::vector<FRDGRenderPass> MergeRenderPasses(
 	const FRDGGraphDescription& Graph, const std::vector<bool>& bCulled, bool bEnabled)
 {
 	std::vector<FRDGRenderPass> Result(Graph.Passes.size());
-	int32_t Before = -1; // the raster pass that the next one could join
-	std::string Broken = "first raster pass";
+	int32_t Before = -1;                          // the raster pass that the next one could join
+	const FRDGPassDescription* Between = nullptr; // ran since the raster pass before
 	for (const FRDGPassDescription& Pass : Graph.Passes)
 	{
 		const size_t Index = size_t(Pass.Index);
@@ -81,17 +81,19 @@ std::vector<FRDGRenderPass> MergeRenderPasses(
 		}
 		if (!EnumHasAnyFlags(Pass.Flags, ERDGPassFlags::Raster))
 		{
-			if (Before >= 0)
-			{
-				Broken = Pass.Name + " runs in between";
-			}
+			Between = Before >= 0 ? &Pass : Between;
 			Before = -1;
 			continue;
 		}
 		FRDGRenderPass& RenderPass = Result[Index];
-		RenderPass.Reason = Before < 0 ? Broken
-							: bEnabled ? FindObstacle(Graph.Passes[size_t(Before)], Pass)
-									   : "merging is off";
+		if (Before < 0)
+		{
+			RenderPass.Reason = Between ? Between->Name + " runs in between" : "first raster pass";
+		}
+		else
+		{
+			RenderPass.Reason = bEnabled ? FindObstacle(Graph.Passes[size_t(Before)], Pass) : "merging is off";
+		}
 		RenderPass.Begin = RenderPass.Reason.empty() ? Result[size_t(Before)].Begin : Pass.Index;
 		Result[size_t(RenderPass.Begin)].End = Pass.Index;
 		Before = Pass.Index;

@@ -5,6 +5,9 @@
 
 #include "RenderGraphAlias.h"
 
+#include <algorithm>
+#include <random>
+
 using namespace Drydock;
 using testing::ElementsAre;
 
@@ -167,5 +170,47 @@ RC_GTEST_PROP(AliasProperty, EachLiesAtTheLowestPlaceThatIsFree, ())
 			RC_ASSERT(size_t(Layout.Offsets[Index]) == 64 * Begin);
 			Placed.push_back(Index);
 		}
+	}
+}
+
+TEST(Alias, ManyRandomRequestsLieWhereAPlainFirstFitPutsThem)
+{
+	for (uint32_t Seed = 0; Seed < 6; ++Seed)
+	{
+		std::mt19937 Random(Seed);
+		const int32_t NumPasses = 1500;
+		const uint32_t Longest = Seed % 2 == 0 ? 20 : 1500; // short lives, and such that make many gaps
+		std::vector<FRDGHeapRequest> Requests;
+		for (int32_t Pass = 0; Pass < NumPasses; ++Pass)
+		{
+			const uint64_t Bytes = Seed < 2 ? 64 * (1 + Random() % 8) : 1 + Random() % 100'000;
+			Requests.push_back({Bytes, Pass, Pass + int32_t(Random() % Longest)});
+		}
+		const FRDGHeapLayout Layout = PlaceInHeap(Requests);
+
+		struct FBlock
+		{
+			uint64_t Begin;
+			uint64_t End;
+			int32_t Last;
+		};
+		std::vector<FBlock> Blocks; // alive, by place
+		uint64_t Peak = 0;
+		for (size_t Index = 0; Index < Requests.size(); ++Index)
+		{
+			const FRDGHeapRequest& Request = Requests[Index];
+			std::erase_if(Blocks, [&](const FBlock& Block) { return Block.Last < Request.First; });
+			const uint64_t Bytes = (Request.Bytes + 63) / 64 * 64;
+			uint64_t Begin = 0;
+			size_t Place = 0;
+			while (Place < Blocks.size() && Blocks[Place].Begin < Begin + Bytes)
+			{
+				Begin = Blocks[Place++].End;
+			}
+			Blocks.insert(Blocks.begin() + std::ptrdiff_t(Place), FBlock{Begin, Begin + Bytes, Request.Last});
+			Peak = std::max(Peak, Begin + Bytes);
+			ASSERT_EQ(Begin, uint64_t(Layout.Offsets[Index])) << "seed " << Seed << ", request " << Index;
+		}
+		EXPECT_EQ(Peak, Layout.PeakBytes) << "seed " << Seed;
 	}
 }

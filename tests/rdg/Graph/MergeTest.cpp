@@ -4,6 +4,8 @@
 #include "GraphDescriptionBuilder.h"
 #include "RenderGraphMerge.h"
 
+#include <random>
+
 using namespace Drydock;
 
 namespace
@@ -155,4 +157,93 @@ TEST(Merge, OtherPassesHaveNoRenderPass)
 	FDescribedGraph Graph;
 	Graph.Pass("A", {Write("X")});
 	EXPECT_EQ(-1, Merge(Graph)[1].Begin);
+}
+
+namespace
+{
+
+/** Render passes of passes that draw to one of three targets, clear or not, or dispatch: by pairs of all passes. */
+std::vector<FRDGRenderPass> MergePlainly(const FRDGGraphDescription& Graph, const std::vector<bool>& bCulled)
+{
+	const auto IsRaster = [&](size_t Pass)
+	{
+		return !bCulled[Pass] && EnumHasAnyFlags(Graph.Passes[Pass].Flags, ERDGPassFlags::Raster);
+	};
+	const auto IsCounted = [&](size_t Pass)
+	{
+		return !bCulled[Pass] && !Graph.Passes[Pass].bIsSentinel;
+	};
+	const auto Joins = [&](size_t Pass) // the counted pass before it
+	{
+		size_t Before = Pass - 1;
+		while (Before > 0 && !IsCounted(Before))
+		{
+			--Before;
+		}
+		const FRDGTarget& Target = Graph.Passes[Pass].Targets.Colors[0];
+		return IsRaster(Before) && Target.Load != ERenderTargetLoadAction::EClear &&
+			   Graph.Passes[Before].Targets.Colors[0].Resource == Target.Resource;
+	};
+	std::vector<FRDGRenderPass> Result(Graph.Passes.size());
+	for (size_t Pass = 0; Pass < Result.size(); ++Pass)
+	{
+		if (!IsRaster(Pass))
+		{
+			continue;
+		}
+		size_t Begin = Pass;
+		while (!IsRaster(Begin) || Joins(Begin))
+		{
+			--Begin;
+		}
+		size_t End = Pass;
+		for (size_t Later = Pass + 1; Later < Result.size(); ++Later)
+		{
+			if (IsCounted(Later))
+			{
+				if (!IsRaster(Later) || !Joins(Later))
+				{
+					break;
+				}
+				End = Later;
+			}
+		}
+		Result[Pass] = {int32_t(Begin), int32_t(End), {}};
+	}
+	return Result;
+}
+
+} // namespace
+
+TEST(Merge, RandomGraphsMergeAsPlainlyWrittenOnesDo)
+{
+	for (uint32_t Seed = 0; Seed < 100; ++Seed)
+	{
+		std::mt19937 Random(Seed);
+		FDescribedGraph Graph;
+		std::vector<bool> bCulled = {false};
+		for (int Pass = 0; Pass < 80; ++Pass)
+		{
+			const std::string Target = "X" + std::to_string(Random() % 8 / 3);
+			if (Random() % 12 == 0)
+			{
+				Graph.Pass("P" + std::to_string(Pass), {Write(Target)});
+			}
+			else
+			{
+				Graph.RasterPass("P" + std::to_string(Pass), Target,
+					Random() % 10 == 0 ? ERenderTargetLoadAction::EClear : ERenderTargetLoadAction::ELoad);
+			}
+			bCulled.push_back(Random() % 9 == 0);
+		}
+		bCulled.push_back(false);
+		const FRDGGraphDescription Description = Graph.Get();
+		const std::vector<FRDGRenderPass> Expected = MergePlainly(Description, bCulled);
+		const std::vector<FRDGRenderPass> Result = MergeRenderPasses(Description, bCulled, true);
+		for (size_t Pass = 0; Pass < Result.size(); ++Pass)
+		{
+			ASSERT_EQ(Expected[Pass].Begin, Result[Pass].Begin) << "seed " << Seed << ", pass " << Pass;
+			ASSERT_EQ(Expected[Pass].End, Result[Pass].End) << "seed " << Seed << ", pass " << Pass;
+		}
+	}
 }
