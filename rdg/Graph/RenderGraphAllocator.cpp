@@ -2,6 +2,7 @@
 #include "RenderGraphAllocator.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace Drydock
 {
@@ -16,6 +17,13 @@ FRDGAllocator::~FRDGAllocator()
 
 void* FRDGAllocator::Alloc(uint64 SizeInBytes, uint32 AlignInBytes)
 {
+	void* const Memory = AllocUninitialized(SizeInBytes, AlignInBytes);
+	std::memset(Memory, 0, SizeInBytes);
+	return Memory;
+}
+
+void* FRDGAllocator::AllocUninitialized(uint64 SizeInBytes, uint32 AlignInBytes)
+{
 	const auto Align = [AlignInBytes](uint8* Address)
 	{
 		return reinterpret_cast<uint8*>(
@@ -25,8 +33,9 @@ void* FRDGAllocator::Alloc(uint64 SizeInBytes, uint32 AlignInBytes)
 	uint8* Memory = Align(Free);
 	if (!Free || Memory > End || uint64(End - Memory) < SizeInBytes)
 	{
-		const uint64 Bytes = std::max(BlockSize, SizeInBytes + AlignInBytes);
-		Blocks.push_back(std::make_unique<uint8[]>(Bytes)); // zeroed
+		const uint64 Bytes = std::max(NextBlockSize, SizeInBytes + AlignInBytes);
+		NextBlockSize = std::min(2 * NextBlockSize, LargestBlockSize);
+		Blocks.push_back(std::make_unique_for_overwrite<uint8[]>(Bytes));
 		Free = Blocks.back().get();
 		End = Free + Bytes;
 		AllocatedBytes += Bytes;

@@ -21,6 +21,8 @@ public:
 
 	/** Alignment is a power of two. The memory is zeroed. */
 	void* Alloc(uint64 SizeInBytes, uint32 AlignInBytes = 16);
+	/** The same, with whatever the memory holds: for objects that are constructed in it. */
+	void* AllocUninitialized(uint64 SizeInBytes, uint32 AlignInBytes);
 
 	/** The destructor runs when the allocator goes. */
 	template<typename T, typename... ArgumentTypes>
@@ -46,12 +48,14 @@ private:
 		void (*Destroy)(void*);
 	};
 
-	static constexpr uint64 BlockSize = 64 * 1024;
+	static constexpr uint64 FirstBlockSize = 4 * 1024;
+	static constexpr uint64 LargestBlockSize = 32 * 1024;
 
 	std::vector<std::unique_ptr<uint8[]>> Blocks;
 	std::vector<FDestructor> Destructors;
 	uint8* Free = nullptr;
 	uint8* End = nullptr;
+	uint64 NextBlockSize = FirstBlockSize; // each block is twice as large as the one before
 	uint64 AllocatedBytes = 0;
 };
 

@@ -20,6 +20,9 @@ namespace
 
 FRDGBuilder* GActiveBuilder = nullptr;
 
+/** Most graphs have no more passes, nor resources: their descriptions are not moved as they grow. */
+constexpr size_t NumUsual = 64;
+
 std::string DescribeWhere(const char* Kind, const TCHAR* Name)
 {
 	return std::string(Kind) + " " + (Name ? Name : "<unnamed>");
@@ -110,6 +113,9 @@ FRDGBuilder::FRDGBuilder(FRHICommandListImmediate& InRHICmdList, FRDGEventName I
 	State->Settings = GetRDGSettings();
 	State->UncaughtExceptions = std::uncaught_exceptions();
 	State->Graph.Name = InName.GetTCHAR();
+	State->Graph.Passes.reserve(NumUsual);
+	State->Graph.Resources.reserve(NumUsual);
+	State->PassResources.reserve(NumUsual);
 	FRDGPassDescription& Prologue = State->Graph.Passes.emplace_back();
 	Prologue.Index = 0;
 	Prologue.Name = "Graph Prologue";
@@ -146,7 +152,7 @@ void FRDGBuilder::RequireOpen(const char* Call) const
 void FRDGBuilder::CheckKnown(const void* Object, ERDGObject Kinds, const char* Call, const char* Parameter,
 	const Drydock::FSourceLocation* Location) const
 {
-	if (Object && State->IsKnown(Object, Kinds))
+	if (Object && State->Known.Has(Object, Kinds))
 	{
 		return;
 	}
@@ -198,6 +204,14 @@ void FRDGBuilder::TickPoolElements()
 
 // Textures and buffers ----------------------------------------------------------------------------------------------
 
+/** Makes an object that goes with the graph, once it is adopted. */
+template<typename ObjectType, typename... ArgumentTypes>
+ObjectType* FRDGBuilder::Place(ArgumentTypes&&... Arguments)
+{
+	return new (State->Allocator.AllocUninitialized(sizeof(ObjectType), alignof(ObjectType)))
+		ObjectType(std::forward<ArgumentTypes>(Arguments)...);
+}
+
 FRDGTextureRef FRDGBuilder::CreateTexture(const FRDGTextureDesc& Desc, const TCHAR* InName, ERDGTextureFlags Flags)
 {
 	RequireOpen("CreateTexture");
@@ -223,7 +237,7 @@ FRDGTextureRef FRDGBuilder::CreateTexture(const FRDGTextureDesc& Desc, const TCH
 		AddError(*State, RDGErrorResourceFlags, "SkipTracking is for registered (external) textures only",
 			DescribeWhere("texture", Name));
 	}
-	auto* const Texture = new FRDGTexture(Name, Desc, Flags);
+	auto* const Texture = Place<FRDGTexture>(Name, Desc, Flags);
 	AdoptResource(Texture, DescribeTexture(*Texture, State->Settings));
 	return Texture;
 }
@@ -250,7 +264,7 @@ FRDGBufferRef FRDGBuilder::CreateBuffer(const FRDGBufferDesc& Desc, const TCHAR*
 		AddError(*State, RDGErrorResourceFlags, "SkipTracking is for registered (external) buffers only",
 			DescribeWhere("buffer", Name));
 	}
-	auto* const Buffer = new FRDGBuffer(Name, ValidDesc, Flags);
+	auto* const Buffer = Place<FRDGBuffer>(Name, ValidDesc, Flags);
 	AdoptResource(Buffer, DescribeBuffer(*Buffer, State->Settings));
 	return Buffer;
 }
@@ -265,18 +279,18 @@ FRDGBufferRef FRDGBuilder::CreateBuffer(const FRDGBufferDesc& Desc, const TCHAR*
 	return Buffer;
 }
 
-void FRDGBuilder::AdoptResource(FRDGViewableResource* Resource, const FRDGResourceDescription& Description)
+void FRDGBuilder::AdoptResource(FRDGViewableResource* Resource, FRDGResourceDescription&& Description)
 {
 	Resource->Index = int32(State->Resources.size());
 	State->Resources.emplace_back(Resource);
-	State->Graph.Resources.push_back(Description);
-	State->Known[Resource] =
-		Resource->Type == ERDGViewableResourceType::Texture ? ERDGObject::Texture : ERDGObject::Buffer;
+	State->Graph.Resources.push_back(MoveTemp(Description));
+	State->Known.Add(
+		Resource, Resource->Type == ERDGViewableResourceType::Texture ? ERDGObject::Texture : ERDGObject::Buffer);
 }
 
 void FRDGBuilder::ResolveBufferSizes()
 {
-	for (const std::unique_ptr<FRDGViewableResource>& Resource : State->Resources)
+	for (const TRDGPlaced<FRDGViewableResource>& Resource : State->Resources)
 	{
 		if (Resource->Type != ERDGViewableResourceType::Buffer)
 		{
@@ -307,7 +321,7 @@ ViewType* FRDGBuilder::AdoptView(ViewType* View)
 {
 	View->ViewIndex = int32(State->Views.size());
 	State->Views.emplace_back(View);
-	State->Known[View] = GetKinds(View);
+	State->Known.Add(View, GetKinds(View));
 	return View;
 }
 
@@ -321,13 +335,13 @@ FRDGTextureSRVRef FRDGBuilder::CreateSRV(const FRDGTextureSRVDesc& Desc)
 		Fail(RDGErrorView, "the view covers mips or slices that the texture does not have",
 			DescribeWhere("texture", Desc.Texture->Name));
 	}
-	return AdoptView(new FRDGTextureSRV(Desc));
+	return AdoptView(Place<FRDGTextureSRV>(Desc));
 }
 
 FRDGBufferSRVRef FRDGBuilder::CreateSRV(const FRDGBufferSRVDesc& Desc)
 {
 	CheckOwn(Desc.Buffer, "CreateSRV");
-	return AdoptView(new FRDGBufferSRV(Desc));
+	return AdoptView(Place<FRDGBufferSRV>(Desc));
 }
 
 FRDGTextureUAVRef FRDGBuilder::CreateUAV(const FRDGTextureUAVDesc& Desc, ERDGUnorderedAccessViewFlags Flags)
@@ -347,7 +361,7 @@ FRDGTextureUAVRef FRDGBuilder::CreateUAV(const FRDGTextureUAVDesc& Desc, ERDGUno
 		AddError(*State, RDGErrorView, "a UAV was created of a texture without TexCreate_UAV",
 			DescribeWhere("texture", Desc.Texture->Name));
 	}
-	return AdoptView(new FRDGTextureUAV(Desc, Flags));
+	return AdoptView(Place<FRDGTextureUAV>(Desc, Flags));
 }
 
 FRDGBufferUAVRef FRDGBuilder::CreateUAV(const FRDGBufferUAVDesc& Desc, ERDGUnorderedAccessViewFlags Flags)
@@ -358,7 +372,7 @@ FRDGBufferUAVRef FRDGBuilder::CreateUAV(const FRDGBufferUAVDesc& Desc, ERDGUnord
 		AddError(*State, RDGErrorView, "a UAV was created of a buffer without BUF_UnorderedAccess",
 			DescribeWhere("buffer", Desc.Buffer->Name));
 	}
-	return AdoptView(new FRDGBufferUAV(Desc, Flags));
+	return AdoptView(Place<FRDGBufferUAV>(Desc, Flags));
 }
 
 void FRDGBuilder::CheckUniformBufferParameters(const void* Parameters, const FShaderParametersMetadata* Metadata)
@@ -374,7 +388,7 @@ void FRDGBuilder::CheckUniformBufferParameters(const void* Parameters, const FSh
 void FRDGBuilder::AdoptUniformBuffer(FRDGUniformBuffer* Buffer)
 {
 	State->UniformBuffers.emplace_back(Buffer);
-	State->Known[Buffer] = ERDGObject::UniformBuffer;
+	State->Known.Add(Buffer, ERDGObject::UniformBuffer);
 }
 
 // External resources ------------------------------------------------------------------------------------------------
@@ -400,7 +414,7 @@ FRDGTextureRef FRDGBuilder::RegisterExternalTexture(const TRefCountPtr<IPooledRe
 	{
 		return Registered;
 	}
-	auto* const Texture = new FRDGTexture(Name, TextureRHI->GetDesc(), Flags);
+	auto* const Texture = Place<FRDGTexture>(Name, TextureRHI->GetDesc(), Flags);
 	AdoptResource(Texture, DescribeTexture(*Texture, State->Settings));
 	Texture->PooledTexture = ExternalPooledTexture;
 	Texture->ResourceRHI = TextureRHI;
@@ -431,7 +445,7 @@ FRDGBufferRef FRDGBuilder::RegisterExternalBuffer(
 	{
 		return Registered;
 	}
-	auto* const Buffer = new FRDGBuffer(Name, ExternalPooledBuffer->GetDesc(), Flags);
+	auto* const Buffer = Place<FRDGBuffer>(Name, ExternalPooledBuffer->GetDesc(), Flags);
 	AdoptResource(Buffer, DescribeBuffer(*Buffer, State->Settings));
 	Buffer->PooledBuffer = ExternalPooledBuffer;
 	Buffer->ResourceRHI = ExternalPooledBuffer->GetRHI();

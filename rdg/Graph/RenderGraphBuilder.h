@@ -162,8 +162,10 @@ public:
 		Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current())
 	{
 		using FLambda = std::decay_t<ExecuteLambdaType>;
-		return AdoptPass(std::unique_ptr<FRDGPass>(new TRDGLambdaPass<FLambda>(MoveTemp(Name), ParametersMetadata,
-			ParameterStruct, Flags, FLambda(std::forward<ExecuteLambdaType>(ExecuteLambda)), Location)));
+		using FPass = TRDGLambdaPass<FLambda>;
+		void* const Memory = GetAllocator().AllocUninitialized(sizeof(FPass), alignof(FPass));
+		return AdoptPass(new (Memory) FPass(MoveTemp(Name), ParametersMetadata, ParameterStruct, Flags,
+			FLambda(std::forward<ExecuteLambdaType>(ExecuteLambda)), Location));
 	}
 
 	/** Without parameters: never culled, touches nothing that the graph knows. Flags: None, or NeverCull. */
@@ -298,10 +300,12 @@ public:
 
 private:
 	Drydock::FRDGAllocator& GetAllocator();
-	FRDGPassRef AdoptPass(std::unique_ptr<FRDGPass>&& Pass);
+	FRDGPassRef AdoptPass(FRDGPass* Pass); // which lies in the graph's memory
 	void AdoptUniformBuffer(FRDGUniformBuffer* Buffer);
 	void CheckUniformBufferParameters(const void* Parameters, const FShaderParametersMetadata* Metadata);
-	void AdoptResource(FRDGViewableResource* Resource, const Drydock::FRDGResourceDescription& Description);
+	template<typename ObjectType, typename... ArgumentTypes>
+	ObjectType* Place(ArgumentTypes&&... Arguments);
+	void AdoptResource(FRDGViewableResource* Resource, Drydock::FRDGResourceDescription&& Description);
 	template<typename ViewType>
 	ViewType* AdoptView(ViewType* View);
 	void DeclarePass(FRDGPass& Pass);
@@ -319,6 +323,8 @@ private:
 	bool CheckExtraction(FRDGViewableResource* Resource, const void* Out, const char* Call);
 	void AddResourceError(int Code, const std::string& Message, const FRDGResource& Resource);
 	void ThrowCollectedErrors(const std::vector<Drydock::FDiagnostic>& GraphErrors);
+	std::vector<Drydock::FDiagnostic> CheckGraph();
+	Drydock::FRDGCompiledGraph Compile(Drydock::FRDGGraphDescription Graph);
 	void ResolveBufferSizes();
 	void ConvertToExternal(FRDGViewableResource* Resource);
 	void SetAccessFinal(FRDGViewableResource* Resource, ERHIAccess Access, const char* Call);

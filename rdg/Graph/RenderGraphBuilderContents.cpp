@@ -36,7 +36,7 @@ void FRDGBuilder::CheckOwn(const void* Object, ERDGObject Kinds, const char* Cal
 		Fail(
 			RDGErrorNullArgument, std::string(Call) + " was called with a null resource", "graph " + State->Graph.Name);
 	}
-	if (!State->IsKnown(Object, Kinds))
+	if (!State->Known.Has(Object, Kinds))
 	{
 		Fail(RDGErrorForeignResource, std::string(Call) + " was called with a resource that is not of this graph",
 			"graph " + State->Graph.Name);
@@ -189,7 +189,7 @@ FRHIUniformBuffer* FRDGBuilder::ConvertToExternalUniformBuffer(FRDGUniformBuffer
 	FRDGPassDescription Walked;
 	const FRDGPassResources Resources = CollectPassResources(
 		UniformBuffer->GetMetadata(), UniformBuffer->GetContents(),
-		[this](const void* Pointer, ERDGObject Kinds) { return State->IsKnown(Pointer, Kinds); }, Walked);
+		[this](const void* Pointer, ERDGObject Kinds) { return State->Known.Has(Pointer, Kinds); }, Walked);
 	for (FRDGViewableResource* Resource : Resources.Viewables)
 	{
 		ConvertToExternal(Resource);

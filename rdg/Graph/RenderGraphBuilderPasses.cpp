@@ -2,6 +2,7 @@
 #include "RenderGraphBuilder.h"
 
 #include "CodeScope.h"
+#include "DiagnosticList.h"
 #include "RenderGraphCompile.h"
 #include "RenderGraphExecute.h"
 #include "RenderGraphNotes.h"
@@ -32,7 +33,10 @@ FRDGPassDescription DescribePass(const FRDGPass& Pass, const FRDGSettings& Setti
 	Description.Name = Pass.GetName();
 	Description.Scope = Pass.GetScope();
 	Description.Effect = Pass.GetEffect();
-	Description.Owner = FCodeOwner{Pass.GetOwner().Plugin, Pass.GetOwner().Callback}.Describe();
+	if (Pass.GetOwner().IsForeign())
+	{
+		Description.Owner = FCodeOwner{Pass.GetOwner().Plugin, Pass.GetOwner().Callback}.Describe();
+	}
 	Description.Flags = Pass.GetFlags();
 	Description.File = Pass.GetLocation().File;
 	Description.Line = int32(Pass.GetLocation().Line);
@@ -46,15 +50,15 @@ FRDGPassDescription DescribePass(const FRDGPass& Pass, const FRDGSettings& Setti
 
 } // namespace
 
-FRDGPassRef FRDGBuilder::AdoptPass(std::unique_ptr<FRDGPass>&& InPass)
+FRDGPassRef FRDGBuilder::AdoptPass(FRDGPass* Pass)
 {
-	FRDGPassRef Pass = InPass.get();
+	TRDGPlaced<FRDGPass> Placed(Pass);
 	RequireOpen("AddPass");
 	try
 	{
 		DeclarePass(*Pass);
-		State->Passes.push_back(MoveTemp(InPass));
-		State->Known[Pass] = ERDGObject::Pass;
+		State->Passes.push_back(MoveTemp(Placed));
+		State->Known.Add(Pass, ERDGObject::Pass);
 		if (State->Settings.bImmediateMode)
 		{
 			ResolveBufferSizes();
@@ -75,8 +79,11 @@ FRDGPassRef FRDGBuilder::AdoptPass(std::unique_ptr<FRDGPass>&& InPass)
 void FRDGBuilder::DeclarePass(FRDGPass& Pass)
 {
 	Pass.Index = int32(State->Graph.Passes.size());
-	Pass.Scope = State->Scopes.empty() ? "" : State->Scopes.back().Path;
-	Pass.Effect = State->Scopes.empty() ? "" : State->Scopes.back().Effect;
+	if (!State->Scopes.empty())
+	{
+		Pass.Scope = State->Scopes.back().Path;
+		Pass.Effect = State->Scopes.back().Effect;
+	}
 
 	if (const FCodeOwner* const Running = GetRunningCode())
 	{
@@ -96,7 +103,7 @@ void FRDGBuilder::DeclarePass(FRDGPass& Pass)
 	{
 		Resources = CollectPassResources(
 			*Pass.Metadata, Pass.Parameters,
-			[this](const void* Pointer, ERDGObject Kinds) { return State->IsKnown(Pointer, Kinds); }, Description);
+			[this](const void* Pointer, ERDGObject Kinds) { return State->Known.Has(Pointer, Kinds); }, Description);
 	}
 	for (const FRDGUse& Use : Description.Uses)
 	{
@@ -233,44 +240,57 @@ void FRDGBuilder::ThrowCollectedErrors(const std::vector<FDiagnostic>& GraphErro
 	}
 }
 
-FRDGCompiledGraph FRDGBuilder::Compile()
+/** Throws the graph's errors and tells the rest; returns the warnings. */
+std::vector<FDiagnostic> FRDGBuilder::CheckGraph()
 {
-	ResolveBufferSizes();
-	FRDGGraphDescription Graph = State->Graph;
-	for (const std::unique_ptr<FRDGPass>& Pass : State->Passes)
+	if (!State->Settings.bValidation)
 	{
-		Graph.Passes[size_t(Pass->GetIndex())].Shader = Pass->GetShader();
-		Graph.Passes[size_t(Pass->GetIndex())].Entry = Pass->GetEntry();
-		Graph.Passes[size_t(Pass->GetIndex())].Area = Pass->GetArea();
+		return {};
+	}
+	FRDGValidationResult Validation =
+		ValidateGraph(State->Graph, State->Settings.Debug != 0, State->Settings.bStrictValidation);
+	Validation.Ensures.insert(Validation.Ensures.begin(), State->Ensures.begin(), State->Ensures.end());
+	ThrowCollectedErrors(Validation.Errors);
+	if (!State->bEnsuresReported && !(State->Observer && State->Observer->ShowsWarnings()))
+	{
+		State->bEnsuresReported = true;
+		for (const FDiagnostic& Diagnostic : SummarizeDiagnostics(Validation.Ensures))
+		{
+			ReportRDGEnsure(Diagnostic);
+		}
+		for (const FDiagnostic& Diagnostic : SummarizeDiagnostics(Validation.Warnings))
+		{
+			ReportRDGWarning(Diagnostic, State->Settings.Debug == 1 && IsRDGWarningOfWaste(Diagnostic.Code));
+		}
+	}
+	std::vector<FDiagnostic> Warnings = MoveTemp(Validation.Ensures);
+	Warnings.insert(Warnings.end(), Validation.Warnings.begin(), Validation.Warnings.end());
+	return Warnings;
+}
+
+/** Of a graph that is checked: with what its passes said since they were added, and with the epilogue. */
+FRDGCompiledGraph FRDGBuilder::Compile(FRDGGraphDescription Graph)
+{
+	for (const TRDGPlaced<FRDGPass>& Pass : State->Passes)
+	{
+		FRDGPassDescription& Description = Graph.Passes[size_t(Pass->GetIndex())];
+		Description.Shader = Pass->GetShader();
+		Description.Entry = Pass->GetEntry();
+		Description.Area = Pass->GetArea();
 	}
 	FRDGPassDescription& Epilogue = Graph.Passes.emplace_back();
 	Epilogue.Index = int32(Graph.Passes.size()) - 1;
 	Epilogue.Name = "Graph Epilogue";
 	Epilogue.bIsSentinel = true;
+	return CompileGraph(MoveTemp(Graph), FRDGCompileOptions::FromConsoleVariables());
+}
 
-	FRDGValidationResult Validation;
-	if (State->Settings.bValidation)
-	{
-		Validation = ValidateGraph(Graph, State->Settings.Debug != 0, State->Settings.bStrictValidation);
-		Validation.Ensures.insert(Validation.Ensures.begin(), State->Ensures.begin(), State->Ensures.end());
-		ThrowCollectedErrors(Validation.Errors);
-		if (!State->bEnsuresReported && !(State->Observer && State->Observer->ShowsWarnings()))
-		{
-			State->bEnsuresReported = true;
-			for (const FDiagnostic& Diagnostic : Validation.Ensures)
-			{
-				ReportRDGEnsure(Diagnostic);
-			}
-			for (const FDiagnostic& Diagnostic : Validation.Warnings)
-			{
-				ReportRDGWarning(Diagnostic, State->Settings.Debug == 1 && IsRDGWarningOfWaste(Diagnostic.Code));
-			}
-		}
-	}
-
-	FRDGCompiledGraph Compiled = CompileGraph(Graph, FRDGCompileOptions::FromConsoleVariables());
-	Compiled.Warnings = MoveTemp(Validation.Ensures);
-	Compiled.Warnings.insert(Compiled.Warnings.end(), Validation.Warnings.begin(), Validation.Warnings.end());
+FRDGCompiledGraph FRDGBuilder::Compile()
+{
+	ResolveBufferSizes();
+	std::vector<FDiagnostic> Warnings = CheckGraph();
+	FRDGCompiledGraph Compiled = Compile(State->Graph);
+	Compiled.Warnings = MoveTemp(Warnings);
 	return Compiled;
 }
 
@@ -281,8 +301,14 @@ void FRDGBuilder::Execute()
 		Fail(RDGErrorExecutedTwice, "Execute was called on a graph that was executed or discarded before",
 			"graph " + State->Graph.Name);
 	}
-	const FRDGCompiledGraph Compiled = Compile();
+	ResolveBufferSizes();
+	std::vector<FDiagnostic> Warnings = CheckGraph();
 	State->bFinished = true;
+	// Nothing is added any more: the descriptions move into the compiled graph. The name stays for messages.
+	FRDGGraphDescription Graph = MoveTemp(State->Graph);
+	State->Graph.Name = Graph.Name;
+	FRDGCompiledGraph Compiled = Compile(MoveTemp(Graph));
+	Compiled.Warnings = MoveTemp(Warnings);
 	FRDGExecutor Executor(*State, RHICmdList);
 	if (State->Settings.bImmediateMode)
 	{

@@ -15,6 +15,10 @@ using FWriters = std::array<int32_t, 2>;
 
 void SortUnique(std::vector<int32_t>& Values)
 {
+	if (Values.size() < 2)
+	{
+		return;
+	}
 	std::sort(Values.begin(), Values.end());
 	Values.erase(std::unique(Values.begin(), Values.end()), Values.end());
 }
@@ -39,11 +43,14 @@ void ForEachSubresource(const FRDGResourceDescription& Resource, const FRDGSubre
 
 FRDGDependencies FindDependencies(const FRDGGraphDescription& Graph)
 {
-	std::vector<std::vector<FWriters>> Writers;
+	std::vector<size_t> First; // of a resource's subresources in Writers
+	First.reserve(Graph.Resources.size() + 1);
+	First.push_back(0);
 	for (const FRDGResourceDescription& Resource : Graph.Resources)
 	{
-		Writers.emplace_back(size_t(Resource.GetNumSubresources()), FWriters{-1, -1});
+		First.push_back(First.back() + size_t(Resource.GetNumSubresources()));
 	}
+	std::vector<FWriters> Writers(First.back(), FWriters{-1, -1});
 
 	FRDGDependencies Result;
 	Result.Producers.resize(Graph.Passes.size());
@@ -56,7 +63,7 @@ FRDGDependencies FindDependencies(const FRDGGraphDescription& Graph)
 			ForEachSubresource(Graph.Resources[size_t(Use.Resource)], Use,
 				[&](size_t Index)
 				{
-					for (const int32_t Writer : Writers[size_t(Use.Resource)][Index])
+					for (const int32_t Writer : Writers[First[size_t(Use.Resource)] + Index])
 					{
 						if (Writer >= 0)
 						{
@@ -71,18 +78,19 @@ FRDGDependencies FindDependencies(const FRDGGraphDescription& Graph)
 			if (Use.IsWrite())
 			{
 				ForEachSubresource(Graph.Resources[size_t(Use.Resource)], Use,
-					[&](size_t Index) { Writers[size_t(Use.Resource)][Index][Pass.bAsync] = Pass.Index; });
+					[&](size_t Index) { Writers[First[size_t(Use.Resource)] + Index][Pass.bAsync] = Pass.Index; });
 			}
 		}
 		SortUnique(Producers);
 	}
 
-	for (const std::vector<FWriters>& OfResource : Writers)
+	Result.LastWriters.resize(Graph.Resources.size());
+	for (size_t Resource = 0; Resource < Graph.Resources.size(); ++Resource)
 	{
-		std::vector<int32_t>& LastWriters = Result.LastWriters.emplace_back();
-		for (const FWriters& OfSubresource : OfResource)
+		std::vector<int32_t>& LastWriters = Result.LastWriters[Resource];
+		for (size_t Index = First[Resource]; Index < First[Resource + 1]; ++Index)
 		{
-			std::copy_if(OfSubresource.begin(), OfSubresource.end(), std::back_inserter(LastWriters),
+			std::copy_if(Writers[Index].begin(), Writers[Index].end(), std::back_inserter(LastWriters),
 				[](int32_t Writer) { return Writer >= 0; });
 		}
 		SortUnique(LastWriters);

@@ -56,7 +56,7 @@ void FRDGExecutor::RunGraph(const FRDGCompiledGraph& InCompiled)
 	{
 		Heap = ReserveTransientHeap(InCompiled.Memory.TransientPeakBytes);
 	}
-	for (const std::unique_ptr<FRDGPass>& Pass : State.Passes)
+	for (const TRDGPlaced<FRDGPass>& Pass : State.Passes)
 	{
 		if (!Pass->bCulled)
 		{
@@ -70,7 +70,7 @@ void FRDGExecutor::RunGraph(const FRDGCompiledGraph& InCompiled)
 void FRDGExecutor::CompileShaders()
 {
 	std::vector<FShaderRef> Shaders;
-	for (const std::unique_ptr<FRDGPass>& Pass : State.Passes)
+	for (const TRDGPlaced<FRDGPass>& Pass : State.Passes)
 	{
 		for (const FShaderRef Shader : {FShaderRef(Pass->ShaderToCompile), FShaderRef(Pass->VertexShaderToCompile)})
 		{
@@ -381,10 +381,20 @@ void FRDGExecutor::RunPass(FRDGPass& Pass)
 	}
 }
 
+/** A compiled graph has taken the descriptions over. */
+const FRDGPassDescription& FRDGExecutor::Describe(const FRDGPass& Pass) const
+{
+	if (Compiled)
+	{
+		return Compiled->Passes[size_t(Pass.GetIndex())];
+	}
+	return State.GetDescription(Pass);
+}
+
 std::vector<FRDGTexture*> FRDGExecutor::FindWritten(const FRDGPass& Pass) const
 {
 	std::vector<FRDGTexture*> Written;
-	for (const FRDGUse& Use : State.GetDescription(Pass).Uses)
+	for (const FRDGUse& Use : Describe(Pass).Uses)
 	{
 		FRDGViewableResource* const Resource = State.Resources[size_t(Use.Resource)].get();
 		if (!Use.IsWrite() || Resource->Type != ERDGViewableResourceType::Texture)

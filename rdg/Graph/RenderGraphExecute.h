@@ -48,6 +48,7 @@ private:
 	void RunPass(FRDGPass& Pass);
 	void RunLambda(FRDGPass& Pass, const FRDGPassResources& Resources);
 	FRHIRenderPassInfo MakeRenderPassInfo(const FRenderTargetBindingSlots& Slots) const;
+	const FRDGPassDescription& Describe(const FRDGPass& Pass) const;
 	std::vector<FRDGTexture*> FindWritten(const FRDGPass& Pass) const;
 	void WarnAboutUnused(const FRDGPass& Pass, const FRDGPassResources& Resources) const;
 	void WriteExtractions();

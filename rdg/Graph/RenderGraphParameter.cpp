@@ -47,6 +47,9 @@ public:
 
 	FRDGPassResources Run(const FShaderParametersMetadata& Metadata, const void* Parameters)
 	{
+		constexpr size_t NumUsual = 4; // enough for most passes
+		Pass.Uses.reserve(NumUsual);
+		Found.Viewables.reserve(NumUsual);
 		Walk(Metadata, Parameters, "");
 		for (const FPending& Pending : UniformBuffers)
 		{
@@ -97,14 +100,13 @@ private:
 		{
 			return;
 		}
-		FRDGUse Use;
+		FRDGUse& Use = Pass.Uses.emplace_back();
 		static_cast<FRDGSubresources&>(Use) = Box;
 		Use.Resource = Index;
 		Use.Access = Access;
 		Use.Parameter = Name;
 		Use.bLoads = bLoads;
 		Use.SkipBarrierView = SkipBarrierView;
-		Pass.Uses.push_back(Use);
 		const bool bNew = std::find(Found.Viewables.begin(), Found.Viewables.end(), Resource) == Found.Viewables.end();
 		const auto IsResource = [Resource](const FRDGUniformBufferResource& Known)
 		{
@@ -113,7 +115,7 @@ private:
 		if (bInUniformBuffer &&
 			(bNew || std::any_of(Found.InUniformBuffers.begin(), Found.InUniformBuffers.end(), IsResource)))
 		{
-			Found.InUniformBuffers.push_back({Resource, HlslName});
+			Found.InUniformBuffers.push_back({Resource, Variable + Walked->Name});
 		}
 		if (bNew)
 		{
@@ -164,8 +166,19 @@ private:
 	{
 		for (const FHlslMember& Member : Metadata.GetHlslMembers())
 		{
-			HlslName = Variable + Member.Name;
-			WalkMember(Member, Contents, Prefix + Member.CodeName);
+			if (Member.IsConstant())
+			{
+				continue;
+			}
+			Walked = &Member;
+			if (Prefix.empty())
+			{
+				WalkMember(Member, Contents, Member.CodeName);
+			}
+			else
+			{
+				WalkMember(Member, Contents, Prefix + Member.CodeName);
+			}
 		}
 	}
 
@@ -266,16 +279,21 @@ private:
 		{
 			Pass.UnsetOutputs.push_back(Name + "[0]");
 		}
+		Pass.Targets.Colors.reserve(size_t(NumSlots));
 		for (int32 Slot = 0; Slot < NumSlots; ++Slot)
 		{
 			AddColorTarget(Slots[Slot], Name + "[" + std::to_string(Slot) + "]");
 		}
-		AddDepthStencilTarget(Slots.DepthStencil, Name + ".DepthStencil");
+		if (Slots.DepthStencil.GetTexture())
+		{
+			AddDepthStencilTarget(Slots.DepthStencil, Name + ".DepthStencil");
+		}
 		Pass.Targets.NumOcclusionQueries = int32(Slots.NumOcclusionQueries);
 		Pass.Targets.ResolveRect =
 			FIntRect(Slots.ResolveRect.X1, Slots.ResolveRect.Y1, Slots.ResolveRect.X2, Slots.ResolveRect.Y2);
-		if (FRDGTexture* Texture = CheckKnown(Slots.ShadingRateTexture, Name + ".ShadingRateTexture"))
+		if (Slots.ShadingRateTexture)
 		{
+			FRDGTexture* const Texture = CheckKnown(Slots.ShadingRateTexture, Name + ".ShadingRateTexture");
 			Pass.Targets.ShadingRate = Texture->GetIndex();
 			AddUse(Texture, GetWhole(Texture), ERHIAccess::ShadingRateSource, Name + ".ShadingRateTexture");
 		}
@@ -328,11 +346,7 @@ private:
 
 	void AddDepthStencilTarget(const FDepthStencilBinding& Binding, const std::string& Name)
 	{
-		FRDGTexture* Texture = CheckKnown(Binding.GetTexture(), Name);
-		if (!Texture)
-		{
-			return;
-		}
+		FRDGTexture* const Texture = CheckKnown(Binding.GetTexture(), Name);
 		const FExclusiveDepthStencil Access = Binding.GetDepthStencilAccess();
 		Pass.Targets.DepthStencil = Texture->GetIndex();
 		Pass.Targets.DepthLoad = Binding.GetDepthLoadAction();
@@ -360,7 +374,7 @@ private:
 	std::vector<FPending> UniformBuffers;
 	bool bInUniformBuffer = false;
 	std::string Variable; // of the uniform buffer that is walked, with its underscore
-	std::string HlslName; // of the member that is walked
+	const FHlslMember* Walked = nullptr;
 };
 
 } // namespace

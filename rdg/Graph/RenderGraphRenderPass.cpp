@@ -11,7 +11,7 @@ void FRDGExecutor::RunLambda(FRDGPass& Pass, const FRDGPassResources& Resources)
 {
 	const bool bRenderPass = Resources.TargetSlots && EnumHasAnyFlags(Pass.GetFlags(), ERDGPassFlags::Raster) &&
 							 !EnumHasAnyFlags(Pass.GetFlags(), ERDGPassFlags::SkipRenderPass) &&
-							 !State.GetDescription(Pass).Targets.IsEmpty();
+							 !Describe(Pass).Targets.IsEmpty();
 	if (!bRenderPass)
 	{
 		Pass.Execute(RHICmdList);
@@ -34,7 +34,7 @@ void FRDGExecutor::RunLambda(FRDGPass& Pass, const FRDGPassResources& Resources)
 		return static_cast<FRHITexture*>(State.Resources[size_t(Resource)]->ResourceRHI.GetReference());
 	};
 	FRHIRenderPassInfo Info = MakeRenderPassInfo(*Resources.TargetSlots);
-	FRDGFeedbackTargets Feedback(State.GetDescription(Pass), GetTexture, Info);
+	FRDGFeedbackTargets Feedback(Describe(Pass), GetTexture, Info);
 	{
 		const FRenderPassScope RenderPass(RHICmdList, Info, Pass.GetName());
 		Pass.Execute(RHICmdList);

@@ -4,13 +4,13 @@
 #include "RenderGraphAllocator.h"
 #include "RenderGraphCompiled.h"
 #include "RenderGraphConsoleVariables.h"
+#include "RenderGraphKnownObjects.h"
 #include "RenderGraphParameter.h"
 #include "RenderGraphPass.h"
 #include "RenderGraphResources.h"
 
 #include <map>
 #include <memory>
-#include <unordered_map>
 
 namespace Drydock
 {
@@ -28,6 +28,19 @@ struct TRDGExtraction
 	TRefCountPtr<PooledType>* Out;
 };
 
+struct FRDGDestroy
+{
+	template<typename T>
+	void operator()(T* Object) const
+	{
+		Object->~T();
+	}
+};
+
+/** An object in the graph's own memory. */
+template<typename T>
+using TRDGPlaced = std::unique_ptr<T, FRDGDestroy>;
+
 struct FRDGScope
 {
 	std::string Path;   // with those around it
@@ -44,12 +57,12 @@ struct FRDGBuilderState
 
 	// Declared in this order because destruction runs backwards: passes and their captures go first.
 	FRDGAllocator Allocator;
-	std::vector<std::unique_ptr<FRDGViewableResource>> Resources;
-	std::vector<std::unique_ptr<FRDGView>> Views;
+	std::vector<TRDGPlaced<FRDGViewableResource>> Resources;
+	std::vector<TRDGPlaced<FRDGView>> Views;
 	std::vector<std::unique_ptr<FRDGUniformBuffer>> UniformBuffers;
-	std::vector<std::unique_ptr<FRDGPass>> Passes;     // Passes[i] has index i + 1
-	std::vector<FRDGPassResources> PassResources;      // by position in Passes
-	std::unordered_map<const void*, ERDGObject> Known; // all of the above, by address
+	std::vector<TRDGPlaced<FRDGPass>> Passes;     // Passes[i] has index i + 1
+	std::vector<FRDGPassResources> PassResources; // by position in Passes
+	FRDGKnownObjects Known;                       // all of the above, by address
 
 	std::map<FRHITexture*, FRDGTexture*> ExternalTextures;
 	std::map<FRHIBuffer*, FRDGBuffer*> ExternalBuffers;
@@ -66,12 +79,6 @@ struct FRDGBuilderState
 	bool bFinished = false; // executed or discarded
 	bool bFailed = false;   // an error was thrown: whoever caught it need not execute
 	int UncaughtExceptions = 0;
-
-	bool IsKnown(const void* Object, ERDGObject Kinds) const
-	{
-		const auto Found = Known.find(Object);
-		return Found != Known.end() && EnumHasAnyFlags(Found->second, Kinds);
-	}
 
 	FRDGPassDescription& GetDescription(const FRDGPass& Pass) { return Graph.Passes[size_t(Pass.GetIndex())]; }
 	FRDGResourceDescription& GetDescription(const FRDGViewableResource& Resource)

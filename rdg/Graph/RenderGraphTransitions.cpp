@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <tuple>
 
 namespace Drydock
@@ -82,32 +83,27 @@ public:
 		, bCulled(bInCulled)
 		, Options(InOptions)
 	{
-		UsesByResource.resize(Graph.Resources.size());
-		for (const FRDGPassDescription& Pass : Graph.Passes)
-		{
-			for (const FRDGUse& Use : Pass.Uses)
-			{
-				if (!bCulled[size_t(Pass.Index)])
-				{
-					UsesByResource[size_t(Use.Resource)].push_back({&Pass, &Use});
-				}
-			}
-		}
+		FirstUse.resize(Graph.Resources.size() + 1);
+		ForEachUse([this](const FRDGPassDescription&, const FRDGUse& Use) { ++FirstUse[size_t(Use.Resource) + 1]; });
+		std::partial_sum(FirstUse.begin(), FirstUse.end(), FirstUse.begin());
+		std::vector<size_t> Next = FirstUse;
+		Uses.resize(FirstUse.back());
+		ForEachUse(
+			[&](const FRDGPassDescription& Pass, const FRDGUse& Use) {
+				Uses[Next[size_t(Use.Resource)]++] = {&Pass, &Use};
+			});
 	}
 
 	std::vector<FRDGTransition> Run()
 	{
 		for (size_t Resource = 0; Resource < Graph.Resources.size(); ++Resource)
 		{
-			if (!Graph.Resources[Resource].bSkipTracking && !UsesByResource[Resource].empty())
+			if (!Graph.Resources[Resource].bSkipTracking && FirstUse[Resource] < FirstUse[Resource + 1])
 			{
 				AddResource(int32_t(Resource));
 			}
 		}
-		std::stable_sort(Transitions.begin(), Transitions.end(),
-			[](const FRDGTransition& A, const FRDGTransition& B)
-			{ return std::tie(A.EndPass, A.Resource) < std::tie(B.EndPass, B.Resource); });
-		return std::move(Transitions);
+		return SortByEnd();
 	}
 
 private:
@@ -117,37 +113,69 @@ private:
 		const FRDGUse* Use;
 	};
 
+	template<typename TFunction>
+	void ForEachUse(TFunction Function) const
+	{
+		for (const FRDGPassDescription& Pass : Graph.Passes)
+		{
+			for (const FRDGUse& Use : Pass.Uses)
+			{
+				if (!bCulled[size_t(Pass.Index)])
+				{
+					Function(Pass, Use);
+				}
+			}
+		}
+	}
+
+	/** They were found by resource, and stay so among those of one pass. */
+	std::vector<FRDGTransition> SortByEnd() const
+	{
+		std::vector<size_t> Next(Graph.Passes.size() + 1);
+		for (const FRDGTransition& Transition : Transitions)
+		{
+			++Next[size_t(Transition.EndPass) + 1];
+		}
+		std::partial_sum(Next.begin(), Next.end(), Next.begin());
+		std::vector<FRDGTransition> Sorted(Transitions.size());
+		for (const FRDGTransition& Transition : Transitions)
+		{
+			Sorted[Next[size_t(Transition.EndPass)]++] = Transition;
+		}
+		return Sorted;
+	}
+
 	void AddResource(int32_t Resource)
 	{
 		const FRDGResourceDescription& Description = Graph.Resources[size_t(Resource)];
-		std::vector<FRDGTransition> Found;
+		OfResource.clear();
 		for (int32_t Plane = 0; Plane < Description.NumPlanes; ++Plane)
 		{
 			for (int32_t Slice = 0; Slice < Description.NumSlices; ++Slice)
 			{
 				for (int32_t Mip = 0; Mip < Description.NumMips; ++Mip)
 				{
-					AddSubresource(Resource, Mip, Slice, Plane, Found);
+					AddSubresource(Resource, Mip, Slice, Plane);
 				}
 			}
 		}
-		JoinWhole(Description, Found);
-		Transitions.insert(Transitions.end(), Found.begin(), Found.end());
+		JoinWhole(Description, OfResource);
+		Transitions.insert(Transitions.end(), OfResource.begin(), OfResource.end());
 	}
 
-	void AddSubresource(int32_t Resource, int32_t Mip, int32_t Slice, int32_t Plane, std::vector<FRDGTransition>& Found)
+	void AddSubresource(int32_t Resource, int32_t Mip, int32_t Slice, int32_t Plane)
 	{
 		const FRDGResourceDescription& Description = Graph.Resources[size_t(Resource)];
-		std::vector<FState> States = CollectStates(Resource, Mip, Slice, Plane);
-		if (States.empty())
-		{
-			return;
-		}
 		FState Initial;
 		Initial.Access = Description.bExternal                  ? kDefaultAccessFinal
 						 : Options.bTransient[size_t(Resource)] ? ERHIAccess::Discard
 																: kDefaultAccessInitial;
-		States.insert(States.begin(), Initial);
+		States.assign(1, Initial);
+		CollectStates(Resource, Mip, Slice, Plane);
+		if (States.size() == 1)
+		{
+			return;
+		}
 		if (Description.bExternal || Description.bExtracted)
 		{
 			FState Final;
@@ -173,16 +201,17 @@ private:
 			Transition.BeginPass = Before.LastPass;
 			Transition.EndPass = After.FirstPass;
 			Transition.bUAVBarrier = bUAVBarrier;
-			Found.push_back(Transition);
+			OfResource.push_back(Transition);
 		}
 	}
 
-	/** States over time, merged where they can be one. */
-	std::vector<FState> CollectStates(int32_t Resource, int32_t Mip, int32_t Slice, int32_t Plane) const
+	/** Appends the states over time, merged where they can be one. */
+	void CollectStates(int32_t Resource, int32_t Mip, int32_t Slice, int32_t Plane)
 	{
-		std::vector<FState> States;
-		for (const FPassUse& PassUse : UsesByResource[size_t(Resource)])
+		OfPasses.clear();
+		for (size_t Index = FirstUse[size_t(Resource)]; Index < FirstUse[size_t(Resource) + 1]; ++Index)
 		{
+			const FPassUse& PassUse = Uses[Index];
 			if (!Covers(*PassUse.Use, Mip, Slice, Plane))
 			{
 				continue;
@@ -192,30 +221,29 @@ private:
 			State.FirstPass = State.LastPass = PassUse.Pass->Index;
 			State.bAsync = PassUse.Pass->bAsync;
 			State.SkipBarrierView = PassUse.Use->SkipBarrierView;
-			if (!States.empty() && States.back().LastPass == State.FirstPass)
+			if (!OfPasses.empty() && OfPasses.back().LastPass == State.FirstPass)
 			{
 				// Several parameters of one pass: one state, whose barriers are between passes only.
-				States.back().Access = Combine(States.back().Access, State.Access);
-				States.back().SkipBarrierView =
-					States.back().SkipBarrierView == State.SkipBarrierView ? State.SkipBarrierView : -1;
+				FState& Known = OfPasses.back();
+				Known.Access = Combine(Known.Access, State.Access);
+				Known.SkipBarrierView = Known.SkipBarrierView == State.SkipBarrierView ? State.SkipBarrierView : -1;
 				continue;
 			}
-			States.push_back(State);
+			OfPasses.push_back(State);
 		}
-		std::vector<FState> Merged;
-		for (const FState& State : States)
+		const size_t NumBefore = States.size();
+		for (const FState& State : OfPasses)
 		{
-			if (!Merged.empty() && CanMerge(Merged.back(), State, Options.bOverlapUAVs))
+			if (States.size() > NumBefore && CanMerge(States.back(), State, Options.bOverlapUAVs))
 			{
-				Merged.back().Access |= State.Access;
-				Merged.back().LastPass = State.LastPass;
+				States.back().Access |= State.Access;
+				States.back().LastPass = State.LastPass;
 			}
 			else
 			{
-				Merged.push_back(State);
+				States.push_back(State);
 			}
 		}
-		return Merged;
 	}
 
 	/** A transition that every subresource makes alike is one of the whole resource. */
@@ -256,8 +284,14 @@ private:
 	const FRDGGraphDescription& Graph;
 	const std::vector<bool>& bCulled;
 	const FRDGTransitionOptions& Options;
-	std::vector<std::vector<FPassUse>> UsesByResource;
+	std::vector<FPassUse> Uses;   // of surviving passes, by resource
+	std::vector<size_t> FirstUse; // by resource, and the end
 	std::vector<FRDGTransition> Transitions;
+
+	// Of one resource or subresource at a time.
+	std::vector<FRDGTransition> OfResource;
+	std::vector<FState> OfPasses;
+	std::vector<FState> States;
 };
 
 } // namespace

@@ -37,6 +37,7 @@ public:
 	FRDGValidationResult Run()
 	{
 		std::vector<bool> bProduced;
+		bProduced.reserve(Graph.Resources.size());
 		for (const FRDGResourceDescription& Resource : Graph.Resources)
 		{
 			bProduced.push_back(Resource.bExternal || Resource.bUploaded);
@@ -169,7 +170,7 @@ private:
 		}
 		for (size_t Slot = 0; Slot < Pass.Targets.Colors.size(); ++Slot)
 		{
-			CheckColorTarget(Pass, Pass.Targets.Colors[Slot], "RenderTargets[" + std::to_string(Slot) + "]");
+			CheckColorTarget(Pass, Slot);
 		}
 		if (Pass.Targets.DepthStencil >= 0)
 		{
@@ -189,28 +190,33 @@ private:
 		}
 	}
 
-	void CheckColorTarget(const FRDGPassDescription& Pass, const FRDGTarget& Target, const std::string& Parameter)
+	void CheckColorTarget(const FRDGPassDescription& Pass, size_t Slot)
 	{
+		const FRDGTarget& Target = Pass.Targets.Colors[Slot];
+		const auto NameSlot = [Slot]
+		{
+			return "RenderTargets[" + std::to_string(Slot) + "]";
+		};
 		if (Target.Resource < 0)
 		{
 			Error(RDGErrorRenderTargets, Pass,
 				Target.ResolveResource >= 0 ? "a resolve target is bound without a render target"
 											: "render targets must be packed: this slot is empty, a later one is not",
-				Parameter);
+				NameSlot());
 			return;
 		}
 		if (!EnumHasAnyFlags(Graph.Resources[size_t(Target.Resource)].TextureFlags, TexCreate_RenderTargetable))
 		{
 			Ensure(RDGEnsureTargetFlags, Pass,
-				"the texture is bound as a render target but was created without TexCreate_RenderTargetable", Parameter,
-				GetName(Target.Resource));
+				"the texture is bound as a render target but was created without TexCreate_RenderTargetable",
+				NameSlot(), GetName(Target.Resource));
 		}
 		if (Target.ResolveResource >= 0 && Target.ResolveResource != Target.Resource &&
 			!EnumHasAnyFlags(Graph.Resources[size_t(Target.ResolveResource)].TextureFlags, TexCreate_ResolveTargetable))
 		{
 			Ensure(RDGEnsureTargetFlags, Pass,
 				"the texture is bound as a resolve target but was created without TexCreate_ResolveTargetable",
-				Parameter, GetName(Target.ResolveResource));
+				NameSlot(), GetName(Target.ResolveResource));
 		}
 	}
 

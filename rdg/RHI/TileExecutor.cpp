@@ -157,7 +157,8 @@ uint64 FScopedDenormals::GetControlWord()
 int32 GetNumThreads()
 {
 	const int32 Wanted = CVarDrydockThreads.GetValueOnAnyThread();
-	const int32 All = std::max(1, int32(std::thread::hardware_concurrency()));
+	// Counting them reads a file, and every dispatch asks.
+	static const int32 All = std::max(1, int32(std::thread::hardware_concurrency()));
 	return Wanted <= 0 ? All : std::min(Wanted, GMaxThreads);
 }
 

@@ -169,7 +169,11 @@ std::shared_ptr<const FShaderReflection> GetShaderReflection(const FShaderRef& S
 
 void WarmShaders(const std::vector<FShaderRef>& Shaders, int32 NumThreads)
 {
-	const size_t NumCores = std::max(1u, std::thread::hardware_concurrency());
+	if (Shaders.empty())
+	{
+		return;
+	}
+	static const size_t NumCores = std::max(1u, std::thread::hardware_concurrency()); // which reads a file
 	const size_t NumWorkers = std::min(Shaders.size(), NumThreads > 0 ? static_cast<size_t>(NumThreads) : NumCores);
 	std::atomic<size_t> Next = 0;
 	std::vector<std::vector<FDiagnostic>> Failures(Shaders.size());

@@ -6,8 +6,11 @@
 #include "GraphTestBuilder.h"
 #include "RenderGraphUtils.h"
 
+#include <algorithm>
+
 using namespace Drydock;
 using testing::HasSubstr;
+using testing::Not;
 
 namespace
 {
@@ -375,6 +378,45 @@ TEST(BuilderValidation, AnEnsurePrintsAndGoesOn)
 	testing::internal::CaptureStderr();
 	EXPECT_EQ("A", Graph.Run());
 	EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("never written"));
+}
+
+TEST(BuilderValidation, TenThousandEnsuresOfOneKindAreSixLines)
+{
+	FGraphTest Graph;
+	for (int Pass = 0; Pass < 10'000; ++Pass)
+	{
+		Graph.Pass("A").Reads("Never" + std::to_string(Pass)).Writes("X").Does([](FRHICommandListImmediate&) {});
+	}
+	Graph.Extract("X");
+	testing::internal::CaptureStderr();
+	Graph.Run();
+	const std::string Log = testing::internal::GetCapturedStderr();
+	EXPECT_THAT(Log, HasSubstr("Never4"));
+	EXPECT_THAT(Log, Not(HasSubstr("Never5")));
+	EXPECT_THAT(Log, HasSubstr("and 9995 more like it (DD2040)"));
+}
+
+TEST(BuilderValidation, TenThousandWrongPassesAreSixLinesAndAllThere)
+{
+	FGraphTest Graph;
+	auto* Parameters = Graph.Builder->AllocParameters<FGraphTestParameters>();
+	for (int Pass = 0; Pass < 10'000; ++Pass)
+	{
+		Graph.Builder->AddPass(
+			RDG_EVENT_NAME("Idle %d", Pass), Parameters, ERDGPassFlags::Compute, [](FRHICommandList&) {});
+	}
+	try
+	{
+		Graph.Run();
+		FAIL() << "no message";
+	}
+	catch (const FError& Error)
+	{
+		EXPECT_EQ(10'000u, Error.GetDiagnostics().size());
+		const std::string Text = Error.what();
+		EXPECT_EQ(5, std::count(Text.begin(), Text.end(), '\n'));
+		EXPECT_THAT(Text, HasSubstr("error DD1025: and 9995 more like it (DD2021)"));
+	}
 }
 
 TEST(BuilderValidation, SwitchedOffMistakesPass)
