@@ -10,6 +10,7 @@ namespace Drydock
 {
 
 constexpr int32 MaxFilterSamples = 128;
+constexpr int32 MaxFilterOffsets = MaxFilterSamples / 2; // two to a register
 
 /** Who gives the texels outside the filter's rect. */
 enum class ERectBorder : uint8
@@ -25,7 +26,7 @@ BEGIN_SHADER_PARAMETER_STRUCT(FFilterParameters, )
 	SHADER_PARAMETER_STRUCT(FScreenPassTextureInput, Filter)
 	SHADER_PARAMETER_STRUCT(FScreenPassTextureInput, Additive)
 	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Output)
-	SHADER_PARAMETER_ARRAY(FVector4f, SampleOffsets, [MaxFilterSamples / 2])
+	SHADER_PARAMETER_ARRAY(FVector4f, SampleOffsets, [MaxFilterOffsets])
 	SHADER_PARAMETER_ARRAY(FVector4f, SampleWeights, [MaxFilterSamples])
 	SHADER_PARAMETER(int32, SampleCount)
 	SHADER_PARAMETER(float, SampleSteps)

@@ -1,8 +1,6 @@
 // Writes diagnostics as text, and finds the nearest name to a misspelt one.
 #include "Diagnostics.h"
 
-#include "DiagnosticList.h"
-
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -24,16 +22,6 @@ const char* GetSeverityName(ESeverity Severity)
 	default:
 		return "error";
 	}
-}
-
-std::string JoinLines(const std::vector<FDiagnostic>& Diagnostics)
-{
-	std::string Text;
-	for (const FDiagnostic& Diagnostic : Diagnostics)
-	{
-		Text += (Text.empty() ? "" : "\n") + Diagnostic.ToString();
-	}
-	return Text;
 }
 
 std::string ToLowerCase(std::string Text)
@@ -125,20 +113,6 @@ std::string FDiagnostic::ToString() const
 	}
 	return Text + ": " + Message;
 }
-
-FError::FError(std::vector<FDiagnostic> InDiagnostics, EExitCode InExitCode)
-	: std::runtime_error(JoinLines(SummarizeDiagnostics(InDiagnostics)))
-	, Diagnostics(std::move(InDiagnostics))
-	, ExitCode(InExitCode)
-{
-}
-
-FError::FError(const FDiagnostic& Diagnostic, EExitCode InExitCode)
-	: FError(std::vector<FDiagnostic>{Diagnostic}, InExitCode)
-{
-}
-
-FError::~FError() = default;
 
 std::string FindNearestName(const std::string& Name, const std::vector<std::string>& Candidates)
 {

@@ -272,7 +272,7 @@ public:
 
 	// Drydock's own -------------------------------------------------------------------------------------------------
 
-	/** What Execute would do. Executes nothing; throws what Execute would throw. */
+	/** What Execute would do. Executes nothing; throws what Execute would throw. Not after Execute: DD2004. */
 	Drydock::FRDGCompiledGraph Compile();
 
 	/** Ends the graph without executing it. */

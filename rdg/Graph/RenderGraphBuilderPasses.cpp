@@ -287,6 +287,10 @@ FRDGCompiledGraph FRDGBuilder::Compile(FRDGGraphDescription Graph)
 
 FRDGCompiledGraph FRDGBuilder::Compile()
 {
+	if (State->Graph.Passes.empty())
+	{
+		Fail(RDGErrorAfterExecute, "Compile was called after Execute", "graph " + State->Graph.Name);
+	}
 	ResolveBufferSizes();
 	std::vector<FDiagnostic> Warnings = CheckGraph();
 	FRDGCompiledGraph Compiled = Compile(State->Graph);

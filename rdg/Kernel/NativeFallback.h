@@ -1,10 +1,15 @@
 // The way back from a hand-written kernel to the shader that it stands in for, where it cannot keep its promise.
 #pragma once
 
-#include "BoundShader.h"
+#include "DrydockAPI.h"
+
+#include <cstdint>
 
 namespace Drydock
 {
+
+class FNativeKernelArgs;
+struct FKernelTile;
 
 /** Runs the compiled .usf on a tile or a part of one. Args: those that the kernel was called with. */
 DRYDOCK_API void RunShader(const FNativeKernelArgs& Args, const FKernelTile& Tile);

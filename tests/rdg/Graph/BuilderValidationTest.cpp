@@ -79,6 +79,7 @@ TEST(BuilderValidation, NothingIsDeclaredAfterExecute)
 	EXPECT_EQ(RDGErrorAfterExecute, GetThrownCode([&] { Graph.Pass("A"); }));
 	EXPECT_EQ(RDGErrorAfterExecute, GetThrownCode([&] { Graph.Extract("X"); }));
 	EXPECT_EQ(RDGErrorAfterExecute, GetThrownCode([&] { Graph.Builder->CreateUAV(Graph.Textures["X"]); }));
+	EXPECT_EQ(RDGErrorAfterExecute, GetThrownCode([&] { Graph.Builder->Compile(); }));
 }
 
 TEST(BuilderValidation, AnExceptionThroughTheBuilderDoesNotTerminate)

@@ -1,0 +1,36 @@
+// What an error says that carries many messages.
+#include "DiagnosticList.h"
+
+namespace Drydock
+{
+
+namespace
+{
+
+std::string JoinLines(const std::vector<FDiagnostic>& Diagnostics)
+{
+	std::string Text;
+	for (const FDiagnostic& Diagnostic : Diagnostics)
+	{
+		Text += (Text.empty() ? "" : "\n") + Diagnostic.ToString();
+	}
+	return Text;
+}
+
+} // namespace
+
+FError::FError(std::vector<FDiagnostic> InDiagnostics, EExitCode InExitCode)
+	: std::runtime_error(JoinLines(SummarizeDiagnostics(InDiagnostics)))
+	, Diagnostics(std::move(InDiagnostics))
+	, ExitCode(InExitCode)
+{
+}
+
+FError::FError(const FDiagnostic& Diagnostic, EExitCode InExitCode)
+	: FError(std::vector<FDiagnostic>{Diagnostic}, InExitCode)
+{
+}
+
+FError::~FError() = default;
+
+} // namespace Drydock
