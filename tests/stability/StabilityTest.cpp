@@ -178,9 +178,10 @@ TEST(StabilityTable, HasARowForEveryHeaderOfPasses)
 	{
 		for (const auto& Entry : std::filesystem::directory_iterator(Passes / Room))
 		{
-			if (Entry.path().extension() == ".h")
+			const std::string Name = Entry.path().lexically_relative(Passes).string();
+			if (Name.ends_with(".h") && !Name.ends_with("Shaders.h")) // classes that passes and native kernels share
 			{
-				Headers.insert(Entry.path().lexically_relative(Passes).string());
+				Headers.insert(Name);
 			}
 		}
 	}
@@ -190,7 +191,7 @@ TEST(StabilityTable, HasARowForEveryHeaderOfPasses)
 			 "Exposure/ExposureMetering.h", "Exposure/PostProcessEyeAdaptationParameters.h", "Screen/BuiltinTextures.h",
 			 "Screen/DrawRegion.h", "Screen/LimitErrors.h", "Screen/RasterTarget.h", "Screen/SampleSteps.h",
 			 "Screen/ScreenShaderPass.h", "Screen/TextureAssets.h", "Tonemap/ColorGrading.h", "Tonemap/TonemapLens.h",
-			 "Tonemap/TonemapOutputDevice.h", "Toon/CharaGlowShaders.h"})
+			 "Tonemap/TonemapOutputDevice.h"})
 	{
 		EXPECT_EQ(1u, Headers.erase(Name)) << Name << " is no longer there";
 	}
