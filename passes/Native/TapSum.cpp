@@ -62,7 +62,7 @@ bool CanSum(const FTapSource& Source)
 
 void* GetTapMemory(int32_t Number, size_t Bytes)
 {
-	static thread_local FTapMemory Memories[8];
+	static thread_local FTapMemory Memories[16];
 	return Memories[Number].Get(Bytes);
 }
 

@@ -93,7 +93,7 @@ struct TTapSumLanes
 		int32_t ToTargetY);
 };
 
-/** The calling thread's memory of that number (below 8), at least so many bytes, aligned to 64; its contents are lost
+/** The calling thread's memory of that number (below 16), at least so many bytes, aligned to 64; its contents are lost
  * when it grows, and numbers otherwise. */
 void* GetTapMemory(int32_t Number, size_t Bytes);
 

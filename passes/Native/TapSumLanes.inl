@@ -284,34 +284,52 @@ private:
 	}
 };
 
+/** The channels of a pack of sums, finished. */
+template<int N>
+DRYDOCK_LANES_INLINE void FinishSums(
+	const FTapSum& Sum, int32_t Channels, int32_t Pitch, const float* Sums, TRaw<float, N> C[4])
+{
+	using FLanes = TReal<float, N>;
+	for (int32_t c = 0; c < 4; ++c)
+	{
+		FLanes Value = 0.0f;
+		if (c < Channels)
+		{
+			Value = FLanes(LoadRaw<TRaw<float, N>>(Sums + c * Pitch));
+			Value = Sum.Factor != 1.0f ? Value * FLanes(Sum.Factor) : Value;
+			Value = Sum.bNoNegatives && c < 3 ? Max(Value, FLanes(0.0f)) : Value;
+		}
+		C[c] = Value.V;
+	}
+}
+
 /** Width pixels of a row of sums, [channels][Pitch], finished and encoded. */
 template<int N>
 inline void StoreSums(const FTapSum& Sum, const FKernelTexture& Target, int32_t Channels, int32_t Width, int32_t Pitch,
 	const float* Sums, uint8_t* Place)
 {
-	using FLanes = TReal<float, N>;
 	const int32_t Bytes = GetTexelStorageInfo(Target.Storage).BytesPerTexel;
-	for (int32_t X = 0; X < Width; X += N)
+	const bool bSaturate = Target.bSaturateStore != 0;
+	int32_t X = 0;
+	if (!bSaturate)
 	{
-		alignas(64) float Values[4 * N] = {};
-		for (int32_t c = 0; c < Channels; ++c)
-		{
-			FLanes Value(LoadRaw<TRaw<float, N>>(Sums + c * Pitch + X));
-			Value = Sum.Factor != 1.0f ? Value * FLanes(Sum.Factor) : Value;
-			Value = Sum.bNoNegatives && c < 3 ? Max(Value, FLanes(0.0f)) : Value;
-			StoreRaw(Values + c * N, Value.V);
-		}
-		const bool bSaturate = Target.bSaturateStore != 0;
-		if (Width - X >= N)
-		{
-			StoreTexels<float, N>(Target.Storage, bSaturate, Place + int64_t(X) * Bytes, Values);
-		}
-		else
-		{
-			alignas(64) uint8_t Row[N * 16];
-			StoreTexels<float, N>(Target.Storage, bSaturate, Row, Values);
-			__builtin_memcpy(Place + int64_t(X) * Bytes, Row, size_t(Width - X) * size_t(Bytes));
-		}
+		VisitPictureFormat(Target.Storage,
+			[&](auto Format)
+			{
+				for (; X + N <= Width; X += N)
+				{
+					TRaw<float, N> C[4];
+					FinishSums<N>(Sum, Channels, Pitch, Sums + X, C);
+					StoreTexelsOf<decltype(Format), float, N>(Place + int64_t(X) * Format.Bytes, C);
+				}
+				return true;
+			});
+	}
+	for (; X < Width; X += N)
+	{
+		TRaw<float, N> C[4];
+		FinishSums<N>(Sum, Channels, Pitch, Sums + X, C);
+		StorePack<N>(Target, Place + int64_t(X) * Bytes, Width - X, C);
 	}
 }
 
@@ -321,7 +339,7 @@ inline int32_t ChooseChunk(const FSourcePlan& Plan, int32_t Channels, int32_t Ti
 	constexpr int64_t CacheBytes = 48 << 10;
 	constexpr int32_t Narrowest = 64;
 	const int64_t Step = Plan.Step == 0 ? 256 : Plan.Step;
-	const int64_t BytesAPixel = int64_t(Plan.NumRows) * Channels * 4 * Step / 256 + 1;
+	const int64_t BytesAPixel = int64_t(Plan.LiveRows) * Channels * 4 * Step / 256 + 1;
 	const int64_t Fits = CacheBytes / BytesAPixel / Narrowest * Narrowest;
 	return Fits >= TileWidth ? TileWidth : Fits < Narrowest ? Narrowest : int32_t(Fits);
 }
@@ -367,29 +385,35 @@ inline bool SumTile(
 	float* const Sums = static_cast<float*>(GetTapMemory(SumsMemory, (size_t(Height) + 3) * RowFloats * sizeof(float)));
 	float* const Other = Sums + size_t(Height) * RowFloats;
 	float* const Scratch = Other + RowFloats;
+	const FKernelMip& Mip = Target.Mips[0];
+	const int32_t Bytes = GetTexelStorageInfo(Target.Storage).BytesPerTexel;
 	for (int32_t First = 0; First < Width; First += Chunk)
 	{
 		const int32_t ChunkWidth = Width - First < Chunk ? Width - First : Chunk;
+		const auto Store = [&](int32_t Row, const float* RowSums)
+		{
+			uint8_t* const Place = Mip.Data + int64_t(Tile.MinY + Row + ToTargetY) * Mip.RowPitch +
+								   int64_t(Tile.MinX + First + ToTargetX) * Bytes;
+			StoreSums<N>(Sum, Target, Channels, ChunkWidth, Pitch, RowSums, Place);
+		};
 		for (int32_t Index = 0; Index < Sum.NumSources; ++Index)
 		{
 			TSourceChunk<N> SourceChunk(Plans[Index], Channels, First, ChunkWidth, Pitch);
+			const bool bLast = Index + 1 == Sum.NumSources;
 			for (int32_t Row = 0; Row < Height; ++Row)
 			{
-				float* const RowSums = Sums + size_t(Row) * RowFloats;
+				// What the next source is added to has to be kept.
+				float* const RowSums = Sums + (Sum.NumSources == 1 ? 0 : size_t(Row) * RowFloats);
 				SourceChunk.SumOneRow(Row, Index == 0 ? RowSums : Other, Scratch);
 				for (size_t X = 0; X < RowFloats && Index > 0; X += N)
 				{
 					StoreRaw(RowSums + X, LoadRaw<TRaw<float, N>>(RowSums + X) + LoadRaw<TRaw<float, N>>(Other + X));
 				}
+				if (bLast)
+				{
+					Store(Row, RowSums);
+				}
 			}
-		}
-		const FKernelMip& Mip = Target.Mips[0];
-		const int32_t Bytes = GetTexelStorageInfo(Target.Storage).BytesPerTexel;
-		for (int32_t Row = 0; Row < Height; ++Row)
-		{
-			uint8_t* const Place = Mip.Data + int64_t(Tile.MinY + Row + ToTargetY) * Mip.RowPitch +
-								   int64_t(Tile.MinX + First + ToTargetX) * Bytes;
-			StoreSums<N>(Sum, Target, Channels, ChunkWidth, Pitch, Sums + size_t(Row) * RowFloats, Place);
 		}
 	}
 	return true;

@@ -21,6 +21,9 @@ enum ETapMemory : int32_t
 	TapRowsMemory,
 	SumsMemory,
 	FlagsMemory,
+	TableMemory,
+	TexelRowsMemories, // and the next two: of what is open besides the first rows
+	FlagsMemories = TexelRowsMemories + 2,
 };
 
 /** The texel below a place and the weight of the next one. */
@@ -51,6 +54,7 @@ struct FSourcePlan
 	int32_t Step; // of all taps
 	int32_t FirstRow;
 	int32_t NumRows;
+	int32_t LiveRows; // that one row of pixels reads, the ones between included
 };
 
 DRYDOCK_LANES_INLINE int32_t RoundUpTo(int32_t X, int32_t Multiple)
@@ -184,6 +188,25 @@ inline bool PlanRows(const FTapSource& Source, const FTapAxis& Axis, const FKern
 	return true;
 }
 
+/** The rows that a row of pixels reads: the most of any, the ones between included. */
+inline int32_t CountLiveRows(const FTapPlan* Taps, int32_t NumTaps, int32_t Height)
+{
+	int32_t Live = 0;
+	for (int32_t Row = 0; Row < Height; ++Row)
+	{
+		int32_t Lowest = 1 << 30;
+		int32_t Highest = -(1 << 30);
+		for (int32_t Index = 0; Index < NumTaps; ++Index)
+		{
+			const int32_t Below = TexelBelow(Taps[Index].Rows[Row]);
+			Lowest = Below < Lowest ? Below : Lowest;
+			Highest = Below > Highest ? Below : Highest;
+		}
+		Live = Highest + 2 - Lowest > Live ? Highest + 2 - Lowest : Live;
+	}
+	return Live;
+}
+
 /** Ints: 2 * (width + height) for each tap, whole packs. False where the shader has to do it. */
 template<int N>
 inline bool PlanSource(
@@ -231,7 +254,8 @@ inline bool PlanSource(
 			Highest = Below > Highest ? Below : Highest;
 		}
 	}
-	Out = {&Source, Taps, Taps[0].Step, Lowest, Highest + 2 - Lowest};
+	const int32_t LiveRows = CountLiveRows(Taps, Source.NumTaps, Tile.MaxY - Tile.MinY);
+	Out = {&Source, Taps, Taps[0].Step, Lowest, Highest + 2 - Lowest, LiveRows};
 	for (int32_t Index = 0; Index < Source.NumTaps; ++Index)
 	{
 		Out.Step = Taps[Index].Step == Out.Step ? Out.Step : 0;

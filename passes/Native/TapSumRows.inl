@@ -47,26 +47,51 @@ DRYDOCK_LANES_INLINE void LoadRowTexels(FFormat Format, const uint8_t* P, int32_
 	}
 }
 
-/** Rows of one source for the columns of a chunk, decoded when they are first asked for. With texels two to a pixel, a
- *  channel is its even texels, then, Stride / 2 later, its odd ones. */
+/** The first Count, at most N, texels of a pack to a row of the target. */
+template<int N>
+DRYDOCK_LANES_INLINE void StorePack(
+	const FKernelTexture& Target, uint8_t* Place, int32_t Count, const TRaw<float, N> C[4])
+{
+	alignas(64) float Values[4 * N];
+	for (int c = 0; c < 4; ++c)
+	{
+		StoreRaw(Values + c * N, C[c]);
+	}
+	const bool bSaturate = Target.bSaturateStore != 0;
+	if (Count >= N)
+	{
+		StoreTexels<float, N>(Target.Storage, bSaturate, Place, Values);
+		return;
+	}
+	alignas(64) uint8_t Row[N * 16];
+	StoreTexels<float, N>(Target.Storage, bSaturate, Row, Values);
+	__builtin_memcpy(Place, Row, size_t(Count) * size_t(GetTexelStorageInfo(Target.Storage).BytesPerTexel));
+}
+
+/** Rows of one source for the columns of a chunk, decoded when they are first asked for; as many as are live at a time
+ *  are kept. With texels two to a pixel, a channel is its even texels, then, Stride / 2 later, its odd ones. */
 template<int N>
 struct TTexelRows
 {
 	using FFloat = TRaw<float, N>;
 
-	const FTapSource& Source;
-	const FKernelMip& Mip;
+	FTapSource Source;
+	FKernelMip Mip;
 	int32_t Channels;
 	bool bSplit;
 	int32_t FirstColumn;
 	int32_t NumColumns;
 	int32_t FirstRow;
-	int32_t NumRows;
+	int32_t NumSlots;
 	int32_t Stride; // floats of a channel
 	float* Texels;
-	uint8_t* bDecoded;
+	int32_t* SlotRows; // what the slots hold, counted from the first row; -1: nothing
 
-	TTexelRows(const FSourcePlan& Plan, int32_t InChannels, int32_t InFirstColumn, int32_t InNumColumns)
+	TTexelRows() = default;
+
+	/** Number: below 3, another for each of those that are open at a time. */
+	TTexelRows(
+		const FSourcePlan& Plan, int32_t InChannels, int32_t InFirstColumn, int32_t InNumColumns, int32_t Number = 0)
 		: Source(*Plan.Source)
 		, Mip(Plan.Source->Texture->Mips[0])
 		, Channels(InChannels)
@@ -74,15 +99,17 @@ struct TTexelRows
 		, FirstColumn(InFirstColumn)
 		, NumColumns(InNumColumns)
 		, FirstRow(Plan.FirstRow)
-		, NumRows(Plan.NumRows)
+		, NumSlots(Plan.LiveRows)
 	{
 		// Whole groups are read from the last columns on.
 		constexpr int32_t Beside = (GTapGroup + 1) * N;
 		Stride = bSplit ? 2 * (RoundUpTo((NumColumns + 1) / 2, N) + Beside) : RoundUpTo(NumColumns, N) + Beside;
 		// One row more than there are, to decode what is split after it.
-		Texels = static_cast<float*>(GetTapMemory(TexelRowsMemory, size_t(NumRows + 1) * RowFloats() * sizeof(float)));
-		bDecoded = static_cast<uint8_t*>(GetTapMemory(FlagsMemory, size_t(NumRows)));
-		__builtin_memset(bDecoded, 0, size_t(NumRows));
+		Texels = static_cast<float*>(GetTapMemory(Number == 0 ? TexelRowsMemory : TexelRowsMemories + Number - 1,
+			size_t(NumSlots + 1) * RowFloats() * sizeof(float)));
+		SlotRows = static_cast<int32_t*>(
+			GetTapMemory(Number == 0 ? FlagsMemory : FlagsMemories + Number - 1, size_t(NumSlots) * sizeof(int32_t)));
+		__builtin_memset(SlotRows, -1, size_t(NumSlots) * sizeof(int32_t));
 	}
 
 	size_t RowFloats() const { return size_t(Channels) * size_t(Stride); }
@@ -91,11 +118,12 @@ struct TTexelRows
 	const float* Get(int32_t Row)
 	{
 		const int32_t Index = Row - FirstRow;
-		float* const Out = Texels + size_t(Index) * RowFloats();
-		if (!bDecoded[Index])
+		const int32_t Slot = Index % NumSlots;
+		float* const Out = Texels + size_t(Slot) * RowFloats();
+		if (SlotRows[Slot] != Index)
 		{
-			bDecoded[Index] = 1;
-			float* const Whole = bSplit ? Texels + size_t(NumRows) * RowFloats() : Out;
+			SlotRows[Slot] = Index;
+			float* const Whole = bSplit ? Texels + size_t(NumSlots) * RowFloats() : Out;
 			Decode(Row, Whole);
 			if (bSplit)
 			{

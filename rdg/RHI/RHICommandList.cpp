@@ -22,6 +22,19 @@ using Drydock::FKernelTile;
 constexpr int32 GTileSizeX = 256;
 constexpr int32 GTileSizeY = 16;
 
+/** Rows of a tile. Native kernels decode rows beside their tile: they take taller ones where each thread still has its
+ * share of the tiles. */
+int32 ChooseTileRows(const Drydock::FBoundShader& Shader, const FKernelTile& Whole)
+{
+	constexpr int32 Tall = 4 * GTileSizeY;
+	constexpr int64 TilesPerThread = 4;
+	const int64 Columns = FMath::DivideAndRoundUp(Whole.MaxX - Whole.MinX, GTileSizeX);
+	const int64 Rows = FMath::DivideAndRoundUp(Whole.MaxY - Whole.MinY, Tall);
+	const bool bTall =
+		Shader.Native && (Drydock::GetNumThreads() == 1 || Columns * Rows >= TilesPerThread * Drydock::GetNumThreads());
+	return bTall ? Tall : GTileSizeY;
+}
+
 int32 RoundUp(int32 Value, int32 Multiple)
 {
 	return (Value + Multiple - 1) / Multiple * Multiple;
@@ -153,7 +166,8 @@ void FRHIComputeCommandList::DispatchComputeShader(
 		return;
 	}
 	// Whole groups per tile: threads of one group share a tile.
-	const FIntVector TileSize(RoundUp(GTileSizeX, GroupSize[0]), RoundUp(GTileSizeY, GroupSize[1]), GroupSize[2]);
+	const FIntVector TileSize(
+		RoundUp(GTileSizeX, GroupSize[0]), RoundUp(ChooseTileRows(BoundCompute, Whole), GroupSize[1]), GroupSize[2]);
 	RunTiles(BoundCompute, BoundCompute.GetArgs(), Whole, TileSize);
 	Counters.BytesWritten += GetBytesBoundForWriting(BoundCompute, NumThreads);
 }
@@ -421,7 +435,7 @@ void FRHICommandList::DrawRect(
 	}
 	for (uint32 Instance = 0; Instance < NumInstances; ++Instance)
 	{
-		RunTiles(BoundPixel, Args, Whole, FIntVector(GTileSizeX, GTileSizeY, 1));
+		RunTiles(BoundPixel, Args, Whole, FIntVector(GTileSizeX, ChooseTileRows(BoundPixel, Whole), 1));
 		for (const Drydock::FKernelTarget& Target : Targets)
 		{
 			if (Target.WriteMask)
