@@ -1,122 +1,17 @@
 // The native kernels of blurs and downsamples against the shaders that they stand for: the same stored bits for drawn
 // pictures, sizes, rects, formats, parameters, lane widths, and pictures full of hazards; and that they do the work.
-#include "PassTestUtils.h"
+#include "NativeTestUtils.h"
 
 #include "Blur/DualKawaseBlurPass.h"
 #include "Blur/PostProcessWeightedSampleSum.h"
 #include "NativeFallback.h"
 #include "Screen/PostProcessDownsample.h"
 
-#include <cstring>
-#include <functional>
-#include <random>
-
 using namespace Drydock;
 using namespace PassTest;
 
 namespace
 {
-
-bool IsSame(double A, double B)
-{
-	return (std::isnan(A) && std::isnan(B)) || std::memcmp(&A, &B, sizeof(A)) == 0;
-}
-
-/** The first texel that differs in a bit; NaN equals NaN. */
-std::string Compare(const FImage& Expected, const FImage& Actual)
-{
-	for (int Y = 0; Y < Expected.Height; ++Y)
-	{
-		for (int X = 0; X < Expected.Width; ++X)
-		{
-			for (int Channel = 0; Channel < 4; ++Channel)
-			{
-				const double A = Expected.At(X, Y)[size_t(Channel)];
-				const double B = Actual.At(X, Y)[size_t(Channel)];
-				if (!IsSame(A, B))
-				{
-					char Text[160];
-					std::snprintf(Text, sizeof(Text), "(%d, %d) channel %d of %dx%d: shader %a, native %a", X, Y,
-						Channel, Expected.Width, Expected.Height, A, B);
-					return Text;
-				}
-			}
-		}
-	}
-	return {};
-}
-
-/** By the shader and, at every lane width, by the native kernel. */
-void ExpectSameBits(const std::function<FImage()>& Run, const std::string& What)
-{
-	FImage Expected;
-	{
-		const FScopedConsoleVariable Switch(TEXT("r.Drydock.NativeKernels"), 0);
-		Expected = Run();
-	}
-	for (const int Lanes : {0, 4, 8})
-	{
-		const FScopedConsoleVariable Width(TEXT("r.Drydock.LaneWidth"), static_cast<float>(Lanes));
-		EXPECT_EQ("", Compare(Expected, Run())) << What << ", " << Lanes << " lanes";
-	}
-}
-
-/** Values of all kinds and both signs; bHazards: one in sixteen is NaN, infinite, -0, a denormal or very large. */
-FImage Draw(std::mt19937& Random, int Width, int Height, bool bHazards)
-{
-	const double Hazards[] = {NaN, Infinity, -Infinity, -0.0, 0.0, 65504, -65504, 1e-40, 6e-8, 3e38, -3e38};
-	std::uniform_real_distribution<double> Value(-1.0, 4.0);
-	std::uniform_int_distribution<size_t> Kind(0, 16 * std::size(Hazards) - 1);
-	return FImage::Make(Width, Height,
-		[&](int, int)
-		{
-			FTexel Texel;
-			for (double& Channel : Texel)
-			{
-				const size_t Hazard = Kind(Random);
-				Channel = bHazards && Hazard < std::size(Hazards) ? Hazards[Hazard] : Value(Random);
-			}
-			return Texel;
-		});
-}
-
-/** A picture that fills a texture or lies somewhere in one. */
-struct FPlace
-{
-	FImage Image;
-	FRect Rect;
-	FIntPoint Extent;
-	EPixelFormat Format;
-};
-
-FPlace DrawPlace(std::mt19937& Random)
-{
-	const auto Pick = [&Random](int Low, int High)
-	{
-		return std::uniform_int_distribution<int>(Low, High)(Random);
-	};
-	// One in three is wider than a tile.
-	const int Width = Pick(0, 2) == 0 ? Pick(257, 600) : Pick(1, 90);
-	const int Height = Pick(1, 60);
-	const FIntPoint Min = Pick(0, 1) == 0 ? FIntPoint(0, 0) : FIntPoint(Pick(0, 40), Pick(0, 40));
-	const int Padding = Pick(0, 2) == 0 ? Pick(1, 40) : 0;
-	const EPixelFormat Formats[] = {
-		PF_A32B32G32R32F, PF_FloatRGBA, PF_FloatR11G11B10, PF_B8G8R8A8, PF_R16F, PF_G16R16, PF_R32_FLOAT};
-	FPlace Place;
-	Place.Image = Draw(Random, Width, Height, Pick(0, 2) == 0);
-	Place.Rect = {Min.X, Min.Y, Min.X + Width, Min.Y + Height};
-	Place.Extent = FIntPoint(Place.Rect.MaxX + Padding, Place.Rect.MaxY + Padding);
-	Place.Format = Formats[Pick(0, static_cast<int>(std::size(Formats)) - 1)];
-	return Place;
-}
-
-std::string Describe(const FPlace& Place)
-{
-	char Text[160];
-	std::snprintf(Text, sizeof(Text), "%dx%d at (%d, %d) of %dx%d, format %d", Place.Rect.Width(), Place.Rect.Height(),
-		Place.Rect.MinX, Place.Rect.MinY, Place.Extent.X, Place.Extent.Y, static_cast<int>(Place.Format));
-	return Text;
-}
 
 struct FGaussian
 {

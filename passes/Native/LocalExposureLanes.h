@@ -1,0 +1,26 @@
+// Local exposure as the native kernels of the passes that apply it take it: PostProcessLocalExposureCommon.ush.
+#pragma once
+
+#include "Native/SampledTexture.h"
+
+namespace Drydock
+{
+
+struct FLocalExposureJob
+{
+	FSampledTexture Blurred;
+	/** x the sum of log2 luminance, y the weight; RG32F. */
+	const FKernelTexture* Grid = nullptr;
+	float GridScale[2] = {};
+	float ContrastAndThreshold[4] = {};
+	float DetailStrength = 1.0f;
+	float BlurredLuminanceBlend = 0.0f;
+	float MiddleGreyExposureCompensation = 1.0f;
+	float HistogramScale = 0.0f;
+	float HistogramBias = 0.0f;
+	float LuminanceMin = 0.0f;
+	float OneOverPreExposure = 1.0f;
+	float EyeAdaptation[4] = {};
+};
+
+} // namespace Drydock
