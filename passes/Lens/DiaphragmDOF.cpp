@@ -1,7 +1,7 @@
 // The passes of depth of field. Source: engine file PostProcess/DiaphragmDOF.cpp (order of passes).
 #include "Lens/DiaphragmDOF.h"
 
-#include "GlobalShader.h"
+#include "Lens/DiaphragmDOFShaders.h"
 #include "Math/ToInteger.h"
 #include "PixelShaderUtils.h"
 #include "RHIStaticStates.h"
@@ -9,88 +9,29 @@
 #include "RenderGraphUtils.h"
 #include "SceneRendering.h"
 #include "Screen/RasterTarget.h"
-#include "ShaderParameterStruct.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-namespace
+namespace Drydock
 {
-
-constexpr int32 GTileSize = 16; // pixels of half size
-constexpr int32 GMaxRings = 8;
-constexpr int32 GReachSteps = 128; // per spacing of the samples
-
-BEGIN_SHADER_PARAMETER_STRUCT(FDOFParameters, )
-	SHADER_PARAMETER_STRUCT_REF(FViewUniformShaderParameters, View)
-	SHADER_PARAMETER_STRUCT_INCLUDE(FSceneTextureShaderParameters, SceneTextures)
-	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Color)
-	SHADER_PARAMETER(FIntPoint, HalfSize)
-	SHADER_PARAMETER(FIntPoint, TileCount)
-	SHADER_PARAMETER(int32, TileReach)
-	SHADER_PARAMETER(int32, BokehSampleCount)
-	SHADER_PARAMETER(FVector4f, CocModel)  // focus distance, radius at infinity, least, largest
-	SHADER_PARAMETER(FVector4f, DepthBlur) // radius, 1 / half depth
-	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, ColorTexture)
-	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, SetupTexture)
-	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, TileTexture)
-	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, BackgroundTexture)
-	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, ForegroundTexture)
-	SHADER_PARAMETER_SAMPLER(SamplerState, LayerSampler)
-	SHADER_PARAMETER_RDG_BUFFER_SRV(StructuredBuffer<float4>, BokehSamples)
-	SHADER_PARAMETER_RDG_BUFFER_SRV(StructuredBuffer<float>, ReachSums)
-	RENDER_TARGET_BINDING_SLOTS()
-END_SHADER_PARAMETER_STRUCT()
-
-class FDOFSetupPS : public FGlobalShader
-{
-public:
-	DECLARE_GLOBAL_SHADER(FDOFSetupPS);
-	SHADER_USE_PARAMETER_STRUCT(FDOFSetupPS, FGlobalShader);
-	using FParameters = FDOFParameters;
-};
-
-class FDOFTileMaxPS : public FGlobalShader
-{
-public:
-	DECLARE_GLOBAL_SHADER(FDOFTileMaxPS);
-	SHADER_USE_PARAMETER_STRUCT(FDOFTileMaxPS, FGlobalShader);
-	using FParameters = FDOFParameters;
-};
-
-class FDOFNeighborMaxPS : public FGlobalShader
-{
-public:
-	DECLARE_GLOBAL_SHADER(FDOFNeighborMaxPS);
-	SHADER_USE_PARAMETER_STRUCT(FDOFNeighborMaxPS, FGlobalShader);
-	using FParameters = FDOFParameters;
-};
-
-class FDOFGatherPS : public FGlobalShader
-{
-public:
-	DECLARE_GLOBAL_SHADER(FDOFGatherPS);
-	SHADER_USE_PARAMETER_STRUCT(FDOFGatherPS, FGlobalShader);
-
-	class FForegroundDimension : SHADER_PERMUTATION_BOOL("DIM_FOREGROUND");
-	using FPermutationDomain = TShaderPermutationDomain<FForegroundDimension>;
-	using FParameters = FDOFParameters;
-};
-
-class FDOFRecombinePS : public FGlobalShader
-{
-public:
-	DECLARE_GLOBAL_SHADER(FDOFRecombinePS);
-	SHADER_USE_PARAMETER_STRUCT(FDOFRecombinePS, FGlobalShader);
-	using FParameters = FDOFParameters;
-};
 
 IMPLEMENT_GLOBAL_SHADER(FDOFSetupPS, "/Engine/Private/DiaphragmDOF.usf", "SetupPS", SF_Pixel);
 IMPLEMENT_GLOBAL_SHADER(FDOFTileMaxPS, "/Engine/Private/DiaphragmDOF.usf", "TileMaxPS", SF_Pixel);
 IMPLEMENT_GLOBAL_SHADER(FDOFNeighborMaxPS, "/Engine/Private/DiaphragmDOF.usf", "NeighborMaxPS", SF_Pixel);
 IMPLEMENT_GLOBAL_SHADER(FDOFGatherPS, "/Engine/Private/DiaphragmDOF.usf", "GatherPS", SF_Pixel);
 IMPLEMENT_GLOBAL_SHADER(FDOFRecombinePS, "/Engine/Private/DiaphragmDOF.usf", "RecombinePS", SF_Pixel);
+
+} // namespace Drydock
+
+namespace
+{
+
+using namespace Drydock;
+
+constexpr int32 GMaxRings = 8;
+constexpr int32 GReachSteps = 128; // per spacing of the samples
 
 /** The places around a pixel that a gather looks at, and what it needs to weigh them. */
 struct FBokehSamples
@@ -152,7 +93,7 @@ public:
 		, Model(InModel)
 		, Bokeh(InBokeh)
 		, HalfSize(FIntPoint::DivideAndRoundUp(InSceneColor.ViewRect.Size(), 2))
-		, TileCount(FIntPoint::DivideAndRoundUp(HalfSize, GTileSize))
+		, TileCount(FIntPoint::DivideAndRoundUp(HalfSize, GDOFTileSize))
 	{
 	}
 
@@ -224,7 +165,7 @@ private:
 		const float Largest = FMath::Max3(Model.MaxForegroundRadius, Model.MaxBackgroundRadius, Model.DepthBlurRadius);
 		// To the farthest corner, and half the width of the edge.
 		const double Reach = (0.5 * Largest * (1.0 + 0.5 / GMaxRings) + 1.0) * Bokeh.CocRadiusToCircumscribedRadius;
-		Parameters->TileReach = Drydock::ToCount(std::ceil(Reach / GTileSize), 0, TileCount.GetMax() - 1);
+		Parameters->TileReach = Drydock::ToCount(std::ceil(Reach / GDOFTileSize), 0, TileCount.GetMax() - 1);
 		Parameters->CocModel =
 			FVector4f(Model.FocusDistance, Model.InfinityRadius, -Model.MaxForegroundRadius, Model.MaxBackgroundRadius);
 		Parameters->DepthBlur = FVector4f(Model.DepthBlurRadius, 1.0f / Model.DepthBlurHalfDepth, 0.0f, 0.0f);

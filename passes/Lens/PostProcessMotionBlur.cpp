@@ -1,7 +1,7 @@
 // The passes of motion blur. Source: engine file PostProcess/PostProcessMotionBlur.cpp (passes).
 #include "Lens/PostProcessMotionBlur.h"
 
-#include "GlobalShader.h"
+#include "Lens/MotionBlurShaders.h"
 #include "Math/ToInteger.h"
 #include "PixelShaderUtils.h"
 #include "RenderGraphBuilder.h"
@@ -9,66 +9,9 @@
 #include "SceneRendering.h"
 #include "Screen/LimitErrors.h"
 #include "Screen/RasterTarget.h"
-#include "ShaderParameterStruct.h"
 
-namespace
+namespace Drydock
 {
-
-TAutoConsoleVariable<int32> CVarMotionBlurQuality(TEXT("r.MotionBlurQuality"), 4,
-	TEXT("Most samples along the movement. 0: motion blur off. 1: 8. 2: 16. 3: 32. 4: 64 (default)."),
-	ECVF_Scalability | ECVF_RenderThreadSafe);
-
-/** Pixels on a side of a tile; as in the engine. */
-constexpr int32 GTileSize = 16;
-
-BEGIN_SHADER_PARAMETER_STRUCT(FMotionBlurParameters, )
-	SHADER_PARAMETER_STRUCT_REF(FViewUniformShaderParameters, View)
-	SHADER_PARAMETER_STRUCT_INCLUDE(FSceneTextureShaderParameters, SceneTextures)
-	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Color)
-	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Output)
-	SHADER_PARAMETER(FIntPoint, FlatSize)
-	SHADER_PARAMETER(FIntPoint, TileCount)
-	SHADER_PARAMETER(int32, TileReach)
-	SHADER_PARAMETER(int32, MaxSamples)
-	SHADER_PARAMETER(float, VelocityScale)
-	SHADER_PARAMETER(float, MaxLength)
-	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, ColorTexture)
-	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, FlatTexture)
-	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, TileTexture)
-	RENDER_TARGET_BINDING_SLOTS()
-END_SHADER_PARAMETER_STRUCT()
-
-class FMotionBlurVelocityFlattenPS : public FGlobalShader
-{
-public:
-	DECLARE_GLOBAL_SHADER(FMotionBlurVelocityFlattenPS);
-	SHADER_USE_PARAMETER_STRUCT(FMotionBlurVelocityFlattenPS, FGlobalShader);
-	using FParameters = FMotionBlurParameters;
-};
-
-class FMotionBlurVelocityTileMaxPS : public FGlobalShader
-{
-public:
-	DECLARE_GLOBAL_SHADER(FMotionBlurVelocityTileMaxPS);
-	SHADER_USE_PARAMETER_STRUCT(FMotionBlurVelocityTileMaxPS, FGlobalShader);
-	using FParameters = FMotionBlurParameters;
-};
-
-class FMotionBlurVelocityNeighborMaxPS : public FGlobalShader
-{
-public:
-	DECLARE_GLOBAL_SHADER(FMotionBlurVelocityNeighborMaxPS);
-	SHADER_USE_PARAMETER_STRUCT(FMotionBlurVelocityNeighborMaxPS, FGlobalShader);
-	using FParameters = FMotionBlurParameters;
-};
-
-class FMotionBlurFilterPS : public FGlobalShader
-{
-public:
-	DECLARE_GLOBAL_SHADER(FMotionBlurFilterPS);
-	SHADER_USE_PARAMETER_STRUCT(FMotionBlurFilterPS, FGlobalShader);
-	using FParameters = FMotionBlurParameters;
-};
 
 IMPLEMENT_GLOBAL_SHADER(
 	FMotionBlurVelocityFlattenPS, "/Engine/Private/PostProcessMotionBlur.usf", "VelocityFlattenPS", SF_Pixel);
@@ -77,6 +20,17 @@ IMPLEMENT_GLOBAL_SHADER(
 IMPLEMENT_GLOBAL_SHADER(
 	FMotionBlurVelocityNeighborMaxPS, "/Engine/Private/PostProcessMotionBlur.usf", "VelocityNeighborMaxPS", SF_Pixel);
 IMPLEMENT_GLOBAL_SHADER(FMotionBlurFilterPS, "/Engine/Private/PostProcessMotionBlur.usf", "FilterPS", SF_Pixel);
+
+} // namespace Drydock
+
+namespace
+{
+
+using namespace Drydock;
+
+TAutoConsoleVariable<int32> CVarMotionBlurQuality(TEXT("r.MotionBlurQuality"), 4,
+	TEXT("Most samples along the movement. 0: motion blur off. 1: 8. 2: 16. 3: 32. 4: 64 (default)."),
+	ECVF_Scalability | ECVF_RenderThreadSafe);
 
 int32 GetMaxSamples(EMotionBlurQuality Quality)
 {
@@ -92,7 +46,7 @@ public:
 		, View(InView)
 		, Inputs(InInputs)
 		, Size(InInputs.SceneColor.ViewRect.Size())
-		, TileCount(FIntPoint::DivideAndRoundUp(Size, GTileSize))
+		, TileCount(FIntPoint::DivideAndRoundUp(Size, GMotionBlurTileSize))
 	{
 	}
 
@@ -153,7 +107,7 @@ private:
 		Parameters->TileCount = TileCount;
 		// A blur reaches half its length to either side; beyond the farthest tile there is none.
 		Parameters->TileReach =
-			Drydock::ToCount(std::ceil(0.5f * Inputs.MaxLength / GTileSize), 0, TileCount.GetMax() - 1);
+			Drydock::ToCount(std::ceil(0.5f * Inputs.MaxLength / GMotionBlurTileSize), 0, TileCount.GetMax() - 1);
 		Parameters->MaxSamples = GetMaxSamples(Inputs.Quality);
 		Parameters->VelocityScale = Inputs.VelocityScale;
 		Parameters->MaxLength = Inputs.MaxLength;
