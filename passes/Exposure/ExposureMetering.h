@@ -4,18 +4,39 @@
 
 #include "Math/ToInteger.h"
 #include "RHITexture.h"
+#include "TexelRows.h"
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace Drydock
 {
 
-/** Mean of a texel's channels as stored; may be negative, infinite or NaN. */
-inline double ReadMeanColor(FRHITexture& Texture, int32 X, int32 Y)
+/** Means of the channels of Count texels of a row, as stored; may be negative, infinite or NaN. The texture has memory.
+ * Row: what is decoded on the way, kept from call to call. */
+inline void ReadMeanColors(
+	FRHITexture& Texture, int32 X, int32 Y, int32 Count, std::vector<float>& Row, std::vector<double>& OutMeans)
 {
-	const FVector4 Color = Texture.ReadTexelDouble(X, Y);
-	return (Color.X + Color.Y + Color.Z) / 3.0;
+	OutMeans.resize(static_cast<size_t>(Count));
+	const FTexelStorageInfo& Info = GetTexelStorageInfo(Texture.GetStorage());
+	if (Info.Kind == ETexelKind::Uint || Info.BitsPerChannel > 32)
+	{
+		for (int32 i = 0; i < Count; ++i)
+		{
+			const FVector4 Color = Texture.ReadTexelDouble(X + i, Y);
+			OutMeans[static_cast<size_t>(i)] = (Color.X + Color.Y + Color.Z) / 3.0;
+		}
+		return;
+	}
+	Row.resize(static_cast<size_t>(Count) * 3);
+	DecodeTexelRow(Texture.GetStorage(), Texture.GetTexel(X, Y, 0, 0), Count, 3, Row.data());
+	for (size_t i = 0; i < OutMeans.size(); ++i)
+	{
+		OutMeans[i] = (static_cast<double>(Row[3 * i]) + static_cast<double>(Row[3 * i + 1]) +
+						  static_cast<double>(Row[3 * i + 2])) /
+					  3.0;
+	}
 }
 
 /** log2 of what a mean that is not NaN counts as: CalculateEyeAdaptationLuminance. */

@@ -50,11 +50,14 @@ double SampleMask(FRHITexture& Mask, double U, double V)
 void CountStrip(
 	FRHITexture& Input, FRHITexture* Mask, const FHistogramWork& Work, int32 MinY, int32 MaxY, FBuckets& Buckets)
 {
+	std::vector<float> Row;
+	std::vector<double> Means;
 	for (int32 Y = MinY; Y < MaxY; ++Y)
 	{
+		Drydock::ReadMeanColors(Input, Work.Rect.Min.X, Work.Rect.Min.Y + Y, Work.Rect.Width(), Row, Means);
 		for (int32 X = 0; X < Work.Rect.Width(); ++X)
 		{
-			const double Mean = Drydock::ReadMeanColor(Input, Work.Rect.Min.X + X, Work.Rect.Min.Y + Y);
+			const double Mean = Means[static_cast<size_t>(X)];
 			if (std::isnan(Mean))
 			{
 				continue;

@@ -18,6 +18,7 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace
 {
@@ -70,11 +71,13 @@ void FillCell(FRHITexture& Input, FRHITexture& Grid, const FBilateralGridWork& W
 	const int32 MinY = Work.Rect.Min.Y + CellY * GBilateralGridCellSize;
 	const int32 MaxX = FMath::Min(MinX + GBilateralGridCellSize, Work.Rect.Max.X);
 	const int32 MaxY = FMath::Min(MinY + GBilateralGridCellSize, Work.Rect.Max.Y);
+	std::vector<float> Row;
+	std::vector<double> Means;
 	for (int32 Y = MinY; Y < MaxY; ++Y)
 	{
-		for (int32 X = MinX; X < MaxX; ++X)
+		Drydock::ReadMeanColors(Input, MinX, Y, MaxX - MinX, Row, Means);
+		for (const double Mean : Means)
 		{
-			const double Mean = Drydock::ReadMeanColor(Input, X, Y);
 			if (!std::isfinite(Mean))
 			{
 				continue;
