@@ -2,6 +2,7 @@
 #include "TextureTransfer.h"
 
 #include "PixelFormatConversion.h"
+#include "TileExecutor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,14 +32,26 @@ void CopyMipSlice(FRHITexture* Source, FRHITexture* Dest, FIntVector From, int32
 	// Far corners first: a copy beyond either texture touches nothing.
 	Source->GetTexel(From.X + Size.X - 1, From.Y + Size.Y - 1, SourceMip, From.Z + Size.Z - 1);
 	Dest->GetTexel(To.X + Size.X - 1, To.Y + Size.Y - 1, DestMip, To.Z + Size.Z - 1);
-	for (int32 Z = 0; Z < Size.Z; ++Z)
+	const auto CopyRows = [&](const FKernelTile& Rows)
 	{
-		for (int32 Y = 0; Y < Size.Y; ++Y)
+		for (int32 Z = Rows.MinZ; Z < Rows.MaxZ; ++Z)
 		{
-			std::memmove(Dest->GetTexel(To.X, To.Y + Y, DestMip, To.Z + Z),
-				Source->GetTexel(From.X, From.Y + Y, SourceMip, From.Z + Z), RowBytes);
+			for (int32 Y = Rows.MinY; Y < Rows.MaxY; ++Y)
+			{
+				std::memmove(Dest->GetTexel(To.X, To.Y + Y, DestMip, To.Z + Z),
+					Source->GetTexel(From.X, From.Y + Y, SourceMip, From.Z + Z), RowBytes);
+			}
 		}
+	};
+	const FKernelTile Whole = {0, 0, 0, 1, Size.Y, Size.Z};
+	// Within one texture rows may overlap: then their order counts.
+	constexpr int32 RowsPerTile = 64;
+	if (Source == Dest || Size.Y <= RowsPerTile)
+	{
+		CopyRows(Whole);
+		return;
 	}
+	ForEachTile(Whole, FIntVector(1, RowsPerTile, 1), CopyRows);
 }
 
 /** The range of all channels, never narrower than 0..1. NaN does not count. */
