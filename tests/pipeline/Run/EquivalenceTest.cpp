@@ -31,6 +31,7 @@ const std::vector<FEquivalence> GEquivalences = {
 	{"SevenThreads", {"r.Drydock.Threads=7"}},
 	{"FourLanes", {"r.Drydock.LaneWidth=4"}},
 	{"EightLanes", {"r.Drydock.LaneWidth=8"}},
+	{"ShadersOnly", {"r.Drydock.NativeKernels=0"}},
 	{"NoTransientHeap", {"r.RDG.TransientAllocator=0"}},
 	{"NoAliasing", {"r.RDG.Debug.ExtendResourceLifetimes=1"}},
 	{"NoSkip", {}, true},
