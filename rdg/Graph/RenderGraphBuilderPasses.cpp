@@ -311,16 +311,16 @@ void FRDGBuilder::Execute()
 	// Nothing is added any more: the descriptions move into the compiled graph. The name stays for messages.
 	FRDGGraphDescription Graph = MoveTemp(State->Graph);
 	State->Graph.Name = Graph.Name;
-	FRDGCompiledGraph Compiled = Compile(MoveTemp(Graph));
-	Compiled.Warnings = MoveTemp(Warnings);
+	State->Compiled = std::make_unique<FRDGCompiledGraph>(Compile(MoveTemp(Graph)));
+	State->Compiled->Warnings = MoveTemp(Warnings);
 	FRDGExecutor Executor(*State, RHICmdList);
 	if (State->Settings.bImmediateMode)
 	{
-		Executor.FinishImmediate(Compiled);
+		Executor.FinishImmediate(*State->Compiled);
 	}
 	else
 	{
-		Executor.RunGraph(Compiled);
+		Executor.RunGraph(*State->Compiled);
 	}
 	for (const FDiagnostic& Remark : State->Remarks)
 	{

@@ -26,7 +26,8 @@ class DRYDOCK_API IRDGObserver
 public:
 	virtual ~IRDGObserver();
 
-	/** Before anything is executed. Immediate mode: at the end, when all passes are known. */
+	/** Before anything is executed. Immediate mode: at the end, when all passes are known. An executed graph's stays
+	 * until its builder goes. */
 	virtual void OnGraphCompiled(const FRDGCompiledGraph&) {}
 
 	/** Registered textures that surviving passes use, before the first of these passes. Their RHI textures have no

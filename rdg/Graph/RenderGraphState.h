@@ -54,6 +54,9 @@ struct FRDGBuilderState
 	FRDGSettings Settings;
 	IRDGObserver* Observer = nullptr;
 	FRDGGraphDescription Graph; // grows with each call; Passes[0] is the prologue, the epilogue comes with compiling
+	/** Takes the description over when it is executed. Kept until the builder goes: freeing what ten thousand passes
+	 * have left all over memory is not part of running them. */
+	std::unique_ptr<FRDGCompiledGraph> Compiled;
 
 	// Declared in this order because destruction runs backwards: passes and their captures go first.
 	FRDGAllocator Allocator;

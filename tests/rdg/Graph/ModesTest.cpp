@@ -340,6 +340,26 @@ TEST(Observer, SeesTheGraphTheLoadsAndEachPass)
 	EXPECT_FALSE(Observer.bHadMemory);
 }
 
+/** The sanitizer knows when it does not. */
+TEST(Observer, MayReadTheCompiledGraphUntilTheBuilderGoes)
+{
+	class FKeepingObserver final : public FNotingObserver
+	{
+	public:
+		void OnGraphCompiled(const FRDGCompiledGraph& Graph) override { Kept = &Graph; }
+		const FRDGCompiledGraph* Kept = nullptr;
+	};
+	FKeepingObserver Observer;
+	FGraphTest Graph;
+	Graph.Builder->SetObserver(&Observer);
+	Graph.Pass("A").Writes("X").Value(1);
+	Graph.Extract("X");
+	Graph.Run();
+	ASSERT_NE(nullptr, Observer.Kept);
+	ASSERT_EQ(3u, Observer.Kept->Passes.size());
+	EXPECT_EQ("A", Observer.Kept->Passes[1].Name);
+}
+
 TEST(Observer, IsNotAskedOnceTheGraphHasRun)
 {
 	class FAskedObserver final : public FNotingObserver
