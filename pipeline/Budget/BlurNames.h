@@ -13,7 +13,7 @@ struct FBlurAlgorithm
 {
 	std::string Name;           // "DualKawase"
 	std::string Doc;            // one sentence
-	bool bGraph = true;         // shaders in the render graph; else plain code in double
+	bool bGraph = true;         // shaders in the render graph; else plain code
 	double SmallestSigma = 0.5; // pixels; what it can be matched to
 	double LargestSigma = 1000.0;
 };

@@ -327,19 +327,31 @@ FBlurRun RunFFT(const FImage& Image, double Sigma)
 
 // Plain code --------------------------------------------------------------------------------------------------------
 
+/** Turning doubles into the blur's own numbers and back is not part of it, as it is not of the graph's. */
 FBlurRun RunNative(const FImage& Image, const std::string& Name, double Sigma)
 {
-	const auto Begin = std::chrono::steady_clock::now();
 	FBlurRun Run;
-	Run.Image = Name == "Boxes"       ? BlurBoxes(Image, Sigma)
-				: Name == "Recursive" ? BlurRecursive(Image, Sigma)
-									  : BlurExact(Image, Sigma);
-	Run.Milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Begin).count();
-	const FNativeBlurCost Cost = Name == "Boxes"       ? GetBoxesCost()
-								 : Name == "Recursive" ? GetRecursiveCost()
-													   : GetExactCost(Sigma);
+	const auto Time = [&Run](auto Blur)
+	{
+		const auto Begin = std::chrono::steady_clock::now();
+		Blur();
+		Run.Milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Begin).count();
+	};
+	const bool bExact = Name == "Exact";
+	if (bExact)
+	{
+		Time([&] { Run.Image = BlurExact(Image, Sigma); });
+	}
+	else
+	{
+		FFloatImage Picture = ToFloatImage(Image);
+		Time([&] { Name == "Boxes" ? BlurBoxes(Picture, Sigma) : BlurRecursive(Picture, Sigma); });
+		Run.Image = ToImage(Picture);
+	}
+	const FNativeBlurCost Cost = bExact ? GetExactCost(Sigma) : Name == "Boxes" ? GetBoxesCost() : GetRecursiveCost();
 	Run.TapsPerPixel = Cost.Taps;
-	Run.BytesPerPixel = Cost.TexelsMoved * static_cast<double>(sizeof(double)) * Image.NumChannels;
+	Run.BytesPerPixel =
+		Cost.TexelsMoved * static_cast<double>(bExact ? sizeof(double) : sizeof(float)) * Image.NumChannels;
 	Run.NumPasses = 2;
 	return Run;
 }

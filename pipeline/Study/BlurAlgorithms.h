@@ -1,5 +1,5 @@
 // All ways to blur an image by a standard deviation of s pixels, behind one interface, each with what it costs. Those
-// of shaders run through the render graph, as in a frame; the others are plain code in double and say so. Widths are
+// of shaders run through the render graph, as in a frame; the others are plain code and say so. Widths are
 // matched by measurement: the second moment of the impulse response. Each names its source where it is.
 #pragma once
 
@@ -12,7 +12,7 @@
 namespace Drydock
 {
 
-/** How the graph's algorithms compute and store; plain code does both in 64 bit. */
+/** How the graph's algorithms compute and store; plain code in float32, but Exact in double. */
 struct FBlurArithmetic
 {
 	/** float32, float16, R11G11B10 or 8bit: format of all textures, the input's too. */

@@ -1,13 +1,16 @@
-// Computes blurs line by line in double. The header names their papers.
+// Computes blurs line by line: the exact one in double, the others in float lanes. The header names their papers.
 #include "Study/BlurNative.h"
 
+#include "LanesDispatch.h"
 #include "Math/ToInteger.h"
+#include "ShaderCompilation.h"
+#include "Study/BlurLanes.h"
 #include "TileExecutor.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
+#include <memory>
 #include <vector>
 
 namespace Drydock
@@ -146,185 +149,131 @@ void Convolve(const FLines& In, FLines& Out, const std::vector<double>& Weights,
 	}
 }
 
-// Boxes -------------------------------------------------------------------------------------------------------------
+// In lanes ----------------------------------------------------------------------------------------------------------
 
-struct FExtendedBox
+using FBlurOfLines = TFunctionRef<void(const FBlurLines& Lines, float* Scratch)>;
+
+/** The calling thread's memory, kept: fresh pages for every tile would cost as much as the blur. */
+float* GetScratch(size_t NumFloats)
 {
-	int Radius = 0;
-	double EndWeight = 0.0; // of the texels at Radius + 1; 0..1
-};
+	constexpr size_t Alignment = 64;
+	static thread_local std::vector<float> Memory;
+	Memory.resize(std::max(Memory.size(), NumFloats + Alignment / sizeof(float)));
+	void* Begin = Memory.data();
+	size_t Space = Memory.size() * sizeof(float);
+	return static_cast<float*>(std::align(Alignment, NumFloats * sizeof(float), Begin, Space));
+}
+
+/** Rows, then columns, in tiles of as many lines as there are lanes. */
+void BlurAxes(FFloatImage& Image, int32 LinesAtOnce, FBlurOfLines Blur)
+{
+	const size_t RowStep = static_cast<size_t>(Image.Width) * 4;
+	for (const bool bRows : {true, false})
+	{
+		const int32 NumLines = bRows ? Image.Height : Image.Width;
+		ForEachTile(
+			FKernelTile{0, 0, 0, NumLines, 1, 1}, FIntPoint(LinesAtOnce, 1),
+			[&](const FKernelTile& Tile)
+			{
+				FBlurLines Lines;
+				Lines.TexelStep = bRows ? 4 : RowStep;
+				Lines.LineStep = bRows ? RowStep : 4;
+				Lines.Data = Image.Values.data() + static_cast<size_t>(Tile.MinX) * Lines.LineStep;
+				Lines.Length = bRows ? Image.Width : Image.Height;
+				Lines.NumLines = Tile.MaxX - Tile.MinX;
+				Blur(Lines, GetScratch(GetBlurScratchFloats(Lines.Length)));
+			},
+			EDenormals::Flush);
+	}
+}
+
+/** Calls Blur with the lanes of the run: TBlurLanes of 4, 8 or 16. */
+template<typename F>
+void WithLanes(F Blur)
+{
+	const int32 Wanted = GetShaderLaneConfig().Lanes;
+	const int32 Widest = GetWidestLanes(false);
+	switch (Wanted > 0 ? std::min(Wanted, Widest) : Widest)
+	{
+	case 16:
+		return Blur(TBlurLanes<16>());
+	case 8:
+		return Blur(TBlurLanes<8>());
+	default:
+		return Blur(TBlurLanes<4>());
+	}
+}
 
 /** r whole texels to each side and the next ones by a fraction a have the variance
  * (r (r + 1) (2 r + 1) / 3 + 2 a (r + 1)^2) / (2 r + 1 + 2 a). */
-FExtendedBox MakeBox(double Variance)
+FBlurBox MakeBox(double Variance)
 {
-	FExtendedBox Box;
-	while ((Box.Radius + 1.0) * (Box.Radius + 2.0) / 3.0 <= Variance)
+	FBlurBox Box;
+	while (Box.Radius < LargestReach && (Box.Radius + 1.0) * (Box.Radius + 2.0) / 3.0 <= Variance)
 	{
 		++Box.Radius;
 	}
 	const double R = Box.Radius;
-	Box.EndWeight = (2.0 * R + 1.0) * (Variance - R * (R + 1.0) / 3.0) / (2.0 * ((R + 1.0) * (R + 1.0) - Variance));
+	const double EndWeight =
+		(2.0 * R + 1.0) * (Variance - R * (R + 1.0) / 3.0) / (2.0 * ((R + 1.0) * (R + 1.0) - Variance));
+	Box.EndWeight = static_cast<float>(EndWeight);
+	Box.Scale = static_cast<float>(1.0 / (2.0 * R + 1.0 + 2.0 * EndWeight));
 	return Box;
 }
 
-void AverageOnce(const FLines& In, FLines& Out, const FExtendedBox& Box)
+/** The filter in double, to find out what it does beyond a line's end. */
+struct FRecursionState
 {
-	const auto Texel = [&](int Index)
-	{
-		return In.At(std::clamp(Index, 0, In.Length - 1));
-	};
-	const double Scale = 1.0 / (2.0 * Box.Radius + 1.0 + 2.0 * Box.EndWeight);
-	std::vector<double> Window(static_cast<size_t>(In.NumLines), 0.0);
-	for (int Index = -Box.Radius; Index <= Box.Radius; ++Index)
-	{
-		const double* Values = Texel(Index);
-		for (size_t Line = 0; Line < Window.size(); ++Line)
-		{
-			Window[Line] += Values[Line];
-		}
-	}
-	for (int Index = 0; Index < In.Length; ++Index)
-	{
-		const double* Before = Texel(Index - Box.Radius - 1);
-		const double* Leaving = Texel(Index - Box.Radius);
-		const double* After = Texel(Index + Box.Radius + 1);
-		double* Result = Out.At(Index);
-		for (size_t Line = 0; Line < Window.size(); ++Line)
-		{
-			Result[Line] = (Window[Line] + Box.EndWeight * (Before[Line] + After[Line])) * Scale;
-			Window[Line] += After[Line] - Leaving[Line];
-		}
-	}
-}
+	double Real = 0.0;
+	double Pair = 0.0;
+	double Step = 0.0;
 
-// Recursive ---------------------------------------------------------------------------------------------------------
-
-/** y[n] = Gain x[n] + B1 y[n-1] + B2 y[n-2] + B3 y[n-3], then the same backwards. */
-struct FRecursion
-{
-	double Gain = 1.0;
-	std::array<double, 3> B = {};
-	/** State of the backward pass beyond the end, from that of the forward pass at the end, both as differences from
-	 * the constant that lies there. */
-	std::array<std::array<double, 3>, 3> Turn = {};
+	double Filter(const FBlurRecursion& Recursion, double X)
+	{
+		Real += Recursion.First * (X - Real);
+		Step += Recursion.Second * (Real - Pair) - Recursion.Damping * Step;
+		Pair += Step;
+		return Pair;
+	}
 };
 
 /** The state beyond the end is linear in the state at the end: run the filter far enough past it from three states. */
-void FindTurn(FRecursion& Filter, double Sigma)
+void FindTurn(FBlurRecursion& Recursion, double Sigma)
 {
-	const size_t Steps = static_cast<size_t>(ToCount(60.0 * Sigma, 0, LargestReach)) + 60;
-	for (size_t Unit = 0; Unit < 3; ++Unit)
+	std::vector<double> Beyond(static_cast<size_t>(ToCount(60.0 * Sigma, 0, LargestReach)) + 60);
+	for (int Unit = 0; Unit < 3; ++Unit)
 	{
-		std::vector<double> Forward(Steps + 3, 0.0); // [2] is the last texel of the line
-		Forward[2 - Unit] = 1.0;
-		for (size_t Index = 3; Index < Forward.size(); ++Index)
+		FRecursionState There{Unit == 0 ? 1.0 : 0.0, Unit == 1 ? 1.0 : 0.0, Unit == 2 ? 1.0 : 0.0};
+		for (double& Value : Beyond)
 		{
-			Forward[Index] =
-				Filter.B[0] * Forward[Index - 1] + Filter.B[1] * Forward[Index - 2] + Filter.B[2] * Forward[Index - 3];
+			Value = There.Filter(Recursion, 0.0);
 		}
-		std::vector<double> Backward(Forward.size() + 3, 0.0);
-		for (size_t Index = Forward.size(); Index-- > 3;)
-		{
-			Backward[Index] = Filter.Gain * Forward[Index] + Filter.B[0] * Backward[Index + 1] +
-							  Filter.B[1] * Backward[Index + 2] + Filter.B[2] * Backward[Index + 3];
-		}
-		for (size_t Beyond = 0; Beyond < 3; ++Beyond)
-		{
-			Filter.Turn[Beyond][Unit] = Backward[3 + Beyond];
-		}
+		FRecursionState Back;
+		std::for_each(Beyond.rbegin(), Beyond.rend(), [&](double Value) { Back.Filter(Recursion, Value); });
+		Recursion.Turn[0][Unit] = static_cast<float>(Back.Real);
+		Recursion.Turn[1][Unit] = static_cast<float>(Back.Pair);
+		Recursion.Turn[2][Unit] = static_cast<float>(Back.Step);
 	}
 }
 
-/** Poles p = q / (m + q) for the three m of the paper. One direction's variance is the sum of q (q + m) / m^2, so both
- * give 2 (q^2 Re sum 1/m^2 + q Re sum 1/m): the wanted variance leads to q. */
-FRecursion MakeRecursion(double Sigma)
+/** Poles p = q / (m + q) for the three m of the paper, so 1 - p = m / (m + q), which does not cancel for wide blurs.
+ * One direction's variance is the sum of q (q + m) / m^2, so both give 2 (q^2 Re sum 1/m^2 + q Re sum 1/m): the wanted
+ * variance leads to q. */
+FBlurRecursion MakeRecursion(double Sigma)
 {
-	const std::complex<double> M[3] = {{1.16680, 0.0}, {1.10783, 1.40586}, {1.10783, -1.40586}};
-	std::complex<double> InverseSum = 0.0;
-	std::complex<double> InverseSquareSum = 0.0;
-	for (const std::complex<double>& Root : M)
-	{
-		InverseSum += 1.0 / Root;
-		InverseSquareSum += 1.0 / (Root * Root);
-	}
-	const double A = InverseSquareSum.real();
-	const double Half = InverseSum.real() / 2.0;
+	constexpr double Real = 1.16680;
+	constexpr std::complex<double> Pair(1.10783, 1.40586);
+	const double A = 1.0 / (Real * Real) + 2.0 * (1.0 / (Pair * Pair)).real();
+	const double Half = (1.0 / Real + 2.0 * (1.0 / Pair).real()) / 2.0;
 	const double Q = (std::sqrt(Half * Half + A * Sigma * Sigma / 2.0) - Half) / A;
-	const std::complex<double> P[3] = {Q / (M[0] + Q), Q / (M[1] + Q), Q / (M[2] + Q)};
-	FRecursion Filter;
-	Filter.B[0] = (P[0] + P[1] + P[2]).real();
-	Filter.B[1] = -(P[0] * P[1] + P[0] * P[2] + P[1] * P[2]).real();
-	Filter.B[2] = (P[0] * P[1] * P[2]).real();
-	// As a product, not as 1 - B1 - B2 - B3, which cancels for wide blurs.
-	Filter.Gain = ((1.0 - P[0]) * (1.0 - P[1]) * (1.0 - P[2])).real();
-	FindTurn(Filter, Sigma);
-	return Filter;
-}
-
-void RecurseStep(const FRecursion& Filter, int NumLines, double* Result, const double* Input, const double* Y1,
-	const double* Y2, const double* Y3)
-{
-	for (int Line = 0; Line < NumLines; ++Line)
-	{
-		Result[Line] =
-			Filter.Gain * Input[Line] + Filter.B[0] * Y1[Line] + Filter.B[1] * Y2[Line] + Filter.B[2] * Y3[Line];
-	}
-}
-
-/** In differences from the first texel, so that what lies before the line is zero. */
-void Recurse(const FLines& In, FLines& Out, const FRecursion& Filter)
-{
-	const int NumLines = In.NumLines;
-	const double* First = In.At(0);
-	const double* Last = In.At(In.Length - 1);
-	const std::vector<double> Zero(static_cast<size_t>(NumLines), 0.0);
-	FLines Forward = In;
-	for (int Index = 0; Index < In.Length; ++Index)
-	{
-		double* Texel = Forward.At(Index);
-		for (int Line = 0; Line < NumLines; ++Line)
-		{
-			Texel[Line] -= First[Line];
-		}
-		const auto Earlier = [&](int Back) -> const double*
-		{
-			return Index >= Back ? Forward.At(Index - Back) : Zero.data();
-		};
-		RecurseStep(Filter, NumLines, Texel, Texel, Earlier(1), Earlier(2), Earlier(3));
-	}
-	std::array<std::vector<double>, 3> Beyond;
-	for (size_t Place = 0; Place < Beyond.size(); ++Place)
-	{
-		Beyond[Place].assign(static_cast<size_t>(NumLines), 0.0);
-		for (int Line = 0; Line < NumLines; ++Line)
-		{
-			double& State = Beyond[Place][static_cast<size_t>(Line)];
-			State = Last[Line] - First[Line];
-			for (int Unit = 0; Unit < 3; ++Unit)
-			{
-				const double AtEnd = Unit < In.Length ? Forward.At(In.Length - 1 - Unit)[Line] : 0.0;
-				State += Filter.Turn[Place][static_cast<size_t>(Unit)] * (AtEnd + First[Line] - Last[Line]);
-			}
-		}
-	}
-	for (int Index = In.Length; Index-- > 0;)
-	{
-		const auto Later = [&](int Ahead) -> const double*
-		{
-			return Index + Ahead < In.Length ? Out.At(Index + Ahead)
-											 : Beyond[static_cast<size_t>(Index + Ahead - In.Length)].data();
-		};
-		RecurseStep(Filter, NumLines, Out.At(Index), Forward.At(Index), Later(1), Later(2), Later(3));
-	}
-	for (int Index = 0; Index < In.Length; ++Index)
-	{
-		double* Texel = Out.At(Index);
-		for (int Line = 0; Line < NumLines; ++Line)
-		{
-			Texel[Line] += First[Line];
-		}
-	}
+	const std::complex<double> P = Q / (Pair + Q);
+	FBlurRecursion Recursion;
+	Recursion.First = static_cast<float>(Real / (Real + Q));
+	Recursion.Second = static_cast<float>(std::norm(Pair / (Pair + Q)));
+	// 1 - |p|^2 is (|m + q|^2 - q^2) / |m + q|^2.
+	Recursion.Damping = static_cast<float>((std::norm(Pair) + 2.0 * Q * Pair.real()) / std::norm(Pair + Q));
+	FindTurn(Recursion, Sigma);
+	return Recursion;
 }
 
 } // namespace
@@ -346,32 +295,51 @@ FImage BlurExact(const FImage& Image, double StandardDeviation)
 	return FilterBoth(Image, [&](const FLines& In, FLines& Out) { Convolve(In, Out, Weights, Tails); });
 }
 
-FImage BlurBoxes(const FImage& Image, double StandardDeviation)
+FFloatImage ToFloatImage(const FImage& Image)
+{
+	check(Image.NumChannels == 4);
+	FFloatImage Result{Image.Width, Image.Height, {}};
+	Result.Values.reserve(Image.Values.size());
+	for (const double Value : Image.Values)
+	{
+		Result.Values.push_back(static_cast<float>(Value));
+	}
+	return Result;
+}
+
+FImage ToImage(const FFloatImage& Image)
+{
+	return {Image.Width, Image.Height, 4, std::vector<double>(Image.Values.begin(), Image.Values.end())};
+}
+
+void BlurBoxes(FFloatImage& Image, double StandardDeviation)
 {
 	if (!(StandardDeviation > 0.0) || Image.Values.empty())
 	{
-		return Image;
+		return;
 	}
-	const FExtendedBox Box = MakeBox(StandardDeviation * StandardDeviation / 3.0);
-	return FilterBoth(Image,
-		[&](const FLines& In, FLines& Out)
+	const FBlurBox Box = MakeBox(StandardDeviation * StandardDeviation / 3.0);
+	WithLanes(
+		[&](auto Lanes)
 		{
-			FLines Middle = In;
-			AverageOnce(In, Out, Box);
-			AverageOnce(Out, Middle, Box);
-			AverageOnce(Middle, Out, Box);
+			BlurAxes(Image, Lanes.NumLines,
+				[&](const FBlurLines& Lines, float* Scratch) { Lanes.AverageThrice(Lines, Box, Scratch); });
 		});
 }
 
-FImage BlurRecursive(const FImage& Image, double StandardDeviation)
+void BlurRecursive(FFloatImage& Image, double StandardDeviation)
 {
 	if (!(StandardDeviation > 0.0) || Image.Values.empty())
 	{
-		return Image;
+		return;
 	}
-	const double Sigma = std::max(StandardDeviation, 0.5);
-	const FRecursion Filter = MakeRecursion(Sigma);
-	return FilterBoth(Image, [&](const FLines& In, FLines& Out) { Recurse(In, Out, Filter); });
+	const FBlurRecursion Recursion = MakeRecursion(std::max(StandardDeviation, 0.5));
+	WithLanes(
+		[&](auto Lanes)
+		{
+			BlurAxes(Image, Lanes.NumLines,
+				[&](const FBlurLines& Lines, float* Scratch) { Lanes.Recurse(Lines, Recursion, Scratch); });
+		});
 }
 
 FNativeBlurCost GetExactCost(double StandardDeviation)

@@ -98,56 +98,6 @@ TEST(BlurExact, SpreadsAStepAsTheErrorFunctionDoes)
 	EXPECT_NEAR(1.0, Blurred.Get(300, 0, 0), 1e-14);
 }
 
-TEST(BlurBoxes, OfOneThirdOfAVarianceIsThatWide)
-{
-	// sigma^2 = 3 * 2/3: three averages of three texels: [1 3 6 7 6 3 1] / 27.
-	const FImage Impulse = MakeImage(21, 1, [](int X, int, int) { return X == 10 ? 27.0 : 0.0; });
-	const FImage Blurred = BlurBoxes(Impulse, std::sqrt(2.0));
-	const double Expected[] = {7, 6, 3, 1, 0};
-	for (int Distance = 0; Distance < 5; ++Distance)
-	{
-		EXPECT_NEAR(Expected[Distance], Blurred.Get(10 + Distance, 0, 0), 1e-12);
-		EXPECT_NEAR(Expected[Distance], Blurred.Get(10 - Distance, 0, 0), 1e-12);
-	}
-}
-
-TEST(BlurRecursive, EndOfTheLineIsAsIfTheEdgeWentOn)
-{
-	// The same line with its edges repeated far enough.
-	const FImage Short = MakeNoise(24, 1);
-	FImage Long{24 + 400, 1, 4, {}};
-	for (int X = 0; X < Long.Width; ++X)
-	{
-		for (int Channel = 0; Channel < 4; ++Channel)
-		{
-			Long.Values.push_back(Short.Get(std::clamp(X - 200, 0, 23), 0, Channel));
-		}
-	}
-	const FImage BlurredShort = BlurRecursive(Short, 5.0);
-	const FImage BlurredLong = BlurRecursive(Long, 5.0);
-	for (int X = 0; X < 24; ++X)
-	{
-		EXPECT_NEAR(BlurredLong.Get(X + 200, 0, 2), BlurredShort.Get(X, 0, 2), 1e-12) << X;
-	}
-}
-
-TEST(BlurRecursive, VeryWideOneKeepsAConstant)
-{
-	const FImage Constant = MakeImage(60, 40, [](int, int, int) { return 3.0; });
-	const FImage Blurred = BlurRecursive(Constant, 500.0);
-	EXPECT_LE(CompareImages(Blurred, Constant).Max, 1e-7);
-}
-
-TEST(BlurRecursive, ShortLinesWork)
-{
-	for (int Width = 1; Width <= 3; ++Width)
-	{
-		const FImage Blurred = BlurRecursive(MakeNoise(Width, 1), 2.0);
-		EXPECT_TRUE(std::all_of(
-			Blurred.Values.begin(), Blurred.Values.end(), [](double Value) { return Value >= 0.0 && Value <= 1.0; }));
-	}
-}
-
 INSTANTIATE_TEST_SUITE_P(
 	All, BlurAlgorithm, testing::ValuesIn(GetNames()), [](const auto& Info) { return Info.param; });
 
