@@ -1,12 +1,18 @@
-// What a 1920x1080 frame with default bloom and tonemap costs, pass by pass, in units of a plain copy of its scene
-// colour (RGBA16F, one thread) made in the same process. Frames and copies alternate; medians of 7.
+// What frames of 1920x1080 cost, pass by pass, in units of a plain copy of their scene colour (RGBA16F, one thread)
+// made in the same process: default bloom and tonemap on all threads, and configs/frame_full.json, which has everything
+// on, on one. Frames and copies alternate; medians of 7. Prints tables in Markdown.
+//
+//     bench_frame [SCENE.exr]
 #include "Run/Run.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstring>
-#include <map>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
 #include <vector>
 
 namespace
@@ -27,23 +33,24 @@ double TimeCopy(const std::vector<unsigned char>& Source, std::vector<unsigned c
 	return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Start).count();
 }
 
-} // namespace
-
-int main(int ArgumentCount, char** Arguments)
+/** The config with its scene replaced. */
+std::string ReadConfig(const std::string& File, const std::string& Scene)
 {
-	const std::string Scene =
-		ArgumentCount > 1 ? Arguments[1] : DRYDOCK_BENCH_SOURCE_DIR "/configs/scenes/toon_character_1080p.exr";
-	Drydock::FRunOptions Options;
-	Options.ConfigFile = "bench.json";
-	Options.ConfigText = "{ \"scene\": { \"file\": \"" + Scene + "\" } }";
+	std::ifstream Stream(File);
+	std::string Text{std::istreambuf_iterator<char>(Stream), std::istreambuf_iterator<char>()};
+	const size_t Key = Text.find("\"file\": \"");
+	const size_t Begin = Text.find('"', Key + 8) + 1;
+	return Text.replace(Begin, Text.find('"', Begin) - Begin, Scene);
+}
 
+void PrintFrame(const char* Name, const Drydock::FRunOptions& Options)
+{
 	const std::vector<unsigned char> Source(size_t(1920) * 1080 * 8, 1);
 	std::vector<unsigned char> Dest(Source.size(), 2);
 	std::vector<double> CopyMs;
 	std::vector<double> FrameMs;
-	std::vector<std::vector<double>> PassMs;
 	Drydock::FRunResult Result = Drydock::RunConfig(Options);
-	PassMs.resize(Result.Passes.size());
+	std::vector<std::vector<double>> PassMs(Result.Passes.size());
 	TimeCopy(Source, Dest);
 	for (int Repetition = 0; Repetition < GRepetitions; ++Repetition)
 	{
@@ -59,16 +66,31 @@ int main(int ArgumentCount, char** Arguments)
 	}
 
 	const double Copy = Median(CopyMs);
-	std::printf("%dx%d, %d threads, %s, medians of %d\n", Result.SceneExtent.X, Result.SceneExtent.Y, Result.Threads,
-		Result.Precision.c_str(), GRepetitions);
-	std::printf("%9s %9s  pass\n", "ms", "copies");
+	std::printf("\n| %s, %dx%d, %d threads, medians of %d | ms | copies |\n|---|--:|--:|\n", Name, Result.SceneExtent.X,
+		Result.SceneExtent.Y, Result.Threads, GRepetitions);
 	for (size_t Pass = 0; Pass < Result.Passes.size(); ++Pass)
 	{
 		const double Ms = Median(PassMs[Pass]);
-		std::printf("%9.3f %9.2f  %s\n", Ms, Ms / Copy,
-			Result.Graph.Passes[static_cast<size_t>(Result.Passes[Pass].Index)].Name.c_str());
+		std::printf("| %s | %.3f | %.2f |\n",
+			Result.Graph.Passes[static_cast<size_t>(Result.Passes[Pass].Index)].Name.c_str(), Ms, Ms / Copy);
 	}
-	std::printf("%9.3f %9.2f  all passes\n", Median(FrameMs), Median(FrameMs) / Copy);
-	std::printf("%9.3f %9.2f  plain copy of the scene colour\n", Copy, 1.0);
+	std::printf("| all passes | %.3f | %.2f |\n", Median(FrameMs), Median(FrameMs) / Copy);
+	std::printf("| plain copy of the scene colour | %.3f | %.2f |\n", Copy, 1.0);
+}
+
+} // namespace
+
+int main(int ArgumentCount, char** Arguments)
+{
+	const std::string Scene = ArgumentCount > 1 ? std::filesystem::absolute(Arguments[1]).string()
+												: DRYDOCK_BENCH_SOURCE_DIR "/configs/scenes/toon_character_1080p.exr";
+	Drydock::FRunOptions Options;
+	Options.ConfigFile = "bench.json";
+	Options.ConfigText = "{ \"scene\": { \"file\": \"" + Scene + "\" } }";
+	PrintFrame("bloom and tonemap", Options);
+	Options.ConfigFile = DRYDOCK_BENCH_SOURCE_DIR "/configs/frame_full.json";
+	Options.ConfigText = ReadConfig(Options.ConfigFile, Scene);
+	Options.Threads = 1;
+	PrintFrame("frame_full", Options);
 	return 0;
 }

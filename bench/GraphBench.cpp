@@ -153,7 +153,7 @@ int main(int NumArguments, char** Arguments)
 	}
 	if (Sizes.empty())
 	{
-		Sizes = {1, 60, 1000, 10000};
+		Sizes = {1, 60, 1000, 10000, 30000};
 	}
 	struct FRow
 	{

@@ -1,6 +1,6 @@
 // What a whole run costs: drydock run against oiiotool, which reads the same EXR and writes the same three files with
-// nothing in between, and the start of drydock alone. The programs take turns; medians of CPU time (user and system, of
-// all threads) and the most memory. Prints a table in Markdown.
+// nothing in between; the same frame with twice the width and height; and the start of drydock alone. The programs take
+// turns; medians of CPU time (user and system, of all threads) and the most memory. Prints a table in Markdown.
 //
 //     bench_run [ROUNDS] [SCENE.exr]
 #include <algorithm>
@@ -113,12 +113,17 @@ int main(int ArgumentCount, char** Arguments)
 	{
 		return (Folder / Name).string();
 	};
+	const std::string Large = (Folder / "large.exr").string();
+	Run({"oiiotool", Scene, "--resample", "3840x2160", "-o", Large});
+	const std::string LargeConfig = (Folder / "toon_bloom_large.json").string();
+	WriteConfig(LargeConfig, Large);
 	std::vector<FRow> Rows = {
 		{"oiiotool: read, write the same three files",
 			{"oiiotool", Scene, "--ch", "R,G,B,A", "-o", Out("scene_linear.exr"), "--ch", "R,G,B", "-o",
 				Out("final.exr"), "-d", "uint8", "-o", Out("final.png")}},
 		{"drydock run, toon bloom", {Program, "run", Config, "--out", Out("all")}},
 		{"the same, --outputs png", {Program, "run", Config, "--out", Out("png"), "--outputs", "png"}},
+		{"drydock run, toon bloom, 3840 x 2160", {Program, "run", LargeConfig, "--out", Out("large")}},
 		{"drydock --version", {Program, "--version"}},
 		{"drydock check", {Program, "check", DRYDOCK_BENCH_SOURCE_DIR "/configs/neutral.json"}},
 	};
@@ -139,5 +144,9 @@ int main(int ArgumentCount, char** Arguments)
 			Row.GetMedian(&FCost::WallMs), Row.GetMedian(&FCost::Megabytes),
 			Row.GetMedian(&FCost::CpuMs) / Rows[0].GetMedian(&FCost::CpuMs));
 	}
+	std::printf(
+		"\n3840 x 2160 takes %.2f times the CPU time of the scene's own size, and %.0f bytes of memory a pixel.\n",
+		Rows[3].GetMedian(&FCost::CpuMs) / Rows[1].GetMedian(&FCost::CpuMs),
+		Rows[3].GetMedian(&FCost::Megabytes) * 1024.0 * 1024.0 / (3840.0 * 2160.0));
 	std::filesystem::remove_all(Folder);
 }

@@ -1,6 +1,7 @@
 // What a kernel's texels cost: samples, gathers, loads and stores by format and by where the lanes lie, on the widest
 // float lanes of the CPU, in the cache. Prints nanoseconds per 16 lanes as a table in Markdown: medians of rounds in
-// which every cell is measured once, so that all see the same state of the machine.
+// which every cell is measured once, so that all see the same state of the machine. Then which cells take long beside
+// their neighbours: an operation is compared over the formats, and with the operation that it is a little more than.
 //
 //     bench_texels [ROUNDS] [FORMAT...]
 #include "LanesDispatch.h"
@@ -150,6 +151,12 @@ public:
 			"store masked", "store scattered", "target blended", "target RGB only"};
 		return Names;
 	}
+	/** The operation that each is a little more than. */
+	static size_t GetNeighbour(size_t Operation)
+	{
+		constexpr size_t Neighbours[] = {0, 0, 1, 1, 1, 1, 5, 5, 1, 4, 1, 0, 11, 11, 13, 14, 14, 16};
+		return Neighbours[Operation];
+	}
 
 	void Run(size_t Operation)
 	{
@@ -251,6 +258,62 @@ double Median(std::vector<double>& Values)
 	return Values[Values.size() / 2];
 }
 
+/** A cell that takes long beside others: the same operation on other formats, or its neighbour on the same format. */
+struct FOutlier
+{
+	double Ratio = 0.0;
+	std::string What;
+};
+
+/** Cells by rows of formats. */
+template<int N>
+void PrintSummary(const std::vector<std::string>& Formats, const std::vector<double>& Cells)
+{
+	constexpr double Cliff = 4.0;
+	const auto& Operations = TOperations<N>::GetNames();
+	const size_t NumColumns = Operations.size();
+	FOutlier ByFormat;
+	FOutlier ByOperation;
+	std::vector<FOutlier> Cliffs;
+	const auto Note = [&](FOutlier& Furthest, double Ratio, const std::string& What)
+	{
+		if (Ratio > Furthest.Ratio)
+		{
+			Furthest = {Ratio, What};
+		}
+		if (Ratio > Cliff)
+		{
+			Cliffs.push_back({Ratio, What});
+		}
+	};
+	for (size_t Column = 0; Column < NumColumns; ++Column)
+	{
+		std::vector<double> OfFormats;
+		for (size_t Row = 0; Row < Formats.size(); ++Row)
+		{
+			OfFormats.push_back(Cells[Row * NumColumns + Column]);
+		}
+		const double Middle = Median(OfFormats);
+		const size_t Neighbour = TOperations<N>::GetNeighbour(Column);
+		for (size_t Row = 0; Row < Formats.size(); ++Row)
+		{
+			const double Cell = Cells[Row * NumColumns + Column];
+			const std::string What = std::string(Operations[Column]) + " of " + Formats[Row];
+			Note(ByFormat, Cell / Middle, What);
+			Note(ByOperation, Cell / Cells[Row * NumColumns + Neighbour], What + " over " + Operations[Neighbour]);
+		}
+	}
+	std::printf(
+		"\nFurthest from the median of all formats: %s, %.1f times. Furthest from its neighbouring operation: %s, "
+		"%.1f times. Above %.0f times: %s.\n",
+		ByFormat.What.c_str(), ByFormat.Ratio, ByOperation.What.c_str(), ByOperation.Ratio, Cliff,
+		Cliffs.empty() ? "nothing" : (std::to_string(Cliffs.size()) + " cells").c_str());
+	for (const FOutlier& Outlier : Cliffs)
+	{
+		std::printf("- %s: %.1f\n", Outlier.What.c_str(), Outlier.Ratio);
+	}
+}
+
 template<int N>
 void PrintTable(int Rounds, const std::vector<std::string>& Formats)
 {
@@ -293,15 +356,18 @@ void PrintTable(int Rounds, const std::vector<std::string>& Formats)
 		Rule += "---:|";
 	}
 	std::printf("\n%s\n", Rule.c_str());
+	std::vector<double> Cells;
 	for (size_t Row = 0; Row < Rows.size(); ++Row)
 	{
 		std::printf("| %s |", Names[Row].c_str());
 		for (size_t Column = 0; Column < NumColumns; ++Column)
 		{
-			std::printf(" %.0f |", Median(Times[Row * NumColumns + Column]));
+			Cells.push_back(Median(Times[Row * NumColumns + Column]));
+			std::printf(" %.0f |", Cells.back());
 		}
 		std::printf("\n");
 	}
+	PrintSummary<N>(Names, Cells);
 }
 
 } // namespace
