@@ -282,6 +282,7 @@ void BindShaderParameters(
 	Out.Name = Type.GetName();
 	Out.EntryPoint = Type.GetFunctionName();
 	Out.PermutationId = Shader->GetPermutationId();
+	Out.Permutation = Shader.GetShader();
 	Out.bDouble = GetShaderLaneConfig().bDouble;
 	Out.Native = FindNativeKernel(Type);
 	const std::shared_ptr<const FCompiledShader> Compiled = GetCompiledShader(Shader);

@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+class FShader;
+
 namespace Drydock
 {
 
@@ -78,6 +80,7 @@ struct DRYDOCK_API FBoundShader
 	bool bDouble = false;                                // arithmetic of Kernel
 	const void* Parameters = nullptr;
 	int32_t PermutationId = 0;
+	FShader* Permutation = nullptr; // what was bound
 
 	std::vector<std::vector<uint8_t>> ConstantData; // one block per constant buffer
 	std::vector<const uint8_t*> ConstantBuffers;

@@ -2,6 +2,7 @@
 #include "RHICommandList.h"
 
 #include "CodeScope.h"
+#include "DispatchObserver.h"
 #include "KernelWatch.h"
 #include "Math/ToInteger.h"
 #include "PixelFormatConversion.h"
@@ -198,8 +199,17 @@ void FRHIComputeCommandList::RunTiles(
 		Watch.TileHasEnded();
 		MeasuredTaps.fetch_add(TileCounters.Samples + TileCounters.Loads, std::memory_order_relaxed);
 	};
+	Drydock::IDispatchObserver* const Observer = Drydock::GetDispatchObserver();
+	if (Observer)
+	{
+		Observer->BeforeDispatch(Shader, Args, Whole);
+	}
 	Drydock::ForEachTile(
 		Whole, TileSize, RunTile, Shader.bDouble ? Drydock::EDenormals::Keep : Drydock::EDenormals::Flush);
+	if (Observer)
+	{
+		Observer->AfterDispatch(Shader, Args, Whole);
+	}
 
 	const uint64 Pixels =
 		uint64(Whole.MaxX - Whole.MinX) * uint64(Whole.MaxY - Whole.MinY) * uint64(Whole.MaxZ - Whole.MinZ);

@@ -38,6 +38,7 @@ struct FShaderCompileRequest
 	std::vector<std::pair<std::string, std::string>> GeneratedFiles; // virtual path, text ("/Engine/Generated/...")
 	std::vector<FShaderUniformBuffer> UniformBuffers;
 	FLaneConfig Lanes;
+	bool bKeepFunctions = false; // SPIR-V with its calls and local variables, for looking inside; not for kernels
 };
 
 struct FCompiledShader

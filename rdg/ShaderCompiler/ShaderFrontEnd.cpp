@@ -164,10 +164,14 @@ FChildResult RunFrontEnd(const std::string& Program, const FTemporaryFolder& Fol
 	const FShaderCompileRequest& Request, int TimeLimitSeconds)
 {
 	// --nan-clamp: min, max and clamp by D3D's NaN rules. hlsl_functionality1: semantics of inputs are kept.
-	return RunChild({Program, "-D", "-V", "-g", "--hlsl-offsets", "--nan-clamp", "-fhlsl_functionality1",
-						"--auto-map-bindings", "--auto-map-locations", "-S", GetStageName(Request.Stage), "-e",
-						Request.EntryPoint, "-o", Folder.Path + "/" + OutputName, Input},
-		TimeLimitSeconds, MakeToolEnvironment(Folder.Path));
+	std::vector<std::string> Arguments = {Program, "-D", "-V", "-g", "--hlsl-offsets", "--nan-clamp",
+		"-fhlsl_functionality1", "--auto-map-bindings", "--auto-map-locations", "-S", GetStageName(Request.Stage), "-e",
+		Request.EntryPoint, "-o", Folder.Path + "/" + OutputName, Input};
+	if (Request.bKeepFunctions)
+	{
+		Arguments.insert(Arguments.begin() + 1, "-Od");
+	}
+	return RunChild(Arguments, TimeLimitSeconds, MakeToolEnvironment(Folder.Path));
 }
 
 /** Of a front end that failed without a word about the shader. */

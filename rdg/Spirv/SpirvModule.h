@@ -137,6 +137,17 @@ struct FSpirvRefusedPlace
 	int Line = 0;
 };
 
+/** A function of a module that was read whole. Its blocks stand in a row in FSpirvModule::Blocks. */
+struct FSpirvFunction
+{
+	uint32_t Id = 0;
+	uint32_t Type = 0; // of what it returns
+	std::string Name;  // as in HLSL; empty: the front end's own entry point around it
+	std::vector<uint32_t> Parameters;
+	uint32_t FirstBlock = 0;
+	uint32_t NumBlocks = 0;
+};
+
 struct FSpirvModule
 {
 	uint32_t Bound = 0;
@@ -153,6 +164,9 @@ struct FSpirvModule
 	std::vector<uint32_t> KillFunctions;                     // functions that only discard
 	std::unordered_map<uint32_t, std::string> FunctionNames; // as in HLSL
 	FSpirvRefusedPlace RefusedElsewhere;
+	std::vector<FSpirvFunction> Functions;           // ReadWholeSpirv only
+	uint32_t EntryFunction = 0;                      // id
+	std::unordered_map<uint32_t, std::string> Names; // ReadWholeSpirv only: of values
 
 	const FSpirvType& GetType(uint32_t Id) const;      // throws on an unknown id, as all of these
 	const FSpirvType& GetValueType(uint32_t Id) const; // type of a value
@@ -181,6 +195,10 @@ struct FSpirvModule
 
 /** Reads and checks a module with one entry point. Throws FSpirvError. */
 DRYDOCK_API FSpirvModule ReadSpirv(const std::vector<uint32_t>& Words);
+
+/** Reads a module whose calls were not inlined, for the interpreter alone: all functions, all names. The sizes of
+ * operands are not checked. Throws FSpirvError. */
+DRYDOCK_API FSpirvModule ReadWholeSpirv(const std::vector<uint32_t>& Words);
 
 /** Labels a terminator can go to, in operand order, without repetition. */
 std::vector<uint32_t> GetSuccessors(const FSpirvInstruction& Terminator);

@@ -58,22 +58,17 @@ std::vector<uint32_t> GetScalarOffsets(const FSpirvModule& Module, uint32_t Type
 	return Result;
 }
 
-FSpirvPlace ResolvePlace(const FSpirvModule& Module, uint32_t Pointer, const FSpirvInstruction* Chain)
+FSpirvPlace FollowChain(const FSpirvModule& Module, uint32_t BaseType, bool bBytes, const FSpirvInstruction& Chain)
 {
 	FSpirvPlace Place;
-	Place.Variable = Module.FindVariable(Chain ? Chain->Operands[0] : Pointer);
-	if (!Place.Variable)
-	{
-		Module.Fail("SPIR-V: a pointer that does not start at a variable", Chain);
-	}
-	Place.Type = Place.Variable->Type;
-	Place.bBytes = Place.Variable->Storage == StorageUniform || Place.Variable->Storage == StorageStorageBuffer;
+	Place.Type = BaseType;
+	Place.bBytes = bBytes;
 	uint32_t MatrixStride = 0;
 	uint32_t ComponentStride = 4;
 	bool bRowMajor = false;
-	for (size_t i = 1; Chain && i < Chain->Operands.size(); ++i)
+	for (size_t i = 1; i < Chain.Operands.size(); ++i)
 	{
-		const uint32_t Id = Chain->Operands[i];
+		const uint32_t Id = Chain.Operands[i];
 		const FSpirvType& Type = Module.GetType(Place.Type);
 		const FSpirvConstant* Constant = Module.FindConstant(Id);
 		if (Type.Kind == ESpirvType::Struct)
@@ -139,6 +134,19 @@ FSpirvPlace ResolvePlace(const FSpirvModule& Module, uint32_t Pointer, const FSp
 	{
 		AppendOffsets(Module, Place.Type, 0, MatrixStride, bRowMajor, ComponentStride, Place.Scalars);
 	}
+	return Place;
+}
+
+FSpirvPlace ResolvePlace(const FSpirvModule& Module, uint32_t Pointer, const FSpirvInstruction* Chain)
+{
+	const FSpirvVariable* const Variable = Module.FindVariable(Chain ? Chain->Operands[0] : Pointer);
+	if (!Variable)
+	{
+		Module.Fail("SPIR-V: a pointer that does not start at a variable", Chain);
+	}
+	const bool bBytes = Variable->Storage == StorageUniform || Variable->Storage == StorageStorageBuffer;
+	FSpirvPlace Place = FollowChain(Module, Variable->Type, bBytes, Chain ? *Chain : FSpirvInstruction());
+	Place.Variable = Variable;
 	return Place;
 }
 

@@ -30,6 +30,9 @@ struct FSpirvPlace
 /** Pointer is a variable or the result of an access chain. Throws FSpirvError. */
 FSpirvPlace ResolvePlace(const FSpirvModule& Module, uint32_t Pointer, const FSpirvInstruction* Chain);
 
+/** Follows a chain from a value of BaseType; an empty instruction stays there. Variable is left null. */
+FSpirvPlace FollowChain(const FSpirvModule& Module, uint32_t BaseType, bool bBytes, const FSpirvInstruction& Chain);
+
 /** Byte offsets of the scalars of a type that lies in a buffer. */
 std::vector<uint32_t> GetScalarOffsets(
 	const FSpirvModule& Module, uint32_t Type, uint32_t MatrixStride, bool bRowMajor);

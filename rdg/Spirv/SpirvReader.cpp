@@ -115,9 +115,55 @@ void FSpirvReader::CountInstruction(const FSpirvInstruction& Instruction)
 	}
 }
 
+void FSpirvReader::BeginFunction(FSpirvOperands& Operands)
+{
+	const uint32_t Type = Operands.Next();
+	if (CurrentFunction)
+	{
+		throw FSpirvError("SPIR-V: a function inside a function");
+	}
+	CurrentFunction = Operands.Next();
+	CheckId(CurrentFunction);
+	OpsOfOtherFunction.clear();
+	// "@F(f1;" is F(float) behind the front end's own entry point.
+	std::string& Name = Module.FunctionNames[CurrentFunction];
+	Name = Names[CurrentFunction].substr(0, Names[CurrentFunction].find('('));
+	std::erase(Name, '@');
+	if (bWhole)
+	{
+		const bool bFrontEnds = CurrentFunction == EntryPoint;
+		Module.Functions.push_back(
+			{CurrentFunction, Type, bFrontEnds ? std::string() : Name, {}, uint32_t(Module.Blocks.size()), 0});
+	}
+}
+
+void FSpirvReader::EndFunction()
+{
+	if (OpsOfOtherFunction == std::vector<uint16_t>{OpLabel, OpKill})
+	{
+		Module.KillFunctions.push_back(CurrentFunction);
+	}
+	if (bBlockOpen)
+	{
+		throw FSpirvError("SPIR-V: a function ends inside a block");
+	}
+	if (bWhole && CurrentFunction)
+	{
+		Module.Functions.back().NumBlocks = uint32_t(Module.Blocks.size()) - Module.Functions.back().FirstBlock;
+	}
+	CurrentFunction = 0;
+}
+
 void FSpirvReader::ReadInFunction(uint16_t Op, FSpirvOperands& Operands)
 {
-	if (CurrentFunction != EntryPoint)
+	if (Op == OpFunctionParameter && bWhole)
+	{
+		const uint32_t Type = Operands.Next();
+		Module.Functions.back().Parameters.push_back(Operands.Next());
+		DefineValue(Module.Functions.back().Parameters.back(), Type);
+		return;
+	}
+	if (CurrentFunction != EntryPoint && !bWhole)
 	{
 		ReadInOtherFunction(Op, Operands);
 		return;
@@ -262,28 +308,10 @@ void FSpirvReader::ReadInstruction(uint16_t Op, FSpirvOperands Operands)
 		ReadDecoration(Op, Operands);
 		return;
 	case OpFunction:
-		Operands.Next();
-		if (CurrentFunction)
-		{
-			throw FSpirvError("SPIR-V: a function inside a function");
-		}
-		CurrentFunction = Operands.Next();
-		CheckId(CurrentFunction);
-		OpsOfOtherFunction.clear();
-		// "@F(f1;" is F(float) behind the front end's own entry point.
-		Module.FunctionNames[CurrentFunction] = Names[CurrentFunction].substr(0, Names[CurrentFunction].find('('));
-		std::erase(Module.FunctionNames[CurrentFunction], '@');
+		BeginFunction(Operands);
 		return;
 	case OpFunctionEnd:
-		if (OpsOfOtherFunction == std::vector<uint16_t>{OpLabel, OpKill})
-		{
-			Module.KillFunctions.push_back(CurrentFunction);
-		}
-		if (bBlockOpen)
-		{
-			throw FSpirvError("SPIR-V: a function ends inside a block");
-		}
-		CurrentFunction = 0;
+		EndFunction();
 		return;
 	default:
 		break;
@@ -401,14 +429,27 @@ FSpirvModule FSpirvReader::Read()
 		Variable.BuiltIn = Get(DecorationBuiltIn, BuiltInNone);
 		Variable.Location = Get(DecorationLocation, 0);
 	}
-	CheckSpirv(Module);
+	Module.EntryFunction = EntryPoint;
+	if (bWhole)
+	{
+		Module.Names.insert(Names.begin(), Names.end());
+	}
+	else
+	{
+		CheckSpirv(Module);
+	}
 	ApplyD3DLayout(Module);
 	return std::move(Module);
 }
 
 FSpirvModule ReadSpirv(const std::vector<uint32_t>& Words)
 {
-	return FSpirvReader(Words).Read();
+	return FSpirvReader(Words, false).Read();
+}
+
+FSpirvModule ReadWholeSpirv(const std::vector<uint32_t>& Words)
+{
+	return FSpirvReader(Words, true).Read();
 }
 
 } // namespace Drydock

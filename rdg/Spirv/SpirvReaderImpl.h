@@ -85,8 +85,9 @@ struct FSpirvDecorations
 class FSpirvReader
 {
 public:
-	explicit FSpirvReader(const std::vector<uint32_t>& InWords)
+	FSpirvReader(const std::vector<uint32_t>& InWords, bool bInWhole)
 		: Words(InWords)
+		, bWhole(bInWhole)
 	{
 	}
 
@@ -98,6 +99,8 @@ private:
 	void ReadType(uint16_t Op, FSpirvOperands& Operands);
 	void ReadConstant(uint16_t Op, FSpirvOperands& Operands);
 	void ReadVariable(FSpirvOperands& Operands, bool bInFunction);
+	void BeginFunction(FSpirvOperands& Operands);
+	void EndFunction();
 	void ReadInFunction(uint16_t Op, FSpirvOperands& Operands);
 	void DefineType(uint32_t Id, FSpirvType Type);
 	void DefineValue(uint32_t Id, uint32_t Type);
@@ -108,6 +111,7 @@ private:
 	uint32_t FindFile(uint32_t StringId);
 
 	const std::vector<uint32_t>& Words;
+	const bool bWhole;
 	FSpirvModule Module;
 	std::map<uint32_t, std::string> Names;
 	std::map<std::pair<uint32_t, uint32_t>, std::string> MemberNames;

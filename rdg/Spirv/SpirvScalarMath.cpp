@@ -5,49 +5,38 @@
 #include "Lanes.h"
 
 #include <cmath>
-#include <cstring>
 
 namespace Drydock
 {
 
 using namespace Spirv;
 
-float ToFloat(uint32_t Bits)
-{
-	float Value;
-	std::memcpy(&Value, &Bits, 4);
-	return Value;
-}
-
-uint32_t ToBits(float Value)
-{
-	uint32_t Bits;
-	std::memcpy(&Bits, &Value, 4);
-	return Bits;
-}
-
 namespace
 {
 
 // A NaN loses against a number; of two equal operands (zeros) the second is taken.
-float MinNumber(float A, float B)
+template<typename Real>
+Real MinNumber(Real A, Real B)
 {
 	return B != B ? A : A < B ? A : B;
 }
 
-float MaxNumber(float A, float B)
+template<typename Real>
+Real MaxNumber(Real A, Real B)
 {
 	return B != B ? A : A > B ? A : B;
 }
 
-uint32_t FloatToUint(float X)
+template<typename Real>
+uint32_t FloatToUint(Real X)
 {
-	return !(X > 0) ? 0 : X >= 4294967296.0f ? 0xFFFFFFFFu : uint32_t(X);
+	return !(X > 0) ? 0 : X >= Real(4294967296.0) ? 0xFFFFFFFFu : uint32_t(X);
 }
 
-uint32_t FloatToInt(float X)
+template<typename Real>
+uint32_t FloatToInt(Real X)
 {
-	return X != X ? 0 : X >= 2147483648.0f ? 0x7FFFFFFFu : X < -2147483648.0f ? 0x80000000u : uint32_t(int32_t(X));
+	return X != X ? 0 : X >= Real(2147483648.0) ? 0x7FFFFFFFu : X < Real(-2147483648.0) ? 0x80000000u : uint32_t(int32_t(X));
 }
 
 // D3D has no signed division: by zero, all bits are set as in its udiv, and the most negative number wraps.
@@ -63,24 +52,31 @@ uint32_t RemainderInt(int32_t A, int32_t B)
 
 } // namespace
 
-bool EvaluateOperation(uint16_t Op, const uint32_t* Operands, uint32_t& Result)
+template<typename Real>
+bool EvaluateOperation(uint16_t Op, const TSpirvWord<Real>* Operands, TSpirvWord<Real>& Result)
 {
-	const uint32_t A = Operands[0];
-	const uint32_t B = Operands[1];
-	const float X = ToFloat(A);
-	const float Y = ToFloat(B);
+	using FWord = TSpirvWord<Real>;
+	constexpr FWord SignBit = FWord(1) << (8 * sizeof(Real) - 1);
+	const uint32_t A = uint32_t(Operands[0]);
+	const uint32_t B = uint32_t(Operands[1]);
+	const Real X = ToSpirvReal<Real>(Operands[0]);
+	const Real Y = ToSpirvReal<Real>(Operands[1]);
+	const auto ToBits = [](Real Value)
+	{
+		return ToSpirvWord<Real>(Value);
+	};
 	const int32_t I = int32_t(A);
 	const int32_t J = int32_t(B);
 	// clang-format off
 	switch (Op)
 	{
-	case OpCopyObject: case OpBitcast: Result = A; return true;
+	case OpCopyObject: Result = Operands[0]; return true;
 	case OpConvertFToU: Result = FloatToUint(X); return true;
 	case OpConvertFToS: Result = FloatToInt(X); return true;
-	case OpConvertSToF: Result = ToBits(float(I)); return true;
-	case OpConvertUToF: Result = ToBits(float(A)); return true;
+	case OpConvertSToF: Result = ToBits(Real(I)); return true;
+	case OpConvertUToF: Result = ToBits(Real(A)); return true;
 	case OpSNegate: Result = 0u - A; return true;
-	case OpFNegate: Result = A ^ 0x80000000u; return true;
+	case OpFNegate: Result = Operands[0] ^ SignBit; return true;
 	case OpIAdd: Result = A + B; return true;
 	case OpISub: Result = A - B; return true;
 	case OpIMul: Result = A * B; return true;
@@ -100,7 +96,7 @@ bool EvaluateOperation(uint16_t Op, const uint32_t* Operands, uint32_t& Result)
 	case OpLogicalOr: Result = A | B; return true;
 	case OpLogicalAnd: Result = A & B; return true;
 	case OpLogicalNot: Result = !A; return true;
-	case OpSelect: Result = A ? B : Operands[2]; return true;
+	case OpSelect: Result = Operands[0] ? Operands[1] : Operands[2]; return true;
 	case OpIEqual: Result = A == B; return true;
 	case OpINotEqual: Result = A != B; return true;
 	case OpUGreaterThan: Result = A > B; return true;
@@ -134,7 +130,7 @@ bool EvaluateOperation(uint16_t Op, const uint32_t* Operands, uint32_t& Result)
 		Result = 0;
 		for (int Bit = 0; Bit < 32; ++Bit)
 		{
-			Result |= ((A >> Bit) & 1) << (31 - Bit);
+			Result |= FWord((A >> Bit) & 1) << (31 - Bit);
 		}
 		return true;
 	default:
@@ -143,50 +139,54 @@ bool EvaluateOperation(uint16_t Op, const uint32_t* Operands, uint32_t& Result)
 	// clang-format on
 }
 
-bool EvaluateExtended(uint32_t Ext, const uint32_t* Operands, uint32_t& Result)
+template<typename Real>
+bool EvaluateExtended(uint32_t Ext, const TSpirvWord<Real>* Operands, TSpirvWord<Real>& Result)
 {
-	const uint32_t A = Operands[0];
-	const float X = ToFloat(A);
-	const float Y = ToFloat(Operands[1]);
-	const float Z = ToFloat(Operands[2]);
+	using FWord = TSpirvWord<Real>;
+	const uint32_t A = uint32_t(Operands[0]);
+	const uint32_t B = uint32_t(Operands[1]);
+	const uint32_t C = uint32_t(Operands[2]);
+	const Real X = ToSpirvReal<Real>(Operands[0]);
+	const Real Y = ToSpirvReal<Real>(Operands[1]);
+	const Real Z = ToSpirvReal<Real>(Operands[2]);
 	const int32_t I = int32_t(A);
-	const int32_t J = int32_t(Operands[1]);
-	const auto Real = [&Result](float Value)
+	const int32_t J = int32_t(B);
+	const auto Give = [&Result](Real Value)
 	{
-		Result = ToBits(Value);
+		Result = ToSpirvWord<Real>(Value);
 		return true;
 	};
 	// clang-format off
 	switch (Ext)
 	{
-	case ExtRound: case ExtRoundEven: return Real(std::nearbyint(X));
-	case ExtTrunc: return Real(std::trunc(X));
-	case ExtFloor: return Real(std::floor(X));
-	case ExtCeil: return Real(std::ceil(X));
-	case ExtFract: return Real(X - std::floor(X));
-	case ExtFAbs: Result = A & 0x7FFFFFFFu; return true;
-	case ExtSqrt: return Real(std::sqrt(X));
-	case ExtInverseSqrt: return Real(1.0f / std::sqrt(X));
-	case ExtFMin: case ExtNMin: return Real(MinNumber(X, Y));
-	case ExtFMax: case ExtNMax: return Real(MaxNumber(X, Y));
-	case ExtFClamp: case ExtNClamp: return Real(MinNumber(MaxNumber(X, Y), Z));
-	case ExtFma: return Real(X * Y + Z);
+	case ExtRound: case ExtRoundEven: return Give(std::nearbyint(X));
+	case ExtTrunc: return Give(std::trunc(X));
+	case ExtFloor: return Give(std::floor(X));
+	case ExtCeil: return Give(std::ceil(X));
+	case ExtFract: return Give(X - std::floor(X));
+	case ExtFAbs: Result = Operands[0] & ~(FWord(1) << (8 * sizeof(Real) - 1)); return true;
+	case ExtSqrt: return Give(std::sqrt(X));
+	case ExtInverseSqrt: return Give(Real(1) / std::sqrt(X));
+	case ExtFMin: case ExtNMin: return Give(MinNumber(X, Y));
+	case ExtFMax: case ExtNMax: return Give(MaxNumber(X, Y));
+	case ExtFClamp: case ExtNClamp: return Give(MinNumber(MaxNumber(X, Y), Z));
+	case ExtFma: return Give(X * Y + Z);
 	case ExtSAbs: Result = I < 0 ? 0u - A : A; return true;
 	case ExtSSign: Result = I > 0 ? 1u : I < 0 ? ~0u : 0u; return true;
-	case ExtUMin: Result = A < Operands[1] ? A : Operands[1]; return true;
-	case ExtUMax: Result = A > Operands[1] ? A : Operands[1]; return true;
+	case ExtUMin: Result = A < B ? A : B; return true;
+	case ExtUMax: Result = A > B ? A : B; return true;
 	case ExtSMin: Result = uint32_t(I < J ? I : J); return true;
 	case ExtSMax: Result = uint32_t(I > J ? I : J); return true;
 	case ExtUClamp:
 	{
-		const uint32_t Low = A > Operands[1] ? A : Operands[1];
-		Result = Low < Operands[2] ? Low : Operands[2];
+		const uint32_t Low = A > B ? A : B;
+		Result = Low < C ? Low : C;
 		return true;
 	}
 	case ExtSClamp:
 	{
 		const int32_t Low = I > J ? I : J;
-		Result = uint32_t(Low < int32_t(Operands[2]) ? Low : int32_t(Operands[2]));
+		Result = uint32_t(Low < int32_t(C) ? Low : int32_t(C));
 		return true;
 	}
 	case ExtFindILsb: Result = A ? uint32_t(__builtin_ctz(A)) : ~0u; return true;
@@ -198,31 +198,36 @@ bool EvaluateExtended(uint32_t Ext, const uint32_t* Operands, uint32_t& Result)
 		return true;
 	}
 	// The library's own functions.
-	case ExtFSign: return Real(Lanes::Sign(X));
-	case ExtRadians: return Real(Lanes::Radians(X));
-	case ExtDegrees: return Real(Lanes::Degrees(X));
-	case ExtSin: return Real(Lanes::Sin(X));
-	case ExtCos: return Real(Lanes::Cos(X));
-	case ExtTan: return Real(Lanes::Tan(X));
-	case ExtAsin: return Real(Lanes::Asin(X));
-	case ExtAcos: return Real(Lanes::Acos(X));
-	case ExtAtan: return Real(Lanes::Atan(X));
-	case ExtSinh: return Real(Lanes::Sinh(X));
-	case ExtCosh: return Real(Lanes::Cosh(X));
-	case ExtTanh: return Real(Lanes::Tanh(X));
-	case ExtAtan2: return Real(Lanes::Atan2(X, Y));
-	case ExtPow: return Real(Lanes::Pow(X, Y));
-	case ExtExp: return Real(Lanes::Exp(X));
-	case ExtLog: return Real(Lanes::Log(X));
-	case ExtExp2: return Real(Lanes::Exp2(X));
-	case ExtLog2: return Real(Lanes::Log2(X));
-	case ExtFMix: return Real(Lanes::Mix(X, Y, Z));
-	case ExtStep: return Real(Lanes::Step(X, Y));
-	case ExtSmoothStep: return Real(Lanes::SmoothStep(X, Y, Z));
+	case ExtFSign: return Give(Lanes::Sign(X));
+	case ExtRadians: return Give(Lanes::Radians(X));
+	case ExtDegrees: return Give(Lanes::Degrees(X));
+	case ExtSin: return Give(Lanes::Sin(X));
+	case ExtCos: return Give(Lanes::Cos(X));
+	case ExtTan: return Give(Lanes::Tan(X));
+	case ExtAsin: return Give(Lanes::Asin(X));
+	case ExtAcos: return Give(Lanes::Acos(X));
+	case ExtAtan: return Give(Lanes::Atan(X));
+	case ExtSinh: return Give(Lanes::Sinh(X));
+	case ExtCosh: return Give(Lanes::Cosh(X));
+	case ExtTanh: return Give(Lanes::Tanh(X));
+	case ExtAtan2: return Give(Lanes::Atan2(X, Y));
+	case ExtPow: return Give(Lanes::Pow(X, Y));
+	case ExtExp: return Give(Lanes::Exp(X));
+	case ExtLog: return Give(Lanes::Log(X));
+	case ExtExp2: return Give(Lanes::Exp2(X));
+	case ExtLog2: return Give(Lanes::Log2(X));
+	case ExtFMix: return Give(Lanes::Mix(X, Y, Z));
+	case ExtStep: return Give(Lanes::Step(X, Y));
+	case ExtSmoothStep: return Give(Lanes::SmoothStep(X, Y, Z));
 	default:
 		return false;
 	}
 	// clang-format on
 }
+
+template bool EvaluateOperation<float>(uint16_t, const uint32_t*, uint32_t&);
+template bool EvaluateOperation<double>(uint16_t, const uint64_t*, uint64_t&);
+template bool EvaluateExtended<float>(uint32_t, const uint32_t*, uint32_t&);
+template bool EvaluateExtended<double>(uint32_t, const uint64_t*, uint64_t&);
 
 } // namespace Drydock

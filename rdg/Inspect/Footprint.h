@@ -1,0 +1,28 @@
+// Which texels a sample is made of, and by which weights.
+#pragma once
+
+#include "DrydockAPI.h"
+#include "ShaderKernel.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace Drydock
+{
+
+struct FFootprintTexel
+{
+	int32_t Mip = 0;
+	int32_t X = 0; // -1: the sampler's border
+	int32_t Y = 0;
+	int32_t Z = 0; // depth of a volume, or slice
+	double Weight = 0;
+	double Value[4] = {};
+};
+
+/** Of a sample at U, V and W (coordinate of a volume or slice of an array) on a level: texels whose weight is not 0, by
+ * mip, then Z, Y, X. Source: D3D11 functional specification 7.18, written a second time beside the samplers. */
+DRYDOCK_API std::vector<FFootprintTexel> FindFootprint(const FKernelTexture& Texture, const FKernelSampler& Sampler,
+	double U, double V, double W, double Level, bool bArray);
+
+} // namespace Drydock

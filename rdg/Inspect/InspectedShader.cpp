@@ -1,0 +1,114 @@
+// Compiles a shader for looking inside, and finds its resources among a kernel's.
+#include "InspectedShader.h"
+
+#include "Diagnostics.h"
+#include "RegularFile.h"
+#include "ShaderDirectories.h"
+#include "ShaderFrontEnd.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace Drydock
+{
+
+using namespace Spirv;
+
+namespace
+{
+
+template<typename T>
+int32_t FindNamed(const std::vector<T>& List, const std::string& Name)
+{
+	for (size_t Slot = 0; Slot < List.size(); ++Slot)
+	{
+		if (List[Slot].Name == Name)
+		{
+			return int32_t(Slot);
+		}
+	}
+	return -1; // the optimised shader does not read it
+}
+
+int32_t FindSlot(const FSpirvModule& Module, const FSpirvVariable& Variable, const FShaderReflection& Kernel)
+{
+	const FSpirvType& Type = Module.GetType(Variable.Type);
+	switch (Type.Kind)
+	{
+	case ESpirvType::Sampler:
+		return FindNamed(Kernel.Samplers, Variable.Name);
+	case ESpirvType::Image:
+		return Type.Dim == DimBuffer ? FindNamed(Type.bStorageImage ? Kernel.RWBuffers : Kernel.Buffers, Variable.Name)
+									 : FindNamed(Type.bStorageImage ? Kernel.RWTextures : Kernel.Textures, Variable.Name);
+	case ESpirvType::Struct:
+		break;
+	default:
+		return -1;
+	}
+	if (Type.bBufferBlock)
+	{
+		const bool bReadOnly = !Type.Members.empty() && Type.Members[0].bNonWritable;
+		return FindNamed(bReadOnly ? Kernel.Buffers : Kernel.RWBuffers, Variable.Name);
+	}
+	return FindNamed(Kernel.ConstantBuffers, Type.Name == "$Globals" ? std::string("$Global") : Type.Name);
+}
+
+FSpirvModule ReadForInspection(const FShaderCompileRequest& Request, bool bKeepFunctions)
+{
+	FShaderCompileRequest Asked = Request;
+	Asked.bKeepFunctions = bKeepFunctions;
+	const std::vector<uint32_t> Words = CompileToSpirv(FlattenShader(Asked), Asked);
+	return bKeepFunctions ? ReadWholeSpirv(Words) : ReadSpirv(Words);
+}
+
+} // namespace
+
+FInspectedShader::FInspectedShader(const FShaderCompileRequest& Request, const FShaderReflection& Kernel)
+{
+	try
+	{
+		Module = ReadForInspection(Request, true);
+		Program = std::make_unique<FSpirvProgram>(Module);
+	}
+	catch (const FSpirvError&)
+	{
+		// Textures inside structs and the like, which only inlining takes apart.
+		bVariables = false;
+	}
+	try
+	{
+		if (!bVariables)
+		{
+			Module = ReadForInspection(Request, false);
+			Program = std::make_unique<FSpirvProgram>(Module);
+		}
+		for (const FSpirvVariable& Variable : Module.Variables)
+		{
+			Slots.Slots.push_back(FindSlot(Module, Variable, Kernel));
+		}
+	}
+	catch (const FSpirvError& Error)
+	{
+		throw FError({ESeverity::Error, 6020, Error.what(), Error.File, Error.Line, 0, "entry point " + Request.EntryPoint},
+			ExitUsage);
+	}
+}
+
+std::string FInspectedShader::GetLine(const std::string& File, int Line) const
+{
+	const auto [Found, bNew] = Texts.try_emplace(File);
+	if (bNew)
+	{
+		FRegularFile OnDisk(FindShaderFile(File));
+		std::string Bytes(OnDisk.GetProblem().empty() ? std::min<size_t>(OnDisk.GetSize(), MaxTextBytes) : 0, '\0');
+		Bytes.resize(OnDisk.Read(Bytes.data(), Bytes.size()));
+		std::istringstream Lines(NormalizeShaderText(Bytes));
+		for (std::string Text; std::getline(Lines, Text);)
+		{
+			Found->second.push_back(Text);
+		}
+	}
+	return Line >= 1 && size_t(Line) <= Found->second.size() ? Found->second[size_t(Line) - 1] : std::string();
+}
+
+} // namespace Drydock

@@ -1,0 +1,42 @@
+// A shader in the form that can be looked into: its SPIR-V with functions and local variables, laid out for the
+// interpreter, and matched with the arguments that its kernel gets.
+#pragma once
+
+#include "BoundShader.h"
+#include "ShaderCompileRequest.h"
+#include "ShaderSource.h"
+#include "SpirvThread.h"
+
+#include <memory>
+
+namespace Drydock
+{
+
+class DRYDOCK_API FInspectedShader
+{
+public:
+	/** Runs the front end. Kernel: the reflection of the compiled shader, whose slots the arguments have. Throws FError
+	 * with the front end's messages, DD6020 where the interpreter does not know what the shader does. */
+	FInspectedShader(const FShaderCompileRequest& Request, const FShaderReflection& Kernel);
+
+	const FSpirvModule& GetModule() const { return Module; }
+	/** Not const: hooks are set in it. */
+	FSpirvProgram& GetProgram() { return *Program; }
+	const FSpirvProgram& GetProgram() const { return *Program; }
+	const FSpirvSlotTable& GetSlots() const { return Slots; }
+
+	/** The text of a line of a virtual file as its author wrote it; empty: there is none. Lines count from 1. */
+	std::string GetLine(const std::string& File, int Line) const;
+
+	/** False where the shader could only be read with its calls inlined: there are lines and no local variables. */
+	bool HasVariables() const { return bVariables; }
+
+private:
+	FSpirvModule Module;
+	std::unique_ptr<FSpirvProgram> Program;
+	FSpirvSlotTable Slots;
+	bool bVariables = true;
+	mutable std::map<std::string, std::vector<std::string>> Texts; // lines by virtual file
+};
+
+} // namespace Drydock

@@ -1,0 +1,60 @@
+// What goes wrong inside a shader: the first line of a dispatch that makes NaN or infinity of numbers, that a format
+// cannot hold, that reaches outside or uses what nothing wrote; and on which pixels.
+#pragma once
+
+#include "InspectedShader.h"
+#include "Sandbox.h"
+
+#include <array>
+#include <string>
+
+namespace Drydock
+{
+
+enum class ECheck : uint8_t
+{
+	NonFinite,     // an operation whose operands are finite gives NaN or infinity
+	Overflow,      // a finite value is stored that the format holds as infinity
+	Negative,      // a colour below 0 is stored to a format that keeps it
+	Denormal,      // a value is stored that a float of the format holds with fewer bits
+	Bounds,        // a texture, buffer or array is read or written outside
+	Uninitialized, // a variable is used before it is written
+	Count
+};
+
+/** "nan", "overflow", "negative", "denormal", "bounds", "uninit" */
+DRYDOCK_API const char* GetCheckName(ECheck Check);
+
+struct FCheckSet
+{
+	std::array<bool, size_t(ECheck::Count)> bOn{};
+
+	bool operator[](ECheck Check) const { return bOn[size_t(Check)]; }
+	/** Whether all threads have to be looked at: no stored texel tells of these. */
+	bool NeedsEveryThread() const { return bOn[size_t(ECheck::Bounds)] || bOn[size_t(ECheck::Uninitialized)]; }
+};
+
+/** One kind of fault at one line of a shader. */
+struct FCheckFinding
+{
+	ECheck Check = ECheck::NonFinite;
+	std::string File; // virtual; empty: not known
+	int Line = 0;
+	std::string Function;
+	std::string Source;    // the line, trimmed
+	std::string What;      // "0 / 0 is NaN"
+	int32_t First[3] = {}; // of the threads, in the order of rows
+	uint64_t Threads = 0;  // that this happens to
+	std::vector<std::array<int32_t, 2>> Pixels; // the first MaxCheckPixels of them
+};
+
+constexpr size_t MaxCheckPixels = 1u << 20;
+
+/** Runs threads of a dispatch by the interpreter, on all cores, and collects what they do wrong: one finding for each
+ * kind and line, those of the earliest thread first. Threads: empty: all of Whole. TargetStorage: formats of the render
+ * targets. Same result for any number of cores. */
+DRYDOCK_API std::vector<FCheckFinding> CheckThreads(const FInspectedShader& Shader, const FBoundShader& Bound,
+	const FKernelArgs& Args, const FKernelTile& Whole, const std::vector<std::array<int32_t, 3>>& Threads,
+	const FCheckSet& Checks);
+
+} // namespace Drydock

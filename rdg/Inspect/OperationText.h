@@ -1,0 +1,18 @@
+// An instruction with its numbers, as somebody would write it: "pow(-0.25, 2.2)".
+#pragma once
+
+#include "SpirvObserver.h"
+
+#include <string>
+
+namespace Drydock
+{
+
+/** A number for a message: the shortest text that is the float again. */
+DRYDOCK_API std::string FormatReal(double Value);
+
+/** Of one component of the result of arithmetic; the operation's number where HLSL has no sign or function for it. */
+std::string DescribeOperation(
+	const FSpirvProgram& Program, const FSpirvThreadView& Thread, const FSpirvStep& Step, uint32_t Component);
+
+} // namespace Drydock

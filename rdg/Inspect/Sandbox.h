@@ -1,0 +1,32 @@
+// A kernel's arguments with copies of all that it writes, so that a shader can be run a second time beside the frame.
+#pragma once
+
+#include "BoundShader.h"
+
+#include <memory>
+
+namespace Drydock
+{
+
+class DRYDOCK_API FSandbox
+{
+public:
+	/** Copies textures and buffers that the shader stores to; what it reads stays where it is. Render targets are left
+	 * out: the interpreter hands them over as values. */
+	FSandbox(const FKernelArgs& Args, const FShaderReflection& Reflection);
+	FSandbox(const FSandbox&) = delete;
+	FSandbox& operator=(const FSandbox&) = delete;
+
+	const FKernelArgs& GetArgs() const { return Args; }
+
+private:
+	void CopyTexture(FKernelTexture& Texture);
+
+	FKernelArgs Args;
+	std::vector<FKernelTexture> RWTextures;
+	std::vector<FKernelBuffer> RWBuffers;
+	std::vector<std::unique_ptr<FKernelMip[]>> Mips;
+	std::vector<std::unique_ptr<uint8_t[]>> Memory;
+};
+
+} // namespace Drydock

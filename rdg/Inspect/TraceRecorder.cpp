@@ -1,0 +1,304 @@
+// Makes lines of steps.
+#include "TraceRecorder.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Drydock
+{
+
+using namespace Spirv;
+
+namespace
+{
+
+constexpr size_t MaxTracedWords = 64; // of one value: a larger array is not written out at every store
+
+/** Names that the front end made up. */
+bool IsMadeUp(const std::string& Name)
+{
+	return Name.empty() || Name == "param" || Name == "indexable" || Name.starts_with("flattenTemp");
+}
+
+class FTraceRecorder final : public ISpirvObserver
+{
+public:
+	FTraceRecorder(const FInspectedShader& InShader, const FKernelArgs& InArgs, FPixelTrace& OutTrace)
+		: Shader(InShader)
+		, Module(InShader.GetModule())
+		, Program(InShader.GetProgram())
+		, Args(InArgs)
+		, Trace(OutTrace)
+	{
+		Functions.push_back(FindName(Module.EntryFunction));
+	}
+
+	void OnStep(const FSpirvThreadView& Thread, const FSpirvStep& Step) override
+	{
+		++Trace.Steps;
+		if (Functions.back().empty() && !Module.Functions.empty())
+		{
+			return; // around the author's entry point
+		}
+		FTraceLine* const Line = FindLine(Thread, *Step.I);
+		if (!Line)
+		{
+			return;
+		}
+		switch (Step.I->Op)
+		{
+		case OpStore:
+			AddStore(Thread, Step, *Line);
+			break;
+		case OpLoad:
+			AddBufferLoad(Thread, Step, *Line);
+			break;
+		case OpImageSampleImplicitLod:
+		case OpImageSampleExplicitLod:
+		case OpImageGather:
+			AddSample(Thread, Step, *Line);
+			break;
+		case OpImageFetch:
+		case OpImageRead:
+		case OpImageWrite:
+			AddTexel(Thread, Step, *Line);
+			break;
+		case OpBranchConditional:
+		case OpSwitch:
+			Line->Events.push_back({ETraceEvent::Branch, {}, ValueOf(Thread, Step, 0), {}, 0, {}, {}});
+			break;
+		default:
+			break;
+		}
+	}
+
+	void OnCall(const FSpirvThreadView& Thread, const FSpirvStep& Step) override
+	{
+		const std::string Name = FindName(Step.I->Operands[0]);
+		FTraceLine* const Line = Functions.back().empty() ? nullptr : FindLine(Thread, *Step.I, 1);
+		if (Line && !Name.empty())
+		{
+			Line->Events.push_back({ETraceEvent::Call, Name, {}, {}, 0, {}, {}});
+		}
+		Functions.push_back(Name);
+		bNewLine = true;
+	}
+
+	void OnReturn(const FSpirvThreadView& Thread, const FSpirvStep& Call) override
+	{
+		const std::string Name = Functions.back();
+		Functions.pop_back();
+		FTraceLine* const Line = Functions.back().empty() ? nullptr : FindLine(Thread, *Call.I);
+		bNewLine = true;
+		if (Line && Call.Size)
+		{
+			bNewLine = false;
+			Line->Events.push_back({ETraceEvent::Return, Name, Read(Thread, Call.I->Type, Call.To), {}, 0, {}, {}});
+		}
+	}
+
+	void OnFault(const FSpirvThreadView& Thread, const FSpirvStep& Step, const FSpirvFault& Fault) override
+	{
+		if (FTraceLine* const Line = FindLine(Thread, *Step.I))
+		{
+			Line->Events.push_back({ETraceEvent::Fault, DescribeFault(Fault), {}, {}, 0, {}, {}});
+		}
+	}
+
+private:
+	std::string FindName(uint32_t Function) const
+	{
+		for (const FSpirvFunction& Known : Module.Functions)
+		{
+			if (Known.Id == Function)
+			{
+				return Known.Name;
+			}
+		}
+		return {};
+	}
+
+	/** Null: the trace is full, or the instruction has no line. */
+	FTraceLine* FindLine(const FSpirvThreadView& Thread, const FSpirvInstruction& I, size_t Deeper = 0)
+	{
+		if (!I.Line)
+		{
+			return nullptr;
+		}
+		const size_t Depth = Thread.GetDepth() - Deeper;
+		const bool bSame = !bNewLine && !Trace.Lines.empty() && Trace.Lines.back().Line == I.Line && LastFile == I.File &&
+						   Trace.Lines.back().Depth == Depth;
+		if (!bSame)
+		{
+			if (Trace.Lines.size() >= MaxTraceLines)
+			{
+				Trace.bCut = true;
+				return nullptr;
+			}
+			Trace.Lines.push_back({Module.Files.at(I.File), I.Line, Functions.back(), Depth, {}});
+			LastFile = I.File;
+			bNewLine = false;
+		}
+		return &Trace.Lines.back();
+	}
+
+	FTraceValue Read(const FSpirvThreadView& Thread, uint32_t Type, uint32_t First) const
+	{
+		FTraceValue Value;
+		Value.Type = Type;
+		const uint32_t Size = Program.WordsOf(Type);
+		for (uint32_t i = 0; i < Size; ++i)
+		{
+			const ESpirvType Kind = Module.GetScalarKind(Type, i);
+			const uint32_t Bits = Thread.GetBits(First + i);
+			Value.Bits.push_back(Bits);
+			Value.Reals.push_back(Kind == ESpirvType::Float ? Thread.GetReal(First + i)
+								  : Kind == ESpirvType::Int ? double(int32_t(Bits))
+															: double(Bits));
+		}
+		return Value;
+	}
+
+	uint32_t WordOf(const FSpirvStep& Step, size_t Operand) const { return Program.Args[Step.FirstArg + Operand]; }
+
+	FTraceValue ValueOf(const FSpirvThreadView& Thread, const FSpirvStep& Step, size_t Operand) const
+	{
+		return Read(Thread, Module.GetValueTypeId(Step.I->Operands[Operand]), WordOf(Step, Operand));
+	}
+
+	void AddStore(const FSpirvThreadView& Thread, const FSpirvStep& Step, FTraceLine& Line)
+	{
+		if (Step.Place != ~0u)
+		{
+			const uint32_t Pointer = WordOf(Step, 0);
+			const FSpirvVariable& Buffer = Module.Variables.at(Thread.GetBits(Pointer + 2));
+			Line.Events.push_back({ETraceEvent::Store, Buffer.Name, ValueOf(Thread, Step, 1), {}, 0,
+				{int64_t(Thread.GetBits(Pointer + 1))}, {}});
+			return;
+		}
+		const uint32_t At = Thread.GetBits(WordOf(Step, 0));
+		for (size_t i = 0; i < Program.Memory.size(); ++i)
+		{
+			const FSpirvMemory& Memory = Program.Memory[i];
+			const FSpirvVariable& Variable = Module.Variables[i];
+			if (At < Memory.First || At >= Memory.First + Memory.Size)
+			{
+				continue;
+			}
+			const bool bNumeric = Module.GetType(Variable.Type).NumScalars != 0;
+			if (!bNumeric || IsMadeUp(Variable.Name) || Memory.Size > MaxTracedWords)
+			{
+				return;
+			}
+			// Of several components that a line stores one by one, the whole.
+			if (!Line.Events.empty() && Line.Events.back().Kind == ETraceEvent::Value &&
+				Line.Events.back().Name == Variable.Name)
+			{
+				Line.Events.pop_back();
+			}
+			Line.Events.push_back(
+				{ETraceEvent::Value, Variable.Name, Read(Thread, Variable.Type, Memory.First), {}, 0, {}, {}});
+			return;
+		}
+	}
+
+	void AddBufferLoad(const FSpirvThreadView& Thread, const FSpirvStep& Step, FTraceLine& Line)
+	{
+		if (Step.Place == ~0u || !Step.Size || !Program.PlaceOf(Step).ElementStride)
+		{
+			return;
+		}
+		const uint32_t Pointer = WordOf(Step, 0);
+		const FSpirvVariable& Buffer = Module.Variables.at(Thread.GetBits(Pointer + 2));
+		Line.Events.push_back({ETraceEvent::Load, Buffer.Name, Read(Thread, Step.I->Type, Step.To), {}, 0,
+			{int64_t(Thread.GetBits(Pointer + 1))}, {}});
+	}
+
+	void AddSample(const FSpirvThreadView& Thread, const FSpirvStep& Step, FTraceLine& Line)
+	{
+		const uint32_t Pair = WordOf(Step, 0);
+		const uint32_t TextureVariable = Thread.GetBits(Pair);
+		const int32_t TextureSlot = Shader.GetSlots().Slots.at(TextureVariable);
+		const int32_t SamplerSlot = Shader.GetSlots().Slots.at(Thread.GetBits(Pair + 1));
+		const FSpirvType& Image = Module.GetType(Module.GetValueType(Step.I->Operands[0]).Element);
+		FTraceEvent Event;
+		Event.Kind = ETraceEvent::Sample;
+		Event.Name = Module.Variables.at(TextureVariable).Name;
+		Event.Value = Read(Thread, Step.I->Type, Step.To);
+		Event.Coordinates = ValueOf(Thread, Step, 1).Reals;
+		const bool bLevel = Step.I->Op != OpImageGather && Step.I->Operands.size() > 3 && (Step.I->Operands[2] & ImageLod);
+		Event.Level = bLevel ? Thread.GetReal(WordOf(Step, 3)) : 0;
+		if (TextureSlot >= 0 && SamplerSlot >= 0 && Step.I->Op != OpImageGather)
+		{
+			std::vector<double> At = Event.Coordinates;
+			At.resize(3);
+			Event.Texels = FindFootprint(Args.Textures[TextureSlot], Args.Samplers[SamplerSlot], At[0], At[1], At[2],
+				Event.Level, Image.bArrayed);
+		}
+		Line.Events.push_back(std::move(Event));
+	}
+
+	void AddTexel(const FSpirvThreadView& Thread, const FSpirvStep& Step, FTraceLine& Line)
+	{
+		const bool bWrite = Step.I->Op == OpImageWrite;
+		FTraceEvent Event;
+		Event.Kind = bWrite ? ETraceEvent::Store : ETraceEvent::Load;
+		Event.Name = Module.Variables.at(Thread.GetBits(WordOf(Step, 0))).Name;
+		for (const double Index : ValueOf(Thread, Step, 1).Reals)
+		{
+			Event.Texel.push_back(int64_t(Index));
+		}
+		Event.Value = bWrite ? ValueOf(Thread, Step, 2) : Read(Thread, Step.I->Type, Step.To);
+		Line.Events.push_back(std::move(Event));
+	}
+
+	const FInspectedShader& Shader;
+	const FSpirvModule& Module;
+	const FSpirvProgram& Program;
+	const FKernelArgs& Args;
+	FPixelTrace& Trace;
+	std::vector<std::string> Functions; // that have not returned
+	uint32_t LastFile = 0;
+	bool bNewLine = false;
+};
+
+template<typename Real>
+FPixelTrace Trace(FInspectedShader& Shader, const FKernelArgs& Args, const int32_t (&Position)[3], uint64_t MaxSteps)
+{
+	FPixelTrace Result;
+	FTraceRecorder Recorder(Shader, Args, Result);
+	TSpirvThread<Real> Thread(Shader.GetProgram(), Shader.GetSlots());
+	Thread.SetObserver(&Recorder, true);
+	Thread.Run(Args, Position, nullptr, MaxSteps);
+	Result.bDiscarded = Thread.WasDiscarded();
+	Result.Taps = Thread.Taps;
+	const FSpirvModule& Module = Shader.GetModule();
+	for (size_t i = 0; i < Module.Variables.size(); ++i)
+	{
+		const FSpirvVariable& Variable = Module.Variables[i];
+		if (Variable.Storage != StorageOutput || Variable.Location >= 8 || Result.bDiscarded)
+		{
+			continue;
+		}
+		Result.Targets.resize(std::max<size_t>(Result.Targets.size(), Variable.Location + 1));
+		for (uint32_t k = 0; k < Shader.GetProgram().Memory[i].Size; ++k)
+		{
+			Result.Targets[Variable.Location].push_back(Thread.GetReal(Shader.GetProgram().Memory[i].First + k));
+		}
+	}
+	return Result;
+}
+
+} // namespace
+
+FPixelTrace TracePixel(
+	FInspectedShader& Shader, const FKernelArgs& Args, const int32_t (&Position)[3], bool bDouble, uint64_t MaxSteps)
+{
+	for (FSpirvStep& Step : Shader.GetProgram().Steps)
+	{
+		Step.bHook = true;
+	}
+	return bDouble ? Trace<double>(Shader, Args, Position, MaxSteps) : Trace<float>(Shader, Args, Position, MaxSteps);
+}
+
+} // namespace Drydock

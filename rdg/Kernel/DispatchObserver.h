@@ -1,0 +1,32 @@
+// Somebody who looks at shaders while passes run: at what each was given, and at what it wrote.
+#pragma once
+
+#include "BoundShader.h"
+
+namespace Drydock
+{
+
+/** Calls come from the thread that executes the graph, around all tiles of one draw or dispatch. Textures and buffers
+ * may be read during a call; who wants to run the shader himself does so on copies of what it writes. */
+class DRYDOCK_API IDispatchObserver
+{
+public:
+	virtual ~IDispatchObserver();
+	virtual void BeforeDispatch(const FBoundShader&, const FKernelArgs&, const FKernelTile& /*Whole*/) {}
+	virtual void AfterDispatch(const FBoundShader&, const FKernelArgs&, const FKernelTile& /*Whole*/) {}
+};
+
+/** Null: nobody looks. */
+DRYDOCK_API IDispatchObserver* GetDispatchObserver();
+
+/** For its scope the observer sees every dispatch of the process. One at a time. */
+class DRYDOCK_API FScopedDispatchObserver
+{
+public:
+	explicit FScopedDispatchObserver(IDispatchObserver& Observer);
+	~FScopedDispatchObserver();
+	FScopedDispatchObserver(const FScopedDispatchObserver&) = delete;
+	FScopedDispatchObserver& operator=(const FScopedDispatchObserver&) = delete;
+};
+
+} // namespace Drydock

@@ -1,0 +1,104 @@
+// Threads of a checked module, one after the other, in float.
+#include "SpirvInterpreter.h"
+
+#include "SpirvThread.h"
+
+namespace Drydock
+{
+
+using namespace Spirv;
+
+class FSpirvInterpreterImpl
+{
+public:
+	FSpirvInterpreterImpl(const FSpirvModule& Module, const FSpirvReflection& Reflection)
+		: Program(Module)
+		, Thread(Program, MakeSlots(Module, Reflection))
+	{
+	}
+
+	static FSpirvSlotTable MakeSlots(const FSpirvModule& Module, const FSpirvReflection& Reflection)
+	{
+		FSpirvSlotTable Table;
+		for (const FSpirvVariable& Variable : Module.Variables)
+		{
+			const auto Found = Reflection.Slots.find(Variable.Id);
+			Table.Slots.push_back(Found == Reflection.Slots.end() ? -1 : int32_t(Found->second));
+		}
+		return Table;
+	}
+
+	float GetReal(size_t Variable, size_t Index) const
+	{
+		return ToSpirvReal<float>(Thread.GetMemory(Variable)[Index]);
+	}
+
+	FSpirvProgram Program;
+	TSpirvThread<float> Thread;
+};
+
+FSpirvInterpreter::FSpirvInterpreter(const FSpirvModule& Module, const FSpirvReflection& Reflection)
+	: Impl(std::make_unique<FSpirvInterpreterImpl>(Module, Reflection))
+{
+}
+
+FSpirvInterpreter::~FSpirvInterpreter() = default;
+
+FInterpretedPixel FSpirvInterpreter::Run(const FKernelArgs& Args, int32_t X, int32_t Y, int32_t Z, uint64_t MaxSteps)
+{
+	const FSpirvModule& Module = Impl->Program.Module;
+	if (Module.ExecutionModel == ExecutionModelVertex)
+	{
+		Module.Fail("a vertex shader has no pixel or thread to run for");
+	}
+	Impl->Thread.Run(Args, {X, Y, Z}, nullptr, MaxSteps);
+	FInterpretedPixel Pixel;
+	Pixel.bDiscarded = Impl->Thread.WasDiscarded();
+	for (size_t k = 0; k < Module.Variables.size(); ++k)
+	{
+		const FSpirvVariable& Variable = Module.Variables[k];
+		if (Variable.Storage == StorageOutput && Variable.Location < 8)
+		{
+			for (uint32_t i = 0; i < 4 && i < Impl->Program.Memory[k].Size; ++i)
+			{
+				Pixel.Targets[Variable.Location][i] = Impl->GetReal(k, i);
+			}
+		}
+	}
+	return Pixel;
+}
+
+FVertexOutput FSpirvInterpreter::RunVertex(const FKernelArgs& Args, const FVertexInput& Input, uint64_t MaxSteps)
+{
+	const FSpirvModule& Module = Impl->Program.Module;
+	if (Module.ExecutionModel != ExecutionModelVertex)
+	{
+		Module.Fail("this is no vertex shader");
+	}
+	Impl->Thread.Run(Args, {0, 0, 0}, &Input, MaxSteps);
+	FVertexOutput Output;
+	for (size_t k = 0; k < Module.Variables.size(); ++k)
+	{
+		const FSpirvVariable& Variable = Module.Variables[k];
+		const int32_t TexCoord = GetTexCoordIndex(Variable.Semantic);
+		const bool bPosition = Variable.BuiltIn == BuiltInPosition;
+		if (Variable.Storage != StorageOutput || (!bPosition && TexCoord < 0))
+		{
+			continue;
+		}
+		const FSpirvType& Type = Module.GetType(Variable.Type);
+		const size_t NumWords = Impl->Program.Memory[k].Size;
+		const size_t Size = Type.Kind == ESpirvType::Array ? Module.GetType(Type.Element).NumScalars : NumWords;
+		for (size_t i = 0; i < NumWords; ++i)
+		{
+			const size_t Index = size_t(std::max(0, TexCoord)) + i / Size;
+			if (bPosition ? i < 4 : Index < size_t(GMaxTexCoords) && i % Size < 4)
+			{
+				(bPosition ? Output.Position[i] : Output.TexCoords[Index][i % Size]) = Impl->GetReal(k, i);
+			}
+		}
+	}
+	return Output;
+}
+
+} // namespace Drydock

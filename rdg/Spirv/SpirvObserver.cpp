@@ -1,0 +1,52 @@
+// Says in words what an access did.
+#include "SpirvObserver.h"
+
+namespace Drydock
+{
+
+namespace
+{
+
+std::string List(const int64_t* Numbers, int Count, const char* Between)
+{
+	std::string Text;
+	for (int i = 0; i < Count; ++i)
+	{
+		Text += (i ? Between : "") + std::to_string(Numbers[i]);
+	}
+	return Text;
+}
+
+} // namespace
+
+FSpirvThreadView::~FSpirvThreadView() = default;
+
+ISpirvObserver::~ISpirvObserver() = default;
+
+std::string DescribeFault(const FSpirvFault& Fault)
+{
+	const std::string Access = Fault.bStore ? "a store to " : "a read of ";
+	switch (Fault.Kind)
+	{
+	case ESpirvFault::Index:
+		return "element " + std::to_string(Fault.At[0]) + " of an array that has " + std::to_string(Fault.Bounds[0]) +
+			   "; the nearest is taken";
+	case ESpirvFault::Texel:
+	{
+		const bool bNoMip = Fault.Bounds[0] == 0;
+		const int Axes = Fault.Bounds[2] > 1 ? 3 : 2;
+		return Access + Fault.What + " at (" + List(Fault.At, Axes, ", ") + ")" +
+			   (Fault.At[3] || bNoMip ? ", mip " + std::to_string(Fault.At[3]) : std::string()) +
+			   (bNoMip ? ", which it does not have" : ", which is " + List(Fault.Bounds, Axes, " x ")) +
+			   (Fault.bStore ? "; it is dropped" : "; it gives 0");
+	}
+	case ESpirvFault::Element:
+		return Access + Fault.What + "[" + std::to_string(Fault.At[0]) + "], which has " +
+			   std::to_string(Fault.Bounds[0]) + " elements" + (Fault.bStore ? "; it is dropped" : "; it gives 0");
+	default:
+		return "'" + Fault.What + "' is used before it is written" +
+			   (Fault.Bounds[0] > 1 ? " (component " + std::to_string(Fault.At[0]) + ")" : std::string());
+	}
+}
+
+} // namespace Drydock

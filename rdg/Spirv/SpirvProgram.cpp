@@ -1,0 +1,159 @@
+// Gives every id of a module its words.
+#include "SpirvProgram.h"
+
+#include <algorithm>
+
+namespace Drydock
+{
+
+using namespace Spirv;
+
+uint32_t FSpirvProgram::WordsOf(uint32_t TypeId) const
+{
+	const FSpirvType& Type = Module.GetType(TypeId);
+	switch (Type.Kind)
+	{
+	case ESpirvType::Void:
+		return 0;
+	case ESpirvType::Image:
+	case ESpirvType::Sampler:
+		return 1;
+	case ESpirvType::SampledImage:
+		return 2;
+	case ESpirvType::Pointer:
+		return GSpirvPointerWords;
+	default:
+		return Type.NumScalars;
+	}
+}
+
+uint32_t FSpirvProgram::Allocate(uint32_t Id, uint32_t Size)
+{
+	const uint32_t First = NumWords;
+	FirstWords.at(Id) = First;
+	NumWords += Size;
+	return First;
+}
+
+FSpirvProgram::FSpirvProgram(const FSpirvModule& InModule)
+	: Module(InModule)
+	, FirstWords(InModule.Bound, GNoSpirvWord)
+{
+	for (const auto& [Id, Constant] : Module.Constants)
+	{
+		Allocate(Id, uint32_t(Constant.Scalars.size()));
+	}
+	for (const FSpirvVariable& Variable : Module.Variables)
+	{
+		Allocate(Variable.Id, GSpirvPointerWords);
+		const ESpirvType Kind = Module.GetType(Variable.Type).Kind;
+		const bool bHandle = Kind == ESpirvType::Image || Kind == ESpirvType::Sampler;
+		const bool bBuffer = Variable.Storage == StorageUniform || Variable.Storage == StorageStorageBuffer;
+		const uint32_t Size = bHandle ? 1 : bBuffer ? 0 : Module.GetType(Variable.Type).NumScalars;
+		if (!bBuffer && !Size)
+		{
+			Module.Fail("'" + Variable.Name + "' holds textures or buffers inside a struct or an array");
+		}
+		Memory.push_back({NumWords, Size});
+		NumWords += Size;
+	}
+	for (const FSpirvFunction& Function : Module.Functions)
+	{
+		FSpirvProgramFunction& Laid = Functions.emplace_back();
+		Laid.FirstBlock = Function.FirstBlock;
+		for (const uint32_t Parameter : Function.Parameters)
+		{
+			const uint32_t Size = WordsOf(Module.GetValueTypeId(Parameter));
+			Laid.Parameters.push_back(Allocate(Parameter, Size));
+			Laid.Sizes.push_back(Size);
+		}
+		EntryBlock = Function.Id == Module.EntryFunction ? Function.FirstBlock : EntryBlock;
+	}
+	for (const FSpirvBlock& Block : Module.Blocks)
+	{
+		for (const FSpirvInstruction& I : Block.Instructions)
+		{
+			if (I.Result)
+			{
+				Allocate(I.Result, WordsOf(I.Type));
+			}
+		}
+	}
+	for (const FSpirvBlock& Block : Module.Blocks)
+	{
+		AddBlock(Block);
+	}
+}
+
+void FSpirvProgram::AddBlock(const FSpirvBlock& Block)
+{
+	FSpirvProgramBlock& Laid = Blocks.emplace_back();
+	Laid.FirstStep = uint32_t(Steps.size());
+	for (const FSpirvInstruction& I : Block.Instructions)
+	{
+		if (I.Op != OpPhi)
+		{
+			AddStep(I);
+			continue;
+		}
+		for (size_t k = 0; k + 1 < I.Operands.size(); k += 2)
+		{
+			const uint32_t Source = WordOf(I.Operands[k]);
+			if (Source != GNoSpirvWord)
+			{
+				Laid.Edges.push_back({I.Operands[k + 1], WordOf(I.Result), Source, WordsOf(I.Type)});
+			}
+		}
+	}
+	Laid.NumSteps = uint32_t(Steps.size()) - Laid.FirstStep;
+}
+
+void FSpirvProgram::AddStep(const FSpirvInstruction& I)
+{
+	FSpirvStep Step;
+	Step.I = &I;
+	Step.To = I.Result ? WordOf(I.Result) : GNoSpirvWord;
+	Step.Size = I.Type ? WordsOf(I.Type) : 0;
+	Step.FirstArg = uint32_t(Args.size());
+	for (const uint32_t Operand : I.Operands)
+	{
+		Args.push_back(WordOf(Operand));
+	}
+	if (I.Op == OpAccessChain || I.Op == OpInBoundsAccessChain)
+	{
+		const FSpirvType& Base = Module.GetValueType(I.Operands.at(0));
+		const bool bBytes = Base.Storage == StorageUniform || Base.Storage == StorageStorageBuffer;
+		Step.Place = uint32_t(Places.size());
+		Places.push_back(FollowChain(Module, Base.Element, bBytes, I));
+	}
+	if (I.Op == OpLoad || I.Op == OpStore)
+	{
+		// Of a whole variable or parameter there is no chain: its place begins at 0.
+		const FSpirvType& Base = Module.GetValueType(I.Operands.at(0));
+		const bool bBytes = Base.Storage == StorageUniform || Base.Storage == StorageStorageBuffer;
+		if (bBytes)
+		{
+			const auto Chain = std::find_if(Steps.rbegin(), Steps.rend(),
+				[&I](const FSpirvStep& Earlier) { return Earlier.I->Result == I.Operands[0]; });
+			Step.Place = Chain == Steps.rend() ? uint32_t(Places.size()) : Chain->Place;
+			if (Chain == Steps.rend())
+			{
+				Places.push_back(FollowChain(Module, Base.Element, true, FSpirvInstruction()));
+			}
+		}
+	}
+	if (I.Op == OpFunctionCall)
+	{
+		const auto Found = std::find_if(Module.Functions.begin(), Module.Functions.end(),
+			[&I](const FSpirvFunction& Function) { return Function.Id == I.Operands.at(0); });
+		const bool bKnown = Found != Module.Functions.end();
+		Step.Function = bKnown ? uint32_t(Found - Module.Functions.begin()) : ~0u;
+		if (bKnown && Functions[Step.Function].Parameters.size() + 1 != I.Operands.size())
+		{
+			Module.Fail("SPIR-V: a call with the wrong number of arguments", &I);
+		}
+	}
+	Steps.push_back(Step);
+}
+
+} // namespace Drydock

@@ -1,0 +1,13 @@
+// Compiles a thread in both arithmetics.
+#include "SpirvThread.inl"
+#include "SpirvThreadChecks.inl"
+#include "SpirvThreadImages.inl"
+#include "SpirvThreadValues.inl"
+
+namespace Drydock
+{
+
+template class TSpirvThread<float>;
+template class TSpirvThread<double>;
+
+} // namespace Drydock

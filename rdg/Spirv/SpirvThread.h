@@ -1,0 +1,140 @@
+// One thread of a shader, run instruction by instruction, block after block, as the specification says. It knows nothing
+// of lanes, masks, structure or uniformity. SpirvThread.inl: blocks, calls and memory; SpirvThreadValues.inl: vectors,
+// matrices and functions of them; SpirvThreadImages.inl: textures.
+#pragma once
+
+#include "SpirvInterpreter.h"
+#include "SpirvObserver.h"
+#include "SpirvScalarMath.h"
+
+#include <algorithm>
+
+namespace Drydock
+{
+
+/** Where a resource of the module lies among the kernel's arguments. */
+struct FSpirvSlotTable
+{
+	std::vector<int32_t> Slots; // by the module's variable; -1: nowhere
+};
+
+template<typename Real>
+class TSpirvThread final : public FSpirvThreadView
+{
+public:
+	using FWord = TSpirvWord<Real>;
+
+	TSpirvThread(const FSpirvProgram& InProgram, FSpirvSlotTable InSlots);
+
+	/** Runs the entry point to its end. Throws FSpirvError after MaxSteps instructions. */
+	void Run(const FKernelArgs& InArgs, const int32_t (&InPosition)[3], const FVertexInput* InVertex, uint64_t MaxSteps);
+
+	bool WasDiscarded() const { return bDiscarded; }
+	/** A variable's words: outputs, after Run. */
+	const FWord* GetMemory(size_t Variable) const { return Words.data() + Program.Memory[Variable].First; }
+	bool IsDefined(uint32_t Word) const { return Undefined.empty() || !Undefined[Word]; }
+
+	/** Observer may be null. With bInTrackUndefined, values that nothing wrote are followed to where they matter. */
+	void SetObserver(ISpirvObserver* InObserver, bool bInTrackUndefined);
+	/** How often each block was entered; counted on from run to run. */
+	std::vector<uint64_t> BlockRuns;
+	/** Texture samples and loads of the last run. */
+	uint64_t Taps = 0;
+
+	uint32_t GetBits(uint32_t Word) const override { return uint32_t(Words[Word]); }
+	double GetReal(uint32_t Word) const override { return double(ToSpirvReal<Real>(Words[Word])); }
+	size_t GetDepth() const override { return Calls.size(); }
+	const int32_t* GetPosition() const override { return Position; }
+
+private:
+	struct FCall
+	{
+		uint32_t Step = 0; // of the call
+		uint32_t Block = 0;
+	};
+
+	void ClearMemory();
+	void FillInputs();
+	void FillInput(const FSpirvVariable& Variable, FWord* Out) const;
+	void FillAttribute(const FSpirvVariable& Variable, FWord* Out) const;
+	void EnterBlock(uint32_t Block, uint32_t From);
+	uint32_t ChooseTarget(const FSpirvStep& Step) const;
+	void Execute(const FSpirvStep& Step);
+	void ExecuteChain(const FSpirvStep& Step);
+	void Load(const FSpirvStep& Step);
+	void Store(const FSpirvStep& Step, uint32_t Pointer, const FWord* Value, uint32_t Size);
+	void LoadBytes(const FSpirvStep& Step);
+	void StoreBytes(const FSpirvStep& Step);
+	const FKernelBuffer* FindBuffer(uint32_t Variable) const;
+	void ArrayLength(const FSpirvStep& Step);
+	bool ExecuteComposite(const FSpirvStep& Step);
+	bool ExecuteMatrix(const FSpirvStep& Step);
+	bool ExecuteImage(const FSpirvStep& Step);
+	void ExecuteSample(const FSpirvStep& Step);
+	void ExecuteImageLoad(const FSpirvStep& Step);
+	void ExecuteImageWrite(const FSpirvStep& Step);
+	void ExecuteBitcast(const FSpirvStep& Step);
+	void ExecuteScalars(const FSpirvStep& Step);
+	bool ExecuteGeometric(const FSpirvStep& Step);
+	void ExecuteExtended(const FSpirvStep& Step);
+	void CheckTexel(const FSpirvStep& Step, const FKernelTexture& Texture, const int32_t (&At)[4], bool bStore);
+	void CheckElement(const FSpirvStep& Step, const FKernelBuffer& Buffer, uint64_t Index, bool bStore);
+	void Fault(const FSpirvStep& Step, const FSpirvFault& Fault);
+	void Move(const FSpirvStep& Step);
+	void FollowUndefined(const FSpirvStep& Step);
+	void CheckDefined(const FSpirvStep& Step, size_t Operand);
+	void ReportUndefined(const FSpirvStep& Step, uint32_t Word);
+	void CheckOutputs();
+
+	uint32_t Arg(const FSpirvStep& Step, size_t Operand) const { return Program.Args[Step.FirstArg + Operand]; }
+	const FWord* Value(const FSpirvStep& Step, size_t Operand) const { return Words.data() + Arg(Step, Operand); }
+	uint32_t Bits(const FSpirvStep& Step, size_t Operand, uint32_t Index = 0) const
+	{
+		return uint32_t(Value(Step, Operand)[Index]);
+	}
+	Real GetValue(const FSpirvStep& Step, size_t Operand, uint32_t Index) const
+	{
+		return ToSpirvReal<Real>(Value(Step, Operand)[Index]);
+	}
+	uint32_t SizeOf(const FSpirvStep& Step, size_t Operand) const
+	{
+		return Program.WordsOf(Program.Module.GetValueTypeId(Step.I->Operands[Operand]));
+	}
+	FWord* Result(const FSpirvStep& Step) { return Words.data() + Step.To; }
+	bool IsReal(uint32_t Type, uint32_t Index) const
+	{
+		return Program.Module.GetScalarKind(Type, Index) == ESpirvType::Float;
+	}
+	const FSpirvVariable& Resource(const FSpirvStep& Step, size_t Operand, uint32_t Index = 0) const
+	{
+		return Program.Module.Variables.at(Bits(Step, Operand, Index));
+	}
+	/** Of a texture or buffer that the compiled shader does not have there is an empty one. */
+	template<typename T>
+	const T& ViewOf(const T* Views, uint32_t Variable) const
+	{
+		static const T None{};
+		const int32_t Slot = Table.Slots.at(Variable);
+		return Slot < 0 ? None : Views[Slot];
+	}
+	const FKernelTexture& TextureOf(const FSpirvStep& Step, size_t Operand) const;
+	const FKernelBuffer& BufferOf(const FSpirvStep& Step, size_t Operand) const;
+
+	const FSpirvProgram& Program;
+	FSpirvSlotTable Table;
+	std::vector<FWord> Words;
+	std::vector<uint32_t> Undefined; // by word: 1 + the word of the variable that nothing wrote; empty: nobody asks
+	std::vector<FCall> Calls;
+	std::vector<FWord> Incoming;     // of the block that is entered
+	std::vector<uint32_t> Sources;   // words that an instruction moves
+	ISpirvObserver* Observer = nullptr;
+	const FKernelArgs* Args = nullptr;
+	const FVertexInput* Vertex = nullptr; // of a vertex shader
+	int32_t Position[3] = {};
+	bool bDiscarded = false;
+};
+
+extern template class TSpirvThread<float>;
+extern template class TSpirvThread<double>;
+
+} // namespace Drydock

@@ -1,0 +1,536 @@
+// Blocks, calls and memory of a thread. Source of the instructions' meaning: SPIR-V specification, section 3.
+#pragma once
+
+#include "SpirvThread.h"
+
+#include "Lanes.h"
+#include "Math/ToInteger.h"
+
+#include <cstring>
+#include <numeric>
+
+namespace Drydock
+{
+
+using namespace Spirv;
+
+template<typename Real>
+TSpirvThread<Real>::TSpirvThread(const FSpirvProgram& InProgram, FSpirvSlotTable InSlots)
+	: BlockRuns(InProgram.Blocks.size())
+	, Program(InProgram)
+	, Table(std::move(InSlots))
+	, Words(InProgram.NumWords)
+{
+	for (const auto& [Id, Constant] : Program.Module.Constants)
+	{
+		FWord* const Out = Words.data() + Program.WordOf(Id);
+		for (uint32_t i = 0; i < Constant.Scalars.size(); ++i)
+		{
+			const bool bReal = sizeof(Real) > 4 && IsReal(Constant.Type, i);
+			Out[i] = bReal ? ToSpirvWord<Real>(Real(__builtin_bit_cast(float, Constant.Scalars[i])))
+						   : Constant.Scalars[i];
+		}
+	}
+	for (size_t i = 0; i < Program.Module.Variables.size(); ++i)
+	{
+		FWord* const Pointer = Words.data() + Program.WordOf(Program.Module.Variables[i].Id);
+		const uint32_t Storage = Program.Module.Variables[i].Storage;
+		const bool bBuffer = Storage == StorageUniform || Storage == StorageStorageBuffer;
+		Pointer[0] = bBuffer ? 0 : Program.Memory[i].First;
+		Pointer[2] = FWord(i);
+	}
+}
+
+template<typename Real>
+void TSpirvThread<Real>::SetObserver(ISpirvObserver* InObserver, bool bInTrackUndefined)
+{
+	Observer = InObserver;
+	Undefined.assign(bInTrackUndefined ? Words.size() : 0, 0);
+}
+
+template<typename Real>
+void TSpirvThread<Real>::ClearMemory()
+{
+	std::fill(Undefined.begin(), Undefined.end(), 0u);
+	for (size_t i = 0; i < Program.Module.Variables.size(); ++i)
+	{
+		const FSpirvVariable& Variable = Program.Module.Variables[i];
+		const FSpirvMemory& Memory = Program.Memory[i];
+		FWord* const Out = Words.data() + Memory.First;
+		if (Variable.Storage == StorageUniformConstant)
+		{
+			Out[0] = FWord(i);
+			continue;
+		}
+		if (Variable.Initializer)
+		{
+			std::copy_n(Words.data() + Program.WordOf(Variable.Initializer), Memory.Size, Out);
+			continue;
+		}
+		std::fill_n(Out, Memory.Size, FWord(0));
+		if (!Undefined.empty() && Variable.Storage != StorageInput)
+		{
+			std::iota(Undefined.begin() + Memory.First, Undefined.begin() + Memory.First + Memory.Size, Memory.First + 1);
+		}
+	}
+}
+
+template<typename Real>
+void TSpirvThread<Real>::FillInputs()
+{
+	for (size_t i = 0; i < Program.Module.Variables.size(); ++i)
+	{
+		const FSpirvVariable& Variable = Program.Module.Variables[i];
+		if (Variable.Storage == StorageInput)
+		{
+			FillInput(Variable, Words.data() + Program.Memory[i].First);
+		}
+	}
+}
+
+template<typename Real>
+void TSpirvThread<Real>::FillInput(const FSpirvVariable& Variable, FWord* Out) const
+{
+	const int32_t Group[3] = {int32_t(Program.Module.LocalSize[0]), int32_t(Program.Module.LocalSize[1]),
+		int32_t(Program.Module.LocalSize[2])};
+	const auto Local = [this, &Group](int Axis)
+	{
+		return uint32_t(Position[Axis] % Group[Axis]);
+	};
+	switch (Variable.BuiltIn)
+	{
+	case BuiltInGlobalInvocationId:
+		for (int Axis = 0; Axis < 3; ++Axis)
+		{
+			Out[Axis] = uint32_t(Position[Axis]);
+		}
+		return;
+	case BuiltInWorkgroupId:
+		for (int Axis = 0; Axis < 3; ++Axis)
+		{
+			Out[Axis] = uint32_t(Position[Axis] / Group[Axis]);
+		}
+		return;
+	case BuiltInLocalInvocationId:
+		for (int Axis = 0; Axis < 3; ++Axis)
+		{
+			Out[Axis] = Local(Axis);
+		}
+		return;
+	case BuiltInLocalInvocationIndex:
+		Out[0] = (Local(2) * uint32_t(Group[1]) + Local(1)) * uint32_t(Group[0]) + Local(0);
+		return;
+	case BuiltInFragCoord:
+		Out[0] = ToSpirvWord<Real>(Real(Position[0]) + Real(0.5));
+		Out[1] = ToSpirvWord<Real>(Real(Position[1]) + Real(0.5));
+		Out[2] = ToSpirvWord<Real>(Real(0));
+		Out[3] = ToSpirvWord<Real>(Real(1));
+		return;
+	case BuiltInFrontFacing:
+		Out[0] = 1;
+		return;
+	case BuiltInVertexIndex:
+		Out[0] = Vertex ? Vertex->VertexId : 0;
+		return;
+	case BuiltInInstanceIndex:
+		Out[0] = Vertex ? Vertex->InstanceId : 0;
+		return;
+	default:
+		break;
+	}
+	if (Vertex)
+	{
+		FillAttribute(Variable, Out);
+		return;
+	}
+	const int32_t Index = GetTexCoordIndex(Variable.Semantic);
+	const uint32_t Size = std::min(4u, Program.Module.GetType(Variable.Type).NumScalars);
+	for (uint32_t i = 0; i < Size && Index >= 0 && Args->Interpolants; ++i)
+	{
+		Out[i] = ToSpirvWord<Real>(
+			Lanes::Interpolate<Real>(Args->Interpolants[Index], int(i), Lanes::TInt<4>(Position[0]), Position[1])[0]);
+	}
+}
+
+template<typename Real>
+void TSpirvThread<Real>::FillAttribute(const FSpirvVariable& Variable, FWord* Out) const
+{
+	const int32_t Index = GetSemanticIndex(Variable.Semantic, "ATTRIBUTE");
+	const ESpirvType Kind = Program.Module.GetScalarKind(Variable.Type, 0);
+	const uint32_t Size = std::min(4u, Program.Module.GetType(Variable.Type).NumScalars);
+	for (uint32_t i = 0; i < Size && Index >= 0; ++i)
+	{
+		const double Value = Vertex->Attributes[Index][i];
+		Out[i] = Kind == ESpirvType::Float ? ToSpirvWord<Real>(Real(Value))
+				 : Kind == ESpirvType::Int ? FWord(uint32_t(ToInteger<int32_t>(Value)))
+										   : FWord(ToInteger<uint32_t>(Value));
+	}
+}
+
+template<typename Real>
+void TSpirvThread<Real>::Run(
+	const FKernelArgs& InArgs, const int32_t (&InPosition)[3], const FVertexInput* InVertex, uint64_t MaxSteps)
+{
+	Args = &InArgs;
+	Vertex = InVertex;
+	std::copy_n(InPosition, 3, Position);
+	bDiscarded = false;
+	Taps = 0;
+	Calls.clear();
+	ClearMemory();
+	FillInputs();
+
+	uint64_t NumSteps = 0;
+	uint32_t Block = Program.EntryBlock;
+	uint32_t At = Program.Blocks[Block].FirstStep;
+	++BlockRuns[Block];
+	for (;;)
+	{
+		const FSpirvStep& Step = Program.Steps[At];
+		const uint16_t Op = Step.I->Op;
+		if (++NumSteps > MaxSteps)
+		{
+			Program.Module.Fail("the shader did not end", Step.I);
+		}
+		if (Op < OpBranch || Op > OpUnreachable)
+		{
+			if (Op == OpFunctionCall && Step.Function != ~0u)
+			{
+				const FSpirvProgramFunction& Function = Program.Functions[Step.Function];
+				for (size_t k = 0; k < Function.Parameters.size(); ++k)
+				{
+					const uint32_t Source = Arg(Step, k + 1);
+					std::copy_n(
+						Words.data() + Source, Function.Sizes[k], Words.data() + Function.Parameters[k]);
+					if (!Undefined.empty())
+					{
+						std::copy_n(Undefined.begin() + Source, Function.Sizes[k],
+							Undefined.begin() + Function.Parameters[k]);
+					}
+				}
+				Calls.push_back({At, Block});
+				if (Observer)
+				{
+					Observer->OnCall(*this, Step);
+				}
+				Block = Function.FirstBlock;
+				At = Program.Blocks[Block].FirstStep;
+				++BlockRuns[Block];
+				continue;
+			}
+			Execute(Step);
+			if (Step.bHook && Observer)
+			{
+				Observer->OnStep(*this, Step);
+			}
+			if (bDiscarded)
+			{
+				return;
+			}
+			++At;
+			continue;
+		}
+		if (Step.bHook && Observer)
+		{
+			Observer->OnStep(*this, Step);
+		}
+		bDiscarded = Op == OpKill;
+		const bool bReturns = Op == OpReturn || Op == OpReturnValue;
+		if (bDiscarded || Op == OpUnreachable || (bReturns && Calls.empty()))
+		{
+			break;
+		}
+		if (bReturns)
+		{
+			const FCall Call = Calls.back();
+			const FSpirvStep& Caller = Program.Steps[Call.Step];
+			if (Op == OpReturnValue)
+			{
+				std::copy_n(Value(Step, 0), Caller.Size, Result(Caller));
+				if (!Undefined.empty())
+				{
+					std::copy_n(Undefined.begin() + Arg(Step, 0), Caller.Size, Undefined.begin() + Caller.To);
+				}
+			}
+			Calls.pop_back();
+			if (Observer)
+			{
+				Observer->OnReturn(*this, Caller);
+				if (Caller.bHook)
+				{
+					Observer->OnStep(*this, Caller);
+				}
+			}
+			Block = Call.Block;
+			At = Call.Step + 1;
+			continue;
+		}
+		const uint32_t Target = ChooseTarget(Step);
+		const uint32_t From = Program.Module.Blocks[Block].Label;
+		Program.Module.GetBlock(Target); // throws where there is none
+		Block = Program.Module.BlockIndex.at(Target);
+		EnterBlock(Block, From);
+		At = Program.Blocks[Block].FirstStep;
+	}
+	if (!Undefined.empty() && !bDiscarded)
+	{
+		CheckOutputs();
+	}
+}
+
+template<typename Real>
+void TSpirvThread<Real>::EnterBlock(uint32_t Block, uint32_t From)
+{
+	++BlockRuns[Block];
+	const std::vector<FSpirvEdge>& Edges = Program.Blocks[Block].Edges;
+	if (Edges.empty())
+	{
+		return;
+	}
+	// All phis of a block read before any of them is written.
+	Incoming.clear();
+	std::vector<uint32_t> IncomingUndefined;
+	for (const FSpirvEdge& Edge : Edges)
+	{
+		if (Edge.From == From)
+		{
+			Incoming.insert(
+				Incoming.end(), Words.begin() + Edge.Source, Words.begin() + Edge.Source + Edge.Size);
+			if (!Undefined.empty())
+			{
+				IncomingUndefined.insert(IncomingUndefined.end(), Undefined.begin() + Edge.Source,
+					Undefined.begin() + Edge.Source + Edge.Size);
+			}
+		}
+	}
+	size_t Next = 0;
+	for (const FSpirvEdge& Edge : Edges)
+	{
+		if (Edge.From == From)
+		{
+			std::copy_n(Incoming.begin() + std::ptrdiff_t(Next), Edge.Size, Words.begin() + Edge.To);
+			if (!Undefined.empty())
+			{
+				std::copy_n(
+					IncomingUndefined.begin() + std::ptrdiff_t(Next), Edge.Size, Undefined.begin() + Edge.To);
+			}
+			Next += Edge.Size;
+		}
+	}
+}
+
+template<typename Real>
+uint32_t TSpirvThread<Real>::ChooseTarget(const FSpirvStep& Step) const
+{
+	const std::vector<uint32_t>& Operands = Step.I->Operands;
+	switch (Step.I->Op)
+	{
+	case OpBranchConditional:
+		return Operands[Bits(Step, 0) ? 1 : 2];
+	case OpSwitch:
+		for (size_t i = 2; i + 1 < Operands.size(); i += 2)
+		{
+			if (Operands[i] == Bits(Step, 0))
+			{
+				return Operands[i + 1];
+			}
+		}
+		return Operands[1];
+	default:
+		return Operands[0];
+	}
+}
+
+template<typename Real>
+void TSpirvThread<Real>::Execute(const FSpirvStep& Step)
+{
+	if (!Undefined.empty())
+	{
+		FollowUndefined(Step);
+	}
+	switch (Step.I->Op)
+	{
+	case OpLoad:
+		Load(Step);
+		return;
+	case OpStore:
+		if (Step.Place != ~0u)
+		{
+			StoreBytes(Step);
+		}
+		else
+		{
+			Store(Step, uint32_t(Value(Step, 0)[0]), Value(Step, 1), SizeOf(Step, 1));
+		}
+		return;
+	case OpAccessChain:
+	case OpInBoundsAccessChain:
+		ExecuteChain(Step);
+		return;
+	case OpFunctionCall:
+		bDiscarded = true;
+		return;
+	case OpArrayLength:
+		ArrayLength(Step);
+		return;
+	case OpBitcast:
+		ExecuteBitcast(Step);
+		return;
+	case OpExtInst:
+		ExecuteExtended(Step);
+		return;
+	default:
+		if (!ExecuteComposite(Step) && !ExecuteMatrix(Step) && !ExecuteImage(Step))
+		{
+			ExecuteScalars(Step);
+		}
+		return;
+	}
+}
+
+template<typename Real>
+void TSpirvThread<Real>::ExecuteChain(const FSpirvStep& Step)
+{
+	const FSpirvPlace& Place = Program.PlaceOf(Step);
+	const FWord* const Base = Value(Step, 0);
+	uint64_t Offset = uint64_t(Base[0]) + Place.Offset;
+	for (const FSpirvIndex& Index : Place.Indices)
+	{
+		const uint32_t At = uint32_t(Words[Program.WordOf(Index.Value)]);
+		if (At >= Index.Count && Observer)
+		{
+			FSpirvFault Found{ESpirvFault::Index, {}, {int32_t(At)}, {Index.Count}, false};
+			Fault(Step, Found);
+		}
+		Offset += uint64_t(std::min(At, Index.Count - 1)) * Index.Stride;
+	}
+	FWord* const Out = Result(Step);
+	const FWord Variable = Base[2];
+	const FWord Element = Place.ElementStride ? FWord(uint32_t(Words[Program.WordOf(Place.Element)])) : Base[1];
+	Out[0] = FWord(Offset);
+	Out[1] = Element;
+	Out[2] = Variable;
+}
+
+template<typename Real>
+void TSpirvThread<Real>::Load(const FSpirvStep& Step)
+{
+	if (Step.Place != ~0u)
+	{
+		LoadBytes(Step);
+		return;
+	}
+	const uint32_t From = uint32_t(Value(Step, 0)[0]);
+	std::copy_n(Words.data() + From, Step.Size, Result(Step));
+	if (!Undefined.empty())
+	{
+		std::copy_n(Undefined.begin() + From, Step.Size, Undefined.begin() + Step.To);
+	}
+}
+
+template<typename Real>
+void TSpirvThread<Real>::Store(const FSpirvStep& Step, uint32_t Pointer, const FWord* From, uint32_t Size)
+{
+	if (size_t(Pointer) + Size > Words.size())
+	{
+		Program.Module.Fail("SPIR-V: a store to nowhere", Step.I);
+	}
+	std::copy_n(From, Size, Words.data() + Pointer);
+	if (!Undefined.empty())
+	{
+		std::copy_n(Undefined.begin() + (From - Words.data()), Size, Undefined.begin() + Pointer);
+	}
+}
+
+template<typename Real>
+const FKernelBuffer* TSpirvThread<Real>::FindBuffer(uint32_t Variable) const
+{
+	const FSpirvType& Type = Program.Module.GetType(Program.Module.Variables.at(Variable).Type);
+	if (!Type.bBufferBlock)
+	{
+		return nullptr;
+	}
+	return &ViewOf(Type.Members.at(0).bNonWritable ? Args->Buffers : Args->RWBuffers, Variable);
+}
+
+template<typename Real>
+void TSpirvThread<Real>::LoadBytes(const FSpirvStep& Step)
+{
+	const FSpirvPlace& Place = Program.PlaceOf(Step);
+	const FWord* const Pointer = Value(Step, 0);
+	const uint32_t Offset = uint32_t(Pointer[0]);
+	const uint32_t Element = uint32_t(Pointer[1]);
+	const uint32_t Variable = uint32_t(Pointer[2]);
+	const FKernelBuffer* const Buffer = FindBuffer(Variable);
+	FWord* const Out = Result(Step);
+	for (uint32_t i = 0; i < Place.Scalars.size() && i < Step.Size; ++i)
+	{
+		uint32_t Loaded = 0;
+		const uint32_t At = Offset + Place.Scalars[i];
+		if (!Buffer)
+		{
+			const uint8_t* const Data = ViewOf(Args->ConstantBuffers, Variable);
+			if (Data)
+			{
+				std::memcpy(&Loaded, Data + At, 4);
+			}
+		}
+		else
+		{
+			const uint64_t Byte = uint64_t(Element) * Place.ElementStride + At;
+			if (Element < Buffer->SizeInBytes / std::max(1u, Place.ElementStride) && Byte + 4 <= Buffer->SizeInBytes)
+			{
+				std::memcpy(&Loaded, Buffer->Data + Byte, 4);
+			}
+		}
+		const bool bReal = sizeof(Real) > 4 && IsReal(Step.I->Type, i);
+		Out[i] = bReal ? ToSpirvWord<Real>(Real(__builtin_bit_cast(float, Loaded))) : Loaded;
+	}
+	if (Buffer && Observer)
+	{
+		CheckElement(Step, *Buffer, Element, false);
+	}
+}
+
+template<typename Real>
+void TSpirvThread<Real>::StoreBytes(const FSpirvStep& Step)
+{
+	const FSpirvPlace& Place = Program.PlaceOf(Step);
+	const FWord* const Pointer = Value(Step, 0);
+	const uint32_t Element = uint32_t(Pointer[1]);
+	const uint32_t Variable = uint32_t(Pointer[2]);
+	const FKernelBuffer* const Buffer = FindBuffer(Variable);
+	if (!Buffer || !Place.ElementStride)
+	{
+		Program.Module.Fail("a store into '" + Program.Module.Variables.at(Variable).Name + "', which is read-only");
+	}
+	const uint32_t Type = Program.Module.GetValueTypeId(Step.I->Operands[1]);
+	const FWord* const From = Value(Step, 1);
+	for (uint32_t i = 0; i < Place.Scalars.size() && i < SizeOf(Step, 1); ++i)
+	{
+		const bool bReal = sizeof(Real) > 4 && IsReal(Type, i);
+		const uint32_t Stored = bReal ? __builtin_bit_cast(uint32_t, float(ToSpirvReal<Real>(From[i])))
+									  : uint32_t(From[i]);
+		const uint64_t Byte = uint64_t(Element) * Place.ElementStride + uint32_t(Pointer[0]) + Place.Scalars[i];
+		if (Element < Buffer->SizeInBytes / Place.ElementStride && Byte + 4 <= Buffer->SizeInBytes)
+		{
+			std::memcpy(Buffer->Data + Byte, &Stored, 4);
+		}
+	}
+	if (Observer)
+	{
+		CheckElement(Step, *Buffer, Element, true);
+	}
+}
+
+template<typename Real>
+void TSpirvThread<Real>::ArrayLength(const FSpirvStep& Step)
+{
+	const uint32_t Variable = uint32_t(Value(Step, 0)[2]);
+	const FSpirvVariable& Found = Program.Module.Variables.at(Variable);
+	const FKernelBuffer* const Buffer = FindBuffer(Variable);
+	const uint32_t Stride = Program.Module.GetType(Program.Module.GetMemberType(Found.Type, Step.I->Operands[1])).ArrayStride;
+	Result(Step)[0] = Buffer ? Buffer->SizeInBytes / std::max(4u, Stride) : 0;
+}
+
+} // namespace Drydock
