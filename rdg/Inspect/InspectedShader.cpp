@@ -38,8 +38,9 @@ int32_t FindSlot(const FSpirvModule& Module, const FSpirvVariable& Variable, con
 	case ESpirvType::Sampler:
 		return FindNamed(Kernel.Samplers, Variable.Name);
 	case ESpirvType::Image:
-		return Type.Dim == DimBuffer ? FindNamed(Type.bStorageImage ? Kernel.RWBuffers : Kernel.Buffers, Variable.Name)
-									 : FindNamed(Type.bStorageImage ? Kernel.RWTextures : Kernel.Textures, Variable.Name);
+		return Type.Dim == DimBuffer
+				   ? FindNamed(Type.bStorageImage ? Kernel.RWBuffers : Kernel.Buffers, Variable.Name)
+				   : FindNamed(Type.bStorageImage ? Kernel.RWTextures : Kernel.Textures, Variable.Name);
 	case ESpirvType::Struct:
 		break;
 	default:
@@ -89,7 +90,8 @@ FInspectedShader::FInspectedShader(const FShaderCompileRequest& Request, const F
 	}
 	catch (const FSpirvError& Error)
 	{
-		throw FError({ESeverity::Error, 6020, Error.what(), Error.File, Error.Line, 0, "entry point " + Request.EntryPoint},
+		throw FError(
+			{ESeverity::Error, 6020, Error.what(), Error.File, Error.Line, 0, "entry point " + Request.EntryPoint},
 			ExitUsage);
 	}
 }

@@ -41,10 +41,10 @@ struct FCheckFinding
 	std::string File; // virtual; empty: not known
 	int Line = 0;
 	std::string Function;
-	std::string Source;    // the line, trimmed
-	std::string What;      // "0 / 0 is NaN"
-	int32_t First[3] = {}; // of the threads, in the order of rows
-	uint64_t Threads = 0;  // that this happens to
+	std::string Source;                         // the line, trimmed
+	std::string What;                           // "0 / 0 is NaN"
+	int32_t First[3] = {};                      // of the threads, in the order of rows
+	uint64_t Threads = 0;                       // that this happens to
 	std::vector<std::array<int32_t, 2>> Pixels; // the first MaxCheckPixels of them
 };
 
@@ -53,7 +53,7 @@ constexpr size_t MaxCheckPixels = 1u << 20;
 /** Runs threads of a dispatch by the interpreter, on all cores, and collects what they do wrong: one finding for each
  * kind and line, those of the earliest thread first. Threads: empty: all of Whole. TargetStorage: formats of the render
  * targets. Same result for any number of cores. */
-DRYDOCK_API std::vector<FCheckFinding> CheckThreads(const FInspectedShader& Shader, const FBoundShader& Bound,
+DRYDOCK_API std::vector<FCheckFinding> CheckThreads(FInspectedShader& Shader, const FBoundShader& Bound,
 	const FKernelArgs& Args, const FKernelTile& Whole, const std::vector<std::array<int32_t, 3>>& Threads,
 	const FCheckSet& Checks);
 

@@ -20,9 +20,8 @@ struct FOperationName
 };
 
 constexpr FOperationName Operations[] = {{OpFAdd, "+"}, {OpFSub, "-"}, {OpFMul, "*"}, {OpFDiv, "/"}, {OpFRem, "%"},
-	{OpFMod, "%"}, {OpVectorTimesScalar, "*"}, {OpMatrixTimesScalar, "*"}, {OpDot, "dot"},
-	{OpVectorTimesMatrix, "mul"}, {OpMatrixTimesVector, "mul"}, {OpMatrixTimesMatrix, "mul"}, {OpBitcast, "asfloat"},
-	{OpFNegate, "-"}};
+	{OpFMod, "%"}, {OpVectorTimesScalar, "*"}, {OpMatrixTimesScalar, "*"}, {OpDot, "dot"}, {OpVectorTimesMatrix, "mul"},
+	{OpMatrixTimesVector, "mul"}, {OpMatrixTimesMatrix, "mul"}, {OpBitcast, "asfloat"}, {OpFNegate, "-"}};
 
 constexpr FOperationName Functions[] = {{ExtRound, "round"}, {ExtRoundEven, "round"}, {ExtTrunc, "trunc"},
 	{ExtFAbs, "abs"}, {ExtFSign, "sign"}, {ExtFloor, "floor"}, {ExtCeil, "ceil"}, {ExtFract, "frac"},
@@ -38,8 +37,8 @@ constexpr FOperationName Functions[] = {{ExtRound, "round"}, {ExtRoundEven, "rou
 template<size_t Count>
 const char* FindName(const FOperationName (&Names)[Count], uint32_t Op)
 {
-	const auto Found = std::find_if(
-		std::begin(Names), std::end(Names), [Op](const FOperationName& Name) { return Name.Op == Op; });
+	const auto Found =
+		std::find_if(std::begin(Names), std::end(Names), [Op](const FOperationName& Name) { return Name.Op == Op; });
 	return Found == std::end(Names) ? nullptr : Found->Text;
 }
 
@@ -68,9 +67,9 @@ std::string FormatReal(double Value)
 		return Value < 0 ? "-Inf" : "Inf";
 	}
 	char Text[64];
-	const std::to_chars_result End =
-		double(float(Value)) == Value ? std::to_chars(Text, Text + sizeof(Text), float(Value))
-									  : std::to_chars(Text, Text + sizeof(Text), Value);
+	const std::to_chars_result End = double(float(Value)) == Value
+										 ? std::to_chars(Text, Text + sizeof(Text), float(Value))
+										 : std::to_chars(Text, Text + sizeof(Text), Value);
 	return std::string(Text, End.ptr);
 }
 

@@ -14,12 +14,6 @@ namespace
 
 constexpr size_t MaxTracedWords = 64; // of one value: a larger array is not written out at every store
 
-/** Names that the front end made up. */
-bool IsMadeUp(const std::string& Name)
-{
-	return Name.empty() || Name == "param" || Name == "indexable" || Name.starts_with("flattenTemp");
-}
-
 class FTraceRecorder final : public ISpirvObserver
 {
 public:
@@ -99,7 +93,9 @@ public:
 
 	void OnFault(const FSpirvThreadView& Thread, const FSpirvStep& Step, const FSpirvFault& Fault) override
 	{
-		if (FTraceLine* const Line = FindLine(Thread, *Step.I))
+		FTraceLine* const Line =
+			Fault.bAtEnd ? (Trace.Lines.empty() ? nullptr : &Trace.Lines.back()) : FindLine(Thread, *Step.I);
+		if (Line)
 		{
 			Line->Events.push_back({ETraceEvent::Fault, DescribeFault(Fault), {}, {}, 0, {}, {}});
 		}
@@ -126,8 +122,8 @@ private:
 			return nullptr;
 		}
 		const size_t Depth = Thread.GetDepth() - Deeper;
-		const bool bSame = !bNewLine && !Trace.Lines.empty() && Trace.Lines.back().Line == I.Line && LastFile == I.File &&
-						   Trace.Lines.back().Depth == Depth;
+		const bool bSame = !bNewLine && !Trace.Lines.empty() && Trace.Lines.back().Line == I.Line &&
+						   LastFile == I.File && Trace.Lines.back().Depth == Depth;
 		if (!bSame)
 		{
 			if (Trace.Lines.size() >= MaxTraceLines)
@@ -186,18 +182,18 @@ private:
 				continue;
 			}
 			const bool bNumeric = Module.GetType(Variable.Type).NumScalars != 0;
-			if (!bNumeric || IsMadeUp(Variable.Name) || Memory.Size > MaxTracedWords)
+			const std::string& Name = Program.VariableNames[i];
+			if (!bNumeric || Name.empty() || Memory.Size > MaxTracedWords)
 			{
 				return;
 			}
 			// Of several components that a line stores one by one, the whole.
 			if (!Line.Events.empty() && Line.Events.back().Kind == ETraceEvent::Value &&
-				Line.Events.back().Name == Variable.Name)
+				Line.Events.back().Name == Name)
 			{
 				Line.Events.pop_back();
 			}
-			Line.Events.push_back(
-				{ETraceEvent::Value, Variable.Name, Read(Thread, Variable.Type, Memory.First), {}, 0, {}, {}});
+			Line.Events.push_back({ETraceEvent::Value, Name, Read(Thread, Variable.Type, Memory.First), {}, 0, {}, {}});
 			return;
 		}
 	}
@@ -226,7 +222,8 @@ private:
 		Event.Name = Module.Variables.at(TextureVariable).Name;
 		Event.Value = Read(Thread, Step.I->Type, Step.To);
 		Event.Coordinates = ValueOf(Thread, Step, 1).Reals;
-		const bool bLevel = Step.I->Op != OpImageGather && Step.I->Operands.size() > 3 && (Step.I->Operands[2] & ImageLod);
+		const bool bLevel =
+			Step.I->Op != OpImageGather && Step.I->Operands.size() > 3 && (Step.I->Operands[2] & ImageLod);
 		Event.Level = bLevel ? Thread.GetReal(WordOf(Step, 3)) : 0;
 		if (TextureSlot >= 0 && SamplerSlot >= 0 && Step.I->Op != OpImageGather)
 		{

@@ -28,10 +28,7 @@ public:
 		return Table;
 	}
 
-	float GetReal(size_t Variable, size_t Index) const
-	{
-		return ToSpirvReal<float>(Thread.GetMemory(Variable)[Index]);
-	}
+	float GetReal(size_t Variable, size_t Index) const { return ToSpirvReal<float>(Thread.GetMemory(Variable)[Index]); }
 
 	FSpirvProgram Program;
 	TSpirvThread<float> Thread;

@@ -1,5 +1,5 @@
-// Runs a shader's SPIR-V one thread at a time, in float. Slow, and needs no compiler: vertex shaders run by it, and it is
-// the model that compiled kernels are tested against, for it knows nothing of lanes, masks, structure or uniformity.
+// Runs a shader's SPIR-V one thread at a time, in float. Slow, and needs no compiler: vertex shaders run by it, and it
+// is the model that compiled kernels are tested against, for it knows nothing of lanes, masks, structure or uniformity.
 #pragma once
 
 #include "ShaderKernel.h"

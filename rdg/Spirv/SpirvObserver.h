@@ -35,10 +35,11 @@ enum class ESpirvFault : uint8_t
 struct FSpirvFault
 {
 	ESpirvFault Kind = ESpirvFault::Index;
-	std::string What;      // the array, texture, buffer or variable
-	int64_t At[4] = {};    // index, or x, y, z, mip
+	std::string What;       // the array, texture, buffer or variable
+	int64_t At[4] = {};     // index, or x, y, z, mip
 	int64_t Bounds[3] = {}; // how many there are
 	bool bStore = false;
+	bool bAtEnd = false; // an output when the thread was over: the step says nothing
 };
 
 /** "a read of SceneColor at (200, 3), which is 200 x 100" */

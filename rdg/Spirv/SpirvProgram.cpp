@@ -27,6 +27,16 @@ uint32_t FSpirvProgram::WordsOf(uint32_t TypeId) const
 	}
 }
 
+uint32_t FSpirvProgram::BlockOf(uint32_t Label) const
+{
+	const uint32_t Index = Label < BlockOfLabel.size() ? BlockOfLabel[Label] : GNoSpirvWord;
+	if (Index == GNoSpirvWord)
+	{
+		Module.Fail("SPIR-V: id " + std::to_string(Label) + " is not a block");
+	}
+	return Index;
+}
+
 uint32_t FSpirvProgram::Allocate(uint32_t Id, uint32_t Size)
 {
 	const uint32_t First = NumWords;
@@ -38,7 +48,12 @@ uint32_t FSpirvProgram::Allocate(uint32_t Id, uint32_t Size)
 FSpirvProgram::FSpirvProgram(const FSpirvModule& InModule)
 	: Module(InModule)
 	, FirstWords(InModule.Bound, GNoSpirvWord)
+	, BlockOfLabel(InModule.Bound, GNoSpirvWord)
 {
+	for (const auto& [Label, Index] : Module.BlockIndex)
+	{
+		BlockOfLabel.at(Label) = Index;
+	}
 	for (const auto& [Id, Constant] : Module.Constants)
 	{
 		Allocate(Id, uint32_t(Constant.Scalars.size()));
@@ -83,6 +98,31 @@ FSpirvProgram::FSpirvProgram(const FSpirvModule& InModule)
 	{
 		AddBlock(Block);
 	}
+	FindVariableNames();
+}
+
+void FSpirvProgram::FindVariableNames()
+{
+	for (const FSpirvVariable& Variable : Module.Variables)
+	{
+		const bool bMadeUp = Variable.Name == "param" || Variable.Name == "indexable" ||
+							 Variable.Name.starts_with("flattenTemp") || Variable.Name.starts_with("@");
+		VariableNames.push_back(bMadeUp ? std::string() : Variable.Name);
+	}
+	for (const FSpirvStep& Step : Steps)
+	{
+		const bool bCall = Step.I->Op == OpFunctionCall && Step.Function != ~0u;
+		for (size_t k = 1; bCall && k < Step.I->Operands.size(); ++k)
+		{
+			const auto Argument = Module.VariableIndex.find(Step.I->Operands[k]);
+			const auto Name = Module.Names.find(Module.Functions[Step.Function].Parameters[k - 1]);
+			if (Argument != Module.VariableIndex.end() && Name != Module.Names.end() &&
+				VariableNames[Argument->second].empty())
+			{
+				VariableNames[Argument->second] = Name->second;
+			}
+		}
+	}
 }
 
 void FSpirvProgram::AddBlock(const FSpirvBlock& Block)
@@ -117,7 +157,9 @@ void FSpirvProgram::AddStep(const FSpirvInstruction& I)
 	Step.FirstArg = uint32_t(Args.size());
 	for (const uint32_t Operand : I.Operands)
 	{
-		Args.push_back(WordOf(Operand));
+		const uint32_t Word = WordOf(Operand);
+		Args.push_back(Word);
+		ArgSizes.push_back(Word == GNoSpirvWord ? 0 : WordsOf(Module.GetValueTypeId(Operand)));
 	}
 	if (I.Op == OpAccessChain || I.Op == OpInBoundsAccessChain)
 	{

@@ -66,25 +66,32 @@ public:
 	uint32_t WordsOf(uint32_t Type) const;
 	/** First word of a value; GNoSpirvWord: not a value. */
 	uint32_t WordOf(uint32_t Id) const { return Id < FirstWords.size() ? FirstWords[Id] : GNoSpirvWord; }
-	/** "P.xyz" of the instruction that makes a pointer. Empty: front end's own. */
+	/** A label's place in Blocks. Throws FSpirvError where it is none. */
+	uint32_t BlockOf(uint32_t Label) const;
 	const FSpirvPlace& PlaceOf(const FSpirvStep& Step) const { return Places[Step.Place]; }
 
 	const FSpirvModule& Module;
 	uint32_t NumWords = 0;
 	std::vector<FSpirvStep> Steps;
 	std::vector<uint32_t> Args;
+	std::vector<uint32_t> ArgSizes; // words of each
 	std::vector<FSpirvPlace> Places;
 	std::vector<FSpirvProgramBlock> Blocks; // as in the module
 	std::vector<FSpirvProgramFunction> Functions;
 	std::vector<FSpirvMemory> Memory; // as the module's variables
+	/** As the author named them, as the module's variables: a copy that a call passes has its parameter's name. Empty:
+	 * the front end made it up. */
+	std::vector<std::string> VariableNames;
 	uint32_t EntryBlock = 0;
 
 private:
 	uint32_t Allocate(uint32_t Id, uint32_t Size);
 	void AddBlock(const FSpirvBlock& Block);
 	void AddStep(const FSpirvInstruction& I);
+	void FindVariableNames();
 
-	std::vector<uint32_t> FirstWords; // by id
+	std::vector<uint32_t> FirstWords;   // by id
+	std::vector<uint32_t> BlockOfLabel; // by id
 };
 
 } // namespace Drydock

@@ -36,7 +36,10 @@ uint32_t FloatToUint(Real X)
 template<typename Real>
 uint32_t FloatToInt(Real X)
 {
-	return X != X ? 0 : X >= Real(2147483648.0) ? 0x7FFFFFFFu : X < Real(-2147483648.0) ? 0x80000000u : uint32_t(int32_t(X));
+	return X != X                    ? 0
+		   : X >= Real(2147483648.0) ? 0x7FFFFFFFu
+		   : X < Real(-2147483648.0) ? 0x80000000u
+									 : uint32_t(int32_t(X));
 }
 
 // D3D has no signed division: by zero, all bits are set as in its udiv, and the most negative number wraps.

@@ -1,6 +1,6 @@
-// One thread of a shader, run instruction by instruction, block after block, as the specification says. It knows nothing
-// of lanes, masks, structure or uniformity. SpirvThread.inl: blocks, calls and memory; SpirvThreadValues.inl: vectors,
-// matrices and functions of them; SpirvThreadImages.inl: textures.
+// One thread of a shader, run instruction by instruction, block after block, as the specification says. It knows
+// nothing of lanes, masks, structure or uniformity. SpirvThread.inl: blocks, calls and memory; SpirvThreadValues.inl:
+// vectors, matrices and functions of them; SpirvThreadImages.inl: textures.
 #pragma once
 
 #include "SpirvInterpreter.h"
@@ -19,7 +19,7 @@ struct FSpirvSlotTable
 };
 
 template<typename Real>
-class TSpirvThread final : public FSpirvThreadView
+class DRYDOCK_API TSpirvThread final : public FSpirvThreadView
 {
 public:
 	using FWord = TSpirvWord<Real>;
@@ -27,7 +27,8 @@ public:
 	TSpirvThread(const FSpirvProgram& InProgram, FSpirvSlotTable InSlots);
 
 	/** Runs the entry point to its end. Throws FSpirvError after MaxSteps instructions. */
-	void Run(const FKernelArgs& InArgs, const int32_t (&InPosition)[3], const FVertexInput* InVertex, uint64_t MaxSteps);
+	void Run(
+		const FKernelArgs& InArgs, const int32_t (&InPosition)[3], const FVertexInput* InVertex, uint64_t MaxSteps);
 
 	bool WasDiscarded() const { return bDiscarded; }
 	/** A variable's words: outputs, after Run. */
@@ -83,7 +84,7 @@ private:
 	void Move(const FSpirvStep& Step);
 	void FollowUndefined(const FSpirvStep& Step);
 	void CheckDefined(const FSpirvStep& Step, size_t Operand);
-	void ReportUndefined(const FSpirvStep& Step, uint32_t Word);
+	void ReportUndefined(const FSpirvStep& Step, uint32_t Word, bool bAtEnd);
 	void CheckOutputs();
 
 	uint32_t Arg(const FSpirvStep& Step, size_t Operand) const { return Program.Args[Step.FirstArg + Operand]; }
@@ -96,10 +97,7 @@ private:
 	{
 		return ToSpirvReal<Real>(Value(Step, Operand)[Index]);
 	}
-	uint32_t SizeOf(const FSpirvStep& Step, size_t Operand) const
-	{
-		return Program.WordsOf(Program.Module.GetValueTypeId(Step.I->Operands[Operand]));
-	}
+	uint32_t SizeOf(const FSpirvStep& Step, size_t Operand) const { return Program.ArgSizes[Step.FirstArg + Operand]; }
 	FWord* Result(const FSpirvStep& Step) { return Words.data() + Step.To; }
 	bool IsReal(uint32_t Type, uint32_t Index) const
 	{
@@ -125,8 +123,8 @@ private:
 	std::vector<FWord> Words;
 	std::vector<uint32_t> Undefined; // by word: 1 + the word of the variable that nothing wrote; empty: nobody asks
 	std::vector<FCall> Calls;
-	std::vector<FWord> Incoming;     // of the block that is entered
-	std::vector<uint32_t> Sources;   // words that an instruction moves
+	std::vector<FWord> Incoming;   // of the block that is entered
+	std::vector<uint32_t> Sources; // words that an instruction moves
 	ISpirvObserver* Observer = nullptr;
 	const FKernelArgs* Args = nullptr;
 	const FVertexInput* Vertex = nullptr; // of a vertex shader

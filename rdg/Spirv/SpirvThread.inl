@@ -27,8 +27,8 @@ TSpirvThread<Real>::TSpirvThread(const FSpirvProgram& InProgram, FSpirvSlotTable
 		for (uint32_t i = 0; i < Constant.Scalars.size(); ++i)
 		{
 			const bool bReal = sizeof(Real) > 4 && IsReal(Constant.Type, i);
-			Out[i] = bReal ? ToSpirvWord<Real>(Real(__builtin_bit_cast(float, Constant.Scalars[i])))
-						   : Constant.Scalars[i];
+			Out[i] =
+				bReal ? ToSpirvWord<Real>(Real(__builtin_bit_cast(float, Constant.Scalars[i]))) : Constant.Scalars[i];
 		}
 	}
 	for (size_t i = 0; i < Program.Module.Variables.size(); ++i)
@@ -70,7 +70,8 @@ void TSpirvThread<Real>::ClearMemory()
 		std::fill_n(Out, Memory.Size, FWord(0));
 		if (!Undefined.empty() && Variable.Storage != StorageInput)
 		{
-			std::iota(Undefined.begin() + Memory.First, Undefined.begin() + Memory.First + Memory.Size, Memory.First + 1);
+			std::iota(
+				Undefined.begin() + Memory.First, Undefined.begin() + Memory.First + Memory.Size, Memory.First + 1);
 		}
 	}
 }
@@ -200,12 +201,11 @@ void TSpirvThread<Real>::Run(
 				for (size_t k = 0; k < Function.Parameters.size(); ++k)
 				{
 					const uint32_t Source = Arg(Step, k + 1);
-					std::copy_n(
-						Words.data() + Source, Function.Sizes[k], Words.data() + Function.Parameters[k]);
+					std::copy_n(Words.data() + Source, Function.Sizes[k], Words.data() + Function.Parameters[k]);
 					if (!Undefined.empty())
 					{
-						std::copy_n(Undefined.begin() + Source, Function.Sizes[k],
-							Undefined.begin() + Function.Parameters[k]);
+						std::copy_n(
+							Undefined.begin() + Source, Function.Sizes[k], Undefined.begin() + Function.Parameters[k]);
 					}
 				}
 				Calls.push_back({At, Block});
@@ -267,8 +267,7 @@ void TSpirvThread<Real>::Run(
 		}
 		const uint32_t Target = ChooseTarget(Step);
 		const uint32_t From = Program.Module.Blocks[Block].Label;
-		Program.Module.GetBlock(Target); // throws where there is none
-		Block = Program.Module.BlockIndex.at(Target);
+		Block = Program.BlockOf(Target);
 		EnterBlock(Block, From);
 		At = Program.Blocks[Block].FirstStep;
 	}
@@ -294,8 +293,7 @@ void TSpirvThread<Real>::EnterBlock(uint32_t Block, uint32_t From)
 	{
 		if (Edge.From == From)
 		{
-			Incoming.insert(
-				Incoming.end(), Words.begin() + Edge.Source, Words.begin() + Edge.Source + Edge.Size);
+			Incoming.insert(Incoming.end(), Words.begin() + Edge.Source, Words.begin() + Edge.Source + Edge.Size);
 			if (!Undefined.empty())
 			{
 				IncomingUndefined.insert(IncomingUndefined.end(), Undefined.begin() + Edge.Source,
@@ -311,8 +309,7 @@ void TSpirvThread<Real>::EnterBlock(uint32_t Block, uint32_t From)
 			std::copy_n(Incoming.begin() + std::ptrdiff_t(Next), Edge.Size, Words.begin() + Edge.To);
 			if (!Undefined.empty())
 			{
-				std::copy_n(
-					IncomingUndefined.begin() + std::ptrdiff_t(Next), Edge.Size, Undefined.begin() + Edge.To);
+				std::copy_n(IncomingUndefined.begin() + std::ptrdiff_t(Next), Edge.Size, Undefined.begin() + Edge.To);
 			}
 			Next += Edge.Size;
 		}
@@ -399,7 +396,7 @@ void TSpirvThread<Real>::ExecuteChain(const FSpirvStep& Step)
 		const uint32_t At = uint32_t(Words[Program.WordOf(Index.Value)]);
 		if (At >= Index.Count && Observer)
 		{
-			FSpirvFault Found{ESpirvFault::Index, {}, {int32_t(At)}, {Index.Count}, false};
+			FSpirvFault Found{ESpirvFault::Index, {}, {int32_t(At)}, {Index.Count}, false, false};
 			Fault(Step, Found);
 		}
 		Offset += uint64_t(std::min(At, Index.Count - 1)) * Index.Stride;
@@ -509,8 +506,8 @@ void TSpirvThread<Real>::StoreBytes(const FSpirvStep& Step)
 	for (uint32_t i = 0; i < Place.Scalars.size() && i < SizeOf(Step, 1); ++i)
 	{
 		const bool bReal = sizeof(Real) > 4 && IsReal(Type, i);
-		const uint32_t Stored = bReal ? __builtin_bit_cast(uint32_t, float(ToSpirvReal<Real>(From[i])))
-									  : uint32_t(From[i]);
+		const uint32_t Stored =
+			bReal ? __builtin_bit_cast(uint32_t, float(ToSpirvReal<Real>(From[i]))) : uint32_t(From[i]);
 		const uint64_t Byte = uint64_t(Element) * Place.ElementStride + uint32_t(Pointer[0]) + Place.Scalars[i];
 		if (Element < Buffer->SizeInBytes / Place.ElementStride && Byte + 4 <= Buffer->SizeInBytes)
 		{
@@ -529,7 +526,8 @@ void TSpirvThread<Real>::ArrayLength(const FSpirvStep& Step)
 	const uint32_t Variable = uint32_t(Value(Step, 0)[2]);
 	const FSpirvVariable& Found = Program.Module.Variables.at(Variable);
 	const FKernelBuffer* const Buffer = FindBuffer(Variable);
-	const uint32_t Stride = Program.Module.GetType(Program.Module.GetMemberType(Found.Type, Step.I->Operands[1])).ArrayStride;
+	const uint32_t Stride =
+		Program.Module.GetType(Program.Module.GetMemberType(Found.Type, Step.I->Operands[1])).ArrayStride;
 	Result(Step)[0] = Buffer ? Buffer->SizeInBytes / std::max(4u, Stride) : 0;
 }
 

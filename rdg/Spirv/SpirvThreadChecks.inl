@@ -21,7 +21,7 @@ template<typename Real>
 void TSpirvThread<Real>::CheckTexel(
 	const FSpirvStep& Step, const FKernelTexture& Texture, const int32_t (&At)[4], bool bStore)
 {
-	FSpirvFault Found{ESpirvFault::Texel, Resource(Step, 0).Name, {At[0], At[1], At[2], At[3]}, {}, bStore};
+	FSpirvFault Found{ESpirvFault::Texel, Resource(Step, 0).Name, {At[0], At[1], At[2], At[3]}, {}, bStore, false};
 	const bool bMip = At[3] >= 0 && At[3] < Texture.NumMips;
 	if (bMip)
 	{
@@ -48,21 +48,21 @@ void TSpirvThread<Real>::CheckElement(const FSpirvStep& Step, const FKernelBuffe
 	const bool bTyped = Step.Place == ~0u;
 	const FSpirvVariable& Variable =
 		bTyped ? Resource(Step, 0) : Program.Module.Variables.at(uint32_t(Value(Step, 0)[2]));
-	Fault(Step, {ESpirvFault::Element, Variable.Name, {int64_t(Index)}, {Count}, bStore});
+	Fault(Step, {ESpirvFault::Element, Variable.Name, {int64_t(Index)}, {Count}, bStore, false});
 }
 
 template<typename Real>
-void TSpirvThread<Real>::ReportUndefined(const FSpirvStep& Step, uint32_t Word)
+void TSpirvThread<Real>::ReportUndefined(const FSpirvStep& Step, uint32_t Word, bool bAtEnd)
 {
 	const uint32_t Origin = Undefined[Word] - 1;
 	Undefined[Word] = 0; // once
-	FSpirvFault Found{ESpirvFault::Undefined, {}, {}, {}, false};
+	FSpirvFault Found{ESpirvFault::Undefined, {}, {}, {}, false, bAtEnd};
 	for (size_t i = 0; i < Program.Memory.size(); ++i)
 	{
 		const FSpirvMemory& Memory = Program.Memory[i];
 		if (Origin >= Memory.First && Origin < Memory.First + Memory.Size)
 		{
-			Found.What = Program.Module.Variables[i].Name;
+			Found.What = Program.VariableNames[i];
 			Found.At[0] = Origin - Memory.First;
 			Found.Bounds[0] = Memory.Size;
 		}
@@ -83,7 +83,7 @@ void TSpirvThread<Real>::CheckDefined(const FSpirvStep& Step, size_t Operand)
 	{
 		if (Undefined[First + i])
 		{
-			ReportUndefined(Step, First + i);
+			ReportUndefined(Step, First + i, false);
 		}
 	}
 }
@@ -166,7 +166,7 @@ void TSpirvThread<Real>::CheckOutputs()
 		{
 			if (Undefined[Program.Memory[i].First + k])
 			{
-				ReportUndefined(Program.Steps.back(), Program.Memory[i].First + k);
+				ReportUndefined(Program.Steps.back(), Program.Memory[i].First + k, true);
 			}
 		}
 	}

@@ -47,7 +47,7 @@ bool TSpirvThread<Real>::ExecuteComposite(const FSpirvStep& Step)
 		for (size_t i = 2; i < I.Operands.size(); ++i)
 		{
 			const uint32_t Index = I.Operands[i];
-			Sources.push_back(Index == ~0u       ? GNoSpirvWord
+			Sources.push_back(Index == ~0u    ? GNoSpirvWord
 							  : Index < First ? Arg(Step, 0) + Index
 											  : Arg(Step, 1) + Index - First);
 		}
@@ -324,8 +324,8 @@ void TSpirvThread<Real>::ExecuteExtended(const FSpirvStep& Step)
 		{
 			const bool bReal = IsReal(Program.Module.GetValueTypeId(Step.I->Operands[3]), i);
 			const Real X = GetValue(Step, 2, i);
-			Out[i] = ToSpirvWord<Real>(bReal ? X * Lanes::Exp2(GetValue(Step, 3, i))
-											 : Lanes::Ldexp(X, int32_t(Bits(Step, 3, i))));
+			Out[i] = ToSpirvWord<Real>(
+				bReal ? X * Lanes::Exp2(GetValue(Step, 3, i)) : Lanes::Ldexp(X, int32_t(Bits(Step, 3, i))));
 		}
 		return;
 	case ExtPackHalf2x16:

@@ -93,7 +93,25 @@ TEST_P(FRandomProgram, KernelsAgreeWithTheModelBitForBit)
 			Kernel.Run(Lanes, Width, Height);
 			EXPECT_EQ("", FindDifference(Model, Kernel, NumFunctions)) << "seed " << Seed << ", " << Lanes << " lanes";
 		}
+		FShaderHarness Inspected(Text, "MainCS", EShaderStage::Compute);
+		FillInputs(Inspected, Seed, NumFunctions);
+		Inspected.RunInspected(Width, Height);
+		EXPECT_EQ("", FindDifference(Model, Inspected, NumFunctions)) << "seed " << Seed << ", with its functions";
 	}
+}
+
+TEST_P(FRandomProgram, DoubleKernelsAgreeWithTheModelInDouble)
+{
+	constexpr int NumFunctions = 3;
+	const uint32_t Seed = uint32_t(GetParam());
+	const std::string Text = FProgramGenerator(Seed).Make(NumFunctions);
+	FShaderHarness Kernel(Text, "MainCS", EShaderStage::Compute);
+	FillInputs(Kernel, Seed, NumFunctions);
+	Kernel.Run(0, Width, Height, 1, true);
+	FShaderHarness Inspected(Text, "MainCS", EShaderStage::Compute);
+	FillInputs(Inspected, Seed, NumFunctions);
+	Inspected.RunInspected(Width, Height, 1, true);
+	EXPECT_EQ("", FindDifference(Kernel, Inspected, NumFunctions)) << "seed " << Seed;
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, FRandomProgram, testing::Range(0, 8));

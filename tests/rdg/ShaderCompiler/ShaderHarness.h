@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Diagnostics.h"
+#include "InspectedShader.h"
 #include "LanesDispatch.h"
 #include "ShaderCompiler.h"
 #include "ShaderFrontEnd.h"
@@ -127,9 +128,58 @@ public:
 		}
 	}
 
+	/** The same by the shader with its functions and local variables, as it is looked into. */
+	void RunInspected(int32_t X, int32_t Y, int32_t Z = 1, bool bDouble = false)
+	{
+		FInspectedShader& Shader = Inspect();
+		const auto RunAll = [&](auto& Thread)
+		{
+			for (int32_t i = 0; i < X * Y * Z; ++i)
+			{
+				const int32_t At[3] = {i % X, i / X % Y, i / X / Y};
+				Thread.Run(Args, At, nullptr, 10'000'000);
+				StoreTargets(Shader, Thread, At[0], At[1]);
+			}
+		};
+		if (bDouble)
+		{
+			TSpirvThread<double> Thread(Shader.GetProgram(), Shader.GetSlots());
+			RunAll(Thread);
+			return;
+		}
+		TSpirvThread<float> Thread(Shader.GetProgram(), Shader.GetSlots());
+		RunAll(Thread);
+	}
+
+	/** Compiled, bound and ready to be looked into; GetArgs has what it reads. */
+	FInspectedShader& Inspect()
+	{
+		Compiled = CompileShader(Request);
+		Bind(Compiled->Reflection);
+		Inspected = std::make_unique<FInspectedShader>(Request, Compiled->Reflection);
+		return *Inspected;
+	}
+	const FKernelArgs& GetArgs() const { return Args; }
+	const FShaderReflection& GetReflection() const { return Compiled->Reflection; }
+
 	FKernelCounters Counters = {};
 
 private:
+	template<typename TThread>
+	void StoreTargets(const FInspectedShader& Shader, const TThread& Thread, int32_t X, int32_t Y)
+	{
+		const FSpirvModule& Module = Shader.GetModule();
+		for (size_t i = 0; i < Module.Variables.size() && !Thread.WasDiscarded(); ++i)
+		{
+			const FSpirvVariable& Variable = Module.Variables[i];
+			const FSpirvMemory& Memory = Shader.GetProgram().Memory[i];
+			for (uint32_t c = 0; Variable.Storage == Spirv::StorageOutput && c < Memory.Size && c < 4; ++c)
+			{
+				Targets.at(Variable.Location).Texel(X, Y)[c] = float(Thread.GetReal(Memory.First + c));
+			}
+		}
+	}
+
 	void Bind(const FShaderReflection& R)
 	{
 		ConstantMemory.clear();
@@ -192,6 +242,8 @@ private:
 			&Counters};
 	}
 
+	std::shared_ptr<const FCompiledShader> Compiled;
+	std::unique_ptr<FInspectedShader> Inspected;
 	FKernelArgs Args = {};
 	std::vector<std::vector<uint8_t>> ConstantMemory;
 	std::vector<const uint8_t*> ConstantPointers;
