@@ -1,0 +1,108 @@
+// `drydock trace`: what a shader did for one pixel, line by line.
+#include <CLI/CLI.hpp>
+
+#include "Inspect/TraceCapture.h"
+#include "Program/NumberList.h"
+#include "Program/ProgramOutput.h"
+#include "Program/VerbOptions.h"
+#include "Program/Verbs.h"
+#include "Run/Run.h"
+#include "Text/ConfigErrors.h"
+
+#include <charconv>
+#include <cstdio>
+#include <memory>
+
+namespace Drydock
+{
+
+namespace
+{
+
+struct FTraceVerbOptions
+{
+	FRunOptions Run;
+	FTraceRequest Request;
+	std::string Pixel;
+	bool bJson = false;
+};
+
+/** "X,Y" or "X,Y,Z" */
+std::array<int32_t, 3> ParsePixel(const std::string& Text)
+{
+	std::array<int32_t, 3> At{};
+	const char* Next = Text.data();
+	const char* const End = Next + Text.size();
+	for (size_t Axis = 0; Axis < 3; ++Axis)
+	{
+		const std::from_chars_result Read = std::from_chars(Next, End, At[Axis]);
+		const bool bLast = Read.ptr == End && Axis > 0;
+		if (Read.ec != std::errc() || (!bLast && (Read.ptr == End || *Read.ptr != ',')))
+		{
+			break;
+		}
+		if (bLast)
+		{
+			return At;
+		}
+		Next = Read.ptr + 1;
+	}
+	throw FError({.Code = ErrorBadArgument,
+					 .Message = "'" + Text + "' is no pixel; expected X,Y as in 100,50, or X,Y,Z of a compute thread",
+					 .Where = "--pixel"},
+		ExitUsage);
+}
+
+int Trace(FTraceVerbOptions Options)
+{
+	Options.Request.At = ParsePixel(Options.Pixel);
+	FTraceCapture Capture(Options.Request);
+	{
+		const FScopedDispatchObserver Scope(Capture);
+		PrintDiagnostics(RunConfig(Options.Run).Diagnostics);
+	}
+	const std::vector<FCapturedTrace>& Traces = Capture.GetTraces();
+	if (Options.bJson)
+	{
+		std::fputs(MakeTraceJson(Traces, Options.Request).c_str(), stdout);
+		return ExitDone;
+	}
+	for (const FCapturedTrace& Captured : Traces)
+	{
+		std::fputs(
+			((&Captured == &Traces.front() ? "" : "\n") + MakeTraceText(Captured, Options.Request)).c_str(), stdout);
+	}
+	return ExitDone;
+}
+
+FVerbCall AddOptions(CLI::App& Verb)
+{
+	const auto Options = std::make_shared<FTraceVerbOptions>();
+	AddConfig(Verb, Options->Run);
+	AddThreads(Verb, Options->Run, "Threads of the passes before; 0: all cores");
+	Verb.add_option("--pass", Options->Request.Pass, "The pass, or its shader's class; with * and ?")
+		->type_name("PATTERN")
+		->required();
+	Verb.add_option("--pixel", Options->Pixel, "Pixel of the pass's render target, or X,Y,Z of a compute thread")
+		->type_name("X,Y")
+		->required();
+	RequireNonNegative(Verb.add_option("--bound", Options->Request.Bound,
+						   "Say where float and double part by more than this, of the value or of 1; 0.001 by default"))
+		->type_name("X");
+	Verb.add_flag("--json", Options->bJson, "Print JSON, with every round of every loop");
+	return [Options]
+	{
+		return Trace(*Options);
+	};
+}
+
+const FVerbRegistration GRegistration({
+	.Name = "trace",
+	.Place = 44,
+	.Doc = "Print what a pass's shader did for one pixel, line by line with values",
+	.AddOptions = AddOptions,
+});
+
+} // namespace
+
+} // namespace Drydock
