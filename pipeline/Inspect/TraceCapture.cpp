@@ -22,12 +22,8 @@ namespace
 
 std::string GetPassName(const FBoundShader& Shader)
 {
-	// The scope of the kernel's own is not open yet: this is the pass's lambda.
-	for (const FCodeOwner* Owner = GetRunningCode(); Owner;)
-	{
-		return Owner->Pass.empty() ? Shader.Name : Owner->Pass;
-	}
-	return Shader.Name;
+	const FCodeOwner* const Owner = GetRunningCode();
+	return Owner && !Owner->Pass.empty() ? Owner->Pass : Shader.Name;
 }
 
 std::array<double, 4> ReadTexel(const FKernelTexture& Texture, int32_t X, int32_t Y)

@@ -3,6 +3,7 @@
 
 #include "Config/ReadConfig.h"
 #include "Extensions/Plugins.h"
+#include "Inspect/CheckCapture.h"
 #include "Program/ProgramOutput.h"
 #include "Program/ProgressBar.h"
 #include "Program/RunFrames.h"
@@ -32,7 +33,8 @@ namespace
 
 struct FRunVerbOptions : FFramesOptions
 {
-	bool bWatch = false; // run again whenever something changes
+	bool bWatch = false;             // run again whenever something changes
+	std::vector<std::string> Checks; // of what shaders do; names
 };
 
 /** CPU time so far: loading libraries and registering what registers itself, which nothing waits for. */
@@ -51,14 +53,21 @@ int RunOnce(const FRunVerbOptions& Options)
 	};
 	const std::string Folder = ChooseOutputFolder(Options.OutputFolder, Options.Run);
 	std::optional<FOutputFolder> Output;
+	FCheckCapture Checks(MakeCheckSet(Options.Checks));
 	const FRunResult Result = [&]
 	{
 		FRunSession Session(RunOptions);
 		Output.emplace(Folder, GetRunOutputNames()); // after mistakes of the config, before the work
+		std::optional<FScopedDispatchObserver> Observed;
+		if (!Options.Checks.empty())
+		{
+			Observed.emplace(Checks);
+		}
 		return Session.Run(std::nullopt, {});
 	}();
 	Bar.Clear();
 	PrintDiagnostics(Result.Diagnostics);
+	PrintDiagnostics(Checks.GetDiagnostics());
 	const double SaveMs = WriteRunOutputs(Result, *Output);
 	Output.reset(); // whoever watches for the summary may start the next run
 	FCostModel Costs = FCostModel::Load();
@@ -198,6 +207,12 @@ FVerbCall AddOptions(CLI::App& Verb)
 		"Leave nothing out because nobody needs it: slower, the same bits; what is switched off stays off");
 	Verb.add_flag("--measure-effects", Options->Run.bMeasureEffects,
 		"Measure what effects come to (bleed of toon bloom, banding of the toon shadow) and add it to run.json");
+	Verb.add_option("--check", Options->Checks,
+			"Look for what shaders do wrong and say the line: nan, overflow, negative, denormal, bounds, uninit or "
+			"all; "
+			"slow, for it interprets them")
+		->delimiter(',')
+		->type_name("WHAT,...");
 	Verb.add_flag("--fingerprints", Options->Run.bFingerprints,
 		"Add to each pass of run.json a fingerprint of every texture that it wrote");
 	CLI::Option* const Frames =

@@ -44,6 +44,7 @@ enum EConfigError
 	WarnNonFinite = 4001,       // NaN or infinity in an image
 	ErrorNonFinite = 4002,      // the same, with r.Drydock.NonFinite 2
 	WarnNonFiniteSpread = 4003, // where those of the scene went
+	WarnCheck = 4010,           // a line of a shader does what --check looks for
 
 	// DD5: files
 	ErrorFileMissing = 5001,    // cannot be opened

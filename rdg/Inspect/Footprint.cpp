@@ -1,7 +1,6 @@
 // Finds the texels of a sample in double.
 #include "Footprint.h"
 
-#include "LanesCoordinates.inl"
 #include "PixelFormatConversion.h"
 
 #include <algorithm>
@@ -14,6 +13,26 @@ namespace Drydock
 
 namespace
 {
+
+/** Texel that an index stands for; -1: the border. */
+int32_t Address(int32_t X, int32_t Size, EKernelAddress Mode)
+{
+	const auto Modulo = [X](int32_t Period)
+	{
+		return (X % Period + Period) % Period;
+	};
+	switch (Mode)
+	{
+	case EKernelAddress::Wrap:
+		return Modulo(Size);
+	case EKernelAddress::Mirror:
+		return std::min(Modulo(2 * Size), 2 * Size - 1 - Modulo(2 * Size));
+	case EKernelAddress::Clamp:
+		return std::clamp(X, 0, Size - 1);
+	default:
+		return X < 0 || X >= Size ? -1 : X;
+	}
+}
 
 struct FPairOfTexels
 {
@@ -37,8 +56,8 @@ FPairOfTexels FindPair(double Coordinate, int32_t Size, EKernelAddress Mode, con
 	const int32_t First = int32_t(std::floor(Shifted));
 	Pair.Weight[1] = bPoint ? 0 : Shifted - First;
 	Pair.Weight[0] = 1 - Pair.Weight[1];
-	Pair.Index[0] = Lanes::AddressTexel(First, Size, Mode);
-	Pair.Index[1] = Lanes::AddressTexel(First + 1, Size, Mode);
+	Pair.Index[0] = Address(First, Size, Mode);
+	Pair.Index[1] = Address(First + 1, Size, Mode);
 	return Pair;
 }
 

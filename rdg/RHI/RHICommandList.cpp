@@ -186,26 +186,28 @@ void FRHIComputeCommandList::RunTiles(
 	const int32 StaticSamples = Shader.GetReflection().StaticSamples;
 	const bool bMeasure = StaticSamples < 0 && bMeasureTaps;
 	std::atomic<uint64> MeasuredTaps{0};
-	// Compiled by drydock: what goes wrong inside a kernel is no fault of whoever dispatches it.
-	const Drydock::FCodeOwner Kernel{.Callback = "shader " + Shader.Name};
-	const Drydock::FCodeScope Scope(Kernel);
-	Drydock::FKernelWatch Watch(Shader.Name, Shader.EntryPoint);
-	const auto RunTile = [&](const FKernelTile& Tile)
-	{
-		Drydock::FKernelCounters TileCounters{};
-		Drydock::FKernelArgs TileArgs = Args;
-		TileArgs.Counters = bMeasure ? &TileCounters : nullptr;
-		Shader.Run(TileArgs, Tile);
-		Watch.TileHasEnded();
-		MeasuredTaps.fetch_add(TileCounters.Samples + TileCounters.Loads, std::memory_order_relaxed);
-	};
 	Drydock::IDispatchObserver* const Observer = Drydock::GetDispatchObserver();
 	if (Observer)
 	{
 		Observer->BeforeDispatch(Shader, Args, Whole);
 	}
-	Drydock::ForEachTile(
-		Whole, TileSize, RunTile, Shader.bDouble ? Drydock::EDenormals::Keep : Drydock::EDenormals::Flush);
+	{
+		// Compiled by drydock: what goes wrong inside a kernel is no fault of whoever dispatches it.
+		const Drydock::FCodeOwner Kernel{.Callback = "shader " + Shader.Name};
+		const Drydock::FCodeScope Scope(Kernel);
+		Drydock::FKernelWatch Watch(Shader.Name, Shader.EntryPoint);
+		const auto RunTile = [&](const FKernelTile& Tile)
+		{
+			Drydock::FKernelCounters TileCounters{};
+			Drydock::FKernelArgs TileArgs = Args;
+			TileArgs.Counters = bMeasure ? &TileCounters : nullptr;
+			Shader.Run(TileArgs, Tile);
+			Watch.TileHasEnded();
+			MeasuredTaps.fetch_add(TileCounters.Samples + TileCounters.Loads, std::memory_order_relaxed);
+		};
+		Drydock::ForEachTile(
+			Whole, TileSize, RunTile, Shader.bDouble ? Drydock::EDenormals::Keep : Drydock::EDenormals::Flush);
+	}
 	if (Observer)
 	{
 		Observer->AfterDispatch(Shader, Args, Whole);

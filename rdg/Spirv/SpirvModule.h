@@ -148,7 +148,7 @@ struct FSpirvFunction
 	uint32_t NumBlocks = 0;
 };
 
-struct FSpirvModule
+struct DRYDOCK_API FSpirvModule
 {
 	uint32_t Bound = 0;
 	uint32_t ExecutionModel = ~0u; // of the entry point

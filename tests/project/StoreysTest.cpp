@@ -22,11 +22,11 @@ using FSteps = std::vector<std::vector<std::string>>;
 
 const std::map<std::string, FSteps> GRooms = {
 	{"rdg", {{"Core"}, {"Kernel"}, {"RHI"}, {"Lanes"}, {"Spirv"}, {"ShaderCompiler"}, {"Shader"}, {"Graph"},
-				{"Binding"}, {"GraphUtils"}}},
+				{"Binding"}, {"Inspect"}, {"GraphUtils"}}},
 	{"passes", {{"Scene"}, {"Screen"}, {"Blur"}, {"Exposure"}, {"Bloom"}, {"Tonemap"}, {"Lens"}, {"Toon"}, {"Native"}}},
 	{"pipeline", {{"Text"}, {"Picture"}, {"Config"}, {"Objects"}, {"SceneFile"}, {"Effects"}, {"Extensions"}, {"Chain"},
-					 {"Frame"}, {"Budget"}, {"Run"}, {"Sequence", "Study", "Blend", "Patch", "Import"}, {"Matrix"},
-					 {"Program"}}},
+					 {"Frame"}, {"Budget"}, {"Run"}, {"Sequence", "Study", "Blend", "Patch", "Import", "Inspect"},
+					 {"Matrix"}, {"Program"}}},
 };
 
 /** The folders of a path from the root. */

@@ -1,0 +1,51 @@
+// What the shaders of a run do wrong, found while the frame runs: `drydock run --check`.
+#pragma once
+
+#include "Diagnostics.h"
+#include "DispatchObserver.h"
+#include "KernelCheck.h"
+
+#include <map>
+#include <memory>
+
+namespace Drydock
+{
+
+/** "nan", "overflow", "negative", "denormal", "bounds", "uninit", or "all". Throws FError (DD1020) for other names. */
+DRYDOCK_API FCheckSet MakeCheckSet(const std::vector<std::string>& Names);
+DRYDOCK_API std::vector<std::string> GetCheckNames();
+
+/** A finding and the pass that it is of. */
+struct FPassFinding
+{
+	std::string Pass;
+	std::string Shader;
+	FCheckFinding Finding;
+};
+
+class DRYDOCK_API FCheckCapture final : public IDispatchObserver
+{
+public:
+	explicit FCheckCapture(const FCheckSet& InChecks);
+	~FCheckCapture() override;
+
+	void BeforeDispatch(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole) override;
+	void AfterDispatch(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole) override;
+
+	/** In the order of the passes: the first is the first cause. */
+	const std::vector<FPassFinding>& GetFindings() const { return Findings; }
+	/** A warning DD4010 for each. */
+	std::vector<FDiagnostic> GetDiagnostics() const;
+
+private:
+	std::vector<std::array<int32_t, 3>> FindSuspects(
+		const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole) const;
+	bool IsSuspect(const double (&Color)[4], ETexelStorage Storage) const;
+
+	const FCheckSet Checks;
+	std::unique_ptr<FSandbox> Before; // of a compute shader: what it writes as it was
+	std::map<FShader*, std::unique_ptr<FInspectedShader>> Shaders;
+	std::vector<FPassFinding> Findings;
+};
+
+} // namespace Drydock

@@ -1,0 +1,212 @@
+// Looks at one place of every picture that a run makes.
+#include "Inspect/ProbeCapture.h"
+
+#include "Diagnostics.h"
+#include "PixelFormatConversion.h"
+#include "RunningCode.h"
+#include "Sandbox.h"
+#include "Shader.h"
+#include "ShaderCompilation.h"
+#include "Text/GlobPattern.h"
+#include "TileExecutor.h"
+#include "TraceRecorder.h"
+
+#include <algorithm>
+#include <cstring>
+#include <set>
+#include <tuple>
+
+namespace Drydock
+{
+
+namespace
+{
+
+constexpr uint64_t MaxSteps = 1'000'000'000;
+
+bool AreSame(const FProbeWrite& A, const FProbeWrite& B)
+{
+	return A.Target == B.Target && A.Format == B.Format && A.X == B.X && A.Y == B.Y &&
+		   std::memcmp(A.Value.data(), B.Value.data(), sizeof(A.Value)) == 0;
+}
+
+/** Reads of one texture, summed up over the samples of a trace. */
+void AddReadsOf(const FPixelTrace& Trace, std::vector<FProbeRead>& Reads)
+{
+	for (const FTraceLine& Line : Trace.Lines)
+	{
+		for (const FTraceEvent& Event : Line.Events)
+		{
+			const bool bTexture =
+				Event.Kind == ETraceEvent::Sample || (Event.Kind == ETraceEvent::Load && Event.Texel.size() > 1);
+			if (!bTexture)
+			{
+				continue;
+			}
+			auto Read = std::find_if(
+				Reads.begin(), Reads.end(), [&Event](const FProbeRead& Known) { return Known.Texture == Event.Name; });
+			if (Read == Reads.end())
+			{
+				Read = Reads.insert(Reads.end(), {Event.Name, 0, {}});
+			}
+			++Read->NumReads;
+			std::vector<FFootprintTexel> Texels = Event.Texels;
+			if (Event.Kind == ETraceEvent::Load)
+			{
+				FFootprintTexel& Texel = Texels.emplace_back();
+				Texel.X = int32_t(Event.Texel[0]);
+				Texel.Y = int32_t(Event.Texel[1]);
+				Texel.Z = Event.Texel.size() > 2 ? int32_t(Event.Texel[2]) : 0;
+				Texel.Weight = 1;
+				std::copy_n(Event.Value.Reals.begin(), std::min<size_t>(4, Event.Value.Reals.size()), Texel.Value);
+			}
+			for (const FFootprintTexel& Texel : Texels)
+			{
+				const auto Key = [](const FFootprintTexel& T)
+				{
+					return std::tuple(T.Mip, T.Z, T.Y, T.X);
+				};
+				const auto Known = std::find_if(Read->Texels.begin(), Read->Texels.end(),
+					[&](const FFootprintTexel& Other) { return Key(Other) == Key(Texel); });
+				if (Known == Read->Texels.end())
+				{
+					Read->Texels.push_back(Texel);
+				}
+				else
+				{
+					Known->Weight += Texel.Weight;
+				}
+			}
+		}
+	}
+}
+
+} // namespace
+
+FProbeCapture::FProbeCapture(FProbeRequest InRequest)
+	: Request(std::move(InRequest))
+{
+}
+
+FProbeCapture::~FProbeCapture() = default;
+
+std::array<int32_t, 2> FProbeCapture::Map(int32_t X, int32_t Y, int32_t SizeX, int32_t SizeY) const
+{
+	const auto Axis = [](int32_t At, int32_t Frame, int32_t Size)
+	{
+		const int64_t Mapped = Frame > 0 ? (2 * int64_t(At) + 1) * Size / (2 * int64_t(Frame)) : At;
+		return int32_t(std::clamp<int64_t>(Mapped, 0, std::max(0, Size - 1)));
+	};
+	return {Axis(X, Request.Frame[0], SizeX), Axis(Y, Request.Frame[1], SizeY)};
+}
+
+void FProbeCapture::AddReads(
+	const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole, FProbePass& Pass)
+{
+	std::unique_ptr<FInspectedShader>& Inspected = Shaders[Shader.Permutation];
+	if (!Inspected)
+	{
+		const FShaderRef Permutation(Shader.Permutation);
+		Inspected = std::make_unique<FInspectedShader>(
+			MakeShaderCompileRequest(Permutation, Permutation.GetRootParametersMetadata()), Shader.GetReflection());
+	}
+	const std::array<int32_t, 2> At = Map(Request.X, Request.Y, Whole.MaxX - Whole.MinX, Whole.MaxY - Whole.MinY);
+	const FSandbox Sandbox(Args, Shader.GetReflection());
+	const FScopedDenormals Denormals(EDenormals::Flush);
+	try
+	{
+		AddReadsOf(TracePixel(*Inspected, Sandbox.GetArgs(), {Whole.MinX + At[0], Whole.MinY + At[1], Whole.MinZ},
+					   false, MaxSteps),
+			Pass.Reads);
+	}
+	catch (const FSpirvError& Error)
+	{
+		throw FError({ESeverity::Error, 6020, Error.what(), Error.File, Error.Line, 0, "pass " + Pass.Pass}, ExitUsage);
+	}
+}
+
+void FProbeCapture::BeforeDispatch(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole)
+{
+	const FCodeOwner* const Owner = GetRunningCode();
+	const std::string Name = Owner && !Owner->Pass.empty() ? Owner->Pass : Shader.Name;
+	bProbing = MatchesPattern(Request.Passes, Name) || MatchesPattern(Request.Passes, Shader.Name);
+	if (bProbing)
+	{
+		Passes.push_back({Name, Shader.Name, {}, {}});
+		AddReads(Shader, Args, Whole, Passes.back());
+	}
+}
+
+void FProbeCapture::AddWrites(const std::string& Name, const FKernelTexture& Texture, FProbePass& Pass) const
+{
+	const FTexelStorageInfo& Info = GetTexelStorageInfo(Texture.Storage);
+	if (Texture.NumMips < 1 || Texture.Mips[0].SizeZ > 1)
+	{
+		return; // a volume has no pixel
+	}
+	const FKernelMip& Mip = Texture.Mips[0];
+	std::set<std::array<int32_t, 2>> Seen; // y, x: a smaller picture has one texel for several pixels
+	for (int32_t y = 0; y < Request.Height; ++y)
+	{
+		for (int32_t x = 0; x < Request.Width; ++x)
+		{
+			const std::array<int32_t, 2> At = Map(Request.X + x, Request.Y + y, Mip.SizeX, Mip.SizeY);
+			Seen.insert({At[1], At[0]});
+		}
+	}
+	for (const std::array<int32_t, 2>& At : Seen)
+	{
+		FProbeWrite& Write = Pass.Writes.emplace_back();
+		Write.Target = Name;
+		Write.Format = Info.Name;
+		Write.NumChannels = Info.NumChannels;
+		Write.X = At[1];
+		Write.Y = At[0];
+		const uint8_t* const Address =
+			Mip.Data + int64_t(Write.Y) * Mip.RowPitch + int64_t(Write.X) * Info.BytesPerTexel;
+		if (Info.Kind == ETexelKind::Uint)
+		{
+			uint32_t Values[4];
+			DecodeTexel(Texture.Storage, Address, Values);
+			std::copy_n(Values, 4, Write.Value.begin());
+		}
+		else
+		{
+			DecodeTexel(Texture.Storage, Address, Write.Value.data());
+		}
+	}
+}
+
+void FProbeCapture::AfterDispatch(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile&)
+{
+	for (int32_t Target = 0; bProbing && Target < Args.NumTargets; ++Target)
+	{
+		AddWrites("SV_Target" + std::to_string(Target), Args.Targets[Target].Texture, Passes.back());
+	}
+	for (size_t Slot = 0; bProbing && Slot < Shader.RWTextures.size(); ++Slot)
+	{
+		AddWrites(Shader.GetReflection().RWTextures[Slot].Name, Shader.RWTextures[Slot], Passes.back());
+	}
+}
+
+std::optional<FProbeDifference> FindDifference(const std::vector<FProbePass>& A, const std::vector<FProbePass>& B)
+{
+	for (size_t Pass = 0; Pass < A.size() || Pass < B.size(); ++Pass)
+	{
+		if (Pass >= A.size() || Pass >= B.size() || A[Pass].Pass != B[Pass].Pass || A[Pass].Shader != B[Pass].Shader ||
+			A[Pass].Writes.size() != B[Pass].Writes.size())
+		{
+			return FProbeDifference{Pass, 0, true};
+		}
+		for (size_t Write = 0; Write < A[Pass].Writes.size(); ++Write)
+		{
+			if (!AreSame(A[Pass].Writes[Write], B[Pass].Writes[Write]))
+			{
+				return FProbeDifference{Pass, Write, false};
+			}
+		}
+	}
+	return std::nullopt;
+}
+
+} // namespace Drydock

@@ -1,0 +1,91 @@
+// A pixel's value through all passes of a run: what each read for it and what it wrote.
+#pragma once
+
+#include "DispatchObserver.h"
+#include "InspectedShader.h"
+
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+
+namespace Drydock
+{
+
+struct FProbeRequest
+{
+	int32_t X = 0; // of a picture as large as Frame
+	int32_t Y = 0;
+	int32_t Width = 1; // region, from X and Y
+	int32_t Height = 1;
+	std::string Passes = "*";          // pattern, of a pass's name or its shader's
+	std::array<int32_t, 2> Frame = {}; // size of what X and Y count in; 0: each pass's own
+};
+
+/** What a pass read of a texture for the pixel. */
+struct FProbeRead
+{
+	std::string Texture;                 // as the shader calls it
+	uint64_t NumReads = 0;               // samples and loads
+	std::vector<FFootprintTexel> Texels; // with the weights of all samples together, of loads 1 each
+};
+
+/** A texel after the pass. */
+struct FProbeWrite
+{
+	std::string Target; // "SV_Target0", or as the shader calls it
+	std::string Format; // of its storage, "RGBA16_FLOAT"
+	int32_t X = 0;
+	int32_t Y = 0;
+	int NumChannels = 4;
+	std::array<double, 4> Value{}; // exactly as stored
+};
+
+struct FProbePass
+{
+	std::string Pass;
+	std::string Shader;
+	std::vector<FProbeRead> Reads;
+	std::vector<FProbeWrite> Writes; // rows of the region, target by target
+};
+
+class DRYDOCK_API FProbeCapture final : public IDispatchObserver
+{
+public:
+	explicit FProbeCapture(FProbeRequest InRequest);
+	~FProbeCapture() override;
+
+	void BeforeDispatch(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole) override;
+	void AfterDispatch(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole) override;
+
+	const std::vector<FProbePass>& GetPasses() const { return Passes; }
+
+private:
+	/** Of the request's pixel in a picture of another size: the texel that covers its centre. */
+	std::array<int32_t, 2> Map(int32_t X, int32_t Y, int32_t SizeX, int32_t SizeY) const;
+	void AddReads(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole, FProbePass& Pass);
+	void AddWrites(const std::string& Name, const FKernelTexture& Texture, FProbePass& Pass) const;
+
+	const FProbeRequest Request;
+	std::map<FShader*, std::unique_ptr<FInspectedShader>> Shaders;
+	std::vector<FProbePass> Passes;
+	bool bProbing = false; // the dispatch that runs
+};
+
+/** Where two probes part: the first pass whose texels differ. */
+struct FProbeDifference
+{
+	size_t Pass = 0;
+	size_t Write = 0;
+	bool bOtherPasses = false; // another pass runs there
+};
+DRYDOCK_API std::optional<FProbeDifference> FindDifference(
+	const std::vector<FProbePass>& A, const std::vector<FProbePass>& B);
+
+/** Against: empty where nothing is compared. */
+DRYDOCK_API std::string MakeProbeText(
+	const std::vector<FProbePass>& Passes, const std::vector<FProbePass>& Against, const FProbeRequest& Request);
+DRYDOCK_API std::string MakeProbeJson(
+	const std::vector<FProbePass>& Passes, const std::vector<FProbePass>& Against, const FProbeRequest& Request);
+
+} // namespace Drydock

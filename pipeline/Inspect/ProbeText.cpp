@@ -1,0 +1,177 @@
+// Writes a probe, for a person and for programs.
+#include "Inspect/ProbeCapture.h"
+
+#include "OperationText.h"
+#include "Text/JsonWriter.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace Drydock
+{
+
+namespace
+{
+
+constexpr size_t MaxTexels = 6; // of a texture; of more the heaviest
+
+std::string FormatValue(const std::array<double, 4>& Value, int NumChannels)
+{
+	std::string Text;
+	for (int c = 0; c < NumChannels; ++c)
+	{
+		Text += (c ? ", " : "") + FormatReal(Value[size_t(c)]);
+	}
+	return NumChannels > 1 ? "(" + Text + ")" : Text;
+}
+
+std::string FormatReads(const FProbeRead& Read)
+{
+	std::vector<FFootprintTexel> Texels = Read.Texels;
+	std::stable_sort(Texels.begin(), Texels.end(),
+		[](const FFootprintTexel& A, const FFootprintTexel& B) { return A.Weight > B.Weight; });
+	std::string Text;
+	for (size_t i = 0; i < Texels.size() && i < MaxTexels; ++i)
+	{
+		const FFootprintTexel& Texel = Texels[i];
+		const std::string At = Texel.X < 0 ? std::string("border") : fmt::format("{},{}", Texel.X, Texel.Y);
+		Text +=
+			fmt::format("{}{}{}", i ? ", " : "", At, Texel.Weight == 1 ? "" : fmt::format(" x {:.4g}", Texel.Weight));
+	}
+	return Text + (Texels.size() > MaxTexels ? fmt::format(", {} more", Texels.size() - MaxTexels) : std::string());
+}
+
+std::string FormatWrite(const FProbeWrite& Write)
+{
+	return fmt::format("{} {},{} = {} ({})", Write.Target, Write.X, Write.Y,
+		FormatValue(Write.Value, Write.NumChannels), Write.Format);
+}
+
+void WritePass(FJsonWriter& Writer, const FProbePass& Pass)
+{
+	Writer.BeginObject();
+	Writer.Member("pass", Pass.Pass);
+	Writer.Member("shader", Pass.Shader);
+	Writer.Key("reads").BeginArray();
+	for (const FProbeRead& Read : Pass.Reads)
+	{
+		Writer.BeginObject();
+		Writer.Member("texture", Read.Texture);
+		Writer.Member("reads", Read.NumReads);
+		Writer.Key("texels").BeginArray();
+		for (const FFootprintTexel& Texel : Read.Texels)
+		{
+			Writer.BeginObject(true);
+			Writer.Member("x", Texel.X);
+			Writer.Member("y", Texel.Y);
+			Writer.Member("z", Texel.Z);
+			Writer.Member("mip", Texel.Mip);
+			Writer.Member("weight", Texel.Weight);
+			Writer.Key("value").BeginArray(true);
+			for (const double Value : Texel.Value)
+			{
+				Writer.Value(Value);
+			}
+			Writer.EndArray();
+			Writer.EndObject();
+		}
+		Writer.EndArray();
+		Writer.EndObject();
+	}
+	Writer.EndArray();
+	Writer.Key("writes").BeginArray();
+	for (const FProbeWrite& Write : Pass.Writes)
+	{
+		Writer.BeginObject(true);
+		Writer.Member("target", Write.Target);
+		Writer.Member("format", Write.Format);
+		Writer.Member("x", Write.X);
+		Writer.Member("y", Write.Y);
+		Writer.Key("value").BeginArray(true);
+		for (int c = 0; c < Write.NumChannels; ++c)
+		{
+			Writer.Value(Write.Value[size_t(c)]);
+		}
+		Writer.EndArray();
+		Writer.EndObject();
+	}
+	Writer.EndArray();
+	Writer.EndObject();
+}
+
+} // namespace
+
+std::string MakeProbeText(
+	const std::vector<FProbePass>& Passes, const std::vector<FProbePass>& Against, const FProbeRequest& Request)
+{
+	const bool bCompare = !Against.empty();
+	const std::optional<FProbeDifference> Difference =
+		bCompare ? FindDifference(Passes, Against) : std::optional<FProbeDifference>();
+	std::string Text = fmt::format("pixel {},{}", Request.X, Request.Y);
+	Text +=
+		Request.Width * Request.Height > 1 ? fmt::format(", {} x {}", Request.Width, Request.Height) : std::string();
+	Text += Request.Frame[0] ? fmt::format(" of {} x {}\n", Request.Frame[0], Request.Frame[1]) : std::string("\n");
+	for (size_t Index = 0; Index < Passes.size(); ++Index)
+	{
+		const FProbePass& Pass = Passes[Index];
+		Text += fmt::format("\n{}  ({})\n", Pass.Pass, Pass.Shader);
+		for (const FProbeRead& Read : Pass.Reads)
+		{
+			Text += fmt::format("   reads {}: {}\n", Read.Texture, FormatReads(Read));
+		}
+		for (size_t Write = 0; Write < Pass.Writes.size(); ++Write)
+		{
+			Text += "   " + FormatWrite(Pass.Writes[Write]) + "\n";
+			if (Difference && !Difference->bOtherPasses && Difference->Pass == Index && Difference->Write == Write)
+			{
+				Text += "   < here they part; against it " + FormatWrite(Against[Index].Writes[Write]) + "\n";
+			}
+		}
+		if (Difference && Difference->bOtherPasses && Difference->Pass == Index)
+		{
+			Text += Index < Against.size()
+						? "   < here they part: the other run has the pass " + Against[Index].Pass + "\n"
+						: std::string("   < here they part: the other run has no more passes\n");
+		}
+	}
+	if (bCompare && !Difference)
+	{
+		Text += "\nThe same in both, in every pass.\n";
+	}
+	return Text;
+}
+
+std::string MakeProbeJson(
+	const std::vector<FProbePass>& Passes, const std::vector<FProbePass>& Against, const FProbeRequest& Request)
+{
+	FJsonWriter Writer;
+	Writer.BeginObject();
+	Writer.Member("x", Request.X);
+	Writer.Member("y", Request.Y);
+	Writer.Member("width", Request.Width);
+	Writer.Member("height", Request.Height);
+	for (const auto& [Key, List] : {std::pair("passes", &Passes), std::pair("against", &Against)})
+	{
+		Writer.Key(Key).BeginArray();
+		for (const FProbePass& Pass : *List)
+		{
+			WritePass(Writer, Pass);
+		}
+		Writer.EndArray();
+	}
+	const std::optional<FProbeDifference> Difference =
+		Against.empty() ? std::optional<FProbeDifference>() : FindDifference(Passes, Against);
+	if (Difference)
+	{
+		Writer.Key("firstDifference").BeginObject(true);
+		Writer.Member("pass", uint64_t(Difference->Pass));
+		Writer.Member("write", uint64_t(Difference->Write));
+		Writer.Member("otherPasses", Difference->bOtherPasses);
+		Writer.EndObject();
+	}
+	Writer.EndObject();
+	return Writer.GetText();
+}
+
+} // namespace Drydock

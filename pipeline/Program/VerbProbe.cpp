@@ -1,0 +1,131 @@
+// `drydock probe`: a pixel's value through all passes of a run.
+#include <CLI/CLI.hpp>
+
+#include "Inspect/ProbeCapture.h"
+#include "Program/NumberList.h"
+#include "Program/ProgramOutput.h"
+#include "Program/VerbOptions.h"
+#include "Program/Verbs.h"
+#include "Run/Run.h"
+#include "Text/ConfigErrors.h"
+
+#include <cstdio>
+#include <memory>
+
+namespace Drydock
+{
+
+namespace
+{
+
+struct FProbeVerbOptions
+{
+	FRunOptions Run;
+	FProbeRequest Request;
+	std::vector<int> Pixel;
+	std::vector<int> Region;
+	std::string Against; // a config, or settings and variables
+	bool bJson = false;
+};
+
+/** The run's own options, with another config or another value. */
+FRunOptions MakeAgainst(const FProbeVerbOptions& Options)
+{
+	FRunOptions Other = Options.Run;
+	const size_t Equals = Options.Against.find('=');
+	if (Equals == std::string::npos)
+	{
+		Other.ConfigFile = Options.Against;
+	}
+	else if (Options.Against.substr(0, Equals).find('.') != std::string::npos)
+	{
+		Other.Variables.push_back(Options.Against);
+	}
+	else
+	{
+		Other.Settings.push_back(Options.Against);
+	}
+	return Other;
+}
+
+std::vector<FProbePass> ProbeRun(const FRunOptions& Run, FProbeRequest Request)
+{
+	FRunOptions Plan = Run;
+	Plan.bExecute = false;
+	const FIntRect View = RunConfig(Plan).ViewRect;
+	Request.Frame = {View.Width(), View.Height()};
+	if (Request.X + Request.Width > View.Width() || Request.Y + Request.Height > View.Height())
+	{
+		throw FError({.Code = ErrorBadArgument,
+						 .Message = std::to_string(Request.X) + "," + std::to_string(Request.Y) +
+									" with its region leaves the frame, which is " + std::to_string(View.Width()) +
+									" x " + std::to_string(View.Height()),
+						 .Where = "X,Y"},
+			ExitUsage);
+	}
+	FProbeCapture Capture(Request);
+	const FScopedDispatchObserver Scope(Capture);
+	PrintDiagnostics(RunConfig(Run).Diagnostics);
+	if (Capture.GetPasses().empty())
+	{
+		throw FError({.Code = ErrorBadArgument,
+						 .Message = "no pass of this run that a shader draws fits '" + Request.Passes + "'",
+						 .Where = "--passes"},
+			ExitUsage);
+	}
+	return Capture.GetPasses();
+}
+
+int Probe(FProbeVerbOptions Options)
+{
+	Options.Request.X = Options.Pixel.at(0);
+	Options.Request.Y = Options.Pixel.at(1);
+	Options.Request.Width = Options.Region.empty() ? 1 : Options.Region.at(0);
+	Options.Request.Height = Options.Region.empty() ? 1 : Options.Region.at(1);
+	const std::vector<FProbePass> Passes = ProbeRun(Options.Run, Options.Request);
+	const std::vector<FProbePass> Against =
+		Options.Against.empty() ? std::vector<FProbePass>() : ProbeRun(MakeAgainst(Options), Options.Request);
+	const std::string Text = Options.bJson ? MakeProbeJson(Passes, Against, Options.Request)
+										   : MakeProbeText(Passes, Against, Options.Request);
+	std::fputs(Text.c_str(), stdout);
+	return ExitDone;
+}
+
+FVerbCall AddOptions(CLI::App& Verb)
+{
+	const auto Options = std::make_shared<FProbeVerbOptions>();
+	AddConfig(Verb, Options->Run);
+	AddThreads(Verb, Options->Run, "Threads of the passes; 0: all cores (default)");
+	Verb.add_option("pixel", Options->Pixel, "The pixel, counted in the frame that comes out")
+		->delimiter(',')
+		->type_name("X,Y")
+		->type_size(2)
+		->check(CLI::NonNegativeNumber)
+		->required();
+	Verb.add_option("--region", Options->Region, "So many pixels from X,Y on; 1,1 by default")
+		->delimiter(',')
+		->type_size(2)
+		->check(CLI::PositiveNumber)
+		->type_name("W,H");
+	Verb.add_option("--passes", Options->Request.Passes, "Only these, by name or by their shader's class; with * and ?")
+		->type_name("PATTERN");
+	Verb.add_option("--against", Options->Against,
+			"Run again with another config, setting (BloomIntensity=1) or variable (r.Name=1), and say where they part")
+		->type_name("WHAT");
+	Verb.add_flag("--json", Options->bJson, "Print JSON, with all texels that were read");
+	return [Options]
+	{
+		return Probe(*Options);
+	};
+}
+
+const FVerbRegistration GRegistration({
+	.Name = "probe",
+	.Place = 42,
+	.Doc = "Print a pixel's value through all passes: what each read and what it wrote",
+	.AddOptions = AddOptions,
+});
+
+} // namespace
+
+} // namespace Drydock
