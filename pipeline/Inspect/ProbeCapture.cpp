@@ -37,8 +37,9 @@ void AddReadsOf(const FPixelTrace& Trace, std::vector<FProbeRead>& Reads)
 	{
 		for (const FTraceEvent& Event : Line.Events)
 		{
-			const bool bTexture =
-				Event.Kind == ETraceEvent::Sample || (Event.Kind == ETraceEvent::Load && Event.Texel.size() > 1);
+			// A sample without texels is of a texture that the kernel does not read: nothing comes of it.
+			const bool bTexture = (Event.Kind == ETraceEvent::Sample && !Event.Texels.empty()) ||
+								  (Event.Kind == ETraceEvent::Load && Event.Texel.size() > 1);
 			if (!bTexture)
 			{
 				continue;
@@ -110,14 +111,25 @@ void FProbeCapture::AddReads(
 		Inspected = std::make_unique<FInspectedShader>(
 			MakeShaderCompileRequest(Permutation, Permutation.GetRootParametersMetadata()), Shader.GetReflection());
 	}
-	const std::array<int32_t, 2> At = Map(Request.X, Request.Y, Whole.MaxX - Whole.MinX, Whole.MaxY - Whole.MinY);
+	// The thread of the texel: pixel shaders draw theirs, compute shaders mostly write that of their own number.
+	const FKernelTexture* const Picture = Args.NumTargets > 0          ? &Args.Targets[0].Texture
+										  : !Shader.RWTextures.empty() ? &Shader.RWTextures[0]
+																	   : nullptr;
+	if (!Picture || Picture->NumMips < 1)
+	{
+		return;
+	}
+	const std::array<int32_t, 2> At = Map(Request.X, Request.Y, Picture->Mips[0].SizeX, Picture->Mips[0].SizeY);
+	Pass.bDrawn = At[0] >= Whole.MinX && At[1] >= Whole.MinY && At[0] < Whole.MaxX && At[1] < Whole.MaxY;
+	if (!Pass.bDrawn)
+	{
+		return;
+	}
 	const FSandbox Sandbox(Args, Shader.GetReflection());
 	const FScopedDenormals Denormals(EDenormals::Flush);
 	try
 	{
-		AddReadsOf(TracePixel(*Inspected, Sandbox.GetArgs(), {Whole.MinX + At[0], Whole.MinY + At[1], Whole.MinZ},
-					   false, MaxSteps),
-			Pass.Reads);
+		AddReadsOf(TracePixel(*Inspected, Sandbox.GetArgs(), {At[0], At[1], Whole.MinZ}, false, MaxSteps), Pass.Reads);
 	}
 	catch (const FSpirvError& Error)
 	{
@@ -132,7 +144,7 @@ void FProbeCapture::BeforeDispatch(const FBoundShader& Shader, const FKernelArgs
 	bProbing = MatchesPattern(Request.Passes, Name) || MatchesPattern(Request.Passes, Shader.Name);
 	if (bProbing)
 	{
-		Passes.push_back({Name, Shader.Name, {}, {}});
+		Passes.push_back({Name, Shader.Name, true, {}, {}});
 		AddReads(Shader, Args, Whole, Passes.back());
 	}
 }

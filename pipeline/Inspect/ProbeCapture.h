@@ -2,6 +2,7 @@
 #pragma once
 
 #include "DispatchObserver.h"
+#include "Footprint.h"
 #include "InspectedShader.h"
 
 #include <array>
@@ -45,6 +46,7 @@ struct FProbePass
 {
 	std::string Pass;
 	std::string Shader;
+	bool bDrawn = true; // false: the pass draws or dispatches elsewhere; its texel is what was there
 	std::vector<FProbeRead> Reads;
 	std::vector<FProbeWrite> Writes; // rows of the region, target by target
 };

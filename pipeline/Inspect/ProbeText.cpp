@@ -53,6 +53,7 @@ void WritePass(FJsonWriter& Writer, const FProbePass& Pass)
 	Writer.BeginObject();
 	Writer.Member("pass", Pass.Pass);
 	Writer.Member("shader", Pass.Shader);
+	Writer.Member("drawn", Pass.bDrawn);
 	Writer.Key("reads").BeginArray();
 	for (const FProbeRead& Read : Pass.Reads)
 	{
@@ -116,6 +117,7 @@ std::string MakeProbeText(
 	{
 		const FProbePass& Pass = Passes[Index];
 		Text += fmt::format("\n{}  ({})\n", Pass.Pass, Pass.Shader);
+		Text += Pass.bDrawn ? "" : "   does not draw here\n";
 		for (const FProbeRead& Read : Pass.Reads)
 		{
 			Text += fmt::format("   reads {}: {}\n", Read.Texture, FormatReads(Read));

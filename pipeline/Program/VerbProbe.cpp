@@ -54,7 +54,10 @@ std::vector<FProbePass> ProbeRun(const FRunOptions& Run, FProbeRequest Request)
 	Plan.bExecute = false;
 	const FIntRect View = RunConfig(Plan).ViewRect;
 	Request.Frame = {View.Width(), View.Height()};
-	if (Request.X + Request.Width > View.Width() || Request.Y + Request.Height > View.Height())
+	const bool bInside = Request.X >= 0 && Request.Y >= 0 && Request.Width >= 1 && Request.Height >= 1 &&
+						 int64_t(Request.X) + Request.Width <= View.Width() &&
+						 int64_t(Request.Y) + Request.Height <= View.Height();
+	if (!bInside)
 	{
 		throw FError({.Code = ErrorBadArgument,
 						 .Message = std::to_string(Request.X) + "," + std::to_string(Request.Y) +
@@ -100,12 +103,10 @@ FVerbCall AddOptions(CLI::App& Verb)
 		->delimiter(',')
 		->type_name("X,Y")
 		->type_size(2)
-		->check(CLI::NonNegativeNumber)
 		->required();
 	Verb.add_option("--region", Options->Region, "So many pixels from X,Y on; 1,1 by default")
 		->delimiter(',')
 		->type_size(2)
-		->check(CLI::PositiveNumber)
 		->type_name("W,H");
 	Verb.add_option("--passes", Options->Request.Passes, "Only these, by name or by their shader's class; with * and ?")
 		->type_name("PATTERN");

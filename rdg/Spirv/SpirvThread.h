@@ -107,13 +107,24 @@ private:
 	{
 		return Program.Module.Variables.at(Bits(Step, Operand, Index));
 	}
-	/** Of a texture or buffer that the compiled shader does not have there is an empty one. */
+	/** What the compiled shader does not have, because nothing comes of it, is empty. */
 	template<typename T>
 	const T& ViewOf(const T* Views, uint32_t Variable) const
 	{
-		static const T None{};
+		static const T None = MakeEmpty(static_cast<T*>(nullptr));
 		const int32_t Slot = Table.Slots.at(Variable);
 		return Slot < 0 ? None : Views[Slot];
+	}
+	template<typename T>
+	static T MakeEmpty(T*)
+	{
+		return {};
+	}
+	static FKernelTexture MakeEmpty(FKernelTexture*)
+	{
+		static uint8_t Black[144] = {}; // one texel, with the margins that samplers may read
+		static const FKernelMip Mip = {Black + 64, 1, 1, 1, 16, 16};
+		return {&Mip, 1, ETexelStorage::RGBA32_FLOAT, 0, 0};
 	}
 	const FKernelTexture& TextureOf(const FSpirvStep& Step, size_t Operand) const;
 	const FKernelBuffer& BufferOf(const FSpirvStep& Step, size_t Operand) const;

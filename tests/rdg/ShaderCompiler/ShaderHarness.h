@@ -156,7 +156,7 @@ public:
 	{
 		Compiled = CompileShader(Request);
 		Bind(Compiled->Reflection);
-		Inspected = std::make_unique<FInspectedShader>(Request, Compiled->Reflection);
+		Inspected = std::make_shared<FInspectedShader>(Request, Compiled->Reflection);
 		return *Inspected;
 	}
 	const FKernelArgs& GetArgs() const { return Args; }
@@ -243,7 +243,7 @@ private:
 	}
 
 	std::shared_ptr<const FCompiledShader> Compiled;
-	std::unique_ptr<FInspectedShader> Inspected;
+	std::shared_ptr<FInspectedShader> Inspected;
 	FKernelArgs Args = {};
 	std::vector<std::vector<uint8_t>> ConstantMemory;
 	std::vector<const uint8_t*> ConstantPointers;

@@ -1,0 +1,151 @@
+// Mistakes planted in a plugin's shader (tests/plugins/PlantedFaults), each found by one command, as a user types it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "ProgramTestUtils.h"
+
+#include <sstream>
+
+using ProgramTest::FOutcome;
+using ProgramTest::FProgramFolder;
+using testing::HasSubstr;
+using testing::Not;
+
+namespace
+{
+
+constexpr int Width = 6;
+constexpr int Height = 5;
+
+class PlantedFaults : public testing::Test
+{
+protected:
+	PlantedFaults()
+	{
+		const Drydock::FImage Scene{Width, Height, 3, std::vector<double>(Width * Height * 3, 0.5)};
+		Drydock::WriteExr((Folder.Path / "scene.exr").string(), Scene, {"R", "G", "B"});
+		Folder.Write(
+			"faults.json", R"({"scene": {"file": "scene.exr"}, "camera": {"Settings": {"BloomIntensity": 0}}})");
+	}
+
+	std::string Common(int Fault) const
+	{
+		return "faults.json --plugin " DRYDOCK_TEST_BINARY_DIR "/lib/libPlantedFaults.so --set r.PlantedFaults=" +
+			   std::to_string(Fault) + " ";
+	}
+
+	/** The messages of DD4010 about the plugin's shader. */
+	std::vector<std::string> Check(int Fault, const std::string& Checks) const
+	{
+		const FOutcome Outcome = Folder.Call("run " + Common(Fault) + "--out out --check " + Checks);
+		EXPECT_EQ(0, Outcome.ExitCode) << Outcome.Printed;
+		std::vector<std::string> Found;
+		std::istringstream Lines(Outcome.Printed);
+		for (std::string Line; std::getline(Lines, Line);)
+		{
+			const size_t At = Line.find("PlantedFaults.usf:");
+			if (At != std::string::npos && Line.find("DD4010") != std::string::npos)
+			{
+				Found.push_back(Line.substr(At));
+			}
+		}
+		return Found;
+	}
+
+	const FProgramFolder Folder{"planted"};
+};
+
+/** "PlantedFaults.usf:17: warning DD4010 at pass PlantedFaults, FPlantedFaultsPS: nan: ..." */
+std::vector<std::string> Expect(int Line, const std::string& Text)
+{
+	return {"PlantedFaults.usf:" + std::to_string(Line) +
+			": warning DD4010 at pass PlantedFaults, FPlantedFaultsPS: " + Text};
+}
+
+TEST_F(PlantedFaults, NoneIsClean)
+{
+	EXPECT_EQ(std::vector<std::string>{}, Check(0, "all"));
+}
+
+TEST_F(PlantedFaults, ADivisionByNothingBehindALoop)
+{
+	EXPECT_EQ(Expect(17, "nan: 0 / 0 is NaN, first of 10 at (0, 0): return Sum / Weight;"), Check(1, "nan"));
+}
+
+TEST_F(PlantedFaults, ThePowerOfANegativeNumber)
+{
+	EXPECT_EQ(Expect(36, "nan: pow(-0.99, 2.2) is NaN, first of 24 at (0, 1): Color.r = pow(0.01 - Pixel.y, 2.2);"),
+		Check(2, "nan"));
+}
+
+TEST_F(PlantedFaults, MoreThanAHalfHolds)
+{
+	EXPECT_EQ(Expect(62, "overflow: 70000 is stored to SV_Target0 (green), whose RGBA16_FLOAT makes it infinite, first "
+						 "of 5 at (3, 0): OutColor = Color;"),
+		Check(3, "overflow"));
+}
+
+TEST_F(PlantedFaults, AReadOutsideATexture)
+{
+	EXPECT_EQ(
+		Expect(44, "bounds: a read of Source at (6, 0), which is 6 x 5; it gives 0, first of 5 at (5, 0): Color = "
+				   "Source.Load(int3(Pixel + int2(1, 0), 0));"),
+		Check(4, "bounds"));
+}
+
+TEST_F(PlantedFaults, AnIndexOutsideAnArray)
+{
+	EXPECT_EQ(
+		Expect(48, "bounds: element 4 of an array that has 4; the nearest is taken, first of 6 at (0, 4): Color.b "
+				   "+= Table[Pixel.y];"),
+		Check(5, "bounds"));
+}
+
+TEST_F(PlantedFaults, AVariableThatNothingWrote)
+{
+	EXPECT_EQ(Expect(52, "uninit: 'Never' is used before it is written (component 0), first of 30 at (0, 0): Color.rgb "
+						 "+= 0.5 * Never;"),
+		Check(6, "uninit"));
+}
+
+TEST_F(PlantedFaults, NegativeLight)
+{
+	EXPECT_EQ(Expect(62, "negative: -0.5 is stored to SV_Target0 (red), first of 30 at (0, 0): OutColor = Color;"),
+		Check(7, "negative"));
+}
+
+TEST_F(PlantedFaults, SwappedChannelsAreWhereTwoRunsPart)
+{
+	Drydock::FImage Scene{Width, Height, 3, std::vector<double>(Width * Height * 3)};
+	for (size_t i = 0; i < Scene.Values.size(); ++i)
+	{
+		Scene.Values[i] = 0.25 * static_cast<double>(1 + i % 3);
+	}
+	Drydock::WriteExr((Folder.Path / "scene.exr").string(), Scene, {"R", "G", "B"});
+	const FOutcome Outcome = Folder.Call("probe " + Common(8) + "2,3 --against r.PlantedFaults=0");
+	EXPECT_EQ(0, Outcome.ExitCode) << Outcome.Printed;
+	EXPECT_THAT(Outcome.Printed, HasSubstr("\nPlantedFaults  (FPlantedFaultsPS)\n"
+										   "   reads Source: 2,3\n"
+										   "   SV_Target0 2,3 = (0.75, 0.5, 0.25, 1) (RGBA16_FLOAT)\n"
+										   "   < here they part; against it SV_Target0 2,3 = (0.25, 0.5, 0.75, 1)"));
+}
+
+TEST_F(PlantedFaults, ATraceShowsTheLoopThatAddsNothing)
+{
+	const FOutcome Outcome = Folder.Call("trace " + Common(1) + "--pass PlantedFaults --pixel 0,2");
+	EXPECT_EQ(0, Outcome.ExitCode) << Outcome.Printed;
+	EXPECT_THAT(Outcome.Printed, HasSubstr("call Blur"));
+	EXPECT_THAT(Outcome.Printed, HasSubstr("Weight += Tap;\n"));
+	EXPECT_THAT(Outcome.Printed, HasSubstr("Weight = 0\n"));
+	EXPECT_THAT(Outcome.Printed, HasSubstr("Blur returns (NaN, NaN, NaN, NaN)"));
+	EXPECT_THAT(Outcome.Printed, Not(HasSubstr("pow(")));
+}
+
+TEST_F(PlantedFaults, AMisspeltCheckIsNamed)
+{
+	const FOutcome Outcome = Folder.Call("run " + Common(0) + "--out out --check bonds");
+	EXPECT_EQ(2, Outcome.ExitCode);
+	EXPECT_THAT(Outcome.Printed, HasSubstr("there is no check 'bonds'; did you mean bounds?"));
+}
+
+} // namespace

@@ -1,0 +1,69 @@
+// A pass whose shader makes one of several mistakes, for the tools that find them.
+#include "GlobalShader.h"
+#include "HAL/IConsoleManager.h"
+#include "PixelShaderUtils.h"
+#include "PostProcess/PostProcessMaterialInputs.h"
+#include "RenderGraphUtils.h"
+#include "SceneViewExtension.h"
+
+namespace
+{
+
+TAutoConsoleVariable<int32> CVarFault(
+	TEXT("r.PlantedFaults"), 0, TEXT("Which mistake the pass PlantedFaults makes; 0: none."));
+
+class FPlantedFaultsPS : public FGlobalShader
+{
+public:
+	DECLARE_GLOBAL_SHADER(FPlantedFaultsPS);
+	SHADER_USE_PARAMETER_STRUCT(FPlantedFaultsPS, FGlobalShader);
+
+	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
+		SHADER_PARAMETER_RDG_TEXTURE(Texture2D, Source)
+		SHADER_PARAMETER(int32, Fault)
+		RENDER_TARGET_BINDING_SLOTS()
+	END_SHADER_PARAMETER_STRUCT()
+};
+
+IMPLEMENT_GLOBAL_SHADER(FPlantedFaultsPS, "/Plugin/PlantedFaults/PlantedFaults.usf", "MainPS", SF_Pixel);
+
+class FPlantedFaultsExtension : public FSceneViewExtensionBase
+{
+public:
+	FPlantedFaultsExtension(const FAutoRegister& AutoRegister)
+		: FSceneViewExtensionBase(AutoRegister)
+	{
+	}
+
+	virtual void SubscribeToPostProcessingPass(
+		EPostProcessingPass Pass, FAfterPassCallbackDelegateArray& Callbacks, bool bIsPassEnabled) override
+	{
+		if (Pass == EPostProcessingPass::MotionBlur)
+		{
+			Callbacks.Add(FAfterPassCallbackDelegate::CreateRaw(this, &FPlantedFaultsExtension::Draw));
+		}
+	}
+
+private:
+	FScreenPassTexture Draw(FRDGBuilder& GraphBuilder, const FSceneView& View, const FPostProcessMaterialInputs& Inputs)
+	{
+		const FScreenPassTexture SceneColor = Inputs.GetInput(EPostProcessMaterialInput::SceneColor);
+		FRDGTextureDesc Desc = SceneColor.Texture->Desc;
+		Desc.Format = PF_FloatRGBA;
+		Desc.Flags |= TexCreate_RenderTargetable;
+		FRDGTextureRef Target = GraphBuilder.CreateTexture(Desc, TEXT("PlantedFaults"));
+		auto* Parameters = GraphBuilder.AllocParameters<FPlantedFaultsPS::FParameters>();
+		Parameters->Source = SceneColor.Texture;
+		Parameters->Fault = CVarFault.GetValueOnRenderThread();
+		Parameters->RenderTargets[0] = FRenderTargetBinding(Target, ERenderTargetLoadAction::ENoAction);
+		FPixelShaderUtils::AddFullscreenPass(GraphBuilder, GetGlobalShaderMap(GMaxRHIFeatureLevel),
+			RDG_EVENT_NAME("PlantedFaults"), TShaderMapRef<FPlantedFaultsPS>(GetGlobalShaderMap(GMaxRHIFeatureLevel)),
+			Parameters, SceneColor.ViewRect);
+		return FScreenPassTexture(Target, SceneColor.ViewRect);
+	}
+};
+
+TSharedRef<FPlantedFaultsExtension, ESPMode::ThreadSafe> GPlantedFaults =
+	FSceneViewExtensions::NewExtension<FPlantedFaultsExtension>();
+
+} // namespace
