@@ -1,8 +1,12 @@
-// What blurs and downsamples cost by their native kernels and by their shaders: whole passes of the graph, 1920x1080
-// unless said. Both run alternately in one process, with a copy of the picture by memcpy between them; medians of 7,
-// one thread. "copies": time over that of the copy of the picture in its own format.
+// What passes cost by their native kernels and by their shaders: blurs and downsamples, bloom setup, tonemapper;
+// 1920x1080. Both run alternately in one process, with a copy of the picture by memcpy between them; medians of 7, one
+// thread. "copies": time over that of the copy of the picture in its own format. Then, for what both formats have, the
+// native time of half storage over that of float32.
+#include "Bloom/PostProcessBloomSetup.h"
 #include "Blur/DualKawaseBlurPass.h"
 #include "Blur/PostProcessWeightedSampleSum.h"
+#include "Exposure/PostProcessEyeAdaptation.h"
+#include "Exposure/PostProcessLocalExposure.h"
 #include "HAL/IConsoleManager.h"
 #include "RHICommandList.h"
 #include "RenderGraphBuilder.h"
@@ -10,12 +14,15 @@
 #include "RenderTargetPool.h"
 #include "SceneRendering.h"
 #include "Screen/PostProcessDownsample.h"
+#include "Tonemap/PostProcessCombineLUTs.h"
+#include "Tonemap/PostProcessTonemap.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <functional>
+#include <map>
 #include <random>
 #include <string>
 #include <vector>
@@ -28,13 +35,15 @@ namespace
 constexpr int GRepetitions = 7;
 const FIntPoint GSize(1920, 1080);
 
-using FAddPasses = std::function<FScreenPassTexture(FRDGBuilder&, const FViewInfo&, const FScreenPassTexture&)>;
+using FAddPasses = std::function<FScreenPassTexture(FRDGBuilder&, FViewInfo&, const FScreenPassTexture&)>;
 
 struct FRow
 {
 	std::string Name;
 	EPixelFormat Format;
 	FAddPasses AddPasses;
+	/** Only passes whose name begins so are timed. */
+	std::string Pass = {};
 	std::vector<double> Native = {};
 	std::vector<double> Shader = {};
 	std::vector<double> Copy = {};
@@ -76,14 +85,96 @@ FAddPasses Downsample(EDownsampleQuality Quality)
 	};
 }
 
+enum class ELens
+{
+	None,
+	Bloom,
+	Everything
+};
+
+FLocalExposureTextures AddLocalExposure(
+	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& Input)
+{
+	FLocalExposureTextures Textures;
+	Textures.Parameters.ContrastAndThreshold = FVector4f(0.8f, 0.8f, 0.0f, 0.0f);
+	Textures.Parameters.DetailStrength = 1.0f;
+	Textures.Parameters.BlurredLuminanceBlend = 0.6f;
+	Textures.Parameters.MiddleGreyExposureCompensation = 1.0f;
+	Textures.Parameters.HistogramScale = 0.06f;
+	Textures.Parameters.HistogramBias = 0.5f;
+	Textures.Parameters.LuminanceMin = 0.001f;
+	FDownsamplePassInputs Half;
+	Half.Name = TEXT("Half");
+	Half.SceneColor = Input;
+	const FScreenPassTexture Small = AddDownsamplePass(GraphBuilder, View, Half);
+	Textures.BilateralGrid = AddLocalExposurePass(GraphBuilder, View, Textures.Parameters, Small);
+	Textures.BilateralGridInputSize = Small.ViewRect.Size();
+	Textures.BlurredLogLuminance =
+		AddLocalExposureBlurredLogLuminancePass(GraphBuilder, View, Textures.Parameters, Small, 10.0f);
+	return Textures;
+}
+
+FAddPasses Tonemap(ELens Lens)
+{
+	return [Lens](FRDGBuilder& GraphBuilder, FViewInfo& View, const FScreenPassTexture& Input)
+	{
+		FFinalPostProcessSettings& Settings = View.FinalPostProcessSettings;
+		const bool bEverything = Lens == ELens::Everything;
+		Settings.VignetteIntensity = bEverything ? 0.4f : 0.0f;
+		Settings.SceneFringeIntensity = bEverything ? 0.5f : 0.0f;
+		Settings.FilmGrainIntensity = bEverything ? 0.1f : 0.0f;
+		Settings.Sharpen = bEverything ? 0.3f : 0.0f;
+		FTonemapInputs Inputs;
+		Inputs.SceneColor = Input;
+		Inputs.EyeAdaptationBuffer = CreateEyeAdaptationBuffer(GraphBuilder, 1.0f);
+		Inputs.ColorGradingTexture = AddCombineLUTPass(GraphBuilder, View);
+		if (Lens != ELens::None)
+		{
+			FDownsamplePassInputs Half;
+			Half.Name = TEXT("Half");
+			Half.SceneColor = Input;
+			Half.FormatOverride = PF_FloatR11G11B10;
+			Inputs.Bloom = AddDownsamplePass(GraphBuilder, View, Half);
+		}
+		if (bEverything)
+		{
+			Inputs.LocalExposure = AddLocalExposure(GraphBuilder, View, Input);
+		}
+		return AddTonemapPass(GraphBuilder, View, Inputs);
+	};
+}
+
+FAddPasses SetUpBloom(bool bLocalExposure)
+{
+	return [bLocalExposure](FRDGBuilder& GraphBuilder, FViewInfo& View, const FScreenPassTexture& Input)
+	{
+		FBloomSetupInputs Inputs;
+		Inputs.SceneColor = Input;
+		Inputs.EyeAdaptationBuffer = CreateEyeAdaptationBuffer(GraphBuilder, 1.0f);
+		Inputs.Threshold = 0.5f;
+		if (bLocalExposure)
+		{
+			Inputs.LocalExposure = AddLocalExposure(GraphBuilder, View, Input);
+		}
+		return AddBloomSetupPass(GraphBuilder, View, Inputs);
+	};
+}
+
 class FPassTimer final : public IRDGObserver
 {
 public:
-	void OnPassExecuted(
-		int32_t, const FRDGPass&, double Milliseconds, const FPassCounters&, const std::vector<FRDGTexture*>&) override
+	explicit FPassTimer(const std::string& InPrefix)
+		: Prefix(InPrefix)
 	{
-		Sum += Milliseconds;
 	}
+
+	void OnPassExecuted(int32_t, const FRDGPass& Pass, double Milliseconds, const FPassCounters&,
+		const std::vector<FRDGTexture*>&) override
+	{
+		Sum += std::string(Pass.GetName()).starts_with(Prefix) ? Milliseconds : 0.0;
+	}
+
+	const std::string Prefix;
 	double Sum = 0.0;
 };
 
@@ -106,7 +197,7 @@ FTextureRHIRef MakeNoise(EPixelFormat Format)
 double Run(const FRow& Row, const FTextureRHIRef& Texture, bool bNative)
 {
 	IConsoleManager::Get().FindConsoleVariable(TEXT("r.Drydock.NativeKernels"))->Set(bNative ? 1 : 0);
-	FPassTimer Timer;
+	FPassTimer Timer(Row.Pass);
 	FViewInfo View(nullptr, FIntRect(FIntPoint(0, 0), GSize), GSize);
 	FRDGBuilder GraphBuilder(FRHICommandListExecutor::GetImmediateCommandList(), RDG_EVENT_NAME("Bench"));
 	GraphBuilder.SetObserver(&Timer);
@@ -152,10 +243,17 @@ int main()
 		}
 		Rows.push_back({std::string("downsample low, ") + Name, Format, Downsample(EDownsampleQuality::Low)});
 		Rows.push_back({std::string("downsample high, ") + Name, Format, Downsample(EDownsampleQuality::High)});
+		Rows.push_back({std::string("bloom setup, ") + Name, Format, SetUpBloom(false), "BloomSetup"});
+		Rows.push_back(
+			{std::string("bloom setup with local exposure, ") + Name, Format, SetUpBloom(true), "BloomSetup"});
+		Rows.push_back({std::string("tonemap by the table, ") + Name, Format, Tonemap(ELens::None), "Tonemap"});
+		Rows.push_back({std::string("tonemap, bloom, ") + Name, Format, Tonemap(ELens::Bloom), "Tonemap"});
+		Rows.push_back({std::string("tonemap, everything, ") + Name, Format, Tonemap(ELens::Everything), "Tonemap"});
 	}
+	std::map<std::string, double> NativeTimes;
 	std::vector<uint8_t> To;
 	std::printf(
-		"Blurs at %dx%d, one thread, medians of %d\n\n| pass | native ms | shader ms | shader / native | native, "
+		"Passes at %dx%d, one thread, medians of %d\n\n| pass | native ms | shader ms | shader / native | native, "
 		"copies | shader, copies |\n|---|---|---|---|---|---|\n",
 		GSize.X, GSize.Y, GRepetitions);
 	for (FRow& Row : Rows)
@@ -179,6 +277,17 @@ int main()
 		std::printf("| %s | %.2f | %.2f | %.1f | %.1f | %.1f |\n", Row.Name.c_str(), Native, Shader, Shader / Native,
 			Native / Copied, Shader / Copied);
 		std::fflush(stdout);
+		NativeTimes[Row.Name] = Native;
+	}
+	std::printf("\n| pass | half / float32 |\n|---|---|\n");
+	for (const FRow& Row : Rows)
+	{
+		const size_t Suffix = Row.Name.rfind(", RGBA16F");
+		if (Suffix != std::string::npos)
+		{
+			const std::string Name = Row.Name.substr(0, Suffix);
+			std::printf("| %s | %.2f |\n", Name.c_str(), NativeTimes[Row.Name] / NativeTimes[Name + ", RGBA32F"]);
+		}
 	}
 	return 0;
 }
