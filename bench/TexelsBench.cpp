@@ -154,7 +154,7 @@ public:
 	/** The operation that each is a little more than. */
 	static size_t GetNeighbour(size_t Operation)
 	{
-		constexpr size_t Neighbours[] = {0, 0, 1, 1, 1, 1, 5, 5, 1, 4, 1, 0, 11, 11, 13, 14, 14, 16};
+		constexpr size_t Neighbours[] = {0, 0, 1, 1, 1, 1, 5, 5, 4, 8, 1, 0, 11, 11, 13, 14, 14, 16};
 		return Neighbours[Operation];
 	}
 
