@@ -126,9 +126,15 @@ const std::vector<FCapturedTrace>& FTraceCapture::GetTraces() const
 	}
 	else
 	{
-		const std::string Nearest = FindNearestName(Request.Pass, Passes);
+		// Behind the first word of a pass's name stands mostly its size.
+		std::vector<std::string> Words;
+		for (const std::string& Name : Passes)
+		{
+			Words.push_back(Name.substr(0, Name.find(' ')));
+		}
+		const std::string Nearest = FindNearestName(Request.Pass, Words);
 		Message = "no pass of this run that a shader draws is called '" + Request.Pass + "'" +
-				  (Nearest.empty() ? std::string() : "; did you mean '" + Nearest + "'?") + " There are";
+				  (Nearest.empty() ? std::string(".") : "; did you mean '" + Nearest + "*'?") + " There are";
 		const std::set<std::string> Names(Passes.begin(), Passes.end());
 		for (const std::string& Name : Names)
 		{

@@ -3,9 +3,10 @@
 // vectors, matrices and functions of them; SpirvThreadImages.inl: textures.
 #pragma once
 
-#include "SpirvInterpreter.h"
 #include "SpirvObserver.h"
+#include "SpirvReflect.h"
 #include "SpirvScalarMath.h"
+#include "VertexProgram.h"
 
 #include <algorithm>
 

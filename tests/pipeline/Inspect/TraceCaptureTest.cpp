@@ -24,7 +24,7 @@ namespace
 
 using namespace Drydock;
 
-constexpr int PixelsPerDispatch = 12;
+constexpr int PixelsPerDispatch = 20;
 
 /** The texel of a mip as its bytes. */
 std::vector<uint8_t> ReadBytes(const FKernelTexture& Texture, int64_t X, int64_t Y, int64_t Z)

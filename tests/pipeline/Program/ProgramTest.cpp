@@ -148,8 +148,9 @@ TEST_F(DrydockProgram, NoVerbIsAUsageErrorThatNamesThemAll)
 {
 	const FOutcome Outcome = Call("");
 	EXPECT_EQ(2, Outcome.ExitCode);
-	EXPECT_TRUE(Contains(Outcome.Err, "a verb is missing: run, check, blend, graph, study, diff, explain, list, sheet, "
-									  "settings, import, new, build, matrix or warm\n"))
+	EXPECT_TRUE(
+		Contains(Outcome.Err, "a verb is missing: run, check, blend, graph, probe, trace, study, diff, explain, list, "
+							  "sheet, settings, import, new, build, matrix or warm\n"))
 		<< Outcome.Err;
 }
 
