@@ -2,9 +2,6 @@
 #include "Inspect/CheckCapture.h"
 
 #include "PixelFormatConversion.h"
-#include "RunningCode.h"
-#include "Shader.h"
-#include "ShaderCompilation.h"
 #include "Text/ConfigErrors.h"
 
 #include <cmath>
@@ -47,8 +44,9 @@ FCheckSet MakeCheckSet(const std::vector<std::string>& Names)
 	return Set;
 }
 
-FCheckCapture::FCheckCapture(const FCheckSet& InChecks)
+FCheckCapture::FCheckCapture(const FCheckSet& InChecks, std::string InPasses)
 	: Checks(InChecks)
+	, Passes(std::move(InPasses))
 {
 }
 
@@ -56,7 +54,7 @@ FCheckCapture::~FCheckCapture() = default;
 
 void FCheckCapture::BeforeDispatch(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile&)
 {
-	const bool bWrites = !Shader.RWTextures.empty() || !Shader.RWBuffers.empty();
+	const bool bWrites = (!Shader.RWTextures.empty() || !Shader.RWBuffers.empty()) && IsPassNamed(Passes, Shader);
 	Before = bWrites ? std::make_unique<FSandbox>(Args, Shader.GetReflection()) : nullptr;
 }
 
@@ -125,6 +123,10 @@ std::vector<std::array<int32_t, 3>> FCheckCapture::FindSuspects(
 
 void FCheckCapture::AfterDispatch(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole)
 {
+	if (!IsPassNamed(Passes, Shader))
+	{
+		return;
+	}
 	const bool bAll = Checks.NeedsEveryThread() || Checks[ECheck::Denormal];
 	const std::vector<std::array<int32_t, 3>> Suspects =
 		bAll ? std::vector<std::array<int32_t, 3>>() : FindSuspects(Shader, Args, Whole);
@@ -132,24 +134,16 @@ void FCheckCapture::AfterDispatch(const FBoundShader& Shader, const FKernelArgs&
 	{
 		return;
 	}
-	std::unique_ptr<FInspectedShader>& Inspected = Shaders[Shader.Permutation];
-	if (!Inspected)
-	{
-		const FShaderRef Permutation(Shader.Permutation);
-		Inspected = std::make_unique<FInspectedShader>(
-			MakeShaderCompileRequest(Permutation, Permutation.GetRootParametersMetadata()), Shader.GetReflection());
-	}
+	const std::shared_ptr<FInspectedShader> Inspected = Shaders.Get(Shader);
 	const FKernelArgs& Given = Before ? Before->GetArgs() : Args;
 	std::vector<FCheckFinding> Found = CheckThreads(*Inspected, Shader, Given, Whole, Suspects, Checks);
 	if (Found.empty() && !bAll && Before)
 	{
 		Found = CheckThreads(*Inspected, Shader, Given, Whole, {}, Checks); // threads that store elsewhere
 	}
-	const FCodeOwner* const Owner = GetRunningCode();
 	for (FCheckFinding& Finding : Found)
 	{
-		Findings.push_back(
-			{Owner && !Owner->Pass.empty() ? Owner->Pass : Shader.Name, Shader.Name, std::move(Finding)});
+		Findings.push_back({GetPassName(Shader), Shader.Name, std::move(Finding), FIntPoint(Whole.MaxX, Whole.MaxY)});
 	}
 }
 

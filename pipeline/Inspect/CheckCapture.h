@@ -1,8 +1,10 @@
 // What the shaders of a run do wrong, found while the frame runs: `drydock run --check`.
 #pragma once
 
+#include "CoreMinimal.h"
 #include "Diagnostics.h"
 #include "DispatchObserver.h"
+#include "Inspect/DispatchShaders.h"
 #include "KernelCheck.h"
 
 #include <map>
@@ -11,7 +13,8 @@
 namespace Drydock
 {
 
-/** "nan", "overflow", "negative", "denormal", "bounds", "uninit", or "all". Throws FError (DD1020) for other names. */
+/** "nan", "overflow", "negative", "denormal", "bounds", "uninit", "overlap", "assert", or "all". Throws FError (DD1020) for other
+ * names. */
 DRYDOCK_API FCheckSet MakeCheckSet(const std::vector<std::string>& Names);
 DRYDOCK_API std::vector<std::string> GetCheckNames();
 
@@ -21,12 +24,14 @@ struct FPassFinding
 	std::string Pass;
 	std::string Shader;
 	FCheckFinding Finding;
+	FIntPoint Size = FIntPoint(0, 0); // of what the threads' numbers count in
 };
 
 class DRYDOCK_API FCheckCapture final : public IDispatchObserver
 {
 public:
-	explicit FCheckCapture(const FCheckSet& InChecks);
+	/** Passes: pattern, of a pass's name or its shader's. */
+	explicit FCheckCapture(const FCheckSet& InChecks, std::string InPasses = "*");
 	~FCheckCapture() override;
 
 	void BeforeDispatch(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole) override;
@@ -43,8 +48,9 @@ private:
 	bool IsSuspect(const double (&Color)[4], ETexelStorage Storage) const;
 
 	const FCheckSet Checks;
+	const std::string Passes;
 	std::unique_ptr<FSandbox> Before; // of a compute shader: what it writes as it was
-	std::map<FShader*, std::unique_ptr<FInspectedShader>> Shaders;
+	FDispatchShaders Shaders;
 	std::vector<FPassFinding> Findings;
 };
 

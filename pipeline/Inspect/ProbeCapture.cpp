@@ -104,13 +104,7 @@ std::array<int32_t, 2> FProbeCapture::Map(int32_t X, int32_t Y, int32_t SizeX, i
 void FProbeCapture::AddReads(
 	const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole, FProbePass& Pass)
 {
-	std::unique_ptr<FInspectedShader>& Inspected = Shaders[Shader.Permutation];
-	if (!Inspected)
-	{
-		const FShaderRef Permutation(Shader.Permutation);
-		Inspected = std::make_unique<FInspectedShader>(
-			MakeShaderCompileRequest(Permutation, Permutation.GetRootParametersMetadata()), Shader.GetReflection());
-	}
+	const std::shared_ptr<FInspectedShader> Inspected = Shaders.Get(Shader);
 	// The thread of the texel: pixel shaders draw theirs, compute shaders mostly write that of their own number.
 	const FKernelTexture* const Picture = Args.NumTargets > 0          ? &Args.Targets[0].Texture
 										  : !Shader.RWTextures.empty() ? &Shader.RWTextures[0]

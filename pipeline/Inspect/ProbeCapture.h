@@ -3,7 +3,7 @@
 
 #include "DispatchObserver.h"
 #include "Footprint.h"
-#include "InspectedShader.h"
+#include "Inspect/DispatchShaders.h"
 
 #include <array>
 #include <map>
@@ -69,7 +69,7 @@ private:
 	void AddWrites(const std::string& Name, const FKernelTexture& Texture, FProbePass& Pass) const;
 
 	const FProbeRequest Request;
-	std::map<FShader*, std::unique_ptr<FInspectedShader>> Shaders;
+	FDispatchShaders Shaders;
 	std::vector<FProbePass> Passes;
 	bool bProbing = false; // the dispatch that runs
 };

@@ -3,12 +3,8 @@
 
 #include "Diagnostics.h"
 #include "PixelFormatConversion.h"
-#include "RunningCode.h"
 #include "Sandbox.h"
-#include "Shader.h"
-#include "ShaderCompilation.h"
 #include "Text/ConfigErrors.h"
-#include "Text/GlobPattern.h"
 #include "TileExecutor.h"
 
 #include <algorithm>
@@ -19,12 +15,6 @@ namespace Drydock
 
 namespace
 {
-
-std::string GetPassName(const FBoundShader& Shader)
-{
-	const FCodeOwner* const Owner = GetRunningCode();
-	return Owner && !Owner->Pass.empty() ? Owner->Pass : Shader.Name;
-}
 
 std::array<double, 4> ReadTexel(const FKernelTexture& Texture, int32_t X, int32_t Y)
 {
@@ -63,7 +53,7 @@ void FTraceCapture::BeforeDispatch(const FBoundShader& Shader, const FKernelArgs
 	const std::string Pass = GetPassName(Shader);
 	Passes.push_back(Pass);
 	bTracing = false;
-	if (!MatchesPattern(Request.Pass, Pass) && !MatchesPattern(Request.Pass, Shader.Name))
+	if (!IsPassNamed(Request.Pass, Shader))
 	{
 		return;
 	}
@@ -75,9 +65,7 @@ void FTraceCapture::BeforeDispatch(const FBoundShader& Shader, const FKernelArgs
 		return;
 	}
 	bTracing = true;
-	const FShaderRef Permutation(Shader.Permutation);
-	const auto Inspected = std::make_shared<FInspectedShader>(
-		MakeShaderCompileRequest(Permutation, Permutation.GetRootParametersMetadata()), Shader.GetReflection());
+	const std::shared_ptr<FInspectedShader> Inspected = Shaders.Get(Shader);
 	FCapturedTrace& Trace = Traces.emplace_back();
 	Trace.Pass = Pass;
 	Trace.Shader = Shader.Name;

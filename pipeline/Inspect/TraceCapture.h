@@ -2,6 +2,7 @@
 #pragma once
 
 #include "DispatchObserver.h"
+#include "Inspect/DispatchShaders.h"
 #include "TraceRecorder.h"
 
 #include <array>
@@ -58,6 +59,7 @@ public:
 
 private:
 	const FTraceRequest Request;
+	FDispatchShaders Shaders;
 	std::vector<FCapturedTrace> Traces;
 	std::vector<std::string> Passes;  // all that ran a shader
 	std::vector<std::string> Outside; // "Tonemap (1920 x 1080)"

@@ -3,7 +3,8 @@
 
 #include "Config/ReadConfig.h"
 #include "Extensions/Plugins.h"
-#include "Inspect/CheckCapture.h"
+#include "Inspect/FirstCause.h"
+#include "Inspect/RunInspection.h"
 #include "Program/ProgramOutput.h"
 #include "Program/ProgressBar.h"
 #include "Program/RunFrames.h"
@@ -33,14 +34,43 @@ namespace
 
 struct FRunVerbOptions : FFramesOptions
 {
-	bool bWatch = false;             // run again whenever something changes
-	std::vector<std::string> Checks; // of what shaders do; names
+	bool bWatch = false; // run again whenever something changes
+	FInspectOptions Inspect;
 };
 
 /** CPU time so far: loading libraries and registering what registers itself, which nothing waits for. */
 double GetStartMilliseconds()
 {
 	return 1000.0 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/** Where the picture has NaN or infinity of the passes' own making, the messages name the line that made it. */
+FRunResult RunToFirstCause(FRunSession& Session, const FRunOptions& Options)
+{
+	if (GetDispatchObserver())
+	{
+		return Session.Run(std::nullopt, {}); // somebody looks already
+	}
+	try
+	{
+		FRunResult Result = Session.Run(std::nullopt, {});
+		if (MadeNonFinite(Result.Diagnostics))
+		{
+			const std::vector<FDiagnostic> Cause = FindFirstCause(Options);
+			Result.Diagnostics.insert(Result.Diagnostics.end(), Cause.begin(), Cause.end());
+		}
+		return Result;
+	}
+	catch (const FError& Error)
+	{
+		if (!MadeNonFinite(Error.GetDiagnostics()))
+		{
+			throw;
+		}
+		std::vector<FDiagnostic> All = FindFirstCause(Options);
+		All.insert(All.begin(), Error.GetDiagnostics().begin(), Error.GetDiagnostics().end());
+		throw FError(std::move(All), Error.GetExitCode());
+	}
 }
 
 int RunOnce(const FRunVerbOptions& Options)
@@ -53,26 +83,31 @@ int RunOnce(const FRunVerbOptions& Options)
 	};
 	const std::string Folder = ChooseOutputFolder(Options.OutputFolder, Options.Run);
 	std::optional<FOutputFolder> Output;
-	FCheckCapture Checks(MakeCheckSet(Options.Checks));
+	FRunInspection Inspection(Options.Inspect);
 	const FRunResult Result = [&]
 	{
 		FRunSession Session(RunOptions);
 		Output.emplace(Folder, GetRunOutputNames()); // after mistakes of the config, before the work
 		std::optional<FScopedDispatchObserver> Observed;
-		if (!Options.Checks.empty())
+		if (!Options.Inspect.IsEmpty())
 		{
-			Observed.emplace(Checks);
+			Observed.emplace(Inspection);
 		}
-		return Session.Run(std::nullopt, {});
+		return RunToFirstCause(Session, RunOptions);
 	}();
 	Bar.Clear();
 	PrintDiagnostics(Result.Diagnostics);
-	PrintDiagnostics(Checks.GetDiagnostics());
+	PrintDiagnostics(Inspection.GetDiagnostics());
+	const std::string Seen = Inspection.Write(Output->GetAside());
 	const double SaveMs = WriteRunOutputs(Result, *Output);
 	Output.reset(); // whoever watches for the summary may start the next run
-	FCostModel Costs = FCostModel::Load();
-	Costs.Learn(Result);
-	Costs.Save();
+	if (Options.Inspect.IsEmpty()) // else its times are the interpreter's
+	{
+		FCostModel Costs = FCostModel::Load();
+		Costs.Learn(Result);
+		Costs.Save();
+	}
+	std::fputs(Seen.c_str(), Options.bJson ? stderr : stdout);
 	std::fputs((Options.bJson ? Result.RunJson : MakeRunSummary(Result, Folder, SaveMs)).c_str(), stdout);
 	std::fflush(stdout); // before the closing lines, where both go to one terminal
 	PrintClosingLines(Result.Effects);
@@ -184,6 +219,33 @@ int RunOrWatch(const FRunVerbOptions& Options)
 	return RunOnce(Once);
 }
 
+void AddInspection(CLI::App& Verb, FInspectOptions& Options)
+{
+	const char* const Group = "Looking inside shaders (slow: they are interpreted)";
+	Verb.add_option("--check", Options.Checks,
+			"Say which line does something wrong: nan, overflow, negative, denormal, bounds, uninit, overlap, assert or all")
+		->delimiter(',')
+		->type_name("WHAT,...")
+		->group(Group);
+	AddRepeated(Verb, "--show", "X.usf:LINE[:NAME]", Options.Show,
+		"Write what the line computes, or the variable there, as a picture of the whole frame; repeats")
+		->group(Group);
+	Verb.add_flag("--coverage", Options.bCoverage, "Count how many pixels ran each line")->group(Group);
+	Verb.add_flag("--cost", Options.bCost, "Write taps and operations of each pixel as pictures")->group(Group);
+	CLI::Option* const Print =
+		Verb.add_flag("--print", Options.bPrint, "Print what shaders say by DrydockPrint and ShaderPrint")
+			->group(Group);
+	Verb.add_option("--at", Options.PrintAt, "Hear only this pixel of each pass")
+		->delimiter(',')
+		->type_name("X,Y")
+		->type_size(2)
+		->needs(Print)
+		->group(Group);
+	Verb.add_option("--passes", Options.Passes, "Look only at these, by name or by their shader's class; with * and ?")
+		->type_name("PATTERN")
+		->group(Group);
+}
+
 FVerbCall AddOptions(CLI::App& Verb)
 {
 	const auto Options = std::make_shared<FRunVerbOptions>();
@@ -207,12 +269,7 @@ FVerbCall AddOptions(CLI::App& Verb)
 		"Leave nothing out because nobody needs it: slower, the same bits; what is switched off stays off");
 	Verb.add_flag("--measure-effects", Options->Run.bMeasureEffects,
 		"Measure what effects come to (bleed of toon bloom, banding of the toon shadow) and add it to run.json");
-	Verb.add_option("--check", Options->Checks,
-			"Look for what shaders do wrong and say the line: nan, overflow, negative, denormal, bounds, uninit or "
-			"all; "
-			"slow, for it interprets them")
-		->delimiter(',')
-		->type_name("WHAT,...");
+	AddInspection(Verb, Options->Inspect);
 	Verb.add_flag("--fingerprints", Options->Run.bFingerprints,
 		"Add to each pass of run.json a fingerprint of every texture that it wrote");
 	CLI::Option* const Frames =

@@ -6,10 +6,10 @@
 #include "ShaderParameterMetadata.h"
 #include "Text/ConfigErrors.h"
 #include "Text/GlobPattern.h"
+#include "Text/TextFormat.h"
 #include "TileExecutor.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdio>
 #include <cstring>
 
@@ -18,17 +18,6 @@ namespace Drydock
 
 namespace
 {
-
-std::string Sanitize(const std::string& Name)
-{
-	std::string Clean = Name;
-	std::replace_if(
-		Clean.begin(), Clean.end(),
-		[](char Character)
-		{ return !std::isalnum(static_cast<unsigned char>(Character)) && Character != '_' && Character != '-'; },
-		'_');
-	return Clean;
-}
 
 /** Names that a pattern could have meant. */
 std::vector<std::string> GetDumpCandidates(const FRDGCompiledGraph& Graph)
@@ -93,7 +82,7 @@ std::string GetDumpFileName(const FRunDump& Dump)
 {
 	char Number[16];
 	std::snprintf(Number, sizeof(Number), "%03d", Dump.PassIndex);
-	return std::string(Number) + "." + Sanitize(GetShortPassName(Dump.Pass)) + "." + Sanitize(Dump.Resource) +
+	return std::string(Number) + "." + MakeFileNamePart(GetShortPassName(Dump.Pass)) + "." + MakeFileNamePart(Dump.Resource) +
 		   (Dump.Mip >= 0 ? ".mip" + std::to_string(Dump.Mip) : "");
 }
 

@@ -143,7 +143,7 @@ const FOutputNames& GetRunOutputNames()
 	static const FOutputNames Names = {.Name = "run",
 		.Files = {"final.png", "final.exr", "scene_linear.exr", "run.json", "timing.json", "graph.dot", "trace.json"},
 		.Last = "run.json",
-		.Folders = {"passes"},
+		.Folders = {"passes", "inspect"},
 		.Unsteady = TimedFiles};
 	return Names;
 }

@@ -12,7 +12,7 @@ namespace Drydock
 {
 
 /** final.png, final.exr, scene_linear.exr, run.json, timing.json, graph.dot, trace.json and passes/, of which
- * FRunResult::Write says what is written; run.json always is. */
+ * FRunResult::Write says what is written; run.json always is. inspect/ holds what was asked of shaders. */
 DRYDOCK_API const FOutputNames& GetRunOutputNames();
 
 /** These files, and those of effects that were measured, in place of an earlier run's. Returns the milliseconds it

@@ -45,6 +45,7 @@ enum EConfigError
 	ErrorNonFinite = 4002,      // the same, with r.Drydock.NonFinite 2
 	WarnNonFiniteSpread = 4003, // where those of the scene went
 	WarnCheck = 4010,           // a line of a shader does what --check looks for
+	WarnNothingPrinted = 4012,  // --print, and no shader that ran prints
 
 	// DD5: files
 	ErrorFileMissing = 5001,    // cannot be opened

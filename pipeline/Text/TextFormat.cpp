@@ -2,6 +2,7 @@
 #include "Text/TextFormat.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 
 namespace Drydock
@@ -27,6 +28,17 @@ std::string NumberText(float Number)
 std::string NumberText(double Number)
 {
 	return WriteShortest(Number);
+}
+
+std::string MakeFileNamePart(const std::string& Text)
+{
+	std::string Part = Text;
+	std::replace_if(
+		Part.begin(), Part.end(),
+		[](char Character)
+		{ return !std::isalnum(static_cast<unsigned char>(Character)) && Character != '_' && Character != '-'; },
+		'_');
+	return Part;
 }
 
 std::string AlignColumns(const std::vector<std::vector<std::string>>& Rows,

@@ -15,6 +15,9 @@ namespace Drydock
 DRYDOCK_API std::string NumberText(float Number);
 DRYDOCK_API std::string NumberText(double Number);
 
+/** The text with _ for all characters outside [A-Za-z0-9_-]. */
+DRYDOCK_API std::string MakeFileNamePart(const std::string& Text);
+
 /** Lines of columns two blanks apart, each as wide as its widest cell in bytes, without blanks at the ends of lines.
  * Rows: of equal length, one at least. IsText: columns of text stand at the left, numbers at the right. Indent: before
  * each line. */

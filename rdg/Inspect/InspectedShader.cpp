@@ -54,22 +54,30 @@ int32_t FindSlot(const FSpirvModule& Module, const FSpirvVariable& Variable, con
 	return FindNamed(Kernel.ConstantBuffers, Type.Name == "$Globals" ? std::string("$Global") : Type.Name);
 }
 
-FSpirvModule ReadForInspection(const FShaderCompileRequest& Request, bool bKeepFunctions)
+FSpirvModule ReadForInspection(
+	const FShaderCompileRequest& Request, bool bKeepFunctions, std::vector<std::string>& Strings)
 {
 	FShaderCompileRequest Asked = Request;
 	Asked.bKeepFunctions = bKeepFunctions;
-	const std::vector<uint32_t> Words = CompileToSpirv(FlattenShader(Asked), Asked);
+	const FShaderSource Source = FlattenShader(Asked);
+	const std::vector<uint32_t> Words = CompileToSpirv(Source, Asked);
+	Strings = Source.Strings;
 	return bKeepFunctions ? ReadWholeSpirv(Words) : ReadSpirv(Words);
 }
 
 } // namespace
 
-FInspectedShader::FInspectedShader(const FShaderCompileRequest& Request, const FShaderReflection& Kernel)
+FInspectedShader::FInspectedShader(
+	const FShaderCompileRequest& Request, const FShaderReflection& Kernel, bool bAsKernel)
+	: bVariables(!bAsKernel)
 {
 	try
 	{
-		Module = ReadForInspection(Request, true);
-		Program = std::make_unique<FSpirvProgram>(Module);
+		if (bVariables)
+		{
+			Module = ReadForInspection(Request, true, Strings);
+			Program = std::make_unique<FSpirvProgram>(Module);
+		}
 	}
 	catch (const FSpirvError&)
 	{
@@ -80,7 +88,7 @@ FInspectedShader::FInspectedShader(const FShaderCompileRequest& Request, const F
 	{
 		if (!bVariables)
 		{
-			Module = ReadForInspection(Request, false);
+			Module = ReadForInspection(Request, false, Strings);
 			Program = std::make_unique<FSpirvProgram>(Module);
 		}
 		for (const FSpirvVariable& Variable : Module.Variables)
@@ -111,6 +119,13 @@ std::string FInspectedShader::GetLine(const std::string& File, int Line) const
 		}
 	}
 	return Line >= 1 && size_t(Line) <= Found->second.size() ? Found->second[size_t(Line) - 1] : std::string();
+}
+
+std::string FInspectedShader::GetTrimmedLine(const std::string& File, int Line) const
+{
+	const std::string Text = GetLine(File, Line);
+	const size_t Begin = Text.find_first_not_of(" \t");
+	return Begin == std::string::npos ? std::string() : Text.substr(Begin, Text.find_last_not_of(" \t") + 1 - Begin);
 }
 
 } // namespace Drydock

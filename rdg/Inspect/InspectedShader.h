@@ -16,8 +16,9 @@ class DRYDOCK_API FInspectedShader
 {
 public:
 	/** Runs the front end. Kernel: the reflection of the compiled shader, whose slots the arguments have. Throws FError
-	 * with the front end's messages, DD6020 where the interpreter does not know what the shader does. */
-	FInspectedShader(const FShaderCompileRequest& Request, const FShaderReflection& Kernel);
+	 * with the front end's messages, DD6020 where the interpreter does not know what the shader does. bAsKernel: the
+	 * optimised form that kernels are made of, whose operations are theirs. */
+	FInspectedShader(const FShaderCompileRequest& Request, const FShaderReflection& Kernel, bool bAsKernel = false);
 
 	const FSpirvModule& GetModule() const { return Module; }
 	/** Not const: hooks are set in it. */
@@ -27,6 +28,11 @@ public:
 
 	/** The text of a line of a virtual file as its author wrote it; empty: there is none. Lines count from 1. */
 	std::string GetLine(const std::string& File, int Line) const;
+	/** The same without the blanks around it. */
+	std::string GetTrimmedLine(const std::string& File, int Line) const;
+
+	/** Texts that it prints, by number (ShaderPrints.h). */
+	const std::vector<std::string>& GetStrings() const { return Strings; }
 
 	/** False where the shader could only be read with its calls inlined: there are lines and no local variables. */
 	bool HasVariables() const { return bVariables; }
@@ -35,6 +41,7 @@ private:
 	FSpirvModule Module;
 	std::unique_ptr<FSpirvProgram> Program;
 	FSpirvSlotTable Slots;
+	std::vector<std::string> Strings;
 	bool bVariables = true;
 	mutable std::map<std::string, std::vector<std::string>> Texts; // lines by virtual file
 };

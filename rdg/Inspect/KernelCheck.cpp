@@ -1,12 +1,15 @@
 // Watches threads, and sums up over a dispatch.
 #include "KernelCheck.h"
 
+#include "AuthorsNames.h"
 #include "OperationText.h"
 #include "PixelFormatConversion.h"
-#include "TileExecutor.h"
+#include "StoreOverlap.h"
+#include "ThreadRuns.h"
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <map>
 #include <set>
 #include <tuple>
@@ -18,22 +21,16 @@ using namespace Spirv;
 
 const char* GetCheckName(ECheck Check)
 {
-	constexpr const char* Names[] = {"nan", "overflow", "negative", "denormal", "bounds", "uninit"};
+	constexpr const char* Names[] = {
+		"nan", "overflow", "negative", "denormal", "bounds", "uninit", "overlap", "assert"};
 	return Names[size_t(Check)];
 }
 
 namespace
 {
 
-constexpr uint64_t MaxSteps = 100'000'000;
-
 /** Kind, file, line: what a finding is known by. */
 using FFindingKey = std::tuple<ECheck, uint32_t, int>;
-
-struct FFindings
-{
-	std::map<FFindingKey, FCheckFinding> All;
-};
 
 double GetLeastNormal(ETexelStorage Storage)
 {
@@ -54,30 +51,49 @@ double GetLeastNormal(ETexelStorage Storage)
 	}
 }
 
-class FThreadChecker final : public ISpirvObserver
+const std::string NoText;
+
+class FThreadChecker final : public IThreadWatcher
 {
 public:
-	FThreadChecker(
-		const FInspectedShader& InShader, const FKernelArgs& InArgs, const FCheckSet& InChecks, FFindings& OutFindings)
+	FThreadChecker(const FInspectedShader& InShader, const FKernelArgs& InArgs, const FCheckSet& InChecks)
 		: Shader(InShader)
 		, Module(InShader.GetModule())
 		, Program(InShader.GetProgram())
 		, Args(InArgs)
 		, Checks(InChecks)
-		, Findings(OutFindings)
+		, Names(Program)
 		, AuthorsDepth(Module.Functions.empty() ? 0 : 1)
 	{
 	}
 
-	void Begin()
+	void BeginThread(size_t, TSpirvThread<float>&) override
 	{
 		Found.clear();
 		LastStore = nullptr;
 	}
 
+	void EndThread(size_t, TSpirvThread<float>& Thread) override
+	{
+		for (size_t i = 0; i < Module.Variables.size() && !Thread.WasDiscarded(); ++i)
+		{
+			if (Module.Variables[i].Storage == StorageOutput)
+			{
+				CheckTarget(Thread, i);
+			}
+		}
+	}
+
+	const std::map<FFindingKey, FCheckFinding>& GetFindings() const { return Findings; }
+	const std::vector<FThreadStore>& GetStores() const { return Stores; }
+
 	void OnStep(const FSpirvThreadView& Thread, const FSpirvStep& Step) override
 	{
 		const uint16_t Op = Step.I->Op;
+		if (Checks[ECheck::Overlap])
+		{
+			NoteStore(Thread, Step);
+		}
 		if (Op == OpImageWrite)
 		{
 			CheckWrite(Thread, Step);
@@ -98,8 +114,90 @@ public:
 		if (Checks[Check])
 		{
 			// What leaves the thread unwritten has the line of the last store, not of the shader's end.
-			Add(Thread, Check, Fault.bAtEnd && LastStore ? *LastStore->I : *Step.I, DescribeFault(Fault));
+			Add(Thread, Check, Fault.bAtEnd && LastStore ? *LastStore->I : *Step.I,
+				[&Fault] { return DescribeFault(Fault); });
 		}
+	}
+
+	void OnCall(const FSpirvThreadView& Thread, const FSpirvStep& Step) override
+	{
+		const bool bAssertion = Checks[ECheck::Assertion] && Step.Function < Module.Functions.size() &&
+								Module.Functions[Step.Function].Name == "DrydockAssertValue";
+		if (bAssertion && !Thread.GetBits(GetParameter(Thread, Step, 1)))
+		{
+			const uint32_t Text = Thread.GetBits(GetParameter(Thread, Step, 0));
+			const std::string& Condition = Text < Shader.GetStrings().size() ? Shader.GetStrings()[Text] : NoText;
+			Add(Thread, ECheck::Assertion, *Step.I,
+				[&] { return Condition + " does not hold" + ListOperands(Thread, Step); });
+		}
+	}
+
+private:
+	/** First word of an argument that a function was called with. */
+	uint32_t GetParameter(const FSpirvThreadView& Thread, const FSpirvStep& Step, size_t Index) const
+	{
+		const uint32_t Word = Program.Functions[Step.Function].Parameters[Index];
+		const FSpirvType& Type = Module.GetValueType(Module.Functions[Step.Function].Parameters[Index]);
+		return Type.Kind == ESpirvType::Pointer ? Thread.GetBits(Word) : Word;
+	}
+
+	/** Variables that the line of a call reads: ": Weight = 0, Color = (1, 2, 3)". */
+	std::string ListOperands(const FSpirvThreadView& Thread, const FSpirvStep& Call) const
+	{
+		std::string List;
+		std::set<std::string> Listed;
+		for (const FSpirvStep& Step : Program.Steps)
+		{
+			const bool bRead = Step.I->Op == OpLoad && Step.I->Line == Call.I->Line && Step.I->File == Call.I->File &&
+							   Step.Place == ~0u;
+			const std::optional<FNamedVariable> Variable =
+				bRead ? Names.Find(Step.I->Operands[0]) : std::optional<FNamedVariable>();
+			const uint32_t First = Variable ? Names.FindWords(Thread, Program.Args[Step.FirstArg]) : GNoSpirvWord;
+			if (First == GNoSpirvWord || !Listed.insert(Variable->Name).second)
+			{
+				continue;
+			}
+			std::string Numbers;
+			const uint32_t Size = std::min<uint32_t>(16, Module.GetType(Variable->Type).NumScalars);
+			for (uint32_t i = 0; i < Size; ++i)
+			{
+				const ESpirvType Kind = Module.GetScalarKind(Variable->Type, i);
+				const uint32_t Bits = Thread.GetBits(First + i);
+				Numbers += (i ? ", " : "") + (Kind == ESpirvType::Float    ? FormatReal(Thread.GetReal(First + i))
+												 : Kind == ESpirvType::Int ? std::to_string(int32_t(Bits))
+																		   : std::to_string(Bits));
+			}
+			List += (List.empty() ? ": " : ", ") + Variable->Name + " = " + (Size == 1 ? Numbers : "(" + Numbers + ")");
+		}
+		return List;
+	}
+
+	void NoteStore(const FSpirvThreadView& Thread, const FSpirvStep& Step)
+	{
+		const bool bTexture = Step.I->Op == OpImageWrite;
+		const bool bBuffer = Step.I->Op == OpStore && Step.Place != ~0u;
+		if (!bTexture && !bBuffer)
+		{
+			return;
+		}
+		const uint32_t Where = Program.Args[Step.FirstArg];
+		const int32_t* const At = Thread.GetPosition();
+		FThreadStore Store{Thread.GetBits(bTexture ? Where : Where + 2), {}, {At[0], At[1], At[2]}, 0, &Step};
+		const size_t ValueAt = bTexture ? 2 : 1;
+		const uint32_t Coordinates = Program.Args[Step.FirstArg + 1];
+		for (uint32_t i = 0; bTexture && i < 3 && i < Program.ArgSizes[Step.FirstArg + 1]; ++i)
+		{
+			Store.Texel[i] = int32_t(Thread.GetBits(Coordinates + i));
+		}
+		if (bBuffer)
+		{
+			Store.Texel = {int32_t(Thread.GetBits(Where + 1)), int32_t(Thread.GetBits(Where)), 0};
+		}
+		for (uint32_t i = 0; i < Program.ArgSizes[Step.FirstArg + ValueAt]; ++i)
+		{
+			Store.Value = Store.Value * 0x100000001b3 + Thread.GetBits(Program.Args[Step.FirstArg + ValueAt] + i) + 1;
+		}
+		Stores.push_back(Store);
 	}
 
 	/** A colour that goes to a render target; its line is that of the last store. */
@@ -120,7 +218,6 @@ public:
 			"SV_Target" + std::to_string(Output.Location));
 	}
 
-private:
 	void CheckWrite(const FSpirvThreadView& Thread, const FSpirvStep& Step)
 	{
 		const uint32_t Variable = Thread.GetBits(Program.Args[Step.FirstArg]);
@@ -156,18 +253,22 @@ private:
 		constexpr const char* Channels[] = {"red", "green", "blue", "alpha"};
 		for (int c = 0; c < Info.NumChannels && c < 4; ++c)
 		{
-			const std::string Stored = FormatReal(RGBA[c]) + " is stored to " + Name + " (" + Channels[c] + ")";
+			const auto Stored = [&](const std::string& Problem)
+			{
+				return FormatReal(RGBA[c]) + " is stored to " + Name + " (" + Channels[c] + ")" + Problem;
+			};
+			const std::string Format = std::string(", whose ") + Info.Name;
 			if (Checks[ECheck::Overflow] && std::isfinite(RGBA[c]) && std::isinf(Kept[c]))
 			{
-				Add(Thread, ECheck::Overflow, I, Stored + ", whose " + Info.Name + " makes it infinite");
+				Add(Thread, ECheck::Overflow, I, [&] { return Stored(Format + " makes it infinite"); });
 			}
 			if (Checks[ECheck::Negative] && c < 3 && RGBA[c] < 0)
 			{
-				Add(Thread, ECheck::Negative, I, Stored);
+				Add(Thread, ECheck::Negative, I, [&] { return Stored({}); });
 			}
 			if (Checks[ECheck::Denormal] && RGBA[c] != 0 && std::fabs(RGBA[c]) < GetLeastNormal(Texture.Storage))
 			{
-				Add(Thread, ECheck::Denormal, I, Stored + ", whose " + Info.Name + " has no full precision there");
+				Add(Thread, ECheck::Denormal, I, [&] { return Stored(Format + " has no full precision there"); });
 			}
 		}
 	}
@@ -198,13 +299,14 @@ private:
 			if (bFinite)
 			{
 				Add(Thread, ECheck::NonFinite, I,
-					DescribeOperation(Program, Thread, Step, i) + " is " + FormatReal(Value));
+					[&] { return DescribeOperation(Program, Thread, Step, i) + " is " + FormatReal(Value); });
 				return;
 			}
 		}
 	}
 
-	void Add(const FSpirvThreadView& Thread, ECheck Check, const FSpirvInstruction& I, const std::string& What)
+	/** What: makes the text, of the first thread. */
+	void Add(const FSpirvThreadView& Thread, ECheck Check, const FSpirvInstruction& I, TFunctionRef<std::string()> What)
 	{
 		const FFindingKey Key(Check, I.File, I.Line);
 		if (!Found.insert(Key).second)
@@ -212,14 +314,14 @@ private:
 			return; // of this thread already
 		}
 		const int32_t* const At = Thread.GetPosition();
-		const auto [Entry, bNew] = Findings.All.try_emplace(Key);
+		const auto [Entry, bNew] = Findings.try_emplace(Key);
 		FCheckFinding& Finding = Entry->second;
 		if (bNew)
 		{
 			Finding.Check = Check;
 			Finding.File = Module.Files.at(I.File);
 			Finding.Line = I.Line;
-			Finding.What = What;
+			Finding.What = What();
 			std::copy_n(At, 3, Finding.First);
 		}
 		++Finding.Threads;
@@ -234,7 +336,9 @@ private:
 	const FSpirvProgram& Program;
 	const FKernelArgs& Args;
 	const FCheckSet& Checks;
-	FFindings& Findings;
+	std::map<FFindingKey, FCheckFinding> Findings;
+	std::vector<FThreadStore> Stores;
+	const FAuthorsNames Names;
 	const size_t AuthorsDepth;   // of the entry point: below it is what the front end put around it
 	std::set<FFindingKey> Found; // of the thread that runs
 	const FSpirvStep* LastStore = nullptr;
@@ -255,47 +359,31 @@ void SetHooks(FInspectedShader& Shader, const FCheckSet& Checks)
 	{
 		const uint16_t Op = Step.I->Op;
 		const bool bStore = Op == OpStore || Op == OpReturnValue;
-		Step.bHook =
-			(Op == OpImageWrite && bStores) || bStore || (Checks[ECheck::NonFinite] && IsArithmetic(Module, *Step.I));
+		Step.bHook = (Op == OpImageWrite && (bStores || Checks[ECheck::Overlap])) || bStore ||
+					 (Checks[ECheck::NonFinite] && IsArithmetic(Module, *Step.I));
 	}
 }
 
-/** Whether threads see what others stored: then their order counts. */
-bool ReadsWhatItWrites(const FInspectedShader& Shader)
+void AddOverlaps(const FSpirvModule& Module, const std::vector<FStoreOverlap>& Overlaps,
+	std::map<FFindingKey, FCheckFinding>& Findings)
 {
-	const FSpirvModule& Module = Shader.GetModule();
-	for (const FSpirvStep& Step : Shader.GetProgram().Steps)
+	for (const FStoreOverlap& Overlap : Overlaps)
 	{
-		if (Step.I->Op == OpImageRead)
+		const FSpirvInstruction& I = *Overlap.Store.Step->I;
+		const auto [Entry, bNew] = Findings.try_emplace({ECheck::Overlap, I.File, I.Line});
+		FCheckFinding& Finding = Entry->second;
+		if (bNew)
 		{
-			return true;
+			Finding.Check = ECheck::Overlap;
+			Finding.File = Module.Files.at(I.File);
+			Finding.Line = I.Line;
+			Finding.What = DescribeOverlap(Module, Overlap);
+			std::copy_n(Overlap.Store.Thread.begin(), 3, Finding.First);
 		}
-		if (Step.I->Op == OpLoad && Step.Place != ~0u && Shader.GetProgram().PlaceOf(Step).ElementStride)
+		++Finding.Threads;
+		if (Finding.Pixels.size() < MaxCheckPixels)
 		{
-			return true;
-		}
-	}
-	return Module.ExecutionModel != ExecutionModelCompute && Module.ExecutionModel != ExecutionModelFragment;
-}
-
-void RunChunk(FInspectedShader& Shader, const FKernelArgs& Args, const std::vector<std::array<int32_t, 3>>& Threads,
-	int32_t Begin, int32_t End, const FCheckSet& Checks, FFindings& Findings)
-{
-	FThreadChecker Checker(Shader, Args, Checks, Findings);
-	TSpirvThread<float> Thread(Shader.GetProgram(), Shader.GetSlots());
-	Thread.SetObserver(&Checker, Checks[ECheck::Uninitialized]);
-	const FSpirvModule& Module = Shader.GetModule();
-	for (int32_t Index = Begin; Index < End; ++Index)
-	{
-		const std::array<int32_t, 3>& At = Threads[size_t(Index)];
-		Checker.Begin();
-		Thread.Run(Args, {At[0], At[1], At[2]}, nullptr, MaxSteps);
-		for (size_t i = 0; i < Module.Variables.size() && !Thread.WasDiscarded(); ++i)
-		{
-			if (Module.Variables[i].Storage == StorageOutput)
-			{
-				Checker.CheckTarget(Thread, i);
-			}
+			Finding.Pixels.push_back({Overlap.Store.Thread[0], Overlap.Store.Thread[1]});
 		}
 	}
 }
@@ -305,38 +393,21 @@ void RunChunk(FInspectedShader& Shader, const FKernelArgs& Args, const std::vect
 std::vector<FCheckFinding> CheckThreads(FInspectedShader& Shader, const FBoundShader& Bound, const FKernelArgs& Args,
 	const FKernelTile& Whole, const std::vector<std::array<int32_t, 3>>& Given, const FCheckSet& Checks)
 {
-	std::vector<std::array<int32_t, 3>> Threads = Given;
-	for (int32_t z = Whole.MinZ; z < Whole.MaxZ && Given.empty(); ++z)
-	{
-		for (int32_t y = Whole.MinY; y < Whole.MaxY; ++y)
-		{
-			for (int32_t x = Whole.MinX; x < Whole.MaxX; ++x)
-			{
-				Threads.push_back({x, y, z});
-			}
-		}
-	}
 	SetHooks(Shader, Checks);
-	constexpr int32_t ChunkSize = 1024;
-	const bool bInOrder = ReadsWhatItWrites(Shader);
-	const int32_t NumThreads = int32_t(Threads.size());
-	const int32_t PerChunk = bInOrder ? std::max(1, NumThreads) : ChunkSize;
-	std::vector<FFindings> Found(size_t((NumThreads + PerChunk - 1) / PerChunk));
-	const FSandbox Sandbox(Args, Bound.GetReflection());
-	ForEachTile(
-		{0, 0, 0, NumThreads, 1, 1}, FIntPoint(PerChunk, 1),
-		[&](const FKernelTile& Tile) {
-			RunChunk(
-				Shader, Sandbox.GetArgs(), Threads, Tile.MinX, Tile.MaxX, Checks, Found[size_t(Tile.MinX / PerChunk)]);
-		},
-		EDenormals::Flush);
-
-	FFindings All;
-	for (FFindings& Chunk : Found)
+	const FThreadRuns Runs(Shader, Bound, Args, Given.empty() ? ListThreads(Whole) : Given);
+	std::deque<FThreadChecker> Checkers;
+	for (size_t Piece = 0; Piece < Runs.GetNumPieces(); ++Piece)
 	{
-		for (auto& [Key, Finding] : Chunk.All)
+		Checkers.emplace_back(Shader, Args, Checks);
+	}
+	Runs.Run([&](size_t Piece) -> IThreadWatcher& { return Checkers[Piece]; }, Checks[ECheck::Uninitialized]);
+
+	std::map<FFindingKey, FCheckFinding> All;
+	for (const FThreadChecker& Checker : Checkers)
+	{
+		for (const auto& [Key, Finding] : Checker.GetFindings())
 		{
-			const auto [Entry, bNew] = All.All.try_emplace(Key, Finding);
+			const auto [Entry, bNew] = All.try_emplace(Key, Finding);
 			if (!bNew)
 			{
 				FCheckFinding& Known = Entry->second;
@@ -347,13 +418,19 @@ std::vector<FCheckFinding> CheckThreads(FInspectedShader& Shader, const FBoundSh
 			}
 		}
 	}
-	std::vector<FCheckFinding> Findings;
-	for (auto& [Key, Finding] : All.All)
+	if (Checks[ECheck::Overlap])
 	{
-		const std::string Line = Shader.GetLine(Finding.File, Finding.Line);
-		const size_t Begin = Line.find_first_not_of(" \t");
-		Finding.Source =
-			Begin == std::string::npos ? std::string() : Line.substr(Begin, Line.find_last_not_of(" \t") + 1 - Begin);
+		std::vector<FThreadStore> Stores;
+		for (const FThreadChecker& Checker : Checkers)
+		{
+			Stores.insert(Stores.end(), Checker.GetStores().begin(), Checker.GetStores().end());
+		}
+		AddOverlaps(Shader.GetModule(), FindOverlaps(Stores), All);
+	}
+	std::vector<FCheckFinding> Findings;
+	for (auto& [Key, Finding] : All)
+	{
+		Finding.Source = Shader.GetTrimmedLine(Finding.File, Finding.Line);
 		Findings.push_back(std::move(Finding));
 	}
 	std::stable_sort(Findings.begin(), Findings.end(),

@@ -17,12 +17,14 @@ enum class ECheck : uint8_t
 	Overflow,      // a finite value is stored that the format holds as infinity
 	Negative,      // a colour below 0 is stored to a format that keeps it
 	Denormal,      // a value is stored that a float of the format holds with fewer bits
-	Bounds,        // a texture, buffer or array is read or written outside
+	Bounds,        // a texture, buffer or array is read or written outside, or sampled at a level that it lacks
 	Uninitialized, // a variable is used before it is written
+	Overlap,       // threads store different values to one texel or element
+	Assertion,     // DrydockAssert of what is not so
 	Count
 };
 
-/** "nan", "overflow", "negative", "denormal", "bounds", "uninit" */
+/** "nan", "overflow", "negative", "denormal", "bounds", "uninit", "overlap", "assert" */
 DRYDOCK_API const char* GetCheckName(ECheck Check);
 
 struct FCheckSet
@@ -31,7 +33,11 @@ struct FCheckSet
 
 	bool operator[](ECheck Check) const { return bOn[size_t(Check)]; }
 	/** Whether all threads have to be looked at: no stored texel tells of these. */
-	bool NeedsEveryThread() const { return bOn[size_t(ECheck::Bounds)] || bOn[size_t(ECheck::Uninitialized)]; }
+	bool NeedsEveryThread() const
+	{
+		return (*this)[ECheck::Bounds] || (*this)[ECheck::Uninitialized] || (*this)[ECheck::Overlap] ||
+			   (*this)[ECheck::Assertion];
+	}
 };
 
 /** One kind of fault at one line of a shader. */

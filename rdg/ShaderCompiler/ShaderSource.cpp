@@ -4,6 +4,7 @@
 #include "RegularFile.h"
 #include "ShaderDirectories.h"
 #include "ShaderPreprocessor.h"
+#include "ShaderPrints.h"
 #include "ShaderRewrites.h"
 
 #include <algorithm>
@@ -175,8 +176,9 @@ FShaderSource FFlattener::Run()
 		throw FError(std::move(Preprocessor.GetErrors()), ExitUsage);
 	}
 	// The engine packs matrices by rows, which is how FMatrix44f lies in memory.
-	Result.Text = "#pragma pack_matrix(row_major)\n" +
-				  DeclareUniformBuffers(RewriteLoads(RewriteEnums(Preprocessor.GetText())), Request.UniformBuffers);
+	const std::string Printing = RewritePrints(Preprocessor.GetText(), Request.bKeepFunctions, Result.Strings);
+	Result.Text = "#pragma pack_matrix(row_major)\n" + DeclarePrints(Printing) +
+				  DeclareUniformBuffers(RewriteLoads(RewriteEnums(Printing)), Request.UniformBuffers);
 	return std::move(Result);
 }
 

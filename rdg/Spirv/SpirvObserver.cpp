@@ -43,6 +43,9 @@ std::string DescribeFault(const FSpirvFault& Fault)
 	case ESpirvFault::Element:
 		return Access + Fault.What + "[" + std::to_string(Fault.At[0]) + "], which has " +
 			   std::to_string(Fault.Bounds[0]) + " elements" + (Fault.bStore ? "; it is dropped" : "; it gives 0");
+	case ESpirvFault::Level:
+		return "a sample of " + Fault.What + " at level " + std::to_string(Fault.At[3]) + ", which has " +
+			   std::to_string(Fault.Bounds[0]) + (Fault.Bounds[0] == 1 ? " level" : " levels") + "; the last is taken";
 	default:
 		return "'" + Fault.What + "' is used before it is written" +
 			   (Fault.Bounds[0] > 1 ? " (component " + std::to_string(Fault.At[0]) + ")" : std::string());

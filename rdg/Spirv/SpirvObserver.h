@@ -29,6 +29,7 @@ enum class ESpirvFault : uint8_t
 	Index,     // an array's element outside of it: the nearest was taken
 	Texel,     // a load or store outside a texture: 0, or dropped
 	Element,   // the same of a buffer
+	Level,     // a sample at a level behind the last: the last was taken
 	Undefined, // a value was used that nothing had written: 0
 };
 
@@ -37,7 +38,7 @@ struct FSpirvFault
 	ESpirvFault Kind = ESpirvFault::Index;
 	std::string What;       // the array, texture, buffer or variable
 	int64_t At[4] = {};     // index, or x, y, z, mip
-	int64_t Bounds[3] = {}; // how many there are
+	int64_t Bounds[3] = {}; // how many there are; of a level the mips
 	bool bStore = false;
 	bool bAtEnd = false; // an output when the thread was over: the step says nothing
 };

@@ -73,6 +73,11 @@ void TSpirvThread<Real>::ExecuteSample(const FSpirvStep& Step)
 	{
 		Result(Step)[c] = ToSpirvWord<Real>(Out[c]);
 	}
+	if (Observer && Level > Real(Texture.NumMips - 1))
+	{
+		const int64_t Asked = Level < Real(1000) ? int64_t(std::ceil(double(Level))) : 1000;
+		Fault(Step, {ESpirvFault::Level, Resource(Step, 0).Name, {0, 0, 0, Asked}, {Texture.NumMips}, false, false});
+	}
 	++Taps;
 }
 

@@ -87,9 +87,9 @@ TEST_F(PatchTemplate, TheProjectHasTheLayoutOfAPlugin)
 		Paths.push_back(File.Path);
 	}
 	const std::vector<std::string> Expected = {".gitignore", "CMakeLists.txt", "README.md", "Rain.uplugin",
-		"Shaders/Private/Rain.usf", "Source/Rain/Private/RainModule.cpp", "Source/Rain/Private/RainViewExtension.cpp",
-		"Source/Rain/Private/RainViewExtension.h", "Source/Rain/Rain.Build.cs", "configs/Rain.json",
-		"configs/scenes/room.exr", "tests/RainTest.cpp"};
+		"Shaders/Private/DrydockPrint.ush", "Shaders/Private/Rain.usf", "Source/Rain/Private/RainModule.cpp",
+		"Source/Rain/Private/RainViewExtension.cpp", "Source/Rain/Private/RainViewExtension.h",
+		"Source/Rain/Rain.Build.cs", "configs/Rain.json", "configs/scenes/room.exr", "tests/RainTest.cpp"};
 	EXPECT_EQ(Expected, Paths);
 }
 

@@ -1,0 +1,40 @@
+// Variables by the names that a shader's author gave them.
+#pragma once
+
+#include "SpirvObserver.h"
+
+#include <map>
+#include <optional>
+#include <string>
+
+namespace Drydock
+{
+
+struct FNamedVariable
+{
+	std::string Name;
+	uint32_t Type = 0; // numeric
+};
+
+/** By block of the program: whether the author wrote its function. Around the entry point the front end puts one of its
+ * own, which has lines of the author's. */
+std::vector<bool> FindAuthorsBlocks(const FSpirvModule& Module);
+
+class FAuthorsNames
+{
+public:
+	/** Program outlives it. */
+	explicit FAuthorsNames(const FSpirvProgram& InProgram);
+
+	/** What a pointer is of: a variable or parameter, or part of one. Nothing where the front end made it up. */
+	std::optional<FNamedVariable> Find(uint32_t Pointer) const;
+
+	/** First word of the whole variable that a pointer points into while a thread runs; GNoSpirvWord: it is none. */
+	uint32_t FindWords(const FSpirvThreadView& Thread, uint32_t PointerWord) const;
+
+private:
+	const FSpirvProgram& Program;
+	std::map<uint32_t, uint32_t> Bases; // of access chains
+};
+
+} // namespace Drydock

@@ -1,0 +1,314 @@
+// Finds the instructions of a line that make its value, and writes down what they give.
+#include "LineValues.h"
+
+#include "AuthorsNames.h"
+#include "Diagnostics.h"
+
+#include <algorithm>
+#include <charconv>
+#include <deque>
+#include <map>
+#include <set>
+
+namespace Drydock
+{
+
+using namespace Spirv;
+
+namespace
+{
+
+/** A step that gives a line a value. */
+struct FLineStep
+{
+	uint32_t Step = 0;
+	int Line = 0;
+	std::string Name;
+	uint32_t Type = 0;
+	size_t Operand = 0;     // that is the value
+	bool bVariable = false; // the value is the variable that operand 0 points into
+};
+
+/** What the lines of a file do. */
+class FLineSteps
+{
+public:
+	FLineSteps(const FInspectedShader& Shader, const std::string& File)
+		: Module(Shader.GetModule())
+		, Names(Shader.GetProgram())
+	{
+		const FSpirvProgram& Program = Shader.GetProgram();
+		const std::vector<bool> bAuthors = FindAuthorsBlocks(Module);
+		for (size_t Block = 0; Block < Program.Blocks.size(); ++Block)
+		{
+			const uint32_t First = Program.Blocks[Block].FirstStep;
+			const uint32_t End = bAuthors[Block] ? First + Program.Blocks[Block].NumSteps : First;
+			for (uint32_t Index = First; Index < End; ++Index)
+			{
+				const FSpirvInstruction& I = *Program.Steps[Index].I;
+				if (I.Line && IsFileNamed(Module.Files.at(I.File), File))
+				{
+					Lines[I.Line].push_back(Index);
+					AddValue(Index, Program.Steps[Index]);
+				}
+			}
+		}
+	}
+
+	std::vector<FLineStep> Steps;
+	std::map<int, std::vector<uint32_t>> Lines; // all steps of the file
+
+private:
+	void AddValue(uint32_t Index, const FSpirvStep& Step)
+	{
+		const FSpirvInstruction& I = *Step.I;
+		const bool bBuffer = I.Op == OpStore && Step.Place != ~0u;
+		if (bBuffer || I.Op == OpImageWrite || I.Op == OpReturnValue)
+		{
+			const size_t Operand = bBuffer ? 1 : I.Op == OpImageWrite ? 2 : 0;
+			const std::string Name = bBuffer ? "the buffer" : I.Op == OpImageWrite ? "the texture" : "return";
+			Add({Index, I.Line, Name, Module.GetValueTypeId(I.Operands[Operand]), Operand, false});
+		}
+		else if (I.Op == OpStore)
+		{
+			if (const std::optional<FNamedVariable> Stored = Names.Find(I.Operands[0]))
+			{
+				Add({Index, I.Line, Stored->Name, Stored->Type, 0, true});
+			}
+		}
+	}
+
+	void Add(FLineStep Step)
+	{
+		if (Module.GetType(Step.Type).NumScalars)
+		{
+			Steps.push_back(std::move(Step));
+		}
+	}
+
+	const FSpirvModule& Module;
+	const FAuthorsNames Names;
+};
+
+/** Lines around this one that store something: "40 (Color), 43 (Sum)". */
+std::string ListNear(const FLineSteps& Found, int Line)
+{
+	std::map<int, std::set<std::string>> ByLine;
+	for (const FLineStep& Step : Found.Steps)
+	{
+		ByLine[Step.Line].insert(Step.Name);
+	}
+	std::vector<int> Lines;
+	for (const auto& [Known, Names] : ByLine)
+	{
+		Lines.push_back(Known);
+	}
+	std::stable_sort(
+		Lines.begin(), Lines.end(), [Line](int A, int B) { return std::abs(A - Line) < std::abs(B - Line); });
+	Lines.resize(std::min<size_t>(Lines.size(), 4));
+	std::sort(Lines.begin(), Lines.end());
+	std::string List;
+	for (const int Known : Lines)
+	{
+		List += (List.empty() ? "" : ", ") + std::to_string(Known) + " (" + *ByLine[Known].begin() + ")";
+	}
+	return List;
+}
+
+class FLineWatcher final : public IThreadWatcher
+{
+public:
+	FLineWatcher(const FInspectedShader& InShader, const FAuthorsNames& InNames,
+		const std::map<const FSpirvStep*, FLineStep>& InSteps, uint32_t InMemory, FLineValues& InValues)
+		: Program(InShader.GetProgram())
+		, Names(InNames)
+		, Steps(InSteps)
+		, Memory(InMemory)
+		, Values(InValues)
+	{
+	}
+
+	void BeginThread(size_t InIndex, TSpirvThread<float>&) override { Index = InIndex; }
+
+	void OnStep(const FSpirvThreadView& Thread, const FSpirvStep& Step) override
+	{
+		const auto Found = Steps.find(&Step);
+		if (Found == Steps.end())
+		{
+			return;
+		}
+		const FLineStep& Line = Found->second;
+		uint32_t First = Memory;
+		if (Memory == GNoSpirvWord)
+		{
+			const uint32_t Word = Program.Args[Step.FirstArg + Line.Operand];
+			First = Line.bVariable ? Names.FindWords(Thread, Word) : Word;
+		}
+		if (First == GNoSpirvWord)
+		{
+			return;
+		}
+		Values.bReached[Index] = 1;
+		for (int c = 0; c < Values.NumChannels; ++c)
+		{
+			const ESpirvType Kind = Program.Module.GetScalarKind(Line.Type, uint32_t(c));
+			const uint32_t Word = First + uint32_t(c);
+			Values.Values[Index * size_t(Values.NumChannels) + size_t(c)] =
+				Kind == ESpirvType::Float ? float(Thread.GetReal(Word))
+				: Kind == ESpirvType::Int ? float(int32_t(Thread.GetBits(Word)))
+										  : float(Thread.GetBits(Word));
+		}
+	}
+
+private:
+	const FSpirvProgram& Program;
+	const FAuthorsNames& Names;
+	const std::map<const FSpirvStep*, FLineStep>& Steps;
+	const uint32_t Memory; // of a variable that the line only reads
+	FLineValues& Values;   // a row of pieces: each watcher writes its own threads
+	size_t Index = 0;
+};
+
+/** A variable that the line does not store: of several with this name that which is used nearest before it. */
+std::optional<uint32_t> FindVariable(const FInspectedShader& Shader, const FLineSteps& Found, const FLinePlace& Place)
+{
+	const FSpirvModule& Module = Shader.GetModule();
+	const FSpirvProgram& Program = Shader.GetProgram();
+	std::optional<uint32_t> Best;
+	for (const auto& [Line, Steps] : Found.Lines)
+	{
+		for (const uint32_t Index : Steps)
+		{
+			for (const uint32_t Operand : Program.Steps[Index].I->Operands)
+			{
+				const auto Variable = Module.VariableIndex.find(Operand);
+				const bool bNamed = Variable != Module.VariableIndex.end() &&
+									Program.VariableNames[Variable->second] == Place.Variable &&
+									Program.Memory[Variable->second].Size;
+				if (bNamed && (Line <= Place.Line || !Best))
+				{
+					Best = Variable->second;
+				}
+			}
+		}
+	}
+	return Best;
+}
+
+std::string ListNames(const FInspectedShader& Shader)
+{
+	std::set<std::string> Names(Shader.GetProgram().VariableNames.begin(), Shader.GetProgram().VariableNames.end());
+	Names.erase(std::string());
+	std::string List;
+	for (const std::string& Name : Names)
+	{
+		List += (List.empty() ? "" : ", ") + Name;
+	}
+	return List;
+}
+
+} // namespace
+
+FLinePlace ParseLinePlace(const std::string& Text)
+{
+	const size_t Colon = Text.find(':');
+	const size_t Second = Colon == std::string::npos ? Colon : Text.find(':', Colon + 1);
+	FLinePlace Place;
+	Place.File = Text.substr(0, Colon);
+	const std::string Number = Colon == std::string::npos ? std::string() : Text.substr(Colon + 1, Second - Colon - 1);
+	const std::from_chars_result Read = std::from_chars(Number.data(), Number.data() + Number.size(), Place.Line);
+	if (Place.File.empty() || Number.empty() || Read.ec != std::errc() || Read.ptr != Number.data() + Number.size() ||
+		Place.Line < 1)
+	{
+		throw FError({.Code = 1020,
+						 .Message = "'" + Text + "' is no line; expected FILE.usf:LINE or FILE.usf:LINE:VARIABLE",
+						 .Where = "--show"},
+			ExitUsage);
+	}
+	Place.Variable = Second == std::string::npos ? std::string() : Text.substr(Second + 1);
+	return Place;
+}
+
+bool IsFileNamed(const std::string& Path, const std::string& Name)
+{
+	return Path == Name ||
+		   (Path.size() > Name.size() && Path.ends_with(Name) && Path[Path.size() - Name.size() - 1] == '/');
+}
+
+std::optional<FLineValues> CollectLineValues(FInspectedShader& Shader, const FBoundShader& Bound,
+	const FKernelArgs& Args, const FKernelTile& Whole, const FLinePlace& Place, std::string& Problem)
+{
+	const FLineSteps Found(Shader, Place.File);
+	if (Found.Lines.empty())
+	{
+		return std::nullopt;
+	}
+	const std::string At = Place.File + ":" + std::to_string(Place.Line);
+	const FSpirvProgram& Program = Shader.GetProgram();
+	std::vector<FLineStep> Chosen;
+	for (const FLineStep& Step : Found.Steps)
+	{
+		if (Step.Line == Place.Line && (Place.Variable.empty() || Place.Variable == Step.Name))
+		{
+			Chosen.push_back(Step);
+		}
+	}
+	uint32_t Memory = GNoSpirvWord;
+	const auto OnLine = Found.Lines.find(Place.Line);
+	if (Chosen.empty() && !Place.Variable.empty() && OnLine != Found.Lines.end())
+	{
+		const std::optional<uint32_t> Variable = FindVariable(Shader, Found, Place);
+		if (!Variable)
+		{
+			Problem = At + " has no variable '" + Place.Variable + "'; there are " + ListNames(Shader);
+			return std::nullopt;
+		}
+		Memory = Program.Memory[*Variable].First;
+		for (const uint32_t Index : OnLine->second)
+		{
+			Chosen.push_back(
+				{Index, Place.Line, Place.Variable, Shader.GetModule().Variables[*Variable].Type, 0, true});
+		}
+	}
+	if (Chosen.empty())
+	{
+		Problem = At + " computes no value" +
+				  (Found.Steps.empty() ? std::string() : "; lines near it that do: " + ListNear(Found, Place.Line));
+		return std::nullopt;
+	}
+	FLineValues Values;
+	const FLineStep& Last = Chosen.back();
+	std::map<const FSpirvStep*, FLineStep> Steps;
+	for (const FLineStep& Step : Chosen)
+	{
+		if (Step.Name == Last.Name && Step.Type == Last.Type)
+		{
+			Steps.emplace(&Program.Steps[Step.Step], Step);
+		}
+	}
+	const FSpirvInstruction& I = *Program.Steps[Last.Step].I;
+	Values.File = Shader.GetModule().Files.at(I.File);
+	Values.Variable = Last.Name;
+	Values.Source = Shader.GetTrimmedLine(Values.File, Place.Line);
+	Values.NumNumbers = Shader.GetModule().GetType(Last.Type).NumScalars;
+	Values.NumChannels = int(std::min<uint32_t>(4, Values.NumNumbers));
+	Values.Width = Whole.MaxX - Whole.MinX;
+	Values.Height = (Whole.MaxY - Whole.MinY) * (Whole.MaxZ - Whole.MinZ);
+	const FThreadRuns Runs(Shader, Bound, Args, ListThreads(Whole));
+	Values.bReached.resize(Runs.GetThreads().size());
+	Values.Values.resize(Values.bReached.size() * size_t(Values.NumChannels));
+	for (FSpirvStep& Step : Shader.GetProgram().Steps)
+	{
+		Step.bHook = Steps.count(&Step) != 0;
+	}
+	const FAuthorsNames Names(Program);
+	std::deque<FLineWatcher> Watchers;
+	for (size_t Piece = 0; Piece < Runs.GetNumPieces(); ++Piece)
+	{
+		Watchers.emplace_back(Shader, Names, Steps, Memory, Values);
+	}
+	Runs.Run([&](size_t Piece) -> IThreadWatcher& { return Watchers[Piece]; });
+	return Values;
+}
+
+} // namespace Drydock

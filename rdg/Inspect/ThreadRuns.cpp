@@ -1,0 +1,83 @@
+// Cuts threads into pieces and runs them on all cores.
+#include "ThreadRuns.h"
+
+#include <algorithm>
+
+namespace Drydock
+{
+
+using namespace Spirv;
+
+namespace
+{
+
+constexpr uint64_t MaxSteps = 100'000'000; // of one thread
+constexpr int32_t PieceSize = 1024;
+
+/** Whether threads see what others stored: then their order counts. */
+bool ReadsWhatItWrites(const FInspectedShader& Shader)
+{
+	const FSpirvProgram& Program = Shader.GetProgram();
+	for (const FSpirvStep& Step : Program.Steps)
+	{
+		const bool bBuffer = Step.I->Op == OpLoad && Step.Place != ~0u && Program.PlaceOf(Step).ElementStride;
+		if (Step.I->Op == OpImageRead || bBuffer)
+		{
+			return true;
+		}
+	}
+	return false;
+}
+
+} // namespace
+
+IThreadWatcher::~IThreadWatcher() = default;
+
+std::vector<std::array<int32_t, 3>> ListThreads(const FKernelTile& Whole)
+{
+	std::vector<std::array<int32_t, 3>> Threads;
+	for (int32_t z = Whole.MinZ; z < Whole.MaxZ; ++z)
+	{
+		for (int32_t y = Whole.MinY; y < Whole.MaxY; ++y)
+		{
+			for (int32_t x = Whole.MinX; x < Whole.MaxX; ++x)
+			{
+				Threads.push_back({x, y, z});
+			}
+		}
+	}
+	return Threads;
+}
+
+FThreadRuns::FThreadRuns(FInspectedShader& InShader, const FBoundShader& InBound, const FKernelArgs& InArgs,
+	std::vector<std::array<int32_t, 3>> InThreads)
+	: Shader(InShader)
+	, Args(InArgs)
+	, Sandbox(InArgs, InBound.GetReflection())
+	, Threads(std::move(InThreads))
+{
+	PerPiece = ReadsWhatItWrites(Shader) ? std::max(1, int32_t(Threads.size())) : PieceSize;
+	NumPieces = (Threads.size() + size_t(PerPiece) - 1) / size_t(PerPiece);
+}
+
+void FThreadRuns::Run(TFunctionRef<IThreadWatcher&(size_t Piece)> GetWatcher, bool bTrackUndefined) const
+{
+	ForEachTile(
+		{0, 0, 0, int32_t(Threads.size()), 1, 1}, FIntPoint(PerPiece, 1),
+		[&](const FKernelTile& Tile)
+		{
+			IThreadWatcher& Watcher = GetWatcher(size_t(Tile.MinX / PerPiece));
+			TSpirvThread<float> Thread(Shader.GetProgram(), Shader.GetSlots());
+			Thread.SetObserver(&Watcher, bTrackUndefined);
+			for (int32_t Index = Tile.MinX; Index < Tile.MaxX; ++Index)
+			{
+				const std::array<int32_t, 3>& At = Threads[size_t(Index)];
+				Watcher.BeginThread(size_t(Index), Thread);
+				Thread.Run(Sandbox.GetArgs(), {At[0], At[1], At[2]}, nullptr, MaxSteps);
+				Watcher.EndThread(size_t(Index), Thread);
+			}
+		},
+		EDenormals::Flush);
+}
+
+} // namespace Drydock

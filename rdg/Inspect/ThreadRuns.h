@@ -1,0 +1,50 @@
+// The threads of a draw or dispatch, run once more by the interpreter for somebody who watches them.
+#pragma once
+
+#include "InspectedShader.h"
+#include "Sandbox.h"
+#include "TileExecutor.h"
+
+#include <array>
+
+namespace Drydock
+{
+
+/** Somebody who watches threads one after the other. */
+class DRYDOCK_API IThreadWatcher : public ISpirvObserver
+{
+public:
+	~IThreadWatcher() override;
+	/** Index counts the threads of all pieces. */
+	virtual void BeginThread(size_t /*Index*/, TSpirvThread<float>&) {}
+	virtual void EndThread(size_t /*Index*/, TSpirvThread<float>&) {}
+};
+
+/** x first, then y, then z. */
+DRYDOCK_API std::vector<std::array<int32_t, 3>> ListThreads(const FKernelTile& Whole);
+
+/** Threads in pieces that may run side by side. Where threads see what others stored, there is one piece, in order. */
+class DRYDOCK_API FThreadRuns
+{
+public:
+	/** All but Threads outlive it. */
+	FThreadRuns(FInspectedShader& InShader, const FBoundShader& InBound, const FKernelArgs& InArgs,
+		std::vector<std::array<int32_t, 3>> InThreads);
+
+	size_t GetNumPieces() const { return NumPieces; }
+	const std::vector<std::array<int32_t, 3>>& GetThreads() const { return Threads; }
+
+	/** Runs all, on copies of what the shader writes, under the denormal mode of kernels; each piece is watched by its
+	 * own watcher. Which steps are shown is said by their hooks. Throws FSpirvError where a thread does not end. */
+	void Run(TFunctionRef<IThreadWatcher&(size_t Piece)> GetWatcher, bool bTrackUndefined = false) const;
+
+private:
+	FInspectedShader& Shader;
+	const FKernelArgs& Args;
+	const FSandbox Sandbox;
+	std::vector<std::array<int32_t, 3>> Threads;
+	int32_t PerPiece = 0;
+	size_t NumPieces = 0;
+};
+
+} // namespace Drydock
