@@ -172,10 +172,10 @@ FDualKawaseMatch MatchDualKawaseWidth(double StandardDeviation, int32 MaxPasses)
 	return Match;
 }
 
-TArray<double> ComputeMatchedGaussian(double StandardDeviation)
+TArray<double> ComputeMatchedGaussian(double StandardDeviation, double ReachInDeviations)
 {
 	const double Wanted = FMath::Max(StandardDeviation, 0.5);
-	const int32 Reach = ToCount(std::ceil(3.0 * Wanted), 1, GMatchedGaussianMaxReach);
+	const int32 Reach = ToCount(std::ceil(ReachInDeviations * Wanted), 1, GMatchedGaussianMaxReach);
 	const auto GetWeights = [Reach](double Sigma)
 	{
 		TArray<double> Weights;

@@ -87,9 +87,9 @@ DRYDOCK_API FDualKawaseMatch MatchDualKawaseWidth(double StandardDeviation, int3
 /** Farther than any picture is wide. */
 constexpr int32 GMatchedGaussianMaxReach = 32768;
 
-/** Weights of a Gaussian's texels at distance 0, 1, ... R = max(1, ceil(3 StandardDeviation)), which together with
- * their mirror sum to 1 and have exactly this variance although the tails are cut. At least 0.5 pixels. R is at most
- * GMatchedGaussianMaxReach; beyond a third of that the variance is smaller than wanted. */
-DRYDOCK_API TArray<double> ComputeMatchedGaussian(double StandardDeviation);
+/** Weights of a Gaussian's texels at distance 0, 1, ... R = max(1, ceil(ReachInDeviations StandardDeviation)), which
+ * together with their mirror sum to 1 and have exactly this variance although the tails are cut. At least 0.5 pixels. R
+ * is at most GMatchedGaussianMaxReach; beyond that reach the variance is smaller than wanted. */
+DRYDOCK_API TArray<double> ComputeMatchedGaussian(double StandardDeviation, double ReachInDeviations = 3.0);
 
 } // namespace Drydock

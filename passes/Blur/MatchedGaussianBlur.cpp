@@ -4,53 +4,25 @@
 #include "Blur/DualKawaseBlurErrors.h"
 #include "Blur/DualKawaseBlurOutput.h"
 #include "Blur/DualKawaseBlurWidth.h"
-#include "GlobalShader.h"
+#include "Blur/MatchedGaussianShaders.h"
 #include "PassFactory.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphNotes.h"
 #include "RenderGraphUtils.h"
 #include "SceneRendering.h"
-#include "ShaderParameterStruct.h"
 
 #include <string>
 
 namespace Drydock
 {
 
+IMPLEMENT_GLOBAL_SHADER(FDualKawaseGaussianCS, "/Project/DualKawaseBlur.usf", "GaussianBlurCS", SF_Compute);
+
 namespace
 {
 
-/** As in the dual Kawase passes. */
-constexpr int32 GroupSize = 32;
-
 /** Per pixel; a frame of 1920x1080 then takes some ten seconds. */
 constexpr int64 ManyTaps = 5000;
-
-class FDualKawaseGaussianCS : public FGlobalShader
-{
-public:
-	DECLARE_GLOBAL_SHADER(FDualKawaseGaussianCS);
-	SHADER_USE_PARAMETER_STRUCT(FDualKawaseGaussianCS, FGlobalShader);
-
-	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
-		SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Input)
-		SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Output)
-		SHADER_PARAMETER_RDG_BUFFER_SRV(StructuredBuffer<float>, Weights)
-		SHADER_PARAMETER(FIntPoint, Reach)
-		SHADER_PARAMETER_RDG_TEXTURE(Texture2D, Intexture)
-		SHADER_PARAMETER_RDG_TEXTURE_UAV(RWTexture2D<float4>, OutTexture)
-	END_SHADER_PARAMETER_STRUCT()
-
-	static void ModifyCompilationEnvironment(
-		const FGlobalShaderPermutationParameters& Parameters, FShaderCompilerEnvironment& OutEnvironment)
-	{
-		FGlobalShader::ModifyCompilationEnvironment(Parameters, OutEnvironment);
-		OutEnvironment.SetDefine(TEXT("THREADGROUP_SIZE"), GroupSize);
-		OutEnvironment.SetDefine(TEXT("AS_PRINTED"), 0);
-	}
-};
-
-IMPLEMENT_GLOBAL_SHADER(FDualKawaseGaussianCS, "/Project/DualKawaseBlur.usf", "GaussianBlurCS", SF_Compute);
 
 void NoteTaps(FRDGBuilder& GraphBuilder, int32 Reach)
 {
@@ -84,7 +56,7 @@ void AddPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPass
 	FComputeShaderUtils::AddPass(GraphBuilder,
 		RDG_EVENT_NAME("%s %dx%d reach %dx%d (CS)", Output.Texture->Name, Size.X, Size.Y, Reach.X, Reach.Y),
 		TShaderMapRef<FDualKawaseGaussianCS>(View.ShaderMap), PassParameters,
-		FComputeShaderUtils::GetGroupCount(Size, GroupSize));
+		FComputeShaderUtils::GetGroupCount(Size, MatchedGaussianGroupSize));
 }
 
 const FPassFactoryRegistration GMatchedGaussian({
@@ -117,7 +89,7 @@ FScreenPassTexture AddMatchedGaussianBlurPasses(
 	RDG_EVENT_SCOPE(GraphBuilder, "DualKawaseGaussian");
 
 	TArray<float> Weights;
-	for (const double Weight : ComputeMatchedGaussian(Inputs.StandardDeviation))
+	for (const double Weight : ComputeMatchedGaussian(Inputs.StandardDeviation, Inputs.ReachInDeviations))
 	{
 		Weights.Add(static_cast<float>(Weight));
 	}

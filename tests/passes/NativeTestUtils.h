@@ -52,7 +52,7 @@ inline void ExpectSameBits(const std::function<FImage()>& Run, const std::string
 		const FScopedConsoleVariable Switch(TEXT("r.Drydock.NativeKernels"), 0);
 		Expected = Run();
 	}
-	for (const int Lanes : {0, 4})
+	for (const int Lanes : {0, 8, 4})
 	{
 		const FScopedConsoleVariable Threads(TEXT("r.Drydock.Threads"), Lanes == 4 ? 1.0f : 2.0f);
 		const FScopedConsoleVariable Width(TEXT("r.Drydock.LaneWidth"), static_cast<float>(Lanes));
