@@ -3,86 +3,45 @@
 #include "Blur/FourTapBlur.h"
 
 #include "Blur/DualKawaseBlurOutput.h"
+#include "Blur/FourTapShaders.h"
 #include "Blur/MatchedGaussianBlur.h"
-#include "GlobalShader.h"
 #include "PassFactory.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphUtils.h"
 #include "SceneRendering.h"
-#include "ShaderParameterStruct.h"
 
 #include <cmath>
 
 namespace Drydock
 {
 
+IMPLEMENT_GLOBAL_SHADER(FFourTapCS, "/Project/FourTapBlur.usf", "FourTapCS", SF_Compute);
+IMPLEMENT_GLOBAL_SHADER(FOneTapCS, "/Project/FourTapBlur.usf", "OneTapCS", SF_Compute);
+
 namespace
 {
-
-constexpr int32 GroupSize = 32;
 
 /** Steps of a texel that a bilinear sampler tells apart. */
 constexpr double SubtexelSteps = 256.0;
 
-BEGIN_SHADER_PARAMETER_STRUCT(FFourTapParameters, )
-	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Input)
-	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Output)
-	SHADER_PARAMETER(FVector2f, InputPerOutput)
-	SHADER_PARAMETER(float, TapDistance)
-	SHADER_PARAMETER_SAMPLER(SamplerState, Sampler)
-	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, Intexture)
-	SHADER_PARAMETER_RDG_TEXTURE_UAV(RWTexture2D<float4>, OutTexture)
-END_SHADER_PARAMETER_STRUCT()
-
-class FFourTapShader : public FGlobalShader
-{
-public:
-	using FParameters = FFourTapParameters;
-
-	static void ModifyCompilationEnvironment(
-		const FGlobalShaderPermutationParameters& Parameters, FShaderCompilerEnvironment& OutEnvironment)
-	{
-		FGlobalShader::ModifyCompilationEnvironment(Parameters, OutEnvironment);
-		OutEnvironment.SetDefine(TEXT("THREADGROUP_SIZE"), GroupSize);
-	}
-
-protected:
-	using FGlobalShader::FGlobalShader;
-};
-
-class FFourTapCS : public FFourTapShader
-{
-public:
-	DECLARE_GLOBAL_SHADER(FFourTapCS);
-	SHADER_USE_PARAMETER_STRUCT(FFourTapCS, FFourTapShader);
-};
-
-class FOneTapCS : public FFourTapShader
-{
-public:
-	DECLARE_GLOBAL_SHADER(FOneTapCS);
-	SHADER_USE_PARAMETER_STRUCT(FOneTapCS, FFourTapShader);
-};
-
-IMPLEMENT_GLOBAL_SHADER(FFourTapCS, "/Project/FourTapBlur.usf", "FourTapCS", SF_Compute);
-IMPLEMENT_GLOBAL_SHADER(FOneTapCS, "/Project/FourTapBlur.usf", "OneTapCS", SF_Compute);
-
 template<typename ShaderType>
 void AddTapPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& Input,
-	const FScreenPassTexture& Output, FVector2f InputPerOutput, double TapDistance = 0.0)
+	const FScreenPassTexture& Output, FVector2f InputPerOutput, double TapDistance = 0.0, float InputOffset = 0.0f)
 {
 	const FIntPoint Size = Output.ViewRect.Size();
 	FFourTapParameters* PassParameters = GraphBuilder.AllocParameters<FFourTapParameters>();
 	PassParameters->Input = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Input));
 	PassParameters->Output = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Output));
+	PassParameters->InputCorner = FVector2f(Input.ViewRect.Min) + FVector2f(InputOffset, InputOffset);
 	PassParameters->InputPerOutput = InputPerOutput;
 	PassParameters->TapDistance = static_cast<float>(TapDistance);
 	PassParameters->Sampler = TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
 	PassParameters->Intexture = Input.Texture;
 	PassParameters->OutTexture = GraphBuilder.CreateUAV(Output.Texture);
 	FComputeShaderUtils::AddPass(GraphBuilder, RDG_EVENT_NAME("%s %dx%d (CS)", Output.Texture->Name, Size.X, Size.Y),
-		TShaderMapRef<ShaderType>(View.ShaderMap), PassParameters, FComputeShaderUtils::GetGroupCount(Size, GroupSize));
+		TShaderMapRef<ShaderType>(View.ShaderMap), PassParameters,
+		FComputeShaderUtils::GetGroupCount(Size, FourTapGroupSize));
 }
 
 /** The distance whose tap has this variance: between whole k and k + 1 it is k^2 + (2 k + 1) (d - k). */
@@ -91,6 +50,21 @@ double GetDistanceOfVariance(double Variance)
 	const double Whole = std::floor(std::sqrt(Variance));
 	const double Distance = Whole + (Variance - Whole * Whole) / (2.0 * Whole + 1.0);
 	return std::nearbyint(Distance * SubtexelSteps) / SubtexelSteps;
+}
+
+// A level holds texels [-PyramidMargin, Distinct], counted from the rect's corner: beyond them all are the edge texel
+// of the input, so that what clamps to them sees what the input's own clamping gives.
+constexpr int32 PyramidMargin = 2;
+
+float GetPyramidMargin(int32 Level)
+{
+	return Level == 0 ? 0.0f : static_cast<float>(PyramidMargin);
+}
+
+/** From this texel on a level is constant, given that of the finer one: texel j averages 2 j - 1 to 2 j + 2. */
+FIntPoint GetDistinctTexels(FIntPoint Finer)
+{
+	return FIntPoint::DivideAndRoundUp(Finer + FIntPoint(1, 1), 2);
 }
 
 /** Variance of one level's passes, of all levels, in pixels^2: 3/2 (1 + 4 + ... + 4^(N-1)). */
@@ -211,11 +185,14 @@ FScreenPassTexture AddPyramidBlurPasses(FRDGBuilder& GraphBuilder, const FViewIn
 	constexpr double BinomialDistance = 0.75;
 	TArray<FScreenPassTexture> Levels;
 	Levels.Add(Input);
+	FIntPoint Distinct = Input.ViewRect.Size() - FIntPoint(1, 1);
 	for (int32 Level = 1; Level <= Setting.Levels; ++Level)
 	{
-		const FIntPoint Size = FIntPoint::DivideAndRoundUp(Levels.Last().ViewRect.Size(), 2);
+		Distinct = GetDistinctTexels(Distinct);
+		const FIntPoint Size = Distinct + FIntPoint(PyramidMargin + 1, PyramidMargin + 1);
 		const FScreenPassTexture Output(CreateBlurTexture(GraphBuilder, Input, Size, TEXT("PyramidDown")));
-		AddTapPass<FFourTapCS>(GraphBuilder, View, Levels.Last(), Output, FVector2f(2.0f, 2.0f), BinomialDistance);
+		AddTapPass<FFourTapCS>(GraphBuilder, View, Levels.Last(), Output, FVector2f(2.0f, 2.0f), BinomialDistance,
+			GetPyramidMargin(Level - 1) - 2.0f * PyramidMargin);
 		Levels.Add(Output);
 	}
 	FScreenPassTexture Current =
@@ -225,7 +202,8 @@ FScreenPassTexture AddPyramidBlurPasses(FRDGBuilder& GraphBuilder, const FViewIn
 		const FIntPoint Extent = Level == 0 ? Input.Texture->Desc.Extent : Levels[Level].ViewRect.Size();
 		const FScreenPassTexture Output(
 			CreateBlurTexture(GraphBuilder, Input, Extent, TEXT("PyramidUp")), Levels[Level].ViewRect);
-		AddTapPass<FOneTapCS>(GraphBuilder, View, Current, Output, FVector2f(0.5f, 0.5f));
+		AddTapPass<FOneTapCS>(GraphBuilder, View, Current, Output, FVector2f(0.5f, 0.5f), 0.0,
+			PyramidMargin - 0.5f * GetPyramidMargin(Level));
 		Current = Output;
 	}
 	return Current;
@@ -240,6 +218,7 @@ FScreenPassTexture AddPyramidBlurPasses(
 			FMatchedGaussianBlurInputs Inputs;
 			Inputs.SceneColor = Low;
 			Inputs.StandardDeviation = LowStandardDeviation;
+			Inputs.ReachInDeviations = 4.0; // at 3 the tails that it lacks are most of the pyramid's error
 			Inputs.bSeparable = true;
 			return AddMatchedGaussianBlurPasses(GraphBuilder, View, Inputs);
 		});

@@ -11,7 +11,8 @@
 // the Gaussian makes up what is left.
 //
 // Contract of both. Extent, rect and format are the input's, and so are the formats of what lies between. Levels map
-// two texels to one from the rect's corner. Every tap is clamped to half a texel inside the rect. Weights sum to 1: a
+// two texels to one from the rect's corner, and reach two texels beyond it: further out all is the input's edge texel.
+// Every tap is clamped to half a texel inside the rect. Weights sum to 1: a
 // constant stays constant to the edge. NaN and infinities spread over the support and no further; negatives pass on
 // until an unsigned store clips them. Any size from 1x1 up.
 #pragma once
@@ -41,8 +42,7 @@ struct FPyramidSetting
 	double LowStandardDeviation = 0.0; // of the Gaussian, in texels of the coarsest level
 };
 
-/** As many levels as leave the Gaussian 3.5 texels of the coarsest one, where aliasing stays below 3e-4 of the
- * brightest texel; one at least where it leaves 0.75. */
+/** As many levels as leave the Gaussian 3.5 texels of the coarsest one, one at least where it leaves 0.75. */
 DRYDOCK_API FPyramidSetting GetPyramidSetting(double StandardDeviation);
 
 /** The same for a given number of levels: fewer where they would be wider than wanted. */
@@ -60,7 +60,10 @@ using FAddLowResolutionBlur =
 DRYDOCK_API FScreenPassTexture AddPyramidBlurPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View,
 	const FScreenPassTexture& Input, const FPyramidSetting& Setting, FAddLowResolutionBlur Blur);
 
-/** With the separable Gaussian. */
+/** With a separable Gaussian of 4 deviations. Of pictures between 0 and 1, borders included, the result is off a
+ * Gaussian without end, which meets the edge texel beyond the rect, by at most 0.001 from a StandardDeviation of 7.2
+ * on (3.5 texels of the coarsest level), 0.004 from 4 on, and 0.035 below; storage's rounding comes on top. Per axis
+ * these are half the sums of |differences| of the two responses, 3.6e-4, 1.7e-3 and 1.7e-2. */
 DRYDOCK_API FScreenPassTexture AddPyramidBlurPasses(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& Input, double StandardDeviation);
 

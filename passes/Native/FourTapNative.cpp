@@ -1,0 +1,62 @@
+// The passes of Kawase's blur and of the pyramid as sums of taps. Stands in for FourTapBlur.usf with its bits.
+#include "Blur/FourTapShaders.h"
+#include "NativeKernels.h"
+#include "Native/TapSumPass.h"
+
+namespace Drydock
+{
+
+namespace
+{
+
+FTapAxis MakeAxis(const FFourTapParameters& Parameters, float Offset, int Axis)
+{
+	FTapAxis Result;
+	Result.Extent = Parameters.InputPerOutput[Axis];
+	Result.First = Parameters.InputCorner[Axis];
+	Result.Second = Offset;
+	Result.ToUV = Parameters.Input.ExtentInverse[Axis];
+	Result.MinUV = Parameters.Input.UVViewportBilinearMin[Axis];
+	Result.MaxUV = Parameters.Input.UVViewportBilinearMax[Axis];
+	return Result;
+}
+
+void RunTaps(const FNativeKernelArgs& Args, const FKernelTile& Tile, int32 NumTaps, float Factor)
+{
+	const auto& Parameters = *static_cast<const FFourTapParameters*>(Args.GetParameters());
+	const float Distance = NumTaps == 1 ? 0.0f : Parameters.TapDistance;
+	FTap Taps[4];
+	for (int32 Index = 0; Index < NumTaps; ++Index)
+	{
+		Taps[Index].X = MakeAxis(Parameters, Index % 2 == 0 ? -Distance : Distance, 0);
+		Taps[Index].Y = MakeAxis(Parameters, Index / 2 == 0 ? -Distance : Distance, 1);
+	}
+	FTapSource Source = MakeTapSource(Args, "Intexture", "Sampler", Parameters.Input);
+	Source.Beyond = EBeyondRect::Clamp;
+	Source.Taps = Taps;
+	Source.NumTaps = NumTaps;
+	FTapSum Sum;
+	Sum.Sources = &Source;
+	Sum.NumSources = 1;
+	Sum.Factor = Factor;
+	const FIntPoint Min = Parameters.Output.ViewportMin;
+	SumTapsOrRunShader(
+		Sum, Args, Tile, GetComputeTarget(Args, Tile, "OutTexture", Min, Parameters.Output.ViewportMax), Min);
+}
+
+void RunFourTaps(const FNativeKernelArgs& Args, const FKernelTile& Tile)
+{
+	RunTaps(Args, Tile, 4, 0.25f);
+}
+
+void RunOneTap(const FNativeKernelArgs& Args, const FKernelTile& Tile)
+{
+	RunTaps(Args, Tile, 1, 1.0f);
+}
+
+} // namespace
+
+REGISTER_NATIVE_KERNEL(FFourTapCS, &RunFourTaps)
+REGISTER_NATIVE_KERNEL(FOneTapCS, &RunOneTap)
+
+} // namespace Drydock
