@@ -104,6 +104,20 @@ inline void DecodeStrip(ETexelStorage Storage, const uint8_t* P, int32_t Count, 
 	}
 }
 
+/** Asks for texels of a row that is decoded soon: a tile's rows lie far apart, and the processor does not foresee them.
+ */
+inline void PrefetchTexels(const FKernelMip& Mip, int32_t Bytes, int32_t Row, int32_t First, int32_t Count)
+{
+	constexpr int32_t Line = 64;
+	const int32_t Begin = First < 0 ? 0 : First;
+	const int32_t End = First + Count < Mip.SizeX ? First + Count : Mip.SizeX;
+	const uint8_t* const Texels = Mip.Data + int64_t(Row) * Mip.RowPitch;
+	for (int32_t X = Begin * Bytes; X < End * Bytes; X += Line)
+	{
+		__builtin_prefetch(Texels + X);
+	}
+}
+
 /** Texels First to First + Count of a row whose texels RectMin to RectMax are known; beyond them the edge texel. */
 template<int N, int C>
 inline void DecodeHeldStrip(ETexelStorage Storage, const uint8_t* Row, int32_t RectMin, int32_t RectMax, int32_t First,

@@ -51,8 +51,11 @@ struct TTexelSum
 
 	void Decode(int32_t X, int32_t Y, int32_t Count, float* Out) const
 	{
-		const uint8_t* const Row =
-			From.Data + int64_t(HoldBetween(Y, Sum.RectMin[1], Sum.RectMax[1] - 1)) * From.RowPitch;
+		constexpr int32_t Ahead = 2;
+		const int32_t Last = Sum.RectMax[1] - 1;
+		const uint8_t* const Row = From.Data + int64_t(HoldBetween(Y, Sum.RectMin[1], Last)) * From.RowPitch;
+		PrefetchTexels(From, GetTexelStorageInfo(Sum.Source->Storage).BytesPerTexel,
+			HoldBetween(Y + Ahead, Sum.RectMin[1], Last), X, Count);
 		DecodeHeldStrip<N, C>(Sum.Source->Storage, Row, Sum.RectMin[0], Sum.RectMax[0], X, Count, Out);
 	}
 
