@@ -1,0 +1,223 @@
+// What a report says: the types of report.schema.json that the page reads, and the few questions asked of all of it.
+
+export interface Use {
+	resource: number;
+	parameter: string;
+	reads: boolean;
+	writes: boolean;
+}
+
+export interface GraphPass {
+	index: number;
+	name: string;
+	scope: string;
+	flags: string;
+	culled: boolean;
+	reason: string;
+	shader: string;
+	entry: string;
+	effect: string;
+	owner: string;
+	renderPassBegin: number;
+	renderPassEnd: number;
+	mergeReason: string;
+	producers: number[];
+	uses: Use[];
+}
+
+export interface Resource {
+	index: number;
+	name: string;
+	kind: "texture" | "buffer";
+	shape: string;
+	bytes: number;
+	external: boolean;
+	extracted: boolean;
+	transient: boolean;
+	firstPass: number;
+	lastPass: number;
+	heapOffset: number;
+	reason: string;
+}
+
+export interface RunPass {
+	index: number;
+	name: string;
+	executed: boolean;
+	reason: string;
+	shader: string;
+	entry: string;
+	pixels: number;
+	taps: number;
+	bytesRead: number;
+	bytesWritten: number;
+}
+
+export interface Effect {
+	name: string;
+	active: boolean;
+	reason: string;
+}
+
+export interface Message {
+	code: string;
+	message: string;
+	where: string;
+}
+
+export interface Run {
+	version: string;
+	config: string;
+	engine: string;
+	precision: string;
+	storage: string;
+	scene: { file: string; extent: number[]; viewRect: number[] };
+	exposure: { scale: number };
+	settings: Record<string, unknown>;
+	effects: Effect[];
+	extensionCalls: { hook: string; view: string; extension: string; did: string }[];
+	passes: RunPass[];
+	memory: { transientPeakBytes: number; withoutAliasingBytes: number };
+	channels: { name: string; decoded: boolean }[];
+	warnings: Message[];
+}
+
+export interface Timing {
+	threads: number;
+	cpu: string;
+	passes: { index: number; name: string; ms: number }[];
+	startMs: number;
+	setupMs: number;
+	loadMs: number;
+	compileMs: number;
+	executeMs: number;
+	reportMs: number;
+	saveMs: number;
+	wallMs: number;
+}
+
+export interface Cost {
+	passes: number;
+	channels: number;
+	transientPeakBytes: number;
+	sceneTextureBytes: number;
+	ms: number;
+}
+
+export interface Explain {
+	measured: boolean;
+	effects: { name: string; active: boolean; passes: number; culled: number; ms: number; megabytes: number }[];
+	cost: Cost;
+	withoutSkipping: Cost;
+}
+
+export interface LedgerEntry {
+	source: string;
+	kind: string;
+	rule: string;
+	weight: number | null;
+	distance: number | null;
+	before: unknown;
+	after: unknown;
+	skipped: string | null;
+	detail?: string;
+}
+
+export interface Blend {
+	location: number[];
+	ledger: Record<string, LedgerEntry[]>;
+	volumes: {
+		name: string;
+		Priority: number;
+		bUnbound: boolean;
+		distance: number | null;
+		weight: number;
+		skipped: string | null;
+	}[];
+}
+
+export interface Setting {
+	name: string;
+	value: unknown;
+	default: unknown;
+	unit: string;
+	category: string;
+	doc: string;
+	effect: string;
+	unread: string;
+}
+
+export interface PassDetail {
+	index: number;
+	shaderFile: string;
+	permutations?: Record<string, string>[];
+	parameters: { name: string; type: string; value: string }[];
+}
+
+export interface PictureData {
+	id: string;
+	role: "final" | "scene" | "dump" | "thumbnail" | "previous";
+	label: string;
+	pass: number;
+	resource: string;
+	mip: number;
+	extent: [number, number];
+	corner: [number, number];
+	size: [number, number];
+	channels: string[];
+	encoding: "display" | "srgb" | "compressed";
+	figures?: {
+		min: (number | null)[];
+		max: (number | null)[];
+		nan: number;
+		infinite: number;
+		negative: number;
+	};
+	png: string;
+	values?: { type: "half" | "float"; zlib: string };
+}
+
+export interface Report {
+	format: "drydock-report";
+	formatVersion: number;
+	kind: "run";
+	name: string;
+	written: string;
+	run: Run;
+	timing: Timing;
+	graph: {
+		name: string;
+		passes: GraphPass[];
+		resources: Resource[];
+		memory: { transientPeakBytes: number; withoutAliasingBytes: number };
+	};
+	explain?: Explain;
+	blend?: Blend;
+	passes: PassDetail[];
+	settings: Setting[];
+	nonFinite: {
+		passes: { pass: string; pixels: number; of: number }[];
+		final?: { pixels: number; changed: number; white: number; notFinite: number };
+	};
+	previous?: { written: string; run: Run; timing?: Timing };
+	pictures: PictureData[];
+}
+
+export function readReport(): Report {
+	return JSON.parse(document.getElementById("data")!.textContent!) as Report;
+}
+
+/** The passes somebody added: without the graph's prologue and epilogue. */
+export function realPasses(report: Report): GraphPass[] {
+	const real = new Set(report.run.passes.map((pass) => pass.index));
+	return report.graph.passes.filter((pass) => real.has(pass.index));
+}
+
+/** "BloomSetup" of "BloomSetup 480x270 (PS)". */
+export function shortName(pass: string): string {
+	return pass.split(/[ (]/)[0];
+}
+
+export function pictureUrl(picture: PictureData): string {
+	return "data:image/png;base64," + picture.png;
+}

@@ -1,0 +1,74 @@
+// Makes elements, and shows the page's one hint: what data-tip says of the element under the pointer or in focus.
+
+type Child = Node | string | number | null | undefined | false;
+type Value = string | number | boolean | undefined | ((event: any) => void);
+
+const svgTags = new Set(["svg", "g", "rect", "circle", "line", "path", "text", "title", "polyline", "pattern", "defs"]);
+
+/** Attributes that are functions are listeners ("onclick"); true is an empty attribute, false and undefined none. */
+export function el<T extends Element = HTMLElement>(
+	tag: string,
+	attributes: Record<string, Value> = {},
+	...children: (Child | Child[])[]
+): T {
+	const element = svgTags.has(tag)
+		? document.createElementNS("http://www.w3.org/2000/svg", tag)
+		: document.createElement(tag);
+	for (const [name, value] of Object.entries(attributes)) {
+		if (typeof value === "function") {
+			element.addEventListener(name.slice(2), value);
+		} else if (value !== undefined && value !== false) {
+			element.setAttribute(name, value === true ? "" : String(value));
+		}
+	}
+	element.append(...(children.flat().filter((child) => child !== null && child !== undefined && child !== false) as Node[]).map(
+		(child) => (child instanceof Node ? child : String(child))));
+	return element as unknown as T;
+}
+
+export function section(id: string, title: string, note: string, ...children: Child[]): HTMLElement {
+	return el("section", { id, "aria-labelledby": id + "-title" },
+		el("header", {}, el("h2", { id: id + "-title" }, title), note ? el("p", { class: "note" }, note) : null),
+		...children);
+}
+
+export interface Column<T> {
+	title: string;
+	number?: boolean;
+	cell: (row: T) => Child | Child[];
+}
+
+export function table<T>(columns: Column<T>[], rows: T[], attributes: (row: T) => Record<string, Value> = () => ({})): HTMLElement {
+	const css = (column: Column<T>) => (column.number ? { class: "number" } : {});
+	return el("div", { class: "table" }, el("table", {},
+		el("thead", {}, el("tr", {}, columns.map((column) => el("th", { scope: "col", ...css(column) }, column.title)))),
+		el("tbody", {}, rows.map((row) => el("tr", attributes(row),
+			columns.map((column) => el("td", css(column), ...[column.cell(row)].flat())))))));
+}
+
+export function installTips(): void {
+	const tip = el("div", { id: "tip", role: "tooltip" });
+	document.body.append(tip);
+	const show = (event: Event) => {
+		const target = (event.target as Element).closest?.("[data-tip]");
+		tip.hidden = !target;
+		if (!target) {
+			return;
+		}
+		tip.textContent = target.getAttribute("data-tip");
+		const box = target.getBoundingClientRect();
+		const at = event instanceof PointerEvent ? { x: event.clientX, y: event.clientY + 14 } : { x: box.left, y: box.bottom + 4 };
+		const room = { x: innerWidth - tip.offsetWidth - 8, y: innerHeight - tip.offsetHeight - 8 };
+		tip.style.left = Math.max(4, Math.min(at.x, room.x)) + "px";
+		tip.style.top = (at.y > room.y ? Math.max(4, at.y - tip.offsetHeight - 24) : at.y) + "px";
+	};
+	tip.hidden = true;
+	addEventListener("pointermove", show);
+	addEventListener("focusin", show);
+	addEventListener("scroll", () => (tip.hidden = true), true);
+	addEventListener("keydown", (event) => {
+		if (event.key === "Escape") {
+			tip.hidden = true;
+		}
+	});
+}

@@ -1,0 +1,87 @@
+// The graph in order: a row for each pass, a column for each resource with its life, reads and writes where they meet.
+import { el } from "../dom";
+import { ms } from "../format";
+import { shortName } from "../data";
+import { GraphFacts, isMerged, whyPass, whyResource } from "./why";
+
+const row = 22;
+const column = 17;
+const names = 250; // width of the names of passes
+const bar = 70;
+const head = 150; // height of the names of resources
+
+export function drawOrder(facts: GraphFacts, select: (pass: number) => void): SVGSVGElement {
+	const { passes, resources, milliseconds } = facts;
+	const left = names + bar + 18;
+	const width = left + resources.length * column + 90;
+	const height = head + passes.length * row + 8;
+	const svg = el<SVGSVGElement>("svg", { width, height, viewBox: `0 0 ${width} ${height}`, class: "order", role: "group", "aria-label": "Passes in order, and the resources they read and write" });
+	const rowOf = new Map(passes.map((pass, i) => [pass.index, head + i * row + row / 2]));
+	const longest = Math.max(...milliseconds.values(), 0.001);
+
+	resources.forEach((resource, i) => {
+		const x = left + i * column + column / 2;
+		const uses = passes.filter((pass) => pass.uses.some((use) => use.resource === resource.index)).map((pass) => rowOf.get(pass.index)!);
+		const kind = resource.reason ? "unused" : resource.external ? "external" : resource.transient ? "transient" : "pooled";
+		svg.append(el("g", { class: `resource ${kind}`, "data-resource": resource.index, "data-tip": whyResource(facts, resource) },
+			el("rect", { class: "hit", x: x - column / 2, y: head - 9, width: column, height: height - head + 9 }),
+			el("text", { transform: `translate(${x + 3} ${head - 12}) rotate(-55)` }, resource.name),
+			el("rect", { class: "life", x: x - 2.5, y: Math.min(...uses) - 4, width: 5, height: Math.max(...uses) - Math.min(...uses) + 8, rx: 2.5 })));
+	});
+
+	passes.forEach((pass, i) => {
+		const y = head + i * row + row / 2;
+		const time = milliseconds.get(pass.index);
+		const open = () => select(pass.index);
+		const group = el<SVGGElement>("g", {
+			class: "pass" + (pass.culled ? " culled" : ""), tabindex: 0, role: "button", "data-pass": pass.index,
+			"aria-label": `Pass ${pass.index}, ${pass.name}${pass.culled ? ", culled" : ""}`, "data-tip": whyPass(facts, pass),
+			onclick: open,
+			onkeydown: (event: KeyboardEvent) => {
+				if (event.key === "Enter" || event.key === " ") {
+					event.preventDefault();
+					open();
+				} else if (event.key === "ArrowDown" || event.key === "ArrowUp") {
+					event.preventDefault();
+					let next = event.key === "ArrowDown" ? group.nextElementSibling : group.previousElementSibling;
+					while (next && !next.classList.contains("pass")) {
+						next = event.key === "ArrowDown" ? next.nextElementSibling : next.previousElementSibling;
+					}
+					(next as SVGElement | null)?.focus();
+				}
+			},
+		},
+			el("rect", { class: "back", x: 0, y: y - row / 2, width, height: row }),
+			el("text", { class: "index", x: 34, y: y + 4, "text-anchor": "end" }, pass.index),
+			el("text", { x: 44, y: y + 4 }, cut(shortName(pass.name), 30)),
+			pass.culled ? el("rect", { class: "outline", x: 39, y: y - row / 2 + 2, width: names - 46, height: row - 4, rx: 3 }) : null,
+			time !== undefined ? el("rect", { class: "time", x: names, y: y - 4, width: Math.max((time / longest) * bar, 1), height: 8, rx: 1 }) : null,
+			el("title", {}, pass.name + (time !== undefined ? `, ${ms(time)}` : "")));
+		for (const use of pass.uses) {
+			const at = resources.findIndex((resource) => resource.index === use.resource);
+			const x = left + at * column + column / 2;
+			if (use.writes) {
+				group.append(el("rect", { class: "write", x: x - 5, y: y - 5, width: 10, height: 10, rx: 1 }));
+			}
+		}
+		const written = new Set(pass.uses.filter((use) => use.writes).map((use) => use.resource));
+		for (const resource of new Set(pass.uses.filter((use) => use.reads).map((use) => use.resource))) {
+			const x = left + resources.findIndex((other) => other.index === resource) * column + column / 2;
+			const both = written.has(resource);
+			group.append(el("circle", { class: both ? "read both" : "read", cx: x, cy: y, r: both ? 3 : 4.5 }));
+		}
+		svg.append(group);
+	});
+
+	for (const pass of passes) {
+		if (isMerged(pass) && pass.index === pass.renderPassBegin) {
+			const [from, to] = [rowOf.get(pass.renderPassBegin)!, rowOf.get(pass.renderPassEnd) ?? rowOf.get(pass.index)!];
+			svg.append(el("path", { class: "bracket", d: `M 8 ${from - 7} H 3 V ${to + 7} H 8`, "data-tip": `Passes ${pass.renderPassBegin} to ${pass.renderPassEnd} are one render pass` }));
+		}
+	}
+	return svg;
+}
+
+export function cut(text: string, length: number): string {
+	return text.length > length ? text.slice(0, length - 1) + "…" : text;
+}

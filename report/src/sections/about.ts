@@ -1,0 +1,33 @@
+// What the page is made of, and its keys, in two boxes that open on request.
+import { Report } from "../data";
+import { el } from "../dom";
+import { bytes, time } from "../format";
+
+/** Filled in by build.mjs: what each part weighs in the bundle, minified. */
+declare const PARTS: { name: string; version: string; license: string; does: string; bytes: number }[];
+
+const keys: [string, string][] = [
+	["/", "search the graph"], ["T", "light or dark"], ["?", "this list"], ["Esc", "closes what is open"],
+	["A  B", "in the picture section: show A, show B; B again flips back"], ["S  I  D", "slider, side by side, difference"],
+	["E  shift+E", "half a stop brighter, darker"], ["C  O  R  X", "false colour, odd values, stretch, reset"],
+	["arrows  + −", "on the picture: move and zoom"], ["F  1  N", "fit, texels as pixels, texels with numbers"],
+	["shift+arrows", "move the probe by a texel"], ["[  ]", "move the slider"],
+	["arrows, Enter", "on the graph: from pass to pass, open"],
+];
+
+export function makeKeys(): HTMLDialogElement {
+	return el<HTMLDialogElement>("dialog", { id: "keys", "aria-label": "Keys" }, el("h2", {}, "Keys"),
+		el("dl", {}, keys.flatMap(([key, does]) => [el("dt", {}, key), el("dd", {}, does)])),
+		el("form", { method: "dialog" }, el("button", {}, "Close")));
+}
+
+export function makeAbout(report: Report, size: number): HTMLDialogElement {
+	const total = PARTS.reduce((sum, part) => sum + part.bytes, 0);
+	return el<HTMLDialogElement>("dialog", { id: "about", "aria-label": "About" }, el("h2", {}, "About this page"),
+		el("p", {}, `Written by drydock ${report.run.version} on ${time(report.written)}. ${bytes(size)}, of which ${bytes(total)} are the page itself; it asks for nothing from the network.`),
+		el("p", {}, "Its data are one JSON, in the element #data; docs/report.md says what is in it."),
+		el("div", { class: "table" }, el("table", {},
+			el("thead", {}, el("tr", {}, ["Part", "Version", "Licence", "Does", "Size"].map((title) => el("th", { scope: "col" }, title)))),
+			el("tbody", {}, PARTS.map((part) => el("tr", {}, el("td", {}, part.name), el("td", {}, part.version), el("td", {}, part.license), el("td", {}, part.does), el("td", { class: "number" }, bytes(part.bytes))))))),
+		el("form", { method: "dialog" }, el("button", {}, "Close")));
+}
