@@ -165,6 +165,7 @@ struct FConfig
 	FJsonValue Study;                   // as it stands, null where there is none: see ReadStudy
 	FJsonValue Budget;                  // likewise
 	std::vector<TConfigValue<std::string>> Dump;
+	TConfigValue<std::string> Report;  // "off", "on", "full"; not set: as the program chooses
 	std::optional<FOutputKinds> Write; // what of its outputs a run writes; empty: the config does not say
 	bool bNoSkip = false;              // of the command line: see FRunOptions
 

@@ -101,6 +101,7 @@ const std::vector<FConfigKey>& GetConfigKeys()
 		{"parameters", "*", Anything, "", 0, Optional, "A number, an array of numbers, a text or true or false."},
 
 		{"outputs", "write", StringArray, "png|exr|json|dot", 0, Optional, "Kinds of files that a run writes beside run.json: png, exr, json (timing.json, trace.json), dot (the graph); all by default."},
+		{"outputs", "report", String, "off|on|full", 0, Optional, "The page report.html: off, on, or full, with the values of all its pictures; on where a person runs a frame at a terminal (docs/report.md)."},
 		{"outputs", "dump", StringArray, "", 0, Optional, "Patterns with * and ?: a pass, a resource, or Pass.Resource."},
 
 		{"budget", "metric", String, "", 0, Optional, "Error metric that max refers to: max, rms, relative, psnr or ssim; rms by default."},

@@ -484,6 +484,7 @@ void ReadRoot(const FJsonValue& Root, FConfig& Config, FConfigMessages& Messages
 					}
 					Config.Write = MakeOutputKinds(Names);
 				});
+			ReadString(Outputs, "report", Config.Report);
 			WithMember(Outputs, "dump", EJsonType::Array,
 				[&](const FJsonValue& Patterns)
 				{

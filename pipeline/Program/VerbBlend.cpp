@@ -2,13 +2,12 @@
 #include <CLI/CLI.hpp>
 
 #include "Blend/BlendReport.h"
-#include "Extensions/ViewExtensions.h"
+#include "Blend/MakeBlendReport.h"
 #include "Program/ProgressBar.h"
 #include "Program/ProgramOutput.h"
 #include "Program/SettingStory.h"
 #include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
-#include "Run/FinalSettings.h"
 #include "Run/RunSetup.h"
 
 #include <cstdio>
@@ -28,48 +27,6 @@ std::string ExplainLocation(const FBlendOptions& Options, const FConfig& Config)
 		   : Config.View.Location.IsSet() ? "view.location"
 		   : Config.Scene.CameraLocation  ? "the scene's camera"
 										  : "no volume asks where";
-}
-
-/** View extensions have the last word: what those of the config and its plugins do to the settings in SetupView, on a
- * view that has no frame. */
-void AddExtensionEdits(const FRunSetup& Setup, FBlendReport& Report)
-{
-	FHookLog Log;
-	FViewExtensionFrame Extensions(Setup.Config.GetEngineProfile(), Log);
-	FSceneViewFamily Family;
-	Family.EngineShowFlags = Setup.Settings.ShowFlags;
-	Extensions.Gather(Family, Setup.Plugins);
-	Extensions.SetupViewFamily(Family);
-
-	FViewInfo View;
-	View.Family = &Family;
-	View.ViewLocation = Report.Location;
-	View.FinalPostProcessSettings = Report.Blended.Settings;
-	Family.Views.Add(&View);
-	Extensions.SetupView(Family, {&View, ""}, Report.Blended.Gates, &Report.Ledger);
-	Report.Blended.Settings = View.FinalPostProcessSettings;
-	Report.Diagnostics.insert(Report.Diagnostics.end(), Log.Diagnostics.begin(), Log.Diagnostics.end());
-}
-
-/** Console variables are those of the setup, which must live on. */
-FBlendReport MakeReport(const FBlendOptions& Options, const FRunSetup& Setup)
-{
-	const FSettingsBlender Blender = MakeSettingsBlender(Setup.Config);
-	FBlendReport Report;
-	Report.Config = Setup.Config.File;
-	Report.Location = GetViewLocation(Setup.Config);
-	Report.LocationFrom = ExplainLocation(Options, Setup.Config);
-	for (const APostProcessVolume& Volume : Blender.GetInputs().Volumes)
-	{
-		Report.VolumeNames.emplace_back(*Volume.Name);
-		Report.VolumeProperties.push_back(Volume.GetProperties());
-		Report.VolumeProperties.back().Settings = nullptr; // the blender's, which ends here
-	}
-	Report.Volumes = Blender.FindVolumes(Report.Location);
-	Report.Blended = Blender.At(Report.Location, &Report.Ledger);
-	Report.Diagnostics = Setup.Diagnostics;
-	AddExtensionEdits(Setup, Report);
-	return Report;
 }
 
 std::vector<size_t> GetAllSettings()
@@ -126,7 +83,7 @@ int PrintSettingStory(const FBlendOptions& Options)
 	const bool bChosen = !Options.Names.empty();
 	const std::vector<size_t> Chosen = FindSettings(Options.Names);
 	const FRunSetup Setup(RunOptions);
-	const FBlendReport Report = MakeReport(Options, Setup);
+	const FBlendReport Report = MakeBlendReport(Setup, ExplainLocation(Options, Setup.Config));
 	PrintDiagnostics(Report.Diagnostics);
 	const std::string Text = Options.bJson ? MakeBlendJson(Report, bChosen ? Chosen : GetAllSettings())
 										   : MakeBlendText(Report, bChosen ? Chosen : FindChangedSettings(Report),

@@ -12,6 +12,7 @@
 #include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
 #include "Program/WatchLoop.h"
+#include "Report/RunReport.h"
 #include "Run/CostModel.h"
 #include "Run/Run.h"
 #include "Run/RunOutputs.h"
@@ -25,6 +26,7 @@
 #include <memory>
 #include <optional>
 #include <thread>
+#include <unistd.h>
 
 namespace Drydock
 {
@@ -36,6 +38,7 @@ struct FRunVerbOptions : FFramesOptions
 {
 	bool bWatch = false; // run again whenever something changes
 	FInspectOptions Inspect;
+	std::string Report; // "off", "on", "full"; empty: the config's word, or as GetReport chooses
 };
 
 /** CPU time so far: loading libraries and registering what registers itself, which nothing waits for. */
@@ -73,10 +76,31 @@ FRunResult RunToFirstCause(FRunSession& Session, const FRunOptions& Options)
 	}
 }
 
+/** The command line's word, else the config's; else on where a person looks on who may open it. */
+EReport GetReport(const FRunVerbOptions& Options)
+{
+	std::string Word = Options.Report;
+	try
+	{
+		std::vector<FDiagnostic> Ignored; // the run reports them
+		Word = Word.empty() ? LoadConfig(Options.Run.ConfigFile, Ignored).Report.Value : Word;
+	}
+	catch (const FError&)
+	{
+	}
+	if (!Word.empty())
+	{
+		return ParseReport(Word);
+	}
+	return !Options.bWatch && !Options.bJson && isatty(STDOUT_FILENO) != 0 ? EReport::On : EReport::Off;
+}
+
 int RunOnce(const FRunVerbOptions& Options)
 {
+	const EReport Report = GetReport(Options);
 	FProgressBar Bar;
 	FRunOptions RunOptions = Options.Run;
+	RunOptions.bKeepForReport = Report != EReport::Off;
 	RunOptions.Progress = [&](int Done, int Total, const std::string& Pass)
 	{
 		Bar.Show(Done, Total, Pass);
@@ -99,8 +123,13 @@ int RunOnce(const FRunVerbOptions& Options)
 	PrintDiagnostics(Result.Diagnostics);
 	PrintDiagnostics(Inspection.GetDiagnostics());
 	const std::string Seen = Inspection.Write(Output->GetAside());
-	const double SaveMs = WriteRunOutputs(Result, *Output);
-	Output.reset(); // whoever watches for the summary may start the next run
+	const FFurtherOutputs AddReport = [&](const std::filesystem::path& Aside, double SaveMs)
+	{
+		WriteRunReport(Options.Run, Result, Report, Output->GetPath(), Aside, SaveMs);
+	};
+	const double SaveMs =
+		WriteRunOutputs(Result, *Output, Report != EReport::Off ? AddReport : FFurtherOutputs(nullptr));
+	Output.reset();                // whoever watches for the summary may start the next run
 	if (Options.Inspect.IsEmpty()) // else its times are the interpreter's
 	{
 		FCostModel Costs = FCostModel::Load();
@@ -223,7 +252,8 @@ void AddInspection(CLI::App& Verb, FInspectOptions& Options)
 {
 	const char* const Group = "Looking inside shaders (slow: they are interpreted)";
 	Verb.add_option("--check", Options.Checks,
-			"Say which line does something wrong: nan, overflow, negative, denormal, bounds, uninit, overlap, assert or all")
+			"Say which line does something wrong: nan, overflow, negative, denormal, bounds, uninit, overlap, assert "
+			"or all")
 		->delimiter(',')
 		->type_name("WHAT,...")
 		->group(Group);
@@ -282,6 +312,16 @@ FVerbCall AddOptions(CLI::App& Verb)
 	Verb.add_option("--video", Options->Video, "Video of the frames, such as walk.mp4; needs ffmpeg")
 		->type_name("FILE");
 	Verb.add_flag("--watch", Options->bWatch, "Run again whenever the config, its scene, a plugin or a shader changes")
+		->excludes(Frames);
+	RequireOneOf(
+		Verb.add_option("--report", Options->Report,
+				"Write report.html, the page to look at it all: on (where no word follows), off, or full, with "
+				"the values of all its pictures; beats the config's outputs.report; on by default where stdout "
+				"is a terminal, not under --watch")
+			->expected(0, 1)
+			->default_str("on"),
+		{"on", "off", "full"})
+		->type_name("WHAT")
 		->excludes(Frames);
 	Verb.add_flag("--json", Options->bJson, "Print run.json instead of the summary");
 	return [Options]

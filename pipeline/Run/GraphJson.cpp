@@ -33,6 +33,11 @@ void WritePass(FJsonWriter& Writer, const FRDGCompiledGraph& Graph, const FRDGCo
 	Writer.Member("reason", Graph.DescribeCulled(Pass));
 	Writer.Member("shader", Pass.Shader);
 	Writer.Member("entry", Pass.Entry);
+	Writer.Member("effect", Pass.Effect);
+	Writer.Member("owner", Pass.Owner);
+	Writer.Member("renderPassBegin", Pass.RenderPassBegin);
+	Writer.Member("renderPassEnd", Pass.RenderPassEnd);
+	Writer.Member("mergeReason", Pass.MergeReason);
 	Writer.Key("producers").BeginArray(true);
 	for (const int32_t Producer : Pass.Producers)
 	{

@@ -8,7 +8,8 @@
 namespace Drydock
 {
 
-/** {name, passes: [{index, name, scope, flags, culled, reason, shader, entry, uses, producers}], resources,
+/** {name, passes: [{index, name, scope, flags, culled, reason, shader, entry, effect, owner,
+ * renderPassBegin, renderPassEnd, mergeReason, uses, producers}], resources,
  * transitions, memory}. Passes and resources refer to each other by index. */
 DRYDOCK_API std::string MakeGraphJson(const FRDGCompiledGraph& Graph);
 

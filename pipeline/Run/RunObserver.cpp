@@ -3,6 +3,7 @@
 
 #include "Budget/RunOptions.h"
 #include "Picture/TextureImage.h"
+#include "Run/PassLook.h"
 #include "Run/RunDump.h"
 #include "Run/RunSetup.h"
 #include "Run/VariableTaps.h"
@@ -77,7 +78,7 @@ bool FRunObserver::WantsPlannedExternals() const
 
 bool FRunObserver::WantsZeroedTextures() const
 {
-	return !Setup.Dump.empty() || Options.bFingerprints;
+	return !Setup.Dump.empty() || Options.bFingerprints || Options.bKeepForReport;
 }
 
 void FRunObserver::OnExternalsPlanned(const std::vector<FRDGExternalLoad>& Loads)
@@ -112,7 +113,11 @@ void FRunObserver::OnPassExecuted(int32_t PassIndex, const FRDGPass& Pass, doubl
 {
 	Result.Passes.push_back({PassIndex, Milliseconds, Counters});
 	Result.Passes.back().Counters.Taps = CountTaps(Pass, Counters);
-	if (!Setup.Dump.empty())
+	if (Options.bKeepForReport)
+	{
+		Result.Passes.back().Parameters = ReadPassParameters(Pass);
+	}
+	if (!Setup.Dump.empty() || Options.bKeepForReport)
 	{
 		NoteDrawn(Pass, Counters, WrittenTextures);
 	}
@@ -131,6 +136,11 @@ void FRunObserver::OnPassExecuted(int32_t PassIndex, const FRDGPass& Pass, doubl
 		if (IsDumped(Setup.Dump, Pass.GetName(), Texture->Name))
 		{
 			KeepTexture(PassIndex, Pass.GetName(), Texture->Name, *Texture->GetRHI(), Drawn[Texture]);
+		}
+		else if (Options.bKeepForReport)
+		{
+			Result.Passes.back().Thumbnails.push_back(
+				MakeThumbnail(Texture->Name, *Texture->GetRHI(), Drawn[Texture].front()));
 		}
 	}
 	ReportProgress();

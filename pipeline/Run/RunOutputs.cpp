@@ -26,7 +26,7 @@ namespace
 namespace Files = std::filesystem;
 
 /** Milliseconds are in them. */
-const std::set<std::string> TimedFiles = {"timing.json", "trace.json"};
+const std::set<std::string> TimedFiles = {"timing.json", "trace.json", "report.html"};
 
 void MakeFolder(const Files::path& Folder)
 {
@@ -141,16 +141,21 @@ double FillFolder(
 const FOutputNames& GetRunOutputNames()
 {
 	static const FOutputNames Names = {.Name = "run",
-		.Files = {"final.png", "final.exr", "scene_linear.exr", "run.json", "timing.json", "graph.dot", "trace.json"},
+		.Files = {"final.png", "final.exr", "scene_linear.exr", "run.json", "timing.json", "graph.dot", "trace.json",
+			"report.html"},
 		.Last = "run.json",
 		.Folders = {"passes", "inspect"},
 		.Unsteady = TimedFiles};
 	return Names;
 }
 
-double WriteRunOutputs(const FRunResult& Result, FOutputFolder& Folder)
+double WriteRunOutputs(const FRunResult& Result, FOutputFolder& Folder, const FFurtherOutputs& Further)
 {
 	const double SaveMs = FillFolder(Result, Folder.GetAside());
+	if (Further)
+	{
+		Further(Folder.GetAside(), SaveMs);
+	}
 	Folder.PutInPlace();
 	return SaveMs;
 }

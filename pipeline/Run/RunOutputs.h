@@ -5,20 +5,26 @@
 #include "Run/RunResult.h"
 #include "Text/OutputFolder.h"
 
+#include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 
 namespace Drydock
 {
 
-/** final.png, final.exr, scene_linear.exr, run.json, timing.json, graph.dot, trace.json and passes/, of which
- * FRunResult::Write says what is written; run.json always is. inspect/ holds what was asked of shaders. */
+/** final.png, final.exr, scene_linear.exr, run.json, timing.json, graph.dot, trace.json, report.html and passes/, of
+ * which FRunResult::Write says what is written; run.json always is. inspect/ holds what was asked of shaders. */
 DRYDOCK_API const FOutputNames& GetRunOutputNames();
+
+/** Called when all other files lie in Aside and writing them took SaveMs; what it writes there are outputs, too. */
+using FFurtherOutputs = std::function<void(const std::filesystem::path& Aside, double SaveMs)>;
 
 /** These files, and those of effects that were measured, in place of an earlier run's. Returns the milliseconds it
  * took. Throws FError: something else is in the way (exit code 2), or a file cannot be written (3); then the folder is
  * as it was. */
-DRYDOCK_API double WriteRunOutputs(const FRunResult& Result, FOutputFolder& Folder);
+DRYDOCK_API double WriteRunOutputs(
+	const FRunResult& Result, FOutputFolder& Folder, const FFurtherOutputs& Further = nullptr);
 
 /** The same into the folder of this path. Throws FError as FOutputFolder, too. */
 DRYDOCK_API double WriteRunOutputs(const FRunResult& Result, const std::string& Folder);

@@ -40,12 +40,31 @@ struct FRunFingerprint
 	std::string Fingerprint; // FFingerprint of size and values of all mips
 };
 
+/** A constant of a pass's parameter struct. */
+struct FRunParameter
+{
+	std::string Name; // as HLSL has it
+	std::string Type; // "float4"
+	std::string Value;
+};
+
+/** A texture right after a pass, small: what a glance tells. */
+struct FRunThumbnail
+{
+	std::string Resource;
+	FIntPoint Extent; // of the texture, pixels
+	FImage Image;     // linear
+};
+
 struct FRunPass
 {
 	int Index = 0;
 	double Milliseconds = 0.0;
 	FPassCounters Counters;
 	std::vector<FRunFingerprint> Written = {}; // where FRunOptions::bFingerprints asked for them
+	// Where FRunOptions::bKeepForReport asked for them.
+	std::vector<FRunParameter> Parameters = {};
+	std::vector<FRunThumbnail> Thumbnails = {}; // of textures that are not dumped
 };
 
 /** One view of several. */

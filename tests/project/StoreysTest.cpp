@@ -26,7 +26,7 @@ const std::map<std::string, FSteps> GRooms = {
 	{"passes", {{"Scene"}, {"Screen"}, {"Blur"}, {"Exposure"}, {"Bloom"}, {"Tonemap"}, {"Lens"}, {"Toon"}, {"Native"}}},
 	{"pipeline", {{"Text"}, {"Picture"}, {"Config"}, {"Objects"}, {"SceneFile"}, {"Effects"}, {"Extensions"}, {"Chain"},
 					 {"Frame"}, {"Budget"}, {"Run"}, {"Sequence", "Study", "Blend", "Patch", "Import", "Inspect"},
-					 {"Matrix"}, {"Program"}}},
+					 {"Matrix", "Report"}, {"Program"}}},
 };
 
 /** The folders of a path from the root. */

@@ -1,0 +1,15 @@
+// Makes what `drydock blend` says of a config that is set up for a run.
+#pragma once
+
+#include "Blend/BlendReport.h"
+
+namespace Drydock
+{
+
+struct FRunSetup;
+
+/** The settings at the view's location, with the story of each. Console variables are those of the setup, which must
+ * live on. LocationFrom: who says where that is. Throws FError where an extension fails. */
+FBlendReport MakeBlendReport(const FRunSetup& Setup, const std::string& LocationFrom);
+
+} // namespace Drydock

@@ -1,0 +1,357 @@
+// Gathers what a report says, and writes it as JSON.
+#include "Report/ReportData.h"
+
+#include "PostProcessSettingsReflection.h"
+#include "Picture/Preview.h"
+#include "Picture/TextureImage.h"
+#include "Report/ReportPicture.h"
+#include "Run/GraphJson.h"
+#include "Run/RunDump.h"
+#include "Shader.h"
+#include "Text/Json.h"
+#include "Text/JsonWriter.h"
+#include "Text/TextFile.h"
+
+#include <chrono>
+#include <ctime>
+#include <filesystem>
+#include <functional>
+
+namespace Drydock
+{
+
+namespace
+{
+
+namespace Files = std::filesystem;
+
+std::string FormatTime(std::time_t Time)
+{
+	std::tm Utc{};
+	gmtime_r(&Time, &Utc);
+	char Text[32];
+	std::strftime(Text, sizeof(Text), "%Y-%m-%dT%H:%M:%SZ", &Utc);
+	return Text;
+}
+
+bool IsJson(const std::string& Text)
+{
+	std::vector<FDiagnostic> Ignored;
+	bool bSyntaxError = false;
+	ParseJson(Text, "", Ignored, bSyntaxError);
+	return !Text.empty() && !bSyntaxError;
+}
+
+class FPictures
+{
+public:
+	FPictures(FJsonWriter& InWriter, const FReportInputs& InInputs)
+		: Writer(InWriter)
+		, Inputs(InInputs)
+	{
+	}
+
+	void Write()
+	{
+		const FRunResult& Result = Inputs.Result;
+		Writer.Key("pictures").BeginArray();
+		WriteFrame({.Id = "final", .Role = "final", .Label = "Final picture"}, Result.Final.Take(3), "final.png",
+			[&](const std::string& File) { WriteDisplayPng(File, Result.Final, Result.OutputDevice); });
+		const FPicture Scene = Result.SceneLinear.Take(3);
+		WriteFrame({.Id = "scene", .Role = "scene", .Label = "Scene, linear, before the tonemapper"}, Scene, "",
+			[&](const std::string& File) { WritePreviewPng(File, Scene); });
+		for (const FRunDump& Dump : Result.Dumps)
+		{
+			WriteDump(Dump);
+		}
+		for (const FRunPass& Pass : Result.Passes)
+		{
+			for (const FRunThumbnail& Thumbnail : Pass.Thumbnails)
+			{
+				WriteThumbnail(Pass, Thumbnail);
+			}
+		}
+		if (!Inputs.Before.FinalPng.empty())
+		{
+			WriteReportPicture(Writer, {.Id = "previous",
+										   .Role = "previous",
+										   .Label = "Final picture of the run before",
+										   .Channels = {"R", "G", "B"},
+										   .Png = Inputs.Before.FinalPng});
+		}
+		Writer.EndArray();
+	}
+
+private:
+	/** Bytes of the run's own file; where there is none, of one made for the purpose. */
+	std::string ReadPng(const std::string& Own, const std::function<void(const std::string& File)>& Make) const
+	{
+		const Files::path Path = Files::path(Inputs.Folder) / Own;
+		if (!Own.empty() && Files::exists(Path))
+		{
+			return ReadTextFile(Path, "cannot be read", MaxBinaryBytes);
+		}
+		const Files::path Scratch = Files::path(Inputs.Folder) / "report.part.png";
+		Make(Scratch.string());
+		const std::string Bytes = ReadTextFile(Scratch, "cannot be read", MaxBinaryBytes);
+		Files::remove(Scratch);
+		return Bytes;
+	}
+
+	void WriteFrame(FReportPicture Picture, const FPicture& Values, const std::string& Own,
+		const std::function<void(const std::string& File)>& Make)
+	{
+		Picture.Extent = {Values.Width, Values.Height};
+		Picture.Size = Picture.Extent;
+		Picture.Channels = {"R", "G", "B"};
+		Picture.Values = &Values;
+		Picture.bPack = Inputs.bFull;
+		Picture.Encoding = Own.empty() ? GetPreviewEncoding(Values) : EReportEncoding::Display;
+		Picture.Png = ReadPng(Own, Make);
+		WriteReportPicture(Writer, Picture);
+	}
+
+	static EReportEncoding GetPreviewEncoding(const FPicture& Picture)
+	{
+		return MeasurePicture(Picture).IsInDisplayRange() ? EReportEncoding::Srgb : EReportEncoding::Compressed;
+	}
+
+	void WriteDump(const FRunDump& Dump)
+	{
+		const FPicture Part = Dump.Image.Crop(Dump.Window);
+		const std::string File = GetDumpFileName(Dump);
+		WriteReportPicture(Writer, {.Id = File,
+									   .Role = "dump",
+									   .Label = GetShortPassName(Dump.Pass) + " \u2192 " + Dump.Resource +
+												(Dump.Mip >= 0 ? " mip " + std::to_string(Dump.Mip) : ""),
+									   .Pass = Dump.PassIndex,
+									   .Resource = Dump.Resource,
+									   .Mip = Dump.Mip,
+									   .Extent = {Dump.Image.Width, Dump.Image.Height},
+									   .Corner = {Dump.Window.Min.X, Dump.Window.Min.Y},
+									   .Size = {Part.Width, Part.Height},
+									   .Channels = Dump.Channels,
+									   .Encoding = GetPreviewEncoding(Part),
+									   .Png = ReadPng("passes/" + File + ".png",
+										   [&](const std::string& Path) { WritePreviewPng(Path, Part); }),
+									   .Values = &Part,
+									   .bPack = Inputs.bFull});
+	}
+
+	void WriteThumbnail(const FRunPass& Pass, const FRunThumbnail& Thumbnail)
+	{
+		const std::string& Name = Inputs.Result.Graph.Passes[static_cast<size_t>(Pass.Index)].Name;
+		bool bDisplayRange = true;
+		for (const double Value : Thumbnail.Image.Values)
+		{
+			bDisplayRange = bDisplayRange && Value >= 0.0 && Value <= 1.0;
+		}
+		WriteReportPicture(
+			Writer, {.Id = "thumbnail." + std::to_string(Pass.Index) + "." + Thumbnail.Resource,
+						.Role = "thumbnail",
+						.Label = GetShortPassName(Name) + " \u2192 " + Thumbnail.Resource,
+						.Pass = Pass.Index,
+						.Resource = Thumbnail.Resource,
+						.Extent = {Thumbnail.Extent.X, Thumbnail.Extent.Y},
+						.Size = {Thumbnail.Image.Width, Thumbnail.Image.Height},
+						.Channels = GetChannelNames(Thumbnail.Image.NumChannels),
+						.Encoding = bDisplayRange ? EReportEncoding::Srgb : EReportEncoding::Compressed,
+						.Png = ReadPng("", [&](const std::string& Path) { WritePreviewPng(Path, Thumbnail.Image); })});
+	}
+
+	FJsonWriter& Writer;
+	const FReportInputs& Inputs;
+};
+
+/** The class of that name; null: there is none, as for a lambda's pass. */
+const FShaderType* FindShaderType(const std::string& Name)
+{
+	const FShaderType* Found = nullptr;
+	ForEachShaderType(
+		[&](const FShaderType& Type)
+		{
+			if (Type.GetName() == Name)
+			{
+				Found = &Type;
+			}
+		});
+	return Found;
+}
+
+/** Defines of the permutations of the class that were asked for so far; where there are several, one of them ran. */
+void WritePermutations(FJsonWriter& Writer, const FShaderType& Type)
+{
+	std::vector<int32> Ids;
+	Type.ForEachShader([&](FShader& Shader) { Ids.push_back(Shader.GetPermutationId()); });
+	Writer.Key("permutations").BeginArray();
+	for (const int32 Id : Ids)
+	{
+		Writer.BeginObject(true);
+		const FShaderCompilerEnvironment Environment = Type.GetCompilationEnvironment(Id);
+		for (const auto& [Name, Value] : Environment.GetDefines())
+		{
+			Writer.Member(Name, Value);
+		}
+		Writer.EndObject();
+	}
+	Writer.EndArray();
+}
+
+/** What the graph and the run do not say of passes that ran. */
+void WritePasses(FJsonWriter& Writer, const FRunResult& Result)
+{
+	Writer.Key("passes").BeginArray();
+	for (const FRunPass& Pass : Result.Passes)
+	{
+		const FRDGCompiledPass& Compiled = Result.Graph.Passes[static_cast<size_t>(Pass.Index)];
+		const FShaderType* const Type =
+			FindShaderType(Compiled.Shader.empty() ? Pass.Counters.Shader : Compiled.Shader);
+		Writer.BeginObject();
+		Writer.Member("index", Pass.Index);
+		Writer.Member("shaderFile", Type != nullptr ? Type->GetShaderFilename() : "");
+		if (Type != nullptr)
+		{
+			WritePermutations(Writer, *Type);
+		}
+		Writer.Key("parameters").BeginArray();
+		for (const FRunParameter& Parameter : Pass.Parameters)
+		{
+			Writer.BeginObject(true);
+			Writer.Member("name", Parameter.Name);
+			Writer.Member("type", Parameter.Type);
+			Writer.Member("value", Parameter.Value);
+			Writer.EndObject();
+		}
+		Writer.EndArray();
+		Writer.EndObject();
+	}
+	Writer.EndArray();
+}
+
+void WriteSettings(FJsonWriter& Writer, const FRunResult& Result)
+{
+	Writer.Key("settings").BeginArray();
+	for (const FSettingField& Field : GetSettingFields())
+	{
+		const std::string Value = SettingToJson(Field, Field.Get(Result.Settings));
+		const std::string Default = SettingToJson(Field, Field.Default);
+		if (Value == Default)
+		{
+			continue;
+		}
+		const FEffect* const Owner = FindSettingOwner(Field.Name);
+		Writer.BeginObject(true);
+		Writer.Member("name", Field.Name);
+		Writer.Key("value").Raw(Value);
+		Writer.Key("default").Raw(Default);
+		Writer.Member("unit", Field.Unit);
+		Writer.Member("category", Field.Category);
+		Writer.Member("doc", Field.Doc);
+		Writer.Member("effect", Owner != nullptr ? *Owner->Name : "");
+		Writer.Member("unread", GetSettingNotBuiltReason(Field.Name));
+		Writer.EndObject();
+	}
+	Writer.EndArray();
+}
+
+void WriteNonFinite(FJsonWriter& Writer, const FNonFiniteSpread& Spread)
+{
+	Writer.Key("nonFinite").BeginObject();
+	Writer.Key("passes").BeginArray();
+	for (const FNonFiniteFootprint& Pass : Spread.Passes)
+	{
+		Writer.BeginObject(true);
+		Writer.Member("pass", Pass.Pass);
+		Writer.Member("pixels", Pass.Pixels);
+		Writer.Member("of", Pass.NumPixels);
+		Writer.EndObject();
+	}
+	Writer.EndArray();
+	if (Spread.Final)
+	{
+		Writer.Key("final").BeginObject(true);
+		Writer.Member("pixels", Spread.Final->NumPixels);
+		Writer.Member("changed", Spread.Final->Changed);
+		Writer.Member("white", Spread.Final->White);
+		Writer.Member("notFinite", Spread.Final->NotFinite);
+		Writer.EndObject();
+	}
+	Writer.EndObject();
+}
+
+void WriteBefore(FJsonWriter& Writer, const FReportBefore& Before)
+{
+	if (Before.RunJson.empty())
+	{
+		return;
+	}
+	Writer.Key("previous").BeginObject();
+	Writer.Member("written", Before.When);
+	Writer.Key("run").Raw(Before.RunJson);
+	if (!Before.TimingJson.empty())
+	{
+		Writer.Key("timing").Raw(Before.TimingJson);
+	}
+	Writer.EndObject();
+}
+
+} // namespace
+
+FReportBefore ReadReportBefore(const std::string& Folder)
+{
+	const auto Read = [&](const char* Name)
+	{
+		return TryReadTextFile((Files::path(Folder) / Name).string(), MaxBinaryBytes).value_or("");
+	};
+	FReportBefore Before;
+	Before.RunJson = Read("run.json");
+	if (!IsJson(Before.RunJson))
+	{
+		return {};
+	}
+	Before.TimingJson = Read("timing.json");
+	if (!IsJson(Before.TimingJson))
+	{
+		Before.TimingJson.clear();
+	}
+	Before.FinalPng = Read("final.png");
+	std::error_code Error;
+	const auto Time = Files::last_write_time(Files::path(Folder) / "run.json", Error);
+	if (!Error)
+	{
+		Before.When = FormatTime(std::chrono::system_clock::to_time_t(std::chrono::file_clock::to_sys(Time)));
+	}
+	return Before;
+}
+
+std::string MakeReportData(const FReportInputs& Inputs)
+{
+	FJsonWriter Writer;
+	const auto Report = [&Writer](const char* Name, const std::string& Json)
+	{
+		if (!Json.empty())
+		{
+			Writer.Key(Name).Raw(Json);
+		}
+	};
+	Writer.BeginObject();
+	Writer.Member("format", "drydock-report");
+	Writer.Member("formatVersion", 1);
+	Writer.Member("kind", "run");
+	Writer.Member("name", Inputs.Name);
+	Writer.Member("written", Inputs.When.empty() ? FormatTime(std::time(nullptr)) : Inputs.When);
+	Report("run", Inputs.Result.RunJson);
+	Report("timing", Inputs.TimingJson);
+	Report("graph", MakeGraphJson(Inputs.Result.Graph));
+	Report("explain", Inputs.ExplainJson);
+	Report("blend", Inputs.BlendJson);
+	WritePasses(Writer, Inputs.Result);
+	WriteSettings(Writer, Inputs.Result);
+	WriteNonFinite(Writer, Inputs.Result.NonFinite);
+	WriteBefore(Writer, Inputs.Before);
+	FPictures(Writer, Inputs).Write();
+	Writer.EndObject();
+	return Writer.GetText();
+}
+
+} // namespace Drydock

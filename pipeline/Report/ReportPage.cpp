@@ -1,0 +1,51 @@
+// Finds the template beside the library's other files and puts data into it.
+#include "Report/ReportPage.h"
+
+#include "InstallPaths.h"
+#include "Text/ConfigErrors.h"
+#include "Text/TextFile.h"
+
+namespace Drydock
+{
+
+namespace
+{
+
+/** Stands in the template once, where the data goes. */
+const std::string Placeholder = "\"drydock-report-data\"";
+
+std::string FindTemplate()
+{
+	const std::string Installed = FindInstalled("share/drydock/report/page.html");
+	return Installed.empty() ? DRYDOCK_SOURCE_DIR "/report/page.html" : Installed;
+}
+
+} // namespace
+
+std::string EscapeForScript(const std::string& Json)
+{
+	std::string Escaped;
+	size_t From = 0;
+	for (size_t At; (At = Json.find('<', From)) != std::string::npos; From = At + 1)
+	{
+		Escaped.append(Json, From, At - From).append("\\u003c");
+	}
+	return Escaped.append(Json, From);
+}
+
+std::string MakeReportPage(const std::string& Data)
+{
+	const std::string File = FindTemplate();
+	std::string Page = ReadTextFile(File, "drydock's own file cannot be opened: is it installed completely?");
+	const size_t At = Page.find(Placeholder);
+	if (At == std::string::npos)
+	{
+		throw FError({.Code = ErrorFileMissing,
+						 .Message = "drydock's own page has no place for data: is it installed completely?",
+						 .File = File},
+			ExitFiles);
+	}
+	return Page.replace(At, Placeholder.size(), EscapeForScript(Data));
+}
+
+} // namespace Drydock

@@ -1,0 +1,205 @@
+// Measures pictures, packs their values and writes them as JSON.
+#include "Report/ReportPicture.h"
+
+#include "Text/JsonWriter.h"
+
+#include <algorithm>
+#include <half.h>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+#include <zlib.h>
+
+namespace Drydock
+{
+
+namespace
+{
+
+const char* GetReportEncodingName(EReportEncoding Encoding)
+{
+	switch (Encoding)
+	{
+	case EReportEncoding::Srgb:
+		return "srgb";
+	case EReportEncoding::Compressed:
+		return "compressed";
+	default:
+		return "display";
+	}
+}
+
+template<typename T>
+std::string SplitPlanes(const FPicture& Picture, T (*Convert)(float))
+{
+	const size_t NumPixels = static_cast<size_t>(Picture.Width) * static_cast<size_t>(Picture.Height);
+	const size_t NumChannels = static_cast<size_t>(Picture.NumChannels);
+	std::string Bytes(NumPixels * NumChannels * sizeof(T), '\0');
+	std::vector<float> Row(static_cast<size_t>(Picture.Width) * NumChannels);
+	size_t Pixel = 0;
+	for (int Y = 0; Y < Picture.Height; ++Y)
+	{
+		Picture.ReadRow(Y, Row.data());
+		for (size_t X = 0; X < Row.size(); X += NumChannels, ++Pixel)
+		{
+			for (size_t Channel = 0; Channel < NumChannels; ++Channel)
+			{
+				const T Bits = Convert(Row[X + Channel]);
+				for (size_t Byte = 0; Byte < sizeof(T); ++Byte)
+				{
+					const size_t Plane = Channel * sizeof(T) + Byte;
+					Bytes[Plane * NumPixels + Pixel] = static_cast<char>(Bits >> (8 * (sizeof(T) - 1 - Byte)));
+				}
+			}
+		}
+	}
+	return Bytes;
+}
+
+std::string Deflate(const std::string& Bytes)
+{
+	uLongf Size = compressBound(static_cast<uLong>(Bytes.size()));
+	std::string Packed(Size, '\0');
+	if (compress2(reinterpret_cast<Bytef*>(Packed.data()), &Size, reinterpret_cast<const Bytef*>(Bytes.data()),
+			static_cast<uLong>(Bytes.size()), Z_DEFAULT_COMPRESSION) != Z_OK)
+	{
+		throw std::bad_alloc(); // the one way in which it fails with a buffer of this size
+	}
+	Packed.resize(Size);
+	return Packed;
+}
+
+template<typename T>
+void WriteList(FJsonWriter& Writer, const char* Name, const T& List)
+{
+	Writer.Key(Name).BeginArray(true);
+	for (const auto& Element : List)
+	{
+		Writer.Value(Element);
+	}
+	Writer.EndArray();
+}
+
+void WriteFigures(FJsonWriter& Writer, const FPictureFigures& Figures)
+{
+	Writer.Key("figures").BeginObject(true);
+	WriteList(Writer, "min", Figures.Min);
+	WriteList(Writer, "max", Figures.Max);
+	Writer.Member("nan", Figures.NumNaN);
+	Writer.Member("infinite", Figures.NumInfinite);
+	Writer.Member("negative", Figures.NumNegative);
+	Writer.EndObject();
+}
+
+} // namespace
+
+bool FPictureFigures::IsInDisplayRange() const
+{
+	const auto IsFrom0 = [](double Value)
+	{
+		return Value >= 0.0;
+	};
+	const auto IsTo1 = [](double Value)
+	{
+		return Value <= 1.0;
+	};
+	return NumNaN + NumInfinite == 0 && std::all_of(Min.begin(), Min.end(), IsFrom0) &&
+		   std::all_of(Max.begin(), Max.end(), IsTo1);
+}
+
+FPictureFigures MeasurePicture(const FPicture& Picture)
+{
+	const size_t NumChannels = static_cast<size_t>(Picture.NumChannels);
+	constexpr double Nothing = std::numeric_limits<double>::quiet_NaN();
+	FPictureFigures Figures{std::vector<double>(NumChannels, Nothing), std::vector<double>(NumChannels, Nothing)};
+	std::vector<float> Row(static_cast<size_t>(Picture.Width) * NumChannels);
+	for (int Y = 0; Y < Picture.Height; ++Y)
+	{
+		Picture.ReadRow(Y, Row.data());
+		for (size_t Index = 0; Index < Row.size(); ++Index)
+		{
+			const float Value = Row[Index];
+			Figures.NumNaN += std::isnan(Value);
+			Figures.NumInfinite += std::isinf(Value);
+			Figures.NumNegative += Value < 0.0f;
+			if (std::isfinite(Value))
+			{
+				double& Min = Figures.Min[Index % NumChannels];
+				double& Max = Figures.Max[Index % NumChannels];
+				Min = Value < Min || std::isnan(Min) ? Value : Min;
+				Max = Value > Max || std::isnan(Max) ? Value : Max;
+			}
+		}
+	}
+	return Figures;
+}
+
+std::string EncodeBase64(const std::string& Bytes)
+{
+	constexpr char Digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+	std::string Text;
+	Text.reserve((Bytes.size() + 2) / 3 * 4);
+	for (size_t At = 0; At < Bytes.size(); At += 3)
+	{
+		const size_t NumBytes = std::min<size_t>(3, Bytes.size() - At);
+		uint32_t Group = 0;
+		for (size_t Byte = 0; Byte < 3; ++Byte)
+		{
+			Group = Group << 8 | (Byte < NumBytes ? static_cast<uint8_t>(Bytes[At + Byte]) : 0u);
+		}
+		for (size_t Digit = 0; Digit < 4; ++Digit)
+		{
+			Text += Digit <= NumBytes ? Digits[Group >> (18 - 6 * Digit) & 63] : '=';
+		}
+	}
+	return Text;
+}
+
+FPackedValues PackValues(const FPicture& Picture)
+{
+	if (Picture.FitsHalf())
+	{
+		return {
+			"half", Deflate(SplitPlanes<uint16_t>(Picture, [](float Value) { return imath_float_to_half(Value); }))};
+	}
+	return {"float", Deflate(SplitPlanes<uint32_t>(Picture,
+						 [](float Value)
+						 {
+							 uint32_t Bits;
+							 std::memcpy(&Bits, &Value, sizeof(Bits));
+							 return Bits;
+						 }))};
+}
+
+void WriteReportPicture(FJsonWriter& Writer, const FReportPicture& Picture)
+{
+	Writer.BeginObject();
+	Writer.Member("id", Picture.Id);
+	Writer.Member("role", Picture.Role);
+	Writer.Member("label", Picture.Label);
+	Writer.Member("pass", Picture.Pass);
+	Writer.Member("resource", Picture.Resource);
+	Writer.Member("mip", Picture.Mip);
+	WriteList(Writer, "extent", Picture.Extent);
+	WriteList(Writer, "corner", Picture.Corner);
+	WriteList(Writer, "size", Picture.Size);
+	WriteList(Writer, "channels", Picture.Channels);
+	Writer.Member("encoding", GetReportEncodingName(Picture.Encoding));
+	if (Picture.Values != nullptr)
+	{
+		WriteFigures(Writer, MeasurePicture(*Picture.Values));
+	}
+	Writer.Member("png", EncodeBase64(Picture.Png));
+	if (Picture.Values != nullptr && Picture.bPack)
+	{
+		const FPackedValues Packed = PackValues(*Picture.Values);
+		Writer.Key("values").BeginObject(true);
+		Writer.Member("type", Packed.Type);
+		Writer.Member("zlib", EncodeBase64(Packed.Bytes));
+		Writer.EndObject();
+	}
+	Writer.EndObject();
+}
+
+} // namespace Drydock

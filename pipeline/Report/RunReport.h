@@ -1,0 +1,31 @@
+// report.html of a run: everything is gathered and written beside the run's other outputs.
+#pragma once
+
+#include "Budget/RunOptions.h"
+#include "Run/RunResult.h"
+
+#include <filesystem>
+#include <string>
+
+namespace Drydock
+{
+
+/** What of a report is written. */
+enum class EReport
+{
+	Off,
+	On,
+	Full, // the values of all pictures beside their PNG files
+};
+
+/** "off", "on" or "full"; On for other words. */
+DRYDOCK_API EReport ParseReport(const std::string& Word);
+
+/** Compiles the frame once more with nothing skipped, which tells what leaving out saved, and blends its settings with
+ * their ledger; a report of a run with plugins says neither. Then writes report.html into Aside, where the run's other
+ * files lie already. Folder: where an earlier run's may be, which the page shows beside. Options: those of the run, of
+ * which no session lives any more. SaveMs: that writing the other files took. Throws FError. */
+DRYDOCK_API void WriteRunReport(const FRunOptions& Options, const FRunResult& Result, EReport Report,
+	const std::filesystem::path& Folder, const std::filesystem::path& Aside, double SaveMs);
+
+} // namespace Drydock
