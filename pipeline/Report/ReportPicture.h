@@ -23,7 +23,7 @@ struct FPictureFigures
 	uint64_t NumNegative = 0; // -infinity among them
 
 	/** What WritePreviewPng shows as it is. */
-	bool IsInDisplayRange() const;
+	DRYDOCK_API bool IsInDisplayRange() const;
 };
 
 DRYDOCK_API FPictureFigures MeasurePicture(const FPicture& Picture);

@@ -11,7 +11,7 @@ std::string MakeRunJson(const FRunResult& Result);
 
 /** SaveMs: how long writing the pictures took. The parts add up to wallMs, which is taken for itself, but for what lies
  * between them. */
-std::string MakeTimingJson(const FRunResult& Result, double SaveMs);
+DRYDOCK_API std::string MakeTimingJson(const FRunResult& Result, double SaveMs);
 
 /** Opens in chrome://tracing and ui.perfetto.dev. */
 std::string MakeTraceJson(const FRunResult& Result);

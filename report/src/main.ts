@@ -61,7 +61,9 @@ function main(): void {
 			Escape: () => graph.select(-1),
 		};
 		if (actions[event.key]) {
-			event.preventDefault();
+			if (event.key !== "Escape") { // which also closes a dialog
+				event.preventDefault();
+			}
 			actions[event.key]();
 		}
 	});

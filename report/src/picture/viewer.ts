@@ -48,6 +48,7 @@ export class Viewer {
 	private pending = 0;
 
 	constructor() {
+		this.canvas.id = "canvas";
 		this.canvas.tabIndex = 0;
 		this.canvas.setAttribute("role", "application");
 		this.canvas.setAttribute("aria-label", "Picture. Arrows move it, plus and minus zoom, F fits, 1 shows texels as pixels, shift and arrows move the probe");

@@ -16,7 +16,7 @@ export function makeEffects(report: Report): HTMLElement {
 	];
 	return section("effects", "Effects", explain && !explain.measured ? "Times are estimates from earlier runs on this machine." : "",
 		table<Effect>([
-			{ title: "", cell: (row) => el("span", { class: row.active ? "state on" : "state", "aria-label": row.active ? "runs" : "does not run" }, row.active ? "●" : "○") },
+			{ title: "", cell: (row) => el("span", { class: row.active ? "state on" : "state", role: "img", "aria-label": row.active ? "runs" : "does not run" }, row.active ? "●" : "○") },
 			{ title: "Effect", cell: (row) => row.name },
 			{ title: "Why", cell: (row) => row.reason },
 			{ title: "Passes", number: true, cell: (row) => cost(row.name)?.passes || "" },

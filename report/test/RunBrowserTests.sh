@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# The report page in a real browser: runs drydock three times, then the tests beside this script.
+#   report/test/RunBrowserTests.sh BUILD SOURCE WORK
+# Exit code 77 where node, its modules (npm ci in report/), oiiotool or Chromium are not there.
+set -euo pipefail
+Drydock=$1/bin/drydock Source=$2 Work=$3
+
+Skip() { echo "skipped: $*"; exit 77; }
+command -v node >/dev/null || Skip "there is no node"
+[ -d "$Source/report/node_modules/playwright-core" ] || Skip "no modules: npm ci in report/"
+command -v oiiotool >/dev/null || Skip "there is no oiiotool (openimageio-tools)"
+CHROMIUM=$(command -v chromium || command -v chromium-browser || command -v google-chrome) || Skip "there is no Chromium: apt-get install chromium"
+
+rm -rf "$Work" && mkdir -p "$Work"
+Config=$Source/configs/toon_bloom.json
+"$Drydock" run "$Config" --out "$Work/plain" >/dev/null
+"$Drydock" run "$Config" --out "$Work/plain" --pp BloomIntensity=3 --report on >/dev/null
+"$Drydock" run "$Config" --out "$Work/full" --dump ToonBloomMask --dump BloomSetup --report full >/dev/null
+export CHROMIUM REPORT_RUNS=$Work
+cd "$Source/report"
+exec node --test --test-reporter=spec test/*.test.mjs

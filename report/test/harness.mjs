@@ -1,0 +1,101 @@
+// What the browser tests share: pages opened from disk under watch, the data in them, and texels as another program
+// reads them.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { chromium } from "playwright-core";
+
+/** Folder of runs that RunBrowserTests.sh made: plain, with an earlier run beside it, and full. */
+export const runs = process.env.REPORT_RUNS;
+
+let browser;
+
+export async function startBrowser() {
+	browser = await chromium.launch({ executablePath: process.env.CHROMIUM, args: ["--no-sandbox"] });
+}
+
+export async function stopBrowser() {
+	await browser.close();
+}
+
+/** Opens a file, calls the test, and fails where the page wrote to the console, threw, or asked for anything else. */
+export async function onPage(file, test, options = {}) {
+	const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, colorScheme: "light", ...options });
+	const page = await context.newPage();
+	const faults = [];
+	const url = "file://" + file;
+	page.on("console", (message) => faults.push("console: " + message.text()));
+	page.on("pageerror", (error) => faults.push("thrown: " + error.message));
+	page.on("request", (request) => {
+		if (request.url() !== url && !request.url().startsWith("data:")) {
+			faults.push("request: " + request.url());
+		}
+	});
+	try {
+		await page.goto(url);
+		await page.waitForSelector("html[data-ready]");
+		await page.waitForFunction(() => document.querySelector("#facts dd"));
+		await test(page);
+		assert.deepEqual(faults, []);
+	} finally {
+		await context.close();
+	}
+}
+
+export function readData(file) {
+	const page = readFileSync(file, "utf8");
+	const from = page.indexOf('id="data">') + 'id="data">'.length;
+	return JSON.parse(page.slice(from, page.indexOf("</script>", from)));
+}
+
+/** Writes the page of other data into a file that goes away with the test. */
+export async function withData(data, test) {
+	const folder = mkdtempSync(join(tmpdir(), "drydock_report_"));
+	try {
+		const template = readFileSync(new URL("../page.html", import.meta.url), "utf8");
+		const file = join(folder, "report.html");
+		writeFileSync(file, template.replace('"drydock-report-data"', () => JSON.stringify(data).replaceAll("<", "\\u003c")));
+		await test(file);
+	} finally {
+		rmSync(folder, { recursive: true });
+	}
+}
+
+/** A texel's values as oiiotool reads them from a file: floats of an EXR, codes of a PNG. */
+export function readTexel(file, x, y) {
+	const folder = mkdtempSync(join(tmpdir(), "drydock_texel_"));
+	try {
+		const cut = join(folder, "cut" + file.slice(file.lastIndexOf(".")));
+		execFileSync("oiiotool", [file, "--cut", `1x1+${x}+${y}`, "-o", cut]);
+		const line = execFileSync("oiiotool", ["--dumpdata", cut], { encoding: "utf8" }).match(/Pixel \([^)]*\): ([^(\n]*)/)[1];
+		return line.trim().split(/\s+/).map(Number);
+	} finally {
+		rmSync(folder, { recursive: true });
+	}
+}
+
+/** What the viewer's canvas shows, once it has been painted: its bytes, or one pixel of it. */
+export async function readCanvas(page, share) {
+	return page.evaluate(async (share) => {
+		await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+		const shown = document.querySelector("#canvas");
+		const canvas = new OffscreenCanvas(shown.width, shown.height);
+		const context = canvas.getContext("2d", { willReadFrequently: true });
+		context.drawImage(shown, 0, 0);
+		if (share) {
+			return [...context.getImageData(Math.floor(share[0] * canvas.width), Math.floor(share[1] * canvas.height), 1, 1).data];
+		}
+		const bytes = context.getImageData(0, 0, canvas.width, canvas.height).data;
+		const digest = await crypto.subtle?.digest("SHA-256", bytes);
+		return digest ? [...new Uint8Array(digest)].join() : bytes.reduce((sum, byte, i) => (sum * 31 + byte + i) % 4294967291, 7);
+	}, share);
+}
+
+export async function readProbe(page) {
+	return page.evaluate(() => ({
+		at: document.querySelector("#probe h3").textContent.match(/\d+/g).map(Number),
+		values: [...document.querySelectorAll("#probe td[data-value]")].map((cell) => Number(cell.dataset.value)),
+	}));
+}

@@ -1,0 +1,175 @@
+// The rest of the page in a browser: answers, graph, tables, dialogs, light and dark, and what assistive tools find.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { after, before, test } from "node:test";
+import { onPage, readCanvas, readData, runs, startBrowser, stopBrowser, withData } from "./harness.mjs";
+
+const plain = runs + "/plain/report.html";
+const data = readData(plain);
+const shown = data.graph.passes.filter((pass) => data.run.passes.some((other) => other.index === pass.index));
+const culled = shown.find((pass) => pass.culled);
+
+before(startBrowser);
+after(stopBrowser);
+
+test("five questions are answered, in order, from the run's own files", async () => {
+	const run = JSON.parse(readFileSync(runs + "/plain/run.json", "utf8"));
+	await onPage(plain, async (page) => {
+		const questions = await page.locator("#answers .question").allTextContents();
+		assert.deepEqual(questions, ["Did it work?", "What was left out?", "What is not finite?", "Where did the time go?", "What changed?"]);
+		assert.match(await page.textContent("#answer-worked"), new RegExp(`${run.passes.filter((pass) => pass.executed).length} passes made a picture of 960 × 540`));
+		assert.match(await page.textContent("#answer-left-out"), new RegExp(`${run.effects.filter((effect) => !effect.active).length} of ${run.effects.length} effects`));
+		assert.match(await page.textContent("#answer-left-out"), new RegExp(`${run.passes.filter((pass) => !pass.executed).length} passes were culled`));
+		await page.waitForFunction(() => /pixels differ/.test(document.querySelector("#answer-changed").textContent));
+		assert.match(await page.textContent("#answer-changed"), /BloomIntensity: 1\.5 → 3/);
+	});
+});
+
+test("a run without an earlier one, and one with warnings, say so", async () => {
+	const other = structuredClone(data);
+	delete other.previous;
+	other.pictures = other.pictures.filter((picture) => picture.role !== "previous");
+	other.run.warnings = [{ code: "DD4001", message: "BloomSetup </script> is strange", where: "configs/x.json:3:4" }];
+	await withData(other, (file) => onPage(file, async (page) => {
+		assert.match(await page.textContent("#answer-changed"), /no earlier run/);
+		assert.match(await page.textContent("#answer-worked"), /with 1 warning.*BloomSetup <\/script> is strange/s);
+		assert.ok(await page.isDisabled("#mode-b"));
+		await page.click("#messages .link");
+		assert.match(await page.textContent("#pass-detail h3"), /BloomSetup/);
+	}));
+});
+
+test("a culled pass says why, to the mouse, to the keyboard and when opened", async () => {
+	await onPage(plain, async (page) => {
+		await page.hover(`.order .pass[data-pass="${culled.index}"] text`);
+		assert.match(await page.textContent("#tip"), /is culled: /);
+		assert.ok((await page.textContent("#tip")).endsWith(culled.reason));
+		await page.mouse.move(2, 2);
+		await page.focus(`.order .pass[data-pass="${culled.index - 1}"]`);
+		await page.keyboard.press("ArrowDown");
+		assert.ok(await page.locator("#tip").isVisible());
+		assert.ok((await page.textContent("#tip")).endsWith(culled.reason));
+		await page.keyboard.press("Enter");
+		assert.ok((await page.textContent("#pass-detail .why")).endsWith(culled.reason));
+		await page.keyboard.press("Escape");
+		assert.equal(await page.locator("#pass-detail").count(), 0);
+	});
+});
+
+test("an opened pass shows shader, counters, parameters, pictures, and leads to its neighbours", async () => {
+	const pass = shown.find((pass) => pass.name.startsWith("BloomSetup"));
+	const detail = data.passes.find((other) => other.index === pass.index);
+	await onPage(plain, async (page) => {
+		await page.click(`.order .pass[data-pass="${pass.index}"] text`);
+		const text = await page.textContent("#pass-detail");
+		assert.ok(text.includes(pass.shader) && text.includes(detail.shaderFile));
+		for (const { name, value } of detail.parameters) {
+			assert.ok(text.includes(name) && text.includes(value), name);
+		}
+		await page.click("#pass-detail .thumbs button");
+		await page.waitForFunction((index) => document.querySelector("#picture-a").value.includes(index), String(pass.index));
+		await page.locator("#pass-detail .reads .link").first().click();
+		assert.ok(pass.producers.includes(Number(await page.textContent("#pass-detail h3 .quiet"))));
+	});
+});
+
+test("search finds passes, shaders and resources; Enter opens the first", async () => {
+	await onPage(plain, async (page) => {
+		await page.keyboard.press("/");
+		await page.keyboard.type("bloomsetup");
+		const expected = shown.filter((pass) => [pass.name, pass.shader].join(" ").toLowerCase().includes("bloomsetup") ||
+			pass.uses.some((use) => data.graph.resources[use.resource].name.toLowerCase().includes("bloomsetup")));
+		assert.ok(expected.length > 1 && expected.length < shown.length);
+		assert.equal(await page.textContent("#found"), `${expected.length} of ${shown.length} passes`);
+		assert.deepEqual(await page.locator(".order .pass.match").evaluateAll((nodes) => nodes.map((node) => Number(node.dataset.pass))), expected.map((pass) => pass.index));
+		await page.keyboard.press("Enter");
+		assert.equal(Number(await page.textContent("#pass-detail h3 .quiet")), expected[0].index);
+	});
+});
+
+test("the graph as it flows has every pass and every dependency", async () => {
+	const edges = shown.flatMap((pass) => pass.producers.filter((producer) => shown.some((other) => other.index === producer)));
+	await onPage(plain, async (page) => {
+		await page.focus("#view-flow");
+		await page.keyboard.press("Enter");
+		assert.equal(await page.locator(".flow .pass").count(), shown.length);
+		assert.equal(await page.locator(".flow .edge").count(), edges.length);
+		await page.locator(`.flow .pass[data-pass="${culled.index}"]`).focus();
+		await page.keyboard.press("Enter");
+		assert.match(await page.textContent("#pass-detail .why"), /is culled/);
+		await page.click("#view-order");
+		assert.equal(await page.locator(".order .pass").count(), shown.length);
+	});
+});
+
+test("the heap strip has a block for each resource in the heap", async () => {
+	const used = new Set(shown.flatMap((pass) => pass.uses.map((use) => use.resource)));
+	const placed = data.graph.resources.filter((resource) => used.has(resource.index) && resource.transient && resource.heapOffset >= 0);
+	await onPage(plain, async (page) => {
+		assert.ok(placed.length > 3);
+		assert.equal(await page.locator(".heap .block").count(), placed.length);
+		await page.locator(".heap .block").first().hover();
+		assert.match(await page.textContent("#tip"), /lives from/);
+	});
+});
+
+test("settings tell their story, times lead to their passes", async () => {
+	await onPage(plain, async (page) => {
+		await page.click("#settings summary >> text=BloomToonIntensity");
+		assert.match(await page.textContent("#settings details[open]"), /Base/);
+		const longest = [...data.timing.passes].sort((a, b) => b.ms - a.ms)[0];
+		await page.locator("#time .link").first().click();
+		assert.equal(Number(await page.textContent("#pass-detail h3 .quiet")), longest.index);
+		const effects = await page.locator("#effects table").first().locator("tbody tr").count();
+		assert.equal(effects, data.run.effects.length);
+	});
+});
+
+test("light and dark follow the system and the switch", async () => {
+	const paper = (page) => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+	let light;
+	await onPage(plain, async (page) => {
+		light = await paper(page);
+		await page.keyboard.press("t");
+		assert.notEqual(await paper(page), light);
+		await page.click("#theme");
+		assert.equal(await paper(page), light);
+	});
+	await onPage(plain, async (page) => {
+		assert.notEqual(await paper(page), light);
+		await page.click("#theme");
+		assert.equal(await paper(page), light);
+	}, { colorScheme: "dark" });
+});
+
+test("the boxes of keys and of parts open and close", async () => {
+	await onPage(plain, async (page) => {
+		await page.keyboard.press("?");
+		assert.ok(await page.locator("#keys").isVisible());
+		await page.keyboard.press("Escape");
+		assert.ok(!(await page.locator("#keys").isVisible()));
+		await page.click("#show-about");
+		for (const part of ["uplot", "@dagrejs/dagre", "fflate"]) {
+			assert.match(await page.textContent(`#about tr:has-text("${part}")`), /MIT.*kB/);
+		}
+		await page.click("#about button");
+		assert.ok(!(await page.locator("#about").isVisible()));
+	});
+});
+
+test("nothing is wider than a window of 1280, and every control has a name", async () => {
+	const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+	for (const colorScheme of ["light", "dark"]) {
+		await onPage(plain, async (page) => {
+			await page.click(`.order .pass[data-pass="${culled.index}"] text`);
+			assert.ok((await page.evaluate(() => document.scrollingElement.scrollWidth)) <= 1280);
+			await page.mouse.move(2, 2);
+			await readCanvas(page);
+			await page.evaluate(axe);
+			const { violations } = await page.evaluate(() => axe.run(document, { resultTypes: ["violations"] }));
+			const serious = violations.filter((violation) => ["serious", "critical"].includes(violation.impact));
+			assert.deepEqual(serious.map((violation) => `${violation.id}: ${violation.nodes.map((node) => node.target).slice(0, 3)}`), []);
+		}, { colorScheme });
+	}
+});

@@ -1,0 +1,105 @@
+// `drydock run --report`: when the page is written, what it refuses, and what it tells of the run before.
+#include <gtest/gtest.h>
+
+#include "ProgramTestUtils.h"
+#include "SchemaCheck.h"
+
+using namespace ProgramTest;
+using namespace ReportTest;
+
+namespace
+{
+
+FJson ReadData(const FProgramFolder& Folder)
+{
+	const std::string Page = Folder.Read("out/frame/report.html");
+	const std::string Begin = "id=\"data\">";
+	const size_t From = Page.find(Begin) + Begin.size();
+	return FJson::parse(Page.substr(From, Page.find("</script>", From) - From));
+}
+
+bool HasReport(const FProgramFolder& Folder)
+{
+	return Files::exists(Folder.Path / "out/frame/report.html");
+}
+
+} // namespace
+
+TEST(RunReport, IsOffWhereNobodyLooksOnAndTheCommandLineBeatsTheConfig)
+{
+	const FProgramFolder Folder("report_when");
+	Folder.WriteFrame("frame.json", "");
+	EXPECT_EQ(0, Folder.Call("run frame.json").ExitCode);
+	EXPECT_FALSE(HasReport(Folder));
+	EXPECT_EQ(0, Folder.Call("run frame.json --report").ExitCode);
+	EXPECT_TRUE(HasReport(Folder));
+	Folder.WriteFrame("frame.json", R"(, "outputs": {"report": "full"})");
+	EXPECT_EQ(0, Folder.Call("run frame.json --report off").ExitCode);
+	EXPECT_FALSE(HasReport(Folder)) << "that of the run before stayed";
+	EXPECT_EQ(0, Folder.Call("run frame.json").ExitCode);
+	ASSERT_TRUE(HasReport(Folder));
+	EXPECT_TRUE(ReadData(Folder)["pictures"][0].contains("values"));
+}
+
+TEST(RunReport, WordsThatAreNoneAreRefused)
+{
+	const FProgramFolder Folder("report_words");
+	Folder.WriteFrame("frame.json", "");
+	EXPECT_EQ(2, Folder.Call("run frame.json --report loud").ExitCode);
+	Folder.WriteFrame("frame.json", R"(, "outputs": {"report": "loud"})");
+	const FOutcome Outcome = Folder.Call("run frame.json");
+	EXPECT_EQ(2, Outcome.ExitCode);
+	EXPECT_NE(std::string::npos, Outcome.Printed.find("/outputs/report")) << Outcome.Printed;
+	EXPECT_FALSE(Files::exists(Folder.Path / "out"));
+}
+
+TEST(RunReport, ShowsTheRunBeforeBesideThisOne)
+{
+	const FProgramFolder Folder("report_before");
+	Folder.WriteFrame("frame.json", "");
+	EXPECT_EQ(0, Folder.Call("run frame.json --report").ExitCode);
+	EXPECT_FALSE(ReadData(Folder).contains("previous"));
+	const std::string Final = Folder.Read("out/frame/final.png");
+	EXPECT_EQ(0, Folder.Call("run frame.json --report --pp BloomIntensity=3").ExitCode);
+	const FJson Report = ReadData(Folder);
+	EXPECT_EQ(3.0, Report["run"]["settings"]["BloomIntensity"]);
+	EXPECT_EQ(0.675, Report["previous"]["run"]["settings"]["BloomIntensity"]);
+	EXPECT_EQ("previous", Report["pictures"].back()["role"]);
+	EXPECT_NE(Final, Folder.Read("out/frame/final.png"));
+	EXPECT_EQ((Final.size() + 2) / 3 * 4, Report["pictures"].back()["png"].get<std::string>().size());
+}
+
+TEST(RunReport, HasTheStoryOfSettingsAndWhatLeavingOutSaves)
+{
+	const FProgramFolder Folder("report_story");
+	Folder.WriteFrame(
+		"frame.json", R"(, "volumes": [{"name": "V", "bUnbound": true, "Settings": {"BloomIntensity": 2}}])");
+	EXPECT_EQ(0, Folder.Call("run frame.json --report").ExitCode);
+	const FJson Report = ReadData(Folder);
+	EXPECT_EQ("V", Report["blend"]["volumes"][0]["name"]);
+	EXPECT_EQ(2.0, Report["blend"]["ledger"]["BloomIntensity"].back()["after"]);
+	EXPECT_GE(Report["explain"]["withoutSkipping"]["passes"], Report["explain"]["cost"]["passes"]);
+}
+
+TEST(RunReport, OfToonBloomIsUnderFiveMegabytesBesideTheRunBefore)
+{
+	const FProgramFolder Folder("report_size");
+	for (int Run = 0; Run < 2; ++Run)
+	{
+		EXPECT_EQ(0,
+			Folder.Call("run '" DRYDOCK_TEST_SOURCE_DIR "/configs/toon_bloom.json' --report --out out/frame").ExitCode);
+	}
+	EXPECT_TRUE(ReadData(Folder).contains("previous"));
+	EXPECT_LT(Files::file_size(Folder.Path / "out/frame/report.html"), 5000000u);
+}
+
+TEST(RunReport, APageThatSomebodyElsePutThereIsNotReplaced)
+{
+	const FProgramFolder Folder("report_foreign");
+	Folder.WriteFrame("frame.json", "");
+	Folder.Write("out/frame/report.html", "mine");
+	const FOutcome Outcome = Folder.Call("run frame.json --report");
+	EXPECT_EQ(2, Outcome.ExitCode);
+	EXPECT_NE(std::string::npos, Outcome.Printed.find("DD1080")) << Outcome.Printed;
+	EXPECT_EQ("mine", Folder.Read("out/frame/report.html"));
+}
