@@ -72,6 +72,7 @@ FRunInspection::FRunInspection(const FInspectOptions& InOptions)
 	, Checks(MakeCheckSet(Options.Checks), Options.Passes)
 	, Lines(MakeLineRequest(Options))
 	, Prints(GetPrintAt(Options), Options.Passes)
+	, Debug(Options.Debug ? std::make_unique<FDebugCapture>(*Options.Debug) : nullptr)
 {
 }
 
@@ -87,6 +88,10 @@ void FRunInspection::BeforeDispatch(const FBoundShader& Shader, const FKernelArg
 	if (Options.bPrint)
 	{
 		Prints.BeforeDispatch(Shader, Args, Whole);
+	}
+	if (Debug)
+	{
+		Debug->BeforeDispatch(Shader, Args, Whole);
 	}
 }
 
@@ -108,6 +113,8 @@ std::vector<FDiagnostic> FRunInspection::GetDiagnostics() const
 			.Message = "no shader that ran prints anything; expected DrydockPrint or the engine's ShaderPrint",
 			.Where = "--print"});
 	}
+	const std::vector<FDiagnostic> Debugged = Debug ? Debug->GetDiagnostics() : std::vector<FDiagnostic>();
+	Diagnostics.insert(Diagnostics.end(), Debugged.begin(), Debugged.end());
 	return Diagnostics;
 }
 

@@ -3,6 +3,7 @@
 
 #include "DispatchObserver.h"
 #include "Inspect/CheckCapture.h"
+#include "Inspect/DebugCapture.h"
 #include "Inspect/LineCapture.h"
 #include "Inspect/PrintCapture.h"
 
@@ -19,9 +20,10 @@ struct FInspectOptions
 	bool bCost = false;
 	bool bPrint = false;
 	std::vector<int> PrintAt; // empty: every thread; else x, y
+	std::optional<FDebugRequest> Debug;
 	std::string Passes = "*"; // pattern, of a pass's name or its shader's
 
-	bool IsEmpty() const { return Checks.empty() && Show.empty() && !bCoverage && !bCost && !bPrint; }
+	bool IsEmpty() const { return Checks.empty() && Show.empty() && !bCoverage && !bCost && !bPrint && !Debug; }
 };
 
 /** The folder of a run's outputs that its pictures lie in. */
@@ -37,7 +39,10 @@ public:
 	void BeforeDispatch(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole) override;
 	void AfterDispatch(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole) override;
 
-	/** What checks found, and prints that nobody made. */
+	/** Nobody asked for anything. */
+	bool IsEmpty() const { return Options.IsEmpty(); }
+
+	/** What checks found, prints that nobody made, what a debugger does not get. */
 	std::vector<FDiagnostic> GetDiagnostics() const;
 
 	/** Writes pictures and lists into Folder/inspect, and returns what is to be said of them, a line each. Throws
@@ -54,6 +59,7 @@ private:
 	FCheckCapture Checks;
 	FLineCapture Lines;
 	FPrintCapture Prints;
+	std::unique_ptr<FDebugCapture> Debug;
 };
 
 } // namespace Drydock

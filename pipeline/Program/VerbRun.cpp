@@ -4,7 +4,7 @@
 #include "Config/ReadConfig.h"
 #include "Extensions/Plugins.h"
 #include "Inspect/FirstCause.h"
-#include "Inspect/RunInspection.h"
+#include "Program/InspectOptions.h"
 #include "Program/ProgramOutput.h"
 #include "Program/ProgressBar.h"
 #include "Program/RunFrames.h"
@@ -37,7 +37,7 @@ namespace
 struct FRunVerbOptions : FFramesOptions
 {
 	bool bWatch = false; // run again whenever something changes
-	FInspectOptions Inspect;
+	FInspectVerbOptions Inspect;
 	std::string Report; // "off", "on", "full"; empty: the config's word, or as GetReport chooses
 };
 
@@ -107,13 +107,13 @@ int RunOnce(const FRunVerbOptions& Options)
 	};
 	const std::string Folder = ChooseOutputFolder(Options.OutputFolder, Options.Run);
 	std::optional<FOutputFolder> Output;
-	FRunInspection Inspection(Options.Inspect);
+	FRunInspection Inspection(MakeInspectOptions(Options.Inspect, Options.Run));
 	const FRunResult Result = [&]
 	{
 		FRunSession Session(RunOptions);
 		Output.emplace(Folder, GetRunOutputNames()); // after mistakes of the config, before the work
 		std::optional<FScopedDispatchObserver> Observed;
-		if (!Options.Inspect.IsEmpty())
+		if (!Inspection.IsEmpty())
 		{
 			Observed.emplace(Inspection);
 		}
@@ -129,8 +129,8 @@ int RunOnce(const FRunVerbOptions& Options)
 	};
 	const double SaveMs =
 		WriteRunOutputs(Result, *Output, Report != EReport::Off ? AddReport : FFurtherOutputs(nullptr));
-	Output.reset();                // whoever watches for the summary may start the next run
-	if (Options.Inspect.IsEmpty()) // else its times are the interpreter's
+	Output.reset();           // whoever watches for the summary may start the next run
+	if (Inspection.IsEmpty()) // else its times are the interpreter's
 	{
 		FCostModel Costs = FCostModel::Load();
 		Costs.Learn(Result);
@@ -209,7 +209,7 @@ int Watch(const FRunVerbOptions& Options)
 /** Asked for on the command line, or by the config where the command line names no frame. */
 bool IsSequence(const FRunVerbOptions& Options)
 {
-	if (!Options.Frames.empty() || Options.Run.Frame || Options.bWatch)
+	if (!Options.Frames.empty() || Options.Run.Frame || Options.bWatch || !Options.DebugPixel.empty())
 	{
 		return !Options.Frames.empty();
 	}
@@ -248,34 +248,6 @@ int RunOrWatch(const FRunVerbOptions& Options)
 	return RunOnce(Once);
 }
 
-void AddInspection(CLI::App& Verb, FInspectOptions& Options)
-{
-	const char* const Group = "Looking inside shaders (slow: they are interpreted)";
-	Verb.add_option("--check", Options.Checks,
-			"Say which line does something wrong: nan, overflow, negative, denormal, bounds, uninit, overlap, assert "
-			"or all")
-		->delimiter(',')
-		->type_name("WHAT,...")
-		->group(Group);
-	AddRepeated(Verb, "--show", "X.usf:LINE[:NAME]", Options.Show,
-		"Write what the line computes, or the variable there, as a picture of the whole frame; repeats")
-		->group(Group);
-	Verb.add_flag("--coverage", Options.bCoverage, "Count how many pixels ran each line")->group(Group);
-	Verb.add_flag("--cost", Options.bCost, "Write taps and operations of each pixel as pictures")->group(Group);
-	CLI::Option* const Print =
-		Verb.add_flag("--print", Options.bPrint, "Print what shaders say by DrydockPrint and ShaderPrint")
-			->group(Group);
-	Verb.add_option("--at", Options.PrintAt, "Hear only this pixel of each pass")
-		->delimiter(',')
-		->type_name("X,Y")
-		->type_size(2)
-		->needs(Print)
-		->group(Group);
-	Verb.add_option("--passes", Options.Passes, "Look only at these, by name or by their shader's class; with * and ?")
-		->type_name("PATTERN")
-		->group(Group);
-}
-
 FVerbCall AddOptions(CLI::App& Verb)
 {
 	const auto Options = std::make_shared<FRunVerbOptions>();
@@ -299,7 +271,6 @@ FVerbCall AddOptions(CLI::App& Verb)
 		"Leave nothing out because nobody needs it: slower, the same bits; what is switched off stays off");
 	Verb.add_flag("--measure-effects", Options->Run.bMeasureEffects,
 		"Measure what effects come to (bleed of toon bloom, banding of the toon shadow) and add it to run.json");
-	AddInspection(Verb, Options->Inspect);
 	Verb.add_flag("--fingerprints", Options->Run.bFingerprints,
 		"Add to each pass of run.json a fingerprint of every texture that it wrote");
 	CLI::Option* const Frames =
@@ -307,7 +278,8 @@ FVerbCall AddOptions(CLI::App& Verb)
 				"Frames of a sequence, each with what lives on from the one before: all, 1-8, 1-9x2 (every second) or "
 				"1,3,5-8; the config's scene.frames by default. A run that was stopped goes on where it stood")
 			->type_name("LIST")
-			->excludes(Verb.get_option("--frame"));
+			->excludes(Verb.get_option("--frame"))
+			->excludes(Debug);
 	Verb.add_flag("--restart", Options->bRestart, "Render all frames again, whatever the folder holds");
 	Verb.add_option("--video", Options->Video, "Video of the frames, such as walk.mp4; needs ffmpeg")
 		->type_name("FILE");
@@ -323,6 +295,7 @@ FVerbCall AddOptions(CLI::App& Verb)
 		{"on", "off", "full"})
 		->type_name("WHAT")
 		->excludes(Frames);
+	AddInspection(Verb, Options->Inspect);
 	Verb.add_flag("--json", Options->bJson, "Print run.json instead of the summary");
 	return [Options]
 	{

@@ -54,6 +54,9 @@ enum EConfigError
 	ErrorFileNotWritten = 5004, // cannot be written
 	ErrorImageTooLarge = 5005,  // larger than any frame
 	ErrorImagesDiffer = 5006,   // two images of different kinds or sizes cannot be compared
+
+	// DD6: shaders
+	WarnDebug = 6060, // --debug-shaders: a shader that no debugger can be given, or no debugger
 };
 
 } // namespace Drydock

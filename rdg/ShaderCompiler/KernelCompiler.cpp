@@ -207,7 +207,10 @@ std::string GetKernelBuildIdentity(const FLaneConfig& Lanes)
 	return Hash.Finish();
 }
 
-std::string CompileKernel(const std::string& Cpp, const FTemporaryFolder& Folder, const FLaneConfig& Lanes,
+namespace
+{
+
+std::string Compile(const std::string& Cpp, const FTemporaryFolder& Folder, std::vector<std::string> Arguments,
 	const FShaderCompileRequest& Request)
 {
 	const std::string Compiler = FindKernelCompiler();
@@ -225,7 +228,6 @@ std::string CompileKernel(const std::string& Cpp, const FTemporaryFolder& Folder
 			Request);
 	}
 	const std::string Output = Folder.Path + "/kernel.so";
-	std::vector<std::string> Arguments = GetFlags(Lanes);
 	Arguments.insert(Arguments.begin(), Compiler);
 	for (const std::string& Include : Includes)
 	{
@@ -239,6 +241,32 @@ std::string CompileKernel(const std::string& Cpp, const FTemporaryFolder& Folder
 		throw ExplainFailure(Child, TimeLimitSeconds, Cpp, Folder, Request);
 	}
 	return Output;
+}
+
+} // namespace
+
+std::string CompileKernel(const std::string& Cpp, const FTemporaryFolder& Folder, const FLaneConfig& Lanes,
+	const FShaderCompileRequest& Request)
+{
+	return Compile(Cpp, Folder, GetFlags(Lanes), Request);
+}
+
+FDebugKernelFunction CompileDebugKernel(
+	const std::string& Cpp, const FTemporaryFolder& Folder, const FShaderCompileRequest& Request)
+{
+	const std::string SharedObject = Compile(Cpp, Folder,
+		{"-std=c++20", "-g", "-O0", "-fPIC", "-shared", "-fvisibility=hidden", "-fno-strict-aliasing", "-w"}, Request);
+	void* const Handle = dlopen(SharedObject.c_str(), RTLD_NOW | RTLD_LOCAL);
+	void* const Function = Handle ? dlsym(Handle, GDebugKernelName) : nullptr;
+	if (!Function)
+	{
+		const char* const Reason = dlerror();
+		throw MakeError(6034,
+			"the kernel compiled for '" + Request.EntryPoint +
+				"' cannot be loaded: " + (Reason ? Reason : SharedObject.c_str()),
+			Request, ExitFiles);
+	}
+	return reinterpret_cast<FDebugKernelFunction>(Function);
 }
 
 FKernelFunction LoadKernel(const std::string& SharedObject, const FLaneConfig& Lanes, std::string& OutFault)

@@ -1,6 +1,7 @@
 // The system compiler as the last stage of the shader tier: generated C++ to a shared object.
 #pragma once
 
+#include "DebugKernel.h"
 #include "ShaderCompileRequest.h"
 #include "TemporaryFolder.h"
 
@@ -29,6 +30,11 @@ std::string GetKernelBuildIdentity(const FLaneConfig& Lanes);
  * took longer than DRYDOCK_CXX_SECONDS, 300 by default; DD5004 the folder cannot be written (exit code 3). */
 std::string CompileKernel(const std::string& Cpp, const FTemporaryFolder& Folder, const FLaneConfig& Lanes,
 	const FShaderCompileRequest& Request);
+
+/** Compiles Cpp for a debugger and loads it, for good. Folder has to stay as long as somebody may debug it. Throws
+ * FError as CompileKernel does, and DD6034 where it cannot be loaded. */
+FDebugKernelFunction CompileDebugKernel(
+	const std::string& Cpp, const FTemporaryFolder& Folder, const FShaderCompileRequest& Request);
 
 /** Loads a kernel and checks that it is what was asked for; null when it is not, and OutFault says why. It stays
  * loaded.

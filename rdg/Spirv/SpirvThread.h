@@ -31,6 +31,12 @@ public:
 	void Run(
 		const FKernelArgs& InArgs, const int32_t (&InPosition)[3], const FVertexInput* InVertex, uint64_t MaxSteps);
 
+	/** For who decides himself what comes next: the state before the first instruction, and one instruction that
+	 * neither calls a function of the module nor branches. False: it ended the thread. */
+	void Begin(const FKernelArgs& InArgs, const int32_t (&InPosition)[3], const FVertexInput* InVertex);
+	bool ExecuteStep(const FSpirvStep& Step);
+	FWord* GetWords() { return Words.data(); }
+
 	bool WasDiscarded() const { return bDiscarded; }
 	/** A variable's words: outputs, after Run. */
 	const FWord* GetMemory(size_t Variable) const { return Words.data() + Program.Memory[Variable].First; }

@@ -169,8 +169,7 @@ void TSpirvThread<Real>::FillAttribute(const FSpirvVariable& Variable, FWord* Ou
 }
 
 template<typename Real>
-void TSpirvThread<Real>::Run(
-	const FKernelArgs& InArgs, const int32_t (&InPosition)[3], const FVertexInput* InVertex, uint64_t MaxSteps)
+void TSpirvThread<Real>::Begin(const FKernelArgs& InArgs, const int32_t (&InPosition)[3], const FVertexInput* InVertex)
 {
 	Args = &InArgs;
 	Vertex = InVertex;
@@ -180,7 +179,25 @@ void TSpirvThread<Real>::Run(
 	Calls.clear();
 	ClearMemory();
 	FillInputs();
+}
 
+template<typename Real>
+bool TSpirvThread<Real>::ExecuteStep(const FSpirvStep& Step)
+{
+	bDiscarded = Step.I->Op == OpKill;
+	if (bDiscarded || Step.I->Op == OpUnreachable)
+	{
+		return false;
+	}
+	Execute(Step);
+	return !bDiscarded;
+}
+
+template<typename Real>
+void TSpirvThread<Real>::Run(
+	const FKernelArgs& InArgs, const int32_t (&InPosition)[3], const FVertexInput* InVertex, uint64_t MaxSteps)
+{
+	Begin(InArgs, InPosition, InVertex);
 	uint64_t NumSteps = 0;
 	uint32_t Block = Program.EntryBlock;
 	uint32_t At = Program.Blocks[Block].FirstStep;

@@ -1,0 +1,61 @@
+// Names them.
+#include <CLI/CLI.hpp>
+
+#include "Program/InspectOptions.h"
+
+#include "Program/VerbOptions.h"
+#include "Run/Run.h"
+
+namespace Drydock
+{
+
+void AddInspection(CLI::App& Verb, FInspectVerbOptions& Options)
+{
+	const char* const Group = "Looking inside shaders (slow: they are interpreted)";
+	CLI::Option* const Check =
+		Verb.add_option("--check", Options.Checks,
+				"Say which line does something wrong: nan, overflow, negative, denormal, bounds, uninit, overlap, "
+				"assert or all")
+			->delimiter(',')
+			->type_name("WHAT,...")
+			->group(Group);
+	AddRepeated(Verb, "--show", "X.usf:LINE[:NAME]", Options.Show,
+		"Write what the line computes, or the variable there, as a picture of the whole frame; repeats")
+		->group(Group);
+	Verb.add_flag("--coverage", Options.bCoverage, "Count how many pixels ran each line")->group(Group);
+	Verb.add_flag("--cost", Options.bCost, "Write taps and operations of each pixel as pictures")->group(Group);
+	CLI::Option* const Print =
+		Verb.add_flag("--print", Options.bPrint, "Print what shaders say by DrydockPrint and ShaderPrint")
+			->group(Group);
+	Verb.add_option("--at", Options.PrintAt, "Hear only this pixel of each pass")
+		->delimiter(',')
+		->type_name("X,Y")
+		->type_size(2)
+		->needs(Print)
+		->group(Group);
+	Verb.add_option("--debug-shaders", Options.DebugPixel,
+			"Run the shaders of passes once more for this pixel of the frame, or this compute thread, so that gdb can "
+			"stop in their lines (docs/see-inside.md)")
+		->type_name("X,Y[,Z]")
+		->excludes(Check)
+		->group(Group);
+	Verb.add_option("--passes", Options.Passes, "Look only at these, by name or by their shader's class; with * and ?")
+		->type_name("PATTERN")
+		->group(Group);
+}
+
+FInspectOptions MakeInspectOptions(const FInspectVerbOptions& Options, const FRunOptions& Run)
+{
+	FInspectOptions Made = Options;
+	if (!Options.DebugPixel.empty())
+	{
+		FRunOptions Plan = Run;
+		Plan.bExecute = false;
+		Plan.Progress = nullptr;
+		const FIntRect View = RunConfig(Plan).ViewRect;
+		Made.Debug = MakeDebugRequest(Options.DebugPixel, Options.Passes, {View.Width(), View.Height()});
+	}
+	return Made;
+}
+
+} // namespace Drydock

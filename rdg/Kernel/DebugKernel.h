@@ -1,0 +1,31 @@
+// The binary interface between a shader that was compiled for a debugger, one thread at a time, and the library: what
+// the generated code keeps to itself is the author's variables and where control is, all else is the interpreter's.
+#pragma once
+
+#include <cstdint>
+
+namespace Drydock
+{
+
+/** One run of a thread. Words are those of FSpirvProgram. */
+struct FDebugKernelArgs
+{
+	uint32_t* Words;
+	void* Self; // of the two calls
+	/** Carries out an instruction that neither calls nor branches; does not return where the thread ends with it. */
+	void (*Execute)(void* Self, uint32_t Step);
+	/** Four bytes of a constant buffer, which is a variable of the module. */
+	uint32_t (*ReadConstant)(void* Self, uint32_t Variable, uint32_t Offset);
+	int32_t Position[3]; // pixel or dispatch id
+	int32_t Min[3];      // of what the pass draws or dispatches
+	int32_t Max[3];      // past the last
+	int32_t Next[3];     // if bAgain: the thread that somebody asked for from the debugger
+	bool bAgain;
+};
+
+using FDebugKernelFunction = void (*)(FDebugKernelArgs& Args);
+
+/** Under this C name a shader that was compiled for a debugger exports its FDebugKernelFunction. */
+constexpr const char* GDebugKernelName = "DrydockDebugKernel";
+
+} // namespace Drydock

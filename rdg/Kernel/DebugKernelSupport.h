@@ -1,0 +1,54 @@
+// What shaders compiled for a debugger have in common, besides their own functions: where the run's words are, and what
+// a person may call from the debugger. Included by generated code only.
+#pragma once
+
+#include "DebugKernel.h"
+
+using uint = uint32_t;
+
+/** An array as a local variable: a debugger shows "float4 [5]". */
+template<typename T, uint Count>
+using DrydockArray = T[Count];
+
+/** An array or matrix that a function returns. */
+template<typename T>
+struct DrydockValue
+{
+	T Value;
+};
+
+/** The pixel, or the dispatch id, that runs. */
+struct DrydockPixelPosition
+{
+	int x, y, z;
+};
+static DrydockPixelPosition DrydockPixel;
+
+static Drydock::FDebugKernelArgs* DrydockRun;
+static uint* DrydockWords;
+
+#define DrydockDo(Step) DrydockRun->Execute(DrydockRun->Self, Step)
+
+/** From the debugger: the shader runs once more, for another pixel or thread, when it is through with this one. */
+[[gnu::used]] const char* DrydockDebugPixel(int X, int Y, int Z)
+{
+	const int At[3] = {X, Y, Z};
+	for (int Axis = 0; Axis < 3; ++Axis)
+	{
+		if (!DrydockRun || At[Axis] < DrydockRun->Min[Axis] || At[Axis] >= DrydockRun->Max[Axis])
+		{
+			return "outside of what this pass draws";
+		}
+	}
+	for (int Axis = 0; Axis < 3; ++Axis)
+	{
+		DrydockRun->Next[Axis] = At[Axis];
+	}
+	DrydockRun->bAgain = true;
+	return "this pixel is next: continue";
+}
+
+[[gnu::used]] const char* DrydockDebugPixel(int X, int Y)
+{
+	return DrydockDebugPixel(X, Y, DrydockPixel.z);
+}
