@@ -226,8 +226,7 @@ int FTrustedFolder::Write(const std::vector<FFileToWrite>& Files) const
 
 std::string FTrustedFolder::GetLoadPath(const std::string& Name) const
 {
-	// By the process's number, so that a debugger finds the file as well.
-	const std::string Opened = "/proc/" + std::to_string(getpid()) + "/fd/" + std::to_string(Folder.File.Get());
+	const std::string Opened = "/proc/self/fd/" + std::to_string(Folder.File.Get());
 	std::error_code Ignored;
 	return (fs::is_directory(Opened, Ignored) ? Opened : Path) + "/" + Name; // some sandboxes have no /proc
 }
