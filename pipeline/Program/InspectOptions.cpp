@@ -9,39 +9,37 @@
 namespace Drydock
 {
 
-void AddInspection(CLI::App& Verb, FInspectVerbOptions& Options)
+void AddInspection(CLI::App& Verb, FInspectVerbOptions& Options, CLI::Option& Frames)
 {
-	const char* const Group = "Looking inside shaders (slow: they are interpreted)";
-	CLI::Option* const Check =
-		Verb.add_option("--check", Options.Checks,
-				"Say which line does something wrong: nan, overflow, negative, denormal, bounds, uninit, overlap, "
-				"assert or all")
-			->delimiter(',')
-			->type_name("WHAT,...")
-			->group(Group);
-	AddRepeated(Verb, "--show", "X.usf:LINE[:NAME]", Options.Show,
-		"Write what the line computes, or the variable there, as a picture of the whole frame; repeats")
-		->group(Group);
-	Verb.add_flag("--coverage", Options.bCoverage, "Count how many pixels ran each line")->group(Group);
-	Verb.add_flag("--cost", Options.bCost, "Write taps and operations of each pixel as pictures")->group(Group);
+	const auto Group = [&Frames](CLI::Option* Option)
+	{
+		return Option->group("Looking inside shaders (slow: they are interpreted)")->excludes(&Frames);
+	};
+	CLI::Option* const Check = Group(Verb.add_option("--check", Options.Checks,
+											 "Say which line does something wrong: nan, overflow, negative, denormal, "
+											 "bounds, uninit, overlap, assert or all")
+										 ->delimiter(',')
+										 ->type_name("WHAT,..."));
+	Group(AddRepeated(Verb, "--show", "X.usf:LINE[:NAME]", Options.Show,
+		"Write what the line computes, or the variable there, as a picture of the whole frame; repeats"));
+	Group(Verb.add_flag("--coverage", Options.bCoverage, "Count how many pixels ran each line"));
+	Group(Verb.add_flag("--cost", Options.bCost, "Write taps and operations of each pixel as pictures"));
 	CLI::Option* const Print =
-		Verb.add_flag("--print", Options.bPrint, "Print what shaders say by DrydockPrint and ShaderPrint")
-			->group(Group);
-	Verb.add_option("--at", Options.PrintAt, "Hear only this pixel of each pass")
-		->delimiter(',')
-		->type_name("X,Y")
-		->type_size(2)
-		->needs(Print)
-		->group(Group);
-	Verb.add_option("--debug-shaders", Options.DebugPixel,
-			"Run the shaders of passes once more for this pixel of the frame, or this compute thread, so that gdb can "
-			"stop in their lines (docs/see-inside.md)")
-		->type_name("X,Y[,Z]")
-		->excludes(Check)
-		->group(Group);
-	Verb.add_option("--passes", Options.Passes, "Look only at these, by name or by their shader's class; with * and ?")
-		->type_name("PATTERN")
-		->group(Group);
+		Group(Verb.add_flag("--print", Options.bPrint, "Print what shaders say by DrydockPrint and ShaderPrint"));
+	Group(Verb.add_option("--at", Options.PrintAt, "Hear only this pixel of each pass")
+			  ->delimiter(',')
+			  ->type_name("X,Y")
+			  ->type_size(2)
+			  ->needs(Print));
+	Group(
+		Verb.add_option("--debug-shaders", Options.DebugPixel,
+				"Run the shaders of passes once more for this pixel of the frame, or this compute thread, so that gdb "
+				"can stop in their lines (docs/see-inside.md)")
+			->type_name("X,Y[,Z]")
+			->excludes(Check));
+	Group(Verb.add_option(
+				  "--passes", Options.Passes, "Look only at these, by name or by their shader's class; with * and ?")
+			  ->type_name("PATTERN"));
 }
 
 FInspectOptions MakeInspectOptions(const FInspectVerbOptions& Options, const FRunOptions& Run)

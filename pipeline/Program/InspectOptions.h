@@ -7,7 +7,8 @@
 namespace CLI
 {
 class App;
-}
+class Option;
+} // namespace CLI
 
 namespace Drydock
 {
@@ -15,9 +16,12 @@ namespace Drydock
 struct FInspectVerbOptions : FInspectOptions
 {
 	std::string DebugPixel; // for a debugger; empty: nobody debugs
+
+	bool IsAsked() const { return !IsEmpty() || !DebugPixel.empty(); }
 };
 
-void AddInspection(CLI::App& Verb, FInspectVerbOptions& Options);
+/** Frames: the option of sequences, which are not looked into. */
+void AddInspection(CLI::App& Verb, FInspectVerbOptions& Options, CLI::Option& Frames);
 
 /** With what a debugger is to see, for which the run is planned once: its size is what the pixel counts in. Throws
  * FError (DD1020) where that is no pixel of it. */

@@ -209,7 +209,7 @@ int Watch(const FRunVerbOptions& Options)
 /** Asked for on the command line, or by the config where the command line names no frame. */
 bool IsSequence(const FRunVerbOptions& Options)
 {
-	if (!Options.Frames.empty() || Options.Run.Frame || Options.bWatch || !Options.DebugPixel.empty())
+	if (!Options.Frames.empty() || Options.Run.Frame || Options.bWatch || Options.Inspect.IsAsked())
 	{
 		return !Options.Frames.empty();
 	}
@@ -278,8 +278,7 @@ FVerbCall AddOptions(CLI::App& Verb)
 				"Frames of a sequence, each with what lives on from the one before: all, 1-8, 1-9x2 (every second) or "
 				"1,3,5-8; the config's scene.frames by default. A run that was stopped goes on where it stood")
 			->type_name("LIST")
-			->excludes(Verb.get_option("--frame"))
-			->excludes(Debug);
+			->excludes(Verb.get_option("--frame"));
 	Verb.add_flag("--restart", Options->bRestart, "Render all frames again, whatever the folder holds");
 	Verb.add_option("--video", Options->Video, "Video of the frames, such as walk.mp4; needs ffmpeg")
 		->type_name("FILE");
@@ -295,7 +294,7 @@ FVerbCall AddOptions(CLI::App& Verb)
 		{"on", "off", "full"})
 		->type_name("WHAT")
 		->excludes(Frames);
-	AddInspection(Verb, Options->Inspect);
+	AddInspection(Verb, Options->Inspect, *Frames);
 	Verb.add_flag("--json", Options->bJson, "Print run.json instead of the summary");
 	return [Options]
 	{

@@ -344,10 +344,11 @@ private:
 	const FSpirvStep* LastStore = nullptr;
 };
 
-/** Instructions whose result is made, not fetched. */
+/** Instructions whose result is made, not fetched. A bitcast is a constant's infinity (POSITIVE_INFINITY) or bits that
+ * were packed. */
 bool IsArithmetic(const FSpirvModule& Module, const FSpirvInstruction& I)
 {
-	const bool bMade = I.Op == OpExtInst || I.Op == OpBitcast || (I.Op >= OpSNegate && I.Op <= OpDot);
+	const bool bMade = I.Op == OpExtInst || (I.Op >= OpSNegate && I.Op <= OpDot);
 	return bMade && I.Type && Module.GetType(I.Type).NumScalars && Module.GetScalarKind(I.Type, 0) == ESpirvType::Float;
 }
 

@@ -136,9 +136,9 @@ TEST_F(InspectRun, MistakesAreNamedBeforeTheRun)
 	const FOutcome Place = Run(0, "--show PlantedFaults.usf");
 	EXPECT_EQ(2, Place.ExitCode);
 	EXPECT_THAT(Place.Printed, HasSubstr("expected FILE.usf:LINE"));
-	const FOutcome Line = Run(0, "--show PlantedFaults.usf:22 --show Nowhere.usf:3");
+	const FOutcome Line = Run(0, "--show PlantedFaults.usf:24 --show Nowhere.usf:3");
 	EXPECT_EQ(2, Line.ExitCode);
-	EXPECT_THAT(Line.Printed, HasSubstr("PlantedFaults.usf:22 computes no value; lines near it that do: "));
+	EXPECT_THAT(Line.Printed, HasSubstr("PlantedFaults.usf:24 computes no value; lines near it that do: "));
 	EXPECT_THAT(
 		Line.Printed, HasSubstr("no pass is made of Nowhere.usf; those that ran are made of PlantedFaults.usf"));
 	EXPECT_FALSE(std::filesystem::exists(Folder.Path / "out" / "run.json"));

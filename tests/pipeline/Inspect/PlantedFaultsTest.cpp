@@ -34,7 +34,7 @@ protected:
 			   std::to_string(Fault) + " ";
 	}
 
-	/** The messages of DD4010 about the plugin's shader. */
+	/** The messages of DD4010, from the name of the shader's file on. */
 	std::vector<std::string> Check(int Fault, const std::string& Checks) const
 	{
 		const FOutcome Outcome = Folder.Call("run " + Common(Fault) + "--out out --check " + Checks);
@@ -43,10 +43,10 @@ protected:
 		std::istringstream Lines(Outcome.Printed);
 		for (std::string Line; std::getline(Lines, Line);)
 		{
-			const size_t At = Line.find("PlantedFaults.usf:");
-			if (At != std::string::npos && Line.find("DD4010") != std::string::npos)
+			if (Line.find("DD4010") != std::string::npos)
 			{
-				Found.push_back(Line.substr(At));
+				const size_t File = Line.find(".usf:");
+				Found.push_back(Line.substr(File == std::string::npos ? 0 : Line.rfind('/', File) + 1));
 			}
 		}
 		return Found;
@@ -112,6 +112,23 @@ TEST_F(PlantedFaults, NegativeLight)
 {
 	EXPECT_EQ(Expect(62, "negative: -0.5 is stored to SV_Target0 (red), first of 30 at (0, 0): OutColor = Color;"),
 		Check(7, "negative"));
+}
+
+TEST_F(PlantedFaults, ALevelThatATextureDoesNotHave)
+{
+	EXPECT_EQ(
+		Expect(70, "bounds: a read of Source at (0, 0), mip 1, which it does not have; it gives 0, first of 30 at "
+				   "(0, 0): OutColor = Source.Load(int3(Pixel, 1));"),
+		Check(10, "bounds"));
+}
+
+TEST_F(PlantedFaults, AStoreThatOverlapsItsNeighbour)
+{
+	EXPECT_EQ(
+		(std::vector<std::string>{
+			"PlantedOverlap.usf:15: warning DD4010 at pass PlantedOverlap, FPlantedOverlapCS: overlap: a store to Out "
+			"at (1, 0), where thread (0, 0) stores another value in line 18, first of 25 at (1, 0): Out[Id] = Color;"}),
+		Check(11, "overlap"));
 }
 
 TEST_F(PlantedFaults, SwappedChannelsAreWhereTwoRunsPart)

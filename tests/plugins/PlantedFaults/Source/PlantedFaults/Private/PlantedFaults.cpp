@@ -27,6 +27,23 @@ public:
 
 IMPLEMENT_GLOBAL_SHADER(FPlantedFaultsPS, "/Plugin/PlantedFaults/PlantedFaults.usf", "MainPS", SF_Pixel);
 
+class FPlantedOverlapCS : public FGlobalShader
+{
+public:
+	DECLARE_GLOBAL_SHADER(FPlantedOverlapCS);
+	SHADER_USE_PARAMETER_STRUCT(FPlantedOverlapCS, FGlobalShader);
+
+	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
+		SHADER_PARAMETER_RDG_TEXTURE(Texture2D, Source)
+		SHADER_PARAMETER_RDG_TEXTURE_UAV(RWTexture2D<float4>, Out)
+	END_SHADER_PARAMETER_STRUCT()
+};
+
+IMPLEMENT_GLOBAL_SHADER(FPlantedOverlapCS, "/Plugin/PlantedFaults/PlantedOverlap.usf", "MainCS", SF_Compute);
+
+/** The fault of PlantedOverlap.usf. */
+constexpr int32 Overlap = 11;
+
 class FPlantedFaultsExtension : public FSceneViewExtensionBase
 {
 public:
@@ -50,8 +67,18 @@ private:
 		const FScreenPassTexture SceneColor = Inputs.GetInput(EPostProcessMaterialInput::SceneColor);
 		FRDGTextureDesc Desc = SceneColor.Texture->Desc;
 		Desc.Format = PF_FloatRGBA;
-		Desc.Flags |= TexCreate_RenderTargetable;
+		Desc.Flags |= TexCreate_RenderTargetable | TexCreate_UAV;
 		FRDGTextureRef Target = GraphBuilder.CreateTexture(Desc, TEXT("PlantedFaults"));
+		if (CVarFault.GetValueOnRenderThread() == Overlap)
+		{
+			auto* Parameters = GraphBuilder.AllocParameters<FPlantedOverlapCS::FParameters>();
+			Parameters->Source = SceneColor.Texture;
+			Parameters->Out = GraphBuilder.CreateUAV(Target);
+			FComputeShaderUtils::AddPass(GraphBuilder, RDG_EVENT_NAME("PlantedOverlap"),
+				TShaderMapRef<FPlantedOverlapCS>(GetGlobalShaderMap(GMaxRHIFeatureLevel)), Parameters,
+				FComputeShaderUtils::GetGroupCount(SceneColor.ViewRect.Size(), FIntPoint(8, 8)));
+			return FScreenPassTexture(Target, SceneColor.ViewRect);
+		}
 		auto* Parameters = GraphBuilder.AllocParameters<FPlantedFaultsPS::FParameters>();
 		Parameters->Source = SceneColor.Texture;
 		Parameters->Fault = CVarFault.GetValueOnRenderThread();
