@@ -4,6 +4,7 @@
 
 #include "ShaderCompiler.h"
 
+#include <algorithm>
 #include <cstring>
 #include <map>
 #include <stdexcept>
@@ -40,8 +41,10 @@ public:
 		}
 	}
 
-	/** Every texture read is Input, every one written Output; structured buffers hold ones. One thread. */
-	void Run(const FKernelTexture& Input, const FKernelTexture& Output) const
+	/** Every texture read is Input, every one written Output; structured buffers hold ones. One thread; the whole
+	 * output at once, or in tiles. */
+	void Run(const FKernelTexture& Input, const FKernelTexture& Output, int32_t TileX = 1 << 30,
+		int32_t TileY = 1 << 30) const
 	{
 		const FKernelSampler Sampler = {EKernelFilter::Bilinear, EKernelAddress::Clamp, EKernelAddress::Clamp,
 			EKernelAddress::Clamp, 8, 0, {0, 0, 0, 0}};
@@ -64,7 +67,14 @@ public:
 		Args.Targets = &Target;
 		Args.NumTargets = 1;
 		Args.Interpolants = &Interpolant;
-		Shader->Run(Args, {0, 0, 0, Output.Mips[0].SizeX, Output.Mips[0].SizeY, 1});
+		const FKernelMip& Mip = Output.Mips[0];
+		for (int32_t Y = 0; Y < Mip.SizeY; Y += std::min(TileY, Mip.SizeY))
+		{
+			for (int32_t X = 0; X < Mip.SizeX; X += std::min(TileX, Mip.SizeX))
+			{
+				Shader->Run(Args, {X, Y, 0, X + std::min(TileX, Mip.SizeX - X), Y + std::min(TileY, Mip.SizeY - Y), 1});
+			}
+		}
 	}
 
 private:

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Lanes.h"
+#include "LanesTapReads.h"
 
 namespace Drydock::Lanes
 {
@@ -130,19 +131,54 @@ DRYDOCK_LANES_INLINE void CountLanesOf(const FKernelArgs& Args, uint64_t FKernel
 	}
 }
 
-/** Calls Pack(Args, X, Y, Z, Mask) for every N neighbours of a row. */
-template<int N, typename FPack>
-DRYDOCK_LANES_INLINE void ForEachPack(const FKernelArgs& Args, const FKernelTile& Tile, FPack Pack)
+/** What is computed anew in each turn of a loop, and alike by all packs of a tile: the first packs that come to a turn
+ *  compute it for the others. */
+template<typename Real>
+class TTurns
+{
+public:
+	template<typename F>
+	DRYDOCK_LANES_INLINE Real Get(uint32_t Turn, F Compute)
+	{
+		if (Turn < NumKnown)
+		{
+			return Values[Turn];
+		}
+		const Real Value = Compute();
+		if (Turn == NumKnown && Turn < Capacity)
+		{
+			Values[Turn] = Value;
+			++NumKnown;
+		}
+		return Value;
+	}
+
+private:
+	static constexpr uint32_t Capacity = 64;
+	uint32_t NumKnown = 0;
+	Real Values[Capacity];
+};
+
+/** Calls Row(Y, Z) for every row of a tile. */
+template<typename FRow>
+DRYDOCK_LANES_INLINE void ForEachRow(const FKernelTile& Tile, FRow Row)
 {
 	for (int32_t Z = Tile.MinZ; Z < Tile.MaxZ; ++Z)
 	{
 		for (int32_t Y = Tile.MinY; Y < Tile.MaxY; ++Y)
 		{
-			for (int32_t X = Tile.MinX; X < Tile.MaxX; X += N)
-			{
-				Pack(Args, X, Y, Z, LaneIndex<N>() < TInt<N>(Tile.MaxX - X));
-			}
+			Row(Y, Z);
 		}
+	}
+}
+
+/** Calls Pack(X, Mask) for every N neighbours of a row. */
+template<int N, typename FPack>
+DRYDOCK_LANES_INLINE void ForEachPack(const FKernelTile& Tile, FPack Pack)
+{
+	for (int32_t X = Tile.MinX; X < Tile.MaxX; X += N)
+	{
+		Pack(X, LaneIndex<N>() < TInt<N>(Tile.MaxX - X));
 	}
 }
 

@@ -28,6 +28,8 @@
 namespace Drydock::Lanes
 {
 
+struct FKernelTap;
+
 /** The out-of-line half, one per lane type. Lane arrays have N elements; four-component arrays are [4][N]. */
 template<typename Real, int N>
 struct __attribute__((visibility("default"))) TSampling
@@ -35,6 +37,10 @@ struct __attribute__((visibility("default"))) TSampling
 	/** Layer may be null (a 2D texture). Levels: N values, or one when bUniformLevel. */
 	static void Sample2D(const FKernelTexture& Texture, const FKernelSampler& Sampler, const Real* U, const Real* V,
 		const Real* Layer, const Real* Levels, bool bUniformLevel, Real* Out);
+	/** The same of a 2D texture at the pack of pixels (X0.., Y), which Tap remembers. U must depend on the column
+	 * alone, V on the row, and Level on nothing. */
+	static void LearnSample2D(const FKernelTexture& Texture, const FKernelSampler& Sampler, const Real* U,
+		const Real* V, Real Level, Real* Out, FKernelTap& Tap, int32_t X0, int32_t Y);
 	static void Sample3D(const FKernelTexture& Texture, const FKernelSampler& Sampler, const Real* U, const Real* V,
 		const Real* W, const Real* Levels, bool bUniformLevel, Real* Out);
 	/** The four texels of a bilinear footprint of mip 0, in the order of D3D: (-,+) (+,+) (+,-) (-,-). */
@@ -43,6 +49,9 @@ struct __attribute__((visibility("default"))) TSampling
 	/** Z is depth or layer, null for 0. Mips: N values, or one when bUniformMip. */
 	static void Load(const FKernelTexture& Texture, const int32_t* X, const int32_t* Y, const int32_t* Z,
 		const int32_t* Mips, bool bUniformMip, Real* Out);
+	/** As LearnSample2D. */
+	static void LearnLoad2D(const FKernelTexture& Texture, const int32_t* X, const int32_t* Y, int32_t Mip, Real* Out,
+		FKernelTap& Tap, int32_t X0, int32_t Row);
 	static void LoadUint(const FKernelTexture& Texture, const int32_t* X, const int32_t* Y, const int32_t* Z,
 		const int32_t* Mips, bool bUniformMip, uint32_t* Out);
 	/** Mask: -1 or 0 per lane. Writes mip 0 of the view. */

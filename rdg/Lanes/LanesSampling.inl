@@ -3,8 +3,8 @@
 #pragma once
 
 #include "LanesBuffers.inl"
-#include "LanesSamplingRows.inl"
 #include "LanesStores.inl"
+#include "LanesTaps.inl"
 
 namespace Drydock::Lanes
 {
@@ -61,7 +61,7 @@ __attribute__((noinline)) bool SampleLayers(const FKernelTexture& Texture, const
 /** One mip of a 2D texture or of one layer of an array. */
 template<typename Real, int N>
 DRYDOCK_LANES_INLINE void SampleMip2D(const FKernelTexture& Texture, const FKernelSampler& Sampler, int32_t MipIndex,
-	const Real* U, const Real* V, const Real* Layers, Real* Out)
+	const Real* U, const Real* V, const Real* Layers, Real* Out, const FTapPlace& Place = {})
 {
 	if constexpr (HasLaneCode<Real, N>)
 	{
@@ -79,7 +79,7 @@ DRYDOCK_LANES_INLINE void SampleMip2D(const FKernelTexture& Texture, const FKern
 		}
 		const auto Sample = [&](auto Format)
 		{
-			return SampleMip2DTuned<N>(Format, Texture, Mip, Base, Sampler, U, V, Out);
+			return SampleMip2DTuned<N>(Format, Texture, Mip, Base, Sampler, U, V, Out, Place);
 		};
 		const FTexelStorageInfo& Info = GetTexelStorageInfo(Texture.Storage);
 		if (!bOneLayer ? SampleLayers<N>(Texture, Sampler, Mip, U, V, Layers, Out)
@@ -191,7 +191,7 @@ inline Texel LoadInside(const FKernelTexture& Texture, int32_t X, int32_t Y, int
 /** One mip for the lanes of the mask; a row of texels inside it is read without gathers. */
 template<typename Scalar, int N>
 inline bool LoadMip(const FKernelTexture& Texture, int32_t MipIndex, TMask<N> Lanes, const int32_t* X, const int32_t* Y,
-	const int32_t* Z, TRaw<Scalar, N> C[4])
+	const int32_t* Z, TRaw<Scalar, N> C[4], const FTapPlace& Place = {})
 {
 	if (uint32_t(MipIndex) >= uint32_t(Texture.NumMips))
 	{
@@ -210,6 +210,10 @@ inline bool LoadMip(const FKernelTexture& Texture, int32_t MipIndex, TMask<N> La
 	if (bRow)
 	{
 		const int32_t Bytes = GetTexelStorageInfo(Texture.Storage).BytesPerTexel;
+		if (Place.Tap)
+		{
+			LearnLoad<N>(Place, Texture.Storage, Mip, X[0], Y[0], Slice);
+		}
 		return LoadTexels<Scalar, N>(Texture.Storage, TexelAddress(Mip, Bytes, X[0], Y[0], Slice), C);
 	}
 	return LoadLanes<Scalar, N>(Texture, Mip, Lanes, X, Y, Z, C);
@@ -264,6 +268,20 @@ void TSampling<Real, N>::Sample2D(const FKernelTexture& Texture, const FKernelSa
 	}
 	SampleMips<Real, N>(Texture, Sampler, Levels, bUniformLevel, Out,
 		[&](int32_t MipIndex, Real* MipOut) { SampleMip2D<Real, N>(Texture, Sampler, MipIndex, U, V, Layer, MipOut); });
+}
+
+template<typename Real, int N>
+void TSampling<Real, N>::LearnSample2D(const FKernelTexture& Texture, const FKernelSampler& Sampler, const Real* U,
+	const Real* V, Real Level, Real* Out, FKernelTap& Tap, int32_t X0, int32_t Y)
+{
+	const TMips<Real> Mips = SelectMips(Level, Texture.NumMips, Sampler);
+	if (Texture.NumMips == 1 || Mips.Weight == 0)
+	{
+		const int32_t MipIndex = Texture.NumMips == 1 ? 0 : Mips.First;
+		SampleMip2D<Real, N>(Texture, Sampler, MipIndex, U, V, nullptr, Out, {&Tap, X0, Y});
+		return;
+	}
+	Sample2D(Texture, Sampler, U, V, nullptr, &Level, true, Out);
 }
 
 template<typename Real, int N>
@@ -339,6 +357,22 @@ void TSampling<Real, N>::Load(const FKernelTexture& Texture, const int32_t* X, c
 		WriteLane<Real, N>(
 			Out, Lane, LoadInside<TTexel<Real>>(Texture, X[Lane], Y[Lane], Z ? Z[Lane] : 0, MipIndex, Read));
 	}
+}
+
+template<typename Real, int N>
+void TSampling<Real, N>::LearnLoad2D(const FKernelTexture& Texture, const int32_t* X, const int32_t* Y, int32_t Mip,
+	Real* Out, FKernelTap& Tap, int32_t X0, int32_t Row)
+{
+	if constexpr (HasLaneCode<Real, N>)
+	{
+		TRaw<float, N> C[4];
+		if (LoadMip<float, N>(Texture, Mip, TMask<N>(true), X, Y, nullptr, C, {&Tap, X0, Row}))
+		{
+			StoreRaw(Out, C);
+			return;
+		}
+	}
+	Load(Texture, X, Y, nullptr, &Mip, true, Out);
 }
 
 template<typename Real, int N>

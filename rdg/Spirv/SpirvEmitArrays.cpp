@@ -136,8 +136,8 @@ void FSpirvEmitter::EmitLoopedLoad(const FSpirvInstruction& I, const FSpirvPlace
 	for (uint32_t i = 0; i < Size; ++i)
 	{
 		const ESpirvType Kind = Module.GetScalarKind(Place.Type, i);
-		List.push_back(
-			{Value.Names[Kind] + "[" + std::to_string(Value.Offset + i) + "]", Kind, Value.bVarying, Value.Local});
+		List.push_back({Value.Names[Kind] + "[" + std::to_string(Value.Offset + i) + "]", Kind, Value.bVarying,
+			Value.Local, EEmitLevel::Pack});
 	}
 	ArrayValues[I.Result] = std::move(Value);
 }

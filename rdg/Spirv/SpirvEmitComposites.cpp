@@ -94,6 +94,7 @@ bool FSpirvEmitter::EmitComposite(const FSpirvInstruction& I)
 			const FEmitScalar Old = Scalar(I.Operands[0], i);
 			const ESpirvType Kind = Module.GetScalarKind(I.Type, i);
 			const bool bVarying = Index.bVarying || New.bVarying || Old.bVarying;
+			OperandLevel = EEmitLevel::Tile;
 			const std::string Condition = Use(Index) + " == " + Literal(Index.Kind, i).Text;
 			Define(I.Result, i,
 				{"Select(" + Condition + ", " + UseAs(New, Kind, bVarying) + ", " + UseAs(Old, Kind, bVarying) + ")",
@@ -107,6 +108,7 @@ bool FSpirvEmitter::EmitComposite(const FSpirvInstruction& I)
 	{
 		if (Uniformity.IsVarying(I.Result, i) && !Parts[i].bVarying)
 		{
+			OperandLevel = EEmitLevel::Tile;
 			Define(I.Result, i, Parts[i]);
 			continue;
 		}
@@ -129,6 +131,7 @@ bool FSpirvEmitter::EmitMatrix(const FSpirvInstruction& I)
 	{
 		std::string Text;
 		bool bVarying = false;
+		OperandLevel = EEmitLevel::Tile;
 		for (const FTerm& Term : Terms)
 		{
 			Text += std::string(Text.empty() ? "" : " + ") + Use(Term.A) + " * " + Use(Term.B);

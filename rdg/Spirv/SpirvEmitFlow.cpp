@@ -246,7 +246,7 @@ void FSpirvEmitter::EmitPhiCopies(uint32_t From, uint32_t To)
 				// value.
 				const auto Around = Structure.Loops.find(To);
 				Locals.push_back({Name, 0, Around == Structure.Loops.end() ? std::vector<uint32_t>() : Around->second});
-				List.push_back({Name, Kind, bVarying, int(Locals.size()) - 1});
+				List.push_back({Name, Kind, bVarying, int(Locals.size()) - 1, EEmitLevel::Pack});
 			}
 			const FEmitScalar Incoming = Scalar(Value, i);
 			const bool bMasked = bVarying && (Uniformity.IsDivergentJoin(To) || Findings.KeptByLanes.count(Name));

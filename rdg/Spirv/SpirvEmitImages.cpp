@@ -63,6 +63,69 @@ std::string FSpirvEmitter::Coordinates(
 	return Text + ")";
 }
 
+/** The arguments ", Tap, bLearn, X0, Y" of a sample or load with coordinates in operand 1, at a level that may be 0 for
+ *  none; empty: it may fall anywhere. */
+std::string FSpirvEmitter::TapOf(const FSpirvInstruction& I, uint32_t Level)
+{
+	constexpr uint32_t MaxTurns = 64;
+	constexpr uint32_t MaxTaps = 1024;
+	const FSpirvType& Type = ImageTypeOf(I.Operands[0]);
+	const bool bStill = (Dependence.Get(I.Operands[1], 0) & ~DependsOnColumn) == 0 &&
+						(Dependence.Get(I.Operands[1], 1) & ~DependsOnRow) == 0 &&
+						(!Level || (Dependence.GetAll(Level) == 0 && !Scalar(Level, 0).bVarying)) &&
+						Dependence.IsSteady(CurrentBlock);
+	const uint32_t Turns = Loops.empty() ? 1 : MaxTurns;
+	if (!bStill || Type.Dim != Dim2D || Type.bArrayed || Module.GetType(Type.Element).Kind != Float ||
+		NumTaps + Turns > MaxTaps)
+	{
+		return {};
+	}
+	std::string Tap = "Taps + " + Number(NumTaps);
+	if (!Loops.empty())
+	{
+		const std::string Turn = "n" + Number(I.Result);
+		Declarations += "\tuint32_t " + Turn + " = 0;\n";
+		Line("FKernelTap* const t" + Number(I.Result) + " = " + Turn + " < " + Number(Turns) + "u ? " + Tap + " + " +
+			 Turn + " : nullptr;");
+		Line("++" + Turn + ";");
+		Tap = "t" + Number(I.Result);
+	}
+	NumTaps += Turns;
+	return ", " + Tap + ", bStill && AllLanes(e), X0, Y";
+}
+
+/** A sample or load with a tap; Kind: of its coordinates. */
+void FSpirvEmitter::EmitTap(
+	const FSpirvInstruction& I, const std::string& Handles, ESpirvType Kind, const std::string& Rest)
+{
+	const std::string Name = "w" + Number(I.Result) + "_";
+	const std::string Channels = Name + "0, " + Name + "1, " + Name + "2, " + Name + "3";
+	Line("R " + Channels + ";");
+	Line((Kind == Float ? "SampleLevel2D<Real, N>({" : "Load2D<Real, N>({") + Channels + "}, " + Handles +
+		 UseAs(Scalar(I.Operands[1], 0), Kind, true) + ", " + UseAs(Scalar(I.Operands[1], 1), Kind, true) + ", " +
+		 Rest + ");");
+	for (uint32_t i = 0; i < SizeOf(I.Result); ++i)
+	{
+		Define(I.Result, i, {Name + Number(i), Float, true, -1});
+	}
+}
+
+/** Interpolated inputs depend on what FSpirvDependence says. */
+std::string FSpirvEmitter::StillText() const
+{
+	std::string Text;
+	for (const FSpirvVariable& Variable : Module.Variables)
+	{
+		if (Variable.Storage == StorageInput && Variable.BuiltIn == BuiltInNone)
+		{
+			Text += std::string(Text.empty() ? "" : " && ") + "IsStill(Args.Interpolants[" +
+					std::to_string(GetTexCoordIndex(Variable.Semantic)) + "], " +
+					Number(Module.GetType(Variable.Type).NumScalars) + ")";
+		}
+	}
+	return Text.empty() ? "true" : Text;
+}
+
 bool FSpirvEmitter::EmitImage(const FSpirvInstruction& I)
 {
 	const auto Components = [this, &I](const std::string& Expression, ESpirvType Kind, bool bVarying)
@@ -103,6 +166,7 @@ bool FSpirvEmitter::EmitImage(const FSpirvInstruction& I)
 		const size_t MaskAt = bGather ? 3 : 2;
 		const uint32_t Mask = I.Operands.size() > MaskAt ? I.Operands[MaskAt] : 0;
 		size_t Next = MaskAt + 1;
+		uint32_t LevelId = 0;
 		std::string Level = "Real(0)"; // Sample: there are no derivatives, so it is the view's first mip
 		if (Mask & ImageLod)
 		{
@@ -113,7 +177,8 @@ bool FSpirvEmitter::EmitImage(const FSpirvInstruction& I)
 							"coordinates",
 					&I);
 			}
-			Level = UseAs(Scalar(I.Operands[Next++], 0), Float, false);
+			LevelId = I.Operands[Next++];
+			Level = UseAs(Scalar(LevelId, 0), Float, false);
 		}
 		const size_t Offset = Mask & (ImageConstOffset | ImageOffset) ? Next : 0;
 		const bool b3D = Type.Dim == Dim3D;
@@ -128,7 +193,15 @@ bool FSpirvEmitter::EmitImage(const FSpirvInstruction& I)
 			const char* const Function = b3D             ? "SampleLevel3D("
 										 : Type.bArrayed ? "SampleLevel2DArray("
 														 : "SampleLevel2D(";
-			Components(Function + Handles + Place + ", " + Level + ")", Float, true);
+			const std::string Tap = Offset ? std::string() : TapOf(I, LevelId);
+			if (Tap.empty())
+			{
+				Components(Function + Handles + Place + ", " + Level + ")", Float, true);
+			}
+			else
+			{
+				EmitTap(I, Handles, Float, Level + Tap);
+			}
 		}
 		Count("Samples");
 		return true;
@@ -141,10 +214,12 @@ bool FSpirvEmitter::EmitImage(const FSpirvInstruction& I)
 		const std::string Handle = HandleOf(I.Operands[0]);
 		const uint32_t Mask = I.Operands.size() > 2 ? I.Operands[2] : 0;
 		size_t Next = 3;
+		uint32_t MipId = 0;
 		std::string Mip = "int32_t(0)";
 		if (Mask & ImageLod)
 		{
-			Mip = UseAs(Scalar(I.Operands[Next++], 0), Int, false);
+			MipId = I.Operands[Next++];
+			Mip = UseAs(Scalar(MipId, 0), Int, false);
 		}
 		const size_t Offset = Mask & (ImageConstOffset | ImageOffset) ? Next : 0;
 		const std::string Suffix = std::string(bInteger ? "Uint" : "") + "<Real, N>(" + Handle + ", ";
@@ -158,7 +233,17 @@ bool FSpirvEmitter::EmitImage(const FSpirvInstruction& I)
 			const bool b3D = Type.Dim == Dim3D;
 			const std::string Function = b3D ? "Load3D" : Type.bArrayed ? "Load2DArray" : "Load2D";
 			const std::string Place = Coordinates(I, 1, b3D || Type.bArrayed ? 3 : 2, false, Offset);
-			Components(Function + Suffix + Place + ", " + Mip + ")", bInteger ? Uint : Float, true);
+			// What a shader also writes is no stranger to its rows.
+			// Integers have no taps; what a shader also writes has none either.
+			const std::string Tap = Offset || I.Op == OpImageRead ? std::string() : TapOf(I, MipId);
+			if (Tap.empty())
+			{
+				Components(Function + Suffix + Place + ", " + Mip + ")", bInteger ? Uint : Float, true);
+			}
+			else
+			{
+				EmitTap(I, Handle + ", ", Int, Mip + Tap);
+			}
 		}
 		Count("Loads");
 		return true;

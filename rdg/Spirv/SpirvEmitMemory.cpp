@@ -75,20 +75,19 @@ void FSpirvEmitter::DeclareVariables()
 			const bool bStorage = Type.bBufferBlock ? !Type.Members[0].bNonWritable : Type.bStorageImage;
 			if (Type.Kind == ESpirvType::Struct && !Type.bBufferBlock)
 			{
-				Declarations += "\tconst uint8_t* const " + Name + " = Args.ConstantBuffers" + Index;
+				Handles += "\tconst uint8_t* const " + Name + " = Args.ConstantBuffers" + Index;
 			}
 			else if (Type.Kind == ESpirvType::Sampler)
 			{
-				Declarations += "\tconst FKernelSampler& " + Name + " = Args.Samplers" + Index;
+				Handles += "\tconst FKernelSampler& " + Name + " = Args.Samplers" + Index;
 			}
 			else if (Type.bBufferBlock || Type.Dim == DimBuffer)
 			{
-				Declarations +=
-					"\tconst FKernelBuffer& " + Name + " = Args." + (bStorage ? "RWBuffers" : "Buffers") + Index;
+				Handles += "\tconst FKernelBuffer& " + Name + " = Args." + (bStorage ? "RWBuffers" : "Buffers") + Index;
 			}
 			else
 			{
-				Declarations +=
+				Handles +=
 					"\tconst FKernelTexture& " + Name + " = Args." + (bStorage ? "RWTextures" : "Textures") + Index;
 			}
 			continue;
@@ -247,12 +246,13 @@ std::vector<FEmitScalar> FSpirvEmitter::LoadInput(const FSpirvVariable& Variable
 	const auto Uniform = [&](const char* Name, int Axis, const char* Operator) -> FEmitScalar
 	{
 		return {std::string("uint32_t(") + Name + ") " + Operator + " " + std::to_string(Group[Axis]) + "u", Uint,
-			false, -1};
+			false, -1, EEmitLevel::Row};
 	};
 	switch (Variable.BuiltIn)
 	{
 	case BuiltInGlobalInvocationId:
-		return {{"AsUint(X)", Uint, true, -1}, {"uint32_t(Y)", Uint, false, -1}, {"uint32_t(Z)", Uint, false, -1}};
+		return {{"AsUint(X)", Uint, true, -1}, {"uint32_t(Y)", Uint, false, -1, EEmitLevel::Row},
+			{"uint32_t(Z)", Uint, false, -1, EEmitLevel::Row}};
 	case BuiltInWorkgroupId:
 		return {{GroupX(false), Uint, true, -1}, Uniform("Y", 1, "/"), Uniform("Z", 2, "/")};
 	case BuiltInLocalInvocationId:
@@ -264,8 +264,9 @@ std::vector<FEmitScalar> FSpirvEmitter::LoadInput(const FSpirvVariable& Variable
 		return {{"(" + GroupX(true) + ") + U((" + Rows + ") * " + std::to_string(Group[0]) + "u)", Uint, true, -1}};
 	}
 	case BuiltInFragCoord:
-		return {{"ToReal<Real>(X) + R(Real(0.5f))", Float, true, -1}, {"Real(Y) + Real(0.5f)", Float, false, -1},
-			{"Real(0.0f)", Float, false, -1}, {"Real(1.0f)", Float, false, -1}};
+		return {{"ToReal<Real>(X) + R(Real(0.5f))", Float, true, -1},
+			{"Real(Y) + Real(0.5f)", Float, false, -1, EEmitLevel::Row}, {"Real(0.0f)", Float, false, -1},
+			{"Real(1.0f)", Float, false, -1}};
 	case BuiltInFrontFacing:
 		return {{"true", ESpirvType::Bool, false, -1}};
 	default:
@@ -313,7 +314,11 @@ void FSpirvEmitter::EmitLoad(const FSpirvInstruction& I)
 																				 : LoadConstantBuffer(Place, i, Kind));
 		}
 	}
-	DefineAll(I, Loaded);
+	for (uint32_t i = 0; i < Loaded.size(); ++i)
+	{
+		OperandLevel = Place.Variable->Storage == StorageInput ? EEmitLevel::Tile : OperandLevel;
+		Define(I.Result, i, Loaded[i]);
+	}
 }
 
 void FSpirvEmitter::EmitStore(uint32_t Pointer, const std::vector<FEmitScalar>& New, const FSpirvInstruction& I)
@@ -420,17 +425,23 @@ void FSpirvEmitter::EmitOutputs()
 		{
 			Module.Fail("shader output '" + Variable.Name + "' cannot be indexed at run time on the CPU tier");
 		}
-		std::string Value = "TVec<R, 4>(";
+		std::string Value;
 		for (uint32_t i = 0; i < 4; ++i)
 		{
 			const bool bWritten = i < Module.GetType(Variable.Type).NumScalars;
-			Value +=
-				(i ? ", " : "") + (bWritten ? "l" + Number(Variable.Id) + "_" + Number(i) : std::string("R(Real(0))"));
+			Value += ", " + (bWritten ? "l" + Number(Variable.Id) + "_" + Number(i) : std::string("R(Real(0))"));
 		}
 		const std::string Target = Number(Variable.Location);
+		const std::string Whole = "h" + Target;
+		if (Declared.insert(Whole).second)
+		{
+			Handles += "\tconst EWholeTexels " + Whole + " = " + Target +
+					   " < Args.NumTargets ? GetWholeTexels<Real, N>(Args.Targets[" + Target +
+					   "]) : EWholeTexels::None;\n";
+		}
 		Line("if (" + Target + " < Args.NumTargets)");
 		Line("{");
-		Line("\tStoreTarget(e, Args.Targets[" + Target + "], X0, Y, " + Value + "));");
+		Line("\tStoreTarget<Real, N>(e, " + Whole + ", Args.Targets[" + Target + "], X0, Y" + Value + ");");
 		Line("\tCountLanesOf(Args, &FKernelCounters::Stores, e);");
 		Line("}");
 	}

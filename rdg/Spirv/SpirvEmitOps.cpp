@@ -100,15 +100,17 @@ void FSpirvEmitter::EmitInstruction(const FSpirvInstruction& I)
 		Line("e = M(false);");
 		return;
 	}
+	bMovable = IsMovable(I);
+	OperandLevel = EEmitLevel::Tile;
 	if (I.Op == OpExtInst)
 	{
 		EmitExtended(I);
-		return;
 	}
-	if (!EmitMemory(I) && !EmitImage(I) && !EmitComposite(I) && !EmitComponentwise(I) && !EmitMatrix(I))
+	else if (!EmitMemory(I) && !EmitImage(I) && !EmitComposite(I) && !EmitComponentwise(I) && !EmitMatrix(I))
 	{
 		Module.Fail(GetSpirvOpName(I.Op) + " is not supported on the CPU tier", &I);
 	}
+	bMovable = false;
 }
 
 void FSpirvEmitter::EmitPattern(const FSpirvInstruction& I, size_t FirstOperand, const FEmitPattern& Pattern)
@@ -124,6 +126,7 @@ void FSpirvEmitter::EmitPattern(const FSpirvInstruction& I, size_t FirstOperand,
 		}
 		const ESpirvType Kind = Pattern.Kind == Any ? ResultKind : Pattern.Kind;
 		std::string Text;
+		OperandLevel = EEmitLevel::Tile;
 		for (const char* c = Pattern.Text; *c; ++c)
 		{
 			if (*c == '$')
@@ -136,8 +139,25 @@ void FSpirvEmitter::EmitPattern(const FSpirvInstruction& I, size_t FirstOperand,
 				Text += *c;
 			}
 		}
+		Text = IsPerTurn(I, Index) ? PerTurn(I, Index, Text) : Text;
 		Define(I.Result, Index, {Text, ResultKind == Bool ? Bool : Kind, bVarying, -1});
 	}
+}
+
+/** A costly function of what only changes from turn to turn of a loop. */
+bool FSpirvEmitter::IsPerTurn(const FSpirvInstruction& I, uint32_t Index) const
+{
+	return I.Op == OpExtInst && I.Operands[1] >= ExtSin && I.Operands[1] <= ExtInverseSqrt && !bInParts &&
+		   !Loops.empty() && GetLevel() == EEmitLevel::Pack && !Uniformity.IsVarying(I.Result, Index) &&
+		   Dependence.Get(I.Result, Index) == 0 && Dependence.IsSteady(CurrentBlock);
+}
+
+std::string FSpirvEmitter::PerTurn(const FSpirvInstruction& I, uint32_t Index, const std::string& Text)
+{
+	const std::string Suffix = std::to_string(I.Result) + "_" + std::to_string(Index);
+	Handles += "\tTTurns<Real> q" + Suffix + ";\n";
+	Declarations += "\tuint32_t n" + Suffix + " = 0;\n";
+	return "q" + Suffix + ".Get(n" + Suffix + "++, [&] { return " + Text + "; })";
 }
 
 bool FSpirvEmitter::EmitComponentwise(const FSpirvInstruction& I)
@@ -157,6 +177,7 @@ bool FSpirvEmitter::EmitComponentwise(const FSpirvInstruction& I)
 			const FEmitScalar B = Scalar(I.Operands[2], Index);
 			const ESpirvType Kind = Module.GetScalarKind(I.Type, Index);
 			const bool bVarying = Condition.bVarying || A.bVarying || B.bVarying;
+			OperandLevel = EEmitLevel::Tile;
 			Define(I.Result, Index,
 				{"Select(" + Use(Condition) + ", " + UseAs(A, Kind, bVarying) + ", " + UseAs(B, Kind, bVarying) + ")",
 					Kind, bVarying, -1});
@@ -181,6 +202,7 @@ void FSpirvEmitter::EmitConversion(const FSpirvInstruction& I)
 		const FEmitScalar Source = Scalar(I.Operands[0], Index);
 		const ESpirvType Kind = Module.GetScalarKind(I.Type, Index);
 		std::string Text;
+		OperandLevel = EEmitLevel::Tile;
 		switch (I.Op)
 		{
 		case OpConvertFToU:

@@ -13,10 +13,11 @@ namespace Drydock
 
 using namespace Spirv;
 
-FSpirvEmitter::FSpirvEmitter(const FSpirvEmitInput& Input, FFindings InFindings)
+FSpirvEmitter::FSpirvEmitter(const FSpirvEmitInput& Input, const FSpirvDependence& InDependence, FFindings InFindings)
 	: Module(Input.Module)
 	, Structure(Input.Structure)
 	, Uniformity(Input.Uniformity)
+	, Dependence(InDependence)
 	, Reflection(Input.Reflection)
 	, Tables(FindConstantTables(Input.Module))
 	, Findings(std::move(InFindings))
@@ -44,9 +45,11 @@ void FSpirvEmitter::Line(const std::string& Text)
 		Module.FailLimit(SpirvLimits::MaxLines, "lines of C++ when it is translated",
 			"do less in one pass, or put large arrays into a buffer", Current);
 	}
-	Body.append(size_t(Indent), '\t');
-	Body += Text;
-	Body += '\n';
+	const EEmitLevel Level = GetLevel();
+	std::string& Out = Level == EEmitLevel::Tile ? TileText : Level == EEmitLevel::Row ? RowText : Body;
+	Out.append(Level == EEmitLevel::Pack ? size_t(Indent) : 1, '\t');
+	Out += Text;
+	Out += '\n';
 }
 
 void FSpirvEmitter::SourceLine(const FSpirvInstruction& I)
@@ -140,6 +143,7 @@ FEmitScalar FSpirvEmitter::Scalar(uint32_t Value, uint32_t Index)
 
 std::string FSpirvEmitter::Use(const FEmitScalar& S)
 {
+	OperandLevel = std::max(OperandLevel, S.Level);
 	if (S.Local >= 0)
 	{
 		const FLocal& Local = Locals[size_t(S.Local)];
@@ -184,9 +188,14 @@ void FSpirvEmitter::Define(uint32_t Value, uint32_t Index, const FEmitScalar& Ex
 	Result.Text = Name;
 	Result.Kind = Kind;
 	Result.bVarying = bVarying;
-	Result.Local = int(Locals.size());
-	Locals.push_back({Name, Scopes.back(), Loops});
-	if (Findings.Hoisted.count(Name))
+	OperandLevel = bVarying ? EEmitLevel::Pack : OperandLevel;
+	Result.Level = GetLevel();
+	if (Result.Level == EEmitLevel::Pack)
+	{
+		Result.Local = int(Locals.size());
+		Locals.push_back({Name, Scopes.back(), Loops});
+	}
+	if (Result.Level == EEmitLevel::Pack && Findings.Hoisted.count(Name))
 	{
 		Declarations += "\t" + TypeName(Kind, bVarying) + " " + Name + "{};\n";
 		Line(bVarying && Findings.KeptByLanes.count(Name) ? "Assign(e, " + Name + ", " + Text + ");"
@@ -201,20 +210,48 @@ void FSpirvEmitter::Define(uint32_t Value, uint32_t Index, const FEmitScalar& Ex
 	List[Index] = Result;
 }
 
-void FSpirvEmitter::DefineAll(const FSpirvInstruction& I, const std::vector<FEmitScalar>& Expressions)
+/** The operation has no effect, and reads nothing but operands, constants, and the pixel's place. */
+bool FSpirvEmitter::IsMovable(const FSpirvInstruction& I) const
 {
-	for (uint32_t i = 0; i < Expressions.size(); ++i)
+	if (bInParts)
 	{
-		Define(I.Result, i, Expressions[i]);
+		return false; // what moves would be one long function again
+	}
+	switch (I.Op)
+	{
+	case OpLoad:
+	{
+		const FSpirvPlace Place = Resolve(I.Operands[0]);
+		const uint32_t Storage = Place.Variable->Storage;
+		return Storage == StorageInput || (Place.bBytes && !Module.GetType(Place.Variable->Type).bBufferBlock);
+	}
+	case OpExtInst:
+		return I.Operands[1] != ExtModf;
+	case OpArrayLength:
+	case OpImageQuerySize:
+	case OpImageQuerySizeLod:
+	case OpImageQueryLevels:
+		return true;
+	default:
+		return I.Result && (I.Op < OpSampledImage || I.Op > OpImageRead) && I.Op != OpFunctionCall;
 	}
 }
 
-std::string FSpirvEmitter::EmitBody()
+std::string FSpirvEmitter::EmitRun()
 {
 	bInParts = Structure.Root.Weight > SpirvLimits::MaxLinesUncut;
 	DeclareVariables();
 	EmitRegion(Structure.Root);
-	return Body;
+	if (NumTaps)
+	{
+		Handles += "\tFKernelTap Taps[" + std::to_string(NumTaps) + "];\n\tconst bool bStill = " + StillText() +
+				   ";\n\tForgetTaps(Taps);\n";
+	}
+	return Handles + TileText + "\tForEachRow(Tile, [&](const int32_t Y, const int32_t Z)\n\t{\n\t(void)Z;\n" +
+		   RowText +
+		   "\tForEachPack<N>(Tile, [&](const int32_t X0, M e)\n\t{\n"
+		   "\tconst I X = I(X0) + LaneIndex<N>();\n\t(void)X;\n" +
+		   Declarations + Body + "\t});\n\t});\n";
 }
 
 std::string EmitKernel(const FSpirvEmitInput& Input, const std::string& Title)
@@ -225,10 +262,11 @@ std::string EmitKernel(const FSpirvEmitInput& Input, const std::string& Title)
 	}
 	// The number of passes is bounded: what one finds can only grow.
 	FSpirvEmitter::FFindings Findings;
+	const FSpirvDependence Dependence = AnalyzeDependence(Input.Module, Input.Structure);
 	for (int Pass = 0;; ++Pass)
 	{
-		FSpirvEmitter Emitter(Input, Findings);
-		const std::string Body = Emitter.EmitBody();
+		FSpirvEmitter Emitter(Input, Dependence, Findings);
+		const std::string Run = Emitter.EmitRun();
 		const FSpirvEmitter::FFindings& Found = Emitter.GetFindings();
 		const bool bSettled = Found.Hoisted.size() == Findings.Hoisted.size() &&
 							  Found.KeptByLanes.size() == Findings.KeptByLanes.size() &&
@@ -250,14 +288,8 @@ std::string EmitKernel(const FSpirvEmitInput& Input, const std::string& Title)
 			   "using I = TInt<N>;\n"
 			   "using U = TUint<N>;\n"
 			   "using M = TMask<N>;\n\n" +
-			   Emitter.GetTables() +
-			   "\ninline void Pack(const FKernelArgs& Args, const int32_t X0, const int32_t Y, const int32_t Z, M "
-			   "e)\n{\n"
-			   "\tconst I X = I(X0) + LaneIndex<N>();\n"
-			   "\t(void)X, (void)Y, (void)Z, (void)Args;\n" +
-			   Emitter.GetDeclarations() + Body +
-			   "}\n\nvoid Run(const FKernelArgs& Args, const FKernelTile& Tile)\n{\n\tForEachPack<N>(Args, Tile, "
-			   "Pack);\n}\n\n"
+			   Emitter.GetTables() + "\nvoid Run(const FKernelArgs& Args, const FKernelTile& Tile)\n{\n" + Run +
+			   "}\n\n"
 			   "} // namespace\n\n"
 			   "extern \"C\"\n{\n"
 			   "extern const __attribute__((visibility(\"default\"))) Drydock::FKernelModule DrydockShaderKernel;\n"

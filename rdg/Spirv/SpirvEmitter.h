@@ -6,11 +6,18 @@
 // uniform (Real, int32_t, uint32_t, bool) or varying (R, I, U, M); C++ overloads do the rest. `e` is the mask of lanes
 // that run, and is never empty where code runs. A jump to T is `mT = mT | e; e = M(false);`, T itself `e = e | mT;`.
 //
+// Uniform values that no memory but constant buffers goes into are computed before the loop over packs that they stand
+// still in: once a tile, or once a row where y goes into them. Wherever the shader computes them: every operation is
+// total and without effects. A sample or load whose column depends on x alone and whose row on y alone has a tap, which
+// remembers over a tile where it falls; in a loop that runs alike for all pixels it has one for each turn. So have
+// costly functions of what changes from turn to turn only.
+//
 // The text is made twice: the first pass finds which values are used outside of the C++ block that defines them, the
 // second declares those at the top. A long text is cut into lambdas that are not inlined; what goes from one to the
 // other is found in the same way. Source of the masks per merge block: Pharr and Mark, "ispc" (InPar 2012).
 #pragma once
 
+#include "SpirvDependence.h"
 #include "SpirvEmit.h"
 #include "SpirvPlace.h"
 
@@ -19,13 +26,22 @@
 namespace Drydock
 {
 
+/** Where text stands: around the loop over a tile's rows, around the loop over a row's packs, in it. */
+enum class EEmitLevel : uint8_t
+{
+	Tile,
+	Row,
+	Pack
+};
+
 /** A scalar operand in the generated text. */
 struct FEmitScalar
 {
 	std::string Text;
 	ESpirvType Kind = ESpirvType::Float;
 	bool bVarying = false;
-	int Local = -1; // index into Locals; literals and variables of the whole function: -1
+	int Local = -1;                      // index into Locals; literals and variables of the whole function: -1
+	EEmitLevel Level = EEmitLevel::Tile; // of what cannot stand further out, beside its operands
 };
 
 class FSpirvEmitter
@@ -39,10 +55,10 @@ public:
 		std::set<uint32_t> MasksNeeded;    // labels that lanes wait at
 	};
 
-	FSpirvEmitter(const FSpirvEmitInput& Input, FFindings InFindings);
+	FSpirvEmitter(const FSpirvEmitInput& Input, const FSpirvDependence& InDependence, FFindings InFindings);
 
-	std::string EmitBody();
-	const std::string& GetDeclarations() const { return Declarations; }
+	/** All of Run, from its declarations on. */
+	std::string EmitRun();
 	const std::string& GetTables() const { return TableText; }
 	const FFindings& GetFindings() const { return Findings; }
 
@@ -74,6 +90,8 @@ private:
 	void EmitExtended(const FSpirvInstruction& I);
 	void EmitPattern(const FSpirvInstruction& I, size_t FirstOperand, const struct FEmitPattern& Pattern);
 	void EmitConversion(const FSpirvInstruction& I);
+	bool IsPerTurn(const FSpirvInstruction& I, uint32_t Index) const;
+	std::string PerTurn(const FSpirvInstruction& I, uint32_t Index, const std::string& Text);
 
 	// Memory
 	bool EmitMemory(const FSpirvInstruction& I);
@@ -91,6 +109,9 @@ private:
 	FSpirvPlace Resolve(uint32_t Pointer) const;
 	std::string HandleOf(uint32_t Id) const;
 	const FSpirvType& ImageTypeOf(uint32_t Id) const;
+	std::string TapOf(const FSpirvInstruction& I, uint32_t Mip);
+	void EmitTap(const FSpirvInstruction& I, const std::string& Handles, ESpirvType Kind, const std::string& Rest);
+	std::string StillText() const;
 	std::string Coordinates(
 		const FSpirvInstruction& I, size_t Operand, uint32_t Count, bool bReal, size_t OffsetOperand);
 	void DeclareVariables();
@@ -118,10 +139,12 @@ private:
 	std::string Use(const FEmitScalar& S);
 	std::string UseAs(const FEmitScalar& S, ESpirvType Kind, bool bVarying);
 	void Define(uint32_t Value, uint32_t Index, const FEmitScalar& Expression);
-	void DefineAll(const FSpirvInstruction& I, const std::vector<FEmitScalar>& Expressions);
 	FEmitScalar Literal(ESpirvType Kind, uint32_t Bits) const;
 	uint32_t SizeOf(uint32_t Value) const { return Module.GetValueType(Value).NumScalars; }
 	std::string TypeName(ESpirvType Kind, bool bVarying) const;
+	/** Of the text that comes next: that of the latest operands, if the instruction can stand anywhere. */
+	EEmitLevel GetLevel() const { return bMovable ? OperandLevel : EEmitLevel::Pack; }
+	bool IsMovable(const FSpirvInstruction& I) const;
 	void Line(const std::string& Text);
 	void SourceLine(const FSpirvInstruction& I);
 
@@ -135,11 +158,17 @@ private:
 	const FSpirvModule& Module;
 	const FSpirvStructure& Structure;
 	const FSpirvUniformity& Uniformity;
+	const FSpirvDependence& Dependence;
 	const FSpirvReflection& Reflection;
 	const std::map<uint32_t, uint32_t> Tables;
 	FFindings Findings;
 
 	std::string Body;
+	std::string TileText;
+	std::string RowText;
+	bool bMovable = false;
+	EEmitLevel OperandLevel = EEmitLevel::Tile; // of what was used since the last definition
+	std::string Handles;
 	std::string Declarations;
 	std::string TableText;
 	int Indent = 1;
@@ -162,6 +191,7 @@ private:
 	uint32_t LastFile = ~0u;
 	int LastLine = -1;
 	int NumTemporaries = 0;
+	uint32_t NumTaps = 0;
 };
 
 } // namespace Drydock

@@ -2,6 +2,8 @@
 // control flow: Coutinho et al., "Divergence Analysis and Optimizations" (PACT 2011).
 #include "SpirvUniformity.h"
 
+#include "SpirvFlow.h"
+
 #include <algorithm>
 
 namespace Drydock
@@ -158,14 +160,9 @@ void FUniformityAnalysis::VisitStore(uint32_t Pointer, bool bValueVaries, uint32
 
 void FUniformityAnalysis::Visit(const FSpirvBlock& Block, const FSpirvInstruction& I)
 {
-	const auto Any = [this, &I](size_t Begin)
-	{
-		return std::any_of(I.Operands.begin() + std::min(Begin, I.Operands.size()), I.Operands.end(),
-			[this](uint32_t Id) { return Result.IsAnyVarying(Id); });
-	};
 	const auto Copy = [this, &I](uint32_t To, uint32_t Value, uint32_t From)
 	{
-		if (Result.IsVarying(Value, From))
+		if (From == GAnyScalar ? Result.IsAnyVarying(Value) : Result.IsVarying(Value, From))
 		{
 			Mark(I.Result, To);
 		}
@@ -196,61 +193,6 @@ void FUniformityAnalysis::Visit(const FSpirvBlock& Block, const FSpirvInstructio
 	case OpStore:
 		VisitStore(I.Operands[0], Result.IsAnyVarying(I.Operands[1]), Block.Label);
 		break;
-	case OpVectorShuffle:
-	{
-		const uint32_t First = SizeOf(I.Operands[0]);
-		for (uint32_t i = 0; i < Size; ++i)
-		{
-			const uint32_t From = I.Operands[2 + i];
-			if (From != ~0u)
-			{
-				From < First ? Copy(i, I.Operands[0], From) : Copy(i, I.Operands[1], From - First);
-			}
-		}
-		break;
-	}
-	case OpCompositeConstruct:
-	{
-		uint32_t To = 0;
-		for (const uint32_t Part : I.Operands)
-		{
-			for (uint32_t i = 0; i < SizeOf(Part); ++i)
-			{
-				Copy(To++, Part, i);
-			}
-		}
-		break;
-	}
-	case OpCompositeExtract:
-	case OpCompositeInsert:
-	{
-		const bool bInsert = I.Op == OpCompositeInsert;
-		const size_t Composite = bInsert ? 1 : 0;
-		uint32_t Type = Module.GetValueTypeId(I.Operands[Composite]);
-		uint32_t Offset = 0;
-		for (size_t i = Composite + 1; i < I.Operands.size(); ++i)
-		{
-			Offset += Module.GetMemberScalar(Type, I.Operands[i]);
-			Type = Module.GetMemberType(Type, I.Operands[i]);
-		}
-		const uint32_t PartSize = Module.GetType(Type).NumScalars;
-		for (uint32_t i = 0; i < Size; ++i)
-		{
-			const bool bInPart = i >= Offset && i < Offset + PartSize;
-			!bInsert  ? Copy(i, I.Operands[0], Offset + i)
-			: bInPart ? Copy(i, I.Operands[0], i - Offset)
-					  : Copy(i, I.Operands[1], i);
-		}
-		break;
-	}
-	case OpVectorTimesScalar:
-	case OpMatrixTimesScalar:
-		for (uint32_t i = 0; i < Size; ++i)
-		{
-			Copy(i, I.Operands[0], i);
-			Copy(i, I.Operands[1], 0);
-		}
-		break;
 	case OpImageSampleImplicitLod:
 	case OpImageSampleExplicitLod:
 	case OpImageGather:
@@ -263,10 +205,7 @@ void FUniformityAnalysis::Visit(const FSpirvBlock& Block, const FSpirvInstructio
 		{
 			VisitStore(I.Operands[3], Result.IsAnyVarying(I.Operands[2]), Block.Label);
 		}
-		if (Any(2))
-		{
-			MarkAll(I.Result);
-		}
+		ForEachFlow(Module, I, Copy);
 		break;
 	case OpImageWrite:
 	case OpSampledImage:
@@ -287,23 +226,8 @@ void FUniformityAnalysis::Visit(const FSpirvBlock& Block, const FSpirvInstructio
 		}
 		break;
 	default:
-	{
-		// Scalar by scalar where the operands have the result's size, else all of the result.
-		const bool bAligned = std::all_of(I.Operands.begin(), I.Operands.end(),
-			[this, Size](uint32_t Id) { return Module.ValueTypes.count(Id) && SizeOf(Id) == Size; });
-		for (uint32_t i = 0; bAligned && i < Size; ++i)
-		{
-			for (const uint32_t Operand : I.Operands)
-			{
-				Copy(i, Operand, i);
-			}
-		}
-		if (!bAligned && I.Result && Any(0))
-		{
-			MarkAll(I.Result);
-		}
+		ForEachFlow(Module, I, Copy);
 		break;
-	}
 	}
 }
 

@@ -1,0 +1,38 @@
+// Taps: what a kernel remembers, over one tile, of a sample or load whose column depends on the pixel's column alone
+// and whose row on the pixel's row. Where the texels lie is found out by the library at one pack; at other packs that
+// fall alike they are read from there: whole texels of floats or halves right here, all others by a function of the
+// library.
+#pragma once
+
+#include <cstdint>
+
+namespace Drydock::Lanes
+{
+
+/** Texels that kernels read and write by themselves. */
+enum class EWholeTexels : uint8_t
+{
+	None,
+	Float, // RGBA32_FLOAT
+	Half   // RGBA16_FLOAT
+};
+
+/** Columns are known for pixels [Begin, Begin + Length), rows for row Row. Where both are, the texels of the pack at X
+ *  begin Column + X * Stride bytes into Row0. */
+struct FKernelTap
+{
+	int32_t Begin;
+	uint32_t Length;
+	int32_t Row;
+	int32_t Stride;
+	const uint8_t* Row0;
+	const uint8_t* Row1; // null: WeightY is 0
+	int64_t Column;
+	float WeightX;
+	float WeightY;
+	/** Writes [4][N]. False where the sampler must decide, for NaNs. */
+	bool (*Function)(const FKernelTap& Tap, int32_t X, float* Out);
+	EWholeTexels Kind; // lane i is the texel at Row0 + i; None: Function must be called
+};
+
+} // namespace Drydock::Lanes

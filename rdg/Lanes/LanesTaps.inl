@@ -1,0 +1,189 @@
+// Samples of one mip by the tuned paths, and taps: what a kernel remembers of a sample or load over a tile, so that
+// other packs of the same rows and columns read their texels without asking again where they lie. The functions that a
+// tap calls do what the path did that it was learned from. Included by the LanesSampling_*.cpp only.
+#pragma once
+
+#include "LanesSamplingRows.inl"
+#include "LanesTaps.h"
+
+namespace Drydock::Lanes
+{
+inline namespace DRYDOCK_LANES_SET
+{
+
+/** A tap that is to learn, at the pack of pixels (X0.., Y); null: none. */
+struct FTapPlace
+{
+	FKernelTap* Tap = nullptr;
+	int32_t X0 = 0;
+	int32_t Y = 0;
+};
+
+/** The pack's first texel is Offset bytes into Rows, those of the next pixels lie Step texels apart. What does not fit
+ *  the columns that the tap knows already is not learned. */
+template<int N, typename FFormat, int Step>
+DRYDOCK_LANES_INLINE void LearnPack(const FTapPlace& Place, bool (*Function)(const FKernelTap&, int32_t, float*),
+	int64_t Offset, float WeightX, const FRowPair& Rows)
+{
+	FKernelTap& Tap = *Place.Tap;
+	constexpr int32_t Stride = Step * FFormat::Bytes;
+	const int64_t Column = Offset - int64_t(Place.X0) * Stride;
+	if (Tap.Length == 0)
+	{
+		Tap.Begin = Place.X0;
+		Tap.Length = N;
+		Tap.WeightX = WeightX;
+		Tap.Column = Column;
+		Tap.Function = Function;
+		Tap.Stride = Stride;
+	}
+	else if (Tap.Function != Function || Tap.Column != Column || Tap.WeightX != WeightX)
+	{
+		return;
+	}
+	else if (int64_t(Place.X0) == int64_t(Tap.Begin) + Tap.Length)
+	{
+		Tap.Length += N;
+	}
+	else if (uint32_t(Place.X0) - uint32_t(Tap.Begin) >= Tap.Length)
+	{
+		return;
+	}
+	const bool bWhole = Step == 1 && WeightX == 0 && !Rows.Row1;
+	Tap.Kind = bWhole && FFormat::Storage == ETexelStorage::RGBA32_FLOAT            ? EWholeTexels::Float
+			   : bWhole && N > 4 && FFormat::Storage == ETexelStorage::RGBA16_FLOAT ? EWholeTexels::Half
+																					: EWholeTexels::None;
+	Tap.Row = Place.Y;
+	Tap.Row0 = Rows.Row0;
+	Tap.Row1 = Rows.Row1;
+	Tap.WeightY = Rows.Weight;
+}
+
+/** Step: texels from pixel to pixel, 1 or 2. */
+template<int N, typename FFormat, int Step>
+bool SampleKnown(const FKernelTap& Tap, int32_t X, float* Out)
+{
+	const int64_t Offset = Tap.Column + int64_t(X) * Tap.Stride;
+	const uint8_t* const Row0 = Tap.Row0 + Offset;
+	const uint8_t* const Row1 = Tap.Row1 ? Tap.Row1 + Offset : nullptr;
+	TRaw<float, N> C[4];
+	if constexpr (Step == 1)
+	{
+		SampleConsecutive<N>(FFormat{}, Row0, Row1, Tap.WeightX, Tap.WeightY, C);
+	}
+	else
+	{
+		SampleEveryOther<N>(FFormat{}, Row0, Row1, Tap.WeightX, Tap.WeightY, C);
+	}
+	return Finish<FFormat, N>(C, Out);
+}
+
+template<int N, typename FFormat>
+bool LoadKnown(const FKernelTap& Tap, int32_t X, float* Out)
+{
+	TRaw<float, N> C[4];
+	LoadTexelsOf<FFormat, float, N>(Tap.Row0 + Tap.Column + int64_t(X) * FFormat::Bytes, C);
+	StoreRaw(Out, C);
+	return true;
+}
+
+template<int N, typename FFormat, int Step>
+DRYDOCK_LANES_INLINE void Learn(const FTapPlace& Place, int64_t Offset, float WeightX, const FRowPair& Rows)
+{
+	if constexpr (!std::is_same_v<FFormat, FAnyFormat>)
+	{
+		if (Place.Tap)
+		{
+			LearnPack<N, FFormat, Step>(Place, &SampleKnown<N, FFormat, Step>, Offset, WeightX, Rows);
+		}
+	}
+}
+
+/** A row of texels from First on, as loads read it. */
+template<int N>
+DRYDOCK_LANES_INLINE void LearnLoad(
+	const FTapPlace& Place, ETexelStorage Storage, const FKernelMip& Mip, int32_t X, int32_t Y, int32_t Slice)
+{
+	VisitPictureFormat(Storage,
+		[&](auto Format)
+		{
+			const FRowPair Rows = {TexelAddress(Mip, Format.Bytes, 0, Y, Slice), nullptr, 0.0f};
+			LearnPack<N, decltype(Format), 1>(
+				Place, &LoadKnown<N, decltype(Format)>, int64_t(X) * Format.Bytes, 0.0f, Rows);
+			return true;
+		});
+}
+
+/** One mip of one slice (Base). Fills Out; false when a result is NaN, which the reference decides. */
+template<int N, typename FFormat>
+inline bool SampleMip2DTuned(FFormat Format, const FKernelTexture& Texture, const FKernelMip& Mip, const uint8_t* Base,
+	const FKernelSampler& Sampler, const float* U, const float* V, float* Out, const FTapPlace& Place)
+{
+	using FInt = TRaw<int32_t, N>;
+	using FFloat = TRaw<float, N>;
+	using FOps = TLaneOps<N>;
+	const bool bPoint = Sampler.Filter == EKernelFilter::Point;
+	if (Sampler.SampleBits != 8)
+	{
+		const TAxis<float, N> X = MakeAxis<float, N>(U, Mip.SizeX, bPoint, Sampler.SampleBits);
+		const TAxis<float, N> Y = MakeAxis<float, N>(V, Mip.SizeY, bPoint, Sampler.SampleBits);
+		return SampleFootprints<N>(Format, Texture, Mip, Base, Sampler, X, Y, Out);
+	}
+
+	// In 1/256 texels. A power of two may join either factor of a product without changing its bits.
+	constexpr int32_t Unfit = int32_t(0x80000000);
+	constexpr int32_t Far = GFarTexel * 256;
+	const FInt SnappedX = FOps::FloorToInt(LoadRaw<FFloat>(U) * (float(Mip.SizeX) * 256.0f) + 0.5f);
+	const FInt SnappedY = FOps::FloorToInt(LoadRaw<FFloat>(V) * (float(Mip.SizeY) * 256.0f) + 0.5f);
+	const int32_t Half = bPoint ? 0 : 128;
+	const int32_t FixedX =
+		int32_t(uint32_t(SnappedX[0]) - uint32_t(Half)); // wraps where it does not fit: then Start is out of range
+	const int32_t FixedY = int32_t(uint32_t(SnappedY[0]) - uint32_t(Half));
+	const int32_t Start = FixedX >> 8;
+	FRowPair Rows;
+	if (FOps::Equal(SnappedY, Broadcast<int32_t, N>(SnappedY[0])) && uint32_t(Start) < uint32_t(Mip.SizeX) &&
+		SnappedY[0] >= -Far && SnappedY[0] <= Far &&
+		FindRows(Mip, Base, Sampler.AddressV, FixedY >> 8, bPoint ? 0.0f : float(FixedY & 255) * (1.0f / 256), Rows))
+	{
+		const float WeightX = bPoint ? 0.0f : float(FixedX & 255) * (1.0f / 256);
+		const int64_t Offset = int64_t(Start) * Format.Bytes;
+		const uint8_t* Row0 = Rows.Row0 + Offset;
+		const uint8_t* Row1 = Rows.Row1 ? Rows.Row1 + Offset : nullptr;
+		const FInt Steps = (TInt<N>(SnappedX) - TInt<N>(SnappedX[0])).V;
+		const FInt Iota = LaneIndex<N>().V;
+		FFloat C[4];
+		if (Start + N + (WeightX != 0) <= Mip.SizeX && FOps::Equal(Steps, Iota * 256))
+		{
+			Learn<N, FFormat, 1>(Place, Offset, WeightX, Rows);
+			SampleConsecutive<N>(Format, Row0, Row1, WeightX, Rows.Weight, C);
+			return Finish<FFormat, N>(C, Out);
+		}
+		if constexpr (FOps::bHasPermute || FFormat::bWide)
+		{
+			if (Start + 2 * N <= Mip.SizeX && FOps::Equal(Steps, Iota * 512))
+			{
+				Learn<N, FFormat, 2>(Place, Offset, WeightX, Rows);
+				SampleEveryOther<N>(Format, Row0, Row1, WeightX, Rows.Weight, C);
+				return Finish<FFormat, N>(C, Out);
+			}
+		}
+	}
+
+	const FInt Limit = Broadcast<int32_t, N>(Far);
+	if (MaskBits(TMask<N>((SnappedX == Unfit) | (SnappedY == Unfit))) != 0)
+	{
+		// NaN, or beyond what an integer holds: once more, with care.
+		const TAxis<float, N> X = MakeAxis<float, N>(U, Mip.SizeX, bPoint, 8);
+		const TAxis<float, N> Y = MakeAxis<float, N>(V, Mip.SizeY, bPoint, 8);
+		return SampleFootprints<N>(Format, Texture, Mip, Base, Sampler, X, Y, Out);
+	}
+	const auto Bound = [Limit](FInt S)
+	{
+		return Max(Min(TInt<N>(S), TInt<N>(Limit)), TInt<N>(-Limit));
+	};
+	return SampleFootprints<N>(Format, Texture, Mip, Base, Sampler, MakeAxisFixed<float, N>(Bound(SnappedX), bPoint),
+		MakeAxisFixed<float, N>(Bound(SnappedY), bPoint), Out);
+}
+
+} // namespace DRYDOCK_LANES_SET
+} // namespace Drydock::Lanes
