@@ -29,6 +29,7 @@ namespace
 namespace fs = std::filesystem;
 
 constexpr int DefaultTimeLimitSeconds = 300;
+constexpr const char* HeaderName = "KernelSupport.h"; // the one that a kernel includes
 
 std::vector<std::string> GetFlags(const FLaneConfig& Lanes)
 {
@@ -36,6 +37,8 @@ std::vector<std::string> GetFlags(const FLaneConfig& Lanes)
 	const char* const Level = FloatLanes >= 16 ? "4" : FloatLanes >= 8 ? "3" : "2";
 	std::vector<std::string> Flags = {"-std=c++20", "-O2", "-fPIC", "-shared", "-fvisibility=hidden",
 		"-ffp-contract=off", "-fno-math-errno", "-fwrapv", "-fno-exceptions", "-fno-rtti", "-w",
+		"-nostdlib", // what a kernel calls is in the process; without its libraries the linker takes a third of the
+					 // time
 		std::string("-DDRYDOCK_REAL=") + (Lanes.bDouble ? "double" : "float"),
 		"-DDRYDOCK_LANES=" + std::to_string(Lanes.Lanes)};
 #if defined(__x86_64__)
@@ -44,6 +47,27 @@ std::vector<std::string> GetFlags(const FLaneConfig& Lanes)
 	(void)Level;
 #endif
 	return Flags;
+}
+
+std::vector<std::string> GetCommand(
+	const std::string& Compiler, const std::vector<std::string>& Folders, const std::vector<std::string>& Flags)
+{
+	std::vector<std::string> Arguments = Flags;
+	Arguments.insert(Arguments.begin(), Compiler);
+	for (const std::string& Folder : Folders)
+	{
+		Arguments.push_back("-I" + Folder);
+	}
+	return Arguments;
+}
+
+/** Puts the precompiled headers where g++ looks first, beside the kernel: a link to the very file that is open here, or
+ * nothing where there is none. The link's path. */
+std::string OfferHeaders(const FFileDescriptor& Headers, const FTemporaryFolder& Folder)
+{
+	const std::string Link = Folder.Path + "/" + HeaderName + ".gch";
+	const std::string Opened = "/proc/" + std::to_string(getpid()) + "/fd/" + std::to_string(Headers.Get());
+	return Headers && symlink(Opened.c_str(), Link.c_str()) == 0 ? Link : std::string();
 }
 
 const std::string& GetHeaderHash()
@@ -59,7 +83,7 @@ const std::string& GetHeaderHash()
 			{
 				const std::string Name = It->path().filename().string();
 				const bool bLanes = Name.rfind("Lanes", 0) == 0 && It->path().extension() == ".h";
-				if (bLanes || Name == "KernelSupport.h" || Name == "ShaderKernel.h")
+				if (bLanes || Name == HeaderName || Name == "ShaderKernel.h")
 				{
 					Names.push_back(It->path().string());
 				}
@@ -207,11 +231,34 @@ std::string GetKernelBuildIdentity(const FLaneConfig& Lanes)
 	return Hash.Finish();
 }
 
+std::string PrecompileKernelHeaders(const FLaneConfig& Lanes)
+{
+	const std::vector<std::string> Includes = FindKernelIncludes();
+	const std::string Compiler = FindKernelCompiler();
+	if (Includes.empty() || Compiler.empty())
+	{
+		return {};
+	}
+	const FTemporaryFolder Folder;
+	const std::string Output = Folder.Path + "/" + HeaderName + ".gch";
+	std::vector<std::string> Arguments = GetCommand(Compiler, Includes, GetFlags(Lanes));
+	Arguments.insert(Arguments.end(), {"-x", "c++-header", "-o", Output, Includes[0] + "/" + HeaderName});
+	const int TimeLimitSeconds = GetTimeLimitSeconds("DRYDOCK_CXX_SECONDS", DefaultTimeLimitSeconds);
+	if (!RunChild(Arguments, TimeLimitSeconds, MakeToolEnvironment(Folder.Path)).Succeeded())
+	{
+		return {};
+	}
+	const FFileDescriptor File(open(Output.c_str(), O_RDONLY | O_CLOEXEC));
+	int Error = 0;
+	std::string Bytes = ReadToEnd(File, Error);
+	return Error == 0 ? Bytes : std::string();
+}
+
 namespace
 {
 
-std::string Compile(const std::string& Cpp, const FTemporaryFolder& Folder, std::vector<std::string> Arguments,
-	const FShaderCompileRequest& Request)
+std::string Compile(const std::string& Cpp, const FTemporaryFolder& Folder, const std::vector<std::string>& Flags,
+	const FShaderCompileRequest& Request, const FFileDescriptor& Headers)
 {
 	const std::string Compiler = FindKernelCompiler();
 	if (Compiler.empty())
@@ -228,14 +275,21 @@ std::string Compile(const std::string& Cpp, const FTemporaryFolder& Folder, std:
 			Request);
 	}
 	const std::string Output = Folder.Path + "/kernel.so";
-	Arguments.insert(Arguments.begin(), Compiler);
-	for (const std::string& Include : Includes)
-	{
-		Arguments.push_back("-I" + Include);
-	}
-	Arguments.insert(Arguments.end(), {"-o", Output, Folder.WriteFile("kernel.cpp", Cpp)});
+	const std::string Input = Folder.WriteFile("kernel.cpp", Cpp);
 	const int TimeLimitSeconds = GetTimeLimitSeconds("DRYDOCK_CXX_SECONDS", DefaultTimeLimitSeconds);
-	const FChildResult Child = RunChild(Arguments, TimeLimitSeconds, MakeToolEnvironment(Folder.Path));
+	std::vector<std::string> Arguments = GetCommand(Compiler, Includes, Flags);
+	Arguments.insert(Arguments.end(), {"-o", Output, Input});
+	const auto Run = [&]
+	{
+		return RunChild(Arguments, TimeLimitSeconds, MakeToolEnvironment(Folder.Path));
+	};
+	const std::string Link = OfferHeaders(Headers, Folder);
+	FChildResult Child = Run();
+	if (!Link.empty() && !Child.Succeeded() && !Child.bTimedOut) // damaged headers are no reason to fail
+	{
+		unlink(Link.c_str());
+		Child = Run();
+	}
 	if (!Child.Succeeded())
 	{
 		throw ExplainFailure(Child, TimeLimitSeconds, Cpp, Folder, Request);
@@ -246,16 +300,17 @@ std::string Compile(const std::string& Cpp, const FTemporaryFolder& Folder, std:
 } // namespace
 
 std::string CompileKernel(const std::string& Cpp, const FTemporaryFolder& Folder, const FLaneConfig& Lanes,
-	const FShaderCompileRequest& Request)
+	const FShaderCompileRequest& Request, const FFileDescriptor& Headers)
 {
-	return Compile(Cpp, Folder, GetFlags(Lanes), Request);
+	return Compile(Cpp, Folder, GetFlags(Lanes), Request, Headers);
 }
 
 FDebugKernelFunction CompileDebugKernel(
 	const std::string& Cpp, const FTemporaryFolder& Folder, const FShaderCompileRequest& Request)
 {
 	const std::string SharedObject = Compile(Cpp, Folder,
-		{"-std=c++20", "-g", "-O0", "-fPIC", "-shared", "-fvisibility=hidden", "-fno-strict-aliasing", "-w"}, Request);
+		{"-std=c++20", "-g", "-O0", "-fPIC", "-shared", "-fvisibility=hidden", "-fno-strict-aliasing", "-w"}, Request,
+		{});
 	void* const Handle = dlopen(SharedObject.c_str(), RTLD_NOW | RTLD_LOCAL);
 	void* const Function = Handle ? dlsym(Handle, GDebugKernelName) : nullptr;
 	if (!Function)

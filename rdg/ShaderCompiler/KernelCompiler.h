@@ -25,11 +25,16 @@ std::string GetCompilerId(const std::string& Compiler);
  */
 std::string GetKernelBuildIdentity(const FLaneConfig& Lanes);
 
-/** Compiles Cpp into Folder/kernel.so and returns that path. Throws FError: DD6031 no compiler; DD6030 it found an
+/** The lane headers as g++ keeps what it has read: reading them is most of what a small kernel costs. Good for kernels
+ * of the same compiler and GetKernelBuildIdentity. Empty where they could not be made. */
+std::string PrecompileKernelHeaders(const FLaneConfig& Lanes);
+
+/** Compiles Cpp into Folder/kernel.so and returns that path. Headers: the file of what PrecompileKernelHeaders gave, or
+ * none; one that the compiler does not take is as good as none. Throws FError: DD6031 no compiler; DD6030 it found an
  * error (exit code 70: the text is ours); DD6032 it was killed or ran out of memory or disk (exit code 3); DD6033 it
  * took longer than DRYDOCK_CXX_SECONDS, 300 by default; DD5004 the folder cannot be written (exit code 3). */
 std::string CompileKernel(const std::string& Cpp, const FTemporaryFolder& Folder, const FLaneConfig& Lanes,
-	const FShaderCompileRequest& Request);
+	const FShaderCompileRequest& Request, const FFileDescriptor& Headers);
 
 /** Compiles Cpp for a debugger and loads it, for good. Folder has to stay as long as somebody may debug it. Throws
  * FError as CompileKernel does, and DD6034 where it cannot be loaded. */

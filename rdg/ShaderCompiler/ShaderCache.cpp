@@ -341,6 +341,22 @@ void FShaderCache::WithLock(const std::string& Key, const std::function<void()>&
 	Work();
 }
 
+FFileDescriptor FShaderCache::OpenPrecompiled(const std::string& Name) const
+{
+	const FFolder& Place = GUse == EShaderCacheUse::Required ? OfRun : Users;
+	return Place ? Place->Open(Name).File : FFileDescriptor();
+}
+
+bool FShaderCache::TakesPrecompiled() const
+{
+	return bWritable;
+}
+
+void FShaderCache::StorePrecompiled(const std::string& Name, const std::string& Bytes) const
+{
+	(GUse == EShaderCacheUse::Required ? FindFolderOfRun(true) : Users)->Write({{Name, Bytes}});
+}
+
 std::optional<std::string> FShaderCache::ReadText(const std::string& Name) const
 {
 	return Users ? ReadChecked(*Users, Name) : std::nullopt;

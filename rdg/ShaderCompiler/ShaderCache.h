@@ -6,6 +6,7 @@
 #pragma once
 
 #include "DrydockAPI.h"
+#include "FileDescriptor.h"
 #include "ShaderReflection.h"
 
 #include <functional>
@@ -58,6 +59,13 @@ public:
 
 	/** Runs Work while no other process works on the same key, unless one does for too long (ShaderCacheLock.h). */
 	void WithLock(const std::string& Key, const std::function<void()>& Work) const;
+
+	/** What the compiler has made of headers, for it alone; open for reading, none where it is not there. The user's
+	 * folder keeps it; where that is Required, which is to hold shaders and nothing else, it lives as long as the run.
+	 */
+	FFileDescriptor OpenPrecompiled(const std::string& Name) const;
+	bool TakesPrecompiled() const;
+	void StorePrecompiled(const std::string& Name, const std::string& Bytes) const;
 
 	/** A text beside the shaders in the user's folder. */
 	std::optional<std::string> ReadText(const std::string& Name) const;

@@ -14,6 +14,7 @@
 #include <cstring>
 #include <map>
 #include <mutex>
+#include <set>
 #include <utility>
 
 namespace Drydock
@@ -173,6 +174,45 @@ FAnalysedShader Analyse(
 		});
 }
 
+/** The lane headers in the cache, as one compiler takes them. */
+struct FPrecompiledHeaders
+{
+	FPrecompiledHeaders(const FShaderCache& InCache, const std::string& CompilerId, const FLaneConfig& InLanes)
+		: Cache(InCache)
+		, Lanes(InLanes)
+		, Name("headers/" + GetKernelBuildIdentity(InLanes) + "." + CompilerId + ".gch")
+		, File(InCache.OpenPrecompiled(Name))
+	{
+	}
+
+	/** Once in a process at most, whatever comes of it. */
+	void MakeMissing() const
+	{
+		static std::mutex Mutex;
+		static std::set<std::string> Made;
+		if (File || !Cache.TakesPrecompiled())
+		{
+			return;
+		}
+		{
+			const std::lock_guard Lock(Mutex);
+			if (!Made.insert(Name).second)
+			{
+				return;
+			}
+		}
+		if (const std::string Bytes = PrecompileKernelHeaders(Lanes); !Bytes.empty())
+		{
+			Cache.StorePrecompiled(Name, Bytes);
+		}
+	}
+
+	const FShaderCache& Cache;
+	const FLaneConfig Lanes;
+	const std::string Name;
+	const FFileDescriptor File; // none where they are not there yet
+};
+
 /** From source to a loaded kernel, past every cache. */
 void Build(const FShaderSource& Source, const FShaderCompileRequest& Request, const FShaderCache& Cache,
 	const std::string& CompilerId, FCompiledShader& Result)
@@ -187,7 +227,9 @@ void Build(const FShaderSource& Source, const FShaderCompileRequest& Request, co
 		});
 	Result.Reflection = Shader.Reflection.Reflection;
 	const FTemporaryFolder Folder;
-	const std::string SharedObject = CompileKernel(Cpp, Folder, Result.Lanes, Request);
+	const FPrecompiledHeaders Headers(Cache, CompilerId, Result.Lanes);
+	const std::string SharedObject = CompileKernel(Cpp, Folder, Result.Lanes, Request, Headers.File);
+	Headers.MakeMissing(); // after a kernel that compiles: what is wrong with the compiler is said about the shader
 	Cache.StoreReflection(HashSource(Source, Request, {}), Result.Reflection);
 	const std::string Stored = Cache.StoreKernel(Result.Key, CompilerId, Result.Reflection, SharedObject);
 	std::string Fault;
