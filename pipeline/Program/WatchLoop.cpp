@@ -29,9 +29,9 @@ FWatchedFiles ListNow(const FWatchLoop& Loop)
 
 void RunWatchLoop(const FWatchLoop& Loop)
 {
-	for (;;)
+	for (bool bFirst = true;; bFirst = false)
 	{
-		const FWatchedFiles Before = ListNow(Loop);
+		FWatchedFiles Before = ListNow(Loop);
 		try
 		{
 			Loop.Run();
@@ -39,6 +39,10 @@ void RunWatchLoop(const FWatchLoop& Loop)
 		catch (...)
 		{
 			PrintDiagnostics(ExplainFailure(std::current_exception()).GetDiagnostics());
+		}
+		if (bFirst)
+		{
+			Before.AddUnknown(ListNow(Loop)); // a plugin's shaders are known once it is loaded
 		}
 		std::fputs("watching; Ctrl+C ends it\n", stderr);
 		while (ListNow(Loop) == Before)

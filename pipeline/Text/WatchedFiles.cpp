@@ -47,6 +47,11 @@ void FWatchedFiles::AddShaders()
 	}
 }
 
+void FWatchedFiles::AddUnknown(const FWatchedFiles& Others)
+{
+	States.insert(Others.States.begin(), Others.States.end());
+}
+
 std::vector<std::string> FWatchedFiles::GetPaths() const
 {
 	std::vector<std::string> Paths;

@@ -23,6 +23,9 @@ public:
 	/** Every .usf and .ush under the mapped shader folders. */
 	void AddShaders();
 
+	/** Those of Others that are not there yet. */
+	void AddUnknown(const FWatchedFiles& Others);
+
 	/** Ascending. */
 	std::vector<std::string> GetPaths() const;
 

@@ -1,7 +1,8 @@
-// Runs glslangValidator (written for the options of version 12), and reads its messages.
+// Asks glslang, or runs glslangValidator (written for the options of version 12), and reads the messages.
 #include "ShaderFrontEnd.h"
 
 #include "FrontEndCrash.h"
+#include "FrontEndProcess.h"
 #include "TemporaryFolder.h"
 #include "TimeLimit.h"
 #include "ToolFault.h"
@@ -19,7 +20,6 @@ namespace
 {
 
 constexpr int DefaultTimeLimitSeconds = 60;
-constexpr const char* OutputName = "shader.spv";
 
 /** "/X.usf:12: text" or "/X.usf(12): text" -> file, line and text; false when there is no such head. */
 bool SplitPosition(const std::string& Text, std::string& File, int& Line, std::string& Rest)
@@ -160,45 +160,90 @@ const char* GetStageName(EShaderStage Stage)
 	return Stage == EShaderStage::Pixel ? "frag" : Stage == EShaderStage::Vertex ? "vert" : "comp";
 }
 
-FChildResult RunFrontEnd(const std::string& Program, const FTemporaryFolder& Folder, const std::string& Input,
-	const FShaderCompileRequest& Request, int TimeLimitSeconds)
+/** Compiles in a child of its own that writes a file. */
+FFrontEndReply RunValidator(
+	const std::string& Program, const std::string& Text, const FShaderCompileRequest& Request, int TimeLimitSeconds)
 {
+	const FTemporaryFolder Folder;
+	const std::string Output = Folder.Path + "/shader.spv";
 	// --nan-clamp: min, max and clamp by D3D's NaN rules. hlsl_functionality1: semantics of inputs are kept.
 	std::vector<std::string> Arguments = {Program, "-D", "-V", "-g", "--hlsl-offsets", "--nan-clamp",
 		"-fhlsl_functionality1", "--auto-map-bindings", "--auto-map-locations", "-S", GetStageName(Request.Stage), "-e",
-		Request.EntryPoint, "-o", Folder.Path + "/" + OutputName, Input};
+		Request.EntryPoint, "-o", Output, Folder.WriteFile("shader.hlsl", Text)};
 	if (Request.bKeepFunctions)
 	{
 		Arguments.insert(Arguments.begin() + 1, "-Od");
 	}
-	return RunChild(Arguments, TimeLimitSeconds, MakeToolEnvironment(Folder.Path));
+	FFrontEndReply Reply;
+	Reply.Child = RunChild(Arguments, TimeLimitSeconds, MakeToolEnvironment(Folder.Path));
+	std::ifstream Stream(Output, std::ios::binary);
+	const std::string Bytes((std::istreambuf_iterator<char>(Stream)), {});
+	Reply.Words.resize(Bytes.size() / 4);
+	if (!Reply.Words.empty()) // memcpy takes no null pointer, not even for nothing
+	{
+		std::memcpy(Reply.Words.data(), Bytes.data(), Reply.Words.size() * 4);
+	}
+	return Reply;
 }
 
-/** Of a front end that failed without a word about the shader. */
-FError ExplainFailure(const FChildResult& Child, const std::string& Program, const FTemporaryFolder& Folder,
-	const FShaderSource& Source, const FShaderCompileRequest& Request, int TimeLimitSeconds)
+/** The front end that is there, and its time. */
+class FFrontEnd
 {
+public:
+	/** Throws FError DD6012 where there is none. */
+	explicit FFrontEnd(const FShaderCompileRequest& InRequest)
+		: Request(InRequest)
+	{
+		const char* const Chosen = std::getenv("DRYDOCK_GLSLANG");
+		const bool bChosen = Chosen && *Chosen;
+		Program = bChosen ? std::string() : FindFrontEndProgram();
+		bKept = !Program.empty();
+		Program = bKept ? Program : FindProgram(bChosen ? Chosen : "glslangValidator");
+		if (Program.empty())
+		{
+			throw FError({ESeverity::Error, 6012,
+							 "cannot compile '" + Request.EntryPoint +
+								 "': glslangValidator was not found; install the package glslang-tools",
+							 Request.VirtualPath, 0, 0, {}},
+				ExitUsage);
+		}
+	}
+
+	FFrontEndReply Run(const std::string& Text) const
+	{
+		return bKept ? AskFrontEnd(Program, Text, Request, TimeLimitSeconds)
+					 : RunValidator(Program, Text, Request, TimeLimitSeconds);
+	}
+	const char* GetName() const { return bKept ? "glslang" : "glslangValidator"; }
+
+	const FShaderCompileRequest& Request;
+	const int TimeLimitSeconds = GetTimeLimitSeconds("DRYDOCK_GLSLANG_SECONDS", DefaultTimeLimitSeconds);
+
+private:
+	std::string Program;
+	bool bKept = false; // a process of ours that is kept, not a child for every shader
+};
+
+/** Of a front end that failed without a word about the shader. */
+FError ExplainFailure(const FFrontEnd& FrontEnd, const FChildResult& Child, const FShaderSource& Source)
+{
+	const FShaderCompileRequest& Request = FrontEnd.Request;
+	const std::string Name = std::string(FrontEnd.GetName()) + " ";
 	const std::string OnWhat = " on '" + Request.EntryPoint + "'";
 	const bool bCrashed = Child.bStarted && !Child.bTimedOut && Child.Signal && !IsSignalFromOutside(Child.Signal);
 	const std::string Fault = bCrashed ? std::string() : FindToolFault(Child);
 	if (!Fault.empty())
 	{
-		return FError(
-			{ESeverity::Error, 6032, "glslangValidator " + Fault + OnWhat, Request.VirtualPath, 0, 0, {}}, ExitFiles);
+		return FError({ESeverity::Error, 6032, Name + Fault + OnWhat, Request.VirtualPath, 0, 0, {}}, ExitFiles);
 	}
-	Folder.CheckSpace();
+	FTemporaryFolder().CheckSpace();
 	FCrashPlace Place{Request.VirtualPath, 0, {}};
 	if (bCrashed)
 	{
-		int Number = 0;
 		Place = FindCrashPlace(Source.Text, Request,
-			[&](const std::string& Text)
-			{
-				const std::string Input = Folder.WriteFile("part" + std::to_string(Number++) + ".hlsl", Text);
-				return RunFrontEnd(Program, Folder, Input, Request, TimeLimitSeconds).Signal == Child.Signal;
-			});
+			[&](const std::string& Text) { return FrontEnd.Run(Text).Child.Signal == Child.Signal; });
 	}
-	return FError({ESeverity::Error, 6012, "glslangValidator " + Child.Describe(TimeLimitSeconds) + OnWhat + Place.When,
+	return FError({ESeverity::Error, 6012, Name + Child.Describe(FrontEnd.TimeLimitSeconds) + OnWhat + Place.When,
 					  Place.File, Place.Line, 0, {}},
 		ExitUsage);
 }
@@ -222,41 +267,22 @@ bool IsWhole(const std::vector<uint32_t>& Words)
 
 std::vector<uint32_t> CompileToSpirv(const FShaderSource& Source, const FShaderCompileRequest& Request)
 {
-	const char* const Chosen = std::getenv("DRYDOCK_GLSLANG");
-	const std::string Program = FindProgram(Chosen && *Chosen ? Chosen : "glslangValidator");
-	if (Program.empty())
+	const FFrontEnd FrontEnd(Request);
+	FFrontEndReply Reply = FrontEnd.Run(Source.Text);
+	std::vector<FDiagnostic> Errors = ParseFrontEndMessages(Reply.Child.Output, Request);
+	if (Errors.empty() && !Reply.Child.Succeeded())
 	{
-		throw FError({ESeverity::Error, 6012,
-						 "cannot compile '" + Request.EntryPoint +
-							 "': glslangValidator was not found; install the package glslang-tools",
-						 Request.VirtualPath, 0, 0, {}},
-			ExitUsage);
-	}
-	const int TimeLimitSeconds = GetTimeLimitSeconds("DRYDOCK_GLSLANG_SECONDS", DefaultTimeLimitSeconds);
-	const FTemporaryFolder Folder;
-	const std::string Input = Folder.WriteFile("shader.hlsl", Source.Text);
-	const FChildResult Child = RunFrontEnd(Program, Folder, Input, Request, TimeLimitSeconds);
-	std::vector<FDiagnostic> Errors = ParseFrontEndMessages(Child.Output, Request);
-	if (Errors.empty() && !Child.Succeeded())
-	{
-		throw ExplainFailure(Child, Program, Folder, Source, Request, TimeLimitSeconds);
+		throw ExplainFailure(FrontEnd, Reply.Child, Source);
 	}
 	if (!Errors.empty())
 	{
 		throw FError(std::move(Errors), ExitUsage);
 	}
-	std::ifstream Stream(Folder.Path + "/" + OutputName, std::ios::binary);
-	const std::string Bytes((std::istreambuf_iterator<char>(Stream)), {});
-	std::vector<uint32_t> Words(Bytes.size() / 4);
-	if (!Words.empty()) // memcpy takes no null pointer, not even for nothing
+	if (!IsWhole(Reply.Words))
 	{
-		std::memcpy(Words.data(), Bytes.data(), Words.size() * 4);
+		FTemporaryFolder().CheckSpace(); // glslangValidator does not look whether all was written
 	}
-	if (!IsWhole(Words))
-	{
-		Folder.CheckSpace(); // glslangValidator does not look whether all was written
-	}
-	return Words;
+	return std::move(Reply.Words);
 }
 
 } // namespace Drydock

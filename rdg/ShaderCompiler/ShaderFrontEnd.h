@@ -1,6 +1,7 @@
-// HLSL to SPIR-V by glslangValidator (Debian package glslang-tools), run as a child process: a crash or an endless loop
-// of its parser costs one error message. DRYDOCK_GLSLANG names another program, DRYDOCK_GLSLANG_SECONDS the time it
-// gets, 60 by default.
+// HLSL to SPIR-V by glslang, in a process that is kept (FrontEndProcess.h): a crash or an endless loop of its parser
+// costs one error message. Where that program is not there, glslangValidator (Debian package glslang-tools) is run for
+// each shader. DRYDOCK_GLSLANG names a program to run so in its place, DRYDOCK_GLSLANG_SECONDS the time for a shader,
+// 60 by default.
 #pragma once
 
 #include "Diagnostics.h"
@@ -11,12 +12,12 @@ namespace Drydock
 {
 
 /** SPIR-V of the flattened text. Throws FError: DD6010 for what the shader's author wrote, each message with virtual
- * path and line; DD6011 when the entry point does not exist; DD6012 when glslangValidator is missing, hangs or crashes
+ * path and line; DD6011 when the entry point does not exist; DD6012 when the front end is missing, hangs or crashes
  * (on which line, found by giving it less and less of the text); DD6032 when it was killed and DD5004 when the
  * temporary folder cannot be written, both with exit code 3. */
 DRYDOCK_API std::vector<uint32_t> CompileToSpirv(const FShaderSource& Source, const FShaderCompileRequest& Request);
 
-/** The errors in glslangValidator's output, in its order, without its own summary lines. */
+/** The errors in glslang's output, in its order, without its own summary lines. */
 DRYDOCK_API std::vector<FDiagnostic> ParseFrontEndMessages(
 	const std::string& Output, const FShaderCompileRequest& Request);
 

@@ -113,6 +113,38 @@ TEST_F(WatchLoop, RunsAgainForAChangeThatLeavesTheTimeOfWriting)
 	EXPECT_EQ("two", Found[1]);
 }
 
+TEST_F(WatchLoop, FilesThatTheFirstRunMadeKnownAreNoChange)
+{
+	Write("one");
+	const std::string OfPlugin = (Folder / "plugin.usf").string();
+	std::ofstream(OfPlugin) << "one";
+	int NumRuns = 0;
+	int NumLooks = 0;
+	RunWatchLoop({.Run = [&] { ++NumRuns; },
+		.List =
+			[&]
+		{
+			FWatchedFiles Watched;
+			Watched.AddFile(File);
+			if (NumRuns > 0)
+			{
+				Watched.AddFile(OfPlugin);
+			}
+			return Watched;
+		},
+		.Wait =
+			[&]
+		{
+			EXPECT_EQ(NumLooks < 3 ? 1 : 2, NumRuns);
+			if (++NumLooks == 3)
+			{
+				std::ofstream(OfPlugin) << "edited";
+			}
+			return NumLooks < 6;
+		}});
+	EXPECT_EQ(2, NumRuns);
+}
+
 TEST_F(WatchLoop, GoesOnWhateverIsThrown)
 {
 	int NumRuns = 0;

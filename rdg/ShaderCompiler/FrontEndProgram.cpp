@@ -1,0 +1,134 @@
+// The program that glslang runs in: reads requests from its standard input, which is a socket, until that is closed.
+// Does what glslangValidator does with the options of ShaderFrontEnd.cpp; glslang's tables are made once for all
+// shaders.
+#include <glslang/Public/ResourceLimits.h>
+#include <glslang/Public/ShaderLang.h>
+#include <glslang/SPIRV/GlslangToSpv.h>
+
+#include "FrontEndProtocol.h"
+#include "ShaderReflection.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace
+{
+
+using namespace Drydock;
+using namespace Drydock::FrontEnd;
+
+constexpr rlim_t MemoryLimit = rlim_t(4) << 30; // bytes
+constexpr const char* FileName = "shader.hlsl"; // of text above the first #line; there is none
+
+struct FResult
+{
+	std::string Output;
+	std::vector<unsigned int> Words;
+};
+
+EShLanguage GetStage(uint32_t Stage)
+{
+	return EShaderStage(Stage) == EShaderStage::Pixel    ? EShLangFragment
+		   : EShaderStage(Stage) == EShaderStage::Vertex ? EShLangVertex
+														 : EShLangCompute;
+}
+
+void AddLog(const char* Log, std::string& Output)
+{
+	if (*Log)
+	{
+		Output += Log;
+		Output += '\n';
+	}
+}
+
+FResult Compile(const FRequestHead& Head, const std::string& Entry, const std::string& Text)
+{
+	FResult Result;
+	const EShLanguage Stage = GetStage(Head.Stage);
+	EShMessages Messages =
+		EShMessages(EShMsgSpvRules | EShMsgVulkanRules | EShMsgReadHlsl | EShMsgHlslOffsets | EShMsgDebugInfo);
+	if (Head.bKeepFunctions)
+	{
+		Messages = EShMessages(Messages | EShMsgHlslLegalization);
+	}
+	glslang::TShader Shader(Stage); // before the program, which must go first
+	glslang::TProgram Program;
+	const char* const TextStart = Text.data();
+	const int TextSize = int(Text.size());
+	Shader.setStringsWithLengthsAndNames(&TextStart, &TextSize, &FileName, 1);
+	Shader.setEntryPoint(Entry.c_str());
+	Shader.setAutoMapBindings(true);
+	Shader.setAutoMapLocations(true);
+	Shader.setNanMinMaxClamp(true); // min, max and clamp by D3D's NaN rules
+	Shader.setEnvInput(glslang::EShSourceHlsl, Stage, glslang::EShClientVulkan, 100);
+	Shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_0);
+	Shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_0);
+	Shader.setEnvTargetHlslFunctionality1(); // semantics of inputs are kept
+	constexpr int DefaultVersion = 100;
+	bool bGood = Shader.parse(GetDefaultResources(), DefaultVersion, false, Messages);
+	AddLog(FileName, Result.Output);
+	AddLog(Shader.getInfoLog(), Result.Output);
+	AddLog(Shader.getInfoDebugLog(), Result.Output);
+	Program.addShader(&Shader);
+	bGood = Program.link(Messages) && bGood;
+	bGood = Program.mapIO() && bGood;
+	AddLog(Program.getInfoLog(), Result.Output);
+	AddLog(Program.getInfoDebugLog(), Result.Output);
+	const glslang::TIntermediate* const Intermediate = bGood ? Program.getIntermediate(Stage) : nullptr;
+	if (Intermediate)
+	{
+		spv::SpvBuildLogger Logger;
+		glslang::SpvOptions Options;
+		Options.generateDebugInfo = true;
+		Options.disableOptimizer = Head.bKeepFunctions != 0;
+		glslang::GlslangToSpv(*Intermediate, Result.Words, &Logger, &Options);
+		Result.Output += Logger.getAllMessages();
+	}
+	return Result;
+}
+
+/** False at the end of the input. */
+bool Receive(void* Bytes, size_t Size)
+{
+	for (size_t Done = 0; Done < Size;)
+	{
+		const ssize_t Count = read(STDIN_FILENO, static_cast<char*>(Bytes) + Done, Size - Done);
+		if (Count == 0 || (Count < 0 && errno != EINTR))
+		{
+			return false;
+		}
+		Done += Count > 0 ? size_t(Count) : 0;
+	}
+	return true;
+}
+
+} // namespace
+
+int main()
+{
+	const rlimit Limit{MemoryLimit, MemoryLimit};
+	setrlimit(RLIMIT_DATA, &Limit);
+	glslang::InitializeProcess();
+	FRequestHead Head;
+	while (Receive(&Head, sizeof(Head)))
+	{
+		std::string Entry(Head.EntrySize, '\0');
+		std::string Text(Head.TextSize, '\0');
+		if (!Receive(Entry.data(), Entry.size()) || !Receive(Text.data(), Text.size()))
+		{
+			break;
+		}
+		alarm(Head.Seconds + 1);
+		const FResult Result = Compile(Head, Entry, Text);
+		alarm(0);
+		const FReplyHead Reply = {!Result.Words.empty(), uint32_t(Result.Output.size()), uint32_t(Result.Words.size())};
+		if (!Send(STDIN_FILENO, &Reply, sizeof(Reply)) ||
+			!Send(STDIN_FILENO, Result.Output.data(), Result.Output.size()) ||
+			!Send(STDIN_FILENO, Result.Words.data(), Result.Words.size() * sizeof(uint32_t)))
+		{
+			break;
+		}
+	}
+	_exit(0); // the tables need no taking apart
+}
