@@ -254,6 +254,11 @@ def make_summary(folder):
     if row:
         lines.append(f"| start, CPU ms | {row[1]} | 20 |")
         lines.append(f"| start, MB | {row[3]} | 25 |")
+    edit = read_result(folder, "bench_edit")
+    for begin, goal in (("a shader, `run --watch`", 150), ("a shader, `run`", 300), ("a patch's C++", 500)):
+        row = find_row(edit, begin)
+        if row:
+            lines.append(f"| edit of {row[0]}, 960 x 540, CPU ms | {row[1]} | {goal} |")
     row = find_row(read_result(folder, "bench_graph"), "chain, a texture each | 60")
     if row:
         lines.append(f"| graph of 60 passes, build and compile, us | {row[4]} | 50 |")
@@ -289,7 +294,7 @@ def main(arguments):
         sys.exit(__doc__)
     page = PAGE.read_text()
     page = fill(page, "summary", make_summary(RESULTS))
-    for name in ("run", "picture_files", "texels", "functions", "strips", "graph"):
+    for name in ("run", "edit", "picture_files", "texels", "functions", "strips", "graph"):
         page = fill(page, f"bench_{name}", read_result(RESULTS, f"bench_{name}"))
     tables, compared = make_peer_tables([Round(file) for file in arguments])
     page = fill(page, "peers", tables)

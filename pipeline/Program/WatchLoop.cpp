@@ -5,7 +5,10 @@
 #include "Program/ProgramOutput.h"
 #include "ShaderCompilation.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <optional>
+#include <utility>
 
 namespace Drydock
 {
@@ -25,13 +28,31 @@ FWatchedFiles ListNow(const FWatchLoop& Loop)
 	}
 }
 
+/** All shaders are forgotten, or where nothing but shader files was edited, those that read them. */
+void ForgetEdited(const FWatchedFiles& Before, const FWatchedFiles& After)
+{
+	const std::optional<std::vector<std::string>> Edited = After.FindEdited(Before);
+	const auto IsShader = [](const std::string& Path)
+	{
+		return Path.ends_with(".usf") || Path.ends_with(".ush");
+	};
+	if (Edited && std::all_of(Edited->begin(), Edited->end(), IsShader))
+	{
+		ForgetShadersOf(*Edited);
+	}
+	else
+	{
+		ForgetShaders();
+	}
+}
+
 } // namespace
 
 void RunWatchLoop(const FWatchLoop& Loop)
 {
+	FWatchedFiles Before = ListNow(Loop);
 	for (bool bFirst = true;; bFirst = false)
 	{
-		FWatchedFiles Before = ListNow(Loop);
 		try
 		{
 			Loop.Run();
@@ -45,14 +66,17 @@ void RunWatchLoop(const FWatchLoop& Loop)
 			Before.AddUnknown(ListNow(Loop)); // a plugin's shaders are known once it is loaded
 		}
 		std::fputs("watching; Ctrl+C ends it\n", stderr);
-		while (ListNow(Loop) == Before)
+		FWatchedFiles After = ListNow(Loop);
+		while (After == Before)
 		{
 			if (!Loop.Wait())
 			{
 				return;
 			}
+			After = ListNow(Loop);
 		}
-		ForgetShaders();
+		ForgetEdited(Before, After);
+		Before = std::move(After);
 	}
 }
 

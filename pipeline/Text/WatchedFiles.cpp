@@ -52,6 +52,29 @@ void FWatchedFiles::AddUnknown(const FWatchedFiles& Others)
 	States.insert(Others.States.begin(), Others.States.end());
 }
 
+std::optional<std::vector<std::string>> FWatchedFiles::FindEdited(const FWatchedFiles& Before) const
+{
+	constexpr std::array<int64_t, 3> Absent = {};
+	if (States.size() != Before.States.size())
+	{
+		return {};
+	}
+	std::vector<std::string> Edited;
+	for (const auto& [Path, State] : States)
+	{
+		const auto Known = Before.States.find(Path);
+		if (Known == Before.States.end() || (State == Absent) != (Known->second == Absent))
+		{
+			return {};
+		}
+		if (State != Known->second)
+		{
+			Edited.push_back(Path);
+		}
+	}
+	return Edited;
+}
+
 std::vector<std::string> FWatchedFiles::GetPaths() const
 {
 	std::vector<std::string> Paths;

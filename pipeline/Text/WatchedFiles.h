@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,9 @@ public:
 
 	/** Those of Others that are not there yet. */
 	void AddUnknown(const FWatchedFiles& Others);
+
+	/** What differs from Before, ascending; nothing where a file has come or gone. */
+	std::optional<std::vector<std::string>> FindEdited(const FWatchedFiles& Before) const;
 
 	/** Ascending. */
 	std::vector<std::string> GetPaths() const;

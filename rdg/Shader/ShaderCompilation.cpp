@@ -237,21 +237,57 @@ void WarmShaders(const std::vector<FShaderRef>& Shaders, int32 NumThreads)
 	}
 }
 
+namespace
+{
+
+/** Of every permutation so far. */
+template<typename TFunction>
+void ForEachState(TFunction Function)
+{
+	ForEachShaderType(
+		[&](const FShaderType& Type)
+		{
+			Type.ForEachShader(
+				[&](FShader& Shader)
+				{
+					FShaderState& State = Shader.GetState();
+					const std::lock_guard Lock(State.Mutex);
+					Function(State);
+				});
+		});
+}
+
+} // namespace
+
 void ForgetShaders()
 {
 	ForgetCompiledShaders();
-	ForEachShaderType(
-		[](const FShaderType& Type)
+	ForEachState(
+		[](FShaderState& State)
 		{
-			Type.ForEachShader(
-				[](FShader& Shader)
-				{
-					FShaderState& State = Shader.GetState();
-					std::lock_guard Lock(State.Mutex);
-					State.Compiled.clear();
-					State.Reflection.reset();
-					State.Plans.clear();
-				});
+			State.Compiled.clear();
+			State.Reflection.reset();
+			State.Plans.clear();
+		});
+}
+
+void ForgetShadersOf(const std::vector<std::string>& Files)
+{
+	const FShaderFiles Edited(Files);
+	ForgetCompiledShaders(Edited);
+	ForEachState(
+		[&Edited](FShaderState& State)
+		{
+			const bool bKept =
+				!State.Compiled.empty() &&
+				std::none_of(State.Compiled.begin(), State.Compiled.end(),
+					[&Edited](const auto& Entry) { return !Entry.second || Edited.IsReadBy(*Entry.second); });
+			if (!bKept)
+			{
+				State.Compiled.clear();
+				State.Reflection.reset();
+				State.Plans.clear();
+			}
 		});
 }
 

@@ -7,6 +7,7 @@
 #include "ShaderCompiler.h"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace Drydock
@@ -32,5 +33,8 @@ DRYDOCK_API void WarmShaders(const std::vector<FShaderRef>& Shaders, int32 NumTh
 
 /** Forgets compiled code, reflections and copy plans, so that edited files are read again. No pass may be running. */
 DRYDOCK_API void ForgetShaders();
+
+/** The same for the shaders that have read one of these files. */
+DRYDOCK_API void ForgetShadersOf(const std::vector<std::string>& Files);
 
 } // namespace Drydock

@@ -10,8 +10,10 @@
 #include "SpirvEmit.h"
 #include "SpirvInterpreter.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstring>
+#include <filesystem>
 #include <map>
 #include <mutex>
 #include <set>
@@ -51,6 +53,19 @@ public:
 			Slot->Value = Make();
 		}
 		return Slot->Value;
+	}
+
+	/** Forgets what Is says so of. */
+	template<typename FIs>
+	void Remove(FIs Is)
+	{
+		const std::lock_guard Lock(Mutex);
+		std::erase_if(Slots,
+			[&Is](const auto& Entry)
+			{
+				const std::lock_guard SlotLock(Entry.second->Mutex);
+				return !Entry.second->Value || Is(*Entry.second->Value);
+			});
 	}
 
 	void Clear()
@@ -294,6 +309,13 @@ std::shared_ptr<const FCompiledShader> MakeVertexShader(const FShaderCompileRequ
 	return Result;
 }
 
+std::string MakeCanonical(const std::string& Path)
+{
+	std::error_code Error;
+	const std::filesystem::path Canonical = std::filesystem::canonical(Path, Error);
+	return Error ? Path : Canonical.string();
+}
+
 std::shared_ptr<const FCompiledShader> MakeShader(const FShaderCompileRequest& Request, const FLaneConfig& Lanes)
 {
 	if (Request.Stage == EShaderStage::Vertex)
@@ -354,6 +376,27 @@ FShaderReflection ReflectShader(const FShaderCompileRequest& Request)
 void ForgetCompiledShaders()
 {
 	GetKernels().Clear();
+	GetReflections().Clear();
+	GetWords().Clear();
+}
+
+FShaderFiles::FShaderFiles(const std::vector<std::string>& Paths)
+{
+	for (const std::string& Path : Paths)
+	{
+		Canonical.insert(MakeCanonical(Path));
+	}
+}
+
+bool FShaderFiles::IsReadBy(const FCompiledShader& Shader) const
+{
+	return std::any_of(Shader.Files.begin(), Shader.Files.end(),
+		[this](const std::string& File) { return Canonical.contains(MakeCanonical(File)); });
+}
+
+void ForgetCompiledShaders(const FShaderFiles& Files)
+{
+	GetKernels().Remove([&Files](const FCompiledShader& Shader) { return Files.IsReadBy(Shader); });
 	GetReflections().Clear();
 	GetWords().Clear();
 }

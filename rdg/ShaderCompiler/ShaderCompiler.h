@@ -7,6 +7,9 @@
 #include "ShaderDirectories.h"
 
 #include <memory>
+#include <set>
+#include <string>
+#include <vector>
 
 namespace Drydock
 {
@@ -20,5 +23,19 @@ DRYDOCK_API FShaderReflection ReflectShader(const FShaderCompileRequest& Request
 
 /** Forgets what is in memory (files may have changed), keeps the cache on disk. */
 DRYDOCK_API void ForgetCompiledShaders();
+
+/** Files on disk, by whatever path they are named. */
+class DRYDOCK_API FShaderFiles
+{
+public:
+	explicit FShaderFiles(const std::vector<std::string>& Paths);
+	bool IsReadBy(const FCompiledShader& Shader) const;
+
+private:
+	std::set<std::string> Canonical;
+};
+
+/** Forgets what was made of these files, and of what was made without a kernel, all. */
+DRYDOCK_API void ForgetCompiledShaders(const FShaderFiles& Files);
 
 } // namespace Drydock

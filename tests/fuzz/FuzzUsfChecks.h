@@ -1,6 +1,6 @@
 // What must hold for any .usf text: it flattens so that every line keeps its place, or there is a message; whatever the
 // front end prints is read; and a module that goes with the text is walked to the end or refused. The front end itself
-// is a program of its own (glslangValidator) and stands in here as what it makes: modules of a corpus, changed as the
+// is a program of its own (drydock_front_end) and stands in here as what it makes: modules of a corpus, changed as the
 // text says. Used by the fuzzer, and by a test that runs its corpus.
 #pragma once
 

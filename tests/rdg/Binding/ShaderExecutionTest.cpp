@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <filesystem>
 
 #include "NativeKernels.h"
 #include "PipelineStateCache.h"
@@ -249,6 +250,17 @@ TEST_F(FShaderExecution, WarmingGoesOnAfterAFailureAndReportsIt)
 		EXPECT_TRUE(Error.GetDiagnostics()[0].Message.ends_with(" (compiled for FTestBrokenCS, entry BrokenCS)"));
 	}
 	EXPECT_NE(nullptr, GetCompiledShader(Tint(true))->Run);
+}
+
+TEST_F(FShaderExecution, ShadersOfOtherFilesAreKept)
+{
+	const std::shared_ptr<const FCompiledShader> Before = GetCompiledShader(Tint(false));
+	ForgetShadersOf({FindShaderFile("/DrydockTest/Graph.usf")});
+	EXPECT_EQ(Before, GetCompiledShader(Tint(false)));
+	const std::filesystem::path File = FindShaderFile("/DrydockTest/Tint.usf");
+	ForgetShadersOf({(File.parent_path() / "." / File.filename()).string()}); // another name of the same file
+	EXPECT_NE(Before, GetCompiledShader(Tint(false)));
+	EXPECT_EQ(Before->Key, GetCompiledShader(Tint(false))->Key);
 }
 
 TEST_F(FShaderExecution, ForgottenShadersAreReadAgain)

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "CacheTestUtils.h"
+#include "FrontEndProcess.h"
 #include "ShaderCompiler.h"
 
 #include <algorithm>
@@ -34,6 +35,20 @@ protected:
 		return Request;
 	}
 
+	/** Reflection and kernels of a shader that differs by a number. */
+	static void AskForAll(int Edit)
+	{
+		const FShaderCompileRequest Request =
+			MakeRequest("RWTexture2D<float4> Out;\n[numthreads(8, 8, 1)] void Main(uint3 Id : SV_DispatchThreadID)\n"
+						"{\n\tOut[Id.xy] = " +
+						std::to_string(Edit) + ";\n}\n");
+		EXPECT_EQ(1u, ReflectShader(Request).RWTextures.size());
+		CompileShader(Request);
+		FShaderCompileRequest InDouble = Request;
+		InDouble.Lanes.bDouble = true;
+		CompileShader(InDouble);
+	}
+
 	const FScratchFolder Scratch;
 	const FScopedVariable Cache{"DRYDOCK_CACHE_DIR", (Scratch.Path / "cache").string()};
 	const FScopedVariable FrontEnd{
@@ -45,17 +60,23 @@ protected:
 
 TEST_F(FFrontEndRuns, OnceForReflectionAndKernelsOfAnEdit)
 {
-	const std::string Text =
-		"RWTexture2D<float4> Out;\n[numthreads(8, 8, 1)] void Main(uint3 Id : SV_DispatchThreadID)\n"
-		"{\n\tOut[Id.xy] = ";
 	for (int Edit = 1; Edit <= 3; ++Edit)
 	{
-		const FShaderCompileRequest Request = MakeRequest(Text + std::to_string(Edit) + ";\n}\n");
-		EXPECT_EQ(1u, ReflectShader(Request).RWTextures.size());
-		CompileShader(Request);
-		FShaderCompileRequest InDouble = Request;
-		InDouble.Lanes.bDouble = true;
-		CompileShader(InDouble);
+		AskForAll(Edit);
 		EXPECT_EQ(Edit, Count());
 	}
+}
+
+TEST_F(FFrontEndRuns, OnceInTheOneProcessThatIsKept)
+{
+	const FScopedVariable Kept("DRYDOCK_GLSLANG", std::nullopt);
+	AskForAll(0);
+	const FFrontEndCounts Before = GetFrontEndCounts();
+	for (int Edit = 1; Edit <= 3; ++Edit)
+	{
+		AskForAll(Edit);
+		EXPECT_EQ(Edit, GetFrontEndCounts().Shaders - Before.Shaders);
+		EXPECT_EQ(0, GetFrontEndCounts().Processes - Before.Processes);
+	}
+	EXPECT_EQ(0, Count()); // nothing else is run
 }
