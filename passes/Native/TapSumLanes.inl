@@ -2,7 +2,7 @@
 // by channel, four vectors side by side. Included by TapSum_*.cpp only.
 #pragma once
 
-#include "Native/TapSumRows.inl"
+#include "Native/TapSumColumns.inl"
 
 namespace Drydock::Lanes
 {
@@ -189,6 +189,49 @@ struct TSourceChunk
 		}
 	}
 
+	/** Rows of the tile from Row on, a block of them; Out is [rows][channels][Pitch], Scratch twice that. */
+	void SumBlock(int32_t Row, float* Out, float* Scratch)
+	{
+		const int32_t NumTaps = Plan.Source->NumTaps;
+		auto* const Columns =
+			static_cast<FTapColumn*>(GetTapMemory(ColumnsMemory, size_t(NumTaps) * sizeof(FTapColumn)));
+		for (int32_t Index = 0; Index < NumTaps; ++Index)
+		{
+			const int32_t Place = Plan.Taps[Index].FirstRow + 256 * Row;
+			for (int32_t i = 0; i <= GRowsOfTapBlock; ++i)
+			{
+				Columns[Index].Rows[i] = Rows.GetHeld(TexelBelow(Place) + i);
+			}
+			Columns[Index].Weight = WeightOfNext(Place);
+			Columns[Index].Weights = Plan.Source->Taps[Index].Weight;
+		}
+		const ptrdiff_t RowPitch = ptrdiff_t(Channels) * Pitch;
+		const int32_t Streams = Plan.Step == 128 ? 2 : 1;
+		bool bNumbers = true;
+		for (int32_t Stream = 0; Stream < Streams && bNumbers; ++Stream)
+		{
+			const int32_t Place = Plan.Taps[0].First + Plan.Step * (First + Stream);
+			const int32_t Column = TexelBelow(Place) - Rows.FirstColumn;
+			const FColumnPair Pair = {Column, Column + 1, WeightOfNext(Place)};
+			float* const To = Streams == 1 ? Out : Scratch + Stream * GRowsOfTapBlock * RowPitch;
+			for (int32_t c = 0; c < Channels && bNumbers; ++c)
+			{
+				const auto SumRows = Pair.Weight == 0 ? &SumColumnRows<N, false> : &SumColumnRows<N, true>;
+				bNumbers = SumRows(Columns, NumTaps, Pair, ptrdiff_t(c) * Rows.Stride, c,
+					(Width + Streams - 1) / Streams, To + ptrdiff_t(c) * Pitch, RowPitch);
+			}
+		}
+		for (int32_t i = 0; i < GRowsOfTapBlock && !bNumbers; ++i)
+		{
+			SumOneRow(Row + i, Out + i * RowPitch, Scratch);
+		}
+		for (int32_t i = 0; i < GRowsOfTapBlock * Channels && bNumbers && Streams == 2; ++i)
+		{
+			const float* const Even = Scratch + ptrdiff_t(i) * Pitch;
+			Interleave(Even, Even + GRowsOfTapBlock * RowPitch, Out + ptrdiff_t(i) * Pitch);
+		}
+	}
+
 private:
 	/** The columns that the taps of a chunk read. */
 	static TTexelRows<N> MakeRows(const FSourcePlan& Plan, int32_t Channels, int32_t First, int32_t Width)
@@ -336,7 +379,7 @@ inline void StoreSums(const FTapSum& Sum, const FKernelTexture& Target, int32_t 
 /** Columns of a chunk: as many as keep the first source's rows in the cache. */
 inline int32_t ChooseChunk(const FSourcePlan& Plan, int32_t Channels, int32_t TileWidth)
 {
-	constexpr int64_t CacheBytes = 48 << 10;
+	const int64_t CacheBytes = (Plan.bInBlocks ? 128 : 48) << 10;
 	constexpr int32_t Narrowest = 64;
 	const int64_t Step = Plan.Step == 0 ? 256 : Plan.Step;
 	const int64_t BytesAPixel = int64_t(Plan.LiveRows) * Channels * 4 * Step / 256 + 1;
@@ -374,6 +417,7 @@ inline bool SumTile(
 		{
 			return false;
 		}
+		Plans[Index].bInBlocks = Index == 0 && CanSumInBlocks(Plans[Index]);
 		Ints += size_t(Source.NumTaps) * IntsATap;
 		TapPlans += Source.NumTaps;
 	}
@@ -382,8 +426,10 @@ inline bool SumTile(
 	// What two streams write in whole packs.
 	const int32_t Pitch = RoundUpTo(Chunk, 2 * N) + GTapGroup * N;
 	const size_t RowFloats = size_t(Channels) * size_t(Pitch);
-	float* const Sums = static_cast<float*>(GetTapMemory(SumsMemory, (size_t(Height) + 3) * RowFloats * sizeof(float)));
-	float* const Other = Sums + size_t(Height) * RowFloats;
+	const int32_t KeptRows = RoundUpTo(Height, GRowsOfTapBlock);
+	float* const Sums = static_cast<float*>(
+		GetTapMemory(SumsMemory, (size_t(KeptRows) + 1 + 2 * GRowsOfTapBlock) * RowFloats * sizeof(float)));
+	float* const Other = Sums + size_t(KeptRows) * RowFloats;
 	float* const Scratch = Other + RowFloats;
 	const FKernelMip& Mip = Target.Mips[0];
 	const int32_t Bytes = GetTexelStorageInfo(Target.Storage).BytesPerTexel;
@@ -403,8 +449,15 @@ inline bool SumTile(
 			for (int32_t Row = 0; Row < Height; ++Row)
 			{
 				// What the next source is added to has to be kept.
-				float* const RowSums = Sums + (Sum.NumSources == 1 ? 0 : size_t(Row) * RowFloats);
-				SourceChunk.SumOneRow(Row, Index == 0 ? RowSums : Other, Scratch);
+				float* const RowSums = Sums + size_t(Sum.NumSources == 1 ? Row % GRowsOfTapBlock : Row) * RowFloats;
+				if (!Plans[Index].bInBlocks || Row >= Height / GRowsOfTapBlock * GRowsOfTapBlock)
+				{
+					SourceChunk.SumOneRow(Row, Index == 0 ? RowSums : Other, Scratch);
+				}
+				else if (Row % GRowsOfTapBlock == 0)
+				{
+					SourceChunk.SumBlock(Row, RowSums, Scratch);
+				}
 				for (size_t X = 0; X < RowFloats && Index > 0; X += N)
 				{
 					StoreRaw(RowSums + X, LoadRaw<TRaw<float, N>>(RowSums + X) + LoadRaw<TRaw<float, N>>(Other + X));

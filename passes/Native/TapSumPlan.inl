@@ -24,6 +24,7 @@ enum ETapMemory : int32_t
 	TableMemory,
 	TexelRowsMemories, // and the next two: of what is open besides the first rows
 	FlagsMemories = TexelRowsMemories + 2,
+	ColumnsMemory = FlagsMemories + 2,
 };
 
 /** The texel below a place and the weight of the next one. */
@@ -45,6 +46,8 @@ struct FTapPlan
 	int32_t End;
 	const int32_t* Columns; // places of the tile's columns as the sampler gets them
 	const int32_t* Rows;    // of its rows
+	int32_t FirstRow;       // place of the first row, beyond the rect where that lies outside
+	bool bRowsInStep;       // each row lies a texel further, held at the edge texels
 };
 
 struct FSourcePlan
@@ -54,7 +57,8 @@ struct FSourcePlan
 	int32_t Step; // of all taps
 	int32_t FirstRow;
 	int32_t NumRows;
-	int32_t LiveRows; // that one row of pixels reads, the ones between included
+	int32_t LiveRows;       // that one row of pixels reads, the ones between included
+	bool bInBlocks = false; // rows of pixels are summed together (TapSumColumns.inl)
 };
 
 DRYDOCK_LANES_INLINE int32_t RoundUpTo(int32_t X, int32_t Multiple)
@@ -173,6 +177,8 @@ inline bool PlanRows(const FTapSource& Source, const FTapAxis& Axis, const FKern
 		return false;
 	}
 	Out.Rows = Wanted;
+	Out.FirstRow = Free[0];
+	Out.bRowsInStep = MovesInStep<N>(Wanted, Free, Count, 256, Source.Beyond != EBeyondRect::Sampler, Edges);
 	if (Source.Beyond == EBeyondRect::Black)
 	{
 		Out.Rows = Free;
@@ -241,6 +247,8 @@ inline bool PlanSource(
 		if (LikeY)
 		{
 			Plan.Rows = LikeY->Rows;
+			Plan.FirstRow = LikeY->FirstRow;
+			Plan.bRowsInStep = LikeY->bRowsInStep;
 		}
 		else if (!PlanRows<N>(Source, Tap.Y, Tile, Ints, Ints + PaddedY, Plan))
 		{

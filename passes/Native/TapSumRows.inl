@@ -3,11 +3,15 @@
 #pragma once
 
 #include "Native/TapSumPlan.inl"
+#include "Native/TexelStrips.inl"
 
 namespace Drydock::Lanes
 {
 inline namespace DRYDOCK_LANES_SET
 {
+
+/** Rows of pixels that are summed side by side where taps allow it (TapSumColumns.inl). */
+constexpr int32_t GRowsOfTapBlock = 4;
 
 /** Vectors that are summed side by side. */
 constexpr int GTapGroup = 4;
@@ -82,6 +86,7 @@ struct TTexelRows
 	int32_t FirstColumn;
 	int32_t NumColumns;
 	int32_t FirstRow;
+	int32_t LastRow;
 	int32_t NumSlots;
 	int32_t Stride; // floats of a channel
 	float* Texels;
@@ -99,7 +104,8 @@ struct TTexelRows
 		, FirstColumn(InFirstColumn)
 		, NumColumns(InNumColumns)
 		, FirstRow(Plan.FirstRow)
-		, NumSlots(Plan.LiveRows)
+		, LastRow(Plan.FirstRow + Plan.NumRows - 1)
+		, NumSlots(Plan.LiveRows + (Plan.bInBlocks ? GRowsOfTapBlock - 1 : 0))
 	{
 		// Whole groups are read from the last columns on.
 		constexpr int32_t Beside = (GTapGroup + 1) * N;
@@ -133,6 +139,9 @@ struct TTexelRows
 		return Out;
 	}
 
+	/** The same, where rows beyond those of the plan are all the edge's. */
+	const float* GetHeld(int32_t Row) { return Get(Row < FirstRow ? FirstRow : Row > LastRow ? LastRow : Row); }
+
 private:
 	/** The texel that an index of an axis stands for; -1: the border. */
 	int32_t Address(int32_t X, int Axis) const
@@ -159,6 +168,13 @@ private:
 	void Decode(int32_t Row, float* Out) const
 	{
 		const int32_t Y = Address(Row, 1);
+		constexpr int32_t Ahead = 2;
+		const int32_t Next = Y < 0 ? -1 : Address(Y + Ahead, 1);
+		if (Next >= 0)
+		{
+			PrefetchTexels(
+				Mip, GetTexelStorageInfo(Source.Texture->Storage).BytesPerTexel, Next, FirstColumn, NumColumns);
+		}
 		const uint8_t* const Base = Mip.Data + int64_t(Y < 0 ? 0 : Y) * Mip.RowPitch;
 		const int32_t End = FirstColumn + NumColumns;
 		int32_t RunBegin = FirstColumn > Source.RectMin[0] ? FirstColumn : Source.RectMin[0];
