@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Native/TapSumColumns.inl"
+#include "Native/TapSumStores.inl"
 
 namespace Drydock::Lanes
 {
@@ -21,6 +22,13 @@ struct FTapRow
 	const float* Weights; // of the channels
 };
 
+/** Lanes 1 to N of A and B side by side. */
+template<int N>
+DRYDOCK_LANES_INLINE TRaw<float, N> ShiftByOne(TRaw<float, N> A, TRaw<float, N> B)
+{
+	return __builtin_shuffle(A, B, LaneIndex<N>().V + 1);
+}
+
 /** V vectors of one channel. bCareful: where a mixture is NaN, the sampler's other rule decides. */
 template<int N, int V, bool bCareful>
 DRYDOCK_LANES_INLINE void SumVectors(
@@ -31,11 +39,17 @@ DRYDOCK_LANES_INLINE void SumVectors(
 	for (int32_t Index = 0; Index < NumTaps; ++Index)
 	{
 		const FTapRow& Tap = Taps[Index];
-		FFloat Values[V];
+		FFloat Values[V + 1];
 #pragma GCC unroll 4
 		for (int v = 0; v < V; ++v)
 		{
 			Values[v] = LoadRaw<FFloat>(Tap.A + From + Lane + v * N);
+		}
+		// Neighbours along a row are shifted out of what is there: most loads would cross a line.
+		const bool bBeside = V > 1 && Tap.B == Tap.A + 1;
+		if (bBeside)
+		{
+			Values[V] = LoadRaw<FFloat>(Tap.A + From + Lane + V * N);
 		}
 		if (Tap.Weight != 0)
 		{
@@ -44,7 +58,8 @@ DRYDOCK_LANES_INLINE void SumVectors(
 #pragma GCC unroll 4
 			for (int v = 0; v < V; ++v)
 			{
-				const FFloat B = LoadRaw<FFloat>(Tap.B + From + Lane + v * N);
+				const FFloat B =
+					bBeside ? ShiftByOne<N>(Values[v], Values[v + 1]) : LoadRaw<FFloat>(Tap.B + From + Lane + v * N);
 				FFloat Mixed;
 				if constexpr (bCareful)
 				{
@@ -327,55 +342,6 @@ private:
 	}
 };
 
-/** The channels of a pack of sums, finished. */
-template<int N>
-DRYDOCK_LANES_INLINE void FinishSums(
-	const FTapSum& Sum, int32_t Channels, int32_t Pitch, const float* Sums, TRaw<float, N> C[4])
-{
-	using FLanes = TReal<float, N>;
-	for (int32_t c = 0; c < 4; ++c)
-	{
-		FLanes Value = 0.0f;
-		if (c < Channels)
-		{
-			Value = FLanes(LoadRaw<TRaw<float, N>>(Sums + c * Pitch));
-			Value = Sum.Factor != 1.0f ? Value * FLanes(Sum.Factor) : Value;
-			Value = Sum.bNoNegatives && c < 3 ? Max(Value, FLanes(0.0f)) : Value;
-		}
-		C[c] = Value.V;
-	}
-}
-
-/** Width pixels of a row of sums, [channels][Pitch], finished and encoded. */
-template<int N>
-inline void StoreSums(const FTapSum& Sum, const FKernelTexture& Target, int32_t Channels, int32_t Width, int32_t Pitch,
-	const float* Sums, uint8_t* Place)
-{
-	const int32_t Bytes = GetTexelStorageInfo(Target.Storage).BytesPerTexel;
-	const bool bSaturate = Target.bSaturateStore != 0;
-	int32_t X = 0;
-	if (!bSaturate)
-	{
-		VisitPictureFormat(Target.Storage,
-			[&](auto Format)
-			{
-				for (; X + N <= Width; X += N)
-				{
-					TRaw<float, N> C[4];
-					FinishSums<N>(Sum, Channels, Pitch, Sums + X, C);
-					StoreTexelsOf<decltype(Format), float, N>(Place + int64_t(X) * Format.Bytes, C);
-				}
-				return true;
-			});
-	}
-	for (; X < Width; X += N)
-	{
-		TRaw<float, N> C[4];
-		FinishSums<N>(Sum, Channels, Pitch, Sums + X, C);
-		StorePack<N>(Target, Place + int64_t(X) * Bytes, Width - X, C);
-	}
-}
-
 /** Columns of a chunk: as many as keep the first source's rows in the cache. */
 inline int32_t ChooseChunk(const FSourcePlan& Plan, int32_t Channels, int32_t TileWidth)
 {
@@ -482,7 +448,9 @@ template<int N>
 bool TTapSumLanes<N>::Run(
 	const FTapSum& Sum, const FKernelTexture& Target, const FKernelTile& Tile, int32_t ToTargetX, int32_t ToTargetY)
 {
-	return Lanes::SumTile<N>(Sum, Target, Tile, ToTargetX, ToTargetY);
+	const bool bDone = Lanes::SumTile<N>(Sum, Target, Tile, ToTargetX, ToTargetY);
+	Lanes::FinishStreaming();
+	return bDone;
 }
 
 } // namespace Drydock

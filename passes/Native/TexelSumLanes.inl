@@ -2,6 +2,7 @@
 // Included by TexelSum_*.cpp only.
 #pragma once
 
+#include "Native/StreamingStores.inl"
 #include "Native/TexelStrips.inl"
 #include "Native/TexelSum.h"
 
@@ -63,7 +64,30 @@ struct TTexelSum
 	{
 		uint8_t* const Place =
 			To.Data + int64_t(Y) * To.RowPitch + int64_t(X) * GetTexelStorageInfo(Target.Storage).BytesPerTexel;
-		EncodeStrip<N, C>(Target, Sums, Count, Place);
+		if (C != 4 || !IsStreamed(Target, Place))
+		{
+			EncodeStrip<N, C>(Target, Sums, Count, Place);
+		}
+		else if (Target.Storage == ETexelStorage::RGBA32_FLOAT)
+		{
+			Stream<FRgba32Format>(Sums, Count, Place);
+		}
+		else
+		{
+			Stream<FRgba16Format>(Sums, Count, Place);
+		}
+	}
+
+	template<typename FFormat>
+	void Stream(const float* Sums, int32_t Count, uint8_t* Place) const
+	{
+		constexpr int32_t Step = N / 4;
+		const int32_t Whole = Count / Step * Step;
+		for (int32_t i = 0; i < Whole; i += Step)
+		{
+			StreamTexels<N, FFormat>(Place + i * FFormat::Bytes, LoadRaw<FFloat>(Sums + 4 * i));
+		}
+		EncodeStrip<N, C>(Target, Sums + Whole * C, Count - Whole, Place + Whole * FFormat::Bytes);
 	}
 
 	DRYDOCK_LANES_INLINE void SumPacks(const float* Strip, float* Out) const
@@ -223,6 +247,7 @@ void TTexelSumLanes<N>::Run(
 		{
 			const Lanes::TTexelSum<N, Channels> Tile{Sum, Target, Pixels, FirstX, FirstY, Weights};
 			Sum.Axis == 0 ? Tile.SumRows() : Tile.SumColumns();
+			Lanes::FinishStreaming();
 		});
 }
 
