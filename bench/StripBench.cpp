@@ -1,9 +1,11 @@
-// What passes cost by their native kernels and by their shaders: blurs and downsamples, bloom setup, tonemapper;
+// What passes cost by their native kernels and by their shaders: blurs, boxes and downsamples, bloom setup, tonemapper;
 // 1920x1080. Both run alternately in one process, with a copy of the picture by memcpy between them; medians of 7, one
 // thread. "copies": time over that of the copy of the picture in its own format. Then, for what both formats have, the
 // native time of half storage over that of float32.
 #include "Bloom/PostProcessBloomSetup.h"
 #include "Blur/DualKawaseBlurPass.h"
+#include "Blur/FourTapBlur.h"
+#include "Blur/MatchedGaussianBlur.h"
 #include "Blur/PostProcessWeightedSampleSum.h"
 #include "Exposure/PostProcessEyeAdaptation.h"
 #include "Exposure/PostProcessLocalExposure.h"
@@ -13,9 +15,12 @@
 #include "RenderGraphObserver.h"
 #include "RenderTargetPool.h"
 #include "SceneRendering.h"
+#include "SceneTextureParameters.h"
+#include "SceneTextures.h"
 #include "Screen/PostProcessDownsample.h"
 #include "Tonemap/PostProcessCombineLUTs.h"
 #include "Tonemap/PostProcessTonemap.h"
+#include "Toon/CharaGlow.h"
 
 #include <algorithm>
 #include <chrono>
@@ -70,6 +75,41 @@ FAddPasses Kawase(int32 Levels)
 		Inputs.SceneColor = Input;
 		Inputs.PassNum = Levels;
 		return AddDualKawaseBlurPass(GraphBuilder, View, Inputs);
+	};
+}
+
+FAddPasses Separable(double StandardDeviation)
+{
+	return [StandardDeviation](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& Input)
+	{
+		FMatchedGaussianBlurInputs Inputs;
+		Inputs.SceneColor = Input;
+		Inputs.StandardDeviation = StandardDeviation;
+		Inputs.bSeparable = true;
+		return AddMatchedGaussianBlurPasses(GraphBuilder, View, Inputs);
+	};
+}
+
+FAddPasses Pyramid(double StandardDeviation)
+{
+	return [StandardDeviation](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& Input)
+	{
+		return AddPyramidBlurPasses(GraphBuilder, View, Input, StandardDeviation);
+	};
+}
+
+/** CharaGlow's two box passes; the mask is blue of the input. */
+FAddPasses Box(float Area)
+{
+	return [Area](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& Input)
+	{
+		FSceneTextures SceneTextures;
+		SceneTextures.GBufferD = Input.Texture;
+		FCharaGlowInputs Inputs;
+		Inputs.SceneColor = Input;
+		Inputs.Area = Area;
+		Inputs.SceneTextures = CreateSceneTextureUniformBuffer(GraphBuilder, &SceneTextures);
+		return AddCharaGlowPasses(GraphBuilder, View, Inputs);
 	};
 }
 
@@ -237,6 +277,19 @@ int main()
 		{
 			Rows.push_back({"Gaussian radius " + std::to_string(int(Radius)) + ", " + Name, Format, Gaussian(Radius)});
 		}
+		for (const int32 Sigma : {2, 8, 32})
+		{
+			Rows.push_back({"exact Gaussian, sigma " + std::to_string(Sigma) + ", " + Name, Format, Separable(Sigma)});
+		}
+		for (const int32 Sigma : {8, 32})
+		{
+			Rows.push_back({"pyramid, sigma " + std::to_string(Sigma) + ", " + Name, Format, Pyramid(Sigma)});
+		}
+		for (const int32 Radius : {1, 8, 32})
+		{
+			Rows.push_back(
+				{"box, radius " + std::to_string(Radius) + ", " + Name, Format, Box(static_cast<float>(Radius))});
+		}
 		for (const int32 Levels : {1, 3, 5})
 		{
 			Rows.push_back({"dual Kawase " + std::to_string(Levels) + ", " + Name, Format, Kawase(Levels)});
@@ -278,6 +331,17 @@ int main()
 			Native / Copied, Shader / Copied);
 		std::fflush(stdout);
 		NativeTimes[Row.Name] = Native;
+	}
+	// Sigma 8 and 32 end at 24 and 96 texels: two directions of 49 and 193 taps.
+	constexpr double MoreTaps = 2 * (193 - 49);
+	std::printf("\n| exact Gaussian of | a tap, ms | products and sums a ns |\n|---|---|---|\n");
+	for (const auto& [Name, Channels] : {std::pair("R11G11B10", 3), {"RGBA16F", 4}, {"RGBA32F", 4}})
+	{
+		const double Milliseconds = (NativeTimes[std::string("exact Gaussian, sigma 32, ") + Name] -
+										NativeTimes[std::string("exact Gaussian, sigma 8, ") + Name]) /
+									MoreTaps;
+		const double Operations = 2.0 * Channels * GSize.X * GSize.Y;
+		std::printf("| %s | %.3f | %.0f |\n", Name, Milliseconds, Operations / (Milliseconds * 1e6));
 	}
 	std::printf("\n| pass | half / float32 |\n|---|---|\n");
 	for (const FRow& Row : Rows)

@@ -1,5 +1,6 @@
 // The histogram of log2 luminance against its bucket maths, the mask, pre-exposure, rects and hazards.
 #include "ExposureTestUtils.h"
+#include "NativeTestUtils.h"
 
 #include "Exposure/ExposureMetering.h"
 
@@ -75,6 +76,73 @@ TEST(PostProcessHistogram, NoiseOfOddSizesFollowsTheBucketMaths)
 		for (size_t Bucket = 0; Bucket < Buckets.size(); ++Bucket)
 		{
 			EXPECT_NEAR(Reference[Bucket], Buckets[Bucket], 1e-5) << Width << "x" << Height << " bucket " << Bucket;
+		}
+	}
+}
+
+TEST(PostProcessHistogram, RowsOfAnyFormatCountAsTexelsReadOneByOne)
+{
+	std::mt19937 Random(31);
+	for (int Case = 0; Case < 24; ++Case)
+	{
+		const FPlace Place = DrawPlace(Random);
+		const FIntRect Rect(Place.Rect.MinX, Place.Rect.MinY, Place.Rect.MaxX, Place.Rect.MaxY);
+		const FTextureRHIRef Texture = new FRHITexture(
+			FRDGTextureDesc::Create2D(Place.Extent, Place.Format, FClearValueBinding::None, TexCreate_ShaderResource),
+			TEXT("Input"));
+		for (int Y = 0; Y < Rect.Height(); ++Y)
+		{
+			for (int X = 0; X < Rect.Width(); ++X)
+			{
+				const FTexel& Texel = Place.Image.At(X, Y);
+				Texture->WriteTexelDouble(
+					Rect.Min.X + X, Rect.Min.Y + Y, FVector4(Texel[0], Texel[1], Texel[2], Texel[3]));
+			}
+		}
+		FViewInfo View(nullptr, Rect, Place.Extent);
+		View.PreExposure = Case % 2 == 0 ? 1.0f : 0.5f;
+		const FEyeAdaptationParameters Parameters = GetEyeAdaptationParameters(View, AEM_Histogram, false);
+		// Texel by texel, as they are stored.
+		FBuckets Reference{};
+		for (int Y = Place.Rect.MinY; Y < Place.Rect.MaxY; ++Y)
+		{
+			for (int X = Place.Rect.MinX; X < Place.Rect.MaxX; ++X)
+			{
+				const FVector4 Color = Texture->ReadTexelDouble(X, Y);
+				const double Mean = (Color.X + Color.Y + Color.Z) / 3;
+				if (std::isnan(Mean))
+				{
+					continue;
+				}
+				const double Luminance = std::max(
+					std::clamp(Mean, 0.0, 65536.0) / double(View.PreExposure), double(Parameters.LuminanceMin));
+				const double At = 63 * std::clamp(std::log2(Luminance) * double(Parameters.HistogramScale) +
+													  double(Parameters.HistogramBias),
+										   0.0, 1.0);
+				for (int Bucket = 0; Bucket < 64; ++Bucket)
+				{
+					Reference[size_t(Bucket)] +=
+						std::max(0.0, 1 - std::abs(At - Bucket)) / Place.Rect.Width() / Place.Rect.Height();
+				}
+			}
+		}
+		Reference[0] *= double(Parameters.BlackHistogramBucketInfluence);
+		FBuckets Counted[2];
+		for (int Threads = 1; Threads <= 2; ++Threads)
+		{
+			const FScopedConsoleVariable Scope(TEXT("r.Drydock.Threads"), static_cast<float>(Threads));
+			FRDGBuilder GraphBuilder(FRHICommandListExecutor::GetImmediateCommandList(), RDG_EVENT_NAME("Histogram"));
+			const FScreenPassTexture Input(
+				GraphBuilder.RegisterExternalTexture(CreateRenderTarget(Texture, TEXT("Input"))), Rect);
+			TRefCountPtr<IPooledRenderTarget> Result;
+			GraphBuilder.QueueTextureExtraction(AddHistogramPass(GraphBuilder, View, Parameters, Input), &Result);
+			GraphBuilder.Execute();
+			Counted[Threads - 1] = Drydock::ReadHistogram(*Result->GetRHI());
+		}
+		EXPECT_EQ(Counted[0], Counted[1]) << Describe(Place);
+		for (size_t Bucket = 0; Bucket < Reference.size(); ++Bucket)
+		{
+			EXPECT_NEAR(Reference[Bucket], Counted[0][Bucket], 1e-6) << Describe(Place) << ", bucket " << Bucket;
 		}
 	}
 }
