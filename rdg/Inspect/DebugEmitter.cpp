@@ -57,8 +57,8 @@ std::string FDebugEmitter::Emit()
 	{
 		Define(Function);
 	}
-	return "#include \"DebugKernelSupport.h\"\n" + Types.GetDefinitions() + Globals + Declarations + Definitions +
-		   MakeKernel();
+	return "#include \"DebugKernelSupport.h\"\n" + Types.GetDefinitions() + Globals + Declarations +
+		   "static uint DrydockIncoming[" + std::to_string(NumIncoming) + "];\n" + Definitions + MakeKernel();
 }
 
 void FDebugEmitter::AddConstant(uint32_t Variable, uint32_t Member)
@@ -177,8 +177,14 @@ void FDebugEmitter::Declare(const FSpirvFunction& Function)
 		Signatures.insert(Name + "(" + ParameterTypes);
 	}
 	Known.Name = Name;
-	Known.Signature = "static " + MakeReturnType(Function) + " " + Name + "(" + Parameters + ")";
+	const std::string Type = MakeReturnType(Function);
+	Known.Signature = "static " + Type + " " + Name + "(" + Parameters + ")";
 	Declarations += Known.Signature + ";\n";
+	if (GetReturnType(Function))
+	{
+		Known.Result = "DrydockResult" + std::to_string(Function.Id);
+		Declarations += "static " + Type + " " + Known.Result + ";\n";
+	}
 }
 
 void FDebugEmitter::SetLine(uint32_t File, int Line)

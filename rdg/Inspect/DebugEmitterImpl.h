@@ -29,6 +29,7 @@ private:
 	{
 		std::string Name;
 		std::string Signature;
+		std::string Result; // where callers find what it returned
 	};
 
 	// Words
@@ -65,8 +66,8 @@ private:
 	std::string MakeStatement(const FSpirvFunction& Function, const FSpirvBlock& Block, uint32_t StepIndex);
 	std::string MakeCall(const FSpirvStep& Step);
 	std::string MakeReturn(const FSpirvFunction& Function, const FSpirvStep& Step);
-	std::string MakeSwitch(const FSpirvStep& Step, const FSpirvBlock& Block) const;
-	std::string Jump(uint32_t From, uint32_t To) const;
+	std::string MakeSwitch(const FSpirvStep& Step, const FSpirvBlock& Block);
+	std::string Jump(uint32_t From, uint32_t To);
 
 	const FSpirvModule& Module;
 	const FSpirvProgram& Program;
@@ -86,6 +87,7 @@ private:
 	std::map<uint32_t, std::string> Files;                          // on disk, by the module's
 	std::string LastFile;
 	int LastLine = 0;
+	size_t NumIncoming = 1; // words of phis that one jump writes
 };
 
 } // namespace Drydock

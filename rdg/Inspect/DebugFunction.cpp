@@ -21,6 +21,24 @@ bool Overlap(const FDebugLocal& A, const FDebugLocal& B)
 	return A.First <= B.Last && B.First <= A.Last;
 }
 
+using FLine = std::pair<uint32_t, int>; // file and line
+
+/** Code of one line stays on one side of a brace: a debugger would stop twice at it. */
+void TakeWholeLines(const std::vector<FLine>& Lines, std::vector<FDebugLocal>& Locals)
+{
+	for (FDebugLocal& Local : Locals)
+	{
+		while (Local.First > 0 && Lines[Local.First - 1] == Lines[Local.First])
+		{
+			--Local.First;
+		}
+		while (Local.Last + 1 < Lines.size() && Lines[Local.Last + 1] == Lines[Local.Last])
+		{
+			++Local.Last;
+		}
+	}
+}
+
 /** Braces lie inside each other or beside each other. */
 void MakeNested(std::vector<FDebugLocal>& Locals)
 {
@@ -105,7 +123,7 @@ std::vector<FDebugLocal> FindDebugLocals(
 	const FSpirvModule& Module = Program.Module;
 	std::vector<FDebugLocal> Locals;
 	std::map<uint32_t, uint32_t> Bases; // of access chains
-	size_t Position = 0;
+	std::vector<FLine> Lines;           // of the instructions
 	for (uint32_t Block = Function.FirstBlock; Block < Function.FirstBlock + Function.NumBlocks; ++Block)
 	{
 		for (const FSpirvInstruction& I : Module.Blocks[Block].Instructions)
@@ -121,10 +139,10 @@ std::vector<FDebugLocal> FindDebugLocals(
 				const auto Found = Module.VariableIndex.find(Id);
 				if (Found != Module.VariableIndex.end() && IsShown(Program, Found->second))
 				{
-					AddUse(Module, Found->second, Position, Locals);
+					AddUse(Module, Found->second, Lines.size(), Locals);
 				}
 			}
-			++Position;
+			Lines.emplace_back(I.File, I.Line);
 		}
 	}
 	for (FDebugLocal& Local : Locals)
@@ -132,6 +150,7 @@ std::vector<FDebugLocal> FindDebugLocals(
 		Local.bScoped = std::any_of(Locals.begin(), Locals.end(),
 			[&Local](const FDebugLocal& Other) { return &Other != &Local && Other.Name == Local.Name; });
 	}
+	TakeWholeLines(Lines, Locals);
 	MakeNested(Locals);
 	for (size_t i = 0; i < Locals.size(); ++i)
 	{

@@ -1,6 +1,8 @@
 // Writes one statement for each instruction.
 #include "DebugEmitterImpl.h"
 
+#include <algorithm>
+
 namespace Drydock
 {
 
@@ -54,24 +56,27 @@ std::optional<FDebugPath> FDebugEmitter::FindPath(uint32_t Pointer)
 	return Path;
 }
 
-std::string FDebugEmitter::Jump(uint32_t From, uint32_t To) const
+/** Without variables of its own: their scope would make a line of two places, at each of which a debugger stops. */
+std::string FDebugEmitter::Jump(uint32_t From, uint32_t To)
 {
 	// All phis of a block read before any of them is written.
 	std::string Reads;
 	std::string Writes;
+	size_t Count = 0;
 	for (const FSpirvEdge& Edge : Program.Blocks[Program.BlockOf(To)].Edges)
 	{
 		for (uint32_t i = 0; Edge.From == From && i < Edge.Size; ++i)
 		{
-			const std::string Incoming = "Word" + std::to_string(Edge.To + i);
-			Reads += "const uint " + Incoming + " = " + Word(Edge.Source + i) + "; ";
+			const std::string Incoming = "DrydockIncoming[" + std::to_string(Count++) + "]";
+			Reads += Incoming + " = " + Word(Edge.Source + i) + "; ";
 			Writes += Word(Edge.To + i) + " = " + Incoming + "; ";
 		}
 	}
+	NumIncoming = std::max(NumIncoming, Count);
 	return "{ " + Reads + Writes + "goto Block" + std::to_string(To) + "; }";
 }
 
-std::string FDebugEmitter::MakeSwitch(const FSpirvStep& Step, const FSpirvBlock& Block) const
+std::string FDebugEmitter::MakeSwitch(const FSpirvStep& Step, const FSpirvBlock& Block)
 {
 	const std::vector<uint32_t>& Operands = Step.I->Operands;
 	std::string Text = "switch (" + Word(Arg(Step, 0)) + ") { ";
@@ -135,11 +140,11 @@ std::string FDebugEmitter::MakeCall(const FSpirvStep& Step)
 				(Arguments.empty() ? "" : ", ") + Types.ReadWords(Type, bPointer ? AtPointer(Words) : At(Words));
 		}
 	}
-	const std::string Call = "::" + Named[Function.Id].Name + "(" + Arguments + "); ";
+	const FNamed& Callee = Named[Function.Id];
+	const std::string Call = "::" + Callee.Name + "(" + Arguments + "); ";
 	const uint32_t Type = GetReturnType(Function);
-	const std::string Result = Type && Types.IsArray(Type) ? "Result.Value" : "Result";
-	return Before + (Type ? "{ auto Result = " + Call + Types.CopyToWords(Type, Result, At(Step.To)) + "} " : Call) +
-		   After;
+	const std::string Value = Type && Types.IsArray(Type) ? Callee.Result + ".Value" : Callee.Result;
+	return Before + (Type ? Callee.Result + " = " + Call + Types.CopyToWords(Type, Value, At(Step.To)) : Call) + After;
 }
 
 std::string FDebugEmitter::MakeStatement(const FSpirvFunction& Function, const FSpirvBlock& Block, uint32_t StepIndex)

@@ -236,6 +236,10 @@ std::string FDebugTypes::CopyFromWords(uint32_t Type, const std::string& Variabl
 
 std::string FDebugTypes::ReadWords(uint32_t Type, const std::string& Words)
 {
+	if (Module.GetType(Type).Kind == ESpirvType::Bool)
+	{
+		return "(" + Words + ")[0] != 0";
+	}
 	return HasBools(Type) ? "({ " + NameOf(Type) + " Read; " + CopyFromWords(Type, "Read", Words) + "Read; })"
 						  : "*(" + NameOf(Type) + "*)(" + Words + ")";
 }

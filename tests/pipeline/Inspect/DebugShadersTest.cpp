@@ -136,9 +136,13 @@ std::vector<std::string> FindConfigs()
 	Found.clear();
 	for (const auto& Entry : std::filesystem::directory_iterator(Folder))
 	{
+		if (Entry.path().extension() != ".json")
+		{
+			continue;
+		}
 		std::ifstream Stream(Entry.path());
 		const std::string Text(std::istreambuf_iterator<char>(Stream), {});
-		if (Entry.path().extension() == ".json" && Text.find("\"scene\"") != std::string::npos)
+		if (Text.find("\"scene\"") != std::string::npos)
 		{
 			Found.push_back(Entry.path().string());
 		}
