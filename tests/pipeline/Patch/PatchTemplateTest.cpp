@@ -86,10 +86,11 @@ TEST_F(PatchTemplate, TheProjectHasTheLayoutOfAPlugin)
 	{
 		Paths.push_back(File.Path);
 	}
-	const std::vector<std::string> Expected = {".gitignore", "CMakeLists.txt", "README.md", "Rain.uplugin",
-		"Shaders/Private/DrydockPrint.ush", "Shaders/Private/Rain.usf", "Source/Rain/Private/RainModule.cpp",
-		"Source/Rain/Private/RainViewExtension.cpp", "Source/Rain/Private/RainViewExtension.h",
-		"Source/Rain/Rain.Build.cs", "configs/Rain.json", "configs/scenes/room.exr", "tests/RainTest.cpp"};
+	const std::vector<std::string> Expected = {".gitignore", ".vscode/launch.json", ".vscode/settings.json",
+		"CMakeLists.txt", "README.md", "Rain.uplugin", "Shaders/Private/DrydockPrint.ush", "Shaders/Private/Rain.usf",
+		"Source/Rain/Private/RainModule.cpp", "Source/Rain/Private/RainViewExtension.cpp",
+		"Source/Rain/Private/RainViewExtension.h", "Source/Rain/Rain.Build.cs", "configs/Rain.json",
+		"configs/scenes/room.exr", "tests/RainTest.cpp"};
 	EXPECT_EQ(Expected, Paths);
 }
 
@@ -129,6 +130,25 @@ TEST_F(PatchTemplate, TheConfigLoadsWhatTheBuildFileBuilds)
 			EXPECT_TRUE(Contains(File.Text, "find_package(drydock CONFIG REQUIRED)"));
 			EXPECT_TRUE(Contains(File.Text, "drydock_add_plugin(Rain\n"));
 		}
+	}
+}
+
+// F5 in an editor: gdb on this config, with the program's own arguments.
+TEST_F(PatchTemplate, TheEditorDebugsTheShadersOfTheConfig)
+{
+	for (const FPatchFile& File : MakePatchFiles("Rain"))
+	{
+		if (File.Path != ".vscode/launch.json")
+		{
+			continue;
+		}
+		const nlohmann::json Launch = nlohmann::json::parse(File.Text, nullptr, true, true);
+		const nlohmann::json& Shaders = Launch["configurations"][0];
+		const nlohmann::json Arguments = {"drydock", "run", "${workspaceFolder}/configs/Rain.json", "--debug-shaders",
+			"${input:pixel}", "--passes", "${input:pass}"};
+		EXPECT_EQ(Arguments, Shaders["args"]);
+		EXPECT_EQ("set breakpoint pending on", Shaders["setupCommands"][0]["text"]);
+		EXPECT_EQ("FRainPS", Launch["inputs"][1]["default"]);
 	}
 }
 
