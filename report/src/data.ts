@@ -213,9 +213,9 @@ export function realPasses(report: Report): GraphPass[] {
 	return report.graph.passes.filter((pass) => real.has(pass.index));
 }
 
-/** "BloomSetup" of "BloomSetup 480x270 (PS)". */
+/** "DOF Setup" of "DOF Setup 480x270 (PS)", "Upsample" of "Upsample(High) 8x8 (PS)". */
 export function shortName(pass: string): string {
-	return pass.split(/[ (]/)[0];
+	return pass.replace(/\(.*$/, "").replace(/ \d+(x\d+)*\s*$/, "").trim() || pass;
 }
 
 export function pictureUrl(picture: PictureData): string {

@@ -13,6 +13,9 @@ export function number(value: number): string {
 }
 
 export function ms(value: number): string {
+	if (value < 0.1) {
+		return (value * 1000).toFixed(value < 0.01 ? 1 : 0) + " µs";
+	}
 	return value >= 1000 ? (value / 1000).toFixed(2) + " s" : value >= 10 ? value.toFixed(0) + " ms" : value.toFixed(2) + " ms";
 }
 

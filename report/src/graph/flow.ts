@@ -8,9 +8,9 @@ import { GraphFacts, whyPass } from "./why";
 
 const size = { width: 176, height: 38 };
 
-export function drawFlow(facts: GraphFacts, culled: boolean, select: (pass: number) => void): SVGSVGElement {
-	const passes = facts.passes.filter((pass) => culled || !pass.culled);
-	const shown = new Set(passes.map((pass) => pass.index));
+/** Made smaller to be as wide as there is room, as far as it stays readable. */
+export function drawFlow(facts: GraphFacts, room: number, select: (pass: number) => void): SVGSVGElement {
+	const { passes } = facts;
 	const graph = new dagre.graphlib.Graph({ multigraph: false });
 	graph.setGraph({ rankdir: "TB", nodesep: 22, ranksep: 34, marginx: 12, marginy: 12 });
 	graph.setDefaultEdgeLabel(() => ({}));
@@ -31,7 +31,7 @@ export function drawFlow(facts: GraphFacts, culled: boolean, select: (pass: numb
 			written.set(use.resource, [...(written.get(use.resource) ?? []), pass.index]);
 		}
 		for (const producer of pass.producers) {
-			if (shown.has(producer) && shown.has(pass.index)) {
+			if (facts.byIndex.has(producer)) {
 				graph.setEdge(String(producer), String(pass.index));
 			}
 		}
@@ -39,7 +39,8 @@ export function drawFlow(facts: GraphFacts, culled: boolean, select: (pass: numb
 	dagre.layout(graph);
 
 	const { width = 100, height = 100 } = graph.graph();
-	const svg = el<SVGSVGElement>("svg", { width, height, viewBox: `0 0 ${width} ${height}`, class: "flow", role: "group", "aria-label": "Passes and what flows between them" });
+	const scale = Math.min(1, Math.max(room / width, 0.75));
+	const svg = el<SVGSVGElement>("svg", { width: width * scale, height: height * scale, viewBox: `0 0 ${width} ${height}`, class: "flow", role: "group", "aria-label": "Passes and what flows between them" });
 	for (const edge of graph.edges()) {
 		const points = graph.edge(edge).points;
 		const names = [...new Set(carried.get(`${edge.v} ${edge.w}`) ?? [])];

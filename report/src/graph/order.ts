@@ -10,27 +10,30 @@ const names = 250; // width of the names of passes
 const bar = 70;
 const head = 150; // height of the names of resources
 
-export function drawOrder(facts: GraphFacts, select: (pass: number) => void): SVGSVGElement {
+/** Names stay in sight: those of the resources at the top, those of the passes at the left (--scrolled of the style). */
+export function drawOrder(facts: GraphFacts, select: (pass: number) => void): HTMLElement {
 	const { passes, resources, milliseconds } = facts;
 	const left = names + bar + 18;
 	const width = left + resources.length * column + 90;
-	const height = head + passes.length * row + 8;
-	const svg = el<SVGSVGElement>("svg", { width, height, viewBox: `0 0 ${width} ${height}`, class: "order", role: "group", "aria-label": "Passes in order, and the resources they read and write" });
-	const rowOf = new Map(passes.map((pass, i) => [pass.index, head + i * row + row / 2]));
+	const height = passes.length * row + 8;
+	const heading = el<SVGSVGElement>("svg", { width, height: head, class: "names", "aria-hidden": "true" });
+	const svg = el<SVGSVGElement>("svg", { width, height, role: "group", "aria-label": "Passes in order, and the resources they read and write" });
+	const rowOf = new Map(passes.map((pass, i) => [pass.index, i * row + row / 2]));
 	const longest = Math.max(...milliseconds.values(), 0.001);
 
 	resources.forEach((resource, i) => {
 		const x = left + i * column + column / 2;
 		const uses = passes.filter((pass) => pass.uses.some((use) => use.resource === resource.index)).map((pass) => rowOf.get(pass.index)!);
 		const kind = resource.reason ? "unused" : resource.external ? "external" : resource.transient ? "transient" : "pooled";
-		svg.append(el("g", { class: `resource ${kind}`, "data-resource": resource.index, "data-tip": whyResource(facts, resource) },
-			el("rect", { class: "hit", x: x - column / 2, y: head - 9, width: column, height: height - head + 9 }),
-			el("text", { transform: `translate(${x + 3} ${head - 12}) rotate(-55)` }, resource.name),
+		const attributes = { class: `resource ${kind}`, "data-resource": resource.index, "data-tip": whyResource(facts, resource) };
+		heading.append(el("g", attributes, el("text", { transform: `translate(${x + 3} ${head - 8}) rotate(-55)` }, resource.name)));
+		svg.append(el("g", attributes,
+			el("rect", { class: "hit", x: x - column / 2, y: 0, width: column, height }),
 			el("rect", { class: "life", x: x - 2.5, y: Math.min(...uses) - 4, width: 5, height: Math.max(...uses) - Math.min(...uses) + 8, rx: 2.5 })));
 	});
 
 	passes.forEach((pass, i) => {
-		const y = head + i * row + row / 2;
+		const y = i * row + row / 2;
 		const time = milliseconds.get(pass.index);
 		const open = () => select(pass.index);
 		const group = el<SVGGElement>("g", {
@@ -52,10 +55,6 @@ export function drawOrder(facts: GraphFacts, select: (pass: number) => void): SV
 			},
 		},
 			el("rect", { class: "back", x: 0, y: y - row / 2, width, height: row }),
-			el("text", { class: "index", x: 34, y: y + 4, "text-anchor": "end" }, pass.index),
-			el("text", { x: 44, y: y + 4 }, cut(shortName(pass.name), 30)),
-			pass.culled ? el("rect", { class: "outline", x: 39, y: y - row / 2 + 2, width: names - 46, height: row - 4, rx: 3 }) : null,
-			time !== undefined ? el("rect", { class: "time", x: names, y: y - 4, width: Math.max((time / longest) * bar, 1), height: 8, rx: 1 }) : null,
 			el("title", {}, pass.name + (time !== undefined ? `, ${ms(time)}` : "")));
 		for (const use of pass.uses) {
 			const at = resources.findIndex((resource) => resource.index === use.resource);
@@ -70,6 +69,13 @@ export function drawOrder(facts: GraphFacts, select: (pass: number) => void): SV
 			const both = written.has(resource);
 			group.append(el("circle", { class: both ? "read both" : "read", cx: x, cy: y, r: both ? 3 : 4.5 }));
 		}
+		group.append(el("g", { class: "label" },
+			el("rect", { class: "cover", x: 0, y: y - row / 2, width: left - 8, height: row }),
+			el("rect", { class: "back", x: 0, y: y - row / 2, width: left - 8, height: row }),
+			el("text", { class: "index", x: 34, y: y + 4, "text-anchor": "end" }, pass.index),
+			el("text", { x: 44, y: y + 4 }, cut(shortName(pass.name), 30)),
+			pass.culled ? el("rect", { class: "outline", x: 39, y: y - row / 2 + 2, width: names - 46, height: row - 4, rx: 3 }) : null,
+			time !== undefined ? el("rect", { class: "time", x: names, y: y - 4, width: Math.max((time / longest) * bar, 1), height: 8, rx: 1 }) : null));
 		svg.append(group);
 	});
 
@@ -79,7 +85,8 @@ export function drawOrder(facts: GraphFacts, select: (pass: number) => void): SV
 			svg.append(el("path", { class: "bracket", d: `M 8 ${from - 7} H 3 V ${to + 7} H 8`, "data-tip": `Passes ${pass.renderPassBegin} to ${pass.renderPassEnd} are one render pass` }));
 		}
 	}
-	return svg;
+	heading.append(el("g", { class: "label" }, el("rect", { class: "cover", x: 0, y: 0, width: left - 8, height: head })));
+	return el("div", { class: "order", style: `width:${width}px` }, heading, svg);
 }
 
 export function cut(text: string, length: number): string {

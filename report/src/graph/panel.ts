@@ -41,6 +41,7 @@ export class GraphPanel {
 				el("span", { class: "legend right" }, el("i", { class: "key read" }), "reads", el("i", { class: "key write" }), "writes", el("i", { class: "key culled" }), "culled", el("i", { class: "key bracket" }), "merged")),
 			el("div", { class: "graph" }, this.view, this.side),
 			drawHeap(report, this.facts));
+		this.view.addEventListener("scroll", () => this.view.style.setProperty("--scrolled", this.view.scrollLeft + "px"));
 		this.draw();
 	}
 
@@ -75,7 +76,12 @@ export class GraphPanel {
 
 	private draw(): void {
 		const select = (index: number) => this.select(index);
-		this.view.replaceChildren(this.flow ? drawFlow(this.facts, true, select) : drawOrder(this.facts, select));
+		this.view.replaceChildren(this.flow ? drawFlow(this.facts, this.view.clientWidth - 20, select) : drawOrder(this.facts, select));
+		const first = this.flow && this.view.querySelector(".pass");
+		if (first) {
+			const [node, view] = [first.getBoundingClientRect(), this.view.getBoundingClientRect()];
+			this.view.scrollTo({ left: (node.left + node.right - view.left - view.right) / 2, top: 0, behavior: "instant" });
+		}
 		this.views.order.setAttribute("aria-pressed", String(!this.flow));
 		this.views.flow.setAttribute("aria-pressed", String(this.flow));
 		this.mark();

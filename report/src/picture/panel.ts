@@ -255,7 +255,8 @@ export class PicturePanel {
 	}
 
 	private fillStrip(): void {
-		for (const picture of this.report.pictures) {
+		const place = (picture: PictureData) => (picture.role === "previous" ? Infinity : picture.pass);
+		for (const picture of this.report.pictures.toSorted((a, b) => place(a) - place(b) || 0)) {
 			const choose = (event: { shiftKey: boolean }) =>
 				event.shiftKey ? this.choose(this.a.id, picture.id) : this.choose(picture.id, this.b?.id ?? "");
 			this.strip.append(el("button", { type: "button", role: "option", "data-id": picture.id, "data-tip": picture.label + "; with shift as B", onclick: choose },

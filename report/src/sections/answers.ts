@@ -32,8 +32,8 @@ function leftOut(report: Report): HTMLElement {
 	const off = report.run.effects.filter((effect) => !effect.active);
 	const culled = realPasses(report).filter((pass) => pass.culled);
 	const { explain } = report;
-	const saved = explain && explain.withoutSkipping.ms - explain.cost.ms;
-	const spare = saved && saved > 0.05 ? `, which saves some ${ms(saved)} of ${ms(explain.withoutSkipping.ms)}` : "";
+	const saved = explain ? 1 - explain.cost.ms / explain.withoutSkipping.ms : 0;
+	const spare = saved > 0.001 ? `, which saves ${percent(saved)} of the passes' time by estimate` : "";
 	const groups = Map.groupBy(culled, (pass) => shortName(pass.name));
 	const more = [...groups].slice(0, 4).map(([name, passes]) => {
 		const reason = passes.map((pass) => pass.reason).reduce((a, b) => (b.length < a.length ? b : a));

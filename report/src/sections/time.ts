@@ -1,7 +1,7 @@
 // Where the time of the process went, and that of the passes, beside the run before.
 import { Report, Timing, shortName } from "../data";
 import { el, section, table } from "../dom";
-import { big, ms, number, percent } from "../format";
+import { big, bytes, ms, number, percent } from "../format";
 
 const parts: [keyof Timing, string, string][] = [
 	["startMs", "Start", "loading libraries, before the run"],
@@ -29,6 +29,7 @@ export function makeTime(report: Report, openPass: (index: number) => void): HTM
 	const { timing, run, previous } = report;
 	const old = new Map(previous?.timing?.passes.map((pass) => [pass.name, pass.ms]) ?? []);
 	const rows = [...timing.passes].sort((a, b) => b.ms - a.ms);
+	const shown = 16; // the others on request
 	const longest = Math.max(...rows.map((row) => row.ms), ...old.values(), 0.001);
 	const counters = (index: number) => run.passes.find((pass) => pass.index === index)!;
 	return section("time", "Time", `${timing.threads} threads on ${timing.cpu}`,
@@ -43,7 +44,11 @@ export function makeTime(report: Report, openPass: (index: number) => void): HTM
 			{ title: "of passes", number: true, cell: (row) => percent(row.ms / timing.executeMs) },
 			{ title: "ns a pixel", number: true, cell: (row) => (counters(row.index).pixels ? number(Number(((row.ms * 1e6) / counters(row.index).pixels).toPrecision(3))) : "") },
 			{ title: "Taps", number: true, cell: (row) => (counters(row.index).taps ? big(counters(row.index).taps) : "") },
-			{ title: "Moved", number: true, cell: (row) => big(counters(row.index).bytesRead + counters(row.index).bytesWritten) + "B" },
+			{ title: "Moved", number: true, cell: (row) => bytes(counters(row.index).bytesRead + counters(row.index).bytesWritten) },
 			{ title: "GB/s", number: true, cell: (row) => (row.ms ? number(Number(((counters(row.index).bytesRead + counters(row.index).bytesWritten) / row.ms / 1e6).toPrecision(3))) : "") },
-		], rows));
+		], rows, (row) => ({ hidden: rows.indexOf(row) >= shown })),
+		rows.length > shown ? el("p", {}, el("button", { type: "button", class: "link", onclick: (event: Event) => {
+			document.querySelectorAll("#time tr[hidden]").forEach((row) => row.removeAttribute("hidden"));
+			(event.target as HTMLElement).remove();
+		} }, `all ${rows.length} passes`)) : null);
 }
