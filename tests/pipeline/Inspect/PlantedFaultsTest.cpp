@@ -17,6 +17,14 @@ namespace
 constexpr int Width = 6;
 constexpr int Height = 5;
 
+/** The page's table of mistakes has the answer. */
+void ExpectQuoted(const std::string& Answer)
+{
+	std::stringstream Page;
+	Page << std::ifstream(DRYDOCK_TEST_SOURCE_DIR "/docs/see-inside.md").rdbuf();
+	EXPECT_THAT(Page.str(), HasSubstr(Answer));
+}
+
 class PlantedFaults : public testing::Test
 {
 protected:
@@ -55,11 +63,12 @@ protected:
 	const FProgramFolder Folder{"planted"};
 };
 
-/** "PlantedFaults.usf:17: warning DD4010 at pass PlantedFaults, FPlantedFaultsPS: nan: ..." */
+/** "PlantedFaults.usf:17: warning DD4010 at pass PlantedFaults, FPlantedFaultsPS: nan: ...", which the page quotes. */
 std::vector<std::string> Expect(int Line, const std::string& Text)
 {
-	return {"PlantedFaults.usf:" + std::to_string(Line) +
-			": warning DD4010 at pass PlantedFaults, FPlantedFaultsPS: " + Text};
+	const std::string File = "PlantedFaults.usf:" + std::to_string(Line);
+	ExpectQuoted("`" + File + "`: `" + Text + "`");
+	return {File + ": warning DD4010 at pass PlantedFaults, FPlantedFaultsPS: " + Text};
 }
 
 TEST_F(PlantedFaults, NoneIsClean)
@@ -145,6 +154,11 @@ TEST_F(PlantedFaults, SwappedChannelsAreWhereTwoRunsPart)
 										   "   reads Source: 2,3\n"
 										   "   SV_Target0 2,3 = (0.75, 0.5, 0.25, 1) (RGBA16_FLOAT)\n"
 										   "   < here they part; against it SV_Target0 2,3 = (0.25, 0.5, 0.75, 1)"));
+}
+
+TEST_F(PlantedFaults, ThePageQuotesTheProbe)
+{
+	ExpectQuoted("`< here they part; against it SV_Target0 2,3 = (0.25, 0.5, 0.75, 1)`");
 }
 
 TEST_F(PlantedFaults, ATraceShowsTheLoopThatAddsNothing)
