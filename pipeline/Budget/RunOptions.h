@@ -23,6 +23,7 @@ enum class ERunStorage
 };
 
 class FSceneCache;
+struct FPassWrites;
 
 struct FRunOptions
 {
@@ -43,6 +44,11 @@ struct FRunOptions
 	std::string Engine;                                // "5.6"; beats the config's; empty: that
 	std::vector<std::string> Plugins;                  // shared objects; one in place of the config's of its file name
 	std::optional<std::array<double, 3>> Location;     // of the view, cm; beats the config's and the scene's
+	std::optional<std::array<int, 4>> Padding;         // left, top, right, bottom, texels; beats the config's
+	std::optional<double> ScreenPercentage;            // above 0; beats the config's
+	/** Rects of the views, in pixels of the picture, in place of the config's view or views, whose first says all else;
+	 * empty: the config's. */
+	std::vector<std::array<int, 4>> ViewRects;
 	std::optional<int> Frame;   // which of a sequence, the lowest by default; shaders see it as View.FrameNumber
 	std::optional<int> Threads; // 0: all cores
 	bool bDouble = false;       // double arithmetic
@@ -57,11 +63,14 @@ struct FRunOptions
 	bool bMeasureEffects = false;            // figures and pictures of effects (FEffect::Measure), after the frame
 	bool bFingerprints = false;              // of what each pass wrote, in run.json
 	bool bKeepForReport = false;             // of each pass its parameters and small pictures (FRunPass)
+	bool bPassValues = false;                // the constants of each pass's parameters (FRunResult::PassValues)
 	bool bUseBudget = true;                  // a config with a budget and a study runs what the study recommends
 	std::shared_ptr<FSceneCache> SceneCache; // of runs in a row: decoded channels; null: each run reads for itself
 	double StartMilliseconds = 0.0;          // that the process took before the run, for the run's times
 	/** Called before each pass that executes. */
 	std::function<void(int Done, int Total, const std::string& Pass)> Progress;
+	/** Called after each pass with what it wrote. What nobody has written is then 0, but for r.RDG.ClobberResources. */
+	std::function<void(const FPassWrites& Writes)> OnPassExecuted;
 };
 
 /** "out/toon_bloom" for configs/toon_bloom.json. */

@@ -13,6 +13,7 @@ enum EExtensionError
 	ErrorCallbackOverride = 2062,       // not OverrideOutput, though that was valid
 	ErrorCallbackNotDrawn = 2063,       // OverrideOutput, with nothing drawn to it
 	NoteCallbackReturnedInput = 2064,   // though it added passes, which nobody reads
+	NoteCallbackDidNothing = 2065,      // it returned its input and added no pass
 
 	WarnHookNeverCalled = 2070,   // an override that this engine version does not call
 	WarnEngineDiffers = 2071,     // compiled for another engine version than the run's

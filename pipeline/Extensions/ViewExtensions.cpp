@@ -436,6 +436,13 @@ void FViewExtensionFrame::Finish(const FRDGCompiledGraph& Graph)
 			}
 			Call.Did += (Call.Did.empty() ? "" : "; ") + DescribePasses(Inside->second);
 		}
+		else if (Call.bReturnedInput)
+		{
+			Log.Diagnostics.push_back(MakeExtensionDiagnostic(ESeverity::Note, NoteCallbackDidNothing, Call.Extension,
+				"its callback at " + Call.Hook +
+					" added no pass and returned its input: it is off here, by a setting, a console variable, a weight "
+					"of 0 or a condition of its own"));
+		}
 	}
 }
 

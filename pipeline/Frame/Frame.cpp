@@ -72,6 +72,13 @@ public:
 			Next->OnExternalsPlanned(Loads);
 		}
 	}
+	void OnPassPlanned(int32_t PassIndex, const FRDGPass& Pass) override
+	{
+		if (Next != nullptr)
+		{
+			Next->OnPassPlanned(PassIndex, Pass);
+		}
+	}
 	bool WantsZeroedTextures() const override { return Next != nullptr && Next->WantsZeroedTextures(); }
 	bool ShowsWarnings() const override { return Next != nullptr && Next->ShowsWarnings(); }
 	void OnPassExecuted(int32_t PassIndex, const FRDGPass& Pass, double Milliseconds, const FPassCounters& Counters,

@@ -36,6 +36,7 @@ FRunResult CompileFrame(FRunOptions Options, bool bNoSkip)
 {
 	Options.bExecute = false;
 	Options.bPlanLoads = true;
+	Options.bPassValues = true;
 	Options.bNoSkip = bNoSkip;
 	return RunConfig(Options);
 }
@@ -73,6 +74,7 @@ FExplainReport MeasureFrame(const FExplainOptions& Options, FCostModel& Model)
 	FProgressBar Bar;
 	FSamples Samples[2];
 	FRunResult Last[2];
+	std::vector<double> Savings; // of each pair
 	for (int Repetition = 0; Repetition <= NumMeasurements; ++Repetition)
 	{
 		for (const bool bNoSkip : {false, true})
@@ -80,11 +82,16 @@ FExplainReport MeasureFrame(const FExplainOptions& Options, FCostModel& Model)
 			Bar.Show(2 * Repetition + bNoSkip, 2 * NumMeasurements + 2, bNoSkip ? "with --no-skip" : "as it is");
 			FRunOptions RunOptions = Options.Run;
 			RunOptions.bNoSkip = bNoSkip;
+			RunOptions.bPassValues = true;
 			Last[bNoSkip] = RunConfig(RunOptions);
 			if (Repetition > 0) // the first run warms up
 			{
 				AddSamples(Last[bNoSkip], Samples[bNoSkip]);
 			}
+		}
+		if (Repetition > 0)
+		{
+			Savings.push_back(Last[1].Times.Execute - Last[0].Times.Execute);
 		}
 	}
 	Bar.Clear();
@@ -94,7 +101,9 @@ FExplainReport MeasureFrame(const FExplainOptions& Options, FCostModel& Model)
 	const FMeasuredPasses Frame = TakeMedians(std::move(Samples[0]));
 	const FMeasuredPasses NoSkip = TakeMedians(std::move(Samples[1]));
 	PrintDiagnostics(Last[0].Diagnostics);
-	return MakeExplainReport(Last[0], Last[1], Model, &Frame, &NoSkip);
+	FExplainReport Report = MakeExplainReport(Last[0], Last[1], Model, &Frame, &NoSkip);
+	Report.Saved = MakeMeasuredSaving(std::move(Savings));
+	return Report;
 }
 
 FExplainReport EstimateFrame(const FExplainOptions& Options, const FCostModel& Model)

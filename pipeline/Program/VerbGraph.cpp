@@ -50,13 +50,19 @@ int PrintGraph(const FGraphOptions& Options)
 {
 	FRunOptions RunOptions = Options.Run;
 	RunOptions.bExecute = false;
+	RunOptions.bPassValues = true;
 	const FRunResult Result = RunConfig(RunOptions);
 	PrintDiagnostics(Result.Diagnostics);
 	const std::string Format = Options.bJson ? "json" : Options.Format;
-	const std::string Text = Format == "json"  ? MakeGraphJson(Result.Graph)
+	std::map<int, std::string> Values;
+	for (const auto& [Index, OfPass] : Result.PassValues)
+	{
+		Values[Index] = FormatPassValues(OfPass);
+	}
+	const std::string Text = Format == "json"  ? MakeGraphJson(Result.Graph, Result.PassValues)
 							 : Format == "dot" ? DumpDot(Result.Graph)
 							 : Format == "svg" ? MakeSvg(DumpDot(Result.Graph))
-											   : DumpText(Result.Graph);
+											   : DumpText(Result.Graph, Values);
 	std::fputs(Text.c_str(), stdout);
 	PrintClosingLines(Result.Effects);
 	return ExitDone;

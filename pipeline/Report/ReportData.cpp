@@ -214,12 +214,14 @@ void WritePasses(FJsonWriter& Writer, const FRunResult& Result)
 			WritePermutations(Writer, *Type);
 		}
 		Writer.Key("parameters").BeginArray();
-		for (const FRunParameter& Parameter : Pass.Parameters)
+		const auto Values = Result.PassValues.find(Pass.Index);
+		for (size_t i = 0; Values != Result.PassValues.end() && i < Values->second.size(); ++i)
 		{
+			const FPassValue& Value = Values->second[i];
 			Writer.BeginObject(true);
-			Writer.Member("name", Parameter.Name);
-			Writer.Member("type", Parameter.Type);
-			Writer.Member("value", Parameter.Value);
+			Writer.Member("name", Value.Name);
+			Writer.Member("type", Value.Type);
+			Writer.Member("value", Value.Value);
 			Writer.EndObject();
 		}
 		Writer.EndArray();

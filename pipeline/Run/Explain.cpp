@@ -1,6 +1,8 @@
 // Puts a frame beside the same frame with nothing skipped.
 #include "Run/Explain.h"
 
+#include "Run/SilentPass.h"
+
 #include <algorithm>
 
 namespace Drydock
@@ -39,9 +41,15 @@ FExplainedCost MakeCost(const FRunResult& Result, const FCostModel& Model, const
 		{
 			const double* Milliseconds = FindMeasured(Measured, Pass.Index);
 			++Cost.NumPasses;
+			Cost.Texels += CountWrittenTexels(Result.Graph, Pass);
 			Cost.Milliseconds +=
 				Milliseconds != nullptr ? *Milliseconds : Model.EstimateMilliseconds(Result.Graph, Pass, Conditions);
 		}
+	}
+	for (const FRunPass& Pass : Result.Passes)
+	{
+		Cost.Taps += Pass.Counters.Taps;
+		Cost.BytesMoved += Pass.Counters.BytesRead + Pass.Counters.BytesWritten;
 	}
 	return Cost;
 }
@@ -86,7 +94,54 @@ double GetMegabytesWritten(const FRDGCompiledGraph& Graph, const FRDGCompiledPas
 	return 1e-6 * Bytes;
 }
 
+/** "plugin libTint.so"; empty: drydock's own. */
+std::string NamePlugin(const FRDGCompiledPass& Pass)
+{
+	return Pass.Owner.substr(0, Pass.Owner.find(','));
+}
+
+/** Adds a pass to the row of its effect or plugin. */
+template<typename TRow>
+void AddToRow(const FExplainedPass& Pass, double Megabytes, TRow& Row)
+{
+	Row.NumPasses += Pass.bExecutes;
+	Row.NumCulled += !Pass.bExecutes;
+	Row.Milliseconds += Pass.Milliseconds;
+	Row.Megabytes += Pass.bExecutes ? Megabytes : 0.0;
+}
+
+FExplainedPlugin& FindPlugin(FExplainReport& Report, const std::string& Name)
+{
+	const auto Known = std::find_if(Report.Plugins.begin(), Report.Plugins.end(),
+		[&Name](const FExplainedPlugin& Plugin) { return Plugin.Name == Name; });
+	return Known != Report.Plugins.end() ? *Known : Report.Plugins.emplace_back(FExplainedPlugin{Name});
+}
+
+/** What else is known of a pass: values of its parameters, render pass, whether it did anything. */
+void AddDetails(const FRunResult& Frame, const FRDGCompiledPass& Pass, FExplainedPass& Explained)
+{
+	const auto Values = Frame.PassValues.find(Pass.Index);
+	Explained.Values = Values == Frame.PassValues.end() ? std::vector<FPassValue>() : Values->second;
+	Explained.MergeReason = Pass.MergeReason;
+	if (Pass.RenderPassBegin >= 0 && Pass.RenderPassBegin != Pass.Index)
+	{
+		Explained.MergedInto = Frame.Graph.Passes[static_cast<size_t>(Pass.RenderPassBegin)].Name;
+	}
+	const auto Run = std::find_if(Frame.Passes.begin(), Frame.Passes.end(),
+		[&Pass](const FRunPass& Candidate) { return Candidate.Index == Pass.Index; });
+	if (Run != Frame.Passes.end() && !Run->SameAs.empty())
+	{
+		Explained.Silent = DescribeSilentPass({Run->SameAs, Run->SameBecause});
+	}
+}
+
 } // namespace
+
+FMeasuredSaving MakeMeasuredSaving(std::vector<double> Samples)
+{
+	std::sort(Samples.begin(), Samples.end());
+	return {Samples.front(), Samples[Samples.size() / 2], Samples.back(), static_cast<int>(Samples.size())};
+}
 
 FExplainReport MakeExplainReport(const FRunResult& Frame, const FRunResult& NoSkip, const FCostModel& Model,
 	const FMeasuredPasses* MeasuredFrame, const FMeasuredPasses* MeasuredNoSkip)
@@ -111,7 +166,7 @@ FExplainReport MakeExplainReport(const FRunResult& Frame, const FRunResult& NoSk
 		FExplainedPass Explained;
 		Explained.Index = Pass.Index;
 		Explained.Name = Pass.Name;
-		Explained.Effect = Pass.Effect;
+		Explained.Effect = Pass.Owner.empty() ? Pass.Effect : NamePlugin(Pass);
 		Explained.bExecutes = !Pass.bCulled;
 		Explained.Reason = Frame.Graph.DescribeCulled(Pass);
 		Explained.Shader = Pass.Shader;
@@ -125,14 +180,17 @@ FExplainReport MakeExplainReport(const FRunResult& Frame, const FRunResult& NoSk
 				Measured != nullptr ? *Measured : Model.EstimateMilliseconds(Frame.Graph, Pass, Conditions);
 			Report.NumUnknown += Measured == nullptr && !Model.IsKnown(Pass, Conditions);
 		}
+		AddDetails(Frame, Pass, Explained);
+		const double Megabytes = GetMegabytesWritten(Frame.Graph, Pass);
 		const auto Effect = std::find_if(Report.Effects.begin(), Report.Effects.end(),
 			[&](const FExplainedEffect& Candidate) { return Candidate.Decision.GetName() == Explained.Effect; });
-		if (Effect != Report.Effects.end())
+		if (!Pass.Owner.empty())
 		{
-			Effect->NumPasses += Explained.bExecutes;
-			Effect->NumCulled += !Explained.bExecutes;
-			Effect->Milliseconds += Explained.Milliseconds;
-			Effect->Megabytes += Explained.bExecutes ? GetMegabytesWritten(Frame.Graph, Pass) : 0.0;
+			AddToRow(Explained, Megabytes, FindPlugin(Report, Explained.Effect));
+		}
+		else if (Effect != Report.Effects.end())
+		{
+			AddToRow(Explained, Megabytes, *Effect);
 		}
 		Report.Passes.push_back(std::move(Explained));
 	}

@@ -16,11 +16,15 @@ struct FExplainedPass
 {
 	int Index = 0;
 	std::string Name;
-	std::string Effect; // whose pass it is; empty: nobody's, as a pass of a view extension
+	std::string Effect; // whose pass it is, "plugin libTint.so" for a plugin's; empty: nobody's
 	bool bExecutes = false;
 	std::string Reason; // of one that does not: why
 	std::string Shader;
 	double Milliseconds = 0.0;
+	std::vector<FPassValue> Values;   // of its parameters
+	std::string MergeReason;          // why it begins a render pass; empty: it does not
+	std::string MergedInto;           // the pass whose render pass it is part of; empty: none, or its own
+	std::string Silent;               // of a measured one: that it wrote again what it read, and why; empty: it did not
 	std::vector<std::string> Reads;   // resources
 	std::vector<std::string> Writes;  // likewise
 	std::vector<std::string> Readers; // surviving passes that read what it writes
@@ -35,30 +39,57 @@ struct FExplainedEffect
 	double Megabytes = 0.0; // of what its passes write
 };
 
+/** A plugin's passes, whatever effect of the chain they stand in. */
+struct FExplainedPlugin
+{
+	std::string Name; // "plugin libTint.so"
+	int NumPasses = 0;
+	int NumCulled = 0;
+	double Milliseconds = 0.0;
+	double Megabytes = 0.0;
+};
+
 /** What a frame comes to. */
 struct FExplainedCost
 {
-	int NumPasses = 0;   // that execute
-	int NumChannels = 0; // that are decoded
+	int NumPasses = 0;       // that execute
+	int NumChannels = 0;     // that are decoded
+	uint64_t Texels = 0;     // that its passes write, by what they are asked for
+	uint64_t Taps = 0;       // texture reads of an executed frame
+	uint64_t BytesMoved = 0; // that its passes read and write, of an executed frame
 	uint64_t TransientBytes = 0;
 	uint64_t SceneBytes = 0;   // of scene textures that are loaded
 	double Milliseconds = 0.0; // of all passes
+};
+
+/** Of what two frames, run in turn, differ by: milliseconds. */
+struct FMeasuredSaving
+{
+	double Least = 0.0;
+	double Median = 0.0;
+	double Most = 0.0;
+	int NumPairs = 0;
 };
 
 struct FExplainReport
 {
 	std::string Config;
 	std::vector<FExplainedEffect> Effects;
+	std::vector<FExplainedPlugin> Plugins; // in the order of their first passes
 	std::vector<FExplainedPass> Passes;
 	std::vector<FSceneChannel> Channels;
 	FExplainedCost Cost;
 	FExplainedCost WithoutSkipping;
-	bool bMeasured = false; // Milliseconds are medians of executed runs; else the cost model's
-	int NumUnknown = 0;     // passes that never ran on this machine, so that their cost is a guess
+	std::optional<FMeasuredSaving> Saved; // where it was measured
+	bool bMeasured = false;               // Milliseconds are medians of executed runs; else the cost model's
+	int NumUnknown = 0;                   // passes that never ran on this machine, so that their cost is a guess
 };
 
 /** Milliseconds of passes by index, of executed runs: medians. */
 using FMeasuredPasses = std::vector<std::pair<int, double>>;
+
+/** Samples: of the time that each pair of runs differs by; one at least. */
+DRYDOCK_API FMeasuredSaving MakeMeasuredSaving(std::vector<double> Samples);
 
 /** Frame, and the same frame with nothing skipped: compiled at least, with what they would load. Measured: of both;
  * without it the model's estimates. */

@@ -26,29 +26,65 @@ std::string FormatMilliseconds(const FExplainReport& Report, double Milliseconds
 	return fmt::format("{}{:.1f} ms", Report.bMeasured ? "" : "about ", Milliseconds);
 }
 
+/** Of an effect or a plugin. */
+template<typename TRow>
+std::string FormatFigures(const TRow& Row)
+{
+	return Row.NumPasses > 0 ? fmt::format("{:8}{:9.2f}{:8.1f}", Row.NumPasses, Row.Milliseconds, Row.Megabytes)
+							 : fmt::format("{:>8}{:>9}{:>8}", "-", "-", "-");
+}
+
+std::string FormatPlugin(const FExplainedPlugin& Plugin, size_t NameWidth)
+{
+	return fmt::format("{:{}}  {:3}{}  {}\n", Plugin.Name, NameWidth, Plugin.NumPasses > 0 ? "yes" : "no",
+		FormatFigures(Plugin), "its code added them");
+}
+
 std::string FormatEffect(const FExplainedEffect& Effect, size_t NameWidth)
 {
 	const FEffectDecision& Decision = Effect.Decision;
-	const bool bPasses = Effect.NumPasses > 0;
-	const std::string Figures =
-		bPasses ? fmt::format("{:8}{:9.2f}{:8.1f}", Effect.NumPasses, Effect.Milliseconds, Effect.Megabytes)
-				: fmt::format("{:>8}{:>9}{:>8}", "-", "-", "-");
+	const std::string Figures = FormatFigures(Effect);
 	return fmt::format("{:{}}  {:3}{}  {}\n", Decision.GetName(), NameWidth, Decision.bActive ? "yes" : "no", Figures,
 		Decision.Reason);
 }
 
+/** "1.2 million texels"; "no texel (0.1 million more)": a region costs a copy, which now and then is more. */
+std::string FormatCounted(uint64_t Without, uint64_t With, double Unit, const char* What)
+{
+	const double Saved = (static_cast<double>(Without) - static_cast<double>(With)) / Unit;
+	return Saved < 0.0 ? fmt::format("{:.1f} {} more", -Saved, What) : fmt::format("{:.1f} {}", Saved, What);
+}
+
+std::string FormatSavedTime(const FExplainReport& Report)
+{
+	if (!Report.Saved)
+	{
+		return fmt::format(
+			"about {:.1f} ms on this machine", Report.WithoutSkipping.Milliseconds - Report.Cost.Milliseconds);
+	}
+	return fmt::format("{:.1f} ms ({:.1f} to {:.1f} in {} pairs of runs)", Report.Saved->Median, Report.Saved->Least,
+		Report.Saved->Most, Report.Saved->NumPairs);
+}
+
+/** What is counted comes first: it is the same in every run. */
 std::string FormatSaved(const FExplainReport& Report)
 {
 	const FExplainedCost& With = Report.Cost;
 	const FExplainedCost& Without = Report.WithoutSkipping;
-	const double Megabytes = 1e-6 * (static_cast<double>(Without.TransientBytes + Without.SceneBytes) -
-										static_cast<double>(With.TransientBytes + With.SceneBytes));
 	// A region costs a copy, and now and then that is one pass more.
 	const int NumPasses = Without.NumPasses - With.NumPasses;
-	return fmt::format("saved    {}, {:.1f} MB, {}, {}, against the same frame with --no-skip\n",
-		NumPasses < 0 ? fmt::format("no pass ({} more)", -NumPasses) : Count(NumPasses, "pass"), Megabytes,
-		Count(Without.NumChannels - With.NumChannels, "channel"),
-		FormatMilliseconds(Report, Without.Milliseconds - With.Milliseconds));
+	std::string Text = NumPasses < 0 ? fmt::format("no pass ({} more)", -NumPasses) : Count(NumPasses, "pass");
+	Text += ", " + FormatCounted(Without.Texels, With.Texels, 1e6, "million texels");
+	if (Report.bMeasured)
+	{
+		Text += ", " + FormatCounted(Without.Taps, With.Taps, 1e6, "million taps") + ", " +
+				FormatCounted(Without.BytesMoved, With.BytesMoved, 1e6, "MB read and written");
+	}
+	Text += ", " +
+			FormatCounted(Without.TransientBytes + Without.SceneBytes, With.TransientBytes + With.SceneBytes, 1e6,
+				"MB of memory") +
+			", " + Count(Without.NumChannels - With.NumChannels, "channel");
+	return fmt::format("saved    {}; {}, against the same frame with --no-skip\n", Text, FormatSavedTime(Report));
 }
 
 std::string List(const std::vector<std::string>& Names, const char* Otherwise)
@@ -92,6 +128,9 @@ void WriteCost(FJsonWriter& Writer, const char* Key, const FExplainedCost& Cost)
 	Writer.Key(Key).BeginObject(true);
 	Writer.Member("passes", Cost.NumPasses);
 	Writer.Member("channels", Cost.NumChannels);
+	Writer.Member("texels", Cost.Texels);
+	Writer.Member("taps", Cost.Taps);
+	Writer.Member("bytesMoved", Cost.BytesMoved);
 	Writer.Member("transientPeakBytes", Cost.TransientBytes);
 	Writer.Member("sceneTextureBytes", Cost.SceneBytes);
 	Writer.Member("ms", Cost.Milliseconds);
@@ -120,12 +159,20 @@ std::string MakeExplainText(const FExplainReport& Report, bool bColorful)
 	{
 		NameWidth = std::max(NameWidth, Effect.Decision.GetName().size());
 	}
+	for (const FExplainedPlugin& Plugin : Report.Plugins)
+	{
+		NameWidth = std::max(NameWidth, Plugin.Name.size());
+	}
 	std::string Text = fmt::format("{}{:{}}  runs  passes{:>9}{:>8}  why{}\n", Bold, "effect", NameWidth,
 		Report.bMeasured ? "ms" : "est. ms", "MB", Normal);
 	for (const FExplainedEffect& Effect : Report.Effects)
 	{
 		const bool bDim = !Effect.Decision.bActive;
 		Text += (bDim ? Dim : "") + FormatEffect(Effect, NameWidth) + (bDim ? Normal : "");
+	}
+	for (const FExplainedPlugin& Plugin : Report.Plugins)
+	{
+		Text += FormatPlugin(Plugin, NameWidth);
 	}
 	std::string Extensions;
 	int NumCulled = 0;
@@ -179,6 +226,10 @@ std::string MakePassText(const FExplainReport& Report, const std::string& Name)
 				(Pass.bExecutes ? "yes, " + FormatMilliseconds(Report, Pass.Milliseconds) : "no: " + Pass.Reason) +
 				"\n";
 		Text += "  shader   " + (Pass.Shader.empty() ? "chosen by the pass itself" : Pass.Shader) + "\n";
+		Text += Pass.Silent.empty() ? "" : "  note     " + Pass.Silent + "\n";
+		Text += Pass.Values.empty() ? "" : "  values   " + FormatPassValues(Pass.Values) + "\n";
+		Text += Pass.MergeReason.empty() ? "" : "  begins   a render pass: " + Pass.MergeReason + "\n";
+		Text += Pass.MergedInto.empty() ? "" : "  merged   into the render pass of " + Pass.MergedInto + "\n";
 		Text += "  reads    " + List(Pass.Reads, "nothing") + "\n";
 		Text += "  writes   " + List(Pass.Writes, "nothing") + "\n";
 		Text += "  read by  " + List(Pass.Readers, "no pass: an output, or nobody") + "\n";
@@ -192,28 +243,35 @@ std::string MakePassText(const FExplainReport& Report, const std::string& Name)
 
 std::string MakeEffectText(const FExplainReport& Report, const std::string& Name)
 {
+	std::string Text;
 	std::vector<std::string> Names;
 	for (const FExplainedEffect& Effect : Report.Effects)
 	{
 		Names.push_back(Effect.Decision.GetName());
-		if (Effect.Decision.GetName() != Name)
+		if (Effect.Decision.GetName() == Name)
 		{
-			continue;
+			Text = Name + (Effect.Decision.bActive ? " runs: " : " does not run: ") + Effect.Decision.Reason + "\n";
 		}
-		std::string Text =
-			Name + (Effect.Decision.bActive ? " runs: " : " does not run: ") + Effect.Decision.Reason + "\n";
-		size_t NameWidth = 0;
-		for (const FExplainedPass& Pass : Report.Passes)
-		{
-			NameWidth = Pass.Effect == Name ? std::max(NameWidth, Pass.Name.size()) : NameWidth;
-		}
-		for (const FExplainedPass& Pass : Report.Passes)
-		{
-			Text += Pass.Effect == Name ? FormatPassLine(Pass, NameWidth) : "";
-		}
-		return Text;
 	}
-	ThrowUnknown("effect", Name, Names);
+	for (const FExplainedPlugin& Plugin : Report.Plugins)
+	{
+		Names.push_back(Plugin.Name);
+		Text = Plugin.Name == Name ? Name + " added:\n" : Text;
+	}
+	if (Text.empty())
+	{
+		ThrowUnknown("effect", Name, Names);
+	}
+	size_t NameWidth = 0;
+	for (const FExplainedPass& Pass : Report.Passes)
+	{
+		NameWidth = Pass.Effect == Name ? std::max(NameWidth, Pass.Name.size()) : NameWidth;
+	}
+	for (const FExplainedPass& Pass : Report.Passes)
+	{
+		Text += Pass.Effect == Name ? FormatPassLine(Pass, NameWidth) : "";
+	}
+	return Text;
 }
 
 std::string MakeExplainJson(const FExplainReport& Report)
@@ -236,6 +294,18 @@ std::string MakeExplainJson(const FExplainReport& Report)
 		Writer.EndObject();
 	}
 	Writer.EndArray();
+	Writer.Key("plugins").BeginArray();
+	for (const FExplainedPlugin& Plugin : Report.Plugins)
+	{
+		Writer.BeginObject(true);
+		Writer.Member("name", Plugin.Name);
+		Writer.Member("passes", Plugin.NumPasses);
+		Writer.Member("culled", Plugin.NumCulled);
+		Writer.Member("ms", Plugin.Milliseconds);
+		Writer.Member("megabytes", Plugin.Megabytes);
+		Writer.EndObject();
+	}
+	Writer.EndArray();
 	Writer.Key("passes").BeginArray();
 	for (const FExplainedPass& Pass : Report.Passes)
 	{
@@ -246,6 +316,10 @@ std::string MakeExplainJson(const FExplainReport& Report)
 		Writer.Member("executes", Pass.bExecutes);
 		Writer.Member("reason", Pass.Reason);
 		Writer.Member("ms", Pass.Milliseconds);
+		Writer.Member("mergeReason", Pass.MergeReason);
+		Writer.Member("mergedInto", Pass.MergedInto);
+		Writer.Member("silent", Pass.Silent);
+		WriteValues(Writer, Pass.Values);
 		WriteNames(Writer, "reads", Pass.Reads);
 		WriteNames(Writer, "writes", Pass.Writes);
 		WriteNames(Writer, "readers", Pass.Readers);
@@ -254,6 +328,15 @@ std::string MakeExplainJson(const FExplainReport& Report)
 	Writer.EndArray();
 	WriteCost(Writer, "cost", Report.Cost);
 	WriteCost(Writer, "withoutSkipping", Report.WithoutSkipping);
+	if (Report.Saved)
+	{
+		Writer.Key("savedMs").BeginObject(true);
+		Writer.Member("least", Report.Saved->Least);
+		Writer.Member("median", Report.Saved->Median);
+		Writer.Member("most", Report.Saved->Most);
+		Writer.Member("pairs", Report.Saved->NumPairs);
+		Writer.EndObject();
+	}
 	Writer.EndObject();
 	return Writer.GetText();
 }

@@ -22,7 +22,8 @@ void WriteUse(FJsonWriter& Writer, const FRDGUse& Use)
 	Writer.EndObject();
 }
 
-void WritePass(FJsonWriter& Writer, const FRDGCompiledGraph& Graph, const FRDGCompiledPass& Pass)
+void WritePass(FJsonWriter& Writer, const FRDGCompiledGraph& Graph, const FRDGCompiledPass& Pass,
+	const std::vector<FPassValue>& Values)
 {
 	Writer.BeginObject();
 	Writer.Member("index", Pass.Index);
@@ -38,6 +39,7 @@ void WritePass(FJsonWriter& Writer, const FRDGCompiledGraph& Graph, const FRDGCo
 	Writer.Member("renderPassBegin", Pass.RenderPassBegin);
 	Writer.Member("renderPassEnd", Pass.RenderPassEnd);
 	Writer.Member("mergeReason", Pass.MergeReason);
+	WriteValues(Writer, Values);
 	Writer.Key("producers").BeginArray(true);
 	for (const int32_t Producer : Pass.Producers)
 	{
@@ -85,7 +87,7 @@ void WriteTransition(FJsonWriter& Writer, const FRDGTransition& Transition)
 
 } // namespace
 
-std::string MakeGraphJson(const FRDGCompiledGraph& Graph)
+std::string MakeGraphJson(const FRDGCompiledGraph& Graph, const std::map<int, std::vector<FPassValue>>& Values)
 {
 	FJsonWriter Writer;
 	Writer.BeginObject();
@@ -95,7 +97,8 @@ std::string MakeGraphJson(const FRDGCompiledGraph& Graph)
 	{
 		if (!Pass.bIsSentinel)
 		{
-			WritePass(Writer, Graph, Pass);
+			const auto Found = Values.find(Pass.Index);
+			WritePass(Writer, Graph, Pass, Found == Values.end() ? std::vector<FPassValue>() : Found->second);
 		}
 	}
 	Writer.EndArray();

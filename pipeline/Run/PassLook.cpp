@@ -1,80 +1,10 @@
-// Reads parameter structs, and scales textures down.
+// Scales textures down.
 #include "Run/PassLook.h"
 
-#include "RenderGraphPass.h"
-#include "ShaderParameterMetadata.h"
-#include "Text/TextFormat.h"
-
 #include <algorithm>
-#include <cstring>
 
 namespace Drydock
 {
-
-namespace
-{
-
-/** Elements of arrays, as rows of matrices, lie 16 bytes apart. */
-constexpr uint32 ElementBytes = 16;
-
-constexpr uint32 MaxElements = 16;
-
-template<typename T>
-T Read(const void* Parameters, uint32 Offset)
-{
-	T Value;
-	std::memcpy(&Value, static_cast<const uint8*>(Parameters) + Offset, sizeof(T));
-	return Value;
-}
-
-std::string NumberAt(const FHlslMember& Member, const void* Parameters, uint32 Offset)
-{
-	switch (Member.BaseType)
-	{
-	case UBMT_FLOAT32:
-		return NumberText(Read<float>(Parameters, Offset));
-	case UBMT_INT32:
-		return std::to_string(Read<int32>(Parameters, Offset));
-	default:
-		return std::to_string(Read<uint32>(Parameters, Offset));
-	}
-}
-
-std::string ReadConstant(const FHlslMember& Member, const void* Parameters)
-{
-	const uint32 NumRows = std::max(Member.NumRows, 1u) * std::max(std::min(Member.NumElements, MaxElements), 1u);
-	std::string Text;
-	for (uint32 Row = 0; Row < NumRows; ++Row)
-	{
-		Text += Row > 0 ? "; " : "";
-		for (uint32 Column = 0; Column < std::max(Member.NumColumns, 1u); ++Column)
-		{
-			const uint32 Offset = Member.Offset + Row * ElementBytes + Column * 4;
-			Text += (Column > 0 ? ", " : "") + NumberAt(Member, Parameters, Offset);
-		}
-	}
-	return Text + (Member.NumElements > MaxElements ? "; ..." : "");
-}
-
-} // namespace
-
-std::vector<FRunParameter> ReadPassParameters(const FRDGPass& Pass)
-{
-	std::vector<FRunParameter> Parameters;
-	if (Pass.GetParametersMetadata() == nullptr)
-	{
-		return Parameters;
-	}
-	for (const FHlslMember& Member : Pass.GetParametersMetadata()->GetHlslMembers())
-	{
-		if (Member.IsConstant())
-		{
-			const std::string Array = Member.NumElements > 0 ? "[" + std::to_string(Member.NumElements) + "]" : "";
-			Parameters.push_back({Member.Name, Member.Type + Array, ReadConstant(Member, Pass.GetParameters())});
-		}
-	}
-	return Parameters;
-}
 
 FRunThumbnail MakeThumbnail(const std::string& Resource, FRHITexture& Texture, FIntRect Window)
 {

@@ -82,8 +82,8 @@ std::string GetDumpFileName(const FRunDump& Dump)
 {
 	char Number[16];
 	std::snprintf(Number, sizeof(Number), "%03d", Dump.PassIndex);
-	return std::string(Number) + "." + MakeFileNamePart(GetShortPassName(Dump.Pass)) + "." + MakeFileNamePart(Dump.Resource) +
-		   (Dump.Mip >= 0 ? ".mip" + std::to_string(Dump.Mip) : "");
+	return std::string(Number) + "." + MakeFileNamePart(GetShortPassName(Dump.Pass)) + "." +
+		   MakeFileNamePart(Dump.Resource) + (Dump.Mip >= 0 ? ".mip" + std::to_string(Dump.Mip) : "");
 }
 
 TOptional<FIntRect> FindOutputRect(const FRDGPass& Pass, FIntPoint Extent)

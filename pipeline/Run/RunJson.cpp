@@ -121,6 +121,11 @@ void WritePasses(FJsonWriter& Writer, const FRunResult& Result)
 		Writer.Member("taps", Counters.Taps);
 		Writer.Member("bytesRead", Counters.BytesRead);
 		Writer.Member("bytesWritten", Counters.BytesWritten);
+		if (Run != nullptr && !Run->SameAs.empty())
+		{
+			Writer.Member("sameAs", Run->SameAs);
+			Writer.Member("because", Run->SameBecause);
+		}
 		if (Run != nullptr && !Run->Written.empty())
 		{
 			Writer.Key("written").BeginObject();

@@ -4,8 +4,12 @@
 #include "Budget/RunOptions.h"
 #include "Picture/TextureImage.h"
 #include "Run/PassLook.h"
+#include "Run/PassValues.h"
+#include "Run/PassWrites.h"
 #include "Run/RunDump.h"
+#include "Run/RunErrors.h"
 #include "Run/RunSetup.h"
+#include "Run/SilentPass.h"
 #include "Run/VariableTaps.h"
 #include "SceneFile/NonFinite.h"
 #include "SceneFile/SceneErrors.h"
@@ -78,7 +82,15 @@ bool FRunObserver::WantsPlannedExternals() const
 
 bool FRunObserver::WantsZeroedTextures() const
 {
-	return !Setup.Dump.empty() || Options.bFingerprints || Options.bKeepForReport;
+	return !Setup.Dump.empty() || Options.bFingerprints || Options.bKeepForReport || Options.OnPassExecuted;
+}
+
+void FRunObserver::OnPassPlanned(int32_t PassIndex, const FRDGPass& Pass)
+{
+	if (Options.bPassValues || Options.bKeepForReport)
+	{
+		Result.PassValues[PassIndex] = ReadPassValues(Pass);
+	}
 }
 
 void FRunObserver::OnExternalsPlanned(const std::vector<FRDGExternalLoad>& Loads)
@@ -113,13 +125,15 @@ void FRunObserver::OnPassExecuted(int32_t PassIndex, const FRDGPass& Pass, doubl
 {
 	Result.Passes.push_back({PassIndex, Milliseconds, Counters});
 	Result.Passes.back().Counters.Taps = CountTaps(Pass, Counters);
-	if (Options.bKeepForReport)
-	{
-		Result.Passes.back().Parameters = ReadPassParameters(Pass);
-	}
-	if (!Setup.Dump.empty() || Options.bKeepForReport)
+	OnPassPlanned(PassIndex, Pass);
+	NoteSilence(Pass, Counters, WrittenTextures);
+	if (!Setup.Dump.empty() || Options.bKeepForReport || Options.OnPassExecuted)
 	{
 		NoteDrawn(Pass, Counters, WrittenTextures);
+	}
+	if (Options.OnPassExecuted)
+	{
+		TellWrites(PassIndex, Pass, WrittenTextures);
 	}
 	// Looking costs as much as the pass, so only a scene that holds such values is looked at.
 	const bool bWatch = Scene.GetNonFinite().Count > 0 && GetNonFinitePolicy() == ENonFinitePolicy::Propagate;
@@ -144,6 +158,37 @@ void FRunObserver::OnPassExecuted(int32_t PassIndex, const FRDGPass& Pass, doubl
 		}
 	}
 	ReportProgress();
+}
+
+void FRunObserver::NoteSilence(
+	const FRDGPass& Pass, const FPassCounters& Counters, const std::vector<FRDGTexture*>& WrittenTextures)
+{
+	const std::optional<FSilentPass> Silent = FindSilentPass(Pass, Counters, WrittenTextures);
+	if (!Silent)
+	{
+		return;
+	}
+	Result.Passes.back().SameAs = Silent->Input;
+	Result.Passes.back().SameBecause = Silent->Because;
+	Result.Diagnostics.push_back({.Severity = ESeverity::Note,
+		.Code = NoteSilentPass,
+		.Message = DescribeSilentPass(*Silent),
+		.Where = std::string("pass ") + Pass.GetName()});
+}
+
+void FRunObserver::TellWrites(int PassIndex, const FRDGPass& Pass, const std::vector<FRDGTexture*>& WrittenTextures)
+{
+	FPassWrites Writes{PassIndex, Pass, Result.Graph, {}};
+	for (FRDGTexture* Texture : WrittenTextures)
+	{
+		const std::vector<FIntRect>& Windows = Drawn[Texture];
+		for (size_t Mip = 0; Mip < Windows.size(); ++Mip)
+		{
+			Writes.Mips.push_back(
+				{Texture->Name, Texture->GetRHI(), static_cast<int>(Mip), Texture->IsExternal(), Windows[Mip]});
+		}
+	}
+	Options.OnPassExecuted(Writes);
 }
 
 void FRunObserver::NoteDrawn(

@@ -21,6 +21,7 @@ public:
 
 	void OnGraphCompiled(const FRDGCompiledGraph& Graph) override;
 	bool WantsPlannedExternals() const override;
+	void OnPassPlanned(int32_t PassIndex, const FRDGPass& Pass) override;
 	bool WantsZeroedTextures() const override;
 	bool ShowsWarnings() const override { return true; } // they are among the run's
 	void OnExternalsPlanned(const std::vector<FRDGExternalLoad>& Loads) override;
@@ -36,6 +37,11 @@ private:
 	/** Adds what the pass drew of each texture to what is known of it. */
 	void NoteDrawn(
 		const FRDGPass& Pass, const FPassCounters& Counters, const std::vector<FRDGTexture*>& WrittenTextures);
+	/** Remarks on a pass that did nothing. */
+	void NoteSilence(
+		const FRDGPass& Pass, const FPassCounters& Counters, const std::vector<FRDGTexture*>& WrittenTextures);
+	/** To who asked for it (FRunOptions::OnPassExecuted). */
+	void TellWrites(int PassIndex, const FRDGPass& Pass, const std::vector<FRDGTexture*>& WrittenTextures);
 	void KeepTexture(int PassIndex, const std::string& Pass, const std::string& Resource, FRHITexture& Texture,
 		const std::vector<FIntRect>& Windows);
 	void ReportProgress() const;

@@ -9,11 +9,13 @@
 #include "Picture/Picture.h"
 #include "RenderGraphCompiled.h"
 #include "Run/NonFiniteSpread.h"
+#include "Run/PassValues.h"
 #include "SceneFile/SceneFile.h"
 #include "SceneViewState.h"
 #include "Tonemap/TonemapOutputDevice.h"
 
 #include <chrono>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,14 +42,6 @@ struct FRunFingerprint
 	std::string Fingerprint; // FFingerprint of size and values of all mips
 };
 
-/** A constant of a pass's parameter struct. */
-struct FRunParameter
-{
-	std::string Name; // as HLSL has it
-	std::string Type; // "float4"
-	std::string Value;
-};
-
 /** A texture right after a pass, small: what a glance tells. */
 struct FRunThumbnail
 {
@@ -61,10 +55,10 @@ struct FRunPass
 	int Index = 0;
 	double Milliseconds = 0.0;
 	FPassCounters Counters;
-	std::vector<FRunFingerprint> Written = {}; // where FRunOptions::bFingerprints asked for them
-	// Where FRunOptions::bKeepForReport asked for them.
-	std::vector<FRunParameter> Parameters = {};
-	std::vector<FRunThumbnail> Thumbnails = {}; // of textures that are not dumped
+	std::vector<FRunFingerprint> Written = {};  // where FRunOptions::bFingerprints asked for them
+	std::vector<FRunThumbnail> Thumbnails = {}; // where FRunOptions::bKeepForReport asked: textures not dumped
+	std::string SameAs = {};                    // texture that it read and whose bits it wrote again; empty: none
+	std::string SameBecause = {};               // likely reason
 };
 
 /** One view of several. */
@@ -98,6 +92,8 @@ struct FRunResult
 	FConfig Config;
 	std::vector<FDiagnostic> Diagnostics; // warnings; errors are thrown
 	FRDGCompiledGraph Graph;
+	std::map<int, std::vector<FPassValue>>
+		PassValues; // by index, where FRunOptions::bPassValues or bKeepForReport asked for them
 	std::vector<FEffectDecision> Effects;
 	FFiguresByEffect Figures; // of the first view, where FRunOptions::bMeasureEffects asked for them
 	FFinalPostProcessSettings Settings;

@@ -331,6 +331,32 @@ std::vector<TConfigValue<std::string>> ListDumpPatterns(const FConfig& Config, c
 	return Dump;
 }
 
+/** Size, padding and views that the options give in place of the config's. */
+void ApplyLayout(const FRunOptions& Options, FConfig& Config)
+{
+	Config.Scene.ScreenPercentage = Options.ScreenPercentage.value_or(Config.Scene.ScreenPercentage);
+	if (Options.Padding)
+	{
+		const std::array<int, 4>& Sides = *Options.Padding;
+		Config.Scene.Padding = {Sides[0], Sides[1], Sides[2], Sides[3]};
+	}
+	if (Options.ViewRects.empty())
+	{
+		return;
+	}
+	Config.Views.clear();
+	for (const std::array<int, 4>& Rect : Options.ViewRects)
+	{
+		Config.Views.push_back(Config.View);
+		Config.Views.back().Rect = {Rect, {1, 1, "the views' rects"}};
+	}
+	Config.View = Config.Views[0];
+	if (Config.Views.size() == 1)
+	{
+		Config.Views.clear();
+	}
+}
+
 } // namespace
 
 void FRunVariables::Set(const std::string& Name, const std::string& Value)
@@ -417,6 +443,7 @@ void FRunSetup::PlaceFrame(std::optional<int> Frame)
 	{
 		Config.View.Location = {*OfRun.Options.Location, {1, 1, "--at"}};
 	}
+	ApplyLayout(OfRun.Options, Config);
 	if (Try(OfFrame, [&] { ChooseSceneFrame(Config, Frame); }))
 	{
 		Try(OfFrame, [&] { CompleteFromScene(Config, OfFrame); });

@@ -179,6 +179,13 @@ void FRDGBuilder::Discard()
 	// Once executed there is nothing left to tell, and the observer may be gone.
 	const bool bTell = !State->bFinished && State->Observer != nullptr;
 	State->bFinished = true;
+	for (const TRDGPlaced<FRDGPass>& Pass : State->Passes)
+	{
+		if (bTell)
+		{
+			State->Observer->OnPassPlanned(Pass->GetIndex(), *Pass);
+		}
+	}
 	if (bTell && State->Observer->WantsPlannedExternals())
 	{
 		State->Observer->OnExternalsPlanned(FRDGExecutor(*State, RHICmdList).PlanExternals(Compile()));

@@ -95,8 +95,8 @@ size_t FindNameWidth(const std::vector<std::string>& Names)
 	return Width;
 }
 
-std::string DumpPass(
-	const FRDGCompiledGraph& Graph, const std::vector<std::string>& ResourceNames, const FRDGCompiledPass& Pass)
+std::string DumpPass(const FRDGCompiledGraph& Graph, const std::vector<std::string>& ResourceNames,
+	const FRDGCompiledPass& Pass, const std::map<int, std::string>& ValuesByPass)
 {
 	std::string Text = Format("%4d  %s\n", Pass.Index, Pass.Name.c_str());
 	const auto AddLine = [&Text](const char* Label, const std::string& Value)
@@ -106,6 +106,9 @@ std::string DumpPass(
 	AddLine("shader", Pass.Shader + (Pass.Entry.empty() ? "" : " (" + Pass.Entry + ")"));
 	AddLine("reads", ListUses(Graph, ResourceNames, Pass, false));
 	AddLine("writes", ListUses(Graph, ResourceNames, Pass, true));
+	const auto Values = ValuesByPass.find(Pass.Index);
+	AddLine("values", Values == ValuesByPass.end() ? "" : Values->second);
+	AddLine("begins", Pass.MergeReason.empty() ? "" : "a render pass: " + Pass.MergeReason);
 	if (Pass.RenderPassBegin >= 0 && Pass.RenderPassBegin != Pass.Index)
 	{
 		AddLine("merged", "into the render pass of " + Graph.Passes[size_t(Pass.RenderPassBegin)].Name);
@@ -117,7 +120,8 @@ std::string DumpPass(
 	return Text;
 }
 
-std::string DumpPasses(const FRDGCompiledGraph& Graph, const std::vector<std::string>& ResourceNames)
+std::string DumpPasses(const FRDGCompiledGraph& Graph, const std::vector<std::string>& ResourceNames,
+	const std::map<int, std::string>& ValuesByPass)
 {
 	std::string Text;
 	std::string Scope;
@@ -132,7 +136,7 @@ std::string DumpPasses(const FRDGCompiledGraph& Graph, const std::vector<std::st
 			Text += Pass.Scope.empty() ? "  -\n" : "  " + Pass.Scope + "\n";
 			Scope = Pass.Scope;
 		}
-		Text += DumpPass(Graph, ResourceNames, Pass);
+		Text += DumpPass(Graph, ResourceNames, Pass, ValuesByPass);
 	}
 	return Text;
 }
@@ -207,7 +211,7 @@ std::string DescribePassFlags(ERDGPassFlags Flags)
 	return Text.empty() ? "None" : Text;
 }
 
-std::string DumpText(const FRDGCompiledGraph& Graph)
+std::string DumpText(const FRDGCompiledGraph& Graph, const std::map<int, std::string>& ValuesByPass)
 {
 	const auto IsCounted = [](const FRDGCompiledPass& Pass)
 	{
@@ -223,7 +227,7 @@ std::string DumpText(const FRDGCompiledGraph& Graph)
 	std::string Text = Format("graph %s: %ld passes run, %ld culled\n", Graph.Name.empty() ? "-" : Graph.Name.c_str(),
 		NumPasses - NumCulled, NumCulled);
 	const std::vector<std::string> ResourceNames = MakeUniqueNames(Graph);
-	Text += "\npasses\n" + DumpPasses(Graph, ResourceNames);
+	Text += "\npasses\n" + DumpPasses(Graph, ResourceNames, ValuesByPass);
 
 	const int Width = int(FindNameWidth(ResourceNames));
 	Text += "\nresources                     (first and last pass that hold it)\n";

@@ -3,13 +3,15 @@
 
 #include "RenderGraphCompiled.h"
 
+#include <map>
 #include <string>
 
 namespace Drydock
 {
 
-/** Passes, resources, what was culled and why, memory: what `drydock graph` prints. */
-DRYDOCK_API std::string DumpText(const FRDGCompiledGraph& Graph);
+/** Passes, resources, what was culled and why, memory: what `drydock graph` prints. ValuesByPass: a line more for a
+ * pass, by its index. */
+DRYDOCK_API std::string DumpText(const FRDGCompiledGraph& Graph, const std::map<int, std::string>& ValuesByPass = {});
 
 /** Graphviz: passes as boxes, resources as ellipses, edges for writes and reads; culled ones grey and dashed. */
 DRYDOCK_API std::string DumpDot(const FRDGCompiledGraph& Graph);

@@ -40,6 +40,9 @@ public:
 	virtual bool WantsPlannedExternals() const { return false; }
 	virtual void OnExternalsPlanned(const std::vector<FRDGExternalLoad>&) {}
 
+	/** Each pass of a graph that is discarded, in their order: its parameters may be read. */
+	virtual void OnPassPlanned(int32_t /*PassIndex*/, const FRDGPass&) {}
+
 	/** Whether what nobody has written yet is 0 in every texture that the graph makes, not what the memory held before:
 	 *  for observers that show textures beyond what passes wrote. Always the same answer. */
 	virtual bool WantsZeroedTextures() const { return false; }

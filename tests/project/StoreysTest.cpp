@@ -25,7 +25,8 @@ const std::map<std::string, FSteps> GRooms = {
 				{"Binding"}, {"Inspect"}, {"GraphUtils"}}},
 	{"passes", {{"Scene"}, {"Screen"}, {"Blur"}, {"Exposure"}, {"Bloom"}, {"Tonemap"}, {"Lens"}, {"Toon"}, {"Native"}}},
 	{"pipeline", {{"Text"}, {"Picture"}, {"Config"}, {"Objects"}, {"SceneFile"}, {"Effects"}, {"Extensions"}, {"Chain"},
-					 {"Frame"}, {"Budget"}, {"Run"}, {"Sequence", "Study", "Blend", "Patch", "Import", "Inspect"},
+					 {"Frame"}, {"Budget"}, {"Run"},
+					 {"Sequence", "Study", "Blend", "Patch", "Import", "Inspect", "Prove", "Hazards"},
 					 {"Matrix", "Report"}, {"Program"}}},
 };
 

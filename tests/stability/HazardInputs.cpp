@@ -1,5 +1,7 @@
-// What each hazard is as a picture or as parameters (Hazards.h says it in words).
+// What each hazard is as a run of a pass: the library's pictures (HazardPictures.h), sizes and parameters.
 #include "Cases.h"
+
+#include "Hazards/HazardPictures.h"
 
 #include <cmath>
 #include <functional>
@@ -10,33 +12,14 @@ namespace Stability
 namespace
 {
 
-using PassTest::Infinity;
-using PassTest::NaN;
-
 constexpr int Width = 64;
 constexpr int Height = 48;
+const FIntPoint HotPixel(31, 24);
 const FTexel Flat = {0.75, 0.5, 0.25, 1};
 
 FImage Noise()
 {
 	return FImage::Noise(Width, Height);
-}
-
-FImage Map(FImage Image, const std::function<double(double)>& Function)
-{
-	for (FTexel& Texel : Image.Texels)
-	{
-		for (int Channel = 0; Channel < 3; ++Channel)
-		{
-			Texel[Channel] = Function(Texel[Channel]);
-		}
-	}
-	return Image;
-}
-
-FImage BothSigns()
-{
-	return Map(Noise(), [](double Value) { return Value - 0.5; });
 }
 
 /** A soft spot of standard deviation 3 near the middle, none of whose light is at the edges. */
@@ -48,26 +31,6 @@ FImage Spot(int SpotWidth, int SpotHeight)
 			const double DX = X - (SpotWidth / 2 + 0.3), DY = Y - (SpotHeight / 2 - 0.4);
 			const double Value = std::exp(-(DX * DX + DY * DY) / 18);
 			return FTexel{Value, Value, Value, 1};
-		});
-}
-
-/** Luminance 0 to rounding for the weights (0.3, 0.59, 0.11), and colours that are nearly black. */
-FImage LuminanceZero()
-{
-	return FImage::Make(Width, Height,
-		[](int X, int Y) -> FTexel
-		{
-			switch ((X + Y) % 4)
-			{
-			case 0:
-				return {0.59, -0.3, 0, 1};
-			case 1:
-				return {-0.11, 0, 0.3, 1};
-			case 2:
-				return {1e-9, 1e-9, 1e-9, 1};
-			default:
-				return {0, 0, 0, 1};
-			}
 		});
 }
 
@@ -84,11 +47,25 @@ FTrial MakeTrial(const FCase& Case)
 	return {Case, Case, BadPixel};
 }
 
-FTrial WithBadPixel(double Value, EPixelFormat Format = PF_FloatRGBA)
+FImage Convert(const Drydock::FImage& Image)
 {
-	FTrial Trial = MakeTrial(MakeCase(Noise(), Format));
-	Trial.Case.Image.At(BadPixel.X, BadPixel.Y) = {Value, Value, Value, 1};
-	return Trial;
+	return FImage::Make(Image.Width, Image.Height,
+		[&](int X, int Y) {
+			return FTexel{Image.Get(X, Y, 0), Image.Get(X, Y, 1), Image.Get(X, Y, 2), Image.Get(X, Y, 3)};
+		});
+}
+
+/** The library's pictures of a hazard. */
+std::vector<FTrial> WithPictures(EHazard Hazard, FIntPoint At = BadPixel)
+{
+	std::vector<FTrial> Trials;
+	for (const Drydock::FHazardPicture& Picture : Drydock::MakeHazardPictures(Hazard, Width, Height, At.X, At.Y))
+	{
+		const EPixelFormat Format = Picture.bFloat32 ? PF_A32B32G32R32F : PF_FloatRGBA;
+		Trials.push_back(
+			{MakeCase(Convert(Picture.Picture), Format), MakeCase(Convert(Picture.Clean), Format), BadPixel});
+	}
+	return Trials;
 }
 
 /** Noise, and parameters that Change sets. */
@@ -104,29 +81,25 @@ FTrial Flatly(int FlatWidth, int FlatHeight)
 	return MakeTrial(MakeCase(FImage(FlatWidth, FlatHeight, Flat)));
 }
 
-std::vector<FTrial> WithPowers(const FImage& Image, std::initializer_list<double> Powers)
+std::vector<FTrial> WithPowers(EHazard Hazard, std::initializer_list<double> Powers)
 {
 	std::vector<FTrial> Trials;
 	for (const double Power : Powers)
 	{
-		Trials.push_back(MakeTrial(MakeCase(Image)));
+		Trials.push_back(WithPictures(Hazard)[0]);
 		Trials.back().Case.Power = Power;
 	}
 	return Trials;
 }
 
-FTrial Moving(double Shift)
+/** With a threshold. */
+std::vector<FTrial> WithThreshold(std::vector<FTrial> Trials, double Threshold)
 {
-	FImage Image(Width, Height, {0, 0, 0, 1});
-	const double Left = 16 * (1 - Shift), Right = 16 * Shift;
-	Image.At(31, 24) = {Left, Left, Left, 1};
-	Image.At(32, 24) = {Right, Right, Right, 1};
-	return WithParameters(
-		[&](FCase& Case)
-		{
-			Case.Image = Image;
-			Case.Threshold = 1.0;
-		});
+	for (FTrial& Trial : Trials)
+	{
+		Trial.Case.Threshold = Trial.Clean.Threshold = Threshold;
+	}
+	return Trials;
 }
 
 std::vector<FTrial> MakeFormOne(EHazard Hazard)
@@ -134,47 +107,20 @@ std::vector<FTrial> MakeFormOne(EHazard Hazard)
 	switch (Hazard)
 	{
 	case EHazard::NaN:
-		return {WithBadPixel(NaN)};
 	case EHazard::PlusInf:
-		return {WithBadPixel(Infinity)};
 	case EHazard::MinusInf:
-		return {WithBadPixel(-Infinity)};
 	case EHazard::LargestHalf:
-		return {MakeTrial(MakeCase(FImage(Width, Height, {65504, 65504, 65504, 1})))};
 	case EHazard::BeyondHalf:
-	{
-		FTrial Rounded = WithBadPixel(65520);
-		Rounded.Clean = WithBadPixel(Infinity).Case;
-		FTrial Kept = WithBadPixel(65519);
-		Kept.Clean = WithBadPixel(65504).Case;
-		return {Rounded, Kept};
-	}
 	case EHazard::Huge:
-		return {WithBadPixel(1e30, PF_A32B32G32R32F)};
 	case EHazard::Denormals:
-		return {MakeTrial(MakeCase(Map(Noise(), [](double Value) { return Value * 1e-40; }), PF_A32B32G32R32F)),
-			MakeTrial(MakeCase(Map(Noise(), [](double Value) { return Value * std::exp2(-18); })))};
 	case EHazard::NegativeZero:
-		return {MakeTrial(MakeCase(FImage(Width, Height, {-0.0, -0.0, -0.0, 1})))};
 	case EHazard::NegativeColors:
-		return {MakeTrial(MakeCase(BothSigns()))};
-	case EHazard::HotPixel:
-	{
-		FTrial Trial = MakeTrial(MakeCase(FImage(Width, Height, {0, 0, 0, 1})));
-		Trial.Case.Image.At(31, 24) = {60000, 60000, 60000, 1};
-		return {Trial};
-	}
-	case EHazard::MovingHotPixel:
-	{
-		std::vector<FTrial> Trials;
-		for (int Step = 0; Step <= 10; ++Step)
-		{
-			Trials.push_back(Moving(Step / 10.0));
-		}
-		return Trials;
-	}
 	case EHazard::Black:
-		return {MakeTrial(MakeCase(FImage(Width, Height, {0, 0, 0, 1})))};
+		return WithPictures(Hazard);
+	case EHazard::HotPixel:
+		return WithPictures(Hazard, HotPixel);
+	case EHazard::MovingHotPixel:
+		return WithThreshold(WithPictures(Hazard, HotPixel), 1.0);
 	case EHazard::Constant:
 		return {Flatly(Width, Height)};
 	case EHazard::OneByOne:
@@ -223,17 +169,11 @@ std::vector<FTrial> MakeFormOne(EHazard Hazard)
 	case EHazard::IntensityHuge:
 		return {WithParameters([](FCase& Case) { Case.Intensity = 1e6; }, PF_A32B32G32R32F)};
 	case EHazard::PowOfZero:
-		return WithPowers(FImage(Width, Height, {0, 0, 0, 1}), {0.0, 2.5});
+		return WithPowers(Hazard, {0.0, 2.5});
 	case EHazard::PowOfNegative:
-		return WithPowers(BothSigns(), {0.5, 2.5});
+		return WithPowers(Hazard, {0.5, 2.5});
 	case EHazard::LuminanceZero:
-		return {WithParameters(
-			[](FCase& Case)
-			{
-				Case.Image = LuminanceZero();
-				Case.Threshold = 0.0;
-			},
-			PF_A32B32G32R32F)};
+		return WithThreshold(WithPictures(Hazard), 0.0);
 	case EHazard::HalfAccumulation:
 		return {MakeTrial(MakeCase(Noise()))};
 	case EHazard::TenThousand:

@@ -134,8 +134,8 @@ TEST_F(DrydockProgram, HelpListsVerbsByTheirPlaces)
 {
 	const std::string Help = Call("--help").Out;
 	size_t Last = 0;
-	for (const char* Verb : {"run", "check", "blend", "graph", "study", "diff", "explain", "list", "sheet", "settings",
-			 "import", "new", "build", "matrix", "warm"})
+	for (const char* Verb : {"run", "check", "blend", "graph", "prove", "hazards", "study", "diff", "explain", "list",
+			 "sheet", "settings", "import", "new", "build", "matrix", "warm"})
 	{
 		const size_t Place = Help.find(std::string("\n  ") + Verb + " ");
 		EXPECT_NE(std::string::npos, Place) << Verb;
@@ -149,8 +149,8 @@ TEST_F(DrydockProgram, NoVerbIsAUsageErrorThatNamesThemAll)
 	const FOutcome Outcome = Call("");
 	EXPECT_EQ(2, Outcome.ExitCode);
 	EXPECT_TRUE(
-		Contains(Outcome.Err, "a verb is missing: run, check, blend, graph, probe, trace, study, diff, explain, list, "
-							  "sheet, settings, import, new, build, matrix or warm\n"))
+		Contains(Outcome.Err, "a verb is missing: run, check, blend, graph, probe, trace, prove, hazards, study, diff, "
+							  "explain, list, sheet, settings, import, new, build, matrix or warm\n"))
 		<< Outcome.Err;
 }
 

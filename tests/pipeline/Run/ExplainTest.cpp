@@ -247,5 +247,37 @@ TEST(Explain, MeasuredTimesTakeTheEstimatesPlace)
 	const FExplainReport Report = MakeExplainReport(Frame, Frame, FCostModel(), &Measured, &Measured);
 	EXPECT_DOUBLE_EQ(3.0 * Report.Cost.NumPasses, Report.Cost.Milliseconds);
 	EXPECT_EQ(0, Report.NumUnknown);
-	EXPECT_THAT(MakeExplainText(Report, false), HasSubstr("saved    0 passes, 0.0 MB, 0 channels, 0.0 ms"));
+	EXPECT_THAT(MakeExplainText(Report, false),
+		HasSubstr(
+			"saved    0 passes, 0.0 million texels, 0.0 million taps, 0.0 MB read and written, 0.0 MB of memory, 0 "
+			"channels; about 0.0 ms on this machine, against"));
+}
+
+TEST(Explain, WhatIsCountedIsTheSameInEveryRun)
+{
+	const auto Measure = []
+	{
+		FRunOptions Options;
+		Options.ConfigFile = DRYDOCK_TEST_SOURCE_DIR "/configs/called_for.json";
+		const FRunResult Frame = RunConfig(Options);
+		Options.bNoSkip = true;
+		const FMeasuredPasses None;
+		return MakeExplainReport(Frame, RunConfig(Options), FCostModel(), &None, &None);
+	};
+	const FExplainReport A = Measure(), B = Measure();
+	EXPECT_GT(A.WithoutSkipping.Taps, A.Cost.Taps);
+	EXPECT_GT(A.WithoutSkipping.BytesMoved, A.Cost.BytesMoved);
+	EXPECT_GT(A.WithoutSkipping.Texels, A.Cost.Texels);
+	EXPECT_EQ(A.Cost.Taps, B.Cost.Taps);
+	EXPECT_EQ(A.Cost.BytesMoved, B.Cost.BytesMoved);
+	EXPECT_EQ(MakeExplainText(A, false), MakeExplainText(B, false));
+}
+
+TEST(Explain, ASavingIsGivenWithItsSpread)
+{
+	const FRunResult Frame = RunShipped("bloom_threshold.json", false);
+	FExplainReport Report = MakeExplainReport(Frame, Frame, FCostModel());
+	Report.Saved = MakeMeasuredSaving({3.0, 1.0, 2.0});
+	EXPECT_THAT(MakeExplainText(Report, false),
+		HasSubstr("; 2.0 ms (1.0 to 3.0 in 3 pairs of runs), against the same frame with --no-skip\n"));
 }

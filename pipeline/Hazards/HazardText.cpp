@@ -1,0 +1,114 @@
+// Writes what a pass made of the hazards.
+#include <fmt/format.h>
+
+#include "Hazards/HazardCapture.h"
+#include "Text/JsonWriter.h"
+#include "Text/TextFormat.h"
+
+#include <algorithm>
+
+namespace Drydock
+{
+
+namespace
+{
+
+std::string FormatRange(const FHazardFinding& Finding)
+{
+	return Finding.Least <= Finding.Most ? fmt::format("{:.4g} .. {:.4g}", Finding.Least, Finding.Most)
+										 : std::string("nothing finite");
+}
+
+/** What is not finite, and how far it went. */
+std::string DescribeNonFinite(const FHazardFinding& Finding)
+{
+	const std::string What = Finding.NumNaN > 0 && Finding.NumInfinite > 0 ? "NaN and infinite"
+							 : Finding.NumNaN > 0                          ? "NaN"
+																		   : "infinite";
+	const uint64_t Count = std::max(Finding.NumNaN, Finding.NumInfinite);
+	if (Count == Finding.NumPixels)
+	{
+		return "every pixel is " + What;
+	}
+	return fmt::format("{} of {} pixels {} {}", Count, Finding.NumPixels, Count == 1 ? "is" : "are", What);
+}
+
+} // namespace
+
+std::string DescribeFinding(const FHazardFinding& Finding)
+{
+	std::string Text;
+	if (Finding.NumNaN + Finding.NumInfinite > 0)
+	{
+		Text = DescribeNonFinite(Finding);
+	}
+	else if (Finding.bAsInput)
+	{
+		Text = "finite: the bits of the input";
+	}
+	else
+	{
+		Text = Finding.bFlat ? "finite: one value everywhere" : "finite";
+	}
+	if (Finding.Reach >= 0)
+	{
+		Text += Finding.Reach == 0
+					? "; stays where it is"
+					: fmt::format("; {} pixels change, up to {} away", Finding.NumChanged, Finding.Reach);
+	}
+	if (Finding.NumNegative > 0)
+	{
+		Text += fmt::format("; {} pixels below 0", Finding.NumNegative);
+	}
+	return Text;
+}
+
+std::string MakeHazardText(const FHazardRow& Row)
+{
+	std::vector<std::vector<std::string>> Lines;
+	for (const FHazardFinding& Finding : Row.Findings)
+	{
+		Lines.push_back({Finding.Hazard, FormatRange(Finding), DescribeFinding(Finding)});
+	}
+	return fmt::format(
+			   "{}  ({}), hazards in place of {}, {} x {}\n", Row.Pass, Row.Shader, Row.Input, Row.Width, Row.Height) +
+		   AlignColumns(
+			   Lines, [](size_t) { return true; }, "   ");
+}
+
+std::string MakeHazardJson(const std::vector<FHazardRow>& Rows)
+{
+	FJsonWriter Writer;
+	Writer.BeginObject();
+	Writer.Key("passes").BeginArray();
+	for (const FHazardRow& Row : Rows)
+	{
+		Writer.BeginObject();
+		Writer.Member("pass", Row.Pass);
+		Writer.Member("shader", Row.Shader);
+		Writer.Member("input", Row.Input);
+		Writer.Key("hazards").BeginArray();
+		for (const FHazardFinding& Finding : Row.Findings)
+		{
+			Writer.BeginObject(true);
+			Writer.Member("hazard", Finding.Hazard);
+			Writer.Member("pixels", Finding.NumPixels);
+			Writer.Member("nan", Finding.NumNaN);
+			Writer.Member("infinite", Finding.NumInfinite);
+			Writer.Member("negative", Finding.NumNegative);
+			Writer.Member("changed", Finding.NumChanged);
+			Writer.Member("reach", Finding.Reach);
+			Writer.Member("least", Finding.Least);
+			Writer.Member("most", Finding.Most);
+			Writer.Member("says", DescribeFinding(Finding));
+			Writer.EndObject();
+		}
+		Writer.EndArray();
+		Writer.EndObject();
+	}
+	Writer.EndArray();
+	Writer.EndObject();
+	return Writer.GetText();
+}
+
+} // namespace Drydock

@@ -1,0 +1,127 @@
+// `drydock hazards`: a pass of a run under the hazards of the stability table.
+#include <CLI/CLI.hpp>
+
+#include "Hazards/HazardCapture.h"
+#include "Picture/Preview.h"
+#include "Program/ProgramOutput.h"
+#include "Program/VerbOptions.h"
+#include "Program/Verbs.h"
+#include "Run/Run.h"
+#include "Text/OutputFolder.h"
+#include "Text/TextFile.h"
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+namespace Drydock
+{
+
+namespace
+{
+
+struct FHazardsVerbOptions
+{
+	FRunOptions Run;
+	FHazardRequest Request;
+	std::string Folder; // of pictures; empty: none
+	bool bJson = false;
+};
+
+const FOutputNames HazardNames = {
+	.Name = "hazards", .Files = {"hazards.json"}, .Last = "hazards.json", .Folders = {"hazards"}, .Unsteady = {}};
+
+/** Red, green and blue; NaN magenta, infinity yellow, minus infinity cyan. */
+FImage MakeVisible(const FImage& Image)
+{
+	FImage Visible{Image.Width, Image.Height, 3, {}};
+	for (int Y = 0; Y < Image.Height; ++Y)
+	{
+		for (int X = 0; X < Image.Width; ++X)
+		{
+			std::array<double, 3> Color = {Image.Get(X, Y, 0), Image.Get(X, Y, 1), Image.Get(X, Y, 2)};
+			for (const double Value : std::array<double, 3>(Color))
+			{
+				if (!std::isfinite(Value))
+				{
+					Color = std::isnan(Value) ? std::array<double, 3>{1, 0, 1}
+							: Value > 0       ? std::array<double, 3>{1, 1, 0}
+											  : std::array<double, 3>{0, 1, 1};
+				}
+			}
+			Visible.Values.insert(Visible.Values.end(), Color.begin(), Color.end());
+		}
+	}
+	return Visible;
+}
+
+void WritePictures(const std::vector<FHazardRow>& Rows, const std::string& Folder)
+{
+	FOutputFolder Output(Folder, HazardNames);
+	std::filesystem::create_directories(Output.GetAside() / "hazards");
+	for (size_t Index = 0; Index < Rows.size(); ++Index)
+	{
+		const std::string Prefix = Rows.size() > 1 ? std::to_string(Index + 1) + "." : "";
+		for (const FHazardFinding& Finding : Rows[Index].Findings)
+		{
+			const std::string Name = Prefix + Finding.File + ".png";
+			WritePreviewPng((Output.GetAside() / "hazards" / Name).string(), MakeVisible(Finding.Result));
+		}
+	}
+	WriteWholeFile((Output.GetAside() / "hazards.json").string(), MakeHazardJson(Rows));
+	Output.PutInPlace();
+}
+
+int RunHazards(FHazardsVerbOptions Options)
+{
+	FHazardCapture Capture(Options.Request);
+	Options.Run.Variables.push_back("r.Drydock.NativeKernels=0"); // a shader's constants can be others, a kernel's not
+	{
+		const FScopedDispatchObserver Scope(Capture);
+		PrintDiagnostics(RunConfig(Options.Run).Diagnostics);
+	}
+	const std::vector<FHazardRow>& Rows = Capture.GetRows();
+	if (!Options.Folder.empty())
+	{
+		WritePictures(Rows, Options.Folder);
+	}
+	std::string Text = Options.bJson ? MakeHazardJson(Rows) : "";
+	for (const FHazardRow& Row : Rows)
+	{
+		Text += Options.bJson ? "" : (Text.empty() ? "" : "\n") + MakeHazardText(Row);
+	}
+	std::fputs(Text.c_str(), stdout);
+	return ExitDone;
+}
+
+FVerbCall AddOptions(CLI::App& Verb)
+{
+	const auto Options = std::make_shared<FHazardsVerbOptions>();
+	AddConfig(Verb, Options->Run);
+	AddThreads(Verb, Options->Run, "Threads of the passes; 0: all cores");
+	Verb.add_option("--pass", Options->Request.Pass, "The pass, or its shader's class; with * and ?")
+		->type_name("PATTERN")
+		->required();
+	Verb.add_option("--input", Options->Request.Input,
+			"The texture that hazards take the place of, as the shader calls it; the first with three channels by "
+			"default")
+		->type_name("NAME");
+	Verb.add_option("--out", Options->Folder, "Write what the pass made of each hazard as PNG files into this folder")
+		->type_name("DIR");
+	Verb.add_flag("--json", Options->bJson, "Print JSON");
+	return [Options]
+	{
+		return RunHazards(*Options);
+	};
+}
+
+const FVerbRegistration GRegistration({
+	.Name = "hazards",
+	.Place = 46,
+	.Doc = "Run one pass with NaN, infinities, denormals, negative light and the like, and print what becomes of them",
+	.AddOptions = AddOptions,
+});
+
+} // namespace
+
+} // namespace Drydock

@@ -1,0 +1,60 @@
+// `drydock prove`: a config under every promised equivalence.
+#include <CLI/CLI.hpp>
+
+#include "Program/ProgressBar.h"
+#include "Program/VerbOptions.h"
+#include "Program/Verbs.h"
+#include "Prove/Prove.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+namespace Drydock
+{
+
+namespace
+{
+
+struct FProveVerbOptions : FProveOptions
+{
+	bool bJson = false;
+};
+
+int Prove(FProveVerbOptions Options)
+{
+	FProgressBar Bar;
+	Options.Progress = [&Bar](int Done, int Total, const std::string& Name)
+	{
+		Bar.Show(Done, Total, Name);
+	};
+	const std::vector<FProven> Proven = ProveConfig(Options);
+	Bar.Clear();
+	const std::string& Config = Options.Run.ConfigFile;
+	std::fputs((Options.bJson ? MakeProveJson(Config, Proven) : MakeProveText(Config, Proven)).c_str(), stdout);
+	const bool bHolds = std::all_of(Proven.begin(), Proven.end(), [](const FProven& One) { return One.Holds(); });
+	return bHolds ? ExitDone : ExitPolicy;
+}
+
+FVerbCall AddOptions(CLI::App& Verb)
+{
+	const auto Options = std::make_shared<FProveVerbOptions>();
+	AddConfig(Verb, Options->Run);
+	Verb.add_option("--only", Options->Only, "Only these equivalences, by name; with * and ?")->type_name("PATTERN");
+	Verb.add_flag("--json", Options->bJson, "Print JSON");
+	return [Options]
+	{
+		return Prove(*Options);
+	};
+}
+
+const FVerbRegistration GRegistration({
+	.Name = "prove",
+	.Place = 45,
+	.Doc = "Run a config under every promised equivalence: threads, lanes, memory, culling, rects",
+	.AddOptions = AddOptions,
+});
+
+} // namespace
+
+} // namespace Drydock

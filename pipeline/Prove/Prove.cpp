@@ -1,0 +1,200 @@
+// Runs pairs of frames and looks for the first pass that tells them apart.
+#include "Prove/Prove.h"
+
+#include "Run/Run.h"
+#include "Text/ConfigErrors.h"
+#include "Text/GlobPattern.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace Drydock
+{
+
+namespace
+{
+
+bool Clobbers(const FEquivalenceRun& Run)
+{
+	return std::any_of(Run.Variables.begin(), Run.Variables.end(),
+		[](const std::string& Variable) { return Variable.starts_with("r.RDG.ClobberResources="); });
+}
+
+std::string JoinMessages(const FError& Error)
+{
+	std::string Text;
+	for (const FDiagnostic& Diagnostic : Error.GetDiagnostics())
+	{
+		Text += Diagnostic.Severity == ESeverity::Error ? (Text.empty() ? "" : "; ") + Diagnostic.ToString() : "";
+	}
+	return Text;
+}
+
+std::string FormatSize(const FPicture& Picture)
+{
+	return std::to_string(Picture.Width) + " x " + std::to_string(Picture.Height);
+}
+
+uint64_t CountRounded(const FPicture& Base, const FPicture& Other)
+{
+	const FImage A = Base.ToImage(), B = Other.ToImage();
+	uint64_t Count = 0;
+	for (size_t Index = 0; Index < A.Values.size(); ++Index)
+	{
+		Count += std::memcmp(&A.Values[Index], &B.Values[Index], sizeof(double)) == 0 ? 0 : 1;
+	}
+	return Count;
+}
+
+class FProver
+{
+public:
+	explicit FProver(const FRunOptions& InOptions)
+		: Options(InOptions)
+		, Plain(RunConfig(InOptions))
+		, View(FindPictureView(Plain))
+	{
+		Bases.push_back({{}, Plain.Final});
+	}
+
+	FProven Prove(const FEquivalence& Equivalence)
+	{
+		FProven Proven;
+		Proven.Equivalence = &Equivalence;
+		if (Equivalence.Base.Layout != EViewLayout::AsConfigured && (Plain.Views.size() > 1 || View[2] - View[0] < 2))
+		{
+			Proven.NotRun = Plain.Views.size() > 1 ? "the config has several views" : "the picture cannot be halved";
+			return Proven;
+		}
+		FPicture Base;
+		try
+		{
+			Base = GetBase(Equivalence.Base);
+		}
+		catch (const FError& Error)
+		{
+			Proven.NotRun = JoinMessages(Error);
+			return Proven;
+		}
+		try
+		{
+			Compare(Base, Crop(RunFinal(Equivalence.Other), Equivalence.Other), Proven);
+			if (Proven.Final)
+			{
+				FindFirstPass(Proven);
+			}
+		}
+		catch (const FError& Error)
+		{
+			Proven.Error = JoinMessages(Error);
+		}
+		return Proven;
+	}
+
+private:
+	FRunOptions MakeOptions(const FEquivalenceRun& Run) const { return MakeEquivalentRun(Options, Run, View); }
+
+	FPicture RunFinal(const FEquivalenceRun& Run) const { return RunConfig(MakeOptions(Run)).Final; }
+
+	FPicture Crop(const FPicture& Final, const FEquivalenceRun& Run) const
+	{
+		const FViewRect Rect = FindSharedView(Run, View);
+		FIntRect Part(Rect[0], Rect[1], Rect[2], Rect[3]);
+		Part.Clip(FIntRect(0, 0, Final.Width, Final.Height));
+		return Run.Layout == EViewLayout::AsConfigured ? Final : Final.Crop(Part);
+	}
+
+	/** Each base runs once. */
+	FPicture GetBase(const FEquivalenceRun& Run)
+	{
+		const auto Known =
+			std::find_if(Bases.begin(), Bases.end(), [&Run](const auto& Base) { return Base.first == Run; });
+		if (Known != Bases.end())
+		{
+			return Known->second;
+		}
+		Bases.push_back({Run, Crop(RunFinal(Run), Run)});
+		return Bases.back().second;
+	}
+
+	static void Compare(const FPicture& Base, const FPicture& Other, FProven& Proven)
+	{
+		if (Base.Width != Other.Width || Base.Height != Other.Height || Base.NumChannels != Other.NumChannels)
+		{
+			Proven.OtherSize = FormatSize(Base) + ", and " + FormatSize(Other);
+			return;
+		}
+		Proven.Final = ComparePixels(Base, Other, Proven.Equivalence->Alike);
+		Proven.NumRounded = Proven.Final ? 0 : CountRounded(Base, Other);
+	}
+
+	/** Both frames once more, each pass beside its like. */
+	void FindFirstPass(FProven& Proven) const
+	{
+		const FEquivalence& Equivalence = *Proven.Equivalence;
+		FPassRecord Record(Equivalence.Alike, Clobbers(Equivalence.Other));
+		FRunOptions Base = MakeOptions(Equivalence.Base);
+		Base.OnPassExecuted = [&Record](const FPassWrites& Writes)
+		{
+			Record.Keep(Writes);
+		};
+		RunConfig(Base);
+		FRunOptions Other = MakeOptions(Equivalence.Other);
+		Other.OnPassExecuted = [&Record](const FPassWrites& Writes)
+		{
+			Record.Compare(Writes);
+		};
+		RunConfig(Other);
+		Proven.FirstPass = Record.GetDifference();
+	}
+
+	const FRunOptions Options;
+	const FRunResult Plain;
+	const FViewRect View;
+	std::vector<std::pair<FEquivalenceRun, FPicture>> Bases;
+};
+
+} // namespace
+
+FViewRect FindPictureView(const FRunResult& Result)
+{
+	const FIntRect& Rect = Result.ViewRect;
+	const FConfigPadding& Padding = Result.Config.Scene.Padding;
+	return {Rect.Min.X - Padding.Left, Rect.Min.Y - Padding.Top, Rect.Max.X - Padding.Left, Rect.Max.Y - Padding.Top};
+}
+
+std::vector<FProven> ProveConfig(const FProveOptions& Options)
+{
+	std::vector<const FEquivalence*> Asked;
+	std::vector<std::string> Names;
+	for (const FEquivalence& Equivalence : GetEquivalences())
+	{
+		Names.push_back(Equivalence.Name);
+		if (MatchesPattern(Options.Only, Equivalence.Name))
+		{
+			Asked.push_back(&Equivalence);
+		}
+	}
+	if (Asked.empty())
+	{
+		const std::string Nearest = FindNearestName(Options.Only, Names);
+		throw FError({.Code = ErrorBadArgument,
+						 .Message = "there is no equivalence '" + Options.Only + "'" +
+									(Nearest.empty() ? std::string() : "; did you mean " + Nearest + "?"),
+						 .Where = "--only"},
+			ExitUsage);
+	}
+	FProver Prover(Options.Run);
+	std::vector<FProven> Proven;
+	for (const FEquivalence* const Equivalence : Asked)
+	{
+		if (Options.Progress)
+		{
+			Options.Progress(static_cast<int>(Proven.size()), static_cast<int>(Asked.size()), Equivalence->Name);
+		}
+		Proven.push_back(Prover.Prove(*Equivalence));
+	}
+	return Proven;
+}
+
+} // namespace Drydock

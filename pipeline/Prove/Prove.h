@@ -1,0 +1,48 @@
+// Runs a config under every promised equivalence: `drydock prove`.
+#pragma once
+
+#include "Prove/PassRecord.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+/** What came of one equivalence. */
+struct FProven
+{
+	const FEquivalence* Equivalence = nullptr;
+	std::string NotRun;                    // why it says nothing of this config; empty: both frames ran
+	std::string Error;                     // the other frame does not run: its messages
+	std::string OtherSize;                 // of the final pictures, where they are of two sizes: "16 x 8, and 15 x 8"
+	std::optional<FPixelDifference> Final; // of the final picture, in its own pixels
+	std::optional<FFirstDifference> FirstPass; // none where only the final picture tells
+	uint64_t NumRounded = 0;                   // values of the final picture that differ within what the promise allows
+
+	bool Holds() const { return Error.empty() && OtherSize.empty() && !Final; }
+};
+
+struct FProveOptions
+{
+	FRunOptions Run;
+	std::string Only = "*"; // names of equivalences
+	/** Called before each. */
+	std::function<void(int Done, int Total, const std::string& Name)> Progress;
+};
+
+struct FRunResult;
+
+/** The rect of all views in the picture, without padding. */
+DRYDOCK_API FViewRect FindPictureView(const FRunResult& Result);
+
+/** Compares final pictures, and where they differ runs both frames again to find the first pass. Throws FError where
+ * the config itself does not run, or (exit code 2) where Only fits no equivalence. */
+DRYDOCK_API std::vector<FProven> ProveConfig(const FProveOptions& Options);
+
+/** A line for each, and what is known of those that do not hold. */
+DRYDOCK_API std::string MakeProveText(const std::string& Config, const std::vector<FProven>& Proven);
+DRYDOCK_API std::string MakeProveJson(const std::string& Config, const std::vector<FProven>& Proven);
+
+} // namespace Drydock

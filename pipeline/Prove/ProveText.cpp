@@ -1,0 +1,168 @@
+// Writes what `drydock prove` found, for a person and for programs.
+#include <fmt/format.h>
+
+#include "Prove/Prove.h"
+#include "Text/JsonWriter.h"
+#include "Text/TextFormat.h"
+
+#include <algorithm>
+
+namespace Drydock
+{
+
+namespace
+{
+
+std::string FormatValues(const std::vector<double>& Values)
+{
+	std::string Text;
+	for (const double Value : Values)
+	{
+		Text += (Text.empty() ? "" : ", ") + NumberText(Value);
+	}
+	return Values.size() > 1 ? "(" + Text + ")" : Text;
+}
+
+std::string FormatPixel(const FPixelDifference& Pixel)
+{
+	return fmt::format("pixel ({}, {}) is {}, and {}{}", Pixel.X, Pixel.Y, FormatValues(Pixel.Base),
+		FormatValues(Pixel.Other),
+		Pixel.NumPixels > 1 ? fmt::format("; first of {} pixels", Pixel.NumPixels) : std::string());
+}
+
+std::string FormatFirstPass(const FFirstDifference& Pass)
+{
+	std::string Text = fmt::format("      first in pass {}{}{}: {}{} ", Pass.Pass,
+		Pass.Shader.empty() ? "" : ", " + Pass.Shader, Pass.Owner.empty() ? "" : ", of " + Pass.Owner, Pass.Resource,
+		Pass.Mip > 0 ? fmt::format(" mip {}", Pass.Mip) : std::string());
+	Text += (Pass.Pixel ? FormatPixel(*Pass.Pixel) : "is drawn " + Pass.Sizes) + "\n";
+	for (const std::string& Input : Pass.PartlyDrawn)
+	{
+		Text += "      it reads " + Input + " was written before\n";
+	}
+	return Text;
+}
+
+std::string FormatDifference(const FProven& Proven)
+{
+	std::string Text;
+	if (!Proven.Error.empty())
+	{
+		return "      " + Proven.Error + "\n";
+	}
+	if (Proven.FirstPass)
+	{
+		Text += FormatFirstPass(*Proven.FirstPass);
+	}
+	Text += Proven.Final ? "      the final picture: " + FormatPixel(*Proven.Final) + "\n"
+						 : "      the final picture is " + Proven.OtherSize + "\n";
+	return Text + "      likely: " + Proven.Equivalence->Likely + "\n";
+}
+
+std::string FormatVerdict(const FProven& Proven)
+{
+	if (!Proven.NotRun.empty())
+	{
+		return "not asked: " + Proven.NotRun;
+	}
+	if (!Proven.Holds())
+	{
+		return Proven.Error.empty() ? "DIFFERS" : "DOES NOT RUN";
+	}
+	return Proven.NumRounded == 0
+			   ? "the same bits"
+			   : fmt::format("the same but for rounding: {} values by a step of 8 bits at most", Proven.NumRounded);
+}
+
+void WritePixel(FJsonWriter& Writer, const char* Name, const FPixelDifference& Pixel)
+{
+	Writer.Key(Name).BeginObject();
+	Writer.Member("x", Pixel.X);
+	Writer.Member("y", Pixel.Y);
+	Writer.Member("pixels", Pixel.NumPixels);
+	for (const auto& [Key, Values] : {std::pair("base", &Pixel.Base), std::pair("other", &Pixel.Other)})
+	{
+		Writer.Key(Key).BeginArray(true);
+		for (const double Value : *Values)
+		{
+			Writer.Value(NumberText(Value)); // as text, for it may be no number
+		}
+		Writer.EndArray();
+	}
+	Writer.EndObject();
+}
+
+} // namespace
+
+std::string MakeProveText(const std::string& Config, const std::vector<FProven>& Proven)
+{
+	size_t NameWidth = 0, WhatWidth = 0;
+	for (const FProven& One : Proven)
+	{
+		NameWidth = std::max(NameWidth, One.Equivalence->Name.size());
+		WhatWidth = std::max(WhatWidth, One.Equivalence->What.size());
+	}
+	std::string Text = Config + " gives the same picture:\n";
+	size_t NumBroken = 0;
+	for (const FProven& One : Proven)
+	{
+		Text += fmt::format("  {:{}}  {:{}}  {}\n", One.Equivalence->Name, NameWidth, One.Equivalence->What, WhatWidth,
+			FormatVerdict(One));
+		Text += One.Holds() ? "" : FormatDifference(One);
+		NumBroken += One.Holds() ? 0 : 1;
+	}
+	return Text + (NumBroken == 0 ? fmt::format("{} equivalences, all of which hold\n", Proven.size())
+								  : fmt::format("{} equivalences, {} broken\n", Proven.size(), NumBroken));
+}
+
+std::string MakeProveJson(const std::string& Config, const std::vector<FProven>& Proven)
+{
+	FJsonWriter Writer;
+	Writer.BeginObject();
+	Writer.Member("config", Config);
+	Writer.Member("holds", std::all_of(Proven.begin(), Proven.end(), [](const FProven& One) { return One.Holds(); }));
+	Writer.Key("equivalences").BeginArray();
+	for (const FProven& One : Proven)
+	{
+		Writer.BeginObject();
+		Writer.Member("name", One.Equivalence->Name);
+		Writer.Member("what", One.Equivalence->What);
+		Writer.Member("holds", One.Holds());
+		Writer.Member("notAsked", One.NotRun);
+		Writer.Member("error", One.Error);
+		Writer.Member("otherSize", One.OtherSize);
+		Writer.Member("roundedValues", One.NumRounded);
+		Writer.Member("likely", One.Holds() ? "" : One.Equivalence->Likely);
+		if (One.FirstPass)
+		{
+			Writer.Key("firstPass").BeginObject();
+			Writer.Member("pass", One.FirstPass->Pass);
+			Writer.Member("shader", One.FirstPass->Shader);
+			Writer.Member("plugin", One.FirstPass->Owner);
+			Writer.Member("resource", One.FirstPass->Resource);
+			Writer.Member("mip", One.FirstPass->Mip);
+			Writer.Member("sizes", One.FirstPass->Sizes);
+			if (One.FirstPass->Pixel)
+			{
+				WritePixel(Writer, "pixel", *One.FirstPass->Pixel);
+			}
+			Writer.Key("partlyDrawn").BeginArray();
+			for (const std::string& Input : One.FirstPass->PartlyDrawn)
+			{
+				Writer.Value(Input);
+			}
+			Writer.EndArray();
+			Writer.EndObject();
+		}
+		if (One.Final)
+		{
+			WritePixel(Writer, "final", *One.Final);
+		}
+		Writer.EndObject();
+	}
+	Writer.EndArray();
+	Writer.EndObject();
+	return Writer.GetText();
+}
+
+} // namespace Drydock
