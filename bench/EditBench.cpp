@@ -254,7 +254,8 @@ int main(int ArgumentCount, char** Arguments)
 		std::ofstream(Source, std::ios::app) << "// edit " << Round << "\n";
 		Rows[4].Costs.push_back(Run(Build));
 	}
-	std::printf("%s, medians of %d\n\n| edited | CPU ms | wall ms |\n|---|--:|--:|\n", Scene.c_str(), Rounds);
+	std::printf("%s, medians of %d\n\n| edited | CPU ms | wall ms |\n|---|--:|--:|\n",
+		fs::path(Scene).filename().c_str(), Rounds);
 	for (const FRow& Row : Rows)
 	{
 		std::printf(

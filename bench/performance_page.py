@@ -258,7 +258,7 @@ def make_summary(folder):
     for begin, goal in (("a shader, `run --watch`", 150), ("a shader, `run`", 300), ("a patch's C++", 500)):
         row = find_row(edit, begin)
         if row:
-            lines.append(f"| edit of {row[0]}, 960 x 540, CPU ms | {row[1]} | {goal} |")
+            lines.append(f"| edit of {row[0]}, CPU ms | {row[1]} | {goal} |")
     row = find_row(read_result(folder, "bench_graph"), "chain, a texture each | 60")
     if row:
         lines.append(f"| graph of 60 passes, build and compile, us | {row[4]} | 50 |")
