@@ -156,8 +156,10 @@ TEST(BlurAlgorithms, TapsAreThoseOfTheDefinition)
 	EXPECT_DOUBLE_EQ(625.0, GetDirectTaps(4.0));
 	// Two levels: 5 taps for each texel on the way down, 8 on the way up.
 	EXPECT_DOUBLE_EQ((5.0 * (Half + Quarter) + 8.0 * (NumPixels + Half)) / NumPixels, GetTaps("DualKawase"));
-	// Four taps down, one up; between them a Gaussian of sqrt(16 - 3/2) / 2 = 1.9 texels, which reaches 6.
-	EXPECT_DOUBLE_EQ((4.0 * Half + 2.0 * 13.0 * Half + NumPixels) / NumPixels, GetTaps("Pyramid"));
+	// Four taps down, one up; between them a Gaussian of sqrt(16 - 3/2) / 2 = 1.9 texels, which reaches 8. Two texels
+	// before the half and one after it.
+	const double Low = (50.0 + 3.0) * (26.0 + 3.0);
+	EXPECT_DOUBLE_EQ((4.0 * Low + 2.0 * 17.0 * Low + NumPixels) / NumPixels, GetTaps("Pyramid"));
 	// Variances 0.5, 2.5, 6.5, 12.5 of the passes add up to 16 in the fourth.
 	EXPECT_DOUBLE_EQ(16.0, GetTaps("Kawase"));
 	// One tap to halve and one to double. The Gaussian of 2 texels has the radius 2 sqrt(2 * 16.7) = 11.56: two texels

@@ -159,10 +159,10 @@ FImage BlurExactly(const FImage& Image, double Sigma, const FPart& Part)
 
 // The blurs -----------------------------------------------------------------------------------------------------------
 
-/** Cut at three deviations, the exponent's deviation chosen so that what is left has the wanted variance. */
-FImage BlurSeparable(const FImage& Image, double Sigma, const FPart& Part = Whole)
+/** Cut at so many deviations, the exponent's deviation chosen so that what is left has the wanted variance. */
+FImage BlurSeparable(const FImage& Image, double Sigma, const FPart& Part = Whole, double Deviations = 3.0)
 {
-	const int Reach = std::max(1, static_cast<int>(std::ceil(3.0 * Sigma)));
+	const int Reach = std::max(1, static_cast<int>(std::ceil(Deviations * Sigma)));
 	const double Exponent = Bisect(
 		0.1, 4.0 * Sigma, Sigma * Sigma, [&](double Candidate) { return GetVariance(MakeGaussian(Candidate, Reach)); });
 	return Convolve(Image, MakeGaussian(Exponent, Reach), Part);
@@ -193,11 +193,13 @@ FImage BlurBoxes(const FImage& Image, double Sigma)
 }
 
 /** Halved by [1 3 3 1] / 8, blurred, doubled by the same kernel: 3 parts of the nearer texel and 1 of the next. The two
- * passes have the variance 3/2, which the low picture's blur lacks. */
+ * passes have the variance 3/2, which the low picture's blur lacks. That begins two texels before the image and ends
+ * where all is the edge texel. */
 FImage BlurPyramid(const FImage& Image, double Sigma)
 {
 	constexpr double Kernel[4] = {0.125, 0.375, 0.375, 0.125};
-	const FImage Low = Make((Image.Width + 1) / 2, (Image.Height + 1) / 2,
+	constexpr int Margin = 2;
+	const FImage Low = Make((Image.Width + 1) / 2 + Margin + 1, (Image.Height + 1) / 2 + Margin + 1,
 		[&](int X, int Y, int Channel)
 		{
 			double Sum = 0.0;
@@ -205,20 +207,23 @@ FImage BlurPyramid(const FImage& Image, double Sigma)
 			{
 				for (int DX = 0; DX < 4; ++DX)
 				{
-					Sum += Kernel[DX] * Kernel[DY] * GetClamped(Image, 2 * X - 1 + DX, 2 * Y - 1 + DY, Channel);
+					Sum += Kernel[DX] * Kernel[DY] *
+						   GetClamped(Image, 2 * (X - Margin) - 1 + DX, 2 * (Y - Margin) - 1 + DY, Channel);
 				}
 			}
 			return Sum;
 		});
-	const FImage Blurred = BlurSeparable(Low, std::sqrt(Sigma * Sigma - 1.5) / 2.0);
+	const FImage Blurred = BlurSeparable(Low, std::sqrt(Sigma * Sigma - 1.5) / 2.0, Whole, 4.0);
 	return Make(Image.Width, Image.Height,
 		[&](int X, int Y, int Channel)
 		{
-			const int NextX = X % 2 == 0 ? X / 2 - 1 : X / 2 + 1;
-			const int NextY = Y % 2 == 0 ? Y / 2 - 1 : Y / 2 + 1;
-			return (9.0 * GetClamped(Blurred, X / 2, Y / 2, Channel) +
-					   3.0 * GetClamped(Blurred, NextX, Y / 2, Channel) +
-					   3.0 * GetClamped(Blurred, X / 2, NextY, Channel) + GetClamped(Blurred, NextX, NextY, Channel)) /
+			const int NearX = X / 2 + Margin;
+			const int NearY = Y / 2 + Margin;
+			const int NextX = X % 2 == 0 ? NearX - 1 : NearX + 1;
+			const int NextY = Y % 2 == 0 ? NearY - 1 : NearY + 1;
+			return (9.0 * GetClamped(Blurred, NearX, NearY, Channel) +
+					   3.0 * GetClamped(Blurred, NextX, NearY, Channel) +
+					   3.0 * GetClamped(Blurred, NearX, NextY, Channel) + GetClamped(Blurred, NextX, NextY, Channel)) /
 				   16.0;
 		});
 }
