@@ -6,6 +6,8 @@
 #include "Program/ProgressBar.h"
 #include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
+#include "Report/ReportPage.h"
+#include "Report/StudyPage.h"
 #include "Study/StudyChart.h"
 #include "Study/StudyInsets.h"
 #include "Study/StudyReport.h"
@@ -15,7 +17,9 @@
 
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <memory>
+#include <unistd.h>
 
 namespace Drydock
 {
@@ -28,22 +32,29 @@ struct FStudyOptions
 	FRunOptions Run;
 	std::string OutputFolder; // empty: GetDefaultOutputFolder
 	bool bJson = false;
+	std::string Report; // "off", "on"; empty: on where a person looks on
 };
+
+bool WantsReport(const FStudyOptions& Options)
+{
+	return Options.Report.empty() ? !Options.bJson && isatty(STDOUT_FILENO) != 0 : Options.Report == "on";
+}
 
 /** study.json last: a budget reads it. */
 const FOutputNames& GetStudyOutputNames()
 {
 	static const FOutputNames Names = {.Name = "study",
 		.Files = {"study.json", "study.csv", "study.svg", "study_taps.svg", "study_insets.svg", "study_timing.json",
-			"study_timing.csv"},
+			"study_timing.csv", "study.html"},
 		.Last = "study.json",
 		.Folders = {"insets"},
-		.Unsteady = {}};
+		.Unsteady = {"study.html"}};
 	return Names;
 }
 
 /** Prints the table of the study, or study.json, and writes study.json, study.csv, study_taps.svg and, with times,
- * study_timing.json, study_timing.csv, study.svg; and study_insets.svg with insets/. */
+ * study_timing.json, study_timing.csv, study.svg; study_insets.svg with insets/; and study.html where it is asked for.
+ */
 int RunStudy(const FStudyOptions& Options)
 {
 	FProgressBar Bar;
@@ -61,14 +72,18 @@ int RunStudy(const FStudyOptions& Options)
 		WriteWholeFile((Folder.GetAside() / Name).string(), Text);
 	};
 	Bar.Show(1, 1, "pictures");
-	Write("study_insets.svg", DrawStudyInsets(Result.Name + ": what the errors look like",
-								  WriteStudyInsets(Run, Result, Folder.GetAside().string())));
+	const std::vector<FStudyInsetRow> Insets = WriteStudyInsets(Run, Result, Folder.GetAside().string());
+	Write("study_insets.svg", DrawStudyInsets(Result.Name + ": what the errors look like", Insets));
 	Write("study.json", MakeStudyJson(Result));
 	Write("study.csv", MakeStudyCsv(Result, false));
 	Write("study_taps.svg", DrawStudyChart(Result, EStudyCost::Taps));
 	Write("study_timing.json", MakeStudyTimingJson(Result));
 	Write("study_timing.csv", MakeStudyCsv(Result, true));
 	Write("study.svg", DrawStudyChart(Result, EStudyCost::Milliseconds));
+	if (WantsReport(Options))
+	{
+		Write("study.html", MakeReportPage(MakeStudyPageData(Result, Insets, FormatReportTime(std::time(nullptr)))));
+	}
 	Folder.PutInPlace();
 	Bar.Clear();
 	PrintDiagnostics(Result.Diagnostics);
@@ -92,6 +107,13 @@ FVerbCall AddOptions(CLI::App& Verb)
 	AddThreads(Verb, Options->Run, "Threads; 0: all cores (default)");
 	Verb.add_option("--out", Options->OutputFolder, "Folder for tables and pictures; out/NAME of the config by default")
 		->type_name("DIR");
+	RequireOneOf(Verb.add_option("--report", Options->Report,
+						 "Write study.html, the chart with what lies behind its points: on (where no word follows) or "
+						 "off; on by default where stdout is a terminal")
+					 ->expected(0, 1)
+					 ->default_str("on"),
+		{"on", "off"})
+		->type_name("WHAT");
 	Verb.add_flag("--json", Options->bJson, "Print study.json instead of the table");
 	return [Options]
 	{

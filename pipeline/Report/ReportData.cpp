@@ -4,6 +4,7 @@
 #include "PostProcessSettingsReflection.h"
 #include "Picture/Preview.h"
 #include "Picture/TextureImage.h"
+#include "Report/ReportPage.h"
 #include "Report/ReportPicture.h"
 #include "Run/GraphJson.h"
 #include "Run/RunDump.h"
@@ -24,15 +25,6 @@ namespace
 {
 
 namespace Files = std::filesystem;
-
-std::string FormatTime(std::time_t Time)
-{
-	std::tm Utc{};
-	gmtime_r(&Time, &Utc);
-	char Text[32];
-	std::strftime(Text, sizeof(Text), "%Y-%m-%dT%H:%M:%SZ", &Utc);
-	return Text;
-}
 
 bool IsJson(const std::string& Text)
 {
@@ -321,7 +313,7 @@ FReportBefore ReadReportBefore(const std::string& Folder)
 	const auto Time = Files::last_write_time(Files::path(Folder) / "run.json", Error);
 	if (!Error)
 	{
-		Before.When = FormatTime(std::chrono::system_clock::to_time_t(std::chrono::file_clock::to_sys(Time)));
+		Before.When = FormatReportTime(std::chrono::system_clock::to_time_t(std::chrono::file_clock::to_sys(Time)));
 	}
 	return Before;
 }
@@ -341,7 +333,7 @@ std::string MakeReportData(const FReportInputs& Inputs)
 	Writer.Member("formatVersion", 1);
 	Writer.Member("kind", "run");
 	Writer.Member("name", Inputs.Name);
-	Writer.Member("written", Inputs.When.empty() ? FormatTime(std::time(nullptr)) : Inputs.When);
+	Writer.Member("written", Inputs.When.empty() ? FormatReportTime(std::time(nullptr)) : Inputs.When);
 	Report("run", Inputs.Result.RunJson);
 	Report("timing", Inputs.TimingJson);
 	Report("graph", MakeGraphJson(Inputs.Result.Graph));

@@ -33,6 +33,15 @@ std::string EscapeForScript(const std::string& Json)
 	return Escaped.append(Json, From);
 }
 
+std::string FormatReportTime(std::time_t Time)
+{
+	std::tm Utc{};
+	gmtime_r(&Time, &Utc);
+	char Text[32];
+	std::strftime(Text, sizeof(Text), "%Y-%m-%dT%H:%M:%SZ", &Utc);
+	return Text;
+}
+
 std::string MakeReportPage(const std::string& Data)
 {
 	const std::string File = FindTemplate();

@@ -1,4 +1,5 @@
 // What a report says: the types of report.schema.json that the page reads, and the few questions asked of all of it.
+import { StudyReport } from "./study/data";
 
 export interface Use {
 	resource: number;
@@ -203,8 +204,8 @@ export interface Report {
 	pictures: PictureData[];
 }
 
-export function readReport(): Report {
-	return JSON.parse(document.getElementById("data")!.textContent!) as Report;
+export function readReport(): Report | StudyReport {
+	return JSON.parse(document.getElementById("data")!.textContent!) as Report | StudyReport;
 }
 
 /** The passes somebody added: without the graph's prologue and epilogue. */

@@ -1,5 +1,5 @@
 // Builds the page from its data.
-import { readReport } from "./data";
+import { Report, readReport } from "./data";
 import { el, installTips } from "./dom";
 import { time } from "./format";
 import { GraphPanel } from "./graph/panel";
@@ -10,42 +10,68 @@ import { makeEffects } from "./sections/effects";
 import { makeMessages } from "./sections/messages";
 import { makeSettings } from "./sections/settings";
 import { makeTime } from "./sections/time";
-
-const sections: [string, string][] = [["picture", "Picture"], ["graph", "Graph"], ["settings", "Settings"], ["effects", "Effects"], ["time", "Time"], ["messages", "Messages"]];
+import { StudyReport } from "./study/data";
+import { StudyPanel } from "./study/page";
 
 function isDark(): boolean {
 	const chosen = document.documentElement.dataset.theme;
 	return chosen ? chosen === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
 }
 
-function main(): void {
-	const report = readReport();
-	document.title = `${report.name} · drydock`;
-	const keys = makeKeys();
-	const about = makeAbout(report, document.documentElement.outerHTML.length);
+/** What a kind of page holds: its sections, what stands under its name, and its own keys. */
+interface Contents {
+	note: string[];
+	sections: [string, string][];
+	parts: HTMLElement[];
+	keys: Record<string, () => void>;
+	redraw: () => void; // after light became dark
+}
+
+function makeRun(report: Report): Contents {
 	const graph = new GraphPanel(report, (id) => picture.show(id));
 	const picture = new PicturePanel(report);
 	const openPass = (index: number) => graph.open(index);
+	const showDifference = () => {
+		picture.setMode("difference");
+		picture.element.scrollIntoView();
+	};
+	return {
+		note: [report.run.config, report.run.scene.file, "UE " + report.run.engine, report.run.precision === "double" ? "double" : ""],
+		sections: [["picture", "Picture"], ["graph", "Graph"], ["settings", "Settings"], ["effects", "Effects"], ["time", "Time"], ["messages", "Messages"]],
+		parts: [makeAnswers(report, showDifference), picture.element, graph.element, makeSettings(report), makeEffects(report), makeTime(report, openPass), makeMessages(report, openPass)],
+		keys: { "/": () => graph.focusSearch(), Escape: () => graph.select(-1) },
+		redraw: () => void picture.choose(picture.selectedA, picture.selectedB),
+	};
+}
+
+function makeStudy(report: StudyReport): Contents {
+	const { study, timing } = report;
+	return {
+		note: [study.config, study.scene, study.size.join(" × "), `medians of ${timing.repetitions} runs, ${timing.threads} threads on ${timing.cpu}`],
+		sections: [], parts: [new StudyPanel(report).element], keys: {}, redraw: () => undefined,
+	};
+}
+
+function main(): void {
+	const report = readReport();
+	document.title = `${report.name} · drydock`;
+	const contents = report.kind === "study" ? makeStudy(report) : makeRun(report);
+	const keys = makeKeys();
+	const about = makeAbout(report.kind === "study" ? report.study.version : report.run.version, report.written, document.documentElement.outerHTML.length);
 	const theme = el("button", { type: "button", id: "theme", "data-tip": "Light or dark (key T)", onclick: () => {
 		document.documentElement.dataset.theme = isDark() ? "light" : "dark";
-		picture.viewer.shade();
-		void picture.choose(picture.selectedA, picture.selectedB);
+		contents.redraw();
 	} }, "Light / dark");
 
 	document.body.append(
 		el("header", { class: "top" },
 			el("h1", {}, report.name),
-			el("span", { class: "quiet" }, [report.run.config, report.run.scene.file, "UE " + report.run.engine, report.run.precision === "double" ? "double" : "", time(report.written)].filter(Boolean).join("  ·  ")),
-			el("nav", { "aria-label": "Sections" }, sections.map(([id, title]) => el("a", { href: "#" + id }, title))),
+			el("span", { class: "quiet" }, [...contents.note, time(report.written)].filter(Boolean).join("  ·  ")),
+			el("nav", { "aria-label": "Sections" }, contents.sections.map(([id, title]) => el("a", { href: "#" + id }, title))),
 			theme,
 			el("button", { type: "button", "data-tip": "Keys (key ?)", "aria-label": "Keys", id: "show-keys", onclick: () => keys.showModal() }, "?"),
 			el("button", { type: "button", id: "show-about", onclick: () => about.showModal() }, "About")),
-		el("main", {},
-			makeAnswers(report, () => {
-				picture.setMode("difference");
-				picture.element.scrollIntoView();
-			}),
-			picture.element, graph.element, makeSettings(report), makeEffects(report), makeTime(report, openPass), makeMessages(report, openPass)),
+		el("main", {}, ...contents.parts),
 		keys, about);
 	installTips();
 
@@ -54,12 +80,7 @@ function main(): void {
 		if (event.defaultPrevented || typing || event.ctrlKey || event.metaKey || event.altKey) {
 			return;
 		}
-		const actions: Record<string, () => void> = {
-			"/": () => graph.focusSearch(),
-			t: () => theme.click(),
-			"?": () => keys.showModal(),
-			Escape: () => graph.select(-1),
-		};
+		const actions: Record<string, () => void> = { ...contents.keys, t: () => theme.click(), "?": () => keys.showModal() };
 		if (actions[event.key]) {
 			if (event.key !== "Escape") { // which also closes a dialog
 				event.preventDefault();

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The report page in a real browser: runs drydock three times, then the tests beside this script.
+# The report page in a real browser: runs drydock on two configs, then the tests beside this script.
 #   report/test/RunBrowserTests.sh BUILD SOURCE WORK
 # Exit code 77 where node, its modules (npm ci in report/), oiiotool or Chromium are not there.
 set -euo pipefail
@@ -16,6 +16,7 @@ Config=$Source/configs/toon_bloom.json
 "$Drydock" run "$Config" --out "$Work/plain" >/dev/null
 "$Drydock" run "$Config" --out "$Work/plain" --pp BloomIntensity=3 --report on >/dev/null
 "$Drydock" run "$Config" --out "$Work/full" --dump ToonBloomMask --dump BloomSetup --report full >/dev/null
+"$Drydock" study "$Source/configs/study_bloom_quality.json" --out "$Work/study" --report >/dev/null
 export CHROMIUM REPORT_RUNS=$Work
 cd "$Source/report"
 exec node --test --test-reporter=spec test/*.test.mjs

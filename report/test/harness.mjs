@@ -36,7 +36,7 @@ export async function onPage(file, test, options = {}) {
 	try {
 		await page.goto(url);
 		await page.waitForSelector("html[data-ready]");
-		await page.waitForFunction(() => document.querySelector("#facts dd"));
+		await page.waitForFunction(() => !document.querySelector("#facts") || document.querySelector("#facts dd"));
 		await test(page);
 		assert.deepEqual(faults, []);
 	} finally {

@@ -1,9 +1,9 @@
-// Takes the pictures of docs/report.md: node report/test/screenshots.mjs PAGE FULL_PAGE FRAME_PAGE FOLDER (pages of runs,
-// see there). CHROMIUM names the browser.
+// Takes the pictures of docs/report.md: node report/test/screenshots.mjs PAGE FULL_PAGE FRAME_PAGE STUDY_PAGE FOLDER (see
+// there). CHROMIUM names the browser.
 import { join, resolve } from "node:path";
 import { onPage, startBrowser, stopBrowser } from "./harness.mjs";
 
-const [plain, full, frame, folder] = process.argv.slice(2).map((path) => resolve(path));
+const [plain, full, frame, study, folder] = process.argv.slice(2).map((path) => resolve(path));
 
 /** Each: its name, the page, what is done to it, further options of the window. */
 const pictures = [
@@ -32,6 +32,7 @@ const pictures = [
 	["report_time", plain, async (page) => {
 		await page.locator("#time").evaluate((node) => node.scrollIntoView({ behavior: "instant" }));
 	}, {}],
+	["report_study", study, async () => undefined, { viewport: { width: 1280, height: 700 } }],
 ];
 
 await startBrowser();

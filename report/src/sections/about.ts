@@ -1,5 +1,4 @@
 // What the page is made of, and its keys, in two boxes that open on request.
-import { Report } from "../data";
 import { el } from "../dom";
 import { bytes, time } from "../format";
 
@@ -21,10 +20,10 @@ export function makeKeys(): HTMLDialogElement {
 		el("form", { method: "dialog" }, el("button", {}, "Close")));
 }
 
-export function makeAbout(report: Report, size: number): HTMLDialogElement {
+export function makeAbout(version: string, written: string, size: number): HTMLDialogElement {
 	const total = PARTS.reduce((sum, part) => sum + part.bytes, 0);
 	return el<HTMLDialogElement>("dialog", { id: "about", "aria-label": "About" }, el("h2", {}, "About this page"),
-		el("p", {}, `Written by drydock ${report.run.version} on ${time(report.written)}. ${bytes(size)}, of which ${bytes(total)} are the page itself; it asks for nothing from the network.`),
+		el("p", {}, `Written by drydock ${version} on ${time(written)}. ${bytes(size)}, of which ${bytes(total)} are the page itself; it asks for nothing from the network.`),
 		el("p", {}, "Its data are one JSON, in the element #data; docs/report.md says what is in it."),
 		el("div", { class: "table" }, el("table", {},
 			el("thead", {}, el("tr", {}, ["Part", "Version", "Licence", "Does", "Size"].map((title) => el("th", { scope: "col" }, title)))),

@@ -10,9 +10,9 @@ using namespace ReportTest;
 namespace
 {
 
-FJson ReadData(const FProgramFolder& Folder)
+FJson ReadData(const FProgramFolder& Folder, const std::string& File = "out/frame/report.html")
 {
-	const std::string Page = Folder.Read("out/frame/report.html");
+	const std::string Page = Folder.Read(File);
 	const std::string Begin = "id=\"data\">";
 	const size_t From = Page.find(Begin) + Begin.size();
 	return FJson::parse(Page.substr(From, Page.find("</script>", From) - From));
@@ -91,6 +91,25 @@ TEST(RunReport, OfToonBloomIsUnderFiveMegabytesBesideTheRunBefore)
 	}
 	EXPECT_TRUE(ReadData(Folder).contains("previous"));
 	EXPECT_LT(Files::file_size(Folder.Path / "out/frame/report.html"), 5000000u);
+}
+
+TEST(StudyReport, IsAPageOfItsOwnOfTheFormThatItsSchemaStates)
+{
+	const FProgramFolder Folder("report_study");
+	Folder.WriteFrame(
+		"frame.json", R"(, "study": {"axes": [{"name": "r.BloomQuality", "values": [1, 5]}], "repetitions": 1},
+										"volumes": [{"bUnbound": true, "Settings": {"BloomIntensity": 1}}])");
+	EXPECT_EQ(0, Folder.Call("study frame.json").ExitCode);
+	EXPECT_FALSE(Files::exists(Folder.Path / "out/frame/study.html"));
+	EXPECT_EQ(0, Folder.Call("run frame.json --report").ExitCode);
+	EXPECT_EQ(0, Folder.Call("study frame.json --report").ExitCode);
+	EXPECT_TRUE(HasReport(Folder)) << "the run's page is not the study's to replace";
+	const FJson Report = ReadData(Folder, "out/frame/study.html");
+	std::ifstream File(DRYDOCK_TEST_SOURCE_DIR "/report/study.schema.json");
+	const FJson Schema = FJson::parse(File);
+	EXPECT_EQ(std::vector<std::string>(), FSchemaCheck(Schema).Check(Report));
+	EXPECT_EQ(FJson::parse(Folder.Read("out/frame/study.json")), Report["study"]);
+	EXPECT_FALSE(Report["insets"][0]["pictures"].empty());
 }
 
 TEST(RunReport, APageThatSomebodyElsePutThereIsNotReplaced)

@@ -1,0 +1,140 @@
+// The page of a study: one sentence that says the result, the chart, a variant's pictures, two of them side by side.
+import { el, section, table } from "../dom";
+import { ms, number } from "../format";
+import { cost, drawChart } from "./chart";
+import { Metric, Point, StudyReport, gatherPoints, metricNames } from "./data";
+
+const metrics: Metric[] = ["rms", "max", "relative", "psnr", "ssim"];
+
+function times(factor: number): string {
+	return factor >= 10 ? factor.toFixed(0) : factor.toFixed(1);
+}
+
+/** The result of a job. */
+export function sayResult(report: StudyReport, job: number): string {
+	const { referenceMs } = report.timing.jobs[job];
+	const points = gatherPoints(report, job);
+	const best = points.find((point) => point.recommended);
+	const metric = report.study.metric;
+	const limit = report.study.budget.max;
+	if (!best) {
+		return limit !== undefined ? `No variant stays within ${metricNames[metric]} ${number(limit)}` : "No variant is recommended";
+	}
+	const error = number(Number((best.result[metric] ?? NaN).toPrecision(3)));
+	const current = points.find((point) => point.result.current && point !== best);
+	return `${best.result.label} is enough: ${metricNames[metric]} ${error}, ${times(referenceMs / best.timing.medianMs)} times as fast as the reference` +
+		(best.result.current ? ", and in use already" : current ? `, ${times(current.timing.medianMs / best.timing.medianMs)} times as fast as what is in use` : "");
+}
+
+export class StudyPanel {
+	readonly element: HTMLElement;
+	private job = 0;
+	private metric: Metric;
+	private taps = false;
+	private pinned: Point[] = [];
+	private readonly title = el("h2", { id: "chart-title" });
+	private readonly chart = el("div", { class: "study-chart" });
+	private readonly side = el("aside", { class: "variant", id: "variant" });
+	private readonly pins = el("div", { class: "pins", id: "pins" });
+	private readonly list = el("div", { id: "variants" });
+
+	constructor(private readonly report: StudyReport) {
+		this.metric = report.study.metric;
+		const metric = el<HTMLSelectElement>("select", { id: "metric", onchange: () => {
+			this.metric = metric.value as Metric;
+			this.draw();
+		} }, metrics.map((name) => el("option", { value: name, selected: name === this.metric }, metricNames[name])));
+		const jobs = report.study.jobs.length > 1 ? this.segments(report.study.jobs.map((job) => job.label), "Job", "job", (index) => {
+			this.job = index;
+			this.pinned = [];
+			this.draw();
+			this.show(this.best());
+		}) : null;
+		const costs = this.segments(["Time", "Texture reads"], "Cost", "cost", (index) => {
+			this.taps = index === 1;
+			this.draw();
+		});
+		this.element = section("chart", "", "", el("div", { class: "tools" }, jobs, costs, el("label", {}, el("span", {}, "Error"), metric)),
+			el("div", { class: "study" }, this.chart, this.side), this.pins, this.list);
+		this.element.querySelector("h2")!.replaceWith(this.title);
+		this.draw();
+		this.show(this.best());
+	}
+
+	private best(): Point | undefined {
+		const points = gatherPoints(this.report, this.job);
+		return points.find((point) => point.recommended) ?? points[0];
+	}
+
+	private segments(labels: string[], name: string, id: string, choose: (index: number) => void): HTMLElement {
+		const group = el("div", { class: "segments", role: "group", "aria-label": name }, labels.map((label, i) =>
+			el("button", { type: "button", id: `${id}-${i}`, "aria-pressed": String(i === 0), onclick: () => {
+				[...group.children].forEach((button, other) => button.setAttribute("aria-pressed", String(other === i)));
+				choose(i);
+			} }, label)));
+		return group;
+	}
+
+	private draw(): void {
+		const points = gatherPoints(this.report, this.job);
+		const { budget } = this.report.study;
+		this.title.textContent = sayResult(this.report, this.job);
+		this.chart.replaceChildren(drawChart(points, {
+			metric: this.metric, taps: this.taps,
+			limit: budget.metric === this.metric ? budget.max : undefined,
+			pinned: this.pinned.map((point) => point.result.label),
+			show: (point) => this.show(point),
+			pin: (point) => this.pin(point),
+		}));
+		this.drawPins();
+		const front = (point: Point) => (this.taps ? point.result.front : point.timing.front);
+		this.list.replaceChildren(el("details", {}, el("summary", {}, `All ${points.length} variants`), table<Point>([
+			{ title: "Variant", cell: (row) => row.result.label },
+			{ title: "CPU time", number: true, cell: (row) => ms(row.timing.medianMs) },
+			{ title: "Reads", number: true, cell: (row) => number(Number(row.result.taps.toPrecision(3))) },
+			...metrics.map((name) => ({ title: metricNames[name], number: true, cell: (row: Point) => number(row.result[name] ?? NaN) })),
+			{ title: "", cell: (row) => (row.recommended ? "recommended" : front(row) ? "front" : `dominated by ${this.taps ? row.result.dominatedBy : row.timing.dominatedBy}`) },
+		], [...points].sort((a, b) => cost(a, this.taps) - cost(b, this.taps)))));
+	}
+
+	private show(point: Point | undefined): void {
+		if (point) {
+			this.side.replaceChildren(...this.describe(point));
+		}
+	}
+
+	private describe(point: Point): Node[] {
+		const { result, timing, inset } = point;
+		const reference = this.report.timing.jobs[this.job].referenceMs;
+		const rows: [string, string][] = [
+			["CPU time", `${ms(timing.medianMs)} (${ms(timing.lowMs)} to ${ms(timing.highMs)})`],
+			["Beside the reference", `${times(reference / timing.medianMs)} times as fast`],
+			["Reads a pixel", number(Number(result.taps.toPrecision(3)))],
+			...metrics.map((name): [string, string] => [metricNames[name], number(result[name] ?? NaN)]),
+		];
+		if (timing.withinNoiseOf.length) {
+			rows.push(["Within noise of", timing.withinNoiseOf.join("; ")]);
+		}
+		const image = (png: string, title: string) => el("figure", {}, el("img", { src: "data:image/png;base64," + png, alt: title }), el("figcaption", {}, title));
+		return [el("h3", {}, result.label, point.recommended ? el("span", { class: "tag" }, "recommended") : null, result.current ? el("span", { class: "tag" }, "in use") : null),
+			el("dl", {}, rows.flatMap(([name, text]) => [el("dt", {}, name), el("dd", {}, text)])),
+			inset ? el("div", { class: "figures" }, image(inset.png, "where its error is largest"), inset.heat ? image(inset.heat, inset.heatTitle) : null)
+				: el("p", { class: "quiet" }, "No picture of this variant was kept.")];
+	}
+
+	private pin(point: Point): void {
+		const known = this.pinned.some((other) => other.result.label === point.result.label);
+		this.pinned = known ? this.pinned.filter((other) => other.result.label !== point.result.label) : [...this.pinned, point].slice(-2);
+		this.draw();
+		(this.chart.querySelector(`[data-variant="${CSS.escape(point.result.label)}"]`) as SVGElement | null)?.focus();
+	}
+
+	private drawPins(): void {
+		const [a, b] = this.pinned;
+		const metric = this.metric;
+		const sentence = a && b ? `${b.result.label} takes ${times((100 * cost(b, this.taps)) / cost(a, this.taps))} % of the ${this.taps ? "reads" : "time"} of ${a.result.label}; ` +
+			`${metricNames[metric]} ${number(Number((b.result[metric] ?? NaN).toPrecision(3)))} beside ${number(Number((a.result[metric] ?? NaN).toPrecision(3)))}.` : "";
+		this.pins.replaceChildren(...(this.pinned.length ? [el("h3", {}, "Pinned"), el("p", { class: "note" }, sentence || "Click a second one to compare; a click on a pinned one lets it go."),
+			el("div", { class: "pair" }, this.pinned.map((point) => el("div", { class: "variant" }, ...this.describe(point))))] : []));
+	}
+}

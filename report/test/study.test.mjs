@@ -1,0 +1,70 @@
+// The page of a study in a browser: its sentence, its points by mouse and keyboard, two of them pinned.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { onPage, readData, runs, startBrowser, stopBrowser } from "./harness.mjs";
+
+const file = runs + "/study/study.html";
+const data = readData(file);
+const job = data.timing.jobs[0];
+const metric = data.study.metric;
+
+before(startBrowser);
+after(stopBrowser);
+
+test("its title says the result, and the recommended point alone has a ring", async () => {
+	await onPage(file, async (page) => {
+		const title = await page.textContent("#chart-title");
+		assert.ok(job.recommended && title.startsWith(job.recommended + " is enough: "), title);
+		assert.equal(await page.locator(".ring").count(), 1);
+		assert.equal(await page.locator(".point", { has: page.locator(".ring") }).getAttribute("data-variant"), job.recommended);
+		assert.equal(await page.locator(".point").count(), data.study.jobs[0].variants.filter((variant) => !variant.excluded).length);
+		assert.match(await page.textContent("#variant h3"), /recommended/);
+	}, {});
+});
+
+test("hover and focus show a variant with its figures and pictures", async () => {
+	const shown = data.insets[0].pictures.filter((picture) => picture.heat);
+	assert.ok(shown.length > 0);
+	await onPage(file, async (page) => {
+		for (const variant of data.study.jobs[0].variants) {
+			await page.locator(`.point[data-variant="${variant.label}"]`).focus();
+			assert.ok((await page.textContent("#variant h3")).startsWith(variant.label));
+			const pictures = shown.some((picture) => picture.title === variant.label || picture.title.startsWith(variant.label + " ("));
+			assert.equal(await page.locator("#variant img").count(), pictures ? 2 : 0, variant.label);
+		}
+		await page.hover("#chart-title");
+		await page.locator(`.point[data-variant="${job.recommended}"] .dot`).hover();
+		assert.ok((await page.textContent("#variant h3")).startsWith(job.recommended));
+	});
+});
+
+test("two variants are pinned by click and by Enter, and let go again", async () => {
+	const [first, second] = data.study.jobs[0].variants.map((variant) => variant.label);
+	await onPage(file, async (page) => {
+		await page.locator(`.point[data-variant="${first}"] .dot`).click({ force: true });
+		await page.locator(`.point[data-variant="${second}"]`).focus();
+		await page.keyboard.press("Enter");
+		assert.deepEqual(await page.locator("#pins .variant h3").evaluateAll((titles) => titles.map((title) => title.firstChild.textContent)), [first, second]);
+		assert.match(await page.textContent("#pins .note"), /% of the time/);
+		await page.keyboard.press("Enter");
+		assert.equal(await page.locator("#pins .variant").count(), 1);
+	});
+});
+
+test("other errors and costs draw the chart anew", async () => {
+	await onPage(file, async (page) => {
+		const place = () => page.locator(".point .dot").evaluateAll((dots) => dots.map((dot) => dot.getAttribute("cx") + " " + dot.getAttribute("cy")).join());
+		const seen = new Set([await place()]);
+		for (const name of ["rms", "max", "relative", "psnr", "ssim"].filter((name) => name !== metric)) {
+			await page.selectOption("#metric", name);
+			seen.add(await place());
+		}
+		assert.equal(seen.size, 5);
+		await page.focus("#cost-1");
+		await page.keyboard.press("Enter");
+		seen.add(await place());
+		assert.equal(seen.size, 6);
+		await page.click("#variants summary");
+		assert.equal(await page.locator("#variants tbody tr").count(), data.study.jobs[0].variants.length);
+	});
+});
