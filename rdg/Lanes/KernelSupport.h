@@ -1,5 +1,5 @@
 // What generated kernels need beyond the lane vocabulary: array elements at run-time indices, offsets into buffers,
-// counters, and the loop over a tile. Included by generated code only.
+// counters, and what is kept over a tile. Included by generated code only.
 #pragma once
 
 #include "Lanes.h"
@@ -158,29 +158,6 @@ private:
 	uint32_t NumKnown = 0;
 	Real Values[Capacity];
 };
-
-/** Calls Row(Y, Z) for every row of a tile. */
-template<typename FRow>
-DRYDOCK_LANES_INLINE void ForEachRow(const FKernelTile& Tile, FRow Row)
-{
-	for (int32_t Z = Tile.MinZ; Z < Tile.MaxZ; ++Z)
-	{
-		for (int32_t Y = Tile.MinY; Y < Tile.MaxY; ++Y)
-		{
-			Row(Y, Z);
-		}
-	}
-}
-
-/** Calls Pack(X, Mask) for every N neighbours of a row. */
-template<int N, typename FPack>
-DRYDOCK_LANES_INLINE void ForEachPack(const FKernelTile& Tile, FPack Pack)
-{
-	for (int32_t X = Tile.MinX; X < Tile.MaxX; X += N)
-	{
-		Pack(X, LaneIndex<N>() < TInt<N>(Tile.MaxX - X));
-	}
-}
 
 } // namespace DRYDOCK_LANES_SET
 } // namespace Drydock::Lanes

@@ -26,117 +26,87 @@ template<int N>
 DRYDOCK_LANES_INLINE void SplitTexels(
 	TRaw<float, N> A, TRaw<float, N> B, TRaw<float, N> C, TRaw<float, N> D, TChannels<float, N> Out)
 {
+	using FRaw = TRaw<float, N>;
 	if constexpr (N == 16)
 	{
-		const auto RedGreen = [](auto P, auto Q)
-		{
-			return __builtin_shufflevector(P, Q, 0, 4, 8, 12, 16, 20, 24, 28, 1, 5, 9, 13, 17, 21, 25, 29);
-		};
-		const auto BlueAlpha = [](auto P, auto Q)
-		{
-			return __builtin_shufflevector(P, Q, 2, 6, 10, 14, 18, 22, 26, 30, 3, 7, 11, 15, 19, 23, 27, 31);
-		};
-		const auto Low = [](auto P, auto Q)
-		{
-			return __builtin_shufflevector(P, Q, 0, 1, 2, 3, 4, 5, 6, 7, 16, 17, 18, 19, 20, 21, 22, 23);
-		};
-		const auto High = [](auto P, auto Q)
-		{
-			return __builtin_shufflevector(P, Q, 8, 9, 10, 11, 12, 13, 14, 15, 24, 25, 26, 27, 28, 29, 30, 31);
-		};
-		const auto RG0 = RedGreen(A, B);
-		const auto RG1 = RedGreen(C, D);
-		const auto BA0 = BlueAlpha(A, B);
-		const auto BA1 = BlueAlpha(C, D);
-		Out.R.V = Low(RG0, RG1);
-		Out.G.V = High(RG0, RG1);
-		Out.B.V = Low(BA0, BA1);
-		Out.A.V = High(BA0, BA1);
+		const FRaw RG0 = __builtin_shufflevector(A, B, 0, 4, 8, 12, 16, 20, 24, 28, 1, 5, 9, 13, 17, 21, 25, 29);
+		const FRaw RG1 = __builtin_shufflevector(C, D, 0, 4, 8, 12, 16, 20, 24, 28, 1, 5, 9, 13, 17, 21, 25, 29);
+		const FRaw BA0 = __builtin_shufflevector(A, B, 2, 6, 10, 14, 18, 22, 26, 30, 3, 7, 11, 15, 19, 23, 27, 31);
+		const FRaw BA1 = __builtin_shufflevector(C, D, 2, 6, 10, 14, 18, 22, 26, 30, 3, 7, 11, 15, 19, 23, 27, 31);
+		Out.R.V = __builtin_shufflevector(RG0, RG1, 0, 1, 2, 3, 4, 5, 6, 7, 16, 17, 18, 19, 20, 21, 22, 23);
+		Out.G.V = __builtin_shufflevector(RG0, RG1, 8, 9, 10, 11, 12, 13, 14, 15, 24, 25, 26, 27, 28, 29, 30, 31);
+		Out.B.V = __builtin_shufflevector(BA0, BA1, 0, 1, 2, 3, 4, 5, 6, 7, 16, 17, 18, 19, 20, 21, 22, 23);
+		Out.A.V = __builtin_shufflevector(BA0, BA1, 8, 9, 10, 11, 12, 13, 14, 15, 24, 25, 26, 27, 28, 29, 30, 31);
 	}
 	else if constexpr (N == 8)
 	{
-		const auto T0 = __builtin_shufflevector(A, C, 0, 1, 2, 3, 8, 9, 10, 11); // texels 0 4
-		const auto T1 = __builtin_shufflevector(A, C, 4, 5, 6, 7, 12, 13, 14, 15);
-		const auto T2 = __builtin_shufflevector(B, D, 0, 1, 2, 3, 8, 9, 10, 11);
-		const auto T3 = __builtin_shufflevector(B, D, 4, 5, 6, 7, 12, 13, 14, 15);
-		const auto L0 = __builtin_shufflevector(T0, T1, 0, 8, 1, 9, 4, 12, 5, 13);
-		const auto H0 = __builtin_shufflevector(T0, T1, 2, 10, 3, 11, 6, 14, 7, 15);
-		const auto L1 = __builtin_shufflevector(T2, T3, 0, 8, 1, 9, 4, 12, 5, 13);
-		const auto H1 = __builtin_shufflevector(T2, T3, 2, 10, 3, 11, 6, 14, 7, 15);
-		Out.R.V = __builtin_shufflevector(L0, L1, 0, 1, 8, 9, 4, 5, 12, 13);
-		Out.G.V = __builtin_shufflevector(L0, L1, 2, 3, 10, 11, 6, 7, 14, 15);
-		Out.B.V = __builtin_shufflevector(H0, H1, 0, 1, 8, 9, 4, 5, 12, 13);
-		Out.A.V = __builtin_shufflevector(H0, H1, 2, 3, 10, 11, 6, 7, 14, 15);
+		const FRaw T0 = __builtin_shufflevector(A, C, 0, 1, 2, 3, 8, 9, 10, 11); // texels 0 4
+		const FRaw T1 = __builtin_shufflevector(A, C, 4, 5, 6, 7, 12, 13, 14, 15);
+		const FRaw T2 = __builtin_shufflevector(B, D, 0, 1, 2, 3, 8, 9, 10, 11);
+		const FRaw T3 = __builtin_shufflevector(B, D, 4, 5, 6, 7, 12, 13, 14, 15);
+		const FRaw RG0 = __builtin_shufflevector(T0, T1, 0, 8, 1, 9, 4, 12, 5, 13);
+		const FRaw BA0 = __builtin_shufflevector(T0, T1, 2, 10, 3, 11, 6, 14, 7, 15);
+		const FRaw RG1 = __builtin_shufflevector(T2, T3, 0, 8, 1, 9, 4, 12, 5, 13);
+		const FRaw BA1 = __builtin_shufflevector(T2, T3, 2, 10, 3, 11, 6, 14, 7, 15);
+		Out.R.V = __builtin_shufflevector(RG0, RG1, 0, 1, 8, 9, 4, 5, 12, 13);
+		Out.G.V = __builtin_shufflevector(RG0, RG1, 2, 3, 10, 11, 6, 7, 14, 15);
+		Out.B.V = __builtin_shufflevector(BA0, BA1, 0, 1, 8, 9, 4, 5, 12, 13);
+		Out.A.V = __builtin_shufflevector(BA0, BA1, 2, 3, 10, 11, 6, 7, 14, 15);
 	}
 	else
 	{
-		const auto L0 = __builtin_shufflevector(A, B, 0, 4, 1, 5);
-		const auto H0 = __builtin_shufflevector(A, B, 2, 6, 3, 7);
-		const auto L1 = __builtin_shufflevector(C, D, 0, 4, 1, 5);
-		const auto H1 = __builtin_shufflevector(C, D, 2, 6, 3, 7);
-		Out.R.V = __builtin_shufflevector(L0, L1, 0, 1, 4, 5);
-		Out.G.V = __builtin_shufflevector(L0, L1, 2, 3, 6, 7);
-		Out.B.V = __builtin_shufflevector(H0, H1, 0, 1, 4, 5);
-		Out.A.V = __builtin_shufflevector(H0, H1, 2, 3, 6, 7);
+		const FRaw RG0 = __builtin_shufflevector(A, B, 0, 4, 1, 5);
+		const FRaw BA0 = __builtin_shufflevector(A, B, 2, 6, 3, 7);
+		const FRaw RG1 = __builtin_shufflevector(C, D, 0, 4, 1, 5);
+		const FRaw BA1 = __builtin_shufflevector(C, D, 2, 6, 3, 7);
+		Out.R.V = __builtin_shufflevector(RG0, RG1, 0, 1, 4, 5);
+		Out.G.V = __builtin_shufflevector(RG0, RG1, 2, 3, 6, 7);
+		Out.B.V = __builtin_shufflevector(BA0, BA1, 0, 1, 4, 5);
+		Out.A.V = __builtin_shufflevector(BA0, BA1, 2, 3, 6, 7);
 	}
 }
 
-/** The way back: f(k, register) for each register. */
-template<int N, typename F>
-DRYDOCK_LANES_INLINE void JoinTexels(TRaw<float, N> R, TRaw<float, N> G, TRaw<float, N> B, TRaw<float, N> A, F f)
+/** The way back, in place. */
+template<int N>
+DRYDOCK_LANES_INLINE void JoinTexels(TRaw<float, N>& R, TRaw<float, N>& G, TRaw<float, N>& B, TRaw<float, N>& A)
 {
+	using FRaw = TRaw<float, N>;
 	if constexpr (N == 16)
 	{
-		const auto Low = [](auto P, auto Q)
-		{
-			return __builtin_shufflevector(P, Q, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23);
-		};
-		const auto High = [](auto P, auto Q)
-		{
-			return __builtin_shufflevector(P, Q, 8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31);
-		};
-		const auto LowPairs = [](auto P, auto Q)
-		{
-			return __builtin_shufflevector(P, Q, 0, 1, 16, 17, 2, 3, 18, 19, 4, 5, 20, 21, 6, 7, 22, 23);
-		};
-		const auto HighPairs = [](auto P, auto Q)
-		{
-			return __builtin_shufflevector(P, Q, 8, 9, 24, 25, 10, 11, 26, 27, 12, 13, 28, 29, 14, 15, 30, 31);
-		};
-		const auto RG0 = Low(R, G);
-		const auto RG1 = High(R, G);
-		const auto BA0 = Low(B, A);
-		const auto BA1 = High(B, A);
-		f(0, LowPairs(RG0, BA0));
-		f(1, HighPairs(RG0, BA0));
-		f(2, LowPairs(RG1, BA1));
-		f(3, HighPairs(RG1, BA1));
+		const FRaw RG0 = __builtin_shufflevector(R, G, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23);
+		const FRaw RG1 = __builtin_shufflevector(R, G, 8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31);
+		const FRaw BA0 = __builtin_shufflevector(B, A, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23);
+		const FRaw BA1 = __builtin_shufflevector(B, A, 8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31);
+		R = __builtin_shufflevector(RG0, BA0, 0, 1, 16, 17, 2, 3, 18, 19, 4, 5, 20, 21, 6, 7, 22, 23);
+		G = __builtin_shufflevector(RG0, BA0, 8, 9, 24, 25, 10, 11, 26, 27, 12, 13, 28, 29, 14, 15, 30, 31);
+		B = __builtin_shufflevector(RG1, BA1, 0, 1, 16, 17, 2, 3, 18, 19, 4, 5, 20, 21, 6, 7, 22, 23);
+		A = __builtin_shufflevector(RG1, BA1, 8, 9, 24, 25, 10, 11, 26, 27, 12, 13, 28, 29, 14, 15, 30, 31);
 	}
 	else if constexpr (N == 8)
 	{
-		const auto RG0 = __builtin_shufflevector(R, G, 0, 8, 1, 9, 4, 12, 5, 13);
-		const auto RG1 = __builtin_shufflevector(R, G, 2, 10, 3, 11, 6, 14, 7, 15);
-		const auto BA0 = __builtin_shufflevector(B, A, 0, 8, 1, 9, 4, 12, 5, 13);
-		const auto BA1 = __builtin_shufflevector(B, A, 2, 10, 3, 11, 6, 14, 7, 15);
-		const auto T0 = __builtin_shufflevector(RG0, BA0, 0, 1, 8, 9, 4, 5, 12, 13); // texels 0 4
-		const auto T1 = __builtin_shufflevector(RG0, BA0, 2, 3, 10, 11, 6, 7, 14, 15);
-		const auto T2 = __builtin_shufflevector(RG1, BA1, 0, 1, 8, 9, 4, 5, 12, 13);
-		const auto T3 = __builtin_shufflevector(RG1, BA1, 2, 3, 10, 11, 6, 7, 14, 15);
-		f(0, __builtin_shufflevector(T0, T1, 0, 1, 2, 3, 8, 9, 10, 11));
-		f(1, __builtin_shufflevector(T2, T3, 0, 1, 2, 3, 8, 9, 10, 11));
-		f(2, __builtin_shufflevector(T0, T1, 4, 5, 6, 7, 12, 13, 14, 15));
-		f(3, __builtin_shufflevector(T2, T3, 4, 5, 6, 7, 12, 13, 14, 15));
+		const FRaw RG0 = __builtin_shufflevector(R, G, 0, 8, 1, 9, 4, 12, 5, 13);
+		const FRaw RG1 = __builtin_shufflevector(R, G, 2, 10, 3, 11, 6, 14, 7, 15);
+		const FRaw BA0 = __builtin_shufflevector(B, A, 0, 8, 1, 9, 4, 12, 5, 13);
+		const FRaw BA1 = __builtin_shufflevector(B, A, 2, 10, 3, 11, 6, 14, 7, 15);
+		const FRaw T0 = __builtin_shufflevector(RG0, BA0, 0, 1, 8, 9, 4, 5, 12, 13); // texels 0 4
+		const FRaw T1 = __builtin_shufflevector(RG0, BA0, 2, 3, 10, 11, 6, 7, 14, 15);
+		const FRaw T2 = __builtin_shufflevector(RG1, BA1, 0, 1, 8, 9, 4, 5, 12, 13);
+		const FRaw T3 = __builtin_shufflevector(RG1, BA1, 2, 3, 10, 11, 6, 7, 14, 15);
+		R = __builtin_shufflevector(T0, T1, 0, 1, 2, 3, 8, 9, 10, 11);
+		G = __builtin_shufflevector(T2, T3, 0, 1, 2, 3, 8, 9, 10, 11);
+		B = __builtin_shufflevector(T0, T1, 4, 5, 6, 7, 12, 13, 14, 15);
+		A = __builtin_shufflevector(T2, T3, 4, 5, 6, 7, 12, 13, 14, 15);
 	}
 	else
 	{
-		const auto RG0 = __builtin_shufflevector(R, G, 0, 4, 1, 5);
-		const auto RG1 = __builtin_shufflevector(R, G, 2, 6, 3, 7);
-		const auto BA0 = __builtin_shufflevector(B, A, 0, 4, 1, 5);
-		const auto BA1 = __builtin_shufflevector(B, A, 2, 6, 3, 7);
-		f(0, __builtin_shufflevector(RG0, BA0, 0, 1, 4, 5));
-		f(1, __builtin_shufflevector(RG0, BA0, 2, 3, 6, 7));
-		f(2, __builtin_shufflevector(RG1, BA1, 0, 1, 4, 5));
-		f(3, __builtin_shufflevector(RG1, BA1, 2, 3, 6, 7));
+		const FRaw RG0 = __builtin_shufflevector(R, G, 0, 4, 1, 5);
+		const FRaw RG1 = __builtin_shufflevector(R, G, 2, 6, 3, 7);
+		const FRaw BA0 = __builtin_shufflevector(B, A, 0, 4, 1, 5);
+		const FRaw BA1 = __builtin_shufflevector(B, A, 2, 6, 3, 7);
+		R = __builtin_shufflevector(RG0, BA0, 0, 1, 4, 5);
+		G = __builtin_shufflevector(RG0, BA0, 2, 3, 6, 7);
+		B = __builtin_shufflevector(RG1, BA1, 0, 1, 4, 5);
+		A = __builtin_shufflevector(RG1, BA1, 2, 3, 6, 7);
 	}
 }
 
@@ -231,18 +201,21 @@ DRYDOCK_LANES_INLINE void StoreTarget(TMask<N> Mask, EWholeTexels Kind, const FK
 		{
 			const bool bFloat = N == 4 || Kind == EWholeTexels::Float;
 			uint8_t* const P = Mip.Data + int64_t(Y) * Mip.RowPitch + int64_t(X0) * (bFloat ? 16 : 8);
-			JoinTexels<N>(R.V, G.V, B.V, A.V,
-				[P, bFloat](int k, TRaw<float, N> Texels)
-				{
-					if (bFloat)
-					{
-						__builtin_memcpy(P + k * 4 * N, &Texels, sizeof(Texels));
-					}
-					else
-					{
-						StoreHalfTexels<N>(P + k * 2 * N, Texels);
-					}
-				});
+			JoinTexels<N>(R.V, G.V, B.V, A.V);
+			if (bFloat)
+			{
+				__builtin_memcpy(P, &R, sizeof(R));
+				__builtin_memcpy(P + 4 * N, &G, sizeof(G));
+				__builtin_memcpy(P + 8 * N, &B, sizeof(B));
+				__builtin_memcpy(P + 12 * N, &A, sizeof(A));
+			}
+			else
+			{
+				StoreHalfTexels<N>(P, R.V);
+				StoreHalfTexels<N>(P + 2 * N, G.V);
+				StoreHalfTexels<N>(P + 4 * N, B.V);
+				StoreHalfTexels<N>(P + 6 * N, A.V);
+			}
 			return;
 		}
 	}

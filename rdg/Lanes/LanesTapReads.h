@@ -58,14 +58,18 @@ __attribute__((noinline)) void LoadTap(const FKernelTexture& Texture, TInt<N> X,
 	TSampling<Real, N>::Load(Texture, IndicesOf(X), IndicesOf(Y), nullptr, &Mip, true, Out);
 }
 
-/** The texels of the pack of pixels (X0.., Y): whole ones that the tap knows, else what Other(Texels) writes. */
-template<typename Real, int N, typename FOther>
+/** The texels of the pack of pixels (X0.., Y): those that the tap knows, else what Other(Texels) writes. bInline: whole
+ *  texels are read here, which is faster and more code. */
+template<bool bInline, typename Real, int N, typename FOther>
 DRYDOCK_LANES_INLINE void ReadTap(TChannels<Real, N> Out, const FKernelTap* Tap, int32_t X0, int32_t Y, FOther Other)
 {
-#if DRYDOCK_LANES_LEVEL >= 2
+	bool bRead = false;
+	TReal<Real, N> Texels[4];
 	if constexpr (std::is_same_v<Real, float>)
 	{
-		if (__builtin_expect(KnowsTexels(Tap, X0, Y) && Tap->Kind != EWholeTexels::None, 1))
+		const bool bKnown = KnowsTexels(Tap, X0, Y);
+#if DRYDOCK_LANES_LEVEL >= 2
+		if (bInline && __builtin_expect(bKnown && Tap->Kind != EWholeTexels::None, 1))
 		{
 			using FRaw = TRaw<float, N>;
 			const uint8_t* const P = Tap->Row0 + Tap->Column + int64_t(X0) * Tap->Stride;
@@ -80,17 +84,10 @@ DRYDOCK_LANES_INLINE void ReadTap(TChannels<Real, N> Out, const FKernelTap* Tap,
 				return;
 			}
 		}
-	}
 #endif
-	TReal<Real, N> Texels[4];
-	if constexpr (std::is_same_v<Real, float>)
-	{
-		if (!(KnowsTexels(Tap, X0, Y) && Tap->Function(*Tap, X0, LanesOf(Texels[0]))))
-		{
-			Other(LanesOf(Texels[0]));
-		}
+		bRead = bKnown && Tap->Function(*Tap, X0, LanesOf(Texels[0]));
 	}
-	else
+	if (!bRead)
 	{
 		Other(LanesOf(Texels[0]));
 	}
@@ -102,21 +99,21 @@ DRYDOCK_LANES_INLINE void ReadTap(TChannels<Real, N> Out, const FKernelTap* Tap,
 
 /** SampleLevel2D at the pack of pixels (X0.., Y) with a tap, which may be null. bLearn: all lanes are what every pixel
  * of the tile is. */
-template<typename Real, int N>
+template<bool bInline, typename Real, int N>
 DRYDOCK_LANES_INLINE void SampleLevel2D(TChannels<Real, N> Out, const FKernelTexture& Texture,
 	const FKernelSampler& Sampler, TReal<Real, N> U, TReal<Real, N> V, Real Level, FKernelTap* Tap, bool bLearn,
 	int32_t X0, int32_t Y)
 {
-	ReadTap(Out, Tap, X0, Y,
+	ReadTap<bInline>(Out, Tap, X0, Y,
 		[&](Real* Texels) { SampleTap<Real, N>(Texture, Sampler, U, V, Level, Tap, bLearn, X0, Y, Texels); });
 }
 
 /** Load2D so. */
-template<typename Real, int N>
+template<bool bInline, typename Real, int N>
 DRYDOCK_LANES_INLINE void Load2D(TChannels<Real, N> Out, const FKernelTexture& Texture, TInt<N> X, TInt<N> Y,
 	int32_t Mip, FKernelTap* Tap, bool bLearn, int32_t X0, int32_t Row)
 {
-	ReadTap(
+	ReadTap<bInline>(
 		Out, Tap, X0, Row, [&](Real* Texels) { LoadTap<Real, N>(Texture, X, Y, Mip, Tap, bLearn, X0, Row, Texels); });
 }
 

@@ -1,7 +1,7 @@
 // Taps: what a kernel remembers, over one tile, of a sample or load whose column depends on the pixel's column alone
 // and whose row on the pixel's row. Where the texels lie is found out by the library at one pack; at other packs that
-// fall alike they are read from there: whole texels of floats or halves right here, all others by a function of the
-// library.
+// fall alike they are read from there: whole texels of floats or halves by the kernel itself (LanesTapReads.h), all
+// others by a function of the library.
 #pragma once
 
 #include <cstdint>

@@ -101,7 +101,10 @@ void FSpirvEmitter::EmitTap(
 	const std::string Name = "w" + Number(I.Result) + "_";
 	const std::string Channels = Name + "0, " + Name + "1, " + Name + "2, " + Name + "3";
 	Line("R " + Channels + ";");
-	Line((Kind == Float ? "SampleLevel2D<Real, N>({" : "Load2D<Real, N>({") + Channels + "}, " + Handles +
+	// The first few read whole texels in place; the compiler takes longer for it.
+	constexpr uint32_t MaxInline = 4;
+	const std::string Arguments = std::string(++NumTapSites <= MaxInline ? "<true" : "<false") + ", Real, N>({";
+	Line((Kind == Float ? "SampleLevel2D" : "Load2D") + Arguments + Channels + "}, " + Handles +
 		 UseAs(Scalar(I.Operands[1], 0), Kind, true) + ", " + UseAs(Scalar(I.Operands[1], 1), Kind, true) + ", " +
 		 Rest + ");");
 	for (uint32_t i = 0; i < SizeOf(I.Result); ++i)

@@ -247,11 +247,14 @@ std::string FSpirvEmitter::EmitRun()
 		Handles += "\tFKernelTap Taps[" + std::to_string(NumTaps) + "];\n\tconst bool bStill = " + StillText() +
 				   ";\n\tForgetTaps(Taps);\n";
 	}
-	return Handles + TileText + "\tForEachRow(Tile, [&](const int32_t Y, const int32_t Z)\n\t{\n\t(void)Z;\n" +
+	return Handles + TileText +
+		   "\tfor (int32_t Z = Tile.MinZ; Z < Tile.MaxZ; ++Z)\n"
+		   "\tfor (int32_t Y = Tile.MinY; Y < Tile.MaxY; ++Y)\n\t{\n" +
 		   RowText +
-		   "\tForEachPack<N>(Tile, [&](const int32_t X0, M e)\n\t{\n"
+		   "\tfor (int32_t X0 = Tile.MinX; X0 < Tile.MaxX; X0 += N)\n\t{\n"
+		   "\tM e = LaneIndex<N>() < I(Tile.MaxX - X0);\n"
 		   "\tconst I X = I(X0) + LaneIndex<N>();\n\t(void)X;\n" +
-		   Declarations + Body + "\t});\n\t});\n";
+		   Declarations + Body + "\t}\n\t}\n";
 }
 
 std::string EmitKernel(const FSpirvEmitInput& Input, const std::string& Title)
