@@ -138,6 +138,10 @@ int RunOnce(const FRunVerbOptions& Options)
 	}
 	std::fputs(Seen.c_str(), Options.bJson ? stderr : stdout);
 	std::fputs((Options.bJson ? Result.RunJson : MakeRunSummary(Result, Folder, SaveMs)).c_str(), stdout);
+	if (Report != EReport::Off && !Options.bJson)
+	{
+		std::fputs(("page     " + Folder + "/report.html\n").c_str(), stdout);
+	}
 	std::fflush(stdout); // before the closing lines, where both go to one terminal
 	PrintClosingLines(Result.Effects);
 	return ExitDone;

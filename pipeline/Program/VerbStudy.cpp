@@ -97,6 +97,10 @@ int RunStudy(const FStudyOptions& Options)
 				   (Folder.GetPath() / "study.svg").string(), Seconds, Result.Seconds)
 				   .c_str(),
 		stdout);
+	if (WantsReport(Options))
+	{
+		std::fputs(("page     " + (Folder.GetPath() / "study.html").string() + "\n").c_str(), stdout);
+	}
 	return ExitDone;
 }
 

@@ -47,11 +47,19 @@ public:
 	{
 		const FRunResult& Result = Inputs.Result;
 		Writer.Key("pictures").BeginArray();
-		WriteFrame({.Id = "final", .Role = "final", .Label = "Final picture"}, Result.Final.Take(3), "final.png",
+		// The page takes codes for those of an sRGB display; of others it has the picture that the PNG makes of them.
+		const bool bSrgb = Result.OutputDevice == EDisplayOutputFormat::SDR_sRGB ||
+						   Result.OutputDevice == EDisplayOutputFormat::SDR_ExplicitGammaMapping;
+		WriteFrame({.Id = "final",
+					   .Role = "final",
+					   .Label = bSrgb ? "Final picture" : "Final picture, as an sRGB display shows it",
+					   .bPack = Inputs.bFull && bSrgb},
+			Result.Final.Take(3), "final.png",
 			[&](const std::string& File) { WriteDisplayPng(File, Result.Final, Result.OutputDevice); });
 		const FPicture Scene = Result.SceneLinear.Take(3);
-		WriteFrame({.Id = "scene", .Role = "scene", .Label = "Scene, linear, before the tonemapper"}, Scene, "",
-			[&](const std::string& File) { WritePreviewPng(File, Scene); });
+		WriteFrame(
+			{.Id = "scene", .Role = "scene", .Label = "Scene, linear, before the tonemapper", .bPack = Inputs.bFull},
+			Scene, "", [&](const std::string& File) { WritePreviewPng(File, Scene); });
 		for (const FRunDump& Dump : Result.Dumps)
 		{
 			WriteDump(Dump);
@@ -97,7 +105,6 @@ private:
 		Picture.Size = Picture.Extent;
 		Picture.Channels = {"R", "G", "B"};
 		Picture.Values = &Values;
-		Picture.bPack = Inputs.bFull;
 		Picture.Encoding = Own.empty() ? GetPreviewEncoding(Values) : EReportEncoding::Display;
 		Picture.Png = ReadPng(Own, Make);
 		WriteReportPicture(Writer, Picture);

@@ -31,7 +31,9 @@ TEST(RunReport, IsOffWhereNobodyLooksOnAndTheCommandLineBeatsTheConfig)
 	Folder.WriteFrame("frame.json", "");
 	EXPECT_EQ(0, Folder.Call("run frame.json").ExitCode);
 	EXPECT_FALSE(HasReport(Folder));
-	EXPECT_EQ(0, Folder.Call("run frame.json --report").ExitCode);
+	const FOutcome Asked = Folder.Call("run frame.json --report");
+	EXPECT_EQ(0, Asked.ExitCode);
+	EXPECT_NE(std::string::npos, Asked.Printed.find("page     out/frame/report.html\n")) << Asked.Printed;
 	EXPECT_TRUE(HasReport(Folder));
 	Folder.WriteFrame("frame.json", R"(, "outputs": {"report": "full"})");
 	EXPECT_EQ(0, Folder.Call("run frame.json --report off").ExitCode);
@@ -51,6 +53,17 @@ TEST(RunReport, WordsThatAreNoneAreRefused)
 	EXPECT_EQ(2, Outcome.ExitCode);
 	EXPECT_NE(std::string::npos, Outcome.Printed.find("/outputs/report")) << Outcome.Printed;
 	EXPECT_FALSE(Files::exists(Folder.Path / "out"));
+}
+
+TEST(RunReport, HasNoCodesOfAnotherDisplayThanSrgb)
+{
+	const FProgramFolder Folder("report_device");
+	Folder.WriteFrame("frame.json", "");
+	EXPECT_EQ(0, Folder.Call("run frame.json --report full --set r.HDR.Display.OutputDevice=3").ExitCode);
+	const FJson Pictures = ReadData(Folder)["pictures"];
+	EXPECT_FALSE(Pictures[0].contains("values"));
+	EXPECT_EQ("Final picture, as an sRGB display shows it", Pictures[0]["label"]);
+	EXPECT_TRUE(Pictures[1].contains("values"));
 }
 
 TEST(RunReport, ShowsTheRunBeforeBesideThisOne)
