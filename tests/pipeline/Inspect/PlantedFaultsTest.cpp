@@ -73,7 +73,7 @@ std::vector<std::string> Expect(int Line, const std::string& Text)
 
 TEST_F(PlantedFaults, NoneIsClean)
 {
-	EXPECT_EQ(std::vector<std::string>{}, Check(0, "all"));
+	EXPECT_EQ(std::vector<std::string>{}, Check(0, "all --passes PlantedFaults"));
 }
 
 TEST_F(PlantedFaults, ADivisionByNothingBehindALoop)
