@@ -1,8 +1,10 @@
 // docs/stability.md is made of the table: run with DRYDOCK_BLESS=1 to write it anew after changing a cell.
 #include <gtest/gtest.h>
 
+#include "CheckedConfigs.h"
 #include "HazardScene.h"
 #include "RangeRows.h"
+#include "StabilityPicture.h"
 #include "Table.h"
 #include "WholeFrame.h"
 
@@ -20,13 +22,18 @@ namespace
 {
 
 constexpr const char* DocFile = DRYDOCK_TEST_SOURCE_DIR "/docs/stability.md";
+constexpr const char* PictureFile = DRYDOCK_TEST_SOURCE_DIR "/docs/images/stability.svg";
 
 constexpr const char* Introduction =
 	R"(# Stability
 
-What every pass and every rule of blending does with numbers, sizes and parameters that break other programs. This page is
-made of the table in `tests/stability` (`DRYDOCK_BLESS=1 build/release/bin/test_stability` writes it anew), and the same
-program runs every cell; a cell that is missing there does not compile. Each pass states its contract in its header too.
+![every pass against every hazard](images/stability.svg)
+
+What every pass (a row) and every rule of blending does with numbers, sizes and parameters that break other programs (a
+column): where it is green, the result is finite and what the page says. Picture and page are made of the table in
+`tests/stability` (`DRYDOCK_BLESS=1 build/release/bin/test_stability --gtest_filter='StabilityDoc.*'` writes both anew), and
+the same program runs every cell; a cell that is missing there does not compile. Each pass states its contract in its header
+too. What a pass of your own makes of the hazards, `drydock hazards CONFIG --pass P` prints ([see-inside.md](see-inside.md)).
 
 **In a frame.** `r.Drydock.NonFinite` says what becomes of NaN and infinities in the scene's colour: 0 they pass on, as in
 the engine, and are counted (DD4001), with where they went (DD4003); 1 they are loaded as 0; 2 the run fails (DD4002).
@@ -81,6 +88,17 @@ and the infinities (whole numbers: the ends of their type; enums: each of their 
 of 32 x 18 pixels. Each run ends with a finite final picture or with a message and exit code 2, within 20 s and 4 GB. All
 tests run one case in 40; `DRYDOCK_SWEEP=TEXT` runs those whose name holds the text. `r.Drydock.ShaderSeconds` is left out: it
 ends the process.
+)";
+
+constexpr const char* AboutChecks = R"(
+## What `--check` finds
+
+`drydock run CONFIG --check nan,overflow,negative,denormal,bounds,uninit` ([see-inside.md](see-inside.md)) finds nothing in any
+sample config but this, none of which is a fault; `test_stability --gtest_filter='Shipped/CheckedConfig.*'` runs them all in a
+part of their pictures.
+
+| check | shader | why it is none |
+|---|---|---|
 )";
 
 constexpr const char* GroupTitles[] = {"Values", "Sizes", "Parameters", "Sums and weights"};
@@ -267,7 +285,12 @@ std::string MakeDoc()
 	{
 		Text << "| " << Case.Range << " | " << Case.Kind << " | `" << Case.Given << "` | " << Case.Result << " |\n";
 	}
-	Text << AboutSweep << AboutFrame;
+	Text << AboutSweep << AboutChecks;
+	for (const FStatedFinding& Stated : StatedFindings)
+	{
+		Text << "| " << Stated.Check << " | " << Stated.File << " | " << Stated.Reason << " |\n";
+	}
+	Text << AboutFrame;
 	WriteTables(Text, GetFrames(), "frame");
 	Text << "\n## Passes\n";
 	WriteTables(Text, GetPasses(), "pass");
@@ -308,6 +331,16 @@ TEST(StabilityDoc, IsTheTable)
 		std::ofstream(DocFile) << MakeDoc();
 	}
 	EXPECT_EQ(ReadFile(DocFile), MakeDoc()) << "run with DRYDOCK_BLESS=1 and commit";
+}
+
+TEST(StabilityDoc, OpensWithThePictureOfTheTable)
+{
+	if (std::getenv("DRYDOCK_BLESS") != nullptr)
+	{
+		std::ofstream(PictureFile) << MakeStabilityPicture();
+	}
+	EXPECT_EQ(ReadFile(PictureFile), MakeStabilityPicture()) << "run with DRYDOCK_BLESS=1 and commit";
+	EXPECT_EQ(0u, MakeDoc().find("# Stability\n\n![every pass against every hazard](images/stability.svg)\n"));
 }
 
 TEST(StabilityDoc, SymbolsAreUnique)
