@@ -155,7 +155,8 @@ TEST_P(PluginStyles, DoWhatTheirArithmeticSays)
 		const FRunResult Result = RunFrame(Scene, GetParam(), Frame);
 		for (const FDiagnostic& Diagnostic : Result.Diagnostics)
 		{
-			ADD_FAILURE() << Diagnostic.ToString();
+			// A gate that is shut does nothing, and the run remarks on it.
+			EXPECT_EQ(ESeverity::Note, Diagnostic.Severity) << Diagnostic.ToString();
 		}
 		const FImage Picture = (GetParam().bDisplay ? Result.Final : Result.SceneLinear).ToImage();
 		// What a half float resolves up to 16, or half a step of 8 bits.
