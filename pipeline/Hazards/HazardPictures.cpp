@@ -1,12 +1,11 @@
 // What each hazard is as a picture (Hazards.h says it in words).
 #include "Hazards/HazardPictures.h"
 
-#include "DrydockAPI.h"
+#include "CoreMinimal.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <random>
 
@@ -22,7 +21,7 @@ constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr int NumChannels = 4;
 
-FImage MakeImage(int Width, int Height, const std::function<FTexel(int, int)>& Color)
+FImage MakeImage(int Width, int Height, TFunctionRef<FTexel(int, int)> Color)
 {
 	FImage Image{Width, Height, NumChannels, {}};
 	Image.Values.reserve(static_cast<size_t>(Width) * static_cast<size_t>(Height) * NumChannels);
@@ -42,7 +41,7 @@ FImage Fill(int Width, int Height, double Value)
 	return MakeImage(Width, Height, [=](int, int) { return FTexel{Value, Value, Value, 1}; });
 }
 
-FImage Map(FImage Image, const std::function<double(double)>& Function)
+FImage Map(FImage Image, TFunctionRef<double(double)> Function)
 {
 	for (size_t Index = 0; Index < Image.Values.size(); ++Index)
 	{

@@ -405,10 +405,12 @@ TEST(BrokenContracts, DrawingAndReturningTheInputIsNoneAndRemarked)
 	EXPECT_EQ(Plain.Values, Frame.Final.ToImage().Values);
 }
 
-TEST(BrokenContracts, ReturningTheInputAloneIsSilent)
+TEST(BrokenContracts, ReturningTheInputAloneIsRemarkedOn)
 {
 	const auto Extension = MakeExtension(EPoint::MotionBlur, [](const FCall& Call) { return Call.GetPicture(); });
-	EXPECT_TRUE(Render().Log.Diagnostics.empty());
+	const FFrameResult Frame = Render();
+	EXPECT_EQ((std::vector<int>{NoteCallbackDidNothing}), GetCodes(Frame));
+	EXPECT_EQ(ESeverity::Note, Frame.Log.Diagnostics.at(0).Severity);
 }
 
 TEST(BrokenContracts, AnUnboundDelegateIsPassedOver)

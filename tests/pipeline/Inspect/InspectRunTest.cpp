@@ -127,6 +127,9 @@ TEST_F(InspectRun, PrintsWhatShadersSay)
 	const FOutcome All = Run(9, "--print --check assert");
 	EXPECT_THAT(All.Printed, HasSubstr("PlantedFaults (5, 4) PlantedFaults.usf:65: green 0.50 at (5, 4)\n"));
 	EXPECT_THAT(All.Printed, HasSubstr("assert: Pixel.x < 4 does not hold: Pixel = (4, 0), first of 10 at (4, 0)"));
+	const FOutcome Engines = Run(11, "--print");
+	EXPECT_THAT(Engines.Printed, HasSubstr("PlantedOverlap (1, 1) PlantedOverlap.usf:16: Size (6, 5) \n"));
+	EXPECT_THAT(Engines.Printed, Not(HasSubstr("PlantedOverlap (0, 0)")));
 	const FOutcome None = Run(9, "--print --passes Tonemap*");
 	EXPECT_THAT(None.Printed, HasSubstr("DD4012"));
 }

@@ -133,10 +133,13 @@ TEST_F(PlantedFaults, ALevelThatATextureDoesNotHave)
 
 TEST_F(PlantedFaults, AStoreThatOverlapsItsNeighbour)
 {
+	ExpectQuoted(
+		"`PlantedOverlap.usf:20`: `overlap: a store to Out at (1, 0), where thread (0, 0) stores another value in "
+		"line 23, first of 25 at (1, 0): Out[Id] = Color;`");
 	EXPECT_EQ(
 		(std::vector<std::string>{
-			"PlantedOverlap.usf:15: warning DD4010 at pass PlantedOverlap, FPlantedOverlapCS: overlap: a store to Out "
-			"at (1, 0), where thread (0, 0) stores another value in line 18, first of 25 at (1, 0): Out[Id] = Color;"}),
+			"PlantedOverlap.usf:20: warning DD4010 at pass PlantedOverlap, FPlantedOverlapCS: overlap: a store to Out "
+			"at (1, 0), where thread (0, 0) stores another value in line 23, first of 25 at (1, 0): Out[Id] = Color;"}),
 		Check(11, "overlap"));
 }
 

@@ -3,7 +3,6 @@
 
 #include "InspectTestUtils.h"
 #include "PrintedLines.h"
-#include "ShaderDirectories.h"
 
 namespace
 {
@@ -58,17 +57,6 @@ TEST(PrintedLines, AreBounded)
 	EXPECT_EQ(MaxPrintedLines, Printed.Lines.size());
 	EXPECT_EQ(2400 - MaxPrintedLines, Printed.NumMore);
 	EXPECT_EQ("99", Printed.Lines.back().Text);
-}
-
-TEST(PrintedLines, ShaderPrintIsHeardWhereItsContextIsActive)
-{
-	AddShaderDirectory("/Engine", DRYDOCK_TEST_SOURCE_DIR "/rdg/Shaders/Engine");
-	FShaderHarness Harness = MakeInspectedPixel(
-		"FShaderPrintContext Context = InitShaderPrintContext(all(int2(SvPosition.xy) == int2(1, 1)), uint2(50, 50));\n"
-		"Print(Context, TEXT(\"Weight \"), FontWhite);\nPrint(Context, SvPosition.x * 2, FontRed);\nNewline(Context);\n"
-		"Print(Context, TEXT(\"last\"));\nOutColor = 0;",
-		"#include \"/Engine/Private/ShaderPrint.ush\"\n");
-	EXPECT_EQ((FLines{"(1, 1) 9: Weight 3 ", "(1, 1) 10: last"}), Describe(Collect(Harness)));
 }
 
 TEST(PrintedLines, AShaderWithoutPrintsHasNone)
