@@ -10,6 +10,28 @@
 namespace Drydock
 {
 
+namespace
+{
+
+/** ", which writes Bloom, BloomDepth" */
+std::string ListWritten(const FRDGCompiledGraph& Graph, const std::string& PassName)
+{
+	std::string List;
+	for (const FRDGCompiledPass& Pass : Graph.Passes)
+	{
+		for (size_t i = 0; Pass.Name == PassName && i < Pass.Uses.size(); ++i)
+		{
+			const FRDGUse& Use = Pass.Uses[i];
+			List += Use.IsWrite() ? (List.empty() ? ", which writes " : ", ") +
+										Graph.Resources[static_cast<size_t>(Use.Resource)].Name
+								  : std::string();
+		}
+	}
+	return List;
+}
+
+} // namespace
+
 bool MadeNonFinite(const std::vector<FDiagnostic>& Diagnostics)
 {
 	const auto Has = [&Diagnostics](int Code)
@@ -23,13 +45,14 @@ bool MadeNonFinite(const std::vector<FDiagnostic>& Diagnostics)
 std::vector<FDiagnostic> FindFirstCause(const FRunOptions& Options)
 {
 	FCheckCapture Capture(MakeCheckSet({"nan", "overflow"}));
+	FRDGCompiledGraph Graph;
 	try
 	{
 		FRunOptions Again = Options;
 		Again.Progress = nullptr;
 		Again.bMeasureEffects = false;
 		const FScopedDispatchObserver Scope(Capture);
-		RunConfig(Again);
+		Graph = RunConfig(Again).Graph;
 	}
 	catch (const FError&)
 	{
@@ -37,6 +60,10 @@ std::vector<FDiagnostic> FindFirstCause(const FRunOptions& Options)
 	}
 	std::vector<FDiagnostic> Found = Capture.GetDiagnostics();
 	Found.resize(std::min<size_t>(Found.size(), 1));
+	if (!Found.empty())
+	{
+		Found[0].Where += ListWritten(Graph, Capture.GetFindings()[0].Pass);
+	}
 	return Found;
 }
 

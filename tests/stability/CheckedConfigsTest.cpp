@@ -52,8 +52,7 @@ TEST_P(CheckedConfig, HasNothingThatIsNotStated)
 	const int X = View.Width() / 2 - 48, Y = View.Height() / 2 - 32; // the middle, where characters stand
 	Options.bExecute = true;
 	Options.ViewRects = {{X, Y, X + 96, Y + 64}};
-	Drydock::FCheckCapture Capture(
-		Drydock::MakeCheckSet({"nan", "overflow", "negative", "denormal", "bounds", "uninit"}));
+	Drydock::FCheckCapture Capture(Drydock::MakeCheckSet({"all"}));
 	{
 		const Drydock::FScopedDispatchObserver Scope(Capture);
 		Drydock::RunConfig(Options);

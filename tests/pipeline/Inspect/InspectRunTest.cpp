@@ -47,8 +47,8 @@ TEST_F(InspectRun, NaNOfAPassIsTracedToItsLineUnasked)
 	EXPECT_EQ(0, Outcome.ExitCode) << Outcome.Printed;
 	EXPECT_THAT(Outcome.Printed, HasSubstr("DD4001"));
 	EXPECT_THAT(Outcome.Printed,
-		HasSubstr("PlantedFaults.usf:17: warning DD4010 at pass PlantedFaults, FPlantedFaultsPS: nan: 0 / 0 is NaN, "
-				  "first of 10 at (0, 0): return Sum / Weight;"));
+		HasSubstr("PlantedFaults.usf:17: warning DD4010 at pass PlantedFaults, FPlantedFaultsPS, which writes "
+				  "PlantedFaults: nan: 0 / 0 is NaN, first of 10 at (0, 0): return Sum / Weight;"));
 }
 
 TEST_F(InspectRun, NaNThatFailsTheRunIsTracedAsWell)

@@ -35,23 +35,28 @@ std::vector<uint8_t> ReadBytes(const FKernelTexture& Texture, int64_t X, int64_t
 	return {At, At + Size};
 }
 
+/** As a kernel of this arithmetic stores it. */
+template<typename Real>
 std::vector<uint8_t> Encode(const FKernelTexture& Texture, const std::vector<double>& Color)
 {
-	float RGBA[4] = {0, 0, 0, 1};
+	Real RGBA[4] = {0, 0, 0, 1};
 	for (size_t c = 0; c < 4 && c < Color.size(); ++c)
 	{
-		RGBA[c] = float(Color[c]);
+		RGBA[c] = Real(Color[c]);
 	}
 	std::vector<uint8_t> Bytes(size_t(GetTexelStorageInfo(Texture.Storage).BytesPerTexel));
-	const FScopedDenormals Denormals(EDenormals::Flush);
+	const FScopedDenormals Denormals(sizeof(Real) == sizeof(double) ? EDenormals::Keep : EDenormals::Flush);
 	EncodeTexel(Texture.Storage, RGBA, Bytes.data(), Texture.bSaturateStore != 0);
 	return Bytes;
 }
 
 /** Traces random threads before each dispatch, and compares with what is there after it. */
-class FComparison final : public IDispatchObserver
+template<typename Real>
+class TComparison final : public IDispatchObserver
 {
 public:
+	static constexpr bool bDouble = sizeof(Real) == sizeof(double);
+
 	void BeforeDispatch(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole) override
 	{
 		Expected.clear();
@@ -72,8 +77,8 @@ public:
 		{
 			const int32_t At[3] = {
 				Draw(Whole.MinX, Whole.MaxX), Draw(Whole.MinY, Whole.MaxY), Draw(Whole.MinZ, Whole.MaxZ)};
-			const FScopedDenormals Denormals(EDenormals::Flush);
-			const FPixelTrace Trace = TracePixel(*Inspected, Sandbox.GetArgs(), At, false, 1'000'000'000);
+			const FScopedDenormals Denormals(bDouble ? EDenormals::Keep : EDenormals::Flush);
+			const FPixelTrace Trace = TracePixel(*Inspected, Sandbox.GetArgs(), At, bDouble, 1'000'000'000);
 			AddTargets(Args, Trace, At);
 			AddStores(Shader, *Inspected, Trace);
 			++NumTraces;
@@ -107,7 +112,7 @@ private:
 			const FKernelTarget& View = Args.Targets[Target];
 			if (!View.bBlend && View.WriteMask == 15)
 			{
-				Expected[{&View.Texture, At[0], At[1], 0}] = Encode(View.Texture, Trace.Targets[Target]);
+				Expected[{&View.Texture, At[0], At[1], 0}] = Encode<Real>(View.Texture, Trace.Targets[Target]);
 			}
 		}
 	}
@@ -130,7 +135,8 @@ private:
 						const bool bInside = Event.Texel[0] < View.Mips[0].SizeX && Event.Texel[1] < View.Mips[0].SizeY;
 						if (bInside)
 						{
-							Expected[{&View, Event.Texel[0], Event.Texel[1], Z}] = Encode(View, Event.Value.Reals);
+							Expected[{&View, Event.Texel[0], Event.Texel[1], Z}] =
+								Encode<Real>(View, Event.Value.Reals);
 						}
 					}
 				}
@@ -160,14 +166,17 @@ std::vector<std::string> FindConfigs()
 	return Found;
 }
 
-TEST(TraceCapture, IsWhatTheKernelsOfEveryShippedConfigDid)
+/** Texels that were compared. */
+template<typename Real>
+uint64_t CompareShippedConfigs()
 {
 	uint64_t NumTexels = 0;
 	for (const std::string& Config : FindConfigs())
 	{
-		FComparison Comparison;
+		TComparison<Real> Comparison;
 		FRunOptions Options;
 		Options.ConfigFile = Config;
+		Options.Variables = {std::string("r.Drydock.Precision=") + (Comparison.bDouble ? "1" : "0")};
 		{
 			const FScopedDispatchObserver Scope(Comparison);
 			RunConfig(Options);
@@ -176,7 +185,17 @@ TEST(TraceCapture, IsWhatTheKernelsOfEveryShippedConfigDid)
 		EXPECT_EQ(0, Comparison.NumInlined) << Config << ": a shader without its variables";
 		NumTexels += Comparison.NumTexels;
 	}
-	EXPECT_GE(NumTexels, 10000u);
+	return NumTexels;
+}
+
+TEST(TraceCapture, IsWhatTheKernelsOfEveryShippedConfigDid)
+{
+	EXPECT_GE(CompareShippedConfigs<float>(), 10000u);
+}
+
+TEST(TraceCapture, InDoubleIsWhatTheKernelsInDoubleDid)
+{
+	EXPECT_GE(CompareShippedConfigs<double>(), 10000u);
 }
 
 FTraceRequest Ask(const std::string& Pass, int32_t X, int32_t Y)
