@@ -61,12 +61,58 @@ FPairOfTexels FindPair(double Coordinate, int32_t Size, EKernelAddress Mode, con
 	return Pair;
 }
 
+/** By mip, Z, Y, X; the border is -1, -1, -1. */
+using FWeights = std::map<std::tuple<int32_t, int32_t, int32_t, int32_t>, double>;
+
+std::vector<FFootprintTexel> ReadTexels(
+	const FKernelTexture& Texture, const FKernelSampler& Sampler, const FWeights& Weights)
+{
+	std::vector<FFootprintTexel> Texels;
+	for (const auto& [At, Weight] : Weights)
+	{
+		FFootprintTexel& Texel = Texels.emplace_back();
+		std::tie(Texel.Mip, Texel.Z, Texel.Y, Texel.X) = At;
+		Texel.Weight = Weight;
+		if (Texel.X < 0)
+		{
+			std::copy_n(Sampler.Border, 4, Texel.Value);
+			continue;
+		}
+		const FKernelMip& Mip = Texture.Mips[Texel.Mip];
+		const uint8_t* const Address = Mip.Data + Texel.Z * Mip.SlicePitch + int64_t(Texel.Y) * Mip.RowPitch +
+									   int64_t(Texel.X) * GetTexelStorageInfo(Texture.Storage).BytesPerTexel;
+		DecodeTexel(Texture.Storage, Address, Texel.Value);
+	}
+	return Texels;
+}
+
 } // namespace
+
+std::vector<FFootprintTexel> FindGathered(
+	const FKernelTexture& Texture, const FKernelSampler& Sampler, double U, double V)
+{
+	FWeights Weights;
+	if (Texture.NumMips < 1)
+	{
+		return {};
+	}
+	FKernelSampler Linear = Sampler;
+	Linear.Filter = EKernelFilter::Bilinear;
+	const FPairOfTexels X = FindPair(U, Texture.Mips[0].SizeX, Linear.AddressU, Linear);
+	const FPairOfTexels Y = FindPair(V, Texture.Mips[0].SizeY, Linear.AddressV, Linear);
+	for (int Corner = 0; Corner < 4; ++Corner)
+	{
+		const int32_t x = X.Index[Corner & 1];
+		const int32_t y = Y.Index[Corner >> 1];
+		Weights[(x | y) < 0 ? std::tuple(0, -1, -1, -1) : std::tuple(0, 0, y, x)] += 1;
+	}
+	return ReadTexels(Texture, Sampler, Weights);
+}
 
 std::vector<FFootprintTexel> FindFootprint(const FKernelTexture& Texture, const FKernelSampler& Sampler, double U,
 	double V, double W, double Level, bool bArray)
 {
-	std::map<std::tuple<int32_t, int32_t, int32_t, int32_t>, double> Weights;
+	FWeights Weights;
 	if (Texture.NumMips < 1)
 	{
 		return {};
@@ -108,23 +154,7 @@ std::vector<FFootprintTexel> FindFootprint(const FKernelTexture& Texture, const 
 			}
 		}
 	}
-	std::vector<FFootprintTexel> Texels;
-	for (const auto& [At, Weight] : Weights)
-	{
-		FFootprintTexel& Texel = Texels.emplace_back();
-		std::tie(Texel.Mip, Texel.Z, Texel.Y, Texel.X) = At;
-		Texel.Weight = Weight;
-		if (Texel.X < 0)
-		{
-			std::copy_n(Sampler.Border, 4, Texel.Value);
-			continue;
-		}
-		const FKernelMip& Mip = Texture.Mips[Texel.Mip];
-		const uint8_t* const Address = Mip.Data + Texel.Z * Mip.SlicePitch + int64_t(Texel.Y) * Mip.RowPitch +
-									   int64_t(Texel.X) * GetTexelStorageInfo(Texture.Storage).BytesPerTexel;
-		DecodeTexel(Texture.Storage, Address, Texel.Value);
-	}
-	return Texels;
+	return ReadTexels(Texture, Sampler, Weights);
 }
 
 } // namespace Drydock

@@ -25,4 +25,8 @@ struct FFootprintTexel
 DRYDOCK_API std::vector<FFootprintTexel> FindFootprint(const FKernelTexture& Texture, const FKernelSampler& Sampler,
 	double U, double V, double W, double Level, bool bArray);
 
+/** Of a gather: the texels that it takes a component of, on level 0, each with how many of the four it is. */
+DRYDOCK_API std::vector<FFootprintTexel> FindGathered(
+	const FKernelTexture& Texture, const FKernelSampler& Sampler, double U, double V);
+
 } // namespace Drydock

@@ -225,10 +225,14 @@ private:
 		const bool bLevel =
 			Step.I->Op != OpImageGather && Step.I->Operands.size() > 3 && (Step.I->Operands[2] & ImageLod);
 		Event.Level = bLevel ? Thread.GetReal(WordOf(Step, 3)) : 0;
-		if (TextureSlot >= 0 && SamplerSlot >= 0 && Step.I->Op != OpImageGather)
+		std::vector<double> At = Event.Coordinates;
+		At.resize(3);
+		if (TextureSlot >= 0 && SamplerSlot >= 0 && Step.I->Op == OpImageGather)
 		{
-			std::vector<double> At = Event.Coordinates;
-			At.resize(3);
+			Event.Texels = FindGathered(Args.Textures[TextureSlot], Args.Samplers[SamplerSlot], At[0], At[1]);
+		}
+		else if (TextureSlot >= 0 && SamplerSlot >= 0)
+		{
 			Event.Texels = FindFootprint(Args.Textures[TextureSlot], Args.Samplers[SamplerSlot], At[0], At[1], At[2],
 				Event.Level, Image.bArrayed);
 		}

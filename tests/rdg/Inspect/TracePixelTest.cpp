@@ -5,6 +5,7 @@
 #include "TraceRecorder.h"
 
 #include <cmath>
+#include <algorithm>
 #include <random>
 
 namespace
@@ -132,6 +133,44 @@ TEST(TracePixel, InDoubleIsNearAndNotTheSame)
 	const double InDouble = LastOf(TraceAt(Harness, 0, 0, true), "Third");
 	EXPECT_EQ(double(0.5f / 3.0f), InFloat);
 	EXPECT_EQ(0.5 / 3.0, InDouble);
+}
+
+TEST(TracePixel, TexelsOfAGatherAreItsComponents)
+{
+	std::mt19937 Random(20);
+	std::uniform_real_distribution<float> Anywhere(-1.5f, 2.5f);
+	FShaderHarness Harness("Texture2D Source;\nSamplerState SourceSampler;\nfloat2 UV;\n"
+						   "void MainPS(float4 SvPosition : SV_POSITION, out float4 OutColor : SV_Target0)\n{\n"
+						   "\tOutColor = Source.GatherGreen(SourceSampler, UV);\n}\n",
+		"MainPS", EShaderStage::Pixel);
+	Harness.Targets.emplace_back(1, 1);
+	FTestTexture& Source = Harness.Textures["Source"] = FTestTexture(7, 5);
+	for (int32_t i = 0; i < 35 * 4; ++i)
+	{
+		Source.Texel(0, 0)[i] = Anywhere(Random);
+	}
+	for (int Round = 0; Round < 50; ++Round)
+	{
+		Harness.Sampler.AddressU = EKernelAddress(Random() % 4);
+		Harness.Sampler.AddressV = EKernelAddress(Random() % 4);
+		Harness.SetFloats("UV", {Anywhere(Random), Anywhere(Random)});
+		const FPixelTrace Trace = TraceAt(Harness, 0, 0);
+		std::vector<double> Gathered;
+		for (const FTraceLine& Line : Trace.Lines)
+		{
+			for (const FTraceEvent& Event : Line.Events)
+			{
+				for (size_t i = 0; Event.Kind == ETraceEvent::Sample && i < Event.Texels.size(); ++i)
+				{
+					Gathered.insert(Gathered.end(), size_t(Event.Texels[i].Weight), Event.Texels[i].Value[1]);
+				}
+			}
+		}
+		std::vector<double> Written = Trace.Targets.at(0);
+		std::sort(Gathered.begin(), Gathered.end());
+		std::sort(Written.begin(), Written.end());
+		EXPECT_EQ(Written, Gathered) << "round " << Round;
+	}
 }
 
 TEST(TracePixel, TexelsOfASampleAddUpToIt)
