@@ -1,6 +1,7 @@
 // One thread of a shader, run instruction by instruction, block after block, as the specification says. It knows
-// nothing of lanes, masks, structure or uniformity. SpirvThread.inl: blocks, calls and memory; SpirvThreadValues.inl:
-// vectors, matrices and functions of them; SpirvThreadImages.inl: textures.
+// nothing of lanes, masks, structure or uniformity. SpirvThread.inl: inputs, blocks and calls; SpirvThreadMemory.inl:
+// pointers and buffers; SpirvThreadValues.inl: vectors, matrices and functions of them; SpirvThreadImages.inl:
+// textures.
 #pragma once
 
 #include "SpirvObserver.h"

@@ -1,0 +1,160 @@
+// Pointers, variables and buffers of a thread.
+#pragma once
+
+#include "SpirvThread.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace Drydock
+{
+
+using namespace Spirv;
+
+template<typename Real>
+void TSpirvThread<Real>::ExecuteChain(const FSpirvStep& Step)
+{
+	const FSpirvPlace& Place = Program.PlaceOf(Step);
+	const FWord* const Base = Value(Step, 0);
+	uint64_t Offset = uint64_t(Base[0]) + Place.Offset;
+	for (const FSpirvIndex& Index : Place.Indices)
+	{
+		const uint32_t At = uint32_t(Words[Program.WordOf(Index.Value)]);
+		if (At >= Index.Count && Observer)
+		{
+			FSpirvFault Found{ESpirvFault::Index, {}, {int32_t(At)}, {Index.Count}, false, false};
+			Fault(Step, Found);
+		}
+		Offset += uint64_t(std::min(At, Index.Count - 1)) * Index.Stride;
+	}
+	FWord* const Out = Result(Step);
+	const FWord Variable = Base[2];
+	const FWord Element = Place.ElementStride ? FWord(uint32_t(Words[Program.WordOf(Place.Element)])) : Base[1];
+	Out[0] = FWord(Offset);
+	Out[1] = Element;
+	Out[2] = Variable;
+}
+
+template<typename Real>
+void TSpirvThread<Real>::Load(const FSpirvStep& Step)
+{
+	if (Step.Place != ~0u)
+	{
+		LoadBytes(Step);
+		return;
+	}
+	const uint32_t From = uint32_t(Value(Step, 0)[0]);
+	std::copy_n(Words.data() + From, Step.Size, Result(Step));
+	if (!Undefined.empty())
+	{
+		std::copy_n(Undefined.begin() + From, Step.Size, Undefined.begin() + Step.To);
+	}
+}
+
+template<typename Real>
+void TSpirvThread<Real>::Store(const FSpirvStep& Step, uint32_t Pointer, const FWord* From, uint32_t Size)
+{
+	if (size_t(Pointer) + Size > Words.size())
+	{
+		Program.Module.Fail("SPIR-V: a store to nowhere", Step.I);
+	}
+	std::copy_n(From, Size, Words.data() + Pointer);
+	if (!Undefined.empty())
+	{
+		std::copy_n(Undefined.begin() + (From - Words.data()), Size, Undefined.begin() + Pointer);
+	}
+}
+
+template<typename Real>
+const FKernelBuffer* TSpirvThread<Real>::FindBuffer(uint32_t Variable) const
+{
+	const FSpirvType& Type = Program.Module.GetType(Program.Module.Variables.at(Variable).Type);
+	if (!Type.bBufferBlock)
+	{
+		return nullptr;
+	}
+	return &ViewOf(Type.Members.at(0).bNonWritable ? Args->Buffers : Args->RWBuffers, Variable);
+}
+
+template<typename Real>
+void TSpirvThread<Real>::LoadBytes(const FSpirvStep& Step)
+{
+	const FSpirvPlace& Place = Program.PlaceOf(Step);
+	const FWord* const Pointer = Value(Step, 0);
+	const uint32_t Offset = uint32_t(Pointer[0]);
+	const uint32_t Element = uint32_t(Pointer[1]);
+	const uint32_t Variable = uint32_t(Pointer[2]);
+	const FKernelBuffer* const Buffer = FindBuffer(Variable);
+	FWord* const Out = Result(Step);
+	for (uint32_t i = 0; i < Place.Scalars.size() && i < Step.Size; ++i)
+	{
+		uint32_t Loaded = 0;
+		const uint32_t At = Offset + Place.Scalars[i];
+		if (!Buffer)
+		{
+			const uint8_t* const Data = ViewOf(Args->ConstantBuffers, Variable);
+			if (Data)
+			{
+				std::memcpy(&Loaded, Data + At, 4);
+			}
+		}
+		else
+		{
+			const uint64_t Byte = uint64_t(Element) * Place.ElementStride + At;
+			if (Element < Buffer->SizeInBytes / std::max(1u, Place.ElementStride) && Byte + 4 <= Buffer->SizeInBytes)
+			{
+				std::memcpy(&Loaded, Buffer->Data + Byte, 4);
+			}
+		}
+		const bool bReal = sizeof(Real) > 4 && IsReal(Step.I->Type, i);
+		Out[i] = bReal ? ToSpirvWord<Real>(Real(__builtin_bit_cast(float, Loaded))) : Loaded;
+	}
+	if (Buffer && Observer)
+	{
+		CheckElement(Step, *Buffer, Element, false);
+	}
+}
+
+template<typename Real>
+void TSpirvThread<Real>::StoreBytes(const FSpirvStep& Step)
+{
+	const FSpirvPlace& Place = Program.PlaceOf(Step);
+	const FWord* const Pointer = Value(Step, 0);
+	const uint32_t Element = uint32_t(Pointer[1]);
+	const uint32_t Variable = uint32_t(Pointer[2]);
+	const FKernelBuffer* const Buffer = FindBuffer(Variable);
+	if (!Buffer || !Place.ElementStride)
+	{
+		Program.Module.Fail("a store into '" + Program.Module.Variables.at(Variable).Name + "', which is read-only");
+	}
+	const uint32_t Type = Program.Module.GetValueTypeId(Step.I->Operands[1]);
+	const FWord* const From = Value(Step, 1);
+	for (uint32_t i = 0; i < Place.Scalars.size() && i < SizeOf(Step, 1); ++i)
+	{
+		const bool bReal = sizeof(Real) > 4 && IsReal(Type, i);
+		const uint32_t Stored =
+			bReal ? __builtin_bit_cast(uint32_t, float(ToSpirvReal<Real>(From[i]))) : uint32_t(From[i]);
+		const uint64_t Byte = uint64_t(Element) * Place.ElementStride + uint32_t(Pointer[0]) + Place.Scalars[i];
+		if (Element < Buffer->SizeInBytes / Place.ElementStride && Byte + 4 <= Buffer->SizeInBytes)
+		{
+			std::memcpy(Buffer->Data + Byte, &Stored, 4);
+		}
+	}
+	if (Observer)
+	{
+		CheckElement(Step, *Buffer, Element, true);
+	}
+}
+
+template<typename Real>
+void TSpirvThread<Real>::ArrayLength(const FSpirvStep& Step)
+{
+	const uint32_t Variable = uint32_t(Value(Step, 0)[2]);
+	const FSpirvVariable& Found = Program.Module.Variables.at(Variable);
+	const FKernelBuffer* const Buffer = FindBuffer(Variable);
+	const uint32_t Stride =
+		Program.Module.GetType(Program.Module.GetMemberType(Found.Type, Step.I->Operands[1])).ArrayStride;
+	Result(Step)[0] = Buffer ? Buffer->SizeInBytes / std::max(4u, Stride) : 0;
+}
+
+} // namespace Drydock
