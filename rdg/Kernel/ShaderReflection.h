@@ -83,6 +83,8 @@ struct FShaderReflection
 	int32_t NumTargets = 0;      // pixel: 1 + highest SV_TargetN written
 	int32_t NumInterpolants = 0; // pixel: 1 + highest TEXCOORD read; vertex: written
 	bool bUsesDiscard = false;
+	bool bGroups = false;        // compute: threads of a group work together, see SpirvGroups.h
+	bool bGroupsInOrder = false; // compute: groups run one after the other
 	int32_t StaticSamples =
 		-1; // texture samples and loads per pixel where control flow is uniform and bounded, else -1
 };

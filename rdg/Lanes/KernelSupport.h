@@ -3,7 +3,9 @@
 #pragma once
 
 #include "Lanes.h"
+#include "LanesAtomics.h"
 #include "LanesTapReads.h"
+#include "LanesWide.h"
 
 namespace Drydock::Lanes
 {

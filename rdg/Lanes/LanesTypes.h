@@ -304,7 +304,10 @@ DRYDOCK_LANES_INLINE Meet<A, B> Select(bool C, A X, B Y)
 
 /** Bit i is lane i. */
 template<int N>
-DRYDOCK_LANES_INLINE uint32_t MaskBits(TMask<N> M)
+using TLaneBits = std::conditional_t<(N > 32), uint64_t, uint32_t>;
+
+template<int N>
+DRYDOCK_LANES_INLINE TLaneBits<N> MaskBits(TMask<N> M)
 {
 #if DRYDOCK_LANES_LEVEL >= 4
 	if constexpr (N == 16)
@@ -324,10 +327,10 @@ DRYDOCK_LANES_INLINE uint32_t MaskBits(TMask<N> M)
 		return uint32_t(__builtin_ia32_movmskps(TRaw<float, 4>(M.V)));
 	}
 #endif
-	uint32_t Bits = 0;
+	TLaneBits<N> Bits = 0;
 	for (int Lane = 0; Lane < N; ++Lane)
 	{
-		Bits |= uint32_t(M.V[Lane] & 1) << Lane;
+		Bits |= TLaneBits<N>(M.V[Lane] & 1) << Lane;
 	}
 	return Bits;
 }
@@ -340,12 +343,12 @@ DRYDOCK_LANES_INLINE bool AnyLane(TMask<N> M)
 template<int N>
 DRYDOCK_LANES_INLINE bool AllLanes(TMask<N> M)
 {
-	return MaskBits(M) == (uint32_t(1) << N) - 1;
+	return MaskBits(M) == TLaneBits<N>(~uint64_t(0) >> (64 - N));
 }
 template<int N>
 DRYDOCK_LANES_INLINE uint32_t CountLanes(TMask<N> M)
 {
-	return uint32_t(__builtin_popcount(MaskBits(M)));
+	return uint32_t(__builtin_popcountll(MaskBits(M)));
 }
 DRYDOCK_LANES_INLINE bool AnyLane(bool b)
 {

@@ -169,7 +169,8 @@ void FRHIComputeCommandList::DispatchComputeShader(
 	// Whole groups per tile: threads of one group share a tile.
 	const FIntVector TileSize(
 		RoundUp(GTileSizeX, GroupSize[0]), RoundUp(ChooseTileRows(BoundCompute, Whole), GroupSize[1]), GroupSize[2]);
-	RunTiles(BoundCompute, BoundCompute.GetArgs(), Whole, TileSize);
+	RunTiles(BoundCompute, BoundCompute.GetArgs(), Whole,
+		BoundCompute.GetReflection().bGroupsInOrder ? FIntVector(Whole.MaxX, Whole.MaxY, Whole.MaxZ) : TileSize);
 	Counters.BytesWritten += GetBytesBoundForWriting(BoundCompute, NumThreads);
 }
 

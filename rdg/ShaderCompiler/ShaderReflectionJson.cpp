@@ -87,6 +87,8 @@ void Fields(TArchive A, FShaderReflection& R)
 	A("targets", R.NumTargets);
 	A("interpolants", R.NumInterpolants);
 	A("discard", R.bUsesDiscard);
+	A("groups", R.bGroups);
+	A("groupsInOrder", R.bGroupsInOrder);
 	A("samples", R.StaticSamples);
 }
 

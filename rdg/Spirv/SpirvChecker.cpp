@@ -79,6 +79,7 @@ void FSpirvChecker::Check()
 		CheckBlock(Block);
 	}
 	CheckVariables();
+	CheckGroupshared();
 }
 
 void FSpirvChecker::CheckGroupSize()
@@ -155,10 +156,10 @@ void FSpirvChecker::CheckVariables()
 		case StorageUniform:
 		case StorageStorageBuffer:
 		case StorageUniformConstant:
+		case StorageWorkgroup:
 			break;
 		default:
-			Module.Fail("'" + Variable.Name +
-						"' lives in memory that the CPU tier does not have (groupshared or a push constant)");
+			Module.Fail("'" + Variable.Name + "' lives in memory that the CPU tier does not have (a push constant)");
 		}
 	}
 }
@@ -272,7 +273,7 @@ void FSpirvChecker::CheckInstruction(const FSpirvInstruction& I)
 		}
 		return;
 	}
-	if (!CheckMemory(I) && !CheckComposite(I) && !CheckMatrix(I) && !CheckImage(I))
+	if (!CheckMemory(I) && !CheckGroups(I) && !CheckComposite(I) && !CheckMatrix(I) && !CheckImage(I))
 	{
 		Module.Fail(GetSpirvOpName(I.Op) +
 						" is not supported on the CPU tier; write the expression in another way, or report it",
@@ -296,24 +297,8 @@ void FSpirvChecker::FailCall(const FSpirvInstruction& I) const
 		&I);
 }
 
-void FSpirvChecker::RefuseGroupshared(uint32_t Id, const FSpirvInstruction& I) const
-{
-	const FSpirvVariable* Variable = Module.FindVariable(Id);
-	if (Variable && Variable->Storage == StorageWorkgroup)
-	{
-		Module.Fail("groupshared '" + Variable->Name +
-						"' is not supported on the CPU tier: threads do not run in groups. "
-						"Read the texture or buffer directly, or split the shader into two passes",
-			&I);
-	}
-}
-
 bool FSpirvChecker::CheckMemory(const FSpirvInstruction& I)
 {
-	if (!I.Operands.empty() && I.Op != OpArrayLength)
-	{
-		RefuseGroupshared(I.Operands[0], I);
-	}
 	switch (I.Op)
 	{
 	case OpLoad:

@@ -25,7 +25,8 @@ private:
 	void CheckTerminator(const FSpirvInstruction& I);
 	void CheckInstruction(const FSpirvInstruction& I);
 	[[noreturn]] void FailCall(const FSpirvInstruction& I) const;
-	void RefuseGroupshared(uint32_t Id, const FSpirvInstruction& I) const;
+	void CheckGroupshared();
+	bool CheckGroups(const FSpirvInstruction& I);
 	bool CheckMemory(const FSpirvInstruction& I);
 	bool CheckComposite(const FSpirvInstruction& I);
 	bool CheckMatrix(const FSpirvInstruction& I);

@@ -2,6 +2,7 @@
 // (macros DRYDOCK_REAL and DRYDOCK_LANES). SpirvEmitter.cpp defines it.
 #pragma once
 
+#include "SpirvGroups.h"
 #include "SpirvReflect.h"
 #include "SpirvUniformity.h"
 
@@ -14,6 +15,7 @@ struct FSpirvEmitInput
 	const FSpirvStructure& Structure;
 	const FSpirvUniformity& Uniformity;
 	const FSpirvReflection& Reflection;
+	uint32_t WaveSize = GDefaultWaveSize;
 };
 
 /** Throws FSpirvError for what the CPU tier does not do. */

@@ -49,8 +49,9 @@ void FSpirvEmitter::CountArray(uint32_t Size, size_t NumKinds, const FSpirvInstr
 
 bool FSpirvEmitter::IsLoopedCopy(const FSpirvPlace& Place) const
 {
-	return !Place.bBytes && Place.Scalars.size() >= SpirvLimits::MinLoopedCopy &&
-		   DynamicVariables.count(Place.Variable->Id) && !Tables.count(Place.Variable->Id);
+	return !Place.bBytes && Place.Variable->Storage != StorageWorkgroup &&
+		   Place.Scalars.size() >= SpirvLimits::MinLoopedCopy && DynamicVariables.count(Place.Variable->Id) &&
+		   !Tables.count(Place.Variable->Id);
 }
 
 /** All uses of the loaded value follow in its block, before anything is written to the variable. */
@@ -110,15 +111,13 @@ void FSpirvEmitter::EmitLoopedLoad(const FSpirvInstruction& I, const FSpirvPlace
 		for (const ESpirvType Kind : Kinds)
 		{
 			const std::string Array = Name + ArraySuffix(Kind);
-			const std::string Declaration =
-				TypeName(Kind, Value.bVarying) + " " + Array + "[" + std::to_string(Size) + "]";
 			if (bHoisted)
 			{
-				Declarations += "\t" + Declaration + "{};\n";
+				Declare(TypeName(Kind, Value.bVarying), Array, Size, "{}");
 			}
 			else
 			{
-				Line(Declaration + ";");
+				Line(TypeName(Kind, Value.bVarying) + " " + Array + "[" + std::to_string(Size) + "];");
 			}
 			bool bIndexVaries = false;
 			const std::string Index = IndexText(Place, std::to_string(Place.Offset) + " + k", bIndexVaries);

@@ -54,7 +54,7 @@ std::string FSpirvEmitter::MaskOf(uint32_t Label)
 	const std::string Name = "m" + std::to_string(Label);
 	if (Declared.insert(Name).second)
 	{
-		Declarations += "\tM " + Name + "(false);\n";
+		Declare("M", Name, 0, "(false)");
 	}
 	return Name;
 }
@@ -203,7 +203,7 @@ void FSpirvEmitter::EmitEdge(const FStructNode& Node)
 	Line("e = M(false);");
 }
 
-void FSpirvEmitter::EmitPhiCopies(uint32_t From, uint32_t To)
+void FSpirvEmitter::EmitPhiCopies(uint32_t From, uint32_t To, EPhiCopies Which)
 {
 	struct FCopy
 	{
@@ -238,15 +238,19 @@ void FSpirvEmitter::EmitPhiCopies(uint32_t From, uint32_t To)
 			const std::string Name = "p" + std::to_string(I.Result) + "_" + std::to_string(i);
 			if (Declared.insert(Name).second)
 			{
-				Declarations += "\t" + TypeName(Kind, bVarying) + " " + Name + "{};\n";
+				Declare(TypeName(Kind, bVarying), Name, 0, "{}");
 			}
-			if (bFirst)
+			if (bFirst && List.size() == i)
 			{
 				// Declared at the top, but it belongs to the loops around its block: lanes that left them keep their
 				// value.
 				const auto Around = Structure.Loops.find(To);
 				Locals.push_back({Name, 0, Around == Structure.Loops.end() ? std::vector<uint32_t>() : Around->second});
 				List.push_back({Name, Kind, bVarying, int(Locals.size()) - 1, EEmitLevel::Pack});
+			}
+			if (Which != EPhiCopies::All && bVarying != (Which == EPhiCopies::Varying))
+			{
+				continue;
 			}
 			const FEmitScalar Incoming = Scalar(Value, i);
 			const bool bMasked = bVarying && (Uniformity.IsDivergentJoin(To) || Findings.KeptByLanes.count(Name));

@@ -75,7 +75,7 @@ std::string FSpirvEmitter::TapOf(const FSpirvInstruction& I, uint32_t Level)
 						(!Level || (Dependence.GetAll(Level) == 0 && !Scalar(Level, 0).bVarying)) &&
 						Dependence.IsSteady(CurrentBlock);
 	const uint32_t Turns = Loops.empty() ? 1 : MaxTurns;
-	if (!bStill || Type.Dim != Dim2D || Type.bArrayed || Module.GetType(Type.Element).Kind != Float ||
+	if (bGroups || !bStill || Type.Dim != Dim2D || Type.bArrayed || Module.GetType(Type.Element).Kind != Float ||
 		NumTaps + Turns > MaxTaps)
 	{
 		return {};
@@ -84,7 +84,7 @@ std::string FSpirvEmitter::TapOf(const FSpirvInstruction& I, uint32_t Level)
 	if (!Loops.empty())
 	{
 		const std::string Turn = "n" + Number(I.Result);
-		Declarations += "\tuint32_t " + Turn + " = 0;\n";
+		Declare("uint32_t", Turn, 0, " = 0");
 		Line("FKernelTap* const t" + Number(I.Result) + " = " + Turn + " < " + Number(Turns) + "u ? " + Tap + " + " +
 			 Turn + " : nullptr;");
 		Line("++" + Turn + ";");

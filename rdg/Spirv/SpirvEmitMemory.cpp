@@ -92,6 +92,15 @@ void FSpirvEmitter::DeclareVariables()
 			}
 			continue;
 		}
+		if (Variable.Storage == StorageWorkgroup)
+		{
+			for (const ESpirvType Kind : GetKinds(Variable.Type))
+			{
+				SharedText += "\t" + TypeName(Kind, false) + " " + LocalArray(Variable, Kind) + "[" +
+							  Number(Module.GetType(Variable.Type).NumScalars) + "]{};\n";
+			}
+			continue;
+		}
 		if (!IsLocal(Variable))
 		{
 			continue;
@@ -107,8 +116,7 @@ void FSpirvEmitter::DeclareVariables()
 			{
 				const ESpirvType Kind = Module.GetScalarKind(Variable.Type, i);
 				const std::string Value = Initial ? " = " + Literal(Kind, Initial->Scalars[i]).Text : "{}";
-				Declarations +=
-					"\t" + TypeName(Kind, bVarying) + " l" + Number(Variable.Id) + "_" + Number(i) + Value + ";\n";
+				Declare(TypeName(Kind, bVarying), "l" + Number(Variable.Id) + "_" + Number(i), 0, Value, true);
 			}
 			continue;
 		}
@@ -128,15 +136,15 @@ void FSpirvEmitter::DeclareVariables()
 				const bool bThis = Module.GetScalarKind(Variable.Type, i) == Kind;
 				Values += (i ? ", " : "") + Literal(Kind, bThis ? Initial->Scalars[i] : 0).Text;
 			}
-			const std::string Declaration =
-				LocalArray(Variable, Kind) + "[" + Number(Size) + "]" + (Initial ? " = {" + Values + "};\n" : "{};\n");
+			const std::string Value = Initial ? " = {" + Values + "}" : "{}";
 			if (Table != Tables.end())
 			{
-				TableText += "constexpr " + TypeName(Kind, false) + " " + Declaration;
+				TableText += "constexpr " + TypeName(Kind, false) + " " + LocalArray(Variable, Kind) + "[" +
+							 Number(Size) + "]" + Value + ";\n";
 			}
 			else
 			{
-				Declarations += "\t" + TypeName(Kind, bVarying) + " " + Declaration;
+				Declare(TypeName(Kind, bVarying), LocalArray(Variable, Kind), Size, Value, true);
 			}
 		}
 	}
@@ -168,7 +176,8 @@ FEmitScalar FSpirvEmitter::LoadLocal(const FSpirvPlace& Place, uint32_t ScalarIn
 	{
 		return Literal(Kind, Module.FindConstant(Table->second)->Scalars[Offset]);
 	}
-	if (!DynamicVariables.count(Variable.Id))
+	const bool bShared = Variable.Storage == StorageWorkgroup;
+	if (!bShared && !DynamicVariables.count(Variable.Id))
 	{
 		return {"l" + Number(Variable.Id) + "_" + Number(Offset), Kind, bVariableVaries, -1};
 	}
@@ -223,6 +232,10 @@ FEmitScalar FSpirvEmitter::LoadStorageBuffer(const FSpirvPlace& Place, uint32_t 
 
 std::vector<FEmitScalar> FSpirvEmitter::LoadInput(const FSpirvVariable& Variable)
 {
+	if (bGroups)
+	{
+		return LoadGroupInput(Variable);
+	}
 	const int32_t* const Group = Reflection.Reflection.GroupSize;
 	const auto Shift = [](int32_t Size)
 	{
@@ -330,7 +343,7 @@ void FSpirvEmitter::EmitStore(uint32_t Pointer, const std::vector<FEmitScalar>& 
 		return;
 	}
 	const bool bStorage = Place.bBytes && Module.GetType(Variable.Type).bBufferBlock;
-	if (!bStorage && !IsLocal(Variable))
+	if (!bStorage && !IsLocal(Variable) && Variable.Storage != StorageWorkgroup)
 	{
 		Module.Fail("a store into '" + Variable.Name + "', which is read-only", &I);
 	}
@@ -349,6 +362,13 @@ void FSpirvEmitter::EmitStore(uint32_t Pointer, const std::vector<FEmitScalar>& 
 			continue;
 		}
 		const uint32_t Offset = Place.Offset + Place.Scalars[i];
+		if (Variable.Storage == StorageWorkgroup)
+		{
+			bool bIndexVaries = false;
+			const std::string Index = IndexText(Place, Number(Offset), bIndexVaries);
+			Line("PutShared(e, " + LocalArray(Variable, Kind) + ", " + Index + ", " + UseAs(New[i], Kind, true) + ");");
+			continue;
+		}
 		const bool bVarying = Variable.Storage == StorageOutput || Uniformity.IsVariableVarying(Variable.Id);
 		const bool bMasked = bVarying && Uniformity.IsDivergentBlock(CurrentBlock);
 		const std::string Value = UseAs(New[i], Kind, bVarying);

@@ -100,13 +100,18 @@ void FSpirvEmitter::EmitInstruction(const FSpirvInstruction& I)
 		Line("e = M(false);");
 		return;
 	}
+	if (bGroups && I.Op != OpControlBarrier)
+	{
+		OpenSegment(false);
+	}
 	bMovable = IsMovable(I);
 	OperandLevel = EEmitLevel::Tile;
 	if (I.Op == OpExtInst)
 	{
 		EmitExtended(I);
 	}
-	else if (!EmitMemory(I) && !EmitImage(I) && !EmitComposite(I) && !EmitComponentwise(I) && !EmitMatrix(I))
+	else if (!EmitMemory(I) && !EmitGroups(I) && !EmitImage(I) && !EmitComposite(I) && !EmitComponentwise(I) &&
+			 !EmitMatrix(I))
 	{
 		Module.Fail(GetSpirvOpName(I.Op) + " is not supported on the CPU tier", &I);
 	}
@@ -147,7 +152,7 @@ void FSpirvEmitter::EmitPattern(const FSpirvInstruction& I, size_t FirstOperand,
 /** A costly function of what only changes from turn to turn of a loop. */
 bool FSpirvEmitter::IsPerTurn(const FSpirvInstruction& I, uint32_t Index) const
 {
-	return I.Op == OpExtInst && I.Operands[1] >= ExtSin && I.Operands[1] <= ExtInverseSqrt && !bInParts &&
+	return I.Op == OpExtInst && I.Operands[1] >= ExtSin && I.Operands[1] <= ExtInverseSqrt && !bInParts && !bGroups &&
 		   !Loops.empty() && GetLevel() == EEmitLevel::Pack && !Uniformity.IsVarying(I.Result, Index) &&
 		   Dependence.Get(I.Result, Index) == 0 && Dependence.IsSteady(CurrentBlock);
 }
@@ -156,7 +161,7 @@ std::string FSpirvEmitter::PerTurn(const FSpirvInstruction& I, uint32_t Index, c
 {
 	const std::string Suffix = std::to_string(I.Result) + "_" + std::to_string(Index);
 	Handles += "\tTTurns<Real> q" + Suffix + ";\n";
-	Declarations += "\tuint32_t n" + Suffix + " = 0;\n";
+	Declare("uint32_t", "n" + Suffix, 0, " = 0");
 	return "q" + Suffix + ".Get(n" + Suffix + "++, [&] { return " + Text + "; })";
 }
 

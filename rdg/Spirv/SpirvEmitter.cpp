@@ -1,6 +1,7 @@
 // Emits the kernel around the shader's code, and the scalars that it is made of.
 #include "SpirvEmitter.h"
 
+#include "SpirvGroups.h"
 #include "SpirvLimits.h"
 
 #include <algorithm>
@@ -21,6 +22,7 @@ FSpirvEmitter::FSpirvEmitter(const FSpirvEmitInput& Input, const FSpirvDependenc
 	, Reflection(Input.Reflection)
 	, Tables(FindConstantTables(Input.Module))
 	, Findings(std::move(InFindings))
+	, bGroups(FindGroupUse(Input.Module).bGroups)
 {
 	for (const FSpirvBlock& Block : Module.Blocks)
 	{
@@ -197,7 +199,7 @@ void FSpirvEmitter::Define(uint32_t Value, uint32_t Index, const FEmitScalar& Ex
 	}
 	if (Result.Level == EEmitLevel::Pack && Findings.Hoisted.count(Name))
 	{
-		Declarations += "\t" + TypeName(Kind, bVarying) + " " + Name + "{};\n";
+		Declare(TypeName(Kind, bVarying), Name, 0, "{}");
 		Line(bVarying && Findings.KeptByLanes.count(Name) ? "Assign(e, " + Name + ", " + Text + ");"
 														  : Name + " = " + Text + ";");
 	}
@@ -233,12 +235,17 @@ bool FSpirvEmitter::IsMovable(const FSpirvInstruction& I) const
 	case OpImageQueryLevels:
 		return true;
 	default:
-		return I.Result && (I.Op < OpSampledImage || I.Op > OpImageRead) && I.Op != OpFunctionCall;
+		return I.Result && (I.Op < OpSampledImage || I.Op > OpImageRead) && I.Op != OpFunctionCall &&
+			   !IsSpirvAtomic(I.Op);
 	}
 }
 
 std::string FSpirvEmitter::EmitRun()
 {
+	if (bGroups)
+	{
+		return EmitGroupRun();
+	}
 	bInParts = Structure.Root.Weight > SpirvLimits::MaxLinesUncut;
 	DeclareVariables();
 	EmitRegion(Structure.Root);
@@ -247,6 +254,12 @@ std::string FSpirvEmitter::EmitRun()
 		Handles += "\tFKernelTap Taps[" + std::to_string(NumTaps) + "];\n\tconst bool bStill = " + StillText() +
 				   ";\n\tForgetTaps(Taps);\n";
 	}
+	std::string Declared;
+	for (const FDeclaration& D : Declarations)
+	{
+		Declared += "\t" + D.Type + " " + D.Name + (D.Size ? "[" + std::to_string(D.Size) + "]" : std::string()) +
+					D.Initial + ";\n";
+	}
 	return Handles + TileText +
 		   "\tfor (int32_t Z = Tile.MinZ; Z < Tile.MaxZ; ++Z)\n"
 		   "\tfor (int32_t Y = Tile.MinY; Y < Tile.MaxY; ++Y)\n\t{\n" +
@@ -254,7 +267,7 @@ std::string FSpirvEmitter::EmitRun()
 		   "\tfor (int32_t X0 = Tile.MinX; X0 < Tile.MaxX; X0 += N)\n\t{\n"
 		   "\tM e = LaneIndex<N>() < I(Tile.MaxX - X0);\n"
 		   "\tconst I X = I(X0) + LaneIndex<N>();\n\t(void)X;\n" +
-		   Declarations + Body + "\t}\n\t}\n";
+		   Declared + Body + "\t}\n\t}\n";
 }
 
 std::string EmitKernel(const FSpirvEmitInput& Input, const std::string& Title)
@@ -285,7 +298,9 @@ std::string EmitKernel(const FSpirvEmitInput& Input, const std::string& Title)
 			   "namespace\n{\n\n"
 			   "using namespace Drydock;\n"
 			   "using namespace Drydock::Lanes;\n"
-			   "constexpr int N = DRYDOCK_LANES;\n"
+			   "constexpr int N = " +
+			   (FindGroupUse(Input.Module).bWaves ? std::to_string(Input.WaveSize) : "DRYDOCK_LANES") +
+			   ";\n"
 			   "using Real = DRYDOCK_REAL;\n"
 			   "using R = TReal<Real, N>;\n"
 			   "using I = TInt<N>;\n"
@@ -296,7 +311,8 @@ std::string EmitKernel(const FSpirvEmitInput& Input, const std::string& Title)
 			   "} // namespace\n\n"
 			   "extern \"C\"\n{\n"
 			   "extern const __attribute__((visibility(\"default\"))) Drydock::FKernelModule DrydockShaderKernel;\n"
-			   "const Drydock::FKernelModule DrydockShaderKernel = {Drydock::GShaderKernelVersion, N, sizeof(Real), "
+			   "const Drydock::FKernelModule DrydockShaderKernel = {Drydock::GShaderKernelVersion, DRYDOCK_LANES, "
+			   "sizeof(Real), "
 			   "&Run};\n"
 			   "}\n";
 	}

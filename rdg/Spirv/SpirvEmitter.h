@@ -1,6 +1,6 @@
 // The emitter's state and its parts: SpirvEmitter.cpp (module), SpirvEmitFlow.cpp (control flow and masks),
 // SpirvEmitOps.cpp (arithmetic), SpirvEmitComposites.cpp, SpirvEmitMemory.cpp (variables, buffers),
-// SpirvEmitArrays.cpp, SpirvEmitImages.cpp.
+// SpirvEmitArrays.cpp, SpirvEmitImages.cpp, SpirvEmitGroups.cpp (groups and barriers), SpirvEmitAtomics.cpp.
 //
 // Values are single scalars: `const R v12_0 = v9_1 * v7_0;`. Moves between components cost no code at all. A scalar is
 // uniform (Real, int32_t, uint32_t, bool) or varying (R, I, U, M); C++ overloads do the rest. `e` is the mask of lanes
@@ -44,6 +44,14 @@ struct FEmitScalar
 	EEmitLevel Level = EEmitLevel::Tile; // of what cannot stand further out, beside its operands
 };
 
+/** Which of the values that an edge hands over. */
+enum class EPhiCopies : uint8_t
+{
+	All,
+	Varying,
+	Uniform
+};
+
 class FSpirvEmitter
 {
 public:
@@ -70,7 +78,7 @@ private:
 	void EmitSwitch(const FStructNode& Node);
 	void EmitLoop(const FStructNode& Node);
 	void EmitEdge(const FStructNode& Node);
-	void EmitPhiCopies(uint32_t From, uint32_t To);
+	void EmitPhiCopies(uint32_t From, uint32_t To, EPhiCopies Which = EPhiCopies::All);
 	bool Escapes(const FStructNode& Node) const;
 	bool EscapesFrom(const FStructRegion& Region, std::initializer_list<uint32_t> Inside, bool bInnerLoop) const;
 	bool IsDirectBreak(uint32_t To) const;
@@ -81,6 +89,23 @@ private:
 	bool Breaks(const FStructNode& Node) const;
 	/** In a long kernel: what is emitted from here on is in a function of its own, or is not. */
 	void SetPart(bool bOpen);
+
+	// Groups
+	std::string EmitGroupRun();
+	void EmitGroupRegion(const FStructRegion& Region);
+	void EmitGroupEdge(const FStructNode& Node);
+	void EmitGroupIf(const FStructNode& Node);
+	void EmitGroupSwitch(const FStructNode& Node);
+	void EmitGroupLoop(const FStructNode& Node);
+	bool IsGroupNode(const FStructNode& Node) const;
+	[[noreturn]] void FailBarrier(const FStructNode& Node, const std::string& What) const;
+	void OpenSegment(bool bAll);
+	void CloseSegment();
+	void EmitForAllPacks(const std::string& Statement);
+	std::string PlaceDeclarations(std::string& InitialText);
+	std::vector<FEmitScalar> LoadGroupInput(const FSpirvVariable& Variable);
+	bool EmitGroups(const FSpirvInstruction& I);
+	std::string AtomicPlace(const FSpirvInstruction& I);
 
 	// Instructions
 	void EmitInstruction(const FSpirvInstruction& I);
@@ -148,6 +173,29 @@ private:
 	void Line(const std::string& Text);
 	void SourceLine(const FSpirvInstruction& I);
 
+	/** A C++ variable around the code of a pack. Initial: with its braces or equals sign. */
+	struct FDeclaration
+	{
+		std::string Type;
+		std::string Name;
+		uint32_t Size = 0; // of an array
+		std::string Initial;
+		bool bVariable = false; // of the shader's: it keeps its value however often the code around it runs
+	};
+	void Declare(std::string Type, std::string Name, uint32_t Size, std::string Initial, bool bVariable = false)
+	{
+		Declarations.push_back({std::move(Type), std::move(Name), Size, std::move(Initial), bVariable});
+	}
+
+	/** The text of a loop over a group's packs, in Body. */
+	struct FSegment
+	{
+		size_t Begin = 0;
+		size_t End = 0;
+		bool bAll = false;
+		bool bInLoop = false;
+	};
+
 	struct FLocal
 	{
 		std::string Name;
@@ -169,7 +217,12 @@ private:
 	bool bMovable = false;
 	EEmitLevel OperandLevel = EEmitLevel::Tile; // of what was used since the last definition
 	std::string Handles;
-	std::string Declarations;
+	std::vector<FDeclaration> Declarations;
+	const bool bGroups;
+	std::string SharedText; // groupshared arrays
+	std::vector<FSegment> Segments;
+	bool bInSegment = false;
+	size_t SegmentGuards = 0; // scopes that were opened in it and end with it
 	std::string TableText;
 	int Indent = 1;
 	std::vector<int> Scopes{0};

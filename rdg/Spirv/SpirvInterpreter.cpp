@@ -1,7 +1,7 @@
 // Threads of a checked module, one after the other, in float.
 #include "SpirvInterpreter.h"
 
-#include "SpirvThread.h"
+#include "SpirvGroup.h"
 
 namespace Drydock
 {
@@ -11,10 +11,16 @@ using namespace Spirv;
 class FSpirvInterpreterImpl
 {
 public:
-	FSpirvInterpreterImpl(const FSpirvModule& Module, const FSpirvReflection& Reflection)
+	FSpirvInterpreterImpl(const FSpirvModule& Module, const FSpirvReflection& Reflection, uint32_t InWaveSize)
 		: Program(Module)
 		, Thread(Program, MakeSlots(Module, Reflection))
+		, WaveSize(InWaveSize)
 	{
+		if (Program.Groups.bGroups)
+		{
+			Order = FindOrder(Module, BuildSpirvStructure(Module));
+			Group = std::make_unique<TSpirvGroup<float>>(Program, Order, MakeSlots(Module, Reflection), WaveSize);
+		}
 	}
 
 	static FSpirvSlotTable MakeSlots(const FSpirvModule& Module, const FSpirvReflection& Reflection)
@@ -32,10 +38,13 @@ public:
 
 	FSpirvProgram Program;
 	TSpirvThread<float> Thread;
+	const uint32_t WaveSize;
+	FSpirvOrder Order;
+	std::unique_ptr<TSpirvGroup<float>> Group; // where threads work together
 };
 
-FSpirvInterpreter::FSpirvInterpreter(const FSpirvModule& Module, const FSpirvReflection& Reflection)
-	: Impl(std::make_unique<FSpirvInterpreterImpl>(Module, Reflection))
+FSpirvInterpreter::FSpirvInterpreter(const FSpirvModule& Module, const FSpirvReflection& Reflection, uint32_t WaveSize)
+	: Impl(std::make_unique<FSpirvInterpreterImpl>(Module, Reflection, WaveSize))
 {
 }
 
@@ -47,6 +56,10 @@ FInterpretedPixel FSpirvInterpreter::Run(const FKernelArgs& Args, int32_t X, int
 	if (Module.ExecutionModel == ExecutionModelVertex)
 	{
 		Module.Fail("a vertex shader has no pixel or thread to run for");
+	}
+	if (Impl->Group)
+	{
+		Module.Fail("threads of this shader run by groups");
 	}
 	Impl->Thread.Run(Args, {X, Y, Z}, nullptr, MaxSteps);
 	FInterpretedPixel Pixel;
@@ -63,6 +76,15 @@ FInterpretedPixel FSpirvInterpreter::Run(const FKernelArgs& Args, int32_t X, int
 		}
 	}
 	return Pixel;
+}
+
+void FSpirvInterpreter::RunGroup(const FKernelArgs& Args, int32_t X, int32_t Y, int32_t Z, uint64_t MaxSteps)
+{
+	if (!Impl->Group)
+	{
+		Impl->Program.Module.Fail("threads of this shader run one by one");
+	}
+	Impl->Group->Run(Args, {X, Y, Z}, MaxSteps);
 }
 
 FVertexOutput FSpirvInterpreter::RunVertex(const FKernelArgs& Args, const FVertexInput& Input, uint64_t MaxSteps)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ShaderKernel.h"
+#include "SpirvGroups.h"
 #include "SpirvReflect.h"
 #include "VertexProgram.h"
 
@@ -23,13 +24,17 @@ class FSpirvInterpreterImpl;
 class DRYDOCK_API FSpirvInterpreter
 {
 public:
-	/** Module and Reflection must outlive it. */
-	FSpirvInterpreter(const FSpirvModule& Module, const FSpirvReflection& Reflection);
+	/** Module and Reflection must outlive it. WaveSize: of shaders whose threads work together. */
+	FSpirvInterpreter(
+		const FSpirvModule& Module, const FSpirvReflection& Reflection, uint32_t WaveSize = GDefaultWaveSize);
 	~FSpirvInterpreter();
 
 	/** Runs the thread of pixel or dispatch id (X, Y, Z). UAVs are written; render targets are returned, not written.
 	 *  Throws FSpirvError when the shader does not end within MaxSteps instructions or does what it must not. */
 	FInterpretedPixel Run(const FKernelArgs& Args, int32_t X, int32_t Y, int32_t Z, uint64_t MaxSteps = 10'000'000);
+
+	/** Runs the group of SV_GroupID of a compute shader whose threads work together; throws as Run does. */
+	void RunGroup(const FKernelArgs& Args, int32_t X, int32_t Y, int32_t Z, uint64_t MaxSteps = 10'000'000);
 
 	/** Runs a vertex shader for one vertex; throws as Run does. */
 	FVertexOutput RunVertex(const FKernelArgs& Args, const FVertexInput& Input, uint64_t MaxSteps = 10'000'000);

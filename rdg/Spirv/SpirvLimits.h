@@ -29,6 +29,12 @@ constexpr size_t MaxValueScalars = 1u << 20;
  *  have 2 MiB of them, half of a worker thread's stack. */
 constexpr uint32_t MaxArrayBytesPerLane = 128 * 1024;
 
+/** Bytes of groupshared variables: Direct3D's limit. */
+constexpr uint32_t MaxGroupsharedBytes = 32 * 1024;
+
+/** Bytes of what the threads of a group keep from one barrier to the next. */
+constexpr uint32_t MaxGroupBytes = 1024 * 1024;
+
 /** Levels of types inside types. */
 constexpr int MaxTypeDepth = 32;
 

@@ -203,6 +203,13 @@ DRYDOCK_API FSpirvModule ReadWholeSpirv(const std::vector<uint32_t>& Words);
 /** Labels a terminator can go to, in operand order, without repetition. */
 std::vector<uint32_t> GetSuccessors(const FSpirvInstruction& Terminator);
 
+/** Reads and writes one number at once: loads, stores and Interlocked*. Operands: pointer, scope, semantics, and more.
+ */
+constexpr bool IsSpirvAtomic(uint16_t Op)
+{
+	return Op >= Spirv::OpAtomicLoad && Op <= Spirv::OpAtomicXor;
+}
+
 /** "OpFunctionCall", or "Op4711" when the number is not one that messages name. */
 std::string GetSpirvOpName(uint16_t Op);
 

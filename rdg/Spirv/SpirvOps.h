@@ -40,7 +40,10 @@ enum EOp : uint16_t
 	OpShiftRightLogical = 194, OpShiftRightArithmetic = 195, OpShiftLeftLogical = 196, OpBitwiseOr = 197,
 	OpBitwiseXor = 198, OpBitwiseAnd = 199, OpNot = 200, OpBitReverse = 204, OpBitCount = 205,
 	OpDPdx = 207, OpDPdy = 208, OpFwidth = 209, OpFwidthCoarse = 215,
-	OpControlBarrier = 224, OpMemoryBarrier = 225, OpAtomicLoad = 227, OpAtomicXor = 242,
+	OpControlBarrier = 224, OpMemoryBarrier = 225, OpAtomicLoad = 227, OpAtomicStore = 228, OpAtomicExchange = 229,
+	OpAtomicCompareExchange = 230, OpAtomicIIncrement = 232, OpAtomicIDecrement = 233, OpAtomicIAdd = 234,
+	OpAtomicISub = 235, OpAtomicSMin = 236, OpAtomicUMin = 237, OpAtomicSMax = 238, OpAtomicUMax = 239,
+	OpAtomicAnd = 240, OpAtomicOr = 241, OpAtomicXor = 242,
 	OpPhi = 245, OpLoopMerge = 246, OpSelectionMerge = 247, OpLabel = 248, OpBranch = 249, OpBranchConditional = 250,
 	OpSwitch = 251, OpKill = 252, OpReturn = 253, OpReturnValue = 254, OpUnreachable = 255,
 	OpNoLine = 317, OpModuleProcessed = 330, OpDecorateId = 332, OpGroupNonUniformElect = 333, OpGroupNonUniformQuadSwap = 366,
@@ -78,7 +81,7 @@ enum EBuiltIn : uint32_t
 enum EStorage : uint32_t
 {
 	StorageUniformConstant = 0, StorageInput = 1, StorageUniform = 2, StorageOutput = 3, StorageWorkgroup = 4,
-	StoragePrivate = 6, StorageFunction = 7, StorageStorageBuffer = 12
+	StoragePrivate = 6, StorageFunction = 7, StorageImage = 11, StorageStorageBuffer = 12
 };
 
 enum EDim : uint32_t { Dim1D = 0, Dim2D = 1, Dim3D = 2, DimCube = 3, DimBuffer = 5 };

@@ -47,6 +47,7 @@ uint32_t FSpirvProgram::Allocate(uint32_t Id, uint32_t Size)
 
 FSpirvProgram::FSpirvProgram(const FSpirvModule& InModule)
 	: Module(InModule)
+	, Groups(FindGroupUse(InModule))
 	, FirstWords(InModule.Bound, GNoSpirvWord)
 	, BlockOfLabel(InModule.Bound, GNoSpirvWord)
 {
@@ -69,8 +70,15 @@ FSpirvProgram::FSpirvProgram(const FSpirvModule& InModule)
 		{
 			Module.Fail("'" + Variable.Name + "' holds textures or buffers inside a struct or an array");
 		}
-		Memory.push_back({NumWords, Size});
-		NumWords += Size;
+		const bool bShared = Variable.Storage == StorageWorkgroup;
+		Memory.push_back({bShared ? Groupshared.Size : NumWords, Size});
+		(bShared ? Groupshared.Size : NumWords) += Size;
+	}
+	Groupshared.First = NumWords;
+	NumWords += Groupshared.Size;
+	for (size_t i = 0; i < Memory.size(); ++i)
+	{
+		Memory[i].First += Module.Variables[i].Storage == StorageWorkgroup ? Groupshared.First : 0;
 	}
 	for (const FSpirvFunction& Function : Module.Functions)
 	{
@@ -168,7 +176,7 @@ void FSpirvProgram::AddStep(const FSpirvInstruction& I)
 		Step.Place = uint32_t(Places.size());
 		Places.push_back(FollowChain(Module, Base.Element, bBytes, I));
 	}
-	if (I.Op == OpLoad || I.Op == OpStore)
+	if (I.Op == OpLoad || I.Op == OpStore || IsSpirvAtomic(I.Op))
 	{
 		// Of a whole variable or parameter there is no chain: its place begins at 0.
 		const FSpirvType& Base = Module.GetValueType(I.Operands.at(0));
@@ -195,6 +203,13 @@ void FSpirvProgram::AddStep(const FSpirvInstruction& I)
 			Module.Fail("SPIR-V: a call with the wrong number of arguments", &I);
 		}
 	}
+	const bool bAtomic = IsSpirvAtomic(I.Op);
+	const bool bMemory = I.Op == OpLoad && Module.GetType(I.Type).NumScalars;
+	const uint32_t Storage = bMemory ? Module.GetValueType(I.Operands[0]).Storage : 0;
+	Step.bSync = I.Op == OpControlBarrier || (Groups.bWaves && bAtomic);
+	Step.bOfOthers = Groups.bGroups && I.Result &&
+					 (bAtomic || I.Op == OpImageRead || (bMemory && Storage == StorageWorkgroup) ||
+						 (bMemory && Step.Place != ~0u && Places[Step.Place].ElementStride));
 	Steps.push_back(Step);
 }
 

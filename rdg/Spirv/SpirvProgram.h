@@ -2,6 +2,7 @@
 // each instruction reads. Functions do not recurse in HLSL, so each has its one place, too.
 #pragma once
 
+#include "SpirvGroups.h"
 #include "SpirvPlace.h"
 
 #include <memory>
@@ -21,6 +22,8 @@ struct FSpirvStep
 	uint32_t Place = ~0u;       // into FSpirvProgram::Places: access chains
 	uint32_t Function = ~0u;    // into FSpirvProgram::Functions: calls; ~0: of a function that only discards
 	bool bHook = false;         // the observer wants to see it
+	bool bSync = false;         // threads of a group wait here for each other
+	bool bOfOthers = false;     // its result may be the work of other threads
 };
 
 /** Words that a block takes over from the one that control came from. */
@@ -83,6 +86,8 @@ public:
 	 * the front end made it up. */
 	std::vector<std::string> VariableNames;
 	uint32_t EntryBlock = 0;
+	FSpirvGroupUse Groups;
+	FSpirvMemory Groupshared; // where the memory of groupshared variables lies: one behind the other
 
 private:
 	uint32_t Allocate(uint32_t Id, uint32_t Size);

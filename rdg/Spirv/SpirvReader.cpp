@@ -205,8 +205,8 @@ void FSpirvReader::ReadInFunction(uint16_t Op, FSpirvOperands& Operands)
 	Instruction.File = CurrentFile;
 	Instruction.Line = CurrentLine;
 	const bool bTerminator = (Op >= OpBranch && Op <= OpUnreachable);
-	const bool bNoResult =
-		bTerminator || Op == OpStore || Op == OpImageWrite || Op == OpControlBarrier || Op == OpMemoryBarrier;
+	const bool bNoResult = bTerminator || Op == OpStore || Op == OpImageWrite || Op == OpControlBarrier ||
+						   Op == OpMemoryBarrier || Op == OpAtomicStore;
 	if (!bNoResult)
 	{
 		Instruction.Type = Operands.Next();

@@ -1,6 +1,7 @@
 // Reads a shader's parameters from its SPIR-V.
 #include "SpirvReflect.h"
 
+#include "SpirvGroups.h"
 #include "SpirvPlace.h"
 #include "SpirvRefusals.h"
 #include "VertexProgram.h"
@@ -397,6 +398,9 @@ FSpirvReflection FReflector::Run()
 			Reflection.bUsesDiscard = Reflection.bUsesDiscard || I.Op == OpKill || I.Op == OpFunctionCall;
 		}
 	}
+	const FSpirvGroupUse Groups = FindGroupUse(Module);
+	Reflection.bGroups = Groups.bGroups;
+	Reflection.bGroupsInOrder = Groups.bInOrder;
 	Reflection.StaticSamples = CountStaticSamples(Module, Structure);
 	return std::move(Result);
 }

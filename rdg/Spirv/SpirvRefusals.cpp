@@ -15,11 +15,6 @@ namespace
 const char* const NoDerivatives = "there are no derivatives on the CPU tier: threads do not run in quads. Compute the "
 								  "step from the texel size, or use "
 								  "SampleLevel";
-const char* const NoBarriers =
-	"barriers are not supported on the CPU tier: threads do not run in groups. Split the shader into two passes";
-const char* const NoAtomics =
-	"atomics (Interlocked*, append buffers) are not supported on the CPU tier. Give each thread a place of its own and "
-	"reduce in another pass";
 const char* const NoWaves = "wave operations are not supported on the CPU tier: the number of lanes differs between "
 							"machines. Give each thread a "
 							"place of its own and reduce in another pass";
@@ -43,14 +38,6 @@ const FRow Rows[] = {
 	{OpDPdx, "ddx", NoDerivatives}, {OpDPdy, "ddy", NoDerivatives}, {OpFwidth, "fwidth", NoDerivatives},
 	{210, "ddx_fine", NoDerivatives}, {211, "ddy_fine", NoDerivatives}, {212, "fwidth", NoDerivatives},
 	{213, "ddx_coarse", NoDerivatives}, {214, "ddy_coarse", NoDerivatives}, {OpFwidthCoarse, "fwidth", NoDerivatives},
-	{OpControlBarrier, "GroupMemoryBarrierWithGroupSync", NoBarriers}, {OpMemoryBarrier, "GroupMemoryBarrier", NoBarriers},
-	{OpImageTexelPointer, "Interlocked* on a texture", NoAtomics},
-	{OpAtomicLoad, "an atomic load", NoAtomics}, {228, "an atomic store", NoAtomics},
-	{229, "InterlockedExchange", NoAtomics}, {230, "InterlockedCompareExchange", NoAtomics},
-	{231, "InterlockedCompareExchange", NoAtomics}, {232, "IncrementCounter", NoAtomics}, {233, "DecrementCounter", NoAtomics},
-	{234, "InterlockedAdd", NoAtomics}, {235, "InterlockedAdd", NoAtomics}, {236, "InterlockedMin", NoAtomics},
-	{237, "InterlockedMin", NoAtomics}, {238, "InterlockedMax", NoAtomics}, {239, "InterlockedMax", NoAtomics},
-	{240, "InterlockedAnd", NoAtomics}, {241, "InterlockedOr", NoAtomics}, {OpAtomicXor, "InterlockedXor", NoAtomics},
 	{89, "SampleCmp", NoComparison}, {90, "SampleCmpLevelZero", NoComparison}, {97, "GatherCmp", NoComparison},
 	{OpImageQueryLod, "CalculateLevelOfDetail",
 		"it needs derivatives, which the CPU tier does not have. Compute the mip level and use SampleLevel"},

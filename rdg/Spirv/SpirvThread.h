@@ -1,10 +1,11 @@
 // One thread of a shader, run instruction by instruction, block after block, as the specification says. It knows
 // nothing of lanes, masks, structure or uniformity. SpirvThread.inl: inputs, blocks and calls; SpirvThreadMemory.inl:
-// pointers and buffers; SpirvThreadValues.inl: vectors, matrices and functions of them; SpirvThreadImages.inl:
-// textures.
+// pointers and buffers; SpirvThreadGroups.inl: what threads do together; SpirvThreadValues.inl: vectors, matrices and
+// functions of them; SpirvThreadImages.inl: textures.
 #pragma once
 
 #include "SpirvObserver.h"
+#include "SpirvOrder.h"
 #include "SpirvReflect.h"
 #include "SpirvScalarMath.h"
 #include "VertexProgram.h"
@@ -28,9 +29,25 @@ public:
 
 	TSpirvThread(const FSpirvProgram& InProgram, FSpirvSlotTable InSlots);
 
-	/** Runs the entry point to its end. Throws FSpirvError after MaxSteps instructions. */
+	/** Runs the entry point to its end, alone: barriers are passed. Throws FSpirvError after MaxSteps instructions. */
 	void Run(
 		const FKernelArgs& InArgs, const int32_t (&InPosition)[3], const FVertexInput* InVertex, uint64_t MaxSteps);
+
+	/** For TSpirvGroup: the state before the first instruction; on to the next step that threads wait at, or, false, to
+	 * the end; over that step, which ExecuteWaiting has done or somebody else. */
+	void Start(const FKernelArgs& InArgs, const int32_t (&InPosition)[3], const FVertexInput* InVertex = nullptr);
+	bool Advance(uint64_t MaxSteps);
+	const FSpirvStep& GetWaiting() const { return Program.Steps[At]; }
+	void ExecuteWaiting();
+	void StepOver();
+	/** Groupshared memory, of as many words as the program says; null: the thread's own. */
+	void SetGroupshared(FWord* Memory) { Groupshared = Memory; }
+	/** Turns of each loop around the place where the thread waits, by Order; and where it is. */
+	void SetOrder(const FSpirvOrder* InOrder);
+	std::vector<uint32_t> GetWhereInOrder() const;
+	/** What other threads have made of this one's loads and atomics is written into Log, or taken from there: a thread
+	 * of a group that has run can be run again alone. Null: neither. */
+	void SetLog(std::vector<FWord>* InLog, bool bInReplay);
 
 	/** For who decides himself what comes next: the state before the first instruction, and one instruction that
 	 * neither calls a function of the module nor branches. False: it ended the thread. */
@@ -56,6 +73,8 @@ public:
 	const int32_t* GetPosition() const override { return Position; }
 
 private:
+	static constexpr uint32_t Nowhere = ~0u;
+
 	struct FCall
 	{
 		uint32_t Step = 0; // of the call
@@ -66,9 +85,25 @@ private:
 	void FillInputs();
 	void FillInput(const FSpirvVariable& Variable, FWord* Out) const;
 	void FillAttribute(const FSpirvVariable& Variable, FWord* Out) const;
-	void EnterBlock(uint32_t Block, uint32_t From);
+	void EnterBlock(uint32_t To, uint32_t FromBlock);
 	uint32_t ChooseTarget(const FSpirvStep& Step) const;
 	void Execute(const FSpirvStep& Step);
+	bool ExecuteFromLog(const FSpirvStep& Step);
+	bool ExecuteAtomic(const FSpirvStep& Step);
+	void PointAtTexel(const FSpirvStep& Step);
+	uint32_t* FindTexel(const FSpirvStep& Step);
+	uint32_t ReplaceAtomically(uint32_t* Place, const FSpirvStep& Step);
+	bool ExecuteTerminator(const FSpirvStep& Step);
+	bool ExecuteCall(const FSpirvStep& Step);
+	FWord* MemoryAt(uint32_t Word)
+	{
+		const bool bShared = Groupshared && Word - Program.Groupshared.First < Program.Groupshared.Size;
+		return bShared ? Groupshared + (Word - Program.Groupshared.First) : Words.data() + Word;
+	}
+	bool IsShared(uint32_t Word) const
+	{
+		return Groupshared && Word - Program.Groupshared.First < Program.Groupshared.Size;
+	}
 	void ExecuteChain(const FSpirvStep& Step);
 	void Load(const FSpirvStep& Step);
 	void Store(const FSpirvStep& Step, uint32_t Pointer, const FWord* Value, uint32_t Size);
@@ -149,6 +184,15 @@ private:
 	const FVertexInput* Vertex = nullptr; // of a vertex shader
 	int32_t Position[3] = {};
 	bool bDiscarded = false;
+	uint32_t Block = 0;
+	uint32_t At = 0; // step
+	uint64_t NumSteps = 0;
+	FWord* Groupshared = nullptr;
+	const FSpirvOrder* Order = nullptr;
+	std::vector<uint32_t> Turns; // of loops, by the block of their header
+	std::vector<FWord>* Log = nullptr;
+	size_t LogPosition = 0;
+	bool bReplay = false;
 };
 
 extern template class TSpirvThread<float>;

@@ -196,11 +196,27 @@ template<typename Real>
 void TSpirvThread<Real>::Run(
 	const FKernelArgs& InArgs, const int32_t (&InPosition)[3], const FVertexInput* InVertex, uint64_t MaxSteps)
 {
+	Start(InArgs, InPosition, InVertex);
+	while (Advance(MaxSteps))
+	{
+		ExecuteWaiting();
+		StepOver();
+	}
+}
+
+template<typename Real>
+void TSpirvThread<Real>::Start(const FKernelArgs& InArgs, const int32_t (&InPosition)[3], const FVertexInput* InVertex)
+{
 	Begin(InArgs, InPosition, InVertex);
-	uint64_t NumSteps = 0;
-	uint32_t Block = Program.EntryBlock;
-	uint32_t At = Program.Blocks[Block].FirstStep;
+	NumSteps = 0;
+	Block = Program.EntryBlock;
+	At = Program.Blocks[Block].FirstStep;
 	++BlockRuns[Block];
+}
+
+template<typename Real>
+bool TSpirvThread<Real>::Advance(uint64_t MaxSteps)
+{
 	for (;;)
 	{
 		const FSpirvStep& Step = Program.Steps[At];
@@ -209,95 +225,129 @@ void TSpirvThread<Real>::Run(
 		{
 			Program.Module.Fail("the shader did not end", Step.I);
 		}
-		if (Op < OpBranch || Op > OpUnreachable)
+		if (Step.bSync)
 		{
-			if (Op == OpFunctionCall && Step.Function != ~0u)
+			return true;
+		}
+		if (Op >= OpBranch && Op <= OpUnreachable)
+		{
+			if (!ExecuteTerminator(Step))
 			{
-				const FSpirvProgramFunction& Function = Program.Functions[Step.Function];
-				for (size_t k = 0; k < Function.Parameters.size(); ++k)
-				{
-					const uint32_t Source = Arg(Step, k + 1);
-					std::copy_n(Words.data() + Source, Function.Sizes[k], Words.data() + Function.Parameters[k]);
-					if (!Undefined.empty())
-					{
-						std::copy_n(
-							Undefined.begin() + Source, Function.Sizes[k], Undefined.begin() + Function.Parameters[k]);
-					}
-				}
-				Calls.push_back({At, Block});
-				if (Observer)
-				{
-					Observer->OnCall(*this, Step);
-				}
-				Block = Function.FirstBlock;
-				At = Program.Blocks[Block].FirstStep;
-				++BlockRuns[Block];
-				continue;
+				break;
 			}
-			Execute(Step);
-			if (Step.bHook && Observer)
-			{
-				Observer->OnStep(*this, Step);
-			}
-			if (bDiscarded)
-			{
-				return;
-			}
-			++At;
 			continue;
 		}
+		if (Op == OpFunctionCall && ExecuteCall(Step))
+		{
+			continue;
+		}
+		Execute(Step);
 		if (Step.bHook && Observer)
 		{
 			Observer->OnStep(*this, Step);
 		}
-		bDiscarded = Op == OpKill;
-		const bool bReturns = Op == OpReturn || Op == OpReturnValue;
-		if (bDiscarded || Op == OpUnreachable || (bReturns && Calls.empty()))
+		if (bDiscarded)
 		{
-			break;
+			return false;
 		}
-		if (bReturns)
-		{
-			const FCall Call = Calls.back();
-			const FSpirvStep& Caller = Program.Steps[Call.Step];
-			if (Op == OpReturnValue)
-			{
-				std::copy_n(Value(Step, 0), Caller.Size, Result(Caller));
-				if (!Undefined.empty())
-				{
-					std::copy_n(Undefined.begin() + Arg(Step, 0), Caller.Size, Undefined.begin() + Caller.To);
-				}
-			}
-			Calls.pop_back();
-			if (Observer)
-			{
-				Observer->OnReturn(*this, Caller);
-				if (Caller.bHook)
-				{
-					Observer->OnStep(*this, Caller);
-				}
-			}
-			Block = Call.Block;
-			At = Call.Step + 1;
-			continue;
-		}
-		const uint32_t Target = ChooseTarget(Step);
-		const uint32_t From = Program.Module.Blocks[Block].Label;
-		Block = Program.BlockOf(Target);
-		EnterBlock(Block, From);
-		At = Program.Blocks[Block].FirstStep;
+		++At;
 	}
 	if (!Undefined.empty() && !bDiscarded)
 	{
 		CheckOutputs();
 	}
+	return false;
+}
+
+/** False: the step is no call of a function of the module. */
+template<typename Real>
+bool TSpirvThread<Real>::ExecuteCall(const FSpirvStep& Step)
+{
+	if (Step.Function == ~0u)
+	{
+		return false;
+	}
+	const FSpirvProgramFunction& Function = Program.Functions[Step.Function];
+	for (size_t k = 0; k < Function.Parameters.size(); ++k)
+	{
+		const uint32_t Source = Arg(Step, k + 1);
+		std::copy_n(Words.data() + Source, Function.Sizes[k], Words.data() + Function.Parameters[k]);
+		if (!Undefined.empty())
+		{
+			std::copy_n(Undefined.begin() + Source, Function.Sizes[k], Undefined.begin() + Function.Parameters[k]);
+		}
+	}
+	Calls.push_back({At, Block});
+	if (Observer)
+	{
+		Observer->OnCall(*this, Step);
+	}
+	Block = Function.FirstBlock;
+	At = Program.Blocks[Block].FirstStep;
+	++BlockRuns[Block];
+	return true;
+}
+
+/** Goes where the step leads; false: it ends the thread. */
+template<typename Real>
+bool TSpirvThread<Real>::ExecuteTerminator(const FSpirvStep& Step)
+{
+	const uint16_t Op = Step.I->Op;
+	if (Step.bHook && Observer)
+	{
+		Observer->OnStep(*this, Step);
+	}
+	bDiscarded = Op == OpKill;
+	const bool bReturns = Op == OpReturn || Op == OpReturnValue;
+	if (bDiscarded || Op == OpUnreachable || (bReturns && Calls.empty()))
+	{
+		return false;
+	}
+	if (!bReturns)
+	{
+		const uint32_t Target = ChooseTarget(Step);
+		const uint32_t From = Block;
+		Block = Program.BlockOf(Target);
+		EnterBlock(Block, From);
+		At = Program.Blocks[Block].FirstStep;
+		return true;
+	}
+	const FCall Call = Calls.back();
+	const FSpirvStep& Caller = Program.Steps[Call.Step];
+	if (Op == OpReturnValue)
+	{
+		std::copy_n(Value(Step, 0), Caller.Size, Result(Caller));
+		if (!Undefined.empty())
+		{
+			std::copy_n(Undefined.begin() + Arg(Step, 0), Caller.Size, Undefined.begin() + Caller.To);
+		}
+	}
+	Calls.pop_back();
+	if (Observer)
+	{
+		Observer->OnReturn(*this, Caller);
+		if (Caller.bHook)
+		{
+			Observer->OnStep(*this, Caller);
+		}
+	}
+	Block = Call.Block;
+	At = Call.Step + 1;
+	return true;
 }
 
 template<typename Real>
-void TSpirvThread<Real>::EnterBlock(uint32_t Block, uint32_t From)
+void TSpirvThread<Real>::EnterBlock(uint32_t To, uint32_t FromBlock)
 {
-	++BlockRuns[Block];
-	const std::vector<FSpirvEdge>& Edges = Program.Blocks[Block].Edges;
+	++BlockRuns[To];
+	if (Order)
+	{
+		const std::vector<uint32_t>& Around = Order->Loops[FromBlock];
+		const bool bAgain = std::find(Around.begin(), Around.end(), To) != Around.end();
+		Turns[To] = bAgain ? Turns[To] + 1 : 0;
+	}
+	const uint32_t From = Program.Module.Blocks[FromBlock].Label;
+	const std::vector<FSpirvEdge>& Edges = Program.Blocks[To].Edges;
 	if (Edges.empty())
 	{
 		return;
@@ -361,11 +411,15 @@ void TSpirvThread<Real>::Execute(const FSpirvStep& Step)
 	{
 		FollowUndefined(Step);
 	}
+	if (Step.bOfOthers && Log && bReplay && ExecuteFromLog(Step))
+	{
+		return;
+	}
 	switch (Step.I->Op)
 	{
 	case OpLoad:
 		Load(Step);
-		return;
+		break;
 	case OpStore:
 		if (Step.Place != ~0u)
 		{
@@ -393,11 +447,15 @@ void TSpirvThread<Real>::Execute(const FSpirvStep& Step)
 		ExecuteExtended(Step);
 		return;
 	default:
-		if (!ExecuteComposite(Step) && !ExecuteMatrix(Step) && !ExecuteImage(Step))
+		if (!ExecuteComposite(Step) && !ExecuteMatrix(Step) && !ExecuteImage(Step) && !ExecuteAtomic(Step))
 		{
 			ExecuteScalars(Step);
 		}
-		return;
+		break;
+	}
+	if (Step.bOfOthers && Log && !bReplay)
+	{
+		Log->insert(Log->end(), Result(Step), Result(Step) + Step.Size);
 	}
 }
 

@@ -2,6 +2,7 @@
 #include "SpirvThread.inl"
 #include "SpirvThreadChecks.inl"
 #include "SpirvThreadImages.inl"
+#include "SpirvThreadGroups.inl"
 #include "SpirvThreadMemory.inl"
 #include "SpirvThreadValues.inl"
 

@@ -44,8 +44,12 @@ void TSpirvThread<Real>::Load(const FSpirvStep& Step)
 		return;
 	}
 	const uint32_t From = uint32_t(Value(Step, 0)[0]);
-	std::copy_n(Words.data() + From, Step.Size, Result(Step));
-	if (!Undefined.empty())
+	std::copy_n(MemoryAt(From), Step.Size, Result(Step));
+	if (!Undefined.empty() && IsShared(From))
+	{
+		std::fill_n(Undefined.begin() + Step.To, Step.Size, 0u);
+	}
+	else if (!Undefined.empty())
 	{
 		std::copy_n(Undefined.begin() + From, Step.Size, Undefined.begin() + Step.To);
 	}
@@ -58,8 +62,8 @@ void TSpirvThread<Real>::Store(const FSpirvStep& Step, uint32_t Pointer, const F
 	{
 		Program.Module.Fail("SPIR-V: a store to nowhere", Step.I);
 	}
-	std::copy_n(From, Size, Words.data() + Pointer);
-	if (!Undefined.empty())
+	std::copy_n(From, Size, MemoryAt(Pointer));
+	if (!Undefined.empty() && !IsShared(Pointer))
 	{
 		std::copy_n(Undefined.begin() + (From - Words.data()), Size, Undefined.begin() + Pointer);
 	}

@@ -3,6 +3,7 @@
 #include "SpirvUniformity.h"
 
 #include "SpirvFlow.h"
+#include "SpirvGroups.h"
 
 #include <algorithm>
 
@@ -30,6 +31,7 @@ public:
 		: Module(InModule)
 		, Structure(InStructure)
 		, Tables(FindConstantTables(InModule))
+		, bGroups(FindGroupUse(InModule).bGroups)
 	{
 	}
 
@@ -60,6 +62,7 @@ private:
 	const FSpirvModule& Module;
 	const FSpirvStructure& Structure;
 	const std::map<uint32_t, uint32_t> Tables;
+	const bool bGroups;                             // lanes are any threads of one group, not neighbours in a row
 	std::unordered_map<uint32_t, uint32_t> BlockOf; // value -> label of the block that defines it
 	std::unordered_map<uint32_t, const FSpirvInstruction*> Chains;
 	std::set<uint32_t> DivergentBranches; // blocks whose divergence has been spread: it only depends on the structure
@@ -91,6 +94,11 @@ void FUniformityAnalysis::MarkAll(uint32_t Value)
 
 bool FUniformityAnalysis::IsInputVarying(const FSpirvVariable& Variable, uint32_t Scalar) const
 {
+	if (bGroups)
+	{
+		const bool bOne = Scalar < 3 && Module.LocalSize[Scalar] == 1;
+		return Variable.BuiltIn != BuiltInWorkgroupId && (Variable.BuiltIn == BuiltInLocalInvocationIndex || !bOne);
+	}
 	switch (Variable.BuiltIn)
 	{
 	case BuiltInGlobalInvocationId:
@@ -128,7 +136,17 @@ void FUniformityAnalysis::VisitLoad(const FSpirvInstruction& I)
 		}
 		break;
 	case StorageOutput:
+	case StorageWorkgroup:
 		MarkAll(I.Result);
+		break;
+	case StorageUniform:
+	case StorageStorageBuffer:
+		// Packs of a group read one after the other, and one may have written in between.
+		if (bGroups && Module.GetType(Variable->Type).bBufferBlock &&
+			!Module.GetType(Variable->Type).Members[0].bNonWritable)
+		{
+			MarkAll(I.Result);
+		}
 		break;
 	case StorageInput:
 		for (uint32_t i = 0; i < SizeOf(I.Result); ++i)
@@ -226,6 +244,10 @@ void FUniformityAnalysis::Visit(const FSpirvBlock& Block, const FSpirvInstructio
 		}
 		break;
 	default:
+		if (IsSpirvAtomic(I.Op) && I.Result)
+		{
+			MarkAll(I.Result);
+		}
 		ForEachFlow(Module, I, Copy);
 		break;
 	}
@@ -389,6 +411,15 @@ FSpirvUniformity FUniformityAnalysis::Run()
 			{
 				Chains[I.Result] = &I;
 			}
+		}
+	}
+	for (const FSpirvVariable& Variable : Module.Variables)
+	{
+		// One copy for all packs would be written once by each.
+		if (bGroups && !Tables.count(Variable.Id) &&
+			(Variable.Storage == StorageFunction || Variable.Storage == StoragePrivate))
+		{
+			Result.VaryingVariables.insert(Variable.Id);
 		}
 	}
 	do

@@ -112,6 +112,16 @@ public:
 		const FSpirvReflection Reflection = ReflectSpirv(Module, BuildSpirvStructure(Module), Source.Text);
 		Bind(Reflection.Reflection);
 		FSpirvInterpreter Interpreter(Module, Reflection);
+		if (Reflection.Reflection.bGroups)
+		{
+			const int32_t* const Size = Reflection.Reflection.GroupSize;
+			for (int32_t i = 0; i < X / Size[0] * (Y / Size[1]) * (Z / Size[2]); ++i)
+			{
+				const int32_t Row = i / (X / Size[0]);
+				Interpreter.RunGroup(Args, i % (X / Size[0]), Row % (Y / Size[1]), Row / (Y / Size[1]));
+			}
+			return;
+		}
 		for (int32_t z = 0; z < Z; ++z)
 		{
 			for (int32_t y = 0; y < Y; ++y)

@@ -1,0 +1,172 @@
+// Memory that threads share: stores to groupshared arrays, and atomics on these, on buffers and on textures. Lanes act
+// one after the other, in ascending order. Included by generated code only.
+#pragma once
+
+#include "LanesResources.h"
+
+namespace Drydock::Lanes
+{
+inline namespace DRYDOCK_LANES_SET
+{
+
+/** Elements[Index] = Value in the lanes of the mask, of an array that all lanes share. */
+template<int N, CUniform T, CLanes V>
+DRYDOCK_LANES_INLINE void PutShared(TMask<N> Mask, T* Elements, TInt<N> Index, V Value)
+{
+	for (int Lane = 0; Lane < N; ++Lane)
+	{
+		if (Mask[Lane])
+		{
+			Elements[Index.V[Lane]] = T(Value.V[Lane]);
+		}
+	}
+}
+template<int N, CUniform T, CLanes V>
+DRYDOCK_LANES_INLINE void PutShared(TMask<N> Mask, T* Elements, int32_t Index, V Value)
+{
+	PutShared(Mask, Elements, TInt<N>(Index), Value);
+}
+
+/** Some pack has a lane that runs. */
+template<int N, int32_t Count>
+DRYDOCK_LANES_INLINE bool AnyPack(const TMask<N> (&Packs)[Count])
+{
+	TMask<N> Any = Packs[0];
+	for (int32_t i = 1; i < Count; ++i)
+	{
+		Any = Any | Packs[i];
+	}
+	return AnyLane(Any);
+}
+
+/** Where the lanes of an atomic operation find their number; null: outside, nothing happens and 0 comes back. bOwn: no
+ * other thread of the machine can reach it meanwhile. */
+template<int N, bool bOwn, typename F>
+struct TAtomicPlaces
+{
+	F Find;
+};
+template<int N, bool bOwn, typename F>
+DRYDOCK_LANES_INLINE TAtomicPlaces<N, bOwn, F> MakeAtomicPlaces(F Find)
+{
+	return {Find};
+}
+
+template<int N, typename T>
+DRYDOCK_LANES_INLINE auto AtomicShared(T* Elements, TInt<N> Index)
+{
+	static_assert(sizeof(T) == 4);
+	return MakeAtomicPlaces<N, true>(
+		[=](int Lane) __attribute__((always_inline)) { return reinterpret_cast<uint32_t*>(Elements + Index.V[Lane]); });
+}
+template<int N>
+DRYDOCK_LANES_INLINE auto AtomicBytes(const FKernelBuffer& Buffer, TUint<N> Offset)
+{
+	return MakeAtomicPlaces<N, false>(
+		[=, &Buffer](int Lane) __attribute__((always_inline)) -> uint32_t*
+		{
+			const uint32_t At = Offset.V[Lane];
+			return IsInside(Buffer, At) ? reinterpret_cast<uint32_t*>(Buffer.Data + At) : nullptr;
+		});
+}
+/** Of a typed buffer of 32-bit integers. */
+template<int N>
+DRYDOCK_LANES_INLINE auto AtomicElement(const FKernelBuffer& Buffer, TUint<N> Index)
+{
+	return MakeAtomicPlaces<N, false>(
+		[=, &Buffer](int Lane) __attribute__((always_inline)) -> uint32_t*
+		{
+			const uint32_t At = Index.V[Lane];
+			const bool bInside = Buffer.Storage == ETexelStorage::R32_UINT && At < Buffer.SizeInBytes / 4;
+			return bInside ? reinterpret_cast<uint32_t*>(Buffer.Data) + At : nullptr;
+		});
+}
+/** Of a texture of 32-bit integers; three coordinates: depth or layer is the last. */
+template<int N, int Count>
+DRYDOCK_LANES_INLINE auto AtomicTexel(const FKernelTexture& Texture, const TVec<TInt<N>, Count>& At)
+{
+	return MakeAtomicPlaces<N, false>(
+		[=, &Texture](int Lane) __attribute__((always_inline)) -> uint32_t*
+		{
+			const FKernelMip& Mip = Texture.Mips[0];
+			const int32_t X = At.E[0].V[Lane];
+			const int32_t Y = At.E[1].V[Lane];
+			const int32_t Z = Count == 3 ? At.E[Count - 1].V[Lane] : 0;
+			const bool bInside = Texture.Storage == ETexelStorage::R32_UINT && uint32_t(X) < uint32_t(Mip.SizeX) &&
+								 uint32_t(Y) < uint32_t(Mip.SizeY) && uint32_t(Z) < uint32_t(Mip.SizeZ);
+			return bInside ? reinterpret_cast<uint32_t*>(Mip.Data + Z * Mip.SlicePitch + int64_t(Y) * Mip.RowPitch) + X
+						   : nullptr;
+		});
+}
+
+struct FAtomicAdd
+{
+	static uint32_t Apply(uint32_t Old, uint32_t Value, uint32_t) { return Old + Value; }
+};
+struct FAtomicAnd
+{
+	static uint32_t Apply(uint32_t Old, uint32_t Value, uint32_t) { return Old & Value; }
+};
+struct FAtomicOr
+{
+	static uint32_t Apply(uint32_t Old, uint32_t Value, uint32_t) { return Old | Value; }
+};
+struct FAtomicXor
+{
+	static uint32_t Apply(uint32_t Old, uint32_t Value, uint32_t) { return Old ^ Value; }
+};
+struct FAtomicExchange
+{
+	static uint32_t Apply(uint32_t, uint32_t Value, uint32_t) { return Value; }
+};
+struct FAtomicCompareExchange
+{
+	static uint32_t Apply(uint32_t Old, uint32_t Value, uint32_t Compare) { return Old == Compare ? Value : Old; }
+};
+template<typename T>
+struct FAtomicMin
+{
+	static uint32_t Apply(uint32_t Old, uint32_t Value, uint32_t) { return T(Value) < T(Old) ? Value : Old; }
+};
+template<typename T>
+struct FAtomicMax
+{
+	static uint32_t Apply(uint32_t Old, uint32_t Value, uint32_t) { return T(Value) > T(Old) ? Value : Old; }
+};
+
+/** What was there before, by lane. */
+template<typename TOperation, int N, bool bOwn, typename F>
+DRYDOCK_LANES_INLINE TUint<N> Atomic(
+	TMask<N> Mask, const TAtomicPlaces<N, bOwn, F>& Places, TUint<N> Value, TUint<N> Compare)
+{
+	TUint<N> Result(0u);
+	for (int Lane = 0; Lane < N; ++Lane)
+	{
+		uint32_t* const Place = Mask[Lane] ? Places.Find(Lane) : nullptr;
+		if (!Place)
+		{
+			continue;
+		}
+		uint32_t Old = __atomic_load_n(Place, __ATOMIC_RELAXED);
+		if constexpr (bOwn)
+		{
+			*Place = TOperation::Apply(Old, Value.V[Lane], Compare.V[Lane]);
+		}
+		else if constexpr (std::is_same_v<TOperation, FAtomicAdd>)
+		{
+			Old = __atomic_fetch_add(Place, Value.V[Lane], __ATOMIC_RELAXED);
+		}
+		else
+		{
+			while (!__atomic_compare_exchange_n(Place, &Old, TOperation::Apply(Old, Value.V[Lane], Compare.V[Lane]),
+				true, __ATOMIC_RELAXED, __ATOMIC_RELAXED))
+			{
+			}
+		}
+		Result.V[Lane] = Old;
+	}
+	return Result;
+}
+
+} // namespace DRYDOCK_LANES_SET
+} // namespace Drydock::Lanes

@@ -1,0 +1,94 @@
+// Checks what threads do together: barriers, groupshared memory, atomics.
+#include "SpirvChecker.h"
+
+#include "SpirvLimits.h"
+#include "SpirvRefusals.h"
+
+namespace Drydock
+{
+
+using namespace Spirv;
+
+void FSpirvChecker::CheckGroupshared()
+{
+	uint64_t Bytes = 0;
+	for (const FSpirvVariable& Variable : Module.Variables)
+	{
+		if (Variable.Storage != StorageWorkgroup)
+		{
+			continue;
+		}
+		const FSpirvType& Type = Module.GetType(Variable.Type);
+		if (Module.ExecutionModel != ExecutionModelCompute)
+		{
+			Module.Fail("groupshared '" + Variable.Name + "': only the threads of a compute shader have groups");
+		}
+		if (Type.NumScalars == 0)
+		{
+			Module.Fail("groupshared '" + Variable.Name + "' holds a " + GetHlslTypeName(Module, Type) +
+						"; only numbers can be shared");
+		}
+		Bytes += uint64_t(Type.NumScalars) * 4;
+	}
+	if (Bytes > SpirvLimits::MaxGroupsharedBytes)
+	{
+		Module.Fail("groupshared variables of " + std::to_string(Bytes) + " bytes; Direct3D's limit is " +
+					std::to_string(SpirvLimits::MaxGroupsharedBytes) + " a group");
+	}
+}
+
+bool FSpirvChecker::CheckGroups(const FSpirvInstruction& I)
+{
+	if (I.Op == OpControlBarrier || I.Op == OpMemoryBarrier)
+	{
+		if (I.Op == OpControlBarrier && Module.ExecutionModel != ExecutionModelCompute)
+		{
+			Module.Fail("GroupMemoryBarrierWithGroupSync: only the threads of a compute shader have groups", &I);
+		}
+		return true;
+	}
+	if (I.Op == OpImageTexelPointer)
+	{
+		ExpectCount(I, 3);
+		const FSpirvVariable* const Variable = Module.FindVariable(I.Operands[0]);
+		Expect(Variable && Module.GetType(Variable->Type).Kind == ESpirvType::Image, I);
+		const FSpirvType& Type = Module.GetType(Variable->Type);
+		const bool bFits = Type.bStorageImage && !Type.bMultisampled &&
+						   (Type.Dim == Dim2D || Type.Dim == Dim3D || Type.Dim == DimBuffer);
+		if (!bFits)
+		{
+			Module.Fail("Interlocked* works on RWTexture2D, RWTexture2DArray, RWTexture3D and RWBuffer", &I);
+		}
+		const uint32_t Needed = Type.Dim == DimBuffer ? 1 : Type.Dim == Dim3D || Type.bArrayed ? 3 : 2;
+		Expect(Size(I, 1) >= Needed, I);
+		return true;
+	}
+	if (!IsSpirvAtomic(I.Op))
+	{
+		return false;
+	}
+	const bool bNoValue = I.Op == OpAtomicLoad || I.Op == OpAtomicIIncrement || I.Op == OpAtomicIDecrement;
+	const size_t NumOperands = I.Op == OpAtomicCompareExchange ? 6 : bNoValue ? 3 : 4;
+	Expect(I.Operands.size() == NumOperands && I.Op != OpAtomicCompareExchange + 1, I);
+	const FSpirvType& Pointer = Module.GetValueType(I.Operands[0]);
+	Expect(Pointer.Kind == ESpirvType::Pointer, I);
+	const ESpirvType Kind = Module.GetType(Pointer.Element).Kind;
+	if (Kind != ESpirvType::Int && Kind != ESpirvType::Uint)
+	{
+		Module.Fail("Interlocked* works on int and uint", &I);
+	}
+	const uint32_t Storage = Pointer.Storage;
+	if (Storage != StorageWorkgroup && Storage != StorageUniform && Storage != StorageStorageBuffer &&
+		Storage != StorageImage)
+	{
+		Module.Fail("Interlocked* works on groupshared variables and on what is bound for writing", &I);
+	}
+	Expect(!I.Result || Module.GetType(I.Type).Kind == Kind, I);
+	for (size_t i = NumOperands == 6 ? 4 : 3; i < NumOperands; ++i)
+	{
+		Expect(Size(I, i) == 1, I);
+	}
+	return true;
+}
+
+} // namespace Drydock

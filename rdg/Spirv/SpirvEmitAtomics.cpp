@@ -1,0 +1,123 @@
+// Emits barriers and atomics. Lanes change memory one after the other, the first one first.
+#include "SpirvEmitter.h"
+
+namespace Drydock
+{
+
+using namespace Spirv;
+
+namespace
+{
+
+constexpr ESpirvType Int = ESpirvType::Int;
+constexpr ESpirvType Uint = ESpirvType::Uint;
+
+const char* GetOperation(uint16_t Op)
+{
+	switch (Op)
+	{
+	case OpAtomicLoad:
+		return "FAtomicOr";
+	case OpAtomicStore:
+	case OpAtomicExchange:
+		return "FAtomicExchange";
+	case OpAtomicCompareExchange:
+		return "FAtomicCompareExchange";
+	case OpAtomicSMin:
+		return "FAtomicMin<int32_t>";
+	case OpAtomicUMin:
+		return "FAtomicMin<uint32_t>";
+	case OpAtomicSMax:
+		return "FAtomicMax<int32_t>";
+	case OpAtomicUMax:
+		return "FAtomicMax<uint32_t>";
+	case OpAtomicAnd:
+		return "FAtomicAnd";
+	case OpAtomicOr:
+		return "FAtomicOr";
+	case OpAtomicXor:
+		return "FAtomicXor";
+	default:
+		return "FAtomicAdd";
+	}
+}
+
+} // namespace
+
+std::string FSpirvEmitter::AtomicPlace(const FSpirvInstruction& I)
+{
+	const auto Texel = Definitions.find(I.Operands[0]);
+	if (Texel != Definitions.end() && Texel->second->Op == OpImageTexelPointer)
+	{
+		const FSpirvInstruction& Pointer = *Texel->second;
+		const std::string Handle = HandleOf(Pointer.Operands[0]);
+		const FSpirvType& Type = Module.GetType(Module.FindVariable(Pointer.Operands[0])->Type);
+		if (Type.Dim == DimBuffer)
+		{
+			return "AtomicElement(" + Handle + ", " + UseAs(Scalar(Pointer.Operands[1], 0), Uint, true) + ")";
+		}
+		const uint32_t Count = Type.Dim == Dim3D || Type.bArrayed ? 3 : 2;
+		return "AtomicTexel(" + Handle + ", " + Coordinates(Pointer, 1, Count, false, 0) + ")";
+	}
+	const FSpirvPlace Place = Resolve(I.Operands[0]);
+	if (Place.bBytes)
+	{
+		const FSpirvType& Type = Module.GetType(Place.Variable->Type);
+		if (!Type.bBufferBlock || Type.Members[0].bNonWritable)
+		{
+			Module.Fail("Interlocked* on '" + Place.Variable->Name + "', which is read-only", &I);
+		}
+		bool bVarying = false;
+		const std::string Offset = BufferOffsetText(Place, 0, bVarying);
+		return "AtomicBytes(g" + std::to_string(Place.Variable->Id) + ", " + (bVarying ? Offset : "U(" + Offset + ")") +
+			   ")";
+	}
+	bool bVarying = false;
+	const std::string Index = IndexText(Place, std::to_string(Place.Offset), bVarying);
+	return "AtomicShared(" + LocalArray(*Place.Variable, Module.GetType(Place.Type).Kind) + ", " +
+		   (bVarying ? Index : "I(" + Index + ")") + ")";
+}
+
+bool FSpirvEmitter::EmitGroups(const FSpirvInstruction& I)
+{
+	switch (I.Op)
+	{
+	case OpControlBarrier:
+		CloseSegment();
+		return true;
+	case OpMemoryBarrier:     // what a thread writes is there for the next that looks
+	case OpImageTexelPointer: // resolved where it is used
+		return true;
+	default:
+		break;
+	}
+	if (!IsSpirvAtomic(I.Op))
+	{
+		return false;
+	}
+	const auto Operand = [this, &I](size_t Index)
+	{
+		return UseAs(Scalar(I.Operands[Index], 0), Uint, true);
+	};
+	const bool bCompares = I.Op == OpAtomicCompareExchange;
+	const std::string Value = I.Op == OpAtomicLoad         ? "U(0u)"
+							  : I.Op == OpAtomicIIncrement ? "U(1u)"
+							  : I.Op == OpAtomicIDecrement ? "U(4294967295u)"
+							  : I.Op == OpAtomicISub       ? "U(0u) - " + Operand(3)
+														   : Operand(bCompares ? 4 : 3);
+	const std::string Text = std::string("Atomic<") + GetOperation(I.Op) + ">(e, " + AtomicPlace(I) + ", " + Value +
+							 ", " + (bCompares ? Operand(5) : "U(0u)") + ")";
+	const auto Uses = NumUses.find(I.Result);
+	if (I.Result && Uses != NumUses.end())
+	{
+		Define(I.Result, 0, {Text, Uint, true, -1});
+	}
+	else
+	{
+		Line(Text + ";");
+	}
+	Line("CountLanesOf(Args, &FKernelCounters::Stores, e);");
+	return true;
+}
+
+} // namespace Drydock

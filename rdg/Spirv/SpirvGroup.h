@@ -1,0 +1,50 @@
+// All threads of one group of a compute shader, run one after the other from one place where they wait for each other
+// to the next.
+#pragma once
+
+#include "SpirvThread.h"
+
+#include <memory>
+
+namespace Drydock
+{
+
+template<typename Real>
+class DRYDOCK_API TSpirvGroup
+{
+public:
+	using FWord = TSpirvWord<Real>;
+	/** What a thread saw of others' work, to run it again alone: TSpirvThread::SetLog. */
+	using FLog = std::vector<FWord>;
+
+	/** Program and Order must outlive it. */
+	TSpirvGroup(
+		const FSpirvProgram& InProgram, const FSpirvOrder& InOrder, const FSpirvSlotTable& Slots, uint32_t InWaveSize);
+
+	/** Runs the group of SV_GroupID; throws FSpirvError after MaxSteps instructions of a thread. */
+	void Run(const FKernelArgs& Args, const int32_t (&GroupId)[3], uint64_t MaxSteps);
+	/** The same, and what each thread saw, by SV_GroupIndex. */
+	std::vector<FLog> Record(const FKernelArgs& Args, const int32_t (&GroupId)[3], uint64_t MaxSteps);
+
+	uint32_t GetNumThreads() const { return uint32_t(Threads.size()); }
+	/** Dispatch id of a thread of a group. */
+	void GetPosition(const int32_t (&GroupId)[3], uint32_t Index, int32_t (&OutPosition)[3]) const;
+
+private:
+	void RunAll(const FKernelArgs& Args, const int32_t (&GroupId)[3], uint64_t MaxSteps);
+	/** Threads of [First, Last) go on until each has ended or waits at a barrier. */
+	void RunWave(uint32_t First, uint32_t Last, uint64_t MaxSteps);
+	/** Of those in [First, Last) that wait: the ones that are furthest behind, and at the same place. */
+	std::vector<uint32_t> FindLast(uint32_t First, uint32_t Last, bool bAtBarriers) const;
+
+	const FSpirvProgram& Program;
+	const uint32_t WaveSize;
+	std::vector<std::unique_ptr<TSpirvThread<Real>>> Threads;
+	std::vector<bool> Waits; // by thread; false: it has ended
+	std::vector<FWord> Groupshared;
+};
+
+extern template class TSpirvGroup<float>;
+extern template class TSpirvGroup<double>;
+
+} // namespace Drydock

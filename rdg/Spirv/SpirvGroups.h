@@ -1,0 +1,35 @@
+// What the threads of a compute shader do together, and what that asks of whoever runs them: whole groups at once,
+// waves in step, groups one after the other.
+#pragma once
+
+#include "SpirvStructure.h"
+
+namespace Drydock
+{
+
+/** Threads of a wave are those with neighbouring SV_GroupIndex, the first at a multiple of this. */
+constexpr uint32_t GDefaultWaveSize = 32;
+
+struct FSpirvGroupUse
+{
+	/** groupshared memory or barriers, or bWaves: a group is run as a whole, in the order of SV_GroupIndex, from one
+	 * barrier to the next. */
+	bool bGroups = false;
+	/** Threads of a wave go from one such operation to the next together, those of the lowest index first: atomics
+	 * whose result is used, so that who comes first does not depend on the machine. */
+	bool bWaves = false;
+	/** Groups run one after the other, by z, y and x: atomics on buffers and textures of which somebody sees the order.
+	 */
+	bool bInOrder = false;
+};
+
+FSpirvGroupUse FindGroupUse(const FSpirvModule& Module);
+
+/** A barrier in the region or in one inside; null: there is none. */
+const FSpirvInstruction* FindBarrier(const FSpirvModule& Module, const FStructRegion& Region);
+
+/** The variable that a pointer of an atomic operation leads to; null: none. */
+const FSpirvVariable* FindAtomicVariable(const FSpirvModule& Module, const FSpirvInstruction& Atomic,
+	const std::unordered_map<uint32_t, const FSpirvInstruction*>& Pointers);
+
+} // namespace Drydock
