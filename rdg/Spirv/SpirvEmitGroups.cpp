@@ -122,7 +122,11 @@ void FSpirvEmitter::EmitGroupRegion(const FStructRegion& Region)
 		const FStructNode& Node = Region.Nodes[i];
 		if (Node.Kind == EStructNode::Edge)
 		{
-			EmitGroupEdge(Node);
+			// Each pack runs a loop without barriers for itself, from its first turn on.
+			const FStructNode* const Next = i + 1 < Region.Nodes.size() ? &Region.Nodes[i + 1] : nullptr;
+			const bool bOwnLoop =
+				Next && Next->Kind == EStructNode::Loop && Next->Label == Node.To && !IsGroupNode(*Next);
+			EmitGroupEdge(Node, bOwnLoop);
 		}
 		else if (!IsGroupNode(Node))
 		{
@@ -146,10 +150,15 @@ void FSpirvEmitter::EmitGroupRegion(const FStructRegion& Region)
 	CloseSegment();
 }
 
-void FSpirvEmitter::EmitGroupEdge(const FStructNode& Node)
+void FSpirvEmitter::EmitGroupEdge(const FStructNode& Node, bool bOwnLoop)
 {
-	// Each pack has its own copies of what varies; what does not is copied once for all of them, and last.
 	OpenSegment(false);
+	if (bOwnLoop)
+	{
+		EmitPhiCopies(Node.From, Node.To, EPhiCopies::All);
+		return;
+	}
+	// Each pack has its own copies of what varies; what does not is copied once for all of them, and last.
 	EmitPhiCopies(Node.From, Node.To, EPhiCopies::Varying);
 	if (Node.bJump && !IsDirectBreak(Node.To))
 	{

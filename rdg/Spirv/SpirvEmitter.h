@@ -93,7 +93,7 @@ private:
 	// Groups
 	std::string EmitGroupRun();
 	void EmitGroupRegion(const FStructRegion& Region);
-	void EmitGroupEdge(const FStructNode& Node);
+	void EmitGroupEdge(const FStructNode& Node, bool bOwnLoop);
 	void EmitGroupIf(const FStructNode& Node);
 	void EmitGroupSwitch(const FStructNode& Node);
 	void EmitGroupLoop(const FStructNode& Node);
