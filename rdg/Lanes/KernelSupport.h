@@ -5,6 +5,7 @@
 #include "Lanes.h"
 #include "LanesAtomics.h"
 #include "LanesTapReads.h"
+#include "LanesWaves.h"
 #include "LanesWide.h"
 
 namespace Drydock::Lanes

@@ -25,6 +25,9 @@ TAutoConsoleVariable<int32> CVarPrecision(TEXT("r.Drydock.Precision"), 0,
 TAutoConsoleVariable<int32> CVarLaneWidth(TEXT("r.Drydock.LaneWidth"), 0,
 	TEXT("Pixels per step of a shader. 0: the widest of this CPU; 4, 8, 16: that many floats (half as many doubles)."));
 
+TAutoConsoleVariable<int32> CVarWaveSize(
+	TEXT("r.Drydock.WaveSize"), 32, TEXT("Threads of a wave, as WaveGetLaneCount() gives it: 4, 8, 16, 32 or 64."));
+
 /** Whose work compiling is, whoever asks for it. */
 const FCodeOwner GCompiler{.Callback = "the shader compiler"};
 
@@ -89,6 +92,7 @@ FLaneConfig GetShaderLaneConfig()
 {
 	FLaneConfig Config;
 	Config.bDouble = CVarPrecision.GetValueOnAnyThread() == 1;
+	Config.WaveSize = CVarWaveSize.GetValueOnAnyThread();
 	Config.Lanes = CVarLaneWidth.GetValueOnAnyThread() / (Config.bDouble ? 2 : 1);
 	return Config;
 }
@@ -141,7 +145,7 @@ std::shared_ptr<const FCompiledShader> GetCompiledShader(const FShaderRef& Shade
 	const FLaneConfig Lanes = GetShaderLaneConfig();
 	FShaderState& State = Shader->GetState();
 	std::lock_guard Lock(State.Mutex);
-	std::shared_ptr<const FCompiledShader>& Compiled = State.Compiled[{Lanes.bDouble, Lanes.Lanes}];
+	std::shared_ptr<const FCompiledShader>& Compiled = State.Compiled[{Lanes.bDouble, Lanes.Lanes, Lanes.WaveSize}];
 	if (!Compiled)
 	{
 		Compiled = CompileFor(Shader, CompileShader);

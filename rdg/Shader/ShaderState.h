@@ -7,7 +7,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <utility>
+#include <tuple>
 
 namespace Drydock
 {
@@ -15,8 +15,8 @@ namespace Drydock
 struct FShaderState
 {
 	std::mutex Mutex;
-	std::map<std::pair<bool, int32_t>, std::shared_ptr<const FCompiledShader>>
-		Compiled; // by precision and asked-for lanes
+	std::map<std::tuple<bool, int32_t, int32_t>, std::shared_ptr<const FCompiledShader>>
+		Compiled; // by precision, asked-for lanes and wave size
 	std::shared_ptr<const FShaderReflection> Reflection;
 	std::map<const FShaderParametersMetadata*, std::shared_ptr<const FShaderBindingPlan>> Plans;
 };

@@ -33,6 +33,20 @@ EShLanguage GetStage(uint32_t Stage)
 														 : EShLangCompute;
 }
 
+/** A name that is not one of these costs a newer SPIR-V at worst. */
+bool UsesWaves(const std::string& Text)
+{
+	for (const char* Name :
+		{"WaveActive", "WaveAll", "WaveAny", "WaveGet", "WaveIs", "WavePrefix", "WaveRead", "QuadRead"})
+	{
+		if (Text.find(Name) != std::string::npos)
+		{
+			return true;
+		}
+	}
+	return false;
+}
+
 void AddLog(const char* Log, std::string& Output)
 {
 	if (*Log)
@@ -62,8 +76,9 @@ FResult Compile(const FRequestHead& Head, const std::string& Entry, const std::s
 	Shader.setAutoMapLocations(true);
 	Shader.setNanMinMaxClamp(true); // min, max and clamp by D3D's NaN rules
 	Shader.setEnvInput(glslang::EShSourceHlsl, Stage, glslang::EShClientVulkan, 100);
-	Shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_0);
-	Shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_0);
+	const bool bWaves = UsesWaves(Text); // SPIR-V 1.0 has none, and the optimiser refuses what is not of its version
+	Shader.setEnvClient(glslang::EShClientVulkan, bWaves ? glslang::EShTargetVulkan_1_1 : glslang::EShTargetVulkan_1_0);
+	Shader.setEnvTarget(glslang::EShTargetSpv, bWaves ? glslang::EShTargetSpv_1_3 : glslang::EShTargetSpv_1_0);
 	Shader.setEnvTargetHlslFunctionality1(); // semantics of inputs are kept
 	constexpr int DefaultVersion = 100;
 	bool bGood = Shader.parse(GetDefaultResources(), DefaultVersion, false, Messages);

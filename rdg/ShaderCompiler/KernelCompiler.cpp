@@ -183,6 +183,14 @@ FLaneConfig ResolveLanes(FLaneConfig Lanes)
 				{}, 0, 0, {}},
 			ExitUsage);
 	}
+	if (Lanes.WaveSize < 4 || Lanes.WaveSize > 64 || (Lanes.WaveSize & (Lanes.WaveSize - 1)))
+	{
+		throw FError({ESeverity::Error, 6003,
+						 "waves cannot have " + std::to_string(Lanes.WaveSize) +
+							 " threads (r.Drydock.WaveSize); they have 4, 8, 16, 32 or 64",
+						 {}, 0, 0, {}},
+			ExitUsage);
+	}
 	return Lanes;
 }
 

@@ -19,6 +19,7 @@ struct FLaneConfig
 {
 	bool bDouble = false;
 	int32_t Lanes = 0;
+	int32_t WaveSize = 32; // threads of a wave, of compute shaders whose threads work together: 4, 8, 16, 32 or 64
 };
 
 /** A uniform buffer that the shader may read. */

@@ -237,7 +237,8 @@ void Build(const FShaderSource& Source, const FShaderCompileRequest& Request, co
 		[&]
 		{
 			const FSpirvUniformity Uniformity = AnalyzeUniformity(Shader.Module, Shader.Structure);
-			return EmitKernel({Shader.Module, Shader.Structure, Uniformity, Shader.Reflection},
+			return EmitKernel(
+				{Shader.Module, Shader.Structure, Uniformity, Shader.Reflection, uint32_t(Result.Lanes.WaveSize)},
 				Request.VirtualPath + ", entry " + Request.EntryPoint);
 		});
 	Result.Reflection = Shader.Reflection.Reflection;
@@ -329,7 +330,9 @@ std::shared_ptr<const FCompiledShader> MakeShader(const FShaderCompileRequest& R
 	const std::string CompilerId = GetCompilerId(FindKernelCompiler());
 	Result->Lanes = Lanes;
 	Result->Files = Source.Files;
-	Result->Key = HashSource(Source, Request, GetKernelBuildIdentity(Lanes));
+	const bool bUsualWaves = Lanes.WaveSize == FLaneConfig().WaveSize;
+	Result->Key = HashSource(Source, Request,
+		GetKernelBuildIdentity(Lanes) + (bUsualWaves ? std::string() : " waves of " + std::to_string(Lanes.WaveSize)));
 	if (!LoadFromCache(Cache, CompilerId, *Result))
 	{
 		Cache.WithLock(Result->Key,
@@ -350,7 +353,8 @@ std::shared_ptr<const FCompiledShader> MakeShader(const FShaderCompileRequest& R
 std::shared_ptr<const FCompiledShader> CompileShader(const FShaderCompileRequest& Request)
 {
 	const FLaneConfig Lanes = ResolveLanes(Request.Lanes);
-	const std::string Key = HashRequest(Request) + (Lanes.bDouble ? "d" : "f") + std::to_string(Lanes.Lanes);
+	const std::string Key = HashRequest(Request) + (Lanes.bDouble ? "d" : "f") + std::to_string(Lanes.Lanes) + "w" +
+							std::to_string(Lanes.WaveSize);
 	return GetKernels().Find(Key, [&] { return MakeShader(Request, Lanes); });
 }
 

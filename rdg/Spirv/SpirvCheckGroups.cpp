@@ -37,6 +37,51 @@ void FSpirvChecker::CheckGroupshared()
 	}
 }
 
+void FSpirvChecker::CheckWave(const FSpirvInstruction& I)
+{
+	ExpectCount(I, 1);
+	switch (I.Op)
+	{
+	case OpGroupNonUniformElect:
+		Expect(ResultSize(I) == 1, I);
+		return;
+	case OpGroupNonUniformAll:
+	case OpGroupNonUniformAny:
+		Expect(ResultSize(I) == 1 && Size(I, 1) == 1 && Module.GetValueType(I.Operands[1]).Kind == ESpirvType::Bool, I);
+		return;
+	case OpGroupNonUniformAllEqual:
+		Expect(ResultSize(I) == 1 && Size(I, 1) != 0, I);
+		return;
+	case OpGroupNonUniformBallot:
+		Expect(ResultSize(I) == 4 && Size(I, 1) == 1 && Module.GetValueType(I.Operands[1]).Kind == ESpirvType::Bool, I);
+		return;
+	case OpGroupNonUniformBallotBitCount:
+		ExpectCount(I, 3);
+		Expect(ResultSize(I) == 1 && Size(I, 2) == 4 && (I.Operands[1] == 0 || I.Operands[1] == 2), I);
+		return;
+	case OpGroupNonUniformBroadcastFirst:
+		Expect(Size(I, 1) == ResultSize(I), I);
+		return;
+	case OpGroupNonUniformBroadcast:
+	case OpGroupNonUniformShuffle:
+	case OpGroupNonUniformQuadBroadcast:
+	case OpGroupNonUniformQuadSwap:
+		Expect(Size(I, 1) == ResultSize(I) && Size(I, 2) == 1, I);
+		return;
+	default:
+	{
+		const bool bArithmetic = I.Op >= OpGroupNonUniformIAdd && I.Op <= OpGroupNonUniformBitwiseXor;
+		if (!bArithmetic)
+		{
+			Module.Fail(GetSpirvOpName(I.Op) + ": this wave operation is not one of HLSL's", &I);
+		}
+		ExpectCount(I, 3);
+		Expect(Size(I, 2) == ResultSize(I) && (I.Operands[1] == 0 || I.Operands[1] == 2), I);
+		return;
+	}
+	}
+}
+
 bool FSpirvChecker::CheckGroups(const FSpirvInstruction& I)
 {
 	if (I.Op == OpControlBarrier || I.Op == OpMemoryBarrier)
@@ -61,6 +106,11 @@ bool FSpirvChecker::CheckGroups(const FSpirvInstruction& I)
 		}
 		const uint32_t Needed = Type.Dim == DimBuffer ? 1 : Type.Dim == Dim3D || Type.bArrayed ? 3 : 2;
 		Expect(Size(I, 1) >= Needed, I);
+		return true;
+	}
+	if (IsSpirvWave(I.Op))
+	{
+		CheckWave(I);
 		return true;
 	}
 	if (!IsSpirvAtomic(I.Op))

@@ -111,6 +111,8 @@ void FSpirvChecker::CheckInput(const FSpirvVariable& Variable)
 		bFits = Size == 4;
 		break;
 	case BuiltInLocalInvocationIndex:
+	case BuiltInSubgroupSize:
+	case BuiltInSubgroupLocalInvocationId:
 	case BuiltInFrontFacing:
 	case BuiltInVertexIndex:
 	case BuiltInInstanceIndex:
@@ -244,7 +246,9 @@ void FSpirvChecker::CheckPhi(const FSpirvInstruction& I)
 
 void FSpirvChecker::CheckInstruction(const FSpirvInstruction& I)
 {
-	if (const std::string Refusal = ExplainRefusedOp(I.Op, I.Operands.data(), I.Operands.size()); !Refusal.empty())
+	const bool bWave = Module.ExecutionModel == ExecutionModelCompute && IsSpirvWave(I.Op);
+	if (const std::string Refusal = ExplainRefusedOp(I.Op, I.Operands.data(), I.Operands.size());
+		!Refusal.empty() && !bWave)
 	{
 		Module.Fail(Refusal, &I);
 	}

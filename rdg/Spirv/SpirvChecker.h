@@ -27,6 +27,7 @@ private:
 	[[noreturn]] void FailCall(const FSpirvInstruction& I) const;
 	void CheckGroupshared();
 	bool CheckGroups(const FSpirvInstruction& I);
+	void CheckWave(const FSpirvInstruction& I);
 	bool CheckMemory(const FSpirvInstruction& I);
 	bool CheckComposite(const FSpirvInstruction& I);
 	bool CheckMatrix(const FSpirvInstruction& I);

@@ -274,6 +274,10 @@ std::vector<FEmitScalar> FSpirvEmitter::LoadGroupInput(const FSpirvVariable& Var
 	{
 	case BuiltInLocalInvocationIndex:
 		return {{"AsUint(T)", ESpirvType::Uint, true, -1}};
+	case BuiltInSubgroupSize:
+		return {{"uint32_t(N)", ESpirvType::Uint, false, -1}};
+	case BuiltInSubgroupLocalInvocationId:
+		return {{"AsUint(LaneIndex<N>())", ESpirvType::Uint, true, -1}};
 	case BuiltInWorkgroupId:
 		for (int Axis = 0; Axis < 3; ++Axis)
 		{

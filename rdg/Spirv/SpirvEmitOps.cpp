@@ -110,8 +110,8 @@ void FSpirvEmitter::EmitInstruction(const FSpirvInstruction& I)
 	{
 		EmitExtended(I);
 	}
-	else if (!EmitMemory(I) && !EmitGroups(I) && !EmitImage(I) && !EmitComposite(I) && !EmitComponentwise(I) &&
-			 !EmitMatrix(I))
+	else if (!EmitMemory(I) && !EmitGroups(I) && !EmitWaves(I) && !EmitImage(I) && !EmitComposite(I) &&
+			 !EmitComponentwise(I) && !EmitMatrix(I))
 	{
 		Module.Fail(GetSpirvOpName(I.Op) + " is not supported on the CPU tier", &I);
 	}

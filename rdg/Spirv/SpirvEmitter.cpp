@@ -236,7 +236,7 @@ bool FSpirvEmitter::IsMovable(const FSpirvInstruction& I) const
 		return true;
 	default:
 		return I.Result && (I.Op < OpSampledImage || I.Op > OpImageRead) && I.Op != OpFunctionCall &&
-			   !IsSpirvAtomic(I.Op);
+			   !IsSpirvAtomic(I.Op) && !IsSpirvWave(I.Op);
 	}
 }
 

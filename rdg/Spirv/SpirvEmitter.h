@@ -105,6 +105,7 @@ private:
 	std::string PlaceDeclarations(std::string& InitialText);
 	std::vector<FEmitScalar> LoadGroupInput(const FSpirvVariable& Variable);
 	bool EmitGroups(const FSpirvInstruction& I);
+	bool EmitWaves(const FSpirvInstruction& I);
 	std::string AtomicPlace(const FSpirvInstruction& I);
 
 	// Instructions

@@ -51,7 +51,7 @@ bool ForEachFlow(const FSpirvModule& Module, const FSpirvInstruction& I, TCopy C
 	default:
 		break;
 	}
-	if (!I.Result || IsSpirvAtomic(I.Op) || I.Op == OpImageTexelPointer)
+	if (!I.Result || IsSpirvAtomic(I.Op) || IsSpirvWave(I.Op) || I.Op == OpImageTexelPointer)
 	{
 		return false;
 	}

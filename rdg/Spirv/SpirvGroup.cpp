@@ -24,6 +24,7 @@ TSpirvGroup<Real>::TSpirvGroup(
 		Threads.push_back(std::make_unique<TSpirvThread<Real>>(Program, Slots));
 		Threads.back()->SetGroupshared(Groupshared.data());
 		Threads.back()->SetOrder(&Order);
+		Threads.back()->SetLane(uint32_t(i) % WaveSize, WaveSize);
 	}
 }
 
@@ -98,13 +99,25 @@ void TSpirvGroup<Real>::RunWave(uint32_t First, uint32_t Last, uint64_t MaxSteps
 		{
 			return;
 		}
-		for (const uint32_t i : Together)
+		if (IsSpirvWave(Threads[Together.front()]->GetWaiting().I->Op))
 		{
-			Threads[i]->ExecuteWaiting();
-			Threads[i]->StepOver();
+			std::vector<TSpirvThread<Real>*> Taking;
+			for (const uint32_t i : Together)
+			{
+				Taking.push_back(Threads[i].get());
+			}
+			TSpirvThread<Real>::ExecuteTogether(Taking);
+		}
+		else
+		{
+			for (const uint32_t i : Together)
+			{
+				Threads[i]->ExecuteWaiting();
+			}
 		}
 		for (const uint32_t i : Together)
 		{
+			Threads[i]->StepOver();
 			Waits[i] = Threads[i]->Advance(MaxSteps);
 		}
 	}

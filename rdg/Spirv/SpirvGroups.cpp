@@ -73,6 +73,7 @@ FSpirvGroupUse FindGroupUse(const FSpirvModule& Module)
 			// Scope and semantics of an atomic are constants, never its neighbours' results.
 			Used.insert(I.Operands.begin(), I.Operands.end());
 			Use.bGroups = Use.bGroups || I.Op == OpControlBarrier;
+			Use.bWaves = Use.bWaves || IsSpirvWave(I.Op);
 		}
 	}
 	std::map<uint32_t, FSharedMemory> Memory; // by variable
@@ -120,7 +121,10 @@ FSpirvGroupUse FindGroupUse(const FSpirvModule& Module)
 	}
 	for (const FSpirvVariable& Variable : Module.Variables)
 	{
+		const bool bWaveInput =
+			Variable.BuiltIn == BuiltInSubgroupSize || Variable.BuiltIn == BuiltInSubgroupLocalInvocationId;
 		Use.bGroups = Use.bGroups || (Variable.Storage == StorageWorkgroup && Used.count(Variable.Id));
+		Use.bWaves = Use.bWaves || (bWaveInput && Used.count(Variable.Id));
 	}
 	Use.bWaves = Use.bWaves || Use.bInOrder;
 	Use.bGroups = Use.bGroups || Use.bWaves;

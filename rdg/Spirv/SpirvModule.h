@@ -210,6 +210,12 @@ constexpr bool IsSpirvAtomic(uint16_t Op)
 	return Op >= Spirv::OpAtomicLoad && Op <= Spirv::OpAtomicXor;
 }
 
+/** What the threads of a wave tell each other. Operands: scope first. */
+constexpr bool IsSpirvWave(uint16_t Op)
+{
+	return Op >= Spirv::OpGroupNonUniformElect && Op <= Spirv::OpGroupNonUniformQuadSwap;
+}
+
 /** "OpFunctionCall", or "Op4711" when the number is not one that messages name. */
 std::string GetSpirvOpName(uint16_t Op);
 

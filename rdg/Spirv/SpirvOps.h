@@ -46,7 +46,14 @@ enum EOp : uint16_t
 	OpAtomicAnd = 240, OpAtomicOr = 241, OpAtomicXor = 242,
 	OpPhi = 245, OpLoopMerge = 246, OpSelectionMerge = 247, OpLabel = 248, OpBranch = 249, OpBranchConditional = 250,
 	OpSwitch = 251, OpKill = 252, OpReturn = 253, OpReturnValue = 254, OpUnreachable = 255,
-	OpNoLine = 317, OpModuleProcessed = 330, OpDecorateId = 332, OpGroupNonUniformElect = 333, OpGroupNonUniformQuadSwap = 366,
+	OpNoLine = 317, OpModuleProcessed = 330, OpDecorateId = 332,
+	OpGroupNonUniformElect = 333, OpGroupNonUniformAll = 334, OpGroupNonUniformAny = 335, OpGroupNonUniformAllEqual = 336,
+	OpGroupNonUniformBroadcast = 337, OpGroupNonUniformBroadcastFirst = 338, OpGroupNonUniformBallot = 339,
+	OpGroupNonUniformBallotBitCount = 342, OpGroupNonUniformShuffle = 345, OpGroupNonUniformIAdd = 349,
+	OpGroupNonUniformFAdd = 350, OpGroupNonUniformIMul = 351, OpGroupNonUniformFMul = 352, OpGroupNonUniformSMin = 353,
+	OpGroupNonUniformUMin = 354, OpGroupNonUniformFMin = 355, OpGroupNonUniformSMax = 356, OpGroupNonUniformUMax = 357,
+	OpGroupNonUniformFMax = 358, OpGroupNonUniformBitwiseAnd = 359, OpGroupNonUniformBitwiseOr = 360,
+	OpGroupNonUniformBitwiseXor = 361, OpGroupNonUniformQuadBroadcast = 365, OpGroupNonUniformQuadSwap = 366,
 	OpDecorateString = 5632, OpMemberDecorateString = 5633
 };
 
@@ -75,6 +82,7 @@ enum EBuiltIn : uint32_t
 {
 	BuiltInPosition = 0, BuiltInFragCoord = 15, BuiltInFrontFacing = 17, BuiltInFragDepth = 22, BuiltInWorkgroupId = 26,
 	BuiltInLocalInvocationId = 27, BuiltInGlobalInvocationId = 28, BuiltInLocalInvocationIndex = 29,
+	BuiltInSubgroupSize = 36, BuiltInSubgroupLocalInvocationId = 41,
 	BuiltInVertexIndex = 42, BuiltInInstanceIndex = 43, BuiltInNone = ~0u
 };
 

@@ -206,9 +206,10 @@ void FSpirvProgram::AddStep(const FSpirvInstruction& I)
 	const bool bAtomic = IsSpirvAtomic(I.Op);
 	const bool bMemory = I.Op == OpLoad && Module.GetType(I.Type).NumScalars;
 	const uint32_t Storage = bMemory ? Module.GetValueType(I.Operands[0]).Storage : 0;
-	Step.bSync = I.Op == OpControlBarrier || (Groups.bWaves && bAtomic);
+	const bool bWave = IsSpirvWave(I.Op);
+	Step.bSync = I.Op == OpControlBarrier || bWave || (Groups.bWaves && bAtomic);
 	Step.bOfOthers = Groups.bGroups && I.Result &&
-					 (bAtomic || I.Op == OpImageRead || (bMemory && Storage == StorageWorkgroup) ||
+					 (bAtomic || bWave || I.Op == OpImageRead || (bMemory && Storage == StorageWorkgroup) ||
 						 (bMemory && Step.Place != ~0u && Places[Step.Place].ElementStride));
 	Steps.push_back(Step);
 }

@@ -15,6 +15,15 @@ namespace Drydock
 
 using namespace Spirv;
 
+namespace
+{
+
+constexpr uint32_t GeneratorGlslang = 8; // Khronos' register of generators
+constexpr uint32_t InclusiveScan = 1;
+constexpr uint32_t ExclusiveScan = 2;
+
+} // namespace
+
 void FSpirvReader::CheckId(uint32_t Id) const
 {
 	if (Id == 0 || Id >= Module.Bound)
@@ -75,7 +84,7 @@ void FSpirvReader::ReadInOtherFunction(uint16_t Op, FSpirvOperands& Operands)
 		const bool bBuiltIn = Found != Decorations.end() && Found->second.Values.count(DecorationBuiltIn);
 		Message = bBuiltIn ? ExplainRefusedBuiltIn(Found->second.Values.at(DecorationBuiltIn)) : std::string();
 	}
-	else if (Words.size() >= 2)
+	else if (Words.size() >= 2 && !(IsSpirvWave(Op) && Module.ExecutionModel == ExecutionModelCompute))
 	{
 		Message = ExplainRefusedOp(Op, Words.data() + 2, Words.size() - 2);
 	}
@@ -213,6 +222,11 @@ void FSpirvReader::ReadInFunction(uint16_t Op, FSpirvOperands& Operands)
 		Instruction.Result = Operands.Next();
 	}
 	Instruction.Operands = Operands.Rest();
+	const bool bArithmetic = Op >= OpGroupNonUniformIAdd && Op <= OpGroupNonUniformBitwiseXor;
+	if (bArithmetic && bGlslang && Instruction.Operands.size() > 1 && Instruction.Operands[1] == InclusiveScan)
+	{
+		Instruction.Operands[1] = ExclusiveScan; // glslang takes WavePrefix* for the other kind of prefix
+	}
 	if (!TypeFaults.empty())
 	{
 		CheckTypeFaults(Instruction);
@@ -368,6 +382,7 @@ FSpirvModule FSpirvReader::Read()
 		throw FSpirvError("SPIR-V: not a module");
 	}
 	Module.Bound = Words[3];
+	bGlslang = Words[2] >> 16 == GeneratorGlslang;
 	if (Module.Bound > SpirvLimits::MaxIds)
 	{
 		throw FSpirvError("SPIR-V: too many ids");

@@ -131,6 +131,7 @@ private:
 	uint32_t CurrentFile = 0;
 	int CurrentLine = 0;
 	bool bBlockOpen = false;
+	bool bGlslang = false;
 };
 
 } // namespace Drydock

@@ -162,6 +162,13 @@ void FReflector::AddInput(const FSpirvVariable& Variable)
 	case BuiltInGlobalInvocationId:
 	case BuiltInLocalInvocationIndex:
 		return;
+	case BuiltInSubgroupSize:
+	case BuiltInSubgroupLocalInvocationId:
+		if (Module.ExecutionModel == ExecutionModelCompute)
+		{
+			return;
+		}
+		Module.Fail(ExplainRefusedBuiltIn(Variable.BuiltIn));
 	default:
 		Module.Fail("input '" + Variable.Name + "' (" + Variable.Semantic + ") is not supported on the CPU tier");
 	}

@@ -15,9 +15,8 @@ namespace
 const char* const NoDerivatives = "there are no derivatives on the CPU tier: threads do not run in quads. Compute the "
 								  "step from the texel size, or use "
 								  "SampleLevel";
-const char* const NoWaves = "wave operations are not supported on the CPU tier: the number of lanes differs between "
-							"machines. Give each thread a "
-							"place of its own and reduce in another pass";
+const char* const NoWaves = "wave operations run in compute shaders only: pixels have no order that waves could be "
+							"cut from. Read the neighbouring texels instead";
 const char* const NoQuads = "quad operations are not supported on the CPU tier: threads do not run in quads. Read the "
 							"neighbouring texels instead";
 const char* const NoComparison =
@@ -58,9 +57,6 @@ const FRow Rows[] = {
 	{365, "QuadReadLaneAt", NoQuads}, {OpGroupNonUniformQuadSwap, "QuadReadAcross*", NoQuads},
 };
 // clang-format on
-
-constexpr uint32_t BuiltInSubgroupSize = 36;
-constexpr uint32_t BuiltInSubgroupLocalInvocationId = 41;
 
 std::string GetImageName(const FSpirvModule& Module, const FSpirvType& Type)
 {

@@ -1,6 +1,7 @@
 // One thread of a shader, run instruction by instruction, block after block, as the specification says. It knows
 // nothing of lanes, masks, structure or uniformity. SpirvThread.inl: inputs, blocks and calls; SpirvThreadMemory.inl:
-// pointers and buffers; SpirvThreadGroups.inl: what threads do together; SpirvThreadValues.inl: vectors, matrices and
+// pointers and buffers; SpirvThreadGroups.inl and SpirvThreadWaves.inl: what threads do
+// together; SpirvThreadValues.inl: vectors, matrices and
 // functions of them; SpirvThreadImages.inl: textures.
 #pragma once
 
@@ -39,7 +40,15 @@ public:
 	bool Advance(uint64_t MaxSteps);
 	const FSpirvStep& GetWaiting() const { return Program.Steps[At]; }
 	void ExecuteWaiting();
+	/** A wave operation that all of these wait at, in the order of their lanes. */
+	static void ExecuteTogether(const std::vector<TSpirvThread*>& Together);
 	void StepOver();
+	/** Its place in its wave. */
+	void SetLane(uint32_t InLane, uint32_t InWaveSize)
+	{
+		Lane = InLane;
+		WaveSize = InWaveSize;
+	}
 	/** Groupshared memory, of as many words as the program says; null: the thread's own. */
 	void SetGroupshared(FWord* Memory) { Groupshared = Memory; }
 	/** Turns of each loop around the place where the thread waits, by Order; and where it is. */
@@ -89,6 +98,8 @@ private:
 	uint32_t ChooseTarget(const FSpirvStep& Step) const;
 	void Execute(const FSpirvStep& Step);
 	bool ExecuteFromLog(const FSpirvStep& Step);
+	void Note(const FSpirvStep& Step);
+	void ShowWaiting();
 	bool ExecuteAtomic(const FSpirvStep& Step);
 	void PointAtTexel(const FSpirvStep& Step);
 	uint32_t* FindTexel(const FSpirvStep& Step);
@@ -193,6 +204,8 @@ private:
 	std::vector<FWord>* Log = nullptr;
 	size_t LogPosition = 0;
 	bool bReplay = false;
+	uint32_t Lane = 0;
+	uint32_t WaveSize = 1;
 };
 
 extern template class TSpirvThread<float>;

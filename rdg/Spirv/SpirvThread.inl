@@ -117,6 +117,12 @@ void TSpirvThread<Real>::FillInput(const FSpirvVariable& Variable, FWord* Out) c
 			Out[Axis] = Local(Axis);
 		}
 		return;
+	case BuiltInSubgroupSize:
+		Out[0] = WaveSize;
+		return;
+	case BuiltInSubgroupLocalInvocationId:
+		Out[0] = Lane;
+		return;
 	case BuiltInLocalInvocationIndex:
 		Out[0] = (Local(2) * uint32_t(Group[1]) + Local(1)) * uint32_t(Group[0]) + Local(0);
 		return;
@@ -453,10 +459,7 @@ void TSpirvThread<Real>::Execute(const FSpirvStep& Step)
 		}
 		break;
 	}
-	if (Step.bOfOthers && Log && !bReplay)
-	{
-		Log->insert(Log->end(), Result(Step), Result(Step) + Step.Size);
-	}
+	Note(Step);
 }
 
 } // namespace Drydock

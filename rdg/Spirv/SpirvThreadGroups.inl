@@ -42,13 +42,33 @@ template<typename Real>
 void TSpirvThread<Real>::ExecuteWaiting()
 {
 	const FSpirvStep& Step = GetWaiting();
+	if (IsSpirvWave(Step.I->Op) && !(Log && bReplay))
+	{
+		ExecuteTogether({this});
+		return;
+	}
 	if (Step.I->Op != OpControlBarrier)
 	{
 		Execute(Step);
 	}
-	if (Step.bHook && Observer)
+	ShowWaiting();
+}
+
+template<typename Real>
+void TSpirvThread<Real>::ShowWaiting()
+{
+	if (GetWaiting().bHook && Observer)
 	{
-		Observer->OnStep(*this, Step);
+		Observer->OnStep(*this, GetWaiting());
+	}
+}
+
+template<typename Real>
+void TSpirvThread<Real>::Note(const FSpirvStep& Step)
+{
+	if (Step.bOfOthers && Log && !bReplay)
+	{
+		Log->insert(Log->end(), Result(Step), Result(Step) + Step.Size);
 	}
 }
 

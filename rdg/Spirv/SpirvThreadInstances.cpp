@@ -5,6 +5,7 @@
 #include "SpirvThreadGroups.inl"
 #include "SpirvThreadMemory.inl"
 #include "SpirvThreadValues.inl"
+#include "SpirvThreadWaves.inl"
 
 namespace Drydock
 {

@@ -97,7 +97,8 @@ bool FUniformityAnalysis::IsInputVarying(const FSpirvVariable& Variable, uint32_
 	if (bGroups)
 	{
 		const bool bOne = Scalar < 3 && Module.LocalSize[Scalar] == 1;
-		return Variable.BuiltIn != BuiltInWorkgroupId && (Variable.BuiltIn == BuiltInLocalInvocationIndex || !bOne);
+		const bool bSame = Variable.BuiltIn == BuiltInWorkgroupId || Variable.BuiltIn == BuiltInSubgroupSize;
+		return !bSame && (Module.GetType(Variable.Type).NumScalars == 1 || !bOne);
 	}
 	switch (Variable.BuiltIn)
 	{
@@ -244,7 +245,7 @@ void FUniformityAnalysis::Visit(const FSpirvBlock& Block, const FSpirvInstructio
 		}
 		break;
 	default:
-		if (IsSpirvAtomic(I.Op) && I.Result)
+		if ((IsSpirvAtomic(I.Op) || IsSpirvWave(I.Op)) && I.Result)
 		{
 			MarkAll(I.Result);
 		}

@@ -74,6 +74,7 @@ public:
 	FKernelSampler Sampler = {
 		EKernelFilter::Bilinear, EKernelAddress::Clamp, EKernelAddress::Clamp, EKernelAddress::Clamp, 8, 0, {}};
 	std::vector<FTestTexture> Targets;
+	int32_t WaveSize = FLaneConfig().WaveSize;
 	FKernelInterpolant Interpolants[4] = {};
 
 	void SetFloats(const std::string& Name, const std::vector<float>& Values)
@@ -97,7 +98,7 @@ public:
 	/** The compiled kernel over [0, X) x [0, Y) x [0, Z). */
 	std::shared_ptr<const FCompiledShader> Run(int32_t Lanes, int32_t X, int32_t Y, int32_t Z = 1, bool bDouble = false)
 	{
-		Request.Lanes = {bDouble, Lanes};
+		Request.Lanes = {bDouble, Lanes, WaveSize};
 		const std::shared_ptr<const FCompiledShader> Shader = CompileShader(Request);
 		Bind(Shader->Reflection);
 		Shader->Run(Args, {0, 0, 0, X, Y, Z});
@@ -111,7 +112,7 @@ public:
 		const FSpirvModule Module = ReadSpirv(CompileToSpirv(Source, Request));
 		const FSpirvReflection Reflection = ReflectSpirv(Module, BuildSpirvStructure(Module), Source.Text);
 		Bind(Reflection.Reflection);
-		FSpirvInterpreter Interpreter(Module, Reflection);
+		FSpirvInterpreter Interpreter(Module, Reflection, uint32_t(WaveSize));
 		if (Reflection.Reflection.bGroups)
 		{
 			const int32_t* const Size = Reflection.Reflection.GroupSize;

@@ -1,0 +1,127 @@
+// Emits wave operations. A wave is a pack: the mask of the lanes that run says who takes part.
+#include "SpirvEmitter.h"
+
+namespace Drydock
+{
+
+using namespace Spirv;
+
+namespace
+{
+
+constexpr ESpirvType Int = ESpirvType::Int;
+constexpr ESpirvType Uint = ESpirvType::Uint;
+constexpr ESpirvType Bool = ESpirvType::Bool;
+constexpr uint32_t Reduce = 0; // SPIR-V's group operation
+
+struct FWaveArithmetic
+{
+	uint16_t Op;
+	const char* Name;
+	ESpirvType Kind;
+	const char* Identity;
+};
+
+// clang-format off
+constexpr FWaveArithmetic Arithmetic[] = {
+	{OpGroupNonUniformIAdd, "FWaveAdd", Uint, "0u"}, {OpGroupNonUniformFAdd, "FWaveAdd", ESpirvType::Float, "Real(0)"},
+	{OpGroupNonUniformIMul, "FWaveMultiply", Uint, "1u"}, {OpGroupNonUniformFMul, "FWaveMultiply", ESpirvType::Float, "Real(1)"},
+	{OpGroupNonUniformSMin, "FWaveMin", Int, "int32_t(2147483647)"}, {OpGroupNonUniformUMin, "FWaveMin", Uint, "~0u"},
+	{OpGroupNonUniformFMin, "FWaveMin", ESpirvType::Float, "Real(__builtin_inff())"},
+	{OpGroupNonUniformSMax, "FWaveMax", Int, "(-2147483647 - 1)"}, {OpGroupNonUniformUMax, "FWaveMax", Uint, "0u"},
+	{OpGroupNonUniformFMax, "FWaveMax", ESpirvType::Float, "Real(-__builtin_inff())"},
+	{OpGroupNonUniformBitwiseAnd, "FWaveAnd", Uint, "~0u"}, {OpGroupNonUniformBitwiseOr, "FWaveOr", Uint, "0u"},
+	{OpGroupNonUniformBitwiseXor, "FWaveXor", Uint, "0u"},
+};
+// clang-format on
+
+} // namespace
+
+bool FSpirvEmitter::EmitWaves(const FSpirvInstruction& I)
+{
+	if (!IsSpirvWave(I.Op))
+	{
+		return false;
+	}
+	const auto Operand = [this, &I](size_t At, uint32_t Index, ESpirvType Kind)
+	{
+		return UseAs(Scalar(I.Operands[At], Index), Kind, true);
+	};
+	for (const FWaveArithmetic& A : Arithmetic)
+	{
+		if (A.Op != I.Op)
+		{
+			continue;
+		}
+		const bool bReduce = I.Operands[1] == Reduce;
+		for (uint32_t i = 0; i < SizeOf(I.Result); ++i)
+		{
+			const std::string Head = std::string(bReduce ? "WaveReduce<" : "WavePrefix<") + A.Name + ">(e, ";
+			const std::string Rest = bReduce ? ")" : std::string(", ") + A.Identity + ")";
+			Define(I.Result, i, {Head + Operand(2, i, A.Kind) + Rest, A.Kind, true, -1});
+		}
+		return true;
+	}
+	const auto Each = [&](const std::string& Head, const std::string& Rest)
+	{
+		for (uint32_t i = 0; i < SizeOf(I.Result); ++i)
+		{
+			const ESpirvType Kind = Module.GetScalarKind(I.Type, i);
+			Define(I.Result, i, {Head + Operand(1, i, Kind) + Rest + ")", Kind, true, -1});
+		}
+	};
+	switch (I.Op)
+	{
+	case OpGroupNonUniformElect:
+		Define(I.Result, 0, {"WaveIsFirst(e)", Bool, true, -1});
+		return true;
+	case OpGroupNonUniformAll:
+		Define(I.Result, 0, {"WaveAllTrue(e, " + Operand(1, 0, Bool) + ")", Bool, true, -1});
+		return true;
+	case OpGroupNonUniformAny:
+		Define(I.Result, 0, {"WaveAnyTrue(e, " + Operand(1, 0, Bool) + ")", Bool, true, -1});
+		return true;
+	case OpGroupNonUniformAllEqual:
+	{
+		std::string Text;
+		for (uint32_t i = 0; i < SizeOf(I.Operands[1]); ++i)
+		{
+			const ESpirvType Kind = Module.GetScalarKind(Module.GetValueTypeId(I.Operands[1]), i);
+			Text += (i ? " & " : "") + ("WaveAllEqual(e, " + Operand(1, i, Kind) + ")");
+		}
+		Define(I.Result, 0, {Text, Bool, true, -1});
+		return true;
+	}
+	case OpGroupNonUniformBroadcast:
+	case OpGroupNonUniformShuffle:
+		Each("WaveRead(e, ", ", " + Operand(2, 0, Uint));
+		return true;
+	case OpGroupNonUniformBroadcastFirst:
+		Each("WaveReadFirst(e, ", "");
+		return true;
+	case OpGroupNonUniformBallot:
+		for (uint32_t i = 0; i < 4; ++i)
+		{
+			const std::string Text =
+				i < 2 ? "WaveBallot(e, " + Operand(1, 0, Bool) + ", " + std::to_string(i) + ")" : "U(0u)";
+			Define(I.Result, i, {Text, Uint, true, -1});
+		}
+		return true;
+	case OpGroupNonUniformBallotBitCount:
+		Define(I.Result, 0,
+			{"WaveCountBits(" + Operand(2, 0, Uint) + ", " + Operand(2, 1, Uint) + ", " +
+					(I.Operands[1] == Reduce ? "false)" : "true)"),
+				Uint, true, -1});
+		return true;
+	case OpGroupNonUniformQuadBroadcast:
+		Each("QuadRead(e, ", ", " + Operand(2, 0, Uint) + ", false");
+		return true;
+	case OpGroupNonUniformQuadSwap:
+		Each("QuadRead(e, ", ", " + Operand(2, 0, Uint) + " + U(1u), true");
+		return true;
+	default:
+		Module.Fail(GetSpirvOpName(I.Op) + " is not supported on the CPU tier", &I);
+	}
+}
+
+} // namespace Drydock
