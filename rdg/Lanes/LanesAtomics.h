@@ -41,62 +41,86 @@ DRYDOCK_LANES_INLINE bool AnyPack(const TMask<N> (&Packs)[Count])
 
 /** Where the lanes of an atomic operation find their number; null: outside, nothing happens and 0 comes back. bOwn: no
  * other thread of the machine can reach it meanwhile. */
-template<int N, bool bOwn, typename F>
-struct TAtomicPlaces
+template<int N>
+struct TAtomicShared
 {
-	F Find;
-};
-template<int N, bool bOwn, typename F>
-DRYDOCK_LANES_INLINE TAtomicPlaces<N, bOwn, F> MakeAtomicPlaces(F Find)
-{
-	return {Find};
-}
+	static constexpr bool bOwn = true;
+	uint32_t* Elements;
+	TInt<N> Index;
 
+	DRYDOCK_LANES_INLINE uint32_t* Find(int Lane) const { return Elements + Index.V[Lane]; }
+};
 template<int N, typename T>
-DRYDOCK_LANES_INLINE auto AtomicShared(T* Elements, TInt<N> Index)
+DRYDOCK_LANES_INLINE TAtomicShared<N> AtomicShared(T* Elements, TInt<N> Index)
 {
 	static_assert(sizeof(T) == 4);
-	return MakeAtomicPlaces<N, true>(
-		[=](int Lane) __attribute__((always_inline)) { return reinterpret_cast<uint32_t*>(Elements + Index.V[Lane]); });
+	return {reinterpret_cast<uint32_t*>(Elements), Index};
 }
+
 template<int N>
-DRYDOCK_LANES_INLINE auto AtomicBytes(const FKernelBuffer& Buffer, TUint<N> Offset)
+struct TAtomicBytes
 {
-	return MakeAtomicPlaces<N, false>(
-		[=, &Buffer](int Lane) __attribute__((always_inline)) -> uint32_t*
-		{
-			const uint32_t At = Offset.V[Lane];
-			return IsInside(Buffer, At) ? reinterpret_cast<uint32_t*>(Buffer.Data + At) : nullptr;
-		});
+	static constexpr bool bOwn = false;
+	const FKernelBuffer& Buffer;
+	TUint<N> Offset;
+
+	DRYDOCK_LANES_INLINE uint32_t* Find(int Lane) const
+	{
+		const uint32_t At = Offset.V[Lane];
+		return IsInside(Buffer, At) ? reinterpret_cast<uint32_t*>(Buffer.Data + At) : nullptr;
+	}
+};
+template<int N>
+DRYDOCK_LANES_INLINE TAtomicBytes<N> AtomicBytes(const FKernelBuffer& Buffer, TUint<N> Offset)
+{
+	return {Buffer, Offset};
 }
+
 /** Of a typed buffer of 32-bit integers. */
 template<int N>
-DRYDOCK_LANES_INLINE auto AtomicElement(const FKernelBuffer& Buffer, TUint<N> Index)
+struct TAtomicElement
 {
-	return MakeAtomicPlaces<N, false>(
-		[=, &Buffer](int Lane) __attribute__((always_inline)) -> uint32_t*
-		{
-			const uint32_t At = Index.V[Lane];
-			const bool bInside = Buffer.Storage == ETexelStorage::R32_UINT && At < Buffer.SizeInBytes / 4;
-			return bInside ? reinterpret_cast<uint32_t*>(Buffer.Data) + At : nullptr;
-		});
+	static constexpr bool bOwn = false;
+	const FKernelBuffer& Buffer;
+	TUint<N> Index;
+
+	DRYDOCK_LANES_INLINE uint32_t* Find(int Lane) const
+	{
+		const uint32_t At = Index.V[Lane];
+		const bool bInside = Buffer.Storage == ETexelStorage::R32_UINT && At < Buffer.SizeInBytes / 4;
+		return bInside ? reinterpret_cast<uint32_t*>(Buffer.Data) + At : nullptr;
+	}
+};
+template<int N>
+DRYDOCK_LANES_INLINE TAtomicElement<N> AtomicElement(const FKernelBuffer& Buffer, TUint<N> Index)
+{
+	return {Buffer, Index};
 }
-/** Of a texture of 32-bit integers; three coordinates: depth or layer is the last. */
+
+/** Of a texture of 32-bit integers; of three coordinates the last one is depth or layer. */
 template<int N, int Count>
-DRYDOCK_LANES_INLINE auto AtomicTexel(const FKernelTexture& Texture, const TVec<TInt<N>, Count>& At)
+struct TAtomicTexel
 {
-	return MakeAtomicPlaces<N, false>(
-		[=, &Texture](int Lane) __attribute__((always_inline)) -> uint32_t*
-		{
-			const FKernelMip& Mip = Texture.Mips[0];
-			const int32_t X = At.E[0].V[Lane];
-			const int32_t Y = At.E[1].V[Lane];
-			const int32_t Z = Count == 3 ? At.E[Count - 1].V[Lane] : 0;
-			const bool bInside = Texture.Storage == ETexelStorage::R32_UINT && uint32_t(X) < uint32_t(Mip.SizeX) &&
-								 uint32_t(Y) < uint32_t(Mip.SizeY) && uint32_t(Z) < uint32_t(Mip.SizeZ);
-			return bInside ? reinterpret_cast<uint32_t*>(Mip.Data + Z * Mip.SlicePitch + int64_t(Y) * Mip.RowPitch) + X
-						   : nullptr;
-		});
+	static constexpr bool bOwn = false;
+	const FKernelTexture& Texture;
+	const TVec<TInt<N>, Count> At;
+
+	DRYDOCK_LANES_INLINE uint32_t* Find(int Lane) const
+	{
+		const FKernelMip& Mip = Texture.Mips[0];
+		const int32_t X = At.E[0].V[Lane];
+		const int32_t Y = At.E[1].V[Lane];
+		const int32_t Z = Count == 3 ? At.E[Count - 1].V[Lane] : 0;
+		const bool bInside = Texture.Storage == ETexelStorage::R32_UINT && uint32_t(X) < uint32_t(Mip.SizeX) &&
+							 uint32_t(Y) < uint32_t(Mip.SizeY) && uint32_t(Z) < uint32_t(Mip.SizeZ);
+		return bInside ? reinterpret_cast<uint32_t*>(Mip.Data + Z * Mip.SlicePitch + int64_t(Y) * Mip.RowPitch) + X
+					   : nullptr;
+	}
+};
+template<int N, int Count>
+DRYDOCK_LANES_INLINE TAtomicTexel<N, Count> AtomicTexel(const FKernelTexture& Texture, const TVec<TInt<N>, Count>& At)
+{
+	return {Texture, At};
 }
 
 struct FAtomicAdd
@@ -135,9 +159,8 @@ struct FAtomicMax
 };
 
 /** What was there before, by lane. */
-template<typename TOperation, int N, bool bOwn, typename F>
-DRYDOCK_LANES_INLINE TUint<N> Atomic(
-	TMask<N> Mask, const TAtomicPlaces<N, bOwn, F>& Places, TUint<N> Value, TUint<N> Compare)
+template<typename TOperation, int N, typename TPlaces>
+DRYDOCK_LANES_INLINE TUint<N> Atomic(TMask<N> Mask, const TPlaces& Places, TUint<N> Value, TUint<N> Compare)
 {
 	TUint<N> Result(0u);
 	for (int Lane = 0; Lane < N; ++Lane)
@@ -148,7 +171,7 @@ DRYDOCK_LANES_INLINE TUint<N> Atomic(
 			continue;
 		}
 		uint32_t Old = __atomic_load_n(Place, __ATOMIC_RELAXED);
-		if constexpr (bOwn)
+		if constexpr (TPlaces::bOwn)
 		{
 			*Place = TOperation::Apply(Old, Value.V[Lane], Compare.V[Lane]);
 		}

@@ -1,6 +1,7 @@
 // Checks what threads do together: barriers, groupshared memory, atomics.
 #include "SpirvChecker.h"
 
+#include "SpirvGroups.h"
 #include "SpirvLimits.h"
 #include "SpirvRefusals.h"
 
@@ -34,6 +35,27 @@ void FSpirvChecker::CheckGroupshared()
 	{
 		Module.Fail("groupshared variables of " + std::to_string(Bytes) + " bytes; Direct3D's limit is " +
 					std::to_string(SpirvLimits::MaxGroupsharedBytes) + " a group");
+	}
+}
+
+/** Pixels and vertices run in any order. */
+void FSpirvChecker::CheckOrder()
+{
+	if (Module.ExecutionModel == ExecutionModelCompute || !FindGroupUse(Module).bWaves)
+	{
+		return;
+	}
+	for (const FSpirvBlock& Block : Module.Blocks)
+	{
+		for (const FSpirvInstruction& I : Block.Instructions)
+		{
+			if (IsSpirvAtomic(I.Op))
+			{
+				Module.Fail("an atomic operation of which the order is seen: pixels have none. Do not use its result, "
+							"nor read what it changes in the same pass, or do it in a compute shader",
+					&I);
+			}
+		}
 	}
 }
 

@@ -80,6 +80,7 @@ void FSpirvChecker::Check()
 	}
 	CheckVariables();
 	CheckGroupshared();
+	CheckOrder();
 }
 
 void FSpirvChecker::CheckGroupSize()

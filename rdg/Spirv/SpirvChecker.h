@@ -26,6 +26,7 @@ private:
 	void CheckInstruction(const FSpirvInstruction& I);
 	[[noreturn]] void FailCall(const FSpirvInstruction& I) const;
 	void CheckGroupshared();
+	void CheckOrder();
 	bool CheckGroups(const FSpirvInstruction& I);
 	void CheckWave(const FSpirvInstruction& I);
 	bool CheckMemory(const FSpirvInstruction& I);

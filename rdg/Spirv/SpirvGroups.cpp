@@ -56,10 +56,6 @@ const FSpirvVariable* FindAtomicVariable(const FSpirvModule& Module, const FSpir
 FSpirvGroupUse FindGroupUse(const FSpirvModule& Module)
 {
 	FSpirvGroupUse Use;
-	if (Module.ExecutionModel != ExecutionModelCompute)
-	{
-		return Use;
-	}
 	std::unordered_map<uint32_t, const FSpirvInstruction*> Pointers;
 	std::set<uint32_t> Used; // values; a literal that looks like an id is a use too many
 	for (const FSpirvBlock& Block : Module.Blocks)

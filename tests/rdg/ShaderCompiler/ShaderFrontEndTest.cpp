@@ -102,19 +102,6 @@ TEST(ShaderErrors, CrashOfTheFrontEndIsAnError)
 	EXPECT_THAT(Errors, HasSubstr("glslangValidator ended with exit code 1"));
 }
 
-TEST(ShaderRefusals, GroupsharedNamesTheVariableAndTheLine)
-{
-	const std::string Errors =
-		ErrorsOfStatement("G[Lane] = Lane;\nOut[Id.xy] = G[Lane ^ 1];", "groupshared float G[64];");
-	EXPECT_THAT(Errors, HasSubstr("/Test/Shader.usf:4: error: groupshared 'G' is not supported on the CPU tier"));
-}
-
-TEST(ShaderRefusals, BarriersAreNamed)
-{
-	EXPECT_THAT(ErrorsOfStatement("GroupMemoryBarrierWithGroupSync();\nOut[Id.xy] = 1;"),
-		HasSubstr("/Test/Shader.usf:4: error: GroupMemoryBarrierWithGroupSync: barriers are not supported"));
-}
-
 TEST(ShaderRefusals, DerivativesSayWhatToDo)
 {
 	const std::string Errors = ErrorsOf(
@@ -122,7 +109,7 @@ TEST(ShaderRefusals, DerivativesSayWhatToDo)
 	EXPECT_THAT(Errors, HasSubstr("/Test/Shader.usf:4: error: ddx: there are no derivatives on the CPU tier"));
 }
 
-TEST(ShaderRefusals, WaveIntrinsicsAreNamedAsInHlsl)
+TEST(ShaderRefusals, WaveIntrinsicsOfPixelShadersAreNamedAsInHlsl)
 {
 	const char* const Calls[] = {"WaveActiveSum(x)", "WavePrefixSum(x)", "WaveActiveProduct(x)", "WaveActiveMax(x)",
 		"WaveActiveMin(x)", "WaveActiveAnyTrue(x > 1)", "WaveActiveAllTrue(x > 1)", "WaveActiveBallot(x > 1).x",
@@ -131,11 +118,11 @@ TEST(ShaderRefusals, WaveIntrinsicsAreNamedAsInHlsl)
 	for (const std::string Call : Calls)
 	{
 		const std::string Name = Call.substr(0, Call.find('('));
-		EXPECT_THAT(ErrorsOfStatement("float x = Id.x;\nOut[Id.xy] = float4(" + Call + ", 0, 0, 1);"),
-			HasSubstr("/Test/Shader.usf:5: error: " + Name + ": wave operations are not supported on the CPU tier"));
+		EXPECT_THAT(
+			ErrorsOf("float4 Main(float x : TEXCOORD0) : SV_Target0\n{\n\treturn float4(" + Call + ", 0, 0, 1);\n}\n",
+				EShaderStage::Pixel),
+			HasSubstr(Name + ": wave operations run in compute shaders only"));
 	}
-	EXPECT_THAT(ErrorsOfStatement("float x = Id.x;\nOut[Id.xy] = QuadReadAcrossX(x);"),
-		HasSubstr("/Test/Shader.usf:5: error: QuadReadAcross*: quad operations are not supported"));
 }
 
 TEST(ShaderRefusals, TypesAreNamedAsInHlsl)
@@ -162,11 +149,17 @@ TEST(ShaderRefusals, RecursionNamesTheFunctions)
 	EXPECT_THAT(Errors, HasSubstr("write a loop"));
 }
 
-TEST(ShaderRefusals, AtomicsSayWhatToDo)
+TEST(ShaderRefusals, AtomicsOfPixelShadersWhoseOrderIsSeenSayWhatToDo)
 {
-	EXPECT_THAT(
-		ErrorsOfStatement("uint Old; InterlockedAdd(B[0], 1u, Old); Out[Id.xy] = Old;", "RWStructuredBuffer<uint> B;"),
-		HasSubstr("atomics"));
+	const auto ErrorsOfPixel = [](const std::string& Body)
+	{
+		return ErrorsOf(
+			"RWStructuredBuffer<uint> B;\nfloat4 Main(float x : TEXCOORD0) : SV_Target0\n{\n" + Body + "\n}\n",
+			EShaderStage::Pixel);
+	};
+	EXPECT_THAT(ErrorsOfPixel("uint Old;\nInterlockedAdd(B[0], 1u, Old);\nreturn Old;"),
+		HasSubstr("/Test/Shader.usf:6: error: an atomic operation of which the order is seen: pixels have none"));
+	EXPECT_EQ("", ErrorsOfPixel("InterlockedAdd(B[0], 1u);\nreturn x;"));
 }
 
 TEST(ShaderRefusals, CubeMapsAreNamed)
