@@ -1,6 +1,10 @@
 // Compiles what the emitter wrote; the interpreter carries out what its functions ask for.
 #include "DebuggedShader.h"
 
+#include "GroupRuns.h"
+
+#include <optional>
+
 #include "DebugEmitter.h"
 #include "Diagnostics.h"
 #include "KernelCompiler.h"
@@ -85,6 +89,15 @@ FDebuggedThread FDebuggedShader::Run(
 {
 	const FSpirvProgram& Program = Inspected.GetProgram();
 	FDebugRun Run{Program, Args, Inspected.GetSlots(), TSpirvThread<float>(Program, Inspected.GetSlots()), MaxSteps};
+	std::optional<TGroupRuns<float>> Groups;
+	if (Inspected.HasGroups())
+	{
+		const uint32_t* const Size = Inspected.GetModule().LocalSize;
+		Groups.emplace(Inspected);
+		Groups->Run(Args,
+			{Position[0] / int32_t(Size[0]), Position[1] / int32_t(Size[1]), Position[2] / int32_t(Size[2])}, MaxSteps);
+		Groups->Prepare(Run.Thread, Position);
+	}
 	Run.Thread.Begin(Args, {Position[0], Position[1], Position[2]}, nullptr);
 	FDebugKernelArgs Asked{Run.Thread.GetWords(), &Run, &FDebugRun::Execute, &FDebugRun::ReadConstant,
 		{Position[0], Position[1], Position[2]}, {Whole.MinX, Whole.MinY, Whole.MinZ},

@@ -69,7 +69,8 @@ FSpirvModule ReadForInspection(
 
 FInspectedShader::FInspectedShader(
 	const FShaderCompileRequest& Request, const FShaderReflection& Kernel, bool bAsKernel)
-	: bVariables(!bAsKernel)
+	: WaveSize(uint32_t(Request.Lanes.WaveSize))
+	, bVariables(!bAsKernel)
 {
 	try
 	{
@@ -77,6 +78,7 @@ FInspectedShader::FInspectedShader(
 		{
 			Module = ReadForInspection(Request, true, Strings);
 			Program = std::make_unique<FSpirvProgram>(Module);
+			Order = HasGroups() ? FindOrder(Module) : FSpirvOrder();
 		}
 	}
 	catch (const FSpirvError&)
@@ -90,6 +92,7 @@ FInspectedShader::FInspectedShader(
 		{
 			Module = ReadForInspection(Request, false, Strings);
 			Program = std::make_unique<FSpirvProgram>(Module);
+			Order = HasGroups() ? FindOrder(Module) : FSpirvOrder();
 		}
 		for (const FSpirvVariable& Variable : Module.Variables)
 		{

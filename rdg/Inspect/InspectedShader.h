@@ -25,6 +25,10 @@ public:
 	FSpirvProgram& GetProgram() { return *Program; }
 	const FSpirvProgram& GetProgram() const { return *Program; }
 	const FSpirvSlotTable& GetSlots() const { return Slots; }
+	/** Threads of a group work together: they are run by TSpirvGroup, with this order and size of waves. */
+	bool HasGroups() const { return Program->Groups.bGroups; }
+	const FSpirvOrder& GetOrder() const { return Order; }
+	uint32_t GetWaveSize() const { return WaveSize; }
 
 	/** The text of a line of a virtual file as its author wrote it; empty: there is none. Lines count from 1. */
 	std::string GetLine(const std::string& File, int Line) const;
@@ -41,6 +45,8 @@ private:
 	FSpirvModule Module;
 	std::unique_ptr<FSpirvProgram> Program;
 	FSpirvSlotTable Slots;
+	FSpirvOrder Order;
+	uint32_t WaveSize = GDefaultWaveSize;
 	std::vector<std::string> Strings;
 	bool bVariables = true;
 	mutable std::map<std::string, std::vector<std::string>> Texts; // lines by virtual file

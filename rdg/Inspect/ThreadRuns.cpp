@@ -13,6 +13,7 @@ namespace
 
 constexpr uint64_t MaxSteps = 100'000'000; // of one thread
 constexpr int32_t PieceSize = 1024;
+constexpr int32_t GroupsPerPiece = 16;
 
 /** Whether threads see what others stored: then their order counts. */
 bool ReadsWhatItWrites(const FInspectedShader& Shader)
@@ -56,12 +57,51 @@ FThreadRuns::FThreadRuns(FInspectedShader& InShader, const FBoundShader& InBound
 	, Sandbox(InArgs, InBound.GetReflection())
 	, Threads(std::move(InThreads))
 {
+	size_t Count = Threads.size();
 	PerPiece = ReadsWhatItWrites(Shader) ? std::max(1, int32_t(Threads.size())) : PieceSize;
-	NumPieces = (Threads.size() + size_t(PerPiece) - 1) / size_t(PerPiece);
+	if (Shader.HasGroups())
+	{
+		Groups = SortByGroups(Shader, Threads);
+		Count = Groups.size();
+		PerPiece = Shader.GetProgram().Groups.bInOrder ? std::max(1, int32_t(Count)) : GroupsPerPiece;
+	}
+	NumPieces = (Count + size_t(PerPiece) - 1) / size_t(PerPiece);
+}
+
+void FThreadRuns::RunGroups(TFunctionRef<IThreadWatcher&(size_t Piece)> GetWatcher, bool bTrackUndefined) const
+{
+	ForEachTile(
+		{0, 0, 0, int32_t(Groups.size()), 1, 1}, FIntPoint(PerPiece, 1),
+		[&](const FKernelTile& Tile)
+		{
+			IThreadWatcher& Watcher = GetWatcher(size_t(Tile.MinX / PerPiece));
+			TGroupRuns<float> Runs(Shader);
+			TSpirvThread<float> Thread(Shader.GetProgram(), Shader.GetSlots());
+			Thread.SetObserver(&Watcher, bTrackUndefined);
+			for (int32_t i = Tile.MinX; i < Tile.MaxX; ++i)
+			{
+				const FGroupOfThreads& Group = Groups[size_t(i)];
+				Runs.Run(Sandbox.GetArgs(), Group.GroupId, MaxSteps);
+				for (const size_t Index : Group.Threads)
+				{
+					const std::array<int32_t, 3>& At = Threads[Index];
+					Runs.Prepare(Thread, At);
+					Watcher.BeginThread(Index, Thread);
+					Thread.Run(Sandbox.GetArgs(), {At[0], At[1], At[2]}, nullptr, MaxSteps);
+					Watcher.EndThread(Index, Thread);
+				}
+			}
+		},
+		EDenormals::Flush);
 }
 
 void FThreadRuns::Run(TFunctionRef<IThreadWatcher&(size_t Piece)> GetWatcher, bool bTrackUndefined) const
 {
+	if (!Groups.empty())
+	{
+		RunGroups(GetWatcher, bTrackUndefined);
+		return;
+	}
 	ForEachTile(
 		{0, 0, 0, int32_t(Threads.size()), 1, 1}, FIntPoint(PerPiece, 1),
 		[&](const FKernelTile& Tile)

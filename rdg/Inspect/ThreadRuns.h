@@ -1,6 +1,7 @@
 // The threads of a draw or dispatch, run once more by the interpreter for somebody who watches them.
 #pragma once
 
+#include "GroupRuns.h"
 #include "InspectedShader.h"
 #include "Sandbox.h"
 #include "TileExecutor.h"
@@ -39,11 +40,14 @@ public:
 	void Run(TFunctionRef<IThreadWatcher&(size_t Piece)> GetWatcher, bool bTrackUndefined = false) const;
 
 private:
+	void RunGroups(TFunctionRef<IThreadWatcher&(size_t Piece)> GetWatcher, bool bTrackUndefined) const;
+
 	FInspectedShader& Shader;
 	const FKernelArgs& Args;
 	const FSandbox Sandbox;
 	std::vector<std::array<int32_t, 3>> Threads;
-	int32_t PerPiece = 0;
+	std::vector<FGroupOfThreads> Groups; // where threads work together: then pieces are made of these
+	int32_t PerPiece = 0;                // threads, or groups
 	size_t NumPieces = 0;
 };
 

@@ -1,6 +1,10 @@
 // Makes lines of steps.
 #include "TraceRecorder.h"
 
+#include "GroupRuns.h"
+
+#include <optional>
+
 #include <algorithm>
 #include <cmath>
 
@@ -269,6 +273,16 @@ FPixelTrace Trace(FInspectedShader& Shader, const FKernelArgs& Args, const int32
 	FPixelTrace Result;
 	FTraceRecorder Recorder(Shader, Args, Result);
 	TSpirvThread<Real> Thread(Shader.GetProgram(), Shader.GetSlots());
+	std::optional<TGroupRuns<Real>> Runs;
+	if (Shader.HasGroups())
+	{
+		// Groups before it count where they run one after the other; what they store, the caller has copied.
+		const uint32_t* const Size = Shader.GetModule().LocalSize;
+		Runs.emplace(Shader);
+		Runs->Run(Args,
+			{Position[0] / int32_t(Size[0]), Position[1] / int32_t(Size[1]), Position[2] / int32_t(Size[2])}, MaxSteps);
+		Runs->Prepare(Thread, {Position[0], Position[1], Position[2]});
+	}
 	Thread.SetObserver(&Recorder, true);
 	Thread.Run(Args, Position, nullptr, MaxSteps);
 	Result.bDiscarded = Thread.WasDiscarded();

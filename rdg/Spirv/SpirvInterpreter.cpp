@@ -18,7 +18,7 @@ public:
 	{
 		if (Program.Groups.bGroups)
 		{
-			Order = FindOrder(Module, BuildSpirvStructure(Module));
+			Order = FindOrder(Module);
 			Group = std::make_unique<TSpirvGroup<float>>(Program, Order, MakeSlots(Module, Reflection), WaveSize);
 		}
 	}

@@ -24,18 +24,34 @@ void Number(const FSpirvModule& Module, const FStructRegion& Region, FSpirvOrder
 
 } // namespace
 
-FSpirvOrder FindOrder(const FSpirvModule& Module, const FSpirvStructure& Structure)
+FSpirvOrder FindOrder(const FSpirvModule& Module)
 {
 	FSpirvOrder Order;
 	Order.Places.resize(Module.Blocks.size());
 	Order.Loops.resize(Module.Blocks.size());
-	uint32_t Next = 0;
-	Number(Module, Structure.Root, Order, Next);
-	for (const auto& [Label, Headers] : Structure.Loops)
+	std::vector<uint32_t> FirstBlocks;
+	for (const FSpirvFunction& Function : Module.Functions)
 	{
-		for (const uint32_t Header : Headers)
+		if (Function.NumBlocks)
 		{
-			Order.Loops.at(Module.BlockIndex.at(Label)).push_back(Module.BlockIndex.at(Header));
+			FirstBlocks.push_back(Function.FirstBlock);
+		}
+	}
+	if (Module.Functions.empty())
+	{
+		FirstBlocks.push_back(0);
+	}
+	for (const uint32_t First : FirstBlocks)
+	{
+		const FSpirvStructure Structure = BuildSpirvStructure(Module, First);
+		uint32_t Next = 0;
+		Number(Module, Structure.Root, Order, Next);
+		for (const auto& [Label, Headers] : Structure.Loops)
+		{
+			for (const uint32_t Header : Headers)
+			{
+				Order.Loops.at(Module.BlockIndex.at(Label)).push_back(Module.BlockIndex.at(Header));
+			}
 		}
 	}
 	return Order;

@@ -14,6 +14,7 @@ struct FSpirvOrder
 	std::vector<std::vector<uint32_t>> Loops; // blocks of the headers of the loops around it, outermost first
 };
 
-DRYDOCK_API FSpirvOrder FindOrder(const FSpirvModule& Module, const FSpirvStructure& Structure);
+/** Of all functions of the module, each for itself. Throws FSpirvError when control flow is not structured. */
+DRYDOCK_API FSpirvOrder FindOrder(const FSpirvModule& Module);
 
 } // namespace Drydock

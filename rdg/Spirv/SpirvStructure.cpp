@@ -91,9 +91,9 @@ public:
 	{
 	}
 
-	FSpirvStructure Build()
+	FSpirvStructure Build(uint32_t FirstBlock)
 	{
-		AddRegion(Result.Root, Module.Blocks[0].Label, 0);
+		AddRegion(Result.Root, Module.Blocks.at(FirstBlock).Label, 0);
 		FindExits(Module, Result.Root);
 		return std::move(Result);
 	}
@@ -390,9 +390,9 @@ uint32_t FBuilder::AddSwitch(FStructRegion& Region, const FSpirvBlock& Block)
 
 } // namespace
 
-FSpirvStructure BuildSpirvStructure(const FSpirvModule& Module)
+FSpirvStructure BuildSpirvStructure(const FSpirvModule& Module, uint32_t FirstBlock)
 {
-	return FBuilder(Module).Build();
+	return FBuilder(Module).Build(FirstBlock);
 }
 
 } // namespace Drydock

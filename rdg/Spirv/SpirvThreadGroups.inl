@@ -19,14 +19,22 @@ template<typename Real>
 std::vector<uint32_t> TSpirvThread<Real>::GetWhereInOrder() const
 {
 	std::vector<uint32_t> Where;
-	for (const uint32_t Header : Order->Loops[Block])
+	const auto Add = [this, &Where](uint32_t InBlock, uint32_t Step)
 	{
-		Where.push_back(Order->Places[Header]);
-		Where.push_back(Turns[Header]);
+		for (const uint32_t Header : Order->Loops[InBlock])
+		{
+			Where.push_back(Order->Places[Header]);
+			Where.push_back(Turns[Header]);
+		}
+		Where.push_back(Order->Places[InBlock]);
+		Where.push_back(0); // as long as an entry of a loop
+		Where.push_back(Step);
+	};
+	for (const FCall& Call : Calls)
+	{
+		Add(Call.Block, Call.Step);
 	}
-	Where.push_back(Order->Places[Block]);
-	Where.push_back(0); // as long as an entry of a loop
-	Where.push_back(At);
+	Add(Block, At);
 	return Where;
 }
 

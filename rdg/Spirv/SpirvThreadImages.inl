@@ -136,7 +136,7 @@ void TSpirvThread<Real>::ExecuteImageWrite(const FSpirvStep& Step)
 	using FSampling = Lanes::TSampling<Real, 1>;
 	const FSpirvType& Image = Program.Module.GetValueType(Step.I->Operands[0]);
 	const bool bInteger = Program.Module.GetType(Image.Element).Kind != ESpirvType::Float;
-	const int32_t On = -1;
+	const int32_t On = bReplay ? 0 : -1;
 	Real Values[4] = {};
 	uint32_t UintValues[4] = {};
 	int32_t At[4] = {};

@@ -139,7 +139,7 @@ void TSpirvThread<Real>::StoreBytes(const FSpirvStep& Step)
 		const uint32_t Stored =
 			bReal ? __builtin_bit_cast(uint32_t, float(ToSpirvReal<Real>(From[i]))) : uint32_t(From[i]);
 		const uint64_t Byte = uint64_t(Element) * Place.ElementStride + uint32_t(Pointer[0]) + Place.Scalars[i];
-		if (Element < Buffer->SizeInBytes / Place.ElementStride && Byte + 4 <= Buffer->SizeInBytes)
+		if (!bReplay && Element < Buffer->SizeInBytes / Place.ElementStride && Byte + 4 <= Buffer->SizeInBytes)
 		{
 			std::memcpy(Buffer->Data + Byte, &Stored, 4);
 		}

@@ -60,10 +60,17 @@ void ForEachForm(const std::string& Text, int32_t X, int32_t Y, int32_t Z,
 		Harness.Run(0, X, Y, Z, true);
 		Check(Harness);
 	}
-	SCOPED_TRACE("interpreter");
+	{
+		SCOPED_TRACE("interpreter");
+		FShaderHarness Harness(Text, "MainCS", EShaderStage::Compute);
+		Fill(Harness);
+		Harness.RunModel(X, Y, Z);
+		Check(Harness);
+	}
+	SCOPED_TRACE("with its functions");
 	FShaderHarness Harness(Text, "MainCS", EShaderStage::Compute);
 	Fill(Harness);
-	Harness.RunModel(X, Y, Z);
+	Harness.RunInspected(X, Y, Z);
 	Check(Harness);
 }
 

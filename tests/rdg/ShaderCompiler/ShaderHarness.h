@@ -7,6 +7,7 @@
 #include "LanesDispatch.h"
 #include "ShaderCompiler.h"
 #include "ShaderFrontEnd.h"
+#include "SpirvGroup.h"
 #include "SpirvInterpreter.h"
 
 #include <cstring>
@@ -143,6 +144,11 @@ public:
 	void RunInspected(int32_t X, int32_t Y, int32_t Z = 1, bool bDouble = false)
 	{
 		FInspectedShader& Shader = Inspect();
+		if (Shader.HasGroups())
+		{
+			RunGroups<float>(Shader, X, Y, Z);
+			return;
+		}
 		const auto RunAll = [&](auto& Thread)
 		{
 			for (int32_t i = 0; i < X * Y * Z; ++i)
@@ -176,6 +182,18 @@ public:
 	FKernelCounters Counters = {};
 
 private:
+	template<typename Real>
+	void RunGroups(const FInspectedShader& Shader, int32_t X, int32_t Y, int32_t Z)
+	{
+		const uint32_t* const Size = Shader.GetModule().LocalSize;
+		TSpirvGroup<Real> Group(Shader.GetProgram(), Shader.GetOrder(), Shader.GetSlots(), Shader.GetWaveSize());
+		const int32_t Counts[3] = {X / int32_t(Size[0]), Y / int32_t(Size[1]), Z / int32_t(Size[2])};
+		for (int32_t i = 0; i < Counts[0] * Counts[1] * Counts[2]; ++i)
+		{
+			Group.Run(Args, {i % Counts[0], i / Counts[0] % Counts[1], i / Counts[0] / Counts[1]}, 10'000'000);
+		}
+	}
+
 	template<typename TThread>
 	void StoreTargets(const FInspectedShader& Shader, const TThread& Thread, int32_t X, int32_t Y)
 	{
