@@ -276,7 +276,7 @@ FPixelTrace Trace(FInspectedShader& Shader, const FKernelArgs& Args, const int32
 	std::optional<TGroupRuns<Real>> Runs;
 	if (Shader.HasGroups())
 	{
-		// Groups before it count where they run one after the other; what they store, the caller has copied.
+		// Groups that ran before it are not run again: where groups go in order, theirs is not seen.
 		const uint32_t* const Size = Shader.GetModule().LocalSize;
 		Runs.emplace(Shader);
 		Runs->Run(Args,

@@ -216,6 +216,13 @@ constexpr bool IsSpirvWave(uint16_t Op)
 	return Op >= Spirv::OpGroupNonUniformElect && Op <= Spirv::OpGroupNonUniformQuadSwap;
 }
 
+/** A wave operation whose first operand behind the scope says: of all threads, or of those before each one. */
+constexpr bool HasGroupOperation(uint16_t Op)
+{
+	return Op == Spirv::OpGroupNonUniformBallotBitCount ||
+		   (Op >= Spirv::OpGroupNonUniformIAdd && Op <= Spirv::OpGroupNonUniformBitwiseXor);
+}
+
 /** "OpFunctionCall", or "Op4711" when the number is not one that messages name. */
 std::string GetSpirvOpName(uint16_t Op);
 

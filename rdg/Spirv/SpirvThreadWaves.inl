@@ -97,7 +97,7 @@ void TSpirvThread<Real>::ExecuteTogether(const std::vector<TSpirvThread*>& Toget
 		ByLane.at(Thread->Lane) = Thread;
 	}
 	const bool bArithmetic = I.Op >= OpGroupNonUniformIAdd && I.Op <= OpGroupNonUniformBitwiseXor;
-	const size_t At = bArithmetic || I.Op == OpGroupNonUniformBallotBitCount ? 2 : 1;
+	const size_t At = HasGroupOperation(I.Op) ? 2 : 1;
 	const auto IsReal = [&](uint32_t Operand, uint32_t Index)
 	{
 		return Together.front()->IsReal(Together.front()->Program.Module.GetValueTypeId(Operand), Index);

@@ -4,8 +4,9 @@
 #include "../ShaderCompiler/ShaderHarness.h"
 #include "TraceRecorder.h"
 
-#include <cmath>
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <random>
 
 namespace
@@ -294,3 +295,49 @@ void MainPS(float4 SvPosition : SV_POSITION, out float4 OutColor : SV_Target0)
 }
 
 } // namespace
+
+TEST(TracePixel, AThreadOfAGroupSeesWhatTheOthersDid)
+{
+	const std::string Text = R"(
+StructuredBuffer<float> In;
+RWStructuredBuffer<float> Out;
+groupshared float Sums[32];
+float Halve(float X)
+{
+	GroupMemoryBarrierWithGroupSync();
+	return X * 0.5;
+}
+[numthreads(32, 1, 1)]
+void MainCS(uint3 Id : SV_DispatchThreadID, uint I : SV_GroupIndex)
+{
+	Sums[I] = In[Id.x];
+	GroupMemoryBarrierWithGroupSync();
+	for (uint Half = 16; Half > 0; Half >>= 1)
+	{
+		if (I < Half)
+		{
+			Sums[I] += Sums[I + Half];
+		}
+		GroupMemoryBarrierWithGroupSync();
+	}
+	const float Total = Halve(Sums[0]) + WavePrefixSum(1.0);
+	Out[Id.x] = Total;
+}
+)";
+	FShaderHarness Harness(Text, "MainCS", EShaderStage::Compute);
+	std::vector<float> In(64);
+	for (size_t i = 0; i < In.size(); ++i)
+	{
+		In[i] = float(i * i % 37);
+	}
+	Harness.SetFloatBuffer("In", In);
+	Harness.Buffers["Out"].assign(64, 0);
+	Harness.Run(0, 64, 1);
+	for (const int32_t X : {0, 5, 31, 32, 63})
+	{
+		const float Sum = std::accumulate(In.begin() + X / 32 * 32, In.begin() + X / 32 * 32 + 32, 0.0f);
+		EXPECT_EQ(double(Sum) * 0.5 + X % 32, LastOf(TraceAt(Harness, X, 0), "Total")) << X;
+		EXPECT_EQ(double(Sum) * 0.5 + X % 32, LastOf(TraceAt(Harness, X, 0, true), "Total")) << X;
+		EXPECT_EQ(Harness.BufferFloat("Out", size_t(X)), float(LastOf(TraceAt(Harness, X, 0), "Total"))) << X;
+	}
+}
