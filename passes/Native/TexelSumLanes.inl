@@ -2,8 +2,7 @@
 // Included by TexelSum_*.cpp only.
 #pragma once
 
-#include "Native/StreamingStores.inl"
-#include "Native/TexelStrips.inl"
+#include "Native/StripStores.inl"
 #include "Native/TexelSum.h"
 
 namespace Drydock::Lanes
@@ -48,7 +47,6 @@ struct TTexelSum
 	const float* Weights;
 	const int32_t NumTaps = 2 * Sum.Reach + 1;
 	const FKernelMip& From = Sum.Source->Mips[0];
-	const FKernelMip& To = Target.Mips[0];
 
 	void Decode(int32_t X, int32_t Y, int32_t Count, float* Out) const
 	{
@@ -58,36 +56,6 @@ struct TTexelSum
 		PrefetchTexels(From, GetTexelStorageInfo(Sum.Source->Storage).BytesPerTexel,
 			HoldBetween(Y + Ahead, Sum.RectMin[1], Last), X, Count);
 		DecodeHeldStrip<N, C>(Sum.Source->Storage, Row, Sum.RectMin[0], Sum.RectMax[0], X, Count, Out);
-	}
-
-	void Encode(const float* Sums, int32_t X, int32_t Y, int32_t Count) const
-	{
-		uint8_t* const Place =
-			To.Data + int64_t(Y) * To.RowPitch + int64_t(X) * GetTexelStorageInfo(Target.Storage).BytesPerTexel;
-		if (C != 4 || !IsStreamed(Target, Place))
-		{
-			EncodeStrip<N, C>(Target, Sums, Count, Place);
-		}
-		else if (Target.Storage == ETexelStorage::RGBA32_FLOAT)
-		{
-			Stream<FRgba32Format>(Sums, Count, Place);
-		}
-		else
-		{
-			Stream<FRgba16Format>(Sums, Count, Place);
-		}
-	}
-
-	template<typename FFormat>
-	void Stream(const float* Sums, int32_t Count, uint8_t* Place) const
-	{
-		constexpr int32_t Step = N / 4;
-		const int32_t Whole = Count / Step * Step;
-		for (int32_t i = 0; i < Whole; i += Step)
-		{
-			StreamTexels<N, FFormat>(Place + i * FFormat::Bytes, LoadRaw<FFloat>(Sums + 4 * i));
-		}
-		EncodeStrip<N, C>(Target, Sums + Whole * C, Count - Whole, Place + Whole * FFormat::Bytes);
 	}
 
 	DRYDOCK_LANES_INLINE void SumPacks(const float* Strip, float* Out) const
@@ -126,7 +94,7 @@ struct TTexelSum
 			{
 				SumPacks(Strip + i, Sums + i);
 			}
-			Encode(Sums, Pixels.MinX, Y, Width);
+			StoreStrip<N, C>(Target, Sums, Pixels.MinX, Y, Width);
 		}
 	}
 
@@ -222,7 +190,8 @@ struct TTexelSum
 				}
 				for (int32_t Row = 0; Row < GRowsOfBlock && Y + Row < Height; ++Row)
 				{
-					Encode(Sums + int64_t(Row) * Pitch, Pixels.MinX + Column, Pixels.MinY + Y + Row, Count);
+					StoreStrip<N, C>(
+						Target, Sums + int64_t(Row) * Pitch, Pixels.MinX + Column, Pixels.MinY + Y + Row, Count);
 				}
 			}
 		}
