@@ -39,8 +39,8 @@ struct FLinePlan
 	int32_t NumTexels = 0;
 };
 
-/** False where lines do not stand for the taps. */
-inline bool PlanLines(const FSourcePlan& Source, int32_t Width, FLinePlan& Out)
+/** For Width pixels of the tile from column First on. False where lines do not stand for the taps. */
+inline bool PlanLines(const FSourcePlan& Source, int32_t First, int32_t Width, FLinePlan& Out)
 {
 	const FTapSource& Taps = *Source.Source;
 	if (Taps.NumTaps > GMostLineTaps || Taps.Beyond != EBeyondRect::Clamp || Source.Step == 0)
@@ -51,7 +51,7 @@ inline bool PlanLines(const FSourcePlan& Source, int32_t Width, FLinePlan& Out)
 	int32_t MostShift = 0;
 	for (int32_t Index = 0; Index < Taps.NumTaps; ++Index)
 	{
-		const int32_t Place = Source.Taps[Index].First;
+		const int32_t Place = Source.Taps[Index].First + Step * First;
 		int32_t Known = 0;
 		while (Known < Out.NumColumns && (Place - Out.Columns[Known].Place) % Step != 0)
 		{
@@ -70,7 +70,7 @@ inline bool PlanLines(const FSourcePlan& Source, int32_t Width, FLinePlan& Out)
 	for (int32_t Index = 0; Index < Taps.NumTaps; ++Index)
 	{
 		FLineTap& Tap = Out.Taps[Index];
-		Tap.Shift = (Source.Taps[Index].First - Out.Columns[Tap.Columns].Place) / Step;
+		Tap.Shift = (Source.Taps[Index].First + Step * First - Out.Columns[Tap.Columns].Place) / Step;
 		MostShift = Tap.Shift > MostShift ? Tap.Shift : MostShift;
 	}
 	constexpr int32_t WidestShift = 64;
@@ -122,9 +122,6 @@ class TTapLines
 {
 	using FFloat = TRaw<float, N>;
 
-	/** Lines that are kept, and how far back one is looked for: a line found stays until its row of pixels is done. */
-	static constexpr int32_t NumLines = 2 * GMostLineTaps;
-	static constexpr int32_t LookBack = GMostLineTaps;
 	/** What whole vectors read and write beyond a row. */
 	static constexpr int32_t Beside = 8 * N;
 	static constexpr int32_t NoRow = -(1 << 30);
@@ -153,16 +150,14 @@ public:
 			StripRows[Slot] = NoRow;
 		}
 		LineTexels = static_cast<float*>(
-			GetTapMemory(ResampledMemory, size_t(NumLines + 1) * size_t(LineFloats) * sizeof(float)));
-		Sums = LineTexels + size_t(NumLines) * size_t(LineFloats);
+			GetTapMemory(ResampledMemory, (size_t(GMostLineTaps + 1) * size_t(LineFloats) + N) * sizeof(float)));
+		Sums = LineTexels + size_t(GMostLineTaps) * size_t(LineFloats);
 		for (int32_t Index = 0; Index < Source.NumTaps; ++Index)
 		{
-			bWeightless[Index] = true;
 			for (int32_t Lane = 0; Lane < N; ++Lane)
 			{
 				Weights[Index][Lane] = Source.Taps[Index].Weight[Lane % C];
-				// A product with 1 is left out, for it would make a tiny number 0.
-				bWeightless[Index] = bWeightless[Index] && Weights[Index][Lane] == 1.0f;
+				bWeightless = bWeightless && Weights[Index][Lane] == 1.0f;
 			}
 		}
 		// Floats that lie in the texture as they are wanted are read there.
@@ -176,25 +171,40 @@ public:
 	bool Run(int32_t ToTargetX, int32_t ToTargetY)
 	{
 		const int32_t Width = Tile.MaxX - Tile.MinX;
+		const FKernelMip& Mip = Target.Mips[0];
+		const int32_t Bytes = GetTexelStorageInfo(Target.Storage).BytesPerTexel;
 		for (int32_t Row = 0; Row < Tile.MaxY - Tile.MinY; ++Row)
 		{
 			const float* Taps[GMostLineTaps];
-			for (int32_t Index = 0; Index < Source.NumTaps; ++Index)
+			// Lines that are known first, so that none of them makes room for another.
+			for (int Pass = 0; Pass < 2; ++Pass)
 			{
-				const FLineTap& Tap = Lines.Taps[Index];
-				Taps[Index] = GetLine(Tap.Columns, Plan.Taps[Index].Rows[Row]) + Tap.Shift * C;
+				for (int32_t Index = 0; Index < Source.NumTaps; ++Index)
+				{
+					const FLineTap& Tap = Lines.Taps[Index];
+					Taps[Index] = GetLine(Row, Tap.Columns, Plan.Taps[Index].Rows[Row], Pass > 0) + Tap.Shift * C;
+				}
 			}
-			if (!SumLines(Taps, Width * C))
+			uint8_t* const Place =
+				Mip.Data + int64_t(Tile.MinY + Row + ToTargetY) * Mip.RowPitch + int64_t(Tile.MinX + ToTargetX) * Bytes;
+			if (!StoreRowOf(Taps, Width, Place))
 			{
 				return false;
 			}
-			StoreStrip<N, C>(Target, Sums, Tile.MinX + ToTargetX, Tile.MinY + Row + ToTargetY, Width);
 		}
 		return true;
 	}
 
 private:
 	static DRYDOCK_LANES_INLINE FFloat Mix(FFloat A, FFloat B, FFloat Weight) { return A + Weight * (B - A); }
+
+	/** Bytes to the row that is asked for while this one is read. */
+	ptrdiff_t GetLater(int32_t Row) const
+	{
+		constexpr int32_t Ahead = 2;
+		const int32_t Rest = Source.RectMax[1] - 1 - Row;
+		return ptrdiff_t(Rest < Ahead ? Rest : Ahead) * Source.Texture->Mips[0].RowPitch;
+	}
 
 	/** Texels of a row, of the rect, from the first one on. */
 	const float* GetRow(int32_t Row)
@@ -205,17 +215,15 @@ private:
 		const int32_t Last = Source.RectMax[1] - 1;
 		const int32_t Y = Row < Source.RectMin[1] ? Source.RectMin[1] : Row > Last ? Last : Row;
 		const uint8_t* const Texels = Mip.Data + int64_t(Y) * Mip.RowPitch;
-		constexpr int32_t Ahead = 2;
 		const int32_t Slot = (Y - Source.RectMin[1]) % Plan.LiveRows;
 		float* const Strip = Strips + size_t(Slot) * size_t(TexelFloats);
 		if (StripRows[Slot] != Y)
 		{
 			StripRows[Slot] = Y;
-			PrefetchTexels(Mip, Bytes, Y + Ahead < Last ? Y + Ahead : Last, Lines.FirstTexel, Lines.NumTexels);
 			if (!bInPlace)
 			{
-				DecodeHeldStrip<N, C>(
-					Storage, Texels, Source.RectMin[0], Source.RectMax[0], Lines.FirstTexel, Lines.NumTexels, Strip);
+				DecodeHeldStrip<N, C>(Storage, Texels, Source.RectMin[0], Source.RectMax[0], Lines.FirstTexel,
+					Lines.NumTexels, Strip, GetLater(Y));
 			}
 		}
 		return bInPlace ? reinterpret_cast<const float*>(Texels + int64_t(Lines.FirstTexel) * Bytes) : Strip;
@@ -234,30 +242,39 @@ private:
 			MixedPlace = Place;
 			const float* const B = GetRow(TexelBelow(Place) + 1);
 			const FFloat Weight = Broadcast<float, N>(WeightOfNext(Place));
-			for (int32_t i = 0; i < Lines.NumTexels * C; i += N)
+			float* const Out = Mixed;
+			const int32_t Count = Lines.NumTexels * C;
+			const ptrdiff_t Later = bInPlace ? GetLater(TexelBelow(Place) + 1) : 0;
+			for (int32_t i = 0; i < Count; i += N)
 			{
-				StoreRaw(Mixed + i, Mix(LoadRaw<FFloat>(A + i), LoadRaw<FFloat>(B + i), Weight));
+				__builtin_prefetch(reinterpret_cast<const char*>(B + i) + Later);
+				StoreRaw(Out + i, Mix(LoadRaw<FFloat>(A + i), LoadRaw<FFloat>(B + i), Weight));
 			}
 		}
 		return Mixed;
 	}
 
-	const float* GetLine(int32_t Columns, int32_t Place)
+	/** The line of columns at a place, for a row of the tile, which keeps it. */
+	const float* GetLine(int32_t Row, int32_t Columns, int32_t Place, bool bMake)
 	{
-		for (int32_t Index = LinesMade - 1; Index >= 0 && Index >= LinesMade - LookBack; --Index)
+		int32_t Free = 0;
+		for (int32_t Slot = 0; Slot < GMostLineTaps; ++Slot)
 		{
-			const int32_t Slot = Index % NumLines;
-			if (LinePlaces[Slot] == Place && LineColumns[Slot] == Columns)
+			FLine& Line = Kept[Slot];
+			if (Line.Place == Place && Line.Columns == Columns)
 			{
+				Line.Row = Row;
 				return LineTexels + size_t(Slot) * size_t(LineFloats);
 			}
+			Free = Kept[Free].Row == Row ? Slot : Free;
 		}
-		const int32_t Slot = LinesMade++ % NumLines;
-		LinePlaces[Slot] = Place;
-		LineColumns[Slot] = Columns;
-		float* const Line = LineTexels + size_t(Slot) * size_t(LineFloats);
-		MakeLine(Lines.Columns[Columns], MixRows(Place), Line);
-		return Line;
+		float* const Texels = LineTexels + size_t(Free) * size_t(LineFloats);
+		if (bMake)
+		{
+			Kept[Free] = {Columns, Place, Row};
+			MakeLine(Lines.Columns[Columns], MixRows(Place), Texels);
+		}
+		return Texels;
 	}
 
 	/** Row: texels from the first one on. */
@@ -295,7 +312,8 @@ private:
 	DRYDOCK_LANES_INLINE void HalveTexels(const float* Texels, float Weight, float* Line) const
 	{
 		const FFloat Weights = Broadcast<float, N>(Weight);
-		for (int32_t i = 0; i < Lines.NumPositions * C; i += N)
+		const int32_t Count = Lines.NumPositions * C;
+		for (int32_t i = 0; i < Count; i += N)
 		{
 			const FFloat Low = LoadRaw<FFloat>(Texels + 2 * i);
 			const FFloat High = LoadRaw<FFloat>(Texels + 2 * i + N);
@@ -312,7 +330,8 @@ private:
 	DRYDOCK_LANES_INLINE void MoveTexels(const float* Texels, float Weight, float* Line) const
 	{
 		const FFloat Weights = Broadcast<float, N>(Weight);
-		for (int32_t i = 0; i < Lines.NumPositions * C; i += N)
+		const int32_t Count = Lines.NumPositions * C;
+		for (int32_t i = 0; i < Count; i += N)
 		{
 			FFloat Value = LoadRaw<FFloat>(Texels + i);
 			if constexpr (bMixed)
@@ -333,7 +352,8 @@ private:
 		const FFloat OddWeight = Broadcast<float, N>(WeightOfNext(Odd));
 		const bool bEvenAlone = WeightOfNext(Place) == 0;
 		const bool bOddAlone = WeightOfNext(Odd) == 0;
-		for (int32_t i = 0; i < Lines.NumPositions * C; i += 2 * N)
+		const int32_t Count = Lines.NumPositions * C;
+		for (int32_t i = 0; i < Count; i += 2 * N)
 		{
 			FFloat A = LoadRaw<FFloat>(EvenTexels + i / 2);
 			FFloat B = LoadRaw<FFloat>(OddTexels + i / 2);
@@ -344,43 +364,153 @@ private:
 		}
 	}
 
-	/** Count floats; false when one is NaN. */
-	bool SumLines(const float* const* Taps, int32_t Count)
+	/** V vectors of sums from lane First on, finished; false when one is NaN. NumTaps 0: as many as the source has. */
+	template<int NumTaps, int V>
+	DRYDOCK_LANES_INLINE bool SumVectors(
+		const float* const* Taps, const FFloat* TapWeights, int32_t First, int32_t Count, FFloat Values[V]) const
 	{
 		const TRaw<int32_t, N> Lane = LaneIndex<N>().V;
-		const FFloat Factor = Broadcast<float, N>(Sum.Factor);
-		bool bNan = false;
-		for (int32_t i = 0; i < Count; i += Group * N)
+		const int32_t Last = NumTaps == 0 ? Source.NumTaps : NumTaps;
+#pragma GCC unroll 8
+		for (int32_t Index = 0; Index < Last; ++Index)
 		{
-			FFloat Values[Group] = {};
-			for (int32_t Index = 0; Index < Source.NumTaps; ++Index)
-			{
-				const float* const Texels = Taps[Index] + i;
-				const FFloat Weight = LoadRaw<FFloat>(Weights[Index]);
-				const bool bAlone = bWeightless[Index];
+			const float* const Texels = Taps[Index] + First;
+			const FFloat Weight = TapWeights[Index];
 #pragma GCC unroll 4
-				for (int v = 0; v < Group; ++v)
-				{
-					FFloat Value = LoadRaw<FFloat>(Texels + v * N);
-					Value = bAlone ? Value : Value * Weight;
-					Values[v] = Index == 0 ? (Source.bFromZero ? Value + 0.0f : Value) : Values[v] + Value;
-				}
+			for (int v = 0; v < V; ++v)
+			{
+				const FFloat Value = LoadRaw<FFloat>(Texels + v * N);
+				// A product with 1 would make the tiny number of a single tap 0.
+				const FFloat Product = NumTaps == 1 && bWeightless ? Value : Value * Weight;
+				Values[v] = Index > 0 ? Values[v] + Product : bFromZero ? Product + 0.0f : Product;
 			}
+		}
+		bool bNan = false;
 #pragma GCC unroll 4
-			for (int v = 0; v < Group; ++v)
+		for (int v = 0; v < V; ++v)
+		{
+			if (First + V * N <= Count)
 			{
-				const TRaw<int32_t, N> Inside = Lane + (i + v * N) < Count;
-				bNan |= AnyLane(TMask<N>((Values[v] != Values[v]) & Inside));
-				FFloat Value = Sum.Factor == 1.0f ? Values[v] : Values[v] * Factor;
-				if (Sum.bNoNegatives)
-				{
-					const FFloat Held = Max(TReal<float, N>(Value), TReal<float, N>(0.0f)).V;
-					Value = Lane % C == 3 ? Value : Held;
-				}
-				StoreRaw(Sums + i + v * N, Value);
+				bNan |= TLaneOps<N>::AnyNan(Values[v], Values[v]);
+			}
+			else
+			{
+				bNan |= AnyLane(TMask<N>((Values[v] != Values[v]) & (Lane + (First + v * N) < Count)));
+			}
+			Values[v] = bFactor ? Values[v] * Broadcast<float, N>(Sum.Factor) : Values[v];
+			if (bNoNegatives)
+			{
+				const FFloat Held = Max(TReal<float, N>(Values[v]), TReal<float, N>(0.0f)).V;
+				Values[v] = Lane % C == 3 ? Values[v] : Held;
 			}
 		}
 		return !bNan;
+	}
+
+	/** Count floats to a row; false when one is NaN. */
+	template<int NumTaps, typename FStore>
+	DRYDOCK_LANES_INLINE bool SumRow(const float* const* RowTaps, int32_t Count, FStore Store) const
+	{
+		// Copies, which no store can change.
+		constexpr int MostTaps = NumTaps == 0 ? GMostLineTaps : NumTaps;
+		const float* Taps[MostTaps];
+		FFloat TapWeights[MostTaps];
+		for (int Index = 0; Index < (NumTaps == 0 ? Source.NumTaps : NumTaps); ++Index)
+		{
+			Taps[Index] = RowTaps[Index];
+			TapWeights[Index] = LoadRaw<FFloat>(Weights[Index]);
+		}
+		bool bNumbers = true;
+		int32_t i = 0;
+		for (; i + Group * N <= Count; i += Group * N)
+		{
+			FFloat Values[Group] = {};
+			bNumbers &= SumVectors<NumTaps, Group>(Taps, TapWeights, i, Count, Values);
+#pragma GCC unroll 4
+			for (int v = 0; v < Group; ++v)
+			{
+				Store(i + v * N, Values[v]);
+			}
+		}
+		for (; i < Count; i += N)
+		{
+			FFloat Value[1] = {};
+			bNumbers &= SumVectors<NumTaps, 1>(Taps, TapWeights, i, Count, Value);
+			if (i + N <= Count)
+			{
+				Store(i, Value[0]);
+			}
+			else
+			{
+				StoreRaw(Sums, Value[0]);
+			}
+		}
+		return bNumbers;
+	}
+
+	bool StoreRowOf(const float* const* Taps, int32_t Width, uint8_t* Place) const
+	{
+		switch (Source.NumTaps)
+		{
+		case 1:
+			return StoreRow<1>(Taps, Width, Place);
+		case 4:
+			return StoreRow<4>(Taps, Width, Place);
+		case 5:
+			return StoreRow<5>(Taps, Width, Place);
+		case 8:
+			return StoreRow<8>(Taps, Width, Place);
+		default:
+			return StoreRow<0>(Taps, Width, Place);
+		}
+	}
+
+	/** Sums of a row of the tile to the target at Place. */
+	template<int NumTaps>
+	__attribute__((noinline)) bool StoreRow(const float* const* Taps, int32_t Width, uint8_t* Place) const
+	{
+		constexpr int32_t Step = N / C;
+		const int32_t Rest = Width % (Step < 1 ? 1 : Step);
+		const int32_t Whole = Width - Rest;
+		const ETexelStorage Storage = Target.Storage;
+		const bool bWide = C == 4 && Target.bSaturateStore == 0;
+		bool bNumbers = true;
+		const auto Direct = [&](auto Format, auto bStreamed)
+		{
+			using FFormat = decltype(Format);
+			bNumbers = SumRow<NumTaps>(Taps, Width * C,
+				[&](int32_t Lane, FFloat Value)
+				{
+					uint8_t* const P = Place + Lane / 4 * FFormat::Bytes;
+					if constexpr (decltype(bStreamed)::value)
+					{
+						StreamTexels<N, FFormat>(P, Value);
+					}
+					else
+					{
+						FFormat::template Store<N>(P, Value);
+					}
+				});
+			EncodeStrip<N, C>(Target, Sums, Rest, Place + Whole * FFormat::Bytes);
+		};
+		const bool bStreamed = IsStreamed(Target, Place);
+		if (bWide && Storage == ETexelStorage::RGBA32_FLOAT)
+		{
+			bStreamed ? Direct(FRgba32Format{}, std::true_type{}) : Direct(FRgba32Format{}, std::false_type{});
+		}
+		else if (bWide && Storage == ETexelStorage::RGBA16_FLOAT)
+		{
+			bStreamed ? Direct(FRgba16Format{}, std::true_type{}) : Direct(FRgba16Format{}, std::false_type{});
+		}
+		else
+		{
+			float* const Row = Sums + N;
+			bNumbers =
+				SumRow<NumTaps>(Taps, Width * C, [&](int32_t Lane, FFloat Value) { StoreRaw(Row + Lane, Value); });
+			__builtin_memcpy(Row + Whole * C, Sums, size_t(Rest) * C * sizeof(float));
+			EncodeStrip<N, C>(Target, Row, Width, Place);
+		}
+		return bNumbers;
 	}
 
 	const FTapSum& Sum;
@@ -398,11 +528,19 @@ private:
 	int32_t MixedPlace = NoRow;
 	float* LineTexels = nullptr;
 	float* Sums = nullptr;
-	int32_t LinePlaces[NumLines] = {};
-	int32_t LineColumns[NumLines] = {};
-	int32_t LinesMade = 0;
+	/** What the slots of LineTexels hold, and the last row of the tile that used it. */
+	struct FLine
+	{
+		int32_t Columns = -1;
+		int32_t Place = 0;
+		int32_t Row = -1;
+	};
+	FLine Kept[GMostLineTaps];
 	alignas(64) float Weights[GMostLineTaps][N];
-	bool bWeightless[GMostLineTaps];
+	bool bWeightless = true;
+	const bool bFactor = Sum.Factor != 1.0f;
+	const bool bFromZero = Source.bFromZero;
+	const bool bNoNegatives = Sum.bNoNegatives;
 };
 
 /** Stores the tile's sums; false, with anything stored, where it does not know them. */
@@ -410,18 +548,21 @@ template<int N>
 inline bool SumTapLines(const FTapSum& Sum, const FSourcePlan& Plan, const FKernelTexture& Target,
 	const FKernelTile& Tile, int32_t ToTargetX, int32_t ToTargetY)
 {
-	FLinePlan Lines;
-	if (!PlanLines(Plan, Tile.MaxX - Tile.MinX, Lines))
+	// What a row of pixels reads and keeps stays in the first cache.
+	constexpr int32_t MostTexels = 256;
+	const int32_t Width = Tile.MaxX - Tile.MinX;
+	const int32_t Chunk = Plan.Step == 512 ? MostTexels / 2 : Width;
+	bool bDone = true;
+	for (int32_t First = 0; First < Width && bDone; First += Chunk)
 	{
-		return false;
+		FKernelTile Columns = Tile;
+		Columns.MinX = Tile.MinX + First;
+		Columns.MaxX = Tile.MaxX - Columns.MinX < Chunk ? Tile.MaxX : Columns.MinX + Chunk;
+		FLinePlan Lines;
+		bDone = PlanLines(Plan, First, Columns.MaxX - Columns.MinX, Lines);
+		VisitStripChannels(GetStripChannels(Target.Storage), [&](auto Channels)
+			{ bDone = bDone && TTapLines<N, Channels>(Sum, Plan, Lines, Target, Columns).Run(ToTargetX, ToTargetY); });
 	}
-	bool bDone = false;
-	VisitStripChannels(GetStripChannels(Target.Storage),
-		[&](auto Channels)
-		{
-			TTapLines<N, Channels> TapLines(Sum, Plan, Lines, Target, Tile);
-			bDone = TapLines.Run(ToTargetX, ToTargetY);
-		});
 	return bDone;
 }
 

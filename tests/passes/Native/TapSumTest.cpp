@@ -142,6 +142,7 @@ TEST(TapSum, WholePicturesOfAnySizeAreNotLeftToTheShader)
 			Blur(Place, Gaussian);
 		}
 		BlurKawase(Place, 1.0f, 3);
+		Halve(Place, EDownsampleQuality::Low, false);
 		Halve(Place, EDownsampleQuality::High, false);
 	}
 	EXPECT_EQ(Before, GetNativeFallbacks());
