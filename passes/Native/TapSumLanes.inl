@@ -1,5 +1,6 @@
-// The sum of taps in lanes: a tile goes in chunks of columns whose source rows stay in the cache, row by row, channel
-// by channel, four vectors side by side. Included by TapSum_*.cpp only.
+// The sum of taps in lanes: few taps by the lines of samples that they share (TapLines.inl); others in chunks of
+// columns whose source rows stay in the cache, row by row, channel by channel, four vectors side by side. Included by
+// TapSum_*.cpp only.
 #pragma once
 
 #include "Native/TapLines.inl"
