@@ -1,7 +1,8 @@
 // What passes cost by their native kernels and by their shaders: blurs, boxes and downsamples, bloom setup, tonemapper;
 // 1920x1080. Both run alternately in one process, with a copy of the picture by memcpy between them; medians of 7 of
 // the processor time of one thread. "copies": time over that of the copy of the picture in its own format. Then, for
-// what both formats have, the native time of half storage over that of float32.
+// what both formats have, the native time of half storage over that of float32; and CharaGlow's box against running
+// sums in plain C++. bench_strips WORDS: only rows whose name begins so.
 #include "Bloom/PostProcessBloomSetup.h"
 #include "Blur/DualKawaseBlurPass.h"
 #include "Blur/FourTapBlur.h"
@@ -254,6 +255,50 @@ double Run(const FRow& Row, const FTextureRHIRef& Texture, bool bNative)
 	return Timer.Sum;
 }
 
+/** The mean of (2 Radius + 1)^2 floats, the usual way: sums of columns that go down with the rows, and a sum that goes
+ * along them. */
+void AddRunningSums(const std::vector<float>& From, std::vector<float>& To, int32 Radius)
+{
+	const auto GetRow = [&](int32 Y)
+	{
+		return From.data() + size_t(std::clamp(Y, 0, GSize.Y - 1)) * size_t(GSize.X);
+	};
+	const int32 Last = GSize.X - 1;
+	std::vector<float> Padded(size_t(GSize.X + 2 * Radius + 2));
+	float* const Columns = Padded.data() + Radius;
+	for (int32 Y = -Radius; Y <= Radius; ++Y)
+	{
+		const float* const Row = GetRow(Y);
+		for (int32 X = 0; X <= Last; ++X)
+		{
+			Columns[X] += Row[X];
+		}
+	}
+	const float Scale = 1.0f / static_cast<float>((2 * Radius + 1) * (2 * Radius + 1));
+	for (int32 Y = 0; Y < GSize.Y; ++Y)
+	{
+		std::fill(Padded.begin(), Padded.begin() + Radius, Columns[0]);
+		std::fill(Columns + Last + 1, Columns + Last + Radius + 2, Columns[Last]);
+		float Sum = 0.0f;
+		for (int32 X = -Radius; X <= Radius; ++X)
+		{
+			Sum += Columns[X];
+		}
+		float* const Out = To.data() + size_t(Y) * size_t(GSize.X);
+		for (int32 X = 0; X <= Last; ++X)
+		{
+			Out[X] = Sum * Scale;
+			Sum += Columns[X + Radius + 1] - Columns[X - Radius];
+		}
+		const float* const Added = GetRow(Y + Radius + 1);
+		const float* const Removed = GetRow(Y - Radius);
+		for (int32 X = 0; X <= Last; ++X)
+		{
+			Columns[X] += Added[X] - Removed[X];
+		}
+	}
+}
+
 double Copy(const FTextureRHIRef& Texture, std::vector<uint8_t>& To)
 {
 	const FKernelMip& Mip = Texture->GetKernelView().Mips[0];
@@ -270,10 +315,40 @@ double Median(std::vector<double> Values)
 	return Values[Values.size() / 2];
 }
 
+/** The engine's mask, blue of four bytes, into half floats, against floats into floats. */
+void CompareBoxes()
+{
+	std::printf("\n| box of a mask, 1920 x 1080, one thread | CharaGlow, ms | running sums in C++, ms | ratio |\n"
+				"|---|---|---|---|\n");
+	const FTextureRHIRef Mask = MakeNoise(PF_B8G8R8A8);
+	std::vector<float> From(size_t(GSize.X) * size_t(GSize.Y), 0.5f);
+	std::vector<float> To(From.size());
+	for (const int32 Radius : {1, 8, 32})
+	{
+		const FRow Row = {"", PF_B8G8R8A8, Box(static_cast<float>(Radius))};
+		std::vector<double> Native;
+		std::vector<double> Plain;
+		for (int Repetition = -1; Repetition < 3 * GRepetitions; ++Repetition)
+		{
+			const double Milliseconds = Run(Row, Mask, true);
+			const double Start = FPassTimer::GetMilliseconds();
+			AddRunningSums(From, To, Radius);
+			if (Repetition >= 0)
+			{
+				Native.push_back(Milliseconds);
+				Plain.push_back(FPassTimer::GetMilliseconds() - Start);
+			}
+		}
+		std::printf("| radius %d | %.2f | %.2f | %.2f |\n", Radius, Median(Native), Median(Plain),
+			Median(Native) / Median(Plain));
+	}
+}
+
 } // namespace
 
-int main()
+int main(int NumArguments, char** Arguments)
 {
+	const std::string Words = NumArguments > 1 ? Arguments[1] : "";
 	IConsoleManager::Get().FindConsoleVariable(TEXT("r.Drydock.Threads"))->Set(1);
 	std::vector<FRow> Rows;
 	for (const auto& [Format, Name] :
@@ -309,6 +384,7 @@ int main()
 		Rows.push_back({std::string("tonemap, bloom, ") + Name, Format, Tonemap(ELens::Bloom), "Tonemap"});
 		Rows.push_back({std::string("tonemap, everything, ") + Name, Format, Tonemap(ELens::Everything), "Tonemap"});
 	}
+	std::erase_if(Rows, [&](const FRow& Row) { return !Row.Name.starts_with(Words); });
 	std::map<std::string, double> NativeTimes;
 	std::vector<uint8_t> To;
 	std::printf(
@@ -337,6 +413,14 @@ int main()
 			Native / Copied, Shader / Copied);
 		std::fflush(stdout);
 		NativeTimes[Row.Name] = Native;
+	}
+	if (Words.empty() || Words.starts_with("box"))
+	{
+		CompareBoxes();
+	}
+	if (!Words.empty())
+	{
+		return 0;
 	}
 	// Sigma 8 and 32 end at 24 and 96 texels: two directions of 49 and 193 taps.
 	constexpr double MoreTaps = 2 * (193 - 49);

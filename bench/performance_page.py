@@ -19,13 +19,14 @@ PAGE = ROOT / "docs/performance.md"
 CHART = ROOT / "docs/images/performance.svg"
 
 # What is compared: title, workload, its parameter, storage, drydock's rows (the fastest counts), goal as a part of the
-# best peer's time. A parameter of None is any.
+# best peer's time, if it has one. A parameter of None is any.
 AGAINST_PEERS = (
     [(f"Gaussian, sigma {s}", "gauss", 3 * s, "f32", ("drydock_separable", "usf_ps"), 1.0) for s in (2, 8, 32, 64)]
     + [(f"dual Kawase, {n} levels", "kawase", n, "f32", ("drydock_kawase",), 1.0) for n in (3, 4, 5)]
     + [(f"bloom, 6 levels, {name}", "bloom", None, t, ("drydock_bloom", "drydock_bloom_fast"), 0.8)
        for t, name in (("f32", "float"), ("f16", "half"))]
-    + [(f"box, radius {r}", "box", r, "f32", ("drydock_box", "usf_cs"), 1.0) for r in (1, 8, 32)]
+    + [(f"box, radius {r}", "box", r, "f32", ("drydock_box",), 1.0) for r in (1, 8, 32)]
+    + [(f"box, radius {r}: a user's loop in a .usf", "box", r, "f32", ("usf_cs",), None) for r in (1, 8, 32)]
     + [("bright, screen, pow: a user's .usf", "bsp", 0, "f32", ("usf_ps", "usf_cs"), 1.0),
        ("tonemap: a user's .usf", "tone", 0, "f32", ("usf_ps", "usf_cs"), 1.0)])
 AGAINST_LAVAPIPE = [("bright, screen, pow: a user's .usf", "bsp", 0, "f32", ("usf_ps", "usf_cs"), 0.2),
@@ -136,7 +137,8 @@ def make_peer_tables(rounds):
     for row in compared:
         bound = get_bound(rounds, row["workload"], row["parameter"], row["storage"])
         lines.append(f"| {row['title']} | {row['best']} | {cell(row['best_ms'])}{row['mark']} | {row['mine']} | "
-                     f"{cell(row['mine_ms'])}{row['mark']} | {row['copies']:.1f} | {row['ratio']:.2f} | {row['goal']:.1f} | "
+                     f"{cell(row['mine_ms'])}{row['mark']} | {row['copies']:.1f} | {row['ratio']:.2f} | "
+                     + (f"{row['goal']:.1f} | " if row["goal"] else "| ")
                      + (f"{bound[0]:.1f} | {bound[1]} |" if bound else "| |"))
     lines += ["", "| | measured | goal |", "|---|--:|--:|"]
     for title, workload, parameter, storage, own, goal in AGAINST_LAVAPIPE:
@@ -213,8 +215,9 @@ def make_chart(compared):
         colour = "#2b8a3e" if row["ratio"] <= 1.0 else "#c2571a"
         out.append(f'<text x="{left - 12}" y="{y + 14}" text-anchor="end" fill="#1a1a1a">{escape(row["title"])}</text>')
         out.append(f'<rect x="{begin:.1f}" y="{y + 3}" width="{max(end - begin, 1.0):.1f}" height="14" fill="{colour}"/>')
-        goal = x_of(row["goal"])
-        out.append(f'<line x1="{goal:.1f}" y1="{y}" x2="{goal:.1f}" y2="{y + 20}" stroke="#1864ab" stroke-width="3"/>')
+        if row["goal"]:
+            goal = x_of(row["goal"])
+            out.append(f'<line x1="{goal:.1f}" y1="{y}" x2="{goal:.1f}" y2="{y + 20}" stroke="#1864ab" stroke-width="3"/>')
         side = "start" if row["ratio"] >= 1.0 else "end"
         place = end + 6 if row["ratio"] >= 1.0 else begin - 6
         out.append(f'<text x="{place:.1f}" y="{y + 14}" text-anchor="{side}" fill="#1a1a1a">{row["ratio"]:.2f}</text>')

@@ -30,7 +30,11 @@ struct TBoxSum
 
 	static DRYDOCK_LANES_INLINE FSums Widen(const float* P)
 	{
+#if DRYDOCK_LANES_LEVEL >= 4
+		return FSums(_mm512_cvtps_pd(__m256(LoadRaw<FValues>(P)))); // one instruction, which the compiler does not find
+#else
 		return __builtin_convertvector(LoadRaw<FValues>(P), FSums);
+#endif
 	}
 
 	/** Texels X to X + Count of a row, of the one channel; true when all are finite. Whole packs are written. */
@@ -47,16 +51,20 @@ struct TBoxSum
 		const int32_t RunEnd = End > Sum.RectMax[0] ? Sum.RectMax[0] : End < RunBegin + 1 ? RunBegin + 1 : End;
 		// Decoded at the strip's begin and moved, where the strip begins outside.
 		const int32_t Before = RunBegin - X < 0 ? 0 : RunBegin - X > Count ? Count : RunBegin - X;
-		const auto Run = [&](auto Format)
+		TRaw<int32_t, N> Wrong = {};
+		const auto Run = [&](auto Format, auto Channel)
 		{
-			for (int32_t i = 0; i < RunEnd - RunBegin; i += N)
+			const int32_t RunCount = RunEnd - RunBegin;
+			float* const RunOut = Out + Before;
+			for (int32_t i = 0; i < RunCount; i += N)
 			{
 				const uint8_t* P = Row + int64_t(RunBegin + i) * Format.Bytes;
 				alignas(64) uint8_t Copy[N * 16];
-				if (RunEnd - RunBegin - i < N)
+				if (RunCount - i < N)
 				{
+					// Beyond the last texel lie zeros: numbers.
 					__builtin_memset(Copy, 0, sizeof(Copy));
-					__builtin_memcpy(Copy, P, size_t(RunEnd - RunBegin - i) * size_t(Format.Bytes));
+					__builtin_memcpy(Copy, P, size_t(RunCount - i) * size_t(Format.Bytes));
 					P = Copy;
 				}
 				TRaw<float, N> Channels[4];
@@ -68,13 +76,29 @@ struct TBoxSum
 				{
 					LoadTexelsOf<decltype(Format), float, N>(P, Channels);
 				}
-				StoreRaw(Out + Before + i, Channels[Sum.Channel]);
+				StoreRaw(RunOut + i, Channels[Channel]);
+				const auto Bits = TRaw<int32_t, N>(Channels[Channel]) & 0x7F800000;
+				Wrong |= Bits == 0x7F800000;
 			}
 			return true;
 		};
-		if (!VisitPictureFormat(Storage, Run))
+		const auto RunFormat = [&](auto Format)
 		{
-			Run(FAnyFormat{Storage, GetTexelStorageInfo(Storage).BytesPerTexel});
+			switch (Sum.Channel)
+			{
+			case 0:
+				return Run(Format, std::integral_constant<int, 0>{});
+			case 1:
+				return Run(Format, std::integral_constant<int, 1>{});
+			case 2:
+				return Run(Format, std::integral_constant<int, 2>{});
+			default:
+				return Run(Format, std::integral_constant<int, 3>{});
+			}
+		};
+		if (!VisitPictureFormat(Storage, RunFormat))
+		{
+			RunFormat(FAnyFormat{Storage, GetTexelStorageInfo(Storage).BytesPerTexel});
 		}
 		const float First = Out[Before];
 		const float Last = Out[Before + RunEnd - RunBegin - 1];
@@ -85,12 +109,6 @@ struct TBoxSum
 		for (int32_t i = Before + RunEnd - RunBegin; i < Count; ++i)
 		{
 			Out[i] = Last;
-		}
-		TRaw<int32_t, N> Wrong = {};
-		for (int32_t i = 0; i < Count; i += N)
-		{
-			const TRaw<int32_t, N> Bits = LoadRaw<TRaw<int32_t, N>>(Out + i);
-			Wrong |= ((Bits & 0x7F800000) == 0x7F800000) & (LaneIndex<N>().V + i < Count);
 		}
 		return !AnyLane(TMask<N>(Wrong));
 	}
@@ -114,6 +132,10 @@ struct TBoxSum
 					__builtin_memcpy(Values, Channels, sizeof(Values));
 					StoreTexels<float, N>(Format.Storage, bSaturate, Place, Values);
 				}
+				else if constexpr (std::is_same_v<decltype(Format), FR16Format>)
+				{
+					TLaneOps<N>::StoreHalves(Place, Mean);
+				}
 				else
 				{
 					StoreTexelsOf<decltype(Format), float, N>(Place, Channels);
@@ -131,10 +153,15 @@ struct TBoxSum
 		}
 	}
 
+	/** bEnds: the fraction is not 0. */
+	template<bool bEnds>
 	DRYDOCK_LANES_INLINE void StoreMeans(FSums Whole, const float* First, const float* Last, float* Out) const
 	{
-		const FSums Ends = Widen(First) + Widen(Last);
-		StoreRaw(Out, __builtin_convertvector((Whole + Ends * double(Sum.Fraction)) * double(Sum.Scale), FValues));
+		if constexpr (bEnds)
+		{
+			Whole = Whole + (Widen(First) + Widen(Last)) * double(Sum.Fraction);
+		}
+		StoreRaw(Out, __builtin_convertvector(Whole * double(Sum.Scale), FValues));
 	}
 
 	/** Sums of the values before each index of a strip; Out takes a pack and one more. */
@@ -160,8 +187,12 @@ struct TBoxSum
 		}
 	}
 
-	static uint64_t GetGroup(int32_t Row) { return uint64_t(1) << (Row / GRowsOfBoxGroup); }
+	static uint64_t GetGroup(int32_t Row)
+	{
+		return uint64_t(1) << (Row / GRowsOfBoxGroup);
+	}
 
+	template<bool bEnds>
 	uint64_t SumRows() const
 	{
 		const int32_t Count = Width + 2 * Reach;
@@ -181,13 +212,14 @@ struct TBoxSum
 			for (int32_t X = 0; X < Width; X += D)
 			{
 				const FSums Whole = LoadRaw<FSums>(Sums + X + 2 * Reach) - LoadRaw<FSums>(Sums + X + 1);
-				StoreMeans(Whole, Strip + X, Strip + X + 2 * Reach, Means + X);
+				StoreMeans<bEnds>(Whole, Strip + X, Strip + X + 2 * Reach, Means + X);
 			}
 			Encode(Means, Pixels.MinY + Y);
 		}
 		return Left;
 	}
 
+	template<bool bEnds>
 	uint64_t SumColumns() const
 	{
 		const int32_t NumRows = Height + 2 * Reach;
@@ -230,7 +262,7 @@ struct TBoxSum
 			for (int32_t X = 0; X < Width; X += D)
 			{
 				const FSums Whole = LoadRaw<FSums>(Sums + X);
-				StoreMeans(Whole, Row + X, LastRow + X, Means + X);
+				StoreMeans<bEnds>(Whole, Row + X, LastRow + X, Means + X);
 				StoreRaw(Sums + X, Whole + (Widen(LastRow + X) - Widen(Row + Pitch + X)));
 			}
 			Encode(Means, Pixels.MinY + Y);
@@ -253,7 +285,11 @@ uint64_t TBoxSumLanes<N>::Run(
 	const int32_t FirstX = Pixels.MinX + ToSourceX - (Sum.Axis == 0 ? Reach : 0);
 	const int32_t FirstY = Pixels.MinY + ToSourceY - (Sum.Axis == 1 ? Reach : 0);
 	const Lanes::TBoxSum<N> Tile{Sum, Target, Pixels, FirstX, FirstY};
-	return Sum.Axis == 0 ? Tile.SumRows() : Tile.SumColumns();
+	if (Sum.Fraction != 0.0f)
+	{
+		return Sum.Axis == 0 ? Tile.template SumRows<true>() : Tile.template SumColumns<true>();
+	}
+	return Sum.Axis == 0 ? Tile.template SumRows<false>() : Tile.template SumColumns<false>();
 }
 
 } // namespace Drydock

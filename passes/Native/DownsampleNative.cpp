@@ -1,6 +1,4 @@
-// Halving an image in high quality as a sum of four taps. Stands in for PostProcessDownsample.usf with its bits; one
-// tap, low quality, is left to the shader, which reads each texel once as well and is faster (bench_strips).
-#include "NativeFallback.h"
+// Halving an image as a sum of one tap, low quality, or four. Stands in for PostProcessDownsample.usf with its bits.
 #include "NativeKernels.h"
 #include "Native/TapSumPass.h"
 #include "Screen/DownsampleShaders.h"
@@ -16,20 +14,16 @@ void RunDownsample(const FNativeKernelArgs& Args, const FKernelTile& Tile, const
 	const FTapTarget& Target)
 {
 	const FDownsamplePS::FPermutationDomain Permutation(Args.GetPermutationId());
-	if (Permutation.Get<FDownsampleQualityDimension>() != static_cast<int32>(EDownsampleQuality::High))
-	{
-		RunShader(Args, Tile);
-		return;
-	}
-	constexpr int NumTaps = 4;
-	FTap Taps[NumTaps];
+	const bool bHigh = Permutation.Get<FDownsampleQualityDimension>() == static_cast<int32>(EDownsampleQuality::High);
+	const int NumTaps = bHigh ? 4 : 1;
+	FTap Taps[4];
 	for (int Index = 0; Index < NumTaps; ++Index)
 	{
 		FTap& Tap = Taps[Index];
 		Tap.X = MakeStretchAxis(Parameters.Output, Parameters.Input, 0);
 		Tap.Y = MakeStretchAxis(Parameters.Output, Parameters.Input, 1);
-		Tap.X.Second = Parameters.Input.ExtentInverse.X * (Index % 2 == 0 ? -1.0f : 1.0f);
-		Tap.Y.Second = Parameters.Input.ExtentInverse.Y * (Index / 2 == 0 ? -1.0f : 1.0f);
+		Tap.X.Second = bHigh ? Parameters.Input.ExtentInverse.X * (Index % 2 == 0 ? -1.0f : 1.0f) : 0.0f;
+		Tap.Y.Second = bHigh ? Parameters.Input.ExtentInverse.Y * (Index / 2 == 0 ? -1.0f : 1.0f) : 0.0f;
 	}
 	FTapSource Source = MakeTapSource(Args, "InputTexture", "InputSampler", Parameters.Input);
 	Source.Beyond = EBeyondRect::Clamp;
@@ -38,8 +32,8 @@ void RunDownsample(const FNativeKernelArgs& Args, const FKernelTile& Tile, const
 	FTapSum Sum;
 	Sum.Sources = &Source;
 	Sum.NumSources = 1;
-	Sum.Factor = 0.25f;
-	Sum.bNoNegatives = true;
+	Sum.Factor = bHigh ? 0.25f : 1.0f;
+	Sum.bNoNegatives = bHigh;
 	SumTapsOrRunShader(Sum, Args, Tile, Target);
 }
 

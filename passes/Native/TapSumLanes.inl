@@ -1,7 +1,9 @@
-// The sum of taps in lanes: a tile goes in chunks of columns whose source rows stay in the cache, row by row, channel
-// by channel, four vectors side by side. Included by TapSum_*.cpp only.
+// The sum of taps in lanes: few taps by the lines of samples that they share (TapLines.inl); others in chunks of
+// columns whose source rows stay in the cache, row by row, channel by channel, four vectors side by side. Included by
+// TapSum_*.cpp only.
 #pragma once
 
+#include "Native/TapLines.inl"
 #include "Native/TapSumColumns.inl"
 #include "Native/TapSumStores.inl"
 
@@ -386,6 +388,10 @@ inline bool SumTile(
 		Plans[Index].bInBlocks = Index == 0 && CanSumInBlocks(Plans[Index]);
 		Ints += size_t(Source.NumTaps) * IntsATap;
 		TapPlans += Source.NumTaps;
+	}
+	if (Sum.NumSources == 1 && SumTapLines<N>(Sum, Plans[0], Target, Tile, ToTargetX, ToTargetY))
+	{
+		return true;
 	}
 
 	const int32_t Chunk = ChooseChunk(Plans[0], Channels, Width);

@@ -78,9 +78,10 @@ DRYDOCK_LANES_INLINE void DecodeStep(FFormat Format, const uint8_t* P, float* Ou
 	}
 }
 
-/** Count texels from P on. Out takes whole steps: up to N texels more. */
+/** Count texels from P on. Out takes whole steps: up to N texels more. Later: bytes to texels that are read soon and
+ *  asked for meanwhile; all at once, they would wait for each other. */
 template<int N, int C>
-inline void DecodeStrip(ETexelStorage Storage, const uint8_t* P, int32_t Count, float* Out)
+inline void DecodeStrip(ETexelStorage Storage, const uint8_t* P, int32_t Count, float* Out, ptrdiff_t Later = 0)
 {
 	const auto Decode = [&](auto Format)
 	{
@@ -88,7 +89,9 @@ inline void DecodeStrip(ETexelStorage Storage, const uint8_t* P, int32_t Count, 
 		int32_t X = 0;
 		for (; X + Step <= Count; X += Step)
 		{
-			DecodeStep<N, C>(Format, P + int64_t(X) * Format.Bytes, Out + int64_t(X) * C);
+			const uint8_t* const Texels = P + int64_t(X) * Format.Bytes;
+			__builtin_prefetch(Texels + Later);
+			DecodeStep<N, C>(Format, Texels, Out + int64_t(X) * C);
 		}
 		if (X < Count)
 		{
@@ -121,7 +124,7 @@ inline void PrefetchTexels(const FKernelMip& Mip, int32_t Bytes, int32_t Row, in
 /** Texels First to First + Count of a row whose texels RectMin to RectMax are known; beyond them the edge texel. */
 template<int N, int C>
 inline void DecodeHeldStrip(ETexelStorage Storage, const uint8_t* Row, int32_t RectMin, int32_t RectMax, int32_t First,
-	int32_t Count, float* Out)
+	int32_t Count, float* Out, ptrdiff_t Later = 0)
 {
 	const int32_t Bytes = GetTexelStorageInfo(Storage).BytesPerTexel;
 	const int32_t End = First + Count;
@@ -140,7 +143,7 @@ inline void DecodeHeldStrip(ETexelStorage Storage, const uint8_t* Row, int32_t R
 		}
 		return;
 	}
-	DecodeStrip<N, C>(Storage, Row + int64_t(RunBegin) * Bytes, RunEnd - RunBegin, Out + int64_t(Before) * C);
+	DecodeStrip<N, C>(Storage, Row + int64_t(RunBegin) * Bytes, RunEnd - RunBegin, Out + int64_t(Before) * C, Later);
 	float Edge[C];
 	__builtin_memcpy(Edge, Out + int64_t(Before) * C, sizeof(Edge));
 	for (int32_t X = 0; X < Before; ++X)

@@ -2,8 +2,7 @@
 // Included by TexelSum_*.cpp only.
 #pragma once
 
-#include "Native/StreamingStores.inl"
-#include "Native/TexelStrips.inl"
+#include "Native/StripStores.inl"
 #include "Native/TexelSum.h"
 
 namespace Drydock::Lanes
@@ -46,57 +45,41 @@ struct TTexelSum
 	int32_t FirstX; // of the source, of the first tap
 	int32_t FirstY;
 	const float* Weights;
+	/** Texels of a vector. */
+	static constexpr int Shifts = N / C < 1 ? 1 : N / C;
 	const int32_t NumTaps = 2 * Sum.Reach + 1;
 	const FKernelMip& From = Sum.Source->Mips[0];
-	const FKernelMip& To = Target.Mips[0];
 
 	void Decode(int32_t X, int32_t Y, int32_t Count, float* Out) const
 	{
 		constexpr int32_t Ahead = 2;
 		const int32_t Last = Sum.RectMax[1] - 1;
-		const uint8_t* const Row = From.Data + int64_t(HoldBetween(Y, Sum.RectMin[1], Last)) * From.RowPitch;
-		PrefetchTexels(From, GetTexelStorageInfo(Sum.Source->Storage).BytesPerTexel,
-			HoldBetween(Y + Ahead, Sum.RectMin[1], Last), X, Count);
-		DecodeHeldStrip<N, C>(Sum.Source->Storage, Row, Sum.RectMin[0], Sum.RectMax[0], X, Count, Out);
+		const int32_t Held = HoldBetween(Y, Sum.RectMin[1], Last);
+		const int32_t Later = HoldBetween(Y + Ahead, Sum.RectMin[1], Last);
+		DecodeHeldStrip<N, C>(Sum.Source->Storage, From.Data + int64_t(Held) * From.RowPitch, Sum.RectMin[0],
+			Sum.RectMax[0], X, Count, Out, ptrdiff_t(Later - Held) * From.RowPitch);
 	}
 
-	void Encode(const float* Sums, int32_t X, int32_t Y, int32_t Count) const
+	/** Copies of a strip, each begun a texel further on: then a tap's loads begin where a vector does. */
+	static void Shift(float* Strip, int32_t Pitch)
 	{
-		uint8_t* const Place =
-			To.Data + int64_t(Y) * To.RowPitch + int64_t(X) * GetTexelStorageInfo(Target.Storage).BytesPerTexel;
-		if (C != 4 || !IsStreamed(Target, Place))
+		for (int32_t i = 0; i < Pitch - N; i += N)
 		{
-			EncodeStrip<N, C>(Target, Sums, Count, Place);
-		}
-		else if (Target.Storage == ETexelStorage::RGBA32_FLOAT)
-		{
-			Stream<FRgba32Format>(Sums, Count, Place);
-		}
-		else
-		{
-			Stream<FRgba16Format>(Sums, Count, Place);
+			for (int Copy = 1; Copy < Shifts; ++Copy)
+			{
+				StoreRaw(Strip + Copy * Pitch + i, LoadRaw<FFloat>(Strip + i + Copy * C));
+			}
 		}
 	}
 
-	template<typename FFormat>
-	void Stream(const float* Sums, int32_t Count, uint8_t* Place) const
-	{
-		constexpr int32_t Step = N / 4;
-		const int32_t Whole = Count / Step * Step;
-		for (int32_t i = 0; i < Whole; i += Step)
-		{
-			StreamTexels<N, FFormat>(Place + i * FFormat::Bytes, LoadRaw<FFloat>(Sums + 4 * i));
-		}
-		EncodeStrip<N, C>(Target, Sums + Whole * C, Count - Whole, Place + Whole * FFormat::Bytes);
-	}
-
-	DRYDOCK_LANES_INLINE void SumPacks(const float* Strip, float* Out) const
+	/** Pitch: of the strip's copies; 0: there is the one. */
+	DRYDOCK_LANES_INLINE void SumPacks(const float* Strip, int32_t Pitch, float* Out) const
 	{
 		FFloat Sums[GPacksAlongRow] = {};
 		for (int32_t Tap = 0; Tap < NumTaps; ++Tap)
 		{
 			const FFloat Weight = Broadcast<float, N>(Weights[Tap]);
-			const float* const Texels = Strip + int64_t(Tap) * C;
+			const float* const Texels = Pitch == 0 ? Strip + Tap * C : Strip + Tap % Shifts * Pitch + Tap / Shifts * N;
 #pragma GCC unroll 8
 			for (int i = 0; i < GPacksAlongRow; ++i)
 			{
@@ -117,16 +100,26 @@ struct TTexelSum
 		const int32_t Count = Width + NumTaps - 1;
 		const size_t Floats = size_t(Width) * C + Group;
 		// A group begun at the last texel, and a whole step of the decoder, may reach beyond.
-		float* const Strip = static_cast<float*>(GetTapMemory(1, (size_t(Count) * C + Group + 4 * N) * sizeof(float)));
+		const int32_t StripFloats = (Count * C + Group + 5 * N) / N * N;
+		// Of few taps the copies cost more than loads that cross lines.
+		constexpr int32_t ManyTaps = 16;
+		const bool bShifted = Shifts > 1 && NumTaps >= ManyTaps;
+		const int32_t Pitch = bShifted ? StripFloats : 0;
+		float* const Strip =
+			static_cast<float*>(GetTapMemory(1, size_t(bShifted ? Shifts : 1) * size_t(StripFloats) * sizeof(float)));
 		float* const Sums = static_cast<float*>(GetTapMemory(2, (Floats + 4 * N) * sizeof(float)));
 		for (int32_t Y = Pixels.MinY; Y < Pixels.MaxY; ++Y)
 		{
 			Decode(FirstX, FirstY + Y - Pixels.MinY, Count, Strip);
+			if (bShifted)
+			{
+				Shift(Strip, Pitch);
+			}
 			for (int32_t i = 0; i < Width * C; i += Group)
 			{
-				SumPacks(Strip + i, Sums + i);
+				SumPacks(Strip + i, Pitch, Sums + i);
 			}
-			Encode(Sums, Pixels.MinX, Y, Width);
+			StoreStrip<N, C>(Target, Sums, Pixels.MinX, Y, Width);
 		}
 	}
 
@@ -222,7 +215,8 @@ struct TTexelSum
 				}
 				for (int32_t Row = 0; Row < GRowsOfBlock && Y + Row < Height; ++Row)
 				{
-					Encode(Sums + int64_t(Row) * Pitch, Pixels.MinX + Column, Pixels.MinY + Y + Row, Count);
+					StoreStrip<N, C>(
+						Target, Sums + int64_t(Row) * Pitch, Pixels.MinX + Column, Pixels.MinY + Y + Row, Count);
 				}
 			}
 		}

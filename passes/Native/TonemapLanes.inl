@@ -254,8 +254,51 @@ private:
 		return Max(Mix(FLanes(1.0f), Grain, Intensity), FLanes(0.0f));
 	}
 
-	/** Bilinear, of a place whose rows are known, as offsets. bPacked: 10 bits to a channel, which are never NaN. */
-	template<bool bPacked>
+	/** The words at Offsets and those right after them: half the loads of two gathers. */
+	static DRYDOCK_LANES_INLINE void LoadPairs(const uint8_t* Base, FInt Offsets, TRaw<uint32_t, N> Out[2])
+	{
+		alignas(64) int32_t Places[N];
+		alignas(64) uint64_t Pairs[N];
+		StoreRaw(Places, Offsets);
+		for (int Lane = 0; Lane < N; ++Lane)
+		{
+			__builtin_memcpy(Pairs + Lane, Base + Places[Lane], sizeof(uint64_t));
+		}
+		using FUint = TRaw<uint32_t, N>;
+		TLaneOps<N>::Deinterleave(LoadRaw<FUint>(Pairs), LoadRaw<FUint>(Pairs + N / 2), Out);
+	}
+
+	/** Bilinear, of a place whose rows are known, as offsets; of a table of RGB10A2, two texels wide at least. Numbers
+	 *  of 0 and above, so a weight of 0 need not be asked for. */
+	DRYDOCK_LANES_INLINE void SamplePackedTable(FInt PlaceX, const FInt Rows[2], FFloat WeightY, FFloat Out[3]) const
+	{
+		const FKernelMip& Mip = Job.Table->Mips[0];
+		const FInt Below = (PlaceX - 128) >> 8;
+		const FInt Left = Max(Min(TInt<N>(Below), TInt<N>(Mip.SizeX - 2)), TInt<N>(0)).V;
+		const FFloat WeightX = __builtin_convertvector((PlaceX - 128) & 255, FFloat) * Broadcast<float, N>(1.0f / 256);
+		FFloat Corners[2][2][4];
+		for (int Row = 0; Row < 2; ++Row)
+		{
+			TRaw<uint32_t, N> Words[2];
+			LoadPairs(Mip.Data, Rows[Row] + Left * int32_t(FRgb10A2Format::Bytes), Words);
+			// At the table's ends both texels are the same.
+			const TRaw<uint32_t, N> First = Below > Left ? Words[1] : Words[0];
+			const TRaw<uint32_t, N> Second = Below < Left ? Words[0] : Words[1];
+			FRgb10A2Format::Decode<N>(&First, Corners[Row][0]);
+			FRgb10A2Format::Decode<N>(&Second, Corners[Row][1]);
+		}
+		const auto Blend = [](FFloat A, FFloat B, FFloat Weight)
+		{
+			return A + Weight * (B - A);
+		};
+		for (int c = 0; c < 3; ++c)
+		{
+			Out[c] = Blend(Blend(Corners[0][0][c], Corners[1][0][c], WeightY),
+				Blend(Corners[0][1][c], Corners[1][1][c], WeightY), WeightX);
+		}
+	}
+
+	/** The same of any table. */
 	DRYDOCK_LANES_INLINE void SampleTable(FInt PlaceX, const FInt Rows[2], FFloat WeightY, FFloat Out[3]) const
 	{
 		const FKernelMip& Mip = Job.Table->Mips[0];
@@ -269,21 +312,13 @@ private:
 		for (int i = 0; i < 4; ++i)
 		{
 			const FInt Offsets = Rows[i & 1] + (i < 2 ? Left : Right) * Bytes;
-			if constexpr (bPacked)
-			{
-				GatherTexelsOf<FRgb10A2Format, float, N>(Mip.Data, Offsets, Corners[i]);
-			}
-			else
-			{
-				GatherTexels<float, N>(Job.Table->Storage, Mip.Data, Offsets, Corners[i]);
-			}
+			GatherTexels<float, N>(Job.Table->Storage, Mip.Data, Offsets, Corners[i]);
 		}
 		for (int c = 0; c < 3; ++c)
 		{
 			const auto Blended = [](FFloat A, FFloat B, FFloat Weight)
 			{
-				const FFloat Mixed = bPacked ? A + Weight * (B - A) : MixCarefully<N>(A, B, Weight);
-				return Weight == 0.0f ? A : Mixed;
+				return Weight == 0.0f ? A : MixCarefully<N>(A, B, Weight);
 			};
 			Out[c] = Blended(Blended(Corners[0][c], Corners[1][c], WeightY),
 				Blended(Corners[2][c], Corners[3][c], WeightY), WeightX);
@@ -321,8 +356,18 @@ private:
 		const FInt Rows[2] = {Top * Mip.RowPitch, Bottom * Mip.RowPitch};
 		FFloat Low[3];
 		FFloat High[3];
-		SampleTable<bPacked>(PlaceOf<N>(U, Mip.SizeX), Rows, WeightY, Low);
-		SampleTable<bPacked>(PlaceOf<N>(U + FLanes(1.0f) / Size, Mip.SizeX), Rows, WeightY, High);
+		const FInt Place = PlaceOf<N>(U, Mip.SizeX);
+		const FInt NextPlace = PlaceOf<N>(U + FLanes(1.0f) / Size, Mip.SizeX);
+		if constexpr (bPacked)
+		{
+			SamplePackedTable(Place, Rows, WeightY, Low);
+			SamplePackedTable(NextPlace, Rows, WeightY, High);
+		}
+		else
+		{
+			SampleTable(Place, Rows, WeightY, Low);
+			SampleTable(NextPlace, Rows, WeightY, High);
+		}
 		for (int c = 0; c < 3; ++c)
 		{
 			Out[c] = Mix(FLanes(Low[c]), FLanes(High[c]), Weight) * FLanes(1.05f);
@@ -378,7 +423,7 @@ private:
 			}
 		}
 		FLanes Color[3];
-		if (Job.Table->Storage == ETexelStorage::RGB10A2_UNORM)
+		if (Job.Table->Storage == ETexelStorage::RGB10A2_UNORM && Job.Table->Mips[0].SizeX > 1)
 		{
 			LookUp<true>(Linear, Color);
 		}

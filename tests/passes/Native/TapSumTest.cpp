@@ -3,6 +3,7 @@
 #include "NativeTestUtils.h"
 
 #include "Blur/DualKawaseBlurPass.h"
+#include "Blur/FourTapBlur.h"
 #include "Blur/PostProcessWeightedSampleSum.h"
 #include "NativeFallback.h"
 #include "Screen/PostProcessDownsample.h"
@@ -66,6 +67,12 @@ FImage Halve(const FPlace& Place, EDownsampleQuality Quality, bool bCompute)
 	return Run.Execute(AddDownsamplePass(Run.GraphBuilder, Run.View, Inputs));
 }
 
+FImage BlurByPyramid(const FPlace& Place)
+{
+	FPassRun Run(Place.Image, Place.Rect, Place.Extent, EArithmetic::Native, Place.Format);
+	return Run.Execute(AddPyramidBlurPasses(Run.GraphBuilder, Run.View, Run.Input, 3.0));
+}
+
 FPlace FillTexture(int Width, int Height)
 {
 	return {FImage::Noise(Width, Height), {0, 0, Width, Height}, FIntPoint(Width, Height), PF_FloatRGBA};
@@ -116,6 +123,22 @@ TEST(TapSum, DownsampleHasTheShadersBits)
 	}
 }
 
+// Several tiles and several chunks of one: most of their rows are read where they lie in the texture.
+TEST(TapSum, WidePicturesHaveTheShadersBits)
+{
+	for (const EPixelFormat Format : {PF_A32B32G32R32F, PF_FloatRGBA, PF_R32_FLOAT, PF_G16R16, PF_FloatR11G11B10})
+	{
+		FPlace Place = FillTexture(1101, 37);
+		Place.Format = Format;
+		const std::string What = "format " + std::to_string(static_cast<int>(Format));
+		ExpectSameBits([&] { return BlurKawase(Place, 1.0f, 2); }, "Kawase, " + What);
+		ExpectSameBits([&] { return BlurKawase(Place, 1.3f, 2); }, "Kawase of another offset, " + What);
+		ExpectSameBits([&] { return BlurByPyramid(Place); }, "pyramid, " + What);
+		ExpectSameBits([&] { return Halve(Place, EDownsampleQuality::Low, false); }, "low, " + What);
+		ExpectSameBits([&] { return Halve(Place, EDownsampleQuality::High, true); }, "high, " + What);
+	}
+}
+
 TEST(TapSum, NegativeZerosKeepTheirSignAtClampedEdges)
 {
 	for (const auto& [Width, Height] : {std::pair(1, 1), {7, 5}, {33, 2}})
@@ -142,6 +165,7 @@ TEST(TapSum, WholePicturesOfAnySizeAreNotLeftToTheShader)
 			Blur(Place, Gaussian);
 		}
 		BlurKawase(Place, 1.0f, 3);
+		Halve(Place, EDownsampleQuality::Low, false);
 		Halve(Place, EDownsampleQuality::High, false);
 	}
 	EXPECT_EQ(Before, GetNativeFallbacks());
