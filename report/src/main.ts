@@ -6,7 +6,7 @@ import { el, installTips } from "./dom";
 import { time } from "./format";
 import { GraphPanel } from "./graph/panel";
 import { MatrixReport } from "./matrix/data";
-import { MatrixPage } from "./matrix/page";
+import { MatrixPage, nameConfig } from "./matrix/page";
 import { PicturePanel } from "./picture/panel";
 import { makeAbout, makeKeys } from "./sections/about";
 import { makeAnswers } from "./sections/answers";
@@ -83,7 +83,7 @@ function makeSequence(report: SequenceReport): Contents {
 
 function makeMatrix(report: MatrixReport): Contents {
 	const page = new MatrixPage(report);
-	return { note: [report.matrix.folder], sections: page.sections, parts: page.parts, keys: {}, redraw: redrawer(page.picture) };
+	return { note: [`${report.matrix.versions.length} engine versions`, nameConfig(report)], sections: page.sections, parts: page.parts, keys: {}, redraw: redrawer(page.picture) };
 }
 
 function makeContents(report: AnyReport): Contents {

@@ -98,6 +98,19 @@ test("where there is one job, small panels show every error", async () => {
 	}));
 });
 
+test("many jobs are a list, and panels choose from it, too", async () => {
+	const often = (jobs) => Array.from({ length: 8 }, (_, i) => ({ ...jobs[i % 2], label: "job " + i }));
+	const many = { ...data, study: { ...data.study, jobs: often(data.study.jobs) }, timing: { ...data.timing, jobs: often(data.timing.jobs) } };
+	await withData(many, (file) => onPage(file, async (page) => {
+		await page.selectOption("#job", "job 3");
+		assert.ok((await page.textContent("#chart-title")).includes(data.timing.jobs[1].recommended));
+		await page.click("#chart-title");
+		await page.keyboard.press("g");
+		await page.click(`[data-panel="6 ${metric}"]`);
+		assert.equal(await page.inputValue("#job"), "job 6");
+	}));
+});
+
 test("nothing runs over the side, and axe finds nothing serious, in light and dark", async () => {
 	await checkAxe(file, async (page) => page.click("#show-panels"));
 });

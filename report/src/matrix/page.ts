@@ -5,6 +5,12 @@ import { PicturePanel } from "../picture/panel";
 import { listAnswers, row, to } from "../sections/answers";
 import { MatrixReport, MatrixVersion, Said, gatherMessages } from "./data";
 
+/** Of the frame that was run. */
+export function nameConfig(report: MatrixReport): string {
+	const { config } = report.matrix;
+	return config.endsWith("/templates/matrix.json") ? "drydock's own small frame" : config;
+}
+
 interface Cell {
 	text: string;
 	tone: "good" | "note" | "bad" | "quiet";
@@ -50,7 +56,7 @@ export class MatrixPage {
 	}
 
 	private makeTable(): HTMLElement {
-		const { versions, config } = this.report.matrix;
+		const { versions } = this.report.matrix;
 		const cell = (version: MatrixVersion, column: number) => {
 			const { text, tone } = columns[column][2](version);
 			return el("button", { type: "button", class: "cell " + tone, "data-cell": `${version.engine} ${columns[column][0]}`, "aria-pressed": "false",
@@ -60,7 +66,7 @@ export class MatrixPage {
 			{ title: "Engine", cell: (version) => el("strong", {}, version.engine) },
 			...columns.map(([, title], column) => ({ title, cell: (version: MatrixVersion) => cell(version, column) })),
 		], versions);
-		grid.prepend(el("p", { class: "note" }, "Run on " + config));
+		grid.prepend(el("p", { class: "note" }, "Run on " + nameConfig(this.report)));
 		grid.addEventListener("keydown", (event) => {
 			const steps: Record<string, number> = { ArrowLeft: -1, ArrowRight: 1, ArrowUp: -columns.length, ArrowDown: columns.length };
 			const cells = [...grid.querySelectorAll<HTMLElement>(".cell")];

@@ -46,12 +46,17 @@ export class StudyPanel {
 			this.metric = metric.value as Metric;
 			this.draw();
 		} }, metrics.map((name) => el("option", { value: name, selected: name === this.metric }, metricNames[name])));
-		const jobs = report.study.jobs.length > 1 ? this.segments(report.study.jobs.map((job) => job.label), "Job", "job", (index) => {
+		const labels = report.study.jobs.map((job) => job.label);
+		const chooseJob = (index: number) => {
 			this.job = index;
 			this.pinned = [];
 			this.draw();
 			this.show(this.best());
-		}) : null;
+		};
+		const list = el<HTMLSelectElement>("select", { id: "job", onchange: () => chooseJob(list.selectedIndex) }, labels.map((label) => el("option", {}, label)));
+		const buttons = this.segments(labels, "Job", "job", chooseJob);
+		const mostButtons = 6; // more are a list
+		const jobs = labels.length > mostButtons ? el("label", {}, el("span", {}, "Job"), list) : labels.length > 1 ? buttons : null;
 		const costs = this.segments(["Time", "Texture reads"], "Cost", "cost", (index) => {
 			this.taps = index === 1;
 			this.draw();
@@ -63,7 +68,10 @@ export class StudyPanel {
 		this.chooseMetric = (name) => {
 			metric.value = this.metric = name;
 		};
-		this.chooseJob = (job) => (jobs?.children[job] as HTMLElement | undefined)?.click();
+		this.chooseJob = (job) => {
+			list.selectedIndex = job;
+			(buttons.children[job] as HTMLElement).click();
+		};
 		this.element = section("chart", "", "", el("div", { class: "tools" }, jobs, costs, el("label", {}, el("span", {}, "Error"), metric), this.panelsShown),
 			this.panels, el("div", { class: "study" }, this.chart, this.side), this.pins, this.list);
 		this.element.querySelector("h2")!.replaceWith(this.title);
