@@ -1,4 +1,4 @@
-// --report of the verbs that write a page, when it is written, and how its place is told.
+// The option `--report` of the verbs that write a page, when the page is written, and how its place is told.
 #pragma once
 
 #include "Report/RunReport.h"
