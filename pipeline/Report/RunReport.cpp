@@ -55,7 +55,8 @@ void WriteRunReport(const FRunOptions& Options, const FRunResult& Result, ERepor
 		.TimingJson = MakeTimingJson(Result, SaveMs),
 		.ExplainJson = HasPlugins(Options, Result) ? "" : ExplainRun(Options, Result),
 		.BlendJson = HasPlugins(Options, Result) ? "" : BlendRun(Options),
-		.WalkJson = HasPlugins(Options, Result) ? "" : MakeSceneWalkJson(Options),
+		.WalkJson =
+			Result.Config.Scene.Sequence.empty() || HasPlugins(Options, Result) ? "" : MakeSceneWalkJson(Options),
 		.Folder = Aside.string(),
 		.Before = ReadReportBefore(Folder.string()),
 		.bFull = Report == EReport::Full};

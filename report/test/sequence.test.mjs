@@ -67,6 +67,9 @@ test("B follows as the frame before, until it is let go", async () => {
 		assert.equal(await page.inputValue("#picture-b"), String(frames[1].frame));
 		await page.keyboard.press("k");
 		assert.equal(await page.getAttribute("#follow", "aria-pressed"), "false");
+		await page.click("#follow");
+		assert.equal(await page.getAttribute("#follow", "aria-pressed"), "true");
+		await page.keyboard.press("k");
 		await page.click("#later");
 		await at(page, 3);
 		assert.equal(await page.inputValue("#picture-b"), String(frames[1].frame));
