@@ -4,6 +4,7 @@
 
 #include "Picture/ImageMetrics.h"
 #include "Picture/PictureFile.h"
+#include "Program/ProgramOutput.h"
 #include "Program/ReportOption.h"
 #include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
@@ -288,6 +289,30 @@ const FOutputNames& GetDiffOutputNames()
 	return Names;
 }
 
+/** Where nobody asked for the page, what is in its way is said, and the comparison goes on without: false. */
+bool OpenPageFolder(const FDiffOptions& Options, std::optional<FOutputFolder>& Folder)
+{
+	try
+	{
+		Folder.emplace(Options.OutputFolder, GetDiffOutputNames());
+		return true;
+	}
+	catch (const FError& Error)
+	{
+		if (!Options.Report.empty())
+		{
+			throw;
+		}
+		std::vector<FDiagnostic> Said = Error.GetDiagnostics();
+		for (FDiagnostic& Diagnostic : Said)
+		{
+			Diagnostic.Severity = ESeverity::Warning;
+		}
+		PrintDiagnostics(Said);
+		return false;
+	}
+}
+
 /** ExitPolicy where a difference is above Max, or an image is there once only. Throws FError when they cannot be
  * compared. */
 int Diff(const FDiffOptions& Options)
@@ -306,9 +331,8 @@ int Diff(const FDiffOptions& Options)
 				 : std::vector<FPair>{{Files::path(Options.A).filename().string(), Options.A, Options.B, {}, {}}};
 	std::optional<FOutputFolder> Folder;
 	std::optional<FDiffPage> Page;
-	if (WantsReport(Options.Report, Options.bJson))
+	if (WantsReport(Options.Report, Options.bJson) && OpenPageFolder(Options, Folder))
 	{
-		Folder.emplace(Options.OutputFolder, GetDiffOutputNames());
 		Page.emplace();
 	}
 	bool bPassed = true;
