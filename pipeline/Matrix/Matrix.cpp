@@ -38,8 +38,11 @@ constexpr int RunSeconds = 1800;
 
 const FOutputNames& GetMatrixOutputNames()
 {
-	static const FOutputNames Names = {
-		.Name = "matrix", .Files = {"matrix.txt", "matrix.json"}, .Last = "matrix.json", .Folders = {}, .Unsteady = {}};
+	static const FOutputNames Names = {.Name = "matrix",
+		.Files = {"matrix.txt", "matrix.json", "matrix.html"},
+		.Last = "matrix.json",
+		.Folders = {},
+		.Unsteady = {"matrix.html"}};
 	return Names;
 }
 
@@ -385,6 +388,10 @@ FVersionMatrix RunMatrix(const FMatrixRequest& Request)
 	WriteWholeFile((Output.GetAside() / "matrix.txt").string(), FormatMatrix(Matrix));
 	WriteWholeFile((Output.GetAside() / "matrix.json").string(), MakeMatrixJson(Matrix));
 	WriteSheet(Matrix, (Output.GetAside() / "matrix.png").string());
+	if (Request.MakePage)
+	{
+		WriteWholeFile((Output.GetAside() / "matrix.html").string(), Request.MakePage(Matrix));
+	}
 	Output.PutInPlace();
 	return Matrix;
 }

@@ -21,14 +21,16 @@ struct FMatrixRequest
 	std::vector<std::string> Excludes; // as of FPluginBuild
 	std::string Compiler;              // likewise
 	std::string Program;               // drydock's own, which is started for each version; empty: this process's
+	/** The text of matrix.html, which is written beside the others; none: it is not. */
+	std::function<std::string(const FVersionMatrix& Matrix)> MakePage;
 	/** Called from one thread at a time. */
 	std::function<void(int Done, int Total, const std::string& What)> Progress;
 };
 
-/** Builds, runs, compares, and writes matrix.txt, matrix.json and matrix.png (the pictures side by side) to the output
- * folder; below it 5.X/ is the build of 5.X, 5.X/run/ its run. What does not build or crashes is in the result. Throws
- * FError: exit code 2 where there is nothing to build or no tool to build it with, 3 where files cannot be read or
- * written. */
+/** Builds, runs, compares, and writes matrix.txt, matrix.json, matrix.png (the pictures side by side) and what MakePage
+ * makes to the output folder; below it 5.X/ is the build of 5.X, 5.X/run/ its run. What does not build or crashes is in
+ * the result. Throws FError: exit code 2 where there is nothing to build or no tool to build it with, 3 where files
+ * cannot be read or written. */
 DRYDOCK_API FVersionMatrix RunMatrix(const FMatrixRequest& Request);
 
 /** What `drydock run` is told for one version. */

@@ -3,15 +3,22 @@
 
 #include "Program/RunFrames.h"
 
+#include "Config/ReadConfig.h"
 #include "Program/ProgramOutput.h"
 #include "Program/ProgressBar.h"
+#include "Program/ReportOption.h"
 #include "Program/VerbOptions.h"
+#include "Report/ReportPage.h"
+#include "Report/SequencePage.h"
+#include "Report/WalkData.h"
 #include "Sequence/RunSequence.h"
 #include "Sequence/SequenceErrors.h"
 #include "Sequence/Video.h"
 
 #include <chrono>
 #include <cstdio>
+#include <ctime>
+#include <filesystem>
 #include <optional>
 #include <set>
 
@@ -62,6 +69,13 @@ std::string MakeSummary(const FSequenceResult& Result, const std::string& Config
 	return Text + "folder   " + Folder + "\n";
 }
 
+/** They would be loaded once more to blend, and may keep a history. */
+bool NamesPlugins(const std::string& ConfigFile)
+{
+	std::vector<FDiagnostic> Ignored; // the run reports them
+	return !LoadConfig(ConfigFile, Ignored).Plugins.empty();
+}
+
 } // namespace
 
 int RunFrames(const FFramesOptions& Options)
@@ -93,6 +107,19 @@ int RunFrames(const FFramesOptions& Options)
 			PrintDiagnostics(New);
 		}
 	};
+	const bool bPage =
+		ChooseRunReport(Options.Report, Options.Run.ConfigFile, WantsReport("", Options.bJson)) != EReport::Off;
+	if (bPage)
+	{
+		FRunOptions WalkOptions = Options.Run;
+		WalkOptions.Frame.reset();
+		const bool bPlugins = !Options.Run.Plugins.empty() || NamesPlugins(Options.Run.ConfigFile);
+		Sequence.MakePage = [&, Walk = bPlugins ? "" : MakeSceneWalkJson(WalkOptions)](const FSequenceResult& Result)
+		{
+			const std::string Name = std::filesystem::path(Options.Run.ConfigFile).stem().string();
+			return MakeReportPage(MakeSequencePageData(Result, Name, Walk, FormatReportTime(std::time(nullptr))));
+		};
+	}
 	const FSequenceResult Result = RunSequence(Sequence);
 	Progress.Clear();
 	if (!Options.Video.empty())
@@ -106,6 +133,10 @@ int RunFrames(const FFramesOptions& Options)
 	std::fputs(
 		(Options.bJson ? Result.SequenceJson : MakeSummary(Result, Options.Run.ConfigFile, Sequence.Folder)).c_str(),
 		stdout);
+	if (bPage && !Options.bJson)
+	{
+		PrintPage(std::filesystem::path(Sequence.Folder) / "sequence.html");
+	}
 	std::fflush(stdout);
 	return ExitDone;
 }

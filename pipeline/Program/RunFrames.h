@@ -16,6 +16,7 @@ struct FFramesOptions
 	bool bRestart = false;    // render frames again that are there
 	std::string Video;        // file of a video of the frames; empty: none
 	bool bJson = false;
+	std::string Report; // "off", "on", "full"; empty: the config's word, or by WantsReport
 };
 
 /** Runs the frames of a sequence and writes each into its folder, sequence.json, and a video where one is asked for.

@@ -4,18 +4,26 @@
 
 #include "Picture/ImageMetrics.h"
 #include "Picture/PictureFile.h"
+#include "Program/ProgramOutput.h"
+#include "Program/ReportOption.h"
 #include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
+#include "Report/DiffPage.h"
+#include "Report/ReportPage.h"
 #include "Text/ConfigErrors.h"
 #include "Text/JsonWriter.h"
+#include "Text/OutputFolder.h"
+#include "Text/TextFile.h"
 #include "Text/TextFormat.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 
 namespace Drydock
 {
@@ -32,6 +40,8 @@ struct FDiffOptions
 	std::optional<double> Max;
 	std::string HeatMap; // PNG to write; of two folders the folder for one of each image; empty: none
 	bool bJson = false;
+	std::string Report;                    // "on", "off"; empty: on where a person looks on
+	std::string OutputFolder = "out/diff"; // of the page
 };
 
 struct FPair
@@ -171,8 +181,8 @@ void WidenToBoth(FComparedImage& A, FComparedImage& B)
 	A.Window = B.Window = Both;
 }
 
-/** HeatMap: a file to write, or empty. */
-void Compare(FPair& Pair, const std::string& HeatMap)
+/** HeatMap: a file to write, or empty. Page: where the pictures go, too; or none. */
+void Compare(FPair& Pair, const std::string& HeatMap, std::optional<FDiffPage>& Page)
 {
 	FComparedImage A = ReadComparedImage(Pair.A);
 	FComparedImage B = ReadComparedImage(Pair.B);
@@ -198,6 +208,10 @@ void Compare(FPair& Pair, const std::string& HeatMap)
 	Options.Encoding = A.Encoding;
 	Pair.Channels = A.Channels;
 	Pair.Error = CompareImages(A.Image, B.Image, Options);
+	if (Page)
+	{
+		Page->AddPair(Pair.Name, A, B, Pair.Error);
+	}
 	Pair.Error.MaxX += A.Window.X;
 	Pair.Error.MaxY += A.Window.Y;
 	if (!HeatMap.empty())
@@ -268,6 +282,37 @@ std::string GetHeatMapFile(const std::string& HeatMap, const FPair& Pair, bool b
 	return HeatMap.empty() || !bFolders ? HeatMap : (Files::path(HeatMap) / (Pair.Name + ".png")).string();
 }
 
+const FOutputNames& GetDiffOutputNames()
+{
+	static const FOutputNames Names = {
+		.Name = "diff", .Files = {"diff.html"}, .Last = "diff.html", .Folders = {}, .Unsteady = {"diff.html"}};
+	return Names;
+}
+
+/** Where nobody asked for the page, what is in its way is said, and the comparison goes on without: false. */
+bool OpenPageFolder(const FDiffOptions& Options, std::optional<FOutputFolder>& Folder)
+{
+	try
+	{
+		Folder.emplace(Options.OutputFolder, GetDiffOutputNames());
+		return true;
+	}
+	catch (const FError& Error)
+	{
+		if (!Options.Report.empty())
+		{
+			throw;
+		}
+		std::vector<FDiagnostic> Said = Error.GetDiagnostics();
+		for (FDiagnostic& Diagnostic : Said)
+		{
+			Diagnostic.Severity = ESeverity::Warning;
+		}
+		PrintDiagnostics(Said);
+		return false;
+	}
+}
+
 /** ExitPolicy where a difference is above Max, or an image is there once only. Throws FError when they cannot be
  * compared. */
 int Diff(const FDiffOptions& Options)
@@ -284,6 +329,12 @@ int Diff(const FDiffOptions& Options)
 	std::vector<FPair> Pairs =
 		bFolders ? PairRuns(Options.A, Options.B)
 				 : std::vector<FPair>{{Files::path(Options.A).filename().string(), Options.A, Options.B, {}, {}}};
+	std::optional<FOutputFolder> Folder;
+	std::optional<FDiffPage> Page;
+	if (WantsReport(Options.Report, Options.bJson) && OpenPageFolder(Options, Folder))
+	{
+		Page.emplace();
+	}
 	bool bPassed = true;
 	for (FPair& Pair : Pairs)
 	{
@@ -292,11 +343,22 @@ int Diff(const FDiffOptions& Options)
 			bPassed = false;
 			continue;
 		}
-		Compare(Pair, GetHeatMapFile(Options.HeatMap, Pair, bFolders));
+		Compare(Pair, GetHeatMapFile(Options.HeatMap, Pair, bFolders), Page);
 		bPassed = bPassed && Pair.Error.Max <= Options.Max.value_or(HUGE_VAL);
 	}
 	bPassed = bPassed || !Options.Max;
-	std::fputs((Options.bJson ? MakeJson(Pairs, Options, bPassed) : MakeTable(Pairs)).c_str(), stdout);
+	const std::string Json = MakeJson(Pairs, Options, bPassed);
+	if (Page)
+	{
+		const std::string Data = Page->MakeData(Options.A, Options.B, Json, FormatReportTime(std::time(nullptr)));
+		WriteWholeFile((Folder->GetAside() / "diff.html").string(), MakeReportPage(Data));
+		Folder->PutInPlace();
+	}
+	std::fputs((Options.bJson ? Json : MakeTable(Pairs)).c_str(), stdout);
+	if (Page && !Options.bJson)
+	{
+		PrintPage(Folder->GetPath() / "diff.html");
+	}
 	if (!bPassed)
 	{
 		std::fprintf(stderr, "the images differ by more than %g\n", *Options.Max);
@@ -314,6 +376,8 @@ FVerbCall AddOptions(CLI::App& Verb)
 	Verb.add_option("--heatmap", Options->HeatMap,
 			"PNG of where the error is, over four decades of it; of two runs a folder, with one of each picture")
 		->type_name("FILE");
+	Verb.add_option("--out", Options->OutputFolder, "Folder for the page; out/diff by default")->type_name("DIR");
+	AddReport(Verb, Options->Report, "diff.html, both pictures over each other and what differs in how they were made");
 	Verb.add_flag("--json", Options->bJson, "Print the figures as JSON");
 	return [Options]
 	{

@@ -6,10 +6,14 @@
 #include "Matrix/MatrixTable.h"
 #include "Matrix/MatrixVersions.h"
 #include "Program/ProgressBar.h"
+#include "Program/ReportOption.h"
 #include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
+#include "Report/MatrixPage.h"
+#include "Report/ReportPage.h"
 
 #include <cstdio>
+#include <ctime>
 #include <memory>
 
 namespace Drydock
@@ -23,7 +27,22 @@ struct FMatrixOptions
 	FMatrixRequest Request;
 	std::string Versions; // of --versions
 	bool bJson = false;
+	std::string Report; // "on", "off"; empty: on where a person looks on
 };
+
+/** The rooms of tables and of pages know nothing of each other. */
+FMatrixPageInputs GetMatrixPageInputs(const FVersionMatrix& Matrix)
+{
+	FMatrixPageInputs Inputs{Matrix.Name, MakeMatrixJson(Matrix), {}};
+	for (const FMatrixRow& Row : Matrix.Rows)
+	{
+		if (Row.Picture && (!Row.Picture->Before || Row.Picture->Difference))
+		{
+			Inputs.Pictures.push_back({DescribeVersion(Row.Minor), Row.Run->Folder + "/final.png"});
+		}
+	}
+	return Inputs;
+}
 
 int MakeMatrix(const FMatrixOptions& Options)
 {
@@ -34,12 +53,25 @@ int MakeMatrix(const FMatrixOptions& Options)
 	{
 		Bar.Show(Done, Total, What);
 	};
+	const bool bPage = WantsReport(Options.Report, Options.bJson);
+	if (bPage)
+	{
+		Request.MakePage = [](const FVersionMatrix& Matrix)
+		{
+			return MakeReportPage(
+				MakeMatrixPageData(GetMatrixPageInputs(Matrix), FormatReportTime(std::time(nullptr))));
+		};
+	}
 	const FVersionMatrix Matrix = RunMatrix(Request);
 	Bar.Clear();
 	std::fputs((Options.bJson ? MakeMatrixJson : FormatMatrix)(Matrix).c_str(), stdout);
 	if (!Options.bJson)
 	{
 		std::printf("pictures side by side: %s/matrix.png\n", Matrix.OutputFolder.c_str());
+	}
+	if (bPage && !Options.bJson)
+	{
+		PrintPage(std::filesystem::path(Matrix.OutputFolder) / "matrix.html");
 	}
 	return GetMatrixExitCode(Matrix);
 }
@@ -60,6 +92,7 @@ FVerbCall AddOptions(CLI::App& Verb)
 	AddRepeated(Verb, "--exclude", "PATTERN", Request.Excludes,
 		"Leave out a file, folder or module: a path from PLUGIN_DIR on or a name, with * and ?");
 	Verb.add_option("--compiler", Request.Compiler, "C++ compiler; CMake's choice by default")->type_name("PATH");
+	AddReport(Verb, Options->Report, "matrix.html, the table with what lies behind its cells");
 	Verb.add_flag("--json", Options->bJson, "Print the table as JSON");
 	return [Options]
 	{

@@ -7,6 +7,7 @@
 #include "Program/InspectOptions.h"
 #include "Program/ProgramOutput.h"
 #include "Program/ProgressBar.h"
+#include "Program/ReportOption.h"
 #include "Program/RunFrames.h"
 #include "Program/RunSummary.h"
 #include "Program/VerbOptions.h"
@@ -26,7 +27,6 @@
 #include <memory>
 #include <optional>
 #include <thread>
-#include <unistd.h>
 
 namespace Drydock
 {
@@ -38,7 +38,6 @@ struct FRunVerbOptions : FFramesOptions
 {
 	bool bWatch = false; // run again whenever something changes
 	FInspectVerbOptions Inspect;
-	std::string Report; // "off", "on", "full"; empty: the config's word, or as GetReport chooses
 };
 
 /** CPU time so far: loading libraries and registering what registers itself, which nothing waits for. */
@@ -76,28 +75,10 @@ FRunResult RunToFirstCause(FRunSession& Session, const FRunOptions& Options)
 	}
 }
 
-/** The command line's word, else the config's; else on where a person looks on who may open it. */
-EReport GetReport(const FRunVerbOptions& Options)
-{
-	std::string Word = Options.Report;
-	try
-	{
-		std::vector<FDiagnostic> Ignored; // the run reports them
-		Word = Word.empty() ? LoadConfig(Options.Run.ConfigFile, Ignored).Report.Value : Word;
-	}
-	catch (const FError&)
-	{
-	}
-	if (!Word.empty())
-	{
-		return ParseReport(Word);
-	}
-	return !Options.bWatch && !Options.bJson && isatty(STDOUT_FILENO) != 0 ? EReport::On : EReport::Off;
-}
-
 int RunOnce(const FRunVerbOptions& Options)
 {
-	const EReport Report = GetReport(Options);
+	const EReport Report =
+		ChooseRunReport(Options.Report, Options.Run.ConfigFile, !Options.bWatch && WantsReport("", Options.bJson));
 	FProgressBar Bar;
 	FRunOptions RunOptions = Options.Run;
 	RunOptions.bKeepForReport = Report != EReport::Off;
@@ -140,7 +121,7 @@ int RunOnce(const FRunVerbOptions& Options)
 	std::fputs((Options.bJson ? Result.RunJson : MakeRunSummary(Result, Folder, SaveMs)).c_str(), stdout);
 	if (Report != EReport::Off && !Options.bJson)
 	{
-		std::fputs(("page     " + Folder + "/report.html\n").c_str(), stdout);
+		PrintPage(std::filesystem::path(Folder) / "report.html");
 	}
 	std::fflush(stdout); // before the closing lines, where both go to one terminal
 	PrintClosingLines(Result.Effects);
@@ -290,14 +271,14 @@ FVerbCall AddOptions(CLI::App& Verb)
 		->excludes(Frames);
 	RequireOneOf(
 		Verb.add_option("--report", Options->Report,
-				"Write report.html, the page to look at it all: on (where no word follows), off, or full, with "
-				"the values of all its pictures; beats the config's outputs.report; on by default where stdout "
-				"is a terminal, not under --watch")
+				"Write report.html, the page to look at it all, of a sequence sequence.html: on (where no word "
+				"follows), "
+				"off, or full, with the values of all pictures of a frame; beats the config's outputs.report; on by "
+				"default where stdout is a terminal, not under --watch")
 			->expected(0, 1)
 			->default_str("on"),
 		{"on", "off", "full"})
-		->type_name("WHAT")
-		->excludes(Frames);
+		->type_name("WHAT");
 	AddInspection(Verb, Options->Inspect, *Frames);
 	Verb.add_flag("--json", Options->bJson, "Print run.json instead of the summary");
 	return [Options]

@@ -4,6 +4,7 @@
 
 #include "Program/ProgramOutput.h"
 #include "Program/ProgressBar.h"
+#include "Program/ReportOption.h"
 #include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
 #include "Report/ReportPage.h"
@@ -19,7 +20,6 @@
 #include <cstdio>
 #include <ctime>
 #include <memory>
-#include <unistd.h>
 
 namespace Drydock
 {
@@ -34,11 +34,6 @@ struct FStudyOptions
 	bool bJson = false;
 	std::string Report; // "off", "on"; empty: on where a person looks on
 };
-
-bool WantsReport(const FStudyOptions& Options)
-{
-	return Options.Report.empty() ? !Options.bJson && isatty(STDOUT_FILENO) != 0 : Options.Report == "on";
-}
 
 /** study.json last: a budget reads it. */
 const FOutputNames& GetStudyOutputNames()
@@ -80,7 +75,7 @@ int RunStudy(const FStudyOptions& Options)
 	Write("study_timing.json", MakeStudyTimingJson(Result));
 	Write("study_timing.csv", MakeStudyCsv(Result, true));
 	Write("study.svg", DrawStudyChart(Result, EStudyCost::Milliseconds));
-	if (WantsReport(Options))
+	if (WantsReport(Options.Report, Options.bJson))
 	{
 		Write("study.html", MakeReportPage(MakeStudyPageData(Result, Insets, FormatReportTime(std::time(nullptr)))));
 	}
@@ -97,9 +92,9 @@ int RunStudy(const FStudyOptions& Options)
 				   (Folder.GetPath() / "study.svg").string(), Seconds, Result.Seconds)
 				   .c_str(),
 		stdout);
-	if (WantsReport(Options))
+	if (WantsReport(Options.Report, Options.bJson))
 	{
-		std::fputs(("page     " + (Folder.GetPath() / "study.html").string() + "\n").c_str(), stdout);
+		PrintPage(Folder.GetPath() / "study.html");
 	}
 	return ExitDone;
 }
@@ -111,13 +106,7 @@ FVerbCall AddOptions(CLI::App& Verb)
 	AddThreads(Verb, Options->Run, "Threads; 0: all cores (default)");
 	Verb.add_option("--out", Options->OutputFolder, "Folder for tables and pictures; out/NAME of the config by default")
 		->type_name("DIR");
-	RequireOneOf(Verb.add_option("--report", Options->Report,
-						 "Write study.html, the chart with what lies behind its points: on (where no word follows) or "
-						 "off; on by default where stdout is a terminal")
-					 ->expected(0, 1)
-					 ->default_str("on"),
-		{"on", "off"})
-		->type_name("WHAT");
+	AddReport(Verb, Options->Report, "study.html, the chart with what lies behind its points");
 	Verb.add_flag("--json", Options->bJson, "Print study.json instead of the table");
 	return [Options]
 	{

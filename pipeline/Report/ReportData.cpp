@@ -346,6 +346,7 @@ std::string MakeReportData(const FReportInputs& Inputs)
 	Report("graph", MakeGraphJson(Inputs.Result.Graph));
 	Report("explain", Inputs.ExplainJson);
 	Report("blend", Inputs.BlendJson);
+	Report("walk", Inputs.WalkJson);
 	WritePasses(Writer, Inputs.Result);
 	WriteSettings(Writer, Inputs.Result);
 	WriteNonFinite(Writer, Inputs.Result.NonFinite);

@@ -30,6 +30,7 @@ struct FReportInputs
 	std::string TimingJson;   // of timing.json
 	std::string ExplainJson;  // MakeExplainJson; empty: not known
 	std::string BlendJson;    // MakeBlendJson; empty: not known
+	std::string WalkJson;     // MakeSceneWalkJson; empty: none
 	std::string Folder;       // where the run's PNG files lie, and where others are made in passing
 	FReportBefore Before;
 	bool bFull = false; // the values of all pictures go in

@@ -4,6 +4,7 @@
 #include "Blend/MakeBlendReport.h"
 #include "Report/ReportData.h"
 #include "Report/ReportPage.h"
+#include "Report/WalkData.h"
 #include "Run/Explain.h"
 #include "Run/RunJson.h"
 #include "Run/RunSetup.h"
@@ -54,6 +55,8 @@ void WriteRunReport(const FRunOptions& Options, const FRunResult& Result, ERepor
 		.TimingJson = MakeTimingJson(Result, SaveMs),
 		.ExplainJson = HasPlugins(Options, Result) ? "" : ExplainRun(Options, Result),
 		.BlendJson = HasPlugins(Options, Result) ? "" : BlendRun(Options),
+		.WalkJson =
+			Result.Config.Scene.Sequence.empty() || HasPlugins(Options, Result) ? "" : MakeSceneWalkJson(Options),
 		.Folder = Aside.string(),
 		.Before = ReadReportBefore(Folder.string()),
 		.bFull = Report == EReport::Full};

@@ -333,18 +333,24 @@ private:
 			Result.Frames.push_back(Frame.Number);
 			Result.Pictures.push_back(Folder.GetFramePath(Frame.Number) + "/final.png");
 		}
-		Result.SequenceJson = Folder.ReadSequenceJson();
-		if (!Folder.HasSheet() || !IsSequenceComplete(Result.SequenceJson, GetSequenceJsonPath(), Result.Frames))
-		{
-			Result.SequenceJson = MakeSequenceJson(Session.GetConfig(), Inputs, Folder, Result.Frames);
-			// The sheet first: a complete sequence.json says that everything is there.
-			Folder.WriteSheet(Result.Frames, Result.Pictures);
-			Folder.WriteSequenceJson(Result.SequenceJson);
-		}
 		Result.NumRendered = NumRendered;
 		Result.NumRepeated = NumRepeated;
 		Result.Seconds = std::chrono::duration<double>(FClock::now() - Begin).count();
 		Result.FramesPerSecond = GetFramesPerSecond(Session.GetConfig(), Frames.front().Path);
+		Result.SequenceJson = Folder.ReadSequenceJson();
+		const bool bComplete = IsSequenceComplete(Result.SequenceJson, GetSequenceJsonPath(), Result.Frames);
+		if (!Folder.HasSheet() || !bComplete)
+		{
+			Result.SequenceJson = MakeSequenceJson(Session.GetConfig(), Inputs, Folder, Result.Frames);
+			// The sheet first: a complete sequence.json says that everything is there.
+			Folder.WriteSheet(Result.Frames, Result.Pictures);
+			Folder.RemovePage();
+			Folder.WriteSequenceJson(Result.SequenceJson);
+		}
+		if (Options.MakePage)
+		{
+			Folder.WritePage(Options.MakePage(Result));
+		}
 		return Result;
 	}
 

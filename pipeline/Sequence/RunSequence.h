@@ -13,18 +13,6 @@
 namespace Drydock
 {
 
-struct FSequenceOptions
-{
-	FRunOptions Run;       // Frame is not looked at
-	std::string Frames;    // a list (FrameList.h); empty: the config's scene.frames
-	std::string Folder;    // of the sequence (SequenceFolder.h)
-	bool bRestart = false; // render all frames again, whatever the folder holds
-	/** Called before each pass and after each frame. Done and Total count frames; What: "frame 3: Tonemap". */
-	std::function<void(int Done, int Total, const std::string& What)> Progress;
-	/** Called with what each frame that is rendered reports, and with why frames are rendered again (DD1073). */
-	std::function<void(const std::vector<FDiagnostic>&)> Report;
-};
-
 struct FSequenceResult
 {
 	std::vector<int> Frames;
@@ -35,6 +23,20 @@ struct FSequenceResult
 	double FramesPerSecond = 0.0;      // of the scene, in its own time
 	std::vector<std::string> Pictures; // final.png of each frame
 	std::string SequenceJson;
+};
+
+struct FSequenceOptions
+{
+	FRunOptions Run;       // Frame is not looked at
+	std::string Frames;    // a list (FrameList.h); empty: the config's scene.frames
+	std::string Folder;    // of the sequence (SequenceFolder.h)
+	bool bRestart = false; // render all frames again, whatever the folder holds
+	/** Called before each pass and after each frame. Done and Total count frames; What: "frame 3: Tonemap". */
+	std::function<void(int Done, int Total, const std::string& What)> Progress;
+	/** Called with what each frame that is rendered reports, and with why frames are rendered again (DD1073). */
+	std::function<void(const std::vector<FDiagnostic>&)> Report;
+	/** The text of sequence.html, called when all frames are there; none: it is not written. */
+	std::function<std::string(const FSequenceResult& Result)> MakePage;
 };
 
 /** Throws FError: as RunConfig; the scene is no sequence or a frame does not exist; the folder holds a sequence of

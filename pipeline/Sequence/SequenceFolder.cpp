@@ -25,6 +25,7 @@ const char* const FrameJsonName = "frame.json";
 const char* const ViewStateName = "view_state.bin";
 const char* const SequenceJsonName = "sequence.json";
 const char* const SheetName = "sheet.png";
+const char* const PageName = "sequence.html";
 const char* const ListName = ".drydock.sequence.files";
 
 Files::path GetFrames(const std::string& Path)
@@ -62,7 +63,7 @@ FSequenceFolder::FSequenceFolder(const std::string& InPath, int InNumDigits)
 void FSequenceFolder::RequireOwn() const
 {
 	std::error_code Ignored;
-	for (const char* Name : {SequenceJsonName, SheetName})
+	for (const char* Name : {SequenceJsonName, SheetName, PageName})
 	{
 		const Files::path File = Files::path(Path) / Name;
 		if (IsThere(File) && !List.Has(Name) && (!Files::is_regular_file(File) || Files::file_size(File) > 0))
@@ -228,9 +229,9 @@ void FSequenceFolder::WriteList() const
 	WriteTextFile((Files::path(Path) / ListName).string(), List.GetText());
 }
 
-void FSequenceFolder::Put(FAsideFile& Aside, const std::string& Name)
+void FSequenceFolder::Put(FAsideFile& Aside, const std::string& Name, bool bSteady)
 {
-	const std::string Fingerprint = FingerprintFile(Aside.GetPath().string());
+	const std::string Fingerprint = bSteady ? FingerprintFile(Aside.GetPath().string()) : "";
 	const FEndActionsHeld Held;
 	List.Add(Name, Fingerprint);
 	WriteList();
@@ -257,6 +258,23 @@ void FSequenceFolder::WriteSheet(const std::vector<int>& Frames, const std::vect
 	FAsideFile Aside(Files::path(Path) / SheetName);
 	WriteSequenceSheet(Aside.GetPath().string(), Frames, Pictures);
 	Put(Aside, SheetName);
+}
+
+void FSequenceFolder::WritePage(const std::string& Text)
+{
+	FAsideFile Aside(Files::path(Path) / PageName);
+	WriteWholeFile(Aside.GetPath().string(), Text);
+	Put(Aside, PageName, false);
+}
+
+void FSequenceFolder::RemovePage()
+{
+	if (List.Has(PageName))
+	{
+		RemoveFiles(Path, {PageName});
+		List.Remove(PageName);
+		WriteList();
+	}
 }
 
 void FSequenceFolder::Clear()

@@ -58,6 +58,11 @@ public:
 	/** Throws FError as WriteSequenceSheet. */
 	void WriteSheet(const std::vector<int>& Frames, const std::vector<std::string>& Pictures);
 
+	/** sequence.html, which tells the time: no two are the same bytes. */
+	void WritePage(const std::string& Text);
+	/** Where it is there: it is of other frames. */
+	void RemovePage();
+
 	/** Removes the frames and sequence.json. Throws FError: there is more in a frame's folder than drydock wrote (exit
 	 * code 2; then nothing was removed), or it cannot be removed (3). */
 	void Clear();
@@ -71,8 +76,8 @@ private:
 	void RemoveFrame(int Frame);
 	FFileList ReadFrameList(int Frame) const;
 	void WriteList() const;
-	/** Puts a file in its place, which is on the list before it is there. */
-	void Put(FAsideFile& Aside, const std::string& Name);
+	/** Puts a file in its place, which is on the list before it is there. bSteady: equal runs write equal bytes. */
+	void Put(FAsideFile& Aside, const std::string& Name, bool bSteady = true);
 
 	const std::string Path;
 	const int NumDigits;

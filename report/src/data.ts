@@ -1,4 +1,7 @@
 // What a report says: the types of report.schema.json that the page reads, and the few questions asked of all of it.
+import { DiffReport } from "./diff/data";
+import { MatrixReport } from "./matrix/data";
+import { SequenceReport } from "./sequence/data";
 import { StudyReport } from "./study/data";
 
 export interface Use {
@@ -52,6 +55,7 @@ export interface RunPass {
 	taps: number;
 	bytesRead: number;
 	bytesWritten: number;
+	written?: Record<string, string>; // fingerprints by texture, where they were asked for
 }
 
 export interface Effect {
@@ -157,7 +161,7 @@ export interface PassDetail {
 
 export interface PictureData {
 	id: string;
-	role: "final" | "scene" | "dump" | "thumbnail" | "previous";
+	role: "final" | "scene" | "dump" | "thumbnail" | "previous" | "a" | "b" | "error" | "frame" | "version";
 	label: string;
 	pass: number;
 	resource: string;
@@ -178,6 +182,16 @@ export interface PictureData {
 	values?: { type: "half" | "float"; zlib: string };
 }
 
+/** The settings along a camera's path. */
+export interface Walk {
+	markName: string;
+	at: string; // label of the mark where the view is
+	marks: { distance: number; label: string }[];
+	distances: number[]; // cm
+	volumes: { name: string; unbound: boolean; weights: number[] }[];
+	rows: { name: string; unit: string; steps: boolean; valueNames: string[]; lines: { label: string; values: number[] }[] }[];
+}
+
 export interface Report {
 	format: "drydock-report";
 	formatVersion: number;
@@ -194,6 +208,7 @@ export interface Report {
 	};
 	explain?: Explain;
 	blend?: Blend;
+	walk?: Walk;
 	passes: PassDetail[];
 	settings: Setting[];
 	nonFinite: {
@@ -204,8 +219,10 @@ export interface Report {
 	pictures: PictureData[];
 }
 
-export function readReport(): Report | StudyReport {
-	return JSON.parse(document.getElementById("data")!.textContent!) as Report | StudyReport;
+export type AnyReport = Report | StudyReport | DiffReport | SequenceReport | MatrixReport;
+
+export function readReport(): AnyReport {
+	return JSON.parse(document.getElementById("data")!.textContent!) as AnyReport;
 }
 
 /** The passes somebody added: without the graph's prologue and epilogue. */

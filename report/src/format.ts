@@ -9,7 +9,7 @@ export function number(value: number): string {
 	if (value === 0 || Number.isInteger(value) && size < 1e7) {
 		return String(value);
 	}
-	return size >= 1e6 || size < 1e-3 ? value.toExponential(3) : String(Number(value.toPrecision(4)));
+	return size >= 1e6 || size < 1e-3 ? value.toExponential(3).replace(/\.?0+e/, "e") : String(Number(value.toPrecision(4)));
 }
 
 export function ms(value: number): string {

@@ -1,8 +1,12 @@
 // Builds the page from its data.
-import { Report, readReport } from "./data";
+import { AnyReport, Report, readReport } from "./data";
+import { DiffReport } from "./diff/data";
+import { DiffPage } from "./diff/page";
 import { el, installTips } from "./dom";
 import { time } from "./format";
 import { GraphPanel } from "./graph/panel";
+import { MatrixReport } from "./matrix/data";
+import { MatrixPage, nameConfig } from "./matrix/page";
 import { PicturePanel } from "./picture/panel";
 import { makeAbout, makeKeys } from "./sections/about";
 import { makeAnswers } from "./sections/answers";
@@ -10,6 +14,8 @@ import { makeEffects } from "./sections/effects";
 import { makeMessages } from "./sections/messages";
 import { makeSettings } from "./sections/settings";
 import { makeTime } from "./sections/time";
+import { SequenceReport } from "./sequence/data";
+import { SequencePage } from "./sequence/page";
 import { StudyReport } from "./study/data";
 import { StudyPanel } from "./study/page";
 
@@ -29,7 +35,10 @@ interface Contents {
 
 function makeRun(report: Report): Contents {
 	const graph = new GraphPanel(report, (id) => picture.show(id));
-	const picture = new PicturePanel(report);
+	const picture = new PicturePanel(report.pictures, {
+		b: report.pictures.find((one) => one.role === "previous")?.id,
+		shape: (name) => report.graph.resources.find((resource) => resource.name === name)?.shape,
+	});
 	const openPass = (index: number) => graph.open(index);
 	const showDifference = () => {
 		picture.setMode("difference");
@@ -40,24 +49,64 @@ function makeRun(report: Report): Contents {
 		sections: [["picture", "Picture"], ["graph", "Graph"], ["settings", "Settings"], ["effects", "Effects"], ["time", "Time"], ["messages", "Messages"]],
 		parts: [makeAnswers(report, showDifference), picture.element, graph.element, makeSettings(report), makeEffects(report), makeTime(report, openPass), makeMessages(report, openPass)],
 		keys: { "/": () => graph.focusSearch(), Escape: () => graph.select(-1) },
-		redraw: () => void picture.choose(picture.selectedA, picture.selectedB),
+		redraw: redrawer(picture),
 	};
 }
 
 function makeStudy(report: StudyReport): Contents {
 	const { study, timing } = report;
+	const panel = new StudyPanel(report);
 	return {
 		note: [study.config, study.scene, study.size.join(" × "), `medians of ${timing.repetitions} runs, ${timing.threads} threads on ${timing.cpu}`],
-		sections: [], parts: [new StudyPanel(report).element], keys: {}, redraw: () => undefined,
+		sections: [], parts: [panel.element], keys: panel.keys, redraw: () => undefined,
 	};
+}
+
+/** The picture's colours, too, are those of the page. */
+function redrawer(picture: PicturePanel | null): () => void {
+	return () => void picture?.choose(picture.selectedA, picture.selectedB);
+}
+
+function makeDiff(report: DiffReport): Contents {
+	const page = new DiffPage(report);
+	return { note: [report.a.path, report.b.path], sections: page.sections, parts: page.parts, keys: {}, redraw: redrawer(page.picture) };
+}
+
+function makeSequence(report: SequenceReport): Contents {
+	const page = new SequencePage(report);
+	const { config, scene, frames } = report.sequence;
+	return {
+		note: [config, scene, `${frames.length} frames, ${report.framesPerSecond} a second`],
+		sections: page.sections, parts: page.parts, keys: page.keys, redraw: () => page.redraw(),
+	};
+}
+
+function makeMatrix(report: MatrixReport): Contents {
+	const page = new MatrixPage(report);
+	return { note: [`${report.matrix.versions.length} engine versions`, nameConfig(report)], sections: page.sections, parts: page.parts, keys: {}, redraw: redrawer(page.picture) };
+}
+
+function makeContents(report: AnyReport): Contents {
+	switch (report.kind) {
+		case "study": return makeStudy(report);
+		case "diff": return makeDiff(report);
+		case "sequence": return makeSequence(report);
+		case "matrix": return makeMatrix(report);
+		default: return makeRun(report);
+	}
+}
+
+/** Of drydock, that made the data. */
+function getVersion(report: AnyReport): string {
+	return report.kind === "study" ? report.study.version : report.kind === "run" ? report.run.version : report.version;
 }
 
 function main(): void {
 	const report = readReport();
 	document.title = `${report.name} · drydock`;
-	const contents = report.kind === "study" ? makeStudy(report) : makeRun(report);
+	const contents = makeContents(report);
 	const keys = makeKeys();
-	const about = makeAbout(report.kind === "study" ? report.study.version : report.run.version, report.written, document.documentElement.outerHTML.length);
+	const about = makeAbout(getVersion(report), report.written, document.documentElement.outerHTML.length);
 	const theme = el("button", { type: "button", id: "theme", "data-tip": "Light or dark (key T)", onclick: () => {
 		document.documentElement.dataset.theme = isDark() ? "light" : "dark";
 		contents.redraw();

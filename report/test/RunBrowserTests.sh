@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The report page in a real browser: runs drydock on two configs, then the tests beside this script.
+# The pages in real browsers: lets drydock write one of each kind, then runs the tests beside this script.
 #   report/test/RunBrowserTests.sh BUILD SOURCE WORK
 # Exit code 77 where node, its modules (npm ci in report/), oiiotool or Chromium are not there.
 set -euo pipefail
@@ -17,6 +17,13 @@ Config=$Source/configs/toon_bloom.json
 "$Drydock" run "$Config" --out "$Work/plain" --pp BloomIntensity=3 --report on >/dev/null
 "$Drydock" run "$Config" --out "$Work/full" --dump ToonBloomMask --dump BloomSetup --report full >/dev/null
 "$Drydock" study "$Source/configs/study_bloom_quality.json" --out "$Work/study" --report >/dev/null
+Pair=("$Work/strong" "$Work/weak")
+"$Drydock" run "$Config" --out "${Pair[0]}" --pp BloomIntensity=3 --dump BloomSetup --fingerprints >/dev/null
+"$Drydock" run "$Config" --out "${Pair[1]}" --dump BloomSetup --fingerprints >/dev/null
+"$Drydock" diff "${Pair[@]}" --out "$Work/diff" --report >/dev/null
+"$Drydock" run "$Source/configs/volumes_walk.json" --frames all --out "$Work/walk" --report >/dev/null
+"$Drydock" run "$Source/configs/volumes_walk.json" --frame 4 --out "$Work/walk4" --report >/dev/null
+"$Drydock" matrix "$Source/tests/plugins/ShowUV" --versions 5.4-5.5 --out "$Work/matrix" --report >/dev/null
 export CHROMIUM REPORT_RUNS=$Work
 cd "$Source/report"
 exec node --test --test-reporter=spec test/*.test.mjs

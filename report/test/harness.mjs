@@ -2,6 +2,7 @@
 // reads them.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
+import { createRequire } from "node:module";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -36,12 +37,41 @@ export async function onPage(file, test, options = {}) {
 	try {
 		await page.goto(url);
 		await page.waitForSelector("html[data-ready]");
-		await page.waitForFunction(() => !document.querySelector("#facts") || document.querySelector("#facts dd"));
+		await until(page, () => !document.querySelector("#facts") || !!document.querySelector("#facts dd"));
 		await test(page);
 		assert.deepEqual(faults, []);
 	} finally {
 		await context.close();
 	}
+}
+
+/** Until a function of the page is true; asked from outside, for the page allows no text to become code. */
+export async function until(page, holds, argument) {
+	for (const end = Date.now() + 30000; !(await page.evaluate(holds, argument)); ) {
+		assert.ok(Date.now() < end, `it never came to hold: ${holds} of ${argument}`);
+		await new Promise((done) => setTimeout(done, 20));
+	}
+}
+
+/** Nothing is wider than a window of 1280, and axe finds nothing serious, in light and dark, which look different. Act: what
+ * is done to the page before. */
+export async function checkAxe(file, act = async () => undefined) {
+	const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+	const papers = new Set();
+	for (const colorScheme of ["light", "dark"]) {
+		await onPage(file, async (page) => {
+			await act(page);
+			assert.ok((await page.evaluate(() => document.scrollingElement.scrollWidth)) <= 1280);
+			papers.add(await page.evaluate(() => getComputedStyle(document.body).backgroundColor));
+			await page.mouse.move(2, 2);
+			await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+			await page.evaluate(axe);
+			const { violations } = await page.evaluate(() => axe.run(document, { resultTypes: ["violations"] }));
+			const serious = violations.filter((violation) => ["serious", "critical"].includes(violation.impact));
+			assert.deepEqual(serious.map((violation) => `${violation.id}: ${violation.nodes.map((node) => node.target).slice(0, 3)}`), []);
+		}, { colorScheme });
+	}
+	assert.equal(papers.size, 2);
 }
 
 export function readData(file) {

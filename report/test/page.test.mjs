@@ -1,9 +1,8 @@
 // The rest of the page in a browser: answers, graph, tables, dialogs, light and dark, and what assistive tools find.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { after, before, test } from "node:test";
-import { onPage, readCanvas, readData, runs, startBrowser, stopBrowser, withData } from "./harness.mjs";
+import { checkAxe, onPage, readData, runs, startBrowser, stopBrowser, until, withData } from "./harness.mjs";
 
 const plain = runs + "/plain/report.html";
 const data = readData(plain);
@@ -21,7 +20,7 @@ test("five questions are answered, in order, from the run's own files", async ()
 		assert.match(await page.textContent("#answer-worked"), new RegExp(`${run.passes.filter((pass) => pass.executed).length} passes made a picture of 960 × 540`));
 		assert.match(await page.textContent("#answer-left-out"), new RegExp(`${run.effects.filter((effect) => !effect.active).length} of ${run.effects.length} effects`));
 		assert.match(await page.textContent("#answer-left-out"), new RegExp(`${run.passes.filter((pass) => !pass.executed).length} passes were culled`));
-		await page.waitForFunction(() => /pixels differ/.test(document.querySelector("#answer-changed").textContent));
+		await until(page, () => /pixels differ/.test(document.querySelector("#answer-changed").textContent));
 		assert.match(await page.textContent("#answer-changed"), /BloomIntensity: 1\.5 → 3/);
 	});
 });
@@ -68,7 +67,7 @@ test("an opened pass shows shader, counters, parameters, pictures, and leads to 
 			assert.ok(text.includes(name) && text.includes(value), name);
 		}
 		await page.click("#pass-detail .thumbs button");
-		await page.waitForFunction((index) => document.querySelector("#picture-a").value.includes(index), String(pass.index));
+		await until(page, (index) => document.querySelector("#picture-a").value.includes(index), String(pass.index));
 		await page.locator("#pass-detail .reads .link").first().click();
 		assert.ok(pass.producers.includes(Number(await page.textContent("#pass-detail h3 .quiet"))));
 	});
@@ -159,17 +158,5 @@ test("the boxes of keys and of parts open and close", async () => {
 });
 
 test("nothing is wider than a window of 1280, and every control has a name", async () => {
-	const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
-	for (const colorScheme of ["light", "dark"]) {
-		await onPage(plain, async (page) => {
-			await page.click(`.order .pass[data-pass="${culled.index}"] text`);
-			assert.ok((await page.evaluate(() => document.scrollingElement.scrollWidth)) <= 1280);
-			await page.mouse.move(2, 2);
-			await readCanvas(page);
-			await page.evaluate(axe);
-			const { violations } = await page.evaluate(() => axe.run(document, { resultTypes: ["violations"] }));
-			const serious = violations.filter((violation) => ["serious", "critical"].includes(violation.impact));
-			assert.deepEqual(serious.map((violation) => `${violation.id}: ${violation.nodes.map((node) => node.target).slice(0, 3)}`), []);
-		}, { colorScheme });
-	}
+	await checkAxe(plain, async (page) => page.click(`.order .pass[data-pass="${culled.index}"] text`));
 });

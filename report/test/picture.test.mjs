@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { deflateSync } from "node:zlib";
-import { onPage, readCanvas, readData, readProbe, readTexel, runs, startBrowser, stopBrowser, withData } from "./harness.mjs";
+import { onPage, readCanvas, readData, readProbe, readTexel, runs, startBrowser, stopBrowser, until, withData } from "./harness.mjs";
 
 const plain = runs + "/plain/report.html";
 const full = runs + "/full/report.html";
@@ -12,7 +12,7 @@ after(stopBrowser);
 
 async function pickPicture(page, select, id) {
 	await page.selectOption(select, id);
-	await page.waitForFunction((id) => document.querySelector(`.strip [data-id="${id}"][aria-selected="true"]`), id);
+	await until(page, (id) => !!document.querySelector(`.strip [data-id="${id}"][aria-selected="true"]`), id);
 }
 
 /** To the digits that oiiotool prints. */
@@ -107,7 +107,7 @@ test("the slider shows A at its left and B at its right, by mouse and by keys", 
 test("side by side both move together", async () => {
 	await onPage(full, async (page) => {
 		await page.selectOption("#picture-b", "final");
-		await page.waitForFunction(() => !document.querySelector("#mode-side").disabled);
+		await until(page, () => !document.querySelector("#mode-side").disabled);
 		await page.click("#mode-side");
 		await page.focus("#canvas");
 		for (const key of ["+", "+", "ArrowLeft", "ArrowDown"]) {
@@ -209,7 +209,7 @@ test("the wheel, a double click and keys zoom to texels with numbers, and fit go
 		const canvas = await page.locator("#canvas").boundingBox();
 		await page.mouse.move(canvas.x + 300, canvas.y + 200);
 		await page.mouse.wheel(0, -480);
-		await page.waitForFunction((zoom) => Number(document.querySelector("#zoom").textContent.split(": ")[1]) > zoom, before);
+		await until(page, (zoom) => Number(document.querySelector("#zoom").textContent.split(": ")[1]) > zoom, before);
 		await page.click("#fit");
 		await page.mouse.move(0, 0);
 		await page.keyboard.press("Tab");
@@ -232,9 +232,9 @@ test("the film strip chooses A, and with shift B", async () => {
 	const id = readData(plain).pictures.find((picture) => picture.role === "thumbnail").id;
 	await onPage(plain, async (page) => {
 		await page.click(`.strip [data-id="${id}"]`);
-		await page.waitForFunction((id) => document.querySelector("#picture-a").value === id, id);
+		await until(page, (id) => document.querySelector("#picture-a").value === id, id);
 		await page.click('.strip [data-id="scene"]', { modifiers: ["Shift"] });
-		await page.waitForFunction(() => document.querySelector("#picture-b").value === "scene");
+		await until(page, () => document.querySelector("#picture-b").value === "scene");
 		assert.equal(await page.inputValue("#picture-a"), id);
 	});
 });

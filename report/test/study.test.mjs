@@ -1,7 +1,7 @@
 // The page of a study in a browser: its sentence, its points by mouse and keyboard, two of them pinned.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { onPage, readData, runs, startBrowser, stopBrowser } from "./harness.mjs";
+import { checkAxe, onPage, readData, runs, startBrowser, stopBrowser, withData } from "./harness.mjs";
 
 const file = runs + "/study/study.html";
 const data = readData(file);
@@ -67,4 +67,50 @@ test("other errors and costs draw the chart anew", async () => {
 		await page.click("#variants summary");
 		assert.equal(await page.locator("#variants tbody tr").count(), data.study.jobs[0].variants.length);
 	});
+});
+
+test("small panels show every job, and one of them becomes the chart", async () => {
+	const last = data.study.jobs.length - 1;
+	assert.ok(last > 0);
+	await onPage(file, async (page) => {
+		assert.ok(!(await page.locator("#panels").isVisible()));
+		await page.click("#show-panels");
+		assert.equal(await page.locator(".panel").count(), data.study.jobs.length);
+		await page.focus(`[data-panel="${last} ${metric}"]`);
+		await page.keyboard.press("Enter");
+		assert.equal(await page.getAttribute("#job-" + last, "aria-pressed"), "true");
+		assert.ok((await page.textContent("#chart-title")).includes(data.timing.jobs[last].recommended));
+		assert.deepEqual(await page.locator('.panel[aria-pressed="true"]').evaluateAll((panels) => panels.map((panel) => panel.dataset.panel)), [`${last} ${metric}`]);
+		await page.click("#chart-title");
+		await page.keyboard.press("g");
+		assert.ok(!(await page.locator("#panels").isVisible()));
+	});
+});
+
+test("where there is one job, small panels show every error", async () => {
+	const one = { ...data, study: { ...data.study, jobs: data.study.jobs.slice(0, 1) }, timing: { ...data.timing, jobs: data.timing.jobs.slice(0, 1) } };
+	await withData(one, (single) => onPage(single, async (page) => {
+		await page.keyboard.press("g");
+		assert.equal(await page.locator(".panel").count(), 5);
+		await page.click('[data-panel="0 ssim"]');
+		assert.equal(await page.inputValue("#metric"), "ssim");
+		assert.equal(await page.getAttribute('[data-panel="0 ssim"]', "aria-pressed"), "true");
+	}));
+});
+
+test("many jobs are a list, and panels choose from it, too", async () => {
+	const often = (jobs) => Array.from({ length: 8 }, (_, i) => ({ ...jobs[i % 2], label: "job " + i }));
+	const many = { ...data, study: { ...data.study, jobs: often(data.study.jobs) }, timing: { ...data.timing, jobs: often(data.timing.jobs) } };
+	await withData(many, (file) => onPage(file, async (page) => {
+		await page.selectOption("#job", "job 3");
+		assert.ok((await page.textContent("#chart-title")).includes(data.timing.jobs[1].recommended));
+		await page.click("#chart-title");
+		await page.keyboard.press("g");
+		await page.click(`[data-panel="6 ${metric}"]`);
+		assert.equal(await page.inputValue("#job"), "job 6");
+	}));
+});
+
+test("nothing runs over the side, and axe finds nothing serious, in light and dark", async () => {
+	await checkAxe(file, async (page) => page.click("#show-panels"));
 });

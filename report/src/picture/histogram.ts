@@ -35,7 +35,7 @@ export function drawHistogram(into: HTMLElement, pixels: Pixels): void {
 		padding: [10, 8, 0, 0],
 		legend: { show: false },
 		cursor: { show: false },
-		scales: { x: { time: false, range: [low, high] }, y: { range: (_, __, max) => [0, Math.max(max, 1)] } },
+		scales: { x: { time: false, range: [low, high] }, y: { range: (_, __, max) => [0, Math.max(max, 1) * 1.1] } },
 		axes: [
 			{ ...axis, size: 24, values: (_, ticks) => ticks.map((tick) => number(tick)) },
 			{ ...axis, size: 38, splits: [0, 2, 4, 6], values: (_, ticks) => ticks.map((tick) => ["1", "", "100", "", "10 k", "", "1 M"][tick] ?? "") },

@@ -1,5 +1,5 @@
 // The picture section: the viewer with its controls, the values under the cursor, a histogram and the film strip.
-import { PictureData, Report, pictureUrl } from "../data";
+import { PictureData, pictureUrl } from "../data";
 import { el, section } from "../dom";
 import { count, number, percent } from "../format";
 import { drawHistogram } from "./histogram";
@@ -14,6 +14,26 @@ const modes: [Mode, string, string][] = [
 	["side", "Side by side", "Both, moved together (key I)"],
 	["difference", "Difference", "|A − B| times the gain (key D)"],
 ];
+
+export interface PictureOptions {
+	a?: string; // what is shown first; the first picture by default
+	b?: string;
+	mode?: Mode;
+	/** Of a resource its shape and format. */
+	shape?: (resource: string) => string | undefined;
+	title?: string;
+	note?: string;
+	onChoose?: (a: PictureData, b: PictureData | null) => void;
+}
+
+/** How the lists of pictures are parted. */
+const groups: [string, PictureData["role"][]][] = [
+	["Frame", ["final", "scene", "previous"]], ["Dumped passes", ["dump"]], ["Thumbnails", ["thumbnail"]], ["A", ["a"]], ["B", ["b"]],
+	["Where they differ", ["error"]], ["Frames", ["frame"]], ["Engine versions", ["version"]],
+];
+
+/** What tells pictures of one name apart in the strip. */
+const marks: Partial<Record<PictureData["role"], string>> = { a: "A  ", b: "B  ", error: "≠  " };
 
 export class PicturePanel {
 	readonly element: HTMLElement;
@@ -36,9 +56,9 @@ export class PicturePanel {
 	private readonly toggles: Record<"falseColor" | "odd", HTMLButtonElement>;
 	private turn = 0;
 
-	constructor(private readonly report: Report) {
-		this.a = report.pictures[0];
-		this.b = report.pictures.find((picture) => picture.role === "previous") ?? null;
+	constructor(private readonly pictures: PictureData[], private readonly options: PictureOptions = {}) {
+		this.a = this.find(options.a) ?? pictures[0];
+		this.b = this.find(options.b);
 		this.selectA = this.makeSelect("picture-a", (id) => this.choose(id, this.b?.id ?? ""));
 		this.selectB = this.makeSelect("picture-b", (id) => this.choose(this.a.id, id));
 		this.selectB.prepend(el("option", { value: "" }, "none"));
@@ -60,7 +80,7 @@ export class PicturePanel {
 		this.viewer.onProbe = (probe) => this.showProbe(probe);
 		this.viewer.onChange = () => (this.zoomLabel.textContent = `1 : ${number(Number(this.viewer.getTexel().toPrecision(2)))}`);
 		this.fillStrip();
-		void this.choose(this.a.id, this.b?.id ?? "");
+		void this.choose(this.a.id, this.b?.id ?? "").then(() => options.mode && this.setMode(options.mode));
 	}
 
 	get selectedA(): string {
@@ -69,6 +89,10 @@ export class PicturePanel {
 
 	get selectedB(): string {
 		return this.b?.id ?? "";
+	}
+
+	private find(id: string | undefined): PictureData | null {
+		return this.pictures.find((picture) => picture.id === id) ?? null;
 	}
 
 	/** Shows a picture as A, and the section. */
@@ -80,9 +104,9 @@ export class PicturePanel {
 
 	async choose(a: string, b: string): Promise<void> {
 		const turn = ++this.turn;
-		const find = (id: string) => this.report.pictures.find((picture) => picture.id === id) ?? null;
-		this.a = find(a) ?? this.report.pictures[0];
-		this.b = find(b);
+		this.a = this.find(a) ?? this.pictures[0];
+		this.b = this.find(b);
+		this.options.onChoose?.(this.a, this.b);
 		[this.selectA.value, this.selectB.value] = [this.a.id, this.b?.id ?? ""];
 		const [first, second] = [await loadPixels(this.a), this.b && (await loadPixels(this.b))];
 		if (turn !== this.turn) {
@@ -175,9 +199,8 @@ export class PicturePanel {
 
 	private makeSelect(id: string, choose: (id: string) => void): HTMLSelectElement {
 		const select = el<HTMLSelectElement>("select", { id, onchange: () => choose(select.value) });
-		const groups: [string, PictureData["role"][]][] = [["Frame", ["final", "scene", "previous"]], ["Dumped passes", ["dump"]], ["Thumbnails", ["thumbnail"]]];
 		for (const [label, roles] of groups) {
-			const members = this.report.pictures.filter((picture) => roles.includes(picture.role));
+			const members = this.pictures.filter((picture) => roles.includes(picture.role));
 			if (members.length) {
 				select.append(el("optgroup", { label }, ...members.map((picture) =>
 					el("option", { value: picture.id }, (picture.pass > 0 ? picture.pass + "  " : "") + picture.label))));
@@ -240,7 +263,7 @@ export class PicturePanel {
 			el("span", { class: "group" }, labeled("Range", this.inputs.low), labeled("to", this.inputs.high),
 				el("button", { type: "button", id: "stretch", "data-tip": "From the darkest to the brightest hundredth: depth, masks (key R)", onclick: () => this.stretch() }, "Stretch")),
 			this.toggles.falseColor, this.toggles.odd, el("button", { type: "button", id: "reset", "data-tip": "As it was (key X)", onclick: () => this.reset() }, "Reset"));
-		const element = section("picture", "Picture", "", tools, looks,
+		const element = section("picture", this.options.title ?? "Picture", this.options.note ?? "", tools, looks,
 			el("div", { class: "viewer" }, this.viewer.canvas,
 				el("aside", {}, this.probe, this.facts, this.scale, this.plot)),
 			this.strip);
@@ -256,12 +279,12 @@ export class PicturePanel {
 
 	private fillStrip(): void {
 		const place = (picture: PictureData) => (picture.role === "previous" ? Infinity : picture.pass);
-		for (const picture of this.report.pictures.toSorted((a, b) => place(a) - place(b) || 0)) {
+		for (const picture of this.pictures.toSorted((a, b) => place(a) - place(b) || 0)) {
 			const choose = (event: { shiftKey: boolean }) =>
 				event.shiftKey ? this.choose(this.a.id, picture.id) : this.choose(picture.id, this.b?.id ?? "");
 			this.strip.append(el("button", { type: "button", role: "option", "data-id": picture.id, "data-tip": picture.label + "; with shift as B", onclick: choose },
 				el("img", { src: pictureUrl(picture), alt: "", loading: "lazy", decoding: "async" }),
-				el("span", {}, picture.pass > 0 ? `${picture.pass} ${picture.resource}` : picture.label)));
+				el("span", {}, picture.pass > 0 ? `${picture.pass} ${picture.resource}` : (marks[picture.role] ?? "") + picture.label)));
 		}
 	}
 
@@ -271,11 +294,13 @@ export class PicturePanel {
 			return;
 		}
 		const { channels, precision } = this.pixels;
-				const show = (value: number, exact: boolean) => (exact ? "" : "≈ ") + number(value) +
+		const show = (value: number, exact: boolean) => (exact ? "" : "≈ ") + number(value) +
 			(precision === "8 bit" && this.a.encoding === "display" ? ` (${Math.round(value * 255)})` : "");
 		const exact = precision !== "8 bit" || this.a.encoding === "display";
-		const x = this.a.corner[0] + probe.x;
-		const y = this.a.corner[1] + probe.y;
+		// Of a picture that was made smaller for the page, the texel in its middle.
+		const place = (at: number, shown: number, whole: number) => (whole > shown ? Math.floor(((at + 0.5) * whole) / shown) : at);
+		const x = this.a.corner[0] + place(probe.x, this.pixels.width, this.a.size[0]);
+		const y = this.a.corner[1] + place(probe.y, this.pixels.height, this.a.size[1]);
 		this.probe.replaceChildren(
 			el("h3", {}, `Texel ${x}, ${y}`),
 			el("table", {},
@@ -292,10 +317,11 @@ export class PicturePanel {
 			return;
 		}
 		const odd = countOdd(this.a, this.pixels);
-		const format = this.report.graph.resources.find((resource) => resource.name === this.a.resource)?.shape;
+		const [whole] = this.a.size;
+		const scaled = whole > this.pixels.width && this.a.role !== "thumbnail" ? `, of ${whole} × ${this.a.size[1]}` : "";
 		const lines: [string, string][] = [
-			["Picture", `${this.pixels.width} × ${this.pixels.height}`],
-			["Texture", format ?? ""],
+			["Picture", `${this.pixels.width} × ${this.pixels.height}${scaled}`],
+			["Texture", this.options.shape?.(this.a.resource) ?? ""],
 			["Values", this.pixels.precision === "8 bit" ? (this.a.role === "thumbnail" ? "thumbnail, 8 bit" : "from the PNG, 8 bit") : `as stored, ${this.pixels.precision}`],
 		];
 		if (this.a.figures) {

@@ -11,7 +11,8 @@ const keys: [string, string][] = [
 	["E  shift+E", "half a stop brighter, darker"], ["C  O  R  X", "false colour, odd values, stretch, reset"],
 	["arrows  + −", "on the picture: move and zoom"], ["F  1  N", "fit, texels as pixels, texels with numbers"],
 	["shift+arrows", "move the probe by a texel"], ["[  ]", "move the slider"],
-	["arrows, Enter", "on the graph: from pass to pass, open"],
+	["arrows, Enter", "on the graph and a matrix: from one to the next, open"],
+	["←  →", "on a plot: from place to place"], [",  .  P  K", "of a sequence: frame before, next, play, B follows"], ["G", "of a study: small panels"],
 ];
 
 export function makeKeys(): HTMLDialogElement {

@@ -7,13 +7,13 @@ import { subtract } from "../picture/shade";
 
 type Tone = "good" | "note" | "bad";
 
-function row(id: string, question: string, tone: Tone, answer: (Node | string)[], more: string[] = []): HTMLElement {
+export function row(id: string, question: string, tone: Tone, answer: (Node | string)[], more: string[] = []): HTMLElement {
 	return el("li", { id: "answer-" + id, class: tone },
 		el("span", { class: "question" }, question),
 		el("div", { class: "answer" }, el("p", {}, ...answer), more.length ? el("ul", {}, more.map((line) => el("li", {}, line))) : null));
 }
 
-function to(section: string, label: string): HTMLElement {
+export function to(section: string, label: string): HTMLElement {
 	return el("a", { href: "#" + section }, label);
 }
 
@@ -128,7 +128,10 @@ async function comparePictures(a: PictureData, b: PictureData): Promise<string> 
 		: `${percent(difference.changed / (first.width * first.height))} of the pixels differ, by ${number(Math.round(difference.max * 255))}/255 at most`;
 }
 
+export function listAnswers(...rows: HTMLElement[]): HTMLElement {
+	return el("ol", { class: "answers", id: "answers" }, rows);
+}
+
 export function makeAnswers(report: Report, showDifference: () => void): HTMLElement {
-	return el("ol", { class: "answers", id: "answers" },
-		whether(report), leftOut(report), notFinite(report), whereTime(report), changed(report, showDifference));
+	return listAnswers(whether(report), leftOut(report), notFinite(report), whereTime(report), changed(report, showDifference));
 }

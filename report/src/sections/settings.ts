@@ -2,6 +2,7 @@
 import { LedgerEntry, Report, Setting } from "../data";
 import { el, section, table } from "../dom";
 import { count, number, value } from "../format";
+import { WalkPanel } from "./walk";
 
 function story(entries: LedgerEntry[]): HTMLElement {
 	return el("ol", { class: "ledger" }, entries.map((entry) => el("li", { class: entry.skipped ? "skipped" : "" },
@@ -34,5 +35,6 @@ export function makeSettings(report: Report): HTMLElement {
 			{ title: "Reach", cell: (row) => (row.bUnbound ? "unbound" : row.distance === null ? "" : `${number(row.distance)} cm away`) },
 			{ title: "Weight", cell: (row) => el("span", { class: "weight", style: `--share:${row.weight}` }, number(row.weight)) },
 			{ title: "", cell: (row) => el("em", {}, row.skipped ?? "") },
-		], volumes) : null);
+		], volumes) : null,
+		report.walk ? new WalkPanel(report.walk).element : null);
 }

@@ -13,6 +13,7 @@ export interface ChartOptions {
 	pinned: string[]; // labels
 	show: (point: Point) => void;
 	pin: (point: Point) => void;
+	small?: boolean; // one of many: points have no names and take no focus
 }
 
 function ticks(low: number, high: number, log: boolean): number[] {
@@ -93,7 +94,7 @@ export function drawChart(points: Point[], options: ChartOptions): SVGSVGElement
 		}
 		const kind = ["point", isFront(point) ? "on-front" : "off-front", options.pinned.includes(point.result.label) ? "pinned" : ""].join(" ");
 		svg.append(el("g", {
-			class: kind, tabindex: 0, role: "button", "data-variant": point.result.label,
+			class: kind, tabindex: options.small ? undefined : 0, role: options.small ? "img" : "button", "data-variant": point.result.label,
 			"aria-label": `${name}: ${metricNames[metric]} ${number(error(point)!)}, ${number(Number(cost(point, taps).toPrecision(3)))} ${taps ? "reads a pixel" : "ms"}`,
 			onpointerenter: () => options.show(point), onfocus: () => options.show(point), onclick: () => options.pin(point),
 			onkeydown: (event: KeyboardEvent) => {
@@ -106,7 +107,7 @@ export function drawChart(points: Point[], options: ChartOptions): SVGSVGElement
 			taps ? null : el("line", { class: "spread", x1: x.place(point.timing.lowMs), x2: x.place(point.timing.highMs), y1: at.y, y2: at.y }),
 			point.recommended ? el("circle", { class: "ring", cx: at.x, cy: at.y, r: 12 }) : null,
 			el("circle", { class: "dot", cx: at.x, cy: at.y, r: 6 }),
-			spot ? el("text", { x: spot.x, y: spot.y }, name) : null));
+			spot && !options.small ? el("text", { x: spot.x, y: spot.y }, name) : null));
 	}
 	return svg;
 }

@@ -37,6 +37,8 @@ export class StudyPanel {
 	private readonly side = el("aside", { class: "variant", id: "variant" });
 	private readonly pins = el("div", { class: "pins", id: "pins" });
 	private readonly list = el("div", { id: "variants" });
+	private readonly panels = el("div", { class: "panels", id: "panels" });
+	private readonly panelsShown: HTMLButtonElement;
 
 	constructor(private readonly report: StudyReport) {
 		this.metric = report.study.metric;
@@ -44,21 +46,64 @@ export class StudyPanel {
 			this.metric = metric.value as Metric;
 			this.draw();
 		} }, metrics.map((name) => el("option", { value: name, selected: name === this.metric }, metricNames[name])));
-		const jobs = report.study.jobs.length > 1 ? this.segments(report.study.jobs.map((job) => job.label), "Job", "job", (index) => {
+		const labels = report.study.jobs.map((job) => job.label);
+		const chooseJob = (index: number) => {
 			this.job = index;
 			this.pinned = [];
 			this.draw();
 			this.show(this.best());
-		}) : null;
+		};
+		const list = el<HTMLSelectElement>("select", { id: "job", onchange: () => chooseJob(list.selectedIndex) }, labels.map((label) => el("option", {}, label)));
+		const buttons = this.segments(labels, "Job", "job", chooseJob);
+		const mostButtons = 6; // more are a list
+		const jobs = labels.length > mostButtons ? el("label", {}, el("span", {}, "Job"), list) : labels.length > 1 ? buttons : null;
 		const costs = this.segments(["Time", "Texture reads"], "Cost", "cost", (index) => {
 			this.taps = index === 1;
 			this.draw();
 		});
-		this.element = section("chart", "", "", el("div", { class: "tools" }, jobs, costs, el("label", {}, el("span", {}, "Error"), metric)),
-			el("div", { class: "study" }, this.chart, this.side), this.pins, this.list);
+		this.panelsShown = el("button", { type: "button", id: "show-panels", "aria-pressed": "false", "aria-controls": "panels", "data-tip": "The chart of every job, or where there is one of every error, small and to choose from (key G)", onclick: () => {
+			this.panelsShown.setAttribute("aria-pressed", String(this.panelsShown.getAttribute("aria-pressed") !== "true"));
+			this.drawPanels();
+		} }, "Small panels");
+		this.chooseMetric = (name) => {
+			metric.value = this.metric = name;
+		};
+		this.chooseJob = (job) => {
+			list.selectedIndex = job;
+			(buttons.children[job] as HTMLElement).click();
+		};
+		this.element = section("chart", "", "", el("div", { class: "tools" }, jobs, costs, el("label", {}, el("span", {}, "Error"), metric), this.panelsShown),
+			this.panels, el("div", { class: "study" }, this.chart, this.side), this.pins, this.list);
 		this.element.querySelector("h2")!.replaceWith(this.title);
 		this.draw();
 		this.show(this.best());
+	}
+
+	private readonly chooseMetric: (metric: Metric) => void;
+	private readonly chooseJob: (job: number) => void;
+
+	readonly keys: Record<string, () => void> = { g: () => this.panelsShown.click() };
+
+	/** Of every job; where there is one job, of every error. */
+	private drawPanels(): void {
+		const shown = this.panelsShown.getAttribute("aria-pressed") === "true";
+		this.panels.hidden = !shown;
+		const { jobs } = this.report.study;
+		const panels = jobs.length > 1 ? jobs.map((job, index) => this.makePanel(job.label, index, this.metric)) : metrics.map((name) => this.makePanel("", 0, name));
+		this.panels.replaceChildren(...(shown ? panels : []));
+	}
+
+	private makePanel(label: string, job: number, metric: Metric): HTMLElement {
+		const nothing = () => undefined;
+		const { budget } = this.report.study;
+		const chosen = job === this.job && metric === this.metric;
+		return el("button", { type: "button", class: "panel", "data-panel": `${job} ${metric}`, "aria-pressed": String(chosen), onclick: () => {
+			this.chooseMetric(metric);
+			job === this.job ? this.draw() : this.chooseJob(job);
+			this.panels.querySelector<HTMLElement>(`[data-panel="${job} ${metric}"]`)?.focus();
+		} },
+			el("span", {}, label || metricNames[metric]), " ", el("span", { class: "quiet" }, label ? this.report.timing.jobs[job].recommended : ""),
+			drawChart(gatherPoints(this.report, job), { metric, taps: this.taps, limit: budget.metric === metric ? budget.max : undefined, pinned: [], show: nothing, pin: nothing, small: true }));
 	}
 
 	private best(): Point | undefined {
@@ -87,6 +132,7 @@ export class StudyPanel {
 			pin: (point) => this.pin(point),
 		}));
 		this.drawPins();
+		this.drawPanels();
 		const front = (point: Point) => (this.taps ? point.result.front : point.timing.front);
 		this.list.replaceChildren(el("details", {}, el("summary", {}, `All ${points.length} variants`), table<Point>([
 			{ title: "Variant", cell: (row) => row.result.label },

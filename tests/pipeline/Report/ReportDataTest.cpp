@@ -26,11 +26,6 @@ std::string ReadBytes(const std::filesystem::path& Path)
 	return std::string(std::istreambuf_iterator<char>(Stream), {});
 }
 
-FJson ReadSchema()
-{
-	return FJson::parse(ReadBytes(DRYDOCK_TEST_SOURCE_DIR "/report/report.schema.json"));
-}
-
 FRunResult RunForReport(const std::string& ConfigText)
 {
 	FRunOptions Options;
@@ -56,6 +51,7 @@ FReportInputs MakeInputs(const FRunResult& Result, const FTemporaryFolder& Tempo
 		.TimingJson = MakeTimingJson(Result, 1.0),
 		.ExplainJson = "",
 		.BlendJson = "",
+		.WalkJson = "",
 		.Folder = Temporary.Path.string(),
 		.Before = {}};
 }
@@ -142,7 +138,7 @@ TEST(ReportData, IsOfTheFormThatItsSchemaStates)
 	Inputs.Before.RunJson = GetSmallRun().RunJson;
 	Inputs.Before.When = "2025-01-30T12:00:00Z";
 	const FJson Report = FJson::parse(MakeReportData(Inputs));
-	const FJson Schema = ReadSchema();
+	const FJson Schema = ReadSchemaFile("report.schema.json");
 	EXPECT_EQ(std::vector<std::string>(), FSchemaCheck(Schema).Check(Report));
 
 	FJson Wrong = Report;

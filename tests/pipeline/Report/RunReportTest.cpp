@@ -1,22 +1,13 @@
 // `drydock run --report`: when the page is written, what it refuses, and what it tells of the run before.
 #include <gtest/gtest.h>
 
-#include "ProgramTestUtils.h"
-#include "SchemaCheck.h"
+#include "PageTestUtils.h"
 
 using namespace ProgramTest;
 using namespace ReportTest;
 
 namespace
 {
-
-FJson ReadData(const FProgramFolder& Folder, const std::string& File = "out/frame/report.html")
-{
-	const std::string Page = Folder.Read(File);
-	const std::string Begin = "id=\"data\">";
-	const size_t From = Page.find(Begin) + Begin.size();
-	return FJson::parse(Page.substr(From, Page.find("</script>", From) - From));
-}
 
 bool HasReport(const FProgramFolder& Folder)
 {
@@ -118,8 +109,7 @@ TEST(StudyReport, IsAPageOfItsOwnOfTheFormThatItsSchemaStates)
 	EXPECT_EQ(0, Folder.Call("study frame.json --report").ExitCode);
 	EXPECT_TRUE(HasReport(Folder)) << "the run's page is not the study's to replace";
 	const FJson Report = ReadData(Folder, "out/frame/study.html");
-	std::ifstream File(DRYDOCK_TEST_SOURCE_DIR "/report/study.schema.json");
-	const FJson Schema = FJson::parse(File);
+	const FJson Schema = ReadSchemaFile("study.schema.json");
 	EXPECT_EQ(std::vector<std::string>(), FSchemaCheck(Schema).Check(Report));
 	EXPECT_EQ(FJson::parse(Folder.Read("out/frame/study.json")), Report["study"]);
 	EXPECT_FALSE(Report["insets"][0]["pictures"].empty());

@@ -1,10 +1,11 @@
 // Checks JSON against a JSON schema as far as report.schema.json goes: type, const, enum, required, properties,
-// additionalProperties, items and $ref to its own $defs.
+// additionalProperties, items and $ref to its own $defs or those of a schema beside it.
 #pragma once
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -13,6 +14,13 @@ namespace ReportTest
 {
 
 using FJson = nlohmann::json;
+
+/** A schema of the folder report/ by its name. */
+inline FJson ReadSchemaFile(const std::string& Name)
+{
+	std::ifstream File(DRYDOCK_TEST_SOURCE_DIR "/report/" + Name);
+	return FJson::parse(File);
+}
 
 class FSchemaCheck
 {
@@ -42,11 +50,26 @@ private:
 								   : throw std::invalid_argument("unknown type " + Type);
 	}
 
+	void CheckReference(const FJson& Value, const std::string& Reference, const std::string& At)
+	{
+		const size_t Hash = Reference.find('#');
+		const FJson::json_pointer Place(Reference.substr(Hash + 1));
+		if (Hash == 0)
+		{
+			CheckValue(Value, Schema.at(Place), At);
+			return;
+		}
+		const FJson Other = ReadSchemaFile(Reference.substr(0, Hash));
+		FSchemaCheck Check(Other);
+		Check.CheckValue(Value, Other.at(Place), At);
+		Faults.insert(Faults.end(), Check.Faults.begin(), Check.Faults.end());
+	}
+
 	void CheckValue(const FJson& Value, const FJson& Rule, const std::string& At)
 	{
 		if (Rule.contains("$ref"))
 		{
-			CheckValue(Value, Schema.at(FJson::json_pointer(Rule["$ref"].get<std::string>().substr(1))), At);
+			CheckReference(Value, Rule["$ref"], At);
 		}
 		if (Rule.contains("type") && !IsOfType(Value, Rule["type"]))
 		{

@@ -1,0 +1,50 @@
+// Adds --report to a verb, and reads it.
+#include <CLI/CLI.hpp>
+
+#include "Program/ReportOption.h"
+
+#include "Config/ReadConfig.h"
+#include "Program/VerbOptions.h"
+
+#include <cstdio>
+#include <unistd.h>
+
+namespace Drydock
+{
+
+void AddReport(CLI::App& Verb, std::string& Word, const std::string& Page)
+{
+	RequireOneOf(
+		Verb.add_option("--report", Word,
+				"Write " + Page + ": on (where no word follows) or off; on by default where stdout is a terminal")
+			->expected(0, 1)
+			->default_str("on"),
+		{"on", "off"})
+		->type_name("WHAT");
+}
+
+bool WantsReport(const std::string& Word, bool bJson)
+{
+	return Word.empty() ? !bJson && isatty(STDOUT_FILENO) != 0 : Word != "off";
+}
+
+EReport ChooseRunReport(const std::string& Word, const std::string& ConfigFile, bool bLookedAt)
+{
+	std::string Chosen = Word;
+	try
+	{
+		std::vector<FDiagnostic> Ignored; // the run reports them
+		Chosen = Chosen.empty() ? LoadConfig(ConfigFile, Ignored).Report.Value : Chosen;
+	}
+	catch (const FError&)
+	{
+	}
+	return !Chosen.empty() ? ParseReport(Chosen) : bLookedAt ? EReport::On : EReport::Off;
+}
+
+void PrintPage(const std::filesystem::path& File)
+{
+	std::fputs(("page     " + File.string() + "\n").c_str(), stdout);
+}
+
+} // namespace Drydock

@@ -1,0 +1,29 @@
+// The option `--report` of the verbs that write a page, when the page is written, and how its place is told.
+#pragma once
+
+#include "Report/RunReport.h"
+
+#include <filesystem>
+#include <string>
+
+namespace CLI
+{
+class App;
+}
+
+namespace Drydock
+{
+
+/** --report: on (where no word follows) or off. Page: what it is, "study.html, the chart ...". */
+void AddReport(CLI::App& Verb, std::string& Word, const std::string& Page);
+
+/** By the word of --report; where there is none, where stdout is a terminal and no JSON is printed. */
+bool WantsReport(const std::string& Word, bool bJson);
+
+/** Of a run: by the word of --report; where there is none, by the config's outputs.report; else on where bLookedAt. */
+EReport ChooseRunReport(const std::string& Word, const std::string& ConfigFile, bool bLookedAt);
+
+/** "page     FILE", as a line of what a verb prints. */
+void PrintPage(const std::filesystem::path& File);
+
+} // namespace Drydock

@@ -1,0 +1,145 @@
+// The page of a comparison: two pictures, or two runs picture by picture, and what differs in how they were made.
+import { el, section, table } from "../dom";
+import { count, ms, number, percent } from "../format";
+import { PicturePanel } from "../picture/panel";
+import { listAnswers, row, to } from "../sections/answers";
+import { Difference, compareEffects, compareHeads, comparePasses, compareSettings, compareTimes } from "./compare";
+import { Compared, DiffReport, differs } from "./data";
+
+/** Figures that JSON cannot hold are not finite. */
+function figure(value: number | null | undefined): string {
+	return value === undefined ? "" : value === null ? "∞" : number(Number(value.toPrecision(4)));
+}
+
+function largest(report: DiffReport): Compared | undefined {
+	const size = (image: Compared) => (image.max === null ? Infinity : image.max ?? 0);
+	return report.diff.images.filter(differs).sort((a, b) => size(b) - size(a))[0];
+}
+
+function answer(report: DiffReport): HTMLElement {
+	const { allowed, passed, images } = report.diff;
+	const off = images.filter(differs);
+	const single = images.filter((image) => image.max === undefined);
+	const worst = largest(report);
+	const rows = [
+		row("same", "The same?", !off.length && !single.length ? "good" : passed ? "note" : "bad", [
+			off.length ? `No: ${count(off.length, "picture")} of ${images.length - single.length} ${off.length === 1 ? "differs" : "differ"}` : "Yes: equal in every value",
+			single.length ? `; ${count(single.length, "picture is", "pictures are")} on one side only` : "", ".",
+			allowed !== null ? ` ${passed ? "All stay" : "Not all stay"} within ${number(allowed)}, as asked.` : ""]),
+	];
+	if (worst) {
+		rows.push(row("where", "Where most?", "note", [to("pictures", worst.name), `: by ${figure(worst.max)} in ${worst.channel} at ${worst.at!.join(", ")}; PSNR ${figure(worst.psnr)} dB, SSIM ${figure(worst.ssim)}.`]));
+	}
+	const { run: a, timing: timeA } = report.a;
+	const { run: b, timing: timeB } = report.b;
+	if (a && b) {
+		const settings = compareSettings(a, b);
+		const effects = compareEffects(a, b);
+		const passes = comparePasses(a, b);
+		rows.push(row("made", "Made otherwise?", settings.length + effects.length + passes.length ? "note" : "good", [
+			to("settings", count(settings.length, "setting")), ", ", to("effects", count(effects.length, "effect")), " and ", to("passes", count(passes.length, "pass", "passes")), " differ."],
+		settings.slice(0, 4).map((line) => `${line.name}: ${line.a} → ${line.b}`)));
+	}
+	if (timeA && timeB) {
+		const faster = timeB.executeMs < timeA.executeMs;
+		rows.push(row("time", "Which is faster?", "good", [`The passes of A take ${ms(timeA.executeMs)}, those of B `, to("time", ms(timeB.executeMs)),
+			`: B is ${percent(Math.abs(1 - timeB.executeMs / timeA.executeMs))} ${faster ? "faster" : "slower"}.`]));
+	}
+	return listAnswers(...rows);
+}
+
+function differenceTable(what: string, rows: Difference[]): HTMLElement {
+	const quiet = (text: string) => el("span", { class: "quiet" }, text);
+	return table<Difference>([
+		{ title: what, cell: (line) => line.name },
+		{ title: "A", cell: (line) => line.a || quiet("none") },
+		{ title: "B", cell: (line) => line.b || quiet("none") },
+	], rows);
+}
+
+function differences(id: string, title: string, what: string, rows: Difference[], none: string): HTMLElement {
+	return section(id, title, rows.length ? "" : none, rows.length ? differenceTable(what, rows) : null);
+}
+
+function times(report: DiffReport): HTMLElement | null {
+	const [a, b] = [report.a.timing, report.b.timing];
+	if (!a || !b) {
+		return null;
+	}
+	const rows = compareTimes(a, b).slice(0, 16);
+	const most = Math.max(...rows.flatMap((line) => [line.a, line.b]), 0.001);
+	const bar = (value: number) => el("span", { class: "bar", style: `--share:${value / most}` });
+	return section("time", "Time", "The passes whose times are furthest apart; of one run each, so small differences are noise.", table([
+		{ title: "Pass", cell: (line) => line.name },
+		{ title: "A", number: true, cell: (line) => (line.a ? ms(line.a) : "") },
+		{ title: "", cell: (line) => bar(line.a) },
+		{ title: "B", number: true, cell: (line) => (line.b ? ms(line.b) : "") },
+		{ title: "", cell: (line) => bar(line.b) },
+	], rows));
+}
+
+export class DiffPage {
+	readonly parts: HTMLElement[];
+	readonly sections: [string, string][];
+	readonly picture: PicturePanel | null;
+
+	constructor(private readonly report: DiffReport) {
+		const { run: a } = report.a;
+		const { run: b } = report.b;
+		const first = largest(report)?.name ?? report.diff.images.find((image) => image.max !== undefined)?.name;
+		const final = report.diff.images.find((image) => image.name === "final" && differs(image))?.name ?? first ?? "";
+		this.picture = report.pictures.length ? new PicturePanel(report.pictures, {
+			a: "a: " + final, b: "b: " + final, mode: "slider", title: "Both pictures",
+			note: `A: ${report.a.path}   B: ${report.b.path}`,
+		}) : null;
+		const parts: [string, string, HTMLElement | null][] = [
+			["", "", answer(report)],
+			["picture", "Both pictures", this.picture?.element ?? null],
+			["pictures", "Figures", this.makeFigures()],
+			...(a && b ? [
+				["settings", "Settings", differences("settings", "Settings", "Setting", compareSettings(a, b), "No setting differs.")],
+				["effects", "Effects", differences("effects", "Effects", "Effect", compareEffects(a, b), "The same effects ran, for the same reasons.")],
+				["passes", "Passes", this.makePasses()],
+				["other", "Other", differences("other", "Other", "What", compareHeads(a, b), "Nothing else differs.")],
+			] as [string, string, HTMLElement][] : []),
+			["time", "Time", times(report)],
+		];
+		this.parts = parts.flatMap(([, , part]) => part ?? []);
+		this.sections = parts.filter(([id, , part]) => id && part).map(([id, title]) => [id, title]);
+	}
+
+	private show(name: string, what: "b" | "error"): void {
+		void this.picture?.choose((what === "error" ? "error: " : "a: ") + name, what === "error" ? "" : "b: " + name)
+			.then(() => this.picture!.setMode(what === "error" ? "a" : "slider"));
+		this.picture?.element.scrollIntoView();
+	}
+
+	private makeFigures(): HTMLElement {
+		const button = (image: Compared, what: "b" | "error", label: string) =>
+			el("button", { type: "button", class: "small", "data-show": what, onclick: () => this.show(image.name, what) }, label);
+		return section("pictures", "Figures", "Of the values as stored; what the viewer shows has eight bits.", table<Compared>([
+			{ title: "Picture", cell: (image) => image.name },
+			{ title: "Largest", number: true, cell: (image) => figure(image.max) },
+			{ title: "RMS", number: true, cell: (image) => figure(image.rms) },
+			{ title: "Relative", number: true, cell: (image) => figure(image.relative) },
+			{ title: "PSNR dB", number: true, cell: (image) => figure(image.psnr) },
+			{ title: "SSIM", number: true, cell: (image) => figure(image.ssim) },
+			{ title: "Largest at", cell: (image) => (differs(image) ? `${image.at!.join(", ")} in ${image.channel}` : image.max === 0 ? "equal" : image.a ? "only in A" : "only in B") },
+			{ title: "", cell: (image) => (differs(image) ? [button(image, "b", "A and B"), " ", button(image, "error", "Where")] : "") },
+		], this.report.diff.images));
+	}
+
+	/** Passes that are not the same first; then those that only wrote something else, of which the first one matters. */
+	private makePasses(): HTMLElement {
+		const rows = comparePasses(this.report.a.run!, this.report.b.run!);
+		const other = rows.filter((line) => line.a !== line.b);
+		const wrote = rows.filter((line) => line.a === line.b);
+		return section("passes", "Passes", rows.length ? "" : "The same passes ran.",
+			other.length ? differenceTable("Pass", other) : null,
+			wrote.length ? el("details", {}, el("summary", {}, `${count(wrote.length, "pass is", "passes are")} the same and wrote something else, first ${wrote[0].name}`), table([
+				{ title: "Pass", cell: (line) => line.name },
+				{ title: "", cell: (line) => line.a },
+				{ title: "Textures that differ", cell: (line) => line.textures.join(", ") },
+			], wrote)) : rows.length ? el("p", { class: "note" }, "What passes wrote is compared where both runs had --fingerprints.") : null);
+	}
+}
