@@ -103,9 +103,8 @@ int RunFrames(const FFramesOptions& Options)
 			PrintDiagnostics({{ESeverity::Warning, WarnNoVideo, "there is no video: " + Problem, Options.Video}});
 		}
 	}
-	std::fputs(
-		(Options.bJson ? Result.SequenceJson : MakeSummary(Result, Options.Run.ConfigFile, Sequence.Folder)).c_str(),
-		stdout);
+	PrintResult(Options.bJson ? Result.SequenceJson : MakeSummary(Result, Options.Run.ConfigFile, Sequence.Folder),
+		Options.bJson);
 	std::fflush(stdout);
 	return ExitDone;
 }

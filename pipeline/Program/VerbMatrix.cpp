@@ -5,6 +5,8 @@
 #include "Matrix/MatrixSummary.h"
 #include "Matrix/MatrixTable.h"
 #include "Matrix/MatrixVersions.h"
+#include "Program/JUnitOption.h"
+#include "Program/ProgramOutput.h"
 #include "Program/ProgressBar.h"
 #include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
@@ -23,9 +25,10 @@ struct FMatrixOptions
 	FMatrixRequest Request;
 	std::string Versions; // of --versions
 	bool bJson = false;
+	std::string JUnit; // file to write; empty: none
 };
 
-int MakeMatrix(const FMatrixOptions& Options)
+int MakeMatrix(const FMatrixOptions& Options, FJUnitSuite& Suite)
 {
 	FProgressBar Bar;
 	FMatrixRequest Request = Options.Request;
@@ -36,11 +39,12 @@ int MakeMatrix(const FMatrixOptions& Options)
 	};
 	const FVersionMatrix Matrix = RunMatrix(Request);
 	Bar.Clear();
-	std::fputs((Options.bJson ? MakeMatrixJson : FormatMatrix)(Matrix).c_str(), stdout);
-	if (!Options.bJson)
-	{
-		std::printf("pictures side by side: %s/matrix.png\n", Matrix.OutputFolder.c_str());
-	}
+	Suite.Name = Matrix.Name + " on " + (Matrix.bStockConfig ? "drydock's own small frame" : Matrix.Config);
+	Suite.Cases = MakeMatrixCases(Matrix);
+	PrintResult(Options.bJson ? MakeMatrixJson(Matrix)
+							  : FormatMatrix(Matrix, GetOutputWidth()) +
+									"pictures side by side: " + Matrix.OutputFolder + "/matrix.png\n",
+		Options.bJson);
 	return GetMatrixExitCode(Matrix);
 }
 
@@ -60,16 +64,19 @@ FVerbCall AddOptions(CLI::App& Verb)
 	AddRepeated(Verb, "--exclude", "PATTERN", Request.Excludes,
 		"Leave out a file, folder or module: a path from PLUGIN_DIR on or a name, with * and ?");
 	Verb.add_option("--compiler", Request.Compiler, "C++ compiler; CMake's choice by default")->type_name("PATH");
+	AddJUnit(Verb, Options->JUnit, "of each version the cases builds, runs and picture");
 	Verb.add_flag("--json", Options->bJson, "Print the table as JSON");
 	return [Options]
 	{
-		return MakeMatrix(*Options);
+		return CallWithJUnit(Options->JUnit, Options->Request.Folder,
+			[&Options](FJUnitSuite& Suite) { return MakeMatrix(*Options, Suite); });
 	};
 }
 
 const FVerbRegistration GRegistration({
 	.Name = "matrix",
 	.Place = 117,
+	.Group = EVerbGroup::Patch,
 	.Doc = "Build and run a plugin under every engine version, side by side",
 	.AddOptions = AddOptions,
 });
