@@ -202,7 +202,7 @@ TEST_F(PatchTemplate, ABadNameIsAUsageErrorAndWritesNothing)
 {
 	EXPECT_EQ(std::make_pair(2, 1060), New("My-Patch", Folder.string()));
 	EXPECT_EQ(0u, CountFiles());
-	EXPECT_EQ("", Out);
+	EXPECT_EQ("DD1060", nlohmann::json::parse(Out).at("messages").at(0).at("code"));
 }
 
 TEST_F(PatchTemplate, AnExistingFolderIsLeftAlone)

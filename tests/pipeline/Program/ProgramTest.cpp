@@ -152,7 +152,7 @@ TEST_F(DrydockProgram, NoVerbIsAUsageErrorThatNamesThemAll)
 	EXPECT_EQ(2, Outcome.ExitCode);
 	EXPECT_EQ("", Outcome.Out);
 	EXPECT_EQ(0u, Outcome.Err.find("drydock: a verb is missing\n"));
-	EXPECT_TRUE(Contains(Outcome.Err, "\nRun\n  run       Run the frame of a config")) << Outcome.Err;
+	EXPECT_TRUE(Contains(Outcome.Err, "\nRun\n  run         Run the frame of a config")) << Outcome.Err;
 }
 
 TEST_F(DrydockProgram, VerbUnderAVerbCanBeMissingToo)
