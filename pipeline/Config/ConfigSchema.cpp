@@ -1,7 +1,8 @@
-// Writes the JSON schema (draft 7) from keys, settings and show flags.
+// Writes the JSON schema (draft 7): objects from keys, settings, show flags.
 #include "Config/ConfigSchema.h"
 
 #include "Config/ConfigKeys.h"
+#include "Config/ConfigSchemaNames.h"
 #include "CurveKeys.h"
 #include "PostProcessSettingsReflection.h"
 #include "ShowFlags.h"
@@ -15,27 +16,6 @@ namespace Drydock
 
 namespace
 {
-
-/** Inside an object that has been begun: a reference to a definition. */
-void WriteReference(FJsonWriter& Writer, const std::string& Definition)
-{
-	Writer.Member("$ref", "#/definitions/" + Definition);
-}
-
-void WriteType(FJsonWriter& Writer, const char* Type)
-{
-	Writer.Member("type", Type);
-}
-
-void WriteEnum(FJsonWriter& Writer, const std::vector<std::string>& Texts)
-{
-	Writer.Key("enum").BeginArray(true);
-	for (const std::string& Text : Texts)
-	{
-		Writer.Value(Text);
-	}
-	Writer.EndArray();
-}
 
 /** {"type": "array", "items": <definition or type>} with the braces already open. */
 void WriteItems(FJsonWriter& Writer, const char* Type, const std::string& Definition)
@@ -142,31 +122,25 @@ void WriteKind(FJsonWriter& Writer, const FConfigKey& Key, const std::string& Of
 		WriteReference(Writer, "showFlags");
 		break;
 	case EConfigKind::Variables:
-		WriteType(Writer, "object");
-		Writer.Key("additionalProperties").BeginObject(true);
-		Writer.Key("type").BeginArray();
-		Writer.Value("number");
-		Writer.Value("string");
-		Writer.Value("boolean");
-		Writer.EndArray();
-		Writer.EndObject();
+		WriteReference(Writer, "variables");
 		break;
 	case EConfigKind::Anything:
 		break;
 	}
 }
 
-void WriteKey(FJsonWriter& Writer, const FConfigKey& Key)
+void WriteKey(FJsonWriter& Writer, const FConfigKey& Key, const FSchemaNames& Names)
 {
 	const std::string Of = Key.Of;
 	const size_t Equals = Of.find('=');
 	Writer.Key(Key.Name).BeginObject();
 	Writer.Member("description", Key.Doc);
-	if (Equals == std::string::npos)
+	const bool bNames = WriteKnownNames(Writer, Key, Names);
+	if (!bNames && Equals == std::string::npos)
 	{
 		WriteKind(Writer, Key, Of);
 	}
-	else
+	else if (!bNames)
 	{
 		Writer.Key("anyOf").BeginArray();
 		Writer.BeginObject(true);
@@ -181,7 +155,7 @@ void WriteKey(FJsonWriter& Writer, const FConfigKey& Key)
 }
 
 /** Members of one kind of object, inside an object that has been begun. */
-void WriteObject(FJsonWriter& Writer, const std::string& Object)
+void WriteObject(FJsonWriter& Writer, const std::string& Object, const FSchemaNames& Names)
 {
 	std::vector<std::string> Required;
 	const FConfigKey* Open = nullptr; // of any further key
@@ -198,7 +172,7 @@ void WriteObject(FJsonWriter& Writer, const std::string& Object)
 			Open = &Key;
 			continue;
 		}
-		WriteKey(Writer, Key);
+		WriteKey(Writer, Key, Names);
 		if (Key.bRequired)
 		{
 			Required.emplace_back(Key.Name);
@@ -222,6 +196,12 @@ void WriteObject(FJsonWriter& Writer, const std::string& Object)
 		return;
 	}
 	Writer.Member("additionalProperties", Open != nullptr);
+	if (Names.WriteTypeRules != nullptr && (Object == "extension" || Object == "pass"))
+	{
+		Writer.Key("allOf").BeginArray();
+		Names.WriteTypeRules(Writer, Object);
+		Writer.EndArray();
+	}
 }
 
 std::string DescribeSetting(const FSettingField& Field)
@@ -366,7 +346,7 @@ void WriteSettings(FJsonWriter& Writer)
 		Writer.EndObject();
 	}
 	Writer.EndObject();
-	Writer.Member("additionalProperties", false);
+	Writer.Member("additionalProperties", true); // plugins bring settings
 	Writer.EndObject();
 }
 
@@ -448,13 +428,13 @@ void WriteRotator(FJsonWriter& Writer)
 
 } // namespace
 
-std::string MakeConfigSchema()
+std::string MakeConfigSchema(const FSchemaNames& Names)
 {
 	FJsonWriter Writer;
 	Writer.BeginObject();
 	Writer.Member("$schema", "http://json-schema.org/draft-07/schema#");
 	Writer.Member("title", "drydock config");
-	WriteObject(Writer, "");
+	WriteObject(Writer, "", Names);
 	Writer.Key("definitions").BeginObject();
 	std::vector<std::string> Written = {""};
 	for (const FConfigKey& Key : GetConfigKeys())
@@ -463,12 +443,13 @@ std::string MakeConfigSchema()
 		{
 			Written.emplace_back(Key.Object);
 			Writer.Key(Key.Object).BeginObject();
-			WriteObject(Writer, Key.Object);
+			WriteObject(Writer, Key.Object, Names);
 			Writer.EndObject();
 		}
 	}
 	WriteSettings(Writer);
 	WriteShowFlags(Writer);
+	WriteVariables(Writer);
 	WriteNumbers(Writer, "vector2", "XY", 2);
 	WriteNumbers(Writer, "vector3", "XYZ", 3);
 	WriteRotator(Writer);

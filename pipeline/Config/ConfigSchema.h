@@ -1,7 +1,9 @@
-// The published JSON schema, made from the list of config keys, the settings table and the list of show flags. The
-// file in configs/schema is this text; a test holds them together. It is JSON Schema draft 7.
+// The JSON schema of configs, made from the list of config keys, the settings table, the list of show flags, the
+// console variables and the names that higher rooms know. It is JSON Schema draft 7. What is published (configs/schema)
+// is that of Extensions/PublishedSchema.h.
 #pragma once
 
+#include "Config/ConfigSchemaNames.h"
 #include "DrydockAPI.h"
 
 #include <string>
@@ -9,6 +11,6 @@
 namespace Drydock
 {
 
-DRYDOCK_API std::string MakeConfigSchema();
+DRYDOCK_API std::string MakeConfigSchema(const FSchemaNames& Names = {});
 
 } // namespace Drydock

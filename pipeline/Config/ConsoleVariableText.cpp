@@ -3,9 +3,9 @@
 
 #include "Text/GlobPattern.h"
 #include "Text/JsonWriter.h"
+#include "Text/TextTable.h"
 
 #include <algorithm>
-#include <array>
 #include <sstream>
 
 namespace Drydock
@@ -27,11 +27,15 @@ std::string Quote(const FConsoleVariableInfo& Info, const FString& Value)
 	return Info.Type == "FString" ? "\"" + std::string(*Value) + "\"" : std::string(*Value);
 }
 
-using FRow = std::array<std::string, 5>;
-
-FRow MakeRow(const FConsoleVariableInfo& Info)
+std::vector<std::string> MakeRow(const FConsoleVariableInfo& Info)
 {
 	return {*Info.Name, *Info.Type, Quote(Info, Info.Value), Quote(Info, Info.Default), *Info.SetBy};
+}
+
+/** Of help texts, on a terminal of that width. */
+size_t GetHelpColumns(int Width)
+{
+	return Width > 0 ? std::min(static_cast<size_t>(Width), ConsoleListColumns) : ConsoleListColumns;
 }
 
 } // namespace
@@ -79,41 +83,30 @@ std::string WrapText(const std::string& Text, size_t Columns, const std::string&
 	return Wrapped;
 }
 
-std::string FormatConsoleVariables(const std::vector<FConsoleVariableInfo>& Infos)
+std::string FormatConsoleVariables(const std::vector<FConsoleVariableInfo>& Infos, int Width)
 {
-	std::vector<FRow> Rows = {{"name", "type", "value", "default", "set by"}};
-	std::transform(Infos.begin(), Infos.end(), std::back_inserter(Rows), MakeRow);
-	std::array<size_t, 5> Widths = {};
-	for (const FRow& Row : Rows)
-	{
-		for (size_t Column = 0; Column < Row.size(); ++Column)
-		{
-			Widths[Column] = std::max(Widths[Column], Row[Column].size());
-		}
-	}
+	// Names are not wrapped: each row is a line.
+	FTextTable Table{
+		std::vector<FTextColumn>(5, {ETextColumn::Name}), {{"name", "type", "value", "default", "set by"}}};
+	std::transform(Infos.begin(), Infos.end(), std::back_inserter(Table.Rows), MakeRow);
+	std::istringstream Lines(Table.Format(Width));
 	std::string Text;
-	for (size_t Index = 0; Index < Rows.size(); ++Index)
+	size_t Index = 0;
+	for (std::string Line; std::getline(Lines, Line); ++Index)
 	{
-		std::string Line;
-		for (size_t Column = 0; Column < Rows[Index].size(); ++Column)
-		{
-			const std::string& Cell = Rows[Index][Column];
-			const bool bLast = Column + 1 == Rows[Index].size();
-			Line += Cell + (bLast ? "" : std::string(Widths[Column] - Cell.size() + 2, ' '));
-		}
 		Text += Line + "\n";
 		if (Index > 0)
 		{
-			Text += WrapText(*Infos[Index - 1].Help, ConsoleListColumns, "    ");
+			Text += WrapText(*Infos[Index - 1].Help, GetHelpColumns(Width), "    ");
 		}
 	}
 	return Text;
 }
 
-std::string FormatConsoleVariableHelp(const FConsoleVariableInfo& Info)
+std::string FormatConsoleVariableHelp(const FConsoleVariableInfo& Info, int Width)
 {
 	const std::string Name = *Info.Name;
-	return "HELP for '" + Name + "':\n" + WrapText(*Info.Help, ConsoleListColumns, "") + "\n" + Name + " = \"" +
+	return "HELP for '" + Name + "':\n" + WrapText(*Info.Help, GetHelpColumns(Width), "") + "\n" + Name + " = \"" +
 		   *Info.Value + "\"      LastSetBy: " + *Info.SetBy + "\ntype " + *Info.Type + ", default " +
 		   Quote(Info, Info.Default) + "\n";
 }

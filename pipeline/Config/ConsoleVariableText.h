@@ -19,10 +19,10 @@ DRYDOCK_API std::vector<FConsoleVariableInfo> FilterConsoleVariables(
 	const std::vector<FConsoleVariableInfo>& Infos, const std::string& Filter);
 
 /** A line each (name, type, value, default, set by) under a header, the help below it, wrapped. */
-DRYDOCK_API std::string FormatConsoleVariables(const std::vector<FConsoleVariableInfo>& Infos);
+DRYDOCK_API std::string FormatConsoleVariables(const std::vector<FConsoleVariableInfo>& Infos, int Width = 0);
 
 /** One variable as the engine's console answers "NAME ?", with its type and default. */
-DRYDOCK_API std::string FormatConsoleVariableHelp(const FConsoleVariableInfo& Info);
+DRYDOCK_API std::string FormatConsoleVariableHelp(const FConsoleVariableInfo& Info, int Width = 0);
 
 /** [{name, type, value, default, setBy, simulated, help}] */
 DRYDOCK_API std::string FormatConsoleVariablesAsJson(const std::vector<FConsoleVariableInfo>& Infos);

@@ -4,6 +4,7 @@
 #include "Diagnostics.h"
 #include "Hazards/HazardPictures.h"
 #include "PixelFormatConversion.h"
+#include "Run/RunDump.h"
 #include "RunningCode.h"
 #include "Sandbox.h"
 #include "Text/ConfigErrors.h"
@@ -275,7 +276,7 @@ void FHazardCapture::BeforeDispatch(const FBoundShader& Shader, const FKernelArg
 	const FCodeOwner* const Owner = GetRunningCode();
 	const std::string Name = Owner && !Owner->Pass.empty() ? Owner->Pass : Shader.Name;
 	Passes.push_back(Name);
-	if (!MatchesPattern(Request.Pass, Name) && !MatchesPattern(Request.Pass, Shader.Name))
+	if (!IsPassNamed(Request.Pass, Name) && !MatchesPattern(Request.Pass, Shader.Name))
 	{
 		return;
 	}
@@ -351,7 +352,7 @@ const std::vector<FHazardRow>& FHazardCapture::GetRows() const
 		return Rows;
 	}
 	const bool bFits = std::any_of(
-		Passes.begin(), Passes.end(), [this](const std::string& Pass) { return MatchesPattern(Request.Pass, Pass); });
+		Passes.begin(), Passes.end(), [this](const std::string& Pass) { return IsPassNamed(Request.Pass, Pass); });
 	const bool bInput = bFits || !Inputs.empty();
 	const std::string& Wanted = bInput ? Request.Input : Request.Pass;
 	const std::string Nearest = FindNearestName(Wanted, bInput ? Inputs : Passes);

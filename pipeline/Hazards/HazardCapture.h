@@ -68,7 +68,7 @@ private:
 };
 
 /** A line for each hazard: what spread, what stayed, what became NaN. */
-DRYDOCK_API std::string MakeHazardText(const FHazardRow& Row);
+DRYDOCK_API std::string MakeHazardText(const FHazardRow& Row, int Width = 0);
 DRYDOCK_API std::string MakeHazardJson(const std::vector<FHazardRow>& Rows);
 
 /** In words: "spreads 2 pixels far: 25 of 4096 are NaN". */

@@ -3,7 +3,7 @@
 
 #include "Hazards/HazardCapture.h"
 #include "Text/JsonWriter.h"
-#include "Text/TextFormat.h"
+#include "Text/TextTable.h"
 
 #include <algorithm>
 
@@ -63,7 +63,7 @@ std::string DescribeFinding(const FHazardFinding& Finding)
 	return Text;
 }
 
-std::string MakeHazardText(const FHazardRow& Row)
+std::string MakeHazardText(const FHazardRow& Row, int Width)
 {
 	std::vector<std::vector<std::string>> Lines;
 	for (const FHazardFinding& Finding : Row.Findings)
@@ -72,8 +72,7 @@ std::string MakeHazardText(const FHazardRow& Row)
 	}
 	return fmt::format(
 			   "{}  ({}), hazards in place of {}, {} x {}\n", Row.Pass, Row.Shader, Row.Input, Row.Width, Row.Height) +
-		   AlignColumns(
-			   Lines, [](size_t) { return true; }, "   ");
+		   FTextTable{{{ETextColumn::Text}, {ETextColumn::Name}, {ETextColumn::Text}}, Lines}.Format(Width, "   ");
 }
 
 std::string MakeHazardJson(const std::vector<FHazardRow>& Rows)

@@ -3,6 +3,7 @@
 
 #include "Import/Import.h"
 
+#include "Extensions/PublishedSchema.h"
 #include "Config/FrameSequence.h"
 #include "Import/ImportErrors.h"
 #include "Import/ImportFigures.h"
@@ -196,6 +197,19 @@ void ReportMissing(const FImportScene& Scene, std::vector<FDiagnostic>& Diagnost
 	}
 }
 
+/** Beside the config, where no other file has the name. */
+void WriteSchema(const std::string& ConfigPath)
+{
+	const std::string Path = (Files::path(ConfigPath).parent_path() / ImportSchemaName).string();
+	const std::optional<std::string> There = TryReadTextFile(Path);
+	std::error_code Ignored;
+	const bool bOurs = There && There->find("\"title\": \"drydock config\"") != std::string::npos;
+	if (bOurs || !Files::exists(Path, Ignored))
+	{
+		WriteTextFile(Path, MakePublishedSchema());
+	}
+}
+
 void WriteConfig(const FImportOptions& Options, const FImportScene& Scene, FImportResult& Result)
 {
 	const std::string Path = GetImportConfigPath(Options.OutputFile);
@@ -211,6 +225,7 @@ void WriteConfig(const FImportOptions& Options, const FImportScene& Scene, FImpo
 		return;
 	}
 	WriteTextFile(Path, Text);
+	WriteSchema(Path);
 	Result.Config = Path;
 }
 
@@ -252,7 +267,7 @@ FImportResult ImportFrame(const FImportOptions& Options)
 			CheckFigures(Scene, Decided.Plan, Planes, Diagnostics);
 			ReportMissing(Scene, Diagnostics);
 			const FImportStory Story{Layers, Decided.Plan, Scene, Decided.Choices, Decided.Mattes};
-			Result.Report = Options.bJson ? FormatImportJson(Story) : FormatImportTable(Story);
+			Result.Report = Options.bJson ? FormatImportJson(Story) : FormatImportTable(Story, Options.Width);
 		}
 		if (Options.bDryRun)
 		{

@@ -18,6 +18,7 @@ struct FImportOptions
 	bool bDryRun = false; // nothing is written
 	bool bForce = false;  // also over what import did not write
 	bool bJson = false;
+	int Width = 0; // of the terminal that the table is for; 0: of any
 };
 
 struct FImportResult

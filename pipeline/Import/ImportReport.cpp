@@ -6,7 +6,7 @@
 #include "Import/ImportFigures.h"
 #include "Import/ImportWrite.h"
 #include "Text/JsonWriter.h"
-#include "Text/TextFormat.h"
+#include "Text/TextTable.h"
 
 #include <algorithm>
 
@@ -177,7 +177,7 @@ std::string DescribeEncoding(const FImportRow& Row)
 	}
 }
 
-std::string FormatImportTable(const FImportStory& Story)
+std::string FormatImportTable(const FImportStory& Story, int Width)
 {
 	std::vector<std::vector<std::string>> Cells = {{"channel", "from", "as", "holds"}};
 	for (const FTableRow& Row : MakeRows(Story))
@@ -185,12 +185,8 @@ std::string FormatImportTable(const FImportStory& Story)
 		Cells.push_back(
 			{Row.Channels, Row.From, Row.As, Row.Figures + (Row.Remark.empty() ? "" : " (" + Row.Remark + ")")});
 	}
-	const auto IsText = [](size_t)
-	{
-		return true;
-	};
 	std::string Text = fmt::format("{} x {} pixels\n", Story.Scene.Width, Story.Scene.Height);
-	Text += AlignColumns(Cells, IsText);
+	Text += FTextTable{std::vector<FTextColumn>(4), Cells}.Format(Width);
 	if (!Story.Plan.LeftOut.empty())
 	{
 		Cells = {{"left out", "why"}};
@@ -198,7 +194,7 @@ std::string FormatImportTable(const FImportStory& Story)
 		{
 			Cells.push_back({Story.Layers.Layers[LeftOut.Layer].Label, LeftOut.Why});
 		}
-		Text += "\n" + AlignColumns(Cells, IsText);
+		Text += "\n" + FTextTable{{{ETextColumn::Name}, {ETextColumn::Text}}, Cells}.Format(Width);
 	}
 	const std::string Objects = FormatObjects(Story.Mattes);
 	return Text + (Objects.empty() ? "" : "\n" + Objects);

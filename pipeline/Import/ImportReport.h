@@ -24,7 +24,7 @@ DRYDOCK_API std::string DescribeSource(const FImportLayers& Layers, const FImpor
 /** How a row's numbers are taken: "cm along the axis", "0..1, Unreal's world". */
 DRYDOCK_API std::string DescribeEncoding(const FImportRow& Row);
 
-DRYDOCK_API std::string FormatImportTable(const FImportStory& Story);
+DRYDOCK_API std::string FormatImportTable(const FImportStory& Story, int Width = 0);
 
 /** The same as an object: channels, leftOut, missing, objects, width and height. */
 DRYDOCK_API std::string FormatImportJson(const FImportStory& Story);

@@ -129,6 +129,7 @@ std::string MakeImportConfig(
 	const bool bToon = Ids != nullptr && std::find(Ids->begin(), Ids->end(), 8.0f) != Ids->end();
 	std::string Text = "// Toon bloom on a frame of your own: " + ForComment(From) + ". drydock run " +
 					   ForComment(Files::path(GetImportConfigPath(SceneFile)).filename().string()) + "\n{\n";
+	Text += "  \"$schema\": \"" + std::string(ImportSchemaName) + "\",\n\n";
 	Text += "  \"scene\": {\n    \"file\": " + FJsonWriter::Quote(Files::path(SceneFile).filename().string());
 	if (!Defaults.empty())
 	{

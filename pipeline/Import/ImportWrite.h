@@ -21,6 +21,9 @@ DRYDOCK_API void CheckImportTarget(const std::string& Path, const std::vector<st
 /** Channels that many effects read and the scene lacks. */
 DRYDOCK_API std::vector<std::string> FindMissingChannels(const FImportScene& Scene);
 
+/** The schema that the config names, written beside it. */
+inline constexpr const char* ImportSchemaName = "drydock.schema.json";
+
 /** A config of toon bloom on the scene; SceneFile: as it is named in the config. */
 DRYDOCK_API std::string MakeImportConfig(
 	const std::string& SceneFile, const FImportScene& Scene, const std::vector<std::string>& Inputs);

@@ -1,6 +1,7 @@
 // Finds the thread of a pass that a pixel is, and runs it beside the pass.
 #include "Inspect/DebugCapture.h"
 
+#include "Inspect/DispatchShaders.h"
 #include "RunningCode.h"
 #include "Sandbox.h"
 #include "Shader.h"
@@ -112,9 +113,8 @@ const FDebuggedShader* FDebugCapture::FindShader(const FBoundShader& Shader, con
 
 void FDebugCapture::BeforeDispatch(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole)
 {
-	const FCodeOwner* const Owner = GetRunningCode();
-	const std::string Pass = Owner && !Owner->Pass.empty() ? Owner->Pass : Shader.Name;
-	const bool bFits = MatchesPattern(Request.Passes, Pass) || MatchesPattern(Request.Passes, Shader.Name);
+	const std::string Pass = GetPassName(Shader);
+	const bool bFits = IsPassNamed(Request.Passes, Shader);
 	std::optional<std::array<int32_t, 3>> At = bFits ? FindThread(Shader, Args, Whole) : std::nullopt;
 	if (!At)
 	{

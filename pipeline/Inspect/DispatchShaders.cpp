@@ -1,6 +1,7 @@
 // Finds the source of a bound shader.
 #include "Inspect/DispatchShaders.h"
 
+#include "Run/RunDump.h"
 #include "RunningCode.h"
 #include "Shader.h"
 #include "ShaderCompilation.h"
@@ -17,7 +18,7 @@ std::string GetPassName(const FBoundShader& Shader)
 
 bool IsPassNamed(const std::string& Pattern, const FBoundShader& Shader)
 {
-	return MatchesPattern(Pattern, GetPassName(Shader)) || MatchesPattern(Pattern, Shader.Name);
+	return IsPassNamed(Pattern, GetPassName(Shader)) || MatchesPattern(Pattern, Shader.Name);
 }
 
 std::shared_ptr<FInspectedShader> FDispatchShaders::Get(const FBoundShader& Shader)

@@ -13,7 +13,7 @@ namespace Drydock
 /** The pass that runs, as its event names it; else the shader's class. */
 DRYDOCK_API std::string GetPassName(const FBoundShader& Shader);
 
-/** Whether a pattern with * and ? is of the pass that runs, or of its shader's class. */
+/** Whether a pattern is of the pass that runs, as IsPassNamed of a name has it, or of its shader's class. */
 DRYDOCK_API bool IsPassNamed(const std::string& Pattern, const FBoundShader& Shader);
 
 class DRYDOCK_API FDispatchShaders

@@ -3,6 +3,7 @@
 
 #include "Diagnostics.h"
 #include "PixelFormatConversion.h"
+#include "Inspect/DispatchShaders.h"
 #include "RunningCode.h"
 #include "Sandbox.h"
 #include "Shader.h"
@@ -133,9 +134,8 @@ void FProbeCapture::AddReads(
 
 void FProbeCapture::BeforeDispatch(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole)
 {
-	const FCodeOwner* const Owner = GetRunningCode();
-	const std::string Name = Owner && !Owner->Pass.empty() ? Owner->Pass : Shader.Name;
-	bProbing = MatchesPattern(Request.Passes, Name) || MatchesPattern(Request.Passes, Shader.Name);
+	const std::string Name = GetPassName(Shader);
+	bProbing = IsPassNamed(Request.Passes, Shader);
 	if (bProbing)
 	{
 		Passes.push_back({Name, Shader.Name, true, {}, {}});

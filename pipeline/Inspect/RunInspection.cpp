@@ -9,6 +9,7 @@
 #include "Text/ConfigErrors.h"
 #include "Text/TextFile.h"
 #include "Text/TextFormat.h"
+#include "Text/TextTable.h"
 
 #include <algorithm>
 
@@ -151,7 +152,7 @@ std::string FRunInspection::WriteLines(const std::filesystem::path& Folder) cons
 	return Text;
 }
 
-std::string FRunInspection::WriteCosts(const std::filesystem::path& Folder) const
+std::string FRunInspection::WriteCosts(const std::filesystem::path& Folder, int Width) const
 {
 	std::vector<std::vector<std::string>> Rows = {
 		{"cost of a pixel", "taps", "most", "operations", "least", "most", "picture"}};
@@ -179,8 +180,10 @@ std::string FRunInspection::WriteCosts(const std::filesystem::path& Folder) cons
 		Rows.push_back({Cost.Pass, Mean(Map.Taps), bAny ? std::to_string(*MostTaps) : "0", Mean(Map.Operations),
 			bAny ? std::to_string(*Least) : "0", bAny ? std::to_string(*Most) : "0", Name + ".png"});
 	}
-	return Rows.size() == 1 ? std::string()
-							: AlignColumns(Rows, [](size_t Column) { return Column == 0 || Column == 6; });
+	constexpr ETextColumn Number = ETextColumn::Number;
+	const std::vector<FTextColumn> Columns = {
+		{ETextColumn::Name}, {Number}, {Number}, {Number}, {Number}, {Number}, {ETextColumn::Name}};
+	return Rows.size() == 1 ? std::string() : FTextTable{Columns, Rows}.Format(Width);
 }
 
 std::string FRunInspection::WriteCoverage(const std::filesystem::path& Folder) const
@@ -208,7 +211,7 @@ std::string FRunInspection::WriteCoverage(const std::filesystem::path& Folder) c
 	return Text + fmt::format("all lines: {}/coverage.txt\n", InspectFolderName);
 }
 
-std::string FRunInspection::Write(const std::filesystem::path& RunFolder) const
+std::string FRunInspection::Write(const std::filesystem::path& RunFolder, int Width) const
 {
 	const std::filesystem::path Folder = RunFolder / InspectFolderName;
 	if (!Checks.GetFindings().empty() || !Options.Show.empty() || Options.bCoverage || Options.bCost)
@@ -221,7 +224,7 @@ std::string FRunInspection::Write(const std::filesystem::path& RunFolder) const
 		}
 	}
 	WriteFindings(Folder);
-	return MakePrintText(Prints.GetPrints()) + WriteLines(Folder) + WriteCosts(Folder) +
+	return MakePrintText(Prints.GetPrints()) + WriteLines(Folder) + WriteCosts(Folder, Width) +
 		   (Options.bCoverage ? WriteCoverage(Folder) : std::string());
 }
 

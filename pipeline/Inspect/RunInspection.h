@@ -47,12 +47,12 @@ public:
 
 	/** Writes pictures and lists into Folder/inspect, and returns what is to be said of them, a line each. Throws
 	 * FError: a place that gave no value (exit code 2), a file that cannot be written (3). */
-	std::string Write(const std::filesystem::path& Folder) const;
+	std::string Write(const std::filesystem::path& Folder, int Width = 0) const;
 
 private:
 	void WriteFindings(const std::filesystem::path& Folder) const;
 	std::string WriteLines(const std::filesystem::path& Folder) const;
-	std::string WriteCosts(const std::filesystem::path& Folder) const;
+	std::string WriteCosts(const std::filesystem::path& Folder, int Width) const;
 	std::string WriteCoverage(const std::filesystem::path& Folder) const;
 
 	const FInspectOptions Options;

@@ -122,7 +122,7 @@ const std::vector<FCapturedTrace>& FTraceCapture::GetTraces() const
 		}
 		const std::string Nearest = FindNearestName(Request.Pass, Words);
 		Message = "no pass of this run that a shader draws is called '" + Request.Pass + "'" +
-				  (Nearest.empty() ? std::string(".") : "; did you mean '" + Nearest + "*'?") + " There are";
+				  (Nearest.empty() ? std::string(".") : "; did you mean '" + Nearest + "'?") + " There are";
 		const std::set<std::string> Names(Passes.begin(), Passes.end());
 		for (const std::string& Name : Names)
 		{

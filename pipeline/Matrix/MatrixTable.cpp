@@ -4,7 +4,7 @@
 #include "Matrix/MatrixGroups.h"
 #include "Matrix/MatrixSummary.h"
 #include "Matrix/MatrixVersions.h"
-#include "Text/TextFormat.h"
+#include "Text/TextTable.h"
 
 #include <cstdio>
 
@@ -136,7 +136,7 @@ FVersionGroups CollectTexts(const FVersionMatrix& Matrix)
 
 } // namespace
 
-std::string FormatMatrix(const FVersionMatrix& Matrix)
+std::string FormatMatrix(const FVersionMatrix& Matrix, int Width)
 {
 	std::vector<int> Minors;
 	std::vector<std::vector<std::string>> Rows = {
@@ -148,7 +148,7 @@ std::string FormatMatrix(const FVersionMatrix& Matrix)
 	}
 	std::string Text = Matrix.Name + " under engine " + DescribeVersions(Minors) + ", on " +
 					   (Matrix.bStockConfig ? "drydock's own small frame" : Matrix.Config) + "\n\n";
-	Text += AlignColumns(Rows, [](size_t) { return true; });
+	Text += FTextTable{std::vector<FTextColumn>(Rows[0].size()), Rows}.Format(Width);
 	const FVersionGroups Texts = CollectTexts(Matrix);
 	Text += Texts.Get().empty() ? "" : "\n";
 	for (const FVersionGroup& Said : Texts.Get())
@@ -161,6 +161,39 @@ std::string FormatMatrix(const FVersionMatrix& Matrix)
 		Text += "  " + Advice + "\n";
 	}
 	return Text;
+}
+
+std::vector<FJUnitCase> MakeMatrixCases(const FVersionMatrix& Matrix)
+{
+	std::vector<FJUnitCase> Cases;
+	const auto Add = [&Cases](const std::string& Name, bool bAsked, bool bHolds, const std::string& Message)
+	{
+		Cases.push_back({.Name = Name,
+			.Outcome = !bAsked  ? EJUnitOutcome::Skipped
+					   : bHolds ? EJUnitOutcome::Passed
+								: EJUnitOutcome::Failed,
+			.Message = bAsked && bHolds ? "" : Message});
+	};
+	const auto Describe = [](const std::optional<FMatrixMessage>& Error, const std::string& Otherwise)
+	{
+		return Error ? DescribeMessage(*Error) : Otherwise;
+	};
+	for (const FMatrixRow& Row : Matrix.Rows)
+	{
+		const std::string Version = DescribeVersion(Row.Minor);
+		Add(Version + " builds", true, Row.Build.bBuilt, Describe(Row.Build.FirstError, "does not compile"));
+		const bool bRan = Row.Run && Row.Run->Ran();
+		Add(Version + " runs", Row.Run.has_value(), bRan,
+			!Row.Run ? "was not built" : DescribeEnd(*Row.Run) + "\n" + Describe(Row.Run->FirstError, ""));
+		Add(Version + " picture", Row.Picture.has_value(), true, "did not run");
+		if (Row.Picture)
+		{
+			const std::string First =
+				Row.FirstDifference ? "; first in " + Row.FirstDifference->Pass + " " + Row.FirstDifference->What : "";
+			Cases.back().Output = FormatPicture(*Row.Picture) + First;
+		}
+	}
+	return Cases;
 }
 
 } // namespace Drydock

@@ -4,18 +4,23 @@
 
 #include "DrydockAPI.h"
 #include "Matrix/MatrixResult.h"
+#include "Text/JUnit.h"
 
 #include <string>
 
 namespace Drydock
 {
 
-DRYDOCK_API std::string FormatMatrix(const FVersionMatrix& Matrix);
+DRYDOCK_API std::string FormatMatrix(const FVersionMatrix& Matrix, int Width = 0);
 
 /** {plugin, folder, config, versions: [{engine, builds, firstError, compilerWarnings, notes, library, log, run:
  * {exitCode, end, firstError, warnings, extensions, folder}, picture: {fingerprint, before, same, max, pixels, first,
  * sameAs}, firstDifference: {pass, what}}], summary, advice, passed}. A message: {code, file, line, where, text}. What
  * there is none of is null. */
 DRYDOCK_API std::string MakeMatrixJson(const FVersionMatrix& Matrix);
+
+/** For JUnit: "5.3 builds", "5.3 runs" and "5.3 picture" of every version. What does not compile or does not run fails;
+ * a picture that is another one than before does not, its case says so. */
+DRYDOCK_API std::vector<FJUnitCase> MakeMatrixCases(const FVersionMatrix& Matrix);
 
 } // namespace Drydock

@@ -2,6 +2,7 @@
 #include "Patch/PatchTemplate.h"
 
 #include "Diagnostics.h"
+#include "Extensions/PublishedSchema.h"
 #include "InstallPaths.h"
 #include "Patch/PatchErrors.h"
 #include "Text/AsideFile.h"
@@ -70,6 +71,7 @@ std::vector<FPatchFile> MakePatchFiles(const std::string& Name)
 		Fail(ErrorFileMissing, ExitFiles, Template, "drydock's own templates are missing: is it installed completely?");
 	}
 	Project.push_back({"configs/scenes/room.exr", ReadFile(Root / "configs/scenes/moving_camera.0001.exr")});
+	Project.push_back({"configs/schema/drydock.schema.json", MakePublishedSchema()});
 	std::sort(Project.begin(), Project.end(), [](const FPatchFile& A, const FPatchFile& B) { return A.Path < B.Path; });
 	return Project;
 }

@@ -12,7 +12,7 @@
 #include "Run/RunSetup.h"
 #include "Text/JsonWriter.h"
 #include "Text/TextFile.h"
-#include "Text/TextFormat.h"
+#include "Text/TextTable.h"
 
 #include <cstdio>
 #include <filesystem>
@@ -40,7 +40,12 @@ std::string MakeSummary(const FSettingsWalk& Walk, const std::string& MarkName)
 			Rows.back().push_back(fmt::format("{:.4f}", static_cast<double>(Weight)));
 		}
 	}
-	return AlignColumns(Rows, [](size_t) { return false; });
+	std::vector<FTextColumn> Columns;
+	for (int Column = 0; Column < static_cast<int>(Rows[0].size()); ++Column)
+	{
+		Columns.push_back({ETextColumn::Number, Column < 2 ? 0 : Column}); // without room, the last volumes go first
+	}
+	return FTextTable{Columns, Rows}.Format(GetOutputWidth());
 }
 
 std::vector<std::string> GetNames(const FSettingsWalk& Walk)
@@ -126,7 +131,7 @@ int WalkAlongPath(const FBlendOptions& Options)
 	const std::string Text = Options.bJson ? MakeJson(Walk, Csv, Svg)
 										   : fmt::format("{}\nsettings  {}\ntable     {}\nchart     {}\n",
 												 MakeSummary(Walk, MarkName), ListSettings(Walk), Csv, Svg);
-	std::fputs(Text.c_str(), stdout);
+	PrintResult(Text, Options.bJson);
 	return ExitDone;
 }
 

@@ -3,15 +3,25 @@
 
 #include "DrydockAPI.h"
 
+#include <memory>
 #include <string>
 #include <vector>
+
+namespace CLI
+{
+class App;
+}
 
 namespace Drydock
 {
 
+/** The parser with all verbs; the call of the verb that it finds sets ExitCode, which outlives it. */
+std::shared_ptr<CLI::App> MakeProgram(int& ExitCode);
+
 /** Arguments: those behind the program's name. Returns the exit code; what is wrong with the arguments themselves is
- * printed to stderr, with the nearest verb or option. Throws what a verb throws, and FError (exit
- * code 3) where its result cannot be printed. */
+ * printed to stderr, with the nearest verb or option, and all verbs where there are no arguments. Throws what a verb
+ * throws, and FError (exit code 3) where its result cannot be printed. With --json, what a verb throws and what is
+ * wrong with its arguments goes to stdout as well, as WriteMessages has it. */
 DRYDOCK_API int CallProgram(const std::vector<std::string>& Arguments);
 
 } // namespace Drydock

@@ -5,6 +5,8 @@
 #include "Extensions/EngineHooks.h"
 #include "PassFactory.h"
 #include "Program/ProgramOutput.h"
+#include "Run/Explain.h"
+#include "Run/PassValues.h"
 #include "Run/Run.h"
 
 namespace Drydock
@@ -56,7 +58,9 @@ std::string DescribeHook(const FHookVersions& Hook)
 
 FListTable ListExtensions()
 {
-	FListTable Table{{"type", "is", "name", "kind", "default", "range", "doc"}, {}};
+	FListTable Table{{"type", "is", "name", "kind", "default", "range", "doc"}, {}, "",
+		{{ETextColumn::Name}, {}, {ETextColumn::Name}, {ETextColumn::Text, 3}, {ETextColumn::Text, 1},
+			{ETextColumn::Text, 2}, {}}};
 	for (const FExtensionFactory* Factory : GetExtensionFactories())
 	{
 		Table.Rows.push_back({Factory->Type, "extension", "", "", "", "", Factory->Doc});
@@ -79,9 +83,47 @@ FListTable ListExtensions()
 	return Table;
 }
 
+FListTable ListPasses()
+{
+	FListTable Table{{"pass", "reads", "parameters", "what it does"}, {}, "", {{ETextColumn::Name}, {}, {}, {}}};
+	for (const FPassFactory* Factory : GetPassFactories())
+	{
+		std::vector<std::string> Inputs;
+		for (const FPassInputSpec& Input : Factory->Inputs)
+		{
+			Inputs.push_back(Input.Name + (Input.Default.empty() ? " (to be given)" : " = " + Input.Default));
+		}
+		std::vector<std::string> Parameters;
+		for (const FParameterSpec& Spec : Factory->Parameters)
+		{
+			const std::string Range = GetRangeText(Spec);
+			Parameters.push_back(Spec.Name + " = " + ToText(Spec.Default) + (Range.empty() ? "" : " (" + Range + ")"));
+		}
+		Table.Rows.push_back({Factory->Type, Join(Inputs, ", "), Join(Parameters, ", "), Factory->Doc});
+	}
+	return Table;
+}
+
+FListTable ListPasses(const FRunOptions& Options)
+{
+	FRunOptions Compiled = Options;
+	Compiled.bExecute = false;
+	Compiled.bPassValues = true;
+	const FRunResult Result = RunConfig(Compiled);
+	PrintDiagnostics(Result.Diagnostics);
+	FListTable Table{{"pass", "of", "runs", "reads", "writes", "parameters"}, {}, "",
+		{{ETextColumn::Name}, {ETextColumn::Name, 2}, {}, {}, {}, {ETextColumn::Text, 1}}};
+	for (const FExplainedPass& Pass : MakeExplainReport(Result, Result, FCostModel()).Passes)
+	{
+		Table.Rows.push_back({Pass.Name, Pass.Effect, Pass.bExecutes ? "yes" : "no", Join(Pass.Reads, ", "),
+			Join(Pass.Writes, ", "), FormatPassValues(Pass.Values)});
+	}
+	return Table;
+}
+
 FListTable ListHooks()
 {
-	FListTable Table{{"point", "since", "sees", "doc"}, {}};
+	FListTable Table{{"point", "since", "sees", "doc"}, {}, "", {{ETextColumn::Name}, {}, {ETextColumn::Text, 1}, {}}};
 	Table.Rows.push_back({PrePostProcessPassName, GetEngineProfiles().front().GetVersion(),
 		ToString(EColorSpace::LinearHDR), "before the chain: scene colour, edited in place"});
 	for (const FInsertionPoint& Point : GetInsertionPoints())
@@ -103,10 +145,13 @@ FListTable ListHooks(const FRunOptions& Options)
 	const FRunResult Result = RunConfig(Compiled);
 	PrintDiagnostics(Result.Diagnostics);
 	const bool bViews = Result.Views.size() > 1;
-	FListTable Table{{"point", "sees", "texture", "format", "size", "subscribers", "called", "remark"}, {}};
+	FListTable Table{{"point", "sees", "texture", "format", "size", "subscribers", "called", "remark"}, {}, "",
+		{{ETextColumn::Name}, {ETextColumn::Text, 2}, {ETextColumn::Name}, {ETextColumn::Name, 1},
+			{ETextColumn::Name, 3}, {}, {}, {}}};
 	if (bViews)
 	{
 		Table.Header.insert(Table.Header.begin() + 1, "view");
+		Table.Columns.insert(Table.Columns.begin() + 1, FTextColumn{});
 	}
 	for (const FHookPoint& Point : Result.HookPoints)
 	{

@@ -8,6 +8,13 @@
 namespace Drydock
 {
 
+/** Passes that "passes" of a config can insert: what they read, their parameters with defaults and ranges. Each writes
+ * one texture, the picture from then on, or what later passes name. */
+DRYDOCK_API FListTable ListPasses();
+
+/** Passes of a config's frame, which --dump, --pass and the like name. */
+DRYDOCK_API FListTable ListPasses(const FRunOptions& Options);
+
 /** Types of extensions and of insertable passes: a row for each, followed by one for each of its parameters. */
 DRYDOCK_API FListTable ListExtensions();
 

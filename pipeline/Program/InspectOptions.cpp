@@ -3,11 +3,28 @@
 
 #include "Program/InspectOptions.h"
 
+#include "KernelCheck.h"
 #include "Program/VerbOptions.h"
 #include "Run/Run.h"
 
 namespace Drydock
 {
+
+namespace
+{
+
+/** "nan|overflow|...|all,..." */
+std::string ListChecks()
+{
+	std::string Names;
+	for (size_t Index = 0; Index < static_cast<size_t>(ECheck::Count); ++Index)
+	{
+		Names += std::string(GetCheckName(static_cast<ECheck>(Index))) + "|";
+	}
+	return Names + "all,...";
+}
+
+} // namespace
 
 void AddInspection(CLI::App& Verb, FInspectVerbOptions& Options, CLI::Option& Frames)
 {
@@ -15,11 +32,9 @@ void AddInspection(CLI::App& Verb, FInspectVerbOptions& Options, CLI::Option& Fr
 	{
 		return Option->group("Looking inside shaders (slow: they are interpreted)")->excludes(&Frames);
 	};
-	CLI::Option* const Check = Group(Verb.add_option("--check", Options.Checks,
-											 "Say which line does something wrong: nan, overflow, negative, denormal, "
-											 "bounds, uninit, overlap, assert or all")
+	CLI::Option* const Check = Group(Verb.add_option("--check", Options.Checks, "Say which line does something wrong")
 										 ->delimiter(',')
-										 ->type_name("WHAT,..."));
+										 ->type_name(ListChecks()));
 	Group(AddRepeated(Verb, "--show", "X.usf:LINE[:NAME]", Options.Show,
 		"Write what the line computes, or the variable there, as a picture of the whole frame; repeats"));
 	Group(Verb.add_flag("--coverage", Options.bCoverage, "Count how many pixels ran each line"));

@@ -7,6 +7,7 @@
 #include "Run/RunJson.h"
 #include "Text/AsideFile.h"
 #include "Text/JsonWriter.h"
+#include "Text/Terminal.h"
 
 #include <cerrno>
 #include <cstdio>
@@ -34,6 +35,22 @@ const char* GetColor(ESeverity Severity)
 	return "\x1b[36m";
 }
 
+/** The name that a message offers, "did you mean X?"; empty where it offers none. */
+std::string FindOffered(const std::string& Message)
+{
+	const std::string Phrase = "did you mean ";
+	const size_t Found = Message.find(Phrase);
+	const size_t Begin = Found + Phrase.size();
+	const size_t End = Found == std::string::npos ? Found : Message.find('?', Begin);
+	if (End == std::string::npos)
+	{
+		return "";
+	}
+	const std::string Name = Message.substr(Begin, End - Begin);
+	const bool bQuoted = Name.size() > 1 && (Name[0] == '\'' || Name[0] == '"') && Name.back() == Name[0];
+	return bQuoted ? Name.substr(1, Name.size() - 2) : Name;
+}
+
 } // namespace
 
 void WriteDiagnostics(FJsonWriter& Writer, const std::vector<FDiagnostic>& Diagnostics)
@@ -46,14 +63,25 @@ void WriteDiagnostics(FJsonWriter& Writer, const std::vector<FDiagnostic>& Diagn
 								  : Diagnostic.Severity == ESeverity::Warning ? "warning"
 																			  : "note");
 		Writer.Member("code", FormatCode(Diagnostic.Code));
-		Writer.Member("message", Diagnostic.Message);
+		Writer.Member("text", Diagnostic.Message);
 		Writer.Member("file", Diagnostic.File);
 		Writer.Member("line", Diagnostic.Line);
 		Writer.Member("column", Diagnostic.Column);
+		const bool bPointer = Diagnostic.Where.rfind('/', 0) == 0;
+		Writer.Member("pointer", bPointer ? Diagnostic.Where : "");
 		Writer.Member("where", Diagnostic.Where);
+		Writer.Member("nearest", FindOffered(Diagnostic.Message));
 		Writer.EndObject();
 	}
 	Writer.EndArray();
+}
+
+void WriteMessages(FJsonWriter& Writer, const std::vector<FDiagnostic>& Diagnostics)
+{
+	Writer.BeginObject();
+	Writer.Key("messages");
+	WriteDiagnostics(Writer, Diagnostics);
+	Writer.EndObject();
 }
 
 void PrintDiagnostics(const std::vector<FDiagnostic>& Diagnostics)
@@ -61,9 +89,19 @@ void PrintDiagnostics(const std::vector<FDiagnostic>& Diagnostics)
 	const bool bColorful = IsColorful(STDERR_FILENO);
 	for (const FDiagnostic& Diagnostic : SummarizeDiagnostics(Diagnostics))
 	{
-		std::fprintf(stderr, "%s%s%s\n", bColorful ? GetColor(Diagnostic.Severity) : "", Diagnostic.ToString().c_str(),
-			bColorful ? "\x1b[0m" : "");
+		std::fprintf(stderr, "%s%s%s\n", bColorful ? GetColor(Diagnostic.Severity) : "",
+			FitLines(Diagnostic.ToString(), GetTerminalWidth(STDERR_FILENO)).c_str(), bColorful ? "\x1b[0m" : "");
 	}
+}
+
+int GetOutputWidth()
+{
+	return GetTerminalWidth(STDOUT_FILENO);
+}
+
+void PrintResult(const std::string& Text, bool bJson)
+{
+	std::fputs((bJson ? Text : FitLines(Text, GetOutputWidth())).c_str(), stdout);
 }
 
 void FlushOutput()
@@ -97,7 +135,8 @@ void PrintClosingLines(const std::vector<FEffectDecision>& Effects)
 	{
 		if (Effect.bConfigured && !Effect.bActive)
 		{
-			std::fprintf(stderr, "%s: %s\n", Effect.GetName().c_str(), Effect.Reason.c_str());
+			const std::string Line = Effect.GetName() + ": " + Effect.Reason + "\n";
+			std::fputs(FitLines(Line, GetTerminalWidth(STDERR_FILENO)).c_str(), stderr);
 		}
 	}
 }

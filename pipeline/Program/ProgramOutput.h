@@ -3,6 +3,7 @@
 
 #include "Diagnostics.h"
 
+#include <string>
 #include <vector>
 
 namespace Drydock
@@ -11,12 +12,23 @@ namespace Drydock
 class FJsonWriter;
 struct FEffectDecision;
 
-/** Writes an array of objects, for editors and scripts: every message that was collected. */
+/** Writes an array of objects, for editors and scripts: every message that was collected, with severity, code, text,
+ * file, line, column (0: unknown), pointer (into the config; else empty), where and the nearest valid name that it
+ * offers. */
 void WriteDiagnostics(FJsonWriter& Writer, const std::vector<FDiagnostic>& Diagnostics);
+
+/** Writes {"messages": ...}, what a verb with --json prints in place of a result. */
+void WriteMessages(FJsonWriter& Writer, const std::vector<FDiagnostic>& Diagnostics);
 
 /** Prints diagnostics to stderr, as many as SummarizeDiagnostics keeps, one a line, coloured on a terminal (unless
  * NO_COLOR is set). */
 DRYDOCK_API void PrintDiagnostics(const std::vector<FDiagnostic>& Diagnostics);
+
+/** Columns of the terminal that stdout is; 0 where it is none. */
+int GetOutputWidth();
+
+/** Prints what a verb found to stdout. JSON goes out as it is; the lines of a text fit the terminal (FitLines). */
+void PrintResult(const std::string& Text, bool bJson = false);
 
 /** Sees to it that what was printed to stdout is there. Throws FError (exit code 3) where some of it could not be
  * written: the disk is full, nobody reads the pipe, or stdout is closed. */

@@ -4,6 +4,8 @@
 #include "Program/ProgressBar.h"
 
 #include "Math/ToInteger.h"
+#include "Text/Terminal.h"
+#include "Text/TextTable.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -28,7 +30,10 @@ void FProgressBar::Show(int Done, int Total, const std::string& What)
 	const int Filled = std::clamp(Done * Width / Total, 0, Width);
 	const std::string Bar =
 		std::string(static_cast<size_t>(Filled), '#') + std::string(static_cast<size_t>(Width - Filled), '.');
-	std::fprintf(stderr, "\r\x1b[2K[%s] %d/%d %.70s", Bar.c_str(), Done, Total, What.c_str());
+	// A line that wraps could not be taken back.
+	const std::string Line = fmt::format("[{}] {}/{} {}", Bar, Done, Total, What);
+	const size_t Columns = static_cast<size_t>(GetTerminalWidth(STDERR_FILENO));
+	std::fprintf(stderr, "\r\x1b[2K%s", ShortenMiddle(Line, Columns - 1).c_str());
 	std::fflush(stderr);
 	bShown = true;
 }

@@ -4,9 +4,9 @@
 #include "Program/ReportOption.h"
 
 #include "Config/ReadConfig.h"
+#include "Program/ProgramOutput.h"
 #include "Program/VerbOptions.h"
 
-#include <cstdio>
 #include <unistd.h>
 
 namespace Drydock
@@ -44,7 +44,7 @@ EReport ChooseRunReport(const std::string& Word, const std::string& ConfigFile, 
 
 void PrintPage(const std::filesystem::path& File)
 {
-	std::fputs(("page     " + File.string() + "\n").c_str(), stdout);
+	PrintResult("page     " + File.string() + "\n");
 }
 
 } // namespace Drydock

@@ -130,9 +130,8 @@ int RunFrames(const FFramesOptions& Options)
 			PrintDiagnostics({{ESeverity::Warning, WarnNoVideo, "there is no video: " + Problem, Options.Video}});
 		}
 	}
-	std::fputs(
-		(Options.bJson ? Result.SequenceJson : MakeSummary(Result, Options.Run.ConfigFile, Sequence.Folder)).c_str(),
-		stdout);
+	PrintResult(Options.bJson ? Result.SequenceJson : MakeSummary(Result, Options.Run.ConfigFile, Sequence.Folder),
+		Options.bJson);
 	if (bPage && !Options.bJson)
 	{
 		PrintPage(std::filesystem::path(Sequence.Folder) / "sequence.html");

@@ -5,6 +5,7 @@
 
 #include "Math/ToInteger.h"
 #include "Run/Run.h"
+#include "Text/TextTable.h"
 
 #include <algorithm>
 
@@ -26,28 +27,25 @@ std::string MakeBar(double Part, double Largest)
 	return std::string(static_cast<size_t>(Length), '#');
 }
 
-std::string FormatPasses(const FRunResult& Result)
+std::string FormatPasses(const FRunResult& Result, int Width)
 {
-	size_t NameWidth = 4;
 	double Largest = 0.0;
 	for (const FRunPass& Pass : Result.Passes)
 	{
-		NameWidth = std::max(NameWidth, Result.Graph.Passes[static_cast<size_t>(Pass.Index)].Name.size());
 		Largest = std::max(Largest, Pass.Milliseconds);
 	}
-	std::string Text;
+	FTextTable Table{{{ETextColumn::Number}, {ETextColumn::Name}, {ETextColumn::Number}, {ETextColumn::Text}}, {}};
 	for (const FRunPass& Pass : Result.Passes)
 	{
-		Text += fmt::format("{:5}  {:{}}{:9.2f} ms  {}\n", Pass.Index,
-			Result.Graph.Passes[static_cast<size_t>(Pass.Index)].Name, NameWidth, Pass.Milliseconds,
-			MakeBar(Pass.Milliseconds, Largest));
+		Table.Rows.push_back({std::to_string(Pass.Index), Result.Graph.Passes[static_cast<size_t>(Pass.Index)].Name,
+			fmt::format("{:.2f} ms", Pass.Milliseconds), MakeBar(Pass.Milliseconds, Largest)});
 	}
-	return Text;
+	return Table.Format(Width, "  ");
 }
 
 } // namespace
 
-std::string MakeRunSummary(const FRunResult& Result, const std::string& Folder, double SaveMs)
+std::string MakeRunSummary(const FRunResult& Result, const std::string& Folder, double SaveMs, int Width)
 {
 	const auto IsReal = [](const FRDGCompiledPass& Pass)
 	{
@@ -60,7 +58,7 @@ std::string MakeRunSummary(const FRunResult& Result, const std::string& Folder, 
 	std::string Text = fmt::format("{}: {} x {}, {} arithmetic, {} storage, {} {}\n", Result.Config.File,
 		Result.ViewRect.Width(), Result.ViewRect.Height(), Result.Precision, Result.Storage, Result.Threads,
 		Result.Threads == 1 ? "thread" : "threads");
-	Text += FormatPasses(Result);
+	Text += FormatPasses(Result, Width);
 	Text += fmt::format(
 		"passes   {} of {} ran in {:.1f} ms, {} culled\n", NumRun, NumPasses, Result.Times.Execute, NumPasses - NumRun);
 	Text += fmt::format(

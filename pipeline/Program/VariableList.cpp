@@ -45,8 +45,8 @@ int PrintVariables(const FRunOptions& Options, const std::string& Filter, bool b
 	}
 	else
 	{
-		std::fputs(
-			(Infos.size() == 1 ? FormatConsoleVariableHelp(Infos[0]) : FormatConsoleVariables(Infos)).c_str(), stdout);
+		PrintResult(Infos.size() == 1 ? FormatConsoleVariableHelp(Infos[0], GetOutputWidth())
+									  : FormatConsoleVariables(Infos, GetOutputWidth()));
 	}
 	return ExitDone;
 }

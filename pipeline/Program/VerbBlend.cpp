@@ -55,7 +55,7 @@ FVerbCall AddOptions(CLI::App& Verb)
 	Verb.add_option("--out", Options->OutputFolder, "Folder for walk.csv and walk.svg; out/NAME by default")
 		->type_name("DIR")
 		->needs(Path);
-	AddRepeated(Verb, "--setting", "NAME", Options->Names,
+	AddRepeated(Verb, "--setting", "SETTING", Options->Names,
 		"Only these settings, with * and ?; repeats; by default those that changed");
 	Verb.add_flag("--json", Options->bJson, "Print all settings with their whole ledger as JSON");
 	return [Options]
@@ -67,7 +67,8 @@ FVerbCall AddOptions(CLI::App& Verb)
 const FVerbRegistration GRegistration({
 	.Name = "blend",
 	.Place = 30,
-	.Doc = "Print the post-process settings at a place, and how each came about",
+	.Group = EVerbGroup::Ask,
+	.Doc = "Print the post-process settings at a place and how each came about",
 	.AddOptions = AddOptions,
 });
 
@@ -88,7 +89,7 @@ int PrintSettingStory(const FBlendOptions& Options)
 	const std::string Text = Options.bJson ? MakeBlendJson(Report, bChosen ? Chosen : GetAllSettings())
 										   : MakeBlendText(Report, bChosen ? Chosen : FindChangedSettings(Report),
 												 !bChosen, IsColorful(STDOUT_FILENO));
-	std::fputs(Text.c_str(), stdout);
+	PrintResult(Text, Options.bJson);
 	return ExitDone;
 }
 

@@ -3,6 +3,7 @@
 
 #include "Diagnostics.h"
 #include "Patch/PluginBuild.h"
+#include "Program/ProgramOutput.h"
 #include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
 #include "Text/JsonWriter.h"
@@ -53,7 +54,7 @@ std::string FormatText(const FBuiltPlugin& Built)
 int Build(const FBuildOptions& Options)
 {
 	const FBuiltPlugin Built = BuildPlugin(Options.Build);
-	std::fputs((Options.bJson ? FormatJson : FormatText)(Built).c_str(), stdout);
+	PrintResult((Options.bJson ? FormatJson : FormatText)(Built), Options.bJson);
 	return ExitDone;
 }
 
@@ -84,7 +85,8 @@ FVerbCall AddOptions(CLI::App& Verb)
 const FVerbRegistration GRegistration({
 	.Name = "build",
 	.Place = 115,
-	.Doc = "Build a plugin's folder as it is into a shared object for \"plugins\" of a config",
+	.Group = EVerbGroup::Patch,
+	.Doc = "Build a plugin's folder as it is, for the \"plugins\" of a config",
 	.AddOptions = AddOptions,
 });
 

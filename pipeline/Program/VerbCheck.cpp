@@ -1,6 +1,7 @@
 // `drydock check`: reads and validates a config and its scene's header, compiles its frame and shaders, draws nothing.
 #include <CLI/CLI.hpp>
 
+#include "Program/JUnitOption.h"
 #include "Program/ProgramOutput.h"
 #include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
@@ -20,10 +21,35 @@ namespace
 struct FCheckOptions
 {
 	FRunOptions Run;
+	std::string JUnit; // file to write; empty: none
 	bool bJson = false;
 };
 
-int Check(const FCheckOptions& Options)
+/** A case for each family of messages, which are told apart by the thousands of their numbers. */
+std::vector<FJUnitCase> MakeCases(const std::vector<FDiagnostic>& Diagnostics)
+{
+	static const std::vector<std::pair<int, const char*>> Families = {
+		{1, "config"}, {2, "graph and extensions"}, {3, "settings"}, {4, "numbers"}, {5, "files"}, {6, "shaders"}};
+	std::vector<FJUnitCase> Cases;
+	for (const auto& [Family, Name] : Families)
+	{
+		FJUnitCase Case{Name};
+		for (const FDiagnostic& Diagnostic : Diagnostics)
+		{
+			if (Diagnostic.Code / 1000 == Family)
+			{
+				const bool bError = Diagnostic.Severity == ESeverity::Error;
+				std::string& Text = bError ? Case.Message : Case.Output;
+				Text += (Text.empty() ? "" : "\n") + Diagnostic.ToString();
+				Case.Outcome = bError ? EJUnitOutcome::Failed : Case.Outcome;
+			}
+		}
+		Cases.push_back(std::move(Case));
+	}
+	return Cases;
+}
+
+int Check(const FCheckOptions& Options, FJUnitSuite& Suite)
 {
 	std::vector<FDiagnostic> Diagnostics;
 	std::vector<FEffectDecision> Effects;
@@ -39,10 +65,11 @@ int Check(const FCheckOptions& Options)
 		Diagnostics = Error.GetDiagnostics();
 		ExitCode = Error.GetExitCode();
 	}
+	Suite.Cases = MakeCases(Diagnostics);
 	if (Options.bJson)
 	{
 		FJsonWriter Writer;
-		WriteDiagnostics(Writer, Diagnostics);
+		WriteMessages(Writer, Diagnostics);
 		std::fputs(Writer.GetText().c_str(), stdout);
 		return ExitCode;
 	}
@@ -59,17 +86,20 @@ FVerbCall AddOptions(CLI::App& Verb)
 {
 	const auto Options = std::make_shared<FCheckOptions>();
 	AddConfig(Verb, Options->Run);
+	AddJUnit(Verb, Options->JUnit, "a case for each family of messages");
 	Verb.add_flag("--json", Options->bJson, "Print the messages as JSON");
 	return [Options]
 	{
-		return Check(*Options);
+		return CallWithJUnit(
+			Options->JUnit, Options->Run.ConfigFile, [&Options](FJUnitSuite& Suite) { return Check(*Options, Suite); });
 	};
 }
 
 const FVerbRegistration GRegistration({
 	.Name = "check",
 	.Place = 20,
-	.Doc = "Read and validate a config, compile its frame and shaders; draw nothing",
+	.Group = EVerbGroup::Run,
+	.Doc = "Validate a config, compile its frame and shaders; draw nothing",
 	.AddOptions = AddOptions,
 });
 

@@ -4,6 +4,7 @@
 
 #include "Picture/ImageMetrics.h"
 #include "Picture/PictureFile.h"
+#include "Program/JUnitOption.h"
 #include "Program/ProgramOutput.h"
 #include "Program/ReportOption.h"
 #include "Program/VerbOptions.h"
@@ -15,6 +16,7 @@
 #include "Text/OutputFolder.h"
 #include "Text/TextFile.h"
 #include "Text/TextFormat.h"
+#include "Text/TextTable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,6 +44,7 @@ struct FDiffOptions
 	bool bJson = false;
 	std::string Report;                    // "on", "off"; empty: on where a person looks on
 	std::string OutputFolder = "out/diff"; // of the page
+	std::string JUnit;                     // file to write; empty: none
 };
 
 struct FPair
@@ -240,7 +243,34 @@ std::string MakeTable(const std::vector<FPair>& Pairs)
 			fmt::format("{:.4g}", Error.Relative), fmt::format("{:.2f}", Error.Psnr), fmt::format("{:.6f}", Error.Ssim),
 			Where});
 	}
-	return AlignColumns(Rows, [&](size_t Column) { return Column == 0 || Column + 1 == Rows[0].size(); });
+	constexpr ETextColumn Number = ETextColumn::Number;
+	return FTextTable{
+		{{ETextColumn::Name}, {Number}, {Number}, {Number, 2}, {Number}, {Number, 1}, {ETextColumn::Text}}, Rows}
+		.Format(GetOutputWidth());
+}
+
+/** Fails where a difference is above Max, or an image is there once only, and Max is given. */
+FJUnitCase MakeCase(const FPair& Pair, const FDiffOptions& Options)
+{
+	const bool bBoth = !Pair.A.empty() && !Pair.B.empty();
+	FJUnitCase Case{Pair.Name};
+	if (!bBoth)
+	{
+		Case.Output = Pair.A.empty() ? "only in " + Options.B : "only in " + Options.A;
+	}
+	else
+	{
+		Case.Output = fmt::format("max {:.6g} at ({}, {}), rms {:.6g}, relative {:.6g}, PSNR {:.2f} dB, SSIM {:.6f}",
+			Pair.Error.Max, Pair.Error.MaxX, Pair.Error.MaxY, Pair.Error.Rms, Pair.Error.Relative, Pair.Error.Psnr,
+			Pair.Error.Ssim);
+	}
+	if (Options.Max && !(bBoth && Pair.Error.Max <= *Options.Max))
+	{
+		Case.Outcome = EJUnitOutcome::Failed;
+		Case.Message =
+			bBoth ? fmt::format("differs by {:.6g}, allowed are {:.6g}", Pair.Error.Max, *Options.Max) : Case.Output;
+	}
+	return Case;
 }
 
 /** {max: number or null, passed, images: [{name, a, b, max, rms, relative, psnr, ssim, nonFinite, at, channel}]} */
@@ -315,7 +345,7 @@ bool OpenPageFolder(const FDiffOptions& Options, std::optional<FOutputFolder>& F
 
 /** ExitPolicy where a difference is above Max, or an image is there once only. Throws FError when they cannot be
  * compared. */
-int Diff(const FDiffOptions& Options)
+int Diff(const FDiffOptions& Options, FJUnitSuite& Suite)
 {
 	std::error_code Ignored; // what cannot be looked at cannot be opened either, which is reported there
 	const bool bFolderA = Files::is_directory(Options.A, Ignored);
@@ -338,15 +368,13 @@ int Diff(const FDiffOptions& Options)
 	bool bPassed = true;
 	for (FPair& Pair : Pairs)
 	{
-		if (Pair.A.empty() || Pair.B.empty())
+		if (!Pair.A.empty() && !Pair.B.empty())
 		{
-			bPassed = false;
-			continue;
+			Compare(Pair, GetHeatMapFile(Options.HeatMap, Pair, bFolders), Page);
 		}
-		Compare(Pair, GetHeatMapFile(Options.HeatMap, Pair, bFolders), Page);
-		bPassed = bPassed && Pair.Error.Max <= Options.Max.value_or(HUGE_VAL);
+		Suite.Cases.push_back(MakeCase(Pair, Options));
+		bPassed = bPassed && Suite.Cases.back().Outcome == EJUnitOutcome::Passed;
 	}
-	bPassed = bPassed || !Options.Max;
 	const std::string Json = MakeJson(Pairs, Options, bPassed);
 	if (Page)
 	{
@@ -354,7 +382,7 @@ int Diff(const FDiffOptions& Options)
 		WriteWholeFile((Folder->GetAside() / "diff.html").string(), MakeReportPage(Data));
 		Folder->PutInPlace();
 	}
-	std::fputs((Options.bJson ? Json : MakeTable(Pairs)).c_str(), stdout);
+	PrintResult(Options.bJson ? Json : MakeTable(Pairs), Options.bJson);
 	if (Page && !Options.bJson)
 	{
 		PrintPage(Folder->GetPath() / "diff.html");
@@ -378,16 +406,19 @@ FVerbCall AddOptions(CLI::App& Verb)
 		->type_name("FILE");
 	Verb.add_option("--out", Options->OutputFolder, "Folder for the page; out/diff by default")->type_name("DIR");
 	AddReport(Verb, Options->Report, "diff.html, both pictures over each other and what differs in how they were made");
+	AddJUnit(Verb, Options->JUnit, "a case for each pair of pictures");
 	Verb.add_flag("--json", Options->bJson, "Print the figures as JSON");
 	return [Options]
 	{
-		return Diff(*Options);
+		return CallWithJUnit(Options->JUnit, Options->A + " against " + Options->B,
+			[&Options](FJUnitSuite& Suite) { return Diff(*Options, Suite); });
 	};
 }
 
 const FVerbRegistration GRegistration({
 	.Name = "diff",
 	.Place = 60,
+	.Group = EVerbGroup::Measure,
 	.Doc = "Print how far two images are apart, or two runs picture by picture",
 	.AddOptions = AddOptions,
 });

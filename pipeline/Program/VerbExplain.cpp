@@ -136,13 +136,13 @@ int Explain(const FExplainOptions& Options)
 	}
 	else if (!Options.Effect.empty())
 	{
-		Text = MakeEffectText(Report, Options.Effect);
+		Text = MakeEffectText(Report, Options.Effect, GetOutputWidth());
 	}
 	else
 	{
-		Text = MakeExplainText(Report, IsColorful(STDOUT_FILENO));
+		Text = MakeExplainText(Report, IsColorful(STDOUT_FILENO), GetOutputWidth());
 	}
-	std::fputs(Text.c_str(), stdout);
+	PrintResult(Text, Options.bJson);
 	return ExitDone;
 }
 
@@ -158,7 +158,7 @@ FVerbCall AddOptions(CLI::App& Verb)
 	CLI::Option* const Effect = Verb.add_option("--effect", Options->Effect, "Only this effect, with its passes")
 									->type_name("EFFECT")
 									->excludes(Pass);
-	AddRepeated(Verb, "--setting", "NAME", Options->Names, "How this setting came about, as `drydock blend` says it")
+	AddRepeated(Verb, "--setting", "SETTING", Options->Names, "How this setting came about, as `drydock blend` says it")
 		->excludes(Pass)
 		->excludes(Effect);
 	Verb.add_flag("--measure", Options->bMeasure,
@@ -173,7 +173,8 @@ FVerbCall AddOptions(CLI::App& Verb)
 const FVerbRegistration GRegistration({
 	.Name = "explain",
 	.Place = 70,
-	.Doc = "Print which effects and passes run, which do not and why, and what leaving out saves",
+	.Group = EVerbGroup::Ask,
+	.Doc = "Print which effects and passes run, which do not and why",
 	.AddOptions = AddOptions,
 });
 

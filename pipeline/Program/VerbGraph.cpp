@@ -63,7 +63,7 @@ int PrintGraph(const FGraphOptions& Options)
 							 : Format == "dot" ? DumpDot(Result.Graph)
 							 : Format == "svg" ? MakeSvg(DumpDot(Result.Graph))
 											   : DumpText(Result.Graph, Values);
-	std::fputs(Text.c_str(), stdout);
+	PrintResult(Text, Format != "text");
 	PrintClosingLines(Result.Effects);
 	return ExitDone;
 }
@@ -73,9 +73,8 @@ FVerbCall AddOptions(CLI::App& Verb)
 	const auto Options = std::make_shared<FGraphOptions>();
 	AddConfig(Verb, Options->Run);
 	AddArithmetic(Verb, Options->Run);
-	RequireOneOf(Verb.add_option("--format", Options->Format, "text (default), dot, svg (needs Graphviz) or json"),
-		{"text", "dot", "svg", "json"})
-		->type_name("F");
+	RequireOneOf(Verb.add_option("--format", Options->Format, "text by default; svg needs Graphviz"),
+		{"text", "dot", "svg", "json"});
 	Verb.add_flag("--json", Options->bJson, "The same as --format json");
 	return [Options]
 	{
@@ -86,6 +85,7 @@ FVerbCall AddOptions(CLI::App& Verb)
 const FVerbRegistration GRegistration({
 	.Name = "graph",
 	.Place = 40,
+	.Group = EVerbGroup::Ask,
 	.Doc = "Print the compiled graph of a config without running it",
 	.AddOptions = AddOptions,
 });

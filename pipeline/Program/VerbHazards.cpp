@@ -88,9 +88,9 @@ int RunHazards(FHazardsVerbOptions Options)
 	std::string Text = Options.bJson ? MakeHazardJson(Rows) : "";
 	for (const FHazardRow& Row : Rows)
 	{
-		Text += Options.bJson ? "" : (Text.empty() ? "" : "\n") + MakeHazardText(Row);
+		Text += Options.bJson ? "" : (Text.empty() ? "" : "\n") + MakeHazardText(Row, GetOutputWidth());
 	}
-	std::fputs(Text.c_str(), stdout);
+	PrintResult(Text, Options.bJson);
 	return ExitDone;
 }
 
@@ -118,7 +118,8 @@ FVerbCall AddOptions(CLI::App& Verb)
 const FVerbRegistration GRegistration({
 	.Name = "hazards",
 	.Place = 46,
-	.Doc = "Run one pass with NaN, infinities, denormals, negative light and the like, and print what becomes of them",
+	.Group = EVerbGroup::Measure,
+	.Doc = "Feed one pass NaN, infinities and the like: what becomes of them",
 	.AddOptions = AddOptions,
 });
 

@@ -68,8 +68,7 @@ void AddEncodings(CLI::App& Verb, FImportAsked& Asked)
 	RequireOneOf(Verb.add_option_function<std::string>(
 					 "--normals", [&Asked](const std::string& Word) { Asked.bHalved = Word == "encoded"; },
 					 "Stored as -1..1, or as half of themselves and a half"),
-		{"signed", "encoded"})
-		->type_name("signed|encoded");
+		{"signed", "encoded"});
 	AddWords(Verb, "--normal-space", Asked.NormalSpace, GetImportNormalSpaceWords(), "unreal|world|y-up|camera",
 		"Axes of the normals: Unreal's, right-handed with Z or with Y up, or the camera's");
 	AddWords(Verb, "--velocity", Asked.Velocity, GetImportVelocityWords(), "pixels|pixels-up|ndc|unreal|blender",
@@ -83,7 +82,7 @@ int Import(const FImportOptions& Options)
 {
 	const FImportResult Result = ImportFrame(Options);
 	PrintDiagnostics(Result.Diagnostics);
-	std::fputs(Result.Report.c_str(), stdout);
+	PrintResult(Result.Report, Options.bJson);
 	if (Options.bJson || Options.bDryRun)
 	{
 		return ExitDone;
@@ -126,6 +125,7 @@ FVerbCall AddOptions(CLI::App& Verb)
 	Verb.add_flag("--json", Options->bJson, "Print the table as JSON");
 	return [Options]
 	{
+		Options->Width = GetOutputWidth();
 		return Import(*Options);
 	};
 }
@@ -133,7 +133,8 @@ FVerbCall AddOptions(CLI::App& Verb)
 const FVerbRegistration GRegistration({
 	.Name = "import",
 	.Place = 105,
-	.Doc = "Make a scene and a config of a frame that Unreal, Blender or another program rendered",
+	.Group = EVerbGroup::Run,
+	.Doc = "Make a scene and a config of a frame of Unreal or Blender",
 	.AddOptions = AddOptions,
 });
 

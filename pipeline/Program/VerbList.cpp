@@ -1,6 +1,7 @@
-// `drydock list`: lists what there is of passes, settings, console variables, effects, extensions and hooks.
+// `drydock list`: lists what there is of passes, shaders, settings, console variables, effects, extensions and hooks.
 #include <CLI/CLI.hpp>
 
+#include "Config/ConsoleVariableText.h"
 #include "Config/SettingList.h"
 #include "Effects/Effects.h"
 #include "GlobalShader.h"
@@ -10,14 +11,16 @@
 #include "Program/VariableList.h"
 #include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
+#include "Run/RunDump.h"
 #include "Run/RunSetup.h"
+#include "Text/ConfigErrors.h"
 #include "Text/JsonWriter.h"
-#include "Text/TextFormat.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <set>
 #include <strings.h>
 
 namespace Drydock
@@ -30,7 +33,8 @@ struct FListOptions
 {
 	FRunOptions Run; // for cvars: a config and variables to be set
 	std::string Things;
-	std::string Filter; // only names that contain it; for hooks a config, whose chain is listed
+	std::string Filter;  // only names that contain it; for hooks a config, whose chain is listed
+	bool bNames = false; // nothing but the names
 	bool bJson = false;
 };
 
@@ -43,9 +47,10 @@ bool ContainsIgnoringCase(const std::string& Text, const std::string& Part)
 	return std::search(Text.begin(), Text.end(), Part.begin(), Part.end(), Same) != Text.end();
 }
 
-FListTable ListPasses()
+FListTable ListShaders()
 {
-	FListTable Table{{"shader", "file", "entry", "stage"}, {}, ""};
+	constexpr ETextColumn Name = ETextColumn::Name;
+	FListTable Table{{"shader", "file", "entry", "stage"}, {}, "", {{Name}, {Name}, {Name, 1}, {ETextColumn::Text}}};
 	ForEachGlobalShader(
 		[&](const FGlobalShaderType& Type)
 		{
@@ -60,7 +65,8 @@ FListTable ListPasses()
 
 FListTable ListEffects()
 {
-	FListTable Table{{"name", "what it is", "settings"}, {}, ""};
+	FListTable Table{
+		{"name", "what it is", "settings"}, {}, "", {{ETextColumn::Name}, {ETextColumn::Text}, {ETextColumn::Text}}};
 	for (const FEffect* const Effect : GetEffects())
 	{
 		std::string Settings;
@@ -74,36 +80,81 @@ FListTable ListEffects()
 	return Table;
 }
 
-bool MakeTable(const std::string& Things, FListTable& OutTable)
+const std::vector<std::string>& GetLists()
 {
-	if (Things == "passes")
+	static const std::vector<std::string> Lists = {
+		"passes", "shaders", "settings", "cvars", "effects", "extensions", "hooks"};
+	return Lists;
+}
+
+/** "a|b", which --help shows and completion offers. */
+std::string GetListTypes()
+{
+	std::string Type;
+	for (const std::string& List : GetLists())
 	{
-		OutTable = ListPasses();
+		Type += (Type.empty() ? "" : "|") + List;
 	}
-	else if (Things == "effects")
+	return Type;
+}
+
+/** Of all but settings and variables. */
+FListTable MakeTable(const FListOptions& Options)
+{
+	if (Options.Things == "passes")
 	{
-		OutTable = ListEffects();
+		return Options.Run.ConfigFile.empty() ? ListPasses() : ListPasses(Options.Run);
 	}
-	else if (Things == "extensions")
+	if (Options.Things == "shaders")
 	{
-		OutTable = ListExtensions();
+		return ListShaders();
 	}
-	else if (Things == "hooks")
+	if (Options.Things == "effects")
 	{
-		OutTable = ListHooks();
+		return ListEffects();
 	}
-	else
+	if (Options.Things == "extensions")
 	{
-		return false;
+		return ListExtensions();
 	}
-	return true;
+	if (Options.Things == "hooks")
+	{
+		FRunOptions Run;
+		Run.ConfigFile = Options.Filter;
+		Run.bNoPlugins = Options.Run.bNoPlugins;
+		return Options.Filter.empty() ? ListHooks() : ListHooks(Run);
+	}
+	const std::string Nearest = FindNearestName(Options.Things, GetLists());
+	throw FError({.Code = ErrorBadArgument,
+					 .Message = "there is no list of " + Options.Things +
+								(Nearest.empty() ? "; there are " + GetListTypes() : "; did you mean " + Nearest + "?"),
+					 .Where = "THINGS"},
+		ExitUsage);
 }
 
 std::string FormatText(const FListTable& Table)
 {
-	std::vector<std::vector<std::string>> Rows = {Table.Header};
-	Rows.insert(Rows.end(), Table.Rows.begin(), Table.Rows.end());
-	return AlignColumns(Rows, [](size_t) { return true; });
+	if (!Table.Remark.empty())
+	{
+		return Table.Remark + "\n";
+	}
+	FTextTable Text{Table.Columns, {Table.Header}};
+	Text.Columns.resize(Table.Header.size());
+	Text.Rows.insert(Text.Rows.end(), Table.Rows.begin(), Table.Rows.end());
+	return Text.Format(GetOutputWidth());
+}
+
+/** The first column, each name once, a line each. */
+void PrintNames(const std::vector<std::string>& Names)
+{
+	std::set<std::string> Printed;
+	for (const std::string& Name : Names)
+	{
+		if (Printed.insert(Name).second)
+		{
+			std::puts(Name.c_str());
+		}
+	}
 }
 
 std::string FormatJson(const FListTable& Table)
@@ -123,79 +174,89 @@ std::string FormatJson(const FListTable& Table)
 	return Writer.GetText();
 }
 
-int PrintList(const FListOptions& ListOptions)
+int PrintSettings(const FListOptions& Options)
 {
-	const auto& [Run, Things, Filter, bJson] = ListOptions;
-	if (Things == "cvars")
+	// Its plugins may bring settings.
+	std::optional<FRunSetup> Setup;
+	if (!Options.Run.ConfigFile.empty())
 	{
-		return PrintVariables(Run, Filter, bJson);
+		Setup.emplace(Options.Run);
+		PrintDiagnostics(Setup->Diagnostics);
 	}
-	if (Things == "settings")
+	const std::vector<const FSettingField*> Fields = FindSettingFields(Options.Filter);
+	if (Options.bNames)
 	{
-		// Its plugins may bring settings.
-		std::optional<FRunSetup> Setup;
-		if (!Run.ConfigFile.empty())
-		{
-			Setup.emplace(Run);
-			PrintDiagnostics(Setup->Diagnostics);
-		}
-		const std::vector<const FSettingField*> Fields = FindSettingFields(Filter);
-		if (Fields.empty())
-		{
-			const std::string Nearest = FindNearestName(Filter, GetSettingNames());
-			std::fprintf(stderr, "drydock list: no setting matches \"%s\"%s\n", Filter.c_str(),
-				(Nearest.empty() ? "" : "; did you mean " + Nearest + "?").c_str());
-		}
-		std::fputs((bJson ? FormatSettingsJson(Fields) : FormatSettings(Fields)).c_str(), stdout);
+		std::vector<std::string> Names;
+		std::transform(Fields.begin(), Fields.end(), std::back_inserter(Names),
+			[](const FSettingField* Field) { return Field->Name; });
+		PrintNames(Names);
 		return ExitDone;
 	}
-	FListTable Table;
-	const bool bOfConfig = Things == "hooks" && !Filter.empty();
-	if (bOfConfig)
+	if (Fields.empty())
 	{
-		FRunOptions Options;
-		Options.ConfigFile = Filter;
-		Options.bNoPlugins = Run.bNoPlugins;
-		Table = ListHooks(Options);
+		const std::string Nearest = FindNearestName(Options.Filter, GetSettingNames());
+		std::fprintf(stderr, "drydock list: no setting matches \"%s\"%s\n", Options.Filter.c_str(),
+			(Nearest.empty() ? "" : "; did you mean " + Nearest + "?").c_str());
 	}
-	else if (!MakeTable(Things, Table))
+	PrintResult(Options.bJson ? FormatSettingsJson(Fields) : FormatSettings(Fields), Options.bJson);
+	return ExitDone;
+}
+
+int PrintList(const FListOptions& Options)
+{
+	if (Options.Things == "cvars" && !Options.bNames)
 	{
-		const std::string Nearest =
-			FindNearestName(Things, {"passes", "settings", "cvars", "effects", "extensions", "hooks"});
-		std::fprintf(stderr, "drydock list: there is no list of \"%s\"%s\n", Things.c_str(),
-			(Nearest.empty() ? "; there are passes, settings, cvars, effects, extensions, hooks"
-							 : "; did you mean " + Nearest + "?")
-				.c_str());
-		return ExitUsage;
+		return PrintVariables(Options.Run, Options.Filter, Options.bJson);
 	}
+	if (Options.Things == "cvars")
+	{
+		std::vector<std::string> Names;
+		const auto All = ListConsoleVariables();
+		for (const FConsoleVariableInfo& Info : FilterConsoleVariables({All.begin(), All.end()}, Options.Filter))
+		{
+			Names.emplace_back(*Info.Name);
+		}
+		PrintNames(Names);
+		return ExitDone;
+	}
+	if (Options.Things == "settings")
+	{
+		return PrintSettings(Options);
+	}
+	FListTable Table = MakeTable(Options);
 	const auto IsFilteredOut = [&](const std::vector<std::string>& Row)
 	{
-		return !bOfConfig && !ContainsIgnoringCase(Row[0], Filter);
+		return Options.Things != "hooks" && !ContainsIgnoringCase(Row[0], Options.Filter);
 	};
 	Table.Rows.erase(std::remove_if(Table.Rows.begin(), Table.Rows.end(), IsFilteredOut), Table.Rows.end());
-	if (bJson)
+	if (Options.bNames)
 	{
-		std::fputs(FormatJson(Table).c_str(), stdout);
+		std::vector<std::string> Names;
+		for (const std::vector<std::string>& Row : Table.Rows)
+		{
+			// Of a pass without its size: so it can be named on the command line.
+			Names.push_back(Options.Things == "passes" ? GetShortPassName(Row[0]) : Row[0]);
+		}
+		PrintNames(Names);
+		return ExitDone;
 	}
-	else
-	{
-		std::fputs((Table.Remark.empty() ? FormatText(Table) : Table.Remark + "\n").c_str(), stdout);
-	}
+	PrintResult(Options.bJson ? FormatJson(Table) : FormatText(Table), Options.bJson);
 	return ExitDone;
 }
 
 FVerbCall AddOptions(CLI::App& Verb)
 {
 	const auto Options = std::make_shared<FListOptions>();
-	Verb.add_option("THINGS", Options->Things, "passes, settings, cvars, effects, extensions or hooks")->required();
+	Verb.add_option("THINGS", Options->Things, "What is listed")->required()->type_name(GetListTypes());
 	Verb.add_option("FILTER", Options->Filter,
 		"Only names that contain this, or match it where it has * or ? (settings, cvars), ignoring case; for hooks a "
 		"config, whose chain is listed");
-	Verb.add_option(
-			"--config", Options->Run.ConfigFile, "cvars: as this config sets them; settings: with those of its plugins")
+	Verb.add_option("--config", Options->Run.ConfigFile,
+			"passes: those of this config's frame; cvars: as it sets them; settings: with those of its plugins")
 		->type_name("CONFIG");
 	AddVariables(Verb, Options->Run);
 	AddTrust(Verb, Options->Run);
+	Verb.add_flag("--names", Options->bNames, "Print names alone, one a line, as completion asks for them");
 	Verb.add_flag("--json", Options->bJson, "Print an array of objects");
 	return [Options]
 	{
@@ -206,7 +267,8 @@ FVerbCall AddOptions(CLI::App& Verb)
 const FVerbRegistration GRegistration({
 	.Name = "list",
 	.Place = 80,
-	.Doc = "List what there is: passes, settings, cvars, effects, extensions, hooks",
+	.Group = EVerbGroup::LookUp,
+	.Doc = "List what there is: passes, settings, cvars, effects, hooks, ...",
 	.AddOptions = AddOptions,
 });
 

@@ -5,6 +5,8 @@
 #include "Matrix/MatrixSummary.h"
 #include "Matrix/MatrixTable.h"
 #include "Matrix/MatrixVersions.h"
+#include "Program/JUnitOption.h"
+#include "Program/ProgramOutput.h"
 #include "Program/ProgressBar.h"
 #include "Program/ReportOption.h"
 #include "Program/VerbOptions.h"
@@ -28,6 +30,7 @@ struct FMatrixOptions
 	std::string Versions; // of --versions
 	bool bJson = false;
 	std::string Report; // "on", "off"; empty: on where a person looks on
+	std::string JUnit;  // file to write; empty: none
 };
 
 /** The rooms of tables and of pages know nothing of each other. */
@@ -44,7 +47,7 @@ FMatrixPageInputs GetMatrixPageInputs(const FVersionMatrix& Matrix)
 	return Inputs;
 }
 
-int MakeMatrix(const FMatrixOptions& Options)
+int MakeMatrix(const FMatrixOptions& Options, FJUnitSuite& Suite)
 {
 	FProgressBar Bar;
 	FMatrixRequest Request = Options.Request;
@@ -64,11 +67,12 @@ int MakeMatrix(const FMatrixOptions& Options)
 	}
 	const FVersionMatrix Matrix = RunMatrix(Request);
 	Bar.Clear();
-	std::fputs((Options.bJson ? MakeMatrixJson : FormatMatrix)(Matrix).c_str(), stdout);
-	if (!Options.bJson)
-	{
-		std::printf("pictures side by side: %s/matrix.png\n", Matrix.OutputFolder.c_str());
-	}
+	Suite.Name = Matrix.Name + " on " + (Matrix.bStockConfig ? "drydock's own small frame" : Matrix.Config);
+	Suite.Cases = MakeMatrixCases(Matrix);
+	PrintResult(Options.bJson ? MakeMatrixJson(Matrix)
+							  : FormatMatrix(Matrix, GetOutputWidth()) +
+									"pictures side by side: " + Matrix.OutputFolder + "/matrix.png\n",
+		Options.bJson);
 	if (bPage && !Options.bJson)
 	{
 		PrintPage(std::filesystem::path(Matrix.OutputFolder) / "matrix.html");
@@ -93,16 +97,19 @@ FVerbCall AddOptions(CLI::App& Verb)
 		"Leave out a file, folder or module: a path from PLUGIN_DIR on or a name, with * and ?");
 	Verb.add_option("--compiler", Request.Compiler, "C++ compiler; CMake's choice by default")->type_name("PATH");
 	AddReport(Verb, Options->Report, "matrix.html, the table with what lies behind its cells");
+	AddJUnit(Verb, Options->JUnit, "of each version the cases builds, runs and picture");
 	Verb.add_flag("--json", Options->bJson, "Print the table as JSON");
 	return [Options]
 	{
-		return MakeMatrix(*Options);
+		return CallWithJUnit(Options->JUnit, Options->Request.Folder,
+			[&Options](FJUnitSuite& Suite) { return MakeMatrix(*Options, Suite); });
 	};
 }
 
 const FVerbRegistration GRegistration({
 	.Name = "matrix",
 	.Place = 117,
+	.Group = EVerbGroup::Patch,
 	.Doc = "Build and run a plugin under every engine version, side by side",
 	.AddOptions = AddOptions,
 });

@@ -139,7 +139,8 @@ FVerbCall AddOptions(CLI::App& Verb)
 const FVerbRegistration GRegistration({
 	.Name = "new",
 	.Place = 110,
-	.Doc = "Make a patch to begin with: sources, shader, config, test, build file",
+	.Group = EVerbGroup::Patch,
+	.Doc = "Make a patch to begin with: sources, shader, config, test",
 	.AddOptions = AddOptions,
 });
 

@@ -4,6 +4,7 @@
 
 #include "Program/VerbOptions.h"
 
+#include "Config/ConfigKeys.h"
 #include "Diagnostics.h"
 #include "ShaderCache.h"
 #include "Text/ConfigErrors.h"
@@ -66,7 +67,7 @@ void AddConfig(CLI::App& Verb, FRunOptions& Options)
 		0, 1 << 30)
 		->type_name("N");
 	Verb.add_option("--engine", Options.Engine, "Engine version whose behaviour holds; beats the config's")
-		->type_name("5.X");
+		->type_name(FindConfigKey("", "engine")->Of);
 	AddRepeated(Verb, "--plugin", "FILE", Options.Plugins,
 		"Load a plugin, in place of the config's of the same file name; repeats");
 	AddTrust(Verb, Options);
@@ -85,15 +86,13 @@ void AddArithmetic(CLI::App& Verb, FRunOptions& Options)
 	RequireOneOf(Verb.add_option_function<std::string>(
 					 "--precision", [&Options](const std::string& Name) { Options.bDouble = Name == "double"; },
 					 "Arithmetic of the shaders: float (default) or double, with 64-bit storage"),
-		{"float", "double"})
-		->type_name("float|double");
+		{"float", "double"});
 	static const std::map<std::string, ERunStorage> Storages = {
 		{"native", ERunStorage::Native}, {"float32", ERunStorage::Float32}, {"float64", ERunStorage::Float64}};
 	RequireOneOf(Verb.add_option_function<std::string>(
 					 "--storage", [&Options](const std::string& Name) { Options.Storage = Storages.at(Name); },
 					 "Storage of textures: native (their own formats, default), float32, float64"),
-		{"native", "float32", "float64"})
-		->type_name("native|float32|float64");
+		{"native", "float32", "float64"});
 	AddThreads(Verb, Options, "Threads; 0: all cores (default). The result is the same bits for any number");
 }
 
@@ -111,7 +110,12 @@ CLI::Option* RequireNonNegative(CLI::Option* Option)
 
 CLI::Option* RequireOneOf(CLI::Option* Option, const std::vector<std::string>& Words)
 {
-	return Option->check(CLI::IsMember(Words).description(""));
+	std::string Type;
+	for (const std::string& Word : Words)
+	{
+		Type += (Type.empty() ? "" : "|") + Word;
+	}
+	return Option->check(CLI::IsMember(Words).description(""))->type_name(Type);
 }
 
 std::array<double, 3> ParseLocation(const std::string& Text)

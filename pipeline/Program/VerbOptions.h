@@ -42,7 +42,8 @@ CLI::Option* RequireRange(CLI::Option* Option, int Least, int Most);
 /** Numbers from 0 on are taken, all else is a usage error. Returns the option. */
 CLI::Option* RequireNonNegative(CLI::Option* Option);
 
-/** One of these words is taken, all else is a usage error. Returns the option. */
+/** One of these words is taken, all else is a usage error; they become the option's type, "a|b", which --help shows and
+ * completion offers. Returns the option. */
 CLI::Option* RequireOneOf(CLI::Option* Option, const std::vector<std::string>& Words);
 
 /** "X,Y,Z" of --at, in cm. Throws FError (exit code 2) where it is anything else. */

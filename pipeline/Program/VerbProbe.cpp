@@ -90,7 +90,7 @@ int Probe(FProbeVerbOptions Options)
 		Options.Against.empty() ? std::vector<FProbePass>() : ProbeRun(MakeAgainst(Options), Options.Request);
 	const std::string Text = Options.bJson ? MakeProbeJson(Passes, Against, Options.Request)
 										   : MakeProbeText(Passes, Against, Options.Request);
-	std::fputs(Text.c_str(), stdout);
+	PrintResult(Text, Options.bJson);
 	return ExitDone;
 }
 
@@ -123,7 +123,8 @@ FVerbCall AddOptions(CLI::App& Verb)
 const FVerbRegistration GRegistration({
 	.Name = "probe",
 	.Place = 42,
-	.Doc = "Print a pixel's value through all passes: what each read and what it wrote",
+	.Group = EVerbGroup::Ask,
+	.Doc = "Print a pixel's value through all passes: read and written",
 	.AddOptions = AddOptions,
 });
 

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 
 #include "Program/ProgressBar.h"
+#include "Program/ProgramOutput.h"
 #include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
 #include "Prove/Prove.h"
@@ -31,7 +32,8 @@ int Prove(FProveVerbOptions Options)
 	const std::vector<FProven> Proven = ProveConfig(Options);
 	Bar.Clear();
 	const std::string& Config = Options.Run.ConfigFile;
-	std::fputs((Options.bJson ? MakeProveJson(Config, Proven) : MakeProveText(Config, Proven)).c_str(), stdout);
+	PrintResult(
+		Options.bJson ? MakeProveJson(Config, Proven) : MakeProveText(Config, Proven, GetOutputWidth()), Options.bJson);
 	const bool bHolds = std::all_of(Proven.begin(), Proven.end(), [](const FProven& One) { return One.Holds(); });
 	return bHolds ? ExitDone : ExitPolicy;
 }
@@ -51,7 +53,8 @@ FVerbCall AddOptions(CLI::App& Verb)
 const FVerbRegistration GRegistration({
 	.Name = "prove",
 	.Place = 45,
-	.Doc = "Run a config under every promised equivalence: threads, lanes, memory, culling, rects",
+	.Group = EVerbGroup::Measure,
+	.Doc = "Run a config under every promised equivalence: threads, lanes, ...",
 	.AddOptions = AddOptions,
 });
 

@@ -103,7 +103,7 @@ int RunOnce(const FRunVerbOptions& Options)
 	Bar.Clear();
 	PrintDiagnostics(Result.Diagnostics);
 	PrintDiagnostics(Inspection.GetDiagnostics());
-	const std::string Seen = Inspection.Write(Output->GetAside());
+	const std::string Seen = Inspection.Write(Output->GetAside(), GetOutputWidth());
 	const FFurtherOutputs AddReport = [&](const std::filesystem::path& Aside, double SaveMs)
 	{
 		WriteRunReport(Options.Run, Result, Report, Output->GetPath(), Aside, SaveMs);
@@ -117,8 +117,9 @@ int RunOnce(const FRunVerbOptions& Options)
 		Costs.Learn(Result);
 		Costs.Save();
 	}
-	std::fputs(Seen.c_str(), Options.bJson ? stderr : stdout);
-	std::fputs((Options.bJson ? Result.RunJson : MakeRunSummary(Result, Folder, SaveMs)).c_str(), stdout);
+	Options.bJson ? (void)std::fputs(Seen.c_str(), stderr) : PrintResult(Seen);
+	PrintResult(
+		Options.bJson ? Result.RunJson : MakeRunSummary(Result, Folder, SaveMs, GetOutputWidth()), Options.bJson);
 	if (Report != EReport::Off && !Options.bJson)
 	{
 		PrintPage(std::filesystem::path(Folder) / "report.html");
@@ -240,16 +241,15 @@ FVerbCall AddOptions(CLI::App& Verb)
 	AddArithmetic(Verb, Options->Run);
 	Verb.add_option("--out", Options->OutputFolder, "Folder for the outputs; out/NAME of the config by default")
 		->type_name("DIR");
-	RequireOneOf(
+	CLI::Option* const Outputs = RequireOneOf(
 		Verb.add_option_function<std::vector<std::string>>(
 				"--outputs",
 				[Options](const std::vector<std::string>& Names) { Options->Run.Write = MakeOutputKinds(Names); },
-				"What is written beside run.json: png, exr, json (timing, trace), dot (the graph); all by default, "
-				"with "
+				"What is written beside run.json: json is timing and trace, dot the graph; all by default, with "
 				"--watch png; beats the config's outputs.write")
 			->delimiter(','),
-		GetOutputKindNames())
-		->type_name("KIND,...");
+		GetOutputKindNames());
+	Outputs->type_name(Outputs->get_type_name() + ",...");
 	AddRepeated(Verb, "--dump", "PATTERN", Options->Run.Dump,
 		"Keep what matches: a pass, a resource or Pass.Resource, with * and ?; repeats");
 	Verb.add_flag("--no-skip", Options->Run.bNoSkip,
@@ -290,6 +290,7 @@ FVerbCall AddOptions(CLI::App& Verb)
 const FVerbRegistration GRegistration({
 	.Name = "run",
 	.Place = 10,
+	.Group = EVerbGroup::Run,
 	.Doc = "Run the frame of a config and write its pictures and reports",
 	.AddOptions = AddOptions,
 });

@@ -224,7 +224,8 @@ FVerbCall AddNothing(CLI::App& Verb)
 const FVerbRegistration GRegistration({
 	.Name = "settings",
 	.Place = 100,
-	.Doc = "Engine paste text of settings to and from configs: import, export, plan",
+	.Group = EVerbGroup::LookUp,
+	.Doc = "Engine paste text to and from configs: import, export, plan",
 	.AddOptions = AddNothing,
 });
 
@@ -247,6 +248,7 @@ FVerbCall AddImportOptions(CLI::App& Verb)
 const FVerbRegistration GImportRegistration({
 	.Name = "settings import",
 	.Place = 101,
+	.Group = EVerbGroup::LookUp,
 	.Doc = "Print the config's \"volumes\" of settings or actors copied in the editor",
 	.AddOptions = AddImportOptions,
 });
@@ -272,6 +274,7 @@ FVerbCall AddExportOptions(CLI::App& Verb)
 const FVerbRegistration GExportRegistration({
 	.Name = "settings export",
 	.Place = 102,
+	.Group = EVerbGroup::LookUp,
 	.Doc = "Print the volumes of a config as actors to paste into the editor",
 	.AddOptions = AddExportOptions,
 });

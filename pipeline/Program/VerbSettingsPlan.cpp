@@ -98,6 +98,7 @@ FVerbCall AddOptions(CLI::App& Verb)
 const FVerbRegistration GRegistration({
 	.Name = "settings plan",
 	.Place = 103,
+	.Group = EVerbGroup::LookUp,
 	.Doc = "Print every place that an engine patch for one setting touches",
 	.AddOptions = AddOptions,
 });

@@ -150,6 +150,7 @@ FVerbCall AddOptions(CLI::App& Verb)
 const FVerbRegistration GRegistration({
 	.Name = "sheet",
 	.Place = 90,
+	.Group = EVerbGroup::Measure,
 	.Doc = "Put pictures side by side into one, each with a caption",
 	.AddOptions = AddOptions,
 });

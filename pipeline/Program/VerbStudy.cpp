@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "Program/JUnitOption.h"
 #include "Program/ProgramOutput.h"
 #include "Program/ProgressBar.h"
 #include "Program/ReportOption.h"
@@ -32,6 +33,7 @@ struct FStudyOptions
 	FRunOptions Run;
 	std::string OutputFolder; // empty: GetDefaultOutputFolder
 	bool bJson = false;
+	std::string JUnit;  // file to write; empty: none
 	std::string Report; // "off", "on"; empty: on where a person looks on
 };
 
@@ -47,10 +49,50 @@ const FOutputNames& GetStudyOutputNames()
 	return Names;
 }
 
+/** A case for each variant, which fails where its picture has NaN or infinity that the reference lacks; and one for
+ * each job's choice, which fails where no variant meets the budget. */
+std::vector<FJUnitCase> MakeCases(const FStudyResult& Result)
+{
+	std::vector<FJUnitCase> Cases;
+	for (const FStudyJob& Job : Result.Jobs)
+	{
+		const std::string Prefix = Job.Case.Label.empty() ? "" : Job.Case.Label + ", ";
+		bool bChosen = false;
+		for (const size_t Index : Job.Variants)
+		{
+			const FStudyVariant& Variant = Result.Variants[Index];
+			FJUnitCase Case{Prefix + Variant.Label};
+			bChosen = bChosen || Variant.bRecommended;
+			if (!Variant.Competes())
+			{
+				Case.Outcome = EJUnitOutcome::Skipped;
+				Case.Message = Variant.Excluded;
+			}
+			else if (Variant.Error.NumNonFinite > 0)
+			{
+				Case.Outcome = EJUnitOutcome::Failed;
+				Case.Message = fmt::format("{} values are not finite", Variant.Error.NumNonFinite);
+			}
+			if (Variant.bRan)
+			{
+				Case.Seconds = Variant.Time.Median / 1000.0;
+				Case.Output = fmt::format("{} {:.6g}, {:.3f} ms", Result.GetMetric(),
+					GetMetric(Variant.Error, Result.GetMetric()), Variant.Time.Median);
+			}
+			Cases.push_back(std::move(Case));
+		}
+		Cases.push_back({.Name = Prefix + "recommended",
+			.Outcome = bChosen ? EJUnitOutcome::Passed : EJUnitOutcome::Failed,
+			.Message = bChosen ? "" : Job.Recommendation,
+			.Output = bChosen ? Job.Recommendation : ""});
+	}
+	return Cases;
+}
+
 /** Prints the table of the study, or study.json, and writes study.json, study.csv, study_taps.svg and, with times,
  * study_timing.json, study_timing.csv, study.svg; study_insets.svg with insets/; and study.html where it is asked for.
  */
-int RunStudy(const FStudyOptions& Options)
+int RunStudy(const FStudyOptions& Options, FJUnitSuite& Suite)
 {
 	FProgressBar Bar;
 	FRunOptions RunOptions = Options.Run;
@@ -62,6 +104,7 @@ int RunStudy(const FStudyOptions& Options)
 	FStudyRun Run(RunOptions);
 	FOutputFolder Folder(ChooseOutputFolder(Options.OutputFolder, Options.Run), GetStudyOutputNames());
 	const FStudyResult Result = Run.Measure();
+	Suite.Cases = MakeCases(Result);
 	const auto Write = [&](const char* Name, const std::string& Text)
 	{
 		WriteWholeFile((Folder.GetAside() / Name).string(), Text);
@@ -88,10 +131,8 @@ int RunStudy(const FStudyOptions& Options)
 		return ExitDone;
 	}
 	const double Seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - Begin).count();
-	std::fputs(fmt::format("{}\npicture  {} ({:.0f} s, {:.0f} s of them measuring)\n", MakeStudyTable(Result),
-				   (Folder.GetPath() / "study.svg").string(), Seconds, Result.Seconds)
-				   .c_str(),
-		stdout);
+	PrintResult(fmt::format("{}\npicture  {} ({:.0f} s, {:.0f} s of them measuring)\n",
+		MakeStudyTable(Result, GetOutputWidth()), (Folder.GetPath() / "study.svg").string(), Seconds, Result.Seconds));
 	if (WantsReport(Options.Report, Options.bJson))
 	{
 		PrintPage(Folder.GetPath() / "study.html");
@@ -107,16 +148,19 @@ FVerbCall AddOptions(CLI::App& Verb)
 	Verb.add_option("--out", Options->OutputFolder, "Folder for tables and pictures; out/NAME of the config by default")
 		->type_name("DIR");
 	AddReport(Verb, Options->Report, "study.html, the chart with what lies behind its points");
+	AddJUnit(Verb, Options->JUnit, "a case for each variant, and one for the choice");
 	Verb.add_flag("--json", Options->bJson, "Print study.json instead of the table");
 	return [Options]
 	{
-		return RunStudy(*Options);
+		return CallWithJUnit(Options->JUnit, Options->Run.ConfigFile,
+			[&Options](FJUnitSuite& Suite) { return RunStudy(*Options, Suite); });
 	};
 }
 
 const FVerbRegistration GRegistration({
 	.Name = "study",
 	.Place = 50,
+	.Group = EVerbGroup::Measure,
 	.Doc = "Measure what accuracy costs: the variants of a config's study",
 	.AddOptions = AddOptions,
 });

@@ -69,8 +69,7 @@ int Trace(FTraceVerbOptions Options)
 	}
 	for (const FCapturedTrace& Captured : Traces)
 	{
-		std::fputs(
-			((&Captured == &Traces.front() ? "" : "\n") + MakeTraceText(Captured, Options.Request)).c_str(), stdout);
+		PrintResult((&Captured == &Traces.front() ? "" : "\n") + MakeTraceText(Captured, Options.Request));
 	}
 	return ExitDone;
 }
@@ -99,7 +98,8 @@ FVerbCall AddOptions(CLI::App& Verb)
 const FVerbRegistration GRegistration({
 	.Name = "trace",
 	.Place = 44,
-	.Doc = "Print what a pass's shader did for one pixel, line by line with values",
+	.Group = EVerbGroup::Ask,
+	.Doc = "Print what a pass's shader did for one pixel, line by line",
 	.AddOptions = AddOptions,
 });
 

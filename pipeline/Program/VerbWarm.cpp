@@ -56,6 +56,7 @@ FVerbCall AddOptions(CLI::App& Verb)
 const FVerbRegistration GRegistration({
 	.Name = "warm",
 	.Place = 120,
+	.Group = EVerbGroup::Run,
 	.Doc = "Compile the shaders of configs into the shader cache",
 	.AddOptions = AddOptions,
 });

@@ -18,6 +18,26 @@ std::vector<FVerb>& GetRegistered()
 
 } // namespace
 
+const char* ToString(EVerbGroup Group)
+{
+	switch (Group)
+	{
+	case EVerbGroup::Run:
+		return "Run";
+	case EVerbGroup::Ask:
+		return "Ask what happens in a frame, and why";
+	case EVerbGroup::Measure:
+		return "Measure and compare";
+	case EVerbGroup::LookUp:
+		return "Look up and carry over";
+	case EVerbGroup::Patch:
+		return "Make patches and plugins";
+	case EVerbGroup::Shell:
+		break;
+	}
+	return "For shells and editors";
+}
+
 FVerbRegistration::FVerbRegistration(const FVerb& Verb)
 {
 	GetRegistered().push_back(Verb);

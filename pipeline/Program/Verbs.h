@@ -19,11 +19,26 @@ namespace Drydock
  * FError, which the program prints and whose exit code it ends with. */
 using FVerbCall = std::function<int()>;
 
+/** What a verb is for; verbs are listed by it. */
+enum class EVerbGroup
+{
+	Run,
+	Ask,
+	Measure,
+	LookUp,
+	Patch,
+	Shell,
+};
+
+/** As a heading: "Run". */
+const char* ToString(EVerbGroup Group);
+
 struct FVerb
 {
 	const char* Name; // as it is typed; "settings plan" stands under the verb "settings"
-	int Place;        // --help lists verbs by ascending places, which are all different
-	const char* Doc;  // one line of --help
+	int Place;        // --help lists the verbs of a group by ascending places, which are all different
+	EVerbGroup Group;
+	const char* Doc; // one line of --help, of 66 characters at most
 
 	/** Adds the options, which the returned call owns. The call is empty for a verb that has only verbs under it. */
 	FVerbCall (*AddOptions)(CLI::App& Verb);

@@ -42,7 +42,7 @@ DRYDOCK_API FViewRect FindPictureView(const FRunResult& Result);
 DRYDOCK_API std::vector<FProven> ProveConfig(const FProveOptions& Options);
 
 /** A line for each, and what is known of those that do not hold. */
-DRYDOCK_API std::string MakeProveText(const std::string& Config, const std::vector<FProven>& Proven);
+DRYDOCK_API std::string MakeProveText(const std::string& Config, const std::vector<FProven>& Proven, int Width = 0);
 DRYDOCK_API std::string MakeProveJson(const std::string& Config, const std::vector<FProven>& Proven);
 
 } // namespace Drydock

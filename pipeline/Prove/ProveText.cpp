@@ -4,6 +4,7 @@
 #include "Prove/Prove.h"
 #include "Text/JsonWriter.h"
 #include "Text/TextFormat.h"
+#include "Text/TextTable.h"
 
 #include <algorithm>
 
@@ -94,25 +95,21 @@ void WritePixel(FJsonWriter& Writer, const char* Name, const FPixelDifference& P
 
 } // namespace
 
-std::string MakeProveText(const std::string& Config, const std::vector<FProven>& Proven)
+std::string MakeProveText(const std::string& Config, const std::vector<FProven>& Proven, int Width)
 {
-	size_t NameWidth = 0, WhatWidth = 0;
-	for (const FProven& One : Proven)
-	{
-		NameWidth = std::max(NameWidth, One.Equivalence->Name.size());
-		WhatWidth = std::max(WhatWidth, One.Equivalence->What.size());
-	}
 	std::string Text = Config + " gives the same picture:\n";
+	FTextTable Table{{{ETextColumn::Name}, {ETextColumn::Text}, {ETextColumn::Text}}, {}};
+	std::string Differences;
 	size_t NumBroken = 0;
 	for (const FProven& One : Proven)
 	{
-		Text += fmt::format("  {:{}}  {:{}}  {}\n", One.Equivalence->Name, NameWidth, One.Equivalence->What, WhatWidth,
-			FormatVerdict(One));
-		Text += One.Holds() ? "" : FormatDifference(One);
+		Table.Rows.push_back({One.Equivalence->Name, One.Equivalence->What, FormatVerdict(One)});
+		Differences += One.Holds() ? "" : "  " + One.Equivalence->Name + ":\n" + FormatDifference(One);
 		NumBroken += One.Holds() ? 0 : 1;
 	}
-	return Text + (NumBroken == 0 ? fmt::format("{} equivalences, all of which hold\n", Proven.size())
-								  : fmt::format("{} equivalences, {} broken\n", Proven.size(), NumBroken));
+	return Text + Table.Format(Width, "  ") + Differences +
+		   (NumBroken == 0 ? fmt::format("{} equivalences, all of which hold\n", Proven.size())
+						   : fmt::format("{} equivalences, {} broken\n", Proven.size(), NumBroken));
 }
 
 std::string MakeProveJson(const std::string& Config, const std::vector<FProven>& Proven)

@@ -97,14 +97,14 @@ DRYDOCK_API FExplainReport MakeExplainReport(const FRunResult& Frame, const FRun
 	const FMeasuredPasses* MeasuredFrame = nullptr, const FMeasuredPasses* MeasuredNoSkip = nullptr);
 
 /** Effects, then totals and what is saved. */
-DRYDOCK_API std::string MakeExplainText(const FExplainReport& Report, bool bColorful);
+DRYDOCK_API std::string MakeExplainText(const FExplainReport& Report, bool bColorful, int Width = 0);
 
 /** One pass: what it reads, writes, who reads that; every pass of that name. Throws FError (exit code 2) where there is
  * none. */
 DRYDOCK_API std::string MakePassText(const FExplainReport& Report, const std::string& Pass);
 
 /** One effect with its passes. Throws FError (exit code 2) where there is none. */
-DRYDOCK_API std::string MakeEffectText(const FExplainReport& Report, const std::string& Effect);
+DRYDOCK_API std::string MakeEffectText(const FExplainReport& Report, const std::string& Effect, int Width = 0);
 
 DRYDOCK_API std::string MakeExplainJson(const FExplainReport& Report);
 

@@ -4,6 +4,7 @@
 #include "Run/Explain.h"
 #include "Text/ConfigErrors.h"
 #include "Text/JsonWriter.h"
+#include "Text/TextTable.h"
 
 #include <algorithm>
 
@@ -28,24 +29,35 @@ std::string FormatMilliseconds(const FExplainReport& Report, double Milliseconds
 
 /** Of an effect or a plugin. */
 template<typename TRow>
-std::string FormatFigures(const TRow& Row)
+std::vector<std::string> MakeRow(const std::string& Name, bool bRuns, const TRow& Row, const std::string& Why)
 {
-	return Row.NumPasses > 0 ? fmt::format("{:8}{:9.2f}{:8.1f}", Row.NumPasses, Row.Milliseconds, Row.Megabytes)
-							 : fmt::format("{:>8}{:>9}{:>8}", "-", "-", "-");
+	const bool bAny = Row.NumPasses > 0;
+	return {Name, bRuns ? "yes" : "no", bAny ? std::to_string(Row.NumPasses) : "-",
+		bAny ? fmt::format("{:.2f}", Row.Milliseconds) : "-", bAny ? fmt::format("{:.1f}", Row.Megabytes) : "-", Why};
 }
 
-std::string FormatPlugin(const FExplainedPlugin& Plugin, size_t NameWidth)
+/** What runs and why; what does not run is dim. */
+FTextTable MakeEffectTable(const FExplainReport& Report, bool bColorful)
 {
-	return fmt::format("{:{}}  {:3}{}  {}\n", Plugin.Name, NameWidth, Plugin.NumPasses > 0 ? "yes" : "no",
-		FormatFigures(Plugin), "its code added them");
-}
-
-std::string FormatEffect(const FExplainedEffect& Effect, size_t NameWidth)
-{
-	const FEffectDecision& Decision = Effect.Decision;
-	const std::string Figures = FormatFigures(Effect);
-	return fmt::format("{:{}}  {:3}{}  {}\n", Decision.GetName(), NameWidth, Decision.bActive ? "yes" : "no", Figures,
-		Decision.Reason);
+	constexpr ETextColumn Number = ETextColumn::Number;
+	FTextTable Table{
+		{{ETextColumn::Name}, {ETextColumn::Text}, {Number}, {Number}, {Number}, {ETextColumn::Text}}, {}, {}};
+	const auto Add = [&](const std::vector<std::string>& Row, const char* Color)
+	{
+		Table.Rows.push_back(Row);
+		Table.Colors.emplace_back(bColorful ? Color : "");
+	};
+	Add({"effect", "runs", "passes", Report.bMeasured ? "ms" : "est. ms", "MB", "why"}, "\x1b[1m");
+	for (const FExplainedEffect& Effect : Report.Effects)
+	{
+		const FEffectDecision& Decision = Effect.Decision;
+		Add(MakeRow(Decision.GetName(), Decision.bActive, Effect, Decision.Reason), Decision.bActive ? "" : "\x1b[2m");
+	}
+	for (const FExplainedPlugin& Plugin : Report.Plugins)
+	{
+		Add(MakeRow(Plugin.Name, Plugin.NumPasses > 0, Plugin, "its code added them"), "");
+	}
+	return Table;
 }
 
 /** "1.2 million texels"; "no texel (0.1 million more)": a region costs a copy, which now and then is more. */
@@ -97,12 +109,11 @@ std::string List(const std::vector<std::string>& Names, const char* Otherwise)
 	return Text.empty() ? Otherwise : Text;
 }
 
-std::string FormatPassLine(const FExplainedPass& Pass, size_t NameWidth)
+std::vector<std::string> MakePassRow(const FExplainedPass& Pass)
 {
-	const std::string State = Pass.bExecutes ? fmt::format("{:6.2f} ms  read by {}", Pass.Milliseconds,
-												   List(Pass.Readers, "nobody in the graph: it is an output"))
-											 : "   culled  " + Pass.Reason;
-	return fmt::format("{:5}  {:{}}  {}\n", Pass.Index, Pass.Name, NameWidth, State);
+	return {std::to_string(Pass.Index), Pass.Name,
+		Pass.bExecutes ? fmt::format("{:.2f} ms", Pass.Milliseconds) : "culled",
+		Pass.bExecutes ? "read by " + List(Pass.Readers, "nobody in the graph: it is an output") : Pass.Reason};
 }
 
 [[noreturn]] void ThrowUnknown(const char* Thing, const std::string& Name, const std::vector<std::string>& Names)
@@ -149,31 +160,9 @@ void WriteNames(FJsonWriter& Writer, const char* Key, const std::vector<std::str
 
 } // namespace
 
-std::string MakeExplainText(const FExplainReport& Report, bool bColorful)
+std::string MakeExplainText(const FExplainReport& Report, bool bColorful, int Width)
 {
-	const std::string Bold = bColorful ? "\x1b[1m" : "";
-	const std::string Dim = bColorful ? "\x1b[2m" : "";
-	const std::string Normal = bColorful ? "\x1b[0m" : "";
-	size_t NameWidth = 6;
-	for (const FExplainedEffect& Effect : Report.Effects)
-	{
-		NameWidth = std::max(NameWidth, Effect.Decision.GetName().size());
-	}
-	for (const FExplainedPlugin& Plugin : Report.Plugins)
-	{
-		NameWidth = std::max(NameWidth, Plugin.Name.size());
-	}
-	std::string Text = fmt::format("{}{:{}}  runs  passes{:>9}{:>8}  why{}\n", Bold, "effect", NameWidth,
-		Report.bMeasured ? "ms" : "est. ms", "MB", Normal);
-	for (const FExplainedEffect& Effect : Report.Effects)
-	{
-		const bool bDim = !Effect.Decision.bActive;
-		Text += (bDim ? Dim : "") + FormatEffect(Effect, NameWidth) + (bDim ? Normal : "");
-	}
-	for (const FExplainedPlugin& Plugin : Report.Plugins)
-	{
-		Text += FormatPlugin(Plugin, NameWidth);
-	}
+	std::string Text = MakeEffectTable(Report, bColorful).Format(Width);
 	std::string Extensions;
 	int NumCulled = 0;
 	for (const FExplainedPass& Pass : Report.Passes)
@@ -241,7 +230,7 @@ std::string MakePassText(const FExplainReport& Report, const std::string& Name)
 	return Text;
 }
 
-std::string MakeEffectText(const FExplainReport& Report, const std::string& Name)
+std::string MakeEffectText(const FExplainReport& Report, const std::string& Name, int Width)
 {
 	std::string Text;
 	std::vector<std::string> Names;
@@ -262,16 +251,15 @@ std::string MakeEffectText(const FExplainReport& Report, const std::string& Name
 	{
 		ThrowUnknown("effect", Name, Names);
 	}
-	size_t NameWidth = 0;
+	FTextTable Table{{{ETextColumn::Number}, {ETextColumn::Name}, {ETextColumn::Number}, {ETextColumn::Text}}, {}};
 	for (const FExplainedPass& Pass : Report.Passes)
 	{
-		NameWidth = Pass.Effect == Name ? std::max(NameWidth, Pass.Name.size()) : NameWidth;
+		if (Pass.Effect == Name)
+		{
+			Table.Rows.push_back(MakePassRow(Pass));
+		}
 	}
-	for (const FExplainedPass& Pass : Report.Passes)
-	{
-		Text += Pass.Effect == Name ? FormatPassLine(Pass, NameWidth) : "";
-	}
-	return Text;
+	return Text + Table.Format(Width, "  ");
 }
 
 std::string MakeExplainJson(const FExplainReport& Report)

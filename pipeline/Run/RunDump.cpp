@@ -62,6 +62,11 @@ std::string GetShortPassName(const std::string& Pass)
 	return Pass.substr(0, Pass.find_first_of(" ("));
 }
 
+bool IsPassNamed(const std::string& Pattern, const std::string& Pass)
+{
+	return MatchesPattern(Pattern, Pass) || MatchesPattern(Pattern, GetShortPassName(Pass));
+}
+
 bool IsDumped(
 	const std::vector<TConfigValue<std::string>>& Patterns, const std::string& Pass, const std::string& Resource)
 {

@@ -9,6 +9,9 @@ namespace Drydock
 /** A pass's name without the sizes behind it: "BloomSetup" of "BloomSetup 480x270 (PS)". */
 DRYDOCK_API std::string GetShortPassName(const std::string& Pass);
 
+/** Whether a pattern with * and ? is of a pass, by its whole name or the short one. */
+DRYDOCK_API bool IsPassNamed(const std::string& Pattern, const std::string& Pass);
+
 /** Whether one of the patterns names the pass (in full or short), the resource, or Pass.Resource. */
 DRYDOCK_API bool IsDumped(
 	const std::vector<TConfigValue<std::string>>& Patterns, const std::string& Pass, const std::string& Resource);

@@ -5,7 +5,7 @@
 
 #include "Run/RunJson.h"
 #include "Text/JsonWriter.h"
-#include "Text/TextFormat.h"
+#include "Text/TextTable.h"
 #include "Text/Version.h"
 
 #include <algorithm>
@@ -19,11 +19,16 @@ namespace
 
 using FRow = std::vector<std::string>;
 
-/** The first and the last column are text, the others numbers. */
-std::string AlignRows(const std::vector<FRow>& Rows)
+/** Of the columns in MakeStudyTable: without room, what says least about the choice goes first. */
+std::vector<FTextColumn> GetColumns(const std::string& Metric)
 {
-	return AlignColumns(
-		Rows, [&](size_t Column) { return Column == 0 || Column + 1 == Rows[0].size(); }, "  ");
+	constexpr ETextColumn Number = ETextColumn::Number;
+	const auto OfError = [&Metric](const char* Name, int LeaveOut)
+	{
+		return FTextColumn{Number, Metric == Name ? 0 : LeaveOut};
+	};
+	return {{ETextColumn::Name}, {Number}, {Number, 4}, {Number, 5}, OfError("max", 6), OfError("rms", 1),
+		OfError("relative", 7), OfError("psnr", 8), OfError("ssim", 9), {Number, 2}, {Number, 3}, {ETextColumn::Text}};
 }
 
 std::string DescribeRank(const FStudyResult& Result, const FStudyVariant& Variant)
@@ -67,9 +72,10 @@ FRow MakeRow(const FStudyResult& Result, const FStudyJob& Job, const FStudyVaria
 }
 
 /** What is as fast as something else: pairs of the front only, for they are what is chosen among. */
-std::string DescribeNoise(const FStudyResult& Result, const FStudyJob& Job)
+std::string DescribeNoise(const FStudyResult& Result, const FStudyJob& Job, int Width)
 {
-	constexpr size_t MostCharacters = 130;
+	constexpr size_t Otherwise = 130;
+	const size_t MostCharacters = Width > 0 ? static_cast<size_t>(Width) : Otherwise;
 	std::string Text;
 	std::string Line = "  within noise of one another: ";
 	const size_t Indent = Line.size();
@@ -195,7 +201,7 @@ std::string GetErrorTitle(const std::string& Metric)
 								  : "1 - SSIM";
 }
 
-std::string MakeStudyTable(const FStudyResult& Result)
+std::string MakeStudyTable(const FStudyResult& Result, int Width)
 {
 	std::string Text = fmt::format("{}: {}; {}, {} threads, medians of {} interleaved runs, spread between quartiles\n",
 		Result.Name, DescribeStudied(Result), GetCpuName(), Result.Threads, Result.Study.Repetitions);
@@ -209,7 +215,8 @@ std::string MakeStudyTable(const FStudyResult& Result)
 		}
 		Text += fmt::format("\n{}reference: {}, {:.1f} ms\n{}{}  recommended  {}\n",
 			Job.Case.Label.empty() ? "" : Job.Case.Label + "; ", Job.Reference, Job.ReferenceTime.Median,
-			AlignRows(Rows), DescribeNoise(Result, Job), Job.Recommendation);
+			FTextTable{GetColumns(Result.GetMetric()), Rows}.Format(Width, "  "), DescribeNoise(Result, Job, Width),
+			Job.Recommendation);
 	}
 	return Text;
 }

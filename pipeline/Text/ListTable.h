@@ -1,6 +1,8 @@
 // A table that `drydock list` prints: rows of equal length under a header.
 #pragma once
 
+#include "Text/TextTable.h"
+
 #include <string>
 #include <vector>
 
@@ -11,7 +13,8 @@ struct FListTable
 {
 	std::vector<std::string> Header; // also the keys of the JSON objects
 	std::vector<std::vector<std::string>> Rows;
-	std::string Remark = {}; // where there is nothing to list
+	std::string Remark = {};               // where there is nothing to list
+	std::vector<FTextColumn> Columns = {}; // one for each of the header; empty: text
 };
 
 } // namespace Drydock

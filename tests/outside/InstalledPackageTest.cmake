@@ -31,6 +31,17 @@ foreach(Header IN ITEMS rdg/Core/CoreMinimal.h settings/PostProcessSettings.h pa
 	endif()
 endforeach()
 
+# What shells and man read.
+foreach(File IN ITEMS bash-completion/completions/drydock zsh/site-functions/_drydock man/man1/drydock.1)
+	if(NOT EXISTS "${WORK}/prefix/share/${File}")
+		message(FATAL_ERROR "share/${File} is not installed")
+	endif()
+	file(READ "${WORK}/prefix/share/${File}" Text)
+	if(NOT Text MATCHES "explain")
+		message(FATAL_ERROR "share/${File} knows no verb explain")
+	endif()
+endforeach()
+
 run_step("configure" ${CMAKE_COMMAND} -S "${SOURCE}" -B "${WORK}/build" -G Ninja
 	-DCMAKE_BUILD_TYPE=Release "-DCMAKE_PREFIX_PATH=${WORK}/prefix")
 run_step("build" ${CMAKE_COMMAND} --build "${WORK}/build")

@@ -90,7 +90,7 @@ TEST_F(PatchTemplate, TheProjectHasTheLayoutOfAPlugin)
 		"CMakeLists.txt", "README.md", "Rain.uplugin", "Shaders/Private/DrydockPrint.ush", "Shaders/Private/Rain.usf",
 		"Source/Rain/Private/RainModule.cpp", "Source/Rain/Private/RainViewExtension.cpp",
 		"Source/Rain/Private/RainViewExtension.h", "Source/Rain/Rain.Build.cs", "configs/Rain.json",
-		"configs/scenes/room.exr", "tests/RainTest.cpp"};
+		"configs/scenes/room.exr", "configs/schema/drydock.schema.json", "tests/RainTest.cpp"};
 	EXPECT_EQ(Expected, Paths);
 }
 
@@ -202,7 +202,7 @@ TEST_F(PatchTemplate, ABadNameIsAUsageErrorAndWritesNothing)
 {
 	EXPECT_EQ(std::make_pair(2, 1060), New("My-Patch", Folder.string()));
 	EXPECT_EQ(0u, CountFiles());
-	EXPECT_EQ("", Out);
+	EXPECT_EQ("DD1060", nlohmann::json::parse(Out).at("messages").at(0).at("code"));
 }
 
 TEST_F(PatchTemplate, AnExistingFolderIsLeftAlone)

@@ -27,6 +27,7 @@ FVerbCall AddOptions(CLI::App& Verb)
 const FVerbRegistration GRegistration({
 	.Name = "hello",
 	.Place = 1000,
+	.Group = EVerbGroup::Run,
 	.Doc = "Greet somebody",
 	.AddOptions = AddOptions,
 });

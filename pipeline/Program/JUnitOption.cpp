@@ -1,0 +1,45 @@
+// Writes the suite of a verb, also where the verb fails.
+#include <CLI/CLI.hpp>
+
+#include "Program/JUnitOption.h"
+
+#include "DiagnosticList.h"
+#include "Program/ProgramFailure.h"
+
+namespace Drydock
+{
+
+void AddJUnit(CLI::App& Verb, std::string& File, const char* Cases)
+{
+	Verb.add_option("--junit", File, std::string("Write JUnit XML for build servers: a suite, ") + Cases)
+		->type_name("FILE");
+}
+
+int CallWithJUnit(const std::string& File, const std::string& SuiteName, const std::function<int(FJUnitSuite&)>& Call)
+{
+	FJUnitSuite Suite{SuiteName};
+	if (File.empty())
+	{
+		return Call(Suite);
+	}
+	try
+	{
+		const int ExitCode = Call(Suite);
+		WriteJUnit(File, {Suite});
+		return ExitCode;
+	}
+	catch (...)
+	{
+		const FError Error = ExplainFailure(std::current_exception());
+		std::string Message;
+		for (const FDiagnostic& Diagnostic : SummarizeDiagnostics(Error.GetDiagnostics()))
+		{
+			Message += (Message.empty() ? "" : "\n") + Diagnostic.ToString();
+		}
+		Suite.Cases.push_back({.Name = "runs", .Outcome = EJUnitOutcome::Broken, .Message = Message});
+		WriteJUnit(File, {Suite});
+		throw;
+	}
+}
+
+} // namespace Drydock

@@ -1,0 +1,24 @@
+// The option --junit FILE: what a verb found as JUnit XML, whatever else it prints.
+#pragma once
+
+#include "Text/JUnit.h"
+
+#include <functional>
+
+namespace CLI
+{
+class App;
+}
+
+namespace Drydock
+{
+
+/** Adds --junit to a verb. Cases: what its cases are, for --help. */
+void AddJUnit(CLI::App& Verb, std::string& File, const char* Cases);
+
+/** Calls the verb, which fills the suite; then writes the suite to File, where that is not empty. What the call throws
+ * is the suite's last case, an error, and thrown on. Returns what the call returns. Throws FError (exit code 3) where
+ * the file cannot be written. */
+int CallWithJUnit(const std::string& File, const std::string& SuiteName, const std::function<int(FJUnitSuite&)>& Call);
+
+} // namespace Drydock

@@ -1,0 +1,87 @@
+// `drydock completion`, `man` and `schema`: print what shells, readers and editors need, made from what the program
+// knows.
+#include <CLI/CLI.hpp>
+
+#include "Extensions/PublishedSchema.h"
+#include "Program/CompletionScript.h"
+#include "Program/ManPage.h"
+#include "Program/ProgramOutput.h"
+#include "Program/VerbOptions.h"
+#include "Run/RunSetup.h"
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+namespace Drydock
+{
+
+namespace
+{
+
+FVerbCall AddCompletion(CLI::App& Verb)
+{
+	const auto Shell = std::make_shared<std::string>();
+	RequireOneOf(Verb.add_option("SHELL", *Shell, "The shell")->required(), {"bash", "zsh"});
+	return [Shell]
+	{
+		const FProgramModel Model = MakeProgramModel();
+		std::fputs((*Shell == "bash" ? MakeBashCompletion : MakeZshCompletion)(Model).c_str(), stdout);
+		return ExitDone;
+	};
+}
+
+FVerbCall AddMan(CLI::App&)
+{
+	return []
+	{
+		std::fputs(MakeManPage(MakeProgramModel()).c_str(), stdout);
+		return ExitDone;
+	};
+}
+
+FVerbCall AddSchema(CLI::App& Verb)
+{
+	const auto Options = std::make_shared<FRunOptions>();
+	Verb.add_option("CONFIG", Options->ConfigFile, "With the names that this config's plugins bring; none by default");
+	AddTrust(Verb, *Options);
+	return [Options]
+	{
+		std::optional<FRunSetup> Setup; // keeps the plugins
+		if (!Options->ConfigFile.empty())
+		{
+			Setup.emplace(*Options);
+			PrintDiagnostics(Setup->Diagnostics);
+		}
+		std::fputs(MakePublishedSchema().c_str(), stdout);
+		return ExitDone;
+	};
+}
+
+const FVerbRegistration GCompletion({
+	.Name = "completion",
+	.Place = 130,
+	.Group = EVerbGroup::Shell,
+	.Doc = "Print the script that completes drydock's command line",
+	.AddOptions = AddCompletion,
+});
+
+const FVerbRegistration GMan({
+	.Name = "man",
+	.Place = 131,
+	.Group = EVerbGroup::Shell,
+	.Doc = "Print the manual page",
+	.AddOptions = AddMan,
+});
+
+const FVerbRegistration GSchema({
+	.Name = "schema",
+	.Place = 132,
+	.Group = EVerbGroup::Shell,
+	.Doc = "Print the JSON schema of configs, by which editors complete them",
+	.AddOptions = AddSchema,
+});
+
+} // namespace
+
+} // namespace Drydock
