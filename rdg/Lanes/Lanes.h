@@ -44,5 +44,5 @@
 #include "LanesMath.h"
 #include "LanesInteger.h"
 #include "LanesGeometry.h"
-#include "LanesElementary.h"
+#include "LanesPow.h"
 #include "LanesResources.h"

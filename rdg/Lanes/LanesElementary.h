@@ -1,11 +1,10 @@
 // Elementary functions. In float each is one fixed sequence of operations for every lane count, instruction set and
 // uniform scalars: same input, same bits. Errors in units in the last place, proven by sweeps in the tests:
-//   Pow 1, Exp2 Exp Log2 Log 2, Sin Cos 2 for |x| <= 8192 (bounded but meaningless beyond 10^6), Tan 4,
-//   Asin Acos Atan Atan2 3, Sinh Cosh Tanh 4
+//   Exp2 Exp Log2 Log 2, Sin Cos 2 for |x| <= 8192 (bounded but meaningless beyond 10^6), Tan 4,
+//   Asin Acos Atan Atan2 3, Sinh Cosh Tanh 4; Pow (LanesPow.h) 1
 // Exponentials, logarithms and Pow give 0 below the smallest normal float and take arguments below it as 0, whatever
-// the processor's denormal mode; the others follow the mode. Pow is exp2(y * log2(x)) as in Direct3D: NaN for a
-// negative x, and 1 for y = 0 with any other x but NaN; the power and its logarithm are float-float, by products that
-// are rounded once (Fused). Double lanes call the C library one by one. Polynomials: Chebyshev fits made for drydock.
+// the processor's denormal mode; the others follow the mode. Double lanes call the C library one by one. Polynomials:
+// Chebyshev fits made for drydock.
 // Source of the argument reductions: W. J. Cody and W. Waite, Software Manual for the Elementary Functions (1980).
 #pragma once
 
@@ -27,15 +26,6 @@ DRYDOCK_LANES_INLINE TReal<Real, N> Polynomial(TReal<Real, N> X, Real Highest, T
 {
 	TReal<Real, N> Result = Highest;
 	((Result = Result * X + TReal<Real, N>(Lower)), ...);
-	return Result;
-}
-
-/** The same with one rounding a step. */
-template<typename Real, int N, typename... T>
-DRYDOCK_LANES_INLINE TReal<Real, N> FusedPolynomial(TReal<Real, N> X, Real Highest, T... Lower)
-{
-	TReal<Real, N> Result = Highest;
-	((Result = Fused(Result, X, TReal<Real, N>(Lower))), ...);
 	return Result;
 }
 
@@ -157,100 +147,6 @@ TReal<float, N> Log(TReal<float, N> X)
 	using FLanes = TReal<float, N>;
 	const TLogParts<N> P = SplitLog(X);
 	return FinishLog(X, P.Rest + P.Exponent * FLanes(-2.12194442e-4f) + P.T + P.Exponent * FLanes(0.693359375f));
-}
-
-/** High + Low, Low much the smaller: what one float is too short for. */
-template<int N>
-struct TFloatPair
-{
-	TReal<float, N> High;
-	TReal<float, N> Low;
-};
-
-/** log2(X) of positive normal X to 2^-40 of itself. With S = (m - 1) / (m + 1), m the mantissa, it is the exponent plus
- *  the odd series c1 S + c3 S^3 + c5 S^5..: what weighs more than 2^-24 of the sum is kept with its rounding errors. */
-template<int N>
-DRYDOCK_LANES_INLINE TFloatPair<N> Log2Pair(TReal<float, N> X)
-{
-	using FLanes = TReal<float, N>;
-	const TRaw<int32_t, N> Exponent = LogExponent(X);
-	const FLanes E(__builtin_convertvector(Exponent, TRaw<float, N>));
-	const FLanes M = Scaled(X, Exponent);
-	const FLanes One = 1.0f;
-
-	// S + SLow = Rise / (Run + RunLow); Rise is exact.
-	const FLanes Rise = M - One;
-	const FLanes Run = M + One;
-	const FLanes RunLow = M - (Run - One);
-	const FLanes Reciprocal = One / Run;
-	const FLanes S = Rise * Reciprocal;
-	const FLanes SLow = Fused(-S, RunLow, Fused(-S, Run, Rise)) * Reciprocal;
-
-	const FLanes S2 = S * S;
-	const FLanes S2Low = Fused(S + S, SLow, Fused(S, S, -S2));
-	const FLanes S3 = S2 * S;
-	const FLanes S3Low = Fused(S, S2Low, Fused(SLow, S2, Fused(S, S2, -S3)));
-	const FLanes C1 = 2.88539004f;
-	const FLanes C1Low = 3.85192607e-08f;
-	const FLanes C3 = 0.961796701f;
-	const FLanes C3Low = -7.02846181e-09f;
-	const FLanes Series = FusedPolynomial(S2, 0.241354391f, 0.261580318f, 0.320611894f, 0.412198484f, 0.577078044f);
-
-	const FLanes First = S * C1;
-	const FLanes FirstLow = Fused(SLow, C1, Fused(S, C1Low, Fused(S, C1, -First)));
-	const FLanes Third = S3 * C3;
-	const FLanes ThirdLow = Fused(S3Low, C3, Fused(S3, C3Low, Fused(S3, C3, -Third)));
-	const FLanes Rest = Fused(S3 * S2, Series, FirstLow + ThirdLow);
-
-	const FLanes Sum = First + Third;
-	const FLanes High = E + Sum;
-	return {High, (Sum - (High - E)) + ((Third - (Sum - First)) + Rest)};
-}
-
-/** Pow where x or y is zero, infinite, NaN, negative or below the smallest normal number: log2 of 0 and of infinity is
- *  an infinity with a sign; times y it decides between 0 and infinity. */
-template<int N>
-TReal<float, N> PowOfStrange(TReal<float, N> X, TReal<float, N> Y, TReal<float, N> Ordinary)
-{
-	using FLanes = TReal<float, N>;
-	const FLanes Zero = 0.0f;
-	const FLanes Infinite = InfinityF;
-	const TMask<N> bZero = Abs(X) < FLanes(SmallestNormal);
-	const FLanes OfZero = Select(Y > Zero, Zero, Infinite);
-	const FLanes OfInfinity = Select(Y > Zero, Infinite, Zero);
-	FLanes Result = Select(bZero, OfZero, Select(X == Infinite, OfInfinity, Ordinary));
-	Result = Select(Abs(Y) == Infinite && X == FLanes(1.0f), FLanes(__builtin_nanf("")), Result); // Inf * 0
-	Result = Select(Abs(Y) < FLanes(SmallestNormal), FLanes(1.0f), Result);
-	Result = Select(X < Zero && !bZero, FLanes(__builtin_nanf("")), Result);
-	return Select(X == X, Select(Y == Y, Result, Y), X);
-}
-
-/** The error of the product y log2(x) counts up to 128 times in the result: product and logarithm have two floats. */
-template<int N>
-TReal<float, N> Pow(TReal<float, N> X, TReal<float, N> Y)
-{
-	using FLanes = TReal<float, N>;
-	using FInt = TRaw<int32_t, N>;
-	const TFloatPair<N> Log = Log2Pair(X);
-	const FLanes Product = Y * Log.High;
-	const FLanes ProductLow = Fused(Y, Log.Low, Fused(Y, Log.High, -Product));
-
-	// What is beyond the bounds is 0 or infinite whatever its low part.
-	const FLanes Bounded = Max(Min(Product, FLanes(128.5f)), FLanes(-127.0f));
-	const FLanes Low = Select(Product == Bounded, ProductLow, FLanes(0.0f));
-	const FLanes Whole = RoundTo<Nearest>(Bounded + Low);
-	const FLanes F = (Bounded - Whole) + Low;
-	const FLanes Power = FusedPolynomial(F, 1.52973244e-05f, 0.000154614449f, 0.0013333502f, 0.00961805694f,
-		0.0555041097f, 0.240226507f, 0.693147182f, 1.0f);
-	// 2^F lies in [0.7, 1.42): its bits and the exponent's add up to the result's, or to a number above infinity's.
-	const TInt<N> Bits(FInt(Power.V) + (ToIntUnchecked(Whole).V << 23));
-	const TMask<N> bVanishes = Whole < FLanes(-126.0f) || (Whole == FLanes(-126.0f) && F < FLanes(0.0f));
-	const TInt<N> Finite = Min(Select(bVanishes, TInt<N>(0), Bits), TInt<N>(0x7F800000));
-	const FLanes Result(TRaw<float, N>(Finite.V));
-
-	const TMask<N> bOrdinary = X >= FLanes(SmallestNormal) && X < FLanes(InfinityF) &&
-							   Abs(Y) >= FLanes(SmallestNormal) && Abs(Y) < FLanes(InfinityF);
-	return AllLanes(bOrdinary) ? Result : PowOfStrange(X, Y, Result);
 }
 
 /** f, a function of TReal<double, N / 2>, over both halves: each half fills one register. Gives two results. */
@@ -488,17 +384,6 @@ DRYDOCK_LANES_LIBM(Tanh, tanh)
 #undef DRYDOCK_LANES_LIBM
 
 template<int N>
-inline TReal<double, N> Pow(TReal<double, N> X, TReal<double, N> Y)
-{
-	for (int Lane = 0; Lane < N; ++Lane)
-	{
-		const double Base = X.V[Lane];
-		X.V[Lane] = Base != Base || Base < 0 ? __builtin_nan("") : __builtin_pow(Base, Y.V[Lane]);
-	}
-	return X;
-}
-
-template<int N>
 inline TReal<double, N> Atan2(TReal<double, N> Y, TReal<double, N> X)
 {
 	for (int Lane = 0; Lane < N; ++Lane)
@@ -523,7 +408,6 @@ DRYDOCK_LANES_UNARY(Atan, Impl::Atan(x))
 DRYDOCK_LANES_UNARY(Sinh, Impl::Sinh(x))
 DRYDOCK_LANES_UNARY(Cosh, Impl::Cosh(x))
 DRYDOCK_LANES_UNARY(Tanh, Impl::Tanh(x))
-DRYDOCK_LANES_BINARY(Pow, Impl::Pow(x, y))
 DRYDOCK_LANES_BINARY(Atan2, Impl::Atan2(x, y)) // y first, as in HLSL
 
 } // namespace DRYDOCK_LANES_SET

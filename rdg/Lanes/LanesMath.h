@@ -4,6 +4,7 @@
 #pragma once
 
 #include "LanesConvert.h"
+#include "LanesMinMax.h"
 
 namespace Drydock::Lanes
 {
@@ -236,12 +237,12 @@ DRYDOCK_LANES_INLINE TInt<N> Abs(TInt<N> X)
 template<typename Real, int N>
 DRYDOCK_LANES_INLINE TReal<Real, N> Min(TReal<Real, N> A, TReal<Real, N> B)
 {
-	return Select(B == B, Select(A < B, A, B), A);
+	return Select(B == B, Lesser(A, B), A);
 }
 template<typename Real, int N>
 DRYDOCK_LANES_INLINE TReal<Real, N> Max(TReal<Real, N> A, TReal<Real, N> B)
 {
-	return Select(B == B, Select(A > B, A, B), A);
+	return Select(B == B, Greater(A, B), A);
 }
 template<int N>
 DRYDOCK_LANES_INLINE TInt<N> Min(TInt<N> A, TInt<N> B)
@@ -269,8 +270,7 @@ DRYDOCK_LANES_INLINE TReal<Real, N> Saturate(TReal<Real, N> X)
 {
 	const TReal<Real, N> Zero = Real(0);
 	const TReal<Real, N> One = Real(1);
-	const TReal<Real, N> Positive = Select(X > Zero, X, Zero);
-	return Select(Positive < One, Positive, One);
+	return Lesser(Greater(X, Zero), One);
 }
 
 template<typename Real, int N>

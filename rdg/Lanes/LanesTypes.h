@@ -363,15 +363,17 @@ DRYDOCK_LANES_INLINE uint32_t CountLanes(bool b)
 	return b;
 }
 
-/** 0, 1, 2, .. */
+constexpr int32_t LaneIndices[64] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22,
+	23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51,
+	52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63};
+
+/** 0, 1, 2, ..: of a table, since at -O1 a loop over the lanes would stay a loop. */
 template<int N>
 DRYDOCK_LANES_INLINE TInt<N> LaneIndex()
 {
+	static_assert(N <= 64);
 	TInt<N> Result;
-	for (int Lane = 0; Lane < N; ++Lane)
-	{
-		Result.V[Lane] = Lane;
-	}
+	__builtin_memcpy(&Result, LaneIndices, sizeof(Result));
 	return Result;
 }
 

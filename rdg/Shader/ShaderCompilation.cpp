@@ -285,7 +285,7 @@ void ForgetShadersOf(const std::vector<std::string>& Files)
 			const bool bKept =
 				!State.Compiled.empty() &&
 				std::none_of(State.Compiled.begin(), State.Compiled.end(),
-					[&Edited](const auto& Entry) { return !Entry.second || Edited.IsReadBy(*Entry.second); });
+					[&Edited](const auto& Entry) { return !Entry.second || Edited.IsReadBy(Entry.second->Files); });
 			if (!bKept)
 			{
 				State.Compiled.clear();

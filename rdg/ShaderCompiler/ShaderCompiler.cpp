@@ -85,9 +85,23 @@ TMemory<FCompiledShader>& GetKernels()
 	return Memory;
 }
 
-TMemory<FShaderReflection>& GetReflections()
+/** A reflection, and the files on disk behind it. */
+struct FReflectedShader
 {
-	static TMemory<FShaderReflection> Memory;
+	FShaderReflection Reflection;
+	std::vector<std::string> Files;
+};
+
+TMemory<FReflectedShader>& GetReflections()
+{
+	static TMemory<FReflectedShader> Memory;
+	return Memory;
+}
+
+/** Flattened text by what was asked: reflection and kernel share it. */
+TMemory<FShaderSource>& GetSources()
+{
+	static TMemory<FShaderSource> Memory;
 	return Memory;
 }
 
@@ -138,6 +152,12 @@ std::string HashSource(const FShaderSource& Source, const FShaderCompileRequest&
 	Hash.Add(std::to_string(int(Request.Stage)));
 	Hash.Add(Build);
 	return Hash.Finish();
+}
+
+std::shared_ptr<const FShaderSource> FlattenOnce(const FShaderCompileRequest& Request)
+{
+	return GetSources().Find(HashRequest(Request) + (Request.bKeepFunctions ? "k" : ""),
+		[&] { return std::make_shared<FShaderSource>(FlattenShader(Request)); });
 }
 
 std::vector<uint32_t> CompileOnce(const FShaderSource& Source, const FShaderCompileRequest& Request)
@@ -301,7 +321,8 @@ std::vector<uint32_t> FindVertexWords(
 std::shared_ptr<const FCompiledShader> MakeVertexShader(const FShaderCompileRequest& Request)
 {
 	const auto Result = std::make_shared<FCompiledShader>();
-	const FShaderSource Source = FlattenShader(Request);
+	const std::shared_ptr<const FShaderSource> Flattened = FlattenOnce(Request);
+	const FShaderSource& Source = *Flattened;
 	Result->Files = Source.Files;
 	Result->Key = HashSource(Source, Request, {});
 	FAnalysedShader Shader = Analyse(FindVertexWords(Source, Request, Result->Key), Source, Request);
@@ -325,7 +346,8 @@ std::shared_ptr<const FCompiledShader> MakeShader(const FShaderCompileRequest& R
 	}
 	const auto Start = std::chrono::steady_clock::now();
 	const auto Result = std::make_shared<FCompiledShader>();
-	const FShaderSource Source = FlattenShader(Request);
+	const std::shared_ptr<const FShaderSource> Flattened = FlattenOnce(Request);
+	const FShaderSource& Source = *Flattened;
 	const FShaderCache Cache = FShaderCache::Open();
 	const std::string CompilerId = GetCompilerId(FindKernelCompiler());
 	Result->Lanes = Lanes;
@@ -360,27 +382,28 @@ std::shared_ptr<const FCompiledShader> CompileShader(const FShaderCompileRequest
 
 FShaderReflection ReflectShader(const FShaderCompileRequest& Request)
 {
-	return *GetReflections().Find(HashRequest(Request),
-		[&]() -> std::shared_ptr<const FShaderReflection>
+	const auto Make = [&]() -> std::shared_ptr<const FReflectedShader>
+	{
+		const std::shared_ptr<const FShaderSource> Flattened = FlattenOnce(Request);
+		const FShaderSource& Source = *Flattened;
+		const FShaderCache Cache = FShaderCache::Open();
+		const std::string Key = HashSource(Source, Request, {});
+		std::optional<FShaderReflection> Reflection = Cache.FindReflection(Key);
+		if (!Reflection)
 		{
-			const FShaderSource Source = FlattenShader(Request);
-			const FShaderCache Cache = FShaderCache::Open();
-			const std::string Key = HashSource(Source, Request, {});
-			if (const std::optional<FShaderReflection> Found = Cache.FindReflection(Key))
-			{
-				return std::make_shared<FShaderReflection>(*Found);
-			}
-			const auto Result = std::make_shared<FShaderReflection>(
-				Analyse(CompileOnce(Source, Request), Source, Request).Reflection.Reflection);
-			Cache.StoreReflection(Key, *Result);
-			return Result;
-		});
+			Reflection = Analyse(CompileOnce(Source, Request), Source, Request).Reflection.Reflection;
+			Cache.StoreReflection(Key, *Reflection);
+		}
+		return std::make_shared<FReflectedShader>(FReflectedShader{std::move(*Reflection), Source.Files});
+	};
+	return GetReflections().Find(HashRequest(Request), Make)->Reflection;
 }
 
 void ForgetCompiledShaders()
 {
 	GetKernels().Clear();
 	GetReflections().Clear();
+	GetSources().Clear();
 	GetWords().Clear();
 }
 
@@ -392,16 +415,26 @@ FShaderFiles::FShaderFiles(const std::vector<std::string>& Paths)
 	}
 }
 
-bool FShaderFiles::IsReadBy(const FCompiledShader& Shader) const
+bool FShaderFiles::IsReadBy(const std::vector<std::string>& Files) const
 {
-	return std::any_of(Shader.Files.begin(), Shader.Files.end(),
-		[this](const std::string& File) { return Canonical.contains(MakeCanonical(File)); });
+	const auto IsOne = [this](const std::string& File)
+	{
+		const auto [Known, bNew] = Asked.try_emplace(File, false);
+		Known->second = bNew ? Canonical.contains(MakeCanonical(File)) : Known->second;
+		return Known->second;
+	};
+	return std::any_of(Files.begin(), Files.end(), IsOne);
 }
 
 void ForgetCompiledShaders(const FShaderFiles& Files)
 {
-	GetKernels().Remove([&Files](const FCompiledShader& Shader) { return Files.IsReadBy(Shader); });
-	GetReflections().Clear();
+	const auto Read = [&Files](const auto& Made)
+	{
+		return Files.IsReadBy(Made.Files);
+	};
+	GetKernels().Remove(Read);
+	GetReflections().Remove(Read);
+	GetSources().Remove(Read);
 	GetWords().Clear();
 }
 

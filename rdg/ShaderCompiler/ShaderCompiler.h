@@ -6,6 +6,7 @@
 #include "ShaderCompileRequest.h"
 #include "ShaderDirectories.h"
 
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -24,18 +25,20 @@ DRYDOCK_API FShaderReflection ReflectShader(const FShaderCompileRequest& Request
 /** Forgets what is in memory (files may have changed), keeps the cache on disk. */
 DRYDOCK_API void ForgetCompiledShaders();
 
-/** Files on disk, by whatever path they are named. */
+/** Files on disk, by whatever path they are named. For one thread. */
 class DRYDOCK_API FShaderFiles
 {
 public:
 	explicit FShaderFiles(const std::vector<std::string>& Paths);
-	bool IsReadBy(const FCompiledShader& Shader) const;
+	/** Whether one of them is among Files. */
+	bool IsReadBy(const std::vector<std::string>& Files) const;
 
 private:
 	std::set<std::string> Canonical;
+	mutable std::map<std::string, bool> Asked; // what is known of paths that were asked about
 };
 
-/** Forgets what was made of these files, and of what was made without a kernel, all. */
+/** Forgets what was made of these files. */
 DRYDOCK_API void ForgetCompiledShaders(const FShaderFiles& Files);
 
 } // namespace Drydock

@@ -1,4 +1,5 @@
-// How often the front end runs: once for a shader, whoever asks for what of it.
+// How often the front end runs: once for a shader, whoever asks for what of it; and which files are read anew after an
+// edit.
 #include <gtest/gtest.h>
 
 #include "CacheTestUtils.h"
@@ -79,4 +80,50 @@ TEST_F(FFrontEndRuns, OnceInTheOneProcessThatIsKept)
 		EXPECT_EQ(0, GetFrontEndCounts().Processes - Before.Processes);
 	}
 	EXPECT_EQ(0, Count()); // nothing else is run
+}
+
+TEST_F(FFrontEndRuns, FilesAreReadOnceForReflectionAndKernelAndAnewWhereTheyAreNamed)
+{
+	const std::string Names[] = {"First.usf", "Second.usf"};
+	const auto Write = [&](int NumTextures)
+	{
+		for (const std::string& Name : Names)
+		{
+			std::string Outputs;
+			std::string Body;
+			for (int i = 0; i < NumTextures; ++i)
+			{
+				Outputs += "RWTexture2D<float4> Out" + std::to_string(i) + ";\n";
+				Body += "\tOut" + std::to_string(i) + "[Id.xy] = 1;\n";
+			}
+			Scratch.Add(
+				Name, Outputs + "[numthreads(8, 8, 1)] void Main(uint3 Id : SV_DispatchThreadID)\n{\n" + Body + "}\n");
+		}
+	};
+	const auto MakeFileRequest = [](const std::string& Name)
+	{
+		FShaderCompileRequest Request;
+		Request.VirtualPath = "/FrontEndRunsTest/" + Name;
+		Request.EntryPoint = "Main";
+		Request.Stage = EShaderStage::Compute;
+		return Request;
+	};
+	AddShaderDirectory("/FrontEndRunsTest", Scratch.Path.string());
+	const auto CountTextures = [&](const std::string& Name)
+	{
+		return ReflectShader(MakeFileRequest(Name)).RWTextures.size();
+	};
+	Write(1);
+	EXPECT_EQ(1u, CountTextures(Names[0]));
+	EXPECT_EQ(1u, CountTextures(Names[1]));
+
+	Write(2);
+	EXPECT_EQ(1u, CompileShader(MakeFileRequest(Names[0]))->Reflection.RWTextures.size());
+
+	ForgetCompiledShaders(FShaderFiles({(Scratch.Path / "." / Names[0]).string()})); // by another name of the file
+	EXPECT_EQ(2u, CountTextures(Names[0]));
+	EXPECT_EQ(2u, CompileShader(MakeFileRequest(Names[0]))->Reflection.RWTextures.size());
+	EXPECT_EQ(1u, CountTextures(Names[1]));
+	ForgetCompiledShaders();
+	EXPECT_EQ(2u, CountTextures(Names[1]));
 }
