@@ -276,12 +276,14 @@ void FShaderPreprocessor::AppendCondition(const std::string& Name, const std::st
 		if (Name == "ifdef" || Name == "ifndef")
 		{
 			const FShaderTokens Tokens = SplitTokens(Rest);
-			if (Tokens.empty() || Tokens[0].Kind != EShaderToken::Word)
+			const bool bParenthesis = Tokens.size() > 2 && Tokens[0].Text == "(" && Tokens[2].Text == ")"; // #ifdef(X)
+			const size_t At = bParenthesis ? 1 : 0;
+			if (At >= Tokens.size() || Tokens[At].Kind != EShaderToken::Word)
 			{
 				Error(6002, "#" + Name + " needs the name of a macro");
 				return false;
 			}
-			return (Macros.Find(Tokens[0].Text) != nullptr) == (Name == "ifdef");
+			return (Macros.Find(Tokens[At].Text) != nullptr) == (Name == "ifdef");
 		}
 		std::string Problem;
 		const std::optional<int64_t> Value = EvaluateCondition(Rest, Macros, Problem);

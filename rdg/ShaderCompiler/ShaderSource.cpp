@@ -1,6 +1,7 @@
 // Finds the files of a shader and has them preprocessed and rewritten.
 #include "ShaderSource.h"
 
+#include "HlslRewrites.h"
 #include "RegularFile.h"
 #include "ShaderDirectories.h"
 #include "ShaderPreprocessor.h"
@@ -177,8 +178,13 @@ FShaderSource FFlattener::Run()
 	}
 	// The engine packs matrices by rows, which is how FMatrix44f lies in memory.
 	const std::string Printing = RewritePrints(Preprocessor.GetText(), Request.bKeepFunctions, Result.Strings);
-	Result.Text = "#pragma pack_matrix(row_major)\n" + DeclarePrints(Printing) +
-				  DeclareUniformBuffers(RewriteLoads(RewriteEnums(Printing)), Request.UniformBuffers);
+	Result.Text = RewriteHlsl("#pragma pack_matrix(row_major)\n" + DeclarePrints(Printing) +
+								  DeclareUniformBuffers(RewriteLoads(RewriteEnums(Printing)), Request.UniformBuffers),
+		Request.VirtualPath, Preprocessor.GetErrors());
+	if (!Preprocessor.GetErrors().empty())
+	{
+		throw FError(std::move(Preprocessor.GetErrors()), ExitUsage);
+	}
 	return std::move(Result);
 }
 

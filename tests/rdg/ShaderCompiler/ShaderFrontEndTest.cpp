@@ -176,11 +176,6 @@ TEST(ShaderRefusals, SampleGradIsNamed)
 		HasSubstr("SampleGrad"));
 }
 
-TEST(ShaderRefusals, PartialTexelWritesSayWhatToDo)
-{
-	EXPECT_THAT(ErrorsOfStatement("Out[Id.xy].x = 1;"), HasSubstr("write the whole texel"));
-}
-
 TEST(ShaderRefusals, InputsThatNoPassFillsAreNamed)
 {
 	EXPECT_THAT(ErrorsOf("float4 Main(float4 C : COLOR) : SV_Target0 { return C; }\n", EShaderStage::Pixel),

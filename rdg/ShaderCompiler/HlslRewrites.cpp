@@ -1,0 +1,183 @@
+// Runs the rewrites in their order, and has those of names and globals.
+#include "HlslRewrites.h"
+
+#include "HlslSymbols.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace Drydock
+{
+
+namespace
+{
+
+std::string ToLower(std::string Text)
+{
+	std::transform(Text.begin(), Text.end(), Text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+	return Text;
+}
+
+/** "uint3" of "uint32_t3"; empty for other names. */
+std::string GetOlderName(const std::string& Name)
+{
+	const bool bSized = Name.find("32_t") != std::string::npos;
+	const std::optional<FHlslNumeric> Numeric = bSized ? ParseHlslNumeric(Name) : std::nullopt;
+	return Numeric ? Numeric->GetName() : std::string();
+}
+
+bool IsAssignment(const FHlslToken& Token)
+{
+	static const std::set<std::string> Signs = {
+		"=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>=", "++", "--"};
+	return Token.Kind == EShaderToken::Sign && Signs.count(Token.Text);
+}
+
+/** Whether the name at At is written to: "A.x[2] = 1", "++A". */
+bool IsWritten(const FHlslText& Text, size_t At)
+{
+	size_t End = At + 1;
+	while (Text.Is(End, "[") || (Text.Is(End, ".") && Text.IsWord(End + 1)))
+	{
+		End = Text.Is(End, "[") ? Text.FindClose(End) + 1 : End + 2;
+	}
+	const bool bBefore = At > 0 && (Text.Is(At - 1, "++") || Text.Is(At - 1, "--"));
+	return bBefore || (End < Text.Size() && IsAssignment(Text[End]));
+}
+
+} // namespace
+
+void RewriteNames(FHlslText& Text)
+{
+	static const std::set<std::string> Attributes = {"numthreads", "unroll", "loop", "branch", "flatten", "fastopt",
+		"allow_uav_condition", "earlydepthstencil", "call", "forcecase"};
+	std::set<std::string> Own; // names that the text gives to something else
+	for (size_t At = 1; At < Text.Size(); ++At)
+	{
+		const bool bTypedef = Text.IsWord(At - 1) && (Text.Is(At + 1, ";") || Text.Is(At + 1, "{"));
+		if (bTypedef && Text.IsWord(At) && !GetOlderName(Text[At].Text).empty())
+		{
+			Own.insert(Text[At].Text);
+		}
+	}
+	FHlslEdits Edits;
+	for (size_t At = 0; At < Text.Size(); ++At)
+	{
+		if (!Text.IsWord(At))
+		{
+			continue;
+		}
+		FHlslToken& Token = Text.Tokens[At];
+		const std::string Older = Own.count(Token.Text) ? std::string() : GetOlderName(Token.Text);
+		if (!Older.empty())
+		{
+			Token.Text = Older;
+		}
+		const bool bAttribute = At > 0 && Text.Is(At - 1, "[") && (Text.Is(At + 1, "(") || Text.Is(At + 1, "]"));
+		if (bAttribute && Attributes.count(ToLower(Token.Text)))
+		{
+			Token.Text = ToLower(Token.Text);
+		}
+		if (Token.Is("using") && Text.IsWord(At + 1) && Text.Is(At + 2, "="))
+		{
+			size_t End = At + 3;
+			while (End < Text.Size() && !Text.Is(End, ";"))
+			{
+				++End;
+			}
+			Edits.Replace(At, At + 3, "typedef");
+			Edits.Insert(End, Text[At + 1].Text);
+		}
+	}
+	Edits.Apply(Text);
+}
+
+void RewriteGlobals(FHlslText& Text)
+{
+	const FHlslSymbols Symbols(Text);
+	const auto FindGlobal = [&](size_t At) -> const FHlslVariable*
+	{
+		const bool bMember = At > 0 && (Text.Is(At - 1, ".") || Text.Is(At - 1, "::"));
+		const FHlslVariable* Variable = bMember ? nullptr : Symbols.FindVariable(Text[At].Text, At);
+		const bool bParameter = Variable && Variable->bGlobal && !Variable->bStatic && !Variable->bBlock &&
+								!(Variable->TypeAt > 0 && Text.Is(Variable->TypeAt - 1, "const")) &&
+								(ParseHlslNumeric(Variable->Type) || Symbols.IsStruct(Variable->Type));
+		return bParameter ? Variable : nullptr;
+	};
+	std::set<size_t> Written; // where they are declared
+	for (size_t At = 0; At < Text.Size(); ++At)
+	{
+		const FHlslVariable* Global = Text.IsWord(At) ? FindGlobal(At) : nullptr;
+		if (Global && Global->At != At && IsWritten(Text, At))
+		{
+			Written.insert(Global->At);
+		}
+	}
+	if (Written.empty())
+	{
+		return;
+	}
+	FHlslEdits Edits;
+	for (size_t At = 0; At < Text.Size(); ++At)
+	{
+		const FHlslVariable* Global = Text.IsWord(At) ? FindGlobal(At) : nullptr;
+		if (!Global || !Written.count(Global->At))
+		{
+			continue;
+		}
+		const std::string Name = Text[At].Text;
+		if (Global->At != At)
+		{
+			Edits.Replace(At, At + 1, Name + "_Written");
+			continue;
+		}
+		size_t End = At;
+		while (End < Text.Size() && !Text.Is(End, ";"))
+		{
+			End = Text.FindClose(End) + 1;
+		}
+		const size_t ArrayEnd = Text.Is(At + 1, "[") ? Text.FindClose(At + 1) + 1 : At + 1;
+		Edits.Insert(End + 1, "static " + Global->Type + " " + Name + "_Written" +
+								  Text.GetText(At + 1, std::min(ArrayEnd, Text.Size())) + " = " + Name + ";");
+	}
+	Edits.Apply(Text);
+}
+
+std::vector<std::string> SplitMatrixSwizzle(const std::string& Swizzle)
+{
+	std::vector<std::string> Elements;
+	for (size_t At = 0; At < Swizzle.size();)
+	{
+		const bool bZeroBased = Swizzle.compare(At, 2, "_m") == 0;
+		const size_t Digits = At + (bZeroBased ? 2 : 1);
+		const char First = bZeroBased ? '0' : '1';
+		const bool bElement = Swizzle[At] == '_' && Digits + 1 < Swizzle.size() && Swizzle[Digits] >= First &&
+							  Swizzle[Digits] < First + 4 && Swizzle[Digits + 1] >= First &&
+							  Swizzle[Digits + 1] < First + 4;
+		if (!bElement)
+		{
+			return {};
+		}
+		Elements.push_back(Swizzle.substr(At, Digits + 2 - At));
+		At = Digits + 2;
+	}
+	return Elements.size() > 1 && Elements.size() <= 4 ? Elements : std::vector<std::string>();
+}
+
+std::string RewriteHlsl(const std::string& Text, const std::string& VirtualPath, std::vector<FDiagnostic>& Errors)
+{
+	FHlslText Tokens(Text, VirtualPath);
+	const std::string Before = Tokens.Join();
+	RewriteNames(Tokens);
+	RewriteTemplates(Tokens, Errors);
+	if (Errors.empty())
+	{
+		RewriteGlobals(Tokens);
+		RewriteStatements(Tokens, Errors);
+		RewriteExpressions(Tokens, Errors);
+	}
+	const std::string After = Tokens.Join();
+	return After == Before ? Text : After;
+}
+
+} // namespace Drydock

@@ -1,0 +1,35 @@
+// What HLSL of today has and the front end lacks or gets wrong, rewritten among the tokens of a preprocessed text.
+// What cannot be rewritten is an error at its token.
+#pragma once
+
+#include "HlslTokens.h"
+
+namespace Drydock
+{
+
+/** All of what follows. A text that has nothing of it comes back as it is. VirtualPath: of lines above the first #line.
+ * Errors: DD6010. */
+DRYDOCK_API std::string RewriteHlsl(
+	const std::string& Text, const std::string& VirtualPath, std::vector<FDiagnostic>& Errors);
+
+/** Templates of functions and structs: each use with arguments of its own gets a copy, F<float> as F_float. */
+void RewriteTemplates(FHlslText& Text, std::vector<FDiagnostic>& Errors);
+
+/** uint32_t3 and its like by HLSL's older names; attributes in small letters; `using A = B;` as a typedef. */
+void RewriteNames(FHlslText& Text);
+
+/** `float G;` at file scope that functions write to: HLSL's older mode writes to a copy of the parameter. */
+void RewriteGlobals(FHlslText& Text);
+
+/** `Out[P].rgb = V` of a texture or typed buffer as read, change and write of the texel; `M._m00_m11 = V` by elements;
+ * [unroll(N)] as a bound of the loop's steps. */
+void RewriteStatements(FHlslText& Text, std::vector<FDiagnostic>& Errors);
+
+/** select, and, or; `M._m00_m11`; initializer lists as arguments; abs and sign of uint; and the calls that the front
+ * end folds wrongly when their arguments are constants. */
+void RewriteExpressions(FHlslText& Text, std::vector<FDiagnostic>& Errors);
+
+/** "_m00_m11" and "_11_22" by their elements, each "_m00"; empty where Swizzle is no swizzle of several elements. */
+std::vector<std::string> SplitMatrixSwizzle(const std::string& Swizzle);
+
+} // namespace Drydock
