@@ -101,7 +101,9 @@ std::string FDiagnostic::ToString() const
 	// A line of a shader reads as every shader compiler writes it, so that editors and scripts find it.
 	if (Code >= 6000 && Code < 7000 && Line > 0 && Where.empty())
 	{
-		return Text + ": " + Message + " [DD" + std::to_string(Code) + "]";
+		const size_t Sentence = std::min(Message.find('\n'), Message.size()); // lines of source may follow
+		return Text + ": " + Message.substr(0, Sentence) + " [DD" + std::to_string(Code) + "]" +
+			   Message.substr(Sentence);
 	}
 	if (Code > 0)
 	{

@@ -131,8 +131,9 @@ auto CompileFor(const FShaderRef& Shader, TFunction Compile)
 		const FShaderType& Type = *Shader.GetType();
 		if (!Diagnostics.empty())
 		{
-			Diagnostics.front().Message +=
-				std::string(" (compiled for ") + Type.GetName() + ", entry " + Type.GetFunctionName() + ")";
+			std::string& Message = Diagnostics.front().Message;
+			Message.insert(std::min(Message.find('\n'), Message.size()), // lines of source may follow
+				std::string(" (compiled for ") + Type.GetName() + ", entry " + Type.GetFunctionName() + ")");
 		}
 		throw FError(std::move(Diagnostics), Error.GetExitCode());
 	}

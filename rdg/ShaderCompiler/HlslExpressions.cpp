@@ -91,7 +91,7 @@ private:
 			{"dot", &FExpressionRewriter::KeepUnfolded}, {"atan2", &FExpressionRewriter::KeepUnfolded},
 			{"asfloat", &FExpressionRewriter::KeepUnfolded}, {"sqrt", &FExpressionRewriter::KeepUnfolded},
 			{"log", &FExpressionRewriter::KeepUnfolded}, {"log2", &FExpressionRewriter::KeepUnfolded},
-			{"msad4", &FExpressionRewriter::RefuseCall}};
+			{"mad", &FExpressionRewriter::RewriteMad}, {"msad4", &FExpressionRewriter::RefuseCall}};
 		const auto Rewrite = Rewrites.find(Text[At].Text);
 		if (Rewrite != Rewrites.end() && Text.FindClose(At + 1) < Text.Size())
 		{
@@ -140,6 +140,20 @@ private:
 		Signed.Scalar = "int";
 		Edits.Replace(At, At + 1, "((" + Signed.GetName() + ")min");
 		Edits.Replace(Separators[1], Separators[1] + 1, ", 1u))");
+	}
+
+	/** mad(A, B, C) of integers -> ((A) * (B) + (C)): SPIR-V has it for floats only. */
+	void RewriteMad(size_t At, const std::vector<size_t>& Separators)
+	{
+		const std::optional<FHlslNumeric> Type = ParseHlslNumeric(Symbols.GetType(At, Separators.back() + 1));
+		if (!Type || !Type->IsInteger() || Separators.size() != 4)
+		{
+			return;
+		}
+		Edits.Replace(At, At + 2, "((");
+		Edits.Replace(Separators[1], Separators[1] + 1, ") * (");
+		Edits.Replace(Separators[2], Separators[2] + 1, ") + (");
+		Edits.Replace(Separators[3], Separators[3] + 1, "))");
 	}
 
 	bool IsConstant(size_t First, size_t End) const

@@ -71,6 +71,14 @@ public:
 			{
 				BoundLoop(At);
 			}
+			else if (Text.Is(At, "struct") && Text.IsWord(At + 1))
+			{
+				RefuseBuffers(At + 2);
+			}
+			else if (Text.Is(At, "GetDimensions") && At > 1 && Text.Is(At - 1, ".") && Text.Is(At + 1, "("))
+			{
+				CountBytes(At);
+			}
 			else if (Text.IsWord(At) && Text.Is(At + 1, "["))
 			{
 				StoreTexel(At);
@@ -85,6 +93,44 @@ public:
 
 private:
 	void Error(size_t At, const std::string& Message) { Errors.push_back(Text.MakeError(At, Message)); }
+
+	/** Buffer.GetDimensions(Size); of a ByteAddressBuffer, whose size the front end gives in words. */
+	void CountBytes(size_t At)
+	{
+		const FHlslVariable* Variable = Symbols.FindVariable(Text[At - 2].Text, At);
+		const bool bBytes =
+			Variable && (Variable->Type == "ByteAddressBuffer" || Variable->Type == "RWByteAddressBuffer");
+		if (!bBytes || (At > 2 && Text.Is(At - 3, ".")))
+		{
+			return;
+		}
+		const size_t Close = Text.FindClose(At + 1);
+		if (!BeginsStatement(Text, At - 2) || !Text.Is(Close + 1, ";"))
+		{
+			Error(At, "GetDimensions of a buffer of bytes has to be a statement of its own");
+			return;
+		}
+		Edits.Insert(At - 2, "{ uint DrydockWords;");
+		Edits.Replace(At + 2, Close, "DrydockWords");
+		Edits.Replace(Close + 1, Close + 2, "; " + Text.GetText(At + 2, Close) + " = DrydockWords * 4u; }");
+	}
+
+	/** In a struct: the front end drops what is written to them. */
+	void RefuseBuffers(size_t Open)
+	{
+		static const std::set<std::string> Buffers = {
+			"RWStructuredBuffer", "RWByteAddressBuffer", "AppendStructuredBuffer", "ConsumeStructuredBuffer"};
+		const size_t Close = Text.Is(Open, "{") ? Text.FindClose(Open) : Open;
+		for (size_t At = Open + 1; At < Close; ++At)
+		{
+			const bool bMember = Text.Is(At - 1, "{") || Text.Is(At - 1, ";") || Text.Is(At - 1, "}");
+			if (bMember && Text.IsWord(At) && Buffers.count(Text[At].Text))
+			{
+				Error(At, "a " + Text[At].Text +
+							  " in a struct loses what is written to it: make it a parameter of the shader");
+			}
+		}
+	}
 
 	/** Out[P].rgb = V; */
 	void StoreTexel(size_t At)

@@ -3,9 +3,11 @@
 
 #include "ContentHash.h"
 #include "Diagnostics.h"
+#include "HlslCompiler.h"
 #include "KernelCompiler.h"
 #include "ShaderCache.h"
 #include "ShaderFrontEnd.h"
+#include "ShaderMessages.h"
 #include "ShaderSource.h"
 #include "SpirvEmit.h"
 #include "SpirvInterpreter.h"
@@ -140,6 +142,7 @@ std::string HashRequest(const FShaderCompileRequest& Request)
 			Hash.Add(Member);
 		}
 	}
+	Hash.Add(GetHlslCompilerId());
 	return Hash.Finish();
 }
 
@@ -151,6 +154,7 @@ std::string HashSource(const FShaderSource& Source, const FShaderCompileRequest&
 	Hash.Add(Request.EntryPoint);
 	Hash.Add(std::to_string(int(Request.Stage)));
 	Hash.Add(Build);
+	Hash.Add(GetHlslCompilerId());
 	return Hash.Finish();
 }
 
@@ -370,6 +374,20 @@ std::shared_ptr<const FCompiledShader> MakeShader(const FShaderCompileRequest& R
 	return Result;
 }
 
+/** Runs Work; errors of it show the lines that they are about. */
+template<typename FWork>
+auto WithLines(const FShaderCompileRequest& Request, FWork Work)
+{
+	try
+	{
+		return Work();
+	}
+	catch (const FError& Error)
+	{
+		throw ExplainShaderErrors(Error, Request);
+	}
+}
+
 } // namespace
 
 std::shared_ptr<const FCompiledShader> CompileShader(const FShaderCompileRequest& Request)
@@ -377,7 +395,7 @@ std::shared_ptr<const FCompiledShader> CompileShader(const FShaderCompileRequest
 	const FLaneConfig Lanes = ResolveLanes(Request.Lanes);
 	const std::string Key = HashRequest(Request) + (Lanes.bDouble ? "d" : "f") + std::to_string(Lanes.Lanes) + "w" +
 							std::to_string(Lanes.WaveSize);
-	return GetKernels().Find(Key, [&] { return MakeShader(Request, Lanes); });
+	return WithLines(Request, [&] { return GetKernels().Find(Key, [&] { return MakeShader(Request, Lanes); }); });
 }
 
 FShaderReflection ReflectShader(const FShaderCompileRequest& Request)
@@ -396,7 +414,7 @@ FShaderReflection ReflectShader(const FShaderCompileRequest& Request)
 		}
 		return std::make_shared<FReflectedShader>(FReflectedShader{std::move(*Reflection), Source.Files});
 	};
-	return GetReflections().Find(HashRequest(Request), Make)->Reflection;
+	return WithLines(Request, [&] { return GetReflections().Find(HashRequest(Request), Make)->Reflection; });
 }
 
 void ForgetCompiledShaders()

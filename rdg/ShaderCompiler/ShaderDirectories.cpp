@@ -81,7 +81,7 @@ std::vector<std::string> ListShaderFiles()
 			 It.increment(Error))
 		{
 			const std::string Extension = It->path().extension().string();
-			if (EqualsIgnoringCase(Extension, ".ush") || EqualsIgnoringCase(Extension, ".usf"))
+			if (EqualsIgnoringCase(Extension, ".ush") || EqualsIgnoringCase(Extension, ".usf") || Extension == ".spv")
 			{
 				Files.push_back(Mapping.Virtual + "/" + It->path().lexically_relative(Mapping.Real).generic_string());
 			}

@@ -1,8 +1,11 @@
-// Asks glslang, or runs glslangValidator (written for the options of version 12), and reads the messages.
+// Asks glslang, or runs glslangValidator (written for the options of version 12) or the compiler that
+// DRYDOCK_HLSL_COMPILER names, and reads the messages.
 #include "ShaderFrontEnd.h"
 
 #include "FrontEndCrash.h"
 #include "FrontEndProcess.h"
+#include "HlslCompiler.h"
+#include "SpirvFile.h"
 #include "TemporaryFolder.h"
 #include "TimeLimit.h"
 #include "ToolFault.h"
@@ -85,7 +88,9 @@ std::string ExplainCall(const std::string& Text)
 	}
 	const auto NameOf = [](const std::string& Mangled)
 	{
-		return "'" + Mangled.substr(0, Mangled.find('(')) + "'";
+		std::string Name(1, '\'');
+		Name.append(Mangled, 0, Mangled.find('('));
+		return Name + "'";
 	};
 	return NameOf(Text.substr(0, Calling)) + " calls " + NameOf(Text.substr(Calling + 9));
 }
@@ -154,26 +159,14 @@ std::vector<FDiagnostic> ParseFrontEndMessages(const std::string& Output, const 
 namespace
 {
 
-/** As glslang calls it. */
-const char* GetStageName(EShaderStage Stage)
-{
-	return Stage == EShaderStage::Pixel ? "frag" : Stage == EShaderStage::Vertex ? "vert" : "comp";
-}
-
 /** Compiles in a child of its own that writes a file. */
-FFrontEndReply RunValidator(
-	const std::string& Program, const std::string& Text, const FShaderCompileRequest& Request, int TimeLimitSeconds)
+FFrontEndReply RunCompiler(
+	const FHlslCompiler& Compiler, const std::string& Text, const FShaderCompileRequest& Request, int TimeLimitSeconds)
 {
 	const FTemporaryFolder Folder;
 	const std::string Output = Folder.Path + "/shader.spv";
-	// --nan-clamp: min, max and clamp by D3D's NaN rules. hlsl_functionality1: semantics of inputs are kept.
-	std::vector<std::string> Arguments = {Program, "-D", "-V", "-g", "--hlsl-offsets", "--nan-clamp",
-		"-fhlsl_functionality1", "--auto-map-bindings", "--auto-map-locations", "-S", GetStageName(Request.Stage), "-e",
-		Request.EntryPoint, "-o", Output, Folder.WriteFile("shader.hlsl", Text)};
-	if (Request.bKeepFunctions)
-	{
-		Arguments.insert(Arguments.begin() + 1, "-Od");
-	}
+	const std::vector<std::string> Arguments =
+		MakeHlslCompilerArguments(Compiler, Request, Folder.WriteFile("shader.hlsl", Text), Output);
 	FFrontEndReply Reply;
 	Reply.Child = RunChild(Arguments, TimeLimitSeconds, MakeToolEnvironment(Folder.Path));
 	std::ifstream Stream(Output, std::ios::binary);
@@ -194,12 +187,17 @@ public:
 	explicit FFrontEnd(const FShaderCompileRequest& InRequest)
 		: Request(InRequest)
 	{
+		if (const std::optional<FHlslCompiler> Own = FindHlslCompiler(Request))
+		{
+			Compiler = *Own;
+			return;
+		}
 		const char* const Chosen = std::getenv("DRYDOCK_GLSLANG");
 		const bool bChosen = Chosen && *Chosen;
-		Program = bChosen ? std::string() : FindFrontEndProgram();
-		bKept = !Program.empty();
-		Program = bKept ? Program : FindProgram(bChosen ? Chosen : "glslangValidator");
-		if (Program.empty())
+		Compiler.Program = bChosen ? std::string() : FindFrontEndProgram();
+		bKept = !Compiler.Program.empty();
+		Compiler.Program = bKept ? Compiler.Program : FindProgram(bChosen ? Chosen : "glslangValidator");
+		if (Compiler.Program.empty())
 		{
 			throw FError({ESeverity::Error, 6012,
 							 "cannot compile '" + Request.EntryPoint +
@@ -211,16 +209,24 @@ public:
 
 	FFrontEndReply Run(const std::string& Text) const
 	{
-		return bKept ? AskFrontEnd(Program, Text, Request, TimeLimitSeconds)
-					 : RunValidator(Program, Text, Request, TimeLimitSeconds);
+		return bKept ? AskFrontEnd(Compiler.Program, Text, Request, TimeLimitSeconds)
+					 : RunCompiler(Compiler, Text, Request, TimeLimitSeconds);
 	}
-	const char* GetName() const { return bKept ? "glslang" : "glslangValidator"; }
+	std::vector<FDiagnostic> ParseMessages(const std::string& Output) const
+	{
+		return Compiler.Kind == EHlslCompiler::Glslang ? ParseFrontEndMessages(Output, Request)
+													   : ParseCompilerMessages(Output, Request);
+	}
+	std::string GetName() const
+	{
+		return bKept ? "glslang" : Compiler.Kind == EHlslCompiler::Glslang ? "glslangValidator" : Compiler.GetName();
+	}
 
 	const FShaderCompileRequest& Request;
 	const int TimeLimitSeconds = GetTimeLimitSeconds("DRYDOCK_GLSLANG_SECONDS", DefaultTimeLimitSeconds);
 
 private:
-	std::string Program;
+	FHlslCompiler Compiler;
 	bool bKept = false; // a process of ours that is kept, not a child for every shader
 };
 
@@ -228,7 +234,7 @@ private:
 FError ExplainFailure(const FFrontEnd& FrontEnd, const FChildResult& Child, const FShaderSource& Source)
 {
 	const FShaderCompileRequest& Request = FrontEnd.Request;
-	const std::string Name = std::string(FrontEnd.GetName()) + " ";
+	const std::string Name = FrontEnd.GetName() + " ";
 	const std::string OnWhat = " on '" + Request.EntryPoint + "'";
 	const bool bCrashed = Child.bStarted && !Child.bTimedOut && Child.Signal && !IsSignalFromOutside(Child.Signal);
 	const std::string Fault = bCrashed ? std::string() : FindToolFault(Child);
@@ -267,9 +273,13 @@ bool IsWhole(const std::vector<uint32_t>& Words)
 
 std::vector<uint32_t> CompileToSpirv(const FShaderSource& Source, const FShaderCompileRequest& Request)
 {
+	if (IsSpirvFile(Request.VirtualPath))
+	{
+		return GetSpirvWords(Source.Text);
+	}
 	const FFrontEnd FrontEnd(Request);
 	FFrontEndReply Reply = FrontEnd.Run(Source.Text);
-	std::vector<FDiagnostic> Errors = ParseFrontEndMessages(Reply.Child.Output, Request);
+	std::vector<FDiagnostic> Errors = FrontEnd.ParseMessages(Reply.Child.Output);
 	if (Errors.empty() && !Reply.Child.Succeeded())
 	{
 		throw ExplainFailure(FrontEnd, Reply.Child, Source);

@@ -7,6 +7,7 @@
 #include "ShaderPreprocessor.h"
 #include "ShaderPrints.h"
 #include "ShaderRewrites.h"
+#include "SpirvFile.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -57,6 +58,7 @@ public:
 	FShaderSource Run();
 
 private:
+	FShaderSource RunSpirv();
 	void Define();
 	const std::string* FindFile(const std::string& Path);
 	FShaderInclude FindInclude(const std::string& Target, const std::string& Includer, int Line);
@@ -159,8 +161,31 @@ void FFlattener::Define()
 	}
 }
 
+FShaderSource FFlattener::RunSpirv()
+{
+	std::string Problem = DescribeAbsence(Request.VirtualPath, {});
+	const std::string Real = FindShaderFile(Request.VirtualPath);
+	if (!Real.empty())
+	{
+		const FFileBytes Read = ReadRegularFile(Real);
+		if (Read.Bytes)
+		{
+			FShaderSource Source = ReadSpirvFile(*Read.Bytes, Request);
+			Source.Files = {Real};
+			return Source;
+		}
+		Problem = ": " + Real + ": " + Read.Problem;
+	}
+	throw FError({ESeverity::Error, 6001, "cannot open shader '" + Request.VirtualPath + "'" + Problem, {}, 0, 0, {}},
+		ExitUsage);
+}
+
 FShaderSource FFlattener::Run()
 {
+	if (IsSpirvFile(Request.VirtualPath))
+	{
+		return RunSpirv();
+	}
 	Define();
 	if (const std::string* Text = FindFile(Request.VirtualPath))
 	{

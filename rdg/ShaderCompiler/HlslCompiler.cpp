@@ -1,0 +1,163 @@
+// Calls dxc, slangc and glslangValidator. Source of the options: their own lists (dxc -help, slangc -h,
+// glslangValidator --help).
+#include "HlslCompiler.h"
+
+#include "KernelCompiler.h"
+
+#include <cstdlib>
+#include <sstream>
+
+namespace Drydock
+{
+
+namespace
+{
+
+const char* GetChosen()
+{
+	const char* const Chosen = std::getenv("DRYDOCK_HLSL_COMPILER");
+	return Chosen && *Chosen ? Chosen : nullptr;
+}
+
+const char* Choose(EShaderStage Stage, const char* Compute, const char* Pixel, const char* Vertex)
+{
+	return Stage == EShaderStage::Pixel ? Pixel : Stage == EShaderStage::Vertex ? Vertex : Compute;
+}
+
+/** "/X.usf:3:14" or "/X.usf(3,14)" or with the line alone -> file, line and column. */
+bool SplitPlace(const std::string& Text, FDiagnostic& Place)
+{
+	std::string Head = Text;
+	const bool bParenthesis = !Head.empty() && Head.back() == ')';
+	if (bParenthesis)
+	{
+		Head.pop_back();
+	}
+	int Numbers[2] = {0, 0};
+	int NumNumbers = 0;
+	while (NumNumbers < 2)
+	{
+		const size_t Digits = Head.find_last_not_of("0123456789");
+		const bool bNumber = Digits != std::string::npos && Digits + 1 < Head.size() &&
+							 (Head[Digits] == ':' || Head[Digits] == '(' || Head[Digits] == ',');
+		if (!bNumber)
+		{
+			break;
+		}
+		Numbers[NumNumbers++] = std::atoi(Head.c_str() + Digits + 1);
+		Head.resize(Digits);
+	}
+	Place.File = Head;
+	Place.Line = NumNumbers == 2 ? Numbers[1] : Numbers[0];
+	Place.Column = NumNumbers == 2 ? Numbers[0] : 0;
+	return NumNumbers > 0 && !Head.empty();
+}
+
+} // namespace
+
+std::optional<FHlslCompiler> FindHlslCompiler(const FShaderCompileRequest& Request)
+{
+	const char* const Chosen = GetChosen();
+	if (!Chosen)
+	{
+		return {};
+	}
+	const auto Fail = [&](const std::string& Message)
+	{
+		return FError(
+			{ESeverity::Error, 6012, "DRYDOCK_HLSL_COMPILER: " + Message, Request.VirtualPath, 0, 0, {}}, ExitUsage);
+	};
+	FHlslCompiler Compiler{FindProgram(Chosen), EHlslCompiler::Glslang};
+	if (Compiler.Program.empty())
+	{
+		throw Fail(std::string("there is no program '") + Chosen + "'");
+	}
+	const std::string Name = Compiler.GetName();
+	if (Name.starts_with("dxc"))
+	{
+		Compiler.Kind = EHlslCompiler::Dxc;
+	}
+	else if (Name.starts_with("slangc"))
+	{
+		Compiler.Kind = EHlslCompiler::Slang;
+	}
+	else if (!Name.starts_with("glslang"))
+	{
+		throw Fail("'" + Name + "' is not known; a program is called as its name begins: dxc, slangc or glslang");
+	}
+	return Compiler;
+}
+
+std::string GetHlslCompilerId()
+{
+	const char* const Chosen = GetChosen();
+	return Chosen ? GetCompilerId(FindProgram(Chosen)) : std::string();
+}
+
+std::vector<std::string> MakeHlslCompilerArguments(const FHlslCompiler& Compiler, const FShaderCompileRequest& Request,
+	const std::string& Input, const std::string& Output)
+{
+	const std::string& Entry = Request.EntryPoint;
+	const EShaderStage Stage = Request.Stage;
+	std::vector<std::string> Arguments;
+	switch (Compiler.Kind)
+	{
+	case EHlslCompiler::Dxc:
+		// Rows and D3D's packing, as the C++ structs lie; semantics and lines are kept; no more than Vulkan 1.0 has.
+		Arguments = {Compiler.Program, "-spirv", "-T", Choose(Stage, "cs_6_0", "ps_6_0", "vs_6_0"), "-E", Entry, "-HV",
+			"2021", "-Zpr", "-Zi", "-fvk-use-dx-layout", "-fspv-reflect", "-fspv-target-env=vulkan1.0", "-Fo", Output};
+		break;
+	case EHlslCompiler::Slang:
+		Arguments = {Compiler.Program, "-target", "spirv", "-profile", "sm_6_0", "-stage",
+			Choose(Stage, "compute", "fragment", "vertex"), "-entry", Entry, "-fvk-use-entrypoint-name",
+			"-matrix-layout-row-major", "-fvk-use-dx-layout", "-g", "-o", Output};
+		break;
+	case EHlslCompiler::Glslang:
+		// --nan-clamp: min, max and clamp by D3D's NaN rules. hlsl_functionality1: semantics of inputs are kept.
+		Arguments = {Compiler.Program, "-D", "-V", "-g", "--hlsl-offsets", "--nan-clamp", "-fhlsl_functionality1",
+			"--auto-map-bindings", "--auto-map-locations", "-S", Choose(Stage, "comp", "frag", "vert"), "-e", Entry,
+			"-o", Output};
+		break;
+	}
+	if (Request.bKeepFunctions)
+	{
+		Arguments.push_back(Compiler.Kind == EHlslCompiler::Slang ? "-O0" : "-Od");
+	}
+	Arguments.push_back(Input);
+	return Arguments;
+}
+
+std::vector<FDiagnostic> ParseCompilerMessages(const std::string& Output, const FShaderCompileRequest& Request)
+{
+	std::vector<FDiagnostic> Errors;
+	std::istringstream Lines(Output);
+	for (std::string Text; std::getline(Lines, Text);)
+	{
+		// "...: error: text", "...: fatal error: text", "...: error 30015: text"
+		size_t Severity = Text.find(": error");
+		Severity = Severity == std::string::npos ? Text.find(": fatal error") : Severity;
+		const size_t Colon = Severity == std::string::npos ? Severity : Text.find(": ", Severity + 2);
+		const bool bAlone = Text.starts_with("error: ") || Text.starts_with("fatal error: ");
+		if (Colon == std::string::npos && !bAlone)
+		{
+			continue;
+		}
+		FDiagnostic Error{ESeverity::Error, 6010, {}, Request.VirtualPath, 0, 0, {}};
+		Error.Message = Text.substr((bAlone ? Text.find(": ") : Colon) + 2);
+		Error.Message.erase(Error.Message.find_last_not_of(" \t\r") + 1);
+		FDiagnostic Place;
+		if (!bAlone && SplitPlace(Text.substr(0, Severity), Place))
+		{
+			Error.File = Place.File;
+			Error.Line = Place.Line;
+			Error.Column = Place.Column;
+		}
+		const bool bEntry = Error.Message.find("entry point") != std::string::npos ||
+							Error.Message.find("entry function") != std::string::npos;
+		Error.Code = bEntry && Error.Message.find(Request.EntryPoint) != std::string::npos ? 6011 : Error.Code;
+		Errors.push_back(std::move(Error));
+	}
+	return Errors;
+}
+
+} // namespace Drydock

@@ -1,0 +1,16 @@
+// What a message about a shader shows besides its sentence: the line of the source with a caret, and where the file
+// lies on disk.
+#pragma once
+
+#include "Diagnostics.h"
+#include "ShaderCompileRequest.h"
+
+namespace Drydock
+{
+
+/** The same errors: those that follow from one name that is not there are one, an entry that is missing gets the
+ * nearest name, and each with a line gets "12 | float A = Foo;", a caret below the name that it is about, and the path
+ * on disk. */
+DRYDOCK_API FError ExplainShaderErrors(const FError& Error, const FShaderCompileRequest& Request);
+
+} // namespace Drydock

@@ -1,0 +1,20 @@
+// SPIR-V files as shaders: "X.spv" in place of "X.usf", made by whatever compiler.
+#pragma once
+
+#include "ShaderSource.h"
+
+namespace Drydock
+{
+
+/** Whether a shader of this path is SPIR-V: its name ends with .spv. */
+bool IsSpirvFile(const std::string& VirtualPath);
+
+/** The module in Bytes with the entry that is asked for and without its other ones, as the Text of a source: the
+ * module, which GetSpirvWords gives back, and declarations of the buffers of bytes, as reflection looks for them in
+ * HLSL. Throws FError: DD6004 for what is no module, DD6011 where it has no such entry, with those that it has. */
+DRYDOCK_API FShaderSource ReadSpirvFile(const std::string& Bytes, const FShaderCompileRequest& Request);
+
+/** The words in such a text. */
+std::vector<uint32_t> GetSpirvWords(const std::string& Text);
+
+} // namespace Drydock

@@ -1,0 +1,85 @@
+// What stands below a message about a shader: the line, the caret, the path on disk; and one message for one cause.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "CacheTestUtils.h"
+
+namespace
+{
+
+using namespace Drydock;
+using namespace Drydock::Test;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+std::string ErrorsOf(const FShaderCompileRequest& Request)
+{
+	return ErrorOf([&] { ReflectShader(Request); });
+}
+
+FShaderCompileRequest MakeRequest(const std::string& Body)
+{
+	return FShaderHarness("RWTexture2D<float4> Out;\n[numthreads(1, 1, 1)] void Main()\n{\n" + Body + "\n}\n", "Main",
+		EShaderStage::Compute)
+		.Request;
+}
+
+} // namespace
+
+TEST(ShaderMessages, ShowTheLineAndTheName)
+{
+	EXPECT_THAT(ErrorsOf(MakeRequest("\tfloat A = 1 + Nothing;")),
+		HasSubstr("/Test/Shader.usf:4: error: 'Nothing' : unknown variable [DD6010]\n"
+				  "  4 | \tfloat A = 1 + Nothing;\n"
+				  "    | \t              ^"));
+}
+
+TEST(ShaderMessages, NameTheFileOnDisk)
+{
+	const FScratchFolder Folder;
+	const size_t NumDirectories = CountShaderDirectories();
+	AddShaderDirectory("/ShaderMessagesTest", Folder.Path.string());
+	const std::string Real =
+		Folder.Add("Real.usf", "\r\n[numthreads(1, 1, 1)] void Main()\r\n{\r\n\tfloat B = Gone;\r\n}\r\n");
+	FShaderCompileRequest Request = MakeRequest("");
+	Request.VirtualPath = "/ShaderMessagesTest/Real.usf";
+	const std::string Errors = ErrorsOf(Request);
+	ForgetShaderDirectories(NumDirectories);
+	EXPECT_THAT(Errors, AllOf(HasSubstr("/ShaderMessagesTest/Real.usf:4: error: 'Gone'"),
+							HasSubstr("\n  4 | \tfloat B = Gone;\n    | \t          ^\n  " + Real + ":4:12")));
+}
+
+TEST(ShaderMessages, RefusalsShowTheLineToo)
+{
+	FShaderCompileRequest Request = FShaderHarness("float4 Main(float2 UV : TEXCOORD0) : SV_Target0\n{\n\tdouble A = "
+												   "UV.x;\n\treturn float(A * A);\n}\n",
+		"Main", EShaderStage::Pixel)
+										.Request;
+	EXPECT_THAT(ErrorsOf(Request), HasSubstr("double is not supported"));
+	EXPECT_THAT(ErrorsOf(MakeRequest("\tuint4 A = msad4(1u, uint2(1, 2), 0);")),
+		HasSubstr(
+			"/Test/Shader.usf:4:12: error: msad4 is not supported on the CPU tier: add the absolute differences of "
+			"the bytes [DD6010]\n  4 | \tuint4 A = msad4(1u, uint2(1, 2), 0);\n    | \t          ^"));
+}
+
+TEST(ShaderMessages, OneNameThatIsMissingIsOneMessage)
+{
+	FShaderCompileRequest Request =
+		MakeRequest("\tfloat A = Scene.X;\n\tfloat B = Scene.Y;\n\tfloat C = Scene.Z;\n\tfloat D = Scene.X;");
+	Request.UniformBuffers = {{"Scenes", {"X"}, ""}, {"View", {"Y"}, ""}};
+	const std::string Errors = ErrorsOf(Request);
+	EXPECT_THAT(
+		Errors, HasSubstr("/Test/Shader.usf:4: error: 'Scene' : unknown variable, and no uniform buffer of that "
+						  "name is registered; did you mean Scenes?"));
+	EXPECT_EQ(Errors.find("error:"), Errors.rfind("error:")) << Errors;
+}
+
+TEST(ShaderMessages, AnEntryThatIsMissingHasANearestName)
+{
+	FShaderCompileRequest Request = MakeRequest("\tOut[int2(0, 0)] = 1;");
+	Request.EntryPoint = "Mian";
+	const std::string Errors = ErrorsOf(Request);
+	EXPECT_THAT(Errors, HasSubstr("entry point 'Mian' does not exist in this shader; did you mean Main?"));
+	EXPECT_EQ(Errors.find("error"), Errors.rfind("error")) << Errors;
+}
