@@ -1,8 +1,6 @@
 // Calls and operands that the front end lacks or folds wrongly.
 #include "HlslRewrites.h"
 
-#include "HlslSymbols.h"
-
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
@@ -21,14 +19,14 @@ const char* const One = "DrydockOne";
 class FExpressionRewriter
 {
 public:
-	FExpressionRewriter(FHlslText& InText, std::vector<FDiagnostic>& OutErrors)
+	FExpressionRewriter(FHlslText& InText, const FHlslSymbols& InSymbols, std::vector<FDiagnostic>& OutErrors)
 		: Text(InText)
-		, Symbols(InText)
+		, Symbols(InSymbols)
 		, Errors(OutErrors)
 	{
 	}
 
-	void Run()
+	bool Run()
 	{
 		std::vector<size_t> Open; // brackets around
 		for (size_t At = 0; At < Text.Size(); ++At)
@@ -59,7 +57,9 @@ public:
 		{
 			Edits.Insert(0, std::string("static int ") + One + " = 1;");
 		}
+		const bool bChanged = !Edits.IsEmpty();
 		Edits.Apply(Text);
+		return bChanged;
 	}
 
 private:
@@ -285,7 +285,7 @@ private:
 	}
 
 	FHlslText& Text;
-	const FHlslSymbols Symbols;
+	const FHlslSymbols& Symbols;
 	std::vector<FDiagnostic>& Errors;
 	FHlslEdits Edits;
 	bool bNeedsOne = false;
@@ -293,9 +293,9 @@ private:
 
 } // namespace
 
-void RewriteExpressions(FHlslText& Text, std::vector<FDiagnostic>& Errors)
+bool RewriteExpressions(FHlslText& Text, const FHlslSymbols& Symbols, std::vector<FDiagnostic>& Errors)
 {
-	FExpressionRewriter(Text, Errors).Run();
+	return FExpressionRewriter(Text, Symbols, Errors).Run();
 }
 
 } // namespace Drydock

@@ -1,8 +1,6 @@
 // Runs the rewrites in their order, and has those of names and globals.
 #include "HlslRewrites.h"
 
-#include "HlslSymbols.h"
-
 #include <algorithm>
 #include <cctype>
 
@@ -47,7 +45,7 @@ bool IsWritten(const FHlslText& Text, size_t At)
 
 } // namespace
 
-void RewriteNames(FHlslText& Text)
+bool RewriteNames(FHlslText& Text)
 {
 	static const std::set<std::string> Attributes = {"numthreads", "unroll", "loop", "branch", "flatten", "fastopt",
 		"allow_uav_condition", "earlydepthstencil", "call", "forcecase"};
@@ -61,6 +59,7 @@ void RewriteNames(FHlslText& Text)
 		}
 	}
 	FHlslEdits Edits;
+	bool bChanged = false;
 	for (size_t At = 0; At < Text.Size(); ++At)
 	{
 		if (!Text.IsWord(At))
@@ -72,10 +71,12 @@ void RewriteNames(FHlslText& Text)
 		if (!Older.empty())
 		{
 			Token.Text = Older;
+			bChanged = true;
 		}
 		const bool bAttribute = At > 0 && Text.Is(At - 1, "[") && (Text.Is(At + 1, "(") || Text.Is(At + 1, "]"));
 		if (bAttribute && Attributes.count(ToLower(Token.Text)))
 		{
+			bChanged = bChanged || Token.Text != ToLower(Token.Text);
 			Token.Text = ToLower(Token.Text);
 		}
 		if (Token.Is("using") && Text.IsWord(At + 1) && Text.Is(At + 2, "="))
@@ -89,12 +90,13 @@ void RewriteNames(FHlslText& Text)
 			Edits.Insert(End, Text[At + 1].Text);
 		}
 	}
+	bChanged = bChanged || !Edits.IsEmpty();
 	Edits.Apply(Text);
+	return bChanged;
 }
 
-void RewriteGlobals(FHlslText& Text)
+bool RewriteGlobals(FHlslText& Text, const FHlslSymbols& Symbols)
 {
-	const FHlslSymbols Symbols(Text);
 	const auto FindGlobal = [&](size_t At) -> const FHlslVariable*
 	{
 		const bool bMember = At > 0 && (Text.Is(At - 1, ".") || Text.Is(At - 1, "::"));
@@ -115,7 +117,7 @@ void RewriteGlobals(FHlslText& Text)
 	}
 	if (Written.empty())
 	{
-		return;
+		return false;
 	}
 	FHlslEdits Edits;
 	for (size_t At = 0; At < Text.Size(); ++At)
@@ -141,6 +143,7 @@ void RewriteGlobals(FHlslText& Text)
 								  Text.GetText(At + 1, std::min(ArrayEnd, Text.Size())) + " = " + Name + ";");
 	}
 	Edits.Apply(Text);
+	return true;
 }
 
 std::vector<std::string> SplitMatrixSwizzle(const std::string& Swizzle)
@@ -167,17 +170,25 @@ std::vector<std::string> SplitMatrixSwizzle(const std::string& Swizzle)
 std::string RewriteHlsl(const std::string& Text, const std::string& VirtualPath, std::vector<FDiagnostic>& Errors)
 {
 	FHlslText Tokens(Text, VirtualPath);
-	const std::string Before = Tokens.Join();
-	RewriteNames(Tokens);
-	RewriteTemplates(Tokens, Errors);
-	if (Errors.empty())
+	bool bChanged = RewriteNames(Tokens);
+	bChanged = RewriteTemplates(Tokens, Errors) || bChanged;
+	if (!Errors.empty())
 	{
-		RewriteGlobals(Tokens);
-		RewriteStatements(Tokens, Errors);
-		RewriteExpressions(Tokens, Errors);
+		return Text;
 	}
-	const std::string After = Tokens.Join();
-	return After == Before ? Text : After;
+	std::optional<FHlslSymbols> Symbols(std::in_place, Tokens);
+	if (RewriteGlobals(Tokens, *Symbols))
+	{
+		bChanged = true;
+		Symbols.emplace(Tokens);
+	}
+	if (RewriteStatements(Tokens, *Symbols, Errors))
+	{
+		bChanged = true;
+		Symbols.emplace(Tokens);
+	}
+	bChanged = RewriteExpressions(Tokens, *Symbols, Errors) || bChanged;
+	return bChanged ? Tokens.Join() : Text;
 }
 
 } // namespace Drydock

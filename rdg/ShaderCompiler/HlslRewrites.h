@@ -2,7 +2,7 @@
 // What cannot be rewritten is an error at its token.
 #pragma once
 
-#include "HlslTokens.h"
+#include "HlslSymbols.h"
 
 namespace Drydock
 {
@@ -12,22 +12,24 @@ namespace Drydock
 DRYDOCK_API std::string RewriteHlsl(
 	const std::string& Text, const std::string& VirtualPath, std::vector<FDiagnostic>& Errors);
 
+// Each tells whether it changed the text; Symbols are those of the text as it is given.
+
 /** Templates of functions and structs: each use with arguments of its own gets a copy, F<float> as F_float. */
-void RewriteTemplates(FHlslText& Text, std::vector<FDiagnostic>& Errors);
+bool RewriteTemplates(FHlslText& Text, std::vector<FDiagnostic>& Errors);
 
 /** uint32_t3 and its like by HLSL's older names; attributes in small letters; `using A = B;` as a typedef. */
-void RewriteNames(FHlslText& Text);
+bool RewriteNames(FHlslText& Text);
 
 /** `float G;` at file scope that functions write to: HLSL's older mode writes to a copy of the parameter. */
-void RewriteGlobals(FHlslText& Text);
+bool RewriteGlobals(FHlslText& Text, const FHlslSymbols& Symbols);
 
 /** `Out[P].rgb = V` of a texture or typed buffer as read, change and write of the texel; `M._m00_m11 = V` by elements;
  * [unroll(N)] as a bound of the loop's steps. */
-void RewriteStatements(FHlslText& Text, std::vector<FDiagnostic>& Errors);
+bool RewriteStatements(FHlslText& Text, const FHlslSymbols& Symbols, std::vector<FDiagnostic>& Errors);
 
 /** select, and, or; `M._m00_m11`; initializer lists as arguments; abs and sign of uint; and the calls that the front
  * end folds wrongly when their arguments are constants. */
-void RewriteExpressions(FHlslText& Text, std::vector<FDiagnostic>& Errors);
+bool RewriteExpressions(FHlslText& Text, const FHlslSymbols& Symbols, std::vector<FDiagnostic>& Errors);
 
 /** "_m00_m11" and "_11_22" by their elements, each "_m00"; empty where Swizzle is no swizzle of several elements. */
 std::vector<std::string> SplitMatrixSwizzle(const std::string& Swizzle);

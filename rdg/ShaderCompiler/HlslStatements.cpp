@@ -1,8 +1,6 @@
 // Statements that become several: stores to a part of a texel or of a matrix, and loops with a bound.
 #include "HlslRewrites.h"
 
-#include "HlslSymbols.h"
-
 #include <algorithm>
 #include <cstdlib>
 
@@ -56,14 +54,14 @@ std::string GetPositionType(const std::string& Type)
 class FStatementRewriter
 {
 public:
-	FStatementRewriter(FHlslText& InText, std::vector<FDiagnostic>& OutErrors)
+	FStatementRewriter(FHlslText& InText, const FHlslSymbols& InSymbols, std::vector<FDiagnostic>& OutErrors)
 		: Text(InText)
-		, Symbols(InText)
+		, Symbols(InSymbols)
 		, Errors(OutErrors)
 	{
 	}
 
-	void Run()
+	bool Run()
 	{
 		for (size_t At = 0; At < Text.Size(); ++At)
 		{
@@ -88,7 +86,9 @@ public:
 				StoreElements(At);
 			}
 		}
+		const bool bChanged = !Edits.IsEmpty();
 		Edits.Apply(Text);
+		return bChanged;
 	}
 
 private:
@@ -303,16 +303,16 @@ private:
 	}
 
 	FHlslText& Text;
-	const FHlslSymbols Symbols;
+	const FHlslSymbols& Symbols;
 	std::vector<FDiagnostic>& Errors;
 	FHlslEdits Edits;
 };
 
 } // namespace
 
-void RewriteStatements(FHlslText& Text, std::vector<FDiagnostic>& Errors)
+bool RewriteStatements(FHlslText& Text, const FHlslSymbols& Symbols, std::vector<FDiagnostic>& Errors)
 {
-	FStatementRewriter(Text, Errors).Run();
+	return FStatementRewriter(Text, Symbols, Errors).Run();
 }
 
 } // namespace Drydock

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <set>
+#include <unordered_set>
 
 namespace Drydock
 {
@@ -11,13 +11,13 @@ namespace Drydock
 namespace
 {
 
-const std::set<std::string> Modifiers = {"const", "static", "in", "out", "inout", "uniform", "precise", "row_major",
-	"column_major", "nointerpolation", "noperspective", "linear", "centroid", "sample", "groupshared", "volatile",
-	"extern", "shared", "globallycoherent", "inline", "typedef", "snorm", "unorm"};
+const std::unordered_set<std::string> Modifiers = {"const", "static", "in", "out", "inout", "uniform", "precise",
+	"row_major", "column_major", "nointerpolation", "noperspective", "linear", "centroid", "sample", "groupshared",
+	"volatile", "extern", "shared", "globallycoherent", "inline", "typedef", "snorm", "unorm"};
 
-const std::set<std::string> NoTypes = {"return", "else", "do", "case", "struct", "class", "interface", "cbuffer",
-	"tbuffer", "namespace", "goto", "if", "for", "while", "switch", "default", "break", "continue", "discard", "enum",
-	"template", "typename", "using", "operator", "true", "false", "register", "packoffset"};
+const std::unordered_set<std::string> NoTypes = {"return", "else", "do", "case", "struct", "class", "interface",
+	"cbuffer", "tbuffer", "namespace", "goto", "if", "for", "while", "switch", "default", "break", "continue",
+	"discard", "enum", "template", "typename", "using", "operator", "true", "false", "register", "packoffset"};
 
 bool IsModifier(const FHlslToken& Token)
 {

@@ -3,7 +3,6 @@
 #include "HlslTemplates.h"
 
 #include "HlslRewrites.h"
-#include "HlslSymbols.h"
 
 #include <algorithm>
 
@@ -35,9 +34,13 @@ public:
 	{
 	}
 
-	void Run()
+	bool Run()
 	{
 		Templates = TakeHlslTemplates(Text, Instances, Errors);
+		if (Templates.empty() && Instances.empty())
+		{
+			return false;
+		}
 		int NumUses = 0;
 		for (size_t At = 0; At < Text.Size() && Errors.empty(); ++At)
 		{
@@ -51,6 +54,7 @@ public:
 				}
 			}
 		}
+		return true;
 	}
 
 private:
@@ -328,9 +332,9 @@ private:
 
 } // namespace
 
-void RewriteTemplates(FHlslText& Text, std::vector<FDiagnostic>& Errors)
+bool RewriteTemplates(FHlslText& Text, std::vector<FDiagnostic>& Errors)
 {
-	FTemplateRewriter(Text, Errors).Run();
+	return FTemplateRewriter(Text, Errors).Run();
 }
 
 } // namespace Drydock

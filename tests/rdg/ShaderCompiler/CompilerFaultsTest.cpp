@@ -249,7 +249,7 @@ TEST_F(FCompilerFaults, ACrashOfTheFrontEndNamesTheLine)
 	EXPECT_EQ(ExitUsage, Run.ExitCode);
 	EXPECT_EQ(
 		"/Test/Shader.usf:3: error: glslangValidator was ended by signal 11 on 'Main' when it had read up to this "
-		"line [DD6012]",
+		"line [DD6012]\n  3 | static const int BOOM = 1;\n    | ^",
 		Run.Error);
 }
 
@@ -260,7 +260,8 @@ TEST_F(FCompilerFaults, ACrashBehindTheLastLineNamesTheEntryPoint)
 		"//");
 	EXPECT_EQ(ExitUsage, Run.ExitCode);
 	EXPECT_EQ("/Test/Shader.usf:3: error: glslangValidator was ended by signal 6 on 'Main' when it had read all of it "
-			  "[DD6012]",
+			  "[DD6012]\n  3 | [numthreads(8, 1, 1)] void Main(uint3 Id : SV_DispatchThreadID)\n"
+			  "    |                            ^",
 		Run.Error);
 }
 
