@@ -53,10 +53,10 @@ std::string FSpirvEmitter::Coordinates(
 	for (uint32_t i = 0; i < Count; ++i)
 	{
 		Text += (i ? ", " : "") + UseAs(Scalar(I.Operands[Operand], i), bReal ? Float : Int, true);
-		if (OffsetOperand && i < std::min(2u, SizeOf(I.Operands[OffsetOperand])))
+		if (OffsetOperand && i < SizeOf(I.Operands[OffsetOperand]))
 		{
 			const std::string Offset = UseAs(Scalar(I.Operands[OffsetOperand], i), Int, true);
-			const std::string Size = "TextureSize2D(" + HandleOf(I.Operands[0]) + ", 0)[" + Number(i) + "]";
+			const std::string Size = "TextureSize3D(" + HandleOf(I.Operands[0]) + ", 0)[" + Number(i) + "]";
 			Text += bReal ? " + ToReal<Real>(" + Offset + ") / R(Real(" + Size + "))" : " + " + Offset;
 		}
 	}

@@ -163,6 +163,28 @@ void FSpirvReader::EndFunction()
 	CurrentFunction = 0;
 }
 
+/** A chain that starts where another one ends starts at that one's variable: all later stages know one step only. */
+void FSpirvReader::FlattenChain(FSpirvInstruction& Chain)
+{
+	if (Chain.Operands.empty())
+	{
+		return;
+	}
+	const auto Before = Chains.find(Chain.Operands[0]);
+	if (Before != Chains.end())
+	{
+		std::vector<uint32_t> Whole = Before->second;
+		Whole.insert(Whole.end(), Chain.Operands.begin() + 1, Chain.Operands.end());
+		if (Whole.size() > size_t(SpirvLimits::MaxTypeDepth) + 2)
+		{
+			Module.FailLimit(
+				SpirvLimits::MaxTypeDepth, "levels of structs and arrays in a pointer", "use fewer levels");
+		}
+		Chain.Operands = std::move(Whole);
+	}
+	Chains[Chain.Result] = Chain.Operands;
+}
+
 void FSpirvReader::ReadInFunction(uint16_t Op, FSpirvOperands& Operands)
 {
 	if (Op == OpFunctionParameter && bWhole)
@@ -226,6 +248,10 @@ void FSpirvReader::ReadInFunction(uint16_t Op, FSpirvOperands& Operands)
 	if (bArithmetic && bGlslang && Instruction.Operands.size() > 1 && Instruction.Operands[1] == InclusiveScan)
 	{
 		Instruction.Operands[1] = ExclusiveScan; // glslang takes WavePrefix* for the other kind of prefix
+	}
+	if (Op == OpAccessChain || Op == OpInBoundsAccessChain)
+	{
+		FlattenChain(Instruction);
 	}
 	if (!TypeFaults.empty())
 	{

@@ -109,6 +109,7 @@ private:
 	void ReadInOtherFunction(uint16_t Op, FSpirvOperands& Operands);
 	void CountInstruction(const FSpirvInstruction& Instruction);
 	uint32_t FindFile(uint32_t StringId);
+	void FlattenChain(FSpirvInstruction& Chain);
 
 	const std::vector<uint32_t>& Words;
 	const bool bWhole;
@@ -121,6 +122,7 @@ private:
 	std::map<std::pair<uint32_t, uint32_t>, FSpirvDecorations> MemberDecorations;
 	std::map<uint32_t, int> TypeDepths;
 	std::map<uint32_t, FSpirvTypeFault> TypeFaults;
+	std::map<uint32_t, std::vector<uint32_t>> Chains; // operands, by result
 	size_t NumInstructions = 0;
 	size_t NumValueScalars = 0;
 	size_t NumConstantScalars = 0;

@@ -131,6 +131,9 @@ private:
 	void ExecuteBitcast(const FSpirvStep& Step);
 	void ExecuteScalars(const FSpirvStep& Step);
 	bool ExecuteGeometric(const FSpirvStep& Step);
+	template<int Count>
+	bool ExecuteWithVectors(const FSpirvStep& Step);
+	Real GetDeterminant(const FSpirvStep& Step);
 	void ExecuteExtended(const FSpirvStep& Step);
 	void CheckTexel(const FSpirvStep& Step, const FKernelTexture& Texture, const int32_t (&At)[4], bool bStore);
 	void CheckElement(const FSpirvStep& Step, const FKernelBuffer& Buffer, uint64_t Index, bool bStore);

@@ -42,15 +42,16 @@ void TSpirvThread<Real>::ExecuteSample(const FSpirvStep& Step)
 	const FSpirvType& Image = Program.Module.GetType(Pair.Element);
 	const size_t MaskAt = GetImageOperands(I.Op);
 	const uint32_t Mask = I.Operands.size() > MaskAt ? I.Operands[MaskAt] : 0;
-	if (Mask & ~uint32_t(ImageLod))
-	{
-		Program.Module.Fail("the model does not know samples with an offset", &I);
-	}
+	const size_t Offset = Mask & (ImageConstOffset | ImageOffset) ? MaskAt + (Mask & ImageLod ? 2 : 1) : 0;
 	const FKernelTexture& Texture = ViewOf(Args->Textures, Bits(Step, 0, 0));
 	const FKernelSampler& Sampler = ViewOf(Args->Samplers, Bits(Step, 0, 1));
 	const auto Coordinate = [&](uint32_t Index)
 	{
-		return Index < SizeOf(Step, 1) ? GetValue(Step, 1, Index) : Real(0);
+		const Real Value = Index < SizeOf(Step, 1) ? GetValue(Step, 1, Index) : Real(0);
+		const bool bMoved = Offset && Index < SizeOf(Step, Offset);
+		const FKernelMip& Mip = Texture.Mips[0]; // the only one that kernels sample with an offset
+		const int32_t Size = Index == 0 ? Mip.SizeX : Index == 1 ? Mip.SizeY : Mip.SizeZ;
+		return bMoved ? Value + Real(int32_t(Bits(Step, Offset, Index))) / Real(Size) : Value;
 	};
 	const Real U = Coordinate(0);
 	const Real V = Coordinate(1);
@@ -89,16 +90,14 @@ void TSpirvThread<Real>::ExecuteImageLoad(const FSpirvStep& Step)
 	const FSpirvType& Image = Program.Module.GetValueType(I.Operands[0]);
 	const bool bInteger = Program.Module.GetType(Image.Element).Kind != ESpirvType::Float;
 	const uint32_t Mask = I.Operands.size() > 2 ? I.Operands[2] : 0;
-	if (Mask & ~uint32_t(ImageLod))
-	{
-		Program.Module.Fail("the model does not know loads with an offset", &I);
-	}
+	const size_t Offset = Mask & (ImageConstOffset | ImageOffset) ? (Mask & ImageLod ? 4 : 3) : 0;
 	Real Out[4] = {};
 	uint32_t UintOut[4] = {};
 	int32_t At[4] = {};
 	for (uint32_t i = 0; i < 3 && i < SizeOf(Step, 1); ++i)
 	{
-		At[i] = int32_t(Bits(Step, 1, i));
+		const uint32_t Moved = Offset && i < SizeOf(Step, Offset) ? Bits(Step, Offset, i) : 0;
+		At[i] = int32_t(Bits(Step, 1, i) + Moved);
 	}
 	At[3] = Mask & ImageLod ? int32_t(Bits(Step, 3)) : 0;
 	if (Image.Dim == DimBuffer)

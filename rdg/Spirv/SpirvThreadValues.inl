@@ -251,6 +251,9 @@ bool TSpirvThread<Real>::ExecuteGeometric(const FSpirvStep& Step)
 	FWord* const Out = Result(Step);
 	switch (Step.I->Operands[1])
 	{
+	case ExtDeterminant:
+		Out[0] = ToSpirvWord<Real>(GetDeterminant(Step));
+		return true;
 	case ExtLength:
 		Out[0] = ToSpirvWord<Real>(Size == 1 ? std::fabs(A(0)) : std::sqrt(Dot(A, A)));
 		return true;
@@ -287,7 +290,65 @@ bool TSpirvThread<Real>::ExecuteGeometric(const FSpirvStep& Step)
 		return true;
 	}
 	default:
+		return Size == 4   ? ExecuteWithVectors<4>(Step)
+			   : Size == 3 ? ExecuteWithVectors<3>(Step)
+						   : ExecuteWithVectors<2>(Step);
+	}
+}
+
+/** What has more than a line of arithmetic: the kernels' own functions. */
+template<typename Real>
+template<int Count>
+bool TSpirvThread<Real>::ExecuteWithVectors(const FSpirvStep& Step)
+{
+	const auto Vector = [this, &Step](size_t Operand, uint32_t First = 0)
+	{
+		Lanes::TVec<Real, Count> Result;
+		for (uint32_t i = 0; i < uint32_t(Count); ++i)
+		{
+			Result[int(i)] = GetValue(Step, Operand, First + i);
+		}
+		return Result;
+	};
+	const auto Give = [this, &Step](const Lanes::TVec<Real, Count>& Made)
+	{
+		for (uint32_t i = 0; i < uint32_t(Count); ++i)
+		{
+			Result(Step)[i] = ToSpirvWord<Real>(Made[int(i)]);
+		}
+		return true;
+	};
+	switch (Step.I->Operands[1])
+	{
+	case ExtRefract:
+		return Give(Lanes::Refract(Vector(2), Vector(3), GetValue(Step, 4, 0)));
+	case ExtFaceForward:
+		return Give(Lanes::FaceForward(Vector(2), Vector(3), Vector(4)));
+	default:
 		return false;
+	}
+}
+
+template<typename Real>
+Real TSpirvThread<Real>::GetDeterminant(const FSpirvStep& Step)
+{
+	const auto Of = [this, &Step](auto Matrix)
+	{
+		const uint32_t Count = Program.Module.GetValueType(Step.I->Operands[2]).Count;
+		for (uint32_t i = 0; i < Count * Count; ++i)
+		{
+			Matrix[int(i / Count)][int(i % Count)] = GetValue(Step, 2, i);
+		}
+		return Lanes::Determinant(Matrix);
+	};
+	switch (SizeOf(Step, 2))
+	{
+	case 4:
+		return Of(Lanes::TMat<Real, 2, 2>());
+	case 9:
+		return Of(Lanes::TMat<Real, 3, 3>());
+	default:
+		return Of(Lanes::TMat<Real, 4, 4>());
 	}
 }
 
@@ -312,7 +373,7 @@ void TSpirvThread<Real>::ExecuteExtended(const FSpirvStep& Step)
 			Whole.push_back(ToSpirvWord<Real>(std::trunc(Part)));
 		}
 		const uint32_t Pointer = uint32_t(Value(Step, 3)[0]);
-		std::copy(Whole.begin(), Whole.end(), Words.begin() + Pointer);
+		std::copy(Whole.begin(), Whole.end(), MemoryAt(Pointer));
 		if (!Undefined.empty())
 		{
 			std::fill_n(Undefined.begin() + Pointer, Whole.size(), 0u);

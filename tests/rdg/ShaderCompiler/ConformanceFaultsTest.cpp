@@ -81,3 +81,61 @@ TEST(ConformanceFaults, DeepNestingIsCounted)
 	Body += " Out[Id.x] = Texture.Load(int3(Id.x, 0, 0)).x; " + std::string(30, '}');
 	EXPECT_EQ("", ErrorsOf("Texture2D<float4> Texture;", Body));
 }
+
+TEST(ConformanceFaults, DeterminantFaceforwardAndRefractHaveAModel)
+{
+	ExpectOut("",
+		"Out[0] = determinant(float2x2(x, 2, 3, 4));\nOut[1] = determinant(float3x3(2, 0, 1, 0, 3, 0, 0, 0, x * 4));\n"
+		"Out[2] = faceforward(float3(1, 2, 3), float3(0, 0, -1) * x, float3(0, 0, 1)).y;\n"
+		"Out[3] = refract(float3(0, 0, -1) * x, float3(0, 0, 1), 0.5f).z;",
+		{-2, 24, 2, -1});
+}
+
+TEST(ConformanceFaults, AStructIsStoredIntoABufferAsAWhole)
+{
+	const std::string Text =
+		"struct FItem { float A; float2 B; uint C[2]; };\nRWStructuredBuffer<FItem> Items;\n"
+		"[numthreads(4, 1, 1)] void Main(uint3 Id : SV_DispatchThreadID)\n{\n\tFItem Item;\n"
+		"\tItem.A = Id.x;\n\tItem.B = float2(Id.x, 3) * 2;\n\tItem.C[0] = Id.x + 7;\n\tItem.C[1] = 9;\n"
+		"\tItems[3 - Id.x] = Item;\n\tItems[3 - Id.x].C[Id.x & 1] += 1;\n}\n";
+	for (const bool bModel : {false, true})
+	{
+		FShaderHarness Harness(Text, "Main", EShaderStage::Compute);
+		Harness.Buffers["Items"].assign(20, 0);
+		bModel ? Harness.RunModel(4, 1) : void(Harness.Run(0, 4, 1));
+		for (uint32_t i = 0; i < 4; ++i)
+		{
+			const size_t At = size_t(3 - i) * 5;
+			EXPECT_EQ(float(i), Harness.BufferFloat("Items", At));
+			EXPECT_EQ(float(i) * 2, Harness.BufferFloat("Items", At + 1));
+			EXPECT_EQ(6.0f, Harness.BufferFloat("Items", At + 2));
+			EXPECT_EQ(i + 7 + (i % 2 == 0), Harness.Buffers["Items"][At + 3]);
+			EXPECT_EQ(9u + i % 2, Harness.Buffers["Items"][At + 4]);
+		}
+	}
+}
+
+TEST(ConformanceFaults, LoadsAndSamplesWithAnOffsetHaveAModel)
+{
+	const std::string Text =
+		"Texture2D<float4> In;\nSamplerState InSampler;\nRWStructuredBuffer<float> Out;\n"
+		"[numthreads(1, 1, 1)] void Main(uint3 Id : SV_DispatchThreadID)\n{\n"
+		"\tOut[Id.x * 2] = In.Load(int3(Id.x, 0, 0), int2(1, 1)).x;\n"
+		"\tOut[Id.x * 2 + 1] = In.SampleLevel(InSampler, float2((Id.x + 0.5f) / 4, 0.25f), 0, int2(1, 1)).x;\n}\n";
+	for (const bool bModel : {false, true})
+	{
+		FShaderHarness Harness(Text, "Main", EShaderStage::Compute);
+		Harness.Textures["In"] = FTestTexture(4, 2);
+		for (int32_t i = 0; i < 8; ++i)
+		{
+			*Harness.Textures["In"].Texel(i % 4, i / 4) = float(i);
+		}
+		Harness.Buffers["Out"].assign(6, 0);
+		bModel ? Harness.RunModel(3, 1) : void(Harness.Run(0, 3, 1));
+		for (size_t i = 0; i < 3; ++i)
+		{
+			EXPECT_EQ(float(i + 5), Harness.BufferFloat("Out", i * 2)) << (bModel ? "interpreter" : "kernel");
+			EXPECT_EQ(float(i + 5), Harness.BufferFloat("Out", i * 2 + 1)) << (bModel ? "interpreter" : "kernel");
+		}
+	}
+}
