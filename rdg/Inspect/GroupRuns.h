@@ -32,6 +32,8 @@ public:
 	{
 	}
 
+	void SetRaceFinder(FRaceFinder* Races) { Group.SetRaceFinder(Races); }
+
 	/** What the group's stores do is done. */
 	void Run(const FKernelArgs& Args, const std::array<int32_t, 3>& GroupId, uint64_t MaxSteps)
 	{
@@ -49,7 +51,7 @@ public:
 			return uint32_t(Position[size_t(Axis)]) % Size[Axis];
 		};
 		const uint32_t Index = (Local(2) * Size[1] + Local(1)) * Size[0] + Local(0);
-		Thread.SetLane(Index % Shader.GetWaveSize(), Shader.GetWaveSize());
+		Thread.SetPlace(Index, Shader.GetWaveSize());
 		Thread.SetLog(&Logs[Index], true);
 	}
 

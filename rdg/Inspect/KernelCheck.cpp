@@ -22,7 +22,7 @@ using namespace Spirv;
 const char* GetCheckName(ECheck Check)
 {
 	constexpr const char* Names[] = {
-		"nan", "overflow", "negative", "denormal", "bounds", "uninit", "overlap", "assert"};
+		"nan", "overflow", "negative", "denormal", "bounds", "uninit", "overlap", "assert", "race"};
 	return Names[size_t(Check)];
 }
 
@@ -80,6 +80,25 @@ public:
 			if (Module.Variables[i].Storage == StorageOutput)
 			{
 				CheckTarget(Thread, i);
+			}
+		}
+	}
+
+	FRaceFinder* GetRaceFinder() override { return Checks[ECheck::Race] ? &Races : nullptr; }
+
+	void EndGroup(const std::array<int32_t, 3>& GroupId) override
+	{
+		if (!Checks[ECheck::Race])
+		{
+			return;
+		}
+		for (const FSpirvRace& Race : Races.GetRaces())
+		{
+			const std::array<int32_t, 3> At = GetThread(GroupId, Race.Thread);
+			FCheckFinding& Finding = Count(ECheck::Race, *Race.Step->I, At.data());
+			if (Finding.What.empty())
+			{
+				Finding.What = DescribeRace(Program, Race, ListThread(GetThread(GroupId, Race.ThreadBefore)));
 			}
 		}
 	}
@@ -313,15 +332,20 @@ private:
 		{
 			return; // of this thread already
 		}
-		const int32_t* const At = Thread.GetPosition();
-		const auto [Entry, bNew] = Findings.try_emplace(Key);
+		FCheckFinding& Finding = Count(Check, I, Thread.GetPosition());
+		Finding.What = Finding.What.empty() ? What() : Finding.What;
+	}
+
+	/** The finding, with one thread more. What is empty where it is new. */
+	FCheckFinding& Count(ECheck Check, const FSpirvInstruction& I, const int32_t* At)
+	{
+		const auto [Entry, bNew] = Findings.try_emplace(FFindingKey(Check, I.File, I.Line));
 		FCheckFinding& Finding = Entry->second;
 		if (bNew)
 		{
 			Finding.Check = Check;
 			Finding.File = Module.Files.at(I.File);
 			Finding.Line = I.Line;
-			Finding.What = What();
 			std::copy_n(At, 3, Finding.First);
 		}
 		++Finding.Threads;
@@ -329,6 +353,15 @@ private:
 		{
 			Finding.Pixels.push_back({At[0], At[1]});
 		}
+		return Finding;
+	}
+
+	std::array<int32_t, 3> GetThread(const std::array<int32_t, 3>& GroupId, uint32_t GroupIndex) const
+	{
+		const uint32_t* const Size = Module.LocalSize;
+		return {GroupId[0] * int32_t(Size[0]) + int32_t(GroupIndex % Size[0]),
+			GroupId[1] * int32_t(Size[1]) + int32_t(GroupIndex / Size[0] % Size[1]),
+			GroupId[2] * int32_t(Size[2]) + int32_t(GroupIndex / Size[0] / Size[1])};
 	}
 
 	const FInspectedShader& Shader;
@@ -338,6 +371,7 @@ private:
 	const FCheckSet& Checks;
 	std::map<FFindingKey, FCheckFinding> Findings;
 	std::vector<FThreadStore> Stores;
+	FRaceFinder Races;
 	const FAuthorsNames Names;
 	const size_t AuthorsDepth;   // of the entry point: below it is what the front end put around it
 	std::set<FFindingKey> Found; // of the thread that runs

@@ -21,10 +21,11 @@ enum class ECheck : uint8_t
 	Uninitialized, // a variable is used before it is written
 	Overlap,       // threads store different values to one texel or element
 	Assertion,     // DrydockAssert of what is not so
+	Race,          // threads of a group touch groupshared memory, one writes, and no barrier is between
 	Count
 };
 
-/** "nan", "overflow", "negative", "denormal", "bounds", "uninit", "overlap", "assert" */
+/** "nan", "overflow", "negative", "denormal", "bounds", "uninit", "overlap", "assert", "race" */
 DRYDOCK_API const char* GetCheckName(ECheck Check);
 
 struct FCheckSet
@@ -36,7 +37,7 @@ struct FCheckSet
 	bool NeedsEveryThread() const
 	{
 		return (*this)[ECheck::Bounds] || (*this)[ECheck::Uninitialized] || (*this)[ECheck::Overlap] ||
-			   (*this)[ECheck::Assertion];
+			   (*this)[ECheck::Assertion] || (*this)[ECheck::Race];
 	}
 };
 

@@ -7,16 +7,11 @@
 namespace Drydock
 {
 
-namespace
-{
-
-std::string List(const std::array<int32_t, 3>& At)
+std::string ListThread(const std::array<int32_t, 3>& At)
 {
 	return "(" + std::to_string(At[0]) + ", " + std::to_string(At[1]) +
 		   (At[2] ? ", " + std::to_string(At[2]) : std::string()) + ")";
 }
-
-} // namespace
 
 std::vector<FStoreOverlap> FindOverlaps(const std::vector<FThreadStore>& Stores)
 {
@@ -44,8 +39,8 @@ std::string DescribeOverlap(const FSpirvModule& Module, const FStoreOverlap& Ove
 	const bool bTexture = Module.GetType(Variable.Type).Kind == ESpirvType::Image &&
 						  Module.GetType(Variable.Type).Dim != Spirv::DimBuffer;
 	const std::string Place =
-		bTexture ? " at " + List(Overlap.Store.Texel) : "[" + std::to_string(Overlap.Store.Texel[0]) + "]";
-	return "a store to " + Variable.Name + Place + ", where thread " + List(Overlap.Before.Thread) +
+		bTexture ? " at " + ListThread(Overlap.Store.Texel) : "[" + std::to_string(Overlap.Store.Texel[0]) + "]";
+	return "a store to " + Variable.Name + Place + ", where thread " + ListThread(Overlap.Before.Thread) +
 		   " stores another value in line " + std::to_string(Overlap.Before.Step->I->Line);
 }
 

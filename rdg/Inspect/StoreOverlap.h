@@ -25,6 +25,9 @@ struct FStoreOverlap
 	FThreadStore Store;  // of another thread, with another value
 };
 
+/** "(3, 4)", "(3, 4, 1)" */
+std::string ListThread(const std::array<int32_t, 3>& At);
+
 /** Stores: by the order of threads. Overlaps come in that order, too; of each store at most one. */
 std::vector<FStoreOverlap> FindOverlaps(const std::vector<FThreadStore>& Stores);
 

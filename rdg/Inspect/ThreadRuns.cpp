@@ -76,12 +76,14 @@ void FThreadRuns::RunGroups(TFunctionRef<IThreadWatcher&(size_t Piece)> GetWatch
 		{
 			IThreadWatcher& Watcher = GetWatcher(size_t(Tile.MinX / PerPiece));
 			TGroupRuns<float> Runs(Shader);
+			Runs.SetRaceFinder(Watcher.GetRaceFinder());
 			TSpirvThread<float> Thread(Shader.GetProgram(), Shader.GetSlots());
 			Thread.SetObserver(&Watcher, bTrackUndefined);
 			for (int32_t i = Tile.MinX; i < Tile.MaxX; ++i)
 			{
 				const FGroupOfThreads& Group = Groups[size_t(i)];
 				Runs.Run(Sandbox.GetArgs(), Group.GroupId, MaxSteps);
+				Watcher.EndGroup(Group.GroupId);
 				for (const size_t Index : Group.Threads)
 				{
 					const std::array<int32_t, 3>& At = Threads[Index];

@@ -19,6 +19,9 @@ public:
 	/** Index counts the threads of all pieces. */
 	virtual void BeginThread(size_t /*Index*/, TSpirvThread<float>&) {}
 	virtual void EndThread(size_t /*Index*/, TSpirvThread<float>&) {}
+	/** Who is told of groupshared memory while a group runs, before its threads are shown; and when that is over. */
+	virtual FRaceFinder* GetRaceFinder() { return nullptr; }
+	virtual void EndGroup(const std::array<int32_t, 3>& /*GroupId*/) {}
 };
 
 /** x first, then y, then z. */

@@ -24,7 +24,17 @@ TSpirvGroup<Real>::TSpirvGroup(
 		Threads.push_back(std::make_unique<TSpirvThread<Real>>(Program, Slots));
 		Threads.back()->SetGroupshared(Groupshared.data());
 		Threads.back()->SetOrder(&Order);
-		Threads.back()->SetLane(uint32_t(i) % WaveSize, WaveSize);
+		Threads.back()->SetPlace(uint32_t(i), WaveSize);
+	}
+}
+
+template<typename Real>
+void TSpirvGroup<Real>::SetRaceFinder(FRaceFinder* InRaces)
+{
+	Races = InRaces;
+	for (const auto& Thread : Threads)
+	{
+		Thread->SetRaceFinder(Races);
 	}
 }
 
@@ -66,6 +76,10 @@ template<typename Real>
 void TSpirvGroup<Real>::RunAll(const FKernelArgs& Args, const int32_t (&GroupId)[3], uint64_t MaxSteps)
 {
 	const uint32_t NumThreads = GetNumThreads();
+	if (Races)
+	{
+		Races->Begin(Groupshared.size());
+	}
 	std::fill(Groupshared.begin(), Groupshared.end(), FWord(0));
 	for (uint32_t i = 0; i < NumThreads; ++i)
 	{
@@ -79,6 +93,10 @@ void TSpirvGroup<Real>::RunAll(const FKernelArgs& Args, const int32_t (&GroupId)
 		for (uint32_t First = 0; First < NumThreads; First += WaveSize)
 		{
 			RunWave(First, std::min(First + WaveSize, NumThreads), MaxSteps);
+		}
+		if (Races)
+		{
+			Races->PassBarrier();
 		}
 		for (const uint32_t i : FindLast(0, NumThreads, true))
 		{

@@ -26,6 +26,9 @@ public:
 	/** The same, and what each thread saw, by SV_GroupIndex. */
 	std::vector<FLog> Record(const FKernelArgs& Args, const int32_t (&GroupId)[3], uint64_t MaxSteps);
 
+	/** Told of every group that runs from now on; null: nobody is. */
+	void SetRaceFinder(FRaceFinder* InRaces);
+
 	uint32_t GetNumThreads() const { return uint32_t(Threads.size()); }
 	/** Dispatch id of a thread of a group. */
 	void GetPosition(const int32_t (&GroupId)[3], uint32_t Index, int32_t (&OutPosition)[3]) const;
@@ -42,6 +45,7 @@ private:
 	std::vector<std::unique_ptr<TSpirvThread<Real>>> Threads;
 	std::vector<bool> Waits; // by thread; false: it has ended
 	std::vector<FWord> Groupshared;
+	FRaceFinder* Races = nullptr;
 };
 
 extern template class TSpirvGroup<float>;

@@ -7,6 +7,7 @@
 
 #include "SpirvObserver.h"
 #include "SpirvOrder.h"
+#include "SpirvRace.h"
 #include "SpirvReflect.h"
 #include "SpirvScalarMath.h"
 #include "VertexProgram.h"
@@ -43,12 +44,15 @@ public:
 	/** A wave operation that all of these wait at, in the order of their lanes. */
 	static void ExecuteTogether(const std::vector<TSpirvThread*>& Together);
 	void StepOver();
-	/** Its place in its wave. */
-	void SetLane(uint32_t InLane, uint32_t InWaveSize)
+	/** Its place in its group and wave. */
+	void SetPlace(uint32_t InGroupIndex, uint32_t InWaveSize)
 	{
-		Lane = InLane;
+		GroupIndex = InGroupIndex;
+		Lane = InGroupIndex % InWaveSize;
 		WaveSize = InWaveSize;
 	}
+	/** Told of every access to groupshared memory; null: nobody is. */
+	void SetRaceFinder(FRaceFinder* InRaces) { Races = InRaces; }
 	/** Groupshared memory, of as many words as the program says; null: the thread's own. */
 	void SetGroupshared(FWord* Memory) { Groupshared = Memory; }
 	/** Turns of each loop around the place where the thread waits, by Order; and where it is. */
@@ -97,6 +101,7 @@ private:
 	void EnterBlock(uint32_t To, uint32_t FromBlock);
 	uint32_t ChooseTarget(const FSpirvStep& Step) const;
 	void Execute(const FSpirvStep& Step);
+	void TellRaces(const FSpirvStep& Step, uint32_t Word, uint32_t Size, ESharedAccess Access, const FWord* Values);
 	bool ExecuteFromLog(const FSpirvStep& Step);
 	void Note(const FSpirvStep& Step);
 	void ShowWaiting();
@@ -207,8 +212,10 @@ private:
 	std::vector<FWord>* Log = nullptr;
 	size_t LogPosition = 0;
 	bool bReplay = false;
+	uint32_t GroupIndex = 0;
 	uint32_t Lane = 0;
 	uint32_t WaveSize = 1;
+	FRaceFinder* Races = nullptr;
 };
 
 extern template class TSpirvThread<float>;

@@ -81,6 +81,16 @@ void TSpirvThread<Real>::Note(const FSpirvStep& Step)
 }
 
 template<typename Real>
+void TSpirvThread<Real>::TellRaces(
+	const FSpirvStep& Step, uint32_t Word, uint32_t Size, ESharedAccess Access, const FWord* Values)
+{
+	for (uint32_t i = 0; Races && IsShared(Word) && i < Size; ++i)
+	{
+		Races->Touch(GroupIndex, Word - Program.Groupshared.First + i, Step, Access, uint64_t(Values[i]));
+	}
+}
+
+template<typename Real>
 void TSpirvThread<Real>::StepOver()
 {
 	++At;
@@ -224,6 +234,7 @@ bool TSpirvThread<Real>::ExecuteAtomic(const FSpirvStep& Step)
 	else if (Pointer.Storage == StorageWorkgroup)
 	{
 		Word = MemoryAt(Bits(Step, 0));
+		TellRaces(Step, Bits(Step, 0), 1, ESharedAccess::Atomic, Word);
 		Copy = uint32_t(*Word);
 		Place = &Copy;
 	}

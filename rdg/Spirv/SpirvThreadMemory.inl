@@ -45,6 +45,7 @@ void TSpirvThread<Real>::Load(const FSpirvStep& Step)
 	}
 	const uint32_t From = uint32_t(Value(Step, 0)[0]);
 	std::copy_n(MemoryAt(From), Step.Size, Result(Step));
+	TellRaces(Step, From, Step.Size, ESharedAccess::Read, Result(Step));
 	if (!Undefined.empty() && IsShared(From))
 	{
 		std::fill_n(Undefined.begin() + Step.To, Step.Size, 0u);
@@ -63,6 +64,7 @@ void TSpirvThread<Real>::Store(const FSpirvStep& Step, uint32_t Pointer, const F
 		Program.Module.Fail("SPIR-V: a store to nowhere", Step.I);
 	}
 	std::copy_n(From, Size, MemoryAt(Pointer));
+	TellRaces(Step, Pointer, Size, ESharedAccess::Write, From);
 	if (!Undefined.empty() && !IsShared(Pointer))
 	{
 		std::copy_n(Undefined.begin() + (From - Words.data()), Size, Undefined.begin() + Pointer);

@@ -180,4 +180,45 @@ TEST(KernelCheck, LooksAtTheThreadsThatItIsGiven)
 	EXPECT_EQ((FLines{"nan 5: 1 / 0 is Inf, first (3, 2), 2 threads"}), Describe(Found));
 }
 
+/** Findings of a compute shader of two groups of 32, whose body is given. */
+std::vector<std::string> CheckGroups(const std::string& Body)
+{
+	FShaderHarness Harness(
+		"RWStructuredBuffer<uint> Out;\ngroupshared uint Shared[32];\ngroupshared uint Count;\n"
+		"[numthreads(32, 1, 1)]\nvoid MainCS(uint3 Id : SV_DispatchThreadID, uint I : SV_GroupIndex)\n{\n" +
+			Body + "\n}\n",
+		"MainCS", EShaderStage::Compute);
+	Harness.Buffers["Out"].assign(64, 0);
+	FInspectedShader& Shader = Harness.Inspect();
+	return Describe(CheckThreads(Shader, MakeBound(Harness), Harness.GetArgs(), {0, 0, 0, 64, 1, 1}, {}, All()));
+}
+
+TEST(KernelCheck, NamesBothLinesOfARace)
+{
+	EXPECT_EQ(
+		(FLines{"race 7: a write to Shared[16], which thread (15, 0) reads in line 8: no barrier is between, first "
+				"(16, 0), 32 threads",
+			"race 8: a read of Shared[15], which thread (15, 0) writes in line 7: no barrier is between, first (16, "
+			"0), "
+			"32 threads"}),
+		CheckGroups("Shared[I] = I * I;\nOut[Id.x] = Shared[31 - I];"));
+	EXPECT_EQ(
+		FLines{}, CheckGroups("Shared[I] = I * I;\nGroupMemoryBarrierWithGroupSync();\nOut[Id.x] = Shared[31 - I];"));
+}
+
+TEST(KernelCheck, WhatThreadsAgreeOnIsNoRace)
+{
+	EXPECT_EQ(FLines{}, CheckGroups("Count = 5;\nShared[I] = Count;\nOut[Id.x] = Shared[I];"));
+	EXPECT_EQ(FLines{}, CheckGroups("Count = 0;\nGroupMemoryBarrierWithGroupSync();\nInterlockedAdd(Count, I);\n"
+									"GroupMemoryBarrierWithGroupSync();\nOut[Id.x] = Count;"));
+}
+
+TEST(KernelCheck, APlainReadBesideAnAtomicOperationIsARace)
+{
+	EXPECT_EQ(
+		(FLines{"race 8: a read of Count, which thread (0, 0) changes atomically in line 7: no barrier is between, "
+				"first (1, 0), 62 threads"}),
+		CheckGroups("InterlockedAdd(Count, 1);\nOut[Id.x] = I == 0 ? 0 : Count;"));
+}
+
 } // namespace

@@ -1,0 +1,72 @@
+// Data races of the threads of a group: two of them touch one number of groupshared memory, one of them writes, and no
+// barrier is between.
+#pragma once
+
+#include "SpirvProgram.h"
+
+#include <set>
+#include <tuple>
+#include <vector>
+
+namespace Drydock
+{
+
+enum class ESharedAccess : uint8_t
+{
+	Read,
+	Write,
+	Atomic
+};
+
+/** An access, and one of another thread that came before it here and may come behind it elsewhere. Threads:
+ * SV_GroupIndex; Word: counted from the first of groupshared memory. */
+struct FSpirvRace
+{
+	const FSpirvStep* Step = nullptr;
+	const FSpirvStep* Before = nullptr;
+	uint32_t Thread = 0;
+	uint32_t ThreadBefore = 0;
+	uint32_t Word = 0;
+	ESharedAccess Access = ESharedAccess::Read;
+	ESharedAccess AccessBefore = ESharedAccess::Read;
+};
+
+class DRYDOCK_API FRaceFinder
+{
+public:
+	/** A group begins. */
+	void Begin(size_t NumWords);
+	/** All threads of it have come to a barrier. */
+	void PassBarrier() { ++Epoch; }
+	/** Value: what is written. Two threads that write the same to one place are no race. */
+	void Touch(uint32_t Thread, uint32_t Word, const FSpirvStep& Step, ESharedAccess Access, uint64_t Value);
+	/** Of the group: each pair of places once for a thread. */
+	const std::vector<FSpirvRace>& GetRaces() const { return Races; }
+
+private:
+	struct FTouch
+	{
+		uint64_t Epoch = 0; // 0: never
+		uint32_t Thread = 0;
+		const FSpirvStep* Step = nullptr;
+		uint64_t Value = 0;
+	};
+	/** Readers: the last one, and the last one of another thread. */
+	struct FWord
+	{
+		FTouch Writer;
+		FTouch Changer; // by an atomic operation
+		FTouch Readers[2];
+	};
+
+	std::vector<FWord> Words;
+	std::vector<FSpirvRace> Races;
+	std::set<std::tuple<const FSpirvStep*, const FSpirvStep*, uint32_t>> Known;
+	uint64_t Epoch = 1;
+};
+
+/** "a read of Sums[3], which thread (5, 0) writes in line 41: no barrier is between" */
+DRYDOCK_API std::string DescribeRace(
+	const FSpirvProgram& Program, const FSpirvRace& Race, const std::string& ThreadBefore);
+
+} // namespace Drydock
