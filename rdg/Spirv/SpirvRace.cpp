@@ -28,27 +28,33 @@ void FRaceFinder::Touch(
 			Races.push_back({&Step, Other.Step, Thread, Other.Thread, WordIndex, Access, AccessBefore});
 		}
 	};
+	const auto MeetBoth = [&Meet](const FLastTwo& Others, ESharedAccess AccessBefore)
+	{
+		Meet(Others.Touches[0], AccessBefore);
+		Meet(Others.Touches[1], AccessBefore);
+	};
 	Meet(Word.Writer, ESharedAccess::Write);
 	if (Access != ESharedAccess::Atomic)
 	{
-		Meet(Word.Changer, ESharedAccess::Atomic);
+		MeetBoth(Word.Changers, ESharedAccess::Atomic);
 	}
 	if (Access != ESharedAccess::Read)
 	{
-		Meet(Word.Readers[0], ESharedAccess::Read);
-		Meet(Word.Readers[1], ESharedAccess::Read);
+		MeetBoth(Word.Readers, ESharedAccess::Read);
 	}
 	const FTouch New = {Epoch, Thread, &Step, Value};
-	if (Access != ESharedAccess::Read)
+	switch (Access)
 	{
-		(Access == ESharedAccess::Write ? Word.Writer : Word.Changer) = New;
-		return;
+	case ESharedAccess::Read:
+		Word.Readers.Add(New);
+		break;
+	case ESharedAccess::Write:
+		Word.Writer = New;
+		break;
+	case ESharedAccess::Atomic:
+		Word.Changers.Add(New);
+		break;
 	}
-	if (Word.Readers[0].Epoch == Epoch && Word.Readers[0].Thread != Thread)
-	{
-		Word.Readers[1] = Word.Readers[0];
-	}
-	Word.Readers[0] = New;
 }
 
 std::string DescribeRace(const FSpirvProgram& Program, const FSpirvRace& Race, const std::string& ThreadBefore)

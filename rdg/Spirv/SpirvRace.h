@@ -51,12 +51,25 @@ private:
 		const FSpirvStep* Step = nullptr;
 		uint64_t Value = 0;
 	};
-	/** Readers: the last one, and the last one of another thread. */
+	/** The last one, and the last one of another thread. */
+	struct FLastTwo
+	{
+		FTouch Touches[2];
+
+		void Add(const FTouch& New)
+		{
+			if (Touches[0].Epoch == New.Epoch && Touches[0].Thread != New.Thread)
+			{
+				Touches[1] = Touches[0];
+			}
+			Touches[0] = New;
+		}
+	};
 	struct FWord
 	{
 		FTouch Writer;
-		FTouch Changer; // by an atomic operation
-		FTouch Readers[2];
+		FLastTwo Changers; // by atomic operations
+		FLastTwo Readers;
 	};
 
 	std::vector<FWord> Words;
