@@ -13,8 +13,8 @@
 namespace Drydock
 {
 
-/** "nan", "overflow", "negative", "denormal", "bounds", "uninit", "overlap", "assert", "race", or "all". Throws FError (DD1020)
- * for other names. */
+/** "nan", "overflow", "negative", "denormal", "bounds", "uninit", "overlap", "assert", "race", or "all". Throws FError
+ * (DD1020) for other names. */
 DRYDOCK_API FCheckSet MakeCheckSet(const std::vector<std::string>& Names);
 DRYDOCK_API std::vector<std::string> GetCheckNames();
 

@@ -19,8 +19,7 @@ void AddReport(CLI::App& Verb, std::string& Word, const std::string& Page)
 				"Write " + Page + ": on (where no word follows) or off; on by default where stdout is a terminal")
 			->expected(0, 1)
 			->default_str("on"),
-		{"on", "off"})
-		->type_name("WHAT");
+		{"on", "off"});
 }
 
 bool WantsReport(const std::string& Word, bool bJson)

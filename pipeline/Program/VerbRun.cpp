@@ -277,8 +277,7 @@ FVerbCall AddOptions(CLI::App& Verb)
 				"default where stdout is a terminal, not under --watch")
 			->expected(0, 1)
 			->default_str("on"),
-		{"on", "off", "full"})
-		->type_name("WHAT");
+		{"on", "off", "full"});
 	AddInspection(Verb, Options->Inspect, *Frames);
 	Verb.add_flag("--json", Options->bJson, "Print run.json instead of the summary");
 	return [Options]

@@ -145,8 +145,8 @@ private:
 		else if (Error.Code == 6011 && !IsSpirvFile(Request.VirtualPath))
 		{
 			const FShaderSource Source = FlattenShader(Request);
-			const std::string Nearest = FindNearestName(
-				Request.EntryPoint, ListFunctions(FHlslText(Source.Text, Request.VirtualPath)));
+			const std::string Nearest =
+				FindNearestName(Request.EntryPoint, ListFunctions(FHlslText(Source.Text, Request.VirtualPath)));
 			Error.Message += Nearest.empty() ? std::string() : "; did you mean " + Nearest + "?";
 		}
 	}

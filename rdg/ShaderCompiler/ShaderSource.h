@@ -5,16 +5,10 @@
 
 #include "Diagnostics.h"
 #include "ShaderCompileRequest.h"
+#include "ShaderText.h"
 
 namespace Drydock
 {
-
-struct FShaderSource
-{
-	std::string Text;
-	std::vector<std::string> Files;   // on disk, in order of first reading
-	std::vector<std::string> Strings; // texts that the shader prints, by number (ShaderPrints.h)
-};
 
 /** Flattens Request's file behind its defines. Throws FError (DD6001 file or include not found, DD6002 a directive or a
  * macro that is wrong, DD6003 sources that cannot be flattened) with every fault found. */

@@ -2,6 +2,8 @@
 // the numbers: Khronos, SPIR-V specification, sections 2.3 and 3.
 #include "SpirvFile.h"
 
+#include "Diagnostics.h"
+
 #include <cstdlib>
 #include <cstring>
 #include <map>
@@ -67,23 +69,23 @@ public:
 	{
 		if (Bytes.size() % sizeof(uint32_t) != 0 || Words.size() < HeaderWords)
 		{
-			throw Fail(6004, "this file is no SPIR-V: it has " + std::to_string(Bytes.size()) +
-								 " bytes, and a module is a row of words of 4 bytes, at least 5");
+			throw MakeError(6004, "this file is no SPIR-V: it has " + std::to_string(Bytes.size()) +
+									  " bytes, and a module is a row of words of 4 bytes, at least 5");
 		}
 		std::memcpy(Words.data(), Bytes.data(), Bytes.size());
 		if (Words[0] != Magic)
 		{
-			throw Fail(6004, Words[0] == SwappedMagic
-								 ? "this SPIR-V has its bytes in the other order; write it little-endian"
-								 : "this file is no SPIR-V: it does not begin with 0x07230203");
+			throw MakeError(6004, Words[0] == SwappedMagic
+									  ? "this SPIR-V has its bytes in the other order; write it little-endian"
+									  : "this file is no SPIR-V: it does not begin with 0x07230203");
 		}
 		for (size_t At = HeaderWords; At < Words.size();)
 		{
 			const size_t Size = Words[At] >> 16;
 			if (Size == 0 || Size > Words.size() - At)
 			{
-				throw Fail(6004, "this SPIR-V is cut short: the instruction at word " + std::to_string(At) +
-									 " reaches beyond the end");
+				throw MakeError(6004, "this SPIR-V is cut short: the instruction at word " + std::to_string(At) +
+										  " reaches beyond the end");
 			}
 			Instructions.push_back({Words[At] & 0xffff, At, Size});
 			At += Size;
@@ -101,7 +103,7 @@ public:
 	}
 
 private:
-	FError Fail(int Code, const std::string& Message) const
+	FError MakeError(int Code, const std::string& Message) const
 	{
 		return FError({ESeverity::Error, Code, Message, Request.VirtualPath, 0, 0, {}}, ExitUsage);
 	}
@@ -126,8 +128,8 @@ private:
 		}
 		if (!Asked)
 		{
-			throw Fail(6011, "entry point '" + Request.EntryPoint + "' (" + GetModelName(Model) +
-								 ") is not in this module; it has " + (Others.empty() ? "none" : Others));
+			throw MakeError(6011, "entry point '" + Request.EntryPoint + "' (" + GetModelName(Model) +
+									  ") is not in this module; it has " + (Others.empty() ? "none" : Others));
 		}
 		std::vector<uint32_t> Result(Words.begin(), Words.begin() + HeaderWords);
 		for (const FInstruction& Each : Instructions)

@@ -1,7 +1,10 @@
 // SPIR-V files as shaders: "X.spv" in place of "X.usf", made by whatever compiler.
 #pragma once
 
-#include "ShaderSource.h"
+#include "ShaderCompileRequest.h"
+#include "ShaderText.h"
+
+#include <cstdint>
 
 namespace Drydock
 {

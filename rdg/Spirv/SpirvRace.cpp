@@ -38,7 +38,9 @@ void FRaceFinder::Touch(
 	{
 		MeetBoth(Word.Changers, ESharedAccess::Atomic);
 	}
-	if (Access != ESharedAccess::Read)
+	// Who writes what was written already changes nothing for those that read it.
+	const bool bChanges = Access == ESharedAccess::Atomic || Word.Writer.Epoch != Epoch || Word.Writer.Value != Value;
+	if (Access != ESharedAccess::Read && bChanges)
 	{
 		MeetBoth(Word.Readers, ESharedAccess::Read);
 	}

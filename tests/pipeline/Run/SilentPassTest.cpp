@@ -65,7 +65,7 @@ TEST_F(SilentPass, ExplainGivesPluginsARowAndPassesTheirValues)
 {
 	Folder.WriteFrame("frame.json", "");
 	const std::string Common = "explain frame.json " + Broken + "5 ";
-	EXPECT_THAT(Folder.Call(Common).Printed, HasSubstr("\nplugin libBrokenPromises.so  yes       1"));
+	EXPECT_THAT(Folder.Call(Common).Printed, testing::ContainsRegex("\nplugin libBrokenPromises.so +yes +1 "));
 	const std::string Pass = Folder.Call(Common + "--pass BrokenPromises").Printed;
 	EXPECT_THAT(Pass, HasSubstr("  effect   plugin libBrokenPromises.so\n"));
 	EXPECT_THAT(Pass, HasSubstr("  values   Middle = (8, 4), Fault = 5\n"));

@@ -215,9 +215,12 @@ TEST(KernelCheck, WhatThreadsAgreeOnIsNoRace)
 
 TEST(KernelCheck, APlainReadBesideAnAtomicOperationIsARace)
 {
+	// Both sides of ?: are evaluated, by thread 0 too.
 	EXPECT_EQ(
-		(FLines{"race 8: a read of Count, which thread (0, 0) changes atomically in line 7: no barrier is between, "
-				"first (1, 0), 62 threads"}),
+		(FLines{"race 7: an atomic operation on Count, which thread (0, 0) reads in line 8: no barrier is between, "
+				"first (1, 0), 62 threads",
+			"race 8: a read of Count, which thread (0, 0) changes atomically in line 7: no barrier is between, "
+			"first (1, 0), 62 threads"}),
 		CheckGroups("InterlockedAdd(Count, 1);\nOut[Id.x] = I == 0 ? 0 : Count;"));
 }
 

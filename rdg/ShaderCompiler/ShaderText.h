@@ -1,0 +1,17 @@
+// A shader as one text, ready for the front end: what the readers of sources and of SPIR-V files make.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+struct FShaderSource
+{
+	std::string Text;
+	std::vector<std::string> Files;   // on disk, in order of first reading
+	std::vector<std::string> Strings; // texts that the shader prints, by number (ShaderPrints.h)
+};
+
+} // namespace Drydock
