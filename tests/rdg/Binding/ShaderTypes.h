@@ -71,6 +71,18 @@ class FTestGraphCS : public FGlobalShader
 	END_SHADER_PARAMETER_STRUCT()
 };
 
+/** Its threads work together. */
+class FTestGroupsCS : public FGlobalShader
+{
+	DECLARE_GLOBAL_SHADER(FTestGroupsCS);
+	SHADER_USE_PARAMETER_STRUCT(FTestGroupsCS, FGlobalShader);
+
+	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
+		SHADER_PARAMETER_RDG_TEXTURE_UAV(RWTexture2D<uint>, Output)
+		SHADER_PARAMETER(FUintVector2, Size)
+	END_SHADER_PARAMETER_STRUCT()
+};
+
 /** Does not compile. */
 class FTestBrokenCS : public FGlobalShader
 {
