@@ -105,12 +105,7 @@ std::string FDiffPage::MakeData(
 	Writer.Key("diff").Raw(DiffJson);
 	WriteSide(Writer, "a", A);
 	WriteSide(Writer, "b", B);
-	Writer.Key("pictures").BeginArray();
-	for (const FReportPicture& Picture : Pictures)
-	{
-		WriteReportPicture(Writer, Picture);
-	}
-	Writer.EndArray();
+	WriteReportPictures(Writer, Pictures);
 	Writer.EndObject();
 	return Writer.GetText();
 }

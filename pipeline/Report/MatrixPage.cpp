@@ -40,12 +40,7 @@ std::string MakeMatrixPageData(const FMatrixPageInputs& Inputs, const std::strin
 	Writer.Member("version", GetVersion());
 	Writer.Member("written", When);
 	Writer.Key("matrix").Raw(Inputs.MatrixJson);
-	Writer.Key("pictures").BeginArray();
-	for (const FReportPicture& Picture : Pictures)
-	{
-		WriteReportPicture(Writer, Picture);
-	}
-	Writer.EndArray();
+	WriteReportPictures(Writer, Pictures);
 	Writer.EndObject();
 	return Writer.GetText();
 }

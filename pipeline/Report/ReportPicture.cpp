@@ -202,4 +202,14 @@ void WriteReportPicture(FJsonWriter& Writer, const FReportPicture& Picture)
 	Writer.EndObject();
 }
 
+void WriteReportPictures(FJsonWriter& Writer, const std::vector<FReportPicture>& Pictures)
+{
+	Writer.Key("pictures").BeginArray();
+	for (const FReportPicture& Picture : Pictures)
+	{
+		WriteReportPicture(Writer, Picture);
+	}
+	Writer.EndArray();
+}
+
 } // namespace Drydock

@@ -68,5 +68,7 @@ struct FReportPicture
 };
 
 void WriteReportPicture(FJsonWriter& Writer, const FReportPicture& Picture);
+/** The member "pictures" of a page: all of them in order. */
+void WriteReportPictures(FJsonWriter& Writer, const std::vector<FReportPicture>& Pictures);
 
 } // namespace Drydock

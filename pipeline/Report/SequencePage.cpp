@@ -132,12 +132,7 @@ std::string MakeSequencePageData(
 	std::vector<size_t> All(Pictures.size());
 	std::iota(All.begin(), All.end(), 0);
 	FitPictures(Pictures, {All}, MaxPagePictureBytes);
-	Writer.Key("pictures").BeginArray();
-	for (const FReportPicture& Picture : Pictures)
-	{
-		WriteReportPicture(Writer, Picture);
-	}
-	Writer.EndArray();
+	WriteReportPictures(Writer, Pictures);
 	Writer.EndObject();
 	return Writer.GetText();
 }

@@ -94,11 +94,12 @@ public:
 		}
 		for (const FSpirvRace& Race : Races.GetRaces())
 		{
-			const std::array<int32_t, 3> At = GetThread(GroupId, Race.Thread);
+			const std::array<int32_t, 3> At = GetThreadPosition(Module, GroupId, Race.Thread);
 			FCheckFinding& Finding = Count(ECheck::Race, *Race.Step->I, At.data());
 			if (Finding.What.empty())
 			{
-				Finding.What = DescribeRace(Program, Race, ListThread(GetThread(GroupId, Race.ThreadBefore)));
+				Finding.What =
+					DescribeRace(Program, Race, ListThread(GetThreadPosition(Module, GroupId, Race.ThreadBefore)));
 			}
 		}
 	}
@@ -354,14 +355,6 @@ private:
 			Finding.Pixels.push_back({At[0], At[1]});
 		}
 		return Finding;
-	}
-
-	std::array<int32_t, 3> GetThread(const std::array<int32_t, 3>& GroupId, uint32_t GroupIndex) const
-	{
-		const uint32_t* const Size = Module.LocalSize;
-		return {GroupId[0] * int32_t(Size[0]) + int32_t(GroupIndex % Size[0]),
-			GroupId[1] * int32_t(Size[1]) + int32_t(GroupIndex / Size[0] % Size[1]),
-			GroupId[2] * int32_t(Size[2]) + int32_t(GroupIndex / Size[0] / Size[1])};
 	}
 
 	const FInspectedShader& Shader;

@@ -10,13 +10,6 @@ namespace Drydock
 
 using namespace Spirv;
 
-namespace
-{
-
-const char* const GuardRest = "if (AnyLane(e))";
-
-} // namespace
-
 void FSpirvEmitter::OpenScope(const std::string& Head)
 {
 	if (!Head.empty())

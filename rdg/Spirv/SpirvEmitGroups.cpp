@@ -24,8 +24,6 @@ using namespace Spirv;
 namespace
 {
 
-const char* const GuardRest = "if (AnyLane(e))";
-
 std::set<std::string> FindNames(const std::string& Text)
 {
 	const auto IsWord = [](char c)

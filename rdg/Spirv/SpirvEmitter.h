@@ -71,6 +71,9 @@ public:
 	const FFindings& GetFindings() const { return Findings; }
 
 private:
+	/** Around what runs where some lane is left. */
+	static constexpr const char* GuardRest = "if (AnyLane(e))";
+
 	// Control flow
 	void EmitRegion(const FStructRegion& Region, size_t First = 0);
 	void EmitNode(const FStructNode& Node);

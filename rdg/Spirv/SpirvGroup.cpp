@@ -10,6 +10,19 @@ namespace Drydock
 
 using namespace Spirv;
 
+std::array<int32_t, 3> GetThreadPosition(
+	const FSpirvModule& Module, const std::array<int32_t, 3>& GroupId, uint32_t Index)
+{
+	const uint32_t* const Size = Module.LocalSize;
+	const uint32_t Local[3] = {Index % Size[0], Index / Size[0] % Size[1], Index / Size[0] / Size[1]};
+	std::array<int32_t, 3> Position;
+	for (size_t Axis = 0; Axis < 3; ++Axis)
+	{
+		Position[Axis] = GroupId[Axis] * int32_t(Size[Axis]) + int32_t(Local[Axis]);
+	}
+	return Position;
+}
+
 template<typename Real>
 TSpirvGroup<Real>::TSpirvGroup(
 	const FSpirvProgram& InProgram, const FSpirvOrder& Order, const FSpirvSlotTable& Slots, uint32_t InWaveSize)
@@ -35,17 +48,6 @@ void TSpirvGroup<Real>::SetRaceFinder(FRaceFinder* InRaces)
 	for (const auto& Thread : Threads)
 	{
 		Thread->SetRaceFinder(Races);
-	}
-}
-
-template<typename Real>
-void TSpirvGroup<Real>::GetPosition(const int32_t (&GroupId)[3], uint32_t Index, int32_t (&OutPosition)[3]) const
-{
-	const uint32_t* const Size = Program.Module.LocalSize;
-	const uint32_t Local[3] = {Index % Size[0], Index / Size[0] % Size[1], Index / Size[0] / Size[1]};
-	for (int Axis = 0; Axis < 3; ++Axis)
-	{
-		OutPosition[Axis] = GroupId[Axis] * int32_t(Size[Axis]) + int32_t(Local[Axis]);
 	}
 }
 
@@ -83,9 +85,8 @@ void TSpirvGroup<Real>::RunAll(const FKernelArgs& Args, const int32_t (&GroupId)
 	std::fill(Groupshared.begin(), Groupshared.end(), FWord(0));
 	for (uint32_t i = 0; i < NumThreads; ++i)
 	{
-		int32_t Position[3];
-		GetPosition(GroupId, i, Position);
-		Threads[i]->Start(Args, Position);
+		const std::array<int32_t, 3> At = GetThreadPosition(Program.Module, {GroupId[0], GroupId[1], GroupId[2]}, i);
+		Threads[i]->Start(Args, {At[0], At[1], At[2]});
 		Waits[i] = Threads[i]->Advance(MaxSteps);
 	}
 	while (std::find(Waits.begin(), Waits.end(), true) != Waits.end())

@@ -4,10 +4,15 @@
 
 #include "SpirvThread.h"
 
+#include <array>
 #include <memory>
 
 namespace Drydock
 {
+
+/** Dispatch id of the thread of SV_GroupIndex Index in the group of SV_GroupID. */
+DRYDOCK_API std::array<int32_t, 3> GetThreadPosition(
+	const FSpirvModule& Module, const std::array<int32_t, 3>& GroupId, uint32_t Index);
 
 template<typename Real>
 class DRYDOCK_API TSpirvGroup
@@ -30,8 +35,6 @@ public:
 	void SetRaceFinder(FRaceFinder* InRaces);
 
 	uint32_t GetNumThreads() const { return uint32_t(Threads.size()); }
-	/** Dispatch id of a thread of a group. */
-	void GetPosition(const int32_t (&GroupId)[3], uint32_t Index, int32_t (&OutPosition)[3]) const;
 
 private:
 	void RunAll(const FKernelArgs& Args, const int32_t (&GroupId)[3], uint64_t MaxSteps);

@@ -244,8 +244,8 @@ void FSpirvReader::ReadInFunction(uint16_t Op, FSpirvOperands& Operands)
 		Instruction.Result = Operands.Next();
 	}
 	Instruction.Operands = Operands.Rest();
-	const bool bArithmetic = Op >= OpGroupNonUniformIAdd && Op <= OpGroupNonUniformBitwiseXor;
-	if (bArithmetic && bGlslang && Instruction.Operands.size() > 1 && Instruction.Operands[1] == InclusiveScan)
+	if (HasGroupOperation(Op) && bGlslang && Instruction.Operands.size() > 1 &&
+		Instruction.Operands[1] == InclusiveScan)
 	{
 		Instruction.Operands[1] = ExclusiveScan; // glslang takes WavePrefix* for the other kind of prefix
 	}

@@ -1,0 +1,207 @@
+// Atomic operations: what they do, and in which order threads come. Kernels at every lane count and the interpreter,
+// against plain C++.
+#include <gtest/gtest.h>
+
+#include "ShaderForms.h"
+
+#include <utility>
+
+using namespace Drydock;
+using namespace Drydock::Test;
+
+TEST(ShaderAtomics, OldValuesComeInTheOrderOfThreadsWaveByWave)
+{
+	// Every thread takes two numbers: those of a wave of 32 take the first ones together, then the second ones.
+	const std::string Text = R"(
+RWStructuredBuffer<uint> Counter;
+RWStructuredBuffer<uint> Out;
+[numthreads(40, 1, 1)]
+void MainCS(uint3 Id : SV_DispatchThreadID)
+{
+	uint First, Second;
+	InterlockedAdd(Counter[0], 1, First);
+	InterlockedAdd(Counter[0], 1, Second);
+	Out[Id.x * 2] = First;
+	Out[Id.x * 2 + 1] = Second;
+}
+)";
+	std::vector<uint32_t> Expected(160);
+	uint32_t Next = 0;
+	for (uint32_t Group = 0; Group < 2; ++Group)
+	{
+		for (const auto& [First, Last] : {std::pair(0u, 32u), std::pair(32u, 40u)})
+		{
+			for (uint32_t Time = 0; Time < 2; ++Time)
+			{
+				for (uint32_t i = First; i < Last; ++i)
+				{
+					Expected[(Group * 40 + i) * 2 + Time] = Next++;
+				}
+			}
+		}
+	}
+	ForEachForm(
+		Text, 80, 1, 1,
+		[&](FShaderHarness& H)
+		{
+			H.Buffers["Counter"] = {0};
+			H.Buffers["Out"].assign(160, 0);
+		},
+		[&](FShaderHarness& H)
+		{
+			EXPECT_EQ(Expected, H.Buffers["Out"]);
+			EXPECT_EQ(160u, H.Buffers["Counter"][0]);
+		});
+}
+
+TEST(ShaderAtomics, ThreadsThatPartedMeetAgainBeforeTheNextAtomic)
+{
+	const std::string Text = R"(
+RWStructuredBuffer<uint> Counter;
+RWStructuredBuffer<uint> Out;
+[numthreads(32, 1, 1)]
+void MainCS(uint I : SV_GroupIndex)
+{
+	uint Old = 0;
+	for (uint k = 0; k < I % 3; ++k)
+	{
+		InterlockedAdd(Counter[0], 1, Old);
+		Out[I * 4 + k] = Old;
+	}
+	if (I & 1)
+	{
+		InterlockedAdd(Counter[0], 100, Old);
+		Out[I * 4 + 2] = Old;
+	}
+	InterlockedAdd(Counter[0], 10000, Old);
+	Out[I * 4 + 3] = Old;
+}
+)";
+	std::vector<uint32_t> Expected(128);
+	uint32_t Counter = 0;
+	const auto Take = [&](uint32_t Place, uint32_t Value)
+	{
+		Expected[Place] = Counter;
+		Counter += Value;
+	};
+	for (uint32_t k = 0; k < 2; ++k)
+	{
+		for (uint32_t i = 0; i < 32; ++i)
+		{
+			if (k < i % 3)
+			{
+				Take(i * 4 + k, 1);
+			}
+		}
+	}
+	for (uint32_t i = 1; i < 32; i += 2)
+	{
+		Take(i * 4 + 2, 100);
+	}
+	for (uint32_t i = 0; i < 32; ++i)
+	{
+		Take(i * 4 + 3, 10000);
+	}
+	ForEachForm(
+		Text, 32, 1, 1,
+		[&](FShaderHarness& H)
+		{
+			H.Buffers["Counter"] = {0};
+			H.Buffers["Out"].assign(128, 0);
+		},
+		[&](FShaderHarness& H) { EXPECT_EQ(Expected, H.Buffers["Out"]); });
+}
+
+TEST(ShaderAtomics, EveryInterlockedOperationDoesWhatItSays)
+{
+	const std::string Text = R"(
+RWStructuredBuffer<uint> Unsigned;
+RWStructuredBuffer<int> Signed;
+RWByteAddressBuffer Bytes;
+RWTexture2D<uint> Texels;
+RWBuffer<uint> Typed;
+groupshared int Shared;
+groupshared uint Marks[4];
+[numthreads(64, 1, 1)]
+void MainCS(uint I : SV_GroupIndex)
+{
+	if (I == 0)
+	{
+		Shared = 1000;
+	}
+	GroupMemoryBarrierWithGroupSync();
+	InterlockedMin(Shared, int(I * 7 % 64) - 20);
+	InterlockedOr(Marks[I % 4], 1u << (I % 32));
+	InterlockedMax(Unsigned[0], I * 7 % 64);
+	InterlockedMin(Signed[0], int(I * 7 % 64) - 20);
+	InterlockedMax(Signed[1], -int(I) - 5);
+	Bytes.InterlockedAdd(8, I);
+	Bytes.InterlockedXor(12, 1u << (I % 32));
+	Bytes.InterlockedAdd(4000, 1u);
+	InterlockedAdd(Texels[uint2(I % 3, 1)], I);
+	InterlockedAdd(Texels[uint2(7, 7)], 1u);
+	InterlockedAnd(Typed[1], ~(1u << (I % 31)));
+	InterlockedAdd(Typed[77], 1u);
+	GroupMemoryBarrierWithGroupSync();
+	if (I == 0)
+	{
+		Signed[2] = Shared;
+		Unsigned[1] = Marks[0] | Marks[1];
+	}
+}
+)";
+	ForEachForm(
+		Text, 64, 1, 1,
+		[&](FShaderHarness& H)
+		{
+			H.Buffers["Unsigned"] = {5, 0};
+			H.Buffers["Signed"] = {100, uint32_t(-1000), 0};
+			H.Buffers["Bytes"].assign(4, 0);
+			H.Buffers["Typed"] = {0, ~0u};
+			H.Textures["Texels"] = FTestTexture(3, 2, true);
+		},
+		[&](FShaderHarness& H)
+		{
+			EXPECT_EQ(63u, H.Buffers["Unsigned"][0]);
+			EXPECT_EQ(0x33333333u, H.Buffers["Unsigned"][1]);
+			EXPECT_EQ(-20, int32_t(H.Buffers["Signed"][0]));
+			EXPECT_EQ(-5, int32_t(H.Buffers["Signed"][1]));
+			EXPECT_EQ(-20, int32_t(H.Buffers["Signed"][2]));
+			EXPECT_EQ(63u * 32, H.Buffers["Bytes"][2]);
+			EXPECT_EQ(0u, H.Buffers["Bytes"][3]);
+			EXPECT_EQ(1u << 31, H.Buffers["Typed"][1]);
+			EXPECT_EQ(693u, H.Textures["Texels"].Uint(0, 1));
+			EXPECT_EQ(651u, H.Textures["Texels"].Uint(1, 1));
+			EXPECT_EQ(672u, H.Textures["Texels"].Uint(2, 1));
+		});
+}
+
+TEST(ShaderAtomics, ExchangesSeeWhatTheThreadBeforeLeft)
+{
+	const std::string Text = R"(
+RWStructuredBuffer<uint> Chain;
+RWStructuredBuffer<uint> Out;
+[numthreads(8, 1, 1)]
+void MainCS(uint3 Id : SV_DispatchThreadID)
+{
+	uint Before, Taken;
+	InterlockedExchange(Chain[0], Id.x + 1, Before);
+	InterlockedCompareExchange(Chain[1], Id.x % 8 == 3 ? 0u : 99u, Id.x, Taken);
+	Out[Id.x] = Before * 1000 + Taken;
+}
+)";
+	ForEachForm(
+		Text, 16, 1, 1,
+		[&](FShaderHarness& H)
+		{
+			H.Buffers["Chain"] = {0, 0};
+			H.Buffers["Out"].assign(16, 0);
+		},
+		[&](FShaderHarness& H)
+		{
+			for (uint32_t i = 0; i < 16; ++i)
+			{
+				EXPECT_EQ(i * 1000 + (i > 3 ? 3 : 0), H.Buffers["Out"][i]) << i;
+			}
+		});
+}
