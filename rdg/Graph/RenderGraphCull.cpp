@@ -29,7 +29,7 @@ std::vector<int32_t> FindRoots(const FRDGGraphDescription& Graph, const FRDGDepe
 	{
 		if (Graph.Resources[Resource].bExternal || Graph.Resources[Resource].bExtracted)
 		{
-			const std::vector<int32_t>& Writers = Dependencies.LastWriters[Resource];
+			const std::vector<int32_t> Writers = Dependencies.GetLastWriters(Resource);
 			Roots.insert(Roots.end(), Writers.begin(), Writers.end());
 		}
 	}

@@ -2,16 +2,13 @@
 #include "RenderGraphDependencies.h"
 
 #include <algorithm>
-#include <array>
+#include <iterator>
 
 namespace Drydock
 {
 
 namespace
 {
-
-/** Last writer per pipeline; -1 none. */
-using FWriters = std::array<int32_t, 2>;
 
 void SortUnique(std::vector<int32_t>& Values)
 {
@@ -43,16 +40,17 @@ void ForEachSubresource(const FRDGResourceDescription& Resource, const FRDGSubre
 
 FRDGDependencies FindDependencies(const FRDGGraphDescription& Graph)
 {
-	std::vector<size_t> First; // of a resource's subresources in Writers
+	FRDGDependencies Result;
+	std::vector<size_t>& First = Result.FirstSubresource;
 	First.reserve(Graph.Resources.size() + 1);
 	First.push_back(0);
 	for (const FRDGResourceDescription& Resource : Graph.Resources)
 	{
 		First.push_back(First.back() + size_t(Resource.GetNumSubresources()));
 	}
-	std::vector<FWriters> Writers(First.back(), FWriters{-1, -1});
+	std::vector<FRDGDependencies::FWriters>& Writers = Result.Writers;
+	Writers.assign(First.back(), FRDGDependencies::FWriters{-1, -1});
 
-	FRDGDependencies Result;
 	Result.Producers.resize(Graph.Passes.size());
 	for (const FRDGPassDescription& Pass : Graph.Passes)
 	{
@@ -83,19 +81,19 @@ FRDGDependencies FindDependencies(const FRDGGraphDescription& Graph)
 		}
 		SortUnique(Producers);
 	}
-
-	Result.LastWriters.resize(Graph.Resources.size());
-	for (size_t Resource = 0; Resource < Graph.Resources.size(); ++Resource)
-	{
-		std::vector<int32_t>& LastWriters = Result.LastWriters[Resource];
-		for (size_t Index = First[Resource]; Index < First[Resource + 1]; ++Index)
-		{
-			std::copy_if(Writers[Index].begin(), Writers[Index].end(), std::back_inserter(LastWriters),
-				[](int32_t Writer) { return Writer >= 0; });
-		}
-		SortUnique(LastWriters);
-	}
 	return Result;
+}
+
+std::vector<int32_t> FRDGDependencies::GetLastWriters(size_t Resource) const
+{
+	std::vector<int32_t> LastWriters;
+	for (size_t Index = FirstSubresource[Resource]; Index < FirstSubresource[Resource + 1]; ++Index)
+	{
+		std::copy_if(Writers[Index].begin(), Writers[Index].end(), std::back_inserter(LastWriters),
+			[](int32_t Writer) { return Writer >= 0; });
+	}
+	SortUnique(LastWriters);
+	return LastWriters;
 }
 
 } // namespace Drydock

@@ -70,11 +70,6 @@ FIntVector FRHITexture::GetMipDimensions(uint8 MipIndex) const
 	return FIntVector(Mip.SizeX, Mip.SizeY, Desc.IsTexture3D() ? Mip.SizeZ : 1);
 }
 
-size_t FRHITexture::ComputeSize(const FRHITextureDesc& Desc)
-{
-	return Drydock::ComputeTextureLayout(Desc).SizeInBytes;
-}
-
 void FRHITexture::PlaceAt(void* InMemory)
 {
 	Memory.PlaceAt(InMemory);

@@ -3,6 +3,7 @@
 
 #include "HAL/IConsoleManager.h"
 #include "PixelFormatConversion.h"
+#include "RHITexture.h"
 
 #include <algorithm>
 
@@ -42,30 +43,52 @@ ETexelStorage ToSrgb(ETexelStorage Storage)
 	}
 }
 
-/** Appends a plane at Offset and returns the offset behind it. */
-size_t AddPlane(const FRHITextureDesc& Desc, ETexelStorage Storage, size_t Offset, FTexturePlaneLayout& OutPlane)
+/** A mip that lies at Offset. */
+FTextureMipLayout LayOutMip(const FRHITextureDesc& Desc, size_t TexelBytes, int32 MipIndex, size_t Offset)
 {
-	OutPlane.Storage = Storage;
+	FTextureMipLayout Mip;
+	Mip.Offset = Offset;
+	Mip.SizeX = std::max(1, Desc.Extent.X >> MipIndex);
+	Mip.SizeY = std::max(1, Desc.Extent.Y >> MipIndex);
+	Mip.SizeZ = Desc.IsTexture3D() ? std::max(1, Desc.Depth >> MipIndex) : Desc.GetNumSlices();
+
+	size_t RowPitch = AlignUp(size_t(Mip.SizeX) * TexelBytes);
+	if (RowPitch % GCacheSetStride == 0)
+	{
+		RowPitch += GTextureAlignment;
+	}
+	Mip.RowPitch = int32(RowPitch);
+	Mip.SlicePitch = int64(RowPitch) * Mip.SizeY;
+	return Mip;
+}
+
+/** Calls Function with each mip of a plane that begins at Offset; returns the offset behind it. */
+template<typename TFunction>
+size_t ForEachMip(const FRHITextureDesc& Desc, ETexelStorage Storage, size_t Offset, TFunction Function)
+{
 	const size_t TexelBytes = GetTexelStorageInfo(Storage).BytesPerTexel;
 	for (int32 MipIndex = 0; MipIndex < Desc.NumMips; ++MipIndex)
 	{
-		FTextureMipLayout Mip;
-		Mip.Offset = Offset;
-		Mip.SizeX = std::max(1, Desc.Extent.X >> MipIndex);
-		Mip.SizeY = std::max(1, Desc.Extent.Y >> MipIndex);
-		Mip.SizeZ = Desc.IsTexture3D() ? std::max(1, Desc.Depth >> MipIndex) : Desc.GetNumSlices();
-
-		size_t RowPitch = AlignUp(size_t(Mip.SizeX) * TexelBytes);
-		if (RowPitch % GCacheSetStride == 0)
-		{
-			RowPitch += GTextureAlignment;
-		}
-		Mip.RowPitch = int32(RowPitch);
-		Mip.SlicePitch = int64(RowPitch) * Mip.SizeY;
+		const FTextureMipLayout Mip = LayOutMip(Desc, TexelBytes, MipIndex, Offset);
 		Offset += size_t(Mip.SlicePitch) * Mip.SizeZ;
-		OutPlane.Mips.push_back(Mip);
+		Function(Mip);
 	}
 	return Offset;
+}
+
+/** Calls Function with the number of each plane, its storage and each of its mips; returns the texture's size. */
+template<typename TFunction>
+size_t ForEachPlane(const FRHITextureDesc& Desc, TFunction Function)
+{
+	const ETexelStorage First = GetTexelStorage(Desc);
+	size_t Offset = ForEachMip(
+		Desc, First, GTextureAlignment, [&](const FTextureMipLayout& Mip) { Function(size_t(0), First, Mip); });
+	if (Desc.Format == PF_DepthStencil)
+	{
+		Offset = ForEachMip(Desc, ETexelStorage::R8_UINT, Offset,
+			[&](const FTextureMipLayout& Mip) { Function(size_t(1), ETexelStorage::R8_UINT, Mip); });
+	}
+	return Offset + GTextureAlignment;
 }
 
 } // namespace
@@ -118,13 +141,23 @@ FTextureLayout ComputeTextureLayout(const FRHITextureDesc& Desc)
 {
 	FTextureLayout Layout;
 	Layout.Planes.resize(Desc.Format == PF_DepthStencil ? 2 : 1);
-	size_t Offset = AddPlane(Desc, GetTexelStorage(Desc), GTextureAlignment, Layout.Planes[0]);
-	if (Layout.Planes.size() > 1)
+	for (FTexturePlaneLayout& Plane : Layout.Planes)
 	{
-		Offset = AddPlane(Desc, ETexelStorage::R8_UINT, Offset, Layout.Planes[1]);
+		Plane.Mips.reserve(Desc.NumMips);
 	}
-	Layout.SizeInBytes = Offset + GTextureAlignment;
+	Layout.SizeInBytes = ForEachPlane(Desc,
+		[&](size_t Plane, ETexelStorage Storage, const FTextureMipLayout& Mip)
+		{
+			Layout.Planes[Plane].Storage = Storage;
+			Layout.Planes[Plane].Mips.push_back(Mip);
+		});
 	return Layout;
 }
 
 } // namespace Drydock
+
+// Here and not beside its class: asked for each texture of a graph, it lays out without making the lists.
+size_t FRHITexture::ComputeSize(const FRHITextureDesc& Desc)
+{
+	return Drydock::ForEachPlane(Desc, [](size_t, Drydock::ETexelStorage, const Drydock::FTextureMipLayout&) {});
+}

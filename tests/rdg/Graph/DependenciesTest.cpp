@@ -79,7 +79,7 @@ TEST(Dependencies, LastWritersAreKeptPerMip)
 	Graph.Pass("A", {WriteMip("X", 0)});
 	Graph.Pass("B", {WriteMip("X", 1)});
 	Graph.Pass("C", {WriteMip("X", 1)});
-	EXPECT_THAT(FindDependencies(Graph.Get()).LastWriters[0], ElementsAre(1, 3));
+	EXPECT_THAT(FindDependencies(Graph.Get()).GetLastWriters(0), ElementsAre(1, 3));
 }
 
 TEST(Dependencies, DepthAndStencilPlanesAreApart)
