@@ -1,19 +1,16 @@
-// Reads a config object by object: one function for each object of the format, in the order of its keys. A little past
-// 500 lines for that reason.
+// Reads a config object by object: one function for each object of the format, in the order of its keys.
 #include "Config/ReadConfig.h"
 
-#include "Config/ConfigReader.h"
+#include "Config/ConfigFields.h"
 #include "Config/ConfigKeys.h"
-#include "Config/FrameList.h"
-#include "Config/FrameSequence.h"
-#include "Math/ToInteger.h"
+#include "Config/ConfigReader.h"
+#include "Config/ReadConfigScene.h"
 #include "ShowFlags.h"
 #include "Text/LimitErrors.h"
 #include "Text/TextFile.h"
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <tuple>
 
 namespace Drydock
@@ -22,250 +19,8 @@ namespace Drydock
 namespace
 {
 
-/** Largest picture side that a rect may name. */
-constexpr double MaxExtent = 65536.0;
-constexpr double MaxPadding = 4096.0;
-constexpr double MaxScreenPercentage = 400.0;
 /** Each holds all settings, some kilobytes. */
 constexpr size_t MaxVolumes = 10'000;
-
-template<typename TFunction>
-void WithMember(const FJsonValue& Object, const char* Key, EJsonType Type, const TFunction& Function)
-{
-	const FJsonValue* Member = Object.Find(Key);
-	if (Member != nullptr && Member->Type == Type)
-	{
-		Function(*Member);
-	}
-}
-
-void ReadString(const FJsonValue& Object, const char* Key, TConfigValue<std::string>& OutValue)
-{
-	WithMember(Object, Key, EJsonType::String,
-		[&](const FJsonValue& Member) {
-			OutValue = {Member.String, PlaceOf(Member)};
-		});
-}
-
-void ReadNumber(const FJsonValue& Object, const char* Key, double& OutNumber)
-{
-	WithMember(Object, Key, EJsonType::Number, [&](const FJsonValue& Member) { OutNumber = Member.Number; });
-}
-
-void ReadBool(const FJsonValue& Object, const char* Key, bool& OutBool)
-{
-	WithMember(Object, Key, EJsonType::Bool, [&](const FJsonValue& Member) { OutBool = Member.Bool; });
-}
-
-/** A factor of brightness: finite and above 0. */
-void ReadScale(const FJsonValue& Object, const char* Key, TConfigValue<double>& OutValue, FConfigMessages& Messages)
-{
-	WithMember(Object, Key, EJsonType::Number,
-		[&](const FJsonValue& Member)
-		{
-			if (!(Member.Number > 0.0) || !std::isfinite(static_cast<float>(Member.Number)) ||
-				static_cast<float>(Member.Number) == 0.0f)
-			{
-				Messages.Error(ErrorBadValue, Member, std::string(Key) + " must be above 0");
-				return;
-			}
-			OutValue = {Member.Number, PlaceOf(Member)};
-		});
-}
-
-void ReadWeight(const FJsonValue& Object, const char* Key, double& OutWeight, FConfigMessages& Messages)
-{
-	WithMember(Object, Key, EJsonType::Number,
-		[&](const FJsonValue& Member)
-		{
-			OutWeight = std::clamp(Member.Number, 0.0, 1.0);
-			if (OutWeight != Member.Number)
-			{
-				Messages.Warn(WarnWeightClamped, Member, std::string(Key) + " is clamped to 0..1");
-			}
-		});
-}
-
-/** A number of texels to pad one side with; empty (and reported) when it is none. */
-std::optional<int> ReadPaddingSide(const FJsonValue& Value, FConfigMessages& Messages)
-{
-	if (Value.Type != EJsonType::Number)
-	{
-		return std::nullopt; // reported
-	}
-	if (Value.Number != std::floor(Value.Number) || Value.Number < 0.0 || Value.Number > MaxPadding)
-	{
-		Messages.Error(ErrorBadValue, Value, "padding is a whole number of texels, 0 to 4096");
-		return std::nullopt;
-	}
-	return ToInteger<int>(Value.Number);
-}
-
-void ReadPadding(const FJsonValue& Value, FConfigPadding& Padding, FConfigMessages& Messages)
-{
-	const std::pair<const char*, int FConfigPadding::*> Sides[] = {{"left", &FConfigPadding::Left},
-		{"top", &FConfigPadding::Top}, {"right", &FConfigPadding::Right}, {"bottom", &FConfigPadding::Bottom}};
-	for (size_t Side = 0; Side < std::size(Sides); ++Side)
-	{
-		const FJsonValue* Number = &Value;
-		if (Value.Type == EJsonType::Object)
-		{
-			Number = Value.Find(Sides[Side].first);
-		}
-		else if (Value.Type == EJsonType::Array)
-		{
-			Number = Value.Elements.size() == std::size(Sides) ? &Value.Elements[Side] : nullptr;
-		}
-		const std::optional<int> Texels = Number != nullptr ? ReadPaddingSide(*Number, Messages) : std::nullopt;
-		Padding.*Sides[Side].second = Texels.value_or(0);
-		if (Value.Type == EJsonType::Number && !Texels)
-		{
-			return; // once is enough
-		}
-	}
-}
-
-FSceneUnits ReadUnits(const FJsonValue& Value)
-{
-	const auto Is = [&Value](const char* Key, const char* Unit)
-	{
-		const FJsonValue* Member = Value.Find(Key);
-		return Member != nullptr && Member->String == Unit;
-	};
-	return {Is("depth", "cm"), Is("velocity", "ndc"), Is("normal", "leftHanded")};
-}
-
-void ReadFrames(const FJsonValue& Value, FConfigScene& Scene, FConfigMessages& Messages)
-{
-	std::string Error;
-	if (!ParseFrameList(Value.String, Error))
-	{
-		Messages.Error(ErrorBadValue, Value, Error);
-	}
-	else if (!IsFrameSequence(Scene.File.Value))
-	{
-		Messages.Error(ErrorBadValue, Value, "frames are those of a sequence, which scene.file names with ####");
-	}
-	Scene.Frames = {Value.String, PlaceOf(Value)};
-}
-
-void ReadScene(const FJsonValue& Value, FConfigScene& Scene, FConfigMessages& Messages)
-{
-	WithMember(Value, "units", EJsonType::Object, [&](const FJsonValue& Units) { Scene.Units = ReadUnits(Units); });
-	ReadString(Value, "file", Scene.File);
-	WithMember(
-		Value, "frames", EJsonType::String, [&](const FJsonValue& Frames) { ReadFrames(Frames, Scene, Messages); });
-	WithMember(Value, "fps", EJsonType::Number,
-		[&](const FJsonValue& Fps)
-		{
-			if (!(Fps.Number >= 0.01 && Fps.Number <= 10000.0))
-			{
-				Messages.Error(ErrorBadValue, Fps, "fps is 0.01 to 10000 frames per second");
-				return;
-			}
-			Scene.Fps = {Fps.Number, PlaceOf(Fps)};
-		});
-	WithMember(Value, "channels", EJsonType::Object,
-		[&](const FJsonValue& Channels)
-		{
-			for (const auto& [Name, Channel] : Channels.Members)
-			{
-				if (Channel.Type == EJsonType::String)
-				{
-					Scene.Channels[Name] = {Channel.String, PlaceOf(Channel)};
-				}
-			}
-		});
-	WithMember(Value, "defaults", EJsonType::Object,
-		[&](const FJsonValue& Defaults)
-		{
-			for (const auto& [Name, Default] : Defaults.Members)
-			{
-				Scene.Defaults[Name] = {Default.Number, PlaceOf(Default)};
-			}
-		});
-	if (const FJsonValue* Padding = Value.Find("padding"))
-	{
-		ReadPadding(*Padding, Scene.Padding, Messages);
-	}
-	WithMember(Value, "screenPercentage", EJsonType::Number,
-		[&](const FJsonValue& Percentage)
-		{
-			if (!(Percentage.Number > 0.0 && Percentage.Number <= MaxScreenPercentage))
-			{
-				Messages.Error(ErrorBadValue, Percentage, "screenPercentage must be above 0 and at most 400");
-				return;
-			}
-			Scene.ScreenPercentage = Percentage.Number;
-		});
-}
-
-void ReadRect(const FJsonValue& Value, FConfigView& View, FConfigMessages& Messages)
-{
-	WithMember(Value, "rect", EJsonType::Array,
-		[&](const FJsonValue& Rect)
-		{
-			std::array<int, 4> Corners = {};
-			if (Rect.Elements.size() != Corners.size())
-			{
-				return; // reported
-			}
-			for (size_t Index = 0; Index < Corners.size(); ++Index)
-			{
-				const FJsonValue& Corner = Rect.Elements[Index];
-				if (Corner.Type != EJsonType::Number)
-				{
-					return; // reported
-				}
-				if (Corner.Number != std::floor(Corner.Number) || Corner.Number < 0.0 || Corner.Number > MaxExtent)
-				{
-					Messages.Error(
-						ErrorBadValue, Corner, "a corner of the rect is a whole number of pixels, 0 or more");
-					return;
-				}
-				Corners[Index] = ToInteger<int>(Corner.Number);
-			}
-			if (Corners[0] >= Corners[2] || Corners[1] >= Corners[3])
-			{
-				Messages.Error(
-					ErrorBadValue, Rect, "the rect is empty: it is [MinX, MinY, MaxX, MaxY] with Max above Min");
-				return;
-			}
-			View.Rect = {Corners, PlaceOf(Rect)};
-		});
-}
-
-void ReadView(const FJsonValue& Value, FConfigView& View, FConfigMessages& Messages)
-{
-	const auto ReadVector = [&Value](const char* Key, auto Read, TConfigValue<FConfigVector>& OutVector)
-	{
-		const FJsonValue* Member = Value.Find(Key);
-		FConfigVector Vector;
-		if (Member != nullptr && Read(*Member, Vector))
-		{
-			OutVector = {Vector, PlaceOf(*Member)};
-		}
-	};
-	ReadVector("location", ReadConfigVector, View.Location);
-	ReadVector("rotation", ReadConfigRotator, View.Rotation);
-	WithMember(Value, "fov", EJsonType::Number,
-		[&](const FJsonValue& Fov)
-		{
-			if (!(Fov.Number >= 1.0 && Fov.Number <= 179.0))
-			{
-				Messages.Error(ErrorBadValue, Fov, "fov is an angle of 1 to 179 degrees");
-				return;
-			}
-			View.Fov = {Fov.Number, PlaceOf(Fov)};
-		});
-	ReadRect(Value, View, Messages);
-	ReadScale(Value, "exposure", View.Exposure, Messages);
-	WithMember(Value, "exposure", EJsonType::String,
-		[&](const FJsonValue& Exposure) { View.bAutoExposure = Exposure.String == "auto"; });
-	ReadScale(Value, "preExposure", View.PreExposure, Messages);
-	WithMember(Value, "preExposure", EJsonType::String,
-		[&](const FJsonValue& PreExposure) { View.bAutoPreExposure = PreExposure.String == "auto"; });
-}
 
 FConfigVolume ReadVolume(const FJsonValue& Value, FConfigMessages& Messages)
 {
@@ -391,33 +146,6 @@ void ReadShowFlags(const FJsonValue& Root, FConfig& Config, FConfigMessages& Mes
 				{
 					Config.ShowFlags.push_back({Name, Value.Bool, PlaceOf(Value)});
 				}
-			}
-		});
-}
-
-/** Several views: each has its rect, and the first one stands for them where there can be only one. */
-void ReadViews(const FJsonValue& Root, FConfig& Config, FConfigMessages& Messages)
-{
-	WithMember(Root, "views", EJsonType::Array,
-		[&](const FJsonValue& Views)
-		{
-			for (const FJsonValue& Value : Views.Elements)
-			{
-				FConfigView View;
-				ReadView(Value, View, Messages);
-				if (Views.Elements.size() > 1 && Value.Find("rect") == nullptr)
-				{
-					Messages.Error(ErrorMissingKey, Value, "\"rect\" is missing: each of several views has its own");
-				}
-				Config.Views.push_back(View);
-			}
-			if (Root.Find("view") != nullptr)
-			{
-				Messages.ErrorAtKey(ErrorBadValue, Views, "\"views\" stands in place of \"view\": give one of them");
-			}
-			else if (!Config.Views.empty())
-			{
-				Config.View = Config.Views[0];
 			}
 		});
 }

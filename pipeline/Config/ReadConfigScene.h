@@ -1,0 +1,18 @@
+// Reads the objects "scene", "view" and "views" of a config.
+#pragma once
+
+#include "Config/Config.h"
+#include "Config/ConfigReader.h"
+#include "Text/Json.h"
+
+namespace Drydock
+{
+
+/** Mistakes go to Messages, with their places. */
+void ReadScene(const FJsonValue& Value, FConfigScene& Scene, FConfigMessages& Messages);
+void ReadView(const FJsonValue& Value, FConfigView& View, FConfigMessages& Messages);
+
+/** Several views: each has its rect, and the first one stands for them where there can be only one. */
+void ReadViews(const FJsonValue& Root, FConfig& Config, FConfigMessages& Messages);
+
+} // namespace Drydock
