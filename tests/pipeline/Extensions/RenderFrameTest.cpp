@@ -1,0 +1,77 @@
+// RenderFrame: a frame from a description, with the extensions that are registered.
+#include "RecordingExtensions.h"
+
+using namespace ExtensionTest;
+
+namespace
+{
+
+FFrameDesc MakeDesc()
+{
+	FFrameDesc Desc;
+	Desc.Extent = FIntPoint(Width, Height);
+	Desc.SceneColor.Init(FLinearColor(0.18f, 0.18f, 0.18f, 1.0f), Width * Height);
+	return Desc;
+}
+
+} // namespace
+
+TEST(RenderFrame, CallsEveryHookOnce)
+{
+	std::string Calls;
+	const auto Extension = FSceneViewExtensions::NewExtension<FEverything>(Calls, "A");
+	RenderFrame(MakeDesc());
+	EXPECT_EQ(15, std::count(Calls.begin(), Calls.end(), '\n'));
+}
+
+TEST(RenderFrame, GivesTheDisplayedPicture)
+{
+	FFrameDesc Desc = MakeDesc();
+	Desc.ShowFlags.Add(TEXT("Bloom"), false);
+	const FFrameOutput Output = RenderFrame(Desc);
+	EXPECT_EQ(FIntPoint(Width, Height), Output.Extent);
+	ASSERT_EQ(Width * Height, Output.Color.Num());
+	// Middle grey maps to itself: sRGB of 0.18 is 0.461; the vignette takes a little of it off the centre.
+	EXPECT_NEAR(0.461, Output.Color[Height / 2 * Width + Width / 2].G, 2.5 / 255.0);
+}
+
+TEST(RenderFrame, TonemapSubscriberDrawsTheOutput)
+{
+	const auto Extension =
+		MakeExtension(EPoint::Tonemap, [](const FCall& Call) { return Call.Fill(FLinearColor::Red); });
+	EXPECT_EQ(FLinearColor(1.0f, 0.0f, 0.0f, 1.0f), RenderFrame(MakeDesc()).Color[0]);
+}
+
+TEST(RenderFrame, ShadingModelsAreInGBufferB)
+{
+	float Id = -1.0f;
+	const auto Extension = MakeExtension(EPoint::MotionBlur,
+		[&](const FCall& Call)
+		{
+			FRDGTextureRef GBufferB = Call.Inputs.SceneTextures.SceneTextures->GetContents()->GBufferBTexture;
+			Id = static_cast<float>(
+				Call.GraphBuilder.GetPooledTexture(GBufferB)->GetRHI()->ReadTexelDouble(1, 0).W * 255);
+			return Call.GetPicture();
+		});
+	FFrameDesc Desc = MakeDesc();
+	Desc.ShadingModelID.Init(1, Width * Height);
+	Desc.ShadingModelID[1] = 8;
+	RenderFrame(Desc);
+	EXPECT_FLOAT_EQ(8.0f, Id);
+}
+
+TEST(RenderFrame, RefusesDescriptionsThatMakeNoSense)
+{
+	FFrameDesc Desc = MakeDesc();
+	Desc.Extent.X = 0;
+	EXPECT_THROW(RenderFrame(Desc), FError);
+	Desc = MakeDesc();
+	Desc.SceneColor.Pop();
+	EXPECT_THROW(RenderFrame(Desc), FError);
+	Desc = MakeDesc();
+	Desc.ViewRect = FIntRect(0, 0, Width + 1, Height);
+	EXPECT_THROW(RenderFrame(Desc), FError);
+	Desc = MakeDesc();
+	Desc.ShowFlags.Add(TEXT("Blom"), true);
+	EXPECT_THROW(RenderFrame(Desc), FError);
+}
