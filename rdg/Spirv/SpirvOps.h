@@ -22,8 +22,9 @@ enum EOp : uint16_t
 	OpArrayLength = 68, OpDecorate = 71, OpMemberDecorate = 72,
 	OpVectorExtractDynamic = 77, OpVectorInsertDynamic = 78, OpVectorShuffle = 79, OpCompositeConstruct = 80,
 	OpCompositeExtract = 81, OpCompositeInsert = 82, OpCopyObject = 83, OpTranspose = 84,
-	OpSampledImage = 86, OpImageSampleImplicitLod = 87, OpImageSampleExplicitLod = 88, OpImageFetch = 95,
-	OpImageGather = 96, OpImageRead = 98, OpImageWrite = 99, OpImage = 100, OpImageQuerySizeLod = 103,
+	OpSampledImage = 86, OpImageSampleImplicitLod = 87, OpImageSampleExplicitLod = 88,
+	OpImageSampleDrefImplicitLod = 89, OpImageSampleDrefExplicitLod = 90, OpImageFetch = 95, OpImageGather = 96,
+	OpImageDrefGather = 97, OpImageRead = 98, OpImageWrite = 99, OpImage = 100, OpImageQuerySizeLod = 103,
 	OpImageQuerySize = 104, OpImageQueryLod = 105, OpImageQueryLevels = 106, OpImageQuerySamples = 107,
 	OpConvertFToU = 109, OpConvertFToS = 110, OpConvertSToF = 111, OpConvertUToF = 112, OpBitcast = 124,
 	OpSNegate = 126, OpFNegate = 127, OpIAdd = 128, OpFAdd = 129, OpISub = 130, OpFSub = 131, OpIMul = 132, OpFMul = 133,
@@ -96,7 +97,8 @@ enum EDim : uint32_t { Dim1D = 0, Dim2D = 1, Dim3D = 2, DimCube = 3, DimBuffer =
 
 enum EImageOperand : uint32_t
 {
-	ImageBias = 1, ImageLod = 2, ImageGrad = 4, ImageConstOffset = 8, ImageOffset = 16, ImageSample = 64
+	ImageBias = 1, ImageLod = 2, ImageGrad = 4, ImageConstOffset = 8, ImageOffset = 16, ImageConstOffsets = 32,
+	ImageSample = 64
 };
 // clang-format on
 
