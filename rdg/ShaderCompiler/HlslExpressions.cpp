@@ -91,7 +91,8 @@ private:
 			{"dot", &FExpressionRewriter::KeepUnfolded}, {"atan2", &FExpressionRewriter::KeepUnfolded},
 			{"asfloat", &FExpressionRewriter::KeepUnfolded}, {"sqrt", &FExpressionRewriter::KeepUnfolded},
 			{"log", &FExpressionRewriter::KeepUnfolded}, {"log2", &FExpressionRewriter::KeepUnfolded},
-			{"mad", &FExpressionRewriter::RewriteMad}, {"msad4", &FExpressionRewriter::RefuseCall}};
+			{"any", &FExpressionRewriter::KeepUnfolded}, {"all", &FExpressionRewriter::KeepUnfolded},
+			{"mad", &FExpressionRewriter::RewriteMad}};
 		const auto Rewrite = Rewrites.find(Text[At].Text);
 		if (Rewrite != Rewrites.end() && Text.FindClose(At + 1) < Text.Size())
 		{
@@ -171,16 +172,16 @@ private:
 		return First < End;
 	}
 
-	/** dot of integers, atan2 of matrices, and what gives a constant that is not a number. */
+	/** dot of integers, atan2 of matrices, any and all, and what gives a constant that is not a number. */
 	void KeepUnfolded(size_t At, const std::vector<size_t>& Separators)
 	{
 		const std::string Type = Symbols.GetType(At + 2, Separators[1]);
 		const std::optional<FHlslNumeric> Numeric = ParseHlslNumeric(Type);
 		const bool bNegative = Text.Is(At + 2, "-");
-		const bool bWrong = Text.Is(At, "dot")       ? Numeric && Numeric->IsInteger()
-							: Text.Is(At, "atan2")   ? Numeric && Numeric->IsMatrix()
-							: Text.Is(At, "asfloat") ? true
-													 : bNegative;
+		const bool bWrong = Text.Is(At, "dot")     ? Numeric && Numeric->IsInteger()
+							: Text.Is(At, "atan2") ? Numeric && Numeric->IsMatrix()
+							: Text.Is(At, "asfloat") || Text.Is(At, "any") || Text.Is(At, "all") ? true
+																								 : bNegative;
 		if (bWrong && IsConstant(At + 2, Separators.back()))
 		{
 			MultiplyByOne(At + 2, Separators[1]);
@@ -192,11 +193,6 @@ private:
 		Edits.Insert(First, std::string("(") + One + " * (");
 		Edits.Insert(End, "))");
 		bNeedsOne = true;
-	}
-
-	void RefuseCall(size_t At, const std::vector<size_t>&)
-	{
-		Error(At, Text[At].Text + " is not supported on the CPU tier: add the absolute differences of the bytes");
 	}
 
 	/** 0.0 / 0.0, of which the front end thinks that it equals everything. */

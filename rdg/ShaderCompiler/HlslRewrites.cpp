@@ -67,6 +67,16 @@ bool RewriteNames(FHlslText& Text)
 			continue;
 		}
 		FHlslToken& Token = Text.Tokens[At];
+		if (Token.Is("unsigned"))
+		{
+			Token.Text = "uint";
+			bChanged = true;
+			if (Text.Is(At + 1, "int"))
+			{
+				Edits.Replace(At + 1, At + 2, "");
+			}
+			continue;
+		}
 		const std::string Older = Own.count(Token.Text) ? std::string() : GetOlderName(Token.Text);
 		if (!Older.empty())
 		{
@@ -178,6 +188,11 @@ std::string RewriteHlsl(const std::string& Text, const std::string& VirtualPath,
 	}
 	std::optional<FHlslSymbols> Symbols(std::in_place, Tokens);
 	if (RewriteGlobals(Tokens, *Symbols))
+	{
+		bChanged = true;
+		Symbols.emplace(Tokens);
+	}
+	if (RewriteCalls(Tokens, *Symbols))
 	{
 		bChanged = true;
 		Symbols.emplace(Tokens);

@@ -27,6 +27,11 @@ bool RewriteGlobals(FHlslText& Text, const FHlslSymbols& Symbols);
  * [unroll(N)] as a bound of the loop's steps. */
 bool RewriteStatements(FHlslText& Text, const FHlslSymbols& Symbols, std::vector<FDiagnostic>& Errors);
 
+/** Intrinsics that the front end lacks (AddUint64, dot4add_u8packed, msad4, ...) or gets wrong
+ * (InterlockedCompareStore, WaveActiveAllEqual of vectors), and matrices made of other parts than their rows, by
+ * functions before the text. */
+bool RewriteCalls(FHlslText& Text, const FHlslSymbols& Symbols);
+
 /** select, and, or; `M._m00_m11`; initializer lists as arguments; abs and sign of uint; and the calls that the front
  * end folds wrongly when their arguments are constants. */
 bool RewriteExpressions(FHlslText& Text, const FHlslSymbols& Symbols, std::vector<FDiagnostic>& Errors);

@@ -13,7 +13,7 @@ bool FSpirvChecker::CheckComposite(const FSpirvInstruction& I)
 	switch (I.Op)
 	{
 	case OpVectorExtractDynamic:
-		Expect(Size(I, 0) >= 2 && Size(I, 1) == 1 && ResultSize(I) == 1, I);
+		Expect(Size(I, 0) >= 1 && Size(I, 1) == 1 && ResultSize(I) == 1, I);
 		return true;
 	case OpVectorInsertDynamic:
 		Expect(Size(I, 0) == ResultSize(I) && Size(I, 1) == 1 && Size(I, 2) == 1, I);

@@ -42,15 +42,15 @@ void FSpirvReader::DefineType(uint32_t Id, FSpirvType Type)
 	{
 		const FSpirvType& Element = Contains(Type.Element);
 		const bool bScalar = Element.Kind >= ESpirvType::Bool && Element.Kind <= ESpirvType::Float;
-		const bool bFits = Type.Kind == ESpirvType::Vector ? bScalar && Type.Count >= 2 && Type.Count <= 4
+		const bool bFits = Type.Kind == ESpirvType::Vector ? bScalar && Type.Count >= 1 && Type.Count <= 4
 						   : Type.Kind == ESpirvType::Matrix
-							   ? Element.Kind == ESpirvType::Vector && Type.Count >= 2 && Type.Count <= 4
+							   ? Element.Kind == ESpirvType::Vector && Type.Count >= 1 && Type.Count <= 4
 							   : Type.Count >= 1;
 		if (!bFits)
 		{
 			TypeFaults.emplace(Id, FSpirvTypeFault{"the type " + GetHlslTypeName(Module, Type) +
-												   " is not supported on the CPU tier; vectors have 2 to 4 components, "
-												   "matrices 2 to 4 rows and columns, "
+												   " is not supported on the CPU tier; vectors have 1 to 4 components, "
+												   "matrices 1 to 4 rows and columns, "
 												   "arrays at least one element"});
 		}
 		NumScalars = uint64_t(Element.NumScalars) * Type.Count;

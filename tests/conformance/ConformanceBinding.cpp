@@ -1,0 +1,250 @@
+// Finds the buffer of each resource by its register, its Vulkan binding or its name.
+#include "ConformanceBinding.h"
+
+#include "HlslTokens.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+
+namespace Drydock::Conformance
+{
+
+namespace
+{
+
+constexpr size_t Margin = 64; // bytes that kernels may read before and behind a texture
+
+/** How values of a buffer lie in memory; throws FNotRead for what kernels do not read. */
+ETexelStorage GetStorage(EFormat Format, uint32_t Channels)
+{
+	static const ETexelStorage Floats[4] = {
+		ETexelStorage::R32_FLOAT, ETexelStorage::RG32_FLOAT, ETexelStorage::RGB32_FLOAT, ETexelStorage::RGBA32_FLOAT};
+	static const ETexelStorage Halves[4] = {
+		ETexelStorage::R16_FLOAT, ETexelStorage::RG16_FLOAT, ETexelStorage::Count, ETexelStorage::RGBA16_FLOAT};
+	static const ETexelStorage Words[4] = {
+		ETexelStorage::R32_UINT, ETexelStorage::RG32_UINT, ETexelStorage::Count, ETexelStorage::RGBA32_UINT};
+	static const ETexelStorage Shorts[4] = {
+		ETexelStorage::R16_UINT, ETexelStorage::RG16_UINT, ETexelStorage::Count, ETexelStorage::RGBA16_UINT};
+	const uint32_t Size = GetSize(Format);
+	const ETexelStorage* const List = Format == EFormat::Float32   ? Floats
+									  : Format == EFormat::Float16 ? Halves
+									  : Size == 4                  ? Words
+									  : Size == 2                  ? Shorts
+																   : nullptr;
+	if (!List || Channels < 1 || Channels > 4 || List[Channels - 1] == ETexelStorage::Count)
+	{
+		throw FNotRead("texels of " + std::to_string(Channels) + " values of " + std::to_string(Size * 8) + " bits");
+	}
+	return List[Channels - 1];
+}
+
+} // namespace
+
+FBinding::FBinding(const FPipeline& InPipeline, const FShaderReflection& Reflection, const std::string& Text)
+	: Pipeline(InPipeline)
+{
+	ReadPlaces(Text);
+	for (const FShaderConstantBuffer& Constants : Reflection.ConstantBuffers)
+	{
+		AddConstants(Constants);
+	}
+	for (const std::vector<uint8_t>& Memory : ConstantMemory)
+	{
+		ConstantPointers.push_back(Memory.data());
+	}
+	for (const FShaderResource& Resource : Reflection.Textures)
+	{
+		Textures.push_back(MakeTexture(Resource));
+	}
+	for (const FShaderResource& Resource : Reflection.RWTextures)
+	{
+		RWTextures.push_back(MakeTexture(Resource));
+	}
+	for (const FShaderResource& Resource : Reflection.Samplers)
+	{
+		Samplers.push_back(MakeSampler(Resource));
+	}
+	for (const FShaderResource& Resource : Reflection.Buffers)
+	{
+		Buffers.push_back(MakeBuffer(Resource));
+	}
+	for (const FShaderResource& Resource : Reflection.RWBuffers)
+	{
+		RWBuffers.push_back(MakeBuffer(Resource));
+	}
+	Args = {ConstantPointers.data(), Textures.data(), RWTextures.data(), Samplers.data(), Buffers.data(),
+		RWBuffers.data(), nullptr, nullptr, 0, nullptr};
+}
+
+void FBinding::ReadPlaces(const std::string& Text)
+{
+	const FHlslText Tokens(Text, "");
+	FPlace Attributes; // of the declaration that is being read
+	for (size_t At = 0; At < Tokens.Size(); ++At)
+	{
+		if (Tokens.Is(At, ";") || Tokens.Is(At, "{") || Tokens.Is(At, "}"))
+		{
+			const bool bBlock = Tokens.Is(At, "{") && Attributes.Class == 'b';
+			if (!bBlock && !Attributes.Name.empty() &&
+				(Attributes.Class || Attributes.Binding >= 0 || Attributes.bPush))
+			{
+				Places.push_back(Attributes);
+			}
+			if (bBlock)
+			{
+				Places.push_back(Attributes);
+			}
+			Attributes = {};
+		}
+		const auto GetNumber = [&](size_t Index)
+		{
+			return std::atoi(Tokens[std::min(Index, Tokens.Size() - 1)].Text.c_str());
+		};
+		if (Tokens.Is(At, "binding") && Tokens.Is(At + 1, "("))
+		{
+			Attributes.Binding = GetNumber(At + 2);
+			Attributes.Set = Tokens.Is(At + 3, ",") ? GetNumber(At + 4) : 0;
+		}
+		Attributes.bPush = Attributes.bPush || Tokens.Is(At, "push_constant");
+		const bool bName = Tokens.IsWord(At) && (Tokens.Is(At + 1, ";") || Tokens.Is(At + 1, ":") ||
+													Tokens.Is(At + 1, "[") || Tokens.Is(At + 1, "{"));
+		if (bName && Attributes.Name.empty())
+		{
+			Attributes.Name = Tokens[At].Text;
+		}
+		if (Tokens.Is(At, "register") && Tokens.Is(At + 1, "(") && Tokens.IsWord(At + 2))
+		{
+			const std::string& Register = Tokens[At + 2].Text;
+			Attributes.Class = Register[0];
+			Attributes.Register = std::atoi(Register.c_str() + 1);
+			Attributes.Space = Tokens.Is(At + 3, ",") ? std::atoi(Tokens[At + 4].Text.c_str() + 5) : 0;
+		}
+	}
+}
+
+const FResource& FBinding::FindResource(const std::string& Name) const
+{
+	const auto Place =
+		std::find_if(Places.begin(), Places.end(), [&](const FPlace& Candidate) { return Candidate.Name == Name; });
+	for (const FResource& Resource : Pipeline.Resources)
+	{
+		const bool bRegister = Place != Places.end() && Place->Class == Resource.GetRegisterClass() &&
+							   Place->Register == Resource.Register && Place->Space == Resource.Space;
+		const bool bBinding = Place != Places.end() && Place->Class == 0 && Place->Binding == Resource.Binding &&
+							  Place->Set == Resource.Set;
+		if (bRegister || bBinding || (Place == Places.end() && Resource.Name == Name))
+		{
+			return Resource;
+		}
+	}
+	throw FNotRead("nothing is bound to '" + Name + "'");
+}
+
+const FBuffer& FBinding::FindBuffer(const std::string& Name) const
+{
+	const FResource& Resource = FindResource(Name);
+	for (const FBuffer& Buffer : Pipeline.Buffers)
+	{
+		if (Buffer.Name == Resource.Name)
+		{
+			return Buffer;
+		}
+	}
+	throw FNotRead("no buffer '" + Resource.Name + "'");
+}
+
+FBinding::FMemory& FBinding::GetMemory(const FBuffer& Buffer)
+{
+	for (const std::unique_ptr<FMemory>& Memory : Memories)
+	{
+		if (Memory->Buffer == &Buffer)
+		{
+			return *Memory;
+		}
+	}
+	if (Buffer.Members.size() != 1)
+	{
+		throw FNotRead("an array of resources");
+	}
+	Memories.push_back(std::make_unique<FMemory>());
+	FMemory& Memory = *Memories.back();
+	Memory.Buffer = &Buffer;
+	const std::vector<uint8_t>& Bytes = Buffer.Members[0];
+	Memory.Bytes.resize(Bytes.size() + 2 * Margin);
+	std::copy(Bytes.begin(), Bytes.end(), Memory.Bytes.begin() + Margin);
+	return Memory;
+}
+
+FKernelTexture FBinding::MakeTexture(const FShaderResource& Resource)
+{
+	const FBuffer& Buffer = FindBuffer(Resource.Name);
+	FMemory& Memory = GetMemory(Buffer);
+	const int32_t TexelSize = int32_t(Buffer.GetElementSize());
+	uint8_t* Data = Memory.Bytes.data() + Margin;
+	std::array<int32_t, 3> Size = Buffer.Size;
+	Memory.Mips.clear();
+	for (int32_t Mip = 0; Mip < Buffer.MipLevels; ++Mip)
+	{
+		const int32_t Pitch = Size[0] * TexelSize;
+		const int64_t Slice = int64_t(Pitch) * Size[1];
+		Memory.Mips.push_back({Data, Size[0], Size[1], Size[2], Pitch, Slice});
+		Data += Slice * Size[2];
+		for (int32_t& Extent : Size)
+		{
+			Extent = std::max(1, Extent / 2);
+		}
+	}
+	if (Data != Memory.Bytes.data() + Memory.Bytes.size() - Margin)
+	{
+		throw FNotRead("a texture whose size is not that of its buffer");
+	}
+	return {Memory.Mips.data(), Buffer.MipLevels, GetStorage(Buffer.Format, Buffer.Channels),
+		uint8_t(Resource.Dimension == EShaderDimension::Texture3D), 0};
+}
+
+FKernelBuffer FBinding::MakeBuffer(const FShaderResource& Resource)
+{
+	const FBuffer& Buffer = FindBuffer(Resource.Name);
+	FMemory& Memory = GetMemory(Buffer);
+	const bool bTyped = Resource.Dimension == EShaderDimension::TypedBuffer;
+	return {Memory.Bytes.data() + Margin, uint32_t(Buffer.Members[0].size()),
+		bTyped ? Buffer.GetElementSize() : Resource.Stride,
+		bTyped ? GetStorage(Buffer.Format, Buffer.Channels) : ETexelStorage::R32_UINT};
+}
+
+void FBinding::AddConstants(const FShaderConstantBuffer& Constants)
+{
+	const bool bPush = std::any_of(Places.begin(), Places.end(),
+		[&](const FPlace& Place)
+		{ return Place.bPush && (Place.Name == Constants.Name || Constants.Name == "$Global"); });
+	const std::vector<uint8_t>& Bytes =
+		bPush && !Pipeline.PushConstants.empty() ? Pipeline.PushConstants : FindBuffer(Constants.Name).Members[0];
+	std::vector<uint8_t>& Memory = ConstantMemory.emplace_back(Bytes);
+	Memory.resize(std::max<size_t>(Memory.size(), Constants.Size));
+}
+
+FKernelSampler FBinding::MakeSampler(const FShaderResource& Resource) const
+{
+	const FSampler* const Sampler = Pipeline.FindSampler(FindResource(Resource.Name).Name);
+	if (!Sampler)
+	{
+		throw FNotRead("no sampler '" + Resource.Name + "'");
+	}
+	const EKernelAddress Address = Sampler->Address == "Repeat"   ? EKernelAddress::Wrap
+								   : Sampler->Address == "Mirror" ? EKernelAddress::Mirror
+								   : Sampler->Address == "Border" ? EKernelAddress::Border
+																  : EKernelAddress::Clamp;
+	return {Sampler->bLinear ? EKernelFilter::Bilinear : EKernelFilter::Point, Address, Address, Address, 8, 0, {}};
+}
+
+void FBinding::ReadBack(FPipeline& Target) const
+{
+	for (const std::unique_ptr<FMemory>& Memory : Memories)
+	{
+		std::vector<uint8_t>& Bytes = Target.FindBuffer(Memory->Buffer->Name)->Members[0];
+		std::copy(Memory->Bytes.begin() + Margin, Memory->Bytes.end() - Margin, Bytes.begin());
+	}
+}
+
+} // namespace Drydock::Conformance

@@ -1,0 +1,285 @@
+// Reads a pipeline, which is YAML: buffers with their values, descriptor sets, what is dispatched and what is expected.
+#include "ConformanceTest.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+
+namespace Drydock::Conformance
+{
+
+namespace
+{
+
+std::string GetText(const YAML::Node& Map, const char* Key, const std::string& Default = {})
+{
+	const YAML::Node Value = Map[Key];
+	return Value && Value.IsScalar() ? Value.Scalar() : Default;
+}
+
+int32_t GetNumber(const YAML::Node& Map, const char* Key, int32_t Default)
+{
+	const std::string Text = GetText(Map, Key);
+	return Text.empty() ? Default : int32_t(std::strtoll(Text.c_str(), nullptr, 0));
+}
+
+EFormat ReadFormat(const std::string& Name)
+{
+	static const std::map<std::string, EFormat> Formats = {{"Hex8", EFormat::Hex8}, {"Hex16", EFormat::Hex16},
+		{"Hex32", EFormat::Hex32}, {"Hex64", EFormat::Hex64}, {"UInt16", EFormat::UInt16}, {"UInt32", EFormat::UInt32},
+		{"UInt64", EFormat::UInt64}, {"Int16", EFormat::Int16}, {"Int32", EFormat::Int32}, {"Int64", EFormat::Int64},
+		{"Float16", EFormat::Float16}, {"Float32", EFormat::Float32}, {"Float64", EFormat::Float64},
+		{"Bool", EFormat::Bool}};
+	const auto Found = Formats.find(Name);
+	if (Found == Formats.end())
+	{
+		throw FNotRead("a buffer of the format '" + Name + "'");
+	}
+	return Found->second;
+}
+
+template<typename T>
+void Append(std::vector<uint8_t>& Bytes, T Value)
+{
+	const size_t At = Bytes.size();
+	Bytes.resize(At + sizeof(T));
+	std::memcpy(Bytes.data() + At, &Value, sizeof(T));
+}
+
+/** One value of YAML as its bytes. */
+void AppendValue(std::vector<uint8_t>& Bytes, EFormat Format, const std::string& Text)
+{
+	char* End = nullptr;
+	if (Format == EFormat::Float32)
+	{
+		Append(Bytes, std::strtof(Text.c_str(), &End));
+	}
+	else if (Format == EFormat::Float64)
+	{
+		Append(Bytes, std::strtod(Text.c_str(), &End));
+	}
+	else
+	{
+		const uint64_t Value = std::strtoull(Text.c_str(), &End, 0);
+		const uint8_t* const Data = reinterpret_cast<const uint8_t*>(&Value);
+		Bytes.insert(Bytes.end(), Data, Data + GetSize(Format));
+	}
+	if (End == Text.c_str() || *End != '\0')
+	{
+		throw FNotRead("a value '" + Text + "'");
+	}
+}
+
+std::vector<uint8_t> ReadValues(const YAML::Node& Values, EFormat Format)
+{
+	std::vector<uint8_t> Bytes;
+	for (const YAML::Node& Value : Values)
+	{
+		AppendValue(Bytes, Format, Value.Scalar());
+	}
+	return Bytes;
+}
+
+FBuffer ReadBuffer(const YAML::Node& Node)
+{
+	FBuffer Buffer;
+	Buffer.Name = GetText(Node, "Name");
+	Buffer.Format = ReadFormat(GetText(Node, "Format"));
+	Buffer.Channels = uint32_t(GetNumber(Node, "Channels", 1));
+	Buffer.Stride = uint32_t(GetNumber(Node, "Stride", 0));
+	const size_t Count = size_t(GetNumber(Node, "ArraySize", 1));
+	const size_t Fill = size_t(GetNumber(Node, "FillSize", 0));
+	const YAML::Node Data = Node["Data"];
+	for (size_t i = 0; i < Count; ++i)
+	{
+		std::vector<uint8_t> Bytes;
+		while (Bytes.size() < Fill)
+		{
+			AppendValue(Bytes, Buffer.Format, GetText(Node, "FillValue", "0"));
+		}
+		if (Fill == 0 && Data)
+		{
+			Bytes = ReadValues(Count > 1 ? Data[i] : Data, Buffer.Format);
+		}
+		Buffer.Members.push_back(std::move(Bytes));
+	}
+	if (const YAML::Node Props = Node["OutputProps"])
+	{
+		Buffer.Size = {GetNumber(Props, "Width", 0), GetNumber(Props, "Height", 0), GetNumber(Props, "Depth", 0)};
+		Buffer.MipLevels = GetNumber(Props, "MipLevels", 1);
+	}
+	return Buffer;
+}
+
+FResource ReadResource(const YAML::Node& Node, int32_t Set)
+{
+	for (const char* const Key : {"HasCounter", "TilesMapped", "IsReserved", "HeapIndex"})
+	{
+		if (Node[Key])
+		{
+			throw FNotRead(std::string("a resource with ") + Key);
+		}
+	}
+	FResource Resource;
+	Resource.Name = GetText(Node, "Name");
+	Resource.Kind = GetText(Node, "Kind");
+	Resource.Set = Set;
+	if (const YAML::Node DirectX = Node["DirectXBinding"])
+	{
+		Resource.Register = GetNumber(DirectX, "Register", -1);
+		Resource.Space = GetNumber(DirectX, "Space", 0);
+	}
+	if (const YAML::Node Vulkan = Node["VulkanBinding"])
+	{
+		Resource.Binding = GetNumber(Vulkan, "Binding", -1);
+	}
+	return Resource;
+}
+
+FResult ReadResult(const YAML::Node& Node)
+{
+	FResult Result;
+	Result.Name = GetText(Node, "Result");
+	Result.Actual = GetText(Node, "Actual");
+	Result.Expected = GetText(Node, "Expected");
+	Result.bDenormalMayBeZero = GetText(Node, "DenormMode", "Any") == "Any";
+	Result.Ulps = uint32_t(GetNumber(Node, "ULPT", 0));
+	Result.Epsilon = std::strtod(GetText(Node, "Epsilon", "0").c_str(), nullptr);
+	Result.ZeroTolerance = std::strtod(GetText(Node, "ZeroTolerance", "0").c_str(), nullptr);
+	const std::string Rule = GetText(Node, "Rule");
+	if (Rule != "BufferExact" && Rule != "BufferFloatULP" && Rule != "BufferFloatEpsilon")
+	{
+		throw FNotRead("the rule '" + Rule + "'");
+	}
+	Result.Rule = Rule == "BufferExact"      ? ERule::BufferExact
+				  : Rule == "BufferFloatULP" ? ERule::BufferFloatULP
+											 : ERule::BufferFloatEpsilon;
+	return Result;
+}
+
+void ReadPushConstants(const YAML::Node& Blocks, std::vector<uint8_t>& Bytes)
+{
+	for (const YAML::Node& Block : Blocks)
+	{
+		for (const YAML::Node& Value : Block["Values"])
+		{
+			const std::vector<uint8_t> Part = ReadValues(Value["Data"], ReadFormat(GetText(Value, "Format")));
+			const size_t Offset = size_t(GetNumber(Value, "Offset", 0));
+			Bytes.resize(std::max(Bytes.size(), Offset + Part.size()));
+			std::memcpy(Bytes.data() + Offset, Part.data(), Part.size());
+		}
+	}
+}
+
+FPipeline ReadPipelineNode(const YAML::Node& Root)
+{
+	FPipeline Pipeline;
+	if (Root["Shaders"].size() != 1 || GetText(Root["Shaders"][0], "Stage") != "Compute")
+	{
+		throw FNotRead("a pipeline that is not one compute shader");
+	}
+	if (Root["Shaders"][0]["SpecializationConstants"])
+	{
+		throw FNotRead("specialization constants");
+	}
+	Pipeline.Entry = GetText(Root["Shaders"][0], "Entry");
+	for (const YAML::Node& Node : Root["Buffers"])
+	{
+		Pipeline.Buffers.push_back(ReadBuffer(Node));
+	}
+	for (const YAML::Node& Node : Root["Samplers"])
+	{
+		Pipeline.Samplers.push_back({GetText(Node, "Name"), GetText(Node, "MinFilter", "Linear") == "Linear",
+			GetText(Node, "Address", "Clamp")});
+	}
+	for (size_t Set = 0; Set < Root["DescriptorSets"].size(); ++Set)
+	{
+		for (const YAML::Node& Node : Root["DescriptorSets"][Set]["Resources"])
+		{
+			Pipeline.Resources.push_back(ReadResource(Node, int32_t(Set)));
+		}
+	}
+	for (const YAML::Node& Node : Root["Results"])
+	{
+		Pipeline.Results.push_back(ReadResult(Node));
+	}
+	ReadPushConstants(Root["PushConstants"], Pipeline.PushConstants);
+	if (const YAML::Node Counts = Root["DispatchParameters"] ? Root["DispatchParameters"]["DispatchGroupCount"]
+															 : YAML::Node(YAML::NodeType::Undefined))
+	{
+		for (size_t i = 0; i < Counts.size() && i < 3; ++i)
+		{
+			Pipeline.GroupCount[i] = Counts[i].as<int32_t>();
+		}
+	}
+	return Pipeline;
+}
+
+} // namespace
+
+uint32_t GetSize(EFormat Format)
+{
+	switch (Format)
+	{
+	case EFormat::Hex8:
+		return 1;
+	case EFormat::Hex16:
+	case EFormat::UInt16:
+	case EFormat::Int16:
+	case EFormat::Float16:
+		return 2;
+	case EFormat::Hex64:
+	case EFormat::UInt64:
+	case EFormat::Int64:
+	case EFormat::Float64:
+		return 8;
+	default:
+		return 4;
+	}
+}
+
+char FResource::GetRegisterClass() const
+{
+	return Kind.starts_with("RW") ? 'u' : Kind == "ConstantBuffer" ? 'b' : Kind.starts_with("Sampler") ? 's' : 't';
+}
+
+FBuffer* FPipeline::FindBuffer(const std::string& Name)
+{
+	for (FBuffer& Buffer : Buffers)
+	{
+		if (Buffer.Name == Name)
+		{
+			return &Buffer;
+		}
+	}
+	return nullptr;
+}
+
+const FSampler* FPipeline::FindSampler(const std::string& Name) const
+{
+	for (const FSampler& Sampler : Samplers)
+	{
+		if (Sampler.Name == Name)
+		{
+			return &Sampler;
+		}
+	}
+	return nullptr;
+}
+
+FPipeline ReadPipeline(const std::string& Yaml)
+{
+	try
+	{
+		return ReadPipelineNode(YAML::Load(Yaml));
+	}
+	catch (const YAML::Exception& Error)
+	{
+		throw FNotRead(std::string("the pipeline's YAML: ") + Error.what());
+	}
+}
+
+} // namespace Drydock::Conformance
