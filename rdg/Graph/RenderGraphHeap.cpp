@@ -2,6 +2,7 @@
 #include "RenderGraphHeap.h"
 
 #include "DiagnosticList.h"
+#include "HugePages.h"
 #include "RenderGraphAlias.h"
 
 #include <cstdlib>
@@ -47,6 +48,7 @@ uint8* ReserveTransientHeap(uint64 Bytes)
 		{
 			throw Drydock::MakeMemoryError("the transient textures of the graph", Rounded);
 		}
+		AskForHugePages(Heap.Memory.get(), Rounded);
 		Heap.Bytes = Rounded;
 	}
 	return Heap.Memory.get();

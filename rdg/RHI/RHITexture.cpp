@@ -2,6 +2,7 @@
 #include "RHITexture.h"
 
 #include "DiagnosticList.h"
+#include "HugePages.h"
 #include "PixelFormatConversion.h"
 #include "TexelRows.h"
 
@@ -41,6 +42,7 @@ void FResourceMemory::Ensure(size_t Size)
 	{
 		throw std::bad_alloc();
 	}
+	AskForHugePages(Owned, Size + GTextureAlignment);
 	const uintptr_t Address = reinterpret_cast<uintptr_t>(Owned);
 	Data = static_cast<uint8*>(Owned) + (GTextureAlignment - Address % GTextureAlignment) % GTextureAlignment;
 }
