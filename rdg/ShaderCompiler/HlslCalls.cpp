@@ -1,5 +1,5 @@
 // Calls that become calls of functions written before the text: intrinsics that the front end lacks or gets wrong for
-// some types, and matrices made of other parts than their rows.
+// some types.
 #include "HlslRewrites.h"
 
 #include <algorithm>
@@ -37,15 +37,6 @@ const std::map<std::string, const char*> IntrinsicNames = {{"AddUint64", "Drydoc
 	{"dot2add", "DrydockDot2Add"}, {"dot4add_u8packed", "DrydockDot4AddU8"}, {"dot4add_i8packed", "DrydockDot4AddI8"},
 	{"msad4", "DrydockMsad4"}};
 
-std::string GetElement(const std::string& Value, const FHlslNumeric& Type, int Index)
-{
-	if (Type.IsMatrix())
-	{
-		return Value + "[" + std::to_string(Index / Type.Columns) + "][" + std::to_string(Index % Type.Columns) + "]";
-	}
-	return Type.Columns ? Value + "[" + std::to_string(Index) + "]" : Value;
-}
-
 class FCallRewriter
 {
 public:
@@ -68,13 +59,6 @@ public:
 				!Symbols.FindFunctions(Text[At].Text))
 			{
 				RewriteCall(At);
-			}
-			else if (Text.Is(At + 1, "=") && Text.Is(At + 2, "{") && Text.FindClose(At + 2) < Text.Size() && !bMember)
-			{
-				const FHlslVariable* Variable = Symbols.FindVariable(Text[At].Text, At);
-				const std::optional<FHlslNumeric> Type =
-					Variable && !Variable->bArray ? ParseHlslNumeric(Variable->Type) : std::nullopt;
-				MakeMatrix(Type, At + 2, At + 2);
 			}
 		}
 		std::string Prelude;
@@ -112,10 +96,6 @@ private:
 		{
 			CompareParts(At);
 		}
-		else if (Name == "and" || Name == "or")
-		{
-			JoinMatrices(At);
-		}
 		else if (Name == "normalize")
 		{
 			const std::optional<FHlslNumeric> Type = ParseHlslNumeric(Symbols.GetType(At + 2, Text.FindClose(At + 1)));
@@ -124,10 +104,6 @@ private:
 				Functions[Name] = "float DrydockNormalize(float A) { return A * rsqrt(A * A); }";
 				Edits.Replace(At, At + 1, "DrydockNormalize");
 			}
-		}
-		else if (const std::optional<FHlslNumeric> Type = ParseHlslNumeric(Name))
-		{
-			MakeMatrix(Type, At, At + 1);
 		}
 	}
 
@@ -163,95 +139,13 @@ private:
 							 " A) { return bool" + std::to_string(Size) + "(";
 				for (int i = 0; i < Size; ++i)
 				{
-					Overloads += (i ? ", " : "") + ("WaveActiveAllEqual(" + GetElement("A", Type, i)) + ")";
+					Overloads += (i ? ", " : "") + ("WaveActiveAllEqual(" + GetHlslElement("A", Type, i)) + ")";
 				}
 				Overloads += "); } ";
 			}
 		}
 		Functions["WaveActiveAllEqual"] = Overloads;
 		Edits.Replace(At, At + 1, "DrydockAllEqual");
-	}
-
-	/** and(A, B) of matrices, row by row. */
-	void JoinMatrices(size_t At)
-	{
-		const std::optional<FHlslNumeric> Type = ParseHlslNumeric(Symbols.GetType(At + 2, Text.FindClose(At + 1)));
-		if (!Type || !Type->IsMatrix())
-		{
-			return;
-		}
-		FHlslNumeric Bools = *Type;
-		Bools.Scalar = "bool";
-		const std::string Matrix = Bools.GetName();
-		const std::string Name = Text.Is(At, "and") ? "DrydockAnd" : "DrydockOr";
-		std::string Body = Matrix + " " + Name + "(" + Matrix + " A, " + Matrix + " B) { " + Matrix + " R;";
-		for (int i = 0; i < Bools.GetCount(); ++i)
-		{
-			Body += " " + GetElement("R", Bools, i) + " = " + GetElement("A", Bools, i) +
-					(Text.Is(At, "and") ? " && " : " || ") + GetElement("B", Bools, i) + ";";
-		}
-		Functions[Name + Matrix] = Body + " return R; }";
-		Edits.Replace(At, At + 1, Name);
-	}
-
-	/** float3x2(float3, float3) and `float2x2 M = {V, 1, 2}`: elements are taken row by row out of whatever parts there
-	 * are. The front end knows scalars for all, or a vector for each row. */
-	void MakeMatrix(const std::optional<FHlslNumeric>& Type, size_t First, size_t Open)
-	{
-		if (!Type || !Type->IsMatrix())
-		{
-			return;
-		}
-		std::vector<FHlslNumeric> Parts;
-		int Count = 0;
-		bool bRows = true; // a vector for each row
-		const size_t Close = Text.FindClose(Open);
-		for (size_t Begin = Open + 1, At = Begin; At <= Close; ++At)
-		{
-			if (At < Close && !Text.Is(At, ","))
-			{
-				At = std::max(At, Text.FindClose(At));
-				continue;
-			}
-			const std::optional<FHlslNumeric> Part = ParseHlslNumeric(Symbols.GetType(Begin, At));
-			if (!Part)
-			{
-				return;
-			}
-			Count += Part->GetCount();
-			bRows = bRows && !Part->IsMatrix() && Part->Columns == Type->Columns;
-			Parts.push_back(*Part);
-			Begin = At + 1;
-		}
-		const bool bScalars =
-			std::all_of(Parts.begin(), Parts.end(), [](const FHlslNumeric& Part) { return !Part.Columns; });
-		const bool bThin = Type->Rows == 1 || Type->Columns == 1;
-		const bool bKnown = (bScalars || bRows) && !bThin;
-		if (Count != Type->GetCount() || bKnown || (Parts.size() == 1 && Parts[0].IsMatrix()))
-		{
-			return;
-		}
-		const std::string Matrix = Type->GetName();
-		std::string Name = "Drydock_" + Matrix;
-		std::string Arguments;
-		std::string Body = Matrix + " R;";
-		int Element = 0;
-		for (size_t i = 0; i < Parts.size(); ++i)
-		{
-			const std::string Argument = "A" + std::to_string(i);
-			Arguments += (i ? ", " : "") + Parts[i].GetName() + " " + Argument;
-			Name += "_" + Parts[i].GetName();
-			for (int k = 0; k < Parts[i].GetCount(); ++k, ++Element)
-			{
-				Body += " " + GetElement("R", *Type, Element) + " = " + GetElement(Argument, Parts[i], k) + ";";
-			}
-		}
-		Functions[Name] = Matrix + " " + Name + "(" + Arguments + ") { " + Body + " return R; }";
-		Edits.Replace(First, Open + 1, Name + "(");
-		if (Text.Is(Open, "{"))
-		{
-			Edits.Replace(Close, Close + 1, ")");
-		}
 	}
 
 	FHlslText& Text;

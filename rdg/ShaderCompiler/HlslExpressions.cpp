@@ -91,6 +91,7 @@ private:
 			{"dot", &FExpressionRewriter::KeepUnfolded}, {"atan2", &FExpressionRewriter::KeepUnfolded},
 			{"asfloat", &FExpressionRewriter::KeepUnfolded}, {"sqrt", &FExpressionRewriter::KeepUnfolded},
 			{"log", &FExpressionRewriter::KeepUnfolded}, {"log2", &FExpressionRewriter::KeepUnfolded},
+			{"step", &FExpressionRewriter::KeepUnfolded}, {"pow", &FExpressionRewriter::KeepUnfolded},
 			{"any", &FExpressionRewriter::KeepUnfolded}, {"all", &FExpressionRewriter::KeepUnfolded},
 			{"mad", &FExpressionRewriter::RewriteMad}};
 		const auto Rewrite = Rewrites.find(Text[At].Text);
@@ -172,16 +173,15 @@ private:
 		return First < End;
 	}
 
-	/** dot of integers, atan2 of matrices, any and all, and what gives a constant that is not a number. */
+	/** dot of integers, functions of two matrices, any and all, and what gives a constant that is not a number. */
 	void KeepUnfolded(size_t At, const std::vector<size_t>& Separators)
 	{
 		const std::string Type = Symbols.GetType(At + 2, Separators[1]);
 		const std::optional<FHlslNumeric> Numeric = ParseHlslNumeric(Type);
 		const bool bNegative = Text.Is(At + 2, "-");
-		const bool bWrong = Text.Is(At, "dot")     ? Numeric && Numeric->IsInteger()
-							: Text.Is(At, "atan2") ? Numeric && Numeric->IsMatrix()
-							: Text.Is(At, "asfloat") || Text.Is(At, "any") || Text.Is(At, "all") ? true
-																								 : bNegative;
+		const bool bAlways = Text.Is(At, "asfloat") || Text.Is(At, "any") || Text.Is(At, "all");
+		const bool bIntegers = Text.Is(At, "dot") && Numeric && Numeric->IsInteger();
+		const bool bWrong = bAlways || bIntegers || bNegative || (Numeric && Numeric->IsMatrix());
 		if (bWrong && IsConstant(At + 2, Separators.back()))
 		{
 			MultiplyByOne(At + 2, Separators[1]);

@@ -28,13 +28,18 @@ bool RewriteGlobals(FHlslText& Text, const FHlslSymbols& Symbols);
 bool RewriteStatements(FHlslText& Text, const FHlslSymbols& Symbols, std::vector<FDiagnostic>& Errors);
 
 /** Intrinsics that the front end lacks (AddUint64, dot4add_u8packed, msad4, ...) or gets wrong
- * (InterlockedCompareStore, WaveActiveAllEqual of vectors), and matrices made of other parts than their rows, by
- * functions before the text. */
+ * (InterlockedCompareStore, WaveActiveAllEqual of vectors), by functions before the text. */
 bool RewriteCalls(FHlslText& Text, const FHlslSymbols& Symbols);
+
+/** Matrices made of other parts than their rows, those of bool, and mul of integers, by functions before the text. */
+bool RewriteMatrices(FHlslText& Text, const FHlslSymbols& Symbols, std::vector<FDiagnostic>& Errors);
 
 /** select, and, or; `M._m00_m11`; initializer lists as arguments; abs and sign of uint; and the calls that the front
  * end folds wrongly when their arguments are constants. */
 bool RewriteExpressions(FHlslText& Text, const FHlslSymbols& Symbols, std::vector<FDiagnostic>& Errors);
+
+/** Element Index of a value, counted row by row: "V[1]", "V[0][2]", a scalar itself. */
+std::string GetHlslElement(const std::string& Value, const FHlslNumeric& Type, int Index);
 
 /** "_m00_m11" and "_11_22" by their elements, each "_m00"; empty where Swizzle is no swizzle of several elements. */
 std::vector<std::string> SplitMatrixSwizzle(const std::string& Swizzle);

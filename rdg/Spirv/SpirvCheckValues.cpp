@@ -227,6 +227,7 @@ bool FSpirvChecker::CheckImage(const FSpirvInstruction& I)
 		const FSpirvType& Type = Image(I, 0);
 		const uint32_t Needed = Type.Dim == DimBuffer ? 1 : Type.Dim == Dim3D || Type.bArrayed ? 3 : 2;
 		Expect(Size(I, 1) >= Needed && Size(I, 2) >= 1 && Size(I, 2) <= 4, I);
+		CheckTexelKind(I, Type);
 		return true;
 	}
 	case OpImageQuerySize:

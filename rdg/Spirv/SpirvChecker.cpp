@@ -261,11 +261,13 @@ void FSpirvChecker::CheckInstruction(const FSpirvInstruction& I)
 			const bool bOneForAll = I.Op == OpSelect && i == 0 && Size(I, 0) == 1;
 			Expect(bOneForAll || Size(I, i) == ResultSize(I), I);
 		}
+		CheckKinds(I);
 		return;
 	}
 	if (I.Op == OpExtInst)
 	{
 		CheckExtended(I);
+		CheckKinds(I);
 		return;
 	}
 	if (I.Op == OpFunctionCall)
@@ -278,7 +280,12 @@ void FSpirvChecker::CheckInstruction(const FSpirvInstruction& I)
 		}
 		return;
 	}
-	if (!CheckMemory(I) && !CheckGroups(I) && !CheckComposite(I) && !CheckMatrix(I) && !CheckImage(I))
+	if (CheckMatrix(I))
+	{
+		CheckKinds(I);
+		return;
+	}
+	if (!CheckMemory(I) && !CheckGroups(I) && !CheckComposite(I) && !CheckImage(I))
 	{
 		Module.Fail(GetSpirvOpName(I.Op) +
 						" is not supported on the CPU tier; write the expression in another way, or report it",

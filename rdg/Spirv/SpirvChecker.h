@@ -1,5 +1,5 @@
 // One check per kind of instruction. SpirvChecker.cpp: control flow, memory and what is refused;
-// SpirvCheckValues.cpp: vectors, matrices, textures.
+// SpirvCheckValues.cpp: vectors, matrices, textures; SpirvCheckKinds.cpp: floats and integers.
 #pragma once
 
 #include "SpirvCheck.h"
@@ -34,6 +34,8 @@ private:
 	bool CheckMatrix(const FSpirvInstruction& I);
 	bool CheckImage(const FSpirvInstruction& I);
 	void CheckExtended(const FSpirvInstruction& I);
+	void CheckKinds(const FSpirvInstruction& I) const;
+	void CheckTexelKind(const FSpirvInstruction& I, const FSpirvType& Image) const;
 	void CheckPhi(const FSpirvInstruction& I);
 
 	void Expect(bool bCondition, const FSpirvInstruction& I) const

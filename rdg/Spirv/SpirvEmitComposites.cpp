@@ -137,7 +137,7 @@ bool FSpirvEmitter::EmitMatrix(const FSpirvInstruction& I)
 			Text += std::string(Text.empty() ? "" : " + ") + Use(Term.A) + " * " + Use(Term.B);
 			bVarying = bVarying || Term.A.bVarying || Term.B.bVarying;
 		}
-		Define(I.Result, Index, {Text, ESpirvType::Float, bVarying, -1});
+		Define(I.Result, Index, {Text, Module.GetScalarKind(I.Type, 0), bVarying, -1});
 	};
 	const uint32_t Size = SizeOf(I.Result);
 	switch (I.Op)

@@ -130,7 +130,9 @@ bool TSpirvThread<Real>::ExecuteMatrix(const FSpirvStep& Step)
 	case OpMatrixTimesScalar:
 		for (uint32_t i = 0; i < Step.Size; ++i)
 		{
-			Out[i] = ToSpirvWord<Real>(GetValue(Step, 0, i) * GetValue(Step, 1, 0));
+			// The front end has them of integers too.
+			Out[i] = IsReal(Step.I->Type, i) ? ToSpirvWord<Real>(GetValue(Step, 0, i) * GetValue(Step, 1, 0))
+											 : FWord(Bits(Step, 0, i) * Bits(Step, 1, 0));
 		}
 		return true;
 	case OpDot:
