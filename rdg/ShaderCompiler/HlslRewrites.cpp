@@ -192,6 +192,11 @@ std::string RewriteHlsl(const std::string& Text, const std::string& VirtualPath,
 		bChanged = true;
 		Symbols.emplace(Tokens);
 	}
+	if (RewriteChoices(Tokens, Errors))
+	{
+		bChanged = true;
+		Symbols.emplace(Tokens);
+	}
 	if (RewriteMatrices(Tokens, *Symbols, Errors))
 	{
 		bChanged = true;

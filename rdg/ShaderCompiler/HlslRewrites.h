@@ -23,6 +23,10 @@ bool RewriteNames(FHlslText& Text);
 /** `float G;` at file scope that functions write to: HLSL's older mode writes to a copy of the parameter. */
 bool RewriteGlobals(FHlslText& Text, const FHlslSymbols& Symbols);
 
+/** `C ? A : B`, `A && B` and `A || B` as if statements where a wave or an atomic operation is in what only some threads
+ * reach. */
+bool RewriteChoices(FHlslText& Text, std::vector<FDiagnostic>& Errors);
+
 /** `Out[P].rgb = V` of a texture or typed buffer as read, change and write of the texel; `M._m00_m11 = V` by elements;
  * [unroll(N)] as a bound of the loop's steps. */
 bool RewriteStatements(FHlslText& Text, const FHlslSymbols& Symbols, std::vector<FDiagnostic>& Errors);
