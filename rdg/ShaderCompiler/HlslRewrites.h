@@ -38,6 +38,10 @@ bool RewriteCalls(FHlslText& Text, const FHlslSymbols& Symbols);
 /** Matrices made of other parts than their rows, those of bool, and mul of integers, by functions before the text. */
 bool RewriteMatrices(FHlslText& Text, const FHlslSymbols& Symbols, std::vector<FDiagnostic>& Errors);
 
+/** Load<T> and Store<T> of buffers of bytes, by functions; a ConstantBuffer<S> whose S is that of an
+ * RWStructuredBuffer. */
+bool RewriteBuffers(FHlslText& Text, const FHlslSymbols& Symbols, std::vector<FDiagnostic>& Errors);
+
 /** select, and, or; `M._m00_m11`; initializer lists as arguments; abs and sign of uint; and the calls that the front
  * end folds wrongly when their arguments are constants. */
 bool RewriteExpressions(FHlslText& Text, const FHlslSymbols& Symbols, std::vector<FDiagnostic>& Errors);
