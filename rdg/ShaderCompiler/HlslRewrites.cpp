@@ -187,26 +187,20 @@ std::string RewriteHlsl(const std::string& Text, const std::string& VirtualPath,
 		return Text;
 	}
 	std::optional<FHlslSymbols> Symbols(std::in_place, Tokens);
-	if (RewriteGlobals(Tokens, *Symbols))
+	const auto Rewrite = [&](auto Run)
 	{
-		bChanged = true;
-		Symbols.emplace(Tokens);
-	}
-	if (RewriteMatrices(Tokens, *Symbols, Errors))
-	{
-		bChanged = true;
-		Symbols.emplace(Tokens);
-	}
-	if (RewriteCalls(Tokens, *Symbols))
-	{
-		bChanged = true;
-		Symbols.emplace(Tokens);
-	}
-	if (RewriteStatements(Tokens, *Symbols, Errors))
-	{
-		bChanged = true;
-		Symbols.emplace(Tokens);
-	}
+		if (Run())
+		{
+			bChanged = true;
+			Symbols.emplace(Tokens);
+		}
+	};
+	Rewrite([&] { return RewriteGlobals(Tokens, *Symbols); });
+	Rewrite([&] { return RewriteChoices(Tokens, Errors); });
+	Rewrite([&] { return RewriteBuffers(Tokens, *Symbols, Errors); });
+	Rewrite([&] { return RewriteMatrices(Tokens, *Symbols, Errors); });
+	Rewrite([&] { return RewriteCalls(Tokens, *Symbols); });
+	Rewrite([&] { return RewriteStatements(Tokens, *Symbols, Errors); });
 	bChanged = RewriteExpressions(Tokens, *Symbols, Errors) || bChanged;
 	return bChanged ? Tokens.Join() : Text;
 }

@@ -23,6 +23,10 @@ bool RewriteNames(FHlslText& Text);
 /** `float G;` at file scope that functions write to: HLSL's older mode writes to a copy of the parameter. */
 bool RewriteGlobals(FHlslText& Text, const FHlslSymbols& Symbols);
 
+/** `C ? A : B`, `A && B` and `A || B` as if statements where a wave or an atomic operation is in what only some threads
+ * reach. */
+bool RewriteChoices(FHlslText& Text, std::vector<FDiagnostic>& Errors);
+
 /** `Out[P].rgb = V` of a texture or typed buffer as read, change and write of the texel; `M._m00_m11 = V` by elements;
  * [unroll(N)] as a bound of the loop's steps. */
 bool RewriteStatements(FHlslText& Text, const FHlslSymbols& Symbols, std::vector<FDiagnostic>& Errors);
@@ -33,6 +37,10 @@ bool RewriteCalls(FHlslText& Text, const FHlslSymbols& Symbols);
 
 /** Matrices made of other parts than their rows, those of bool, and mul of integers, by functions before the text. */
 bool RewriteMatrices(FHlslText& Text, const FHlslSymbols& Symbols, std::vector<FDiagnostic>& Errors);
+
+/** Load<T> and Store<T> of buffers of bytes, by functions; a ConstantBuffer<S> whose S is that of an
+ * RWStructuredBuffer. */
+bool RewriteBuffers(FHlslText& Text, const FHlslSymbols& Symbols, std::vector<FDiagnostic>& Errors);
 
 /** select, and, or; `M._m00_m11`; initializer lists as arguments; abs and sign of uint; and the calls that the front
  * end folds wrongly when their arguments are constants. */

@@ -192,6 +192,10 @@ FPipeline ReadPipelineNode(const YAML::Node& Root)
 	}
 	for (const YAML::Node& Node : Root["Samplers"])
 	{
+		if (GetText(Node, "MinFilter", "Linear") != GetText(Node, "MagFilter", "Linear"))
+		{
+			throw FNotRead("a sampler whose two filters differ, which the engine's do not");
+		}
 		Pipeline.Samplers.push_back({GetText(Node, "Name"), GetText(Node, "MinFilter", "Linear") == "Linear",
 			GetText(Node, "Address", "Clamp")});
 	}

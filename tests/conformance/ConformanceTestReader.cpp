@@ -138,6 +138,10 @@ FTest ReadTest(const std::string& Path)
 	const FParts Parts = Split(Path);
 	FTest Test;
 	Test.WaveSize = Parts.WaveSize;
+	if (Test.WaveSize > 64)
+	{
+		throw FNotRead("waves of " + std::to_string(Test.WaveSize) + " threads, more than a kernel has");
+	}
 	std::map<std::string, FShaderSourceText> Objects;
 	for (const std::string& Line : Parts.RunLines)
 	{
