@@ -72,6 +72,11 @@ FIntVector FRHITexture::GetMipDimensions(uint8 MipIndex) const
 	return FIntVector(Mip.SizeX, Mip.SizeY, Desc.IsTexture3D() ? Mip.SizeZ : 1);
 }
 
+size_t FRHITexture::ComputeSize(const FRHITextureDesc& Desc)
+{
+	return Drydock::ComputeTextureSize(Desc);
+}
+
 void FRHITexture::PlaceAt(void* InMemory)
 {
 	Memory.PlaceAt(InMemory);

@@ -3,7 +3,6 @@
 
 #include "HAL/IConsoleManager.h"
 #include "PixelFormatConversion.h"
-#include "RHITexture.h"
 
 #include <algorithm>
 
@@ -154,10 +153,9 @@ FTextureLayout ComputeTextureLayout(const FRHITextureDesc& Desc)
 	return Layout;
 }
 
-} // namespace Drydock
-
-// Here and not beside its class: asked for each texture of a graph, it lays out without making the lists.
-size_t FRHITexture::ComputeSize(const FRHITextureDesc& Desc)
+size_t ComputeTextureSize(const FRHITextureDesc& Desc)
 {
-	return Drydock::ForEachPlane(Desc, [](size_t, Drydock::ETexelStorage, const Drydock::FTextureMipLayout&) {});
+	return ForEachPlane(Desc, [](size_t, ETexelStorage, const FTextureMipLayout&) {});
 }
+
+} // namespace Drydock

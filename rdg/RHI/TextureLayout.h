@@ -71,4 +71,7 @@ struct FTextureLayout
 /** The layout of a texture created now. Desc must be valid. */
 DRYDOCK_API FTextureLayout ComputeTextureLayout(const FRHITextureDesc& Desc);
 
+/** Its SizeInBytes, without making the lists: asked for each texture of a graph. */
+DRYDOCK_API size_t ComputeTextureSize(const FRHITextureDesc& Desc);
+
 } // namespace Drydock
