@@ -58,7 +58,7 @@ std::string FDebugEmitter::Emit()
 		Define(Function);
 	}
 	return "#include \"DebugKernelSupport.h\"\n" + Types.GetDefinitions() + Globals + Declarations +
-		   "static uint DrydockIncoming[" + std::to_string(NumIncoming) + "];\n" + Definitions + MakeKernel();
+		   "static uint64_t DrydockIncoming[" + std::to_string(NumIncoming) + "];\n" + Definitions + MakeKernel();
 }
 
 void FDebugEmitter::AddConstant(uint32_t Variable, uint32_t Member)
@@ -72,14 +72,19 @@ void FDebugEmitter::AddConstant(uint32_t Variable, uint32_t Member)
 	Found->second = "::" + Types.TakeName(Of.Name);
 	Globals += "static " + Types.NameOf(Of.Type) + " " + Found->second.substr(2) + ";\n";
 	const std::vector<uint32_t> Offsets = GetScalarOffsets(Module, Of.Type, Of.MatrixStride, Of.bRowMajor);
-	ConstantReads += "\t{\n\t\tstatic const uint Offsets[] = {";
-	for (const uint32_t Offset : Offsets)
+	std::string OffsetList;
+	std::string KindList;
+	for (size_t i = 0; i < Offsets.size(); ++i)
 	{
-		ConstantReads += std::to_string(Of.Offset + Offset) + ", ";
+		OffsetList += std::to_string(Of.Offset + Offsets[i]) + ", ";
+		KindList += std::to_string(int(Module.GetScalarKind(Of.Type, uint32_t(i)))) + ", ";
 	}
-	ConstantReads += "};\n\t\tfor (uint i = 0; i < " + std::to_string(Offsets.size()) + "; ++i)\n\t\t\t((uint*)&" +
-					 Found->second + ")[i] = DrydockRun->ReadConstant(DrydockRun->Self, " + std::to_string(Variable) +
-					 ", Offsets[i]);\n\t}\n";
+	const std::string Count = std::to_string(Offsets.size());
+	ConstantReads += "\t{\n\t\tstatic const uint Offsets[] = {" + OffsetList +
+					 "};\n\t\tstatic const unsigned char Kinds[] = {" + KindList + "};\n\t\tuint64_t Read[" + Count +
+					 "];\n\t\tfor (uint i = 0; i < " + Count +
+					 "; ++i)\n\t\t\tRead[i] = DrydockRun->ReadConstant(DrydockRun->Self, " + std::to_string(Variable) +
+					 ", Offsets[i], Kinds[i]);\n\t\t" + Types.CopyFromWords(Of.Type, Found->second, "Read") + "\n\t}\n";
 }
 
 /** Constants that the shader reads, each a variable by its own name. */

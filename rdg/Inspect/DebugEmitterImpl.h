@@ -40,7 +40,7 @@ private:
 	uint32_t Arg(const FSpirvStep& Step, size_t Operand) const { return Program.Args[Step.FirstArg + Operand]; }
 	std::string CopyWords(uint32_t To, uint32_t From, uint32_t Size) const
 	{
-		return Size ? "__builtin_memcpy(" + At(To) + ", " + At(From) + ", " + std::to_string(4 * Size) + "); "
+		return Size ? "__builtin_memcpy(" + At(To) + ", " + At(From) + ", " + std::to_string(8 * Size) + "); "
 					: std::string();
 	}
 

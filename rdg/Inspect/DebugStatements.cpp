@@ -27,11 +27,11 @@ std::optional<FDebugPath> FDebugEmitter::FindPath(uint32_t Pointer)
 	if (!Path && Variable != Module.VariableIndex.end() && Operands.size() > 1)
 	{
 		const FSpirvConstant* const Member = Module.FindConstant(Operands[1]);
-		const auto Constant = Constants.find({Variable->second, Member ? Member->Scalars.at(0) : ~0u});
+		const auto Constant = Constants.find({Variable->second, Member ? uint32_t(Member->Scalars.at(0)) : ~0u});
 		if (Constant != Constants.end() && !Constant->second.empty())
 		{
 			const FSpirvType& Buffer = Module.GetType(Module.Variables[Variable->second].Type);
-			Path = FDebugPath{Constant->second, Buffer.Members.at(Member->Scalars[0]).Type};
+			Path = FDebugPath{Constant->second, Buffer.Members.at(uint32_t(Member->Scalars[0])).Type};
 			Next = 2;
 		}
 	}
@@ -39,7 +39,7 @@ std::optional<FDebugPath> FDebugEmitter::FindPath(uint32_t Pointer)
 	{
 		const FSpirvType& Type = Module.GetType(Path->Type);
 		const FSpirvConstant* const Index = Module.FindConstant(Operands[Next]);
-		const uint32_t Element = Index ? Index->Scalars.at(0) : 0;
+		const uint32_t Element = Index ? uint32_t(Index->Scalars.at(0)) : 0;
 		if (Index)
 		{
 			Path->Text += Types.ElementOf(Path->Type, Element);

@@ -20,6 +20,18 @@ const char* GetScalarName(ESpirvType Kind)
 		return "int";
 	case ESpirvType::Uint:
 		return "uint";
+	case ESpirvType::Half:
+		return "float16_t";
+	case ESpirvType::Short:
+		return "int16_t";
+	case ESpirvType::Ushort:
+		return "uint16_t";
+	case ESpirvType::Double:
+		return "double";
+	case ESpirvType::Long:
+		return "int64_t";
+	case ESpirvType::Ulong:
+		return "uint64_t";
 	default:
 		return "float";
 	}
@@ -54,7 +66,8 @@ std::string MakeCppName(const std::string& Name)
 
 FDebugTypes::FDebugTypes(const FSpirvModule& InModule)
 	: Module(InModule)
-	, Taken({"bool", "int", "uint", "float", "Drydock"})
+	, Taken({"bool", "int", "uint", "float", "float16_t", "int16_t", "uint16_t", "double", "int64_t", "uint64_t",
+		  "Drydock"})
 {
 	for (const auto& [Id, Type] : Module.Types)
 	{
@@ -176,9 +189,9 @@ void FDebugTypes::AddScalars(uint32_t TypeId, const std::string& Path, std::vect
 {
 	const FSpirvType& Type = Module.GetType(TypeId);
 	const bool bStruct = Type.Kind == ESpirvType::Struct;
-	if (Type.Kind >= ESpirvType::Bool && Type.Kind <= ESpirvType::Float)
+	if (IsSpirvScalar(Type.Kind))
 	{
-		Scalars.push_back({Path, Type.Kind == ESpirvType::Bool});
+		Scalars.push_back({Path, Type.Kind});
 		return;
 	}
 	for (uint32_t i = 0; i < (bStruct ? uint32_t(Type.Members.size()) : Type.Count); ++i)
@@ -187,11 +200,12 @@ void FDebugTypes::AddScalars(uint32_t TypeId, const std::string& Path, std::vect
 	}
 }
 
-bool FDebugTypes::HasBools(uint32_t Type) const
+bool FDebugTypes::IsCopiedByScalars(uint32_t Type) const
 {
 	for (uint32_t i = 0; i < Module.GetType(Type).NumScalars; ++i)
 	{
-		if (Module.GetScalarKind(Type, i) == ESpirvType::Bool)
+		const ESpirvType Kind = Module.GetScalarKind(Type, i);
+		if (Kind == ESpirvType::Bool || GetSpirvBytes(Kind) != 4)
 		{
 			return true;
 		}
@@ -203,23 +217,42 @@ std::string FDebugTypes::Copy(uint32_t Type, const std::string& Variable, const 
 {
 	const auto Move = [bToWords](const std::string& Path, const std::string& At, uint32_t NumWords)
 	{
-		return "__builtin_memcpy(" + (bToWords ? At + ", &" + Path : "&" + Path + ", " + At) + ", " +
-			   std::to_string(4 * NumWords) + "); ";
+		return (bToWords ? "DrydockPut(" + At + ", &" : "DrydockTake(" + At + ", &") + Path + ", " +
+			   std::to_string(NumWords) + "); ";
 	};
-	if (!HasBools(Type))
+	if (!IsCopiedByScalars(Type))
 	{
 		return Move(Variable, Words, Module.GetType(Type).NumScalars);
 	}
-	// A bool of C++ has one byte.
+	// A bool of C++ has one byte, an int16_t two.
 	std::vector<FScalar> Scalars;
 	AddScalars(Type, Variable, Scalars);
 	std::string Text;
 	for (size_t i = 0; i < Scalars.size(); ++i)
 	{
 		const std::string At = "(" + Words + ")[" + std::to_string(i) + "]";
-		Text += !Scalars[i].bBool ? Move(Scalars[i].Path, "&" + At, 1)
-				: bToWords        ? At + " = " + Scalars[i].Path + "; "
-								  : Scalars[i].Path + " = " + At + " != 0; ";
+		const std::string& Path = Scalars[i].Path;
+		switch (Scalars[i].Kind)
+		{
+		case ESpirvType::Bool:
+			Text += bToWords ? At + " = " + Path + "; " : Path + " = " + At + " != 0; ";
+			break;
+		case ESpirvType::Short: // words hold what fills 32 bits
+			Text += bToWords ? At + " = uint(int(" + Path + ")); " : Path + " = short(" + At + "); ";
+			break;
+		case ESpirvType::Double:
+			Text += bToWords ? "__builtin_memcpy(&" + At + ", &" + Path + ", 8); "
+							 : "__builtin_memcpy(&" + Path + ", &" + At + ", 8); ";
+			break;
+		case ESpirvType::Ushort:
+		case ESpirvType::Long:
+		case ESpirvType::Ulong:
+			Text += bToWords ? At + " = " + Path + "; " : Path + " = " + At + "; ";
+			break;
+		default:
+			Text += Move(Path, "&" + At, 1);
+			break;
+		}
 	}
 	return Text;
 }
@@ -240,8 +273,9 @@ std::string FDebugTypes::ReadWords(uint32_t Type, const std::string& Words)
 	{
 		return "(" + Words + ")[0] != 0";
 	}
-	return HasBools(Type) ? "({ " + NameOf(Type) + " Read; " + CopyFromWords(Type, "Read", Words) + "Read; })"
-						  : "*(" + NameOf(Type) + "*)(" + Words + ")";
+	return IsCopiedByScalars(Type) ? "({ " + NameOf(Type) + " Read; " + CopyFromWords(Type, "Read", Words) + "Read; })"
+								   : "DrydockRead(" + NameOf(Type) + ", " + Words + ", " +
+										 std::to_string(Module.GetType(Type).NumScalars) + ")";
 }
 
 } // namespace Drydock

@@ -44,10 +44,11 @@ private:
 	struct FScalar
 	{
 		std::string Path;
-		bool bBool = false;
+		ESpirvType Kind = ESpirvType::Float;
 	};
 	void AddScalars(uint32_t Type, const std::string& Path, std::vector<FScalar>& Scalars) const;
-	bool HasBools(uint32_t Type) const;
+	/** Some of its scalars are not as long in C++ as the interpreter's floats. */
+	bool IsCopiedByScalars(uint32_t Type) const;
 	std::string Copy(uint32_t Type, const std::string& Variable, const std::string& Words, bool bToWords) const;
 	std::string Define(uint32_t Type);
 	std::string DefineStruct(const FSpirvType& Type);

@@ -47,16 +47,43 @@ struct FDebugRun
 		}
 	}
 
-	static uint32_t ReadConstant(void* Self, uint32_t Variable, uint32_t Offset)
+	static void Take(const uint64_t* Words, void* To, uint32_t Count)
+	{
+		for (uint32_t i = 0; i < Count; ++i)
+		{
+			const uint32_t Bits = uint32_t(Words[i]);
+			std::memcpy(static_cast<uint32_t*>(To) + i, &Bits, sizeof(Bits));
+		}
+	}
+
+	static void Put(uint64_t* Words, const void* From, uint32_t Count)
+	{
+		for (uint32_t i = 0; i < Count; ++i)
+		{
+			uint32_t Bits = 0;
+			std::memcpy(&Bits, static_cast<const uint32_t*>(From) + i, sizeof(Bits));
+			Words[i] = Bits;
+		}
+	}
+
+	static const void* Read(const uint64_t* Words, uint32_t Count)
+	{
+		static thread_local std::vector<uint32_t> Value;
+		Value.resize(Count);
+		Take(Words, Value.data(), Count);
+		return Value.data();
+	}
+
+	static uint64_t ReadConstant(void* Self, uint32_t Variable, uint32_t Offset, uint8_t Kind)
 	{
 		const FDebugRun& Run = *static_cast<FDebugRun*>(Self);
 		const int32_t Slot = Run.Slots.Slots.at(Variable);
-		uint32_t Word = 0;
+		uint64_t Bits = 0;
 		if (Slot >= 0 && Run.Args.ConstantBuffers[Slot])
 		{
-			std::memcpy(&Word, Run.Args.ConstantBuffers[Slot] + Offset, sizeof(Word));
+			std::memcpy(&Bits, Run.Args.ConstantBuffers[Slot] + Offset, GetSpirvBytes(ESpirvType(Kind)));
 		}
-		return Word;
+		return FromSpirvMemory<float>(ESpirvType(Kind), Bits);
 	}
 };
 
@@ -99,9 +126,9 @@ FDebuggedThread FDebuggedShader::Run(
 		Groups->Prepare(Run.Thread, Position);
 	}
 	Run.Thread.Begin(Args, {Position[0], Position[1], Position[2]}, nullptr);
-	FDebugKernelArgs Asked{Run.Thread.GetWords(), &Run, &FDebugRun::Execute, &FDebugRun::ReadConstant,
-		{Position[0], Position[1], Position[2]}, {Whole.MinX, Whole.MinY, Whole.MinZ},
-		{Whole.MaxX, Whole.MaxY, Whole.MaxZ}, {}, false};
+	FDebugKernelArgs Asked{Run.Thread.GetWords(), &Run, &FDebugRun::Execute, &FDebugRun::ReadConstant, &FDebugRun::Take,
+		&FDebugRun::Put, &FDebugRun::Read, {Position[0], Position[1], Position[2]},
+		{Whole.MinX, Whole.MinY, Whole.MinZ}, {Whole.MaxX, Whole.MaxY, Whole.MaxZ}, {}, false};
 	try
 	{
 		Kernel(Asked);

@@ -182,10 +182,7 @@ private:
 			for (uint32_t i = 0; i < Size; ++i)
 			{
 				const ESpirvType Kind = Module.GetScalarKind(Variable->Type, i);
-				const uint32_t Bits = Thread.GetBits(First + i);
-				Numbers += (i ? ", " : "") + (Kind == ESpirvType::Float    ? FormatReal(Thread.GetReal(First + i))
-												 : Kind == ESpirvType::Int ? std::to_string(int32_t(Bits))
-																		   : std::to_string(Bits));
+				Numbers += (i ? ", " : "") + FormatWord(Thread, First + i, Kind);
 			}
 			List += (List.empty() ? ": " : ", ") + Variable->Name + " = " + (Size == 1 ? Numbers : "(" + Numbers + ")");
 		}
@@ -215,7 +212,8 @@ private:
 		}
 		for (uint32_t i = 0; i < Program.ArgSizes[Step.FirstArg + ValueAt]; ++i)
 		{
-			Store.Value = Store.Value * 0x100000001b3 + Thread.GetBits(Program.Args[Step.FirstArg + ValueAt] + i) + 1;
+			Store.Value =
+				Store.Value * 0x100000001b3 + Thread.GetWideBits(Program.Args[Step.FirstArg + ValueAt] + i) + 1;
 		}
 		Stores.push_back(Store);
 	}
@@ -299,7 +297,7 @@ private:
 		const FSpirvInstruction& I = *Step.I;
 		for (uint32_t i = 0; i < Step.Size; ++i)
 		{
-			const double Value = Thread.GetReal(Step.To + i);
+			const double Value = Thread.GetNumber(Step.To + i, Module.GetScalarKind(I.Type, i));
 			if (std::isfinite(Value))
 			{
 				continue;
@@ -312,8 +310,9 @@ private:
 				const uint32_t Size = Module.GetType(Type).NumScalars;
 				for (uint32_t c = 0; c < Size; ++c)
 				{
-					const bool bReal = Module.GetScalarKind(Type, c) == ESpirvType::Float;
-					bFinite = bFinite && (!bReal || std::isfinite(Thread.GetReal(Program.Args[Step.FirstArg + k] + c)));
+					const ESpirvType Kind = Module.GetScalarKind(Type, c);
+					const uint32_t Word = Program.Args[Step.FirstArg + k] + c;
+					bFinite = bFinite && (!IsSpirvReal(Kind) || std::isfinite(Thread.GetNumber(Word, Kind)));
 				}
 			}
 			if (bFinite)
@@ -376,7 +375,7 @@ private:
 bool IsArithmetic(const FSpirvModule& Module, const FSpirvInstruction& I)
 {
 	const bool bMade = I.Op == OpExtInst || (I.Op >= OpSNegate && I.Op <= OpDot);
-	return bMade && I.Type && Module.GetType(I.Type).NumScalars && Module.GetScalarKind(I.Type, 0) == ESpirvType::Float;
+	return bMade && I.Type && Module.GetType(I.Type).NumScalars && IsSpirvReal(Module.GetScalarKind(I.Type, 0));
 }
 
 void SetHooks(FInspectedShader& Shader, const FCheckSet& Checks)

@@ -153,10 +153,7 @@ public:
 		{
 			const ESpirvType Kind = Program.Module.GetScalarKind(Line.Type, uint32_t(c));
 			const uint32_t Word = First + uint32_t(c);
-			Values.Values[Index * size_t(Values.NumChannels) + size_t(c)] =
-				Kind == ESpirvType::Float ? float(Thread.GetReal(Word))
-				: Kind == ESpirvType::Int ? float(int32_t(Thread.GetBits(Word)))
-										  : float(Thread.GetBits(Word));
+			Values.Values[Index * size_t(Values.NumChannels) + size_t(c)] = float(Thread.GetNumber(Word, Kind));
 		}
 	}
 

@@ -73,6 +73,14 @@ std::string FormatReal(double Value)
 	return std::string(Text, End.ptr);
 }
 
+std::string FormatWord(const FSpirvThreadView& Thread, uint32_t Word, ESpirvType Kind)
+{
+	return IsSpirvReal(Kind)          ? FormatReal(Thread.GetNumber(Word, Kind))
+		   : Kind == ESpirvType::Long ? std::to_string(int64_t(Thread.GetWideBits(Word)))
+		   : IsSpirvSigned(Kind)      ? std::to_string(int32_t(Thread.GetBits(Word)))
+									  : std::to_string(Thread.GetWideBits(Word));
+}
+
 std::string DescribeOperation(
 	const FSpirvProgram& Program, const FSpirvThreadView& Thread, const FSpirvStep& Step, uint32_t Component)
 {
@@ -92,9 +100,7 @@ std::string DescribeOperation(
 		const auto Format = [&](uint32_t Index)
 		{
 			const ESpirvType Kind = Program.Module.GetScalarKind(Type, Index);
-			return Kind == ESpirvType::Float ? FormatReal(Thread.GetReal(Word + Index))
-				   : Kind == ESpirvType::Int ? std::to_string(int32_t(Thread.GetBits(Word + Index)))
-											 : std::to_string(Thread.GetBits(Word + Index));
+			return FormatWord(Thread, Word + Index, Kind);
 		};
 		std::string Text;
 		if (TakesVectors(I))

@@ -11,6 +11,9 @@ namespace Drydock
 /** A number for a message: the shortest text that is the float again. */
 DRYDOCK_API std::string FormatReal(double Value);
 
+/** The number in a word of a thread, of any kind; integers with all of their digits. */
+std::string FormatWord(const FSpirvThreadView& Thread, uint32_t Word, ESpirvType Kind);
+
 /** Of one component of the result of arithmetic; the operation's number where HLSL has no sign or function for it. */
 std::string DescribeOperation(
 	const FSpirvProgram& Program, const FSpirvThreadView& Thread, const FSpirvStep& Step, uint32_t Component);

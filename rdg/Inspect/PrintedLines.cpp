@@ -72,12 +72,12 @@ std::string FormatNumber(double Number, ESpirvType Kind, char Conversion, int Pr
 	{
 		return Number != 0 ? "true" : "false";
 	}
-	if (Conversion == 'x' && Kind != ESpirvType::Float)
+	if (Conversion == 'x' && !IsSpirvReal(Kind))
 	{
 		std::snprintf(Text, sizeof(Text), "%x", unsigned(int64_t(Number)));
 		return Text;
 	}
-	if (Precision >= 0 && Kind == ESpirvType::Float && std::isfinite(Number))
+	if (Precision >= 0 && IsSpirvReal(Kind) && std::isfinite(Number))
 	{
 		std::snprintf(Text, sizeof(Text), Conversion == 'e' ? "%.*e" : "%.*f", std::min(Precision, 9), Number);
 		return Text;
@@ -186,10 +186,7 @@ private:
 		for (uint32_t i = 0; i < Size; ++i)
 		{
 			Value.Kind = Module.GetScalarKind(Type, i);
-			const uint32_t Bits = Thread.GetBits(First + i);
-			Value.Numbers.push_back(Value.Kind == ESpirvType::Float ? Thread.GetReal(First + i)
-									: Value.Kind == ESpirvType::Int ? double(int32_t(Bits))
-																	: double(Bits));
+			Value.Numbers.push_back(Thread.GetNumber(First + i, Value.Kind));
 		}
 		return Value;
 	}

@@ -150,11 +150,8 @@ private:
 		for (uint32_t i = 0; i < Size; ++i)
 		{
 			const ESpirvType Kind = Module.GetScalarKind(Type, i);
-			const uint32_t Bits = Thread.GetBits(First + i);
-			Value.Bits.push_back(Bits);
-			Value.Reals.push_back(Kind == ESpirvType::Float ? Thread.GetReal(First + i)
-								  : Kind == ESpirvType::Int ? double(int32_t(Bits))
-															: double(Bits));
+			Value.Bits.push_back(Thread.GetBits(First + i));
+			Value.Reals.push_back(Thread.GetNumber(First + i, Kind));
 		}
 		return Value;
 	}

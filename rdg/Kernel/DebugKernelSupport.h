@@ -5,6 +5,7 @@
 #include "DebugKernel.h"
 
 using uint = uint32_t;
+using float16_t = float; // whose values are those of 16 bits
 
 /** An array as a local variable: a debugger shows "float4 [5]". */
 template<typename T, uint Count>
@@ -25,8 +26,12 @@ struct DrydockPixelPosition
 static DrydockPixelPosition DrydockPixel;
 
 static Drydock::FDebugKernelArgs* DrydockRun;
-static uint* DrydockWords;
+static uint64_t* DrydockWords;
 
+// Calls that a debugger steps over. The variable's numbers have 32 bits.
+#define DrydockTake(Words, To, Count) DrydockRun->Take(Words, To, Count)
+#define DrydockPut(Words, From, Count) DrydockRun->Put(Words, From, Count)
+#define DrydockRead(Type, Words, Count) (*static_cast<const Type*>(DrydockRun->Read(Words, Count)))
 #define DrydockDo(Step) DrydockRun->Execute(DrydockRun->Self, Step)
 
 /** From the debugger: the shader runs once more, for another pixel or thread, when it is through with this one. */

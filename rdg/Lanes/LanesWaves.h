@@ -30,7 +30,14 @@ struct FWaveMin
 	template<typename T>
 	static T Apply(T A, T B)
 	{
-		return Min(A, B);
+		if constexpr (std::is_integral_v<T>)
+		{
+			return A < B ? A : B;
+		}
+		else
+		{
+			return Min(A, B);
+		}
 	}
 };
 struct FWaveMax
@@ -38,7 +45,14 @@ struct FWaveMax
 	template<typename T>
 	static T Apply(T A, T B)
 	{
-		return Max(A, B);
+		if constexpr (std::is_integral_v<T>)
+		{
+			return A > B ? A : B;
+		}
+		else
+		{
+			return Max(A, B);
+		}
 	}
 };
 struct FWaveAnd

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 
 namespace Drydock
 {
@@ -16,12 +17,63 @@ std::string ToLower(std::string Text)
 	return Text;
 }
 
-/** "uint3" of "uint32_t3"; empty for other names. */
-std::string GetOlderName(const std::string& Name)
+/** "uint3" of "uint32_t3"; with real 16-bit types "float16_t3" of "half3"; empty for other names. */
+std::string GetOlderName(const std::string& Name, bool bRealHalf)
 {
+	if (bRealHalf && Name.starts_with("half") && ParseHlslNumeric(Name))
+	{
+		return "float16_t" + Name.substr(4);
+	}
 	const bool bSized = Name.find("32_t") != std::string::npos;
 	const std::optional<FHlslNumeric> Numeric = bSized ? ParseHlslNumeric(Name) : std::nullopt;
 	return Numeric ? Numeric->GetName() : std::string();
+}
+
+/** vector<int64_t, 3> at At as int64_t3, for the front end takes its own types there; empty: something else. */
+std::string GetVectorName(const FHlslText& Text, size_t At, bool bRealHalf)
+{
+	const bool bVector = Text.Is(At, "vector");
+	const size_t Size = bVector ? 1 : 2;
+	const bool bList = (bVector || Text.Is(At, "matrix")) && Text.Is(At + 1, "<") && Text.IsWord(At + 2) &&
+					   Text.Is(At + 3, ",") && Text.Is(At + 3 + 2 * Size, ">") && (bVector || Text.Is(At + 5, ","));
+	if (!bList)
+	{
+		return {};
+	}
+	const std::string Older = GetOlderName(Text[At + 2].Text, bRealHalf);
+	const std::string Scalar = Older.empty() ? Text[At + 2].Text : Older;
+	const bool bSized = Scalar.find("16_t") != std::string::npos || Scalar.find("64_t") != std::string::npos;
+	const std::string Name = Scalar + Text[At + 4].Text + (bVector ? std::string() : "x" + Text[At + 6].Text);
+	return bSized && ParseHlslNumeric(Name) ? Name : std::string();
+}
+
+/** A literal that the front end does not read: of 64 bits, or of 16. Empty: it does. */
+std::string GetLiteral(const std::string& Number, bool bRealHalf)
+{
+	const bool bHexadecimal = Number.size() > 1 && (Number[1] | 0x20) == 'x';
+	const size_t Digits = Number.find_first_not_of(bHexadecimal ? "0123456789abcdefABCDEFxX" : "0123456789");
+	if (!bHexadecimal && (Number.back() | 0x20) == 'h')
+	{
+		const std::string Value = Number.substr(0, Number.size() - 1);
+		return bRealHalf ? "float16_t(" + Value + ")" : Value;
+	}
+	const std::string Suffix = Digits == std::string::npos ? std::string() : ToLower(Number.substr(Digits));
+	const bool bKnown = Suffix.empty() || Suffix == "u" || Suffix == "l" || Suffix == "ll" || Suffix == "ul" ||
+						Suffix == "ull" || Suffix == "lu" || Suffix == "llu";
+	if (!bKnown)
+	{
+		return {};
+	}
+	const bool bOctal = !bHexadecimal && Number.size() > 1 && Number[0] == '0';
+	const uint64_t Value = std::strtoull(Number.c_str(), nullptr, bHexadecimal ? 16 : bOctal ? 8 : 10);
+	if (Value <= 0xFFFFFFFFu && Suffix.find("ll") == std::string::npos)
+	{
+		return {};
+	}
+	const bool bUnsigned = Suffix.find('u') != std::string::npos;
+	const std::string Type = bUnsigned ? "uint64_t" : "int64_t";
+	const std::string Low = Type + "(" + std::to_string(uint32_t(Value)) + "u)";
+	return Value <= 0xFFFFFFFFu ? Low : "(" + Type + "(" + std::to_string(Value >> 32) + "u) << 32 | " + Low + ")";
 }
 
 bool IsAssignment(const FHlslToken& Token)
@@ -45,7 +97,7 @@ bool IsWritten(const FHlslText& Text, size_t At)
 
 } // namespace
 
-bool RewriteNames(FHlslText& Text)
+bool RewriteNames(FHlslText& Text, bool bRealHalf)
 {
 	static const std::set<std::string> Attributes = {"numthreads", "unroll", "loop", "branch", "flatten", "fastopt",
 		"allow_uav_condition", "earlydepthstencil", "call", "forcecase"};
@@ -53,7 +105,7 @@ bool RewriteNames(FHlslText& Text)
 	for (size_t At = 1; At < Text.Size(); ++At)
 	{
 		const bool bTypedef = Text.IsWord(At - 1) && (Text.Is(At + 1, ";") || Text.Is(At + 1, "{"));
-		if (bTypedef && Text.IsWord(At) && !GetOlderName(Text[At].Text).empty())
+		if (bTypedef && Text.IsWord(At) && !GetOlderName(Text[At].Text, bRealHalf).empty())
 		{
 			Own.insert(Text[At].Text);
 		}
@@ -62,6 +114,14 @@ bool RewriteNames(FHlslText& Text)
 	bool bChanged = false;
 	for (size_t At = 0; At < Text.Size(); ++At)
 	{
+		const bool bNumber = Text[At].Kind == EShaderToken::Number;
+		const std::string Literal = bNumber ? GetLiteral(Text[At].Text, bRealHalf) : std::string();
+		const std::string Vector = GetVectorName(Text, At, bRealHalf);
+		if (!Literal.empty() || !Vector.empty())
+		{
+			Edits.Replace(At, At + (bNumber ? 1 : Text.Is(At, "vector") ? 6 : 8), bNumber ? Literal : Vector);
+			continue;
+		}
 		if (!Text.IsWord(At))
 		{
 			continue;
@@ -77,7 +137,7 @@ bool RewriteNames(FHlslText& Text)
 			}
 			continue;
 		}
-		const std::string Older = Own.count(Token.Text) ? std::string() : GetOlderName(Token.Text);
+		const std::string Older = Own.count(Token.Text) ? std::string() : GetOlderName(Token.Text, bRealHalf);
 		if (!Older.empty())
 		{
 			Token.Text = Older;
@@ -177,10 +237,11 @@ std::vector<std::string> SplitMatrixSwizzle(const std::string& Swizzle)
 	return Elements.size() > 1 && Elements.size() <= 4 ? Elements : std::vector<std::string>();
 }
 
-std::string RewriteHlsl(const std::string& Text, const std::string& VirtualPath, std::vector<FDiagnostic>& Errors)
+std::string RewriteHlsl(
+	const std::string& Text, const std::string& VirtualPath, std::vector<FDiagnostic>& Errors, bool bRealHalf)
 {
 	FHlslText Tokens(Text, VirtualPath);
-	bool bChanged = RewriteNames(Tokens);
+	bool bChanged = RewriteNames(Tokens, bRealHalf);
 	bChanged = RewriteTemplates(Tokens, Errors) || bChanged;
 	if (!Errors.empty())
 	{

@@ -8,17 +8,18 @@ namespace Drydock
 {
 
 /** All of what follows. A text that has nothing of it comes back as it is. VirtualPath: of lines above the first #line.
- * Errors: DD6010. */
+ * Errors: DD6010. bRealHalf: half is float16_t, not float. */
 DRYDOCK_API std::string RewriteHlsl(
-	const std::string& Text, const std::string& VirtualPath, std::vector<FDiagnostic>& Errors);
+	const std::string& Text, const std::string& VirtualPath, std::vector<FDiagnostic>& Errors, bool bRealHalf = false);
 
 // Each tells whether it changed the text; Symbols are those of the text as it is given.
 
 /** Templates of functions and structs: each use with arguments of its own gets a copy, F<float> as F_float. */
 bool RewriteTemplates(FHlslText& Text, std::vector<FDiagnostic>& Errors);
 
-/** uint32_t3 and its like by HLSL's older names; attributes in small letters; `using A = B;` as a typedef. */
-bool RewriteNames(FHlslText& Text);
+/** uint32_t3 and its like by HLSL's older names; attributes in small letters; `using A = B;` as a typedef; vectors and
+ * literals of 16 and 64 bits as the front end reads them. */
+bool RewriteNames(FHlslText& Text, bool bRealHalf);
 
 /** `float G;` at file scope that functions write to: HLSL's older mode writes to a copy of the parameter. */
 bool RewriteGlobals(FHlslText& Text, const FHlslSymbols& Symbols);

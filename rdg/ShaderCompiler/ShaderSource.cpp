@@ -45,6 +45,13 @@ std::string DescribeAbsence(const std::string& Path, const std::string& Unreadab
 		   (Folders.empty() ? "nothing" : Folders);
 }
 
+/** As DXC says it of itself with -enable-16bit-types: half is a number of 16 bits. */
+bool HasRealHalf(const FShaderCompileRequest& Request)
+{
+	return std::any_of(Request.Defines.begin(), Request.Defines.end(),
+		[](const auto& Define) { return Define.first == "__HLSL_ENABLE_16_BIT" && Define.second != "0"; });
+}
+
 class FFlattener
 {
 public:
@@ -205,7 +212,7 @@ FShaderSource FFlattener::Run()
 	const std::string Printing = RewritePrints(Preprocessor.GetText(), Request.bKeepFunctions, Result.Strings);
 	Result.Text = RewriteHlsl("#pragma pack_matrix(row_major)\n" + DeclarePrints(Printing) +
 								  DeclareUniformBuffers(RewriteLoads(RewriteEnums(Printing)), Request.UniformBuffers),
-		Request.VirtualPath, Preprocessor.GetErrors());
+		Request.VirtualPath, Preprocessor.GetErrors(), HasRealHalf(Request));
 	if (!Preprocessor.GetErrors().empty())
 	{
 		throw FError(std::move(Preprocessor.GetErrors()), ExitUsage);

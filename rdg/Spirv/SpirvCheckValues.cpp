@@ -133,6 +133,14 @@ const FSpirvType& FSpirvChecker::Image(const FSpirvInstruction& I, size_t i) con
 		Type = &Module.GetType(Type->Element);
 	}
 	Expect(Type->Kind == ESpirvType::Image, I);
+	const ESpirvType Texel = Module.GetType(Type->Element).Kind;
+	if (GetSpirvBytes(Texel) != 4)
+	{
+		Module.Fail(GetHlslTypeName(Module, *Type) +
+						" is not supported on the CPU tier: texels are read and written as 32 bits; use float, int or "
+						"uint, whatever the format",
+			&I);
+	}
 	if (Type->bMultisampled)
 	{
 		Module.Fail(

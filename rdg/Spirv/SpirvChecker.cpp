@@ -20,7 +20,8 @@ int GetComponentwiseOperands(uint16_t Op)
 	// clang-format off
 	switch (Op)
 	{
-	case OpConvertFToU: case OpConvertFToS: case OpConvertSToF: case OpConvertUToF: case OpBitcast: case OpSNegate:
+	case OpConvertFToU: case OpConvertFToS: case OpConvertSToF: case OpConvertUToF: case OpSNegate:
+	case OpUConvert: case OpSConvert: case OpFConvert:
 	case OpFNegate: case OpIsNan: case OpIsInf: case OpLogicalNot: case OpNot: case OpBitReverse: case OpBitCount:
 	case OpCopyObject:
 		return 1;
@@ -219,7 +220,11 @@ void FSpirvChecker::CheckTerminator(const FSpirvInstruction& I)
 	{
 		ExpectCount(I, 2);
 		const ESpirvType Kind = Module.GetValueType(I.Operands[0]).Kind;
-		Expect(I.Operands.size() % 2 == 0 && (Kind == ESpirvType::Int || Kind == ESpirvType::Uint), I);
+		if (Kind == ESpirvType::Long || Kind == ESpirvType::Ulong)
+		{
+			Module.Fail("a switch over a 64-bit integer is not supported on the CPU tier; use if", &I);
+		}
+		Expect(I.Operands.size() % 2 == 0 && IsSpirvInteger(Kind), I);
 		break;
 	}
 	case OpKill:
@@ -268,6 +273,13 @@ void FSpirvChecker::CheckInstruction(const FSpirvInstruction& I)
 	{
 		CheckExtended(I);
 		CheckKinds(I);
+		return;
+	}
+	if (I.Op == OpBitcast)
+	{
+		Expect(I.Operands.size() == 1 && ResultSize(I) != 0 && Size(I, 0) != 0, I);
+		const uint32_t From = GetSpirvBytes(Module.GetScalarKind(Module.GetValueTypeId(I.Operands[0]), 0));
+		Expect(From * Size(I, 0) == GetSpirvBytes(Module.GetScalarKind(I.Type, 0)) * ResultSize(I), I);
 		return;
 	}
 	if (I.Op == OpFunctionCall)
@@ -412,6 +424,12 @@ void FSpirvChecker::CheckExtended(const FSpirvInstruction& I)
 			I);
 		return;
 	}
+	case ExtPackDouble2x32:
+		Expect(First == 2 && ResultSize(I) == 1 && Module.GetScalarKind(I.Type, 0) == ESpirvType::Double, I);
+		return;
+	case ExtUnpackDouble2x32:
+		Expect(First == 1 && ResultSize(I) == 2 && Module.GetValueType(I.Operands[2]).Kind == ESpirvType::Double, I);
+		return;
 	case ExtPackHalf2x16:
 		Expect(First == 2 && ResultSize(I) == 1, I);
 		return;

@@ -30,9 +30,15 @@ std::string Number(uint32_t Value)
 
 } // namespace
 
-const char* FSpirvEmitter::ArraySuffix(ESpirvType Kind)
+std::string FSpirvEmitter::ArraySuffix(ESpirvType Kind)
 {
-	return Kind == Float ? "_f" : Kind == Int ? "_i" : Kind == Uint ? "_u" : "_b";
+	return std::string("_") + "?vbiufhstdlm"[size_t(Kind)];
+}
+
+std::string FSpirvEmitter::MemoryName(ESpirvType Kind)
+{
+	const std::string Width = std::to_string(8 * GetSpirvBytes(Kind));
+	return Kind == ESpirvType::Double ? "double" : (IsSpirvSigned(Kind) ? "int" : "uint") + Width + "_t";
 }
 
 std::string FSpirvEmitter::LocalArray(const FSpirvVariable& Variable, ESpirvType Kind) const
@@ -192,10 +198,13 @@ FEmitScalar FSpirvEmitter::LoadConstantBuffer(const FSpirvPlace& Place, uint32_t
 {
 	bool bVarying = false;
 	const std::string Offset = IndexText(Place, Number(Place.Offset + Place.Scalars[ScalarIndex]), bVarying);
-	const std::string Type = Kind == Float ? "float" : Kind == Int ? "int32_t" : "uint32_t";
-	const std::string Read = "ReadConstant<" + Type + ">(g" + Number(Place.Variable->Id) + ", " +
-							 (bVarying ? Offset : "uint32_t(" + Offset + ")") + ")";
-	return {Kind == Float ? "WidenReal<Real>(" + Read + ")" : Read, Kind, bVarying, -1};
+	const std::string Type = Kind == Float ? "float" : MemoryName(Kind);
+	const std::string Read = (GetSpirvBytes(Kind) == 4 ? "ReadConstant<" : "ReadConstantOf<") + Type + ">(g" +
+							 Number(Place.Variable->Id) + ", " + (bVarying ? Offset : "uint32_t(" + Offset + ")") + ")";
+	return {Kind == Float              ? "WidenReal<Real>(" + Read + ")"
+			: Kind == ESpirvType::Half ? "HalfOfBits<Real>(" + Read + ")"
+									   : Read,
+		Kind, bVarying, -1};
 }
 
 std::string FSpirvEmitter::BufferOffsetText(const FSpirvPlace& Place, uint32_t ScalarIndex, bool& bVarying)
@@ -224,10 +233,12 @@ FEmitScalar FSpirvEmitter::LoadStorageBuffer(const FSpirvPlace& Place, uint32_t 
 {
 	bool bVarying = false;
 	const std::string Offset = BufferOffsetText(Place, ScalarIndex, bVarying);
-	const std::string Function = Kind == Float ? "LoadBufferReal<Real>"
-								 : Kind == Int ? "LoadBufferInt"
-											   : "LoadBufferUint";
-	return {Function + "(g" + Number(Place.Variable->Id) + ", " + Offset + ")", Kind, bVarying, -1};
+	const std::string Function = GetSpirvBytes(Kind) != 4 ? "LoadBufferOf<" + MemoryName(Kind) + ">"
+								 : Kind == Float          ? "LoadBufferReal<Real>"
+								 : Kind == Int            ? "LoadBufferInt"
+														  : "LoadBufferUint";
+	const std::string Load = Function + "(g" + Number(Place.Variable->Id) + ", " + Offset + ")";
+	return {Kind == ESpirvType::Half ? "HalfOfBits<Real>(" + Load + ")" : Load, Kind, bVarying, -1};
 }
 
 std::vector<FEmitScalar> FSpirvEmitter::LoadInput(const FSpirvVariable& Variable)
@@ -354,11 +365,13 @@ void FSpirvEmitter::EmitStore(uint32_t Pointer, const std::vector<FEmitScalar>& 
 		{
 			bool bVarying = false;
 			const std::string Offset = BufferOffsetText(Place, i, bVarying);
-			const char* const Function = Kind == Float ? "StoreBufferReal"
-										 : Kind == Int ? "StoreBufferInt"
-													   : "StoreBufferUint";
-			Line(std::string(Function) + "(e, g" + Number(Variable.Id) + ", " +
-				 (bVarying ? Offset : "U(" + Offset + ")") + ", " + UseAs(New[i], Kind, true) + ");");
+			const std::string Function = GetSpirvBytes(Kind) != 4 ? "StoreBufferOf<" + MemoryName(Kind) + ">"
+										 : Kind == Float          ? "StoreBufferReal"
+										 : Kind == Int            ? "StoreBufferInt"
+																  : "StoreBufferUint";
+			const std::string Value = UseAs(New[i], Kind, true);
+			Line(Function + "(e, g" + Number(Variable.Id) + ", " + (bVarying ? Offset : "U(" + Offset + ")") + ", " +
+				 (Kind == ESpirvType::Half ? "HalfBits(" + Value + ")" : Value) + ");");
 			continue;
 		}
 		const uint32_t Offset = Place.Offset + Place.Scalars[i];
@@ -424,7 +437,7 @@ bool FSpirvEmitter::EmitMemory(const FSpirvInstruction& I)
 	{
 		const FSpirvVariable& Variable = *Module.FindVariable(I.Operands[0]);
 		const uint32_t Array = Module.GetMemberType(Variable.Type, I.Operands[1]);
-		const uint32_t Stride = std::max(4u, Module.GetType(Array).ArrayStride);
+		const uint32_t Stride = std::max(1u, Module.GetType(Array).ArrayStride);
 		Define(I.Result, 0, {"g" + Number(Variable.Id) + ".SizeInBytes / " + Number(Stride) + "u", Uint, false, -1});
 		return true;
 	}

@@ -73,6 +73,42 @@ constexpr FEmitPattern Extended[] = {
 };
 // clang-format on
 
+/** What an operation of Kind takes its operands as. */
+ESpirvType GetOperandKind(ESpirvType Kind, ESpirvType Operands, ESpirvType Result)
+{
+	return Kind == Any     ? Result
+		   : Kind == Float ? (IsSpirvReal(Operands) ? Operands : Float)
+		   : Kind == Int   ? GetSpirvSigned(Operands)
+		   : Kind == Uint  ? GetSpirvUnsigned(Operands)
+						   : Kind;
+}
+
+/** Where a width has a text of its own: 16 bits are held in 32, and doubles are multiplied and added with one rounding.
+ */
+const char* GetText(const FEmitPattern& Pattern, uint16_t Op, ESpirvType Kind)
+{
+	if (Kind == ESpirvType::Double && Op == OpExtInst && Pattern.Op == ExtFma)
+	{
+		return "Fused($0, $1, $2)";
+	}
+	if (GetSpirvBytes(Kind) != 2 || Op == OpExtInst)
+	{
+		return Pattern.Text;
+	}
+	switch (Op)
+	{
+	case OpShiftRightLogical:
+	case OpShiftRightArithmetic:
+		return "ShiftRight($0, $1 & 15)";
+	case OpShiftLeftLogical:
+		return "ShiftLeft($0, $1 & 15)";
+	case OpBitReverse:
+		return "ShiftRight(BitReverse($0), 16u)";
+	default:
+		return Pattern.Text;
+	}
+}
+
 template<size_t Count>
 const FEmitPattern* FindPattern(const FEmitPattern (&Patterns)[Count], uint32_t Op)
 {
@@ -129,10 +165,11 @@ void FSpirvEmitter::EmitPattern(const FSpirvInstruction& I, size_t FirstOperand,
 		{
 			bVarying = bVarying || Scalar(I.Operands[k], Index).bVarying;
 		}
-		const ESpirvType Kind = Pattern.Kind == Any ? ResultKind : Pattern.Kind;
+		const ESpirvType Operands = Scalar(I.Operands[FirstOperand], Index).Kind;
+		const ESpirvType Kind = GetOperandKind(Pattern.Kind, Operands, ResultKind);
 		std::string Text;
 		OperandLevel = EEmitLevel::Tile;
-		for (const char* c = Pattern.Text; *c; ++c)
+		for (const char* c = GetText(Pattern, I.Op, Kind); *c; ++c)
 		{
 			if (*c == '$')
 			{
@@ -152,8 +189,9 @@ void FSpirvEmitter::EmitPattern(const FSpirvInstruction& I, size_t FirstOperand,
 /** A costly function of what only changes from turn to turn of a loop. */
 bool FSpirvEmitter::IsPerTurn(const FSpirvInstruction& I, uint32_t Index) const
 {
-	return I.Op == OpExtInst && I.Operands[1] >= ExtSin && I.Operands[1] <= ExtInverseSqrt && !bInParts && !bGroups &&
-		   !Loops.empty() && GetLevel() == EEmitLevel::Pack && !Uniformity.IsVarying(I.Result, Index) &&
+	return I.Op == OpExtInst && Module.GetScalarKind(I.Type, Index) == Float && I.Operands[1] >= ExtSin &&
+		   I.Operands[1] <= ExtInverseSqrt && !bInParts && !bGroups && !Loops.empty() &&
+		   GetLevel() == EEmitLevel::Pack && !Uniformity.IsVarying(I.Result, Index) &&
 		   Dependence.Get(I.Result, Index) == 0 && Dependence.IsSteady(CurrentBlock);
 }
 
@@ -192,8 +230,13 @@ bool FSpirvEmitter::EmitComponentwise(const FSpirvInstruction& I)
 	case OpConvertFToS:
 	case OpConvertSToF:
 	case OpConvertUToF:
-	case OpBitcast:
+	case OpUConvert:
+	case OpSConvert:
+	case OpFConvert:
 		EmitConversion(I);
+		return true;
+	case OpBitcast:
+		EmitBitcast(I);
 		return true;
 	default:
 		return false;
@@ -202,39 +245,111 @@ bool FSpirvEmitter::EmitComponentwise(const FSpirvInstruction& I)
 
 void FSpirvEmitter::EmitConversion(const FSpirvInstruction& I)
 {
+	const bool bSigned = I.Op == OpConvertSToF || I.Op == OpSConvert;
 	for (uint32_t Index = 0; Index < SizeOf(I.Result); ++Index)
 	{
 		const FEmitScalar Source = Scalar(I.Operands[0], Index);
 		const ESpirvType Kind = Module.GetScalarKind(I.Type, Index);
+		const ESpirvType Integer = bSigned ? GetSpirvSigned(Source.Kind) : GetSpirvUnsigned(Source.Kind);
+		const bool bSmall = GetSpirvBytes(Source.Kind) <= 4;
 		std::string Text;
+		ESpirvType Made = Kind;
 		OperandLevel = EEmitLevel::Tile;
 		switch (I.Op)
 		{
 		case OpConvertFToU:
-			Text = "ToUint(" + UseAs(Source, Float, false) + ")";
-			break;
 		case OpConvertFToS:
-			Text = "ToInt(" + UseAs(Source, Float, false) + ")";
+			Made = I.Op == OpConvertFToU ? GetSpirvUnsigned(Kind) : GetSpirvSigned(Kind);
+			Text = (Made == Uint && bSmall     ? "ToUint("
+					   : Made == Int && bSmall ? "ToInt("
+											   : std::string("ConvertTo<") + MemoryName(Made) + ">(") +
+				   Use(Source) + ")";
 			break;
 		case OpConvertSToF:
-			Text = "ToReal<Real>(" + UseAs(Source, Int, false) + ")";
-			break;
 		case OpConvertUToF:
-			Text = "ToReal<Real>(" + UseAs(Source, Uint, false) + ")";
+			Text = (Kind == ESpirvType::Double ? "ConvertTo<double>("
+					   : bSmall                ? "ToReal<Real>("
+											   : "ConvertTo<Real>(") +
+				   UseAs(Source, Integer, false) + ")";
+			break;
+		case OpFConvert:
+			// A double is rounded to 16 bits at once, not to a float first.
+			Text = Kind == Source.Kind || (bSmall && Kind != ESpirvType::Double) ? Use(Source)
+				   : Kind == ESpirvType::Half   ? "ConvertTo<Real>(RoundHalf(" + Use(Source) + "))"
+				   : Kind == ESpirvType::Double ? "ConvertTo<double>(" + Use(Source) + ")"
+												: "ConvertTo<Real>(" + Use(Source) + ")";
 			break;
 		default:
-			Text = Kind == Source.Kind ? Use(Source)
-									   : (Kind == Float    ? "AsReal<Real>("
-											 : Kind == Int ? "AsInt("
-														   : "AsUint(") +
-											 Use(Source) + ")";
+			Text = UseAs(Source, Integer, false);
+			Made = Integer;
 			break;
 		}
-		const ESpirvType Made = I.Op == OpConvertFToU   ? Uint
-								: I.Op == OpConvertFToS ? Int
-								: I.Op == OpBitcast     ? Kind
-														: Float;
 		Define(I.Result, Index, {Text, Made, Source.bVarying, -1});
+	}
+}
+
+/** Components that are longer or shorter than the operand's are put together or cut, the first one lowest. */
+void FSpirvEmitter::EmitBitcast(const FSpirvInstruction& I)
+{
+	const uint32_t From = GetSpirvBytes(Scalar(I.Operands[0], 0).Kind);
+	const uint32_t To = GetSpirvBytes(Module.GetScalarKind(I.Type, 0));
+	const auto Bits = [this](const FEmitScalar& S) -> std::string
+	{
+		switch (S.Kind)
+		{
+		case ESpirvType::Half:
+			return "HalfBits(" + Use(S) + ")";
+		case ESpirvType::Double:
+			return "DoubleBits(" + Use(S) + ")";
+		default:
+			return UseAs(S, GetSpirvUnsigned(S.Kind), false);
+		}
+	};
+	for (uint32_t Index = 0; Index < SizeOf(I.Result); ++Index)
+	{
+		const ESpirvType Kind = Module.GetScalarKind(I.Type, Index);
+		const uint32_t First = From > To ? Index / (From / To) : Index * (To / From);
+		const FEmitScalar Source = Scalar(I.Operands[0], First);
+		bool bVarying = Source.bVarying;
+		OperandLevel = EEmitLevel::Tile;
+		if (Kind == Source.Kind)
+		{
+			Define(I.Result, Index, {Use(Source), Kind, bVarying, -1});
+			continue;
+		}
+		if (From == 4 && To == 4)
+		{
+			const char* const Cast = Kind == Float ? "AsReal<Real>(" : Kind == Int ? "AsInt(" : "AsUint(";
+			Define(I.Result, Index, {Cast + Use(Source) + ")", Kind, bVarying, -1});
+			continue;
+		}
+		ESpirvType Whole = GetSpirvUnsigned(Kind);
+		std::string Text = Bits(Source);
+		if (From > To)
+		{
+			const uint32_t Shift = Index % (From / To) * To * 8;
+			const ESpirvType Long = GetSpirvUnsigned(Source.Kind);
+			Text = Shift ? "ShiftRight(" + Text + ", " + Literal(Long, Shift).Text + ")" : Text;
+			Text = UseAs({Text, Long, bVarying, -1}, Whole, false);
+		}
+		for (uint32_t k = 1; k < To / From; ++k)
+		{
+			const FEmitScalar Next = Scalar(I.Operands[0], First + k);
+			bVarying = bVarying || Next.bVarying;
+			const std::string Longer =
+				UseAs({Bits(Next), GetSpirvUnsigned(Next.Kind), Next.bVarying, -1}, Whole, false);
+			Text = (k == 1 ? UseAs({Text, GetSpirvUnsigned(Source.Kind), false, -1}, Whole, false) : Text) +
+				   " | ShiftLeft(" + Longer + ", " + Literal(Whole, k * From * 8).Text + ")";
+		}
+		if (IsSpirvReal(Kind))
+		{
+			Text = (Kind == Float                 ? "AsReal<Real>("
+					   : Kind == ESpirvType::Half ? "HalfOfBits<Real>("
+												  : "DoubleOfBits(") +
+				   Text + ")";
+			Whole = Kind;
+		}
+		Define(I.Result, Index, {Text, Whole, bVarying, -1});
 	}
 }
 
@@ -246,6 +361,7 @@ void FSpirvEmitter::EmitExtended(const FSpirvInstruction& I)
 		EmitPattern(I, 2, *Pattern);
 		return;
 	}
+	const ESpirvType Real = Scalar(I.Operands[2], 0).Kind == ESpirvType::Double ? ESpirvType::Double : Float;
 	bool bVarying = false;
 	for (size_t k = 2; k < I.Operands.size() && Ext != ExtModf; ++k)
 	{
@@ -256,26 +372,26 @@ void FSpirvEmitter::EmitExtended(const FSpirvInstruction& I)
 		}
 	}
 	// A vector of the lanes' own, for functions that work on the whole of it.
-	const auto Vector = [this, &I, bVarying](size_t Operand)
+	const auto Vector = [this, &I, Real, bVarying](size_t Operand)
 	{
 		const uint32_t Id = I.Operands[Operand];
 		const uint32_t Size = SizeOf(Id);
 		std::string Text;
 		for (uint32_t i = 0; i < Size; ++i)
 		{
-			Text += (i ? ", " : "") + UseAs(Scalar(Id, i), Float, bVarying);
+			Text += (i ? ", " : "") + UseAs(Scalar(Id, i), Real, bVarying);
 		}
-		return Size == 1 ? Text : "TVec<" + TypeName(Float, bVarying) + ", " + std::to_string(Size) + ">(" + Text + ")";
+		return Size == 1 ? Text : "TVec<" + TypeName(Real, bVarying) + ", " + std::to_string(Size) + ">(" + Text + ")";
 	};
 	const std::string Temporary = "w" + std::to_string(I.Result);
-	const auto DefineComponents = [this, &I, &Temporary, bVarying](const std::string& Expression)
+	const auto DefineComponents = [this, &I, &Temporary, Real, bVarying](const std::string& Expression)
 	{
 		const uint32_t Size = SizeOf(I.Result);
 		Line("const auto " + Temporary + " = " + Expression + ";");
 		for (uint32_t i = 0; i < Size; ++i)
 		{
 			Define(
-				I.Result, i, {Size == 1 ? Temporary : Temporary + "[" + std::to_string(i) + "]", Float, bVarying, -1});
+				I.Result, i, {Size == 1 ? Temporary : Temporary + "[" + std::to_string(i) + "]", Real, bVarying, -1});
 		}
 	};
 	const bool bScalar = SizeOf(I.Operands[2]) == 1;
@@ -308,21 +424,35 @@ void FSpirvEmitter::EmitExtended(const FSpirvInstruction& I)
 	case ExtDeterminant:
 	{
 		const uint32_t Size = Module.GetValueType(I.Operands[2]).Count;
-		const std::string Column = "TVec<" + TypeName(Float, bVarying) + ", " + std::to_string(Size) + ">(";
+		const std::string Column = "TVec<" + TypeName(Real, bVarying) + ", " + std::to_string(Size) + ">(";
 		std::string Columns;
 		for (uint32_t c = 0; c < Size; ++c)
 		{
 			Columns += (c ? ", " : "") + Column;
 			for (uint32_t r = 0; r < Size; ++r)
 			{
-				Columns += (r ? ", " : "") + UseAs(Scalar(I.Operands[2], c * Size + r), Float, bVarying);
+				Columns += (r ? ", " : "") + UseAs(Scalar(I.Operands[2], c * Size + r), Real, bVarying);
 			}
 			Columns += ")";
 		}
 		const std::string Dimensions = std::to_string(Size) + ", " + std::to_string(Size);
-		DefineComponents("Determinant(TMat<" + TypeName(Float, bVarying) + ", " + Dimensions + ">(" + Columns + "))");
+		DefineComponents("Determinant(TMat<" + TypeName(Real, bVarying) + ", " + Dimensions + ">(" + Columns + "))");
 		break;
 	}
+	case ExtPackDouble2x32:
+		Define(I.Result, 0,
+			{"DoubleOfBits(AsUlong(" + UseAs(Scalar(I.Operands[2], 0), Uint, bVarying) + ") | ShiftLeft(AsUlong(" +
+					UseAs(Scalar(I.Operands[2], 1), Uint, bVarying) + "), uint64_t(32)))",
+				ESpirvType::Double, bVarying, -1});
+		break;
+	case ExtUnpackDouble2x32:
+		for (uint32_t i = 0; i < 2; ++i)
+		{
+			const std::string Bits = "DoubleBits(" + Use(Scalar(I.Operands[2], 0)) + ")";
+			Define(I.Result, i,
+				{i ? "AsUint(ShiftRight(" + Bits + ", uint64_t(32)))" : "AsUint(" + Bits + ")", Uint, bVarying, -1});
+		}
+		break;
 	case ExtPackHalf2x16:
 		Define(I.Result, 0, {"PackHalf2(" + Vector(2) + ")", Uint, bVarying, -1});
 		break;
@@ -343,8 +473,8 @@ void FSpirvEmitter::EmitExtended(const FSpirvInstruction& I)
 			const bool bOne = Value.bVarying || Exponent.bVarying;
 			const std::string Text =
 				Exponent.Kind == Float ? Use(Value) + " * Exp2(" + Use(Exponent) + ")"
-									   : "Ldexp(" + UseAs(Value, Float, bOne) + ", " + UseAs(Exponent, Int, bOne) + ")";
-			Define(I.Result, i, {Text, Float, bOne, -1});
+									   : "Ldexp(" + UseAs(Value, Real, bOne) + ", " + UseAs(Exponent, Int, bOne) + ")";
+			Define(I.Result, i, {Text, Real, bOne, -1});
 		}
 		break;
 	case ExtModf:
@@ -354,8 +484,8 @@ void FSpirvEmitter::EmitExtended(const FSpirvInstruction& I)
 		{
 			const FEmitScalar Value = Scalar(I.Operands[2], i);
 			const std::string Text = Use(Value);
-			Define(I.Result, i, {Text + " - Trunc(" + Text + ")", Float, Value.bVarying, -1});
-			Whole.push_back({"Trunc(" + Text + ")", Float, Value.bVarying, -1});
+			Define(I.Result, i, {Text + " - Trunc(" + Text + ")", Real, Value.bVarying, -1});
+			Whole.push_back({"Trunc(" + Text + ")", Real, Value.bVarying, -1});
 		}
 		EmitStore(I.Operands[3], Whole, I);
 		break;

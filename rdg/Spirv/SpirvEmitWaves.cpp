@@ -20,18 +20,24 @@ struct FWaveArithmetic
 	const char* Name;
 	ESpirvType Kind;
 	const char* Identity;
+	const char* LongIdentity; // of 64 bits
 };
 
 // clang-format off
 constexpr FWaveArithmetic Arithmetic[] = {
-	{OpGroupNonUniformIAdd, "FWaveAdd", Uint, "0u"}, {OpGroupNonUniformFAdd, "FWaveAdd", ESpirvType::Float, "Real(0)"},
-	{OpGroupNonUniformIMul, "FWaveMultiply", Uint, "1u"}, {OpGroupNonUniformFMul, "FWaveMultiply", ESpirvType::Float, "Real(1)"},
-	{OpGroupNonUniformSMin, "FWaveMin", Int, "int32_t(2147483647)"}, {OpGroupNonUniformUMin, "FWaveMin", Uint, "~0u"},
-	{OpGroupNonUniformFMin, "FWaveMin", ESpirvType::Float, "Real(__builtin_inff())"},
-	{OpGroupNonUniformSMax, "FWaveMax", Int, "(-2147483647 - 1)"}, {OpGroupNonUniformUMax, "FWaveMax", Uint, "0u"},
-	{OpGroupNonUniformFMax, "FWaveMax", ESpirvType::Float, "Real(-__builtin_inff())"},
-	{OpGroupNonUniformBitwiseAnd, "FWaveAnd", Uint, "~0u"}, {OpGroupNonUniformBitwiseOr, "FWaveOr", Uint, "0u"},
-	{OpGroupNonUniformBitwiseXor, "FWaveXor", Uint, "0u"},
+	{OpGroupNonUniformIAdd, "FWaveAdd", Uint, "0u", "0"},
+	{OpGroupNonUniformFAdd, "FWaveAdd", ESpirvType::Float, "Real(0)", "0"},
+	{OpGroupNonUniformIMul, "FWaveMultiply", Uint, "1u", "1"},
+	{OpGroupNonUniformFMul, "FWaveMultiply", ESpirvType::Float, "Real(1)", "1"},
+	{OpGroupNonUniformSMin, "FWaveMin", Int, "int32_t(2147483647)", "~uint64_t(0) >> 1"},
+	{OpGroupNonUniformUMin, "FWaveMin", Uint, "~0u", "~uint64_t(0)"},
+	{OpGroupNonUniformFMin, "FWaveMin", ESpirvType::Float, "Real(__builtin_inff())", "__builtin_inf()"},
+	{OpGroupNonUniformSMax, "FWaveMax", Int, "(-2147483647 - 1)", "uint64_t(1) << 63"},
+	{OpGroupNonUniformUMax, "FWaveMax", Uint, "0u", "0"},
+	{OpGroupNonUniformFMax, "FWaveMax", ESpirvType::Float, "Real(-__builtin_inff())", "-__builtin_inf()"},
+	{OpGroupNonUniformBitwiseAnd, "FWaveAnd", Uint, "~0u", "~uint64_t(0)"},
+	{OpGroupNonUniformBitwiseOr, "FWaveOr", Uint, "0u", "0"},
+	{OpGroupNonUniformBitwiseXor, "FWaveXor", Uint, "0u", "0"},
 };
 // clang-format on
 
@@ -56,9 +62,15 @@ bool FSpirvEmitter::EmitWaves(const FSpirvInstruction& I)
 		const bool bReduce = I.Operands[1] == Reduce;
 		for (uint32_t i = 0; i < SizeOf(I.Result); ++i)
 		{
+			const ESpirvType Operands = Scalar(I.Operands[2], i).Kind;
+			const ESpirvType Kind = A.Kind == Int    ? GetSpirvSigned(Operands)
+									: A.Kind == Uint ? GetSpirvUnsigned(Operands)
+													 : Operands;
+			const bool bLong = GetSpirvBytes(Kind) == 8;
+			const std::string Identity = bLong ? TypeName(Kind, false) + "(" + A.LongIdentity + ")" : A.Identity;
 			const std::string Head = std::string(bReduce ? "WaveReduce<" : "WavePrefix<") + A.Name + ">(e, ";
-			const std::string Rest = bReduce ? ")" : std::string(", ") + A.Identity + ")";
-			Define(I.Result, i, {Head + Operand(2, i, A.Kind) + Rest, A.Kind, true, -1});
+			const std::string Rest = bReduce ? ")" : ", " + Identity + ")";
+			Define(I.Result, i, {Head + Operand(2, i, Kind) + Rest, Kind, true, -1});
 		}
 		return true;
 	}

@@ -3,6 +3,7 @@
 
 #include "SpirvGroups.h"
 #include "SpirvLimits.h"
+#include "SpirvScalarMath.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,51 +73,72 @@ std::string FSpirvEmitter::TypeName(ESpirvType Kind, bool bVarying) const
 	switch (Kind)
 	{
 	case ESpirvType::Float:
+	case ESpirvType::Half:
 		return bVarying ? "R" : "Real";
 	case ESpirvType::Int:
+	case ESpirvType::Short:
 		return bVarying ? "I" : "int32_t";
 	case ESpirvType::Uint:
+	case ESpirvType::Ushort:
 		return bVarying ? "U" : "uint32_t";
+	case ESpirvType::Double:
+		return bVarying ? "TReal<double, N>" : "double";
+	case ESpirvType::Long:
+		return bVarying ? "TLong<N>" : "int64_t";
+	case ESpirvType::Ulong:
+		return bVarying ? "TUlong<N>" : "uint64_t";
 	default:
 		return bVarying ? "M" : "bool";
 	}
 }
 
-FEmitScalar FSpirvEmitter::Literal(ESpirvType Kind, uint32_t Bits) const
+namespace
+{
+
+/** %.*g, which may print a whole number. */
+std::string FormatReal(double Value, int Digits, const char* Type, const char* Suffix)
+{
+	char Text[64];
+	if (!std::isfinite(Value))
+	{
+		std::snprintf(Text, sizeof(Text), "%s(%s)", Type,
+			Value != Value ? "__builtin_nanf(\"\")"
+			: Value > 0    ? "__builtin_inff()"
+						   : "-__builtin_inff()");
+		return Text;
+	}
+	std::snprintf(Text, sizeof(Text), "%.*g", Digits, Value);
+	const bool bWhole = !std::strpbrk(Text, ".e");
+	return std::string(Type) + "(" + Text + (bWhole ? ".0" : "") + Suffix + ")";
+}
+
+} // namespace
+
+FEmitScalar FSpirvEmitter::Literal(ESpirvType Kind, uint64_t Bits) const
 {
 	FEmitScalar Result;
 	Result.Kind = Kind;
+	const uint64_t Word = FromSpirvMemory<float>(Kind, Bits);
 	switch (Kind)
 	{
 	case ESpirvType::Float:
-	{
-		float Value;
-		std::memcpy(&Value, &Bits, 4);
-		char Text[48];
-		if (std::isfinite(Value))
-		{
-			std::snprintf(Text, sizeof(Text), "Real(%.9gf)", double(Value));
-			// %g may print a whole number, to which no f can be added.
-			if (!std::strpbrk(Text + 5, ".e"))
-			{
-				std::snprintf(Text, sizeof(Text), "Real(%.9g.0f)", double(Value));
-			}
-		}
-		else
-		{
-			std::snprintf(Text, sizeof(Text), "Real(%s)",
-				Value != Value ? "__builtin_nanf(\"\")"
-				: Value > 0    ? "__builtin_inff()"
-							   : "-__builtin_inff()");
-		}
-		Result.Text = Text;
+	case ESpirvType::Half:
+		Result.Text = FormatReal(double(ToSpirvReal<float>(Word)), 9, "Real", "f");
 		break;
-	}
+	case ESpirvType::Double:
+		Result.Text = FormatReal(ToSpirvReal<double>(Word), 17, "double", "");
+		break;
 	case ESpirvType::Int:
-		Result.Text = Bits == 0x80000000u ? "(-2147483647 - 1)" : "int32_t(" + std::to_string(int32_t(Bits)) + ")";
+	case ESpirvType::Short:
+		Result.Text = Word == 0x80000000u ? "(-2147483647 - 1)" : "int32_t(" + std::to_string(int32_t(Word)) + ")";
 		break;
 	case ESpirvType::Uint:
-		Result.Text = std::to_string(Bits) + "u";
+	case ESpirvType::Ushort:
+		Result.Text = std::to_string(Word) + "u";
+		break;
+	case ESpirvType::Long:
+	case ESpirvType::Ulong:
+		Result.Text = std::string(Kind == ESpirvType::Long ? "int64_t(" : "uint64_t(") + std::to_string(Word) + "ull)";
 		break;
 	default:
 		Result.Text = Bits ? "true" : "false";
@@ -171,7 +193,30 @@ std::string FSpirvEmitter::UseAs(const FEmitScalar& S, ESpirvType Kind, bool bVa
 	if (S.Kind != Kind && Kind != ESpirvType::None)
 	{
 		// SPIR-V lets signed and unsigned operands mix; the bits are what counts.
-		Text = (Kind == ESpirvType::Int ? "AsInt(" : Kind == ESpirvType::Uint ? "AsUint(" : "(") + Text + ")";
+		switch (Kind)
+		{
+		case ESpirvType::Int:
+			Text = "AsInt(" + Text + ")";
+			break;
+		case ESpirvType::Uint:
+			Text = "AsUint(" + Text + ")";
+			break;
+		case ESpirvType::Short:
+			Text = "WrapShort(" + Text + ")";
+			break;
+		case ESpirvType::Ushort:
+			Text = "WrapUshort(" + Text + ")";
+			break;
+		case ESpirvType::Long:
+			Text = "AsLong(" + Text + ")";
+			break;
+		case ESpirvType::Ulong:
+			Text = "AsUlong(" + Text + ")";
+			break;
+		default:
+			Text = "(" + Text + ")";
+			break;
+		}
 	}
 	if (bVarying && !S.bVarying)
 	{
@@ -185,7 +230,14 @@ void FSpirvEmitter::Define(uint32_t Value, uint32_t Index, const FEmitScalar& Ex
 	const bool bVarying = Uniformity.IsVarying(Value, Index);
 	const std::string Name = "v" + std::to_string(Value) + "_" + std::to_string(Index);
 	const ESpirvType Kind = Module.GetScalarKind(Module.GetValueTypeId(Value), Index);
-	const std::string Text = UseAs(Expression, Kind, false);
+	std::string Text = UseAs(Expression, Kind, false);
+	if (GetSpirvBytes(Kind) == 2 && Current && Current->Op != OpLoad)
+	{
+		Text = (Kind == ESpirvType::Half       ? "RoundHalf("
+				   : Kind == ESpirvType::Short ? "WrapShort("
+											   : "WrapUshort(") +
+			   Text + ")";
+	}
 	FEmitScalar Result;
 	Result.Text = Name;
 	Result.Kind = Kind;
@@ -270,6 +322,18 @@ std::string FSpirvEmitter::EmitRun()
 		   Declared + Body + "\t}\n\t}\n";
 }
 
+namespace
+{
+
+/** Some number has 16 or 64 bits. */
+bool UsesWideTypes(const FSpirvModule& Module)
+{
+	return std::any_of(Module.Types.begin(), Module.Types.end(),
+		[](const auto& Type) { return IsSpirvScalar(Type.second.Kind) && GetSpirvBytes(Type.second.Kind) != 4; });
+}
+
+} // namespace
+
 std::string EmitKernel(const FSpirvEmitInput& Input, const std::string& Title)
 {
 	if (Input.Reflection.Reflection.Stage == EShaderStage::Vertex)
@@ -294,7 +358,8 @@ std::string EmitKernel(const FSpirvEmitInput& Input, const std::string& Title)
 		}
 		return "// Generated by drydock from " + Title +
 			   ".\n"
-			   "#include \"KernelSupport.h\"\n\n"
+			   "#include \"KernelSupport.h\"\n" +
+			   (UsesWideTypes(Input.Module) ? "#include \"LanesWideTypes.h\"\n\n" : "\n") +
 			   "namespace\n{\n\n"
 			   "using namespace Drydock;\n"
 			   "using namespace Drydock::Lanes;\n"

@@ -119,6 +119,7 @@ private:
 	void EmitExtended(const FSpirvInstruction& I);
 	void EmitPattern(const FSpirvInstruction& I, size_t FirstOperand, const struct FEmitPattern& Pattern);
 	void EmitConversion(const FSpirvInstruction& I);
+	void EmitBitcast(const FSpirvInstruction& I);
 	bool IsPerTurn(const FSpirvInstruction& I, uint32_t Index) const;
 	std::string PerTurn(const FSpirvInstruction& I, uint32_t Index, const std::string& Text);
 
@@ -133,7 +134,9 @@ private:
 	FEmitScalar LoadLocal(const FSpirvPlace& Place, uint32_t Scalar, ESpirvType Kind);
 	std::string IndexText(const FSpirvPlace& Place, const std::string& Offset, bool& bVarying);
 	std::string BufferOffsetText(const FSpirvPlace& Place, uint32_t Scalar, bool& bVarying);
-	static const char* ArraySuffix(ESpirvType Kind);
+	static std::string ArraySuffix(ESpirvType Kind);
+	/** C++'s type for the kind in memory; of 16 bits the bits. */
+	static std::string MemoryName(ESpirvType Kind);
 	std::string LocalArray(const FSpirvVariable& Variable, ESpirvType Kind) const;
 	FSpirvPlace Resolve(uint32_t Pointer) const;
 	std::string HandleOf(uint32_t Id) const;
@@ -168,7 +171,7 @@ private:
 	std::string Use(const FEmitScalar& S);
 	std::string UseAs(const FEmitScalar& S, ESpirvType Kind, bool bVarying);
 	void Define(uint32_t Value, uint32_t Index, const FEmitScalar& Expression);
-	FEmitScalar Literal(ESpirvType Kind, uint32_t Bits) const;
+	FEmitScalar Literal(ESpirvType Kind, uint64_t Bits) const;
 	uint32_t SizeOf(uint32_t Value) const { return Module.GetValueType(Value).NumScalars; }
 	std::string TypeName(ESpirvType Kind, bool bVarying) const;
 	/** Of the text that comes next: that of the latest operands, if the instruction can stand anywhere. */

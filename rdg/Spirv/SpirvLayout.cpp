@@ -5,6 +5,8 @@
 
 #include "SpirvRefusals.h"
 
+#include <algorithm>
+
 namespace Drydock
 {
 
@@ -42,13 +44,14 @@ private:
 		switch (Type.Kind)
 		{
 		case ESpirvType::Vector:
-			return 4 * Type.Count;
+			return SizeOf(Type.Element, nullptr, false) * Type.Count;
 		case ESpirvType::Matrix:
 		{
 			const uint32_t Rows = Module.GetType(Type.Element).Count;
 			const uint32_t Vectors = bRowMajor ? Rows : Type.Count;
-			const uint32_t Size = 4 * (bRowMajor ? Type.Count : Rows);
-			const uint32_t Stride = bTightPacking ? Size : Register;
+			const uint32_t Scalar = GetSpirvBytes(Module.GetScalarKind(TypeId, 0));
+			const uint32_t Size = Scalar * (bRowMajor ? Type.Count : Rows);
+			const uint32_t Stride = bTightPacking ? Size : RoundUp(Size, Register);
 			if (MatrixStride)
 			{
 				*MatrixStride = Stride;
@@ -69,9 +72,13 @@ private:
 		case ESpirvType::Struct:
 		{
 			uint32_t End = 0;
+			uint32_t Alignment = 1;
 			for (FSpirvMember& Member : Type.Members)
 			{
 				const uint32_t Size = SizeOf(Member.Type, &Member.MatrixStride, Member.bRowMajor);
+				const uint32_t Own = AlignmentOf(Member.Type);
+				Alignment = std::max(Alignment, Own);
+				End = RoundUp(End, Own);
 				if (!bTightPacking)
 				{
 					const ESpirvType Kind = Module.GetType(Member.Type).Kind;
@@ -84,11 +91,26 @@ private:
 				End += Size;
 			}
 			Claim(TypeId);
-			return End;
+			return bTightPacking ? RoundUp(End, Alignment) : End;
 		}
 		default:
-			return 4;
+			return GetSpirvBytes(Type.Kind);
 		}
+	}
+
+	/** Bytes of the widest scalar inside: members begin at a multiple of it, and structs in structured buffers end at
+	 * one. */
+	uint32_t AlignmentOf(uint32_t TypeId) const
+	{
+		const FSpirvType& Type = Module.GetType(TypeId);
+		uint32_t Alignment = 1;
+		for (const FSpirvMember& Member : Type.Members)
+		{
+			Alignment = std::max(Alignment, AlignmentOf(Member.Type));
+		}
+		return Type.Kind == ESpirvType::Struct ? Alignment
+			   : Type.Element                  ? AlignmentOf(Type.Element)
+											   : GetSpirvBytes(Type.Kind);
 	}
 
 	/** A type has one layout; glslang declares it twice where a shader uses it in both kinds of buffers. */

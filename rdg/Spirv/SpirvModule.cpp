@@ -89,7 +89,7 @@ uint32_t FSpirvModule::GetConstantScalar(uint32_t Id) const
 	{
 		Fail("SPIR-V: id " + std::to_string(Id) + " is not a scalar constant");
 	}
-	return Constant->Scalars[0];
+	return uint32_t(Constant->Scalars[0]);
 }
 
 uint32_t FSpirvModule::GetMemberType(uint32_t Type, uint32_t Index) const
@@ -144,13 +144,12 @@ uint32_t FSpirvModule::GetMemberScalar(uint32_t Type, uint32_t Index) const
 ESpirvType FSpirvModule::GetScalarKind(uint32_t Type, uint32_t Scalar) const
 {
 	const FSpirvType& T = GetType(Type);
+	if (IsSpirvScalar(T.Kind))
+	{
+		return T.Kind;
+	}
 	switch (T.Kind)
 	{
-	case ESpirvType::Bool:
-	case ESpirvType::Int:
-	case ESpirvType::Uint:
-	case ESpirvType::Float:
-		return T.Kind;
 	case ESpirvType::Vector:
 	case ESpirvType::Matrix:
 	case ESpirvType::Array:

@@ -2,8 +2,8 @@
 // nothing: any sequence of words gives either a module whose ids, types and operand counts fit together, or
 // FSpirvError.
 //
-// Every numeric type is a flat row of 32-bit scalars (a float3x3 is nine, column by column as SPIR-V counts columns; a
-// struct its members one after the other), so later stages think in scalars only.
+// Every numeric type is a flat row of scalars of 16, 32 or 64 bits (a float3x3 is nine, column by column as SPIR-V
+// counts columns; a struct its members one after the other), so later stages think in scalars only.
 #pragma once
 
 #include "DrydockAPI.h"
@@ -46,6 +46,12 @@ enum class ESpirvType : uint8_t
 	Int,
 	Uint,
 	Float,
+	Half,
+	Short,
+	Ushort,
+	Double,
+	Long,
+	Ulong,
 	Vector,
 	Matrix,
 	Array,
@@ -57,6 +63,51 @@ enum class ESpirvType : uint8_t
 	SampledImage,
 	Function
 };
+
+constexpr bool IsSpirvScalar(ESpirvType Kind)
+{
+	return Kind >= ESpirvType::Bool && Kind <= ESpirvType::Ulong;
+}
+
+constexpr bool IsSpirvReal(ESpirvType Kind)
+{
+	return Kind == ESpirvType::Float || Kind == ESpirvType::Half || Kind == ESpirvType::Double;
+}
+
+constexpr bool IsSpirvInteger(ESpirvType Kind)
+{
+	return IsSpirvScalar(Kind) && !IsSpirvReal(Kind) && Kind != ESpirvType::Bool;
+}
+
+constexpr bool IsSpirvSigned(ESpirvType Kind)
+{
+	return Kind == ESpirvType::Int || Kind == ESpirvType::Short || Kind == ESpirvType::Long;
+}
+
+/** Bytes that a scalar takes in a buffer. */
+constexpr uint32_t GetSpirvBytes(ESpirvType Kind)
+{
+	return Kind >= ESpirvType::Double && Kind <= ESpirvType::Ulong  ? 8
+		   : Kind >= ESpirvType::Half && Kind <= ESpirvType::Ushort ? 2
+																	: 4;
+}
+
+/** Another kind of a scalar's width: the real one, the signed or the unsigned integer. */
+constexpr ESpirvType GetSpirvReal(ESpirvType Kind)
+{
+	const uint32_t Bytes = GetSpirvBytes(Kind);
+	return Bytes == 8 ? ESpirvType::Double : Bytes == 2 ? ESpirvType::Half : ESpirvType::Float;
+}
+constexpr ESpirvType GetSpirvSigned(ESpirvType Kind)
+{
+	const uint32_t Bytes = GetSpirvBytes(Kind);
+	return Bytes == 8 ? ESpirvType::Long : Bytes == 2 ? ESpirvType::Short : ESpirvType::Int;
+}
+constexpr ESpirvType GetSpirvUnsigned(ESpirvType Kind)
+{
+	const uint32_t Bytes = GetSpirvBytes(Kind);
+	return Bytes == 8 ? ESpirvType::Ulong : Bytes == 2 ? ESpirvType::Ushort : ESpirvType::Uint;
+}
 
 struct FSpirvMember
 {
@@ -114,7 +165,7 @@ struct FSpirvBlock
 struct FSpirvConstant
 {
 	uint32_t Type = 0;
-	std::vector<uint32_t> Scalars; // bit patterns, bools 0 and 1
+	std::vector<uint64_t> Scalars; // bit patterns of their own width, bools 0 and 1
 };
 
 struct FSpirvVariable
@@ -175,7 +226,7 @@ struct DRYDOCK_API FSpirvModule
 	const FSpirvVariable* FindVariable(uint32_t Id) const;
 	const FSpirvConstant* FindConstant(uint32_t Id) const;
 	uint32_t GetConstantScalar(uint32_t Id) const;                  // throws when Id is not a scalar constant
-	ESpirvType GetScalarKind(uint32_t Type, uint32_t Scalar) const; // Bool, Int, Uint or Float of one flattened scalar
+	ESpirvType GetScalarKind(uint32_t Type, uint32_t Scalar) const; // of one flattened scalar
 	uint32_t GetMemberScalar(uint32_t Type, uint32_t Index) const;  // flattened position of a member or element
 	uint32_t GetMemberType(uint32_t Type, uint32_t Index) const;
 

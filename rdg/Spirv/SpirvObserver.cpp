@@ -21,6 +21,24 @@ std::string List(const int64_t* Numbers, int Count, const char* Between)
 
 FSpirvThreadView::~FSpirvThreadView() = default;
 
+double FSpirvThreadView::GetNumber(uint32_t Word, ESpirvType Kind) const
+{
+	switch (Kind)
+	{
+	case ESpirvType::Float:
+	case ESpirvType::Half:
+		return GetReal(Word);
+	case ESpirvType::Double:
+		return __builtin_bit_cast(double, GetWideBits(Word));
+	case ESpirvType::Long:
+		return double(int64_t(GetWideBits(Word)));
+	case ESpirvType::Ulong:
+		return double(GetWideBits(Word));
+	default:
+		return IsSpirvSigned(Kind) ? double(int32_t(GetBits(Word))) : double(GetBits(Word));
+	}
+}
+
 ISpirvObserver::~ISpirvObserver() = default;
 
 std::string DescribeFault(const FSpirvFault& Fault)

@@ -16,8 +16,12 @@ public:
 
 	/** The low 32 bits of a word: an integer or a bool. */
 	virtual uint32_t GetBits(uint32_t Word) const = 0;
-	/** A word that holds a real. */
+	/** All bits of a word: an integer of 64 bits, a double. */
+	virtual uint64_t GetWideBits(uint32_t Word) const = 0;
+	/** A word that holds a float or a float16_t. */
 	virtual double GetReal(uint32_t Word) const = 0;
+	/** The number in a word, whatever it is. */
+	double GetNumber(uint32_t Word, ESpirvType Kind) const;
 	/** Calls that have not returned. */
 	virtual size_t GetDepth() const = 0;
 	/** Pixel or dispatch id. */

@@ -26,7 +26,8 @@ enum EOp : uint16_t
 	OpImageSampleDrefImplicitLod = 89, OpImageSampleDrefExplicitLod = 90, OpImageFetch = 95, OpImageGather = 96,
 	OpImageDrefGather = 97, OpImageRead = 98, OpImageWrite = 99, OpImage = 100, OpImageQuerySizeLod = 103,
 	OpImageQuerySize = 104, OpImageQueryLod = 105, OpImageQueryLevels = 106, OpImageQuerySamples = 107,
-	OpConvertFToU = 109, OpConvertFToS = 110, OpConvertSToF = 111, OpConvertUToF = 112, OpBitcast = 124,
+	OpConvertFToU = 109, OpConvertFToS = 110, OpConvertSToF = 111, OpConvertUToF = 112, OpUConvert = 113,
+	OpSConvert = 114, OpFConvert = 115, OpBitcast = 124,
 	OpSNegate = 126, OpFNegate = 127, OpIAdd = 128, OpFAdd = 129, OpISub = 130, OpFSub = 131, OpIMul = 132, OpFMul = 133,
 	OpUDiv = 134, OpSDiv = 135, OpFDiv = 136, OpUMod = 137, OpSRem = 138, OpSMod = 139, OpFRem = 140, OpFMod = 141,
 	OpVectorTimesScalar = 142, OpMatrixTimesScalar = 143, OpVectorTimesMatrix = 144, OpMatrixTimesVector = 145,
@@ -67,7 +68,8 @@ enum EExtInst : uint32_t
 	ExtLog = 28, ExtExp2 = 29, ExtLog2 = 30, ExtSqrt = 31, ExtInverseSqrt = 32, ExtDeterminant = 33, ExtModf = 35,
 	ExtFMin = 37, ExtUMin = 38, ExtSMin = 39, ExtFMax = 40, ExtUMax = 41, ExtSMax = 42,
 	ExtFClamp = 43, ExtUClamp = 44, ExtSClamp = 45, ExtFMix = 46, ExtStep = 48, ExtSmoothStep = 49, ExtFma = 50,
-	ExtLdexp = 53, ExtPackHalf2x16 = 58, ExtUnpackHalf2x16 = 62, ExtLength = 66,
+	ExtLdexp = 53, ExtPackHalf2x16 = 58, ExtPackDouble2x32 = 59, ExtUnpackHalf2x16 = 62, ExtUnpackDouble2x32 = 65,
+	ExtLength = 66,
 	ExtDistance = 67, ExtCross = 68, ExtNormalize = 69, ExtFaceForward = 70, ExtReflect = 71, ExtRefract = 72,
 	ExtFindILsb = 73, ExtFindSMsb = 74, ExtFindUMsb = 75, ExtNMin = 79, ExtNMax = 80, ExtNClamp = 81
 };

@@ -11,36 +11,39 @@ using namespace Spirv;
 namespace
 {
 
+/** ComponentStride: of a vector that is a column of a matrix; 0: as large as its scalars. */
 void AppendOffsets(const FSpirvModule& Module, uint32_t TypeId, uint32_t Offset, uint32_t MatrixStride, bool bRowMajor,
 	uint32_t ComponentStride, std::vector<uint32_t>& Result)
 {
 	const FSpirvType& Type = Module.GetType(TypeId);
+	const bool bVectors = Type.Kind == ESpirvType::Vector || Type.Kind == ESpirvType::Matrix;
+	const uint32_t Scalar = bVectors ? GetSpirvBytes(Module.GetScalarKind(TypeId, 0)) : 0;
 	switch (Type.Kind)
 	{
 	case ESpirvType::Vector:
 		for (uint32_t i = 0; i < Type.Count; ++i)
 		{
-			Result.push_back(Offset + i * ComponentStride);
+			Result.push_back(Offset + i * (ComponentStride ? ComponentStride : Scalar));
 		}
 		break;
 	case ESpirvType::Matrix:
 		for (uint32_t i = 0; i < Type.Count; ++i)
 		{
-			AppendOffsets(Module, Type.Element, Offset + i * (bRowMajor ? 4 : MatrixStride), 0, false,
-				bRowMajor ? MatrixStride : 4, Result);
+			AppendOffsets(Module, Type.Element, Offset + i * (bRowMajor ? Scalar : MatrixStride), 0, false,
+				bRowMajor ? MatrixStride : Scalar, Result);
 		}
 		break;
 	case ESpirvType::Array:
 		for (uint32_t i = 0; i < Type.Count; ++i)
 		{
-			AppendOffsets(Module, Type.Element, Offset + i * Type.ArrayStride, MatrixStride, bRowMajor, 4, Result);
+			AppendOffsets(Module, Type.Element, Offset + i * Type.ArrayStride, MatrixStride, bRowMajor, 0, Result);
 		}
 		break;
 	case ESpirvType::Struct:
 		for (const FSpirvMember& Member : Type.Members)
 		{
 			AppendOffsets(
-				Module, Member.Type, Offset + Member.Offset, Member.MatrixStride, Member.bRowMajor, 4, Result);
+				Module, Member.Type, Offset + Member.Offset, Member.MatrixStride, Member.bRowMajor, 0, Result);
 		}
 		break;
 	default:
@@ -54,7 +57,7 @@ void AppendOffsets(const FSpirvModule& Module, uint32_t TypeId, uint32_t Offset,
 std::vector<uint32_t> GetScalarOffsets(const FSpirvModule& Module, uint32_t Type, uint32_t MatrixStride, bool bRowMajor)
 {
 	std::vector<uint32_t> Result;
-	AppendOffsets(Module, Type, 0, MatrixStride, bRowMajor, 4, Result);
+	AppendOffsets(Module, Type, 0, MatrixStride, bRowMajor, 0, Result);
 	return Result;
 }
 
@@ -64,7 +67,7 @@ FSpirvPlace FollowChain(const FSpirvModule& Module, uint32_t BaseType, bool bByt
 	Place.Type = BaseType;
 	Place.bBytes = bBytes;
 	uint32_t MatrixStride = 0;
-	uint32_t ComponentStride = 4;
+	uint32_t ComponentStride = 0; // of a vector that is a column of a matrix
 	bool bRowMajor = false;
 	for (size_t i = 1; i < Chain.Operands.size(); ++i)
 	{
@@ -96,12 +99,15 @@ FSpirvPlace FollowChain(const FSpirvModule& Module, uint32_t BaseType, bool bByt
 			switch (Type.Kind)
 			{
 			case ESpirvType::Vector:
-				Stride = ComponentStride;
+				Stride = ComponentStride ? ComponentStride : GetSpirvBytes(Module.GetType(Next).Kind);
 				break;
 			case ESpirvType::Matrix:
-				Stride = bRowMajor ? 4 : MatrixStride;
-				ComponentStride = bRowMajor ? MatrixStride : 4;
+			{
+				const uint32_t Scalar = GetSpirvBytes(Module.GetScalarKind(Next, 0));
+				Stride = bRowMajor ? Scalar : MatrixStride;
+				ComponentStride = bRowMajor ? MatrixStride : Scalar;
 				break;
+			}
 			default:
 				Stride = Type.ArrayStride;
 				break;
@@ -110,7 +116,7 @@ FSpirvPlace FollowChain(const FSpirvModule& Module, uint32_t BaseType, bool bByt
 		if (Type.Kind == ESpirvType::RuntimeArray)
 		{
 			Place.Element = Id;
-			Place.ElementStride = std::max(4u, Stride);
+			Place.ElementStride = Stride ? Stride : 4;
 		}
 		else if (Constant)
 		{

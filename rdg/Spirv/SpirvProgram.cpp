@@ -156,6 +156,24 @@ void FSpirvProgram::AddBlock(const FSpirvBlock& Block)
 	Laid.NumSteps = uint32_t(Steps.size()) - Laid.FirstStep;
 }
 
+void FSpirvProgram::FindKinds(FSpirvStep& Step) const
+{
+	const FSpirvInstruction& I = *Step.I;
+	const size_t First = I.Op == OpExtInst   ? 2
+						 : I.Op == OpSelect  ? 1
+						 : IsSpirvWave(I.Op) ? (HasGroupOperation(I.Op) ? 2 : 1)
+											 : 0;
+	const auto IsNumbers = [this](uint32_t TypeId)
+	{
+		const FSpirvType& Type = Module.GetType(TypeId);
+		return IsSpirvScalar(Type.Kind) || Type.Kind == ESpirvType::Vector || Type.Kind == ESpirvType::Matrix;
+	};
+	const bool bValue = First < I.Operands.size() && WordOf(I.Operands[First]) != GNoSpirvWord;
+	const uint32_t Operand = bValue ? Module.GetValueTypeId(I.Operands[First]) : 0;
+	Step.Kind = bValue && IsNumbers(Operand) ? Module.GetScalarKind(Operand, 0) : ESpirvType::None;
+	Step.bNarrow = I.Type && IsNumbers(I.Type) && GetSpirvBytes(Module.GetScalarKind(I.Type, 0)) == 2;
+}
+
 void FSpirvProgram::AddStep(const FSpirvInstruction& I)
 {
 	FSpirvStep Step;
@@ -169,6 +187,7 @@ void FSpirvProgram::AddStep(const FSpirvInstruction& I)
 		Args.push_back(Word);
 		ArgSizes.push_back(Word == GNoSpirvWord ? 0 : WordsOf(Module.GetValueTypeId(Operand)));
 	}
+	FindKinds(Step);
 	if (I.Op == OpAccessChain || I.Op == OpInBoundsAccessChain)
 	{
 		const FSpirvType& Base = Module.GetValueType(I.Operands.at(0));

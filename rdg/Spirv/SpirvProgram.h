@@ -16,14 +16,16 @@ constexpr uint32_t GNoSpirvWord = ~0u;
 struct FSpirvStep
 {
 	const FSpirvInstruction* I = nullptr;
-	uint32_t To = GNoSpirvWord; // first word of the result
-	uint32_t Size = 0;          // words of the result
-	uint32_t FirstArg = 0;      // into FSpirvProgram::Args: the first word of each operand that is a value
-	uint32_t Place = ~0u;       // into FSpirvProgram::Places: access chains
-	uint32_t Function = ~0u;    // into FSpirvProgram::Functions: calls; ~0: of a function that only discards
-	bool bHook = false;         // the observer wants to see it
-	bool bSync = false;         // threads of a group wait here for each other
-	bool bOfOthers = false;     // its result may be the work of other threads
+	uint32_t To = GNoSpirvWord;         // first word of the result
+	uint32_t Size = 0;                  // words of the result
+	uint32_t FirstArg = 0;              // into FSpirvProgram::Args: the first word of each operand that is a value
+	uint32_t Place = ~0u;               // into FSpirvProgram::Places: access chains
+	uint32_t Function = ~0u;            // into FSpirvProgram::Functions: calls; ~0: of a function that only discards
+	ESpirvType Kind = ESpirvType::None; // of the first number that goes into it
+	bool bNarrow = false;               // makes numbers of 16 bits
+	bool bHook = false;                 // the observer wants to see it
+	bool bSync = false;                 // threads of a group wait here for each other
+	bool bOfOthers = false;             // its result may be the work of other threads
 };
 
 /** Words that a block takes over from the one that control came from. */
@@ -93,6 +95,7 @@ private:
 	uint32_t Allocate(uint32_t Id, uint32_t Size);
 	void AddBlock(const FSpirvBlock& Block);
 	void AddStep(const FSpirvInstruction& I);
+	void FindKinds(FSpirvStep& Step) const;
 	void FindVariableNames();
 
 	std::vector<uint32_t> FirstWords;   // by id

@@ -270,7 +270,7 @@ void FSpirvReader::ReadInFunction(uint16_t Op, FSpirvOperands& Operands)
 	if (Op == OpUndef)
 	{
 		const uint32_t NumScalars = Module.GetType(Instruction.Type).NumScalars;
-		Module.Constants[Instruction.Result] = {Instruction.Type, std::vector<uint32_t>(NumScalars, 0)};
+		Module.Constants[Instruction.Result] = {Instruction.Type, std::vector<uint64_t>(NumScalars, 0)};
 		return;
 	}
 	Block.Instructions.push_back(std::move(Instruction));

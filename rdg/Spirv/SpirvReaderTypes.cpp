@@ -30,18 +30,12 @@ void FSpirvReader::DefineType(uint32_t Id, FSpirvType Type)
 	uint64_t NumScalars = 0;
 	switch (Type.Kind)
 	{
-	case ESpirvType::Bool:
-	case ESpirvType::Int:
-	case ESpirvType::Uint:
-	case ESpirvType::Float:
-		NumScalars = 1;
-		break;
 	case ESpirvType::Vector:
 	case ESpirvType::Matrix:
 	case ESpirvType::Array:
 	{
 		const FSpirvType& Element = Contains(Type.Element);
-		const bool bScalar = Element.Kind >= ESpirvType::Bool && Element.Kind <= ESpirvType::Float;
+		const bool bScalar = IsSpirvScalar(Element.Kind);
 		const bool bFits = Type.Kind == ESpirvType::Vector ? bScalar && Type.Count >= 1 && Type.Count <= 4
 						   : Type.Kind == ESpirvType::Matrix
 							   ? Element.Kind == ESpirvType::Vector && Type.Count >= 1 && Type.Count <= 4
@@ -76,6 +70,7 @@ void FSpirvReader::DefineType(uint32_t Id, FSpirvType Type)
 		Contains(Type.Element);
 		break;
 	default:
+		NumScalars = IsSpirvScalar(Type.Kind) ? 1 : 0;
 		break;
 	}
 	if (NumScalars > SpirvLimits::MaxTypeScalars)
@@ -115,10 +110,13 @@ void FSpirvReader::ReadType(uint16_t Op, FSpirvOperands& Operands)
 	case OpTypeInt:
 	{
 		const uint32_t Width = Operands.Next();
-		Type.Kind = Operands.Next() ? ESpirvType::Int : ESpirvType::Uint;
-		if (Width != 32)
+		const bool bSigned = Operands.Next() != 0;
+		Type.Kind = Width == 64   ? (bSigned ? ESpirvType::Long : ESpirvType::Ulong)
+					: Width == 16 ? (bSigned ? ESpirvType::Short : ESpirvType::Ushort)
+								  : (bSigned ? ESpirvType::Int : ESpirvType::Uint);
+		if (GetSpirvBytes(Type.Kind) * 8 != Width)
 		{
-			const std::string Name = (Type.Kind == ESpirvType::Int ? "int" : "uint") + std::to_string(Width) + "_t";
+			const std::string Name = (bSigned ? "int" : "uint") + std::to_string(Width) + "_t";
 			TypeFaults.emplace(Id, FSpirvTypeFault{Name + " is not supported on the CPU tier; use int or uint"});
 		}
 		break;
@@ -126,13 +124,11 @@ void FSpirvReader::ReadType(uint16_t Op, FSpirvOperands& Operands)
 	case OpTypeFloat:
 	{
 		const uint32_t Width = Operands.Next();
-		Type.Kind = ESpirvType::Float;
-		if (Width != 32)
+		Type.Kind = Width == 64 ? ESpirvType::Double : Width == 16 ? ESpirvType::Half : ESpirvType::Float;
+		if (GetSpirvBytes(Type.Kind) * 8 != Width)
 		{
-			TypeFaults.emplace(
-				Id, FSpirvTypeFault{(Width == 64 ? std::string("double") : "float" + std::to_string(Width) + "_t") +
-									" is not supported on the CPU tier; use float (and --precision double for 64-bit "
-									"arithmetic)"});
+			TypeFaults.emplace(Id,
+				FSpirvTypeFault{"float" + std::to_string(Width) + "_t is not supported on the CPU tier; use float"});
 		}
 		break;
 	}
@@ -208,6 +204,14 @@ void FSpirvReader::ReadConstant(uint16_t Op, FSpirvOperands& Operands)
 		break;
 	case OpConstant:
 		Constant.Scalars = {Operands.Next()};
+		if (GetSpirvBytes(Type.Kind) == 8)
+		{
+			Constant.Scalars[0] |= uint64_t(Operands.Next()) << 32;
+		}
+		else if (GetSpirvBytes(Type.Kind) == 2)
+		{
+			Constant.Scalars[0] &= 0xFFFF;
+		}
 		break;
 	case OpConstantComposite:
 		for (const uint32_t Part : Operands.Rest())

@@ -106,6 +106,18 @@ std::string GetHlslTypeName(const FSpirvModule& Module, const FSpirvType& Type)
 		return "uint";
 	case ESpirvType::Float:
 		return "float";
+	case ESpirvType::Half:
+		return "float16_t";
+	case ESpirvType::Short:
+		return "int16_t";
+	case ESpirvType::Ushort:
+		return "uint16_t";
+	case ESpirvType::Double:
+		return "double";
+	case ESpirvType::Long:
+		return "int64_t";
+	case ESpirvType::Ulong:
+		return "uint64_t";
 	case ESpirvType::Vector:
 		return GetHlslTypeName(Module, Module.GetType(Type.Element)) + std::to_string(Type.Count);
 	case ESpirvType::Matrix:

@@ -228,9 +228,9 @@ bool EvaluateExtended(uint32_t Ext, const TSpirvWord<Real>* Operands, TSpirvWord
 	// clang-format on
 }
 
-template bool EvaluateOperation<float>(uint16_t, const uint32_t*, uint32_t&);
+template bool EvaluateOperation<float>(uint16_t, const uint64_t*, uint64_t&);
 template bool EvaluateOperation<double>(uint16_t, const uint64_t*, uint64_t&);
-template bool EvaluateExtended<float>(uint32_t, const uint32_t*, uint32_t&);
+template bool EvaluateExtended<float>(uint32_t, const uint64_t*, uint64_t&);
 template bool EvaluateExtended<double>(uint32_t, const uint64_t*, uint64_t&);
 
 } // namespace Drydock

@@ -81,6 +81,7 @@ public:
 	uint64_t Taps = 0;
 
 	uint32_t GetBits(uint32_t Word) const override { return uint32_t(Words[Word]); }
+	uint64_t GetWideBits(uint32_t Word) const override { return Words[Word]; }
 	double GetReal(uint32_t Word) const override { return double(ToSpirvReal<Real>(Words[Word])); }
 	size_t GetDepth() const override { return Calls.size(); }
 	const int32_t* GetPosition() const override { return Position; }
@@ -128,6 +129,7 @@ private:
 	const FKernelBuffer* FindBuffer(uint32_t Variable) const;
 	void ArrayLength(const FSpirvStep& Step);
 	bool ExecuteComposite(const FSpirvStep& Step);
+	template<typename Number>
 	bool ExecuteMatrix(const FSpirvStep& Step);
 	bool ExecuteImage(const FSpirvStep& Step);
 	void ExecuteSample(const FSpirvStep& Step);
@@ -135,11 +137,18 @@ private:
 	void ExecuteImageWrite(const FSpirvStep& Step);
 	void ExecuteBitcast(const FSpirvStep& Step);
 	void ExecuteScalars(const FSpirvStep& Step);
+	/** Number: Real, or double where the shader's own type is double. */
+	template<typename Number>
 	bool ExecuteGeometric(const FSpirvStep& Step);
-	template<int Count>
+	template<typename Number, int Count>
 	bool ExecuteWithVectors(const FSpirvStep& Step);
-	Real GetDeterminant(const FSpirvStep& Step);
+	template<typename Number>
+	Number GetDeterminant(const FSpirvStep& Step);
+	template<typename Number>
+	bool ExecuteWhole(const FSpirvStep& Step);
 	void ExecuteExtended(const FSpirvStep& Step);
+	static FWord ViewOperand(const FSpirvStep& Step, bool bSigned, FWord Word);
+	void Narrow(const FSpirvStep& Step, FWord* Out) const;
 	void CheckTexel(const FSpirvStep& Step, const FKernelTexture& Texture, const int32_t (&At)[4], bool bStore);
 	void CheckElement(const FSpirvStep& Step, const FKernelBuffer& Buffer, uint64_t Index, bool bStore);
 	void Fault(const FSpirvStep& Step, const FSpirvFault& Fault);
@@ -155,16 +164,15 @@ private:
 	{
 		return uint32_t(Value(Step, Operand)[Index]);
 	}
-	Real GetValue(const FSpirvStep& Step, size_t Operand, uint32_t Index) const
+	template<typename Number = Real>
+	Number GetValue(const FSpirvStep& Step, size_t Operand, uint32_t Index) const
 	{
-		return ToSpirvReal<Real>(Value(Step, Operand)[Index]);
+		return ToSpirvReal<Number>(Value(Step, Operand)[Index]);
 	}
 	uint32_t SizeOf(const FSpirvStep& Step, size_t Operand) const { return Program.ArgSizes[Step.FirstArg + Operand]; }
 	FWord* Result(const FSpirvStep& Step) { return Words.data() + Step.To; }
-	bool IsReal(uint32_t Type, uint32_t Index) const
-	{
-		return Program.Module.GetScalarKind(Type, Index) == ESpirvType::Float;
-	}
+	ESpirvType GetKind(uint32_t Type, uint32_t Index) const { return Program.Module.GetScalarKind(Type, Index); }
+	bool IsReal(uint32_t Type, uint32_t Index) const { return IsSpirvReal(GetKind(Type, Index)); }
 	const FSpirvVariable& Resource(const FSpirvStep& Step, size_t Operand, uint32_t Index = 0) const
 	{
 		return Program.Module.Variables.at(Bits(Step, Operand, Index));

@@ -25,9 +25,7 @@ TSpirvThread<Real>::TSpirvThread(const FSpirvProgram& InProgram, FSpirvSlotTable
 		FWord* const Out = Words.data() + Program.WordOf(Id);
 		for (uint32_t i = 0; i < Constant.Scalars.size(); ++i)
 		{
-			const bool bReal = sizeof(Real) > 4 && IsReal(Constant.Type, i);
-			Out[i] =
-				bReal ? ToSpirvWord<Real>(Real(__builtin_bit_cast(float, Constant.Scalars[i]))) : Constant.Scalars[i];
+			Out[i] = FromSpirvMemory<Real>(GetKind(Constant.Type, i), Constant.Scalars[i]);
 		}
 	}
 	for (size_t i = 0; i < Program.Module.Variables.size(); ++i)
@@ -451,13 +449,19 @@ void TSpirvThread<Real>::Execute(const FSpirvStep& Step)
 		return;
 	case OpExtInst:
 		ExecuteExtended(Step);
+		Narrow(Step, Result(Step));
 		return;
 	default:
-		if (!ExecuteComposite(Step) && !ExecuteMatrix(Step) && !ExecuteImage(Step) && !ExecuteAtomic(Step))
+	{
+		const bool bDouble = Step.Kind == ESpirvType::Double;
+		if (!ExecuteComposite(Step) && !(bDouble ? ExecuteMatrix<double>(Step) : ExecuteMatrix<Real>(Step)) &&
+			!ExecuteImage(Step) && !ExecuteAtomic(Step))
 		{
 			ExecuteScalars(Step);
 		}
+		Narrow(Step, Step.bNarrow ? Result(Step) : nullptr);
 		break;
+	}
 	}
 	Note(Step);
 }

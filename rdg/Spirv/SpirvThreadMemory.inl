@@ -94,26 +94,27 @@ void TSpirvThread<Real>::LoadBytes(const FSpirvStep& Step)
 	FWord* const Out = Result(Step);
 	for (uint32_t i = 0; i < Place.Scalars.size() && i < Step.Size; ++i)
 	{
-		uint32_t Loaded = 0;
+		uint64_t Loaded = 0;
+		const ESpirvType Kind = GetKind(Step.I->Type, i);
+		const uint32_t Size = GetSpirvBytes(Kind);
 		const uint32_t At = Offset + Place.Scalars[i];
 		if (!Buffer)
 		{
 			const uint8_t* const Data = ViewOf(Args->ConstantBuffers, Variable);
 			if (Data)
 			{
-				std::memcpy(&Loaded, Data + At, 4);
+				std::memcpy(&Loaded, Data + At, Size);
 			}
 		}
 		else
 		{
 			const uint64_t Byte = uint64_t(Element) * Place.ElementStride + At;
-			if (Element < Buffer->SizeInBytes / std::max(1u, Place.ElementStride) && Byte + 4 <= Buffer->SizeInBytes)
+			if (Element < Buffer->SizeInBytes / std::max(1u, Place.ElementStride) && Byte + Size <= Buffer->SizeInBytes)
 			{
-				std::memcpy(&Loaded, Buffer->Data + Byte, 4);
+				std::memcpy(&Loaded, Buffer->Data + Byte, Size);
 			}
 		}
-		const bool bReal = sizeof(Real) > 4 && IsReal(Step.I->Type, i);
-		Out[i] = bReal ? ToSpirvWord<Real>(Real(__builtin_bit_cast(float, Loaded))) : Loaded;
+		Out[i] = FromSpirvMemory<Real>(Kind, Loaded);
 	}
 	if (Buffer && Observer)
 	{
@@ -137,13 +138,13 @@ void TSpirvThread<Real>::StoreBytes(const FSpirvStep& Step)
 	const FWord* const From = Value(Step, 1);
 	for (uint32_t i = 0; i < Place.Scalars.size() && i < SizeOf(Step, 1); ++i)
 	{
-		const bool bReal = sizeof(Real) > 4 && IsReal(Type, i);
-		const uint32_t Stored =
-			bReal ? __builtin_bit_cast(uint32_t, float(ToSpirvReal<Real>(From[i]))) : uint32_t(From[i]);
+		const ESpirvType Kind = GetKind(Type, i);
+		const uint32_t Size = GetSpirvBytes(Kind);
+		const uint64_t Stored = ToSpirvMemory<Real>(Kind, From[i]);
 		const uint64_t Byte = uint64_t(Element) * Place.ElementStride + uint32_t(Pointer[0]) + Place.Scalars[i];
-		if (!bReplay && Element < Buffer->SizeInBytes / Place.ElementStride && Byte + 4 <= Buffer->SizeInBytes)
+		if (!bReplay && Element < Buffer->SizeInBytes / Place.ElementStride && Byte + Size <= Buffer->SizeInBytes)
 		{
-			std::memcpy(Buffer->Data + Byte, &Stored, 4);
+			std::memcpy(Buffer->Data + Byte, &Stored, Size);
 		}
 	}
 	if (Observer)
@@ -160,7 +161,7 @@ void TSpirvThread<Real>::ArrayLength(const FSpirvStep& Step)
 	const FKernelBuffer* const Buffer = FindBuffer(Variable);
 	const uint32_t Stride =
 		Program.Module.GetType(Program.Module.GetMemberType(Found.Type, Step.I->Operands[1])).ArrayStride;
-	Result(Step)[0] = Buffer ? Buffer->SizeInBytes / std::max(4u, Stride) : 0;
+	Result(Step)[0] = Buffer ? Buffer->SizeInBytes / std::max(1u, Stride) : 0;
 }
 
 } // namespace Drydock

@@ -84,6 +84,59 @@ TSpirvWord<Real> GetIdentity(uint16_t Op)
 	}
 }
 
+/** By what the shader's numbers are. */
+template<typename Real>
+TSpirvWord<Real> CombineOf(ESpirvType Kind, uint16_t Op, TSpirvWord<Real> A, TSpirvWord<Real> B)
+{
+	if (Kind == ESpirvType::Double)
+	{
+		return Combine<double>(Op, A, B);
+	}
+	if (Kind != ESpirvType::Long && Kind != ESpirvType::Ulong)
+	{
+		return Combine<Real>(Op, A, B);
+	}
+	switch (Op)
+	{
+	case OpGroupNonUniformIAdd:
+		return A + B;
+	case OpGroupNonUniformIMul:
+		return A * B;
+	case OpGroupNonUniformSMin:
+		return int64_t(A) < int64_t(B) ? A : B;
+	case OpGroupNonUniformUMin:
+		return std::min(A, B);
+	case OpGroupNonUniformSMax:
+		return int64_t(A) > int64_t(B) ? A : B;
+	case OpGroupNonUniformUMax:
+		return std::max(A, B);
+	case OpGroupNonUniformBitwiseAnd:
+		return A & B;
+	case OpGroupNonUniformBitwiseOr:
+		return A | B;
+	default:
+		return A ^ B;
+	}
+}
+
+template<typename Real>
+TSpirvWord<Real> GetIdentityOf(ESpirvType Kind, uint16_t Op)
+{
+	const bool bLong = Kind == ESpirvType::Long || Kind == ESpirvType::Ulong;
+	switch (bLong ? Op : 0)
+	{
+	case OpGroupNonUniformSMin:
+		return uint64_t(std::numeric_limits<int64_t>::max());
+	case OpGroupNonUniformUMin:
+	case OpGroupNonUniformBitwiseAnd:
+		return ~uint64_t(0);
+	case OpGroupNonUniformSMax:
+		return uint64_t(1) << 63;
+	default:
+		return Kind == ESpirvType::Double ? GetIdentity<double>(Op) : GetIdentity<Real>(Op);
+	}
+}
+
 } // namespace Waves
 
 template<typename Real>
@@ -112,7 +165,11 @@ void TSpirvThread<Real>::ExecuteTogether(const std::vector<TSpirvThread*>& Toget
 		{
 			const FWord A = Together.front()->Value(Step, 1)[i];
 			const FWord B = Thread->Value(Step, 1)[i];
-			bAllEqual = bAllEqual && (IsReal(I.Operands[1], i) ? ToSpirvReal<Real>(A) == ToSpirvReal<Real>(B) : A == B);
+			const bool bDouble = Step.Kind == ESpirvType::Double;
+			const bool bSame = bDouble                    ? ToSpirvReal<double>(A) == ToSpirvReal<double>(B)
+							   : IsReal(I.Operands[1], i) ? ToSpirvReal<Real>(A) == ToSpirvReal<Real>(B)
+														  : A == B;
+			bAllEqual = bAllEqual && bSame;
 		}
 	}
 	std::vector<std::vector<FWord>> Results;
@@ -120,11 +177,12 @@ void TSpirvThread<Real>::ExecuteTogether(const std::vector<TSpirvThread*>& Toget
 	const bool bReduce = bArithmetic && I.Operands[1] == 0;
 	for (uint32_t i = 0; bArithmetic && i < Step.Size; ++i)
 	{
-		Sum[i] = bReduce ? Together.front()->Value(Step, 2)[i] : Waves::GetIdentity<Real>(I.Op);
+		Sum[i] = bReduce ? Together.front()->Value(Step, 2)[i] : Waves::GetIdentityOf<Real>(Step.Kind, I.Op);
 		for (const TSpirvThread* const Thread : Together)
 		{
 			const bool bStart = bReduce && Thread == Together.front();
-			Sum[i] = bReduce && !bStart ? Waves::Combine<Real>(I.Op, Sum[i], Thread->Value(Step, 2)[i]) : Sum[i];
+			Sum[i] = bReduce && !bStart ? Waves::CombineOf<Real>(Step.Kind, I.Op, Sum[i], Thread->Value(Step, 2)[i])
+										: Sum[i];
 		}
 	}
 	for (TSpirvThread* const Thread : Together)
@@ -182,13 +240,14 @@ void TSpirvThread<Real>::ExecuteTogether(const std::vector<TSpirvThread*>& Toget
 			Out = Sum;
 			for (uint32_t i = 0; !bReduce && i < Step.Size; ++i)
 			{
-				Sum[i] = Waves::Combine<Real>(I.Op, Sum[i], Thread->Value(Step, 2)[i]);
+				Sum[i] = Waves::CombineOf<Real>(Step.Kind, I.Op, Sum[i], Thread->Value(Step, 2)[i]);
 			}
 			break;
 		}
 	}
 	for (size_t i = 0; i < Together.size(); ++i)
 	{
+		Together[i]->Narrow(Step, Results[i].data());
 		std::copy(Results[i].begin(), Results[i].end(), Together[i]->Result(Step));
 		Together[i]->Note(Step);
 		Together[i]->ShowWaiting();
