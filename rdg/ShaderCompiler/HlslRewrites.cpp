@@ -196,6 +196,7 @@ std::string RewriteHlsl(const std::string& Text, const std::string& VirtualPath,
 		}
 	};
 	Rewrite([&] { return RewriteGlobals(Tokens, *Symbols); });
+	Rewrite([&] { return RewriteResources(Tokens, *Symbols, Errors); });
 	Rewrite([&] { return RewriteChoices(Tokens, Errors); });
 	Rewrite([&] { return RewriteBuffers(Tokens, *Symbols, Errors); });
 	Rewrite([&] { return RewriteMatrices(Tokens, *Symbols, Errors); });

@@ -38,6 +38,9 @@ bool RewriteCalls(FHlslText& Text, const FHlslSymbols& Symbols);
 /** Matrices made of other parts than their rows, those of bool, and mul of integers, by functions before the text. */
 bool RewriteMatrices(FHlslText& Text, const FHlslSymbols& Symbols, std::vector<FDiagnostic>& Errors);
 
+/** Resources in arrays, local variables and structs, as numbers. */
+bool RewriteResources(FHlslText& Text, const FHlslSymbols& Symbols, std::vector<FDiagnostic>& Errors);
+
 /** Load<T> and Store<T> of buffers of bytes, by functions; a ConstantBuffer<S> whose S is that of an
  * RWStructuredBuffer. */
 bool RewriteBuffers(FHlslText& Text, const FHlslSymbols& Symbols, std::vector<FDiagnostic>& Errors);
