@@ -105,6 +105,35 @@ bool RewriteNames(FHlslText& Text)
 	return bChanged;
 }
 
+bool RewriteBases(FHlslText& Text)
+{
+	bool bChanged = false;
+	for (size_t At = 0; At + 4 < Text.Size(); ++At)
+	{
+		const bool bDerived = (Text.Is(At, "struct") || Text.Is(At, "class")) && Text.Is(At + 2, ":") &&
+							  Text.IsWord(At + 3) && Text.Is(At + 4, "{");
+		if (!bDerived)
+		{
+			continue;
+		}
+		for (size_t Base = 0; Base < At; ++Base)
+		{
+			const bool bBase = (Text.Is(Base, "struct") || Text.Is(Base, "class")) &&
+							   Text.Is(Base + 1, Text[At + 3].Text.c_str()) && Text.Is(Base + 2, "{");
+			if (bBase)
+			{
+				FHlslEdits Edits;
+				Edits.Replace(At + 2, At + 4, "");
+				Edits.Insert(At + 5, Text.GetText(Base + 3, Text.FindClose(Base + 2)));
+				Edits.Apply(Text);
+				bChanged = true;
+				break;
+			}
+		}
+	}
+	return bChanged;
+}
+
 bool RewriteGlobals(FHlslText& Text, const FHlslSymbols& Symbols)
 {
 	const auto FindGlobal = [&](size_t At) -> const FHlslVariable*
@@ -182,6 +211,7 @@ std::string RewriteHlsl(const std::string& Text, const std::string& VirtualPath,
 	FHlslText Tokens(Text, VirtualPath);
 	bool bChanged = RewriteNames(Tokens);
 	bChanged = RewriteTemplates(Tokens, Errors) || bChanged;
+	bChanged = RewriteBases(Tokens) || bChanged;
 	if (!Errors.empty())
 	{
 		return Text;

@@ -20,6 +20,9 @@ bool RewriteTemplates(FHlslText& Text, std::vector<FDiagnostic>& Errors);
 /** uint32_t3 and its like by HLSL's older names; attributes in small letters; `using A = B;` as a typedef. */
 bool RewriteNames(FHlslText& Text);
 
+/** `struct B : A`, which the front end takes without what A has: its members are written into B. */
+bool RewriteBases(FHlslText& Text);
+
 /** `float G;` at file scope that functions write to: HLSL's older mode writes to a copy of the parameter. */
 bool RewriteGlobals(FHlslText& Text, const FHlslSymbols& Symbols);
 
