@@ -261,7 +261,8 @@ void FHlslResourceNumbers::DeclareGlobal(FHlslEdits& Edits, const FHlslVariable&
 			const std::string Element = Global.Sizes.empty() ? Name : Name + "_" + std::to_string(i);
 			Value += (i ? ", " : "") + GetStructValue(Global.Struct, Element);
 		}
-		Words += "static const " + Global.Struct + " " + Name;
+		// If it were const, the front end would make wrong code of calls of its methods.
+		Words += "static " + Global.Struct + " " + Name;
 		for (const int Size : Global.Sizes)
 		{
 			Words += "[" + std::to_string(Size) + "]";
@@ -349,7 +350,7 @@ std::optional<FHlslResourceUse> FHlslResourceNumbers::FindUse(size_t At) const
 		NumIndices = 0;
 		End += 2;
 	}
-	if (!IsNumbered(Type))
+	if (!IsNumbered(Type) || (Type.starts_with("ConstantBuffer") && !Global))
 	{
 		return {};
 	}
