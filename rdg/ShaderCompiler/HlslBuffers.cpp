@@ -171,7 +171,7 @@ private:
 		{
 			return; // the front end says what it does not know
 		}
-		const size_t Before = FindFunctionStart(At);
+		const size_t Before = Text.FindDeclaration(At);
 		const bool bGlobal = First + 2 == At && Symbols.FindVariable(Text[First].Text, First) &&
 							 Symbols.FindVariable(Text[First].Text, First)->bGlobal && Before < Text.Size();
 		if (!bGlobal)
@@ -189,34 +189,6 @@ private:
 					  : "void " + Name + "(uint At, " + Type + " Value) { " + Parts.Words + "} ");
 		}
 		Edits.Replace(First, Open, Name);
-	}
-
-	/** The first token of the function around At; Text.Size() in none. */
-	size_t FindFunctionStart(size_t At) const
-	{
-		size_t Start = Text.Size();
-		for (size_t i = 0; i < At; ++i)
-		{
-			if (Text.Is(i, "{"))
-			{
-				const size_t Close = Text.FindClose(i);
-				if (Close > At)
-				{
-					return Start;
-				}
-				i = Close;
-				Start = i + 1;
-			}
-			else if (Text.Is(i, ";"))
-			{
-				Start = i + 1;
-			}
-			else if (Start > i)
-			{
-				Start = i;
-			}
-		}
-		return Text.Size();
 	}
 
 	/** ConstantBuffer<S> B; -> cbuffer B_Block { S B; }: with a RWStructuredBuffer<S> the front end takes the two for

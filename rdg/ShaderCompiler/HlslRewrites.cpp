@@ -165,6 +165,35 @@ bool RewriteNames(FHlslText& Text, bool bRealHalf)
 	return bChanged;
 }
 
+bool RewriteBases(FHlslText& Text)
+{
+	bool bChanged = false;
+	for (size_t At = 0; At + 4 < Text.Size(); ++At)
+	{
+		const bool bDerived = (Text.Is(At, "struct") || Text.Is(At, "class")) && Text.Is(At + 2, ":") &&
+							  Text.IsWord(At + 3) && Text.Is(At + 4, "{");
+		if (!bDerived)
+		{
+			continue;
+		}
+		for (size_t Base = 0; Base < At; ++Base)
+		{
+			const bool bBase = (Text.Is(Base, "struct") || Text.Is(Base, "class")) &&
+							   Text.Is(Base + 1, Text[At + 3].Text.c_str()) && Text.Is(Base + 2, "{");
+			if (bBase)
+			{
+				FHlslEdits Edits;
+				Edits.Replace(At + 2, At + 4, "");
+				Edits.Insert(At + 5, Text.GetText(Base + 3, Text.FindClose(Base + 2)));
+				Edits.Apply(Text);
+				bChanged = true;
+				break;
+			}
+		}
+	}
+	return bChanged;
+}
+
 bool RewriteGlobals(FHlslText& Text, const FHlslSymbols& Symbols)
 {
 	const auto FindGlobal = [&](size_t At) -> const FHlslVariable*
@@ -243,6 +272,7 @@ std::string RewriteHlsl(
 	FHlslText Tokens(Text, VirtualPath);
 	bool bChanged = RewriteNames(Tokens, bRealHalf);
 	bChanged = RewriteTemplates(Tokens, Errors) || bChanged;
+	bChanged = RewriteBases(Tokens) || bChanged;
 	if (!Errors.empty())
 	{
 		return Text;
@@ -257,6 +287,7 @@ std::string RewriteHlsl(
 		}
 	};
 	Rewrite([&] { return RewriteGlobals(Tokens, *Symbols); });
+	Rewrite([&] { return RewriteResources(Tokens, *Symbols, Errors); });
 	Rewrite([&] { return RewriteChoices(Tokens, Errors); });
 	Rewrite([&] { return RewriteBuffers(Tokens, *Symbols, Errors); });
 	Rewrite([&] { return RewriteMatrices(Tokens, *Symbols, Errors); });

@@ -21,6 +21,9 @@ bool RewriteTemplates(FHlslText& Text, std::vector<FDiagnostic>& Errors);
  * literals of 16 and 64 bits as the front end reads them. */
 bool RewriteNames(FHlslText& Text, bool bRealHalf);
 
+/** `struct B : A`, which the front end takes without what A has: its members are written into B. */
+bool RewriteBases(FHlslText& Text);
+
 /** `float G;` at file scope that functions write to: HLSL's older mode writes to a copy of the parameter. */
 bool RewriteGlobals(FHlslText& Text, const FHlslSymbols& Symbols);
 
@@ -38,6 +41,9 @@ bool RewriteCalls(FHlslText& Text, const FHlslSymbols& Symbols);
 
 /** Matrices made of other parts than their rows, those of bool, and mul of integers, by functions before the text. */
 bool RewriteMatrices(FHlslText& Text, const FHlslSymbols& Symbols, std::vector<FDiagnostic>& Errors);
+
+/** Resources in arrays, local variables and structs, as numbers. */
+bool RewriteResources(FHlslText& Text, const FHlslSymbols& Symbols, std::vector<FDiagnostic>& Errors);
 
 /** Load<T> and Store<T> of buffers of bytes, by functions; a ConstantBuffer<S> whose S is that of an
  * RWStructuredBuffer. */

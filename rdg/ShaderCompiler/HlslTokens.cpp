@@ -151,6 +151,33 @@ size_t FHlslText::FindListEnd(size_t Open) const
 	return 0;
 }
 
+size_t FHlslText::FindDeclaration(size_t At) const
+{
+	size_t Start = Size();
+	for (size_t i = 0; i < At; ++i)
+	{
+		if (Is(i, "{"))
+		{
+			const size_t Close = FindClose(i);
+			if (Close > At)
+			{
+				return Start;
+			}
+			i = Close;
+			Start = i + 1;
+		}
+		else if (Is(i, ";"))
+		{
+			Start = i + 1;
+		}
+		else if (Start > i)
+		{
+			Start = i;
+		}
+	}
+	return Size();
+}
+
 size_t FHlslText::FindStatementEnd(size_t At, int Depth) const
 {
 	// "if (A) for (...) while (...) F();": what stands before a statement is skipped until the statement itself is met.

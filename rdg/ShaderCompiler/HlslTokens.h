@@ -43,6 +43,9 @@ struct DRYDOCK_API FHlslText
 	/** Behind the statement that begins at At, with its attributes, its body and its else. */
 	size_t FindStatementEnd(size_t At) const { return FindStatementEnd(At, 0); }
 
+	/** The first token of the declaration at file scope whose braces At is in; Size() where it is in none. */
+	size_t FindDeclaration(size_t At) const;
+
 	/** The tokens [First, End) in one line. */
 	std::string GetText(size_t First, size_t End) const;
 

@@ -45,6 +45,7 @@ FBinding::FBinding(const FPipeline& InPipeline, const FShaderReflection& Reflect
 	: Pipeline(InPipeline)
 {
 	ReadPlaces(Text);
+	PlaceTheRest(Reflection, Text);
 	for (const FShaderConstantBuffer& Constants : Reflection.ConstantBuffers)
 	{
 		AddConstants(Constants);
@@ -123,54 +124,108 @@ void FBinding::ReadPlaces(const std::string& Text)
 	}
 }
 
-const FResource& FBinding::FindResource(const std::string& Name) const
+/** Registers of what names none: the first that are free, in the order of the text. */
+void FBinding::PlaceTheRest(const FShaderReflection& Reflection, const std::string& Text)
+{
+	std::vector<std::pair<size_t, FPlace>> Rest; // by where they stand
+	const auto Add = [&](const auto& List, char Class)
+	{
+		for (const auto& Resource : List)
+		{
+			if (!FindPlace(Resource.Name))
+			{
+				FPlace Place;
+				Place.Name = Resource.Name;
+				Place.Class = Class;
+				Rest.emplace_back(Text.find(" " + Resource.Name + " ;"), Place);
+			}
+		}
+	};
+	Add(Reflection.Textures, 't');
+	Add(Reflection.Buffers, 't');
+	Add(Reflection.RWTextures, 'u');
+	Add(Reflection.RWBuffers, 'u');
+	std::sort(Rest.begin(), Rest.end(), [](const auto& A, const auto& B) { return A.first < B.first; });
+	for (auto& [At, Place] : Rest)
+	{
+		const bool bNamed = std::any_of(Pipeline.Resources.begin(), Pipeline.Resources.end(),
+			[&, Name = Place.Name](const FResource& Resource) { return Resource.Name == Name; });
+		const auto IsTaken = [&, Class = Place.Class](int32_t Register)
+		{
+			return std::any_of(Places.begin(), Places.end(),
+				[&](const FPlace& Other)
+				{ return Other.Class == Class && Other.Space == 0 && Other.Register == Register; });
+		};
+		Place.Register = 0;
+		while (IsTaken(Place.Register))
+		{
+			++Place.Register;
+		}
+		if (!bNamed)
+		{
+			Places.push_back(Place);
+		}
+	}
+}
+
+const FBinding::FPlace* FBinding::FindPlace(const std::string& Name) const
 {
 	const auto Place =
 		std::find_if(Places.begin(), Places.end(), [&](const FPlace& Candidate) { return Candidate.Name == Name; });
+	return Place == Places.end() ? nullptr : &*Place;
+}
+
+const FResource* FBinding::FindResource(const std::string& Name) const
+{
+	const FPlace* const Place = FindPlace(Name);
 	for (const FResource& Resource : Pipeline.Resources)
 	{
-		const bool bRegister = Place != Places.end() && Place->Class == Resource.GetRegisterClass() &&
-							   Place->Register == Resource.Register && Place->Space == Resource.Space;
-		const bool bBinding = Place != Places.end() && Place->Class == 0 && Place->Binding == Resource.Binding &&
-							  Place->Set == Resource.Set;
-		if (bRegister || bBinding || (Place == Places.end() && Resource.Name == Name))
+		int32_t Count = 1;
+		for (const FBuffer& Buffer : Pipeline.Buffers)
 		{
-			return Resource;
+			Count = Buffer.Name == Resource.Name ? int32_t(Buffer.Members.size()) : Count;
+		}
+		const bool bRegister = Place && Place->Class == Resource.GetRegisterClass() &&
+							   Place->Register >= Resource.Register && Place->Register < Resource.Register + Count &&
+							   Place->Space == Resource.Space;
+		const bool bBinding =
+			Place && Place->Class == 0 && Place->Binding == Resource.Binding && Place->Set == Resource.Set;
+		if (bRegister || bBinding || (!Place && Resource.Name == Name))
+		{
+			return &Resource;
 		}
 	}
-	throw FNotRead("nothing is bound to '" + Name + "'");
+	return nullptr;
 }
 
-const FBuffer& FBinding::FindBuffer(const std::string& Name) const
+FBinding::FElement FBinding::FindBuffer(const std::string& Name) const
 {
-	const FResource& Resource = FindResource(Name);
+	const FResource* const Resource = FindResource(Name);
+	const FPlace* const Place = FindPlace(Name);
 	for (const FBuffer& Buffer : Pipeline.Buffers)
 	{
-		if (Buffer.Name == Resource.Name)
+		if (Resource && Buffer.Name == Resource->Name)
 		{
-			return Buffer;
+			return {&Buffer, Place && Place->Class ? size_t(Place->Register - Resource->Register) : 0};
 		}
 	}
-	throw FNotRead("no buffer '" + Resource.Name + "'");
+	return {};
 }
 
-FBinding::FMemory& FBinding::GetMemory(const FBuffer& Buffer)
+FBinding::FMemory& FBinding::GetMemory(const FElement& Element)
 {
 	for (const std::unique_ptr<FMemory>& Memory : Memories)
 	{
-		if (Memory->Buffer == &Buffer)
+		if (Memory->Of.Buffer == Element.Buffer && Memory->Of.Member == Element.Member)
 		{
 			return *Memory;
 		}
 	}
-	if (Buffer.Members.size() != 1)
-	{
-		throw FNotRead("an array of resources");
-	}
 	Memories.push_back(std::make_unique<FMemory>());
 	FMemory& Memory = *Memories.back();
-	Memory.Buffer = &Buffer;
-	const std::vector<uint8_t>& Bytes = Buffer.Members[0];
+	Memory.Of = Element;
+	const std::vector<uint8_t> Bytes =
+		Element.Buffer ? Element.Buffer->Members.at(Element.Member) : std::vector<uint8_t>();
 	Memory.Bytes.resize(Bytes.size() + 2 * Margin);
 	std::copy(Bytes.begin(), Bytes.end(), Memory.Bytes.begin() + Margin);
 	return Memory;
@@ -178,8 +233,13 @@ FBinding::FMemory& FBinding::GetMemory(const FBuffer& Buffer)
 
 FKernelTexture FBinding::MakeTexture(const FShaderResource& Resource)
 {
-	const FBuffer& Buffer = FindBuffer(Resource.Name);
-	FMemory& Memory = GetMemory(Buffer);
+	const FElement Element = FindBuffer(Resource.Name);
+	if (!Element.Buffer)
+	{
+		throw FNotRead("nothing is bound to '" + Resource.Name + "'");
+	}
+	const FBuffer& Buffer = *Element.Buffer;
+	FMemory& Memory = GetMemory(Element);
 	const int32_t TexelSize = int32_t(Buffer.GetElementSize());
 	uint8_t* Data = Memory.Bytes.data() + Margin;
 	std::array<int32_t, 3> Size = Buffer.Size;
@@ -205,10 +265,15 @@ FKernelTexture FBinding::MakeTexture(const FShaderResource& Resource)
 
 FKernelBuffer FBinding::MakeBuffer(const FShaderResource& Resource)
 {
-	const FBuffer& Buffer = FindBuffer(Resource.Name);
-	FMemory& Memory = GetMemory(Buffer);
+	const FElement Element = FindBuffer(Resource.Name);
+	FMemory& Memory = GetMemory(Element);
+	if (!Element.Buffer) // as a null descriptor: reads are 0, writes are lost
+	{
+		return {Memory.Bytes.data() + Margin, 0, Resource.Stride ? Resource.Stride : 4, ETexelStorage::R32_UINT};
+	}
+	const FBuffer& Buffer = *Element.Buffer;
 	const bool bTyped = Resource.Dimension == EShaderDimension::TypedBuffer;
-	return {Memory.Bytes.data() + Margin, uint32_t(Buffer.Members[0].size()),
+	return {Memory.Bytes.data() + Margin, uint32_t(Buffer.Members[Element.Member].size()),
 		bTyped ? Buffer.GetElementSize() : Resource.Stride,
 		bTyped ? GetStorage(Buffer.Format, Buffer.Channels) : ETexelStorage::R32_UINT};
 }
@@ -218,15 +283,21 @@ void FBinding::AddConstants(const FShaderConstantBuffer& Constants)
 	const bool bPush = std::any_of(Places.begin(), Places.end(),
 		[&](const FPlace& Place)
 		{ return Place.bPush && (Place.Name == Constants.Name || Constants.Name == "$Global"); });
-	const std::vector<uint8_t>& Bytes =
-		bPush && !Pipeline.PushConstants.empty() ? Pipeline.PushConstants : FindBuffer(Constants.Name).Members[0];
+	const FElement Element = FindBuffer(Constants.Name);
+	const bool bFromPush = bPush && !Pipeline.PushConstants.empty();
+	if (!bFromPush && !Element.Buffer)
+	{
+		throw FNotRead("nothing is bound to '" + Constants.Name + "'");
+	}
+	const std::vector<uint8_t>& Bytes = bFromPush ? Pipeline.PushConstants : Element.Buffer->Members.at(Element.Member);
 	std::vector<uint8_t>& Memory = ConstantMemory.emplace_back(Bytes);
 	Memory.resize(std::max<size_t>(Memory.size(), Constants.Size));
 }
 
 FKernelSampler FBinding::MakeSampler(const FShaderResource& Resource) const
 {
-	const FSampler* const Sampler = Pipeline.FindSampler(FindResource(Resource.Name).Name);
+	const FResource* const Bound = FindResource(Resource.Name);
+	const FSampler* const Sampler = Bound ? Pipeline.FindSampler(Bound->Name) : nullptr;
 	if (!Sampler)
 	{
 		throw FNotRead("no sampler '" + Resource.Name + "'");
@@ -242,7 +313,11 @@ void FBinding::ReadBack(FPipeline& Target) const
 {
 	for (const std::unique_ptr<FMemory>& Memory : Memories)
 	{
-		std::vector<uint8_t>& Bytes = Target.FindBuffer(Memory->Buffer->Name)->Members[0];
+		if (!Memory->Of.Buffer)
+		{
+			continue;
+		}
+		std::vector<uint8_t>& Bytes = Target.FindBuffer(Memory->Of.Buffer->Name)->Members[Memory->Of.Member];
 		std::copy(Memory->Bytes.begin() + Margin, Memory->Bytes.end() - Margin, Bytes.begin());
 	}
 }

@@ -22,7 +22,7 @@ public:
 	void ReadBack(FPipeline& Target) const;
 
 private:
-	struct FPlace // of a resource in the text
+	struct FPlace // of a resource, as the text has it
 	{
 		std::string Name;
 		char Class = 0;
@@ -32,17 +32,25 @@ private:
 		int32_t Set = 0;
 		bool bPush = false;
 	};
+	/** A buffer of the test, or one of those of an array. */
+	struct FElement
+	{
+		const FBuffer* Buffer = nullptr; // null: nothing is bound
+		size_t Member = 0;
+	};
 	struct FMemory
 	{
-		const FBuffer* Buffer = nullptr;
+		FElement Of;
 		std::vector<uint8_t> Bytes; // with a margin before and behind
 		std::vector<FKernelMip> Mips;
 	};
 
 	void ReadPlaces(const std::string& Text);
-	const FResource& FindResource(const std::string& Name) const;
-	const FBuffer& FindBuffer(const std::string& Name) const;
-	FMemory& GetMemory(const FBuffer& Buffer);
+	void PlaceTheRest(const FShaderReflection& Reflection, const std::string& Text);
+	const FPlace* FindPlace(const std::string& Name) const;
+	const FResource* FindResource(const std::string& Name) const;
+	FElement FindBuffer(const std::string& Name) const;
+	FMemory& GetMemory(const FElement& Element);
 	FKernelTexture MakeTexture(const FShaderResource& Resource);
 	FKernelBuffer MakeBuffer(const FShaderResource& Resource);
 	void AddConstants(const FShaderConstantBuffer& Constants);
