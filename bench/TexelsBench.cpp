@@ -189,7 +189,10 @@ public:
 						Deep.Texture, Clamp, Scattered.U[P], Scattered.V[P], Scattered.W[P], &Level, true, Out);
 				});
 		case 10:
-			return ForEachPack([&](int P) { FSampling::Gather2D(Flat.Texture, Clamp, Half.U[P], Half.V[P], 0, Out); });
+			return ForEachPack(
+				[&](int P) {
+					FSampling::Gather(Flat.Texture, Clamp, {{Half.U[P], Half.V[P]}}, 0, Out);
+				});
 		case 11:
 			return Load(Straight);
 		case 12:

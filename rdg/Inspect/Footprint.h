@@ -20,13 +20,23 @@ struct FFootprintTexel
 	double Value[4] = {};
 };
 
-/** Of a sample at U, V and W (coordinate of a volume or slice of an array) on a level: texels whose weight is not 0, by
- * mip, then Z, Y, X. Source: D3D11 functional specification 7.18, written a second time beside the samplers. */
-DRYDOCK_API std::vector<FFootprintTexel> FindFootprint(const FKernelTexture& Texture, const FKernelSampler& Sampler,
-	double U, double V, double W, double Level, bool bArray);
+/** Where a sample or gather falls. */
+struct FFootprintPlace
+{
+	double At[3] = {}; // U, V, W of a volume; of a cube the direction
+	double Layer = 0;  // of an array; which cube of several
+	double Level = 0;
+	int32_t Offset[3] = {}; // texels
+	bool bCube = false;
+};
+
+/** Of a sample: texels whose weight is not 0, by mip, then Z, Y, X. Source: D3D11 functional specification 7.18,
+ * written a second time beside the samplers but for the faces of cubes. */
+DRYDOCK_API std::vector<FFootprintTexel> FindFootprint(
+	const FKernelTexture& Texture, const FKernelSampler& Sampler, const FFootprintPlace& Place);
 
 /** Of a gather: the texels that it takes a component of, on level 0, each with how many of the four it is. */
 DRYDOCK_API std::vector<FFootprintTexel> FindGathered(
-	const FKernelTexture& Texture, const FKernelSampler& Sampler, double U, double V);
+	const FKernelTexture& Texture, const FKernelSampler& Sampler, const FFootprintPlace& Place);
 
 } // namespace Drydock

@@ -2,6 +2,7 @@
 #include "TraceRecorder.h"
 
 #include "GroupRuns.h"
+#include "LanesLod.h"
 
 #include <optional>
 
@@ -53,6 +54,9 @@ public:
 			break;
 		case OpImageSampleImplicitLod:
 		case OpImageSampleExplicitLod:
+		case OpImageSampleDrefImplicitLod:
+		case OpImageSampleDrefExplicitLod:
+		case OpImageDrefGather:
 		case OpImageGather:
 			AddSample(Thread, Step, *Line);
 			break;
@@ -211,6 +215,20 @@ private:
 			{int64_t(Thread.GetBits(Pointer + 1))}, {}});
 	}
 
+	static double GetGradientLevel(const FKernelTexture& Texture, const FFootprintPlace& Place, std::vector<double> DX,
+		std::vector<double> DY, uint32_t Axes)
+	{
+		using FFlat = Lanes::TVec<double, 2>;
+		using FVector = Lanes::TVec<double, 3>;
+		DX.resize(3);
+		DY.resize(3);
+		const FVector X(DX[0], DX[1], DX[2]);
+		const FVector Y(DY[0], DY[1], DY[2]);
+		return Place.bCube ? Lanes::GradientLevelCube(Texture, FVector(Place.At[0], Place.At[1], Place.At[2]), X, Y)
+			   : Axes == 2 ? Lanes::GradientLevel(Texture, FFlat(DX[0], DX[1]), FFlat(DY[0], DY[1]))
+						   : Lanes::GradientLevel(Texture, X, Y);
+	}
+
 	void AddSample(const FSpirvThreadView& Thread, const FSpirvStep& Step, FTraceLine& Line)
 	{
 		const uint32_t Pair = WordOf(Step, 0);
@@ -223,19 +241,34 @@ private:
 		Event.Name = Module.Variables.at(TextureVariable).Name;
 		Event.Value = Read(Thread, Step.I->Type, Step.To);
 		Event.Coordinates = ValueOf(Thread, Step, 1).Reals;
-		const bool bLevel =
-			Step.I->Op != OpImageGather && Step.I->Operands.size() > 3 && (Step.I->Operands[2] & ImageLod);
-		Event.Level = bLevel ? Thread.GetReal(WordOf(Step, 3)) : 0;
-		std::vector<double> At = Event.Coordinates;
-		At.resize(3);
-		if (TextureSlot >= 0 && SamplerSlot >= 0 && Step.I->Op == OpImageGather)
+		const FSpirvImageOperands Told = GetImageOperands(*Step.I);
+		const uint32_t Axes = Image.Dim == Dim2D ? 2 : 3;
+		FFootprintPlace Place;
+		std::copy_n(Event.Coordinates.begin(), std::min<size_t>(Axes, Event.Coordinates.size()), Place.At);
+		Place.Layer = Image.bArrayed && Event.Coordinates.size() > Axes ? Event.Coordinates[Axes] : 0;
+		Place.bCube = Image.Dim == DimCube;
+		const std::vector<double> Offset =
+			Told.Offset ? ValueOf(Thread, Step, Told.Offset).Reals : std::vector<double>();
+		std::copy_n(Offset.begin(), std::min<size_t>(Axes, Offset.size()), Place.Offset);
+		Event.Coordinates.resize(std::min<size_t>(Axes + Image.bArrayed, Event.Coordinates.size()));
+		if (TextureSlot < 0 || SamplerSlot < 0)
 		{
-			Event.Texels = FindGathered(Args.Textures[TextureSlot], Args.Samplers[SamplerSlot], At[0], At[1]);
+			Line.Events.push_back(std::move(Event));
+			return;
 		}
-		else if (TextureSlot >= 0 && SamplerSlot >= 0)
+		const FKernelTexture& Texture = Args.Textures[TextureSlot];
+		Event.Level = Told.Lod     ? Thread.GetReal(WordOf(Step, Told.Lod))
+					  : Told.GradX ? GetGradientLevel(Texture, Place, ValueOf(Thread, Step, Told.GradX).Reals,
+										 ValueOf(Thread, Step, Told.GradY).Reals, Axes)
+								   : 0;
+		Place.Level = Event.Level;
+		if (!IsSpirvGather(Step.I->Op))
 		{
-			Event.Texels = FindFootprint(Args.Textures[TextureSlot], Args.Samplers[SamplerSlot], At[0], At[1], At[2],
-				Event.Level, Image.bArrayed);
+			Event.Texels = FindFootprint(Texture, Args.Samplers[SamplerSlot], Place);
+		}
+		else if (!Told.Offsets)
+		{
+			Event.Texels = FindGathered(Texture, Args.Samplers[SamplerSlot], Place);
 		}
 		Line.Events.push_back(std::move(Event));
 	}

@@ -9,7 +9,7 @@ namespace Drydock
 {
 
 /** Bumped whenever a struct or a meaning below changes; part of the cache key of every compiled shader. */
-constexpr uint32_t GShaderKernelVersion = 1;
+constexpr uint32_t GShaderKernelVersion = 2;
 
 /** How one texel lies in memory. A texture's storage follows from its EPixelFormat and from r.Drydock.Storage. */
 enum class ETexelStorage : uint8_t
@@ -84,6 +84,13 @@ enum class EKernelAddress : uint8_t
 	Border
 };
 
+/** How a comparison sampler compares the shader's value with a texel: 1 where it holds, else 0. */
+enum class EKernelCompare : uint8_t
+{
+	Never,
+	Less
+};
+
 struct FKernelSampler
 {
 	EKernelFilter Filter;
@@ -93,6 +100,9 @@ struct FKernelSampler
 	uint8_t SampleBits; // 8: coordinates snapped to 1/256 texel; 0: not snapped
 	float MipBias;
 	float Border[4];
+	EKernelCompare Compare = EKernelCompare::Never;
+	float MinLevel = 0; // levels with their bias are clamped to this range
+	float MaxLevel = 1000;
 };
 
 /** A (RW)StructuredBuffer, (RW)ByteAddressBuffer or typed (RW)Buffer. */

@@ -65,7 +65,8 @@ struct FShaderResource
 	EShaderDimension Dimension = EShaderDimension::Texture2D; // meaningless for samplers
 	EShaderScalar Scalar = EShaderScalar::Float;              // component type of the texel or typed element
 	int32_t NumComponents = 4;
-	uint32_t Stride = 0; // structured buffers: bytes per element
+	uint32_t Stride = 0;    // structured buffers: bytes per element
+	bool bCompares = false; // samplers: of SampleCmp or GatherCmp
 	std::string Where;
 };
 

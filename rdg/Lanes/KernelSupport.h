@@ -4,6 +4,8 @@
 
 #include "Lanes.h"
 #include "LanesAtomics.h"
+#include "LanesLod.h"
+#include "LanesSamples.h"
 #include "LanesTapReads.h"
 #include "LanesWaves.h"
 #include "LanesWide.h"

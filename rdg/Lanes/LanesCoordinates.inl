@@ -104,7 +104,7 @@ DRYDOCK_LANES_INLINE TInt<N> AddressTexels(TInt<N> X, int32_t Size, EKernelAddre
 }
 
 /** The mips a level falls on: First, and where Weight is not 0 also First + 1. A level between two mips takes the
- *  nearer one unless the sampler is trilinear. NaN counts as 0. */
+ *  nearer one unless the sampler is trilinear. NaN counts as the lowest level. */
 template<typename Real>
 struct TMips
 {
@@ -117,6 +117,8 @@ DRYDOCK_LANES_INLINE TMips<Real> SelectMips(Real Level, int32_t NumMips, const F
 {
 	const Real Last = Real(NumMips - 1);
 	Real L = Level + Real(Sampler.MipBias);
+	L = L > Real(Sampler.MinLevel) ? L : Real(Sampler.MinLevel);
+	L = L < Real(Sampler.MaxLevel) ? L : Real(Sampler.MaxLevel);
 	L = L > 0 ? L : Real(0);
 	L = L < Last ? L : Last;
 	if (Sampler.Filter != EKernelFilter::Trilinear)

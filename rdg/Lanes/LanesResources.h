@@ -30,6 +30,17 @@ namespace Drydock::Lanes
 
 struct FKernelTap;
 
+/** Where lanes sample, and how. Each pointer is to N values; null: there is none. */
+template<typename Real>
+struct TSamplePlace
+{
+	const Real* Coordinates[3] = {}; // U, V, W; of a cube the direction
+	const Real* Layer = nullptr;     // of an array; which cube of several
+	const Real* Reference = nullptr; // what is compared with red texels: the sample is of the answers
+	const int32_t* Offsets[3] = {};  // texels of the mip that is sampled
+	bool bCube = false;
+};
+
 /** The out-of-line half, one per lane type. Lane arrays have N elements; four-component arrays are [4][N]. */
 template<typename Real, int N>
 struct __attribute__((visibility("default"))) TSampling
@@ -43,8 +54,11 @@ struct __attribute__((visibility("default"))) TSampling
 		const Real* V, Real Level, Real* Out, FKernelTap& Tap, int32_t X0, int32_t Y);
 	static void Sample3D(const FKernelTexture& Texture, const FKernelSampler& Sampler, const Real* U, const Real* V,
 		const Real* W, const Real* Levels, bool bUniformLevel, Real* Out);
+	/** Of any shape, with an offset or a comparison, whose answer is the first channel. */
+	static void Sample(const FKernelTexture& Texture, const FKernelSampler& Sampler, const TSamplePlace<Real>& Place,
+		const Real* Levels, bool bUniformLevel, Real* Out);
 	/** The four texels of a bilinear footprint of mip 0, in the order of D3D: (-,+) (+,+) (+,-) (-,-). */
-	static void Gather2D(const FKernelTexture& Texture, const FKernelSampler& Sampler, const Real* U, const Real* V,
+	static void Gather(const FKernelTexture& Texture, const FKernelSampler& Sampler, const TSamplePlace<Real>& Place,
 		int32_t Component, Real* Out);
 	/** Z is depth or layer, null for 0. Mips: N values, or one when bUniformMip. */
 	static void Load(const FKernelTexture& Texture, const int32_t* X, const int32_t* Y, const int32_t* Z,
@@ -141,7 +155,8 @@ DRYDOCK_LANES_INLINE TColor<Real, N> Gather2D(
 	const FKernelTexture& Texture, const FKernelSampler& Sampler, const TVec<TReal<Real, N>, 2>& UV, int32_t Component)
 {
 	TColor<Real, N> Out;
-	TSampling<Real, N>::Gather2D(Texture, Sampler, LanesOf(UV.E[0]), LanesOf(UV.E[1]), Component, LanesOf(Out.E[0]));
+	const TSamplePlace<Real> Place = {{LanesOf(UV.E[0]), LanesOf(UV.E[1])}};
+	TSampling<Real, N>::Gather(Texture, Sampler, Place, Component, LanesOf(Out.E[0]));
 	return Out;
 }
 
@@ -249,6 +264,12 @@ DRYDOCK_LANES_INLINE TVec<int32_t, 3> TextureSize3D(const FKernelTexture& Textur
 	const bool bExists = uint32_t(Mip) < uint32_t(Texture.NumMips);
 	return bExists ? TVec<int32_t, 3>(Texture.Mips[Mip].SizeX, Texture.Mips[Mip].SizeY, Texture.Mips[Mip].SizeZ)
 				   : TVec<int32_t, 3>(0, 0, 0);
+}
+/** Width and height of a face, and how many cubes. */
+DRYDOCK_LANES_INLINE TVec<int32_t, 3> TextureSizeCubes(const FKernelTexture& Texture, int32_t Mip = 0)
+{
+	const TVec<int32_t, 3> Size = TextureSize3D(Texture, Mip);
+	return {Size[0], Size[1], Size[2] / 6};
 }
 DRYDOCK_LANES_INLINE int32_t TextureLevels(const FKernelTexture& Texture)
 {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "LanesBuffers.inl"
+#include "LanesFourTexels.inl"
 #include "LanesStores.inl"
 #include "LanesTaps.inl"
 
@@ -293,46 +294,32 @@ void TSampling<Real, N>::Sample3D(const FKernelTexture& Texture, const FKernelSa
 }
 
 template<typename Real, int N>
-void TSampling<Real, N>::Gather2D(const FKernelTexture& Texture, const FKernelSampler& Sampler, const Real* U,
-	const Real* V, int32_t Component, Real* Out)
+void TSampling<Real, N>::Sample(const FKernelTexture& Texture, const FKernelSampler& Sampler,
+	const TSamplePlace<Real>& Place, const Real* Levels, bool bUniformLevel, Real* Out)
 {
-	const FKernelMip& Mip = Texture.Mips[0];
-	const TAxis<Real, N> X = MakeAxis<Real, N>(U, Mip.SizeX, false, Sampler.SampleBits);
-	const TAxis<Real, N> Y = MakeAxis<Real, N>(V, Mip.SizeY, false, Sampler.SampleBits);
-	if constexpr (HasLaneCode<Real, N>)
-	{
-		using FInt = TRaw<int32_t, N>;
-		const TTapReader<N> Lanes = {Texture, Sampler, Mip};
-		if (Lanes.CanRead())
+	SampleMips<Real, N>(Texture, Sampler, Levels, bUniformLevel, Out,
+		[&](int32_t MipIndex, Real* MipOut)
 		{
-			const FInt Left = AddressTexels(X.First, Mip.SizeX, Sampler.AddressU).V;
-			const FInt Right = AddressTexels(X.First + TInt<N>(1), Mip.SizeX, Sampler.AddressU).V;
-			const FInt Top = AddressTexels(Y.First, Mip.SizeY, Sampler.AddressV).V;
-			const FInt Bottom = AddressTexels(Y.First + TInt<N>(1), Mip.SizeY, Sampler.AddressV).V;
-			const auto Take = [&](int Place, FInt Columns, FInt Rows)
+			const TPlaceAtMip<Real, N> At(Place, Texture.Mips[MipIndex]);
+			if (At.bCube || At.Reference)
 			{
-				TRaw<float, N> C[4];
-				Lanes.Read(Columns, Rows, FInt{}, C);
-				StoreRaw(Out + Place * N, C[Component & 3]);
-			};
-			Take(0, Left, Bottom);
-			Take(1, Right, Bottom);
-			Take(2, Right, Top);
-			Take(3, Left, Top);
-			return;
-		}
-	}
-	CountScalarCall<Real, N>(EScalarCall::Gather);
-	const TTexelReader<Real> Reader(Texture, Sampler, 0);
-	for (int Lane = 0; Lane < N; ++Lane)
-	{
-		const TTap<Real> TapX = MakeTap(X, Lane, Reader.Mip.SizeX, Sampler.AddressU);
-		const TTap<Real> TapY = MakeTap(Y, Lane, Reader.Mip.SizeY, Sampler.AddressV);
-		Out[Lane] = Reader.Read(TapX.First, TapY.Second, 0).C[Component & 3];
-		Out[N + Lane] = Reader.Read(TapX.Second, TapY.Second, 0).C[Component & 3];
-		Out[2 * N + Lane] = Reader.Read(TapX.Second, TapY.First, 0).C[Component & 3];
-		Out[3 * N + Lane] = Reader.Read(TapX.First, TapY.First, 0).C[Component & 3];
-	}
+				SampleFour<Real, N>(Texture, Sampler, MipIndex, At, MipOut);
+				return;
+			}
+			FKernelTexture One = Texture;
+			One.Mips += MipIndex;
+			One.NumMips = 1;
+			const Real* const* const C = At.Coordinates;
+			C[2] ? Sample3D(One, Sampler, C[0], C[1], C[2], Levels, true, MipOut)
+				 : Sample2D(One, Sampler, C[0], C[1], At.Layer, Levels, true, MipOut);
+		});
+}
+
+template<typename Real, int N>
+void TSampling<Real, N>::Gather(const FKernelTexture& Texture, const FKernelSampler& Sampler,
+	const TSamplePlace<Real>& Place, int32_t Component, Real* Out)
+{
+	GatherFour<Real, N>(Texture, Sampler, TPlaceAtMip<Real, N>(Place, Texture.Mips[0]), Component & 3, Out);
 }
 
 template<typename Real, int N>

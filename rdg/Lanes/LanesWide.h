@@ -33,11 +33,21 @@ struct TWideSampling
 					Levels + (bUniformLevel ? 0 : First), bUniformLevel, Part);
 			});
 	}
-	static void Gather2D(const FKernelTexture& Texture, const FKernelSampler& Sampler, const Real* U, const Real* V,
+	static void Sample(const FKernelTexture& Texture, const FKernelSampler& Sampler, const TSamplePlace<Real>& Place,
+		const Real* Levels, bool bUniformLevel, Real* Out)
+	{
+		ForEachPart<Real>(Out,
+			[&](int First, Real* Part)
+			{
+				FPart::Sample(Texture, Sampler, MovePlace(Place, First), Levels + (bUniformLevel ? 0 : First),
+					bUniformLevel, Part);
+			});
+	}
+	static void Gather(const FKernelTexture& Texture, const FKernelSampler& Sampler, const TSamplePlace<Real>& Place,
 		int32_t Component, Real* Out)
 	{
 		ForEachPart<Real>(Out,
-			[&](int First, Real* Part) { FPart::Gather2D(Texture, Sampler, U + First, V + First, Component, Part); });
+			[&](int First, Real* Part) { FPart::Gather(Texture, Sampler, MovePlace(Place, First), Component, Part); });
 	}
 	static void Load(const FKernelTexture& Texture, const int32_t* X, const int32_t* Y, const int32_t* Z,
 		const int32_t* Mips, bool bUniformMip, Real* Out)
@@ -96,6 +106,17 @@ private:
 	static const T* Move(const T* Lanes, int First)
 	{
 		return Lanes ? Lanes + First : nullptr;
+	}
+	static TSamplePlace<Real> MovePlace(TSamplePlace<Real> Place, int First)
+	{
+		for (int Axis = 0; Axis < 3; ++Axis)
+		{
+			Place.Coordinates[Axis] = Move(Place.Coordinates[Axis], First);
+			Place.Offsets[Axis] = Move(Place.Offsets[Axis], First);
+		}
+		Place.Layer = Move(Place.Layer, First);
+		Place.Reference = Move(Place.Reference, First);
+		return Place;
 	}
 	/** Four rows of W lanes each go to four rows of N. */
 	template<typename T, typename F>

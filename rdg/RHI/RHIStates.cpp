@@ -7,12 +7,6 @@ static TAutoConsoleVariable<int32> CVarDrydockSampleBits(TEXT("r.Drydock.SampleB
 	TEXT("Fraction bits of a texture coordinate, in texels.\n")
 		TEXT(" 8: snapped to the nearest 1/256 texel, as GPUs do (default)\n") TEXT(" 0: not snapped"));
 
-FRHISamplerState::FRHISamplerState(const FSamplerStateInitializerRHI& InInitializer)
-	: Initializer(InInitializer)
-{
-	checkf(Initializer.SamplerComparisonFunction == SCF_Never, TEXT("comparison samplers are not simulated"));
-}
-
 Drydock::FKernelSampler FRHISamplerState::GetKernelSampler() const
 {
 	using namespace Drydock;
@@ -38,6 +32,9 @@ Drydock::FKernelSampler FRHISamplerState::GetKernelSampler() const
 	Sampler.AddressW = EKernelAddress(Initializer.AddressW);
 	Sampler.SampleBits = CVarDrydockSampleBits.GetValueOnAnyThread() != 0 ? 8 : 0;
 	Sampler.MipBias = Initializer.MipBias;
+	Sampler.MinLevel = Initializer.MinMipLevel;
+	Sampler.MaxLevel = Initializer.MaxMipLevel;
+	Sampler.Compare = Initializer.SamplerComparisonFunction == SCF_Less ? EKernelCompare::Less : EKernelCompare::Never;
 	const uint32 Color = Initializer.BorderColor;
 	Sampler.Border[0] = float((Color >> 16) & 0xff) / 255.0f;
 	Sampler.Border[1] = float((Color >> 8) & 0xff) / 255.0f;

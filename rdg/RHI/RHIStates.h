@@ -32,18 +32,20 @@ struct FSamplerStateInitializerRHI
 	ESamplerAddressMode AddressV;
 	ESamplerAddressMode AddressW;
 	float MipBias;
-	float MinMipLevel; // as MaxMipLevel and MaxAnisotropy: kept, not used (no derivatives, hence no level to clamp)
+	float MinMipLevel; // levels, with the bias, are clamped to this range
 	float MaxMipLevel;
-	int32 MaxAnisotropy;
-	uint32 BorderColor; // 0xAARRGGBB, as FColor::DWColor
-	ESamplerCompareFunction SamplerComparisonFunction;
+	int32 MaxAnisotropy;                               // kept, not used: levels are those of isotropic filters
+	uint32 BorderColor;                                // 0xAARRGGBB, as FColor::DWColor
+	ESamplerCompareFunction SamplerComparisonFunction; // of SampleCmp and GatherCmp; SCF_Never: a sampler of colours
 };
 
 class DRYDOCK_API FRHISamplerState final : public FRHIResource
 {
 public:
-	/** A comparison function other than SCF_Never is not simulated (checked). */
-	explicit FRHISamplerState(const FSamplerStateInitializerRHI& InInitializer);
+	explicit FRHISamplerState(const FSamplerStateInitializerRHI& InInitializer)
+		: Initializer(InInitializer)
+	{
+	}
 
 	const FSamplerStateInitializerRHI& GetInitializer() const { return Initializer; }
 

@@ -75,6 +75,7 @@ void Fields(TArchive A, FShaderResource& R)
 	A("scalar", R.Scalar);
 	A("components", R.NumComponents);
 	A("stride", R.Stride);
+	A("compares", R.bCompares);
 	A("where", R.Where);
 }
 template<typename TArchive>

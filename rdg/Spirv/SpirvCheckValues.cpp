@@ -1,6 +1,7 @@
 // Checks the operands of instructions on vectors, matrices and textures. Source: SPIR-V specification, section 3.
 #include "SpirvChecker.h"
 
+#include "SpirvImageOperands.h"
 #include "SpirvRefusals.h"
 
 namespace Drydock
@@ -124,6 +125,12 @@ bool FSpirvChecker::CheckMatrix(const FSpirvInstruction& I)
 	}
 }
 
+/** Coordinates but for the layer. */
+static uint32_t GetAxes(const FSpirvType& Image)
+{
+	return Image.Dim == DimBuffer ? 1 : Image.Dim == Dim2D ? 2 : 3;
+}
+
 const FSpirvType& FSpirvChecker::Image(const FSpirvInstruction& I, size_t i) const
 {
 	ExpectCount(I, i + 1);
@@ -147,19 +154,42 @@ const FSpirvType& FSpirvChecker::Image(const FSpirvInstruction& I, size_t i) con
 			GetHlslTypeName(Module, *Type) + ": multisampled textures are not supported on the CPU tier; use Texture2D",
 			&I);
 	}
-	if (Type->Dim == DimCube)
+	if (Type->Dim != Dim2D && Type->Dim != Dim3D && Type->Dim != DimCube && Type->Dim != DimBuffer)
 	{
 		Module.Fail(GetHlslTypeName(Module, *Type) +
-						": cube maps are not supported on the CPU tier; use a Texture2D in a latitude-longitude layout",
-			&I);
-	}
-	if (Type->Dim != Dim2D && Type->Dim != Dim3D && Type->Dim != DimBuffer)
-	{
-		Module.Fail(GetHlslTypeName(Module, *Type) +
-						" is not supported on the CPU tier; use Texture2D, Texture2DArray, Texture3D or Buffer",
+						" is not supported on the CPU tier; use Texture2D, Texture3D, TextureCube or Buffer",
 			&I);
 	}
 	return *Type;
+}
+
+void FSpirvChecker::CheckSample(const FSpirvInstruction& I)
+{
+	const FSpirvType& Type = Image(I, 0);
+	const FSpirvImageOperands Told = GetImageOperands(I);
+	const bool bGather = IsSpirvGather(I.Op);
+	const bool bCompares = IsSpirvComparison(I.Op);
+	const uint32_t Axes = GetAxes(Type);
+	ExpectCount(I, Told.End - (Told.Mask ? 0 : 1));
+	Expect(Type.Dim != DimBuffer && !Type.bStorageImage && Size(I, 1) >= Axes + Type.bArrayed, I);
+	Expect(ResultSize(I) == (bCompares && !bGather ? 1u : 4u), I);
+	Expect(!Told.Component || Module.FindConstant(I.Operands[Told.Component]), I);
+	Expect(!bCompares || Size(I, Told.Reference) == 1, I);
+	if (Told.Bias && I.Op != OpImageDrefGather) // glslang gives gathers one, that means nothing
+	{
+		Module.Fail("SampleBias needs derivatives, which the CPU tier does not have; use SampleLevel", &I);
+	}
+	if ((bGather || bCompares) && Type.Dim == Dim3D)
+	{
+		Module.Fail("Texture3D has neither Gather nor comparisons; use SampleLevel", &I);
+	}
+	Expect(
+		(Told.Mask & ~(ImageBias | ImageLod | ImageGrad | ImageConstOffset | ImageOffset | ImageConstOffsets)) == 0, I);
+	Expect(!Told.Lod || Size(I, Told.Lod) == 1, I);
+	Expect(!Told.GradX || (Size(I, Told.GradX) >= Axes && Size(I, Told.GradY) >= Axes), I);
+	Expect(!(Told.Offset || Told.Offsets) || Type.Dim != DimCube, I);
+	Expect(!Told.Offset || (Size(I, Told.Offset) >= Axes && Size(I, Told.Offset) <= 3), I);
+	Expect(!Told.Offsets || (bGather && Size(I, Told.Offsets) == 8), I);
 }
 
 bool FSpirvChecker::CheckImage(const FSpirvInstruction& I)
@@ -181,60 +211,34 @@ bool FSpirvChecker::CheckImage(const FSpirvInstruction& I)
 		return true;
 	case OpImageSampleImplicitLod:
 	case OpImageSampleExplicitLod:
+	case OpImageSampleDrefImplicitLod:
+	case OpImageSampleDrefExplicitLod:
 	case OpImageGather:
-	{
-		const FSpirvType& Type = Image(I, 0);
-		const bool bGather = I.Op == OpImageGather;
-		const size_t MaskAt = bGather ? 3 : 2;
-		const uint32_t Needed = Type.Dim == Dim3D || Type.bArrayed ? 3 : 2;
-		Expect(Type.Dim != DimBuffer && Size(I, 1) >= Needed && ResultSize(I) == 4, I);
-		Expect(!bGather || (I.Operands.size() >= 3 && Module.FindConstant(I.Operands[2])), I);
-		const uint32_t Mask = I.Operands.size() > MaskAt ? I.Operands[MaskAt] : 0;
-		if (Mask & (ImageGrad | ImageBias))
-		{
-			Module.Fail(
-				"SampleGrad and SampleBias need derivatives, which the CPU tier does not have; use SampleLevel", &I);
-		}
-		if (bGather && (Type.Dim != Dim2D || Type.bArrayed))
-		{
-			Module.Fail("Gather works on Texture2D only on the CPU tier", &I);
-		}
-		Expect((Mask & ~(ImageLod | ImageConstOffset | ImageOffset)) == 0, I);
-		size_t Next = MaskAt + 1;
-		if (Mask & ImageLod)
-		{
-			Expect(Size(I, Next++) == 1, I);
-		}
-		if (Mask & (ImageConstOffset | ImageOffset))
-		{
-			Expect(Size(I, Next) >= 2, I);
-		}
+	case OpImageDrefGather:
+		CheckSample(I);
 		return true;
-	}
 	case OpImageFetch:
 	case OpImageRead:
 	{
 		const FSpirvType& Type = Image(I, 0);
-		const uint32_t Needed = Type.Dim == DimBuffer ? 1 : Type.Dim == Dim3D || Type.bArrayed ? 3 : 2;
-		const uint32_t Mask = I.Operands.size() > 2 ? I.Operands[2] : 0;
-		Expect(Size(I, 1) >= Needed && ResultSize(I) == 4 && (Mask & ~(ImageLod | ImageConstOffset | ImageOffset)) == 0,
+		const FSpirvImageOperands Told = GetImageOperands(I);
+		if (Type.Dim == DimCube)
+		{
+			Module.Fail(
+				GetHlslTypeName(Module, Type) + " has no Load; use SampleLevel, or a Texture2DArray of its faces", &I);
+		}
+		Expect(Size(I, 1) >= GetAxes(Type) + Type.bArrayed && ResultSize(I) == 4 &&
+				   (Told.Mask & ~(ImageLod | ImageConstOffset | ImageOffset)) == 0,
 			I);
-		size_t Next = 3;
-		if (Mask & ImageLod)
-		{
-			Expect(Size(I, Next++) == 1, I);
-		}
-		if (Mask & (ImageConstOffset | ImageOffset))
-		{
-			Expect(Size(I, Next) >= 2, I);
-		}
+		Expect(!Told.Lod || Size(I, Told.Lod) == 1, I);
+		Expect(!Told.Offset || Size(I, Told.Offset) >= GetAxes(Type), I);
 		return true;
 	}
 	case OpImageWrite:
 	{
 		const FSpirvType& Type = Image(I, 0);
-		const uint32_t Needed = Type.Dim == DimBuffer ? 1 : Type.Dim == Dim3D || Type.bArrayed ? 3 : 2;
-		Expect(Size(I, 1) >= Needed && Size(I, 2) >= 1 && Size(I, 2) <= 4, I);
+		Expect(Type.Dim != DimCube && Size(I, 1) >= GetAxes(Type) + Type.bArrayed && Size(I, 2) >= 1 && Size(I, 2) <= 4,
+			I);
 		CheckTexelKind(I, Type);
 		return true;
 	}
@@ -242,7 +246,7 @@ bool FSpirvChecker::CheckImage(const FSpirvInstruction& I)
 	case OpImageQuerySizeLod:
 	{
 		const FSpirvType& Type = Image(I, 0);
-		Expect(ResultSize(I) == (Type.Dim == DimBuffer ? 1u : Type.Dim == Dim3D || Type.bArrayed ? 3u : 2u), I);
+		Expect(ResultSize(I) == (Type.Dim == DimCube ? 2u : GetAxes(Type)) + Type.bArrayed, I);
 		Expect(I.Op == OpImageQuerySize || Size(I, 1) == 1, I);
 		return true;
 	}

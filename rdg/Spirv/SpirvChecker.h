@@ -33,6 +33,7 @@ private:
 	bool CheckComposite(const FSpirvInstruction& I);
 	bool CheckMatrix(const FSpirvInstruction& I);
 	bool CheckImage(const FSpirvInstruction& I);
+	void CheckSample(const FSpirvInstruction& I);
 	void CheckExtended(const FSpirvInstruction& I);
 	void CheckKinds(const FSpirvInstruction& I) const;
 	void CheckTexelKind(const FSpirvInstruction& I, const FSpirvType& Image) const;

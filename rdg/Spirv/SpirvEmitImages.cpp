@@ -1,6 +1,8 @@
 // Emits what concerns textures and typed buffers: samples, loads, stores and sizes.
 #include "SpirvEmitter.h"
 
+#include "SpirvImageOperands.h"
+
 #include <algorithm>
 
 namespace Drydock
@@ -151,60 +153,30 @@ bool FSpirvEmitter::EmitImage(const FSpirvInstruction& I)
 		return true; // resolved where it is used
 	case OpImageSampleImplicitLod:
 	case OpImageSampleExplicitLod:
+	case OpImageSampleDrefImplicitLod:
+	case OpImageSampleDrefExplicitLod:
 	case OpImageGather:
+	case OpImageDrefGather:
 	{
+		if (EmitSample(I))
+		{
+			return true;
+		}
 		const FSpirvType& Type = ImageTypeOf(I.Operands[0]);
-		const auto Pair = Definitions.find(I.Operands[0]);
-		if (Module.GetType(Type.Element).Kind != Float)
-		{
-			Module.Fail("a texture of integers cannot be filtered; use Load", &I);
-		}
-		if (Pair == Definitions.end() || Pair->second->Op != OpSampledImage)
-		{
-			Module.Fail("SPIR-V: a sample without its texture and sampler", &I);
-		}
-		const std::string Handles =
-			HandleOf(Pair->second->Operands[0]) + ", " + HandleOf(Pair->second->Operands[1]) + ", ";
-		const bool bGather = I.Op == OpImageGather;
-		const size_t MaskAt = bGather ? 3 : 2;
-		const uint32_t Mask = I.Operands.size() > MaskAt ? I.Operands[MaskAt] : 0;
-		size_t Next = MaskAt + 1;
-		uint32_t LevelId = 0;
-		std::string Level = "Real(0)"; // Sample: there are no derivatives, so it is the view's first mip
-		if (Mask & ImageLod)
-		{
-			const FSpirvConstant* Constant = Module.FindConstant(I.Operands[Next]);
-			if ((Mask & (ImageConstOffset | ImageOffset)) && (!Constant || Constant->Scalars[0] != 0))
-			{
-				Module.Fail("a sample with an offset is supported at mip 0 only on the CPU tier; add the offset to the "
-							"coordinates",
-					&I);
-			}
-			LevelId = I.Operands[Next++];
-			Level = UseAs(Scalar(LevelId, 0), Float, false);
-		}
-		const size_t Offset = Mask & (ImageConstOffset | ImageOffset) ? Next : 0;
+		const FSpirvImageOperands Told = GetImageOperands(I);
+		const std::string Handles = SampledHandles(I);
+		const std::string Level = LevelOf(I);
 		const bool b3D = Type.Dim == Dim3D;
-		const std::string Place = Coordinates(I, 1, b3D || Type.bArrayed ? 3 : 2, true, Offset);
-		if (bGather)
+		const std::string Place = Coordinates(I, 1, b3D || Type.bArrayed ? 3 : 2, true, Told.Offset);
+		const char* const Function = b3D ? "SampleLevel3D(" : Type.bArrayed ? "SampleLevel2DArray(" : "SampleLevel2D(";
+		const std::string Tap = Told.Offset ? std::string() : TapOf(I, Told.Lod ? I.Operands[Told.Lod] : 0);
+		if (Tap.empty())
 		{
-			Components("Gather2D(" + Handles + Place + ", " + Number(Module.GetConstantScalar(I.Operands[2])) + ")",
-				Float, true);
+			Components(Function + Handles + Place + ", " + Level + ")", Float, true);
 		}
 		else
 		{
-			const char* const Function = b3D             ? "SampleLevel3D("
-										 : Type.bArrayed ? "SampleLevel2DArray("
-														 : "SampleLevel2D(";
-			const std::string Tap = Offset ? std::string() : TapOf(I, LevelId);
-			if (Tap.empty())
-			{
-				Components(Function + Handles + Place + ", " + Level + ")", Float, true);
-			}
-			else
-			{
-				EmitTap(I, Handles, Float, Level + Tap);
-			}
+			EmitTap(I, Handles, Float, Level + Tap);
 		}
 		Count("Samples");
 		return true;
@@ -300,8 +272,10 @@ bool FSpirvEmitter::EmitImage(const FSpirvInstruction& I)
 			}
 			Mip = UseAs(Level, Int, false);
 		}
-		Components(
-			(SizeOf(I.Result) == 3 ? "TextureSize3D(" : "TextureSize2D(") + Handle + ", " + Mip + ")", Int, false);
+		const char* const Function = SizeOf(I.Result) != 3 ? "TextureSize2D("
+									 : Type.Dim == DimCube ? "TextureSizeCubes("
+														   : "TextureSize3D(";
+		Components(Function + Handle + ", " + Mip + ")", Int, false);
 		return true;
 	}
 	case OpImageQueryLevels:

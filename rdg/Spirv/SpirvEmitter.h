@@ -126,6 +126,11 @@ private:
 	// Memory
 	bool EmitMemory(const FSpirvInstruction& I);
 	bool EmitImage(const FSpirvInstruction& I);
+	/** False when it is a plain sample. */
+	bool EmitSample(const FSpirvInstruction& I);
+	std::string SampledHandles(const FSpirvInstruction& I) const;
+	std::string LevelOf(const FSpirvInstruction& I);
+	std::string SamplePlace(const FSpirvInstruction& I, size_t OffsetOperand, uint32_t FirstOffset);
 	void EmitLoad(const FSpirvInstruction& I);
 	void EmitStore(uint32_t Pointer, const std::vector<FEmitScalar>& Values, const FSpirvInstruction& I);
 	std::vector<FEmitScalar> LoadInput(const FSpirvVariable& Variable);

@@ -34,6 +34,9 @@ bool ForEachFlow(const FSpirvModule& Module, const FSpirvInstruction& I, TCopy C
 	case OpImage:
 	case OpImageSampleImplicitLod:
 	case OpImageSampleExplicitLod:
+	case OpImageSampleDrefImplicitLod:
+	case OpImageSampleDrefExplicitLod:
+	case OpImageDrefGather:
 	case OpImageGather:
 	case OpImageFetch:
 	case OpImageRead:

@@ -2,6 +2,7 @@
 #include "SpirvReflect.h"
 
 #include "SpirvGroups.h"
+#include "SpirvImageOperands.h"
 #include "SpirvPlace.h"
 #include "SpirvRefusals.h"
 #include "VertexProgram.h"
@@ -84,15 +85,27 @@ private:
 	FSpirvReflection Result;
 	std::map<uint32_t, std::string> Uses;                            // variable -> first place that uses it
 	std::map<std::pair<uint32_t, uint32_t>, std::string> MemberUses; // variable, member
+	std::set<uint32_t> ComparisonSamplers;                           // variables
 	bool bWritesPosition = false;
 };
 
 void FReflector::FindUses()
 {
+	std::map<uint32_t, const FSpirvInstruction*> Handles; // what makes pairs of textures and samplers, and loads these
 	for (const FSpirvBlock& Block : Module.Blocks)
 	{
 		for (const FSpirvInstruction& I : Block.Instructions)
 		{
+			if (I.Op == OpSampledImage || I.Op == OpLoad)
+			{
+				Handles[I.Result] = &I;
+			}
+			if (IsSpirvComparison(I.Op))
+			{
+				const FSpirvInstruction* const Pair = Handles[I.Operands[0]];
+				const FSpirvInstruction* const Sampler = Pair ? Handles[Pair->Operands.back()] : nullptr;
+				ComparisonSamplers.insert(Sampler ? Sampler->Operands[0] : 0);
+			}
 			for (const uint32_t Operand : I.Operands)
 			{
 				if (Module.FindVariable(Operand))
@@ -333,6 +346,7 @@ void FReflector::AddHandle(const FSpirvVariable& Variable)
 	Resource.Name = Variable.Name;
 	if (Type.Kind == ESpirvType::Sampler)
 	{
+		Resource.bCompares = ComparisonSamplers.count(Variable.Id) != 0;
 		Add(Result.Reflection.Samplers, Variable, std::move(Resource));
 		return;
 	}

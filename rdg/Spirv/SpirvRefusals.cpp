@@ -19,9 +19,6 @@ const char* const NoWaves = "wave operations run in compute shaders only: pixels
 							"cut from. Read the neighbouring texels instead";
 const char* const NoQuads = "quad operations are not supported on the CPU tier: threads do not run in quads. Read the "
 							"neighbouring texels instead";
-const char* const NoComparison =
-	"comparison samplers are not supported on the CPU tier. Sample the texture and compare";
-
 struct FRow
 {
 	uint16_t Op;
@@ -37,7 +34,6 @@ const FRow Rows[] = {
 	{OpDPdx, "ddx", NoDerivatives}, {OpDPdy, "ddy", NoDerivatives}, {OpFwidth, "fwidth", NoDerivatives},
 	{210, "ddx_fine", NoDerivatives}, {211, "ddy_fine", NoDerivatives}, {212, "fwidth", NoDerivatives},
 	{213, "ddx_coarse", NoDerivatives}, {214, "ddy_coarse", NoDerivatives}, {OpFwidthCoarse, "fwidth", NoDerivatives},
-	{89, "SampleCmp", NoComparison}, {90, "SampleCmpLevelZero", NoComparison}, {97, "GatherCmp", NoComparison},
 	{OpImageQueryLod, "CalculateLevelOfDetail",
 		"it needs derivatives, which the CPU tier does not have. Compute the mip level and use SampleLevel"},
 	{OpImageQuerySamples, "GetDimensions of a Texture2DMS",

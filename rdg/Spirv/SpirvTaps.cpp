@@ -1,4 +1,5 @@
 // Counts texture samples statically: the "taps" of a pass where its control flow does not depend on the pixel.
+#include "SpirvImageOperands.h"
 #include "SpirvReflect.h"
 
 #include <algorithm>
@@ -200,8 +201,7 @@ int32_t FCounter::CountBlock(uint32_t Label) const
 	int32_t Samples = 0;
 	for (const FSpirvInstruction& I : Module.GetBlock(Label).Instructions)
 	{
-		Samples += I.Op == OpImageSampleExplicitLod || I.Op == OpImageSampleImplicitLod || I.Op == OpImageGather ||
-				   I.Op == OpImageFetch;
+		Samples += IsSpirvSample(I.Op) || I.Op == OpImageFetch;
 	}
 	return Samples;
 }

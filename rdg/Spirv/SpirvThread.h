@@ -5,6 +5,7 @@
 // functions of them; SpirvThreadImages.inl: textures.
 #pragma once
 
+#include "SpirvImageOperands.h"
 #include "SpirvObserver.h"
 #include "SpirvOrder.h"
 #include "SpirvRace.h"
@@ -133,6 +134,7 @@ private:
 	bool ExecuteMatrix(const FSpirvStep& Step);
 	bool ExecuteImage(const FSpirvStep& Step);
 	void ExecuteSample(const FSpirvStep& Step);
+	Real GetGradientLevel(const FSpirvStep& Step, const FSpirvImageOperands& Told, const FKernelTexture& Texture) const;
 	void ExecuteImageLoad(const FSpirvStep& Step);
 	void ExecuteImageWrite(const FSpirvStep& Step);
 	void ExecuteBitcast(const FSpirvStep& Step);

@@ -132,12 +132,27 @@ void TSpirvThread<Real>::FollowUndefined(const FSpirvStep& Step)
 		break;
 	case OpImageSampleImplicitLod:
 	case OpImageSampleExplicitLod:
+	case OpImageSampleDrefImplicitLod:
+	case OpImageSampleDrefExplicitLod:
 	case OpImageFetch:
 	case OpImageRead:
 	case OpImageGather:
+	case OpImageDrefGather:
+	{
+		const FSpirvImageOperands Told = GetImageOperands(I);
+		for (const size_t Operand :
+			{size_t(1), Told.Reference, Told.Lod, Told.GradX, Told.GradY, Told.Offset, Told.Offsets})
+		{
+			if (Operand)
+			{
+				CheckDefined(Step, Operand);
+			}
+		}
+		Last = 0;
+		break;
+	}
 	case OpImageQuerySizeLod:
 		First = 1;
-		Last = std::min<size_t>(Last, 2);
 		break;
 	case OpImageWrite:
 		First = 1;

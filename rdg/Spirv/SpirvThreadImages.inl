@@ -5,6 +5,7 @@
 #include "SpirvThread.h"
 
 #include "Lanes.h"
+#include "LanesLod.h"
 
 namespace Drydock
 {
@@ -27,10 +28,34 @@ const FKernelBuffer& TSpirvThread<Real>::BufferOf(const FSpirvStep& Step, size_t
 	return ViewOf(bStorage ? Args->RWBuffers : Args->Buffers, Variable);
 }
 
-/** What a texture's instruction is told besides its coordinates: where the mask of it stands, or past the end. */
-inline size_t GetImageOperands(uint16_t Op)
+/** The level of a sample's gradients. */
+template<typename Real>
+Real TSpirvThread<Real>::GetGradientLevel(
+	const FSpirvStep& Step, const FSpirvImageOperands& Told, const FKernelTexture& Texture) const
 {
-	return Op == OpImageGather || Op == OpImageWrite ? 3 : 2;
+	const auto Vector = [this, &Step](size_t Operand)
+	{
+		const auto Part = [this, &Step, Operand](uint32_t i)
+		{
+			return i < SizeOf(Step, Operand) ? GetValue(Step, Operand, i) : Real(0);
+		};
+		return Lanes::TVec<Real, 3>(Part(0), Part(1), Part(2));
+	};
+	const auto Flat = [&Vector](size_t Operand)
+	{
+		const Lanes::TVec<Real, 3> V = Vector(Operand);
+		return Lanes::TVec<Real, 2>(V[0], V[1]);
+	};
+	const FSpirvType& Pair = Program.Module.GetValueType(Step.I->Operands[0]);
+	switch (Program.Module.GetType(Pair.Element).Dim)
+	{
+	case DimCube:
+		return Lanes::GradientLevelCube(Texture, Vector(1), Vector(Told.GradX), Vector(Told.GradY));
+	case Dim3D:
+		return Lanes::GradientLevel(Texture, Vector(Told.GradX), Vector(Told.GradY));
+	default:
+		return Lanes::GradientLevel(Texture, Flat(Told.GradX), Flat(Told.GradY));
+	}
 }
 
 template<typename Real>
@@ -40,41 +65,57 @@ void TSpirvThread<Real>::ExecuteSample(const FSpirvStep& Step)
 	const FSpirvInstruction& I = *Step.I;
 	const FSpirvType& Pair = Program.Module.GetValueType(I.Operands[0]);
 	const FSpirvType& Image = Program.Module.GetType(Pair.Element);
-	const size_t MaskAt = GetImageOperands(I.Op);
-	const uint32_t Mask = I.Operands.size() > MaskAt ? I.Operands[MaskAt] : 0;
-	const size_t Offset = Mask & (ImageConstOffset | ImageOffset) ? MaskAt + (Mask & ImageLod ? 2 : 1) : 0;
+	const FSpirvImageOperands Told = GetImageOperands(I);
 	const FKernelTexture& Texture = ViewOf(Args->Textures, Bits(Step, 0, 0));
 	const FKernelSampler& Sampler = ViewOf(Args->Samplers, Bits(Step, 0, 1));
-	const auto Coordinate = [&](uint32_t Index)
+	const Real Level = Told.Lod     ? GetValue(Step, Told.Lod, 0)
+					   : Told.GradX ? GetGradientLevel(Step, Told, Texture)
+									: Real(0);
+	const uint32_t Axes = Image.Dim == Dim2D ? 2 : 3;
+	Real Coordinates[4] = {};
+	int32_t Offsets[4][3] = {};
+	Lanes::TSamplePlace<Real> Place;
+	Place.bCube = Image.Dim == DimCube;
+	for (uint32_t i = 0; i < Axes + Image.bArrayed; ++i)
 	{
-		const Real Value = Index < SizeOf(Step, 1) ? GetValue(Step, 1, Index) : Real(0);
-		const bool bMoved = Offset && Index < SizeOf(Step, Offset);
-		const FKernelMip& Mip = Texture.Mips[0]; // the only one that kernels sample with an offset
-		const int32_t Size = Index == 0 ? Mip.SizeX : Index == 1 ? Mip.SizeY : Mip.SizeZ;
-		return bMoved ? Value + Real(int32_t(Bits(Step, Offset, Index))) / Real(Size) : Value;
-	};
-	const Real U = Coordinate(0);
-	const Real V = Coordinate(1);
-	const Real W = Coordinate(2);
-	const Real Level = Mask & ImageLod ? GetValue(Step, MaskAt + 1, 0) : Real(0);
-	Real Out[4] = {};
-	if (I.Op == OpImageGather)
-	{
-		FSampling::Gather2D(Texture, Sampler, &U, &V, int32_t(Bits(Step, 2)), Out);
+		Coordinates[i] = i < SizeOf(Step, 1) ? GetValue(Step, 1, i) : Real(0);
 	}
-	else if (Image.Dim == Dim3D)
+	const size_t OffsetsAt = Told.Offsets ? Told.Offsets : Told.Offset;
+	for (uint32_t i = 0; OffsetsAt && i < SizeOf(Step, OffsetsAt); ++i)
 	{
-		FSampling::Sample3D(Texture, Sampler, &U, &V, &W, &Level, true, Out);
+		Offsets[Told.Offsets ? i / 2 : 0][Told.Offsets ? i % 2 : i] = int32_t(Bits(Step, OffsetsAt, i));
+	}
+	for (uint32_t Axis = 0; Axis < Axes; ++Axis)
+	{
+		Place.Coordinates[Axis] = &Coordinates[Axis];
+		Place.Offsets[Axis] = OffsetsAt ? &Offsets[0][Axis] : nullptr;
+	}
+	Place.Layer = Image.bArrayed ? &Coordinates[Axes] : nullptr;
+	const Real Reference = Told.Reference ? GetValue(Step, Told.Reference, 0) : Real(0);
+	Place.Reference = Told.Reference ? &Reference : nullptr;
+	Real Out[4] = {};
+	if (IsSpirvGather(I.Op))
+	{
+		const int32_t Component = Told.Component ? int32_t(Bits(Step, Told.Component)) : 0;
+		FSampling::Gather(Texture, Sampler, Place, Component, Out);
+		for (int k = 0; k < 4 && Told.Offsets; ++k)
+		{
+			Real One[4];
+			Place.Offsets[0] = &Offsets[k][0];
+			Place.Offsets[1] = &Offsets[k][1];
+			FSampling::Gather(Texture, Sampler, Place, Component, One);
+			Out[k] = One[3];
+		}
 	}
 	else
 	{
-		FSampling::Sample2D(Texture, Sampler, &U, &V, Image.bArrayed ? &W : nullptr, &Level, true, Out);
+		FSampling::Sample(Texture, Sampler, Place, &Level, true, Out);
 	}
 	for (uint32_t c = 0; c < 4 && c < Step.Size; ++c)
 	{
 		Result(Step)[c] = ToSpirvWord<Real>(Out[c]);
 	}
-	if (Observer && Level > Real(Texture.NumMips - 1))
+	if (Observer && Told.Lod && Level > Real(Texture.NumMips - 1))
 	{
 		const int64_t Asked = Level < Real(1000) ? int64_t(std::ceil(double(Level))) : 1000;
 		Fault(Step, {ESpirvFault::Level, Resource(Step, 0).Name, {0, 0, 0, Asked}, {Texture.NumMips}, false, false});
@@ -86,11 +127,10 @@ template<typename Real>
 void TSpirvThread<Real>::ExecuteImageLoad(const FSpirvStep& Step)
 {
 	using FSampling = Lanes::TSampling<Real, 1>;
-	const FSpirvInstruction& I = *Step.I;
-	const FSpirvType& Image = Program.Module.GetValueType(I.Operands[0]);
+	const FSpirvType& Image = Program.Module.GetValueType(Step.I->Operands[0]);
 	const bool bInteger = Program.Module.GetType(Image.Element).Kind != ESpirvType::Float;
-	const uint32_t Mask = I.Operands.size() > 2 ? I.Operands[2] : 0;
-	const size_t Offset = Mask & (ImageConstOffset | ImageOffset) ? (Mask & ImageLod ? 4 : 3) : 0;
+	const FSpirvImageOperands Told = GetImageOperands(*Step.I);
+	const size_t Offset = Told.Offset;
 	Real Out[4] = {};
 	uint32_t UintOut[4] = {};
 	int32_t At[4] = {};
@@ -99,7 +139,7 @@ void TSpirvThread<Real>::ExecuteImageLoad(const FSpirvStep& Step)
 		const uint32_t Moved = Offset && i < SizeOf(Step, Offset) ? Bits(Step, Offset, i) : 0;
 		At[i] = int32_t(Bits(Step, 1, i) + Moved);
 	}
-	At[3] = Mask & ImageLod ? int32_t(Bits(Step, 3)) : 0;
+	At[3] = Told.Lod ? int32_t(Bits(Step, Told.Lod)) : 0;
 	if (Image.Dim == DimBuffer)
 	{
 		const uint32_t Index = uint32_t(At[0]);
@@ -186,7 +226,10 @@ bool TSpirvThread<Real>::ExecuteImage(const FSpirvStep& Step)
 		return true;
 	case OpImageSampleImplicitLod:
 	case OpImageSampleExplicitLod:
+	case OpImageSampleDrefImplicitLod:
+	case OpImageSampleDrefExplicitLod:
 	case OpImageGather:
+	case OpImageDrefGather:
 		ExecuteSample(Step);
 		return true;
 	case OpImageFetch:
@@ -204,8 +247,10 @@ bool TSpirvThread<Real>::ExecuteImage(const FSpirvStep& Step)
 			Result(Step)[0] = Lanes::BufferElements(BufferOf(Step, 0));
 			return true;
 		}
-		const auto Size =
-			Lanes::TextureSize3D(TextureOf(Step, 0), I.Op == OpImageQuerySizeLod ? int32_t(Bits(Step, 1)) : 0);
+		const int32_t Mip = I.Op == OpImageQuerySizeLod ? int32_t(Bits(Step, 1)) : 0;
+		const auto Size = Program.Module.GetValueType(I.Operands[0]).Dim == DimCube
+							  ? Lanes::TextureSizeCubes(TextureOf(Step, 0), Mip)
+							  : Lanes::TextureSize3D(TextureOf(Step, 0), Mip);
 		for (uint32_t i = 0; i < Step.Size && i < 3; ++i)
 		{
 			Result(Step)[i] = uint32_t(Size[int(i)]);

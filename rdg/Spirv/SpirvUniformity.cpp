@@ -214,6 +214,9 @@ void FUniformityAnalysis::Visit(const FSpirvBlock& Block, const FSpirvInstructio
 		break;
 	case OpImageSampleImplicitLod:
 	case OpImageSampleExplicitLod:
+	case OpImageSampleDrefImplicitLod:
+	case OpImageSampleDrefExplicitLod:
+	case OpImageDrefGather:
 	case OpImageGather:
 	case OpImageFetch:
 	case OpImageRead:

@@ -305,8 +305,10 @@ TEST_P(FLanesReference, Gathers)
 			ExpectTheSame(Name + " gather",
 				[&]<int N>()
 				{
-					return Collect<N, float>([&](int First, float* Out)
-						{ TSampling<float, N>::Gather2D(T.Texture, S, &U[First], &V[First], Component, Out); });
+					return Collect<N, float>(
+						[&](int First, float* Out) {
+							TSampling<float, N>::Gather(T.Texture, S, {{&U[First], &V[First]}}, Component, Out);
+						});
 				});
 		});
 }

@@ -195,11 +195,11 @@ TEST(LanesGather, FourTexelsInTheOrderOfDirect3D)
 		{
 			const TLaneArray<Real, N> Middle(Real(0.5)); // the corner of texels 1 and 2
 			Real Out[4 * N];
-			TSampling<Real, N>::Gather2D(
-				T.Texture, MakeSampler(EKernelFilter::Bilinear, EKernelAddress::Clamp), Middle.V, Middle.V, 0, Out);
+			TSampling<Real, N>::Gather(
+				T.Texture, MakeSampler(EKernelFilter::Bilinear, EKernelAddress::Clamp), {{Middle.V, Middle.V}}, 0, Out);
 			EXPECT_EQ((FTexel{1, 2, 2, 1}), (LaneOf<Real, N>(Out, 1)));
-			TSampling<Real, N>::Gather2D(
-				T.Texture, MakeSampler(EKernelFilter::Bilinear, EKernelAddress::Clamp), Middle.V, Middle.V, 1, Out);
+			TSampling<Real, N>::Gather(
+				T.Texture, MakeSampler(EKernelFilter::Bilinear, EKernelAddress::Clamp), {{Middle.V, Middle.V}}, 1, Out);
 			EXPECT_EQ((FTexel{2, 2, 1, 1}), (LaneOf<Real, N>(Out, 1)));
 		});
 }

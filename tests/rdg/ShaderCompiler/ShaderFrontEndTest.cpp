@@ -162,20 +162,6 @@ TEST(ShaderRefusals, AtomicsOfPixelShadersWhoseOrderIsSeenSayWhatToDo)
 	EXPECT_EQ("", ErrorsOfPixel("InterlockedAdd(B[0], 1u);\nreturn x;"));
 }
 
-TEST(ShaderRefusals, CubeMapsAreNamed)
-{
-	EXPECT_THAT(
-		ErrorsOfStatement("Out[Id.xy] = C.SampleLevel(S, float3(1, 0, 0), 0);", "TextureCube C; SamplerState S;"),
-		HasSubstr("cube maps are not supported"));
-}
-
-TEST(ShaderRefusals, SampleGradIsNamed)
-{
-	EXPECT_THAT(ErrorsOfStatement("Out[Id.xy] = T.SampleGrad(S, float2(1, 0), float2(1, 0), float2(0, 1));",
-					"Texture2D T; SamplerState S;"),
-		HasSubstr("SampleGrad"));
-}
-
 TEST(ShaderRefusals, InputsThatNoPassFillsAreNamed)
 {
 	EXPECT_THAT(ErrorsOf("float4 Main(float4 C : COLOR) : SV_Target0 { return C; }\n", EShaderStage::Pixel),

@@ -71,6 +71,7 @@ public:
 	FShaderCompileRequest Request;
 	std::map<std::string, std::vector<uint32_t>> Constants; // words of a constant, as they lie in its buffer
 	std::map<std::string, FTestTexture> Textures;
+	std::map<std::string, FKernelTexture> Views; // textures that are somebody else's
 	std::map<std::string, std::vector<uint32_t>> Buffers;
 	FKernelSampler Sampler = {
 		EKernelFilter::Bilinear, EKernelAddress::Clamp, EKernelAddress::Clamp, EKernelAddress::Clamp, 8, 0, {}};
@@ -230,12 +231,13 @@ private:
 		{
 			ConstantPointers.push_back(Memory.data());
 		}
-		const auto BindTextures = [this](const std::vector<FShaderResource>& List, std::vector<FKernelTexture>& Views)
+		const auto BindTextures = [this](const std::vector<FShaderResource>& List, std::vector<FKernelTexture>& Bound)
 		{
-			Views.clear();
+			Bound.clear();
 			for (const FShaderResource& Resource : List)
 			{
-				Views.push_back(Textures.at(Resource.Name).View());
+				const auto View = Views.find(Resource.Name);
+				Bound.push_back(View != Views.end() ? View->second : Textures.at(Resource.Name).View());
 			}
 		};
 		const auto BindBuffers = [this](const std::vector<FShaderResource>& List, std::vector<FKernelBuffer>& Views)

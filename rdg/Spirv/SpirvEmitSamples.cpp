@@ -1,0 +1,133 @@
+// Emits samples by gradients, of cubes, with offsets, comparisons and gathers.
+#include "SpirvEmitter.h"
+
+#include "SpirvImageOperands.h"
+
+namespace Drydock
+{
+
+using namespace Spirv;
+
+namespace
+{
+
+constexpr ESpirvType Float = ESpirvType::Float;
+constexpr ESpirvType Int = ESpirvType::Int;
+
+std::string Number(uint32_t Value)
+{
+	return std::to_string(Value);
+}
+
+} // namespace
+
+/** "g1, g2, " of the texture and the sampler. */
+std::string FSpirvEmitter::SampledHandles(const FSpirvInstruction& I) const
+{
+	const auto Pair = Definitions.find(I.Operands[0]);
+	if (Module.GetType(ImageTypeOf(I.Operands[0]).Element).Kind != Float)
+	{
+		Module.Fail("a texture of integers cannot be filtered; use Load", &I);
+	}
+	if (Pair == Definitions.end() || Pair->second->Op != OpSampledImage)
+	{
+		Module.Fail("SPIR-V: a sample without its texture and sampler", &I);
+	}
+	return HandleOf(Pair->second->Operands[0]) + ", " + HandleOf(Pair->second->Operands[1]) + ", ";
+}
+
+/** The mip level of a sample, written before it where it is computed. */
+std::string FSpirvEmitter::LevelOf(const FSpirvInstruction& I)
+{
+	const FSpirvImageOperands Told = GetImageOperands(I);
+	if (Told.Lod)
+	{
+		return UseAs(Scalar(I.Operands[Told.Lod], 0), Float, false);
+	}
+	if (!Told.GradX)
+	{
+		return "Real(0)"; // Sample: there are no derivatives, so it is the view's first mip
+	}
+	const uint32_t Dim = ImageTypeOf(I.Operands[0]).Dim;
+	const uint32_t Axes = Dim == Dim2D ? 2 : 3;
+	const std::string Name = "w" + Number(I.Result) + "l";
+	Line("const R " + Name + " = GradientLevel" + (Dim == DimCube ? "Cube(" : "(") +
+		 HandleOf(Definitions.at(I.Operands[0])->Operands[0]) + ", " +
+		 (Dim == DimCube ? Coordinates(I, 1, Axes, true, 0) + ", " : std::string()) +
+		 Coordinates(I, Told.GradX, Axes, true, 0) + ", " + Coordinates(I, Told.GradY, Axes, true, 0) + ");");
+	return Name;
+}
+
+/** The sampler's place of the instruction: operand of its offset, 0 for none, from that scalar on. */
+std::string FSpirvEmitter::SamplePlace(const FSpirvInstruction& I, size_t OffsetOperand, uint32_t FirstOffset)
+{
+	const FSpirvType& Type = ImageTypeOf(I.Operands[0]);
+	const uint32_t Axes = Type.Dim == Dim2D ? 2 : 3;
+	const std::string Name = "w" + Number(I.Result);
+	std::string Offsets = "nullptr";
+	if (OffsetOperand)
+	{
+		Offsets = Name + "o" + Number(FirstOffset);
+		std::string Text = "const I " + Offsets + "[] = {";
+		for (uint32_t Axis = 0; Axis < Axes; ++Axis)
+		{
+			Text += (Axis ? ", " : "") + UseAs(Scalar(I.Operands[OffsetOperand], FirstOffset + Axis), Int, true);
+		}
+		Line(Text + "};");
+	}
+	return std::string("MakeSamplePlace<") + (Type.Dim == DimCube ? "true, " : "false, ") +
+		   (Type.bArrayed ? "true>(" : "false>(") + Name + "c, " +
+		   (IsSpirvComparison(I.Op) ? "&" + Name + "r" : "nullptr") + ", " + Offsets + ")";
+}
+
+bool FSpirvEmitter::EmitSample(const FSpirvInstruction& I)
+{
+	const FSpirvImageOperands Told = GetImageOperands(I);
+	const FSpirvType& Type = ImageTypeOf(I.Operands[0]);
+	const FSpirvConstant* const Level = Told.Lod ? Module.FindConstant(I.Operands[Told.Lod]) : nullptr;
+	const bool bFirstMip = !Told.GradX && (!Told.Lod || (Level && Level->Scalars[0] == 0));
+	const bool bGather = IsSpirvGather(I.Op);
+	if (!bGather && !Told.Reference && !Told.GradX && Type.Dim != DimCube && (!Told.Offset || bFirstMip))
+	{
+		return false;
+	}
+	const std::string Handles = SampledHandles(I);
+	const std::string Name = "w" + Number(I.Result);
+	const std::string Size = Number((Type.Dim == Dim2D ? 2 : 3) + Type.bArrayed);
+	Line("const TVec<R, " + Size + "> " + Name +
+		 "c = " + Coordinates(I, 1, (Type.Dim == Dim2D ? 2u : 3u) + Type.bArrayed, true, 0) + ";");
+	if (Told.Reference)
+	{
+		Line("const R " + Name + "r = " + UseAs(Scalar(I.Operands[Told.Reference], 0), Float, true) + ";");
+	}
+	if (!bGather)
+	{
+		const std::string LevelText = LevelOf(I);
+		Line("const auto " + Name + " = " + (Told.Reference ? "CompareAt<N>(" : "SampleAt<N>(") + Handles +
+			 SamplePlace(I, Told.Offset, 0) + ", " + LevelText + ");");
+		for (uint32_t i = 0; i < SizeOf(I.Result); ++i)
+		{
+			Define(I.Result, i, {Told.Reference ? Name : Name + "[" + Number(i) + "]", Float, true, -1});
+		}
+	}
+	else
+	{
+		const uint32_t Component = Told.Component ? Module.GetConstantScalar(I.Operands[Told.Component]) : 0;
+		for (uint32_t k = 0; k < (Told.Offsets ? 4u : 1u); ++k)
+		{
+			const std::string Place = SamplePlace(I, Told.Offsets ? Told.Offsets : Told.Offset, 2 * k);
+			Line("const auto " + Name + "_" + Number(k) + " = GatherAt<N>(" + Handles + Place + ", " +
+				 Number(Component) + ");");
+		}
+		for (uint32_t i = 0; i < SizeOf(I.Result); ++i)
+		{
+			// Of four offsets each gives the texel that it moves the upper left one to.
+			const std::string Text = Told.Offsets ? Name + "_" + Number(i) + "[3]" : Name + "_0[" + Number(i) + "]";
+			Define(I.Result, i, {Text, Float, true, -1});
+		}
+	}
+	Line("CountLanesOf(Args, &FKernelCounters::Samples, e);");
+	return true;
+}
+
+} // namespace Drydock
