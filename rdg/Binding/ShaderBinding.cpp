@@ -137,6 +137,22 @@ std::string DescribeDeclaration(const FShaderParametersMetadata& Metadata, const
 	return "";
 }
 
+FDiagnostic MakeParameterDiagnostic(int32 Code, const std::string& CodeName, const std::string& Message)
+{
+	FDiagnostic Diagnostic;
+	Diagnostic.Code = Code;
+	Diagnostic.Message = Message;
+	Diagnostic.Where = "parameter " + CodeName;
+	const FCodeOwner* const Pass = GetRunningCode();
+	if (Pass && !Pass->Pass.empty())
+	{
+		Diagnostic.Where = "pass " + Pass->Pass + ", " + Diagnostic.Where;
+		Diagnostic.File = Pass->File;
+		Diagnostic.Line = Pass->Line;
+	}
+	return Diagnostic;
+}
+
 /** Throws, in the engine's words, one message for each uniform buffer and resource that the shader reads and that is
  * not there. */
 void CheckRequiredParameters(const FShaderBindingPlan& Plan, const std::string& ShaderName, const void* Parameters)
@@ -149,18 +165,9 @@ void CheckRequiredParameters(const FShaderBindingPlan& Plan, const std::string& 
 		{
 			return;
 		}
-		FDiagnostic& Diagnostic = Unset.emplace_back();
-		Diagnostic.Code = RDGErrorUnsetParameter;
-		Diagnostic.Message = ShaderName + "'s required shader parameter " + Struct.GetStructTypeName() +
-							 "::" + CodeName + " was not set." + DescribeDeclaration(Struct, CodeName);
-		Diagnostic.Where = "parameter " + CodeName;
-		const FCodeOwner* const Pass = GetRunningCode();
-		if (Pass && !Pass->Pass.empty())
-		{
-			Diagnostic.Where = "pass " + Pass->Pass + ", " + Diagnostic.Where;
-			Diagnostic.File = Pass->File;
-			Diagnostic.Line = Pass->Line;
-		}
+		Unset.push_back(MakeParameterDiagnostic(RDGErrorUnsetParameter, CodeName,
+			ShaderName + "'s required shader parameter " + Struct.GetStructTypeName() + "::" + CodeName +
+				" was not set." + DescribeDeclaration(Struct, CodeName)));
 	};
 	for (const FBindingSource& Source : Plan.Sources)
 	{
@@ -180,6 +187,74 @@ void CheckRequiredParameters(const FShaderBindingPlan& Plan, const std::string& 
 	if (!Unset.empty())
 	{
 		throw FError(std::move(Unset), ExitUsage);
+	}
+}
+
+/** The texture that a copy takes, itself or through a view. */
+const FRHITexture* FindBoundTexture(const FResourceCopy& Copy, const void* Contents)
+{
+	switch (Copy.BaseType)
+	{
+	case UBMT_TEXTURE:
+		return ReadPointer<FRHITexture>(Contents, Copy.SourceOffset);
+	case UBMT_SRV:
+		return ReadPointer<FRHIShaderResourceView>(Contents, Copy.SourceOffset)->GetTexture();
+	case UBMT_RDG_TEXTURE:
+		return ReadPointer<FRDGTexture>(Contents, Copy.SourceOffset)->GetRHI();
+	case UBMT_RDG_TEXTURE_SRV:
+		return ReadPointer<FRDGTextureSRV>(Contents, Copy.SourceOffset)->GetRHI()->GetTexture();
+	default:
+		return nullptr;
+	}
+}
+
+/** Throws where a shader reads a cube and no cube is bound, or the other way, and where it compares by a sampler that
+ * has nothing to compare by. A view of a cube may be read as its faces. */
+void CheckBoundKinds(const FShaderBindingPlan& Plan, const FShaderReflection& Reflection, const std::string& ShaderName,
+	const void* Parameters)
+{
+	std::vector<FDiagnostic> Wrong;
+	const auto Report = [&Wrong, &ShaderName](
+							const FResourceCopy& Copy, const FShaderResource& Resource, const std::string& What)
+	{
+		const std::string Where = Resource.Where.empty() ? std::string("the shader") : Resource.Where;
+		Wrong.push_back(MakeParameterDiagnostic(
+			ResourceType, Copy.CodeName, ShaderName + ": '" + Resource.Name + "' is read by " + Where + " as " + What));
+	};
+	for (const FResourceCopy& Copy : Plan.Resources)
+	{
+		const void* const Contents = GetContents(Plan.Sources[Copy.Source], Parameters);
+		if (!Contents)
+		{
+			continue;
+		}
+		const FRHITexture* const Texture =
+			Copy.List == EResourceList::Textures ? FindBoundTexture(Copy, Contents) : nullptr;
+		if (Texture)
+		{
+			const FShaderResource& Resource = Reflection.Textures[Copy.Slot];
+			const bool bCube = Resource.Dimension == EShaderDimension::TextureCube;
+			const bool bView = Copy.BaseType == UBMT_SRV || Copy.BaseType == UBMT_RDG_TEXTURE_SRV;
+			if (bCube != Texture->GetDesc().IsTextureCube() && (bCube || !bView))
+			{
+				Report(Copy, Resource,
+					std::string(bCube ? "a TextureCube, and the texture " : "no cube, and the texture ") +
+						Texture->GetName().ToString().ToStdString() + (bCube ? " is none" : " is one"));
+			}
+		}
+		if (Copy.List == EResourceList::Samplers && Reflection.Samplers[Copy.Slot].bCompares)
+		{
+			const FRHISamplerState* const State = ReadPointer<FRHISamplerState>(Contents, Copy.SourceOffset);
+			if (State->GetInitializer().SamplerComparisonFunction == SCF_Never)
+			{
+				Report(Copy, Reflection.Samplers[Copy.Slot],
+					"a SamplerComparisonState, and the sampler state has no SamplerComparisonFunction (SCF_Less)");
+			}
+		}
+	}
+	if (!Wrong.empty())
+	{
+		throw FError(std::move(Wrong), ExitUsage);
 	}
 }
 
@@ -228,6 +303,7 @@ void FollowShaderBindingPlan(
 	const FShaderBindingPlan& Plan, const FShaderReflection& Reflection, const void* Parameters, FBoundShader& Out)
 {
 	CheckRequiredParameters(Plan, Out.Name, Parameters);
+	CheckBoundKinds(Plan, Reflection, Out.Name, Parameters);
 	std::vector<const void*> Contents;
 	for (const FBindingSource& Source : Plan.Sources)
 	{

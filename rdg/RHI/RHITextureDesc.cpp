@@ -118,6 +118,10 @@ bool FRHITextureDesc::IsValid(FString* OutReason) const
 	{
 		return Fail(TEXT("only 3D textures have depth, and they have no array slices"));
 	}
+	if (IsTextureCube() && Extent.X != Extent.Y)
+	{
+		return Fail(TEXT("the faces of a cube must be as wide as high"));
+	}
 	if (!IsTextureArray() && ArraySize != 1)
 	{
 		return Fail(TEXT("only array textures have more than one array slice"));

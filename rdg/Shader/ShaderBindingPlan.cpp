@@ -14,16 +14,6 @@ namespace Drydock
 namespace
 {
 
-enum EBindingError
-{
-	MissingParameter = 6101,
-	ParameterType = 6102,
-	ParameterArray = 6103,
-	MissingResource = 6104,
-	ResourceType = 6105,
-	MissingUniformBuffer = 6106,
-};
-
 const char* GetScalarName(EShaderScalar Scalar)
 {
 	switch (Scalar)

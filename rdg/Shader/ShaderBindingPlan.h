@@ -15,6 +15,17 @@
 namespace Drydock
 {
 
+/** Codes of messages. */
+enum EBindingError
+{
+	MissingParameter = 6101,
+	ParameterType = 6102,
+	ParameterArray = 6103,
+	MissingResource = 6104,
+	ResourceType = 6105,
+	MissingUniformBuffer = 6106,
+};
+
 /** Where values come from: the parameter struct itself (source 0) or a uniform buffer that one of its members refers
  * to. */
 struct FBindingSource

@@ -4,6 +4,8 @@
 IMPLEMENT_GLOBAL_SHADER(FTestTintCS, "/DrydockTest/Tint.usf", "TintCS", SF_Compute);
 IMPLEMENT_GLOBAL_SHADER(FTestMisspelledPS, "/DrydockTest/Misspelled.usf", "MisspelledPS", SF_Pixel)
 IMPLEMENT_GLOBAL_SHADER(FTestGroupsCS, "/DrydockTest/Groups.usf", "GroupsCS", SF_Compute);
+IMPLEMENT_GLOBAL_SHADER(FTestCubeFacesCS, "/DrydockTest/Cubes.usf", "FacesCS", SF_Compute);
+IMPLEMENT_GLOBAL_SHADER(FTestCubeSamplesCS, "/DrydockTest/Cubes.usf", "SamplesCS", SF_Compute);
 IMPLEMENT_GLOBAL_SHADER(FTestGraphCS, "/DrydockTest/Graph.usf", "GraphCS", SF_Compute);
 IMPLEMENT_GLOBAL_SHADER(FTestBrokenCS, "/DrydockTest/Broken.usf", "BrokenCS", SF_Compute);
 IMPLEMENT_SHADER_TYPE(, FTestVS, TEXT("/DrydockTest/Vertex.usf"), TEXT("MainVS"), SF_Vertex)

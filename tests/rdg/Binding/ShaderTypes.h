@@ -105,3 +105,31 @@ class FTestVS : public FGlobalShader
 	{
 	}
 };
+
+/** Writes the faces of a cube, as slices of an array: slice, column, row, 1. */
+class FTestCubeFacesCS : public FGlobalShader
+{
+	DECLARE_GLOBAL_SHADER(FTestCubeFacesCS);
+	SHADER_USE_PARAMETER_STRUCT(FTestCubeFacesCS, FGlobalShader);
+
+	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
+		SHADER_PARAMETER_RDG_TEXTURE_UAV(RWTexture2DArray<float4>, OutputFaces)
+	END_SHADER_PARAMETER_STRUCT()
+};
+
+/** Samples a cube and a cube array, their faces as an array, and compares a depth. */
+class FTestCubeSamplesCS : public FGlobalShader
+{
+	DECLARE_GLOBAL_SHADER(FTestCubeSamplesCS);
+	SHADER_USE_PARAMETER_STRUCT(FTestCubeSamplesCS, FGlobalShader);
+
+	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
+		SHADER_PARAMETER_RDG_TEXTURE(TextureCube, Sky)
+		SHADER_PARAMETER_RDG_TEXTURE(TextureCubeArray, Skies)
+		SHADER_PARAMETER_RDG_TEXTURE_SRV(Texture2DArray, Faces)
+		SHADER_PARAMETER_RDG_TEXTURE(Texture2D, Depth)
+		SHADER_PARAMETER_SAMPLER(SamplerState, SkySampler)
+		SHADER_PARAMETER_SAMPLER(SamplerComparisonState, DepthSampler)
+		SHADER_PARAMETER_RDG_TEXTURE_UAV(RWTexture2D<float4>, OutputTexture)
+	END_SHADER_PARAMETER_STRUCT()
+};
