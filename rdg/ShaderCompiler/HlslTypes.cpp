@@ -247,6 +247,14 @@ std::string FHlslSymbols::GetPostfixType(size_t First, size_t End, int Depth) co
 		else if (Text.Is(At, ".") && Text.IsWord(At + 1))
 		{
 			const std::string& Member = Text[At + 1].Text;
+			const size_t ListEnd = Text.Is(At + 2, "<") ? Text.FindListEnd(At + 2) : 0;
+			if (ListEnd && Text.Is(ListEnd, "(") && Text.Is(At + 1, "Load")) // Bytes.Load<float2>(P)
+			{
+				size_t TypeEnd = 0;
+				Type = ReadType(At + 3, TypeEnd);
+				At = Text.FindClose(ListEnd) + 1;
+				continue;
+			}
 			if (Text.Is(At + 2, "(")) // Texture.Load(P)
 			{
 				const std::string Element = GetHlslElementType(Type);
