@@ -121,8 +121,8 @@ bool FSpirvEmitter::EmitSample(const FSpirvInstruction& I)
 		}
 		for (uint32_t i = 0; i < SizeOf(I.Result); ++i)
 		{
-			// Of four offsets each gives the texel that it moves the upper left one to.
-			const std::string Text = Told.Offsets ? Name + "_" + Number(i) + "[3]" : Name + "_0[" + Number(i) + "]";
+			// Of four offsets each moves its own texel, as in Direct3D; Vulkan takes the upper left one of all.
+			const std::string Text = Name + "_" + Number(Told.Offsets ? i : 0) + "[" + Number(i) + "]";
 			Define(I.Result, i, {Text, Float, true, -1});
 		}
 	}

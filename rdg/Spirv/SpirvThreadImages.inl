@@ -104,7 +104,7 @@ void TSpirvThread<Real>::ExecuteSample(const FSpirvStep& Step)
 			Place.Offsets[0] = &Offsets[k][0];
 			Place.Offsets[1] = &Offsets[k][1];
 			FSampling::Gather(Texture, Sampler, Place, Component, One);
-			Out[k] = One[3];
+			Out[k] = One[k];
 		}
 	}
 	else

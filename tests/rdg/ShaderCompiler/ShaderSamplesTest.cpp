@@ -68,36 +68,33 @@ constexpr FForm GForms[] = {
 	{"T.GatherBlue(S, A.xy, O.xy)", "T", FForm::Blue,
 		{{OffsetX, OffsetX + 1}, {OffsetX, OffsetX + 1}, {OffsetX, OffsetX + 1}, {OffsetX, OffsetX + 1}}},
 	{"TA.GatherAlpha(S, A.xyz, int2(1, 0))", "TA", FForm::Alpha, {{1, 0}, {1, 0}, {1, 0}, {1, 0}}},
-	{"C.GatherBlue(S, A.xyz)", "C", FForm::Blue, {}},
-	{"CA.GatherGreen(S, A)", "CA", FForm::Green, {}},
-};
-
-/** Of four offsets each moves the texel that is the upper left one without it. */
-constexpr FForm GFourOffsets[] = {
 	{"T.GatherAlpha(S, A.xy, int2(0, 0), int2(3, 2), int2(-1, -4), int2(7, 1))", "T", FForm::Alpha,
 		{{0, 0}, {3, 2}, {-1, -4}, {7, 1}}},
 	{"T.GatherRed(S, A.xy, O.xy, O.zw, O.yx, O.wz)", "T", FForm::Red,
 		{{OffsetX, OffsetX + 1}, {OffsetX + 2, OffsetX + 3}, {OffsetX + 1, OffsetX}, {OffsetX + 3, OffsetX + 2}}},
+	{"C.GatherBlue(S, A.xyz)", "C", FForm::Blue, {}},
+	{"CA.GatherGreen(S, A)", "CA", FForm::Green, {}},
 };
 
-std::string MakeShader()
+/** bWaves: its threads tell each other something, so that lanes are as many as a wave has. */
+std::string MakeShader(bool bWaves)
 {
 	std::string Text = GDeclarations;
 	Text += "[numthreads(64, 1, 1)]\nvoid MainCS(uint3 Id : SV_DispatchThreadID)\n{\n"
 			"\tfloat4 A = In[Id.x * 3], B = In[Id.x * 3 + 1], G = In[Id.x * 3 + 2];\n\tint4 O = Moves[Id.x];\n";
+	if (bWaves)
+	{
+		Text += "\tA.x += WaveActiveMax(0.0f);\n";
+	}
 	int Form = 0;
 	for (const FForm& Each : GForms)
-	{
-		Text += "\tOut[" + std::to_string(Form++ * GThreads) + " + Id.x] = " + Each.Text + ";\n";
-	}
-	for (const FForm& Each : GFourOffsets)
 	{
 		Text += "\tOut[" + std::to_string(Form++ * GThreads) + " + Id.x] = " + Each.Text + ";\n";
 	}
 	return Text + "\tOut[" + std::to_string(Form++ * GThreads) +
 		   " + Id.x] = V.SampleGrad(S, A.xyz, B.xyz, G.xyz);\n}\n";
 }
-constexpr size_t GNumForms = std::size(GForms) + std::size(GFourOffsets) + 1;
+constexpr size_t GNumForms = std::size(GForms) + 1;
 
 struct FSamples
 {
@@ -110,11 +107,12 @@ struct FSamples
 	FMips DA{ETexelStorage::R16_UNORM, 4, 4, 3};
 	FMips DC{ETexelStorage::R32_FLOAT, 4, 4, 6};
 	FMips DCA{ETexelStorage::R32_FLOAT, 2, 2, 12};
-	FShaderHarness Harness{MakeShader(), "MainCS", EShaderStage::Compute};
+	FShaderHarness Harness;
 	std::vector<float> In = std::vector<float>(GThreads * 12);
 	std::vector<int32_t> Moves = std::vector<int32_t>(GThreads * 4);
 
-	explicit FSamples(uint32_t Seed)
+	explicit FSamples(uint32_t Seed, bool bWaves = false)
+		: Harness(MakeShader(bWaves), "MainCS", EShaderStage::Compute)
 	{
 		Tests::FSampleRandom Random(Seed);
 		for (auto& [Name, Texture] : GetTextures())
@@ -156,7 +154,7 @@ struct FSamples
 	}
 
 	/** The sample of a thread in double; nothing where rounding decides. */
-	std::optional<FTexel> Compute(const FForm& Form, size_t Thread, bool bFour)
+	std::optional<FTexel> Compute(const FForm& Form, size_t Thread)
 	{
 		const float* const Values = &In[Thread * 12];
 		const std::string Name = Form.Texture;
@@ -197,7 +195,7 @@ struct FSamples
 				return {};
 			}
 			const int Component = Form.Kind >= FForm::Red ? Form.Kind - FForm::Red : 0;
-			Result[i] = Four->Texels[bFour ? 0 : Order[i]][size_t(Component)];
+			Result[i] = Four->Texels[Order[i]][size_t(Component)];
 		}
 		return Result;
 	}
@@ -250,11 +248,10 @@ TEST(ShaderSamples, EveryFormIsWhatItIsInDouble)
 	int Compared = 0;
 	for (size_t Form = 0; Form + 1 < GNumForms; ++Form)
 	{
-		const bool bFour = Form >= std::size(GForms);
-		const FForm& Each = bFour ? GFourOffsets[Form - std::size(GForms)] : GForms[Form];
+		const FForm& Each = GForms[Form];
 		for (size_t Thread = 0; Thread < GThreads; ++Thread)
 		{
-			const std::optional<FTexel> Expected = Samples.Compute(Each, Thread, bFour);
+			const std::optional<FTexel> Expected = Samples.Compute(Each, Thread);
 			for (size_t c = 0; Expected && c < 4; ++c)
 			{
 				const float Seen = Samples.Harness.BufferFloat("Out", (Form * GThreads + Thread) * 4 + c);
@@ -302,6 +299,17 @@ TEST(ShaderSamples, KernelsOfEveryWidthHaveTheInterpretersBits)
 	Samples.Fill();
 	Samples.Harness.RunInspected(GThreads, 1);
 	Compare("looked into");
+}
+
+TEST(ShaderSamples, WavesHaveTheInterpretersBits)
+{
+	FSamples Samples(24, true);
+	Samples.Fill();
+	Samples.Harness.RunModel(GThreads, 1);
+	const std::vector<uint32_t> Expected = Samples.Harness.Buffers.at("Out");
+	Samples.Fill();
+	Samples.Harness.Run(4, GThreads, 1);
+	EXPECT_EQ(Expected, Samples.Harness.Buffers.at("Out"));
 }
 
 TEST(ShaderSamples, DoubleLanesHaveTheInterpretersBits)
