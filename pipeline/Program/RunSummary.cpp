@@ -58,6 +58,10 @@ std::string MakeRunSummary(const FRunResult& Result, const std::string& Folder, 
 	std::string Text = fmt::format("{}: {} x {}, {} arithmetic, {} storage, {} {}\n", Result.Config.File,
 		Result.ViewRect.Width(), Result.ViewRect.Height(), Result.Precision, Result.Storage, Result.Threads,
 		Result.Threads == 1 ? "thread" : "threads");
+	if (!Result.Device.empty())
+	{
+		Text += fmt::format("  shaders on {}, hand-written kernels on the CPU\n", Result.Device);
+	}
 	Text += FormatPasses(Result, Width);
 	Text += fmt::format(
 		"passes   {} of {} ran in {:.1f} ms, {} culled\n", NumRun, NumPasses, Result.Times.Execute, NumPasses - NumRun);

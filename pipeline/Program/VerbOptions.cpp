@@ -93,6 +93,14 @@ void AddArithmetic(CLI::App& Verb, FRunOptions& Options)
 					 "--storage", [&Options](const std::string& Name) { Options.Storage = Storages.at(Name); },
 					 "Storage of textures: native (their own formats, default), float32, float64"),
 		{"native", "float32", "float64"});
+	RequireOneOf(
+		Verb.add_option_function<std::string>(
+			"--backend",
+			[&Options](const std::string& Name)
+			{ Options.Variables.push_back(Name == "vulkan" ? "r.Drydock.Backend=1" : "r.Drydock.Backend=0"); },
+			"What shaders run on: cpu (default), or vulkan, the driver that is there; VK_DRIVER_FILES names one "
+			"of several"),
+		{"cpu", "vulkan"});
 	AddThreads(Verb, Options, "Threads; 0: all cores (default). The result is the same bits for any number");
 }
 

@@ -74,7 +74,8 @@ uint64_t CountTexels(const FRDGResourceDescription& Resource, const FRDGUse& Use
 
 std::string MakeCostConditions(const FRunResult& Result)
 {
-	return Result.Precision + " " + Result.Storage + " " + std::to_string(Result.Threads);
+	return Result.Precision + " " + Result.Storage + " " + std::to_string(Result.Threads) +
+		   (Result.Device.empty() ? "" : " " + Result.Device);
 }
 
 uint64_t CountWrittenTexels(const FRDGCompiledGraph& Graph, const FRDGCompiledPass& Pass)

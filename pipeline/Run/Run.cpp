@@ -1,6 +1,7 @@
 // Runs a config: scene, frame, measurements, report.
 #include "Run/Run.h"
 
+#include "DispatchBackend.h"
 #include "Frame/Frame.h"
 #include "HAL/ConsoleVariableTools.h"
 #include "Run/FinalSettings.h"
@@ -100,6 +101,10 @@ FRunResult MakeResult(const FRunSetup& Setup, const FSceneFile& Scene)
 	Result.Settings = Setup.Settings.Settings;
 	Result.ExposureScale = Setup.Settings.ExposureScale;
 	Result.Precision = GetVariableInt("r.Drydock.Precision") == 1 ? "double" : "float";
+	if (const IDispatchBackend* const Backend = GetDispatchBackend())
+	{
+		Result.Device = Backend->GetDeviceName();
+	}
 	Result.Storage = StorageNames[std::clamp(GetVariableInt("r.Drydock.Storage"), 0, 2)];
 	Result.Threads = GetNumThreads();
 	Result.LightColor = Scene.GetLightColor();

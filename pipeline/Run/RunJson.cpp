@@ -293,6 +293,10 @@ std::string MakeRunJson(const FRunResult& Result)
 	Writer.Member("config", Result.Config.File);
 	Writer.Member("engine", Result.Config.Engine.Value);
 	Writer.Member("precision", Result.Precision);
+	if (!Result.Device.empty())
+	{
+		Writer.Member("device", Result.Device);
+	}
 	Writer.Member("storage", Result.Storage);
 	if (!Result.BudgetReason.empty())
 	{

@@ -100,6 +100,7 @@ struct FRunResult
 	float ExposureScale = 1.0f;
 	std::optional<FExposureReport> Exposure; // of an executed run whose exposure is automatic
 	std::string Precision;                   // "float", "double"
+	std::string Device;                      // that shaders ran on; empty: the CPU
 	std::string Storage;                     // "native", "float32", "float64"
 	std::string BudgetReason;                // what a study chose for this run, and why; empty: nothing was asked
 	int Threads = 0;

@@ -67,6 +67,16 @@ FSpirvModule ReadForInspection(
 
 } // namespace
 
+FSpirvSlotTable FindKernelSlots(const FSpirvModule& Module, const FShaderReflection& Kernel)
+{
+	FSpirvSlotTable Table;
+	for (const FSpirvVariable& Variable : Module.Variables)
+	{
+		Table.Slots.push_back(FindSlot(Module, Variable, Kernel));
+	}
+	return Table;
+}
+
 FInspectedShader::FInspectedShader(
 	const FShaderCompileRequest& Request, const FShaderReflection& Kernel, bool bAsKernel)
 	: WaveSize(uint32_t(Request.Lanes.WaveSize))
@@ -94,10 +104,7 @@ FInspectedShader::FInspectedShader(
 			Program = std::make_unique<FSpirvProgram>(Module);
 			Order = HasGroups() ? FindOrder(Module) : FSpirvOrder();
 		}
-		for (const FSpirvVariable& Variable : Module.Variables)
-		{
-			Slots.Slots.push_back(FindSlot(Module, Variable, Kernel));
-		}
+		Slots = FindKernelSlots(Module, Kernel);
 	}
 	catch (const FSpirvError& Error)
 	{

@@ -12,6 +12,9 @@
 namespace Drydock
 {
 
+/** The slots of Kernel's arguments that a module of the same shader finds its resources in, by their names. */
+DRYDOCK_API FSpirvSlotTable FindKernelSlots(const FSpirvModule& Module, const FShaderReflection& Kernel);
+
 class DRYDOCK_API FInspectedShader
 {
 public:

@@ -2,6 +2,7 @@
 #include "RHICommandList.h"
 
 #include "CodeScope.h"
+#include "DispatchBackend.h"
 #include "DispatchObserver.h"
 #include "KernelWatch.h"
 #include "Math/ToInteger.h"
@@ -79,6 +80,26 @@ uint64 GetBytesBoundForWriting(const Drydock::FBoundShader& Shader, uint64 NumTh
 		Bytes += std::min<uint64>(View.SizeInBytes, NumThreads * View.Stride);
 	}
 	return Bytes;
+}
+
+/** Runs all of Whole on the device that r.Drydock.Backend chooses; false: kernels have to run it. */
+bool RunOnBackend(const Drydock::FBoundShader& Shader, const Drydock::FKernelArgs& Args, const FKernelTile& Whole,
+	Drydock::FPassCounters& Counters)
+{
+	Drydock::IDispatchBackend* const Backend = Shader.Native ? nullptr : Drydock::GetDispatchBackend();
+	if (!Backend)
+	{
+		return false;
+	}
+	const std::string Fault = Backend->Run(Shader, Args, Whole);
+	if (!Fault.empty())
+	{
+		constexpr int RunsOnCpu = 6071;
+		Counters.AddRemark({Drydock::ESeverity::Warning, RunsOnCpu,
+			Shader.Name + " runs on the CPU and not on " + Backend->GetDeviceName() + ": " + Fault, {}, 0, 0,
+			"entry point " + Shader.EntryPoint});
+	}
+	return Fault.empty();
 }
 
 FIntRect GetMipRect(const FRHITexture& Texture, int32 Mip)
@@ -206,8 +227,11 @@ void FRHIComputeCommandList::RunTiles(
 			Watch.TileHasEnded();
 			MeasuredTaps.fetch_add(TileCounters.Samples + TileCounters.Loads, std::memory_order_relaxed);
 		};
-		Drydock::ForEachTile(
-			Whole, TileSize, RunTile, Shader.bDouble ? Drydock::EDenormals::Keep : Drydock::EDenormals::Flush);
+		if (!RunOnBackend(Shader, Args, Whole, Counters))
+		{
+			Drydock::ForEachTile(
+				Whole, TileSize, RunTile, Shader.bDouble ? Drydock::EDenormals::Keep : Drydock::EDenormals::Flush);
+		}
 	}
 	if (Observer)
 	{

@@ -22,7 +22,7 @@ using FSteps = std::vector<std::vector<std::string>>;
 
 const std::map<std::string, FSteps> GRooms = {
 	{"rdg", {{"Core"}, {"Kernel"}, {"RHI"}, {"Lanes"}, {"Spirv"}, {"ShaderCompiler"}, {"Shader"}, {"Graph"},
-				{"Binding"}, {"Inspect"}, {"GraphUtils"}}},
+				{"Binding"}, {"Inspect"}, {"Vulkan"}, {"GraphUtils"}}},
 	{"passes", {{"Scene"}, {"Screen"}, {"Blur"}, {"Exposure"}, {"Bloom"}, {"Tonemap"}, {"Lens"}, {"Toon"}, {"Native"}}},
 	{"pipeline", {{"Text"}, {"Picture"}, {"Config"}, {"Objects"}, {"SceneFile"}, {"Effects"}, {"Extensions"}, {"Chain"},
 					 {"Frame"}, {"Budget"}, {"Run"},

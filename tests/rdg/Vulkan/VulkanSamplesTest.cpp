@@ -1,0 +1,180 @@
+// Shaders whose threads work together: kernels against plain C++ and against the Vulkan drivers that run on the CPU.
+#include <gtest/gtest.h>
+
+#include "../ShaderCompiler/ShaderHarness.h"
+#include "ShaderDirectories.h"
+#include "VulkanDrivers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <random>
+
+namespace
+{
+
+using namespace Drydock;
+using namespace Drydock::Test;
+
+constexpr int32_t SizeX = 150; // not a multiple of a group
+constexpr int32_t SizeY = 40;
+
+FShaderHarness MakeSample(const std::string& Entry)
+{
+	AddShaderDirectory("/Samples", DRYDOCK_TEST_SOURCE_DIR "/tests/Shaders");
+	FShaderHarness Harness("", Entry, EShaderStage::Compute);
+	Harness.Request.GeneratedFiles.clear();
+	Harness.Request.VirtualPath = "/Samples/Samples.usf";
+	return Harness;
+}
+
+/** By kernels of every lane count, then by each driver. */
+void ForEachMaker(const std::string& Entry, int32_t X, int32_t Y, const std::function<void(FShaderHarness&)>& Fill,
+	const std::function<void(FShaderHarness&)>& Check)
+{
+	for (const int32_t Lanes : GetLaneCounts())
+	{
+		SCOPED_TRACE(Entry + ", " + std::to_string(Lanes) + " lanes");
+		FShaderHarness Harness = MakeSample(Entry);
+		Fill(Harness);
+		Harness.Run(Lanes, X, Y);
+		Check(Harness);
+	}
+	for (const FVulkanDriver& Driver : GetVulkanDrivers())
+	{
+		if (!Driver.Backend)
+		{
+			continue;
+		}
+		SCOPED_TRACE(Entry + ", " + Driver.Backend->GetDeviceName());
+		FShaderHarness Harness = MakeSample(Entry);
+		Fill(Harness);
+		Harness.WaveSize = Driver.Backend->GetWaveSize();
+		Harness.Request.Lanes.WaveSize = Harness.WaveSize;
+		Harness.Inspect();
+		const auto Kernel = std::make_shared<FShaderReflection>(Harness.GetReflection());
+		EXPECT_EQ("", Driver.Backend->Run(Harness.Request, Kernel, Harness.GetArgs(), {0, 0, 0, X, Y, 1}));
+		Check(Harness);
+	}
+}
+
+FTestTexture DrawPicture(uint32_t Seed)
+{
+	std::mt19937 Random(Seed);
+	std::uniform_real_distribution<float> Value(0.0f, 4.0f);
+	FTestTexture Picture(SizeX, SizeY);
+	for (int32_t i = 0; i < SizeX * SizeY * 4; ++i)
+	{
+		Picture.Texel(0, 0)[i] = Value(Random);
+	}
+	return Picture;
+}
+
+void SetSize(FShaderHarness& Harness)
+{
+	Harness.Constants["Size"] = {uint32_t(SizeX), uint32_t(SizeY)};
+}
+
+} // namespace
+
+TEST(VulkanSamples, DriversAreHere)
+{
+	std::string Missing;
+	for (const FVulkanDriver& Driver : GetVulkanDrivers())
+	{
+		Missing += Driver.Backend ? "" : Driver.Fault + "; ";
+	}
+	if (!Missing.empty())
+	{
+		GTEST_SKIP() << Missing << "shaders are not compared with it";
+	}
+	EXPECT_EQ(0u, GetVulkanDrivers()[0].Backend->GetDeviceName().find("llvmpipe"));
+	EXPECT_EQ(0u, GetVulkanDrivers()[1].Backend->GetDeviceName().find("SwiftShader"));
+}
+
+TEST(VulkanSamples, AGaussianByThreadGroupMemory)
+{
+	FTestTexture Picture = DrawPicture(1);
+	std::vector<float> Weights(12);
+	for (size_t k = 0; k < 9; ++k)
+	{
+		Weights[k] = float(std::exp(-double(k * k) / 18.0) / 7.5);
+	}
+	ForEachMaker(
+		"GaussianCS", (SizeX + 63) / 64 * 64, SizeY,
+		[&](FShaderHarness& H)
+		{
+			H.Textures["Input"] = Picture;
+			H.Textures["Output"] = FTestTexture(SizeX, SizeY);
+			H.SetFloats("Weights", Weights);
+			SetSize(H);
+		},
+		[&](FShaderHarness& H)
+		{
+			for (int32_t i = 0; i < SizeX * SizeY * 4; ++i)
+			{
+				const int32_t X = i / 4 % SizeX;
+				const int32_t Y = i / 4 / SizeX;
+				double Sum = 0;
+				for (int32_t k = -8; k <= 8; ++k)
+				{
+					Sum += double(Picture.Texel(std::clamp(X + k, 0, SizeX - 1), Y)[i % 4]) *
+						   double(Weights[size_t(std::abs(k))]);
+				}
+				// 17 products and sums below 4, each rounded once to 24 bits.
+				ASSERT_NEAR(Sum, H.Textures["Output"].Texel(0, 0)[i], 17 * 4 * 0x1p-23) << X << ", " << Y;
+			}
+		});
+}
+
+TEST(VulkanSamples, AHistogramByAtomics)
+{
+	FTestTexture Picture = DrawPicture(2);
+	std::vector<uint32_t> Expected(64);
+	for (int32_t i = 0; i < SizeX * SizeY; ++i)
+	{
+		const float* const Texel = Picture.Texel(i % SizeX, i / SizeX);
+		++Expected[std::min<size_t>(size_t(std::max({Texel[0], Texel[1], Texel[2]}) * 16.0f), 63)];
+	}
+	ForEachMaker(
+		"HistogramCS", (SizeX + 15) / 16 * 16, (SizeY + 15) / 16 * 16,
+		[&](FShaderHarness& H)
+		{
+			H.Textures["Input"] = Picture;
+			H.Buffers["Counts"].assign(64, 0);
+			SetSize(H);
+		},
+		[&](FShaderHarness& H) { EXPECT_EQ(Expected, H.Buffers["Counts"]); });
+}
+
+TEST(VulkanSamples, ABitonicSort)
+{
+	std::mt19937 Random(3);
+	std::vector<uint32_t> Numbers(128 * 5);
+	std::generate(Numbers.begin(), Numbers.end(), [&Random] { return uint32_t(Random()); });
+	std::vector<uint32_t> Expected = Numbers;
+	for (auto Group = Expected.begin(); Group != Expected.end(); Group += 128)
+	{
+		std::sort(Group, Group + 128);
+	}
+	ForEachMaker(
+		"BitonicSortCS", int32_t(Numbers.size()), 1, [&](FShaderHarness& H) { H.Buffers["Numbers"] = Numbers; },
+		[&](FShaderHarness& H) { EXPECT_EQ(Expected, H.Buffers["Numbers"]); });
+}
+
+TEST(VulkanSamples, APrefixSumByWaves)
+{
+	std::mt19937 Random(4);
+	std::vector<uint32_t> Numbers(128 * 5);
+	std::generate(Numbers.begin(), Numbers.end(), [&Random] { return uint32_t(Random()) % 1000; });
+	std::vector<uint32_t> Expected(Numbers.size());
+	for (size_t Group = 0; Group < Numbers.size(); Group += 128)
+	{
+		std::exclusive_scan(Numbers.begin() + std::ptrdiff_t(Group), Numbers.begin() + std::ptrdiff_t(Group + 128),
+			Expected.begin() + std::ptrdiff_t(Group), 0u);
+	}
+	ForEachMaker(
+		"PrefixSumCS", int32_t(Numbers.size()), 1, [&](FShaderHarness& H) { H.Buffers["Numbers"] = Numbers; },
+		[&](FShaderHarness& H) { EXPECT_EQ(Expected, H.Buffers["Numbers"]); });
+}
