@@ -118,8 +118,7 @@ private:
 	/** In a struct: the front end drops what is written to them. */
 	void RefuseBuffers(size_t Open)
 	{
-		static const std::set<std::string> Buffers = {
-			"RWStructuredBuffer", "RWByteAddressBuffer", "AppendStructuredBuffer", "ConsumeStructuredBuffer"};
+		static const std::set<std::string> Buffers = {"AppendStructuredBuffer", "ConsumeStructuredBuffer"};
 		const size_t Close = Text.Is(Open, "{") ? Text.FindClose(Open) : Open;
 		for (size_t At = Open + 1; At < Close; ++At)
 		{

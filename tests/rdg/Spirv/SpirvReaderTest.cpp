@@ -62,6 +62,32 @@ TEST(SpirvReader, RefusesNothingAndNoise)
 	EXPECT_FALSE(Walk({Spirv::Magic, 0x10000, 0, 0xFFFFFFFF, 0}));
 }
 
+TEST(SpirvReader, RefusesFloatsInOperationsOfIntegers)
+{
+	constexpr size_t HeaderWords = 5;
+	size_t NumChanged = 0;
+	for (size_t At = HeaderWords; At < GetWords().size(); At += GetWords()[At] >> 16)
+	{
+		if ((GetWords()[At] & 0xffff) == Spirv::OpFMul)
+		{
+			std::vector<uint32_t> Words = GetWords();
+			Words[At] = (Words[At] & 0xffff0000) | Spirv::OpIMul;
+			std::string Error;
+			try
+			{
+				ReadSpirv(Words);
+			}
+			catch (const FSpirvError& Refused)
+			{
+				Error = Refused.what();
+			}
+			EXPECT_NE(std::string::npos, Error.find("an operation of integers of what are floats")) << Error;
+			++NumChanged;
+		}
+	}
+	EXPECT_GT(NumChanged, 0u);
+}
+
 TEST(SpirvReader, SurvivesEveryTruncation)
 {
 	for (size_t Length = 0; Length < GetWords().size(); Length += 3)
