@@ -27,6 +27,17 @@ std::string MakeBar(double Part, double Largest)
 	return std::string(static_cast<size_t>(Length), '#');
 }
 
+/** Of a pixel or thread; nothing where a pass reads no texture, or where nobody knows. */
+std::string FormatTaps(const FRunPass& Pass)
+{
+	if (!Pass.Taps || *Pass.Taps == 0 || Pass.Counters.Pixels == 0)
+	{
+		return Pass.Taps ? "" : "? taps";
+	}
+	const double PerPixel = static_cast<double>(*Pass.Taps) / static_cast<double>(Pass.Counters.Pixels);
+	return fmt::format("{:.3g} taps", PerPixel);
+}
+
 std::string FormatPasses(const FRunResult& Result, int Width)
 {
 	double Largest = 0.0;
@@ -34,11 +45,13 @@ std::string FormatPasses(const FRunResult& Result, int Width)
 	{
 		Largest = std::max(Largest, Pass.Milliseconds);
 	}
-	FTextTable Table{{{ETextColumn::Number}, {ETextColumn::Name}, {ETextColumn::Number}, {ETextColumn::Text}}, {}};
+	FTextTable Table{
+		{{ETextColumn::Number}, {ETextColumn::Name}, {ETextColumn::Number}, {ETextColumn::Number}, {ETextColumn::Text}},
+		{}};
 	for (const FRunPass& Pass : Result.Passes)
 	{
 		Table.Rows.push_back({std::to_string(Pass.Index), Result.Graph.Passes[static_cast<size_t>(Pass.Index)].Name,
-			fmt::format("{:.2f} ms", Pass.Milliseconds), MakeBar(Pass.Milliseconds, Largest)});
+			FormatTaps(Pass), fmt::format("{:.2f} ms", Pass.Milliseconds), MakeBar(Pass.Milliseconds, Largest)});
 	}
 	return Table.Format(Width, "  ");
 }

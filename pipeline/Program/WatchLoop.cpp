@@ -34,7 +34,7 @@ void ForgetEdited(const FWatchedFiles& Before, const FWatchedFiles& After)
 	const std::optional<std::vector<std::string>> Edited = After.FindEdited(Before);
 	const auto IsShader = [](const std::string& Path)
 	{
-		return Path.ends_with(".usf") || Path.ends_with(".ush");
+		return Path.ends_with(".usf") || Path.ends_with(".ush") || Path.ends_with(".spv");
 	};
 	if (Edited && std::all_of(Edited->begin(), Edited->end(), IsShader))
 	{

@@ -48,7 +48,7 @@ FExplainedCost MakeCost(const FRunResult& Result, const FCostModel& Model, const
 	}
 	for (const FRunPass& Pass : Result.Passes)
 	{
-		Cost.Taps += Pass.Counters.Taps;
+		Cost.Taps = Cost.Taps && Pass.Taps ? std::optional(*Cost.Taps + *Pass.Taps) : std::nullopt;
 		Cost.BytesMoved += Pass.Counters.BytesRead + Pass.Counters.BytesWritten;
 	}
 	return Cost;

@@ -52,11 +52,11 @@ struct FExplainedPlugin
 /** What a frame comes to. */
 struct FExplainedCost
 {
-	int NumPasses = 0;       // that execute
-	int NumChannels = 0;     // that are decoded
-	uint64_t Texels = 0;     // that its passes write, by what they are asked for
-	uint64_t Taps = 0;       // texture reads of an executed frame
-	uint64_t BytesMoved = 0; // that its passes read and write, of an executed frame
+	int NumPasses = 0;                // that execute
+	int NumChannels = 0;              // that are decoded
+	uint64_t Texels = 0;              // that its passes write, by what they are asked for
+	std::optional<uint64_t> Taps = 0; // texture reads of an executed frame; none: not known of one of its passes
+	uint64_t BytesMoved = 0;          // that its passes read and write, of an executed frame
 	uint64_t TransientBytes = 0;
 	uint64_t SceneBytes = 0;   // of scene textures that are loaded
 	double Milliseconds = 0.0; // of all passes

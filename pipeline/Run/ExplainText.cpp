@@ -89,7 +89,8 @@ std::string FormatSaved(const FExplainReport& Report)
 	Text += ", " + FormatCounted(Without.Texels, With.Texels, 1e6, "million texels");
 	if (Report.bMeasured)
 	{
-		Text += ", " + FormatCounted(Without.Taps, With.Taps, 1e6, "million taps") + ", " +
+		const bool bTaps = Without.Taps && With.Taps;
+		Text += (bTaps ? ", " + FormatCounted(*Without.Taps, *With.Taps, 1e6, "million taps") : std::string()) + ", " +
 				FormatCounted(Without.BytesMoved, With.BytesMoved, 1e6, "MB read and written");
 	}
 	Text += ", " +

@@ -118,7 +118,7 @@ void WritePasses(FJsonWriter& Writer, const FRunResult& Result)
 		Writer.Member("shader", Pass.Shader.empty() ? Counters.Shader : Pass.Shader);
 		Writer.Member("entry", Pass.Entry.empty() ? Counters.Entry : Pass.Entry);
 		Writer.Member("pixels", Counters.Pixels);
-		Writer.Member("taps", Counters.Taps);
+		Writer.Member("taps", Run != nullptr ? Run->Taps : std::optional<uint64_t>(0));
 		Writer.Member("bytesRead", Counters.BytesRead);
 		Writer.Member("bytesWritten", Counters.BytesWritten);
 		if (Run != nullptr && !Run->SameAs.empty())
@@ -355,6 +355,7 @@ std::string MakeTimingJson(const FRunResult& Result, double SaveMs)
 		Writer.Member("index", Pass.Index);
 		Writer.Member("name", Result.Graph.Passes[static_cast<size_t>(Pass.Index)].Name);
 		Writer.Member("ms", Pass.Milliseconds);
+		Writer.Member("taps", Pass.Taps);
 		Writer.EndObject();
 	}
 	Writer.EndArray();
@@ -383,7 +384,7 @@ std::string MakeTraceJson(const FRunResult& Result)
 	FJsonWriter Writer;
 	double Now = 0.0;
 	const auto Event =
-		[&](const std::string& Name, const std::string& Category, double Milliseconds, const FPassCounters* Counters)
+		[&](const std::string& Name, const std::string& Category, double Milliseconds, const FRunPass* Pass)
 	{
 		Writer.BeginObject(true);
 		Writer.Member("name", Name);
@@ -394,11 +395,11 @@ std::string MakeTraceJson(const FRunResult& Result)
 		Writer.Member("pid", 1);
 		Writer.Member("tid", 1);
 		Writer.Key("args").BeginObject();
-		if (Counters != nullptr)
+		if (Pass != nullptr)
 		{
-			Writer.Member("shader", Counters->Shader);
-			Writer.Member("pixels", Counters->Pixels);
-			Writer.Member("taps", Counters->Taps);
+			Writer.Member("shader", Pass->Counters.Shader);
+			Writer.Member("pixels", Pass->Counters.Pixels);
+			Writer.Member("taps", Pass->Taps);
 		}
 		Writer.EndObject();
 		Writer.EndObject();
@@ -410,7 +411,7 @@ std::string MakeTraceJson(const FRunResult& Result)
 	Event("Load scene", "scene", Result.Times.Load, nullptr);
 	for (const FRunPass& Pass : Result.Passes)
 	{
-		Event(Result.Graph.Passes[static_cast<size_t>(Pass.Index)].Name, "pass", Pass.Milliseconds, &Pass.Counters);
+		Event(Result.Graph.Passes[static_cast<size_t>(Pass.Index)].Name, "pass", Pass.Milliseconds, &Pass);
 	}
 	Writer.EndArray();
 	Writer.EndObject();

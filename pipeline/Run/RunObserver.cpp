@@ -124,7 +124,7 @@ void FRunObserver::OnPassExecuted(int32_t PassIndex, const FRDGPass& Pass, doubl
 	const FPassCounters& Counters, const std::vector<FRDGTexture*>& WrittenTextures)
 {
 	Result.Passes.push_back({PassIndex, Milliseconds, Counters});
-	Result.Passes.back().Counters.Taps = CountTaps(Pass, Counters);
+	Result.Passes.back().Taps = CountTaps(Pass, Counters);
 	OnPassPlanned(PassIndex, Pass);
 	NoteSilence(Pass, Counters, WrittenTextures);
 	if (!Setup.Dump.empty() || Options.bKeepForReport || Options.OnPassExecuted)

@@ -55,6 +55,7 @@ struct FRunPass
 	int Index = 0;
 	double Milliseconds = 0.0;
 	FPassCounters Counters;
+	std::optional<uint64_t> Taps = {};          // texture samples, gathers and loads; none: not known
 	std::vector<FRunFingerprint> Written = {};  // where FRunOptions::bFingerprints asked for them
 	std::vector<FRunThumbnail> Thumbnails = {}; // where FRunOptions::bKeepForReport asked: textures not dumped
 	std::string SameAs = {};                    // texture that it read and whose bits it wrote again; empty: none

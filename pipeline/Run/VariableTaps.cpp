@@ -23,11 +23,15 @@ T ReadMember(const void* Parameters, const FHlslMember& Member, size_t Index = 0
 
 } // namespace
 
-uint64_t CountTaps(const FRDGPass& Pass, const FPassCounters& Counters)
+std::optional<uint64_t> CountTaps(const FRDGPass& Pass, const FPassCounters& Counters)
 {
-	if (Counters.Taps != 0 || Pass.GetParameters() == nullptr || Pass.GetParametersMetadata() == nullptr)
+	if (Counters.TapCount != ETapCount::Unknown)
 	{
 		return Counters.Taps;
+	}
+	if (Pass.GetParameters() == nullptr || Pass.GetParametersMetadata() == nullptr)
+	{
+		return std::nullopt;
 	}
 	int64_t PerPixel = 0;
 	for (const FHlslMember& Member : Pass.GetParametersMetadata()->GetHlslMembers())
@@ -47,7 +51,8 @@ uint64_t CountTaps(const FRDGPass& Pass, const FPassCounters& Counters)
 			PerPixel += (2 * X + 1) * (2 * Y + 1);
 		}
 	}
-	return static_cast<uint64_t>(PerPixel) * Counters.Pixels;
+	return PerPixel > 0 ? std::optional(static_cast<uint64_t>(PerPixel) * CountWantedPixels(Pass, Counters))
+						: std::nullopt;
 }
 
 std::optional<FIntRect> FindOutputRect(const FRDGPass& Pass)

@@ -12,8 +12,8 @@ namespace Drydock
 {
 
 /** Counters.Taps where that is known; else from the parameters: SampleCount (one more where Additive_Texture is bound),
- * or Reach, of which (2 x + 1) (2 y + 1) texels are read; times Pixels. 0 where there is neither. */
-uint64_t CountTaps(const FRDGPass& Pass, const FPassCounters& Counters);
+ * or Reach, of which (2 x + 1) (2 y + 1) texels are read; times CountWantedPixels. Empty where there is neither. */
+std::optional<uint64_t> CountTaps(const FRDGPass& Pass, const FPassCounters& Counters);
 
 /** What a pass writes of its textures: the viewport named Output in its parameters; empty where there is none. */
 std::optional<FIntRect> FindOutputRect(const FRDGPass& Pass);

@@ -153,9 +153,13 @@ public:
 			return;
 		}
 		Run.Milliseconds += Milliseconds;
-		const double TapsPerThread = static_cast<double>(CountTaps(Pass, Counters)) /
-									 static_cast<double>(std::max<uint64_t>(1, Counters.Pixels));
-		Run.TapsPerPixel += TapsPerThread * static_cast<double>(CountWantedPixels(Pass, Counters));
+		const std::optional<uint64_t> Taps = CountTaps(Pass, Counters);
+		// By the text of a shader, threads that fill up the last groups tap like the others.
+		const double Wanted = Counters.TapCount != ETapCount::Static
+								  ? 1.0
+								  : static_cast<double>(CountWantedPixels(Pass, Counters)) /
+										static_cast<double>(std::max<uint64_t>(1, Counters.Pixels));
+		Run.TapsPerPixel += Taps ? static_cast<double>(*Taps) * Wanted : std::nan("");
 		Run.BytesPerPixel += static_cast<double>(Counters.BytesRead + Counters.BytesWritten);
 		++Run.NumPasses;
 	}

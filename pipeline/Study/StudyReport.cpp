@@ -67,8 +67,9 @@ FRow MakeRow(const FStudyResult& Result, const FStudyJob& Job, const FStudyVaria
 	return {Variant.Label, fmt::format("{:.2f}", Variant.Time.Median),
 		fmt::format("{:.2f}", Variant.Time.High - Variant.Time.Low), fmt::format("{:.3g}", Times),
 		fmt::format("{:.3g}", Error.Max), fmt::format("{:.3g}", Error.Rms), fmt::format("{:.3g}", Error.Relative),
-		fmt::format("{:.1f}", Error.Psnr), fmt::format("{:.5f}", Error.Ssim), fmt::format("{:.1f}", Variant.Taps),
-		fmt::format("{:.0f}", Variant.Bytes), DescribeRank(Result, Variant)};
+		fmt::format("{:.1f}", Error.Psnr), fmt::format("{:.5f}", Error.Ssim),
+		std::isnan(Variant.Taps) ? "" : fmt::format("{:.1f}", Variant.Taps), fmt::format("{:.0f}", Variant.Bytes),
+		DescribeRank(Result, Variant)};
 }
 
 /** What is as fast as something else: pairs of the front only, for they are what is chosen among. */
@@ -379,9 +380,10 @@ std::string MakeStudyCsv(const FStudyResult& Result, bool bTiming)
 			Text += fmt::format("{:d},{:d}\n", Variant.ByTime.bFront, Variant.bRecommended);
 			continue;
 		}
-		Text += fmt::format("{:.17g},{:.17g},{},{:d},{}\n", Variant.Taps, Variant.Bytes,
-			Variant.MeasuredSigma > 0.0 ? fmt::format("{:.17g}", Variant.MeasuredSigma) : "", Variant.ByTaps.bFront,
-			CsvText(Variant.Excluded));
+		Text +=
+			fmt::format("{},{:.17g},{},{:d},{}\n", std::isnan(Variant.Taps) ? "" : fmt::format("{:.17g}", Variant.Taps),
+				Variant.Bytes, Variant.MeasuredSigma > 0.0 ? fmt::format("{:.17g}", Variant.MeasuredSigma) : "",
+				Variant.ByTaps.bFront, CsvText(Variant.Excluded));
 	}
 	return Text;
 }

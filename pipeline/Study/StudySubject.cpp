@@ -199,7 +199,7 @@ public:
 		for (const FRunPass& Pass : Result.Passes)
 		{
 			Measured.Milliseconds += Pass.Milliseconds;
-			Measured.Taps += static_cast<double>(Pass.Counters.Taps) / NumPixels;
+			Measured.Taps += Pass.Taps ? static_cast<double>(*Pass.Taps) / NumPixels : std::nan("");
 			Measured.Bytes += static_cast<double>(Pass.Counters.BytesRead + Pass.Counters.BytesWritten) / NumPixels;
 		}
 		return Measured;

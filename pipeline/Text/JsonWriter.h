@@ -5,6 +5,7 @@
 #include "DrydockAPI.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,14 @@ public:
 	void Member(const std::string& Name, const T& InValue)
 	{
 		Key(Name).Value(InValue);
+	}
+
+	/** Nothing is null. */
+	template<typename T>
+	void Member(const std::string& Name, const std::optional<T>& InValue)
+	{
+		Key(Name);
+		InValue ? Value(*InValue) : Null();
 	}
 
 	/** The text so far, with a final line break. */

@@ -1,6 +1,7 @@
 // Runs a bound shader, and looks up by name what hand-written kernels ask for.
 #include "BoundShader.h"
 
+#include "KernelLimits.h"
 #include "NativeFallback.h"
 
 #include <atomic>
@@ -87,6 +88,7 @@ FKernelArgs FBoundShader::GetArgs() const
 	Args.Samplers = Samplers.data();
 	Args.Buffers = Buffers.data();
 	Args.RWBuffers = RWBuffers.data();
+	Args.Limits = GetKernelLimits();
 	return Args;
 }
 

@@ -64,8 +64,8 @@ struct DRYDOCK_API FBoundShader
 	bool IsValid() const { return Reflection != nullptr; }
 	const FShaderReflection& GetReflection() const { return *Reflection; }
 
-	/** The kernel's arguments without Targets, Interpolants and Counters: those are the caller's to add. Valid while
-	 * this object lives and is not moved from. */
+	/** The kernel's arguments without Targets, Interpolants and Counters: those are the caller's to add. Valid on the
+	 * calling thread and those that work for it while this object lives and is not moved from. */
 	FKernelArgs GetArgs() const;
 
 	/** Runs one tile; not of a vertex shader. Thread-safe: any number of tiles at once. */

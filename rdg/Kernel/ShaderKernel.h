@@ -169,6 +169,15 @@ struct FKernelCounters
 	uint64_t Stores;
 };
 
+/** How far a kernel may go, and whom it tells that it went further (KernelLimits.h). */
+struct FKernelLimits
+{
+	uint32_t LoopTurns; // of a loop that the shader's text does not bound
+	/** A loop of the thread at X, Y, Z took more turns. File and Line are the shader's. Does not return: throws through
+	 * the kernel, which has nothing to clean up. */
+	void (*OnEndlessLoop)(const char* File, int32_t Line, int32_t X, int32_t Y, int32_t Z);
+};
+
 /** Everything a kernel reads. Slots are the indices of the shader's FShaderReflection lists. */
 struct FKernelArgs
 {
@@ -182,6 +191,7 @@ struct FKernelArgs
 	const FKernelInterpolant* Interpolants; // pixel shaders: index = input location
 	int32_t NumTargets;
 	FKernelCounters* Counters;
+	const FKernelLimits* Limits; // null: none
 };
 
 /** Half-open box of work. Pixel shaders: target pixels, Z 0..1. Compute: dispatch thread ids. */

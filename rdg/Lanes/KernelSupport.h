@@ -136,6 +136,20 @@ DRYDOCK_LANES_INLINE void CountLanesOf(const FKernelArgs& Args, uint64_t FKernel
 	}
 }
 
+/** Turns that a loop may take; never one more than these. */
+DRYDOCK_LANES_INLINE uint32_t GetLoopTurns(const FKernelArgs& Args)
+{
+	return Args.Limits ? Args.Limits->LoopTurns : 0xFFFFFFFFu;
+}
+
+/** A loop took more turns. Where it says so nothing has to be kept, which is what makes counting cost next to nothing. */
+[[noreturn]] DRYDOCK_LANES_INLINE void EndLoop(
+	const FKernelArgs& Args, const char* File, int32_t Line, int32_t X, int32_t Y, int32_t Z)
+{
+	Args.Limits->OnEndlessLoop(File, Line, X, Y, Z);
+	__builtin_unreachable();
+}
+
 /** What is computed anew in each turn of a loop, and alike by all packs of a tile: the first packs that come to a turn
  *  compute it for the others. */
 template<typename Real>

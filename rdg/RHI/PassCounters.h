@@ -21,14 +21,23 @@ struct FTextureWrite
 	FIntRect Rect;
 };
 
+/** How taps are counted. */
+enum class ETapCount : uint8_t
+{
+	Static,   // so many in each thread, by the shader's text
+	Measured, // while it ran: threads differ
+	Unknown,  // a hand-written kernel ran in place of a shader whose threads differ
+};
+
 /** Sums over the dispatches and draws of a pass. */
 struct FPassCounters
 {
-	std::string Shader;     // class of the last shader that ran: "FBloomSetupPS"; empty: none did
-	std::string Entry;      // its entry point
-	uint64_t Pixels = 0;    // pixels drawn, threads dispatched, texels copied or cleared
-	uint64_t Taps = 0;      // texture samples and loads; 0 where the count varies per pixel and is not measured
-	uint64_t BytesRead = 0; // of every view bound for reading, each texel once
+	std::string Shader;                     // class of the last shader that ran: "FBloomSetupPS"; empty: none did
+	std::string Entry;                      // its entry point
+	uint64_t Pixels = 0;                    // pixels drawn, threads dispatched, texels copied or cleared
+	uint64_t Taps = 0;                      // texture samples, gathers and loads
+	ETapCount TapCount = ETapCount::Static; // of Taps; of several dispatches, the last of its values
+	uint64_t BytesRead = 0;                 // of every view bound for reading, each texel once
 	/** Of every texel written; views bound for writing by compute shaders: at most all of them. */
 	uint64_t BytesWritten = 0;
 	/** What draws, clears and copies wrote, each texture's mip once, as the least rect around it. Where a compute

@@ -205,8 +205,9 @@ void FRHIComputeCommandList::DispatchIndirectComputeShader(FRHIBuffer* ArgumentB
 void FRHIComputeCommandList::RunTiles(
 	const Drydock::FBoundShader& Shader, Drydock::FKernelArgs Args, const FKernelTile& Whole, FIntVector TileSize)
 {
+	// Behind an early return, as every compute shader has one, only who runs the shader knows how many threads tap.
 	const int32 StaticSamples = Shader.GetReflection().StaticSamples;
-	const bool bMeasure = StaticSamples < 0 && bMeasureTaps;
+	const bool bMeasure = StaticSamples < 0 && !Shader.Native;
 	std::atomic<uint64> MeasuredTaps{0};
 	Drydock::IDispatchObserver* const Observer = Drydock::GetDispatchObserver();
 	if (Observer)
@@ -215,7 +216,9 @@ void FRHIComputeCommandList::RunTiles(
 	}
 	{
 		// Compiled by drydock: what goes wrong inside a kernel is no fault of whoever dispatches it.
-		const Drydock::FCodeOwner Kernel{.Callback = "shader " + Shader.Name};
+		const Drydock::FCodeOwner* const Caller = Drydock::GetRunningCode();
+		const Drydock::FCodeOwner Kernel{
+			.Callback = "shader " + Shader.Name, .Pass = Caller ? Caller->Pass : std::string()};
 		const Drydock::FCodeScope Scope(Kernel);
 		Drydock::FKernelWatch Watch(Shader.Name, Shader.EntryPoint);
 		const auto RunTile = [&](const FKernelTile& Tile)
@@ -244,6 +247,9 @@ void FRHIComputeCommandList::RunTiles(
 	Counters.Entry = Shader.EntryPoint;
 	Counters.Pixels += Pixels;
 	Counters.Taps += StaticSamples >= 0 ? Pixels * uint64(StaticSamples) : MeasuredTaps.load();
+	Counters.TapCount = std::max(Counters.TapCount, StaticSamples >= 0 ? Drydock::ETapCount::Static
+													: bMeasure         ? Drydock::ETapCount::Measured
+																	   : Drydock::ETapCount::Unknown);
 	Counters.BytesRead += GetBytesBoundForReading(Shader);
 }
 

@@ -74,12 +74,8 @@ public:
 	/** Counts what was written to Drawn as written to Target. */
 	void CountAs(const FRHITexture* Drawn, const FRHITexture* Target) { Counters.Rename(Drawn, Target); }
 
-	/** Count texture samples while running where the shader's static count is unknown. Slower. */
-	void SetMeasureTaps(bool bMeasure) { bMeasureTaps = bMeasure; }
-
 protected:
 	Drydock::FPassCounters Counters;
-	bool bMeasureTaps = false;
 	bool bImmediate = false;
 
 private:

@@ -113,6 +113,48 @@ FShaderCompileRequest MakeShaderCompileRequest(const FShaderRef& Shader, const F
 	return Request;
 }
 
+FShaderCompileRequest MakeShaderCompileRequest(
+	const std::string& VirtualPath, const std::string& EntryPoint, EShaderStage Stage)
+{
+	MapShippedShaders();
+	FShaderCompileRequest Request;
+	Request.VirtualPath = VirtualPath;
+	Request.EntryPoint = EntryPoint;
+	Request.Stage = Stage;
+	Request.Lanes = GetShaderLaneConfig();
+	AddUniformBuffers(nullptr, Request);
+	return Request;
+}
+
+namespace
+{
+
+std::mutex GListenerMutex;
+std::function<void(const FShaderCompileRequest&)> GListener;
+
+void TellListener(const FShaderCompileRequest& Request)
+{
+	const std::lock_guard Lock(GListenerMutex);
+	if (GListener)
+	{
+		GListener(Request);
+	}
+}
+
+} // namespace
+
+FScopedCompileListener::FScopedCompileListener(std::function<void(const FShaderCompileRequest&)> Function)
+{
+	const std::lock_guard Lock(GListenerMutex);
+	GListener = std::move(Function);
+}
+
+FScopedCompileListener::~FScopedCompileListener()
+{
+	const std::lock_guard Lock(GListenerMutex);
+	GListener = nullptr;
+}
+
 namespace
 {
 
@@ -123,7 +165,9 @@ auto CompileFor(const FShaderRef& Shader, TFunction Compile)
 	const FCodeScope Scope(GCompiler);
 	try
 	{
-		return Compile(MakeShaderCompileRequest(Shader, Shader.GetRootParametersMetadata()));
+		const FShaderCompileRequest Request = MakeShaderCompileRequest(Shader, Shader.GetRootParametersMetadata());
+		TellListener(Request);
+		return Compile(Request);
 	}
 	catch (const FError& Error)
 	{

@@ -6,6 +6,7 @@
 #include "Shader.h"
 #include "ShaderCompiler.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,6 +20,21 @@ DRYDOCK_API FLaneConfig GetShaderLaneConfig();
 /** What the compiler is asked for a permutation: file, entry, stage, defines, uniform buffers named by Metadata. */
 DRYDOCK_API FShaderCompileRequest MakeShaderCompileRequest(
 	const FShaderRef& Shader, const FShaderParametersMetadata* Metadata);
+
+/** The same for a shader that no class names: every registered uniform buffer, no defines of a class. */
+DRYDOCK_API FShaderCompileRequest MakeShaderCompileRequest(
+	const std::string& VirtualPath, const std::string& EntryPoint, EShaderStage Stage);
+
+/** For its scope Function is told what is asked of the compiler, before it is asked; from any thread, one at a time.
+ * One of these at a time. */
+class DRYDOCK_API FScopedCompileListener
+{
+public:
+	explicit FScopedCompileListener(std::function<void(const FShaderCompileRequest&)> Function);
+	~FScopedCompileListener();
+	FScopedCompileListener(const FScopedCompileListener&) = delete;
+	FScopedCompileListener& operator=(const FScopedCompileListener&) = delete;
+};
 
 /** Compiled code for the current arithmetic; compiles, or takes from the cache. Throws FError with the compiler's
  * messages. */

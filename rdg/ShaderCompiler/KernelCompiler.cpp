@@ -38,6 +38,7 @@ std::vector<std::string> GetFlags(const FLaneConfig& Lanes)
 	// -O1 with the two passes that its loops lack: as fast kernels as by -O2, in four fifths of the compiler's time.
 	std::vector<std::string> Flags = {"-std=c++20", "-O1", "-ftree-vrp", "-fthread-jumps", "-fPIC", "-shared",
 		"-fvisibility=hidden", "-ffp-contract=off", "-fno-math-errno", "-fwrapv", "-fno-exceptions", "-fno-rtti", "-w",
+		"-fasynchronous-unwind-tables", // what ends an endless loop is thrown through a kernel
 		"-nostdlib", // what a kernel calls is in the process; without its libraries the linker takes a third of the
 					 // time
 		std::string("-DDRYDOCK_REAL=") + (Lanes.bDouble ? "double" : "float"),

@@ -2,6 +2,7 @@
 #include "ShaderMessages.h"
 
 #include "HlslTokens.h"
+#include "LeftOutStages.h"
 #include "RegularFile.h"
 #include "ShaderDirectories.h"
 #include "ShaderSource.h"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <optional>
 #include <sstream>
 
 namespace Drydock
@@ -21,29 +23,6 @@ namespace
 constexpr size_t MaxShown = 8;        // errors with their line
 constexpr size_t MaxLineLength = 200; // of one that is shown
 constexpr int MaxListedLines = 5;
-
-bool IsWordCharacter(char c)
-{
-	return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
-}
-
-/** Where Name stands in Line as a word of its own; npos where it does not. */
-size_t FindWord(const std::string& Line, const std::string& Name)
-{
-	for (size_t At = Name.empty() ? std::string::npos : Line.find(Name); At != std::string::npos;
-		 At = Line.find(Name, At + 1))
-	{
-		const size_t End = At + Name.size();
-		const bool bWord = IsWordCharacter(Name[0]);
-		const bool bAlone = !bWord || ((At == 0 || !IsWordCharacter(Line[At - 1])) &&
-										  (End == Line.size() || !IsWordCharacter(Line[End])));
-		if (bAlone)
-		{
-			return At;
-		}
-	}
-	return std::string::npos;
-}
 
 /** What stands between the first two quotes. */
 std::string GetQuoted(const std::string& Message)
@@ -78,6 +57,11 @@ public:
 
 	FError Run(const FError& Error)
 	{
+		if (std::optional<FDiagnostic> LeftOut = FindLeftOut(Error))
+		{
+			Show(*LeftOut);
+			return FError(*LeftOut, Error.GetExitCode());
+		}
 		std::vector<FDiagnostic> Result;
 		for (const FDiagnostic& Each : Error.GetDiagnostics())
 		{
@@ -100,6 +84,21 @@ public:
 	}
 
 private:
+	/** The one message that says why, where a line with errors has words of what is left out: whatever else the front
+	 * end says comes from that. */
+	std::optional<FDiagnostic> FindLeftOut(const FError& Error)
+	{
+		for (const FDiagnostic& Each : Error.GetDiagnostics())
+		{
+			const std::string Line = Each.Code / 10 == 601 || Each.Code == 6020 ? GetLine(Each.File, Each.Line) : "";
+			if (const std::string Message = ExplainLeftOut(Line); !Message.empty())
+			{
+				return FDiagnostic{ESeverity::Error, 6020, Message, Each.File, Each.Line, Each.Column, Each.Where};
+			}
+		}
+		return std::nullopt;
+	}
+
 	/** Whether Error says of another line what one of Earlier said: a name that is not there. */
 	bool Join(const FDiagnostic& Error, const std::vector<FDiagnostic>& Earlier)
 	{

@@ -2,6 +2,7 @@
 #include "ShaderSource.h"
 
 #include "HlslRewrites.h"
+#include "LeftOutStages.h"
 #include "RegularFile.h"
 #include "ShaderDirectories.h"
 #include "ShaderPreprocessor.h"
@@ -216,6 +217,10 @@ FShaderSource FFlattener::Run()
 	if (!Preprocessor.GetErrors().empty())
 	{
 		throw FError(std::move(Preprocessor.GetErrors()), ExitUsage);
+	}
+	if (std::optional<FDiagnostic> LeftOut = FindLeftOutEntry(Result.Text, Request))
+	{
+		throw FError(std::move(*LeftOut), ExitUsage);
 	}
 	return std::move(Result);
 }

@@ -425,6 +425,26 @@ void FSpirvEmitter::EmitSwitch(const FStructNode& Node)
 	}
 }
 
+void FSpirvEmitter::EmitTurn(const FStructNode& Node, bool bPacks)
+{
+	if (!IsCounted(Node))
+	{
+		return;
+	}
+	const FSpirvInstruction& Header = Module.GetBlock(Node.Label).Terminator();
+	const int32_t* const Size = Reflection.Reflection.GroupSize;
+	const std::string Thread = bPacks ? "P * N + FirstLane(e)" : "0";
+	const auto InGroup = [&Thread](int32_t Before, int32_t Count)
+	{
+		return " + (" + Thread + ") / " + std::to_string(Before) + " % " + std::to_string(Count);
+	};
+	const std::string At = bGroups ? "X" + InGroup(1, Size[0]) + ", Y" + InGroup(Size[0], Size[1]) + ", Z" +
+										 InGroup(Size[0] * Size[1], Size[2])
+								   : "X0 + FirstLane(e), Y, Z";
+	Line("if (__builtin_expect(++n" + std::to_string(Node.Label) + " > LoopTurns, 0)) EndLoop(Args, \"" +
+		 Quotable(Module.Files[Header.File]) + "\", " + std::to_string(Header.Line) + ", " + At + ");");
+}
+
 void FSpirvEmitter::EmitLoop(const FStructNode& Node)
 {
 	const FStructRegion& BodyRegion = Node.Regions[0];
@@ -438,6 +458,10 @@ void FSpirvEmitter::EmitLoop(const FStructNode& Node)
 	Loops.push_back(Node.Label);
 	const bool bBodyLoses = EscapesFrom(BodyRegion, {Node.Continue}, false);
 	const bool bContinueLoses = EscapesFrom(ContinueRegion, {Node.Label}, false);
+	if (IsCounted(Node))
+	{
+		Line("uint32_t n" + std::to_string(Node.Label) + " = 0;");
+	}
 	OpenScope("for (;;)");
 	if (bContinueWaits)
 	{
@@ -462,6 +486,7 @@ void FSpirvEmitter::EmitLoop(const FStructNode& Node)
 			Line("if (!AnyLane(e)) break;");
 		}
 	}
+	EmitTurn(Node, true);
 	CloseScope();
 	Loops.pop_back();
 	if (bMergeWaits)

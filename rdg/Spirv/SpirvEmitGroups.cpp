@@ -229,6 +229,10 @@ void FSpirvEmitter::EmitGroupLoop(const FStructNode& Node)
 		EmitForAllPacks(MaskOf(Node.Merge) + " = M(false);");
 	}
 	Loops.push_back(Node.Label);
+	if (IsCounted(Node))
+	{
+		Line("uint32_t n" + std::to_string(Node.Label) + " = 0;");
+	}
 	OpenScope("for (;;)");
 	Line("if (!AnyPack(E)) break;"); // what nobody computes anew would never end the loop
 	if (bContinueWaits)
@@ -243,6 +247,7 @@ void FSpirvEmitter::EmitGroupLoop(const FStructNode& Node)
 		EmitForAllPacks("e = e | " + MaskOf(Node.Continue) + ";");
 	}
 	EmitGroupRegion(Node.Regions[1]);
+	EmitTurn(Node, false);
 	CloseScope();
 	Loops.pop_back();
 	if (bMergeWaits)
@@ -388,8 +393,9 @@ std::string FSpirvEmitter::EmitGroupRun()
 		return "\tfor (int32_t " + Axis + " = Tile.Min" + Axis + "; " + Axis + " < Tile.Max" + Axis + "; " + Axis +
 			   " += " + std::to_string(Size[Index]) + ")\n";
 	};
-	return Handles + TileText + "\tconstexpr int32_t NumPacks = (" + Count + " + N - 1) / N;\n" + Loop("Z", 2) +
-		   Loop("Y", 1) + Loop("X", 0) + "\t{\n" + RowText + SharedText + GroupText + InitialText +
+	return "\tconst uint32_t LoopTurns = GetLoopTurns(Args);\n\t(void)LoopTurns;\n" + Handles + TileText +
+		   "\tconstexpr int32_t NumPacks = (" + Count + " + N - 1) / N;\n" + Loop("Z", 2) + Loop("Y", 1) +
+		   Loop("X", 0) + "\t{\n" + RowText + SharedText + GroupText + InitialText +
 		   "\tM E[NumPacks];\n"
 		   "\tfor (int32_t P = 0; P < NumPacks; ++P) E[P] = I(P * N) + LaneIndex<N>() < I(" +
 		   Count + ");\n" + Body + "\t}\n";

@@ -22,6 +22,7 @@ FSpirvEmitter::FSpirvEmitter(const FSpirvEmitInput& Input, const FSpirvDependenc
 	, Dependence(InDependence)
 	, Reflection(Input.Reflection)
 	, Tables(FindConstantTables(Input.Module))
+	, Turns(Input.Module)
 	, Findings(std::move(InFindings))
 	, bGroups(FindGroupUse(Input.Module).bGroups)
 {
@@ -55,16 +56,20 @@ void FSpirvEmitter::Line(const std::string& Text)
 	Out += '\n';
 }
 
+std::string FSpirvEmitter::Quotable(std::string File)
+{
+	std::erase_if(File, [](char Character)
+		{ return Character == '"' || Character == '\\' || static_cast<unsigned char>(Character) < ' '; });
+	return File;
+}
+
 void FSpirvEmitter::SourceLine(const FSpirvInstruction& I)
 {
 	if (I.Line && (I.File != LastFile || I.Line != LastLine))
 	{
 		LastFile = I.File;
 		LastLine = I.Line;
-		std::string File = Module.Files[I.File];
-		std::erase_if(File, [](char Character)
-			{ return Character == '"' || Character == '\\' || static_cast<unsigned char>(Character) < ' '; });
-		Body += "#line " + std::to_string(I.Line) + " \"" + File + "\"\n";
+		Body += "#line " + std::to_string(I.Line) + " \"" + Quotable(Module.Files[I.File]) + "\"\n";
 	}
 }
 
@@ -312,7 +317,7 @@ std::string FSpirvEmitter::EmitRun()
 		Declared += "\t" + D.Type + " " + D.Name + (D.Size ? "[" + std::to_string(D.Size) + "]" : std::string()) +
 					D.Initial + ";\n";
 	}
-	return Handles + TileText +
+	return "\tconst uint32_t LoopTurns = GetLoopTurns(Args);\n\t(void)LoopTurns;\n" + Handles + TileText +
 		   "\tfor (int32_t Z = Tile.MinZ; Z < Tile.MaxZ; ++Z)\n"
 		   "\tfor (int32_t Y = Tile.MinY; Y < Tile.MaxY; ++Y)\n\t{\n" +
 		   RowText +

@@ -20,6 +20,7 @@
 #include "SpirvDependence.h"
 #include "SpirvEmit.h"
 #include "SpirvPlace.h"
+#include "SpirvTurns.h"
 
 #include <set>
 
@@ -80,6 +81,9 @@ private:
 	void EmitIf(const FStructNode& Node);
 	void EmitSwitch(const FStructNode& Node);
 	void EmitLoop(const FStructNode& Node);
+	/** Counts a turn of the loop, and says which loop it is where it took too many. bPacks: in a loop over packs. */
+	void EmitTurn(const FStructNode& Node, bool bPacks);
+	bool IsCounted(const FStructNode& Loop) const { return !Turns.Find(Loop.Label); }
 	void EmitEdge(const FStructNode& Node);
 	void EmitPhiCopies(uint32_t From, uint32_t To, EPhiCopies Which = EPhiCopies::All);
 	bool Escapes(const FStructNode& Node) const;
@@ -184,6 +188,8 @@ private:
 	bool IsMovable(const FSpirvInstruction& I) const;
 	void Line(const std::string& Text);
 	void SourceLine(const FSpirvInstruction& I);
+	/** Without what cannot stand in a string of C++. */
+	static std::string Quotable(std::string File);
 
 	/** A C++ variable around the code of a pack. Initial: with its braces or equals sign. */
 	struct FDeclaration
@@ -221,6 +227,7 @@ private:
 	const FSpirvDependence& Dependence;
 	const FSpirvReflection& Reflection;
 	const std::map<uint32_t, uint32_t> Tables;
+	const FSpirvTurns Turns;
 	FFindings Findings;
 
 	std::string Body;

@@ -1,6 +1,8 @@
 // Gives every id of a module its words.
 #include "SpirvProgram.h"
 
+#include "SpirvTurns.h"
+
 #include <algorithm>
 
 namespace Drydock
@@ -102,9 +104,11 @@ FSpirvProgram::FSpirvProgram(const FSpirvModule& InModule)
 			}
 		}
 	}
+	const FSpirvTurns Turns(Module);
 	for (const FSpirvBlock& Block : Module.Blocks)
 	{
 		AddBlock(Block);
+		Blocks.back().bCounted = Block.IsLoopHeader() && !Turns.Find(Block.Label);
 	}
 	FindVariableNames();
 }

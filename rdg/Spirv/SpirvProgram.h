@@ -42,6 +42,7 @@ struct FSpirvProgramBlock
 	uint32_t FirstStep = 0;
 	uint32_t NumSteps = 0; // the last one is the terminator
 	std::vector<FSpirvEdge> Edges;
+	bool bCounted = false; // the header of a loop that its text does not bound
 };
 
 struct FSpirvProgramFunction

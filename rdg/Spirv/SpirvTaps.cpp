@@ -1,6 +1,7 @@
 // Counts texture samples statically: the "taps" of a pass where its control flow does not depend on the pixel.
 #include "SpirvImageOperands.h"
 #include "SpirvReflect.h"
+#include "SpirvTurns.h"
 
 #include <algorithm>
 #include <initializer_list>
@@ -16,7 +17,6 @@ namespace
 using namespace Spirv;
 
 constexpr int32_t Unknown = -1;
-constexpr int64_t MaxTrips = 1 << 20;
 constexpr int64_t MaxSamples = 1 << 30;
 
 int32_t Add(int32_t A, int32_t B)
@@ -33,76 +33,14 @@ bool LeavesEarly(const FStructRegion& Region, std::initializer_list<uint32_t> In
 			   { return std::find(Inside.begin(), Inside.end(), Jump.To) == Inside.end(); });
 }
 
-/** How often `for (i = Start; i OP End; i += Step)` runs; nothing when that is never decided by the condition. */
-std::optional<int64_t> CountTrips(uint16_t Op, int64_t Start, int64_t End, int64_t Step)
-{
-	// Towards a bound that is not reached itself, in steps upwards.
-	int64_t Distance = 0;
-	int64_t Upwards = Step;
-	switch (Op)
-	{
-	case OpSLessThan:
-	case OpULessThan:
-		Distance = End - Start;
-		break;
-	case OpSLessThanEqual:
-	case OpULessThanEqual:
-		Distance = End - Start + 1;
-		break;
-	case OpSGreaterThan:
-	case OpUGreaterThan:
-		Distance = Start - End;
-		Upwards = -Step;
-		break;
-	case OpSGreaterThanEqual:
-	case OpUGreaterThanEqual:
-		Distance = Start - End + 1;
-		Upwards = -Step;
-		break;
-	case OpINotEqual:
-		if (Start == End)
-		{
-			return 0;
-		}
-		if (Step == 0 || (End - Start) % Step != 0)
-		{
-			return {};
-		}
-		Distance = Step > 0 ? End - Start : Start - End;
-		Upwards = Step > 0 ? Step : -Step;
-		if (Distance < 0)
-		{
-			return {};
-		}
-		break;
-	default:
-		return {};
-	}
-	if (Distance <= 0)
-	{
-		return 0;
-	}
-	const int64_t Trips = Upwards > 0 ? (Distance + Upwards - 1) / Upwards : MaxTrips + 1;
-	return Trips <= MaxTrips ? std::optional<int64_t>(Trips) : std::nullopt;
-}
-
 /** Each region is counted once, whoever asks how often. */
 class FCounter
 {
 public:
 	explicit FCounter(const FSpirvModule& InModule)
 		: Module(InModule)
+		, Turns(InModule)
 	{
-		for (const FSpirvBlock& Block : Module.Blocks)
-		{
-			for (const FSpirvInstruction& I : Block.Instructions)
-			{
-				if (I.Result)
-				{
-					Definitions[I.Result] = &I;
-				}
-			}
-		}
 	}
 
 	int32_t Count(const FStructRegion& Region)
@@ -139,62 +77,11 @@ private:
 		return std::any_of(Instructions.begin(), Instructions.end(),
 			[](const FSpirvInstruction& I) { return I.Op == OpFunctionCall; });
 	}
-	std::optional<int64_t> GetTrips(const FStructNode& Loop) const;
 
 	const FSpirvModule& Module;
-	std::unordered_map<uint32_t, const FSpirvInstruction*> Definitions;
+	const FSpirvTurns Turns;
 	std::unordered_map<const FStructRegion*, int32_t> Counts;
 };
-
-/** for (i = A; i < B; i += C) with constants, left by its condition only. */
-std::optional<int64_t> FCounter::GetTrips(const FStructNode& Loop) const
-{
-	const FSpirvBlock& Header = Module.GetBlock(Loop.Label);
-	const FSpirvInstruction& Branch = Header.Terminator();
-	if (Branch.Op != OpBranchConditional || Branch.Operands[2] != Loop.Merge)
-	{
-		return {};
-	}
-	const auto Condition = Definitions.find(Branch.Operands[0]);
-	if (Condition == Definitions.end() || Condition->second->Operands.size() != 2)
-	{
-		return {};
-	}
-	const FSpirvInstruction& Test = *Condition->second;
-	const auto Phi = Definitions.find(Test.Operands[0]);
-	const FSpirvConstant* Bound = Module.FindConstant(Test.Operands[1]);
-	if (Phi == Definitions.end() || Phi->second->Op != OpPhi || Phi->second->Operands.size() != 4 || !Bound)
-	{
-		return {};
-	}
-	const FSpirvConstant* Start = nullptr;
-	std::optional<int64_t> Step;
-	for (size_t i = 0; i < 4; i += 2)
-	{
-		const uint32_t Value = Phi->second->Operands[i];
-		const auto Next = Definitions.find(Value);
-		if (Module.FindConstant(Value))
-		{
-			Start = Module.FindConstant(Value);
-		}
-		else if (Next != Definitions.end() && Next->second->Op == OpIAdd && Next->second->Operands[0] == Phi->first &&
-				 Module.FindConstant(Next->second->Operands[1]))
-		{
-			Step = int32_t(Module.GetConstantScalar(Next->second->Operands[1]));
-		}
-	}
-	if (!Start || !Step)
-	{
-		return {};
-	}
-	const bool bSigned = Test.Op == OpSLessThan || Test.Op == OpSLessThanEqual || Test.Op == OpSGreaterThan ||
-						 Test.Op == OpSGreaterThanEqual;
-	const auto Widen = [bSigned](uint32_t Bits)
-	{
-		return bSigned ? int64_t(int32_t(Bits)) : int64_t(Bits);
-	};
-	return CountTrips(Test.Op, Widen(Start->Scalars[0]), Widen(Bound->Scalars[0]), *Step);
-}
 
 int32_t FCounter::CountBlock(uint32_t Label) const
 {
@@ -219,9 +106,9 @@ int32_t FCounter::CountLoop(const FStructNode& Node)
 	{
 		return Unknown;
 	}
-	const std::optional<int64_t> Trips = GetTrips(Node);
+	const std::optional<int64_t> NumTurns = Turns.Find(Node.Label);
 	const int32_t Inside = Add(Count(Body.Nodes[1].Regions[0]), Count(Node.Regions[1]));
-	return !Trips || Inside == Unknown || *Trips * Inside > MaxSamples ? Unknown : int32_t(*Trips) * Inside;
+	return !NumTurns || Inside == Unknown || *NumTurns * Inside > MaxSamples ? Unknown : int32_t(*NumTurns) * Inside;
 }
 
 int32_t FCounter::Count(const FStructNode& Node)

@@ -101,6 +101,7 @@ private:
 	void FillInput(const FSpirvVariable& Variable, FWord* Out) const;
 	void FillAttribute(const FSpirvVariable& Variable, FWord* Out) const;
 	void EnterBlock(uint32_t To, uint32_t FromBlock);
+	void CountTurn(uint32_t To, uint32_t FromBlock);
 	uint32_t ChooseTarget(const FSpirvStep& Step) const;
 	void Execute(const FSpirvStep& Step);
 	void TellRaces(const FSpirvStep& Step, uint32_t Word, uint32_t Size, ESharedAccess Access, const FWord* Values);
@@ -218,7 +219,8 @@ private:
 	uint64_t NumSteps = 0;
 	FWord* Groupshared = nullptr;
 	const FSpirvOrder* Order = nullptr;
-	std::vector<uint32_t> Turns; // of loops, by the block of their header
+	std::vector<uint32_t> Turns;        // of loops, by the block of their header
+	std::vector<uint32_t> CountedTurns; // of loops that may not end, in the same way
 	std::vector<FWord>* Log = nullptr;
 	size_t LogPosition = 0;
 	bool bReplay = false;

@@ -19,6 +19,7 @@ TSpirvThread<Real>::TSpirvThread(const FSpirvProgram& InProgram, FSpirvSlotTable
 	, Program(InProgram)
 	, Table(std::move(InSlots))
 	, Words(InProgram.NumWords)
+	, CountedTurns(InProgram.Blocks.size())
 {
 	for (const auto& [Id, Constant] : Program.Module.Constants)
 	{
@@ -350,6 +351,10 @@ void TSpirvThread<Real>::EnterBlock(uint32_t To, uint32_t FromBlock)
 		const bool bAgain = std::find(Around.begin(), Around.end(), To) != Around.end();
 		Turns[To] = bAgain ? Turns[To] + 1 : 0;
 	}
+	if (Program.Blocks[To].bCounted)
+	{
+		CountTurn(To, FromBlock);
+	}
 	const uint32_t From = Program.Module.Blocks[FromBlock].Label;
 	const std::vector<FSpirvEdge>& Edges = Program.Blocks[To].Edges;
 	if (Edges.empty())
@@ -383,6 +388,19 @@ void TSpirvThread<Real>::EnterBlock(uint32_t To, uint32_t FromBlock)
 			}
 			Next += Edge.Size;
 		}
+	}
+}
+
+/** A block that goes back to a header stands behind it. */
+template<typename Real>
+void TSpirvThread<Real>::CountTurn(uint32_t To, uint32_t FromBlock)
+{
+	CountedTurns[To] = FromBlock >= To ? CountedTurns[To] + 1 : 0;
+	if (Args->Limits && CountedTurns[To] > Args->Limits->LoopTurns)
+	{
+		const FSpirvInstruction& Header = Program.Module.Blocks[To].Terminator();
+		Args->Limits->OnEndlessLoop(Program.Module.Files[Header.File].c_str(), Header.Line, Position[0], Position[1],
+			Position[2]);
 	}
 }
 

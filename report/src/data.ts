@@ -52,7 +52,7 @@ export interface RunPass {
 	shader: string;
 	entry: string;
 	pixels: number;
-	taps: number;
+	taps: number | null; // null: not known
 	bytesRead: number;
 	bytesWritten: number;
 	written?: Record<string, string>; // fingerprints by texture, where they were asked for

@@ -43,7 +43,7 @@ export function makeTime(report: Report, openPass: (index: number) => void): HTM
 			},
 			{ title: "of passes", number: true, cell: (row) => percent(row.ms / timing.executeMs) },
 			{ title: "ns a pixel", number: true, cell: (row) => (counters(row.index).pixels ? number(Number(((row.ms * 1e6) / counters(row.index).pixels).toPrecision(3))) : "") },
-			{ title: "Taps", number: true, cell: (row) => (counters(row.index).taps ? big(counters(row.index).taps) : "") },
+			{ title: "Taps", number: true, cell: (row) => (counters(row.index).taps ? big(counters(row.index).taps!) : "") },
 			{ title: "Moved", number: true, cell: (row) => bytes(counters(row.index).bytesRead + counters(row.index).bytesWritten) },
 			{ title: "GB/s", number: true, cell: (row) => (row.ms ? number(Number(((counters(row.index).bytesRead + counters(row.index).bytesWritten) / row.ms / 1e6).toPrecision(3))) : "") },
 		], rows, (row) => ({ hidden: rows.indexOf(row) >= shown })),

@@ -28,6 +28,7 @@ const std::map<std::string, std::pair<std::string, int>> Mistakes = {
 	{"trace", {"broken.json --pass X --pixel 1,1", 2}},
 	{"prove", {"broken.json", 2}},
 	{"hazards", {"broken.json --pass X", 2}},
+	{"lint", {"no_such.usf", 3}},
 	{"study", {"broken.json", 2}},
 	{"diff", {"no_such.png no_such_either.png", 3}},
 	{"explain", {"broken.json", 2}},

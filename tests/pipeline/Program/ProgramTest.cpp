@@ -134,9 +134,9 @@ TEST_F(DrydockProgram, HelpListsVerbsByTheirGroupsAndPlaces)
 {
 	const std::string Help = Call("--help").Out;
 	size_t Last = 0;
-	for (const char* Verb :
-		{"Run:", "run", "check", "import", "warm", "blend", "graph", "probe", "trace", "explain", "prove", "hazards",
-			"study", "diff", "sheet", "list", "settings", "new", "build", "matrix", "completion", "man", "schema"})
+	for (const char* Verb : {"Run:", "run", "check", "import", "warm", "blend", "graph", "probe", "trace", "explain",
+			 "prove", "hazards", "lint", "study", "diff", "sheet", "list", "settings", "new", "build", "matrix",
+			 "completion", "man", "schema"})
 	{
 		const bool bHeading = std::string(Verb).back() == ':';
 		const size_t Place = Help.find(bHeading ? "\n" + std::string(Verb) + "\n" : "\n  " + std::string(Verb) + " ");

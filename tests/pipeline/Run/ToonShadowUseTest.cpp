@@ -312,7 +312,7 @@ TEST(ToonShadowUse, PageHasTheCostOfTheSample)
 		if (Result.Graph.Passes[static_cast<size_t>(Pass.Index)].Name.rfind("ToonShadow", 0) == 0)
 		{
 			++NumPasses;
-			Taps += static_cast<double>(Pass.Counters.Taps);
+			Taps += static_cast<double>(Pass.Taps.value());
 			Bytes += static_cast<double>(Pass.Counters.BytesRead + Pass.Counters.BytesWritten);
 		}
 	}

@@ -167,7 +167,7 @@ TEST_F(Dispatch, CountersCountViewsBoundForReading)
 	EXPECT_EQ(0u, RHICmdList.GetCounters().BytesRead);
 }
 
-TEST_F(Dispatch, UnknownTapCountsAreMeasuredOnDemand)
+TEST_F(Dispatch, WhatTheTextDoesNotSayIsMeasured)
 {
 	FBoundShader Shader = Bind(Increment);
 	FShaderReflection Reflection = Shader.GetReflection();
@@ -175,8 +175,34 @@ TEST_F(Dispatch, UnknownTapCountsAreMeasuredOnDemand)
 	Shader.Reflection = std::make_shared<const FShaderReflection>(Reflection);
 	RHICmdList.SetBoundComputeShader(std::move(Shader));
 	RHICmdList.DispatchComputeShader(1, 1, 1);
-	EXPECT_EQ(0u, RHICmdList.GetCounters().Taps);
-	RHICmdList.SetMeasureTaps(true);
-	RHICmdList.DispatchComputeShader(1, 1, 1);
 	EXPECT_EQ(8u + 1, RHICmdList.GetCounters().Taps);
+	EXPECT_EQ(ETapCount::Measured, RHICmdList.GetCounters().TapCount);
+
+	RHICmdList.SetBoundComputeShader(Bind(Increment)); // 3 in each thread, by its text
+	RHICmdList.DispatchComputeShader(1, 1, 1);
+	EXPECT_EQ(8u + 1 + 3 * 64, RHICmdList.GetCounters().Taps);
+	EXPECT_EQ(ETapCount::Measured, RHICmdList.GetCounters().TapCount);
+}
+
+TEST_F(Dispatch, TapsOfAHandWrittenKernelAreThoseOfTheTextOrUnknown)
+{
+	FBoundShader Shader = Bind(Increment);
+	Shader.Native = [](const FNativeKernelArgs& Args, const FKernelTile&)
+	{
+		EXPECT_EQ(nullptr, Args.GetArgs().Counters);
+	};
+	RHICmdList.SetBoundComputeShader(std::move(Shader));
+	RHICmdList.DispatchComputeShader(1, 1, 1);
+	EXPECT_EQ(3u * 64, RHICmdList.GetCounters().Taps);
+	EXPECT_EQ(ETapCount::Static, RHICmdList.GetCounters().TapCount);
+
+	Shader = Bind(Increment);
+	FShaderReflection Reflection = Shader.GetReflection();
+	Reflection.StaticSamples = -1;
+	Shader.Reflection = std::make_shared<const FShaderReflection>(Reflection);
+	Shader.Native = [](const FNativeKernelArgs&, const FKernelTile&) {
+	};
+	RHICmdList.SetBoundComputeShader(std::move(Shader));
+	RHICmdList.DispatchComputeShader(1, 1, 1);
+	EXPECT_EQ(ETapCount::Unknown, RHICmdList.GetCounters().TapCount);
 }

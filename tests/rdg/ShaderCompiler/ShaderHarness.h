@@ -4,6 +4,7 @@
 
 #include "Diagnostics.h"
 #include "InspectedShader.h"
+#include "KernelLimits.h"
 #include "LanesDispatch.h"
 #include "ShaderCompiler.h"
 #include "ShaderFrontEnd.h"
@@ -270,7 +271,7 @@ private:
 		}
 		Args = {ConstantPointers.data(), TextureViews.data(), RWTextureViews.data(), SamplerViews.data(),
 			BufferViews.data(), RWBufferViews.data(), TargetViews.data(), Interpolants, int32_t(TargetViews.size()),
-			&Counters};
+			&Counters, GetKernelLimits()};
 	}
 
 	std::shared_ptr<const FCompiledShader> Compiled;

@@ -83,3 +83,39 @@ TEST(ShaderMessages, AnEntryThatIsMissingHasANearestName)
 	EXPECT_THAT(Errors, HasSubstr("entry point 'Mian' does not exist in this shader; did you mean Main?"));
 	EXPECT_EQ(Errors.find("error"), Errors.rfind("error")) << Errors;
 }
+
+TEST(ShaderMessages, WhatStaysOutIsOneMessageWithAWayRound)
+{
+	struct FLeftOut
+	{
+		const char* Text;
+		EShaderStage Stage;
+		const char* Message;
+	};
+	const FLeftOut LeftOut[] = {
+		{"RaytracingAccelerationStructure Scene;\nRWTexture2D<float4> Out;\n[numthreads(1, 1, 1)] void Main()\n{\n"
+		 "	RayQuery<0> Query;\n	Query.TraceRayInline(Scene, 0, 255, Ray);\n	Query.Proceed();\n}\n",
+			EShaderStage::Compute,
+			"/Test/Shader.usf:1: error: ray tracing ('RaytracingAccelerationStructure') does not run on the CPU tier; "
+			"march through the depth texture, or read what the G-buffer has [DD6020]\n  1 | "},
+		{"struct V { float4 P : SV_POSITION; };\n[maxvertexcount(3)]\n"
+		 "void Main(triangle V In[3], inout TriangleStream<V> Out)\n{\n	Out.Append(In[0]);\n}\n",
+			EShaderStage::Pixel, "a geometry shader ('maxvertexcount') does not run on the CPU tier; drydock draws"},
+		{"struct V { float4 P : SV_POSITION; };\n"
+		 "float4 Main(InputPatch<V, 3> Patch) : SV_Target0\n{\n	return Patch[0].P;\n}\n",
+			EShaderStage::Pixel, "/Test/Shader.usf:2:13: error: tessellation ('InputPatch') does not run on the CPU tier"},
+		{"RWTexture2D<float4> Out;\n[outputtopology(\"triangle\")] [numthreads(1, 1, 1)] void Main()\n{\n"
+		 "	SetMeshOutputCounts(3, 1);\n}\n",
+			EShaderStage::Compute, "a mesh shader ('outputtopology') does not run on the CPU tier"},
+		{"Texture2DMS<float4> Source;\nfloat4 Main(float4 P : SV_POSITION) : SV_Target0\n{\n"
+		 "	return Source.Load(int2(P.xy), 1);\n}\n",
+			EShaderStage::Pixel, "multisampled"},
+	};
+	for (const FLeftOut& Each : LeftOut)
+	{
+		const std::string Errors = ErrorsOf(FShaderHarness(Each.Text, "Main", Each.Stage).Request);
+		EXPECT_THAT(Errors, HasSubstr(Each.Message));
+		EXPECT_THAT(Errors, HasSubstr("/Test/Shader.usf:")) << Each.Text;
+		EXPECT_EQ(Errors.find("error:"), Errors.rfind("error:")) << Errors;
+	}
+}

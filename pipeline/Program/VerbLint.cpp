@@ -1,0 +1,286 @@
+// `drydock lint`: what of shaders fails on platforms that drydock is not.
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "GlobalShader.h"
+#include "Program/ProgramOutput.h"
+#include "Program/VerbOptions.h"
+#include "Program/Verbs.h"
+#include "Run/Run.h"
+#include "ShaderCompilation.h"
+#include "ShaderDirectories.h"
+#include "ShaderLint.h"
+#include "SpirvFile.h"
+#include "Text/ConfigErrors.h"
+#include "Text/JsonWriter.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <set>
+
+namespace Drydock
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+struct FLintOptions
+{
+	FRunOptions Run; // for configs
+	std::vector<std::string> Targets;
+	std::vector<std::string> Platforms;
+	std::string Entry; // of shaders that no class names; empty: all
+	bool bList = false;
+	bool bJson = false;
+};
+
+uint8_t GetPlatforms(const FLintOptions& Options)
+{
+	uint8_t Platforms = 0;
+	for (const std::string& Name : Options.Platforms)
+	{
+		const auto Known = std::find(GetLintPlatforms().begin(), GetLintPlatforms().end(), Name);
+		Platforms |= uint8_t(1 << (Known - GetLintPlatforms().begin()));
+	}
+	return Platforms != 0 ? Platforms : uint8_t(0xFF);
+}
+
+/** What was found, each once: permutations of one shader find the same. */
+struct FFound
+{
+	std::set<FLintFinding> Findings;
+	size_t NumShaders = 0;
+	uint8_t Platforms = 0;
+
+	void Look(const FShaderCompileRequest& Request)
+	{
+		++NumShaders;
+		const std::vector<FLintFinding> New = LintShader(Request, Platforms);
+		Findings.insert(New.begin(), New.end());
+	}
+};
+
+/** The virtual path of a file; where its folder is not mapped, it is, as "/Lint". */
+std::string GetVirtualPath(const std::string& Target)
+{
+	if (!FindShaderFile(Target).empty())
+	{
+		return Target;
+	}
+	std::error_code Error;
+	const fs::path File = fs::canonical(Target, Error);
+	if (Error || !fs::is_regular_file(File))
+	{
+		throw FError(
+			{.Code = ErrorFileMissing, .Message = "there is no shader file of this name", .File = Target}, ExitFiles);
+	}
+	for (const FShaderDirectory& Directory : GetShaderDirectories())
+	{
+		const fs::path Folder = fs::weakly_canonical(Directory.Real, Error);
+		const std::string Relative = File.lexically_relative(Folder).generic_string();
+		if (!Relative.empty() && !Relative.starts_with(".."))
+		{
+			return Directory.Virtual + "/" + Relative;
+		}
+	}
+	AddShaderDirectory("/Lint", File.parent_path().string());
+	return "/Lint/" + File.filename().string();
+}
+
+/** Every permutation of the classes that name the file; where none does, the entry points that the text declares. */
+void LintFile(const std::string& Target, const FLintOptions& Options, FFound& Found)
+{
+	MakeShaderCompileRequest("", "", EShaderStage::Compute); // maps the shipped shaders
+	const std::string Path = GetVirtualPath(Target);
+	bool bNamed = false;
+	ForEachShaderType(
+		[&](const FShaderType& Type)
+		{
+			if (Type.GetShaderFilename() != Path || (!Options.Entry.empty() && Type.GetFunctionName() != Options.Entry))
+			{
+				return;
+			}
+			bNamed = true;
+			for (int32 Id = 0; Id < Type.GetPermutationCount(); ++Id)
+			{
+				if (Type.ShouldCompilePermutation(Id))
+				{
+					const FShaderRef Shader(Type.FindOrCreateShader(Id));
+					Found.Look(MakeShaderCompileRequest(Shader, Shader.GetRootParametersMetadata()));
+				}
+			}
+		});
+	if (bNamed)
+	{
+		return;
+	}
+	const std::vector<FShaderEntry> Entries =
+		FindShaderEntries(MakeShaderCompileRequest(Path, Options.Entry, EShaderStage::Compute));
+	size_t NumLooked = 0;
+	for (const FShaderEntry& Entry : Entries)
+	{
+		if (Options.Entry.empty() || Entry.Name == Options.Entry)
+		{
+			Found.Look(MakeShaderCompileRequest(Path, Entry.Name, Entry.Stage));
+			++NumLooked;
+		}
+	}
+	if (NumLooked == 0)
+	{
+		throw FError({.Code = 6011,
+						 .Message = "no shader class names this file, and it has no entry point" +
+									(Options.Entry.empty() ? std::string() : " '" + Options.Entry + "'") +
+									": a function with [numthreads], or one that writes SV_Target",
+						 .File = Target},
+			ExitUsage);
+	}
+}
+
+/** Whatever the config's frame compiles, its plugins' shaders too. */
+void LintConfig(const std::string& Target, const FLintOptions& Options, FFound& Found)
+{
+	FRunOptions Run = Options.Run;
+	Run.ConfigFile = Target;
+	const FScopedCompileListener Listener([&Found](const FShaderCompileRequest& Request) { Found.Look(Request); });
+	PrintDiagnostics(CheckRun(Run).Diagnostics);
+}
+
+void WriteRule(FJsonWriter& Writer, const FLintRule& Rule)
+{
+	Writer.Member("rule", Rule.Id);
+	Writer.Member("severity", Rule.Severity == ESeverity::Error ? "error" : "warning");
+	Writer.Key("platforms").BeginArray(true);
+	for (size_t i = 0; i < GetLintPlatforms().size(); ++i)
+	{
+		if (Rule.Platforms >> i & 1)
+		{
+			Writer.Value(GetLintPlatforms()[i]);
+		}
+	}
+	Writer.EndArray();
+	Writer.Member("message", Rule.Sentence);
+	Writer.Member("wayRound", Rule.WayRound);
+	Writer.Member("source", Rule.Source);
+}
+
+std::string MakeListText()
+{
+	std::string Text;
+	for (const FLintRule& Rule : GetLintRules())
+	{
+		Text += fmt::format("{} [{}] ({})\n  {}; {}\n  {}\n", Rule.Severity == ESeverity::Error ? "error" : "warning",
+			Rule.Id, DescribeLintPlatforms(Rule.Platforms), Rule.Sentence, Rule.WayRound, Rule.Source);
+	}
+	return Text;
+}
+
+std::string MakeListJson()
+{
+	FJsonWriter Writer;
+	Writer.BeginObject();
+	Writer.Key("rules").BeginArray();
+	for (const FLintRule& Rule : GetLintRules())
+	{
+		Writer.BeginObject(true);
+		WriteRule(Writer, Rule);
+		Writer.EndObject();
+	}
+	Writer.EndArray();
+	Writer.EndObject();
+	return Writer.GetText();
+}
+
+std::string MakeJson(const FFound& Found)
+{
+	FJsonWriter Writer;
+	Writer.BeginObject();
+	Writer.Key("findings").BeginArray();
+	for (const FLintFinding& Finding : Found.Findings)
+	{
+		Writer.BeginObject(true);
+		Writer.Member("file", Finding.File);
+		Writer.Member("line", Finding.Line);
+		Writer.Member("what", Finding.What);
+		WriteRule(Writer, *Finding.Rule);
+		Writer.EndObject();
+	}
+	Writer.EndArray();
+	Writer.Member("shaders", static_cast<uint64_t>(Found.NumShaders));
+	Writer.EndObject();
+	return Writer.GetText();
+}
+
+std::string MakeText(const FFound& Found)
+{
+	std::string Text;
+	for (const FLintFinding& Finding : Found.Findings)
+	{
+		const FLintRule& Rule = *Finding.Rule;
+		Text += fmt::format("{}{}: {}: {}{}: {} ({}) [{}]\n", Finding.File,
+			Finding.Line > 0 ? ":" + std::to_string(Finding.Line) : "",
+			Rule.Severity == ESeverity::Error ? "error" : "warning", Finding.What.empty() ? "" : Finding.What + ": ",
+			Rule.Sentence, Rule.WayRound, DescribeLintPlatforms(uint8_t(Rule.Platforms & Found.Platforms)), Rule.Id);
+	}
+	return Text + fmt::format("{} {} looked at, {} {}\n", Found.NumShaders,
+					  Found.NumShaders == 1 ? "shader" : "shaders", Found.Findings.size(),
+					  Found.Findings.size() == 1 ? "finding" : "findings");
+}
+
+int Lint(const FLintOptions& Options)
+{
+	if (Options.bList)
+	{
+		PrintResult(Options.bJson ? MakeListJson() : MakeListText(), Options.bJson);
+		return ExitDone;
+	}
+	if (Options.Targets.empty())
+	{
+		throw FError({.Code = ErrorBadArgument, .Message = "a shader or a config is missing; --list shows the rules"},
+			ExitUsage);
+	}
+	FFound Found;
+	Found.Platforms = GetPlatforms(Options);
+	for (const std::string& Target : Options.Targets)
+	{
+		fs::path(Target).extension() == ".json" ? LintConfig(Target, Options, Found) : LintFile(Target, Options, Found);
+	}
+	PrintResult(Options.bJson ? MakeJson(Found) : MakeText(Found), Options.bJson);
+	const bool bFails = std::any_of(Found.Findings.begin(), Found.Findings.end(),
+		[](const FLintFinding& Finding) { return Finding.Rule->Severity == ESeverity::Error; });
+	return bFails ? ExitPolicy : ExitDone;
+}
+
+FVerbCall AddOptions(CLI::App& Verb)
+{
+	const auto Options = std::make_shared<FLintOptions>();
+	Verb.add_option("SHADER", Options->Targets,
+		"Files (.usf, .spv), as they lie on disk or by their virtual path; or configs (.json), whose frame's shaders "
+		"are "
+		"looked at, those of plugins too");
+	RequireOneOf(Verb.add_option("--platform", Options->Platforms, "Only what matters there; repeats; all by default")
+					 ->allow_extra_args(false),
+		GetLintPlatforms());
+	Verb.add_option("--entry", Options->Entry, "Only this entry point; all by default")->type_name("NAME");
+	AddTrust(Verb, Options->Run);
+	Verb.add_flag("--list", Options->bList, "Print the rules, each with the document that states it");
+	Verb.add_flag("--json", Options->bJson, "Print JSON");
+	return [Options]
+	{
+		return Lint(*Options);
+	};
+}
+
+const FVerbRegistration GRegistration({
+	.Name = "lint",
+	.Place = 47,
+	.Group = EVerbGroup::Measure,
+	.Doc = "Name what of shaders fails on D3D11, SM6, Vulkan, Metal or mobile",
+	.AddOptions = AddOptions,
+});
+
+} // namespace
+
+} // namespace Drydock

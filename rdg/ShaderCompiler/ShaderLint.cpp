@@ -1,0 +1,420 @@
+// Looks at a module, and at the functions that its entry point calls.
+#include "ShaderLint.h"
+
+#include "HlslTokens.h"
+#include "ShaderFrontEnd.h"
+#include "ShaderSource.h"
+#include "SpirvReflect.h"
+#include "SpirvUniformity.h"
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <set>
+
+namespace Drydock
+{
+
+namespace
+{
+
+using namespace Spirv;
+
+/** A function of the text: its name, and the tokens of its body. */
+struct FFunctionText
+{
+	size_t Name = 0;
+	size_t Parameters = 0; // of its parameters' (
+	size_t Body = 0;       // of its {
+};
+
+std::vector<FFunctionText> ListFunctions(const FHlslText& Text)
+{
+	std::vector<FFunctionText> Functions;
+	for (size_t At = 1; At < Text.Size(); ++At)
+	{
+		const bool bHead = Text.IsWord(At) && Text.Is(At + 1, "(") && Text.IsWord(At - 1);
+		size_t Body = bHead ? Text.FindClose(At + 1) + 1 : Text.Size();
+		while (bHead && Body < Text.Size() && !Text.Is(Body, "{") && !Text.Is(Body, ";"))
+		{
+			++Body; // a semantic
+		}
+		if (bHead && Text.Is(Body, "{"))
+		{
+			Functions.push_back({At, At + 1, Body});
+			At = Text.FindClose(Body);
+			continue;
+		}
+		At = std::max(At, Text.FindClose(At));
+	}
+	return Functions;
+}
+
+/** std430 as GLSL has it: where the scalars of a type lie. */
+struct FStd430
+{
+	uint32_t Size = 0;
+	uint32_t Alignment = 4;
+};
+
+uint32_t RoundUp(uint32_t Value, uint32_t Multiple)
+{
+	return (Value + Multiple - 1) / Multiple * Multiple;
+}
+
+class FLinter
+{
+public:
+	FLinter(const FShaderCompileRequest& InRequest, uint8_t InPlatforms)
+		: Request(InRequest)
+		, Platforms(InPlatforms)
+	{
+	}
+
+	std::vector<FLintFinding> Finish()
+	{
+		std::sort(Findings.begin(), Findings.end());
+		Findings.erase(std::unique(Findings.begin(), Findings.end()), Findings.end());
+		return std::move(Findings);
+	}
+
+	void LookAtText(const std::string& Source);
+	/** What can be read of any module, of one too that drydock does not run. */
+	void LookAtWords(const std::vector<uint32_t>& Words);
+	void LookAtModule(const FSpirvModule& Module, const std::string& Source);
+
+private:
+	void Add(const char* Id, const std::string& File, int Line, const std::string& What)
+	{
+		const std::vector<FLintRule>& Rules = GetLintRules();
+		const auto Rule = std::find_if(
+			Rules.begin(), Rules.end(), [Id](const FLintRule& Each) { return std::strcmp(Each.Id, Id) == 0; });
+		if (Rule->Platforms & Platforms)
+		{
+			Findings.push_back({&*Rule, File.empty() ? Request.VirtualPath : File, Line, What});
+		}
+	}
+	void AddAt(const char* Id, const FSpirvModule& Module, const FSpirvInstruction& I, const std::string& What)
+	{
+		Add(Id, Module.Files[I.File], I.Line, What);
+	}
+	/** Where: "/Project/X.usf:9", or empty. */
+	void AddWhere(const char* Id, const std::string& Where, const std::string& What)
+	{
+		const size_t Colon = Where.rfind(':');
+		Add(Id, Where.substr(0, Colon), Colon == std::string::npos ? 0 : std::atoi(Where.c_str() + Colon + 1), What);
+	}
+	void LookAtInstruction(const FSpirvModule& Module, const FSpirvUniformity& Uniformity, const FSpirvBlock& Block,
+		const FSpirvInstruction& I);
+	void LookAtGroup(uint32_t X, uint32_t Y, uint32_t Z);
+	void LookAtResources(const FShaderReflection& Reflection);
+	void LookAtLayout(const FSpirvModule& Module, const FShaderReflection& Reflection);
+
+	const FShaderCompileRequest& Request;
+	const uint8_t Platforms;
+	std::vector<FLintFinding> Findings;
+	std::set<std::pair<std::string, int>> PartialStores; // whose reads are drydock's own
+};
+
+void FLinter::LookAtText(const std::string& Source)
+{
+	const FHlslText Text(Source, Request.VirtualPath);
+	std::multimap<std::string, FFunctionText> Functions;
+	for (const FFunctionText& Function : ListFunctions(Text))
+	{
+		Functions.emplace(Text[Function.Name].Text, Function);
+	}
+	static const std::set<std::string> Derivatives = {
+		"ddx", "ddy", "ddx_coarse", "ddy_coarse", "ddx_fine", "ddy_fine", "fwidth"};
+	static const std::set<std::string> Samples = {"Sample", "SampleBias", "SampleCmp", "CalculateLevelOfDetail"};
+	std::vector<std::string> Open = {Request.EntryPoint};
+	std::set<std::string> Seen = {Request.EntryPoint};
+	while (!Open.empty())
+	{
+		const auto [First, Last] = Functions.equal_range(Open.back());
+		Open.pop_back();
+		for (auto Each = First; Each != Last; ++Each)
+		{
+			for (size_t At = Each->second.Body; At < Text.FindClose(Each->second.Body); ++At)
+			{
+				const std::string& Word = Text[At].Text;
+				if (!Text.IsWord(At))
+				{
+					continue;
+				}
+				if (Functions.count(Word) && Seen.insert(Word).second)
+				{
+					Open.push_back(Word);
+				}
+				const std::string& File = Text.Files[Text[At].File];
+				const int Line = Text[At].Line;
+				const bool bMember = Text.Is(At - 1, ".");
+				if (Word == "DrydockAt" && PartialStores.insert({File, Line}).second)
+				{
+					Add("partial-uav-store", File, Line, "");
+				}
+				if (Request.Stage == EShaderStage::Compute && Text.Is(At + 1, "(") &&
+					(bMember ? Samples.count(Word) : Derivatives.count(Word) && !Functions.count(Word)))
+				{
+					Add("derivative-compute", File, Line, Word);
+				}
+			}
+		}
+	}
+}
+
+void FLinter::LookAtWords(const std::vector<uint32_t>& Words)
+{
+	constexpr uint32_t Int64 = 11;
+	constexpr uint32_t Int64Atomics = 12;
+	constexpr uint32_t LocalSize = 17;
+	constexpr size_t HeaderWords = 5;
+	for (size_t At = HeaderWords; At < Words.size();)
+	{
+		const uint32_t Op = Words[At] & 0xFFFF;
+		const size_t Size = std::max(1u, Words[At] >> 16);
+		if (Op == OpCapability && At + 1 < Words.size() && (Words[At + 1] == Int64 || Words[At + 1] == Int64Atomics))
+		{
+			Add(Words[At + 1] == Int64 ? "int64" : "atomics-64", {}, 0, "");
+		}
+		else if (Op == OpExecutionMode && At + 5 < Words.size() && Words[At + 2] == LocalSize)
+		{
+			LookAtGroup(Words[At + 3], Words[At + 4], Words[At + 5]);
+		}
+		At += Size;
+	}
+}
+
+void FLinter::LookAtGroup(uint32_t X, uint32_t Y, uint32_t Z)
+{
+	const uint64_t Threads = uint64_t(X) * Y * Z;
+	const std::string What = std::to_string(X) + " x " + std::to_string(Y) + " x " + std::to_string(Z) + " threads";
+	if (Threads > 1024 || Z > 64)
+	{
+		Add("threads-1024", {}, 0, What);
+	}
+	else if (Threads > 512)
+	{
+		Add("threads-512", {}, 0, What);
+	}
+}
+
+void FLinter::LookAtInstruction(const FSpirvModule& Module, const FSpirvUniformity& Uniformity,
+	const FSpirvBlock& Block, const FSpirvInstruction& I)
+{
+	constexpr uint32_t SinglePrecisionFormats[] = {3, 24, 33}; // R32f, R32i, R32ui
+	const bool bPixel = Request.Stage == EShaderStage::Pixel;
+	if (IsSpirvWave(I.Op))
+	{
+		AddAt("wave-operations", Module, I, "");
+	}
+	else if (I.Op == OpImageTexelPointer)
+	{
+		AddAt("atomics-texture", Module, I, "");
+	}
+	else if (I.Op == OpArrayLength)
+	{
+		AddAt("buffer-length", Module, I, "");
+	}
+	else if (I.Op == OpImageRead)
+	{
+		const FSpirvType& Image = Module.GetValueType(I.Operands.at(0));
+		const bool bSingle = std::find(std::begin(SinglePrecisionFormats), std::end(SinglePrecisionFormats),
+								 Image.Format) != std::end(SinglePrecisionFormats);
+		const bool bOwn = PartialStores.count({Module.Files[I.File], I.Line}) != 0;
+		if (Image.bStorageImage && !bSingle && !bOwn)
+		{
+			AddAt("typed-uav-load", Module, I, "");
+		}
+	}
+	else if (bPixel && (I.Op == OpImageSampleImplicitLod || (I.Op >= OpDPdx && I.Op <= OpFwidthCoarse)) &&
+			 Uniformity.IsDivergentBlock(Block.Label))
+	{
+		AddAt("derivative-divergent", Module, I, "");
+	}
+}
+
+void FLinter::LookAtResources(const FShaderReflection& Reflection)
+{
+	const auto Count = [this](const char* Id, const std::vector<FShaderResource>& A,
+						   const std::vector<FShaderResource>& B, size_t Most, const char* Things)
+	{
+		const size_t Num = A.size() + B.size();
+		if (Num > Most)
+		{
+			AddWhere(Id, (Most < A.size() ? A[Most] : B[Most - A.size()]).Where, std::to_string(Num) + " " + Things);
+		}
+	};
+	Count("sampler-count", Reflection.Samplers, {}, 16, "samplers");
+	Count("uav-count", Reflection.RWTextures, Reflection.RWBuffers, 8, "UAVs");
+	Count("texture-count", Reflection.Textures, Reflection.RWTextures, 31, "textures");
+	for (const FShaderConstantBuffer& Buffer : Reflection.ConstantBuffers)
+	{
+		if (Buffer.Size > 4096 * 16)
+		{
+			Add("constant-buffer-size", {}, 0, Buffer.Name + " has " + std::to_string(Buffer.Size) + " bytes");
+		}
+	}
+	for (const auto* Buffers : {&Reflection.Buffers, &Reflection.RWBuffers})
+	{
+		for (const FShaderResource& Buffer : *Buffers)
+		{
+			if (Buffer.Dimension == EShaderDimension::StructuredBuffer && Buffer.Stride > 2048)
+			{
+				AddWhere("structure-stride", Buffer.Where,
+					Buffer.Name + " has elements of " + std::to_string(Buffer.Stride) + " bytes");
+			}
+		}
+	}
+	if (Reflection.Stage == EShaderStage::Pixel && Reflection.NumTargets > 4)
+	{
+		Add("render-targets", {}, 0, std::to_string(Reflection.NumTargets) + " targets");
+	}
+}
+
+/** Whether a type lies by std430 as its decorations say it lies in Direct3D; Out: its size and alignment there. */
+bool LiesAlike(const FSpirvModule& Module, uint32_t TypeId, FStd430& Out)
+{
+	const FSpirvType& Type = Module.GetType(TypeId);
+	bool bAlike = true;
+	switch (Type.Kind)
+	{
+	case ESpirvType::Vector:
+		Out = {Type.Count * 4, Type.Count == 2 ? 8u : 16u};
+		return true;
+	case ESpirvType::Matrix:
+		return LiesAlike(Module, Type.Element, Out); // strides of matrices are asked for by who writes them
+	case ESpirvType::Array:
+	{
+		FStd430 Element;
+		bAlike = LiesAlike(Module, Type.Element, Element);
+		const uint32_t Stride = RoundUp(Element.Size, Element.Alignment);
+		Out = {Stride * Type.Count, Element.Alignment};
+		return bAlike && (Type.ArrayStride == 0 || Type.ArrayStride == Stride);
+	}
+	case ESpirvType::Struct:
+		Out = {0, 4};
+		for (const FSpirvMember& Member : Type.Members)
+		{
+			FStd430 Inner;
+			bAlike = LiesAlike(Module, Member.Type, Inner) && bAlike;
+			const uint32_t Offset = RoundUp(Out.Size, Inner.Alignment);
+			bAlike = bAlike && Offset == Member.Offset;
+			Out = {Offset + Inner.Size, std::max(Out.Alignment, Inner.Alignment)};
+		}
+		Out.Size = RoundUp(Out.Size, Out.Alignment);
+		return bAlike;
+	default:
+		Out = {4, 4};
+		return true;
+	}
+}
+
+void FLinter::LookAtLayout(const FSpirvModule& Module, const FShaderReflection& Reflection)
+{
+	for (const FSpirvVariable& Variable : Module.Variables)
+	{
+		const FSpirvType& Type = Module.GetType(Variable.Type);
+		if (!Type.bBufferBlock || Type.Members.empty())
+		{
+			continue;
+		}
+		const FSpirvType& Elements = Module.GetType(Type.Members[0].Type);
+		FStd430 Element;
+		const bool bAlike = Elements.Kind != ESpirvType::RuntimeArray ||
+							(LiesAlike(Module, Elements.Element, Element) &&
+								RoundUp(Element.Size, Element.Alignment) == Elements.ArrayStride);
+		for (const auto* Buffers : {&Reflection.Buffers, &Reflection.RWBuffers})
+		{
+			for (const FShaderResource& Buffer : *Buffers)
+			{
+				if (!bAlike && Buffer.Name == Variable.Name && Buffer.Dimension == EShaderDimension::StructuredBuffer)
+				{
+					AddWhere("float3-layout", Buffer.Where,
+						Buffer.Name + ": an element has " + std::to_string(Buffer.Stride) + " bytes in Direct3D, " +
+							std::to_string(RoundUp(Element.Size, Element.Alignment)) + " by std430");
+				}
+			}
+		}
+	}
+}
+
+void FLinter::LookAtModule(const FSpirvModule& Module, const std::string& Source)
+{
+	const FSpirvStructure Structure = BuildSpirvStructure(Module);
+	const FSpirvUniformity Uniformity = AnalyzeUniformity(Module, Structure);
+	uint32_t SharedBytes = 0;
+	for (const FSpirvVariable& Variable : Module.Variables)
+	{
+		SharedBytes += Variable.Storage == StorageWorkgroup ? Module.GetType(Variable.Type).NumScalars * 4 : 0;
+	}
+	if (SharedBytes > 16352)
+	{
+		Add("groupshared-16k", {}, 0, std::to_string(SharedBytes) + " bytes");
+	}
+	for (const FSpirvBlock& Block : Module.Blocks)
+	{
+		for (const FSpirvInstruction& I : Block.Instructions)
+		{
+			LookAtInstruction(Module, Uniformity, Block, I);
+		}
+	}
+	const FShaderReflection Reflection = ReflectSpirv(Module, Structure, Source).Reflection;
+	LookAtResources(Reflection);
+	LookAtLayout(Module, Reflection);
+}
+
+} // namespace
+
+std::vector<FLintFinding> LintSpirv(const std::vector<uint32_t>& Words, const std::string& Text,
+	const FShaderCompileRequest& Request, uint8_t Platforms)
+{
+	FLinter Linter(Request, Platforms);
+	Linter.LookAtText(Text);
+	Linter.LookAtWords(Words);
+	try
+	{
+		Linter.LookAtModule(ReadSpirv(Words), Text);
+	}
+	catch (const FSpirvError&)
+	{
+		// What drydock does not run may run elsewhere: `check` says what it is.
+	}
+	return Linter.Finish();
+}
+
+std::vector<FLintFinding> LintShader(const FShaderCompileRequest& Request, uint8_t Platforms)
+{
+	const FShaderSource Source = FlattenShader(Request);
+	return LintSpirv(CompileToSpirv(Source, Request), Source.Text, Request, Platforms);
+}
+
+std::vector<FShaderEntry> FindShaderEntries(const FShaderCompileRequest& Request)
+{
+	const FHlslText Text(FlattenShader(Request).Text, Request.VirtualPath);
+	std::vector<FShaderEntry> Entries;
+	for (const FFunctionText& Function : ListFunctions(Text))
+	{
+		const size_t Head = Function.Name - 1; // its type, behind the attributes
+		const size_t Opens = Head >= 5 && Text.Is(Head - 1, "]") ? Head - 1 : 0;
+		bool bThreads = false;
+		for (size_t At = Opens; At > 0 && !Text.Is(At, "}") && !Text.Is(At, ";") && !bThreads; --At)
+		{
+			bThreads = Text[At].Text == "numthreads";
+		}
+		bool bTarget = false;
+		for (size_t At = Function.Parameters; At < Function.Body; ++At)
+		{
+			std::string Word = Text[At].Text;
+			std::transform(Word.begin(), Word.end(), Word.begin(), [](unsigned char c) { return std::tolower(c); });
+			bTarget = bTarget || Word.starts_with("sv_target");
+		}
+		if (bThreads || bTarget)
+		{
+			Entries.push_back({Text[Function.Name].Text, bThreads ? EShaderStage::Compute : EShaderStage::Pixel});
+		}
+	}
+	return Entries;
+}
+
+} // namespace Drydock

@@ -1,0 +1,46 @@
+// The portability lint: what of a shader fails on platforms that drydock is not, from its SPIR-V, and from its text
+// where the front end lost it.
+#pragma once
+
+#include "LintRules.h"
+#include "ShaderCompileRequest.h"
+
+#include <tuple>
+
+namespace Drydock
+{
+
+struct FLintFinding
+{
+	const FLintRule* Rule = nullptr;
+	std::string File; // virtual path
+	int Line = 0;     // 0: of the whole shader
+	std::string What; // the thing: "T", "32 x 32 x 1 threads"; may be empty
+
+	bool operator==(const FLintFinding&) const = default;
+	bool operator<(const FLintFinding& Other) const
+	{
+		return std::tie(File, Line, Rule->Id, What) < std::tie(Other.File, Other.Line, Other.Rule->Id, Other.What);
+	}
+};
+
+/** Runs the front end. By file, line and rule, each once. Platforms: bits of ELintPlatform that are asked for. Throws
+ * FError as CompileToSpirv does; what drydock cannot run, it still looks at as far as its words can be read. */
+DRYDOCK_API std::vector<FLintFinding> LintShader(const FShaderCompileRequest& Request, uint8_t Platforms);
+
+/** The same of a module's words, and of the flattened text behind them, which may be empty. */
+DRYDOCK_API std::vector<FLintFinding> LintSpirv(const std::vector<uint32_t>& Words, const std::string& Text,
+	const FShaderCompileRequest& Request, uint8_t Platforms);
+
+/** An entry point as the text declares it. */
+struct FShaderEntry
+{
+	std::string Name;
+	EShaderStage Stage = EShaderStage::Compute;
+};
+
+/** Entry points of a file that no shader class names: functions with [numthreads], and those with SV_Target. Request:
+ * its file and defines. */
+DRYDOCK_API std::vector<FShaderEntry> FindShaderEntries(const FShaderCompileRequest& Request);
+
+} // namespace Drydock

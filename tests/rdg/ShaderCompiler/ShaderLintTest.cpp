@@ -1,0 +1,269 @@
+// The portability lint: one planted fault for each rule, with its line, and its neighbour that is none.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "ShaderLint.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+
+namespace
+{
+
+using namespace Drydock;
+
+FShaderCompileRequest MakeRequest(const std::string& Text, EShaderStage Stage = EShaderStage::Compute)
+{
+	FShaderCompileRequest Request;
+	Request.VirtualPath = "/Test/Shader.usf";
+	Request.GeneratedFiles = {{Request.VirtualPath, Text}};
+	Request.EntryPoint = "Main";
+	Request.Stage = Stage;
+	return Request;
+}
+
+/** "rule:line" of each finding. */
+std::vector<std::string> Lint(const FShaderCompileRequest& Request, uint8_t Platforms = 0xFF)
+{
+	std::vector<std::string> Result;
+	for (const FLintFinding& Finding : LintShader(Request, Platforms))
+	{
+		EXPECT_EQ("/Test/Shader.usf", Finding.File);
+		Result.push_back(Finding.Rule->Id + std::string(":") + std::to_string(Finding.Line));
+	}
+	return Result;
+}
+
+std::string Repeat(int Count, const std::string& Text)
+{
+	std::string Result;
+	for (int i = 0; i < Count; ++i)
+	{
+		std::string One = Text;
+		for (size_t At = One.find('#'); At != std::string::npos; At = One.find('#', At))
+		{
+			One.replace(At, 1, std::to_string(i));
+		}
+		Result += One;
+	}
+	return Result;
+}
+
+std::string Compute(const std::string& Declarations, const std::string& Body, const std::string& Threads = "8, 8, 1")
+{
+	return Declarations + "\n[numthreads(" + Threads + ")]\nvoid Main(uint3 Id : SV_DispatchThreadID)\n{\n" + Body +
+		   "\n}\n";
+}
+
+struct FPlanted
+{
+	std::string Rule;
+	int Line;
+	FShaderCompileRequest Faulty;
+	FShaderCompileRequest Clean;
+};
+
+std::vector<FPlanted> GetPlanted()
+{
+	const EShaderStage Pixel = EShaderStage::Pixel;
+	const auto Declare = [](const std::string& Type, int Count)
+	{
+		return Repeat(Count, Type + " T#;");
+	};
+	const auto Targets = [Pixel](int Count)
+	{
+		return MakeRequest("void Main(float4 P : SV_POSITION" + Repeat(Count, ", out float4 C# : SV_Target#") + ")\n{" +
+							   Repeat(Count, " C# = P;") + "\n}\n",
+			Pixel);
+	};
+	const std::string Float4 = "RWTexture2D<float4> Out;";
+	const std::string Uint = "RWStructuredBuffer<uint> Out;";
+	const std::string Sampled = "Texture2D T; SamplerState S; RWTexture2D<float4> Out;";
+	return {
+		{"atomics-texture", 5, MakeRequest(Compute("RWTexture2D<uint> Out;", "	InterlockedAdd(Out[Id.xy], 1);")),
+			MakeRequest(Compute(Uint, "	InterlockedAdd(Out[Id.x], 1);"))},
+		{"buffer-length", 5,
+			MakeRequest(Compute(Uint, "	uint Count, Stride; Out.GetDimensions(Count, Stride); Out[0] = Count;")),
+			MakeRequest(Compute(Uint + " uint Count;", "	Out[0] = Count;"))},
+		{"constant-buffer-size", 0, MakeRequest(Compute(Uint + " float4 V[4097];", "	Out[Id.x] = uint(V[Id.x].x);")),
+			MakeRequest(Compute(Uint + " float4 V[4096];", "	Out[Id.x] = uint(V[Id.x].x);"))},
+		{"derivative-compute", 5, MakeRequest(Compute(Sampled, "	Out[Id.xy] = T.Sample(S, Id.xy / 8.0);")),
+			MakeRequest(Compute(Sampled + "float4 F() { return T.Sample(S, 0); }",
+				"	Out[Id.xy] = T.SampleLevel(S, Id.xy / 8.0, 0);"))},
+		{"derivative-divergent", 4,
+			MakeRequest("Texture2D T; SamplerState S;\nfloat4 Main(float4 P : SV_POSITION) : SV_Target0\n"
+						"{ float4 C = 0; if (P.x > 8)\n	C = T.Sample(S, P.xy); return C; }\n",
+				Pixel),
+			MakeRequest("Texture2D T; SamplerState S; int Use;\nfloat4 Main(float4 P : SV_POSITION) : SV_Target0\n"
+						"{ float4 C = 0; if (Use > 8)\n	C = T.Sample(S, P.xy); return C; }\n",
+				Pixel)},
+		{"float3-layout", 6,
+			MakeRequest(Compute("struct E { float A; float3 B; };\nStructuredBuffer<E> In; RWBuffer<float> Out;",
+				"	Out[Id.x] = In[Id.x].B.z;")),
+			MakeRequest(Compute("struct E { float3 B; float A; };\nStructuredBuffer<E> In; RWBuffer<float> Out;",
+				"	Out[Id.x] = In[Id.x].B.z;"))},
+		{"groupshared-16k", 0,
+			MakeRequest(Compute(Uint + "groupshared uint G[4089];", "	G[Id.x] = Id.y; Out[Id.x] = G[Id.x];")),
+			MakeRequest(Compute(Uint + "groupshared uint G[4088];", "	G[Id.x] = Id.y; Out[Id.x] = G[Id.x];"))},
+		{"partial-uav-store", 5, MakeRequest(Compute(Float4, "	Out[Id.xy].rgb = 1;")),
+			MakeRequest(Compute(Float4 + "void F(uint2 P) { Out[P].x = 1; }", "	Out[Id.xy] = 1;"))},
+		{"render-targets", 0, Targets(5), Targets(4)},
+		{"sampler-count", 0,
+			MakeRequest(Compute(Declare("SamplerState", 17) + "Texture2D P; RWBuffer<float> Out;",
+				Repeat(17, "	Out[#] = P.SampleLevel(T#, 0.5, 0).x;"))),
+			MakeRequest(Compute(Declare("SamplerState", 16) + "Texture2D P; RWBuffer<float> Out;",
+				Repeat(16, "	Out[#] = P.SampleLevel(T#, 0.5, 0).x;")))},
+		{"structure-stride", 5,
+			MakeRequest(Compute("struct E { float4 V[129]; }; StructuredBuffer<E> In; RWBuffer<float> Out;",
+				"	Out[Id.x] = In[Id.x].V[Id.y].z;")),
+			MakeRequest(Compute("struct E { float4 V[128]; }; StructuredBuffer<E> In; RWBuffer<float> Out;",
+				"	Out[Id.x] = In[Id.x].V[Id.y].z;"))},
+		{"texture-count", 0,
+			MakeRequest(Compute(Declare("Texture2D", 31) + "RWTexture2D<float> Out;",
+				"	float V = 0;" + Repeat(31, "V += T#[Id.xy].x;") + "	Out[Id.xy] = V;")),
+			MakeRequest(Compute(Declare("Texture2D", 30) + "RWTexture2D<float> Out;",
+				"	float V = 0;" + Repeat(30, "V += T#[Id.xy].x;") + "	Out[Id.xy] = V;"))},
+		{"threads-1024", 0, MakeRequest(Compute(Uint, "	Out[Id.x] = 1;", "64, 32, 1")),
+			MakeRequest(Compute(Uint, "	Out[Id.x] = 1;", "8, 1, 64"))},
+		{"threads-512", 0, MakeRequest(Compute(Uint, "	Out[Id.x] = 1;", "32, 32, 1")),
+			MakeRequest(Compute(Uint, "	Out[Id.x] = 1;", "32, 16, 1"))},
+		{"typed-uav-load", 5, MakeRequest(Compute(Float4, "	Out[Id.xy] = Out[Id.xy] * 2;")),
+			MakeRequest(Compute("RWTexture2D<float> Out;", "	Out[Id.xy] = Out[Id.xy] * 2;"))},
+		{"uav-count", 0, MakeRequest(Compute(Declare("RWBuffer<float>", 9), Repeat(9, "	T#[Id.x] = 1;"))),
+			MakeRequest(Compute(Declare("RWBuffer<float>", 8), Repeat(8, "	T#[Id.x] = 1;")))},
+		{"wave-operations", 5, MakeRequest(Compute(Uint, "	Out[Id.x] = WaveActiveSum(Id.x);")),
+			MakeRequest(Compute(Uint, "	Out[Id.x] = Id.x;"))},
+	};
+}
+
+/** A module with nothing but a capability. */
+std::vector<std::string> LintCapability(uint32_t Capability)
+{
+	const std::vector<uint32_t> Words = {0x07230203, 0x10000, 0, 1, 0, (2u << 16) | 17, Capability};
+	std::vector<std::string> Result;
+	const FShaderCompileRequest Request = MakeRequest("");
+	for (const FLintFinding& Finding : LintSpirv(Words, "", Request, 0xFF))
+	{
+		Result.push_back(Finding.Rule->Id);
+	}
+	return Result;
+}
+
+} // namespace
+
+TEST(ShaderLint, EachRuleFindsItsPlantedFaultInItsLine)
+{
+	for (const FPlanted& Planted : GetPlanted())
+	{
+		const std::vector<std::string> Found = Lint(Planted.Faulty);
+		const auto OfRule = [&Planted](const std::string& Each)
+		{
+			return Each.starts_with(Planted.Rule + ":");
+		};
+		const auto First = std::find_if(Found.begin(), Found.end(), OfRule);
+		ASSERT_NE(Found.end(), First) << Planted.Rule << ": " << testing::PrintToString(Found);
+		EXPECT_TRUE(Planted.Line == 0 || *First == Planted.Rule + ":" + std::to_string(Planted.Line)) << *First;
+		const std::vector<std::string> Clean = Lint(Planted.Clean);
+		EXPECT_TRUE(std::none_of(Clean.begin(), Clean.end(), OfRule))
+			<< Planted.Rule << ": " << testing::PrintToString(Clean);
+	}
+}
+
+TEST(ShaderLint, CapabilitiesOf64Bits)
+{
+	EXPECT_EQ(std::vector<std::string>({"int64"}), LintCapability(11));
+	EXPECT_EQ(std::vector<std::string>({"atomics-64"}), LintCapability(12));
+	EXPECT_EQ(std::vector<std::string>(), LintCapability(1));
+}
+
+TEST(ShaderLint, EveryRuleIsPlanted)
+{
+	std::set<std::string> Planted = {"int64", "atomics-64"};
+	for (const FPlanted& Each : GetPlanted())
+	{
+		Planted.insert(Each.Rule);
+	}
+	std::set<std::string> Rules;
+	for (const FLintRule& Rule : GetLintRules())
+	{
+		EXPECT_TRUE(Rules.empty() || *Rules.rbegin() < Rule.Id) << Rule.Id << " is not in the order of the ids";
+		EXPECT_TRUE(std::string(Rule.Source).starts_with("https://")) << Rule.Id;
+		EXPECT_NE(0, Rule.Platforms) << Rule.Id;
+		Rules.insert(Rule.Id);
+	}
+	EXPECT_EQ(Rules, Planted);
+}
+
+TEST(ShaderLint, OnlyWhatMattersOnThePlatform)
+{
+	const FShaderCompileRequest Request =
+		MakeRequest(Compute("RWStructuredBuffer<uint> Out;", "	Out[Id.x] = WaveActiveSum(Id.x);"));
+	EXPECT_EQ(std::vector<std::string>({"wave-operations:5"}), Lint(Request, LintD3D11));
+	EXPECT_EQ(std::vector<std::string>(), Lint(Request, LintSM6 | LintVulkan | LintMetal | LintMobile));
+}
+
+TEST(ShaderLint, APartialStoreIsNoReadOfTheAuthors)
+{
+	const FShaderCompileRequest Request = MakeRequest(Compute("RWTexture2D<float4> Out;", "	Out[Id.xy].x = 1;"));
+	EXPECT_EQ(std::vector<std::string>({"partial-uav-store:5"}), Lint(Request));
+}
+
+TEST(ShaderLint, EntriesAreFoundInTheText)
+{
+	const std::vector<FShaderEntry> Entries = FindShaderEntries(
+		MakeRequest("float4 Helper() { return 1; }\n[numthreads(8, 8, 1)]\nvoid FirstCS(uint3 Id : SV_DispatchThreadID)"
+					"\n{\n}\nfloat4 SecondPS(float4 P : SV_POSITION) : SV_Target0 { return Helper(); }\n"
+					"void ThirdPS(out float4 C : SV_TARGET1) { C = 0; }\n"));
+	ASSERT_EQ(3u, Entries.size());
+	EXPECT_EQ("FirstCS", Entries[0].Name);
+	EXPECT_EQ(EShaderStage::Compute, Entries[0].Stage);
+	EXPECT_EQ("SecondPS", Entries[1].Name);
+	EXPECT_EQ(EShaderStage::Pixel, Entries[1].Stage);
+	EXPECT_EQ("ThirdPS", Entries[2].Name);
+}
+
+/** docs/lint.md is made of the table: DRYDOCK_BLESS=1 writes it anew. */
+TEST(ShaderLint, DocIsMadeOfTheTable)
+{
+	std::string Page = R"(# The portability lint
+
+`drydock lint SHADER...` names what of a shader does not compile or run elsewhere: on Direct3D 11, with shader model 6, on
+Vulkan, Metal or phones. What it looks at is the SPIR-V that drydock runs, with the text where the front end lost something.
+
+```sh
+drydock lint /MyPlugin/Private/Tint.usf --platform d3d11    # every permutation of the classes that name the file
+drydock lint MyPlugin/Shaders/Private/Tint.usf --entry MainCS
+drydock lint configs/toon_bloom.json --json                 # the shaders of a frame, those of its plugins too
+drydock lint --list                                         # the rules
+```
+
+`FILE:LINE: error: WHAT: SENTENCE: WAY ROUND (PLATFORMS) [RULE]`; the exit code is 1 where an error was found. An error does
+not compile or run there, a warning is so on some of it, or not as it was meant. Limits of drydock's own are no findings:
+`check` names them. Permutations find the same once. A file that no shader class names is looked at by its entry points:
+functions with `[numthreads]`, and those that write `SV_Target`.
+
+The table is that of `rdg/ShaderCompiler/LintRules.cpp`; `DRYDOCK_BLESS=1 build/release/bin/test_rdg_ShaderCompiler
+--gtest_filter='ShaderLint.Doc*'` writes the page anew. Each rule is stated by the document that its name leads to.
+
+| rule | | platforms | what | way round |
+|---|---|---|---|---|
+)";
+	for (const FLintRule& Rule : GetLintRules())
+	{
+		Page += std::string("| [`") + Rule.Id + "`](" + Rule.Source + ") | " +
+				(Rule.Severity == ESeverity::Error ? "error" : "warning") + " | " +
+				DescribeLintPlatforms(Rule.Platforms) + " | " + Rule.Sentence + " | " + Rule.WayRound + " |\n";
+	}
+	const std::string File = DRYDOCK_TEST_SOURCE_DIR "/docs/lint.md";
+	if (std::getenv("DRYDOCK_BLESS"))
+	{
+		std::ofstream(File) << Page;
+	}
+	std::ostringstream Text;
+	Text << std::ifstream(File).rdbuf();
+	EXPECT_EQ(Page, Text.str());
+}
