@@ -1,11 +1,12 @@
 // Box means along rows or columns by sums that do not grow with the radius: prefix sums in registers along a row,
 // running sums down columns.
 //
-// Contract. Sums are in double and rounded once to the mean, so a mean is the shader's, which adds floats one by one,
-// to within (2 Radius + 4) half units in the last place of the largest partial sum. Sums of values of at most 16 bits a
-// channel are exact: the same bits for every lane width, tiling and thread count. Those of 32-bit floats begin anew
-// every 16 rows and 256 columns, where tiles begin however many there are, and have the same bits too. No standard
-// header is included: the kernel's files are built for instruction sets that the linker must not mix up.
+// Contract. Sums are in double or, of bytes and of half floats from 0 to 1, in integers; they are rounded to float,
+// then multiplied. So a mean is the shader's, which adds floats one by one, to within (2 Radius + 8) half units in the
+// last place of the largest partial sum. Sums of values of at most 16 bits a channel are exact: the same bits for every
+// lane width, tiling and thread count. Those of 32-bit floats begin anew every 16 rows and 256 columns, where tiles
+// begin however many there are, and have the same bits too. No standard header is included: the kernel's files are
+// built for instruction sets that the linker must not mix up.
 #pragma once
 
 #include "ShaderKernel.h"
@@ -13,8 +14,9 @@
 namespace Drydock
 {
 
-/** Tiles begin and end at multiples of these rows, however tall they are (RHICommandList.cpp). */
+/** Tiles begin and end at multiples of these rows and columns, however large they are (RHICommandList.cpp). */
 constexpr int32_t GRowsOfBoxGroup = 16;
+constexpr int32_t GColumnsOfBoxGroup = 256;
 
 /** (the sum of 2 Radius + 1 texels + Fraction * (the next one on either side)) * Scale, to all channels but alpha,
  * which is 1. The rect is in texels, half-open, inside the texture; beyond it lies the edge texel. */

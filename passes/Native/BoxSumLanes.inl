@@ -1,5 +1,5 @@
 // Box means in lanes. Sums stand in packs of eight doubles whatever the lanes, so that all instruction sets add in the
-// same order. Included by BoxSum_*.cpp only.
+// same order, or in integers, where these hold them. Included by BoxSum_*.cpp only.
 #pragma once
 
 #include "Native/BoxSum.h"
@@ -13,6 +13,7 @@ inline namespace DRYDOCK_LANES_SET
 template<int N>
 struct TBoxSum
 {
+	using FInts = TRaw<int32_t, N>;
 	static constexpr int D = 8;
 	using FSums = TRaw<double, D>;
 	using FValues = TRaw<float, D>;
@@ -37,36 +38,74 @@ struct TBoxSum
 #endif
 	}
 
-	/** Texels X to X + Count of a row, of the one channel; true when all are finite. Whole packs are written. */
-	bool Decode(int32_t X, int32_t Y, int32_t Count, float* Out) const
+	/** What of a strip lies in the rect: Count texels from Row on, Before texels after the strip's begin. */
+	struct FRun
+	{
+		const uint8_t* Row;
+		int32_t Before;
+		int32_t Count;
+	};
+
+	/** One texel at least: where all of the strip lies outside, the edge. */
+	FRun FindRun(int32_t X, int32_t Y, int32_t Count) const
 	{
 		const int32_t LastRow = Sum.RectMax[1] - 1;
 		const int32_t Held = Y < Sum.RectMin[1] ? Sum.RectMin[1] : Y > LastRow ? LastRow : Y;
 		const int32_t Next = Held < LastRow ? Held + 1 : Held;
-		const uint8_t* const Row = From.Data + int64_t(Held) * From.RowPitch;
-		const ETexelStorage Storage = Sum.Source->Storage;
-		PrefetchTexels(From, GetTexelStorageInfo(Storage).BytesPerTexel, Next, X, Count);
+		const int32_t Bytes = GetTexelStorageInfo(Sum.Source->Storage).BytesPerTexel;
+		PrefetchTexels(From, Bytes, Next, X, Count);
 		const int32_t End = X + Count;
-		const int32_t RunBegin = X < Sum.RectMin[0] ? Sum.RectMin[0] : X > Sum.RectMax[0] - 1 ? Sum.RectMax[0] - 1 : X;
-		const int32_t RunEnd = End > Sum.RectMax[0] ? Sum.RectMax[0] : End < RunBegin + 1 ? RunBegin + 1 : End;
+		const int32_t Begin = X < Sum.RectMin[0] ? Sum.RectMin[0] : X > Sum.RectMax[0] - 1 ? Sum.RectMax[0] - 1 : X;
+		const int32_t RunEnd = End > Sum.RectMax[0] ? Sum.RectMax[0] : End < Begin + 1 ? Begin + 1 : End;
 		// Decoded at the strip's begin and moved, where the strip begins outside.
-		const int32_t Before = RunBegin - X < 0 ? 0 : RunBegin - X > Count ? Count : RunBegin - X;
+		const int32_t Before = Begin - X < 0 ? 0 : Begin - X > Count ? Count : Begin - X;
+		return {From.Data + int64_t(Held) * From.RowPitch + int64_t(Begin) * Bytes, Before, RunEnd - Begin};
+	}
+
+	/** N texels from P on, of which Count are in the row: beyond the last one lie zeros. */
+	static DRYDOCK_LANES_INLINE const uint8_t* HoldTexels(const uint8_t* P, int32_t Count, int32_t Bytes, uint8_t* Copy)
+	{
+		if (Count >= N)
+		{
+			return P;
+		}
+		__builtin_memset(Copy, 0, size_t(N) * 16);
+		__builtin_memcpy(Copy, P, size_t(Count) * size_t(Bytes));
+		return Copy;
+	}
+
+	/** The edge texels beyond the run. */
+	template<typename T>
+	static void FillEnds(const FRun& Run, int32_t Count, T* Out)
+	{
+		const T First = Out[Run.Before];
+		const T Last = Out[Run.Before + Run.Count - 1];
+		for (int32_t i = 0; i < Run.Before; ++i)
+		{
+			Out[i] = First;
+		}
+		for (int32_t i = Run.Before + Run.Count; i < Count; ++i)
+		{
+			Out[i] = Last;
+		}
+	}
+
+	/** Texels X to X + Count of a row, of the one channel; true when all are finite. Whole packs are written. */
+	bool Decode(int32_t X, int32_t Y, int32_t Count, float* Out) const
+	{
+		const ETexelStorage Storage = Sum.Source->Storage;
+		const FRun Texels = FindRun(X, Y, Count);
+		const uint8_t* const Row = Texels.Row;
+		const int32_t Before = Texels.Before;
 		TRaw<int32_t, N> Wrong = {};
 		const auto Run = [&](auto Format, auto Channel)
 		{
-			const int32_t RunCount = RunEnd - RunBegin;
 			float* const RunOut = Out + Before;
-			for (int32_t i = 0; i < RunCount; i += N)
+			for (int32_t i = 0; i < Texels.Count; i += N)
 			{
-				const uint8_t* P = Row + int64_t(RunBegin + i) * Format.Bytes;
 				alignas(64) uint8_t Copy[N * 16];
-				if (RunCount - i < N)
-				{
-					// Beyond the last texel lie zeros: numbers.
-					__builtin_memset(Copy, 0, sizeof(Copy));
-					__builtin_memcpy(Copy, P, size_t(RunCount - i) * size_t(Format.Bytes));
-					P = Copy;
-				}
+				const uint8_t* const P =
+					HoldTexels(Row + int64_t(i) * Format.Bytes, Texels.Count - i, Format.Bytes, Copy);
 				TRaw<float, N> Channels[4];
 				if constexpr (std::is_same_v<decltype(Format), FAnyFormat>)
 				{
@@ -100,16 +139,7 @@ struct TBoxSum
 		{
 			RunFormat(FAnyFormat{Storage, GetTexelStorageInfo(Storage).BytesPerTexel});
 		}
-		const float First = Out[Before];
-		const float Last = Out[Before + RunEnd - RunBegin - 1];
-		for (int32_t i = 0; i < Before; ++i)
-		{
-			Out[i] = First;
-		}
-		for (int32_t i = Before + RunEnd - RunBegin; i < Count; ++i)
-		{
-			Out[i] = Last;
-		}
+		FillEnds(Texels, Count, Out);
 		return !AnyLane(TMask<N>(Wrong));
 	}
 
@@ -161,7 +191,7 @@ struct TBoxSum
 		{
 			Whole = Whole + (Widen(First) + Widen(Last)) * double(Sum.Fraction);
 		}
-		StoreRaw(Out, __builtin_convertvector(Whole * double(Sum.Scale), FValues));
+		StoreRaw(Out, __builtin_convertvector(Whole, FValues) * Sum.Scale);
 	}
 
 	/** Sums of the values before each index of a strip; Out takes a pack and one more. */
@@ -269,6 +299,131 @@ struct TBoxSum
 		}
 		return Left;
 	}
+
+	/** Channels of one byte, four to a texel. */
+	bool HasCodes() const
+	{
+		return Sum.Source->Storage == ETexelStorage::RGBA8_UNORM || Sum.Source->Storage == ETexelStorage::BGRA8_UNORM;
+	}
+
+	/** Texels X to X + Count of a row, of the one channel, as they are stored. Whole packs are written. */
+	void DecodeCodes(int32_t X, int32_t Y, int32_t Count, int32_t* Out) const
+	{
+		const FRun Texels = FindRun(X, Y, Count);
+		const bool bSwapped = Sum.Source->Storage == ETexelStorage::BGRA8_UNORM && Sum.Channel != 3;
+		const int32_t Shift = 8 * (bSwapped ? 2 - Sum.Channel : Sum.Channel);
+		for (int32_t i = 0; i < Texels.Count; i += N)
+		{
+			alignas(64) uint8_t Copy[N * 16];
+			const uint8_t* const P = HoldTexels(Texels.Row + int64_t(i) * 4, Texels.Count - i, 4, Copy);
+			StoreRaw(Out + Texels.Before + i, (LoadRaw<FInts>(P) >> Shift) & 255);
+		}
+		FillEnds(Texels, Count, Out);
+	}
+
+	/** SumRows of what HasCodes, with no fraction: sums of integers. */
+	uint64_t SumRowsOfCodes() const
+	{
+		const int32_t Count = Width + 2 * Reach;
+		const size_t Ints = size_t(Count) + 3 * N;
+		int32_t* const Strip = static_cast<int32_t*>(GetTapMemory(0, Ints * sizeof(int32_t)));
+		int32_t* const Sums = static_cast<int32_t*>(GetTapMemory(1, Ints * sizeof(int32_t)));
+		float* const Means = static_cast<float*>(GetTapMemory(2, Ints * sizeof(float)));
+		const FInts Lane = LaneIndex<N>().V;
+		const FInts Zeros = {};
+		const float Scale = Sum.Scale / 255.0f;
+		for (int32_t Y = 0; Y < Height; ++Y)
+		{
+			DecodeCodes(FirstX, FirstY + Y, Count, Strip);
+			FInts Before = {};
+			Sums[0] = 0;
+			for (int32_t i = 0; i < Count; i += N)
+			{
+				FInts Pack = LoadRaw<FInts>(Strip + i);
+#pragma GCC unroll 4
+				for (int Step = 1; Step < N; Step *= 2)
+				{
+					Pack += __builtin_shuffle(Zeros, Pack, Lane < Step ? Zeros : Lane + (N - Step));
+				}
+				Pack += Before;
+				Before = __builtin_shuffle(Pack, Zeros + (N - 1));
+				StoreRaw(Sums + i + 1, Pack);
+			}
+			for (int32_t X = 0; X < Width; X += N)
+			{
+				const FInts Whole = LoadRaw<FInts>(Sums + X + 2 * Reach) - LoadRaw<FInts>(Sums + X + 1);
+				StoreRaw(Means + X, __builtin_convertvector(Whole, TRaw<float, N>) * Scale);
+			}
+			Encode(Means, Pixels.MinY + Y);
+		}
+		return 0;
+	}
+
+	/** Half floats from 0 to 1 are multiples of this, and so many of them add up in 31 bits. */
+	static constexpr float StepOfHalf = 1.0f / (1 << 24);
+	static constexpr int32_t MostHalves = 127;
+
+	/** Texels of a row of half floats as multiples of StepOfHalf; false where one is not from 0 to 1. Whole packs are
+	 *  written. */
+	bool DecodeHalves(int32_t X, int32_t Y, int32_t Count, int32_t* Out) const
+	{
+		const FRun Texels = FindRun(X, Y, Count);
+		FInts Wrong = {};
+		for (int32_t i = 0; i < Texels.Count; i += N)
+		{
+			alignas(64) uint8_t Copy[N * 16];
+			const uint8_t* const P = HoldTexels(Texels.Row + int64_t(i) * 2, Texels.Count - i, 2, Copy);
+			const TRaw<float, N> Value = TLaneOps<N>::LoadHalves(P);
+			constexpr int32_t One = 0x3F800000;
+			Wrong |= (FInts(Value) < 0) | (FInts(Value) > One);
+			StoreRaw(Out + Texels.Before + i, __builtin_convertvector(Value * (1.0f / StepOfHalf), FInts));
+		}
+		FillEnds(Texels, Count, Out);
+		return !AnyLane(TMask<N>(Wrong));
+	}
+
+	/** SumColumns of half floats, with no fraction: the same bits by sums of integers. False, with nothing stored,
+	 * where those do not do. */
+	bool SumColumnsOfHalves() const
+	{
+		const int32_t NumRows = Height + 2 * Reach;
+		const int32_t Pitch = Width + 2 * N;
+		const auto Reserve = [](int32_t Number, int64_t Count)
+		{
+			return GetTapMemory(Number, size_t(Count) * sizeof(int32_t));
+		};
+		int32_t* const Texels = static_cast<int32_t*>(Reserve(0, int64_t(NumRows) * Pitch));
+		int32_t* const Sums = static_cast<int32_t*>(Reserve(1, Pitch));
+		float* const Means = static_cast<float*>(Reserve(2, Pitch));
+		bool bFine = Sum.Source->Storage == ETexelStorage::R16_FLOAT && 2 * Sum.Radius + 1 <= MostHalves;
+		for (int32_t Row = 0; Row < NumRows && bFine; ++Row)
+		{
+			bFine = DecodeHalves(FirstX, FirstY + Row, Width, Texels + int64_t(Row) * Pitch);
+		}
+		for (int32_t X = 0; X < Width && bFine; X += N)
+		{
+			FInts Whole = {};
+			for (int32_t Tap = 1; Tap < 2 * Reach; ++Tap)
+			{
+				Whole += LoadRaw<FInts>(Texels + int64_t(Tap) * Pitch + X);
+			}
+			StoreRaw(Sums + X, Whole);
+		}
+		const float Scale = Sum.Scale * StepOfHalf;
+		for (int32_t Y = 0; Y < Height && bFine; ++Y)
+		{
+			const int32_t* const Removed = Texels + int64_t(Y + 1) * Pitch;
+			const int32_t* const Added = Texels + int64_t(Y + 2 * Reach) * Pitch;
+			for (int32_t X = 0; X < Width; X += N)
+			{
+				const FInts Whole = LoadRaw<FInts>(Sums + X);
+				StoreRaw(Means + X, __builtin_convertvector(Whole, TRaw<float, N>) * Scale);
+				StoreRaw(Sums + X, Whole + (LoadRaw<FInts>(Added + X) - LoadRaw<FInts>(Removed + X)));
+			}
+			Encode(Means, Pixels.MinY + Y);
+		}
+		return bFine;
+	}
 };
 
 } // namespace DRYDOCK_LANES_SET
@@ -281,15 +436,35 @@ template<int N>
 uint64_t TBoxSumLanes<N>::Run(
 	const FBoxSum& Sum, const FKernelTexture& Target, const FKernelTile& Pixels, int32_t ToSourceX, int32_t ToSourceY)
 {
-	const int32_t Reach = Sum.Radius + 1;
-	const int32_t FirstX = Pixels.MinX + ToSourceX - (Sum.Axis == 0 ? Reach : 0);
-	const int32_t FirstY = Pixels.MinY + ToSourceY - (Sum.Axis == 1 ? Reach : 0);
-	const Lanes::TBoxSum<N> Tile{Sum, Target, Pixels, FirstX, FirstY};
-	if (Sum.Fraction != 0.0f)
+	const auto MakePart = [&](const FKernelTile& Part)
 	{
-		return Sum.Axis == 0 ? Tile.template SumRows<true>() : Tile.template SumColumns<true>();
+		const int32_t Reach = Sum.Radius + 1;
+		const int32_t FirstX = Part.MinX + ToSourceX - (Sum.Axis == 0 ? Reach : 0);
+		const int32_t FirstY = Part.MinY + ToSourceY - (Sum.Axis == 1 ? Reach : 0);
+		return Lanes::TBoxSum<N>{Sum, Target, Part, FirstX, FirstY};
+	};
+	const bool bEnds = Sum.Fraction != 0.0f;
+	const Lanes::TBoxSum<N> Whole = MakePart(Pixels);
+	if (Sum.Axis == 1)
+	{
+		return bEnds                        ? Whole.template SumColumns<true>()
+			   : Whole.SumColumnsOfHalves() ? 0
+											: Whole.template SumColumns<false>();
 	}
-	return Sum.Axis == 0 ? Tile.template SumRows<false>() : Tile.template SumColumns<false>();
+	if (!bEnds && Whole.HasCodes())
+	{
+		return Whole.SumRowsOfCodes();
+	}
+	uint64_t Left = 0;
+	FKernelTile Part = Pixels;
+	for (; Part.MinX < Pixels.MaxX; Part.MinX = Part.MaxX)
+	{
+		const int32_t End = Part.MinX + GColumnsOfBoxGroup;
+		Part.MaxX = End < Pixels.MaxX ? End : Pixels.MaxX;
+		const Lanes::TBoxSum<N> Columns = MakePart(Part);
+		Left |= bEnds ? Columns.template SumRows<true>() : Columns.template SumRows<false>();
+	}
+	return Left;
 }
 
 } // namespace Drydock

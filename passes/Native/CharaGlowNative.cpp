@@ -71,15 +71,21 @@ void RunCharaGlowBox(const FNativeKernelArgs& Args, const FKernelTile& Tile)
 		return;
 	}
 	const FIntPoint ToSource = FIntPoint(Sum.RectMin[0], Sum.RectMin[1]) - FIntPoint(Parameters.Output.ViewportMin);
+	// Of the groups that are left, the columns that are not: the same of them in tiles of any size.
 	const uint64 Left = RunBox(Sum, *Target.Texture, Tile, ToSource);
 	for (int32 Y = Tile.MinY, Group = 0; Y < Tile.MaxY && (Left >> Group) != 0; Y += GRowsOfBoxGroup, ++Group)
 	{
-		if ((Left >> Group & 1) != 0)
+		for (int32 X = Tile.MinX; X < Tile.MaxX && (Left >> Group & 1) != 0; X += GColumnsOfBoxGroup)
 		{
-			FKernelTile Rows = Tile;
-			Rows.MinY = Y;
-			Rows.MaxY = std::min(Y + GRowsOfBoxGroup, Tile.MaxY);
-			RunShader(Args, Rows);
+			FKernelTile Part = Tile;
+			Part.MinX = X;
+			Part.MaxX = std::min(X + GColumnsOfBoxGroup, Tile.MaxX);
+			Part.MinY = Y;
+			Part.MaxY = std::min(Y + GRowsOfBoxGroup, Tile.MaxY);
+			if (RunBox(Sum, *Target.Texture, Part, ToSource) != 0)
+			{
+				RunShader(Args, Part);
+			}
 		}
 	}
 }

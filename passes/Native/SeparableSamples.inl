@@ -181,17 +181,18 @@ inline const float* MixRows(TTexelRows<N>& Rows, int32_t Place, int32_t Channel,
 	return Mixed;
 }
 
-/** Rows of a texture as its sampler addresses them, for the texels of two ranges. */
+/** Rows of a texture as its sampler addresses them, for the texels of two ranges; LiveRows: that a row of pixels reads,
+ *  the ones between included. */
 template<int N>
-inline TTexelRows<N> OpenRows(
-	const FSampledTexture& Sampled, const FTexelRange& X, const FTexelRange& Y, int32_t Channels, int32_t Number)
+inline TTexelRows<N> OpenRows(const FSampledTexture& Sampled, const FTexelRange& X, const FTexelRange& Y,
+	int32_t LiveRows, int32_t Channels, int32_t Number)
 {
 	FTapSource Source;
 	Source.Texture = Sampled.Texture;
 	Source.Sampler = Sampled.Sampler;
 	Source.RectMax[0] = Sampled.Texture->Mips[0].SizeX;
 	Source.RectMax[1] = Sampled.Texture->Mips[0].SizeY;
-	const FSourcePlan Plan = {&Source, nullptr, 256, Y.Begin, Y.End - Y.Begin, Y.End - Y.Begin};
+	const FSourcePlan Plan = {&Source, nullptr, 256, Y.Begin, Y.End - Y.Begin, LiveRows};
 	return TTexelRows<N>(Plan, Channels, X.Begin, X.End - X.Begin, Number);
 }
 
@@ -234,7 +235,8 @@ struct TSampledTile
 			return false;
 		}
 		Columns.Finish(Width, X.Begin);
-		Rows = OpenRows<N>(Sampled, X, Y, Channels, Number);
+		constexpr int32_t LiveRows = 2; // bilinear
+		Rows = OpenRows<N>(Sampled, X, Y, LiveRows, Channels, Number);
 		return true;
 	}
 

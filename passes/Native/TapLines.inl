@@ -11,14 +11,6 @@ namespace Drydock::Lanes
 inline namespace DRYDOCK_LANES_SET
 {
 
-/** Every second texel of A and B side by side, from First, 0 or 1, on. */
-template<int N, int C>
-DRYDOCK_LANES_INLINE TRaw<float, N> PickTexels(TRaw<float, N> A, TRaw<float, N> B, int32_t First)
-{
-	const TRaw<int32_t, N> Lane = LaneIndex<N>().V;
-	return __builtin_shuffle(A, B, (Lane / C * 2 + First) * C + Lane % C);
-}
-
 /** Texels of A and B in turn: the first N lanes of them, or the next. */
 template<int N, int C>
 DRYDOCK_LANES_INLINE TRaw<float, N> AlternateTexels(TRaw<float, N> A, TRaw<float, N> B, int32_t Part)

@@ -25,6 +25,7 @@ enum ETapMemory : int32_t
 	TexelRowsMemories, // and the next two: of what is open besides the first rows
 	FlagsMemories = TexelRowsMemories + 2,
 	ColumnsMemory = FlagsMemories + 2,
+	ColorTableMemory, // kept from tile to tile
 };
 
 /** The texel below a place and the weight of the next one. */

@@ -36,6 +36,14 @@ DRYDOCK_LANES_INLINE void VisitStripChannels(int32_t Channels, F f)
 	}
 }
 
+/** Every second texel of A and B side by side, from First, 0 or 1, on. */
+template<int N, int C>
+DRYDOCK_LANES_INLINE TRaw<float, N> PickTexels(TRaw<float, N> A, TRaw<float, N> B, int32_t First)
+{
+	const TRaw<int32_t, N> Lane = LaneIndex<N>().V;
+	return __builtin_shuffle(A, B, (Lane / C * 2 + First) * C + Lane % C);
+}
+
 /** Texels that one step of a strip reads or writes. */
 template<int N, int C, typename FFormat>
 constexpr int TexelsOfStep = C == 4 && FFormat::bWide ? N / 4 : N;

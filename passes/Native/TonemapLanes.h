@@ -12,6 +12,8 @@ namespace Drydock
 /** Parts whose flag is not set are left out, as the shader's permutations leave them out. */
 struct FTonemapJob
 {
+	uint64_t Pass = 0;     // a number that no other pass has
+	int64_t NumPixels = 0; // of the whole pass
 	FViewportAxis Viewport[2];
 	FSampledTexture Color;
 	float Exposure = 1.0f;

@@ -2,7 +2,9 @@
 // TonemapLens.ush), on rows that are decoded and mixed once. Included by Tonemap_*.cpp only.
 #pragma once
 
+#include "Native/ColorTable.inl"
 #include "Native/LocalExposureLanes.inl"
+#include "Native/TapSumStores.inl"
 #include "Native/TonemapLanes.h"
 
 namespace Drydock::Lanes
@@ -54,6 +56,14 @@ public:
 		const size_t BloomFloats = Job.bBloom ? 3 * size_t(Bloom.Rows.Stride) : 0;
 		ColorMixed = static_cast<float*>(GetTapMemory(MixedRowsMemory, (ColorFloats + BloomFloats) * sizeof(float)));
 		BloomMixed = ColorMixed + ColorFloats;
+		RowPitch = RoundUpTo(Width, N);
+		Looked =
+			static_cast<float*>(GetTapMemory(ResampledMemory, size_t(2 * NumRows) * size_t(RowPitch) * sizeof(float)));
+		SliceWeights = Looked + NumRows * RowPitch;
+		LowPlaces = reinterpret_cast<int32_t*>(SliceWeights + RowPitch);
+		HighPlaces = LowPlaces + RowPitch;
+		RowPlacesOfTable = HighPlaces + RowPitch;
+		Table.Open(*Job.Table, Job.Pass, Job.NumPixels);
 		return true;
 	}
 
@@ -62,16 +72,23 @@ public:
 		const int32_t Width = Tile.MaxX - Tile.MinX;
 		const FKernelMip& Mip = Target.Mips[0];
 		const int32_t Bytes = GetTexelStorageInfo(Target.Storage).BytesPerTexel;
+		const FTableScale Scale(Job);
 		for (int32_t Y = Tile.MinY; Y < Tile.MaxY; ++Y)
 		{
 			BeginRow(Y - Tile.MinY);
 			uint8_t* const Place = Mip.Data + int64_t(Y) * Mip.RowPitch + int64_t(Tile.MinX) * Bytes;
+			// In three sweeps: what waits in one pack for a logarithm or a texel does not keep the next from beginning.
 			for (int32_t X = 0; X < Width; X += N)
 			{
-				FFloat Values[4];
-				RunPack(X, Y, Values);
-				StorePack<N>(Target, Place + int64_t(X) * Bytes, Width - X, Values);
+				FLanes Linear[3];
+				GetLinear(X, Y, Linear);
+				FindPlaces(Scale, Linear, X);
 			}
+			for (int32_t X = 0; X < Width; X += N)
+			{
+				Table.IsCopied() ? LookUp<true>(X) : LookUp<false>(X);
+			}
+			StoreSums<N>(FTapSum(), Target, NumRows, Width, RowPitch, Looked, Place);
 		}
 	}
 
@@ -132,8 +149,25 @@ private:
 		{
 			return false;
 		}
-		Color = OpenRows<N>(Job.Color, X, Y, 3, 0);
+		Color = OpenRows<N>(Job.Color, X, Y, CountLiveRows(), 3, 0);
 		return true;
+	}
+
+	int32_t CountLiveRows() const
+	{
+		int32_t Live = 0;
+		for (int32_t Row = 0; Row < Tile.MaxY - Tile.MinY; ++Row)
+		{
+			FTexelRange Rows;
+			for (int i = 0; i < NumAround * NumShifts; ++i)
+			{
+				const int32_t Below = TexelBelow(RowPlaces[i / NumShifts][i % NumShifts][Row]);
+				Rows.Begin = Below < Rows.Begin ? Below : Rows.Begin;
+				Rows.End = Below + 2 > Rows.End ? Below + 2 : Rows.End;
+			}
+			Live = Rows.End - Rows.Begin > Live ? Rows.End - Rows.Begin : Live;
+		}
+		return Live;
 	}
 
 	void BeginRow(int32_t Row)
@@ -254,82 +288,32 @@ private:
 		return Max(Mix(FLanes(1.0f), Grain, Intensity), FLanes(0.0f));
 	}
 
-	/** The words at Offsets and those right after them: half the loads of two gathers. */
-	static DRYDOCK_LANES_INLINE void LoadPairs(const uint8_t* Base, FInt Offsets, TRaw<uint32_t, N> Out[2])
+	/** What places in the table are made with, the same for all pixels. */
+	struct FTableScale
 	{
-		alignas(64) int32_t Places[N];
-		alignas(64) uint64_t Pairs[N];
-		StoreRaw(Places, Offsets);
-		for (int Lane = 0; Lane < N; ++Lane)
+		explicit FTableScale(const FTonemapJob& Job)
+			: Size(Job.TableSize)
+			, Steps(Size - FLanes(1.0f))
+			, LastSlice(Size - FLanes(2.0f))
+			, ToU(FLanes(1.0f) / (Size * Size))
+			, ToV(FLanes(1.0f) / Size)
+			, Columns(Job.Table->Mips[0].SizeX)
+			, Rows(Job.Table->Mips[0].SizeY)
 		{
-			__builtin_memcpy(Pairs + Lane, Base + Places[Lane], sizeof(uint64_t));
 		}
-		using FUint = TRaw<uint32_t, N>;
-		TLaneOps<N>::Deinterleave(LoadRaw<FUint>(Pairs), LoadRaw<FUint>(Pairs + N / 2), Out);
-	}
 
-	/** Bilinear, of a place whose rows are known, as offsets; of a table of RGB10A2, two texels wide at least. Numbers
-	 *  of 0 and above, so a weight of 0 need not be asked for. */
-	DRYDOCK_LANES_INLINE void SamplePackedTable(FInt PlaceX, const FInt Rows[2], FFloat WeightY, FFloat Out[3]) const
-	{
-		const FKernelMip& Mip = Job.Table->Mips[0];
-		const FInt Below = (PlaceX - 128) >> 8;
-		const FInt Left = Max(Min(TInt<N>(Below), TInt<N>(Mip.SizeX - 2)), TInt<N>(0)).V;
-		const FFloat WeightX = __builtin_convertvector((PlaceX - 128) & 255, FFloat) * Broadcast<float, N>(1.0f / 256);
-		FFloat Corners[2][2][4];
-		for (int Row = 0; Row < 2; ++Row)
-		{
-			TRaw<uint32_t, N> Words[2];
-			LoadPairs(Mip.Data, Rows[Row] + Left * int32_t(FRgb10A2Format::Bytes), Words);
-			// At the table's ends both texels are the same.
-			const TRaw<uint32_t, N> First = Below > Left ? Words[1] : Words[0];
-			const TRaw<uint32_t, N> Second = Below < Left ? Words[0] : Words[1];
-			FRgb10A2Format::Decode<N>(&First, Corners[Row][0]);
-			FRgb10A2Format::Decode<N>(&Second, Corners[Row][1]);
-		}
-		const auto Blend = [](FFloat A, FFloat B, FFloat Weight)
-		{
-			return A + Weight * (B - A);
-		};
-		for (int c = 0; c < 3; ++c)
-		{
-			Out[c] = Blend(Blend(Corners[0][0][c], Corners[1][0][c], WeightY),
-				Blend(Corners[0][1][c], Corners[1][1][c], WeightY), WeightX);
-		}
-	}
+		FLanes Size;
+		FLanes Steps;
+		FLanes LastSlice;
+		FLanes ToU;
+		FLanes ToV; // and from a slice to the next
+		int32_t Columns;
+		int32_t Rows;
+	};
 
-	/** The same of any table. */
-	DRYDOCK_LANES_INLINE void SampleTable(FInt PlaceX, const FInt Rows[2], FFloat WeightY, FFloat Out[3]) const
+	/** Where in the table exposed scene-linear lies; kept for LookUp. */
+	DRYDOCK_LANES_INLINE void FindPlaces(const FTableScale& Scale, const FLanes Linear[3], int32_t X) const
 	{
-		const FKernelMip& Mip = Job.Table->Mips[0];
-		const int32_t Bytes = GetTexelStorageInfo(Job.Table->Storage).BytesPerTexel;
-		const TInt<N> Below((PlaceX - 128) >> 8);
-		const FFloat WeightX = __builtin_convertvector((PlaceX - 128) & 255, FFloat) * Broadcast<float, N>(1.0f / 256);
-		const TInt<N> Last(Mip.SizeX - 1);
-		const FInt Left = Max(Min(Below, Last), TInt<N>(0)).V;
-		const FInt Right = WeightX == 0.0f ? Left : Max(Min(Below + TInt<N>(1), Last), TInt<N>(0)).V;
-		FFloat Corners[4][4];
-		for (int i = 0; i < 4; ++i)
-		{
-			const FInt Offsets = Rows[i & 1] + (i < 2 ? Left : Right) * Bytes;
-			GatherTexels<float, N>(Job.Table->Storage, Mip.Data, Offsets, Corners[i]);
-		}
-		for (int c = 0; c < 3; ++c)
-		{
-			const auto Blended = [](FFloat A, FFloat B, FFloat Weight)
-			{
-				return Weight == 0.0f ? A : MixCarefully<N>(A, B, Weight);
-			};
-			Out[c] = Blended(Blended(Corners[0][c], Corners[1][c], WeightY),
-				Blended(Corners[2][c], Corners[3][c], WeightY), WeightX);
-		}
-	}
-
-	/** Exposed scene-linear to code values, by the table. */
-	template<bool bPacked>
-	DRYDOCK_LANES_INLINE void LookUp(const FLanes Linear[3], FLanes Out[3]) const
-	{
-		const FLanes Size(Job.TableSize);
 		FLanes P[3];
 		for (int c = 0; c < 3; ++c)
 		{
@@ -338,43 +322,40 @@ private:
 			P[c] = Clamp(Stops * FLanes(0.0714285746f) + FLanes(0.176709369f) + FLanes(0.434017599f), FLanes(0.0f),
 				FLanes(1.0f));
 		}
-		const FLanes Steps = Size - FLanes(1.0f);
-		const FLanes Slice = P[2] * Steps;
-		const FLanes First = Min(Floor(Slice), Size - FLanes(2.0f));
-		const FLanes Texel = First * Size + (P[0] * Steps + FLanes(0.5f));
-		const FLanes U = Texel * (FLanes(1.0f) / (Size * Size));
-		const FLanes V = (P[1] * Steps + FLanes(0.5f)) * (FLanes(1.0f) / Size);
-		const FLanes Weight = Slice - First;
-
-		const FKernelMip& Mip = Job.Table->Mips[0];
-		const FInt PlaceY = PlaceOf<N>(V, Mip.SizeY);
-		const TInt<N> Below((PlaceY - 128) >> 8);
-		const FFloat WeightY = __builtin_convertvector((PlaceY - 128) & 255, FFloat) * Broadcast<float, N>(1.0f / 256);
-		const TInt<N> Last(Mip.SizeY - 1);
-		const FInt Top = Max(Min(Below, Last), TInt<N>(0)).V;
-		const FInt Bottom = WeightY == 0.0f ? Top : Max(Min(Below + TInt<N>(1), Last), TInt<N>(0)).V;
-		const FInt Rows[2] = {Top * Mip.RowPitch, Bottom * Mip.RowPitch};
-		FFloat Low[3];
-		FFloat High[3];
-		const FInt Place = PlaceOf<N>(U, Mip.SizeX);
-		const FInt NextPlace = PlaceOf<N>(U + FLanes(1.0f) / Size, Mip.SizeX);
-		if constexpr (bPacked)
-		{
-			SamplePackedTable(Place, Rows, WeightY, Low);
-			SamplePackedTable(NextPlace, Rows, WeightY, High);
-		}
-		else
-		{
-			SampleTable(Place, Rows, WeightY, Low);
-			SampleTable(NextPlace, Rows, WeightY, High);
-		}
-		for (int c = 0; c < 3; ++c)
-		{
-			Out[c] = Mix(FLanes(Low[c]), FLanes(High[c]), Weight) * FLanes(1.05f);
-		}
+		const FLanes Slice = P[2] * Scale.Steps;
+		const FLanes First = Min(Floor(Slice), Scale.LastSlice);
+		const FLanes Texel = First * Scale.Size + (P[0] * Scale.Steps + FLanes(0.5f));
+		const FLanes U = Texel * Scale.ToU;
+		const FLanes V = (P[1] * Scale.Steps + FLanes(0.5f)) * Scale.ToV;
+		StoreRaw(LowPlaces + X, PlaceOf<N>(U, Scale.Columns));
+		StoreRaw(HighPlaces + X, PlaceOf<N>(U + Scale.ToV, Scale.Columns));
+		StoreRaw(RowPlacesOfTable + X, PlaceOf<N>(V, Scale.Rows));
+		StoreRaw(SliceWeights + X, (Slice - First).V);
 	}
 
-	DRYDOCK_LANES_INLINE void RunPack(int32_t X, int32_t Y, FFloat Values[4]) const
+	/** Code values at the places that were found. */
+	template<bool bCopied>
+	DRYDOCK_LANES_INLINE void LookUp(int32_t X) const
+	{
+		const FInt Row = LoadRaw<FInt>(RowPlacesOfTable + X);
+		const FLanes Weight(LoadRaw<FFloat>(SliceWeights + X));
+		FFloat Low[3];
+		FFloat High[3];
+		Table.template Sample<bCopied>(LoadRaw<FInt>(LowPlaces + X), Row, Low);
+		Table.template Sample<bCopied>(LoadRaw<FInt>(HighPlaces + X), Row, High);
+		FLanes Bounded[3];
+		for (int c = 0; c < 3; ++c)
+		{
+			const FLanes Color = Mix(FLanes(Low[c]), FLanes(High[c]), Weight) * FLanes(1.05f);
+			StoreRaw(Looked + c * RowPitch + X, Color.V);
+			Bounded[c] = Clamp(Color, FLanes(0.0f), FLanes(1.0f));
+		}
+		const FLanes Luma = Bounded[0] * FLanes(0.299f) + Bounded[1] * FLanes(0.587f) + Bounded[2] * FLanes(0.114f);
+		StoreRaw(Looked + 3 * RowPitch + X, (FLanes(Job.LumaToAlpha) * Luma).V);
+	}
+
+	/** The picture with its lens, exposed. */
+	DRYDOCK_LANES_INLINE void GetLinear(int32_t X, int32_t Y, FLanes Linear[3]) const
 	{
 		const TInt<N> PixelX = TInt<N>(Tile.MinX + X) + LaneIndex<N>();
 		const FLanes PositionX = PositionOf<N>(Job.Viewport[0], PixelX);
@@ -385,7 +366,10 @@ private:
 			SampleColors<true>(X, Samples);
 		}
 		const FLanes Scene[3] = {Samples[0][0], Samples[0][1], Samples[0][2]};
-		FLanes Linear[3] = {Scene[0], Scene[1], Scene[2]};
+		for (int c = 0; c < 3; ++c)
+		{
+			Linear[c] = Scene[c];
+		}
 		if (Job.bSharpen)
 		{
 			Sharpen(Samples, Linear);
@@ -422,23 +406,6 @@ private:
 				Linear[c] = Linear[c] * Grain;
 			}
 		}
-		FLanes Color[3];
-		if (Job.Table->Storage == ETexelStorage::RGB10A2_UNORM && Job.Table->Mips[0].SizeX > 1)
-		{
-			LookUp<true>(Linear, Color);
-		}
-		else
-		{
-			LookUp<false>(Linear, Color);
-		}
-		FLanes Bounded[3];
-		for (int c = 0; c < 3; ++c)
-		{
-			Values[c] = Color[c].V;
-			Bounded[c] = Clamp(Color[c], FLanes(0.0f), FLanes(1.0f));
-		}
-		const FLanes Luma = Bounded[0] * FLanes(0.299f) + Bounded[1] * FLanes(0.587f) + Bounded[2] * FLanes(0.114f);
-		Values[3] = (FLanes(Job.LumaToAlpha) * Luma).V;
 	}
 
 	const FTonemapJob& Job;
@@ -455,6 +422,15 @@ private:
 	const float* BloomRows[3] = {};
 	float* BloomMixed = nullptr;
 	TLocalExposure<N> LocalExposure;
+	TColorTable<N> Table;
+	// Rows of the tile, RowPitch apart: places in the table and the weight of the next slice, then what was looked up.
+	static constexpr int32_t NumRows = 4;
+	int32_t RowPitch = 0;
+	int32_t* LowPlaces = nullptr;
+	int32_t* HighPlaces = nullptr;
+	int32_t* RowPlacesOfTable = nullptr;
+	float* SliceWeights = nullptr;
+	float* Looked = nullptr;
 };
 
 } // namespace DRYDOCK_LANES_SET
@@ -471,6 +447,7 @@ bool TTonemapLanes<N>::Run(const FTonemapJob& Job, const FKernelTexture& Target,
 	if (bOpen)
 	{
 		Tile.Run();
+		Lanes::FinishStreaming();
 	}
 	return bOpen;
 }

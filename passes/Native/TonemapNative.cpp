@@ -66,6 +66,9 @@ bool MakeJob(const FNativeKernelArgs& Args, const FTonemapPermutation& Permutati
 	float EyeAdaptation[4];
 	ReadEyeAdaptation(Args, "EyeAdaptationBuffer", EyeAdaptation);
 	const float OneOverPreExposure = GetOneOverPreExposure(Parameters.View);
+	const FIntPoint Size = FIntPoint(Parameters.Output.ViewportMax) - FIntPoint(Parameters.Output.ViewportMin);
+	Job.Pass = Args.GetPass();
+	Job.NumPixels = int64(Size.X) * Size.Y;
 	SetViewport(Parameters.Output, Job.Viewport);
 	Job.Exposure = OneOverPreExposure * EyeAdaptation[0];
 	Job.ColorScale[0] = Parameters.ColorScale0.R;

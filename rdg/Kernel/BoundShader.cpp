@@ -29,7 +29,7 @@ const T* FindByName(const std::vector<FShaderResource>& Resources, const T* View
 struct FNativeKernelCall : FNativeKernelArgs
 {
 	FNativeKernelCall(const FBoundShader& Bound, const FKernelArgs& Args)
-		: FNativeKernelArgs(Args, *Bound.Reflection, Bound.Parameters, Bound.PermutationId)
+		: FNativeKernelArgs(Args, *Bound.Reflection, Bound.Parameters, Bound.PermutationId, Bound.Number)
 		, Shader(Bound.Kernel)
 	{
 	}
@@ -78,6 +78,12 @@ const FKernelBuffer* FNativeKernelArgs::FindRWBuffer(const char* HlslName) const
 }
 
 FVertexProgram::~FVertexProgram() = default;
+
+uint64_t FBoundShader::GetNewNumber()
+{
+	static std::atomic<uint64_t> Last{0};
+	return Last.fetch_add(1, std::memory_order_relaxed) + 1;
+}
 
 FKernelArgs FBoundShader::GetArgs() const
 {

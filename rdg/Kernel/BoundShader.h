@@ -24,11 +24,12 @@ class DRYDOCK_API FNativeKernelArgs
 {
 public:
 	FNativeKernelArgs(const FKernelArgs& InArgs, const FShaderReflection& InReflection, const void* InParameters,
-		int32_t InPermutationId)
+		int32_t InPermutationId, uint64_t InPass)
 		: Args(InArgs)
 		, Reflection(InReflection)
 		, Parameters(InParameters)
 		, PermutationId(InPermutationId)
+		, Pass(InPass)
 	{
 	}
 
@@ -43,11 +44,16 @@ public:
 	const void* GetParameters() const { return Parameters; }
 	int32_t GetPermutationId() const { return PermutationId; }
 
+	/** The number of the pass's binding, above 0: no two of a process have the same. What it reads does not change, so
+	 * a thread may keep from tile to tile what it has made of it. */
+	uint64_t GetPass() const { return Pass; }
+
 private:
 	const FKernelArgs& Args;
 	const FShaderReflection& Reflection;
 	const void* Parameters;
 	int32_t PermutationId;
+	uint64_t Pass;
 };
 
 using FNativeKernelFunction = void (*)(const FNativeKernelArgs& Args, const FKernelTile& Tile);
@@ -80,7 +86,8 @@ struct DRYDOCK_API FBoundShader
 	bool bDouble = false;                                // arithmetic of Kernel
 	const void* Parameters = nullptr;
 	int32_t PermutationId = 0;
-	FShader* Permutation = nullptr; // what was bound
+	FShader* Permutation = nullptr;   // what was bound
+	uint64_t Number = GetNewNumber(); // of this binding
 
 	std::vector<std::vector<uint8_t>> ConstantData; // one block per constant buffer
 	std::vector<const uint8_t*> ConstantBuffers;
@@ -89,6 +96,9 @@ struct DRYDOCK_API FBoundShader
 	std::vector<FKernelSampler> Samplers;
 	std::vector<FKernelBuffer> Buffers;
 	std::vector<FKernelBuffer> RWBuffers;
+
+private:
+	static uint64_t GetNewNumber();
 };
 
 } // namespace Drydock

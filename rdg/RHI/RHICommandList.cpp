@@ -24,17 +24,24 @@ using Drydock::FKernelTile;
 constexpr int32 GTileSizeX = 256;
 constexpr int32 GTileSizeY = 16;
 
-/** Rows of a tile. Native kernels decode rows beside their tile: they take taller ones where each thread still has its
- * share of the tiles. */
-int32 ChooseTileRows(const Drydock::FBoundShader& Shader, const FKernelTile& Whole)
+/** Native kernels decode what lies beside their tile, and rows that go on are what the processor reads ahead: they take
+ * taller and wider ones, in multiples, where each thread still has its share of the tiles. */
+FIntPoint ChooseTileSize(const Drydock::FBoundShader& Shader, const FKernelTile& Whole)
 {
+	constexpr int32 Widest = 8 * GTileSizeX;
 	constexpr int32 Tall = 4 * GTileSizeY;
 	constexpr int64 TilesPerThread = 4;
-	const int64 Columns = FMath::DivideAndRoundUp(Whole.MaxX - Whole.MinX, GTileSizeX);
+	const int32 NumThreads = Drydock::GetNumThreads();
 	const int64 Rows = FMath::DivideAndRoundUp(Whole.MaxY - Whole.MinY, Tall);
-	const bool bTall =
-		Shader.Native && (Drydock::GetNumThreads() == 1 || Columns * Rows >= TilesPerThread * Drydock::GetNumThreads());
-	return bTall ? Tall : GTileSizeY;
+	for (int32 Wide = Widest; Shader.Native && Wide >= GTileSizeX; Wide /= 2)
+	{
+		const int64 Columns = FMath::DivideAndRoundUp(Whole.MaxX - Whole.MinX, Wide);
+		if (NumThreads == 1 || Columns * Rows >= TilesPerThread * NumThreads)
+		{
+			return FIntPoint(Wide, Tall);
+		}
+	}
+	return FIntPoint(GTileSizeX, GTileSizeY);
 }
 
 int32 RoundUp(int32 Value, int32 Multiple)
@@ -188,8 +195,8 @@ void FRHIComputeCommandList::DispatchComputeShader(
 		return;
 	}
 	// Whole groups per tile: threads of one group share a tile.
-	const FIntVector TileSize(
-		RoundUp(GTileSizeX, GroupSize[0]), RoundUp(ChooseTileRows(BoundCompute, Whole), GroupSize[1]), GroupSize[2]);
+	const FIntPoint Chosen = ChooseTileSize(BoundCompute, Whole);
+	const FIntVector TileSize(RoundUp(Chosen.X, GroupSize[0]), RoundUp(Chosen.Y, GroupSize[1]), GroupSize[2]);
 	RunTiles(BoundCompute, BoundCompute.GetArgs(), Whole,
 		BoundCompute.GetReflection().bGroupsInOrder ? FIntVector(Whole.MaxX, Whole.MaxY, Whole.MaxZ) : TileSize);
 	Counters.BytesWritten += GetBytesBoundForWriting(BoundCompute, NumThreads);
@@ -478,7 +485,8 @@ void FRHICommandList::DrawRect(
 	}
 	for (uint32 Instance = 0; Instance < NumInstances; ++Instance)
 	{
-		RunTiles(BoundPixel, Args, Whole, FIntVector(GTileSizeX, ChooseTileRows(BoundPixel, Whole), 1));
+		const FIntPoint TileSize = ChooseTileSize(BoundPixel, Whole);
+		RunTiles(BoundPixel, Args, Whole, FIntVector(TileSize.X, TileSize.Y, 1));
 		for (const Drydock::FKernelTarget& Target : Targets)
 		{
 			if (Target.WriteMask)

@@ -43,13 +43,15 @@ TEST(BoxSum, IsWithinTheStatedBoundOfTheShader)
 	{
 		FPlace Place = DrawMask(Random);
 		Place.Image = Draw(Random, Place.Rect.Width(), Place.Rect.Height(), false);
-		const float Area = std::uniform_real_distribution<float>(0.5f, 40.0f)(Random);
+		// Whole areas have no fraction at the ends.
+		const float Drawn = std::uniform_real_distribution<float>(0.5f, 40.0f)(Random);
+		const float Area = Case % 2 == 0 ? Drawn : std::ceil(Drawn);
 		const FImage Native = Widen(Place, Area, EArithmetic::Float32);
 		const FScopedConsoleVariable Switch(TEXT("r.Drydock.NativeKernels"), 0);
 		const FImage Shader = Widen(Place, Area, EArithmetic::Float32);
 		// Values reach 4; the largest partial sum is about the whole one, the mean that over the weights. Two
 		// directions.
-		const double Bound = 2 * (2 * std::floor(Area) + 4) * 4 * std::exp2(-24.0);
+		const double Bound = 2 * (2 * std::floor(Area) + 8) * 4 * std::exp2(-24.0);
 		for (size_t i = 0; i < Native.Texels.size(); ++i)
 		{
 			ASSERT_NEAR(Shader.Texels[i][0], Native.Texels[i][0], Bound)
@@ -63,8 +65,8 @@ TEST(BoxSum, BitsAreThoseOfAnyLanesAndThreads)
 	std::mt19937 Random(12);
 	for (int Case = 0; Case < 16; ++Case)
 	{
-		// Tall enough that one thread's tiles are taller than those of many.
-		const int Width = std::uniform_int_distribution<int>(1, 300)(Random);
+		// Large enough that one thread's tiles are taller and wider than those of many.
+		const int Width = std::uniform_int_distribution<int>(1, 700)(Random);
 		const int Height = std::uniform_int_distribution<int>(40, 200)(Random);
 		FPlace Place = DrawMask(Random);
 		Place.Image = Draw(Random, Width, Height, false);
@@ -75,7 +77,8 @@ TEST(BoxSum, BitsAreThoseOfAnyLanesAndThreads)
 			const size_t At = std::uniform_int_distribution<size_t>(0, Place.Image.Texels.size() - 1)(Random);
 			Place.Image.Texels[At][2] = Case % 2 == 0 ? Hazard : 1.0;
 		}
-		const float Area = std::uniform_real_distribution<float>(0.5f, 30.0f)(Random);
+		const float Drawn = std::uniform_real_distribution<float>(0.5f, 30.0f)(Random);
+		const float Area = Case % 2 == 0 ? Drawn : std::ceil(Drawn);
 		const auto Run = [&](int Lanes, int Threads)
 		{
 			const FScopedConsoleVariable Width_(TEXT("r.Drydock.LaneWidth"), static_cast<float>(Lanes));

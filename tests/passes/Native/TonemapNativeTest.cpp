@@ -22,6 +22,7 @@ struct FParts
 	bool bLocalExposure = false;
 	bool bCompute = false;
 	bool bTable = true;
+	float Contrast = 1.0f; // of the table
 	EPixelFormat OutputFormat = PF_B8G8R8A8;
 	unsigned Seed = 1;
 };
@@ -40,6 +41,7 @@ FImage Tonemap(const FPlace& Place, const FParts& Parts)
 	Settings.ChromaticAberrationStartOffset = Draw(0.0, 0.5);
 	Settings.Sharpen = Parts.bSharpen ? Draw(0.1, 3.0) : 0.0f;
 	Settings.FilmGrainIntensity = Parts.bGrain ? Draw(0.1, 1.0) : 0.0f;
+	Settings.ColorContrast = FVector4(1.0f, 1.0f, 1.0f, Parts.Contrast);
 	Settings.SceneColorTint = FLinearColor(1.0f, 0.75f, 0.5f);
 	Run.View.PreExposure = 0.7f;
 	Run.View.bUseComputePasses = Parts.bCompute;
@@ -106,6 +108,25 @@ TEST(TonemapNative, HasTheBitsOfTheComputeShader)
 		FParts Parts = GPermutations[1];
 		Parts.bCompute = true;
 		ExpectSameBits([&] { return Tonemap(Place, Parts); }, "case " + std::to_string(Case) + ", " + Describe(Place));
+	}
+}
+
+// Pictures with more pixels than twice the table's texels: each of their passes looks up in a copy of its own table.
+TEST(TonemapNative, HasTheShadersBitsByACopyOfTheTable)
+{
+	std::mt19937 Random(29);
+	for (const float TableSize : {16.0f, 21.0f, 32.0f})
+	{
+		const FScopedConsoleVariable Size(TEXT("r.LUT.Size"), TableSize);
+		const int Width = 307;
+		const int Height = static_cast<int>(2 * TableSize * TableSize * TableSize) / Width + 1;
+		for (const bool bHazards : {false, true})
+		{
+			FPlace Place = FillTexture(Width, Height);
+			Place.Image = Draw(Random, Width, Height, bHazards);
+			ExpectSameBits([&] { return Tonemap(Place, {.Contrast = bHazards ? 1.4f : 1.0f}); },
+				"a table of " + std::to_string(TableSize) + (bHazards ? ", hazards" : ""));
+		}
 	}
 }
 
