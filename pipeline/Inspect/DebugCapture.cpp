@@ -85,7 +85,7 @@ std::optional<std::array<int32_t, 3>> FDebugCapture::FindThread(
 
 const FDebuggedShader* FDebugCapture::FindShader(const FBoundShader& Shader, const std::string& Pass)
 {
-	const auto [Found, bNew] = Shaders.try_emplace(Shader.Permutation);
+	const auto [Found, bNew] = Shaders.try_emplace({Shader.Permutation, Shader.GetReflection().bQuads});
 	if (bNew)
 	{
 		try

@@ -52,7 +52,8 @@ private:
 	const FDebuggedShader* FindShader(const FBoundShader& Shader, const std::string& Pass);
 
 	const FDebugRequest Request;
-	std::map<FShader*, std::unique_ptr<FDebuggedShader>> Shaders; // null: it cannot be
+	/** By permutation, and whether it runs by quads. Null: it cannot be. */
+	std::map<std::pair<FShader*, bool>, std::unique_ptr<FDebuggedShader>> Shaders;
 	std::vector<FDebuggedPass> Passes;
 	std::vector<FDiagnostic> Problems;
 	std::vector<std::string> Others; // passes that do not fit, or do not have the pixel

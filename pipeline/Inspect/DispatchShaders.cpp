@@ -23,7 +23,7 @@ bool IsPassNamed(const std::string& Pattern, const FBoundShader& Shader)
 
 std::shared_ptr<FInspectedShader> FDispatchShaders::Get(const FBoundShader& Shader)
 {
-	std::shared_ptr<FInspectedShader>& Inspected = Shaders[Shader.Permutation];
+	std::shared_ptr<FInspectedShader>& Inspected = Shaders[{Shader.Permutation, Shader.GetReflection().bQuads}];
 	if (!Inspected)
 	{
 		const FShaderRef Permutation(Shader.Permutation);

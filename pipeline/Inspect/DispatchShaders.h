@@ -30,7 +30,8 @@ public:
 
 private:
 	const bool bAsKernel;
-	std::map<FShader*, std::shared_ptr<FInspectedShader>> Shaders;
+	std::map<std::pair<FShader*, bool>, std::shared_ptr<FInspectedShader>>
+		Shaders; // by permutation, and whether by quads
 };
 
 } // namespace Drydock

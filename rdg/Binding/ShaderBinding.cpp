@@ -351,6 +351,25 @@ void FollowShaderBindingPlan(
 	}
 }
 
+namespace
+{
+
+/** A pixel shader samples a texture that has mips, and does not say at which level. */
+bool ChoosesMips(const FBoundShader& Bound)
+{
+	const std::vector<FShaderResource>& Textures = Bound.GetReflection().Textures;
+	for (size_t Slot = 0; Slot < Textures.size(); ++Slot)
+	{
+		if (Textures[Slot].bImplicitLevel && Bound.Textures[Slot].NumMips > 1)
+		{
+			return true;
+		}
+	}
+	return false;
+}
+
+} // namespace
+
 void BindShaderParameters(
 	const FShaderRef& Shader, const FShaderParametersMetadata& Metadata, const void* Parameters, FBoundShader& Out)
 {
@@ -367,6 +386,12 @@ void BindShaderParameters(
 	Out.Reflection = std::shared_ptr<const FShaderReflection>(Compiled, &Compiled->Reflection);
 	const std::shared_ptr<const FShaderBindingPlan> Plan = GetPlan(Shader, *Out.Reflection, Metadata);
 	FollowShaderBindingPlan(*Plan, *Out.Reflection, Parameters, Out);
+	if (!Out.Native && !Compiled->Reflection.bQuads && ChoosesMips(Out))
+	{
+		const std::shared_ptr<const FCompiledShader> ByQuads = GetCompiledShader(Shader, true);
+		Out.Kernel = ByQuads->Run;
+		Out.Reflection = std::shared_ptr<const FShaderReflection>(ByQuads, &ByQuads->Reflection);
+	}
 	ReportDroppedComponents(*Plan, *Out.Reflection, Out.Name, Parameters);
 }
 

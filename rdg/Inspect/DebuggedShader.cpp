@@ -119,11 +119,8 @@ FDebuggedThread FDebuggedShader::Run(
 	std::optional<TGroupRuns<float>> Groups;
 	if (Inspected.HasGroups())
 	{
-		const uint32_t* const Size = Inspected.GetModule().LocalSize;
 		Groups.emplace(Inspected);
-		Groups->Run(Args,
-			{Position[0] / int32_t(Size[0]), Position[1] / int32_t(Size[1]), Position[2] / int32_t(Size[2])}, MaxSteps);
-		Groups->Prepare(Run.Thread, Position);
+		Groups->RunFor(Run.Thread, Args, Position, MaxSteps);
 	}
 	Run.Thread.Begin(Args, {Position[0], Position[1], Position[2]}, nullptr);
 	FDebugKernelArgs Asked{Run.Thread.GetWords(), &Run, &FDebugRun::Execute, &FDebugRun::ReadConstant, &FDebugRun::Take,

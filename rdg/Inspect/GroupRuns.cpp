@@ -6,6 +6,16 @@
 namespace Drydock
 {
 
+uint32_t GetIndexInGroup(const FInspectedShader& Shader, const std::array<int32_t, 3>& Position)
+{
+	const uint32_t* const Size = Shader.GetModule().LocalSize;
+	const auto Local = [&](size_t Axis)
+	{
+		return uint32_t(Position[Axis]) % Size[Axis];
+	};
+	return (Local(2) * Size[1] + Local(1)) * Size[0] + Local(0);
+}
+
 std::vector<FGroupOfThreads> SortByGroups(
 	const FInspectedShader& Shader, const std::vector<std::array<int32_t, 3>>& Threads)
 {

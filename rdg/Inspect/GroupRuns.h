@@ -1,5 +1,5 @@
-// Threads of groups, run once more one by one: each group is run as a whole first, and what its threads saw of each
-// other is kept.
+// Threads of groups, and pixels of quads, run once more one by one: each group is run as a whole first, and what its
+// threads saw of each other is kept.
 #pragma once
 
 #include "InspectedShader.h"
@@ -21,6 +21,9 @@ struct FGroupOfThreads
 DRYDOCK_API std::vector<FGroupOfThreads> SortByGroups(
 	const FInspectedShader& Shader, const std::vector<std::array<int32_t, 3>>& Threads);
 
+/** SV_GroupIndex of a thread. */
+DRYDOCK_API uint32_t GetIndexInGroup(const FInspectedShader& Shader, const std::array<int32_t, 3>& Position);
+
 /** Runs groups and hands out their threads. */
 template<typename Real>
 class TGroupRuns
@@ -34,23 +37,28 @@ public:
 
 	void SetRaceFinder(FRaceFinder* Races) { Group.SetRaceFinder(Races); }
 
-	/** What the group's stores do is done. */
-	void Run(const FKernelArgs& Args, const std::array<int32_t, 3>& GroupId, uint64_t MaxSteps)
+	/** What the group's stores do is done; of a quad, those of the pixels that are drawn: bit i for the i-th. */
+	void Run(const FKernelArgs& Args, const std::array<int32_t, 3>& GroupId, uint64_t MaxSteps, uint32_t Drawn = ~0u)
 	{
 		const int32_t Id[3] = {GroupId[0], GroupId[1], GroupId[2]};
+		Group.SetHelpers(~Drawn);
 		Logs = Group.Record(Args, Id, MaxSteps);
+	}
+
+	/** Runs the group of one thread, of a quad for this pixel alone, and prepares it. */
+	void RunFor(
+		TSpirvThread<Real>& Thread, const FKernelArgs& Args, const std::array<int32_t, 3>& Position, uint64_t MaxSteps)
+	{
+		const FGroupOfThreads Own = SortByGroups(Shader, {Position}).front();
+		Run(Args, Own.GroupId, MaxSteps, 1u << (GetIndexInGroup(Shader, Position) & 31));
+		Prepare(Thread, Position);
 	}
 
 	/** Thread, when it is run now, sees what the thread at that place saw in the group that ran last; it stores
 	 * nothing. */
 	void Prepare(TSpirvThread<Real>& Thread, const std::array<int32_t, 3>& Position)
 	{
-		const uint32_t* const Size = Shader.GetModule().LocalSize;
-		const auto Local = [&](int Axis)
-		{
-			return uint32_t(Position[size_t(Axis)]) % Size[Axis];
-		};
-		const uint32_t Index = (Local(2) * Size[1] + Local(1)) * Size[0] + Local(0);
+		const uint32_t Index = GetIndexInGroup(Shader, Position);
 		Thread.SetPlace(Index, Shader.GetWaveSize());
 		Thread.SetLog(&Logs[Index], true);
 	}

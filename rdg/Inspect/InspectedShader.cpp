@@ -5,6 +5,7 @@
 #include "RegularFile.h"
 #include "ShaderDirectories.h"
 #include "ShaderFrontEnd.h"
+#include "SpirvQuads.h"
 
 #include <algorithm>
 #include <sstream>
@@ -77,18 +78,27 @@ FSpirvSlotTable FindKernelSlots(const FSpirvModule& Module, const FShaderReflect
 	return Table;
 }
 
+void FInspectedShader::Read(const FShaderCompileRequest& Request, const FShaderReflection& Kernel)
+{
+	Module = ReadForInspection(Request, bVariables, Strings);
+	if (Kernel.bQuads)
+	{
+		RunByQuads(Module);
+	}
+	Program = std::make_unique<FSpirvProgram>(Module);
+	Order = HasGroups() ? FindOrder(Module) : FSpirvOrder();
+	WaveSize = Module.bQuads ? GQuadSize : uint32_t(Request.Lanes.WaveSize);
+}
+
 FInspectedShader::FInspectedShader(
 	const FShaderCompileRequest& Request, const FShaderReflection& Kernel, bool bAsKernel)
-	: WaveSize(uint32_t(Request.Lanes.WaveSize))
-	, bVariables(!bAsKernel)
+	: bVariables(!bAsKernel)
 {
 	try
 	{
 		if (bVariables)
 		{
-			Module = ReadForInspection(Request, true, Strings);
-			Program = std::make_unique<FSpirvProgram>(Module);
-			Order = HasGroups() ? FindOrder(Module) : FSpirvOrder();
+			Read(Request, Kernel);
 		}
 	}
 	catch (const FSpirvError&)
@@ -100,9 +110,7 @@ FInspectedShader::FInspectedShader(
 	{
 		if (!bVariables)
 		{
-			Module = ReadForInspection(Request, false, Strings);
-			Program = std::make_unique<FSpirvProgram>(Module);
-			Order = HasGroups() ? FindOrder(Module) : FSpirvOrder();
+			Read(Request, Kernel);
 		}
 		Slots = FindKernelSlots(Module, Kernel);
 	}

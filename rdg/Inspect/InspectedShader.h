@@ -28,8 +28,9 @@ public:
 	FSpirvProgram& GetProgram() { return *Program; }
 	const FSpirvProgram& GetProgram() const { return *Program; }
 	const FSpirvSlotTable& GetSlots() const { return Slots; }
-	/** Threads of a group work together: they are run by TSpirvGroup, with this order and size of waves. */
-	bool HasGroups() const { return Program->Groups.bGroups; }
+	/** Threads of a group, or pixels of a quad, work together: they are run by TSpirvGroup, with this order and size of
+	 * waves. */
+	bool HasGroups() const { return Program->Groups.bGroups || Module.bQuads; }
 	const FSpirvOrder& GetOrder() const { return Order; }
 	uint32_t GetWaveSize() const { return WaveSize; }
 
@@ -45,6 +46,8 @@ public:
 	bool HasVariables() const { return bVariables; }
 
 private:
+	void Read(const FShaderCompileRequest& Request, const FShaderReflection& Kernel);
+
 	FSpirvModule Module;
 	std::unique_ptr<FSpirvProgram> Program;
 	FSpirvSlotTable Slots;

@@ -1,6 +1,8 @@
 // Cuts threads into pieces and runs them on all cores.
 #include "ThreadRuns.h"
 
+#include "SpirvQuads.h"
+
 #include <algorithm>
 
 namespace Drydock
@@ -63,7 +65,11 @@ FThreadRuns::FThreadRuns(FInspectedShader& InShader, const FBoundShader& InBound
 	{
 		Groups = SortByGroups(Shader, Threads);
 		Count = Groups.size();
-		PerPiece = Shader.GetProgram().Groups.bInOrder ? std::max(1, int32_t(Count)) : GroupsPerPiece;
+		const bool bInOrder =
+			Shader.GetProgram().Groups.bInOrder || (Shader.GetModule().bQuads && ReadsWhatItWrites(Shader));
+		PerPiece = bInOrder                    ? std::max(1, int32_t(Count))
+				   : Shader.GetModule().bQuads ? PieceSize / int32_t(GQuadSize)
+											   : GroupsPerPiece;
 	}
 	NumPieces = (Count + size_t(PerPiece) - 1) / size_t(PerPiece);
 }
@@ -82,7 +88,12 @@ void FThreadRuns::RunGroups(TFunctionRef<IThreadWatcher&(size_t Piece)> GetWatch
 			for (int32_t i = Tile.MinX; i < Tile.MaxX; ++i)
 			{
 				const FGroupOfThreads& Group = Groups[size_t(i)];
-				Runs.Run(Sandbox.GetArgs(), Group.GroupId, MaxSteps);
+				uint32_t Drawn = 0;
+				for (const size_t Index : Group.Threads)
+				{
+					Drawn |= 1u << (GetIndexInGroup(Shader, Threads[Index]) & 31);
+				}
+				Runs.Run(Sandbox.GetArgs(), Group.GroupId, MaxSteps, Drawn);
 				Watcher.EndGroup(Group.GroupId);
 				for (const size_t Index : Group.Threads)
 				{

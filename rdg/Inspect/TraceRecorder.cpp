@@ -257,7 +257,8 @@ private:
 			return;
 		}
 		const FKernelTexture& Texture = Args.Textures[TextureSlot];
-		Event.Level = Told.Lod     ? Thread.GetReal(WordOf(Step, Told.Lod))
+		Event.Level = Module.bQuads && ChoosesSpirvLevel(Step.I->Op) ? Thread.GetLevel()
+					  : Told.Lod   ? Thread.GetReal(WordOf(Step, Told.Lod))
 					  : Told.GradX ? GetGradientLevel(Texture, Place, ValueOf(Thread, Step, Told.GradX).Reals,
 										 ValueOf(Thread, Step, Told.GradY).Reals, Axes)
 								   : 0;
@@ -307,11 +308,8 @@ FPixelTrace Trace(FInspectedShader& Shader, const FKernelArgs& Args, const int32
 	if (Shader.HasGroups())
 	{
 		// Groups that ran before it are not run again: where groups go in order, theirs is not seen.
-		const uint32_t* const Size = Shader.GetModule().LocalSize;
 		Runs.emplace(Shader);
-		Runs->Run(Args,
-			{Position[0] / int32_t(Size[0]), Position[1] / int32_t(Size[1]), Position[2] / int32_t(Size[2])}, MaxSteps);
-		Runs->Prepare(Thread, {Position[0], Position[1], Position[2]});
+		Runs->RunFor(Thread, Args, {Position[0], Position[1], Position[2]}, MaxSteps);
 	}
 	Thread.SetObserver(&Recorder, true);
 	Thread.Run(Args, Position, nullptr, MaxSteps);

@@ -65,15 +65,16 @@ struct FShaderResource
 	EShaderDimension Dimension = EShaderDimension::Texture2D; // meaningless for samplers
 	EShaderScalar Scalar = EShaderScalar::Float;              // component type of the texel or typed element
 	int32_t NumComponents = 4;
-	uint32_t Stride = 0;    // structured buffers: bytes per element
-	bool bCompares = false; // samplers: of SampleCmp or GatherCmp
+	uint32_t Stride = 0;         // structured buffers: bytes per element
+	bool bCompares = false;      // samplers: of SampleCmp or GatherCmp
+	bool bImplicitLevel = false; // pixel: sampled without saying at which level
 	std::string Where;
 };
 
 struct FShaderReflection
 {
 	EShaderStage Stage = EShaderStage::Compute;
-	int32_t GroupSize[3] = {1, 1, 1}; // compute: numthreads
+	int32_t GroupSize[3] = {1, 1, 1}; // compute: numthreads; pixel: of what runs together
 	std::vector<FShaderConstantBuffer> ConstantBuffers;
 	std::vector<FShaderConstant> Constants;
 	std::vector<FShaderResource> Textures; // index = FKernelArgs::Textures slot, and so on
@@ -86,6 +87,7 @@ struct FShaderReflection
 	bool bUsesDiscard = false;
 	bool bGroups = false;        // compute: threads of a group work together, see SpirvGroups.h
 	bool bGroupsInOrder = false; // compute: groups run one after the other
+	bool bQuads = false;         // pixel: 2 x 2 pixels run together, see SpirvQuads.h
 	int32_t StaticSamples =
 		-1; // texture samples and loads per pixel where control flow is uniform and bounded, else -1
 };

@@ -4,7 +4,7 @@
 
 #include "Lanes.h"
 #include "LanesAtomics.h"
-#include "LanesLod.h"
+#include "LanesQuads.h"
 #include "LanesSamples.h"
 #include "LanesTapReads.h"
 #include "LanesWaves.h"

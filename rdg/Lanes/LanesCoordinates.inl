@@ -5,6 +5,7 @@
 #pragma once
 
 #include "Lanes.h"
+#include "LanesLevels.h"
 
 namespace Drydock::Lanes
 {
@@ -101,36 +102,6 @@ DRYDOCK_LANES_INLINE TInt<N> AddressTexels(TInt<N> X, int32_t Size, EKernelAddre
 		X.V[Lane] = AddressTexel(X.V[Lane], Size, Mode);
 	}
 	return X;
-}
-
-/** The mips a level falls on: First, and where Weight is not 0 also First + 1. A level between two mips takes the
- *  nearer one unless the sampler is trilinear. NaN counts as the lowest level. */
-template<typename Real>
-struct TMips
-{
-	int32_t First;
-	Real Weight;
-};
-
-template<typename Real>
-DRYDOCK_LANES_INLINE TMips<Real> SelectMips(Real Level, int32_t NumMips, const FKernelSampler& Sampler)
-{
-	const Real Last = Real(NumMips - 1);
-	Real L = Level + Real(Sampler.MipBias);
-	L = L > Real(Sampler.MinLevel) ? L : Real(Sampler.MinLevel);
-	L = L < Real(Sampler.MaxLevel) ? L : Real(Sampler.MaxLevel);
-	L = L > 0 ? L : Real(0);
-	L = L < Last ? L : Last;
-	if (Sampler.Filter != EKernelFilter::Trilinear)
-	{
-		return {int32_t(L + Real(0.5)), Real(0)};
-	}
-	if (Sampler.SampleBits == 8)
-	{
-		L = Real(int32_t(L * Real(256) + Real(0.5))) * Real(1.0 / 256);
-	}
-	const int32_t First = int32_t(L);
-	return {First, L - Real(First)};
 }
 
 /** Array layer: nearest, clamped. NaN counts as 0. */

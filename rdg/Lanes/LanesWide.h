@@ -80,6 +80,11 @@ struct TWideSampling
 		FromEachPart<uint32_t>(Value, [&](int First, const uint32_t* Part)
 			{ FPart::StoreUint(Texture, Mask + First, X + First, Y + First, Move(Z, First), Part); });
 	}
+	static void StoreTarget(const FKernelTarget& Target, const int32_t* Mask, int32_t X0, int32_t Y, const Real* Value)
+	{
+		FromEachPart<Real>(
+			Value, [&](int First, const Real* Part) { FPart::StoreTarget(Target, Mask + First, X0 + First, Y, Part); });
+	}
 	static void LoadTyped(const FKernelBuffer& Buffer, const uint32_t* Index, Real* Out)
 	{
 		ForEachPart<Real>(Out, [&](int First, Real* Part) { FPart::LoadTyped(Buffer, Index + First, Part); });

@@ -185,15 +185,21 @@ auto CompileFor(const FShaderRef& Shader, TFunction Compile)
 
 } // namespace
 
-std::shared_ptr<const FCompiledShader> GetCompiledShader(const FShaderRef& Shader)
+std::shared_ptr<const FCompiledShader> GetCompiledShader(const FShaderRef& Shader, bool bQuads)
 {
 	const FLaneConfig Lanes = GetShaderLaneConfig();
 	FShaderState& State = Shader->GetState();
 	std::lock_guard Lock(State.Mutex);
-	std::shared_ptr<const FCompiledShader>& Compiled = State.Compiled[{Lanes.bDouble, Lanes.Lanes, Lanes.WaveSize}];
+	std::shared_ptr<const FCompiledShader>& Compiled =
+		State.Compiled[{Lanes.bDouble, Lanes.Lanes, Lanes.WaveSize, bQuads}];
 	if (!Compiled)
 	{
-		Compiled = CompileFor(Shader, CompileShader);
+		Compiled = CompileFor(Shader,
+			[bQuads](FShaderCompileRequest Request)
+			{
+				Request.bQuads = bQuads;
+				return CompileShader(Request);
+			});
 	}
 	return Compiled;
 }

@@ -36,9 +36,9 @@ public:
 	FScopedCompileListener& operator=(const FScopedCompileListener&) = delete;
 };
 
-/** Compiled code for the current arithmetic; compiles, or takes from the cache. Throws FError with the compiler's
- * messages. */
-DRYDOCK_API std::shared_ptr<const FCompiledShader> GetCompiledShader(const FShaderRef& Shader);
+/** Compiled code for the current arithmetic; compiles, or takes from the cache. bQuads: as in FShaderCompileRequest.
+ * Throws FError with the compiler's messages. */
+DRYDOCK_API std::shared_ptr<const FCompiledShader> GetCompiledShader(const FShaderRef& Shader, bool bQuads = false);
 
 /** What the shader reads; compiled code is not needed for it. Throws FError with the compiler's messages. */
 DRYDOCK_API std::shared_ptr<const FShaderReflection> GetShaderReflection(const FShaderRef& Shader);

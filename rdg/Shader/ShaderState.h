@@ -15,8 +15,8 @@ namespace Drydock
 struct FShaderState
 {
 	std::mutex Mutex;
-	std::map<std::tuple<bool, int32_t, int32_t>, std::shared_ptr<const FCompiledShader>>
-		Compiled; // by precision, asked-for lanes and wave size
+	std::map<std::tuple<bool, int32_t, int32_t, bool>, std::shared_ptr<const FCompiledShader>>
+		Compiled; // by precision, asked-for lanes, wave size, and whether by quads
 	std::shared_ptr<const FShaderReflection> Reflection;
 	std::map<const FShaderParametersMetadata*, std::shared_ptr<const FShaderBindingPlan>> Plans;
 };

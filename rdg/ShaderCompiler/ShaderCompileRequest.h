@@ -39,6 +39,7 @@ struct FShaderCompileRequest
 	std::vector<std::pair<std::string, std::string>> GeneratedFiles; // virtual path, text ("/Engine/Generated/...")
 	std::vector<FShaderUniformBuffer> UniformBuffers;
 	FLaneConfig Lanes;
+	bool bQuads = false; // a pixel shader whose samples choose their mips, though it takes no derivatives itself
 	bool bKeepFunctions = false; // SPIR-V with its calls and local variables, for looking inside; not for kernels
 };
 

@@ -11,6 +11,7 @@
 #include "ShaderSource.h"
 #include "SpirvEmit.h"
 #include "SpirvInterpreter.h"
+#include "SpirvQuads.h"
 
 #include <algorithm>
 #include <chrono>
@@ -207,6 +208,10 @@ FAnalysedShader Analyse(
 		{
 			FAnalysedShader Result;
 			Result.Module = ReadSpirv(Words);
+			if (Request.bQuads)
+			{
+				RunByQuads(Result.Module);
+			}
 			Result.Structure = BuildSpirvStructure(Result.Module);
 			Result.Reflection = ReflectSpirv(Result.Module, Result.Structure, Source.Text);
 			return Result;
@@ -270,7 +275,10 @@ void Build(const FShaderSource& Source, const FShaderCompileRequest& Request, co
 	const FPrecompiledHeaders Headers(Cache, CompilerId, Result.Lanes);
 	const std::string SharedObject = CompileKernel(Cpp, Folder, Result.Lanes, Request, Headers.File);
 	Headers.MakeMissing(); // after a kernel that compiles: what is wrong with the compiler is said about the shader
-	Cache.StoreReflection(HashSource(Source, Request, {}), Result.Reflection);
+	if (!Request.bQuads)   // that of the shader as it is
+	{
+		Cache.StoreReflection(HashSource(Source, Request, {}), Result.Reflection);
+	}
 	const std::string Stored = Cache.StoreKernel(Result.Key, CompilerId, Result.Reflection, SharedObject);
 	std::string Fault;
 	for (const std::string& Place : {Stored, SharedObject}) // code may run in one folder and not in the other
@@ -358,7 +366,8 @@ std::shared_ptr<const FCompiledShader> MakeShader(const FShaderCompileRequest& R
 	Result->Files = Source.Files;
 	const bool bUsualWaves = Lanes.WaveSize == FLaneConfig().WaveSize;
 	Result->Key = HashSource(Source, Request,
-		GetKernelBuildIdentity(Lanes) + (bUsualWaves ? std::string() : " waves of " + std::to_string(Lanes.WaveSize)));
+		GetKernelBuildIdentity(Lanes) + (bUsualWaves ? std::string() : " waves of " + std::to_string(Lanes.WaveSize)) +
+			(Request.bQuads ? " quads" : ""));
 	if (!LoadFromCache(Cache, CompilerId, *Result))
 	{
 		Cache.WithLock(Result->Key,
@@ -394,7 +403,7 @@ std::shared_ptr<const FCompiledShader> CompileShader(const FShaderCompileRequest
 {
 	const FLaneConfig Lanes = ResolveLanes(Request.Lanes);
 	const std::string Key = HashRequest(Request) + (Lanes.bDouble ? "d" : "f") + std::to_string(Lanes.Lanes) + "w" +
-							std::to_string(Lanes.WaveSize);
+							std::to_string(Lanes.WaveSize) + (Request.bQuads ? "q" : "");
 	return WithLines(Request, [&] { return GetKernels().Find(Key, [&] { return MakeShader(Request, Lanes); }); });
 }
 

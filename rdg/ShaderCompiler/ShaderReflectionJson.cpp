@@ -76,6 +76,7 @@ void Fields(TArchive A, FShaderResource& R)
 	A("components", R.NumComponents);
 	A("stride", R.Stride);
 	A("compares", R.bCompares);
+	A("implicitLevel", R.bImplicitLevel);
 	A("where", R.Where);
 }
 template<typename TArchive>
@@ -90,6 +91,7 @@ void Fields(TArchive A, FShaderReflection& R)
 	A("discard", R.bUsesDiscard);
 	A("groups", R.bGroups);
 	A("groupsInOrder", R.bGroupsInOrder);
+	A("quads", R.bQuads);
 	A("samples", R.StaticSamples);
 }
 

@@ -104,6 +104,28 @@ void FSpirvChecker::CheckWave(const FSpirvInstruction& I)
 	}
 }
 
+/** What the pixels of a quad do together. */
+void FSpirvChecker::CheckQuad(const FSpirvInstruction& I)
+{
+	if (IsSpirvWave(I.Op))
+	{
+		CheckWave(I);
+		Expect(I.Op != OpGroupNonUniformQuadSwap || Module.FindConstant(I.Operands[2]), I);
+	}
+	else if (I.Op == OpImageQueryLod)
+	{
+		const FSpirvType& Type = Image(I, 0);
+		const uint32_t Needed = Type.Dim == Dim2D ? 2 : 3;
+		Expect(Type.Dim != DimBuffer && Size(I, 1) >= Needed && ResultSize(I) == 2, I);
+		Expect(Module.GetValueType(I.Operands[0]).Kind == ESpirvType::SampledImage, I);
+	}
+	else if (I.Op != OpDemote)
+	{
+		const bool bReal = I.Type && ResultSize(I) != 0 && Module.GetScalarKind(I.Type, 0) == ESpirvType::Float;
+		Expect(bReal && Size(I, 0) == ResultSize(I), I);
+	}
+}
+
 bool FSpirvChecker::CheckGroups(const FSpirvInstruction& I)
 {
 	if (I.Op == OpControlBarrier || I.Op == OpMemoryBarrier)

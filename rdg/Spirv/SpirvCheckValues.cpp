@@ -175,10 +175,12 @@ void FSpirvChecker::CheckSample(const FSpirvInstruction& I)
 	Expect(ResultSize(I) == (bCompares && !bGather ? 1u : 4u), I);
 	Expect(!Told.Component || Module.FindConstant(I.Operands[Told.Component]), I);
 	Expect(!bCompares || Size(I, Told.Reference) == 1, I);
-	if (Told.Bias && I.Op != OpImageDrefGather) // glslang gives gathers one, that means nothing
+	const bool bChooses = Module.ExecutionModel == ExecutionModelFragment && ChoosesSpirvLevel(I.Op);
+	if (Told.Bias && !bChooses && I.Op != OpImageDrefGather) // glslang gives gathers one, that means nothing
 	{
-		Module.Fail("SampleBias needs derivatives, which the CPU tier does not have; use SampleLevel", &I);
+		Module.Fail("SampleBias needs derivatives, which only pixel shaders have; use SampleLevel", &I);
 	}
+	Expect(!Told.Bias || Size(I, Told.Bias) == 1, I);
 	if ((bGather || bCompares) && Type.Dim == Dim3D)
 	{
 		Module.Fail("Texture3D has neither Gather nor comparisons; use SampleLevel", &I);

@@ -2,6 +2,8 @@
 // expects. What the CPU tier does not do is refused here, with the line and what to write instead.
 #include "SpirvChecker.h"
 
+#include "SpirvQuads.h"
+
 #include "SpirvRefusals.h"
 
 #include <algorithm>
@@ -252,9 +254,9 @@ void FSpirvChecker::CheckPhi(const FSpirvInstruction& I)
 
 void FSpirvChecker::CheckInstruction(const FSpirvInstruction& I)
 {
-	const bool bWave = Module.ExecutionModel == ExecutionModelCompute && IsSpirvWave(I.Op);
+	const bool bTogether = RunsTogether(Module.ExecutionModel, I.Op);
 	if (const std::string Refusal = ExplainRefusedOp(I.Op, I.Operands.data(), I.Operands.size());
-		!Refusal.empty() && !bWave)
+		!Refusal.empty() && !bTogether)
 	{
 		Module.Fail(Refusal, &I);
 	}
@@ -267,6 +269,11 @@ void FSpirvChecker::CheckInstruction(const FSpirvInstruction& I)
 			Expect(bOneForAll || Size(I, i) == ResultSize(I), I);
 		}
 		CheckKinds(I);
+		return;
+	}
+	if (Module.ExecutionModel == ExecutionModelFragment && (bTogether || I.Op == OpDemote))
+	{
+		CheckQuad(I);
 		return;
 	}
 	if (I.Op == OpExtInst)

@@ -29,6 +29,7 @@ private:
 	void CheckOrder();
 	bool CheckGroups(const FSpirvInstruction& I);
 	void CheckWave(const FSpirvInstruction& I);
+	void CheckQuad(const FSpirvInstruction& I);
 	bool CheckMemory(const FSpirvInstruction& I);
 	bool CheckComposite(const FSpirvInstruction& I);
 	bool CheckMatrix(const FSpirvInstruction& I);

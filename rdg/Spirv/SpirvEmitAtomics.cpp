@@ -105,8 +105,8 @@ bool FSpirvEmitter::EmitGroups(const FSpirvInstruction& I)
 							  : I.Op == OpAtomicIDecrement ? "U(4294967295u)"
 							  : I.Op == OpAtomicISub       ? "U(0u) - " + Operand(3)
 														   : Operand(bCompares ? 4 : 3);
-	const std::string Text = std::string("Atomic<") + GetOperation(I.Op) + ">(e, " + AtomicPlace(I) + ", " + Value +
-							 ", " + (bCompares ? Operand(5) : "U(0u)") + ")";
+	const std::string Text = std::string("Atomic<") + GetOperation(I.Op) + ">(" + GetStoreMask() + ", " +
+							 AtomicPlace(I) + ", " + Value + ", " + (bCompares ? Operand(5) : "U(0u)") + ")";
 	const auto Uses = NumUses.find(I.Result);
 	if (I.Result && Uses != NumUses.end())
 	{
@@ -116,7 +116,7 @@ bool FSpirvEmitter::EmitGroups(const FSpirvInstruction& I)
 	{
 		Line(Text + ";");
 	}
-	Line("CountLanesOf(Args, &FKernelCounters::Stores, e);");
+	Line(std::string("CountLanesOf(Args, &FKernelCounters::Stores, ") + GetStoreMask() + ");");
 	return true;
 }
 

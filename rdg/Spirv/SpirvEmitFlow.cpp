@@ -169,6 +169,10 @@ void FSpirvEmitter::EmitNode(const FStructNode& Node)
 		EmitLoop(Node);
 		break;
 	case EStructNode::Kill:
+		if (Module.bQuads)
+		{
+			Line("Live = Live & !e;");
+		}
 		Line("e = M(false);"); // outputs are written by lanes that return
 		break;
 	case EStructNode::Return:
@@ -440,6 +444,7 @@ void FSpirvEmitter::EmitTurn(const FStructNode& Node, bool bPacks)
 	};
 	const std::string At = bGroups ? "X" + InGroup(1, Size[0]) + ", Y" + InGroup(Size[0], Size[1]) + ", Z" +
 										 InGroup(Size[0] * Size[1], Size[2])
+						   : Module.bQuads ? "X[FirstLane(e)], Y[FirstLane(e)], 0"
 								   : "X0 + FirstLane(e), Y, Z";
 	Line("if (__builtin_expect(++n" + std::to_string(Node.Label) + " > LoopTurns, 0)) EndLoop(Args, \"" +
 		 Quotable(Module.Files[Header.File]) + "\", " + std::to_string(Header.Line) + ", " + At + ");");

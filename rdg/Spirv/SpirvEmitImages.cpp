@@ -77,7 +77,7 @@ std::string FSpirvEmitter::TapOf(const FSpirvInstruction& I, uint32_t Level)
 						(!Level || (Dependence.GetAll(Level) == 0 && !Scalar(Level, 0).bVarying)) &&
 						Dependence.IsSteady(CurrentBlock);
 	const uint32_t Turns = Loops.empty() ? 1 : MaxTurns;
-	if (bGroups || !bStill || Type.Dim != Dim2D || Type.bArrayed || Module.GetType(Type.Element).Kind != Float ||
+	if (bGroups || Module.bQuads || !bStill || Type.Dim != Dim2D || Type.bArrayed || Module.GetType(Type.Element).Kind != Float ||
 		NumTaps + Turns > MaxTaps)
 	{
 		return {};
@@ -144,7 +144,7 @@ bool FSpirvEmitter::EmitImage(const FSpirvInstruction& I)
 	};
 	const auto Count = [this](const char* Counter)
 	{
-		Line(std::string("CountLanesOf(Args, &FKernelCounters::") + Counter + ", e);");
+		Line(std::string("CountLanesOf(Args, &FKernelCounters::") + Counter + ", " + GetStoreMask() + ");");
 	};
 	switch (I.Op)
 	{
@@ -234,7 +234,7 @@ bool FSpirvEmitter::EmitImage(const FSpirvInstruction& I)
 			const FEmitScalar Part = i < SizeOf(I.Operands[2]) ? Scalar(I.Operands[2], i) : Literal(Kind, 0);
 			Value += (i ? ", " : "") + UseAs(Part, Kind, true);
 		}
-		const std::string Head = "(e, " + HandleOf(I.Operands[0]) + ", ";
+		const std::string Head = std::string("(") + GetStoreMask() + ", " + HandleOf(I.Operands[0]) + ", ";
 		const std::string Suffix = bInteger ? "Uint<Real, N>" : "";
 		if (Type.Dim == DimBuffer)
 		{

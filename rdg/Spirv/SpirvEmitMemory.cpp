@@ -247,6 +247,10 @@ std::vector<FEmitScalar> FSpirvEmitter::LoadInput(const FSpirvVariable& Variable
 	{
 		return LoadGroupInput(Variable);
 	}
+	if (Module.bQuads)
+	{
+		return LoadQuadInput(Variable);
+	}
 	const int32_t* const Group = Reflection.Reflection.GroupSize;
 	const auto Shift = [](int32_t Size)
 	{
@@ -370,7 +374,8 @@ void FSpirvEmitter::EmitStore(uint32_t Pointer, const std::vector<FEmitScalar>& 
 										 : Kind == Int            ? "StoreBufferInt"
 																  : "StoreBufferUint";
 			const std::string Value = UseAs(New[i], Kind, true);
-			Line(Function + "(e, g" + Number(Variable.Id) + ", " + (bVarying ? Offset : "U(" + Offset + ")") + ", " +
+			Line(Function + "(" + GetStoreMask() + ", g" + Number(Variable.Id) + ", " +
+				 (bVarying ? Offset : "U(" + Offset + ")") + ", " +
 				 (Kind == ESpirvType::Half ? "HalfBits(" + Value + ")" : Value) + ");");
 			continue;
 		}
@@ -402,7 +407,7 @@ void FSpirvEmitter::EmitStore(uint32_t Pointer, const std::vector<FEmitScalar>& 
 	}
 	if (bStorage)
 	{
-		Line("CountLanesOf(Args, &FKernelCounters::Stores, e);");
+		Line(std::string("CountLanesOf(Args, &FKernelCounters::Stores, ") + GetStoreMask() + ");");
 	}
 }
 
@@ -465,6 +470,15 @@ void FSpirvEmitter::EmitOutputs()
 			Value += ", " + (bWritten ? "l" + Number(Variable.Id) + "_" + Number(i) : std::string("R(Real(0))"));
 		}
 		const std::string Target = Number(Variable.Location);
+		if (Module.bQuads)
+		{
+			Line("if (" + Target + " < Args.NumTargets)");
+			Line("{");
+			Line("\tStoreTargetQuads<Real, N>(e & Live, Args.Targets[" + Target + "], X0, Y0" + Value + ");");
+			Line("\tCountLanesOf(Args, &FKernelCounters::Stores, e & Live);");
+			Line("}");
+			continue;
+		}
 		const std::string Whole = "h" + Target;
 		if (Declared.insert(Whole).second)
 		{

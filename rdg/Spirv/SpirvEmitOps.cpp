@@ -133,7 +133,7 @@ void FSpirvEmitter::EmitInstruction(const FSpirvInstruction& I)
 	}
 	if (I.Op == OpFunctionCall) // only functions that discard are left as calls
 	{
-		Line("e = M(false);");
+		Line(Module.bQuads ? "Live = Live & !e;" : "e = M(false);");
 		return;
 	}
 	if (bGroups && I.Op != OpControlBarrier)
@@ -146,7 +146,7 @@ void FSpirvEmitter::EmitInstruction(const FSpirvInstruction& I)
 	{
 		EmitExtended(I);
 	}
-	else if (!EmitMemory(I) && !EmitGroups(I) && !EmitWaves(I) && !EmitImage(I) && !EmitComposite(I) &&
+	else if (!EmitMemory(I) && !EmitGroups(I) && !EmitQuads(I) && !EmitWaves(I) && !EmitImage(I) && !EmitComposite(I) &&
 			 !EmitComponentwise(I) && !EmitMatrix(I))
 	{
 		Module.Fail(GetSpirvOpName(I.Op) + " is not supported on the CPU tier", &I);

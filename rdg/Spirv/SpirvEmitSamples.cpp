@@ -44,9 +44,16 @@ std::string FSpirvEmitter::LevelOf(const FSpirvInstruction& I)
 	{
 		return UseAs(Scalar(I.Operands[Told.Lod], 0), Float, false);
 	}
+	if (ChoosesLevel(I))
+	{
+		const std::string Chosen = "w" + Number(I.Result) + "l";
+		const std::string Bias = Told.Bias ? " + " + UseAs(Scalar(I.Operands[Told.Bias], 0), Float, true) : "";
+		Line("const R " + Chosen + " = " + QuadLevelOf(I, "SampleLevelOf") + Bias + ";");
+		return Chosen;
+	}
 	if (!Told.GradX)
 	{
-		return "Real(0)"; // Sample: there are no derivatives, so it is the view's first mip
+		return "Real(0)"; // Sample: the view has one mip, or there are no derivatives
 	}
 	const uint32_t Dim = ImageTypeOf(I.Operands[0]).Dim;
 	const uint32_t Axes = Dim == Dim2D ? 2 : 3;
@@ -85,7 +92,7 @@ bool FSpirvEmitter::EmitSample(const FSpirvInstruction& I)
 	const FSpirvImageOperands Told = GetImageOperands(I);
 	const FSpirvType& Type = ImageTypeOf(I.Operands[0]);
 	const FSpirvConstant* const Level = Told.Lod ? Module.FindConstant(I.Operands[Told.Lod]) : nullptr;
-	const bool bFirstMip = !Told.GradX && (!Told.Lod || (Level && Level->Scalars[0] == 0));
+	const bool bFirstMip = !Told.GradX && !ChoosesLevel(I) && (!Told.Lod || (Level && Level->Scalars[0] == 0));
 	const bool bGather = IsSpirvGather(I.Op);
 	if (!bGather && !Told.Reference && !Told.GradX && Type.Dim != DimCube && (!Told.Offset || bFirstMip))
 	{
@@ -126,7 +133,7 @@ bool FSpirvEmitter::EmitSample(const FSpirvInstruction& I)
 			Define(I.Result, i, {Text, Float, true, -1});
 		}
 	}
-	Line("CountLanesOf(Args, &FKernelCounters::Samples, e);");
+	Line(std::string("CountLanesOf(Args, &FKernelCounters::Samples, ") + GetStoreMask() + ");");
 	return true;
 }
 

@@ -293,7 +293,7 @@ bool FSpirvEmitter::IsMovable(const FSpirvInstruction& I) const
 		return true;
 	default:
 		return I.Result && (I.Op < OpSampledImage || I.Op > OpImageRead) && I.Op != OpFunctionCall &&
-			   !IsSpirvAtomic(I.Op) && !IsSpirvWave(I.Op);
+			   !IsSpirvAtomic(I.Op) && !IsSpirvWave(I.Op) && !IsSpirvDerivative(I.Op);
 	}
 }
 
@@ -306,6 +306,10 @@ std::string FSpirvEmitter::EmitRun()
 	bInParts = Structure.Root.Weight > SpirvLimits::MaxLinesUncut;
 	DeclareVariables();
 	EmitRegion(Structure.Root);
+	if (Module.bQuads)
+	{
+		return EmitQuadRun();
+	}
 	if (NumTaps)
 	{
 		Handles += "\tFKernelTap Taps[" + std::to_string(NumTaps) + "];\n\tconst bool bStill = " + StillText() +
@@ -369,7 +373,9 @@ std::string EmitKernel(const FSpirvEmitInput& Input, const std::string& Title)
 			   "using namespace Drydock;\n"
 			   "using namespace Drydock::Lanes;\n"
 			   "constexpr int N = " +
-			   (FindGroupUse(Input.Module).bWaves ? std::to_string(Input.WaveSize) : "DRYDOCK_LANES") +
+			   (FindGroupUse(Input.Module).bWaves ? std::to_string(Input.WaveSize)
+				   : Input.Module.bQuads          ? "DRYDOCK_LANES < 4 ? 4 : DRYDOCK_LANES"
+												  : "DRYDOCK_LANES") +
 			   ";\n"
 			   "using Real = DRYDOCK_REAL;\n"
 			   "using R = TReal<Real, N>;\n"

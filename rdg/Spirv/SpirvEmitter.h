@@ -1,6 +1,7 @@
 // The emitter's state and its parts: SpirvEmitter.cpp (module), SpirvEmitFlow.cpp (control flow and masks),
 // SpirvEmitOps.cpp (arithmetic), SpirvEmitComposites.cpp, SpirvEmitMemory.cpp (variables, buffers),
-// SpirvEmitArrays.cpp, SpirvEmitImages.cpp, SpirvEmitGroups.cpp (groups and barriers), SpirvEmitAtomics.cpp.
+// SpirvEmitArrays.cpp, SpirvEmitImages.cpp, SpirvEmitGroups.cpp (groups and barriers), SpirvEmitAtomics.cpp,
+// SpirvEmitWaves.cpp, SpirvEmitQuads.cpp.
 //
 // Values are single scalars: `const R v12_0 = v9_1 * v7_0;`. Moves between components cost no code at all. A scalar is
 // uniform (Real, int32_t, uint32_t, bool) or varying (R, I, U, M); C++ overloads do the rest. `e` is the mask of lanes
@@ -113,6 +114,16 @@ private:
 	std::vector<FEmitScalar> LoadGroupInput(const FSpirvVariable& Variable);
 	bool EmitGroups(const FSpirvInstruction& I);
 	bool EmitWaves(const FSpirvInstruction& I);
+
+	// Quads
+	std::string EmitQuadRun();
+	bool EmitQuads(const FSpirvInstruction& I);
+	std::vector<FEmitScalar> LoadQuadInput(const FSpirvVariable& Variable);
+	std::string QuadLevelOf(const FSpirvInstruction& I, const std::string& Function);
+	bool ChoosesLevel(const FSpirvInstruction& I) const { return Module.bQuads && ChoosesSpirvLevel(I.Op); }
+	/** Mask of the lanes that run and are no helpers. */
+	const char* GetStoreMask() const { return Module.bQuads ? "(e & Live)" : "e"; }
+
 	std::string AtomicPlace(const FSpirvInstruction& I);
 
 	// Instructions

@@ -41,6 +41,7 @@ bool ForEachFlow(const FSpirvModule& Module, const FSpirvInstruction& I, TCopy C
 	case OpImageFetch:
 	case OpImageRead:
 	case OpImageWrite:
+	case OpImageQueryLod:
 	case OpImageQueryLevels:
 	case OpArrayLength:
 	case OpFunctionCall:
@@ -54,7 +55,8 @@ bool ForEachFlow(const FSpirvModule& Module, const FSpirvInstruction& I, TCopy C
 	default:
 		break;
 	}
-	if (!I.Result || IsSpirvAtomic(I.Op) || IsSpirvWave(I.Op) || I.Op == OpImageTexelPointer)
+	const bool bOfOthers = IsSpirvAtomic(I.Op) || IsSpirvWave(I.Op) || IsSpirvDerivative(I.Op);
+	if (!I.Result || bOfOthers || I.Op == OpImageTexelPointer)
 	{
 		return false;
 	}

@@ -3,6 +3,8 @@
 // VK_KHR_shader_maximal_reconvergence.
 #include "SpirvGroup.h"
 
+#include "SpirvQuads.h"
+
 #include <algorithm>
 
 namespace Drydock
@@ -87,6 +89,7 @@ void TSpirvGroup<Real>::RunAll(const FKernelArgs& Args, const int32_t (&GroupId)
 	{
 		const std::array<int32_t, 3> At = GetThreadPosition(Program.Module, {GroupId[0], GroupId[1], GroupId[2]}, i);
 		Threads[i]->Start(Args, {At[0], At[1], At[2]});
+		Threads[i]->SetHelper(Program.Module.bQuads && (Helpers >> i & 1));
 		Waits[i] = Threads[i]->Advance(MaxSteps);
 	}
 	while (std::find(Waits.begin(), Waits.end(), true) != Waits.end())
@@ -118,7 +121,8 @@ void TSpirvGroup<Real>::RunWave(uint32_t First, uint32_t Last, uint64_t MaxSteps
 		{
 			return;
 		}
-		if (IsSpirvWave(Threads[Together.front()]->GetWaiting().I->Op))
+		const FSpirvInstruction& I = *Threads[Together.front()]->GetWaiting().I;
+		if (IsSpirvWave(I.Op) || (Program.Module.bQuads && IsQuadStep(I)))
 		{
 			std::vector<TSpirvThread<Real>*> Taking;
 			for (const uint32_t i : Together)

@@ -1,5 +1,5 @@
-// All threads of one group of a compute shader, run one after the other from one place where they wait for each other
-// to the next.
+// All threads of one group of a compute shader, or of a quad of pixels, run one after the other from one place where
+// they wait for each other to the next.
 #pragma once
 
 #include "SpirvThread.h"
@@ -31,10 +31,15 @@ public:
 	/** The same, and what each thread saw, by SV_GroupIndex. */
 	std::vector<FLog> Record(const FKernelArgs& Args, const int32_t (&GroupId)[3], uint64_t MaxSteps);
 
+	/** Pixels of a quad that are not drawn, from now on: bit i is the thread of index i. */
+	void SetHelpers(uint32_t InHelpers) { Helpers = InHelpers; }
+
 	/** Told of every group that runs from now on; null: nobody is. */
 	void SetRaceFinder(FRaceFinder* InRaces);
 
 	uint32_t GetNumThreads() const { return uint32_t(Threads.size()); }
+	/** As it was when the group had run. */
+	const TSpirvThread<Real>& GetThread(uint32_t Index) const { return *Threads.at(Index); }
 
 private:
 	void RunAll(const FKernelArgs& Args, const int32_t (&GroupId)[3], uint64_t MaxSteps);
@@ -49,6 +54,7 @@ private:
 	std::vector<bool> Waits; // by thread; false: it has ended
 	std::vector<FWord> Groupshared;
 	FRaceFinder* Races = nullptr;
+	uint32_t Helpers = 0;
 };
 
 extern template class TSpirvGroup<float>;

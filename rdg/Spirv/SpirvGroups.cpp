@@ -69,7 +69,7 @@ FSpirvGroupUse FindGroupUse(const FSpirvModule& Module)
 			// Scope and semantics of an atomic are constants, never its neighbours' results.
 			Used.insert(I.Operands.begin(), I.Operands.end());
 			Use.bGroups = Use.bGroups || I.Op == OpControlBarrier;
-			Use.bWaves = Use.bWaves || IsSpirvWave(I.Op);
+			Use.bWaves = Use.bWaves || (IsSpirvWave(I.Op) && Module.ExecutionModel != ExecutionModelFragment);
 		}
 	}
 	std::map<uint32_t, FSharedMemory> Memory; // by variable

@@ -2,6 +2,7 @@
 #include "SpirvInterpreter.h"
 
 #include "SpirvGroup.h"
+#include "SpirvQuads.h"
 
 namespace Drydock
 {
@@ -14,9 +15,9 @@ public:
 	FSpirvInterpreterImpl(const FSpirvModule& Module, const FSpirvReflection& Reflection, uint32_t InWaveSize)
 		: Program(Module)
 		, Thread(Program, MakeSlots(Module, Reflection))
-		, WaveSize(InWaveSize)
+		, WaveSize(Module.bQuads ? GQuadSize : InWaveSize)
 	{
-		if (Program.Groups.bGroups)
+		if (Program.Groups.bGroups || Module.bQuads)
 		{
 			Order = FindOrder(Module);
 			Group = std::make_unique<TSpirvGroup<float>>(Program, Order, MakeSlots(Module, Reflection), WaveSize);
@@ -34,7 +35,24 @@ public:
 		return Table;
 	}
 
-	float GetReal(size_t Variable, size_t Index) const { return ToSpirvReal<float>(Thread.GetMemory(Variable)[Index]); }
+	static float GetReal(const TSpirvThread<float>& Of, size_t Variable, size_t Index)
+	{
+		return ToSpirvReal<float>(Of.GetMemory(Variable)[Index]);
+	}
+
+	/** The thread of one pixel or dispatch id, after its run. */
+	const TSpirvThread<float>& Run(const FKernelArgs& Args, const int32_t (&At)[3], uint64_t MaxSteps)
+	{
+		if (!Program.Module.bQuads)
+		{
+			Thread.Run(Args, At, nullptr, MaxSteps);
+			return Thread;
+		}
+		const uint32_t Index = uint32_t(At[1] & 1) * 2 + uint32_t(At[0] & 1);
+		Group->SetHelpers(~(1u << Index));
+		Group->Run(Args, {At[0] / 2, At[1] / 2, At[2]}, MaxSteps);
+		return Group->GetThread(Index);
+	}
 
 	FSpirvProgram Program;
 	TSpirvThread<float> Thread;
@@ -57,13 +75,13 @@ FInterpretedPixel FSpirvInterpreter::Run(const FKernelArgs& Args, int32_t X, int
 	{
 		Module.Fail("a vertex shader has no pixel or thread to run for");
 	}
-	if (Impl->Group)
+	if (Impl->Program.Groups.bGroups)
 	{
 		Module.Fail("threads of this shader run by groups");
 	}
-	Impl->Thread.Run(Args, {X, Y, Z}, nullptr, MaxSteps);
+	const TSpirvThread<float>& Thread = Impl->Run(Args, {X, Y, Z}, MaxSteps);
 	FInterpretedPixel Pixel;
-	Pixel.bDiscarded = Impl->Thread.WasDiscarded();
+	Pixel.bDiscarded = Thread.WasDiscarded();
 	for (size_t k = 0; k < Module.Variables.size(); ++k)
 	{
 		const FSpirvVariable& Variable = Module.Variables[k];
@@ -71,7 +89,7 @@ FInterpretedPixel FSpirvInterpreter::Run(const FKernelArgs& Args, int32_t X, int
 		{
 			for (uint32_t i = 0; i < 4 && i < Impl->Program.Memory[k].Size; ++i)
 			{
-				Pixel.Targets[Variable.Location][i] = Impl->GetReal(k, i);
+				Pixel.Targets[Variable.Location][i] = Impl->GetReal(Thread, k, i);
 			}
 		}
 	}
@@ -80,7 +98,7 @@ FInterpretedPixel FSpirvInterpreter::Run(const FKernelArgs& Args, int32_t X, int
 
 void FSpirvInterpreter::RunGroup(const FKernelArgs& Args, int32_t X, int32_t Y, int32_t Z, uint64_t MaxSteps)
 {
-	if (!Impl->Group)
+	if (!Impl->Program.Groups.bGroups)
 	{
 		Impl->Program.Module.Fail("threads of this shader run one by one");
 	}
@@ -113,7 +131,8 @@ FVertexOutput FSpirvInterpreter::RunVertex(const FKernelArgs& Args, const FVerte
 			const size_t Index = size_t(std::max(0, TexCoord)) + i / Size;
 			if (bPosition ? i < 4 : Index < size_t(GMaxTexCoords) && i % Size < 4)
 			{
-				(bPosition ? Output.Position[i] : Output.TexCoords[Index][i % Size]) = Impl->GetReal(k, i);
+				(bPosition ? Output.Position[i] : Output.TexCoords[Index][i % Size]) =
+					Impl->GetReal(Impl->Thread, k, i);
 			}
 		}
 	}

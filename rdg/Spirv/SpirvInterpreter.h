@@ -29,7 +29,8 @@ public:
 		const FSpirvModule& Module, const FSpirvReflection& Reflection, uint32_t WaveSize = GDefaultWaveSize);
 	~FSpirvInterpreter();
 
-	/** Runs the thread of pixel or dispatch id (X, Y, Z). UAVs are written; render targets are returned, not written.
+	/** Runs the thread of pixel or dispatch id (X, Y, Z); of a shader that runs by quads with the others of its quad,
+	 *  which write nothing. UAVs are written; render targets are returned, not written.
 	 *  Throws FSpirvError when the shader does not end within MaxSteps instructions or does what it must not. */
 	FInterpretedPixel Run(const FKernelArgs& Args, int32_t X, int32_t Y, int32_t Z, uint64_t MaxSteps = 10'000'000);
 

@@ -217,6 +217,7 @@ struct DRYDOCK_API FSpirvModule
 	FSpirvRefusedPlace RefusedElsewhere;
 	std::vector<FSpirvFunction> Functions;           // ReadWholeSpirv only
 	uint32_t EntryFunction = 0;                      // id
+	bool bQuads = false;                             // pixels run by quads, see SpirvQuads.h
 	std::unordered_map<uint32_t, std::string> Names; // ReadWholeSpirv only: of values
 
 	const FSpirvType& GetType(uint32_t Id) const;      // throws on an unknown id, as all of these
@@ -265,6 +266,18 @@ constexpr bool IsSpirvAtomic(uint16_t Op)
 constexpr bool IsSpirvWave(uint16_t Op)
 {
 	return Op >= Spirv::OpGroupNonUniformElect && Op <= Spirv::OpGroupNonUniformQuadSwap;
+}
+
+/** A sample that does not say at which level. */
+constexpr bool ChoosesSpirvLevel(uint16_t Op)
+{
+	return Op == Spirv::OpImageSampleImplicitLod || Op == Spirv::OpImageSampleDrefImplicitLod;
+}
+
+/** What a pixel asks the other three of its quad for, and no thread elsewhere. */
+constexpr bool IsSpirvDerivative(uint16_t Op)
+{
+	return (Op >= Spirv::OpDPdx && Op <= Spirv::OpFwidthCoarse) || Op == Spirv::OpImageQueryLod;
 }
 
 /** A wave operation whose first operand behind the scope says: of all threads, or of those before each one. */

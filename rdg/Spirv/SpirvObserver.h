@@ -26,6 +26,8 @@ public:
 	virtual size_t GetDepth() const = 0;
 	/** Pixel or dispatch id. */
 	virtual const int32_t* GetPosition() const = 0;
+	/** Level of detail that derivatives gave the latest sample that asked for one. */
+	virtual double GetLevel() const = 0;
 };
 
 enum class ESpirvFault : uint8_t

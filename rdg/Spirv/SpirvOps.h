@@ -41,7 +41,8 @@ enum EOp : uint16_t
 	OpFOrdGreaterThanEqual = 190, OpFUnordGreaterThanEqual = 191,
 	OpShiftRightLogical = 194, OpShiftRightArithmetic = 195, OpShiftLeftLogical = 196, OpBitwiseOr = 197,
 	OpBitwiseXor = 198, OpBitwiseAnd = 199, OpNot = 200, OpBitReverse = 204, OpBitCount = 205,
-	OpDPdx = 207, OpDPdy = 208, OpFwidth = 209, OpFwidthCoarse = 215,
+	OpDPdx = 207, OpDPdy = 208, OpFwidth = 209, OpDPdxFine = 210, OpDPdyFine = 211, OpFwidthFine = 212,
+	OpDPdxCoarse = 213, OpDPdyCoarse = 214, OpFwidthCoarse = 215,
 	OpControlBarrier = 224, OpMemoryBarrier = 225, OpAtomicLoad = 227, OpAtomicStore = 228, OpAtomicExchange = 229,
 	OpAtomicCompareExchange = 230, OpAtomicIIncrement = 232, OpAtomicIDecrement = 233, OpAtomicIAdd = 234,
 	OpAtomicISub = 235, OpAtomicSMin = 236, OpAtomicUMin = 237, OpAtomicSMax = 238, OpAtomicUMax = 239,
@@ -56,6 +57,7 @@ enum EOp : uint16_t
 	OpGroupNonUniformUMin = 354, OpGroupNonUniformFMin = 355, OpGroupNonUniformSMax = 356, OpGroupNonUniformUMax = 357,
 	OpGroupNonUniformFMax = 358, OpGroupNonUniformBitwiseAnd = 359, OpGroupNonUniformBitwiseOr = 360,
 	OpGroupNonUniformBitwiseXor = 361, OpGroupNonUniformQuadBroadcast = 365, OpGroupNonUniformQuadSwap = 366,
+	OpDemote = 5380, // OpDemoteToHelperInvocation
 	OpDecorateString = 5632, OpMemberDecorateString = 5633
 };
 

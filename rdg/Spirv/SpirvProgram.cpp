@@ -1,6 +1,7 @@
 // Gives every id of a module its words.
 #include "SpirvProgram.h"
 
+#include "SpirvQuads.h"
 #include "SpirvTurns.h"
 
 #include <algorithm>
@@ -230,9 +231,10 @@ void FSpirvProgram::AddStep(const FSpirvInstruction& I)
 	const bool bMemory = I.Op == OpLoad && Module.GetType(I.Type).NumScalars;
 	const uint32_t Storage = bMemory ? Module.GetValueType(I.Operands[0]).Storage : 0;
 	const bool bWave = IsSpirvWave(I.Op);
-	Step.bSync = I.Op == OpControlBarrier || bWave || (Groups.bWaves && bAtomic);
-	Step.bOfOthers = Groups.bGroups && I.Result &&
-					 (bAtomic || bWave || I.Op == OpImageRead || (bMemory && Storage == StorageWorkgroup) ||
+	Step.bSync = I.Op == OpControlBarrier || bWave || (Groups.bWaves && bAtomic) || (Module.bQuads && IsQuadStep(I));
+	Step.bOfOthers = (Groups.bGroups || Module.bQuads) && I.Result &&
+					 (bAtomic || bWave || IsSpirvDerivative(I.Op) || I.Op == OpImageRead ||
+						 (bMemory && Storage == StorageWorkgroup) ||
 						 (bMemory && Step.Place != ~0u && Places[Step.Place].ElementStride));
 	Steps.push_back(Step);
 }

@@ -5,6 +5,7 @@
 #include "SpirvCheck.h"
 #include "SpirvLayout.h"
 #include "SpirvLimits.h"
+#include "SpirvQuads.h"
 #include "SpirvRefusals.h"
 
 #include <algorithm>
@@ -84,7 +85,7 @@ void FSpirvReader::ReadInOtherFunction(uint16_t Op, FSpirvOperands& Operands)
 		const bool bBuiltIn = Found != Decorations.end() && Found->second.Values.count(DecorationBuiltIn);
 		Message = bBuiltIn ? ExplainRefusedBuiltIn(Found->second.Values.at(DecorationBuiltIn)) : std::string();
 	}
-	else if (Words.size() >= 2 && !(IsSpirvWave(Op) && Module.ExecutionModel == ExecutionModelCompute))
+	else if (Words.size() >= 2 && !RunsTogether(Module.ExecutionModel, Op))
 	{
 		Message = ExplainRefusedOp(Op, Words.data() + 2, Words.size() - 2);
 	}
@@ -237,7 +238,7 @@ void FSpirvReader::ReadInFunction(uint16_t Op, FSpirvOperands& Operands)
 	Instruction.Line = CurrentLine;
 	const bool bTerminator = (Op >= OpBranch && Op <= OpUnreachable);
 	const bool bNoResult = bTerminator || Op == OpStore || Op == OpImageWrite || Op == OpControlBarrier ||
-						   Op == OpMemoryBarrier || Op == OpAtomicStore;
+						   Op == OpMemoryBarrier || Op == OpAtomicStore || Op == OpDemote;
 	if (!bNoResult)
 	{
 		Instruction.Type = Operands.Next();
@@ -480,6 +481,7 @@ FSpirvModule FSpirvReader::Read()
 		CheckSpirv(Module);
 	}
 	ApplyD3DLayout(Module);
+	RunByQuadsWhereUsed(Module);
 	return std::move(Module);
 }
 

@@ -4,6 +4,7 @@
 #include "SpirvGroups.h"
 #include "SpirvImageOperands.h"
 #include "SpirvPlace.h"
+#include "SpirvQuads.h"
 #include "SpirvRefusals.h"
 #include "VertexProgram.h"
 
@@ -416,12 +417,22 @@ FSpirvReflection FReflector::Run()
 	{
 		for (const FSpirvInstruction& I : Block.Instructions)
 		{
-			Reflection.bUsesDiscard = Reflection.bUsesDiscard || I.Op == OpKill || I.Op == OpFunctionCall;
+			Reflection.bUsesDiscard =
+				Reflection.bUsesDiscard || I.Op == OpKill || I.Op == OpDemote || I.Op == OpFunctionCall;
 		}
 	}
 	const FSpirvGroupUse Groups = FindGroupUse(Module);
 	Reflection.bGroups = Groups.bGroups;
 	Reflection.bGroupsInOrder = Groups.bInOrder;
+	Reflection.bQuads = Module.bQuads;
+	for (const uint32_t Texture : FindImplicitSamples(Module))
+	{
+		const auto Slot = Result.Slots.find(Texture);
+		if (Slot != Result.Slots.end())
+		{
+			Reflection.Textures.at(Slot->second).bImplicitLevel = true;
+		}
+	}
 	Reflection.StaticSamples = CountStaticSamples(Module, Structure);
 	return std::move(Result);
 }

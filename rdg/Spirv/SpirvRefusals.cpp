@@ -12,7 +12,7 @@ using namespace Spirv;
 namespace
 {
 
-const char* const NoDerivatives = "there are no derivatives on the CPU tier: threads do not run in quads. Compute the "
+const char* const NoDerivatives = "only pixel shaders have derivatives: other threads do not run in quads. Compute the "
 								  "step from the texel size, or use "
 								  "SampleLevel";
 const char* const NoWaves = "wave operations run in compute shaders only: pixels have no order that waves could be "
@@ -35,7 +35,7 @@ const FRow Rows[] = {
 	{210, "ddx_fine", NoDerivatives}, {211, "ddy_fine", NoDerivatives}, {212, "fwidth", NoDerivatives},
 	{213, "ddx_coarse", NoDerivatives}, {214, "ddy_coarse", NoDerivatives}, {OpFwidthCoarse, "fwidth", NoDerivatives},
 	{OpImageQueryLod, "CalculateLevelOfDetail",
-		"it needs derivatives, which the CPU tier does not have. Compute the mip level and use SampleLevel"},
+		"it needs derivatives, which only pixel shaders have. Compute the mip level and use SampleLevel"},
 	{OpImageQuerySamples, "GetDimensions of a Texture2DMS",
 		"multisampled textures are not supported on the CPU tier. Use Texture2D"},
 	{OpGroupNonUniformElect, "WaveIsFirstLane", NoWaves}, {334, "WaveActiveAllTrue", NoWaves},

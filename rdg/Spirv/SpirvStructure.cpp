@@ -18,7 +18,7 @@ using namespace Spirv;
 bool CallsDiscard(const FSpirvBlock& Block)
 {
 	return std::any_of(Block.Instructions.begin(), Block.Instructions.end(),
-		[](const FSpirvInstruction& I) { return I.Op == OpFunctionCall; });
+		[](const FSpirvInstruction& I) { return I.Op == OpFunctionCall || I.Op == OpDemote; });
 }
 
 size_t GetWeight(const FSpirvModule& Module, const FSpirvBlock& Block)

@@ -75,7 +75,7 @@ private:
 	{
 		const std::vector<FSpirvInstruction>& Instructions = Module.GetBlock(Label).Instructions;
 		return std::any_of(Instructions.begin(), Instructions.end(),
-			[](const FSpirvInstruction& I) { return I.Op == OpFunctionCall; });
+			[](const FSpirvInstruction& I) { return I.Op == OpFunctionCall || I.Op == OpDemote; });
 	}
 
 	const FSpirvModule& Module;

@@ -1,6 +1,6 @@
 // One thread of a shader, run instruction by instruction, block after block, as the specification says. It knows
 // nothing of lanes, masks, structure or uniformity. SpirvThread.inl: inputs, blocks and calls; SpirvThreadMemory.inl:
-// pointers and buffers; SpirvThreadGroups.inl and SpirvThreadWaves.inl: what threads do
+// pointers and buffers; SpirvThreadGroups.inl, SpirvThreadWaves.inl and SpirvThreadQuads.inl: what threads do
 // together; SpirvThreadValues.inl: vectors, matrices and
 // functions of them; SpirvThreadImages.inl: textures.
 #pragma once
@@ -42,7 +42,7 @@ public:
 	bool Advance(uint64_t MaxSteps);
 	const FSpirvStep& GetWaiting() const { return Program.Steps[At]; }
 	void ExecuteWaiting();
-	/** A wave operation that all of these wait at, in the order of their lanes. */
+	/** A wave or quad operation that all of these wait at, in the order of their lanes. */
 	static void ExecuteTogether(const std::vector<TSpirvThread*>& Together);
 	void StepOver();
 	/** Its place in its group and wave. */
@@ -54,6 +54,8 @@ public:
 	}
 	/** Told of every access to groupshared memory; null: nobody is. */
 	void SetRaceFinder(FRaceFinder* InRaces) { Races = InRaces; }
+	/** A pixel that is not drawn, run for its quad: stores and counts nothing. Of the run that has been started. */
+	void SetHelper(bool bInHelper) { bHelper = bInHelper; }
 	/** Groupshared memory, of as many words as the program says; null: the thread's own. */
 	void SetGroupshared(FWord* Memory) { Groupshared = Memory; }
 	/** Turns of each loop around the place where the thread waits, by Order; and where it is. */
@@ -69,7 +71,7 @@ public:
 	bool ExecuteStep(const FSpirvStep& Step);
 	FWord* GetWords() { return Words.data(); }
 
-	bool WasDiscarded() const { return bDiscarded; }
+	bool WasDiscarded() const { return bDiscarded || bDemoted; }
 	/** A variable's words: outputs, after Run. */
 	const FWord* GetMemory(size_t Variable) const { return Words.data() + Program.Memory[Variable].First; }
 	bool IsDefined(uint32_t Word) const { return Undefined.empty() || !Undefined[Word]; }
@@ -86,6 +88,7 @@ public:
 	double GetReal(uint32_t Word) const override { return double(ToSpirvReal<Real>(Words[Word])); }
 	size_t GetDepth() const override { return Calls.size(); }
 	const int32_t* GetPosition() const override { return Position; }
+	double GetLevel() const override { return double(Level); }
 
 private:
 	static constexpr uint32_t Nowhere = ~0u;
@@ -106,6 +109,10 @@ private:
 	void Execute(const FSpirvStep& Step);
 	void TellRaces(const FSpirvStep& Step, uint32_t Word, uint32_t Size, ESharedAccess Access, const FWord* Values);
 	bool ExecuteFromLog(const FSpirvStep& Step);
+	FWord TakeFromLog(const FSpirvStep& Step);
+	static void ExecuteQuad(const std::vector<TSpirvThread*>& Together);
+	void Discard();
+	bool Stores() const { return !bReplay && !bHelper; }
 	void Note(const FSpirvStep& Step);
 	void ShowWaiting();
 	bool ExecuteAtomic(const FSpirvStep& Step);
@@ -213,7 +220,10 @@ private:
 	const FKernelArgs* Args = nullptr;
 	const FVertexInput* Vertex = nullptr; // of a vertex shader
 	int32_t Position[3] = {};
-	bool bDiscarded = false;
+	bool bDiscarded = false; // and has ended with it
+	bool bDemoted = false;   // and goes on as a helper
+	bool bHelper = false;
+	Real Level = 0; // of the latest sample that chose its own
 	uint32_t Block = 0;
 	uint32_t At = 0; // step
 	uint64_t NumSteps = 0;

@@ -178,7 +178,8 @@ void TSpirvThread<Real>::Begin(const FKernelArgs& InArgs, const int32_t (&InPosi
 	Args = &InArgs;
 	Vertex = InVertex;
 	std::copy_n(InPosition, 3, Position);
-	bDiscarded = false;
+	bDiscarded = bDemoted = bHelper = false;
+	Level = 0;
 	Taps = 0;
 	Calls.clear();
 	ClearMemory();
@@ -437,6 +438,10 @@ void TSpirvThread<Real>::Execute(const FSpirvStep& Step)
 	{
 		return;
 	}
+	if (Step.bSync && ChoosesSpirvLevel(Step.I->Op) && Log && bReplay)
+	{
+		Level = ToSpirvReal<Real>(TakeFromLog(Step));
+	}
 	switch (Step.I->Op)
 	{
 	case OpLoad:
@@ -457,7 +462,8 @@ void TSpirvThread<Real>::Execute(const FSpirvStep& Step)
 		ExecuteChain(Step);
 		return;
 	case OpFunctionCall:
-		bDiscarded = true;
+	case OpDemote:
+		Discard();
 		return;
 	case OpArrayLength:
 		ArrayLength(Step);

@@ -50,7 +50,8 @@ template<typename Real>
 void TSpirvThread<Real>::ExecuteWaiting()
 {
 	const FSpirvStep& Step = GetWaiting();
-	if (IsSpirvWave(Step.I->Op) && !(Log && bReplay))
+	const bool bTogether = ChoosesSpirvLevel(Step.I->Op) || IsSpirvDerivative(Step.I->Op);
+	if ((bTogether || IsSpirvWave(Step.I->Op)) && !(Log && bReplay))
 	{
 		ExecuteTogether({this});
 		return;
@@ -99,13 +100,21 @@ void TSpirvThread<Real>::StepOver()
 template<typename Real>
 bool TSpirvThread<Real>::ExecuteFromLog(const FSpirvStep& Step)
 {
-	if (LogPosition + Step.Size > Log->size())
+	for (uint32_t i = 0; i < Step.Size; ++i)
+	{
+		Result(Step)[i] = TakeFromLog(Step);
+	}
+	return true;
+}
+
+template<typename Real>
+typename TSpirvThread<Real>::FWord TSpirvThread<Real>::TakeFromLog(const FSpirvStep& Step)
+{
+	if (LogPosition >= Log->size())
 	{
 		Program.Module.Fail("the thread takes another way than in its group", Step.I);
 	}
-	std::copy_n(Log->begin() + std::ptrdiff_t(LogPosition), Step.Size, Result(Step));
-	LogPosition += Step.Size;
-	return true;
+	return (*Log)[LogPosition++];
 }
 
 template<typename Real>
@@ -257,7 +266,7 @@ bool TSpirvThread<Real>::ExecuteAtomic(const FSpirvStep& Step)
 			CheckElement(Step, *Buffer, Element, true);
 		}
 	}
-	const uint32_t Old = Place ? ReplaceAtomically(Place, Step) : 0;
+	const uint32_t Old = Place && Stores() ? ReplaceAtomically(Place, Step) : 0;
 	if (Word)
 	{
 		*Word = FWord(Copy);

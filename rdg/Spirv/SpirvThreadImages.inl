@@ -68,9 +68,11 @@ void TSpirvThread<Real>::ExecuteSample(const FSpirvStep& Step)
 	const FSpirvImageOperands Told = GetImageOperands(I);
 	const FKernelTexture& Texture = ViewOf(Args->Textures, Bits(Step, 0, 0));
 	const FKernelSampler& Sampler = ViewOf(Args->Samplers, Bits(Step, 0, 1));
-	const Real Level = Told.Lod     ? GetValue(Step, Told.Lod, 0)
-					   : Told.GradX ? GetGradientLevel(Step, Told, Texture)
-									: Real(0);
+	const bool bChooses = Program.Module.bQuads && ChoosesSpirvLevel(I.Op);
+	const Real At = bChooses     ? Level
+					: Told.Lod   ? GetValue(Step, Told.Lod, 0)
+					: Told.GradX ? GetGradientLevel(Step, Told, Texture)
+								 : Real(0);
 	const uint32_t Axes = Image.Dim == Dim2D ? 2 : 3;
 	Real Coordinates[4] = {};
 	int32_t Offsets[4][3] = {};
@@ -109,15 +111,15 @@ void TSpirvThread<Real>::ExecuteSample(const FSpirvStep& Step)
 	}
 	else
 	{
-		FSampling::Sample(Texture, Sampler, Place, &Level, true, Out);
+		FSampling::Sample(Texture, Sampler, Place, &At, true, Out);
 	}
 	for (uint32_t c = 0; c < 4 && c < Step.Size; ++c)
 	{
 		Result(Step)[c] = ToSpirvWord<Real>(Out[c]);
 	}
-	if (Observer && Told.Lod && Level > Real(Texture.NumMips - 1))
+	if (Observer && Told.Lod && At > Real(Texture.NumMips - 1))
 	{
-		const int64_t Asked = Level < Real(1000) ? int64_t(std::ceil(double(Level))) : 1000;
+		const int64_t Asked = At < Real(1000) ? int64_t(std::ceil(double(At))) : 1000;
 		Fault(Step, {ESpirvFault::Level, Resource(Step, 0).Name, {0, 0, 0, Asked}, {Texture.NumMips}, false, false});
 	}
 	++Taps;
@@ -175,7 +177,7 @@ void TSpirvThread<Real>::ExecuteImageWrite(const FSpirvStep& Step)
 	using FSampling = Lanes::TSampling<Real, 1>;
 	const FSpirvType& Image = Program.Module.GetValueType(Step.I->Operands[0]);
 	const bool bInteger = Program.Module.GetType(Image.Element).Kind != ESpirvType::Float;
-	const int32_t On = bReplay ? 0 : -1;
+	const int32_t On = Stores() ? -1 : 0;
 	Real Values[4] = {};
 	uint32_t UintValues[4] = {};
 	int32_t At[4] = {};

@@ -4,6 +4,7 @@
 #include "SpirvThreadImages.inl"
 #include "SpirvThreadGroups.inl"
 #include "SpirvThreadMemory.inl"
+#include "SpirvThreadQuads.inl"
 #include "SpirvThreadValues.inl"
 #include "SpirvThreadWaves.inl"
 

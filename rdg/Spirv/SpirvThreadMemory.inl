@@ -142,7 +142,7 @@ void TSpirvThread<Real>::StoreBytes(const FSpirvStep& Step)
 		const uint32_t Size = GetSpirvBytes(Kind);
 		const uint64_t Stored = ToSpirvMemory<Real>(Kind, From[i]);
 		const uint64_t Byte = uint64_t(Element) * Place.ElementStride + uint32_t(Pointer[0]) + Place.Scalars[i];
-		if (!bReplay && Element < Buffer->SizeInBytes / Place.ElementStride && Byte + Size <= Buffer->SizeInBytes)
+		if (Stores() && Element < Buffer->SizeInBytes / Place.ElementStride && Byte + Size <= Buffer->SizeInBytes)
 		{
 			std::memcpy(Buffer->Data + Byte, &Stored, Size);
 		}

@@ -144,6 +144,11 @@ void TSpirvThread<Real>::ExecuteTogether(const std::vector<TSpirvThread*>& Toget
 {
 	const FSpirvStep& Step = Together.front()->GetWaiting();
 	const FSpirvInstruction& I = *Step.I;
+	if (!IsSpirvWave(I.Op))
+	{
+		ExecuteQuad(Together);
+		return;
+	}
 	std::vector<TSpirvThread*> ByLane(Together.front()->WaveSize);
 	for (TSpirvThread* const Thread : Together)
 	{

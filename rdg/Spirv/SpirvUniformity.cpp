@@ -106,7 +106,7 @@ bool FUniformityAnalysis::IsInputVarying(const FSpirvVariable& Variable, uint32_
 	case BuiltInWorkgroupId:
 	case BuiltInLocalInvocationId:
 	case BuiltInFragCoord:
-		return Scalar == 0; // lanes lie in a row
+		return Scalar == 0 || (Module.bQuads && Scalar == 1); // lanes lie in a row, or in two
 	case BuiltInFrontFacing:
 		return false;
 	default:
@@ -248,7 +248,7 @@ void FUniformityAnalysis::Visit(const FSpirvBlock& Block, const FSpirvInstructio
 		}
 		break;
 	default:
-		if ((IsSpirvAtomic(I.Op) || IsSpirvWave(I.Op)) && I.Result)
+		if ((IsSpirvAtomic(I.Op) || IsSpirvWave(I.Op) || IsSpirvDerivative(I.Op)) && I.Result)
 		{
 			MarkAll(I.Result);
 		}

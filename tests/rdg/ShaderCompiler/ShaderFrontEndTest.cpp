@@ -104,9 +104,10 @@ TEST(ShaderErrors, CrashOfTheFrontEndIsAnError)
 
 TEST(ShaderRefusals, DerivativesSayWhatToDo)
 {
-	const std::string Errors = ErrorsOf(
-		"float4 Main(float2 UV : TEXCOORD0) : SV_Target0\n{\n\treturn ddx(UV).xyxy;\n}\n", EShaderStage::Pixel);
-	EXPECT_THAT(Errors, HasSubstr("/Test/Shader.usf:4: error: ddx: there are no derivatives on the CPU tier"));
+	const std::string Errors =
+		ErrorsOf("RWBuffer<float> Out;\n[numthreads(8, 8, 1)]\n"
+				 "void Main(uint3 Id : SV_DispatchThreadID)\n{\n\tOut[Id.x] = ddx(float(Id.x));\n}\n");
+	EXPECT_THAT(Errors, HasSubstr("error: ddx: only pixel shaders have derivatives"));
 }
 
 TEST(ShaderRefusals, WaveIntrinsicsOfPixelShadersAreNamedAsInHlsl)

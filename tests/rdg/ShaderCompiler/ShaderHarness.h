@@ -10,7 +10,9 @@
 #include "ShaderFrontEnd.h"
 #include "SpirvGroup.h"
 #include "SpirvInterpreter.h"
+#include "SpirvQuads.h"
 
+#include <algorithm>
 #include <cstring>
 #include <map>
 #include <memory>
@@ -20,22 +22,25 @@
 namespace Drydock::Test
 {
 
-/** A float RGBA texture, or R32_UINT when bUint, with the readable margins that kernels rely on. */
+/** A float RGBA texture, or R32_UINT when bUint, with the readable margins that kernels rely on. Mips lie one behind
+ * the other. */
 class FTestTexture
 {
 public:
 	FTestTexture() = default;
-	FTestTexture(int32_t InSizeX, int32_t InSizeY, bool bInUint = false)
+	FTestTexture(int32_t InSizeX, int32_t InSizeY, bool bInUint = false, int32_t InNumMips = 1)
 		: SizeX(InSizeX)
 		, SizeY(InSizeY)
 		, bUint(bInUint)
-		, Memory(size_t(InSizeX) * size_t(InSizeY) * 16 + 128, 0)
+		, Memory(FirstTexelOf(InNumMips) * 16 + 128, 0)
+		, Mips(size_t(InNumMips))
 	{
 	}
 
-	float* Texel(int32_t X, int32_t Y)
+	float* Texel(int32_t X, int32_t Y, int32_t Mip = 0)
 	{
-		return reinterpret_cast<float*>(Memory.data() + 64) + (size_t(Y) * size_t(SizeX) + size_t(X)) * (bUint ? 1 : 4);
+		const size_t Index = FirstTexelOf(Mip) + size_t(Y) * size_t(GetSize(SizeX, Mip)) + size_t(X);
+		return reinterpret_cast<float*>(Memory.data() + 64) + Index * (bUint ? 1 : 4);
 	}
 	uint32_t& Uint(int32_t X, int32_t Y)
 	{
@@ -44,18 +49,34 @@ public:
 
 	FKernelTexture View()
 	{
-		const int32_t Pitch = SizeX * (bUint ? 4 : 16);
-		Mip = {Memory.data() + 64, SizeX, SizeY, 1, Pitch, int64_t(Pitch) * SizeY};
-		return {&Mip, 1, bUint ? ETexelStorage::R32_UINT : ETexelStorage::RGBA32_FLOAT, 0, 0};
+		for (int32_t Mip = 0; Mip < int32_t(Mips.size()); ++Mip)
+		{
+			const int32_t Pitch = GetSize(SizeX, Mip) * (bUint ? 4 : 16);
+			Mips[size_t(Mip)] = {reinterpret_cast<uint8_t*>(Texel(0, 0, Mip)), GetSize(SizeX, Mip), GetSize(SizeY, Mip),
+				1, Pitch, int64_t(Pitch) * GetSize(SizeY, Mip)};
+		}
+		return {Mips.data(), int32_t(Mips.size()), bUint ? ETexelStorage::R32_UINT : ETexelStorage::RGBA32_FLOAT, 0, 0};
 	}
+
+	static int32_t GetSize(int32_t Size, int32_t Mip) { return std::max(1, Size >> Mip); }
 
 	int32_t SizeX = 0;
 	int32_t SizeY = 0;
 
 private:
+	size_t FirstTexelOf(int32_t Mip) const
+	{
+		size_t Index = 0;
+		for (int32_t i = 0; i < Mip; ++i)
+		{
+			Index += size_t(GetSize(SizeX, i)) * size_t(GetSize(SizeY, i));
+		}
+		return Index;
+	}
+
 	bool bUint = false;
 	std::vector<uint8_t> Memory;
-	FKernelMip Mip{};
+	std::vector<FKernelMip> Mips = std::vector<FKernelMip>(1);
 };
 
 class FShaderHarness
@@ -112,7 +133,11 @@ public:
 	void RunModel(int32_t X, int32_t Y, int32_t Z = 1)
 	{
 		const FShaderSource Source = FlattenShader(Request);
-		const FSpirvModule Module = ReadSpirv(CompileToSpirv(Source, Request));
+		FSpirvModule Module = ReadSpirv(CompileToSpirv(Source, Request));
+		if (Request.bQuads)
+		{
+			RunByQuads(Module);
+		}
 		const FSpirvReflection Reflection = ReflectSpirv(Module, BuildSpirvStructure(Module), Source.Text);
 		Bind(Reflection.Reflection);
 		FSpirvInterpreter Interpreter(Module, Reflection, uint32_t(WaveSize));
@@ -148,7 +173,7 @@ public:
 		FInspectedShader& Shader = Inspect();
 		if (Shader.HasGroups())
 		{
-			RunGroups<float>(Shader, X, Y, Z);
+			bDouble ? RunGroups<double>(Shader, X, Y, Z) : RunGroups<float>(Shader, X, Y, Z);
 			return;
 		}
 		const auto RunAll = [&](auto& Thread)
@@ -189,10 +214,29 @@ private:
 	{
 		const uint32_t* const Size = Shader.GetModule().LocalSize;
 		TSpirvGroup<Real> Group(Shader.GetProgram(), Shader.GetOrder(), Shader.GetSlots(), Shader.GetWaveSize());
-		const int32_t Counts[3] = {X / int32_t(Size[0]), Y / int32_t(Size[1]), Z / int32_t(Size[2])};
+		const bool bQuads = Shader.GetModule().bQuads;
+		const auto Count = [&Size](int32_t Threads, int Axis)
+		{
+			return (Threads + int32_t(Size[Axis]) - 1) / int32_t(Size[Axis]);
+		};
+		const int32_t Counts[3] = {Count(X, 0), Count(Y, 1), Count(Z, 2)};
 		for (int32_t i = 0; i < Counts[0] * Counts[1] * Counts[2]; ++i)
 		{
-			Group.Run(Args, {i % Counts[0], i / Counts[0] % Counts[1], i / Counts[0] / Counts[1]}, 10'000'000);
+			const int32_t Id[3] = {i % Counts[0], i / Counts[0] % Counts[1], i / Counts[0] / Counts[1]};
+			uint32_t Helpers = 0;
+			for (int32_t k = 0; bQuads && k < 4; ++k)
+			{
+				Helpers |= uint32_t(Id[0] * 2 + k % 2 >= X || Id[1] * 2 + k / 2 >= Y) << k;
+			}
+			Group.SetHelpers(Helpers);
+			Group.Run(Args, Id, 10'000'000);
+			for (int32_t k = 0; bQuads && k < 4; ++k)
+			{
+				if (!(Helpers >> k & 1))
+				{
+					StoreTargets(Shader, Group.GetThread(uint32_t(k)), Id[0] * 2 + k % 2, Id[1] * 2 + k / 2);
+				}
+			}
 		}
 	}
 
