@@ -1,11 +1,9 @@
 // Random programs whose threads work together: barriers in loops and conditions, groupshared memory, atomics, waves.
-// The compiled kernel of every lane count, the interpreter, and the interpreter of the program with its functions agree
-// bit for bit. DRYDOCK_TEST_DEPTH=N runs N times as many programs.
+// The compiled kernel, the interpreter, and the interpreter of the program with its functions agree bit for bit.
 #include <gtest/gtest.h>
 
-#include "ShaderHarness.h"
+#include "RandomPrograms.h"
 
-#include <cstdlib>
 #include <random>
 
 namespace
@@ -154,12 +152,6 @@ void Fill(FShaderHarness& Harness, uint32_t Seed, int32_t NumThreads)
 	Harness.Buffers["Sums"].assign(16 * NumGroups, 0);
 }
 
-int GetDepth()
-{
-	const char* Depth = std::getenv("DRYDOCK_TEST_DEPTH");
-	return Depth ? std::max(1, std::atoi(Depth)) : 1;
-}
-
 } // namespace
 
 class FRandomGroups : public testing::TestWithParam<int>
@@ -168,35 +160,30 @@ class FRandomGroups : public testing::TestWithParam<int>
 
 TEST_P(FRandomGroups, KernelsAgreeWithTheModelBitForBit)
 {
-	for (int Round = 0; Round < GetDepth(); ++Round)
+	const uint32_t Seed = uint32_t(GetParam());
+	const FRandomForm Form(Seed);
+	FGroupProgram Program(Seed);
+	const std::string Text = Program.Make();
+	SCOPED_TRACE(Text);
+	const int32_t X = Program.GetSize()[0] * NumGroups;
+	const int32_t Y = Program.GetSize()[1];
+	const int32_t Z = Program.GetSize()[2];
+	FShaderHarness Model(Text, "MainCS", EShaderStage::Compute);
+	Fill(Model, Seed, Program.Count());
+	Model.RunModel(X, Y, Z);
+	const auto Compare = [&](FShaderHarness& Other, const std::string& Name)
 	{
-		const uint32_t Seed = uint32_t(GetParam() + 1000 * Round);
-		FGroupProgram Program(Seed);
-		const std::string Text = Program.Make();
-		SCOPED_TRACE(Text);
-		const int32_t X = Program.GetSize()[0] * NumGroups;
-		const int32_t Y = Program.GetSize()[1];
-		const int32_t Z = Program.GetSize()[2];
-		FShaderHarness Model(Text, "MainCS", EShaderStage::Compute);
-		Fill(Model, Seed, Program.Count());
-		Model.RunModel(X, Y, Z);
-		const auto Compare = [&](FShaderHarness& Other, const std::string& Form)
-		{
-			EXPECT_EQ(Model.Buffers["Out"], Other.Buffers["Out"]) << "seed " << Seed << ", " << Form;
-			EXPECT_EQ(Model.Buffers["Sums"], Other.Buffers["Sums"]) << "seed " << Seed << ", " << Form;
-		};
-		for (const int32_t Lanes : GetLaneCounts())
-		{
-			FShaderHarness Kernel(Text, "MainCS", EShaderStage::Compute);
-			Fill(Kernel, Seed, Program.Count());
-			Kernel.Run(Lanes, X, Y, Z);
-			Compare(Kernel, std::to_string(Lanes) + " lanes");
-		}
-		FShaderHarness Inspected(Text, "MainCS", EShaderStage::Compute);
-		Fill(Inspected, Seed, Program.Count());
-		Inspected.RunInspected(X, Y, Z);
-		Compare(Inspected, "with its functions");
-	}
+		EXPECT_EQ(Model.Buffers["Out"], Other.Buffers["Out"]) << "seed " << Seed << ", " << Name;
+		EXPECT_EQ(Model.Buffers["Sums"], Other.Buffers["Sums"]) << "seed " << Seed << ", " << Name;
+	};
+	FShaderHarness Kernel(Text, "MainCS", EShaderStage::Compute);
+	Fill(Kernel, Seed, Program.Count());
+	Kernel.Run(Form.Lanes, X, Y, Z, Form.bDouble);
+	Compare(Kernel, Form.GetName());
+	FShaderHarness Inspected(Text, "MainCS", EShaderStage::Compute);
+	Fill(Inspected, Seed, Program.Count());
+	Inspected.RunInspected(X, Y, Z);
+	Compare(Inspected, "with its functions");
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, FRandomGroups, testing::Range(0, 10));
+INSTANTIATE_TEST_SUITE_P(Seeds, FRandomGroups, testing::Range(0, CountRandomPrograms(30)));

@@ -1,11 +1,9 @@
-// Random programs: the compiled kernel and the interpreter of the same SPIR-V agree bit for bit, at every lane count.
-// DRYDOCK_TEST_DEPTH=N runs N times as many programs.
+// Random programs: the compiled kernel and the interpreter, also of the program with its functions, agree bit for bit.
 #include <gtest/gtest.h>
 
 #include "ProgramGenerator.h"
-#include "ShaderHarness.h"
+#include "RandomPrograms.h"
 
-#include <cstdlib>
 #include <random>
 
 namespace
@@ -64,12 +62,6 @@ std::string FindDifference(FShaderHarness& A, FShaderHarness& B, int NumFunction
 	return {};
 }
 
-int GetDepth()
-{
-	const char* Depth = std::getenv("DRYDOCK_TEST_DEPTH");
-	return Depth ? std::max(1, std::atoi(Depth)) : 1;
-}
-
 } // namespace
 
 class FRandomProgram : public testing::TestWithParam<int>
@@ -79,39 +71,24 @@ class FRandomProgram : public testing::TestWithParam<int>
 TEST_P(FRandomProgram, KernelsAgreeWithTheModelBitForBit)
 {
 	constexpr int NumFunctions = 3;
-	for (int Round = 0; Round < GetDepth(); ++Round)
-	{
-		const uint32_t Seed = uint32_t(GetParam() + 1000 * Round);
-		const std::string Text = FProgramGenerator(Seed).Make(NumFunctions);
-		FShaderHarness Model(Text, "MainCS", EShaderStage::Compute);
-		FillInputs(Model, Seed, NumFunctions);
-		Model.RunModel(Width, Height);
-		for (const int32_t Lanes : GetLaneCounts())
-		{
-			FShaderHarness Kernel(Text, "MainCS", EShaderStage::Compute);
-			FillInputs(Kernel, Seed, NumFunctions);
-			Kernel.Run(Lanes, Width, Height);
-			EXPECT_EQ("", FindDifference(Model, Kernel, NumFunctions)) << "seed " << Seed << ", " << Lanes << " lanes";
-		}
-		FShaderHarness Inspected(Text, "MainCS", EShaderStage::Compute);
-		FillInputs(Inspected, Seed, NumFunctions);
-		Inspected.RunInspected(Width, Height);
-		EXPECT_EQ("", FindDifference(Model, Inspected, NumFunctions)) << "seed " << Seed << ", with its functions";
-	}
-}
-
-TEST_P(FRandomProgram, DoubleKernelsAgreeWithTheModelInDouble)
-{
-	constexpr int NumFunctions = 3;
 	const uint32_t Seed = uint32_t(GetParam());
+	const FRandomForm Form(Seed);
 	const std::string Text = FProgramGenerator(Seed).Make(NumFunctions);
 	FShaderHarness Kernel(Text, "MainCS", EShaderStage::Compute);
 	FillInputs(Kernel, Seed, NumFunctions);
-	Kernel.Run(0, Width, Height, 1, true);
+	Kernel.Run(Form.Lanes, Width, Height, 1, Form.bDouble);
 	FShaderHarness Inspected(Text, "MainCS", EShaderStage::Compute);
 	FillInputs(Inspected, Seed, NumFunctions);
-	Inspected.RunInspected(Width, Height, 1, true);
-	EXPECT_EQ("", FindDifference(Kernel, Inspected, NumFunctions)) << "seed " << Seed;
+	Inspected.RunInspected(Width, Height, 1, Form.bDouble);
+	EXPECT_EQ("", FindDifference(Kernel, Inspected, NumFunctions))
+		<< "seed " << Seed << ", " << Form.GetName() << ", with its functions";
+	if (!Form.bDouble)
+	{
+		FShaderHarness Model(Text, "MainCS", EShaderStage::Compute);
+		FillInputs(Model, Seed, NumFunctions);
+		Model.RunModel(Width, Height);
+		EXPECT_EQ("", FindDifference(Model, Kernel, NumFunctions)) << "seed " << Seed << ", " << Form.GetName();
+	}
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, FRandomProgram, testing::Range(0, 8));
+INSTANTIATE_TEST_SUITE_P(Seeds, FRandomProgram, testing::Range(0, CountRandomPrograms(40)));
