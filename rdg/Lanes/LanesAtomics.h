@@ -9,10 +9,44 @@ namespace Drydock::Lanes
 inline namespace DRYDOCK_LANES_SET
 {
 
+/** Lanes are at elements side by side, as neighbouring threads mostly are. */
+template<int N>
+DRYDOCK_LANES_INLINE bool IsRun(TInt<N> Index)
+{
+	return AllLanes(Index == TInt<N>(Index.V[0]) + LaneIndex<N>());
+}
+
+/** Elements[Index] of an array that all lanes share; the index per lane and in range. */
+template<int N, CUniform T>
+DRYDOCK_LANES_INLINE auto PickShared(const T* Elements, TInt<N> Index)
+{
+	decltype(PickElement(Elements, Index)) Result;
+	if constexpr (sizeof(Result.V) == N * sizeof(T))
+	{
+		if (IsRun(Index))
+		{
+			__builtin_memcpy(&Result.V, Elements + Index.V[0], sizeof(Result.V));
+			return Result;
+		}
+	}
+	return PickElement(Elements, Index);
+}
+
 /** Elements[Index] = Value in the lanes of the mask, of an array that all lanes share. */
 template<int N, CUniform T, CLanes V>
 DRYDOCK_LANES_INLINE void PutShared(TMask<N> Mask, T* Elements, TInt<N> Index, V Value)
 {
+	if constexpr (sizeof(Value.V) == N * sizeof(T))
+	{
+		if (IsRun(Index))
+		{
+			V New;
+			__builtin_memcpy(&New.V, Elements + Index.V[0], sizeof(New.V));
+			Assign(Mask, New, Value);
+			__builtin_memcpy(Elements + Index.V[0], &New.V, sizeof(New.V));
+			return;
+		}
+	}
 	for (int Lane = 0; Lane < N; ++Lane)
 	{
 		if (Mask[Lane])

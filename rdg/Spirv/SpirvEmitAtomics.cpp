@@ -73,7 +73,7 @@ std::string FSpirvEmitter::AtomicPlace(const FSpirvInstruction& I)
 			   ")";
 	}
 	bool bVarying = false;
-	const std::string Index = IndexText(Place, std::to_string(Place.Offset), bVarying);
+	const std::string Index = SharedIndexText(Place, Place.Offset, bVarying);
 	return "AtomicShared(" + LocalArray(*Place.Variable, Module.GetType(Place.Type).Kind) + ", " +
 		   (bVarying ? Index : "I(" + Index + ")") + ")";
 }

@@ -171,6 +171,25 @@ std::string FSpirvEmitter::IndexText(const FSpirvPlace& Place, const std::string
 	return Text;
 }
 
+/** Groupshared arrays lie component by component: then neighbouring threads, which mostly use neighbouring elements,
+ * find each component side by side. */
+std::string FSpirvEmitter::SharedIndexText(const FSpirvPlace& Place, uint32_t Offset, bool& bVarying)
+{
+	const FSpirvType& Type = Module.GetType(Place.Variable->Type);
+	const uint32_t PerElement = Type.Kind == ESpirvType::Array ? Module.GetType(Type.Element).NumScalars : 1;
+	if (PerElement <= 1)
+	{
+		return IndexText(Place, Number(Offset), bVarying);
+	}
+	FSpirvPlace Turned = Place;
+	for (FSpirvIndex& Index : Turned.Indices)
+	{
+		const bool bOfElements = Index.Stride >= PerElement;
+		Index.Stride = bOfElements ? Index.Stride / PerElement : Index.Stride * Type.Count;
+	}
+	return IndexText(Turned, Number(Offset % PerElement * Type.Count + Offset / PerElement), bVarying);
+}
+
 FEmitScalar FSpirvEmitter::LoadLocal(const FSpirvPlace& Place, uint32_t ScalarIndex, ESpirvType Kind)
 {
 	const FSpirvVariable& Variable = *Place.Variable;
@@ -188,10 +207,12 @@ FEmitScalar FSpirvEmitter::LoadLocal(const FSpirvPlace& Place, uint32_t ScalarIn
 		return {"l" + Number(Variable.Id) + "_" + Number(Offset), Kind, bVariableVaries, -1};
 	}
 	bool bIndexVaries = false;
-	const std::string Index = IndexText(Place, Number(Offset), bIndexVaries);
+	const std::string Index =
+		bShared ? SharedIndexText(Place, Offset, bIndexVaries) : IndexText(Place, Number(Offset), bIndexVaries);
 	const std::string Array = LocalArray(Variable, Kind);
-	return {bIndexVaries ? "PickElement(" + Array + ", " + Index + ")" : Array + "[" + Index + "]", Kind,
-		bVariableVaries || bIndexVaries, -1};
+	return {bIndexVaries ? std::string(bShared ? "PickShared(" : "PickElement(") + Array + ", " + Index + ")"
+						 : Array + "[" + Index + "]",
+		Kind, bVariableVaries || bIndexVaries, -1};
 }
 
 FEmitScalar FSpirvEmitter::LoadConstantBuffer(const FSpirvPlace& Place, uint32_t ScalarIndex, ESpirvType Kind)
@@ -383,7 +404,7 @@ void FSpirvEmitter::EmitStore(uint32_t Pointer, const std::vector<FEmitScalar>& 
 		if (Variable.Storage == StorageWorkgroup)
 		{
 			bool bIndexVaries = false;
-			const std::string Index = IndexText(Place, Number(Offset), bIndexVaries);
+			const std::string Index = SharedIndexText(Place, Offset, bIndexVaries);
 			Line("PutShared(e, " + LocalArray(Variable, Kind) + ", " + Index + ", " + UseAs(New[i], Kind, true) + ");");
 			continue;
 		}

@@ -152,6 +152,7 @@ private:
 	FEmitScalar LoadConstantBuffer(const FSpirvPlace& Place, uint32_t Scalar, ESpirvType Kind);
 	FEmitScalar LoadStorageBuffer(const FSpirvPlace& Place, uint32_t Scalar, ESpirvType Kind);
 	FEmitScalar LoadLocal(const FSpirvPlace& Place, uint32_t Scalar, ESpirvType Kind);
+	std::string SharedIndexText(const FSpirvPlace& Place, uint32_t Offset, bool& bVarying);
 	std::string IndexText(const FSpirvPlace& Place, const std::string& Offset, bool& bVarying);
 	std::string BufferOffsetText(const FSpirvPlace& Place, uint32_t Scalar, bool& bVarying);
 	static std::string ArraySuffix(ESpirvType Kind);
