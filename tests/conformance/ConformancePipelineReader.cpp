@@ -78,7 +78,10 @@ std::vector<uint8_t> ReadValues(const YAML::Node& Values, EFormat Format)
 	std::vector<uint8_t> Bytes;
 	for (const YAML::Node& Value : Values)
 	{
-		AppendValue(Bytes, Format, Value.Scalar());
+		if (!Value.IsNull()) // behind the last comma
+		{
+			AppendValue(Bytes, Format, Value.Scalar());
+		}
 	}
 	return Bytes;
 }
