@@ -227,7 +227,9 @@ void FLinter::LookAtInstruction(const FSpirvModule& Module, const FSpirvUniformi
 			AddAt("typed-uav-load", Module, I, "");
 		}
 	}
-	else if (bPixel && (I.Op == OpImageSampleImplicitLod || (I.Op >= OpDPdx && I.Op <= OpFwidthCoarse)) &&
+	else if (bPixel &&
+			 (I.Op == OpImageSampleImplicitLod || I.Op == OpImageSampleDrefImplicitLod ||
+				 (I.Op >= OpDPdx && I.Op <= OpFwidthCoarse)) &&
 			 Uniformity.IsDivergentBlock(Block.Label))
 	{
 		AddAt("derivative-divergent", Module, I, "");
@@ -280,8 +282,11 @@ bool LiesAlike(const FSpirvModule& Module, uint32_t TypeId, FStd430& Out)
 	switch (Type.Kind)
 	{
 	case ESpirvType::Vector:
-		Out = {Type.Count * 4, Type.Count == 2 ? 8u : 16u};
+	{
+		const uint32_t Bytes = GetSpirvBytes(Module.GetType(Type.Element).Kind);
+		Out = {Type.Count * Bytes, (Type.Count == 2 ? 2 : 4) * Bytes};
 		return true;
+	}
 	case ESpirvType::Matrix:
 		return LiesAlike(Module, Type.Element, Out); // strides of matrices are asked for by who writes them
 	case ESpirvType::Array:
@@ -305,7 +310,7 @@ bool LiesAlike(const FSpirvModule& Module, uint32_t TypeId, FStd430& Out)
 		Out.Size = RoundUp(Out.Size, Out.Alignment);
 		return bAlike;
 	default:
-		Out = {4, 4};
+		Out = {GetSpirvBytes(Type.Kind), GetSpirvBytes(Type.Kind)};
 		return true;
 	}
 }
@@ -346,7 +351,11 @@ void FLinter::LookAtModule(const FSpirvModule& Module, const std::string& Source
 	uint32_t SharedBytes = 0;
 	for (const FSpirvVariable& Variable : Module.Variables)
 	{
-		SharedBytes += Variable.Storage == StorageWorkgroup ? Module.GetType(Variable.Type).NumScalars * 4 : 0;
+		const uint32_t NumScalars = Module.GetType(Variable.Type).NumScalars;
+		for (uint32_t i = 0; Variable.Storage == StorageWorkgroup && i < NumScalars; ++i)
+		{
+			SharedBytes += GetSpirvBytes(Module.GetScalarKind(Variable.Type, i));
+		}
 	}
 	if (SharedBytes > 16352)
 	{

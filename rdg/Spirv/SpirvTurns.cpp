@@ -119,19 +119,20 @@ std::optional<int64_t> FSpirvTurns::Find(uint32_t Label) const
 		}
 		else if (bSteps)
 		{
-			const int64_t By = int32_t(Module.GetConstantScalar(Next->second->Operands[1]));
+			const int64_t By = int32_t(uint32_t(Module.GetConstantScalar(Next->second->Operands[1])));
 			Step = Next->second->Op == OpISub ? -By : By;
 		}
 	}
-	if (!Start || !Step)
+	if (!Start || !Step || Module.GetScalarKind(Phi->Type, 0) == ESpirvType::None ||
+		GetSpirvBytes(Module.GetScalarKind(Phi->Type, 0)) != sizeof(int32_t))
 	{
 		return {};
 	}
 	const bool bSigned = Test.Op == OpSLessThan || Test.Op == OpSLessThanEqual || Test.Op == OpSGreaterThan ||
 						 Test.Op == OpSGreaterThanEqual;
-	const auto Widen = [bSigned](uint32_t Bits)
+	const auto Widen = [bSigned](uint64_t Bits)
 	{
-		return bSigned ? int64_t(int32_t(Bits)) : int64_t(Bits);
+		return bSigned ? int64_t(int32_t(Bits)) : int64_t(uint32_t(Bits));
 	};
 	const int64_t First = Widen(Start->Scalars[0]);
 	const std::optional<int64_t> Turns = CountTurns(Test.Op, First, Widen(Bound->Scalars[0]), *Step);

@@ -180,7 +180,7 @@ TEST_F(Dispatch, WhatTheTextDoesNotSayIsMeasured)
 
 	RHICmdList.SetBoundComputeShader(Bind(Increment)); // 3 in each thread, by its text
 	RHICmdList.DispatchComputeShader(1, 1, 1);
-	EXPECT_EQ(8u + 1 + 3 * 64, RHICmdList.GetCounters().Taps);
+	EXPECT_EQ(8u + 1 + 3 * 32, RHICmdList.GetCounters().Taps);
 	EXPECT_EQ(ETapCount::Measured, RHICmdList.GetCounters().TapCount);
 }
 
@@ -193,7 +193,7 @@ TEST_F(Dispatch, TapsOfAHandWrittenKernelAreThoseOfTheTextOrUnknown)
 	};
 	RHICmdList.SetBoundComputeShader(std::move(Shader));
 	RHICmdList.DispatchComputeShader(1, 1, 1);
-	EXPECT_EQ(3u * 64, RHICmdList.GetCounters().Taps);
+	EXPECT_EQ(3u * 32, RHICmdList.GetCounters().Taps);
 	EXPECT_EQ(ETapCount::Static, RHICmdList.GetCounters().TapCount);
 
 	Shader = Bind(Increment);
