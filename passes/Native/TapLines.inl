@@ -148,10 +148,13 @@ private:
 			const FFloat Weight = Broadcast<float, N>(WeightOfNext(Place));
 			float* const Out = Mixed;
 			const int32_t Count = Lines.NumTexels * C;
-			const ptrdiff_t Later = bInPlace ? GetLater(TexelBelow(Place) + 1) : 0;
+			// Rows that are decoded are asked for there.
+			const ptrdiff_t LaterA = bInPlace ? GetLater(TexelBelow(Place)) : 0;
+			const ptrdiff_t LaterB = bInPlace ? GetLater(TexelBelow(Place) + 1) : 0;
 			for (int32_t i = 0; i < Count; i += N)
 			{
-				__builtin_prefetch(reinterpret_cast<const char*>(B + i) + Later);
+				__builtin_prefetch(reinterpret_cast<const char*>(A + i) + LaterA);
+				__builtin_prefetch(reinterpret_cast<const char*>(B + i) + LaterB);
 				StoreRaw(Out + i, Mix(LoadRaw<FFloat>(A + i), LoadRaw<FFloat>(B + i), Weight));
 			}
 		}
