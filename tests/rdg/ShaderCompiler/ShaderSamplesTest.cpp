@@ -304,6 +304,7 @@ TEST(ShaderSamples, KernelsOfEveryWidthHaveTheInterpretersBits)
 TEST(ShaderSamples, WavesHaveTheInterpretersBits)
 {
 	FSamples Samples(24, true);
+	Samples.Harness.WaveSize = 8; // by two packs of four lanes
 	Samples.Fill();
 	Samples.Harness.RunModel(GThreads, 1);
 	const std::vector<uint32_t> Expected = Samples.Harness.Buffers.at("Out");
