@@ -89,7 +89,7 @@ void Compare(const std::string& Entry, FVulkanBackend& Driver)
 	std::vector<uint32_t> Counts(64);
 	const FKernelBuffer RWBuffers[] = {{reinterpret_cast<uint8_t*>(Counts.data()), 256, 4, ETexelStorage::R32_UINT}};
 	const FKernelArgs Args = {
-		Pointers.data(), Textures, RWTextures, nullptr, nullptr, RWBuffers, nullptr, nullptr, 0, nullptr};
+		Pointers.data(), Textures, RWTextures, nullptr, nullptr, RWBuffers, nullptr, nullptr, 0, nullptr, nullptr};
 
 	const auto RoundUp = [&](int32_t Size, int Axis)
 	{

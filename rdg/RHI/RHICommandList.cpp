@@ -216,6 +216,7 @@ void FRHIComputeCommandList::RunTiles(
 	const int32 StaticSamples = Shader.GetReflection().StaticSamples;
 	const bool bMeasure = StaticSamples < 0 && !Shader.Native;
 	std::atomic<uint64> MeasuredTaps{0};
+	bool bOnBackend = false;
 	Drydock::IDispatchObserver* const Observer = Drydock::GetDispatchObserver();
 	if (Observer)
 	{
@@ -237,7 +238,8 @@ void FRHIComputeCommandList::RunTiles(
 			Watch.TileHasEnded();
 			MeasuredTaps.fetch_add(TileCounters.Samples + TileCounters.Loads, std::memory_order_relaxed);
 		};
-		if (!RunOnBackend(Shader, Args, Whole, Counters))
+		bOnBackend = RunOnBackend(Shader, Args, Whole, Counters);
+		if (!bOnBackend)
 		{
 			Drydock::ForEachTile(
 				Whole, TileSize, RunTile, Shader.bDouble ? Drydock::EDenormals::Keep : Drydock::EDenormals::Flush);
@@ -254,9 +256,9 @@ void FRHIComputeCommandList::RunTiles(
 	Counters.Entry = Shader.EntryPoint;
 	Counters.Pixels += Pixels;
 	Counters.Taps += StaticSamples >= 0 ? Pixels * uint64(StaticSamples) : MeasuredTaps.load();
-	Counters.TapCount = std::max(Counters.TapCount, StaticSamples >= 0 ? Drydock::ETapCount::Static
-													: bMeasure         ? Drydock::ETapCount::Measured
-																	   : Drydock::ETapCount::Unknown);
+	Counters.TapCount = std::max(Counters.TapCount, StaticSamples >= 0        ? Drydock::ETapCount::Static
+													: bMeasure && !bOnBackend ? Drydock::ETapCount::Measured
+																			  : Drydock::ETapCount::Unknown);
 	Counters.BytesRead += GetBytesBoundForReading(Shader);
 }
 

@@ -151,7 +151,8 @@ VkSampler FVulkanArena::MakeSampler(const FKernelSampler& Sampler)
 	Info.addressModeV = ToVulkan(Sampler.AddressV);
 	Info.addressModeW = ToVulkan(Sampler.AddressW);
 	Info.mipLodBias = Sampler.MipBias;
-	Info.maxLod = VK_LOD_CLAMP_NONE;
+	Info.minLod = Sampler.MinLevel;
+	Info.maxLod = Sampler.MaxLevel;
 	const bool bBorder = Sampler.AddressU == EKernelAddress::Border || Sampler.AddressV == EKernelAddress::Border ||
 						 Sampler.AddressW == EKernelAddress::Border;
 	Info.borderColor = bBorder ? ToVulkan(Sampler.Border) : VK_BORDER_COLOR_FLOAT_TRANSPARENT_BLACK;

@@ -110,6 +110,10 @@ void FVulkanArguments::CopyIn(FResource& Resource, const FShaderReflection& Kern
 	switch (Resource.Binding.Type)
 	{
 	case VK_DESCRIPTOR_TYPE_SAMPLER:
+		if (Kernel.Samplers[size_t(Slot)].bCompares)
+		{
+			throw FVulkanError("comparison samplers want textures of depth, and it is given colours");
+		}
 		Resource.Sampler = Arena.MakeSampler(Args.Samplers[Slot]);
 		return;
 	case VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE:

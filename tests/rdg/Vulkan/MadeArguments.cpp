@@ -63,7 +63,7 @@ FMadeArguments::FMadeArguments(const FShaderReflection& InReflection, EMadePictu
 		{0, 0, -1, 1}, {1.0 / GMadeSizeX, 0, 2.0 / GMadeSizeX, 0}, {0, 1.0 / GMadeSizeY, 0, -2.0 / GMadeSizeY}};
 	Interpolants.assign(size_t(std::max(Reflection.NumInterpolants, 1)), Uv);
 	Args = {ConstantPointers.data(), Textures.data(), RWTextures.data(), Samplers.data(), Buffers.data(),
-		RWBuffers.data(), Targets.data(), Interpolants.data(), int32_t(Targets.size()), nullptr};
+		RWBuffers.data(), Targets.data(), Interpolants.data(), int32_t(Targets.size()), nullptr, nullptr};
 }
 
 FKernelTile FMadeArguments::GetWhole() const
@@ -174,7 +174,7 @@ const FKernelTexture& FMadeArguments::MakeTexture(
 	const bool bSlices = b3D || Resource.Dimension == EShaderDimension::Texture2DArray ||
 						 Resource.Dimension == EShaderDimension::TextureCube;
 	const bool bSquare = Resource.Dimension == EShaderDimension::TextureCube;
-	const int32_t Mips = bWritten ? 1 : NumMips;
+	const int32_t Mips = bWritten || Resource.bImplicitLevel ? 1 : NumMips; // a choice of mips would want quads
 	const size_t Bytes = size_t(Channels) * 4;
 	size_t Size = 64;
 	for (int32_t m = 0; m < Mips; ++m)

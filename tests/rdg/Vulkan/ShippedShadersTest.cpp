@@ -98,15 +98,30 @@ std::vector<double> RunModel(
 	}
 	const FScopedDenormals Denormals(EDenormals::Flush);
 	const FKernelTile Whole = Made.GetWhole();
-	if (Shader.HasGroups())
+	const auto StoreTargets = [&](const TSpirvThread<float>& Thread)
+	{
+		const int32_t* const At = Thread.GetPosition();
+		for (size_t v = 0; v < Shader.GetModule().Variables.size() && !Thread.WasDiscarded(); ++v)
+		{
+			const FSpirvVariable& Variable = Shader.GetModule().Variables[v];
+			const FSpirvMemory& Memory = Shader.GetProgram().Memory[v];
+			for (uint32_t c = 0; Variable.Storage == Spirv::StorageOutput && c < std::min(Memory.Size, 4u); ++c)
+			{
+				Made.GetTarget(Variable.Location, At[0], At[1])[c] = float(Thread.GetReal(Memory.First + c));
+			}
+		}
+	};
+	if (Shader.HasGroups()) // or quads; these run as they are
 	{
 		TSpirvGroup<float> Group(Shader.GetProgram(), Shader.GetOrder(), Shader.GetSlots(), Shader.GetWaveSize());
-		const int32_t* const Size = Reflection.GroupSize;
-		for (int32_t y = 0; y < Whole.MaxY / Size[1]; ++y)
+		const uint32_t* const Size = Shader.GetModule().LocalSize;
+		for (int32_t i = 0; i < Whole.MaxX / int32_t(Size[0]) * (Whole.MaxY / int32_t(Size[1])); ++i)
 		{
-			for (int32_t x = 0; x < Whole.MaxX / Size[0]; ++x)
+			const int32_t Columns = Whole.MaxX / int32_t(Size[0]);
+			Group.Run(Made.GetArgs(), {i % Columns, i / Columns, 0}, MaxSteps);
+			for (uint32_t Thread = 0; Shader.GetModule().bQuads && Thread < Group.GetNumThreads(); ++Thread)
 			{
-				Group.Run(Made.GetArgs(), {x, y, 0}, MaxSteps);
+				StoreTargets(Group.GetThread(Thread));
 			}
 		}
 		return Made.ReadResults();
@@ -118,14 +133,9 @@ std::vector<double> RunModel(
 	{
 		const int32_t At[3] = {i % Whole.MaxX, i / Whole.MaxX % Whole.MaxY, i / Whole.MaxX / Whole.MaxY};
 		Thread.Run(Made.GetArgs(), At, nullptr, MaxSteps);
-		for (size_t v = 0; v < Shader.GetModule().Variables.size() && !Thread.WasDiscarded(); ++v)
+		if (Reflection.Stage == EShaderStage::Pixel)
 		{
-			const FSpirvVariable& Variable = Shader.GetModule().Variables[v];
-			const FSpirvMemory& Memory = Shader.GetProgram().Memory[v];
-			for (uint32_t c = 0; Variable.Storage == Spirv::StorageOutput && c < std::min(Memory.Size, 4u); ++c)
-			{
-				Made.GetTarget(Variable.Location, At[0], At[1])[c] = float(Thread.GetReal(Memory.First + c));
-			}
+			StoreTargets(Thread);
 		}
 	}
 	return Made.ReadResults();
