@@ -254,6 +254,30 @@ FError ExplainFailure(const FFrontEnd& FrontEnd, const FChildResult& Child, cons
 		ExitUsage);
 }
 
+/** Some messages of glslang about types stand on line 0: the line is that up to which the text gives them. */
+void FindLines(const FFrontEnd& FrontEnd, const FShaderSource& Source, std::vector<FDiagnostic>& Errors)
+{
+	for (FDiagnostic& Error : Errors)
+	{
+		if (Error.Code == 6010 && Error.Line == 0 && Error.File != FrontEnd.Request.VirtualPath)
+		{
+			const auto IsSame = [&](const FDiagnostic& Other)
+			{
+				return Other.Line == 0 && Other.Message == Error.Message;
+			};
+			const FCrashPlace Place = FindCrashPlace(Source.Text, FrontEnd.Request,
+				[&](const std::string& Text)
+				{
+					const std::vector<FDiagnostic> Others = FrontEnd.ParseMessages(FrontEnd.Run(Text).Child.Output);
+					return std::any_of(Others.begin(), Others.end(), IsSame);
+				});
+			Error.File = Place.File;
+			Error.Line = Place.Line;
+			return; // those behind it follow from it
+		}
+	}
+}
+
 /** Whether these are the words of a whole module: one that was cut short does not end with the end of a function. */
 bool IsWhole(const std::vector<uint32_t>& Words)
 {
@@ -286,6 +310,7 @@ std::vector<uint32_t> CompileToSpirv(const FShaderSource& Source, const FShaderC
 	}
 	if (!Errors.empty())
 	{
+		FindLines(FrontEnd, Source, Errors);
 		throw FError(std::move(Errors), ExitUsage);
 	}
 	if (!IsWhole(Reply.Words))

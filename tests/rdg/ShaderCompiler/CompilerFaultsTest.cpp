@@ -253,6 +253,15 @@ TEST_F(FCompilerFaults, ACrashOfTheFrontEndNamesTheLine)
 		Run.Error);
 }
 
+TEST_F(FCompilerFaults, AMessageOfTheFrontEndWithoutALineGetsOne)
+{
+	const FShaderRun Run = RunWithFrontEnd("for Input; do :; done; grep -q BOOM \"$Input\" && "
+										   "echo \"ERROR: 0:0: 'constructor' : can't convert\"; exit 2",
+		"//\n//\nstatic const int BOOM = 1;\n//");
+	EXPECT_EQ(ExitUsage, Run.ExitCode);
+	EXPECT_THAT(Run.Error, StartsWith("/Test/Shader.usf:3: error: 'constructor' : can't convert [DD6010]"));
+}
+
 TEST_F(FCompilerFaults, ACrashBehindTheLastLineNamesTheEntryPoint)
 {
 	const FShaderRun Run = RunWithFrontEnd("for Input; do :; done; [ \"$(tail -n 1 \"$Input\")\" = '}' ] && "
