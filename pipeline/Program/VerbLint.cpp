@@ -58,8 +58,10 @@ struct FFound
 	void Look(const FShaderCompileRequest& Request)
 	{
 		++NumShaders;
-		const std::vector<FLintFinding> New = LintShader(Request, Platforms);
+		std::vector<FDiagnostic> Refused;
+		const std::vector<FLintFinding> New = LintShader(Request, Platforms, &Refused);
 		Findings.insert(New.begin(), New.end());
+		PrintDiagnostics(Refused);
 	}
 };
 

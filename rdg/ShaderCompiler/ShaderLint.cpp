@@ -376,7 +376,7 @@ void FLinter::LookAtModule(const FSpirvModule& Module, const std::string& Source
 } // namespace
 
 std::vector<FLintFinding> LintSpirv(const std::vector<uint32_t>& Words, const std::string& Text,
-	const FShaderCompileRequest& Request, uint8_t Platforms)
+	const FShaderCompileRequest& Request, uint8_t Platforms, std::vector<FDiagnostic>* Refused)
 {
 	FLinter Linter(Request, Platforms);
 	Linter.LookAtText(Text);
@@ -385,17 +385,23 @@ std::vector<FLintFinding> LintSpirv(const std::vector<uint32_t>& Words, const st
 	{
 		Linter.LookAtModule(ReadSpirv(Words), Text);
 	}
-	catch (const FSpirvError&)
+	catch (const FSpirvError& Error)
 	{
-		// What drydock does not run may run elsewhere: `check` says what it is.
+		if (Refused)
+		{
+			Refused->push_back({ESeverity::Warning, 6020,
+				std::string("not looked at beyond its text, for drydock does not run it: ") + Error.what(),
+				Error.File.empty() ? Request.VirtualPath : Error.File, Error.Line, 0, {}});
+		}
 	}
 	return Linter.Finish();
 }
 
-std::vector<FLintFinding> LintShader(const FShaderCompileRequest& Request, uint8_t Platforms)
+std::vector<FLintFinding> LintShader(
+	const FShaderCompileRequest& Request, uint8_t Platforms, std::vector<FDiagnostic>* Refused)
 {
 	const FShaderSource Source = FlattenShader(Request);
-	return LintSpirv(CompileToSpirv(Source, Request), Source.Text, Request, Platforms);
+	return LintSpirv(CompileToSpirv(Source, Request), Source.Text, Request, Platforms, Refused);
 }
 
 std::vector<FShaderEntry> FindShaderEntries(const FShaderCompileRequest& Request)

@@ -25,12 +25,14 @@ struct FLintFinding
 };
 
 /** Runs the front end. By file, line and rule, each once. Platforms: bits of ELintPlatform that are asked for. Throws
- * FError as CompileToSpirv does; what drydock cannot run, it still looks at as far as its words can be read. */
-DRYDOCK_API std::vector<FLintFinding> LintShader(const FShaderCompileRequest& Request, uint8_t Platforms);
+ * FError as CompileToSpirv does. Of what drydock cannot run only text and head are looked at: Refused, where it is not
+ * null, is then told why. */
+DRYDOCK_API std::vector<FLintFinding> LintShader(
+	const FShaderCompileRequest& Request, uint8_t Platforms, std::vector<FDiagnostic>* Refused = nullptr);
 
 /** The same of a module's words, and of the flattened text behind them, which may be empty. */
 DRYDOCK_API std::vector<FLintFinding> LintSpirv(const std::vector<uint32_t>& Words, const std::string& Text,
-	const FShaderCompileRequest& Request, uint8_t Platforms);
+	const FShaderCompileRequest& Request, uint8_t Platforms, std::vector<FDiagnostic>* Refused = nullptr);
 
 /** An entry point as the text declares it. */
 struct FShaderEntry

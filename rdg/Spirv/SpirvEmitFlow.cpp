@@ -445,7 +445,7 @@ void FSpirvEmitter::EmitTurn(const FStructNode& Node, bool bPacks)
 	const std::string At = bGroups ? "X" + InGroup(1, Size[0]) + ", Y" + InGroup(Size[0], Size[1]) + ", Z" +
 										 InGroup(Size[0] * Size[1], Size[2])
 						   : Module.bQuads ? "X[FirstLane(e)], Y[FirstLane(e)], 0"
-								   : "X0 + FirstLane(e), Y, Z";
+										   : "X0 + FirstLane(e), Y, Z";
 	Line("if (__builtin_expect(++n" + std::to_string(Node.Label) + " > LoopTurns, 0)) EndLoop(Args, \"" +
 		 Quotable(Module.Files[Header.File]) + "\", " + std::to_string(Header.Line) + ", " + At + ");");
 }

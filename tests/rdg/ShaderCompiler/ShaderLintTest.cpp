@@ -146,10 +146,12 @@ std::vector<std::string> LintCapability(uint32_t Capability)
 	const std::vector<uint32_t> Words = {0x07230203, 0x10000, 0, 1, 0, (2u << 16) | 17, Capability};
 	std::vector<std::string> Result;
 	const FShaderCompileRequest Request = MakeRequest("");
-	for (const FLintFinding& Finding : LintSpirv(Words, "", Request, 0xFF))
+	std::vector<FDiagnostic> Refused;
+	for (const FLintFinding& Finding : LintSpirv(Words, "", Request, 0xFF, &Refused))
 	{
 		Result.push_back(Finding.Rule->Id);
 	}
+	EXPECT_EQ(1u, Refused.size()) << "what is not looked at is told";
 	return Result;
 }
 
