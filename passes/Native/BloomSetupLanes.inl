@@ -139,11 +139,18 @@ namespace Drydock
 template<int N>
 bool TBloomSetupLanes<N>::Run(const FBloomSetupJob& Job, const FKernelTexture& Target, const FKernelTile& Pixels)
 {
-	Lanes::TBloomSetupTile<N> Tile(Job, Target, Pixels);
-	const bool bOpen = Tile.Open();
-	if (bOpen)
+	constexpr int32_t Columns = 256; // rows of so many stay in the first cache
+	FKernelTile Part = Pixels;
+	bool bOpen = true;
+	for (; bOpen && Part.MinX < Pixels.MaxX; Part.MinX = Part.MaxX)
 	{
-		Tile.Run();
+		Part.MaxX = Part.MinX + Columns < Pixels.MaxX ? Part.MinX + Columns : Pixels.MaxX;
+		Lanes::TBloomSetupTile<N> Tile(Job, Target, Part);
+		bOpen = Tile.Open();
+		if (bOpen)
+		{
+			Tile.Run();
+		}
 	}
 	return bOpen;
 }

@@ -71,6 +71,22 @@ TEST(BloomSetupNative, HasTheShadersBits)
 	}
 }
 
+// One thread takes tiles wider than what is set up at a time.
+TEST(BloomSetupNative, HasTheBitsOfTheShaderInWidePictures)
+{
+	std::mt19937 Random(21);
+	for (const int Width : {256, 257, 700})
+	{
+		FPlace Place = {Draw(Random, Width, 9, true), {3, 2, Width + 3, 11}, FIntPoint(Width + 5, 12), PF_FloatRGBA};
+		for (const bool bEverything : {false, true})
+		{
+			ExpectSameBits([&]
+				{ return SetUpBloom(Place, {.Threshold = 0.5f, .bLocalExposure = bEverything, .bToon = bEverything}); },
+				std::to_string(Width) + " pixels wide");
+		}
+	}
+}
+
 TEST(BloomSetupNative, PicturesOfAnySizeAreNotLeftToTheShader)
 {
 	const uint64_t Before = GetNativeFallbacks();
