@@ -167,10 +167,10 @@ public:
 		}
 	}
 
-	/** The same by the shader with its functions and local variables, as it is looked into. */
-	void RunInspected(int32_t X, int32_t Y, int32_t Z = 1, bool bDouble = false)
+	/** The same by the shader with its functions and local variables, as it is looked into, or bAsKernel: optimised. */
+	void RunInspected(int32_t X, int32_t Y, int32_t Z = 1, bool bDouble = false, bool bAsKernel = false)
 	{
-		FInspectedShader& Shader = Inspect();
+		FInspectedShader& Shader = Inspect(bAsKernel);
 		if (Shader.HasGroups())
 		{
 			bDouble ? RunGroups<double>(Shader, X, Y, Z) : RunGroups<float>(Shader, X, Y, Z);
@@ -196,11 +196,11 @@ public:
 	}
 
 	/** Compiled, bound and ready to be looked into; GetArgs has what it reads. */
-	FInspectedShader& Inspect()
+	FInspectedShader& Inspect(bool bAsKernel = false)
 	{
 		Compiled = CompileShader(Request);
 		Bind(Compiled->Reflection);
-		Inspected = std::make_shared<FInspectedShader>(Request, Compiled->Reflection);
+		Inspected = std::make_shared<FInspectedShader>(Request, Compiled->Reflection, bAsKernel);
 		return *Inspected;
 	}
 	const FKernelArgs& GetArgs() const { return Args; }
