@@ -258,7 +258,7 @@ private:
 		}
 		const FKernelTexture& Texture = Args.Textures[TextureSlot];
 		Event.Level = Module.bQuads && ChoosesSpirvLevel(Step.I->Op) ? Thread.GetLevel()
-					  : Told.Lod   ? Thread.GetReal(WordOf(Step, Told.Lod))
+					  : Told.Lod                                     ? Thread.GetReal(WordOf(Step, Told.Lod))
 					  : Told.GradX ? GetGradientLevel(Texture, Place, ValueOf(Thread, Step, Told.GradX).Reals,
 										 ValueOf(Thread, Step, Told.GradY).Reals, Axes)
 								   : 0;

@@ -70,7 +70,8 @@ std::string FSpirvEmitter::QuadLevelOf(const FSpirvInstruction& I, const std::st
 	}
 	const uint32_t Dim = ImageTypeOf(I.Operands[0]).Dim;
 	const uint32_t Count = Dim == Dim2D ? 2 : 3; // without an array's layer
-	return Function + (Dim == DimCube ? "<true>" : "<false>") + "(e, " + HandleOf(Pair->second->Operands[0]) + ", " + Coordinates(I, 1, Count, true, 0) + ")";
+	return Function + (Dim == DimCube ? "<true>" : "<false>") + "(e, " + HandleOf(Pair->second->Operands[0]) + ", " +
+		   Coordinates(I, 1, Count, true, 0) + ")";
 }
 
 bool FSpirvEmitter::EmitQuads(const FSpirvInstruction& I)

@@ -48,8 +48,7 @@ void TSpirvThread<Real>::ExecuteQuad(const std::vector<TSpirvThread*>& Together)
 		};
 		if (Dim == Dim2D)
 		{
-			return Lanes::GradientLevel(
-				Texture, FFlat(Along(1, 0), Along(1, 1)), FFlat(Along(2, 0), Along(2, 1)));
+			return Lanes::GradientLevel(Texture, FFlat(Along(1, 0), Along(1, 1)), FFlat(Along(2, 0), Along(2, 1)));
 		}
 		const FVector X(Along(1, 0), Along(1, 1), Along(1, 2));
 		const FVector Y(Along(2, 0), Along(2, 1), Along(2, 2));
