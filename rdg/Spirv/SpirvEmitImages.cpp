@@ -57,9 +57,7 @@ std::string FSpirvEmitter::Coordinates(
 		Text += (i ? ", " : "") + UseAs(Scalar(I.Operands[Operand], i), bReal ? Float : Int, true);
 		if (OffsetOperand && i < SizeOf(I.Operands[OffsetOperand]))
 		{
-			const std::string Offset = UseAs(Scalar(I.Operands[OffsetOperand], i), Int, true);
-			const std::string Size = "TextureSize3D(" + HandleOf(I.Operands[0]) + ", 0)[" + Number(i) + "]";
-			Text += bReal ? " + ToReal<Real>(" + Offset + ") / R(Real(" + Size + "))" : " + " + Offset;
+			Text += " + " + UseAs(Scalar(I.Operands[OffsetOperand], i), Int, true);
 		}
 	}
 	return Text + ")";
@@ -77,8 +75,8 @@ std::string FSpirvEmitter::TapOf(const FSpirvInstruction& I, uint32_t Level)
 						(!Level || (Dependence.GetAll(Level) == 0 && !Scalar(Level, 0).bVarying)) &&
 						Dependence.IsSteady(CurrentBlock);
 	const uint32_t Turns = Loops.empty() ? 1 : MaxTurns;
-	if (bGroups || Module.bQuads || !bStill || Type.Dim != Dim2D || Type.bArrayed || Module.GetType(Type.Element).Kind != Float ||
-		NumTaps + Turns > MaxTaps)
+	if (bGroups || Module.bQuads || !bStill || Type.Dim != Dim2D || Type.bArrayed ||
+		Module.GetType(Type.Element).Kind != Float || NumTaps + Turns > MaxTaps)
 	{
 		return {};
 	}
@@ -167,9 +165,9 @@ bool FSpirvEmitter::EmitImage(const FSpirvInstruction& I)
 		const std::string Handles = SampledHandles(I);
 		const std::string Level = LevelOf(I);
 		const bool b3D = Type.Dim == Dim3D;
-		const std::string Place = Coordinates(I, 1, b3D || Type.bArrayed ? 3 : 2, true, Told.Offset);
+		const std::string Place = Coordinates(I, 1, b3D || Type.bArrayed ? 3 : 2, true, 0);
 		const char* const Function = b3D ? "SampleLevel3D(" : Type.bArrayed ? "SampleLevel2DArray(" : "SampleLevel2D(";
-		const std::string Tap = Told.Offset ? std::string() : TapOf(I, Told.Lod ? I.Operands[Told.Lod] : 0);
+		const std::string Tap = TapOf(I, Told.Lod ? I.Operands[Told.Lod] : 0);
 		if (Tap.empty())
 		{
 			Components(Function + Handles + Place + ", " + Level + ")", Float, true);

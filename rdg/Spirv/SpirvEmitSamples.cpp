@@ -91,10 +91,8 @@ bool FSpirvEmitter::EmitSample(const FSpirvInstruction& I)
 {
 	const FSpirvImageOperands Told = GetImageOperands(I);
 	const FSpirvType& Type = ImageTypeOf(I.Operands[0]);
-	const FSpirvConstant* const Level = Told.Lod ? Module.FindConstant(I.Operands[Told.Lod]) : nullptr;
-	const bool bFirstMip = !Told.GradX && !ChoosesLevel(I) && (!Told.Lod || (Level && Level->Scalars[0] == 0));
 	const bool bGather = IsSpirvGather(I.Op);
-	if (!bGather && !Told.Reference && !Told.GradX && Type.Dim != DimCube && (!Told.Offset || bFirstMip))
+	if (!bGather && !Told.Reference && !Told.GradX && Type.Dim != DimCube && !Told.Offset)
 	{
 		return false;
 	}
