@@ -79,6 +79,7 @@ EOperands GetExtOperandKind(uint32_t Ext)
 	case ExtFindSMsb:
 	case ExtFindUMsb:
 	case ExtUnpackHalf2x16:
+	case ExtPackDouble2x32:
 		return EOperands::Integers;
 	case ExtModf:
 	case ExtLdexp:
@@ -97,10 +98,9 @@ void FSpirvChecker::CheckKinds(const FSpirvInstruction& I) const
 	for (size_t i = bExtended ? 2 : 0; i < I.Operands.size() && Wanted != EOperands::Any; ++i)
 	{
 		const ESpirvType Kind = Module.GetScalarKind(Module.GetValueTypeId(I.Operands[i]), 0);
-		const bool bInteger = Kind == ESpirvType::Int || Kind == ESpirvType::Uint;
-		const bool bFits = Wanted == EOperands::Floats     ? Kind == ESpirvType::Float
-						   : Wanted == EOperands::Integers ? bInteger
-														   : Kind == ESpirvType::Int;
+		const bool bFits = Wanted == EOperands::Floats     ? IsSpirvReal(Kind)
+						   : Wanted == EOperands::Integers ? IsSpirvInteger(Kind)
+														   : IsSpirvSigned(Kind);
 		if (!bFits)
 		{
 			Module.Fail("the front end made an operation of " +

@@ -118,6 +118,10 @@ std::pair<std::string, FShaderSourceText> ReadCompilation(const FParts& Parts, c
 			Shader.Defines.emplace_back(
 				Define.substr(0, Equals), Equals == std::string::npos ? "1" : Define.substr(Equals + 1));
 		}
+		else if (Word == "-enable-16bit-types")
+		{
+			Shader.Defines.emplace_back("__HLSL_ENABLE_16_BIT", "1"); // as DXC says it
+		}
 		else if (Word.starts_with("%t/"))
 		{
 			Shader.Text = FindPart(Parts, Word);
