@@ -5,7 +5,6 @@
 #include "HlslResources.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace Drydock
 {
@@ -18,7 +17,6 @@ class FResourceRewriter
 public:
 	FResourceRewriter(FHlslText& InText, const FHlslSymbols& InSymbols, std::vector<FDiagnostic>& OutErrors)
 		: Text(InText)
-		, Symbols(InSymbols)
 		, Errors(OutErrors)
 		, Numbers(InText, InSymbols, OutErrors)
 	{
@@ -193,7 +191,6 @@ private:
 	}
 
 	FHlslText& Text;
-	const FHlslSymbols& Symbols;
 	std::vector<FDiagnostic>& Errors;
 	FHlslResourceNumbers Numbers;
 	FHlslResourceAccessors Accessors;
