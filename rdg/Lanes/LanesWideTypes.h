@@ -156,6 +156,16 @@ DRYDOCK_LANES_WIDE_UNARY(BitCount, T(__builtin_popcountll(uint64_t(x))))
 DRYDOCK_LANES_WIDE_UNARY(BitReverse, Impl::ReverseBits(x))
 DRYDOCK_LANES_WIDE_UNARY(FindLsb, x ? T(__builtin_ctzll(uint64_t(x))) : T(-1))
 DRYDOCK_LANES_WIDE_UNARY(FindMsb, Impl::HighestBit(x))
+template<typename T, int N>
+DRYDOCK_LANES_INLINE TInt64<T, N> ShiftLeft(TInt64<T, N> X, T Count)
+{
+	return ShiftLeft(X, TInt64<T, N>(Count));
+}
+template<typename T, int N>
+DRYDOCK_LANES_INLINE TInt64<T, N> ShiftRight(TInt64<T, N> X, T Count)
+{
+	return ShiftRight(X, TInt64<T, N>(Count));
+}
 #undef DRYDOCK_LANES_WIDE_UNARY
 #undef DRYDOCK_LANES_WIDE_BINARY
 
@@ -284,8 +294,8 @@ DRYDOCK_LANES_INLINE double DoubleOfBits(uint64_t X)
 	return __builtin_bit_cast(double, X);
 }
 
-/** The nearest float16_t, to even where two are as near; overflow from 65520 is infinity, denormals are kept, a NaN
- * keeps the top of its payload and becomes quiet. */
+/** The nearest float16_t, to even where two are as near; overflow from 65520 is infinity, denormals are kept, each NaN
+ * becomes 0x7E00. */
 template<typename Real, int N>
 DRYDOCK_LANES_INLINE TReal<Real, N> RoundHalf(TReal<Real, N> X)
 {
@@ -302,8 +312,8 @@ DRYDOCK_LANES_INLINE TReal<Real, N> RoundHalf(TReal<Real, N> X)
 	const FBits Small = FBits(TRaw<Real, N>((TRaw<Real, N>(Magnitude) + Unit) - Unit));
 	FBits Result = Magnitude < __builtin_bit_cast(FBit, Real(0x1p-14)) ? Small : Normal;
 	Result = Magnitude >= __builtin_bit_cast(FBit, Real(65520)) ? (FBits{} + Infinity) : Result;
-	Result = Magnitude > Infinity ? ((Magnitude | (FBit(1) << (Mantissa - 1))) & ~Low) : Result;
-	return TReal<Real, N>(TRaw<Real, N>(Result | Sign));
+	Result = Magnitude > Infinity ? (FBits{} + (Infinity | FBit(1) << (Mantissa - 1))) : (Result | Sign);
+	return TReal<Real, N>(TRaw<Real, N>(Result));
 }
 template<CUniform Real>
 DRYDOCK_LANES_INLINE Real RoundHalf(Real X)

@@ -111,9 +111,26 @@ public:
 	}
 
 	/** The same components as numbers of another kind; null where that cannot be. */
-	TIntermTyped* Convert(TBasicType Type, TIntermTyped* Node) const
+	TIntermTyped* Convert(TBasicType Type, TIntermTyped* Node, int Depth = 0) const
 	{
-		return Node->getBasicType() == Type ? Node : Tree.addUnaryMath(GetConversion(Type), Node, Place);
+		const TBasicType From = Node->getBasicType();
+		if (From == Type)
+		{
+			return Node;
+		}
+		TIntermTyped* Made = Tree.addUnaryMath(GetConversion(Type), Node, Place);
+		// The tree has no way from all to all: a float holds each float16_t, an int each integer of 16 bits.
+		const bool bReal = Type == EbtFloat16 || From == EbtFloat16;
+		for (const TOperator By :
+			{bReal ? EOpConstructFloat : EOpConstructInt, bReal ? EOpConstructInt : EOpConstructFloat})
+		{
+			TIntermTyped* const Between = Made || Depth > 2 ? nullptr : Tree.addUnaryMath(By, Node, Place);
+			if (Between && Between->getBasicType() != From)
+			{
+				Made = Convert(Type, Between, Depth + 1);
+			}
+		}
+		return Made;
 	}
 
 	/** A value of Type made of all components of the nodes, or of one for all. */
@@ -491,6 +508,10 @@ FNodes GetArguments(const TFunction& Function, TIntermTyped* Arguments)
 #define DRYDOCK_LOOKUP_USER_TYPE "_ZN7glslang16HlslParseContext14lookupUserTypeERK" DRYDOCK_STRING "RNS_5TTypeE"
 #define DRYDOCK_HANDLE_FUNCTION_CALL \
 	"_ZN7glslang16HlslParseContext18handleFunctionCallERKNS_10TSourceLocEPNS_9TFunctionEPNS_12TIntermTypedE"
+#define DRYDOCK_HANDLE_ASSIGN \
+	"_ZN7glslang16HlslParseContext12handleAssignERKNS_10TSourceLocENS_9TOperatorEPNS_12TIntermTypedES6_"
+#define DRYDOCK_ADD_BINARY_MATH \
+	"_ZN7glslang13TIntermediate13addBinaryMathENS_9TOperatorEPNS_12TIntermTypedES3_RKNS_10TSourceLocE"
 #define DRYDOCK_DECLARE_VARIABLE \
 	"_ZN7glslang16HlslParseContext15declareVariableERKNS_10TSourceLocERK" DRYDOCK_STRING \
 	"RNS_5TTypeEPNS_12TIntermTypedE"
@@ -506,6 +527,55 @@ TIntermNode* RealDeclareVariable(HlslParseContext*, const TSourceLoc&, const TSt
 TIntermNode* WrapDeclareVariable(HlslParseContext*, const TSourceLoc&, const TString&, TType&, TIntermTyped*) asm(
 	"__wrap_" DRYDOCK_DECLARE_VARIABLE);
 
+TIntermTyped* RealHandleAssign(HlslParseContext*, const TSourceLoc&, TOperator, TIntermTyped*, TIntermTyped*) asm(
+	"__real_" DRYDOCK_HANDLE_ASSIGN);
+TIntermTyped* WrapHandleAssign(HlslParseContext*, const TSourceLoc&, TOperator, TIntermTyped*, TIntermTyped*) asm(
+	"__wrap_" DRYDOCK_HANDLE_ASSIGN);
+TIntermTyped* RealAddBinaryMath(TIntermediate*, TOperator, TIntermTyped*, TIntermTyped*, const TSourceLoc&) asm(
+	"__real_" DRYDOCK_ADD_BINARY_MATH);
+TIntermTyped* WrapAddBinaryMath(TIntermediate*, TOperator, TIntermTyped*, TIntermTyped*, const TSourceLoc&) asm(
+	"__wrap_" DRYDOCK_ADD_BINARY_MATH);
+
+namespace
+{
+
+/** Two numbers of which one is of these kinds and the other of another. */
+bool NeedConversion(TIntermTyped* A, TIntermTyped* B)
+{
+	const auto IsNumber = [](TIntermTyped* Node)
+	{
+		return Node && !Node->isArray() && !Node->isStruct() && Node->getBasicType() <= EbtBool &&
+			   Node->getBasicType() != EbtVoid;
+	};
+	return IsNumber(A) && IsNumber(B) && A->getBasicType() != B->getBasicType() &&
+		   (IsNew(A->getBasicType()) || IsNew(B->getBasicType()));
+}
+
+} // namespace
+
+TIntermTyped* WrapHandleAssign(
+	HlslParseContext* Context, const TSourceLoc& Place, TOperator Operator, TIntermTyped* Left, TIntermTyped* Right)
+{
+	const FBuilder Build(Context->intermediate, Place);
+	TIntermTyped* const Made = NeedConversion(Left, Right) ? Build.Convert(Left->getBasicType(), Right) : nullptr;
+	return RealHandleAssign(Context, Place, Operator, Left, Made ? Made : Right);
+}
+
+TIntermTyped* WrapAddBinaryMath(
+	TIntermediate* Tree, TOperator Operator, TIntermTyped* Left, TIntermTyped* Right, const TSourceLoc& Place)
+{
+	if (NeedConversion(Left, Right))
+	{
+		const FBuilder Build(*Tree, Place);
+		const bool bShift = Operator == EOpLeftShift || Operator == EOpRightShift;
+		const TBasicType Type = bShift ? Left->getBasicType() : Meet({Left, Right});
+		TIntermTyped* const A = Build.Convert(Type, Left);
+		TIntermTyped* const B = Build.Convert(Type, Right);
+		return RealAddBinaryMath(Tree, Operator, A ? A : Left, B ? B : Right, Place);
+	}
+	return RealAddBinaryMath(Tree, Operator, Left, Right, Place);
+}
+
 TSymbol* WrapLookupUserType(HlslParseContext* Context, const TString& Name, TType& Type)
 {
 	TSymbol* const Own = RealLookupUserType(Context, Name, Type);
@@ -518,9 +588,13 @@ TIntermTyped* WrapHandleFunctionCall(
 	const FBuilder Build(Context->intermediate, Place);
 	const FNodes Nodes = GetArguments(*Function, Arguments);
 	TIntermTyped* Made = nullptr;
-	if (!Nodes.empty() && Function->getBuiltInOp() != EOpNull && IsNew(Function->getType().getBasicType()))
+	const TType& Type = Function->getType();
+	const bool bNew = IsNew(Type.getBasicType()) || std::any_of(Nodes.begin(), Nodes.end(),
+														[](TIntermTyped* Node) { return IsNew(Node->getBasicType()); });
+	if (!Nodes.empty() && Function->getBuiltInOp() != EOpNull && bNew)
 	{
-		Made = Function->getType().isArray() ? nullptr : Build.Construct(Function->getType(), Nodes);
+		const bool bNumbers = !Type.isArray() && !Type.isStruct();
+		Made = bNumbers ? Build.Construct(Type, Nodes) : nullptr;
 	}
 	else if (!Nodes.empty() && Function->getBuiltInOp() == EOpNull)
 	{
@@ -557,6 +631,13 @@ TIntermNode* WrapDeclareVariable(
 			TIntermTyped* const Made = Build.Convert(Type.getBasicType(), Nodes[i]);
 			List->getSequence()[i] = Made ? Made : Nodes[i];
 		}
+	}
+	const bool bNumber = Initial && !List && !Type.isArray() && !Type.isStruct() && !Initial->isArray() &&
+						 !Initial->isStruct() && Type.getBasicType() != Initial->getBasicType();
+	if (bNumber && (IsNew(Type.getBasicType()) || IsNew(Initial->getBasicType())))
+	{
+		TIntermTyped* const Made = Build.Convert(Type.getBasicType(), Initial);
+		Initial = Made ? Made : Initial;
 	}
 	return RealDeclareVariable(Context, Place, Name, Type, Initial);
 }

@@ -83,13 +83,13 @@ ESpirvType GetOperandKind(ESpirvType Kind, ESpirvType Operands, ESpirvType Resul
 						   : Kind;
 }
 
-/** Where a width has a text of its own: 16 bits are held in 32, and doubles are multiplied and added with one rounding.
- */
+/** Where a width has a text of its own: 16 bits are held in 32. The optimiser makes Fma of a product and a sum that the
+ * author wrote, so both are rounded. */
 const char* GetText(const FEmitPattern& Pattern, uint16_t Op, ESpirvType Kind)
 {
-	if (Kind == ESpirvType::Double && Op == OpExtInst && Pattern.Op == ExtFma)
+	if (Kind == ESpirvType::Half && Op == OpExtInst && Pattern.Op == ExtFma)
 	{
-		return "Fused($0, $1, $2)";
+		return "RoundHalf($0 * $1) + $2";
 	}
 	if (GetSpirvBytes(Kind) != 2 || Op == OpExtInst)
 	{

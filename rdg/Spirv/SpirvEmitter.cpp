@@ -236,7 +236,7 @@ void FSpirvEmitter::Define(uint32_t Value, uint32_t Index, const FEmitScalar& Ex
 	const std::string Name = "v" + std::to_string(Value) + "_" + std::to_string(Index);
 	const ESpirvType Kind = Module.GetScalarKind(Module.GetValueTypeId(Value), Index);
 	std::string Text = UseAs(Expression, Kind, false);
-	if (GetSpirvBytes(Kind) == 2 && Current && Current->Op != OpLoad)
+	if (GetSpirvBytes(Kind) == 2 && Current && !MovesSpirvNumbers(Current->Op))
 	{
 		Text = (Kind == ESpirvType::Half       ? "RoundHalf("
 				   : Kind == ESpirvType::Short ? "WrapShort("

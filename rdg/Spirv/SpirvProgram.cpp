@@ -2,6 +2,7 @@
 #include "SpirvProgram.h"
 
 #include "SpirvQuads.h"
+#include "SpirvScalarMath.h"
 #include "SpirvTurns.h"
 
 #include <algorithm>
@@ -176,7 +177,8 @@ void FSpirvProgram::FindKinds(FSpirvStep& Step) const
 	const bool bValue = First < I.Operands.size() && WordOf(I.Operands[First]) != GNoSpirvWord;
 	const uint32_t Operand = bValue ? Module.GetValueTypeId(I.Operands[First]) : 0;
 	Step.Kind = bValue && IsNumbers(Operand) ? Module.GetScalarKind(Operand, 0) : ESpirvType::None;
-	Step.bNarrow = I.Type && IsNumbers(I.Type) && GetSpirvBytes(Module.GetScalarKind(I.Type, 0)) == 2;
+	Step.bNarrow =
+		I.Type && !MovesSpirvNumbers(I.Op) && IsNumbers(I.Type) && GetSpirvBytes(Module.GetScalarKind(I.Type, 0)) == 2;
 }
 
 void FSpirvProgram::AddStep(const FSpirvInstruction& I)

@@ -31,6 +31,13 @@ bool EvaluateExtendedLong(uint32_t Ext, const uint64_t* Operands, uint64_t& Resu
 template<typename Real>
 uint64_t ConvertSpirv(uint16_t Op, ESpirvType From, ESpirvType To, uint64_t Word);
 
+/** An operation whose numbers are those of its operands, bit for bit: nothing is made narrow. */
+constexpr bool MovesSpirvNumbers(uint16_t Op)
+{
+	return Op == Spirv::OpLoad || Op == Spirv::OpSelect || Op == Spirv::OpBitcast ||
+		   (Op >= Spirv::OpVectorExtractDynamic && Op <= Spirv::OpTranspose);
+}
+
 /** The result of an operation as its kind holds it: 16 bits are made narrow, all else stays. */
 template<typename Real>
 uint64_t NarrowSpirv(ESpirvType Kind, uint64_t Word);

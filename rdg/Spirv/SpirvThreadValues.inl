@@ -13,14 +13,6 @@ namespace Drydock
 
 using namespace Spirv;
 
-/** The one operation on doubles whose rounding Direct3D states apart: once. */
-inline bool FuseDoubles(const uint64_t* Operands, uint64_t& Result)
-{
-	Result = ToSpirvWord(
-		std::fma(ToSpirvReal<double>(Operands[0]), ToSpirvReal<double>(Operands[1]), ToSpirvReal<double>(Operands[2])));
-	return true;
-}
-
 /** The result is made of the words in Sources. */
 template<typename Real>
 void TSpirvThread<Real>::Move(const FSpirvStep& Step)
@@ -145,7 +137,8 @@ bool TSpirvThread<Real>::ExecuteMatrix(const FSpirvStep& Step)
 			const bool bLong = GetSpirvBytes(Step.Kind) == 8;
 			Out[i] = IsReal(Step.I->Type, i)
 						 ? ToSpirvWord<Number>(GetValue<Number>(Step, 0, i) * GetValue<Number>(Step, 1, 0))
-						 : bLong ? Product : uint32_t(Product);
+					 : bLong ? Product
+							 : uint32_t(Product);
 		}
 		return true;
 	case OpDot:
@@ -494,10 +487,16 @@ void TSpirvThread<Real>::ExecuteExtended(const FSpirvStep& Step)
 		{
 			Operands[k - 2] = ViewOperand(Step, bSigned, Value(Step, k)[i]);
 		}
-		const bool bKnown = bDouble && Ext == ExtFma ? FuseDoubles(Operands, Out[i])
-							: bDouble                ? EvaluateExtended<double>(Ext, Operands, Out[i])
-							: bLong                  ? EvaluateExtendedLong(Ext, Operands, Out[i])
-													 : EvaluateExtended<Real>(Ext, Operands, Out[i]);
+		if (Step.Kind == ESpirvType::Half && Ext == ExtFma)
+		{
+			// The optimiser makes this of a product and a sum: both are rounded.
+			const Real Product = ToSpirvReal<Real>(Operands[0]) * ToSpirvReal<Real>(Operands[1]);
+			Operands[0] = NarrowSpirv<Real>(Step.Kind, ToSpirvWord<Real>(Product));
+			Operands[1] = ToSpirvWord<Real>(Real(1));
+		}
+		const bool bKnown = bDouble ? EvaluateExtended<double>(Ext, Operands, Out[i])
+							: bLong ? EvaluateExtendedLong(Ext, Operands, Out[i])
+									: EvaluateExtended<Real>(Ext, Operands, Out[i]);
 		if (!bKnown)
 		{
 			Program.Module.Fail("the model does not know GLSL.std.450 instruction " + std::to_string(Ext), Step.I);

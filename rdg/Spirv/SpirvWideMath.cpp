@@ -207,9 +207,13 @@ uint64_t ConvertSpirv(uint16_t Op, ESpirvType From, ESpirvType To, uint64_t Word
 template<typename Real>
 uint64_t NarrowSpirv(ESpirvType Kind, uint64_t Word)
 {
-	return Kind == ESpirvType::Half ? ToSpirvWord<Real>(Real(FromHalfBits(ToHalfBits(double(ToSpirvReal<Real>(Word))))))
-		   : Kind == ESpirvType::Short || Kind == ESpirvType::Ushort ? MakeInteger(Kind, Word)
-																	 : Word;
+	if (Kind == ESpirvType::Half)
+	{
+		const double Number = double(ToSpirvReal<Real>(Word));
+		constexpr uint16_t NaN = 0x7E00;
+		return ToSpirvWord<Real>(Real(FromHalfBits(Number != Number ? NaN : ToHalfBits(Number))));
+	}
+	return Kind == ESpirvType::Short || Kind == ESpirvType::Ushort ? MakeInteger(Kind, Word) : Word;
 }
 
 template<typename Real>
