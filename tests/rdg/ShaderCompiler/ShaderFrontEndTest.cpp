@@ -128,10 +128,6 @@ TEST(ShaderRefusals, WaveIntrinsicsOfPixelShadersAreNamedAsInHlsl)
 
 TEST(ShaderRefusals, TypesAreNamedAsInHlsl)
 {
-	EXPECT_THAT(ErrorsOfStatement("double d = Id.x;\nOut[Id.xy] = float(d * d);"),
-		HasSubstr("error: double is not supported on the CPU tier; use float"));
-	EXPECT_THAT(ErrorsOfStatement("uint64_t d = Id.x;\nOut[Id.xy] = float(d * d);"),
-		HasSubstr("int64_t is not supported on the CPU tier; use int or uint"));
 	EXPECT_THAT(ErrorsOfStatement("Out[Id.xy] = T.Load(int2(0, 0), 0);", "Texture2DMS<float4> T;"),
 		HasSubstr("error: Texture2DMS<float4>: multisampled textures are not supported"));
 	EXPECT_THAT(ErrorsOfStatement("Out[Id.xy] = T.Load(int2(0, 0));", "Texture1D<float4> T;"),

@@ -52,11 +52,6 @@ TEST(ShaderMessages, NameTheFileOnDisk)
 
 TEST(ShaderMessages, RefusalsShowTheLineToo)
 {
-	FShaderCompileRequest Request = FShaderHarness("float4 Main(float2 UV : TEXCOORD0) : SV_Target0\n{\n\tdouble A = "
-												   "UV.x;\n\treturn float(A * A);\n}\n",
-		"Main", EShaderStage::Pixel)
-										.Request;
-	EXPECT_THAT(ErrorsOf(Request), HasSubstr("double is not supported"));
 	EXPECT_THAT(ErrorsOf(MakeRequest("\tuint4 A = msad4(1u, uint2(1, 2), 0);")),
 		HasSubstr(
 			"/Test/Shader.usf:4:12: error: msad4 is not supported on the CPU tier: add the absolute differences of "
