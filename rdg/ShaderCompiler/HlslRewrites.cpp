@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <cstdio>
 #include <cstdlib>
 
 namespace Drydock
@@ -76,6 +78,23 @@ std::string GetLiteral(const std::string& Number, bool bRealHalf)
 	return Value <= 0xFFFFFFFFu ? Low : "(" + Type + "(" + std::to_string(Value >> 32) + "u) << 32 | " + Low + ")";
 }
 
+/** A literal without the L of doubles as the float that it is: the front end gives all its digits to a double. Empty:
+ * it is one with them. */
+std::string GetFloatLiteral(const std::string& Number)
+{
+	const bool bReal = Number.find_first_of(".eE") != std::string::npos && (Number.size() < 2 || Number[1] != 'x');
+	char* End = nullptr;
+	const double Value = std::strtod(Number.c_str(), &End);
+	const bool bFloat = *End == 0 || (ToLower(End) == "f");
+	if (!bReal || !bFloat || double(float(Value)) == Value || !std::isfinite(float(Value)))
+	{
+		return {};
+	}
+	char Text[40];
+	std::snprintf(Text, sizeof(Text), "%.17e", double(float(Value)));
+	return Text;
+}
+
 bool IsAssignment(const FHlslToken& Token)
 {
 	static const std::set<std::string> Signs = {
@@ -110,12 +129,19 @@ bool RewriteNames(FHlslText& Text, bool bRealHalf)
 			Own.insert(Text[At].Text);
 		}
 	}
+	const bool bDoubles = std::any_of(Text.Tokens.begin(), Text.Tokens.end(),
+		[](const FHlslToken& Token)
+		{ return Token.Text.starts_with("double") || Token.Text.starts_with("float64_t"); });
 	FHlslEdits Edits;
 	bool bChanged = false;
 	for (size_t At = 0; At < Text.Size(); ++At)
 	{
 		const bool bNumber = Text[At].Kind == EShaderToken::Number;
-		const std::string Literal = bNumber ? GetLiteral(Text[At].Text, bRealHalf) : std::string();
+		std::string Literal = bNumber ? GetLiteral(Text[At].Text, bRealHalf) : std::string();
+		if (bNumber && bDoubles && Literal.empty())
+		{
+			Literal = GetFloatLiteral(Text[At].Text);
+		}
 		const std::string Vector = GetVectorName(Text, At, bRealHalf);
 		if (!Literal.empty() || !Vector.empty())
 		{
