@@ -120,9 +120,7 @@ public:
 		}
 		TType Result(Type.getBasicType(), bConstant ? EvqConst : EvqTemporary, Type.getVectorSize(),
 			Type.getMatrixCols(), Type.getMatrixRows(), Type.isVector());
-		TIntermTyped* const Made = Tree.setAggregateOperator(Parts, Tree.mapTypeToConstructorOp(Result), Result, Place);
-		TIntermTyped* const Folded = bConstant ? Tree.foldConstructor(Made->getAsAggregate()) : nullptr;
-		return Folded ? Folded : Made;
+		return Tree.setAggregateOperator(Parts, Tree.mapTypeToConstructorOp(Result), Result, Place); // folds constants
 	}
 
 	TIntermTyped* Constant(TBasicType Type, double Value) const

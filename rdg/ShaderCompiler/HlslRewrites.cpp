@@ -49,8 +49,9 @@ std::string GetVectorName(const FHlslText& Text, size_t At, bool bRealHalf)
 	return bSized && ParseHlslNumeric(Name) ? Name : std::string();
 }
 
-/** A literal that the front end does not read: of 64 bits, or of 16. Empty: it does. */
-std::string GetLiteral(const std::string& Number, bool bRealHalf)
+/** A literal that the front end does not read as it is meant: of 64 bits, or of 16. bLongs: the text has integers of 64
+ * bits. Empty: it does. */
+std::string GetLiteral(const std::string& Number, bool bRealHalf, bool bLongs)
 {
 	const bool bHexadecimal = Number.size() > 1 && (Number[1] | 0x20) == 'x';
 	const size_t Digits = Number.find_first_not_of(bHexadecimal ? "0123456789abcdefABCDEFxX" : "0123456789");
@@ -68,11 +69,16 @@ std::string GetLiteral(const std::string& Number, bool bRealHalf)
 	}
 	const bool bOctal = !bHexadecimal && Number.size() > 1 && Number[0] == '0';
 	const uint64_t Value = std::strtoull(Number.c_str(), nullptr, bHexadecimal ? 16 : bOctal ? 8 : 10);
-	if (Value <= 0xFFFFFFFFu && Suffix.find("ll") == std::string::npos)
+	const bool bUnsigned = Suffix.find('u') != std::string::npos;
+	const bool bWraps = Value > 0x7FFFFFFFu && !bUnsigned && bLongs; // the front end's is below 0, which 64 bits show
+	if (bWraps && bHexadecimal && Value <= 0xFFFFFFFFu)
+	{
+		return std::to_string(Value) + "u";
+	}
+	if (Value <= 0xFFFFFFFFu && Suffix.find("ll") == std::string::npos && !bWraps)
 	{
 		return {};
 	}
-	const bool bUnsigned = Suffix.find('u') != std::string::npos;
 	const std::string Type = bUnsigned ? "uint64_t" : "int64_t";
 	const std::string Low = Type + "(" + std::to_string(uint32_t(Value)) + "u)";
 	return Value <= 0xFFFFFFFFu ? Low : "(" + Type + "(" + std::to_string(Value >> 32) + "u) << 32 | " + Low + ")";
@@ -129,15 +135,19 @@ bool RewriteNames(FHlslText& Text, bool bRealHalf)
 			Own.insert(Text[At].Text);
 		}
 	}
-	const bool bDoubles = std::any_of(Text.Tokens.begin(), Text.Tokens.end(),
-		[](const FHlslToken& Token)
-		{ return Token.Text.starts_with("double") || Token.Text.starts_with("float64_t"); });
+	const auto Has = [&Text](const char* Type)
+	{
+		return std::any_of(Text.Tokens.begin(), Text.Tokens.end(),
+			[Type](const FHlslToken& Token) { return Token.Text.starts_with(Type); });
+	};
+	const bool bDoubles = Has("double") || Has("float64_t");
+	const bool bLongs = Has("int64_t") || Has("uint64_t");
 	FHlslEdits Edits;
 	bool bChanged = false;
 	for (size_t At = 0; At < Text.Size(); ++At)
 	{
 		const bool bNumber = Text[At].Kind == EShaderToken::Number;
-		std::string Literal = bNumber ? GetLiteral(Text[At].Text, bRealHalf) : std::string();
+		std::string Literal = bNumber ? GetLiteral(Text[At].Text, bRealHalf, bLongs) : std::string();
 		if (bNumber && bDoubles && Literal.empty())
 		{
 			Literal = GetFloatLiteral(Text[At].Text);

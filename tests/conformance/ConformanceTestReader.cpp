@@ -17,6 +17,7 @@ struct FParts
 	std::map<std::string, std::string> Files; // by name
 	std::vector<std::string> RunLines;
 	int32_t WaveSize = 0;
+	int32_t NumUnsupported = 0; // compilers that the suite does not ask
 };
 
 /** "source.hlsl" of "//--- source.hlsl" and "#--- source.hlsl"; empty for other lines. */
@@ -53,6 +54,8 @@ FParts Split(const std::string& Path)
 		{
 			Parts.RunLines.push_back(Line.substr(At + 4));
 		}
+		const bool bCompiler = Line.ends_with("UNSUPPORTED: DXC") || Line.ends_with("UNSUPPORTED: Clang");
+		Parts.NumUnsupported += bCompiler ? 1 : 0;
 		const size_t Wave = Line.find("REQUIRES") == std::string::npos ? std::string::npos : Line.find("WaveSize_");
 		if (Wave != std::string::npos)
 		{
@@ -145,6 +148,11 @@ FTest ReadTest(const std::string& Path)
 	if (Test.WaveSize > 64)
 	{
 		throw FNotRead("waves of " + std::to_string(Test.WaveSize) + " threads, more than a kernel has");
+	}
+	constexpr int32_t NumCompilers = 2;
+	if (Parts.NumUnsupported == NumCompilers)
+	{
+		throw FNotRead("a test that the suite asks of no compiler");
 	}
 	std::map<std::string, FShaderSourceText> Objects;
 	for (const std::string& Line : Parts.RunLines)
