@@ -273,9 +273,7 @@ std::string FDebugTypes::ReadWords(uint32_t Type, const std::string& Words)
 	{
 		return "(" + Words + ")[0] != 0";
 	}
-	return IsCopiedByScalars(Type) ? "({ " + NameOf(Type) + " Read; " + CopyFromWords(Type, "Read", Words) + "Read; })"
-								   : "DrydockRead(" + NameOf(Type) + ", " + Words + ", " +
-										 std::to_string(Module.GetType(Type).NumScalars) + ")";
+	return "({ " + NameOf(Type) + " Read; " + CopyFromWords(Type, "Read", Words) + "Read; })";
 }
 
 } // namespace Drydock

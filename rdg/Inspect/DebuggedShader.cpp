@@ -66,14 +66,6 @@ struct FDebugRun
 		}
 	}
 
-	static const void* Read(const uint64_t* Words, uint32_t Count)
-	{
-		static thread_local std::vector<uint32_t> Value;
-		Value.resize(Count);
-		Take(Words, Value.data(), Count);
-		return Value.data();
-	}
-
 	static uint64_t ReadConstant(void* Self, uint32_t Variable, uint32_t Offset, uint8_t Kind)
 	{
 		const FDebugRun& Run = *static_cast<FDebugRun*>(Self);
@@ -124,8 +116,8 @@ FDebuggedThread FDebuggedShader::Run(
 	}
 	Run.Thread.Begin(Args, {Position[0], Position[1], Position[2]}, nullptr);
 	FDebugKernelArgs Asked{Run.Thread.GetWords(), &Run, &FDebugRun::Execute, &FDebugRun::ReadConstant, &FDebugRun::Take,
-		&FDebugRun::Put, &FDebugRun::Read, {Position[0], Position[1], Position[2]},
-		{Whole.MinX, Whole.MinY, Whole.MinZ}, {Whole.MaxX, Whole.MaxY, Whole.MaxZ}, {}, false};
+		&FDebugRun::Put, {Position[0], Position[1], Position[2]}, {Whole.MinX, Whole.MinY, Whole.MinZ},
+		{Whole.MaxX, Whole.MaxY, Whole.MaxZ}, {}, false};
 	try
 	{
 		Kernel(Asked);

@@ -16,10 +16,9 @@ struct FDebugKernelArgs
 	void (*Execute)(void* Self, uint32_t Step);
 	/** The word of a number in a constant buffer, which is a variable of the module. Kind: an ESpirvType. */
 	uint64_t (*ReadConstant)(void* Self, uint32_t Variable, uint32_t Offset, uint8_t Kind);
-	/** Words to a variable of numbers of 32 bits, and back; and words as such a variable, until the next call. */
+	/** Words to a variable of numbers of 32 bits, and back. */
 	void (*Take)(const uint64_t* Words, void* To, uint32_t Count);
 	void (*Put)(uint64_t* Words, const void* From, uint32_t Count);
-	const void* (*Read)(const uint64_t* Words, uint32_t Count);
 	int32_t Position[3]; // pixel or dispatch id
 	int32_t Min[3];      // of what the pass draws or dispatches
 	int32_t Max[3];      // past the last

@@ -31,7 +31,6 @@ static uint64_t* DrydockWords;
 // Calls that a debugger steps over. The variable's numbers have 32 bits.
 #define DrydockTake(Words, To, Count) DrydockRun->Take(Words, To, Count)
 #define DrydockPut(Words, From, Count) DrydockRun->Put(Words, From, Count)
-#define DrydockRead(Type, Words, Count) (*static_cast<const Type*>(DrydockRun->Read(Words, Count)))
 #define DrydockDo(Step) DrydockRun->Execute(DrydockRun->Self, Step)
 
 /** From the debugger: the shader runs once more, for another pixel or thread, when it is through with this one. */

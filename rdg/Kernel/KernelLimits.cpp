@@ -27,13 +27,11 @@ thread_local FKernelLimits GLimits;
 	const FCodeOwner* const Code = GetRunningCode();
 	const std::string At = std::to_string(X) + ", " + std::to_string(Y) + (Z ? ", " + std::to_string(Z) : "");
 	const std::string Turns = std::to_string(std::max(1, CVarDrydockShaderLoopLimit.GetValueOnAnyThread()));
-	throw FError({.Code = 6041,
-					 .Message = "this loop goes on after " + Turns + " turns in the pixel or thread (" + At + ") of " +
-								(Code && !Code->Callback.empty() ? Code->Callback : "a shader") +
-								": does it have an end? (r.Drydock.ShaderLoopLimit)",
-					 .File = File,
-					 .Line = Line,
-					 .Where = Code && !Code->Pass.empty() ? "pass " + Code->Pass : ""},
+	throw FError({ESeverity::Error, 6041,
+					 "this loop goes on after " + Turns + " turns in the pixel or thread (" + At + ") of " +
+						 (Code && !Code->Callback.empty() ? Code->Callback : "a shader") +
+						 ": does it have an end? (r.Drydock.ShaderLoopLimit)",
+					 File, Line, 0, Code && !Code->Pass.empty() ? "pass " + Code->Pass : ""},
 		ExitUsage);
 }
 

@@ -142,7 +142,8 @@ DRYDOCK_LANES_INLINE uint32_t GetLoopTurns(const FKernelArgs& Args)
 	return Args.Limits ? Args.Limits->LoopTurns : 0xFFFFFFFFu;
 }
 
-/** A loop took more turns. Where it says so nothing has to be kept, which is what makes counting cost next to nothing. */
+/** A loop took more turns. Where it says so nothing has to be kept, which is what makes counting cost next to nothing.
+ */
 [[noreturn]] DRYDOCK_LANES_INLINE void EndLoop(
 	const FKernelArgs& Args, const char* File, int32_t Line, int32_t X, int32_t Y, int32_t Z)
 {

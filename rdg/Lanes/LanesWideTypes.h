@@ -1,4 +1,4 @@
-// 64-bit integers and doubles in the kernels of a float, and 16-bit values: the lane types and functions that only
+// Integers of 64 bits and doubles in the kernels of a float, and 16-bit values: the lane types and functions that only
 // shaders with such types need. A 16-bit value is computed in the lanes of its 32-bit relative and made narrow again
 // after each operation: integers wrap, a float16_t is rounded to nearest even. Included by generated code only, where
 // the shader uses them. Source: D3D11 functional specification 3.1 and 22.11; IEEE 754 binary16.

@@ -101,8 +101,7 @@ bool RunOnBackend(const Drydock::FBoundShader& Shader, const Drydock::FKernelArg
 	const std::string Fault = Backend->Run(Shader, Args, Whole);
 	if (!Fault.empty())
 	{
-		constexpr int RunsOnCpu = 6071;
-		Counters.AddRemark({Drydock::ESeverity::Warning, RunsOnCpu,
+		Counters.AddRemark({Drydock::ESeverity::Warning, 6071,
 			Shader.Name + " runs on the CPU and not on " + Backend->GetDeviceName() + ": " + Fault, {}, 0, 0,
 			"entry point " + Shader.EntryPoint});
 	}

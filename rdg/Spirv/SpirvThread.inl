@@ -400,8 +400,8 @@ void TSpirvThread<Real>::CountTurn(uint32_t To, uint32_t FromBlock)
 	if (Args->Limits && CountedTurns[To] > Args->Limits->LoopTurns)
 	{
 		const FSpirvInstruction& Header = Program.Module.Blocks[To].Terminator();
-		Args->Limits->OnEndlessLoop(Program.Module.Files[Header.File].c_str(), Header.Line, Position[0], Position[1],
-			Position[2]);
+		Args->Limits->OnEndlessLoop(
+			Program.Module.Files[Header.File].c_str(), Header.Line, Position[0], Position[1], Position[2]);
 	}
 }
 

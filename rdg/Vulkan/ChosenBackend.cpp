@@ -9,8 +9,6 @@ namespace Drydock
 namespace
 {
 
-constexpr int ErrorNoBackend = 6070;
-
 TAutoConsoleVariable<int32> CVarBackend(TEXT("r.Drydock.Backend"), 0,
 	TEXT("What shaders run on. 0: the CPU, as drydock compiles them; 1: the Vulkan driver that is there. Hand-written "
 		 "kernels stay on the CPU."));
@@ -26,8 +24,7 @@ IDispatchBackend* ChooseBackend()
 	static const std::unique_ptr<FVulkanBackend> Backend = FVulkanBackend::Open(Fault);
 	if (!Backend)
 	{
-		throw FError(
-			{ESeverity::Error, ErrorNoBackend, "shaders cannot run on Vulkan: " + Fault, {}, 0, 0, "r.Drydock.Backend"},
+		throw FError({ESeverity::Error, 6070, "shaders cannot run on Vulkan: " + Fault, {}, 0, 0, "r.Drydock.Backend"},
 			ExitUsage);
 	}
 	return Backend.get();

@@ -3,7 +3,7 @@
 
 #include "Shader.h"
 #include "ShaderCompilation.h"
-#include "VulkanShader.h"
+#include "VulkanDraw.h"
 
 #include <functional>
 #include <map>
@@ -34,8 +34,7 @@ struct FVulkanBackend::FImplementation
 			}
 			if (Entry.Shader)
 			{
-				Entry.Shader->Run(Args, Whole);
-				Milliseconds = Entry.Shader->GetRunMilliseconds();
+				Milliseconds = RunVulkanShader(*Entry.Shader, Args, Whole);
 			}
 			return Entry.Fault;
 		}

@@ -78,7 +78,7 @@ void FVulkanDraw::MakeTargets()
 	{
 		auto Info = MakeInfo<VkImageCreateInfo>(VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO);
 		Info.imageType = VK_IMAGE_TYPE_2D;
-		Info.format = TargetFormat;
+		Info.format = FVulkanShader::TargetFormat;
 		Info.extent = {Width, Height, 1};
 		Info.mipLevels = Info.arrayLayers = 1;
 		Info.samples = VK_SAMPLE_COUNT_1_BIT;
@@ -86,7 +86,7 @@ void FVulkanDraw::MakeTargets()
 			VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
 		FVulkanImage& Image = Targets.emplace_back();
 		Image.Image = Arena.MakeImage(Info);
-		Image.View = Arena.MakeImageView(Image.Image, VK_IMAGE_VIEW_TYPE_2D, TargetFormat);
+		Image.View = Arena.MakeImageView(Image.Image, VK_IMAGE_VIEW_TYPE_2D, FVulkanShader::TargetFormat);
 		Views.push_back(Image.View);
 		VkBufferImageCopy Copy = {};
 		Copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
@@ -214,6 +214,12 @@ void FVulkanDraw::StoreTargets() const
 			}
 		}
 	}
+}
+
+double RunVulkanShader(FVulkanShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole)
+{
+	return Shader.Kernel.Stage == EShaderStage::Compute ? FVulkanDispatch(Shader, Args, Whole).Run()
+														: FVulkanDraw(Shader, Args, Whole).Run();
 }
 
 } // namespace Drydock

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "VulkanArguments.h"
+#include "VulkanShader.h"
 
 namespace Drydock
 {
@@ -22,12 +23,9 @@ private:
 	FVulkanArguments Arguments;
 };
 
-/** Targets are 32-bit floats; what comes back is blended and stored by drydock. */
 class FVulkanDraw
 {
 public:
-	static constexpr VkFormat TargetFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
-
 	FVulkanDraw(FVulkanShader& InShader, const FKernelArgs& InArgs, const FKernelTile& InWhole);
 	~FVulkanDraw();
 	FVulkanDraw(const FVulkanDraw&) = delete;
@@ -50,5 +48,10 @@ private:
 	VkFramebuffer Framebuffer = VK_NULL_HANDLE;
 	FVulkanBuffer Vertices;
 };
+
+/** Runs all of Whole over what a kernel would be given; blending, write masks and the rounding of formats are
+ * drydock's. Returns the milliseconds that the driver took without the transfers. Throws FVulkanError, with nothing
+ * written. */
+double RunVulkanShader(FVulkanShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole);
 
 } // namespace Drydock

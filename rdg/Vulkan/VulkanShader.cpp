@@ -4,7 +4,6 @@
 #include "InspectedShader.h"
 #include "ShaderFrontEnd.h"
 #include "ShaderSource.h"
-#include "VulkanDraw.h"
 
 #include <algorithm>
 
@@ -258,7 +257,7 @@ void FVulkanShader::MakeRenderPass()
 	for (int32_t Target = 0; Target < Kernel.NumTargets; ++Target)
 	{
 		References.push_back({uint32_t(Target), VK_IMAGE_LAYOUT_GENERAL});
-		Attachments.push_back({0, FVulkanDraw::TargetFormat, VK_SAMPLE_COUNT_1_BIT, VK_ATTACHMENT_LOAD_OP_LOAD,
+		Attachments.push_back({0, TargetFormat, VK_SAMPLE_COUNT_1_BIT, VK_ATTACHMENT_LOAD_OP_LOAD,
 			VK_ATTACHMENT_STORE_OP_STORE, VK_ATTACHMENT_LOAD_OP_DONT_CARE, VK_ATTACHMENT_STORE_OP_DONT_CARE,
 			VK_IMAGE_LAYOUT_GENERAL, VK_IMAGE_LAYOUT_GENERAL});
 	}
@@ -343,12 +342,6 @@ void FVulkanShader::MakeGraphicsPipeline()
 	Info.renderPass = RenderPass;
 	CheckVulkan(Owner->Vk.vkCreateGraphicsPipelines(Owner->Device, VK_NULL_HANDLE, 1, &Info, nullptr, &Pipeline),
 		"vkCreateGraphicsPipelines");
-}
-
-void FVulkanShader::Run(const FKernelArgs& Args, const FKernelTile& Whole)
-{
-	RunMilliseconds = Kernel.Stage == EShaderStage::Compute ? FVulkanDispatch(*this, Args, Whole).Run()
-															: FVulkanDraw(*this, Args, Whole).Run();
 }
 
 } // namespace Drydock

@@ -1,4 +1,4 @@
-// A shader as a Vulkan pipeline, run over what its kernel would be given.
+// A shader as a Vulkan pipeline.
 #pragma once
 
 #include "ShaderCompileRequest.h"
@@ -19,9 +19,13 @@ struct FVulkanBinding
 	VkDescriptorType Type = VK_DESCRIPTOR_TYPE_SAMPLER;
 };
 
+/** RunVulkanShader runs it. */
 class FVulkanShader
 {
 public:
+	/** Of its render targets, whatever those of the pass are: what comes back is blended and stored by drydock. */
+	static constexpr VkFormat TargetFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
+
 	/** Kernel: the reflection whose slots the arguments have. Throws FVulkanError for what the device cannot run,
 	 * FError with the front end's messages. */
 	FVulkanShader(std::shared_ptr<const FVulkanDevice> InDevice, const FShaderCompileRequest& Request,
@@ -29,13 +33,6 @@ public:
 	~FVulkanShader();
 	FVulkanShader(const FVulkanShader&) = delete;
 	FVulkanShader& operator=(const FVulkanShader&) = delete;
-
-	/** Runs all of Whole; blending, write masks and the rounding of formats are drydock's. Throws FVulkanError, with
-	 * nothing written. */
-	void Run(const FKernelArgs& Args, const FKernelTile& Whole);
-
-	/** Wall time that the driver took for the last run without the transfers. */
-	double GetRunMilliseconds() const { return RunMilliseconds; }
 
 private:
 	void CheckDevice(const FShaderCompileRequest& Request) const;
@@ -59,10 +56,10 @@ private:
 	VkRenderPass RenderPass = VK_NULL_HANDLE;
 	VkPipeline Pipeline = VK_NULL_HANDLE;
 	std::vector<VkShaderModule> Modules;
-	double RunMilliseconds = 0;
 
 	friend class FVulkanDispatch;
 	friend class FVulkanDraw;
+	friend double RunVulkanShader(FVulkanShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole);
 };
 
 } // namespace Drydock

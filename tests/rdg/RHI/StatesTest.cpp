@@ -67,11 +67,12 @@ TEST(Sampler, SampleBitsAreReadWhenTheKernelIsBound)
 	EXPECT_EQ(0, Sampler->GetKernelSampler().SampleBits);
 }
 
-TEST(Sampler, ComparisonIsRefused)
+TEST(Sampler, ComparesWhereItsStateSaysSo)
 {
 	FSamplerStateInitializerRHI Initializer;
+	EXPECT_EQ(EKernelCompare::Never, RHICreateSamplerState(Initializer)->GetKernelSampler().Compare);
 	Initializer.SamplerComparisonFunction = SCF_Less;
-	EXPECT_THROW(RHICreateSamplerState(Initializer), FCheckFailure);
+	EXPECT_EQ(EKernelCompare::Less, RHICreateSamplerState(Initializer)->GetKernelSampler().Compare);
 }
 
 TEST(BlendState, DefaultReplaces)

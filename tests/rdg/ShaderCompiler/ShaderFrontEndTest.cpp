@@ -104,10 +104,8 @@ TEST(ShaderErrors, CrashOfTheFrontEndIsAnError)
 
 TEST(ShaderRefusals, DerivativesSayWhatToDo)
 {
-	const std::string Errors =
-		ErrorsOf("RWBuffer<float> Out;\n[numthreads(8, 8, 1)]\n"
-				 "void Main(uint3 Id : SV_DispatchThreadID)\n{\n\tOut[Id.x] = ddx(float(Id.x));\n}\n");
-	EXPECT_THAT(Errors, HasSubstr("error: ddx: only pixel shaders have derivatives"));
+	EXPECT_THAT(ErrorsOfStatement("Out[Id.xy] = ddx(float(Id.x));"),
+		HasSubstr("/Test/Shader.usf:3: error: ddx: only pixel shaders have derivatives"));
 }
 
 TEST(ShaderRefusals, WaveIntrinsicsOfPixelShadersAreNamedAsInHlsl)
