@@ -35,7 +35,7 @@ std::string FormatTaps(const FRunPass& Pass)
 		return Pass.Taps ? "" : "? taps";
 	}
 	const double PerPixel = static_cast<double>(*Pass.Taps) / static_cast<double>(Pass.Counters.Pixels);
-	return fmt::format("{:.3g} taps", PerPixel);
+	return PerPixel < 100.0 ? fmt::format("{:.3g} taps", PerPixel) : fmt::format("{:.0f} taps", PerPixel);
 }
 
 std::string FormatPasses(const FRunResult& Result, int Width)

@@ -105,7 +105,7 @@ TEST(ShaderErrors, CrashOfTheFrontEndIsAnError)
 TEST(ShaderRefusals, DerivativesSayWhatToDo)
 {
 	EXPECT_THAT(ErrorsOfStatement("Out[Id.xy] = ddx(float(Id.x));"),
-		HasSubstr("/Test/Shader.usf:3: error: ddx: only pixel shaders have derivatives"));
+		HasSubstr("/Test/Shader.usf:4: error: ddx: only pixel shaders have derivatives"));
 }
 
 TEST(ShaderRefusals, WaveIntrinsicsOfPixelShadersAreNamedAsInHlsl)
