@@ -48,6 +48,21 @@ uint8_t GetPlatforms(const FLintOptions& Options)
 	return Platforms != 0 ? Platforms : uint8_t(0xFF);
 }
 
+/** Where a file is mapped only to be looked at. */
+constexpr const char* OwnDirectory = "/Lint";
+
+/** A file as its user named it: by the engine's path where it has one, else by that on disk. */
+std::string GetShownPath(const std::string& VirtualPath)
+{
+	if (!VirtualPath.starts_with(std::string(OwnDirectory) + "/"))
+	{
+		return VirtualPath;
+	}
+	std::error_code Error;
+	const fs::path Shown = fs::proximate(FindShaderFile(VirtualPath), Error);
+	return Error ? VirtualPath : Shown.generic_string();
+}
+
 /** What was found, each once: permutations of one shader find the same. */
 struct FFound
 {
@@ -59,13 +74,20 @@ struct FFound
 	{
 		++NumShaders;
 		std::vector<FDiagnostic> Refused;
-		const std::vector<FLintFinding> New = LintShader(Request, Platforms, &Refused);
-		Findings.insert(New.begin(), New.end());
+		for (FLintFinding& Finding : LintShader(Request, Platforms, &Refused))
+		{
+			Finding.File = GetShownPath(Finding.File);
+			Findings.insert(std::move(Finding));
+		}
+		for (FDiagnostic& Each : Refused)
+		{
+			Each.File = GetShownPath(Each.File);
+		}
 		PrintDiagnostics(Refused);
 	}
 };
 
-/** The virtual path of a file; where its folder is not mapped, it is, as "/Lint". */
+/** The virtual path of a file; where its folder is not mapped, it is now. */
 std::string GetVirtualPath(const std::string& Target)
 {
 	if (!FindShaderFile(Target).empty())
@@ -88,8 +110,8 @@ std::string GetVirtualPath(const std::string& Target)
 			return Directory.Virtual + "/" + Relative;
 		}
 	}
-	AddShaderDirectory("/Lint", File.parent_path().string());
-	return "/Lint/" + File.filename().string();
+	AddShaderDirectory(OwnDirectory, File.parent_path().string());
+	return std::string(OwnDirectory) + "/" + File.filename().string();
 }
 
 /** Every permutation of the classes that name the file; where none does, the entry points that the text declares. */

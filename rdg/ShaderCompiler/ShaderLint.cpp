@@ -3,6 +3,7 @@
 
 #include "HlslTokens.h"
 #include "ShaderFrontEnd.h"
+#include "ShaderMessages.h"
 #include "ShaderSource.h"
 #include "SpirvReflect.h"
 #include "SpirvUniformity.h"
@@ -400,8 +401,15 @@ std::vector<FLintFinding> LintSpirv(const std::vector<uint32_t>& Words, const st
 std::vector<FLintFinding> LintShader(
 	const FShaderCompileRequest& Request, uint8_t Platforms, std::vector<FDiagnostic>* Refused)
 {
-	const FShaderSource Source = FlattenShader(Request);
-	return LintSpirv(CompileToSpirv(Source, Request), Source.Text, Request, Platforms, Refused);
+	try
+	{
+		const FShaderSource Source = FlattenShader(Request);
+		return LintSpirv(CompileToSpirv(Source, Request), Source.Text, Request, Platforms, Refused);
+	}
+	catch (const FError& Error)
+	{
+		throw ExplainShaderErrors(Error, Request);
+	}
 }
 
 std::vector<FShaderEntry> FindShaderEntries(const FShaderCompileRequest& Request)
