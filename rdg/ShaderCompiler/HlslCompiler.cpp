@@ -105,7 +105,7 @@ std::vector<std::string> MakeHlslCompilerArguments(const FHlslCompiler& Compiler
 	case EHlslCompiler::Dxc:
 		// Rows and D3D's packing, as the C++ structs lie; semantics and lines are kept; no more than Vulkan 1.0 has.
 		Arguments = {Compiler.Program, "-spirv", "-T", Choose(Stage, "cs_6_0", "ps_6_0", "vs_6_0"), "-E", Entry, "-HV",
-			"2021", "-Zpr", "-Zi", "-fvk-use-dx-layout", "-fspv-reflect", "-fspv-target-env=vulkan1.0", "-Fo", Output};
+			"2021", "-Zpr", "-Zi", "-fvk-use-dx-layout", "-fspv-reflect", "-fspv-target-env=vulkan1.1", "-Fo", Output};
 		break;
 	case EHlslCompiler::Slang:
 		Arguments = {Compiler.Program, "-target", "spirv", "-profile", "sm_6_0", "-stage",

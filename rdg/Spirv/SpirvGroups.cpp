@@ -73,6 +73,7 @@ FSpirvGroupUse FindGroupUse(const FSpirvModule& Module)
 		}
 	}
 	std::map<uint32_t, FSharedMemory> Memory; // by variable
+	std::map<uint32_t, FSharedMemory> Groupshared;
 	for (const FSpirvBlock& Block : Module.Blocks)
 	{
 		for (const FSpirvInstruction& I : Block.Instructions)
@@ -83,12 +84,13 @@ FSpirvGroupUse FindGroupUse(const FSpirvModule& Module)
 			}
 			const bool bSeen = Used.count(I.Result) || !Commutes(I.Op);
 			Use.bWaves = Use.bWaves || bSeen;
-			if (const FSpirvVariable* const Variable = FindAtomicVariable(Module, I, Pointers);
-				Variable && Variable->Storage != StorageWorkgroup)
+			if (const FSpirvVariable* const Variable = FindAtomicVariable(Module, I, Pointers))
 			{
-				FSharedMemory& Shared = Memory[Variable->Id];
+				const bool bGroupshared = Variable->Storage == StorageWorkgroup;
+				FSharedMemory& Shared = (bGroupshared ? Groupshared : Memory)[Variable->Id];
 				Shared.Kinds.insert(GetKind(I.Op));
 				Shared.bOrderSeen = Shared.bOrderSeen || bSeen;
+				Use.bWaves = Use.bWaves || (bGroupshared && Shared.Kinds.size() > 1);
 			}
 		}
 	}

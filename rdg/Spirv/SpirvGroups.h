@@ -16,7 +16,8 @@ struct FSpirvGroupUse
 	 * barrier to the next. */
 	bool bGroups = false;
 	/** Threads of a wave go from one such operation to the next together, those of the lowest index first: wave
-	 * operations; atomics whose result is used, so that who comes first does not depend on the machine. */
+	 * operations; atomics whose result is used, or of several kinds on one groupshared variable, so that who comes
+	 * first does not depend on the machine. */
 	bool bWaves = false;
 	/** Groups run one after the other, by z, y and x: atomics on buffers and textures of which somebody sees the order.
 	 */

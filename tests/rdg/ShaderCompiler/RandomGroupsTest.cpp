@@ -23,6 +23,8 @@ public:
 	{
 		static constexpr int32_t Sizes[][3] = {{64, 1, 1}, {8, 6, 1}, {5, 3, 2}, {40, 1, 1}, {1, 1, 1}};
 		std::copy_n(Sizes[Choose(5)], 3, Size);
+		bBarriersInFlow = Choose(2);
+		Commuting = Operations[Choose(5)];
 	}
 
 	std::string Make()
@@ -87,7 +89,7 @@ private:
 		switch (Choose(9))
 		{
 		case 0:
-			if (bUniform)
+			if (bUniform && (Depth == 1 || bBarriersInFlow))
 			{
 				return Tab + "GroupMemoryBarrierWithGroupSync();\n" + Tab + "Shared[I] = " + Value() + ";\n" + Tab +
 					   "GroupMemoryBarrierWithGroupSync();\n" + Tab + Value() + " += Shared[(I * " + Number(11) +
@@ -114,10 +116,9 @@ private:
 			break;
 		case 3:
 		{
-			const char* const Operations[] = {"Add", "Max", "Xor", "Or", "Min"};
-			const std::string Head =
-				Tab + "Interlocked" + Operations[Choose(5)] + "(Bins[" + Value() + " % 16], " + Value();
-			return Choose(2) ? Head + ");\n" : Head + ", Old);\n" + Tab + Value() + " ^= Old;\n";
+			const std::string Operation = bBarriersInFlow ? Commuting : Operations[Choose(5)];
+			const std::string Head = Tab + "Interlocked" + Operation + "(Bins[" + Value() + " % 16], " + Value();
+			return bBarriersInFlow || Choose(2) ? Head + ");\n" : Head + ", Old);\n" + Tab + Value() + " ^= Old;\n";
 		}
 		case 4:
 		{
@@ -134,8 +135,14 @@ private:
 		return Tab + Value() + " = " + Expression() + ";\n";
 	}
 
+	static constexpr const char* Operations[] = {"Add", "Max", "Xor", "Or", "Min"};
+
 	std::mt19937 Random;
 	int32_t Size[3];
+	/** Barriers in loops and conditions; then atomics are of one kind, and nobody looks at what was there before: only
+	 * so their order around such barriers is the same however the program is run (docs/shaders.md). */
+	bool bBarriersInFlow = false;
+	std::string Commuting;
 	uint32_t NumCounters = 0;
 };
 
