@@ -54,7 +54,6 @@ private:
 	bool IsShownPointer(uint32_t Type) const;
 	uint32_t GetReturnType(const FSpirvFunction& Function) const;
 	std::string MakeReturnType(const FSpirvFunction& Function);
-	std::string ReadResult(uint32_t Type, const std::string& Words);
 	void Declare(const FSpirvFunction& Function);
 	void Define(const FSpirvFunction& Function);
 	void OpenFunction(const FSpirvFunction& Function, const std::vector<FDebugLocal>& Locals);

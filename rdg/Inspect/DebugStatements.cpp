@@ -87,16 +87,6 @@ std::string FDebugEmitter::MakeSwitch(const FSpirvStep& Step, const FSpirvBlock&
 	return Text + "default: " + Jump(Block.Label, Operands.at(1)) + " }";
 }
 
-std::string FDebugEmitter::ReadResult(uint32_t Type, const std::string& Words)
-{
-	if (!Types.IsArray(Type))
-	{
-		return Types.ReadWords(Type, Words);
-	}
-	return "({ DrydockValue<" + Types.NameOf(Type) + "> Read; " + Types.CopyFromWords(Type, "Read.Value", Words) +
-		   "Read; })";
-}
-
 std::string FDebugEmitter::MakeReturn(const FSpirvFunction& Function, const FSpirvStep& Step)
 {
 	std::string Text;
@@ -109,7 +99,7 @@ std::string FDebugEmitter::MakeReturn(const FSpirvFunction& Function, const FSpi
 		}
 	}
 	const bool bValue = Step.I->Op == OpReturnValue;
-	return Text + (bValue ? "return " + ReadResult(GetReturnType(Function), At(Arg(Step, 0))) + ";" : "return;");
+	return Text + (bValue ? "return " + Types.ReadWords(GetReturnType(Function), At(Arg(Step, 0))) + ";" : "return;");
 }
 
 /** Arguments go through the words, where the interpreter has them; what a debugger shows is passed once more. */

@@ -1,6 +1,8 @@
 // Writes types and the copies between variables and words.
 #include "DebugTypes.h"
 
+#include "SpirvRefusals.h"
+
 #include <algorithm>
 #include <cctype>
 
@@ -9,33 +11,6 @@ namespace Drydock
 
 namespace
 {
-
-const char* GetScalarName(ESpirvType Kind)
-{
-	switch (Kind)
-	{
-	case ESpirvType::Bool:
-		return "bool";
-	case ESpirvType::Int:
-		return "int";
-	case ESpirvType::Uint:
-		return "uint";
-	case ESpirvType::Half:
-		return "float16_t";
-	case ESpirvType::Short:
-		return "int16_t";
-	case ESpirvType::Ushort:
-		return "uint16_t";
-	case ESpirvType::Double:
-		return "double";
-	case ESpirvType::Long:
-		return "int64_t";
-	case ESpirvType::Ulong:
-		return "uint64_t";
-	default:
-		return "float";
-	}
-}
 
 /** Words of C++ that HLSL leaves to its authors. */
 bool IsCppKeyword(const std::string& Name)
@@ -134,7 +109,7 @@ std::string FDebugTypes::Define(uint32_t TypeId)
 		// SPIR-V's columns are the rows of HLSL.
 		const std::string Row = NameOf(Type.Element);
 		const FSpirvType& RowType = Module.GetType(Type.Element);
-		const std::string Name = std::string(GetScalarName(Module.GetType(RowType.Element).Kind)) +
+		const std::string Name = std::string(GetHlslScalarName(Module.GetType(RowType.Element).Kind)) +
 								 std::to_string(Type.Count) + "x" + std::to_string(RowType.Count);
 		if (Taken.insert(Name).second)
 		{
@@ -147,7 +122,7 @@ std::string FDebugTypes::Define(uint32_t TypeId)
 	case ESpirvType::Struct:
 		return "::" + DefineStruct(Type);
 	default:
-		return GetScalarName(Type.Kind);
+		return GetHlslScalarName(Type.Kind);
 	}
 }
 
@@ -269,11 +244,32 @@ std::string FDebugTypes::CopyFromWords(uint32_t Type, const std::string& Variabl
 
 std::string FDebugTypes::ReadWords(uint32_t Type, const std::string& Words)
 {
-	if (Module.GetType(Type).Kind == ESpirvType::Bool)
+	// One expression: a variable in a block of its own would be a second place of the same line, where a debugger stops
+	// again.
+	std::string Text;
+	for (uint32_t i = 0; i < Module.GetType(Type).NumScalars; ++i)
 	{
-		return "(" + Words + ")[0] != 0";
+		const ESpirvType Kind = Module.GetScalarKind(Type, i);
+		const std::string Word = "(" + Words + ")[" + std::to_string(i) + "]";
+		Text += Text.empty() ? "" : ", ";
+		switch (Kind)
+		{
+		case ESpirvType::Bool:
+			Text += Word + " != 0";
+			break;
+		case ESpirvType::Float:
+		case ESpirvType::Half:
+			Text += "__builtin_bit_cast(float, uint(" + Word + "))";
+			break;
+		case ESpirvType::Double:
+			Text += "__builtin_bit_cast(double, " + Word + ")";
+			break;
+		default:
+			Text += std::string(GetHlslScalarName(Kind)) + "(" + Word + ")";
+		}
 	}
-	return "({ " + NameOf(Type) + " Read; " + CopyFromWords(Type, "Read", Words) + "Read; })";
+	const std::string Name = NameOf(Type);
+	return (IsArray(Type) ? "DrydockValue<" + Name + ">" : Name) + "{" + Text + "}";
 }
 
 } // namespace Drydock

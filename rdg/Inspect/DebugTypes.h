@@ -37,7 +37,7 @@ public:
 	/** Statements that copy a variable to words, and back. Words: an expression for their address. */
 	std::string CopyToWords(uint32_t Type, const std::string& Variable, const std::string& Words) const;
 	std::string CopyFromWords(uint32_t Type, const std::string& Variable, const std::string& Words) const;
-	/** An expression for the value of the words; not of arrays. */
+	/** An expression for the value of the words: of arrays and matrices a DrydockValue, whose member Value they are. */
 	std::string ReadWords(uint32_t Type, const std::string& Words);
 
 private:

@@ -1,6 +1,7 @@
 // Dispatches, draws, clears and copies. Source: engine RHICommandList.h for meaning; the execution is drydock's.
 #include "RHICommandList.h"
 
+#include "BoundBytes.h"
 #include "CodeScope.h"
 #include "DispatchBackend.h"
 #include "DispatchObserver.h"
@@ -49,46 +50,6 @@ int32 RoundUp(int32 Value, int32 Multiple)
 	return (Value + Multiple - 1) / Multiple * Multiple;
 }
 
-uint64 GetViewBytes(const Drydock::FKernelTexture& View)
-{
-	uint64 Texels = 0;
-	for (int32 Mip = 0; Mip < View.NumMips; ++Mip)
-	{
-		const Drydock::FKernelMip& At = View.Mips[Mip];
-		Texels += uint64(At.SizeX) * uint64(At.SizeY) * uint64(At.SizeZ);
-	}
-	return Texels * Drydock::GetTexelStorageInfo(View.Storage).BytesPerTexel;
-}
-
-uint64 GetBytesBoundForReading(const Drydock::FBoundShader& Shader)
-{
-	uint64 Bytes = 0;
-	for (const Drydock::FKernelTexture& View : Shader.Textures)
-	{
-		Bytes += GetViewBytes(View);
-	}
-	for (const Drydock::FKernelBuffer& View : Shader.Buffers)
-	{
-		Bytes += View.SizeInBytes;
-	}
-	return Bytes;
-}
-
-/** A compute shader's writes are data; each thread is taken to write every view once, and no view more than whole. */
-uint64 GetBytesBoundForWriting(const Drydock::FBoundShader& Shader, uint64 NumThreads)
-{
-	uint64 Bytes = 0;
-	for (const Drydock::FKernelTexture& View : Shader.RWTextures)
-	{
-		Bytes += std::min(GetViewBytes(View), NumThreads * Drydock::GetTexelStorageInfo(View.Storage).BytesPerTexel);
-	}
-	for (const Drydock::FKernelBuffer& View : Shader.RWBuffers)
-	{
-		Bytes += std::min<uint64>(View.SizeInBytes, NumThreads * View.Stride);
-	}
-	return Bytes;
-}
-
 /** Runs all of Whole on the device that r.Drydock.Backend chooses; false: kernels have to run it. */
 bool RunOnBackend(const Drydock::FBoundShader& Shader, const Drydock::FKernelArgs& Args, const FKernelTile& Whole,
 	Drydock::FPassCounters& Counters)
@@ -128,40 +89,6 @@ FIntRect GetCopiedRect(const FRHITexture& Source, const FRHICopyTextureInfo& Inf
 
 } // namespace
 
-void Drydock::FPassCounters::AddWrite(const FRHITexture* Texture, int32_t Mip, const FIntRect& Rect)
-{
-	const auto Known = std::find_if(Writes.begin(), Writes.end(),
-		[&](const FTextureWrite& Write) { return Write.Texture == Texture && Write.Mip == Mip; });
-	if (Known == Writes.end())
-	{
-		Writes.push_back({Texture, Mip, Rect});
-	}
-	else
-	{
-		Known->Rect.Union(Rect);
-	}
-}
-
-void Drydock::FPassCounters::AddRemark(const FDiagnostic& Remark)
-{
-	const auto Same = [&Remark](const FDiagnostic& Known)
-	{
-		return Known.ToString() == Remark.ToString();
-	};
-	if (std::none_of(Remarks.begin(), Remarks.end(), Same))
-	{
-		Remarks.push_back(Remark);
-	}
-}
-
-void Drydock::FPassCounters::Rename(const FRHITexture* From, const FRHITexture* To)
-{
-	for (FTextureWrite& Write : Writes)
-	{
-		Write.Texture = Write.Texture == From ? To : Write.Texture;
-	}
-}
-
 void FRHIComputeCommandList::SetComputePipelineState(FRHIComputeShader*)
 {
 	BoundCompute = Drydock::FBoundShader();
@@ -198,7 +125,7 @@ void FRHIComputeCommandList::DispatchComputeShader(
 	const FIntVector TileSize(RoundUp(Chosen.X, GroupSize[0]), RoundUp(Chosen.Y, GroupSize[1]), GroupSize[2]);
 	RunTiles(BoundCompute, BoundCompute.GetArgs(), Whole,
 		BoundCompute.GetReflection().bGroupsInOrder ? FIntVector(Whole.MaxX, Whole.MaxY, Whole.MaxZ) : TileSize);
-	Counters.BytesWritten += GetBytesBoundForWriting(BoundCompute, NumThreads);
+	Counters.BytesWritten += Drydock::GetBytesBoundForWriting(BoundCompute, NumThreads);
 }
 
 void FRHIComputeCommandList::DispatchIndirectComputeShader(FRHIBuffer* ArgumentBuffer, uint32 ArgumentOffset)
@@ -258,7 +185,7 @@ void FRHIComputeCommandList::RunTiles(
 	Counters.TapCount = std::max(Counters.TapCount, StaticSamples >= 0        ? Drydock::ETapCount::Static
 													: bMeasure && !bOnBackend ? Drydock::ETapCount::Measured
 																			  : Drydock::ETapCount::Unknown);
-	Counters.BytesRead += GetBytesBoundForReading(Shader);
+	Counters.BytesRead += Drydock::GetBytesBoundForReading(Shader);
 }
 
 void FRHIComputeCommandList::ClearUAVFloat(FRHIUnorderedAccessView* View, const FVector4f& Value)
@@ -497,7 +424,7 @@ void FRHICommandList::DrawRect(
 				Counters.BytesRead += Target.bBlend ? Bytes : 0;
 			}
 		}
-		Counters.BytesWritten += GetBytesBoundForWriting(BoundPixel, Pixels);
+		Counters.BytesWritten += Drydock::GetBytesBoundForWriting(BoundPixel, Pixels);
 	}
 }
 

@@ -61,18 +61,7 @@ public:
 				RewriteCall(At);
 			}
 		}
-		std::string Prelude;
-		for (const auto& [Key, Function] : Functions)
-		{
-			Prelude += Function + " ";
-		}
-		if (!Prelude.empty())
-		{
-			Edits.Insert(0, Prelude);
-		}
-		const bool bChanged = !Edits.IsEmpty();
-		Edits.Apply(Text);
-		return bChanged;
+		return Edits.Apply(Text, Functions);
 	}
 
 private:

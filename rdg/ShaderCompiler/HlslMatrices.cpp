@@ -79,18 +79,7 @@ public:
 				}
 			}
 		}
-		std::string Prelude;
-		for (const auto& [Key, Function] : Functions)
-		{
-			Prelude += Function + " ";
-		}
-		if (!Prelude.empty())
-		{
-			Edits.Insert(0, Prelude);
-		}
-		const bool bChanged = !Edits.IsEmpty();
-		Edits.Apply(Text);
-		return bChanged;
+		return Edits.Apply(Text, Functions);
 	}
 
 private:

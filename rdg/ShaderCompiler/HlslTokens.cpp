@@ -242,6 +242,22 @@ void FHlslEdits::Move(size_t Before, FHlslTokens Moved)
 	Edits.push_back({Before, Before, {}, std::move(Moved)});
 }
 
+bool FHlslEdits::Apply(FHlslText& Text, const std::map<std::string, std::string>& Before)
+{
+	std::string Prelude;
+	for (const auto& [Key, Declaration] : Before)
+	{
+		Prelude += Declaration + " ";
+	}
+	if (!Prelude.empty())
+	{
+		Insert(0, Prelude);
+	}
+	const bool bChanged = !IsEmpty();
+	Apply(Text);
+	return bChanged;
+}
+
 void FHlslEdits::Apply(FHlslText& Text)
 {
 	std::stable_sort(Edits.begin(), Edits.end(), [](const FEdit& A, const FEdit& B) { return A.First < B.First; });

@@ -80,6 +80,8 @@ public:
 	size_t GetEnd() const { return LastEnd; }
 	bool IsEmpty() const { return Edits.empty(); }
 	void Apply(FHlslText& Text);
+	/** The same, with these declarations before the text; whether anything changed. */
+	bool Apply(FHlslText& Text, const std::map<std::string, std::string>& Before);
 
 private:
 	struct FEdit

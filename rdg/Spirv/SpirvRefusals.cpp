@@ -88,20 +88,16 @@ std::string ExplainRefusedBuiltIn(uint32_t BuiltIn)
 	return Name ? std::string(Name) + ": " + NoWaves : std::string();
 }
 
-std::string GetHlslTypeName(const FSpirvModule& Module, const FSpirvType& Type)
+const char* GetHlslScalarName(ESpirvType Kind)
 {
-	switch (Type.Kind)
+	switch (Kind)
 	{
-	case ESpirvType::Void:
-		return "void";
 	case ESpirvType::Bool:
 		return "bool";
 	case ESpirvType::Int:
 		return "int";
 	case ESpirvType::Uint:
 		return "uint";
-	case ESpirvType::Float:
-		return "float";
 	case ESpirvType::Half:
 		return "float16_t";
 	case ESpirvType::Short:
@@ -114,6 +110,21 @@ std::string GetHlslTypeName(const FSpirvModule& Module, const FSpirvType& Type)
 		return "int64_t";
 	case ESpirvType::Ulong:
 		return "uint64_t";
+	default:
+		return "float";
+	}
+}
+
+std::string GetHlslTypeName(const FSpirvModule& Module, const FSpirvType& Type)
+{
+	if (IsSpirvScalar(Type.Kind))
+	{
+		return GetHlslScalarName(Type.Kind);
+	}
+	switch (Type.Kind)
+	{
+	case ESpirvType::Void:
+		return "void";
 	case ESpirvType::Vector:
 		return GetHlslTypeName(Module, Module.GetType(Type.Element)) + std::to_string(Type.Count);
 	case ESpirvType::Matrix:

@@ -13,6 +13,9 @@ std::string ExplainRefusedOp(uint16_t Op, const uint32_t* Operands, size_t NumOp
 /** The same for an input that only such a function reads (WaveGetLaneIndex). */
 std::string ExplainRefusedBuiltIn(uint32_t BuiltIn);
 
+/** "uint", "float16_t". Kind: a scalar. */
+DRYDOCK_API const char* GetHlslScalarName(ESpirvType Kind);
+
 /** "float4", "float3x3", "float4[16]", "FMyStruct", "Texture2D<float4>". */
 std::string GetHlslTypeName(const FSpirvModule& Module, const FSpirvType& Type);
 

@@ -1,0 +1,17 @@
+// How much memory the views that are bound to a shader cover: what a dispatch is taken to read and write.
+#pragma once
+
+#include "BoundShader.h"
+#include "CoreTypes.h"
+
+namespace Drydock
+{
+
+/** Bytes of all textures and buffers that it may read, each once and whole. */
+uint64 GetBytesBoundForReading(const FBoundShader& Shader);
+
+/** Bytes. A compute shader's writes are data; each thread is taken to write every view once, and no view more than
+ * whole. */
+uint64 GetBytesBoundForWriting(const FBoundShader& Shader, uint64 NumThreads);
+
+} // namespace Drydock

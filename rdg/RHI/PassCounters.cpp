@@ -1,0 +1,43 @@
+// Keeps what a pass wrote and said.
+#include "PassCounters.h"
+
+#include <algorithm>
+
+namespace Drydock
+{
+
+void FPassCounters::AddWrite(const FRHITexture* Texture, int32_t Mip, const FIntRect& Rect)
+{
+	const auto Known = std::find_if(Writes.begin(), Writes.end(),
+		[&](const FTextureWrite& Write) { return Write.Texture == Texture && Write.Mip == Mip; });
+	if (Known == Writes.end())
+	{
+		Writes.push_back({Texture, Mip, Rect});
+	}
+	else
+	{
+		Known->Rect.Union(Rect);
+	}
+}
+
+void FPassCounters::AddRemark(const FDiagnostic& Remark)
+{
+	const auto Same = [&Remark](const FDiagnostic& Known)
+	{
+		return Known.ToString() == Remark.ToString();
+	};
+	if (std::none_of(Remarks.begin(), Remarks.end(), Same))
+	{
+		Remarks.push_back(Remark);
+	}
+}
+
+void FPassCounters::Rename(const FRHITexture* From, const FRHITexture* To)
+{
+	for (FTextureWrite& Write : Writes)
+	{
+		Write.Texture = Write.Texture == From ? To : Write.Texture;
+	}
+}
+
+} // namespace Drydock

@@ -1,0 +1,137 @@
+// Emits what a shader gets from the pipeline and gives to it: positions, interpolants, render targets.
+#include "SpirvEmitter.h"
+
+#include "SpirvLimits.h"
+
+namespace Drydock
+{
+
+using namespace Spirv;
+
+namespace
+{
+
+constexpr ESpirvType Float = ESpirvType::Float;
+constexpr ESpirvType Uint = ESpirvType::Uint;
+
+std::string Number(uint32_t Value)
+{
+	return std::to_string(Value);
+}
+
+} // namespace
+
+std::vector<FEmitScalar> FSpirvEmitter::LoadInput(const FSpirvVariable& Variable)
+{
+	if (bGroups)
+	{
+		return LoadGroupInput(Variable);
+	}
+	if (Module.bQuads)
+	{
+		return LoadQuadInput(Variable);
+	}
+	const int32_t* const Group = Reflection.Reflection.GroupSize;
+	const auto Shift = [](int32_t Size)
+	{
+		int32_t Bits = 0;
+		while ((1 << Bits) < Size)
+		{
+			++Bits;
+		}
+		return Size == 1 << Bits ? Bits : -1;
+	};
+	const auto GroupX = [&](bool bRemainder) -> std::string
+	{
+		const std::string Size = std::to_string(Group[0]) + "u";
+		if (Shift(Group[0]) >= 0)
+		{
+			return bRemainder ? "AsUint(X) & U(" + Size + " - 1u)"
+							  : "ShiftRight(AsUint(X), " + std::to_string(Shift(Group[0])) + "u)";
+		}
+		return (bRemainder ? "IntRemainder(AsUint(X), U(" : "IntDivide(AsUint(X), U(") + Size + "))";
+	};
+	const auto Uniform = [&](const char* Name, int Axis, const char* Operator) -> FEmitScalar
+	{
+		return {std::string("uint32_t(") + Name + ") " + Operator + " " + std::to_string(Group[Axis]) + "u", Uint,
+			false, -1, EEmitLevel::Row};
+	};
+	switch (Variable.BuiltIn)
+	{
+	case BuiltInGlobalInvocationId:
+		return {{"AsUint(X)", Uint, true, -1}, {"uint32_t(Y)", Uint, false, -1, EEmitLevel::Row},
+			{"uint32_t(Z)", Uint, false, -1, EEmitLevel::Row}};
+	case BuiltInWorkgroupId:
+		return {{GroupX(false), Uint, true, -1}, Uniform("Y", 1, "/"), Uniform("Z", 2, "/")};
+	case BuiltInLocalInvocationId:
+		return {{GroupX(true), Uint, true, -1}, Uniform("Y", 1, "%"), Uniform("Z", 2, "%")};
+	case BuiltInLocalInvocationIndex:
+	{
+		const std::string Rows =
+			"(" + Uniform("Z", 2, "%").Text + ") * " + std::to_string(Group[1]) + "u + " + Uniform("Y", 1, "%").Text;
+		return {{"(" + GroupX(true) + ") + U((" + Rows + ") * " + std::to_string(Group[0]) + "u)", Uint, true, -1}};
+	}
+	case BuiltInFragCoord:
+		return {{"ToReal<Real>(X) + R(Real(0.5f))", Float, true, -1},
+			{"Real(Y) + Real(0.5f)", Float, false, -1, EEmitLevel::Row}, {"Real(0.0f)", Float, false, -1},
+			{"Real(1.0f)", Float, false, -1}};
+	case BuiltInFrontFacing:
+		return {{"true", ESpirvType::Bool, false, -1}};
+	default:
+	{
+		std::vector<FEmitScalar> Result;
+		const std::string Interpolant =
+			"Args.Interpolants[" + std::to_string(GetTexCoordIndex(Variable.Semantic)) + "]";
+		for (uint32_t i = 0; i < Module.GetType(Variable.Type).NumScalars; ++i)
+		{
+			Result.push_back({"Interpolate<Real>(" + Interpolant + ", " + Number(i) + ", X, Y)", Float, true, -1});
+		}
+		return Result;
+	}
+	}
+}
+
+void FSpirvEmitter::EmitOutputs()
+{
+	for (const FSpirvVariable& Variable : Module.Variables)
+	{
+		if (Variable.Storage != StorageOutput)
+		{
+			continue;
+		}
+		if (DynamicVariables.count(Variable.Id))
+		{
+			Module.Fail("shader output '" + Variable.Name + "' cannot be indexed at run time on the CPU tier");
+		}
+		std::string Value;
+		for (uint32_t i = 0; i < 4; ++i)
+		{
+			const bool bWritten = i < Module.GetType(Variable.Type).NumScalars;
+			Value += ", " + (bWritten ? "l" + Number(Variable.Id) + "_" + Number(i) : std::string("R(Real(0))"));
+		}
+		const std::string Target = Number(Variable.Location);
+		if (Module.bQuads)
+		{
+			Line("if (" + Target + " < Args.NumTargets)");
+			Line("{");
+			Line("\tStoreTargetQuads<Real, N>(e & Live, Args.Targets[" + Target + "], X0, Y0" + Value + ");");
+			Line("\tCountLanesOf(Args, &FKernelCounters::Stores, e & Live);");
+			Line("}");
+			continue;
+		}
+		const std::string Whole = "h" + Target;
+		if (Declared.insert(Whole).second)
+		{
+			Handles += "\tconst EWholeTexels " + Whole + " = " + Target +
+					   " < Args.NumTargets ? GetWholeTexels<Real, N>(Args.Targets[" + Target +
+					   "]) : EWholeTexels::None;\n";
+		}
+		Line("if (" + Target + " < Args.NumTargets)");
+		Line("{");
+		Line("\tStoreTarget<Real, N>(e, " + Whole + ", Args.Targets[" + Target + "], X0, Y" + Value + ");");
+		Line("\tCountLanesOf(Args, &FKernelCounters::Stores, e);");
+		Line("}");
+	}
+}
+
+} // namespace Drydock
