@@ -339,17 +339,3 @@ TEST(EyeAdaptationOverTime, BasicMeteringAdaptsAlike)
 			}()),
 		1e-4);
 }
-
-TEST(EyeAdaptationMethod, VariablesHaveTheLastWord)
-{
-	FFinalPostProcessSettings Settings;
-	EXPECT_EQ(AEM_Histogram, GetAutoExposureMethod(Settings));
-	{
-		const FScopedConsoleVariable Low(TEXT("r.EyeAdaptationQuality"), 1.0f);
-		EXPECT_EQ(AEM_Basic, GetAutoExposureMethod(Settings));
-		Settings.AutoExposureMethod = AEM_Manual;
-		EXPECT_EQ(AEM_Manual, GetAutoExposureMethod(Settings));
-	}
-	const FScopedConsoleVariable Override(TEXT("r.EyeAdaptation.MethodOverride"), 2.0f);
-	EXPECT_EQ(AEM_Basic, GetAutoExposureMethod(Settings));
-}

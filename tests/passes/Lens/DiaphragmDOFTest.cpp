@@ -1,10 +1,7 @@
-// Depth of field: the lens by its formula, discs of points, what is in focus, what covers what, hazards.
-#include "PassTestUtils.h"
-
-#include "Lens/DiaphragmDOF.h"
+// Depth of field: discs of points, what is in focus, what covers what, hazards.
+#include "DiaphragmDOFTestUtils.h"
 
 using namespace PassTest;
-using DiaphragmDOF::EBokehShape;
 using DiaphragmDOF::FBokehModel;
 using DiaphragmDOF::FPhysicalCocModel;
 using PassReference::FRect;
@@ -13,17 +10,6 @@ using PassReference::SumOf;
 
 namespace
 {
-
-/** 24 mm of sensor, a field of view of 90 degrees: focal length 12 mm. */
-FFinalPostProcessSettings MakeLens()
-{
-	FFinalPostProcessSettings Settings;
-	Settings.DepthOfFieldSensorWidth = 24.0f;
-	Settings.DepthOfFieldFstop = 1.0f;
-	Settings.DepthOfFieldFocalDistance = 101.2f;
-	Settings.DepthOfFieldDepthBlurRadius = 0.0f;
-	return Settings;
-}
 
 struct FDofRun
 {
@@ -146,82 +132,6 @@ void ExpectSameBits(const FImage& Expected, const FImage& Actual)
 }
 
 } // namespace
-
-TEST(DiaphragmDOF, LensFollowsTheThinLensFormula)
-{
-	// f = 12 mm, A = 12 mm, focus 1012 mm: A f / (F - f) = 144 / 1000 = 0.144 mm of diameter at infinity; of 24 mm over
-	// 1000 pixels that is 6 pixels, 3 of radius.
-	const FPhysicalCocModel Model = FPhysicalCocModel::Compile(MakeLens(), 1000, 1.0f);
-	EXPECT_NEAR(3.0, Model.InfinityRadius, 1e-5);
-	EXPECT_EQ(0.0f, Model.DepthToCocRadius(101.2f));
-	EXPECT_NEAR(1.5, Model.DepthToCocRadius(202.4f), 1e-5);
-	EXPECT_NEAR(-3.0, Model.DepthToCocRadius(50.6f), 1e-5);
-}
-
-TEST(DiaphragmDOF, StopFocalLengthAndSensorActAsInALens)
-{
-	FFinalPostProcessSettings Settings = MakeLens();
-	Settings.DepthOfFieldFstop = 4.0f;
-	EXPECT_NEAR(0.75, FPhysicalCocModel::Compile(Settings, 1000, 1.0f).InfinityRadius, 1e-5);
-	// Twice the focal length, 24 mm: A f / (F - f) = 24 * 24 / 988 mm, of 24 mm: 0.024291 of the width.
-	EXPECT_NEAR(1000 * 24.0 / 988 / 2, FPhysicalCocModel::Compile(MakeLens(), 1000, 2.0f).InfinityRadius, 1e-4);
-}
-
-TEST(DiaphragmDOF, RadiusIsLimitedOnBothSides)
-{
-	FPhysicalCocModel Model = FPhysicalCocModel::Compile(MakeLens(), 1000, 1.0f);
-	Model.MaxBackgroundRadius = 1.0f;
-	Model.MaxForegroundRadius = 2.0f;
-	EXPECT_EQ(1.0f, Model.DepthToCocRadius(1e6f));
-	EXPECT_EQ(-2.0f, Model.DepthToCocRadius(1.0f));
-}
-
-TEST(DiaphragmDOF, NoLensGivesARadiusThatIsNoNumberOrWiderThanTheView)
-{
-	const float Extremes[] = {1e-40f, 1e-20f, 1.0f, 1e9f, 1e20f, 3e38f};
-	const FScopedConsoleVariable Foreground(TEXT("r.DOF.Kernel.MaxForegroundRadius"), 1e9f);
-	const FScopedConsoleVariable Background(TEXT("r.DOF.Kernel.MaxBackgroundRadius"), 3e38f);
-	for (const float Fstop : Extremes)
-	{
-		for (const float SensorWidth : Extremes)
-		{
-			for (const float FocalDistance : Extremes)
-			{
-				FFinalPostProcessSettings Settings;
-				Settings.DepthOfFieldFstop = Fstop;
-				Settings.DepthOfFieldSensorWidth = SensorWidth;
-				Settings.DepthOfFieldFocalDistance = FocalDistance;
-				Settings.DepthOfFieldDepthBlurRadius = Fstop;
-				const FPhysicalCocModel Model = FPhysicalCocModel::Compile(Settings, 1000, 1.0f);
-				for (const float Depth : {1e-30f, 1.0f, FocalDistance, 1e9f, 3e38f})
-				{
-					EXPECT_GE(1000.0f, std::abs(Model.DepthToCocRadius(Depth)))
-						<< Fstop << " " << SensorWidth << " " << FocalDistance << " " << Depth;
-				}
-			}
-		}
-	}
-}
-
-TEST(DiaphragmDOF, TheAirBlursTheDistance)
-{
-	FFinalPostProcessSettings Settings = MakeLens();
-	Settings.DepthOfFieldFstop = 1e6f;
-	Settings.DepthOfFieldDepthBlurRadius = 4.0f;
-	Settings.DepthOfFieldDepthBlurAmount = 0.5f; // km
-	const FPhysicalCocModel Model = FPhysicalCocModel::Compile(Settings, 960, 1.0f);
-	EXPECT_NEAR(1.0, Model.DepthToCocRadius(50000.0f), 1e-5); // half of 4 pixels at 1920 wide
-	EXPECT_NEAR(2.0, Model.DepthToCocRadius(5e6f), 1e-4);
-}
-
-TEST(DiaphragmDOF, DepthsThatAreNoneAreInFocus)
-{
-	const FPhysicalCocModel Model = FPhysicalCocModel::Compile(MakeLens(), 1000, 1.0f);
-	for (const double Depth : {NaN, Infinity, 0.0, -5.0})
-	{
-		EXPECT_EQ(0.0f, Model.DepthToCocRadius(static_cast<float>(Depth))) << Depth;
-	}
-}
 
 TEST(DiaphragmDOF, APointBehindTheFocusIsADiscOfItsRadius)
 {
@@ -359,126 +269,6 @@ TEST(DiaphragmDOF, WithoutFocusOrApertureThereIsNoPass)
 	FDofRun Off(0.0f);
 	const FImage Noise = FImage::Noise(31, 17);
 	ExpectSameBits(Noise, Off.Run(Noise, 4000.0));
-}
-
-namespace
-{
-
-/** The opening by its geometry: the points within all of as many discs as there are blades, whose edges pass through
- * neighbouring corners; of the area of the disc of radius 1. A corner points along +y. */
-struct FOpening
-{
-	int Blades = 0;
-	double BladeRadius = 0;
-	double Corner = 1;
-
-	FOpening(int InBlades, double InBladeRadius)
-		: Blades(InBlades)
-		, BladeRadius(InBladeRadius)
-	{
-		// At most that of straight sides.
-		double Least = 1, Most = std::sqrt(2 * Pi / (Blades * std::sin(2 * Pi / Blades)));
-		for (int Step = 0; Step < 40; ++Step)
-		{
-			Corner = (Least + Most) / 2;
-			(Mean([](double, double) { return 1.0; }) < Pi ? Least : Most) = Corner;
-		}
-	}
-
-	/** Distance of the edge at an angle from +y. */
-	double Edge(double Angle) const
-	{
-		double Nearest = 10;
-		for (int Blade = 0; Blade < Blades; ++Blade)
-		{
-			// Seen along the blade's middle: the disc's centre lies behind, at Y = -Behind.
-			const double Half = Pi / Blades, Middle = (2 * Blade + 1) * Half;
-			const double Behind =
-				std::sqrt(BladeRadius * BladeRadius - std::pow(Corner * std::sin(Half), 2)) - Corner * std::cos(Half);
-			const double B = Behind * std::cos(Angle - Middle);
-			Nearest = std::min(Nearest, -B + std::sqrt(B * B + BladeRadius * BladeRadius - Behind * Behind));
-		}
-		return Nearest;
-	}
-
-	/** Integral over the opening of what depends on the distance squared and the angle. */
-	double Mean(const std::function<double(double, double)>& Value) const
-	{
-		constexpr int Angles = 720, Rings = 20;
-		double Sum = 0;
-		for (int Index = 0; Index < Angles; ++Index)
-		{
-			const double Angle = 2 * Pi * (Index + 0.5) / Angles, Most = Edge(Angle);
-			for (int Ring = 0; Ring < Rings; ++Ring)
-			{
-				// Rings of equal area.
-				const double Square = Most * Most * (Ring + 0.5) / Rings;
-				Sum += Value(Square, Angle) * Most * Most / 2 / Rings * 2 * Pi / Angles;
-			}
-		}
-		return Sum;
-	}
-
-	static constexpr double Pi = 3.14159265358979324;
-};
-
-FBokehModel MakeBokeh(float Fstop, float MinFstop, int32 Blades)
-{
-	FFinalPostProcessSettings Settings = MakeLens();
-	Settings.DepthOfFieldFstop = Fstop;
-	Settings.DepthOfFieldMinFstop = MinFstop;
-	Settings.DepthOfFieldBladeCount = Blades;
-	return FBokehModel::Compile(Settings);
-}
-
-} // namespace
-
-TEST(BokehModel, IsADiscWhereTheLensIsWideOpen)
-{
-	for (const float Fstop : {0.5f, 1.2f})
-	{
-		const FBokehModel Model = MakeBokeh(Fstop, 1.2f, 5);
-		EXPECT_EQ(EBokehShape::Circle, Model.BokehShape);
-		EXPECT_DOUBLE_EQ(5.0, Model.MeasureDistance(3.0, -4.0));
-	}
-	const FScopedConsoleVariable Off(TEXT("r.DOF.Gather.EnableBokehSettings"), 0);
-	EXPECT_EQ(EBokehShape::Circle, MakeBokeh(4.0f, 1.2f, 5).BokehShape);
-}
-
-TEST(BokehModel, IsARegularPolygonOfTheDiscsAreaWhereBladesAreStraight)
-{
-	for (const int Blades : {4, 5, 6, 9, 16})
-	{
-		const FBokehModel Model = MakeBokeh(2.0f, 0.0f, Blades);
-		EXPECT_EQ(EBokehShape::StraightBlades, Model.BokehShape);
-		const double Angle = 2 * FOpening::Pi / Blades;
-		// Blades triangles of two sides R and the angle between them.
-		const double Corner = std::sqrt(FOpening::Pi / (Blades * std::sin(Angle) / 2));
-		EXPECT_NEAR(Corner, Model.CocRadiusToCircumscribedRadius, 1e-12);
-		EXPECT_NEAR(Corner * std::cos(Angle / 2), Model.CocRadiusToIncircleRadius, 1e-12);
-		EXPECT_NEAR(1.0, Model.MeasureDistance(0.0, Corner), 1e-12);
-		EXPECT_NEAR(1.0, Model.MeasureDistance(Corner * std::sin(Angle), Corner * std::cos(Angle)), 1e-12);
-	}
-	EXPECT_EQ(4, MakeBokeh(2.0f, 0.0f, 1).DiaphragmBladeCount);
-	EXPECT_EQ(16, MakeBokeh(2.0f, 0.0f, 99).DiaphragmBladeCount);
-}
-
-TEST(BokehModel, BladesBendAsTheEdgeOfTheOpenLens)
-{
-	std::mt19937 Random(3);
-	std::uniform_real_distribution<double> Angle(0, 2 * FOpening::Pi);
-	for (const auto& [Fstop, MinFstop, Blades] : {std::tuple(4.0f, 1.2f, 5), {2.0f, 1.8f, 6}, {16.0f, 2.0f, 9}})
-	{
-		const FBokehModel Model = MakeBokeh(Fstop, MinFstop, Blades);
-		EXPECT_EQ(EBokehShape::RoundedBlades, Model.BokehShape);
-		const FOpening Opening(Blades, Fstop / static_cast<double>(MinFstop));
-		EXPECT_NEAR(Opening.Corner, Model.CocRadiusToCircumscribedRadius, 1e-4);
-		for (int Case = 0; Case < 20; ++Case)
-		{
-			const double At = Angle(Random), Edge = Opening.Edge(At);
-			EXPECT_NEAR(1.0, Model.MeasureDistance(Edge * std::sin(At), Edge * std::cos(At)), 2e-4) << At;
-		}
-	}
 }
 
 TEST(DiaphragmDOF, APointHasTheFormOfTheOpening)
