@@ -9,7 +9,7 @@
 namespace Drydock
 {
 
-constexpr int32 FourTapGroupSize = 32;
+constexpr int32 FourTapGroupSize = 16;
 
 BEGIN_SHADER_PARAMETER_STRUCT(FFourTapParameters, )
 	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Input)

@@ -37,6 +37,11 @@ const std::vector<FLintRule>& GetLintRules()
 			"not every device and system has atomics on textures in Metal",
 			"use a RWStructuredBuffer or RWByteAddressBuffer for what is counted",
 			"https://projects.blender.org/blender/blender/pulls/115956"},
+		{"barrier-divergent", ESeverity::Error, LintD3D11 | LintSM6 | LintVulkan | LintMetal | LintMobile,
+			"a barrier that not all threads of the group are known to come to: where one stays away the others wait "
+			"for ever, or go on too early",
+			"move it out of the condition or loop, and keep what threads differ in between barriers",
+			"https://microsoft.github.io/DirectX-Specs/d3d/archive/D3D11_3_FunctionalSpec.htm"},
 		{"buffer-length", ESeverity::Warning, LintMetal | LintMobile,
 			"Metal does not know the length of a buffer: GetDimensions of one needs a buffer of sizes from the host",
 			"pass the number of elements as a parameter", "https://github.com/KhronosGroup/SPIRV-Cross/pull/994"},
@@ -52,8 +57,7 @@ const std::vector<FLintRule>& GetLintRules()
 			"https://msdn.microsoft.com/en-us/library/bb219848.aspx"},
 		{"float3-layout", ESeverity::Warning, LintVulkan,
 			"elements of a structured buffer lie one way in Direct3D and another by the rules of std430, which DXC "
-			"uses "
-			"for Vulkan by default",
+			"uses for Vulkan by default",
 			"fill up to 16 bytes so that no float3 and no vector lies across them, or compile with -fvk-use-dx-layout",
 			"https://github.com/microsoft/DirectXShaderCompiler/blob/main/docs/SPIR-V.rst"},
 		{"groupshared-16k", ESeverity::Warning, LintMobile,
@@ -73,6 +77,11 @@ const std::vector<FLintRule>& GetLintRules()
 			"split it into several buffers", Limits11},
 		{"texture-count", ESeverity::Warning, LintMobile, "older phones and tablets take 31 textures",
 			"put pictures into a texture array", MetalLimits},
+		{"texture-read-write", ESeverity::Warning, LintMetal | LintMobile,
+			"a texture that one pass reads and writes has the formats R32_FLOAT, R32_UINT and R32_SINT, and others on "
+			"newer devices only",
+			"read what was written from a texture, write into another one; or pack the texel into a uint",
+			"https://developer.apple.com/documentation/metal/mtlreadwritetexturetier"},
 		{"threads-1024", ESeverity::Error, LintD3D11 | LintSM6 | LintMetal,
 			"a group has at most 1024 threads, and at most 64 of them in z", "use smaller groups, and more of them",
 			NumThreads},
@@ -84,6 +93,9 @@ const std::vector<FLintRule>& GetLintRules()
 			"https://learn.microsoft.com/en-us/windows/win32/direct3d11/typed-unordered-access-view-loads"},
 		{"uav-count", ESeverity::Warning, LintD3D11, "hardware of feature level 11.0 has 8 UAVs",
 			"put several results into one texture or buffer", Tiers12},
+		{"uav-size", ESeverity::Warning, LintMetal | LintMobile,
+			"translators of HLSL to Metal, the engine's older ones too, need not know the size of a RWTexture",
+			"pass the size as a parameter", "https://github.com/Temaran/UnrealEngineShaderPluginDemo/pull/14"},
 		{"wave-operations", ESeverity::Error, LintD3D11, "wave operations need shader model 6.0",
 			"use groupshared memory, and a permutation with waves where they are there",
 			"https://learn.microsoft.com/en-us/windows/win32/direct3dhlsl/"

@@ -5,6 +5,7 @@
 #include "ShaderFrontEnd.h"
 #include "ShaderMessages.h"
 #include "ShaderSource.h"
+#include "SpirvGroups.h"
 #include "SpirvReflect.h"
 #include "SpirvUniformity.h"
 
@@ -107,6 +108,7 @@ private:
 	}
 	void LookAtInstruction(const FSpirvModule& Module, const FSpirvUniformity& Uniformity, const FSpirvBlock& Block,
 		const FSpirvInstruction& I);
+	void LookAtBarriers(const FSpirvModule& Module, const FSpirvUniformity& Uniformity, const FStructRegion& Region);
 	void LookAtGroup(uint32_t X, uint32_t Y, uint32_t Z);
 	void LookAtResources(const FShaderReflection& Reflection);
 	void LookAtLayout(const FSpirvModule& Module, const FShaderReflection& Reflection);
@@ -115,6 +117,8 @@ private:
 	const uint8_t Platforms;
 	std::vector<FLintFinding> Findings;
 	std::set<std::pair<std::string, int>> PartialStores; // whose reads are drydock's own
+	std::map<uint32_t, uint32_t> Images;                 // a loaded image -> its variable
+	std::set<uint32_t> Stored;                           // variables of images that some instruction writes
 };
 
 void FLinter::LookAtText(const std::string& Source)
@@ -217,6 +221,11 @@ void FLinter::LookAtInstruction(const FSpirvModule& Module, const FSpirvUniformi
 	{
 		AddAt("buffer-length", Module, I, "");
 	}
+	else if (I.Op == OpImageQuerySize && Module.GetValueType(I.Operands.at(0)).bStorageImage &&
+			 Module.GetValueType(I.Operands.at(0)).Dim != DimBuffer)
+	{
+		AddAt("uav-size", Module, I, "");
+	}
 	else if (I.Op == OpImageRead)
 	{
 		const FSpirvType& Image = Module.GetValueType(I.Operands.at(0));
@@ -226,6 +235,11 @@ void FLinter::LookAtInstruction(const FSpirvModule& Module, const FSpirvUniformi
 		if (Image.bStorageImage && !bSingle && !bOwn)
 		{
 			AddAt("typed-uav-load", Module, I, "");
+			const auto Variable = Images.find(I.Operands.at(0));
+			if (Image.Dim != DimBuffer && Variable != Images.end() && Stored.count(Variable->second) != 0)
+			{
+				AddAt("texture-read-write", Module, I, "");
+			}
 		}
 	}
 	else if (bPixel &&
@@ -345,6 +359,32 @@ void FLinter::LookAtLayout(const FSpirvModule& Module, const FShaderReflection& 
 	}
 }
 
+void FLinter::LookAtBarriers(
+	const FSpirvModule& Module, const FSpirvUniformity& Uniformity, const FStructRegion& Region)
+{
+	for (const FStructNode& Node : Region.Nodes)
+	{
+		const bool bParts = Node.Kind == EStructNode::Loop ? Uniformity.IsDivergentLoop(Node.Label)
+														   : Node.Value != 0 && Uniformity.IsVarying(Node.Value, 0);
+		for (const FStructRegion& Inner : Node.Regions)
+		{
+			const FSpirvInstruction* const Barrier = bParts ? FindBarrier(Module, Inner) : nullptr;
+			const int Line = Module.GetBlock(Node.Label).Terminator().Line;
+			if (Barrier)
+			{
+				AddAt("barrier-divergent", Module, *Barrier,
+					Line ? std::string(Node.Kind == EStructNode::Loop ? "loop" : "condition") + " in line " +
+							   std::to_string(Line)
+						 : std::string());
+			}
+			else
+			{
+				LookAtBarriers(Module, Uniformity, Inner);
+			}
+		}
+	}
+}
+
 void FLinter::LookAtModule(const FSpirvModule& Module, const std::string& Source)
 {
 	const FSpirvStructure Structure = BuildSpirvStructure(Module);
@@ -362,6 +402,21 @@ void FLinter::LookAtModule(const FSpirvModule& Module, const std::string& Source
 	{
 		Add("groupshared-16k", {}, 0, std::to_string(SharedBytes) + " bytes");
 	}
+	for (const FSpirvBlock& Block : Module.Blocks)
+	{
+		for (const FSpirvInstruction& I : Block.Instructions)
+		{
+			if (I.Op == OpLoad && Module.GetValueType(I.Result).Kind == ESpirvType::Image)
+			{
+				Images[I.Result] = I.Operands.at(0);
+			}
+			else if (I.Op == OpImageWrite)
+			{
+				Stored.insert(Images[I.Operands.at(0)]);
+			}
+		}
+	}
+	LookAtBarriers(Module, Uniformity, Structure.Root);
 	for (const FSpirvBlock& Block : Module.Blocks)
 	{
 		for (const FSpirvInstruction& I : Block.Instructions)

@@ -86,6 +86,11 @@ std::vector<FPlanted> GetPlanted()
 	return {
 		{"atomics-texture", 5, MakeRequest(Compute("RWTexture2D<uint> Out;", "	InterlockedAdd(Out[Id.xy], 1);")),
 			MakeRequest(Compute(Uint, "	InterlockedAdd(Out[Id.x], 1);"))},
+		{"barrier-divergent", 6,
+			MakeRequest(Compute(Uint + "groupshared uint G[64];",
+				"	if (Id.x > 3)\n	GroupMemoryBarrierWithGroupSync(); G[Id.x] = 1; Out[Id.x] = G[0];")),
+			MakeRequest(Compute(Uint + "groupshared uint G[64]; uint Use;",
+				"	if (Use > 3)\n	GroupMemoryBarrierWithGroupSync(); G[Id.x] = 1; Out[Id.x] = G[0];"))},
 		{"buffer-length", 5,
 			MakeRequest(Compute(Uint, "	uint Count, Stride; Out.GetDimensions(Count, Stride); Out[0] = Count;")),
 			MakeRequest(Compute(Uint + " uint Count;", "	Out[0] = Count;"))},
@@ -127,6 +132,8 @@ std::vector<FPlanted> GetPlanted()
 				"	float V = 0;" + Repeat(31, "V += T#[Id.xy].x;") + "	Out[Id.xy] = V;")),
 			MakeRequest(Compute(Declare("Texture2D", 30) + "RWTexture2D<float> Out;",
 				"	float V = 0;" + Repeat(30, "V += T#[Id.xy].x;") + "	Out[Id.xy] = V;"))},
+		{"texture-read-write", 5, MakeRequest(Compute(Float4, "	Out[Id.xy] = Out[Id.xy] * 2;")),
+			MakeRequest(Compute(Float4 + "RWTexture2D<float4> In;", "	Out[Id.xy] = In[Id.xy] * 2;"))},
 		{"threads-1024", 0, MakeRequest(Compute(Uint, "	Out[Id.x] = 1;", "64, 32, 1")),
 			MakeRequest(Compute(Uint, "	Out[Id.x] = 1;", "8, 1, 64"))},
 		{"threads-512", 0, MakeRequest(Compute(Uint, "	Out[Id.x] = 1;", "32, 32, 1")),
@@ -135,6 +142,10 @@ std::vector<FPlanted> GetPlanted()
 			MakeRequest(Compute("RWTexture2D<float> Out;", "	Out[Id.xy] = Out[Id.xy] * 2;"))},
 		{"uav-count", 0, MakeRequest(Compute(Declare("RWBuffer<float>", 9), Repeat(9, "	T#[Id.x] = 1;"))),
 			MakeRequest(Compute(Declare("RWBuffer<float>", 8), Repeat(8, "	T#[Id.x] = 1;")))},
+		{"uav-size", 5,
+			MakeRequest(Compute(Float4, "	uint2 Size; Out.GetDimensions(Size.x, Size.y); Out[Id.xy] = Size.x;")),
+			MakeRequest(Compute(
+				Float4 + "Texture2D In;", "	uint2 Size; In.GetDimensions(Size.x, Size.y); Out[Id.xy] = Size.x;"))},
 		{"wave-operations", 5, MakeRequest(Compute(Uint, "	Out[Id.x] = WaveActiveSum(Id.x);")),
 			MakeRequest(Compute(Uint, "	Out[Id.x] = Id.x;"))},
 	};
@@ -206,6 +217,18 @@ TEST(ShaderLint, OnlyWhatMattersOnThePlatform)
 		MakeRequest(Compute("RWStructuredBuffer<uint> Out;", "	Out[Id.x] = WaveActiveSum(Id.x);"));
 	EXPECT_EQ(std::vector<std::string>({"wave-operations:5"}), Lint(Request, LintD3D11));
 	EXPECT_EQ(std::vector<std::string>(), Lint(Request, LintSM6 | LintVulkan | LintMetal | LintMobile));
+}
+
+TEST(ShaderLint, ABarrierInAnUnevenLoopNamesTheLoop)
+{
+	const FShaderCompileRequest Request = MakeRequest(Compute("RWStructuredBuffer<uint> Out; groupshared uint G[64];",
+		"	for (uint i = 0; i < Id.x; ++i)\n	{\n		GroupMemoryBarrierWithGroupSync();\n		G[i] = Id.x;\n	}\n"
+		"	Out[Id.x] = G[0];"));
+	const std::vector<FLintFinding> Findings = LintShader(Request, LintSM6);
+	ASSERT_EQ(1u, Findings.size());
+	EXPECT_STREQ("barrier-divergent", Findings[0].Rule->Id);
+	EXPECT_EQ(7, Findings[0].Line);
+	EXPECT_EQ("loop in line 5", Findings[0].What);
 }
 
 TEST(ShaderLint, APartialStoreIsNoReadOfTheAuthors)
