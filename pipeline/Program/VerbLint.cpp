@@ -63,6 +63,15 @@ std::string GetShownPath(const std::string& VirtualPath)
 	return Error ? VirtualPath : Shown.generic_string();
 }
 
+std::vector<FDiagnostic> WithShownPaths(std::vector<FDiagnostic> Diagnostics)
+{
+	for (FDiagnostic& Each : Diagnostics)
+	{
+		Each.File = GetShownPath(Each.File);
+	}
+	return Diagnostics;
+}
+
 /** What was found, each once: permutations of one shader find the same. */
 struct FFound
 {
@@ -79,11 +88,7 @@ struct FFound
 			Finding.File = GetShownPath(Finding.File);
 			Findings.insert(std::move(Finding));
 		}
-		for (FDiagnostic& Each : Refused)
-		{
-			Each.File = GetShownPath(Each.File);
-		}
-		PrintDiagnostics(Refused);
+		PrintDiagnostics(WithShownPaths(std::move(Refused)));
 	}
 };
 
@@ -144,8 +149,10 @@ void LintFile(const std::string& Target, const FLintOptions& Options, FFound& Fo
 	const std::vector<FShaderEntry> Entries =
 		FindShaderEntries(MakeShaderCompileRequest(Path, Options.Entry, EShaderStage::Compute));
 	size_t NumLooked = 0;
+	std::vector<std::string> Names;
 	for (const FShaderEntry& Entry : Entries)
 	{
+		Names.push_back(Entry.Name);
 		if (Options.Entry.empty() || Entry.Name == Options.Entry)
 		{
 			Found.Look(MakeShaderCompileRequest(Path, Entry.Name, Entry.Stage));
@@ -154,10 +161,12 @@ void LintFile(const std::string& Target, const FLintOptions& Options, FFound& Fo
 	}
 	if (NumLooked == 0)
 	{
+		const std::string Nearest = FindNearestName(Options.Entry, Names);
 		throw FError({.Code = 6011,
 						 .Message = "no shader class names this file, and it has no entry point" +
 									(Options.Entry.empty() ? std::string() : " '" + Options.Entry + "'") +
-									": a function with [numthreads], or one that writes SV_Target",
+									": a function with [numthreads], or one that writes SV_Target" +
+									(Nearest.empty() ? std::string() : "; did you mean " + Nearest + "?"),
 						 .File = Target},
 			ExitUsage);
 	}
@@ -267,9 +276,17 @@ int Lint(const FLintOptions& Options)
 	}
 	FFound Found;
 	Found.Platforms = GetPlatforms(Options);
-	for (const std::string& Target : Options.Targets)
+	try
 	{
-		fs::path(Target).extension() == ".json" ? LintConfig(Target, Options, Found) : LintFile(Target, Options, Found);
+		for (const std::string& Target : Options.Targets)
+		{
+			fs::path(Target).extension() == ".json" ? LintConfig(Target, Options, Found)
+													: LintFile(Target, Options, Found);
+		}
+	}
+	catch (const FError& Error)
+	{
+		throw FError(WithShownPaths(Error.GetDiagnostics()), Error.GetExitCode());
 	}
 	PrintResult(Options.bJson ? MakeJson(Found) : MakeText(Found), Options.bJson);
 	const bool bFails = std::any_of(Found.Findings.begin(), Found.Findings.end(),
@@ -282,8 +299,7 @@ FVerbCall AddOptions(CLI::App& Verb)
 	const auto Options = std::make_shared<FLintOptions>();
 	Verb.add_option("SHADER", Options->Targets,
 		"Files (.usf, .spv), as they lie on disk or by their virtual path; or configs (.json), whose frame's shaders "
-		"are "
-		"looked at, those of plugins too");
+		"are looked at, those of plugins too");
 	RequireOneOf(Verb.add_option("--platform", Options->Platforms, "Only what matters there; repeats; all by default")
 					 ->allow_extra_args(false),
 		GetLintPlatforms());
