@@ -119,6 +119,13 @@ std::string GetVirtualPath(const std::string& Target)
 	return std::string(OwnDirectory) + "/" + File.filename().string();
 }
 
+/** One file may be mapped to several folders of the engine's. */
+bool IsSameFile(const std::string& A, const std::string& B)
+{
+	std::error_code Error;
+	return A == B || fs::equivalent(FindShaderFile(A), FindShaderFile(B), Error);
+}
+
 /** Every permutation of the classes that name the file; where none does, the entry points that the text declares. */
 void LintFile(const std::string& Target, const FLintOptions& Options, FFound& Found)
 {
@@ -128,7 +135,8 @@ void LintFile(const std::string& Target, const FLintOptions& Options, FFound& Fo
 	ForEachShaderType(
 		[&](const FShaderType& Type)
 		{
-			if (Type.GetShaderFilename() != Path || (!Options.Entry.empty() && Type.GetFunctionName() != Options.Entry))
+			if (!IsSameFile(Type.GetShaderFilename(), Path) ||
+				(!Options.Entry.empty() && Type.GetFunctionName() != Options.Entry))
 			{
 				return;
 			}

@@ -102,6 +102,10 @@ std::shared_ptr<const FShaderBindingPlan> GetPlan(
 		std::vector<FDiagnostic> Diagnostics;
 		auto NewPlan = std::make_shared<FShaderBindingPlan>(
 			MakeShaderBindingPlan(Shader.GetType()->GetName(), Reflection, Metadata, Diagnostics));
+		for (FDiagnostic& Diagnostic : Diagnostics)
+		{
+			Diagnostic.Message += std::string(" (entry ") + Shader.GetType()->GetFunctionName() + ")";
+		}
 		if (!Diagnostics.empty())
 		{
 			throw FError(std::move(Diagnostics), ExitUsage);

@@ -17,12 +17,19 @@ enum class EShaderStage : uint8_t
 	Compute,
 	Vertex
 };
+/** Of 32 bits, where no width is said. */
 enum class EShaderScalar : uint8_t
 {
 	Float,
 	Int,
 	Uint,
-	Bool
+	Bool,
+	Half, // float16_t
+	Short,
+	Ushort,
+	Double,
+	Long, // int64_t
+	Ulong
 };
 enum class EShaderDimension : uint8_t
 {

@@ -6,6 +6,7 @@
 #include "VertexDraw.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 namespace Drydock
@@ -24,9 +25,43 @@ const char* GetScalarName(EShaderScalar Scalar)
 		return "uint";
 	case EShaderScalar::Bool:
 		return "bool";
+	case EShaderScalar::Half:
+		return "float16_t";
+	case EShaderScalar::Short:
+		return "int16_t";
+	case EShaderScalar::Ushort:
+		return "uint16_t";
+	case EShaderScalar::Double:
+		return "double";
+	case EShaderScalar::Long:
+		return "int64_t";
+	case EShaderScalar::Ulong:
+		return "uint64_t";
 	default:
 		return "float";
 	}
+}
+
+int GetBits(EShaderScalar Scalar)
+{
+	return Scalar <= EShaderScalar::Bool ? 32 : Scalar <= EShaderScalar::Ushort ? 16 : 64;
+}
+
+/** Of the elements in "StructuredBuffer<int64_t2>"; 0 where they are no plain numbers, or could be of any width. */
+int GetElementBits(const std::string& MacroText)
+{
+	static const std::map<std::string, int> Types = {{"float", 32}, {"int", 32}, {"uint", 32}, {"float16_t", 16},
+		{"int16_t", 16}, {"uint16_t", 16}, {"double", 64}, {"int64_t", 64}, {"uint64_t", 64}};
+	const size_t Open = MacroText.find('<');
+	const size_t Close = MacroText.rfind('>');
+	std::string Name = Open < Close && Close != std::string::npos ? MacroText.substr(Open + 1, Close - Open - 1) : "";
+	Name.erase(std::remove(Name.begin(), Name.end(), ' '), Name.end());
+	if (!Name.empty() && Name.back() >= '1' && Name.back() <= '4')
+	{
+		Name.pop_back(); // components
+	}
+	const auto Known = Types.find(Name);
+	return Known == Types.end() ? 0 : Known->second;
 }
 
 std::string WithElements(std::string Type, uint32_t NumElements)
@@ -144,10 +179,19 @@ public:
 		MatchResources(EResourceList::Samplers, Reflection.Samplers);
 		MatchResources(EResourceList::Buffers, Reflection.Buffers);
 		MatchResources(EResourceList::RWBuffers, Reflection.RWBuffers);
+		ReportMissing();
 		return std::move(Plan);
 	}
 
 private:
+	/** What the shader reads and the struct lacks. */
+	struct FMissing
+	{
+		EBindingError Code;
+		std::string Name;
+		std::string Type;
+		std::string Where;
+	};
 	struct FFound
 	{
 		uint32_t Source = 0;
@@ -218,15 +262,18 @@ private:
 			return;
 		}
 		const FHlslMember& Member = *Found.Member;
+		const bool bWide = GetBits(Constant.Scalar) != 32;
 		const bool bFloat = Constant.Scalar == EShaderScalar::Float;
-		if (bFloat != (Member.BaseType == UBMT_FLOAT32) || Constant.Rows != static_cast<int32_t>(Member.NumRows) ||
+		if (bWide || bFloat != (Member.BaseType == UBMT_FLOAT32) ||
+			Constant.Rows != static_cast<int32_t>(Member.NumRows) ||
 			Constant.Columns != static_cast<int32_t>(Member.NumColumns) ||
 			(Constant.NumElements > 0) != (Member.NumElements > 0))
 		{
 			Report(ParameterType, "'" + Constant.Name + "' is " + GetTypeName(Constant) + " where it " +
 									  ReadBy(Constant.Where) + ", but " +
 									  WithElements(Member.Type, Member.NumElements) + " in " +
-									  Found.Member->DeclaredIn->GetStructTypeName() + ": " + DescribeCpp(Member));
+									  Found.Member->DeclaredIn->GetStructTypeName() + ": " + DescribeCpp(Member) +
+									  (bWide ? "; parameters have 32 bits" : ""));
 			return;
 		}
 		if (Constant.NumElements > static_cast<int32_t>(Member.NumElements))
@@ -243,14 +290,53 @@ private:
 
 	void ReportMissingConstant(const FShaderConstant& Constant, const std::string& UniformBuffer)
 	{
-		const std::string Struct = Metadata.GetStructTypeName();
 		if (!UniformBuffer.empty() && !HasUniformBuffer(UniformBuffer))
 		{
 			ReportMissingUniformBuffer(UniformBuffer, Constant.Name, Constant.Where);
 			return;
 		}
-		Report(MissingParameter, "'" + Constant.Name + "' (" + GetTypeName(Constant) + ") " + ReadBy(Constant.Where) +
-									 " but " + Struct + " has no such member" + Suggest(Constant.Name));
+		Missing.push_back({MissingParameter, Constant.Name, GetTypeName(Constant), Constant.Where});
+	}
+
+	/** "Input" of "Input_Extent"; empty where there is no such part. */
+	static std::string GetPrefix(const std::string& HlslName)
+	{
+		const size_t Line = HlslName.find('_');
+		return Line == std::string::npos ? std::string() : HlslName.substr(0, Line);
+	}
+
+	/** A message for each; one for all members of a struct that is missing as a whole. */
+	void ReportMissing()
+	{
+		std::set<std::string> Prefixes;
+		for (const FHlslMember& Member : Metadata.GetHlslMembers())
+		{
+			Prefixes.insert(GetPrefix(Member.Name));
+		}
+		const std::string Struct = Metadata.GetStructTypeName();
+		std::set<std::string> Reported;
+		for (const FMissing& Each : Missing)
+		{
+			const std::string Prefix = GetPrefix(Each.Name);
+			const auto NumOthers = std::count_if(Missing.begin(), Missing.end(),
+									   [&Prefix](const FMissing& Other) { return GetPrefix(Other.Name) == Prefix; }) -
+								   1;
+			const std::string Name = "'" + Each.Name + "' (" + Each.Type + ") ";
+			if (Prefix.empty() || Prefixes.count(Prefix) || NumOthers == 0)
+			{
+				Report(Each.Code,
+					Name + ReadBy(Each.Where) + " but " + Struct + " has no such member" + Suggest(Each.Name));
+			}
+			else if (Reported.insert(Prefix).second)
+			{
+				const std::string Nearest =
+					FindNearestName(Prefix, std::vector<std::string>(Prefixes.begin(), Prefixes.end()));
+				Report(Each.Code, Name + ReadBy(Each.Where) + ", and " + std::to_string(NumOthers) +
+									  (NumOthers == 1 ? " other '" : " others '") + Prefix + "_...', but " + Struct +
+									  " has none of them, and no SHADER_PARAMETER_STRUCT '" + Prefix + "'" +
+									  (Nearest.empty() ? std::string() : "; did you mean '" + Nearest + "'?"));
+			}
+		}
 	}
 
 	bool HasUniformBuffer(const std::string& HlslName) const
@@ -261,6 +347,19 @@ private:
 				const TCHAR* const Name = Source.Metadata->GetShaderVariableName();
 				return Source.BaseType != UBMT_INVALID && Name && HlslName == Name;
 			});
+	}
+
+	/** "; it has those of View, SceneTexturesStruct". */
+	std::string ListUniformBuffers() const
+	{
+		std::string List;
+		for (const FBindingSource& Source : Plan.Sources)
+		{
+			const TCHAR* const Name = Source.Metadata->GetShaderVariableName();
+			const bool bBuffer = Source.BaseType != UBMT_INVALID && Name;
+			List += bBuffer ? (List.empty() ? "; it has those of " : ", ") + std::string(Name) : std::string();
+		}
+		return List;
 	}
 
 	/** The registered uniform buffer that a resource of this name belongs to; empty when none. */
@@ -291,10 +390,10 @@ private:
 		const FShaderParametersMetadata* const Struct = FindUniformBufferStruct(UniformBuffer);
 		const std::string Arguments =
 			Struct ? std::string("(") + Struct->GetStructTypeName() + ", " + UniformBuffer + ")" : std::string();
-		Report(MissingUniformBuffer, "'" + HlslName + "' of uniform buffer '" + UniformBuffer + "' " + ReadBy(Where) +
-										 ", but " + Metadata.GetStructTypeName() +
-										 " has no SHADER_PARAMETER_STRUCT_REF" + Arguments +
-										 " or SHADER_PARAMETER_RDG_UNIFORM_BUFFER of that buffer");
+		Report(MissingUniformBuffer,
+			"'" + HlslName + "' of uniform buffer '" + UniformBuffer + "' " + ReadBy(Where) + ", but " +
+				Metadata.GetStructTypeName() + " has no SHADER_PARAMETER_STRUCT_REF" + Arguments +
+				" or SHADER_PARAMETER_RDG_UNIFORM_BUFFER of that buffer" + ListUniformBuffers());
 	}
 
 	/** Elements are 16 bytes apart in C++; matrices are row after row there, and in HLSL as the reflection says. */
@@ -348,9 +447,7 @@ private:
 			}
 			if (!Found.Member)
 			{
-				Report(MissingResource, "'" + Resource.Name + "' (" + HlslType + ") " + ReadBy(Resource.Where) +
-											" but " + Metadata.GetStructTypeName() + " has no such member" +
-											Suggest(Resource.Name));
+				Missing.push_back({MissingResource, Resource.Name, HlslType, Resource.Where});
 				continue;
 			}
 			const FHlslMember& Member = *Found.Member;
@@ -359,6 +456,16 @@ private:
 			{
 				Report(ResourceType, "'" + Resource.Name + "' is " + HlslType + " where it " + ReadBy(Resource.Where) +
 										 ", but " + Member.Type + " (" + GetBaseTypeName(Member.BaseType) + ") in " +
+										 Member.DeclaredIn->GetStructTypeName() + ": " + DescribeCpp(Member));
+				continue;
+			}
+			const int Bits = GetElementBits(Member.Type);
+			if (Resource.Dimension == EShaderDimension::StructuredBuffer && Bits != 0 &&
+				Bits != GetBits(Resource.Scalar))
+			{
+				Report(ResourceType, "'" + Resource.Name + "' has elements of " + GetScalarName(Resource.Scalar) +
+										 ", of " + std::to_string(GetBits(Resource.Scalar)) + " bits, where it " +
+										 ReadBy(Resource.Where) + ", but is " + Member.Type + " in " +
 										 Member.DeclaredIn->GetStructTypeName() + ": " + DescribeCpp(Member));
 				continue;
 			}
@@ -375,6 +482,7 @@ private:
 	std::vector<FDiagnostic>& Diagnostics;
 	FShaderBindingPlan Plan;
 	std::set<std::string> MissingBuffers; // reported
+	std::vector<FMissing> Missing;        // members of the struct
 };
 
 } // namespace

@@ -2,10 +2,11 @@
 #include "ShaderLint.h"
 
 #include "HlslTokens.h"
+#include "LintAllowances.h"
+#include "LintBarriers.h"
 #include "ShaderFrontEnd.h"
 #include "ShaderMessages.h"
 #include "ShaderSource.h"
-#include "SpirvGroups.h"
 #include "SpirvReflect.h"
 #include "SpirvUniformity.h"
 
@@ -108,7 +109,6 @@ private:
 	}
 	void LookAtInstruction(const FSpirvModule& Module, const FSpirvUniformity& Uniformity, const FSpirvBlock& Block,
 		const FSpirvInstruction& I);
-	void LookAtBarriers(const FSpirvModule& Module, const FSpirvUniformity& Uniformity, const FStructRegion& Region);
 	void LookAtGroup(uint32_t X, uint32_t Y, uint32_t Z);
 	void LookAtResources(const FShaderReflection& Reflection);
 	void LookAtLayout(const FSpirvModule& Module, const FShaderReflection& Reflection);
@@ -170,17 +170,17 @@ void FLinter::LookAtText(const std::string& Source)
 
 void FLinter::LookAtWords(const std::vector<uint32_t>& Words)
 {
-	constexpr uint32_t Int64 = 11;
-	constexpr uint32_t Int64Atomics = 12;
+	static const std::map<uint32_t, const char*> Capabilities = {{9, "types-16"}, {10, "double"}, {11, "int64"},
+		{12, "atomics-64"}, {22, "types-16"}, {4433, "types-16"}, {4434, "types-16"}};
 	constexpr uint32_t LocalSize = 17;
 	constexpr size_t HeaderWords = 5;
 	for (size_t At = HeaderWords; At < Words.size();)
 	{
 		const uint32_t Op = Words[At] & 0xFFFF;
 		const size_t Size = std::max(1u, Words[At] >> 16);
-		if (Op == OpCapability && At + 1 < Words.size() && (Words[At + 1] == Int64 || Words[At + 1] == Int64Atomics))
+		if (Op == OpCapability && At + 1 < Words.size() && Capabilities.count(Words[At + 1]))
 		{
-			Add(Words[At + 1] == Int64 ? "int64" : "atomics-64", {}, 0, "");
+			Add(Capabilities.at(Words[At + 1]), {}, 0, "");
 		}
 		else if (Op == OpExecutionMode && At + 5 < Words.size() && Words[At + 2] == LocalSize)
 		{
@@ -235,12 +235,22 @@ void FLinter::LookAtInstruction(const FSpirvModule& Module, const FSpirvUniformi
 		if (Image.bStorageImage && !bSingle && !bOwn)
 		{
 			AddAt("typed-uav-load", Module, I, "");
+			AddAt("typed-uav-load-optional", Module, I, "");
 			const auto Variable = Images.find(I.Operands.at(0));
 			if (Image.Dim != DimBuffer && Variable != Images.end() && Stored.count(Variable->second) != 0)
 			{
 				AddAt("texture-read-write", Module, I, "");
 			}
 		}
+	}
+	else if (I.Op == OpImageQueryLevels)
+	{
+		AddAt("texture-levels", Module, I, "");
+	}
+	else if ((I.Op == OpImageSampleImplicitLod || I.Op == OpImageSampleExplicitLod) &&
+			 Module.GetScalarKind(I.Type, 0) != ESpirvType::Float)
+	{
+		AddAt("integer-sample", Module, I, "");
 	}
 	else if (bPixel &&
 			 (I.Op == OpImageSampleImplicitLod || I.Op == OpImageSampleDrefImplicitLod ||
@@ -359,32 +369,6 @@ void FLinter::LookAtLayout(const FSpirvModule& Module, const FShaderReflection& 
 	}
 }
 
-void FLinter::LookAtBarriers(
-	const FSpirvModule& Module, const FSpirvUniformity& Uniformity, const FStructRegion& Region)
-{
-	for (const FStructNode& Node : Region.Nodes)
-	{
-		const bool bParts = Node.Kind == EStructNode::Loop ? Uniformity.IsDivergentLoop(Node.Label)
-														   : Node.Value != 0 && Uniformity.IsVarying(Node.Value, 0);
-		for (const FStructRegion& Inner : Node.Regions)
-		{
-			const FSpirvInstruction* const Barrier = bParts ? FindBarrier(Module, Inner) : nullptr;
-			const int Line = Module.GetBlock(Node.Label).Terminator().Line;
-			if (Barrier)
-			{
-				AddAt("barrier-divergent", Module, *Barrier,
-					Line ? std::string(Node.Kind == EStructNode::Loop ? "loop" : "condition") + " in line " +
-							   std::to_string(Line)
-						 : std::string());
-			}
-			else
-			{
-				LookAtBarriers(Module, Uniformity, Inner);
-			}
-		}
-	}
-}
-
 void FLinter::LookAtModule(const FSpirvModule& Module, const std::string& Source)
 {
 	const FSpirvStructure Structure = BuildSpirvStructure(Module);
@@ -416,7 +400,11 @@ void FLinter::LookAtModule(const FSpirvModule& Module, const std::string& Source
 			}
 		}
 	}
-	LookAtBarriers(Module, Uniformity, Structure.Root);
+	for (const FDivergentBarrier& Each : FindDivergentBarriers(Module, Structure, Uniformity))
+	{
+		AddAt("barrier-divergent", Module, *Each.Barrier,
+			Each.Parting->Line ? "threads part in line " + std::to_string(Each.Parting->Line) : std::string());
+	}
 	for (const FSpirvBlock& Block : Module.Blocks)
 	{
 		for (const FSpirvInstruction& I : Block.Instructions)
@@ -459,7 +447,12 @@ std::vector<FLintFinding> LintShader(
 	try
 	{
 		const FShaderSource Source = FlattenShader(Request);
-		return LintSpirv(CompileToSpirv(Source, Request), Source.Text, Request, Platforms, Refused);
+		std::vector<FLintFinding> Findings =
+			LintSpirv(CompileToSpirv(Source, Request), Source.Text, Request, Platforms, Refused);
+		FLintAllowances Allowances(Request);
+		std::erase_if(Findings, [&Allowances](const FLintFinding& Finding)
+			{ return Allowances.Allows(Finding.Rule->Id, Finding.File, Finding.Line); });
+		return Findings;
 	}
 	catch (const FError& Error)
 	{

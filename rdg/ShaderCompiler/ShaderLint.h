@@ -24,13 +24,13 @@ struct FLintFinding
 	}
 };
 
-/** Runs the front end. By file, line and rule, each once. Platforms: bits of ELintPlatform that are asked for. Throws
- * FError as CompileToSpirv does. Of what drydock cannot run only text and head are looked at: Refused, where it is not
- * null, is then told why. */
+/** Runs the front end. By file, line and rule, each once; without what the shader allows (LintAllowances.h). Platforms:
+ * bits of ELintPlatform that are asked for. Throws FError as CompileToSpirv does. Of what drydock cannot run only text
+ * and head are looked at: Refused, where it is not null, is then told why. */
 DRYDOCK_API std::vector<FLintFinding> LintShader(
 	const FShaderCompileRequest& Request, uint8_t Platforms, std::vector<FDiagnostic>* Refused = nullptr);
 
-/** The same of a module's words, and of the flattened text behind them, which may be empty. */
+/** The same of a module's words, and of the flattened text behind them, which may be empty; with what it allows. */
 DRYDOCK_API std::vector<FLintFinding> LintSpirv(const std::vector<uint32_t>& Words, const std::string& Text,
 	const FShaderCompileRequest& Request, uint8_t Platforms, std::vector<FDiagnostic>* Refused = nullptr);
 

@@ -10,8 +10,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <sstream>
 
 namespace Drydock
@@ -23,6 +25,16 @@ namespace
 constexpr size_t MaxShown = 8;        // errors with their line
 constexpr size_t MaxLineLength = 200; // of one that is shown
 constexpr int MaxListedLines = 5;
+
+/** Functions of HLSL that a name may have meant. Source: Microsoft, "Intrinsic functions" of HLSL. */
+const std::vector<std::string> Intrinsics = {"abs", "acos", "all", "any", "asfloat", "asin", "asint", "asuint", "atan",
+	"atan2", "ceil", "clamp", "clip", "cos", "cosh", "countbits", "cross", "ddx", "ddy", "degrees", "determinant",
+	"distance", "dot", "exp", "exp2", "faceforward", "firstbithigh", "firstbitlow", "floor", "fmod", "frac", "frexp",
+	"fwidth", "isfinite", "isinf", "isnan", "ldexp", "length", "lerp", "log", "log10", "log2", "mad", "max", "min",
+	"modf", "mul", "normalize", "pow", "radians", "rcp", "reflect", "refract", "reversebits", "round", "rsqrt",
+	"saturate", "sign", "sin", "sincos", "sinh", "smoothstep", "sqrt", "step", "tan", "tanh", "transpose", "trunc",
+	"GroupMemoryBarrierWithGroupSync", "InterlockedAdd", "InterlockedAnd", "InterlockedExchange", "InterlockedMax",
+	"InterlockedMin", "InterlockedOr"};
 
 /** What stands between the first two quotes. */
 std::string GetQuoted(const std::string& Message)
@@ -47,6 +59,52 @@ std::vector<std::string> ListFunctions(const FHlslText& Text)
 	return Names;
 }
 
+/** And of what is declared: the second of two words that follow each other. */
+std::vector<std::string> ListDeclared(const FHlslText& Text)
+{
+	static const std::set<std::string> Statements = {"return", "else", "case", "goto", "do"};
+	std::vector<std::string> Names;
+	for (size_t At = 1; At < Text.Size(); ++At)
+	{
+		const bool bType = Text.IsWord(At - 1) || Text.Is(At - 1, ">");
+		if (Text.IsWord(At) && bType && !Statements.count(Text[At - 1].Text) && !Text.Is(At + 1, "("))
+		{
+			Names.push_back(Text[At].Text);
+		}
+	}
+	return Names;
+}
+
+/** The file among those mapped that declares a function; empty when none does. */
+std::string FindDeclaringFile(const std::string& Function)
+{
+	namespace fs = std::filesystem;
+	std::set<std::string> Found; // the first by name, whatever the order on disk
+	for (const FShaderDirectory& Directory : GetShaderDirectories())
+	{
+		std::error_code Error;
+		for (fs::recursive_directory_iterator It(Directory.Real, Error), End; !Error && It != End; It.increment(Error))
+		{
+			std::error_code Ignored;
+			const std::string Text = It->path().extension() == ".ush" && It->is_regular_file(Ignored)
+										 ? ReadRegularFile(It->path().string()).Bytes.value_or("")
+										 : std::string();
+			if (Text.find(Function + "(") == std::string::npos)
+			{
+				continue;
+			}
+			const std::string Virtual =
+				Directory.Virtual + "/" + It->path().lexically_relative(Directory.Real).generic_string();
+			const std::vector<std::string> Functions = ListFunctions(FHlslText(NormalizeShaderText(Text), Virtual));
+			if (std::find(Functions.begin(), Functions.end(), Function) != Functions.end())
+			{
+				Found.insert(Virtual);
+			}
+		}
+	}
+	return Found.empty() ? std::string() : *Found.begin();
+}
+
 class FExplainer
 {
 public:
@@ -65,7 +123,7 @@ public:
 		std::vector<FDiagnostic> Result;
 		for (const FDiagnostic& Each : Error.GetDiagnostics())
 		{
-			if (!Join(Each, Result))
+			if (!Follows(Each, Result) && !Join(Each, Result))
 			{
 				Result.push_back(Each);
 			}
@@ -99,6 +157,18 @@ private:
 		return std::nullopt;
 	}
 
+	/** Whether Error is about an operator, or nothing that has a name, in a line that had an error before: it comes
+	 * from that. */
+	static bool Follows(const FDiagnostic& Error, const std::vector<FDiagnostic>& Earlier)
+	{
+		const std::string Thing = GetQuoted(Error.Message);
+		const bool bNamed = !Thing.empty() && (std::isalpha(static_cast<unsigned char>(Thing[0])) || Thing[0] == '_');
+		return Error.Code == 6010 && Error.Line > 0 && !bNamed && Error.Message.find('\'') == 0 &&
+			   std::any_of(Earlier.begin(), Earlier.end(),
+				   [&Error](const FDiagnostic& Each)
+				   { return Each.Code == 6010 && Each.File == Error.File && Each.Line == Error.Line; });
+	}
+
 	/** Whether Error says of another line what one of Earlier said: a name that is not there. */
 	bool Join(const FDiagnostic& Error, const std::vector<FDiagnostic>& Earlier)
 	{
@@ -126,7 +196,12 @@ private:
 			const std::string Line = GetLine(Error.File, Error.Line);
 			const size_t At = FindWord(Line, Name);
 			const size_t Behind = At == std::string::npos ? At : Line.find_first_not_of(" \t", At + Name.size());
-			if (Behind != std::string::npos && Line[Behind] == '.')
+			const bool bMember = Behind != std::string::npos && Line[Behind] == '.';
+			if (!bMember || IsOfValue(Line, Behind))
+			{
+				SuggestDeclared(Error, Name);
+			}
+			else
 			{
 				std::vector<std::string> Known;
 				std::string List;
@@ -141,14 +216,55 @@ private:
 								 (List.empty() || !Nearest.empty() ? std::string() : "; there are " + List);
 			}
 		}
+		else if (Error.Code == 6010 && Error.Message.find("no matching overloaded function") != std::string::npos)
+		{
+			SuggestFunction(Error, Name);
+		}
 		else if (Error.Code == 6011 && !IsSpirvFile(Request.VirtualPath))
 		{
-			const FShaderSource Source = FlattenShader(Request);
-			const std::string Nearest =
-				FindNearestName(Request.EntryPoint, ListFunctions(FHlslText(Source.Text, Request.VirtualPath)));
+			const std::string Nearest = FindNearestName(Request.EntryPoint, ListFunctions(Flatten()));
 			Error.Message += Nearest.empty() ? std::string() : "; did you mean " + Nearest + "?";
 		}
 	}
+
+	/** Whether a call or components follow behind the point: members of a value, not of a uniform buffer. */
+	static bool IsOfValue(const std::string& Line, size_t Point)
+	{
+		const size_t First = std::min(Line.find_first_not_of(" \t", Point + 1), Line.size());
+		size_t End = First;
+		while (End < Line.size() && (std::isalnum(static_cast<unsigned char>(Line[End])) || Line[End] == '_'))
+		{
+			++End;
+		}
+		const std::string Member = Line.substr(First, End - First);
+		const size_t Next = Line.find_first_not_of(" \t", End);
+		const bool bCall = Next != std::string::npos && Line[Next] == '(';
+		return bCall || (Member.size() <= 4 && Member.find_first_not_of("xyzwrgba") == std::string::npos);
+	}
+
+	void SuggestDeclared(FDiagnostic& Error, const std::string& Name)
+	{
+		const std::string Nearest = FindNearestName(Name, ListDeclared(Flatten()));
+		Error.Message += Nearest.empty() || Nearest == Name ? std::string() : "; did you mean " + Nearest + "?";
+	}
+
+	/** A function of that name that is elsewhere, or one of a similar name that is here. */
+	void SuggestFunction(FDiagnostic& Error, const std::string& Name)
+	{
+		std::vector<std::string> Functions = ListFunctions(Flatten());
+		Functions.insert(Functions.end(), Intrinsics.begin(), Intrinsics.end());
+		if (std::find(Functions.begin(), Functions.end(), Name) != Functions.end())
+		{
+			return; // it is there, with other arguments
+		}
+		const std::string File = FindDeclaringFile(Name);
+		const std::string Nearest = File.empty() ? FindNearestName(Name, Functions) : std::string();
+		Error.Message += !File.empty()      ? "; it is declared in " + File + ", which is not included"
+						 : !Nearest.empty() ? "; did you mean " + Nearest + "?"
+											: std::string();
+	}
+
+	FHlslText Flatten() const { return FHlslText(FlattenShader(Request).Text, Request.VirtualPath); }
 
 	/** Empty where there is no such line. */
 	std::string GetLine(const std::string& File, int Line)
@@ -156,13 +272,7 @@ private:
 		const auto [Known, bNew] = Texts.emplace(File, std::vector<std::string>());
 		if (bNew)
 		{
-			const auto Generated = std::find_if(Request.GeneratedFiles.begin(), Request.GeneratedFiles.end(),
-				[&](const std::pair<std::string, std::string>& Each) { return Each.first == File; });
-			const std::string Real = FindShaderFile(File);
-			const std::string Bytes = Generated != Request.GeneratedFiles.end() ? Generated->second
-									  : Real.empty()                            ? std::string()
-													 : ReadRegularFile(Real).Bytes.value_or("");
-			std::istringstream Stream(NormalizeShaderText(Bytes));
+			std::istringstream Stream(ReadShaderText(File, Request));
 			for (std::string Text; std::getline(Stream, Text);)
 			{
 				Known->second.push_back(Text);

@@ -280,6 +280,18 @@ std::string NormalizeShaderText(const std::string& Bytes)
 	return Result;
 }
 
+std::string ReadShaderText(const std::string& VirtualPath, const FShaderCompileRequest& Request)
+{
+	const auto Generated = std::find_if(Request.GeneratedFiles.begin(), Request.GeneratedFiles.end(),
+		[&VirtualPath](const std::pair<std::string, std::string>& Each) { return Each.first == VirtualPath; });
+	if (Generated != Request.GeneratedFiles.end())
+	{
+		return NormalizeShaderText(Generated->second);
+	}
+	const std::string Real = FindShaderFile(VirtualPath);
+	return Real.empty() ? std::string() : NormalizeShaderText(ReadRegularFile(Real).Bytes.value_or(""));
+}
+
 std::string ResolveVirtualPath(const std::string& Path, const std::string& Includer)
 {
 	std::string Slashed = Path;

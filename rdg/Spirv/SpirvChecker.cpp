@@ -131,9 +131,11 @@ void FSpirvChecker::CheckInput(const FSpirvVariable& Variable)
 	}
 	if (!bFits)
 	{
+		const bool bWhole = Variable.BuiltIn == BuiltInNone && Size <= 4;
 		Module.Fail("input '" + Variable.Name + "' (" + Variable.Semantic +
 					") is of a type that the CPU tier does not fill (" + GetHlslTypeName(Module, Type) +
-					"); use float, float2, float3 or float4");
+					"); use float, float2, float3 or float4" +
+					(bWhole ? ", which keeps whole numbers up to 16777216" : ""));
 	}
 }
 

@@ -31,6 +31,18 @@ EShaderScalar ToShaderScalar(ESpirvType Kind)
 		return EShaderScalar::Uint;
 	case ESpirvType::Bool:
 		return EShaderScalar::Bool;
+	case ESpirvType::Half:
+		return EShaderScalar::Half;
+	case ESpirvType::Short:
+		return EShaderScalar::Short;
+	case ESpirvType::Ushort:
+		return EShaderScalar::Ushort;
+	case ESpirvType::Double:
+		return EShaderScalar::Double;
+	case ESpirvType::Long:
+		return EShaderScalar::Long;
+	case ESpirvType::Ulong:
+		return EShaderScalar::Ulong;
 	default:
 		return EShaderScalar::Float;
 	}
@@ -191,7 +203,8 @@ void FReflector::AddInput(const FSpirvVariable& Variable)
 void FReflector::AddOutput(const FSpirvVariable& Variable)
 {
 	const FSpirvType& Type = Module.GetType(Variable.Type);
-	const bool bColor = Variable.BuiltIn == BuiltInNone && Type.NumScalars <= 4 && Variable.Location < 8 &&
+	const bool bTarget = Variable.Semantic.empty() || GetSemanticIndex(Variable.Semantic, "SV_TARGET") >= 0;
+	const bool bColor = bTarget && Variable.BuiltIn == BuiltInNone && Type.NumScalars <= 4 && Variable.Location < 8 &&
 						Module.GetScalarKind(Variable.Type, 0) == ESpirvType::Float;
 	if (!bColor)
 	{

@@ -9,10 +9,13 @@
 #include "ShaderBindingPlan.h"
 #include "rdg/Shader/ShaderParameterStructs.h"
 
+#include <fstream>
+
 namespace
 {
 
 using namespace Drydock;
+using testing::AllOf;
 using testing::HasSubstr;
 
 BEGIN_SHADER_PARAMETER_STRUCT(FBloomParameters, )
@@ -229,8 +232,66 @@ TEST(ShaderMatching, AnUnreferencedUniformBufferIsNamed)
 	Reflection.ConstantBuffers[0].Name = "Other";
 	EXPECT_EQ("FBloomSetupPS: 'Other_Value' of uniform buffer 'Other' is read by "
 			  "/Engine/Private/PostProcessBloom.usf:9, but FBloomParameters has no "
-			  "SHADER_PARAMETER_STRUCT_REF or SHADER_PARAMETER_RDG_UNIFORM_BUFFER of that buffer",
+			  "SHADER_PARAMETER_STRUCT_REF or SHADER_PARAMETER_RDG_UNIFORM_BUFFER of that buffer; it has those of "
+			  "TestView",
 		MessageOf(Reflection));
+}
+
+TEST(ShaderMatching, AStructThatIsMissingIsOneMessage)
+{
+	FShaderReflection Reflection = Loose({Constant("Inptu_Extent", EShaderScalar::Float, 2, 0),
+		Constant("Inptu_UVViewportMin", EShaderScalar::Float, 2, 8),
+		Constant("Lonely_One", EShaderScalar::Float, 1, 16)});
+	Reflection.Textures = {Resource("Inptu_Texture")};
+	const std::vector<FDiagnostic> Diagnostics = MatchShaderParameters("FBloomSetupPS", Reflection, Metadata());
+	ASSERT_EQ(2u, Diagnostics.size());
+	EXPECT_EQ(
+		"FBloomSetupPS: 'Inptu_Extent' (float2) is read by /Engine/Private/PostProcessBloom.usf:9, and 2 others "
+		"'Inptu_...', but FBloomParameters has none of them, and no SHADER_PARAMETER_STRUCT 'Inptu'; did you mean "
+		"'Input'?",
+		Diagnostics[0].Message);
+	EXPECT_THAT(Diagnostics[1].Message, HasSubstr("'Lonely_One' (float) is read by"));
+	Reflection = Loose(
+		{Constant("Input_Nothing", EShaderScalar::Float, 2, 0), Constant("Input_None", EShaderScalar::Float, 2, 8)});
+	EXPECT_EQ("2 messages", MessageOf(Reflection)) << "of a struct that is there";
+}
+
+TEST(ShaderMatching, WidthsMustAgree)
+{
+	EXPECT_THAT(MessageOf(Loose({Constant("Threshold", EShaderScalar::Double, 1, 0)})),
+		AllOf(HasSubstr("'Threshold' is double where it is read by"), HasSubstr("but float in FBloomParameters"),
+			HasSubstr("; parameters have 32 bits")));
+	EXPECT_THAT(MessageOf(Loose({Constant("bEnabled", EShaderScalar::Ulong, 1, 0)})), HasSubstr("is uint64_t where"));
+	EXPECT_THAT(MessageOf(Loose({Constant("Tint", EShaderScalar::Half, 3, 0)})), HasSubstr("is float16_t3 where"));
+	FShaderReflection Reflection;
+	Reflection.Buffers = {Resource("Table", EShaderDimension::StructuredBuffer)};
+	EXPECT_EQ("0 messages", MessageOf(Reflection));
+	Reflection.Buffers[0].Scalar = EShaderScalar::Half;
+	EXPECT_THAT(
+		MessageOf(Reflection), HasSubstr("'Table' has elements of float16_t, of 16 bits, where it is read by "
+										 "/Project/X.usf:4, but is StructuredBuffer<float4> in FBloomParameters"));
+	Reflection.Buffers.clear();
+	Reflection.RWBuffers = {Resource("Counts", EShaderDimension::StructuredBuffer)};
+	EXPECT_EQ("0 messages", MessageOf(Reflection));
+	Reflection.RWBuffers[0].Scalar = EShaderScalar::Ulong;
+	EXPECT_THAT(MessageOf(Reflection), HasSubstr("of uint64_t, of 64 bits"));
+}
+
+TEST(ShaderMatching, ThePageQuotesWhatIsPrinted)
+{
+	std::ifstream File(DRYDOCK_TEST_SOURCE_DIR "/docs/shaders.md");
+	std::string Page;
+	for (std::string Word; File >> Word;)
+	{
+		Page += (Page.empty() ? "" : " ") + Word;
+	}
+	EXPECT_THAT(Page, HasSubstr(MessageOf(Loose({Constant("ToonIntensity", EShaderScalar::Float, 1, 0)}))));
+	FShaderReflection Reflection = Loose({Constant("Other_Value", EShaderScalar::Float, 1, 0)});
+	Reflection.ConstantBuffers[0].Name = "Other";
+	EXPECT_THAT(Page, HasSubstr(MessageOf(Reflection)));
+	EXPECT_THAT(
+		Page, HasSubstr(MessageOf(Loose({Constant("Inptu_Extent", EShaderScalar::Float, 2, 0),
+				  Constant("Inptu_A", EShaderScalar::Float, 2, 8), Constant("Inptu_B", EShaderScalar::Float, 2, 8)}))));
 }
 
 TEST(ShaderBinding, ConstantsGoWhereTheShaderWantsThem)

@@ -191,9 +191,9 @@ TEST_F(FShaderExecution, MismatchThrowsTheMessageWithTheUsfLine)
 		EXPECT_EQ(6101, Error.GetDiagnostics()[0].Code);
 		EXPECT_EQ(ExitUsage, Error.GetExitCode());
 		EXPECT_THAT(Error.GetDiagnostics()[0].Message,
-			HasSubstr(
-				"FTestMisspelledPS: 'ToonIntensity' (float) is read by "
-				"/DrydockTest/Misspelled.usf:6 but FParameters has no such member; did you mean 'ToonIntensty'?"));
+			HasSubstr("FTestMisspelledPS: 'ToonIntensity' (float) is read by "
+					  "/DrydockTest/Misspelled.usf:6 but FParameters has no such member; did you mean 'ToonIntensty'? "
+					  "(entry MisspelledPS)"));
 	}
 }
 

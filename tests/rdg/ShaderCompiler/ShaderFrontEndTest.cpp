@@ -161,13 +161,17 @@ TEST(ShaderRefusals, InputsThatNoPassFillsAreNamed)
 {
 	EXPECT_THAT(ErrorsOf("float4 Main(float4 C : COLOR) : SV_Target0 { return C; }\n", EShaderStage::Pixel),
 		HasSubstr("semantic COLOR"));
+	EXPECT_THAT(ErrorsOf("float4 Main(float4 P : SV_POSITION) : COLOR0 { return P; }\n", EShaderStage::Pixel),
+		HasSubstr("(COLOR0) is not supported on the CPU tier; outputs are float colours to SV_Target0..7"));
 }
 
 TEST(ShaderRefusals, InputsOfTypesThatNoPassFillsAreNamed)
 {
 	EXPECT_THAT(
 		ErrorsOf("float4 Main(nointerpolation uint4 C : TEXCOORD0) : SV_Target0 { return C; }\n", EShaderStage::Pixel),
-		HasSubstr("(TEXCOORD0) is of a type that the CPU tier does not fill"));
+		HasSubstr(
+			"(TEXCOORD0) is of a type that the CPU tier does not fill (uint4); use float, float2, float3 or float4, "
+			"which keeps whole numbers up to 16777216"));
 	EXPECT_THAT(ErrorsOf("float4 Main(float4x4 C : TEXCOORD0) : SV_Target0 { return C[1]; }\n", EShaderStage::Pixel),
 		HasSubstr("use float, float2, float3 or float4"));
 }

@@ -114,6 +114,12 @@ std::vector<FPlanted> GetPlanted()
 		{"groupshared-16k", 0,
 			MakeRequest(Compute(Uint + "groupshared uint G[4089];", "	G[Id.x] = Id.y; Out[Id.x] = G[Id.x];")),
 			MakeRequest(Compute(Uint + "groupshared uint G[4088];", "	G[Id.x] = Id.y; Out[Id.x] = G[Id.x];"))},
+		{"double", 0, MakeRequest(Compute("RWStructuredBuffer<double> Out;", "	Out[Id.x] = Id.x * 0.1L;")),
+			MakeRequest(Compute("RWStructuredBuffer<float> Out;", "	Out[Id.x] = Id.x * 0.1;"))},
+		{"integer-sample", 5,
+			MakeRequest(Compute("Texture2D<uint> T; SamplerState S; RWStructuredBuffer<uint> Out;",
+				"	Out[Id.x] = T.SampleLevel(S, 0.5, 0);")),
+			MakeRequest(Compute("Texture2D<uint> T; RWStructuredBuffer<uint> Out;", "	Out[Id.x] = T[Id.xy];"))},
 		{"partial-uav-store", 5, MakeRequest(Compute(Float4, "	Out[Id.xy].rgb = 1;")),
 			MakeRequest(Compute(Float4 + "void F(uint2 P) { Out[P].x = 1; }", "	Out[Id.xy] = 1;"))},
 		{"render-targets", 0, Targets(5), Targets(4)},
@@ -132,6 +138,9 @@ std::vector<FPlanted> GetPlanted()
 				"	float V = 0;" + Repeat(31, "V += T#[Id.xy].x;") + "	Out[Id.xy] = V;")),
 			MakeRequest(Compute(Declare("Texture2D", 30) + "RWTexture2D<float> Out;",
 				"	float V = 0;" + Repeat(30, "V += T#[Id.xy].x;") + "	Out[Id.xy] = V;"))},
+		{"texture-levels", 5,
+			MakeRequest(Compute("Texture2D T;" + Uint, "	uint W, H, N; T.GetDimensions(0, W, H, N); Out[0] = N;")),
+			MakeRequest(Compute("Texture2D T;" + Uint, "	uint W, H; T.GetDimensions(W, H); Out[0] = W;"))},
 		{"texture-read-write", 5, MakeRequest(Compute(Float4, "	Out[Id.xy] = Out[Id.xy] * 2;")),
 			MakeRequest(Compute(Float4 + "RWTexture2D<float4> In;", "	Out[Id.xy] = In[Id.xy] * 2;"))},
 		{"threads-1024", 0, MakeRequest(Compute(Uint, "	Out[Id.x] = 1;", "64, 32, 1")),
@@ -140,6 +149,10 @@ std::vector<FPlanted> GetPlanted()
 			MakeRequest(Compute(Uint, "	Out[Id.x] = 1;", "32, 16, 1"))},
 		{"typed-uav-load", 5, MakeRequest(Compute(Float4, "	Out[Id.xy] = Out[Id.xy] * 2;")),
 			MakeRequest(Compute("RWTexture2D<float> Out;", "	Out[Id.xy] = Out[Id.xy] * 2;"))},
+		{"typed-uav-load-optional", 5, MakeRequest(Compute(Float4, "	Out[Id.xy] = Out[Id.xy] * 2;")),
+			MakeRequest(Compute("RWTexture2D<int> Out;", "	Out[Id.xy] = Out[Id.xy] * 2;"))},
+		{"types-16", 0, MakeRequest(Compute("RWStructuredBuffer<float16_t> Out;", "	Out[Id.x] = float16_t(Id.x);")),
+			MakeRequest(Compute("RWStructuredBuffer<min16float> Out;", "	Out[Id.x] = min16float(Id.x);"))},
 		{"uav-count", 0, MakeRequest(Compute(Declare("RWBuffer<float>", 9), Repeat(9, "	T#[Id.x] = 1;"))),
 			MakeRequest(Compute(Declare("RWBuffer<float>", 8), Repeat(8, "	T#[Id.x] = 1;")))},
 		{"uav-size", 5,
@@ -186,8 +199,11 @@ TEST(ShaderLint, EachRuleFindsItsPlantedFaultInItsLine)
 	}
 }
 
-TEST(ShaderLint, CapabilitiesOf64Bits)
+TEST(ShaderLint, Capabilities)
 {
+	EXPECT_EQ(std::vector<std::string>({"types-16"}), LintCapability(9));
+	EXPECT_EQ(std::vector<std::string>({"double"}), LintCapability(10));
+	EXPECT_EQ(std::vector<std::string>({"types-16"}), LintCapability(22));
 	EXPECT_EQ(std::vector<std::string>({"int64"}), LintCapability(11));
 	EXPECT_EQ(std::vector<std::string>({"atomics-64"}), LintCapability(12));
 	EXPECT_EQ(std::vector<std::string>(), LintCapability(1));
@@ -195,7 +211,7 @@ TEST(ShaderLint, CapabilitiesOf64Bits)
 
 TEST(ShaderLint, EveryRuleIsPlanted)
 {
-	std::set<std::string> Planted = {"int64", "atomics-64"};
+	std::set<std::string> Planted = {"int64", "atomics-64"}; // by their capabilities
 	for (const FPlanted& Each : GetPlanted())
 	{
 		Planted.insert(Each.Rule);
@@ -219,22 +235,67 @@ TEST(ShaderLint, OnlyWhatMattersOnThePlatform)
 	EXPECT_EQ(std::vector<std::string>(), Lint(Request, LintSM6 | LintVulkan | LintMetal | LintMobile));
 }
 
-TEST(ShaderLint, ABarrierInAnUnevenLoopNamesTheLoop)
-{
-	const FShaderCompileRequest Request = MakeRequest(Compute("RWStructuredBuffer<uint> Out; groupshared uint G[64];",
-		"	for (uint i = 0; i < Id.x; ++i)\n	{\n		GroupMemoryBarrierWithGroupSync();\n		G[i] = Id.x;\n	}\n"
-		"	Out[Id.x] = G[0];"));
-	const std::vector<FLintFinding> Findings = LintShader(Request, LintSM6);
-	ASSERT_EQ(1u, Findings.size());
-	EXPECT_STREQ("barrier-divergent", Findings[0].Rule->Id);
-	EXPECT_EQ(7, Findings[0].Line);
-	EXPECT_EQ("loop in line 5", Findings[0].What);
-}
-
 TEST(ShaderLint, APartialStoreIsNoReadOfTheAuthors)
 {
 	const FShaderCompileRequest Request = MakeRequest(Compute("RWTexture2D<float4> Out;", "	Out[Id.xy].x = 1;"));
 	EXPECT_EQ(std::vector<std::string>({"partial-uav-store:5"}), Lint(Request));
+}
+
+/** Ways to a barrier that some threads of a group do not take, and ways that all take. */
+TEST(ShaderLint, BarriersThatThreadsMayMissHaveBothLines)
+{
+	const auto Barriers = [](const std::string& Body)
+	{
+		std::vector<std::string> Result;
+		for (const FLintFinding& Finding :
+			LintShader(MakeRequest(Compute("RWStructuredBuffer<uint> Out; groupshared uint G; int Use;", Body)), 0xFF))
+		{
+			if (Finding.Rule->Id == std::string("barrier-divergent"))
+			{
+				Result.push_back(std::to_string(Finding.Line) + ": " + Finding.What);
+			}
+		}
+		return Result;
+	};
+	const std::string Sync = "GroupMemoryBarrierWithGroupSync();\n";
+	const std::string End = "Out[Id.x] = G;";
+	using FLines = std::vector<std::string>;
+	EXPECT_EQ(FLines({"6: threads part in line 5"}), Barriers("if (Id.x < 3)\n" + Sync + End));
+	EXPECT_EQ(FLines({"7: threads part in line 5"}), Barriers("if (Id.x < 3)\nG = 1; else\n" + Sync + End));
+	EXPECT_EQ(FLines({"8: threads part in line 5"}), Barriers("if (Id.x < 3)\nreturn;\nG = 1;\n" + Sync + End));
+	EXPECT_EQ(FLines({"7: threads part in line 5"}),
+		Barriers("if (Id.x < 3) { if (Use > 1)\nreturn; }\n" + Sync + End)); // within what parts
+	EXPECT_EQ(FLines({"7: threads part in line 6"}),
+		Barriers("for (int i = 0; i < Use; ++i) {\nif (Id.x < i) continue;\n" + Sync + "}\n" + End));
+	EXPECT_EQ(FLines({"6: threads part in line 7"}),
+		Barriers("for (int i = 0; i < Use; ++i) {\n" + Sync + "if (Id.x < i) return;\n}\n" + End));
+	EXPECT_EQ(1u, Barriers("for (int i = 0; i < int(Id.x); ++i) {\n" + Sync + "}\n" + End).size());
+	EXPECT_EQ(FLines(), Barriers("if (Use < 3)\nreturn;\n" + Sync + End));
+	EXPECT_EQ(FLines(), Barriers("if (Id.x < 3)\nG = 2;\n" + Sync + End));
+	EXPECT_EQ(FLines(), Barriers("for (int i = 0; i < Use; ++i) {\n" + Sync + "if (Id.x < i) G = i;\n}\n" + End));
+	EXPECT_EQ(FLines(), Barriers("for (int i = 0; i < int(Id.x); ++i)\nG = i;\n" + Sync + End));
+}
+
+TEST(ShaderLint, AShaderMayAllowWhatItMeans)
+{
+	const std::string Float4 = "RWTexture2D<float4> Out;";
+	const auto LintText = [](const std::string& Text)
+	{
+		return Lint(MakeRequest(Text), LintD3D11 | LintMobile);
+	};
+	const std::string Comment = "	// drydock-lint: allow partial-uav-store: one thread for each texel\n";
+	EXPECT_EQ(std::vector<std::string>(), LintText(Compute(Float4, Comment + "	Out[Id.xy].x = 1;")));
+	EXPECT_EQ(std::vector<std::string>(), LintText(Compute(Float4, "	Out[Id.xy].x = 1;" + Comment)));
+	EXPECT_EQ(std::vector<std::string>({"partial-uav-store:7"}),
+		LintText(Compute(Float4, Comment + "	uint2 P = Id.xy;\n	Out[P].x = 1;")))
+		<< "of another line";
+	const auto LintGroup = [&](const std::string& Behind)
+	{
+		return LintText(Compute(Float4, "	Out[Id.xy] = 1;" + Behind, "32, 32, 1"));
+	};
+	EXPECT_EQ(std::vector<std::string>({"threads-512:0"}), LintGroup(""));
+	EXPECT_EQ(std::vector<std::string>(), LintGroup(" // drydock-lint: allow threads-512: big"));
+	EXPECT_EQ(std::vector<std::string>({"threads-512:0"}), LintGroup(" // drydock-lint: allow threads: big"));
 }
 
 TEST(ShaderLint, EntriesAreFoundInTheText)
@@ -270,6 +331,13 @@ drydock lint --list                                         # the rules
 not compile or run there, a warning is so on some of it, or not as it was meant. Limits of drydock's own are no findings:
 `check` names them. Permutations find the same once. A file that no shader class names is looked at by its entry points:
 functions with `[numthreads]`, and those that write `SV_Target`.
+
+What a shader means to do it says in a comment, on the line of the finding or the one above it; for findings without a line
+anywhere in the file. `drydock lint` of the shaders that drydock ships finds nothing else.
+
+```hlsl
+// drydock-lint: allow threads-512: the article's blur has groups of 32 x 32 threads
+```
 
 The table is that of `rdg/ShaderCompiler/LintRules.cpp`; `DRYDOCK_BLESS=1 build/release/bin/test_rdg_ShaderCompiler
 --gtest_filter='ShaderLint.Doc*'` writes the page anew. Each rule is stated by the document that its name leads to.

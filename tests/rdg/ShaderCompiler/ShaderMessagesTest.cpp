@@ -3,6 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "CacheTestUtils.h"
+#include "ShaderMessages.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
 
 namespace
 {
@@ -25,7 +31,72 @@ FShaderCompileRequest MakeRequest(const std::string& Body)
 		.Request;
 }
 
+/** Lines of prose may be broken anywhere. */
+std::string JoinBlanks(const std::string& Text)
+{
+	std::istringstream Words(Text);
+	std::string Result;
+	for (std::string Word; Words >> Word;)
+	{
+		Result += (Result.empty() ? "" : " ") + Word;
+	}
+	return Result;
+}
+
+/** The next block that begins with "```Kind"; empty at the end. At: behind it then. */
+std::string NextBlock(const std::string& Text, const std::string& Kind, size_t& At)
+{
+	const std::string Fence = "```" + Kind + "\n";
+	const size_t Open = Text.find(Fence, At);
+	const size_t Close = Open == std::string::npos ? Open : Text.find("\n```", Open);
+	At = Close == std::string::npos ? Text.size() : Close + 1;
+	return Close == std::string::npos ? "" : Text.substr(Open + Fence.size(), Close + 1 - Open - Fence.size());
+}
+
 } // namespace
+
+TEST(ShaderMessages, ThePageQuotesWhatIsPrinted)
+{
+	std::ifstream File(DRYDOCK_TEST_SOURCE_DIR "/docs/shaders.md");
+	const std::string Page(std::istreambuf_iterator<char>(File), {});
+	const size_t Begin = Page.find("\n## Messages\n");
+	ASSERT_NE(std::string::npos, Begin);
+	const std::string Section = Page.substr(Begin, Page.find("\n## ", Begin + 1) - Begin);
+	const size_t NumDirectories = CountShaderDirectories();
+	AddShaderDirectory("/Engine", DRYDOCK_TEST_SOURCE_DIR "/rdg/Shaders/Engine");
+	int NumQuoted = 0;
+	for (size_t At = 0;; ++NumQuoted)
+	{
+		const std::string Text = NextBlock(Section, "hlsl", At);
+		if (Text.empty())
+		{
+			break;
+		}
+		const bool bPixel = Text.find("SV_Target") != std::string::npos;
+		FShaderHarness Harness(Text, "Main", bPixel ? EShaderStage::Pixel : EShaderStage::Compute);
+		FShaderCompileRequest& Request = Harness.Request;
+		Request.VirtualPath = "/MyPlugin/Tint.usf";
+		Request.GeneratedFiles = {{Request.VirtualPath, Text}};
+		Request.UniformBuffers = {{"View", {"PreExposure"}, "cbuffer View { float View_PreExposure; };\n"}};
+		Harness.Buffers["Out"].assign(64, 0);
+		EXPECT_EQ(JoinBlanks(NextBlock(Section, "text", At)), JoinBlanks(ErrorOf([&] { CompileShader(Request); })))
+			<< Text;
+	}
+	ForgetShaderDirectories(NumDirectories);
+	EXPECT_EQ(8, NumQuoted);
+}
+
+TEST(ShaderMessages, WhatIsDeclaredIsNearest)
+{
+	FShaderCompileRequest Request = MakeRequest("\tOut[int2(0, 0)] = SceneColr.Load(int3(0, 0, 0));");
+	Request.GeneratedFiles[0].second = "Texture2D SceneColor;\n" + Request.GeneratedFiles[0].second;
+	EXPECT_THAT(ErrorsOf(Request), HasSubstr("'SceneColr' : unknown variable; did you mean SceneColor? [DD6010]"));
+	EXPECT_THAT(
+		ErrorsOf(MakeRequest("\tfloat4 Color = 1;\n\tfloat A = Colr.x;")), HasSubstr("did you mean Color? [DD6010]"));
+	EXPECT_THAT(ErrorsOf(MakeRequest("\tfloat A = Nothing;")), HasSubstr("'Nothing' : unknown variable [DD6010]"));
+	EXPECT_THAT(ErrorsOf(MakeRequest("\tfloat A = satrate(0.5);")), HasSubstr("; did you mean saturate? [DD6010]"));
+	EXPECT_THAT(ErrorsOf(MakeRequest("\tMian();")), HasSubstr("; did you mean Main? [DD6010]"));
+}
 
 TEST(ShaderMessages, ShowTheLineAndTheName)
 {
@@ -67,6 +138,20 @@ TEST(ShaderMessages, OneNameThatIsMissingIsOneMessage)
 		Errors, HasSubstr("/Test/Shader.usf:4: error: 'Scene' : unknown variable, and no uniform buffer of that "
 						  "name is registered; did you mean Scenes?"));
 	EXPECT_EQ(Errors.find("error:"), Errors.rfind("error:")) << Errors;
+}
+
+TEST(ShaderMessages, WhatFollowsFromAnErrorInItsLineIsNotSaid)
+{
+	FShaderCompileRequest Request = MakeRequest("\tfloat3 A = View.PreExposre * float3(1, 2, 3);");
+	Request.UniformBuffers = {{"View", {"PreExposure"}, "cbuffer View { float View_PreExposure; };\n"}};
+	const std::string Errors = ErrorsOf(Request);
+	EXPECT_THAT(Errors, HasSubstr("uniform buffer 'View' has no member 'PreExposre'; did you mean PreExposure?"));
+	EXPECT_EQ(Errors.find("error:"), Errors.rfind("error:")) << Errors;
+	const FError Two({{ESeverity::Error, 6010, "'A' : unknown variable", "/Test/Shader.usf", 4, 0, {}},
+						 {ESeverity::Error, 6010, "'*' : wrong operand types", "/Test/Shader.usf", 4, 0, {}},
+						 {ESeverity::Error, 6010, "'=' : cannot convert", "/Test/Shader.usf", 5, 0, {}}},
+		ExitUsage);
+	EXPECT_EQ(2u, ExplainShaderErrors(Two, Request).GetDiagnostics().size()) << "of another line it is said";
 }
 
 TEST(ShaderMessages, AnEntryThatIsMissingHasANearestName)

@@ -115,6 +115,26 @@ TEST(ShaderReflection, ScalarTypesAreTold)
 	EXPECT_EQ(EShaderScalar::Float, Find(Reflection, "F").Scalar);
 }
 
+TEST(ShaderReflection, WidthsOfTypesAreTold)
+{
+	const FShaderReflection Reflection = ReflectUse(
+		"int64_t L; uint64_t M; double D; float16_t H; int16_t S; uint16_t T; StructuredBuffer<int64_t> Wide; "
+		"StructuredBuffer<float16_t2> Narrow;",
+		"float(L) + float(M) + float(D) + float(H) + float(S) + float(T) + float(Wide[0]) + float(Narrow[0].x)");
+	EXPECT_EQ(EShaderScalar::Long, Find(Reflection, "L").Scalar);
+	EXPECT_EQ(EShaderScalar::Ulong, Find(Reflection, "M").Scalar);
+	EXPECT_EQ(EShaderScalar::Double, Find(Reflection, "D").Scalar);
+	EXPECT_EQ(EShaderScalar::Half, Find(Reflection, "H").Scalar);
+	EXPECT_EQ(EShaderScalar::Short, Find(Reflection, "S").Scalar);
+	EXPECT_EQ(EShaderScalar::Ushort, Find(Reflection, "T").Scalar);
+	ASSERT_EQ(2u, Reflection.Buffers.size());
+	EXPECT_EQ(EShaderScalar::Long, Reflection.Buffers[0].Scalar);
+	EXPECT_EQ(EShaderScalar::Half, Reflection.Buffers[1].Scalar);
+	const std::optional<FShaderReflection> Read = ReflectionFromJson(ReflectionToJson(Reflection));
+	ASSERT_TRUE(Read);
+	EXPECT_EQ(EShaderScalar::Ulong, Find(*Read, "M").Scalar);
+}
+
 TEST(ShaderReflection, ConstantBuffersKeepTheirNames)
 {
 	const FShaderReflection Reflection = ReflectUse("cbuffer View { float4 View_A; float View_B; };", "View_B");

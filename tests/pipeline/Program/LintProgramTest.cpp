@@ -1,0 +1,56 @@
+// drydock lint as a user calls it: configs that ship, files by any of their paths, findings and exit codes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "ProgramTestUtils.h"
+
+namespace
+{
+
+using namespace ProgramTest;
+using testing::HasSubstr;
+
+const Files::path Root = DRYDOCK_TEST_SOURCE_DIR;
+
+} // namespace
+
+TEST(LintProgram, ConfigsThatShipAreClean)
+{
+	const FProgramFolder Folder("lint_configs");
+	int NumConfigs = 0;
+	for (const Files::directory_entry& Entry : Files::directory_iterator(Root / "configs"))
+	{
+		if (Entry.path().extension() == ".json")
+		{
+			const FOutcome Outcome = Folder.Call("lint '" + Entry.path().string() + "'");
+			EXPECT_EQ(0, Outcome.ExitCode) << Entry.path();
+			EXPECT_THAT(Outcome.Printed, HasSubstr(" looked at, 0 findings")) << Entry.path();
+			++NumConfigs;
+		}
+	}
+	EXPECT_LT(20, NumConfigs);
+}
+
+TEST(LintProgram, AFileOfTwoMappingsHasTheClassesOfBoth)
+{
+	const FProgramFolder Folder("lint_file");
+	const FOutcome Outcome = Folder.Call("lint '" + (Root / "passes/Shaders/FourTapBlur.usf").string() + "'");
+	EXPECT_EQ(0, Outcome.ExitCode) << Outcome.Printed;
+	EXPECT_THAT(Outcome.Printed, HasSubstr(" looked at, 0 findings")); // without a class it would not compile
+}
+
+TEST(LintProgram, FindingsHaveTheirLineAndAllowedOnesAreLeftOut)
+{
+	const FProgramFolder Folder("lint_findings");
+	const std::string Head =
+		"RWTexture2D<float4> Out;\n[numthreads(8, 8, 1)]\nvoid MainCS(uint2 P : SV_DispatchThreadID)\n{\n";
+	Folder.Write("Part.usf", Head + "\tOut[P].x = 1;\n}\n");
+	const FOutcome Found = Folder.Call("lint Part.usf --platform d3d11");
+	EXPECT_EQ(1, Found.ExitCode);
+	EXPECT_THAT(Found.Printed, HasSubstr("Part.usf:5: error: a store to a typed UAV writes all components of a texel"));
+	EXPECT_THAT(Found.Printed, HasSubstr("1 shader looked at, 1 finding\n"));
+	Folder.Write("Part.usf", Head + "\tOut[P].x = 1; // drydock-lint: allow partial-uav-store: D3D12 only\n}\n");
+	const FOutcome Allowed = Folder.Call("lint Part.usf --platform d3d11");
+	EXPECT_EQ(0, Allowed.ExitCode);
+	EXPECT_THAT(Allowed.Printed, HasSubstr("1 shader looked at, 0 findings\n"));
+}
