@@ -4,6 +4,7 @@
 
 #include "ShaderForms.h"
 
+#include <cmath>
 #include <random>
 
 namespace
@@ -343,4 +344,103 @@ TEST(ShaderWideForms, WhatCannotBeSaysSo)
 	EXPECT_NE(std::string::npos,
 		Refuse("groupshared uint64_t G[4097]; RWStructuredBuffer<uint64_t> O;\n", "G[P.x] = 1; O[P.x] = G[P.x];")
 			.find("32776 bytes"));
+}
+
+TEST(ShaderWideForms, WavesCompareEachComponent)
+{
+	const std::string Text = R"(
+StructuredBuffer<int64_t2> In;
+StructuredBuffer<uint16_t3> Short;
+RWStructuredBuffer<uint> Out;
+[numthreads(32, 1, 1)]
+void MainCS(uint3 Id : SV_DispatchThreadID)
+{
+	const bool2 Long = WaveActiveAllEqual(In[Id.x]);
+	const bool3 All = WaveActiveAllEqual(Short[Id.x]);
+	Out[Id.x] = (Long.x ? 1 : 0) | (Long.y ? 2 : 0) | (All.x ? 4 : 0) | (All.y ? 8 : 0) | (All.z ? 16 : 0);
+}
+)";
+	constexpr size_t NumWaves = 8;
+	std::mt19937 Random(7);
+	std::vector<uint32_t> In(NumWaves * 32 * 4);
+	std::vector<uint32_t> Short(NumWaves * 16 * 3);
+	std::vector<uint32_t> Expected;
+	for (size_t Wave = 0; Wave < NumWaves; ++Wave)
+	{
+		const uint32_t Equal = uint32_t(Random()) & 31;
+		for (size_t i = 0; i < 32; ++i)
+		{
+			for (size_t c = 0; c < 5; ++c)
+			{
+				// One thread alone differs, of 64 bits in the upper half.
+				const bool bOther = i == Wave * 3 && !(Equal >> c & 1);
+				const size_t Thread = Wave * 32 + i;
+				c < 2 ? Write<uint64_t>(In, (Thread * 2 + c) * 8, uint64_t(bOther) << 40 | 5)
+					  : Write<uint16_t>(Short, (Thread * 3 + c - 2) * 2, uint16_t(bOther ? 0x8005 : 5));
+			}
+		}
+		Expected.insert(Expected.end(), 32, Equal);
+	}
+	ForEachForm(
+		Text, NumWaves * 32, 1, 1,
+		[&](FShaderHarness& H)
+		{
+			H.Buffers["In"] = In;
+			H.Buffers["Short"] = Short;
+			H.Buffers["Out"].assign(NumWaves * 32, 0);
+		},
+		[&](FShaderHarness& H) { EXPECT_EQ(Expected, H.Buffers["Out"]); });
+}
+
+TEST(ShaderWideForms, RefractionOfHalvesIsRoundedOnce)
+{
+	const std::string Text = R"(
+StructuredBuffer<float4> In;
+RWStructuredBuffer<float3> Out;
+[numthreads(16, 1, 1)]
+void MainCS(uint3 Id : SV_DispatchThreadID)
+{
+	const float16_t3 I = float16_t3(In[Id.x * 2].xyz);
+	const float16_t3 N = float16_t3(In[Id.x * 2 + 1].xyz);
+	Out[Id.x] = float3(refract(I, N, float16_t(In[Id.x * 2].w * 2)));
+}
+)";
+	constexpr size_t NumThreads = 64;
+	std::mt19937 Random(8);
+	std::uniform_int_distribution<int> Value(-256, 256); // of 1/256: exact as halves
+	std::vector<float> In(NumThreads * 8);
+	for (float& One : In)
+	{
+		One = float(Value(Random)) / 256;
+	}
+	ForEachForm(
+		Text, NumThreads, 1, 1,
+		[&](FShaderHarness& H)
+		{
+			H.SetFloatBuffer("In", In);
+			H.Buffers["Out"].assign(NumThreads * 3, 0);
+		},
+		[&](FShaderHarness& H)
+		{
+			for (size_t i = 0; i < NumThreads; ++i)
+			{
+				const float* const I = &In[i * 8];
+				const float* const N = I + 4;
+				const double Ratio = 2 * double(I[3]);
+				double Dot = 0;
+				for (size_t c = 0; c < 3; ++c)
+				{
+					Dot += double(I[c]) * double(N[c]);
+				}
+				const double Under = 1 - Ratio * Ratio * (1 - Dot * Dot);
+				for (size_t c = 0; c < 3 && std::abs(Under) > 0.01; ++c) // nearer to 0 rounding decides
+				{
+					const double Expected =
+						Under < 0 ? 0 : Ratio * double(I[c]) - (Ratio * Dot + std::sqrt(Under)) * double(N[c]);
+					// Half of a half's last bit, and a few roundings of float.
+					EXPECT_NEAR(
+						Expected, double(H.BufferFloat("Out", i * 3 + c)), std::abs(Expected) * (1.0 / 2048) + 1e-5);
+				}
+			}
+		});
 }
