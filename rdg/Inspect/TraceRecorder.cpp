@@ -262,6 +262,11 @@ private:
 					  : Told.GradX ? GetGradientLevel(Texture, Place, ValueOf(Thread, Step, Told.GradX).Reals,
 										 ValueOf(Thread, Step, Told.GradY).Reals, Axes)
 								   : 0;
+		if (Told.MinLod && Told.GradX)
+		{
+			Event.Level =
+				Lanes::ClampLevel(Args.Samplers[SamplerSlot], Event.Level, Thread.GetReal(WordOf(Step, Told.MinLod)));
+		}
 		Place.Level = Event.Level;
 		if (!IsSpirvGather(Step.I->Op))
 		{

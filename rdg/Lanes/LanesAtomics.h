@@ -75,37 +75,42 @@ DRYDOCK_LANES_INLINE bool AnyPack(const TMask<N> (&Packs)[Count])
 
 /** Where the lanes of an atomic operation find their number; null: outside, nothing happens and 0 comes back. bOwn: no
  * other thread of the machine can reach it meanwhile. */
-template<int N>
+template<typename T, int N>
 struct TAtomicShared
 {
+	using FBits = T;
 	static constexpr bool bOwn = true;
-	uint32_t* Elements;
+	T* Elements;
 	TInt<N> Index;
 
-	DRYDOCK_LANES_INLINE uint32_t* Find(int Lane) const { return Elements + Index.V[Lane]; }
+	DRYDOCK_LANES_INLINE T* Find(int Lane) const { return Elements + Index.V[Lane]; }
 };
 template<int N, typename T>
-DRYDOCK_LANES_INLINE TAtomicShared<N> AtomicShared(T* Elements, TInt<N> Index)
+DRYDOCK_LANES_INLINE auto AtomicShared(T* Elements, TInt<N> Index)
 {
-	static_assert(sizeof(T) == 4);
-	return {reinterpret_cast<uint32_t*>(Elements), Index};
+	using FBits = std::make_unsigned_t<T>;
+	static_assert(sizeof(T) == 4 || sizeof(T) == 8);
+	return TAtomicShared<FBits, N>{reinterpret_cast<FBits*>(Elements), Index};
 }
 
-template<int N>
+/** T: uint32_t or uint64_t. */
+template<typename T, int N>
 struct TAtomicBytes
 {
+	using FBits = T;
 	static constexpr bool bOwn = false;
 	const FKernelBuffer& Buffer;
 	TUint<N> Offset;
 
-	DRYDOCK_LANES_INLINE uint32_t* Find(int Lane) const
+	DRYDOCK_LANES_INLINE T* Find(int Lane) const
 	{
 		const uint32_t At = Offset.V[Lane];
-		return IsInside(Buffer, At) ? reinterpret_cast<uint32_t*>(Buffer.Data + At) : nullptr;
+		const bool bInside = At < Buffer.SizeInBytes && Buffer.SizeInBytes - At >= sizeof(T);
+		return bInside ? reinterpret_cast<T*>(Buffer.Data + At) : nullptr;
 	}
 };
-template<int N>
-DRYDOCK_LANES_INLINE TAtomicBytes<N> AtomicBytes(const FKernelBuffer& Buffer, TUint<N> Offset)
+template<typename T, int N>
+DRYDOCK_LANES_INLINE TAtomicBytes<T, N> AtomicBytes(const FKernelBuffer& Buffer, TUint<N> Offset)
 {
 	return {Buffer, Offset};
 }
@@ -114,6 +119,7 @@ DRYDOCK_LANES_INLINE TAtomicBytes<N> AtomicBytes(const FKernelBuffer& Buffer, TU
 template<int N>
 struct TAtomicElement
 {
+	using FBits = uint32_t;
 	static constexpr bool bOwn = false;
 	const FKernelBuffer& Buffer;
 	TUint<N> Index;
@@ -135,6 +141,7 @@ DRYDOCK_LANES_INLINE TAtomicElement<N> AtomicElement(const FKernelBuffer& Buffer
 template<int N, int Count>
 struct TAtomicTexel
 {
+	using FBits = uint32_t;
 	static constexpr bool bOwn = false;
 	const FKernelTexture& Texture;
 	const TVec<TInt<N>, Count> At;
@@ -157,66 +164,102 @@ DRYDOCK_LANES_INLINE TAtomicTexel<N, Count> AtomicTexel(const FKernelTexture& Te
 	return {Texture, At};
 }
 
+// What an operation makes of the bits in memory, an operand and what they are compared with; T: of which kind.
 struct FAtomicAdd
 {
-	static uint32_t Apply(uint32_t Old, uint32_t Value, uint32_t) { return Old + Value; }
+	template<typename T>
+	static T Apply(T Old, T Value, T)
+	{
+		return Old + Value;
+	}
 };
 struct FAtomicAnd
 {
-	static uint32_t Apply(uint32_t Old, uint32_t Value, uint32_t) { return Old & Value; }
+	template<typename T>
+	static T Apply(T Old, T Value, T)
+	{
+		return Old & Value;
+	}
 };
 struct FAtomicOr
 {
-	static uint32_t Apply(uint32_t Old, uint32_t Value, uint32_t) { return Old | Value; }
+	template<typename T>
+	static T Apply(T Old, T Value, T)
+	{
+		return Old | Value;
+	}
 };
 struct FAtomicXor
 {
-	static uint32_t Apply(uint32_t Old, uint32_t Value, uint32_t) { return Old ^ Value; }
+	template<typename T>
+	static T Apply(T Old, T Value, T)
+	{
+		return Old ^ Value;
+	}
 };
 struct FAtomicExchange
 {
-	static uint32_t Apply(uint32_t, uint32_t Value, uint32_t) { return Value; }
+	template<typename T>
+	static T Apply(T, T Value, T)
+	{
+		return Value;
+	}
 };
 struct FAtomicCompareExchange
 {
-	static uint32_t Apply(uint32_t Old, uint32_t Value, uint32_t Compare) { return Old == Compare ? Value : Old; }
+	template<typename T>
+	static T Apply(T Old, T Value, T Compare)
+	{
+		return Old == Compare ? Value : Old;
+	}
 };
-template<typename T>
+template<typename Number>
 struct FAtomicMin
 {
-	static uint32_t Apply(uint32_t Old, uint32_t Value, uint32_t) { return T(Value) < T(Old) ? Value : Old; }
+	template<typename T>
+	static T Apply(T Old, T Value, T)
+	{
+		return Number(Value) < Number(Old) ? Value : Old;
+	}
 };
-template<typename T>
+template<typename Number>
 struct FAtomicMax
 {
-	static uint32_t Apply(uint32_t Old, uint32_t Value, uint32_t) { return T(Value) > T(Old) ? Value : Old; }
+	template<typename T>
+	static T Apply(T Old, T Value, T)
+	{
+		return Number(Value) > Number(Old) ? Value : Old;
+	}
 };
 
 /** What was there before, by lane. */
-template<typename TOperation, int N, typename TPlaces>
-DRYDOCK_LANES_INLINE TUint<N> Atomic(TMask<N> Mask, const TPlaces& Places, TUint<N> Value, TUint<N> Compare)
+template<typename TOperation, int N, typename TPlaces, CLanes V>
+DRYDOCK_LANES_INLINE V Atomic(TMask<N> Mask, const TPlaces& Places, V Value, V Compare)
 {
-	TUint<N> Result(0u);
+	using FBits = typename TPlaces::FBits;
+	static_assert(sizeof(V) == N * sizeof(FBits));
+	V Result(FBits(0));
 	for (int Lane = 0; Lane < N; ++Lane)
 	{
-		uint32_t* const Place = Mask[Lane] ? Places.Find(Lane) : nullptr;
+		FBits* const Place = Mask[Lane] ? Places.Find(Lane) : nullptr;
 		if (!Place)
 		{
 			continue;
 		}
-		uint32_t Old = __atomic_load_n(Place, __ATOMIC_RELAXED);
+		FBits Old = __atomic_load_n(Place, __ATOMIC_RELAXED);
 		if constexpr (TPlaces::bOwn)
 		{
-			*Place = TOperation::Apply(Old, Value.V[Lane], Compare.V[Lane]);
+			*Place = TOperation::Apply(Old, FBits(Value.V[Lane]), FBits(Compare.V[Lane]));
 		}
 		else if constexpr (std::is_same_v<TOperation, FAtomicAdd>)
 		{
-			Old = __atomic_fetch_add(Place, Value.V[Lane], __ATOMIC_RELAXED);
+			Old = __atomic_fetch_add(Place, FBits(Value.V[Lane]), __ATOMIC_RELAXED);
 		}
 		else
 		{
-			while (!__atomic_compare_exchange_n(Place, &Old, TOperation::Apply(Old, Value.V[Lane], Compare.V[Lane]),
-				true, __ATOMIC_RELAXED, __ATOMIC_RELAXED))
+			while (!__atomic_compare_exchange_n(Place, &Old,
+				TOperation::Apply(Old, FBits(Value.V[Lane]), FBits(Compare.V[Lane])), true, __ATOMIC_RELAXED,
+				__ATOMIC_RELAXED))
 			{
 			}
 		}

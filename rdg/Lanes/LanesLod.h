@@ -78,5 +78,14 @@ DRYDOCK_LANES_INLINE T GradientLevelCube(
 	return GradientLevel(Texture, OnFace(DX), OnFace(DY));
 }
 
+/** A level that is not below a sample's own clamp once the sampler has added its bias: what Direct3D and Vulkan do with
+ *  the clamp before the sampler's MaxLevel. Of a level that is not a number the clamp. */
+template<typename T>
+DRYDOCK_LANES_INLINE T ClampLevel(const FKernelSampler& Sampler, const T& Level, const T& Clamp)
+{
+	const T Bias(static_cast<decltype(First(T()))>(Sampler.MipBias));
+	return Select(Level + Bias >= Clamp, Level, Clamp - Bias);
+}
+
 } // namespace DRYDOCK_LANES_SET
 } // namespace Drydock::Lanes

@@ -23,16 +23,16 @@ struct FFunction
 	EForm Form = EForm::Each;
 };
 
-constexpr FFunction Functions[] = {{"abs", 1, EOpAbs}, {"sign", 1, EOpSign}, {"min", 2, EOpMin}, {"max", 2, EOpMax},
-	{"clamp", 3, EOpClamp}, {"floor", 1, EOpFloor}, {"ceil", 1, EOpCeil}, {"trunc", 1, EOpTrunc},
-	{"round", 1, EOpRoundEven}, {"frac", 1, EOpFract}, {"sqrt", 1, EOpSqrt}, {"rsqrt", 1, EOpInverseSqrt},
-	{"sin", 1, EOpSin}, {"cos", 1, EOpCos}, {"tan", 1, EOpTan}, {"asin", 1, EOpAsin}, {"acos", 1, EOpAcos},
-	{"atan", 1, EOpAtan}, {"atan2", 2, EOpAtan}, {"sinh", 1, EOpSinh}, {"cosh", 1, EOpCosh}, {"tanh", 1, EOpTanh},
-	{"exp", 1, EOpExp}, {"exp2", 1, EOpExp2}, {"log", 1, EOpLog}, {"log2", 1, EOpLog2}, {"pow", 2, EOpPow},
-	{"lerp", 3, EOpMix}, {"step", 2, EOpStep}, {"smoothstep", 3, EOpSmoothStep}, {"degrees", 1, EOpDegrees},
-	{"radians", 1, EOpRadians}, {"fma", 3, EOpFma}, {"normalize", 1, EOpNormalize}, {"cross", 2, EOpCross},
-	{"reflect", 2, EOpReflect}, {"faceforward", 3, EOpFaceForward}, {"transpose", 1, EOpTranspose},
-	{"reversebits", 1, EOpBitFieldReverse}, {"dot", 2, EOpDot, EForm::Number}, {"length", 1, EOpLength, EForm::Number},
+constexpr FFunction Functions[] = {{"abs", 1, EOpAbs}, {"min", 2, EOpMin}, {"max", 2, EOpMax}, {"clamp", 3, EOpClamp},
+	{"floor", 1, EOpFloor}, {"ceil", 1, EOpCeil}, {"trunc", 1, EOpTrunc}, {"round", 1, EOpRoundEven},
+	{"frac", 1, EOpFract}, {"sqrt", 1, EOpSqrt}, {"rsqrt", 1, EOpInverseSqrt}, {"sin", 1, EOpSin}, {"cos", 1, EOpCos},
+	{"tan", 1, EOpTan}, {"asin", 1, EOpAsin}, {"acos", 1, EOpAcos}, {"atan", 1, EOpAtan}, {"atan2", 2, EOpAtan},
+	{"sinh", 1, EOpSinh}, {"cosh", 1, EOpCosh}, {"tanh", 1, EOpTanh}, {"exp", 1, EOpExp}, {"exp2", 1, EOpExp2},
+	{"log", 1, EOpLog}, {"log2", 1, EOpLog2}, {"pow", 2, EOpPow}, {"lerp", 3, EOpMix}, {"step", 2, EOpStep},
+	{"smoothstep", 3, EOpSmoothStep}, {"degrees", 1, EOpDegrees}, {"radians", 1, EOpRadians}, {"fma", 3, EOpFma},
+	{"normalize", 1, EOpNormalize}, {"cross", 2, EOpCross}, {"reflect", 2, EOpReflect},
+	{"faceforward", 3, EOpFaceForward}, {"transpose", 1, EOpTranspose}, {"reversebits", 1, EOpBitFieldReverse},
+	{"dot", 2, EOpDot, EForm::Number}, {"length", 1, EOpLength, EForm::Number},
 	{"distance", 2, EOpDistance, EForm::Number}, {"determinant", 1, EOpDeterminant, EForm::Number},
 	{"isnan", 1, EOpIsNan, EForm::Bools}, {"isinf", 1, EOpIsInf, EForm::Bools}, {"WaveActiveSum", 1, EOpSubgroupAdd},
 	{"WaveActiveProduct", 1, EOpSubgroupMul}, {"WaveActiveMin", 1, EOpSubgroupMin},
@@ -175,6 +175,65 @@ TIntermTyped* MakeExpression(const FBuilder& Build, std::string_view Name, FNode
 	return nullptr;
 }
 
+struct FAtomic
+{
+	std::string_view Name;
+	TOperator Operator;
+	size_t NumArguments; // with the number in memory, without what is given back
+};
+
+constexpr FAtomic Atomics[] = {{"InterlockedAdd", EOpAtomicAdd, 2}, {"InterlockedAnd", EOpAtomicAnd, 2},
+	{"InterlockedOr", EOpAtomicOr, 2}, {"InterlockedXor", EOpAtomicXor, 2}, {"InterlockedMin", EOpAtomicMin, 2},
+	{"InterlockedMax", EOpAtomicMax, 2}, {"InterlockedExchange", EOpAtomicExchange, 2},
+	{"InterlockedCompareExchange", EOpAtomicCompSwap, 3}};
+
+/** Interlocked* of a number of 64 bits; what was there before is assigned to a last argument. */
+TIntermTyped* MakeAtomic(const FBuilder& Build, const FAtomic& Atomic, const FNodes& Nodes)
+{
+	const bool bGivesBack = Nodes.size() == Atomic.NumArguments + 1;
+	if (!bGivesBack && Nodes.size() != Atomic.NumArguments)
+	{
+		return nullptr;
+	}
+	const TType Type(Nodes[0]->getBasicType());
+	TIntermAggregate* const Made = new TIntermAggregate(Atomic.Operator);
+	Made->getSequence().push_back(Nodes[0]);
+	for (size_t i = 1; i < Atomic.NumArguments; ++i)
+	{
+		TIntermTyped* const Value = Build.Construct(Type, {Nodes[i]});
+		if (!Value)
+		{
+			return nullptr;
+		}
+		Made->getSequence().push_back(Value);
+	}
+	Made->setType(Type);
+	Made->setLoc(Build.Place);
+	TIntermTyped* const Before = bGivesBack ? Build.Convert(Nodes.back()->getBasicType(), Made) : nullptr;
+	return Before ? Build.Tree.addAssign(EOpAssign, Nodes.back(), Before, Build.Place) : Made;
+}
+
+/** sign, which is an int of all types. */
+TIntermTyped* MakeSign(const FBuilder& Build, TIntermTyped* X)
+{
+	const TBasicType Type = X->getBasicType();
+	const TType Shape = MakeType(Type, X->getType());
+	TIntermTyped* const Sign = IsUnsigned(Type)
+								   ? Build.Call(EOpMin, {X, Build.Construct(Shape, {Build.Constant(Type, 1)})}, Shape)
+								   : Build.Call(EOpSign, {X}, Shape);
+	return Build.Convert(EbtInt, Sign);
+}
+
+/** refract(I, N, Ratio): vectors and one number. */
+TIntermTyped* MakeRefract(const FBuilder& Build, FNodes Nodes, TBasicType Type)
+{
+	FNodes Vectors = {Nodes[0], Nodes[1]};
+	TIntermTyped* const Ratio = Build.Construct(TType(Type), {Nodes[2]});
+	return Ratio && MakeAlike(Build, Type, Vectors)
+			   ? Build.Call(EOpRefract, {Vectors[0], Vectors[1], Ratio}, Vectors[0]->getType())
+			   : nullptr;
+}
+
 /** asdouble(Low, High), component by component. */
 TIntermTyped* MakeDouble(const FBuilder& Build, TIntermTyped* Low, TIntermTyped* High)
 {
@@ -186,6 +245,17 @@ TIntermTyped* MakeDouble(const FBuilder& Build, TIntermTyped* Low, TIntermTyped*
 		Parts.push_back(Build.Call(EOpPackDouble2x32, {Bits}, TType(EbtDouble)));
 	}
 	return Build.Construct(MakeType(EbtDouble, Low->getType()), Parts);
+}
+
+/** WaveActiveAllEqual: a bool for each component. */
+TIntermTyped* MakeAllEqual(const FBuilder& Build, TIntermTyped* X)
+{
+	FNodes Parts;
+	for (int i = 0; i < X->getVectorSize(); ++i)
+	{
+		Parts.push_back(Build.Call(EOpSubgroupAllEqual, {Pick(Build, X, i)}, TType(EbtBool)));
+	}
+	return Build.Construct(MakeType(EbtBool, X->getType()), Parts);
 }
 
 /** asuint(X, out Low, out High): two assignments. */
@@ -232,7 +302,27 @@ TIntermTyped* MakeCall(const FBuilder& Build, std::string_view Name, FNodes Node
 	{
 		return SplitDouble(Build, Nodes[0], Nodes[1], Nodes[2]);
 	}
+	const bool bLong = Nodes[0]->getBasicType() == EbtInt64 || Nodes[0]->getBasicType() == EbtUint64;
+	for (const FAtomic& Atomic : Atomics)
+	{
+		if (bLong && Atomic.Name == Name)
+		{
+			return MakeAtomic(Build, Atomic, Nodes);
+		}
+	}
 	const TBasicType Type = Meet(Nodes);
+	if (Name == "sign" && Nodes.size() == 1)
+	{
+		return MakeSign(Build, Nodes[0]);
+	}
+	if (Name == "WaveActiveAllEqual" && Nodes.size() == 1 && !Nodes[0]->isMatrix())
+	{
+		return MakeAllEqual(Build, Nodes[0]);
+	}
+	if (Name == "refract" && Nodes.size() == 3)
+	{
+		return MakeRefract(Build, Nodes, Type);
+	}
 	if (TIntermTyped* const Made = MakeExpression(Build, Name, Nodes, Type))
 	{
 		return Made;

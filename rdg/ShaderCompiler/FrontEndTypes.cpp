@@ -2,6 +2,7 @@
 // from GLSL, its HLSL grammar only lacks their names, their constructors and the functions of them. The linker hands
 // the calls in which the grammar asks for these to the functions here (--wrap in CMakeLists.txt), which ask glslang's
 // own for everything else. Tested against glslang 12; glslang drops HLSL in 17.
+#include "FrontEndSamples.h"
 #include "FrontEndTree.h"
 
 using namespace Drydock;
@@ -158,6 +159,27 @@ TIntermTyped* WrapHandleFunctionCall(
 	const FBuilder Build(Context->intermediate, Place);
 	const FNodes Nodes = GetArguments(*Function, Arguments);
 	TIntermTyped* Made = nullptr;
+	const ESampleForm Form = FindSampleForm(*Function, Nodes);
+	if (Form == ESampleForm::Status)
+	{
+		Context->error(Place, "textures are never tiled here, so there is no status: leave that argument out",
+			GetMethodName(*Function), "");
+		return nullptr;
+	}
+	if (Form == ESampleForm::Clamp)
+	{
+		TIntermAggregate* Others = nullptr;
+		for (size_t i = 0; i + 1 < Nodes.size(); ++i)
+		{
+			Others = Context->intermediate.growAggregate(Others, Nodes[i], Place);
+		}
+		Made = RealHandleFunctionCall(Context, Place, MakeWithoutLast(*Function), Others);
+		if (Made && !AddClamp(Build, Made, Nodes.back()))
+		{
+			Context->error(Place, "this form of a sample takes no clamp", "Clamp", "");
+		}
+		return Made;
+	}
 	const TType& Type = Function->getType();
 	const bool bNew = IsNew(Type.getBasicType()) || std::any_of(Nodes.begin(), Nodes.end(),
 														[](TIntermTyped* Node) { return IsNew(Node->getBasicType()); });

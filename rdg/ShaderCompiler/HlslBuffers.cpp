@@ -2,6 +2,8 @@
 // is that of a buffer that is written too.
 #include "HlslRewrites.h"
 
+#include "SpirvAliases.h"
+
 #include <algorithm>
 #include <cstdlib>
 
@@ -31,6 +33,14 @@ public:
 			{
 				Access(At);
 			}
+			else if (Text.Is(At - 1, ".") && Text[At].Text.starts_with("Interlocked") && Text[At].Text.ends_with("64"))
+			{
+				ChangeLong(At);
+			}
+			else if ((Text.Is(At, "Buffer") || Text.Is(At, "RWBuffer")) && Text.Is(At + 1, "<"))
+			{
+				DeclareTexels(At);
+			}
 			else if (Text.Is(At, "ConstantBuffer") && Text.Is(At + 1, "<"))
 			{
 				DeclareBlock(At);
@@ -51,6 +61,7 @@ private:
 		std::string Words; // the statements
 		uint32_t Offset = 0;
 		int NumNumbers = 0;
+		bool bShorts = false; // of 16 bits are written
 	};
 
 	static std::string GetBits(const FHlslNumeric& Type, const std::string& Value)
@@ -67,16 +78,97 @@ private:
 			   : Type.Scalar == "float" ? "asfloat(" + Bits + ")"
 										: "asint(" + Bits + ")";
 	}
-	static bool HasWords(const FHlslNumeric& Type)
+	/** Bytes of a scalar in memory; 0: it has none. */
+	static uint32_t GetBytes(const FHlslNumeric& Type)
 	{
-		return Type.Scalar == "uint" || Type.Scalar == "int" || Type.Scalar == "float" || Type.Scalar == "bool";
+		const bool bWords =
+			Type.Scalar == "uint" || Type.Scalar == "int" || Type.Scalar == "float" || Type.Scalar == "bool";
+		const bool bLong = Type.Scalar == "uint64_t" || Type.Scalar == "int64_t" || Type.Scalar == "double";
+		const bool bShort = Type.Scalar == "uint16_t" || Type.Scalar == "int16_t" || Type.Scalar == "float16_t";
+		return bWords ? 4 : bLong ? 8 : bShort ? 2 : 0;
 	}
+
+	/** Of the widest scalar in a type: where it begins and ends in memory. */
+	uint32_t GetAlignment(const std::string& Type, int Depth) const
+	{
+		const std::optional<FHlslNumeric> Numeric = ParseHlslNumeric(Type);
+		const std::vector<FHlslVariable>* const Members = Symbols.GetMembers(Type);
+		uint32_t Result = Numeric ? GetBytes(*Numeric) : 1;
+		for (size_t i = 0; !Numeric && Members && Depth < 16 && i < Members->size(); ++i)
+		{
+			Result = std::max(Result, GetAlignment((*Members)[i].Type, Depth + 1));
+		}
+		return std::max(Result, 1u);
+	}
+	static void Align(FAccess& Access, uint32_t Bytes) { Access.Offset = (Access.Offset + Bytes - 1) / Bytes * Bytes; }
 	static std::string GetSuffix(int Count) { return Count > 1 ? std::to_string(Count) : std::string(); }
+
+	/** One number of 16 or 64 bits. Half a word is written by itself: another thread may have the other half. */
+	static void AccessScalar(
+		FAccess& Access, const std::string& Scalar, const std::string& Path, const std::string& Place)
+	{
+		const std::string& Buffer = Access.Buffer;
+		const bool bShort = Scalar.find("16") != std::string::npos;
+		if (bShort && Access.bLoad)
+		{
+			const std::string Bits =
+				"uint16_t(" + Buffer + ".Load(" + Place + " & 4294967292u) >> ((" + Place + " & 2u) << 3))";
+			Access.Words +=
+				Path + " = " +
+				(Scalar == "uint16_t" ? Bits : "as" + Scalar.substr(0, Scalar.size() - 2) + "(" + Bits + ")") + "; ";
+		}
+		else if (bShort)
+		{
+			Access.Words += GetView(Buffer, "Shorts") + "[" + Place + " >> 1] = asuint16(" + Path + "); ";
+			Access.bShorts = true;
+		}
+		else if (Access.bLoad)
+		{
+			const std::string Low = Buffer + ".Load(" + Place + ")";
+			const std::string High = Buffer + ".Load(" + Place + " + 4u)";
+			Access.Words += Path + " = " +
+							(Scalar == "double" ? "asdouble(" + Low + ", " + High + ")"
+												: Scalar + "(uint64_t(" + High + ") << 32 | uint64_t(" + Low + "))") +
+							"; ";
+		}
+		else
+		{
+			Access.Words += Scalar == "double" ? "{ uint Low; uint High; asuint(" + Path + ", Low, High); " + Buffer +
+													 ".Store2(" + Place + ", uint2(Low, High)); } "
+											   : Buffer + ".Store2(" + Place + ", uint2(uint(uint64_t(" + Path +
+													 ")), uint(uint64_t(" + Path + ") >> 32))); ";
+		}
+	}
+
+	static std::string GetView(const std::string& Buffer, const char* Of) { return Buffer + GBufferViewMark + Of; }
+
+	/** Before the function at Before; the same memory as the buffer, which has been declared by then. */
+	void DeclareView(size_t Before, const std::string& Buffer, const char* Of, const char* Type)
+	{
+		const std::string Name = GetView(Buffer, Of);
+		if (Functions.insert(Name).second)
+		{
+			Edits.Insert(Before, std::string("RWStructuredBuffer<") + Type + "> " + Name + "; ");
+		}
+	}
 
 	/** One scalar or vector at Path. */
 	static void AccessVector(FAccess& Access, const FHlslNumeric& Type, const std::string& Path)
 	{
 		const int Count = std::max(Type.Columns, 1);
+		const uint32_t Bytes = GetBytes(Type);
+		Align(Access, Bytes);
+		for (int i = 0; Bytes != 4 && i < Count; ++i)
+		{
+			AccessScalar(Access, Type.Scalar, Type.Columns ? Path + "[" + std::to_string(i) + "]" : Path,
+				"(" + Access.Place + " + " + std::to_string(Access.Offset + uint32_t(i) * Bytes) + "u)");
+		}
+		if (Bytes != 4)
+		{
+			Access.Offset += uint32_t(Count) * Bytes;
+			Access.NumNumbers += Count;
+			return;
+		}
 		const std::string Place = Access.Place + " + " + std::to_string(Access.Offset) + "u";
 		Access.Words +=
 			Access.bLoad
@@ -91,7 +183,7 @@ private:
 	{
 		if (const std::optional<FHlslNumeric> Numeric = ParseHlslNumeric(Type))
 		{
-			if (!HasWords(*Numeric))
+			if (!GetBytes(*Numeric))
 			{
 				return false;
 			}
@@ -113,9 +205,13 @@ private:
 		{
 			return false;
 		}
-		return std::all_of(Members->begin(), Members->end(),
+		const uint32_t Alignment = GetAlignment(Type, Depth);
+		Align(Access, Alignment);
+		const bool bKnown = std::all_of(Members->begin(), Members->end(),
 			[&](const FHlslVariable& Member)
 			{ return AccessMember(Access, Member, Path + "." + Text[Member.At].Text, Member.At + 1, Depth + 1); });
+		Align(Access, Alignment);
+		return bKnown;
 	}
 
 	/** A member from its dimension at DimensionAt on. */
@@ -166,20 +262,22 @@ private:
 		{
 			return;
 		}
-		FAccess Parts{Text.GetText(First, At - 1), "At", bLoad, {}, 0, 0};
+		FAccess Parts{Text.GetText(First, At - 1), "At", bLoad, {}, 0, 0, false};
 		if (!AccessType(Parts, Type, "Value", 0))
 		{
 			return; // the front end says what it does not know
 		}
 		const size_t Before = Text.FindDeclaration(At);
-		const bool bGlobal = First + 2 == At && Symbols.FindVariable(Text[First].Text, First) &&
-							 Symbols.FindVariable(Text[First].Text, First)->bGlobal && Before < Text.Size();
-		if (!bGlobal)
+		if (!IsGlobal(First, At) || Before >= Text.Size())
 		{
 			Errors.push_back(
 				Text.MakeError(At, Text[At].Text + "<" + Type +
 									   "> is known of a buffer that is a parameter of the shader, in a function"));
 			return;
+		}
+		if (Parts.bShorts)
+		{
+			DeclareView(Before, Parts.Buffer, "Shorts", "uint16_t");
 		}
 		const std::string Name = (bLoad ? "DrydockLoad_" : "DrydockStore_") + Type + "_" + Parts.Buffer;
 		if (Functions.insert(Name).second)
@@ -189,6 +287,52 @@ private:
 					  : "void " + Name + "(uint At, " + Type + " Value) { " + Parts.Words + "} ");
 		}
 		Edits.Replace(First, Open, Name);
+	}
+
+	/** Bytes.InterlockedAdd64(Place, ...): on an element of a view of the buffer as numbers of 64 bits. */
+	void ChangeLong(size_t At)
+	{
+		const size_t First = Symbols.FindChainStart(At - 2);
+		const size_t Close = Text.FindClose(At + 1);
+		size_t Comma = At + 2;
+		while (Comma < Close && !Text.Is(Comma, ","))
+		{
+			Comma = std::max(Comma, Text.FindClose(Comma)) + 1;
+		}
+		if (Symbols.GetType(First, At - 1) != "RWByteAddressBuffer" || !Text.Is(At + 1, "(") || Comma >= Close ||
+			Close >= Text.Size())
+		{
+			return;
+		}
+		const std::string Method = Text[At].Text;
+		const size_t Before = Text.FindDeclaration(At);
+		if (!IsGlobal(First, At) || Before >= Text.Size())
+		{
+			Errors.push_back(
+				Text.MakeError(At, Method + " is known of a buffer that is a parameter of the shader, in a function"));
+			return;
+		}
+		const std::string Buffer = Text.GetText(First, At - 1);
+		DeclareView(Before, Buffer, "Longs", "uint64_t");
+		Edits.Replace(First, At + 2, Method.substr(0, Method.size() - 2) + "(" + GetView(Buffer, "Longs") + "[uint(");
+		Edits.Replace(Comma, Comma + 1, ") >> 3],");
+	}
+
+	bool IsGlobal(size_t First, size_t At) const
+	{
+		const FHlslVariable* const Variable = First + 2 == At ? Symbols.FindVariable(Text[First].Text, First) : nullptr;
+		return Variable && Variable->bGlobal;
+	}
+
+	/** Texels of 64 bits lie in memory as a struct's do, and the front end has no such texels. */
+	void DeclareTexels(size_t At)
+	{
+		size_t End = 0;
+		const std::optional<FHlslNumeric> Type = ParseHlslNumeric(Symbols.ReadType(At + 2, End));
+		if (Type && !Type->IsMatrix() && (Type->Scalar == "int64_t" || Type->Scalar == "uint64_t") && Text.Is(End, ">"))
+		{
+			Edits.Replace(At, At + 1, Text.Is(At, "Buffer") ? "StructuredBuffer" : "RWStructuredBuffer");
+		}
 	}
 
 	/** ConstantBuffer<S> B; -> cbuffer B_Block { S B; }: with a RWStructuredBuffer<S> the front end takes the two for

@@ -117,6 +117,13 @@ private:
 	/** Of a vector or matrix it compares each part by itself. */
 	void CompareParts(size_t At)
 	{
+		const std::optional<FHlslNumeric> Of = ParseHlslNumeric(Symbols.GetType(At + 2, Text.FindClose(At + 1)));
+		const bool bKnownToTree = Of && (Of->Scalar.find("16_t") != std::string::npos ||
+											Of->Scalar.find("64_t") != std::string::npos || Of->Scalar == "double");
+		if (bKnownToTree)
+		{
+			return; // FrontEndCalls.cpp
+		}
 		std::string Overloads;
 		for (const char* const Scalar : {"float", "int", "uint", "bool"})
 		{

@@ -108,8 +108,14 @@ private:
 		{
 			return;
 		}
-		Edits.Replace(At, At + 2, "((");
-		Edits.Replace(Separators[1], Separators[1] + 1, ") ? (");
+		// Of numbers of 16 and 64 bits the front end makes no conditions by itself.
+		const std::optional<FHlslNumeric> Type = ParseHlslNumeric(Symbols.GetType(At + 2, Separators[1]));
+		const bool bConverts = Type && !Type->IsMatrix() &&
+							   (Type->Scalar.find("16_t") != std::string::npos ||
+								   Type->Scalar.find("64_t") != std::string::npos || Type->Scalar == "double");
+		const std::string Bools = bConverts ? FHlslNumeric{"bool", 0, Type->Columns}.GetName() : std::string();
+		Edits.Replace(At, At + 2, "((" + Bools + (bConverts ? "(" : ""));
+		Edits.Replace(Separators[1], Separators[1] + 1, bConverts ? ")) ? (" : ") ? (");
 		Edits.Replace(Separators[2], Separators[2] + 1, ") : (");
 		Edits.Replace(Separators[3], Separators[3] + 1, "))");
 	}

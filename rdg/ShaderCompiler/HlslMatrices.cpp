@@ -68,6 +68,14 @@ public:
 			{
 				Multiply(At);
 			}
+			else if (bCall && !bOwn && Text.Is(At, "transpose"))
+			{
+				Transpose(At);
+			}
+			else if (bCall && !bOwn && Text.Is(At, "asuint"))
+			{
+				Split(At);
+			}
 			else if (Text.Is(At + 1, "=") && Text.Is(At + 2, "{") && Text.FindClose(At + 2) < Text.Size())
 			{
 				const FHlslVariable* Variable = Symbols.FindVariable(Text[At].Text, At);
@@ -83,6 +91,13 @@ public:
 	}
 
 private:
+	/** Of 16 or 64 bits: the front end makes no matrices of these. */
+	static bool IsSizedInteger(const FHlslNumeric& Type)
+	{
+		return Type.Scalar == "int16_t" || Type.Scalar == "uint16_t" || Type.Scalar == "int64_t" ||
+			   Type.Scalar == "uint64_t";
+	}
+
 	/** At matrices of bool the front end crashes. */
 	static FHlslNumeric GetStored(FHlslNumeric Type)
 	{
@@ -145,7 +160,7 @@ private:
 			bRows = bRows && !Part.IsMatrix() && Part.Columns == Type.Columns;
 			bScalars = bScalars && Part.Columns == 0;
 		}
-		const bool bThin = Type.Rows == 1 || Type.Columns == 1 || Type.Scalar == "bool";
+		const bool bThin = Type.Rows == 1 || Type.Columns == 1 || Type.Scalar == "bool" || IsSizedInteger(Type);
 		const bool bSame = Parts.size() == 1 && Parts[0].IsMatrix() && Type.Scalar != "bool";
 		if (Parts.empty() || Count != Type.GetCount() || ((bScalars || bRows) && !bThin) || bSame)
 		{
@@ -203,13 +218,20 @@ private:
 	{
 		const std::vector<FHlslNumeric> Parts = GetParts(At + 1);
 		const bool bMatrix = Parts.size() == 2 && (Parts[0].IsMatrix() || Parts[1].IsMatrix());
-		if (!bMatrix || !Parts[0].IsInteger() || !Parts[1].IsInteger() || !Parts[0].Columns || !Parts[1].Columns)
+		const bool bSized = bMatrix && IsSizedInteger(Parts[0]) && IsSizedInteger(Parts[1]);
+		if (bSized && (!Parts[0].Columns || !Parts[1].Columns))
+		{
+			Scale(At, Parts[0], Parts[1]);
+			return;
+		}
+		const bool bIntegers = bSized || (bMatrix && Parts[0].IsInteger() && Parts[1].IsInteger());
+		if (!bIntegers || !Parts[0].Columns || !Parts[1].Columns)
 		{
 			return;
 		}
 		const FShape Left(Parts[0], true);
 		const FShape Right(Parts[1], false);
-		FHlslNumeric Result{Parts[0].Scalar == "uint" ? "uint" : Parts[1].Scalar, Left.Rows, Right.Columns};
+		FHlslNumeric Result{Parts[0].Scalar[0] == 'u' ? Parts[0].Scalar : Parts[1].Scalar, Left.Rows, Right.Columns};
 		if (!Parts[0].IsMatrix() || !Parts[1].IsMatrix())
 		{
 			Result = {Result.Scalar, 0, Left.Rows * Right.Columns};
@@ -218,10 +240,10 @@ private:
 						   " B) { " + Result.GetName() + " R;";
 		for (int i = 0; i < Result.GetCount() && Left.Columns == Right.Rows; ++i)
 		{
-			Body += " " + GetHlslElement("R", Result, i) + " = 0";
+			Body += " " + GetHlslElement("R", Result, i) + " = ";
 			for (int k = 0; k < Left.Columns; ++k)
 			{
-				Body += " + " + GetHlslElement("A", Parts[0], i / Right.Columns * Left.Columns + k) + " * " +
+				Body += (k ? " + " : "") + GetHlslElement("A", Parts[0], i / Right.Columns * Left.Columns + k) + " * " +
 						GetHlslElement("B", Parts[1], k * Right.Columns + i % Right.Columns);
 			}
 			Body += ";";
@@ -231,6 +253,63 @@ private:
 			Functions["DrydockMul" + Parts[0].GetName() + Parts[1].GetName()] = Body + " return R; }";
 			Edits.Replace(At, At + 1, "DrydockMul");
 		}
+	}
+
+	/** mul of a number and a matrix. */
+	void Scale(size_t At, const FHlslNumeric& A, const FHlslNumeric& B)
+	{
+		const FHlslNumeric Result = A.IsMatrix() ? A : B;
+		std::string Body = Result.GetName() + " DrydockMul(" + A.GetName() + " A, " + B.GetName() + " B) { " +
+						   Result.GetName() + " R;";
+		for (int i = 0; i < Result.GetCount(); ++i)
+		{
+			Body += " " + GetHlslElement("R", Result, i) + " = " + GetHlslElement("A", A, i) + " * " +
+					GetHlslElement("B", B, i) + ";";
+		}
+		Functions["DrydockMul" + A.GetName() + B.GetName()] = Body + " return R; }";
+		Edits.Replace(At, At + 1, "DrydockMul");
+	}
+
+	/** asuint(M, Low, High) of doubles, row by row. */
+	void Split(size_t At)
+	{
+		const std::vector<FHlslNumeric> Parts = GetParts(At + 1);
+		if (Parts.size() != 3 || !Parts[0].IsMatrix() || Parts[0].Scalar != "double")
+		{
+			return;
+		}
+		const std::string Bits = FHlslNumeric{"uint", Parts[0].Rows, Parts[0].Columns}.GetName();
+		std::string Body =
+			"void DrydockSplit(" + Parts[0].GetName() + " A, out " + Bits + " Low, out " + Bits + " High) {";
+		for (int i = 0; i < Parts[0].GetCount(); ++i)
+		{
+			const std::string Number = std::to_string(i);
+			Body += " uint L" + Number + "; uint H" + Number + "; asuint(" + GetHlslElement("A", Parts[0], i) + ", L" +
+					Number + ", H" + Number + "); " + GetHlslElement("Low", Parts[0], i) + " = L" + Number + "; " +
+					GetHlslElement("High", Parts[0], i) + " = H" + Number + ";";
+		}
+		Functions["DrydockSplit" + Bits] = Body + " }";
+		Edits.Replace(At, At + 1, "DrydockSplit");
+	}
+
+	/** transpose of such matrices. */
+	void Transpose(size_t At)
+	{
+		const std::vector<FHlslNumeric> Parts = GetParts(At + 1);
+		if (Parts.size() != 1 || !Parts[0].IsMatrix() || !IsSizedInteger(Parts[0]))
+		{
+			return;
+		}
+		const FHlslNumeric Result{Parts[0].Scalar, Parts[0].Columns, Parts[0].Rows};
+		std::string Body =
+			Result.GetName() + " DrydockTranspose(" + Parts[0].GetName() + " A) { " + Result.GetName() + " R;";
+		for (int i = 0; i < Result.GetCount(); ++i)
+		{
+			Body += " " + GetHlslElement("R", Result, i) + " = " +
+					GetHlslElement("A", Parts[0], i % Result.Columns * Parts[0].Columns + i / Result.Columns) + ";";
+		}
+		Functions["DrydockTranspose" + Parts[0].GetName()] = Body + " return R; }";
+		Edits.Replace(At, At + 1, "DrydockTranspose");
 	}
 
 	FHlslText& Text;

@@ -19,12 +19,17 @@ std::string ToLower(std::string Text)
 	return Text;
 }
 
-/** "uint3" of "uint32_t3"; with real 16-bit types "float16_t3" of "half3"; empty for other names. */
+/** "uint3" of "uint32_t3", "double" of "float64_t"; with real 16-bit types "float16_t3" of "half3"; empty for other
+ * names. */
 std::string GetOlderName(const std::string& Name, bool bRealHalf)
 {
 	if (bRealHalf && Name.starts_with("half") && ParseHlslNumeric(Name))
 	{
 		return "float16_t" + Name.substr(4);
+	}
+	if (Name.starts_with("float64_t") && ParseHlslNumeric("double" + Name.substr(9)))
+	{
+		return "double" + Name.substr(9);
 	}
 	const bool bSized = Name.find("32_t") != std::string::npos;
 	const std::optional<FHlslNumeric> Numeric = bSized ? ParseHlslNumeric(Name) : std::nullopt;

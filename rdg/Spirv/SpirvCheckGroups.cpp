@@ -29,7 +29,10 @@ void FSpirvChecker::CheckGroupshared()
 			Module.Fail("groupshared '" + Variable.Name + "' holds a " + GetHlslTypeName(Module, Type) +
 						"; only numbers can be shared");
 		}
-		Bytes += uint64_t(Type.NumScalars) * 4;
+		for (uint32_t i = 0; i < Type.NumScalars; ++i)
+		{
+			Bytes += GetSpirvBytes(Module.GetScalarKind(Variable.Type, i));
+		}
 	}
 	if (Bytes > SpirvLimits::MaxGroupsharedBytes)
 	{
@@ -167,11 +170,18 @@ bool FSpirvChecker::CheckGroups(const FSpirvInstruction& I)
 	const FSpirvType& Pointer = Module.GetValueType(I.Operands[0]);
 	Expect(Pointer.Kind == ESpirvType::Pointer, I);
 	const ESpirvType Kind = Module.GetType(Pointer.Element).Kind;
-	if (Kind != ESpirvType::Int && Kind != ESpirvType::Uint)
-	{
-		Module.Fail("Interlocked* works on int and uint", &I);
-	}
 	const uint32_t Storage = Pointer.Storage;
+	const bool bWide = Kind == ESpirvType::Long || Kind == ESpirvType::Ulong;
+	if (bWide && Storage == StorageImage)
+	{
+		Module.Fail("Interlocked* works on textures and typed buffers of int and uint; one of 64 bits on groupshared "
+					"variables and structured buffers",
+			&I);
+	}
+	if (Kind != ESpirvType::Int && Kind != ESpirvType::Uint && !bWide)
+	{
+		Module.Fail("Interlocked* works on int, uint, int64_t and uint64_t", &I);
+	}
 	if (Storage != StorageWorkgroup && Storage != StorageUniform && Storage != StorageStorageBuffer &&
 		Storage != StorageImage)
 	{

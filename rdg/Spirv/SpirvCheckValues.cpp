@@ -185,8 +185,15 @@ void FSpirvChecker::CheckSample(const FSpirvInstruction& I)
 	{
 		Module.Fail("Texture3D has neither Gather nor comparisons; use SampleLevel", &I);
 	}
-	Expect(
-		(Told.Mask & ~(ImageBias | ImageLod | ImageGrad | ImageConstOffset | ImageOffset | ImageConstOffsets)) == 0, I);
+	if (Told.MinLod && !bChooses && !Told.GradX)
+	{
+		Module.Fail(
+			"a sample that clamps its level needs derivatives, which only pixel shaders have; use SampleLevel", &I);
+	}
+	Expect((Told.Mask & ~(ImageBias | ImageLod | ImageGrad | ImageConstOffset | ImageOffset | ImageConstOffsets |
+							ImageMinLod)) == 0,
+		I);
+	Expect(!Told.MinLod || (!bGather && Size(I, Told.MinLod) == 1), I);
 	Expect(!Told.Lod || Size(I, Told.Lod) == 1, I);
 	Expect(!Told.GradX || (Size(I, Told.GradX) >= Axes && Size(I, Told.GradY) >= Axes), I);
 	Expect(!(Told.Offset || Told.Offsets) || Type.Dim != DimCube, I);

@@ -9,11 +9,12 @@ using namespace Spirv;
 namespace
 {
 
-constexpr ESpirvType Int = ESpirvType::Int;
 constexpr ESpirvType Uint = ESpirvType::Uint;
 
-const char* GetOperation(uint16_t Op)
+std::string GetOperation(uint16_t Op, bool bWide)
 {
+	const char* const Signed = bWide ? "<int64_t>" : "<int32_t>";
+	const char* const Unsigned = bWide ? "<uint64_t>" : "<uint32_t>";
 	switch (Op)
 	{
 	case OpAtomicLoad:
@@ -24,13 +25,13 @@ const char* GetOperation(uint16_t Op)
 	case OpAtomicCompareExchange:
 		return "FAtomicCompareExchange";
 	case OpAtomicSMin:
-		return "FAtomicMin<int32_t>";
+		return std::string("FAtomicMin") + Signed;
 	case OpAtomicUMin:
-		return "FAtomicMin<uint32_t>";
+		return std::string("FAtomicMin") + Unsigned;
 	case OpAtomicSMax:
-		return "FAtomicMax<int32_t>";
+		return std::string("FAtomicMax") + Signed;
 	case OpAtomicUMax:
-		return "FAtomicMax<uint32_t>";
+		return std::string("FAtomicMax") + Unsigned;
 	case OpAtomicAnd:
 		return "FAtomicAnd";
 	case OpAtomicOr:
@@ -69,8 +70,8 @@ std::string FSpirvEmitter::AtomicPlace(const FSpirvInstruction& I)
 		}
 		bool bVarying = false;
 		const std::string Offset = BufferOffsetText(Place, 0, bVarying);
-		return "AtomicBytes(g" + std::to_string(Place.Variable->Id) + ", " + (bVarying ? Offset : "U(" + Offset + ")") +
-			   ")";
+		return std::string("AtomicBytes<uint") + (GetSpirvBytes(Module.GetType(Place.Type).Kind) == 8 ? "64" : "32") +
+			   "_t>(g" + std::to_string(Place.Variable->Id) + ", " + (bVarying ? Offset : "U(" + Offset + ")") + ")";
 	}
 	bool bVarying = false;
 	const std::string Index = SharedIndexText(Place, Place.Offset, bVarying);
@@ -95,22 +96,29 @@ bool FSpirvEmitter::EmitGroups(const FSpirvInstruction& I)
 	{
 		return false;
 	}
-	const auto Operand = [this, &I](size_t Index)
+	const FSpirvType& Pointer = Module.GetValueType(I.Operands[0]);
+	const bool bWide = GetSpirvBytes(Module.GetType(Pointer.Element).Kind) == 8;
+	const ESpirvType Bits = bWide ? ESpirvType::Ulong : Uint;
+	const auto Operand = [this, &I, Bits](size_t Index)
 	{
-		return UseAs(Scalar(I.Operands[Index], 0), Uint, true);
+		return UseAs(Scalar(I.Operands[Index], 0), Bits, true);
+	};
+	const auto Constant = [this, Bits](uint64_t Value)
+	{
+		return UseAs(Literal(Bits, Value), Bits, true);
 	};
 	const bool bCompares = I.Op == OpAtomicCompareExchange;
-	const std::string Value = I.Op == OpAtomicLoad         ? "U(0u)"
-							  : I.Op == OpAtomicIIncrement ? "U(1u)"
-							  : I.Op == OpAtomicIDecrement ? "U(4294967295u)"
-							  : I.Op == OpAtomicISub       ? "U(0u) - " + Operand(3)
+	const std::string Value = I.Op == OpAtomicLoad         ? Constant(0)
+							  : I.Op == OpAtomicIIncrement ? Constant(1)
+							  : I.Op == OpAtomicIDecrement ? Constant(bWide ? ~uint64_t(0) : ~0u)
+							  : I.Op == OpAtomicISub       ? Constant(0) + " - " + Operand(3)
 														   : Operand(bCompares ? 4 : 3);
-	const std::string Text = std::string("Atomic<") + GetOperation(I.Op) + ">(" + GetStoreMask() + ", " +
-							 AtomicPlace(I) + ", " + Value + ", " + (bCompares ? Operand(5) : "U(0u)") + ")";
+	const std::string Text = "Atomic<" + GetOperation(I.Op, bWide) + ">(" + GetStoreMask() + ", " + AtomicPlace(I) +
+							 ", " + Value + ", " + (bCompares ? Operand(5) : Constant(0)) + ")";
 	const auto Uses = NumUses.find(I.Result);
 	if (I.Result && Uses != NumUses.end())
 	{
-		Define(I.Result, 0, {Text, Uint, true, -1});
+		Define(I.Result, 0, {Text, Bits, true, -1});
 	}
 	else
 	{

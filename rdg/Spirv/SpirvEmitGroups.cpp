@@ -343,7 +343,8 @@ std::string FSpirvEmitter::PlaceDeclarations(std::string& InitialText)
 				Users.push_back(i);
 			}
 		}
-		const bool bVarying = D.Type.size() == 1; // R, I, U, M
+		const bool bWide = D.Type.back() == '>';           // TLong<N> and its like
+		const bool bVarying = D.Type.size() == 1 || bWide; // R, I, U, M
 		const bool bStays = D.bVariable && !Users.empty() && Segments[Users[0]].bInLoop;
 		if (Users.size() == 1 && !OutsideNames.count(D.Name) && !bStays)
 		{
@@ -355,7 +356,7 @@ std::string FSpirvEmitter::PlaceDeclarations(std::string& InitialText)
 			GroupText += "\t" + D.Type + " " + D.Name + Array + D.Initial + ";\n";
 			continue;
 		}
-		Bytes += NumThreads * 4 * std::max(1u, D.Size);
+		Bytes += NumThreads * (bWide ? 8 : 4) * std::max(1u, D.Size);
 		GroupText += "\t" + D.Type + " C" + D.Name + "[NumPacks]" + Array + ";\n";
 		if (D.bVariable || D.Type == "M")
 		{

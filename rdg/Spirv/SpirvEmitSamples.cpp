@@ -40,6 +40,19 @@ std::string FSpirvEmitter::SampledHandles(const FSpirvInstruction& I) const
 std::string FSpirvEmitter::LevelOf(const FSpirvInstruction& I)
 {
 	const FSpirvImageOperands Told = GetImageOperands(I);
+	const std::string Level = UnclampedLevelOf(I, Told);
+	if (!Told.MinLod || (!ChoosesLevel(I) && !Told.GradX))
+	{
+		return Level;
+	}
+	const std::string Name = "w" + Number(I.Result) + "m";
+	Line("const R " + Name + " = ClampLevel(" + HandleOf(Definitions.at(I.Operands[0])->Operands[1]) + ", " + Level +
+		 ", " + UseAs(Scalar(I.Operands[Told.MinLod], 0), Float, true) + ");");
+	return Name;
+}
+
+std::string FSpirvEmitter::UnclampedLevelOf(const FSpirvInstruction& I, const FSpirvImageOperands& Told)
+{
 	if (Told.Lod)
 	{
 		return UseAs(Scalar(I.Operands[Told.Lod], 0), Float, false);
@@ -92,7 +105,7 @@ bool FSpirvEmitter::EmitSample(const FSpirvInstruction& I)
 	const FSpirvImageOperands Told = GetImageOperands(I);
 	const FSpirvType& Type = ImageTypeOf(I.Operands[0]);
 	const bool bGather = IsSpirvGather(I.Op);
-	if (!bGather && !Told.Reference && !Told.GradX && Type.Dim != DimCube && !Told.Offset)
+	if (!bGather && !Told.Reference && !Told.GradX && Type.Dim != DimCube && !Told.Offset && !Told.MinLod)
 	{
 		return false;
 	}

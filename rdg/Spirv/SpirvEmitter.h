@@ -54,6 +54,8 @@ enum class EPhiCopies : uint8_t
 	Uniform
 };
 
+struct FSpirvImageOperands;
+
 class FSpirvEmitter
 {
 public:
@@ -145,6 +147,7 @@ private:
 	bool EmitSample(const FSpirvInstruction& I);
 	std::string SampledHandles(const FSpirvInstruction& I) const;
 	std::string LevelOf(const FSpirvInstruction& I);
+	std::string UnclampedLevelOf(const FSpirvInstruction& I, const FSpirvImageOperands& Told);
 	std::string SamplePlace(const FSpirvInstruction& I, size_t OffsetOperand, uint32_t FirstOffset);
 	void EmitLoad(const FSpirvInstruction& I);
 	void EmitStore(uint32_t Pointer, const std::vector<FEmitScalar>& Values, const FSpirvInstruction& I);

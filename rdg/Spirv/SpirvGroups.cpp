@@ -44,6 +44,20 @@ struct FSharedMemory
 	bool bOrderSeen = false;
 };
 
+/** The variable that stands for a buffer's memory: of several views of it the first. */
+uint32_t GetMemoryId(const FSpirvModule& Module, uint32_t Id)
+{
+	const FSpirvVariable* const Variable = Module.FindVariable(Id);
+	if (!Variable || !Module.GetType(Variable->Type).bBufferBlock || Variable->Name.empty())
+	{
+		return Id;
+	}
+	return std::find_if(Module.Variables.begin(), Module.Variables.end(),
+		[&](const FSpirvVariable& Other)
+		{ return Other.Name == Variable->Name && Module.GetType(Other.Type).bBufferBlock; })
+		->Id;
+}
+
 } // namespace
 
 const FSpirvVariable* FindAtomicVariable(const FSpirvModule& Module, const FSpirvInstruction& Atomic,
@@ -87,7 +101,7 @@ FSpirvGroupUse FindGroupUse(const FSpirvModule& Module)
 			if (const FSpirvVariable* const Variable = FindAtomicVariable(Module, I, Pointers))
 			{
 				const bool bGroupshared = Variable->Storage == StorageWorkgroup;
-				FSharedMemory& Shared = (bGroupshared ? Groupshared : Memory)[Variable->Id];
+				FSharedMemory& Shared = (bGroupshared ? Groupshared : Memory)[GetMemoryId(Module, Variable->Id)];
 				Shared.Kinds.insert(GetKind(I.Op));
 				Shared.bOrderSeen = Shared.bOrderSeen || bSeen;
 				Use.bWaves = Use.bWaves || (bGroupshared && Shared.Kinds.size() > 1);
@@ -106,7 +120,8 @@ FSpirvGroupUse FindGroupUse(const FSpirvModule& Module)
 			}
 			const auto Pointer = Pointers.find(I.Operands[0]);
 			const bool bHandle = I.Op == OpLoad && Module.GetType(I.Type).NumScalars == 0;
-			const auto Known = Memory.find(Pointer == Pointers.end() ? I.Operands[0] : Pointer->second->Operands[0]);
+			const auto Known = Memory.find(
+				GetMemoryId(Module, Pointer == Pointers.end() ? I.Operands[0] : Pointer->second->Operands[0]));
 			if (Known != Memory.end() && !bHandle)
 			{
 				Known->second.bOrderSeen = true;

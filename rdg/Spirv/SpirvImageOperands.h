@@ -19,6 +19,7 @@ struct FSpirvImageOperands
 	size_t GradY = 0;
 	size_t Offset = 0;  // texels, a vector
 	size_t Offsets = 0; // texels, an array of four vectors
+	size_t MinLod = 0;  // the level is not below it
 	size_t End = 0;     // one past the last
 };
 
@@ -60,6 +61,7 @@ inline FSpirvImageOperands GetImageOperands(const FSpirvInstruction& I)
 	Result.GradY = Take(ImageGrad);
 	Result.Offset = Take(ImageConstOffset | ImageOffset);
 	Result.Offsets = Take(ImageConstOffsets);
+	Result.MinLod = Take(ImageMinLod);
 	Result.End = Next;
 	return Result;
 }

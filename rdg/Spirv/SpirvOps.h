@@ -102,7 +102,7 @@ enum EDim : uint32_t { Dim1D = 0, Dim2D = 1, Dim3D = 2, DimCube = 3, DimBuffer =
 enum EImageOperand : uint32_t
 {
 	ImageBias = 1, ImageLod = 2, ImageGrad = 4, ImageConstOffset = 8, ImageOffset = 16, ImageConstOffsets = 32,
-	ImageSample = 64
+	ImageSample = 64, ImageMinLod = 128
 };
 // clang-format on
 

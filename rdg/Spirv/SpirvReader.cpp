@@ -2,6 +2,7 @@
 // Source: Khronos, SPIR-V specification 1.0.
 #include "SpirvReaderImpl.h"
 
+#include "SpirvAliases.h"
 #include "SpirvCheck.h"
 #include "SpirvLayout.h"
 #include "SpirvLimits.h"
@@ -466,7 +467,7 @@ FSpirvModule FSpirvReader::Read()
 			const auto Value = Found.Values.find(Decoration);
 			return Value == Found.Values.end() ? Default : Value->second;
 		};
-		Variable.Name = Names[Variable.Id];
+		Variable.Name = GetViewedBuffer(Names[Variable.Id]);
 		Variable.Semantic = GetElementSemantic(Found.Semantic, Variable.Name);
 		Variable.BuiltIn = Get(DecorationBuiltIn, BuiltInNone);
 		Variable.Location = Get(DecorationLocation, 0);

@@ -118,7 +118,9 @@ private:
 	bool ExecuteAtomic(const FSpirvStep& Step);
 	void PointAtTexel(const FSpirvStep& Step);
 	uint32_t* FindTexel(const FSpirvStep& Step);
-	uint32_t ReplaceAtomically(uint32_t* Place, const FSpirvStep& Step);
+	/** Bits: uint32_t or uint64_t, as wide as the number in memory. */
+	template<typename FBits>
+	FBits ReplaceAtomically(FBits* Place, const FSpirvStep& Step);
 	bool ExecuteTerminator(const FSpirvStep& Step);
 	bool ExecuteCall(const FSpirvStep& Step);
 	FWord* MemoryAt(uint32_t Word)
@@ -143,6 +145,7 @@ private:
 	bool ExecuteImage(const FSpirvStep& Step);
 	void ExecuteSample(const FSpirvStep& Step);
 	Real GetGradientLevel(const FSpirvStep& Step, const FSpirvImageOperands& Told, const FKernelTexture& Texture) const;
+	Real ClampLevel(const FSpirvStep& Step, const FSpirvImageOperands& Told, Real Found) const;
 	void ExecuteImageLoad(const FSpirvStep& Step);
 	void ExecuteImageWrite(const FSpirvStep& Step);
 	void ExecuteBitcast(const FSpirvStep& Step);

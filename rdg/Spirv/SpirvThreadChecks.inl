@@ -140,8 +140,8 @@ void TSpirvThread<Real>::FollowUndefined(const FSpirvStep& Step)
 	case OpImageDrefGather:
 	{
 		const FSpirvImageOperands Told = GetImageOperands(I);
-		for (const size_t Operand :
-			{size_t(1), Told.Reference, Told.Lod, Told.GradX, Told.GradY, Told.Offset, Told.Offsets})
+		for (const size_t Operand : {size_t(1), Told.Reference, Told.Bias, Told.Lod, Told.GradX, Told.GradY,
+				 Told.Offset, Told.Offsets, Told.MinLod})
 		{
 			if (Operand)
 			{

@@ -118,16 +118,18 @@ typename TSpirvThread<Real>::FWord TSpirvThread<Real>::TakeFromLog(const FSpirvS
 }
 
 template<typename Real>
-uint32_t TSpirvThread<Real>::ReplaceAtomically(uint32_t* Place, const FSpirvStep& Step)
+template<typename FBits>
+FBits TSpirvThread<Real>::ReplaceAtomically(FBits* Place, const FSpirvStep& Step)
 {
+	using FSigned = std::make_signed_t<FBits>;
 	const auto Operand = [this, &Step](size_t Index)
 	{
-		return Bits(Step, Index);
+		return FBits(Value(Step, Index)[0]);
 	};
 	const auto Replace = [Place](auto New)
 	{
-		uint32_t Old = __atomic_load_n(Place, __ATOMIC_RELAXED);
-		while (!__atomic_compare_exchange_n(Place, &Old, uint32_t(New(Old)), true, __ATOMIC_RELAXED, __ATOMIC_RELAXED))
+		FBits Old = __atomic_load_n(Place, __ATOMIC_RELAXED);
+		while (!__atomic_compare_exchange_n(Place, &Old, FBits(New(Old)), true, __ATOMIC_RELAXED, __ATOMIC_RELAXED))
 		{
 		}
 		return Old;
@@ -135,34 +137,34 @@ uint32_t TSpirvThread<Real>::ReplaceAtomically(uint32_t* Place, const FSpirvStep
 	switch (Step.I->Op)
 	{
 	case OpAtomicLoad:
-		return Replace([](uint32_t Old) { return Old; });
+		return Replace([](FBits Old) { return Old; });
 	case OpAtomicStore:
 	case OpAtomicExchange:
-		return Replace([&](uint32_t) { return Operand(3); });
+		return Replace([&](FBits) { return Operand(3); });
 	case OpAtomicCompareExchange:
-		return Replace([&](uint32_t Old) { return Old == Operand(5) ? Operand(4) : Old; });
+		return Replace([&](FBits Old) { return Old == Operand(5) ? Operand(4) : Old; });
 	case OpAtomicIIncrement:
-		return Replace([](uint32_t Old) { return Old + 1; });
+		return Replace([](FBits Old) { return Old + 1; });
 	case OpAtomicIDecrement:
-		return Replace([](uint32_t Old) { return Old - 1; });
+		return Replace([](FBits Old) { return Old - 1; });
 	case OpAtomicIAdd:
-		return Replace([&](uint32_t Old) { return Old + Operand(3); });
+		return Replace([&](FBits Old) { return Old + Operand(3); });
 	case OpAtomicISub:
-		return Replace([&](uint32_t Old) { return Old - Operand(3); });
+		return Replace([&](FBits Old) { return Old - Operand(3); });
 	case OpAtomicSMin:
-		return Replace([&](uint32_t Old) { return std::min(int32_t(Old), int32_t(Operand(3))); });
+		return Replace([&](FBits Old) { return std::min(FSigned(Old), FSigned(Operand(3))); });
 	case OpAtomicUMin:
-		return Replace([&](uint32_t Old) { return std::min(Old, Operand(3)); });
+		return Replace([&](FBits Old) { return std::min(Old, Operand(3)); });
 	case OpAtomicSMax:
-		return Replace([&](uint32_t Old) { return std::max(int32_t(Old), int32_t(Operand(3))); });
+		return Replace([&](FBits Old) { return std::max(FSigned(Old), FSigned(Operand(3))); });
 	case OpAtomicUMax:
-		return Replace([&](uint32_t Old) { return std::max(Old, Operand(3)); });
+		return Replace([&](FBits Old) { return std::max(Old, Operand(3)); });
 	case OpAtomicAnd:
-		return Replace([&](uint32_t Old) { return Old & Operand(3); });
+		return Replace([&](FBits Old) { return Old & Operand(3); });
 	case OpAtomicOr:
-		return Replace([&](uint32_t Old) { return Old | Operand(3); });
+		return Replace([&](FBits Old) { return Old | Operand(3); });
 	default:
-		return Replace([&](uint32_t Old) { return Old ^ Operand(3); });
+		return Replace([&](FBits Old) { return Old ^ Operand(3); });
 	}
 }
 
@@ -233,8 +235,8 @@ bool TSpirvThread<Real>::ExecuteAtomic(const FSpirvStep& Step)
 		return false;
 	}
 	const FSpirvType& Pointer = Program.Module.GetValueType(I.Operands[0]);
-	uint32_t* Place = nullptr;
-	uint32_t Copy = 0;
+	const uint32_t Size = GetSpirvBytes(Program.Module.GetType(Pointer.Element).Kind);
+	void* Place = nullptr;
 	FWord* Word = nullptr;
 	if (Pointer.Storage == StorageImage)
 	{
@@ -244,8 +246,6 @@ bool TSpirvThread<Real>::ExecuteAtomic(const FSpirvStep& Step)
 	{
 		Word = MemoryAt(Bits(Step, 0));
 		TellRaces(Step, Bits(Step, 0), 1, ESharedAccess::Atomic, Word);
-		Copy = uint32_t(*Word);
-		Place = &Copy;
 	}
 	else
 	{
@@ -259,21 +259,29 @@ bool TSpirvThread<Real>::ExecuteAtomic(const FSpirvStep& Step)
 		}
 		const uint32_t Element = Bits(Step, 0, 1);
 		const uint64_t Byte = uint64_t(Element) * Stride + Bits(Step, 0);
-		const bool bInside = Element < Buffer->SizeInBytes / Stride && Byte + 4 <= Buffer->SizeInBytes;
-		Place = bInside ? reinterpret_cast<uint32_t*>(Buffer->Data + Byte) : nullptr;
+		const bool bInside = Element < Buffer->SizeInBytes / Stride && Byte + Size <= Buffer->SizeInBytes;
+		Place = bInside ? Buffer->Data + Byte : nullptr;
 		if (Observer)
 		{
 			CheckElement(Step, *Buffer, Element, true);
 		}
 	}
-	const uint32_t Old = Place && Stores() ? ReplaceAtomically(Place, Step) : 0;
-	if (Word)
+	const auto Replace = [&](auto Number)
 	{
-		*Word = FWord(Copy);
-	}
+		using FBits = decltype(Number);
+		FBits* const At = Word ? &Number : static_cast<FBits*>(Place);
+		const FBits Before = At && Stores() ? ReplaceAtomically(At, Step) : FBits(0);
+		if (Word)
+		{
+			*Word = FWord(Number);
+		}
+		return FWord(Before);
+	};
+	const FWord Shared = Word ? *Word : FWord(0);
+	const FWord Old = Size == 8 ? Replace(uint64_t(Shared)) : Replace(uint32_t(Shared));
 	if (I.Result)
 	{
-		Result(Step)[0] = FWord(Old);
+		Result(Step)[0] = Old;
 	}
 	return true;
 }

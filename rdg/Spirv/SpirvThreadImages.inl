@@ -28,6 +28,14 @@ const FKernelBuffer& TSpirvThread<Real>::BufferOf(const FSpirvStep& Step, size_t
 	return ViewOf(bStorage ? Args->RWBuffers : Args->Buffers, Variable);
 }
 
+/** Not below the sample's own clamp, where it has one. */
+template<typename Real>
+Real TSpirvThread<Real>::ClampLevel(const FSpirvStep& Step, const FSpirvImageOperands& Told, Real Found) const
+{
+	const FKernelSampler& Sampler = ViewOf(Args->Samplers, Bits(Step, 0, 1));
+	return Told.MinLod ? Lanes::ClampLevel(Sampler, Found, GetValue(Step, Told.MinLod, 0)) : Found;
+}
+
 /** The level of a sample's gradients. */
 template<typename Real>
 Real TSpirvThread<Real>::GetGradientLevel(
@@ -71,7 +79,7 @@ void TSpirvThread<Real>::ExecuteSample(const FSpirvStep& Step)
 	const bool bChooses = Program.Module.bQuads && ChoosesSpirvLevel(I.Op);
 	const Real At = bChooses     ? Level
 					: Told.Lod   ? GetValue(Step, Told.Lod, 0)
-					: Told.GradX ? GetGradientLevel(Step, Told, Texture)
+					: Told.GradX ? ClampLevel(Step, Told, GetGradientLevel(Step, Told, Texture))
 								 : Real(0);
 	const uint32_t Axes = Image.Dim == Dim2D ? 2 : 3;
 	Real Coordinates[4] = {};

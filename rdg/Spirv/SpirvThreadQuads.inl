@@ -92,8 +92,9 @@ void TSpirvThread<Real>::ExecuteQuad(const std::vector<TSpirvThread*>& Together)
 		}
 		else
 		{
-			const size_t Bias = GetImageOperands(*Step.I).Bias;
-			Thread->Level = Bias ? Found + Thread->GetValue(Step, Bias, 0) : Found;
+			const FSpirvImageOperands Told = GetImageOperands(*Step.I);
+			Thread->Level =
+				Thread->ClampLevel(Step, Told, Told.Bias ? Found + Thread->GetValue(Step, Told.Bias, 0) : Found);
 			if (Thread->Log)
 			{
 				Thread->Log->push_back(ToSpirvWord<Real>(Thread->Level));

@@ -134,12 +134,15 @@ std::string FVulkanDevice::MakeDevice()
 	Vk.vkGetPhysicalDeviceFeatures2(Physical, &Has);
 	Features = Has.features;
 	bFloat16 = Has12.shaderFloat16 != 0;
+	bInt64Atomics = Has12.shaderBufferInt64Atomics && Has12.shaderSharedInt64Atomics;
 
 	auto Use13 = MakeInfo<VkPhysicalDeviceVulkan13Features>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES);
 	Use13.robustImageAccess = Has13.robustImageAccess;
 	auto Use12 = MakeInfo<VkPhysicalDeviceVulkan12Features>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES);
 	Use12.pNext = bHas13 ? &Use13 : nullptr;
 	Use12.shaderFloat16 = Has12.shaderFloat16;
+	Use12.shaderBufferInt64Atomics = Has12.shaderBufferInt64Atomics;
+	Use12.shaderSharedInt64Atomics = Has12.shaderSharedInt64Atomics;
 	Use12.scalarBlockLayout = Has12.scalarBlockLayout; // constants lie as in Direct3D
 	auto Use = MakeInfo<VkPhysicalDeviceFeatures2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2);
 	Use.pNext = bHas12 ? &Use12 : nullptr;

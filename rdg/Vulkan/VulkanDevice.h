@@ -37,6 +37,7 @@ public:
 	uint32_t SubgroupSize = 1;
 	VkSubgroupFeatureFlags SubgroupOperations = 0; // of compute shaders
 	bool bFloat16 = false;
+	bool bInt64Atomics = false; // on buffers and groupshared variables
 	VkDevice Device = VK_NULL_HANDLE;
 
 private:

@@ -40,6 +40,8 @@ bool IsThere(uint32_t Capability, const FVulkanDevice& Device)
 		return Features.shaderFloat64;
 	case 11: // Int64
 		return Features.shaderInt64;
+	case 12: // Int64Atomics
+		return Device.bInt64Atomics;
 	case 22: // Int16
 		return Features.shaderInt16;
 	case 25: // ImageGatherExtended
@@ -156,6 +158,16 @@ void FVulkanShader::CheckDevice(const FShaderCompileRequest& Request) const
 		if (!IsThere(Capability, *Owner))
 		{
 			throw FVulkanError("it lacks what the shader needs, SPIR-V's capability " + std::to_string(Capability));
+		}
+	}
+	for (const FSpirvVariable& Variable : Module.Variables)
+	{
+		const bool bViewed = std::any_of(Module.Variables.begin(), Module.Variables.end(),
+			[&](const FSpirvVariable& Other) { return Other.Id != Variable.Id && Other.Name == Variable.Name; });
+		if (bViewed && !Variable.Name.empty() && Module.GetType(Variable.Type).bBufferBlock)
+		{
+			throw FVulkanError("a buffer of bytes that is changed as numbers of 16 or 64 bits ('" + Variable.Name +
+							   "') does not run on a driver; use a RWStructuredBuffer");
 		}
 	}
 	if (HasWaves(Ready) && Owner->SubgroupSize != uint32_t(Request.Lanes.WaveSize))

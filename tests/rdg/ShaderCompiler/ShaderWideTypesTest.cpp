@@ -478,8 +478,9 @@ TEST(ShaderWideTypes, HalfIsFloatWhereNobodyAsksForSixteenBits)
 
 TEST(ShaderWideTypes, WhatTheyCannotDoIsAMessage)
 {
-	const std::string Switch = "RWStructuredBuffer<int64_t> Out;\n[numthreads(8, 1, 1)]\nvoid MainCS(uint3 Id : "
-							   "SV_DispatchThreadID)\n{\n\tInterlockedAdd(Out[Id.x], 1);\n}\n";
+	const std::string Switch =
+		"RWStructuredBuffer<int64_t> Out;\n[numthreads(8, 1, 1)]\nvoid MainCS(uint3 Id : "
+		"SV_DispatchThreadID)\n{\n\tswitch (Out[Id.x]) { case 1: Out[Id.x] = 2; break; default: break; }\n}\n";
 	FShaderHarness Harness(Switch, "MainCS", EShaderStage::Compute);
 	Harness.Buffers["Out"].resize(16);
 	EXPECT_THAT(ErrorOf([&] { Harness.Run(0, 8, 1); }), HasSubstr("/Test/Shader.usf:5: error: "));
