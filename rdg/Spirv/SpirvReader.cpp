@@ -3,6 +3,7 @@
 #include "SpirvReaderImpl.h"
 
 #include "SpirvCheck.h"
+#include "SpirvCounters.h"
 #include "SpirvLayout.h"
 #include "SpirvLimits.h"
 #include "SpirvQuads.h"
@@ -290,7 +291,6 @@ void FSpirvReader::ReadInstruction(uint16_t Op, FSpirvOperands Operands)
 	case OpCapability:
 	case OpMemoryModel:
 	case OpModuleProcessed:
-	case OpDecorateId:
 		return;
 	case OpExtInstImport:
 	{
@@ -346,6 +346,7 @@ void FSpirvReader::ReadInstruction(uint16_t Op, FSpirvOperands Operands)
 	case OpMemberDecorate:
 	case OpDecorateString:
 	case OpMemberDecorateString:
+	case OpDecorateId:
 		ReadDecoration(Op, Operands);
 		return;
 	case OpFunction:
@@ -470,7 +471,9 @@ FSpirvModule FSpirvReader::Read()
 		Variable.Semantic = GetElementSemantic(Found.Semantic, Variable.Name);
 		Variable.BuiltIn = Get(DecorationBuiltIn, BuiltInNone);
 		Variable.Location = Get(DecorationLocation, 0);
+		Variable.Counter = Get(DecorationCounterBuffer, 0);
 	}
+	MakeCountersBuffers(Module);
 	Module.EntryFunction = EntryPoint;
 	if (bWhole)
 	{

@@ -109,6 +109,8 @@ std::vector<FPlanted> GetPlanted()
 		{"groupshared-16k", 0,
 			MakeRequest(Compute(Uint + "groupshared uint G[4089];", "	G[Id.x] = Id.y; Out[Id.x] = G[Id.x];")),
 			MakeRequest(Compute(Uint + "groupshared uint G[4088];", "	G[Id.x] = Id.y; Out[Id.x] = G[Id.x];"))},
+		{"hidden-counter", 5, MakeRequest(Compute("AppendStructuredBuffer<uint> Out;", "	Out.Append(Id.x);")),
+			MakeRequest(Compute(Uint, "	Out[Id.x] = 1;"))},
 		{"partial-uav-store", 5, MakeRequest(Compute(Float4, "	Out[Id.xy].rgb = 1;")),
 			MakeRequest(Compute(Float4 + "void F(uint2 P) { Out[P].x = 1; }", "	Out[Id.xy] = 1;"))},
 		{"render-targets", 0, Targets(5), Targets(4)},
