@@ -91,6 +91,12 @@ FKernelBuffer GetBuffer(const FResourceCopy& Copy, const void* Contents)
 	}
 }
 
+const FRHIUnorderedAccessView& GetView(const FResourceCopy& Copy, const void* Contents)
+{
+	return Copy.BaseType == UBMT_UAV ? *ReadPointer<FRHIUnorderedAccessView>(Contents, Copy.SourceOffset)
+									 : *ReadPointer<FRDGBufferUAV>(Contents, Copy.SourceOffset)->GetRHI();
+}
+
 std::shared_ptr<const FShaderBindingPlan> GetPlan(
 	const FShaderRef& Shader, const FShaderReflection& Reflection, const FShaderParametersMetadata& Metadata)
 {
@@ -212,8 +218,28 @@ const FRHITexture* FindBoundTexture(const FResourceCopy& Copy, const void* Conte
 	}
 }
 
-/** Throws where a shader reads a cube and no cube is bound, or the other way, and where it compares by a sampler that
- * has nothing to compare by. A view of a cube may be read as its faces. */
+/** What a view is read as that does not have the counter for it; empty: it has. */
+std::string FindMissingCounter(const FShaderResource& Counter, const FRHIUnorderedAccessView& View)
+{
+	const bool bAppend = View.SupportsAppendBuffer();
+	const bool bAtomic = View.SupportsAtomicCounter();
+	const std::string Without = ", and the UAV was created without FRDGBufferUAVDesc::";
+	switch (Counter.Counter)
+	{
+	case EShaderCounter::Append:
+		return bAppend ? ""
+					   : "an AppendStructuredBuffer or ConsumeStructuredBuffer" + Without + "bSupportsAppendBuffer";
+	case EShaderCounter::Atomic:
+		return bAtomic ? "" : "a RWStructuredBuffer with a counter" + Without + "bSupportsAtomicCounter";
+	default:
+		return bAppend || bAtomic
+				   ? ""
+				   : "a buffer with a counter" + Without + "bSupportsAppendBuffer or bSupportsAtomicCounter";
+	}
+}
+
+/** Throws where a shader reads a cube and no cube is bound, or the other way, where it compares by a sampler that has
+ * nothing to compare by, and where it counts by a view without a counter. A view of a cube may be read as its faces. */
 void CheckBoundKinds(const FShaderBindingPlan& Plan, const FShaderReflection& Reflection, const std::string& ShaderName,
 	const void* Parameters)
 {
@@ -222,8 +248,9 @@ void CheckBoundKinds(const FShaderBindingPlan& Plan, const FShaderReflection& Re
 							const FResourceCopy& Copy, const FShaderResource& Resource, const std::string& What)
 	{
 		const std::string Where = Resource.Where.empty() ? std::string("the shader") : Resource.Where;
-		Wrong.push_back(MakeParameterDiagnostic(
-			ResourceType, Copy.CodeName, ShaderName + ": '" + Resource.Name + "' is read by " + Where + " as " + What));
+		Wrong.push_back(MakeParameterDiagnostic(ResourceType, Copy.CodeName,
+			ShaderName + ": '" + (Resource.CounterOf.empty() ? Resource.Name : Resource.CounterOf) + "' is read by " +
+				Where + " as " + What));
 	};
 	for (const FResourceCopy& Copy : Plan.Resources)
 	{
@@ -244,6 +271,14 @@ void CheckBoundKinds(const FShaderBindingPlan& Plan, const FShaderReflection& Re
 				Report(Copy, Resource,
 					std::string(bCube ? "a TextureCube, and the texture " : "no cube, and the texture ") +
 						Texture->GetName().ToString().ToStdString() + (bCube ? " is none" : " is one"));
+			}
+		}
+		if (Copy.List == EResourceList::RWBuffers && !Reflection.RWBuffers[Copy.Slot].CounterOf.empty())
+		{
+			const FShaderResource& Counter = Reflection.RWBuffers[Copy.Slot];
+			if (const std::string What = FindMissingCounter(Counter, GetView(Copy, Contents)); !What.empty())
+			{
+				Report(Copy, Counter, What);
 			}
 		}
 		if (Copy.List == EResourceList::Samplers && Reflection.Samplers[Copy.Slot].bCompares)
@@ -345,7 +380,9 @@ void FollowShaderBindingPlan(
 			Out.Buffers[Copy.Slot] = GetBuffer(Copy, Source);
 			break;
 		case EResourceList::RWBuffers:
-			Out.RWBuffers[Copy.Slot] = GetBuffer(Copy, Source);
+			Out.RWBuffers[Copy.Slot] = Reflection.RWBuffers[Copy.Slot].CounterOf.empty()
+										   ? GetBuffer(Copy, Source)
+										   : GetView(Copy, Source).GetKernelCounter();
 			break;
 		}
 	}

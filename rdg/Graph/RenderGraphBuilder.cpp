@@ -379,6 +379,16 @@ FRDGBufferUAVRef FRDGBuilder::CreateUAV(const FRDGBufferUAVDesc& Desc, ERDGUnord
 		AddError(*State, RDGErrorView, "a UAV was created of a buffer without BUF_UnorderedAccess",
 			DescribeWhere("buffer", Desc.Buffer->Name));
 	}
+	const bool bStructured =
+		EnumHasAnyFlags(Desc.Buffer->Desc.Usage, EBufferUsageFlags::StructuredBuffer) && Desc.Format == PF_Unknown;
+	if ((Desc.bSupportsAtomicCounter || Desc.bSupportsAppendBuffer) && !bStructured)
+	{
+		Fail(RDGErrorView,
+			std::string("a UAV was created with ") +
+				(Desc.bSupportsAppendBuffer ? "bSupportsAppendBuffer" : "bSupportsAtomicCounter") +
+				" of a buffer that is not structured (FRDGBufferDesc::CreateStructuredDesc), or with a format",
+			DescribeWhere("buffer", Desc.Buffer->Name));
+	}
 	return AdoptView(Place<FRDGBufferUAV>(Desc, Flags));
 }
 

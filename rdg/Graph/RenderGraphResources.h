@@ -238,6 +238,8 @@ public:
 	FRDGBufferRef Buffer = nullptr;
 };
 
+/** Of Append, Consume and IncrementCounter: set bSupportsAppendBuffer or bSupportsAtomicCounter. What their counter is:
+ * FRHIUnorderedAccessView::GetKernelCounter. */
 class FRDGBufferUAVDesc final : public FRHIBufferUAVCreateInfo
 {
 public:

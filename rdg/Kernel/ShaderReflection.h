@@ -42,6 +42,14 @@ enum class EShaderDimension : uint8_t
 	ByteAddressBuffer
 };
 
+/** Which flag the view of a hidden counter needs: any that gives it one, where the shader does not say. */
+enum class EShaderCounter : uint8_t
+{
+	Any,
+	Atomic, // bSupportsAtomicCounter: a RWStructuredBuffer's
+	Append  // bSupportsAppendBuffer: an AppendStructuredBuffer's or ConsumeStructuredBuffer's
+};
+
 /** One numeric parameter. Loose globals live in the buffer "$Global", members of `cbuffer X` in the buffer "X". */
 struct FShaderConstant
 {
@@ -72,9 +80,11 @@ struct FShaderResource
 	EShaderDimension Dimension = EShaderDimension::Texture2D; // meaningless for samplers
 	EShaderScalar Scalar = EShaderScalar::Float;              // component type of the texel or typed element
 	int32_t NumComponents = 4;
-	uint32_t Stride = 0;         // structured buffers: bytes per element
-	bool bCompares = false;      // samplers: of SampleCmp or GatherCmp
-	bool bImplicitLevel = false; // pixel: sampled without saying at which level
+	uint32_t Stride = 0;   // structured buffers: bytes per element
+	std::string CounterOf; // "X": this is the hidden counter of the structured buffer X; else empty
+	EShaderCounter Counter = EShaderCounter::Any; // of such a counter
+	bool bCompares = false;                       // samplers: of SampleCmp or GatherCmp
+	bool bImplicitLevel = false;                  // pixel: sampled without saying at which level
 	std::string Where;
 };
 

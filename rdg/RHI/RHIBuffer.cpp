@@ -3,6 +3,8 @@
 
 #include "PixelFormatConversion.h"
 
+#include <algorithm>
+
 FRHIBuffer::FRHIBuffer(const FRHIBufferDesc& InDesc, const TCHAR* InName)
 	: FRHIViewableResource(InName)
 	, Desc(InDesc)
@@ -43,4 +45,19 @@ Drydock::FKernelBuffer FRHIBuffer::GetKernelView(EPixelFormat Format, uint32 Fir
 		View.Stride = uint32(GPixelFormats[Format].BlockBytes);
 	}
 	return View;
+}
+
+Drydock::FKernelBuffer FRHIBuffer::GetKernelCounter(bool bSupportsAtomicCounter, bool bSupportsAppendBuffer)
+{
+	Drydock::FKernelBuffer View{};
+	View.Data = reinterpret_cast<uint8*>(&Counters[(bSupportsAtomicCounter ? 1 : 0) + (bSupportsAppendBuffer ? 2 : 0)]);
+	View.SizeInBytes = sizeof(uint32);
+	View.Stride = sizeof(uint32);
+	View.Storage = Drydock::ETexelStorage::R32_UINT;
+	return View;
+}
+
+void FRHIBuffer::ClearCounters()
+{
+	std::fill(std::begin(Counters), std::end(Counters), 0u);
 }

@@ -58,8 +58,15 @@ public:
 	 * structured (or raw) with the buffer's stride. */
 	Drydock::FKernelBuffer GetKernelView(EPixelFormat Format = PF_Unknown, uint32 FirstByte = 0, uint32 NumBytes = 0);
 
+	/** The counter that UAVs with these flags have; of FRHIUnorderedAccessView::GetKernelCounter. */
+	Drydock::FKernelBuffer GetKernelCounter(bool bSupportsAtomicCounter, bool bSupportsAppendBuffer);
+
+	/** All to 0: for a pool that gives the buffer to another. */
+	void ClearCounters();
+
 private:
 	FRHIBufferDesc Desc;
+	uint32 Counters[4] = {}; // by the two flags of views
 	Drydock::FResourceMemory Memory;
 };
 

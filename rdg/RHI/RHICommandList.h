@@ -41,6 +41,7 @@ public:
 	FShaderResourceViewRHIRef CreateShaderResourceView(FRHIBuffer* Buffer, uint32 Stride, EPixelFormat Format);
 	FUnorderedAccessViewRHIRef CreateUnorderedAccessView(FRHITexture* Texture, uint32 MipLevel = 0);
 	FUnorderedAccessViewRHIRef CreateUnorderedAccessView(FRHIBuffer* Buffer, EPixelFormat Format = PF_Unknown);
+	FUnorderedAccessViewRHIRef CreateUnorderedAccessView(FRHIBuffer* Buffer, bool bUseUAVCounter, bool bAppendBuffer);
 
 	/** Address of a buffer's bytes; what is written there is in the buffer at once. */
 	void* LockBuffer(FRHIBuffer* Buffer, uint32 Offset, uint32 Size, EResourceLockMode Mode);
@@ -265,6 +266,8 @@ DRYDOCK_API FShaderResourceViewRHIRef RHICreateShaderResourceView(FRHIBuffer* Bu
 DRYDOCK_API FUnorderedAccessViewRHIRef RHICreateUnorderedAccessView(FRHITexture* Texture, uint32 MipLevel = 0);
 DRYDOCK_API FUnorderedAccessViewRHIRef RHICreateUnorderedAccessView(
 	FRHIBuffer* Buffer, EPixelFormat Format = PF_Unknown);
+DRYDOCK_API FUnorderedAccessViewRHIRef RHICreateUnorderedAccessView(
+	FRHIBuffer* Buffer, bool bUseUAVCounter, bool bAppendBuffer);
 DRYDOCK_API void* RHILockBuffer(FRHIBuffer* Buffer, uint32 Offset, uint32 Size, EResourceLockMode Mode);
 DRYDOCK_API void RHIUnlockBuffer(FRHIBuffer* Buffer);
 DRYDOCK_API void* RHILockTexture2D(FRHITexture* Texture, uint32 MipIndex, EResourceLockMode Mode, uint32& OutStride,

@@ -76,6 +76,15 @@ FUnorderedAccessViewRHIRef FRHICommandListBase::CreateUnorderedAccessView(FRHIBu
 	return new FRHIUnorderedAccessView(Buffer, FRHIBufferUAVCreateInfo(Format));
 }
 
+FUnorderedAccessViewRHIRef FRHICommandListBase::CreateUnorderedAccessView(
+	FRHIBuffer* Buffer, bool bUseUAVCounter, bool bAppendBuffer)
+{
+	FRHIBufferUAVCreateInfo Info;
+	Info.bSupportsAtomicCounter = bUseUAVCounter;
+	Info.bSupportsAppendBuffer = bAppendBuffer;
+	return new FRHIUnorderedAccessView(Buffer, Info);
+}
+
 void* FRHICommandListBase::LockBuffer(FRHIBuffer* Buffer, uint32 Offset, uint32 Size, EResourceLockMode)
 {
 	check(Buffer);
@@ -203,6 +212,11 @@ FUnorderedAccessViewRHIRef RHICreateUnorderedAccessView(FRHITexture* Texture, ui
 FUnorderedAccessViewRHIRef RHICreateUnorderedAccessView(FRHIBuffer* Buffer, EPixelFormat Format)
 {
 	return GetImmediate().CreateUnorderedAccessView(Buffer, Format);
+}
+
+FUnorderedAccessViewRHIRef RHICreateUnorderedAccessView(FRHIBuffer* Buffer, bool bUseUAVCounter, bool bAppendBuffer)
+{
+	return GetImmediate().CreateUnorderedAccessView(Buffer, bUseUAVCounter, bAppendBuffer);
 }
 
 void* RHILockBuffer(FRHIBuffer* Buffer, uint32 Offset, uint32 Size, EResourceLockMode Mode)

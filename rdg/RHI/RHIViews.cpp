@@ -123,5 +123,16 @@ FRHIUnorderedAccessView::FRHIUnorderedAccessView(FRHITexture* InTexture, const F
 
 FRHIUnorderedAccessView::FRHIUnorderedAccessView(FRHIBuffer* InBuffer, const FRHIBufferUAVCreateInfo& Info)
 	: FRHIView(InBuffer, Info)
+	, bSupportsAtomicCounter(Info.bSupportsAtomicCounter)
+	, bSupportsAppendBuffer(Info.bSupportsAppendBuffer)
 {
+	const bool bStructured = EnumHasAnyFlags(InBuffer->GetUsage(), EBufferUsageFlags::StructuredBuffer) && !IsTyped();
+	checkf(bStructured || !(bSupportsAtomicCounter || bSupportsAppendBuffer),
+		TEXT("a view of buffer %s has a counter, and the buffer is not structured"), *InBuffer->GetName().ToString());
+}
+
+Drydock::FKernelBuffer FRHIUnorderedAccessView::GetKernelCounter() const
+{
+	checkf(bSupportsAtomicCounter || bSupportsAppendBuffer, TEXT("the view has no counter"));
+	return GetBuffer()->GetKernelCounter(bSupportsAtomicCounter, bSupportsAppendBuffer);
 }

@@ -72,9 +72,15 @@ struct FRHIBufferSRVCreateInfo
 	uint32 NumElements;
 };
 
+/** One of the flags gives a view of a structured buffer a counter (FRHIUnorderedAccessView::GetKernelCounter). */
 struct FRHIBufferUAVCreateInfo : FRHIBufferSRVCreateInfo
 {
 	using FRHIBufferSRVCreateInfo::FRHIBufferSRVCreateInfo;
+
+	bool operator==(const FRHIBufferUAVCreateInfo&) const = default;
+
+	bool bSupportsAtomicCounter = false; // IncrementCounter and DecrementCounter of a RWStructuredBuffer
+	bool bSupportsAppendBuffer = false;  // AppendStructuredBuffer, ConsumeStructuredBuffer
 };
 
 /** Keeps its resource alive. */
@@ -132,6 +138,21 @@ class DRYDOCK_API FRHIUnorderedAccessView final : public FRHIView
 public:
 	FRHIUnorderedAccessView(FRHITexture* InTexture, const FRHITextureUAVCreateInfo& Info);
 	FRHIUnorderedAccessView(FRHIBuffer* InBuffer, const FRHIBufferUAVCreateInfo& Info);
+
+	bool SupportsAtomicCounter() const { return bSupportsAtomicCounter; }
+	bool SupportsAppendBuffer() const { return bSupportsAppendBuffer; }
+
+	/** The view's hidden counter, four bytes: how many elements were appended and not consumed, or how often it was
+	 * incremented. 0 when the buffer is made, and in a buffer that a pool gives out anew; passes, graphs and frames
+	 * follow on from each other. Views of a buffer with the same flags are one view, and have one counter, as the
+	 * engine keeps them. Beyond the buffer's elements and below 0 it goes on (modulo 2^32), as in Direct3D. Unreal has
+	 * no call that reads or sets it, and clearing the buffer leaves it as it is: a shader reads it by IncrementCounter
+	 * and DecrementCounter. A view without a counter is a check. */
+	Drydock::FKernelBuffer GetKernelCounter() const;
+
+private:
+	bool bSupportsAtomicCounter = false;
+	bool bSupportsAppendBuffer = false;
 };
 
 using FShaderResourceViewRHIRef = TRefCountPtr<FRHIShaderResourceView>;

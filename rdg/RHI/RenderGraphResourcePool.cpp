@@ -24,6 +24,7 @@ TRefCountPtr<FRDGPooledBuffer> FRDGBufferPool::FindFreeBuffer(const FRDGBufferDe
 			Buffer->NumUnusedFrames = 0;
 			Buffer->Name = Name;
 			Buffer->Buffer->SetName(FName(Name));
+			Buffer->Buffer->ClearCounters();
 			return Buffer;
 		}
 	}

@@ -115,7 +115,8 @@ private:
 class DRYDOCK_API FRDGBufferPool
 {
 public:
-	/** A free buffer of exactly that description, or a new one. Contents are whatever the last user left. */
+	/** A free buffer of exactly that description, or a new one. Contents are whatever the last user left; counters
+	 * of its views are 0. */
 	TRefCountPtr<FRDGPooledBuffer> FindFreeBuffer(const FRDGBufferDesc& Desc, const TCHAR* Name);
 
 	/** End of a frame: forgets buffers unused for some frames. */

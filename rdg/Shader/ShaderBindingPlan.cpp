@@ -206,6 +206,20 @@ private:
 		Diagnostics.push_back(Diagnostic);
 	}
 
+	void ReportUnless(bool bTold, EBindingError Code, const std::string& Message)
+	{
+		if (!bTold)
+		{
+			Report(Code, Message);
+		}
+	}
+
+	static bool HasName(const std::vector<FShaderResource>& Resources, const std::string& Name)
+	{
+		return std::any_of(Resources.begin(), Resources.end(),
+			[&Name](const FShaderResource& Resource) { return Resource.Name == Name; });
+	}
+
 	std::string ReadBy(const std::string& Where) const
 	{
 		return "is read by " + (Where.empty() ? std::string("the shader") : Where);
@@ -431,7 +445,10 @@ private:
 		{
 			const FShaderResource& Resource = Resources[Slot];
 			const std::string HlslType = GetTypeName(List, Resource);
-			const FFound Found = Find(Resource.Name, false);
+			// A hidden counter comes with the view of its buffer.
+			const std::string& Name = Resource.CounterOf.empty() ? Resource.Name : Resource.CounterOf;
+			const FFound Found = Find(Name, false);
+			const bool bTold = !Resource.CounterOf.empty() && HasName(Resources, Name); // what is wrong with the buffer
 			FRHISamplerState* const StaticSampler =
 				List == EResourceList::Samplers && !Found.Member ? FindStaticSampler(Resource.Name) : nullptr;
 			if (StaticSampler)
@@ -439,24 +456,28 @@ private:
 				Plan.StaticSamplers.push_back({Slot, StaticSampler});
 				continue;
 			}
-			const std::string UniformBuffer = Found.Member ? std::string() : FindUniformBufferOf(Resource.Name);
+			const std::string UniformBuffer = Found.Member ? std::string() : FindUniformBufferOf(Name);
 			if (!UniformBuffer.empty() && !HasUniformBuffer(UniformBuffer))
 			{
-				ReportMissingUniformBuffer(UniformBuffer, Resource.Name, Resource.Where);
+				ReportMissingUniformBuffer(UniformBuffer, Name, Resource.Where);
 				continue;
 			}
 			if (!Found.Member)
 			{
-				Missing.push_back({MissingResource, Resource.Name, HlslType, Resource.Where});
+				if (!bTold)
+				{
+					Missing.push_back({MissingResource, Name, HlslType, Resource.Where});
+				}
 				continue;
 			}
 			const FHlslMember& Member = *Found.Member;
 			if (!Accepts(List, Member.BaseType) ||
 				(List != EResourceList::Samplers && !TypeTextAgrees(Member.Type, HlslType)))
 			{
-				Report(ResourceType, "'" + Resource.Name + "' is " + HlslType + " where it " + ReadBy(Resource.Where) +
-										 ", but " + Member.Type + " (" + GetBaseTypeName(Member.BaseType) + ") in " +
-										 Member.DeclaredIn->GetStructTypeName() + ": " + DescribeCpp(Member));
+				ReportUnless(bTold, ResourceType,
+					"'" + Name + "' is " + HlslType + " where it " + ReadBy(Resource.Where) + ", but " + Member.Type +
+						" (" + GetBaseTypeName(Member.BaseType) + ") in " + Member.DeclaredIn->GetStructTypeName() +
+						": " + DescribeCpp(Member));
 				continue;
 			}
 			const int Bits = GetElementBits(Member.Type);

@@ -39,6 +39,14 @@ std::optional<FSignature> GetSignature(const std::string& Type, const std::strin
 	{
 		return FSignature{Type.substr(15, Type.size() - 16), {}};
 	}
+	if (Method == "Append" || Method == "Consume")
+	{
+		return Method == "Append" ? FSignature{"void", {Element}} : FSignature{Element, {}};
+	}
+	if (Method == "IncrementCounter" || Method == "DecrementCounter")
+	{
+		return FSignature{"uint", {}};
+	}
 	const bool bBytes = Type.find("ByteAddressBuffer") != std::string::npos;
 	const std::string Count =
 		std::isdigit(static_cast<unsigned char>(Method.back())) ? Method.substr(Method.size() - 1) : "";

@@ -14,7 +14,8 @@ constexpr int MaxDepth = 16; // of structs in structs
 
 bool IsWritten(const std::string& Type)
 {
-	return Type.starts_with("RW") && !Type.starts_with("RWTexture1D");
+	return (Type.starts_with("RW") && !Type.starts_with("RWTexture1D")) || Type.starts_with("AppendStructuredBuffer") ||
+		   Type.starts_with("ConsumeStructuredBuffer");
 }
 
 bool IsBuffer(const std::string& Type)
@@ -30,7 +31,7 @@ bool IsResource(const std::string& Type)
 
 char GetRegisterClass(const std::string& Type)
 {
-	return Type.starts_with("RW") ? 'u' : Type.starts_with("ConstantBuffer") ? 'b' : 't';
+	return IsWritten(Type) ? 'u' : Type.starts_with("ConstantBuffer") ? 'b' : 't';
 }
 
 int Multiply(const std::vector<int>& Sizes, size_t First)

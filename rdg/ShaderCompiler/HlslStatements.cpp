@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 
 namespace Drydock
 {
@@ -79,7 +80,12 @@ public:
 			}
 			else if (Text.IsWord(At) && Text.Is(At + 1, "["))
 			{
+				CheckElement(At);
 				StoreTexel(At);
+			}
+			else if (Text.IsWord(At) && At > 1 && Text.Is(At - 1, ".") && Text.Is(At + 1, "("))
+			{
+				CheckMethod(At);
 			}
 			else if (Text.IsWord(At) && At > 1 && Text.Is(At - 1, ".") && Text[At].Text[0] == '_')
 			{
@@ -113,6 +119,56 @@ private:
 		Edits.Insert(At - 2, "{ uint DrydockWords;");
 		Edits.Replace(At + 2, Close, "DrydockWords");
 		Edits.Replace(Close + 1, Close + 2, "; " + Text.GetText(At + 2, Close) + " = DrydockWords * 4u; }");
+	}
+
+	/** "RWStructuredBuffer" of the variable at At; empty where it is an array, a member or no buffer. */
+	std::string FindBufferKind(size_t At) const
+	{
+		const FHlslVariable* const Variable =
+			At > 0 && Text.Is(At - 1, ".") ? nullptr : Symbols.FindVariable(Text[At].Text, At);
+		const std::string Kind =
+			Variable && !Variable->bArray ? Variable->Type.substr(0, Variable->Type.find('<')) : "";
+		static const std::set<std::string> Buffers = {"Buffer", "RWBuffer", "StructuredBuffer", "RWStructuredBuffer",
+			"AppendStructuredBuffer", "ConsumeStructuredBuffer", "ByteAddressBuffer", "RWByteAddressBuffer"};
+		return Buffers.count(Kind) ? Kind : std::string();
+	}
+
+	static bool IsStream(const std::string& Kind)
+	{
+		return Kind == "AppendStructuredBuffer" || Kind == "ConsumeStructuredBuffer";
+	}
+
+	void RefuseMember(size_t At, const std::string& Kind, const std::string& Member, const std::string& Other)
+	{
+		const auto WithArticle = [](const std::string& Name)
+		{
+			return (Name[0] == 'A' ? "an " : "a ") + Name;
+		};
+		Error(At, WithArticle(Kind) + " has no " + Member + ": use " + WithArticle(Other));
+	}
+
+	/** The front end appends to whatever is a structured buffer, and to a few that are none. */
+	void CheckMethod(size_t At)
+	{
+		static const std::map<std::string, std::string> Owners = {{"Append", "AppendStructuredBuffer"},
+			{"Consume", "ConsumeStructuredBuffer"}, {"IncrementCounter", "RWStructuredBuffer"},
+			{"DecrementCounter", "RWStructuredBuffer"}};
+		const std::string Kind = FindBufferKind(At - 2);
+		const auto Owner = Owners.find(Text[At].Text);
+		const bool bCounts = Owner != Owners.end();
+		if (!Kind.empty() && (bCounts ? Owner->second != Kind : IsStream(Kind)))
+		{
+			RefuseMember(At, Kind, Text[At].Text, bCounts ? Owner->second : "RWStructuredBuffer");
+		}
+	}
+
+	/** Kept[Index] */
+	void CheckElement(size_t At)
+	{
+		if (const std::string Kind = FindBufferKind(At); IsStream(Kind))
+		{
+			RefuseMember(At, Kind, "elements by number", "RWStructuredBuffer");
+		}
 	}
 
 	/** In a struct: the front end drops what is written to them. */

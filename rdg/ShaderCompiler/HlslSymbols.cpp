@@ -74,7 +74,7 @@ std::optional<FHlslNumeric> ParseHlslNumeric(const std::string& Type)
 std::string GetHlslElementType(const std::string& Resource)
 {
 	static const char* const Kinds[] = {"Texture", "RWTexture", "Buffer", "RWBuffer", "StructuredBuffer",
-		"RWStructuredBuffer", "ConsumeStructuredBuffer", "RasterizerOrderedTexture"};
+		"RWStructuredBuffer", "AppendStructuredBuffer", "ConsumeStructuredBuffer", "RasterizerOrderedTexture"};
 	const bool bResource =
 		std::any_of(std::begin(Kinds), std::end(Kinds), [&](const char* Kind) { return Resource.rfind(Kind, 0) == 0; });
 	const size_t Open = Resource.find('<');

@@ -273,7 +273,19 @@ void FLinter::LookAtResources(const FShaderReflection& Reflection)
 		}
 	};
 	Count("sampler-count", Reflection.Samplers, {}, 16, "samplers");
-	Count("uav-count", Reflection.RWTextures, Reflection.RWBuffers, 8, "UAVs");
+	std::vector<FShaderResource> RWBuffers;
+	for (const FShaderResource& Buffer : Reflection.RWBuffers)
+	{
+		if (Buffer.CounterOf.empty())
+		{
+			RWBuffers.push_back(Buffer);
+		}
+		else
+		{
+			AddWhere("hidden-counter", Buffer.Where, Buffer.CounterOf);
+		}
+	}
+	Count("uav-count", Reflection.RWTextures, RWBuffers, 8, "UAVs");
 	Count("texture-count", Reflection.Textures, Reflection.RWTextures, 31, "textures");
 	for (const FShaderConstantBuffer& Buffer : Reflection.ConstantBuffers)
 	{

@@ -75,6 +75,8 @@ void Fields(TArchive A, FShaderResource& R)
 	A("scalar", R.Scalar);
 	A("components", R.NumComponents);
 	A("stride", R.Stride);
+	A("counterOf", R.CounterOf);
+	A("counter", R.Counter);
 	A("compares", R.bCompares);
 	A("implicitLevel", R.bImplicitLevel);
 	A("where", R.Where);

@@ -177,7 +177,9 @@ struct FSpirvVariable
 	uint32_t BuiltIn = Spirv::BuiltInNone;
 	uint32_t Location = 0;
 	std::string Name;
-	std::string Semantic; // "TEXCOORD0", "SV_TARGET1"
+	std::string Semantic;  // "TEXCOORD0", "SV_TARGET1"
+	uint32_t Counter = 0;  // structured buffers: the variable that is the hidden counter, where a decoration says it
+	std::string CounterOf; // of a hidden counter: the buffer's name, see SpirvCounters.h
 };
 
 /** An operation that drydock does not run, in a function that was not inlined. */

@@ -80,7 +80,7 @@ enum EDecoration : uint32_t
 {
 	DecorationBlock = 2, DecorationBufferBlock = 3, DecorationRowMajor = 4, DecorationArrayStride = 6,
 	DecorationMatrixStride = 7, DecorationBuiltIn = 11, DecorationNonWritable = 24, DecorationLocation = 30,
-	DecorationBinding = 33, DecorationOffset = 35, DecorationUserSemantic = 5635
+	DecorationBinding = 33, DecorationOffset = 35, DecorationCounterBuffer = 5634, DecorationUserSemantic = 5635
 };
 
 enum EBuiltIn : uint32_t

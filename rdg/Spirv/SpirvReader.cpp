@@ -4,6 +4,7 @@
 
 #include "SpirvAliases.h"
 #include "SpirvCheck.h"
+#include "SpirvCounters.h"
 #include "SpirvLayout.h"
 #include "SpirvLimits.h"
 #include "SpirvQuads.h"
@@ -291,7 +292,6 @@ void FSpirvReader::ReadInstruction(uint16_t Op, FSpirvOperands Operands)
 	case OpCapability:
 	case OpMemoryModel:
 	case OpModuleProcessed:
-	case OpDecorateId:
 		return;
 	case OpExtInstImport:
 	{
@@ -347,6 +347,7 @@ void FSpirvReader::ReadInstruction(uint16_t Op, FSpirvOperands Operands)
 	case OpMemberDecorate:
 	case OpDecorateString:
 	case OpMemberDecorateString:
+	case OpDecorateId:
 		ReadDecoration(Op, Operands);
 		return;
 	case OpFunction:
@@ -471,7 +472,9 @@ FSpirvModule FSpirvReader::Read()
 		Variable.Semantic = GetElementSemantic(Found.Semantic, Variable.Name);
 		Variable.BuiltIn = Get(DecorationBuiltIn, BuiltInNone);
 		Variable.Location = Get(DecorationLocation, 0);
+		Variable.Counter = Get(DecorationCounterBuffer, 0);
 	}
+	MakeCountersBuffers(Module);
 	Module.EntryFunction = EntryPoint;
 	if (bWhole)
 	{

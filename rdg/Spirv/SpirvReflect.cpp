@@ -1,6 +1,7 @@
 // Reads a shader's parameters from its SPIR-V.
 #include "SpirvReflect.h"
 
+#include "SpirvDeclaration.h"
 #include "SpirvGroups.h"
 #include "SpirvImageOperands.h"
 #include "SpirvPlace.h"
@@ -90,7 +91,7 @@ private:
 	{
 		return I.Line ? Module.Files[I.File] + ":" + std::to_string(I.Line) : std::string();
 	}
-	bool IsDeclaredAs(const std::string& Type, const std::string& Name) const;
+	EShaderCounter FindCounter(const std::string& Buffer) const;
 
 	const FSpirvModule& Module;
 	const FSpirvStructure& Structure;
@@ -143,27 +144,17 @@ void FReflector::FindUses()
 	}
 }
 
-bool FReflector::IsDeclaredAs(const std::string& Type, const std::string& Name) const
+EShaderCounter FReflector::FindCounter(const std::string& Buffer) const
 {
-	const auto IsWord = [](char c)
+	const auto Named = std::find_if(Module.Variables.begin(), Module.Variables.end(),
+		[&Buffer](const FSpirvVariable& Variable) { return Variable.Name == Buffer; });
+	const std::string TypeName = Named == Module.Variables.end() ? std::string() : Module.GetType(Named->Type).Name;
+	const auto Is = [&](const std::string& Type)
 	{
-		return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+		return TypeName.starts_with("type." + Type) /* DXC */ || IsDeclaredAs(Source, Type, Buffer);
 	};
-	for (size_t At = Source.find(Type); At != std::string::npos; At = Source.find(Type, At + 1))
-	{
-		size_t Next = At + Type.size();
-		if ((At > 0 && IsWord(Source[At - 1])) || Next >= Source.size() || IsWord(Source[Next]))
-		{
-			continue;
-		}
-		Next = Source.find_first_not_of(" \t\n", Next);
-		if (Next != std::string::npos && Source.compare(Next, Name.size(), Name) == 0 &&
-			(Next + Name.size() >= Source.size() || !IsWord(Source[Next + Name.size()])))
-		{
-			return true;
-		}
-	}
-	return false;
+	const bool bAppends = Is("AppendStructuredBuffer") || Is("ConsumeStructuredBuffer");
+	return bAppends ? EShaderCounter::Append : Is("RWStructuredBuffer") ? EShaderCounter::Atomic : EShaderCounter::Any;
 }
 
 void FReflector::AddInput(const FSpirvVariable& Variable)
@@ -338,8 +329,8 @@ void FReflector::AddStorageBuffer(const FSpirvVariable& Variable)
 	if (Type.Members.size() != 1 || Module.GetType(Type.Members[0].Type).Kind != ESpirvType::RuntimeArray)
 	{
 		Module.Fail("buffer '" + (Variable.Name.empty() ? Type.Name : Variable.Name) +
-					"' is of a kind that the CPU tier does not know (append and consume buffers and tbuffer are not "
-					"supported); use a StructuredBuffer, a Buffer or a cbuffer");
+					"' is of a kind that the CPU tier does not know (tbuffer is not supported); use a "
+					"StructuredBuffer, a Buffer or a cbuffer");
 	}
 	const FSpirvType& Array = Module.GetType(Type.Members[0].Type);
 	FShaderResource Resource;
@@ -347,8 +338,10 @@ void FReflector::AddStorageBuffer(const FSpirvVariable& Variable)
 	Resource.Stride = Array.ArrayStride;
 	Resource.NumComponents = std::min<int32_t>(4, int32_t(Module.GetType(Array.Element).NumScalars));
 	Resource.Scalar = ToShaderScalar(Module.GetScalarKind(Array.Element, 0));
+	Resource.CounterOf = Variable.CounterOf;
+	Resource.Counter = Variable.CounterOf.empty() ? EShaderCounter::Any : FindCounter(Variable.CounterOf);
 	const bool bReadOnly = Type.Members[0].bNonWritable;
-	const bool bBytes = IsDeclaredAs(bReadOnly ? "ByteAddressBuffer" : "RWByteAddressBuffer", Variable.Name);
+	const bool bBytes = IsDeclaredAs(Source, bReadOnly ? "ByteAddressBuffer" : "RWByteAddressBuffer", Variable.Name);
 	Resource.Dimension = bBytes ? EShaderDimension::ByteAddressBuffer : EShaderDimension::StructuredBuffer;
 	Add(bReadOnly ? Result.Reflection.Buffers : Result.Reflection.RWBuffers, Variable, std::move(Resource));
 }

@@ -15,6 +15,11 @@ namespace
 
 constexpr size_t Margin = 64; // bytes that kernels may read before and behind a texture
 
+bool IsCounter(const FShaderResource& Resource)
+{
+	return !Resource.CounterOf.empty();
+}
+
 /** How values of a buffer lie in memory; throws FNotRead for what kernels do not read. */
 ETexelStorage GetStorage(EFormat Format, uint32_t Channels)
 {
@@ -132,7 +137,7 @@ void FBinding::PlaceTheRest(const FShaderReflection& Reflection, const std::stri
 	{
 		for (const auto& Resource : List)
 		{
-			if (!FindPlace(Resource.Name))
+			if (!FindPlace(Resource.Name) && !IsCounter(Resource))
 			{
 				FPlace Place;
 				Place.Name = Resource.Name;
@@ -265,7 +270,15 @@ FKernelTexture FBinding::MakeTexture(const FShaderResource& Resource)
 
 FKernelBuffer FBinding::MakeBuffer(const FShaderResource& Resource)
 {
-	const FElement Element = FindBuffer(Resource.Name);
+	FElement Element = FindBuffer(IsCounter(Resource) ? Resource.CounterOf : Resource.Name);
+	if (IsCounter(Resource))
+	{
+		Element.Buffer = Element.Buffer ? Pipeline.FindBuffer(Element.Buffer->Name + CounterSuffix) : nullptr;
+		if (!Element.Buffer)
+		{
+			throw FNotRead("'" + Resource.CounterOf + "' has no counter");
+		}
+	}
 	FMemory& Memory = GetMemory(Element);
 	if (!Element.Buffer) // as a null descriptor: reads are 0, writes are lost
 	{

@@ -3,10 +3,12 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <map>
+#include <sstream>
 
 namespace Drydock::Conformance
 {
@@ -119,7 +121,7 @@ FBuffer ReadBuffer(const YAML::Node& Node)
 
 FResource ReadResource(const YAML::Node& Node, int32_t Set)
 {
-	for (const char* const Key : {"HasCounter", "TilesMapped", "IsReserved", "HeapIndex"})
+	for (const char* const Key : {"TilesMapped", "IsReserved", "HeapIndex"})
 	{
 		if (Node[Key])
 		{
@@ -177,6 +179,17 @@ void ReadPushConstants(const YAML::Node& Blocks, std::vector<uint8_t>& Bytes)
 	}
 }
 
+/** All 0. */
+void AddCounters(FPipeline& Pipeline, const std::string& Name)
+{
+	const FBuffer* const Counted = Pipeline.FindBuffer(Name);
+	FBuffer Counters;
+	Counters.Name = Name + CounterSuffix;
+	Counters.Format = EFormat::UInt32;
+	Counters.Members.resize(Counted ? Counted->Members.size() : 0, std::vector<uint8_t>(4, 0));
+	Pipeline.Buffers.push_back(std::move(Counters));
+}
+
 FPipeline ReadPipelineNode(const YAML::Node& Root)
 {
 	FPipeline Pipeline;
@@ -207,6 +220,10 @@ FPipeline ReadPipelineNode(const YAML::Node& Root)
 		for (const YAML::Node& Node : Root["DescriptorSets"][Set]["Resources"])
 		{
 			Pipeline.Resources.push_back(ReadResource(Node, int32_t(Set)));
+			if (GetText(Node, "HasCounter", "false") == "true")
+			{
+				AddCounters(Pipeline, Pipeline.Resources.back().Name);
+			}
 		}
 	}
 	for (const YAML::Node& Node : Root["Results"])
@@ -265,6 +282,17 @@ FBuffer* FPipeline::FindBuffer(const std::string& Name)
 	return nullptr;
 }
 
+const FBuffer* FPipeline::FindBuffer(const std::string& Name) const
+{
+	return const_cast<FPipeline*>(this)->FindBuffer(Name);
+}
+
+bool FPipeline::HasCounters() const
+{
+	return std::any_of(
+		Buffers.begin(), Buffers.end(), [](const FBuffer& Buffer) { return Buffer.Name.ends_with(CounterSuffix); });
+}
+
 const FSampler* FPipeline::FindSampler(const std::string& Name) const
 {
 	for (const FSampler& Sampler : Samplers)
@@ -275,6 +303,62 @@ const FSampler* FPipeline::FindSampler(const std::string& Name) const
 		}
 	}
 	return nullptr;
+}
+
+void AddChecks(const std::vector<std::string>& Lines, FPipeline& Pipeline)
+{
+	std::istringstream Words;
+	std::string Text;
+	for (const std::string& Line : Lines)
+	{
+		for (const char c : Line + " ")
+		{
+			Text += c == '[' || c == ']' ? std::string(" ") + c + " " : std::string(1, c == ',' ? ' ' : c);
+		}
+	}
+	Words.str(Text);
+	std::string Name;
+	FBuffer* Expected = nullptr;
+	bool bCounters = false;
+	for (std::string Word; Words >> Word;)
+	{
+		if (Word == "Name:")
+		{
+			Words >> Name;
+		}
+		else if (Word == "Counter:" || Word == "Counters:" || Word == "Data:")
+		{
+			bCounters = Word != "Data:";
+			const std::string Actual = Name + (bCounters ? CounterSuffix : "");
+			const FBuffer* const Found = Pipeline.FindBuffer(Actual);
+			if (!Found)
+			{
+				throw FNotRead("a check of '" + Actual + "', which is no buffer");
+			}
+			FBuffer Empty = *Found;
+			Empty.Name = "Checked" + Actual;
+			Empty.Members.clear();
+			Pipeline.Results.push_back({Actual, ERule::BufferExact, Actual, Empty.Name});
+			Pipeline.Buffers.push_back(std::move(Empty));
+			Expected = &Pipeline.Buffers.back();
+		}
+		else if (Word == "[" && Expected && !bCounters)
+		{
+			Expected->Members.emplace_back();
+		}
+		else if (Expected && Word != "[" && Word != "]" && Word != "-")
+		{
+			if (bCounters)
+			{
+				Expected->Members.emplace_back(); // each of a member of its own
+			}
+			if (Expected->Members.empty())
+			{
+				throw FNotRead("a check of '" + Word + "'");
+			}
+			AppendValue(Expected->Members.back(), Expected->Format, Word);
+		}
+	}
 }
 
 FPipeline ReadPipeline(const std::string& Yaml)

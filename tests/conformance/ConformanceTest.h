@@ -110,8 +110,13 @@ struct FPipeline
 	std::vector<uint8_t> PushConstants;
 
 	FBuffer* FindBuffer(const std::string& Name);
+	const FBuffer* FindBuffer(const std::string& Name) const;
 	const FSampler* FindSampler(const std::string& Name) const;
+	bool HasCounters() const;
 };
+
+/** Behind the name of a buffer: its hidden counter, one uint32 for each member, where a resource has HasCounter. */
+constexpr const char* CounterSuffix = "@count";
 
 /** A shader and the pipeline that runs it. A test can have several. */
 struct FRun
@@ -131,5 +136,9 @@ FTest ReadTest(const std::string& Path);
 
 /** Reads a pipeline. Throws FNotRead. */
 FPipeline ReadPipeline(const std::string& Yaml);
+
+/** Adds results of a pipeline with counters, for which the suite has no rule: its lines for LLVM's FileCheck name the
+ * values ("Name: Out", "Counter: 4", "Counters: [ 1, 2 ]", "Data: [ 0x3 ]"). Throws FNotRead. */
+void AddChecks(const std::vector<std::string>& Lines, FPipeline& Pipeline);
 
 } // namespace Drydock::Conformance

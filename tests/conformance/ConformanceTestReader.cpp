@@ -16,6 +16,7 @@ struct FParts
 {
 	std::map<std::string, std::string> Files; // by name
 	std::vector<std::string> RunLines;
+	std::vector<std::string> CheckLines;
 	int32_t WaveSize = 0;
 	int32_t NumUnsupported = 0; // compilers that the suite does not ask
 };
@@ -53,6 +54,13 @@ FParts Split(const std::string& Path)
 		if (const size_t At = Line.find("RUN:"); At != std::string::npos)
 		{
 			Parts.RunLines.push_back(Line.substr(At + 4));
+		}
+		for (const std::string Check : {"CHECK:", "CHECK-NEXT:"})
+		{
+			if (const size_t At = Line.find(Check); At != std::string::npos)
+			{
+				Parts.CheckLines.push_back(Line.substr(At + Check.size()));
+			}
 		}
 		const bool bCompiler = Line.ends_with("UNSUPPORTED: DXC") || Line.ends_with("UNSUPPORTED: Clang");
 		Parts.NumUnsupported += bCompiler ? 1 : 0;
@@ -186,6 +194,10 @@ FTest ReadTest(const std::string& Path)
 			{
 				Run.Shader = Found->second;
 			}
+		}
+		if (Run.Pipeline.HasCounters())
+		{
+			AddChecks(Parts.CheckLines, Run.Pipeline);
 		}
 		if (Run.Pipeline.Results.empty())
 		{

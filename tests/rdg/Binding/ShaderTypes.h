@@ -83,6 +83,32 @@ class FTestGroupsCS : public FGlobalShader
 	END_SHADER_PARAMETER_STRUCT()
 };
 
+/** Appends to a buffer. */
+class FTestKeepCS : public FGlobalShader
+{
+	DECLARE_GLOBAL_SHADER(FTestKeepCS);
+	SHADER_USE_PARAMETER_STRUCT(FTestKeepCS, FGlobalShader);
+
+	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
+		SHADER_PARAMETER_RDG_BUFFER_SRV(StructuredBuffer<uint>, Numbers)
+		SHADER_PARAMETER_RDG_BUFFER_UAV(AppendStructuredBuffer<uint>, Kept)
+		SHADER_PARAMETER(uint32, Limit)
+	END_SHADER_PARAMETER_STRUCT()
+};
+
+/** Consumes what was appended, and counts. */
+class FTestTakeCS : public FGlobalShader
+{
+	DECLARE_GLOBAL_SHADER(FTestTakeCS);
+	SHADER_USE_PARAMETER_STRUCT(FTestTakeCS, FGlobalShader);
+
+	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
+		SHADER_PARAMETER_RDG_BUFFER_UAV(ConsumeStructuredBuffer<uint>, Taken)
+		SHADER_PARAMETER_RDG_BUFFER_UAV(RWStructuredBuffer<uint>, Places)
+		SHADER_PARAMETER(uint32, Count)
+	END_SHADER_PARAMETER_STRUCT()
+};
+
 /** Does not compile. */
 class FTestBrokenCS : public FGlobalShader
 {

@@ -30,15 +30,19 @@ FShaderHarness MakeHarness(const FAccess& Access)
 	FShaderHarness Harness(
 		"StructuredBuffer<uint> In; ByteAddressBuffer Bytes; Buffer<uint> Typed; Texture2D<uint> Image;\n"
 		"RWStructuredBuffer<uint> Out; RWStructuredBuffer<uint> Small; RWByteAddressBuffer SmallBytes;\n"
-		"RWBuffer<uint> SmallTyped; RWTexture2D<uint> SmallImage; uint4 Table[5];\n"
+		"RWBuffer<uint> SmallTyped; RWTexture2D<uint> SmallImage; uint4 Table[5];"
+		"AppendStructuredBuffer<uint> SmallAppended; ConsumeStructuredBuffer<uint> Consumed;\n"
 		"groupshared uint Shared[5];\n"
 		"[numthreads(8, 1, 1)] void Main(uint3 Id : SV_DispatchThreadID, uint x : SV_GroupIndex)\n{\n" +
 			Access.Body + "\n}\n",
 		"Main", EShaderStage::Compute);
-	for (const char* const Name : {"In", "Bytes", "Typed", "Small", "SmallBytes", "SmallTyped"})
+	for (const char* const Name :
+		{"In", "Bytes", "Typed", "Small", "SmallBytes", "SmallTyped", "SmallAppended", "Consumed"})
 	{
 		Harness.Buffers[Name] = {1, 2, 3, 4, 5};
 	}
+	Harness.Buffers["SmallAppended@count"] = {0};
+	Harness.Buffers["Consumed@count"] = {5};
 	Harness.Buffers["Out"] = FWords(NumThreads, 9);
 	for (const char* const Name : {"Image", "SmallImage"})
 	{
@@ -80,6 +84,10 @@ std::vector<FAccess> GetAccesses()
 		{"RWStructuredBuffer", "Small[x] = 10;", Unwritten, Written, Store("Small", "[5]", Five)},
 		{"RWByteAddressBuffer", "SmallBytes.Store(x * 4, 10);", Unwritten, Written, Store("SmallBytes", "[5]", Five)},
 		{"RWBuffer", "SmallTyped[x] = 10;", Unwritten, Written, Store("SmallTyped", "[5]", Five)},
+		{"AppendStructuredBuffer", "SmallAppended.Append(10);", Unwritten, Written,
+			Store("SmallAppended", "[5]", Five)},
+		{"ConsumeStructuredBuffer", "Out[x] = Consumed.Consume();", {5, 4, 3, 2, 1, 0, 0, 0}, {},
+			Read("Consumed", "[4294967295]", Five)},
 		{"RWTexture2D", "SmallImage[uint2(x, 0)] = 10;", Unwritten, Written,
 			Store("SmallImage", " at (5, 0)", "is 5 x 1")},
 		{"local array, read", "uint A[5] = {1, 2, 3, 4, 5}; A[x & 1] = (x & 1) + 1; Out[x] = A[x];", Last, {}, Element},
@@ -101,7 +109,7 @@ void Compare(const FAccess& Access, FShaderHarness& Harness, const std::string& 
 	EXPECT_EQ(Access.Out, Harness.Buffers["Out"]) << Access.Name << ", " << How;
 	const FWords Small = Access.Small.empty() ? FWords{1, 2, 3, 4, 5} : Access.Small;
 	const FWords Untouched = {1, 2, 3, 4, 5};
-	for (const char* const Name : {"Small", "SmallBytes", "SmallTyped"})
+	for (const char* const Name : {"Small", "SmallBytes", "SmallTyped", "SmallAppended"})
 	{
 		const bool bAccessed =
 			Access.Body.starts_with(std::string(Name) + "[") || Access.Body.starts_with(std::string(Name) + ".");

@@ -114,6 +114,8 @@ std::vector<FPlanted> GetPlanted()
 		{"groupshared-16k", 0,
 			MakeRequest(Compute(Uint + "groupshared uint G[4089];", "	G[Id.x] = Id.y; Out[Id.x] = G[Id.x];")),
 			MakeRequest(Compute(Uint + "groupshared uint G[4088];", "	G[Id.x] = Id.y; Out[Id.x] = G[Id.x];"))},
+		{"hidden-counter", 5, MakeRequest(Compute("AppendStructuredBuffer<uint> Out;", "	Out.Append(Id.x);")),
+			MakeRequest(Compute(Uint, "	Out[Id.x] = 1;"))},
 		{"double", 0, MakeRequest(Compute("RWStructuredBuffer<double> Out;", "	Out[Id.x] = Id.x * 0.1L;")),
 			MakeRequest(Compute("RWStructuredBuffer<float> Out;", "	Out[Id.x] = Id.x * 0.1;"))},
 		{"integer-sample", 5,

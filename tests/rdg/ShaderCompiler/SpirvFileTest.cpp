@@ -55,6 +55,41 @@ std::vector<uint32_t> AddEntry(std::vector<uint32_t> Words)
 	return Words;
 }
 
+const char* const CountingText = "AppendStructuredBuffer<uint> Kept;\n[numthreads(8, 1, 1)] void "
+								 "Main(uint3 Id : SV_DispatchThreadID) { Kept.Append(Id.x * 2); }\n";
+
+constexpr uint32_t OpName = 5;
+
+std::string ReadName(const uint32_t* Instruction)
+{
+	return {reinterpret_cast<const char*>(Instruction + 2)}; // ends with a zero, as every string of SPIR-V
+}
+
+/** The module with another name for what has one, with or without the decoration that names counters. */
+std::vector<uint32_t> Rename(
+	const std::vector<uint32_t>& Words, const std::string& From, const std::string& To, bool bDecorated)
+{
+	constexpr uint32_t OpDecorateId = 332;
+	std::vector<uint32_t> Result(Words.begin(), Words.begin() + 5);
+	for (size_t At = 5; At < Words.size(); At += Words[At] >> 16)
+	{
+		const uint32_t Op = Words[At] & 0xffff;
+		if (Op == OpName && ReadName(&Words[At]) == From)
+		{
+			std::vector<uint32_t> Text(To.size() / 4 + 1, 0);
+			std::copy(To.begin(), To.end(), reinterpret_cast<char*>(Text.data()));
+			Result.insert(Result.end(), {uint32_t(Text.size() + 2) << 16 | OpName, Words[At + 1]});
+			Result.insert(Result.end(), Text.begin(), Text.end());
+		}
+		else if (Op != OpDecorateId || bDecorated)
+		{
+			const auto First = Words.begin() + std::ptrdiff_t(At);
+			Result.insert(Result.end(), First, First + std::ptrdiff_t(Words[At] >> 16));
+		}
+	}
+	return Result;
+}
+
 /** A folder that is mapped to /SpirvFileTest while a test runs. */
 class FSpirvFileTest : public testing::Test
 {
@@ -96,6 +131,36 @@ TEST_F(FSpirvFileTest, RunsAsTheHlslThatItWasMadeOf)
 			}
 		}
 	}
+}
+
+TEST_F(FSpirvFileTest, CountersAreFoundByTheNamesAndTheDecorationOfFrontEnds)
+{
+	const FShaderHarness Source(CountingText, "Main", EShaderStage::Compute);
+	const std::vector<uint32_t> Words = CompileToSpirv(FlattenShader(Source.Request), Source.Request);
+	const std::string Glslang = "Kept@count";
+	const std::vector<std::pair<std::string, std::vector<uint32_t>>> Modules = {
+		{Glslang, Rename(Words, Glslang, Glslang, false)},
+		{"counter.var.Kept", Rename(Words, Glslang, "counter.var.Kept", false)},
+		{"Other", Rename(Words, Glslang, "Other", true)}};
+	for (const auto& [Name, Module] : Modules)
+	{
+		FShaderHarness Harness = MakeHarness(Module);
+		Harness.Buffers["Kept"].assign(8, 0);
+		Harness.Buffers[Name] = {0};
+		ForgetCompiledShaders();
+		const std::shared_ptr<const FCompiledShader> Shader = Harness.Run(4, 8, 1);
+		EXPECT_EQ((std::vector<uint32_t>{0, 2, 4, 6, 8, 10, 12, 14}), Harness.Buffers["Kept"]) << Name;
+		EXPECT_EQ(8u, Harness.Buffers[Name][0]);
+		for (const FShaderResource& Resource : Shader->Reflection.RWBuffers)
+		{
+			EXPECT_EQ(Resource.Name == Name ? "Kept" : "", Resource.CounterOf);
+			// By the HLSL that the module carries.
+			EXPECT_EQ(Resource.Name == Name ? EShaderCounter::Append : EShaderCounter::Any, Resource.Counter);
+		}
+	}
+	FShaderHarness Unnamed = MakeHarness(Rename(Words, Glslang, "Other", false));
+	ForgetCompiledShaders();
+	EXPECT_THAT(ErrorOf([&] { CompileShader(Unnamed.Request); }), HasSubstr("buffer 'Other' is of a kind that"));
 }
 
 TEST_F(FSpirvFileTest, ANewFileIsAnotherShader)

@@ -178,3 +178,72 @@ TEST(VulkanSamples, APrefixSumByWaves)
 		"PrefixSumCS", int32_t(Numbers.size()), 1, [&](FShaderHarness& H) { H.Buffers["Numbers"] = Numbers; },
 		[&](FShaderHarness& H) { EXPECT_EQ(Expected, H.Buffers["Numbers"]); });
 }
+
+TEST(VulkanSamples, BrightPixelsAppendThemselves)
+{
+	FTestTexture Picture = DrawPicture(5);
+	std::vector<std::vector<float>> Expected;
+	for (int32_t i = 0; i < SizeX * SizeY; ++i)
+	{
+		const float* const Texel = Picture.Texel(i % SizeX, i / SizeX);
+		const float Brightest = std::max({Texel[0], Texel[1], Texel[2]});
+		if (Brightest > 3.5f)
+		{
+			Expected.push_back({float(i % SizeX), float(i / SizeX), Brightest});
+		}
+	}
+	std::sort(Expected.begin(), Expected.end());
+	ForEachMaker(
+		"BrightPixelsCS", (SizeX + 15) / 16 * 16, (SizeY + 15) / 16 * 16,
+		[&](FShaderHarness& H)
+		{
+			H.Textures["Input"] = Picture;
+			H.Buffers["BrightPixels"].assign(size_t(SizeX) * SizeY * 3, 0);
+			H.Buffers["BrightPixels@count"] = {0};
+			SetSize(H);
+		},
+		[&](FShaderHarness& H)
+		{
+			std::vector<std::vector<float>> Found;
+			for (size_t i = 0; i < H.Buffers["BrightPixels@count"][0]; ++i)
+			{
+				Found.push_back({H.BufferFloat("BrightPixels", i * 3), H.BufferFloat("BrightPixels", i * 3 + 1),
+					H.BufferFloat("BrightPixels", i * 3 + 2)});
+			}
+			std::sort(Found.begin(), Found.end()); // drivers append in an order of their own
+			EXPECT_EQ(Expected, Found);
+		});
+}
+
+TEST(VulkanSamples, CountersAreReadAndWrittenBack)
+{
+	std::vector<uint32_t> Numbers(200);
+	std::iota(Numbers.begin(), Numbers.end(), 1000u);
+	ForEachMaker(
+		"TakeNumbersCS", 96, 1,
+		[&](FShaderHarness& H)
+		{
+			H.Buffers["FreeNumbers"] = Numbers;
+			H.Buffers["FreeNumbers@count"] = {150};
+			H.Buffers["UsedNumbers"].assign(200, 0);
+			H.Buffers["UsedNumbers@count"] = {4};
+			H.Buffers["Visitors"].assign(96, 0);
+			H.Buffers["Visitors@count"] = {0};
+		},
+		[&](FShaderHarness& H)
+		{
+			EXPECT_EQ(54u, H.Buffers["FreeNumbers@count"][0]);
+			EXPECT_EQ(100u, H.Buffers["UsedNumbers@count"][0]);
+			EXPECT_EQ(96u, H.Buffers["Visitors@count"][0]);
+			std::vector<uint32_t>& Used = H.Buffers["UsedNumbers"];
+			std::sort(Used.begin() + 4, Used.begin() + 100);
+			EXPECT_TRUE(std::equal(Used.begin() + 4, Used.begin() + 100, Numbers.begin() + 54));
+			EXPECT_EQ(0u, Used[3] + Used[100]);
+			std::vector<uint32_t>& Visitors = H.Buffers["Visitors"];
+			std::sort(Visitors.begin(), Visitors.end());
+			for (uint32_t i = 0; i < 96; ++i)
+			{
+				EXPECT_EQ(i, Visitors[i]);
+			}
+		});
+}

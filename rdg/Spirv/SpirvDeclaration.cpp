@@ -1,0 +1,87 @@
+// Reads "TYPE<...> A : register(u0), B" word by word.
+#include "SpirvDeclaration.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace Drydock
+{
+
+namespace
+{
+
+bool IsWord(char c)
+{
+	return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+}
+
+/** A place in a text; at its end every look sees 0. */
+struct FTextPlace
+{
+	const std::string& Text;
+	size_t At;
+
+	char Look() const { return At < Text.size() ? Text[At] : '\0'; }
+	void SkipSpace() { At = std::min(Text.find_first_not_of(" \t\n", At), Text.size()); }
+
+	std::string ReadWord()
+	{
+		SkipSpace();
+		const size_t First = At;
+		while (IsWord(Look()))
+		{
+			++At;
+		}
+		const std::string Word = Text.substr(First, At - First);
+		SkipSpace();
+		return Word;
+	}
+
+	/** Behind the sign that closes the one here. */
+	void SkipPair(char Open, char Close)
+	{
+		int Depth = 0;
+		do
+		{
+			Depth += Look() == Open ? 1 : Look() == Close ? -1 : 0;
+			++At;
+		} while (Depth > 0 && At < Text.size());
+		SkipSpace();
+	}
+};
+
+} // namespace
+
+bool IsDeclaredAs(const std::string& Text, const std::string& Type, const std::string& Name)
+{
+	for (size_t Found = Text.find(Type); Found != std::string::npos; Found = Text.find(Type, Found + 1))
+	{
+		FTextPlace Place{Text, Found + Type.size()};
+		if ((Found > 0 && IsWord(Text[Found - 1])) || IsWord(Place.Look()))
+		{
+			continue;
+		}
+		Place.SkipSpace();
+		if (Place.Look() == '<')
+		{
+			Place.SkipPair('<', '>');
+		}
+		for (bool bMore = true; bMore; ++Place.At)
+		{
+			if (Place.ReadWord() == Name)
+			{
+				return true;
+			}
+			if (Place.Look() == ':') // : register(u0)
+			{
+				++Place.At;
+				Place.ReadWord();
+				Place.SkipPair('(', ')');
+			}
+			bMore = Place.Look() == ',';
+		}
+	}
+	return false;
+}
+
+} // namespace Drydock
