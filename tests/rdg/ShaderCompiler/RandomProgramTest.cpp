@@ -74,6 +74,7 @@ TEST_P(FRandomProgram, KernelsAgreeWithTheModelBitForBit)
 	const uint32_t Seed = uint32_t(GetParam());
 	const FRandomForm Form(Seed);
 	const std::string Text = FProgramGenerator(Seed).Make(NumFunctions);
+	SCOPED_TRACE(Text);
 	FShaderHarness Kernel(Text, "MainCS", EShaderStage::Compute);
 	FillInputs(Kernel, Seed, NumFunctions);
 	Kernel.Run(Form.Lanes, Width, Height, 1, Form.bDouble);
