@@ -317,7 +317,7 @@ private:
 		FLanes P[3];
 		for (int c = 0; c < 3; ++c)
 		{
-			// As the shader's compiler folds LinToLog(Linear + LogToLin(0)).
+			// LinToLog(Linear + LogToLinOfZero)
 			const FLanes Stops = Log2(MakePositiveFinite(Linear[c]) + FLanes(0.00266771927f));
 			P[c] = Clamp(Stops * FLanes(0.0714285746f) + FLanes(0.176709369f) + FLanes(0.434017599f), FLanes(0.0f),
 				FLanes(1.0f));

@@ -1,13 +1,20 @@
 // The program that glslang runs in: reads requests from its standard input, which is a socket, until that is closed.
-// Does what glslangValidator does with the options of ShaderFrontEnd.cpp; glslang's tables are made once for all
-// shaders.
+// Does what glslangValidator does with the options of ShaderFrontEnd.cpp, but that the optimiser leaves arithmetic of
+// floats as it is written; glslang's tables are made once for all shaders.
+#ifndef ENABLE_OPT
+#define ENABLE_OPT 1 // else SpvTools.h declares nothing
+#endif
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
 #include <glslang/SPIRV/GlslangToSpv.h>
+#include <glslang/SPIRV/SpvTools.h>
+#include <glslang/SPIRV/spirv.hpp>
 
 #include "FrontEndProtocol.h"
 #include "ShaderReflection.h"
 
+#include <algorithm>
+#include <iterator>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -18,6 +25,7 @@ using namespace Drydock;
 using namespace Drydock::FrontEnd;
 
 constexpr rlim_t MemoryLimit = rlim_t(4) << 30; // bytes
+constexpr std::ptrdiff_t HeaderWords = 5;
 constexpr const char* FileName = "shader.hlsl"; // of text above the first #line; there is none
 
 struct FResult
@@ -53,6 +61,37 @@ void AddLog(const char* Log, std::string& Output)
 	{
 		Output += Log;
 		Output += '\n';
+	}
+}
+
+/** What is left over has the sign of the left side in HLSL (`-7 % 4` is -3). glslang writes OpSMod, whose results of
+ * constants have that of the right. */
+void CorrectRemainders(std::vector<unsigned int>& Words)
+{
+	for (size_t At = size_t(HeaderWords); At < Words.size(); At += Words[At] >> spv::WordCountShift)
+	{
+		if ((Words[At] & spv::OpCodeMask) == spv::OpSMod)
+		{
+			Words[At] = (Words[At] & ~spv::OpCodeMask) | spv::OpSRem;
+		}
+	}
+}
+
+/** By the passes that glslang has for HLSL, each operation of floats rounded as it stands: `x * 3 * 5` is no `x * 15`,
+ * so that the program with its functions gives the same bits. Nothing is folded in a module that says how it rounds.
+ * Source: SPIRV-Tools, Instruction::IsFloatingPointFoldingAllowed. */
+void Optimise(const glslang::TIntermediate& Intermediate, std::vector<unsigned int>& Words, spv::SpvBuildLogger& Logger,
+	const glslang::SpvOptions& Options)
+{
+	CorrectRemainders(Words);
+	const unsigned int Capability[] = {2u << spv::WordCountShift | spv::OpCapability, spv::CapabilityRoundingModeRTE};
+	Words.insert(Words.begin() + HeaderWords, std::begin(Capability), std::end(Capability));
+	glslang::SpirvToolsTransform(Intermediate, Words, &Logger, &Options);
+	// Only here: that is what the optimiser shall keep to, and nothing that a driver need be able to do.
+	const auto Found = std::search(Words.begin(), Words.end(), std::begin(Capability), std::end(Capability));
+	if (Found != Words.end())
+	{
+		Words.erase(Found, Found + std::ssize(Capability));
 	}
 }
 
@@ -96,8 +135,12 @@ FResult Compile(const FRequestHead& Head, const std::string& Entry, const std::s
 		spv::SpvBuildLogger Logger;
 		glslang::SpvOptions Options;
 		Options.generateDebugInfo = true;
-		Options.disableOptimizer = Head.bKeepFunctions != 0;
+		Options.disableOptimizer = true;
 		glslang::GlslangToSpv(*Intermediate, Result.Words, &Logger, &Options);
+		if (!Head.bKeepFunctions && !Result.Words.empty())
+		{
+			Optimise(*Intermediate, Result.Words, Logger, Options);
+		}
 		Result.Output += Logger.getAllMessages();
 	}
 	return Result;

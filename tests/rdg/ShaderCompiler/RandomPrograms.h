@@ -4,6 +4,8 @@
 
 #include "ShaderHarness.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <string>
@@ -13,12 +15,20 @@ namespace Drydock::Test
 
 constexpr int GDefaultRandomPrograms = 60;
 
-/** Of a kind that has this share of all; DRYDOCK_RANDOM_PROGRAMS says how many those are (docs/testing.md). */
-inline int CountRandomPrograms(int Percent)
+/** The seeds of a kind that has this share of all programs. DRYDOCK_RANDOM_PROGRAMS says how many those are,
+ * DRYDOCK_RANDOM_FIRST the first of them, 0 unless told: runs that go on where another ends write no program twice
+ * (docs/testing.md). */
+inline auto RandomSeeds(int Percent)
 {
-	const char* const Asked = std::getenv("DRYDOCK_RANDOM_PROGRAMS");
-	const int All = Asked ? std::clamp(std::atoi(Asked), 1, 1'000'000) : GDefaultRandomPrograms;
-	return std::max(1, All * Percent / 100);
+	const auto Read = [](const char* Name, int Default, int Least)
+	{
+		const char* const Asked = std::getenv(Name);
+		return Asked ? std::clamp(std::atoi(Asked), Least, 1'000'000) : Default;
+	};
+	const int First = Read("DRYDOCK_RANDOM_FIRST", 0, 0);
+	const int Last = First + Read("DRYDOCK_RANDOM_PROGRAMS", GDefaultRandomPrograms, 1);
+	const int FirstSeed = First * Percent / 100;
+	return testing::Range(FirstSeed, std::max(FirstSeed + 1, Last * Percent / 100));
 }
 
 /** The kernel that a program runs as: in turns those of each lane count, and in double. */

@@ -46,11 +46,10 @@ public:
 
 private:
 	uint32_t Choose(uint32_t Limit) { return uint32_t(Random() % Limit); }
-	/** No literals: products and sums of two of them are one to the optimiser, which rounds once less. */
 	std::string Number()
 	{
-		static const char* const Numbers[] = {"Uniforms.x", "Uniforms.y", "Uniforms.z", "Uniforms.w"};
-		return Numbers[Choose(4)];
+		static const char* const Numbers[] = {"Uniforms.x", "Uniforms.y", "Uniforms.z", "Uniforms.w", "0.37", "3.0"};
+		return Numbers[Choose(6)];
 	}
 	std::string Value() { return "V[" + std::to_string(Choose(3)) + "]"; }
 	std::string Expression()
@@ -232,4 +231,4 @@ TEST_P(FRandomQuads, KernelsAgreeWithTheModelBitForBit)
 	}
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, FRandomQuads, testing::Range(0, CountRandomPrograms(30)));
+INSTANTIATE_TEST_SUITE_P(Seeds, FRandomQuads, RandomSeeds(25));

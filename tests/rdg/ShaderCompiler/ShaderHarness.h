@@ -132,13 +132,8 @@ public:
 	/** The interpreter over the same box; render targets are written where the pixel was not discarded. */
 	void RunModel(int32_t X, int32_t Y, int32_t Z = 1)
 	{
-		const FShaderSource Source = FlattenShader(Request);
-		FSpirvModule Module = ReadSpirv(CompileToSpirv(Source, Request));
-		if (Request.bQuads)
-		{
-			RunByQuads(Module);
-		}
-		const FSpirvReflection Reflection = ReflectSpirv(Module, BuildSpirvStructure(Module), Source.Text);
+		FSpirvModule Module;
+		const FSpirvReflection Reflection = Reflect(Module);
 		Bind(Reflection.Reflection);
 		FSpirvInterpreter Interpreter(Module, Reflection, uint32_t(WaveSize));
 		if (Reflection.Reflection.bGroups)
@@ -167,10 +162,10 @@ public:
 		}
 	}
 
-	/** The same by the shader with its functions and local variables, as it is looked into, or bAsKernel: optimised. */
-	void RunInspected(int32_t X, int32_t Y, int32_t Z = 1, bool bDouble = false, bool bAsKernel = false)
+	/** The same by the shader with its functions and local variables, as it is looked into. */
+	void RunInspected(int32_t X, int32_t Y, int32_t Z = 1, bool bDouble = false)
 	{
-		FInspectedShader& Shader = Inspect(bAsKernel);
+		FInspectedShader& Shader = Inspect();
 		if (Shader.HasGroups())
 		{
 			bDouble ? RunGroups<double>(Shader, X, Y, Z) : RunGroups<float>(Shader, X, Y, Z);
@@ -195,20 +190,33 @@ public:
 		RunAll(Thread);
 	}
 
-	/** Compiled, bound and ready to be looked into; GetArgs has what it reads. */
-	FInspectedShader& Inspect(bool bAsKernel = false)
+	/** Bound and ready to be looked into, without a kernel; GetArgs has what it reads. */
+	FInspectedShader& Inspect()
 	{
-		Compiled = CompileShader(Request);
-		Bind(Compiled->Reflection);
-		Inspected = std::make_shared<FInspectedShader>(Request, Compiled->Reflection, bAsKernel);
+		FSpirvModule Module;
+		Reflected = Reflect(Module).Reflection;
+		Bind(Reflected);
+		Inspected = std::make_shared<FInspectedShader>(Request, Reflected);
 		return *Inspected;
 	}
 	const FKernelArgs& GetArgs() const { return Args; }
-	const FShaderReflection& GetReflection() const { return Compiled->Reflection; }
+	const FShaderReflection& GetReflection() const { return Reflected; }
 
 	FKernelCounters Counters = {};
 
 private:
+	/** What a kernel is made of, and what it is bound by. */
+	FSpirvReflection Reflect(FSpirvModule& Module) const
+	{
+		const FShaderSource Source = FlattenShader(Request);
+		Module = ReadSpirv(CompileToSpirv(Source, Request));
+		if (Request.bQuads)
+		{
+			RunByQuads(Module);
+		}
+		return ReflectSpirv(Module, BuildSpirvStructure(Module), Source.Text);
+	}
+
 	template<typename Real>
 	void RunGroups(const FInspectedShader& Shader, int32_t X, int32_t Y, int32_t Z)
 	{
@@ -318,7 +326,7 @@ private:
 			&Counters, GetKernelLimits()};
 	}
 
-	std::shared_ptr<const FCompiledShader> Compiled;
+	FShaderReflection Reflected;
 	std::shared_ptr<FInspectedShader> Inspected;
 	FKernelArgs Args = {};
 	std::vector<std::vector<uint8_t>> ConstantMemory;

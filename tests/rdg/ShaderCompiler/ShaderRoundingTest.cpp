@@ -1,0 +1,132 @@
+// Arithmetic of floats is rounded as it is written, whatever an optimiser knows about literals: all forms of a shader
+// give the bits of plain C++.
+#include "ShaderForms.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace Drydock::Test
+{
+
+namespace
+{
+
+constexpr int32_t NumThreads = 64;
+constexpr size_t NumResults = 7;
+
+const std::string Text = R"(
+StructuredBuffer<float> In;
+RWStructuredBuffer<float> Out;
+float Scale(float X, float Factor) { return X * Factor; }
+float Decode(float Code) { return exp2(Code * 3.0f) * 0.18f; }
+[numthreads(8, 1, 1)]
+void MainCS(uint3 Id : SV_DispatchThreadID)
+{
+	float X = In[Id.x];
+	float Y = In[Id.x + 1];
+	uint At = Id.x * 7;
+	Out[At] = Scale(Scale(X, 0.1f), 0.7f);
+	Out[At + 1] = X / 7.0f;
+	Out[At + 2] = X * 0.3f + X * Y;
+	Out[At + 3] = 1.1f + (X + 0.1f);
+	Out[At + 4] = 0.3f / (0.7f / X);
+	Out[At + 5] = Scale(X - Y, 0.0f);
+	Out[At + 6] = Decode(0.0f) * Scale(0.1f, 0.3f) * X;
+}
+)";
+
+/** Real rounds each operation. */
+template<typename Real>
+std::vector<float> Compute(float InX, float InY)
+{
+	const auto Number = [](float Literal)
+	{
+		return Real(Literal);
+	};
+	const Real X = InX;
+	const Real Y = InY;
+	const std::vector<Real> Results = {X * Number(0.1f) * Number(0.7f), X / Number(7.0f), X * Number(0.3f) + X * Y,
+		Number(1.1f) + (X + Number(0.1f)), Number(0.3f) / (Number(0.7f) / X), (X - Y) * Number(0.0f),
+		Number(0.18f) * (Number(0.1f) * Number(0.3f)) * X};
+	return {Results.begin(), Results.end()};
+}
+
+} // namespace
+
+TEST(ShaderRounding, IsThatOfTheTextInEveryForm)
+{
+	std::vector<float> In;
+	for (int32_t i = 0; i <= NumThreads; ++i)
+	{
+		In.push_back(float(i * i + 1) * (i % 3 == 0 ? -0.37f : 1.9f) / 11.0f);
+	}
+	In[5] = std::numeric_limits<float>::infinity();
+	const auto Fill = [&](FShaderHarness& Harness)
+	{
+		Harness.SetFloatBuffer("In", In);
+		Harness.Buffers["Out"].assign(NumThreads * NumResults, 0);
+	};
+	ForEachForm(Text, NumThreads, 1, 1, Fill,
+		[&](FShaderHarness& Harness)
+		{
+			for (size_t i = 0; i < NumThreads; ++i)
+			{
+				const std::vector<float> Expected = Harness.Request.Lanes.bDouble ? Compute<double>(In[i], In[i + 1])
+																				  : Compute<float>(In[i], In[i + 1]);
+				for (size_t k = 0; k < NumResults; ++k)
+				{
+					const float Made = Harness.BufferFloat("Out", i * NumResults + k);
+					EXPECT_TRUE(SameFloat(Expected[k], Made))
+						<< "result " << k << " of " << In[i] << ": " << Made << ", not " << Expected[k];
+				}
+			}
+		});
+}
+
+/** What an optimiser knows already is what a thread would compute. */
+TEST(ShaderRounding, IntegersOfConstantsAreThoseOfVariables)
+{
+	const std::vector<std::string> Functions = {"A % B", "A % -B", "A / B", "A << B", "A >> B", "int(uint(A) >> B)",
+		"int(uint(A) / uint(B))", "int(uint(A) % uint(B))", "int(float(A) / float(B))"};
+	const std::vector<std::pair<int32_t, int32_t>> Pairs = {
+		{-7, 4}, {7, 4}, {-8, 3}, {1, 31}, {-5, 30}, {-2147483647 - 1, 3}};
+	std::string Text = "StructuredBuffer<int> In;\nRWStructuredBuffer<int> Out;\n";
+	std::string Body;
+	std::vector<uint32_t> In;
+	int32_t Place = 0;
+	for (size_t f = 0; f < Functions.size(); ++f)
+	{
+		Text += "int F" + std::to_string(f) + "(int A, int B) { return " + Functions[f] + "; }\n";
+		for (const auto& [A, B] : Pairs)
+		{
+			const std::string Call = "F" + std::to_string(f) + "(";
+			Body += "\tOut[" + std::to_string(Place) + "] = " + Call + "int(" + std::to_string(A) + "), " +
+					std::to_string(B) + ");\n";
+			Body += "\tOut[" + std::to_string(Place + 1) + "] = " + Call + "In[" + std::to_string(Place) + "], In[" +
+					std::to_string(Place + 1) + "]);\n";
+			In.push_back(uint32_t(A));
+			In.push_back(uint32_t(B));
+			Place += 2;
+		}
+	}
+	Text += "[numthreads(1, 1, 1)]\nvoid MainCS()\n{\n" + Body + "}\n";
+	const auto Fill = [&](FShaderHarness& Harness)
+	{
+		Harness.Buffers["In"] = In;
+		Harness.Buffers["Out"].assign(In.size(), 0);
+	};
+	ForEachForm(Text, 1, 1, 1, Fill,
+		[&](FShaderHarness& Harness)
+		{
+			const std::vector<uint32_t>& Out = Harness.Buffers["Out"];
+			EXPECT_EQ(-3, int32_t(Out[0])); // -7 % 4
+			for (size_t i = 0; i < In.size(); i += 2)
+			{
+				EXPECT_EQ(Out[i + 1], Out[i])
+					<< Functions[i / 2 / Pairs.size()] << " of " << int32_t(In[i]) << " and " << int32_t(In[i + 1]);
+			}
+		});
+}
+
+} // namespace Drydock::Test
