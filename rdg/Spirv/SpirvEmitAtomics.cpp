@@ -78,6 +78,30 @@ std::string FSpirvEmitter::AtomicPlace(const FSpirvInstruction& I)
 		   (bVarying ? Index : "I(" + Index + ")") + ")";
 }
 
+/** The name of what gathers the tile's atomics on a buffer whose order nobody sees; empty: there is none. */
+std::string FSpirvEmitter::TileAtomics(const FSpirvInstruction& I)
+{
+	const auto Pointer = Definitions.find(I.Operands[0]);
+	const FSpirvVariable* const Variable =
+		Module.FindVariable(Pointer == Definitions.end() ? I.Operands[0] : Pointer->second->Operands[0]);
+	const auto Kind = GroupUse.Commuting.find(Variable ? Variable->Id : 0);
+	const FSpirvType* const Type = Variable ? &Module.GetType(Variable->Type) : nullptr;
+	const bool bTyped = Type && Type->Kind == ESpirvType::Image;
+	if (Kind == GroupUse.Commuting.end() || (bTyped && Type->Dim != DimBuffer))
+	{
+		return {};
+	}
+	const std::string Id = std::to_string(Variable->Id);
+	const std::string Name = "p" + Id;
+	if (Declared.insert(Name).second)
+	{
+		Handles += std::string("\tTTileAtomics<") + GetOperation(Kind->second) + ", N> " + Name + "(g" + Id + ", " +
+				   (bTyped ? "g" + Id + ".Storage == ETexelStorage::R32_UINT" : "true") + ");\n";
+		EndText += "\t" + Name + ".Finish();\n";
+	}
+	return Name;
+}
+
 bool FSpirvEmitter::EmitGroups(const FSpirvInstruction& I)
 {
 	switch (I.Op)
@@ -105,8 +129,11 @@ bool FSpirvEmitter::EmitGroups(const FSpirvInstruction& I)
 							  : I.Op == OpAtomicIDecrement ? "U(4294967295u)"
 							  : I.Op == OpAtomicISub       ? "U(0u) - " + Operand(3)
 														   : Operand(bCompares ? 4 : 3);
-	const std::string Text = std::string("Atomic<") + GetOperation(I.Op) + ">(" + GetStoreMask() + ", " +
-							 AtomicPlace(I) + ", " + Value + ", " + (bCompares ? Operand(5) : "U(0u)") + ")";
+	const std::string Tile = TileAtomics(I);
+	const std::string Text = !Tile.empty()
+								 ? Tile + ".Apply(" + GetStoreMask() + ", " + AtomicPlace(I) + ", " + Value + ")"
+								 : std::string("Atomic<") + GetOperation(I.Op) + ">(" + GetStoreMask() + ", " +
+									   AtomicPlace(I) + ", " + Value + ", " + (bCompares ? Operand(5) : "U(0u)") + ")";
 	const auto Uses = NumUses.find(I.Result);
 	if (I.Result && Uses != NumUses.end())
 	{

@@ -115,7 +115,12 @@ FSpirvGroupUse FindGroupUse(const FSpirvModule& Module)
 	}
 	for (const auto& [Variable, Shared] : Memory)
 	{
-		Use.bInOrder = Use.bInOrder || Shared.bOrderSeen || Shared.Kinds.size() > 1;
+		const bool bCommutes = !Shared.bOrderSeen && Shared.Kinds.size() == 1;
+		Use.bInOrder = Use.bInOrder || !bCommutes;
+		if (bCommutes)
+		{
+			Use.Commuting[Variable] = *Shared.Kinds.begin();
+		}
 	}
 	for (const FSpirvVariable& Variable : Module.Variables)
 	{
