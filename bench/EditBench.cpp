@@ -1,6 +1,7 @@
 // From an edit to the picture: a shader of a patch that `drydock new` made is edited under `run --watch`, by `run` as a
 // whole command, and its C++ by `drydock build`. CPU time (user and system) of the process and all that it started; the
-// ways take turns, medians. Prints a table in Markdown.
+// ways take turns, medians. Beside them stands what the compiler takes of it, and what it takes for no code at all:
+// less cannot be reached with it. Prints a table in Markdown.
 //
 //     bench_edit [ROUNDS] [SCENE.exr]
 #include <algorithm>
@@ -197,6 +198,65 @@ struct FRow
 	}
 };
 
+/** The compiler as drydock calls it for the kernel of an edit: its command, and the command for the kernel's headers
+ * alone, which are precompiled as there. Edits twice: the first kernel has no precompiled headers. */
+struct FKernelCommands
+{
+	template<typename FEdit>
+	FKernelCommands(const fs::path& Folder, FEdit EditAndRun)
+	{
+		fs::create_directories(Folder);
+		const std::string Compiler = (Folder / "compiler").string();
+		std::ofstream(Compiler) << "#!/bin/sh\n"
+								   "for Argument; do\n"
+								   "	case $Argument in */kernel.cpp)\n"
+								   "		cp ${Argument%kernel.cpp}* "
+								<< Folder.string() << "/ 2>/dev/null; printf '%s\\n' \"$@\" >" << Folder.string()
+								<< "/arguments;;\n"
+								   "	esac\n"
+								   "done\n"
+								   "exec g++ \"$@\"\n";
+		fs::permissions(Compiler, fs::perms::owner_all);
+		setenv("DRYDOCK_CXX", Compiler.c_str(), 1);
+		EditAndRun();
+		EditAndRun();
+		unsetenv("DRYDOCK_CXX");
+		std::ofstream(Folder / "nothing.cpp") << "#include \"KernelSupport.h\"\n";
+		std::ifstream Arguments(Folder / "arguments");
+		Kernel = Nothing = {"g++"};
+		for (std::string Argument; std::getline(Arguments, Argument);)
+		{
+			const std::string Name = fs::path(Argument).filename().string();
+			const bool bKernel = Name == "kernel.cpp";
+			const bool bOutput = Name == "kernel.so";
+			Kernel.push_back(bKernel || bOutput ? (Folder / Name).string() : Argument);
+			Nothing.push_back(bKernel ? (Folder / "nothing.cpp").string() : Kernel.back());
+		}
+	}
+
+	std::vector<std::string> Kernel;
+	std::vector<std::string> Nothing;
+};
+
+/** What ninja runs in Folder for the object of Source, with another source in its place. */
+std::vector<std::string> GetCompileCommand(const fs::path& Folder, const fs::path& Source, const fs::path& Instead)
+{
+	std::FILE* const Pipe = popen(("ninja -C " + Folder.string() + " -t commands").c_str(), "r");
+	std::string Found;
+	char Part[65536];
+	while (Pipe && std::fgets(Part, sizeof(Part), Pipe))
+	{
+		const std::string Line = Part;
+		const size_t At = Line.find(" -c " + Source.string());
+		Found = At == std::string::npos ? Found : Line.substr(0, At) + " -c " + Instead.string();
+	}
+	if (!Pipe || pclose(Pipe) != 0 || Found.empty())
+	{
+		Fail("ninja does not tell how " + Source.string() + " is compiled");
+	}
+	return {"sh", "-c", "cd " + Folder.string() + " && " + Found};
+}
+
 } // namespace
 
 int main(int ArgumentCount, char** Arguments)
@@ -234,7 +294,9 @@ int main(int ArgumentCount, char** Arguments)
 	const fs::path Source = fs::path(Patch) / "Source/Patch/Private/PatchViewExtension.cpp";
 	const std::vector<std::string> RunOnce = {Program, "run", Config, "--out", (Folder / "once").string()};
 	std::vector<FRow> Rows = {{"a shader, `run --watch`"}, {"the same, with `glslangValidator` for each shader"},
-		{"a shader, `run`"}, {"nothing, `run`"}, {"a patch's C++, `drydock build`"}};
+		{"a shader, `run`"}, {"nothing, `run`"}, {"a patch's C++, `drydock build`"}, {"of a shader: `g++`, its kernel"},
+		{"the least of that: `g++`, no kernel, precompiled headers"}, {"of a patch's C++: `c++`, its file"},
+		{"the least of that: `c++`, no code, precompiled headers"}};
 	const auto WatchEdit = [&]
 	{
 		FWatch Watch({Program, "run", Config, "--out", (Folder / "watch").string(), "--watch"});
@@ -242,6 +304,15 @@ int main(int ArgumentCount, char** Arguments)
 		return Watch.Measure(Edit);
 	};
 	Run(RunOnce);
+	const FKernelCommands KernelCommands(Folder / "kernel",
+		[&]
+		{
+			Edit();
+			Run(RunOnce);
+		});
+	const fs::path NoCode = Folder / "nothing.cpp";
+	std::ofstream(NoCode) << "\n";
+	const fs::path BuildFolder = Folder / "build/cmake";
 	for (int Round = 0; Round < Rounds; ++Round)
 	{
 		Rows[0].Costs.push_back(WatchEdit());
@@ -253,6 +324,10 @@ int main(int ArgumentCount, char** Arguments)
 		Rows[3].Costs.push_back(Run(RunOnce));
 		std::ofstream(Source, std::ios::app) << "// edit " << Round << "\n";
 		Rows[4].Costs.push_back(Run(Build));
+		Rows[5].Costs.push_back(Run(KernelCommands.Kernel));
+		Rows[6].Costs.push_back(Run(KernelCommands.Nothing));
+		Rows[7].Costs.push_back(Run(GetCompileCommand(BuildFolder, Source, Source)));
+		Rows[8].Costs.push_back(Run(GetCompileCommand(BuildFolder, Source, NoCode)));
 	}
 	std::printf("%s, medians of %d\n\n| edited | CPU ms | wall ms |\n|---|--:|--:|\n",
 		fs::path(Scene).filename().c_str(), Rounds);

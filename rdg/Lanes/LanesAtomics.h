@@ -1,5 +1,6 @@
 // Memory that threads share: stores to groupshared arrays, and atomics on these, on buffers and on textures. Lanes act
-// one after the other, in ascending order. Included by generated code only.
+// one after the other, in ascending order; where nobody sees the order, a buffer gets what a tile did to it at once.
+// Included by generated code only.
 #pragma once
 
 #include "LanesResources.h"
@@ -61,6 +62,16 @@ DRYDOCK_LANES_INLINE void PutShared(TMask<N> Mask, T* Elements, int32_t Index, V
 	PutShared(Mask, Elements, TInt<N>(Index), Value);
 }
 
+/** f(Lane) for the lanes of the mask, in ascending order. */
+template<int N, typename F>
+DRYDOCK_LANES_INLINE void ForEachLane(TMask<N> Mask, F f)
+{
+	for (TLaneBits<N> Bits = MaskBits(Mask); Bits; Bits &= Bits - 1)
+	{
+		f(__builtin_ctzll(Bits));
+	}
+}
+
 /** Some pack has a lane that runs. */
 template<int N, int32_t Count>
 DRYDOCK_LANES_INLINE bool AnyPack(const TMask<N> (&Packs)[Count])
@@ -102,6 +113,7 @@ struct TAtomicBytes
 	const FKernelBuffer& Buffer;
 	TUint<N> Offset;
 
+	DRYDOCK_LANES_INLINE TUint<N> GetWords() const { return TUint<N>(Offset.V >> 2); }
 	DRYDOCK_LANES_INLINE T* Find(int Lane) const
 	{
 		const uint32_t At = Offset.V[Lane];
@@ -124,6 +136,7 @@ struct TAtomicElement
 	const FKernelBuffer& Buffer;
 	TUint<N> Index;
 
+	DRYDOCK_LANES_INLINE TUint<N> GetWords() const { return Index; }
 	DRYDOCK_LANES_INLINE uint32_t* Find(int Lane) const
 	{
 		const uint32_t At = Index.V[Lane];
@@ -164,35 +177,39 @@ DRYDOCK_LANES_INLINE TAtomicTexel<N, Count> AtomicTexel(const FKernelTexture& Te
 	return {Texture, At};
 }
 
-// What an operation makes of the bits in memory, an operand and what they are compared with; T: of which kind.
+// The operations, on numbers and on lanes of them. Nothing: a value that leaves what it is applied to.
 struct FAtomicAdd
 {
+	static constexpr uint32_t Nothing = 0;
 	template<typename T>
-	static T Apply(T Old, T Value, T)
+	DRYDOCK_LANES_INLINE static T Apply(T Old, T Value, T)
 	{
 		return Old + Value;
 	}
 };
 struct FAtomicAnd
 {
+	static constexpr uint32_t Nothing = 0xFFFFFFFFu;
 	template<typename T>
-	static T Apply(T Old, T Value, T)
+	DRYDOCK_LANES_INLINE static T Apply(T Old, T Value, T)
 	{
 		return Old & Value;
 	}
 };
 struct FAtomicOr
 {
+	static constexpr uint32_t Nothing = 0;
 	template<typename T>
-	static T Apply(T Old, T Value, T)
+	DRYDOCK_LANES_INLINE static T Apply(T Old, T Value, T)
 	{
 		return Old | Value;
 	}
 };
 struct FAtomicXor
 {
+	static constexpr uint32_t Nothing = 0;
 	template<typename T>
-	static T Apply(T Old, T Value, T)
+	DRYDOCK_LANES_INLINE static T Apply(T Old, T Value, T)
 	{
 		return Old ^ Value;
 	}
@@ -213,24 +230,47 @@ struct FAtomicCompareExchange
 		return Old == Compare ? Value : Old;
 	}
 };
-template<typename Number>
+/** Of numbers of 32 or 64 bits, with or without a sign. */
+template<typename TNumber>
 struct FAtomicMin
 {
+	using FBits = std::make_unsigned_t<TNumber>;
+	static constexpr FBits Sign = std::is_signed_v<TNumber> ? FBits(FBits(1) << (8 * sizeof(FBits) - 1)) : 0;
+	static constexpr FBits Nothing = FBits(~Sign);
 	template<typename T>
-	static T Apply(T Old, T Value, T)
+	DRYDOCK_LANES_INLINE static T Apply(T Old, T Value, T)
 	{
-		return Number(Value) < Number(Old) ? Value : Old;
+		return Select((Value ^ T(Sign)) < (Old ^ T(Sign)), Value, Old);
 	}
 };
-template<typename Number>
+template<typename TNumber>
 struct FAtomicMax
 {
+	using FBits = std::make_unsigned_t<TNumber>;
+	static constexpr FBits Sign = FAtomicMin<TNumber>::Sign;
+	static constexpr FBits Nothing = Sign;
 	template<typename T>
-	static T Apply(T Old, T Value, T)
+	DRYDOCK_LANES_INLINE static T Apply(T Old, T Value, T)
 	{
-		return Number(Value) > Number(Old) ? Value : Old;
+		return Select((Value ^ T(Sign)) > (Old ^ T(Sign)), Value, Old);
 	}
 };
+
+/** What was there before. */
+template<typename TOperation, typename T>
+DRYDOCK_LANES_INLINE T ApplyAtomic(T* Place, T Value, T Compare)
+{
+	if constexpr (std::is_same_v<TOperation, FAtomicAdd>)
+	{
+		return __atomic_fetch_add(Place, Value, __ATOMIC_RELAXED);
+	}
+	T Old = __atomic_load_n(Place, __ATOMIC_RELAXED);
+	while (!__atomic_compare_exchange_n(
+		Place, &Old, TOperation::Apply(Old, Value, Compare), true, __ATOMIC_RELAXED, __ATOMIC_RELAXED))
+	{
+	}
+	return Old;
+}
 
 /** What was there before, by lane. */
 template<typename TOperation, int N, typename TPlaces, CLanes V>
@@ -239,34 +279,89 @@ DRYDOCK_LANES_INLINE V Atomic(TMask<N> Mask, const TPlaces& Places, V Value, V C
 	using FBits = typename TPlaces::FBits;
 	static_assert(sizeof(V) == N * sizeof(FBits));
 	V Result(FBits(0));
-	for (int Lane = 0; Lane < N; ++Lane)
-	{
-		FBits* const Place = Mask[Lane] ? Places.Find(Lane) : nullptr;
-		if (!Place)
+	ForEachLane(Mask,
+		[&](int Lane)
 		{
-			continue;
-		}
-		FBits Old = __atomic_load_n(Place, __ATOMIC_RELAXED);
-		if constexpr (TPlaces::bOwn)
-		{
-			*Place = TOperation::Apply(Old, FBits(Value.V[Lane]), FBits(Compare.V[Lane]));
-		}
-		else if constexpr (std::is_same_v<TOperation, FAtomicAdd>)
-		{
-			Old = __atomic_fetch_add(Place, FBits(Value.V[Lane]), __ATOMIC_RELAXED);
-		}
-		else
-		{
-			while (!__atomic_compare_exchange_n(Place, &Old,
-				TOperation::Apply(Old, FBits(Value.V[Lane]), FBits(Compare.V[Lane])), true, __ATOMIC_RELAXED,
-				__ATOMIC_RELAXED))
+			FBits* const Place = Places.Find(Lane);
+			if constexpr (TPlaces::bOwn)
 			{
+				const FBits Old = *Place;
+				*Place = TOperation::Apply(Old, FBits(Value.V[Lane]), FBits(Compare.V[Lane]));
+				Result.V[Lane] = Old;
 			}
-		}
-		Result.V[Lane] = Old;
-	}
+			else if (Place)
+			{
+				Result.V[Lane] = ApplyAtomic<TOperation>(Place, FBits(Value.V[Lane]), FBits(Compare.V[Lane]));
+			}
+		});
 	return Result;
 }
+
+/** What a tile's atomics of one kind do to a buffer that they alone change, and whose old values nobody asks for: any
+ * order gives one result. The buffer's first words get it when the tile is done, once and not for each thread, and
+ * threads of the machine do not wait for each other's. */
+template<typename TOperation, int N>
+class TTileAtomics
+{
+public:
+	DRYDOCK_LANES_INLINE TTileAtomics(const FKernelBuffer& Buffer, bool bIntegers)
+		: Memory(reinterpret_cast<uint32_t*>(Buffer.Data))
+		, NumWords(!bIntegers                          ? 0
+				   : Buffer.SizeInBytes / 4 < Capacity ? Buffer.SizeInBytes / 4
+													   : Capacity)
+	{
+		for (uint32_t i = 0; i < NumWords; i += N)
+		{
+			const TUint<N> Nothing(TOperation::Nothing);
+			__builtin_memcpy(Words + i, &Nothing.V, sizeof(Nothing.V));
+		}
+	}
+
+	template<typename TPlaces>
+	DRYDOCK_LANES_INLINE void Apply(TMask<N> Mask, const TPlaces& Places, TUint<N> Value)
+	{
+		const TUint<N> Index = Places.GetWords();
+		if (IsRun(AsInt(Index)) && NumWords >= N && Index.V[0] <= NumWords - N)
+		{
+			TUint<N> New;
+			__builtin_memcpy(&New.V, Words + Index.V[0], sizeof(New.V));
+			Assign(Mask, New, TOperation::Apply(New, Value, Value));
+			__builtin_memcpy(Words + Index.V[0], &New.V, sizeof(New.V));
+			return;
+		}
+		ForEachLane(Mask,
+			[&](int Lane)
+			{
+				const uint32_t i = Index.V[Lane];
+				const uint32_t Number = Value.V[Lane];
+				if (i < NumWords)
+				{
+					Words[i] = TOperation::Apply(Words[i], Number, Number);
+				}
+				else if (uint32_t* const Place = Places.Find(Lane))
+				{
+					ApplyAtomic<TOperation>(Place, Number, Number);
+				}
+			});
+	}
+
+	DRYDOCK_LANES_INLINE void Finish() const
+	{
+		for (uint32_t i = 0; i < NumWords; ++i)
+		{
+			if (Words[i] != TOperation::Nothing)
+			{
+				ApplyAtomic<TOperation>(Memory + i, Words[i], Words[i]);
+			}
+		}
+	}
+
+private:
+	static constexpr uint32_t Capacity = 1024;
+	uint32_t* Memory;
+	uint32_t NumWords;
+	uint32_t Words[Capacity];
+};
 
 } // namespace DRYDOCK_LANES_SET
 } // namespace Drydock::Lanes

@@ -38,9 +38,92 @@ DRYDOCK_LANES_INLINE uint32_t Modulo(uint32_t A, uint32_t B)
 	return Remainder(A, B);
 }
 
+// No vector unit divides integers, but doubles: numbers of 32 bits and their quotients are exact in them. All of it
+// wraps.
+
+/** X + More, which is 0 or 0.5. */
+template<int N>
+DRYDOCK_LANES_INLINE TRaw<double, N> ToDoubles(TUint<N> X, double More)
+{
+	// The bits of 2^52 with X in the lowest ones are 2^52 + X.
+	return TRaw<double, N>(__builtin_convertvector(X.V, TRaw<uint64_t, N>) | 0x4330000000000000) - (0x1p52 - More);
+}
+template<int N>
+DRYDOCK_LANES_INLINE TRaw<double, N> InverseOf(TUint<N> X)
+{
+	return 1.0 / ToDoubles(X, 0.0);
+}
+DRYDOCK_LANES_INLINE double InverseOf(uint32_t X)
+{
+	return 1.0 / double(X);
+}
+
+/** X / Y, where Y is not 0. (X + 0.5) / Y is at least 0.5 / Y from every whole number, and its rounding errors are far
+ * less; 0.5 less than that it is rounded to the whole number below, which is left in the low bits. */
+template<int N, CScalar D>
+DRYDOCK_LANES_INLINE TUint<N> Divide(TUint<N> X, D Y)
+{
+	if constexpr (CUniform<D>)
+	{
+		if (__builtin_constant_p(Y) && (Y & (Y - 1)) == 0)
+		{
+			return TUint<N>(X.V >> __builtin_ctz(Y | 0x80000000u));
+		}
+	}
+	const TRaw<double, N> Bits = (ToDoubles(X, 0.5) * InverseOf(Y) - 0.5) + 0x1.8p52;
+	return TUint<N>(__builtin_convertvector(TRaw<uint64_t, N>(Bits), TRaw<uint32_t, N>));
+}
+
+/** 0 - X where all bits of Negative are set, X where none is; of unsigned numbers. */
+template<CScalar T>
+DRYDOCK_LANES_INLINE T NegateIf(T Negative, T X)
+{
+	return (X ^ Negative) - Negative;
+}
+DRYDOCK_LANES_INLINE int32_t SignOf(int32_t X)
+{
+	return X >> 31;
+}
+template<int N>
+DRYDOCK_LANES_INLINE TInt<N> SignOf(TInt<N> X)
+{
+	return TInt<N>(X.V >> 31);
+}
+template<int N, CScalar D>
+DRYDOCK_LANES_INLINE TInt<N> Divide(TInt<N> X, D Y)
+{
+	const TUint<N> SignX = AsUint(SignOf(X));
+	const auto SignY = AsUint(SignOf(Y));
+	const TUint<N> Quotient = Divide(NegateIf(SignX, AsUint(X)), NegateIf(SignY, AsUint(Y)));
+	return AsInt(NegateIf(SignX ^ TUint<N>(SignY), Quotient));
+}
+
+template<CLanes T, CScalar D>
+DRYDOCK_LANES_INLINE T DivideLanes(T X, D Y)
+{
+	return Select(Y == D(0), T(-1), Divide(X, Y));
+}
+template<CLanes T, CScalar D>
+DRYDOCK_LANES_INLINE T RemainderLanes(T X, D Y)
+{
+	return Select(Y == D(0), T(-1), X - Divide(X, Y) * T(Y));
+}
+template<CLanes T, CScalar D>
+DRYDOCK_LANES_INLINE T ModuloLanes(T X, D Y)
+{
+	const T Rest = RemainderLanes(X, Y);
+	if constexpr (std::is_same_v<T, decltype(AsUint(X))>)
+	{
+		return Rest;
+	}
+	else
+	{
+		return Select(Rest != T(0) && (Rest ^ T(Y)) < T(0), Rest + T(Y), Rest);
+	}
+}
+
 } // namespace Impl
 
-// One scalar after the other: no vector unit divides integers.
 #define DRYDOCK_LANES_DIVISION(Name, Function) \
 	template<CScalar A, CScalar B> \
 	DRYDOCK_LANES_INLINE auto Name(A a, B b) \
@@ -52,14 +135,7 @@ DRYDOCK_LANES_INLINE uint32_t Modulo(uint32_t A, uint32_t B)
 		} \
 		else \
 		{ \
-			const T x = T(a); \
-			const T y = T(b); \
-			T Result; \
-			for (int Lane = 0; Lane < int(sizeof(T) / 4); ++Lane) \
-			{ \
-				Result.V[Lane] = Impl::Function(x.V[Lane], y.V[Lane]); \
-			} \
-			return Result; \
+			return Impl::Function##Lanes(T(a), b); \
 		} \
 	} \
 	template<typename A, typename B, int n> \

@@ -260,8 +260,14 @@ bool FHlslEdits::Apply(FHlslText& Text, const std::map<std::string, std::string>
 
 void FHlslEdits::Apply(FHlslText& Text)
 {
+	if (Edits.empty())
+	{
+		LastEnd = 0;
+		return;
+	}
 	std::stable_sort(Edits.begin(), Edits.end(), [](const FEdit& A, const FEdit& B) { return A.First < B.First; });
 	FHlslTokens Result;
+	Result.reserve(Text.Size() + Edits.size());
 	size_t At = 0;
 	for (FEdit& Edit : Edits)
 	{

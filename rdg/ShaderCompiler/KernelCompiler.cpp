@@ -30,13 +30,14 @@ namespace fs = std::filesystem;
 
 constexpr int DefaultTimeLimitSeconds = 300;
 constexpr const char* HeaderName = "KernelSupport.h"; // the one that a kernel includes
+constexpr const char* ThreadJumps = "-fthread-jumps"; // which clang does not know
 
 std::vector<std::string> GetFlags(const FLaneConfig& Lanes)
 {
 	const int32_t FloatLanes = Lanes.bDouble ? Lanes.Lanes * 2 : Lanes.Lanes;
 	const char* const Level = FloatLanes >= 16 ? "4" : FloatLanes >= 8 ? "3" : "2";
 	// -O1 with the two passes that its loops lack: as fast kernels as by -O2, in four fifths of the compiler's time.
-	std::vector<std::string> Flags = {"-std=c++20", "-O1", "-ftree-vrp", "-fthread-jumps", "-fPIC", "-shared",
+	std::vector<std::string> Flags = {"-std=c++20", "-O1", "-ftree-vrp", ThreadJumps, "-fPIC", "-shared",
 		"-fvisibility=hidden", "-ffp-contract=off", "-fno-math-errno", "-fwrapv", "-fno-exceptions", "-fno-rtti", "-w",
 		"-fasynchronous-unwind-tables", // what ends an endless loop is thrown through a kernel
 		"-nostdlib", // what a kernel calls is in the process; without its libraries the linker takes a third of the
@@ -54,7 +55,13 @@ std::vector<std::string> GetFlags(const FLaneConfig& Lanes)
 std::vector<std::string> GetCommand(
 	const std::string& Compiler, const std::vector<std::string>& Folders, const std::vector<std::string>& Flags)
 {
+	std::error_code Error;
+	const fs::path Program = fs::canonical(Compiler, Error);
 	std::vector<std::string> Arguments = Flags;
+	if (Program.filename().string().starts_with("clang"))
+	{
+		std::erase(Arguments, ThreadJumps);
+	}
 	Arguments.insert(Arguments.begin(), Compiler);
 	for (const std::string& Folder : Folders)
 	{

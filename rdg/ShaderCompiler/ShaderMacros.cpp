@@ -5,6 +5,7 @@
 #include <cctype>
 #include <deque>
 #include <set>
+#include <string_view>
 
 namespace Drydock
 {
@@ -59,11 +60,11 @@ size_t FindNumberEnd(const std::string& Text, size_t i)
 
 size_t FindSignEnd(const std::string& Text, size_t i)
 {
-	static const char* const Signs[] = {"...", "<<=", ">>=", "&&", "||", "==", "!=", "<=", ">=", "<<", ">>", "##",
-		"::", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "++", "--", "->"};
-	for (const std::string Sign : Signs)
+	static constexpr std::string_view Signs[] = {"...", "<<=", ">>=", "&&", "||", "==", "!=", "<=", ">=", "<<", ">>",
+		"##", "::", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "++", "--", "->"};
+	for (const std::string_view Sign : Signs)
 	{
-		if (Text.compare(i, Sign.size(), Sign) == 0)
+		if (Text[i] == Sign[0] && Text.compare(i, Sign.size(), Sign) == 0)
 		{
 			return i + Sign.size();
 		}

@@ -79,6 +79,30 @@ std::string FSpirvEmitter::AtomicPlace(const FSpirvInstruction& I)
 		   (bVarying ? Index : "I(" + Index + ")") + ")";
 }
 
+/** The name of what gathers the tile's atomics on a buffer whose order nobody sees; empty: there is none. */
+std::string FSpirvEmitter::TileAtomics(const FSpirvInstruction& I)
+{
+	const auto Pointer = Definitions.find(I.Operands[0]);
+	const FSpirvVariable* const Variable =
+		Module.FindVariable(Pointer == Definitions.end() ? I.Operands[0] : Pointer->second->Operands[0]);
+	const auto Kind = GroupUse.Commuting.find(Variable ? Variable->Id : 0);
+	const FSpirvType* const Type = Variable ? &Module.GetType(Variable->Type) : nullptr;
+	const bool bTyped = Type && Type->Kind == ESpirvType::Image;
+	if (Kind == GroupUse.Commuting.end() || (bTyped && Type->Dim != DimBuffer))
+	{
+		return {};
+	}
+	const std::string Id = std::to_string(Variable->Id);
+	const std::string Name = "p" + Id;
+	if (Declared.insert(Name).second)
+	{
+		Handles += std::string("\tTTileAtomics<") + GetOperation(Kind->second, false) + ", N> " + Name + "(g" + Id +
+				   ", " + (bTyped ? "g" + Id + ".Storage == ETexelStorage::R32_UINT" : "true") + ");\n";
+		EndText += "\t" + Name + ".Finish();\n";
+	}
+	return Name;
+}
+
 bool FSpirvEmitter::EmitGroups(const FSpirvInstruction& I)
 {
 	switch (I.Op)
@@ -113,8 +137,11 @@ bool FSpirvEmitter::EmitGroups(const FSpirvInstruction& I)
 							  : I.Op == OpAtomicIDecrement ? Constant(bWide ? ~uint64_t(0) : ~0u)
 							  : I.Op == OpAtomicISub       ? Constant(0) + " - " + Operand(3)
 														   : Operand(bCompares ? 4 : 3);
-	const std::string Text = "Atomic<" + GetOperation(I.Op, bWide) + ">(" + GetStoreMask() + ", " + AtomicPlace(I) +
-							 ", " + Value + ", " + (bCompares ? Operand(5) : Constant(0)) + ")";
+	const std::string Tile = bWide ? std::string() : TileAtomics(I);
+	const std::string Text =
+		!Tile.empty() ? Tile + ".Apply(" + GetStoreMask() + ", " + AtomicPlace(I) + ", " + Value + ")"
+					  : "Atomic<" + GetOperation(I.Op, bWide) + ">(" + GetStoreMask() + ", " + AtomicPlace(I) + ", " +
+							Value + ", " + (bCompares ? Operand(5) : Constant(0)) + ")";
 	const auto Uses = NumUses.find(I.Result);
 	if (I.Result && Uses != NumUses.end())
 	{

@@ -268,8 +268,8 @@ std::vector<FEmitScalar> FSpirvEmitter::LoadGroupInput(const FSpirvVariable& Var
 		const int32_t Before = Axis == 0 ? 1 : Axis == 1 ? Size[0] : Size[0] * Size[1];
 		const int32_t Behind = Axis == 0 ? Size[1] * Size[2] : Axis == 1 ? Size[2] : 1;
 		std::string Text = "AsUint(T)";
-		Text = Before == 1 ? Text : "IntDivide(" + Text + ", U(" + Number(Before) + "))";
-		return Behind == 1 ? Text : "IntRemainder(" + Text + ", U(" + Number(Size[Axis]) + "))";
+		Text = Before == 1 ? Text : "IntDivide(" + Text + ", " + Number(Before) + ")";
+		return Behind == 1 ? Text : "IntRemainder(" + Text + ", " + Number(Size[Axis]) + ")";
 	};
 	const char* const Origin[] = {"X", "Y", "Z"};
 	std::vector<FEmitScalar> Result;

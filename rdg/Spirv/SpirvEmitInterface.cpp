@@ -32,24 +32,10 @@ std::vector<FEmitScalar> FSpirvEmitter::LoadInput(const FSpirvVariable& Variable
 		return LoadQuadInput(Variable);
 	}
 	const int32_t* const Group = Reflection.Reflection.GroupSize;
-	const auto Shift = [](int32_t Size)
+	const auto GroupX = [&](bool bRemainder)
 	{
-		int32_t Bits = 0;
-		while ((1 << Bits) < Size)
-		{
-			++Bits;
-		}
-		return Size == 1 << Bits ? Bits : -1;
-	};
-	const auto GroupX = [&](bool bRemainder) -> std::string
-	{
-		const std::string Size = std::to_string(Group[0]) + "u";
-		if (Shift(Group[0]) >= 0)
-		{
-			return bRemainder ? "AsUint(X) & U(" + Size + " - 1u)"
-							  : "ShiftRight(AsUint(X), " + std::to_string(Shift(Group[0])) + "u)";
-		}
-		return (bRemainder ? "IntRemainder(AsUint(X), U(" : "IntDivide(AsUint(X), U(") + Size + "))";
+		return std::string(bRemainder ? "IntRemainder" : "IntDivide") + "(AsUint(X), " + Number(uint32_t(Group[0])) +
+			   "u)";
 	};
 	const auto Uniform = [&](const char* Name, int Axis, const char* Operator) -> FEmitScalar
 	{
@@ -69,7 +55,7 @@ std::vector<FEmitScalar> FSpirvEmitter::LoadInput(const FSpirvVariable& Variable
 	{
 		const std::string Rows =
 			"(" + Uniform("Z", 2, "%").Text + ") * " + std::to_string(Group[1]) + "u + " + Uniform("Y", 1, "%").Text;
-		return {{"(" + GroupX(true) + ") + U((" + Rows + ") * " + std::to_string(Group[0]) + "u)", Uint, true, -1}};
+		return {{GroupX(true) + " + U((" + Rows + ") * " + std::to_string(Group[0]) + "u)", Uint, true, -1}};
 	}
 	case BuiltInFragCoord:
 		return {{"ToReal<Real>(X) + R(Real(0.5f))", Float, true, -1},

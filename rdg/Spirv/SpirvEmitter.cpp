@@ -24,7 +24,8 @@ FSpirvEmitter::FSpirvEmitter(const FSpirvEmitInput& Input, const FSpirvDependenc
 	, Tables(FindConstantTables(Input.Module))
 	, Turns(Input.Module)
 	, Findings(std::move(InFindings))
-	, bGroups(FindGroupUse(Input.Module).bGroups)
+	, GroupUse(FindGroupUse(Input.Module))
+	, bGroups(GroupUse.bGroups)
 {
 	for (const FSpirvBlock& Block : Module.Blocks)
 	{
@@ -383,6 +384,7 @@ std::string EmitKernel(const FSpirvEmitInput& Input, const std::string& Title)
 			   "using U = TUint<N>;\n"
 			   "using M = TMask<N>;\n\n" +
 			   Emitter.GetTables() + "\nvoid Run(const FKernelArgs& Args, const FKernelTile& Tile)\n{\n" + Run +
+			   Emitter.GetEnd() +
 			   "}\n\n"
 			   "} // namespace\n\n"
 			   "extern \"C\"\n{\n"

@@ -72,6 +72,8 @@ public:
 	/** All of Run, from its declarations on. */
 	std::string EmitRun();
 	const std::string& GetTables() const { return TableText; }
+	/** What stands at the end of Run. */
+	const std::string& GetEnd() const { return EndText; }
 	const FFindings& GetFindings() const { return Findings; }
 
 private:
@@ -127,6 +129,7 @@ private:
 	const char* GetStoreMask() const { return Module.bQuads ? "(e & Live)" : "e"; }
 
 	std::string AtomicPlace(const FSpirvInstruction& I);
+	std::string TileAtomics(const FSpirvInstruction& I);
 
 	// Instructions
 	void EmitInstruction(const FSpirvInstruction& I);
@@ -252,8 +255,10 @@ private:
 	EEmitLevel OperandLevel = EEmitLevel::Tile; // of what was used since the last definition
 	std::string Handles;
 	std::vector<FDeclaration> Declarations;
+	const FSpirvGroupUse GroupUse;
 	const bool bGroups;
 	std::string SharedText; // groupshared arrays
+	std::string EndText;
 	std::vector<FSegment> Segments;
 	bool bInSegment = false;
 	size_t SegmentGuards = 0; // scopes that were opened in it and end with it

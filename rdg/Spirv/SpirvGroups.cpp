@@ -41,6 +41,7 @@ bool Commutes(uint16_t Op)
 struct FSharedMemory
 {
 	std::set<uint16_t> Kinds;
+	std::set<uint32_t> Widths; // in bytes: a carry goes from one half of 64 bits to the other
 	bool bOrderSeen = false;
 };
 
@@ -103,6 +104,7 @@ FSpirvGroupUse FindGroupUse(const FSpirvModule& Module)
 				const bool bGroupshared = Variable->Storage == StorageWorkgroup;
 				FSharedMemory& Shared = (bGroupshared ? Groupshared : Memory)[GetMemoryId(Module, Variable->Id)];
 				Shared.Kinds.insert(GetKind(I.Op));
+				Shared.Widths.insert(GetSpirvBytes(Module.GetType(Module.GetValueType(I.Operands[0]).Element).Kind));
 				Shared.bOrderSeen = Shared.bOrderSeen || bSeen;
 				Use.bWaves = Use.bWaves || (bGroupshared && Shared.Kinds.size() > 1);
 			}
@@ -130,7 +132,12 @@ FSpirvGroupUse FindGroupUse(const FSpirvModule& Module)
 	}
 	for (const auto& [Variable, Shared] : Memory)
 	{
-		Use.bInOrder = Use.bInOrder || Shared.bOrderSeen || Shared.Kinds.size() > 1;
+		const bool bCommutes = !Shared.bOrderSeen && Shared.Kinds.size() == 1 && Shared.Widths.size() == 1;
+		Use.bInOrder = Use.bInOrder || !bCommutes;
+		if (bCommutes)
+		{
+			Use.Commuting[Variable] = *Shared.Kinds.begin();
+		}
 	}
 	for (const FSpirvVariable& Variable : Module.Variables)
 	{

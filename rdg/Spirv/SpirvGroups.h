@@ -4,6 +4,8 @@
 
 #include "SpirvStructure.h"
 
+#include <map>
+
 namespace Drydock
 {
 
@@ -22,6 +24,8 @@ struct FSpirvGroupUse
 	/** Groups run one after the other, by z, y and x: atomics on buffers and textures of which somebody sees the order.
 	 */
 	bool bInOrder = false;
+	/** Variables whose memory only gets atomics of one kind that give one result in any order: the kind. */
+	std::map<uint32_t, uint16_t> Commuting;
 };
 
 FSpirvGroupUse FindGroupUse(const FSpirvModule& Module);

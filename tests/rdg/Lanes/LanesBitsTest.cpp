@@ -87,6 +87,54 @@ TEST(LanesInteger, WhatCppLeavesUndefinedIsDefined)
 	}
 }
 
+TEST(LanesInteger, QuotientsAreExactAtEveryWidth)
+{
+	std::mt19937_64 Random(1);
+	const auto Draw = [&Random]
+	{
+		const uint32_t Number = uint32_t(Random() >> Random() % 32);
+		return Random() % 2 ? Number : uint32_t(0) - Number;
+	};
+	std::vector<uint32_t> A(1 << 16);
+	std::vector<uint32_t> B(A.size());
+	for (size_t i = 0; i < A.size(); ++i)
+	{
+		B[i] = Draw();
+		A[i] = i % 2 ? Draw() : Draw() * B[i] - uint32_t(i / 2 % 3); // at a multiple, and just below
+	}
+	std::vector<const FMathKernels*> Sets = {&GetMathKernelsSse()};
+	if (AreLanesSupported(false, 8))
+	{
+		Sets.push_back(&GetMathKernelsAvx2());
+	}
+	if (AreLanesSupported(false, 16))
+	{
+		Sets.push_back(&GetMathKernelsAvx512());
+	}
+	std::vector<uint32_t> Out(A.size());
+	for (const FMathKernels* const Set : Sets)
+	{
+		const auto Check = [&](const char* Name, auto Expected)
+		{
+			Set->Bits.Find(Name)(A.data(), B.data(), Out.data(), int(A.size()));
+			for (size_t i = 0; i < A.size(); ++i)
+			{
+				ASSERT_EQ(uint32_t(Expected(A[i], B[i])), Out[i]) << Name << " of " << A[i] << ", " << B[i];
+			}
+		};
+		Check("Divide", [](uint32_t X, uint32_t Y) { return Y ? X / Y : ~0u; });
+		Check("Remainder", [](uint32_t X, uint32_t Y) { return Y ? X % Y : ~0u; });
+		Check("DivideBy7", [](uint32_t X, uint32_t) { return X / 7; });
+		Check("DivideBy64", [](uint32_t X, uint32_t) { return X / 64; });
+		Check("RemainderBy64", [](uint32_t X, uint32_t) { return X % 64; });
+		Check("DivideBy0", [](uint32_t, uint32_t) { return ~0u; });
+		Check("DivideSigned", [](int32_t X, int32_t Y) { return Y ? int64_t(X) / Y : -1; });
+		Check("RemainderSigned", [](int32_t X, int32_t Y) { return Y ? int64_t(X) % Y : -1; });
+		Check("DivideByMinus8", [](int32_t X, int32_t) { return X / -8; });
+		Check("RemainderBy8Signed", [](int32_t X, int32_t) { return X % 8; });
+	}
+}
+
 TEST(LanesConversion, FloatToIntegerSaturatesAndNanIsZero)
 {
 	const FBitsCase Cases[] = {

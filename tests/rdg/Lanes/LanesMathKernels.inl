@@ -72,17 +72,21 @@ void RunOver(const T* A, const T* B, T* Out, int Count)
 	Do(ShiftLeft, ShiftLeft(x, y)) Do(ShiftRight, ShiftRight(x, y)) Do( \
 		ShiftRightSigned, ToUint(ShiftRight(ToInt(x), y))) Do(Divide, IntDivide(x, y)) Do(Remainder, \
 		IntRemainder(x, y)) Do(DivideSigned, ToUint(IntDivide(ToInt(x), ToInt(y)))) Do(RemainderSigned, \
-		ToUint(IntRemainder(ToInt(x), ToInt(y)))) Do(ModuloSigned, ToUint(IntModulo(ToInt(x), ToInt(y)))) Do(BitCount, \
-		BitCount(x)) Do(BitReverse, BitReverse(x)) Do(FindLsb, ToUint(FindLsb(x))) Do(FindMsb, ToUint(FindMsb(x))) \
-		Do(FindMsbSigned, ToUint(FindMsb(ToInt(x)))) Do(Less, ToUint(x < y)) Do(LessSigned, \
-			ToUint(ToInt(x) < ToInt(y))) Do(MinUnsigned, Min(x, y)) Do(MaxSigned, ToUint(Max(ToInt(x), ToInt(y)))) \
-			Do(AbsSigned, ToUint(Abs(ToInt(x)))) Do(SignSigned, ToUint(Sign(ToInt(x)))) Do(Multiply, Multiply(x, y)) \
-				Do(Add, Add(x, y)) Do(Negate, Negate(x)) Do(FloatToInt, ToUint(ToInt(AsReal<float>(x)))) \
+		ToUint(IntRemainder(ToInt(x), ToInt(y)))) Do(ModuloSigned, ToUint(IntModulo(ToInt(x), ToInt(y)))) \
+		Do(DivideBy7, IntDivide(x, 7u)) Do(DivideBy64, IntDivide(x, 64u)) Do(RemainderBy64, IntRemainder(x, 64u)) Do( \
+			DivideBy0, IntDivide(x, 0u)) Do(DivideByMinus8, ToUint(IntDivide(ToInt(x), -8))) Do(RemainderBy8Signed, \
+			ToUint(IntRemainder(ToInt(x), 8))) Do(BitCount, BitCount(x)) \
+			Do(BitReverse, BitReverse(x)) Do(FindLsb, ToUint(FindLsb(x))) Do(FindMsb, ToUint(FindMsb(x))) Do( \
+				FindMsbSigned, ToUint(FindMsb(ToInt(x)))) Do(Less, \
+				ToUint(x < y)) Do(LessSigned, ToUint(ToInt(x) < ToInt(y))) Do(MinUnsigned, Min(x, y)) Do(MaxSigned, \
+				ToUint(Max(ToInt(x), ToInt(y)))) Do(AbsSigned, ToUint(Abs(ToInt(x)))) \
+				Do(SignSigned, ToUint(Sign(ToInt(x)))) Do(Multiply, Multiply(x, y)) Do( \
+					Add, Add(x, y)) Do(Negate, Negate(x)) Do(FloatToInt, ToUint(ToInt(AsReal<float>(x)))) \
 					Do(FloatToUint, ToUint(AsReal<float>(x))) Do(DoubleToInt, ToUint(ToInt(AsReal<double>(x)))) Do( \
 						DoubleToUint, ToUint(AsReal<double>(x))) Do(IntToFloat, AsUint(ToReal<float>(ToInt(x)))) \
-						Do(UintToFloat, AsUint(ToReal<float>(x))) Do(UintToDouble, AsUint(ToReal<double>(x))) \
-							Do(UnpackLow, AsUint(UnpackHalf2<float>(x)[0])) Do( \
-								UnpackHigh, AsUint(UnpackHalf2<float>(x)[1])) Do(PackHalf, \
+						Do(UintToFloat, AsUint(ToReal<float>(x))) Do(UintToDouble, AsUint(ToReal<double>(x))) Do( \
+							UnpackLow, AsUint(UnpackHalf2<float>(x)[0])) \
+							Do(UnpackHigh, AsUint(UnpackHalf2<float>(x)[1])) Do(PackHalf, \
 								PackHalf2(TVec<decltype(AsReal<float>(x)), 2>(AsReal<float>(x), AsReal<float>(y)))) \
 								Do(ExtractField, BitFieldExtract(x, 5u, y& T(31u))) \
 									Do(ExtractFieldSigned, ToUint(BitFieldExtract(ToInt(x), y& T(15u), y& T(7u)))) \

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "CacheTestUtils.h"
+#include "ChildProcess.h"
 #include "FrontEndCrash.h"
 #include "TemporaryFolder.h"
 #include "ToolFault.h"
@@ -98,6 +99,19 @@ FShaderRun RunWithFileLimit(rlim_t Bytes, const std::string& Comment)
 }
 
 } // namespace
+
+TEST_F(FCompilerFaults, ClangCompilesKernelsAsGccDoes)
+{
+	const std::string Clang = FindProgram("clang++");
+	if (Clang.empty())
+	{
+		GTEST_SKIP() << "there is no clang++";
+	}
+	const FScopedVariable Compiler("DRYDOCK_CXX", Clang);
+	const FShaderRun Run = RunCacheShader("31");
+	EXPECT_EQ("", Run.Error);
+	EXPECT_EQ(31.0f, Run.Value);
+}
 
 TEST_F(FCompilerFaults, OneThatHangsIsEndedWithAllItStarted)
 {

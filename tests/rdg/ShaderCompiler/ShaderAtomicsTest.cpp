@@ -205,3 +205,76 @@ void MainCS(uint3 Id : SV_DispatchThreadID)
 			}
 		});
 }
+
+TEST(ShaderAtomics, WhatCommutesIsTheSameWhereverItLiesAndWhoeverTakesPart)
+{
+	// Words that a tile gathers and words that it does not; lanes side by side, apart and on one word; some that do not
+	// take part; the end of a buffer, and behind it.
+	const std::string Text = R"(
+RWStructuredBuffer<uint> Sums;
+RWStructuredBuffer<int> Least;
+RWStructuredBuffer<int> Most;
+RWByteAddressBuffer Bits;
+RWBuffer<uint> Kept;
+RWStructuredBuffer<uint> Flipped;
+[numthreads(24, 1, 1)]
+void MainCS(uint3 Id : SV_DispatchThreadID, uint I : SV_GroupIndex)
+{
+	InterlockedAdd(Sums[Id.x * 37 % 1500], Id.x);
+	if (Id.x % 3 != 1)
+	{
+		InterlockedAdd(Sums[I + 1010], 1000);
+	}
+	InterlockedMin(Least[I % 5], int(Id.x * 31 % 97) - 50);
+	InterlockedMax(Most[I], int(Id.x * 31 % 97) - 50);
+	Bits.InterlockedOr(I % 3 * 4, 1u << Id.x % 32);
+	InterlockedAnd(Kept[I], ~(1u << Id.x % 32));
+	InterlockedXor(Flipped[Id.x % 7], Id.x);
+}
+)";
+	constexpr uint32_t NumThreads = 240;
+	std::vector<uint32_t> Sums(1300, 7);
+	std::vector<int32_t> Least(5, 20);
+	std::vector<int32_t> Most(24, -40);
+	std::vector<uint32_t> Bits(3, 0);
+	std::vector<uint32_t> Kept(20, ~0u);
+	std::vector<uint32_t> Flipped(7, 5);
+	for (uint32_t x = 0; x < NumThreads; ++x)
+	{
+		const uint32_t I = x % 24;
+		const uint32_t At = x * 37 % 1500;
+		if (At < Sums.size())
+		{
+			Sums[At] += x;
+		}
+		Sums[I + 1010] += x % 3 != 1 ? 1000 : 0;
+		Least[I % 5] = std::min(Least[I % 5], int32_t(x * 31 % 97) - 50);
+		Most[I] = std::max(Most[I], int32_t(x * 31 % 97) - 50);
+		Bits[I % 3] |= 1u << x % 32;
+		if (I < Kept.size())
+		{
+			Kept[I] &= ~(1u << x % 32);
+		}
+		Flipped[x % 7] ^= x;
+	}
+	ForEachForm(
+		Text, NumThreads, 1, 1,
+		[&](FShaderHarness& H)
+		{
+			H.Buffers["Sums"].assign(Sums.size(), 7);
+			H.Buffers["Least"].assign(5, 20);
+			H.Buffers["Most"].assign(24, uint32_t(-40));
+			H.Buffers["Bits"].assign(3, 0);
+			H.Buffers["Kept"].assign(20, ~0u);
+			H.Buffers["Flipped"].assign(7, 5);
+		},
+		[&](FShaderHarness& H)
+		{
+			EXPECT_EQ(Sums, H.Buffers["Sums"]);
+			EXPECT_EQ(std::vector<uint32_t>(Least.begin(), Least.end()), H.Buffers["Least"]);
+			EXPECT_EQ(std::vector<uint32_t>(Most.begin(), Most.end()), H.Buffers["Most"]);
+			EXPECT_EQ(Bits, H.Buffers["Bits"]);
+			EXPECT_EQ(Kept, H.Buffers["Kept"]);
+			EXPECT_EQ(Flipped, H.Buffers["Flipped"]);
+		});
+}
