@@ -9,6 +9,7 @@
 #include "ShaderCache.h"
 #include "Text/ConfigErrors.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -118,12 +119,25 @@ CLI::Option* RequireNonNegative(CLI::Option* Option)
 
 CLI::Option* RequireOneOf(CLI::Option* Option, const std::vector<std::string>& Words)
 {
-	std::string Type;
-	for (const std::string& Word : Words)
+	const auto Join = [Words](const char* Between)
 	{
-		Type += (Type.empty() ? "" : "|") + Word;
-	}
-	return Option->check(CLI::IsMember(Words).description(""))->type_name(Type);
+		std::string Joined;
+		for (const std::string& Word : Words)
+		{
+			Joined += (Joined.empty() ? "" : Between) + Word;
+		}
+		return Joined;
+	};
+	const auto Explain = [Words, Join](const std::string& Word)
+	{
+		if (std::find(Words.begin(), Words.end(), Word) != Words.end())
+		{
+			return std::string();
+		}
+		const std::string Nearest = FindNearestName(Word, Words);
+		return '"' + Word + "\" is none of " + Join(", ") + (Nearest.empty() ? "" : "; did you mean " + Nearest + "?");
+	};
+	return Option->check(Explain)->type_name(Join("|"));
 }
 
 std::array<double, 3> ParseLocation(const std::string& Text)

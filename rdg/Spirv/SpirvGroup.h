@@ -40,6 +40,8 @@ public:
 	uint32_t GetNumThreads() const { return uint32_t(Threads.size()); }
 	/** As it was when the group had run. */
 	const TSpirvThread<Real>& GetThread(uint32_t Index) const { return *Threads.at(Index); }
+	/** To be observed from now on. */
+	TSpirvThread<Real>& GetThread(uint32_t Index) { return *Threads.at(Index); }
 
 private:
 	void RunAll(const FKernelArgs& Args, const int32_t (&GroupId)[3], uint64_t MaxSteps);

@@ -32,6 +32,8 @@ std::string FVulkanBackend::Run(const FShaderCompileRequest&, const std::shared_
 	return {};
 }
 
+void FVulkanBackend::ForgetShaders() {}
+
 std::string FVulkanBackend::GetDeviceName() const
 {
 	return {};

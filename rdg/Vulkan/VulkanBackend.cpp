@@ -90,6 +90,11 @@ std::string FVulkanBackend::Run(const FShaderCompileRequest& Request,
 		Kernel, [&Request] { return Request; }, Args, Whole);
 }
 
+void FVulkanBackend::ForgetShaders()
+{
+	Implementation->Entries.clear();
+}
+
 std::string FVulkanBackend::GetDeviceName() const
 {
 	return Implementation->Device->GetName();

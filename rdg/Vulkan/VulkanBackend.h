@@ -25,6 +25,9 @@ public:
 	std::string Run(const FShaderCompileRequest& Request, const std::shared_ptr<const FShaderReflection>& Kernel,
 		const FKernelArgs& Args, const FKernelTile& Whole);
 
+	/** Lets go of all pipelines; shaders that run again are made anew. */
+	void ForgetShaders();
+
 	/** As the driver gives it: "llvmpipe (LLVM 15.0.6, 256 bits)". */
 	std::string GetDeviceName() const override;
 

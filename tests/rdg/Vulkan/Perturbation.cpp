@@ -31,13 +31,12 @@ double GetLogBound(double X, double Result)
 	return X >= 0.5 && X <= 2 ? 0x1p-21 : 3 * Ulp(Result);
 }
 
+constexpr double SmallestNormal = 0x1p-126;
+constexpr double LargestFlushedLog = -126; // log2 of it
+
 /** pow is exp2(y * log2(x)). */
 double GetPowBound(double X, double Y, double Result)
 {
-	if (X <= 0)
-	{
-		return 0;
-	}
 	const double Log = std::log2(X);
 	const double Exponent = Y * Log;
 	const double ExponentBound = std::fabs(Y) * GetLogBound(X, Log) + Ulp(Exponent);
@@ -47,10 +46,10 @@ double GetPowBound(double X, double Y, double Result)
 } // namespace
 
 FPerturbation::FPerturbation(
-	TSpirvThread<float>& InThread, const FSpirvProgram& InProgram, uint32_t Seed, double InTexels)
+	TSpirvThread<float>& InThread, const FSpirvProgram& InProgram, FMoves& InMoves, double InTexels)
 	: Thread(InThread)
 	, Program(InProgram)
-	, Random(Seed)
+	, Moves(InMoves)
 	, Texels(InTexels)
 {
 }
@@ -59,14 +58,11 @@ void FPerturbation::Prepare(FSpirvProgram& Program)
 {
 	for (FSpirvStep& Step : Program.Steps)
 	{
-		Step.bHook = true;
+		const bool bSample = Step.I->Op == OpImageSampleImplicitLod || Step.I->Op == OpImageSampleExplicitLod;
+		const bool bReal = Step.I->Type != 0 && Program.Module.GetType(Step.I->Type).NumScalars > 0 && Step.Size > 0 &&
+						   Program.Module.GetScalarKind(Step.I->Type, 0) == ESpirvType::Float;
+		Step.bHook = bSample || bReal;
 	}
-}
-
-bool FPerturbation::IsReal(const FSpirvStep& Step) const
-{
-	return Step.I->Type != 0 && Program.Module.GetType(Step.I->Type).NumScalars > 0 && Step.Size > 0 &&
-		   Program.Module.GetScalarKind(Step.I->Type, 0) == ESpirvType::Float;
 }
 
 float FPerturbation::Read(const FSpirvStep& Step, size_t Operand, uint32_t Index) const
@@ -78,17 +74,17 @@ float FPerturbation::Read(const FSpirvStep& Step, size_t Operand, uint32_t Index
 void FPerturbation::Move(const FSpirvStep& Step, uint32_t Index, double Bound)
 {
 	const double Value = Thread.GetReal(Step.To + Index);
-	if (!std::isfinite(Value) || !(Bound > 0))
+	if (!std::isfinite(Value) || !std::isfinite(Bound) || !(Bound > 0)) // exp2 of an infinity is exact
 	{
 		return;
 	}
-	const float Moved = float(Value + Sign() * Bound);
+	const float Moved = float(Value + Moves.Next() * Bound);
 	Thread.GetWords()[Step.To + Index] = __builtin_bit_cast(uint32_t, Moved);
 }
 
 void FPerturbation::OnStep(const FSpirvThreadView&, const FSpirvStep& Step)
 {
-	if (bInside || (Step.I->Op != OpImageSampleImplicitLod && Step.I->Op != OpImageSampleExplicitLod && !IsReal(Step)))
+	if (bInside)
 	{
 		return;
 	}
@@ -101,10 +97,24 @@ void FPerturbation::OnStep(const FSpirvThreadView&, const FSpirvStep& Step)
 	case OpMatrixTimesScalar:
 	case OpConvertSToF:
 	case OpConvertUToF:
+	case OpDPdx:
+	case OpDPdy:
+	case OpDPdxFine:
+	case OpDPdyFine:
+	case OpDPdxCoarse:
+	case OpDPdyCoarse:
 		// Rounded once, and a driver may fuse a product with the sum that takes it.
 		for (uint32_t i = 0; i < Step.Size; ++i)
 		{
 			Move(Step, i, Ulp(Thread.GetReal(Step.To + i)));
+		}
+		return;
+	case OpFwidth: // a sum of two differences
+	case OpFwidthFine:
+	case OpFwidthCoarse:
+		for (uint32_t i = 0; i < Step.Size; ++i)
+		{
+			Move(Step, i, 2 * Ulp(Thread.GetReal(Step.To + i)));
 		}
 		return;
 	case OpFDiv:
@@ -139,6 +149,15 @@ void FPerturbation::OnStep(const FSpirvThreadView&, const FSpirvStep& Step)
 	}
 }
 
+/** What came of a zero stays, or becomes Value, the farthest that it can. */
+void FPerturbation::MoveFromZero(const FSpirvStep& Step, uint32_t Index, double Value)
+{
+	if (Moves.NextChoice())
+	{
+		Thread.GetWords()[Step.To + Index] = __builtin_bit_cast(uint32_t, float(Value));
+	}
+}
+
 /** Sums of products in any order: each term's rounding counts by the size of the largest sum there can be. */
 void FPerturbation::MoveProducts(const FSpirvStep& Step)
 {
@@ -168,7 +187,7 @@ void FPerturbation::SampleBeside(const FSpirvStep& Step)
 	for (uint32_t i = 0; i < std::min(Count, 2u); ++i)
 	{
 		const double Value = Thread.GetReal(First + i);
-		const float Moved = float(Value + Sign() * (Texels / Size + Ulp(Value)));
+		const float Moved = float(Value + Moves.Next() * (Texels / Size + Ulp(Value)));
 		Thread.GetWords()[First + i] = __builtin_bit_cast(uint32_t, Moved);
 	}
 	bInside = true;
@@ -207,9 +226,19 @@ void FPerturbation::MoveExtended(const FSpirvStep& Step)
 			break;
 		case ExtLog:
 		case ExtLog2:
+			if (std::fabs(Read(Step, X, i)) < SmallestNormal)
+			{
+				MoveFromZero(Step, i, LargestFlushedLog * (Step.I->Operands[1] == ExtLog ? std::log(2.0) : 1.0));
+				break;
+			}
 			Move(Step, i, GetLogBound(Read(Step, X, i), Result) + One);
 			break;
 		case ExtPow:
+			if (std::fabs(Read(Step, X, i)) < SmallestNormal)
+			{
+				MoveFromZero(Step, i, std::exp2(LargestFlushedLog * Read(Step, X + 1, i)));
+				break;
+			}
 			Move(Step, i, GetPowBound(Read(Step, X, i), Read(Step, X + 1, i), Result));
 			break;
 		case ExtSin:

@@ -1,21 +1,22 @@
 // Every shipped shader by three makers: drydock's interpreter, which kernels equal bit for bit, lavapipe and
-// SwiftShader. Who stands alone is named. DRYDOCK_ORACLES=all takes every permutation, else the first and the last of
-// each class are taken; docs/oracles.md says what was found.
+// SwiftShader. Who stands alone is named. A driver's number may be as far from ours as operations within Vulkan's
+// bounds can move it (Perturbation.h), and no farther: as far as one of six runs that are moved by chance, else as all
+// operations of its thread together (MovedModel.h). Environment: DRYDOCK_ORACLES is the most permutations of a class,
+// DRYDOCK_ORACLES_SEED draws them, DRYDOCK_ORACLES_ONLY is a part of a class's name. docs/oracles.md says what was
+// found.
 #include <gtest/gtest.h>
 
-#include "InspectedShader.h"
-#include "MadeArguments.h"
-#include "Perturbation.h"
+#include "MovedModel.h"
 #include "Shader.h"
 #include "ShaderCompilation.h"
-#include "SpirvGroup.h"
-#include "TileExecutor.h"
+#include "ShaderCompiler.h"
 #include "VulkanDrivers.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <future>
 #include <map>
 #include <set>
 
@@ -25,20 +26,15 @@ namespace
 using namespace Drydock;
 using namespace Drydock::Test;
 
-constexpr uint64_t MaxSteps = 100'000'000;
-constexpr int NumPerturbed = 6;
-constexpr double Texels = 1.0 / 256; // sub-texel precision is 8 bits, as VkPhysicalDeviceLimits has it
-/** A few random walks do not reach the farthest point. */
-constexpr double Reach = 2;
+constexpr uint32_t NumWalks = 6;
 
-/** Of a class. */
-size_t GetMostPermutations()
+int GetNumber(const char* Variable, int Default)
 {
-	const char* const Asked = std::getenv("DRYDOCK_ORACLES");
-	return size_t(std::max(Asked ? std::atoi(Asked) : 0, 2));
+	const char* const Text = std::getenv(Variable);
+	return Text ? std::atoi(Text) : Default;
 }
 
-/** All, or the first, the last and others drawn by chance. */
+/** All, or the last, which has most switched on, and others that are drawn for the class. */
 std::vector<int32> ListPermutations(const FShaderType& Type)
 {
 	std::vector<int32> Ids;
@@ -49,96 +45,29 @@ std::vector<int32> ListPermutations(const FShaderType& Type)
 			Ids.push_back(Id);
 		}
 	}
-	const size_t Most = GetMostPermutations();
+	const size_t Most = size_t(std::max(GetNumber("DRYDOCK_ORACLES", 2), 1));
 	if (Ids.size() > Most)
 	{
-		std::mt19937 Random(1);
-		std::shuffle(Ids.begin() + 1, Ids.end() - 1, Random);
-		Ids[Most - 1] = Ids.back();
+		const std::string Name = Type.GetName();
+		std::vector<int> Seeds(Name.begin(), Name.end());
+		Seeds.push_back(GetNumber("DRYDOCK_ORACLES_SEED", 1));
+		std::seed_seq Sequence(Seeds.begin(), Seeds.end());
+		std::mt19937 Random(Sequence);
+		std::swap(Ids.front(), Ids.back());
+		for (size_t i = 1; i < Most; ++i)
+		{
+			std::swap(Ids[i], Ids[i + Random() % (Ids.size() - i)]);
+		}
 		Ids.resize(Most);
 	}
 	return Ids;
 }
 
-/** Numbers of ReadResults that the shader's outputs have; the others of a render target are nobody's. */
-std::vector<bool> FindWritten(const FInspectedShader& Shader, const FShaderReflection& Reflection, size_t Count)
+std::string Print(double Number)
 {
-	std::vector<bool> Written(Count, true);
-	std::vector<uint32_t> Components(size_t(Reflection.NumTargets), 0);
-	for (const FSpirvVariable& Variable : Shader.GetModule().Variables)
-	{
-		if (Variable.Storage == Spirv::StorageOutput && Reflection.Stage == EShaderStage::Pixel)
-		{
-			Components.at(Variable.Location) = Shader.GetModule().GetType(Variable.Type).NumScalars;
-		}
-	}
-	constexpr size_t PerTarget = size_t(GMadeSizeX) * size_t(GMadeSizeY) * 4;
-	for (size_t i = 0; i < PerTarget * Components.size(); ++i)
-	{
-		Written[i] = i % 4 < Components[i / PerTarget];
-	}
-	return Written;
-}
-
-/** Seed 0: as it is; else with every operation moved within Vulkan's bounds. */
-std::vector<double> RunModel(
-	FInspectedShader& Shader, const FShaderReflection& Reflection, EMadePictures Pictures, uint32_t Seed)
-{
-	FMadeArguments Made(Reflection, Pictures, 1);
-	if (Seed != 0)
-	{
-		std::mt19937 Random(Seed);
-		for (FKernelInterpolant& Input : Made.Interpolants)
-		{
-			for (double& Base : Input.Base) // from the vertices' values in float
-			{
-				Base += (Random() & 1 ? 1 : -1) * 4 * 0x1p-23;
-			}
-		}
-	}
-	const FScopedDenormals Denormals(EDenormals::Flush);
-	const FKernelTile Whole = Made.GetWhole();
-	const auto StoreTargets = [&](const TSpirvThread<float>& Thread)
-	{
-		const int32_t* const At = Thread.GetPosition();
-		for (size_t v = 0; v < Shader.GetModule().Variables.size() && !Thread.WasDiscarded(); ++v)
-		{
-			const FSpirvVariable& Variable = Shader.GetModule().Variables[v];
-			const FSpirvMemory& Memory = Shader.GetProgram().Memory[v];
-			for (uint32_t c = 0; Variable.Storage == Spirv::StorageOutput && c < std::min(Memory.Size, 4u); ++c)
-			{
-				Made.GetTarget(Variable.Location, At[0], At[1])[c] = float(Thread.GetReal(Memory.First + c));
-			}
-		}
-	};
-	if (Shader.HasGroups()) // or quads; these run as they are
-	{
-		TSpirvGroup<float> Group(Shader.GetProgram(), Shader.GetOrder(), Shader.GetSlots(), Shader.GetWaveSize());
-		const uint32_t* const Size = Shader.GetModule().LocalSize;
-		for (int32_t i = 0; i < Whole.MaxX / int32_t(Size[0]) * (Whole.MaxY / int32_t(Size[1])); ++i)
-		{
-			const int32_t Columns = Whole.MaxX / int32_t(Size[0]);
-			Group.Run(Made.GetArgs(), {i % Columns, i / Columns, 0}, MaxSteps);
-			for (uint32_t Thread = 0; Shader.GetModule().bQuads && Thread < Group.GetNumThreads(); ++Thread)
-			{
-				StoreTargets(Group.GetThread(Thread));
-			}
-		}
-		return Made.ReadResults();
-	}
-	TSpirvThread<float> Thread(Shader.GetProgram(), Shader.GetSlots());
-	FPerturbation Perturbation(Thread, Shader.GetProgram(), Seed, Texels);
-	Thread.SetObserver(Seed != 0 ? &Perturbation : nullptr, false);
-	for (int32_t i = 0; i < Whole.MaxX * Whole.MaxY * Whole.MaxZ; ++i)
-	{
-		const int32_t At[3] = {i % Whole.MaxX, i / Whole.MaxX % Whole.MaxY, i / Whole.MaxX / Whole.MaxY};
-		Thread.Run(Made.GetArgs(), At, nullptr, MaxSteps);
-		if (Reflection.Stage == EShaderStage::Pixel)
-		{
-			StoreTargets(Thread);
-		}
-	}
-	return Made.ReadResults();
+	char Text[32];
+	std::snprintf(Text, sizeof(Text), "%.9g", Number);
+	return Text;
 }
 
 /** What came of a comparison of all numbers of one run. */
@@ -147,6 +76,7 @@ struct FTally
 	uint64_t Numbers = 0;   // compared
 	uint64_t NotFinite = 0; // NaN or infinity here, or within the bounds of it: Vulkan promises nothing of these
 	uint64_t Loose = 0;     // compared, but within the bounds anything from a tenth of the value on is right
+	uint64_t Measured = 0;  // farther than the runs by chance went: each operation was moved alone
 	std::map<std::string, uint64_t> Alone;
 	std::map<std::string, std::string> First; // of those, the first number
 	double LargestShare = 0;                  // of the tolerance
@@ -157,6 +87,7 @@ void AddTo(FTally& Sum, const FTally& One)
 	Sum.Numbers += One.Numbers;
 	Sum.NotFinite += One.NotFinite;
 	Sum.Loose += One.Loose;
+	Sum.Measured += One.Measured;
 	Sum.LargestShare = std::max(Sum.LargestShare, One.LargestShare);
 	for (const auto& [Name, Count] : One.Alone)
 	{
@@ -164,28 +95,44 @@ void AddTo(FTally& Sum, const FTally& One)
 	}
 }
 
-FTally Compare(const std::vector<double>& Ours, const std::vector<std::vector<double>>& Perturbed,
-	const std::map<std::string, std::vector<double>>& Theirs, const std::vector<bool>& Written)
+FTally Compare(const FMovedModel& Model, const std::map<std::string, std::vector<double>>& Theirs)
 {
 	FTally Tally;
+	const std::vector<double>& Ours = Model.GetNumbers();
+	std::vector<std::vector<double>> Walks;
+	for (uint32_t Seed = 1; Seed <= NumWalks; ++Seed)
+	{
+		Walks.push_back(Model.Walk(Seed));
+	}
 	for (size_t i = 0; i < Ours.size(); ++i)
 	{
-		if (!Written[i])
+		if (!Model.GetWritten()[i])
 		{
 			continue;
 		}
 		double Farthest = 0;
-		for (const std::vector<double>& One : Perturbed)
+		for (const std::vector<double>& One : Walks)
 		{
-			Farthest = std::max(Farthest, std::fabs(One[i] - Ours[i]));
-			Farthest = std::isfinite(One[i]) ? Farthest : INFINITY;
+			Farthest = std::max(Farthest, std::isfinite(One[i]) ? std::fabs(One[i] - Ours[i]) : INFINITY);
 		}
 		if (!std::isfinite(Ours[i]) || !std::isfinite(Farthest))
 		{
 			++Tally.NotFinite;
 			continue;
 		}
-		const double Tolerance = Reach * Farthest + 0x1p-22 * std::fabs(Ours[i]) + 0x1p-126;
+		const double Rounding = 0x1p-23 * std::fabs(Ours[i]) + 0x1p-126; // of ours; numbers below that may be flushed
+		double Largest = 0;
+		for (const auto& [Name, Results] : Theirs)
+		{
+			const double Difference = std::fabs(Results[i] - Ours[i]);
+			Largest = std::isfinite(Difference) ? std::max(Largest, Difference) : INFINITY;
+		}
+		if (Largest > Farthest + Rounding)
+		{
+			++Tally.Measured;
+			Farthest = std::max(Farthest, Model.FindFarthest(i));
+		}
+		const double Tolerance = Farthest + Rounding;
 		++Tally.Numbers;
 		Tally.Loose += Tolerance > 0.1 * std::max(std::fabs(Ours[i]), 0x1p-10);
 		std::vector<std::string> Apart;
@@ -210,11 +157,10 @@ FTally Compare(const std::vector<double>& Ours, const std::vector<std::vector<do
 		const std::string Name = bTheyAgree ? "drydock" : Apart.size() > 1 ? "each" : Apart.front();
 		if (++Tally.Alone[Name] == 1)
 		{
-			std::string Text =
-				std::to_string(i) + ": drydock " + std::to_string(Ours[i]) + " +- " + std::to_string(Tolerance);
+			std::string Text = std::to_string(i) + ": drydock " + Print(Ours[i]) + " +- " + Print(Tolerance);
 			for (const auto& [Other, Results] : Theirs)
 			{
-				Text += ", " + Other + " " + std::to_string(Results[i]);
+				Text += ", " + Other + " " + Print(Results[i]);
 			}
 			Tally.First[Name] = Text;
 		}
@@ -222,9 +168,8 @@ FTally Compare(const std::vector<double>& Ours, const std::vector<std::vector<do
 	return Tally;
 }
 
-} // namespace
-
-TEST(VulkanOracles, EveryShippedShaderByThreeMakers)
+/** The drivers that are here; of the others it is said. */
+std::vector<FVulkanDriver*> FindDrivers()
 {
 	std::vector<FVulkanDriver*> Drivers;
 	for (FVulkanDriver& Driver : GetVulkanDrivers())
@@ -238,86 +183,137 @@ TEST(VulkanOracles, EveryShippedShaderByThreeMakers)
 			std::printf("%s\n", Driver.Fault.c_str());
 		}
 	}
-	if (Drivers.empty())
-	{
-		GTEST_SKIP() << "no Vulkan driver of a CPU is here";
-	}
-	int NumShaders = 0;
-	std::set<std::string> Refused;
+	return Drivers;
+}
+
+/** One shader by all makers, with both kinds of pictures. */
+FTally CompareShader(const std::string& Name, const FShaderCompileRequest& Request,
+	const std::shared_ptr<const FShaderReflection>& Reflection, std::set<std::string>& OutRefused)
+{
 	FTally Sum;
-	const char* const Only = std::getenv("DRYDOCK_ORACLES_ONLY"); // part of a class's name
-	const auto CompareShader = [&](const FShaderType& Type, int32 Id)
+	const std::vector<FVulkanDriver*> Drivers = FindDrivers();
+	FInspectedShader Inspected(Request, *Reflection, true);
+	for (const EMadePictures Pictures : {EMadePictures::Smooth, EMadePictures::Noisy})
 	{
-		const FShaderRef Shader(Type.FindOrCreateShader(Id));
-		const FShaderCompileRequest Request = MakeShaderCompileRequest(Shader, Type.GetRootParametersMetadata());
-		if (!Request.VirtualPath.starts_with("/Engine/") || Request.Stage == EShaderStage::Vertex ||
-			(Only && std::string(Type.GetName()).find(Only) == std::string::npos))
+		std::map<std::string, std::vector<double>> Theirs;
+		std::vector<std::future<std::string>> Faults; // the drivers run while the model does
+		for (FVulkanDriver* const Driver : Drivers)
 		{
-			return;
-		}
-		const std::shared_ptr<const FShaderReflection> Reflection = GetShaderReflection(Shader);
-		FInspectedShader Inspected(Request, *Reflection, true);
-		FPerturbation::Prepare(Inspected.GetProgram());
-		for (const EMadePictures Pictures : {EMadePictures::Smooth, EMadePictures::Noisy})
-		{
-			const std::string Name = std::string(Type.GetName()) + " permutation " + std::to_string(Id) +
-									 (Pictures == EMadePictures::Smooth ? " smooth" : " noisy");
-			const std::vector<double> Ours = RunModel(Inspected, *Reflection, Pictures, 0);
-			std::vector<std::vector<double>> Perturbed;
-			for (uint32_t Seed = 1; Seed <= NumPerturbed; ++Seed)
-			{
-				Perturbed.push_back(RunModel(Inspected, *Reflection, Pictures, Seed));
-			}
-			std::map<std::string, std::vector<double>> Theirs;
-			for (FVulkanDriver* const Driver : Drivers)
-			{
-				FMadeArguments Made(*Reflection, Pictures, 1);
-				const std::string Fault = Driver->Backend->Run(Request, Reflection, Made.GetArgs(), Made.GetWhole());
-				if (Fault.empty())
+			Faults.push_back(std::async(std::launch::async,
+				[&Request, &Reflection, Driver, Pictures, &Numbers = Theirs[Driver->Name]]
 				{
-					Theirs[Driver->Name] = Made.ReadResults();
-				}
-				else
-				{
-					Refused.insert(std::string(Type.GetName()) + " on " + Driver->Name + ": " + Fault);
-				}
-			}
-			const FTally Tally = Compare(Ours, Perturbed, Theirs, FindWritten(Inspected, *Reflection, Ours.size()));
-			AddTo(Sum, Tally);
-			for (const auto& [Who, Count] : Tally.Alone)
-			{
-				std::printf("%s: %s stands alone in %llu of %llu numbers; %s\n", Name.c_str(), Who.c_str(),
-					static_cast<unsigned long long>(Count), static_cast<unsigned long long>(Tally.Numbers),
-					Tally.First.at(Who).c_str());
-			}
-			EXPECT_EQ(0u, Tally.Alone.count("drydock")) << Name << ": " << Tally.First.at("drydock");
+					FMadeArguments Made(*Reflection, Pictures, 1);
+					const std::string Fault =
+						Driver->Backend->Run(Request, Reflection, Made.GetArgs(), Made.GetWhole());
+					Numbers = Made.ReadResults();
+					return Fault;
+				}));
 		}
-		++NumShaders;
-	};
-	ForEachShaderType(
-		[&](const FShaderType& Type)
+		const FMovedModel Model(Inspected, *Reflection, Pictures);
+		for (size_t i = 0; i < Drivers.size(); ++i)
 		{
-			for (const int32 Id : ListPermutations(Type))
+			if (const std::string Fault = Faults[i].get(); !Fault.empty())
 			{
-				CompareShader(Type, Id);
+				OutRefused.insert(Name + " on " + Drivers[i]->Name + ": " + Fault);
+				Theirs.erase(Drivers[i]->Name);
 			}
-		});
+		}
+		const FTally Tally = Compare(Model, Theirs);
+		AddTo(Sum, Tally);
+		const std::string Which = Name + (Pictures == EMadePictures::Smooth ? " smooth" : " noisy");
+		for (const auto& [Who, Count] : Tally.Alone)
+		{
+			std::printf("%s: %s stands alone in %llu of %llu numbers; %s\n", Which.c_str(), Who.c_str(),
+				static_cast<unsigned long long>(Count), static_cast<unsigned long long>(Tally.Numbers),
+				Tally.First.at(Who).c_str());
+		}
+		EXPECT_EQ(0u, Tally.Alone.count("drydock")) << Which << ": " << Tally.First.at("drydock");
+	}
+	for (FVulkanDriver* const Driver : Drivers)
+	{
+		Driver->Backend->ForgetShaders(); // thousands of pipelines would take gigabytes
+	}
+	return Sum;
+}
+
+void PrintTally(int NumShaders, const FTally& Sum, const std::set<std::string>& Refused)
+{
 	for (const std::string& Line : Refused)
 	{
 		std::printf("not compared: %s\n", Line.c_str());
 	}
-	std::printf("%d shaders, %llu numbers compared, %llu of them loosely, %llu not finite\n", NumShaders,
+	std::printf("%d shaders, %llu numbers compared, %llu of them loosely, %llu not finite, %llu measured\n", NumShaders,
 		static_cast<unsigned long long>(Sum.Numbers), static_cast<unsigned long long>(Sum.Loose),
-		static_cast<unsigned long long>(Sum.NotFinite));
+		static_cast<unsigned long long>(Sum.NotFinite), static_cast<unsigned long long>(Sum.Measured));
 	for (const auto& [Who, Count] : Sum.Alone)
 	{
 		std::printf("%s stands alone in %llu\n", Who.c_str(), static_cast<unsigned long long>(Count));
 	}
 	std::printf("largest difference: %.2f of the tolerance\n", Sum.LargestShare);
+}
+
+/** Skipped with a message where no driver is here. */
+class VulkanOracles : public testing::Test
+{
+protected:
+	void SetUp() override
+	{
+		if (FindDrivers().empty())
+		{
+			GTEST_SKIP() << "no Vulkan driver of a CPU is here";
+		}
+	}
+};
+
+} // namespace
+
+TEST_F(VulkanOracles, EveryShippedShaderByThreeMakers)
+{
+	int NumShaders = 0;
+	std::set<std::string> Refused;
+	FTally Sum;
+	const char* const Only = std::getenv("DRYDOCK_ORACLES_ONLY"); // part of a class's name
+	ForEachShaderType(
+		[&](const FShaderType& Type)
+		{
+			const std::string Name = Type.GetName();
+			if (Type.GetFrequency() == SF_Vertex || (Only && Name.find(Only) == std::string::npos) ||
+				!std::string(Type.GetShaderFilename()).starts_with("/Engine/"))
+			{
+				return;
+			}
+			for (const int32 Id : ListPermutations(Type))
+			{
+				const FShaderRef Shader(Type.FindOrCreateShader(Id));
+				const FShaderCompileRequest Request =
+					MakeShaderCompileRequest(Shader, Type.GetRootParametersMetadata());
+				AddTo(Sum, CompareShader(Name + " permutation " + std::to_string(Id), Request,
+							   GetShaderReflection(Shader), Refused));
+				++NumShaders;
+			}
+		});
+	PrintTally(NumShaders, Sum, Refused);
 	if (!Only)
 	{
 		EXPECT_GT(NumShaders, 40); // there are that many classes in passes/
 		EXPECT_GT(Sum.Numbers, 100'000u);
 	}
+	EXPECT_LT(Sum.Loose, Sum.Numbers / 4);
+}
+
+TEST_F(VulkanOracles, ThreadsThatWorkTogetherByThreeMakers)
+{
+	AddShaderDirectory("/Samples", DRYDOCK_TEST_SOURCE_DIR "/tests/Shaders");
+	std::set<std::string> Refused;
+	FTally Sum;
+	for (const char* const Entry : {"GaussianCS", "HistogramCS"})
+	{
+		const FShaderCompileRequest Request =
+			MakeShaderCompileRequest("/Samples/Samples.usf", Entry, EShaderStage::Compute);
+		AddTo(Sum, CompareShader(Entry, Request, std::make_shared<FShaderReflection>(ReflectShader(Request)), Refused));
+	}
+	PrintTally(2, Sum, Refused);
+	EXPECT_TRUE(Refused.empty());
+	EXPECT_GT(Sum.Numbers, 3000u);
 	EXPECT_LT(Sum.Loose, Sum.Numbers / 4);
 }

@@ -2,9 +2,8 @@
 #pragma once
 
 #include "VulkanBackend.h"
+#include "VulkanManifests.h"
 
-#include <cstdlib>
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,35 +21,18 @@ struct FVulkanDriver
 /** Each in its place, whether it is here or not. */
 inline std::vector<FVulkanDriver> OpenVulkanDrivers()
 {
-	struct FKnown
-	{
-		const char* Name;
-		const char* Package;
-		std::vector<std::string> Manifests;
-	};
-	const FKnown Known[] = {
-		{"lavapipe", "mesa-vulkan-drivers",
-			{"/usr/share/vulkan/icd.d/lvp_icd.x86_64.json", "/usr/share/vulkan/icd.d/lvp_icd.json"}},
-		{"SwiftShader", "chromium", {"/usr/lib/chromium/vk_swiftshader_icd.json"}},
-	};
 	std::vector<FVulkanDriver> Drivers;
-	for (const FKnown& One : Known)
+	for (const FVulkanManifest& Known : GetVulkanManifests())
 	{
 		FVulkanDriver& Driver = Drivers.emplace_back();
-		Driver.Name = One.Name;
-		Driver.Fault = std::string("there is no ") + One.Name + " (Debian package " + One.Package + ")";
-		for (const std::string& Manifest : One.Manifests)
+		Driver.Name = Known.Driver;
+		Driver.Fault = std::string("there is no ") + Known.Driver + " (Debian package " + Known.Package + ")";
+		if (const std::optional<std::string> Manifest = Known.Find())
 		{
-			if (!Driver.Backend && std::filesystem::exists(Manifest))
-			{
-				setenv("VK_DRIVER_FILES", Manifest.c_str(), 1);
-				setenv("VK_ICD_FILENAMES", Manifest.c_str(), 1); // its older name
-				Driver.Backend = FVulkanBackend::Open(Driver.Fault);
-			}
+			const FScopedVulkanDriver Chosen(*Manifest);
+			Driver.Backend = FVulkanBackend::Open(Driver.Fault);
 		}
 	}
-	unsetenv("VK_DRIVER_FILES");
-	unsetenv("VK_ICD_FILENAMES");
 	return Drivers;
 }
 

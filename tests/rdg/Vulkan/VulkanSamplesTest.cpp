@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <functional>
 #include <numeric>
 #include <random>
@@ -23,7 +24,7 @@ constexpr int32_t SizeY = 40;
 FShaderHarness MakeSample(const std::string& Entry)
 {
 	AddShaderDirectory("/Samples", DRYDOCK_TEST_SOURCE_DIR "/tests/Shaders");
-	FShaderHarness Harness("", Entry, EShaderStage::Compute);
+	FShaderHarness Harness("", Entry, Entry.ends_with("PS") ? EShaderStage::Pixel : EShaderStage::Compute);
 	Harness.Request.GeneratedFiles.clear();
 	Harness.Request.VirtualPath = "/Samples/Samples.usf";
 	return Harness;
@@ -69,6 +70,32 @@ FTestTexture DrawPicture(uint32_t Seed)
 		Picture.Texel(0, 0)[i] = Value(Random);
 	}
 	return Picture;
+}
+
+/** Which neighbours a derivative is the difference of. Source: Vulkan specification, chapter "Shaders", "Derivative
+ * Operations": OpDPdx and OpDPdy, of which OpFwidth is made, are fine or coarse as the implementation likes; fine ones
+ * are of the pixel's own row and column, coarse ones may be of one row and one column for all pixels of the quad. */
+struct FDerivativeForm
+{
+	std::string Name;
+	bool bFine = false;
+	int32_t Row = 0; // of the quad, where it is coarse
+	int32_t Column = 0;
+};
+
+const FDerivativeForm GDerivativeForms[] = {{"fine", true}, {"coarse, upper row, left column", false, 0, 0},
+	{"coarse, upper row, right column", false, 0, 1}, {"coarse, lower row, left column", false, 1, 0},
+	{"coarse, lower row, right column", false, 1, 1}};
+
+using FField = std::function<float(int32_t X, int32_t Y)>;
+
+float GetWidth(const FField& Field, int32_t X, int32_t Y, const FDerivativeForm& Form)
+{
+	const int32_t Left = X & ~1;
+	const int32_t Top = Y & ~1;
+	const int32_t Row = Form.bFine ? Y : Top + Form.Row;
+	const int32_t Column = Form.bFine ? X : Left + Form.Column;
+	return std::fabs(Field(Left + 1, Row) - Field(Left, Row)) + std::fabs(Field(Column, Top + 1) - Field(Column, Top));
 }
 
 void SetSize(FShaderHarness& Harness)
@@ -246,4 +273,67 @@ TEST(VulkanSamples, CountersAreReadAndWrittenBack)
 				EXPECT_EQ(i, Visitors[i]);
 			}
 		});
+}
+
+TEST(VulkanSamples, EdgesByDerivatives)
+{
+	// Odd sizes, so that the last quads have pixels that are not drawn and read 0 outside of the picture. 64ths are
+	// exact in every step, whatever its order.
+	constexpr int32_t Width = 61;
+	constexpr int32_t Height = 35;
+	std::mt19937 Random(5);
+	FTestTexture Picture(Width, Height);
+	for (int32_t i = 0; i < Width * Height * 4; ++i)
+	{
+		Picture.Texel(0, 0)[i] = float(Random() % 256) / 64.0f;
+	}
+	const FField Luminance = [&Picture](int32_t X, int32_t Y)
+	{
+		if (X >= Width || Y >= Height)
+		{
+			return 0.0f;
+		}
+		const float* const Texel = Picture.Texel(X, Y);
+		return Texel[0] * 0.25f + Texel[1] * 0.5f + Texel[2] * 0.25f;
+	};
+	const auto IsOf = [&Luminance](const FDerivativeForm& Form, FShaderHarness& H)
+	{
+		for (int32_t i = 0; i < Width * Height; ++i)
+		{
+			const float Edge = GetWidth(Luminance, i % Width, i / Width, Form);
+			const float Expected[4] = {Edge > 1 ? 1.0f : 0.0f, Edge, Luminance(i % Width, i / Width), 1};
+			if (!std::equal(Expected, Expected + 4, H.Targets[0].Texel(i % Width, i / Width)))
+			{
+				return false;
+			}
+		}
+		return true;
+	};
+	std::vector<std::string> Forms; // by maker
+	ForEachMaker(
+		"EdgesPS", Width, Height,
+		[&](FShaderHarness& H)
+		{
+			H.Textures["Input"] = Picture;
+			H.Targets.emplace_back(Width, Height);
+		},
+		[&](FShaderHarness& H)
+		{
+			const auto Form = std::find_if(std::begin(GDerivativeForms), std::end(GDerivativeForms),
+				[&](const FDerivativeForm& One) { return IsOf(One, H); });
+			ASSERT_NE(std::end(GDerivativeForms), Form) << "no form is that of all pixels";
+			Forms.push_back(Form->Name);
+		});
+	size_t Maker = 0;
+	for (; Maker < std::min(GetLaneCounts().size(), Forms.size()); ++Maker)
+	{
+		EXPECT_EQ("coarse, upper row, left column", Forms[Maker]); // as docs/shaders.md says
+	}
+	for (const FVulkanDriver& Driver : GetVulkanDrivers())
+	{
+		if (Driver.Backend && Maker < Forms.size())
+		{
+			std::printf("derivatives of %s: %s\n", Driver.Name.c_str(), Forms[Maker++].c_str());
+		}
+	}
 }
