@@ -165,12 +165,32 @@ void FSpirvEmitter::EmitGroupEdge(const FStructNode& Node, bool bOwnLoop)
 		Line(Mask + " = " + Mask + " | e;");
 		Line("e = M(false);");
 	}
+	const bool bBreaks = Node.bJump && IsDirectBreak(Node.To);
+	if (!bBreaks && !HasUniformPhi(Node.To))
+	{
+		return; // the wave goes on to its next barrier before another one comes
+	}
 	CloseSegment();
 	EmitPhiCopies(Node.From, Node.To, EPhiCopies::Uniform);
-	if (Node.bJump && IsDirectBreak(Node.To))
+	if (bBreaks)
 	{
 		Line("break;");
 	}
+}
+
+bool FSpirvEmitter::HasUniformPhi(uint32_t Label)
+{
+	for (const FSpirvInstruction& I : Module.GetBlock(Label).Instructions)
+	{
+		for (uint32_t i = 0; I.Op == OpPhi && i < SizeOf(I.Result); ++i)
+		{
+			if (!Uniformity.IsVarying(I.Result, i))
+			{
+				return true;
+			}
+		}
+	}
+	return false;
 }
 
 void FSpirvEmitter::EmitGroupIf(const FStructNode& Node)

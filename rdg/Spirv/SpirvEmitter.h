@@ -106,6 +106,8 @@ private:
 	std::string EmitGroupRun();
 	void EmitGroupRegion(const FStructRegion& Region);
 	void EmitGroupEdge(const FStructNode& Node, bool bOwnLoop);
+	/** The block has a value, by where control comes from, that is the same for all threads of the group. */
+	bool HasUniformPhi(uint32_t Label);
 	void EmitGroupIf(const FStructNode& Node);
 	void EmitGroupSwitch(const FStructNode& Node);
 	void EmitGroupLoop(const FStructNode& Node);

@@ -100,6 +100,15 @@ void TSpirvThread<Real>::StepOver()
 template<typename Real>
 bool TSpirvThread<Real>::ExecuteFromLog(const FSpirvStep& Step)
 {
+	// For what an observer is told of where it reads.
+	if (Observer && Step.I->Op == OpLoad && Step.Place != ~0u)
+	{
+		LoadBytes(Step);
+	}
+	else if (Observer && Step.I->Op == OpImageRead)
+	{
+		ExecuteImageLoad(Step);
+	}
 	for (uint32_t i = 0; i < Step.Size; ++i)
 	{
 		Result(Step)[i] = TakeFromLog(Step);

@@ -165,11 +165,11 @@ TEST_F(FShaderCountersInGraph, AViewWithoutACounterIsNamed)
 		testing::AllOf(HasSubstr("pass Keep, parameter Kept"),
 			HasSubstr("FTestKeepCS: 'Kept' is read by /DrydockTest/Counters.usf:11 as an AppendStructuredBuffer or "
 					  "ConsumeStructuredBuffer, and the UAV was created without FRDGBufferUAVDesc::"
-					  "bSupportsAppendBuffer [DD6105]")));
+					  "bSupportsAppendBuffer")));
 	EXPECT_THAT(ErrorOf(true, false, false),
 		testing::AllOf(HasSubstr("pass Take, parameter Places"),
 			HasSubstr("FTestTakeCS: 'Places' is read by /DrydockTest/Counters.usf:24 as a RWStructuredBuffer with a "
-					  "counter, and the UAV was created without FRDGBufferUAVDesc::bSupportsAtomicCounter [DD6105]")));
+					  "counter, and the UAV was created without FRDGBufferUAVDesc::bSupportsAtomicCounter")));
 }
 
 TEST_F(FShaderCountersInGraph, OnlyStructuredBuffersHaveCounters)

@@ -4,6 +4,9 @@
 
 #include "ShaderForms.h"
 
+#include <algorithm>
+#include <array>
+#include <random>
 #include <utility>
 
 using namespace Drydock;
@@ -108,6 +111,96 @@ void MainCS(uint I : SV_GroupIndex)
 		{
 			H.Buffers["Counter"] = {0};
 			H.Buffers["Out"].assign(128, 0);
+		},
+		[&](FShaderHarness& H) { EXPECT_EQ(Expected, H.Buffers["Out"]); });
+}
+
+TEST(ShaderAtomics, AWaveGoesOnToItsBarrierPastWhatTheOptimiserLeft)
+{
+	// The assignment that nobody reads leaves a block of its own behind the branches: no other wave comes in there.
+	const std::string Text = R"(
+StructuredBuffer<uint> In;
+RWStructuredBuffer<uint> Out;
+groupshared uint Bins[16];
+uint Mix(uint A, uint B) { if (A % 5 == 2) { return B * 3 + 18; } return A ^ (B << 8); }
+[numthreads(64, 1, 1)]
+void MainCS(uint3 G : SV_GroupID, uint I : SV_GroupIndex)
+{
+	uint Old = 0;
+	uint V[3] = {In[G.x * 64 + I], I * 7, G.x};
+	if ((V[2] & 3) != 0)
+	{
+		V[2] = V[1] & 6;
+		if ((V[2] & 3) != 0)
+		{
+			if ((V[0] & 3) != 0) { InterlockedAdd(Bins[V[0] % 16], V[1], Old); V[1] ^= Old; }
+			else { InterlockedXor(Bins[V[1] % 16], V[2], Old); V[2] ^= Old; }
+			V[0] = V[2] - V[0];
+		}
+	}
+	if ((G.x & 1) == 0) { V[2] = V[1] | 6; }
+	V[1] = Mix(V[1], V[0]);
+	V[2] = Mix(V[1], V[0]);
+	if ((V[0] & 3) != 0) { InterlockedXor(Bins[V[2] % 16], V[0]); }
+	Out[G.x * 64 + I] = V[0] ^ V[1] * 3 ^ V[2] * 7;
+}
+)";
+	const auto Mix = [](uint32_t A, uint32_t B)
+	{
+		return A % 5 == 2 ? B * 3 + 18 : A ^ (B << 8);
+	};
+	std::mt19937 Random(1);
+	std::vector<uint32_t> In(192);
+	std::generate(In.begin(), In.end(), [&Random] { return uint32_t(Random()); });
+	std::vector<uint32_t> Expected(In.size());
+	for (uint32_t Group = 0; Group < 3; ++Group)
+	{
+		uint32_t Bins[16] = {};
+		for (uint32_t First = 0; First < 64; First += 32)
+		{
+			std::array<std::array<uint32_t, 3>, 32> Values;
+			for (uint32_t Lane = 0; Lane < 32; ++Lane)
+			{
+				Values[Lane] = {In[Group * 64 + First + Lane], (First + Lane) * 7, Group};
+			}
+			// Those of one branch first, then those of the other.
+			const auto Before = Values;
+			for (const bool bAdds : {true, false})
+			{
+				for (uint32_t Lane = 0; Lane < 32; ++Lane)
+				{
+					const auto [Number, Sevens, GroupX] = Before[Lane];
+					const uint32_t Bits = Sevens & 6;
+					if ((GroupX & 3) == 0 || (Bits & 3) == 0 || ((Number & 3) != 0) != bAdds)
+					{
+						continue;
+					}
+					uint32_t& Bin = Bins[(bAdds ? Number : Sevens) % 16];
+					const uint32_t Old = Bin;
+					Bin = bAdds ? Old + Sevens : Old ^ Bits;
+					Values[Lane][0] = (bAdds ? Bits : Bits ^ Old) - Number;
+					Values[Lane][1] = bAdds ? Sevens ^ Old : Sevens;
+				}
+			}
+			for (uint32_t Lane = 0; Lane < 32; ++Lane)
+			{
+				auto& V = Values[Lane];
+				V[1] = Mix(V[1], V[0]);
+				V[2] = Mix(V[1], V[0]);
+				if ((V[0] & 3) != 0)
+				{
+					Bins[V[2] % 16] ^= V[0];
+				}
+				Expected[Group * 64 + First + Lane] = V[0] ^ V[1] * 3 ^ V[2] * 7;
+			}
+		}
+	}
+	ForEachForm(
+		Text, 192, 1, 1,
+		[&](FShaderHarness& H)
+		{
+			H.Buffers["In"] = In;
+			H.Buffers["Out"].assign(In.size(), 0);
 		},
 		[&](FShaderHarness& H) { EXPECT_EQ(Expected, H.Buffers["Out"]); });
 }

@@ -215,6 +215,34 @@ void MainCS(uint I : SV_GroupIndex)
 		});
 }
 
+TEST(ShaderCounters, AStructMayHoldTheBuffer)
+{
+	const std::string Text = R"(
+struct FSink { uint Scale; AppendStructuredBuffer<uint> Items; };
+AppendStructuredBuffer<uint> Kept;
+[numthreads(8, 1, 1)]
+void MainCS(uint3 Id : SV_DispatchThreadID)
+{
+	FSink Sink;
+	Sink.Scale = 3;
+	Sink.Items = Kept;
+	Sink.Items.Append(Id.x * Sink.Scale);
+}
+)";
+	ForEachForm(
+		Text, 8, 1, 1,
+		[](FShaderHarness& H)
+		{
+			H.Buffers["Kept"].assign(8, 77);
+			H.Buffers["Kept@count"] = {0};
+		},
+		[](FShaderHarness& H)
+		{
+			EXPECT_EQ((std::vector<uint32_t>{0, 3, 6, 9, 12, 15, 18, 21}), H.Buffers["Kept"]);
+			EXPECT_EQ(8u, H.Buffers["Kept@count"][0]);
+		});
+}
+
 TEST(ShaderCounters, ReflectionTellsWhoseCounterItIs)
 {
 	FShaderHarness Harness(R"(
@@ -259,7 +287,8 @@ TEST(ShaderCounters, WhatABufferHasNoMethodForIsSaidWithItsLine)
 	EXPECT_THAT(ErrorOfShader(Buffers, "Out.Append(1);"), HasSubstr("a RWStructuredBuffer has no Append"));
 	EXPECT_THAT(ErrorOfShader(Buffers, "Kept.IncrementCounter();"),
 		HasSubstr("an AppendStructuredBuffer has no IncrementCounter"));
-	EXPECT_THAT(ErrorOfShader(Buffers, "Out[0] = Kept[1];"), HasSubstr("an AppendStructuredBuffer has no elements by number"));
+	EXPECT_THAT(
+		ErrorOfShader(Buffers, "Out[0] = Kept[1];"), HasSubstr("an AppendStructuredBuffer has no elements by number"));
 	EXPECT_THAT(ErrorOfShader(Buffers, "In[0] = 1;"), HasSubstr("a ConsumeStructuredBuffer has no elements by number"));
 	EXPECT_THAT(ErrorOfShader(Buffers, "Out[0] = Bytes.IncrementCounter();"),
 		HasSubstr("a RWByteAddressBuffer has no IncrementCounter"));

@@ -94,7 +94,11 @@ std::vector<uint32_t> Rename(
 class FSpirvFileTest : public testing::Test
 {
 protected:
-	FSpirvFileTest() { AddShaderDirectory("/SpirvFileTest", Folder.Path.string()); }
+	FSpirvFileTest()
+	{
+		ForgetCompiledShaders(); // of the same path
+		AddShaderDirectory("/SpirvFileTest", Folder.Path.string());
+	}
 	~FSpirvFileTest() override { ForgetShaderDirectories(NumDirectories); }
 
 	FShaderHarness MakeHarness(const std::vector<uint32_t>& Words)
