@@ -70,10 +70,6 @@ public:
 			{
 				BoundLoop(At);
 			}
-			else if (Text.Is(At, "struct") && Text.IsWord(At + 1))
-			{
-				RefuseBuffers(At + 2);
-			}
 			else if (Text.Is(At, "GetDimensions") && At > 1 && Text.Is(At - 1, ".") && Text.Is(At + 1, "("))
 			{
 				CountBytes(At);
@@ -168,22 +164,6 @@ private:
 		if (const std::string Kind = FindBufferKind(At); IsStream(Kind))
 		{
 			RefuseMember(At, Kind, "elements by number", "RWStructuredBuffer");
-		}
-	}
-
-	/** In a struct: the front end drops what is written to them. */
-	void RefuseBuffers(size_t Open)
-	{
-		static const std::set<std::string> Buffers = {"AppendStructuredBuffer", "ConsumeStructuredBuffer"};
-		const size_t Close = Text.Is(Open, "{") ? Text.FindClose(Open) : Open;
-		for (size_t At = Open + 1; At < Close; ++At)
-		{
-			const bool bMember = Text.Is(At - 1, "{") || Text.Is(At - 1, ";") || Text.Is(At - 1, "}");
-			if (bMember && Text.IsWord(At) && Buffers.count(Text[At].Text))
-			{
-				Error(At, "a " + Text[At].Text +
-							  " in a struct loses what is written to it: make it a parameter of the shader");
-			}
 		}
 	}
 
