@@ -305,7 +305,8 @@ TEST(ShaderCounters, WhatABufferHasNoMethodForIsSaidWithItsLine)
 	EXPECT_THAT(ErrorOfShader(Buffers, "Out.Append(1);"), HasSubstr("a RWStructuredBuffer has no Append"));
 	EXPECT_THAT(ErrorOfShader(Buffers, "Kept.IncrementCounter();"),
 		HasSubstr("an AppendStructuredBuffer has no IncrementCounter"));
-	EXPECT_THAT(ErrorOfShader(Buffers, "Out[0] = Kept[1];"), HasSubstr("an AppendStructuredBuffer has no elements by number"));
+	EXPECT_THAT(
+		ErrorOfShader(Buffers, "Out[0] = Kept[1];"), HasSubstr("an AppendStructuredBuffer has no elements by number"));
 	EXPECT_THAT(ErrorOfShader(Buffers, "In[0] = 1;"), HasSubstr("a ConsumeStructuredBuffer has no elements by number"));
 	EXPECT_THAT(ErrorOfShader(Buffers, "Out[0] = Bytes.IncrementCounter();"),
 		HasSubstr("a RWByteAddressBuffer has no IncrementCounter"));
