@@ -215,31 +215,49 @@ void MainCS(uint I : SV_GroupIndex)
 		});
 }
 
-TEST(ShaderCounters, AStructMayHoldTheBuffer)
+TEST(ShaderCounters, StructsVariablesAndArraysHoldTheBuffers)
 {
 	const std::string Text = R"(
-struct FSink { uint Scale; AppendStructuredBuffer<uint> Items; };
 AppendStructuredBuffer<uint> Kept;
+AppendStructuredBuffer<uint> Bins[2];
+struct FStreams { ConsumeStructuredBuffer<uint> From; RWStructuredBuffer<uint> Marks; };
+FStreams Streams;
+struct FTarget { uint Factor; AppendStructuredBuffer<uint> Items; };
 [numthreads(8, 1, 1)]
-void MainCS(uint3 Id : SV_DispatchThreadID)
+void MainCS(uint I : SV_GroupIndex)
 {
-	FSink Sink;
-	Sink.Scale = 3;
-	Sink.Items = Kept;
-	Sink.Items.Append(Id.x * Sink.Scale);
+	FTarget Target;
+	Target.Factor = 3;
+	Target.Items = Kept;
+	Target.Items.Append(I * Target.Factor);
+	AppendStructuredBuffer<uint> Bin = Bins[I % 2];
+	Bin.Append(Streams.From.Consume());
+	Streams.Marks[Streams.Marks.IncrementCounter()] = I;
 }
 )";
 	ForEachForm(
 		Text, 8, 1, 1,
-		[](FShaderHarness& H)
+		[&](FShaderHarness& H)
 		{
-			H.Buffers["Kept"].assign(8, 77);
-			H.Buffers["Kept@count"] = {0};
+			H.Buffers["Kept"].assign(8, 0);
+			H.Buffers["Bins_0"].assign(4, 0);
+			H.Buffers["Bins_1"].assign(4, 0);
+			H.Buffers["Streams_From"] = {10, 11, 12, 13, 14, 15, 16, 17};
+			H.Buffers["Streams_From@count"] = {8};
+			H.Buffers["Streams_Marks"].assign(8, 0);
+			for (const char* const Name : {"Kept@count", "Bins_0@count", "Bins_1@count", "Streams_Marks@count"})
+			{
+				H.Buffers[Name] = {0};
+			}
 		},
-		[](FShaderHarness& H)
+		[&](FShaderHarness& H)
 		{
 			EXPECT_EQ((std::vector<uint32_t>{0, 3, 6, 9, 12, 15, 18, 21}), H.Buffers["Kept"]);
-			EXPECT_EQ(8u, H.Buffers["Kept@count"][0]);
+			EXPECT_EQ((std::vector<uint32_t>{17, 15, 13, 11}), H.Buffers["Bins_0"]);
+			EXPECT_EQ((std::vector<uint32_t>{16, 14, 12, 10}), H.Buffers["Bins_1"]);
+			EXPECT_EQ((std::vector<uint32_t>{0, 1, 2, 3, 4, 5, 6, 7}), H.Buffers["Streams_Marks"]);
+			EXPECT_EQ(0u, H.Buffers["Streams_From@count"][0]);
+			EXPECT_EQ(4u, H.Buffers["Bins_1@count"][0]);
 		});
 }
 
