@@ -90,7 +90,7 @@ TEST(ShaderRounding, IntegersOfConstantsAreThoseOfVariables)
 	const std::vector<std::string> Functions = {"A % B", "A % -B", "A / B", "A << B", "A >> B", "int(uint(A) >> B)",
 		"int(uint(A) / uint(B))", "int(uint(A) % uint(B))", "int(float(A) / float(B))"};
 	const std::vector<std::pair<int32_t, int32_t>> Pairs = {
-		{-7, 4}, {7, 4}, {-8, 3}, {1, 31}, {-5, 30}, {-2147483647 - 1, 3}};
+		{-7, 4}, {7, 4}, {-8, 3}, {1, 31}, {-5, 30}, {-2147483647 - 1, 3}, {1, 33}, {-5, 40}, {3, -1}};
 	std::string Text = "StructuredBuffer<int> In;\nRWStructuredBuffer<int> Out;\n";
 	std::string Body;
 	std::vector<uint32_t> In;
@@ -120,7 +120,9 @@ TEST(ShaderRounding, IntegersOfConstantsAreThoseOfVariables)
 		[&](FShaderHarness& Harness)
 		{
 			const std::vector<uint32_t>& Out = Harness.Buffers["Out"];
-			EXPECT_EQ(-3, int32_t(Out[0])); // -7 % 4
+			EXPECT_EQ(-3, int32_t(Out[0]));                          // -7 % 4
+			EXPECT_EQ(2u, Out[(3 * Pairs.size() + 6) * 2]);          // 1 << 33
+			EXPECT_EQ(0x80000000u, Out[(3 * Pairs.size() + 8) * 2]); // 3 << -1
 			for (size_t i = 0; i < In.size(); i += 2)
 			{
 				EXPECT_EQ(Out[i + 1], Out[i])
