@@ -102,9 +102,8 @@ FUsfKernel MakeUsfKernel(const std::string& Name, int32_t Lanes)
 		MapShippedShaders();
 		AddShaderDirectory("/Bench", DRYDOCK_BENCH_SOURCE_DIR "/tests/Shaders");
 		const bool bKawase = Name == "KawaseDown";
-		Request.VirtualPath = bKawase ? "/Bench/DualKawase.usf" : "/Bench/Blur13.usf";
-		Request.EntryPoint = bKawase ? "DownSampleCS" : "BlurVerticalPS";
-		Request.Stage = bKawase ? EShaderStage::Compute : EShaderStage::Pixel;
+		Request = bKawase ? MakeShaderCompileRequest("/Bench/DualKawase.usf", "DownSampleCS", EShaderStage::Compute)
+						  : MakeShaderCompileRequest("/Bench/Blur13.usf", "BlurVerticalPS", EShaderStage::Pixel);
 		Request.Defines = {{"NUMTHREADS_X", "8"}, {"NUMTHREADS_Y", "8"}};
 	}
 	Request.Lanes = {false, Lanes};

@@ -2,6 +2,7 @@
 // one row pair with one vertical weight:
 //   consecutive   texel x0 + lane, one horizontal weight (blurs, aligned copies): whole-row loads
 //   every other   texel x0 + 2 lane, one horizontal weight (2:1 reductions)
+//   half steps    texel x0 + lane / 2, two horizontal weights that take turns (2:1 magnification)
 //   window        any texels within N or 2 N neighbours (magnification, clamped edges): whole-row
 //                 loads, then a permutation picks each lane's pair
 //   general       anything else: one footprint per lane (LanesSamplingGeneral.inl)
@@ -147,6 +148,50 @@ DRYDOCK_LANES_INLINE void SampleEveryOther(
 			}
 		}
 	}
+}
+
+/** Whether there is code for half steps: a vector holds four texels, or two. */
+template<int N, typename FFormat>
+inline constexpr bool HasHalfSteps = FFormat::bWide && (N == 16 || N == 8);
+
+/** How many texels SampleHalfSteps reads of each row. */
+template<int N>
+inline constexpr int TexelsOfHalfSteps = N == 16 ? 10 : 7;
+
+/** Lane i samples at Row + WeightX + i / 2, 0 <= WeightX < 1. */
+template<int N, typename FFormat>
+DRYDOCK_LANES_INLINE void SampleHalfSteps(
+	FFormat, const uint8_t* Row0, const uint8_t* Row1, float WeightX, float WeightY, TRaw<float, N> C[4])
+{
+	using FOps = TLaneOps<N>;
+	const TRaw<int32_t, N> Iota = LaneIndex<N>().V;
+	const TRaw<int32_t, N> Pixel = Iota >> 2; // in a vector
+	const bool bSecondIsNext = WeightX >= 0.5f;
+	const float Odd = bSecondIsNext ? WeightX - 0.5f : WeightX + 0.5f;
+	const TRaw<float, N> Weight = (Pixel & 1) != 0 ? Broadcast<float, N>(Odd) : Broadcast<float, N>(WeightX);
+	const TRaw<int32_t, N> Left = ((Pixel + int32_t(bSecondIsNext)) >> 1) * 4 + (Iota & 3);
+	const auto Read = [&](int Texel)
+	{
+		const TRaw<float, N> Upper = FFormat::template Load<N>(Row0 + Texel * FFormat::Bytes);
+		return Row1 ? Blend(Upper, FFormat::template Load<N>(Row1 + Texel * FFormat::Bytes), WeightY) : Upper;
+	};
+	TRaw<float, N> A[4];
+	for (int k = 0; k < 4; ++k)
+	{
+		const TRaw<float, N> Texels = Read(k * (N / 8));
+		TRaw<float, N> L = FOps::Permute(Texels, Left);
+		TRaw<float, N> R;
+		if constexpr (N == 16)
+		{
+			R = FOps::Permute(Texels, Left + 4);
+		}
+		else
+		{
+			R = FOps::Permute2(Texels, Read(k * (N / 8) + 2), Left + 4);
+		}
+		A[k] = Weight == 0.0f ? L : Blend(L, R, Weight);
+	}
+	FOps::Split(A, C);
 }
 
 /** Lane i samples texels Left[i] and Right[i] of a window of N (bTwo: 2 N) texels that starts at Row. */

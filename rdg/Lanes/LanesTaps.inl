@@ -19,14 +19,15 @@ struct FTapPlace
 	int32_t Y = 0;
 };
 
-/** The pack's first texel is Offset bytes into Rows, those of the next pixels lie Step texels apart. What does not fit
- *  the columns that the tap knows already is not learned. */
+/** The pack's first texel is Offset bytes into Rows, those of the next pixels lie Step halves of a texel apart. What
+ * does not fit the columns that the tap knows already is not learned. */
 template<int N, typename FFormat, int Step>
 DRYDOCK_LANES_INLINE void LearnPack(const FTapPlace& Place, bool (*Function)(const FKernelTap&, int32_t, float*),
 	int64_t Offset, float WeightX, const FRowPair& Rows)
 {
 	FKernelTap& Tap = *Place.Tap;
-	constexpr int32_t Stride = Step * FFormat::Bytes;
+	static_assert(Step * FFormat::Bytes % 2 == 0);
+	constexpr int32_t Stride = Step * FFormat::Bytes / 2;
 	const int64_t Column = Offset - int64_t(Place.X0) * Stride;
 	if (Tap.Length == 0)
 	{
@@ -49,7 +50,7 @@ DRYDOCK_LANES_INLINE void LearnPack(const FTapPlace& Place, bool (*Function)(con
 	{
 		return;
 	}
-	const bool bWhole = Step == 1 && WeightX == 0 && !Rows.Row1;
+	const bool bWhole = Step == 2 && WeightX == 0 && !Rows.Row1;
 	Tap.Kind = bWhole && FFormat::Storage == ETexelStorage::RGBA32_FLOAT            ? EWholeTexels::Float
 			   : bWhole && N > 4 && FFormat::Storage == ETexelStorage::RGBA16_FLOAT ? EWholeTexels::Half
 																					: EWholeTexels::None;
@@ -59,7 +60,7 @@ DRYDOCK_LANES_INLINE void LearnPack(const FTapPlace& Place, bool (*Function)(con
 	Tap.WeightY = Rows.Weight;
 }
 
-/** Step: texels from pixel to pixel, 1 or 2. */
+/** Step: halves of a texel from pixel to pixel, 1, 2 or 4. */
 template<int N, typename FFormat, int Step>
 bool SampleKnown(const FKernelTap& Tap, int32_t X, float* Out)
 {
@@ -68,6 +69,10 @@ bool SampleKnown(const FKernelTap& Tap, int32_t X, float* Out)
 	const uint8_t* const Row1 = Tap.Row1 ? Tap.Row1 + Offset : nullptr;
 	TRaw<float, N> C[4];
 	if constexpr (Step == 1)
+	{
+		SampleHalfSteps<N>(FFormat{}, Row0, Row1, Tap.WeightX, Tap.WeightY, C);
+	}
+	else if constexpr (Step == 2)
 	{
 		SampleConsecutive<N>(FFormat{}, Row0, Row1, Tap.WeightX, Tap.WeightY, C);
 	}
@@ -108,7 +113,7 @@ DRYDOCK_LANES_INLINE void LearnLoad(
 		[&](auto Format)
 		{
 			const FRowPair Rows = {TexelAddress(Mip, Format.Bytes, 0, Y, Slice), nullptr, 0.0f};
-			LearnPack<N, decltype(Format), 1>(
+			LearnPack<N, decltype(Format), 2>(
 				Place, &LoadKnown<N, decltype(Format)>, int64_t(X) * Format.Bytes, 0.0f, Rows);
 			return true;
 		});
@@ -154,7 +159,7 @@ inline bool SampleMip2DTuned(FFormat Format, const FKernelTexture& Texture, cons
 		FFloat C[4];
 		if (Start + N + (WeightX != 0) <= Mip.SizeX && FOps::Equal(Steps, Iota * 256))
 		{
-			Learn<N, FFormat, 1>(Place, Offset, WeightX, Rows);
+			Learn<N, FFormat, 2>(Place, Offset, WeightX, Rows);
 			SampleConsecutive<N>(Format, Row0, Row1, WeightX, Rows.Weight, C);
 			return Finish<FFormat, N>(C, Out);
 		}
@@ -162,8 +167,17 @@ inline bool SampleMip2DTuned(FFormat Format, const FKernelTexture& Texture, cons
 		{
 			if (Start + 2 * N <= Mip.SizeX && FOps::Equal(Steps, Iota * 512))
 			{
-				Learn<N, FFormat, 2>(Place, Offset, WeightX, Rows);
+				Learn<N, FFormat, 4>(Place, Offset, WeightX, Rows);
 				SampleEveryOther<N>(Format, Row0, Row1, WeightX, Rows.Weight, C);
+				return Finish<FFormat, N>(C, Out);
+			}
+		}
+		if constexpr (HasHalfSteps<N, FFormat>)
+		{
+			if (!bPoint && Start + TexelsOfHalfSteps<N> <= Mip.SizeX && FOps::Equal(Steps, Iota * 128))
+			{
+				Learn<N, FFormat, 1>(Place, Offset, WeightX, Rows);
+				SampleHalfSteps<N>(Format, Row0, Row1, WeightX, Rows.Weight, C);
 				return Finish<FFormat, N>(C, Out);
 			}
 		}

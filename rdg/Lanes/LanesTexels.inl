@@ -295,7 +295,7 @@ struct TTapReader
 
 	bool CanRead() const { return GetTexelStorageInfo(Texture.Storage).BitsPerChannel <= 32 && HasSmallOffsets(Mip); }
 
-	/** Lanes with a negative index have the border's colour. */
+	/** Lanes with a negative index have the border's colour. Neighbours are read as a row. */
 	void Read(FInt X, FInt Y, FInt Z, FFloat C[4]) const
 	{
 		const FInt Outside = (X | Y | Z) < 0;
@@ -304,7 +304,16 @@ struct TTapReader
 		{
 			const FInt Offsets = Z * int32_t(Mip.SlicePitch) + Y * Mip.RowPitch +
 								 X * int32_t(GetTexelStorageInfo(Texture.Storage).BytesPerTexel);
-			GatherTexels<float, N>(Texture.Storage, Mip.Data, Outside != 0 ? FInt{} : Offsets, C);
+			const FInt Inside = Outside != 0 ? FInt{} : Offsets;
+			const FInt Row = Inside[0] + LaneIndex<N>().V * int32_t(GetTexelStorageInfo(Texture.Storage).BytesPerTexel);
+			if (AllLanes(TMask<N>(Inside == Row)))
+			{
+				LoadTexels<float, N>(Texture.Storage, Mip.Data + Inside[0], C);
+			}
+			else
+			{
+				GatherTexels<float, N>(Texture.Storage, Mip.Data, Inside, C);
+			}
 		}
 		if (bAllOutside || AnyLane(TMask<N>(Outside)))
 		{

@@ -10,12 +10,12 @@
 #include <glslang/SPIRV/SpvTools.h>
 #include <glslang/SPIRV/spirv.hpp>
 
+#include "FrontEndIntegers.h"
 #include "FrontEndProtocol.h"
 #include "ShaderReflection.h"
 
 #include <algorithm>
 #include <iterator>
-#include <map>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -27,7 +27,6 @@ using namespace Drydock::FrontEnd;
 
 constexpr rlim_t MemoryLimit = rlim_t(4) << 30; // bytes
 constexpr std::ptrdiff_t HeaderWords = 5;
-constexpr size_t BoundWord = 3;                 // of the header: above all ids
 constexpr const char* FileName = "shader.hlsl"; // of text above the first #line; there is none
 
 struct FResult
@@ -66,136 +65,13 @@ void AddLog(const char* Log, std::string& Output)
 	}
 }
 
-/** Calls f(Op, First, Count) for each instruction: First its first word. */
-template<typename F>
-void ForEachInstruction(const std::vector<unsigned int>& Words, F f)
-{
-	for (size_t At = size_t(HeaderWords); At < Words.size() && Words[At] >> spv::WordCountShift != 0;
-		 At += Words[At] >> spv::WordCountShift)
-	{
-		f(Words[At] & spv::OpCodeMask, At, Words[At] >> spv::WordCountShift);
-	}
-}
-
-/** What is left over has the sign of the left side in HLSL (`-7 % 4` is -3). glslang writes OpSMod, whose results of
- * constants have that of the right. */
-void CorrectRemainders(std::vector<unsigned int>& Words)
-{
-	ForEachInstruction(Words,
-		[&Words](unsigned int Op, size_t First, unsigned int)
-		{
-			if (Op == spv::OpSMod)
-			{
-				Words[First] = (Words[First] & ~spv::OpCodeMask) | spv::OpSRem;
-			}
-		});
-}
-
-/** A shift by a number takes its low 5 bits (6, 4 for integers of 64 and 16 bits) in HLSL. The optimiser makes 0 of
- * constants that are shifted by more: each count that is no constant below the width goes through an `&` with width
- * - 1. */
-void CorrectShifts(std::vector<unsigned int>& Words)
-{
-	struct FType
-	{
-		unsigned int Width = 0;
-		unsigned int Element = 0; // of a vector, else 0
-		unsigned int Count = 1;
-	};
-	std::map<unsigned int, FType> Types;
-	std::map<unsigned int, unsigned int> TypeOf;                         // of constants and of what functions compute
-	std::map<unsigned int, unsigned int> Small;                          // constants of one word
-	std::map<std::pair<unsigned int, unsigned int>, unsigned int> Masks; // by type and number
-	std::vector<unsigned int> Constants;
-	std::vector<unsigned int> Result(Words.begin(), Words.begin() + HeaderWords);
-	size_t Functions = 0;
-	unsigned int Bound = Words[BoundWord];
-	const auto Add = [](std::vector<unsigned int>& To, unsigned int Op, std::initializer_list<unsigned int> Operands)
-	{
-		To.push_back(static_cast<unsigned int>(Operands.size() + 1) << spv::WordCountShift | Op);
-		To.insert(To.end(), Operands);
-	};
-	const auto GetScalarMask = [&](unsigned int Type, unsigned int Number)
-	{
-		unsigned int& Id = Masks[{Type, Number}];
-		if (Id == 0)
-		{
-			Id = Bound++;
-			Types[Type].Width > 32 ? Add(Constants, spv::OpConstant, {Type, Id, Number, 0})
-								   : Add(Constants, spv::OpConstant, {Type, Id, Number});
-		}
-		return Id;
-	};
-	const auto GetMask = [&](unsigned int Type, unsigned int Number)
-	{
-		const FType Known = Types[Type];
-		if (Known.Element == 0)
-		{
-			return GetScalarMask(Type, Number);
-		}
-		const unsigned int Scalar = GetScalarMask(Known.Element, Number);
-		unsigned int& Id = Masks[{Type, Number}];
-		if (Id == 0)
-		{
-			Id = Bound++;
-			Constants.push_back((3 + Known.Count) << spv::WordCountShift | spv::OpConstantComposite);
-			Constants.insert(Constants.end(), {Type, Id});
-			Constants.insert(Constants.end(), Known.Count, Scalar);
-		}
-		return Id;
-	};
-	ForEachInstruction(Words,
-		[&](unsigned int Op, size_t First, unsigned int Count)
-		{
-			const unsigned int* const I = Words.data() + First;
-			if (Op == spv::OpTypeInt)
-			{
-				Types[I[1]] = {I[2], 0, 1};
-			}
-			else if (Op == spv::OpTypeVector && Types.count(I[2]))
-			{
-				Types[I[1]] = {Types[I[2]].Width, I[2], I[3]};
-			}
-			else if (Op == spv::OpFunction && Functions == 0)
-			{
-				Functions = Result.size();
-			}
-			if (Count > 2 && Types.count(I[1]))
-			{
-				TypeOf[I[2]] = I[1];
-			}
-			if (Op == spv::OpConstant && Count == 4)
-			{
-				Small[I[2]] = I[3];
-			}
-			const bool bShift =
-				Op == spv::OpShiftLeftLogical || Op == spv::OpShiftRightLogical || Op == spv::OpShiftRightArithmetic;
-			const auto By = bShift ? TypeOf.find(I[4]) : TypeOf.end();
-			const auto Known = bShift ? Small.find(I[4]) : Small.end();
-			const unsigned int Width = bShift && Types.count(I[1]) ? Types[I[1]].Width : 0;
-			if (Width == 0 || By == TypeOf.end() || (Known != Small.end() && Known->second < Width))
-			{
-				Result.insert(Result.end(), I, I + Count);
-				return;
-			}
-			const unsigned int Mask = GetMask(By->second, Width - 1);
-			const unsigned int Id = Bound++;
-			Add(Result, spv::OpBitwiseAnd, {By->second, Id, I[4], Mask});
-			Add(Result, Op, {I[1], I[2], I[3], Id});
-		});
-	Result.insert(Result.begin() + std::ptrdiff_t(Functions), Constants.begin(), Constants.end());
-	Result[BoundWord] = Bound;
-	Words = std::move(Result);
-}
-
 /** By the passes that glslang has for HLSL, each operation of floats rounded as it stands: `x * 3 * 5` is no `x * 15`,
  * so that the program with its functions gives the same bits. Nothing is folded in a module that says how it rounds.
  * Source: SPIRV-Tools, Instruction::IsFloatingPointFoldingAllowed. */
 void Optimise(const glslang::TIntermediate& Intermediate, std::vector<unsigned int>& Words, spv::SpvBuildLogger& Logger,
 	const glslang::SpvOptions& Options)
 {
-	CorrectRemainders(Words);
-	CorrectShifts(Words);
+	CorrectIntegers(Words);
 	const unsigned int Capability[] = {2u << spv::WordCountShift | spv::OpCapability, spv::CapabilityRoundingModeRTE};
 	Words.insert(Words.begin() + HeaderWords, std::begin(Capability), std::end(Capability));
 	glslang::SpirvToolsTransform(Intermediate, Words, &Logger, &Options);
@@ -205,6 +81,7 @@ void Optimise(const glslang::TIntermediate& Intermediate, std::vector<unsigned i
 	{
 		Words.erase(Found, Found + std::ssize(Capability));
 	}
+	RestoreDivisions(Words);
 }
 
 FResult Compile(const FRequestHead& Head, const std::string& Entry, const std::string& Text)

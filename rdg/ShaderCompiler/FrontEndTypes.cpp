@@ -122,6 +122,32 @@ bool NeedConversion(TIntermTyped* A, TIntermTyped* B)
 		   (IsNew(A->getBasicType()) || IsNew(B->getBasicType()));
 }
 
+/** A thread gets all ones of what is divided by 0; glslang folds literals to other numbers. */
+void CorrectDivisionsByZero(TOperator Operator, TIntermTyped* Right, TIntermTyped* Result)
+{
+	const TBasicType Type = Result ? Result->getBasicType() : EbtVoid;
+	const bool bOfInterest = (Operator == EOpDiv || Operator == EOpMod) && (Type == EbtInt || Type == EbtUint);
+	if (!bOfInterest || !Right->getAsConstantUnion() || !Result->getAsConstantUnion())
+	{
+		return;
+	}
+	const TConstUnionArray& Divisors = Right->getAsConstantUnion()->getConstArray();
+	TConstUnionArray Quotients(Result->getAsConstantUnion()->getConstArray()); // the same numbers, not others
+	for (int i = 0; i < Quotients.size(); ++i)
+	{
+		const TConstUnion& Divisor = Divisors[Divisors.size() == 1 ? 0 : i];
+		const bool bZero = Divisor.getType() == EbtInt ? Divisor.getIConst() == 0 : Divisor.getUConst() == 0;
+		if (bZero && Type == EbtInt)
+		{
+			Quotients[i].setIConst(-1);
+		}
+		else if (bZero)
+		{
+			Quotients[i].setUConst(~0u);
+		}
+	}
+}
+
 } // namespace
 
 TIntermTyped* WrapHandleAssign(
@@ -144,7 +170,9 @@ TIntermTyped* WrapAddBinaryMath(
 		TIntermTyped* const B = Build.Convert(Type, Right);
 		return RealAddBinaryMath(Tree, Operator, A ? A : Left, B ? B : Right, Place);
 	}
-	return RealAddBinaryMath(Tree, Operator, Left, Right, Place);
+	TIntermTyped* const Result = RealAddBinaryMath(Tree, Operator, Left, Right, Place);
+	CorrectDivisionsByZero(Operator, Right, Result);
+	return Result;
 }
 
 TSymbol* WrapLookupUserType(HlslParseContext* Context, const TString& Name, TType& Type)

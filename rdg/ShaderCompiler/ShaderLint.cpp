@@ -4,6 +4,7 @@
 #include "HlslTokens.h"
 #include "LintAllowances.h"
 #include "LintBarriers.h"
+#include "LintLayout.h"
 #include "ShaderFrontEnd.h"
 #include "ShaderMessages.h"
 #include "ShaderSource.h"
@@ -51,18 +52,6 @@ std::vector<FFunctionText> ListFunctions(const FHlslText& Text)
 		At = std::max(At, Text.FindClose(At));
 	}
 	return Functions;
-}
-
-/** std430 as GLSL has it: where the scalars of a type lie. */
-struct FStd430
-{
-	uint32_t Size = 0;
-	uint32_t Alignment = 4;
-};
-
-uint32_t RoundUp(uint32_t Value, uint32_t Multiple)
-{
-	return (Value + Multiple - 1) / Multiple * Multiple;
 }
 
 class FLinter
@@ -308,47 +297,6 @@ void FLinter::LookAtResources(const FShaderReflection& Reflection)
 	if (Reflection.Stage == EShaderStage::Pixel && Reflection.NumTargets > 4)
 	{
 		Add("render-targets", {}, 0, std::to_string(Reflection.NumTargets) + " targets");
-	}
-}
-
-/** Whether a type lies by std430 as its decorations say it lies in Direct3D; Out: its size and alignment there. */
-bool LiesAlike(const FSpirvModule& Module, uint32_t TypeId, FStd430& Out)
-{
-	const FSpirvType& Type = Module.GetType(TypeId);
-	bool bAlike = true;
-	switch (Type.Kind)
-	{
-	case ESpirvType::Vector:
-	{
-		const uint32_t Bytes = GetSpirvBytes(Module.GetType(Type.Element).Kind);
-		Out = {Type.Count * Bytes, (Type.Count == 2 ? 2 : 4) * Bytes};
-		return true;
-	}
-	case ESpirvType::Matrix:
-		return LiesAlike(Module, Type.Element, Out); // strides of matrices are asked for by who writes them
-	case ESpirvType::Array:
-	{
-		FStd430 Element;
-		bAlike = LiesAlike(Module, Type.Element, Element);
-		const uint32_t Stride = RoundUp(Element.Size, Element.Alignment);
-		Out = {Stride * Type.Count, Element.Alignment};
-		return bAlike && (Type.ArrayStride == 0 || Type.ArrayStride == Stride);
-	}
-	case ESpirvType::Struct:
-		Out = {0, 4};
-		for (const FSpirvMember& Member : Type.Members)
-		{
-			FStd430 Inner;
-			bAlike = LiesAlike(Module, Member.Type, Inner) && bAlike;
-			const uint32_t Offset = RoundUp(Out.Size, Inner.Alignment);
-			bAlike = bAlike && Offset == Member.Offset;
-			Out = {Offset + Inner.Size, std::max(Out.Alignment, Inner.Alignment)};
-		}
-		Out.Size = RoundUp(Out.Size, Out.Alignment);
-		return bAlike;
-	default:
-		Out = {GetSpirvBytes(Type.Kind), GetSpirvBytes(Type.Kind)};
-		return true;
 	}
 }
 

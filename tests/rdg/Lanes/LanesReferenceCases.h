@@ -5,13 +5,13 @@
 
 #include "LanesResources.h"
 #include "LanesScalarCalls.h"
+#include "LanesTestRandom.h"
 #include "LanesTestTexture.h"
 
 #include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <random>
 #include <string>
 
 namespace Drydock::Tests
@@ -29,20 +29,10 @@ inline constexpr EKernelFilter GFilters[] = {EKernelFilter::Point, EKernelFilter
 inline constexpr EKernelAddress GAddresses[] = {
 	EKernelAddress::Wrap, EKernelAddress::Clamp, EKernelAddress::Mirror, EKernelAddress::Border};
 
-class FLanesRandom
+class FLanesRandom : public FTestRandom
 {
 public:
-	explicit FLanesRandom(uint32_t Seed)
-		: Engine(Seed)
-	{
-	}
-	int32_t Int(int32_t Low, int32_t High) { return std::uniform_int_distribution<int32_t>(Low, High)(Engine); }
-	float Float(double Low, double High) { return float(std::uniform_real_distribution<double>(Low, High)(Engine)); }
-	template<typename T, size_t Count>
-	T Pick(const T (&From)[Count])
-	{
-		return From[Int(0, int32_t(Count) - 1)];
-	}
+	using FTestRandom::FTestRandom;
 
 	FKernelSampler Sampler()
 	{
@@ -100,8 +90,6 @@ public:
 		}
 		return Result;
 	}
-
-	std::mt19937 Engine;
 };
 
 /** f(First lane) of each pack of N of a case. */

@@ -3,6 +3,7 @@
 
 #include "LanesResources.h"
 #include "LanesTaps.h"
+#include "LanesTestRandom.h"
 #include "LanesTestTexture.h"
 
 #include <cmath>
@@ -158,26 +159,7 @@ int SumOverWidths(F f)
 	return Sum;
 }
 
-class FRandom
-{
-public:
-	explicit FRandom(uint32_t Seed)
-		: Engine(Seed)
-	{
-	}
-	int32_t Int(int32_t Low, int32_t High) { return std::uniform_int_distribution<int32_t>(Low, High)(Engine); }
-	float Float(double Low, double High) { return float(std::uniform_real_distribution<double>(Low, High)(Engine)); }
-	template<typename T, size_t Count>
-	T Pick(const T (&From)[Count])
-	{
-		return From[Int(0, int32_t(Count) - 1)];
-	}
-
-private:
-	std::mt19937 Engine;
-};
-
-void MakeAxis(FRandom& Random, int32_t Size, int32_t Count, float* Coordinates, int32_t* Indices)
+void MakeAxis(FTestRandom& Random, int32_t Size, int32_t Count, float* Coordinates, int32_t* Indices)
 {
 	const float Rates[] = {1, 1, 1, 2, 2, 0.5f, -1, 0, 0.3f, 3, 1e8f, std::numeric_limits<float>::quiet_NaN()};
 	const float Offsets[] = {0, 0.5f, -0.5f, 1, -3, 0.25f, 1.0f / 512, 1e6f, -1e30f};
@@ -209,7 +191,7 @@ TEST(FLanesTap, WhatIsKnownIsWhatTheSamplerGives)
 	const EKernelAddress Addresses[] = {
 		EKernelAddress::Wrap, EKernelAddress::Clamp, EKernelAddress::Mirror, EKernelAddress::Border};
 	const EKernelFilter Filters[] = {EKernelFilter::Point, EKernelFilter::Bilinear, EKernelFilter::Trilinear};
-	FRandom Random(1);
+	FTestRandom Random(1);
 	int NumKnown = 0;
 	for (int Round = 0; Round < 600; ++Round)
 	{
@@ -261,6 +243,39 @@ TEST(FLanesTap, ATileIsLearnedFromItsEdges)
 	};
 	SumOverWidths([&]<int N>() { return Expect.template operator()<N>(VisitSamples<N>(Case)); });
 	SumOverWidths([&]<int N>() { return Expect.template operator()<N>(VisitLoads<N>(Case)); });
+}
+
+// A picture of half the tile's size, drawn large: what its own texels reach, whichever way weights take turns.
+TEST(FLanesTap, AMagnifiedTileIsLearned)
+{
+	for (const ETexelStorage Storage : {ETexelStorage::RGBA32_FLOAT, ETexelStorage::RGBA16_FLOAT})
+	{
+		FTestTexture Texture(Storage, GColumns / 2, GRows);
+		Texture.FillRandom(2, -1, 1);
+		Texture.Write({-0.0, std::numeric_limits<double>::infinity(), 1, 0}, 20, 1);
+		for (const float Offset : {0.0f, 0.25f, 0.5f, 0.75f, 1.0f / 256, 0.5f - 1.0f / 256})
+		{
+			FCase Case = {"magnified", Texture.Texture,
+				{EKernelFilter::Bilinear, EKernelAddress::Clamp, EKernelAddress::Clamp, EKernelAddress::Clamp, 8, 0,
+					{}},
+				{}, {}, {}, {}, 0, 0};
+			for (int i = 0; i < GColumns; ++i)
+			{
+				Case.U[i] = (float(i) * 0.5f + 0.25f + Offset) / (GColumns / 2);
+			}
+			for (int i = 0; i < GRows; ++i)
+			{
+				Case.V[i] = (float(i) * 0.5f + 0.25f) / GRows;
+			}
+			const auto Expect = []<int N>(int NumKnown)
+			{
+				// But those at the borders, the one that learns, and what infinity makes a NaN.
+				EXPECT_LE(N == 4 ? 0 : (GRows - 1) * (GColumns / N - 2) / 2, NumKnown) << N << " lanes";
+				return 0;
+			};
+			SumOverWidths([&]<int N>() { return Expect.template operator()<N>(VisitSamples<N>(Case)); });
+		}
+	}
 }
 
 } // namespace Drydock::Tests

@@ -84,49 +84,71 @@ TEST(ShaderRounding, IsThatOfTheTextInEveryForm)
 		});
 }
 
-/** What an optimiser knows already is what a thread would compute. */
+/** What a compiler knows already is what a thread would compute: of variables, of constants in functions, of literals.
+ */
 TEST(ShaderRounding, IntegersOfConstantsAreThoseOfVariables)
 {
 	const std::vector<std::string> Functions = {"A % B", "A % -B", "A / B", "A << B", "A >> B", "int(uint(A) >> B)",
 		"int(uint(A) / uint(B))", "int(uint(A) % uint(B))", "int(float(A) / float(B))"};
-	const std::vector<std::pair<int32_t, int32_t>> Pairs = {
-		{-7, 4}, {7, 4}, {-8, 3}, {1, 31}, {-5, 30}, {-2147483647 - 1, 3}, {1, 33}, {-5, 40}, {3, -1}};
+	const std::vector<std::pair<int32_t, int32_t>> Pairs = {{-7, 4}, {7, 4}, {-8, 3}, {1, 31}, {-5, 30},
+		{-2147483647 - 1, 3}, {1, 33}, {-5, 40}, {3, -1}, {7, 0}, {-2147483647 - 1, -1}};
+	const auto WithLiterals = [](std::string Expression, int32_t A, int32_t B)
+	{
+		std::string Result;
+		for (const char Sign : Expression)
+		{
+			Result += Sign == 'A'   ? "int(" + std::to_string(A) + ")"
+					  : Sign == 'B' ? "(" + std::to_string(B) + ")"
+									: std::string(1, Sign);
+		}
+		return Result;
+	};
 	std::string Text = "StructuredBuffer<int> In;\nRWStructuredBuffer<int> Out;\n";
 	std::string Body;
 	std::vector<uint32_t> In;
 	int32_t Place = 0;
 	for (size_t f = 0; f < Functions.size(); ++f)
 	{
-		Text += "int F" + std::to_string(f) + "(int A, int B) { return " + Functions[f] + "; }\n";
+		const std::string Name = "F" + std::to_string(f);
+		Text += "int " + Name + "(int A, int B) { return " + Functions[f] + "; }\n";
 		for (const auto& [A, B] : Pairs)
 		{
-			const std::string Call = "F" + std::to_string(f) + "(";
-			Body += "\tOut[" + std::to_string(Place) + "] = " + Call + "int(" + std::to_string(A) + "), " +
-					std::to_string(B) + ");\n";
-			Body += "\tOut[" + std::to_string(Place + 1) + "] = " + Call + "In[" + std::to_string(Place) + "], In[" +
-					std::to_string(Place + 1) + "]);\n";
+			const std::string First = std::to_string(In.size());
 			In.push_back(uint32_t(A));
 			In.push_back(uint32_t(B));
-			Place += 2;
+			for (const std::string& Result : {Name + "(In[" + First + "], In[" + std::to_string(In.size() - 1) + "])",
+					 Name + "(int(" + std::to_string(A) + "), " + std::to_string(B) + ")",
+					 WithLiterals(Functions[f], A, B)})
+			{
+				Body += "\tOut[" + std::to_string(Place++) + "] = " + Result + ";\n";
+			}
 		}
 	}
 	Text += "[numthreads(1, 1, 1)]\nvoid MainCS()\n{\n" + Body + "}\n";
 	const auto Fill = [&](FShaderHarness& Harness)
 	{
 		Harness.Buffers["In"] = In;
-		Harness.Buffers["Out"].assign(In.size(), 0);
+		Harness.Buffers["Out"].assign(size_t(Place), 0);
 	};
 	ForEachForm(Text, 1, 1, 1, Fill,
 		[&](FShaderHarness& Harness)
 		{
 			const std::vector<uint32_t>& Out = Harness.Buffers["Out"];
-			EXPECT_EQ(-3, int32_t(Out[0]));                          // -7 % 4
-			EXPECT_EQ(2u, Out[(3 * Pairs.size() + 6) * 2]);          // 1 << 33
-			EXPECT_EQ(0x80000000u, Out[(3 * Pairs.size() + 8) * 2]); // 3 << -1
-			for (size_t i = 0; i < In.size(); i += 2)
+			EXPECT_EQ(-3, int32_t(Out[0]));                           // -7 % 4
+			EXPECT_EQ(0xFFFFFFFFu, Out[(2 * Pairs.size() + 9) * 3]);  // 7 / 0
+			EXPECT_EQ(0x80000000u, Out[(2 * Pairs.size() + 10) * 3]); // the least number / -1
+			EXPECT_EQ(2u, Out[(3 * Pairs.size() + 6) * 3]);           // 1 << 33
+			EXPECT_EQ(0x80000000u, Out[(3 * Pairs.size() + 8) * 3]);  // 3 << -1
+			for (size_t i = 0; i < Out.size(); i += 3)
 			{
-				EXPECT_EQ(Out[i + 1], Out[i])
-					<< Functions[i / 2 / Pairs.size()] << " of " << int32_t(In[i]) << " and " << int32_t(In[i + 1]);
+				const std::string Of = Functions[i / 3 / Pairs.size()] + " of " +
+									   std::to_string(int32_t(In[i / 3 * 2])) + " and " +
+									   std::to_string(int32_t(In[i / 3 * 2 + 1]));
+				EXPECT_EQ(Out[i], Out[i + 1]) << Of << ", constants";
+				if (Functions[i / 3 / Pairs.size()].find("float") == std::string::npos) // literals have no width
+				{
+					EXPECT_EQ(Out[i], Out[i + 2]) << Of << ", literals";
+				}
 			}
 		});
 }
