@@ -4,6 +4,7 @@
 // ratio. Wanted: 2 (Kawase 1.2) with AVX-512, 1 with AVX2.
 #include <benchmark/benchmark.h>
 
+#include "Bloom/BloomSetupShaders.h"
 #include "LanesDispatch.h"
 #include "PixelFormatConversion.h"
 #include "Shader.h"
@@ -87,12 +88,14 @@ FUsfKernel MakeUsfKernel(const std::string& Name, int32_t Lanes)
 		{"Input_UVViewportSize", {1, 1}}};
 	if (Name == "BloomSetup")
 	{
+		FBloomSetupPermutation Permutation;
+		Permutation.Set<FThresholdDimension>(true);
 		ForEachShaderType(
-			[&Request](const FShaderType& Type)
+			[&](const FShaderType& Type)
 			{
 				if (std::string(Type.GetName()) == "FBloomSetupPS")
 				{
-					const FShaderRef Shader(Type.FindOrCreateShader(Type.GetPermutationCount() - 1));
+					const FShaderRef Shader(Type.FindOrCreateShader(Permutation.ToDimensionValueId()));
 					Request = MakeShaderCompileRequest(Shader, Type.GetRootParametersMetadata());
 				}
 			});

@@ -3,6 +3,7 @@
 #include "HlslRewrites.h"
 
 #include "HlslResources.h"
+#include "SpirvModule.h"
 
 #include <algorithm>
 
@@ -42,7 +43,9 @@ public:
 		if (!Accessors.empty())
 		{
 			Edits.Insert(FirstUse, Accessors.GetPrototypes());
-			Edits.Insert(Text.Size(), Accessors.GetFunctions(Numbers));
+			Text.Files.push_back(GSpirvFileOfCallers);
+			Edits.Move(Text.Size(),
+				MakeHlslTokens(Accessors.GetFunctions(Numbers), {.File = uint32_t(Text.Files.size() - 1), .Line = 1}));
 		}
 		const bool bChanged = !Edits.IsEmpty();
 		Edits.Apply(Text);
@@ -167,10 +170,11 @@ private:
 			return;
 		}
 		const std::string Place = "(" + Use.Number + ", " + Index;
+		const bool bPart = Behind != Close + 1 && !Use.Type.starts_with("RWStructuredBuffer");
+		const std::string Name = bPart ? GPartOfTexel : "DrydockElement";
 		Edits.Replace(Use.First, Close + 1,
-			"{ " + GetHlslElementType(Use.Type) + " DrydockElement = " + Accessors.Get(Use.Type) + Place +
-				"); DrydockElement");
-		Edits.Insert(End + 1, Accessors.Set(Use.Type) + Place + ", DrydockElement); }");
+			"{ " + GetHlslElementType(Use.Type) + " " + Name + " = " + Accessors.Get(Use.Type) + Place + "); " + Name);
+		Edits.Insert(End + 1, Accessors.Set(Use.Type) + Place + ", " + Name + "); }");
 	}
 
 	/** Use.Method(...) */

@@ -197,9 +197,9 @@ private:
 		const std::string& Name = Text[At].Text;
 		Edits.Replace(First, At + 2, "{ " + Position + " DrydockAt =");
 		Edits.Replace(Close, Close + 1,
-			"; " + GetHlslElementType(Variable->Type) + " DrydockTexel = " + Name + "[DrydockAt]; " +
-				(bPrefix ? Text[First].Text : std::string()) + "DrydockTexel");
-		Edits.Replace(End, End + 1, "; " + Name + "[DrydockAt] = DrydockTexel; }");
+			"; " + GetHlslElementType(Variable->Type) + " " + GPartOfTexel + " = " + Name + "[DrydockAt]; " +
+				(bPrefix ? Text[First].Text : std::string()) + GPartOfTexel);
+		Edits.Replace(End, End + 1, "; " + Name + "[DrydockAt] = " + GPartOfTexel + "; }");
 	}
 
 	/** M._m00_m11 = V; */

@@ -105,6 +105,9 @@ private:
 	size_t BlockEnd = 0; // of the constant buffer that is being read
 };
 
+/** The variable that a texel goes through of which parts are written. */
+inline constexpr const char* GPartOfTexel = "DrydockTexel";
+
 /** The type of what a texture or buffer holds: float4 of "Texture2D", uint of "RWBuffer<uint>"; empty for others. */
 DRYDOCK_API std::string GetHlslElementType(const std::string& Resource);
 

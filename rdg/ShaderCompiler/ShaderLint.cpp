@@ -1,6 +1,7 @@
 // Looks at a module, and at the functions that its entry point calls.
 #include "ShaderLint.h"
 
+#include "HlslSymbols.h"
 #include "HlslTokens.h"
 #include "LintAllowances.h"
 #include "LintBarriers.h"
@@ -143,7 +144,7 @@ void FLinter::LookAtText(const std::string& Source)
 				const std::string& File = Text.Files[Text[At].File];
 				const int Line = Text[At].Line;
 				const bool bMember = Text.Is(At - 1, ".");
-				if (Word == "DrydockAt" && PartialStores.insert({File, Line}).second)
+				if (Word == GPartOfTexel && PartialStores.insert({File, Line}).second)
 				{
 					Add("partial-uav-store", File, Line, "");
 				}

@@ -18,6 +18,9 @@
 namespace Drydock
 {
 
+/** The file of functions that the source pass adds: what they do stands on the line of who calls them. */
+inline constexpr const char* GSpirvFileOfCallers = "/Drydock/Callers";
+
 /** A module that cannot be used: garbage, or something the CPU tier does not do. File and Line are the .usf's where
  * known. */
 class DRYDOCK_API FSpirvError : public std::runtime_error

@@ -136,6 +136,8 @@ void FSpirvReader::BeginFunction(FSpirvOperands& Operands)
 	}
 	CurrentFunction = Operands.Next();
 	CheckId(CurrentFunction);
+	CurrentFile = 0;
+	CurrentLine = 0;
 	OpsOfOtherFunction.clear();
 	// "@F(f1;" is F(float) behind the front end's own entry point.
 	std::string& Name = Module.FunctionNames[CurrentFunction];
@@ -336,9 +338,15 @@ void FSpirvReader::ReadInstruction(uint16_t Op, FSpirvOperands Operands)
 		return;
 	}
 	case OpLine:
-		CurrentFile = FindFile(Operands.Next());
-		CurrentLine = int(std::min<uint32_t>(Operands.Next(), 1u << 30));
+	{
+		const uint32_t File = Operands.Next();
+		if (Strings[File] != GSpirvFileOfCallers)
+		{
+			CurrentFile = FindFile(File);
+			CurrentLine = int(std::min<uint32_t>(Operands.Next(), 1u << 30));
+		}
 		return;
+	}
 	case OpNoLine:
 		CurrentFile = 0;
 		CurrentLine = 0;

@@ -243,6 +243,25 @@ TEST(ShaderLint, APartialStoreIsNoReadOfTheAuthors)
 	EXPECT_EQ(std::vector<std::string>({"partial-uav-store:5"}), Lint(Request));
 }
 
+TEST(ShaderLint, OfResourcesInStructsTheLineIsThatOfTheirUse)
+{
+	const FShaderCompileRequest Request = MakeRequest(R"(struct FBuffers
+{
+	RWTexture2D<float4> B;
+};
+FBuffers Buffers;
+[numthreads(8, 8, 1)]
+void Main(uint2 Id : SV_DispatchThreadID)
+{
+	Buffers.B[Id].rg = 1;
+
+	Buffers.B[Id + 8] = Buffers.B[Id] * 2;
+
+}
+)");
+	EXPECT_EQ(std::vector<std::string>({"partial-uav-store:9", "typed-uav-load:11"}), Lint(Request, LintD3D11));
+}
+
 /** Ways to a barrier that some threads of a group do not take, and ways that all take. */
 TEST(ShaderLint, BarriersThatThreadsMayMissHaveBothLines)
 {
