@@ -187,7 +187,7 @@ int Main(int Rounds)
 			for (FMeasured& Measured : All)
 			{
 				const double Start = ThreadSeconds();
-				Measured.Kernel->Run(Input.Texture, Output.Texture, 256, 16);
+				Measured.Kernel->Run(Input.Texture, Output.Texture, 2048, 64);
 				if (Round >= 0)
 				{
 					Measured.Times[Format].push_back(ThreadSeconds() - Start);

@@ -279,6 +279,13 @@ void TSampling<Real, N>::LearnSample2D(const FKernelTexture& Texture, const FKer
 	if (Texture.NumMips == 1 || Mips.Weight == 0)
 	{
 		const int32_t MipIndex = Texture.NumMips == 1 ? 0 : Mips.First;
+		if constexpr (HasLaneCode<Real, N>)
+		{
+			if (LearnRow<N>(Texture, Texture.Mips[MipIndex], Sampler, V, {&Tap, X0, Y}) && Tap.Function(Tap, X0, Out))
+			{
+				return;
+			}
+		}
 		SampleMip2D<Real, N>(Texture, Sampler, MipIndex, U, V, nullptr, Out, {&Tap, X0, Y});
 		return;
 	}

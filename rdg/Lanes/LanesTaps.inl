@@ -19,6 +19,44 @@ struct FTapPlace
 	int32_t Y = 0;
 };
 
+/** Where the lanes' samples lie along y, in 1/256 texels. */
+template<int N>
+struct TSnappedRow
+{
+	using FInt = TRaw<int32_t, N>;
+
+	/** A power of two may join either factor of a product without changing its bits. */
+	DRYDOCK_LANES_INLINE TSnappedRow(const float* V, const FKernelMip& Mip, bool bPoint)
+		: Snapped(TLaneOps<N>::FloorToInt(LoadRaw<TRaw<float, N>>(V) * (float(Mip.SizeY) * 256.0f) + 0.5f))
+	{
+		constexpr int32_t Far = GFarTexel * 256;
+		const int32_t Fixed = int32_t(uint32_t(Snapped[0]) - (bPoint ? 0u : 128u)); // wraps where it does not fit
+		bOne =
+			TLaneOps<N>::Equal(Snapped, Broadcast<int32_t, N>(Snapped[0])) && Snapped[0] >= -Far && Snapped[0] <= Far;
+		First = Fixed >> 8;
+		Weight = bPoint ? 0.0f : float(Fixed & 255) * (1.0f / 256);
+	}
+
+	FInt Snapped;
+	bool bOne; // all lanes are on one pair of rows, the first of which is First
+	int32_t First;
+	float Weight; // of the second row
+};
+
+template<int N>
+DRYDOCK_LANES_INLINE void SetRow(
+	FKernelTap& Tap, ETexelStorage Storage, int32_t BytesPerTexel, int32_t Y, const FRowPair& Rows)
+{
+	const bool bWhole = Tap.Stride == BytesPerTexel && Tap.WeightX == 0 && !Rows.Row1;
+	Tap.Kind = bWhole && Storage == ETexelStorage::RGBA32_FLOAT            ? EWholeTexels::Float
+			   : bWhole && N > 4 && Storage == ETexelStorage::RGBA16_FLOAT ? EWholeTexels::Half
+																		   : EWholeTexels::None;
+	Tap.Row = Y;
+	Tap.Row0 = Rows.Row0;
+	Tap.Row1 = Rows.Row1;
+	Tap.WeightY = Rows.Weight;
+}
+
 /** The pack's first texel is Offset bytes into Rows, those of the next pixels lie Step halves of a texel apart. What
  * does not fit the columns that the tap knows already is not learned. */
 template<int N, typename FFormat, int Step>
@@ -50,14 +88,7 @@ DRYDOCK_LANES_INLINE void LearnPack(const FTapPlace& Place, bool (*Function)(con
 	{
 		return;
 	}
-	const bool bWhole = Step == 2 && WeightX == 0 && !Rows.Row1;
-	Tap.Kind = bWhole && FFormat::Storage == ETexelStorage::RGBA32_FLOAT            ? EWholeTexels::Float
-			   : bWhole && N > 4 && FFormat::Storage == ETexelStorage::RGBA16_FLOAT ? EWholeTexels::Half
-																					: EWholeTexels::None;
-	Tap.Row = Place.Y;
-	Tap.Row0 = Rows.Row0;
-	Tap.Row1 = Rows.Row1;
-	Tap.WeightY = Rows.Weight;
+	SetRow<N>(Tap, FFormat::Storage, FFormat::Bytes, Place.Y, Rows);
 }
 
 /** Step: halves of a texel from pixel to pixel, 1, 2 or 4. */
@@ -104,6 +135,26 @@ DRYDOCK_LANES_INLINE void Learn(const FTapPlace& Place, int64_t Offset, float We
 	}
 }
 
+/** Of a sample whose columns are known at the pack already: the rows of this one. False where they are not one pair. */
+template<int N>
+DRYDOCK_LANES_INLINE bool LearnRow(const FKernelTexture& Texture, const FKernelMip& Mip, const FKernelSampler& Sampler,
+	const float* V, const FTapPlace& Place)
+{
+	FKernelTap& Tap = *Place.Tap;
+	if (uint32_t(Place.X0) - uint32_t(Tap.Begin) >= Tap.Length || Sampler.SampleBits != 8)
+	{
+		return false;
+	}
+	const TSnappedRow<N> Row(V, Mip, Sampler.Filter == EKernelFilter::Point);
+	FRowPair Rows;
+	if (!Row.bOne || !FindRows(Mip, Mip.Data, Sampler.AddressV, Row.First, Row.Weight, Rows))
+	{
+		return false;
+	}
+	SetRow<N>(Tap, Texture.Storage, GetTexelStorageInfo(Texture.Storage).BytesPerTexel, Place.Y, Rows);
+	return true;
+}
+
 /** A row of texels from First on, as loads read it. */
 template<int N>
 DRYDOCK_LANES_INLINE void LearnLoad(
@@ -135,20 +186,18 @@ inline bool SampleMip2DTuned(FFormat Format, const FKernelTexture& Texture, cons
 		return SampleFootprints<N>(Format, Texture, Mip, Base, Sampler, X, Y, Out);
 	}
 
-	// In 1/256 texels. A power of two may join either factor of a product without changing its bits.
+	// In 1/256 texels.
 	constexpr int32_t Unfit = int32_t(0x80000000);
 	constexpr int32_t Far = GFarTexel * 256;
 	const FInt SnappedX = FOps::FloorToInt(LoadRaw<FFloat>(U) * (float(Mip.SizeX) * 256.0f) + 0.5f);
-	const FInt SnappedY = FOps::FloorToInt(LoadRaw<FFloat>(V) * (float(Mip.SizeY) * 256.0f) + 0.5f);
-	const int32_t Half = bPoint ? 0 : 128;
-	const int32_t FixedX =
-		int32_t(uint32_t(SnappedX[0]) - uint32_t(Half)); // wraps where it does not fit: then Start is out of range
-	const int32_t FixedY = int32_t(uint32_t(SnappedY[0]) - uint32_t(Half));
+	const TSnappedRow<N> Row(V, Mip, bPoint);
+	const FInt SnappedY = Row.Snapped;
+	const int32_t FixedX = int32_t(
+		uint32_t(SnappedX[0]) - (bPoint ? 0u : 128u)); // wraps where it does not fit: then Start is out of range
 	const int32_t Start = FixedX >> 8;
 	FRowPair Rows;
-	if (FOps::Equal(SnappedY, Broadcast<int32_t, N>(SnappedY[0])) && uint32_t(Start) < uint32_t(Mip.SizeX) &&
-		SnappedY[0] >= -Far && SnappedY[0] <= Far &&
-		FindRows(Mip, Base, Sampler.AddressV, FixedY >> 8, bPoint ? 0.0f : float(FixedY & 255) * (1.0f / 256), Rows))
+	if (Row.bOne && uint32_t(Start) < uint32_t(Mip.SizeX) &&
+		FindRows(Mip, Base, Sampler.AddressV, Row.First, Row.Weight, Rows))
 	{
 		const float WeightX = bPoint ? 0.0f : float(FixedX & 255) * (1.0f / 256);
 		const int64_t Offset = int64_t(Start) * Format.Bytes;

@@ -21,20 +21,21 @@ namespace
 
 using Drydock::FKernelTile;
 
-// Wide, so that lanes are full and rows stream; low, so that a small target still makes tiles for every thread.
+// Wide, so that lanes are full; low, so that a small target still makes tiles for every thread.
 constexpr int32 GTileSizeX = 256;
 constexpr int32 GTileSizeY = 16;
 
-/** Native kernels decode what lies beside their tile, and rows that go on are what the processor reads ahead: they take
- * taller and wider ones, in multiples, where each thread still has its share of the tiles. */
-FIntPoint ChooseTileSize(const Drydock::FBoundShader& Shader, const FKernelTile& Whole)
+/** Taller and wider tiles, in multiples, where each thread still has its share of them: shaders learn once a tile where
+ * their samples lie, native kernels decode what lies beside it, and rows that go on are what the processor reads
+ * ahead. */
+FIntPoint ChooseTileSize(const FKernelTile& Whole)
 {
 	constexpr int32 Widest = 8 * GTileSizeX;
 	constexpr int32 Tall = 4 * GTileSizeY;
 	constexpr int64 TilesPerThread = 4;
 	const int32 NumThreads = Drydock::GetNumThreads();
 	const int64 Rows = FMath::DivideAndRoundUp(Whole.MaxY - Whole.MinY, Tall);
-	for (int32 Wide = Widest; Shader.Native && Wide >= GTileSizeX; Wide /= 2)
+	for (int32 Wide = Widest; Wide >= GTileSizeX; Wide /= 2)
 	{
 		const int64 Columns = FMath::DivideAndRoundUp(Whole.MaxX - Whole.MinX, Wide);
 		if (NumThreads == 1 || Columns * Rows >= TilesPerThread * NumThreads)
@@ -121,7 +122,7 @@ void FRHIComputeCommandList::DispatchComputeShader(
 		return;
 	}
 	// Whole groups per tile: threads of one group share a tile.
-	const FIntPoint Chosen = ChooseTileSize(BoundCompute, Whole);
+	const FIntPoint Chosen = ChooseTileSize(Whole);
 	const FIntVector TileSize(RoundUp(Chosen.X, GroupSize[0]), RoundUp(Chosen.Y, GroupSize[1]), GroupSize[2]);
 	RunTiles(BoundCompute, BoundCompute.GetArgs(), Whole,
 		BoundCompute.GetReflection().bGroupsInOrder ? FIntVector(Whole.MaxX, Whole.MaxY, Whole.MaxZ) : TileSize);
@@ -413,7 +414,7 @@ void FRHICommandList::DrawRect(
 	}
 	for (uint32 Instance = 0; Instance < NumInstances; ++Instance)
 	{
-		const FIntPoint TileSize = ChooseTileSize(BoundPixel, Whole);
+		const FIntPoint TileSize = ChooseTileSize(Whole);
 		RunTiles(BoundPixel, Args, Whole, FIntVector(TileSize.X, TileSize.Y, 1));
 		for (const Drydock::FKernelTarget& Target : Targets)
 		{
