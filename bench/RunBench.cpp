@@ -137,7 +137,7 @@ int main(int ArgumentCount, char** Arguments)
 	}
 	std::printf(
 		"%s, medians of %d\n\n| | CPU ms | wall ms | memory MB | CPU, against oiiotool |\n|---|---|---|---|---|\n",
-		Scene.c_str(), Rounds);
+		ArgumentCount > 2 ? Scene.c_str() : "configs/scenes/toon_character_1080p.exr", Rounds);
 	for (const FRow& Row : Rows)
 	{
 		std::printf("| %s | %.0f | %.0f | %.0f | %.2f |\n", Row.Name.c_str(), Row.GetMedian(&FCost::CpuMs),

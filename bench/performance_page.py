@@ -297,7 +297,7 @@ def main(arguments):
         sys.exit(__doc__)
     page = PAGE.read_text()
     page = fill(page, "summary", make_summary(RESULTS))
-    for name in ("run", "edit", "picture_files", "texels", "functions", "strips", "roofline", "graph"):
+    for name in ("run", "edit", "picture_files", "texels", "functions", "strips", "roofline", "graph", "usf"):
         page = fill(page, f"bench_{name}", read_result(RESULTS, f"bench_{name}"))
     tables, compared = make_peer_tables([Round(file) for file in arguments])
     page = fill(page, "peers", tables)
