@@ -192,7 +192,7 @@ def wrap(text, most):
 def make_chart(compared):
     """One bar a kernel, from 1 (the best peer) to drydock's time over the peer's, on a scale of powers of two."""
     title = wrap(describe(compared), 88)
-    left, right, row_height, top = 250, 760, 24, 56 + 22 * len(title)
+    left, right, row_height, top = 290, 770, 24, 56 + 22 * len(title)
     largest = max(2.0, max(row["ratio"] for row in compared))
     smallest = min(0.5, min(row["ratio"] for row in compared))
     low, high = math.floor(math.log2(smallest)), math.ceil(math.log2(largest))
@@ -218,9 +218,7 @@ def make_chart(compared):
         if row["goal"]:
             goal = x_of(row["goal"])
             out.append(f'<line x1="{goal:.1f}" y1="{y}" x2="{goal:.1f}" y2="{y + 20}" stroke="#1864ab" stroke-width="3"/>')
-        side = "start" if row["ratio"] >= 1.0 else "end"
-        place = end + 6 if row["ratio"] >= 1.0 else begin - 6
-        out.append(f'<text x="{place:.1f}" y="{y + 14}" text-anchor="{side}" fill="#1a1a1a">{row["ratio"]:.2f}</text>')
+        out.append(f'<text x="{end + 6:.1f}" y="{y + 14}" fill="#1a1a1a">{row["ratio"]:.2f}</text>')
         out.append(f'<text x="{right + 60}" y="{y + 14}" fill="#777777">{escape(row["best"])}</text>')
     out.append(f'<text x="{x_of(1.0) - 14:.1f}" y="{top - 14}" text-anchor="end" fill="#2b8a3e">drydock faster</text>')
     out.append(f'<text x="{x_of(1.0) + 14:.1f}" y="{top - 14}" fill="#c2571a">slower</text>')
