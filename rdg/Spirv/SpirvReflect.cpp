@@ -84,12 +84,17 @@ private:
 	void Add(std::vector<FShaderResource>& List, const FSpirvVariable& Variable, FShaderResource Resource)
 	{
 		Result.Slots[Variable.Id] = uint32_t(List.size());
-		Resource.Where = Uses[Variable.Id];
+		Resource.Where = Where(Uses[Variable.Id]);
 		List.push_back(std::move(Resource));
 	}
-	std::string Where(const FSpirvInstruction& I) const
+	std::string Where(const FSpirvInstruction* I) const
 	{
-		return I.Line ? Module.Files[I.File] + ":" + std::to_string(I.Line) : std::string();
+		return I && I->Line ? Module.Files[I->File] + ":" + std::to_string(I->Line) : std::string();
+	}
+	/** At the first place that uses the variable. */
+	[[noreturn]] void Refuse(const FSpirvVariable& Variable, const std::string& Message)
+	{
+		Module.Fail(Message, Uses[Variable.Id]);
 	}
 	EShaderCounter FindCounter(const std::string& Buffer) const;
 
@@ -97,7 +102,7 @@ private:
 	const FSpirvStructure& Structure;
 	const std::string& Source;
 	FSpirvReflection Result;
-	std::map<uint32_t, std::string> Uses;                            // variable -> first place that uses it
+	std::map<uint32_t, const FSpirvInstruction*> Uses;               // variable -> the first that uses it
 	std::map<std::pair<uint32_t, uint32_t>, std::string> MemberUses; // variable, member
 	std::set<uint32_t> ComparisonSamplers;                           // variables
 	bool bWritesPosition = false;
@@ -124,20 +129,20 @@ void FReflector::FindUses()
 			{
 				if (Module.FindVariable(Operand))
 				{
-					Uses.emplace(Operand, Where(I));
+					Uses.emplace(Operand, &I);
 				}
 			}
 			const bool bChain = I.Op == OpAccessChain || I.Op == OpInBoundsAccessChain;
 			if (bChain && I.Operands.size() > 1 && Module.FindConstant(I.Operands[1]))
 			{
-				MemberUses.emplace(std::pair(I.Operands[0], Module.GetConstantScalar(I.Operands[1])), Where(I));
+				MemberUses.emplace(std::pair(I.Operands[0], Module.GetConstantScalar(I.Operands[1])), Where(&I));
 			}
 			const FSpirvVariable* Whole = I.Op == OpLoad ? Module.FindVariable(I.Operands[0]) : nullptr;
 			if (Whole)
 			{
 				for (uint32_t i = 0; i < Module.GetType(Whole->Type).Members.size(); ++i)
 				{
-					MemberUses.emplace(std::pair(Whole->Id, i), Where(I));
+					MemberUses.emplace(std::pair(Whole->Id, i), Where(&I));
 				}
 			}
 		}
@@ -166,8 +171,8 @@ void FReflector::AddInput(const FSpirvVariable& Variable)
 		const int32_t Index = GetTexCoordIndex(Variable.Semantic);
 		if (Index < 0)
 		{
-			Module.Fail("pixel input '" + Variable.Name + "' has the semantic " + Variable.Semantic +
-						", which no pass fills; use SV_POSITION or TEXCOORDn");
+			Refuse(Variable, "pixel input '" + Variable.Name + "' has the semantic " + Variable.Semantic +
+								 ", which no pass fills; use SV_POSITION or TEXCOORDn");
 		}
 		Result.Reflection.NumInterpolants = std::max(Result.Reflection.NumInterpolants, Index + 1);
 		return;
@@ -185,9 +190,9 @@ void FReflector::AddInput(const FSpirvVariable& Variable)
 		{
 			return;
 		}
-		Module.Fail(ExplainRefusedBuiltIn(Variable.BuiltIn));
+		Refuse(Variable, ExplainRefusedBuiltIn(Variable.BuiltIn));
 	default:
-		Module.Fail("input '" + Variable.Name + "' (" + Variable.Semantic + ") is not supported on the CPU tier");
+		Refuse(Variable, "input '" + Variable.Name + "' (" + Variable.Semantic + ") is not supported on the CPU tier");
 	}
 }
 
@@ -199,8 +204,8 @@ void FReflector::AddOutput(const FSpirvVariable& Variable)
 						Module.GetScalarKind(Variable.Type, 0) == ESpirvType::Float;
 	if (!bColor)
 	{
-		Module.Fail("pixel output '" + Variable.Name + "' (" + Variable.Semantic +
-					") is not supported on the CPU tier; outputs are float colours to SV_Target0..7");
+		Refuse(Variable, "pixel output '" + Variable.Name + "' (" + Variable.Semantic +
+							 ") is not supported on the CPU tier; outputs are float colours to SV_Target0..7");
 	}
 	Result.Reflection.NumTargets = std::max(Result.Reflection.NumTargets, int32_t(Variable.Location) + 1);
 }
@@ -214,8 +219,8 @@ void FReflector::AddVertexInput(const FSpirvVariable& Variable)
 	const int32_t Index = Variable.BuiltIn == BuiltInNone ? GetSemanticIndex(Variable.Semantic, "ATTRIBUTE") : -1;
 	if (Index < 0)
 	{
-		Module.Fail("vertex input '" + Variable.Name + "' has the semantic " + Variable.Semantic +
-					", which no vertex declaration feeds; use ATTRIBUTEn, SV_VertexID or SV_InstanceID");
+		Refuse(Variable, "vertex input '" + Variable.Name + "' has the semantic " + Variable.Semantic +
+							 ", which no vertex declaration feeds; use ATTRIBUTEn, SV_VertexID or SV_InstanceID");
 	}
 	Result.AttributesRead |= 1u << Index;
 }
@@ -236,10 +241,10 @@ void FReflector::AddVertexOutput(const FSpirvVariable& Variable)
 					   Module.GetScalarKind(Variable.Type, 0) == ESpirvType::Float;
 	if (!bFits)
 	{
-		Module.Fail("vertex output '" + Variable.Name + "' (" + Variable.Semantic + ", " +
-					GetHlslTypeName(Module, Type) +
-					") is not supported on the CPU tier; outputs are SV_POSITION and float, float2, float3 or float4 "
-					"to TEXCOORD0..15");
+		Refuse(Variable,
+			"vertex output '" + Variable.Name + "' (" + Variable.Semantic + ", " + GetHlslTypeName(Module, Type) +
+				") is not supported on the CPU tier; outputs are SV_POSITION and float, float2, float3 or float4 "
+				"to TEXCOORD0..15");
 	}
 	Result.TexCoordsWritten |= ((1u << Count) - 1) << Index;
 	Result.Reflection.NumInterpolants = std::max(Result.Reflection.NumInterpolants, Index + Count);
@@ -308,7 +313,8 @@ void FReflector::AddConstantBuffer(const FSpirvVariable& Variable)
 		const FSpirvMember& Member = Type.Members[i];
 		if (Module.GetType(Member.Type).NumScalars == 0)
 		{
-			Module.Fail("constant buffer '" + Type.Name + "' has a member '" + Member.Name + "' that is not numeric");
+			Refuse(
+				Variable, "constant buffer '" + Type.Name + "' has a member '" + Member.Name + "' that is not numeric");
 		}
 		for (const uint32_t Offset : GetScalarOffsets(Module, Member.Type, Member.MatrixStride, Member.bRowMajor))
 		{
@@ -328,9 +334,9 @@ void FReflector::AddStorageBuffer(const FSpirvVariable& Variable)
 	const FSpirvType& Type = Module.GetType(Variable.Type);
 	if (Type.Members.size() != 1 || Module.GetType(Type.Members[0].Type).Kind != ESpirvType::RuntimeArray)
 	{
-		Module.Fail("buffer '" + (Variable.Name.empty() ? Type.Name : Variable.Name) +
-					"' is of a kind that the CPU tier does not know (tbuffer is not supported); use a "
-					"StructuredBuffer, a Buffer or a cbuffer");
+		Refuse(Variable, "buffer '" + (Variable.Name.empty() ? Type.Name : Variable.Name) +
+							 "' is of a kind that the CPU tier does not know (tbuffer is not supported); use a "
+							 "StructuredBuffer, a Buffer or a cbuffer");
 	}
 	const FSpirvType& Array = Module.GetType(Type.Members[0].Type);
 	FShaderResource Resource;
@@ -359,9 +365,9 @@ void FReflector::AddHandle(const FSpirvVariable& Variable)
 	}
 	if (Type.Kind != ESpirvType::Image)
 	{
-		Module.Fail(
+		Refuse(Variable,
 			"'" + Variable.Name +
-			"' is an array of textures or samplers, which the CPU tier does not support; declare them one by one");
+				"' is an array of textures or samplers, which the CPU tier does not support; declare them one by one");
 	}
 	Resource.Scalar = ToShaderScalar(Module.GetType(Type.Element).Kind);
 	Resource.NumComponents = GetFormatComponents(Type.Format);
