@@ -1,8 +1,10 @@
-// Reads "TYPE<...> A : register(u0), B" word by word.
+// Reads "TYPE<...> A : register(u0), B" word by word, and lines with their #line directives.
 #include "SpirvDeclaration.h"
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
+#include <sstream>
 
 namespace Drydock
 {
@@ -82,6 +84,49 @@ bool IsDeclaredAs(const std::string& Text, const std::string& Type, const std::s
 		}
 	}
 	return false;
+}
+
+FTextLine FindSemantic(const std::string& Text, const std::string& Name, const std::string& Semantic)
+{
+	const auto HasSemantic = [&](const std::string& Row)
+	{
+		for (size_t Found = Row.find(Name); Found != std::string::npos; Found = Row.find(Name, Found + 1))
+		{
+			FTextPlace Place{Row, Found};
+			const bool bWhole = (Found == 0 || !IsWord(Row[Found - 1])) && Place.ReadWord() == Name;
+			if (bWhole && Place.Look() == ':')
+			{
+				++Place.At;
+				const std::string Word = Place.ReadWord();
+				const auto Same = [](unsigned char A, unsigned char B)
+				{
+					return std::toupper(A) == std::toupper(B);
+				};
+				if (std::equal(Word.begin(), Word.end(), Semantic.begin(), Semantic.end(), Same))
+				{
+					return true;
+				}
+			}
+		}
+		return false;
+	};
+	FTextLine At{{}, 1};
+	std::istringstream Rows(Text);
+	for (std::string Row; std::getline(Rows, Row);)
+	{
+		const size_t Quote = Row.starts_with("#line ") ? Row.find('"') : std::string::npos;
+		if (Quote != std::string::npos)
+		{
+			At = {Row.substr(Quote + 1, Row.rfind('"') - Quote - 1), std::atoi(Row.c_str() + 6)};
+			continue;
+		}
+		if (HasSemantic(Row))
+		{
+			return At;
+		}
+		++At.Line;
+	}
+	return {};
 }
 
 } // namespace Drydock

@@ -1,4 +1,4 @@
-// Whether a shader's text declares something as a type that SPIR-V does not tell from its relatives.
+// What a shader's text says of its declarations and SPIR-V does not: types that have the form of others, lines.
 #pragma once
 
 #include <string>
@@ -9,5 +9,14 @@ namespace Drydock
 /** Whether Text, flattened HLSL, declares Name as Type ("RWByteAddressBuffer", "AppendStructuredBuffer"), alone or in a
  * list; what the type takes in <> is anything. */
 bool IsDeclaredAs(const std::string& Text, const std::string& Type, const std::string& Name);
+
+struct FTextLine
+{
+	std::string File;
+	int Line = 0; // 0: not found
+};
+
+/** Where Text has "Name : Semantic", by its #line directives; semantics in any letters. */
+FTextLine FindSemantic(const std::string& Text, const std::string& Name, const std::string& Semantic);
 
 } // namespace Drydock

@@ -91,9 +91,15 @@ private:
 	{
 		return I && I->Line ? Module.Files[I->File] + ":" + std::to_string(I->Line) : std::string();
 	}
-	/** At the first place that uses the variable. */
+	/** Where the text gives the variable its semantic, else at the first place that uses it. */
 	[[noreturn]] void Refuse(const FSpirvVariable& Variable, const std::string& Message)
 	{
+		const std::string Member = Variable.Name.substr(Variable.Name.rfind('.') + 1); // of a struct
+		const FTextLine Declared = FindSemantic(Source, Member, Variable.Semantic);
+		if (!Variable.Semantic.empty() && Declared.Line > 0)
+		{
+			throw FSpirvError(Message, Declared.File, Declared.Line);
+		}
 		Module.Fail(Message, Uses[Variable.Id]);
 	}
 	EShaderCounter FindCounter(const std::string& Buffer) const;

@@ -106,6 +106,23 @@ TEST(ShaderMessages, ShowTheLineAndTheName)
 				  "    | \t              ^"));
 }
 
+TEST(ShaderMessages, SemanticsAreRefusedWhereTheyStand)
+{
+	const auto ErrorOfPixelShader = [](const std::string& Text)
+	{
+		FShaderCompileRequest Request = MakeRequest("");
+		Request.Stage = EShaderStage::Pixel;
+		Request.GeneratedFiles[0].second = Text;
+		return ErrorsOf(Request);
+	};
+	EXPECT_THAT(ErrorOfPixelShader("struct FIn\n{\n\tfloat2 UV : TEXCOORD0;\n\tfloat4 Tint : color0;\n};\n"
+								   "float4 Main(FIn In) : SV_Target0\n{\n\treturn In.Tint * In.UV.x;\n}\n"),
+		HasSubstr("/Test/Shader.usf:4: error: pixel input 'In.Tint' has the semantic "));
+	EXPECT_THAT(ErrorOfPixelShader("void Main(float4 P : SV_POSITION,\n\tout float4 C : SV_Target0,\n"
+								   "\tout float D : SV_Depth)\n{\n\tC = 1;\n\tD = 0.5;\n}\n"),
+		HasSubstr("/Test/Shader.usf:3: error: pixel output 'D' ("));
+}
+
 TEST(ShaderMessages, NameTheFileOnDisk)
 {
 	const FScratchFolder Folder;
