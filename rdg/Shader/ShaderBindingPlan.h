@@ -6,6 +6,7 @@
 #include "Diagnostics.h"
 #include "ShaderParameterMetadata.h"
 #include "ShaderReflection.h"
+#include "ShaderTypeNames.h"
 #include "StaticSamplers.h"
 
 #include <cstdint>
@@ -46,15 +47,6 @@ struct FConstantCopy
 	uint32_t Buffer;
 	uint32_t Offset;
 	uint32_t Size;
-};
-
-enum class EResourceList : uint8_t
-{
-	Textures,
-	RWTextures,
-	Samplers,
-	Buffers,
-	RWBuffers,
 };
 
 /** Puts the resource at an offset of a source into a slot. */

@@ -72,24 +72,10 @@ TEST_P(FRandomProgram, KernelsAgreeWithTheModelBitForBit)
 {
 	constexpr int NumFunctions = 3;
 	const uint32_t Seed = uint32_t(GetParam());
-	const FRandomForm Form(Seed);
-	const std::string Text = FProgramGenerator(Seed).Make(NumFunctions);
-	SCOPED_TRACE(Text);
-	FShaderHarness Kernel(Text, "MainCS", EShaderStage::Compute);
-	FillInputs(Kernel, Seed, NumFunctions);
-	Kernel.Run(Form.Lanes, Width, Height, 1, Form.bDouble);
-	FShaderHarness Inspected(Text, "MainCS", EShaderStage::Compute);
-	FillInputs(Inspected, Seed, NumFunctions);
-	Inspected.RunInspected(Width, Height, 1, Form.bDouble);
-	EXPECT_EQ("", FindDifference(Kernel, Inspected, NumFunctions))
-		<< "seed " << Seed << ", " << Form.GetName() << ", with its functions";
-	if (!Form.bDouble)
-	{
-		FShaderHarness Model(Text, "MainCS", EShaderStage::Compute);
-		FillInputs(Model, Seed, NumFunctions);
-		Model.RunModel(Width, Height);
-		EXPECT_EQ("", FindDifference(Model, Kernel, NumFunctions)) << "seed " << Seed << ", " << Form.GetName();
-	}
+	ExpectFormsAgree(
+		Seed, FProgramGenerator(Seed).Make(NumFunctions), EShaderStage::Compute, Width, Height,
+		[&](FShaderHarness& Harness) { FillInputs(Harness, Seed, NumFunctions); },
+		[](FShaderHarness& A, FShaderHarness& B) { return FindDifference(A, B, NumFunctions); });
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, FRandomProgram, RandomSeeds(35));

@@ -48,4 +48,31 @@ struct FRandomForm
 	int32_t Lanes = 0;
 };
 
+/** Runs a program over X x Y threads or pixels as the kernel of its seed, by the interpreter with its functions and, of
+ * floats, by the interpreter. Fill(Harness) gives it what it reads; FindDifference(A, B) says where two have other
+ * results, "" where nowhere. */
+template<typename FFill, typename FFindDifference>
+void ExpectFormsAgree(uint32_t Seed, const std::string& Text, EShaderStage Stage, int32_t X, int32_t Y, FFill Fill,
+	FFindDifference FindDifference)
+{
+	SCOPED_TRACE(Text);
+	const FRandomForm Form(Seed);
+	const std::string Entry = Stage == EShaderStage::Pixel ? "MainPS" : "MainCS";
+	FShaderHarness Kernel(Text, Entry, Stage);
+	Fill(Kernel);
+	Kernel.Run(Form.Lanes, X, Y, 1, Form.bDouble);
+	FShaderHarness Inspected(Text, Entry, Stage);
+	Fill(Inspected);
+	Inspected.RunInspected(X, Y, 1, Form.bDouble);
+	EXPECT_EQ("", FindDifference(Kernel, Inspected))
+		<< "seed " << Seed << ", " << Form.GetName() << ", with its functions";
+	if (!Form.bDouble)
+	{
+		FShaderHarness Model(Text, Entry, Stage);
+		Fill(Model);
+		Model.RunModel(X, Y);
+		EXPECT_EQ("", FindDifference(Kernel, Model)) << "seed " << Seed << ", " << Form.GetName();
+	}
+}
+
 } // namespace Drydock::Test

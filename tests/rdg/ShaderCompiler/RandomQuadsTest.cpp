@@ -211,24 +211,9 @@ class FRandomQuads : public testing::TestWithParam<int>
 TEST_P(FRandomQuads, KernelsAgreeWithTheModelBitForBit)
 {
 	const uint32_t Seed = uint32_t(GetParam());
-	const FRandomForm Form(Seed);
-	const std::string Text = FQuadProgram(Seed).Make();
-	SCOPED_TRACE(Text);
-	FShaderHarness Kernel(Text, "MainPS", EShaderStage::Pixel);
-	Fill(Kernel, Seed);
-	Kernel.Run(Form.Lanes, Width, Height, 1, Form.bDouble);
-	FShaderHarness Inspected(Text, "MainPS", EShaderStage::Pixel);
-	Fill(Inspected, Seed);
-	Inspected.RunInspected(Width, Height, 1, Form.bDouble);
-	EXPECT_EQ("", FindDifference(Kernel, Inspected))
-		<< "seed " << Seed << ", " << Form.GetName() << ", with its functions";
-	if (!Form.bDouble)
-	{
-		FShaderHarness Model(Text, "MainPS", EShaderStage::Pixel);
-		Fill(Model, Seed);
-		Model.RunModel(Width, Height);
-		EXPECT_EQ("", FindDifference(Kernel, Model)) << "seed " << Seed << ", " << Form.GetName();
-	}
+	ExpectFormsAgree(
+		Seed, FQuadProgram(Seed).Make(), EShaderStage::Pixel, Width, Height,
+		[Seed](FShaderHarness& Harness) { Fill(Harness, Seed); }, &FindDifference);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, FRandomQuads, RandomSeeds(25));

@@ -150,6 +150,20 @@ void Fill(FShaderHarness& Harness, uint32_t Seed)
 	Harness.Buffers["Out"].assign(WordsOfAll * NumThreads, 0);
 }
 
+std::string FindDifference(FShaderHarness& A, FShaderHarness& B)
+{
+	const std::vector<uint32_t>& First = A.Buffers["Out"];
+	const std::vector<uint32_t>& Second = B.Buffers["Out"];
+	for (size_t i = 0; i < First.size(); ++i)
+	{
+		if (First[i] != Second[i])
+		{
+			return "word " + std::to_string(i) + ": " + std::to_string(First[i]) + " and " + std::to_string(Second[i]);
+		}
+	}
+	return {};
+}
+
 } // namespace
 
 class FRandomWide : public testing::TestWithParam<int>
@@ -159,24 +173,9 @@ class FRandomWide : public testing::TestWithParam<int>
 TEST_P(FRandomWide, KernelsAgreeWithTheModelBitForBit)
 {
 	const uint32_t Seed = uint32_t(GetParam());
-	const FRandomForm Form(Seed);
-	const std::string Text = FWideProgram(Seed).Make();
-	SCOPED_TRACE(Text);
-	FShaderHarness Kernel(Text, "MainCS", EShaderStage::Compute);
-	Fill(Kernel, Seed);
-	Kernel.Run(Form.Lanes, NumThreads, 1, 1, Form.bDouble);
-	FShaderHarness Inspected(Text, "MainCS", EShaderStage::Compute);
-	Fill(Inspected, Seed);
-	Inspected.RunInspected(NumThreads, 1, 1, Form.bDouble);
-	EXPECT_EQ(Inspected.Buffers["Out"], Kernel.Buffers["Out"])
-		<< "seed " << Seed << ", " << Form.GetName() << ", with its functions";
-	if (!Form.bDouble)
-	{
-		FShaderHarness Model(Text, "MainCS", EShaderStage::Compute);
-		Fill(Model, Seed);
-		Model.RunModel(NumThreads, 1);
-		EXPECT_EQ(Model.Buffers["Out"], Kernel.Buffers["Out"]) << "seed " << Seed << ", " << Form.GetName();
-	}
+	ExpectFormsAgree(
+		Seed, FWideProgram(Seed).Make(), EShaderStage::Compute, NumThreads, 1,
+		[Seed](FShaderHarness& Harness) { Fill(Harness, Seed); }, &FindDifference);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, FRandomWide, RandomSeeds(10));
