@@ -125,9 +125,8 @@ bool NeedConversion(TIntermTyped* A, TIntermTyped* B)
 /** A thread gets all ones of what is divided by 0; glslang folds literals to other numbers. */
 void CorrectDivisionsByZero(TOperator Operator, TIntermTyped* Right, TIntermTyped* Result)
 {
-	const TBasicType Type = Result ? Result->getBasicType() : EbtVoid;
-	const bool bOfInterest = (Operator == EOpDiv || Operator == EOpMod) && (Type == EbtInt || Type == EbtUint);
-	if (!bOfInterest || !Right->getAsConstantUnion() || !Result->getAsConstantUnion())
+	const bool bDivides = Result && (Operator == EOpDiv || Operator == EOpMod);
+	if (!bDivides || !Right->getAsConstantUnion() || !Result->getAsConstantUnion())
 	{
 		return;
 	}
@@ -136,14 +135,22 @@ void CorrectDivisionsByZero(TOperator Operator, TIntermTyped* Right, TIntermType
 	for (int i = 0; i < Quotients.size(); ++i)
 	{
 		const TConstUnion& Divisor = Divisors[Divisors.size() == 1 ? 0 : i];
-		const bool bZero = Divisor.getType() == EbtInt ? Divisor.getIConst() == 0 : Divisor.getUConst() == 0;
-		if (bZero && Type == EbtInt)
+		const TBasicType Type = Result->getBasicType();
+		if (Type == EbtInt && Divisor.getIConst() == 0)
 		{
 			Quotients[i].setIConst(-1);
 		}
-		else if (bZero)
+		else if (Type == EbtUint && Divisor.getUConst() == 0)
 		{
 			Quotients[i].setUConst(~0u);
+		}
+		else if (Type == EbtInt64 && Divisor.getI64Const() == 0)
+		{
+			Quotients[i].setI64Const(-1);
+		}
+		else if (Type == EbtUint64 && Divisor.getU64Const() == 0)
+		{
+			Quotients[i].setU64Const(~0ull);
 		}
 	}
 }

@@ -10,38 +10,6 @@ namespace Drydock
 
 using namespace Spirv;
 
-void FSpirvEmitter::OpenScope(const std::string& Head)
-{
-	if (!Head.empty())
-	{
-		Line(Head);
-	}
-	Line("{");
-	++Indent;
-	Scopes.push_back(NumScopes++);
-}
-
-void FSpirvEmitter::CloseScope(const char* Tail)
-{
-	Scopes.pop_back();
-	--Indent;
-	Line(Tail);
-}
-
-void FSpirvEmitter::SetPart(bool bOpen)
-{
-	if (bOpen && !PartStart)
-	{
-		OpenScope("[&]() __attribute__((noinline))");
-		PartStart = NumLines;
-	}
-	else if (!bOpen && PartStart)
-	{
-		CloseScope("}();");
-		PartStart = 0;
-	}
-}
-
 std::string FSpirvEmitter::MaskOf(uint32_t Label)
 {
 	const std::string Name = "m" + std::to_string(Label);

@@ -43,6 +43,38 @@ FSpirvEmitter::FSpirvEmitter(const FSpirvEmitInput& Input, const FSpirvDependenc
 	}
 }
 
+void FSpirvEmitter::OpenScope(const std::string& Head)
+{
+	if (!Head.empty())
+	{
+		Line(Head);
+	}
+	Line("{");
+	++Indent;
+	Scopes.push_back(NumScopes++);
+}
+
+void FSpirvEmitter::CloseScope(const char* Tail)
+{
+	Scopes.pop_back();
+	--Indent;
+	Line(Tail);
+}
+
+void FSpirvEmitter::SetPart(bool bOpen)
+{
+	if (bOpen && !PartStart)
+	{
+		OpenScope("[&]() __attribute__((noinline))");
+		PartStart = NumLines;
+	}
+	else if (!bOpen && PartStart)
+	{
+		CloseScope("}();");
+		PartStart = 0;
+	}
+}
+
 void FSpirvEmitter::Line(const std::string& Text)
 {
 	if (++NumLines > SpirvLimits::MaxLines)

@@ -11,6 +11,33 @@ namespace Drydock
 
 using namespace Spirv;
 
+void FSpirvReader::ReadDecoration(uint16_t Op, FSpirvOperands& Operands)
+{
+	const uint32_t Target = Operands.Next();
+	const bool bMember = Op == OpMemberDecorate || Op == OpMemberDecorateString;
+	FSpirvDecorations& Found = bMember ? MemberDecorations[{Target, Operands.Next()}] : Decorations[Target];
+	const uint32_t Decoration = Operands.Next();
+	if (Op == OpDecorateString || Op == OpMemberDecorateString)
+	{
+		if (Decoration == DecorationUserSemantic)
+		{
+			Found.Semantic = Operands.NextString();
+		}
+		return;
+	}
+	Found.Values[Decoration] = Operands.AtEnd() ? 0 : Operands.Next();
+}
+
+uint32_t FSpirvReader::FindFile(uint32_t StringId)
+{
+	const auto [Found, bNew] = FileOfString.emplace(StringId, uint32_t(Module.Files.size()));
+	if (bNew)
+	{
+		Module.Files.push_back(Strings[StringId]);
+	}
+	return Found->second;
+}
+
 void FSpirvReader::DefineType(uint32_t Id, FSpirvType Type)
 {
 	CheckId(Id);

@@ -1,7 +1,8 @@
 // What is known at run time of a plugin's classes, structs and enums: the names and types of their UPROPERTY fields, so
 // that a config's "objects" and ini files can give them values. drydock_add_plugin generates the code that registers
 // them (NAME.gen.cpp) from the headers; nobody else includes this. Source of the idea: engine UObject/Class.h and
-// UnrealType.h; names and shape are drydock's own.
+// UnrealType.h; names and shape are drydock's own. A little past 500 lines: one header for generated code to include,
+// whose templates make each field's entry of its C++ type.
 #pragma once
 
 #include "CoreMinimal.h"

@@ -474,30 +474,3 @@ TEST_F(DrydockProgram, BlendAnswersMistakes)
 		EXPECT_EQ("", Outcome.Out) << Place;
 	}
 }
-
-TEST_F(DrydockProgram, SheetPutsRunsSideBySide)
-{
-	EXPECT_EQ(0, Call("run " + Configs + "neutral.json --out first").ExitCode);
-	const FOutcome Sheet =
-		Call("sheet first first/final.png --caption \"One\" --width 64 --columns 2 --out made/sheet.png");
-	EXPECT_EQ(0, Sheet.ExitCode) << Sheet.Err;
-	EXPECT_EQ("made/sheet.png: 2 pictures, 152 x 74 pixels\n", Sheet.Out); // 64 x 36 each
-	EXPECT_TRUE(std::filesystem::exists(Folder / "made/sheet.png"));
-}
-
-TEST_F(DrydockProgram, SheetTellsOfWrongArguments)
-{
-	EXPECT_EQ(0, Call("run " + Configs + "neutral.json --out first").ExitCode);
-	const FOutcome Missing = Call("sheet first none.png --out sheet.png");
-	EXPECT_EQ(3, Missing.ExitCode);
-	EXPECT_NE(std::string::npos, Missing.Err.find("none.png"));
-	EXPECT_EQ(2, Call("sheet first --out sheet.jpg").ExitCode);
-	EXPECT_EQ(2, Call("sheet first").ExitCode);
-	EXPECT_EQ(2, Call("sheet first --out sheet.png --caption a --caption b").ExitCode);
-	EXPECT_EQ(2, Call("sheet first --out sheet.png --inset 0,0,10,10,0").ExitCode);
-	EXPECT_EQ(2, Call("sheet first --out sheet.png --crop 0,0,ten,10").ExitCode);
-	const FOutcome Outside = Call("sheet first --out sheet.png --crop 900,0,100,10");
-	EXPECT_EQ(2, Outside.ExitCode);
-	EXPECT_NE(std::string::npos, Outside.Err.find("960 x 540"));
-	EXPECT_FALSE(std::filesystem::exists(Folder / "sheet.png"));
-}

@@ -153,4 +153,48 @@ TEST(ShaderRounding, IntegersOfConstantsAreThoseOfVariables)
 		});
 }
 
+TEST(ShaderRounding, SoAreThoseOf64Bits)
+{
+	const std::string Text = R"(
+StructuredBuffer<int> In;
+RWStructuredBuffer<uint> Out;
+int64_t Divide(int64_t A, int64_t B) { return A / B; }
+uint64_t Remain(uint64_t A, uint64_t B) { return A % B; }
+void Store(uint At, uint64_t Value)
+{
+	Out[At * 2] = uint(Value);
+	Out[At * 2 + 1] = uint(Value >> 32);
+}
+[numthreads(1, 1, 1)]
+void MainCS()
+{
+	int64_t Least = int64_t(In[2]) << 63;
+	Store(0, uint64_t(Divide(In[0], In[1])));
+	Store(1, uint64_t(Divide(7ll, 0ll)));
+	Store(2, uint64_t(7ll / 0ll));
+	Store(3, Remain(uint64_t(In[0]), uint64_t(In[1])));
+	Store(4, Remain(7ull, 0ull));
+	Store(5, 7ull % 0ull);
+	Store(6, uint64_t(Divide(Least, -1ll)));
+	Store(7, uint64_t(Divide(-9223372036854775807ll - 1ll, -1ll)));
+	Store(8, uint64_t((-9223372036854775807ll - 1ll) / -1ll));
+}
+)";
+	const auto Fill = [](FShaderHarness& Harness)
+	{
+		Harness.Buffers["In"] = {7, 0, 1};
+		Harness.Buffers["Out"].assign(18, 0);
+	};
+	ForEachForm(Text, 1, 1, 1, Fill,
+		[](FShaderHarness& Harness)
+		{
+			const std::vector<uint32_t>& Out = Harness.Buffers["Out"];
+			for (size_t i = 0; i < 9; ++i)
+			{
+				const uint64_t Expected = i < 6 ? ~0ull : 1ull << 63; // all ones; the least number
+				EXPECT_EQ(Expected, Out[i * 2] | uint64_t(Out[i * 2 + 1]) << 32) << "result " << i;
+			}
+		});
+}
+
 } // namespace Drydock::Test
