@@ -1,5 +1,5 @@
-// Instructions on scalars, vectors and matrices, and the geometric functions. A little past 500 lines: one switch per kind
-// of number, which share their helpers.
+// Instructions on scalars, vectors and matrices, and the geometric functions. A little past 500 lines: the switches
+// share their helpers.
 #pragma once
 
 #include "SpirvThread.h"
