@@ -4,6 +4,7 @@
 #include "NativeFallback.h"
 #include "NativeKernels.h"
 #include "Native/BloomSetupLanes.h"
+#include "Native/NativeLanes.h"
 #include "Native/SampledTexturePass.h"
 #include "Native/TapSumPass.h"
 
@@ -69,15 +70,8 @@ bool MakeJob(const FNativeKernelArgs& Args, const FBloomSetupPermutation& Permut
 
 bool RunInLanes(const FBloomSetupJob& Job, const FTapTarget& Target)
 {
-	switch (GetNativeLanes())
-	{
-	case 16:
-		return TBloomSetupLanes<16>::Run(Job, *Target.Texture, Target.Pixels);
-	case 8:
-		return TBloomSetupLanes<8>::Run(Job, *Target.Texture, Target.Pixels);
-	default:
-		return TBloomSetupLanes<4>::Run(Job, *Target.Texture, Target.Pixels);
-	}
+	return WithNativeLanes<TBloomSetupLanes>(
+		[&](auto Lanes) { return Lanes.Run(Job, *Target.Texture, Target.Pixels); });
 }
 
 void RunBloomSetup(const FNativeKernelArgs& Args, const FKernelTile& Tile, const FBloomSetupParameters& Parameters,

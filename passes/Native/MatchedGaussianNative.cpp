@@ -3,6 +3,7 @@
 #include "Blur/MatchedGaussianShaders.h"
 #include "NativeFallback.h"
 #include "NativeKernels.h"
+#include "Native/NativeLanes.h"
 #include "Native/SampledTexturePass.h"
 #include "Native/TapSumPass.h"
 #include "Native/TexelSum.h"
@@ -65,17 +66,8 @@ void RunMatchedGaussian(const FNativeKernelArgs& Args, const FKernelTile& Tile)
 	}
 	const int32 ToSourceX = Sum.RectMin[0] - Min.X;
 	const int32 ToSourceY = Sum.RectMin[1] - Min.Y;
-	switch (GetNativeLanes())
-	{
-	case 16:
-		TTexelSumLanes<16>::Run(Sum, *Target.Texture, Target.Pixels, ToSourceX, ToSourceY);
-		break;
-	case 8:
-		TTexelSumLanes<8>::Run(Sum, *Target.Texture, Target.Pixels, ToSourceX, ToSourceY);
-		break;
-	default:
-		TTexelSumLanes<4>::Run(Sum, *Target.Texture, Target.Pixels, ToSourceX, ToSourceY);
-	}
+	WithNativeLanes<TTexelSumLanes>(
+		[&](auto Lanes) { return Lanes.Run(Sum, *Target.Texture, Target.Pixels, ToSourceX, ToSourceY); });
 }
 
 } // namespace

@@ -89,7 +89,7 @@ template<int N>
 struct TTapSumLanes
 {
 	/** SumTaps on N lanes, for what it does not turn away at once. */
-	static bool Run(const FTapSum& Sum, const FKernelTexture& Target, const FKernelTile& Tile, int32_t ToTargetX,
+	[[gnu::weak]] static bool Run(const FTapSum& Sum, const FKernelTexture& Target, const FKernelTile& Tile, int32_t ToTargetX,
 		int32_t ToTargetY);
 };
 

@@ -3,6 +3,7 @@
 // quantization, and what FFT bloom leaves of the scene.
 #include "NativeFallback.h"
 #include "NativeKernels.h"
+#include "Native/NativeLanes.h"
 #include "Native/SampledTexturePass.h"
 #include "Native/TapSumPass.h"
 #include "Native/TonemapLanes.h"
@@ -93,15 +94,7 @@ bool MakeJob(const FNativeKernelArgs& Args, const FTonemapPermutation& Permutati
 
 bool RunInLanes(const FTonemapJob& Job, const FTapTarget& Target)
 {
-	switch (GetNativeLanes())
-	{
-	case 16:
-		return TTonemapLanes<16>::Run(Job, *Target.Texture, Target.Pixels);
-	case 8:
-		return TTonemapLanes<8>::Run(Job, *Target.Texture, Target.Pixels);
-	default:
-		return TTonemapLanes<4>::Run(Job, *Target.Texture, Target.Pixels);
-	}
+	return WithNativeLanes<TTonemapLanes>([&](auto Lanes) { return Lanes.Run(Job, *Target.Texture, Target.Pixels); });
 }
 
 void RunTonemap(const FNativeKernelArgs& Args, const FKernelTile& Tile, const FTonemapParameters& Parameters,
