@@ -248,7 +248,6 @@ FBlurRecursion MakeRecursion(double Sigma)
 	const double A = 1.0 / (Real * Real) + 2.0 * (1.0 / (Pair * Pair)).real();
 	const double Half = (1.0 / Real + 2.0 * (1.0 / Pair).real()) / 2.0;
 	const double Q = (std::sqrt(Half * Half + A * Sigma * Sigma / 2.0) - Half) / A;
-	const std::complex<double> P = Q / (Pair + Q);
 	FBlurRecursion Recursion;
 	Recursion.First = static_cast<float>(Real / (Real + Q));
 	Recursion.Second = static_cast<float>(std::norm(Pair / (Pair + Q)));
