@@ -30,7 +30,7 @@ FSampledTexture MakeUnheldTexture(
 }
 
 /** False where the shader has to do it. */
-bool MakeJob(const FNativeKernelArgs& Args, const FBloomSetupPermutation& Permutation,
+bool MakeBloomSetupJob(const FNativeKernelArgs& Args, const FBloomSetupPermutation& Permutation,
 	const FBloomSetupParameters& Parameters, FBloomSetupJob& Job)
 {
 	const EToonBloom ToonBloom = Permutation.Get<FToonBloomDimension>();
@@ -68,7 +68,7 @@ bool MakeJob(const FNativeKernelArgs& Args, const FBloomSetupPermutation& Permut
 									  Job.OneOverPreExposure, Job.LocalExposure);
 }
 
-bool RunInLanes(const FBloomSetupJob& Job, const FTapTarget& Target)
+bool RunBloomSetupLanes(const FBloomSetupJob& Job, const FTapTarget& Target)
 {
 	return WithNativeLanes<TBloomSetupLanes>(
 		[&](auto Lanes) { return Lanes.Run(Job, *Target.Texture, Target.Pixels); });
@@ -85,7 +85,7 @@ void RunBloomSetup(const FNativeKernelArgs& Args, const FKernelTile& Tile, const
 	}
 	FBloomSetupJob Job;
 	if (!StoresPlainly(Args.GetArgs()) || !IsInsideTarget(Target.Texture, Pixels) ||
-		!MakeJob(Args, Permutation, Parameters, Job) || !RunInLanes(Job, Target))
+		!MakeBloomSetupJob(Args, Permutation, Parameters, Job) || !RunBloomSetupLanes(Job, Target))
 	{
 		RunShader(Args, Tile);
 	}

@@ -18,7 +18,7 @@ namespace
 {
 
 /** False where the shader has to do it. */
-bool MakeSum(const FNativeKernelArgs& Args, const FCharaGlowBoxParameters& Parameters, bool bColumns, FBoxSum& Sum)
+bool MakeBoxSum(const FNativeKernelArgs& Args, const FCharaGlowBoxParameters& Parameters, bool bColumns, FBoxSum& Sum)
 {
 	Sum.Source = Args.FindTexture(bColumns ? "RowsTexture" : "SceneTexturesStruct_GBufferDTexture");
 	Sum.Channel = bColumns ? 0 : 2;
@@ -59,7 +59,7 @@ void RunCharaGlowBox(const FNativeKernelArgs& Args, const FKernelTile& Tile)
 	FBoxSum Sum;
 	if (!StoresPlainly(Args.GetArgs()) || !IsInsideTarget(Target.Texture, Tile) ||
 		Tile.MaxY - Tile.MinY > MostGroups * GRowsOfBoxGroup ||
-		!MakeSum(Args, Parameters, Permutation.Get<FCharaGlowBoxPS::FColumnsDimension>(), Sum))
+		!MakeBoxSum(Args, Parameters, Permutation.Get<FCharaGlowBoxPS::FColumnsDimension>(), Sum))
 	{
 		RunShader(Args, Tile);
 		return;

@@ -15,14 +15,8 @@ namespace Drydock
 namespace
 {
 
-bool HasFloatLanes(ETexelStorage Storage)
-{
-	const FTexelStorageInfo& Info = GetTexelStorageInfo(Storage);
-	return Info.Kind != ETexelKind::Uint && Info.BitsPerChannel <= 32;
-}
-
 /** False where the shader has to do it. */
-bool MakeSum(const FNativeKernelArgs& Args, const FDualKawaseGaussianCS::FParameters& Parameters, FTexelSum& Sum)
+bool MakeTexelSum(const FNativeKernelArgs& Args, const FDualKawaseGaussianCS::FParameters& Parameters, FTexelSum& Sum)
 {
 	const FKernelBuffer* const Weights = Args.FindBuffer("Weights");
 	const FIntPoint Reach = Parameters.Reach;
@@ -55,7 +49,7 @@ void RunMatchedGaussian(const FNativeKernelArgs& Args, const FKernelTile& Tile)
 	const FTapTarget Target = GetComputeTarget(Args, Tile, "OutTexture", Min, Parameters.Output.ViewportMax);
 	FTexelSum Sum;
 	if (!StoresPlainly(Args.GetArgs()) || !IsInsideTarget(Target.Texture, Target.Pixels) ||
-		!MakeSum(Args, Parameters, Sum))
+		!MakeTexelSum(Args, Parameters, Sum))
 	{
 		RunShader(Args, Tile);
 		return;

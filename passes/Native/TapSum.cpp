@@ -44,12 +44,6 @@ private:
 	size_t Size = 0;
 };
 
-bool HasFloatLanes(ETexelStorage Storage)
-{
-	const FTexelStorageInfo& Info = GetTexelStorageInfo(Storage);
-	return Info.Kind != ETexelKind::Uint && Info.BitsPerChannel <= 32;
-}
-
 bool CanSum(const FTapSource& Source)
 {
 	const FKernelTexture& Texture = *Source.Texture;
@@ -58,6 +52,12 @@ bool CanSum(const FTapSource& Source)
 }
 
 } // namespace
+
+bool HasFloatLanes(ETexelStorage Storage)
+{
+	const FTexelStorageInfo& Info = GetTexelStorageInfo(Storage);
+	return Info.Kind != ETexelKind::Uint && Info.BitsPerChannel <= 32;
+}
 
 void* GetTapMemory(int32_t Number, size_t Bytes)
 {

@@ -53,7 +53,7 @@ void SetLens(const FTonemapPermutation& Permutation, const FTonemapParameters& P
 }
 
 /** False where the shader has to do it. */
-bool MakeJob(const FNativeKernelArgs& Args, const FTonemapPermutation& Permutation,
+bool MakeTonemapJob(const FNativeKernelArgs& Args, const FTonemapPermutation& Permutation,
 	const FTonemapParameters& Parameters, FTonemapJob& Job)
 {
 	Job.Color = MakeSampledTexture(Args, "ColorTexture", "ColorSampler", Parameters.Color);
@@ -92,7 +92,7 @@ bool MakeJob(const FNativeKernelArgs& Args, const FTonemapPermutation& Permutati
 		   MakeLocalExposureJob(Args, Parameters.LocalExposure, EyeAdaptation, OneOverPreExposure, Job.LocalExposure);
 }
 
-bool RunInLanes(const FTonemapJob& Job, const FTapTarget& Target)
+bool RunTonemapLanes(const FTonemapJob& Job, const FTapTarget& Target)
 {
 	return WithNativeLanes<TTonemapLanes>([&](auto Lanes) { return Lanes.Run(Job, *Target.Texture, Target.Pixels); });
 }
@@ -108,7 +108,7 @@ void RunTonemap(const FNativeKernelArgs& Args, const FKernelTile& Tile, const FT
 	}
 	FTonemapJob Job;
 	if (!IsKnown(Permutation) || !StoresPlainly(Args.GetArgs()) || !IsInsideTarget(Target.Texture, Pixels) ||
-		!MakeJob(Args, Permutation, Parameters, Job) || !RunInLanes(Job, Target))
+		!MakeTonemapJob(Args, Permutation, Parameters, Job) || !RunTonemapLanes(Job, Target))
 	{
 		RunShader(Args, Tile);
 	}
