@@ -1,9 +1,8 @@
 // Puts into words what a run did: passes with bars of their times, channels, memory.
-#include <fmt/format.h>
-
 #include "Program/RunSummary.h"
 
 #include "Math/ToInteger.h"
+#include "Program/Fmt.h"
 #include "Run/Run.h"
 #include "Text/TextTable.h"
 
