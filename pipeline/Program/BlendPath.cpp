@@ -2,7 +2,7 @@
 #include "Blend/BlendReport.h"
 #include "Blend/SettingsWalk.h"
 #include "Blend/WalkChart.h"
-#include "Program/Fmt.h"
+#include "Program/Fmt.inl"
 #include "Program/ProgramOutput.h"
 #include "Program/SettingStory.h"
 #include "Program/VerbOptions.h"

@@ -2,7 +2,7 @@
 #include "Program/RunFrames.h"
 
 #include "Config/ReadConfig.h"
-#include "Program/Fmt.h"
+#include "Program/Fmt.inl"
 #include "Program/ProgramOutput.h"
 #include "Program/ProgressBar.h"
 #include "Program/ReportOption.h"

@@ -2,7 +2,7 @@
 #include "Program/RunSummary.h"
 
 #include "Math/ToInteger.h"
-#include "Program/Fmt.h"
+#include "Program/Fmt.inl"
 #include "Run/Run.h"
 #include "Text/TextTable.h"
 

@@ -1,7 +1,7 @@
 // `drydock diff`: prints how far two images are apart, or two runs picture by picture.
 #include "Picture/ImageMetrics.h"
 #include "Picture/PictureFile.h"
-#include "Program/Fmt.h"
+#include "Program/Fmt.inl"
 #include "Program/JUnitOption.h"
 #include "Program/ProgramOutput.h"
 #include "Program/ReportOption.h"

@@ -1,6 +1,6 @@
 // `drydock lint`: what of shaders fails on platforms that drydock is not.
 #include "GlobalShader.h"
-#include "Program/Fmt.h"
+#include "Program/Fmt.inl"
 #include "Program/ProgramOutput.h"
 #include "Program/VerbOptions.h"
 #include "Program/Verbs.h"

@@ -1,7 +1,7 @@
 // `drydock sheet`: puts pictures side by side into one, each with a caption.
 #include "Picture/ContactSheet.h"
 #include "Picture/PictureFile.h"
-#include "Program/Fmt.h"
+#include "Program/Fmt.inl"
 #include "Program/NumberList.h"
 #include "Program/VerbOptions.h"
 #include "Program/Verbs.h"

@@ -1,5 +1,5 @@
 // `drydock study`: measures what accuracy costs, by the variants of a config's study.
-#include "Program/Fmt.h"
+#include "Program/Fmt.inl"
 #include "Program/JUnitOption.h"
 #include "Program/ProgramOutput.h"
 #include "Program/ProgressBar.h"
