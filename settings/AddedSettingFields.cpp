@@ -105,7 +105,7 @@ int32 CountComponents(ESettingType Type)
 	return Type == ESettingType::Vector2 ? 2 : Type == ESettingType::Vector4 || Type == ESettingType::Color ? 4 : 1;
 }
 
-FSettingField MakeField(uint32 Id, const FOwnedTexts& Texts)
+FSettingField MakeAddedField(uint32 Id, const FOwnedTexts& Texts)
 {
 	const FAddedSetting& Setting = Texts.Setting;
 	const FSettingValue Default = Normalize(Setting.Type, Setting.Default);
@@ -247,7 +247,7 @@ uint32 AddSettingField(const FAddedSetting& Setting)
 	{
 		Texts->EnumNames.push_back(Name.c_str());
 	}
-	GetMutableSettingFields().push_back(MakeField(Id, *Texts));
+	GetMutableSettingFields().push_back(MakeAddedField(Id, *Texts));
 	GetState().Owned.emplace(Id, std::move(Texts));
 	return Id;
 }

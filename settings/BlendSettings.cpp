@@ -28,14 +28,6 @@ struct FActor
 
 constexpr size_t NoVolume = static_cast<size_t>(-1);
 
-/** Which volumes of equal priority have given a setting different values, unless something covered it since. */
-struct FFieldTie
-{
-	size_t FirstOfGroup = NoVolume; // of the group in hand, that acted on the field
-	size_t First = NoVolume;
-	size_t Second = NoVolume;
-};
-
 /** Whether nothing is left of what was there before. */
 bool Covers(const FSettingField& Field, const FPostProcessSettings& Source, float Weight)
 {
@@ -60,6 +52,14 @@ bool Covers(const FSettingField& Field, const FPostProcessSettings& Source, floa
 /** One walk through the sources. */
 struct FSettingsBlender::FPass
 {
+	/** Which volumes of equal priority have given a setting different values, unless something covered it since. */
+	struct FFieldTie
+	{
+		size_t FirstOfGroup = NoVolume; // of the group in hand, that acted on the field
+		size_t First = NoVolume;
+		size_t Second = NoVolume;
+	};
+
 	const FSettingsBlender& Blender;
 	FBlendLedger* Ledger;
 	FBlendedSettings Result;
@@ -264,7 +264,7 @@ std::vector<FVolumeAtPlace> FSettingsBlender::FindVolumes(const FVector& Locatio
 
 FBlendedSettings FSettingsBlender::At(const FVector& Location, FBlendLedger* Ledger) const
 {
-	FPass Pass{*this, Ledger, {}, std::vector<FFieldTie>(GetSettingFields().size())};
+	FPass Pass{*this, Ledger, {}, std::vector<FPass::FFieldTie>(GetSettingFields().size())};
 	Pass.Result.Settings = StartFinalPostProcessSettings(Ledger, Inputs.Engine);
 	for (const size_t Index : Order)
 	{

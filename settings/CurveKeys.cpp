@@ -2,6 +2,7 @@
 #include "CurveKeys.h"
 
 #include "SettingObjects.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <charconv>
@@ -12,12 +13,6 @@ namespace Drydock
 
 namespace
 {
-
-std::string FormatFloat(float Number)
-{
-	char Buffer[32];
-	return std::string(Buffer, std::to_chars(Buffer, Buffer + sizeof(Buffer), Number).ptr);
-}
 
 /** A finite number at the beginning of Text, which goes on behind it. */
 bool TakeFloat(std::string_view& Text, float& OutNumber)
@@ -52,7 +47,7 @@ std::string WriteCurveKeys(const FRichCurve& Curve)
 	std::string Text;
 	for (const FRichCurveKey& Key : Curve.Keys)
 	{
-		Text += (Text.empty() ? "" : ", ") + FormatFloat(Key.Time) + " " + FormatFloat(Key.Value);
+		Text += (Text.empty() ? "" : ", ") + FormatShortest(Key.Time) + " " + FormatShortest(Key.Value);
 	}
 	return GetCurveInterpNames()[static_cast<size_t>(Curve.Keys[0].InterpMode)] + "(" + Text + ")";
 }

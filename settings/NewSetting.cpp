@@ -3,9 +3,9 @@
 
 #include "PostProcessSettingsTextScan.h"
 #include "PostProcessSettingsTextValue.h"
+#include "TextTools.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace Drydock
@@ -14,18 +14,16 @@ namespace Drydock
 namespace
 {
 
-std::string FormatNumber(double Number)
+template<typename T>
+std::string FormatNumber(T Number)
 {
-	char Buffer[64];
-	std::string Text(Buffer, std::to_chars(Buffer, Buffer + sizeof(Buffer), Number).ptr);
+	const std::string Text = FormatShortest(Number);
 	return Text.find_first_of(".e") == std::string::npos ? Text + ".0" : Text;
 }
 
 std::string FormatFloat(double Number)
 {
-	char Buffer[64];
-	std::string Text(Buffer, std::to_chars(Buffer, Buffer + sizeof(Buffer), static_cast<float>(Number)).ptr);
-	return (Text.find_first_of(".e") == std::string::npos ? Text + ".0" : Text) + "f";
+	return FormatNumber(static_cast<float>(Number)) + "f";
 }
 
 /** "FLinearColor(1.0f, 1.0f, 1.0f, 1.0f)" */

@@ -14,16 +14,6 @@ const std::string SceneSource = "Engine/Source/Runtime/Engine/Private/Scene.cpp"
 const std::string SceneViewSource = "Engine/Source/Runtime/Engine/Private/SceneView.cpp";
 const std::string PostProcessFolder = "Engine/Source/Runtime/Renderer/Private/PostProcess/";
 
-bool StartsWith(const std::string& Text, const std::string& Prefix)
-{
-	return Text.rfind(Prefix, 0) == 0;
-}
-
-bool EndsWith(const std::string& Text, const std::string& Suffix)
-{
-	return Text.size() >= Suffix.size() && Text.compare(Text.size() - Suffix.size(), Suffix.size(), Suffix) == 0;
-}
-
 /** A struct that holds a family of settings a second time, under names of its own. */
 struct FTwinStruct
 {
@@ -44,7 +34,7 @@ constexpr FTwinStruct TwinStructs[] = {
 const FTwinStruct* FindTwinStruct(const std::string& Name)
 {
 	const auto Found = std::find_if(std::begin(TwinStructs), std::end(TwinStructs),
-		[&](const FTwinStruct& Twin) { return StartsWith(Name, Twin.Prefix) && Name != Twin.Prefix; });
+		[&](const FTwinStruct& Twin) { return Name.starts_with(Twin.Prefix) && Name != Twin.Prefix; });
 	return Found == std::end(TwinStructs) ? nullptr : Found;
 }
 
@@ -77,13 +67,13 @@ bool IsBloom(const FNewSetting& Setting)
 /** Whether the engine's switches for bloom set it to 0: what multiplies the bloom. */
 bool IsSwitchedOff(const FNewSetting& Setting)
 {
-	return IsBloom(Setting) && Setting.Type == "float" && EndsWith(Setting.Name, "Intensity");
+	return IsBloom(Setting) && Setting.Type == "float" && Setting.Name.ends_with("Intensity");
 }
 
 /** Whether it is a strength of bloom that the engine does not have: it is for something that the G-buffer marks. */
 bool IsOwnStrength(const FNewSetting& Setting)
 {
-	return IsSwitchedOff(Setting) && (!Setting.bInTable || StartsWith(Setting.Doc, "drydock: "));
+	return IsSwitchedOff(Setting) && (!Setting.bInTable || Setting.Doc.starts_with("drydock: "));
 }
 
 std::string DeclareMember(const FNewSetting& Setting, const std::string& Name)
@@ -148,7 +138,7 @@ std::string AssignDefault(const FNewSetting& Setting, const std::string& Name)
 std::string MakeComment(const std::string& Doc)
 {
 	const std::string Remark = "drydock: ";
-	if (!StartsWith(Doc, Remark) || Doc.size() == Remark.size())
+	if (!Doc.starts_with(Remark) || Doc.size() == Remark.size())
 	{
 		return "/** " + Doc + " */\n";
 	}
@@ -231,7 +221,7 @@ struct FPassTypes
 	explicit FPassTypes(const FNewSetting& Setting)
 	{
 		const std::string& Type = Setting.Type;
-		bObject = StartsWith(Type, "TObjectPtr");
+		bObject = Type.starts_with("TObjectPtr");
 		const bool bWide = Type == "FLinearColor" || Type == "FVector4";
 		Cpp = bWide                 ? "FLinearColor"
 			  : Type == "FVector2D" ? "FVector2f"

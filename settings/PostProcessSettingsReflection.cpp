@@ -31,35 +31,65 @@ constexpr FSettingRange Slider(double UIMin, double UIMax)
 	return {-NoBound, NoBound, UIMin, UIMax};
 }
 
+/** The override bit of one setting: a bit has no address that a field could hold. */
+struct FOverrideBit
+{
+	const char* Name;
+	bool (*Get)(const FPostProcessSettings& Settings);
+	void (*Set)(FPostProcessSettings& Settings, bool bOverridden);
+};
+
+/** Adds one line of the table, whose value is the member. There is one function for each type of setting: one for each
+ * setting takes the compiler seven times as long. */
+template<typename T>
+void AddField(std::vector<FSettingField>& Fields, const char* Name, T FPostProcessSettings::*Member,
+	const FOverrideBit& Bit, const FPostProcessSettings& Defaults, const FSettingRange& Range, const char* Unit,
+	const char* Category, ESettingBlend Blend, const char* Doc)
+{
+	using FTraits = TSettingTraits<T>;
+	const auto BlendBy = [Member](ESettingBlend Rule)
+	{
+		return [Member, Rule](FPostProcessSettings& Settings, const FPostProcessSettings& Source, float Weight)
+		{
+			BlendValue(Settings.*Member, Source.*Member, Weight, Rule);
+		};
+	};
+	Fields.push_back({
+		.Name = Name,
+		.Type = FTraits::Type,
+		.Range = Range,
+		.Unit = Unit,
+		.Category = Category,
+		.Blend = Blend,
+		.Doc = Doc,
+		.Default = FTraits::Pack(Defaults.*Member),
+		.EnumNames = FTraits::GetEnumNames(),
+		.OverrideName = Bit.Name,
+		.ObjectClass = FTraits::GetObjectClass().Name,
+		.bInterpolates = TIsInterpolable<T>,
+		.Get = [Member](const FPostProcessSettings& Settings) { return FTraits::Pack(Settings.*Member); },
+		.Set = [Member](FPostProcessSettings& Settings, const FSettingValue& Value)
+		{ FTraits::Store(Settings.*Member, Value); },
+		.IsOverridden = Bit.Get,
+		.SetOverridden = Bit.Set,
+		.BlendFrom = BlendBy(Blend),
+		.LerpFrom = BlendBy(ESettingBlend::Lerp),
+		.FindOrAddObject = FTraits::GetObjectClass().FindOrAdd,
+	});
+}
+
 std::vector<FSettingField> MakeSettingFields()
 {
 	const FPostProcessSettings Defaults;
 	std::vector<FSettingField> Fields;
 #define DRYDOCK_SETTING_BIT(InType, InName, InBit, InDefault, InRange, InUnit, InCategory, InBlend, InDoc) \
-	Fields.push_back({ \
-		#InName, \
-		TSettingTraits<InType>::Type, \
-		InRange, \
-		InUnit, \
-		InCategory, \
-		ESettingBlend::InBlend, \
-		InDoc, \
-		TSettingTraits<InType>::Pack(Defaults.InName), \
-		TSettingTraits<InType>::GetEnumNames(), \
-		"bOverride_" #InBit, \
-		TSettingTraits<InType>::GetObjectClass().Name, \
-		TIsInterpolable<InType>, \
-		[](const FPostProcessSettings& Settings) { return TSettingTraits<InType>::Pack(Settings.InName); }, \
-		[](FPostProcessSettings& Settings, const FSettingValue& Value) \
-		{ TSettingTraits<InType>::Store(Settings.InName, Value); }, \
-		[](const FPostProcessSettings& Settings) -> bool { return Settings.bOverride_##InBit; }, \
-		[](FPostProcessSettings& Settings, bool bOverridden) { Settings.bOverride_##InBit = bOverridden ? 1 : 0; }, \
-		[](FPostProcessSettings& Settings, const FPostProcessSettings& Source, float Weight) \
-		{ BlendValue(Settings.InName, Source.InName, Weight, ESettingBlend::InBlend); }, \
-		[](FPostProcessSettings& Settings, const FPostProcessSettings& Source, float Weight) \
-		{ BlendValue(Settings.InName, Source.InName, Weight, ESettingBlend::Lerp); }, \
-		TSettingTraits<InType>::GetObjectClass().FindOrAdd, \
-	});
+	AddField<InType>(Fields, #InName, &FPostProcessSettings::InName, \
+		{"bOverride_" #InBit, [](const FPostProcessSettings& Settings) -> bool { return Settings.bOverride_##InBit; }, \
+			[](FPostProcessSettings& Settings, bool bOverridden) \
+			{ \
+				Settings.bOverride_##InBit = bOverridden ? 1 : 0; \
+			}}, \
+		Defaults, InRange, InUnit, InCategory, ESettingBlend::InBlend, InDoc);
 #define DRYDOCK_SETTING(InType, InName, InDefault, InRange, InUnit, InCategory, InBlend, InDoc) \
 	DRYDOCK_SETTING_BIT(InType, InName, InName, InDefault, InRange, InUnit, InCategory, InBlend, InDoc)
 #include "PostProcessSettingsTable.h"

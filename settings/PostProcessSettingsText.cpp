@@ -5,6 +5,7 @@
 #include "PostProcessSettingsTextNames.h"
 #include "PostProcessSettingsTextScan.h"
 #include "PostProcessSettingsTextValue.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <map>

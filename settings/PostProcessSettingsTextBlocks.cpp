@@ -3,6 +3,7 @@
 #include "PostProcessSettingsTextBlocks.h"
 
 #include "PostProcessSettingsTextScan.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <charconv>

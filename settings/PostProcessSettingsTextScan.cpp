@@ -1,6 +1,8 @@
 // Words, spaces and places in engine text.
 #include "PostProcessSettingsTextScan.h"
 
+#include "TextTools.h"
+
 #include <algorithm>
 #include <string_view>
 
@@ -13,11 +15,6 @@ namespace
 bool IsSpace(char Character)
 {
 	return Character == ' ' || Character == '\t' || Character == '\r' || Character == '\n';
-}
-
-bool IsDigit(char Character)
-{
-	return Character >= '0' && Character <= '9';
 }
 
 /** Bytes of the UTF-8 character at Offset; 0 when it is none. */
@@ -99,8 +96,7 @@ bool IsEngineTextName(const std::string& Word)
 {
 	const auto IsNameCharacter = [](char Character)
 	{
-		return (Character >= 'a' && Character <= 'z') || (Character >= 'A' && Character <= 'Z') || IsDigit(Character) ||
-			   Character == '_' || static_cast<unsigned char>(Character) >= 0x80;
+		return IsWordCharacter(Character) || static_cast<unsigned char>(Character) >= 0x80;
 	};
 	return !Word.empty() && !IsDigit(Word[0]) && std::all_of(Word.begin(), Word.end(), IsNameCharacter);
 }
@@ -120,15 +116,6 @@ bool CheckEngineTextEncoding(const std::string& Text, FSettingsTextMessages& Mes
 		At += Length;
 	}
 	return true;
-}
-
-std::string ToLowerCase(std::string Text)
-{
-	for (char& Character : Text)
-	{
-		Character = Character >= 'A' && Character <= 'Z' ? static_cast<char>(Character - 'A' + 'a') : Character;
-	}
-	return Text;
 }
 
 } // namespace Drydock

@@ -23,8 +23,6 @@ std::string ReadEngineTextWord(const std::string& Text, size_t Offset);
 /** Letters, digits and underscores, no digit first. */
 bool IsEngineTextName(const std::string& Word);
 
-std::string ToLowerCase(std::string Text);
-
 /** Reports a text that is not UTF-8, once. */
 bool CheckEngineTextEncoding(const std::string& Text, FSettingsTextMessages& Messages);
 

@@ -2,6 +2,7 @@
 #include "PostProcessSettingsTextTree.h"
 
 #include "PostProcessSettingsTextScan.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <charconv>
@@ -23,18 +24,13 @@ constexpr size_t MaxItems = 1'000'000;
 /** Larger than any static array. */
 constexpr size_t MaxIndexDigits = 6;
 
-bool IsDigit(char Character)
-{
-	return Character >= '0' && Character <= '9';
-}
-
 /** Signs and all: 1, -1.500000, +2, .5, 1e-3, nan, -nan(ind), inf. A number beyond double is infinite, as on reading it
  * anywhere. */
-bool ReadNumber(const std::string& Token, double& OutNumber)
+bool ReadNumberToken(const std::string& Token, double& OutNumber)
 {
 	const std::string Lower = ToLowerCase(Token);
 	const std::string Unsigned = Lower.substr(Lower[0] == '-' || Lower[0] == '+' ? 1 : 0);
-	if (Unsigned == "nan" || Unsigned.rfind("nan(", 0) == 0)
+	if (Unsigned == "nan" || Unsigned.starts_with("nan("))
 	{
 		OutNumber = std::numeric_limits<double>::quiet_NaN();
 		return true;
@@ -124,7 +120,7 @@ private:
 			Value.Kind = EEngineTextKind::Bool;
 			Value.Bool = Lower == "true";
 		}
-		else if (ReadNumber(Value.Token, Value.Number))
+		else if (ReadNumberToken(Value.Token, Value.Number))
 		{
 			Value.Kind = EEngineTextKind::Number;
 		}

@@ -2,8 +2,8 @@
 #include "PostProcessSettingsTextValue.h"
 
 #include "Math/ToInteger.h"
-#include "PostProcessSettingsTextScan.h"
 #include "SettingObjects.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <charconv>

@@ -5,6 +5,7 @@
 #include "PostProcessSettingsTextBlocks.h"
 #include "PostProcessSettingsTextScan.h"
 #include "PostProcessSettingsTextValue.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,11 +24,6 @@ bool Contains(const std::string& Text, const char* Part)
 	return Text.find(Part) != std::string::npos;
 }
 
-bool StartsWith(const std::string& Text, const char* Prefix)
-{
-	return Text.rfind(Prefix, 0) == 0;
-}
-
 /** Whether a block's Settings=(..) are a volume's: other classes have members of that name. */
 bool HasVolumeSettings(const FEngineTextBlock& Block)
 {
@@ -39,7 +35,7 @@ bool HasVolumeSettings(const FEngineTextBlock& Block)
 	const std::vector<FEngineTextItem>& Items = Settings->Value.Items;
 	return Block.Class.empty() || Contains(Block.Class, "PostProcess") ||
 		   std::any_of(Items.begin(), Items.end(),
-			   [](const FEngineTextItem& Item) { return StartsWith(Item.Name, "bOverride_"); });
+			   [](const FEngineTextItem& Item) { return Item.Name.starts_with("bOverride_"); });
 }
 
 /** Reads plain properties of a block; a wrong one is reported and keeps its default. */
@@ -166,7 +162,7 @@ void ReadBuilder(
 	const FEngineTextBlock& Builder, const std::string& Where, FBrush& Brush, FSettingsTextMessages& Messages)
 {
 	Brush.bGiven = true;
-	Brush.bBox &= Contains(Builder.Class, "CubeBuilder") || StartsWith(Builder.Name, "CubeBuilder");
+	Brush.bBox &= Contains(Builder.Class, "CubeBuilder") || Builder.Name.starts_with("CubeBuilder");
 	constexpr const char* Names[] = {"X", "Y", "Z"};
 	for (int Axis = 0; Axis < 3; ++Axis)
 	{
@@ -188,7 +184,7 @@ std::optional<FVolumeTextBox> ReadBox(
 	double Scale[3] = {1.0, 1.0, 1.0};
 	for (const FEngineTextBlock& Object : Actor.Blocks)
 	{
-		if (Contains(Object.Class, "BrushComponent") || StartsWith(Object.Name, "BrushComponent"))
+		if (Contains(Object.Class, "BrushComponent") || Object.Name.starts_with("BrushComponent"))
 		{
 			Brush.bGiven = true;
 			FPropertyReader Reader(Object, Where, Messages);

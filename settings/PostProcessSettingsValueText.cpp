@@ -3,6 +3,7 @@
 
 #include "Math/ToInteger.h"
 #include "SettingObjects.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <charconv>
@@ -16,12 +17,6 @@ namespace Drydock
 namespace
 {
 
-std::string Trim(const std::string& Text)
-{
-	const size_t First = Text.find_first_not_of(" \t\r\n");
-	return First == std::string::npos ? "" : Text.substr(First, Text.find_last_not_of(" \t\r\n") - First + 1);
-}
-
 bool IsFloatType(ESettingType Type)
 {
 	return Type == ESettingType::Float || Type == ESettingType::Color || Type == ESettingType::ColorArray;
@@ -30,11 +25,7 @@ bool IsFloatType(ESettingType Type)
 /** The shortest text of a number, in the precision the field stores it. */
 std::string NumberToText(double Number, bool bFloat)
 {
-	char Buffer[64];
-	const std::to_chars_result Result = bFloat
-											? std::to_chars(Buffer, Buffer + sizeof(Buffer), static_cast<float>(Number))
-											: std::to_chars(Buffer, Buffer + sizeof(Buffer), Number);
-	return std::string(Buffer, Result.ptr);
+	return bFloat ? FormatShortest(static_cast<float>(Number)) : FormatShortest(Number);
 }
 
 std::string VectorToText(const double* Components, int32 Num, bool bFloat)
@@ -48,7 +39,7 @@ std::string VectorToText(const double* Components, int32 Num, bool bFloat)
 }
 
 /** As a JSON string. */
-std::string Quote(const std::string& Text)
+std::string QuoteForJson(const std::string& Text)
 {
 	std::string Quoted = "\"";
 	for (const char Character : Text)
@@ -249,9 +240,9 @@ std::string SettingToJson(const FSettingField& Field, const FSettingValue& Value
 	const std::string Text = SettingToText(Field, Value);
 	if (Field.Type == ESettingType::Object)
 	{
-		return Value.Object == nullptr ? "null" : Quote(Text);
+		return Value.Object == nullptr ? "null" : QuoteForJson(Text);
 	}
-	return Field.Type == ESettingType::Enum ? Quote(Text) : Text;
+	return Field.Type == ESettingType::Enum ? QuoteForJson(Text) : Text;
 }
 
 bool SettingFromText(

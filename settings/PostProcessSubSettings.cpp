@@ -3,9 +3,10 @@
 #include "PostProcessSubSettings.h"
 
 #include "PostProcessSettingsReflection.h"
+#include "TextTools.h"
 
 #include <algorithm>
-#include <cctype>
+#include <string_view>
 
 #define DRYDOCK_EXPORT_VALUE(Field, Value) \
 	OutPostProcessSettings->bOverride_##Field = 1; \
@@ -95,16 +96,11 @@ const std::vector<std::string> ConvolutionMembers = {DRYDOCK_CONVOLUTION_BLOOM_S
 
 #undef DRYDOCK_MEMBER_NAME
 
-bool StartsWith(const std::string& Text, const std::string& Prefix)
-{
-	return Text.rfind(Prefix, 0) == 0;
-}
-
 bool HasTwin(const std::string& Field)
 {
-	const bool bConvolution = StartsWith(Field, "BloomConvolution");
+	const bool bConvolution = Field.starts_with("BloomConvolution");
 	std::string Twin = Field.substr(std::string(bConvolution ? "BloomConvolution" : "Bloom").size());
-	if (!Twin.empty() && std::isdigit(static_cast<unsigned char>(Twin[0])))
+	if (!Twin.empty() && IsDigit(Twin[0]))
 	{
 		Twin = "Filter" + Twin;
 	}
@@ -125,7 +121,7 @@ std::vector<std::string> FindBloomFieldsWithoutTwin(const std::vector<FSettingFi
 	std::vector<std::string> Missing;
 	for (const FSettingField& Field : Fields)
 	{
-		if (StartsWith(Field.Name, "Bloom") && !HasTwin(Field.Name))
+		if (std::string_view(Field.Name).starts_with("Bloom") && !HasTwin(Field.Name))
 		{
 			Missing.emplace_back(Field.Name);
 		}

@@ -11,9 +11,6 @@ namespace Drydock
 namespace
 {
 
-/** Steps of a texel that a bilinear sampler tells apart. */
-constexpr double SubtexelSteps = 256.0;
-
 /** Variance of picking the left or right texel by the bilinear weight. */
 double GetFilterVariance(double Position)
 {
@@ -38,7 +35,7 @@ double BisectOffset(double Variance, int32 PassNum)
 {
 	double Low = 0.0;
 	double High = GDualKawaseMaxOffset;
-	while (High - Low > 1.0 / (4.0 * SubtexelSteps))
+	while (High - Low > 1.0 / (4.0 * GSubtexelSteps))
 	{
 		const double Middle = (Low + High) / 2.0;
 		(GetDualKawaseVariance(PassNum, Middle) < Variance ? Low : High) = Middle;
@@ -112,8 +109,8 @@ FIntPoint GetDualKawasePrintedLoss(FIntPoint Size, int32 PassNum)
 
 FDualKawaseTaps GetDualKawaseTaps(double Offset)
 {
-	const double Distance = std::nearbyint(std::abs(Offset) * SubtexelSteps) / SubtexelSteps;
-	return {Distance, Distance, std::nearbyint(std::abs(Offset) / 2.0 * SubtexelSteps) / SubtexelSteps};
+	const double Distance = std::nearbyint(std::abs(Offset) * GSubtexelSteps) / GSubtexelSteps;
+	return {Distance, Distance, std::nearbyint(std::abs(Offset) / 2.0 * GSubtexelSteps) / GSubtexelSteps};
 }
 
 double GetDualKawaseVariance(int32 PassNum, double Offset)

@@ -10,6 +10,7 @@
 #include "RenderGraphBuilder.h"
 #include "RenderGraphUtils.h"
 #include "SceneRendering.h"
+#include "Blur/DualKawaseBlurWidth.h"
 
 #include <cmath>
 
@@ -21,9 +22,6 @@ IMPLEMENT_GLOBAL_SHADER(FOneTapCS, "/Project/FourTapBlur.usf", "OneTapCS", SF_Co
 
 namespace
 {
-
-/** Steps of a texel that a bilinear sampler tells apart. */
-constexpr double SubtexelSteps = 256.0;
 
 template<typename ShaderType>
 void AddTapPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& Input,
@@ -49,7 +47,7 @@ double GetDistanceOfVariance(double Variance)
 {
 	const double Whole = std::floor(std::sqrt(Variance));
 	const double Distance = Whole + (Variance - Whole * Whole) / (2.0 * Whole + 1.0);
-	return std::nearbyint(Distance * SubtexelSteps) / SubtexelSteps;
+	return std::nearbyint(Distance * GSubtexelSteps) / GSubtexelSteps;
 }
 
 // A level holds texels [-PyramidMargin, Distinct], counted from the rect's corner: beyond them all are the edge texel

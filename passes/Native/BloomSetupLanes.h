@@ -35,7 +35,7 @@ struct TBloomSetupLanes
 {
 	/** Pixels: of the target, inside it, and those that the viewport counts. False, with nothing stored, where a place
 	 *  is out of reach. */
-	static bool Run(const FBloomSetupJob& Job, const FKernelTexture& Target, const FKernelTile& Pixels);
+	[[gnu::weak]] static bool Run(const FBloomSetupJob& Job, const FKernelTexture& Target, const FKernelTile& Pixels);
 };
 
 } // namespace Drydock

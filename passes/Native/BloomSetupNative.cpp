@@ -4,6 +4,7 @@
 #include "NativeFallback.h"
 #include "NativeKernels.h"
 #include "Native/BloomSetupLanes.h"
+#include "Native/NativeLanes.h"
 #include "Native/SampledTexturePass.h"
 #include "Native/TapSumPass.h"
 
@@ -29,7 +30,7 @@ FSampledTexture MakeUnheldTexture(
 }
 
 /** False where the shader has to do it. */
-bool MakeJob(const FNativeKernelArgs& Args, const FBloomSetupPermutation& Permutation,
+bool MakeBloomSetupJob(const FNativeKernelArgs& Args, const FBloomSetupPermutation& Permutation,
 	const FBloomSetupParameters& Parameters, FBloomSetupJob& Job)
 {
 	const EToonBloom ToonBloom = Permutation.Get<FToonBloomDimension>();
@@ -67,17 +68,10 @@ bool MakeJob(const FNativeKernelArgs& Args, const FBloomSetupPermutation& Permut
 									  Job.OneOverPreExposure, Job.LocalExposure);
 }
 
-bool RunInLanes(const FBloomSetupJob& Job, const FTapTarget& Target)
+bool RunBloomSetupLanes(const FBloomSetupJob& Job, const FTapTarget& Target)
 {
-	switch (GetNativeLanes())
-	{
-	case 16:
-		return TBloomSetupLanes<16>::Run(Job, *Target.Texture, Target.Pixels);
-	case 8:
-		return TBloomSetupLanes<8>::Run(Job, *Target.Texture, Target.Pixels);
-	default:
-		return TBloomSetupLanes<4>::Run(Job, *Target.Texture, Target.Pixels);
-	}
+	return WithNativeLanes<TBloomSetupLanes>(
+		[&](auto Lanes) { return Lanes.Run(Job, *Target.Texture, Target.Pixels); });
 }
 
 void RunBloomSetup(const FNativeKernelArgs& Args, const FKernelTile& Tile, const FBloomSetupParameters& Parameters,
@@ -91,7 +85,7 @@ void RunBloomSetup(const FNativeKernelArgs& Args, const FKernelTile& Tile, const
 	}
 	FBloomSetupJob Job;
 	if (!StoresPlainly(Args.GetArgs()) || !IsInsideTarget(Target.Texture, Pixels) ||
-		!MakeJob(Args, Permutation, Parameters, Job) || !RunInLanes(Job, Target))
+		!MakeBloomSetupJob(Args, Permutation, Parameters, Job) || !RunBloomSetupLanes(Job, Target))
 	{
 		RunShader(Args, Tile);
 	}

@@ -3,6 +3,7 @@
 #include "NativeFallback.h"
 #include "NativeKernels.h"
 #include "Native/BoxSum.h"
+#include "Native/NativeLanes.h"
 #include "Native/SampledTexturePass.h"
 #include "Native/TapSumPass.h"
 #include "PixelFormatConversion.h"
@@ -17,7 +18,7 @@ namespace
 {
 
 /** False where the shader has to do it. */
-bool MakeSum(const FNativeKernelArgs& Args, const FCharaGlowBoxParameters& Parameters, bool bColumns, FBoxSum& Sum)
+bool MakeBoxSum(const FNativeKernelArgs& Args, const FCharaGlowBoxParameters& Parameters, bool bColumns, FBoxSum& Sum)
 {
 	Sum.Source = Args.FindTexture(bColumns ? "RowsTexture" : "SceneTexturesStruct_GBufferDTexture");
 	Sum.Channel = bColumns ? 0 : 2;
@@ -45,15 +46,8 @@ bool MakeSum(const FNativeKernelArgs& Args, const FCharaGlowBoxParameters& Param
 
 uint64 RunBox(const FBoxSum& Sum, const FKernelTexture& Target, const FKernelTile& Tile, FIntPoint ToSource)
 {
-	switch (GetNativeLanes())
-	{
-	case 16:
-		return TBoxSumLanes<16>::Run(Sum, Target, Tile, ToSource.X, ToSource.Y);
-	case 8:
-		return TBoxSumLanes<8>::Run(Sum, Target, Tile, ToSource.X, ToSource.Y);
-	default:
-		return TBoxSumLanes<4>::Run(Sum, Target, Tile, ToSource.X, ToSource.Y);
-	}
+	return WithNativeLanes<TBoxSumLanes>(
+		[&](auto Lanes) { return Lanes.Run(Sum, Target, Tile, ToSource.X, ToSource.Y); });
 }
 
 void RunCharaGlowBox(const FNativeKernelArgs& Args, const FKernelTile& Tile)
@@ -65,7 +59,7 @@ void RunCharaGlowBox(const FNativeKernelArgs& Args, const FKernelTile& Tile)
 	FBoxSum Sum;
 	if (!StoresPlainly(Args.GetArgs()) || !IsInsideTarget(Target.Texture, Tile) ||
 		Tile.MaxY - Tile.MinY > MostGroups * GRowsOfBoxGroup ||
-		!MakeSum(Args, Parameters, Permutation.Get<FCharaGlowBoxPS::FColumnsDimension>(), Sum))
+		!MakeBoxSum(Args, Parameters, Permutation.Get<FCharaGlowBoxPS::FColumnsDimension>(), Sum))
 	{
 		RunShader(Args, Tile);
 		return;

@@ -28,18 +28,6 @@ constexpr FKawaseTap UpDiagonalTaps[] = {
 
 constexpr int32 MostTaps = 8;
 
-FTapAxis MakeAxis(const FDualKawaseParameters& Parameters, float Offset, int Axis)
-{
-	FTapAxis Result;
-	Result.Extent = Parameters.InputPerOutput[Axis];
-	Result.First = static_cast<float>(Parameters.Input.ViewportMin[Axis]);
-	Result.Second = Offset;
-	Result.ToUV = Parameters.Input.ExtentInverse[Axis];
-	Result.MinUV = Parameters.Input.UVViewportBilinearMin[Axis];
-	Result.MaxUV = Parameters.Input.UVViewportBilinearMax[Axis];
-	return Result;
-}
-
 void RunKawase(const FNativeKernelArgs& Args, const FKernelTile& Tile, bool bDown)
 {
 	const FDualKawaseShader::FPermutationDomain Permutation(Args.GetPermutationId());
@@ -51,13 +39,18 @@ void RunKawase(const FNativeKernelArgs& Args, const FKernelTile& Tile, bool bDow
 	const auto& Parameters = *static_cast<const FDualKawaseParameters*>(Args.GetParameters());
 	FTap Taps[MostTaps];
 	int32 NumTaps = 0;
+	const auto MakeAxis = [&Parameters](float Offset, int Axis)
+	{
+		return MakeOffsetAxis(
+			Parameters.Input, Parameters.InputPerOutput, FVector2f(Parameters.Input.ViewportMin), Offset, Axis);
+	};
 	const auto Add = [&](const auto& List, float Distance)
 	{
 		for (const FKawaseTap& Tap : List)
 		{
 			FTap& Out = Taps[NumTaps++];
-			Out.X = MakeAxis(Parameters, Tap.X * Distance, 0);
-			Out.Y = MakeAxis(Parameters, Tap.Y * Distance, 1);
+			Out.X = MakeAxis(Tap.X * Distance, 0);
+			Out.Y = MakeAxis(Tap.Y * Distance, 1);
 			for (float& Weight : Out.Weight)
 			{
 				Weight = Tap.Weight;

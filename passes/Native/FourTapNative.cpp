@@ -9,27 +9,19 @@ namespace Drydock
 namespace
 {
 
-FTapAxis MakeAxis(const FFourTapParameters& Parameters, float Offset, int Axis)
-{
-	FTapAxis Result;
-	Result.Extent = Parameters.InputPerOutput[Axis];
-	Result.First = Parameters.InputCorner[Axis];
-	Result.Second = Offset;
-	Result.ToUV = Parameters.Input.ExtentInverse[Axis];
-	Result.MinUV = Parameters.Input.UVViewportBilinearMin[Axis];
-	Result.MaxUV = Parameters.Input.UVViewportBilinearMax[Axis];
-	return Result;
-}
-
 void RunTaps(const FNativeKernelArgs& Args, const FKernelTile& Tile, int32 NumTaps, float Factor)
 {
 	const auto& Parameters = *static_cast<const FFourTapParameters*>(Args.GetParameters());
 	const float Distance = NumTaps == 1 ? 0.0f : Parameters.TapDistance;
+	const auto MakeAxis = [&Parameters](float Offset, int Axis)
+	{
+		return MakeOffsetAxis(Parameters.Input, Parameters.InputPerOutput, Parameters.InputCorner, Offset, Axis);
+	};
 	FTap Taps[4];
 	for (int32 Index = 0; Index < NumTaps; ++Index)
 	{
-		Taps[Index].X = MakeAxis(Parameters, Index % 2 == 0 ? -Distance : Distance, 0);
-		Taps[Index].Y = MakeAxis(Parameters, Index / 2 == 0 ? -Distance : Distance, 1);
+		Taps[Index].X = MakeAxis(Index % 2 == 0 ? -Distance : Distance, 0);
+		Taps[Index].Y = MakeAxis(Index / 2 == 0 ? -Distance : Distance, 1);
 	}
 	FTapSource Source = MakeTapSource(Args, "Intexture", "Sampler", Parameters.Input);
 	Source.Beyond = EBeyondRect::Clamp;

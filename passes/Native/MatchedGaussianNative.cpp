@@ -3,6 +3,7 @@
 #include "Blur/MatchedGaussianShaders.h"
 #include "NativeFallback.h"
 #include "NativeKernels.h"
+#include "Native/NativeLanes.h"
 #include "Native/SampledTexturePass.h"
 #include "Native/TapSumPass.h"
 #include "Native/TexelSum.h"
@@ -14,14 +15,8 @@ namespace Drydock
 namespace
 {
 
-bool HasFloatLanes(ETexelStorage Storage)
-{
-	const FTexelStorageInfo& Info = GetTexelStorageInfo(Storage);
-	return Info.Kind != ETexelKind::Uint && Info.BitsPerChannel <= 32;
-}
-
 /** False where the shader has to do it. */
-bool MakeSum(const FNativeKernelArgs& Args, const FDualKawaseGaussianCS::FParameters& Parameters, FTexelSum& Sum)
+bool MakeTexelSum(const FNativeKernelArgs& Args, const FDualKawaseGaussianCS::FParameters& Parameters, FTexelSum& Sum)
 {
 	const FKernelBuffer* const Weights = Args.FindBuffer("Weights");
 	const FIntPoint Reach = Parameters.Reach;
@@ -54,7 +49,7 @@ void RunMatchedGaussian(const FNativeKernelArgs& Args, const FKernelTile& Tile)
 	const FTapTarget Target = GetComputeTarget(Args, Tile, "OutTexture", Min, Parameters.Output.ViewportMax);
 	FTexelSum Sum;
 	if (!StoresPlainly(Args.GetArgs()) || !IsInsideTarget(Target.Texture, Target.Pixels) ||
-		!MakeSum(Args, Parameters, Sum))
+		!MakeTexelSum(Args, Parameters, Sum))
 	{
 		RunShader(Args, Tile);
 		return;
@@ -65,17 +60,8 @@ void RunMatchedGaussian(const FNativeKernelArgs& Args, const FKernelTile& Tile)
 	}
 	const int32 ToSourceX = Sum.RectMin[0] - Min.X;
 	const int32 ToSourceY = Sum.RectMin[1] - Min.Y;
-	switch (GetNativeLanes())
-	{
-	case 16:
-		TTexelSumLanes<16>::Run(Sum, *Target.Texture, Target.Pixels, ToSourceX, ToSourceY);
-		break;
-	case 8:
-		TTexelSumLanes<8>::Run(Sum, *Target.Texture, Target.Pixels, ToSourceX, ToSourceY);
-		break;
-	default:
-		TTexelSumLanes<4>::Run(Sum, *Target.Texture, Target.Pixels, ToSourceX, ToSourceY);
-	}
+	WithNativeLanes<TTexelSumLanes>(
+		[&](auto Lanes) { return Lanes.Run(Sum, *Target.Texture, Target.Pixels, ToSourceX, ToSourceY); });
 }
 
 } // namespace

@@ -91,13 +91,6 @@ bool MakeLocalExposureJob(const FNativeKernelArgs& Args, const FLocalExposureSha
 		   GridSampler->AddressW == EKernelAddress::Clamp;
 }
 
-int32 GetNativeLanes()
-{
-	const int32 Wanted = GetShaderLaneConfig().Lanes;
-	const int32 Widest = GetWidestLanes(false);
-	return Wanted > 0 ? std::min(Wanted, Widest) : Widest;
-}
-
 bool IsInsideTarget(const FKernelTexture* Target, const FKernelTile& Pixels)
 {
 	if (!Target)

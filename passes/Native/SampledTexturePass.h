@@ -28,9 +28,6 @@ float GetOneOverPreExposure(const TUniformBufferRef<FViewUniformShaderParameters
 bool MakeLocalExposureJob(const FNativeKernelArgs& Args, const FLocalExposureShaderParameters& Parameters,
 	const float EyeAdaptation[4], float OneOverPreExposure, FLocalExposureJob& Out);
 
-/** The lanes that kernels run on: those asked for, where there are so many. */
-int32 GetNativeLanes();
-
 /** Whether a tile of pixels, which the viewport counts, lies inside the target. */
 bool IsInsideTarget(const FKernelTexture* Target, const FKernelTile& Pixels);
 

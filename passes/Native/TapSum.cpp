@@ -1,9 +1,8 @@
 // Chooses the instruction set for a sum of taps, turns away what it cannot do, and keeps each thread's memory.
 #include "Native/TapSum.h"
 
-#include "LanesDispatch.h"
+#include "Native/NativeLanes.h"
 #include "PixelFormatConversion.h"
-#include "ShaderCompilation.h"
 
 #include <algorithm>
 #include <cstring>
@@ -45,12 +44,6 @@ private:
 	size_t Size = 0;
 };
 
-bool HasFloatLanes(ETexelStorage Storage)
-{
-	const FTexelStorageInfo& Info = GetTexelStorageInfo(Storage);
-	return Info.Kind != ETexelKind::Uint && Info.BitsPerChannel <= 32;
-}
-
 bool CanSum(const FTapSource& Source)
 {
 	const FKernelTexture& Texture = *Source.Texture;
@@ -59,6 +52,12 @@ bool CanSum(const FTapSource& Source)
 }
 
 } // namespace
+
+bool HasFloatLanes(ETexelStorage Storage)
+{
+	const FTexelStorageInfo& Info = GetTexelStorageInfo(Storage);
+	return Info.Kind != ETexelKind::Uint && Info.BitsPerChannel <= 32;
+}
 
 void* GetTapMemory(int32_t Number, size_t Bytes)
 {
@@ -83,17 +82,8 @@ bool SumTaps(
 	{
 		return false;
 	}
-	const int32_t Wanted = GetShaderLaneConfig().Lanes;
-	const int32_t Widest = GetWidestLanes(false);
-	switch (Wanted > 0 ? std::min(Wanted, Widest) : Widest)
-	{
-	case 16:
-		return TTapSumLanes<16>::Run(Sum, Target, Tile, ToTargetX, ToTargetY);
-	case 8:
-		return TTapSumLanes<8>::Run(Sum, Target, Tile, ToTargetX, ToTargetY);
-	default:
-		return TTapSumLanes<4>::Run(Sum, Target, Tile, ToTargetX, ToTargetY);
-	}
+	return WithNativeLanes<TTapSumLanes>(
+		[&](auto Lanes) { return Lanes.Run(Sum, Target, Tile, ToTargetX, ToTargetY); });
 }
 
 } // namespace Drydock

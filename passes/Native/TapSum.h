@@ -82,6 +82,9 @@ struct FTapSum
 bool SumTaps(
 	const FTapSum& Sum, const FKernelTexture& Target, const FKernelTile& Tile, int32_t ToTargetX, int32_t ToTargetY);
 
+/** Whether texels of this storage are floats of at most 32 bits in lanes. */
+bool HasFloatLanes(ETexelStorage Storage);
+
 /** What a shader gives its first target is stored as it is, and nobody counts taps. */
 bool StoresPlainly(const FKernelArgs& Args);
 
@@ -89,7 +92,7 @@ template<int N>
 struct TTapSumLanes
 {
 	/** SumTaps on N lanes, for what it does not turn away at once. */
-	static bool Run(const FTapSum& Sum, const FKernelTexture& Target, const FKernelTile& Tile, int32_t ToTargetX,
+	[[gnu::weak]] static bool Run(const FTapSum& Sum, const FKernelTexture& Target, const FKernelTile& Tile, int32_t ToTargetX,
 		int32_t ToTargetY);
 };
 

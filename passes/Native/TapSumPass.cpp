@@ -51,6 +51,19 @@ FTapAxis MakeStretchAxis(
 	return Result;
 }
 
+FTapAxis MakeOffsetAxis(const FScreenPassTextureViewportParameters& Input, FVector2f InputPerOutput, FVector2f Corner,
+	float Offset, int Axis)
+{
+	FTapAxis Result;
+	Result.Extent = InputPerOutput[Axis];
+	Result.First = Corner[Axis];
+	Result.Second = Offset;
+	Result.ToUV = Input.ExtentInverse[Axis];
+	Result.MinUV = Input.UVViewportBilinearMin[Axis];
+	Result.MaxUV = Input.UVViewportBilinearMax[Axis];
+	return Result;
+}
+
 namespace
 {
 

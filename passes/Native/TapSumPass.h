@@ -32,6 +32,11 @@ FTapSource MakeTapSource(const FNativeKernelArgs& Args, const char* Texture, con
 FTapAxis MakeStretchAxis(
 	const FScreenPassTextureViewportParameters& Output, const FScreenPassTextureViewportParameters& Input, int Axis);
 
+/** The axis, 0 or 1, of a shader that takes a tap at pixel * InputPerOutput + Corner + Offset, in texels, and stays
+ * inside the bilinear rect. */
+FTapAxis MakeOffsetAxis(const FScreenPassTextureViewportParameters& Input, FVector2f InputPerOutput, FVector2f Corner,
+	float Offset, int Axis);
+
 /** Stores the sum of a tile, by the shader where there is no other way. Origin: of the pixels that the axes of the taps
  * count. */
 void SumTapsOrRunShader(const FTapSum& Sum, const FNativeKernelArgs& Args, const FKernelTile& Tile,

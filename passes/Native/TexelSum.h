@@ -29,7 +29,7 @@ struct TTexelSumLanes
 {
 	/** Pixels: of the target, inside it; each stands for the source's texel ToSource further on. Formats: floats of at
 	 *  most 32 bits. */
-	static void Run(const FTexelSum& Sum, const FKernelTexture& Target, const FKernelTile& Pixels, int32_t ToSourceX,
+	[[gnu::weak]] static void Run(const FTexelSum& Sum, const FKernelTexture& Target, const FKernelTile& Pixels, int32_t ToSourceX,
 		int32_t ToSourceY);
 };
 

@@ -52,7 +52,7 @@ struct TTonemapLanes
 {
 	/** Pixels: of the target, inside it, and those that the viewport counts. False, with nothing stored, where a place
 	 *  is out of reach. */
-	static bool Run(const FTonemapJob& Job, const FKernelTexture& Target, const FKernelTile& Pixels);
+	[[gnu::weak]] static bool Run(const FTonemapJob& Job, const FKernelTexture& Target, const FKernelTile& Pixels);
 };
 
 } // namespace Drydock

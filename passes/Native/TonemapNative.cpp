@@ -3,6 +3,7 @@
 // quantization, and what FFT bloom leaves of the scene.
 #include "NativeFallback.h"
 #include "NativeKernels.h"
+#include "Native/NativeLanes.h"
 #include "Native/SampledTexturePass.h"
 #include "Native/TapSumPass.h"
 #include "Native/TonemapLanes.h"
@@ -52,7 +53,7 @@ void SetLens(const FTonemapPermutation& Permutation, const FTonemapParameters& P
 }
 
 /** False where the shader has to do it. */
-bool MakeJob(const FNativeKernelArgs& Args, const FTonemapPermutation& Permutation,
+bool MakeTonemapJob(const FNativeKernelArgs& Args, const FTonemapPermutation& Permutation,
 	const FTonemapParameters& Parameters, FTonemapJob& Job)
 {
 	Job.Color = MakeSampledTexture(Args, "ColorTexture", "ColorSampler", Parameters.Color);
@@ -91,17 +92,9 @@ bool MakeJob(const FNativeKernelArgs& Args, const FTonemapPermutation& Permutati
 		   MakeLocalExposureJob(Args, Parameters.LocalExposure, EyeAdaptation, OneOverPreExposure, Job.LocalExposure);
 }
 
-bool RunInLanes(const FTonemapJob& Job, const FTapTarget& Target)
+bool RunTonemapLanes(const FTonemapJob& Job, const FTapTarget& Target)
 {
-	switch (GetNativeLanes())
-	{
-	case 16:
-		return TTonemapLanes<16>::Run(Job, *Target.Texture, Target.Pixels);
-	case 8:
-		return TTonemapLanes<8>::Run(Job, *Target.Texture, Target.Pixels);
-	default:
-		return TTonemapLanes<4>::Run(Job, *Target.Texture, Target.Pixels);
-	}
+	return WithNativeLanes<TTonemapLanes>([&](auto Lanes) { return Lanes.Run(Job, *Target.Texture, Target.Pixels); });
 }
 
 void RunTonemap(const FNativeKernelArgs& Args, const FKernelTile& Tile, const FTonemapParameters& Parameters,
@@ -115,7 +108,7 @@ void RunTonemap(const FNativeKernelArgs& Args, const FKernelTile& Tile, const FT
 	}
 	FTonemapJob Job;
 	if (!IsKnown(Permutation) || !StoresPlainly(Args.GetArgs()) || !IsInsideTarget(Target.Texture, Pixels) ||
-		!MakeJob(Args, Permutation, Parameters, Job) || !RunInLanes(Job, Target))
+		!MakeTonemapJob(Args, Permutation, Parameters, Job) || !RunTonemapLanes(Job, Target))
 	{
 		RunShader(Args, Tile);
 	}

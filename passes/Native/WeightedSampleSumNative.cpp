@@ -15,7 +15,7 @@ namespace
 constexpr int32 MostBlackExtent = 8192;
 
 /** Along one axis, before the tap's own offset. */
-FTapAxis MakeAxis(const FFilterParameters& Parameters, bool bHeld, int Axis)
+FTapAxis MakeFilterAxis(const FFilterParameters& Parameters, bool bHeld, int Axis)
 {
 	const FScreenPassTextureViewportParameters& Filter = Parameters.Filter.Viewport;
 	FTapAxis Result;
@@ -55,8 +55,8 @@ void RunFilter(const FNativeKernelArgs& Args, const FKernelTile& Tile, const FFi
 	{
 		const FVector4f& Pair = Parameters.SampleOffsets[Index / 2];
 		FTap& Tap = Taps[Index];
-		Tap.X = MakeAxis(Parameters, bHeld, 0);
-		Tap.Y = MakeAxis(Parameters, bHeld, 1);
+		Tap.X = MakeFilterAxis(Parameters, bHeld, 0);
+		Tap.Y = MakeFilterAxis(Parameters, bHeld, 1);
 		Tap.X.First = Index % 2 == 0 ? Pair.X : Pair.Z;
 		Tap.Y.First = Index % 2 == 0 ? Pair.Y : Pair.W;
 		for (int Channel = 0; Channel < 4; ++Channel)

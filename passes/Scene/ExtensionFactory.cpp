@@ -10,7 +10,7 @@ namespace
 {
 
 /** Never destroyed: libraries unregister at the very end of the program. */
-std::map<std::string, FExtensionFactory>& GetFactories()
+std::map<std::string, FExtensionFactory>& GetExtensionRegistry()
 {
 	static auto* const Factories = new std::map<std::string, FExtensionFactory>;
 	return *Factories;
@@ -27,7 +27,7 @@ bool RegisterExtensionFactory(FExtensionFactory Factory)
 {
 	const std::string Type = Factory.Type;
 	Factory.Owner = MakeCodeOwner("extension type " + Type);
-	if (GetFactories().emplace(Type, std::move(Factory)).second)
+	if (GetExtensionRegistry().emplace(Type, std::move(Factory)).second)
 	{
 		return true;
 	}
@@ -37,19 +37,19 @@ bool RegisterExtensionFactory(FExtensionFactory Factory)
 
 void UnregisterExtensionFactory(const std::string& Type)
 {
-	GetFactories().erase(Type);
+	GetExtensionRegistry().erase(Type);
 }
 
 const FExtensionFactory* FindExtensionFactory(const std::string& Type)
 {
-	const auto Found = GetFactories().find(Type);
-	return Found == GetFactories().end() ? nullptr : &Found->second;
+	const auto Found = GetExtensionRegistry().find(Type);
+	return Found == GetExtensionRegistry().end() ? nullptr : &Found->second;
 }
 
 std::vector<const FExtensionFactory*> GetExtensionFactories()
 {
 	std::vector<const FExtensionFactory*> Result;
-	for (const auto& [Type, Factory] : GetFactories())
+	for (const auto& [Type, Factory] : GetExtensionRegistry())
 	{
 		Result.push_back(&Factory);
 	}

@@ -2,29 +2,12 @@
 #include "FactoryParameters.h"
 
 #include "Math/ToInteger.h"
+#include "TextTools.h"
 
-#include <charconv>
 #include <cmath>
 
 namespace Drydock
 {
-
-namespace
-{
-
-std::string NumberText(double Number)
-{
-	char Buffer[64];
-	return std::string(Buffer, std::to_chars(Buffer, Buffer + sizeof(Buffer), Number).ptr);
-}
-
-std::string NumberText(float Number)
-{
-	char Buffer[64];
-	return std::string(Buffer, std::to_chars(Buffer, Buffer + sizeof(Buffer), Number).ptr);
-}
-
-} // namespace
 
 FParameterSpec FParameterSpec::Number(std::string Name, double Default, double Min, double Max, std::string Doc)
 {
@@ -126,13 +109,13 @@ std::string ToText(const FParameterValue& Value)
 {
 	struct FWriter
 	{
-		std::string operator()(double Number) const { return NumberText(Number); }
+		std::string operator()(double Number) const { return FormatShortest(Number); }
 		std::string operator()(bool bTrue) const { return bTrue ? "true" : "false"; }
 		std::string operator()(const std::string& Text) const { return "\"" + Text + "\""; }
 		std::string operator()(const FLinearColor& Color) const
 		{
-			return "[" + NumberText(Color.R) + ", " + NumberText(Color.G) + ", " + NumberText(Color.B) + ", " +
-				   NumberText(Color.A) + "]";
+			return "[" + FormatShortest(Color.R) + ", " + FormatShortest(Color.G) + ", " + FormatShortest(Color.B) +
+				   ", " + FormatShortest(Color.A) + "]";
 		}
 	};
 	return std::visit(FWriter(), Value);
@@ -147,12 +130,12 @@ std::string GetRangeText(const FParameterSpec& Spec)
 	}
 	if (std::isfinite(Spec.Min))
 	{
-		Text = std::isfinite(Spec.Max) ? NumberText(Spec.Min) + " .. " + NumberText(Spec.Max)
-									   : ">= " + NumberText(Spec.Min);
+		Text = std::isfinite(Spec.Max) ? FormatShortest(Spec.Min) + " .. " + FormatShortest(Spec.Max)
+									   : ">= " + FormatShortest(Spec.Min);
 	}
 	else if (std::isfinite(Spec.Max))
 	{
-		Text = "<= " + NumberText(Spec.Max);
+		Text = "<= " + FormatShortest(Spec.Max);
 	}
 	return Text;
 }

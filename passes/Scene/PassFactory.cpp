@@ -8,7 +8,7 @@ namespace
 {
 
 /** Never destroyed: libraries unregister at the very end of the program. */
-std::map<std::string, FPassFactory>& GetFactories()
+std::map<std::string, FPassFactory>& GetPassRegistry()
 {
 	static auto* const Factories = new std::map<std::string, FPassFactory>;
 	return *Factories;
@@ -20,7 +20,7 @@ bool RegisterPassFactory(FPassFactory Factory)
 {
 	const std::string Type = Factory.Type;
 	Factory.Owner = MakeCodeOwner("pass type " + Type);
-	if (GetFactories().emplace(Type, std::move(Factory)).second)
+	if (GetPassRegistry().emplace(Type, std::move(Factory)).second)
 	{
 		return true;
 	}
@@ -30,19 +30,19 @@ bool RegisterPassFactory(FPassFactory Factory)
 
 void UnregisterPassFactory(const std::string& Type)
 {
-	GetFactories().erase(Type);
+	GetPassRegistry().erase(Type);
 }
 
 const FPassFactory* FindPassFactory(const std::string& Type)
 {
-	const auto Found = GetFactories().find(Type);
-	return Found == GetFactories().end() ? nullptr : &Found->second;
+	const auto Found = GetPassRegistry().find(Type);
+	return Found == GetPassRegistry().end() ? nullptr : &Found->second;
 }
 
 std::vector<const FPassFactory*> GetPassFactories()
 {
 	std::vector<const FPassFactory*> Result;
-	for (const auto& [Type, Factory] : GetFactories())
+	for (const auto& [Type, Factory] : GetPassRegistry())
 	{
 		Result.push_back(&Factory);
 	}

@@ -3,6 +3,7 @@
 #include "Run/RunJson.h"
 #include "SettingObjects.h"
 #include "Text/JsonWriter.h"
+#include "Text/TextFormat.h"
 
 namespace Drydock
 {

@@ -1,11 +1,10 @@
 // Writes what `drydock blend` says as text: volumes, and the story of each setting in columns.
-#include <fmt/format.h>
-
 #include "Blend/BlendReport.h"
 
 #include "HAL/IConsoleManager.h"
 #include "SettingObjects.h"
 #include "Text/ConfigErrors.h"
+#include "Text/Fmt.inl"
 #include "Text/GlobPattern.h"
 
 #include <algorithm>

@@ -1,10 +1,9 @@
 // Draws the chart of a walk. Its first two colours are an orange and a blue, which colour-blind readers tell apart too.
-#include <fmt/format.h>
-
 #include "Blend/WalkChart.h"
 
 #include "Math/ToInteger.h"
 #include "Picture/SvgTools.h"
+#include "Text/Fmt.inl"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,7 @@
 // Turns a walk into what its chart shows.
-#include <fmt/format.h>
-
 #include "Blend/SettingsWalk.h"
 #include "Blend/WalkChart.h"
+#include "Text/Fmt.inl"
 
 #include <charconv>
 

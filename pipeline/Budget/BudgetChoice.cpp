@@ -1,6 +1,4 @@
 // Reads the files of a study and chooses the cheapest variant within the budget.
-#include <fmt/format.h>
-
 #include "Budget/BudgetChoice.h"
 
 #include "Config/ReadConfig.h"
@@ -9,6 +7,7 @@
 #include "Budget/StudyRequest.h"
 #include "Config/ConfigReader.h"
 #include "PostProcessSettingsReflection.h"
+#include "Text/Fmt.inl"
 #include "Text/TextFile.h"
 
 #include <algorithm>

@@ -51,16 +51,6 @@ bool ReadValueText(const FJsonValue& Value, std::string& OutText, FConfigMessage
 	}
 }
 
-std::string List(const std::vector<std::string>& Names)
-{
-	std::string Text;
-	for (const std::string& Name : Names)
-	{
-		Text += (Text.empty() ? "" : ", ") + Name;
-	}
-	return Text;
-}
-
 /** Reads the study of one config. */
 class FStudyReader
 {
@@ -148,7 +138,7 @@ private:
 		if (std::find(Names.begin(), Names.end(), Value) == Names.end())
 		{
 			Messages.Error(ErrorUnknownValue, At,
-				std::string("there is no ") + What + " \"" + Value + "\": " + List(Names) +
+				std::string("there is no ") + What + " \"" + Value + "\": " + JoinText(Names) +
 					Messages.Suggest(Value, Names));
 		}
 	}
@@ -226,7 +216,7 @@ private:
 		{
 			Messages.Error(ErrorUnknownValue, At,
 				"\"" + Name + "\" is " +
-					(Study.bBlur ? "nothing that a study of blurs varies: " + List(GBlurNames)
+					(Study.bBlur ? "nothing that a study of blurs varies: " + JoinText(GBlurNames)
 								 : "no setting, no console variable, and neither precision nor storage") +
 					Messages.Suggest(Name, Names));
 		}

@@ -24,11 +24,11 @@ using namespace Drydock;
 namespace
 {
 
-using EPoint = FInsertionPoints::EPoint;
-
 /** The passes of one view, in the order of its methods. */
 class FPostProcessingChain
 {
+	using EPoint = FInsertionPoints::EPoint;
+
 public:
 	FPostProcessingChain(FRDGBuilder& InGraphBuilder, const FNamedView& NamedView,
 		const FPostProcessingChainInputs& InInputs, const std::vector<FEffectDecision>& InEffects,

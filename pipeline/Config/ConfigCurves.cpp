@@ -12,7 +12,7 @@ namespace Drydock
 namespace
 {
 
-bool FitsFloat(const FJsonValue& Value)
+bool IsFloatNumber(const FJsonValue& Value)
 {
 	return Value.Type == EJsonType::Number && std::isfinite(static_cast<float>(Value.Number));
 }
@@ -24,7 +24,7 @@ bool ReadKeys(const FJsonValue& Keys, const std::string& Setting, FRichCurve& Cu
 	for (const FJsonValue& Element : Keys.Elements)
 	{
 		const bool bKey = Element.Type == EJsonType::Array && Element.Elements.size() == 2 &&
-						  FitsFloat(Element.Elements[0]) && FitsFloat(Element.Elements[1]);
+						  IsFloatNumber(Element.Elements[0]) && IsFloatNumber(Element.Elements[1]);
 		if (!bKey)
 		{
 			Messages.Error(ErrorWrongType, Element, "a key of " + Setting + " is [time, value], two numbers");

@@ -249,7 +249,7 @@ void WriteCurve(FJsonWriter& Writer)
 	Writer.Member("additionalProperties", false);
 }
 
-void WriteSetting(FJsonWriter& Writer, const FSettingField& Field)
+void WriteSettingSchema(FJsonWriter& Writer, const FSettingField& Field)
 {
 	Writer.Key(Field.Name).BeginObject();
 	Writer.Member("description", DescribeSetting(Field));
@@ -327,7 +327,7 @@ void WriteBlendables(FJsonWriter& Writer)
 	Writer.EndObject();
 }
 
-void WriteSettings(FJsonWriter& Writer)
+void WriteSettingsSchema(FJsonWriter& Writer)
 {
 	Writer.Key("Settings").BeginObject();
 	WriteType(Writer, "object");
@@ -336,7 +336,7 @@ void WriteSettings(FJsonWriter& Writer)
 		GetSettingFields().begin(), GetSettingFields().begin() + static_cast<ptrdiff_t>(GetNumTableSettings()));
 	for (const FSettingField& Field : Fields)
 	{
-		WriteSetting(Writer, Field);
+		WriteSettingSchema(Writer, Field);
 	}
 	WriteBlendables(Writer);
 	for (const FSettingField& Field : Fields)
@@ -447,7 +447,7 @@ std::string MakeConfigSchema(const FSchemaNames& Names)
 			Writer.EndObject();
 		}
 	}
-	WriteSettings(Writer);
+	WriteSettingsSchema(Writer);
 	WriteShowFlags(Writer);
 	WriteVariables(Writer);
 	WriteNumbers(Writer, "vector2", "XY", 2);

@@ -308,7 +308,7 @@ FConfigSettings ReadConfigSettings(const FJsonValue& Value, FConfigMessages& Mes
 	}
 	for (const auto& [Name, Member] : Value.Members)
 	{
-		if (Name.rfind(OverridePrefix, 0) == 0)
+		if (Name.starts_with(OverridePrefix))
 		{
 			ReadOverride(Name, Member, Settings, Messages);
 		}

@@ -2,6 +2,7 @@
 #include "Config/ConfigReader.h"
 
 #include "Config/ConfigKeys.h"
+#include "Text/TextFormat.h"
 
 #include <algorithm>
 
@@ -222,13 +223,8 @@ private:
 		const std::vector<std::string> Allowed = SplitAlternatives(Key.Of);
 		if (std::find(Allowed.begin(), Allowed.end(), Value.String) == Allowed.end())
 		{
-			std::string List;
-			for (const std::string& Text : Allowed)
-			{
-				List += std::string(List.empty() ? "" : ", ") + Text;
-			}
 			Messages.Error(ErrorUnknownValue, Value,
-				"\"" + Value.String + "\" is none of " + List + Messages.Suggest(Value.String, Allowed));
+				"\"" + Value.String + "\" is none of " + JoinText(Allowed) + Messages.Suggest(Value.String, Allowed));
 		}
 	}
 

@@ -3,6 +3,7 @@
 
 #include "Text/GlobPattern.h"
 #include "Text/JsonWriter.h"
+#include "Text/TextFormat.h"
 #include "Text/TextTable.h"
 
 #include <algorithm>
@@ -13,14 +14,6 @@ namespace Drydock
 
 namespace
 {
-
-std::string ToLower(std::string Text)
-{
-	std::transform(Text.begin(), Text.end(), Text.begin(),
-		[](char Character)
-		{ return static_cast<char>(Character >= 'A' && Character <= 'Z' ? Character - 'A' + 'a' : Character); });
-	return Text;
-}
 
 std::string Quote(const FConsoleVariableInfo& Info, const FString& Value)
 {
@@ -43,12 +36,12 @@ size_t GetHelpColumns(int Width)
 std::vector<FConsoleVariableInfo> FilterConsoleVariables(
 	const std::vector<FConsoleVariableInfo>& Infos, const std::string& Filter)
 {
-	const std::string Wanted = ToLower(Filter);
+	const std::string Wanted = ToSmallLetters(Filter);
 	const bool bPattern = Wanted.find_first_of("*?") != std::string::npos;
 	std::vector<FConsoleVariableInfo> Found;
 	for (const FConsoleVariableInfo& Info : Infos)
 	{
-		const std::string Name = ToLower(*Info.Name);
+		const std::string Name = ToSmallLetters(*Info.Name);
 		if (Name == Wanted)
 		{
 			return {Info};

@@ -2,6 +2,7 @@
 #include "Config/SettingList.h"
 
 #include "Text/JsonWriter.h"
+#include "Text/TextFormat.h"
 
 #include <algorithm>
 #include <cctype>
@@ -14,13 +15,6 @@ namespace
 {
 
 constexpr size_t Width = 80;
-
-std::string ToLower(std::string Text)
-{
-	std::transform(Text.begin(), Text.end(), Text.begin(),
-		[](unsigned char Character) { return static_cast<char>(std::tolower(Character)); });
-	return Text;
-}
 
 /** Breaks at spaces; a word that is longer than a line stays whole. */
 std::string Wrap(const std::string& Text, const std::string& FirstIndent, const std::string& Indent)
@@ -116,8 +110,9 @@ std::vector<const FSettingField*> FindSettingFields(const std::string& Pattern)
 	std::vector<const FSettingField*> Found;
 	for (const FSettingField& Field : GetSettingFields())
 	{
-		const bool bMatches = bWildcards ? FString(Field.Name).MatchesWildcard(FString(Pattern.c_str()))
-										 : ToLower(Field.Name).find(ToLower(Pattern)) != std::string::npos;
+		const bool bMatches = bWildcards
+								  ? FString(Field.Name).MatchesWildcard(FString(Pattern.c_str()))
+								  : ToSmallLetters(Field.Name).find(ToSmallLetters(Pattern)) != std::string::npos;
 		if (bMatches)
 		{
 			Found.push_back(&Field);

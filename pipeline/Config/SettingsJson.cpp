@@ -35,7 +35,7 @@ void WriteBox(FJsonWriter& Writer, const FVolumeTextBox& Box)
 	Writer.EndObject();
 }
 
-void WriteObject(FJsonWriter& Writer, const UObject* Object)
+void WriteObjectPath(FJsonWriter& Writer, const UObject* Object)
 {
 	Object == nullptr ? Writer.Null() : Writer.Value(GetObjectPath(Object));
 }
@@ -52,7 +52,7 @@ void WriteSettings(FJsonWriter& Writer, const FPostProcessSettings& Settings)
 			continue;
 		}
 		Writer.Key(Field.Name);
-		Field.Type == ESettingType::Object ? WriteObject(Writer, Value.Object)
+		Field.Type == ESettingType::Object ? WriteObjectPath(Writer, Value.Object)
 										   : Writer.Raw(SettingToJson(Field, Value));
 		if (!bOverridden)
 		{
@@ -65,7 +65,7 @@ void WriteSettings(FJsonWriter& Writer, const FPostProcessSettings& Settings)
 		for (const FWeightedBlendable& Blendable : Settings.WeightedBlendables.Array)
 		{
 			Writer.BeginObject(true);
-			WriteObject(Writer.Key("Object"), Blendable.Object.Get());
+			WriteObjectPath(Writer.Key("Object"), Blendable.Object.Get());
 			Writer.Member("Weight", Blendable.Weight);
 			Writer.EndObject();
 		}

@@ -15,9 +15,9 @@ namespace Drydock
 namespace
 {
 
-constexpr FSettingClaim Settings[] = {{"Bloom"}};
+constexpr FSettingClaim BloomSettings[] = {{"Bloom"}};
 
-FEffectDecision Decide(const FEffect&, const FEffectInputs& Inputs)
+FEffectDecision DecideBloom(const FEffect&, const FEffectInputs& Inputs)
 {
 	FEffectDecision Bloom;
 	const FFinalPostProcessSettings& Values = Inputs.Settings;
@@ -58,14 +58,14 @@ std::string FindNothingBright(const FGateInputs& Gate, std::optional<double> Bri
 }
 
 /** Worth a look where a black scene would leave it out. */
-FContentQuestions Ask(const FGateInputs& Gate, const FEffectDecision&)
+FContentQuestions AskBloom(const FGateInputs& Gate, const FEffectDecision&)
 {
 	FContentQuestions Questions;
 	Questions.bBrightest = !FindNothingBright(Gate, 0.0).empty();
 	return Questions;
 }
 
-void ApplyGate(const FGateInputs& Gate, FEffectDecision& Bloom)
+void GateBloom(const FGateInputs& Gate, FEffectDecision& Bloom)
 {
 	if (const std::string Dark = FindNothingBright(Gate, Gate.Content.Brightest); !Dark.empty())
 	{
@@ -77,7 +77,7 @@ void ApplyGate(const FGateInputs& Gate, FEffectDecision& Bloom)
 }
 
 /** How it is made, and why not by convolution where that is asked for. */
-std::string DescribeMethod(const FFinalPostProcessSettings& Values)
+std::string DescribeBloomMethod(const FFinalPostProcessSettings& Values)
 {
 	if (Values.BloomMethod != BM_FFT)
 	{
@@ -93,7 +93,7 @@ std::string DescribeMethod(const FFinalPostProcessSettings& Values)
 		   (Values.BloomThreshold > -1.0f ? "; it reads no threshold" : "");
 }
 
-std::string Complete(const FEffectInputs& Inputs, const std::vector<FEffectDecision>& Effects)
+std::string CompleteBloom(const FEffectInputs& Inputs, const std::vector<FEffectDecision>& Effects)
 {
 	std::string Text;
 	if (!(Inputs.Settings.BloomThreshold > -1.0f))
@@ -103,7 +103,7 @@ std::string Complete(const FEffectInputs& Inputs, const std::vector<FEffectDecis
 			   : bLocalExposure                            ? ": the setup pass is there for local exposure"
 														   : ": the setup pass is not needed";
 	}
-	return Text + DescribeMethod(Inputs.Settings);
+	return Text + DescribeBloomMethod(Inputs.Settings);
 }
 
 } // namespace
@@ -126,12 +126,12 @@ const FEffect GBloomEffect{
 	.Id = EEffect::Bloom,
 	.Name = "Bloom",
 	.Doc = "Light of bright pixels spread over their surroundings.",
-	.Settings = Settings,
+	.Settings = BloomSettings,
 	.bMayBrightenBeforeBloom = false,
-	.Decide = &Decide,
-	.Ask = &Ask,
-	.Gate = &ApplyGate,
-	.Complete = &Complete,
+	.Decide = &DecideBloom,
+	.Ask = &AskBloom,
+	.Gate = &GateBloom,
+	.Complete = &CompleteBloom,
 	.GetPlace = [] { return FChainPlace{EChainPlace::Bloom}; },
 	.AddPasses = nullptr,
 	.Measured = NothingMeasured,

@@ -12,16 +12,16 @@ namespace Drydock
 namespace
 {
 
-constexpr FSettingClaim Settings[] = {{"CharaGlow"}};
+constexpr FSettingClaim CharaGlowSettings[] = {{"CharaGlow"}};
 
-constexpr FSwitch Switches[] = {{"CharaGlowArea", &FPostProcessSettings::CharaGlowArea, 0.0f}};
+constexpr FSwitch CharaGlowSwitches[] = {{"CharaGlowArea", &FPostProcessSettings::CharaGlowArea, 0.0f}};
 
-FEffectDecision Decide(const FEffect& Effect, const FEffectInputs& Inputs)
+FEffectDecision DecideCharaGlow(const FEffect& Effect, const FEffectInputs& Inputs)
 {
-	return DecideBySwitches(Effect, Inputs, Switches, DescribeREDPlace());
+	return DecideBySwitches(Effect, Inputs, CharaGlowSwitches, DescribeREDPlace());
 }
 
-FContentQuestions Ask(const FGateInputs&, const FEffectDecision&)
+FContentQuestions AskCharaGlow(const FGateInputs&, const FEffectDecision&)
 {
 	FContentQuestions Questions;
 	Questions.bGlowMask = true;
@@ -29,7 +29,7 @@ FContentQuestions Ask(const FGateInputs&, const FEffectDecision&)
 }
 
 /** It adds the widened mask less the mask: of nothing, nothing. */
-void ApplyGate(const FGateInputs& Gate, FEffectDecision& Glow)
+void GateCharaGlow(const FGateInputs& Gate, FEffectDecision& Glow)
 {
 	if (HasNone(Gate.Content.GlowMask))
 	{
@@ -41,7 +41,7 @@ void ApplyGate(const FGateInputs& Gate, FEffectDecision& Glow)
 	}
 }
 
-FScreenPassTexture AddPasses(const FEffectPassInputs& Inputs)
+FScreenPassTexture AddCharaGlowEffect(const FEffectPassInputs& Inputs)
 {
 	FCharaGlowInputs Glow = FCharaGlowInputs::FromSettings(Inputs.View.FinalPostProcessSettings, Inputs.SceneColor);
 	Glow.SceneTextures = Inputs.GetSceneTextures();
@@ -55,14 +55,14 @@ const FEffect GCharaGlowEffect{
 	.Id = EEffect::CharaGlow,
 	.Name = "CharaGlow",
 	.Doc = "A coloured glow around characters.",
-	.Settings = Settings,
+	.Settings = CharaGlowSettings,
 	.bMayBrightenBeforeBloom = true,
-	.Decide = &Decide,
-	.Ask = &Ask,
-	.Gate = &ApplyGate,
+	.Decide = &DecideCharaGlow,
+	.Ask = &AskCharaGlow,
+	.Gate = &GateCharaGlow,
 	.Complete = nullptr,
 	.GetPlace = [] { return GetREDPlace(2); },
-	.AddPasses = &AddPasses,
+	.AddPasses = &AddCharaGlowEffect,
 	.Measured = NothingMeasured,
 	.Measure = nullptr,
 };

@@ -11,7 +11,7 @@ namespace Drydock
 namespace
 {
 
-constexpr FSettingClaim Settings[] = {
+constexpr FSettingClaim DepthOfFieldSettings[] = {
 	{"DepthOfFieldFocalDistance"},
 	{"DepthOfFieldFstop"},
 	{"DepthOfFieldMinFstop"},
@@ -20,7 +20,7 @@ constexpr FSettingClaim Settings[] = {
 	{"DepthOfFieldDepthBlur"},
 };
 
-FEffectDecision Decide(const FEffect&, const FEffectInputs& Inputs)
+FEffectDecision DecideDepthOfField(const FEffect&, const FEffectInputs& Inputs)
 {
 	const FFinalPostProcessSettings& Values = Inputs.Settings;
 	FEffectDecision Decision;
@@ -37,7 +37,7 @@ FEffectDecision Decide(const FEffect&, const FEffectInputs& Inputs)
 	return Decision;
 }
 
-FScreenPassTexture AddPasses(const FEffectPassInputs& Inputs)
+FScreenPassTexture AddDepthOfFieldEffect(const FEffectPassInputs& Inputs)
 {
 	const FViewInfo& View = Inputs.View;
 	const auto Model = DiaphragmDOF::FPhysicalCocModel::Compile(View.FinalPostProcessSettings,
@@ -53,14 +53,14 @@ const FEffect GDepthOfFieldEffect{
 	.Id = EEffect::DepthOfField,
 	.Name = "DepthOfField",
 	.Doc = "Blur of what is out of focus.",
-	.Settings = Settings,
+	.Settings = DepthOfFieldSettings,
 	.bMayBrightenBeforeBloom = true,
-	.Decide = &Decide,
+	.Decide = &DecideDepthOfField,
 	.Ask = nullptr,
 	.Gate = nullptr,
 	.Complete = nullptr,
 	.GetPlace = [] { return FChainPlace{EChainPlace::DepthOfField}; },
-	.AddPasses = &AddPasses,
+	.AddPasses = &AddDepthOfFieldEffect,
 	.Measured = NothingMeasured,
 	.Measure = nullptr,
 };

@@ -12,9 +12,9 @@ namespace Drydock
 namespace
 {
 
-constexpr FSettingClaim Settings[] = {{"DualKawaseBlur"}};
+constexpr FSettingClaim DualKawaseBlurSettings[] = {{"DualKawaseBlur"}};
 
-FEffectDecision Decide(const FEffect&, const FEffectInputs& Inputs)
+FEffectDecision DecideDualKawaseBlur(const FEffect&, const FEffectInputs& Inputs)
 {
 	const int32 PassNum = Inputs.Settings.DualKawaseBlurPassNum;
 	const std::string Setting = "DualKawaseBlurPassNum is " + std::to_string(PassNum);
@@ -42,7 +42,7 @@ FEffectDecision Decide(const FEffect&, const FEffectInputs& Inputs)
 }
 
 /** Called for by the settings alone: an extension would have read them. */
-FScreenPassTexture AddPasses(const FEffectPassInputs& Inputs)
+FScreenPassTexture AddDualKawaseBlurEffect(const FEffectPassInputs& Inputs)
 {
 	FDualKawaseBlurInputs Blur;
 	Blur.SceneColor = Inputs.SceneColor;
@@ -58,14 +58,14 @@ const FEffect GDualKawaseBlurEffect{
 	.Id = EEffect::DualKawaseBlur,
 	.Name = "DualKawaseBlur",
 	.Doc = "A wide blur of the picture by halving and doubling it.",
-	.Settings = Settings,
+	.Settings = DualKawaseBlurSettings,
 	.bMayBrightenBeforeBloom = true,
-	.Decide = &Decide,
+	.Decide = &DecideDualKawaseBlur,
 	.Ask = nullptr,
 	.Gate = nullptr,
 	.Complete = nullptr,
 	.GetPlace = [] { return FChainPlace{EChainPlace::BeforeBloom}; },
-	.AddPasses = &AddPasses,
+	.AddPasses = &AddDualKawaseBlurEffect,
 	.Measured = NothingMeasured,
 	.Measure = nullptr,
 };

@@ -128,6 +128,8 @@ struct FSettingClaim
 	const char* NotBuilt = ""; // why it does nothing all the same; empty: it acts
 };
 
+constexpr const char* NoPassReadsIt = "no pass reads it; it is blended and reported all the same";
+
 /** Where in the chain an effect's passes stand, from the scene's colour to the display. */
 enum class EChainPlace : uint8
 {
@@ -219,6 +221,7 @@ struct FEffect
 	TRequired<FEffectFigures (*)(const FMeasureInputs& Inputs)> Measure;
 };
 
+constexpr std::span<const FSettingClaim> NoSettings = {};
 constexpr std::span<const char* const> NothingMeasured = {};
 
 // The value of each effect, defined in the file of its name.

@@ -19,8 +19,6 @@ constexpr std::array<const FEffect*, static_cast<size_t>(EEffect::Num)> Table = 
 #undef DRYDOCK_EFFECT
 };
 
-constexpr const char* NoPassReadsIt = "no pass reads it; it is blended and reported all the same";
-
 struct FClaimed
 {
 	const FEffect* Effect = nullptr;

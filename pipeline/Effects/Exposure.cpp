@@ -14,8 +14,7 @@ namespace Drydock
 namespace
 {
 
-constexpr const char* NoPassReadsIt = "no pass reads it; it is blended and reported all the same";
-constexpr FSettingClaim Settings[] = {
+constexpr FSettingClaim ExposureSettings[] = {
 	{"AutoExposure"},
 	{"AutoExposureBiasBackup", NoPassReadsIt},
 	{"AutoExposureCalibrationConstant", NoPassReadsIt},
@@ -45,7 +44,7 @@ std::string DescribeMask(const FFinalPostProcessSettings& Settings)
 	return bMissing ? "; AutoExposureMeterMask is no image file and has no pixels here" : "";
 }
 
-std::string DescribeMethod(const FFinalPostProcessSettings& Settings)
+std::string DescribeExposureMethod(const FFinalPostProcessSettings& Settings)
 {
 	const EAutoExposureMethod Method = GetAutoExposureMethod(Settings);
 	std::string Text = GetAutoExposureMethodName(Method);
@@ -65,14 +64,14 @@ std::string DescribeMethod(const FFinalPostProcessSettings& Settings)
 		   NumberText(Settings.AutoExposureBias) + DescribeMask(Settings);
 }
 
-FEffectDecision Decide(const FEffect&, const FEffectInputs& Inputs)
+FEffectDecision DecideExposure(const FEffect&, const FEffectInputs& Inputs)
 {
 	const FViewConditions& Conditions = Inputs.Conditions;
 	FEffectDecision Decision;
 	Decision.bActive = Decision.bConfigured = true;
 	if (IsAutoExposureActive(Conditions))
 	{
-		Decision.Reason = DescribeMethod(Inputs.Settings);
+		Decision.Reason = DescribeExposureMethod(Inputs.Settings);
 		return Decision;
 	}
 	Decision.Reason = "scale " + NumberText(Conditions.ExposureScale);
@@ -117,9 +116,9 @@ const FEffect GExposureEffect{
 	.Id = EEffect::Exposure,
 	.Name = "Exposure",
 	.Doc = "The scale of scene colour: a number, or metered from the picture.",
-	.Settings = Settings,
+	.Settings = ExposureSettings,
 	.bMayBrightenBeforeBloom = false, // the gate of bloom knows the scale, or that it is not known
-	.Decide = &Decide,
+	.Decide = &DecideExposure,
 	.Ask = nullptr,
 	.Gate = nullptr,
 	.Complete = nullptr,

@@ -11,13 +11,13 @@ namespace Drydock
 namespace
 {
 
-constexpr FSettingClaim Settings[] = {
+constexpr FSettingClaim FFTBloomSettings[] = {
 	{"BloomMethod"},
 	{"BloomConvolution"},
 	{"BloomConvolutionIntensity", "it came with engine 5.6, whose convolution bloom is not simulated"},
 };
 
-FEffectDecision Decide(const FEffect&, const FEffectInputs& Inputs)
+FEffectDecision DecideFFTBloom(const FEffect&, const FEffectInputs& Inputs)
 {
 	FEffectDecision Decision;
 	const FFinalPostProcessSettings& Values = Inputs.Settings;
@@ -49,9 +49,9 @@ const FEffect GFFTBloomEffect{
 	.Id = EEffect::FFTBloom,
 	.Name = "FFTBloom",
 	.Doc = "Bloom by convolution with the picture of a lens.",
-	.Settings = Settings,
+	.Settings = FFTBloomSettings,
 	.bMayBrightenBeforeBloom = false,
-	.Decide = &Decide,
+	.Decide = &DecideFFTBloom,
 	.Ask = nullptr,
 	.Gate = nullptr,
 	.Complete = nullptr,

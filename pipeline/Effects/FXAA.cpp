@@ -10,12 +10,10 @@ namespace Drydock
 namespace
 {
 
-constexpr std::span<const FSettingClaim> Settings = {};
-
 TAutoConsoleVariable<int32> CVarAntiAliasingMethod(TEXT("r.AntiAliasingMethod"), 0,
 	TEXT("0: off (default). 1: FXAA. 2 TAA, 3 MSAA, 4 TSR, 5 SMAA: not simulated."), ECVF_RenderThreadSafe);
 
-FEffectDecision Decide(const FEffect&, const FEffectInputs& Inputs)
+FEffectDecision DecideFXAA(const FEffect&, const FEffectInputs& Inputs)
 {
 	const int32 Method = CVarAntiAliasingMethod.GetValueOnAnyThread();
 	const std::string Variable = "r.AntiAliasingMethod is " + std::to_string(Method);
@@ -48,9 +46,9 @@ const FEffect GFXAAEffect{
 	.Id = EEffect::FXAA,
 	.Name = "FXAA",
 	.Doc = "Smooth edges in the displayed picture.",
-	.Settings = Settings,
+	.Settings = NoSettings,
 	.bMayBrightenBeforeBloom = false,
-	.Decide = &Decide,
+	.Decide = &DecideFXAA,
 	.Ask = nullptr,
 	.Gate = nullptr,
 	.Complete = nullptr,

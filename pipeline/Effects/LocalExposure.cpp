@@ -11,13 +11,13 @@ namespace
 {
 
 constexpr const char* Curve = "its keys are read, and no pass evaluates them: it counts as a curve of no effect";
-constexpr FSettingClaim Settings[] = {
+constexpr FSettingClaim LocalExposureSettings[] = {
 	{"LocalExposure"},
 	{"LocalExposureHighlightContrastCurve", Curve},
 	{"LocalExposureShadowContrastCurve", Curve},
 };
 
-FEffectDecision Decide(const FEffect&, const FEffectInputs& Inputs)
+FEffectDecision DecideLocalExposure(const FEffect&, const FEffectInputs& Inputs)
 {
 	const FFinalPostProcessSettings& Values = Inputs.Settings;
 	const bool bNamed = Inputs.IsNamed("LocalExposure");
@@ -50,9 +50,9 @@ const FEffect GLocalExposureEffect{
 	.Id = EEffect::LocalExposure,
 	.Name = "LocalExposure",
 	.Doc = "Contrast of highlights and shadows around the local luminance.",
-	.Settings = Settings,
+	.Settings = LocalExposureSettings,
 	.bMayBrightenBeforeBloom = true, // bloom's setup pass applies it
-	.Decide = &Decide,
+	.Decide = &DecideLocalExposure,
 	.Ask = nullptr,
 	.Gate = nullptr,
 	.Complete = nullptr,

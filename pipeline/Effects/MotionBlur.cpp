@@ -11,14 +11,14 @@ namespace Drydock
 namespace
 {
 
-constexpr FSettingClaim Settings[] = {
+constexpr FSettingClaim MotionBlurSettings[] = {
 	{"MotionBlur"},
-	{"MotionBlurPerObjectSize", "no pass reads it; it is blended and reported all the same"},
+	{"MotionBlurPerObjectSize", NoPassReadsIt},
 };
 
 /** Unlike the engine, whose default amount is 0.5: a rendered frame may hold motion blur already, so it has to be
  * called for. */
-FEffectDecision Decide(const FEffect&, const FEffectInputs& Inputs)
+FEffectDecision DecideMotionBlur(const FEffect&, const FEffectInputs& Inputs)
 {
 	const FFinalPostProcessSettings& Values = Inputs.Settings;
 	FEffectDecision Decision;
@@ -45,7 +45,7 @@ FEffectDecision Decide(const FEffect&, const FEffectInputs& Inputs)
 	return Decision;
 }
 
-FContentQuestions Ask(const FGateInputs&, const FEffectDecision&)
+FContentQuestions AskMotionBlur(const FGateInputs&, const FEffectDecision&)
 {
 	FContentQuestions Questions;
 	Questions.bStill = true;
@@ -53,7 +53,7 @@ FContentQuestions Ask(const FGateInputs&, const FEffectDecision&)
 }
 
 /** It leaves a picture in which nothing moves by half a pixel as it is. */
-void ApplyGate(const FGateInputs& Gate, FEffectDecision& MotionBlur)
+void GateMotionBlur(const FGateInputs& Gate, FEffectDecision& MotionBlur)
 {
 	if (Gate.Content.bStill && *Gate.Content.bStill)
 	{
@@ -61,7 +61,7 @@ void ApplyGate(const FGateInputs& Gate, FEffectDecision& MotionBlur)
 	}
 }
 
-FScreenPassTexture AddPasses(const FEffectPassInputs& Inputs)
+FScreenPassTexture AddMotionBlurEffect(const FEffectPassInputs& Inputs)
 {
 	const FViewInfo& View = Inputs.View;
 	const float DeltaTime = View.Family != nullptr ? View.Family->Time.GetDeltaWorldTimeSeconds() : 0.0f;
@@ -77,14 +77,14 @@ const FEffect GMotionBlurEffect{
 	.Id = EEffect::MotionBlur,
 	.Name = "MotionBlur",
 	.Doc = "Blur along the velocities of the scene.",
-	.Settings = Settings,
+	.Settings = MotionBlurSettings,
 	.bMayBrightenBeforeBloom = true,
-	.Decide = &Decide,
-	.Ask = &Ask,
-	.Gate = &ApplyGate,
+	.Decide = &DecideMotionBlur,
+	.Ask = &AskMotionBlur,
+	.Gate = &GateMotionBlur,
 	.Complete = nullptr,
 	.GetPlace = [] { return FChainPlace{EChainPlace::MotionBlur}; },
-	.AddPasses = &AddPasses,
+	.AddPasses = &AddMotionBlurEffect,
 	.Measured = NothingMeasured,
 	.Measure = nullptr,
 };

@@ -10,21 +10,21 @@ namespace Drydock
 namespace
 {
 
-constexpr FSettingClaim Settings[] = {{"DiffusionFilter"}, {"SoftFocus"}, {"Glow"}};
+constexpr FSettingClaim REDSettings[] = {{"DiffusionFilter"}, {"SoftFocus"}, {"Glow"}};
 
-constexpr FSwitch Switches[] = {
+constexpr FSwitch REDSwitches[] = {
 	{"DiffusionFilterIntensity", &FPostProcessSettings::DiffusionFilterIntensity, 0.0f},
 	{"SoftFocusBlend", &FPostProcessSettings::SoftFocusBlend, 0.0f},
 	{"SoftFocusSaturation", &FPostProcessSettings::SoftFocusSaturation, 1.0f},
 	{"GlowIntensity", &FPostProcessSettings::GlowIntensity, 0.0f},
 };
 
-FEffectDecision Decide(const FEffect& Effect, const FEffectInputs& Inputs)
+FEffectDecision DecideRED(const FEffect& Effect, const FEffectInputs& Inputs)
 {
-	return DecideBySwitches(Effect, Inputs, Switches, DescribeREDPlace());
+	return DecideBySwitches(Effect, Inputs, REDSwitches, DescribeREDPlace());
 }
 
-FScreenPassTexture AddPasses(const FEffectPassInputs& Inputs)
+FScreenPassTexture AddREDEffect(const FEffectPassInputs& Inputs)
 {
 	return AddREDPostProcessPasses(Inputs.GraphBuilder, Inputs.View, Inputs.SceneColor,
 		FREDPostProcessParameters::FromSettings(Inputs.View.FinalPostProcessSettings));
@@ -36,14 +36,14 @@ const FEffect GREDEffect{
 	.Id = EEffect::RED,
 	.Name = "RED",
 	.Doc = "Diffusion filter, soft focus and glow of the RED post passes.",
-	.Settings = Settings,
+	.Settings = REDSettings,
 	.bMayBrightenBeforeBloom = true,
-	.Decide = &Decide,
+	.Decide = &DecideRED,
 	.Ask = nullptr,
 	.Gate = nullptr,
 	.Complete = nullptr,
 	.GetPlace = [] { return GetREDPlace(1); },
-	.AddPasses = &AddPasses,
+	.AddPasses = &AddREDEffect,
 	.Measured = NothingMeasured,
 	.Measure = nullptr,
 };

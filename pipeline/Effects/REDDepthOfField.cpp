@@ -10,16 +10,17 @@ namespace Drydock
 namespace
 {
 
-constexpr FSettingClaim Settings[] = {{"REDDof"}};
+constexpr FSettingClaim REDDepthOfFieldSettings[] = {{"REDDof"}};
 
-constexpr FSwitch Switches[] = {{"REDDofFocalDistance", &FPostProcessSettings::REDDofFocalDistance, 0.0f}};
+constexpr FSwitch REDDepthOfFieldSwitches[] = {
+	{"REDDofFocalDistance", &FPostProcessSettings::REDDofFocalDistance, 0.0f}};
 
-FEffectDecision Decide(const FEffect& Effect, const FEffectInputs& Inputs)
+FEffectDecision DecideREDDepthOfField(const FEffect& Effect, const FEffectInputs& Inputs)
 {
-	return DecideBySwitches(Effect, Inputs, Switches, DescribeREDPlace());
+	return DecideBySwitches(Effect, Inputs, REDDepthOfFieldSwitches, DescribeREDPlace());
 }
 
-FScreenPassTexture AddPasses(const FEffectPassInputs& Inputs)
+FScreenPassTexture AddREDDepthOfFieldEffect(const FEffectPassInputs& Inputs)
 {
 	FREDDepthOfFieldInputs DepthOfField =
 		FREDDepthOfFieldInputs::FromSettings(Inputs.View.FinalPostProcessSettings, Inputs.SceneColor);
@@ -33,14 +34,14 @@ const FEffect GREDDepthOfFieldEffect{
 	.Id = EEffect::REDDepthOfField,
 	.Name = "REDDepthOfField",
 	.Doc = "A blur by depth in front of and behind a focus, as RED has it.",
-	.Settings = Settings,
+	.Settings = REDDepthOfFieldSettings,
 	.bMayBrightenBeforeBloom = true,
-	.Decide = &Decide,
+	.Decide = &DecideREDDepthOfField,
 	.Ask = nullptr,
 	.Gate = nullptr,
 	.Complete = nullptr,
 	.GetPlace = [] { return GetREDPlace(0); },
-	.AddPasses = &AddPasses,
+	.AddPasses = &AddREDDepthOfFieldEffect,
 	.Measured = NothingMeasured,
 	.Measure = nullptr,
 };

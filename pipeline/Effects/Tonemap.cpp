@@ -11,7 +11,7 @@ namespace Drydock
 namespace
 {
 
-constexpr FSettingClaim Settings[] = {
+constexpr FSettingClaim TonemapSettings[] = {
 	{"BlueCorrection"},
 	{"ExpandGamut"},
 	{"ToneCurveAmount"},
@@ -32,7 +32,7 @@ constexpr FSettingClaim Settings[] = {
 	{"VignetteIntensity"},
 };
 
-FEffectDecision Decide(const FEffect&, const FEffectInputs& Inputs)
+FEffectDecision DecideTonemap(const FEffect&, const FEffectInputs& Inputs)
 {
 	FEffectDecision Decision;
 	Decision.bActive = Decision.bConfigured = true;
@@ -61,9 +61,9 @@ const FEffect GTonemapEffect{
 	.Id = EEffect::Tonemap,
 	.Name = "Tonemap",
 	.Doc = "From scene-linear colour to the display, with grading and the lens.",
-	.Settings = Settings,
+	.Settings = TonemapSettings,
 	.bMayBrightenBeforeBloom = false,
-	.Decide = &Decide,
+	.Decide = &DecideTonemap,
 	.Ask = nullptr,
 	.Gate = nullptr,
 	.Complete = nullptr,

@@ -15,8 +15,8 @@ namespace Drydock
 namespace
 {
 
-constexpr FSettingClaim Settings[] = {{"BloomToonIntensity"}};
-constexpr const char* Measured[] = {"Bloom", "GBufferB"};
+constexpr FSettingClaim ToonBloomSettings[] = {{"BloomToonIntensity"}};
+constexpr const char* ToonBloomMeasured[] = {"Bloom", "GBufferB"};
 
 /** What becomes of it in the article's form. */
 std::string AsPrintedText()
@@ -30,7 +30,7 @@ std::string AsPrintedText()
 								: "; as printed: one id for each half-resolution pixel";
 }
 
-FEffectDecision Decide(const FEffect&, const FEffectInputs& Inputs)
+FEffectDecision DecideToonBloom(const FEffect&, const FEffectInputs& Inputs)
 {
 	const int32 Mode = GetToonBloomMode();
 	const float Factor = Inputs.Settings.BloomToonIntensity;
@@ -79,7 +79,7 @@ FEffectDecision Decide(const FEffect&, const FEffectInputs& Inputs)
 	return Toon;
 }
 
-FContentQuestions Ask(const FGateInputs&, const FEffectDecision&)
+FContentQuestions AskToonBloom(const FGateInputs&, const FEffectDecision&)
 {
 	FContentQuestions Questions;
 	Questions.bToon = GetToonBloomMode() < 0;
@@ -88,7 +88,7 @@ FContentQuestions Ask(const FGateInputs&, const FEffectDecision&)
 
 /** It multiplies pixels of the toon model; without one the masked picture is the picture. As printed without a
  * threshold it brings a pass that rounds: it stays. */
-void ApplyGate(const FGateInputs& Gate, FEffectDecision& Toon)
+void GateToonBloom(const FGateInputs& Gate, FEffectDecision& Toon)
 {
 	const FEffectDecision* const Bloom = FindEffect(Gate.Gated, EEffect::Bloom);
 	if (Bloom != nullptr && !Bloom->bActive)
@@ -114,7 +114,7 @@ void ApplyGate(const FGateInputs& Gate, FEffectDecision& Toon)
 }
 
 /** How much bloom lands outside what is toon, and how much inside. */
-FEffectFigures Measure(const FMeasureInputs& Inputs)
+FEffectFigures MeasureToonBloom(const FMeasureInputs& Inputs)
 {
 	constexpr int Alpha = 3;
 	const FKeptTexture& Bloom = Inputs.Textures.at("Bloom");
@@ -130,19 +130,19 @@ const FEffect GToonBloomEffect{
 	.Id = EEffect::ToonBloom,
 	.Name = "ToonBloom",
 	.Doc = "A factor on the bloom of toon-shaded pixels.",
-	.Settings = Settings,
+	.Settings = ToonBloomSettings,
 	.bMayBrightenBeforeBloom = false,
-	.Decide = &Decide,
-	.Ask = &Ask,
-	.Gate = &ApplyGate,
+	.Decide = &DecideToonBloom,
+	.Ask = &AskToonBloom,
+	.Gate = &GateToonBloom,
 	.Complete = nullptr,
 	.GetPlace =
 		[] {
 			return FChainPlace{EChainPlace::Bloom, -1};
 		},
 	.AddPasses = nullptr,
-	.Measured = Measured,
-	.Measure = &Measure,
+	.Measured = ToonBloomMeasured,
+	.Measure = &MeasureToonBloom,
 };
 
 } // namespace Drydock

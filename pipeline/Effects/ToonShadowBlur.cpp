@@ -14,17 +14,18 @@ namespace Drydock
 namespace
 {
 
-constexpr FSettingClaim Settings[] = {{"ToonShadowBlur"}};
-constexpr const char* Measured[] = {"BlurredToonShadow"};
+constexpr FSettingClaim ToonShadowBlurSettings[] = {{"ToonShadowBlur"}};
+constexpr const char* ToonShadowBlurMeasured[] = {"BlurredToonShadow"};
 
-constexpr FSwitch Switches[] = {{"ToonShadowBlurIntensity", &FPostProcessSettings::ToonShadowBlurIntensity, 0.0f}};
+constexpr FSwitch ToonShadowBlurSwitches[] = {
+	{"ToonShadowBlurIntensity", &FPostProcessSettings::ToonShadowBlurIntensity, 0.0f}};
 
-FEffectDecision Decide(const FEffect& Effect, const FEffectInputs& Inputs)
+FEffectDecision DecideToonShadowBlur(const FEffect& Effect, const FEffectInputs& Inputs)
 {
-	return DecideBySwitches(Effect, Inputs, Switches, "");
+	return DecideBySwitches(Effect, Inputs, ToonShadowBlurSwitches, "");
 }
 
-FContentQuestions Ask(const FGateInputs&, const FEffectDecision&)
+FContentQuestions AskToonShadowBlur(const FGateInputs&, const FEffectDecision&)
 {
 	FContentQuestions Questions;
 	Questions.bToon = true;
@@ -32,7 +33,7 @@ FContentQuestions Ask(const FGateInputs&, const FEffectDecision&)
 }
 
 /** It lights pixels of the toon model. */
-void ApplyGate(const FGateInputs& Gate, FEffectDecision& Blur)
+void GateToonShadowBlur(const FGateInputs& Gate, FEffectDecision& Blur)
 {
 	if (HasNone(Gate.Content.Toon))
 	{
@@ -40,7 +41,7 @@ void ApplyGate(const FGateInputs& Gate, FEffectDecision& Blur)
 	}
 }
 
-FScreenPassTexture AddPasses(const FEffectPassInputs& Inputs)
+FScreenPassTexture AddToonShadowBlurEffect(const FEffectPassInputs& Inputs)
 {
 	const FViewInfo& View = Inputs.View;
 	if (View.SceneTextures == nullptr || !View.SceneTextures->ToonShadow)
@@ -67,7 +68,7 @@ FScreenPassTexture AddPasses(const FEffectPassInputs& Inputs)
 }
 
 /** How smooth the blurred shadow is as it is stored, and how far it is from what it would be without rounding. */
-FEffectFigures Measure(const FMeasureInputs& Inputs)
+FEffectFigures MeasureToonShadowBlur(const FMeasureInputs& Inputs)
 {
 	constexpr int Blurred = 3;
 	const FKeptTexture& Kept = Inputs.Textures.at("BlurredToonShadow");
@@ -101,16 +102,16 @@ const FEffect GToonShadowBlurEffect{
 	.Id = EEffect::ToonShadowBlur,
 	.Name = "ToonShadowBlur",
 	.Doc = "Toon shading lit by a blurred shadow.",
-	.Settings = Settings,
+	.Settings = ToonShadowBlurSettings,
 	.bMayBrightenBeforeBloom = true,
-	.Decide = &Decide,
-	.Ask = &Ask,
-	.Gate = &ApplyGate,
+	.Decide = &DecideToonShadowBlur,
+	.Ask = &AskToonShadowBlur,
+	.Gate = &GateToonShadowBlur,
 	.Complete = nullptr,
 	.GetPlace = [] { return FChainPlace{EChainPlace::Lighting}; },
-	.AddPasses = &AddPasses,
-	.Measured = Measured,
-	.Measure = &Measure,
+	.AddPasses = &AddToonShadowBlurEffect,
+	.Measured = ToonShadowBlurMeasured,
+	.Measure = &MeasureToonShadowBlur,
 };
 
 } // namespace Drydock

@@ -8,9 +8,7 @@ namespace Drydock
 namespace
 {
 
-constexpr std::span<const FSettingClaim> Settings = {};
-
-FEffectDecision Decide(const FEffect&, const FEffectInputs& Inputs)
+FEffectDecision DecideTranslucency(const FEffect&, const FEffectInputs& Inputs)
 {
 	const FViewConditions& Conditions = Inputs.Conditions;
 	FEffectDecision Decision;
@@ -28,9 +26,9 @@ const FEffect GTranslucencyEffect{
 	.Id = EEffect::Translucency,
 	.Name = "Translucency",
 	.Doc = "The scene's separate translucency over the picture.",
-	.Settings = Settings,
+	.Settings = NoSettings,
 	.bMayBrightenBeforeBloom = true,
-	.Decide = &Decide,
+	.Decide = &DecideTranslucency,
 	.Ask = nullptr,
 	.Gate = nullptr,
 	.Complete = nullptr,

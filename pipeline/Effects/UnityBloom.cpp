@@ -9,17 +9,17 @@ namespace Drydock
 namespace
 {
 
-constexpr FSettingClaim Settings[] = {{"UnityBloom"}};
+constexpr FSettingClaim UnityBloomSettings[] = {{"UnityBloom"}};
 
-constexpr FSwitch Switches[] = {{"UnityBloomIntensity", &FPostProcessSettings::UnityBloomIntensity, 0.0f}};
+constexpr FSwitch UnityBloomSwitches[] = {{"UnityBloomIntensity", &FPostProcessSettings::UnityBloomIntensity, 0.0f}};
 
-FEffectDecision Decide(const FEffect& Effect, const FEffectInputs& Inputs)
+FEffectDecision DecideUnityBloom(const FEffect& Effect, const FEffectInputs& Inputs)
 {
-	return DecideBySwitches(
-		Effect, Inputs, Switches, IsUnityBloomAfterTonemap() ? "; after the tonemapper" : "; before the tonemapper");
+	return DecideBySwitches(Effect, Inputs, UnityBloomSwitches,
+		IsUnityBloomAfterTonemap() ? "; after the tonemapper" : "; before the tonemapper");
 }
 
-FScreenPassTexture AddPasses(const FEffectPassInputs& Inputs)
+FScreenPassTexture AddUnityBloomEffect(const FEffectPassInputs& Inputs)
 {
 	FUnityBloomInputs Bloom = FUnityBloomInputs::FromSettings(Inputs.View.FinalPostProcessSettings, Inputs.SceneColor);
 	Bloom.OverrideOutput = Inputs.OverrideOutput;
@@ -32,9 +32,9 @@ const FEffect GUnityBloomEffect{
 	.Id = EEffect::UnityBloom,
 	.Name = "UnityBloom",
 	.Doc = "Bloom as Unity's tutorials build it.",
-	.Settings = Settings,
+	.Settings = UnityBloomSettings,
 	.bMayBrightenBeforeBloom = true,
-	.Decide = &Decide,
+	.Decide = &DecideUnityBloom,
 	.Ask = nullptr,
 	.Gate = nullptr,
 	.Complete = nullptr,
@@ -42,7 +42,7 @@ const FEffect GUnityBloomEffect{
 		[] {
 			return FChainPlace{IsUnityBloomAfterTonemap() ? EChainPlace::AfterTonemap : EChainPlace::BeforeBloom, 1};
 		},
-	.AddPasses = &AddPasses,
+	.AddPasses = &AddUnityBloomEffect,
 	.Measured = NothingMeasured,
 	.Measure = nullptr,
 };

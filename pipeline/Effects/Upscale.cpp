@@ -10,9 +10,7 @@ namespace Drydock
 namespace
 {
 
-constexpr std::span<const FSettingClaim> Settings = {};
-
-FEffectDecision Decide(const FEffect&, const FEffectInputs& Inputs)
+FEffectDecision DecideUpscale(const FEffect&, const FEffectInputs& Inputs)
 {
 	FEffectDecision Decision;
 	const double ScreenPercentage = Inputs.Conditions.ScreenPercentage;
@@ -36,9 +34,9 @@ const FEffect GUpscaleEffect{
 	.Id = EEffect::Upscale,
 	.Name = "Upscale",
 	.Doc = "From the rendered size to the output's.",
-	.Settings = Settings,
+	.Settings = NoSettings,
 	.bMayBrightenBeforeBloom = false,
-	.Decide = &Decide,
+	.Decide = &DecideUpscale,
 	.Ask = nullptr,
 	.Gate = nullptr,
 	.Complete = nullptr,

@@ -4,7 +4,9 @@
 #include "Config/ConfigReader.h"
 #include "Extensions/EngineHooks.h"
 #include "Extensions/ExtensionErrors.h"
+#include "Extensions/FactoryTypes.h"
 #include "SceneViewState.h"
+#include "Text/TextFormat.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,27 +20,6 @@ namespace
 {
 
 constexpr const char* ExtensionKeys[] = {"type", "pass"};
-
-template<typename TFactory>
-std::vector<std::string> GetTypes(const std::vector<const TFactory*>& Factories)
-{
-	std::vector<std::string> Types;
-	for (const TFactory* Factory : Factories)
-	{
-		Types.push_back(Factory->Type);
-	}
-	return Types;
-}
-
-std::string Join(const std::vector<std::string>& Names)
-{
-	std::string Text;
-	for (const std::string& Name : Names)
-	{
-		Text += (Text.empty() ? "" : ", ") + Name;
-	}
-	return Text;
-}
 
 /** [r, g, b], [r, g, b, a] or {R, G, B, A}, alpha 1 where it is not given; false when it is none of these. */
 bool ReadColor(const FJsonValue& Value, FLinearColor& OutColor)
@@ -126,7 +107,7 @@ void ReadParameter(
 				 std::find(Spec.Choices.begin(), Spec.Choices.end(), Value.String) == Spec.Choices.end())
 		{
 			Messages.Error(ErrorUnknownValue, Value,
-				Spec.Name + ": \"" + Value.String + "\" is none of " + Join(Spec.Choices) +
+				Spec.Name + ": \"" + Value.String + "\" is none of " + JoinText(Spec.Choices) +
 					Messages.Suggest(Value.String, Spec.Choices));
 		}
 		else
@@ -187,7 +168,7 @@ bool CheckHook(const FConfig& Config, const FJsonValue& Value, const std::string
 	if (std::find(Allowed.begin(), Allowed.end(), Hook) == Allowed.end())
 	{
 		Messages.Error(ErrorUnknownValue, Value,
-			"\"" + Hook + "\" is no hook of " + Type + ": " + Join(Allowed) + Messages.Suggest(Hook, Allowed));
+			"\"" + Hook + "\" is no hook of " + Type + ": " + JoinText(Allowed) + Messages.Suggest(Hook, Allowed));
 		return false;
 	}
 	const auto Pass = FindPassByName(Hook);
@@ -271,14 +252,14 @@ void ReadPassInputs(const FJsonValue& Value, const FPassFactory& Factory, const 
 			{
 				Messages.ErrorAtKey(ErrorPassInput, Resource,
 					Factory.Type + " has no input \"" + Name + "\"" + Messages.Suggest(Name, Names) + "; there is " +
-						Join(Names));
+						JoinText(Names));
 			}
 			else if (!Earlier.Contains(Resource.String) &&
 					 std::find(Resources.begin(), Resources.end(), Resource.String) == Resources.end())
 			{
 				Messages.Error(ErrorPassInput, Resource,
 					"there is no resource \"" + Resource.String + "\" here" +
-						Messages.Suggest(Resource.String, Resources) + "; there is " + Join(Resources));
+						Messages.Suggest(Resource.String, Resources) + "; there is " + JoinText(Resources));
 			}
 			else
 			{
@@ -311,10 +292,10 @@ std::vector<FExtensionRequest> ReadExtensionRequests(const FConfig& Config, std:
 		const FExtensionFactory* Factory = FindExtensionFactory(Type->String);
 		if (Factory == nullptr)
 		{
-			const std::vector<std::string> Types = GetTypes(GetExtensionFactories());
+			const std::vector<std::string> Types = GetFactoryTypes(GetExtensionFactories());
 			Messages.Error(ErrorUnknownExtension, *Type,
 				"there is no extension \"" + Type->String + "\"" + Messages.Suggest(Type->String, Types) +
-					"; there is " + Join(Types));
+					"; there is " + JoinText(Types));
 			continue;
 		}
 		FExtensionRequest Request;
@@ -360,10 +341,10 @@ std::optional<FPassRequest> ReadPassRequest(const FConfig& Config, const FJsonVa
 	const FPassFactory* Factory = FindPassFactory(Type->String);
 	if (Factory == nullptr)
 	{
-		const std::vector<std::string> Types = GetTypes(GetPassFactories());
+		const std::vector<std::string> Types = GetFactoryTypes(GetPassFactories());
 		Messages.Error(ErrorUnknownPass, *Type,
 			"there is no pass \"" + Type->String + "\"" + Messages.Suggest(Type->String, Types) + "; there is " +
-				Join(Types));
+				JoinText(Types));
 		return std::nullopt;
 	}
 	FPassRequest Request;

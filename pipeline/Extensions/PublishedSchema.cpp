@@ -4,11 +4,11 @@
 #include "Config/ConfigSchema.h"
 #include "Config/ConfigSchemaNames.h"
 #include "ExtensionFactory.h"
+#include "Extensions/FactoryTypes.h"
 #include "PassFactory.h"
 #include "Picture/ImageMetrics.h"
 #include "Text/JsonWriter.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace Drydock
@@ -16,15 +16,6 @@ namespace Drydock
 
 namespace
 {
-
-template<typename TFactory>
-std::vector<std::string> GetTypes(const std::vector<const TFactory*>& Factories)
-{
-	std::vector<std::string> Types;
-	std::transform(Factories.begin(), Factories.end(), std::back_inserter(Types),
-		[](const TFactory* Factory) { return Factory->Type; });
-	return Types;
-}
 
 void WriteDefault(FJsonWriter& Writer, const FParameterValue& Value)
 {
@@ -159,8 +150,8 @@ void WriteRules(FJsonWriter& Writer, const std::string& Object)
 std::string MakePublishedSchema()
 {
 	FSchemaNames Names;
-	Names.Extensions = GetTypes(GetExtensionFactories());
-	Names.Passes = GetTypes(GetPassFactories());
+	Names.Extensions = GetFactoryTypes(GetExtensionFactories());
+	Names.Passes = GetFactoryTypes(GetPassFactories());
 	Names.Hooks = GetPassNames();
 	Names.Hooks.insert(Names.Hooks.begin(), PrePostProcessPassName);
 	Names.Metrics = GetMetricNames();

@@ -9,6 +9,7 @@
 #include "Modules/ModuleManager.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphNotes.h"
+#include "RenderGraphObserver.h"
 #include "Tonemap/TonemapOutputDevice.h"
 
 #include <algorithm>

@@ -8,7 +8,6 @@
 #include "Extensions/HookLog.h"
 #include "Picture/Picture.h"
 #include "RenderGraphCompiled.h"
-#include "RenderGraphObserver.h"
 #include "SceneFile/SceneCamera.h"
 #include "SceneTextures.h"
 #include "SceneViewExtension.h"
@@ -23,6 +22,8 @@
 
 namespace Drydock
 {
+
+class IRDGObserver;
 
 struct FFrameView
 {

@@ -1,7 +1,6 @@
 // Writes what a pass made of the hazards.
-#include <fmt/format.h>
-
 #include "Hazards/HazardCapture.h"
+#include "Text/Fmt.inl"
 #include "Text/JsonWriter.h"
 #include "Text/TextTable.h"
 

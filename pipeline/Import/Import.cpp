@@ -1,6 +1,4 @@
 // Takes a frame, or the frames of a sequence, through the steps of an import.
-#include <fmt/format.h>
-
 #include "Import/Import.h"
 
 #include "Extensions/PublishedSchema.h"
@@ -10,6 +8,7 @@
 #include "Import/ImportReport.h"
 #include "Import/ImportWrite.h"
 #include "Text/ConfigErrors.h"
+#include "Text/Fmt.inl"
 #include "Text/TextFile.h"
 
 #include <algorithm>

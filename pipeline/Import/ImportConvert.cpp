@@ -1,10 +1,9 @@
 // Makes the scene's planes, target by target.
-#include <fmt/format.h>
-
 #include "Import/ImportConvert.h"
 
 #include "Import/ImportErrors.h"
 #include "Import/ImportPrimaries.h"
+#include "Text/Fmt.inl"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,10 @@
 // Measures what an import made.
-#include <fmt/format.h>
-
 #include <Imath/half.h>
 
 #include "Import/ImportFigures.h"
 
 #include "Import/ImportErrors.h"
+#include "Text/Fmt.inl"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,10 @@
 // Chooses a layer for every group of channels.
-#include <fmt/format.h>
-
 #include "Import/ImportGuess.h"
 
 #include "Config/ConfigReader.h"
 #include "Import/ImportErrors.h"
 #include "Import/ImportMap.h"
+#include "Text/Fmt.inl"
 
 #include <algorithm>
 

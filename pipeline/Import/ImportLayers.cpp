@@ -3,6 +3,7 @@
 
 #include "Import/ImportTargets.h"
 #include "Picture/ImageFile.h"
+#include "Text/TextFormat.h"
 
 #include <algorithm>
 #include <cctype>
@@ -16,13 +17,6 @@ namespace
 {
 
 namespace Files = std::filesystem;
-
-std::string ToSmallLetters(std::string Text)
-{
-	std::transform(Text.begin(), Text.end(), Text.begin(),
-		[](unsigned char Character) { return static_cast<char>(std::tolower(Character)); });
-	return Text;
-}
 
 /** -1 where it is no component. */
 int FindSlot(const std::string& Component)

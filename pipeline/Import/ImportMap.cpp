@@ -1,10 +1,9 @@
 // Reads --map against the layers that there are.
-#include <fmt/format.h>
-
 #include "Import/ImportMap.h"
 
 #include "Config/ConfigReader.h"
 #include "Import/ImportErrors.h"
+#include "Text/Fmt.inl"
 
 #include <algorithm>
 

@@ -1,10 +1,10 @@
 // Reads planes part by part and lays them into the picture.
-#include <fmt/format.h>
-
 #include "Import/ImportPlanes.h"
 
 #include "Import/ImportErrors.h"
 #include "Picture/ImageFile.h"
+#include "Picture/ImagePlane.h"
+#include "Text/Fmt.inl"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,9 @@
 // Prints what an import understood.
-#include <fmt/format.h>
-
 #include "Import/ImportReport.h"
 
 #include "Import/ImportFigures.h"
 #include "Import/ImportWrite.h"
+#include "Text/Fmt.inl"
 #include "Text/JsonWriter.h"
 #include "Text/TextTable.h"
 

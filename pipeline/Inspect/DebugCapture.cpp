@@ -8,6 +8,7 @@
 #include "ShaderCompilation.h"
 #include "Text/ConfigErrors.h"
 #include "Text/GlobPattern.h"
+#include "Text/TextFormat.h"
 #include "TileExecutor.h"
 
 #include <algorithm>
@@ -27,7 +28,7 @@ bool IsBeingDebugged()
 	std::ifstream Status("/proc/self/status");
 	for (std::string Line; std::getline(Status, Line);)
 	{
-		if (Line.rfind("TracerPid:", 0) == 0)
+		if (Line.starts_with("TracerPid:"))
 		{
 			return Line.find_first_of("123456789") != std::string::npos;
 		}
@@ -37,12 +38,8 @@ bool IsBeingDebugged()
 
 std::string JoinNames(const std::vector<std::string>& Names)
 {
-	std::string Text;
-	for (const std::string& Name : std::set<std::string>(Names.begin(), Names.end()))
-	{
-		Text += (Text.empty() ? "" : ", ") + Name;
-	}
-	return Text;
+	const std::set<std::string> Sorted(Names.begin(), Names.end());
+	return JoinText({Sorted.begin(), Sorted.end()});
 }
 
 } // namespace

@@ -1,9 +1,8 @@
 // Runs passes a second time by the interpreter, each before its kernel does.
-#include <fmt/format.h>
-
 #include "Inspect/LineCapture.h"
 
 #include "Text/ConfigErrors.h"
+#include "Text/Fmt.inl"
 
 namespace Drydock
 {

@@ -2,9 +2,8 @@
 #include "Inspect/ProbeCapture.h"
 
 #include "OperationText.h"
+#include "Text/Fmt.inl"
 #include "Text/JsonWriter.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -14,7 +13,7 @@ namespace Drydock
 namespace
 {
 
-constexpr size_t MaxTexels = 6; // of a texture; of more the heaviest
+constexpr size_t MaxProbedTexels = 6; // of a texture; of more the heaviest
 
 std::string FormatValue(const std::array<double, 4>& Value, int NumChannels)
 {
@@ -32,14 +31,15 @@ std::string FormatReads(const FProbeRead& Read)
 	std::stable_sort(Texels.begin(), Texels.end(),
 		[](const FFootprintTexel& A, const FFootprintTexel& B) { return A.Weight > B.Weight; });
 	std::string Text;
-	for (size_t i = 0; i < Texels.size() && i < MaxTexels; ++i)
+	for (size_t i = 0; i < Texels.size() && i < MaxProbedTexels; ++i)
 	{
 		const FFootprintTexel& Texel = Texels[i];
 		const std::string At = Texel.X < 0 ? std::string("border") : fmt::format("{},{}", Texel.X, Texel.Y);
 		Text +=
 			fmt::format("{}{}{}", i ? ", " : "", At, Texel.Weight == 1 ? "" : fmt::format(" x {:.4g}", Texel.Weight));
 	}
-	return Text + (Texels.size() > MaxTexels ? fmt::format(", {} more", Texels.size() - MaxTexels) : std::string());
+	return Text + (Texels.size() > MaxProbedTexels ? fmt::format(", {} more", Texels.size() - MaxProbedTexels)
+												   : std::string());
 }
 
 std::string FormatWrite(const FProbeWrite& Write)

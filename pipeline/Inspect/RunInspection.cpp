@@ -1,12 +1,11 @@
 // Hands dispatches to those who look at them, and writes what they saw.
-#include <fmt/format.h>
-
 #include "Inspect/RunInspection.h"
 
 #include "Inspect/InspectPictures.h"
 #include "Run/RunDump.h"
 #include "Text/AsideFile.h"
 #include "Text/ConfigErrors.h"
+#include "Text/Fmt.inl"
 #include "Text/TextFile.h"
 #include "Text/TextFormat.h"
 #include "Text/TextTable.h"

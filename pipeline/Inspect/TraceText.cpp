@@ -2,8 +2,7 @@
 #include "Inspect/TraceCapture.h"
 
 #include "OperationText.h"
-
-#include <fmt/format.h>
+#include "Text/Fmt.inl"
 
 namespace Drydock
 {
@@ -13,7 +12,7 @@ namespace
 
 /** Rounds of a loop that are written out; of more only the first ones and how many there were. */
 constexpr size_t MaxRounds = 4;
-constexpr size_t MaxTexels = 8;
+constexpr size_t MaxTracedTexels = 8;
 
 std::string FormatScalar(const FSpirvModule& Module, uint32_t Type, const FTraceValue& Value, size_t Word)
 {
@@ -69,9 +68,9 @@ std::string FormatTexels(const FTraceEvent& Event)
 	size_t Count = 0;
 	for (const FFootprintTexel& Texel : Event.Texels)
 	{
-		if (++Count > MaxTexels)
+		if (++Count > MaxTracedTexels)
 		{
-			return Text + fmt::format(" + {} more", Event.Texels.size() - MaxTexels);
+			return Text + fmt::format(" + {} more", Event.Texels.size() - MaxTracedTexels);
 		}
 		const std::string At = Texel.X < 0 ? "border" : fmt::format("{},{}", Texel.X, Texel.Y);
 		Text += (Text.empty() ? "" : " + ") +

@@ -3,10 +3,9 @@
 #include "Matrix/MatrixTable.h"
 #include "Matrix/MatrixVersions.h"
 #include "Text/JsonWriter.h"
+#include "Text/TextFormat.h"
 
 #include "Diagnostics.h"
-
-#include <cstdio>
 
 namespace Drydock
 {
@@ -19,9 +18,7 @@ void WriteMessage(FJsonWriter& Writer, const FMatrixMessage& Message)
 	Writer.BeginObject(true);
 	if (Message.Code > 0)
 	{
-		char Code[16];
-		std::snprintf(Code, sizeof(Code), "DD%04d", Message.Code);
-		Writer.Member("code", Code);
+		Writer.Member("code", FormatCode(Message.Code));
 	}
 	else
 	{

@@ -4,9 +4,9 @@
 #include "Diagnostics.h"
 #include "Matrix/MatrixGroups.h"
 #include "Matrix/MatrixVersions.h"
+#include "Text/TextFormat.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace Drydock
 {
@@ -21,13 +21,6 @@ const char* GetVerb(int Code)
 	constexpr int Throw = 2087;
 	constexpr int Hang = 2089;
 	return Code == Crash ? "crashes: " : Code == Throw ? "throws: " : Code == Hang ? "hangs: " : nullptr;
-}
-
-std::string FormatCode(int Code)
-{
-	char Text[16];
-	std::snprintf(Text, sizeof(Text), "DD%04d", Code);
-	return Text;
 }
 
 /** "SetupView of extension FTint" of "plugin libTint.so, SetupView of extension FTint". */

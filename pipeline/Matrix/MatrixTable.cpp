@@ -4,9 +4,8 @@
 #include "Matrix/MatrixGroups.h"
 #include "Matrix/MatrixSummary.h"
 #include "Matrix/MatrixVersions.h"
+#include "Text/TextFormat.h"
 #include "Text/TextTable.h"
-
-#include <cstdio>
 
 namespace Drydock
 {
@@ -49,9 +48,7 @@ std::string FormatRunWarnings(const FMatrixRun& Run)
 	std::string Text;
 	for (const auto& [Code, Count] : Counts)
 	{
-		char Number[16];
-		std::snprintf(Number, sizeof(Number), "DD%04d", Code);
-		Text += (Text.empty() ? "" : ", ") + std::string(Number) + (Count > 1 ? " x" + std::to_string(Count) : "");
+		Text += (Text.empty() ? "" : ", ") + FormatCode(Code) + (Count > 1 ? " x" + std::to_string(Count) : "");
 	}
 	return Text.empty() ? Nothing : Text;
 }

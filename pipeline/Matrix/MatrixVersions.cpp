@@ -20,7 +20,7 @@ std::string Trim(const std::string& Text)
 	return First == std::string::npos ? "" : Text.substr(First, Text.find_last_not_of(" \t") - First + 1);
 }
 
-[[noreturn]] void Fail(const std::string& Message)
+[[noreturn]] void FailVersions(const std::string& Message)
 {
 	throw FError({.Code = ErrorMatrixVersions, .Message = Message, .Where = "--versions"}, ExitUsage);
 }
@@ -30,7 +30,7 @@ int ParseVersion(const std::string& Text)
 	const FEngineProfile* const Known = FindEngineProfile(Text);
 	if (Known == nullptr)
 	{
-		Fail("\"" + Text + "\" is no engine version that drydock knows: these are " + ListEngineVersions(", "));
+		FailVersions("\"" + Text + "\" is no engine version that drydock knows: these are " + ListEngineVersions(", "));
 	}
 	return Known->Minor;
 }
@@ -55,7 +55,7 @@ std::vector<int> ParseMatrixVersions(const std::string& Text)
 		const int Last = Dash == std::string::npos ? First : ParseVersion(Trim(Part.substr(Dash + 1)));
 		if (First > Last)
 		{
-			Fail("\"" + Trim(Part) + "\" ends before it begins: the older version comes first");
+			FailVersions("\"" + Trim(Part) + "\" ends before it begins: the older version comes first");
 		}
 		for (int Minor = First; Minor <= Last; ++Minor)
 		{

@@ -21,16 +21,11 @@ std::string Trim(const std::string& Text)
 	return Begin == std::string::npos ? "" : Text.substr(Begin, Text.find_last_not_of(Blanks) + 1 - Begin);
 }
 
-bool IsSame(const std::string& A, const std::string& B)
-{
-	return strcasecmp(A.c_str(), B.c_str()) == 0;
-}
-
 template<typename T>
 T& FindOrAdd(std::vector<T>& Things, const std::string& Name)
 {
 	const auto Found =
-		std::find_if(Things.begin(), Things.end(), [&](const T& Each) { return IsSame(Each.Name, Name); });
+		std::find_if(Things.begin(), Things.end(), [&](const T& Each) { return IsSameName(Each.Name, Name); });
 	return Found != Things.end() ? *Found : Things.emplace_back(T{Name, {}});
 }
 
@@ -176,6 +171,11 @@ private:
 };
 
 } // namespace
+
+bool IsSameName(const std::string& A, const std::string& B)
+{
+	return strcasecmp(A.c_str(), B.c_str()) == 0;
+}
 
 std::vector<FIniSection> ReadIniText(
 	const std::string& Text, const std::string& File, std::vector<FDiagnostic>& Diagnostics)

@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <strings.h>
 
 namespace Drydock
 {
@@ -24,15 +23,10 @@ namespace
 
 namespace Files = std::filesystem;
 
-bool IsSame(const std::string& A, const std::string& B)
-{
-	return strcasecmp(A.c_str(), B.c_str()) == 0;
-}
-
 /** "MySettings" and "UMySettings" mean UMySettings. */
 bool IsNameOf(const std::string& Name, const FReflectedStruct& Class)
 {
-	return IsSame(Name, Class.Name) || IsSame(Name, Class.Name + 1);
+	return IsSameName(Name, Class.Name) || IsSameName(Name, Class.Name + 1);
 }
 
 /** The class of "/Script/Module.Class"; other names as they are. */
@@ -126,7 +120,7 @@ FPluginFolders FindPluginFolders(const std::string& Library)
 std::string FindConfigName(const FReflectedStruct& Class)
 {
 	const FReflectedStruct* Each = &Class;
-	while (Each != nullptr && (Each->Config[0] == '\0' || IsSame(Each->Config, "inherit")))
+	while (Each != nullptr && (Each->Config[0] == '\0' || IsSameName(Each->Config, "inherit")))
 	{
 		Each = Each->Super != nullptr ? FReflection::Get().FindStruct(*Each->Super) : nullptr;
 	}
@@ -152,8 +146,8 @@ public:
 
 	void Give(const FIniSection& Section, std::vector<FIniVariable>& OutVariables)
 	{
-		const bool bProject = IsSame(Section.Name, "/Script/Engine.RendererSettings");
-		if (bProject || IsSame(Section.Name, "SystemSettings") || IsSame(Section.Name, "ConsoleVariables"))
+		const bool bProject = IsSameName(Section.Name, "/Script/Engine.RendererSettings");
+		if (bProject || IsSameName(Section.Name, "SystemSettings") || IsSameName(Section.Name, "ConsoleVariables"))
 		{
 			ReadVariables(Section, bProject ? ECVF_SetByProjectSetting : ECVF_SetBySystemSettingsIni, OutVariables);
 			return;
@@ -164,8 +158,8 @@ public:
 			return; // of code that reads it by itself
 		}
 		const std::string Module = Section.Name.substr(8, Dot - 8);
-		if (std::none_of(
-				ModuleNames.begin(), ModuleNames.end(), [&](const std::string& Name) { return IsSame(Name, Module); }))
+		if (std::none_of(ModuleNames.begin(), ModuleNames.end(),
+				[&](const std::string& Name) { return IsSameName(Name, Module); }))
 		{
 			return; // of another plugin or the engine
 		}
@@ -205,7 +199,7 @@ private:
 	void ReadVariables(
 		const FIniSection& Section, EConsoleVariableFlags SetBy, std::vector<FIniVariable>& OutVariables) const
 	{
-		if (!IsSame(Category, "Engine"))
+		if (!IsSameName(Category, "Engine"))
 		{
 			return; // the engine asks its own ini alone
 		}
@@ -221,7 +215,7 @@ private:
 	void GiveClass(const FIniSection& Section, const FReflectedStruct& Class)
 	{
 		const std::string Wanted = FindConfigName(Class);
-		if (!IsSame(Wanted, Category))
+		if (!IsSameName(Wanted, Category))
 		{
 			Warn(GetLine(Section),
 				Wanted.empty()

@@ -1,7 +1,7 @@
 // Reads an OpenEXR header and refuses what the file cannot hold. Source: "OpenEXR File Layout", ASWF.
-#include <fmt/format.h>
-
 #include "Picture/ExrHeader.h"
+
+#include "Text/Fmt.inl"
 
 #include <algorithm>
 #include <array>

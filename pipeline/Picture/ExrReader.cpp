@@ -2,6 +2,7 @@
 #include "Picture/ExrReader.h"
 
 #include "Picture/ExrStreams.h"
+#include "Picture/ImagePlane.h"
 
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfChromaticitiesAttribute.h>
@@ -26,7 +27,7 @@ namespace
 constexpr double GreatestUint = std::numeric_limits<uint32_t>::max();
 
 /** Far enough that nothing is there, and near enough to be counted on with. */
-int GetDistance(int From, int To)
+int GetClampedDistance(int From, int To)
 {
 	constexpr int64_t Farthest = int64_t(1) << 30;
 	return static_cast<int>(std::clamp(int64_t(To) - From, -Farthest, Farthest));
@@ -60,8 +61,8 @@ FImagePart MakePart(const Imf::Header& Header)
 	Part.Name = Header.hasName() ? Header.name() : "";
 	Part.Width = Data.max.x - Data.min.x + 1;
 	Part.Height = Data.max.y - Data.min.y + 1;
-	Part.Window = {GetDistance(Display.min.x, Data.min.x), GetDistance(Display.min.y, Data.min.y),
-		GetDistance(Display.min.x, Display.max.x) + 1, GetDistance(Display.min.y, Display.max.y) + 1};
+	Part.Window = {GetClampedDistance(Display.min.x, Data.min.x), GetClampedDistance(Display.min.y, Data.min.y),
+		GetClampedDistance(Display.min.x, Display.max.x) + 1, GetClampedDistance(Display.min.y, Display.max.y) + 1};
 	for (auto Channel = Header.channels().begin(); Channel != Header.channels().end(); ++Channel)
 	{
 		Part.Channels.push_back(Channel.name());

@@ -1,14 +1,14 @@
 // Converts rows to the types of their channels, and hands OpenEXR a band at a time.
-#include <fmt/format.h>
-
 #include "Picture/ExrWriter.h"
 
 #include "DiagnosticList.h"
 #include "Picture/ExrStreams.h"
 #include "Picture/ImageErrors.h"
+#include "Text/Fmt.inl"
 #include "Text/TextFile.h"
 #include "TileExecutor.h"
 
+#include <Imath/half.h>
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>

@@ -1,9 +1,8 @@
 // Reads a stream and keeps count, so that nothing depends on its state after a failure.
-#include <fmt/format.h>
-
 #include "Picture/HeaderBytes.h"
 
 #include "Diagnostics.h"
+#include "Text/Fmt.inl"
 
 #include <algorithm>
 

@@ -1,7 +1,5 @@
 // Chooses the reader of an image file and looks at its header first; writes pictures row by row. Source of the sRGB
 // curve: IEC 61966-2-1.
-#include <fmt/format.h>
-
 #include "Picture/ImageFile.h"
 
 #include "DiagnosticList.h"
@@ -11,10 +9,12 @@
 #include "Picture/ImageBytes.h"
 #include "Picture/ImageErrors.h"
 #include "Picture/ImageFormat.h"
+#include "Picture/ImagePlane.h"
 #include "Picture/OpenImageIOReader.h"
 #include "Picture/PngReader.h"
 #include "Picture/PngWriter.h"
 #include "RegularFile.h"
+#include "Text/Fmt.inl"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,7 @@ namespace Drydock
 namespace
 {
 
-float DecodeSrgb(float Encoded)
+float DecodeSrgbFloat(float Encoded)
 {
 	return Encoded <= 0.04045f ? Encoded / 12.92f : static_cast<float>(std::pow((Encoded + 0.055) / 1.055, 2.4));
 }
@@ -73,7 +73,7 @@ std::unique_ptr<IImageReader> OpenImage(const std::string& Path)
 }
 
 /** What is behind a part's header is as large as it says. */
-void CheckPart(const std::string& Path, const FImagePart& Part)
+void CheckImagePart(const std::string& Path, const FImagePart& Part)
 {
 	if (Part.Width < 1 || Part.Height < 1 || Part.Channels.empty())
 	{
@@ -95,7 +95,7 @@ FImageFile::FImageFile(const std::string& InPath)
 {
 	for (const FImagePart& Part : GetParts())
 	{
-		CheckPart(Path, Part);
+		CheckImagePart(Path, Part);
 	}
 }
 
@@ -168,7 +168,7 @@ std::vector<FImagePlane> FImageFile::ReadPlanes(const std::vector<int>& ChannelI
 		{
 			FImagePlane& Plane = Planes[Index];
 			Plane.MakeFloats();
-			std::transform(Plane.Floats.begin(), Plane.Floats.end(), Plane.Floats.begin(), DecodeSrgb);
+			std::transform(Plane.Floats.begin(), Plane.Floats.end(), Plane.Floats.begin(), DecodeSrgbFloat);
 		}
 	}
 	return Planes;

@@ -1,13 +1,12 @@
 // Reads from each format's header how many pixels it claims. Sources: the PNG specification (W3C), ITU T.81 (JPEG),
 // "Truevision TGA File Format Specification 2.0", Greg Ward's "Real Pixels" (Radiance), Microsoft's BITMAPINFOHEADER.
-#include <fmt/format.h>
-
 #include "Picture/ImageFormat.h"
 
 #include "Picture/ExrHeader.h"
+#include "Text/Fmt.inl"
+#include "Text/TextFormat.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
@@ -216,20 +215,7 @@ const std::vector<FImageFormat>& GetFormats()
 
 std::string GetExtension(const std::string& Path)
 {
-	std::string Extension = std::filesystem::path(Path).extension().string();
-	std::transform(Extension.begin(), Extension.end(), Extension.begin(),
-		[](unsigned char Character) { return static_cast<char>(std::tolower(Character)); });
-	return Extension;
-}
-
-std::string ListExtensions()
-{
-	std::string List;
-	for (const std::string& Extension : GetImageExtensions())
-	{
-		List += (List.empty() ? "" : ", ") + Extension;
-	}
-	return List;
+	return ToSmallLetters(std::filesystem::path(Path).extension().string());
 }
 
 void CheckClaim(const FImageClaim& Claim, const FHeaderBytes& Bytes)
@@ -275,7 +261,7 @@ std::string CheckImageHeader(const std::string& Path, FHeaderBytes& Bytes)
 		{ return std::find(Known.Extensions.begin(), Known.Extensions.end(), Extension) != Known.Extensions.end(); });
 	if (Format == Formats.end())
 	{
-		Bytes.Fail("is of a format that is not read: the end of its name is none of " + ListExtensions());
+		Bytes.Fail("is of a format that is not read: the end of its name is none of " + JoinText(GetImageExtensions()));
 	}
 	if (!Format->Begins(First))
 	{

@@ -2,9 +2,6 @@
 // are stored. One reader to a library: OpenEXR's, libpng's, and OpenImageIO's for all other formats.
 #pragma once
 
-#include <Imath/half.h>
-
-#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -13,6 +10,8 @@
 
 namespace Drydock
 {
+
+struct FImagePlane;
 
 /** Where an image lies in a larger one, of which only this part is in the file: an EXR's data window in its display
  * window. Pixels. */
@@ -38,26 +37,6 @@ struct FImagePart
 	std::map<std::string, std::string> Attributes; // of text
 	std::vector<float> Chromaticities;             // x, y of red, green, blue and white; empty: it does not say
 	bool bEncoded = false;                         // colour is sRGB-encoded
-};
-
-/** One channel of a picture, row-major, in the width that it is stored in. */
-struct FImagePlane
-{
-	std::vector<uint16_t> Halves; // where the file has half floats
-	std::vector<float> Floats;    // otherwise; whole numbers as parts of the greatest
-
-	float Get(size_t Pixel) const { return Halves.empty() ? Floats[Pixel] : imath_half_to_float(Halves[Pixel]); }
-
-	/** From now on as floats. */
-	void MakeFloats()
-	{
-		if (!Halves.empty())
-		{
-			Floats.resize(Halves.size());
-			std::transform(Halves.begin(), Halves.end(), Floats.begin(), imath_half_to_float);
-			Halves = {};
-		}
-	}
 };
 
 /** A file whose header has been read. Errors of its functions are std::exception with the library's own words. */

@@ -1,4 +1,5 @@
 // The module that reads images by OpenImageIO: a library of its own, which libdrydock_pipeline loads when it has to.
+#include "Picture/ImagePlane.h"
 #include "Picture/OpenImageIOReader.h"
 
 #include <OpenImageIO/filesystem.h>

@@ -1,6 +1,8 @@
 // Lets libpng expand what a file holds, and takes it apart into planes. Source: the PNG specification (W3C).
 #include "Picture/PngReader.h"
 
+#include "Picture/ImagePlane.h"
+
 #include <png.h>
 
 #include <cmath>

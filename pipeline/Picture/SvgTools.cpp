@@ -1,9 +1,8 @@
 // Writes SVG elements and the texts in them.
-#include <fmt/format.h>
-
 #include "Picture/SvgTools.h"
 
 #include "Math/ToInteger.h"
+#include "Text/Fmt.inl"
 
 #include <algorithm>
 #include <charconv>

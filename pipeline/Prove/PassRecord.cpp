@@ -95,11 +95,6 @@ FCounted CountDifferences(const FPicture& Base, const FPicture& Other, const FCo
 	return Counted;
 }
 
-std::string FormatSize(const FPicture& Picture)
-{
-	return std::to_string(Picture.Width) + " x " + std::to_string(Picture.Height);
-}
-
 /** What was drawn of the mip, as it is now. */
 FPicture CopyWindow(const FWrittenMip& Mip)
 {
@@ -110,6 +105,11 @@ FPicture CopyWindow(const FWrittenMip& Mip)
 }
 
 } // namespace
+
+std::string FormatSize(const FPicture& Picture)
+{
+	return std::to_string(Picture.Width) + " x " + std::to_string(Picture.Height);
+}
 
 std::optional<FPixelDifference> ComparePixels(const FPicture& Base, const FPicture& Other, EAlike Alike)
 {

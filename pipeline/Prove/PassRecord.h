@@ -24,6 +24,9 @@ struct FPixelDifference
 	uint64_t NumPixels = 0; // that differ, in all
 };
 
+/** "32 x 8". */
+std::string FormatSize(const FPicture& Picture);
+
 /** None: the pictures are alike. Both of one size and number of channels (checked). */
 DRYDOCK_API std::optional<FPixelDifference> ComparePixels(const FPicture& Base, const FPicture& Other, EAlike Alike);
 

@@ -1,6 +1,7 @@
 // Runs pairs of frames and looks for the first pass that tells them apart.
 #include "Prove/Prove.h"
 
+#include "Prove/PassRecord.h"
 #include "Run/Run.h"
 #include "Text/ConfigErrors.h"
 #include "Text/GlobPattern.h"
@@ -28,11 +29,6 @@ std::string JoinMessages(const FError& Error)
 		Text += Diagnostic.Severity == ESeverity::Error ? (Text.empty() ? "" : "; ") + Diagnostic.ToString() : "";
 	}
 	return Text;
-}
-
-std::string FormatSize(const FPicture& Picture)
-{
-	return std::to_string(Picture.Width) + " x " + std::to_string(Picture.Height);
 }
 
 uint64_t CountRounded(const FPicture& Base, const FPicture& Other)

@@ -1,7 +1,6 @@
 // Writes what `drydock prove` found, for a person and for programs.
-#include <fmt/format.h>
-
 #include "Prove/Prove.h"
+#include "Text/Fmt.inl"
 #include "Text/JsonWriter.h"
 #include "Text/TextFormat.h"
 #include "Text/TextTable.h"

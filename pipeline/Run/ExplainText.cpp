@@ -1,9 +1,9 @@
 // What `drydock explain` prints.
-#include <fmt/format.h>
-
 #include "Run/Explain.h"
 #include "Text/ConfigErrors.h"
+#include "Text/Fmt.inl"
 #include "Text/JsonWriter.h"
+#include "Text/TextFormat.h"
 #include "Text/TextTable.h"
 
 #include <algorithm>
@@ -102,11 +102,7 @@ std::string FormatSaved(const FExplainReport& Report)
 
 std::string List(const std::vector<std::string>& Names, const char* Otherwise)
 {
-	std::string Text;
-	for (const std::string& Name : Names)
-	{
-		Text += (Text.empty() ? "" : ", ") + Name;
-	}
+	const std::string Text = JoinText(Names);
 	return Text.empty() ? Otherwise : Text;
 }
 
@@ -130,7 +126,7 @@ std::vector<std::string> MakePassRow(const FExplainedPass& Pass)
 /** By its whole name, its index, or the name without what follows it ("BloomSetup" for "BloomSetup 480x270 (PS)"). */
 bool IsCalled(const FExplainedPass& Pass, const std::string& Name)
 {
-	const bool bBegins = Pass.Name.rfind(Name, 0) == 0 && Pass.Name.size() > Name.size() &&
+	const bool bBegins = Pass.Name.starts_with(Name) && Pass.Name.size() > Name.size() &&
 						 (Pass.Name[Name.size()] == ' ' || Pass.Name[Name.size()] == '(');
 	return Pass.Name == Name || std::to_string(Pass.Index) == Name || bBegins;
 }

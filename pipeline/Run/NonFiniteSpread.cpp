@@ -1,12 +1,11 @@
 // Counts what passes write that is not finite, and says it in a sentence.
-#include <fmt/format.h>
-
 #include "Run/NonFiniteSpread.h"
 
 #include "RenderGraphPass.h"
 #include "RenderGraphResources.h"
 #include "Run/VariableTaps.h"
 #include "Text/ConfigErrors.h"
+#include "Text/Fmt.inl"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "Budget/RunOptions.h"
-#include "Budget/RunOptions.h"
 #include "Run/RunResult.h"
 
 #include <memory>

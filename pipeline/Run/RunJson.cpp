@@ -5,6 +5,7 @@
 #include "PostProcessSettingsReflection.h"
 #include "Run/RunDump.h"
 #include "Text/JsonWriter.h"
+#include "Text/TextFormat.h"
 #include "Text/Version.h"
 
 #include <algorithm>
@@ -269,19 +270,12 @@ std::string GetCpuName()
 	for (std::string Line; std::getline(Info, Line);)
 	{
 		const size_t Colon = Line.find(": ");
-		if (Line.rfind("model name", 0) == 0 && Colon != std::string::npos)
+		if (Line.starts_with("model name") && Colon != std::string::npos)
 		{
 			return Line.substr(Colon + 2);
 		}
 	}
 	return "";
-}
-
-std::string FormatCode(int Code)
-{
-	char Text[16];
-	std::snprintf(Text, sizeof(Text), "DD%04d", Code);
-	return Text;
 }
 
 std::string MakeRunJson(const FRunResult& Result)

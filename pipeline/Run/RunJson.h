@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Run/RunResult.h"
+#include "Text/TextFormat.h"
 
 namespace Drydock
 {
@@ -15,9 +16,6 @@ DRYDOCK_API std::string MakeTimingJson(const FRunResult& Result, double SaveMs);
 
 /** Opens in chrome://tracing and ui.perfetto.dev. */
 std::string MakeTraceJson(const FRunResult& Result);
-
-/** "DD1015". */
-std::string FormatCode(int Code);
 
 /** As the system calls it, or empty. */
 std::string GetCpuName();

@@ -10,7 +10,7 @@
 #include "RenderGraphCompiled.h"
 #include "Run/NonFiniteSpread.h"
 #include "Run/PassValues.h"
-#include "SceneFile/SceneFile.h"
+#include "SceneFile/SceneChannel.h"
 #include "SceneViewState.h"
 #include "Tonemap/TonemapOutputDevice.h"
 

@@ -4,12 +4,12 @@
 #include "PixelFormatConversion.h"
 #include "RenderGraphPass.h"
 #include "RenderGraphResources.h"
+#include "Run/PassMember.h"
 #include "Run/RunDump.h"
 #include "ShaderParameterMetadata.h"
+#include "Text/TextFormat.h"
 
 #include <algorithm>
-#include <cctype>
-#include <cstring>
 
 namespace Drydock
 {
@@ -31,14 +31,6 @@ struct FInput
 	std::string Name; // of the parameter
 	FRDGTexture* Texture = nullptr;
 };
-
-template<typename T>
-T ReadMember(const FRDGPass& Pass, const FHlslMember& Member, size_t Index = 0)
-{
-	T Value;
-	std::memcpy(&Value, static_cast<const char*>(Pass.GetParameters()) + Member.Offset + Index * sizeof(T), sizeof(T));
-	return Value;
-}
 
 const std::vector<FHlslMember>& GetMembers(const FRDGPass& Pass)
 {
@@ -141,8 +133,7 @@ bool IsStrength(std::string Name)
 	{
 		return false;
 	}
-	std::transform(
-		Name.begin(), Name.end(), Name.begin(), [](unsigned char Letter) { return char(std::tolower(Letter)); });
+	Name = ToSmallLetters(Name);
 	return std::any_of(std::begin(Strengths), std::end(Strengths),
 		[&Name](const char* Word) { return Name.find(Word) != std::string::npos; });
 }

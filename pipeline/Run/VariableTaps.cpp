@@ -2,26 +2,13 @@
 #include "Run/VariableTaps.h"
 
 #include "RenderGraphPass.h"
+#include "Run/PassMember.h"
 #include "ShaderParameterMetadata.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace Drydock
 {
-
-namespace
-{
-
-template<typename T>
-T ReadMember(const void* Parameters, const FHlslMember& Member, size_t Index = 0)
-{
-	T Value;
-	std::memcpy(&Value, static_cast<const char*>(Parameters) + Member.Offset + Index * sizeof(T), sizeof(T));
-	return Value;
-}
-
-} // namespace
 
 std::optional<uint64_t> CountTaps(const FRDGPass& Pass, const FPassCounters& Counters)
 {
@@ -38,16 +25,16 @@ std::optional<uint64_t> CountTaps(const FRDGPass& Pass, const FPassCounters& Cou
 	{
 		if (Member.Name == "SampleCount" && Member.BaseType == UBMT_INT32)
 		{
-			PerPixel += ReadMember<int32>(Pass.GetParameters(), Member);
+			PerPixel += ReadMember<int32>(Pass, Member);
 		}
 		else if (Member.Name == "Additive_Texture")
 		{
-			PerPixel += ReadMember<const void*>(Pass.GetParameters(), Member) != nullptr ? 1 : 0;
+			PerPixel += ReadMember<const void*>(Pass, Member) != nullptr ? 1 : 0;
 		}
 		else if (Member.Name == "Reach" && Member.BaseType == UBMT_INT32 && Member.NumColumns == 2)
 		{
-			const int64_t X = ReadMember<int32>(Pass.GetParameters(), Member, 0);
-			const int64_t Y = ReadMember<int32>(Pass.GetParameters(), Member, 1);
+			const int64_t X = ReadMember<int32>(Pass, Member, 0);
+			const int64_t Y = ReadMember<int32>(Pass, Member, 1);
 			PerPixel += (2 * X + 1) * (2 * Y + 1);
 		}
 	}
@@ -67,8 +54,8 @@ std::optional<FIntRect> FindOutputRect(const FRDGPass& Pass)
 		const bool bMin = Member.Name == "Output_ViewportMin";
 		if ((bMin || Member.Name == "Output_ViewportMax") && Member.BaseType == UBMT_INT32 && Member.NumColumns == 2)
 		{
-			(bMin ? Rect.Min : Rect.Max) = FIntPoint(
-				ReadMember<int32>(Pass.GetParameters(), Member, 0), ReadMember<int32>(Pass.GetParameters(), Member, 1));
+			(bMin ? Rect.Min : Rect.Max) =
+				FIntPoint(ReadMember<int32>(Pass, Member, 0), ReadMember<int32>(Pass, Member, 1));
 		}
 	}
 	return Rect.Width() > 0 && Rect.Height() > 0 ? std::optional(Rect) : std::nullopt;

@@ -1,7 +1,7 @@
 // The values of one channel of a scene, as measurements read them.
 #pragma once
 
-#include "Picture/ImageReader.h"
+#include "Picture/ImagePlane.h"
 
 #include <cmath>
 #include <cstddef>

@@ -2,6 +2,7 @@
 #include "SceneFile/SceneContent.h"
 
 #include "Math/ToInteger.h"
+#include "SceneFile/ChannelValues.h"
 #include "SceneFile/SceneFile.h"
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 #include "Config/ConfigReader.h"
 #include "RenderGraphBuilder.h"
 #include "RenderTargetPool.h"
+#include "SceneFile/ChannelValues.h"
 #include "SceneFile/NonFinite.h"
 #include "SceneFile/SceneCheck.h"
 #include "SceneFile/SceneFill.h"

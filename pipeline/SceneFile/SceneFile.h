@@ -6,10 +6,10 @@
 #include "Picture/ImageFile.h"
 #include "RHIResources.h"
 #include "RenderGraphFwd.h"
-#include "SceneFile/ChannelValues.h"
 #include "SceneFile/NonFinite.h"
 #include "SceneFile/SceneCache.h"
 #include "SceneFile/SceneCamera.h"
+#include "SceneFile/SceneChannel.h"
 #include "SceneFile/SceneResolution.h"
 #include "SceneFile/SceneTexturePacking.h"
 
@@ -22,11 +22,7 @@
 namespace Drydock
 {
 
-struct FSceneChannel
-{
-	std::string Name; // in the file
-	bool bDecoded = false;
-};
+struct FChannelValues;
 
 /** A scene texture that the compiled graph uses, and the first surviving pass that does. */
 struct FNeededSceneTexture

@@ -1,6 +1,7 @@
 // Takes values from planes, mends what policies ask for, and packs them into texels.
 #include "SceneFile/SceneFill.h"
 
+#include "Picture/ImagePlane.h"
 #include "TileExecutor.h"
 
 #include <algorithm>

@@ -11,6 +11,7 @@
 #include "Sequence/SequenceJson.h"
 #include "Sequence/ViewStateFile.h"
 #include "Text/Fingerprint.h"
+#include "Text/TextFormat.h"
 
 #include <algorithm>
 #include <chrono>
@@ -27,16 +28,6 @@ using FClock = std::chrono::steady_clock;
 [[noreturn]] void Throw(int Code, const std::string& Folder, const std::string& Message)
 {
 	throw FError({.Code = Code, .Message = Message, .File = Folder}, ExitUsage);
-}
-
-std::string Join(const std::vector<std::string>& Parts)
-{
-	std::string Text;
-	for (const std::string& Part : Parts)
-	{
-		Text += (Text.empty() ? "" : "; ") + Part;
-	}
-	return Text;
 }
 
 /** As many digits as the pattern has marks. */
@@ -171,7 +162,7 @@ private:
 		if (!Changes.empty())
 		{
 			Throw(ErrorSequenceChanged, Folder.GetPath(),
-				"the folder holds frames of another sequence: " + Join(Changes) +
+				"the folder holds frames of another sequence: " + JoinText(Changes, "; ") +
 					"; --restart renders all frames again, --out writes to another folder");
 		}
 		for (size_t Index = 0; Index < Frames.size() && Frames[Index].Number < There.back(); ++Index)

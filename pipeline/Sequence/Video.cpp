@@ -1,9 +1,8 @@
 // Pipes pictures to ffmpeg, which makes a video of them.
-#include <fmt/format.h>
-
 #include "Sequence/Video.h"
 
 #include "Text/AsideFile.h"
+#include "Text/Fmt.inl"
 #include "Text/TextFile.h"
 
 #include <csignal>

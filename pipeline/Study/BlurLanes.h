@@ -54,8 +54,8 @@ struct TBlurLanes
 	static constexpr int32_t NumLines = N;
 
 	/** At most NumLines lines. Scratch: GetBlurScratchFloats(Lines.Length) floats, aligned to 64 bytes. */
-	static void AverageThrice(const FBlurLines& Lines, const FBlurBox& Box, float* Scratch);
-	static void Recurse(const FBlurLines& Lines, const FBlurRecursion& Recursion, float* Scratch);
+	[[gnu::weak]] static void AverageThrice(const FBlurLines& Lines, const FBlurBox& Box, float* Scratch);
+	[[gnu::weak]] static void Recurse(const FBlurLines& Lines, const FBlurRecursion& Recursion, float* Scratch);
 };
 
 /** Of the widest lanes: two copies of the lines, and the sums of a window's texels. */

@@ -1,9 +1,8 @@
 // Computes blurs line by line: the exact one in double, the others in float lanes. The header names their papers.
 #include "Study/BlurNative.h"
 
-#include "LanesDispatch.h"
 #include "Math/ToInteger.h"
-#include "ShaderCompilation.h"
+#include "Native/NativeLanes.h"
 #include "Study/BlurLanes.h"
 #include "TileExecutor.h"
 
@@ -187,23 +186,6 @@ void BlurAxes(FFloatImage& Image, int32 LinesAtOnce, FBlurOfLines Blur)
 	}
 }
 
-/** Calls Blur with the lanes of the run: TBlurLanes of 4, 8 or 16. */
-template<typename F>
-void WithLanes(F Blur)
-{
-	const int32 Wanted = GetShaderLaneConfig().Lanes;
-	const int32 Widest = GetWidestLanes(false);
-	switch (Wanted > 0 ? std::min(Wanted, Widest) : Widest)
-	{
-	case 16:
-		return Blur(TBlurLanes<16>());
-	case 8:
-		return Blur(TBlurLanes<8>());
-	default:
-		return Blur(TBlurLanes<4>());
-	}
-}
-
 /** r whole texels to each side and the next ones by a fraction a have the variance
  * (r (r + 1) (2 r + 1) / 3 + 2 a (r + 1)^2) / (2 r + 1 + 2 a). */
 FBlurBox MakeBox(double Variance)
@@ -266,7 +248,6 @@ FBlurRecursion MakeRecursion(double Sigma)
 	const double A = 1.0 / (Real * Real) + 2.0 * (1.0 / (Pair * Pair)).real();
 	const double Half = (1.0 / Real + 2.0 * (1.0 / Pair).real()) / 2.0;
 	const double Q = (std::sqrt(Half * Half + A * Sigma * Sigma / 2.0) - Half) / A;
-	const std::complex<double> P = Q / (Pair + Q);
 	FBlurRecursion Recursion;
 	Recursion.First = static_cast<float>(Real / (Real + Q));
 	Recursion.Second = static_cast<float>(std::norm(Pair / (Pair + Q)));
@@ -319,7 +300,7 @@ void BlurBoxes(FFloatImage& Image, double StandardDeviation)
 		return;
 	}
 	const FBlurBox Box = MakeBox(StandardDeviation * StandardDeviation / 3.0);
-	WithLanes(
+	WithNativeLanes<TBlurLanes>(
 		[&](auto Lanes)
 		{
 			BlurAxes(Image, Lanes.NumLines,
@@ -334,7 +315,7 @@ void BlurRecursive(FFloatImage& Image, double StandardDeviation)
 		return;
 	}
 	const FBlurRecursion Recursion = MakeRecursion(std::max(StandardDeviation, 0.5));
-	WithLanes(
+	WithNativeLanes<TBlurLanes>(
 		[&](auto Lanes)
 		{
 			BlurAxes(Image, Lanes.NumLines,

@@ -1,6 +1,4 @@
 // Draws the panels of a study's chart, with legend and labels.
-#include <fmt/format.h>
-
 #include "Study/StudyChart.h"
 
 #include "Study/StudyPanel.h"
@@ -8,6 +6,7 @@
 #include "Study/StudyStyle.h"
 #include "Study/StudySweep.h"
 #include "Study/StudyView.h"
+#include "Text/Fmt.inl"
 
 #include <algorithm>
 #include <functional>

@@ -1,12 +1,11 @@
 // Draws the pictures of a study and the maps of their errors into one SVG.
-#include <fmt/format.h>
-
 #include "Study/StudyInsetSheet.h"
 
 #include "Math/ToInteger.h"
 #include "Picture/ImageMetrics.h"
 #include "Study/StudyPanel.h"
 #include "Study/StudyStyle.h"
+#include "Text/Fmt.inl"
 
 #include <algorithm>
 #include <cstdio>

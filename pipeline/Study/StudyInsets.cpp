@@ -1,10 +1,9 @@
 // Chooses the pictures that show what errors look like, and writes them to files.
-#include <fmt/format.h>
-
 #include "Study/StudyInsets.h"
 
 #include "Study/StudyRun.h"
 #include "Text/AsideFile.h"
+#include "Text/Fmt.inl"
 #include "Text/TextFile.h"
 
 #include <algorithm>
@@ -56,7 +55,7 @@ std::vector<size_t> ChooseVariants(const FStudyResult& Result, const FStudyJob& 
 }
 
 /** The part around a place, no larger than the image; RGB. */
-FImage CutOut(const FImage& Image, int CentreX, int CentreY)
+FImage CutOutAround(const FImage& Image, int CentreX, int CentreY)
 {
 	const int Width = std::min(InsetWidth, Image.Width);
 	const int Height = std::min(InsetHeight, Image.Height);
@@ -119,7 +118,7 @@ std::string DescribeError(const FStudyResult& Result, const FStudyVariant& Varia
 		"{} {:.3g}, SSIM {:.4f}", Result.GetMetric(), GetMetric(Variant.Error, Result.GetMetric()), Variant.Error.Ssim);
 }
 
-FStudyInsetRow MakeRow(FStudyRun& Run, const FStudyResult& Result, const FStudyJob& Job, const Files::path& Folder)
+FStudyInsetRow MakeInsetRow(FStudyRun& Run, const FStudyResult& Result, const FStudyJob& Job, const Files::path& Folder)
 {
 	const std::vector<size_t> Chosen = ChooseVariants(Result, Job);
 	const FStudyPicture Reference = Run.RunReference(Job);
@@ -139,10 +138,11 @@ FStudyInsetRow MakeRow(FStudyRun& Run, const FStudyResult& Result, const FStudyJ
 	const int Y = Worst != nullptr ? Worst->Error.MaxY : Exact.Height / 2;
 	FStudyInsetRow Row;
 	Row.Title = Job.Case.Label.empty() ? Result.Name : Job.Case.Label;
-	const double Exposure = Reference.Encoding == EImageEncoding::Linear ? ChooseExposure(CutOut(Exact, X, Y)) : 1.0;
+	const double Exposure =
+		Reference.Encoding == EImageEncoding::Linear ? ChooseExposure(CutOutAround(Exact, X, Y)) : 1.0;
 	const auto Write = [&](const std::string& Name, const FImage& Image, EImageEncoding Encoding, FStudyInset& Inset)
 	{
-		const FImage Part = Develop(CutOut(Image, X, Y), Encoding, Exposure);
+		const FImage Part = Develop(CutOutAround(Image, X, Y), Encoding, Exposure);
 		Inset.Width = Part.Width;
 		Inset.Height = Part.Height;
 		return WriteInset(Folder / (MakeFileName(Row.Title) + "." + Name + ".png"), Part);
@@ -183,7 +183,7 @@ std::vector<FStudyInsetRow> WriteStudyInsets(FStudyRun& Run, const FStudyResult&
 	std::vector<FStudyInsetRow> Rows;
 	for (const size_t Job : ChooseJobs(Result.Jobs.size()))
 	{
-		Rows.push_back(MakeRow(Run, Result, Result.Jobs[Job], Insets));
+		Rows.push_back(MakeInsetRow(Run, Result, Result.Jobs[Job], Insets));
 	}
 	return Rows;
 }

@@ -1,9 +1,8 @@
 // Maps numbers to logarithmic axes, draws these, and places labels where nothing is yet.
-#include <fmt/format.h>
-
 #include "Study/StudyPanel.h"
 
 #include "Math/ToInteger.h"
+#include "Text/Fmt.inl"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,8 @@
 // Ranks the variants of each job, and recommends one within the budget.
-#include <fmt/format.h>
-
 #include "Study/StudyRank.h"
 
 #include "Budget/StudyBudget.h"
+#include "Text/Fmt.inl"
 
 #include <algorithm>
 #include <cmath>

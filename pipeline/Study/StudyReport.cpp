@@ -1,9 +1,8 @@
 // Writes the results of a study as a table, JSON and CSV.
-#include <fmt/format.h>
-
 #include "Study/StudyReport.h"
 
 #include "Run/RunJson.h"
+#include "Text/Fmt.inl"
 #include "Text/JsonWriter.h"
 #include "Text/TextTable.h"
 #include "Text/Version.h"

@@ -1,6 +1,4 @@
 // Runs all variants of a study in turn, measures their errors and times, and ranks them.
-#include <fmt/format.h>
-
 #include "Study/StudyRun.h"
 
 #include "Budget/StudyRequest.h"
@@ -12,6 +10,7 @@
 #include "Study/StudyRank.h"
 #include "Study/StudySubject.h"
 #include "Text/ConfigErrors.h"
+#include "Text/Fmt.inl"
 #include "TileExecutor.h"
 
 #include <algorithm>
@@ -64,7 +63,7 @@ FImage Stretch(const FImage& Image, int Width, int Height)
 }
 
 /** The part that counts. */
-FImage CutOut(const FImage& Image, const std::optional<std::array<int, 4>>& Region)
+FImage CutOutRegion(const FImage& Image, const std::optional<std::array<int, 4>>& Region)
 {
 	if (!Region)
 	{
@@ -243,7 +242,7 @@ private:
 			Result.Width = Reference.Image.Width;
 			Result.Height = Reference.Image.Height;
 			CheckRegion();
-			const FImage ReferencePart = CutOut(Reference.Image, Study.Region);
+			const FImage ReferencePart = CutOutRegion(Reference.Image, Study.Region);
 			for (const size_t Index : Job.Variants)
 			{
 				FStudyVariant& Variant = Result.Variants[Index];
@@ -257,7 +256,7 @@ private:
 				const FMeasured Measured = Subject.Run(GetSet(Variant));
 				const FImage Image = Stretch(Measured.Image, Result.Width, Result.Height);
 				FImageErrorOptions ErrorOptions{Measured.Encoding, std::min(3, Image.NumChannels)};
-				Variant.Error = CompareImages(CutOut(Image, Study.Region), ReferencePart, ErrorOptions);
+				Variant.Error = CompareImages(CutOutRegion(Image, Study.Region), ReferencePart, ErrorOptions);
 				ErrorOptions.bSsim = false;
 				Variant.RelativeWithBorder = Study.Region ? CompareImages(Image, Reference.Image, ErrorOptions).Relative
 														  : Variant.Error.Relative;
@@ -376,14 +375,14 @@ FStudyResult FStudyRun::Measure()
 FStudyPicture FStudyRun::RunReference(const FStudyJob& Job)
 {
 	const FMeasured Measured = State->Subject->RunReference(Job.Case.Set);
-	return {CutOut(Measured.Image, State->Study.Region), Measured.Encoding};
+	return {CutOutRegion(Measured.Image, State->Study.Region), Measured.Encoding};
 }
 
 FStudyPicture FStudyRun::RunVariant(const FStudyResult& Result, const FStudyVariant& Variant)
 {
 	const FSet& Case = Result.Jobs[Variant.Case].Case.Set;
 	const FMeasured Measured = State->Subject->Run(Join(Case, State->Study.GetChoices()[Variant.Choice].Set));
-	return {CutOut(Stretch(Measured.Image, Result.Width, Result.Height), State->Study.Region), Measured.Encoding};
+	return {CutOutRegion(Stretch(Measured.Image, Result.Width, Result.Height), State->Study.Region), Measured.Encoding};
 }
 
 FStudyResult RunStudy(const FRunOptions& Options)

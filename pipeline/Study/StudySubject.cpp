@@ -1,6 +1,4 @@
 // Runs a blur of an image, or a frame of a config, with what a study sets.
-#include <fmt/format.h>
-
 #include "Study/StudySubject.h"
 
 #include "Budget/StudyRequest.h"
@@ -10,6 +8,7 @@
 #include "Run/RunDump.h"
 #include "Study/BlurAlgorithms.h"
 #include "Study/BlurNative.h"
+#include "Text/Fmt.inl"
 #include "Toon/ToonShadowBlur.h"
 
 #include <chrono>

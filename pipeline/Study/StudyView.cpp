@@ -1,10 +1,9 @@
 // Picks the cost and the error that a chart shows, and maps errors to its axis.
-#include <fmt/format.h>
-
 #include "Study/StudyView.h"
 
 #include "Budget/StudyBudget.h"
 #include "Study/StudyRank.h"
+#include "Text/Fmt.inl"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,10 @@
 // Mixes bytes into a fingerprint in four lanes at once.
-#include <fmt/format.h>
-
 #include "Text/Fingerprint.h"
 
 #include "Diagnostics.h"
 #include "RegularFile.h"
 #include "Text/ConfigErrors.h"
+#include "Text/Fmt.inl"
 
 #include <algorithm>
 #include <bit>

@@ -1,8 +1,7 @@
 // Writes JUnit XML.
-#include <fmt/format.h>
-
 #include "Text/JUnit.h"
 
+#include "Text/Fmt.inl"
 #include "Text/TextFile.h"
 
 #include <algorithm>

@@ -1,8 +1,7 @@
 // Writes JSON text with indents, the shortest numbers that read back, and the string escapes of RFC 8259.
-#include <fmt/format.h>
-
 #include "Text/JsonWriter.h"
 
+#include "Text/Fmt.inl"
 #include "Text/TextFormat.h"
 
 #include <cmath>

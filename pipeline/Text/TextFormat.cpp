@@ -1,9 +1,10 @@
-// Writes numbers as text, and text as parts of file names.
+// Writes numbers and lists as text, and text as parts of file names.
 #include "Text/TextFormat.h"
 
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cstdio>
 
 namespace Drydock
 {
@@ -39,6 +40,30 @@ std::string MakeFileNamePart(const std::string& Text)
 		{ return !std::isalnum(static_cast<unsigned char>(Character)) && Character != '_' && Character != '-'; },
 		'_');
 	return Part;
+}
+
+std::string ToSmallLetters(std::string Text)
+{
+	std::transform(Text.begin(), Text.end(), Text.begin(),
+		[](unsigned char Character) { return static_cast<char>(std::tolower(Character)); });
+	return Text;
+}
+
+std::string JoinText(const std::vector<std::string>& Parts, std::string_view Separator)
+{
+	std::string Text;
+	for (const std::string& Part : Parts)
+	{
+		Text += (Text.empty() ? "" : std::string(Separator)) + Part;
+	}
+	return Text;
+}
+
+std::string FormatCode(int Code)
+{
+	char Text[16];
+	std::snprintf(Text, sizeof(Text), "DD%04d", Code);
+	return Text;
 }
 
 } // namespace Drydock

@@ -1,9 +1,11 @@
-// Small pieces of the texts that verbs print: numbers, and parts of file names.
+// Small pieces of the texts that verbs print: numbers, lists, and parts of file names.
 #pragma once
 
 #include "DrydockAPI.h"
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace Drydock
 {
@@ -14,5 +16,14 @@ DRYDOCK_API std::string NumberText(double Number);
 
 /** The text with _ for all characters outside [A-Za-z0-9_-]. */
 DRYDOCK_API std::string MakeFileNamePart(const std::string& Text);
+
+/** The text with a to z for A to Z. */
+std::string ToSmallLetters(std::string Text);
+
+/** The parts with the separator between them. */
+std::string JoinText(const std::vector<std::string>& Parts, std::string_view Separator = ", ");
+
+/** "DD1015". */
+std::string FormatCode(int Code);
 
 } // namespace Drydock

@@ -2,6 +2,7 @@
 // set.
 #include "ShaderParameterStruct.h"
 
+#include "BoundContents.h"
 #include "RenderGraphReport.h"
 #include "RenderGraphResources.h"
 #include "ShaderCompilation.h"
@@ -29,13 +30,6 @@ bool IsGraphResource(EUniformBufferBaseType BaseType)
 	default:
 		return false;
 	}
-}
-
-void* ReadPointer(const void* Parameters, uint32 Offset)
-{
-	void* Pointer = nullptr;
-	std::memcpy(&Pointer, static_cast<const uint8*>(Parameters) + Offset, sizeof(Pointer));
-	return Pointer;
 }
 
 /** The names under which a shader reads resources, and the uniform buffers from which it reads anything. */
@@ -76,7 +70,8 @@ void ClearUnused(const std::vector<std::shared_ptr<const FShaderReflection>>& Re
 	}
 	for (const FHlslMember& Member : Metadata.GetHlslMembers())
 	{
-		void* const Resource = IsGraphResource(Member.BaseType) ? ReadPointer(Parameters, Member.Offset) : nullptr;
+		void* const Resource =
+			IsGraphResource(Member.BaseType) ? ReadPointer<void>(Parameters, Member.Offset) : nullptr;
 		const auto ReadsMember = [&Member](const std::shared_ptr<const FShaderReflection>& Reflection)
 		{
 			return Reflection && Reads(*Reflection, Member);

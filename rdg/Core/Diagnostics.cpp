@@ -1,6 +1,8 @@
 // Writes diagnostics as text, and finds the nearest name to a misspelt one.
 #include "Diagnostics.h"
 
+#include "TextTools.h"
+
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -22,15 +24,6 @@ const char* GetSeverityName(ESeverity Severity)
 	default:
 		return "error";
 	}
-}
-
-std::string ToLowerCase(std::string Text)
-{
-	for (char& Character : Text)
-	{
-		Character = Character >= 'A' && Character <= 'Z' ? static_cast<char>(Character - 'A' + 'a') : Character;
-	}
-	return Text;
 }
 
 /** No name is longer; a text of megabytes in its place is no misspelling, and would be compared letter by letter. */

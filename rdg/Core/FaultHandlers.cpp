@@ -40,6 +40,7 @@ constexpr bool bHasSanitizer = true;
 #else
 constexpr bool bHasSanitizer = false;
 #endif
+#undef DRYDOCK_HAS_FEATURE
 
 constexpr int Signals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGABRT};
 

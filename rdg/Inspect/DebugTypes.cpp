@@ -2,9 +2,9 @@
 #include "DebugTypes.h"
 
 #include "SpirvRefusals.h"
+#include "TextTools.h"
 
 #include <algorithm>
-#include <cctype>
 
 namespace Drydock
 {
@@ -31,8 +31,8 @@ std::string MakeCppName(const std::string& Name)
 {
 	std::string Result = Name.empty() ? "_" : Name;
 	std::replace_if(
-		Result.begin(), Result.end(), [](unsigned char Letter) { return !std::isalnum(Letter) && Letter != '_'; }, '_');
-	if (std::isdigit(static_cast<unsigned char>(Result[0])))
+		Result.begin(), Result.end(), [](char Letter) { return !IsWordCharacter(Letter); }, '_');
+	if (IsDigit(Result[0]))
 	{
 		Result.insert(0, "_");
 	}

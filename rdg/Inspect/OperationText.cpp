@@ -1,8 +1,9 @@
 // Writes operations with HLSL's signs and names.
 #include "OperationText.h"
 
+#include "TextTools.h"
+
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace Drydock
@@ -66,11 +67,7 @@ std::string FormatReal(double Value)
 	{
 		return Value < 0 ? "-Inf" : "Inf";
 	}
-	char Text[64];
-	const std::to_chars_result End = double(float(Value)) == Value
-										 ? std::to_chars(Text, Text + sizeof(Text), float(Value))
-										 : std::to_chars(Text, Text + sizeof(Text), Value);
-	return std::string(Text, End.ptr);
+	return double(float(Value)) == Value ? FormatShortest(float(Value)) : FormatShortest(Value);
 }
 
 std::string FormatWord(const FSpirvThreadView& Thread, uint32_t Word, ESpirvType Kind)

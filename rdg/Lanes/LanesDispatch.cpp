@@ -1,20 +1,27 @@
-// Asks the CPU which lane widths it runs.
+// Tells which lane widths there are: those that this build has code for and this CPU runs.
 #include "LanesDispatch.h"
+
+#include "CpuLanes.h"
+
+#include <algorithm>
 
 namespace Drydock
 {
 
+namespace
+{
+
+// DRYDOCK_BUILT_LANES: 4, 8, 16, or with DRYDOCK_INSTRUCTION_SETS=native those of the CPU that built.
+constexpr int32_t BuiltLanes[] = {DRYDOCK_BUILT_LANES};
+
+} // namespace
+
 int32_t GetWidestLanes(bool bDouble)
 {
 	int32_t FloatLanes = 4;
-	if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
-		__builtin_cpu_supports("avx512vl"))
+	for (const int32_t Lanes : BuiltLanes)
 	{
-		FloatLanes = 16;
-	}
-	else if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-	{
-		FloatLanes = 8;
+		FloatLanes = Lanes <= GetCpuLanes() ? std::max(FloatLanes, Lanes) : FloatLanes;
 	}
 	return bDouble ? FloatLanes / 2 : FloatLanes;
 }
@@ -22,7 +29,18 @@ int32_t GetWidestLanes(bool bDouble)
 bool AreLanesSupported(bool bDouble, int32_t Lanes)
 {
 	const int32_t FloatLanes = bDouble ? 2 * Lanes : Lanes;
-	return (FloatLanes == 4 || FloatLanes == 8 || FloatLanes == 16) && Lanes <= GetWidestLanes(bDouble);
+	return FloatLanes <= GetCpuLanes() &&
+		   std::find(std::begin(BuiltLanes), std::end(BuiltLanes), FloatLanes) != std::end(BuiltLanes);
+}
+
+std::string GetBuiltLanes()
+{
+	std::string Text;
+	for (const int32_t Lanes : BuiltLanes)
+	{
+		Text += (Text.empty() ? "" : ", ") + std::to_string(Lanes);
+	}
+	return Text;
 }
 
 } // namespace Drydock

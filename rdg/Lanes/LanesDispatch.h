@@ -1,17 +1,22 @@
-// Tells which lane widths this CPU runs.
+// Tells which lane widths this build has code for and this CPU runs.
 #pragma once
 
 #include "DrydockAPI.h"
 
 #include <cstdint>
+#include <string>
 
 namespace Drydock
 {
 
-/** The widest lane count of the CPU: 16, 8 or 4 for float, half of it for double. */
+/** The widest lane count: 16, 8 or 4 for float, half as many for double. */
 DRYDOCK_API int32_t GetWidestLanes(bool bDouble);
 
-/** True when the CPU runs kernels of that width; float 4, 8, 16 and double 2, 4, 8 exist. */
+/** True when kernels of that width can run; float 4, 8, 16 and double 2, 4, 8 exist. */
 DRYDOCK_API bool AreLanesSupported(bool bDouble, int32_t Lanes);
+
+/** The float lanes that this build has code for, for messages: "4, 8, 16", or with DRYDOCK_INSTRUCTION_SETS=native one
+ * of them. */
+DRYDOCK_API std::string GetBuiltLanes();
 
 } // namespace Drydock

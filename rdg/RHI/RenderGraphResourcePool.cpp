@@ -6,7 +6,7 @@ FRDGBufferPool GRenderGraphResourcePool;
 namespace
 {
 
-constexpr uint32 GMaxUnusedFrames = 30;
+constexpr uint32 GMaxUnusedBufferFrames = 30;
 
 bool IsFree(const TRefCountPtr<FRDGPooledBuffer>& Buffer)
 {
@@ -38,7 +38,7 @@ void FRDGBufferPool::TickPoolElements()
 	{
 		FRDGPooledBuffer& Buffer = *Buffers[Index];
 		Buffer.NumUnusedFrames = IsFree(Buffers[Index]) ? Buffer.NumUnusedFrames + 1 : 0;
-		if (Buffer.NumUnusedFrames > GMaxUnusedFrames)
+		if (Buffer.NumUnusedFrames > GMaxUnusedBufferFrames)
 		{
 			Buffers.RemoveAt(Index);
 		}

@@ -4,8 +4,8 @@
 #include "InstallPaths.h"
 #include "ShaderCompiler.h"
 #include "ShaderDirectories.h"
+#include "TextTools.h"
 
-#include <charconv>
 #include <mutex>
 
 namespace
@@ -69,8 +69,7 @@ void FShaderCompilerEnvironment::SetDefine(const TCHAR* Name, uint32 Value)
 
 void FShaderCompilerEnvironment::SetDefine(const TCHAR* Name, float Value)
 {
-	char Buffer[64];
-	std::string Text(Buffer, std::to_chars(Buffer, Buffer + sizeof(Buffer), Value).ptr);
+	std::string Text = Drydock::FormatShortest(Value);
 	if (Text.find_first_not_of("-0123456789") == std::string::npos)
 	{
 		Text += ".0";

@@ -2,8 +2,8 @@
 #include "FrontEndCrash.h"
 
 #include "DrydockAPI.h"
+#include "TextTools.h"
 
-#include <cctype>
 #include <cstdio>
 #include <cstdlib>
 #include <sstream>
@@ -33,7 +33,7 @@ std::vector<FLine> SplitLines(const std::string& Text, const std::string& Virtua
 		Line.End += Line.Text.size() + 1;
 		Lines.push_back(Line);
 		const size_t Quote = Line.Text.find('"');
-		if (Line.Text.rfind("#line ", 0) == 0 && Quote != std::string::npos)
+		if (Line.Text.starts_with("#line ") && Quote != std::string::npos)
 		{
 			Line.Number = std::atoi(Line.Text.c_str() + 6) - 1;
 			Line.File = Line.Text.substr(Quote + 1, Line.Text.rfind('"') - Quote - 1);
@@ -45,14 +45,10 @@ std::vector<FLine> SplitLines(const std::string& Text, const std::string& Virtua
 /** Whether the line has Name with a parenthesis behind it. */
 bool Calls(const std::string& Line, const std::string& Name)
 {
-	const auto IsLetter = [](char Letter)
-	{
-		return std::isalnum(static_cast<unsigned char>(Letter)) || Letter == '_';
-	};
 	for (size_t At = Line.find(Name); At != std::string::npos; At = Line.find(Name, At + 1))
 	{
 		const size_t Behind = Line.find_first_not_of(" \t", At + Name.size());
-		if ((At == 0 || !IsLetter(Line[At - 1])) && Behind != std::string::npos && Line[Behind] == '(')
+		if ((At == 0 || !IsWordCharacter(Line[At - 1])) && Behind != std::string::npos && Line[Behind] == '(')
 		{
 			return true;
 		}

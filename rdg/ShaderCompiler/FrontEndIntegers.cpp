@@ -14,7 +14,6 @@ namespace Drydock
 namespace
 {
 
-constexpr std::ptrdiff_t HeaderWords = 5;
 constexpr size_t BoundWord = 3; // of the header: above all ids
 constexpr unsigned int HidingOp = spv::OpBitFieldUExtract;
 
@@ -22,7 +21,7 @@ constexpr unsigned int HidingOp = spv::OpBitFieldUExtract;
 template<typename F>
 void ForEachInstruction(const std::vector<unsigned int>& Words, F f)
 {
-	for (size_t At = size_t(HeaderWords); At < Words.size() && Words[At] >> spv::WordCountShift != 0;
+	for (size_t At = GModuleHeaderWords; At < Words.size() && Words[At] >> spv::WordCountShift != 0;
 		 At += Words[At] >> spv::WordCountShift)
 	{
 		f(Words[At] & spv::OpCodeMask, At, Words[At] >> spv::WordCountShift);
@@ -49,7 +48,7 @@ class FIntegerPass
 public:
 	explicit FIntegerPass(const std::vector<unsigned int>& InWords)
 		: Words(InWords)
-		, Result(InWords.begin(), InWords.begin() + HeaderWords)
+		, Result(InWords.begin(), InWords.begin() + GModuleHeaderWords)
 		, Bound(InWords[BoundWord])
 	{
 	}
@@ -207,7 +206,7 @@ void CorrectIntegers(std::vector<unsigned int>& Words)
 void RestoreDivisions(std::vector<unsigned int>& Words)
 {
 	std::map<unsigned int, unsigned int> Numbers;
-	std::vector<unsigned int> Result(Words.begin(), Words.begin() + HeaderWords);
+	std::vector<unsigned int> Result(Words.begin(), Words.begin() + GModuleHeaderWords);
 	ForEachInstruction(Words,
 		[&](unsigned int Op, size_t First, unsigned int Count)
 		{

@@ -1,10 +1,14 @@
 // Integers of constants as HLSL computes them: what the front end's optimiser would fold by rules of its own.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 namespace Drydock
 {
+
+/** Words of a module of SPIR-V before its first instruction. */
+inline constexpr std::ptrdiff_t GModuleHeaderWords = 5;
 
 /** Changes SPIR-V, a whole module with its header, before it is optimised: remainders have the sign of their left side,
  * shifts take the low bits of their count. Divisions that might be by 0 or -1 are hidden from the optimiser.

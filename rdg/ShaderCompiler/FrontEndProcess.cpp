@@ -197,7 +197,7 @@ FFrontEndCounts FFrontEndProcess::GetCounts()
 	return Counts;
 }
 
-FFrontEndProcess& GetProcess()
+FFrontEndProcess& GetFrontEndProcess()
 {
 	static FFrontEndProcess Process;
 	return Process;
@@ -213,12 +213,12 @@ std::string FindFrontEndProgram()
 FFrontEndReply AskFrontEnd(
 	const std::string& Program, const std::string& Text, const FShaderCompileRequest& Request, int TimeLimitSeconds)
 {
-	return GetProcess().Ask(Program, Text, Request, TimeLimitSeconds);
+	return GetFrontEndProcess().Ask(Program, Text, Request, TimeLimitSeconds);
 }
 
 FFrontEndCounts GetFrontEndCounts()
 {
-	return GetProcess().GetCounts();
+	return GetFrontEndProcess().GetCounts();
 }
 
 } // namespace Drydock

@@ -26,7 +26,6 @@ using namespace Drydock;
 using namespace Drydock::FrontEnd;
 
 constexpr rlim_t MemoryLimit = rlim_t(4) << 30; // bytes
-constexpr std::ptrdiff_t HeaderWords = 5;
 constexpr const char* FileName = "shader.hlsl"; // of text above the first #line; there is none
 
 struct FResult
@@ -73,7 +72,7 @@ void Optimise(const glslang::TIntermediate& Intermediate, std::vector<unsigned i
 {
 	CorrectIntegers(Words);
 	const unsigned int Capability[] = {2u << spv::WordCountShift | spv::OpCapability, spv::CapabilityRoundingModeRTE};
-	Words.insert(Words.begin() + HeaderWords, std::begin(Capability), std::end(Capability));
+	Words.insert(Words.begin() + GModuleHeaderWords, std::begin(Capability), std::end(Capability));
 	glslang::SpirvToolsTransform(Intermediate, Words, &Logger, &Options);
 	// Only here: that is what the optimiser shall keep to, and nothing that a driver need be able to do.
 	const auto Found = std::search(Words.begin(), Words.end(), std::begin(Capability), std::end(Capability));

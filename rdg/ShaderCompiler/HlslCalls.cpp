@@ -12,7 +12,7 @@ namespace
 {
 
 /** What HLSL's specification says of them, for the types that it has. */
-const std::map<std::string, const char*> Intrinsics = {
+const std::map<std::string, const char*> ReplacedIntrinsics = {
 	{"AddUint64", "uint2 DrydockAddUint64(uint2 A, uint2 B) { uint Low = A.x + B.x; "
 				  "return uint2(Low, A.y + B.y + (Low < A.x ? 1u : 0u)); } "
 				  "uint4 DrydockAddUint64(uint4 A, uint4 B) { return uint4(DrydockAddUint64(A.xy, B.xy), "
@@ -70,7 +70,7 @@ private:
 		const std::string& Name = Text[At].Text;
 		if (const auto Intrinsic = IntrinsicNames.find(Name); Intrinsic != IntrinsicNames.end())
 		{
-			Functions[Name] = Intrinsics.at(Name);
+			Functions[Name] = ReplacedIntrinsics.at(Name);
 			Edits.Replace(At, At + 1, Intrinsic->second);
 		}
 		else if (Name == "NonUniformResourceIndex")

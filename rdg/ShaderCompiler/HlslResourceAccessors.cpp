@@ -1,7 +1,7 @@
 // Writes the functions that read, write and call resources by number: a switch over those of a type.
 #include "HlslResources.h"
 
-#include <cctype>
+#include "TextTools.h"
 
 namespace Drydock
 {
@@ -48,8 +48,7 @@ std::optional<FSignature> GetSignature(const std::string& Type, const std::strin
 		return FSignature{"uint", {}};
 	}
 	const bool bBytes = Type.find("ByteAddressBuffer") != std::string::npos;
-	const std::string Count =
-		std::isdigit(static_cast<unsigned char>(Method.back())) ? Method.substr(Method.size() - 1) : "";
+	const std::string Count = IsDigit(Method.back()) ? Method.substr(Method.size() - 1) : "";
 	const std::string Verb = Method.substr(0, Method.size() - Count.size());
 	if (bBytes && (Verb == "Load" || Verb == "Store"))
 	{
@@ -73,7 +72,7 @@ std::string GetFunctionName(const std::string& Type, const std::string& Method)
 	std::string Name = "Drydock" + Method + "_";
 	for (const char c : Type)
 	{
-		Name += std::isalnum(static_cast<unsigned char>(c)) || c == '_' ? std::string(1, c) : c == '>' ? "" : "_";
+		Name += IsWordCharacter(c) ? std::string(1, c) : c == '>' ? "" : "_";
 	}
 	return Name;
 }

@@ -10,9 +10,9 @@ namespace Drydock
 namespace
 {
 
-constexpr int MaxDepth = 16; // of structs in structs
+constexpr int MaxStructDepth = 16; // of structs in structs
 
-bool IsWritten(const std::string& Type)
+bool IsWrittenType(const std::string& Type)
 {
 	return (Type.starts_with("RW") && !Type.starts_with("RWTexture1D")) || Type.starts_with("AppendStructuredBuffer") ||
 		   Type.starts_with("ConsumeStructuredBuffer");
@@ -25,13 +25,13 @@ bool IsBuffer(const std::string& Type)
 
 bool IsResource(const std::string& Type)
 {
-	return IsWritten(Type) || IsBuffer(Type) || Type.starts_with("Texture2D<") || Type.starts_with("Texture3D<") ||
+	return IsWrittenType(Type) || IsBuffer(Type) || Type.starts_with("Texture2D<") || Type.starts_with("Texture3D<") ||
 		   Type.starts_with("Texture2DArray<") || Type.starts_with("ConstantBuffer<");
 }
 
 char GetRegisterClass(const std::string& Type)
 {
-	return IsWritten(Type) ? 'u' : Type.starts_with("ConstantBuffer") ? 'b' : 't';
+	return IsWrittenType(Type) ? 'u' : Type.starts_with("ConstantBuffer") ? 'b' : 't';
 }
 
 int Multiply(const std::vector<int>& Sizes, size_t First)
@@ -81,7 +81,7 @@ void FHlslResourceNumbers::FindTypes()
 		{
 			const bool bArray = Variable.bGlobal && Variable.bArray && IsResource(Variable.Type);
 			const bool bInside =
-				!Variable.bGlobal && !Variable.bParameter && (IsWritten(Variable.Type) || IsBuffer(Variable.Type));
+				!Variable.bGlobal && !Variable.bParameter && (IsWrittenType(Variable.Type) || IsBuffer(Variable.Type));
 			if ((bArray || bInside) && !Variable.bBlock)
 			{
 				Types.insert(Variable.Type);
@@ -159,7 +159,7 @@ void FHlslResourceNumbers::AddLeaves(FGlobal& Global, const FHlslVariable& Varia
 {
 	const std::vector<int> Sizes = GetSizes(Variable);
 	const std::vector<FHlslVariable>* const Members =
-		IsNumbered(Variable.Type) || Depth > MaxDepth ? nullptr : Symbols.GetMembers(Variable.Type);
+		IsNumbered(Variable.Type) || Depth > MaxStructDepth ? nullptr : Symbols.GetMembers(Variable.Type);
 	for (int i = 0; i < Multiply(Sizes, 0); ++i)
 	{
 		const std::string Element = Sizes.empty() ? Name : Name + "_" + std::to_string(i);

@@ -1,8 +1,9 @@
 // Runs the rewrites in their order, and has those of names and globals.
 #include "HlslRewrites.h"
 
+#include "TextTools.h"
+
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -12,12 +13,6 @@ namespace Drydock
 
 namespace
 {
-
-std::string ToLower(std::string Text)
-{
-	std::transform(Text.begin(), Text.end(), Text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-	return Text;
-}
 
 /** "uint3" of "uint32_t3", "double" of "float64_t"; with real 16-bit types "float16_t3" of "half3"; empty for other
  * names. */
@@ -65,7 +60,7 @@ std::string GetLiteral(const std::string& Number, bool bRealHalf, bool bLongs)
 		const std::string Value = Number.substr(0, Number.size() - 1);
 		return bRealHalf ? "float16_t(" + Value + ")" : Value;
 	}
-	const std::string Suffix = Digits == std::string::npos ? std::string() : ToLower(Number.substr(Digits));
+	const std::string Suffix = Digits == std::string::npos ? std::string() : ToLowerCase(Number.substr(Digits));
 	const bool bKnown = Suffix.empty() || Suffix == "u" || Suffix == "l" || Suffix == "ll" || Suffix == "ul" ||
 						Suffix == "ull" || Suffix == "lu" || Suffix == "llu";
 	if (!bKnown)
@@ -96,7 +91,7 @@ std::string GetFloatLiteral(const std::string& Number)
 	const bool bReal = Number.find_first_of(".eE") != std::string::npos && (Number.size() < 2 || Number[1] != 'x');
 	char* End = nullptr;
 	const double Value = std::strtod(Number.c_str(), &End);
-	const bool bFloat = *End == 0 || (ToLower(End) == "f");
+	const bool bFloat = *End == 0 || (ToLowerCase(End) == "f");
 	if (!bReal || !bFloat || double(float(Value)) == Value || !std::isfinite(float(Value)))
 	{
 		return {};
@@ -106,7 +101,7 @@ std::string GetFloatLiteral(const std::string& Number)
 	return Text;
 }
 
-bool IsAssignment(const FHlslToken& Token)
+bool IsWritingSign(const FHlslToken& Token)
 {
 	static const std::set<std::string> Signs = {
 		"=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>=", "++", "--"};
@@ -122,7 +117,7 @@ bool IsWritten(const FHlslText& Text, size_t At)
 		End = Text.Is(End, "[") ? Text.FindClose(End) + 1 : End + 2;
 	}
 	const bool bBefore = At > 0 && (Text.Is(At - 1, "++") || Text.Is(At - 1, "--"));
-	return bBefore || (End < Text.Size() && IsAssignment(Text[End]));
+	return bBefore || (End < Text.Size() && IsWritingSign(Text[End]));
 }
 
 } // namespace
@@ -185,10 +180,10 @@ bool RewriteNames(FHlslText& Text, bool bRealHalf)
 			bChanged = true;
 		}
 		const bool bAttribute = At > 0 && Text.Is(At - 1, "[") && (Text.Is(At + 1, "(") || Text.Is(At + 1, "]"));
-		if (bAttribute && Attributes.count(ToLower(Token.Text)))
+		if (bAttribute && Attributes.count(ToLowerCase(Token.Text)))
 		{
-			bChanged = bChanged || Token.Text != ToLower(Token.Text);
-			Token.Text = ToLower(Token.Text);
+			bChanged = bChanged || Token.Text != ToLowerCase(Token.Text);
+			Token.Text = ToLowerCase(Token.Text);
 		}
 		if (Token.Is("using") && Text.IsWord(At + 1) && Text.Is(At + 2, "="))
 		{

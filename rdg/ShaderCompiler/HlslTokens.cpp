@@ -10,14 +10,13 @@ namespace Drydock
 namespace
 {
 
-constexpr int MaxBlankLines = 6; // further lines are skipped by #line
-constexpr int MaxNesting = 256;  // of statements without braces
+constexpr int MaxNesting = 256; // of statements without braces
 constexpr size_t MaxListTokens = 256;
 
 /** `#line 12 "/X.usf"` -> 12 and /X.usf; false for other lines. */
 bool ReadLineDirective(const std::string& Line, int& Number, std::string& File)
 {
-	if (Line.rfind("#line ", 0) != 0)
+	if (!Line.starts_with("#line "))
 	{
 		return false;
 	}
@@ -50,7 +49,7 @@ FHlslText::FHlslText(const std::string& Text, const std::string& VirtualPath)
 		{
 			Files.push_back(File);
 		}
-		if (Line.rfind("#", 0) == 0)
+		if (Line.starts_with('#'))
 		{
 			Tokens.push_back({{EShaderToken::Sign, Line}, FileIndex, Number++, 1});
 			continue;
@@ -76,7 +75,7 @@ std::string FHlslText::Join() const
 	for (size_t At = 0; At < Tokens.size();)
 	{
 		const FHlslToken& First = Tokens[At];
-		if (First.File != File || First.Line < Line || First.Line > Line + MaxBlankLines)
+		if (First.File != File || First.Line < Line || First.Line > Line + GMaxBlankLines)
 		{
 			Text += "#line " + std::to_string(First.Line) + " \"" + Files[First.File] + "\"\n";
 		}

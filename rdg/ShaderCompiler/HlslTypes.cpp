@@ -12,7 +12,7 @@ namespace Drydock
 namespace
 {
 
-constexpr int MaxDepth = 64;
+constexpr int MaxExpressionDepth = 64;
 
 int GetRank(const std::string& Scalar)
 {
@@ -98,7 +98,7 @@ std::string GetNumberType(const std::string& Number)
 
 std::string FHlslSymbols::GetType(size_t First, size_t End, int Depth) const
 {
-	if (First >= End || End > Text.Size() || Depth > MaxDepth)
+	if (First >= End || End > Text.Size() || Depth > MaxExpressionDepth)
 	{
 		return {};
 	}

@@ -4,6 +4,7 @@
 #include "ContentHash.h"
 #include "Diagnostics.h"
 #include "InstallPaths.h"
+#include "CpuLanes.h"
 #include "LanesDispatch.h"
 #include "TimeLimit.h"
 #include "ToolFault.h"
@@ -34,161 +35,13 @@ constexpr const char* ThreadJumps = "-fthread-jumps"; // which clang does not kn
 
 std::vector<std::string> GetFlags(const FLaneConfig& Lanes)
 {
-	const int32_t FloatLanes = Lanes.bDouble ? Lanes.Lanes * 2 : Lanes.Lanes;
-	const char* const Level = FloatLanes >= 16 ? "4" : FloatLanes >= 8 ? "3" : "2";
-	// -O1 with the two passes that its loops lack: as fast kernels as by -O2, in four fifths of the compiler's time.
-	std::vector<std::string> Flags = {"-std=c++20", "-O1", "-ftree-vrp", ThreadJumps, "-fPIC", "-shared",
-		"-fvisibility=hidden", "-ffp-contract=off", "-fno-math-errno", "-fwrapv", "-fno-exceptions", "-fno-rtti", "-w",
-		"-fasynchronous-unwind-tables", // what ends an endless loop is thrown through a kernel
-		"-nostdlib", // what a kernel calls is in the process; without its libraries the linker takes a third of the
-					 // time
-		std::string("-DDRYDOCK_REAL=") + (Lanes.bDouble ? "double" : "float"),
-		"-DDRYDOCK_LANES=" + std::to_string(Lanes.Lanes)};
-#if defined(__x86_64__)
-	Flags.push_back(std::string("-march=x86-64-v") + Level);
-#else
-	(void)Level;
-#endif
-	return Flags;
-}
-
-std::vector<std::string> GetCommand(
-	const std::string& Compiler, const std::vector<std::string>& Folders, const std::vector<std::string>& Flags)
-{
-	std::error_code Error;
-	const fs::path Program = fs::canonical(Compiler, Error);
-	std::vector<std::string> Arguments = Flags;
-	if (Program.filename().string().starts_with("clang"))
-	{
-		std::erase(Arguments, ThreadJumps);
-	}
-	Arguments.insert(Arguments.begin(), Compiler);
-	for (const std::string& Folder : Folders)
-	{
-		Arguments.push_back("-I" + Folder);
-	}
-	return Arguments;
-}
-
-/** Puts the precompiled headers where g++ looks first, beside the kernel: a link to the very file that is open here, or
- * nothing where there is none. The link's path. */
-std::string OfferHeaders(const FFileDescriptor& Headers, const FTemporaryFolder& Folder)
-{
-	const std::string Link = Folder.Path + "/" + HeaderName + ".gch";
-	const std::string Opened = "/proc/" + std::to_string(getpid()) + "/fd/" + std::to_string(Headers.Get());
-	return Headers && symlink(Opened.c_str(), Link.c_str()) == 0 ? Link : std::string();
-}
-
-const std::string& GetHeaderHash()
-{
-	static const std::string Result = []
-	{
-		FContentHash Hash;
-		for (const std::string& Folder : FindKernelIncludes())
-		{
-			std::vector<std::string> Names;
-			std::error_code Error;
-			for (fs::directory_iterator It(Folder, Error), End; !Error && It != End; It.increment(Error))
-			{
-				const std::string Name = It->path().filename().string();
-				const bool bLanes = Name.rfind("Lanes", 0) == 0 && It->path().extension() == ".h";
-				if (bLanes || Name == HeaderName || Name == "ShaderKernel.h")
-				{
-					Names.push_back(It->path().string());
-				}
-			}
-			std::sort(Names.begin(), Names.end());
-			for (const std::string& Name : Names)
-			{
-				std::ifstream Stream(Name, std::ios::binary);
-				Hash.Add(fs::path(Name).filename().string());
-				Hash.Add(std::string((std::istreambuf_iterator<char>(Stream)), {}));
-			}
-		}
-		return Hash.Finish();
-	}();
-	return Result;
-}
-
-FError MakeError(
-	int Code, const std::string& Message, const FShaderCompileRequest& Request, EExitCode ExitCode = ExitUsage)
-{
-	return FError({ESeverity::Error, Code, Message, Request.VirtualPath, 0, 0, {}}, ExitCode);
-}
-
-/** Keeps the generated text for the report of a fault that is ours, and says where. */
-std::string KeepKernel(const std::string& Cpp)
-{
-	const std::string Suffix = ".cpp";
-	std::string Path = GetTemporaryParent() + "/drydock-failed-XXXXXX" + Suffix;
-	FFileDescriptor File(mkostemps(Path.data(), int(Suffix.size()), O_CLOEXEC)); // made anew, 0600
-	const bool bMade = bool(File);
-	const int Error = bMade ? WriteAndClose(std::move(File), Cpp) : errno;
-	if (Error == 0)
-	{
-		return "the code is in " + Path;
-	}
-	if (bMade)
-	{
-		unlink(Path.c_str());
-	}
-	return "the code cannot be kept in " + GetTemporaryParent() + ": " + DescribeSystemError(Error);
-}
-
-/** The first line of the compiler that names an error. */
-std::string FindErrorLine(const std::string& Output)
-{
-	std::istringstream Lines(Output);
-	for (std::string Line; std::getline(Lines, Line);)
-	{
-		if (Line.find("error") != std::string::npos)
-		{
-			return ": " + Line;
-		}
-	}
-	return {};
-}
-
-/** Why the compiler gave no kernel: it was kept from its work, takes too long, or the code is wrong. */
-FError ExplainFailure(const FChildResult& Child, int TimeLimitSeconds, const std::string& Cpp,
-	const FTemporaryFolder& Folder, const FShaderCompileRequest& Request)
-{
-	const std::string OnWhat = " on the code generated for '" + Request.EntryPoint + "'";
-	const std::string Fault = FindToolFault(Child);
-	if (!Fault.empty())
-	{
-		return MakeError(6032, "the C++ compiler " + Fault + OnWhat, Request, ExitFiles);
-	}
-	Folder.CheckSpace();
-	if (Child.bTimedOut)
-	{
-		return MakeError(6033,
-			"the C++ compiler " + Child.Describe(TimeLimitSeconds) + OnWhat +
-				" and was ended: is so much of it unrolled or inlined? (DRYDOCK_CXX_SECONDS)",
-			Request);
-	}
-	return MakeError(6030,
-		"the C++ compiler " + Child.Describe(TimeLimitSeconds) + OnWhat + ", which is a fault of drydock (" +
-			KeepKernel(Cpp) + ")" + FindErrorLine(Child.Output),
-		Request, ExitInternal);
-}
-
-} // namespace
-
-FLaneConfig ResolveLanes(FLaneConfig Lanes)
-{
-	const int32_t Widest = GetWidestLanes(Lanes.bDouble);
-	if (Lanes.Lanes == 0)
-	{
-		Lanes.Lanes = Widest;
-	}
-	const int32_t FloatLanes = Lanes.bDouble ? Lanes.Lanes * 2 : Lanes.Lanes;
-	if ((FloatLanes != 4 && FloatLanes != 8 && FloatLanes != 16) || Lanes.Lanes > Widest)
+	if (!AreLanesSupported(Lanes.bDouble, Lanes.Lanes))
 	{
 		throw FError(
 			{ESeverity::Error, 6003,
 				"shaders cannot run with " + std::to_string(Lanes.Lanes) + (Lanes.bDouble ? " double" : " float") +
-					" lanes here; this CPU has up to " + std::to_string(Widest),
+					" lanes here; this CPU has up to " + std::to_string(GetCpuLanes() / (Lanes.bDouble ? 2 : 1)) +
+					", and this build has code for " + GetBuiltLanes() + " float lanes (DRYDOCK_INSTRUCTION_SETS)",
 				{}, 0, 0, {}},
 			ExitUsage);
 	}

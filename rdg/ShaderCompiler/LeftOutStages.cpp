@@ -2,9 +2,9 @@
 #include "LeftOutStages.h"
 
 #include "HlslTokens.h"
+#include "TextTools.h"
 
 #include <algorithm>
-#include <cctype>
 
 namespace Drydock
 {
@@ -36,11 +36,6 @@ const std::vector<FLeftOut>& GetLeftOut()
 			{"Texture2DMS", "Texture2DMSArray", "RWTexture2DMS", "GetSamplePosition"}},
 	};
 	return LeftOut;
-}
-
-bool IsWordCharacter(char c)
-{
-	return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
 }
 
 } // namespace

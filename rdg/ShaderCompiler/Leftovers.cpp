@@ -26,7 +26,7 @@ constexpr std::string_view Prefix = "drydock-";
 /** The process that such a name tells of; 0: it is no such name. */
 pid_t GetProcess(const std::string& Name)
 {
-	if (Name.rfind(Prefix, 0) != 0)
+	if (!Name.starts_with(Prefix))
 	{
 		return 0;
 	}

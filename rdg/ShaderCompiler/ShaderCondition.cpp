@@ -10,7 +10,7 @@ namespace Drydock
 namespace
 {
 
-constexpr int MaxDepth = 200;
+constexpr int MaxConditionDepth = 200;
 
 struct FOperator
 {
@@ -57,7 +57,7 @@ private:
 	/** bCounts: the value is used, so that dividing by zero is a fault. */
 	int64_t Choice(bool bCounts)
 	{
-		if (++Depth > MaxDepth)
+		if (++Depth > MaxConditionDepth)
 		{
 			return Fail("it is nested too deeply");
 		}
@@ -131,7 +131,7 @@ private:
 
 	int64_t Unary(bool bCounts)
 	{
-		if (++Depth > MaxDepth)
+		if (++Depth > MaxConditionDepth)
 		{
 			return Fail("it is nested too deeply");
 		}

@@ -9,6 +9,8 @@
 #include "TemporaryFolder.h"
 #include "TimeLimit.h"
 #include "ToolFault.h"
+#include "TextTools.h"
+#include "SpirvOps.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -29,7 +31,7 @@ bool SplitPosition(const std::string& Text, std::string& File, int& Line, std::s
 {
 	for (size_t i = 1; i + 1 < Text.size(); ++i)
 	{
-		if ((Text[i] != ':' && Text[i] != '(') || !isdigit(static_cast<unsigned char>(Text[i + 1])))
+		if ((Text[i] != ':' && Text[i] != '(') || !IsDigit(Text[i + 1]))
 		{
 			continue;
 		}
@@ -45,12 +47,6 @@ bool SplitPosition(const std::string& Text, std::string& File, int& Line, std::s
 		}
 	}
 	return false;
-}
-
-std::string Trim(const std::string& Text)
-{
-	const size_t Begin = Text.find_first_not_of(" \t\r");
-	return Begin == std::string::npos ? std::string() : Text.substr(Begin, Text.find_last_not_of(" \t\r") - Begin + 1);
 }
 
 /** What the author meant, where glslang's words do not say it. */
@@ -281,16 +277,14 @@ void FindLines(const FFrontEnd& FrontEnd, const FShaderSource& Source, std::vect
 /** Whether these are the words of a whole module: one that was cut short does not end with the end of a function. */
 bool IsWhole(const std::vector<uint32_t>& Words)
 {
-	constexpr size_t HeaderWords = 5;
-	constexpr uint32_t OpFunctionEnd = 56;
-	size_t At = HeaderWords;
+	size_t At = Spirv::HeaderWords;
 	uint32_t Last = 0;
 	while (At < Words.size() && Words[At] >> 16)
 	{
 		Last = Words[At] & 0xffff;
 		At += Words[At] >> 16;
 	}
-	return At == Words.size() && Last == OpFunctionEnd;
+	return At == Words.size() && Last == Spirv::OpFunctionEnd;
 }
 
 } // namespace

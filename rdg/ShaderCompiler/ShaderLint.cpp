@@ -11,6 +11,7 @@
 #include "ShaderSource.h"
 #include "SpirvReflect.h"
 #include "SpirvUniformity.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <cstring>
@@ -33,7 +34,7 @@ struct FFunctionText
 	size_t Body = 0;       // of its {
 };
 
-std::vector<FFunctionText> ListFunctions(const FHlslText& Text)
+std::vector<FFunctionText> ListFunctionTexts(const FHlslText& Text)
 {
 	std::vector<FFunctionText> Functions;
 	for (size_t At = 1; At < Text.Size(); ++At)
@@ -115,7 +116,7 @@ void FLinter::LookAtText(const std::string& Source)
 {
 	const FHlslText Text(Source, Request.VirtualPath);
 	std::multimap<std::string, FFunctionText> Functions;
-	for (const FFunctionText& Function : ListFunctions(Text))
+	for (const FFunctionText& Function : ListFunctionTexts(Text))
 	{
 		Functions.emplace(Text[Function.Name].Text, Function);
 	}
@@ -163,7 +164,6 @@ void FLinter::LookAtWords(const std::vector<uint32_t>& Words)
 	static const std::map<uint32_t, const char*> Capabilities = {{9, "types-16"}, {10, "double"}, {11, "int64"},
 		{12, "atomics-64"}, {22, "types-16"}, {4433, "types-16"}, {4434, "types-16"}};
 	constexpr uint32_t LocalSize = 17;
-	constexpr size_t HeaderWords = 5;
 	for (size_t At = HeaderWords; At < Words.size();)
 	{
 		const uint32_t Op = Words[At] & 0xFFFF;
@@ -425,7 +425,7 @@ std::vector<FShaderEntry> FindShaderEntries(const FShaderCompileRequest& Request
 {
 	const FHlslText Text(FlattenShader(Request).Text, Request.VirtualPath);
 	std::vector<FShaderEntry> Entries;
-	for (const FFunctionText& Function : ListFunctions(Text))
+	for (const FFunctionText& Function : ListFunctionTexts(Text))
 	{
 		const size_t Head = Function.Name - 1; // its type, behind the attributes
 		const size_t Opens = Head >= 5 && Text.Is(Head - 1, "]") ? Head - 1 : 0;
@@ -437,9 +437,7 @@ std::vector<FShaderEntry> FindShaderEntries(const FShaderCompileRequest& Request
 		bool bTarget = false;
 		for (size_t At = Function.Parameters; At < Function.Body; ++At)
 		{
-			std::string Word = Text[At].Text;
-			std::transform(Word.begin(), Word.end(), Word.begin(), [](unsigned char c) { return std::tolower(c); });
-			bTarget = bTarget || Word.starts_with("sv_target");
+			bTarget = bTarget || ToLowerCase(Text[At].Text).starts_with("sv_target");
 		}
 		if (bThreads || bTarget)
 		{

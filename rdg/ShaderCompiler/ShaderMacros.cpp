@@ -1,6 +1,8 @@
 // Splits text into tokens and replaces macros in them.
 #include "ShaderMacros.h"
 
+#include "TextTools.h"
+
 #include <algorithm>
 #include <cctype>
 #include <deque>
@@ -13,7 +15,7 @@ namespace Drydock
 namespace
 {
 
-constexpr int MaxDepth = 200;
+constexpr int MaxMacroDepth = 200;
 
 /** A token's share of the bounds, so that they bound the text as well. */
 size_t GetCost(const FShaderToken& Token)
@@ -36,19 +38,13 @@ bool IsWordStart(char c)
 	return std::isalpha(static_cast<unsigned char>(c)) || c == '_';
 }
 
-bool IsWordCharacter(char c)
-{
-	return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
-}
-
 size_t FindNumberEnd(const std::string& Text, size_t i)
 {
 	const bool bHexadecimal = Text[i] == '0' && i + 1 < Text.size() && (Text[i + 1] | 0x20) == 'x';
 	while (i < Text.size())
 	{
 		const bool bExponent = !bHexadecimal && (Text[i] | 0x20) == 'e' && i + 2 < Text.size() &&
-							   (Text[i + 1] == '+' || Text[i + 1] == '-') &&
-							   std::isdigit(static_cast<unsigned char>(Text[i + 2]));
+							   (Text[i + 1] == '+' || Text[i + 1] == '-') && IsDigit(Text[i + 2]);
 		if (!IsWordCharacter(Text[i]) && Text[i] != '.')
 		{
 			break;
@@ -317,9 +313,9 @@ private:
 
 	FShaderTokens ExpandArgument(const FShaderTokens& Argument)
 	{
-		if (Depth >= MaxDepth)
+		if (Depth >= MaxMacroDepth)
 		{
-			Problem = "macro calls are nested more than " + std::to_string(MaxDepth) + " deep";
+			Problem = "macro calls are nested more than " + std::to_string(MaxMacroDepth) + " deep";
 			return {};
 		}
 		const bool bOuter = bComplete;
@@ -402,8 +398,7 @@ FShaderTokens SplitTokens(const std::string& Text)
 			++i;
 			continue;
 		}
-		const bool bNumber = std::isdigit(static_cast<unsigned char>(c)) ||
-							 (c == '.' && i + 1 < Text.size() && std::isdigit(static_cast<unsigned char>(Text[i + 1])));
+		const bool bNumber = IsDigit(c) || (c == '.' && i + 1 < Text.size() && IsDigit(Text[i + 1]));
 		FShaderToken Token;
 		Token.bSpaceBefore = bSpace;
 		size_t End = i;

@@ -31,6 +31,9 @@ struct FShaderToken
 
 using FShaderTokens = std::vector<FShaderToken>;
 
+/** The most blank lines in a row of a text; `#line` skips further ones. */
+inline constexpr int GMaxBlankLines = 6;
+
 /** Tokens of a text without comments. */
 DRYDOCK_API FShaderTokens SplitTokens(const std::string& Text);
 

@@ -7,6 +7,7 @@
 #include "ShaderDirectories.h"
 #include "ShaderSource.h"
 #include "SpirvFile.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <cctype>
@@ -232,7 +233,7 @@ private:
 	{
 		const size_t First = std::min(Line.find_first_not_of(" \t", Point + 1), Line.size());
 		size_t End = First;
-		while (End < Line.size() && (std::isalnum(static_cast<unsigned char>(Line[End])) || Line[End] == '_'))
+		while (End < Line.size() && IsWordCharacter(Line[End]))
 		{
 			++End;
 		}

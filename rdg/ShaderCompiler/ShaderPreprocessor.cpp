@@ -3,9 +3,9 @@
 #include "ShaderPreprocessor.h"
 
 #include "ShaderCondition.h"
+#include "TextTools.h"
 
 #include <algorithm>
-#include <cctype>
 
 namespace Drydock
 {
@@ -16,7 +16,6 @@ namespace
 constexpr size_t MaxText = 32u << 20;
 constexpr size_t MaxOpen = 64;
 constexpr size_t MaxErrors = 64;
-constexpr int MaxBlankLines = 6;   // further lines are skipped by #line
 constexpr int MaxCallLines = 1000; // of one macro call
 
 std::string QuotedPath(const std::string& Text)
@@ -39,7 +38,7 @@ std::pair<std::string, std::string> SplitDirective(const std::string& Line)
 	}
 	i = std::min(Line.find_first_not_of(" \t", i + 1), Line.size());
 	size_t End = i;
-	while (End < Line.size() && (std::isalnum(static_cast<unsigned char>(Line[End])) || Line[End] == '_'))
+	while (End < Line.size() && IsWordCharacter(Line[End]))
 	{
 		++End;
 	}
@@ -169,7 +168,7 @@ void FShaderPreprocessor::Error(int Code, const std::string& Message)
 
 void FShaderPreprocessor::Emit(const std::string& Line, int LineNumber)
 {
-	if (TextPath != Path || LineNumber < TextNumber || LineNumber > TextNumber + MaxBlankLines)
+	if (TextPath != Path || LineNumber < TextNumber || LineNumber > TextNumber + GMaxBlankLines)
 	{
 		Text += "#line " + std::to_string(LineNumber) + " \"" + Path + "\"\n";
 		TextPath = Path;

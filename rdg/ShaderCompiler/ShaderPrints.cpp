@@ -1,19 +1,15 @@
 // Finds the calls, with their arguments.
 #include "ShaderPrints.h"
 
+#include "TextTools.h"
+
 #include <algorithm>
-#include <cctype>
 
 namespace Drydock
 {
 
 namespace
 {
-
-bool IsWordCharacter(char c)
-{
-	return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
-}
 
 /** From an opening quote to behind the closing one. */
 size_t SkipQuoted(const std::string& Text, size_t At)
@@ -54,12 +50,6 @@ std::vector<std::string> SplitArguments(const std::string& Text, size_t Open, si
 	}
 	End = std::string::npos;
 	return {};
-}
-
-std::string Trim(const std::string& Text)
-{
-	const size_t Begin = Text.find_first_not_of(" \t\n");
-	return Begin == std::string::npos ? std::string() : Text.substr(Begin, Text.find_last_not_of(" \t\n") + 1 - Begin);
 }
 
 /** What stands between quotes; adjacent literals are one, as in C. */

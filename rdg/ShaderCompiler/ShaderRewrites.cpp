@@ -1,8 +1,9 @@
 // Rewrites words of a preprocessed shader.
 #include "ShaderRewrites.h"
 
+#include "TextTools.h"
+
 #include <algorithm>
-#include <cctype>
 #include <map>
 
 namespace Drydock
@@ -10,11 +11,6 @@ namespace Drydock
 
 namespace
 {
-
-bool IsWordCharacter(char c)
-{
-	return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
-}
 
 /** Goes through a text word by word; what lies between is skipped. */
 class FWords
@@ -90,8 +86,8 @@ bool Declares(const std::string& Text, const std::string& Name)
 	{
 		const std::string Word = Words.Get();
 		const bool bAdjacent = Words.SkipBlanks(LastEnd) == Words.Begin && Words.Begin > LastEnd;
-		const bool bTyped = bAdjacent && !Last.empty() && IsWordCharacter(Last.back()) && !NoTypes.count(Last) &&
-							!std::isdigit(Last[0]);
+		const bool bTyped =
+			bAdjacent && !Last.empty() && IsWordCharacter(Last.back()) && !NoTypes.count(Last) && !IsDigit(Last[0]);
 		if (Word == Name && bTyped && Words.Behind() != '.')
 		{
 			return true;

@@ -3,6 +3,7 @@
 #include "SpirvFile.h"
 
 #include "Diagnostics.h"
+#include "SpirvOps.h"
 
 #include <cstdlib>
 #include <cstring>
@@ -11,22 +12,14 @@
 namespace Drydock
 {
 
+using namespace Spirv;
+
 namespace
 {
 
-constexpr uint32_t Magic = 0x07230203;
 constexpr uint32_t SwappedMagic = 0x03022307;
-constexpr size_t HeaderWords = 5;
 
-enum : uint32_t
-{
-	OpName = 5,
-	OpEntryPoint = 15,
-	OpExecutionMode = 16,
-	OpTypePointer = 32,
-	OpVariable = 59,
-	OpExecutionModeId = 331,
-};
+constexpr uint32_t OpExecutionModeId = 331;
 
 struct FInstruction
 {

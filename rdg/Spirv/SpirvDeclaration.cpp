@@ -1,6 +1,8 @@
 // Reads "TYPE<...> A : register(u0), B" word by word, and lines with their #line directives.
 #include "SpirvDeclaration.h"
 
+#include "TextTools.h"
+
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
@@ -11,11 +13,6 @@ namespace Drydock
 
 namespace
 {
-
-bool IsWord(char c)
-{
-	return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
-}
 
 /** A place in a text; at its end every look sees 0. */
 struct FTextPlace
@@ -30,7 +27,7 @@ struct FTextPlace
 	{
 		SkipSpace();
 		const size_t First = At;
-		while (IsWord(Look()))
+		while (IsWordCharacter(Look()))
 		{
 			++At;
 		}
@@ -59,7 +56,7 @@ bool IsDeclaredAs(const std::string& Text, const std::string& Type, const std::s
 	for (size_t Found = Text.find(Type); Found != std::string::npos; Found = Text.find(Type, Found + 1))
 	{
 		FTextPlace Place{Text, Found + Type.size()};
-		if ((Found > 0 && IsWord(Text[Found - 1])) || IsWord(Place.Look()))
+		if ((Found > 0 && IsWordCharacter(Text[Found - 1])) || IsWordCharacter(Place.Look()))
 		{
 			continue;
 		}
@@ -93,7 +90,7 @@ FTextLine FindSemantic(const std::string& Text, const std::string& Name, const s
 		for (size_t Found = Row.find(Name); Found != std::string::npos; Found = Row.find(Name, Found + 1))
 		{
 			FTextPlace Place{Row, Found};
-			const bool bWhole = (Found == 0 || !IsWord(Row[Found - 1])) && Place.ReadWord() == Name;
+			const bool bWhole = (Found == 0 || !IsWordCharacter(Row[Found - 1])) && Place.ReadWord() == Name;
 			if (bWhole && Place.Look() == ':')
 			{
 				++Place.At;

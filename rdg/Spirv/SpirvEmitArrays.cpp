@@ -15,7 +15,7 @@ namespace
 
 constexpr size_t MaxScan = 64; // instructions looked at behind a load
 
-bool IsChain(const FSpirvInstruction& I)
+bool IsAccessChain(const FSpirvInstruction& I)
 {
 	return I.Op == OpAccessChain || I.Op == OpInBoundsAccessChain;
 }
@@ -69,7 +69,7 @@ bool FSpirvEmitter::CanReadInPlace(const FSpirvInstruction& Load, uint32_t Varia
 		{
 			const uint32_t Pointer = I.Operands[I.Op == OpStore ? 0 : 3];
 			const auto Chain = Definitions.find(Pointer);
-			const bool bChain = Chain != Definitions.end() && IsChain(*Chain->second);
+			const bool bChain = Chain != Definitions.end() && IsAccessChain(*Chain->second);
 			if ((bChain ? Chain->second->Operands[0] : Pointer) == Variable)
 			{
 				return false;

@@ -9,8 +9,6 @@ using namespace Spirv;
 namespace
 {
 
-constexpr ESpirvType Uint = ESpirvType::Uint;
-
 std::string GetOperation(uint16_t Op, bool bWide)
 {
 	const char* const Signed = bWide ? "<int64_t>" : "<int32_t>";

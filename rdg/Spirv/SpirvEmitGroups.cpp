@@ -12,9 +12,9 @@
 
 #include "SpirvGroups.h"
 #include "SpirvLimits.h"
+#include "TextTools.h"
 
 #include <algorithm>
-#include <cctype>
 
 namespace Drydock
 {
@@ -26,19 +26,15 @@ namespace
 
 std::set<std::string> FindNames(const std::string& Text)
 {
-	const auto IsWord = [](char c)
-	{
-		return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
-	};
 	std::set<std::string> Names;
 	for (size_t i = 0; i < Text.size();)
 	{
 		size_t End = i;
-		while (End < Text.size() && IsWord(Text[End]))
+		while (End < Text.size() && IsWordCharacter(Text[End]))
 		{
 			++End;
 		}
-		if (End > i && !std::isdigit(static_cast<unsigned char>(Text[i])))
+		if (End > i && !IsDigit(Text[i]))
 		{
 			Names.insert(Text.substr(i, End - i));
 		}

@@ -10,20 +10,6 @@ namespace Drydock
 
 using namespace Spirv;
 
-namespace
-{
-
-constexpr ESpirvType Float = ESpirvType::Float;
-constexpr ESpirvType Int = ESpirvType::Int;
-constexpr ESpirvType Uint = ESpirvType::Uint;
-
-std::string Number(uint32_t Value)
-{
-	return std::to_string(Value);
-}
-
-} // namespace
-
 std::string FSpirvEmitter::HandleOf(uint32_t Id) const
 {
 	for (int Steps = 0; Steps < 8; ++Steps)

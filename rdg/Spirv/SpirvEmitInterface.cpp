@@ -8,19 +8,6 @@ namespace Drydock
 
 using namespace Spirv;
 
-namespace
-{
-
-constexpr ESpirvType Float = ESpirvType::Float;
-constexpr ESpirvType Uint = ESpirvType::Uint;
-
-std::string Number(uint32_t Value)
-{
-	return std::to_string(Value);
-}
-
-} // namespace
-
 std::vector<FEmitScalar> FSpirvEmitter::LoadInput(const FSpirvVariable& Variable)
 {
 	if (bGroups)

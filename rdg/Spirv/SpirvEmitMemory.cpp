@@ -14,19 +14,10 @@ using namespace Spirv;
 namespace
 {
 
-constexpr ESpirvType Float = ESpirvType::Float;
-constexpr ESpirvType Int = ESpirvType::Int;
-constexpr ESpirvType Uint = ESpirvType::Uint;
-
 bool IsLocal(const FSpirvVariable& Variable)
 {
 	return Variable.Storage == StorageFunction || Variable.Storage == StoragePrivate ||
 		   Variable.Storage == StorageOutput;
-}
-
-std::string Number(uint32_t Value)
-{
-	return std::to_string(Value);
 }
 
 } // namespace

@@ -21,10 +21,6 @@ namespace
 {
 
 constexpr ESpirvType Any = ESpirvType::None;
-constexpr ESpirvType Float = ESpirvType::Float;
-constexpr ESpirvType Int = ESpirvType::Int;
-constexpr ESpirvType Uint = ESpirvType::Uint;
-constexpr ESpirvType Bool = ESpirvType::Bool;
 
 // clang-format off
 constexpr FEmitPattern Operations[] = {
@@ -74,7 +70,7 @@ constexpr FEmitPattern Extended[] = {
 // clang-format on
 
 /** What an operation of Kind takes its operands as. */
-ESpirvType GetOperandKind(ESpirvType Kind, ESpirvType Operands, ESpirvType Result)
+ESpirvType GetPatternKind(ESpirvType Kind, ESpirvType Operands, ESpirvType Result)
 {
 	return Kind == Any     ? Result
 		   : Kind == Float ? (IsSpirvReal(Operands) ? Operands : Float)
@@ -166,7 +162,7 @@ void FSpirvEmitter::EmitPattern(const FSpirvInstruction& I, size_t FirstOperand,
 			bVarying = bVarying || Scalar(I.Operands[k], Index).bVarying;
 		}
 		const ESpirvType Operands = Scalar(I.Operands[FirstOperand], Index).Kind;
-		const ESpirvType Kind = GetOperandKind(Pattern.Kind, Operands, ResultKind);
+		const ESpirvType Kind = GetPatternKind(Pattern.Kind, Operands, ResultKind);
 		std::string Text;
 		OperandLevel = EEmitLevel::Tile;
 		for (const char* c = GetText(Pattern, I.Op, Kind); *c; ++c)

@@ -10,9 +10,6 @@ using namespace Spirv;
 namespace
 {
 
-constexpr ESpirvType Float = ESpirvType::Float;
-constexpr ESpirvType Uint = ESpirvType::Uint;
-
 const char* GetDerivative(uint16_t Op)
 {
 	switch (Op)

@@ -8,19 +8,6 @@ namespace Drydock
 
 using namespace Spirv;
 
-namespace
-{
-
-constexpr ESpirvType Float = ESpirvType::Float;
-constexpr ESpirvType Int = ESpirvType::Int;
-
-std::string Number(uint32_t Value)
-{
-	return std::to_string(Value);
-}
-
-} // namespace
-
 /** "g1, g2, " of the texture and the sampler. */
 std::string FSpirvEmitter::SampledHandles(const FSpirvInstruction& I) const
 {

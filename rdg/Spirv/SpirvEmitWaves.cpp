@@ -9,9 +9,6 @@ using namespace Spirv;
 namespace
 {
 
-constexpr ESpirvType Int = ESpirvType::Int;
-constexpr ESpirvType Uint = ESpirvType::Uint;
-constexpr ESpirvType Bool = ESpirvType::Bool;
 constexpr uint32_t Reduce = 0; // SPIR-V's group operation
 
 struct FWaveArithmetic

@@ -24,9 +24,16 @@
 #include "SpirvTurns.h"
 
 #include <set>
+#include <string>
 
 namespace Drydock
 {
+
+// The kinds that are named at every turn.
+using ESpirvType::Bool;
+using ESpirvType::Float;
+using ESpirvType::Int;
+using ESpirvType::Uint;
 
 /** Where text stands: around the loop over a tile's rows, around the loop over a row's packs, in it. */
 enum class EEmitLevel : uint8_t
@@ -196,6 +203,7 @@ private:
 	void CountArray(uint32_t Size, size_t NumKinds, const FSpirvInstruction* Where);
 
 	// Scalars
+	static std::string Number(uint32_t Value) { return std::to_string(Value); }
 	FEmitScalar Scalar(uint32_t Value, uint32_t Index);
 	std::string Use(const FEmitScalar& S);
 	std::string UseAs(const FEmitScalar& S, ESpirvType Kind, bool bVarying);

@@ -172,7 +172,7 @@ std::vector<uint32_t> TSpirvGroup<Real>::FindLast(uint32_t First, uint32_t Last,
 	return Found;
 }
 
-template class DRYDOCK_API TSpirvGroup<float>;
-template class DRYDOCK_API TSpirvGroup<double>;
+template class TSpirvGroup<float>;
+template class TSpirvGroup<double>;
 
 } // namespace Drydock

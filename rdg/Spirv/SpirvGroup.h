@@ -59,7 +59,7 @@ private:
 	uint32_t Helpers = 0;
 };
 
-extern template class TSpirvGroup<float>;
-extern template class TSpirvGroup<double>;
+extern template class DRYDOCK_API TSpirvGroup<float>;
+extern template class DRYDOCK_API TSpirvGroup<double>;
 
 } // namespace Drydock

@@ -2,6 +2,7 @@
 // storage classes. Source: Khronos, SPIR-V specification and its extended instruction set for GLSL.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace Drydock::Spirv
@@ -107,6 +108,7 @@ enum EImageOperand : uint32_t
 // clang-format on
 
 constexpr uint32_t Magic = 0x07230203;
+constexpr size_t HeaderWords = 5;
 constexpr uint32_t ExecutionModeLocalSize = 17;
 constexpr uint32_t ExecutionModelVertex = 0;
 constexpr uint32_t ExecutionModelFragment = 4;

@@ -387,7 +387,7 @@ std::string GetElementSemantic(const std::string& Semantic, const std::string& N
 
 FSpirvModule FSpirvReader::Read()
 {
-	if (Words.size() < 5 || Words[0] != Magic)
+	if (Words.size() < HeaderWords || Words[0] != Magic)
 	{
 		throw FSpirvError("SPIR-V: not a module");
 	}
@@ -398,7 +398,7 @@ FSpirvModule FSpirvReader::Read()
 		throw FSpirvError("SPIR-V: too many ids");
 	}
 	Module.Files.push_back("");
-	for (size_t Position = 5; Position < Words.size();)
+	for (size_t Position = HeaderWords; Position < Words.size();)
 	{
 		const uint32_t Length = Words[Position] >> 16;
 		if (Length == 0 || Length > Words.size() - Position)

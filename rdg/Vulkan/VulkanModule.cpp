@@ -18,7 +18,6 @@ namespace
 {
 
 constexpr uint32_t DecorationDescriptorSet = 34;
-constexpr size_t HeaderWords = 5;
 constexpr uint32_t GeneratorGlslang = 8; // Khronos' register of generators
 constexpr uint32_t InclusiveScan = 1;
 constexpr uint32_t ExclusiveScan = 2;

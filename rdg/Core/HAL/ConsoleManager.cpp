@@ -15,11 +15,6 @@ namespace
 using namespace Drydock;
 using namespace Drydock::Private;
 
-struct FNameLess
-{
-	bool operator()(const FString& A, const FString& B) const { return FCString::Stricmp(*A, *B) < 0; }
-};
-
 class FConsoleCommand final : public IConsoleCommand
 {
 public:
@@ -46,16 +41,21 @@ private:
 /** Whether any variable has changed since the sinks ran last. */
 std::atomic<bool> GVariablesChanged{false};
 
-struct FRegistration
-{
-	std::unique_ptr<IConsoleObject> Object;
-	int32 Count = 1; // how often it was registered
-};
-
 } // namespace
 
 struct IConsoleManager::FState
 {
+	struct FNameLess
+	{
+		bool operator()(const FString& A, const FString& B) const { return FCString::Stricmp(*A, *B) < 0; }
+	};
+
+	struct FRegistration
+	{
+		std::unique_ptr<IConsoleObject> Object;
+		int32 Count = 1; // how often it was registered
+	};
+
 	mutable std::recursive_mutex Mutex;
 	std::map<FString, FRegistration, FNameLess> Objects;
 	std::vector<std::unique_ptr<IConsoleObject>> Nameless; // variables that lost their name to another one

@@ -38,7 +38,7 @@ struct FReflectionState
 };
 
 /** Never destroyed: libraries unregister at the very end of the program. */
-FReflectionState& GetState()
+FReflectionState& GetReflectionState()
 {
 	static auto* const State = new FReflectionState;
 	return *State;
@@ -57,7 +57,7 @@ auto FindByType(const TEntries& Entries, const std::type_info& Type, const TGetT
 
 std::string FindPluginOf(const FReflectedStruct& Struct)
 {
-	for (const FStructEntry& Entry : GetState().Structs)
+	for (const FStructEntry& Entry : GetReflectionState().Structs)
 	{
 		if (Entry.Struct == &Struct)
 		{
@@ -125,29 +125,29 @@ FReflection& FReflection::Get()
 void FReflection::Register(const FReflectedStruct& Struct)
 {
 	const FCodeOwner* const Running = GetRunningCode();
-	GetState().Structs.push_back({&Struct, Running != nullptr ? Running->Plugin : std::string()});
+	GetReflectionState().Structs.push_back({&Struct, Running != nullptr ? Running->Plugin : std::string()});
 }
 
 void FReflection::Register(const FReflectedEnum& Enum)
 {
-	GetState().Enums.push_back(&Enum);
+	GetReflectionState().Enums.push_back(&Enum);
 }
 
 void FReflection::Unregister(const FReflectedStruct& Struct)
 {
-	std::erase_if(GetState().Structs, [&](const FStructEntry& Entry) { return Entry.Struct == &Struct; });
-	std::erase_if(GetState().Given, [&](const FGiven& Given) { return Given.Class == &Struct; });
+	std::erase_if(GetReflectionState().Structs, [&](const FStructEntry& Entry) { return Entry.Struct == &Struct; });
+	std::erase_if(GetReflectionState().Given, [&](const FGiven& Given) { return Given.Class == &Struct; });
 }
 
 void FReflection::Unregister(const FReflectedEnum& Enum)
 {
-	std::erase(GetState().Enums, &Enum);
+	std::erase(GetReflectionState().Enums, &Enum);
 }
 
 std::vector<const FReflectedStruct*> FReflection::FindClasses(const std::string& Plugin) const
 {
 	std::vector<const FReflectedStruct*> Classes;
-	for (const FStructEntry& Entry : GetState().Structs)
+	for (const FStructEntry& Entry : GetReflectionState().Structs)
 	{
 		if (Entry.Plugin == Plugin && Entry.Struct->FromObject != nullptr)
 		{
@@ -159,14 +159,14 @@ std::vector<const FReflectedStruct*> FReflection::FindClasses(const std::string&
 
 const FReflectedStruct* FReflection::FindStruct(const std::type_info& Type) const
 {
-	const std::vector<FStructEntry>& Structs = GetState().Structs;
+	const std::vector<FStructEntry>& Structs = GetReflectionState().Structs;
 	const auto Found = FindByType(Structs, Type, [](const FStructEntry& Entry) { return Entry.Struct->Type; });
 	return Found != Structs.end() ? Found->Struct : nullptr;
 }
 
 const FReflectedEnum* FReflection::FindEnum(const std::type_info& Type) const
 {
-	const std::vector<const FReflectedEnum*>& Enums = GetState().Enums;
+	const std::vector<const FReflectedEnum*>& Enums = GetReflectionState().Enums;
 	const auto Found = FindByType(Enums, Type, [](const FReflectedEnum* Enum) { return Enum->Type; });
 	return Found != Enums.end() ? *Found : nullptr;
 }
@@ -244,14 +244,14 @@ bool FReflection::Give(
 	{
 		WriteTo(*Objects[Index], Class, Name, Value);
 	}
-	GetState().Given.push_back({&Class, Plugin, Name, Value, Before});
+	GetReflectionState().Given.push_back({&Class, Plugin, Name, Value, Before});
 	return true;
 }
 
 void FReflection::FinishDefaults(const std::string& Plugin)
 {
 	std::vector<const FReflectedStruct*> Classes;
-	for (const FGiven& Given : GetState().Given)
+	for (const FGiven& Given : GetReflectionState().Given)
 	{
 		if (Given.Plugin == Plugin && std::find(Classes.begin(), Classes.end(), Given.Class) == Classes.end())
 		{
@@ -267,7 +267,7 @@ void FReflection::FinishDefaults(const std::string& Plugin)
 
 void FReflection::TakeBack()
 {
-	std::vector<FGiven>& AllGiven = GetState().Given;
+	std::vector<FGiven>& AllGiven = GetReflectionState().Given;
 	// From the end: of a property that was given twice the first "before" is the constructor's.
 	while (!AllGiven.empty())
 	{
@@ -282,11 +282,11 @@ void FReflection::TakeBack()
 
 void FReflection::FinishObject(UObject& Object, const std::type_info& Type)
 {
-	if (!GetState().Given.empty())
+	if (!GetReflectionState().Given.empty())
 	{
 		if (const FReflectedStruct* const Class = FindStruct(Type))
 		{
-			for (const FGiven& Given : GetState().Given)
+			for (const FGiven& Given : GetReflectionState().Given)
 			{
 				if (Given.Class == Class)
 				{

@@ -9,16 +9,16 @@ namespace Drydock
 namespace
 {
 
-constexpr FSettingClaim Settings[] = {{"Posterize"}};
+constexpr FSettingClaim PosterizeSettings[] = {{"Posterize"}};
 
-constexpr FSwitch Switches[] = {{"PosterizeLevels", &FPostProcessSettings::PosterizeLevels, 0.0f}};
+constexpr FSwitch PosterizeSwitches[] = {{"PosterizeLevels", &FPostProcessSettings::PosterizeLevels, 0.0f}};
 
-FEffectDecision Decide(const FEffect& Effect, const FEffectInputs& Inputs)
+FEffectDecision DecidePosterize(const FEffect& Effect, const FEffectInputs& Inputs)
 {
-	return DecideBySwitches(Effect, Inputs, Switches, "; before bloom");
+	return DecideBySwitches(Effect, Inputs, PosterizeSwitches, "; before bloom");
 }
 
-FScreenPassTexture AddPasses(const FEffectPassInputs& Inputs)
+FScreenPassTexture AddPosterizeEffect(const FEffectPassInputs& Inputs)
 {
 	return AddPosterizePass(
 		Inputs.GraphBuilder, Inputs.View, Inputs.SceneColor, Inputs.View.FinalPostProcessSettings.PosterizeLevels);
@@ -30,9 +30,9 @@ const FEffect GPosterizeEffect{
 	.Id = EEffect::Posterize,
 	.Name = "Posterize",
 	.Doc = "The picture in few levels.",
-	.Settings = Settings,
+	.Settings = PosterizeSettings,
 	.bMayBrightenBeforeBloom = false,
-	.Decide = &Decide,
+	.Decide = &DecidePosterize,
 	.Ask = nullptr,
 	.Gate = nullptr,
 	.Complete = nullptr,
@@ -40,7 +40,7 @@ const FEffect GPosterizeEffect{
 		[] {
 			return FChainPlace{EChainPlace::BeforeBloom, 2};
 		},
-	.AddPasses = &AddPasses,
+	.AddPasses = &AddPosterizeEffect,
 	.Measured = NothingMeasured,
 	.Measure = nullptr,
 };

@@ -1,0 +1,27 @@
+# Unity builds by room: a few files of one folder are compiled as one unit, so that the headers which they share are read
+# once. Names in anonymous namespaces are therefore distinct within a room. The preset `debug` compiles each file alone.
+
+# How many files one unit has at most: an edit of one of them compiles them all.
+set(DRYDOCK_UNITY_FILES 10)
+
+# drydock_unite_rooms(TARGET): files with compile options or definitions of their own stay alone (CMake sees to it).
+function(drydock_unite_rooms Target)
+	if(NOT DRYDOCK_UNITY)
+		return()
+	endif()
+	set_target_properties(${Target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+	get_target_property(Sources ${Target} SOURCES)
+	set(LastRoom "")
+	foreach(Source IN LISTS Sources)
+		cmake_path(RELATIVE_PATH Source BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE Room)
+		string(REGEX MATCH "^[^/]+(/[^/.]+/)?" Room ${Room})
+		string(MAKE_C_IDENTIFIER ${Room} Room)
+		if(NOT Room STREQUAL LastRoom)
+			set(LastRoom ${Room})
+			set(Count 0)
+		endif()
+		math(EXPR Part "${Count} / ${DRYDOCK_UNITY_FILES} + 1")
+		math(EXPR Count "${Count} + 1")
+		set_source_files_properties(${Source} PROPERTIES UNITY_GROUP ${Room}_${Part})
+	endforeach()
+endfunction()

@@ -1,0 +1,21 @@
+// The types that passes and extensions are asked for by.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+template<typename TFactory>
+std::vector<std::string> GetFactoryTypes(const std::vector<const TFactory*>& Factories)
+{
+	std::vector<std::string> Types;
+	for (const TFactory* Factory : Factories)
+	{
+		Types.push_back(Factory->Type);
+	}
+	return Types;
+}
+
+} // namespace Drydock
