@@ -2,8 +2,8 @@
 #include "Program/ArgumentParser.h"
 
 #include "Program/ProgramModel.h"
-#include "Program/ProgramOutput.h"
 #include "Text/ConfigErrors.h"
+#include "Text/TextFormat.h"
 
 #include <algorithm>
 #include <sstream>
@@ -183,15 +183,15 @@ FVerbOption FVerbOption::RequireOneOf(const std::vector<std::string>& Words) con
 			return std::string();
 		}
 		const std::string Nearest = FindNearestName(Word, Words);
-		return '"' + Word + "\" is none of " + JoinWords(Words, ", ") +
+		return '"' + Word + "\" is none of " + JoinText(Words) +
 			   (Nearest.empty() ? "" : "; did you mean " + Nearest + "?");
 	};
-	return FVerbOption(Option->check(Explain)->type_name(JoinWords(Words, "|")));
+	return FVerbOption(Option->check(Explain)->type_name(JoinText(Words, "|")));
 }
 
 FVerbOption FVerbOption::RequireSomeOf(const std::vector<std::string>& Words) const
 {
-	return RequireOneOf(Words).SplitAtCommas().SetType(JoinWords(Words, "|") + ",...");
+	return RequireOneOf(Words).SplitAtCommas().SetType(JoinText(Words, "|") + ",...");
 }
 
 FVerbOptions::FVerbOptions(CLI::App* Verb)

@@ -2,15 +2,16 @@
 #include "Blend/BlendReport.h"
 #include "Blend/SettingsWalk.h"
 #include "Blend/WalkChart.h"
-#include "Program/Fmt.inl"
 #include "Program/ProgramOutput.h"
 #include "Program/SettingStory.h"
 #include "Program/VerbOptions.h"
 #include "Run/FinalSettings.h"
 #include "Run/RunOutputs.h"
 #include "Run/RunSetup.h"
+#include "Text/Fmt.inl"
 #include "Text/JsonWriter.h"
 #include "Text/TextFile.h"
+#include "Text/TextFormat.h"
 #include "Text/TextTable.h"
 
 #include <cstdio>
@@ -59,7 +60,7 @@ std::vector<std::string> GetNames(const FSettingsWalk& Walk)
 
 std::string ListSettings(const FSettingsWalk& Walk)
 {
-	const std::string Text = JoinWords(GetNames(Walk), ", ");
+	const std::string Text = JoinText(GetNames(Walk));
 	return Text.empty() ? "no setting changes on the way" : Text;
 }
 

@@ -1,7 +1,7 @@
 // Writes the scripts: what is the same for all programs as text, verbs and options as cases.
 #include "Program/CompletionScript.h"
 
-#include "Program/ProgramOutput.h"
+#include "Text/TextFormat.h"
 
 #include <algorithm>
 #include <map>
@@ -67,7 +67,7 @@ std::string MakeBashValue(const FVerbModel& Verb, const FOptionModel& Option)
 	switch (GetValue(Verb, Option))
 	{
 	case EValue::Words:
-		return (Option.bList ? "_drydock_list '" : "_drydock_words '") + JoinWords(Option.Words, " ") + "'";
+		return (Option.bList ? "_drydock_list '" : "_drydock_words '") + JoinText(Option.Words, " ") + "'";
 	case EValue::Config:
 		return "_drydock_files json";
 	case EValue::Folder:
@@ -109,14 +109,14 @@ std::string MakeBashVerb(const FVerbModel& Verb)
 	{
 		if (!Option.bPositional && !Option.Type.empty())
 		{
-			Text += "\t\t" + JoinWords(Option.Names, " | ") + ") " + MakeBashValue(Verb, Option) + "; " +
+			Text += "\t\t" + JoinText(Option.Names, " | ") + ") " + MakeBashValue(Verb, Option) + "; " +
 					(Option.bValueOptional ? "[[ $now == -* ]] || return" : "return") + " ;;\n";
 		}
 	}
 	Text += "\t\tesac\n";
-	Text += "\t\tif [[ $now == -* ]]; then\n\t\t\t_drydock_words '" + JoinWords(GetOptionNames(Verb), " ") + "'\n";
+	Text += "\t\tif [[ $now == -* ]]; then\n\t\t\t_drydock_words '" + JoinText(GetOptionNames(Verb), " ") + "'\n";
 	Text += "\t\telse\n\t\t\t" +
-			(Verb.Verbs.empty() ? MakeBashArguments(Verb) : "_drydock_words '" + JoinWords(Verb.Verbs, " ") + "'") +
+			(Verb.Verbs.empty() ? MakeBashArguments(Verb) : "_drydock_words '" + JoinText(Verb.Verbs, " ") + "'") +
 			"\n\t\tfi ;;\n";
 	return Text;
 }
@@ -140,8 +140,8 @@ std::string MakeZshValue(const FVerbModel& Verb, const FOptionModel& Option)
 	switch (GetValue(Verb, Option))
 	{
 	case EValue::Words:
-		return Option.bList ? "_values -s , word " + JoinWords(Option.Words, " ")
-							: "(" + JoinWords(Option.Words, " ") + ")";
+		return Option.bList ? "_values -s , word " + JoinText(Option.Words, " ")
+							: "(" + JoinText(Option.Words, " ") + ")";
 	case EValue::Config:
 		return "_files -g \"*.json(-.)\"";
 	case EValue::Folder:
@@ -220,7 +220,7 @@ std::string ListUpperVerbs(const FProgramModel& Model)
 			Names.push_back(Verb.Name);
 		}
 	}
-	return JoinWords(Names, " | ");
+	return JoinText(Names, " | ");
 }
 
 } // namespace

@@ -8,6 +8,7 @@
 #include "Run/Explain.h"
 #include "Run/PassValues.h"
 #include "Run/Run.h"
+#include "Text/TextFormat.h"
 
 namespace Drydock
 {
@@ -57,7 +58,7 @@ FListTable ListExtensions()
 		if (!Factory->Passes.empty())
 		{
 			Table.Rows.push_back({Factory->Type, "parameter", "pass", "hook", Factory->Passes[0], "",
-				"Where it is called: " + JoinWords(Factory->Passes, ", ") + "."});
+				"Where it is called: " + JoinText(Factory->Passes) + "."});
 		}
 		AddParameters(Factory->Type, Factory->Parameters, Table);
 	}
@@ -89,7 +90,7 @@ FListTable ListPasses()
 			const std::string Range = GetRangeText(Spec);
 			Parameters.push_back(Spec.Name + " = " + ToText(Spec.Default) + (Range.empty() ? "" : " (" + Range + ")"));
 		}
-		Table.Rows.push_back({Factory->Type, JoinWords(Inputs, ", "), JoinWords(Parameters, ", "), Factory->Doc});
+		Table.Rows.push_back({Factory->Type, JoinText(Inputs), JoinText(Parameters), Factory->Doc});
 	}
 	return Table;
 }
@@ -105,8 +106,8 @@ FListTable ListPasses(const FRunOptions& Options)
 		{{ETextColumn::Name}, {ETextColumn::Name, 2}, {}, {}, {}, {ETextColumn::Text, 1}}};
 	for (const FExplainedPass& Pass : MakeExplainReport(Result, Result, FCostModel()).Passes)
 	{
-		Table.Rows.push_back({Pass.Name, Pass.Effect, Pass.bExecutes ? "yes" : "no", JoinWords(Pass.Reads, ", "),
-			JoinWords(Pass.Writes, ", "), FormatPassValues(Pass.Values)});
+		Table.Rows.push_back({Pass.Name, Pass.Effect, Pass.bExecutes ? "yes" : "no", JoinText(Pass.Reads),
+			JoinText(Pass.Writes), FormatPassValues(Pass.Values)});
 	}
 	return Table;
 }
@@ -148,7 +149,7 @@ FListTable ListHooks(const FRunOptions& Options)
 		const std::string Size =
 			Point.Resource.empty() ? "" : std::to_string(Point.Width) + "x" + std::to_string(Point.Height);
 		std::vector<std::string> Row = {Point.Point, Point.Space, Point.Resource, Point.Format, Size,
-			JoinWords(Point.Subscribers, ", "), Point.bCalled ? "yes" : "no", Point.Reason};
+			JoinText(Point.Subscribers), Point.bCalled ? "yes" : "no", Point.Reason};
 		if (bViews)
 		{
 			Row.insert(Row.begin() + 1, Point.View);

@@ -94,16 +94,6 @@ void PrintDiagnostics(const std::vector<FDiagnostic>& Diagnostics)
 	}
 }
 
-std::string JoinWords(const std::vector<std::string>& Words, const char* Between)
-{
-	std::string Text;
-	for (const std::string& Word : Words)
-	{
-		Text += (Text.empty() ? "" : Between) + Word;
-	}
-	return Text;
-}
-
 int GetOutputWidth()
 {
 	return GetTerminalWidth(STDOUT_FILENO);

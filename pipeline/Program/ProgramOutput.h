@@ -24,9 +24,6 @@ void WriteMessages(FJsonWriter& Writer, const std::vector<FDiagnostic>& Diagnost
  * NO_COLOR is set). */
 DRYDOCK_API void PrintDiagnostics(const std::vector<FDiagnostic>& Diagnostics);
 
-/** "a, b" of a and b with ", " between. */
-std::string JoinWords(const std::vector<std::string>& Words, const char* Between);
-
 /** Columns of the terminal that stdout is; 0 where it is none. */
 int GetOutputWidth();
 

@@ -2,7 +2,7 @@
 #include "Program/ProgressBar.h"
 
 #include "Math/ToInteger.h"
-#include "Program/Fmt.inl"
+#include "Text/Fmt.inl"
 #include "Text/Terminal.h"
 #include "Text/TextTable.h"
 

@@ -2,7 +2,6 @@
 #include "Program/RunFrames.h"
 
 #include "Config/ReadConfig.h"
-#include "Program/Fmt.inl"
 #include "Program/ProgramOutput.h"
 #include "Program/ProgressBar.h"
 #include "Program/ReportOption.h"
@@ -13,6 +12,7 @@
 #include "Sequence/RunSequence.h"
 #include "Sequence/SequenceErrors.h"
 #include "Sequence/Video.h"
+#include "Text/Fmt.inl"
 
 #include <chrono>
 #include <cstdio>

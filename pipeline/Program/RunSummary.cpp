@@ -2,8 +2,8 @@
 #include "Program/RunSummary.h"
 
 #include "Math/ToInteger.h"
-#include "Program/Fmt.inl"
 #include "Run/Run.h"
+#include "Text/Fmt.inl"
 #include "Text/TextTable.h"
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // `drydock diff`: prints how far two images are apart, or two runs picture by picture.
 #include "Picture/ImageMetrics.h"
 #include "Picture/PictureFile.h"
-#include "Program/Fmt.inl"
 #include "Program/JUnitOption.h"
 #include "Program/ProgramOutput.h"
 #include "Program/ReportOption.h"
@@ -10,6 +9,7 @@
 #include "Report/DiffPage.h"
 #include "Report/ReportPage.h"
 #include "Text/ConfigErrors.h"
+#include "Text/Fmt.inl"
 #include "Text/JsonWriter.h"
 #include "Text/OutputFolder.h"
 #include "Text/TextFile.h"

@@ -1,6 +1,5 @@
 // `drydock lint`: what of shaders fails on platforms that drydock is not.
 #include "GlobalShader.h"
-#include "Program/Fmt.inl"
 #include "Program/ProgramOutput.h"
 #include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
@@ -10,6 +9,7 @@
 #include "ShaderLint.h"
 #include "SpirvFile.h"
 #include "Text/ConfigErrors.h"
+#include "Text/Fmt.inl"
 #include "Text/JsonWriter.h"
 
 #include <algorithm>

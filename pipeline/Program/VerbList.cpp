@@ -13,6 +13,7 @@
 #include "Run/RunSetup.h"
 #include "Text/ConfigErrors.h"
 #include "Text/JsonWriter.h"
+#include "Text/TextFormat.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -88,7 +89,7 @@ const std::vector<std::string>& GetLists()
 /** "a|b", which --help shows and completion offers. */
 std::string GetListTypes()
 {
-	return JoinWords(GetLists(), "|");
+	return JoinText(GetLists(), "|");
 }
 
 /** Of all but settings and variables. */

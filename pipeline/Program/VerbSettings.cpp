@@ -10,6 +10,7 @@
 #include "Text/ConfigErrors.h"
 #include "Text/JsonWriter.h"
 #include "Text/TextFile.h"
+#include "Text/TextFormat.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -53,7 +54,7 @@ void Upgrade(std::vector<FVolumeText>& Volumes, const std::string& File, std::ve
 {
 	for (FVolumeText& Volume : Volumes)
 	{
-		const std::string Names = JoinWords(UpgradeSettings(Volume.Settings.Settings), ", ");
+		const std::string Names = JoinText(UpgradeSettings(Volume.Settings.Settings));
 		if (!Names.empty())
 		{
 			Diagnostics.push_back({.Severity = ESeverity::Note,

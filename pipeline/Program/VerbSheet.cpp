@@ -1,11 +1,11 @@
 // `drydock sheet`: puts pictures side by side into one, each with a caption.
 #include "Picture/ContactSheet.h"
 #include "Picture/PictureFile.h"
-#include "Program/Fmt.inl"
 #include "Program/NumberList.h"
 #include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
 #include "Text/ConfigErrors.h"
+#include "Text/Fmt.inl"
 
 #include "Math/ToInteger.h"
 

@@ -1,5 +1,4 @@
 // `drydock study`: measures what accuracy costs, by the variants of a config's study.
-#include "Program/Fmt.inl"
 #include "Program/JUnitOption.h"
 #include "Program/ProgramOutput.h"
 #include "Program/ProgressBar.h"
@@ -12,6 +11,7 @@
 #include "Study/StudyInsets.h"
 #include "Study/StudyReport.h"
 #include "Study/StudyRun.h"
+#include "Text/Fmt.inl"
 #include "Text/OutputFolder.h"
 #include "Text/TextFile.h"
 
