@@ -1,6 +1,4 @@
 // `drydock blend --path`: the settings along a path, as a table, a chart and a summary.
-#include <fmt/format.h>
-
 #include "Blend/BlendReport.h"
 #include "Blend/SettingsWalk.h"
 #include "Blend/WalkChart.h"
@@ -10,8 +8,10 @@
 #include "Run/FinalSettings.h"
 #include "Run/RunOutputs.h"
 #include "Run/RunSetup.h"
+#include "Text/Fmt.inl"
 #include "Text/JsonWriter.h"
 #include "Text/TextFile.h"
+#include "Text/TextFormat.h"
 #include "Text/TextTable.h"
 
 #include <cstdio>
@@ -24,7 +24,7 @@ namespace
 {
 
 /** What a person sees at once: every point of the path with its weights. */
-std::string MakeSummary(const FSettingsWalk& Walk, const std::string& MarkName)
+std::string MakeWalkSummary(const FSettingsWalk& Walk, const std::string& MarkName)
 {
 	std::vector<std::vector<std::string>> Rows = {{MarkName, "cm"}};
 	Rows[0].insert(Rows[0].end(), Walk.Volumes.begin(), Walk.Volumes.end());
@@ -60,16 +60,12 @@ std::vector<std::string> GetNames(const FSettingsWalk& Walk)
 
 std::string ListSettings(const FSettingsWalk& Walk)
 {
-	std::string Text;
-	for (const std::string& Name : GetNames(Walk))
-	{
-		Text += (Text.empty() ? "" : ", ") + Name;
-	}
+	const std::string Text = JoinText(GetNames(Walk));
 	return Text.empty() ? "no setting changes on the way" : Text;
 }
 
 /** {csv, svg, settings: [names], points: [{point, distance, location, weights: {volume: weight}}]} */
-std::string MakeJson(const FSettingsWalk& Walk, const std::string& Csv, const std::string& Svg)
+std::string MakeWalkJson(const FSettingsWalk& Walk, const std::string& Csv, const std::string& Svg)
 {
 	FJsonWriter Writer;
 	Writer.BeginObject();
@@ -128,9 +124,9 @@ int WalkAlongPath(const FBlendOptions& Options)
 	const std::string Svg = (std::filesystem::path(Folder) / "walk.svg").string();
 	WriteTextFile(Csv, MakeWalkCsv(Walk));
 	WriteTextFile(Svg, DrawWalkChart(MakeWalkChart(Walk, Title, MarkName)));
-	const std::string Text = Options.bJson ? MakeJson(Walk, Csv, Svg)
+	const std::string Text = Options.bJson ? MakeWalkJson(Walk, Csv, Svg)
 										   : fmt::format("{}\nsettings  {}\ntable     {}\nchart     {}\n",
-												 MakeSummary(Walk, MarkName), ListSettings(Walk), Csv, Svg);
+												 MakeWalkSummary(Walk, MarkName), ListSettings(Walk), Csv, Svg);
 	PrintResult(Text, Options.bJson);
 	return ExitDone;
 }

@@ -3,20 +3,16 @@
 
 #include "DrydockAPI.h"
 
-#include <memory>
 #include <string>
 #include <vector>
-
-namespace CLI
-{
-class App;
-}
 
 namespace Drydock
 {
 
-/** The parser with all verbs; the call of the verb that it finds sets ExitCode, which outlives it. */
-std::shared_ptr<CLI::App> MakeProgram(int& ExitCode);
+class FArgumentParser;
+
+/** The parser with all verbs. */
+FArgumentParser MakeProgram();
 
 /** Arguments: those behind the program's name. Returns the exit code; what is wrong with the arguments themselves is
  * printed to stderr, with the nearest verb or option, and all verbs where there are no arguments. Throws what a verb

@@ -1,6 +1,8 @@
 // Writes the scripts: what is the same for all programs as text, verbs and options as cases.
 #include "Program/CompletionScript.h"
 
+#include "Text/TextFormat.h"
+
 #include <algorithm>
 #include <map>
 
@@ -46,16 +48,6 @@ EValue GetValue(const FVerbModel& Verb, const FOptionModel& Option)
 	return Option.Type == "PATTERN" && bOfConfig ? EValue::Pass : EValue::Nothing;
 }
 
-std::string Join(const std::vector<std::string>& Words, const char* Separator)
-{
-	std::string Text;
-	for (const std::string& Word : Words)
-	{
-		Text += (Text.empty() ? "" : Separator) + Word;
-	}
-	return Text;
-}
-
 std::vector<std::string> GetOptionNames(const FVerbModel& Verb)
 {
 	std::vector<std::string> Names;
@@ -75,7 +67,7 @@ std::string MakeBashValue(const FVerbModel& Verb, const FOptionModel& Option)
 	switch (GetValue(Verb, Option))
 	{
 	case EValue::Words:
-		return (Option.bList ? "_drydock_list '" : "_drydock_words '") + Join(Option.Words, " ") + "'";
+		return (Option.bList ? "_drydock_list '" : "_drydock_words '") + JoinText(Option.Words, " ") + "'";
 	case EValue::Config:
 		return "_drydock_files json";
 	case EValue::Folder:
@@ -117,14 +109,14 @@ std::string MakeBashVerb(const FVerbModel& Verb)
 	{
 		if (!Option.bPositional && !Option.Type.empty())
 		{
-			Text += "\t\t" + Join(Option.Names, " | ") + ") " + MakeBashValue(Verb, Option) + "; " +
+			Text += "\t\t" + JoinText(Option.Names, " | ") + ") " + MakeBashValue(Verb, Option) + "; " +
 					(Option.bValueOptional ? "[[ $now == -* ]] || return" : "return") + " ;;\n";
 		}
 	}
 	Text += "\t\tesac\n";
-	Text += "\t\tif [[ $now == -* ]]; then\n\t\t\t_drydock_words '" + Join(GetOptionNames(Verb), " ") + "'\n";
+	Text += "\t\tif [[ $now == -* ]]; then\n\t\t\t_drydock_words '" + JoinText(GetOptionNames(Verb), " ") + "'\n";
 	Text += "\t\telse\n\t\t\t" +
-			(Verb.Verbs.empty() ? MakeBashArguments(Verb) : "_drydock_words '" + Join(Verb.Verbs, " ") + "'") +
+			(Verb.Verbs.empty() ? MakeBashArguments(Verb) : "_drydock_words '" + JoinText(Verb.Verbs, " ") + "'") +
 			"\n\t\tfi ;;\n";
 	return Text;
 }
@@ -148,7 +140,8 @@ std::string MakeZshValue(const FVerbModel& Verb, const FOptionModel& Option)
 	switch (GetValue(Verb, Option))
 	{
 	case EValue::Words:
-		return Option.bList ? "_values -s , word " + Join(Option.Words, " ") : "(" + Join(Option.Words, " ") + ")";
+		return Option.bList ? "_values -s , word " + JoinText(Option.Words, " ")
+							: "(" + JoinText(Option.Words, " ") + ")";
 	case EValue::Config:
 		return "_files -g \"*.json(-.)\"";
 	case EValue::Folder:
@@ -227,7 +220,7 @@ std::string ListUpperVerbs(const FProgramModel& Model)
 			Names.push_back(Verb.Name);
 		}
 	}
-	return Join(Names, " | ");
+	return JoinText(Names, " | ");
 }
 
 } // namespace

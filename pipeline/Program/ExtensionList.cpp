@@ -8,22 +8,13 @@
 #include "Run/Explain.h"
 #include "Run/PassValues.h"
 #include "Run/Run.h"
+#include "Text/TextFormat.h"
 
 namespace Drydock
 {
 
 namespace
 {
-
-std::string Join(const std::vector<std::string>& Names, const char* Separator)
-{
-	std::string Text;
-	for (const std::string& Name : Names)
-	{
-		Text += (Text.empty() ? "" : Separator) + Name;
-	}
-	return Text;
-}
 
 void AddParameters(const std::string& Type, const std::vector<FParameterSpec>& Parameters, FListTable& Table)
 {
@@ -67,7 +58,7 @@ FListTable ListExtensions()
 		if (!Factory->Passes.empty())
 		{
 			Table.Rows.push_back({Factory->Type, "parameter", "pass", "hook", Factory->Passes[0], "",
-				"Where it is called: " + Join(Factory->Passes, ", ") + "."});
+				"Where it is called: " + JoinText(Factory->Passes) + "."});
 		}
 		AddParameters(Factory->Type, Factory->Parameters, Table);
 	}
@@ -99,7 +90,7 @@ FListTable ListPasses()
 			const std::string Range = GetRangeText(Spec);
 			Parameters.push_back(Spec.Name + " = " + ToText(Spec.Default) + (Range.empty() ? "" : " (" + Range + ")"));
 		}
-		Table.Rows.push_back({Factory->Type, Join(Inputs, ", "), Join(Parameters, ", "), Factory->Doc});
+		Table.Rows.push_back({Factory->Type, JoinText(Inputs), JoinText(Parameters), Factory->Doc});
 	}
 	return Table;
 }
@@ -115,8 +106,8 @@ FListTable ListPasses(const FRunOptions& Options)
 		{{ETextColumn::Name}, {ETextColumn::Name, 2}, {}, {}, {}, {ETextColumn::Text, 1}}};
 	for (const FExplainedPass& Pass : MakeExplainReport(Result, Result, FCostModel()).Passes)
 	{
-		Table.Rows.push_back({Pass.Name, Pass.Effect, Pass.bExecutes ? "yes" : "no", Join(Pass.Reads, ", "),
-			Join(Pass.Writes, ", "), FormatPassValues(Pass.Values)});
+		Table.Rows.push_back({Pass.Name, Pass.Effect, Pass.bExecutes ? "yes" : "no", JoinText(Pass.Reads),
+			JoinText(Pass.Writes), FormatPassValues(Pass.Values)});
 	}
 	return Table;
 }
@@ -158,7 +149,7 @@ FListTable ListHooks(const FRunOptions& Options)
 		const std::string Size =
 			Point.Resource.empty() ? "" : std::to_string(Point.Width) + "x" + std::to_string(Point.Height);
 		std::vector<std::string> Row = {Point.Point, Point.Space, Point.Resource, Point.Format, Size,
-			Join(Point.Subscribers, ", "), Point.bCalled ? "yes" : "no", Point.Reason};
+			JoinText(Point.Subscribers), Point.bCalled ? "yes" : "no", Point.Reason};
 		if (bViews)
 		{
 			Row.insert(Row.begin() + 1, Point.View);

@@ -1,6 +1,4 @@
 // Names them.
-#include <CLI/CLI.hpp>
-
 #include "Program/InspectOptions.h"
 
 #include "KernelCheck.h"
@@ -26,35 +24,33 @@ std::string ListChecks()
 
 } // namespace
 
-void AddInspection(CLI::App& Verb, FInspectVerbOptions& Options, CLI::Option& Frames)
+void AddInspection(FVerbOptions& Verb, FInspectVerbOptions& Options, const FVerbOption& Frames)
 {
-	const auto Group = [&Frames](CLI::Option* Option)
+	const auto Group = [&Frames](const FVerbOption& Option)
 	{
-		return Option->group("Looking inside shaders (slow: they are interpreted)")->excludes(&Frames);
+		return Option.SetGroup("Looking inside shaders (slow: they are interpreted)").Exclude(Frames);
 	};
-	CLI::Option* const Check = Group(Verb.add_option("--check", Options.Checks, "Say which line does something wrong")
-										 ->delimiter(',')
-										 ->type_name(ListChecks()));
-	Group(AddRepeated(Verb, "--show", "X.usf:LINE[:NAME]", Options.Show,
+	const FVerbOption Check = Group(Verb.Add("--check", Options.Checks, "Say which line does something wrong")
+										.SplitAtCommas()
+										.SetType(ListChecks()));
+	Group(Verb.AddRepeated("--show", "X.usf:LINE[:NAME]", Options.Show,
 		"Write what the line computes, or the variable there, as a picture of the whole frame; repeats"));
-	Group(Verb.add_flag("--coverage", Options.bCoverage, "Count how many pixels ran each line"));
-	Group(Verb.add_flag("--cost", Options.bCost, "Write taps and operations of each pixel as pictures"));
-	CLI::Option* const Print =
-		Group(Verb.add_flag("--print", Options.bPrint, "Print what shaders say by DrydockPrint and ShaderPrint"));
-	Group(Verb.add_option("--at", Options.PrintAt, "Hear only this pixel of each pass")
-			  ->delimiter(',')
-			  ->type_name("X,Y")
-			  ->type_size(2)
-			  ->needs(Print));
+	Group(Verb.AddFlag("--coverage", Options.bCoverage, "Count how many pixels ran each line"));
+	Group(Verb.AddFlag("--cost", Options.bCost, "Write taps and operations of each pixel as pictures"));
+	const FVerbOption Print =
+		Group(Verb.AddFlag("--print", Options.bPrint, "Print what shaders say by DrydockPrint and ShaderPrint"));
+	Group(Verb.Add("--at", Options.PrintAt, "Hear only this pixel of each pass")
+			  .SplitAtCommas(2)
+			  .SetType("X,Y")
+			  .Need(Print));
 	Group(
-		Verb.add_option("--debug-shaders", Options.DebugPixel,
+		Verb.Add("--debug-shaders", Options.DebugPixel,
 				"Run the shaders of passes once more for this pixel of the frame, or this compute thread, so that gdb "
 				"can stop in their lines (docs/see-inside.md)")
-			->type_name("X,Y[,Z]")
-			->excludes(Check));
-	Group(Verb.add_option(
-				  "--passes", Options.Passes, "Look only at these, by name or by their shader's class; with * and ?")
-			  ->type_name("PATTERN"));
+			.SetType("X,Y[,Z]")
+			.Exclude(Check));
+	Group(Verb.Add("--passes", Options.Passes, "Look only at these, by name or by their shader's class; with * and ?")
+			  .SetType("PATTERN"));
 }
 
 FInspectOptions MakeInspectOptions(const FInspectVerbOptions& Options, const FRunOptions& Run)

@@ -4,14 +4,11 @@
 #include "Budget/RunOptions.h"
 #include "Inspect/RunInspection.h"
 
-namespace CLI
-{
-class App;
-class Option;
-} // namespace CLI
-
 namespace Drydock
 {
+
+class FVerbOption;
+class FVerbOptions;
 
 struct FInspectVerbOptions : FInspectOptions
 {
@@ -21,7 +18,7 @@ struct FInspectVerbOptions : FInspectOptions
 };
 
 /** Frames: the option of sequences, which are not looked into. */
-void AddInspection(CLI::App& Verb, FInspectVerbOptions& Options, CLI::Option& Frames);
+void AddInspection(FVerbOptions& Verb, FInspectVerbOptions& Options, const FVerbOption& Frames);
 
 /** With what a debugger is to see, for which the run is planned once: its size is what the pixel counts in. Throws
  * FError (DD1020) where that is no pixel of it. */

@@ -1,18 +1,16 @@
 // Writes the suite of a verb, also where the verb fails.
-#include <CLI/CLI.hpp>
-
 #include "Program/JUnitOption.h"
 
 #include "DiagnosticList.h"
+#include "Program/ArgumentParser.h"
 #include "Program/ProgramFailure.h"
 
 namespace Drydock
 {
 
-void AddJUnit(CLI::App& Verb, std::string& File, const char* Cases)
+void AddJUnit(FVerbOptions& Verb, std::string& File, const char* Cases)
 {
-	Verb.add_option("--junit", File, std::string("Write JUnit XML for build servers: a suite, ") + Cases)
-		->type_name("FILE");
+	Verb.Add("--junit", File, std::string("Write JUnit XML for build servers: a suite, ") + Cases).SetType("FILE");
 }
 
 int CallWithJUnit(const std::string& File, const std::string& SuiteName, const std::function<int(FJUnitSuite&)>& Call)

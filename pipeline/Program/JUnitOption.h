@@ -5,16 +5,13 @@
 
 #include <functional>
 
-namespace CLI
-{
-class App;
-}
-
 namespace Drydock
 {
 
+class FVerbOptions;
+
 /** Adds --junit to a verb. Cases: what its cases are, for --help. */
-void AddJUnit(CLI::App& Verb, std::string& File, const char* Cases);
+void AddJUnit(FVerbOptions& Verb, std::string& File, const char* Cases);
 
 /** Calls the verb, which fills the suite; then writes the suite to File, where that is not empty. What the call throws
  * is the suite's last case, an error, and thrown on. Returns what the call returns. Throws FError (exit code 3) where

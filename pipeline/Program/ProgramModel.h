@@ -10,6 +10,8 @@
 namespace Drydock
 {
 
+class FArgumentParser;
+
 struct FOptionModel
 {
 	std::vector<std::string> Names; // "-h" and "--help"; of an argument its name alone, "CONFIG"
@@ -39,8 +41,8 @@ struct FVerbModel
 /** The program itself, then its verbs in the order of --help, those under a verb behind it. */
 using FProgramModel = std::vector<FVerbModel>;
 
-/** Of App, whose verbs are GetVerbs(). */
-FProgramModel MakeProgramModel(const CLI::App& App);
+/** What a parser of GetVerbs() takes. */
+FProgramModel MakeProgramModel(const FArgumentParser& Parser);
 
 /** Of this program. */
 DRYDOCK_API FProgramModel MakeProgramModel();

@@ -1,9 +1,8 @@
 // Draws the bar with escape sequences of ECMA-48, and puts a rate into words.
-#include <fmt/format.h>
-
 #include "Program/ProgressBar.h"
 
 #include "Math/ToInteger.h"
+#include "Text/Fmt.inl"
 #include "Text/Terminal.h"
 #include "Text/TextTable.h"
 

@@ -1,6 +1,4 @@
 // Adds --report to a verb, and reads it.
-#include <CLI/CLI.hpp>
-
 #include "Program/ReportOption.h"
 
 #include "Config/ReadConfig.h"
@@ -12,14 +10,12 @@
 namespace Drydock
 {
 
-void AddReport(CLI::App& Verb, std::string& Word, const std::string& Page)
+void AddReport(FVerbOptions& Verb, std::string& Word, const std::string& Page)
 {
-	RequireOneOf(
-		Verb.add_option("--report", Word,
-				"Write " + Page + ": on (where no word follows) or off; on by default where stdout is a terminal")
-			->expected(0, 1)
-			->default_str("on"),
-		{"on", "off"});
+	Verb.Add("--report", Word,
+			"Write " + Page + ": on (where no word follows) or off; on by default where stdout is a terminal")
+		.SetValueWhereNoneFollows("on")
+		.RequireOneOf({"on", "off"});
 }
 
 bool WantsReport(const std::string& Word, bool bJson)

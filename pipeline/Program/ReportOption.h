@@ -6,16 +6,13 @@
 #include <filesystem>
 #include <string>
 
-namespace CLI
-{
-class App;
-}
-
 namespace Drydock
 {
 
+class FVerbOptions;
+
 /** --report: on (where no word follows) or off. Page: what it is, "study.html, the chart ...". */
-void AddReport(CLI::App& Verb, std::string& Word, const std::string& Page);
+void AddReport(FVerbOptions& Verb, std::string& Word, const std::string& Page);
 
 /** By the word of --report; where there is none, where stdout is a terminal and no JSON is printed. */
 bool WantsReport(const std::string& Word, bool bJson);

@@ -1,6 +1,4 @@
 // Runs a sequence of frames for `drydock run`, shows how far it is, and sums up what was done.
-#include <fmt/format.h>
-
 #include "Program/RunFrames.h"
 
 #include "Config/ReadConfig.h"
@@ -14,6 +12,7 @@
 #include "Sequence/RunSequence.h"
 #include "Sequence/SequenceErrors.h"
 #include "Sequence/Video.h"
+#include "Text/Fmt.inl"
 
 #include <chrono>
 #include <cstdio>
@@ -51,7 +50,7 @@ private:
 	std::chrono::steady_clock::time_point Begin;
 };
 
-std::string MakeSummary(const FSequenceResult& Result, const std::string& ConfigFile, const std::string& Folder)
+std::string MakeSequenceSummary(const FSequenceResult& Result, const std::string& ConfigFile, const std::string& Folder)
 {
 	const int NumThere = static_cast<int>(Result.Frames.size()) - Result.NumRendered;
 	const double Rate = Result.Seconds > 0.0 ? Result.NumRendered / Result.Seconds : 0.0;
@@ -130,7 +129,8 @@ int RunFrames(const FFramesOptions& Options)
 			PrintDiagnostics({{ESeverity::Warning, WarnNoVideo, "there is no video: " + Problem, Options.Video}});
 		}
 	}
-	PrintResult(Options.bJson ? Result.SequenceJson : MakeSummary(Result, Options.Run.ConfigFile, Sequence.Folder),
+	PrintResult(
+		Options.bJson ? Result.SequenceJson : MakeSequenceSummary(Result, Options.Run.ConfigFile, Sequence.Folder),
 		Options.bJson);
 	if (bPage && !Options.bJson)
 	{

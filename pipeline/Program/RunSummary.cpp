@@ -1,10 +1,9 @@
 // Puts into words what a run did: passes with bars of their times, channels, memory.
-#include <fmt/format.h>
-
 #include "Program/RunSummary.h"
 
 #include "Math/ToInteger.h"
 #include "Run/Run.h"
+#include "Text/Fmt.inl"
 #include "Text/TextTable.h"
 
 #include <algorithm>

@@ -1,6 +1,4 @@
 // `drydock blend`: prints the post-process settings at a place or along a path, and how each came about.
-#include <CLI/CLI.hpp>
-
 #include "Blend/BlendReport.h"
 #include "Blend/MakeBlendReport.h"
 #include "Program/ProgressBar.h"
@@ -36,40 +34,39 @@ std::vector<size_t> GetAllSettings()
 	return All;
 }
 
-FVerbCall AddOptions(CLI::App& Verb)
+FVerbCall AddBlendOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FBlendOptions>();
 	AddConfig(Verb, Options->Run);
-	CLI::Option* const At =
-		Verb.add_option("--at", Options->At, "Where, in cm; the view's location by default")->type_name("X,Y,Z");
-	CLI::Option* const Path = Verb.add_option("--path", Options->Path,
-									  "Along these points: a JSON file, or \"scene\" for the cameras of the scene's "
-									  "frames")
-								  ->type_name("FILE|scene")
-								  ->excludes(At);
-	RequireRange(
-		Verb.add_option("--steps", Options->Steps, "Places between two points of the path; some 240 in all by default"),
-		0, 100000)
-		->type_name("N")
-		->needs(Path);
-	Verb.add_option("--out", Options->OutputFolder, "Folder for walk.csv and walk.svg; out/NAME by default")
-		->type_name("DIR")
-		->needs(Path);
-	AddRepeated(Verb, "--setting", "SETTING", Options->Names,
+	const FVerbOption At =
+		Verb.Add("--at", Options->At, "Where, in cm; the view's location by default").SetType("X,Y,Z");
+	const FVerbOption Path = Verb.Add("--path", Options->Path,
+									 "Along these points: a JSON file, or \"scene\" for the cameras of the scene's "
+									 "frames")
+								 .SetType("FILE|scene")
+								 .Exclude(At);
+	Verb.Add("--steps", Options->Steps, "Places between two points of the path; some 240 in all by default")
+		.RequireRange(0, 100000)
+		.SetType("N")
+		.Need(Path);
+	Verb.Add("--out", Options->OutputFolder, "Folder for walk.csv and walk.svg; out/NAME by default")
+		.SetType("DIR")
+		.Need(Path);
+	Verb.AddRepeated("--setting", "SETTING", Options->Names,
 		"Only these settings, with * and ?; repeats; by default those that changed");
-	Verb.add_flag("--json", Options->bJson, "Print all settings with their whole ledger as JSON");
+	Verb.AddFlag("--json", Options->bJson, "Print all settings with their whole ledger as JSON");
 	return [Options]
 	{
 		return Options->Path.empty() ? PrintSettingStory(*Options) : WalkAlongPath(*Options);
 	};
 }
 
-const FVerbRegistration GRegistration({
+const FVerbRegistration GBlendRegistration({
 	.Name = "blend",
 	.Place = 30,
 	.Group = EVerbGroup::Ask,
 	.Doc = "Print the post-process settings at a place and how each came about",
-	.AddOptions = AddOptions,
+	.AddOptions = AddBlendOptions,
 });
 
 } // namespace

@@ -1,6 +1,4 @@
 // `drydock build`: a plugin's folder, as the engine has it, becomes a shared object that a config can name.
-#include <CLI/CLI.hpp>
-
 #include "Diagnostics.h"
 #include "Patch/PluginBuild.h"
 #include "Program/ProgramOutput.h"
@@ -24,7 +22,7 @@ struct FBuildOptions
 	bool bJson = false;
 };
 
-std::string FormatJson(const FBuiltPlugin& Built)
+std::string MakeBuildJson(const FBuiltPlugin& Built)
 {
 	FJsonWriter Writer;
 	Writer.BeginObject();
@@ -41,7 +39,7 @@ std::string FormatJson(const FBuiltPlugin& Built)
 	return Writer.GetText();
 }
 
-std::string FormatText(const FBuiltPlugin& Built)
+std::string MakeBuildText(const FBuiltPlugin& Built)
 {
 	std::string Text = Built.Name + ": built for engine 5." + std::to_string(Built.EngineMinor) + "\n";
 	for (const std::string& Note : Built.Notes)
@@ -54,40 +52,37 @@ std::string FormatText(const FBuiltPlugin& Built)
 int Build(const FBuildOptions& Options)
 {
 	const FBuiltPlugin Built = BuildPlugin(Options.Build);
-	PrintResult((Options.bJson ? FormatJson : FormatText)(Built), Options.bJson);
+	PrintResult((Options.bJson ? MakeBuildJson : MakeBuildText)(Built), Options.bJson);
 	return ExitDone;
 }
 
-FVerbCall AddOptions(CLI::App& Verb)
+FVerbCall AddBuildOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FBuildOptions>();
-	Verb.add_option("PLUGIN_DIR", Options->Build.Folder, "Folder of a plugin, with its .uplugin")->required();
-	Verb.add_option("--out", Options->Build.BuildFolder, "Folder of the build; build/NAME by default")
-		->type_name("DIR");
-	Verb.add_option("--name", Options->Build.Name, "Name of the library; that of the .uplugin by default")
-		->type_name("NAME");
-	RequireRange(Verb.add_option("--engine-minor", Options->Build.EngineMinor,
-						 "Engine 5.X that it is compiled for; by default the one that the .uplugin or .uproject names, "
-						 "else 4")
-					 ->type_name("X"),
-		1, 99);
-	AddRepeated(Verb, "--exclude", "PATTERN", Options->Build.Excludes,
+	Verb.Add("PLUGIN_DIR", Options->Build.Folder, "Folder of a plugin, with its .uplugin").Require();
+	Verb.Add("--out", Options->Build.BuildFolder, "Folder of the build; build/NAME by default").SetType("DIR");
+	Verb.Add("--name", Options->Build.Name, "Name of the library; that of the .uplugin by default").SetType("NAME");
+	Verb.Add("--engine-minor", Options->Build.EngineMinor,
+			"Engine 5.X that it is compiled for; by default the one that the .uplugin or .uproject names, "
+			"else 4")
+		.SetType("X")
+		.RequireRange(1, 99);
+	Verb.AddRepeated("--exclude", "PATTERN", Options->Build.Excludes,
 		"Leave out a file, folder or module: a path from PLUGIN_DIR on or a name, with * and ?");
-	Verb.add_option("--compiler", Options->Build.Compiler, "C++ compiler; CMake's choice by default")
-		->type_name("PATH");
-	Verb.add_flag("--json", Options->bJson, "Print name, engine, library and what was left out");
+	Verb.Add("--compiler", Options->Build.Compiler, "C++ compiler; CMake's choice by default").SetType("PATH");
+	Verb.AddFlag("--json", Options->bJson, "Print name, engine, library and what was left out");
 	return [Options]
 	{
 		return Build(*Options);
 	};
 }
 
-const FVerbRegistration GRegistration({
+const FVerbRegistration GBuildRegistration({
 	.Name = "build",
 	.Place = 115,
 	.Group = EVerbGroup::Patch,
 	.Doc = "Build a plugin's folder as it is, for the \"plugins\" of a config",
-	.AddOptions = AddOptions,
+	.AddOptions = AddBuildOptions,
 });
 
 } // namespace

@@ -1,6 +1,4 @@
 // `drydock check`: reads and validates a config and its scene's header, compiles its frame and shaders, draws nothing.
-#include <CLI/CLI.hpp>
-
 #include "Program/JUnitOption.h"
 #include "Program/ProgramOutput.h"
 #include "Program/VerbOptions.h"
@@ -26,7 +24,7 @@ struct FCheckOptions
 };
 
 /** A case for each family of messages, which are told apart by the thousands of their numbers. */
-std::vector<FJUnitCase> MakeCases(const std::vector<FDiagnostic>& Diagnostics)
+std::vector<FJUnitCase> MakeCheckCases(const std::vector<FDiagnostic>& Diagnostics)
 {
 	static const std::vector<std::pair<int, const char*>> Families = {
 		{1, "config"}, {2, "graph and extensions"}, {3, "settings"}, {4, "numbers"}, {5, "files"}, {6, "shaders"}};
@@ -65,7 +63,7 @@ int Check(const FCheckOptions& Options, FJUnitSuite& Suite)
 		Diagnostics = Error.GetDiagnostics();
 		ExitCode = Error.GetExitCode();
 	}
-	Suite.Cases = MakeCases(Diagnostics);
+	Suite.Cases = MakeCheckCases(Diagnostics);
 	if (Options.bJson)
 	{
 		FJsonWriter Writer;
@@ -82,12 +80,12 @@ int Check(const FCheckOptions& Options, FJUnitSuite& Suite)
 	return ExitCode;
 }
 
-FVerbCall AddOptions(CLI::App& Verb)
+FVerbCall AddCheckOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FCheckOptions>();
 	AddConfig(Verb, Options->Run);
 	AddJUnit(Verb, Options->JUnit, "a case for each family of messages");
-	Verb.add_flag("--json", Options->bJson, "Print the messages as JSON");
+	Verb.AddFlag("--json", Options->bJson, "Print the messages as JSON");
 	return [Options]
 	{
 		return CallWithJUnit(
@@ -95,12 +93,12 @@ FVerbCall AddOptions(CLI::App& Verb)
 	};
 }
 
-const FVerbRegistration GRegistration({
+const FVerbRegistration GCheckRegistration({
 	.Name = "check",
 	.Place = 20,
 	.Group = EVerbGroup::Run,
 	.Doc = "Validate a config, compile its frame and shaders; draw nothing",
-	.AddOptions = AddOptions,
+	.AddOptions = AddCheckOptions,
 });
 
 } // namespace

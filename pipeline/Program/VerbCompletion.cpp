@@ -1,7 +1,5 @@
 // `drydock completion`, `man` and `schema`: print what shells, readers and editors need, made from what the program
 // knows.
-#include <CLI/CLI.hpp>
-
 #include "Extensions/PublishedSchema.h"
 #include "Program/CompletionScript.h"
 #include "Program/ManPage.h"
@@ -19,10 +17,10 @@ namespace Drydock
 namespace
 {
 
-FVerbCall AddCompletion(CLI::App& Verb)
+FVerbCall AddCompletion(FVerbOptions& Verb)
 {
 	const auto Shell = std::make_shared<std::string>();
-	RequireOneOf(Verb.add_option("SHELL", *Shell, "The shell")->required(), {"bash", "zsh"});
+	Verb.Add("SHELL", *Shell, "The shell").Require().RequireOneOf({"bash", "zsh"});
 	return [Shell]
 	{
 		const FProgramModel Model = MakeProgramModel();
@@ -31,7 +29,7 @@ FVerbCall AddCompletion(CLI::App& Verb)
 	};
 }
 
-FVerbCall AddMan(CLI::App&)
+FVerbCall AddMan(FVerbOptions&)
 {
 	return []
 	{
@@ -40,10 +38,10 @@ FVerbCall AddMan(CLI::App&)
 	};
 }
 
-FVerbCall AddSchema(CLI::App& Verb)
+FVerbCall AddSchema(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FRunOptions>();
-	Verb.add_option("CONFIG", Options->ConfigFile, "With the names that this config's plugins bring; none by default");
+	Verb.Add("CONFIG", Options->ConfigFile, "With the names that this config's plugins bring; none by default");
 	AddTrust(Verb, *Options);
 	return [Options]
 	{

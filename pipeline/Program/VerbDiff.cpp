@@ -1,7 +1,4 @@
 // `drydock diff`: prints how far two images are apart, or two runs picture by picture.
-#include <CLI/CLI.hpp>
-#include <fmt/format.h>
-
 #include "Picture/ImageMetrics.h"
 #include "Picture/PictureFile.h"
 #include "Program/JUnitOption.h"
@@ -12,6 +9,7 @@
 #include "Report/DiffPage.h"
 #include "Report/ReportPage.h"
 #include "Text/ConfigErrors.h"
+#include "Text/Fmt.inl"
 #include "Text/JsonWriter.h"
 #include "Text/OutputFolder.h"
 #include "Text/TextFile.h"
@@ -224,7 +222,7 @@ void Compare(FPair& Pair, const std::string& HeatMap, std::optional<FDiffPage>& 
 	}
 }
 
-std::string MakeTable(const std::vector<FPair>& Pairs)
+std::string MakeDiffTable(const std::vector<FPair>& Pairs)
 {
 	std::vector<std::vector<std::string>> Rows = {{"image", "max", "rms", "relative", "PSNR dB", "SSIM", "largest at"}};
 	for (const FPair& Pair : Pairs)
@@ -274,7 +272,7 @@ FJUnitCase MakeCase(const FPair& Pair, const FDiffOptions& Options)
 }
 
 /** {max: number or null, passed, images: [{name, a, b, max, rms, relative, psnr, ssim, nonFinite, at, channel}]} */
-std::string MakeJson(const std::vector<FPair>& Pairs, const FDiffOptions& Options, bool bPassed)
+std::string MakeDiffJson(const std::vector<FPair>& Pairs, const FDiffOptions& Options, bool bPassed)
 {
 	FJsonWriter Writer;
 	Writer.BeginObject();
@@ -375,14 +373,14 @@ int Diff(const FDiffOptions& Options, FJUnitSuite& Suite)
 		Suite.Cases.push_back(MakeCase(Pair, Options));
 		bPassed = bPassed && Suite.Cases.back().Outcome == EJUnitOutcome::Passed;
 	}
-	const std::string Json = MakeJson(Pairs, Options, bPassed);
+	const std::string Json = MakeDiffJson(Pairs, Options, bPassed);
 	if (Page)
 	{
 		const std::string Data = Page->MakeData(Options.A, Options.B, Json, FormatReportTime(std::time(nullptr)));
 		WriteWholeFile((Folder->GetAside() / "diff.html").string(), MakeReportPage(Data));
 		Folder->PutInPlace();
 	}
-	PrintResult(Options.bJson ? Json : MakeTable(Pairs), Options.bJson);
+	PrintResult(Options.bJson ? Json : MakeDiffTable(Pairs), Options.bJson);
 	if (Page && !Options.bJson)
 	{
 		PrintPage(Folder->GetPath() / "diff.html");
@@ -394,20 +392,21 @@ int Diff(const FDiffOptions& Options, FJUnitSuite& Suite)
 	return bPassed ? ExitDone : ExitPolicy;
 }
 
-FVerbCall AddOptions(CLI::App& Verb)
+FVerbCall AddDiffOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FDiffOptions>();
-	Verb.add_option("A", Options->A, "Image, or folder of a run")->required();
-	Verb.add_option("B", Options->B, "What A is measured against: another one of the same kind and size")->required();
-	RequireNonNegative(Verb.add_option("--max", Options->Max, "Exit code 1 where a value differs by more than this"))
-		->type_name("M");
-	Verb.add_option("--heatmap", Options->HeatMap,
+	Verb.Add("A", Options->A, "Image, or folder of a run").Require();
+	Verb.Add("B", Options->B, "What A is measured against: another one of the same kind and size").Require();
+	Verb.Add("--max", Options->Max, "Exit code 1 where a value differs by more than this")
+		.RequireNonNegative()
+		.SetType("M");
+	Verb.Add("--heatmap", Options->HeatMap,
 			"PNG of where the error is, over four decades of it; of two runs a folder, with one of each picture")
-		->type_name("FILE");
-	Verb.add_option("--out", Options->OutputFolder, "Folder for the page; out/diff by default")->type_name("DIR");
+		.SetType("FILE");
+	Verb.Add("--out", Options->OutputFolder, "Folder for the page; out/diff by default").SetType("DIR");
 	AddReport(Verb, Options->Report, "diff.html, both pictures over each other and what differs in how they were made");
 	AddJUnit(Verb, Options->JUnit, "a case for each pair of pictures");
-	Verb.add_flag("--json", Options->bJson, "Print the figures as JSON");
+	Verb.AddFlag("--json", Options->bJson, "Print the figures as JSON");
 	return [Options]
 	{
 		return CallWithJUnit(Options->JUnit, Options->A + " against " + Options->B,
@@ -415,12 +414,12 @@ FVerbCall AddOptions(CLI::App& Verb)
 	};
 }
 
-const FVerbRegistration GRegistration({
+const FVerbRegistration GDiffRegistration({
 	.Name = "diff",
 	.Place = 60,
 	.Group = EVerbGroup::Measure,
 	.Doc = "Print how far two images are apart, or two runs picture by picture",
-	.AddOptions = AddOptions,
+	.AddOptions = AddDiffOptions,
 });
 
 } // namespace

@@ -1,6 +1,4 @@
 // `drydock explain`: prints which effects and passes run, which do not and why, and what leaving out saves.
-#include <CLI/CLI.hpp>
-
 #include "Program/ProgressBar.h"
 #include "Program/ProgramOutput.h"
 #include "Program/SettingStory.h"
@@ -146,36 +144,35 @@ int Explain(const FExplainOptions& Options)
 	return ExitDone;
 }
 
-FVerbCall AddOptions(CLI::App& Verb)
+FVerbCall AddExplainOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FExplainOptions>();
 	AddConfig(Verb, Options->Run);
 	AddArithmetic(Verb, Options->Run);
-	CLI::Option* const Pass = Verb.add_option("--pass", Options->Pass,
-									  "Only this pass, by name or index: what it reads and writes, who reads that, why "
-									  "it is culled")
-								  ->type_name("PASS");
-	CLI::Option* const Effect = Verb.add_option("--effect", Options->Effect, "Only this effect, with its passes")
-									->type_name("EFFECT")
-									->excludes(Pass);
-	AddRepeated(Verb, "--setting", "SETTING", Options->Names, "How this setting came about, as `drydock blend` says it")
-		->excludes(Pass)
-		->excludes(Effect);
-	Verb.add_flag("--measure", Options->bMeasure,
+	const FVerbOption Pass = Verb.Add("--pass", Options->Pass,
+									 "Only this pass, by name or index: what it reads and writes, who reads that, why "
+									 "it is culled")
+								 .SetType("PASS");
+	const FVerbOption Effect =
+		Verb.Add("--effect", Options->Effect, "Only this effect, with its passes").SetType("EFFECT").Exclude(Pass);
+	Verb.AddRepeated("--setting", "SETTING", Options->Names, "How this setting came about, as `drydock blend` says it")
+		.Exclude(Pass)
+		.Exclude(Effect);
+	Verb.AddFlag("--measure", Options->bMeasure,
 		"Run the frame as it is and with --no-skip, interleaved, and give medians in place of estimates");
-	Verb.add_flag("--json", Options->bJson, "Print effects, passes and costs as JSON");
+	Verb.AddFlag("--json", Options->bJson, "Print effects, passes and costs as JSON");
 	return [Options]
 	{
 		return Explain(*Options);
 	};
 }
 
-const FVerbRegistration GRegistration({
+const FVerbRegistration GExplainRegistration({
 	.Name = "explain",
 	.Place = 70,
 	.Group = EVerbGroup::Ask,
 	.Doc = "Print which effects and passes run, which do not and why",
-	.AddOptions = AddOptions,
+	.AddOptions = AddExplainOptions,
 });
 
 } // namespace

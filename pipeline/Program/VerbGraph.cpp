@@ -1,6 +1,4 @@
 // `drydock graph`: prints the compiled graph of a config without running it.
-#include <CLI/CLI.hpp>
-
 #include "ChildProcess.h"
 #include "Program/ProgramOutput.h"
 #include "Program/VerbOptions.h"
@@ -68,26 +66,26 @@ int PrintGraph(const FGraphOptions& Options)
 	return ExitDone;
 }
 
-FVerbCall AddOptions(CLI::App& Verb)
+FVerbCall AddGraphOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FGraphOptions>();
 	AddConfig(Verb, Options->Run);
 	AddArithmetic(Verb, Options->Run);
-	RequireOneOf(Verb.add_option("--format", Options->Format, "text by default; svg needs Graphviz"),
-		{"text", "dot", "svg", "json"});
-	Verb.add_flag("--json", Options->bJson, "The same as --format json");
+	Verb.Add("--format", Options->Format, "text by default; svg needs Graphviz")
+		.RequireOneOf({"text", "dot", "svg", "json"});
+	Verb.AddFlag("--json", Options->bJson, "The same as --format json");
 	return [Options]
 	{
 		return PrintGraph(*Options);
 	};
 }
 
-const FVerbRegistration GRegistration({
+const FVerbRegistration GGraphRegistration({
 	.Name = "graph",
 	.Place = 40,
 	.Group = EVerbGroup::Ask,
 	.Doc = "Print the compiled graph of a config without running it",
-	.AddOptions = AddOptions,
+	.AddOptions = AddGraphOptions,
 });
 
 } // namespace

@@ -1,6 +1,4 @@
 // `drydock hazards`: a pass of a run under the hazards of the stability table.
-#include <CLI/CLI.hpp>
-
 #include "Hazards/HazardCapture.h"
 #include "Picture/Preview.h"
 #include "Program/ProgramOutput.h"
@@ -94,33 +92,33 @@ int RunHazards(FHazardsVerbOptions Options)
 	return ExitDone;
 }
 
-FVerbCall AddOptions(CLI::App& Verb)
+FVerbCall AddHazardsOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FHazardsVerbOptions>();
 	AddConfig(Verb, Options->Run);
 	AddThreads(Verb, Options->Run, "Threads of the passes; 0: all cores");
-	Verb.add_option("--pass", Options->Request.Pass, "The pass, or its shader's class; with * and ?")
-		->type_name("PATTERN")
-		->required();
-	Verb.add_option("--input", Options->Request.Input,
+	Verb.Add("--pass", Options->Request.Pass, "The pass, or its shader's class; with * and ?")
+		.SetType("PATTERN")
+		.Require();
+	Verb.Add("--input", Options->Request.Input,
 			"The texture that hazards take the place of, as the shader calls it; the first with three channels by "
 			"default")
-		->type_name("NAME");
-	Verb.add_option("--out", Options->Folder, "Write what the pass made of each hazard as PNG files into this folder")
-		->type_name("DIR");
-	Verb.add_flag("--json", Options->bJson, "Print JSON");
+		.SetType("NAME");
+	Verb.Add("--out", Options->Folder, "Write what the pass made of each hazard as PNG files into this folder")
+		.SetType("DIR");
+	Verb.AddFlag("--json", Options->bJson, "Print JSON");
 	return [Options]
 	{
 		return RunHazards(*Options);
 	};
 }
 
-const FVerbRegistration GRegistration({
+const FVerbRegistration GHazardsRegistration({
 	.Name = "hazards",
 	.Place = 46,
 	.Group = EVerbGroup::Measure,
 	.Doc = "Feed one pass NaN, infinities and the like: what becomes of them",
-	.AddOptions = AddOptions,
+	.AddOptions = AddHazardsOptions,
 });
 
 } // namespace

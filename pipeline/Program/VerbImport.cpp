@@ -1,6 +1,4 @@
 // `drydock import`: makes a scene and a config of a frame that another program rendered.
-#include <CLI/CLI.hpp>
-
 #include "Import/Import.h"
 #include "Program/NumberList.h"
 #include "Program/ProgramOutput.h"
@@ -19,22 +17,22 @@ namespace
 
 /** An option whose words are those of an enum, in its order. */
 template<typename TEnum>
-void AddWords(CLI::App& Verb, const char* Name, std::optional<TEnum>& Value, const std::vector<std::string>& Words,
+void AddWords(FVerbOptions& Verb, const char* Name, std::optional<TEnum>& Value, const std::vector<std::string>& Words,
 	const char* Type, const char* Doc)
 {
-	RequireOneOf(Verb.add_option_function<std::string>(
-					 Name,
-					 [&Value, &Words](const std::string& Word)
-					 { Value = static_cast<TEnum>(std::find(Words.begin(), Words.end(), Word) - Words.begin()); },
-					 Doc),
-		Words)
-		->type_name(Type);
+	Verb.Add(
+			Name,
+			[&Value, &Words](const std::string& Word)
+			{ Value = static_cast<TEnum>(std::find(Words.begin(), Words.end(), Word) - Words.begin()); },
+			Doc)
+		.RequireOneOf(Words)
+		.SetType(Type);
 }
 
-void AddTriple(CLI::App& Verb, const char* Name, std::optional<std::array<double, 3>>& Value, const char* Type,
+void AddTriple(FVerbOptions& Verb, const char* Name, std::optional<std::array<double, 3>>& Value, const char* Type,
 	const char* Expected, const char* Doc)
 {
-	Verb.add_option_function<std::string>(
+	Verb.Add(
 			Name,
 			[Name, &Value, Expected](const std::string& Text)
 			{
@@ -42,20 +40,17 @@ void AddTriple(CLI::App& Verb, const char* Name, std::optional<std::array<double
 				Value = {Numbers[0], Numbers[1], Numbers[2]};
 			},
 			Doc)
-		->type_name(Type);
+		.SetType(Type);
 }
 
-void AddEncodings(CLI::App& Verb, FImportAsked& Asked)
+void AddEncodings(FVerbOptions& Verb, FImportAsked& Asked)
 {
 	AddWords(Verb, "--from", Asked.Origin, GetImportOriginWords(), "unreal|blender|drydock|plain",
 		"Whose conventions hold, in place of what headers and names say");
-	RequireOneOf(Verb.add_option_function<std::string>(
-					 "--unit", [&Asked](const std::string& Unit) { Asked.Unit = Unit; }, "Unit of depth"),
-		GetImportUnitWords())
-		->type_name("m|cm|mm|km");
+	Verb.Add("--unit", Asked.Unit, "Unit of depth").RequireOneOf(GetImportUnitWords()).SetType("m|cm|mm|km");
 	AddWords(Verb, "--depth", Asked.Depth, GetImportDepthWords(), "distance|ray|inverse|device|mist",
 		"Along the camera's axis, from its place, one by it, the engine's device depth, or mist");
-	Verb.add_option_function<std::string>(
+	Verb.Add(
 			"--mist",
 			[&Asked](const std::string& Text)
 			{
@@ -64,16 +59,16 @@ void AddEncodings(CLI::App& Verb, FImportAsked& Asked)
 				Asked.Mist = {Numbers[0], Numbers[1]};
 			},
 			"Take depth from a mist pass of linear falloff, which begins at START and ends DEPTH behind it")
-		->type_name("START,DEPTH");
-	RequireOneOf(Verb.add_option_function<std::string>(
-					 "--normals", [&Asked](const std::string& Word) { Asked.bHalved = Word == "encoded"; },
-					 "Stored as -1..1, or as half of themselves and a half"),
-		{"signed", "encoded"});
+		.SetType("START,DEPTH");
+	Verb.Add(
+			"--normals", [&Asked](const std::string& Word) { Asked.bHalved = Word == "encoded"; },
+			"Stored as -1..1, or as half of themselves and a half")
+		.RequireOneOf({"signed", "encoded"});
 	AddWords(Verb, "--normal-space", Asked.NormalSpace, GetImportNormalSpaceWords(), "unreal|world|y-up|camera",
 		"Axes of the normals: Unreal's, right-handed with Z or with Y up, or the camera's");
 	AddWords(Verb, "--velocity", Asked.Velocity, GetImportVelocityWords(), "pixels|pixels-up|ndc|unreal|blender",
 		"How movement is stored: pixels with y down or up, screen position, Unreal's or Blender's pass");
-	Verb.add_flag("--flip-velocity", Asked.bFlipVelocity, "Movement points the other way");
+	Verb.AddFlag("--flip-velocity", Asked.bFlipVelocity, "Movement points the other way");
 	AddWords(Verb, "--alpha", Asked.Alpha, GetImportAlphaWords(), "premultiplied|straight|opaque",
 		"Colour is multiplied by alpha already (default), is to be, or alpha counts for nothing");
 }
@@ -96,33 +91,29 @@ int Import(const FImportOptions& Options)
 	return ExitDone;
 }
 
-FVerbCall AddOptions(CLI::App& Verb)
+FVerbCall AddImportOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FImportOptions>();
 	FImportAsked& Asked = Options->Asked;
-	Verb.add_option("FRAME", Options->Inputs,
+	Verb.Add("FRAME", Options->Inputs,
 			"Files of one frame: multi-layer EXR, or one file to a pass; NAME.####.exr is a sequence")
-		->required();
-	Verb.add_option("--out", Options->OutputFile, "The scene to write; its config goes beside it")
-		->type_name("SCENE.exr");
-	AddRepeated(Verb, "--map", "LAYER=CHANNEL", Asked.Maps,
+		.Require();
+	Verb.Add("--out", Options->OutputFile, "The scene to write; its config goes beside it").SetType("SCENE.exr");
+	Verb.AddRepeated("--map", "LAYER=CHANNEL", Asked.Maps,
 		"What a layer, channel or file becomes, in place of the guess: depth, normal, R ...; none leaves it out; "
 		"repeats");
-	AddRepeated(Verb, "--toon", "OBJECT", Asked.Toon,
+	Verb.AddRepeated("--toon", "OBJECT", Asked.Toon,
 		"Objects that are toon-shaded, by name (with * and ?) or stencil value; repeats");
-	AddRepeated(Verb, "--stencil", "OBJECT=VALUE", Asked.Stencil,
-		"Custom stencil of objects, by name; repeats, and later ones win");
+	Verb.AddRepeated(
+		"--stencil", "OBJECT=VALUE", Asked.Stencil, "Custom stencil of objects, by name; repeats, and later ones win");
 	AddEncodings(Verb, Asked);
-	Verb.add_option_function<double>(
-			"--fov", [&Asked](const double& Degrees) { Asked.Fov = Degrees; }, "Horizontal field of view of the camera")
-		->check(CLI::Range(1.0, 170.0).description(""))
-		->type_name("DEGREES");
+	Verb.Add("--fov", Asked.Fov, "Horizontal field of view of the camera").RequireRange(1.0, 170.0).SetType("DEGREES");
 	AddTriple(Verb, "--location", Asked.Location, "X,Y,Z", "X,Y,Z in cm", "Camera's place in Unreal's axes, cm");
 	AddTriple(Verb, "--rotation", Asked.Rotation, "PITCH,YAW,ROLL", "PITCH,YAW,ROLL in degrees",
 		"Camera's rotation in Unreal's axes, degrees");
-	Verb.add_flag("--dry-run", Options->bDryRun, "Print what would become what, and write nothing");
-	Verb.add_flag("--force", Options->bForce, "Replace a scene that import did not write, and the config");
-	Verb.add_flag("--json", Options->bJson, "Print the table as JSON");
+	Verb.AddFlag("--dry-run", Options->bDryRun, "Print what would become what, and write nothing");
+	Verb.AddFlag("--force", Options->bForce, "Replace a scene that import did not write, and the config");
+	Verb.AddFlag("--json", Options->bJson, "Print the table as JSON");
 	return [Options]
 	{
 		Options->Width = GetOutputWidth();
@@ -130,12 +121,12 @@ FVerbCall AddOptions(CLI::App& Verb)
 	};
 }
 
-const FVerbRegistration GRegistration({
+const FVerbRegistration GImportRegistration({
 	.Name = "import",
 	.Place = 105,
 	.Group = EVerbGroup::Run,
 	.Doc = "Make a scene and a config of a frame of Unreal or Blender",
-	.AddOptions = AddOptions,
+	.AddOptions = AddImportOptions,
 });
 
 } // namespace

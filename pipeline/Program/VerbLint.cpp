@@ -1,7 +1,4 @@
 // `drydock lint`: what of shaders fails on platforms that drydock is not.
-#include <CLI/CLI.hpp>
-#include <fmt/format.h>
-
 #include "GlobalShader.h"
 #include "Program/ProgramOutput.h"
 #include "Program/VerbOptions.h"
@@ -12,6 +9,7 @@
 #include "ShaderLint.h"
 #include "SpirvFile.h"
 #include "Text/ConfigErrors.h"
+#include "Text/Fmt.inl"
 #include "Text/JsonWriter.h"
 
 #include <algorithm>
@@ -207,7 +205,7 @@ void WriteRule(FJsonWriter& Writer, const FLintRule& Rule)
 	Writer.Member("source", Rule.Source);
 }
 
-std::string MakeListText()
+std::string MakeRulesText()
 {
 	std::string Text;
 	for (const FLintRule& Rule : GetLintRules())
@@ -218,7 +216,7 @@ std::string MakeListText()
 	return Text;
 }
 
-std::string MakeListJson()
+std::string MakeRulesJson()
 {
 	FJsonWriter Writer;
 	Writer.BeginObject();
@@ -234,7 +232,7 @@ std::string MakeListJson()
 	return Writer.GetText();
 }
 
-std::string MakeJson(const FFound& Found)
+std::string MakeLintJson(const FFound& Found)
 {
 	FJsonWriter Writer;
 	Writer.BeginObject();
@@ -254,7 +252,7 @@ std::string MakeJson(const FFound& Found)
 	return Writer.GetText();
 }
 
-std::string MakeText(const FFound& Found)
+std::string MakeLintText(const FFound& Found)
 {
 	std::string Text;
 	for (const FLintFinding& Finding : Found.Findings)
@@ -274,7 +272,7 @@ int Lint(const FLintOptions& Options)
 {
 	if (Options.bList)
 	{
-		PrintResult(Options.bJson ? MakeListJson() : MakeListText(), Options.bJson);
+		PrintResult(Options.bJson ? MakeRulesJson() : MakeRulesText(), Options.bJson);
 		return ExitDone;
 	}
 	if (Options.Targets.empty())
@@ -296,37 +294,36 @@ int Lint(const FLintOptions& Options)
 	{
 		throw FError(WithShownPaths(Error.GetDiagnostics()), Error.GetExitCode());
 	}
-	PrintResult(Options.bJson ? MakeJson(Found) : MakeText(Found), Options.bJson);
+	PrintResult(Options.bJson ? MakeLintJson(Found) : MakeLintText(Found), Options.bJson);
 	const bool bFails = std::any_of(Found.Findings.begin(), Found.Findings.end(),
 		[](const FLintFinding& Finding) { return Finding.Rule->Severity == ESeverity::Error; });
 	return bFails ? ExitPolicy : ExitDone;
 }
 
-FVerbCall AddOptions(CLI::App& Verb)
+FVerbCall AddLintOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FLintOptions>();
-	Verb.add_option("SHADER", Options->Targets,
+	Verb.Add("SHADER", Options->Targets,
 		"Files (.usf, .spv), as they lie on disk or by their virtual path; or configs (.json), whose frame's shaders "
 		"are looked at, those of plugins too");
-	RequireOneOf(Verb.add_option("--platform", Options->Platforms, "Only what matters there; repeats; all by default")
-					 ->allow_extra_args(false),
-		GetLintPlatforms());
-	Verb.add_option("--entry", Options->Entry, "Only this entry point; all by default")->type_name("NAME");
+	Verb.AddRepeated("--platform", "", Options->Platforms, "Only what matters there; repeats; all by default")
+		.RequireOneOf(GetLintPlatforms());
+	Verb.Add("--entry", Options->Entry, "Only this entry point; all by default").SetType("NAME");
 	AddTrust(Verb, Options->Run);
-	Verb.add_flag("--list", Options->bList, "Print the rules, each with the document that states it");
-	Verb.add_flag("--json", Options->bJson, "Print JSON");
+	Verb.AddFlag("--list", Options->bList, "Print the rules, each with the document that states it");
+	Verb.AddFlag("--json", Options->bJson, "Print JSON");
 	return [Options]
 	{
 		return Lint(*Options);
 	};
 }
 
-const FVerbRegistration GRegistration({
+const FVerbRegistration GLintRegistration({
 	.Name = "lint",
 	.Place = 47,
 	.Group = EVerbGroup::Measure,
 	.Doc = "Name what of shaders fails on D3D11, SM6, Vulkan, Metal or mobile",
-	.AddOptions = AddOptions,
+	.AddOptions = AddLintOptions,
 });
 
 } // namespace

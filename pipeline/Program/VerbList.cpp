@@ -1,6 +1,4 @@
 // `drydock list`: lists what there is of passes, shaders, settings, console variables, effects, extensions and hooks.
-#include <CLI/CLI.hpp>
-
 #include "Config/ConsoleVariableText.h"
 #include "Config/SettingList.h"
 #include "Effects/Effects.h"
@@ -15,6 +13,7 @@
 #include "Run/RunSetup.h"
 #include "Text/ConfigErrors.h"
 #include "Text/JsonWriter.h"
+#include "Text/TextFormat.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -90,16 +89,11 @@ const std::vector<std::string>& GetLists()
 /** "a|b", which --help shows and completion offers. */
 std::string GetListTypes()
 {
-	std::string Type;
-	for (const std::string& List : GetLists())
-	{
-		Type += (Type.empty() ? "" : "|") + List;
-	}
-	return Type;
+	return JoinText(GetLists(), "|");
 }
 
 /** Of all but settings and variables. */
-FListTable MakeTable(const FListOptions& Options)
+FListTable MakeListTable(const FListOptions& Options)
 {
 	if (Options.Things == "passes")
 	{
@@ -132,7 +126,7 @@ FListTable MakeTable(const FListOptions& Options)
 		ExitUsage);
 }
 
-std::string FormatText(const FListTable& Table)
+std::string MakeListText(const FListTable& Table)
 {
 	if (!Table.Remark.empty())
 	{
@@ -157,7 +151,7 @@ void PrintNames(const std::vector<std::string>& Names)
 	}
 }
 
-std::string FormatJson(const FListTable& Table)
+std::string MakeListJson(const FListTable& Table)
 {
 	FJsonWriter Writer;
 	Writer.BeginArray();
@@ -223,7 +217,7 @@ int PrintList(const FListOptions& Options)
 	{
 		return PrintSettings(Options);
 	}
-	FListTable Table = MakeTable(Options);
+	FListTable Table = MakeListTable(Options);
 	const auto IsFilteredOut = [&](const std::vector<std::string>& Row)
 	{
 		return Options.Things != "hooks" && !ContainsIgnoringCase(Row[0], Options.Filter);
@@ -240,36 +234,36 @@ int PrintList(const FListOptions& Options)
 		PrintNames(Names);
 		return ExitDone;
 	}
-	PrintResult(Options.bJson ? FormatJson(Table) : FormatText(Table), Options.bJson);
+	PrintResult(Options.bJson ? MakeListJson(Table) : MakeListText(Table), Options.bJson);
 	return ExitDone;
 }
 
-FVerbCall AddOptions(CLI::App& Verb)
+FVerbCall AddListOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FListOptions>();
-	Verb.add_option("THINGS", Options->Things, "What is listed")->required()->type_name(GetListTypes());
-	Verb.add_option("FILTER", Options->Filter,
+	Verb.Add("THINGS", Options->Things, "What is listed").Require().SetType(GetListTypes());
+	Verb.Add("FILTER", Options->Filter,
 		"Only names that contain this, or match it where it has * or ? (settings, cvars), ignoring case; for hooks a "
 		"config, whose chain is listed");
-	Verb.add_option("--config", Options->Run.ConfigFile,
+	Verb.Add("--config", Options->Run.ConfigFile,
 			"passes: those of this config's frame; cvars: as it sets them; settings: with those of its plugins")
-		->type_name("CONFIG");
+		.SetType("CONFIG");
 	AddVariables(Verb, Options->Run);
 	AddTrust(Verb, Options->Run);
-	Verb.add_flag("--names", Options->bNames, "Print names alone, one a line, as completion asks for them");
-	Verb.add_flag("--json", Options->bJson, "Print an array of objects");
+	Verb.AddFlag("--names", Options->bNames, "Print names alone, one a line, as completion asks for them");
+	Verb.AddFlag("--json", Options->bJson, "Print an array of objects");
 	return [Options]
 	{
 		return PrintList(*Options);
 	};
 }
 
-const FVerbRegistration GRegistration({
+const FVerbRegistration GListRegistration({
 	.Name = "list",
 	.Place = 80,
 	.Group = EVerbGroup::LookUp,
 	.Doc = "List what there is: passes, settings, cvars, effects, hooks, ...",
-	.AddOptions = AddOptions,
+	.AddOptions = AddListOptions,
 });
 
 } // namespace

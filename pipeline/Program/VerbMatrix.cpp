@@ -1,6 +1,4 @@
 // `drydock matrix`: one plugin under every engine version, side by side.
-#include <CLI/CLI.hpp>
-
 #include "Matrix/Matrix.h"
 #include "Matrix/MatrixSummary.h"
 #include "Matrix/MatrixTable.h"
@@ -80,25 +78,24 @@ int MakeMatrix(const FMatrixOptions& Options, FJUnitSuite& Suite)
 	return GetMatrixExitCode(Matrix);
 }
 
-FVerbCall AddOptions(CLI::App& Verb)
+FVerbCall AddMatrixOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FMatrixOptions>();
 	FMatrixRequest& Request = Options->Request;
-	Verb.add_option("PLUGIN_DIR", Request.Folder, "Folder of a plugin, with its .uplugin")->required();
-	Verb.add_option("CONFIG", Request.Config,
+	Verb.Add("PLUGIN_DIR", Request.Folder, "Folder of a plugin, with its .uplugin").Require();
+	Verb.Add("CONFIG", Request.Config,
 		"JSON config to run it in, which need not name the plugin; a small frame of drydock's own by default");
-	Verb.add_option(
-			"--versions", Options->Versions, "Engine versions, such as 5.3-5.6,5.8; all that drydock knows by default")
-		->type_name("LIST");
-	Verb.add_option("--out", Request.OutputFolder,
+	Verb.Add("--versions", Options->Versions, "Engine versions, such as 5.3-5.6,5.8; all that drydock knows by default")
+		.SetType("LIST");
+	Verb.Add("--out", Request.OutputFolder,
 			"Folder for builds, runs, matrix.txt, matrix.json and matrix.png; build/NAME-matrix by default")
-		->type_name("DIR");
-	AddRepeated(Verb, "--exclude", "PATTERN", Request.Excludes,
+		.SetType("DIR");
+	Verb.AddRepeated("--exclude", "PATTERN", Request.Excludes,
 		"Leave out a file, folder or module: a path from PLUGIN_DIR on or a name, with * and ?");
-	Verb.add_option("--compiler", Request.Compiler, "C++ compiler; CMake's choice by default")->type_name("PATH");
+	Verb.Add("--compiler", Request.Compiler, "C++ compiler; CMake's choice by default").SetType("PATH");
 	AddReport(Verb, Options->Report, "matrix.html, the table with what lies behind its cells");
 	AddJUnit(Verb, Options->JUnit, "of each version the cases builds, runs and picture");
-	Verb.add_flag("--json", Options->bJson, "Print the table as JSON");
+	Verb.AddFlag("--json", Options->bJson, "Print the table as JSON");
 	return [Options]
 	{
 		return CallWithJUnit(Options->JUnit, Options->Request.Folder,
@@ -106,12 +103,12 @@ FVerbCall AddOptions(CLI::App& Verb)
 	};
 }
 
-const FVerbRegistration GRegistration({
+const FVerbRegistration GMatrixRegistration({
 	.Name = "matrix",
 	.Place = 117,
 	.Group = EVerbGroup::Patch,
 	.Doc = "Build and run a plugin under every engine version, side by side",
-	.AddOptions = AddOptions,
+	.AddOptions = AddMatrixOptions,
 });
 
 } // namespace

@@ -1,10 +1,9 @@
 // `drydock new`: makes a patch to begin with, of sources, shader, config, test and build file.
-#include <CLI/CLI.hpp>
-
 #include "InstallPaths.h"
 #include "Patch/PatchErrors.h"
 #include "Patch/PatchName.h"
 #include "Patch/PatchTemplate.h"
+#include "Program/ArgumentParser.h"
 #include "Program/Verbs.h"
 #include "Text/JsonWriter.h"
 
@@ -73,7 +72,7 @@ std::vector<std::string> GetCommands(const std::string& Folder, const std::strin
 	};
 }
 
-std::string FormatJson(
+std::string MakePatchJson(
 	const FNewPatchOptions& Options, const std::string& Folder, const std::vector<FPatchFile>& Project)
 {
 	FJsonWriter Writer;
@@ -96,7 +95,7 @@ std::string FormatJson(
 	return Writer.GetText();
 }
 
-std::string FormatText(
+std::string MakePatchText(
 	const FNewPatchOptions& Options, const std::string& Folder, const std::vector<FPatchFile>& Project)
 {
 	std::string Text = Folder + ": a patch of " + std::to_string(Project.size()) + " files\n";
@@ -119,29 +118,28 @@ int MakePatch(const FNewPatchOptions& Options)
 	const std::string Folder = (Files::path(Options.Folder) / Options.Name).string();
 	const std::vector<FPatchFile> Project = MakePatchFiles(Options.Name);
 	WritePatch(Folder, Project);
-	std::fputs((Options.bJson ? FormatJson : FormatText)(Options, Folder, Project).c_str(), stdout);
+	std::fputs((Options.bJson ? MakePatchJson : MakePatchText)(Options, Folder, Project).c_str(), stdout);
 	return ExitDone;
 }
 
-FVerbCall AddOptions(CLI::App& Verb)
+FVerbCall AddNewOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FNewPatchOptions>();
-	Verb.add_option("NAME", Options->Name, "Name of the patch, such as MyPatch: a C++ identifier")->required();
-	Verb.add_option("--dir", Options->Folder, "Folder that the folder NAME is made in; here by default")
-		->type_name("DIR");
-	Verb.add_flag("--json", Options->bJson, "Print name, folder, files and the commands to go on with");
+	Verb.Add("NAME", Options->Name, "Name of the patch, such as MyPatch: a C++ identifier").Require();
+	Verb.Add("--dir", Options->Folder, "Folder that the folder NAME is made in; here by default").SetType("DIR");
+	Verb.AddFlag("--json", Options->bJson, "Print name, folder, files and the commands to go on with");
 	return [Options]
 	{
 		return MakePatch(*Options);
 	};
 }
 
-const FVerbRegistration GRegistration({
+const FVerbRegistration GNewRegistration({
 	.Name = "new",
 	.Place = 110,
 	.Group = EVerbGroup::Patch,
 	.Doc = "Make a patch to begin with: sources, shader, config, test",
-	.AddOptions = AddOptions,
+	.AddOptions = AddNewOptions,
 });
 
 } // namespace

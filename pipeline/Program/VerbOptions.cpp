@@ -1,7 +1,4 @@
-// Adds the options that several verbs share to a verb's command line. The library comes first: the engine's macros,
-// such as check, would change its names.
-#include <CLI/CLI.hpp>
-
+// Adds the options that several verbs share to a verb's command line.
 #include "Program/VerbOptions.h"
 
 #include "Config/ConfigKeys.h"
@@ -17,31 +14,12 @@
 namespace Drydock
 {
 
-CLI::Option* AddRepeated(
-	CLI::App& Verb, const char* Name, const char* Type, std::vector<std::string>& Values, const char* Doc)
+void AddVariables(FVerbOptions& Verb, FRunOptions& Options)
 {
-	return Verb.add_option(Name, Values, Doc)
-		->expected(1)
-		->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-		->allow_extra_args(false)
-		->type_name(Type);
-}
-
-void AddVariables(CLI::App& Verb, FRunOptions& Options)
-{
-	const auto Add = [&Verb](const char* Name, const char* Type,
-						 const std::function<void(const std::string&)>& Function, const char* Doc)
-	{
-		Verb.add_option_function<std::string>(Name, Function, Doc)
-			->expected(1)
-			->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
-			->trigger_on_parse()
-			->type_name(Type);
-	};
-	Add(
+	Verb.AddInOrder(
 		"--set", "r.NAME=VALUE", [&Options](const std::string& Text) { Options.Variables.push_back(Text); },
 		"Set a console variable; repeats; beats the config");
-	Add(
+	Verb.AddInOrder(
 		"--exec", "\"A 1, B\"",
 		[&Options](const std::string& Text) {
 			Options.Exec.push_back({Text, Options.Variables.size()});
@@ -49,95 +27,55 @@ void AddVariables(CLI::App& Verb, FRunOptions& Options)
 		"Tell the console: \"r.A 1, r.B=2, r.C\" sets two, prints the third; repeats; beats --set");
 }
 
-void AddTrust(CLI::App& Verb, FRunOptions& Options)
+void AddTrust(FVerbOptions& Verb, FRunOptions& Options)
 {
-	Verb.add_flag("--no-plugins", Options.bNoPlugins, "Refuse a config that names plugins: they are code that is run");
-	Verb.add_flag_callback(
+	Verb.AddFlag("--no-plugins", Options.bNoPlugins, "Refuse a config that names plugins: they are code that is run");
+	Verb.AddFlag(
 		"--read-only-cache", [] { FShaderCache::SetUse(EShaderCacheUse::ReadOnly); },
 		"Write nothing to the shader cache; what it lacks is compiled for this run alone");
 }
 
-void AddConfig(CLI::App& Verb, FRunOptions& Options)
+void AddConfig(FVerbOptions& Verb, FRunOptions& Options)
 {
-	Verb.add_option("CONFIG", Options.ConfigFile, "JSON config, such as configs/toon_bloom.json")->required();
+	Verb.Add("CONFIG", Options.ConfigFile, "JSON config, such as configs/toon_bloom.json").Require();
 	AddVariables(Verb, Options);
-	AddRepeated(
-		Verb, "--pp", "SETTING=VALUE", Options.Settings, "Set a post-process setting; repeats; beats all volumes");
-	RequireRange(Verb.add_option(
-					 "--frame", Options.Frame, "Which frame of a sequence, by default the first; shaders see it too"),
-		0, 1 << 30)
-		->type_name("N");
-	Verb.add_option("--engine", Options.Engine, "Engine version whose behaviour holds; beats the config's")
-		->type_name(FindConfigKey("", "engine")->Of);
-	AddRepeated(Verb, "--plugin", "FILE", Options.Plugins,
-		"Load a plugin, in place of the config's of the same file name; repeats");
+	Verb.AddRepeated(
+		"--pp", "SETTING=VALUE", Options.Settings, "Set a post-process setting; repeats; beats all volumes");
+	Verb.Add("--frame", Options.Frame, "Which frame of a sequence, by default the first; shaders see it too")
+		.RequireRange(0, 1 << 30)
+		.SetType("N");
+	Verb.Add("--engine", Options.Engine, "Engine version whose behaviour holds; beats the config's")
+		.SetType(FindConfigKey("", "engine")->Of);
+	Verb.AddRepeated(
+		"--plugin", "FILE", Options.Plugins, "Load a plugin, in place of the config's of the same file name; repeats");
 	AddTrust(Verb, Options);
 }
 
-void AddThreads(CLI::App& Verb, FRunOptions& Options, const char* Doc)
+void AddThreads(FVerbOptions& Verb, FRunOptions& Options, const char* Doc)
 {
-	RequireRange(Verb.add_option_function<int>(
-					 "--threads", [&Options](int Threads) { Options.Threads = Threads; }, Doc),
-		0, 1024)
-		->type_name("N");
+	Verb.Add("--threads", Options.Threads, Doc).RequireRange(0, 1024).SetType("N");
 }
 
-void AddArithmetic(CLI::App& Verb, FRunOptions& Options)
+void AddArithmetic(FVerbOptions& Verb, FRunOptions& Options)
 {
-	RequireOneOf(Verb.add_option_function<std::string>(
-					 "--precision", [&Options](const std::string& Name) { Options.bDouble = Name == "double"; },
-					 "Arithmetic of the shaders: float (default) or double, with 64-bit storage"),
-		{"float", "double"});
+	Verb.Add(
+			"--precision", [&Options](const std::string& Name) { Options.bDouble = Name == "double"; },
+			"Arithmetic of the shaders: float (default) or double, with 64-bit storage")
+		.RequireOneOf({"float", "double"});
 	static const std::map<std::string, ERunStorage> Storages = {
 		{"native", ERunStorage::Native}, {"float32", ERunStorage::Float32}, {"float64", ERunStorage::Float64}};
-	RequireOneOf(Verb.add_option_function<std::string>(
-					 "--storage", [&Options](const std::string& Name) { Options.Storage = Storages.at(Name); },
-					 "Storage of textures: native (their own formats, default), float32, float64"),
-		{"native", "float32", "float64"});
-	RequireOneOf(
-		Verb.add_option_function<std::string>(
+	Verb.Add(
+			"--storage", [&Options](const std::string& Name) { Options.Storage = Storages.at(Name); },
+			"Storage of textures: native (their own formats, default), float32, float64")
+		.RequireOneOf({"native", "float32", "float64"});
+	Verb.Add(
 			"--backend",
 			[&Options](const std::string& Name)
 			{ Options.Variables.push_back(Name == "vulkan" ? "r.Drydock.Backend=1" : "r.Drydock.Backend=0"); },
 			"What shaders run on: cpu (default), or vulkan, the driver that is there; VK_DRIVER_FILES names one "
-			"of several"),
-		{"cpu", "vulkan"});
+			"of several")
+		.RequireOneOf({"cpu", "vulkan"});
 	AddThreads(Verb, Options, "Threads; 0: all cores (default). The result is the same bits for any number");
-}
-
-// Without the descriptions that CLI11 would add to the help.
-
-CLI::Option* RequireRange(CLI::Option* Option, int Least, int Most)
-{
-	return Option->check(CLI::Range(Least, Most).description(""));
-}
-
-CLI::Option* RequireNonNegative(CLI::Option* Option)
-{
-	return Option->check(CLI::NonNegativeNumber.description(""));
-}
-
-CLI::Option* RequireOneOf(CLI::Option* Option, const std::vector<std::string>& Words)
-{
-	const auto Join = [Words](const char* Between)
-	{
-		std::string Joined;
-		for (const std::string& Word : Words)
-		{
-			Joined += (Joined.empty() ? "" : Between) + Word;
-		}
-		return Joined;
-	};
-	const auto Explain = [Words, Join](const std::string& Word)
-	{
-		if (std::find(Words.begin(), Words.end(), Word) != Words.end())
-		{
-			return std::string();
-		}
-		const std::string Nearest = FindNearestName(Word, Words);
-		return '"' + Word + "\" is none of " + Join(", ") + (Nearest.empty() ? "" : "; did you mean " + Nearest + "?");
-	};
-	return Option->check(Explain)->type_name(Join("|"));
 }
 
 std::array<double, 3> ParseLocation(const std::string& Text)

@@ -1,6 +1,4 @@
 // `drydock probe`: a pixel's value through all passes of a run.
-#include <CLI/CLI.hpp>
-
 #include "Inspect/ProbeCapture.h"
 #include "Program/NumberList.h"
 #include "Program/ProgramOutput.h"
@@ -94,38 +92,34 @@ int Probe(FProbeVerbOptions Options)
 	return ExitDone;
 }
 
-FVerbCall AddOptions(CLI::App& Verb)
+FVerbCall AddProbeOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FProbeVerbOptions>();
 	AddConfig(Verb, Options->Run);
 	AddThreads(Verb, Options->Run, "Threads of the passes; 0: all cores (default)");
-	Verb.add_option("pixel", Options->Pixel, "The pixel, counted in the frame that comes out")
-		->delimiter(',')
-		->type_name("X,Y")
-		->type_size(2)
-		->required();
-	Verb.add_option("--region", Options->Region, "So many pixels from X,Y on; 1,1 by default")
-		->delimiter(',')
-		->type_size(2)
-		->type_name("W,H");
-	Verb.add_option("--passes", Options->Request.Passes, "Only these, by name or by their shader's class; with * and ?")
-		->type_name("PATTERN");
-	Verb.add_option("--against", Options->Against,
+	Verb.Add("pixel", Options->Pixel, "The pixel, counted in the frame that comes out")
+		.SplitAtCommas(2)
+		.SetType("X,Y")
+		.Require();
+	Verb.Add("--region", Options->Region, "So many pixels from X,Y on; 1,1 by default").SplitAtCommas(2).SetType("W,H");
+	Verb.Add("--passes", Options->Request.Passes, "Only these, by name or by their shader's class; with * and ?")
+		.SetType("PATTERN");
+	Verb.Add("--against", Options->Against,
 			"Run again with another config, setting (BloomIntensity=1) or variable (r.Name=1), and say where they part")
-		->type_name("WHAT");
-	Verb.add_flag("--json", Options->bJson, "Print JSON, with all texels that were read");
+		.SetType("WHAT");
+	Verb.AddFlag("--json", Options->bJson, "Print JSON, with all texels that were read");
 	return [Options]
 	{
 		return Probe(*Options);
 	};
 }
 
-const FVerbRegistration GRegistration({
+const FVerbRegistration GProbeRegistration({
 	.Name = "probe",
 	.Place = 42,
 	.Group = EVerbGroup::Ask,
 	.Doc = "Print a pixel's value through all passes: read and written",
-	.AddOptions = AddOptions,
+	.AddOptions = AddProbeOptions,
 });
 
 } // namespace

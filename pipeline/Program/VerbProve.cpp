@@ -1,6 +1,4 @@
 // `drydock prove`: a config under every promised equivalence.
-#include <CLI/CLI.hpp>
-
 #include "Program/ProgressBar.h"
 #include "Program/ProgramOutput.h"
 #include "Program/VerbOptions.h"
@@ -38,24 +36,24 @@ int Prove(FProveVerbOptions Options)
 	return bHolds ? ExitDone : ExitPolicy;
 }
 
-FVerbCall AddOptions(CLI::App& Verb)
+FVerbCall AddProveOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FProveVerbOptions>();
 	AddConfig(Verb, Options->Run);
-	Verb.add_option("--only", Options->Only, "Only these equivalences, by name; with * and ?")->type_name("PATTERN");
-	Verb.add_flag("--json", Options->bJson, "Print JSON");
+	Verb.Add("--only", Options->Only, "Only these equivalences, by name; with * and ?").SetType("PATTERN");
+	Verb.AddFlag("--json", Options->bJson, "Print JSON");
 	return [Options]
 	{
 		return Prove(*Options);
 	};
 }
 
-const FVerbRegistration GRegistration({
+const FVerbRegistration GProveRegistration({
 	.Name = "prove",
 	.Place = 45,
 	.Group = EVerbGroup::Measure,
 	.Doc = "Run a config under every promised equivalence: threads, lanes, ...",
-	.AddOptions = AddOptions,
+	.AddOptions = AddProveOptions,
 });
 
 } // namespace

@@ -1,6 +1,4 @@
 // `drydock run`: runs a frame, or the frames of a sequence, and writes pictures and reports.
-#include <CLI/CLI.hpp>
-
 #include "Config/ReadConfig.h"
 #include "Extensions/Plugins.h"
 #include "Inspect/FirstCause.h"
@@ -234,64 +232,58 @@ int RunOrWatch(const FRunVerbOptions& Options)
 	return RunOnce(Once);
 }
 
-FVerbCall AddOptions(CLI::App& Verb)
+FVerbCall AddRunOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FRunVerbOptions>();
 	AddConfig(Verb, Options->Run);
 	AddArithmetic(Verb, Options->Run);
-	Verb.add_option("--out", Options->OutputFolder, "Folder for the outputs; out/NAME of the config by default")
-		->type_name("DIR");
-	CLI::Option* const Outputs = RequireOneOf(
-		Verb.add_option_function<std::vector<std::string>>(
-				"--outputs",
-				[Options](const std::vector<std::string>& Names) { Options->Run.Write = MakeOutputKinds(Names); },
-				"What is written beside run.json: json is timing and trace, dot the graph; all by default, with "
-				"--watch png; beats the config's outputs.write")
-			->delimiter(','),
-		GetOutputKindNames());
-	Outputs->type_name(Outputs->get_type_name() + ",...");
-	AddRepeated(Verb, "--dump", "PATTERN", Options->Run.Dump,
+	Verb.Add("--out", Options->OutputFolder, "Folder for the outputs; out/NAME of the config by default")
+		.SetType("DIR");
+	Verb.Add(
+			"--outputs",
+			[Options](const std::vector<std::string>& Names) { Options->Run.Write = MakeOutputKinds(Names); },
+			"What is written beside run.json: json is timing and trace, dot the graph; all by default, with "
+			"--watch png; beats the config's outputs.write")
+		.RequireSomeOf(GetOutputKindNames());
+	Verb.AddRepeated("--dump", "PATTERN", Options->Run.Dump,
 		"Keep what matches: a pass, a resource or Pass.Resource, with * and ?; repeats");
-	Verb.add_flag("--no-skip", Options->Run.bNoSkip,
+	Verb.AddFlag("--no-skip", Options->Run.bNoSkip,
 		"Leave nothing out because nobody needs it: slower, the same bits; what is switched off stays off");
-	Verb.add_flag("--measure-effects", Options->Run.bMeasureEffects,
+	Verb.AddFlag("--measure-effects", Options->Run.bMeasureEffects,
 		"Measure what effects come to (bleed of toon bloom, banding of the toon shadow) and add it to run.json");
-	Verb.add_flag("--fingerprints", Options->Run.bFingerprints,
+	Verb.AddFlag("--fingerprints", Options->Run.bFingerprints,
 		"Add to each pass of run.json a fingerprint of every texture that it wrote");
-	CLI::Option* const Frames =
-		Verb.add_option("--frames", Options->Frames,
+	const FVerbOption Frames =
+		Verb.Add("--frames", Options->Frames,
 				"Frames of a sequence, each with what lives on from the one before: all, 1-8, 1-9x2 (every second) or "
 				"1,3,5-8; the config's scene.frames by default. A run that was stopped goes on where it stood")
-			->type_name("LIST")
-			->excludes(Verb.get_option("--frame"));
-	Verb.add_flag("--restart", Options->bRestart, "Render all frames again, whatever the folder holds");
-	Verb.add_option("--video", Options->Video, "Video of the frames, such as walk.mp4; needs ffmpeg")
-		->type_name("FILE");
-	Verb.add_flag("--watch", Options->bWatch, "Run again whenever the config, its scene, a plugin or a shader changes")
-		->excludes(Frames);
-	RequireOneOf(
-		Verb.add_option("--report", Options->Report,
-				"Write report.html, the page to look at it all, of a sequence sequence.html: on (where no word "
-				"follows), "
-				"off, or full, with the values of all pictures of a frame; beats the config's outputs.report; on by "
-				"default where stdout is a terminal, not under --watch")
-			->expected(0, 1)
-			->default_str("on"),
-		{"on", "off", "full"});
-	AddInspection(Verb, Options->Inspect, *Frames);
-	Verb.add_flag("--json", Options->bJson, "Print run.json instead of the summary");
+			.SetType("LIST")
+			.Exclude(Verb.Find("--frame"));
+	Verb.AddFlag("--restart", Options->bRestart, "Render all frames again, whatever the folder holds");
+	Verb.Add("--video", Options->Video, "Video of the frames, such as walk.mp4; needs ffmpeg").SetType("FILE");
+	Verb.AddFlag("--watch", Options->bWatch, "Run again whenever the config, its scene, a plugin or a shader changes")
+		.Exclude(Frames);
+	Verb.Add("--report", Options->Report,
+			"Write report.html, the page to look at it all, of a sequence sequence.html: on (where no word "
+			"follows), "
+			"off, or full, with the values of all pictures of a frame; beats the config's outputs.report; on by "
+			"default where stdout is a terminal, not under --watch")
+		.SetValueWhereNoneFollows("on")
+		.RequireOneOf({"on", "off", "full"});
+	AddInspection(Verb, Options->Inspect, Frames);
+	Verb.AddFlag("--json", Options->bJson, "Print run.json instead of the summary");
 	return [Options]
 	{
 		return RunOrWatch(*Options);
 	};
 }
 
-const FVerbRegistration GRegistration({
+const FVerbRegistration GRunRegistration({
 	.Name = "run",
 	.Place = 10,
 	.Group = EVerbGroup::Run,
 	.Doc = "Run the frame of a config and write its pictures and reports",
-	.AddOptions = AddOptions,
+	.AddOptions = AddRunOptions,
 });
 
 } // namespace

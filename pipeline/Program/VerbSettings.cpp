@@ -1,6 +1,4 @@
 // `drydock settings import` and `export`: turn the engine's paste text into volumes of a config, and back.
-#include <CLI/CLI.hpp>
-
 #include "Config/ReadConfig.h"
 #include "Config/SettingsJson.h"
 #include "Extensions/Plugins.h"
@@ -12,6 +10,7 @@
 #include "Text/ConfigErrors.h"
 #include "Text/JsonWriter.h"
 #include "Text/TextFile.h"
+#include "Text/TextFormat.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -24,7 +23,7 @@ namespace Drydock
 namespace
 {
 
-struct FImportOptions
+struct FSettingsImportOptions
 {
 	FRunOptions Run;       // of --config
 	std::string File;      // engine text; "-": stdin
@@ -32,7 +31,7 @@ struct FImportOptions
 	bool bJson = false;
 };
 
-struct FExportOptions
+struct FSettingsExportOptions
 {
 	FRunOptions Run;                   // of --at
 	std::string File;                  // a config
@@ -55,11 +54,7 @@ void Upgrade(std::vector<FVolumeText>& Volumes, const std::string& File, std::ve
 {
 	for (FVolumeText& Volume : Volumes)
 	{
-		std::string Names;
-		for (const std::string& Name : UpgradeSettings(Volume.Settings.Settings))
-		{
-			Names += (Names.empty() ? "" : ", ") + Name;
-		}
+		const std::string Names = JoinText(UpgradeSettings(Volume.Settings.Settings));
 		if (!Names.empty())
 		{
 			Diagnostics.push_back({.Severity = ESeverity::Note,
@@ -97,7 +92,7 @@ std::string MakeImportJson(const std::vector<FVolumeText>& Volumes, const std::v
 
 /** The volumes that are asked for; none, or several where one is wanted, is an error. */
 std::vector<FVolumeText> CollectVolumes(
-	const FConfig& Config, const FExportOptions& Options, std::vector<FDiagnostic>& Diagnostics)
+	const FConfig& Config, const FSettingsExportOptions& Options, std::vector<FDiagnostic>& Diagnostics)
 {
 	std::vector<FVolumeText> Volumes;
 	std::vector<std::string> Names;
@@ -124,7 +119,7 @@ std::vector<FVolumeText> CollectVolumes(
 }
 
 /** What volumes and camera override at a place, with the values that render: one unbound volume. */
-std::vector<FVolumeText> BlendVolume(const FExportOptions& Options)
+std::vector<FVolumeText> BlendVolume(const FSettingsExportOptions& Options)
 {
 	FRunOptions RunOptions = Options.Run;
 	RunOptions.ConfigFile = Options.File;
@@ -145,7 +140,7 @@ std::vector<FVolumeText> BlendVolume(const FExportOptions& Options)
 	return {Volume};
 }
 
-std::vector<FVolumeText> LoadVolumes(const FExportOptions& Options, std::vector<FDiagnostic>& Diagnostics)
+std::vector<FVolumeText> LoadVolumes(const FSettingsExportOptions& Options, std::vector<FDiagnostic>& Diagnostics)
 {
 	const FConfigDocument Document = LoadConfigDocument(Options.File);
 	const FConfig OfPlugins = ReadConfigPlugins(Document);
@@ -162,7 +157,7 @@ std::vector<FVolumeText> LoadVolumes(const FExportOptions& Options, std::vector<
 	return CollectVolumes(Config, Options, Diagnostics);
 }
 
-int Import(const FImportOptions& Options)
+int ImportSettings(const FSettingsImportOptions& Options)
 {
 	const std::string File = Options.File == "-" ? "<stdin>" : Options.File;
 	std::vector<FDiagnostic> Diagnostics;
@@ -198,7 +193,7 @@ int Import(const FImportOptions& Options)
 	return ExitDone;
 }
 
-int Export(const FExportOptions& Options)
+int ExportSettings(const FSettingsExportOptions& Options)
 {
 	std::vector<FDiagnostic> Diagnostics;
 	const ESettingsTextForm Form = Options.bFull ? ESettingsTextForm::Full : ESettingsTextForm::Delta;
@@ -215,13 +210,13 @@ int Export(const FExportOptions& Options)
 	return ExitDone;
 }
 
-FVerbCall AddNothing(CLI::App& Verb)
+FVerbCall AddNothing(FVerbOptions& Verb)
 {
-	Verb.require_subcommand(1);
+	Verb.RequireVerb();
 	return nullptr;
 }
 
-const FVerbRegistration GRegistration({
+const FVerbRegistration GSettingsRegistration({
 	.Name = "settings",
 	.Place = 100,
 	.Group = EVerbGroup::LookUp,
@@ -229,54 +224,52 @@ const FVerbRegistration GRegistration({
 	.AddOptions = AddNothing,
 });
 
-FVerbCall AddImportOptions(CLI::App& Verb)
+FVerbCall AddSettingsImportOptions(FVerbOptions& Verb)
 {
-	const auto Options = std::make_shared<FImportOptions>();
-	Verb.add_option("TEXT", Options->File, "File of engine text, or - for stdin")->required();
-	Verb.add_flag("--upgrade", Options->bUpgrade,
+	const auto Options = std::make_shared<FSettingsImportOptions>();
+	Verb.Add("TEXT", Options->File, "File of engine text, or - for stdin").Require();
+	Verb.AddFlag("--upgrade", Options->bUpgrade,
 		"As the engine upgrades assets from before convolution bloom had an intensity: BM_FFT sets intensities to 1");
-	Verb.add_option("--config", Options->Run.ConfigFile, "With the settings that this config's plugins add")
-		->type_name("CONFIG");
+	Verb.Add("--config", Options->Run.ConfigFile, "With the settings that this config's plugins add").SetType("CONFIG");
 	AddTrust(Verb, Options->Run);
-	Verb.add_flag("--json", Options->bJson, "Print an object of volumes and messages");
+	Verb.AddFlag("--json", Options->bJson, "Print an object of volumes and messages");
 	return [Options]
 	{
-		return Import(*Options);
+		return ImportSettings(*Options);
 	};
 }
 
-const FVerbRegistration GImportRegistration({
+const FVerbRegistration GSettingsImportRegistration({
 	.Name = "settings import",
 	.Place = 101,
 	.Group = EVerbGroup::LookUp,
 	.Doc = "Print the config's \"volumes\" of settings or actors copied in the editor",
-	.AddOptions = AddImportOptions,
+	.AddOptions = AddSettingsImportOptions,
 });
 
-FVerbCall AddExportOptions(CLI::App& Verb)
+FVerbCall AddSettingsExportOptions(FVerbOptions& Verb)
 {
-	const auto Options = std::make_shared<FExportOptions>();
-	Verb.add_option("CONFIG", Options->File, "JSON config")->required();
-	CLI::Option* const Volume =
-		Verb.add_option("--volume", Options->Volume, "Only the volume of this name")->type_name("NAME");
-	Verb.add_option("--at", Options->At, "What all volumes and the camera come to at this place, cm, as one volume")
-		->type_name("X,Y,Z")
-		->excludes(Volume);
-	Verb.add_flag("--struct", Options->bStruct, "Only the settings (..), to paste into a volume's Settings");
-	Verb.add_flag("--full", Options->bFull, "All settings, not only those that are overridden or changed");
+	const auto Options = std::make_shared<FSettingsExportOptions>();
+	Verb.Add("CONFIG", Options->File, "JSON config").Require();
+	const FVerbOption Volume = Verb.Add("--volume", Options->Volume, "Only the volume of this name").SetType("NAME");
+	Verb.Add("--at", Options->At, "What all volumes and the camera come to at this place, cm, as one volume")
+		.SetType("X,Y,Z")
+		.Exclude(Volume);
+	Verb.AddFlag("--struct", Options->bStruct, "Only the settings (..), to paste into a volume's Settings");
+	Verb.AddFlag("--full", Options->bFull, "All settings, not only those that are overridden or changed");
 	AddTrust(Verb, Options->Run);
 	return [Options]
 	{
-		return Export(*Options);
+		return ExportSettings(*Options);
 	};
 }
 
-const FVerbRegistration GExportRegistration({
+const FVerbRegistration GSettingsExportRegistration({
 	.Name = "settings export",
 	.Place = 102,
 	.Group = EVerbGroup::LookUp,
 	.Doc = "Print the volumes of a config as actors to paste into the editor",
-	.AddOptions = AddExportOptions,
+	.AddOptions = AddSettingsExportOptions,
 });
 
 } // namespace

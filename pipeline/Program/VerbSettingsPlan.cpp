@@ -1,7 +1,6 @@
 // `drydock settings plan`: prints every place that an engine patch for one setting touches.
-#include <CLI/CLI.hpp>
-
 #include "NewSettingSheet.h"
+#include "Program/ArgumentParser.h"
 #include "Program/Verbs.h"
 #include "Text/ConfigErrors.h"
 #include "Text/JsonWriter.h"
@@ -79,28 +78,28 @@ int PrintPlan(const FSettingsPlanOptions& Options)
 	return ExitDone;
 }
 
-FVerbCall AddOptions(CLI::App& Verb)
+FVerbCall AddSettingsPlanOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FSettingsPlanOptions>();
-	Verb.add_option("SETTING", Options->Name, "Name, such as BloomToonIntensity")->required();
-	Verb.add_option("--type", Options->Type, "Of a setting that is not in the table: float, bool, int, color, ...")
-		->type_name("TYPE");
-	Verb.add_option("--default", Options->Default, "Likewise its default; 0 by default")->type_name("VALUE");
-	Verb.add_option("--category", Options->Category, "Likewise its category")->type_name("A|B");
-	Verb.add_option("--doc", Options->Doc, "Likewise its description")->type_name("TEXT");
-	Verb.add_flag("--json", Options->bJson, "Print an array of places");
+	Verb.Add("SETTING", Options->Name, "Name, such as BloomToonIntensity").Require();
+	Verb.Add("--type", Options->Type, "Of a setting that is not in the table: float, bool, int, color, ...")
+		.SetType("TYPE");
+	Verb.Add("--default", Options->Default, "Likewise its default; 0 by default").SetType("VALUE");
+	Verb.Add("--category", Options->Category, "Likewise its category").SetType("A|B");
+	Verb.Add("--doc", Options->Doc, "Likewise its description").SetType("TEXT");
+	Verb.AddFlag("--json", Options->bJson, "Print an array of places");
 	return [Options]
 	{
 		return PrintPlan(*Options);
 	};
 }
 
-const FVerbRegistration GRegistration({
+const FVerbRegistration GSettingsPlanRegistration({
 	.Name = "settings plan",
 	.Place = 103,
 	.Group = EVerbGroup::LookUp,
 	.Doc = "Print every place that an engine patch for one setting touches",
-	.AddOptions = AddOptions,
+	.AddOptions = AddSettingsPlanOptions,
 });
 
 } // namespace

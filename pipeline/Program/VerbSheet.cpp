@@ -1,13 +1,11 @@
 // `drydock sheet`: puts pictures side by side into one, each with a caption.
-#include <CLI/CLI.hpp>
-#include <fmt/format.h>
-
 #include "Picture/ContactSheet.h"
 #include "Picture/PictureFile.h"
 #include "Program/NumberList.h"
 #include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
 #include "Text/ConfigErrors.h"
+#include "Text/Fmt.inl"
 
 #include "Math/ToInteger.h"
 
@@ -125,34 +123,34 @@ int MakeSheet(const FSheetVerbOptions& Options)
 	return ExitDone;
 }
 
-FVerbCall AddOptions(CLI::App& Verb)
+FVerbCall AddSheetOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FSheetVerbOptions>();
-	Verb.add_option("PICTURE", Options->Pictures, "Pictures, or folders of runs, whose final.png it is")->required();
-	Verb.add_option("--out", Options->OutputFile, "The picture to write")->type_name("FILE.png")->required();
-	RequireRange(
-		Verb.add_option("--columns", Options->Columns, "Pictures in a row; by default as many as rows"), 1, 100)
-		->type_name("N");
-	RequireRange(
-		Verb.add_option("--width", Options->TileWidth, "Width of each picture in pixels; 320 by default"), 16, 4096)
-		->type_name("N");
-	AddRepeated(Verb, "--caption", "TEXT", Options->Captions,
+	Verb.Add("PICTURE", Options->Pictures, "Pictures, or folders of runs, whose final.png it is").Require();
+	Verb.Add("--out", Options->OutputFile, "The picture to write").SetType("FILE.png").Require();
+	Verb.Add("--columns", Options->Columns, "Pictures in a row; by default as many as rows")
+		.RequireRange(1, 100)
+		.SetType("N");
+	Verb.Add("--width", Options->TileWidth, "Width of each picture in pixels; 320 by default")
+		.RequireRange(16, 4096)
+		.SetType("N");
+	Verb.AddRepeated("--caption", "TEXT", Options->Captions,
 		"Of the first picture, then of the second ...; repeats; by default the name of file or folder");
-	Verb.add_option("--crop", Options->Crop, "Only this part of each picture")->type_name("X,Y,WIDTH,HEIGHT");
-	Verb.add_option("--inset", Options->Inset, "This part once more beneath, enlarged, its light times GAIN")
-		->type_name("X,Y,WIDTH,HEIGHT[,GAIN]");
+	Verb.Add("--crop", Options->Crop, "Only this part of each picture").SetType("X,Y,WIDTH,HEIGHT");
+	Verb.Add("--inset", Options->Inset, "This part once more beneath, enlarged, its light times GAIN")
+		.SetType("X,Y,WIDTH,HEIGHT[,GAIN]");
 	return [Options]
 	{
 		return MakeSheet(*Options);
 	};
 }
 
-const FVerbRegistration GRegistration({
+const FVerbRegistration GSheetRegistration({
 	.Name = "sheet",
 	.Place = 90,
 	.Group = EVerbGroup::Measure,
 	.Doc = "Put pictures side by side into one, each with a caption",
-	.AddOptions = AddOptions,
+	.AddOptions = AddSheetOptions,
 });
 
 } // namespace

@@ -1,7 +1,4 @@
 // `drydock study`: measures what accuracy costs, by the variants of a config's study.
-#include <CLI/CLI.hpp>
-#include <fmt/format.h>
-
 #include "Program/JUnitOption.h"
 #include "Program/ProgramOutput.h"
 #include "Program/ProgressBar.h"
@@ -14,6 +11,7 @@
 #include "Study/StudyInsets.h"
 #include "Study/StudyReport.h"
 #include "Study/StudyRun.h"
+#include "Text/Fmt.inl"
 #include "Text/OutputFolder.h"
 #include "Text/TextFile.h"
 
@@ -51,7 +49,7 @@ const FOutputNames& GetStudyOutputNames()
 
 /** A case for each variant, which fails where its picture has NaN or infinity that the reference lacks; and one for
  * each job's choice, which fails where no variant meets the budget. */
-std::vector<FJUnitCase> MakeCases(const FStudyResult& Result)
+std::vector<FJUnitCase> MakeStudyCases(const FStudyResult& Result)
 {
 	std::vector<FJUnitCase> Cases;
 	for (const FStudyJob& Job : Result.Jobs)
@@ -104,7 +102,7 @@ int RunStudy(const FStudyOptions& Options, FJUnitSuite& Suite)
 	FStudyRun Run(RunOptions);
 	FOutputFolder Folder(ChooseOutputFolder(Options.OutputFolder, Options.Run), GetStudyOutputNames());
 	const FStudyResult Result = Run.Measure();
-	Suite.Cases = MakeCases(Result);
+	Suite.Cases = MakeStudyCases(Result);
 	const auto Write = [&](const char* Name, const std::string& Text)
 	{
 		WriteWholeFile((Folder.GetAside() / Name).string(), Text);
@@ -140,16 +138,16 @@ int RunStudy(const FStudyOptions& Options, FJUnitSuite& Suite)
 	return ExitDone;
 }
 
-FVerbCall AddOptions(CLI::App& Verb)
+FVerbCall AddStudyOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FStudyOptions>();
 	AddConfig(Verb, Options->Run);
 	AddThreads(Verb, Options->Run, "Threads; 0: all cores (default)");
-	Verb.add_option("--out", Options->OutputFolder, "Folder for tables and pictures; out/NAME of the config by default")
-		->type_name("DIR");
+	Verb.Add("--out", Options->OutputFolder, "Folder for tables and pictures; out/NAME of the config by default")
+		.SetType("DIR");
 	AddReport(Verb, Options->Report, "study.html, the chart with what lies behind its points");
 	AddJUnit(Verb, Options->JUnit, "a case for each variant, and one for the choice");
-	Verb.add_flag("--json", Options->bJson, "Print study.json instead of the table");
+	Verb.AddFlag("--json", Options->bJson, "Print study.json instead of the table");
 	return [Options]
 	{
 		return CallWithJUnit(Options->JUnit, Options->Run.ConfigFile,
@@ -157,12 +155,12 @@ FVerbCall AddOptions(CLI::App& Verb)
 	};
 }
 
-const FVerbRegistration GRegistration({
+const FVerbRegistration GStudyRegistration({
 	.Name = "study",
 	.Place = 50,
 	.Group = EVerbGroup::Measure,
 	.Doc = "Measure what accuracy costs: the variants of a config's study",
-	.AddOptions = AddOptions,
+	.AddOptions = AddStudyOptions,
 });
 
 } // namespace

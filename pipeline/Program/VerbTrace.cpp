@@ -1,6 +1,4 @@
 // `drydock trace`: what a shader did for one pixel, line by line.
-#include <CLI/CLI.hpp>
-
 #include "Inspect/TraceCapture.h"
 #include "Program/NumberList.h"
 #include "Program/ProgramOutput.h"
@@ -74,33 +72,34 @@ int Trace(FTraceVerbOptions Options)
 	return ExitDone;
 }
 
-FVerbCall AddOptions(CLI::App& Verb)
+FVerbCall AddTraceOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FTraceVerbOptions>();
 	AddConfig(Verb, Options->Run);
 	AddThreads(Verb, Options->Run, "Threads of the passes before; 0: all cores");
-	Verb.add_option("--pass", Options->Request.Pass, "The pass, or its shader's class; with * and ?")
-		->type_name("PATTERN")
-		->required();
-	Verb.add_option("--pixel", Options->Pixel, "Pixel of the pass's render target, or X,Y,Z of a compute thread")
-		->type_name("X,Y")
-		->required();
-	RequireNonNegative(Verb.add_option("--bound", Options->Request.Bound,
-						   "Say where float and double part by more than this, of the value or of 1; 0.001 by default"))
-		->type_name("X");
-	Verb.add_flag("--json", Options->bJson, "Print JSON, with every round of every loop");
+	Verb.Add("--pass", Options->Request.Pass, "The pass, or its shader's class; with * and ?")
+		.SetType("PATTERN")
+		.Require();
+	Verb.Add("--pixel", Options->Pixel, "Pixel of the pass's render target, or X,Y,Z of a compute thread")
+		.SetType("X,Y")
+		.Require();
+	Verb.Add("--bound", Options->Request.Bound,
+			"Say where float and double part by more than this, of the value or of 1; 0.001 by default")
+		.RequireNonNegative()
+		.SetType("X");
+	Verb.AddFlag("--json", Options->bJson, "Print JSON, with every round of every loop");
 	return [Options]
 	{
 		return Trace(*Options);
 	};
 }
 
-const FVerbRegistration GRegistration({
+const FVerbRegistration GTraceRegistration({
 	.Name = "trace",
 	.Place = 44,
 	.Group = EVerbGroup::Ask,
 	.Doc = "Print what a pass's shader did for one pixel, line by line",
-	.AddOptions = AddOptions,
+	.AddOptions = AddTraceOptions,
 });
 
 } // namespace

@@ -1,6 +1,5 @@
 // `drydock warm`: compiles the shaders of configs, which the build does so that a first run needs no compiler.
-#include <CLI/CLI.hpp>
-
+#include "Program/ArgumentParser.h"
 #include "Program/Verbs.h"
 #include "Run/Run.h"
 #include "ShaderCache.h"
@@ -41,24 +40,24 @@ int Warm(const FWarmOptions& Options)
 	return ExitDone;
 }
 
-FVerbCall AddOptions(CLI::App& Verb)
+FVerbCall AddWarmOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FWarmOptions>();
-	Verb.add_option("CONFIG", Options->Configs, "JSON configs")->required();
-	Verb.add_option("--cache", Options->CacheFolder, "Folder of the cache; the usual one by default")->type_name("DIR");
-	Verb.add_flag("--no-plugins", Options->bNoPlugins, "Refuse a config that names plugins: they are code that is run");
+	Verb.Add("CONFIG", Options->Configs, "JSON configs").Require();
+	Verb.Add("--cache", Options->CacheFolder, "Folder of the cache; the usual one by default").SetType("DIR");
+	Verb.AddFlag("--no-plugins", Options->bNoPlugins, "Refuse a config that names plugins: they are code that is run");
 	return [Options]
 	{
 		return Warm(*Options);
 	};
 }
 
-const FVerbRegistration GRegistration({
+const FVerbRegistration GWarmRegistration({
 	.Name = "warm",
 	.Place = 120,
 	.Group = EVerbGroup::Run,
 	.Doc = "Compile the shaders of configs into the shader cache",
-	.AddOptions = AddOptions,
+	.AddOptions = AddWarmOptions,
 });
 
 } // namespace

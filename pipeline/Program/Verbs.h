@@ -7,13 +7,10 @@
 #include <functional>
 #include <vector>
 
-namespace CLI
-{
-class App;
-}
-
 namespace Drydock
 {
+
+class FVerbOptions;
 
 /** What a verb does once its options are read: the program's exit code. stdout is the result, stderr the log. Throws
  * FError, which the program prints and whose exit code it ends with. */
@@ -41,7 +38,7 @@ struct FVerb
 	const char* Doc; // one line of --help, of 66 characters at most
 
 	/** Adds the options, which the returned call owns. The call is empty for a verb that has only verbs under it. */
-	FVerbCall (*AddOptions)(CLI::App& Verb);
+	FVerbCall (*AddOptions)(FVerbOptions& Verb);
 };
 
 /** `const FVerbRegistration Registration({.Name = "run", ...});` in the verb's file adds it to the program. */
