@@ -1,6 +1,5 @@
 // `drydock hello`: greets, as the recipe of docs/architecture.md makes a verb.
-#include <CLI/CLI.hpp>
-
+#include "Program/ArgumentParser.h"
 #include "Program/Verbs.h"
 
 #include <cstdio>
@@ -13,10 +12,10 @@ namespace Drydock
 namespace
 {
 
-FVerbCall AddOptions(CLI::App& Verb)
+FVerbCall AddHelloOptions(FVerbOptions& Verb)
 {
 	const auto Name = std::make_shared<std::string>("world");
-	Verb.add_option("--name", *Name, "Whom to greet")->type_name("NAME");
+	Verb.Add("--name", *Name, "Whom to greet").SetType("NAME");
 	return [Name]
 	{
 		std::printf("hello %s\n", Name->c_str());
@@ -24,12 +23,12 @@ FVerbCall AddOptions(CLI::App& Verb)
 	};
 }
 
-const FVerbRegistration GRegistration({
+const FVerbRegistration GHelloRegistration({
 	.Name = "hello",
 	.Place = 1000,
 	.Group = EVerbGroup::Run,
 	.Doc = "Greet somebody",
-	.AddOptions = AddOptions,
+	.AddOptions = AddHelloOptions,
 });
 
 } // namespace
