@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "Picture/ImageFile.h"
+#include "Picture/ImagePlane.h"
 
 #include <cmath>
 #include <cstring>
