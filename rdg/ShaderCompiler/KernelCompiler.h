@@ -13,7 +13,7 @@ namespace Drydock
 constexpr int GShaderTierVersion = 9;
 
 /** Lanes 0 becomes the widest; throws FError DD6003 for a lane count that the type or the CPU does not have. */
-FLaneConfig ResolveLanes(FLaneConfig Lanes);
+DRYDOCK_API FLaneConfig ResolveLanes(FLaneConfig Lanes);
 
 /** DRYDOCK_CXX, else the compiler that built the library, else g++, clang++ or c++; empty when none is there. */
 std::string FindKernelCompiler();
