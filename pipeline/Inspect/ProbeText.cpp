@@ -109,6 +109,7 @@ std::string MakeProbeText(
 	const bool bCompare = !Against.empty();
 	const std::optional<FProbeDifference> Difference =
 		bCompare ? FindDifference(Passes, Against) : std::optional<FProbeDifference>();
+	const FProbeDifference Parted = Difference.value_or(FProbeDifference{Passes.size()}); // behind the last: nowhere
 	std::string Text = fmt::format("pixel {},{}", Request.X, Request.Y);
 	Text +=
 		Request.Width * Request.Height > 1 ? fmt::format(", {} x {}", Request.Width, Request.Height) : std::string();
@@ -125,12 +126,12 @@ std::string MakeProbeText(
 		for (size_t Write = 0; Write < Pass.Writes.size(); ++Write)
 		{
 			Text += "   " + FormatWrite(Pass.Writes[Write]) + "\n";
-			if (Difference && !Difference->bOtherPasses && Difference->Pass == Index && Difference->Write == Write)
+			if (!Parted.bOtherPasses && Parted.Pass == Index && Parted.Write == Write)
 			{
 				Text += "   < here they part; against it " + FormatWrite(Against[Index].Writes[Write]) + "\n";
 			}
 		}
-		if (Difference && Difference->bOtherPasses && Difference->Pass == Index)
+		if (Parted.bOtherPasses && Parted.Pass == Index)
 		{
 			Text += Index < Against.size()
 						? "   < here they part: the other run has the pass " + Against[Index].Pass + "\n"

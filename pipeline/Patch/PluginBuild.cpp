@@ -301,7 +301,9 @@ FBuiltPlugin BuildPlugin(FPluginBuild Build)
 		Build.BuildFolder = "build/" + Build.Name;
 	}
 	const std::string Package = FindPackage();
-	FBuiltPlugin Built{.Name = Build.Name, .EngineMinor = Build.EngineMinor};
+	FBuiltPlugin Built;
+	Built.Name = Build.Name;
+	Built.EngineMinor = Build.EngineMinor;
 	const FAttempt First = Attempt(Build, Package, Built.Notes);
 	if (!First.bCompiled && !Build.bUnity)
 	{
