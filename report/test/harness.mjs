@@ -13,14 +13,15 @@ export const runs = process.env.REPORT_RUNS;
 
 let browser;
 
-/** All test files share one browser, which the first of them starts. */
+/** The browser of serve.mjs where there is one, else one of this file's own. */
 export async function startBrowser() {
-	browser ??= await chromium.launch({ executablePath: process.env.CHROMIUM, args: ["--no-sandbox"] });
+	browser = process.env.BROWSER
+		? await chromium.connect(process.env.BROWSER)
+		: await chromium.launch({ executablePath: process.env.CHROMIUM, args: ["--no-sandbox"] });
 }
 
 export async function stopBrowser() {
-	await browser?.close();
-	browser = undefined;
+	await browser.close();
 }
 
 /** Opens a file, calls the test, and fails where the page wrote to the console, threw, or asked for anything else. */
