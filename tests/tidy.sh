@@ -5,7 +5,7 @@
 #   tests/tidy.sh --base REVISION   the files that were changed since that revision
 #   tests/tidy.sh FILE...           these files
 #   tests/tidy.sh --all             all files of the product
-# A header is looked at through .cpp files that include it, at most 5. Exit 0: no findings, 1: findings, 2: it cannot run.
+# A header is looked at through .cpp files that include it, at most 5, or alone where none does. Exit 0: no findings, 1: findings, 2: it cannot run.
 # TIDY: the program, clang-tidy-19 where it is not named.
 set -euo pipefail
 Called=$PWD
@@ -53,7 +53,10 @@ TakeFile() {
 		*.h | *.inl)
 			[[ " ${Storeys[*]} " = *" ${1%%/*} "* ]] || { Say "not looked at: $1, which is not product code"; return; }
 			mapfile -t Through < <(Includers "$1")
-			[ ${#Through[@]} -gt 0 ] || { Say "not looked at: $1, which no .cpp file includes itself"; return; }
+			if [ ${#Through[@]} = 0 ]; then
+				[[ $1 = *.h ]] || { Say "not looked at: $1, which no .cpp file includes directly"; return; }
+				Through=("$1")
+			fi
 			[ ${#Through[@]} -le $Most ] || Say "$1 is looked at through $Most of the ${#Through[@]} .cpp files that include it"
 			Files+=("${Through[@]:0:$Most}") ;;
 		*) [ "$bNamed" = 0 ] || Say "not looked at: $1, which is not C++" ;;
@@ -92,7 +95,7 @@ case ${1:-} in
 esac
 [ ${#Files[@]} -gt 0 ] || { Say "no file to look at"; exit 0; }
 mapfile -t Files < <(printf '%s\n' "${Files[@]}" | sort -u)
-Say "looking at ${#Files[@]} files"
+Say "looking at ${#Files[@]} file(s)"
 
 # Each file's report has a file of its own, since several run at a time.
 export Tidy Build Work
@@ -103,7 +106,7 @@ printf '%s\n' "${Files[@]}" | xargs -P "$(nproc)" -I {} bash -c '
 for ((Second = 1; ; ++Second)); do
 	kill -0 $! 2>/dev/null || break
 	sleep 1
-	[ $((Second % 60)) != 0 ] || Say "$(find "$Work" -name '*.out' | wc -l) of ${#Files[@]} files"
+	[ $((Second % 60)) != 0 ] || Say "$(find "$Work" -name '*.out' | wc -l) of ${#Files[@]} file(s)"
 done
 wait $!
 
@@ -111,5 +114,5 @@ wait $!
 cat "$Work"/*.out | awk '/^\/[^ ]*:[0-9]+:[0-9]+: (warning|error): / { Show = !($0 in Seen); Seen[$0] = 1 } Show' >"$Work/findings"
 sed "s|^$PWD/||" "$Work/findings"
 Count=$(grep -cE '^/[^ ]*:[0-9]+:[0-9]+: (warning|error): ' "$Work/findings" || true)
-Say "$Count findings in $((SECONDS - Began)) s"
+Say "$Count finding(s) in $((SECONDS - Began)) s"
 [ "$Count" = 0 ] && [ ! -e "$Work/failed" ]

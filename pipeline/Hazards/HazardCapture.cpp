@@ -13,6 +13,7 @@
 #include "TileExecutor.h"
 
 #include <algorithm>
+#include <bit>
 #include <cctype>
 #include <cmath>
 #include <cstring>
@@ -240,8 +241,8 @@ bool AreEqual(const FImage& A, const FImage& B, const FKernelTile& Drawn)
 		{
 			for (int Channel = 0; Channel < 4; ++Channel)
 			{
-				const double ValueA = A.Get(X, Y, Channel), ValueB = B.Get(X, Y, Channel);
-				bEqual = bEqual && std::memcmp(&ValueA, &ValueB, sizeof(double)) == 0;
+				bEqual = bEqual &&
+						 std::bit_cast<uint64_t>(A.Get(X, Y, Channel)) == std::bit_cast<uint64_t>(B.Get(X, Y, Channel));
 			}
 		}
 	}

@@ -13,7 +13,8 @@
 #include "TraceRecorder.h"
 
 #include <algorithm>
-#include <cstring>
+#include <array>
+#include <bit>
 #include <set>
 #include <tuple>
 
@@ -27,8 +28,9 @@ constexpr uint64_t MaxSteps = 1'000'000'000;
 
 bool AreSame(const FProbeWrite& A, const FProbeWrite& B)
 {
+	using FBits = std::array<uint64_t, 4>;
 	return A.Target == B.Target && A.Format == B.Format && A.X == B.X && A.Y == B.Y &&
-		   std::memcmp(A.Value.data(), B.Value.data(), sizeof(A.Value)) == 0;
+		   std::bit_cast<FBits>(A.Value) == std::bit_cast<FBits>(B.Value);
 }
 
 /** Reads of one texture, summed up over the samples of a trace. */

@@ -390,10 +390,10 @@ TEST(ShaderBinding, ANullUniformBufferThatIsReadIsAMessage)
 
 TEST(ShaderBinding, TexturesGiveTheirViews)
 {
-	const TRefCountPtr<FRHITexture> Texture = MakeTexture(FIntPoint(17, 9));
+	const TRefCountPtr<FRHITexture> Input = MakeTexture(FIntPoint(17, 9));
 	FBloomParameters Parameters;
-	Parameters.Input.Texture = Texture;
-	const FBoundShader Bound = Bind(::Texture("Input_Texture"), Parameters);
+	Parameters.Input.Texture = Input;
+	const FBoundShader Bound = Bind(Texture("Input_Texture"), Parameters);
 	ASSERT_EQ(1u, Bound.Textures.size());
 	EXPECT_EQ(17, Bound.Textures[0].Mips[0].SizeX);
 	EXPECT_EQ(9, Bound.Textures[0].Mips[0].SizeY);
