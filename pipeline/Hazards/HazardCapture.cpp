@@ -13,7 +13,6 @@
 #include "TileExecutor.h"
 
 #include <algorithm>
-#include <bit>
 #include <cctype>
 #include <cmath>
 #include <cstring>
@@ -241,8 +240,8 @@ bool AreEqual(const FImage& A, const FImage& B, const FKernelTile& Drawn)
 		{
 			for (int Channel = 0; Channel < 4; ++Channel)
 			{
-				bEqual = bEqual &&
-						 std::bit_cast<uint64_t>(A.Get(X, Y, Channel)) == std::bit_cast<uint64_t>(B.Get(X, Y, Channel));
+				const double ValueA = A.Get(X, Y, Channel), ValueB = B.Get(X, Y, Channel);
+				bEqual = bEqual && std::memcmp(&ValueA, &ValueB, sizeof(double)) == 0;
 			}
 		}
 	}

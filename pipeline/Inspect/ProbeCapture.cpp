@@ -13,8 +13,7 @@
 #include "TraceRecorder.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
+#include <cstring>
 #include <set>
 #include <tuple>
 
@@ -28,9 +27,8 @@ constexpr uint64_t MaxSteps = 1'000'000'000;
 
 bool AreSame(const FProbeWrite& A, const FProbeWrite& B)
 {
-	using FBits = std::array<uint64_t, 4>;
 	return A.Target == B.Target && A.Format == B.Format && A.X == B.X && A.Y == B.Y &&
-		   std::bit_cast<FBits>(A.Value) == std::bit_cast<FBits>(B.Value);
+		   std::memcmp(A.Value.data(), B.Value.data(), sizeof(A.Value)) == 0;
 }
 
 /** Reads of one texture, summed up over the samples of a trace. */

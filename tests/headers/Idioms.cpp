@@ -372,7 +372,8 @@ FIntPoint Convert(const FIntRect& Rect, FRDGBuilder& GraphBuilder, const FRDGTex
 }
 
 /** A pass that names its states by hand. */
-void AddRawPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, FEverythingPS::FParameters* Parameters)
+[[maybe_unused]] void AddRawPass(
+	FRDGBuilder& GraphBuilder, const FViewInfo& View, FEverythingPS::FParameters* Parameters)
 {
 	FEverythingPS::FPermutationDomain Permutation;
 	Permutation.Set<FEverythingPS::FFast>(true);

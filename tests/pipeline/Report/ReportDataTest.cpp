@@ -20,12 +20,6 @@ using SequenceTest::FTemporaryFolder;
 namespace
 {
 
-std::string ReadBytes(const std::filesystem::path& Path)
-{
-	std::ifstream Stream(Path, std::ios::binary);
-	return std::string(std::istreambuf_iterator<char>(Stream), {});
-}
-
 FRunResult RunForReport(const std::string& ConfigText)
 {
 	FRunOptions Options;

@@ -4,8 +4,6 @@
 using namespace Drydock;
 using namespace RunTest;
 
-const std::string RunTest::Root = DRYDOCK_TEST_SOURCE_DIR "/";
-
 TEST(RunGraph, DefaultsHaveOneDownsampleChainTwelveBlursATableAndATonemapper)
 {
 	// Half resolution and five levels below it, an X and a Y pass for each of six Gaussians, the combined colour

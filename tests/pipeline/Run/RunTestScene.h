@@ -25,7 +25,7 @@ namespace RunTest
 using namespace Drydock;
 
 /** The source tree, with a slash at its end. */
-extern const std::string Root;
+inline const std::string Root = DRYDOCK_TEST_SOURCE_DIR "/";
 
 /** A config of the odd-sized scene; More: further members of the root object. */
 inline FRunOptions SmallScene(const std::string& More = "")
