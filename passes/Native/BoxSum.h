@@ -38,8 +38,8 @@ struct TBoxSumLanes
 	/** Pixels: of the target, inside it; each stands for the source's texel ToSource further on. Formats: floats of at
 	 *  most 32 bits. Gives, as bits, the groups of GRowsOfBoxGroup rows that are left to the shader: they read what is
 	 * no finite number and would spoil the sums beside it. At most 64 groups. */
-	[[gnu::weak]] static uint64_t Run(const FBoxSum& Sum, const FKernelTexture& Target, const FKernelTile& Pixels, int32_t ToSourceX,
-		int32_t ToSourceY);
+	[[gnu::weak]] static uint64_t Run(const FBoxSum& Sum, const FKernelTexture& Target, const FKernelTile& Pixels,
+		int32_t ToSourceX, int32_t ToSourceY);
 };
 
 } // namespace Drydock

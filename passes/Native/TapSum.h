@@ -92,8 +92,8 @@ template<int N>
 struct TTapSumLanes
 {
 	/** SumTaps on N lanes, for what it does not turn away at once. */
-	[[gnu::weak]] static bool Run(const FTapSum& Sum, const FKernelTexture& Target, const FKernelTile& Tile, int32_t ToTargetX,
-		int32_t ToTargetY);
+	[[gnu::weak]] static bool Run(const FTapSum& Sum, const FKernelTexture& Target, const FKernelTile& Tile,
+		int32_t ToTargetX, int32_t ToTargetY);
 };
 
 /** The calling thread's memory of that number (below 16), at least so many bytes, aligned to 64; its contents are lost

@@ -29,8 +29,8 @@ struct TTexelSumLanes
 {
 	/** Pixels: of the target, inside it; each stands for the source's texel ToSource further on. Formats: floats of at
 	 *  most 32 bits. */
-	[[gnu::weak]] static void Run(const FTexelSum& Sum, const FKernelTexture& Target, const FKernelTile& Pixels, int32_t ToSourceX,
-		int32_t ToSourceY);
+	[[gnu::weak]] static void Run(const FTexelSum& Sum, const FKernelTexture& Target, const FKernelTile& Pixels,
+		int32_t ToSourceX, int32_t ToSourceY);
 };
 
 } // namespace Drydock

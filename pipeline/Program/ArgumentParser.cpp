@@ -348,6 +348,7 @@ std::vector<FVerbModel> FArgumentParser::Read() const
 {
 	FProgramModel Model;
 	ReadVerb(*Program, "", Model);
+	AddGroupsAndWords(Model);
 	return Model;
 }
 

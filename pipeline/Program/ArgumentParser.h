@@ -163,8 +163,7 @@ public:
 	 */
 	bool IsGiven(const std::string& Option) const;
 
-	/** The program itself, then its verbs, those under a verb behind it. Neither groups of verbs nor words of options
-	 * are filled in: MakeProgramModel does that. */
+	/** The program itself, then its verbs, those under a verb behind it. */
 	std::vector<FVerbModel> Read() const;
 
 private:

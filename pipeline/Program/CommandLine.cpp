@@ -4,7 +4,6 @@
 #include "Diagnostics.h"
 #include "Program/ArgumentParser.h"
 #include "Program/ProgramFailure.h"
-#include "Program/ProgramModel.h"
 #include "Program/ProgramOutput.h"
 #include "Text/ConfigErrors.h"
 #include "Text/JsonWriter.h"
@@ -118,7 +117,7 @@ void PrintMessages(const std::vector<FDiagnostic>& Diagnostics)
 int ExplainArguments(
 	const FArgumentParser& Parser, const std::vector<std::string>& Arguments, const std::string& Otherwise)
 {
-	const std::string Mistake = ExplainMistake(MakeProgramModel(Parser), Arguments, Otherwise);
+	const std::string Mistake = ExplainMistake(Parser.Read(), Arguments, Otherwise);
 	std::fprintf(stderr, "drydock: %s\nTry drydock --help.\n", Mistake.c_str());
 	if (std::find(Arguments.begin(), Arguments.end(), "--json") != Arguments.end())
 	{
@@ -157,6 +156,11 @@ FArgumentParser MakeProgram()
 				"written, 70 a fault of drydock's own, 71 one of a plugin's. `drydock VERB --help` explains a verb.",
 		},
 		GetVerbs());
+}
+
+FProgramModel MakeProgramModel()
+{
+	return MakeProgram().Read();
 }
 
 int CallProgram(const std::vector<std::string>& Arguments)

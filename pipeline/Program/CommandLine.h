@@ -2,6 +2,7 @@
 #pragma once
 
 #include "DrydockAPI.h"
+#include "Program/ProgramModel.h"
 
 #include <string>
 #include <vector>
@@ -13,6 +14,9 @@ class FArgumentParser;
 
 /** The parser with all verbs. */
 FArgumentParser MakeProgram();
+
+/** What it takes. */
+DRYDOCK_API FProgramModel MakeProgramModel();
 
 /** Arguments: those behind the program's name. Returns the exit code; what is wrong with the arguments themselves is
  * printed to stderr, with the nearest verb or option, and all verbs where there are no arguments. Throws what a verb

@@ -1,9 +1,7 @@
-// Asks the parser for verbs and options, and finds the words that an option takes.
+// Finds the groups of verbs and the words that options take.
 #include "Program/ProgramModel.h"
 
 #include "Config/ConfigKeys.h"
-#include "Program/ArgumentParser.h"
-#include "Program/CommandLine.h"
 
 #include <algorithm>
 
@@ -31,9 +29,8 @@ std::vector<std::string> FindWords(const std::string& Type)
 
 } // namespace
 
-FProgramModel MakeProgramModel(const FArgumentParser& Parser)
+void AddGroupsAndWords(FProgramModel& Model)
 {
-	FProgramModel Model = Parser.Read();
 	for (FVerbModel& Verb : Model)
 	{
 		for (const FVerb& Registered : GetVerbs())
@@ -46,12 +43,6 @@ FProgramModel MakeProgramModel(const FArgumentParser& Parser)
 			Option.bList = EndsInList(Option.Type);
 		}
 	}
-	return Model;
-}
-
-FProgramModel MakeProgramModel()
-{
-	return MakeProgramModel(MakeProgram());
 }
 
 const FVerbModel* FindVerb(const FProgramModel& Model, const std::string& Name)

@@ -10,8 +10,6 @@
 namespace Drydock
 {
 
-class FArgumentParser;
-
 struct FOptionModel
 {
 	std::vector<std::string> Names; // "-h" and "--help"; of an argument its name alone, "CONFIG"
@@ -41,11 +39,8 @@ struct FVerbModel
 /** The program itself, then its verbs in the order of --help, those under a verb behind it. */
 using FProgramModel = std::vector<FVerbModel>;
 
-/** What a parser of GetVerbs() takes. */
-FProgramModel MakeProgramModel(const FArgumentParser& Parser);
-
-/** Of this program. */
-DRYDOCK_API FProgramModel MakeProgramModel();
+/** Fills in what a parser does not know: the groups of verbs, and the words that options take, by their types. */
+void AddGroupsAndWords(FProgramModel& Model);
 
 /** Null where there is no such verb. */
 DRYDOCK_API const FVerbModel* FindVerb(const FProgramModel& Model, const std::string& Name);

@@ -1,6 +1,7 @@
 // `drydock completion`, `man` and `schema`: print what shells, readers and editors need, made from what the program
 // knows.
 #include "Extensions/PublishedSchema.h"
+#include "Program/CommandLine.h"
 #include "Program/CompletionScript.h"
 #include "Program/ManPage.h"
 #include "Program/ProgramOutput.h"

@@ -44,8 +44,8 @@ public:
 		{
 			Edits.Insert(FirstUse, Accessors.GetPrototypes());
 			Text.Files.push_back(GSpirvFileOfCallers);
-			Edits.Move(Text.Size(),
-				MakeHlslTokens(Accessors.GetFunctions(Numbers), {{}, uint32_t(Text.Files.size() - 1), 1}));
+			Edits.Move(
+				Text.Size(), MakeHlslTokens(Accessors.GetFunctions(Numbers), {{}, uint32_t(Text.Files.size() - 1), 1}));
 		}
 		const bool bChanged = !Edits.IsEmpty();
 		Edits.Apply(Text);

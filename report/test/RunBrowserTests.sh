@@ -26,4 +26,4 @@ Pair=("$Work/strong" "$Work/weak")
 "$Drydock" matrix "$Source/tests/plugins/ShowUV" --versions 5.4-5.5 --out "$Work/matrix" --report >/dev/null
 export CHROMIUM REPORT_RUNS=$Work
 cd "$Source/report"
-exec node --test --test-reporter=spec test/*.test.mjs
+exec node --test --test-reporter=spec test/all.mjs

@@ -13,12 +13,14 @@ export const runs = process.env.REPORT_RUNS;
 
 let browser;
 
+/** All test files share one browser, which the first of them starts. */
 export async function startBrowser() {
-	browser = await chromium.launch({ executablePath: process.env.CHROMIUM, args: ["--no-sandbox"] });
+	browser ??= await chromium.launch({ executablePath: process.env.CHROMIUM, args: ["--no-sandbox"] });
 }
 
 export async function stopBrowser() {
-	await browser.close();
+	await browser?.close();
+	browser = undefined;
 }
 
 /** Opens a file, calls the test, and fails where the page wrote to the console, threw, or asked for anything else. */

@@ -80,7 +80,7 @@ FBinding::FBinding(const FPipeline& InPipeline, const FShaderReflection& Reflect
 		RWBuffers.push_back(MakeBuffer(Resource));
 	}
 	Args = {ConstantPointers.data(), Textures.data(), RWTextures.data(), Samplers.data(), Buffers.data(),
-		RWBuffers.data(), nullptr, nullptr, 0, nullptr, {}};
+		RWBuffers.data(), nullptr, nullptr, 0, nullptr, nullptr};
 }
 
 void FBinding::ReadPlaces(const std::string& Text)

@@ -67,7 +67,7 @@ Expect "the same folder under another name is the same folder" '! grep -q -- --p
 cp -a "$Work/old" "$Work/copy"
 RunDev "$Work/copy" list passes
 Expect "a copy runs its own program" '[ "$Code" = 0 ] && [ "$Out" = "the program of $Work/copy" ]'
-Expect "which was configured first" 'grep -qx -- "--preset release" <<<"$Asked"'
+Expect "which was configured first" 'grep -q -- "^--preset release" <<<"$Asked"'
 Expect "and whose shaders are warmed" 'grep -q drydock_ready <<<"$Asked"'
 Expect "and says so, with the old place" 'grep -q "configured for $Work/old: this checkout is a copy" <<<"$Err"'
 RunDev "$Work/copy" list passes
@@ -80,7 +80,7 @@ Expect "a copy with an error runs nothing" '[ "$Code" = 2 ] && [ -z "$Out" ]'
 
 mv "$Work/old" "$Work/moved"
 RunDev "$Work/moved" test
-Expect "tests of a moved checkout are built anew" 'grep -qx -- "--preset release" <<<"$Asked"'
+Expect "tests of a moved checkout are built anew" 'grep -q -- "^--preset release" <<<"$Asked"'
 
 MakeCheckout "$Work/first" "$Work/first"
 MakeCheckout "$Work/second" "$Work/second"

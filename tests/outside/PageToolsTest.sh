@@ -6,8 +6,10 @@ set -euo pipefail
 
 Source=$1 Work=$2 Failures=0
 rm -rf "$Work"
-mkdir -p "$Work/bin" "$Work/tree/report" "$Work/tree/build/release"
+mkdir -p "$Work/bin" "$Work/tree/report" "$Work/tree/build/release" "$Work/tree/tests"
 cp "$Source/dev" "$Work/tree/dev"
+printf '#!/bin/sh\n' >"$Work/tree/tests/unit_tests.py" # every name is ctest's
+chmod +x "$Work/tree/tests/unit_tests.py"
 touch "$Work/tree/report/package-lock.json" "$Work/tree/build/release/build.ninja"
 printf 'CMAKE_HOME_DIRECTORY:INTERNAL=%s\n' "$Work/tree" >"$Work/tree/build/release/CMakeCache.txt"
 

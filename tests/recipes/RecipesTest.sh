@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # Carries out two recipes of docs/architecture.md on a scratch copy of the tree: an effect with a setting (Posterize) and a
-# verb (Hello). Copies their files in, adds their rows, builds the program and looks for both where a person would.
+# verb (Hello). Copies their files in, adds their rows, builds the program and looks for both where a person would. The
+# recipes touch nothing of rdg, so that its library is BUILD's.
 #
-#   RecipesTest.sh SOURCE WORK
+#   RecipesTest.sh BUILD SOURCE WORK
 set -euo pipefail
 
 Here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-Source=$(realpath "$1") Work=$2
+Build=$(realpath "$1") Source=$(realpath "$2") Work=$3
 Tree=$Work/tree
 Fail() { printf 'RecipesTest: %s\n' "$*" >&2; exit 1; }
 
@@ -14,6 +15,9 @@ Fail() { printf 'RecipesTest: %s\n' "$*" >&2; exit 1; }
 rm -rf "$Tree"
 mkdir -p "$Tree" "$Work/edited"
 (cd "$Source" && cp -a CMakeLists.txt CMakePresets.json rdg settings passes pipeline cmake templates configs "$Tree/")
+find "$Tree/rdg" -name '*.cpp' ! -name 'FrontEnd*.cpp' -delete
+[ -f "$Work/edited/Reused.cpp" ] || echo '// The library of rdg stands ready.' >"$Work/edited/Reused.cpp"
+cp -p "$Work/edited/Reused.cpp" "$Tree/rdg/Core/Reused.cpp"
 
 # New files, as they stand in the recipes' folders. Posterize's test stays there: it would be built with all of its room.
 for Recipe in Posterize Hello; do
@@ -34,9 +38,16 @@ grep -v '^#' "$Here/Posterize/rows.txt" | while IFS=$'\t' read -r File Row; do
 	cp -p "$Edited" "$Tree/$File"
 done
 
+BuildTarget() { cmake --build "$Work/build" --target "$1" >>"$Work/build.log" 2>&1 || { tail -n 40 "$Work/build.log" >&2; Fail "it does not build"; }; }
+: >"$Work/build.log"
 cmake -S "$Tree" -B "$Work/build" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O0 -DNDEBUG" \
-	-DDRYDOCK_BUILD_TESTS=OFF -DDRYDOCK_BUILD_BENCH=OFF >"$Work/configure.log"
-cmake --build "$Work/build" --target drydock_program >"$Work/build.log" 2>&1 || { tail -n 40 "$Work/build.log" >&2; Fail "it does not build"; }
+	-DDRYDOCK_INSTRUCTION_SETS=native -DDRYDOCK_BUILD_TESTS=OFF -DDRYDOCK_BUILD_BENCH=OFF >"$Work/configure.log"
+BuildTarget drydock_rdg
+cp --remove-destination "$(realpath "$Build/lib/libdrydock_rdg.so")" "$(realpath "$Work/build/lib/libdrydock_rdg.so")"
+mkdir -p "$Work/build/share/drydock"
+ln -sfn "$Tree/rdg" "$Work/build/share/drydock/rdg" # beside the library, where it looks first
+ln -sfn "$Tree/passes" "$Work/build/share/drydock/passes"
+BuildTarget drydock_program
 
 Drydock=$Work/build/bin/drydock
 export DRYDOCK_CACHE_DIR=$Work/cache

@@ -4,7 +4,7 @@
 namespace Stability
 {
 
-namespace
+namespace BlendRows
 {
 
 /** The hazards that a value can be. The others are a picture's. */
@@ -390,11 +390,11 @@ constexpr FBlendRow Rows[] = {
 	},
 };
 
-} // namespace
+} // namespace BlendRows
 
 std::span<const FBlendRow> GetBlendRows()
 {
-	return Rows;
+	return BlendRows::Rows;
 }
 
 } // namespace Stability

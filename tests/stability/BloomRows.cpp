@@ -5,7 +5,7 @@
 namespace Stability
 {
 
-namespace
+namespace BloomRows
 {
 
 constexpr FCell RectOnly = SameAsCropped("every tap is clamped to the rect");
@@ -352,11 +352,11 @@ constexpr FPassRow Rows[] =
 		},
 };
 
-} // namespace
+} // namespace BloomRows
 
 std::span<const FPassRow> GetBloomRows()
 {
-	return Rows;
+	return BloomRows::Rows;
 }
 
 } // namespace Stability

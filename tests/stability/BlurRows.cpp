@@ -5,7 +5,7 @@
 namespace Stability
 {
 
-namespace
+namespace BlurRows
 {
 
 constexpr FCell Weights = Kept("weights sum to 1 at the edge too, where taps are clamped", 1e-3);
@@ -386,11 +386,11 @@ constexpr FPassRow Rows[] =
 		},
 };
 
-} // namespace
+} // namespace BlurRows
 
 std::span<const FPassRow> GetBlurRows()
 {
-	return Rows;
+	return BlurRows::Rows;
 }
 
 } // namespace Stability

@@ -5,7 +5,7 @@
 namespace Stability
 {
 
-namespace
+namespace DisplayRows
 {
 
 constexpr FCell NoPicture = DoesNotApply("the table is made of settings; no picture is read");
@@ -249,11 +249,11 @@ constexpr FPassRow Rows[] = {
 	},
 };
 
-} // namespace
+} // namespace DisplayRows
 
 std::span<const FPassRow> GetDisplayRows()
 {
-	return Rows;
+	return DisplayRows::Rows;
 }
 
 } // namespace Stability

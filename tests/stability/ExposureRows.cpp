@@ -5,7 +5,7 @@
 namespace Stability
 {
 
-namespace
+namespace ExposureRows
 {
 
 constexpr FCell Counted = Formula("counted texel by texel, in double", 1e-5);
@@ -202,11 +202,11 @@ constexpr FPassRow Rows[] = {
 	},
 };
 
-} // namespace
+} // namespace ExposureRows
 
 std::span<const FPassRow> GetExposureRows()
 {
-	return Rows;
+	return ExposureRows::Rows;
 }
 
 } // namespace Stability

@@ -5,7 +5,7 @@
 namespace Stability
 {
 
-namespace
+namespace FrameRows
 {
 
 constexpr FCell InRange = UnitRange("the tonemapper's curve ends at 1, and the picture has 8 bits");
@@ -65,11 +65,11 @@ constexpr FPassRow Rows[] = {
 	},
 };
 
-} // namespace
+} // namespace FrameRows
 
 std::span<const FPassRow> GetFrameRows()
 {
-	return Rows;
+	return FrameRows::Rows;
 }
 
 } // namespace Stability

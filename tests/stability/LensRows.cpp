@@ -5,7 +5,7 @@
 namespace Stability
 {
 
-namespace
+namespace LensRows
 {
 
 constexpr FCell RectOnly = SameAsCropped("nothing outside the rect is read");
@@ -108,11 +108,11 @@ constexpr FPassRow Rows[] = {
 	},
 };
 
-} // namespace
+} // namespace LensRows
 
 std::span<const FPassRow> GetLensRows()
 {
-	return Rows;
+	return LensRows::Rows;
 }
 
 } // namespace Stability

@@ -5,7 +5,7 @@
 namespace Stability
 {
 
-namespace
+namespace REDRows
 {
 
 constexpr FCell FlatScreen = Formula("the formula of a flat picture, whose blur is itself", 4e-3);
@@ -391,11 +391,11 @@ constexpr FPassRow Rows[] = {
 	},
 };
 
-} // namespace
+} // namespace REDRows
 
 std::span<const FPassRow> GetREDRows()
 {
-	return Rows;
+	return REDRows::Rows;
 }
 
 } // namespace Stability

@@ -62,7 +62,7 @@ FImage RunDof(const FCase& Case, bool bAsPrinted)
 	return Run.Execute(AddREDDepthOfFieldPasses(Run.GraphBuilder, Run.View, Inputs));
 }
 
-double Screen(double A, double B)
+double ScreenValues(double A, double B)
 {
 	return 1 - (1 - A) * (1 - B);
 }
@@ -72,7 +72,7 @@ double ScreenOfLight(double A, double B)
 {
 	A = std::max(A, 0.0);
 	B = std::max(B, 0.0);
-	return Screen(std::min(A, 1.0), std::min(B, 1.0)) + std::max(A - 1, 0.0) + std::max(B - 1, 0.0);
+	return ScreenValues(std::min(A, 1.0), std::min(B, 1.0)) + std::max(A - 1, 0.0) + std::max(B - 1, 0.0);
 }
 
 } // namespace
@@ -100,7 +100,7 @@ FImage REDDiffusionFormula(const FCase& Case)
 		const double A = std::max(Flat[Channel], 0.0);
 		const double B = std::max(Flat[Channel] * Extract * Case.Intensity.value_or(1.0), 0.0);
 		const double InA = std::min(A, 1.0), InB = std::min(B, 1.0);
-		Result[Channel] = Case.Variant == 0 ? std::pow(Screen(InA, InB), Power) + (A - InA) + (B - InB)
+		Result[Channel] = Case.Variant == 0 ? std::pow(ScreenValues(InA, InB), Power) + (A - InA) + (B - InB)
 											: std::pow(std::max(InA, InB), Power) + std::max(std::max(A, B) - 1, 0.0);
 	}
 	return FImage(Case.Image.Width, Case.Image.Height, Result);

@@ -5,7 +5,7 @@
 namespace Stability
 {
 
-namespace
+namespace SamplingRows
 {
 
 constexpr FCell KeptWeights = Kept("weights sum to 1 at the edge too, where taps are clamped", 1e-3);
@@ -399,11 +399,11 @@ constexpr FPassRow
 			},
 };
 
-} // namespace
+} // namespace SamplingRows
 
 std::span<const FPassRow> GetSamplingRows()
 {
-	return Rows;
+	return SamplingRows::Rows;
 }
 
 } // namespace Stability

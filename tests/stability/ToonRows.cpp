@@ -5,7 +5,7 @@
 namespace Stability
 {
 
-namespace
+namespace ToonRows
 {
 
 constexpr FCell EightBits = DoesNotApply("the shadow buffer has 8 bits, which hold no such value");
@@ -201,11 +201,11 @@ constexpr FPassRow Rows[] = {
 	},
 };
 
-} // namespace
+} // namespace ToonRows
 
 std::span<const FPassRow> GetToonRows()
 {
-	return Rows;
+	return ToonRows::Rows;
 }
 
 } // namespace Stability

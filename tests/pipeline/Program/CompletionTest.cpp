@@ -4,6 +4,7 @@
 
 #include "Program/CompletionScript.h"
 #include "Program/ManPage.h"
+#include "Program/CommandLine.h"
 #include "Program/ProgramModel.h"
 
 #include <gmock/gmock.h>

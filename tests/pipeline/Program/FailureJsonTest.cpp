@@ -2,6 +2,7 @@
 // the parser has.
 #include "../ProgramTestUtils.h"
 
+#include "Program/CommandLine.h"
 #include "Program/ProgramModel.h"
 
 #include <gmock/gmock.h>

@@ -4,6 +4,7 @@
 #include "../ProgramTestUtils.h"
 
 #include "Matrix/MatrixTable.h"
+#include "Program/CommandLine.h"
 #include "Program/ProgramModel.h"
 #include "Text/JUnit.h"
 

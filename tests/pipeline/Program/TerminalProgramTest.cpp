@@ -1,6 +1,7 @@
 // What verbs print fits the terminal, and is as wide as it wants where there is none.
 #include "../TerminalTestUtils.h"
 
+#include "Program/CommandLine.h"
 #include "Program/ProgramModel.h"
 #include "Text/Terminal.h"
 

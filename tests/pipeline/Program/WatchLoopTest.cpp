@@ -157,7 +157,7 @@ TEST_F(WatchLoop, GoesOnWhateverIsThrown)
 					  case 1:
 						  throw FError({.Code = 1012, .Message = "wrong"}, ExitUsage);
 					  case 2:
-						  static_cast<void>(Files::file_size(Folder / "none")); // throws
+						  (void)Files::file_size(Folder / "none"); // throws
 						  break;
 					  case 3:
 						  throw std::bad_alloc();

@@ -390,9 +390,9 @@ TEST(ShaderBinding, ANullUniformBufferThatIsReadIsAMessage)
 
 TEST(ShaderBinding, TexturesGiveTheirViews)
 {
-	const TRefCountPtr<FRHITexture> Input = MakeTexture(FIntPoint(17, 9));
+	const TRefCountPtr<FRHITexture> Made = MakeTexture(FIntPoint(17, 9));
 	FBloomParameters Parameters;
-	Parameters.Input.Texture = Input;
+	Parameters.Input.Texture = Made;
 	const FBoundShader Bound = Bind(Texture("Input_Texture"), Parameters);
 	ASSERT_EQ(1u, Bound.Textures.size());
 	EXPECT_EQ(17, Bound.Textures[0].Mips[0].SizeX);

@@ -106,7 +106,7 @@ public:
 			Interpolant = {{0, 0, 0, 0}, {1.0 / Size, 0, 0, 0}, {0, 1.0 / Size, 0, 0}};
 		}
 		Args = {ConstantBuffers.data(), Textures.data(), RWTextures.data(), Samplers.data(), Buffers.data(),
-			RWBuffers.data(), Targets.data(), Interpolants, int32_t(Targets.size()), nullptr, {}};
+			RWBuffers.data(), Targets.data(), Interpolants, int32_t(Targets.size()), nullptr, nullptr};
 	}
 	FBlankArguments(const FBlankArguments&) = delete;
 	FBlankArguments& operator=(const FBlankArguments&) = delete;

@@ -68,7 +68,7 @@ TEST(ShaderErrors, UnknownUniformBufferMemberNamesTheNearest)
 	FShaderHarness Harness(
 		"cbuffer View { float4 View_ViewSize; };\nfloat4 Main() : SV_Target0\n{\n\treturn View.ViewSice;\n}\n", "Main",
 		EShaderStage::Pixel);
-	Harness.Request.UniformBuffers = {{"View", {"ViewSize", "Exposure"}, {}}};
+	Harness.Request.UniformBuffers = {{"View", {"ViewSize", "Exposure"}, ""}};
 	EXPECT_THAT(ErrorOf([&] { ReflectShader(Harness.Request); }),
 		HasSubstr("/Test/Shader.usf:4: error: uniform buffer 'View' has no member 'ViewSice'; did you mean ViewSize?"));
 }
@@ -77,7 +77,7 @@ TEST(ShaderErrors, UnknownMemberInInactiveTextIsNone)
 {
 	FShaderHarness Harness("#if 0\nfloat x = View.Nothing;\n#endif\nfloat4 Main() : SV_Target0 { return 1; }\n", "Main",
 		EShaderStage::Pixel);
-	Harness.Request.UniformBuffers = {{"View", {"ViewSize"}, {}}};
+	Harness.Request.UniformBuffers = {{"View", {"ViewSize"}, ""}};
 	EXPECT_EQ("", ErrorOf([&] { ReflectShader(Harness.Request); }));
 }
 
