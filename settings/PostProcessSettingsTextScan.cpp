@@ -64,7 +64,7 @@ std::string DescribeEngineTextAt(const std::string& Text, size_t Offset)
 	{
 		return "the end of the line";
 	}
-	const std::string Word = ReadEngineTextWord(Text, Offset).substr(0, MaxLength);
+	std::string Word = ReadEngineTextWord(Text, Offset).substr(0, MaxLength);
 	const auto IsPlain = [](char Character)
 	{
 		return Character > ' ' && Character < '\x7F';

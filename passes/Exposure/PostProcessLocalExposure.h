@@ -24,7 +24,7 @@
 
 class FRDGBuilder;
 class FViewInfo;
-struct FEyeAdaptationParameters;
+class FEyeAdaptationParameters;
 struct FFinalPostProcessSettings;
 
 /** Texels of the grid's input along a cell. */

@@ -194,25 +194,33 @@ struct TBoxSum
 		StoreRaw(Out, __builtin_convertvector(Whole, FValues) * Sum.Scale);
 	}
 
+	/** The lanes, moved up by Step; zeros below. */
+	template<int Step, typename V>
+	static DRYDOCK_LANES_INLINE V MoveUp(V Pack)
+	{
+		constexpr int Count = sizeof(V) / sizeof(Pack[0]);
+		return ShuffleLanes(V{}, Pack, [](int Lane) { return Lane < Step ? 0 : Lane + (Count - Step); });
+	}
+
+	template<typename V>
+	static DRYDOCK_LANES_INLINE V RepeatLast(V Pack)
+	{
+		return ShuffleLanes(Pack, Pack, [](int) { return int(sizeof(V) / sizeof(Pack[0])) - 1; });
+	}
+
 	/** Sums of the values before each index of a strip; Out takes a pack and one more. */
 	static void AddUp(const float* Strip, int32_t Count, double* Out)
 	{
-		using FIndex = TRaw<int64_t, D>;
-		constexpr FIndex By1 = {0, 8, 9, 10, 11, 12, 13, 14};
-		constexpr FIndex By2 = {0, 0, 8, 9, 10, 11, 12, 13};
-		constexpr FIndex By4 = {0, 0, 0, 0, 8, 9, 10, 11};
-		constexpr FIndex Top = {7, 7, 7, 7, 7, 7, 7, 7};
-		const FSums Zeros = {};
 		FSums Before = {};
 		Out[0] = 0.0;
 		for (int32_t i = 0; i < Count; i += D)
 		{
 			FSums Sums = Widen(Strip + i);
-			Sums += __builtin_shuffle(Zeros, Sums, By1);
-			Sums += __builtin_shuffle(Zeros, Sums, By2);
-			Sums += __builtin_shuffle(Zeros, Sums, By4);
+			Sums += MoveUp<1>(Sums);
+			Sums += MoveUp<2>(Sums);
+			Sums += MoveUp<4>(Sums);
 			Sums += Before;
-			Before = __builtin_shuffle(Sums, Top);
+			Before = RepeatLast(Sums);
 			StoreRaw(Out + i + 1, Sums);
 		}
 	}
@@ -329,8 +337,6 @@ struct TBoxSum
 		int32_t* const Strip = static_cast<int32_t*>(GetTapMemory(0, Ints * sizeof(int32_t)));
 		int32_t* const Sums = static_cast<int32_t*>(GetTapMemory(1, Ints * sizeof(int32_t)));
 		float* const Means = static_cast<float*>(GetTapMemory(2, Ints * sizeof(float)));
-		const FInts Lane = LaneIndex<N>().V;
-		const FInts Zeros = {};
 		const float Scale = Sum.Scale / 255.0f;
 		for (int32_t Y = 0; Y < Height; ++Y)
 		{
@@ -340,13 +346,18 @@ struct TBoxSum
 			for (int32_t i = 0; i < Count; i += N)
 			{
 				FInts Pack = LoadRaw<FInts>(Strip + i);
-#pragma GCC unroll 4
-				for (int Step = 1; Step < N; Step *= 2)
+				Pack += MoveUp<1>(Pack);
+				Pack += MoveUp<2>(Pack);
+				if constexpr (N > 4)
 				{
-					Pack += __builtin_shuffle(Zeros, Pack, Lane < Step ? Zeros : Lane + (N - Step));
+					Pack += MoveUp<4>(Pack);
+				}
+				if constexpr (N > 8)
+				{
+					Pack += MoveUp<8>(Pack);
 				}
 				Pack += Before;
-				Before = __builtin_shuffle(Pack, Zeros + (N - 1));
+				Before = RepeatLast(Pack);
 				StoreRaw(Sums + i + 1, Pack);
 			}
 			for (int32_t X = 0; X < Width; X += N)

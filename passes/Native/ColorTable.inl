@@ -90,38 +90,42 @@ private:
 		return LoadRaw<FFloat>(Texels + Places[0]);
 	}
 
+	/** The pairs of texels from First on, their two rows mixed. */
+	template<int First>
+	DRYDOCK_LANES_INLINE FFloat MixRows(const int32_t* Places, FFloat WeightY) const
+	{
+		const FFloat Top = LoadPairs(Copy, Places + First);
+		const FFloat Bottom = LoadPairs(Copy + Pitch, Places + First);
+		const FFloat Weight = ShuffleLanes(WeightY, WeightY, [](int Lane) { return Lane / (2 * C) + First; });
+		return Top + Weight * (Bottom - Top);
+	}
+
+	/** Vector i of the texels of N places. */
+	template<int i>
+	DRYDOCK_LANES_INLINE FFloat MixTexels(const int32_t* Places, FFloat WeightX, FFloat WeightY) const
+	{
+		constexpr int PairsOfVector = N / 8;
+		const FFloat LowPairs = MixRows<2 * i * PairsOfVector>(Places, WeightY);
+		const FFloat HighPairs = MixRows<(2 * i + 1) * PairsOfVector>(Places, WeightY);
+		const FFloat Left = PickTexels<C, 0>(LowPairs, HighPairs);
+		const FFloat Right = PickTexels<C, 1>(LowPairs, HighPairs);
+		const FFloat Weight = ShuffleLanes(WeightX, WeightX, [](int Lane) { return Lane / C + i * (N / C); });
+		return Left + Weight * (Right - Left);
+	}
+
 	/** Numbers of 0 and above: a weight of 0 need not be asked for. */
 	DRYDOCK_LANES_INLINE void SampleCopy(
 		TInt<N> Column, TInt<N> Row, FFloat WeightX, FFloat WeightY, FFloat Out[3]) const
 	{
 		if constexpr (N >= 8)
 		{
-			constexpr int PairsOfVector = N / 8;
 			const FKernelMip& Mip = Table->Mips[0];
-			const FInt Lane = LaneIndex<N>().V;
 			const FInt HeldColumn = Max(Min(Column, TInt<N>(Mip.SizeX - 1)), TInt<N>(-1)).V + 1;
 			const FInt HeldRow = Max(Min(Row, TInt<N>(Mip.SizeY - 1)), TInt<N>(-1)).V + 1;
 			alignas(64) int32_t Places[N];
 			StoreRaw(Places, HeldRow * Pitch + HeldColumn * C);
-			FFloat Texels[C];
-#pragma GCC unroll 4
-			for (int i = 0; i < C; ++i)
-			{
-				FFloat Pairs[2];
-#pragma GCC unroll 2
-				for (int j = 0; j < 2; ++j)
-				{
-					const int First = (2 * i + j) * PairsOfVector;
-					const FFloat Top = LoadPairs(Copy, Places + First);
-					const FFloat Bottom = LoadPairs(Copy + Pitch, Places + First);
-					const FFloat Weight = __builtin_shuffle(WeightY, Lane / (2 * C) + First);
-					Pairs[j] = Top + Weight * (Bottom - Top);
-				}
-				const FFloat Left = PickTexels<N, C>(Pairs[0], Pairs[1], 0);
-				const FFloat Right = PickTexels<N, C>(Pairs[0], Pairs[1], 1);
-				const FFloat Weight = __builtin_shuffle(WeightX, Lane / C + i * (N / C));
-				Texels[i] = Left + Weight * (Right - Left);
-			}
+			const FFloat Texels[C] = {MixTexels<0>(Places, WeightX, WeightY), MixTexels<1>(Places, WeightX, WeightY),
+				MixTexels<2>(Places, WeightX, WeightY), MixTexels<3>(Places, WeightX, WeightY)};
 			FFloat Channels[C];
 			TLaneOps<N>::Split(Texels, Channels);
 			for (int c = 0; c < 3; ++c)

@@ -12,12 +12,15 @@ inline namespace DRYDOCK_LANES_SET
 {
 
 /** Texels of A and B in turn: the first N lanes of them, or the next. */
-template<int N, int C>
-DRYDOCK_LANES_INLINE TRaw<float, N> AlternateTexels(TRaw<float, N> A, TRaw<float, N> B, int32_t Part)
+template<int N, int C, int Part>
+DRYDOCK_LANES_INLINE TRaw<float, N> AlternateTexels(TRaw<float, N> A, TRaw<float, N> B)
 {
-	const TRaw<int32_t, N> Lane = LaneIndex<N>().V;
-	const TRaw<int32_t, N> Texel = (Lane + Part * N) / C;
-	return __builtin_shuffle(A, B, (Texel & 1) * N + (Texel >> 1) * C + Lane % C);
+	const auto Choose = [](int Lane)
+	{
+		const int Texel = (Lane + Part * N) / C;
+		return (Texel & 1) * N + (Texel >> 1) * C + Lane % C;
+	};
+	return ShuffleLanes(A, B, Choose);
 }
 
 /** The sums of a tile of one source whose taps are lines. C: floats of a texel. */
@@ -224,10 +227,10 @@ private:
 		{
 			const FFloat Low = LoadRaw<FFloat>(Texels + 2 * i);
 			const FFloat High = LoadRaw<FFloat>(Texels + 2 * i + N);
-			FFloat Value = PickTexels<N, C>(Low, High, 0);
+			FFloat Value = PickTexels<C, 0>(Low, High);
 			if constexpr (bMixed)
 			{
-				Value = Mix(Value, PickTexels<N, C>(Low, High, 1), Weights);
+				Value = Mix(Value, PickTexels<C, 1>(Low, High), Weights);
 			}
 			StoreRaw(Line + i, Value);
 		}
@@ -266,8 +269,8 @@ private:
 			FFloat B = LoadRaw<FFloat>(OddTexels + i / 2);
 			A = bEvenAlone ? A : Mix(A, LoadRaw<FFloat>(EvenTexels + i / 2 + C), EvenWeight);
 			B = bOddAlone ? B : Mix(B, LoadRaw<FFloat>(OddTexels + i / 2 + C), OddWeight);
-			StoreRaw(Line + i, AlternateTexels<N, C>(A, B, 0));
-			StoreRaw(Line + i + N, AlternateTexels<N, C>(A, B, 1));
+			StoreRaw(Line + i, AlternateTexels<N, C, 0>(A, B));
+			StoreRaw(Line + i + N, AlternateTexels<N, C, 1>(A, B));
 		}
 	}
 

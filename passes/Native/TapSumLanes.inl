@@ -28,7 +28,7 @@ struct FTapRow
 template<int N>
 DRYDOCK_LANES_INLINE TRaw<float, N> ShiftByOne(TRaw<float, N> A, TRaw<float, N> B)
 {
-	return __builtin_shuffle(A, B, LaneIndex<N>().V + 1);
+	return ShuffleLanes(A, B, [](int Lane) { return Lane + 1; });
 }
 
 /** V vectors of one channel. bCareful: where a mixture is NaN, the sampler's other rule decides. */
@@ -74,7 +74,7 @@ DRYDOCK_LANES_INLINE void SumVectors(
 				if (__builtin_expect(!bAll, 0))
 				{
 					const TRaw<int32_t, N> Place = LaneIndex<N>().V + (Lane + v * N);
-					Mixed = (Place >= Tap.Begin) & (Place < Tap.End) ? Mixed : Values[v];
+					Mixed = ((Place >= Tap.Begin) & (Place < Tap.End)) ? Mixed : Values[v];
 				}
 				Values[v] = Mixed;
 			}

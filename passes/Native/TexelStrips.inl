@@ -4,6 +4,7 @@
 #pragma once
 
 #include "LanesSamplingGeneral.inl"
+#include "Native/LaneShuffle.inl"
 #include "Native/TapSum.h"
 
 namespace Drydock::Lanes
@@ -37,11 +38,10 @@ DRYDOCK_LANES_INLINE void VisitStripChannels(int32_t Channels, F f)
 }
 
 /** Every second texel of A and B side by side, from First, 0 or 1, on. */
-template<int N, int C>
-DRYDOCK_LANES_INLINE TRaw<float, N> PickTexels(TRaw<float, N> A, TRaw<float, N> B, int32_t First)
+template<int C, int First, typename FFloat>
+DRYDOCK_LANES_INLINE FFloat PickTexels(FFloat A, FFloat B)
 {
-	const TRaw<int32_t, N> Lane = LaneIndex<N>().V;
-	return __builtin_shuffle(A, B, (Lane / C * 2 + First) * C + Lane % C);
+	return ShuffleLanes(A, B, [](int Lane) { return (Lane / C * 2 + First) * C + Lane % C; });
 }
 
 /** Texels that one step of a strip reads or writes. */

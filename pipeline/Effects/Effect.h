@@ -15,6 +15,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 class FRDGBuilder;
@@ -39,7 +40,7 @@ struct TRequired
 {
 	TRequired() = delete;
 	template<typename From>
-	constexpr TRequired(From&& InValue)
+	requires(!std::is_same_v<std::remove_cvref_t<From>, TRequired>) constexpr TRequired(From&& InValue)
 		: Value(static_cast<From&&>(InValue))
 	{
 	}

@@ -98,7 +98,7 @@ std::string Quote(const std::string& Text)
 /** Folder of drydockConfig.cmake: of the installation, else of the build that this program belongs to. */
 std::string FindPackage()
 {
-	const std::string Installed = FindInstalled(DRYDOCK_PACKAGE_DIR);
+	std::string Installed = FindInstalled(DRYDOCK_PACKAGE_DIR);
 	if (!Installed.empty())
 	{
 		return Installed;

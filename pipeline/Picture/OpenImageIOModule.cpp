@@ -50,7 +50,7 @@ private:
 	const std::string& Bytes;
 };
 
-double GetGreatest(OIIO::TypeDesc Type)
+double GetGreatest(const OIIO::TypeDesc& Type)
 {
 	return Type == OIIO::TypeDesc::UINT8    ? 255.0
 		   : Type == OIIO::TypeDesc::UINT16 ? 65535.0

@@ -186,8 +186,8 @@ private:
 			const float Factor = std::pow(static_cast<float>(Alpha) / static_cast<float>(Greatest), Gamma);
 			for (size_t At = Pixel; At + 1 < Pixel + NumChannels; ++At)
 			{
-				Values[At] = static_cast<uint16_t>(
-					Gamma == 1.0f ? Values[At] * Alpha / Greatest : static_cast<float>(Values[At]) * Factor);
+				Values[At] = Gamma == 1.0f ? static_cast<uint16_t>(Values[At] * Alpha / Greatest)
+										   : static_cast<uint16_t>(static_cast<float>(Values[At]) * Factor);
 			}
 		}
 	}

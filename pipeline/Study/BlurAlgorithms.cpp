@@ -401,9 +401,10 @@ double FBlur::MeasureVariance(bool bVertical) const
 						 Algorithm.Name == "DualKawase" || Algorithm.Name == "Pyramid";
 	const int Length = 2 * Margin + Block;
 	const int Across = bLevels ? 2 * Block : 2;
-	const auto Centre = [&](int Along)
+	const int Middle = Margin + Block / 2;
+	const auto Centre = [Middle](int Along)
 	{
-		return static_cast<double>(Along - Margin - Block / 2);
+		return static_cast<double>(Along - Middle);
 	};
 	FImage Strip{bVertical ? Across : Length, bVertical ? Length : Across, 4, {}};
 	for (int Y = 0; Y < Strip.Height; ++Y)

@@ -11,9 +11,9 @@ namespace
 
 bool WritesOnlyTargets(const FRDGPassDescription& Pass)
 {
-	const ERHIAccess Others = ERHIAccess::UAVMask | ERHIAccess::CopyDest | ERHIAccess::BVHWrite;
-	return std::none_of(Pass.Uses.begin(), Pass.Uses.end(),
-		[Others](const FRDGUse& Use) { return EnumHasAnyFlags(Use.Access, Others); });
+	constexpr ERHIAccess Others = ERHIAccess::UAVMask | ERHIAccess::CopyDest | ERHIAccess::BVHWrite;
+	return std::none_of(
+		Pass.Uses.begin(), Pass.Uses.end(), [](const FRDGUse& Use) { return EnumHasAnyFlags(Use.Access, Others); });
 }
 
 /** Empty when the two may be one render pass. */

@@ -118,7 +118,7 @@ std::vector<uint32_t> GetPointerOperands(const FSpirvInstruction& I)
 }
 
 std::vector<FDebugLocal> FindDebugLocals(
-	const FSpirvProgram& Program, const FSpirvFunction& Function, std::set<std::string> TakenNames)
+	const FSpirvProgram& Program, const FSpirvFunction& Function, const std::set<std::string>& TakenNames)
 {
 	const FSpirvModule& Module = Program.Module;
 	std::vector<FDebugLocal> Locals;

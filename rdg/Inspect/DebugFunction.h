@@ -19,7 +19,7 @@ struct FDebugLocal
 
 /** In the order in which they are first used. */
 DRYDOCK_API std::vector<FDebugLocal> FindDebugLocals(
-	const FSpirvProgram& Program, const FSpirvFunction& Function, std::set<std::string> TakenNames);
+	const FSpirvProgram& Program, const FSpirvFunction& Function, const std::set<std::string>& TakenNames);
 
 /** Operands that point to memory. */
 std::vector<uint32_t> GetPointerOperands(const FSpirvInstruction& I);

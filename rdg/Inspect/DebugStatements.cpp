@@ -141,7 +141,7 @@ std::string FDebugEmitter::MakeStatement(const FSpirvFunction& Function, const F
 {
 	const FSpirvStep& Step = Program.Steps[StepIndex];
 	const FSpirvInstruction& I = *Step.I;
-	const std::string Do = "DrydockDo(" + std::to_string(StepIndex) + ");";
+	std::string Do = "DrydockDo(" + std::to_string(StepIndex) + ");";
 	switch (I.Op)
 	{
 	case OpLoad:

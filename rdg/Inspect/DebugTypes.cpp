@@ -134,7 +134,7 @@ std::string FDebugTypes::DefineStruct(const FSpirvType& Type)
 		Body += " " + NameOf(Member.Type) + " " + MakeCppName(Member.Name) + ";";
 	}
 	// The front end has a type for every layout of one struct.
-	const std::string Wanted = MakeCppName(Type.Name);
+	std::string Wanted = MakeCppName(Type.Name);
 	const auto Known = Structs.find(Wanted);
 	if (Known != Structs.end() && Known->second == Body)
 	{

@@ -12,6 +12,7 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -109,7 +110,7 @@ public:
 		if (Index < FailedIndex.load(std::memory_order_relaxed))
 		{
 			FailedIndex.store(Index, std::memory_order_relaxed);
-			Exception = InException;
+			Exception = std::move(InException);
 		}
 	}
 

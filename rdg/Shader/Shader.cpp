@@ -91,7 +91,7 @@ FShader::FShader(const CompiledShaderInitializerType&)
 {
 }
 
-FShader::FShader(FShader&& Other) = default;
+FShader::FShader(FShader&& Other) noexcept = default;
 
 FShader::~FShader() = default;
 

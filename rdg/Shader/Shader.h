@@ -146,7 +146,7 @@ public:
 	Drydock::FShaderState& GetState() const { return *State; }
 
 protected:
-	FShader(FShader&& Other); // a class without constructors initialises its base with one that is moved
+	FShader(FShader&& Other) noexcept; // a class without constructors initialises its base with one that is moved
 
 private:
 	friend class FShaderType;

@@ -82,7 +82,7 @@ int GetElementBits(const std::string& MacroText)
 	return Known == Types.end() ? 0 : Known->second;
 }
 
-std::string WithElements(std::string Type, uint32_t NumElements)
+std::string WithElements(const std::string& Type, uint32_t NumElements)
 {
 	return NumElements ? Type + "[" + std::to_string(NumElements) + "]" : Type;
 }

@@ -29,7 +29,7 @@ int GetBits(EShaderScalar Scalar);
 int GetElementBits(const std::string& MacroText);
 
 /** "float4[3]"; 0 elements: no array. */
-std::string WithElements(std::string Type, uint32_t NumElements);
+std::string WithElements(const std::string& Type, uint32_t NumElements);
 
 /** "float3", "int4x4[2]" */
 std::string GetTypeName(const FShaderConstant& Constant);

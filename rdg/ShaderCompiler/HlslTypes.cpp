@@ -75,7 +75,7 @@ int GetPrecedence(const FHlslToken& Token)
 
 std::string GetNumberType(const std::string& Number)
 {
-	const size_t Point = Number.find_first_of(".");
+	const size_t Point = Number.find('.');
 	const size_t Swizzle = Number.find_first_of("xyzwr", Point == std::string::npos ? 0 : Point);
 	const bool bHexadecimal = Number.size() > 1 && (Number[1] | 0x20) == 'x';
 	const bool bUnsigned =
@@ -155,7 +155,7 @@ std::string FHlslSymbols::GetType(size_t First, size_t End, int Depth) const
 		}
 		return Unite(GetType(Split + 1, Colon, Depth + 1), GetType(Colon + 1, End, Depth + 1));
 	}
-	const std::string Left = GetType(First, Split, Depth + 1);
+	std::string Left = GetType(First, Split, Depth + 1);
 	if (Least == 11)
 	{
 		return Left;

@@ -401,7 +401,7 @@ FShaderTokens SplitTokens(const std::string& Text)
 		const bool bNumber = IsDigit(c) || (c == '.' && i + 1 < Text.size() && IsDigit(Text[i + 1]));
 		FShaderToken Token;
 		Token.bSpaceBefore = bSpace;
-		size_t End = i;
+		size_t End;
 		if (IsWordStart(c))
 		{
 			Token.Kind = EShaderToken::Word;

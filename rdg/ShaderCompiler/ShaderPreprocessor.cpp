@@ -180,7 +180,7 @@ void FShaderPreprocessor::Emit(const std::string& Line, int LineNumber)
 	TextNumber = LineNumber + 1;
 }
 
-void FShaderPreprocessor::AppendText(std::string Line, FLines& Lines)
+void FShaderPreprocessor::AppendText(const std::string& Line, FLines& Lines)
 {
 	FShaderTokens Tokens = SplitTokens(Line);
 	const bool bMacros = std::any_of(Tokens.begin(), Tokens.end(),
@@ -206,13 +206,16 @@ void FShaderPreprocessor::AppendText(std::string Line, FLines& Lines)
 	{
 		std::string Following;
 		const bool bRead = NumLines < MaxCallLines && Lines.Read(Following);
-		if (bRead && IsDirective(Following))
+		if (!bRead)
+		{
+			bComplete = true;
+		}
+		else if (IsDirective(Following))
 		{
 			Lines.Hold(std::move(Following));
 			bComplete = true;
 		}
-		bComplete = bComplete || !bRead;
-		if (!bComplete)
+		else if (!bComplete)
 		{
 			FShaderTokens More = SplitTokens(Following);
 			if (!More.empty())

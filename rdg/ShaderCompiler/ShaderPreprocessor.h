@@ -61,7 +61,7 @@ private:
 	void AppendDirective(const std::string& Name, const std::string& Rest);
 	void AppendCondition(const std::string& Name, const std::string& Rest);
 	void AppendInclude(const std::string& Rest);
-	void AppendText(std::string Line, FLines& Lines);
+	void AppendText(const std::string& Line, FLines& Lines);
 	void Emit(const std::string& Line, int Number);
 
 	FFindInclude FindInclude;

@@ -220,7 +220,7 @@ FShaderSource FFlattener::Run()
 	}
 	if (std::optional<FDiagnostic> LeftOut = FindLeftOutEntry(Result.Text, Request))
 	{
-		throw FError(std::move(*LeftOut), ExitUsage);
+		throw FError(*LeftOut, ExitUsage);
 	}
 	return std::move(Result);
 }

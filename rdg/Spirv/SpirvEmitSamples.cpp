@@ -27,7 +27,7 @@ std::string FSpirvEmitter::SampledHandles(const FSpirvInstruction& I) const
 std::string FSpirvEmitter::LevelOf(const FSpirvInstruction& I)
 {
 	const FSpirvImageOperands Told = GetImageOperands(I);
-	const std::string Level = UnclampedLevelOf(I, Told);
+	std::string Level = UnclampedLevelOf(I, Told);
 	if (!Told.MinLod || (!ChoosesLevel(I) && !Told.GradX))
 	{
 		return Level;

@@ -33,7 +33,7 @@ public:
 	void Apply(uint32_t Type, bool bTight)
 	{
 		bTightPacking = bTight;
-		SizeOf(Type, 0, false);
+		SizeOf(Type, nullptr, false);
 	}
 
 private:

@@ -71,7 +71,7 @@ void UseGraph()
 	FContractParameters* Parameters = GraphBuilder.AllocParameters<FContractParameters>();
 	Parameters->Copied = Maybe;
 	FRDGPassRef First = GraphBuilder.AddPass(RDG_EVENT_NAME("Compute"), Parameters, ERDGPassFlags::Compute,
-		[Texture](FRHIComputeCommandList& InRHICmdList)
+		[](FRHIComputeCommandList& InRHICmdList)
 		{ InRHICmdList.ClearUAVFloat(nullptr, FVector4f(0.0f, 0.0f, 0.0f, 0.0f)); });
 	FRDGPassRef Second = GraphBuilder.AddPass(RDG_EVENT_NAME("Copy"), Parameters, ERDGPassFlags::Copy,
 		[Texture](FRHICommandList& InRHICmdList)

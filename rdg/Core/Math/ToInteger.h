@@ -20,7 +20,8 @@ constexpr IntegerType ToInteger(RealType Value)
 	using FLimits = std::numeric_limits<IntegerType>;
 	// Powers of two, or 0: exact in every floating type, where the largest integer itself is not.
 	constexpr RealType Least = static_cast<RealType>(FLimits::min());
-	constexpr RealType End = static_cast<RealType>(FLimits::max() / 2 + 1) * RealType(2);
+	constexpr IntegerType HalfOfEnd = FLimits::max() / 2 + 1;
+	constexpr RealType End = static_cast<RealType>(HalfOfEnd) * RealType(2);
 	if (!(Value > Least))
 	{
 		return Value <= Least ? FLimits::min() : IntegerType(0);

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <type_traits>
+#include <utility>
 
 template<typename Signature>
 class TFunction;
@@ -53,7 +54,8 @@ public:
 	requires(!std::is_same_v<std::decay_t<FunctorType>, TUniqueFunction> &&
 			 std::is_invocable_r_v<ReturnType, std::decay_t<FunctorType>&, ArgumentTypes...>)
 		TUniqueFunction(FunctorType&& Functor)
-		: Function(std::make_unique<TFunctor<std::decay_t<FunctorType>>>(std::forward<FunctorType>(Functor)))
+		: Function(
+			  std::make_unique<TFunctor<std::decay_t<FunctorType>>>(std::in_place, std::forward<FunctorType>(Functor)))
 	{
 	}
 
@@ -78,7 +80,7 @@ private:
 	struct TFunctor final : IFunctor
 	{
 		template<typename SourceType>
-		explicit TFunctor(SourceType&& Source)
+		TFunctor(std::in_place_t, SourceType&& Source)
 			: Functor(std::forward<SourceType>(Source))
 		{
 		}

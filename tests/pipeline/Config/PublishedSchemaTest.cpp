@@ -140,7 +140,7 @@ TEST_F(PublishedSchema, EveryTypeHasItsParameters)
 			const FJson Given = bPass ? Then.at("parameters").at("properties") : Then;
 			for (const FParameterSpec& Spec : Specs)
 			{
-				EXPECT_EQ(Spec.Doc, Given.at(Spec.Name).at("description")) << Type;
+				EXPECT_EQ(Spec.Doc, Given.at(Spec.Name).at("description").get<std::string>()) << Type;
 			}
 			EXPECT_EQ(Specs.size(), Given.size() - Given.count("pass")) << Type;
 		}

@@ -191,7 +191,7 @@ TEST_F(PatchTemplate, JsonNamesTheFolderAndTheFiles)
 	EXPECT_EQ(std::make_pair(0, 0), New("Rain", Path("deep/er")));
 	const nlohmann::json Json = nlohmann::json::parse(Out);
 	EXPECT_EQ("Rain", Json["name"]);
-	EXPECT_EQ(Path("deep/er/Rain"), Json["folder"]);
+	EXPECT_EQ(Path("deep/er/Rain"), Json["folder"].get<std::string>());
 	for (const nlohmann::json& File : Json["files"])
 	{
 		EXPECT_TRUE(Files::is_regular_file(Folder / "deep/er/Rain" / File.get<std::string>())) << File;

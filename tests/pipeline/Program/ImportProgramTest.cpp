@@ -1,6 +1,7 @@
 // `drydock import` as a user types it: table, exit codes, and toon bloom on what it wrote.
 #include "pipeline/Import/ImportTestUtils.h"
 
+#include <OpenImageIO/imageio.h>
 #include <array>
 #include <cstdio>
 #include <fstream>

@@ -69,12 +69,12 @@ struct FPlanted
 
 std::vector<FPlanted> GetPlanted()
 {
-	const EShaderStage Pixel = EShaderStage::Pixel;
+	constexpr EShaderStage Pixel = EShaderStage::Pixel;
 	const auto Declare = [](const std::string& Type, int Count)
 	{
 		return Repeat(Count, Type + " T#;");
 	};
-	const auto Targets = [Pixel](int Count)
+	const auto Targets = [](int Count)
 	{
 		return MakeRequest("void Main(float4 P : SV_POSITION" + Repeat(Count, ", out float4 C# : SV_Target#") + ")\n{" +
 							   Repeat(Count, " C# = P;") + "\n}\n",
