@@ -84,7 +84,7 @@ SanitizedTests() {
 	local Passed="$Results/$1.passed" Run="$Results/$1.run" All Name Code=0 Failed=() Missing=() NumPassed=0 NumSkipped=0
 	[ $Dirty = 0 ] || rm -f "$Passed"
 	touch "$Passed"
-	Prepare "$1" || return 0
+	Prepare "$1" drydock_tests || return 0
 	All=$(cd "build/$1" && ctest -N -LE long | sed -n 's/^ *Test *#[0-9]*: *//p')
 	if [ -z "$All" ]; then
 		Finish failed "ctest lists no tests"
