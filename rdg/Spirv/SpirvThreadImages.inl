@@ -7,6 +7,8 @@
 #include "Lanes.h"
 #include "LanesLod.h"
 
+#include <cmath>
+
 namespace Drydock
 {
 
