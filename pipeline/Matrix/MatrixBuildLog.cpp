@@ -1,6 +1,8 @@
 // Reads logs of builds line by line.
 #include "Matrix/MatrixBuildLog.h"
 
+#include "Matrix/MatrixLines.h"
+
 #include <algorithm>
 #include <optional>
 #include <regex>
@@ -19,17 +21,19 @@ std::string GetPathFrom(const std::string& File, const std::string& Folder)
 }
 
 /** "file:41:7: fatal error: text", "file:41: undefined reference to `f()'", "ld: multiple definition of `f()'". */
-std::optional<FMatrixMessage> ReadCompilerMessage(const std::string& Line, ECompilerMessage Kind)
+std::optional<FMatrixMessage> ReadCompilerMessage(const std::string& WholeLine, ECompilerMessage Kind)
 {
 	static const std::regex Compiler("^\\s*(.*?):(\\d+)(?::\\d+)?: (?:fatal )?(error|warning): (.*)$");
 	static const std::regex Linker("((undefined reference to|multiple definition of) .*)$");
 	static const std::regex Place("([^\\s:]+):(\\d+): $");
+	const std::string Line = CutLine(WholeLine);
 	std::smatch Match;
 	if (std::regex_match(Line, Match, Compiler))
 	{
 		const bool bWanted = (Match[3] == "error") == (Kind == ECompilerMessage::Error);
-		return bWanted ? std::optional(FMatrixMessage{.File = Match[1], .Line = std::stoi(Match[2]), .Text = Match[4]})
-					   : std::nullopt;
+		return bWanted
+				   ? std::optional(FMatrixMessage{.File = Match[1], .Line = ReadLineNumber(Match[2]), .Text = Match[4]})
+				   : std::nullopt;
 	}
 	if (Kind == ECompilerMessage::Error && std::regex_search(Line, Match, Linker))
 	{
@@ -38,7 +42,7 @@ std::optional<FMatrixMessage> ReadCompilerMessage(const std::string& Line, EComp
 		if (std::regex_search(Before, Match, Place))
 		{
 			Message.File = Match[1];
-			Message.Line = std::stoi(Match[2]);
+			Message.Line = ReadLineNumber(Match[2]);
 		}
 		return Message;
 	}
@@ -54,8 +58,9 @@ std::vector<FBuildStep> ReadBuildSteps(const std::string& Log)
 	std::istringstream Lines(Log);
 	for (std::string Line; std::getline(Lines, Line);)
 	{
+		const std::string Cut = CutLine(Line);
 		std::smatch Match;
-		if (std::regex_match(Line, Match, Begin))
+		if (std::regex_match(Cut, Match, Begin))
 		{
 			Steps.push_back({Match[1], ""});
 		}

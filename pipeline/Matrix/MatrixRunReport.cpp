@@ -1,6 +1,7 @@
 // Reads messages as FDiagnostic writes them, and run.json.
 #include "Matrix/MatrixRunReport.h"
 
+#include "Matrix/MatrixLines.h"
 #include "Text/Json.h"
 
 #include <algorithm>
@@ -20,14 +21,15 @@ int ParseCode(const std::string& Text)
 }
 
 /** "configs/a.json:12:7: error DD1012 at /volumes/0: text", or a shader's line "X.usf:12: error: text [DD6010]". */
-bool ReadError(const std::string& Line, FMatrixMessage& OutMessage)
+bool ReadError(const std::string& WholeLine, FMatrixMessage& OutMessage)
 {
 	static const std::regex Plain("^(?:(.*?):(?:(\\d+):)?(?:\\d+:)? )?error (DD\\d{4})(?: at (.*?))?: (.*)$");
 	static const std::regex Shader("^(.*?):(\\d+): error: (.*) \\[(DD\\d{4})\\]$");
+	const std::string Line = CutLine(WholeLine);
 	std::smatch Match;
 	const auto GetLine = [&Match]
 	{
-		return Match[2].matched ? std::stoi(Match[2]) : 0;
+		return ReadLineNumber(Match[2]);
 	};
 	if (std::regex_match(Line, Match, Shader))
 	{

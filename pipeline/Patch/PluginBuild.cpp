@@ -10,10 +10,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <filesystem>
 #include <optional>
-#include <regex>
 #include <sstream>
+#include <string_view>
 
 namespace Drydock
 {
@@ -59,13 +60,33 @@ Files::path FindByExtension(const Files::path& Folder, const char* Extension)
 	return Found.empty() ? Files::path() : Found.front();
 }
 
+/** Where the text goes on behind blanks and Wanted; npos where something else stands there. */
+size_t SkipPast(const std::string& Text, size_t At, std::string_view Wanted)
+{
+	At = Text.find_first_not_of(" \t\r\n", At);
+	return At != std::string::npos && Text.compare(At, Wanted.size(), Wanted) == 0 ? At + Wanted.size()
+																				   : std::string::npos;
+}
+
 /** The x of the first "5.x" that one of the keys has in a file; 0: none. */
 int FindVersion(const Files::path& File)
 {
 	const std::string Text = File.empty() ? std::string() : TryReadTextFile(File.string()).value_or("");
-	std::smatch Match;
-	const std::regex Pattern("\"(EngineVersion|EngineAssociation)\"\\s*:\\s*\"5\\.([0-9]{1,2})");
-	return std::regex_search(Text, Match, Pattern) ? std::stoi(Match[2]) : 0;
+	for (size_t Key = Text.find("\"Engine"); Key != std::string::npos; Key = Text.find("\"Engine", Key + 1))
+	{
+		for (const std::string_view Name : {"\"EngineVersion\"", "\"EngineAssociation\""})
+		{
+			size_t At = SkipPast(Text, Key, Name);
+			At = At != std::string::npos ? SkipPast(Text, At, ":") : At;
+			At = At != std::string::npos ? SkipPast(Text, At, "\"5.") : At;
+			const std::string Digits = At != std::string::npos ? Text.substr(At, 2) : "";
+			if (!Digits.empty() && std::isdigit(static_cast<unsigned char>(Digits[0])) != 0)
+			{
+				return std::atoi(Digits.c_str());
+			}
+		}
+	}
+	return 0;
 }
 
 /** A name for CMake's target and the library's file. */

@@ -8,6 +8,7 @@
 #include "Text/Fingerprint.h"
 
 #include <cstring>
+#include <limits>
 #include <set>
 #include <type_traits>
 
@@ -209,6 +210,17 @@ void WriteTexture(FWriter& Writer, const FHistoryTexture& Kept, bool bViewRectOn
 		[&](const uint8* Row, size_t Count) { Writer.AddBytes(Row, Count); });
 }
 
+/** Whether it is one that a frame can leave, whatever the bytes say. */
+bool IsTexture(const FRHITextureDesc& Desc, const FIntRect& Rect)
+{
+	const bool bInside = 0 <= Rect.Min.X && Rect.Min.X <= Rect.Max.X && Rect.Max.X <= Desc.Extent.X &&
+						 0 <= Rect.Min.Y && Rect.Min.Y <= Rect.Max.Y && Rect.Max.Y <= Desc.Extent.Y;
+	const bool bUAV =
+		Desc.UAVFormat == PF_Unknown || (Desc.UAVFormat < PF_MAX && GPixelFormats[Desc.UAVFormat].Supported);
+	return Desc.IsValid() && bInside && bUAV && Desc.Dimension <= ETextureDimension::TextureCubeArray &&
+		   Desc.ClearValue.ColorBinding <= EClearBinding::EDepthStencilBound;
+}
+
 FHistoryTexture ReadHistoryTexture(FReader& Reader, const std::string& Name)
 {
 	FHistoryTexture Kept;
@@ -217,7 +229,7 @@ FHistoryTexture ReadHistoryTexture(FReader& Reader, const std::string& Name)
 	ForEachField(Desc, [&](auto& Value) { Reader.Get(Value); });
 	const uint32 Storage = Reader.Get<uint32>();
 	const uint64 Size = Reader.Get<uint64>();
-	if (!Desc.IsValid())
+	if (!IsTexture(Desc, Kept.ViewRect))
 	{
 		Reader.Fail("has a texture that cannot be");
 	}
@@ -225,6 +237,10 @@ FHistoryTexture ReadHistoryTexture(FReader& Reader, const std::string& Name)
 	{
 		Reader.Fail("was written under another r.Drydock.Storage");
 	}
+	// No memory is taken for texels that are not there. This counts those of the first plane and mip.
+	const size_t NumTexels = static_cast<size_t>(Desc.Extent.X) * static_cast<size_t>(Desc.Extent.Y) * Desc.Depth *
+							 static_cast<size_t>(Desc.GetNumSlices());
+	Reader.Require(NumTexels * GetTexelStorageInfo(GetTexelStorage(Desc)).BytesPerTexel);
 	Kept.Target = GRenderTargetPool.FindFreeElement(Desc, Intern(Name));
 	ForEachRow(*Kept.Target->GetRHI(), nullptr, [&](uint8* Row, size_t Count) { Reader.GetBytes(Row, Count); });
 	return Kept;
@@ -244,7 +260,12 @@ TRefCountPtr<FRDGPooledBuffer> ReadBuffer(FReader& Reader, const std::string& Na
 	Reader.Get(Desc.Usage);
 	Reader.Get(Desc.BytesPerElement);
 	Reader.Get(Desc.NumElements);
-	Reader.Require(static_cast<size_t>(Desc.BytesPerElement) * Desc.NumElements);
+	const size_t Size = static_cast<size_t>(Desc.BytesPerElement) * Desc.NumElements;
+	if (Size == 0 || Size > std::numeric_limits<uint32>::max())
+	{
+		Reader.Fail("has a buffer that cannot be");
+	}
+	Reader.Require(Size);
 	const TRefCountPtr<FRDGPooledBuffer> Buffer = GRenderGraphResourcePool.FindFreeBuffer(Desc, Intern(Name));
 	Reader.GetBytes(Buffer->GetRHI()->GetData(), Desc.GetSize());
 	return Buffer;

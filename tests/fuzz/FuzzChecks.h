@@ -2,6 +2,7 @@
 // not hold, or nothing.
 #pragma once
 
+#include "Budget/StudyConfig.h"
 #include "Config/ReadConfig.h"
 #include "Text/JsonWriter.h"
 #include "Config/SettingsJson.h"
@@ -89,17 +90,12 @@ inline std::string CheckSettingsText(const std::string& Text)
 	return Summarize(Configured) == Summarize(Volumes) ? "" : "the config differs:\n" + Writer.GetText();
 }
 
-/** Any text is a config or has messages; its volumes are engine text. */
-inline std::string CheckConfigJson(const std::string& Text)
+/** Volumes are engine text that reads back. */
+inline std::string CheckVolumesAsText(const std::vector<FConfigVolume>& ConfigVolumes)
 {
 	std::vector<FDiagnostic> Diagnostics;
-	const FConfig Config = ReadConfig(Text, "a.json", Diagnostics);
-	if (const std::string Problem = CheckMessages(Text, Diagnostics); !Problem.empty() || HasErrors(Diagnostics))
-	{
-		return Problem;
-	}
 	std::vector<FVolumeText> Volumes;
-	for (const FConfigVolume& Volume : Config.Volumes)
+	for (const FConfigVolume& Volume : ConfigVolumes)
 	{
 		Volumes.push_back(MakeVolumeText(Volume, "a.json", Diagnostics));
 	}
@@ -114,6 +110,16 @@ inline std::string CheckConfigJson(const std::string& Text)
 	return !Error.empty()                   ? "the exported text does not read: " + Error + "\n" + Written
 		   : Again.size() != Volumes.size() ? "the exported text has other volumes:\n" + Written
 											: "";
+}
+
+/** Any text is a config or has messages, its study too; its volumes are engine text. */
+inline std::string CheckConfigJson(const std::string& Text)
+{
+	std::vector<FDiagnostic> Diagnostics;
+	const FConfig Config = ReadConfig(Text, "a.json", Diagnostics);
+	ReadStudy(Config, Diagnostics);
+	const std::string Problem = CheckMessages(Text, Diagnostics);
+	return !Problem.empty() || HasErrors(Diagnostics) ? Problem : CheckVolumesAsText(Config.Volumes);
 }
 
 } // namespace Drydock

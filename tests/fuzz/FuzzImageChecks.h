@@ -5,7 +5,11 @@
 #include "Text/ConfigErrors.h"
 #include "Picture/ImageBytes.h"
 #include "Picture/ImageFile.h"
+#include "Picture/ImagePlane.h"
 
+#include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -13,25 +17,47 @@
 namespace Drydock
 {
 
-/** What a run reads of a scene: the header, and the channels in one go unless they are more than MaxValues numbers. */
+/** All channels of a part, unless they are more than MaxValues numbers: then none. */
+inline std::vector<int> GetChannelsToRead(const FImagePart& Part, int64_t MaxValues)
+{
+	std::vector<int> All(Part.Channels.size());
+	std::iota(All.begin(), All.end(), 0);
+	return int64_t(Part.Width) * Part.Height * static_cast<int64_t>(All.size()) > MaxValues ? std::vector<int>() : All;
+}
+
+/** What a run, an import and a comparison read of a picture: the header, and the channels of every part, in one go and
+ * some of them. */
 inline std::string CheckImageFile(const std::string& Path, int64_t MaxValues = int64_t(1) << 21)
 {
 	try
 	{
 		FImageFile File(Path);
 		File.GetAttribute("drydock:camera_json");
-		const size_t NumPixels = static_cast<size_t>(File.GetWidth()) * static_cast<size_t>(File.GetHeight());
-		std::vector<int> All(File.GetChannels().size());
-		std::iota(All.begin(), All.end(), 0);
-		if (static_cast<int64_t>(NumPixels * All.size()) > MaxValues)
+		for (size_t Part = 0; Part < File.GetParts().size(); ++Part)
 		{
-			return "";
+			File.ReadPart(static_cast<int>(Part), GetChannelsToRead(File.GetParts()[Part], MaxValues));
 		}
-		for (const std::vector<float>& Plane : File.Read(All))
+		const std::vector<int> All = GetChannelsToRead(File.GetParts()[0], MaxValues);
+		const std::vector<std::vector<float>> Planes = File.Read(All);
+		std::vector<int> Some; // from the last on, as a pass may want them
+		for (int Channel = static_cast<int>(All.size()) - 1; Channel >= 0; Channel -= 2)
 		{
-			if (Plane.size() != NumPixels)
+			Some.push_back(Channel);
+		}
+		const std::vector<std::vector<float>> SomePlanes = File.Read(Some);
+		for (size_t Index = 0; Index < Some.size(); ++Index)
+		{
+			const std::vector<float>& Whole = Planes[static_cast<size_t>(Some[Index])];
+			const std::vector<float>& Alone = SomePlanes[Index];
+			if (Whole.size() != static_cast<size_t>(File.GetWidth()) * static_cast<size_t>(File.GetHeight()))
 			{
 				return "a channel of another size than the picture";
+			}
+			if (Alone.size() != Whole.size() ||
+				!std::equal(Whole.begin(), Whole.end(), Alone.begin(),
+					[](float A, float B) { return std::bit_cast<uint32_t>(A) == std::bit_cast<uint32_t>(B); }))
+			{
+				return "a channel differs when fewer are read";
 			}
 		}
 	}
@@ -64,6 +90,7 @@ inline std::string CheckPictureBytes(const std::string& Bytes)
 {
 	const unsigned char First = Bytes.empty() ? 0 : static_cast<unsigned char>(Bytes[0]);
 	return CheckImageBytes(First == 0x89   ? "fuzzed.png"
+						   : First == 0x76 ? "fuzzed.exr"
 						   : First == '#'  ? "fuzzed.hdr"
 						   : First == 0xFF ? "fuzzed.jpg"
 						   : First == 'B'  ? "fuzzed.bmp"

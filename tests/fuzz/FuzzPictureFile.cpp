@@ -1,4 +1,4 @@
-// libFuzzer's entry for the bytes of image files other than EXR.
+// libFuzzer's entry for the bytes of image files, of the format that their first byte is of.
 #include "FuzzImageChecks.h"
 
 #include <cstdint>

@@ -4,11 +4,16 @@
 #include "SceneFile/SceneFile.h"
 #include "fuzz/FuzzChecks.h"
 #include "fuzz/FuzzImageChecks.h"
+#include "fuzz/FuzzIniChecks.h"
+#include "fuzz/FuzzOtherChecks.h"
 #include "fuzz/FuzzSpirvChecks.h"
+#include "fuzz/FuzzViewStateChecks.h"
 
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
+#include <sstream>
 
 using namespace Drydock;
 
@@ -48,6 +53,14 @@ class ConfigJsonCorpus : public testing::TestWithParam<FPath>
 {
 };
 
+class IniCorpus : public testing::TestWithParam<FPath>
+{
+};
+
+class OtherTextCorpus : public testing::TestWithParam<FPath>
+{
+};
+
 /** Files whose names begin with what they are: "forged_window.exr". */
 class FNamedCorpus : public testing::TestWithParam<FPath>
 {
@@ -64,6 +77,10 @@ class PictureCorpus : public FNamedCorpus
 };
 
 class SpirvCorpus : public FNamedCorpus
+{
+};
+
+class ViewStateCorpus : public FNamedCorpus
 {
 };
 
@@ -112,6 +129,47 @@ TEST_P(ConfigJsonCorpus, HoldsCutAnywhere)
 	{
 		ASSERT_EQ("", CheckConfigJson(Text.substr(0, Length))) << Length;
 	}
+}
+
+TEST_P(IniCorpus, HoldsWholeAndCutAnywhere)
+{
+	const std::string Text = Read(GetParam());
+	for (size_t Length = 0; Length <= Text.size(); ++Length)
+	{
+		ASSERT_EQ("", CheckIniText(Text.substr(0, Length))) << Length;
+	}
+}
+
+TEST_P(OtherTextCorpus, HoldsWholeAndDamaged)
+{
+	EXPECT_EQ("", CheckOtherText(Read(GetParam())));
+	for (const std::string& Text : Damage(Read(GetParam()), 100))
+	{
+		ASSERT_EQ("", CheckOtherText(Text)) << Text;
+	}
+}
+
+TEST_P(ViewStateCorpus, HoldsWholeAndDamaged)
+{
+	EXPECT_EQ("", CheckViewStateBytes(Read(GetParam())));
+	for (const std::string& Bytes : Damage(Read(GetParam()), 200))
+	{
+		ASSERT_EQ("", CheckViewStateBytes(Bytes));
+	}
+}
+
+TEST_P(ViewStateCorpus, IsReadUnlessForged)
+{
+	bool bRead = true;
+	try
+	{
+		UnpackViewStates(SealViewState(Read(GetParam())), "view_state.bin");
+	}
+	catch (const FError&)
+	{
+		bRead = false;
+	}
+	EXPECT_EQ(!Is("forged"), bRead);
 }
 
 TEST_P(ExrCorpus, Holds)
@@ -194,3 +252,33 @@ INSTANTIATE_TEST_SUITE_P(Files, ConfigJsonCorpus, testing::ValuesIn(FindCorpus("
 INSTANTIATE_TEST_SUITE_P(Files, ExrCorpus, testing::ValuesIn(FindCorpus("exr")), GetName);
 INSTANTIATE_TEST_SUITE_P(Files, PictureCorpus, testing::ValuesIn(FindCorpus("image")), GetName);
 INSTANTIATE_TEST_SUITE_P(Files, SpirvCorpus, testing::ValuesIn(FindCorpus("spirv")), GetName);
+INSTANTIATE_TEST_SUITE_P(Files, IniCorpus, testing::ValuesIn(FindCorpus("ini")), GetName);
+INSTANTIATE_TEST_SUITE_P(Files, OtherTextCorpus, testing::ValuesIn(FindCorpus("text")), GetName);
+INSTANTIATE_TEST_SUITE_P(Files, ViewStateCorpus, testing::ValuesIn(FindCorpus("state")), GetName);
+
+// Each fuzzer has a corpus, and each corpus is read by tests: those of this file, and two others.
+TEST(FuzzCorpus, EveryFolderIsReplayed)
+{
+	const std::string Fuzz = DRYDOCK_TEST_SOURCE_DIR "/tests/fuzz/";
+	std::set<std::string> Folders;
+	for (const auto& Entry : std::filesystem::directory_iterator(Fuzz + "corpus"))
+	{
+		Folders.insert(Entry.path().filename().string());
+	}
+	std::set<std::string> OfFuzzers;
+	std::istringstream Rows(Read(Fuzz + "fuzzers.txt"));
+	for (std::string Row; std::getline(Rows, Row);)
+	{
+		std::string Name, Source, Corpus;
+		std::istringstream(Row) >> Name >> Source >> Corpus;
+		if (Name != "#")
+		{
+			OfFuzzers.insert(Corpus);
+		}
+	}
+	EXPECT_EQ(Folders, OfFuzzers);
+	const std::set<std::string> Replayed = {"settings", "config", "exr", "image", "spirv", "ini", "text", "state",
+		"graph", // tests/rdg/GraphUtils/GraphCallsTest.cpp
+		"usf"};  // tests/rdg/ShaderCompiler/UsfFuzzCorpusTest.cpp
+	EXPECT_EQ(Folders, Replayed);
+}

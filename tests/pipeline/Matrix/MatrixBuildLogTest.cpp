@@ -88,3 +88,23 @@ TEST(MatrixBuildLog, WhatWasUpToDateKeepsWhatItSaid)
 	EXPECT_EQ((std::vector<FBuildStep>{{"Building b.o", "warning of b\n"}, {"Building a.o", ""}}),
 		MergeBuildSteps(Before, {{"Building a.o", ""}}));
 }
+
+TEST(MatrixBuildLog, LongLinesAreCut)
+{
+	const std::string Long(1000000, 'x');
+	const std::string Log = "[1/2] " + Long + "\n/p/Tint/a.cpp:7:1: error: " + Long + "\n" + Long + "\n";
+	EXPECT_EQ(1u, ReadBuildSteps(Log).size());
+	const std::vector<FMatrixMessage> Errors = ReadCompilerMessages(Log, ECompilerMessage::Error, GFolder);
+	ASSERT_EQ(1u, Errors.size());
+	EXPECT_EQ("a.cpp", Errors[0].File);
+	EXPECT_EQ(7, Errors[0].Line);
+	EXPECT_EQ("xxx", Errors[0].Text.substr(0, 3));
+}
+
+TEST(MatrixBuildLog, ANumberThatIsNoLineIsZero)
+{
+	const std::vector<FMatrixMessage> Errors =
+		ReadCompilerMessages("a.cpp:99999999999:1: error: far\n", ECompilerMessage::Error, GFolder);
+	ASSERT_EQ(1u, Errors.size());
+	EXPECT_EQ(0, Errors[0].Line);
+}

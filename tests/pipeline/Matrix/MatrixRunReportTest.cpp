@@ -88,3 +88,12 @@ TEST(MatrixRunReport, ARunIsItsPassesAndWarnings)
 	ASSERT_EQ(1u, Run.Warnings.size());
 	EXPECT_EQ((FMatrixMessage{2070, "", 0, "extension FTint", "not called"}), Run.Warnings[0]);
 }
+
+// A plugin may print whatever it likes.
+TEST(MatrixRunReport, LongLinesAndNumbersAreRead)
+{
+	const FMatrixMessage Found =
+		FindFirstError(std::string(1000000, 'x') + "\na.json:99999999999:7: error DD1012: no\n");
+	EXPECT_EQ(1012, Found.Code);
+	EXPECT_EQ(0, Found.Line);
+}

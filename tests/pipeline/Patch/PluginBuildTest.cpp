@@ -197,6 +197,11 @@ TEST_F(PluginBuild, EngineIsThatOfTheDescription)
 	EXPECT_EQ(0, FindEngineMinor((Root / "Plugins/Tint").string()));
 	Write("Game.uproject", R"({ "EngineAssociation": "5.6" })");
 	EXPECT_EQ(6, FindEngineMinor((Root / "Plugins/Tint").string()));
+	const std::string Blanks(1000000, ' ');
+	Write("Game.uproject", "{ \"EngineVersion\" : 5, \"EngineAssociation\"" + Blanks + ":" + Blanks + "\"5.27.1\" }");
+	EXPECT_EQ(27, FindEngineMinor((Root / "Plugins/Tint").string()));
+	Write("Game.uproject", "{ \"EngineVersion\": \"5.");
+	EXPECT_EQ(0, FindEngineMinor((Root / "Plugins/Tint").string()));
 }
 
 } // namespace

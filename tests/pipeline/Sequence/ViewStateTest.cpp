@@ -5,6 +5,7 @@
 #include "SceneFile/SceneCamera.h"
 #include "Sequence/ViewStateFile.h"
 #include "Text/Fingerprint.h"
+#include "fuzz/FuzzViewStateChecks.h"
 
 #include <set>
 
@@ -67,6 +68,23 @@ std::string ErrorOf(const std::string& Bytes)
 		return std::to_string(Error.GetDiagnostics().at(0).Code) + " " + Error.GetDiagnostics().at(0).Message;
 	}
 	return "none";
+}
+
+template<typename T>
+std::string BytesOf(const std::vector<T>& Numbers)
+{
+	return std::string(reinterpret_cast<const char*>(Numbers.data()), Numbers.size() * sizeof(T));
+}
+
+/** A state in which the last numbers From are others, with the fingerprint that goes with it. */
+template<typename T>
+std::string Forge(const std::string& State, const std::vector<T>& From, const std::vector<T>& To)
+{
+	std::string Forged = State;
+	const size_t At = Forged.rfind(BytesOf(From));
+	EXPECT_NE(std::string::npos, At);
+	Forged.replace(At, BytesOf(From).size(), BytesOf(To));
+	return SealViewState(Forged);
 }
 
 } // namespace
@@ -200,6 +218,24 @@ TEST(ViewStateFile, FingerprintSeesTheViewRectOnly)
 	std::vector<FViewHistory> Beside = MakeHistory();
 	Beside[0].Textures["Kept"].Target->GetRHI()->WriteTexel(4, 1, Red);
 	EXPECT_EQ(Plain, FingerprintViewStates(Beside));
+}
+
+TEST(ViewStateFile, ForgedSizesAreRefusedBeforeMemoryIsTaken)
+{
+	const std::string State = PackViewStates(MakeHistory());
+	const std::string Broken = "5020 the state of a frame ";
+	EXPECT_EQ("none", ErrorOf(Forge<uint32>(State, {4, 3}, {4, 3})));
+	EXPECT_EQ(Broken + "has a buffer that cannot be", ErrorOf(Forge<uint32>(State, {4, 3}, {4, 0})));
+	EXPECT_EQ(Broken + "has a buffer that cannot be", ErrorOf(Forge<uint32>(State, {4, 3}, {65536, 65536})));
+	EXPECT_EQ(Broken + "is cut short", ErrorOf(Forge<uint32>(State, {4, 3}, {1u << 30, 3})));
+	EXPECT_EQ(Broken + "has a texture that cannot be", ErrorOf(Forge<int32>(State, {1, 0, 3, 2}, {1, 0, 30, 2})));
+	EXPECT_EQ(Broken + "has a texture that cannot be", ErrorOf(Forge<int32>(State, {1, 0, 3, 2}, {-1, 0, 3, 2})));
+
+	FRHITextureDesc Desc = MakeHistory()[0].Textures["Kept"].Target->GetRHI()->GetDesc();
+	const uint64 Size = FRHITexture::ComputeSize(Desc);
+	Desc.Extent = FIntPoint(16384, 16384);
+	const std::string Large = Forge<int32>(State, {5, 2}, {16384, 16384});
+	EXPECT_EQ(Broken + "is cut short", ErrorOf(Forge<uint64>(Large, {Size}, {FRHITexture::ComputeSize(Desc)})));
 }
 
 TEST(Fingerprint, CutsDoNotMatter)
