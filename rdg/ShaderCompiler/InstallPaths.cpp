@@ -24,7 +24,12 @@ std::string GetLibraryPath()
 std::string FindInstalled(const std::string& Relative)
 {
 	const fs::path Folder = fs::path(GetLibraryPath()).parent_path();
-	for (const fs::path& Prefix : {Folder.parent_path(), Folder.parent_path().parent_path()})
+	fs::path Installation = Folder;
+	for ([[maybe_unused]] const fs::path& Level : fs::path(DRYDOCK_INSTALL_LIBRARIES))
+	{
+		Installation = Installation.parent_path();
+	}
+	for (const fs::path& Prefix : {Folder.parent_path(), Installation})
 	{
 		std::error_code Error;
 		const fs::path Candidate = Prefix / Relative;

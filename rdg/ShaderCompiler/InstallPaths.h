@@ -12,8 +12,8 @@ namespace Drydock
 /** Path of the shared object this code is in. */
 std::string GetLibraryPath();
 
-/** A folder or file under the prefix that the library is installed in ("share/drydock"), found next to lib/ or
- *  lib/ARCH/; empty when there is none. */
+/** A folder or file under the prefix that the library is installed in ("share/drydock"): the library lies in lib/ of a
+ *  build tree, and in lib/drydock/ of an installation. Empty when there is none. */
 DRYDOCK_API std::string FindInstalled(const std::string& Relative);
 
 /** Include folders for generated kernels; empty when the headers are nowhere. */

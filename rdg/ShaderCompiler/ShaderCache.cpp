@@ -228,7 +228,7 @@ FShaderCache FShaderCache::Open()
 
 void FShaderCache::OpenPrewarmed()
 {
-	const std::string Path = FindInstalled("share/drydock/shader-cache");
+	const std::string Path = FindInstalled("libexec/drydock/shader-cache");
 	struct stat Library;
 	if (Path.empty() || stat(GetLibraryPath().c_str(), &Library) != 0)
 	{

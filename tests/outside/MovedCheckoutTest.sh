@@ -9,10 +9,10 @@ Failures=0
 
 # Puts a checkout with a finished build, configured for the folder $2, into $1.
 MakeCheckout() {
-	mkdir -p "$1/build/release/bin" "$1/build/release/share/drydock/shader-cache"
+	mkdir -p "$1/build/release/bin" "$1/build/release/libexec/drydock/shader-cache"
 	cp "$Source/dev" "$1/dev"
 	printf 'CMAKE_BUILD_TYPE:STRING=Release\nCMAKE_HOME_DIRECTORY:INTERNAL=%s\n' "$2" >"$1/build/release/CMakeCache.txt"
-	touch "$1/build/release/build.ninja" "$1/build/release/share/drydock/shader-cache/warm.stamp"
+	touch "$1/build/release/build.ninja" "$1/build/release/libexec/drydock/shader-cache/warm.stamp"
 	printf '#!/bin/sh\necho "the program of %s"\n' "$2" >"$1/build/release/bin/drydock"
 	chmod +x "$1/build/release/bin/drydock"
 	touch -d '1 hour' "$1/build/.packages" # no package is looked for
