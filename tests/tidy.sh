@@ -5,8 +5,8 @@
 #   tests/tidy.sh --base REVISION   the files that were changed since that revision
 #   tests/tidy.sh FILE...           these files
 #   tests/tidy.sh --all             all files of the product
-# A header is looked at through .cpp files that include it, at most 5, or alone where none does. Exit 0: no findings, 1: findings, 2: it cannot run.
-# TIDY: the program, clang-tidy-19 where it is not named.
+# A header is looked at through .cpp files that include it, at most 5, or alone where none does.
+# Exit 0: no findings; 1: findings; 2: it cannot run. TIDY: the program, where it is not clang-tidy-19.
 set -euo pipefail
 Called=$PWD
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
