@@ -58,6 +58,10 @@ FSequenceFolder::FSequenceFolder(const std::string& InPath, int InNumDigits)
 {
 	RequireOwn();
 	RemoveLeftovers();
+	if (List.Settle(Path))
+	{
+		WriteList();
+	}
 }
 
 void FSequenceFolder::RequireOwn() const

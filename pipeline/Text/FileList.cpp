@@ -180,6 +180,26 @@ std::string FFileList::FindFault(const Files::path& Folder, const std::string& N
 	return bAsWritten ? "" : "is not as it was written";
 }
 
+bool FFileList::Settle(const Files::path& Folder)
+{
+	bool bSettled = false;
+	for (const std::string& Name : GetNames())
+	{
+		const auto bSameName = [&Name](const auto& Entry)
+		{
+			return Entry.first == Name;
+		};
+		if (std::count_if(Files.begin(), Files.end(), bSameName) > 1 && FindFault(Folder, Name).empty())
+		{
+			const std::string Fingerprint = FingerprintFile((Folder / Name).string());
+			bSettled = std::erase_if(Files, [&](const auto& Entry)
+						   { return bSameName(Entry) && !Entry.second.empty() && Entry.second != Fingerprint; }) > 0 ||
+					   bSettled;
+		}
+	}
+	return bSettled;
+}
+
 std::string FFileList::FindForeign(
 	const Files::path& Folder, const std::string& Sub, const std::set<std::string>& Besides) const
 {

@@ -34,6 +34,10 @@ public:
 	/** Forgets what it has of this name. */
 	void Remove(const std::string& Name);
 
+	/** A call that was stopped while it replaced a file leaves the name twice: forgets the fingerprint that the file in
+	 * Folder does not have. Returns whether it forgot one. */
+	bool Settle(const std::filesystem::path& Folder);
+
 	bool IsEmpty() const { return Files.empty(); }
 	bool Has(const std::string& Name) const;
 	/** Ascending, each once. */

@@ -8,6 +8,7 @@
 #include "Sequence/SequenceFolder.h"
 #include "Sequence/SequenceSheet.h"
 #include "SequenceTestUtils.h"
+#include "Text/FileList.h"
 #include "Text/Json.h"
 
 using namespace Drydock;
@@ -178,6 +179,20 @@ TEST_F(RunSequences, StoppedOneGoesOnBitForBit)
 	const FSequenceResult Rest = RunSequence(Ask("1-4", "parts"));
 	EXPECT_EQ(2, Rest.NumRendered);
 	EXPECT_TRUE(AreSameFolders(Temporary.Path / "whole", Temporary.Path / "parts"));
+}
+
+TEST_F(RunSequences, OneKilledBehindItsLastFileHasTheListOfAWholeOne)
+{
+	// As Put leaves it when it is killed after the rename: the old and the new sequence.json are both on the list.
+	RunSequence(Ask("2-3"));
+	const Files::path ListFile = Temporary.Path / "out/.drydock.sequence.files";
+	const std::string Whole = ReadBytes(ListFile);
+	FFileList Both = FFileList::Read(ListFile);
+	Both.Add("sequence.json", std::string(64, '0'));
+	std::ofstream(ListFile, std::ios::binary) << Both.GetText();
+	ASSERT_NE(Whole, ReadBytes(ListFile));
+	EXPECT_EQ(0, RunSequence(Ask("2-3")).NumRendered);
+	EXPECT_EQ(Whole, ReadBytes(ListFile));
 }
 
 TEST_F(RunSequences, FinishedOneIsLeftAsItIs)
