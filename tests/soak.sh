@@ -49,7 +49,7 @@ Finish() { Status=$1 Figure=$2; }
 # Seconds that are left of the step, none below 0.
 Left() { echo $((Deadline > SECONDS ? Deadline - SECONDS : 0)); }
 
-# Within COMMAND...: runs it as long as the step has time; 124: the time is over. What it has started ends with it.
+# Within COMMAND...: runs it as long as the step has time; 124: the time is over. Its children end with it.
 Within() {
 	local Seconds Code=0
 	Seconds=$(Left)
@@ -141,7 +141,7 @@ Fuzz() {
 	fi
 }
 
-# Ended CODE: of a step that goes on until its time is over.
+# Ended CODE: whether a step that goes on until its time is over has found nothing.
 Ended() { [ "$1" = 0 ] || [ "$1" = 124 ]; }
 
 Kills() {
@@ -181,7 +181,7 @@ Random() {
 	fi
 }
 
-# OneTest COMMAND...: of a step that has an end; its figure is what the function Count prints of the log.
+# OneTest COMMAND...: runs it for a step that has an end. Its figure is what the function Count prints of the log.
 OneTest() {
 	local Code=0 Run=$Results/$Step.run Text
 	DRYDOCK_CACHE_DIR="$Here/build/release/cache" Within "$@" 2>&1 | tee "$Run" || Code=$?

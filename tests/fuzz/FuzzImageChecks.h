@@ -25,8 +25,8 @@ inline std::vector<int> GetChannelsToRead(const FImagePart& Part, int64_t MaxVal
 	return int64_t(Part.Width) * Part.Height * static_cast<int64_t>(All.size()) > MaxValues ? std::vector<int>() : All;
 }
 
-/** What a run, an import and a comparison read of a picture: the header, and the channels of every part, in one go and
- * some of them. */
+/** Reads a picture as a run, an import and a comparison do: the header, and the channels of every part, all of them in
+ * one go and some of them. */
 inline std::string CheckImageFile(const std::string& Path, int64_t MaxValues = int64_t(1) << 21)
 {
 	try
@@ -85,7 +85,7 @@ inline std::string CheckExrBytes(const std::string& Bytes)
 	return CheckImageBytes("fuzzed.exr", Bytes);
 }
 
-/** Of the format that the first byte is of; Targa, which has none of its own, for all others. */
+/** As a file of the format that the first byte is of; Targa, which has none of its own, for all others. */
 inline std::string CheckPictureBytes(const std::string& Bytes)
 {
 	const unsigned char First = Bytes.empty() ? 0 : static_cast<unsigned char>(Bytes[0]);

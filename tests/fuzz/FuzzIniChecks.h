@@ -1,5 +1,5 @@
-// What must hold for any ini file: sections with values that properties take or refuse, or warnings with their lines.
-// Used by the fuzzer, and by a test that runs its corpus.
+// Checks any ini file: it gives sections with values that properties take or refuse, and warnings with their lines. The
+// fuzzer uses this, and a test that runs its corpus.
 #pragma once
 
 #include "FuzzChecks.h"

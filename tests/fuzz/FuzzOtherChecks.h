@@ -1,6 +1,6 @@
-// What must hold for any text in place of one that somebody keeps for drydock: what a scene's header says of its
-// camera, the path of a walk, a shader's reflection in the cache, the log of a build, what a run printed, run.json.
-// Every reader gets every text. Used by the fuzzer, and by a test that runs its corpus.
+// Checks any text in place of one that somebody keeps for drydock: what a scene's header says of its camera, the path
+// of a walk, a shader's reflection in the cache, the log of a build, what a run printed, run.json. Every reader gets
+// every text. The fuzzer uses this, and a test that runs its corpus.
 #pragma once
 
 #include "Blend/WalkPath.h"

@@ -1,5 +1,5 @@
-// What must hold for any bytes in a frame's view_state.bin: a state that is written as the same bytes again, or one
-// message. Used by the fuzzer, and by a test that runs its corpus.
+// Checks any bytes in place of a frame's view_state.bin: they give a state that is written as the same bytes again, or
+// one message. The fuzzer uses this, and a test that runs its corpus.
 #pragma once
 
 #include "Diagnostics.h"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# ./dev soak: results by commit, the table, steps that fail, that are cut off, that are passed already. Usage: SoakTest.sh
-# SOURCE WORK. Nothing is built: stubs stand for ./dev build, ctest and what the steps run.
+# Tests ./dev soak: results by commit, the table, steps that fail, that are cut off, that are passed already. Usage:
+# SoakTest.sh SOURCE WORK. Nothing is built: stubs stand for ./dev build, ctest and what the steps run.
 set -euo pipefail
 
 Source=$1 Work=$2 Failures=0
