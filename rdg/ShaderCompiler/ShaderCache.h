@@ -43,8 +43,9 @@ public:
 	static void SetUse(EShaderCacheUse Use);
 
 	/** The user's folder (DRYDOCK_CACHE_DIR, else XDG_CACHE_HOME/drydock, else ~/.cache/drydock) and
-	 * libexec/drydock/shader-cache of the installation. What is wrong with them is said once: DD6050, not to be trusted,
-	 * and DD6051, not to be written. Where the user's is required, that is thrown as an FError (exit code 3). */
+	 * libexec/drydock/shader-cache of the installation. What is wrong with them is said once: DD6050, not to be
+	 * trusted, and DD6051, not to be written. Where the user's is required, that is thrown as an FError (exit code 3).
+	 */
 	static FShaderCache Open();
 
 	/** CompilerId empty: there is no compiler, any entry for Key will do. */
