@@ -59,7 +59,7 @@ echo '{"scene": {"file": "MyPatch/configs/scenes/room.exr"}}' >frame.json
 DRYDOCK_CXX=no-compiler drydock run frame.json
 test -s out/frame/final.png
 drydock build MyPatch
-drydock run MyPatch/configs/MyPatch.json --plugin build/MyPatch/cmake/libMyPatch.so
+drydock run MyPatch/configs/MyPatch.json --plugin build/MyPatch/cmake/libMyPatch.so --report on
 test -s out/MyPatch/final.png
 test -s out/MyPatch/report.html
 grep -q '"name": "MyPatch' out/MyPatch/run.json
