@@ -63,7 +63,7 @@ drydock run MyPatch/configs/MyPatch.json --plugin build/MyPatch/cmake/libMyPatch
 test -s out/MyPatch/final.png
 test -s out/MyPatch/report.html
 grep -q '"name": "MyPatch' out/MyPatch/run.json
-if drydock diff out/frame/final.png out/MyPatch/final.png --max 0 >/dev/null; then
+if drydock diff out/frame/final.png out/MyPatch/final.png --max 0 >/dev/null 2>&1; then
 	echo "the patch draws nothing"
 	exit 1
 fi
