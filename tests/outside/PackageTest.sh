@@ -59,11 +59,11 @@ echo '{"scene": {"file": "MyPatch/configs/scenes/room.exr"}}' >frame.json
 DRYDOCK_CXX=no-compiler drydock run frame.json
 test -s out/frame/final.png
 drydock build MyPatch
-drydock run MyPatch/configs/MyPatch.json --plugin build/MyPatch/cmake/libMyPatch.so
+drydock run MyPatch/configs/MyPatch.json --plugin build/MyPatch/cmake/libMyPatch.so --report on
 test -s out/MyPatch/final.png
 test -s out/MyPatch/report.html
 grep -q '"name": "MyPatch' out/MyPatch/run.json
-if drydock diff out/frame/final.png out/MyPatch/final.png --max 0 >/dev/null; then
+if drydock diff out/frame/final.png out/MyPatch/final.png --max 0 >/dev/null 2>&1; then
 	echo "the patch draws nothing"
 	exit 1
 fi
