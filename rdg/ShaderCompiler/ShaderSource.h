@@ -11,7 +11,8 @@ namespace Drydock
 {
 
 /** Flattens Request's file behind its defines. Throws FError (DD6001 file or include not found, DD6002 a directive or a
- * macro that is wrong, DD6003 sources that cannot be flattened) with every fault found. */
+ * macro that is wrong, DD6003 sources that cannot be flattened, DD6004 no module of SPIR-V, DD6010 HLSL that cannot be
+ * rewritten, DD6011 no such entry in the module, DD6020 what the CPU tier does not run) with every fault found. */
 DRYDOCK_API FShaderSource FlattenShader(const FShaderCompileRequest& Request);
 
 /** Plain ASCII with \n line ends: byte-order mark, CRLF, NUL and the bytes of any encoding of comments removed, without

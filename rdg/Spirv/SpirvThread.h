@@ -123,11 +123,8 @@ private:
 	FBits ReplaceAtomically(FBits* Place, const FSpirvStep& Step);
 	bool ExecuteTerminator(const FSpirvStep& Step);
 	bool ExecuteCall(const FSpirvStep& Step);
-	FWord* MemoryAt(uint32_t Word)
-	{
-		const bool bShared = Groupshared && Word - Program.Groupshared.First < Program.Groupshared.Size;
-		return bShared ? Groupshared + (Word - Program.Groupshared.First) : Words.data() + Word;
-	}
+	/** Where Size words from Word on lie. A pointer that leaves the memory, as a damaged module makes it, is refused. */
+	FWord* MemoryAt(const FSpirvStep& Step, uint32_t Word, uint32_t Size);
 	bool IsShared(uint32_t Word) const
 	{
 		return Groupshared && Word - Program.Groupshared.First < Program.Groupshared.Size;

@@ -253,7 +253,7 @@ bool TSpirvThread<Real>::ExecuteAtomic(const FSpirvStep& Step)
 	}
 	else if (Pointer.Storage == StorageWorkgroup)
 	{
-		Word = MemoryAt(Bits(Step, 0));
+		Word = MemoryAt(Step, Bits(Step, 0), 1);
 		TellRaces(Step, Bits(Step, 0), 1, ESharedAccess::Atomic, Word);
 	}
 	else

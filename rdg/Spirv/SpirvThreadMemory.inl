@@ -36,6 +36,18 @@ void TSpirvThread<Real>::ExecuteChain(const FSpirvStep& Step)
 }
 
 template<typename Real>
+auto TSpirvThread<Real>::MemoryAt(const FSpirvStep& Step, uint32_t Word, uint32_t Size) -> FWord*
+{
+	const bool bShared = IsShared(Word);
+	const size_t End = bShared ? size_t(Program.Groupshared.First) + Program.Groupshared.Size : Words.size();
+	if (size_t(Word) + Size > End)
+	{
+		Program.Module.Fail("SPIR-V: a pointer to nowhere", Step.I);
+	}
+	return bShared ? Groupshared + (Word - Program.Groupshared.First) : Words.data() + Word;
+}
+
+template<typename Real>
 void TSpirvThread<Real>::Load(const FSpirvStep& Step)
 {
 	if (Step.Place != ~0u)
@@ -44,7 +56,7 @@ void TSpirvThread<Real>::Load(const FSpirvStep& Step)
 		return;
 	}
 	const uint32_t From = uint32_t(Value(Step, 0)[0]);
-	std::copy_n(MemoryAt(From), Step.Size, Result(Step));
+	std::copy_n(MemoryAt(Step, From, Step.Size), Step.Size, Result(Step));
 	TellRaces(Step, From, Step.Size, ESharedAccess::Read, Result(Step));
 	if (!Undefined.empty() && IsShared(From))
 	{
@@ -59,11 +71,7 @@ void TSpirvThread<Real>::Load(const FSpirvStep& Step)
 template<typename Real>
 void TSpirvThread<Real>::Store(const FSpirvStep& Step, uint32_t Pointer, const FWord* From, uint32_t Size)
 {
-	if (size_t(Pointer) + Size > Words.size())
-	{
-		Program.Module.Fail("SPIR-V: a store to nowhere", Step.I);
-	}
-	std::copy_n(From, Size, MemoryAt(Pointer));
+	std::copy_n(From, Size, MemoryAt(Step, Pointer, Size));
 	TellRaces(Step, Pointer, Size, ESharedAccess::Write, From);
 	if (!Undefined.empty() && !IsShared(Pointer))
 	{

@@ -430,7 +430,7 @@ bool TSpirvThread<Real>::ExecuteWhole(const FSpirvStep& Step)
 			Whole.push_back(ToSpirvWord<Number>(std::trunc(Part)));
 		}
 		const uint32_t Pointer = uint32_t(Value(Step, 3)[0]);
-		std::copy(Whole.begin(), Whole.end(), MemoryAt(Pointer));
+		std::copy(Whole.begin(), Whole.end(), MemoryAt(Step, Pointer, uint32_t(Whole.size())));
 		if (!Undefined.empty())
 		{
 			std::fill_n(Undefined.begin() + Pointer, Whole.size(), 0u);

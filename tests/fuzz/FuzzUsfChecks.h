@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <sstream>
 
 namespace Drydock
@@ -88,7 +89,8 @@ inline std::string TrimEnd(const std::string& Line)
 }
 
 /** By its #line directives, every line of the flattened text that claims to be of the shader is at one that the shader
- * has; and where nothing replaces words (macros, comments, joined lines, enums, loads) it is that line itself. */
+ * has; and where nothing replaces words (macros, comments, joined lines, enums, loads) it is that line itself. A text
+ * that the rewrites of HLSL have changed begins with a #line before the pragma that every text gets. */
 inline std::string CheckLinesKeepTheirPlace(const FUsfInput& Input, const std::string& Flattened)
 {
 	const std::string Main = NormalizeShaderText(Input.Request.GeneratedFiles[0].second);
@@ -100,12 +102,13 @@ inline std::string CheckLinesKeepTheirPlace(const FUsfInput& Input, const std::s
 	{
 		All += Text;
 	}
-	bool bPlain = Input.Request.Defines.empty();
+	const std::string Pragma = "#pragma pack_matrix(row_major)";
+	const std::string Mine = " \"" + Input.Request.VirtualPath + "\"";
+	bool bPlain = Input.Request.Defines.empty() && !Flattened.starts_with("#line 1" + Mine + "\n" + Pragma);
 	for (const char* const Changed : {"define", "//", "/*", "\\", "SHADER", "enum", "_", "DRYDOCK", ".Load", "View\n"})
 	{
 		bPlain = bPlain && All.find(Changed) == std::string::npos;
 	}
-	const std::string Mine = " \"" + Input.Request.VirtualPath + "\"";
 	bool bMain = false;
 	size_t Number = 0;
 	for (const std::string& Line : SplitLines(Flattened))
@@ -117,7 +120,7 @@ inline std::string CheckLinesKeepTheirPlace(const FUsfInput& Input, const std::s
 			continue;
 		}
 		const bool bPlace = Number >= 1 && Number <= Expected.size();
-		if (bMain && !Line.empty() && (!bPlace || (bPlain && TrimEnd(Expected[Number - 1]) != Line)))
+		if (bMain && !Line.empty() && Line != Pragma && (!bPlace || (bPlain && TrimEnd(Expected[Number - 1]) != Line)))
 		{
 			return "line " + std::to_string(Number) + " of the shader became '" + Line + "'";
 		}
@@ -146,7 +149,7 @@ inline std::string CheckUsfText(const std::string& Text, const std::vector<std::
 	{
 		for (const FDiagnostic& Found : Error.GetDiagnostics())
 		{
-			if (Found.Message.empty() || (Found.Code < 6001 || Found.Code > 6003))
+			if (Found.Message.empty() || !std::set<int>{6001, 6002, 6003, 6010, 6020}.contains(Found.Code))
 			{
 				return "an error without a number of its own: " + Found.ToString();
 			}

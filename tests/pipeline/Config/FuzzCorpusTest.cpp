@@ -245,6 +245,7 @@ TEST_P(SpirvCorpus, RunsUnlessItWasFoundByTheFuzzer)
 	std::string Message;
 	const ESpirvWalk Walk = WalkSpirv(Words, Message);
 	EXPECT_TRUE(Is("found") || Walk == ESpirvWalk::Run) << Message;
+	EXPECT_EQ(Is("found_pointer_to_nowhere"), Message.find("a pointer to nowhere") != std::string::npos) << Message;
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, SettingsTextCorpus, testing::ValuesIn(FindCorpus("settings")), GetName);
