@@ -30,4 +30,4 @@ coproc Server { exec node test/serve.mjs; }
 trap 'kill "$Server_PID"' EXIT
 read -r BROWSER <&"${Server[0]}"
 export BROWSER
-node --test --test-reporter=spec test/*.test.mjs
+node --test --test-concurrency=3 --test-reporter=spec test/*.test.mjs
