@@ -86,6 +86,6 @@ void RunCharaGlowBox(const FNativeKernelArgs& Args, const FKernelTile& Tile)
 
 } // namespace
 
-REGISTER_NATIVE_KERNEL(FCharaGlowBoxPS, &RunCharaGlowBox)
+REGISTER_NATIVE_KERNEL(FCharaGlowBoxPS, &RunCharaGlowBox, "a0299aeeb04d6595")
 
 } // namespace Drydock

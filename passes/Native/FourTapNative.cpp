@@ -48,7 +48,7 @@ void RunOneTap(const FNativeKernelArgs& Args, const FKernelTile& Tile)
 
 } // namespace
 
-REGISTER_NATIVE_KERNEL(FFourTapCS, &RunFourTaps)
-REGISTER_NATIVE_KERNEL(FOneTapCS, &RunOneTap)
+REGISTER_NATIVE_KERNEL(FFourTapCS, &RunFourTaps, "1d7271a42653c4c3")
+REGISTER_NATIVE_KERNEL(FOneTapCS, &RunOneTap, "1d7271a42653c4c3")
 
 } // namespace Drydock

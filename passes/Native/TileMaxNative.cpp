@@ -108,7 +108,7 @@ void RunDOFTileMax(const FNativeKernelArgs& Args, const FKernelTile& Tile)
 
 } // namespace
 
-REGISTER_NATIVE_KERNEL(FMotionBlurVelocityTileMaxPS, &RunVelocityTileMax)
-REGISTER_NATIVE_KERNEL(FDOFTileMaxPS, &RunDOFTileMax)
+REGISTER_NATIVE_KERNEL(FMotionBlurVelocityTileMaxPS, &RunVelocityTileMax, "0a125b3750ed4e8a")
+REGISTER_NATIVE_KERNEL(FDOFTileMaxPS, &RunDOFTileMax, "935e810d3fe39fd0")
 
 } // namespace Drydock

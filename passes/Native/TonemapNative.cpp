@@ -128,7 +128,7 @@ void RunTonemapThreads(const FNativeKernelArgs& Args, const FKernelTile& Tile)
 
 } // namespace
 
-REGISTER_NATIVE_KERNEL(FTonemapPS, &RunTonemapPixels)
-REGISTER_NATIVE_KERNEL(FTonemapCS, &RunTonemapThreads)
+REGISTER_NATIVE_KERNEL(FTonemapPS, &RunTonemapPixels, "3271b82b98aa86ae")
+REGISTER_NATIVE_KERNEL(FTonemapCS, &RunTonemapThreads, "3271b82b98aa86ae")
 
 } // namespace Drydock

@@ -3,6 +3,8 @@
 #include "Config/SettingList.h"
 #include "Effects/Effects.h"
 #include "GlobalShader.h"
+#include "NativeKernels.h"
+#include "PassCounters.h"
 #include "PostProcessSettingsReflection.h"
 #include "Program/ProgramOutput.h"
 #include "Program/ExtensionList.h"
@@ -46,10 +48,28 @@ bool ContainsIgnoringCase(const std::string& Text, const std::string& Part)
 	return std::search(Text.begin(), Text.end(), Part.begin(), Part.end(), Same) != Text.end();
 }
 
+/** By the text of one permutation: a hand-written kernel is for all of them. */
+std::string DescribeRun(const FGlobalShaderType& Type)
+{
+	if (Type.GetFrequency() == SF_Vertex)
+	{
+		return DescribeShaderRun(EShaderRun::Interpreter);
+	}
+	int32 Permutation = 0;
+	while (Permutation + 1 < Type.GetPermutationCount() && !Type.ShouldCompilePermutation(Permutation))
+	{
+		++Permutation;
+	}
+	const bool bNative = Type.ShouldCompilePermutation(Permutation) &&
+						 FindNativeKernel(FShaderRef(Type.FindOrCreateShader(Permutation))) == ENativeChoice::Native;
+	return DescribeShaderRun(bNative ? EShaderRun::NativeKernel : EShaderRun::Shader);
+}
+
 FListTable ListShaders()
 {
 	constexpr ETextColumn Name = ETextColumn::Name;
-	FListTable Table{{"shader", "file", "entry", "stage"}, {}, "", {{Name}, {Name}, {Name, 1}, {ETextColumn::Text}}};
+	FListTable Table{{"shader", "file", "entry", "stage", "runs as"}, {}, "",
+		{{Name}, {Name}, {Name, 1}, {ETextColumn::Text}, {ETextColumn::Text}}};
 	ForEachGlobalShader(
 		[&](const FGlobalShaderType& Type)
 		{
@@ -57,7 +77,8 @@ FListTable ListShaders()
 			Table.Rows.push_back({Type.GetName(), Type.GetShaderFilename(), Type.GetFunctionName(),
 				Stage == SF_Compute ? "compute"
 				: Stage == SF_Pixel ? "pixel"
-									: "vertex"});
+									: "vertex",
+				DescribeRun(Type)});
 		});
 	return Table;
 }

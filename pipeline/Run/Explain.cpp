@@ -170,6 +170,7 @@ FExplainReport MakeExplainReport(const FRunResult& Frame, const FRunResult& NoSk
 		Explained.bExecutes = !Pass.bCulled;
 		Explained.Reason = Frame.Graph.DescribeCulled(Pass);
 		Explained.Shader = Pass.Shader;
+		Explained.RunsAs = Pass.RunsAs;
 		Explained.Reads = NameResources(Frame.Graph, Pass, false);
 		Explained.Writes = NameResources(Frame.Graph, Pass, true);
 		Explained.Readers = NameReaders(Frame.Graph, Pass);

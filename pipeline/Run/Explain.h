@@ -20,6 +20,7 @@ struct FExplainedPass
 	bool bExecutes = false;
 	std::string Reason; // of one that does not: why
 	std::string Shader;
+	std::string RunsAs; // DescribeShaderRun; empty: not known before the pass runs
 	double Milliseconds = 0.0;
 	std::vector<FPassValue> Values;   // of its parameters
 	std::string MergeReason;          // why it begins a render pass; empty: it does not

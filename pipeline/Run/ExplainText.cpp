@@ -211,7 +211,8 @@ std::string MakePassText(const FExplainReport& Report, const std::string& Name)
 		Text += "  runs     " +
 				(Pass.bExecutes ? "yes, " + FormatMilliseconds(Report, Pass.Milliseconds) : "no: " + Pass.Reason) +
 				"\n";
-		Text += "  shader   " + (Pass.Shader.empty() ? "chosen by the pass itself" : Pass.Shader) + "\n";
+		Text += "  shader   " + (Pass.Shader.empty() ? "chosen by the pass itself" : Pass.Shader) +
+				(Pass.RunsAs.empty() ? "" : ", runs as " + Pass.RunsAs) + "\n";
 		Text += Pass.Silent.empty() ? "" : "  note     " + Pass.Silent + "\n";
 		Text += Pass.Values.empty() ? "" : "  values   " + FormatPassValues(Pass.Values) + "\n";
 		Text += Pass.MergeReason.empty() ? "" : "  begins   a render pass: " + Pass.MergeReason + "\n";

@@ -34,6 +34,7 @@ void WritePass(FJsonWriter& Writer, const FRDGCompiledGraph& Graph, const FRDGCo
 	Writer.Member("reason", Graph.DescribeCulled(Pass));
 	Writer.Member("shader", Pass.Shader);
 	Writer.Member("entry", Pass.Entry);
+	Writer.Member("runsAs", Pass.RunsAs);
 	Writer.Member("effect", Pass.Effect);
 	Writer.Member("owner", Pass.Owner);
 	Writer.Member("renderPassBegin", Pass.RenderPassBegin);

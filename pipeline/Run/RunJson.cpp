@@ -118,6 +118,7 @@ void WritePasses(FJsonWriter& Writer, const FRunResult& Result)
 		Writer.Member("reason", Result.Graph.DescribeCulled(Pass));
 		Writer.Member("shader", Pass.Shader.empty() ? Counters.Shader : Pass.Shader);
 		Writer.Member("entry", Pass.Entry.empty() ? Counters.Entry : Pass.Entry);
+		Writer.Member("runsAs", Run != nullptr ? DescribeShaderRun(Counters.Ran) : Pass.RunsAs);
 		Writer.Member("pixels", Counters.Pixels);
 		Writer.Member("taps", Run != nullptr ? Run->Taps : std::optional<uint64_t>(0));
 		Writer.Member("bytesRead", Counters.BytesRead);
@@ -350,6 +351,7 @@ std::string MakeTimingJson(const FRunResult& Result, double SaveMs)
 		Writer.Member("name", Result.Graph.Passes[static_cast<size_t>(Pass.Index)].Name);
 		Writer.Member("ms", Pass.Milliseconds);
 		Writer.Member("taps", Pass.Taps);
+		Writer.Member("runsAs", DescribeShaderRun(Pass.Counters.Ran));
 		Writer.EndObject();
 	}
 	Writer.EndArray();
@@ -392,6 +394,7 @@ std::string MakeTraceJson(const FRunResult& Result)
 		if (Pass != nullptr)
 		{
 			Writer.Member("shader", Pass->Counters.Shader);
+			Writer.Member("runsAs", DescribeShaderRun(Pass->Counters.Ran));
 			Writer.Member("pixels", Pass->Counters.Pixels);
 			Writer.Member("taps", Pass->Taps);
 		}

@@ -16,7 +16,8 @@ std::optional<uint64_t> CountTaps(const FRDGPass& Pass, const FPassCounters& Cou
 	{
 		return Counters.Taps;
 	}
-	if (Pass.GetParameters() == nullptr || Pass.GetParametersMetadata() == nullptr)
+	if (!EnumHasAnyFlags(Counters.Ran, EShaderRun::NativeKernel) || Pass.GetParameters() == nullptr ||
+		Pass.GetParametersMetadata() == nullptr)
 	{
 		return std::nullopt;
 	}

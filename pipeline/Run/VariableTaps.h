@@ -11,8 +11,9 @@ class FRDGPass;
 namespace Drydock
 {
 
-/** Counters.Taps where that is known; else from the parameters: SampleCount (one more where Additive_Texture is bound),
- * or Reach, of which (2 x + 1) (2 y + 1) texels are read; times CountWantedPixels. Empty where there is neither. */
+/** Counters.Taps where that is known; else, of a hand-written kernel, from the parameters: SampleCount (one more where
+ * Additive_Texture is bound), or Reach, of which (2 x + 1) (2 y + 1) texels are read; times CountWantedPixels. Empty
+ * where there is neither. */
 std::optional<uint64_t> CountTaps(const FRDGPass& Pass, const FPassCounters& Counters);
 
 /** What a pass writes of its textures: the viewport named Output in its parameters; empty where there is none. */

@@ -188,8 +188,11 @@ void BindShaderParameters(
 	Out.PermutationId = Shader->GetPermutationId();
 	Out.Permutation = Shader.GetShader();
 	Out.bDouble = GetShaderLaneConfig().bDouble;
-	Out.Native = FindNativeKernel(Type);
 	const std::shared_ptr<const FCompiledShader> Compiled = GetCompiledShader(Shader);
+	if (FindNativeKernel(Type, Compiled->Fingerprint, Out.Native) == ENativeChoice::Edited)
+	{
+		Out.Edited = Type.GetShaderFilename();
+	}
 	Out.Kernel = Compiled->Run;
 	Out.Vertex = Compiled->Vertex;
 	Out.Reflection = std::shared_ptr<const FShaderReflection>(Compiled, &Compiled->Reflection);

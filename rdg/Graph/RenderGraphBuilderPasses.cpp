@@ -3,6 +3,8 @@
 
 #include "CodeScope.h"
 #include "DiagnosticList.h"
+#include "HAL/IConsoleManager.h"
+#include "NativeKernels.h"
 #include "RenderGraphCompile.h"
 #include "RenderGraphExecute.h"
 #include "RenderGraphNotes.h"
@@ -21,6 +23,21 @@ void FRDGPass::SetShader(FShader& InShader)
 	ShaderToCompile = &InShader;
 	Shader = InShader.GetType()->GetName();
 	Entry = InShader.GetType()->GetFunctionName();
+}
+
+std::string FRDGPass::DescribeRun() const
+{
+	if (!ShaderToCompile)
+	{
+		return {};
+	}
+	const IConsoleVariable* const Backend = IConsoleManager::Get().FindConsoleVariable(TEXT("r.Drydock.Backend"));
+	const EShaderRun Vertex = VertexShaderToCompile ? EShaderRun::Interpreter : EShaderRun::None;
+	const EShaderRun Pixel = FindNativeKernel(FShaderRef(ShaderToCompile)) == ENativeChoice::Native
+								 ? EShaderRun::NativeKernel
+							 : Backend && Backend->GetInt() != 0 ? EShaderRun::Backend
+																 : EShaderRun::Shader;
+	return DescribeShaderRun(Pixel | Vertex);
 }
 
 namespace
@@ -295,6 +312,10 @@ FRDGCompiledGraph FRDGBuilder::Compile()
 	std::vector<FDiagnostic> Warnings = CheckGraph();
 	FRDGCompiledGraph Compiled = Compile(State->Graph);
 	Compiled.Warnings = MoveTemp(Warnings);
+	for (const TRDGPlaced<FRDGPass>& Pass : State->Passes)
+	{
+		Compiled.Passes[size_t(Pass->GetIndex())].RunsAs = Pass->DescribeRun();
+	}
 	return Compiled;
 }
 

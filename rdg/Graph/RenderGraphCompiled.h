@@ -85,6 +85,8 @@ struct FRDGPassDescription
 	int32_t Line = 0;
 	std::string Shader; // class name; empty: a lambda of its own
 	std::string Entry;
+	std::string
+		RunsAs; // how the shader is going to run (DescribeShaderRun), of a graph that is compiled to be looked at
 	std::vector<std::string> UnsetOutputs; // parameters through which it could write and that are null
 	std::vector<FRDGUse> Uses;
 	std::vector<int32_t> DeclaredProducers; // AddPassDependency

@@ -103,7 +103,8 @@ std::string DumpPass(const FRDGCompiledGraph& Graph, const std::vector<std::stri
 	{
 		Text += Value.empty() ? "" : Format("        %-8s %s\n", Label, Value.c_str());
 	};
-	AddLine("shader", Pass.Shader + (Pass.Entry.empty() ? "" : " (" + Pass.Entry + ")"));
+	AddLine("shader", Pass.Shader + (Pass.Entry.empty() ? "" : " (" + Pass.Entry + ")") +
+						  (Pass.RunsAs.empty() ? "" : ", runs as " + Pass.RunsAs));
 	AddLine("reads", ListUses(Graph, ResourceNames, Pass, false));
 	AddLine("writes", ListUses(Graph, ResourceNames, Pass, true));
 	const auto Values = ValuesByPass.find(Pass.Index);

@@ -372,8 +372,17 @@ void FRDGExecutor::RunPass(FRDGPass& Pass)
 	CallCode(Pass.GetOwner(), [&] { RunLambda(Pass, Resources); });
 	const std::chrono::duration<double, std::milli> Elapsed = std::chrono::steady_clock::now() - Begin;
 	WarnAboutUnused(Pass, Resources);
-	const std::vector<FDiagnostic>& Remarks = RHICmdList.GetCounters().Remarks;
-	State.Remarks.insert(State.Remarks.end(), Remarks.begin(), Remarks.end());
+	for (const FDiagnostic& Remark : RHICmdList.GetCounters().Remarks)
+	{
+		const auto IsSame = [&](const FDiagnostic& Known)
+		{
+			return Known.ToString() == Remark.ToString();
+		};
+		if (std::none_of(State.Remarks.begin(), State.Remarks.end(), IsSame))
+		{
+			State.Remarks.push_back(Remark);
+		}
+	}
 	if (State.Observer)
 	{
 		State.Observer->OnPassExecuted(

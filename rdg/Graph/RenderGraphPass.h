@@ -50,6 +50,9 @@ public:
 	void SetVertexShader(FShader& InShader) { VertexShaderToCompile = &InShader; }
 	const std::string& GetShader() const { return Shader; }
 	const std::string& GetEntry() const { return Entry; }
+	/** How these are going to run, as DescribeShaderRun says it; reads the files of shaders that have a hand-written
+	 * kernel. Empty: the pass names no shader. */
+	std::string DescribeRun() const;
 
 	/** Whose pass it is, by the innermost FRDGEffectScope; empty: nobody's. */
 	const std::string& GetEffect() const { return Effect; }

@@ -82,8 +82,9 @@ struct DRYDOCK_API FBoundShader
 	std::shared_ptr<const FShaderReflection> Reflection; // shares ownership with the compiled shader
 	FKernelFunction Kernel = nullptr;                    // the compiled .usf, or
 	FNativeKernelFunction Native = nullptr;              // a hand-written kernel that stands in for it
-	std::shared_ptr<const FVertexProgram> Vertex;        // of a vertex shader, which has no kernel
-	bool bDouble = false;                                // arithmetic of Kernel
+	std::string Edited; // the file of a shader whose text is another than the one that its hand-written kernel knows
+	std::shared_ptr<const FVertexProgram> Vertex; // of a vertex shader, which has no kernel
+	bool bDouble = false;                         // arithmetic of Kernel
 	const void* Parameters = nullptr;
 	int32_t PermutationId = 0;
 	FShader* Permutation = nullptr;   // what was bound

@@ -20,6 +20,18 @@ void FPassCounters::AddWrite(const FRHITexture* Texture, int32_t Mip, const FInt
 	}
 }
 
+std::string DescribeShaderRun(EShaderRun Ran)
+{
+	constexpr std::pair<EShaderRun, const char*> Names[] = {{EShaderRun::NativeKernel, "native kernel"},
+		{EShaderRun::Shader, "shader"}, {EShaderRun::Interpreter, "interpreter"}, {EShaderRun::Backend, "Vulkan"}};
+	std::string Text;
+	for (const auto& [Flag, Name] : Names)
+	{
+		Text += EnumHasAnyFlags(Ran, Flag) ? (Text.empty() ? "" : ", ") + std::string(Name) : "";
+	}
+	return Text;
+}
+
 void FPassCounters::AddRemark(const FDiagnostic& Remark)
 {
 	const auto Same = [&Remark](const FDiagnostic& Known)

@@ -3,6 +3,7 @@
 
 #include "Diagnostics.h"
 #include "Math/IntRect.h"
+#include "Misc/EnumClassFlags.h"
 
 #include <cstdint>
 #include <string>
@@ -29,11 +30,26 @@ enum class ETapCount : uint8_t
 	Unknown,  // a hand-written kernel ran in place of a shader whose threads differ
 };
 
+/** Who ran a pass's shaders; flags. */
+enum class EShaderRun : uint8_t
+{
+	None = 0,
+	NativeKernel = 1, // a hand-written kernel
+	Shader = 2,       // the .usf, compiled
+	Interpreter = 4,  // a vertex shader's SPIR-V
+	Backend = 8       // r.Drydock.Backend
+};
+ENUM_CLASS_FLAGS(EShaderRun)
+
+/** "native kernel", "shader", "interpreter", "Vulkan"; several with commas between; empty: None. */
+DRYDOCK_API std::string DescribeShaderRun(EShaderRun Ran);
+
 /** Sums over the dispatches and draws of a pass. */
 struct FPassCounters
 {
 	std::string Shader;                     // class of the last shader that ran: "FBloomSetupPS"; empty: none did
 	std::string Entry;                      // its entry point
+	EShaderRun Ran = EShaderRun::None;      // how
 	uint64_t Pixels = 0;                    // pixels drawn, threads dispatched, texels copied or cleared
 	uint64_t Taps = 0;                      // texture samples, gathers and loads
 	ETapCount TapCount = ETapCount::Static; // of Taps; of several dispatches, the last of its values

@@ -7,6 +7,7 @@
 #include "DispatchObserver.h"
 #include "KernelWatch.h"
 #include "Math/ToInteger.h"
+#include "NativeFallback.h"
 #include "PixelFormatConversion.h"
 #include "TextureTransfer.h"
 #include "TileExecutor.h"
@@ -143,6 +144,7 @@ void FRHIComputeCommandList::RunTiles(
 	const int32 StaticSamples = Shader.GetReflection().StaticSamples;
 	const bool bMeasure = StaticSamples < 0 && !Shader.Native;
 	std::atomic<uint64> MeasuredTaps{0};
+	const uint64 FallbacksBefore = Drydock::GetNativeFallbacks();
 	bool bOnBackend = false;
 	Drydock::IDispatchObserver* const Observer = Drydock::GetDispatchObserver();
 	if (Observer)
@@ -181,6 +183,20 @@ void FRHIComputeCommandList::RunTiles(
 		uint64(Whole.MaxX - Whole.MinX) * uint64(Whole.MaxY - Whole.MinY) * uint64(Whole.MaxZ - Whole.MinZ);
 	Counters.Shader = Shader.Name;
 	Counters.Entry = Shader.EntryPoint;
+	Counters.Ran |= bOnBackend      ? Drydock::EShaderRun::Backend
+					: Shader.Native ? Drydock::EShaderRun::NativeKernel
+									: Drydock::EShaderRun::Shader;
+	if (Drydock::GetNativeFallbacks() != FallbacksBefore)
+	{
+		Counters.Ran |= Drydock::EShaderRun::Shader;
+	}
+	if (!Shader.Edited.empty())
+	{
+		Counters.AddRemark({Drydock::ESeverity::Note, 6080,
+			"edited (the file, or one that it includes): runs as a shader; the hand-written kernel of the class is for "
+			"the text as shipped",
+			Shader.Edited, 0, 0, "shader class " + Shader.Name});
+	}
 	Counters.Pixels += Pixels;
 	Counters.Taps += StaticSamples >= 0 ? Pixels * uint64(StaticSamples) : MeasuredTaps.load();
 	Counters.TapCount = std::max(Counters.TapCount, StaticSamples >= 0        ? Drydock::ETapCount::Static

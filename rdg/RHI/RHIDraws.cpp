@@ -204,6 +204,7 @@ void FRHICommandList::DrawVertices(const Drydock::FVertexDraw& Draw, uint32 NumI
 					  " are the most";
 	}
 	const FIntRect Bounds = GetDrawRect();
+	Counters.Ran |= Drydock::EShaderRun::Interpreter;
 	for (uint32 Instance = 0; Instance < std::max(1u, NumInstances) && Drawn.Fault.empty(); ++Instance)
 	{
 		Drydock::FDrawnRectangles OfInstance =

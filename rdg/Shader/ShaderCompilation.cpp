@@ -222,6 +222,11 @@ std::shared_ptr<const FShaderReflection> GetShaderReflection(const FShaderRef& S
 	return State.Reflection;
 }
 
+std::string GetShaderFingerprint(const FShaderRef& Shader)
+{
+	return CompileFor(Shader, FingerprintShader);
+}
+
 void WarmShaders(const std::vector<FShaderRef>& Shaders, int32 NumThreads)
 {
 	if (Shaders.empty())

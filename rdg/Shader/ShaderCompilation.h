@@ -43,6 +43,9 @@ DRYDOCK_API std::shared_ptr<const FCompiledShader> GetCompiledShader(const FShad
 /** What the shader reads; compiled code is not needed for it. Throws FError with the compiler's messages. */
 DRYDOCK_API std::shared_ptr<const FShaderReflection> GetShaderReflection(const FShaderRef& Shader);
 
+/** Names the text of the shader as it is now (FingerprintShader). Throws FError with the messages about its files. */
+DRYDOCK_API std::string GetShaderFingerprint(const FShaderRef& Shader);
+
 /** Compiles a list of permutations, several at a time (0: one per core). Throws FError with the messages of all that
  * failed. */
 DRYDOCK_API void WarmShaders(const std::vector<FShaderRef>& Shaders, int32 NumThreads = 0);

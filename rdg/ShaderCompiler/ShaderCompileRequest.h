@@ -50,6 +50,7 @@ struct FCompiledShader
 	std::shared_ptr<const FVertexProgram> Vertex; // of a vertex shader, which has no kernel
 	FLaneConfig Lanes;                            // the resolved lane count
 	std::string Key;                              // content hash, hexadecimal
+	std::string Fingerprint;                      // of the text alone, see FingerprintShader
 	bool bFromCache = false;
 	double CompileMs = 0;
 	std::vector<std::string> Files; // every file on disk that was read (for --watch)

@@ -336,6 +336,7 @@ std::shared_ptr<const FCompiledShader> MakeVertexShader(const FShaderCompileRequ
 	const std::shared_ptr<const FShaderSource> Flattened = FlattenOnce(Request);
 	const FShaderSource& Source = *Flattened;
 	Result->Files = Source.Files;
+	Result->Fingerprint = Source.Fingerprint;
 	Result->Key = HashSource(Source, Request, {});
 	FAnalysedShader Shader = Analyse(FindVertexWords(Source, Request, Result->Key), Source, Request);
 	Result->Reflection = Shader.Reflection.Reflection;
@@ -364,6 +365,7 @@ std::shared_ptr<const FCompiledShader> MakeShader(const FShaderCompileRequest& R
 	const std::string CompilerId = GetCompilerId(FindKernelCompiler());
 	Result->Lanes = Lanes;
 	Result->Files = Source.Files;
+	Result->Fingerprint = Source.Fingerprint;
 	const bool bUsualWaves = Lanes.WaveSize == FLaneConfig().WaveSize;
 	Result->Key = HashSource(Source, Request,
 		GetKernelBuildIdentity(Lanes) + (bUsualWaves ? std::string() : " waves of " + std::to_string(Lanes.WaveSize)) +
@@ -424,6 +426,11 @@ FShaderReflection ReflectShader(const FShaderCompileRequest& Request)
 		return std::make_shared<FReflectedShader>(FReflectedShader{std::move(*Reflection), Source.Files});
 	};
 	return WithLines(Request, [&] { return GetReflections().Find(HashRequest(Request), Make)->Reflection; });
+}
+
+std::string FingerprintShader(const FShaderCompileRequest& Request)
+{
+	return FlattenOnce(Request)->Fingerprint;
 }
 
 void ForgetCompiledShaders()

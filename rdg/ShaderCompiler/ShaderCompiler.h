@@ -22,6 +22,11 @@ DRYDOCK_API std::shared_ptr<const FCompiledShader> CompileShader(const FShaderCo
 /** Front end only: flatten, glslang and reflection, no C++ compiler. For graphs that are compiled but not run. */
 DRYDOCK_API FShaderReflection ReflectShader(const FShaderCompileRequest& Request);
 
+/** Names the text of a shader: the file and all that it includes, before macros are replaced, with the files' virtual
+ * paths; 16 hexadecimal digits, and nothing for a module of SPIR-V. Defines do not count. Throws FError as
+ * FlattenShader does. */
+DRYDOCK_API std::string FingerprintShader(const FShaderCompileRequest& Request);
+
 /** Forgets what is in memory (files may have changed), keeps the cache on disk. */
 DRYDOCK_API void ForgetCompiledShaders();
 

@@ -1,6 +1,7 @@
 // Finds the files of a shader and has them preprocessed and rewritten.
 #include "ShaderSource.h"
 
+#include "ContentHash.h"
 #include "HlslRewrites.h"
 #include "LeftOutStages.h"
 #include "RegularFile.h"
@@ -14,6 +15,7 @@
 #include <filesystem>
 #include <map>
 #include <set>
+#include <string_view>
 
 namespace Drydock
 {
@@ -53,6 +55,25 @@ bool HasRealHalf(const FShaderCompileRequest& Request)
 		[](const auto& Define) { return Define.first == "__HLSL_ENABLE_16_BIT" && Define.second != "0"; });
 }
 
+/** "A.ush" of `#include "A.ush"`, whose # stands at At; empty: it is another directive, or names a macro. */
+std::string GetIncludeTarget(const std::string& Text, size_t At)
+{
+	constexpr std::string_view Directive = "include";
+	constexpr const char* Blanks = " \t";
+	const size_t Word = Text.find_first_not_of(Blanks, At + 1);
+	if (Word == std::string::npos || Text.compare(Word, Directive.size(), Directive) != 0)
+	{
+		return {};
+	}
+	const size_t Quote = Text.find_first_not_of(Blanks, Word + Directive.size());
+	if (Quote == std::string::npos || (Text[Quote] != '"' && Text[Quote] != '<'))
+	{
+		return {};
+	}
+	const size_t End = Text.find_first_of(Text[Quote] == '"' ? "\"\n" : ">\n", Quote + 1);
+	return Text.substr(Quote + 1, std::min(End, Text.size()) - Quote - 1);
+}
+
 class FFlattener
 {
 public:
@@ -69,6 +90,8 @@ private:
 	FShaderSource RunSpirv();
 	void Define();
 	const std::string* FindFile(const std::string& Path);
+	std::pair<std::string, const std::string*> FindIncluded(const std::string& Target, const std::string& Includer);
+	std::string Fingerprint();
 	FShaderInclude FindInclude(const std::string& Target, const std::string& Includer, int Line);
 
 	const FShaderCompileRequest& Request;
@@ -117,7 +140,9 @@ const std::string* FFlattener::FindFile(const std::string& Path)
 	return &Files.emplace(Path, NormalizeShaderText(Bytes)).first->second;
 }
 
-FShaderInclude FFlattener::FindInclude(const std::string& Target, const std::string& Includer, int Line)
+/** The path and text of an include; no text: there is no such file. */
+std::pair<std::string, const std::string*> FFlattener::FindIncluded(
+	const std::string& Target, const std::string& Includer)
 {
 	std::string Path = ResolveVirtualPath(Target, Includer);
 	const std::string* Text = FindFile(Path);
@@ -128,6 +153,47 @@ FShaderInclude FFlattener::FindInclude(const std::string& Target, const std::str
 		Text = FindFile(Private);
 		Path = Text ? Private : Path;
 	}
+	return {Path, Text};
+}
+
+/** Of the file and all that it may include, whatever conditions the includes stand in: the same for all permutations.
+ */
+std::string FFlattener::Fingerprint()
+{
+	std::map<std::string, const std::string*> Read;
+	std::vector<std::pair<std::string, const std::string*>> Open; // from what was read: a macro may have named a file
+	for (const auto& [Path, Text] : Files)
+	{
+		Open.emplace_back(Path, &Text);
+	}
+	while (!Open.empty())
+	{
+		const auto [Path, Text] = Open.back();
+		Open.pop_back();
+		if (!Text || !Read.emplace(Path, Text).second)
+		{
+			continue;
+		}
+		for (size_t At = Text->find('#'); At != std::string::npos; At = Text->find('#', At + 1))
+		{
+			if (const std::string Target = GetIncludeTarget(*Text, At); !Target.empty())
+			{
+				Open.push_back(FindIncluded(Target, Path));
+			}
+		}
+	}
+	FContentHash Hash;
+	for (const auto& [Path, Text] : Read)
+	{
+		Hash.Add(Path);
+		Hash.Add(*Text);
+	}
+	return Hash.Finish().substr(0, 16);
+}
+
+FShaderInclude FFlattener::FindInclude(const std::string& Target, const std::string& Includer, int Line)
+{
+	const auto [Path, Text] = FindIncluded(Target, Includer);
 	if (!Text)
 	{
 		const bool bRelative = Path != Target && Target[0] != '/';
@@ -209,6 +275,7 @@ FShaderSource FFlattener::Run()
 	{
 		throw FError(std::move(Preprocessor.GetErrors()), ExitUsage);
 	}
+	Result.Fingerprint = Fingerprint();
 	// The engine packs matrices by rows, which is how FMatrix44f lies in memory.
 	const std::string Printing = RewritePrints(Preprocessor.GetText(), Request.bKeepFunctions, Result.Strings);
 	Result.Text = RewriteHlsl("#pragma pack_matrix(row_major)\n" + DeclarePrints(Printing) +

@@ -12,6 +12,7 @@ struct FShaderSource
 	std::string Text;
 	std::vector<std::string> Files;   // on disk, in order of first reading
 	std::vector<std::string> Strings; // texts that the shader prints, by number (ShaderPrints.h)
+	std::string Fingerprint;          // hash of all that was read, before macros; of a module of SPIR-V: empty
 };
 
 } // namespace Drydock

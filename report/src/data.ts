@@ -51,6 +51,7 @@ export interface RunPass {
 	reason: string;
 	shader: string;
 	entry: string;
+	runsAs: string; // "native kernel", "shader", "interpreter", "Vulkan"; several with commas between; empty: no shader
 	pixels: number;
 	taps: number | null; // null: not known
 	bytesRead: number;

@@ -94,3 +94,13 @@ if(NOT Result EQUAL 0 OR NOT Output MATCHES "ArticleUpPass")
 	message(FATAL_ERROR "the article's plugin does not run (${Result}): ${Output}${Errors}")
 endif()
 message(STATUS "the article's plugin: ${Output}")
+
+# Last, since it changes the installation's shaders: a frame shows an edit of any of them. What it compiles is what
+# EditedShaderTest.cpp does, so that the tests' cache may be used.
+find_program(Python python3)
+if(Python)
+	run_step("edits of shaders" ${CMAKE_COMMAND} -E env "DRYDOCK_CACHE_DIR=${BUILD}/cache" ${Python}
+		"${SOURCE}/EditedShaders.py" "${WORK}/prefix" "${SOURCE}/../.." "${WORK}/edited")
+else()
+	message(STATUS "edits of shaders: skipped, there is no python3")
+endif()

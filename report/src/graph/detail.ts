@@ -54,6 +54,7 @@ function shader(report: Report, pass: GraphPass): HTMLElement | null {
 	return el<HTMLElement>("div", {}, el("h4", {}, "Shader"),
 		el("p", {}, el("code", {}, name), " ", el("span", { class: "quiet" }, pass.entry || run?.entry || "")),
 		detail?.shaderFile ? el("p", {}, el("code", {}, detail.shaderFile)) : null,
+		run?.runsAs ? el("p", { class: "quiet" }, `Ran as: ${run.runsAs}`) : null,
 		permutations.length ? el("details", {}, el("summary", {}, permutations.length === 1 ? "Permutation" : `${permutations.length} permutations of the class were asked for`),
 			...permutations.map((permutation) => el("pre", {}, Object.entries(permutation).map(([key, value]) => `${key} = ${value}`).join("\n")))) : null);
 }

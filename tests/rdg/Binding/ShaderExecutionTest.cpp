@@ -60,6 +60,8 @@ protected:
 		return TShaderMapRef<FTestTintCS>(GetGlobalShaderMap(GMaxRHIFeatureLevel), bUseView ? 1 : 0);
 	}
 
+	static std::string TintText() { return GetShaderFingerprint(Tint(false)); }
+
 	void Run(bool bUseView)
 	{
 		FBoundShader Bound;
@@ -199,7 +201,7 @@ TEST_F(FShaderExecution, MismatchThrowsTheMessageWithTheUsfLine)
 
 TEST_F(FShaderExecution, NativeKernelStandsInUnlessSwitchedOff)
 {
-	const FNativeKernelRegistrar Registrar(FTestTintCS::GetStaticType(), &RunNativeTint);
+	const FNativeKernelRegistrar Registrar(FTestTintCS::GetStaticType(), &RunNativeTint, TintText().c_str());
 	IConsoleVariable* const Switch = IConsoleManager::Get().FindConsoleVariable(TEXT("r.Drydock.NativeKernels"));
 	Run(false);
 	EXPECT_EQ(FLinearColor(102.0f, 1.0f, 0.0f, 0.0f), Output->ReadTexel(0, 0));
@@ -212,15 +214,28 @@ TEST_F(FShaderExecution, NativeKernelStandsInUnlessSwitchedOff)
 TEST_F(FShaderExecution, NativeKernelsGoWithTheirRegistrar)
 {
 	{
-		const FNativeKernelRegistrar Registrar(FTestTintCS::GetStaticType(), &RunNativeTint);
-		EXPECT_EQ(&RunNativeTint, FindNativeKernel(FTestTintCS::GetStaticType()));
+		const FNativeKernelRegistrar Registrar(FTestTintCS::GetStaticType(), &RunNativeTint, TintText().c_str());
+		EXPECT_EQ(ENativeChoice::Native, FindNativeKernel(Tint(false)));
 	}
-	EXPECT_EQ(nullptr, FindNativeKernel(FTestTintCS::GetStaticType()));
+	EXPECT_EQ(ENativeChoice::Shader, FindNativeKernel(Tint(false)));
+}
+
+TEST_F(FShaderExecution, NativeKernelLeavesAnotherTextToTheShader)
+{
+	const FNativeKernelRegistrar Registrar(FTestTintCS::GetStaticType(), &RunNativeTint, "0123456789abcdef");
+	Run(false);
+	EXPECT_EQ(FLinearColor(0.0f, 0.0f, 0.0f, 0.0f), Output->ReadTexel(0, 0));
+	EXPECT_EQ(ENativeChoice::Edited, FindNativeKernel(Tint(false)));
+	const FScopedNativeKernelsForAnyText AnyText;
+	Run(false);
+	EXPECT_EQ(FLinearColor(102.0f, 1.0f, 0.0f, 0.0f), Output->ReadTexel(0, 0));
+	ASSERT_EQ(1u, AnyText.GetStoodIn().size());
+	EXPECT_EQ(TintText(), AnyText.GetStoodIn()[0].Fingerprint);
 }
 
 TEST_F(FShaderExecution, DoublePrecisionRunsTheUsf)
 {
-	const FNativeKernelRegistrar Registrar(FTestTintCS::GetStaticType(), &RunNativeTint);
+	const FNativeKernelRegistrar Registrar(FTestTintCS::GetStaticType(), &RunNativeTint, TintText().c_str());
 	IConsoleVariable* const Precision = IConsoleManager::Get().FindConsoleVariable(TEXT("r.Drydock.Precision"));
 	Precision->Set(1);
 	Run(false);

@@ -35,7 +35,7 @@ TEST(Dump, ListsPassesWithShadersReadsAndWrites)
 	EXPECT_THAT(Text, HasSubstr("graph Frame: 2 passes run, 1 culled"));
 	EXPECT_THAT(Text,
 		HasSubstr(
-			"   1  Down\n        shader   FCopyRectPS (CopyRectPS)\n        reads    Scene\n        writes   Half\n"));
+			"   1  Down\n        shader   FCopyRectPS (CopyRectPS), runs as shader\n        reads    Scene\n        writes   Half\n"));
 }
 
 TEST(Dump, ListsResourcesWithTheirPasses)
