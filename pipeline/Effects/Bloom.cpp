@@ -34,12 +34,14 @@ FEffectDecision DecideBloom(const FEffect&, const FEffectInputs& Inputs)
 }
 
 /** Why bloom adds nothing: no pixel is bright enough for its threshold. Empty: it may. Only where bloom sees the scene
- * as it came (no effect before it brightens pixels), exposure is a number, and no value is NaN or infinite. Exposed
+ * as it came (no effect before it brightens pixels), exposure is a number, and no value is NaN or infinite, in the file
+ * or as it is stored: of a value that leaves the half's range the setup pass reads infinity. Exposed
  * luminance is at most that of the brightest component; a tenth more covers what formats and filters round. The setup
  * pass then gives 0 everywhere, and so does every sum of it. */
 std::string FindNothingBright(const FGateInputs& Gate, std::optional<double> Brightest)
 {
 	constexpr double Rounding = 1.1;
+	constexpr double MaxHalf = 65504.0;
 	const FEffectInputs& Inputs = Gate.Inputs;
 	const double Threshold = static_cast<double>(Inputs.Settings.BloomThreshold);
 	if (!Brightest || !(Threshold >= 0.0) || Inputs.Conditions.bAutoExposure || Inputs.Settings.BloomMethod == BM_FFT)
@@ -49,7 +51,8 @@ std::string FindNothingBright(const FGateInputs& Gate, std::optional<double> Bri
 	const double Exposed = *Brightest * static_cast<double>(Inputs.Conditions.ExposureScale);
 	const bool bBrightened = std::any_of(Gate.Decided.begin(), Gate.Decided.end(),
 		[](const FEffectDecision& Effect) { return Effect.bActive && *Effect.Effect->bMayBrightenBeforeBloom; });
-	if (!(Exposed * Rounding <= Threshold) || bBrightened)
+	const bool bStoredFinite = *Brightest * static_cast<double>(Inputs.Conditions.PreExposure) <= MaxHalf;
+	if (!(Exposed * Rounding <= Threshold) || bBrightened || !bStoredFinite)
 	{
 		return "";
 	}

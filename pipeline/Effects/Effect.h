@@ -81,6 +81,7 @@ struct FViewConditions
 	bool bSeparateTranslucency = false;     // the scene has it; known once its textures are registered
 	bool bAutoExposure = false;             // asked for: see IsAutoExposureActive (Exposure.h)
 	float ExposureScale = 1.0f;             // final; of an automatic exposure once the frame has run
+	float PreExposure = 1.0f;               // that colours are stored with
 	double ScreenPercentage = 100.0;        // of the config, whatever the show flag says
 	std::vector<std::string> NamedSettings; // by a volume, the camera or --pp, sorted
 	bool bNoSkip = false;                   // neutral values are no reason not to run

@@ -30,6 +30,13 @@ std::string AsPrintedText()
 								: "; as printed: one id for each half-resolution pixel";
 }
 
+/** It brings the setup pass into the graph, and the pass changes every pixel: it has a ramp, or rounds. */
+bool ChangesAll(const FEffectInputs& Inputs)
+{
+	return !(Inputs.Settings.BloomThreshold > -1.0f) &&
+		   (IsToonBloomAsPrinted() || Inputs.Conditions.Engine.bBloomRampWithoutThreshold);
+}
+
 FEffectDecision DecideToonBloom(const FEffect&, const FEffectInputs& Inputs)
 {
 	const int32 Mode = GetToonBloomMode();
@@ -60,7 +67,7 @@ FEffectDecision DecideToonBloom(const FEffect&, const FEffectInputs& Inputs)
 	{
 		Toon.Reason = "BloomToonIntensity is " + NumberText(Factor) + ": the setup pass takes values above -1";
 	}
-	else if (Mode < 0 && Factor == 1.0f && !Inputs.Conditions.bNoSkip)
+	else if (Mode < 0 && Factor == 1.0f && !Inputs.Conditions.bNoSkip && !ChangesAll(Inputs))
 	{
 		Toon.Reason = "BloomToonIntensity is 1, which changes nothing";
 	}
@@ -101,9 +108,7 @@ void GateToonBloom(const FGateInputs& Gate, FEffectDecision& Toon)
 	{
 		return;
 	}
-	const bool bChangesAll = (IsToonBloomAsPrinted() || Gate.Inputs.Conditions.Engine.bBloomRampWithoutThreshold) &&
-							 !(Gate.Inputs.Settings.BloomThreshold > -1.0f);
-	if (HasNone(Gate.Content.Toon) && !bChangesAll)
+	if (HasNone(Gate.Content.Toon) && !ChangesAll(Gate.Inputs))
 	{
 		Skip(Toon, "no pixel of the view is shaded as toon");
 	}

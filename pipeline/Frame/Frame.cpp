@@ -203,6 +203,7 @@ private:
 		const bool bMoved = !IsSameCamera(Camera, Source.Camera);
 		FViewSettings Settings = bMoved && Source.MakeSettings ? Source.MakeSettings(Camera) : Source.Settings;
 		Settings.Engine = Inputs.Engine;
+		Settings.PreExposure = Source.PreExposure;
 		if (!AreSameFlags(Family.EngineShowFlags, Inputs.ShowFlags))
 		{
 			Settings.ShowFlags = Family.EngineShowFlags;

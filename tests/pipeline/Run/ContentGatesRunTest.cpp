@@ -4,12 +4,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "EngineProfile.h"
 #include "pipeline/EffectTestUtils.h"
 #include "Run/Explain.h"
 #include "Run/Run.h"
 #include "SameBits.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <random>
 #include <unistd.h>
@@ -191,6 +195,56 @@ TEST_P(ContentGatesRun, SameBitsOfToonBloomWithoutAThresholdAndByConvolution)
 	Scene.ExpectSameWithoutSkipping(R"("BloomToonIntensity": 0.25)", {});
 	Scene.ExpectSameWithoutSkipping(R"("BloomToonIntensity": 0)", {"r.Drydock.Storage=1"});
 	Scene.ExpectSameWithoutSkipping(R"("BloomToonIntensity": 4, "BloomMethod": "BM_FFT")", {});
+}
+
+// Values that are called neutral, and the numbers beside them. Before 5.4 BloomToonIntensity 1 left out a pass with a
+// ramp.
+TEST(NeutralValues, SameBitsUnderEveryProfileAndNoJumpAtTheValue)
+{
+	struct FNeutral
+	{
+		const char* Name;
+		float Value;
+		const char* Others = "";
+		bool bJumps = false; // the engine's own, or negative light that becomes 0
+	};
+	const FNeutral Neutrals[] = {{"BloomToonIntensity", 1.0f, R"(, "BloomThreshold": -1)"},
+		{"BloomToonIntensity", 1.0f, R"(, "BloomThreshold": 0.5)"}, {"BloomToonIntensity", -1.0f, "", true},
+		{"BloomThreshold", -1.0f, R"(, "BloomToonIntensity": 0.5)", true}, {"BloomIntensity", 0.0f},
+		{"LocalExposureHighlightContrastScale", 1.0f, "", true}, {"LocalExposureShadowContrastScale", 1.0f, "", true},
+		{"LocalExposureDetailStrength", 1.0f, "", true}, {"MotionBlurAmount", 0.0f}, {"CharaGlowArea", 0.0f, "", true},
+		{"ToonShadowBlurIntensity", 0.0f, "", true}, {"UnityBloomIntensity", 0.0f, "", true},
+		{"DiffusionFilterIntensity", 0.0f, "", true}, {"SoftFocusBlend", 0.0f, "", true},
+		{"GlowIntensity", 0.0f, "", true}, {"VignetteIntensity", 0.0f}};
+	const FSceneOnDisk Scene({"neutral", {FIntRect(20, 10, 40, 30)}, {FIntRect(20, 10, 40, 30)}, true, 0.5});
+	for (const FEngineProfile& Profile : GetEngineProfiles())
+	{
+		const std::string Engine = R"(, "engine": "5.)" + std::to_string(Profile.Minor) + "\"";
+		for (const FNeutral& Neutral : Neutrals)
+		{
+			std::vector<FImage> Pictures;
+			for (const float Value :
+				{std::nextafter(Neutral.Value, -10.0f), Neutral.Value, std::nextafter(Neutral.Value, 10.0f)})
+			{
+				const std::string Text = fmt::format("\"{}\": {}{}", Neutral.Name, Value, Neutral.Others);
+				SCOPED_TRACE(Text + Engine);
+				Scene.ExpectSameWithoutSkipping(Text, {}, Engine);
+				Pictures.push_back(Scene.Run(Text, {}, false, Engine).Final.ToImage());
+			}
+			for (size_t i = 0; i < Pictures[0].Values.size() && !Neutral.bJumps; ++i)
+			{
+				ASSERT_NEAR(Pictures[0].Values[i], Pictures[1].Values[i], 1.5 / 255) << Neutral.Name << Engine;
+				ASSERT_NEAR(Pictures[1].Values[i], Pictures[2].Values[i], 1.5 / 255) << Neutral.Name << Engine;
+			}
+		}
+	}
+}
+
+TEST(ContentGates, BloomOfWhatIsStoredAsInfinityStays)
+{
+	const FSceneOnDisk Scene({"stored", {}, {}, false, 0.5});
+	Scene.ExpectSameWithoutSkipping(R"("BloomThreshold": 10)", {}, R"(, "view": {"preExposure": 1000000})");
+	EXPECT_FALSE(FindEffect(Scene.Run(R"("BloomThreshold": 10)", {}, false), "Bloom").bActive);
 }
 
 TEST_P(ContentGatesRun, SameBitsOfOneEffectAlone)

@@ -33,9 +33,8 @@ TEST(Dump, ListsPassesWithShadersReadsAndWrites)
 {
 	const std::string Text = DumpText(CompileThree());
 	EXPECT_THAT(Text, HasSubstr("graph Frame: 2 passes run, 1 culled"));
-	EXPECT_THAT(Text,
-		HasSubstr(
-			"   1  Down\n        shader   FCopyRectPS (CopyRectPS), runs as shader\n        reads    Scene\n        writes   Half\n"));
+	EXPECT_THAT(Text, HasSubstr("   1  Down\n        shader   FCopyRectPS (CopyRectPS), runs as shader\n        reads  "
+								"  Scene\n        writes   Half\n"));
 }
 
 TEST(Dump, ListsResourcesWithTheirPasses)
