@@ -27,6 +27,7 @@ namespace Files = std::filesystem;
 constexpr int DefaultEngineMinor = 4;
 constexpr size_t MostErrorLines = 12;
 const std::string ProjectMark = "# Made by drydock build.";
+const std::string LogMark = "Written by drydock build.\n";
 
 [[noreturn]] void Fail(EPluginBuildError Code, const std::string& File, const std::string& Message)
 {
@@ -196,15 +197,29 @@ struct FAttempt
 	std::string Errors; // what the compiler said, as the end of a message
 };
 
+/** What the file says; none where there is no file. Throws where it does not begin with drydock's mark. */
+std::optional<std::string> ReadOwn(const std::string& Path, const std::string& Mark)
+{
+	std::error_code Ignored;
+	std::optional<std::string> Text = TryReadTextFile(Path, MaxBinaryBytes);
+	if (Files::exists(Files::symlink_status(Path, Ignored)) && !(Text && Text->starts_with(Mark)))
+	{
+		throw MakeForeignError(Path, "drydock did not write this");
+	}
+	return Text;
+}
+
 /** Writes the project, configures and builds it. */
 FAttempt Attempt(const FPluginBuild& Build, const std::string& Package, std::vector<std::string>& OutNotes)
 {
 	const std::string Project = Build.BuildFolder + "/CMakeLists.txt";
 	const std::string Text = MakePluginProject(Build, Package);
-	const std::optional<std::string> Before = TryReadTextFile(Project);
-	if (Before && Before->rfind(ProjectMark, 0) != 0)
+	const std::string LogFile = Build.BuildFolder + "/build.log";
+	const std::optional<std::string> Before = ReadOwn(Project, ProjectMark);
+	ReadOwn(LogFile, LogMark);
+	if (!Before)
 	{
-		throw MakeForeignError(Project, "drydock did not write this");
+		ReadOwn(Build.BuildFolder + "/cmake", ProjectMark); // a folder, whose maker the project would name
 	}
 	// As it stands where nothing changed: cmake does not start over then.
 	if (Before != Text)
@@ -220,10 +235,9 @@ FAttempt Attempt(const FPluginBuild& Build, const std::string& Package, std::vec
 	{
 		Configure.push_back("-DCMAKE_CXX_COMPILER=" + Build.Compiler);
 	}
-	const std::string LogFile = Build.BuildFolder + "/build.log";
 	bool bSucceeded = false;
 	const std::string Configured = RunTool(Configure, Build.TimeLimitSeconds, bSucceeded);
-	WriteTextFile(LogFile, Configured);
+	WriteTextFile(LogFile, LogMark + Configured);
 	if (!bSucceeded)
 	{
 		const bool bNoSources = Configured.find("no sources found") != std::string::npos;
@@ -243,7 +257,7 @@ FAttempt Attempt(const FPluginBuild& Build, const std::string& Package, std::vec
 		Compile.push_back(std::to_string(Build.NumJobs));
 	}
 	const std::string Compiled = RunTool(Compile, Build.TimeLimitSeconds, bSucceeded);
-	WriteTextFile(LogFile, Configured + Compiled);
+	WriteTextFile(LogFile, LogMark + Configured + Compiled);
 	return {bSucceeded, bSucceeded ? std::string() : TakeErrors(Compiled, LogFile)};
 }
 

@@ -160,11 +160,11 @@ FFrontEndReply RunCompiler(
 	const FHlslCompiler& Compiler, const std::string& Text, const FShaderCompileRequest& Request, int TimeLimitSeconds)
 {
 	const FTemporaryFolder Folder;
-	const std::string Output = Folder.Path + "/shader.spv";
+	const std::string Output = Folder.Reserve("shader.spv");
 	const std::vector<std::string> Arguments =
 		MakeHlslCompilerArguments(Compiler, Request, Folder.WriteFile("shader.hlsl", Text), Output);
 	FFrontEndReply Reply;
-	Reply.Child = RunChild(Arguments, TimeLimitSeconds, MakeToolEnvironment(Folder.Path));
+	Reply.Child = RunChild(Arguments, TimeLimitSeconds, MakeToolEnvironment(Folder));
 	std::ifstream Stream(Output, std::ios::binary);
 	const std::string Bytes((std::istreambuf_iterator<char>(Stream)), {});
 	Reply.Words.resize(Bytes.size() / 4);

@@ -180,6 +180,20 @@ TEST_F(PluginBuild, AProjectOfSomebodyElsesIsNotReplaced)
 	EXPECT_FALSE(Files::exists(Root / "build/cmake"));
 }
 
+TEST_F(PluginBuild, FilesOfOthersInTheBuildFolderStay)
+{
+	Write("Plugins/Tint/Source/Tint/Private/Tint.cpp", "\n");
+	for (const char* const Name : {"build.log", "cmake/notes.txt"})
+	{
+		Write(std::string("build/") + Name, "mine\n");
+		EXPECT_EQ(ErrorForeignContent, Refuse(Describe()).first) << Name;
+		std::ifstream File(Root / "build" / Name);
+		EXPECT_EQ("mine\n", std::string(std::istreambuf_iterator<char>(File), {}));
+		EXPECT_FALSE(Files::exists(Root / "build/CMakeLists.txt"));
+		Files::remove_all(Root / "build");
+	}
+}
+
 TEST_F(PluginBuild, AnExcludeThatMatchesNothingIsAMistake)
 {
 	Write("Plugins/Tint/Source/Tint/Private/Tint.cpp", "\n");
