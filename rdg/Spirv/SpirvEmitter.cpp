@@ -4,6 +4,7 @@
 #include "SpirvGroups.h"
 #include "SpirvLimits.h"
 #include "SpirvScalarMath.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -89,20 +90,13 @@ void FSpirvEmitter::Line(const std::string& Text)
 	Out += '\n';
 }
 
-std::string FSpirvEmitter::Quotable(std::string File)
-{
-	std::erase_if(File, [](char Character)
-		{ return Character == '"' || Character == '\\' || static_cast<unsigned char>(Character) < ' '; });
-	return File;
-}
-
 void FSpirvEmitter::SourceLine(const FSpirvInstruction& I)
 {
 	if (I.Line && (I.File != LastFile || I.Line != LastLine))
 	{
 		LastFile = I.File;
 		LastLine = I.Line;
-		Body += "#line " + std::to_string(I.Line) + " \"" + Quotable(Module.Files[I.File]) + "\"\n";
+		Body += "#line " + std::to_string(I.Line) + " " + QuoteForCpp(Module.Files[I.File]) + "\n";
 	}
 }
 
