@@ -4,6 +4,7 @@
 #include "ContentHash.h"
 #include "Diagnostics.h"
 #include "InstallPaths.h"
+#include "PrintText.h"
 #include "ShaderCacheLock.h"
 #include "TemporaryFolder.h"
 #include "TrustedFolder.h"
@@ -47,7 +48,7 @@ void WarnOnce(const FDiagnostic& Diagnostic)
 {
 	if (const std::string Text = Diagnostic.ToString(); IsFirst(Text))
 	{
-		std::fprintf(stderr, "%s\n", Text.c_str());
+		PrintText(stderr, Text + "\n");
 	}
 }
 

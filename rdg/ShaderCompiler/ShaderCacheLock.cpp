@@ -2,6 +2,7 @@
 #include "ShaderCacheLock.h"
 
 #include "Diagnostics.h"
+#include "PrintText.h"
 #include "TimeLimit.h"
 
 #include <algorithm>
@@ -49,7 +50,7 @@ void Warn(const std::string& Path, pid_t Holder, const std::string& What)
 	const std::string Who = Holder ? "process " + std::to_string(Holder) : std::string("another process");
 	const FDiagnostic Diagnostic = {ESeverity::Warning, 6052,
 		Who + " holds this lock of the shader cache: " + What + " (DRYDOCK_LOCK_SECONDS)", Path, 0, 0, {}};
-	std::fprintf(stderr, "%s\n", Diagnostic.ToString().c_str());
+	PrintText(stderr, Diagnostic.ToString() + "\n");
 }
 
 /** Whether it was locked in time. */
