@@ -4,6 +4,8 @@
 #include "ChildProcess.h"
 #include "Diagnostics.h"
 #include "InstallPaths.h"
+#include "Patch/PatchErrors.h"
+#include "Patch/PatchName.h"
 #include "Patch/PluginBuildErrors.h"
 #include "Text/OutputFolder.h"
 #include "Text/TextFile.h"
@@ -240,8 +242,10 @@ FAttempt Attempt(const FPluginBuild& Build, const std::string& Package, std::vec
 	WriteTextFile(LogFile, LogMark + Configured);
 	if (!bSucceeded)
 	{
-		const bool bNoSources = Configured.find("no sources found") != std::string::npos;
-		Fail(bNoSources ? ErrorNoPlugin : ErrorPluginNotConfigured, Build.Folder, TakeRefusal(Configured, LogFile));
+		const std::string Refusal = TakeRefusal(Configured, LogFile);
+		const bool bNoPlugin = Refusal.find("no sources found") != std::string::npos ||
+							   Refusal.find("that CMake takes for its own") != std::string::npos;
+		Fail(bNoPlugin ? ErrorNoPlugin : ErrorPluginNotConfigured, Build.Folder, Refusal);
 	}
 	const std::string Prefix = "-- " + Build.Name + ": ";
 	for (const std::string& Line : SplitLines(Configured))
@@ -313,6 +317,35 @@ std::string MakePluginProject(const FPluginBuild& Build, const std::string& Pack
 		   Build.Name + " PUBLIC ENGINE_MINOR_VERSION=" + std::to_string(Build.EngineMinor) + ")\n";
 }
 
+namespace
+{
+
+/** Throws where a path holds what ends a text of CMake's, parts a list, is replaced or stands for other names. */
+void RequirePlainPath(const std::string& Path)
+{
+	for (const std::string_view Text : {"\\", ";", "\"", "[", "]", "*", "?", "|", "\n", "${", "$<"})
+	{
+		if (Path.find(Text) != std::string::npos)
+		{
+			Fail(ErrorNoPlugin, Path,
+				"the path holds " + (Text == "\n" ? "a line break" : std::string(Text)) +
+					", which CMake takes for its own: move the folder, or name another one");
+		}
+	}
+}
+
+void RequireName(const std::string& Name)
+{
+	const std::string Why = ExplainBadPatchName(Name, {});
+	if (!Why.empty())
+	{
+		throw FError(
+			{.Code = ErrorPatchName, .Message = "\"" + Name + "\" cannot be a library's name: " + Why}, ExitUsage);
+	}
+}
+
+} // namespace
+
 FBuiltPlugin BuildPlugin(FPluginBuild Build)
 {
 	const Files::path Folder = Files::absolute(Build.Folder).lexically_normal();
@@ -322,9 +355,14 @@ FBuiltPlugin BuildPlugin(FPluginBuild Build)
 		Fail(ErrorNoPlugin, Build.Folder, "is no folder; expected a plugin's, with its .uplugin");
 	}
 	Build.Folder = (Folder.has_filename() ? Folder : Folder.parent_path()).string();
+	RequirePlainPath(Build.Folder);
 	if (Build.Name.empty())
 	{
 		Build.Name = FindPluginName(Build.Folder);
+	}
+	else
+	{
+		RequireName(Build.Name);
 	}
 	if (Build.EngineMinor == 0)
 	{
@@ -335,6 +373,7 @@ FBuiltPlugin BuildPlugin(FPluginBuild Build)
 	{
 		Build.BuildFolder = "build/" + Build.Name;
 	}
+	RequirePlainPath(Files::absolute(Build.BuildFolder).string());
 	const std::string Package = FindPackage();
 	FBuiltPlugin Built;
 	Built.Name = Build.Name;
