@@ -317,11 +317,12 @@ TEST(DebuggedShader, ANameOfAFileIsNoCode)
 								"\tOut[int2(0, 0)] = 1;\n}\n",
 		"Main", EShaderStage::Compute);
 	const FScratchFolder Folder;
-	Folder.Add("Named.spv", RenameFiles(CompileToSpirv(FlattenShader(Source.Request), Source.Request), Name));
+	Folder.Add(
+		"a\n#error injected.spv", RenameFiles(CompileToSpirv(FlattenShader(Source.Request), Source.Request), Name));
 	const size_t NumDirectories = CountShaderDirectories();
 	AddShaderDirectory("/DebuggedShaderTest", Folder.Path.string());
 	FShaderHarness Harness("", "Main", EShaderStage::Compute);
-	Harness.Request.VirtualPath = "/DebuggedShaderTest/Named.spv";
+	Harness.Request.VirtualPath = "/DebuggedShaderTest/a\n#error injected.spv";
 	Harness.Request.GeneratedFiles.clear();
 	Harness.Textures["Out"] = FTestTexture(1, 1);
 	FInspectedShader& Inspected = Harness.Inspect();
@@ -330,6 +331,7 @@ TEST(DebuggedShader, ANameOfAFileIsNoCode)
 	const FDebuggedShader Debugged(Harness.Request, Harness.GetReflection());
 	Debugged.Run(Harness.GetArgs(), {0, 0, 0, 1, 1, 1}, {0, 0, 0}, MaxSteps);
 	EXPECT_EQ(1.0f, Harness.Textures["Out"].Texel(0, 0)[0]);
+	Harness.Run(4, 1, 1); // the kernel
 	ForgetShaderDirectories(NumDirectories);
 }
 
