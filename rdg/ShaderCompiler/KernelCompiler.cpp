@@ -6,6 +6,7 @@
 #include "Diagnostics.h"
 #include "InstallPaths.h"
 #include "LanesDispatch.h"
+#include "RegularFile.h"
 #include "TimeLimit.h"
 #include "ToolFault.h"
 
@@ -310,6 +311,15 @@ std::string Compile(const std::string& Cpp, const FTemporaryFolder& Folder, cons
 	if (!Child.Succeeded())
 	{
 		throw ExplainFailure(Child, TimeLimitSeconds, Cpp, Folder, Request);
+	}
+	const FRegularFile Written(Output);
+	if (!Written.GetProblem().empty() || Written.GetSize() == 0)
+	{
+		Folder.CheckSpace();
+		throw MakeError(6031,
+			"cannot compile '" + Request.EntryPoint + "': " + Compiler +
+				" ended well and wrote no kernel; is it a C++ compiler?",
+			Request);
 	}
 	return Output;
 }

@@ -2,6 +2,7 @@
 // and waits for nobody.
 #include <gtest/gtest.h>
 
+#include "Picture/ExrWriter.h"
 #include "Program/ProgramOutput.h"
 #include "RHITexture.h"
 
@@ -215,6 +216,38 @@ TEST_F(HostileFiles, TextOfStrangersDoesNotSteerATerminal)
 	}
 	EXPECT_NE(std::string::npos, Call("check key.json").Err.find("at /\\u001b]0;owned\\u0007\\u001b[2J\\u009b1m"));
 	EXPECT_NE(std::string::npos, Call("blend volume.json").Out.find("\\u001b]0;owned"));
+}
+
+TEST_F(HostileFiles, APictureThatNoTextureHoldsIsRefusedAtItsHeader)
+{
+	for (const int Width : {16384, 16385})
+	{
+		Drydock::WriteExrPlanes((Folder / "wide.exr").string(), Width, 1,
+			std::vector(3, std::vector<float>(static_cast<size_t>(Width), 0.5f)), {"R", "G", "B"}, {});
+		Write("wide.json", R"({"scene": {"file": "wide.exr"}})");
+		for (const char* const Arguments :
+			{"check wide.json", "run wide.json --out out", "import wide.exr --out scene.exr"})
+		{
+			const FOutcome Outcome = Call(Arguments);
+			if (Width == 16384)
+			{
+				EXPECT_EQ(0, Outcome.ExitCode) << Arguments << Outcome.Err;
+				continue;
+			}
+			ExpectRefused(
+				Outcome, {"wide.exr: error DD5005: ", "says 16385 x 1 pixels; the largest frame is 16384 a side"});
+		}
+		Files::remove_all(Folder / "out");
+		Files::remove(Folder / "scene.exr");
+		Files::remove(Folder / "scene.json");
+	}
+}
+
+TEST_F(HostileFiles, AFileBeyondTheLimitIsAnErrorOfWriting)
+{
+	const std::string Run = "run '" + Configs + "neutral.json' --read-only-cache --out out";
+	ExpectRefused(Call(Run, "ulimit -f 16;"), {"error DD5004", "File too large"});
+	EXPECT_FALSE(Files::exists(Folder / "out"));
 }
 
 /** The number of a closed stream is given to the next file that is opened, and gets what is printed. */

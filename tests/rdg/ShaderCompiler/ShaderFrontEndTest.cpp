@@ -187,6 +187,17 @@ TEST(ShaderRefusals, GroupsLargerThanDirect3DsAreNamed)
 		HasSubstr("numthreads(64, 32, 1)"));
 }
 
+TEST(ShaderRefusals, GroupsOfNegativeSizesAreNamed)
+{
+	for (const char* const Sizes : {"-1, 1, 1", "1, -2, 1", "1, 1, -1"})
+	{
+		EXPECT_THAT(ErrorsOf("[numthreads(" + std::string(Sizes) +
+							 ")] void Main(uint3 Id : SV_DispatchThreadID) { Out[Id.xy] = 1; }\n"),
+			HasSubstr("[numthreads] of 'Main' has a negative number"))
+			<< Sizes;
+	}
+}
+
 TEST(RunChild, GivesOutputAndExitCode)
 {
 	const FChildResult Result = RunChild({"/bin/sh", "-c", "echo out; echo err >&2; exit 3"}, 10);

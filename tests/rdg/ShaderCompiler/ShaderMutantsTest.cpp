@@ -351,7 +351,13 @@ TEST(FrontEndFaults, EndlessOutputIsEnded)
 
 TEST(FrontEndFaults, SuccessWithoutAModuleIsAMessage)
 {
-	const FFakeFrontEnd Fake("exit 0");
-	FShaderHarness Harness("// no module\n[numthreads(1, 1, 1)] void Main() {}\n", "Main", EShaderStage::Compute);
-	EXPECT_THAT(ErrorOf([&Harness] { ReflectShader(Harness.Request); }), HasSubstr("SPIR-V: not a module"));
+	for (const auto& [Script, Message] :
+		{std::pair("exit 0", "DD6012: glslangValidator has written nothing that can be read for 'Main': No such file"),
+			std::pair("while [ \"$1\" != -o ]; do shift; done; echo 'twenty bytes and no module' >\"$2\"",
+				"SPIR-V: not a module")})
+	{
+		const FFakeFrontEnd Fake(Script);
+		FShaderHarness Harness("// no module\n[numthreads(1, 1, 1)] void Main() {}\n", "Main", EShaderStage::Compute);
+		EXPECT_THAT(ErrorOf([&Harness] { ReflectShader(Harness.Request); }), HasSubstr(Message));
+	}
 }
