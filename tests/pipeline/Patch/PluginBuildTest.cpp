@@ -124,6 +124,15 @@ IMPLEMENT_MODULE(FDefaultModuleImpl, Tint)
 	EXPECT_EQ((Root / "Plugins").string() + "/", reinterpret_cast<const char* (*)()>(dlsym(Library, "TintFolder"))());
 	dlclose(Library);
 	EXPECT_FALSE(Files::exists(Root / "Plugins/Tint/build"));
+
+	// Headers that are no longer made go, and no others.
+	const Files::path Absent = Root / "build/cmake/Tint.generated/absent";
+	EXPECT_TRUE(Files::exists(Absent / "CompGeom/Delaunay2.h"));
+	std::ofstream(Absent / "mine.h") << "mine";
+	Write("Plugins/Tint/Source/Tint/Private/Tint.cpp", "#include \"tintactor.h\"\n");
+	BuildPlugin(Build);
+	EXPECT_FALSE(Files::exists(Absent / "CompGeom/Delaunay2.h"));
+	EXPECT_TRUE(Files::exists(Absent / "mine.h"));
 }
 
 // Its generated header comes with it.

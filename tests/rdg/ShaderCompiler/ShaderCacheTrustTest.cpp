@@ -198,6 +198,26 @@ TEST_F(FCacheTrust, LeftoversOfTheDeadGoWithTheNextRun)
 	EXPECT_EQ(1, std::distance(fs::directory_iterator(Cache), {}));
 }
 
+TEST_F(FCacheTrust, FilesOfTheLocksNamesThatAreNoLocksStay)
+{
+	fs::create_directories(Cache / "locks");
+	const auto GetName = [this](unsigned Number)
+	{
+		char Name[8];
+		std::snprintf(Name, sizeof(Name), "%02x", Number);
+		return Cache / "locks" / Name;
+	};
+	for (unsigned Number = 0; Number < 256; ++Number)
+	{
+		std::ofstream(GetName(Number)) << "mine";
+	}
+	EXPECT_EQ(25.0f, RunCacheShader("25").Value);
+	for (unsigned Number = 0; Number < 256; ++Number)
+	{
+		EXPECT_EQ("mine", ReadBytes(GetName(Number)));
+	}
+}
+
 TEST_F(FCacheTrust, ALockThatIsNeverGivenBackIsSaidAndLeft)
 {
 	ASSERT_TRUE(fs::create_directory(Cache));
