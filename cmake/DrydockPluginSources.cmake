@@ -19,22 +19,23 @@ set(_DrydockToolHeaders
 	"^(Slate(Basics|Extras|Core|Fwd|OptMacros|Style|StyleRegistry)|KismetCompiler[A-Za-z]*|K2Node[A-Za-z_]*)[.]h$")
 
 # Ends where a file of the plugin in Folder that is read here or by the compiler is none (a pipe, a device, a link to one)
-# or has more than 16 MB, or where a name holds what CMake takes for its own.
+# or has more than 16 MB, or where its path holds what CMake takes for its own.
 function(_drydock_require_files Name Folder)
 	string(ASCII 10 NewLine)
-	execute_process(COMMAND find "${Folder}" -mindepth 1 "(" -name Intermediate -o -name Binaries -o -name Saved -o -name DerivedDataCache ")" -prune
-			-o "(" -name "*[;\"\\\\]*" -o -name "*${NewLine}*" -o -name "*[$][<{]*" -o -name "*[[*?|]*" -o -name "*]*" ")" -print -quit
+	set(Kinds "")
+	foreach(Kind IN ITEMS uplugin uproject Build.cs h hpp inl cpp usf ush)
+		list(APPEND Kinds -o -name "*.${Kind}")
+	endforeach()
+	list(POP_FRONT Kinds)
+	set(Find find "${Folder}" -mindepth 1 "(" -name Intermediate -o -name Binaries -o -name Saved -o -name DerivedDataCache
+		")" -prune -o "(" ${Kinds} ")")
+	execute_process(COMMAND ${Find} "(" -path "*[]*?|\"\\\\]*" -o -path "*[[]*" -o -path "*\;*" -o -path "*${NewLine}*"
+			-o -path "*[$][<{]*" ")" -print -quit
 		OUTPUT_VARIABLE Odd OUTPUT_STRIP_TRAILING_WHITESPACE)
 	if(NOT Odd STREQUAL "")
-		message(FATAL_ERROR "drydock_add_plugin(${Name}): a name holds a character that CMake takes for its own: ${Odd}")
+		message(FATAL_ERROR "drydock_add_plugin(${Name}): a path holds a character that CMake takes for its own: ${Odd}")
 	endif()
-	set(Wanted "")
-	foreach(Kind IN ITEMS uplugin uproject Build.cs h hpp inl cpp usf ush)
-		list(APPEND Wanted -o -name "*.${Kind}")
-	endforeach()
-	list(POP_FRONT Wanted)
-	execute_process(COMMAND find "${Folder}" -mindepth 1 "(" -name Intermediate -o -name Binaries -o -name Saved -o -name DerivedDataCache ")" -prune
-			-o "(" ${Wanted} ")" -exec sh -c "find -L \"$@\" -maxdepth 0 \\( ! -type f -o -size +16384k \\)" sh "{}" +
+	execute_process(COMMAND ${Find} -exec sh -c "find -L \"$@\" -maxdepth 0 \\( ! -type f -o -size +16384k \\)" sh "{}" +
 		OUTPUT_VARIABLE Odd OUTPUT_STRIP_TRAILING_WHITESPACE)
 	if(NOT Odd STREQUAL "")
 		message(FATAL_ERROR "drydock_add_plugin(${Name}): only files of at most 16 MB are read: ${Odd}")
