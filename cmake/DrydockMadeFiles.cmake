@@ -1,10 +1,14 @@
-# Folders whose files are all made when CMake configures.
+# Folders whose files are made when CMake configures.
 
-# Removes every file below Folder that is none of the files named after it: what was made earlier and no more.
+# Removes every file below Folder that is none of the files named after it and begins as they do: what was made earlier
+# and no more.
 function(_drydock_remove_files_no_longer_made Folder)
 	file(GLOB_RECURSE Present "${Folder}/*")
 	list(REMOVE_ITEM Present ${ARGN})
-	if(Present)
-		file(REMOVE ${Present})
-	endif()
+	foreach(File IN LISTS Present)
+		file(READ "${File}" Head LIMIT 80)
+		if(Head MATCHES "^// (Made by drydock_add_plugin|The engine's name for what lies elsewhere in drydock)[:.]")
+			file(REMOVE "${File}")
+		endif()
+	endforeach()
 endfunction()

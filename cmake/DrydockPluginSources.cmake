@@ -18,6 +18,30 @@ set(_DrydockToolHeaders
 	"^(AssetTypeCategories|ContentBrowser[A-Za-z]*|IContentBrowserSingleton|ISettings(Module|Section|Container))[.]h$"
 	"^(Slate(Basics|Extras|Core|Fwd|OptMacros|Style|StyleRegistry)|KismetCompiler[A-Za-z]*|K2Node[A-Za-z_]*)[.]h$")
 
+# Ends where a file of the plugin in Folder that is read here or by the compiler is none (a pipe, a device, a link to one)
+# or has more than 16 MB, or where its path holds what CMake takes for its own.
+function(_drydock_require_files Name Folder)
+	string(ASCII 10 NewLine)
+	set(Kinds "")
+	foreach(Kind IN ITEMS uplugin uproject Build.cs h hpp inl cpp usf ush)
+		list(APPEND Kinds -o -name "*.${Kind}")
+	endforeach()
+	list(POP_FRONT Kinds)
+	set(Find find "${Folder}" -mindepth 1 "(" -name Intermediate -o -name Binaries -o -name Saved -o -name DerivedDataCache
+		")" -prune -o "(" ${Kinds} ")")
+	execute_process(COMMAND ${Find} "(" -path "*[]*?|\"\\\\]*" -o -path "*[[]*" -o -path "*\;*" -o -path "*${NewLine}*"
+			-o -path "*[$][<{]*" ")" -print -quit
+		OUTPUT_VARIABLE Odd OUTPUT_STRIP_TRAILING_WHITESPACE)
+	if(NOT Odd STREQUAL "")
+		message(FATAL_ERROR "drydock_add_plugin(${Name}): a path holds a character that CMake takes for its own: ${Odd}")
+	endif()
+	execute_process(COMMAND ${Find} -exec sh -c "find -L \"$@\" -maxdepth 0 \\( ! -type f -o -size +16384k \\)" sh "{}" +
+		OUTPUT_VARIABLE Odd OUTPUT_STRIP_TRAILING_WHITESPACE)
+	if(NOT Odd STREQUAL "")
+		message(FATAL_ERROR "drydock_add_plugin(${Name}): only files of at most 16 MB are read: ${Odd}")
+	endif()
+endfunction()
+
 # The names that File includes where no editor is built, as a list.
 function(_drydock_read_includes File OutIncludes)
 	file(STRINGS "${File}" Lines REGEX "^[ \t]*#[ \t]*(if|ifdef|ifndef|elif|else|endif|include)")
@@ -92,7 +116,7 @@ function(_drydock_is_excluded File Folder Patterns OutVariable)
 	cmake_path(GET Path FILENAME FileName)
 	foreach(Pattern IN LISTS Patterns)
 		string(REGEX REPLACE "([][+.^$()|\\])" "\\\\\\1" Regex "${Pattern}")
-		string(REPLACE "*" ".*" Regex "${Regex}")
+		string(REGEX REPLACE "[*]+" ".*" Regex "${Regex}")
 		string(REPLACE "?" "." Regex "${Regex}")
 		if(Path MATCHES "^${Regex}(/|$)" OR FileName MATCHES "^${Regex}$" OR Path MATCHES "^(.*/)?Source/${Regex}/")
 			set(${OutVariable} "${Pattern}" PARENT_SCOPE)
@@ -106,8 +130,9 @@ endfunction()
 function(_drydock_glob_plugin Folder OutFiles)
 	set(Globs ${ARGN})
 	list(TRANSFORM Globs PREPEND "${Folder}/")
-	file(GLOB_RECURSE Files CONFIGURE_DEPENDS ${Globs})
-	list(FILTER Files EXCLUDE REGEX "^${Folder}/(.*/)?(Intermediate|Binaries|Saved|DerivedDataCache)/")
+	file(GLOB_RECURSE Files RELATIVE "${Folder}" CONFIGURE_DEPENDS ${Globs})
+	list(FILTER Files EXCLUDE REGEX "^(.*/)?(Intermediate|Binaries|Saved|DerivedDataCache)/")
+	list(TRANSFORM Files PREPEND "${Folder}/")
 	set(${OutFiles} "${Files}" PARENT_SCOPE)
 endfunction()
 
@@ -163,6 +188,10 @@ function(_drydock_read_build_file ModuleFolder PluginFolder OutFolders OutDefini
 		string(REGEX MATCHALL "(Public|Private)Definitions[.]Add\\([ \t\r\n]*\"[^\"]*\"" Added "${Text}")
 		foreach(Definition IN LISTS Added)
 			string(REGEX REPLACE "^[^\"]*\"([^\"]*)\"$" "\\1" Definition "${Definition}")
+			if(Definition MATCHES "[$]<")
+				message(FATAL_ERROR "drydock_add_plugin: a definition in ${BuildFile} holds a character that CMake takes for "
+					"its own: ${Definition}")
+			endif()
 			list(APPEND Definitions "${Definition}")
 		endforeach()
 		string(REGEX MATCHALL "\"[^\"\n]+\"" Texts "${Text}")

@@ -2,6 +2,7 @@
 #include "Blend/BlendReport.h"
 
 #include "HAL/IConsoleManager.h"
+#include "PrintText.h"
 #include "SettingObjects.h"
 #include "Text/ConfigErrors.h"
 #include "Text/Fmt.inl"
@@ -72,7 +73,14 @@ public:
 	{
 	}
 
-	void Add(FRow Row) { Rows.push_back(std::move(Row)); }
+	void Add(FRow Row)
+	{
+		for (std::string& Cell : Row.Cells)
+		{
+			Cell = MakePrintable(Cell, false);
+		}
+		Rows.push_back(std::move(Row));
+	}
 
 	std::string Print(bool bColorful) const
 	{

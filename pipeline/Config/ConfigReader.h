@@ -18,6 +18,9 @@ constexpr const char* CommandLineName = "command line";
 /** "; did you mean X?", or nothing. */
 std::string Suggest(const std::string& Name, const std::vector<std::string>& Candidates);
 
+/** Of a config, and of a scene's header. Each holds all settings, some kilobytes. */
+constexpr size_t MaxConfigVolumes = 10'000;
+
 /** Collects messages about one file, as many as AddDiagnostic keeps. */
 class FConfigMessages
 {

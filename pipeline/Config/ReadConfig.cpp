@@ -19,9 +19,6 @@ namespace Drydock
 namespace
 {
 
-/** Each holds all settings, some kilobytes. */
-constexpr size_t MaxVolumes = 10'000;
-
 FConfigVolume ReadVolume(const FJsonValue& Value, FConfigMessages& Messages)
 {
 	FConfigVolume Volume;
@@ -61,10 +58,10 @@ void ReadVolumes(const FJsonValue& Root, FConfig& Config, FConfigMessages& Messa
 				{
 					continue;
 				}
-				if (Config.Volumes.size() == MaxVolumes)
+				if (Config.Volumes.size() == MaxConfigVolumes)
 				{
-					Messages.Error(
-						ErrorBadValue, Value, "more than " + std::to_string(MaxVolumes) + " volumes; no more are read");
+					Messages.Error(ErrorBadValue, Value,
+						"more than " + std::to_string(MaxConfigVolumes) + " volumes; no more are read");
 					break;
 				}
 				Config.Volumes.push_back(ReadVolume(Value, Messages));

@@ -4,6 +4,7 @@
 #include "EngineProfile.h"
 #include "FinalPostProcessSettings.h"
 #include "Frame/Frame.h"
+#include "PrintText.h"
 #include "RenderGraphBuilder.h"
 #include "RenderTargetPool.h"
 #include "Text/ConfigErrors.h"
@@ -145,7 +146,7 @@ FFrameOutput RenderFrame(const FFrameDesc& Desc)
 	const FFrameResult Result = RenderViewFamily(Inputs);
 	for (const FDiagnostic& Diagnostic : Result.Log.Diagnostics)
 	{
-		std::fprintf(stderr, "%s\n", Diagnostic.ToString().c_str());
+		PrintText(stderr, Diagnostic.ToString() + "\n");
 	}
 
 	FFrameOutput Output;

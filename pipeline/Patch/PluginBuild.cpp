@@ -4,6 +4,8 @@
 #include "ChildProcess.h"
 #include "Diagnostics.h"
 #include "InstallPaths.h"
+#include "Patch/PatchErrors.h"
+#include "Patch/PatchName.h"
 #include "Patch/PluginBuildErrors.h"
 #include "Text/OutputFolder.h"
 #include "Text/TextFile.h"
@@ -27,6 +29,7 @@ namespace Files = std::filesystem;
 constexpr int DefaultEngineMinor = 4;
 constexpr size_t MostErrorLines = 12;
 const std::string ProjectMark = "# Made by drydock build.";
+const std::string LogMark = "Written by drydock build.\n";
 
 [[noreturn]] void Fail(EPluginBuildError Code, const std::string& File, const std::string& Message)
 {
@@ -196,15 +199,29 @@ struct FAttempt
 	std::string Errors; // what the compiler said, as the end of a message
 };
 
+/** What the file says; none where there is no file. Throws where it does not begin with drydock's mark. */
+std::optional<std::string> ReadOwn(const std::string& Path, const std::string& Mark)
+{
+	std::error_code Ignored;
+	std::optional<std::string> Text = TryReadTextFile(Path, MaxBinaryBytes);
+	if (Files::exists(Files::symlink_status(Path, Ignored)) && !(Text && Text->starts_with(Mark)))
+	{
+		throw MakeForeignError(Path, "drydock did not write this");
+	}
+	return Text;
+}
+
 /** Writes the project, configures and builds it. */
 FAttempt Attempt(const FPluginBuild& Build, const std::string& Package, std::vector<std::string>& OutNotes)
 {
 	const std::string Project = Build.BuildFolder + "/CMakeLists.txt";
 	const std::string Text = MakePluginProject(Build, Package);
-	const std::optional<std::string> Before = TryReadTextFile(Project);
-	if (Before && Before->rfind(ProjectMark, 0) != 0)
+	const std::string LogFile = Build.BuildFolder + "/build.log";
+	const std::optional<std::string> Before = ReadOwn(Project, ProjectMark);
+	ReadOwn(LogFile, LogMark);
+	if (!Before)
 	{
-		throw MakeForeignError(Project, "drydock did not write this");
+		ReadOwn(Build.BuildFolder + "/cmake", ProjectMark); // a folder, whose maker the project would name
 	}
 	// As it stands where nothing changed: cmake does not start over then.
 	if (Before != Text)
@@ -220,14 +237,15 @@ FAttempt Attempt(const FPluginBuild& Build, const std::string& Package, std::vec
 	{
 		Configure.push_back("-DCMAKE_CXX_COMPILER=" + Build.Compiler);
 	}
-	const std::string LogFile = Build.BuildFolder + "/build.log";
 	bool bSucceeded = false;
 	const std::string Configured = RunTool(Configure, Build.TimeLimitSeconds, bSucceeded);
-	WriteTextFile(LogFile, Configured);
+	WriteTextFile(LogFile, LogMark + Configured);
 	if (!bSucceeded)
 	{
-		const bool bNoSources = Configured.find("no sources found") != std::string::npos;
-		Fail(bNoSources ? ErrorNoPlugin : ErrorPluginNotConfigured, Build.Folder, TakeRefusal(Configured, LogFile));
+		const std::string Refusal = TakeRefusal(Configured, LogFile);
+		const bool bNoPlugin = Refusal.find("no sources found") != std::string::npos ||
+							   Refusal.find("that CMake takes for its own") != std::string::npos;
+		Fail(bNoPlugin ? ErrorNoPlugin : ErrorPluginNotConfigured, Build.Folder, Refusal);
 	}
 	const std::string Prefix = "-- " + Build.Name + ": ";
 	for (const std::string& Line : SplitLines(Configured))
@@ -243,7 +261,7 @@ FAttempt Attempt(const FPluginBuild& Build, const std::string& Package, std::vec
 		Compile.push_back(std::to_string(Build.NumJobs));
 	}
 	const std::string Compiled = RunTool(Compile, Build.TimeLimitSeconds, bSucceeded);
-	WriteTextFile(LogFile, Configured + Compiled);
+	WriteTextFile(LogFile, LogMark + Configured + Compiled);
 	return {bSucceeded, bSucceeded ? std::string() : TakeErrors(Compiled, LogFile)};
 }
 
@@ -299,6 +317,35 @@ std::string MakePluginProject(const FPluginBuild& Build, const std::string& Pack
 		   Build.Name + " PUBLIC ENGINE_MINOR_VERSION=" + std::to_string(Build.EngineMinor) + ")\n";
 }
 
+namespace
+{
+
+/** Throws where a path holds what ends a text of CMake's, parts a list, is replaced or stands for other names. */
+void RequirePlainPath(const std::string& Path)
+{
+	for (const std::string_view Text : {"\\", ";", "\"", "[", "]", "*", "?", "|", "\n", "${", "$<"})
+	{
+		if (Path.find(Text) != std::string::npos)
+		{
+			Fail(ErrorNoPlugin, Path,
+				"the path holds " + (Text == "\n" ? "a line break" : std::string(Text)) +
+					", which CMake takes for its own: move the folder, or name another one");
+		}
+	}
+}
+
+void RequireName(const std::string& Name)
+{
+	const std::string Why = ExplainBadPatchName(Name, {});
+	if (!Why.empty())
+	{
+		throw FError(
+			{.Code = ErrorPatchName, .Message = "\"" + Name + "\" cannot be a library's name: " + Why}, ExitUsage);
+	}
+}
+
+} // namespace
+
 FBuiltPlugin BuildPlugin(FPluginBuild Build)
 {
 	const Files::path Folder = Files::absolute(Build.Folder).lexically_normal();
@@ -308,9 +355,14 @@ FBuiltPlugin BuildPlugin(FPluginBuild Build)
 		Fail(ErrorNoPlugin, Build.Folder, "is no folder; expected a plugin's, with its .uplugin");
 	}
 	Build.Folder = (Folder.has_filename() ? Folder : Folder.parent_path()).string();
+	RequirePlainPath(Build.Folder);
 	if (Build.Name.empty())
 	{
 		Build.Name = FindPluginName(Build.Folder);
+	}
+	else
+	{
+		RequireName(Build.Name);
 	}
 	if (Build.EngineMinor == 0)
 	{
@@ -321,6 +373,7 @@ FBuiltPlugin BuildPlugin(FPluginBuild Build)
 	{
 		Build.BuildFolder = "build/" + Build.Name;
 	}
+	RequirePlainPath(Files::absolute(Build.BuildFolder).string());
 	const std::string Package = FindPackage();
 	FBuiltPlugin Built;
 	Built.Name = Build.Name;

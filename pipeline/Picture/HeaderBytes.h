@@ -1,6 +1,7 @@
 // The bytes of an image file for those who look at its header: read in order, from anywhere, and never behind the end.
 #pragma once
 
+#include "RHIDefinitions.h"
 #include "Text/ConfigErrors.h"
 
 #include <cstdint>
@@ -10,8 +11,8 @@
 namespace Drydock
 {
 
-/** No frame is larger. In pixels: along a side, and in all. */
-constexpr int64_t MaxImageSide = 32768;
+/** No frame is larger: a texture holds it. In pixels: along a side, and in all. */
+constexpr int64_t MaxImageSide = GMaxTextureDimensions;
 constexpr int64_t MaxImagePixels = int64_t(1) << 28;
 
 /** Multi-byte numbers are read as they lie in memory, least byte first, unless a name says otherwise. */

@@ -2,6 +2,7 @@
 #include "Program/CommandLine.h"
 
 #include "Diagnostics.h"
+#include "PrintText.h"
 #include "Program/ArgumentParser.h"
 #include "Program/ProgramFailure.h"
 #include "Program/ProgramOutput.h"
@@ -110,7 +111,7 @@ void PrintMessages(const std::vector<FDiagnostic>& Diagnostics)
 {
 	FJsonWriter Writer;
 	WriteMessages(Writer, Diagnostics);
-	std::fputs(Writer.GetText().c_str(), stdout);
+	PrintText(stdout, Writer.GetText());
 	std::fflush(stdout);
 }
 
@@ -118,7 +119,7 @@ int ExplainArguments(
 	const FArgumentParser& Parser, const std::vector<std::string>& Arguments, const std::string& Otherwise)
 {
 	const std::string Mistake = ExplainMistake(Parser.Read(), Arguments, Otherwise);
-	std::fprintf(stderr, "drydock: %s\nTry drydock --help.\n", Mistake.c_str());
+	PrintText(stderr, "drydock: " + Mistake + "\nTry drydock --help.\n");
 	if (std::find(Arguments.begin(), Arguments.end(), "--json") != Arguments.end())
 	{
 		PrintMessages({{.Code = ErrorBadArgument, .Message = Mistake}});
@@ -167,7 +168,7 @@ int CallProgram(const std::vector<std::string>& Arguments)
 {
 	if (Arguments.empty())
 	{
-		std::fprintf(stderr, "drydock: a verb is missing\n\n%s", MakeOverview().c_str());
+		PrintText(stderr, "drydock: a verb is missing\n\n" + MakeOverview());
 		return ExitUsage;
 	}
 	FArgumentParser Program = MakeProgram();
@@ -176,7 +177,7 @@ int CallProgram(const std::vector<std::string>& Arguments)
 	{
 		return ExplainArguments(Program, Arguments, Parsed.Text);
 	}
-	std::fputs(FitLines(Parsed.Text, GetHelpWidth()).c_str(), stdout);
+	PrintText(stdout, FitLines(Parsed.Text, GetHelpWidth()));
 	FlushOutput();
 	return Parsed.ExitCode;
 }

@@ -88,6 +88,7 @@ void CatchEndingSignals()
 	Action.sa_handler = TellThread;
 	Action.sa_flags = SA_RESTART;
 	sigemptyset(&Action.sa_mask);
+	std::signal(SIGXFSZ, SIG_IGN); // a file beyond the limit is an error of writing (EFBIG, DD5004)
 	for (const int Signal : {SIGINT, SIGTERM})
 	{
 		sigaction(Signal, &Action, nullptr);

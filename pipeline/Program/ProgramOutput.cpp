@@ -3,6 +3,7 @@
 
 #include "DiagnosticList.h"
 #include "Effects/Effects.h"
+#include "PrintText.h"
 #include "Program/ProgressBar.h"
 #include "Run/RunJson.h"
 #include "Text/AsideFile.h"
@@ -89,8 +90,9 @@ void PrintDiagnostics(const std::vector<FDiagnostic>& Diagnostics)
 	const bool bColorful = IsColorful(STDERR_FILENO);
 	for (const FDiagnostic& Diagnostic : SummarizeDiagnostics(Diagnostics))
 	{
-		std::fprintf(stderr, "%s%s%s\n", bColorful ? GetColor(Diagnostic.Severity) : "",
-			FitLines(Diagnostic.ToString(), GetTerminalWidth(STDERR_FILENO)).c_str(), bColorful ? "\x1b[0m" : "");
+		std::fputs(bColorful ? GetColor(Diagnostic.Severity) : "", stderr);
+		PrintText(stderr,
+			FitLines(Diagnostic.ToString(), GetTerminalWidth(STDERR_FILENO)) + (bColorful ? "\x1b[0m\n" : "\n"));
 	}
 }
 
@@ -101,7 +103,7 @@ int GetOutputWidth()
 
 void PrintResult(const std::string& Text, bool bJson)
 {
-	std::fputs((bJson ? Text : FitLines(Text, GetOutputWidth())).c_str(), stdout);
+	PrintText(stdout, bJson ? Text : FitLines(Text, GetOutputWidth()));
 }
 
 void FlushOutput()
@@ -136,7 +138,7 @@ void PrintClosingLines(const std::vector<FEffectDecision>& Effects)
 		if (Effect.bConfigured && !Effect.bActive)
 		{
 			const std::string Line = Effect.GetName() + ": " + Effect.Reason + "\n";
-			std::fputs(FitLines(Line, GetTerminalWidth(STDERR_FILENO)).c_str(), stderr);
+			PrintText(stderr, FitLines(Line, GetTerminalWidth(STDERR_FILENO)));
 		}
 	}
 }

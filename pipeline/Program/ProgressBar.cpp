@@ -2,6 +2,7 @@
 #include "Program/ProgressBar.h"
 
 #include "Math/ToInteger.h"
+#include "PrintText.h"
 #include "Text/Fmt.inl"
 #include "Text/Terminal.h"
 #include "Text/TextTable.h"
@@ -13,6 +14,13 @@
 
 namespace Drydock
 {
+
+namespace
+{
+
+constexpr const char* ClearLine = "\r\x1b[2K";
+
+} // namespace
 
 FProgressBar::FProgressBar()
 	: bTerminal(isatty(STDERR_FILENO) != 0)
@@ -32,7 +40,8 @@ void FProgressBar::Show(int Done, int Total, const std::string& What)
 	// A line that wraps could not be taken back.
 	const std::string Line = fmt::format("[{}] {}/{} {}", Bar, Done, Total, What);
 	const size_t Columns = static_cast<size_t>(GetTerminalWidth(STDERR_FILENO));
-	std::fprintf(stderr, "\r\x1b[2K%s", ShortenMiddle(Line, Columns - 1).c_str());
+	std::fputs(ClearLine, stderr);
+	PrintText(stderr, ShortenMiddle(MakePrintable(Line), Columns - 1));
 	std::fflush(stderr);
 	bShown = true;
 }
@@ -41,7 +50,7 @@ void FProgressBar::Clear()
 {
 	if (bShown)
 	{
-		std::fputs("\r\x1b[2K", stderr);
+		std::fputs(ClearLine, stderr);
 		std::fflush(stderr);
 		bShown = false;
 	}

@@ -2,6 +2,7 @@
 #include "Program/VariableList.h"
 
 #include "Config/ConsoleVariableText.h"
+#include "PrintText.h"
 #include "Program/ProgramOutput.h"
 #include "Run/RunSetup.h"
 
@@ -35,13 +36,13 @@ int PrintVariables(const FRunOptions& Options, const std::string& Filter, bool b
 	const std::vector<FConsoleVariableInfo> Infos = FilterConsoleVariables(All, Filter);
 	if (bJson)
 	{
-		std::fputs(FormatConsoleVariablesAsJson(Infos).c_str(), stdout);
+		PrintText(stdout, FormatConsoleVariablesAsJson(Infos));
 	}
 	else if (Infos.empty())
 	{
 		const std::string Nearest = FindNearestName(Filter, Names);
-		std::fprintf(stderr, "drydock list: no console variable matches \"%s\"%s\n", Filter.c_str(),
-			Nearest.empty() ? "" : ("; did you mean " + Nearest + "?").c_str());
+		PrintText(stderr, "drydock list: no console variable matches \"" + Filter + "\"" +
+							  (Nearest.empty() ? "" : "; did you mean " + Nearest + "?") + "\n");
 	}
 	else
 	{

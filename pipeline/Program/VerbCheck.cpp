@@ -1,4 +1,5 @@
 // `drydock check`: reads and validates a config and its scene's header, compiles its frame and shaders, draws nothing.
+#include "PrintText.h"
 #include "Program/JUnitOption.h"
 #include "Program/ProgramOutput.h"
 #include "Program/VerbOptions.h"
@@ -68,14 +69,14 @@ int Check(const FCheckOptions& Options, FJUnitSuite& Suite)
 	{
 		FJsonWriter Writer;
 		WriteMessages(Writer, Diagnostics);
-		std::fputs(Writer.GetText().c_str(), stdout);
+		PrintText(stdout, Writer.GetText());
 		return ExitCode;
 	}
 	PrintDiagnostics(Diagnostics);
 	PrintClosingLines(Effects);
 	if (ExitCode == ExitDone)
 	{
-		std::printf("%s: no errors\n", Options.Run.ConfigFile.c_str());
+		PrintText(stdout, Options.Run.ConfigFile + ": no errors\n");
 	}
 	return ExitCode;
 }

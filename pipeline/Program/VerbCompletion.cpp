@@ -1,6 +1,7 @@
 // `drydock completion`, `man` and `schema`: print what shells, readers and editors need, made from what the program
 // knows.
 #include "Extensions/PublishedSchema.h"
+#include "PrintText.h"
 #include "Program/CommandLine.h"
 #include "Program/CompletionScript.h"
 #include "Program/ManPage.h"
@@ -25,7 +26,7 @@ FVerbCall AddCompletion(FVerbOptions& Verb)
 	return [Shell]
 	{
 		const FProgramModel Model = MakeProgramModel();
-		std::fputs((*Shell == "bash" ? MakeBashCompletion : MakeZshCompletion)(Model).c_str(), stdout);
+		PrintText(stdout, (*Shell == "bash" ? MakeBashCompletion : MakeZshCompletion)(Model));
 		return ExitDone;
 	};
 }
@@ -34,7 +35,7 @@ FVerbCall AddMan(FVerbOptions&)
 {
 	return []
 	{
-		std::fputs(MakeManPage(MakeProgramModel()).c_str(), stdout);
+		PrintText(stdout, MakeManPage(MakeProgramModel()));
 		return ExitDone;
 	};
 }
@@ -52,7 +53,7 @@ FVerbCall AddSchema(FVerbOptions& Verb)
 			Setup.emplace(*Options);
 			PrintDiagnostics(Setup->Diagnostics);
 		}
-		std::fputs(MakePublishedSchema().c_str(), stdout);
+		PrintText(stdout, MakePublishedSchema());
 		return ExitDone;
 	};
 }

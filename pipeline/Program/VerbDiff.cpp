@@ -1,6 +1,7 @@
 // `drydock diff`: prints how far two images are apart, or two runs picture by picture.
 #include "Picture/ImageMetrics.h"
 #include "Picture/PictureFile.h"
+#include "PrintText.h"
 #include "Program/JUnitOption.h"
 #include "Program/ProgramOutput.h"
 #include "Program/ReportOption.h"
@@ -387,7 +388,7 @@ int Diff(const FDiffOptions& Options, FJUnitSuite& Suite)
 	}
 	if (!bPassed)
 	{
-		std::fprintf(stderr, "the images differ by more than %g\n", *Options.Max);
+		PrintText(stderr, fmt::format("the images differ by more than {:g}\n", *Options.Max));
 	}
 	return bPassed ? ExitDone : ExitPolicy;
 }

@@ -32,7 +32,7 @@ std::string MakeSvg(const std::string& Dot)
 	constexpr int TimeLimitSeconds = 60;
 	const FTemporaryFolder Folder;
 	const std::string Input = Folder.WriteFile("graph.dot", Dot);
-	const std::string Output = Folder.Path + "/graph.svg";
+	const std::string Output = Folder.Reserve("graph.svg");
 	const FChildResult Child = RunChild({"dot", "-Tsvg", Input, "-o", Output}, TimeLimitSeconds);
 	if (!Child.Succeeded())
 	{

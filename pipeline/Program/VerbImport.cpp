@@ -1,5 +1,6 @@
 // `drydock import`: makes a scene and a config of a frame that another program rendered.
 #include "Import/Import.h"
+#include "PrintText.h"
 #include "Program/NumberList.h"
 #include "Program/ProgramOutput.h"
 #include "Program/VerbOptions.h"
@@ -82,11 +83,12 @@ int Import(const FImportOptions& Options)
 	{
 		return ExitDone;
 	}
-	std::printf("\n%s%s\n", Result.Scenes.front().c_str(),
-		Result.Scenes.size() == 1 ? "" : (" and " + std::to_string(Result.Scenes.size() - 1) + " frames more").c_str());
+	const size_t NumMore = Result.Scenes.size() - 1;
+	PrintText(stdout,
+		"\n" + Result.Scenes.front() + (NumMore == 0 ? "" : " and " + std::to_string(NumMore) + " frames more") + "\n");
 	if (!Result.Config.empty())
 	{
-		std::printf("%s: drydock run %s\n", Result.Config.c_str(), Result.Config.c_str());
+		PrintText(stdout, Result.Config + ": drydock run " + Result.Config + "\n");
 	}
 	return ExitDone;
 }

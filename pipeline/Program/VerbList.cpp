@@ -6,6 +6,7 @@
 #include "NativeKernels.h"
 #include "PassCounters.h"
 #include "PostProcessSettingsReflection.h"
+#include "PrintText.h"
 #include "Program/ProgramOutput.h"
 #include "Program/ExtensionList.h"
 #include "Program/VariableList.h"
@@ -167,7 +168,7 @@ void PrintNames(const std::vector<std::string>& Names)
 	{
 		if (Printed.insert(Name).second)
 		{
-			std::puts(Name.c_str());
+			PrintText(stdout, Name + "\n");
 		}
 	}
 }
@@ -210,8 +211,8 @@ int PrintSettings(const FListOptions& Options)
 	if (Fields.empty())
 	{
 		const std::string Nearest = FindNearestName(Options.Filter, GetSettingNames());
-		std::fprintf(stderr, "drydock list: no setting matches \"%s\"%s\n", Options.Filter.c_str(),
-			(Nearest.empty() ? "" : "; did you mean " + Nearest + "?").c_str());
+		PrintText(stderr, "drydock list: no setting matches \"" + Options.Filter + "\"" +
+							  (Nearest.empty() ? "" : "; did you mean " + Nearest + "?") + "\n");
 	}
 	PrintResult(Options.bJson ? FormatSettingsJson(Fields) : FormatSettings(Fields), Options.bJson);
 	return ExitDone;

@@ -3,6 +3,7 @@
 #include "Patch/PatchErrors.h"
 #include "Patch/PatchName.h"
 #include "Patch/PatchTemplate.h"
+#include "PrintText.h"
 #include "Program/ArgumentParser.h"
 #include "Program/Verbs.h"
 #include "Text/JsonWriter.h"
@@ -118,7 +119,7 @@ int MakePatch(const FNewPatchOptions& Options)
 	const std::string Folder = (Files::path(Options.Folder) / Options.Name).string();
 	const std::vector<FPatchFile> Project = MakePatchFiles(Options.Name);
 	WritePatch(Folder, Project);
-	std::fputs((Options.bJson ? MakePatchJson : MakePatchText)(Options, Folder, Project).c_str(), stdout);
+	PrintText(stdout, (Options.bJson ? MakePatchJson : MakePatchText)(Options, Folder, Project));
 	return ExitDone;
 }
 

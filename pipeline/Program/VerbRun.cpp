@@ -2,6 +2,7 @@
 #include "Config/ReadConfig.h"
 #include "Extensions/Plugins.h"
 #include "Inspect/FirstCause.h"
+#include "PrintText.h"
 #include "Program/InspectOptions.h"
 #include "Program/ProgramOutput.h"
 #include "Program/ProgressBar.h"
@@ -115,7 +116,7 @@ int RunOnce(const FRunVerbOptions& Options)
 		Costs.Learn(Result);
 		Costs.Save();
 	}
-	Options.bJson ? (void)std::fputs(Seen.c_str(), stderr) : PrintResult(Seen);
+	Options.bJson ? PrintText(stderr, Seen) : PrintResult(Seen);
 	PrintResult(
 		Options.bJson ? Result.RunJson : MakeRunSummary(Result, Folder, SaveMs, GetOutputWidth()), Options.bJson);
 	if (Report != EReport::Off && !Options.bJson)

@@ -3,6 +3,7 @@
 #include "Config/SettingsJson.h"
 #include "Extensions/Plugins.h"
 #include "PostProcessSettingsReflection.h"
+#include "PrintText.h"
 #include "Program/ProgramOutput.h"
 #include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
@@ -179,7 +180,7 @@ int ImportSettings(const FSettingsImportOptions& Options)
 	}
 	if (Options.bJson)
 	{
-		std::fputs(MakeImportJson(Volumes, Diagnostics).c_str(), stdout);
+		PrintText(stdout, MakeImportJson(Volumes, Diagnostics));
 		return bBroken ? ExitUsage : ExitDone;
 	}
 	PrintDiagnostics(Diagnostics);
@@ -189,7 +190,7 @@ int ImportSettings(const FSettingsImportOptions& Options)
 	}
 	FJsonWriter Writer;
 	WriteVolumes(Writer, Volumes);
-	std::fputs(Writer.GetText().c_str(), stdout);
+	PrintText(stdout, Writer.GetText());
 	return ExitDone;
 }
 
@@ -206,7 +207,7 @@ int ExportSettings(const FSettingsExportOptions& Options)
 	const std::string Text = Options.bStruct ? WriteSettingsText(Volumes[0].Settings, Form, Diagnostics) + "\n"
 											 : WriteVolumesText(Volumes, Form, Diagnostics);
 	PrintDiagnostics(Diagnostics);
-	std::fputs(Text.c_str(), stdout);
+	PrintText(stdout, Text);
 	return ExitDone;
 }
 

@@ -1,5 +1,6 @@
 // `drydock settings plan`: prints every place that an engine patch for one setting touches.
 #include "NewSettingSheet.h"
+#include "PrintText.h"
 #include "Program/ArgumentParser.h"
 #include "Program/Verbs.h"
 #include "Text/ConfigErrors.h"
@@ -74,7 +75,7 @@ int PrintPlan(const FSettingsPlanOptions& Options)
 {
 	const FNewSetting Setting = FindSetting(Options);
 	const std::string Text = Options.bJson ? MakePlanJson(MakeSettingPlan(Setting)) : FormatSettingPlan(Setting);
-	std::fputs(Text.c_str(), stdout);
+	PrintText(stdout, Text);
 	return ExitDone;
 }
 

@@ -8,6 +8,7 @@
 #include "Text/Fmt.inl"
 
 #include "Math/ToInteger.h"
+#include "PrintText.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -118,8 +119,8 @@ int MakeSheet(const FSheetVerbOptions& Options)
 	}
 	const FImage Picture = MakeContactSheet(Tiles, Sheet);
 	WritePicture(Options.OutputFile, Picture);
-	std::printf("%s: %zu %s, %d x %d pixels\n", Options.OutputFile.c_str(), Tiles.size(),
-		Tiles.size() == 1 ? "picture" : "pictures", Picture.Width, Picture.Height);
+	PrintText(stdout, fmt::format("{}: {} {}, {} x {} pixels\n", Options.OutputFile, Tiles.size(),
+						  Tiles.size() == 1 ? "picture" : "pictures", Picture.Width, Picture.Height));
 	return ExitDone;
 }
 

@@ -1,4 +1,5 @@
 // `drydock study`: measures what accuracy costs, by the variants of a config's study.
+#include "PrintText.h"
 #include "Program/JUnitOption.h"
 #include "Program/ProgramOutput.h"
 #include "Program/ProgressBar.h"
@@ -125,7 +126,7 @@ int RunStudy(const FStudyOptions& Options, FJUnitSuite& Suite)
 	PrintDiagnostics(Result.Diagnostics);
 	if (Options.bJson)
 	{
-		std::fputs(MakeStudyJson(Result).c_str(), stdout);
+		PrintText(stdout, MakeStudyJson(Result));
 		return ExitDone;
 	}
 	const double Seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - Begin).count();

@@ -1,5 +1,6 @@
 // `drydock trace`: what a shader did for one pixel, line by line.
 #include "Inspect/TraceCapture.h"
+#include "PrintText.h"
 #include "Program/NumberList.h"
 #include "Program/ProgramOutput.h"
 #include "Program/VerbOptions.h"
@@ -62,7 +63,7 @@ int Trace(FTraceVerbOptions Options)
 	const std::vector<FCapturedTrace>& Traces = Capture.GetTraces();
 	if (Options.bJson)
 	{
-		std::fputs(MakeTraceJson(Traces, Options.Request).c_str(), stdout);
+		PrintText(stdout, MakeTraceJson(Traces, Options.Request));
 		return ExitDone;
 	}
 	for (const FCapturedTrace& Captured : Traces)

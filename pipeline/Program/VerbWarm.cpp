@@ -1,4 +1,5 @@
 // `drydock warm`: compiles the shaders of configs, which the build does so that a first run needs no compiler.
+#include "PrintText.h"
 #include "Program/ArgumentParser.h"
 #include "Program/Verbs.h"
 #include "Run/Run.h"
@@ -35,7 +36,8 @@ int Warm(const FWarmOptions& Options)
 		Run.ConfigFile = Config;
 		Run.bNoPlugins = Options.bNoPlugins;
 		const FRunResult Result = RunConfig(Run);
-		std::fprintf(stderr, "warmed the shaders of %s: %zu passes\n", Config.c_str(), Result.Passes.size());
+		PrintText(
+			stderr, "warmed the shaders of " + Config + ": " + std::to_string(Result.Passes.size()) + " passes\n");
 	}
 	return ExitDone;
 }

@@ -1,6 +1,7 @@
 // Compares what is listed before a run with what is listed after it, so that a change during the run counts.
 #include "Program/WatchLoop.h"
 
+#include "PrintText.h"
 #include "Program/ProgramFailure.h"
 #include "Program/ProgramOutput.h"
 #include "ShaderCompilation.h"
@@ -65,7 +66,7 @@ void RunWatchLoop(const FWatchLoop& Loop)
 		{
 			Before.AddUnknown(ListNow(Loop)); // a plugin's shaders are known once it is loaded
 		}
-		std::fputs("watching; Ctrl+C ends it\n", stderr);
+		PrintText(stderr, "watching; Ctrl+C ends it\n");
 		FWatchedFiles After = ListNow(Loop);
 		while (After == Before)
 		{

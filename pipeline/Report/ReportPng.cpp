@@ -50,7 +50,7 @@ FImage KeepColors(const FImage& Image)
 std::string MakePng(const std::function<void(const std::string& File)>& Write)
 {
 	const FTemporaryFolder Folder;
-	const std::string File = Folder.Path + "/picture.png";
+	const std::string File = Folder.Reserve("picture.png");
 	Write(File);
 	return ReadTextFile(File, "cannot be read", MaxBinaryBytes);
 }

@@ -85,6 +85,12 @@ std::vector<FConfigVolume> ReadSuggestedVolumes(
 	const FJsonValue* Suggested = Root.Find("post_process_volumes");
 	for (size_t Index = 0; Suggested != nullptr && Index < Suggested->Elements.size(); ++Index)
 	{
+		if (Volumes.size() == MaxConfigVolumes)
+		{
+			Messages.Warn(WarnSuggestionLeftOut, Suggested->Elements[Index],
+				"more than " + std::to_string(MaxConfigVolumes) + " volumes; no more are read");
+			break;
+		}
 		Volumes.push_back(ReadSuggestedVolume(Suggested->Elements[Index], Messages));
 	}
 	for (FDiagnostic& Diagnostic : Found)

@@ -57,7 +57,7 @@ FSequenceFolder::FSequenceFolder(const std::string& InPath, int InNumDigits)
 	, List(FFileList::Read(Files::path(InPath) / ListName))
 {
 	RequireOwn();
-	RemoveLeftovers();
+	FAsideFile::RemoveAbandoned(GetFrames(Path), [](const std::string& Name) { return ParseFrame(Name).has_value(); });
 	if (List.Settle(Path))
 	{
 		WriteList();
@@ -86,24 +86,6 @@ void FSequenceFolder::RequireOwn() const
 		{
 			throw MakeForeignError(Folder, "drydock did not write this");
 		}
-	}
-}
-
-void FSequenceFolder::RemoveLeftovers()
-{
-	std::error_code Ignored;
-	std::vector<Files::path> Leftovers;
-	for (const Files::directory_entry& Entry : Files::directory_iterator(GetFrames(Path), Ignored))
-	{
-		const std::optional<Files::path> Target = FAsideFile::FindAbandonedTarget(Entry.path());
-		if (Target && ParseFrame(Target->filename().string()))
-		{
-			Leftovers.push_back(Entry.path());
-		}
-	}
-	for (const Files::path& Leftover : Leftovers)
-	{
-		Files::remove_all(Leftover, Ignored);
 	}
 }
 
@@ -207,7 +189,10 @@ std::string FSequenceFolder::ReadViewState(int Frame) const
 void FSequenceFolder::RemoveViewState(int Frame)
 {
 	std::error_code Ignored;
-	Files::remove(GetViewStatePath(Frame), Ignored);
+	if (ReadFrameList(Frame).Has(ViewStateName))
+	{
+		Files::remove(GetViewStatePath(Frame), Ignored);
+	}
 }
 
 std::string FSequenceFolder::ReadSequenceJson() const

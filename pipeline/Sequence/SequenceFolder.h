@@ -70,7 +70,6 @@ public:
 	const std::string& GetPath() const { return Path; }
 
 private:
-	void RemoveLeftovers();
 	/** Throws where a file or folder is in the way that is on no list. */
 	void RequireOwn() const;
 	void RemoveFrame(int Frame);

@@ -50,13 +50,25 @@ bool IsSameFile(int File, const Files::path& Path)
 		   Opened.st_dev == Named.st_dev;
 }
 
+/** What the file begins with. */
+std::string ReadOwner(int File)
+{
+	char Text[16] = {};
+	const ssize_t Size = pread(File, Text, sizeof(Text), 0);
+	return std::string(Text, Size > 0 ? static_cast<size_t>(Size) : 0);
+}
+
+/** Whether it is what a lock holds. */
+bool IsNumber(const std::string& Owner)
+{
+	return Owner.find_first_not_of("0123456789\n") == std::string::npos;
+}
+
 /** "process 1234", where the file says so. */
 std::string DescribeOwner(int File)
 {
-	char Text[16] = {};
-	const ssize_t Size = pread(File, Text, sizeof(Text) - 1, 0);
-	const std::string Number(Text, Size > 0 ? static_cast<size_t>(Size) : 0);
-	const bool bNumber = !Number.empty() && Number.find_first_not_of("0123456789\n") == std::string::npos;
+	const std::string Number = ReadOwner(File);
+	const bool bNumber = !Number.empty() && IsNumber(Number);
 	return bNumber ? "process " + Number.substr(0, Number.find('\n')) : "another process";
 }
 
@@ -147,6 +159,15 @@ bool FFolderLock::TryLock()
 	{
 		close(Opened); // its owner has ended between the two steps, and the file with it
 		return false;
+	}
+	if (!IsNumber(ReadOwner(Opened)))
+	{
+		close(Opened);
+		throw FError({.Code = ErrorForeignContent,
+						 .Message = "drydock did not write this, and its lock would take its place: move it away, or "
+									"name another folder with --out",
+						 .File = Path.string()},
+			ExitUsage);
 	}
 	const std::string Number = std::to_string(getpid()) + "\n";
 	if (ftruncate(Opened, 0) != 0 ||

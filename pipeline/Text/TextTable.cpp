@@ -1,6 +1,7 @@
 // Shares the width of a terminal among the columns of a table.
 #include "Text/TextTable.h"
 
+#include "PrintText.h"
 #include "Text/Terminal.h"
 
 #include <algorithm>
@@ -189,10 +190,15 @@ std::string FTextTable::Format(int Width, const std::string& Indent) const
 		return "";
 	}
 	FTextTable Table = *this;
+	for (std::vector<std::string>& Row : Table.Rows)
+	{
+		std::transform(
+			Row.begin(), Row.end(), Row.begin(), [](const std::string& Cell) { return MakePrintable(Cell, false); });
+	}
 	std::vector<FWidths> Widths;
 	for (size_t Column = 0; Column < Columns.size(); ++Column)
 	{
-		Widths.push_back(Measure(*this, Column));
+		Widths.push_back(Measure(Table, Column));
 	}
 	std::string LeftOut;
 	if (Width > 0)

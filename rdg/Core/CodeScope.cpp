@@ -6,6 +6,7 @@
 #include "HAL/IConsoleManager.h"
 #include "HAL/Watchdog.h"
 #include "Misc/AssertionMacros.h"
+#include "PrintText.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -39,7 +40,7 @@ void EndForSilence(const FCodeOwner& Owner, double Limit)
 		"the plugin has not come back for " + std::string(Seconds) +
 			" s: does it wait for itself, or loop without end? (r.Drydock.PluginSeconds)",
 		Owner.File, Owner.Line, 0, Owner.Describe()};
-	std::fprintf(stderr, "%s\n", Diagnostic.ToString().c_str());
+	PrintText(stderr, Diagnostic.ToString() + "\n");
 	std::fflush(nullptr);
 	std::_Exit(ExitPlugin);
 }

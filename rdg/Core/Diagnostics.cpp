@@ -1,6 +1,7 @@
 // Writes diagnostics as text, and finds the nearest name to a misspelt one.
 #include "Diagnostics.h"
 
+#include "PrintText.h"
 #include "TextTools.h"
 
 #include <algorithm>
@@ -79,7 +80,7 @@ std::string FDiagnostic::ToString() const
 	std::string Text;
 	if (!File.empty())
 	{
-		Text += File + ":";
+		Text += MakePrintable(File, false) + ":";
 		if (Line > 0)
 		{
 			Text += std::to_string(Line) + ":";
@@ -91,12 +92,12 @@ std::string FDiagnostic::ToString() const
 		Text += " ";
 	}
 	Text += GetSeverityName(Severity);
+	const std::string Said = MakePrintable(Message);
 	// A line of a shader reads as every shader compiler writes it, so that editors and scripts find it.
 	if (Code >= 6000 && Code < 7000 && Line > 0 && Where.empty())
 	{
-		const size_t Sentence = std::min(Message.find('\n'), Message.size()); // lines of source may follow
-		return Text + ": " + Message.substr(0, Sentence) + " [DD" + std::to_string(Code) + "]" +
-			   Message.substr(Sentence);
+		const size_t Sentence = std::min(Said.find('\n'), Said.size()); // lines of source may follow
+		return Text + ": " + Said.substr(0, Sentence) + " [DD" + std::to_string(Code) + "]" + Said.substr(Sentence);
 	}
 	if (Code > 0)
 	{
@@ -104,9 +105,9 @@ std::string FDiagnostic::ToString() const
 	}
 	if (!Where.empty())
 	{
-		Text += " at " + Where;
+		Text += " at " + MakePrintable(Where, false);
 	}
-	return Text + ": " + Message;
+	return Text + ": " + Said;
 }
 
 std::string FindNearestName(const std::string& Name, const std::vector<std::string>& Candidates)

@@ -3,7 +3,6 @@
 
 #include "DrydockAPI.h"
 
-#include <filesystem>
 #include <functional>
 
 namespace Drydock
@@ -21,20 +20,6 @@ public:
 
 private:
 	const int Number;
-};
-
-/** A file or folder, there or not, that goes with its scope, and with the process when that is told to end. */
-class DRYDOCK_API FScratchPath
-{
-public:
-	explicit FScratchPath(std::filesystem::path InPath);
-	~FScratchPath();
-
-	const std::filesystem::path& Get() const { return Path; }
-
-private:
-	const std::filesystem::path Path;
-	const FEndAction Removal;
 };
 
 /** While it lives, DoEndActions waits: for a few steps that belong together. */

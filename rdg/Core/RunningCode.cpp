@@ -1,6 +1,8 @@
 // Keeps for each thread whose code runs on it, and where plugins lie in memory.
 #include "RunningCode.h"
 
+#include "PrintText.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
@@ -78,7 +80,8 @@ std::string FCodeOwner::Describe() const
 {
 	std::string Text = Plugin.empty() ? "" : "plugin " + Plugin;
 	Text += (Text.empty() || Callback.empty() ? "" : ", ") + Callback;
-	return Text + (Text.empty() || Pass.empty() ? "" : ", ") + (Pass.empty() ? "" : "pass " + Pass);
+	return MakePrintable(
+		Text + (Text.empty() || Pass.empty() ? "" : ", ") + (Pass.empty() ? "" : "pass " + Pass), false);
 }
 
 const FCodeOwner* GetRunningCode()

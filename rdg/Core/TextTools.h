@@ -38,6 +38,26 @@ inline std::string Trim(const std::string& Text)
 	return First == std::string::npos ? std::string() : Text.substr(First, Text.find_last_not_of(Blanks) - First + 1);
 }
 
+/** The text between quotes of C++, in one line: every name of a stranger's that stands in code is written by this
+ * alone. Control characters are left out. */
+inline std::string QuoteForCpp(const std::string& Text)
+{
+	std::string Quoted = "\"";
+	for (const char Character : Text)
+	{
+		const unsigned char Code = static_cast<unsigned char>(Character);
+		if (Character == '"' || Character == '\\' || Character == '?') // two of these might begin a trigraph
+		{
+			Quoted += '\\';
+		}
+		if (Code >= ' ' && Code != 0x7f)
+		{
+			Quoted += Character;
+		}
+	}
+	return Quoted + "\"";
+}
+
 /** The shortest text that reads as the number again, in the precision of its type. */
 template<typename T>
 std::string FormatShortest(T Number)

@@ -3,6 +3,7 @@
 #include "RenderGraphBuilder.h"
 
 #include "CodeScope.h"
+#include "PrintText.h"
 #include "RenderGraphExecute.h"
 #include "RenderGraphHeap.h"
 #include "RenderGraphReport.h"
@@ -130,7 +131,7 @@ FRDGBuilder::~FRDGBuilder()
 		const FDiagnostic Diagnostic = AddRunningWords({ESeverity::Error, RDGErrorNotExecuted,
 			"the builder must be executed: FRDGBuilder was destroyed without a call of Execute", {}, 0, 0,
 			"graph " + State->Graph.Name});
-		std::fprintf(stderr, "%s\n", Diagnostic.ToString().c_str());
+		PrintText(stderr, Diagnostic.ToString() + "\n");
 		std::terminate();
 	}
 }

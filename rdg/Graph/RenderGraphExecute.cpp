@@ -2,6 +2,7 @@
 #include "RenderGraphExecute.h"
 
 #include "CodeScope.h"
+#include "PrintText.h"
 #include "RenderGraphAlias.h"
 #include "RenderGraphClobber.h"
 #include "RenderGraphDump.h"
@@ -470,7 +471,7 @@ void FRDGExecutor::LogTransitions(const FRDGCompiledGraph& InCompiled) const
 {
 	if (PassesRDGGraphFilter(InCompiled.Name.c_str()) && ConsumeRDGTransitionLog())
 	{
-		std::fputs(DumpTransitions(InCompiled).c_str(), stderr);
+		PrintText(stderr, DumpTransitions(InCompiled));
 	}
 }
 

@@ -2,6 +2,7 @@
 #include "RenderGraphReport.h"
 
 #include "CoreMinimal.h"
+#include "PrintText.h"
 
 #include <cstdio>
 #include <mutex>
@@ -38,7 +39,7 @@ void ReportRDGWarning(const FDiagnostic& Diagnostic, bool bOnce)
 	std::lock_guard Lock(Mutex);
 	if (Printed.insert(Text).second || !bOnce)
 	{
-		std::fprintf(stderr, "%s\n", Text.c_str());
+		PrintText(stderr, Text + "\n");
 	}
 }
 

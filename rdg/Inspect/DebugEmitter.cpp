@@ -5,6 +5,7 @@
 #include "DebugEmitterImpl.h"
 #include "ShaderDirectories.h"
 #include "SpirvPlace.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -13,21 +14,6 @@ namespace Drydock
 {
 
 using namespace Spirv;
-
-namespace
-{
-
-std::string Quote(const std::string& Text)
-{
-	std::string Quoted = "\"";
-	for (const char Letter : Text)
-	{
-		Quoted += (Letter == '"' || Letter == '\\') ? std::string("\\") + Letter : std::string(1, Letter);
-	}
-	return Quoted + "\"";
-}
-
-} // namespace
 
 FDebugEmitter::FDebugEmitter(const FInspectedShader& Shader, std::string InEntry)
 	: Module(Shader.GetModule())
@@ -209,7 +195,7 @@ void FDebugEmitter::SetLine(uint32_t File, int Line)
 	}
 	if (LastLine > 0)
 	{
-		Definitions += "#line " + std::to_string(LastLine) + " " + Quote(LastFile) + "\n";
+		Definitions += "#line " + std::to_string(LastLine) + " " + QuoteForCpp(LastFile) + "\n";
 	}
 }
 

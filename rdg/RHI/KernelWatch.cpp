@@ -3,6 +3,7 @@
 
 #include "Diagnostics.h"
 #include "HAL/IConsoleManager.h"
+#include "PrintText.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -25,7 +26,7 @@ namespace
 		"shader " + Shader + " (entry point '" + EntryPoint + "') has not ended one tile for " + Seconds +
 			" s: does each of its loops have an end? (r.Drydock.ShaderSeconds)",
 		{}, 0, 0, {}};
-	std::fprintf(stderr, "%s\n", Diagnostic.ToString().c_str());
+	PrintText(stderr, Diagnostic.ToString() + "\n");
 	std::fflush(nullptr);
 	std::_Exit(ExitUsage);
 }

@@ -85,6 +85,76 @@ std::vector<std::string> MakeEnvironment(const std::vector<std::string>& Changed
 	return All;
 }
 
+/** Starts a program in a process group; 0: a new one. Its stdin and its output: -1 is /dev/null. 0, or why not. */
+int Spawn(const std::vector<std::string>& Arguments, char* const* Environment, pid_t Group, int Input, int Output,
+	pid_t& OutProcess)
+{
+	const std::vector<char*> Pointers = GetPointers(Arguments);
+	posix_spawn_file_actions_t Actions;
+	posix_spawn_file_actions_init(&Actions);
+	for (const int Stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+	{
+		const int From = Stream == STDIN_FILENO ? Input : Output;
+		From >= 0 ? posix_spawn_file_actions_adddup2(&Actions, From, Stream)
+				  : posix_spawn_file_actions_addopen(&Actions, Stream, "/dev/null", O_RDWR, 0);
+	}
+	posix_spawnattr_t Attributes;
+	posix_spawnattr_init(&Attributes);
+	posix_spawnattr_setflags(&Attributes, POSIX_SPAWN_SETPGROUP);
+	posix_spawnattr_setpgroup(&Attributes, Group);
+	const int Error = posix_spawnp(&OutProcess, Pointers[0], &Actions, &Attributes, Pointers.data(), Environment);
+	posix_spawnattr_destroy(&Attributes);
+	posix_spawn_file_actions_destroy(&Actions);
+	return Error;
+}
+
+int WaitFor(pid_t Process)
+{
+	int Status = 0;
+	while (waitpid(Process, &Status, 0) < 0 && errno == EINTR)
+	{
+	}
+	return Status;
+}
+
+/** A process group for a child and all that it starts, so that all of it can be ended. A shell in it waits for the end
+ * of this process, however that comes, and ends the group then. */
+class FProcessGroup
+{
+public:
+	FProcessGroup()
+	{
+		int Life[2];
+		if (pipe2(Life, O_CLOEXEC) == 0)
+		{
+			const bool bStarted =
+				Spawn({"/bin/sh", "-c", "read -r Nothing; kill -KILL 0"}, environ, 0, Life[0], -1, Guard) == 0;
+			Guard = bStarted ? Guard : 0;
+			close(Life[0]);
+			Held = Life[1];
+		}
+	}
+	~FProcessGroup()
+	{
+		if (Guard != 0)
+		{
+			kill(Guard, SIGKILL);
+			WaitFor(Guard);
+		}
+		if (Held >= 0)
+		{
+			close(Held);
+		}
+	}
+	FProcessGroup(const FProcessGroup&) = delete;
+	FProcessGroup& operator=(const FProcessGroup&) = delete;
+
+	pid_t Guard = 0; // whose number the group has; 0: there is no shell, and the child has a group of its own
+
+private:
+	int Held = -1;
+};
+
 } // namespace
 
 std::string FChildResult::Describe(int TimeLimitSeconds) const
@@ -112,37 +182,22 @@ FChildResult RunChild(
 		return Result;
 	}
 	const std::vector<std::string> Variables = MakeEnvironment(Environment);
-	const std::vector<char*> ArgumentPointers = GetPointers(Arguments);
-	const std::vector<char*> VariablePointers = GetPointers(Variables);
-	posix_spawn_file_actions_t Actions;
-	posix_spawn_file_actions_init(&Actions);
-	posix_spawn_file_actions_addopen(&Actions, 0, "/dev/null", O_RDONLY, 0);
-	posix_spawn_file_actions_adddup2(&Actions, Pipe[1], 1);
-	posix_spawn_file_actions_adddup2(&Actions, Pipe[1], 2);
-	posix_spawnattr_t Attributes;
-	posix_spawnattr_init(&Attributes);
-	posix_spawnattr_setflags(&Attributes, POSIX_SPAWN_SETPGROUP); // its own group, so that all of it can be ended
-	posix_spawnattr_setpgroup(&Attributes, 0);
+	const FProcessGroup Group;
 	pid_t Child = 0;
-	Result.StartError = posix_spawnp(
-		&Child, ArgumentPointers[0], &Actions, &Attributes, ArgumentPointers.data(), VariablePointers.data());
+	Result.StartError = Spawn(Arguments, GetPointers(Variables).data(), Group.Guard, -1, Pipe[1], Child);
 	Result.bStarted = Result.StartError == 0;
-	posix_spawnattr_destroy(&Attributes);
-	posix_spawn_file_actions_destroy(&Actions);
 	close(Pipe[1]);
 	if (Result.bStarted)
 	{
-		const FEndAction End([Child] { kill(-Child, SIGKILL); }); // a terminal's Ctrl+C does not reach another group
+		const pid_t All = -(Group.Guard != 0 ? Group.Guard : Child);
+		const FEndAction End([All] { kill(All, SIGKILL); }); // a terminal's Ctrl+C does not reach another group
 		const auto Deadline = std::chrono::steady_clock::now() + std::chrono::seconds(TimeLimitSeconds);
 		Result.bTimedOut = !ReadAll(Pipe[0], Deadline, Result.Output);
 		if (Result.bTimedOut)
 		{
-			kill(-Child, SIGKILL);
+			kill(All, SIGKILL);
 		}
-		int Status = 0;
-		while (waitpid(Child, &Status, 0) < 0 && errno == EINTR)
-		{
-		}
+		const int Status = WaitFor(Child);
 		Result.Signal = WIFSIGNALED(Status) ? WTERMSIG(Status) : 0;
 		Result.ExitCode = WIFEXITED(Status) ? WEXITSTATUS(Status) : 0;
 		Result.bStarted = Result.ExitCode != 127; // an older posix_spawn reports a missing program this way

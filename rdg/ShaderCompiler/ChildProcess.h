@@ -24,7 +24,7 @@ struct FChildResult
 };
 
 /** Arguments[0] is the program, searched in PATH. Environment: "NAME=VALUE" in place of what is inherited. The child
- * and all it starts are killed when the time is over. */
+ * and all it starts are killed when the time is over, and when this process ends, be it by SIGKILL. */
 DRYDOCK_API FChildResult RunChild(
 	const std::vector<std::string>& Arguments, int TimeLimitSeconds, const std::vector<std::string>& Environment = {});
 

@@ -14,7 +14,7 @@ int FFileDescriptor::Close()
 	return Closing >= 0 && close(Closing) != 0 && errno != EINTR ? errno : 0;
 }
 
-int WriteAndClose(FFileDescriptor File, const std::string& Bytes)
+int WriteAll(const FFileDescriptor& File, const std::string& Bytes)
 {
 	size_t Written = 0;
 	while (Written < Bytes.size())
@@ -26,7 +26,13 @@ int WriteAndClose(FFileDescriptor File, const std::string& Bytes)
 		}
 		Written += Count > 0 ? size_t(Count) : 0;
 	}
-	return File.Close();
+	return 0;
+}
+
+int WriteAndClose(FFileDescriptor File, const std::string& Bytes)
+{
+	const int Error = WriteAll(File, Bytes);
+	return Error != 0 ? Error : File.Close();
 }
 
 std::string ReadToEnd(const FFileDescriptor& File, int& OutError)

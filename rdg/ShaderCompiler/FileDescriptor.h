@@ -38,6 +38,9 @@ private:
 	int Value = -1; // -1: none
 };
 
+/** Writes all Bytes. 0, or the error that ended it. */
+DRYDOCK_API int WriteAll(const FFileDescriptor& File, const std::string& Bytes);
+
 /** Writes all Bytes and closes. 0, or the error of the first step that failed. */
 DRYDOCK_API int WriteAndClose(FFileDescriptor File, const std::string& Bytes);
 

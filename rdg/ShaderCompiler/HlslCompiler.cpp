@@ -3,6 +3,7 @@
 #include "HlslCompiler.h"
 
 #include "KernelCompiler.h"
+#include "SpirvFile.h"
 
 #include <cstdlib>
 #include <sstream>
@@ -88,10 +89,11 @@ std::optional<FHlslCompiler> FindHlslCompiler(const FShaderCompileRequest& Reque
 	return Compiler;
 }
 
-std::string GetHlslCompilerId()
+std::string GetHlslCompilerId(const FShaderCompileRequest& Request)
 {
-	const char* const Chosen = GetChosen();
-	return Chosen ? GetCompilerId(FindProgram(Chosen)) : std::string();
+	const std::optional<FHlslCompiler> Compiler =
+		IsSpirvFile(Request.VirtualPath) ? std::nullopt : FindHlslCompiler(Request);
+	return Compiler ? GetCompilerId(Compiler->Program) : std::string();
 }
 
 std::vector<std::string> MakeHlslCompilerArguments(const FHlslCompiler& Compiler, const FShaderCompileRequest& Request,

@@ -34,8 +34,8 @@ struct FHlslCompiler
 DRYDOCK_API std::optional<FHlslCompiler> FindHlslCompiler(const FShaderCompileRequest& Request);
 
 /** Path, size and time of that program, hashed: what it made is kept apart from what others made. Empty where
- * DRYDOCK_HLSL_COMPILER is not set. */
-std::string GetHlslCompilerId();
+ * DRYDOCK_HLSL_COMPILER is not set, and for SPIR-V, which needs none. Throws as FindHlslCompiler. */
+std::string GetHlslCompilerId(const FShaderCompileRequest& Request);
 
 /** The program and its arguments: from the file Input, SPIR-V in the file Output. */
 DRYDOCK_API std::vector<std::string> MakeHlslCompilerArguments(const FHlslCompiler& Compiler,

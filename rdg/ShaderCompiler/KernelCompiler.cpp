@@ -6,6 +6,7 @@
 #include "Diagnostics.h"
 #include "InstallPaths.h"
 #include "LanesDispatch.h"
+#include "RegularFile.h"
 #include "TimeLimit.h"
 #include "ToolFault.h"
 
@@ -75,7 +76,7 @@ std::vector<std::string> GetCommand(
  * nothing where there is none. The link's path. */
 std::string OfferHeaders(const FFileDescriptor& Headers, const FTemporaryFolder& Folder)
 {
-	const std::string Link = Folder.Path + "/" + HeaderName + ".gch";
+	const std::string Link = Folder.Reserve(std::string(HeaderName) + ".gch");
 	const std::string Opened = "/proc/" + std::to_string(getpid()) + "/fd/" + std::to_string(Headers.Get());
 	return Headers && symlink(Opened.c_str(), Link.c_str()) == 0 ? Link : std::string();
 }
@@ -257,11 +258,11 @@ std::string PrecompileKernelHeaders(const FLaneConfig& Lanes)
 		return {};
 	}
 	const FTemporaryFolder Folder;
-	const std::string Output = Folder.Path + "/" + HeaderName + ".gch";
+	const std::string Output = Folder.Reserve(std::string(HeaderName) + ".gch");
 	std::vector<std::string> Arguments = GetCommand(Compiler, Includes, GetFlags(Lanes));
 	Arguments.insert(Arguments.end(), {"-x", "c++-header", "-o", Output, Includes[0] + "/" + HeaderName});
 	const int TimeLimitSeconds = GetTimeLimitSeconds("DRYDOCK_CXX_SECONDS", DefaultTimeLimitSeconds);
-	if (!RunChild(Arguments, TimeLimitSeconds, MakeToolEnvironment(Folder.Path)).Succeeded())
+	if (!RunChild(Arguments, TimeLimitSeconds, MakeToolEnvironment(Folder)).Succeeded())
 	{
 		return {};
 	}
@@ -291,14 +292,14 @@ std::string Compile(const std::string& Cpp, const FTemporaryFolder& Folder, cons
 			"cannot compile '" + Request.EntryPoint + "': the lane headers (Lanes.h) were not found beside the library",
 			Request);
 	}
-	const std::string Output = Folder.Path + "/kernel.so";
+	const std::string Output = Folder.Reserve("kernel.so");
 	const std::string Input = Folder.WriteFile("kernel.cpp", Cpp);
 	const int TimeLimitSeconds = GetTimeLimitSeconds("DRYDOCK_CXX_SECONDS", DefaultTimeLimitSeconds);
 	std::vector<std::string> Arguments = GetCommand(Compiler, Includes, Flags);
 	Arguments.insert(Arguments.end(), {"-o", Output, Input});
 	const auto Run = [&]
 	{
-		return RunChild(Arguments, TimeLimitSeconds, MakeToolEnvironment(Folder.Path));
+		return RunChild(Arguments, TimeLimitSeconds, MakeToolEnvironment(Folder));
 	};
 	const std::string Link = OfferHeaders(Headers, Folder);
 	FChildResult Child = Run();
@@ -310,6 +311,15 @@ std::string Compile(const std::string& Cpp, const FTemporaryFolder& Folder, cons
 	if (!Child.Succeeded())
 	{
 		throw ExplainFailure(Child, TimeLimitSeconds, Cpp, Folder, Request);
+	}
+	const FRegularFile Written(Output);
+	if (!Written.GetProblem().empty() || Written.GetSize() == 0)
+	{
+		Folder.CheckSpace();
+		throw MakeError(6031,
+			"cannot compile '" + Request.EntryPoint + "': " + Compiler +
+				" ended well and wrote no kernel; is it a C++ compiler?",
+			Request);
 	}
 	return Output;
 }

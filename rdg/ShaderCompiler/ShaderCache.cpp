@@ -4,7 +4,7 @@
 #include "ContentHash.h"
 #include "Diagnostics.h"
 #include "InstallPaths.h"
-#include "Leftovers.h"
+#include "PrintText.h"
 #include "ShaderCacheLock.h"
 #include "TemporaryFolder.h"
 #include "TrustedFolder.h"
@@ -48,7 +48,7 @@ void WarnOnce(const FDiagnostic& Diagnostic)
 {
 	if (const std::string Text = Diagnostic.ToString(); IsFirst(Text))
 	{
-		std::fprintf(stderr, "%s\n", Text.c_str());
+		PrintText(stderr, Text + "\n");
 	}
 }
 
@@ -102,7 +102,12 @@ std::string ChooseFolder()
 struct FFolderOfRun
 {
 	FTemporaryFolder Temporary;
-	FFolder Folder = std::make_shared<const FTrustedFolder>(Temporary.Path, std::vector<uid_t>{geteuid()});
+	FFolder Folder = [this]
+	{
+		const std::string Path = Temporary.Reserve("cache");
+		FTrustedFolder::Make(Path);
+		return std::make_shared<const FTrustedFolder>(Path, std::vector<uid_t>{geteuid()});
+	}();
 };
 
 /** Null where there is none and none is to be made. Throws FError where none can be made. */
@@ -209,7 +214,7 @@ FShaderCache FShaderCache::Open()
 {
 	if (IsFirst("temporary leftovers"))
 	{
-		RemoveLeftovers(GetTemporaryParent());
+		RemoveTemporaryFolders(GetTemporaryParent());
 	}
 	FShaderCache Cache;
 	Cache.OpenPrewarmed();
@@ -263,7 +268,7 @@ void FShaderCache::OpenUsers(const std::string& Path)
 	}
 	if (bWritable && IsFirst("leftovers of " + Path))
 	{
-		RemoveLeftovers(Path);
+		RemoveTemporaryFolders(Path);
 	}
 }
 

@@ -2,6 +2,7 @@
 #include "ShaderCacheLock.h"
 
 #include "Diagnostics.h"
+#include "PrintText.h"
 #include "TimeLimit.h"
 
 #include <algorithm>
@@ -26,13 +27,20 @@ using FClock = std::chrono::steady_clock;
 constexpr int DefaultLimitSeconds = 30;
 constexpr int PatienceSeconds = 5; // in silence
 
+/** What stands in a lock. */
+std::string ReadHolder(const FFileDescriptor& Lock)
+{
+	char Text[32];
+	const ssize_t Count = pread(Lock.Get(), Text, sizeof(Text), 0);
+	return std::string(Text, size_t(std::max<ssize_t>(Count, 0)));
+}
+
 /** Number of the process that wrote itself into a lock and lives; 0: nobody known. */
 pid_t FindHolder(const FFileDescriptor& Lock)
 {
-	char Text[32] = {};
-	const ssize_t Count = pread(Lock.Get(), Text, sizeof(Text) - 1, 0);
+	const std::string Text = ReadHolder(Lock);
 	pid_t Process = 0;
-	std::from_chars(Text, Text + std::max<ssize_t>(Count, 0), Process);
+	std::from_chars(Text.data(), Text.data() + Text.size(), Process);
 	const bool bAlive = Process > 0 && (kill(Process, 0) == 0 || errno == EPERM);
 	return bAlive ? Process : 0;
 }
@@ -49,7 +57,7 @@ void Warn(const std::string& Path, pid_t Holder, const std::string& What)
 	const std::string Who = Holder ? "process " + std::to_string(Holder) : std::string("another process");
 	const FDiagnostic Diagnostic = {ESeverity::Warning, 6052,
 		Who + " holds this lock of the shader cache: " + What + " (DRYDOCK_LOCK_SECONDS)", Path, 0, 0, {}};
-	std::fprintf(stderr, "%s\n", Diagnostic.ToString().c_str());
+	PrintText(stderr, Diagnostic.ToString() + "\n");
 }
 
 /** Whether it was locked in time. */
@@ -92,7 +100,8 @@ FShaderCacheLock::FShaderCacheLock(const FTrustedFolder& Folder, const std::stri
 {
 	const std::string File = "locks/" + Name;
 	FTrustedFile Lock = Folder.OpenOrMake(File);
-	if (Lock.Trust != ETrust::Trusted || !Wait(Lock.File, Folder.GetPath() + "/" + File))
+	if (Lock.Trust != ETrust::Trusted || !Wait(Lock.File, Folder.GetPath() + "/" + File) ||
+		ReadHolder(Lock.File).find_first_not_of("0123456789\n") != std::string::npos) // a file that is no lock
 	{
 		return;
 	}

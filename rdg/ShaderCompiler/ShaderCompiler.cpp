@@ -143,7 +143,7 @@ std::string HashRequest(const FShaderCompileRequest& Request)
 			Hash.Add(Member);
 		}
 	}
-	Hash.Add(GetHlslCompilerId());
+	Hash.Add(GetHlslCompilerId(Request));
 	return Hash.Finish();
 }
 
@@ -155,7 +155,7 @@ std::string HashSource(const FShaderSource& Source, const FShaderCompileRequest&
 	Hash.Add(Request.EntryPoint);
 	Hash.Add(std::to_string(int(Request.Stage)));
 	Hash.Add(Build);
-	Hash.Add(GetHlslCompilerId());
+	Hash.Add(GetHlslCompilerId(Request));
 	return Hash.Finish();
 }
 

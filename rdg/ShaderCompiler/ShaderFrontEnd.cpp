@@ -5,6 +5,7 @@
 #include "FrontEndCrash.h"
 #include "FrontEndProcess.h"
 #include "HlslCompiler.h"
+#include "RegularFile.h"
 #include "SpirvFile.h"
 #include "TemporaryFolder.h"
 #include "TimeLimit.h"
@@ -15,7 +16,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <sstream>
 
 namespace Drydock
@@ -160,13 +160,21 @@ FFrontEndReply RunCompiler(
 	const FHlslCompiler& Compiler, const std::string& Text, const FShaderCompileRequest& Request, int TimeLimitSeconds)
 {
 	const FTemporaryFolder Folder;
-	const std::string Output = Folder.Path + "/shader.spv";
+	const std::string Output = Folder.Reserve("shader.spv");
 	const std::vector<std::string> Arguments =
 		MakeHlslCompilerArguments(Compiler, Request, Folder.WriteFile("shader.hlsl", Text), Output);
 	FFrontEndReply Reply;
-	Reply.Child = RunChild(Arguments, TimeLimitSeconds, MakeToolEnvironment(Folder.Path));
-	std::ifstream Stream(Output, std::ios::binary);
-	const std::string Bytes((std::istreambuf_iterator<char>(Stream)), {});
+	Reply.Child = RunChild(Arguments, TimeLimitSeconds, MakeToolEnvironment(Folder));
+	const FFileBytes Read = ReadRegularFile(Output);
+	if (!Read.Bytes && Reply.Child.Succeeded())
+	{
+		throw FError({ESeverity::Error, 6012,
+						 Compiler.GetName() + " has written nothing that can be read for '" + Request.EntryPoint +
+							 "': " + Read.Problem,
+						 Request.VirtualPath, 0, 0, {}},
+			ExitUsage);
+	}
+	const std::string Bytes = Read.Bytes.value_or("");
 	Reply.Words.resize(Bytes.size() / 4);
 	if (!Reply.Words.empty()) // memcpy takes no null pointer, not even for nothing
 	{
@@ -287,6 +295,20 @@ bool IsWhole(const std::vector<uint32_t>& Words)
 	return At == Words.size() && Last == Spirv::OpFunctionEnd;
 }
 
+/** Whether the group of each entry has three numbers: glslang leaves one that is negative out. */
+bool AreGroupsWhole(const std::vector<uint32_t>& Words)
+{
+	constexpr uint32_t LocalSize = 17;
+	for (size_t At = Spirv::HeaderWords; At + 2 < Words.size() && Words[At] >> 16; At += Words[At] >> 16)
+	{
+		if ((Words[At] & 0xffff) == Spirv::OpExecutionMode && Words[At + 2] == LocalSize && Words[At] >> 16 != 6)
+		{
+			return false;
+		}
+	}
+	return true;
+}
+
 } // namespace
 
 std::vector<uint32_t> CompileToSpirv(const FShaderSource& Source, const FShaderCompileRequest& Request)
@@ -310,6 +332,14 @@ std::vector<uint32_t> CompileToSpirv(const FShaderSource& Source, const FShaderC
 	if (!IsWhole(Reply.Words))
 	{
 		FTemporaryFolder().CheckSpace(); // glslangValidator does not look whether all was written
+	}
+	if (!AreGroupsWhole(Reply.Words))
+	{
+		throw FError(
+			{ESeverity::Error, 6010,
+				"[numthreads] of '" + Request.EntryPoint + "' has a negative number; wanted are three from 1 on",
+				Request.VirtualPath, 0, 0, {}},
+			ExitUsage);
 	}
 	return std::move(Reply.Words);
 }

@@ -6,9 +6,12 @@
 #include "LintAllowances.h"
 #include "LintBarriers.h"
 #include "LintLayout.h"
+#include "RegularFile.h"
+#include "ShaderDirectories.h"
 #include "ShaderFrontEnd.h"
 #include "ShaderMessages.h"
 #include "ShaderSource.h"
+#include "SpirvFile.h"
 #include "SpirvReflect.h"
 #include "SpirvUniformity.h"
 #include "TextTools.h"
@@ -423,8 +426,17 @@ std::vector<FLintFinding> LintShader(
 
 std::vector<FShaderEntry> FindShaderEntries(const FShaderCompileRequest& Request)
 {
-	const FHlslText Text(FlattenShader(Request).Text, Request.VirtualPath);
 	std::vector<FShaderEntry> Entries;
+	if (IsSpirvFile(Request.VirtualPath))
+	{
+		const FFileBytes Read = ReadRegularFile(FindShaderFile(Request.VirtualPath));
+		for (const auto& [Name, Stage] : ListSpirvEntries(Read.Bytes.value_or(""), Request))
+		{
+			Entries.push_back({Name, Stage});
+		}
+		return Entries;
+	}
+	const FHlslText Text(FlattenShader(Request).Text, Request.VirtualPath);
 	for (const FFunctionText& Function : ListFunctionTexts(Text))
 	{
 		const size_t Head = Function.Name - 1; // its type, behind the attributes

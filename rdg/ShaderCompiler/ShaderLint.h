@@ -41,8 +41,8 @@ struct FShaderEntry
 	EShaderStage Stage = EShaderStage::Compute;
 };
 
-/** Entry points of a file that no shader class names: functions with [numthreads], and those with SV_Target. Request:
- * its file and defines. */
+/** Entry points of a file that no shader class names: functions with [numthreads], and those with SV_Target; of
+ * SPIR-V the module's. Request: its file and defines. */
 DRYDOCK_API std::vector<FShaderEntry> FindShaderEntries(const FShaderCompileRequest& Request);
 
 } // namespace Drydock

@@ -85,6 +85,22 @@ public:
 		}
 	}
 
+	/** Of each entry: where it stands, and its name. */
+	std::vector<std::pair<size_t, std::string>> ListEntries() const
+	{
+		std::vector<std::pair<size_t, std::string>> Entries;
+		for (const FInstruction& Each : Instructions)
+		{
+			if (Each.Op == OpEntryPoint && Each.Size > 3)
+			{
+				Entries.emplace_back(Each.At, ReadText(Words, Each.At + 3, Each.At + Each.Size));
+			}
+		}
+		return Entries;
+	}
+
+	uint32_t GetModel(size_t Entry) const { return Words[Entry + 1]; }
+
 	FShaderSource Read() const
 	{
 		const std::vector<uint32_t> Kept = KeepEntry();
@@ -108,16 +124,12 @@ private:
 		uint32_t Function = 0;
 		size_t Asked = 0; // where its OpEntryPoint stands
 		std::string Others;
-		for (const FInstruction& Each : Instructions)
+		for (const auto& [At, Name] : ListEntries())
 		{
-			if (Each.Op == OpEntryPoint && Each.Size > 3)
-			{
-				const std::string Name = ReadText(Words, Each.At + 3, Each.At + Each.Size);
-				const bool bAsked = Name == Request.EntryPoint && Words[Each.At + 1] == Model;
-				Function = bAsked ? Words[Each.At + 2] : Function;
-				Asked = bAsked ? Each.At : Asked;
-				Others += (Others.empty() ? "" : ", ") + Name + " (" + GetModelName(Words[Each.At + 1]) + ")";
-			}
+			const bool bAsked = Name == Request.EntryPoint && GetModel(At) == Model;
+			Function = bAsked ? Words[At + 2] : Function;
+			Asked = bAsked ? At : Asked;
+			Others += (Others.empty() ? "" : ", ") + Name + " (" + GetModelName(GetModel(At)) + ")";
 		}
 		if (!Asked)
 		{
@@ -185,6 +197,24 @@ bool IsSpirvFile(const std::string& VirtualPath)
 FShaderSource ReadSpirvFile(const std::string& Bytes, const FShaderCompileRequest& Request)
 {
 	return FSpirvFile(Bytes, Request).Read();
+}
+
+std::vector<std::pair<std::string, EShaderStage>> ListSpirvEntries(
+	const std::string& Bytes, const FShaderCompileRequest& Request)
+{
+	const FSpirvFile File(Bytes, Request);
+	std::vector<std::pair<std::string, EShaderStage>> Entries;
+	for (const auto& [At, Name] : File.ListEntries())
+	{
+		const uint32_t Model = File.GetModel(At);
+		if (Model == 0 || Model == 4 || Model == 5)
+		{
+			Entries.emplace_back(Name, Model == 0   ? EShaderStage::Vertex
+									   : Model == 4 ? EShaderStage::Pixel
+													: EShaderStage::Compute);
+		}
+	}
+	return Entries;
 }
 
 std::vector<uint32_t> GetSpirvWords(const std::string& Text)

@@ -5,6 +5,8 @@
 #include "ShaderText.h"
 
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 namespace Drydock
 {
@@ -16,6 +18,11 @@ bool IsSpirvFile(const std::string& VirtualPath);
  * module, which GetSpirvWords gives back, and declarations of the buffers of bytes, as reflection looks for them in
  * HLSL. Throws FError: DD6004 for what is no module, DD6011 where it has no such entry, with those that it has. */
 DRYDOCK_API FShaderSource ReadSpirvFile(const std::string& Bytes, const FShaderCompileRequest& Request);
+
+/** The entries of the module in Bytes for a stage that drydock has. Request: its path, for messages. Throws FError
+ * (DD6004) for what is no module. */
+std::vector<std::pair<std::string, EShaderStage>> ListSpirvEntries(
+	const std::string& Bytes, const FShaderCompileRequest& Request);
 
 /** The words in such a text. */
 std::vector<uint32_t> GetSpirvWords(const std::string& Text);

@@ -2,13 +2,12 @@
 #include "TemporaryFolder.h"
 
 #include "Diagnostics.h"
-#include "Leftovers.h"
 
 #include <cerrno>
 #include <cstdlib>
 #include <fcntl.h>
-#include <filesystem>
-#include <sys/file.h>
+#include <string_view>
+#include <system_error>
 #include <unistd.h>
 
 namespace Drydock
@@ -16,6 +15,8 @@ namespace Drydock
 
 namespace
 {
+
+constexpr std::string_view NameBegin = "drydock-";
 
 FError MakeError(const std::string& Path, const std::string& What, int Error)
 {
@@ -26,6 +27,16 @@ FError MakeError(const std::string& Path, const std::string& What, int Error)
 }
 
 } // namespace
+
+std::string MakeTemporaryName()
+{
+	return std::string(NameBegin) + std::to_string(getpid()) + "-";
+}
+
+void RemoveTemporaryFolders(const std::string& Parent)
+{
+	RemoveAbandonedFolders(Parent, [](const std::string& Begin) { return Begin.starts_with(NameBegin); });
+}
 
 std::string GetTemporaryParent()
 {
@@ -40,38 +51,29 @@ std::string GetTemporaryParent()
 }
 
 FTemporaryFolder::FTemporaryFolder()
-	: Owner(getpid())
+try : Folder(GetTemporaryParent() + "/" + MakeTemporaryName())
 {
-	const FEndActionsHeld Held; // until its end is certain
-	const std::string Parent = GetTemporaryParent();
-	std::string Pattern = Parent + "/" + GetLeftoverPrefix() + "XXXXXX";
-	if (!mkdtemp(Pattern.data()))
-	{
-		throw MakeError(Parent, "no temporary folder can be made here", errno);
-	}
-	Path = Pattern;
-	Lock = FFileDescriptor(open(Path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
-	flock(Lock.Get(), LOCK_EX | LOCK_NB);
-	Removal.emplace(
-		[Folder = Path]
-		{
-			std::error_code Ignored;
-			std::filesystem::remove_all(Folder, Ignored);
-		});
+}
+catch (const std::system_error& Error)
+{
+	throw MakeError(GetTemporaryParent(), "no temporary folder can be made here", Error.code().value());
 }
 
-FTemporaryFolder::~FTemporaryFolder()
+std::string FTemporaryFolder::Reserve(const std::string& Name) const
 {
-	if (Owner == getpid())
+	try
 	{
-		std::error_code Ignored;
-		std::filesystem::remove_all(Path, Ignored);
+		return Folder.Reserve(Name);
+	}
+	catch (const std::system_error& Error)
+	{
+		throw MakeError(Folder.GetPath(), "cannot be written", Error.code().value());
 	}
 }
 
 std::string FTemporaryFolder::WriteFile(const std::string& Name, const std::string& Bytes) const
 {
-	const std::string File = Path + "/" + Name;
+	const std::string File = Reserve(Name);
 	FFileDescriptor Stream(open(File.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600));
 	const int Error = Stream ? WriteAndClose(std::move(Stream), Bytes) : errno;
 	if (Error != 0)

@@ -2,15 +2,18 @@
 #pragma once
 
 #include "DrydockAPI.h"
-#include "EndAction.h"
-#include "FileDescriptor.h"
+#include "MarkedFolder.h"
 
-#include <optional>
 #include <string>
-#include <sys/types.h>
 
 namespace Drydock
 {
+
+/** "drydock-4711-" for process 4711: how the names of its temporary folders begin. */
+DRYDOCK_API std::string MakeTemporaryName();
+
+/** Removes the folders of such names in Parent that dead processes have left. */
+DRYDOCK_API void RemoveTemporaryFolders(const std::string& Parent);
 
 /** Where temporary files go: TMPDIR, TMP, TEMP or TEMPDIR, the first that is set; else /tmp. */
 DRYDOCK_API std::string GetTemporaryParent();
@@ -21,9 +24,9 @@ class DRYDOCK_API FTemporaryFolder
 public:
 	/** Throws FError (DD5004, exit code 3) with the folder that does not take it. */
 	FTemporaryFolder();
-	~FTemporaryFolder();
-	FTemporaryFolder(const FTemporaryFolder&) = delete;
-	FTemporaryFolder& operator=(const FTemporaryFolder&) = delete;
+
+	/** The path of a file or folder that somebody is to make here; no other name in it is removed. */
+	std::string Reserve(const std::string& Name) const;
 
 	/** A new file, for the user alone. Returns its path; throws FError (DD5004, exit code 3) unless all is written. */
 	std::string WriteFile(const std::string& Name, const std::string& Bytes) const;
@@ -32,12 +35,8 @@ public:
 	 * be written, as on a full disk. */
 	void CheckSpace() const;
 
-	std::string Path;
-
 private:
-	FFileDescriptor Lock; // tells other processes, whatever numbers they see, that this one lives
-	pid_t Owner;          // a child that forked off removes nothing
-	std::optional<FEndAction> Removal;
+	const FMarkedFolder Folder;
 };
 
 } // namespace Drydock

@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstring>
 #include <sstream>
+#include <sys/stat.h>
 
 namespace Drydock
 {
@@ -93,9 +94,11 @@ std::string FindToolFault(const FChildResult& Child)
 	return Shortage.empty() ? Shortage : "ended with: " + Shortage;
 }
 
-std::vector<std::string> MakeToolEnvironment(const std::string& Folder)
+std::vector<std::string> MakeToolEnvironment(const FTemporaryFolder& Folder)
 {
-	return {"LC_ALL=C", "TMPDIR=" + Folder};
+	const std::string Place = Folder.Reserve("tools");
+	mkdir(Place.c_str(), 0700); // is there already for the second tool
+	return {"LC_ALL=C", "TMPDIR=" + Place};
 }
 
 } // namespace Drydock

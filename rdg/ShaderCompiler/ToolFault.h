@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ChildProcess.h"
+#include "TemporaryFolder.h"
 
 namespace Drydock
 {
@@ -19,8 +20,8 @@ DRYDOCK_API std::string DescribeSignal(int Signal);
  * program that it ends. */
 DRYDOCK_API bool IsSignalFromOutside(int Signal);
 
-/** Environment of a tool: its messages in English, its temporary files in Folder, which goes with all that a killed one
- * leaves there. */
-DRYDOCK_API std::vector<std::string> MakeToolEnvironment(const std::string& Folder);
+/** Environment of a tool: its messages in English, its temporary files below Folder, which goes with all that a killed
+ * one leaves there. */
+DRYDOCK_API std::vector<std::string> MakeToolEnvironment(const FTemporaryFolder& Folder);
 
 } // namespace Drydock

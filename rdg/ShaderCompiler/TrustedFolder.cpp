@@ -1,16 +1,15 @@
 // Opens, checks, reads and writes what lies in a folder of code.
 #include "TrustedFolder.h"
 
-#include "Leftovers.h"
+#include "TemporaryFolder.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cerrno>
 #include <dirent.h>
 #include <fcntl.h>
 #include <filesystem>
-#include <random>
 #include <sys/stat.h>
+#include <system_error>
 #include <unistd.h>
 
 namespace Drydock
@@ -79,13 +78,6 @@ FTrustedFile OpenAt(int At, const std::string& Name, int Flags, const std::vecto
 		Result.File.Close();
 	}
 	return Result;
-}
-
-/** A name for a file that is written aside, which none has yet. */
-std::string MakeAsideName()
-{
-	static std::atomic<uint32_t> Count = std::random_device()();
-	return GetLeftoverPrefix() + std::to_string(Count++);
 }
 
 /** An open folder that opendir may close. */
@@ -192,16 +184,17 @@ std::vector<std::string> FTrustedFolder::List(const std::string& Subfolder) cons
 }
 
 int FTrustedFolder::Write(const std::vector<FFileToWrite>& Files) const
+try
 {
 	const int At = Folder.File.Get();
+	const FMarkedFolder Aside(GetLoadPath(MakeTemporaryName()));
 	std::vector<std::string> Asides;
 	int Error = 0;
 	for (size_t Index = 0; Error == 0 && Index < Files.size(); ++Index)
 	{
-		Asides.push_back(MakeAsideName());
-		FFileDescriptor Aside(
-			openat(At, Asides.back().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0644));
-		Error = Aside ? WriteAndClose(std::move(Aside), Files[Index].Bytes) : errno;
+		Asides.push_back(Aside.Reserve(std::to_string(Index)));
+		FFileDescriptor File(open(Asides.back().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0644));
+		Error = File ? WriteAndClose(std::move(File), Files[Index].Bytes) : errno;
 	}
 	for (size_t Index = 0; Error == 0 && Index < Files.size(); ++Index)
 	{
@@ -215,13 +208,13 @@ int FTrustedFolder::Write(const std::vector<FFileToWrite>& Files) const
 			To = Target.File.Get();
 			Error = Target.Trust == ETrust::Trusted ? 0 : EPERM;
 		}
-		Error = Error == 0 && renameat(At, Asides[Index].c_str(), To, Name.c_str()) != 0 ? errno : Error;
-	}
-	for (const std::string& Aside : Asides)
-	{
-		unlinkat(At, Aside.c_str(), 0); // what was not renamed
+		Error = Error == 0 && renameat(AT_FDCWD, Asides[Index].c_str(), To, Name.c_str()) != 0 ? errno : Error;
 	}
 	return Error;
+}
+catch (const std::system_error& Unmade)
+{
+	return Unmade.code().value();
 }
 
 std::string FTrustedFolder::GetLoadPath(const std::string& Name) const

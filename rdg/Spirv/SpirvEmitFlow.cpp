@@ -2,6 +2,7 @@
 #include "SpirvEmitter.h"
 
 #include "SpirvLimits.h"
+#include "TextTools.h"
 
 #include <algorithm>
 
@@ -414,8 +415,8 @@ void FSpirvEmitter::EmitTurn(const FStructNode& Node, bool bPacks)
 										 InGroup(Size[0] * Size[1], Size[2])
 						   : Module.bQuads ? "X[FirstLane(e)], Y[FirstLane(e)], 0"
 										   : "X0 + FirstLane(e), Y, Z";
-	Line("if (__builtin_expect(++n" + std::to_string(Node.Label) + " > LoopTurns, 0)) EndLoop(Args, \"" +
-		 Quotable(Module.Files[Header.File]) + "\", " + std::to_string(Header.Line) + ", " + At + ");");
+	Line("if (__builtin_expect(++n" + std::to_string(Node.Label) + " > LoopTurns, 0)) EndLoop(Args, " +
+		 QuoteForCpp(Module.Files[Header.File]) + ", " + std::to_string(Header.Line) + ", " + At + ");");
 }
 
 void FSpirvEmitter::EmitLoop(const FStructNode& Node)

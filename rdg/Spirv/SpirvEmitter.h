@@ -216,8 +216,6 @@ private:
 	bool IsMovable(const FSpirvInstruction& I) const;
 	void Line(const std::string& Text);
 	void SourceLine(const FSpirvInstruction& I);
-	/** Without what cannot stand in a string of C++. */
-	static std::string Quotable(std::string File);
 
 	/** A C++ variable around the code of a pack. Initial: with its braces or equals sign. */
 	struct FDeclaration

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Kills `drydock run`, `run --frames` and `study` at random moments (kill -9) and looks at what is left: every file whole,
-# nothing of the killed ones after the next call, and the same bytes as without.
+# nothing of the killed ones after the next call but an empty folder, and the same bytes as without.
 #
 #   run.sh BUILD SOURCE WORK [KILLS [SEED]]      such as  tests/kill/run.sh build/release . /tmp/kills 200
 #
@@ -70,7 +70,7 @@ ExpectWhole() {
 
 ExpectNothingLeft() {
 	local Left
-	Left=$(find . tmp -mindepth 1 \( -name '*.writing.*' -o -name .drydock.lock -o -name 'drydock-*' \) -print -quit)
+	Left=$(find . tmp -mindepth 1 \( -name '*.writing.*' -o -name .drydock.lock -o -name 'drydock-*' \) ! -empty -print -quit)
 	[ -z "$Left" ] || Fail "left: $Left"
 }
 

@@ -1,6 +1,8 @@
 // Writes log lines to where they go.
 #include "Logging/LogMacros.h"
 
+#include "PrintText.h"
+
 #include <atomic>
 #include <cstdarg>
 #include <cstdio>
@@ -87,7 +89,7 @@ void LogMessage(const FLogCategoryBase& Category, ELogVerbosity::Type Level, con
 	}
 	else
 	{
-		std::fprintf(stderr, "%s: %s%s\n", Category.GetCategoryName(), GetPrefix(Level), Text.c_str());
+		PrintText(stderr, std::string(Category.GetCategoryName()) + ": " + GetPrefix(Level) + Text + "\n");
 	}
 }
 

@@ -1,6 +1,7 @@
 // Does what follows a failed check or ensure.
 #include "Misc/AssertionMacros.h"
 
+#include "PrintText.h"
 #include "RunningCode.h"
 
 #include <cstdarg>
@@ -65,7 +66,7 @@ void FailCheck(const char* Expression, const char* File, int Line, const char* F
 	va_end(Arguments);
 	if (!IsForeignCodeRunning())
 	{
-		std::fprintf(stderr, "%s\n", Text.c_str());
+		PrintText(stderr, Text + "\n");
 	}
 	uint64 Offset = 0;
 	throw FCheckFailure(Text, FindPluginCode(__builtin_return_address(0), Offset) != nullptr);
@@ -91,7 +92,7 @@ bool FailEnsure(std::atomic<bool>& bReported, bool bAlways, const char* Expressi
 	}
 	else
 	{
-		std::fprintf(stderr, "%s\n", Text.c_str());
+		PrintText(stderr, Text + "\n");
 	}
 	return false;
 }

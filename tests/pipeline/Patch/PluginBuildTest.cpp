@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "Diagnostics.h"
+#include "Patch/PatchErrors.h"
 #include "Patch/PluginBuild.h"
 #include "Patch/PluginBuildErrors.h"
 #include "Text/OutputErrors.h"
@@ -11,6 +12,7 @@
 #include <dlfcn.h>
 #include <filesystem>
 #include <fstream>
+#include <sys/stat.h>
 #include <unistd.h>
 
 using namespace Drydock;
@@ -122,6 +124,15 @@ IMPLEMENT_MODULE(FDefaultModuleImpl, Tint)
 	EXPECT_EQ((Root / "Plugins").string() + "/", reinterpret_cast<const char* (*)()>(dlsym(Library, "TintFolder"))());
 	dlclose(Library);
 	EXPECT_FALSE(Files::exists(Root / "Plugins/Tint/build"));
+
+	// Headers that are no longer made go, and no others.
+	const Files::path Absent = Root / "build/cmake/Tint.generated/absent";
+	EXPECT_TRUE(Files::exists(Absent / "CompGeom/Delaunay2.h"));
+	std::ofstream(Absent / "mine.h") << "mine";
+	Write("Plugins/Tint/Source/Tint/Private/Tint.cpp", "#include \"tintactor.h\"\n");
+	BuildPlugin(Build);
+	EXPECT_FALSE(Files::exists(Absent / "CompGeom/Delaunay2.h"));
+	EXPECT_TRUE(Files::exists(Absent / "mine.h"));
 }
 
 // Its generated header comes with it.
@@ -178,6 +189,86 @@ TEST_F(PluginBuild, AProjectOfSomebodyElsesIsNotReplaced)
 	std::ifstream Project(Root / "build/CMakeLists.txt");
 	EXPECT_EQ("project(Mine)\n", std::string(std::istreambuf_iterator<char>(Project), {}));
 	EXPECT_FALSE(Files::exists(Root / "build/cmake"));
+}
+
+TEST_F(PluginBuild, FilesOfOthersInTheBuildFolderStay)
+{
+	Write("Plugins/Tint/Source/Tint/Private/Tint.cpp", "\n");
+	for (const char* const Name : {"build.log", "cmake/notes.txt"})
+	{
+		Write(std::string("build/") + Name, "mine\n");
+		EXPECT_EQ(ErrorForeignContent, Refuse(Describe()).first) << Name;
+		std::ifstream File(Root / "build" / Name);
+		EXPECT_EQ("mine\n", std::string(std::istreambuf_iterator<char>(File), {}));
+		EXPECT_FALSE(Files::exists(Root / "build/CMakeLists.txt"));
+		Files::remove_all(Root / "build");
+	}
+}
+
+TEST_F(PluginBuild, WhatIsNoFileIsNotRead)
+{
+	Write("Plugins/Tint/Source/Tint/Private/Tint.cpp", "\n");
+	const std::vector<std::string> Names = {
+		"Tint.uplugin", "Source/Tint/Tint.Build.cs", "Source/Tint/Private/Tint.cpp"};
+	for (const std::string& Name : Names)
+	{
+		const Files::path File = Root / "Plugins/Tint" / Name;
+		Files::rename(File, Root / "kept");
+		const auto ExpectRefused = [&]
+		{
+			const auto [Number, Message] = Refuse(Describe());
+			EXPECT_EQ(ErrorPluginNotConfigured, Number);
+			EXPECT_THAT(Message, testing::HasSubstr("only files of at most 16 MB are read: " + File.string()));
+			Files::remove(File);
+		};
+		ASSERT_EQ(0, mkfifo(File.c_str(), 0600));
+		ExpectRefused();
+		Files::create_symlink("/dev/zero", File);
+		ExpectRefused();
+		std::ofstream(File) << "x";
+		Files::resize_file(File, (16 << 20) + 1);
+		ExpectRefused();
+		Files::rename(Root / "kept", File);
+	}
+}
+
+TEST_F(PluginBuild, WhatCMakeTakesForItsOwnIsRefusedByName)
+{
+	for (const char* const Part : {"\\", ";", "\"", "[[", "]", "*", "?", "|", "\n", "${HOME}", "$<1:x>"})
+	{
+		const std::string Odd = std::string("a") + Part + "b";
+		FPluginBuild Build = Describe();
+		Build.Folder = (Root / Odd / "Tint").string();
+		Files::create_directories(Build.Folder);
+		const auto [Number, Message] = Refuse(Build);
+		EXPECT_EQ(ErrorNoPlugin, Number) << Odd;
+		EXPECT_THAT(Message, testing::HasSubstr("which CMake takes for its own"));
+
+		Build = Describe();
+		Build.BuildFolder = (Root / Odd).string();
+		EXPECT_EQ(ErrorNoPlugin, Refuse(Build).first) << Odd;
+
+		Write("Plugins/Tint/Source/Tint/Private/" + Odd + ".cpp", "\n");
+		EXPECT_EQ(ErrorNoPlugin, Refuse(Describe()).first) << Odd;
+		Files::remove(Root / "Plugins/Tint/Source/Tint/Private" / (Odd + ".cpp"));
+	}
+	Write("Plugins/Tint/Source/Tint/Private/Tint.cpp", "\n");
+	Write("Plugins/Tint/Source/Tint/Tint.Build.cs", R"(PublicDefinitions.Add("A=$<1:x>");)");
+	const auto [Number, Message] = Refuse(Describe());
+	EXPECT_EQ(ErrorNoPlugin, Number);
+	EXPECT_THAT(Message, testing::HasSubstr("A=$<1:x>"));
+}
+
+TEST_F(PluginBuild, ANameIsOneBeforeCMakeReadsIt)
+{
+	for (const char* const Name : {"x) message(FATAL_ERROR here", "****x", "", "class", "a b"})
+	{
+		FPluginBuild Build = Describe();
+		Build.Name = Name;
+		const auto [Number, Message] = Refuse(Build);
+		EXPECT_EQ(*Name == '\0' ? +ErrorNoPlugin : +ErrorPatchName, Number) << Name << Message; // else the .uplugin's
+	}
+	EXPECT_TRUE(Files::exists(Root / "build/build.log"));
 }
 
 TEST_F(PluginBuild, AnExcludeThatMatchesNothingIsAMistake)

@@ -2,6 +2,7 @@
 // and waits for nobody.
 #include <gtest/gtest.h>
 
+#include "Picture/ExrWriter.h"
 #include "Program/ProgramOutput.h"
 #include "RHITexture.h"
 
@@ -19,6 +20,7 @@ namespace
 {
 
 namespace Files = std::filesystem;
+using namespace std::string_literals;
 
 const std::string Program = DRYDOCK_TEST_BINARY_DIR "/bin/drydock";
 const std::string Configs = DRYDOCK_TEST_SOURCE_DIR "/configs/";
@@ -190,6 +192,62 @@ TEST_F(HostileFiles, AnOutputThatCannotBeWrittenIsSaid)
 		ExpectRefused(Call(Verb + " >&-"), {"standard output: error DD5004"});
 		EXPECT_EQ(0, Call(Verb + " > /dev/null").ExitCode) << Verb;
 	}
+}
+
+TEST_F(HostileFiles, TextOfStrangersDoesNotSteerATerminal)
+{
+	const std::string Steering = "\\u001b]0;owned\\u0007\\u001b[2J\\u009b1m";
+	const std::string Raw = "\x1b[2J\xC2\x9B\x9B\x07";
+	Write("key.json", "{\"" + Steering + "\": 1}");
+	Write("volume.json",
+		R"({"volumes": [{"name": ")" + Steering + R"(", "bUnbound": true, "Settings": {"BloomIntensity": 2}}]})");
+	Write(Raw + ".json", "{\"x\": 1}");
+	for (const std::string& Arguments :
+		{"check key.json"s, "check key.json --json"s, "blend volume.json"s, "settings export volume.json"s,
+			"check '" + Raw + ".json'", "check '" + Raw + "'", "'" + Raw + "'", "check key.json '--" + Raw + "'",
+			"list settings '" + Raw + "'", "list cvars '" + Raw + "'", "diff '" + Raw + "' '" + Raw + "'"})
+	{
+		const FOutcome Outcome = Call(Arguments);
+		const std::string Printed = Outcome.Out + Outcome.Err;
+		EXPECT_FALSE(Printed.empty()) << Arguments;
+		EXPECT_EQ(std::string::npos, Printed.find_first_of("\x1b\x07\x7f\r")) << Arguments << Printed;
+		EXPECT_EQ(std::string::npos, Printed.find("\xC2\x9B")) << Arguments << Printed;
+		EXPECT_EQ(std::string::npos, Printed.find("\x9B\x07")) << Arguments << Printed;
+	}
+	EXPECT_NE(std::string::npos, Call("check key.json").Err.find("at /\\u001b]0;owned\\u0007\\u001b[2J\\u009b1m"));
+	EXPECT_NE(std::string::npos, Call("blend volume.json").Out.find("\\u001b]0;owned"));
+}
+
+TEST_F(HostileFiles, APictureThatNoTextureHoldsIsRefusedAtItsHeader)
+{
+	for (const int Width : {16384, 16385})
+	{
+		Drydock::WriteExrPlanes((Folder / "wide.exr").string(), Width, 1,
+			std::vector(3, std::vector<float>(static_cast<size_t>(Width), 0.5f)), {"R", "G", "B"}, {});
+		Write("wide.json", R"({"scene": {"file": "wide.exr"}})");
+		for (const char* const Arguments :
+			{"check wide.json", "run wide.json --out out", "import wide.exr --out scene.exr"})
+		{
+			const FOutcome Outcome = Call(Arguments);
+			if (Width == 16384)
+			{
+				EXPECT_EQ(0, Outcome.ExitCode) << Arguments << Outcome.Err;
+				continue;
+			}
+			ExpectRefused(
+				Outcome, {"wide.exr: error DD5005: ", "says 16385 x 1 pixels; the largest frame is 16384 a side"});
+		}
+		Files::remove_all(Folder / "out");
+		Files::remove(Folder / "scene.exr");
+		Files::remove(Folder / "scene.json");
+	}
+}
+
+TEST_F(HostileFiles, AFileBeyondTheLimitIsAnErrorOfWriting)
+{
+	const std::string Run = "run '" + Configs + "neutral.json' --read-only-cache --out out";
+	ExpectRefused(Call(Run, "ulimit -f 16;"), {"error DD5004", "File too large"});
+	EXPECT_FALSE(Files::exists(Folder / "out"));
 }
 
 /** The number of a closed stream is given to the next file that is opened, and gets what is printed. */

@@ -161,3 +161,18 @@ TEST(SceneSuggestions, BrokenTextSuggestsNothing)
 	EXPECT_TRUE(ReadSuggestedVolumes("{", "a.exr", Diagnostics).empty());
 	EXPECT_FALSE(ReadSuggestedLocation("").has_value());
 }
+
+TEST(SceneSuggestions, VolumesAreAsManyAsAConfigHas)
+{
+	std::string Volumes;
+	for (int Index = 0; Index < 10001; ++Index)
+	{
+		Volumes += Index == 0 ? "{}" : ",{}";
+	}
+	std::vector<Drydock::FDiagnostic> Diagnostics;
+	EXPECT_EQ(10000u,
+		Drydock::ReadSuggestedVolumes("{\"post_process_volumes\": [" + Volumes + "]}", "a.exr", Diagnostics).size());
+	ASSERT_EQ(1u, Diagnostics.size());
+	EXPECT_EQ("a.exr:1:30027: warning DD1043 at /post_process_volumes/10000: more than 10000 volumes; no more are read",
+		Diagnostics[0].ToString());
+}

@@ -253,15 +253,37 @@ TEST_F(OutputFolder, NothingIsLeftOfOneThatWroteNothing)
 TEST_F(OutputFolder, OnlyWhatADeadProcessWroteAsideIsCleared)
 {
 	const std::string Dead = std::to_string(MakeDeadProcess());
-	Put("test.writing." + Dead + "/half.txt", "1");
-	Put("story.writing." + Dead + ".txt", "mine");
-	Put("test.writing.1/half.txt", "another's, at work");
-	Put("test.writing.0" + Dead, "mine");
-	Put("test.writing." + Dead + "b", "mine");
+	const pid_t Killed = fork();
+	if (Killed == 0)
+	{
+		const FAsideFile Aside(Out / "test");
+		Files::create_directory(Aside.GetPath());
+		std::ofstream(Aside.GetPath() / "half.txt") << "1";
+		_exit(0);
+	}
+	waitpid(Killed, nullptr, 0);
+	ASSERT_EQ(1, std::distance(Files::directory_iterator(Out), {}));
+	const std::vector<std::string> Others = {
+		"test.writing." + Dead + "/half.txt", "test.writing.abcdef/thesis.txt", "story.writing." + Dead + ".txt"};
+	for (const std::string& Name : Others)
+	{
+		Put(Name, "mine");
+	}
+	Files::permissions(Out / "test.writing.abcdef", Files::perms::owner_all);
+	const FAsideFile Living(Out / "test");
+	std::ofstream(Living.GetPath()) << "at work";
 	Write({{"a.txt", "1"}});
-	EXPECT_FALSE(Files::exists(Out / ("test.writing." + Dead)));
-	EXPECT_EQ("mine", ReadBytes(Out / ("story.writing." + Dead + ".txt")));
-	EXPECT_EQ("mine", ReadBytes(Out / ("test.writing.0" + Dead)));
-	EXPECT_EQ("mine", ReadBytes(Out / ("test.writing." + Dead + "b")));
-	EXPECT_EQ("another's, at work", ReadBytes(Out / "test.writing.1/half.txt"));
+	for (const std::string& Name : Others)
+	{
+		EXPECT_EQ("mine", ReadBytes(Out / Name));
+	}
+	EXPECT_EQ("at work", ReadBytes(Living.GetPath()));
+	EXPECT_EQ(6, std::distance(Files::directory_iterator(Out), {})); // and a.txt and the list
+}
+
+TEST_F(OutputFolder, FileOfTheLocksNameThatIsNoLockStays)
+{
+	Put(".drydock.lock", "mine");
+	EXPECT_THROW(Write({{"a.txt", "1"}}), FError);
+	EXPECT_EQ("mine", ReadBytes(Out / ".drydock.lock"));
 }

@@ -3,10 +3,10 @@
 
 #include "EndAction.h"
 
+#include <filesystem>
 #include <fstream>
 #include <string>
 #include <sys/wait.h>
-#include <thread>
 #include <unistd.h>
 
 using namespace Drydock;
@@ -69,37 +69,4 @@ TEST_F(EndActions, LatestComesFirstAndEndedOnesNotAtAll)
 					 }));
 	std::ifstream Stream(File);
 	EXPECT_EQ("21", std::string(std::istreambuf_iterator<char>(Stream), {}));
-}
-
-TEST_F(EndActions, ScratchFolderGoesWhileItIsWrittenTo)
-{
-	const Files::path Scratch = Folder / "scratch";
-	InAChild(
-		[&]
-		{
-			Files::create_directory(Scratch);
-			const FScratchPath Path(Scratch);
-			std::thread(
-				[&]
-				{
-					for (int Index = 0; Files::exists(Scratch); ++Index)
-					{
-						std::ofstream(Scratch / std::to_string(Index)) << Index;
-					}
-				})
-				.detach();
-			usleep(20000);
-			DoEndActions();
-			_exit(0);
-		});
-	EXPECT_FALSE(Files::exists(Scratch));
-}
-
-TEST_F(EndActions, ScratchPathGoesWithItsScope)
-{
-	{
-		const FScratchPath Path(Folder / "scratch");
-		std::ofstream(Path.Get()) << "x";
-	}
-	EXPECT_TRUE(Files::is_empty(Folder));
 }

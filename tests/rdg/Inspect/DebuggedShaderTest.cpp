@@ -1,10 +1,12 @@
 // A shader built for a debugger does what the interpreter does, bit for bit, and shows its author's names and lines.
 #include <gtest/gtest.h>
 
+#include "../ShaderCompiler/CacheTestUtils.h"
 #include "../ShaderCompiler/ShaderHarness.h"
 #include "DebugEmitter.h"
 #include "DebugFunction.h"
 #include "DebuggedShader.h"
+#include "ShaderDirectories.h"
 #include "TraceRecorder.h"
 
 #include <algorithm>
@@ -276,6 +278,61 @@ TEST(DebuggedShader, ItsFilesAreGoneWithIt)
 		EXPECT_EQ(Before + 1, Count());
 	}
 	EXPECT_EQ(Before, Count());
+}
+
+/** The module with other names of files. */
+std::string RenameFiles(const std::vector<uint32_t>& Words, const std::string& Name)
+{
+	constexpr uint32_t OpSource = 3;
+	constexpr uint32_t OpString = 7;
+	std::vector<uint32_t> Result(Words.begin(), Words.begin() + 5);
+	for (size_t At = 5; At < Words.size(); At += Words[At] >> 16)
+	{
+		const uint32_t Op = Words[At] & 0xffff;
+		const auto First = Words.begin() + std::ptrdiff_t(At);
+		if (Op == OpString)
+		{
+			std::vector<uint32_t> Text(Name.size() / 4 + 1, 0);
+			std::copy(Name.begin(), Name.end(), reinterpret_cast<char*>(Text.data()));
+			Result.insert(Result.end(), {uint32_t(Text.size() + 2) << 16 | OpString, Words[At + 1]});
+			Result.insert(Result.end(), Text.begin(), Text.end());
+		}
+		else if (Op == OpSource && (Words[At] >> 16) > 3) // without its text
+		{
+			Result.insert(Result.end(), {3u << 16 | OpSource, Words[At + 1], Words[At + 2]});
+		}
+		else
+		{
+			Result.insert(Result.end(), First, First + std::ptrdiff_t(Words[At] >> 16));
+		}
+	}
+	return {reinterpret_cast<const char*>(Result.data()), Result.size() * sizeof(uint32_t)};
+}
+
+TEST(DebuggedShader, ANameOfAFileIsNoCode)
+{
+	// A compiler joins the lines around the first backslash, and then the quote ends the name.
+	const std::string Name = "a\\\n\"\n#ifndef P\n#define P\nstatic int Pwn = (__builtin_trap(), 0);\n#endif\n//";
+	const FShaderHarness Source("RWTexture2D<float4> Out;\n[numthreads(1, 1, 1)]\nvoid Main()\n{\n"
+								"\tOut[int2(0, 0)] = 1;\n}\n",
+		"Main", EShaderStage::Compute);
+	const FScratchFolder Folder;
+	Folder.Add(
+		"a\n#error injected.spv", RenameFiles(CompileToSpirv(FlattenShader(Source.Request), Source.Request), Name));
+	const size_t NumDirectories = CountShaderDirectories();
+	AddShaderDirectory("/DebuggedShaderTest", Folder.Path.string());
+	FShaderHarness Harness("", "Main", EShaderStage::Compute);
+	Harness.Request.VirtualPath = "/DebuggedShaderTest/a\n#error injected.spv";
+	Harness.Request.GeneratedFiles.clear();
+	Harness.Textures["Out"] = FTestTexture(1, 1);
+	FInspectedShader& Inspected = Harness.Inspect();
+	const std::string Cpp = EmitDebugKernel(Inspected, "Main");
+	EXPECT_NE(std::string::npos, Cpp.find("#line 5 \"a\\\\\\\"#ifndef P#define P")) << Cpp;
+	const FDebuggedShader Debugged(Harness.Request, Harness.GetReflection());
+	Debugged.Run(Harness.GetArgs(), {0, 0, 0, 1, 1, 1}, {0, 0, 0}, MaxSteps);
+	EXPECT_EQ(1.0f, Harness.Textures["Out"].Texel(0, 0)[0]);
+	Harness.Run(4, 1, 1); // the kernel
+	ForgetShaderDirectories(NumDirectories);
 }
 
 } // namespace

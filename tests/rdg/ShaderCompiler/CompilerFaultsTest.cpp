@@ -168,6 +168,16 @@ TEST_F(FCompilerFaults, OneThatRunsShortNamesWhatItLacks)
 	EXPECT_THAT(Run.Error, HasSubstr("No space left on device"));
 }
 
+TEST_F(FCompilerFaults, OneThatWritesNothingIsSaidTo)
+{
+	for (const char* const Script : {"exit 0", "while [ \"$1\" != -o ]; do shift; done; mkfifo \"$2\""})
+	{
+		const FShaderRun Run = RunWithCompiler(Script);
+		EXPECT_EQ(ExitUsage, Run.ExitCode);
+		EXPECT_THAT(Run.Error, AllOf(HasSubstr("DD6031"), HasSubstr("ended well and wrote no kernel")));
+	}
+}
+
 TEST_F(FCompilerFaults, OneThatIsNoProgramIsSaidToBe)
 {
 	const FScopedVariable Compiler("DRYDOCK_CXX", Scratch.Add("compiler", "\x7f"

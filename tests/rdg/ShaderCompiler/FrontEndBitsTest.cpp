@@ -68,7 +68,7 @@ std::vector<uint32_t> ListEffects(const std::vector<uint32_t>& Words)
 TEST(FrontEndBits, AreThoseOfGlslangValidatorForEveryShippedShader)
 {
 	const FTemporaryFolder Folder;
-	const std::string Validator = Folder.Path + "/glslangValidator";
+	const std::string Validator = Folder.Reserve("glslangValidator");
 	std::ofstream(Validator) << Script;
 	std::filesystem::permissions(Validator, std::filesystem::perms::owner_all);
 	int NumShaders = 0;

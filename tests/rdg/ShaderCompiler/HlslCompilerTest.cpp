@@ -110,6 +110,33 @@ TEST_F(FHlslCompilerTest, ProgramsThatCannotBeCalledAreNamed)
 		HasSubstr("'fxc' is not known; a program is called as its name begins: dxc, slangc or glslang"));
 }
 
+TEST_F(FHlslCompilerTest, OneThatIsNotThereIsNamedWhateverTheCacheHolds)
+{
+	FShaderHarness Harness = MakeShader("Out[Id.xy] = 6;");
+	Harness.Run(4, 1, 1);
+	for (const std::string& Name : {std::string("/nonexistent/dxc"), std::string(" "), Folder.Path.string()})
+	{
+		ForgetCompiledShaders(); // the files of the cache stay
+		const FScopedVariable Chosen("DRYDOCK_HLSL_COMPILER", Name);
+		EXPECT_THAT(ErrorOf([&] { CompileShader(Harness.Request); }),
+			HasSubstr("DD6012: DRYDOCK_HLSL_COMPILER: there is no program '" + Name + "'"));
+	}
+}
+
+TEST_F(FHlslCompilerTest, OnlyAFileOfWhatItWritesIsRead)
+{
+	const std::string Output = "while [ \"$1\" != -Fo ]; do shift; done; ";
+	for (const auto& [Script, Problem] : {std::pair("exit 0", "No such file or directory"),
+			 std::pair("mkfifo \"$2\"", "it is a pipe, and only files are read"),
+			 std::pair("ln -s /dev/zero \"$2\"", "it is a device, and only files are read"),
+			 std::pair("truncate -s 20G \"$2\"", "it has 21474836480 bytes, and at most 16777216 are read")})
+	{
+		const FScopedVariable Chosen("DRYDOCK_HLSL_COMPILER", Folder.AddScript("dxc", Output + Script));
+		EXPECT_THAT(ErrorOf([&] { ReflectShader(MakeShader("Out[Id.xy] = 6;").Request); }),
+			HasSubstr(std::string("DD6012: dxc has written nothing that can be read for 'Main': ") + Problem));
+	}
+}
+
 TEST(HlslCompilerArguments, AreThoseOfTheProgram)
 {
 	const std::vector<std::string> Dxc = ArgumentsOf(EHlslCompiler::Dxc, EShaderStage::Pixel);

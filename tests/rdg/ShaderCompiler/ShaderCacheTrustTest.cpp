@@ -6,6 +6,7 @@
 #include "CacheTestUtils.h"
 #include "ShaderCache.h"
 #include "ShaderCacheLock.h"
+#include "TemporaryFolder.h"
 
 #include <algorithm>
 #include <chrono>
@@ -179,18 +180,42 @@ TEST_F(FCacheTrust, ThatCannotBeWrittenIsSaidOnce)
 
 TEST_F(FCacheTrust, LeftoversOfTheDeadGoWithTheNextRun)
 {
+	ASSERT_TRUE(fs::create_directory(Cache));
 	const pid_t Child = fork();
 	ASSERT_GE(Child, 0);
 	if (Child == 0)
 	{
+		const FMarkedFolder Left((Cache / MakeTemporaryName()).string());
+		std::ofstream(Left.Reserve("0")) << "half";
 		_exit(0);
 	}
 	waitpid(Child, nullptr, 0);
-	ASSERT_TRUE(fs::create_directory(Cache));
-	const fs::path Left = Cache / ("drydock-" + std::to_string(Child) + "-7");
-	std::ofstream(Left) << "half";
+	ASSERT_FALSE(fs::is_empty(Cache));
+	const fs::path Mine = Cache / ("drydock-" + std::to_string(Child) + "-7");
+	std::ofstream(Mine) << "mine";
 	FShaderCache::Open();
-	EXPECT_FALSE(fs::exists(Left));
+	EXPECT_TRUE(fs::exists(Mine));
+	EXPECT_EQ(1, std::distance(fs::directory_iterator(Cache), {}));
+}
+
+TEST_F(FCacheTrust, FilesOfTheLocksNamesThatAreNoLocksStay)
+{
+	fs::create_directories(Cache / "locks");
+	const auto GetName = [this](unsigned Number)
+	{
+		char Name[8];
+		std::snprintf(Name, sizeof(Name), "%02x", Number);
+		return Cache / "locks" / Name;
+	};
+	for (unsigned Number = 0; Number < 256; ++Number)
+	{
+		std::ofstream(GetName(Number)) << "mine";
+	}
+	EXPECT_EQ(25.0f, RunCacheShader("25").Value);
+	for (unsigned Number = 0; Number < 256; ++Number)
+	{
+		EXPECT_EQ("mine", ReadBytes(GetName(Number)));
+	}
 }
 
 TEST_F(FCacheTrust, ALockThatIsNeverGivenBackIsSaidAndLeft)

@@ -5,6 +5,11 @@
 #include "ChildProcess.h"
 #include "ShaderHarness.h"
 
+#include <csignal>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 namespace
 {
 
@@ -182,6 +187,17 @@ TEST(ShaderRefusals, GroupsLargerThanDirect3DsAreNamed)
 		HasSubstr("numthreads(64, 32, 1)"));
 }
 
+TEST(ShaderRefusals, GroupsOfNegativeSizesAreNamed)
+{
+	for (const char* const Sizes : {"-1, 1, 1", "1, -2, 1", "1, 1, -1"})
+	{
+		EXPECT_THAT(ErrorsOf("[numthreads(" + std::string(Sizes) +
+							 ")] void Main(uint3 Id : SV_DispatchThreadID) { Out[Id.xy] = 1; }\n"),
+			HasSubstr("[numthreads] of 'Main' has a negative number"))
+			<< Sizes;
+	}
+}
+
 TEST(RunChild, GivesOutputAndExitCode)
 {
 	const FChildResult Result = RunChild({"/bin/sh", "-c", "echo out; echo err >&2; exit 3"}, 10);
@@ -204,6 +220,29 @@ TEST(RunChild, EndsWhatTakesTooLong)
 TEST(RunChild, NamesTheSignalOfACrash)
 {
 	EXPECT_EQ("was ended by signal 11", RunChild({"/bin/sh", "-c", "kill -SEGV $$"}, 10).Describe(10));
+}
+
+TEST(RunChild, GoesWithAParentThatIsKilled)
+{
+	int Pipe[2]; // held by all that lives
+	ASSERT_EQ(0, pipe(Pipe));
+	const pid_t Parent = fork();
+	if (Parent == 0)
+	{
+		const std::string Held = std::to_string(dup(Pipe[1])); // which exec does not close
+		close(Pipe[0]);
+		RunChild({"/bin/sh", "-c", "sleep 60 & printf x >&" + Held + "; wait"}, 60);
+		_exit(0);
+	}
+	close(Pipe[1]);
+	char Byte;
+	ASSERT_EQ(1, read(Pipe[0], &Byte, 1)); // the shell and what it started are there
+	kill(Parent, SIGKILL);
+	waitpid(Parent, nullptr, 0);
+	pollfd Poll{Pipe[0], POLLIN, 0};
+	EXPECT_EQ(1, poll(&Poll, 1, 10000)) << "a process lives on";
+	EXPECT_EQ(0, read(Pipe[0], &Byte, 1));
+	close(Pipe[0]);
 }
 
 TEST(RunChild, MissingProgramDoesNotStart)

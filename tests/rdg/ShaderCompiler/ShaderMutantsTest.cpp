@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <regex>
@@ -229,7 +230,7 @@ class FFakeFrontEnd
 public:
 	explicit FFakeFrontEnd(const std::string& Script)
 	{
-		const std::string Path = Folder.Path + "/glslangValidator";
+		const std::string Path = Folder.Reserve("glslangValidator");
 		std::ofstream(Path) << "#!/bin/sh\n" << Script << "\n";
 		std::filesystem::permissions(Path, std::filesystem::perms::owner_all);
 		setenv("DRYDOCK_GLSLANG", Path.c_str(), 1);
@@ -268,7 +269,9 @@ TEST(ShaderMutants, EndInAPictureOrAMessage)
 {
 	const char* const Wanted = std::getenv("DRYDOCK_MUTANTS");
 	const int Number = Wanted ? std::max(1, std::atoi(Wanted)) : NumMutants;
-	const FTemporaryFolder Folder;
+	const FTemporaryFolder Temporary;
+	const std::string Folder = Temporary.Reserve("judges");
+	std::filesystem::create_directory(Folder);
 	std::map<EOutcome, int> Outcomes;
 	std::map<std::string, int> Codes;
 	for (int First = 0; First < Number; First += int(NumProcesses))
@@ -276,7 +279,7 @@ TEST(ShaderMutants, EndInAPictureOrAMessage)
 		std::vector<FJudge> Running;
 		for (int Seed = First; Seed < std::min(Number, First + int(NumProcesses)); ++Seed)
 		{
-			Running.push_back(StartJudge(uint32_t(Seed), Wanted != nullptr, Folder.Path));
+			Running.push_back(StartJudge(uint32_t(Seed), Wanted != nullptr, Folder));
 		}
 		for (size_t i = 0; i < Running.size(); ++i)
 		{
@@ -348,7 +351,13 @@ TEST(FrontEndFaults, EndlessOutputIsEnded)
 
 TEST(FrontEndFaults, SuccessWithoutAModuleIsAMessage)
 {
-	const FFakeFrontEnd Fake("exit 0");
-	FShaderHarness Harness("// no module\n[numthreads(1, 1, 1)] void Main() {}\n", "Main", EShaderStage::Compute);
-	EXPECT_THAT(ErrorOf([&Harness] { ReflectShader(Harness.Request); }), HasSubstr("SPIR-V: not a module"));
+	for (const auto& [Script, Message] :
+		{std::pair("exit 0", "DD6012: glslangValidator has written nothing that can be read for 'Main': No such file"),
+			std::pair("while [ \"$1\" != -o ]; do shift; done; echo 'twenty bytes and no module' >\"$2\"",
+				"SPIR-V: not a module")})
+	{
+		const FFakeFrontEnd Fake(Script);
+		FShaderHarness Harness("// no module\n[numthreads(1, 1, 1)] void Main() {}\n", "Main", EShaderStage::Compute);
+		EXPECT_THAT(ErrorOf([&Harness] { ReflectShader(Harness.Request); }), HasSubstr(Message));
+	}
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "CacheTestUtils.h"
+#include "ShaderLint.h"
 #include "SpirvFile.h"
 
 namespace
@@ -188,6 +189,26 @@ TEST_F(FSpirvFileTest, TheEntryThatIsAskedForIsTakenOfSeveral)
 	EXPECT_THAT(ErrorOfBytes(ToBytes(AddEntry(MakeWords())), "Nothing"),
 		HasSubstr("/Test/Module.spv: error DD6011: entry point 'Nothing' (compute) is not in this module; it has Ether "
 				  "(pixel), Main (compute)"));
+}
+
+TEST_F(FSpirvFileTest, LintFindsTheEntriesOfAModule)
+{
+	const FShaderHarness Harness = MakeHarness(AddEntry(MakeWords()));
+	FShaderCompileRequest Request = Harness.Request;
+	Request.EntryPoint = "";
+	std::vector<std::string> Entries;
+	for (const FShaderEntry& Entry : FindShaderEntries(Request))
+	{
+		Entries.push_back(Entry.Name + (Entry.Stage == EShaderStage::Pixel ? " pixel" : " other"));
+	}
+	EXPECT_THAT(Entries, testing::ElementsAre("Ether pixel", "Main other"));
+	Request.EntryPoint = "Main";
+	std::vector<FDiagnostic> Refused;
+	LintShader(Request, 0xFF, &Refused);
+	EXPECT_TRUE(Refused.empty());
+
+	Folder.Add("Module.spv", "no module");
+	EXPECT_THAT(ErrorOf([&] { FindShaderEntries(Request); }), HasSubstr("DD6004"));
 }
 
 TEST_F(FSpirvFileTest, AFileThatIsMissingIsNamed)

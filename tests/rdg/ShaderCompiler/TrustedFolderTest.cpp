@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "CacheTestUtils.h"
-#include "Leftovers.h"
 #include "TrustedFolder.h"
 
 #include <csignal>
@@ -159,35 +158,4 @@ TEST_F(FTrustedFolderTest, WritesAllOrNothing)
 	ASSERT_EQ(Child, waitpid(Child, &Status, 0));
 	EXPECT_EQ(0, Status);
 	EXPECT_TRUE(ListFiles(Path).empty());
-}
-
-TEST(Leftovers, OfDeadProcessesAreRemoved)
-{
-	const FScratchFolder Scratch;
-	const pid_t Child = fork();
-	ASSERT_GE(Child, 0);
-	if (Child == 0)
-	{
-		_exit(0);
-	}
-	waitpid(Child, nullptr, 0); // its number is nobody's now
-	const std::string OfDead = "drydock-" + std::to_string(Child) + "-";
-	fs::create_directories(Scratch.Path / (OfDead + "abcdef") / "inside");
-	Scratch.Add(OfDead + "1", "");
-	Scratch.Add(GetLeftoverPrefix() + "1", "");
-	for (const char* const Other : {"drydock-", "drydock-x-1", "drydock--1-1", "drydock-1", "other-1-1", "drydock-0-1"})
-	{
-		Scratch.Add(Other, "");
-	}
-	const fs::path Target = Scratch.Path / "kept";
-	fs::create_directories(Target);
-	fs::create_directory_symlink(Target, Scratch.Path / (OfDead + "link"));
-
-	RemoveLeftovers(Scratch.Path.string());
-	EXPECT_FALSE(fs::exists(Scratch.Path / (OfDead + "abcdef")));
-	EXPECT_FALSE(fs::exists(Scratch.Path / (OfDead + "1")));
-	EXPECT_TRUE(fs::exists(Scratch.Path / (GetLeftoverPrefix() + "1")));
-	EXPECT_TRUE(fs::exists(Target));
-	EXPECT_TRUE(fs::is_symlink(Scratch.Path / (OfDead + "link")));
-	EXPECT_EQ(7u, ListFiles(Scratch.Path).size()); // the other names and the own one
 }

@@ -1,0 +1,29 @@
+// Text goes to stdout and stderr by PrintText alone, so that no stranger's text steers a terminal.
+#include <gtest/gtest.h>
+
+#include "IncludeGraph.h"
+
+#include <regex>
+#include <set>
+
+TEST(OutputStreams, AreWrittenByPrintText)
+{
+	// Of these, some write what only drydock makes, and one writes where nothing may be called.
+	const std::set<std::string> Exceptions = {"rdg/Core/FaultHandlers.cpp", "pipeline/Program/EndingSignals.cpp",
+		"pipeline/Program/ProgressBar.cpp", "pipeline/Program/ProgramOutput.cpp"};
+	const std::regex Direct(
+		"\\b(printf|puts|putchar|perror) ?\\(|\\bstd::(cout|cerr|clog)\\b|"
+		"\\b(fprintf|vfprintf|fputs|fputc|fwrite|write)\\([^;]{0,300}\\b(stdout|stderr|STD(OUT|ERR)_FILENO)\\b");
+	std::set<std::string> Found;
+	for (const auto& [Path, Text] :
+		Drydock::Test::ReadSources(DRYDOCK_TEST_SOURCE_DIR, {"rdg", "settings", "passes", "pipeline"}))
+	{
+		std::smatch Match;
+		if (std::regex_search(Text, Match, Direct))
+		{
+			Found.insert(Path);
+			EXPECT_TRUE(Exceptions.count(Path) > 0) << Path << " writes by itself: " << Match.str();
+		}
+	}
+	EXPECT_EQ(Exceptions, Found);
+}
