@@ -28,7 +28,10 @@ FEffectDecision DecideLocalExposure(const FEffect&, const FEffectInputs& Inputs)
 		Decision.Reason = "ShowFlag.PostProcessing is off";
 		return Decision;
 	}
-	if (!IsLocalExposureEnabled(Values) && !(Inputs.Conditions.bNoSkip && bNamed))
+	// At 1 the engine has none. Running it all the same changes no bit, but where it brings bloom's setup pass, and its
+	// ramp.
+	const bool bBringsRamp = Inputs.Conditions.Engine.bBloomRampWithoutThreshold && !(Values.BloomThreshold > -1.0f);
+	if (!IsLocalExposureEnabled(Values) && !(Inputs.Conditions.bNoSkip && bNamed && !bBringsRamp))
 	{
 		Decision.Reason = "its contrast scales and detail strength are 1" + Inputs.DescribeGate("LocalExposure");
 		return Decision;
