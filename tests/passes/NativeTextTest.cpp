@@ -65,7 +65,7 @@ TEST(NativeText, EveryPermutationOfAKernelsClassHasTheTextThatTheKernelKnows)
 	for (const FNativeKernel& Kernel : GetNativeKernels())
 	{
 		std::set<std::string> Fingerprints;
-		for (int32 Id = 0; Id < Kernel.Type->GetPermutationCount() && Id < 256; ++Id)
+		for (int32 Id = 0; Id < Kernel.Type->GetPermutationCount() && Id < 48; ++Id)
 		{
 			if (Kernel.Type->ShouldCompilePermutation(Id))
 			{
