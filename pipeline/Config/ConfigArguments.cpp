@@ -140,8 +140,7 @@ void AddSettingArgument(FConfig& Config, const std::string& Argument, std::vecto
 	const FSettingField* Field = FindSettingField(Name);
 	if (Field == nullptr)
 	{
-		Messages.Error(
-			ErrorUnknownSetting, Place, "unknown setting " + Name + Messages.SuggestFrom(Name, GetSettingNames));
+		Messages.Error(ErrorUnknownSetting, Place, "unknown setting " + Name + Messages.SuggestSetting(Name));
 		return;
 	}
 	FSettingValue Value;

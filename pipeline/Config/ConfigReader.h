@@ -3,6 +3,7 @@
 
 #include "Config/Config.h"
 #include "DiagnosticList.h"
+#include "PostProcessSettingsReflection.h"
 #include "Text/ConfigErrors.h"
 #include "Text/Json.h"
 
@@ -65,6 +66,12 @@ public:
 	std::string SuggestFrom(const std::string& Name, const TFunction& GetCandidates) const
 	{
 		return Diagnostics.size() < MaxDiagnostics ? Drydock::Suggest(Name, GetCandidates()) : "";
+	}
+	/** The same for the name of a setting; of one that engine 4 had, where it is today. */
+	std::string SuggestSetting(const std::string& Name) const
+	{
+		return Name == "ScreenPercentage" ? "; engine 5 has none of this name: set scene.screenPercentage of the config"
+										  : SuggestFrom(Name, GetSettingNames);
 	}
 	std::string Suggest(const std::string& Name, const std::vector<std::string>& Candidates) const
 	{

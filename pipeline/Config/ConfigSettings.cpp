@@ -154,8 +154,7 @@ void ReadSetting(const std::string& Name, const FJsonValue& Value, FConfigSettin
 	const FSettingField* Field = FindSettingField(Name);
 	if (Field == nullptr)
 	{
-		Messages.ErrorAtKey(
-			ErrorUnknownSetting, Value, "unknown setting" + Messages.SuggestFrom(Name, GetSettingNames));
+		Messages.ErrorAtKey(ErrorUnknownSetting, Value, "unknown setting" + Messages.SuggestSetting(Name));
 		return;
 	}
 	FSettingValue SettingValue;

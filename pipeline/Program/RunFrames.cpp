@@ -84,6 +84,7 @@ int RunFrames(const FFramesOptions& Options)
 	Sequence.Frames = Options.Frames;
 	Sequence.Folder = ChooseOutputFolder(Options.OutputFolder, Options.Run);
 	Sequence.bRestart = Options.bRestart;
+	Sequence.Lead = Options.Lead;
 	FSequenceProgress Progress;
 	Sequence.Progress = [&](int Done, int Total, const std::string& What)
 	{

@@ -14,6 +14,7 @@ struct FFramesOptions
 	std::string OutputFolder; // empty: GetDefaultOutputFolder
 	std::string Frames;       // a list of frames (FrameList.h); empty: the config's, or one frame
 	bool bRestart = false;    // render frames again that are there
+	int Lead = 0;             // frames before the first that are rendered for their history
 	std::string Video;        // file of a video of the frames; empty: none
 	bool bJson = false;
 	std::string Report; // "off", "on", "full"; empty: the config's word, or by WantsReport

@@ -215,13 +215,15 @@ int RunOrWatch(const FRunVerbOptions& Options)
 	{
 		return RunFrames(Options);
 	}
-	if (Options.bRestart || !Options.Video.empty())
+	if (Options.bRestart || !Options.Video.empty() || Options.Lead > 0)
 	{
 		throw FError(
 			{.Code = ErrorBadArgument,
 				.Message =
 					"is about the frames of a sequence: name them with --frames, or in the config's scene.frames",
-				.Where = Options.bRestart ? "--restart" : "--video"},
+				.Where = Options.bRestart         ? "--restart"
+						 : !Options.Video.empty() ? "--video"
+												  : "--lead"},
 			ExitUsage);
 	}
 	if (Options.bWatch)
@@ -260,6 +262,10 @@ FVerbCall AddRunOptions(FVerbOptions& Verb)
 				"1,3,5-8; the config's scene.frames by default. A run that was stopped goes on where it stood")
 			.SetType("LIST")
 			.Exclude(Verb.Find("--frame"));
+	Verb.Add("--lead", Options->Lead,
+			"Frames before the first of --frames that are rendered for what lives on from them, and are not written")
+		.RequireRange(0, 1000000)
+		.SetType("N");
 	Verb.AddFlag("--restart", Options->bRestart, "Render all frames again, whatever the folder holds");
 	Verb.Add("--video", Options->Video, "Video of the frames, such as walk.mp4; needs ffmpeg").SetType("FILE");
 	Verb.AddFlag("--watch", Options->bWatch, "Run again whenever the config, its scene, a plugin or a shader changes")

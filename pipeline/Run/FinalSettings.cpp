@@ -7,6 +7,8 @@
 #include "Exposure/PostProcessEyeAdaptation.h"
 #include "HAL/IConsoleManager.h"
 #include "ShowFlags.h"
+#include "Text/ConfigErrors.h"
+#include "Text/TextFormat.h"
 
 #include <algorithm>
 #include <cmath>
@@ -146,8 +148,20 @@ float ComputeExposureScale(const FConfig& Config, const FViewSettings& View)
 		return 1.0f;
 	}
 	const float DefaultBias = StartFinalPostProcessSettings().AutoExposureBias;
-	return static_cast<float>(
+	const float Scale = static_cast<float>(
 		Config.View.Exposure.Value * std::exp2(static_cast<double>(View.Settings.AutoExposureBias) - DefaultBias));
+	if (!View.bAutoExposure && !(Scale > 0.0f && std::isfinite(Scale)))
+	{
+		throw FError(
+			{.Code = ErrorBadValue,
+				.Message = "AutoExposureBias is " + NumberText(View.Settings.AutoExposureBias) +
+						   ": the exposure's scale, view.exposure times 2 to the power of the bias, is " +
+						   NumberText(Scale) + "; expected a finite number above 0, as a bias from -100 to 100 gives",
+				.File = Config.File,
+				.Where = "AutoExposureBias"},
+			ExitUsage);
+	}
+	return Scale;
 }
 
 } // namespace

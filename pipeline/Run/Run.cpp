@@ -290,6 +290,28 @@ auto CallWithWarnings(TFunction Function, const FRunResult& Result)
 	}
 }
 
+/** Of every view: the average of an empty histogram is luminance 1, whatever the picture is. */
+void WarnWhereNothingIsMetered(FRunResult& Result)
+{
+	for (const FRunView& View : Result.Views)
+	{
+		const FExposureHistogram* const Histogram =
+			View.Exposure && View.Exposure->Histogram ? &*View.Exposure->Histogram : nullptr;
+		if (Histogram == nullptr ||
+			std::any_of(Histogram->Buckets.begin(), Histogram->Buckets.end(), [](double Share) { return Share > 0.0; }))
+		{
+			continue;
+		}
+		Result.Diagnostics.push_back({.Severity = ESeverity::Warning,
+			.Code = WarnNothingMetered,
+			.Message = "nothing is metered: the histogram takes luminances from " +
+					   NumberText(std::exp2(Histogram->LogMin)) +
+					   " on, and every pixel is darker. The exposure is that of a "
+					   "luminance of 1; lower HistogramLogMin, or take AEM_Basic",
+			.Where = (View.Name.empty() ? "" : View.Name + ", ") + "AutoExposureMethod " + View.Exposure->Method});
+	}
+}
+
 /** Builds the graph and runs or compiles it. */
 void RunGraph(const FRunOptions& Options, const FRunSetup& Setup, FSceneFile& Scene, const FBeforeFrame& Before,
 	FRunResult& Result)
@@ -321,6 +343,7 @@ void RunGraph(const FRunOptions& Options, const FRunSetup& Setup, FSceneFile& Sc
 		Result.Graph = std::move(Frame.Graph);
 		return;
 	}
+	WarnWhereNothingIsMetered(Result);
 	Result.ViewStates = std::move(Frame.ViewStates);
 	Result.SceneLinear = std::move(Frame.SceneLinear);
 	Result.Final = std::move(Frame.Final);

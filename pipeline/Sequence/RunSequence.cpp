@@ -16,6 +16,8 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <iterator>
+#include <set>
 
 namespace Drydock
 {
@@ -57,7 +59,9 @@ public:
 		: Options(InOptions)
 		, Session(MakeRunOptions())
 		, Frames(ChooseFrames())
-		, Inputs(FindSequenceInputs(Options.Run, Session.GetConfig()))
+		, Before(FindBefore())
+		, Lead(Before.end() - std::min<std::ptrdiff_t>(Options.Lead, std::ssize(Before)), Before.end())
+		, Inputs(FindInputs())
 		, Folder(Options.Folder, GetNumDigits(Session.GetConfig().Scene.Sequence))
 	{
 	}
@@ -101,11 +105,36 @@ private:
 				   : ChooseSequenceFrames(Config, Options.Frames, {0, 0, "--frames"});
 	}
 
+	/** The frames of the scene before the first one, at the distances of those that are asked for. */
+	std::vector<FSequenceFrame> FindBefore() const
+	{
+		const int First = Frames.front().Number;
+		const int Step = Frames.size() > 1 ? Frames[1].Number - First : 1;
+		std::vector<FSequenceFrame> All = ChooseSequenceFrames(Session.GetConfig(), "all", {});
+		std::erase_if(All,
+			[&](const FSequenceFrame& Frame) { return Frame.Number >= First || (First - Frame.Number) % Step != 0; });
+		return All;
+	}
+
+	/** Frames that lead in count by their contents: nothing of them is written. */
+	FSequenceInputs FindInputs() const
+	{
+		FSequenceInputs Found = FindSequenceInputs(Options.Run, Session.GetConfig());
+		for (const FSequenceFrame& Frame : Lead)
+		{
+			Found["file " + Frame.Path] = FingerprintFile(Frame.Path);
+		}
+		return Found;
+	}
+
 	/** Extensions from outside may keep a history where nobody else sees it. */
 	bool IsHistoryKnown() const { return Session.GetConfig().Plugins.empty(); }
 
 	/** The frame before one, by its number; -1 before the first. */
-	int GetNumberBefore(size_t Index) const { return Index == 0 ? -1 : Frames[Index - 1].Number; }
+	int GetNumberBefore(size_t Index) const
+	{
+		return Index > 0 ? Frames[Index - 1].Number : Lead.empty() ? -1 : Lead.back().Number;
+	}
 
 	/** For each frame whether it is there, whole and of this sequence. */
 	std::vector<bool> FindFinished()
@@ -194,6 +223,10 @@ private:
 	/** Whether a finished frame goes on from what the frame before it is now. Says so where it does not. */
 	bool SawHistoryBefore(size_t Index) const
 	{
+		if (Index == 0 && !Lead.empty())
+		{
+			return true; // the inputs are the same
+		}
 		const std::string Left = Index == 0 ? "" : ReadRecord(Frames[Index - 1].Number).State;
 		const bool bSaw = ReadRecord(Frames[Index].Number).Seen == Left;
 		if (!bSaw)
@@ -211,9 +244,24 @@ private:
 			ReadHistory(Index - 1);
 			FillCaches(Index - 1);
 		}
+		if (NumInHistory == 0 && LastState.empty())
+		{
+			LeadIn();
+		}
 		while (NumInHistory < Index)
 		{
 			RepeatFrame(NumInHistory);
+		}
+	}
+
+	/** Renders what is before the first frame, for the history alone. */
+	void LeadIn()
+	{
+		for (const FSequenceFrame& Frame : Lead)
+		{
+			History = Session.Run(Frame.Number, History).ViewStates;
+			LastState = FingerprintViewStates(History);
+			FRDGBuilder::TickPoolElements();
 		}
 	}
 
@@ -287,6 +335,10 @@ private:
 			Folder.RemoveViewState(Frames[Index - 1].Number);
 		}
 		Report(Result.Diagnostics);
+		if (Index == 0 && Lead.size() < Before.size())
+		{
+			ReportNoHistory(Result);
+		}
 		EndFrame(Result, Record);
 		++NumRendered;
 	}
@@ -297,6 +349,42 @@ private:
 		LastState = Record.State;
 		++NumInHistory;
 		FRDGBuilder::TickPoolElements();
+	}
+
+	/** Of the first frame, where frames before it exist and it keeps something for the next one. */
+	void ReportNoHistory(const FRunResult& Result) const
+	{
+		std::set<std::string> Kept;
+		for (const FViewHistory& View : Result.ViewStates)
+		{
+			for (const auto& [Name, Texture] : View.Textures)
+			{
+				Kept.insert(Name);
+			}
+			for (const auto& [Name, Buffer] : View.Buffers)
+			{
+				Kept.insert(Name);
+			}
+		}
+		if (!IsHistoryKnown())
+		{
+			Kept.insert("what its plugins keep");
+		}
+		if (Kept.empty())
+		{
+			return;
+		}
+		const std::string Number = std::to_string(Before.size());
+		Report({{.Severity = ESeverity::Note,
+			.Code = NoteNoHistory,
+			.Message =
+				"frame " + std::to_string(Frames.front().Number) + " begins with the history of " +
+				(Lead.empty() ? "no frame" : std::to_string(Lead.size()) + (Lead.size() == 1 ? " frame" : " frames")) +
+				", and " + Number + (Before.size() == 1 ? " is" : " are") + " before it (" +
+				JoinText({Kept.begin(), Kept.end()}, ", ") +
+				"): its picture, and those behind it, may differ from the whole sequence; --lead " + Number +
+				" gives the same",
+			.File = Frames.front().Path}});
 	}
 
 	void Report(const std::vector<FDiagnostic>& Diagnostics) const
@@ -349,6 +437,8 @@ private:
 	size_t Current = 0; // in Frames
 	FRunSession Session;
 	const std::vector<FSequenceFrame> Frames;
+	const std::vector<FSequenceFrame> Before;
+	const std::vector<FSequenceFrame> Lead; // the last of Before
 	const FSequenceInputs Inputs;
 	FSequenceFolder Folder;
 	std::vector<FViewHistory> History;

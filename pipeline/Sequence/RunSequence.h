@@ -29,11 +29,13 @@ struct FSequenceOptions
 {
 	FRunOptions Run;       // Frame is not looked at
 	std::string Frames;    // a list (FrameList.h); empty: the config's scene.frames
+	int Lead = 0;          // so many frames before the first are rendered for their history, and not written
 	std::string Folder;    // of the sequence (SequenceFolder.h)
 	bool bRestart = false; // render all frames again, whatever the folder holds
 	/** Called before each pass and after each frame. Done and Total count frames; What: "frame 3: Tonemap". */
 	std::function<void(int Done, int Total, const std::string& What)> Progress;
-	/** Called with what each frame that is rendered reports, and with why frames are rendered again (DD1073). */
+	/** Called with what each frame that is rendered reports, with why frames are rendered again (DD1073), and with what
+	 * the first frame lacks of its history (DD1074). */
 	std::function<void(const std::vector<FDiagnostic>&)> Report;
 	/** The text of sequence.html, called when all frames are there; none: it is not written. */
 	std::function<std::string(const FSequenceResult& Result)> MakePage;

@@ -44,6 +44,7 @@ enum EConfigError
 	WarnNonFinite = 4001,       // NaN or infinity in an image
 	ErrorNonFinite = 4002,      // the same, with r.Drydock.NonFinite 2
 	WarnNonFiniteSpread = 4003, // where those of the scene went
+	WarnNothingMetered = 4005,  // automatic exposure, and every pixel is darker than what the histogram counts
 	WarnCheck = 4010,           // a line of a shader does what --check looks for
 	WarnNothingPrinted = 4012,  // --print, and no shader that ran prints
 

@@ -85,8 +85,8 @@ constexpr const char* AboutSweep = R"(
 `DRYDOCK_SWEEP=all build/release/bin/test_stability --gtest_filter='Sweep.*'` runs every setting and every console variable,
 by the table and the registry, with 0, 1, -1, both ends of its range and of its slider, +-1e9, 1e20, +-1e38, a denormal, NaN
 and the infinities (whole numbers: the ends of their type; enums: each of their names), in two frames with every effect on,
-of 32 x 18 pixels. Each run ends with a finite final picture or with a message and exit code 2, within 20 s and 4 GB. All
-tests run one case in 40; `DRYDOCK_SWEEP=TEXT` runs those whose name holds the text. `r.Drydock.ShaderSeconds` is left out: it
+of 32 x 18 pixels, and every setting once more without automatic exposure. Each run ends with a finite final picture or with a message and exit code 2, within 20 s and 4 GB. All
+tests run one case in 50; `DRYDOCK_SWEEP=TEXT` runs those whose name holds the text. `r.Drydock.ShaderSeconds` is left out: it
 ends the process.
 )";
 

@@ -83,7 +83,8 @@ std::string MakeConfig(ESweepFrame Frame)
 				  : "");
 	const std::string Own = bPrinted ? R"("BloomMethod": "BM_FFT", "AutoExposureMethod": "AEM_Basic")"
 									 : R"("BloomMethod": "BM_SOG", "AutoExposureMethod": "AEM_Histogram")";
-	return R"({"scene": {"file": "sweep.exr"}, "view": {"exposure": "auto"}, "cvars": {)" + Variables +
+	const std::string Exposure = Frame == ESweepFrame::Manual ? "1" : R"("auto")";
+	return R"({"scene": {"file": "sweep.exr"}, "view": {"exposure": )" + Exposure + R"(}, "cvars": {)" + Variables +
 		   R"(}, "volumes": [{"name": "All", "bUnbound": true, "Settings": {)" + Own + "," + AllOn + "}}]}";
 }
 
@@ -98,7 +99,7 @@ std::filesystem::path MakeFolderName()
 
 const char* ToString(ESweepFrame Frame)
 {
-	return Frame == ESweepFrame::Printed ? "printed" : "corrected";
+	return Frame == ESweepFrame::Printed ? "printed" : Frame == ESweepFrame::Manual ? "manual" : "corrected";
 }
 
 FSweepScene::FSweepScene()

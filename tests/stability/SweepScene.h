@@ -15,6 +15,7 @@ enum class ESweepFrame
 {
 	Corrected, // bloom as a sum of Gaussians, the histogram, articles' effects corrected
 	Printed,   // convolution bloom, basic metering, articles' effects but RED as printed
+	Manual,    // as Corrected, without automatic exposure
 	MAX
 };
 

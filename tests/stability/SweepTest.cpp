@@ -83,7 +83,7 @@ bool MayRun(const FString& Variable)
 std::vector<FSweepCase> MakeCases()
 {
 	std::vector<FSweepCase> Cases;
-	for (const ESweepFrame Frame : {ESweepFrame::Corrected, ESweepFrame::Printed})
+	for (const ESweepFrame Frame : {ESweepFrame::Corrected, ESweepFrame::Printed, ESweepFrame::Manual})
 	{
 		for (const FSettingField& Field : GetSettingFields())
 		{
@@ -98,7 +98,7 @@ std::vector<FSweepCase> MakeCases()
 			for (const char* Value : bWhole ? std::vector<const char*>(std::begin(WholeNumbers), std::end(WholeNumbers))
 											: std::vector<const char*>(std::begin(Numbers), std::end(Numbers)))
 			{
-				if (MayRun(Variable.Name))
+				if (MayRun(Variable.Name) && Frame != ESweepFrame::Manual)
 				{
 					Cases.push_back({Frame, true, std::string(*Variable.Name) + "=" + Value});
 				}
@@ -111,7 +111,7 @@ std::vector<FSweepCase> MakeCases()
 /** By DRYDOCK_SWEEP; without it one case in so many, chosen by the name, so that they stay the same ones. */
 bool IsChosen(const FSweepCase& Case)
 {
-	constexpr uint64_t OneIn = 40;
+	constexpr uint64_t OneIn = 50;
 	const char* const Wanted = std::getenv("DRYDOCK_SWEEP");
 	if (Wanted == nullptr)
 	{

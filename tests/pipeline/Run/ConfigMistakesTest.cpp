@@ -61,6 +61,8 @@ const FMistake GMistakes[] = {
 	{"volumes", R"({"bounds": {"min": [0, 0, 0], "max": [1, -1, 1]}})", "min lies above max in Y"},
 	{"volumes", R"({"bUnbound": true, "Weight": 1})", "unknown key \"Weight\""},
 	{"camera.Settings", R"("bOverride_Bloom": true)", "at /camera/Settings/bOverride_Bloom: unknown setting"},
+	{"camera.Settings", R"("ScreenPercentage": 50)",
+		"unknown setting; engine 5 has none of this name: set scene.screenPercentage of the config"},
 	{"cvars", R"("r.BloomQualty": 1)", "did you mean r.BloomQuality?"},
 	{"cvars", R"("r.BloomQuality": [1])", "at /cvars/r.BloomQuality: expected a number"},
 	{"showFlags", R"("Blom": false)", "unknown show flag; did you mean Bloom?"},

@@ -268,6 +268,38 @@ TEST(ExposureDecision, TheMethodIsNamedWithWhatChangedIt)
 	Override.Set(-1);
 }
 
+TEST(ExposureRun, ABiasWhoseScaleIsNoNumberIsTheUsersMistake)
+{
+	for (const char* const Bias : {"200", "-200", "1e9"})
+	{
+		try
+		{
+			RunBoxes(R"("exposure": 1)", std::string(R"("AutoExposureBias": )") + Bias);
+			FAIL() << Bias;
+		}
+		catch (const FError& Error)
+		{
+			EXPECT_EQ(ExitUsage, Error.GetExitCode());
+			EXPECT_EQ(1010, Error.GetDiagnostics().at(0).Code);
+			EXPECT_EQ("AutoExposureBias", Error.GetDiagnostics().at(0).Where);
+		}
+		RunBoxes(R"("exposure": "auto")", std::string(R"("AutoExposureBias": )") + Bias);
+	}
+}
+
+TEST(ExposureRun, APictureBelowTheHistogramSaysThatNothingIsMetered)
+{
+	const auto IsSaid = [](const char* LogMin)
+	{
+		const FRunResult Result =
+			RunBoxes(R"("exposure": "auto")", std::string(R"("HistogramLogMax": 15, "HistogramLogMin": )") + LogMin);
+		return std::any_of(Result.Diagnostics.begin(), Result.Diagnostics.end(),
+			[](const FDiagnostic& Each) { return Each.Code == WarnNothingMetered; });
+	};
+	EXPECT_TRUE(IsSaid("14"));
+	EXPECT_FALSE(IsSaid("-8"));
+}
+
 TEST(LocalExposureDecision, NeutralValuesDoNotRunAndSayWhy)
 {
 	FViewSettings Chain = AutoChain();

@@ -1,4 +1,5 @@
 // Sequences in this process: what is written, what lives on, and when a folder is taken up again.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "Run/Run.h"
@@ -13,6 +14,7 @@
 
 using namespace Drydock;
 using namespace SequenceTest;
+using testing::HasSubstr;
 
 namespace
 {
@@ -193,6 +195,62 @@ TEST_F(RunSequences, OneKilledBehindItsLastFileHasTheListOfAWholeOne)
 	ASSERT_NE(Whole, ReadBytes(ListFile));
 	EXPECT_EQ(0, RunSequence(Ask("2-3")).NumRendered);
 	EXPECT_EQ(Whole, ReadBytes(ListFile));
+}
+
+TEST_F(RunSequences, PartSaysThatItLacksHistoryAndLeadsIn)
+{
+	RunSequence(Ask("all", "whole"));
+	const auto RunPart = [&](const std::string& Out, int Lead)
+	{
+		FSequenceOptions Options = Ask("5-6", Out);
+		Options.Lead = Lead;
+		std::string Notes;
+		Options.Report = [&Notes](const std::vector<FDiagnostic>& Diagnostics)
+		{
+			for (const FDiagnostic& Each : Diagnostics)
+			{
+				Notes += Each.Code == NoteNoHistory ? Each.Message + "\n" : "";
+			}
+		};
+		RunSequence(Options);
+		EXPECT_FALSE(Files::exists(Options.Folder + "/frames/0004"));
+		return Notes;
+	};
+	const auto IsWhole = [&](const std::string& Out)
+	{
+		const std::string Picture = "/frames/0005/final.exr";
+		return ReadBytes(Temporary.Path / ("whole" + Picture)) == ReadBytes(Temporary.Path / (Out + Picture));
+	};
+	EXPECT_THAT(RunPart("none", 0),
+		testing::AllOf(HasSubstr("frame 5 begins with the history of no frame, and 4 are before it"),
+			HasSubstr("CustomSSRInput"), HasSubstr("--lead 4 gives the same")));
+	EXPECT_FALSE(IsWhole("none"));
+	EXPECT_THAT(RunPart("one", 1), HasSubstr("frame 5 begins with the history of 1 frame, and 4 are before it"));
+	EXPECT_TRUE(IsWhole("one")); // each frame shows the one before it, and no other
+	EXPECT_EQ("", RunPart("four", 4));
+	EXPECT_TRUE(IsWhole("four"));
+	EXPECT_EQ("", RunPart("many", 100));
+
+	// Stopped behind the first frame it goes on; the frames that lead in are part of what it is made of.
+	FSequenceOptions Stopped = Ask("5-5", "stopped");
+	Stopped.Lead = 4;
+	RunSequence(Stopped);
+	Stopped.Frames = "5-6";
+	RunSequence(Stopped);
+	EXPECT_TRUE(AreSameFolders(Temporary.Path / "four", Temporary.Path / "stopped"));
+	Stopped.Lead = 3;
+	EXPECT_THAT(ErrorOf(Stopped), HasSubstr("1070 2"));
+}
+
+TEST_F(RunSequences, FirstOfAllLacksNothing)
+{
+	FSequenceOptions Options = Ask("1-2");
+	Options.Report = [](const std::vector<FDiagnostic>& Diagnostics)
+	{
+		EXPECT_TRUE(std::none_of(Diagnostics.begin(), Diagnostics.end(),
+			[](const FDiagnostic& Each) { return Each.Code == NoteNoHistory; }));
+	};
+	RunSequence(Options);
 }
 
 TEST_F(RunSequences, FinishedOneIsLeftAsItIs)
