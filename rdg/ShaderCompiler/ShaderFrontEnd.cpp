@@ -5,6 +5,7 @@
 #include "FrontEndCrash.h"
 #include "FrontEndProcess.h"
 #include "HlslCompiler.h"
+#include "HlslTokens.h"
 #include "RegularFile.h"
 #include "SpirvFile.h"
 #include "TemporaryFolder.h"
@@ -309,6 +310,31 @@ bool AreGroupsWhole(const std::vector<uint32_t>& Words)
 	return true;
 }
 
+/** A compute shader's entry whose [numthreads] is missing: glslang takes 1, 1, 1 for it. */
+std::optional<FDiagnostic> FindMissingGroupSize(const std::string& Text, const FShaderCompileRequest& Request)
+{
+	const FHlslText Tokens(Text, Request.VirtualPath);
+	std::optional<FDiagnostic> Missing;
+	for (size_t Name = 1; Name < Tokens.Size(); ++Name)
+	{
+		if (!Tokens.Is(Name, Request.EntryPoint.c_str()) || !Tokens.Is(Name + 1, "(") || !Tokens.IsWord(Name - 1))
+		{
+			Name = std::max(Name, Tokens.FindClose(Name));
+			continue;
+		}
+		for (size_t At = Name; At > 0 && !Tokens.Is(At - 1, "}") && !Tokens.Is(At - 1, ";"); --At)
+		{
+			if (Tokens.Is(At - 1, "numthreads"))
+			{
+				return std::nullopt;
+			}
+		}
+		Missing = Tokens.MakeError(Name,
+			"the compute shader '" + Request.EntryPoint + "' has no [numthreads(X, Y, Z)] before it: its group's size");
+	}
+	return Missing;
+}
+
 } // namespace
 
 std::vector<uint32_t> CompileToSpirv(const FShaderSource& Source, const FShaderCompileRequest& Request)
@@ -328,6 +354,11 @@ std::vector<uint32_t> CompileToSpirv(const FShaderSource& Source, const FShaderC
 	{
 		FindLines(FrontEnd, Source, Errors);
 		throw FError(std::move(Errors), ExitUsage);
+	}
+	if (const auto Missing =
+			Request.Stage == EShaderStage::Compute ? FindMissingGroupSize(Source.Text, Request) : std::nullopt)
+	{
+		throw FError(*Missing, ExitUsage);
 	}
 	if (!IsWhole(Reply.Words))
 	{

@@ -198,6 +198,16 @@ TEST(ShaderRefusals, GroupsOfNegativeSizesAreNamed)
 	}
 }
 
+TEST(ShaderRefusals, AComputeShaderWithoutAGroupSizeIsNamedOnItsLine)
+{
+	const std::string Body = "void Main(uint3 Id : SV_DispatchThreadID)\n{\n	Out[Id.xy] = 1;\n}\n";
+	const std::string Other = "[numthreads(8, 8, 1)]\nvoid Other(uint3 Id : SV_DispatchThreadID)\n{\n	Main(Id);\n}\n";
+	const std::string Without = ErrorsOf("\n" + Body + Other);
+	EXPECT_THAT(Without, HasSubstr("'Main' has no [numthreads(X, Y, Z)] before it"));
+	EXPECT_THAT(Without, HasSubstr("/Test/Shader.usf:3:"));
+	EXPECT_EQ("", ErrorsOf("[numthreads(8, 8, 1)]\n[some(1)] " + Body));
+}
+
 TEST(RunChild, GivesOutputAndExitCode)
 {
 	const FChildResult Result = RunChild({"/bin/sh", "-c", "echo out; echo err >&2; exit 3"}, 10);
