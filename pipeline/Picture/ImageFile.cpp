@@ -87,9 +87,28 @@ void CheckImagePart(const std::string& Path, const FImagePart& Part)
 	}
 }
 
+/** A part's values, of which there may be none, laid into its display window. */
+template<typename T>
+void LayInto(std::vector<T>& Values, const FImagePart& Part, int Width, int Height)
+{
+	if (Values.empty())
+	{
+		return;
+	}
+	std::vector<T> Laid(static_cast<size_t>(Width) * static_cast<size_t>(Height), T(0));
+	const int BeginX = std::max(Part.Window.X, 0);
+	const int EndX = std::min(Part.Window.X + Part.Width, Width);
+	for (int Y = std::max(Part.Window.Y, 0); Y < std::min(Part.Window.Y + Part.Height, Height) && BeginX < EndX; ++Y)
+	{
+		const auto From = Values.begin() + std::ptrdiff_t(Y - Part.Window.Y) * Part.Width + (BeginX - Part.Window.X);
+		std::copy(From, From + (EndX - BeginX), Laid.begin() + std::ptrdiff_t(Y) * Width + BeginX);
+	}
+	Values = std::move(Laid);
+}
+
 } // namespace
 
-FImageFile::FImageFile(const std::string& InPath)
+FImageFile::FImageFile(const std::string& InPath, EImageExtent Extent)
 	: Path(InPath)
 	, Reader(OpenImage(InPath))
 {
@@ -97,6 +116,36 @@ FImageFile::FImageFile(const std::string& InPath)
 	{
 		CheckImagePart(Path, Part);
 	}
+	FImagePart Shown = GetParts()[0];
+	if (Extent == EImageExtent::Display && Shown.Window.FullWidth > 0)
+	{
+		Shown.Width = Shown.Window.FullWidth;
+		Shown.Height = Shown.Window.FullHeight;
+		CheckImagePart(Path, Shown);
+	}
+	Width = Shown.Width;
+	Height = Shown.Height;
+}
+
+bool FImageFile::IsWhole() const
+{
+	const FImagePart& Part = GetParts()[0];
+	return Width == Part.Width && Height == Part.Height && Part.Window.X == 0 && Part.Window.Y == 0;
+}
+
+std::string FImageFile::DescribeExtent() const
+{
+	const FImagePart& Part = GetParts()[0];
+	const FImageWindow& At = Part.Window;
+	if (IsWhole() || Width != At.FullWidth || Height != At.FullHeight)
+	{
+		return {};
+	}
+	const bool bOver = At.X < 0 || At.Y < 0 || At.X + Part.Width > Width || At.Y + Part.Height > Height;
+	const bool bShort = At.X > 0 || At.Y > 0 || At.X + Part.Width < Width || At.Y + Part.Height < Height;
+	return fmt::format("the picture is the display window, {} x {} pixels; the data window is {} x {} at ({}, {}){}{}",
+		Width, Height, Part.Width, Part.Height, At.X, At.Y, bOver ? "; what reaches over the edges is cut" : "",
+		bShort ? "; what is missing is 0" : "");
 }
 
 FImageFile::~FImageFile() = default;
@@ -162,6 +211,15 @@ std::vector<FImagePlane> FImageFile::ReadPart(int PartIndex, const std::vector<i
 std::vector<FImagePlane> FImageFile::ReadPlanes(const std::vector<int>& ChannelIndices)
 {
 	std::vector<FImagePlane> Planes = ReadPart(0, ChannelIndices);
+	const FImagePart& Part = GetParts()[0];
+	if (!DescribeExtent().empty())
+	{
+		for (FImagePlane& Plane : Planes)
+		{
+			LayInto(Plane.Halves, Part, Width, Height);
+			LayInto(Plane.Floats, Part, Width, Height);
+		}
+	}
 	for (size_t Index = 0; IsEncoded() && Index < Planes.size(); ++Index)
 	{
 		if (IsColorChannel(GetChannels()[static_cast<size_t>(ChannelIndices[Index])]))

@@ -30,19 +30,29 @@ struct FImage
 	}
 };
 
+/** Which pixels are the picture of a file. */
+enum class EImageExtent : uint8_t
+{
+	Stored, // those that the file holds
+	Display // those of an EXR's display window: what lies outside of it is cut, and what the file lacks of it is 0
+};
+
 /** An image file of which the header has been read. */
 class DRYDOCK_API FImageFile
 {
 public:
-	/** Throws FError (exit code 3): missing, no image, or larger than any frame. */
-	explicit FImageFile(const std::string& InPath);
+	/** Throws FError (exit code 3): missing, no image, or larger than any frame. Extent is that of the first part, for
+	 * all but ReadPart. */
+	explicit FImageFile(const std::string& InPath, EImageExtent Extent = EImageExtent::Stored);
 	~FImageFile();
 	FImageFile(const FImageFile&) = delete;
 	FImageFile& operator=(const FImageFile&) = delete;
 
 	const std::string& GetPath() const { return Path; }
-	int GetWidth() const { return GetParts()[0].Width; }
-	int GetHeight() const { return GetParts()[0].Height; }
+	int GetWidth() const { return Width; }
+	int GetHeight() const { return Height; }
+	/** What Extent cuts and lacks, in one sentence; empty: nothing. */
+	std::string DescribeExtent() const;
 	/** Where these pixels lie in the picture that the file stands for; with FullWidth and FullHeight. */
 	const FImageWindow& GetWindow() const { return GetParts()[0].Window; }
 	/** Names as in the file: "R", "depth.Z". */
@@ -67,8 +77,12 @@ public:
 	std::vector<FImagePlane> ReadPart(int Part, const std::vector<int>& ChannelIndices);
 
 private:
+	bool IsWhole() const;
+
 	std::string Path;
 	std::unique_ptr<IImageReader> Reader;
+	int Width = 0;
+	int Height = 0;
 };
 
 /** Lossless, no date; half float channels where every value is one, else 32-bit float. Throws FError (exit code 3)

@@ -4,6 +4,7 @@
 #include "Config/ConfigReader.h"
 #include "Config/FrameSequence.h"
 #include "Picture/ImageFile.h"
+#include "SceneFile/SceneErrors.h"
 #include "SceneFile/SceneTexturePacking.h"
 
 #include <algorithm>
@@ -27,7 +28,12 @@ void CheckRect(const FConfigView& View, const FImageFile& File, FConfigMessages&
 
 void CheckFile(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics)
 {
-	const FImageFile File(Config.Resolve(Config.Scene.File.Value));
+	const FImageFile File(Config.Resolve(Config.Scene.File.Value), EImageExtent::Display);
+	if (const std::string Extent = File.DescribeExtent(); !Extent.empty())
+	{
+		Diagnostics.push_back(
+			{.Severity = ESeverity::Note, .Code = NoteDisplayWindow, .Message = Extent, .File = File.GetPath()});
+	}
 	CheckSceneChannels(Config, &File, Diagnostics);
 	FConfigMessages Messages(Config.File, Diagnostics);
 	for (const FConfigView& View : Config.Views)

@@ -6,6 +6,7 @@ namespace Drydock
 
 enum ESceneError
 {
+	NoteDisplayWindow = 5033, // an EXR's data window is not its display window, which is the picture
 	WarnNoCustomDepth = 5032, // a pass reads custom depth or stencil, and the scene has none
 };
 

@@ -32,7 +32,7 @@ std::string ResolveSceneFile(const FConfig& Config)
 
 FSceneFile::FSceneFile(const FConfig& InConfig, FSceneCache* InCache)
 	: Config(InConfig.Scene)
-	, File(ResolveSceneFile(InConfig))
+	, File(ResolveSceneFile(InConfig), EImageExtent::Display)
 	, Cache(InCache)
 	, Camera(ReadSceneCamera(File.GetAttribute("drydock:camera_json")))
 	, DeltaTime(ReadSceneDeltaTime(File.GetAttribute("drydock:camera_json")))
@@ -138,6 +138,18 @@ FError FSceneFile::MakeMissingChannel(const std::string& Channel, const FNeededS
 						 Needed.Texture + Suggest(Channel, File.GetChannels()) + "; map it in scene.channels ({\"" +
 						 Channel + "\": \"name in the file\"}) or give it a value in scene.defaults ({\"" + Channel +
 						 "\": 0})";
+	for (size_t Part = 1; Part < File.GetParts().size(); ++Part)
+	{
+		const FImagePart& Other = File.GetParts()[Part];
+		if (std::find(Other.Channels.begin(), Other.Channels.end(), Channel) != Other.Channels.end())
+		{
+			Diagnostic.Message +=
+				". Part " + std::to_string(Part + 1) + " of the file" +
+				(Other.Name.empty() ? "" : ", \"" + Other.Name + "\",") +
+				" has it, and a scene is read from the first part: drydock import makes one part of all";
+			break;
+		}
+	}
 	return FError(Diagnostic, ExitFiles);
 }
 

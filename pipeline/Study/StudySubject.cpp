@@ -30,7 +30,7 @@ FImage LoadSceneColor(const FConfig& Config)
 	{
 		throw MakeStudyError(ErrorMissingKey, Config, {}, "a study of blurs needs \"scene\": what is blurred");
 	}
-	FImageFile File(Config.Resolve(Config.Scene.File.Value));
+	FImageFile File(Config.Resolve(Config.Scene.File.Value), EImageExtent::Display);
 	std::vector<int> Indices;
 	for (const char* Name : {"R", "G", "B"})
 	{

@@ -27,17 +27,21 @@ inline std::vector<int> GetChannelsToRead(const FImagePart& Part, int64_t MaxVal
 
 /** Reads a picture as a run, an import and a comparison do: the header, and the channels of every part, all of them in
  * one go and some of them. */
-inline std::string CheckImageFile(const std::string& Path, int64_t MaxValues = int64_t(1) << 21)
+inline std::string CheckImageFile(
+	const std::string& Path, int64_t MaxValues = int64_t(1) << 21, EImageExtent Extent = EImageExtent::Stored)
 {
 	try
 	{
-		FImageFile File(Path);
+		FImageFile File(Path, Extent);
 		File.GetAttribute("drydock:camera_json");
 		for (size_t Part = 0; Part < File.GetParts().size(); ++Part)
 		{
 			File.ReadPart(static_cast<int>(Part), GetChannelsToRead(File.GetParts()[Part], MaxValues));
 		}
-		const std::vector<int> All = GetChannelsToRead(File.GetParts()[0], MaxValues);
+		FImagePart Shown = File.GetParts()[0];
+		Shown.Width = std::max(Shown.Width, File.GetWidth());
+		Shown.Height = std::max(Shown.Height, File.GetHeight());
+		const std::vector<int> All = GetChannelsToRead(Shown, MaxValues);
 		const std::vector<std::vector<float>> Planes = File.Read(All);
 		std::vector<int> Some; // from the last on, as a pass may want them
 		for (int Channel = static_cast<int>(All.size()) - 1; Channel >= 0; Channel -= 2)
@@ -77,7 +81,8 @@ inline std::string CheckImageFile(const std::string& Path, int64_t MaxValues = i
 inline std::string CheckImageBytes(const std::string& Name, const std::string& Bytes)
 {
 	const FImageBytes Memory(Name, Bytes);
-	return CheckImageFile(Name, int64_t(1) << 16);
+	const std::string Problem = CheckImageFile(Name, int64_t(1) << 16);
+	return Problem.empty() ? CheckImageFile(Name, int64_t(1) << 16, EImageExtent::Display) : Problem;
 }
 
 inline std::string CheckExrBytes(const std::string& Bytes)

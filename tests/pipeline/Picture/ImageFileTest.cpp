@@ -113,6 +113,41 @@ TEST_F(ImageFile, ExrOfAPartSaysWhereItLies)
 	EXPECT_EQ(16, Seen->spec().full_width);
 }
 
+TEST_F(ImageFile, TheDisplayWindowIsThePictureWhereItIsAskedFor)
+{
+	FImage Numbers{4, 3, 1, {}};
+	for (int Pixel = 0; Pixel < 12; ++Pixel)
+	{
+		Numbers.Values.push_back(1.0 + Pixel);
+	}
+	const FImageWindow Windows[] = {{-1, -1, 2, 2}, {1, 1, 6, 5}, {-2, 1, 5, 3}, {2, -2, 4, 4}, {0, 0, 4, 3},
+		{50, 0, 3, 2}, {-40, -40, 1, 1}, {-3, -2, 1, 1}};
+	for (const FImageWindow& At : Windows)
+	{
+		WriteExr(Path("a.exr"), Numbers, {"R"}, {}, At);
+		FImageFile File(Path("a.exr"), EImageExtent::Display);
+		ASSERT_EQ(At.FullWidth, File.GetWidth());
+		ASSERT_EQ(At.FullHeight, File.GetHeight());
+		const std::vector<float> Plane = File.Read({0})[0];
+		for (int Y = 0; Y < At.FullHeight; ++Y)
+		{
+			for (int X = 0; X < At.FullWidth; ++X)
+			{
+				const int FromX = X - At.X, FromY = Y - At.Y;
+				const bool bStored = FromX >= 0 && FromX < 4 && FromY >= 0 && FromY < 3;
+				EXPECT_EQ(bStored ? 1.0f + static_cast<float>(FromY * 4 + FromX) : 0.0f,
+					Plane.at(static_cast<size_t>(Y * At.FullWidth + X)))
+					<< X << ", " << Y << " of " << At.X << ", " << At.Y;
+			}
+		}
+		EXPECT_EQ((At == FImageWindow{0, 0, 4, 3}), File.DescribeExtent().empty());
+		EXPECT_EQ("", FImageFile(Path("a.exr")).DescribeExtent());
+	}
+	WriteExr(Path("a.exr"), Numbers, {"R"}, {}, {0, 0, 1 << 20, 1});
+	EXPECT_THROW(FImageFile(Path("a.exr"), EImageExtent::Display), FError);
+	EXPECT_EQ(4, FImageFile(Path("a.exr")).GetWidth());
+}
+
 TEST_F(ImageFile, AWholePictureIsItsOwnWindow)
 {
 	WriteExr(Path("a.exr"), TwoPixels, {"R", "G", "B"});
