@@ -146,6 +146,24 @@ std::string RunTool(const std::vector<std::string>& Arguments, int TimeLimitSeco
 	return Result.Output + (Result.bTimedOut ? Result.Describe(TimeLimitSeconds) + "\n" : std::string());
 }
 
+/** What to use in place of engine names that the errors miss and drydock does not have, as the end of a message. */
+std::string AdviseOnMissingNames(const std::vector<std::string>& Errors)
+{
+	std::string Advice;
+	for (const char* const Name : {"RegisterPostOpaqueRenderDelegate", "RegisterOverlayRenderDelegate"})
+	{
+		const bool bMissed = std::any_of(Errors.begin(), Errors.end(),
+			[Name](const std::string& Line)
+			{ return Line.find("no member") != std::string::npos && Line.find(Name) != std::string::npos; });
+		if (bMissed)
+		{
+			Advice += "\n  drydock does not have " + std::string(Name) +
+					  ": add the pass in PrePostProcessPass_RenderThread of a view extension (FSceneViewExtensionBase)";
+		}
+	}
+	return Advice;
+}
+
 /** What a reader needs of what the compiler and the linker printed. */
 std::string TakeErrors(const std::string& Output, const std::string& LogFile)
 {
@@ -165,7 +183,7 @@ std::string TakeErrors(const std::string& Output, const std::string& LogFile)
 	}
 	const std::string More =
 		Count > MostErrorLines ? "\n  and " + std::to_string(Count - MostErrorLines) + " more" : std::string();
-	return Errors + More + "\n  all of it: " + LogFile;
+	return Errors + More + AdviseOnMissingNames(Said) + "\n  all of it: " + LogFile;
 }
 
 /** CMake's own message, without its decoration. */

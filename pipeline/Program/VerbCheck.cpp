@@ -52,12 +52,14 @@ int Check(const FCheckOptions& Options, FJUnitSuite& Suite)
 {
 	std::vector<FDiagnostic> Diagnostics;
 	std::vector<FEffectDecision> Effects;
+	std::string Looked; // of plugins' shaders; empty: there are none
 	int ExitCode = ExitDone;
 	try
 	{
 		const FCheckResult Result = CheckRun(Options.Run);
 		Diagnostics = Result.Diagnostics;
 		Effects = Result.Effects;
+		Looked = Result.Shaders.NumClasses > 0 ? "; looked at " + Result.Shaders.Describe() : "";
 	}
 	catch (const FError& Error)
 	{
@@ -76,7 +78,7 @@ int Check(const FCheckOptions& Options, FJUnitSuite& Suite)
 	PrintClosingLines(Effects);
 	if (ExitCode == ExitDone)
 	{
-		PrintText(stdout, Options.Run.ConfigFile + ": no errors\n");
+		PrintText(stdout, Options.Run.ConfigFile + ": no errors" + Looked + "\n");
 	}
 	return ExitCode;
 }

@@ -178,7 +178,7 @@ void LintFile(const std::string& Target, const FLintOptions& Options, FFound& Fo
 	}
 }
 
-/** Whatever the config's frame compiles, its plugins' shaders too. */
+/** Whatever the config's frame compiles, and every shader class of its plugins. */
 void LintConfig(const std::string& Target, const FLintOptions& Options, FFound& Found)
 {
 	FRunOptions Run = Options.Run;
@@ -305,7 +305,7 @@ FVerbCall AddLintOptions(FVerbOptions& Verb)
 	const auto Options = std::make_shared<FLintOptions>();
 	Verb.Add("SHADER", Options->Targets,
 		"Files (.usf, .spv), as they lie on disk or by their virtual path; or configs (.json), whose frame's shaders "
-		"are looked at, those of plugins too");
+		"are looked at, and all shader classes of their plugins");
 	Verb.AddRepeated("--platform", "", Options->Platforms, "Only what matters there; repeats; all by default")
 		.RequireOneOf(GetLintPlatforms());
 	Verb.Add("--entry", Options->Entry, "Only this entry point; all by default").SetType("NAME");

@@ -1,6 +1,7 @@
 // `drydock warm`: compiles the shaders of configs, which the build does so that a first run needs no compiler.
 #include "PrintText.h"
 #include "Program/ArgumentParser.h"
+#include "Program/ProgramOutput.h"
 #include "Program/Verbs.h"
 #include "Run/Run.h"
 #include "ShaderCache.h"
@@ -20,6 +21,7 @@ struct FWarmOptions
 	std::vector<std::string> Configs;
 	std::string CacheFolder; // empty: the usual one
 	bool bNoPlugins = false;
+	bool bAll = false;
 };
 
 int Warm(const FWarmOptions& Options)
@@ -38,6 +40,12 @@ int Warm(const FWarmOptions& Options)
 		const FRunResult Result = RunConfig(Run);
 		PrintText(
 			stderr, "warmed the shaders of " + Config + ": " + std::to_string(Result.Passes.size()) + " passes\n");
+		if (Options.bAll)
+		{
+			const FPluginShaders Shaders = WarmPluginShaders(Run);
+			PrintDiagnostics(Shaders.Notes);
+			PrintText(stderr, "warmed " + Shaders.Describe() + "\n");
+		}
 	}
 	return ExitDone;
 }
@@ -48,6 +56,8 @@ FVerbCall AddWarmOptions(FVerbOptions& Verb)
 	Verb.Add("CONFIG", Options->Configs, "JSON configs").Require();
 	Verb.Add("--cache", Options->CacheFolder, "Folder of the cache; the usual one by default").SetType("DIR");
 	Verb.AddFlag("--no-plugins", Options->bNoPlugins, "Refuse a config that names plugins: they are code that is run");
+	Verb.AddFlag("--all", Options->bAll,
+		"Also every shader class of their plugins: those that the frame does not use, up to 256 permutations of each");
 	return [Options]
 	{
 		return Warm(*Options);

@@ -463,18 +463,53 @@ FCheckResult CheckRun(const FRunOptions& Options)
 {
 	FRunSetup Setup(Options, ESceneNeed::IfNamed);
 	FCheckResult Check = {Setup.Config, Setup.Diagnostics, Setup.Settings.Settings, DecideEffects(Setup.Settings)};
-	if (!Setup.Config.Scene.File.Value.empty())
+	EExitCode ExitCode = ExitDone; // of the first that fails
+	const auto Collect = [&](auto Look)
 	{
-		FRunOptions Compiled = Options;
-		Compiled.bExecute = false;
-		Compiled.bPlanLoads = true; // which takes the shaders
-		Compiled.bLookAtContent = false;
-		Setup.BeginFrame(std::nullopt);
-		SetPreExposure(Setup.Config, Setup.Settings.ExposureScale, {});
-		std::vector<std::shared_ptr<FSceneViewState>> Caches;
-		Check.Diagnostics = Render(Compiled, Setup, {{}, Caches}).Result.Diagnostics;
+		try
+		{
+			Look();
+		}
+		catch (const FError& Error)
+		{
+			AddNewMessages(Error.GetDiagnostics(), Check.Diagnostics);
+			ExitCode = ExitCode == ExitDone ? Error.GetExitCode() : ExitCode;
+		}
+	};
+	Collect([&] { Check.Shaders = FindPluginShaders(Setup.Plugins); });
+	Collect(
+		[&]
+		{
+			if (Setup.Config.Scene.File.Value.empty())
+			{
+				return;
+			}
+			FRunOptions Compiled = Options;
+			Compiled.bExecute = false;
+			Compiled.bPlanLoads = true; // which takes the shaders
+			Compiled.bLookAtContent = false;
+			Setup.BeginFrame(std::nullopt);
+			SetPreExposure(Setup.Config, Setup.Settings.ExposureScale, {});
+			std::vector<std::shared_ptr<FSceneViewState>> Caches;
+			const FRunResult Result = Render(Compiled, Setup, {{}, Caches}).Result;
+			AddNewMessages(Result.Diagnostics, Check.Diagnostics);
+			AddNewMessages(FindUnseenPasses(Result.Graph, Check.Shaders), Check.Diagnostics);
+		});
+	Collect([&] { ReflectShaders(Check.Shaders); });
+	AddNewMessages(Check.Shaders.Notes, Check.Diagnostics);
+	if (ExitCode != ExitDone)
+	{
+		throw FError(Check.Diagnostics, ExitCode);
 	}
 	return Check;
+}
+
+FPluginShaders WarmPluginShaders(const FRunOptions& Options)
+{
+	const FRunSetup Setup(Options);
+	FPluginShaders Shaders = FindPluginShaders(Setup.Plugins);
+	WarmShaders(Shaders.Permutations);
+	return Shaders;
 }
 
 } // namespace Drydock

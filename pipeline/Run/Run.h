@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Budget/RunOptions.h"
+#include "Run/PluginShaders.h"
 #include "Run/RunResult.h"
 
 #include <memory>
@@ -52,11 +53,17 @@ struct FCheckResult
 	std::vector<FDiagnostic> Diagnostics;
 	FFinalPostProcessSettings Settings;
 	std::vector<FEffectDecision> Effects;
+	FPluginShaders Shaders = {}; // of CheckRun
 };
 DRYDOCK_API FCheckResult CheckConfig(const FRunOptions& Options);
 
 /** As CheckConfig; where a scene is named, also what comes to light when its frame is compiled: mistakes of extensions
- * and passes, and of the shaders of all passes that settings let run. Nothing is drawn, and no picture is decoded. */
+ * and passes, and of the shaders of all passes that settings let run. The shader classes of its plugins are looked at
+ * in any case (FindPluginShaders). Nothing is drawn, and no picture is decoded. */
 DRYDOCK_API FCheckResult CheckRun(const FRunOptions& Options);
+
+/** Compiles the shader classes of the config's plugins, with its console variables. Throws FError with the messages of
+ * all that fail. */
+DRYDOCK_API FPluginShaders WarmPluginShaders(const FRunOptions& Options);
 
 } // namespace Drydock

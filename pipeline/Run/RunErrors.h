@@ -1,5 +1,5 @@
-// The numbers of the messages about the passes of a run. A number never changes its meaning; docs/errors.md explains
-// each one.
+// The numbers of the messages about the passes of a run and the shaders of its plugins. A number never changes its
+// meaning; docs/errors.md explains each one.
 #pragma once
 
 namespace Drydock
@@ -8,6 +8,8 @@ namespace Drydock
 enum ERunError
 {
 	NoteSilentPass = 4004, // a pass wrote again what it read
+
+	NoteShaderNotLookedAt = 6013, // permutations of a plugin's class, or a pass that does not tell its shader
 };
 
 } // namespace Drydock

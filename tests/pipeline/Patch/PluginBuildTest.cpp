@@ -177,6 +177,19 @@ TEST_F(PluginBuild, MistakesAreNumbered)
 	EXPECT_THAT(Message, testing::HasSubstr("no sources found"));
 }
 
+TEST_F(PluginBuild, AMissingDelegateOfTheRendererHasItsWayRound)
+{
+	const std::string Source = "Plugins/Tint/Source/Tint/Private/Tint.cpp";
+	Write(
+		Source, "#include \"EngineModule.h\"\nvoid F() { GetRendererModule().RegisterPostOpaqueRenderDelegate(0); }\n");
+	const auto [Number, Message] = Refuse(Describe());
+	EXPECT_EQ(ErrorPluginNotCompiled, Number);
+	EXPECT_THAT(Message, testing::HasSubstr("drydock does not have RegisterPostOpaqueRenderDelegate: add the pass in "
+											"PrePostProcessPass_RenderThread of a view extension"));
+	Write(Source, "void F() { Nothing(); }\n");
+	EXPECT_THAT(Refuse(Describe()).second, testing::Not(testing::HasSubstr("drydock does not have")));
+}
+
 TEST_F(PluginBuild, AProjectOfSomebodyElsesIsNotReplaced)
 {
 	Write("Plugins/Tint/Source/Tint/Private/Tint.cpp", "\n");

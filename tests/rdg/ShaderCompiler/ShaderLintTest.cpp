@@ -344,7 +344,7 @@ Vulkan, Metal or phones. What it looks at is the SPIR-V that drydock runs, with 
 ```sh
 drydock lint /MyPlugin/Private/Tint.usf --platform d3d11    # every permutation of the classes that name the file
 drydock lint MyPlugin/Shaders/Private/Tint.usf --entry MainCS
-drydock lint configs/toon_bloom.json --json                 # the shaders of a frame, those of its plugins too
+drydock lint configs/toon_bloom.json --json                 # the shaders of a frame, and every shader class of its plugins
 drydock lint --list                                         # the rules
 ```
 
@@ -352,6 +352,13 @@ drydock lint --list                                         # the rules
 not compile or run there, a warning is so on some of it, or not as it was meant. Limits of drydock's own are no findings:
 `check` names them. Permutations find the same once. A file that no shader class names is looked at by its entry points:
 functions with `[numthreads]`, and those that write `SV_Target`.
+
+A config's plugins are looked at whole, as `check` looks at them: each global shader class that they register, whether or not a
+pass of the frame uses it, in every permutation that `ShouldCompilePermutation` allows under the config's console variables. A
+pass that `AddPass` makes of a lambda does not tell its shader before it runs, but the class is among them. Of a class with
+more than 256 permutations 256 are looked at, spread over all dimensions; a note (DD6013) names the class and counts the rest.
+It also names a pass of a lambda whose plugin registers no shader class. A broken class ends `lint` and `check` with exit code
+2, though the frame may not use it.
 
 What a shader means to do it says in a comment, on the line of the finding or the one above it; for findings without a line
 anywhere in the file. `drydock lint` of the shaders that drydock ships finds nothing else.

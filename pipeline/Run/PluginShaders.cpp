@@ -1,0 +1,163 @@
+// Finds the shader classes of plugins by where their names lie in memory, and asks the front end for them.
+#include "Run/PluginShaders.h"
+
+#include "CodeScope.h"
+#include "GlobalShader.h"
+#include "Run/RunErrors.h"
+#include "Text/Fmt.inl"
+
+#include <algorithm>
+#include <dlfcn.h>
+#include <filesystem>
+#include <set>
+
+namespace Drydock
+{
+
+namespace
+{
+
+FDiagnostic MakeNote(std::string Message, std::string Where)
+{
+	return {.Severity = ESeverity::Note,
+		.Code = NoteShaderNotLookedAt,
+		.Message = std::move(Message),
+		.Where = std::move(Where)};
+}
+
+/** The one of Plugins whose code names the class; empty: none. */
+std::string FindPlugin(const FShaderType& Type, const std::vector<std::string>& Plugins)
+{
+	Dl_info Info = {};
+	const bool bFound = dladdr(Type.GetName(), &Info) != 0 && Info.dli_fname;
+	return bFound && std::find(Plugins.begin(), Plugins.end(), Info.dli_fname) != Plugins.end() ? Info.dli_fname : "";
+}
+
+/** Of many, some: the step goes on by one within itself, so that the dimensions that vary fastest vary too. */
+std::vector<int32> Thin(const std::vector<int32>& Ids)
+{
+	std::vector<int32> Some = Ids;
+	const size_t Step = Ids.size() / MaxPermutationsLookedAt;
+	for (size_t Index = 0; Index < MaxPermutationsLookedAt && Step > 0; ++Index)
+	{
+		Some[Index] = Ids[Index * Step + Index % Step];
+	}
+	Some.resize(std::min(Ids.size(), size_t(MaxPermutationsLookedAt)));
+	return Some;
+}
+
+/** Whether the pass is one of drydock's own that need no shader: of AddClearUAVPass and its like. */
+bool IsClearOrCopy(const FRDGCompiledPass& Pass)
+{
+	return EnumHasAnyFlags(Pass.Flags, ERDGPassFlags::Copy) || Pass.Name.starts_with("ClearUAV(") ||
+		   Pass.Name.starts_with("ClearRenderTarget(") || Pass.Name.starts_with("ClearDepthStencil(");
+}
+
+std::string Count(size_t Number, const char* One, const char* Many)
+{
+	return fmt::format("{} {}", Number, Number == 1 ? One : Many);
+}
+
+} // namespace
+
+std::string FPluginShaders::Describe() const
+{
+	return Count(NumClasses, "shader class", "shader classes") + " of its plugins, " +
+		   Count(Permutations.size(), "permutation", "permutations");
+}
+
+FPluginShaders FindPluginShaders(const std::vector<std::string>& Plugins)
+{
+	FPluginShaders Found;
+	std::set<std::string> Names;
+	ForEachGlobalShader(
+		[&](const FGlobalShaderType& Type)
+		{
+			const std::string Plugin = FindPlugin(Type, Plugins);
+			if (Plugin.empty())
+			{
+				return;
+			}
+			const std::string Name = std::filesystem::path(Plugin).filename().string();
+			const FCodeOwner Owner = {Name, std::string("shader class ") + Type.GetName()};
+			std::vector<int32> Allowed;
+			for (int32 Id = 0; Id < Type.GetPermutationCount(); ++Id)
+			{
+				if (CallCode(Owner, [&] { return Type.ShouldCompilePermutation(Id); }))
+				{
+					Allowed.push_back(Id);
+				}
+			}
+			const std::vector<int32> Looked = Thin(Allowed);
+			for (const int32 Id : Looked)
+			{
+				Found.Permutations.push_back(FShaderRef(Type.FindOrCreateShader(Id)));
+			}
+			if (Looked.size() < Allowed.size())
+			{
+				Found.Notes.push_back(MakeNote(fmt::format("{} of its {} permutations are not looked at: of a class "
+														   "at most {} are, spread over all dimensions",
+												   Allowed.size() - Looked.size(), Allowed.size(), Looked.size()),
+					fmt::format("plugin {}, shader class {}", Name, Type.GetName())));
+			}
+			++Found.NumClasses;
+			Names.insert(Name);
+		});
+	Found.Plugins.assign(Names.begin(), Names.end());
+	return Found;
+}
+
+void ReflectShaders(const FPluginShaders& Shaders)
+{
+	std::vector<FDiagnostic> Messages;
+	EExitCode ExitCode = ExitDone; // of the first that fails
+	for (const FShaderRef& Shader : Shaders.Permutations)
+	{
+		try
+		{
+			GetShaderReflection(Shader);
+		}
+		catch (const FError& Error)
+		{
+			AddNewMessages(Error.GetDiagnostics(), Messages);
+			ExitCode = ExitCode == ExitDone ? Error.GetExitCode() : ExitCode;
+		}
+	}
+	if (ExitCode != ExitDone)
+	{
+		throw FError(std::move(Messages), ExitCode);
+	}
+}
+
+std::vector<FDiagnostic> FindUnseenPasses(const FRDGCompiledGraph& Graph, const FPluginShaders& Shaders)
+{
+	std::vector<FDiagnostic> Notes;
+	for (const FRDGCompiledPass& Pass : Graph.Passes)
+	{
+		const bool bExplained = std::any_of(Shaders.Plugins.begin(), Shaders.Plugins.end(),
+			[&Pass](const std::string& Plugin) { return Pass.Owner.starts_with("plugin " + Plugin + ","); });
+		if (!Pass.bCulled && !Pass.Owner.empty() && Pass.Shader.empty() && !bExplained && !IsClearOrCopy(Pass))
+		{
+			AddNewMessages({MakeNote("the pass is not looked at: its lambda chooses a shader when it runs, if any, and "
+									 "its plugin has no shader classes",
+							   "pass " + Pass.Name + ", " + Pass.Owner)},
+				Notes);
+		}
+	}
+	return Notes;
+}
+
+void AddNewMessages(const std::vector<FDiagnostic>& More, std::vector<FDiagnostic>& Messages)
+{
+	for (const FDiagnostic& Each : More)
+	{
+		const bool bKnown = std::any_of(Messages.begin(), Messages.end(),
+			[&Each](const FDiagnostic& Known) { return Known.ToString() == Each.ToString(); });
+		if (!bKnown)
+		{
+			Messages.push_back(Each);
+		}
+	}
+}
+
+} // namespace Drydock

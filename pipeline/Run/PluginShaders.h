@@ -1,0 +1,41 @@
+// The global shader classes that plugins registered, whether or not a pass that uses them can be seen: a pass of a
+// lambda does not tell its shader before it runs.
+#pragma once
+
+#include "RenderGraphCompiled.h"
+#include "ShaderCompilation.h"
+
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+/** Permutations of one class that are looked at: a class of more has some spread over all of its dimensions. */
+constexpr int32 MaxPermutationsLookedAt = 256;
+
+struct FPluginShaders
+{
+	std::vector<FShaderRef> Permutations; // those that ShouldCompilePermutation allows
+	size_t NumClasses = 0;
+	std::vector<std::string> Plugins; // of the classes, by file name
+	std::vector<FDiagnostic> Notes;   // classes of which not all permutations are in the list
+
+	/** "2 shader classes of its plugins, 13 permutations" */
+	DRYDOCK_API std::string Describe() const;
+};
+
+/** Plugins: files of the loaded plugins whose classes are wanted. What a class allows may depend on console variables.
+ */
+DRYDOCK_API FPluginShaders FindPluginShaders(const std::vector<std::string>& Plugins);
+
+/** Puts the permutations through the front end. Throws FError with the messages of all that fail, each once. */
+DRYDOCK_API void ReflectShaders(const FPluginShaders& Shaders);
+
+/** A note for each pass of a plugin's that tells no shader, where its plugin has no classes to look at in its stead. */
+DRYDOCK_API std::vector<FDiagnostic> FindUnseenPasses(const FRDGCompiledGraph& Graph, const FPluginShaders& Shaders);
+
+/** Adds those whose text is not there yet. */
+void AddNewMessages(const std::vector<FDiagnostic>& More, std::vector<FDiagnostic>& Messages);
+
+} // namespace Drydock
