@@ -1,7 +1,7 @@
 # Folders whose files are made when CMake configures.
 
-# Removes every file below Folder that is none of the files named after it and begins as they do: what was made earlier
-# and no more.
+# Removes every file below Folder that begins as made files do and is not among the files named after it: it was made
+# earlier, and is not made now.
 function(_drydock_remove_files_no_longer_made Folder)
 	file(GLOB_RECURSE Present "${Folder}/*")
 	list(REMOVE_ITEM Present ${ARGN})

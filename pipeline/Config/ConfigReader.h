@@ -3,7 +3,6 @@
 
 #include "Config/Config.h"
 #include "DiagnosticList.h"
-#include "PostProcessSettingsReflection.h"
 #include "Text/ConfigErrors.h"
 #include "Text/Json.h"
 
@@ -19,7 +18,7 @@ constexpr const char* CommandLineName = "command line";
 /** "; did you mean X?", or nothing. */
 std::string Suggest(const std::string& Name, const std::vector<std::string>& Candidates);
 
-/** Of a config, and of a scene's header. Each holds all settings, some kilobytes. */
+/** A config, and a scene's header, have at most so many. Each holds all settings, some kilobytes. */
 constexpr size_t MaxConfigVolumes = 10'000;
 
 /** Collects messages about one file, as many as AddDiagnostic keeps. */
@@ -67,12 +66,8 @@ public:
 	{
 		return Diagnostics.size() < MaxDiagnostics ? Drydock::Suggest(Name, GetCandidates()) : "";
 	}
-	/** The same for the name of a setting; of one that engine 4 had, where it is today. */
-	std::string SuggestSetting(const std::string& Name) const
-	{
-		return Name == "ScreenPercentage" ? "; engine 5 has none of this name: set scene.screenPercentage of the config"
-										  : SuggestFrom(Name, GetSettingNames);
-	}
+	/** The same for the name of a setting. For one that engine 4 had it says where that is set today. */
+	std::string SuggestSetting(const std::string& Name) const;
 	std::string Suggest(const std::string& Name, const std::vector<std::string>& Candidates) const
 	{
 		return Diagnostics.size() < MaxDiagnostics ? Drydock::Suggest(Name, Candidates) : "";

@@ -291,6 +291,12 @@ void ReadBlendables(const FJsonValue& Value, FConfigSettings& Settings, FConfigM
 
 } // namespace
 
+std::string FConfigMessages::SuggestSetting(const std::string& Name) const
+{
+	return Name == "ScreenPercentage" ? "; engine 5 has none of this name: set scene.screenPercentage of the config"
+									  : SuggestFrom(Name, GetSettingNames);
+}
+
 FConfigSettings ReadConfigSettings(const FJsonValue& Value, FConfigMessages& Messages)
 {
 	FConfigSettings Settings;

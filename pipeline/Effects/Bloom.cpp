@@ -35,7 +35,7 @@ FEffectDecision DecideBloom(const FEffect&, const FEffectInputs& Inputs)
 
 /** Why bloom adds nothing: no pixel is bright enough for its threshold. Empty: it may. Only where bloom sees the scene
  * as it came (no effect before it brightens pixels), exposure is a number, and no value is NaN or infinite, in the file
- * or as it is stored: of a value that leaves the half's range the setup pass reads infinity. Exposed
+ * or as it is stored: the setup pass reads infinity where a value leaves the half's range. Exposed
  * luminance is at most that of the brightest component; a tenth more covers what formats and filters round. The setup
  * pass then gives 0 everywhere, and so does every sum of it. */
 std::string FindNothingBright(const FGateInputs& Gate, std::optional<double> Brightest)
@@ -110,6 +110,11 @@ std::string CompleteBloom(const FEffectInputs& Inputs, const std::vector<FEffect
 }
 
 } // namespace
+
+bool HasRampWithoutThreshold(const FEffectInputs& Inputs)
+{
+	return Inputs.Conditions.Engine.bBloomRampWithoutThreshold && !(Inputs.Settings.BloomThreshold > -1.0f);
+}
 
 std::string FindNoBloomReason(const FEffectInputs& Inputs)
 {

@@ -3,11 +3,32 @@
 
 #include "Effects/Exposure.h"
 #include "Exposure/PostProcessEyeAdaptation.h"
+#include "Text/ConfigErrors.h"
+#include "Text/TextFormat.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace Drydock
 {
+
+bool FExposureReport::IsMetered() const
+{
+	return !Histogram ||
+		   std::any_of(Histogram->Buckets.begin(), Histogram->Buckets.end(), [](double Share) { return Share > 0.0; });
+}
+
+FDiagnostic FExposureReport::DescribeUnmetered(const std::string& View) const
+{
+	return {.Severity = ESeverity::Warning,
+		.Code = WarnNothingMetered,
+		.Message =
+			"nothing is metered: the histogram takes luminances from " + NumberText(std::exp2(Histogram->LogMin)) +
+			" on, and every pixel is darker. The exposure is that of a luminance of 1; lower HistogramLogMin, or "
+			"take AEM_Basic",
+		.Where = (View.empty() ? "" : View + ", ") + "AutoExposureMethod " + Method};
+}
 
 FExposureReport MakeExposureReport(
 	const FViewInfo& View, EAutoExposureMethod Method, FRDGPooledBuffer& Buffer, IPooledRenderTarget* Histogram)

@@ -1,6 +1,7 @@
 // What a metered exposure came to, read back from a frame that ran.
 #pragma once
 
+#include "Diagnostics.h"
 #include "Exposure/PostProcessHistogram.h"
 #include "RenderGraphResourcePool.h"
 #include "RendererInterface.h"
@@ -33,6 +34,11 @@ struct FExposureReport
 	float Compensation = 1.0f;     // 2^bias
 	float AverageLocalExposure = 1.0f;
 	std::optional<FExposureHistogram> Histogram;
+
+	/** False: the histogram is empty, since every pixel is darker than what it counts. */
+	bool IsMetered() const;
+	/** The warning about that (DD4005). View: its name, where there are several. */
+	FDiagnostic DescribeUnmetered(const std::string& View) const;
 };
 
 /** Buffer: of the eye adaptation; Histogram: null where the method has none. */

@@ -1,5 +1,6 @@
 // Local exposure: contrast of highlights and shadows around the local luminance, by a bilateral grid. Source: engine
 // PostProcess/PostProcessing.cpp (conditions); the wording is drydock's.
+#include "Effects/Bloom.h"
 #include "Effects/Effect.h"
 #include "Exposure/PostProcessLocalExposure.h"
 #include "Text/TextFormat.h"
@@ -28,10 +29,9 @@ FEffectDecision DecideLocalExposure(const FEffect&, const FEffectInputs& Inputs)
 		Decision.Reason = "ShowFlag.PostProcessing is off";
 		return Decision;
 	}
-	// At 1 the engine has none. Running it all the same changes no bit, but where it brings bloom's setup pass, and its
-	// ramp.
-	const bool bBringsRamp = Inputs.Conditions.Engine.bBloomRampWithoutThreshold && !(Values.BloomThreshold > -1.0f);
-	if (!IsLocalExposureEnabled(Values) && !(Inputs.Conditions.bNoSkip && bNamed && !bBringsRamp))
+	// At 1 the engine has none. To run it all the same changes no bit, unless it brings bloom's setup pass with a ramp.
+	const bool bForced = Inputs.Conditions.bNoSkip && bNamed && !HasRampWithoutThreshold(Inputs);
+	if (!IsLocalExposureEnabled(Values) && !bForced)
 	{
 		Decision.Reason = "its contrast scales and detail strength are 1" + Inputs.DescribeGate("LocalExposure");
 		return Decision;

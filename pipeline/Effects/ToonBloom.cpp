@@ -33,8 +33,7 @@ std::string AsPrintedText()
 /** It brings the setup pass into the graph, and the pass changes every pixel: it has a ramp, or rounds. */
 bool ChangesAll(const FEffectInputs& Inputs)
 {
-	return !(Inputs.Settings.BloomThreshold > -1.0f) &&
-		   (IsToonBloomAsPrinted() || Inputs.Conditions.Engine.bBloomRampWithoutThreshold);
+	return HasRampWithoutThreshold(Inputs) || (IsToonBloomAsPrinted() && !(Inputs.Settings.BloomThreshold > -1.0f));
 }
 
 FEffectDecision DecideToonBloom(const FEffect&, const FEffectInputs& Inputs)

@@ -146,7 +146,7 @@ std::string RunTool(const std::vector<std::string>& Arguments, int TimeLimitSeco
 	return Result.Output + (Result.bTimedOut ? Result.Describe(TimeLimitSeconds) + "\n" : std::string());
 }
 
-/** What to use in place of engine names that the errors miss and drydock does not have, as the end of a message. */
+/** The end of a message: it says what replaces the engine's names that the errors miss and drydock does not have. */
 std::string AdviseOnMissingNames(const std::vector<std::string>& Errors)
 {
 	std::string Advice;
@@ -217,7 +217,7 @@ struct FAttempt
 	std::string Errors; // what the compiler said, as the end of a message
 };
 
-/** What the file says; none where there is no file. Throws where it does not begin with drydock's mark. */
+/** The file's text; nothing where the file does not exist. Throws FError where the text lacks drydock's mark. */
 std::optional<std::string> ReadOwn(const std::string& Path, const std::string& Mark)
 {
 	std::error_code Ignored;

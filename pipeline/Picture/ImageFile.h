@@ -51,7 +51,7 @@ public:
 	const std::string& GetPath() const { return Path; }
 	int GetWidth() const { return Width; }
 	int GetHeight() const { return Height; }
-	/** What Extent cuts and lacks, in one sentence; empty: nothing. */
+	/** Says in one sentence what Extent cuts and lacks; empty: nothing. */
 	std::string DescribeExtent() const;
 	/** Where these pixels lie in the picture that the file stands for; with FullWidth and FullHeight. */
 	const FImageWindow& GetWindow() const { return GetParts()[0].Window; }

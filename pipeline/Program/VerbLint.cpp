@@ -178,7 +178,7 @@ void LintFile(const std::string& Target, const FLintOptions& Options, FFound& Fo
 	}
 }
 
-/** Whatever the config's frame compiles, and every shader class of its plugins. */
+/** Looks at all shaders that the config's frame compiles, and at every shader class of its plugins. */
 void LintConfig(const std::string& Target, const FLintOptions& Options, FFound& Found)
 {
 	FRunOptions Run = Options.Run;

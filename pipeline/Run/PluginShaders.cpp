@@ -2,6 +2,7 @@
 #include "Run/PluginShaders.h"
 
 #include "CodeScope.h"
+#include "DiagnosticList.h"
 #include "GlobalShader.h"
 #include "Run/RunErrors.h"
 #include "Text/Fmt.inl"
@@ -33,7 +34,7 @@ std::string FindPlugin(const FShaderType& Type, const std::vector<std::string>& 
 	return bFound && std::find(Plugins.begin(), Plugins.end(), Info.dli_fname) != Plugins.end() ? Info.dli_fname : "";
 }
 
-/** Of many, some: the step goes on by one within itself, so that the dimensions that vary fastest vary too. */
+/** Some of many: the step goes on by one within itself, so that the dimensions that vary fastest vary too. */
 std::vector<int32> Thin(const std::vector<int32>& Ids)
 {
 	std::vector<int32> Some = Ids;
@@ -119,7 +120,7 @@ void ReflectShaders(const FPluginShaders& Shaders)
 		}
 		catch (const FError& Error)
 		{
-			AddNewMessages(Error.GetDiagnostics(), Messages);
+			AddNewDiagnostics(Messages, Error.GetDiagnostics());
 			ExitCode = ExitCode == ExitDone ? Error.GetExitCode() : ExitCode;
 		}
 	}
@@ -138,26 +139,13 @@ std::vector<FDiagnostic> FindUnseenPasses(const FRDGCompiledGraph& Graph, const 
 			[&Pass](const std::string& Plugin) { return Pass.Owner.starts_with("plugin " + Plugin + ","); });
 		if (!Pass.bCulled && !Pass.Owner.empty() && Pass.Shader.empty() && !bExplained && !IsClearOrCopy(Pass))
 		{
-			AddNewMessages({MakeNote("the pass is not looked at: its lambda chooses a shader when it runs, if any, and "
-									 "its plugin has no shader classes",
-							   "pass " + Pass.Name + ", " + Pass.Owner)},
-				Notes);
+			AddNewDiagnostics(Notes,
+				{MakeNote("the pass is not looked at: its lambda chooses a shader when it runs, if any, and its plugin "
+						  "has no shader classes",
+					"pass " + Pass.Name + ", " + Pass.Owner)});
 		}
 	}
 	return Notes;
-}
-
-void AddNewMessages(const std::vector<FDiagnostic>& More, std::vector<FDiagnostic>& Messages)
-{
-	for (const FDiagnostic& Each : More)
-	{
-		const bool bKnown = std::any_of(Messages.begin(), Messages.end(),
-			[&Each](const FDiagnostic& Known) { return Known.ToString() == Each.ToString(); });
-		if (!bKnown)
-		{
-			Messages.push_back(Each);
-		}
-	}
 }
 
 } // namespace Drydock

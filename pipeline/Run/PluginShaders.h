@@ -25,8 +25,8 @@ struct FPluginShaders
 	DRYDOCK_API std::string Describe() const;
 };
 
-/** Plugins: files of the loaded plugins whose classes are wanted. What a class allows may depend on console variables.
- */
+/** Plugins: files of the loaded plugins whose classes are wanted. The permutations that a class allows may depend on
+ * console variables. */
 DRYDOCK_API FPluginShaders FindPluginShaders(const std::vector<std::string>& Plugins);
 
 /** Puts the permutations through the front end. Throws FError with the messages of all that fail, each once. */
@@ -34,8 +34,5 @@ DRYDOCK_API void ReflectShaders(const FPluginShaders& Shaders);
 
 /** A note for each pass of a plugin's that tells no shader, where its plugin has no classes to look at in its stead. */
 DRYDOCK_API std::vector<FDiagnostic> FindUnseenPasses(const FRDGCompiledGraph& Graph, const FPluginShaders& Shaders);
-
-/** Adds those whose text is not there yet. */
-void AddNewMessages(const std::vector<FDiagnostic>& More, std::vector<FDiagnostic>& Messages);
 
 } // namespace Drydock

@@ -1,6 +1,7 @@
 // Runs a config: scene, frame, measurements, report.
 #include "Run/Run.h"
 
+#include "DiagnosticList.h"
 #include "DispatchBackend.h"
 #include "Frame/Frame.h"
 #include "HAL/ConsoleVariableTools.h"
@@ -290,28 +291,6 @@ auto CallWithWarnings(TFunction Function, const FRunResult& Result)
 	}
 }
 
-/** Of every view: the average of an empty histogram is luminance 1, whatever the picture is. */
-void WarnWhereNothingIsMetered(FRunResult& Result)
-{
-	for (const FRunView& View : Result.Views)
-	{
-		const FExposureHistogram* const Histogram =
-			View.Exposure && View.Exposure->Histogram ? &*View.Exposure->Histogram : nullptr;
-		if (Histogram == nullptr ||
-			std::any_of(Histogram->Buckets.begin(), Histogram->Buckets.end(), [](double Share) { return Share > 0.0; }))
-		{
-			continue;
-		}
-		Result.Diagnostics.push_back({.Severity = ESeverity::Warning,
-			.Code = WarnNothingMetered,
-			.Message = "nothing is metered: the histogram takes luminances from " +
-					   NumberText(std::exp2(Histogram->LogMin)) +
-					   " on, and every pixel is darker. The exposure is that of a "
-					   "luminance of 1; lower HistogramLogMin, or take AEM_Basic",
-			.Where = (View.Name.empty() ? "" : View.Name + ", ") + "AutoExposureMethod " + View.Exposure->Method});
-	}
-}
-
 /** Builds the graph and runs or compiles it. */
 void RunGraph(const FRunOptions& Options, const FRunSetup& Setup, FSceneFile& Scene, const FBeforeFrame& Before,
 	FRunResult& Result)
@@ -343,7 +322,13 @@ void RunGraph(const FRunOptions& Options, const FRunSetup& Setup, FSceneFile& Sc
 		Result.Graph = std::move(Frame.Graph);
 		return;
 	}
-	WarnWhereNothingIsMetered(Result);
+	for (const FRunView& View : Result.Views)
+	{
+		if (View.Exposure && !View.Exposure->IsMetered())
+		{
+			Result.Diagnostics.push_back(View.Exposure->DescribeUnmetered(View.Name));
+		}
+	}
 	Result.ViewStates = std::move(Frame.ViewStates);
 	Result.SceneLinear = std::move(Frame.SceneLinear);
 	Result.Final = std::move(Frame.Final);
@@ -472,7 +457,7 @@ FCheckResult CheckRun(const FRunOptions& Options)
 		}
 		catch (const FError& Error)
 		{
-			AddNewMessages(Error.GetDiagnostics(), Check.Diagnostics);
+			AddNewDiagnostics(Check.Diagnostics, Error.GetDiagnostics());
 			ExitCode = ExitCode == ExitDone ? Error.GetExitCode() : ExitCode;
 		}
 	};
@@ -492,11 +477,11 @@ FCheckResult CheckRun(const FRunOptions& Options)
 			SetPreExposure(Setup.Config, Setup.Settings.ExposureScale, {});
 			std::vector<std::shared_ptr<FSceneViewState>> Caches;
 			const FRunResult Result = Render(Compiled, Setup, {{}, Caches}).Result;
-			AddNewMessages(Result.Diagnostics, Check.Diagnostics);
-			AddNewMessages(FindUnseenPasses(Result.Graph, Check.Shaders), Check.Diagnostics);
+			AddNewDiagnostics(Check.Diagnostics, Result.Diagnostics);
+			AddNewDiagnostics(Check.Diagnostics, FindUnseenPasses(Result.Graph, Check.Shaders));
 		});
 	Collect([&] { ReflectShaders(Check.Shaders); });
-	AddNewMessages(Check.Shaders.Notes, Check.Diagnostics);
+	AddNewDiagnostics(Check.Diagnostics, Check.Shaders.Notes);
 	if (ExitCode != ExitDone)
 	{
 		throw FError(Check.Diagnostics, ExitCode);

@@ -351,7 +351,7 @@ private:
 		FRDGBuilder::TickPoolElements();
 	}
 
-	/** Of the first frame, where frames before it exist and it keeps something for the next one. */
+	/** Result is the first frame's. Says so where frames before it exist and it keeps something for the next one. */
 	void ReportNoHistory(const FRunResult& Result) const
 	{
 		std::set<std::string> Kept;

@@ -16,10 +16,10 @@ namespace Drydock
 /** "cannot be written: Why", with exit code 3. */
 DRYDOCK_API FError MakeWriteError(const std::string& Path, const std::string& Why);
 
-/** Where to write a file or a folder that is not there yet: by its own name, in the folder NAME.writing.XXXXXX beside
- * it (MarkedFolder.h). What was not put in place goes away with the object, or when a signal ends the process; after
- * any other end with the next aside file for that place. Nothing is synchronised with the disk: who pulls the plug may
- * find the latest files empty. */
+/** A path to write a file or a folder to that does not exist yet: by its own name, in the folder NAME.writing.XXXXXX
+ * beside it (MarkedFolder.h). A file that was not put in place goes away with the object, or when a signal ends the
+ * process; after any other end with the next aside file for that place. Nothing is synchronised with the disk: who
+ * pulls the plug may find the latest files empty. */
 class DRYDOCK_API FAsideFile
 {
 public:

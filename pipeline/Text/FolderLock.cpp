@@ -50,7 +50,7 @@ bool IsSameFile(int File, const Files::path& Path)
 		   Opened.st_dev == Named.st_dev;
 }
 
-/** What the file begins with. */
+/** The first bytes of the file. */
 std::string ReadOwner(int File)
 {
 	char Text[16] = {};

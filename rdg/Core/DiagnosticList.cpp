@@ -90,6 +90,21 @@ void AddDiagnostic(std::vector<FDiagnostic>& Diagnostics, FDiagnostic Diagnostic
 	Diagnostics.push_back(std::move(Diagnostic));
 }
 
+void AddNewDiagnostics(std::vector<FDiagnostic>& Diagnostics, const std::vector<FDiagnostic>& More)
+{
+	for (const FDiagnostic& Each : More)
+	{
+		const auto IsSame = [Text = Each.ToString()](const FDiagnostic& Known)
+		{
+			return Known.ToString() == Text;
+		};
+		if (std::none_of(Diagnostics.begin(), Diagnostics.end(), IsSame))
+		{
+			Diagnostics.push_back(Each);
+		}
+	}
+}
+
 std::vector<FDiagnostic> LimitDiagnostics(const std::vector<FDiagnostic>& Diagnostics)
 {
 	std::vector<FDiagnostic> Limited;

@@ -24,6 +24,9 @@ constexpr int MoreDiagnosticsCode = 1025;
  * severity: "and 12 more like it (DD1012)". A message of more than 2000 bytes is cut. */
 DRYDOCK_API void AddDiagnostic(std::vector<FDiagnostic>& Diagnostics, FDiagnostic Diagnostic);
 
+/** Appends those of More whose text, as ToString gives it, is not in Diagnostics yet. */
+DRYDOCK_API void AddNewDiagnostics(std::vector<FDiagnostic>& Diagnostics, const std::vector<FDiagnostic>& More);
+
 /** The list as AddDiagnostic would have made it. */
 DRYDOCK_API std::vector<FDiagnostic> LimitDiagnostics(const std::vector<FDiagnostic>& Diagnostics);
 

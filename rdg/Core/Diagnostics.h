@@ -40,7 +40,7 @@ struct FDiagnostic
 	int Column = 0;           // 1-based, 0: unknown
 	std::string Where = {};   // JSON pointer, "pass X, parameter Y", ... or empty
 
-	/** What strangers wrote in it is printable (PrintText.h): `configs/a.json:12:7: error DD1012 at /volumes/0:
+	/** Text of strangers in it is made printable (PrintText.h): `configs/a.json:12:7: error DD1012 at /volumes/0:
 	 * message`; a line of a shader: `X.usf:12: error: message [DD6010]`. */
 	DRYDOCK_API std::string ToString() const;
 };

@@ -2,6 +2,7 @@
 #include "RenderGraphExecute.h"
 
 #include "CodeScope.h"
+#include "DiagnosticList.h"
 #include "PrintText.h"
 #include "RenderGraphAlias.h"
 #include "RenderGraphClobber.h"
@@ -373,17 +374,7 @@ void FRDGExecutor::RunPass(FRDGPass& Pass)
 	CallCode(Pass.GetOwner(), [&] { RunLambda(Pass, Resources); });
 	const std::chrono::duration<double, std::milli> Elapsed = std::chrono::steady_clock::now() - Begin;
 	WarnAboutUnused(Pass, Resources);
-	for (const FDiagnostic& Remark : RHICmdList.GetCounters().Remarks)
-	{
-		const auto IsSame = [&](const FDiagnostic& Known)
-		{
-			return Known.ToString() == Remark.ToString();
-		};
-		if (std::none_of(State.Remarks.begin(), State.Remarks.end(), IsSame))
-		{
-			State.Remarks.push_back(Remark);
-		}
-	}
+	AddNewDiagnostics(State.Remarks, RHICmdList.GetCounters().Remarks);
 	if (State.Observer)
 	{
 		State.Observer->OnPassExecuted(

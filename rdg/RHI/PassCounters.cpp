@@ -1,6 +1,8 @@
 // Keeps what a pass wrote and said.
 #include "PassCounters.h"
 
+#include "DiagnosticList.h"
+
 #include <algorithm>
 
 namespace Drydock
@@ -34,14 +36,7 @@ std::string DescribeShaderRun(EShaderRun Ran)
 
 void FPassCounters::AddRemark(const FDiagnostic& Remark)
 {
-	const auto Same = [&Remark](const FDiagnostic& Known)
-	{
-		return Known.ToString() == Remark.ToString();
-	};
-	if (std::none_of(Remarks.begin(), Remarks.end(), Same))
-	{
-		Remarks.push_back(Remark);
-	}
+	AddNewDiagnostics(Remarks, {Remark});
 }
 
 void FPassCounters::Rename(const FRHITexture* From, const FRHITexture* To)

@@ -3,6 +3,7 @@
 #include "ShaderCompilation.h"
 
 #include "CodeScope.h"
+#include "DiagnosticList.h"
 #include "ShaderState.h"
 #include "UniformBufferStructs.h"
 
@@ -280,16 +281,7 @@ void WarmShaders(const std::vector<FShaderRef>& Shaders, int32 NumThreads)
 		{
 			Ends.insert(ExitCodes[Index]);
 		}
-		// Permutations of one file fail alike: each message once.
-		for (const FDiagnostic& Failure : Failures[Index])
-		{
-			const bool bKnown = std::any_of(All.begin(), All.end(),
-				[&](const FDiagnostic& Earlier) { return Earlier.ToString() == Failure.ToString(); });
-			if (!bKnown)
-			{
-				All.push_back(Failure);
-			}
-		}
+		AddNewDiagnostics(All, Failures[Index]); // permutations of one file fail alike
 	}
 	if (!All.empty())
 	{

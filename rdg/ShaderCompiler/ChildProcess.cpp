@@ -149,7 +149,7 @@ public:
 	FProcessGroup(const FProcessGroup&) = delete;
 	FProcessGroup& operator=(const FProcessGroup&) = delete;
 
-	pid_t Guard = 0; // whose number the group has; 0: there is no shell, and the child has a group of its own
+	pid_t Guard = 0; // the group has its number; 0: the shell is missing, and the child has a group of its own
 
 private:
 	int Held = -1;

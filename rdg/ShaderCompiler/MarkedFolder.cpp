@@ -58,7 +58,7 @@ std::vector<std::string> ReadNames(const FFileDescriptor& Folder, const FFileDes
 	return Names;
 }
 
-/** The open folder, whatever its path leads to by now; its path where there is no /proc. */
+/** A path to the open folder, whatever its own path leads to by now; the own path where /proc is missing. */
 std::string GetOpened(const std::string& Path, const FFileDescriptor& Folder)
 {
 	const std::string Opened = "/proc/self/fd/" + std::to_string(Folder.Get());

@@ -15,8 +15,8 @@ namespace Drydock
 
 /** A new folder that only the user can look into. It goes with its scope, and when a signal ends the process; after any
  * other end RemoveAbandonedFolders removes it. The file .drydock.mark in it holds the numbers of the folder and of
- * itself, which no copy has, and lists what may be removed. A lock on the mark tells that the process lives. What is in
- * the folder and on no list stays. A process that is killed between two steps may leave the folder empty. */
+ * itself, which no copy has, and lists what may be removed. A lock on the mark tells that the process lives. Other
+ * things in the folder stay. A process that is killed between two steps may leave the folder empty. */
 class DRYDOCK_API FMarkedFolder
 {
 public:
@@ -42,7 +42,7 @@ private:
 };
 
 /** Removes the folders in Parent that processes which are dead have made, and whose name without its last six
- * characters IsBegin takes. What cannot be removed stays. */
+ * characters IsBegin takes. A folder that cannot be removed stays. */
 DRYDOCK_API void RemoveAbandonedFolders(
 	const std::string& Parent, const std::function<bool(const std::string& Begin)>& IsBegin);
 

@@ -27,7 +27,7 @@ using FClock = std::chrono::steady_clock;
 constexpr int DefaultLimitSeconds = 30;
 constexpr int PatienceSeconds = 5; // in silence
 
-/** What stands in a lock. */
+/** The text in a lock. */
 std::string ReadHolder(const FFileDescriptor& Lock)
 {
 	char Text[32];
@@ -101,7 +101,7 @@ FShaderCacheLock::FShaderCacheLock(const FTrustedFolder& Folder, const std::stri
 	const std::string File = "locks/" + Name;
 	FTrustedFile Lock = Folder.OpenOrMake(File);
 	if (Lock.Trust != ETrust::Trusted || !Wait(Lock.File, Folder.GetPath() + "/" + File) ||
-		ReadHolder(Lock.File).find_first_not_of("0123456789\n") != std::string::npos) // a file that is no lock
+		ReadHolder(Lock.File).find_first_not_of("0123456789\n") != std::string::npos) // another file than a lock
 	{
 		return;
 	}

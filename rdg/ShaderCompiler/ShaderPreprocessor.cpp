@@ -54,6 +54,12 @@ bool IsDirective(const std::string& Line)
 
 } // namespace
 
+std::string FindQuotedInclude(const std::string& Line)
+{
+	const auto [Directive, Rest] = SplitDirective(Line);
+	return Directive == "include" ? QuotedPath(Rest) : std::string();
+}
+
 /** The logical lines of a file: joined where a backslash ends one, without comments. */
 struct FShaderPreprocessor::FLines
 {

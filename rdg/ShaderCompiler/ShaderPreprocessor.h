@@ -19,6 +19,9 @@ struct FShaderInclude
 	const std::string* Text = nullptr; // normalised; null when there is no such file, which has been reported
 };
 
+/** "A.ush" of the line `#include "A.ush"`; empty: the line has another directive or none, or names a macro. */
+std::string FindQuotedInclude(const std::string& Line);
+
 class DRYDOCK_API FShaderPreprocessor
 {
 public:

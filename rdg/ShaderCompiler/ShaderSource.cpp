@@ -15,7 +15,6 @@
 #include <filesystem>
 #include <map>
 #include <set>
-#include <string_view>
 
 namespace Drydock
 {
@@ -53,25 +52,6 @@ bool HasRealHalf(const FShaderCompileRequest& Request)
 {
 	return std::any_of(Request.Defines.begin(), Request.Defines.end(),
 		[](const auto& Define) { return Define.first == "__HLSL_ENABLE_16_BIT" && Define.second != "0"; });
-}
-
-/** "A.ush" of `#include "A.ush"`, whose # stands at At; empty: it is another directive, or names a macro. */
-std::string GetIncludeTarget(const std::string& Text, size_t At)
-{
-	constexpr std::string_view Directive = "include";
-	constexpr const char* Blanks = " \t";
-	const size_t Word = Text.find_first_not_of(Blanks, At + 1);
-	if (Word == std::string::npos || Text.compare(Word, Directive.size(), Directive) != 0)
-	{
-		return {};
-	}
-	const size_t Quote = Text.find_first_not_of(Blanks, Word + Directive.size());
-	if (Quote == std::string::npos || (Text[Quote] != '"' && Text[Quote] != '<'))
-	{
-		return {};
-	}
-	const size_t End = Text.find_first_of(Text[Quote] == '"' ? "\"\n" : ">\n", Quote + 1);
-	return Text.substr(Quote + 1, std::min(End, Text.size()) - Quote - 1);
 }
 
 class FFlattener
@@ -140,7 +120,7 @@ const std::string* FFlattener::FindFile(const std::string& Path)
 	return &Files.emplace(Path, NormalizeShaderText(Bytes)).first->second;
 }
 
-/** The path and text of an include; no text: there is no such file. */
+/** The path and text of an include; the text is null where the file does not exist. */
 std::pair<std::string, const std::string*> FFlattener::FindIncluded(
 	const std::string& Target, const std::string& Includer)
 {
@@ -156,8 +136,8 @@ std::pair<std::string, const std::string*> FFlattener::FindIncluded(
 	return {Path, Text};
 }
 
-/** Of the file and all that it may include, whatever conditions the includes stand in: the same for all permutations.
- */
+/** Covers the file and all that it may include, whatever conditions the includes stand in, so that all permutations
+ * have the same. */
 std::string FFlattener::Fingerprint()
 {
 	std::map<std::string, const std::string*> Read;
@@ -176,7 +156,8 @@ std::string FFlattener::Fingerprint()
 		}
 		for (size_t At = Text->find('#'); At != std::string::npos; At = Text->find('#', At + 1))
 		{
-			if (const std::string Target = GetIncludeTarget(*Text, At); !Target.empty())
+			const std::string Line = Text->substr(At, Text->find('\n', At) - At);
+			if (const std::string Target = FindQuotedInclude(Line); !Target.empty())
 			{
 				Open.push_back(FindIncluded(Target, Path));
 			}

@@ -85,7 +85,7 @@ public:
 		}
 	}
 
-	/** Of each entry: where it stands, and its name. */
+	/** The place and the name of each entry. */
 	std::vector<std::pair<size_t, std::string>> ListEntries() const
 	{
 		std::vector<std::pair<size_t, std::string>> Entries;

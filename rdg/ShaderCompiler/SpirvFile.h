@@ -20,7 +20,7 @@ bool IsSpirvFile(const std::string& VirtualPath);
 DRYDOCK_API FShaderSource ReadSpirvFile(const std::string& Bytes, const FShaderCompileRequest& Request);
 
 /** The entries of the module in Bytes for a stage that drydock has. Request: its path, for messages. Throws FError
- * (DD6004) for what is no module. */
+ * (DD6004) where the bytes are not a module. */
 std::vector<std::pair<std::string, EShaderStage>> ListSpirvEntries(
 	const std::string& Bytes, const FShaderCompileRequest& Request);
 

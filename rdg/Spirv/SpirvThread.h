@@ -123,7 +123,8 @@ private:
 	FBits ReplaceAtomically(FBits* Place, const FSpirvStep& Step);
 	bool ExecuteTerminator(const FSpirvStep& Step);
 	bool ExecuteCall(const FSpirvStep& Step);
-	/** Where Size words from Word on lie. A pointer that leaves the memory, as a damaged module makes it, is refused.
+	/** The memory of Size words from Word on. A pointer that leaves the memory, as a damaged module makes it, is
+	 * refused.
 	 */
 	FWord* MemoryAt(const FSpirvStep& Step, uint32_t Word, uint32_t Size);
 	bool IsShared(uint32_t Word) const

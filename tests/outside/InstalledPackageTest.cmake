@@ -95,8 +95,8 @@ if(NOT Result EQUAL 0 OR NOT Output MATCHES "ArticleUpPass")
 endif()
 message(STATUS "the article's plugin: ${Output}")
 
-# Last, since it changes the installation's shaders: a frame shows an edit of any of them. What it compiles is what
-# EditedShaderTest.cpp does, so that the tests' cache may be used.
+# Last, since it changes the installation's shaders: a frame shows an edit of any of them. EditedShaderTest.cpp
+# compiles the same, so that the tests' cache may be used.
 find_program(Python python3)
 if(Python)
 	run_step("edits of shaders" ${CMAKE_COMMAND} -E env "DRYDOCK_CACHE_DIR=${BUILD}/cache" ${Python}

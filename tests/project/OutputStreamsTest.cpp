@@ -8,7 +8,7 @@
 
 TEST(OutputStreams, AreWrittenByPrintText)
 {
-	// Of these, some write what only drydock makes, and one writes where nothing may be called.
+	// Some of these write text that only drydock makes, and one writes where nothing may be called.
 	const std::set<std::string> Exceptions = {"rdg/Core/FaultHandlers.cpp", "pipeline/Program/EndingSignals.cpp",
 		"pipeline/Program/ProgressBar.cpp", "pipeline/Program/ProgramOutput.cpp"};
 	const std::regex Direct(

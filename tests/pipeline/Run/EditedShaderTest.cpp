@@ -108,7 +108,7 @@ FRunResult RunShipped(const std::string& Config)
 	return RunConfig(Options);
 }
 
-/** What the blur of four taps is off by. */
+/** The error of the blur of four taps. */
 std::string ShowFourTaps()
 {
 	FRunOptions Options;

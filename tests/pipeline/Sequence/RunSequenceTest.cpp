@@ -242,6 +242,25 @@ TEST_F(RunSequences, PartSaysThatItLacksHistoryAndLeadsIn)
 	EXPECT_THAT(ErrorOf(Stopped), HasSubstr("1070 2"));
 }
 
+TEST_F(RunSequences, AutomaticExposureNeedsAllFramesBefore)
+{
+	const auto Run = [&](const std::string& Frames, int Lead, const std::string& Out)
+	{
+		FSequenceOptions Options = Ask(Frames, Out);
+		Options.Run.ConfigText =
+			R"({"scene": {"file": ")" + Scenes + R"(moving_camera.####.exr"}, "view": {"exposure": "auto"}})";
+		Options.Lead = Lead;
+		RunSequence(Options);
+		return ReadBytes(Temporary.Path / Out / "frames/0005/final.exr");
+	};
+	const std::string Whole = Run("1-5", 0, "whole");
+	for (const int Lead : {0, 1, 2, 3})
+	{
+		EXPECT_NE(Whole, Run("5-5", Lead, "lead" + std::to_string(Lead))) << Lead;
+	}
+	EXPECT_EQ(Whole, Run("5-5", 4, "lead4"));
+}
+
 TEST_F(RunSequences, FirstOfAllLacksNothing)
 {
 	FSequenceOptions Options = Ask("1-2");

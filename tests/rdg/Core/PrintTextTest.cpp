@@ -1,4 +1,4 @@
-// What strangers wrote is printed whole, and steers no terminal.
+// Text of strangers is printed whole, and does not steer a terminal.
 #include <gtest/gtest.h>
 
 #include "Diagnostics.h"

@@ -21,7 +21,7 @@ class MarkedFolder : public testing::Test
 protected:
 	std::string GetBegin() const { return (Scratch.Path / "drydock-1-").string(); }
 
-	/** Calls the function in a child that ends without a word. */
+	/** Calls the function in a child that ends without cleaning up. */
 	template<typename TFunction>
 	static void InAChild(const TFunction& Function)
 	{

@@ -355,8 +355,9 @@ functions with `[numthreads]`, and those that write `SV_Target`.
 
 A config's plugins are looked at whole, as `check` looks at them: each global shader class that they register, whether or not a
 pass of the frame uses it, in every permutation that `ShouldCompilePermutation` allows under the config's console variables. A
-pass that `AddPass` makes of a lambda does not tell its shader before it runs, but the class is among them. Of a class with
-more than 256 permutations 256 are looked at, spread over all dimensions; a note (DD6013) names the class and counts the rest.
+pass that `AddPass` makes of a lambda does not tell its shader before it runs, but the class is among them. If a
+class has more than 256 permutations, 256 are looked at, spread over all dimensions; a note (DD6013) names the class and counts the
+rest.
 It also names a pass of a lambda whose plugin registers no shader class. A broken class ends `lint` and `check` with exit code
 2, though the frame may not use it.
 

@@ -54,31 +54,21 @@ public:
 	{
 	}
 
-	void SubscribeToPostProcessingPass(
-		EPostProcessingPass Pass, FAfterPassCallbackDelegateArray& Callbacks, bool) override
+	void PrePostProcessPass_RenderThread(
+		FRDGBuilder& GraphBuilder, const FSceneView& View, const FPostProcessingInputs&) override
 	{
-		if (Pass != EPostProcessingPass::MotionBlur)
-		{
-			return;
-		}
-		Callbacks.Add(FAfterPassCallbackDelegate::CreateLambda(
-			[](FRDGBuilder& GraphBuilder, const FSceneView& View, const FPostProcessMaterialInputs& Inputs)
-			{
-				const FScreenPassTexture SceneColor = Inputs.GetInput(EPostProcessMaterialInput::SceneColor);
-				FRDGTextureDesc Desc = SceneColor.Texture->Desc;
-				Desc.Flags |= ETextureCreateFlags::UAV;
-				FRDGTextureRef Output = GraphBuilder.CreateTexture(Desc, TEXT("LambdaPass"));
-				auto* Parameters = GraphBuilder.AllocParameters<FLambdaPassParameters>();
-				Parameters->Output = GraphBuilder.CreateUAV(Output);
-				FLambdaWideCS::FPermutationDomain PermutationVector;
-				PermutationVector.Set<FLambdaWideCS::FWidth>(7);
-				TShaderMapRef<FLambdaWideCS> Shader(GetGlobalShaderMap(View.FeatureLevel), PermutationVector);
-				const FIntVector Groups = FComputeShaderUtils::GetGroupCount(SceneColor.ViewRect.Size(), 8);
-				GraphBuilder.AddPass(RDG_EVENT_NAME("LambdaPass"), Parameters, ERDGPassFlags::Compute,
-					[Shader, Parameters, Groups](FRHIComputeCommandList& RHICmdList)
-					{ FComputeShaderUtils::Dispatch(RHICmdList, Shader, *Parameters, Groups); });
-				return FScreenPassTexture(Output, SceneColor.ViewRect);
-			}));
+		auto* Parameters = GraphBuilder.AllocParameters<FLambdaPassParameters>();
+		Parameters->Output = GraphBuilder.CreateUAV(
+			GraphBuilder.CreateTexture(FRDGTextureDesc::Create2D(FIntPoint(8, 8), PF_FloatRGBA,
+										   FClearValueBinding::None, TexCreate_ShaderResource | TexCreate_UAV),
+				TEXT("LambdaPass")));
+		FLambdaWideCS::FPermutationDomain PermutationVector;
+		PermutationVector.Set<FLambdaWideCS::FWidth>(7);
+		TShaderMapRef<FLambdaWideCS> Shader(GetGlobalShaderMap(View.FeatureLevel), PermutationVector);
+		GraphBuilder.AddPass(RDG_EVENT_NAME("LambdaPass"), Parameters,
+			ERDGPassFlags::Compute | ERDGPassFlags::NeverCull,
+			[Shader, Parameters](FRHIComputeCommandList& RHICmdList)
+			{ FComputeShaderUtils::Dispatch(RHICmdList, Shader, *Parameters, FIntVector(1, 1, 1)); });
 	}
 };
 
