@@ -72,6 +72,8 @@ export async function checkAxe(file, act = async () => undefined) {
 			const { violations } = await page.evaluate(() => axe.run(document, { resultTypes: ["violations"] }));
 			const serious = violations.filter((violation) => ["serious", "critical"].includes(violation.impact));
 			assert.deepEqual(serious.map((violation) => `${violation.id}: ${violation.nodes.map((node) => node.target).slice(0, 3)}`), []);
+			await page.setViewportSize({ width: 390, height: 800 });
+			assert.ok((await page.evaluate(() => document.scrollingElement.scrollWidth)) <= 390, "at 390 pixels of width");
 		}, { colorScheme });
 	}
 	assert.equal(papers.size, 2);

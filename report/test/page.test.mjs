@@ -69,7 +69,7 @@ test("an opened pass shows shader, counters, parameters, pictures, and leads to 
 		await page.click("#pass-detail .thumbs button");
 		await until(page, (index) => document.querySelector("#picture-a").value.includes(index), String(pass.index));
 		await page.locator("#pass-detail .reads .link").first().click();
-		assert.ok(pass.producers.includes(Number(await page.textContent("#pass-detail h3 .quiet"))));
+		await until(page, (producers) => producers.includes(Number(document.querySelector("#pass-detail h3 .quiet").textContent)), pass.producers);
 	});
 });
 
