@@ -5,10 +5,11 @@
 #   ./dev soak STEP...          runs these steps
 #   ./dev soak all              runs all steps but those that this commit has passed
 #
-# STEP: asan, tsan, fuzz-NAME of each fuzzer, kills, random, sweep, oracles, conformance. DRYDOCK_SOAK_MINUTES (60, and at most
-# 60) is the time of a step, its build included. A step that has an end is "not run" where its end is not reached; asan and
-# tsan go on at the next call where they stopped. DRYDOCK_SOAK_SEED (0 to 32767) chooses the kills and the random programs;
-# by default each call has others. DRYDOCK_CONFORMANCE_TESTS names a folder of tests that conformance runs beside our own.
+# STEP: asan, tsan, fuzz-NAME of each fuzzer, kills, random, chains, gates, sweep, oracles, conformance.
+# DRYDOCK_SOAK_MINUTES (60, and at most 60) is the time of a step, its build included. A step that has an end is "not run"
+# where its end is not reached; asan and tsan go on at the next call where they stopped. DRYDOCK_SOAK_SEED (0 to 32767)
+# chooses the kills, the random programs and the random frames; by default each call has others. DRYDOCK_CONFORMANCE_TESTS
+# names a folder of tests that conformance runs beside our own.
 #
 # The result of a step is a line in build/soak/COMMIT/STEP: status, seconds, figure, with tabs between; STEP.log is beside
 # it. A tree with changes is COMMIT-dirty and skips nothing. Exit 1 where a step has failed; 2: no such step.
@@ -21,7 +22,7 @@ Say() { printf 'soak: %s\n' "$*" >&2; }
 Die() { Say "$*"; exit 2; }
 
 mapfile -t Fuzzers < <(grep -v '^#' tests/fuzz/fuzzers.txt | cut -d ' ' -f 1)
-Steps=(asan tsan "${Fuzzers[@]/#/fuzz-}" kills random sweep oracles conformance)
+Steps=(asan tsan "${Fuzzers[@]/#/fuzz-}" kills random chains gates sweep oracles conformance)
 
 Minutes=${DRYDOCK_SOAK_MINUTES:-60}
 [[ $Minutes =~ ^[1-9][0-9]?$ && $Minutes -le 60 ]] || Die "DRYDOCK_SOAK_MINUTES is $Minutes; expected 1 to 60"
@@ -193,6 +194,14 @@ OneTest() {
 	esac
 }
 
+# Frames TEST COUNT: random frames that are run in several ways.
+Frames() {
+	Count() { echo "$(grep -c ' ends' "$1" || true) frames, from seed $((Seed * Frames + 1)) on"; }
+	local Frames=$2
+	Prepare release test_stability || return 0
+	OneTest env DRYDOCK_RANDOM_FRAMES="$((Seed * Frames + 1)) $Frames" build/release/bin/test_stability --gtest_filter="RandomFrames.$1"
+}
+
 Sweep() {
 	Count() { echo "$(grep -c '^sweep ' "$1" || true) cases"; }
 	Prepare release test_stability || return 0
@@ -227,6 +236,8 @@ RunStep() {
 			fuzz-*) Fuzz "${Step#fuzz-}" ;;
 			kills) Kills ;;
 			random) Random ;;
+			chains) Frames ChainsGiveTheSameBitsInEveryWay 2000 ;;
+			gates) Frames GatesAreNotFooled 1000 ;;
 			sweep) Sweep ;;
 			oracles) Oracles ;;
 			conformance) Conformance ;;

@@ -178,6 +178,28 @@ FRDGTextureRef AddPrintedPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, 
 	return Output;
 }
 
+/** The printed form reads the texture from edge to edge, and nobody need have written outside of the rect: there it
+ * reads black. */
+FRDGTextureRef BlackenOutsideRect(FRDGBuilder& GraphBuilder, const FScreenPassTexture& Picture)
+{
+	const FRDGTextureDesc& Whole = Picture.Texture->Desc;
+	if (Picture.ViewRect == FIntRect(FIntPoint::ZeroValue, Whole.Extent))
+	{
+		return Picture.Texture;
+	}
+	FRDGTextureRef Output =
+		GraphBuilder.CreateTexture(FRDGTextureDesc::Create2D(Whole.Extent, Whole.Format, FClearValueBinding::Black,
+									   TexCreate_UAV | TexCreate_ShaderResource),
+			TEXT("DualKawaseInput"));
+	AddClearUAVPass(GraphBuilder, GraphBuilder.CreateUAV(Output), FVector4f(0.0f, 0.0f, 0.0f, 0.0f));
+	FRHICopyTextureInfo Rect;
+	Rect.SourcePosition = FIntVector(Picture.ViewRect.Min.X, Picture.ViewRect.Min.Y, 0);
+	Rect.DestPosition = Rect.SourcePosition;
+	Rect.Size = FIntVector(Picture.ViewRect.Width(), Picture.ViewRect.Height(), 1);
+	AddCopyTexturePass(GraphBuilder, Picture.Texture, Output, Rect);
+	return Output;
+}
+
 FScreenPassTexture AddPrintedPasses(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FDualKawaseBlurInputs& Inputs, int32 PassNum)
 {
@@ -191,7 +213,7 @@ FScreenPassTexture AddPrintedPasses(
 		return Inputs.SceneColor;
 	}
 
-	FRDGTextureRef Current = Inputs.SceneColor.Texture;
+	FRDGTextureRef Current = BlackenOutsideRect(GraphBuilder, Inputs.SceneColor);
 	for (int32 Pass = 0; Pass < Levels; ++Pass)
 	{
 		Current =

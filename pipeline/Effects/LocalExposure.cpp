@@ -1,6 +1,5 @@
 // Local exposure: contrast of highlights and shadows around the local luminance, by a bilateral grid. Source: engine
 // PostProcess/PostProcessing.cpp (conditions); the wording is drydock's.
-#include "Effects/Bloom.h"
 #include "Effects/Effect.h"
 #include "Exposure/PostProcessLocalExposure.h"
 #include "Text/TextFormat.h"
@@ -29,8 +28,9 @@ FEffectDecision DecideLocalExposure(const FEffect&, const FEffectInputs& Inputs)
 		Decision.Reason = "ShowFlag.PostProcessing is off";
 		return Decision;
 	}
-	// At 1 the engine has none. To run it all the same changes no bit, unless it brings bloom's setup pass with a ramp.
-	const bool bForced = Inputs.Conditions.bNoSkip && bNamed && !HasRampWithoutThreshold(Inputs);
+	// At 1 the engine has none. To run it all the same changes no bit, unless it alone brings bloom's setup pass, which
+	// ends at 65536 and has a ramp in some versions.
+	const bool bForced = Inputs.Conditions.bNoSkip && bNamed && Inputs.Settings.BloomThreshold > -1.0f;
 	if (!IsLocalExposureEnabled(Values) && !bForced)
 	{
 		Decision.Reason = "its contrast scales and detail strength are 1" + Inputs.DescribeGate("LocalExposure");

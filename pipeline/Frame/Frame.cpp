@@ -10,6 +10,7 @@
 #include "RenderGraphBuilder.h"
 #include "RenderGraphNotes.h"
 #include "RenderGraphObserver.h"
+#include "RenderGraphUtils.h"
 #include "Tonemap/TonemapOutputDevice.h"
 
 #include <algorithm>
@@ -337,10 +338,16 @@ private:
 		const EPixelFormat Format = GetDisplayFormat(GetTonemapperOutputDeviceParameters().OutputDevice);
 		// Compute entries write it where they are preferred; a swap chain's texture would not let them.
 		const bool bCompute = NamedViews[0].View->bUseComputePasses;
-		return GraphBuilder.CreateTexture(
+		FRDGTextureRef Texture = GraphBuilder.CreateTexture(
 			FRDGTextureDesc::Create2D(Extent, Format, FClearValueBinding::Black,
 				TexCreate_RenderTargetable | TexCreate_ShaderResource | (bCompute ? TexCreate_UAV : TexCreate_None)),
 			TEXT("ViewFamilyTexture"));
+		if (bCompute && NamedViews.size() > 1)
+		{
+			// What lies between views; the first view's render pass clears it elsewhere.
+			AddClearRenderTargetPass(GraphBuilder, Texture);
+		}
+		return Texture;
 	}
 
 	void AddChain(FRDGBuilder& GraphBuilder, const FNamedView& NamedView, FViewOfFrame& Target,

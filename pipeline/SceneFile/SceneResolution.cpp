@@ -24,6 +24,9 @@ FIntRect ScaleRect(const FIntRect& Rect, double Percentage)
 {
 	FIntRect Scaled(ScaleEdge(Rect.Min.X, Percentage), ScaleEdge(Rect.Min.Y, Percentage),
 		ScaleEdge(Rect.Max.X, Percentage), ScaleEdge(Rect.Max.Y, Percentage));
+	// A pixel before the edge, so that a rect stays inside of one that it lies in.
+	Scaled.Min.X = std::max(std::min(Scaled.Min.X, Scaled.Max.X - 1), 0);
+	Scaled.Min.Y = std::max(std::min(Scaled.Min.Y, Scaled.Max.Y - 1), 0);
 	Scaled.Max.X = std::max(Scaled.Max.X, Scaled.Min.X + 1);
 	Scaled.Max.Y = std::max(Scaled.Max.Y, Scaled.Min.Y + 1);
 	return Scaled;

@@ -63,9 +63,9 @@ Folder() { printf '%s/build/soak/%s' "$Tree" "$(git -C "$Tree" rev-parse --short
 Row() { grep -E "^$1 +" <<<"$Out"; }
 
 Soak
-Expect "without a step there is the table" '[ "$Code" = 0 ] && [ "$(grep -c "not run" <<<"$Out")" = 9 ]'
+Expect "without a step there is the table" '[ "$Code" = 0 ] && [ "$(grep -c "not run" <<<"$Out")" = 11 ]'
 Soak nothing
-Expect "an unknown step is answered with those there are" '[ "$Code" = 2 ] && grep -q "no step nothing; there are all, asan, tsan, fuzz-ini_text, fuzz-graph, kills, random, sweep, oracles, conformance" <<<"$Err"'
+Expect "an unknown step is answered with those there are" '[ "$Code" = 2 ] && grep -q "no step nothing; there are all, asan, tsan, fuzz-ini_text, fuzz-graph, kills, random, chains, gates, sweep, oracles, conformance" <<<"$Err"'
 DRYDOCK_SOAK_MINUTES=61 Soak
 Expect "an hour is the most" '[ "$Code" = 2 ] && grep -q "expected 1 to 60" <<<"$Err"'
 
@@ -115,7 +115,7 @@ DRYDOCK_SOAK_MINUTES=20 Soak all
 Expect "all leaves out what is passed" 'grep -q "asan: this commit has passed it" <<<"$Err" && ! grep -q "ctest.*asan\|preset asan" <<<"$Asked" && grep -q "preset tsan" <<<"$Asked"'
 echo x >"$Tree/new"
 Soak
-Expect "a tree with changes is another" '[ "$Code" = 0 ] && grep -q "^commit .*-dirty" <<<"$Out" && [ "$(grep -c "not run" <<<"$Out")" = 9 ]'
+Expect "a tree with changes is another" '[ "$Code" = 0 ] && grep -q "^commit .*-dirty" <<<"$Out" && [ "$(grep -c "not run" <<<"$Out")" = 11 ]'
 
 [ $Failures = 0 ] && echo "all as expected"
 exit $((Failures > 0))

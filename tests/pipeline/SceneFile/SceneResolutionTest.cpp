@@ -47,9 +47,11 @@ TEST(ScaleRect, RoundsEdgesUpAndKeepsNeighboursTouching)
 	EXPECT_EQ(FIntRect(161, 0, 321, 5), ScaleRect(FIntRect(321, 0, 641, 9), 50));
 }
 
-TEST(ScaleRect, HasOnePixelAtLeast)
+TEST(ScaleRect, HasOnePixelAtLeastAndStaysInThePicture)
 {
-	EXPECT_EQ(FIntRect(1, 1, 2, 2), ScaleRect(FIntRect(1, 1, 2, 2), 1));
+	EXPECT_EQ(FIntRect(0, 0, 1, 1), ScaleRect(FIntRect(0, 0, 2, 2), 1));
+	EXPECT_EQ(FIntRect(0, 0, 1, 1), ScaleRect(FIntRect(1, 1, 2, 2), 1));
+	EXPECT_EQ(FIntRect(59, 1, 86, 2), ScaleRect(FIntRect(212, 4, 310, 5), 27.5));
 }
 
 TEST(ScaleRect, PercentagesThatBinaryCannotHoldAreExact)
