@@ -104,16 +104,13 @@ private:
 			Out[c] = Out[c] * FLanes(Job.PreExposure);
 			if (Job.bToon)
 			{
-				FLanes Color = Toon.Columns.template Sample<true>(ToonRows[c], X);
-				Color = Job.bLocalExposure ? Color * Factor : Color;
-				Out[c] = Color;
-				if (Job.bThreshold)
-				{
-					const TMask<N> bTouched = Color < Scene[c] || Color > Scene[c];
-					const FLanes Limit =
-						Select(bTouched, FLanes(Brightest * Max(Job.ToonIntensity, 1.0f)), FLanes(Brightest));
-					Out[c] = Min(Color * FLanes(Job.OneOverPreExposure), Limit) * Ramp * FLanes(Job.PreExposure);
-				}
+				const FLanes Color = Toon.Columns.template Sample<true>(ToonRows[c], X);
+				const FLanes LinearToon = Color * FLanes(Job.OneOverPreExposure);
+				const TMask<N> bTouched = Color < Scene[c] || Color > Scene[c];
+				const FLanes Limit =
+					Select(bTouched, FLanes(Brightest * Max(Job.ToonIntensity, 1.0f)), FLanes(Brightest));
+				Out[c] = Min(Job.bLocalExposure ? LinearToon * Factor : LinearToon, Limit);
+				Out[c] = (Job.bThreshold ? Out[c] * Ramp : Out[c]) * FLanes(Job.PreExposure);
 			}
 		}
 	}

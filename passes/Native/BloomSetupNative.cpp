@@ -105,7 +105,7 @@ void RunBloomSetupThreads(const FNativeKernelArgs& Args, const FKernelTile& Tile
 
 } // namespace
 
-REGISTER_NATIVE_KERNEL(FBloomSetupPS, &RunBloomSetupPixels, "7a78b91c5534e577")
-REGISTER_NATIVE_KERNEL(FBloomSetupCS, &RunBloomSetupThreads, "7a78b91c5534e577")
+REGISTER_NATIVE_KERNEL(FBloomSetupPS, &RunBloomSetupPixels, "9b1e0d0cd9b16b86")
+REGISTER_NATIVE_KERNEL(FBloomSetupCS, &RunBloomSetupThreads, "9b1e0d0cd9b16b86")
 
 } // namespace Drydock

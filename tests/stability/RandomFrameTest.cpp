@@ -7,6 +7,7 @@
 #include "pipeline/SameBits.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
@@ -69,6 +70,18 @@ FOutcome RunOnce(const FRandomScene& Scene, const FWay& Way)
 	}
 }
 
+/** The same bits; one NaN is as good as another, whose sign no shader defines. */
+testing::AssertionResult AreSameOrNaN(const FPicture& Base, const FPicture& Other)
+{
+	const auto Unsigned = [](FImage Image)
+	{
+		std::replace_if(
+			Image.Values.begin(), Image.Values.end(), [](double Value) { return Value != Value; }, NAN);
+		return Image;
+	};
+	return SameBits::AreSameBits(Unsigned(Base.ToImage()), Unsigned(Other.ToImage()));
+}
+
 testing::AssertionResult AreSame(const FOutcome& Base, const FOutcome& Other)
 {
 	if (Base.Message != Other.Message)
@@ -79,8 +92,8 @@ testing::AssertionResult AreSame(const FOutcome& Base, const FOutcome& Other)
 	{
 		return testing::AssertionSuccess();
 	}
-	const testing::AssertionResult Linear = SameBits::AreSameBits(Base.SceneLinear, Other.SceneLinear);
-	return Linear ? SameBits::AreSameBits(Base.Final, Other.Final)
+	const testing::AssertionResult Linear = AreSameOrNaN(Base.SceneLinear, Other.SceneLinear);
+	return Linear ? AreSameOrNaN(Base.Final, Other.Final)
 				  : testing::AssertionFailure() << "scene linear: " << Linear.message();
 }
 

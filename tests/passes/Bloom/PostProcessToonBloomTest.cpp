@@ -1,5 +1,6 @@
 // Toon bloom in the bloom setup: corrected and as printed, on images computed by hand, against an independent double
 // computation, and its hazards.
+#include "NativeTestUtils.h"
 #include "PassTestUtils.h"
 
 #include "Bloom/PostProcessBloomSetup.h"
@@ -29,6 +30,7 @@ struct FToon
 	EPixelFormat Format = PF_A32B32G32R32F;
 	EDownsampleQuality Quality = EDownsampleQuality::Low;
 	float PreExposure = 1.0f;
+	bool bLocalExposure = false;
 };
 
 /** Alpha as G-buffer B holds it. */
@@ -76,6 +78,11 @@ public:
 		{
 			Inputs.Toon = {Run.Input, CreateSceneTextureUniformBuffer(Run.GraphBuilder, Run.View), *Toon.Factor};
 			Inputs.DownsampleQuality = Toon.Quality;
+		}
+		if (Toon.bLocalExposure)
+		{
+			std::mt19937 Random(7);
+			Inputs.LocalExposure = DrawLocalExposure(Run, Random);
 		}
 		return Inputs;
 	}
@@ -266,6 +273,26 @@ TEST(ToonBloom, FactorOneGivesTheBitsOfTheSetupWithoutThePatch)
 		EXPECT_EQ(SetUpBloom(Scene.Color, Scene.Ids, {std::nullopt, 0.75f}, Arithmetic).Texels,
 			SetUpBloom(Scene.Color, Scene.Ids, {1.0f, 0.75f}, Arithmetic).Texels)
 			<< ToString(Arithmetic);
+	}
+}
+
+TEST(ToonBloom, FactorOneGivesThoseBitsWithLocalExposureAndBeyondTheClamp)
+{
+	const FToonScene Scene;
+	FImage Color = Scene.Color;
+	const double Hard[] = {Infinity, NaN, 1e6, 70000, -3, 65536};
+	for (size_t Index = 0; Index < Color.Texels.size(); Index += 7)
+	{
+		Color.Texels[Index][Index % 3] = Hard[Index / 7 % std::size(Hard)];
+	}
+	for (const float Threshold : {-1.0f, 0.75f})
+	{
+		FToon Toon{std::nullopt, Threshold};
+		Toon.PreExposure = 0.6f;
+		Toon.bLocalExposure = true;
+		const FImage Without = SetUpBloom(Color, Scene.Ids, Toon);
+		Toon.Factor = 1.0f;
+		EXPECT_EQ(0, MaxDifference(Without, SetUpBloom(Color, Scene.Ids, Toon))) << Threshold;
 	}
 }
 
