@@ -285,14 +285,15 @@ TEST(ToonBloom, FactorOneGivesThoseBitsWithLocalExposureAndBeyondTheClamp)
 	{
 		Color.Texels[Index][Index % 3] = Hard[Index / 7 % std::size(Hard)];
 	}
-	for (const float Threshold : {-1.0f, 0.75f})
+	for (const int Case : {0, 1, 2, 3})
 	{
-		FToon Toon{std::nullopt, Threshold};
+		const FScopedConsoleVariable Native(TEXT("r.Drydock.NativeKernels"), Case % 2);
+		FToon Toon{std::nullopt, Case < 2 ? -1.0f : 0.75f};
 		Toon.PreExposure = 0.6f;
 		Toon.bLocalExposure = true;
 		const FImage Without = SetUpBloom(Color, Scene.Ids, Toon);
 		Toon.Factor = 1.0f;
-		EXPECT_EQ(0, MaxDifference(Without, SetUpBloom(Color, Scene.Ids, Toon))) << Threshold;
+		EXPECT_EQ(0, MaxDifference(Without, SetUpBloom(Color, Scene.Ids, Toon))) << Case;
 	}
 }
 
