@@ -151,7 +151,8 @@ FArgumentParser MakeProgram()
 		{
 			.Name = "drydock",
 			.Doc = "drydock runs Unreal-style post-process passes on a rendered frame, on the CPU.",
-			.Version = std::string("drydock ") + GetVersion(),
+			.Version = std::string("drydock ") + GetVersion() +
+					   (*GetCommit() != '\0' ? std::string(" (commit ") + GetCommit() + ")" : ""),
 			.Footer =
 				"Exit codes: 0 done, 1 a policy failed, 2 usage, config or graph error, 3 a file cannot be read or "
 				"written, 70 a fault of drydock's own, 71 one of a plugin's. `drydock VERB --help` explains a verb.",

@@ -1,4 +1,4 @@
-// Holds the version that the build gives.
+// Holds the version and the commit that the build gives.
 #include "Text/Version.h"
 
 namespace Drydock
@@ -7,6 +7,11 @@ namespace Drydock
 const char* GetVersion()
 {
 	return DRYDOCK_VERSION;
+}
+
+const char* GetCommit()
+{
+	return DRYDOCK_COMMIT;
 }
 
 } // namespace Drydock

@@ -106,9 +106,9 @@ TEST_F(DrydockProgram, HelpNamesEveryVerb)
 	}
 }
 
-TEST_F(DrydockProgram, EveryVerbsFileIsInTheHelpAndInTheReadme)
+TEST_F(DrydockProgram, EveryVerbsFileIsInTheHelpAndOnThePageOfVerbs)
 {
-	const std::string Readme = ReadFile(DRYDOCK_TEST_SOURCE_DIR "/README.md");
+	const std::string Page = ReadFile(DRYDOCK_TEST_SOURCE_DIR "/docs/verbs.md");
 	const std::regex Registered("\\.Name = \"(\\w+ )?(\\w+)\"");
 	for (const auto& Entry : std::filesystem::directory_iterator(DRYDOCK_TEST_SOURCE_DIR "/pipeline/Program"))
 	{
@@ -125,7 +125,7 @@ TEST_F(DrydockProgram, EveryVerbsFileIsInTheHelpAndInTheReadme)
 			const std::string Above = (*Verb)[1];
 			const std::string Name = (*Verb)[2];
 			EXPECT_TRUE(Contains(Call(Above + "--help").Out, "\n  " + Name + " ")) << File << ": " << Name;
-			EXPECT_TRUE(Contains(Readme, "\n| `" + Above + Name + " ")) << File << ": README.md has no row of " << Name;
+			EXPECT_TRUE(Contains(Page, "\n| `" + Above + Name + " ")) << File << ": docs/verbs.md has no row of " << Name;
 		}
 	}
 }
