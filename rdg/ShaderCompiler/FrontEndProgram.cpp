@@ -11,6 +11,7 @@
 #include <glslang/SPIRV/spirv.hpp>
 
 #include "FrontEndIntegers.h"
+#include "FrontEndLoops.h"
 #include "FrontEndProtocol.h"
 #include "ShaderReflection.h"
 
@@ -71,6 +72,7 @@ void Optimise(const glslang::TIntermediate& Intermediate, std::vector<unsigned i
 	const glslang::SpvOptions& Options)
 {
 	CorrectIntegers(Words);
+	MarkLoops(Words);
 	const unsigned int Capability[] = {2u << spv::WordCountShift | spv::OpCapability, spv::CapabilityRoundingModeRTE};
 	Words.insert(Words.begin() + GModuleHeaderWords, std::begin(Capability), std::end(Capability));
 	glslang::SpirvToolsTransform(Intermediate, Words, &Logger, &Options);
@@ -80,6 +82,7 @@ void Optimise(const glslang::TIntermediate& Intermediate, std::vector<unsigned i
 	{
 		Words.erase(Found, Found + std::ssize(Capability));
 	}
+	UnmarkLoops(Words);
 	RestoreDivisions(Words);
 }
 
