@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <set>
 
 namespace Drydock
@@ -282,19 +283,28 @@ int Lint(const FLintOptions& Options)
 	}
 	FFound Found;
 	Found.Platforms = GetPlatforms(Options);
-	try
+	std::optional<FError> Failure;
+	for (size_t i = 0; i < Options.Targets.size() && !Failure; ++i)
 	{
-		for (const std::string& Target : Options.Targets)
+		const std::string& Target = Options.Targets[i];
+		try
 		{
 			fs::path(Target).extension() == ".json" ? LintConfig(Target, Options, Found)
 													: LintFile(Target, Options, Found);
 		}
+		catch (const FError& Error)
+		{
+			Failure.emplace(WithShownPaths(Error.GetDiagnostics()), Error.GetExitCode());
+		}
 	}
-	catch (const FError& Error)
+	if (!Failure || !Found.Findings.empty()) // a shader that does not compile hides nothing of the others
 	{
-		throw FError(WithShownPaths(Error.GetDiagnostics()), Error.GetExitCode());
+		PrintResult(Options.bJson ? MakeLintJson(Found) : MakeLintText(Found), Options.bJson);
 	}
-	PrintResult(Options.bJson ? MakeLintJson(Found) : MakeLintText(Found), Options.bJson);
+	if (Failure)
+	{
+		throw FError(*Failure);
+	}
 	const bool bFails = std::any_of(Found.Findings.begin(), Found.Findings.end(),
 		[](const FLintFinding& Finding) { return Finding.Rule->Severity == ESeverity::Error; });
 	return bFails ? ExitPolicy : ExitDone;
