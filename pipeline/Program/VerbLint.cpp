@@ -78,11 +78,13 @@ struct FFound
 	size_t NumShaders = 0;
 	uint8_t Platforms = 0;
 
-	void Look(const FShaderCompileRequest& Request)
+	/** Of: the request's file, where more of its entry points follow. */
+	void Look(const FShaderCompileRequest& Request, FFileLinter* Of = nullptr)
 	{
 		++NumShaders;
 		std::vector<FDiagnostic> Refused;
-		for (FLintFinding& Finding : LintShader(Request, Platforms, &Refused))
+		for (FLintFinding& Finding :
+			Of ? Of->Lint(Request, Platforms, &Refused) : LintShader(Request, Platforms, &Refused))
 		{
 			Finding.File = GetShownPath(Finding.File);
 			Findings.insert(std::move(Finding));
@@ -157,12 +159,13 @@ void LintFile(const std::string& Target, const FLintOptions& Options, FFound& Fo
 		FindShaderEntries(MakeShaderCompileRequest(Path, Options.Entry, EShaderStage::Compute));
 	size_t NumLooked = 0;
 	std::vector<std::string> Names;
+	FFileLinter Linter;
 	for (const FShaderEntry& Entry : Entries)
 	{
 		Names.push_back(Entry.Name);
 		if (Options.Entry.empty() || Entry.Name == Options.Entry)
 		{
-			Found.Look(MakeShaderCompileRequest(Path, Entry.Name, Entry.Stage));
+			Found.Look(MakeShaderCompileRequest(Path, Entry.Name, Entry.Stage), &Linter);
 			++NumLooked;
 		}
 	}
