@@ -13,6 +13,7 @@
 #include "Text/JsonWriter.h"
 #include "Text/TextFile.h"
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
 #include <filesystem>
@@ -25,6 +26,8 @@ namespace
 {
 
 namespace Files = std::filesystem;
+
+constexpr size_t BytesBesidePng = 300; // of a picture's JSON
 
 bool IsJson(const std::string& Text)
 {
@@ -64,22 +67,20 @@ public:
 		{
 			WriteDump(Dump);
 		}
-		for (const FRunPass& Pass : Result.Passes)
-		{
-			for (const FRunThumbnail& Thumbnail : Pass.Thumbnails)
-			{
-				WriteThumbnail(Pass, Thumbnail);
-			}
-		}
+		const size_t NumLeftOut = WriteThumbnails();
 		if (!Inputs.Before.FinalPng.empty())
 		{
-			WriteReportPicture(Writer, {.Id = "previous",
-										   .Role = "previous",
-										   .Label = "Final picture of the run before",
-										   .Channels = {"R", "G", "B"},
-										   .Png = Inputs.Before.FinalPng});
+			Put({.Id = "previous",
+				.Role = "previous",
+				.Label = "Final picture of the run before",
+				.Channels = {"R", "G", "B"},
+				.Png = Inputs.Before.FinalPng});
 		}
 		Writer.EndArray();
+		if (NumLeftOut > 0)
+		{
+			Writer.Member("thumbnailsLeftOut", static_cast<uint64_t>(NumLeftOut));
+		}
 	}
 
 private:
@@ -107,7 +108,7 @@ private:
 		Picture.Values = &Values;
 		Picture.Encoding = Own.empty() ? GetPreviewEncoding(Values) : EReportEncoding::Display;
 		Picture.Png = ReadPng(Own, Make);
-		WriteReportPicture(Writer, Picture);
+		Put(Picture);
 	}
 
 	static EReportEncoding GetPreviewEncoding(const FPicture& Picture)
@@ -119,25 +120,58 @@ private:
 	{
 		const FPicture Part = Dump.Image.Crop(Dump.Window);
 		const std::string File = GetDumpFileName(Dump);
-		WriteReportPicture(Writer, {.Id = File,
-									   .Role = "dump",
-									   .Label = GetShortPassName(Dump.Pass) + " \u2192 " + Dump.Resource +
-												(Dump.Mip >= 0 ? " mip " + std::to_string(Dump.Mip) : ""),
-									   .Pass = Dump.PassIndex,
-									   .Resource = Dump.Resource,
-									   .Mip = Dump.Mip,
-									   .Extent = {Dump.Image.Width, Dump.Image.Height},
-									   .Corner = {Dump.Window.Min.X, Dump.Window.Min.Y},
-									   .Size = {Part.Width, Part.Height},
-									   .Channels = Dump.Channels,
-									   .Encoding = GetPreviewEncoding(Part),
-									   .Png = ReadPng("passes/" + File + ".png",
-										   [&](const std::string& Path) { WritePreviewPng(Path, Part); }),
-									   .Values = &Part,
-									   .bPack = Inputs.bFull});
+		Put({.Id = File,
+			.Role = "dump",
+			.Label = GetShortPassName(Dump.Pass) + " \u2192 " + Dump.Resource +
+					 (Dump.Mip >= 0 ? " mip " + std::to_string(Dump.Mip) : ""),
+			.Pass = Dump.PassIndex,
+			.Resource = Dump.Resource,
+			.Mip = Dump.Mip,
+			.Extent = {Dump.Image.Width, Dump.Image.Height},
+			.Corner = {Dump.Window.Min.X, Dump.Window.Min.Y},
+			.Size = {Part.Width, Part.Height},
+			.Channels = Dump.Channels,
+			.Encoding = GetPreviewEncoding(Part),
+			.Png = ReadPng("passes/" + File + ".png", [&](const std::string& Path) { WritePreviewPng(Path, Part); }),
+			.Values = &Part,
+			.bPack = Inputs.bFull});
 	}
 
-	void WriteThumbnail(const FRunPass& Pass, const FRunThumbnail& Thumbnail)
+	/** Of all passes; where they weigh too much, of every second, fourth, ... texture. How many were left out. */
+	size_t WriteThumbnails()
+	{
+		std::vector<FReportPicture> Thumbnails;
+		for (const FRunPass& Pass : Inputs.Result.Passes)
+		{
+			for (const FRunThumbnail& Thumbnail : Pass.Thumbnails)
+			{
+				Thumbnails.push_back(MakeThumbnail(Pass, Thumbnail));
+			}
+		}
+		const auto Weigh = [&](size_t Step)
+		{
+			size_t Bytes = Inputs.Before.FinalPng.size() + NumBytes;
+			for (size_t Index = 0; Index < Thumbnails.size(); Index += Step)
+			{
+				Bytes += Thumbnails[Index].Png.size() + BytesBesidePng;
+			}
+			return Bytes;
+		};
+		const size_t MaxBytes = std::max(Inputs.MaxPictureBytes, NumBytes + Inputs.MinThumbnailBytes);
+		size_t Step = 1;
+		while (Step < Thumbnails.size() && Weigh(Step) > MaxBytes)
+		{
+			Step *= 2;
+		}
+		size_t NumLeftOut = Thumbnails.size();
+		for (size_t Index = 0; Index < Thumbnails.size(); Index += Step, --NumLeftOut)
+		{
+			Put(Thumbnails[Index]);
+		}
+		return NumLeftOut;
+	}
+
+	FReportPicture MakeThumbnail(const FRunPass& Pass, const FRunThumbnail& Thumbnail) const
 	{
 		const std::string& Name = Inputs.Result.Graph.Passes[static_cast<size_t>(Pass.Index)].Name;
 		bool bDisplayRange = true;
@@ -145,21 +179,27 @@ private:
 		{
 			bDisplayRange = bDisplayRange && Value >= 0.0 && Value <= 1.0;
 		}
-		WriteReportPicture(
-			Writer, {.Id = "thumbnail." + std::to_string(Pass.Index) + "." + Thumbnail.Resource,
-						.Role = "thumbnail",
-						.Label = GetShortPassName(Name) + " \u2192 " + Thumbnail.Resource,
-						.Pass = Pass.Index,
-						.Resource = Thumbnail.Resource,
-						.Extent = {Thumbnail.Extent.X, Thumbnail.Extent.Y},
-						.Size = {Thumbnail.Image.Width, Thumbnail.Image.Height},
-						.Channels = GetChannelNames(Thumbnail.Image.NumChannels),
-						.Encoding = bDisplayRange ? EReportEncoding::Srgb : EReportEncoding::Compressed,
-						.Png = ReadPng("", [&](const std::string& Path) { WritePreviewPng(Path, Thumbnail.Image); })});
+		return {.Id = "thumbnail." + std::to_string(Pass.Index) + "." + Thumbnail.Resource,
+			.Role = "thumbnail",
+			.Label = GetShortPassName(Name) + " \u2192 " + Thumbnail.Resource,
+			.Pass = Pass.Index,
+			.Resource = Thumbnail.Resource,
+			.Extent = {Thumbnail.Extent.X, Thumbnail.Extent.Y},
+			.Size = {Thumbnail.Image.Width, Thumbnail.Image.Height},
+			.Channels = GetChannelNames(Thumbnail.Image.NumChannels),
+			.Encoding = bDisplayRange ? EReportEncoding::Srgb : EReportEncoding::Compressed,
+			.Png = ReadPng("", [&](const std::string& Path) { WritePreviewPng(Path, Thumbnail.Image); })};
+	}
+
+	void Put(const FReportPicture& Picture)
+	{
+		NumBytes += Picture.Png.size() + BytesBesidePng;
+		WriteReportPicture(Writer, Picture);
 	}
 
 	FJsonWriter& Writer;
 	const FReportInputs& Inputs;
+	size_t NumBytes = 0; // of pictures written so far
 };
 
 /** The class of that name; null: there is none, as for a lambda's pass. */
