@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <set>
 
 namespace Drydock
@@ -165,7 +164,7 @@ void LintFile(const std::string& Target, const FLintOptions& Options, FFound& Fo
 		Names.push_back(Entry.Name);
 		if (Options.Entry.empty() || Entry.Name == Options.Entry)
 		{
-			Found.Look(MakeShaderCompileRequest(Path, Entry.Name, Entry.Stage), &Linter);
+			Found.Look(MakeShaderCompileRequest(Path, Entry.Name, Entry.Stage), IsSpirvFile(Path) ? nullptr : &Linter);
 			++NumLooked;
 		}
 	}
@@ -286,28 +285,27 @@ int Lint(const FLintOptions& Options)
 	}
 	FFound Found;
 	Found.Platforms = GetPlatforms(Options);
-	std::optional<FError> Failure;
-	for (size_t i = 0; i < Options.Targets.size() && !Failure; ++i)
+	const auto Print = [&]
 	{
-		const std::string& Target = Options.Targets[i];
-		try
+		PrintResult(Options.bJson ? MakeLintJson(Found) : MakeLintText(Found), Options.bJson);
+	};
+	try
+	{
+		for (const std::string& Target : Options.Targets)
 		{
 			fs::path(Target).extension() == ".json" ? LintConfig(Target, Options, Found)
 													: LintFile(Target, Options, Found);
 		}
-		catch (const FError& Error)
+	}
+	catch (const FError& Error)
+	{
+		if (!Found.Findings.empty()) // a shader that does not compile hides nothing of the others
 		{
-			Failure.emplace(WithShownPaths(Error.GetDiagnostics()), Error.GetExitCode());
+			Print();
 		}
+		throw FError(WithShownPaths(Error.GetDiagnostics()), Error.GetExitCode());
 	}
-	if (!Failure || !Found.Findings.empty()) // a shader that does not compile hides nothing of the others
-	{
-		PrintResult(Options.bJson ? MakeLintJson(Found) : MakeLintText(Found), Options.bJson);
-	}
-	if (Failure)
-	{
-		throw FError(*Failure);
-	}
+	Print();
 	const bool bFails = std::any_of(Found.Findings.begin(), Found.Findings.end(),
 		[](const FLintFinding& Finding) { return Finding.Rule->Severity == ESeverity::Error; });
 	return bFails ? ExitPolicy : ExitDone;

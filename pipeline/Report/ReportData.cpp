@@ -13,7 +13,6 @@
 #include "Text/JsonWriter.h"
 #include "Text/TextFile.h"
 
-#include <algorithm>
 #include <chrono>
 #include <ctime>
 #include <filesystem>
@@ -26,8 +25,6 @@ namespace
 {
 
 namespace Files = std::filesystem;
-
-constexpr size_t BytesBesidePng = 300; // of a picture's JSON
 
 bool IsJson(const std::string& Text)
 {
@@ -70,17 +67,14 @@ public:
 		const size_t NumLeftOut = WriteThumbnails();
 		if (!Inputs.Before.FinalPng.empty())
 		{
-			Put({.Id = "previous",
-				.Role = "previous",
-				.Label = "Final picture of the run before",
-				.Channels = {"R", "G", "B"},
-				.Png = Inputs.Before.FinalPng});
+			WriteReportPicture(Writer, {.Id = "previous",
+										   .Role = "previous",
+										   .Label = "Final picture of the run before",
+										   .Channels = {"R", "G", "B"},
+										   .Png = Inputs.Before.FinalPng});
 		}
 		Writer.EndArray();
-		if (NumLeftOut > 0)
-		{
-			Writer.Member("thumbnailsLeftOut", static_cast<uint64_t>(NumLeftOut));
-		}
+		Writer.Member("thumbnailsLeftOut", static_cast<uint64_t>(NumLeftOut));
 	}
 
 private:
@@ -108,7 +102,7 @@ private:
 		Picture.Values = &Values;
 		Picture.Encoding = Own.empty() ? GetPreviewEncoding(Values) : EReportEncoding::Display;
 		Picture.Png = ReadPng(Own, Make);
-		Put(Picture);
+		WriteReportPicture(Writer, Picture);
 	}
 
 	static EReportEncoding GetPreviewEncoding(const FPicture& Picture)
@@ -120,55 +114,47 @@ private:
 	{
 		const FPicture Part = Dump.Image.Crop(Dump.Window);
 		const std::string File = GetDumpFileName(Dump);
-		Put({.Id = File,
-			.Role = "dump",
-			.Label = GetShortPassName(Dump.Pass) + " \u2192 " + Dump.Resource +
-					 (Dump.Mip >= 0 ? " mip " + std::to_string(Dump.Mip) : ""),
-			.Pass = Dump.PassIndex,
-			.Resource = Dump.Resource,
-			.Mip = Dump.Mip,
-			.Extent = {Dump.Image.Width, Dump.Image.Height},
-			.Corner = {Dump.Window.Min.X, Dump.Window.Min.Y},
-			.Size = {Part.Width, Part.Height},
-			.Channels = Dump.Channels,
-			.Encoding = GetPreviewEncoding(Part),
-			.Png = ReadPng("passes/" + File + ".png", [&](const std::string& Path) { WritePreviewPng(Path, Part); }),
-			.Values = &Part,
-			.bPack = Inputs.bFull});
+		WriteReportPicture(Writer, {.Id = File,
+									   .Role = "dump",
+									   .Label = GetShortPassName(Dump.Pass) + " \u2192 " + Dump.Resource +
+												(Dump.Mip >= 0 ? " mip " + std::to_string(Dump.Mip) : ""),
+									   .Pass = Dump.PassIndex,
+									   .Resource = Dump.Resource,
+									   .Mip = Dump.Mip,
+									   .Extent = {Dump.Image.Width, Dump.Image.Height},
+									   .Corner = {Dump.Window.Min.X, Dump.Window.Min.Y},
+									   .Size = {Part.Width, Part.Height},
+									   .Channels = Dump.Channels,
+									   .Encoding = GetPreviewEncoding(Part),
+									   .Png = ReadPng("passes/" + File + ".png",
+										   [&](const std::string& Path) { WritePreviewPng(Path, Part); }),
+									   .Values = &Part,
+									   .bPack = Inputs.bFull});
 	}
 
 	/** Of all passes; where they weigh too much, of every second, fourth, ... texture. How many were left out. */
 	size_t WriteThumbnails()
 	{
-		std::vector<FReportPicture> Thumbnails;
+		std::vector<FReportPicture> All;
+		size_t Bytes = 0;
 		for (const FRunPass& Pass : Inputs.Result.Passes)
 		{
 			for (const FRunThumbnail& Thumbnail : Pass.Thumbnails)
 			{
-				Thumbnails.push_back(MakeThumbnail(Pass, Thumbnail));
+				All.push_back(MakeThumbnail(Pass, Thumbnail));
+				Bytes += All.back().Png.size();
 			}
 		}
-		const auto Weigh = [&](size_t Step)
-		{
-			size_t Bytes = Inputs.Before.FinalPng.size() + NumBytes;
-			for (size_t Index = 0; Index < Thumbnails.size(); Index += Step)
-			{
-				Bytes += Thumbnails[Index].Png.size() + BytesBesidePng;
-			}
-			return Bytes;
-		};
-		const size_t MaxBytes = std::max(Inputs.MaxPictureBytes, NumBytes + Inputs.MinThumbnailBytes);
 		size_t Step = 1;
-		while (Step < Thumbnails.size() && Weigh(Step) > MaxBytes)
+		while (Bytes / Step > Inputs.MaxThumbnailBytes)
 		{
 			Step *= 2;
 		}
-		size_t NumLeftOut = Thumbnails.size();
-		for (size_t Index = 0; Index < Thumbnails.size(); Index += Step, --NumLeftOut)
+		for (size_t Index = 0; Index < All.size(); Index += Step)
 		{
-			Put(Thumbnails[Index]);
+			WriteReportPicture(Writer, All[Index]);
 		}
-		return NumLeftOut;
+		return All.size() - (All.size() + Step - 1) / Step;
 	}
 
 	FReportPicture MakeThumbnail(const FRunPass& Pass, const FRunThumbnail& Thumbnail) const
@@ -191,15 +177,8 @@ private:
 			.Png = ReadPng("", [&](const std::string& Path) { WritePreviewPng(Path, Thumbnail.Image); })};
 	}
 
-	void Put(const FReportPicture& Picture)
-	{
-		NumBytes += Picture.Png.size() + BytesBesidePng;
-		WriteReportPicture(Writer, Picture);
-	}
-
 	FJsonWriter& Writer;
 	const FReportInputs& Inputs;
-	size_t NumBytes = 0; // of pictures written so far
 };
 
 /** The class of that name; null: there is none, as for a lambda's pass. */

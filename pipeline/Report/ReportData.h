@@ -2,7 +2,6 @@
 // report/report.schema.json; docs/report.md tells what each member is.
 #pragma once
 
-#include "Report/ReportPng.h"
 #include "Run/RunResult.h"
 
 #include <string>
@@ -34,10 +33,8 @@ struct FReportInputs
 	std::string WalkJson;     // MakeSceneWalkJson; empty: none
 	std::string Folder;       // where the run's PNG files lie, and where others are made in passing
 	FReportBefore Before;
-	bool bFull = false; // the values of all pictures go in
-	/** What pictures may weigh before thumbnails are left out, which have a part of their own in any case. */
-	size_t MaxPictureBytes = MaxPagePictureBytes;
-	size_t MinThumbnailBytes = 1'000'000;
+	bool bFull = false;                   // the values of all pictures go in
+	size_t MaxThumbnailBytes = 2'000'000; // as PNG, together
 };
 
 /** Throws FError (exit code 3) where a picture cannot be written or read. */

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <unordered_map>
 
 namespace Drydock
 {
@@ -86,51 +87,50 @@ std::vector<FShaderEntry> FindShaderEntries(const FShaderCompileRequest& Request
 }
 
 FEntryTexts::FEntryTexts(const FShaderCompileRequest& Request)
-	: Rest(FlattenShader(Request).Text, Request.VirtualPath)
 {
-	const FHlslTokens& All = Rest.Tokens;
-	std::map<std::string, size_t> Mentions;
-	for (const FHlslToken& Token : All)
+	const FHlslText Text(FlattenShader(Request).Text, Request.VirtualPath);
+	std::unordered_map<std::string, size_t> Mentions;
+	for (const FHlslToken& Token : Text.Tokens)
 	{
 		++Mentions[Token.Text];
 	}
-	FHlslTokens Kept;
 	size_t Next = 0;
-	for (const FFunctionText& Function : ListFunctionTexts(Rest))
+	const auto Add = [&](const std::string& Entry, size_t End)
 	{
-		size_t First = Function.Name;
-		while (First > Next && !Rest.Is(First - 1, "}") && !Rest.Is(First - 1, ";") && All[First - 1].Text[0] != '#')
-		{
-			--First;
-		}
-		const size_t End = std::min(Rest.FindClose(Function.Body) + 1, Rest.Size());
-		const bool bDirective = std::any_of(All.begin() + std::ptrdiff_t(First), All.begin() + std::ptrdiff_t(End),
-			[](const FHlslToken& Token) { return Token.Text[0] == '#'; });
-		const std::string& Name = All[Function.Name].Text;
-		if (First < Next || bDirective || Mentions[Name] > 1 || !FindStage(Rest, Function))
+		FHlslText Part("", "");
+		Part.Files = Text.Files;
+		Part.Tokens.assign(Text.Tokens.begin() + ptrdiff_t(Next), Text.Tokens.begin() + ptrdiff_t(End));
+		Parts.emplace_back(Entry, Part.Join());
+		Next = End;
+	};
+	for (const FFunctionText& Function : ListFunctionTexts(Text))
+	{
+		const std::string& Name = Text[Function.Name].Text;
+		if (Mentions[Name] > 1 || !FindStage(Text, Function))
 		{
 			continue;
 		}
-		Kept.insert(Kept.end(), All.begin() + std::ptrdiff_t(Next), All.begin() + std::ptrdiff_t(First));
-		Own[Name] = {Kept.size(), {All.begin() + std::ptrdiff_t(First), All.begin() + std::ptrdiff_t(End)}};
-		Next = End;
+		size_t First = Function.Name;
+		while (First > Next && !Text.Is(First - 1, "}") && !Text.Is(First - 1, ";") && Text[First - 1].Text[0] != '#')
+		{
+			--First;
+		}
+		Add("", First);
+		Add(Name, std::min(Text.FindClose(Function.Body) + 1, Text.Size()));
 	}
-	Kept.insert(Kept.end(), All.begin() + std::ptrdiff_t(Next), All.end());
-	Rest.Tokens = std::move(Kept);
-	Rest.Match();
+	Add("", Text.Size());
 }
 
 std::string FEntryTexts::GetText(const std::string& Entry) const
 {
-	const auto Found = Own.find(Entry);
-	if (Found == Own.end())
+	std::string Text;
+	bool bFound = false;
+	for (const auto& [Name, Part] : Parts)
 	{
-		return {};
+		Text += Name.empty() || Name == Entry ? Part : "";
+		bFound = bFound || Name == Entry;
 	}
-	FHlslText Text = Rest;
-	const auto& [At, Tokens] = Found->second;
-	Text.Tokens.insert(Text.Tokens.begin() + std::ptrdiff_t(At), Tokens.begin(), Tokens.end());
-	return Text.Join();
+	return bFound ? Text : std::string();
 }
 
 } // namespace Drydock

@@ -39,8 +39,7 @@ public:
 	std::string GetText(const std::string& Entry) const;
 
 private:
-	FHlslText Rest;                                            // without all these entry points
-	std::map<std::string, std::pair<size_t, FHlslTokens>> Own; // where in the rest each of them stands
+	std::vector<std::pair<std::string, std::string>> Parts; // the entry point that needs it, or nothing: all do
 };
 
 } // namespace Drydock

@@ -7,15 +7,11 @@
 #include "LintAllowances.h"
 #include "LintBarriers.h"
 #include "LintLayout.h"
-#include "RegularFile.h"
-#include "ShaderDirectories.h"
 #include "ShaderFrontEnd.h"
 #include "ShaderMessages.h"
 #include "ShaderSource.h"
-#include "SpirvFile.h"
 #include "SpirvReflect.h"
 #include "SpirvUniformity.h"
-#include "TextTools.h"
 
 #include <algorithm>
 #include <cstring>
@@ -408,10 +404,6 @@ std::vector<FLintFinding> LintShader(
 std::vector<FLintFinding> FFileLinter::Lint(
 	const FShaderCompileRequest& Request, uint8_t Platforms, std::vector<FDiagnostic>* Refused)
 {
-	if (IsSpirvFile(Request.VirtualPath))
-	{
-		return LintShader(Request, Platforms, Refused);
-	}
 	try
 	{
 		std::unique_ptr<FEntryTexts>& Texts = ByStage[Request.Stage];

@@ -40,7 +40,7 @@ DRYDOCK_API std::vector<FLintFinding> LintSpirv(const std::vector<uint32_t>& Wor
 class DRYDOCK_API FFileLinter
 {
 public:
-	/** Requests are alike, but for entry point and stage. */
+	/** Requests are alike, but for entry point and stage; none is of a module of SPIR-V. */
 	std::vector<FLintFinding> Lint(
 		const FShaderCompileRequest& Request, uint8_t Platforms, std::vector<FDiagnostic>* Refused = nullptr);
 

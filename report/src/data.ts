@@ -219,7 +219,7 @@ export interface Report {
 	};
 	previous?: { written: string; run: Run; timing?: Timing };
 	pictures: PictureData[];
-	thumbnailsLeftOut?: number;
+	thumbnailsLeftOut: number;
 }
 
 export type AnyReport = Report | StudyReport | DiffReport | SequenceReport | MatrixReport;
