@@ -119,13 +119,15 @@ void FDebugCapture::BeforeDispatch(const FBoundShader& Shader, const FKernelArgs
 		return;
 	}
 	const FDebuggedShader* const Debugged = FindShader(Shader, Pass);
+	const bool bDebugged = IsBeingDebugged();
 	while (Debugged && At)
 	{
 		const FSandbox Sandbox(Args, Shader.GetReflection());
 		const FScopedDenormals Denormals(EDenormals::Flush);
 		try
 		{
-			Passes.push_back({Pass, Shader.Name, *At, Debugged->Run(Sandbox.GetArgs(), Whole, *At, Request.MaxSteps)});
+			Passes.push_back(
+				{Pass, Shader.Name, *At, Debugged->Run(Sandbox.GetArgs(), Whole, *At, Request.MaxSteps, bDebugged)});
 		}
 		catch (const FSpirvError& Error)
 		{

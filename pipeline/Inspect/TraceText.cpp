@@ -170,7 +170,7 @@ std::string MakeTraceText(const FCapturedTrace& Trace, const FTraceRequest& Requ
 	{
 		Text += fmt::format("        ... {} lines of further rounds\n", Skipped);
 	}
-	Text += Trace.Float.bCut ? "(cut: there were more lines)\n" : "";
+	Text += Trace.Float.bCut ? "(cut: there was more)\n" : "";
 	if (Trace.Float.bDiscarded)
 	{
 		Text += "discarded\n";

@@ -15,6 +15,7 @@ int main(int NumArguments, char** Arguments)
 	const Drydock::FCodeScope Scope(Verb);
 	try
 	{
+		Drydock::CheckStack();
 		return Drydock::CallProgram({Arguments + (NumArguments > 0 ? 1 : 0), Arguments + NumArguments});
 	}
 	catch (...)

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <new>
+#include <sys/resource.h>
 #include <system_error>
 
 namespace Drydock
@@ -26,6 +27,21 @@ FError MakeSystemError(const std::error_code& Code, const std::string& File)
 }
 
 } // namespace
+
+void CheckStack()
+{
+	constexpr rlim_t Needed = 1024;
+	constexpr rlim_t Kilobyte = 1024;
+	rlimit Limit{};
+	if (getrlimit(RLIMIT_STACK, &Limit) == 0 && Limit.rlim_cur < Needed * Kilobyte)
+	{
+		throw FError({.Code = ErrorStackTooSmall,
+						 .Message = "the stack is limited to " + std::to_string(Limit.rlim_cur / Kilobyte) +
+									" kB here, and a run needs " + std::to_string(Needed) + ": ulimit -s " +
+									std::to_string(Needed)},
+			ExitFiles);
+	}
+}
 
 FError ExplainFailure(const std::exception_ptr& Thrown)
 {

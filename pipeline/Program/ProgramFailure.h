@@ -12,4 +12,7 @@ namespace Drydock
  * give, are exit code 3 and named; what nobody foresaw is a fault of drydock's own, 70. */
 DRYDOCK_API FError ExplainFailure(const std::exception_ptr& Thrown);
 
+/** Throws FError (DD5009, exit code 3) where the system gives threads a stack that is too small for a run. */
+DRYDOCK_API void CheckStack();
+
 } // namespace Drydock

@@ -77,11 +77,13 @@ struct FFound
 	size_t NumShaders = 0;
 	uint8_t Platforms = 0;
 
-	void Look(const FShaderCompileRequest& Request)
+	/** Of: the request's file, where more of its entry points follow. */
+	void Look(const FShaderCompileRequest& Request, FFileLinter* Of = nullptr)
 	{
 		++NumShaders;
 		std::vector<FDiagnostic> Refused;
-		for (FLintFinding& Finding : LintShader(Request, Platforms, &Refused))
+		for (FLintFinding& Finding :
+			Of ? Of->Lint(Request, Platforms, &Refused) : LintShader(Request, Platforms, &Refused))
 		{
 			Finding.File = GetShownPath(Finding.File);
 			Findings.insert(std::move(Finding));
@@ -156,12 +158,13 @@ void LintFile(const std::string& Target, const FLintOptions& Options, FFound& Fo
 		FindShaderEntries(MakeShaderCompileRequest(Path, Options.Entry, EShaderStage::Compute));
 	size_t NumLooked = 0;
 	std::vector<std::string> Names;
+	FFileLinter Linter;
 	for (const FShaderEntry& Entry : Entries)
 	{
 		Names.push_back(Entry.Name);
 		if (Options.Entry.empty() || Entry.Name == Options.Entry)
 		{
-			Found.Look(MakeShaderCompileRequest(Path, Entry.Name, Entry.Stage));
+			Found.Look(MakeShaderCompileRequest(Path, Entry.Name, Entry.Stage), IsSpirvFile(Path) ? nullptr : &Linter);
 			++NumLooked;
 		}
 	}
@@ -282,6 +285,10 @@ int Lint(const FLintOptions& Options)
 	}
 	FFound Found;
 	Found.Platforms = GetPlatforms(Options);
+	const auto Print = [&]
+	{
+		PrintResult(Options.bJson ? MakeLintJson(Found) : MakeLintText(Found), Options.bJson);
+	};
 	try
 	{
 		for (const std::string& Target : Options.Targets)
@@ -292,9 +299,13 @@ int Lint(const FLintOptions& Options)
 	}
 	catch (const FError& Error)
 	{
+		if (!Found.Findings.empty()) // a shader that does not compile hides nothing of the others
+		{
+			Print();
+		}
 		throw FError(WithShownPaths(Error.GetDiagnostics()), Error.GetExitCode());
 	}
-	PrintResult(Options.bJson ? MakeLintJson(Found) : MakeLintText(Found), Options.bJson);
+	Print();
 	const bool bFails = std::any_of(Found.Findings.begin(), Found.Findings.end(),
 		[](const FLintFinding& Finding) { return Finding.Rule->Severity == ESeverity::Error; });
 	return bFails ? ExitPolicy : ExitDone;

@@ -64,13 +64,7 @@ public:
 		{
 			WriteDump(Dump);
 		}
-		for (const FRunPass& Pass : Result.Passes)
-		{
-			for (const FRunThumbnail& Thumbnail : Pass.Thumbnails)
-			{
-				WriteThumbnail(Pass, Thumbnail);
-			}
-		}
+		const size_t NumLeftOut = WriteThumbnails();
 		if (!Inputs.Before.FinalPng.empty())
 		{
 			WriteReportPicture(Writer, {.Id = "previous",
@@ -80,6 +74,7 @@ public:
 										   .Png = Inputs.Before.FinalPng});
 		}
 		Writer.EndArray();
+		Writer.Member("thumbnailsLeftOut", static_cast<uint64_t>(NumLeftOut));
 	}
 
 private:
@@ -137,7 +132,32 @@ private:
 									   .bPack = Inputs.bFull});
 	}
 
-	void WriteThumbnail(const FRunPass& Pass, const FRunThumbnail& Thumbnail)
+	/** Of all passes; where they weigh too much, of every second, fourth, ... texture. How many were left out. */
+	size_t WriteThumbnails()
+	{
+		std::vector<FReportPicture> All;
+		size_t Bytes = 0;
+		for (const FRunPass& Pass : Inputs.Result.Passes)
+		{
+			for (const FRunThumbnail& Thumbnail : Pass.Thumbnails)
+			{
+				All.push_back(MakeThumbnail(Pass, Thumbnail));
+				Bytes += All.back().Png.size();
+			}
+		}
+		size_t Step = 1;
+		while (Bytes / Step > Inputs.MaxThumbnailBytes)
+		{
+			Step *= 2;
+		}
+		for (size_t Index = 0; Index < All.size(); Index += Step)
+		{
+			WriteReportPicture(Writer, All[Index]);
+		}
+		return All.size() - (All.size() + Step - 1) / Step;
+	}
+
+	FReportPicture MakeThumbnail(const FRunPass& Pass, const FRunThumbnail& Thumbnail) const
 	{
 		const std::string& Name = Inputs.Result.Graph.Passes[static_cast<size_t>(Pass.Index)].Name;
 		bool bDisplayRange = true;
@@ -145,17 +165,16 @@ private:
 		{
 			bDisplayRange = bDisplayRange && Value >= 0.0 && Value <= 1.0;
 		}
-		WriteReportPicture(
-			Writer, {.Id = "thumbnail." + std::to_string(Pass.Index) + "." + Thumbnail.Resource,
-						.Role = "thumbnail",
-						.Label = GetShortPassName(Name) + " \u2192 " + Thumbnail.Resource,
-						.Pass = Pass.Index,
-						.Resource = Thumbnail.Resource,
-						.Extent = {Thumbnail.Extent.X, Thumbnail.Extent.Y},
-						.Size = {Thumbnail.Image.Width, Thumbnail.Image.Height},
-						.Channels = GetChannelNames(Thumbnail.Image.NumChannels),
-						.Encoding = bDisplayRange ? EReportEncoding::Srgb : EReportEncoding::Compressed,
-						.Png = ReadPng("", [&](const std::string& Path) { WritePreviewPng(Path, Thumbnail.Image); })});
+		return {.Id = "thumbnail." + std::to_string(Pass.Index) + "." + Thumbnail.Resource,
+			.Role = "thumbnail",
+			.Label = GetShortPassName(Name) + " \u2192 " + Thumbnail.Resource,
+			.Pass = Pass.Index,
+			.Resource = Thumbnail.Resource,
+			.Extent = {Thumbnail.Extent.X, Thumbnail.Extent.Y},
+			.Size = {Thumbnail.Image.Width, Thumbnail.Image.Height},
+			.Channels = GetChannelNames(Thumbnail.Image.NumChannels),
+			.Encoding = bDisplayRange ? EReportEncoding::Srgb : EReportEncoding::Compressed,
+			.Png = ReadPng("", [&](const std::string& Path) { WritePreviewPng(Path, Thumbnail.Image); })};
 	}
 
 	FJsonWriter& Writer;

@@ -33,7 +33,8 @@ struct FReportInputs
 	std::string WalkJson;     // MakeSceneWalkJson; empty: none
 	std::string Folder;       // where the run's PNG files lie, and where others are made in passing
 	FReportBefore Before;
-	bool bFull = false; // the values of all pictures go in
+	bool bFull = false;                   // the values of all pictures go in
+	size_t MaxThumbnailBytes = 2'000'000; // as PNG, together
 };
 
 /** Throws FError (exit code 3) where a picture cannot be written or read. */

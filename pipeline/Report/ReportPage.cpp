@@ -2,6 +2,7 @@
 #include "Report/ReportPage.h"
 
 #include "InstallPaths.h"
+#include "Report/ReportPicture.h"
 #include "Text/ConfigErrors.h"
 #include "Text/TextFile.h"
 
@@ -42,8 +43,9 @@ std::string FormatReportTime(std::time_t Time)
 	return Text;
 }
 
-std::string MakeReportPage(const std::string& Data)
+std::string MakeReportPage(const std::string& Data, size_t MaxPlainBytes)
 {
+	const std::string Packed = Data.size() > MaxPlainBytes ? EncodeBase64(Deflate(Data)) : Data;
 	const std::string File = FindTemplate();
 	std::string Page = ReadTextFile(File, "drydock's own file cannot be opened: is it installed completely?");
 	const size_t At = Page.find(Placeholder);
@@ -54,7 +56,8 @@ std::string MakeReportPage(const std::string& Data)
 						 .File = File},
 			ExitFiles);
 	}
-	return Page.replace(At, Placeholder.size(), EscapeForScript(Data));
+	return Page.replace(
+		At, Placeholder.size(), Packed.size() < Data.size() / 2 ? '"' + Packed + '"' : EscapeForScript(Data));
 }
 
 } // namespace Drydock

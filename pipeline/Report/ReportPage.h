@@ -3,6 +3,7 @@
 
 #include "DrydockAPI.h"
 
+#include <cstddef>
 #include <ctime>
 #include <string>
 
@@ -16,8 +17,12 @@ DRYDOCK_API std::string EscapeForScript(const std::string& Json);
 /** UTC, "2025-01-31T12:00:00Z". */
 DRYDOCK_API std::string FormatReportTime(std::time_t Time);
 
-/** The whole of report.html. Data: JSON by report/report.schema.json. Throws FError (exit code 3) where drydock's own
- * template is missing or damaged. */
-DRYDOCK_API std::string MakeReportPage(const std::string& Data);
+/** What data may weigh as they are: 4 MB. */
+constexpr size_t MaxPlainDataBytes = 4'000'000;
+
+/** The whole of report.html. Data: JSON by report/report.schema.json; larger ones go in as a string, zlib's stream of
+ * them in base64, where that halves them. Throws FError (exit code 3) where drydock's own template is missing or
+ * damaged. */
+DRYDOCK_API std::string MakeReportPage(const std::string& Data, size_t MaxPlainBytes = MaxPlainDataBytes);
 
 } // namespace Drydock

@@ -57,19 +57,6 @@ std::string SplitPlanes(const FPicture& Picture, T (*Convert)(float))
 	return Bytes;
 }
 
-std::string Deflate(const std::string& Bytes)
-{
-	uLongf Size = compressBound(static_cast<uLong>(Bytes.size()));
-	std::string Packed(Size, '\0');
-	if (compress2(reinterpret_cast<Bytef*>(Packed.data()), &Size, reinterpret_cast<const Bytef*>(Bytes.data()),
-			static_cast<uLong>(Bytes.size()), Z_DEFAULT_COMPRESSION) != Z_OK)
-	{
-		throw std::bad_alloc(); // the one way in which it fails with a buffer of this size
-	}
-	Packed.resize(Size);
-	return Packed;
-}
-
 template<typename T>
 void WriteList(FJsonWriter& Writer, const char* Name, const T& List)
 {
@@ -133,6 +120,19 @@ FPictureFigures MeasurePicture(const FPicture& Picture)
 		}
 	}
 	return Figures;
+}
+
+std::string Deflate(const std::string& Bytes)
+{
+	uLongf Size = compressBound(static_cast<uLong>(Bytes.size()));
+	std::string Packed(Size, '\0');
+	if (compress2(reinterpret_cast<Bytef*>(Packed.data()), &Size, reinterpret_cast<const Bytef*>(Bytes.data()),
+			static_cast<uLong>(Bytes.size()), Z_DEFAULT_COMPRESSION) != Z_OK)
+	{
+		throw std::bad_alloc(); // the one way in which it fails with a buffer of this size
+	}
+	Packed.resize(Size);
+	return Packed;
 }
 
 std::string EncodeBase64(const std::string& Bytes)

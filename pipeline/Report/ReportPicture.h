@@ -31,6 +31,9 @@ DRYDOCK_API FPictureFigures MeasurePicture(const FPicture& Picture);
 /** RFC 4648, with padding. */
 DRYDOCK_API std::string EncodeBase64(const std::string& Bytes);
 
+/** zlib's stream. */
+std::string Deflate(const std::string& Bytes);
+
 /** Values as zlib's stream of planes: of each channel in turn the rows from the top; of a plane first all most
  * significant bytes, then the next ones. Halves where the picture fits them (FPicture::FitsHalf), else floats. */
 struct FPackedValues

@@ -55,6 +55,7 @@ enum EConfigError
 	ErrorFileNotWritten = 5004, // cannot be written
 	ErrorImageTooLarge = 5005,  // larger than any frame
 	ErrorImagesDiffer = 5006,   // two images of different kinds or sizes cannot be compared
+	ErrorStackTooSmall = 5009,  // ulimit -s
 
 	// DD6: shaders
 	WarnDebug = 6060, // --debug-shaders: a shader that no debugger can be given, or no debugger

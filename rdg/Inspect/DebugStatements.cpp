@@ -63,7 +63,12 @@ std::string FDebugEmitter::Jump(uint32_t From, uint32_t To)
 	std::string Reads;
 	std::string Writes;
 	size_t Count = 0;
-	for (const FSpirvEdge& Edge : Program.Blocks[Program.BlockOf(To)].Edges)
+	const uint32_t Target = Program.BlockOf(To);
+	if (Program.Blocks[Target].bCounted)
+	{
+		Reads = "DrydockTurn(" + std::to_string(Target) + ", " + std::to_string(Program.BlockOf(From)) + "); ";
+	}
+	for (const FSpirvEdge& Edge : Program.Blocks[Target].Edges)
 	{
 		for (uint32_t i = 0; Edge.From == From && i < Edge.Size; ++i)
 		{

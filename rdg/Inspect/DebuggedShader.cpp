@@ -47,6 +47,11 @@ struct FDebugRun
 		}
 	}
 
+	static void Turn(void* Self, uint32_t To, uint32_t From)
+	{
+		static_cast<FDebugRun*>(Self)->Thread.CountTurn(To, From);
+	}
+
 	static void Take(const uint64_t* Words, void* To, uint32_t Count)
 	{
 		for (uint32_t i = 0; i < Count; ++i)
@@ -103,8 +108,8 @@ FDebuggedShader::FDebuggedShader(const FShaderCompileRequest& Request, const FSh
 {
 }
 
-FDebuggedThread FDebuggedShader::Run(
-	const FKernelArgs& Args, const FKernelTile& Whole, const std::array<int32_t, 3>& Position, uint64_t MaxSteps) const
+FDebuggedThread FDebuggedShader::Run(const FKernelArgs& Args, const FKernelTile& Whole,
+	const std::array<int32_t, 3>& Position, uint64_t MaxSteps, bool bDebugged) const
 {
 	const FSpirvProgram& Program = Inspected.GetProgram();
 	FDebugRun Run{Program, Args, Inspected.GetSlots(), TSpirvThread<float>(Program, Inspected.GetSlots()), MaxSteps};
@@ -114,10 +119,12 @@ FDebuggedThread FDebuggedShader::Run(
 		Groups.emplace(Inspected);
 		Groups->RunFor(Run.Thread, Args, Position, MaxSteps);
 	}
-	Run.Thread.Begin(Args, {Position[0], Position[1], Position[2]}, nullptr);
-	FDebugKernelArgs Asked{Run.Thread.GetWords(), &Run, &FDebugRun::Execute, &FDebugRun::ReadConstant, &FDebugRun::Take,
-		&FDebugRun::Put, {Position[0], Position[1], Position[2]}, {Whole.MinX, Whole.MinY, Whole.MinZ},
-		{Whole.MaxX, Whole.MaxY, Whole.MaxZ}, {}, false};
+	FKernelArgs Own = Args;
+	Own.Limits = bDebugged ? nullptr : Args.Limits;
+	Run.Thread.Begin(Own, {Position[0], Position[1], Position[2]}, nullptr);
+	FDebugKernelArgs Asked{Run.Thread.GetWords(), &Run, &FDebugRun::Execute, &FDebugRun::Turn, &FDebugRun::ReadConstant,
+		&FDebugRun::Take, &FDebugRun::Put, {Position[0], Position[1], Position[2]},
+		{Whole.MinX, Whole.MinY, Whole.MinZ}, {Whole.MaxX, Whole.MaxY, Whole.MaxZ}, {}, false};
 	try
 	{
 		Kernel(Asked);

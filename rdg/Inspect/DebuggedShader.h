@@ -28,9 +28,10 @@ public:
 	FDebuggedShader(const FShaderCompileRequest& Request, const FShaderReflection& Kernel);
 
 	/** Runs one thread of Whole. Args are read and, where the shader writes to textures and buffers, written: give it a
-	 * sandbox (Sandbox.h). Throws FSpirvError after MaxSteps instructions. */
+	 * sandbox (Sandbox.h). Throws FSpirvError after MaxSteps instructions, and at a loop without end by the limit of
+	 * Args; with bDebugged, the thread's own loops may go on. */
 	FDebuggedThread Run(const FKernelArgs& Args, const FKernelTile& Whole, const std::array<int32_t, 3>& Position,
-		uint64_t MaxSteps) const;
+		uint64_t MaxSteps, bool bDebugged = false) const;
 
 	const FInspectedShader& GetInspected() const { return Inspected; }
 

@@ -53,7 +53,7 @@ struct FTraceLine
 struct FPixelTrace
 {
 	std::vector<FTraceLine> Lines;
-	bool bCut = false; // there were more lines than MaxTraceLines
+	bool bCut = false; // there were more than MaxTraceLines or MaxTraceEvents
 	bool bDiscarded = false;
 	std::vector<std::vector<double>> Targets; // by SV_Target: what was written, before the format rounds it
 	uint64_t Taps = 0;
@@ -61,5 +61,6 @@ struct FPixelTrace
 };
 
 constexpr size_t MaxTraceLines = 200000;
+constexpr size_t MaxTraceEvents = 500000; // of all lines
 
 } // namespace Drydock

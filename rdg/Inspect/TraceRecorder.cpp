@@ -132,13 +132,16 @@ private:
 		const size_t Depth = Thread.GetDepth() - Deeper;
 		const bool bSame = !bNewLine && !Trace.Lines.empty() && Trace.Lines.back().Line == I.Line &&
 						   LastFile == I.File && Trace.Lines.back().Depth == Depth;
+		const size_t NumEvents = EarlierEvents + (Trace.Lines.empty() ? 0 : Trace.Lines.back().Events.size());
+		// A loop may stand in one line.
+		if (NumEvents >= MaxTraceEvents || (!bSame && Trace.Lines.size() >= MaxTraceLines))
+		{
+			Trace.bCut = true;
+			return nullptr;
+		}
 		if (!bSame)
 		{
-			if (Trace.Lines.size() >= MaxTraceLines)
-			{
-				Trace.bCut = true;
-				return nullptr;
-			}
+			EarlierEvents = NumEvents;
 			Trace.Lines.push_back({Module.Files.at(I.File), I.Line, Functions.back(), Depth, {}});
 			LastFile = I.File;
 			bNewLine = false;
@@ -299,6 +302,7 @@ private:
 	const FKernelArgs& Args;
 	FPixelTrace& Trace;
 	std::vector<std::string> Functions; // that have not returned
+	size_t EarlierEvents = 0;           // of lines before the last
 	uint32_t LastFile = 0;
 	bool bNewLine = false;
 };

@@ -14,6 +14,8 @@ struct FDebugKernelArgs
 	void* Self; // of the two calls
 	/** Carries out an instruction that neither calls nor branches; does not return where the thread ends with it. */
 	void (*Execute)(void* Self, uint32_t Step);
+	/** Control goes from block to block of the program, to the header of a loop that may not end. */
+	void (*Turn)(void* Self, uint32_t To, uint32_t From);
 	/** The word of a number in a constant buffer, which is a variable of the module. Kind: an ESpirvType. */
 	uint64_t (*ReadConstant)(void* Self, uint32_t Variable, uint32_t Offset, uint8_t Kind);
 	/** Words to a variable of numbers of 32 bits, and back. */

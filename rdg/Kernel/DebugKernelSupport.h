@@ -32,6 +32,7 @@ static uint64_t* DrydockWords;
 #define DrydockTake(Words, To, Count) DrydockRun->Take(Words, To, Count)
 #define DrydockPut(Words, From, Count) DrydockRun->Put(Words, From, Count)
 #define DrydockDo(Step) DrydockRun->Execute(DrydockRun->Self, Step)
+#define DrydockTurn(To, From) DrydockRun->Turn(DrydockRun->Self, To, From)
 
 /** From the debugger: the shader runs once more, for another pixel or thread, when it is through with this one. */
 [[gnu::used]] const char* DrydockDebugPixel(int X, int Y, int Z)

@@ -14,6 +14,7 @@ DRYDOCK_LANES_INLINE void ForgetTaps(FKernelTap (&Taps)[Count])
 {
 	for (FKernelTap& Tap : Taps)
 	{
+		Tap.Begin = 0; // which is compared before Length says that there is nothing
 		Tap.Length = 0;
 	}
 }

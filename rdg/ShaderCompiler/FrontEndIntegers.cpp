@@ -1,9 +1,6 @@
 // Two sweeps over the words: one writes other operations, or adds one before; the other gives divisions their own back.
 #include "FrontEndIntegers.h"
 
-#include <glslang/SPIRV/spirv.hpp>
-
-#include <cstddef>
 #include <initializer_list>
 #include <map>
 #include <utility>
@@ -16,17 +13,6 @@ namespace
 
 constexpr size_t BoundWord = 3; // of the header: above all ids
 constexpr unsigned int HidingOp = spv::OpBitFieldUExtract;
-
-/** Calls f(Op, First, Count) for each instruction: First its first word. */
-template<typename F>
-void ForEachInstruction(const std::vector<unsigned int>& Words, F f)
-{
-	for (size_t At = GModuleHeaderWords; At < Words.size() && Words[At] >> spv::WordCountShift != 0;
-		 At += Words[At] >> spv::WordCountShift)
-	{
-		f(Words[At] & spv::OpCodeMask, At, Words[At] >> spv::WordCountShift);
-	}
-}
 
 /** What is left over has the sign of the left side in HLSL (`-7 % 4` is -3). glslang writes OpSMod, whose results of
  * constants have that of the right. */

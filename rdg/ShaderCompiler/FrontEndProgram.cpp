@@ -64,6 +64,27 @@ void AddLog(const char* Log, std::string& Output)
 	}
 }
 
+/** The optimiser drops loops without an effect, those without an end too. So each header gets an effect that it knows
+ * nothing of, an instruction that no pixel or compute shader has; without bMark that is taken away again. */
+void MarkLoops(std::vector<unsigned int>& Words, bool bMark)
+{
+	constexpr unsigned int Mark = 1u << spv::WordCountShift | spv::OpEmitVertex;
+	std::vector<unsigned int> Result(Words.begin(), Words.begin() + GModuleHeaderWords);
+	ForEachInstruction(Words,
+		[&](unsigned int Op, size_t First, unsigned int Count)
+		{
+			if (bMark && Op == spv::OpLoopMerge)
+			{
+				Result.push_back(Mark);
+			}
+			if (Words[First] != Mark)
+			{
+				Result.insert(Result.end(), Words.data() + First, Words.data() + First + Count);
+			}
+		});
+	Words = std::move(Result);
+}
+
 /** By the passes that glslang has for HLSL, each operation of floats rounded as it stands: `x * 3 * 5` is no `x * 15`,
  * so that the program with its functions gives the same bits. Nothing is folded in a module that says how it rounds.
  * Source: SPIRV-Tools, Instruction::IsFloatingPointFoldingAllowed. */
@@ -71,6 +92,7 @@ void Optimise(const glslang::TIntermediate& Intermediate, std::vector<unsigned i
 	const glslang::SpvOptions& Options)
 {
 	CorrectIntegers(Words);
+	MarkLoops(Words, true);
 	const unsigned int Capability[] = {2u << spv::WordCountShift | spv::OpCapability, spv::CapabilityRoundingModeRTE};
 	Words.insert(Words.begin() + GModuleHeaderWords, std::begin(Capability), std::end(Capability));
 	glslang::SpirvToolsTransform(Intermediate, Words, &Logger, &Options);
@@ -80,6 +102,7 @@ void Optimise(const glslang::TIntermediate& Intermediate, std::vector<unsigned i
 	{
 		Words.erase(Found, Found + std::ssize(Capability));
 	}
+	MarkLoops(Words, false);
 	RestoreDivisions(Words);
 }
 

@@ -3,18 +3,15 @@
 
 #include "HlslSymbols.h"
 #include "HlslTokens.h"
+#include "LeftOutStages.h"
 #include "LintAllowances.h"
 #include "LintBarriers.h"
 #include "LintLayout.h"
-#include "RegularFile.h"
-#include "ShaderDirectories.h"
 #include "ShaderFrontEnd.h"
 #include "ShaderMessages.h"
 #include "ShaderSource.h"
-#include "SpirvFile.h"
 #include "SpirvReflect.h"
 #include "SpirvUniformity.h"
-#include "TextTools.h"
 
 #include <algorithm>
 #include <cstring>
@@ -28,36 +25,6 @@ namespace
 {
 
 using namespace Spirv;
-
-/** A function of the text: its name, and the tokens of its body. */
-struct FFunctionText
-{
-	size_t Name = 0;
-	size_t Parameters = 0; // of its parameters' (
-	size_t Body = 0;       // of its {
-};
-
-std::vector<FFunctionText> ListFunctionTexts(const FHlslText& Text)
-{
-	std::vector<FFunctionText> Functions;
-	for (size_t At = 1; At < Text.Size(); ++At)
-	{
-		const bool bHead = Text.IsWord(At) && Text.Is(At + 1, "(") && Text.IsWord(At - 1);
-		size_t Body = bHead ? Text.FindClose(At + 1) + 1 : Text.Size();
-		while (bHead && Body < Text.Size() && !Text.Is(Body, "{") && !Text.Is(Body, ";"))
-		{
-			++Body; // a semantic
-		}
-		if (bHead && Text.Is(Body, "{"))
-		{
-			Functions.push_back({At, At + 1, Body});
-			At = Text.FindClose(Body);
-			continue;
-		}
-		At = std::max(At, Text.FindClose(At));
-	}
-	return Functions;
-}
 
 class FLinter
 {
@@ -405,18 +372,28 @@ std::vector<FLintFinding> LintSpirv(const std::vector<uint32_t>& Words, const st
 	return Linter.Finish();
 }
 
+namespace
+{
+
+std::vector<FLintFinding> LintSource(const FShaderSource& Source, const FShaderCompileRequest& Request,
+	uint8_t Platforms, std::vector<FDiagnostic>* Refused)
+{
+	std::vector<FLintFinding> Findings =
+		LintSpirv(CompileToSpirv(Source, Request), Source.Text, Request, Platforms, Refused);
+	FLintAllowances Allowances(Request);
+	std::erase_if(Findings, [&Allowances](const FLintFinding& Finding)
+		{ return Allowances.Allows(Finding.Rule->Id, Finding.File, Finding.Line); });
+	return Findings;
+}
+
+} // namespace
+
 std::vector<FLintFinding> LintShader(
 	const FShaderCompileRequest& Request, uint8_t Platforms, std::vector<FDiagnostic>* Refused)
 {
 	try
 	{
-		const FShaderSource Source = FlattenShader(Request);
-		std::vector<FLintFinding> Findings =
-			LintSpirv(CompileToSpirv(Source, Request), Source.Text, Request, Platforms, Refused);
-		FLintAllowances Allowances(Request);
-		std::erase_if(Findings, [&Allowances](const FLintFinding& Finding)
-			{ return Allowances.Allows(Finding.Rule->Id, Finding.File, Finding.Line); });
-		return Findings;
+		return LintSource(FlattenShader(Request), Request, Platforms, Refused);
 	}
 	catch (const FError& Error)
 	{
@@ -424,39 +401,28 @@ std::vector<FLintFinding> LintShader(
 	}
 }
 
-std::vector<FShaderEntry> FindShaderEntries(const FShaderCompileRequest& Request)
+std::vector<FLintFinding> FFileLinter::Lint(
+	const FShaderCompileRequest& Request, uint8_t Platforms, std::vector<FDiagnostic>* Refused)
 {
-	std::vector<FShaderEntry> Entries;
-	if (IsSpirvFile(Request.VirtualPath))
+	try
 	{
-		const FFileBytes Read = ReadRegularFile(FindShaderFile(Request.VirtualPath));
-		for (const auto& [Name, Stage] : ListSpirvEntries(Read.Bytes.value_or(""), Request))
+		std::unique_ptr<FEntryTexts>& Texts = ByStage[Request.Stage];
+		if (!Texts)
 		{
-			Entries.push_back({Name, Stage});
+			Texts = std::make_unique<FEntryTexts>(Request);
 		}
-		return Entries;
-	}
-	const FHlslText Text(FlattenShader(Request).Text, Request.VirtualPath);
-	for (const FFunctionText& Function : ListFunctionTexts(Text))
-	{
-		const size_t Head = Function.Name - 1; // its type, behind the attributes
-		const size_t Opens = Head >= 5 && Text.Is(Head - 1, "]") ? Head - 1 : 0;
-		bool bThreads = false;
-		for (size_t At = Opens; At > 0 && !Text.Is(At, "}") && !Text.Is(At, ";") && !bThreads; --At)
+		const FShaderSource Source = {
+			.Text = Texts->GetText(Request.EntryPoint), .Files = {}, .Strings = {}, .Fingerprint = {}};
+		if (!Source.Text.empty() && !FindLeftOutEntry(Source.Text, Request))
 		{
-			bThreads = Text[At].Text == "numthreads";
-		}
-		bool bTarget = false;
-		for (size_t At = Function.Parameters; At < Function.Body; ++At)
-		{
-			bTarget = bTarget || ToLowerCase(Text[At].Text).starts_with("sv_target");
-		}
-		if (bThreads || bTarget)
-		{
-			Entries.push_back({Text[Function.Name].Text, bThreads ? EShaderStage::Compute : EShaderStage::Pixel});
+			return LintSource(Source, Request, Platforms, Refused);
 		}
 	}
-	return Entries;
+	catch (const FError&)
+	{
+		// The whole text has all messages.
+	}
+	return LintShader(Request, Platforms, Refused);
 }
 
 } // namespace Drydock

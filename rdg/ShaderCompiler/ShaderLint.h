@@ -3,8 +3,9 @@
 #pragma once
 
 #include "LintRules.h"
-#include "ShaderCompileRequest.h"
+#include "ShaderEntries.h"
 
+#include <map>
 #include <tuple>
 
 namespace Drydock
@@ -34,15 +35,17 @@ DRYDOCK_API std::vector<FLintFinding> LintShader(
 DRYDOCK_API std::vector<FLintFinding> LintSpirv(const std::vector<uint32_t>& Words, const std::string& Text,
 	const FShaderCompileRequest& Request, uint8_t Platforms, std::vector<FDiagnostic>* Refused = nullptr);
 
-/** An entry point as the text declares it. */
-struct FShaderEntry
+/** LintShader of one entry point after the other of one file: it is flattened once for each stage, and the others are
+ * left out of what the front end reads. */
+class DRYDOCK_API FFileLinter
 {
-	std::string Name;
-	EShaderStage Stage = EShaderStage::Compute;
-};
+public:
+	/** Requests are alike, but for entry point and stage; none is of a module of SPIR-V. */
+	std::vector<FLintFinding> Lint(
+		const FShaderCompileRequest& Request, uint8_t Platforms, std::vector<FDiagnostic>* Refused = nullptr);
 
-/** Entry points of a file that no shader class names: functions with [numthreads], and those with SV_Target; of
- * SPIR-V the module's. Request: its file and defines. */
-DRYDOCK_API std::vector<FShaderEntry> FindShaderEntries(const FShaderCompileRequest& Request);
+private:
+	std::map<EShaderStage, std::unique_ptr<FEntryTexts>> ByStage;
+};
 
 } // namespace Drydock

@@ -12,7 +12,7 @@ namespace Drydock
 {
 
 /** Whether a shader of this path is SPIR-V: its name ends with .spv. */
-bool IsSpirvFile(const std::string& VirtualPath);
+DRYDOCK_API bool IsSpirvFile(const std::string& VirtualPath);
 
 /** The module in Bytes with the entry that is asked for and without its other ones, as the Text of a source: the
  * module, which GetSpirvWords gives back, and declarations of the buffers of bytes, as reflection looks for them in

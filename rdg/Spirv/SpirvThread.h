@@ -69,6 +69,8 @@ public:
 	 * neither calls a function of the module nor branches. False: it ended the thread. */
 	void Begin(const FKernelArgs& InArgs, const int32_t (&InPosition)[3], const FVertexInput* InVertex);
 	bool ExecuteStep(const FSpirvStep& Step);
+	/** Control comes to the header of a loop that may not end: throws where that is one turn too many. */
+	void CountTurn(uint32_t To, uint32_t FromBlock);
 	FWord* GetWords() { return Words.data(); }
 
 	bool WasDiscarded() const { return bDiscarded || bDemoted; }
@@ -104,7 +106,6 @@ private:
 	void FillInput(const FSpirvVariable& Variable, FWord* Out) const;
 	void FillAttribute(const FSpirvVariable& Variable, FWord* Out) const;
 	void EnterBlock(uint32_t To, uint32_t FromBlock);
-	void CountTurn(uint32_t To, uint32_t FromBlock);
 	uint32_t ChooseTarget(const FSpirvStep& Step) const;
 	void Execute(const FSpirvStep& Step);
 	void TellRaces(const FSpirvStep& Step, uint32_t Word, uint32_t Size, ESharedAccess Access, const FWord* Values);

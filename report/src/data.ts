@@ -1,4 +1,5 @@
 // What a report says: the types of report.schema.json that the page reads, and the few questions asked of all of it.
+import { unzlibSync } from "fflate";
 import { DiffReport } from "./diff/data";
 import { MatrixReport } from "./matrix/data";
 import { SequenceReport } from "./sequence/data";
@@ -218,12 +219,24 @@ export interface Report {
 	};
 	previous?: { written: string; run: Run; timing?: Timing };
 	pictures: PictureData[];
+	thumbnailsLeftOut: number;
 }
 
 export type AnyReport = Report | StudyReport | DiffReport | SequenceReport | MatrixReport;
 
+export function fromBase64(text: string): Uint8Array {
+	const binary = atob(text);
+	const bytes = new Uint8Array(binary.length);
+	for (let i = 0; i < binary.length; ++i) {
+		bytes[i] = binary.charCodeAt(i);
+	}
+	return bytes;
+}
+
+/** Large data are packed. */
 export function readReport(): AnyReport {
-	return JSON.parse(document.getElementById("data")!.textContent!) as AnyReport;
+	const data = JSON.parse(document.getElementById("data")!.textContent!) as AnyReport | string;
+	return typeof data === "string" ? (JSON.parse(new TextDecoder().decode(unzlibSync(fromBase64(data)))) as AnyReport) : data;
 }
 
 /** The passes somebody added: without the graph's prologue and epilogue. */

@@ -37,6 +37,7 @@ function makeRun(report: Report): Contents {
 	const graph = new GraphPanel(report, (id) => picture.show(id));
 	const picture = new PicturePanel(report.pictures, {
 		b: report.pictures.find((one) => one.role === "previous")?.id,
+		note: report.thumbnailsLeftOut ? `${report.thumbnailsLeftOut} thumbnails of passes were left out: together they weigh too much` : "",
 		shape: (name) => report.graph.resources.find((resource) => resource.name === name)?.shape,
 	});
 	const openPass = (index: number) => graph.open(index);

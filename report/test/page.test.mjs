@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
+import { deflateSync } from "node:zlib";
 import { checkAxe, onPage, readData, runs, startBrowser, stopBrowser, until, withData } from "./harness.mjs";
 
 const plain = runs + "/plain/report.html";
@@ -36,6 +37,13 @@ test("a run without an earlier one, and one with warnings, say so", async () => 
 		assert.ok(await page.isDisabled("#mode-b"));
 		await page.click("#messages .link");
 		assert.match(await page.textContent("#pass-detail h3"), /BloomSetup/);
+	}));
+});
+
+test("packed data are unpacked, and thumbnails that were left out counted", async () => {
+	const packed = deflateSync(JSON.stringify({ ...data, thumbnailsLeftOut: 7 })).toString("base64");
+	await withData(packed, (file) => onPage(file, async (page) => {
+		assert.match(await page.textContent("#picture"), /7 thumbnails of passes were left out/);
 	}));
 });
 

@@ -1,6 +1,6 @@
 // Pictures of a report as numbers: from the values it carries, else from its PNG as far as eight bits tell.
 import { unzlibSync } from "fflate";
-import { PictureData, pictureUrl } from "../data";
+import { PictureData, fromBase64, pictureUrl } from "../data";
 
 export interface Pixels {
 	width: number;
@@ -20,15 +20,6 @@ export function srgbToLinear(code: number): number {
 
 export function linearToSrgb(value: number): number {
 	return value <= 0.0031308 ? value * 12.92 : 1.055 * Math.pow(value, 1 / 2.4) - 0.055;
-}
-
-function fromBase64(text: string): Uint8Array {
-	const binary = atob(text);
-	const bytes = new Uint8Array(binary.length);
-	for (let i = 0; i < binary.length; ++i) {
-		bytes[i] = binary.charCodeAt(i);
-	}
-	return bytes;
 }
 
 /** What a half float's 16 bits are worth. */

@@ -146,6 +146,19 @@ TEST_F(HostileFiles, MemoryThatTheSystemDoesNotGiveIsNotDrydocksFault)
 	ExpectRefused(Call("diff large.tga large.tga", "ulimit -v 800000 && "), {"error DD5008", "large.tga"});
 }
 
+TEST_F(HostileFiles, AStackTooSmallForARunIsNotDrydocksFault)
+{
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+	GTEST_SKIP() << "a sanitizer takes more of the stack";
+#endif
+	for (const std::string Limit : {"32", "64", "128"})
+	{
+		ExpectRefused(Call("run '" + Configs + "toon_bloom.json' --out o", "ulimit -S -s " + Limit + " && "),
+			{"error DD5009", "limited to " + Limit + " kB here, and a run needs 1024: ulimit -s 1024"});
+	}
+	EXPECT_FALSE(Files::exists(Folder / "o"));
+}
+
 namespace
 {
 

@@ -39,6 +39,21 @@ TEST(LintProgram, AFileOfTwoMappingsHasTheClassesOfBoth)
 	EXPECT_THAT(Outcome.Printed, HasSubstr(" looked at, 0 findings")); // without a class it would not compile
 }
 
+TEST(LintProgram, FindingsAreNamedThoughAnotherShaderDoesNotCompile)
+{
+	const FProgramFolder Folder("lint_broken");
+	Folder.Write("Part.usf", "RWTexture2D<float4> Out;\ngroupshared uint S[64];\n[numthreads(8, 8, 1)]\n"
+							 "void MainCS(uint2 P : SV_DispatchThreadID, uint N : SV_GroupIndex)\n{\n"
+							 "	if (any(P >= uint2(7, 7)))\n	{\n		return;\n	}\n"
+							 "	S[N] = N;\n	GroupMemoryBarrierWithGroupSync();\n	Out[P] = S[N ^ 1];\n}\n");
+	Folder.Write("Broken.usf", "[numthreads(8, 8, 1)]\nvoid MainCS()\n{\n	Missing = 1;\n}\n");
+	const FOutcome Found = Folder.Call("lint Part.usf Broken.usf");
+	EXPECT_EQ(2, Found.ExitCode) << Found.Printed;
+	EXPECT_THAT(Found.Printed, HasSubstr("Part.usf:11: error: threads part in line 6: a barrier that not all threads"));
+	EXPECT_THAT(Found.Printed, HasSubstr("Broken.usf:4: error: 'Missing'"));
+	EXPECT_THAT(Folder.Call("lint Broken.usf").Printed, testing::Not(HasSubstr("looked at")));
+}
+
 TEST(LintProgram, FindingsHaveTheirLineAndAllowedOnesAreLeftOut)
 {
 	const FProgramFolder Folder("lint_findings");

@@ -216,6 +216,40 @@ TEST(ReportData, FullCarriesTheValuesOfThePictures)
 	}
 }
 
+TEST(ReportData, AFrameOfManyPassesHasThumbnailsOfSomeAndIsPacked)
+{
+	std::string Passes;
+	for (int Pass = 0; Pass < 400; ++Pass)
+	{
+		Passes += std::string(Pass ? ", " : "") + R"({"type": "Tint", "at": "MotionBlur"})";
+	}
+	const FRunResult Result = RunForReport(R"({"scene": {"file": "scenes/hazards.exr"}, "passes": [)" + Passes + "]}");
+	const FTemporaryFolder Temporary("drydock_report_many");
+	FReportInputs Inputs = MakeInputs(Result, Temporary);
+	const auto CountThumbnails = [](const FJson& Report)
+	{
+		return std::count_if(Report["pictures"].begin(), Report["pictures"].end(),
+			[](const FJson& Picture) { return Picture["role"] == "thumbnail"; });
+	};
+	const FJson All = FJson::parse(MakeReportData(Inputs));
+	EXPECT_EQ(0, All["thumbnailsLeftOut"]);
+	EXPECT_LT(400, CountThumbnails(All));
+	Inputs.MaxThumbnailBytes = 40'000;
+	const std::string Data = MakeReportData(Inputs);
+	const FJson Some = FJson::parse(Data);
+	EXPECT_EQ(std::vector<std::string>(), FSchemaCheck(ReadSchemaFile("report.schema.json")).Check(Some));
+	EXPECT_EQ(CountThumbnails(All), CountThumbnails(Some) + Some["thumbnailsLeftOut"].get<int>());
+	EXPECT_LT(50, CountThumbnails(Some));
+	EXPECT_GT(150, CountThumbnails(Some));
+
+	const std::string Page = MakeReportPage(Data, 1'000'000);
+	EXPECT_NE(std::string::npos, MakeReportPage(Data).find(Data.substr(0, 100)));
+	const size_t From = Page.find("id=\"data\">\"") + 11;
+	const std::string Packed = Page.substr(From, Page.find('"', From) - From);
+	EXPECT_GT(Data.size() / 4, Packed.size());
+	EXPECT_EQ(Data, Inflate(DecodeBase64(Packed), Data.size()));
+}
+
 TEST(ReportData, ANonsenseFileOfAnEarlierRunIsNoEarlierRun)
 {
 	const FTemporaryFolder Temporary("drydock_report_before");

@@ -257,6 +257,44 @@ void MainPS(float4 SvPosition : SV_POSITION, out float4 OutColor : SV_Target0)
 	EXPECT_THROW(Debugged.Run(Harness.GetArgs(), {0, 0, 0, 1, 1, 1}, {0, 0, 0}, MaxSteps), FSpirvError);
 }
 
+/** A loop with an instruction in it and one without, which no limit of instructions ends. */
+TEST(DebuggedShader, ALoopWithoutEndEndsByTheLimitOfTheRun)
+{
+	for (const std::string Loop :
+		{"	uint n = 1; while (n != 0) { n |= 1; }\n", "	if (Id.x == 2) { while (true) {} }\n"})
+	{
+		FShaderHarness Harness("RWStructuredBuffer<uint> Out;\n[numthreads(4, 1, 1)]\n"
+							   "void Main(uint3 Id : SV_DispatchThreadID)\n{\n" +
+								   Loop + "	Out[0] = 1;\n}\n",
+			"Main", EShaderStage::Compute);
+		Harness.Buffers["Out"] = {0};
+		Harness.Inspect();
+		const FDebuggedShader Debugged(Harness.Request, Harness.GetReflection());
+		FKernelLimits Limits = *Harness.GetArgs().Limits;
+		Limits.LoopTurns = 1000;
+		const auto Run = [&](uint64_t Steps, bool bDebugged)
+		{
+			FKernelArgs Args = Harness.GetArgs();
+			Args.Limits = &Limits;
+			Debugged.Run(Args, {0, 0, 0, 4, 1, 1}, {2, 0, 0}, Steps, bDebugged);
+		};
+		try
+		{
+			Run(100'000'000'000, false);
+			FAIL() << Loop;
+		}
+		catch (const FError& Error)
+		{
+			EXPECT_EQ(6041, Error.GetDiagnostics().at(0).Code);
+			EXPECT_EQ(5, Error.GetDiagnostics()[0].Line);
+		}
+		if (Loop.find("n |=") != std::string::npos)
+		{
+			EXPECT_THROW(Run(MaxSteps, true), FSpirvError) << "its own loops may go on";
+		}
+	}
+}
+
 TEST(DebuggedShader, ItsFilesAreGoneWithIt)
 {
 	FShaderHarness Harness(Everything, "MainPS", EShaderStage::Pixel);

@@ -294,6 +294,20 @@ void MainPS(float4 SvPosition : SV_POSITION, out float4 OutColor : SV_Target0)
 	}
 }
 
+/** A line that goes on and on is one line of the trace. */
+TEST(TracePixel, ALoopInOneLineIsCut)
+{
+	FShaderHarness Harness("RWStructuredBuffer<uint> Out;\n[numthreads(1, 1, 1)]\nvoid Main()\n{\n"
+						   "	uint n = 0; while (n < 600000) { ++n; }\n	Out[0] = n;\n}\n",
+		"Main", EShaderStage::Compute);
+	Harness.Buffers["Out"] = {0};
+	FInspectedShader& Shader = Harness.Inspect();
+	const FPixelTrace Trace = TracePixel(Shader, Harness.GetArgs(), {0, 0, 0}, false, 100 * MaxSteps);
+	EXPECT_TRUE(Trace.bCut);
+	ASSERT_EQ(1u, Trace.Lines.size());
+	EXPECT_EQ(MaxTraceEvents, Trace.Lines[0].Events.size());
+}
+
 } // namespace
 
 TEST(TracePixel, AThreadOfAGroupSeesWhatTheOthersDid)

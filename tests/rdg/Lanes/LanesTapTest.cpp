@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "LanesResources.h"
+#include "LanesTapReads.h"
 #include "LanesTaps.h"
 #include "LanesTestRandom.h"
 #include "LanesTestTexture.h"
@@ -34,6 +35,19 @@ struct FCase
 	float Level;
 	int32_t Mip;
 };
+
+/** What kernels compare of a tap that has learned nothing: a memory checker names what is not written. */
+TEST(LanesTap, ForgottenOnesAreWrittenAsFarAsTheyAreCompared)
+{
+	FKernelTap Taps[2];
+	std::memset(static_cast<void*>(Taps), 0xCD, sizeof(Taps));
+	Lanes::ForgetTaps(Taps);
+	for (const FKernelTap& Tap : Taps)
+	{
+		EXPECT_EQ(0, Tap.Begin);
+		EXPECT_EQ(0u, Tap.Length);
+	}
+}
 
 /** Visits the packs of a tile in turn, as a kernel does: reads what the tap knows, learns the rest. Gives the number of
  *  packs that were read. */

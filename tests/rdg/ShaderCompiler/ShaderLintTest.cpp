@@ -319,6 +319,48 @@ TEST(ShaderLint, AShaderMayAllowWhatItMeans)
 	EXPECT_EQ(std::vector<std::string>({"threads-512:0"}), LintGroup(" // drydock-lint: allow threads: big"));
 }
 
+/** Else the time of a file would be the square of its entry points. */
+TEST(ShaderLint, EachEntryOfAFileIsReadWithoutTheOthers)
+{
+	std::string Text = "RWTexture2D<float4> Out;\nTexture2D T;\nSamplerState S;\nfloat H(float x) { return 2 * x; }\n"
+					   "[numthreads(8, 8, 1)]\nvoid CalledCS(uint2 P : SV_DispatchThreadID) { Out[P].x = H(1); }\n";
+	for (const char* const Number : {"1", "2", "3"})
+	{
+		Text += std::string("[numthreads(32, 32, 1)]\nvoid Part") + Number +
+				"CS(uint2 P : SV_DispatchThreadID)\n{\n	CalledCS(P);\n	Out[P].y = T.Sample(S, 0).x;\n}\n" +
+				"float4 Shown" + Number + "PS(float4 P : SV_POSITION) : SV_Target0\n{\n#if PIXELSHADER\n" +
+				"	return ddx(P.x) * H(P.y);\n#endif\n	return 0;\n}\n";
+	}
+	FShaderCompileRequest Request = MakeRequest(Text);
+	const std::vector<FShaderEntry> Entries = FindShaderEntries(Request);
+	ASSERT_EQ(7u, Entries.size());
+	FFileLinter Linter;
+	for (const FShaderEntry& Entry : Entries)
+	{
+		Request.EntryPoint = Entry.Name;
+		Request.Stage = Entry.Stage;
+		const std::vector<FLintFinding> Whole = LintShader(Request, 0xFF);
+		EXPECT_EQ(Whole, Linter.Lint(Request, 0xFF)) << Entry.Name;
+		EXPECT_EQ(Entry.Stage == EShaderStage::Pixel, Whole.empty()) << Entry.Name;
+		const std::string Own = FEntryTexts(Request).GetText(Entry.Name);
+		if (Entry.Name == "CalledCS") // which others need
+		{
+			EXPECT_EQ("", Own);
+			continue;
+		}
+		for (const FShaderEntry& Other : Entries)
+		{
+			EXPECT_EQ(&Entry == &Other || Other.Name == "CalledCS", Own.find(Other.Name) != std::string::npos)
+				<< Entry.Name << " and " << Other.Name;
+		}
+	}
+	Request = MakeRequest(Text + "[numthreads(8, 8, 1)] void FirstCS() { Missing = 1; }\n"
+								 "[numthreads(8, 8, 1)] void SecondCS() { Lacking = 1; }\n");
+	Request.EntryPoint = "FirstCS";
+	Request.Stage = EShaderStage::Compute;
+	EXPECT_THROW(Linter.Lint(Request, 0xFF), FError);
+}
+
 TEST(ShaderLint, EntriesAreFoundInTheText)
 {
 	const std::vector<FShaderEntry> Entries = FindShaderEntries(
@@ -359,7 +401,7 @@ pass that `AddPass` makes of a lambda does not tell its shader before it runs, b
 class has more than 256 permutations, 256 are looked at, spread over all dimensions; a note (DD6013) names the class and counts the
 rest.
 It also names a pass of a lambda whose plugin registers no shader class. A broken class ends `lint` and `check` with exit code
-2, though the frame may not use it.
+2, though the frame may not use it. `lint` prints what it found in the other shaders all the same.
 
 What a shader means to do it says in a comment, on the line of the finding or the one above it; for findings without a line
 anywhere in the file. `drydock lint` of the shaders that drydock ships finds nothing else.

@@ -137,6 +137,36 @@ TEST_F(FLoopLimit, LoopsAroundBarriersAndInGroups)
 		EShaderStage::Compute, Message(10, "2, 0"));
 }
 
+// The optimiser knows that they have no effect, or no end.
+TEST_F(FLoopLimit, LoopsWithoutEndWhoseEndTheTextRulesOut)
+{
+	struct FCase
+	{
+		const char* Text;
+		int Line;
+		const char* Thread;
+	};
+	for (const FCase& Case :
+		{FCase{"	while (true) {}\n", 5, "0, 0"}, FCase{"	for (uint i = 3; i >= 0; --i) {}\n", 5, "0, 0"},
+			FCase{"	float x = 0;\n	do { x += 1; } while (true);\n", 6, "0, 0"},
+			FCase{"	uint n = 1;\n	while (n != 0) { n |= 1; }\n", 6, "0, 0"},
+			FCase{"	uint n = Id.y;\n	while (n < 2) { n = n & 1; }\n", 6, "0, 0"},
+			FCase{"	if (Id.x == 5 && Id.y > 1)\n		for (;;) {}\n", 6, "5, 2"},
+			FCase{"	Spin(Id.x == 7);\n", 1, "7, 0"}, FCase{"	Spin(false);\n", 1, ""}})
+	{
+		const std::string Expected = *Case.Thread ? Message(Case.Line, Case.Thread) : std::string();
+		const std::string Head = "void Spin(bool b) { while (b) {} }\n";
+		Check(
+			Head +
+				"RWStructuredBuffer<uint> Out;\n[numthreads(16, 1, 1)]\nvoid Main(uint3 Id : SV_DispatchThreadID) {\n" +
+				Case.Text + "	Out[Id.y * 16 + Id.x] = 1;\n}\n",
+			EShaderStage::Compute, Expected);
+		Check(Head + "\nfloat4 Main(float4 P : SV_POSITION) : SV_Target0\n{	uint2 Id = uint2(P.xy);\n" + Case.Text +
+				  "	return P.x;\n}\n",
+			EShaderStage::Pixel, Expected);
+	}
+}
+
 TEST_F(FLoopLimit, ZeroIsNoLimit)
 {
 	Set(0);
