@@ -3,6 +3,7 @@
 
 #include "Diagnostics.h"
 #include "Picture/Picture.h"
+#include "SceneFile/NonFinite.h"
 
 #include <cstdint>
 #include <optional>
@@ -14,6 +15,8 @@ class FRDGTexture;
 
 namespace Drydock
 {
+
+struct FRunResult;
 
 /** What a pass wrote that is not finite. */
 struct FNonFiniteFootprint
@@ -56,7 +59,11 @@ void AddFootprint(FNonFiniteSpread& Spread, FNonFiniteFootprint Footprint);
 /** Both of one size. */
 FNonFiniteFinal CompareFinal(const FPicture& Final, const FPicture& WithZeros);
 
-/** The up to three passes that spread it most, and the final picture, in one warning. */
-FDiagnostic DescribeSpread(const FNonFiniteSpread& Spread);
+/** The up to three passes that spread it most, and the final picture, in one warning. InFile: where it came from. */
+FDiagnostic DescribeSpread(const FNonFiniteSpread& Spread, const std::vector<FNonFiniteChannel>& InFile);
+
+/** A warning for each channel of the file, scene colour where the file's is finite, and the final picture; errors,
+ * which are thrown, when that is the policy. */
+void ReportNonFinite(const std::vector<FNonFiniteChannel>& InFile, FRunResult& Result);
 
 } // namespace Drydock

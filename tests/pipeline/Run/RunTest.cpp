@@ -373,6 +373,74 @@ TEST(RunNonFinite, PassesThatSpreadThemAndTheFinalPictureAreNamed)
 	std::filesystem::remove_all(Folder);
 }
 
+TEST(RunNonFinite, ThoseOfDepthVelocityAndMasksAreNamedAndFollowedToTheFinalPicture)
+{
+	const std::filesystem::path Folder = MakeTemporaryFolder();
+	std::filesystem::create_directories(Folder);
+	constexpr double Infinity = std::numeric_limits<double>::infinity();
+	const std::vector<std::string> Names = {"R", "G", "B", "Z", "velocity.X", "velocity.Y", "custommask.B"};
+	FImage Image{96, 64, 7, {}};
+	for (int Pixel = 0; Pixel < 96 * 64; ++Pixel)
+	{
+		const double Grey = 0.1 * (Pixel % 96 / 8 % 2);
+		Image.Values.insert(Image.Values.end(), {Grey, Grey, Grey, 2.0, 4.0, 0.0, 0.5});
+	}
+	const auto At = [&Image](int X, int Y, int Channel) -> double&
+	{
+		return Image.Values[static_cast<size_t>((Y * 96 + X) * 7 + Channel)];
+	};
+	At(90, 60, 3) = Infinity; // where nothing is
+	WriteExr((Folder / "sound.exr").string(), Image, Names);
+	At(30, 20, 3) = std::nan("");
+	At(31, 20, 3) = -Infinity;
+	At(40, 22, 5) = Infinity;
+	At(50, 24, 6) = std::nan("");
+	WriteExr((Folder / "nan.exr").string(), Image, Names);
+	FRunOptions Options;
+	Options.ConfigFile = (Folder / "a.json").string();
+	const auto Choose = [&Options](const std::string& File)
+	{
+		Options.ConfigText =
+			R"({"scene": {"file": ")" + File + R"(", "channels": {"depth.Z": "Z"}}, "camera": {"Settings": {
+			"DepthOfFieldFocalDistance": 100, "DepthOfFieldFstop": 1, "DepthOfFieldSensorWidth": 200, "MotionBlurAmount": 0.5,
+			"CharaGlowArea": 3, "CharaGlowColor": [1, 1, 1, 1]}}})";
+	};
+	const auto GetWarnings = [&Folder](const FRunResult& Result)
+	{
+		std::vector<std::string> Warnings;
+		for (const FDiagnostic& Diagnostic : Result.Diagnostics)
+		{
+			if (Diagnostic.Severity == ESeverity::Warning && Diagnostic.Code == WarnNonFinite)
+			{
+				EXPECT_EQ((Folder / "nan.exr").string(), Diagnostic.File);
+				Warnings.push_back(Diagnostic.Where + ": " + Diagnostic.Message);
+			}
+		}
+		return Warnings;
+	};
+	Choose("sound.exr");
+	EXPECT_TRUE(GetWarnings(RunConfig(Options)).empty());
+
+	Choose("nan.exr");
+	const FRunResult Result = RunConfig(Options);
+	EXPECT_EQ((std::vector<std::string>{"channel Z: 2 values are NaN or infinite, first at pixel (30, 20)",
+				  "channel custommask.B: 1 value is NaN or infinite, first at pixel (50, 24)",
+				  "channel velocity.Y: 1 value is NaN or infinite, first at pixel (40, 22)"}),
+		GetWarnings(Result));
+	EXPECT_EQ(WarnNonFiniteSpread, Result.Diagnostics.back().Code);
+	EXPECT_EQ("channel Z, channel custommask.B, channel velocity.Y", Result.Diagnostics.back().Where);
+	ASSERT_TRUE(Result.NonFinite.Final.has_value());
+	EXPECT_GT(Result.NonFinite.Final->Changed, 0u);
+
+	Options.Variables = {"r.Drydock.NonFinite=1"}; // leaves what is infinitely far where it is
+	const FRunResult Zeroed = RunConfig(Options);
+	EXPECT_EQ(3u, GetWarnings(Zeroed).size());
+	EXPECT_TRUE(Zeroed.NonFinite.Passes.empty());
+	Options.Variables = {"r.Drydock.NonFinite=2"};
+	EXPECT_EQ("4002 1", ErrorOf(Options));
+	std::filesystem::remove_all(Folder);
+}
+
 TEST(RunNonFinite, SceneColorClampCutsSpikesAndInfinitiesOnly)
 {
 	const std::filesystem::path Folder = MakeTemporaryFolder();
