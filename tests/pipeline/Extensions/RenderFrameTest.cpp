@@ -1,6 +1,9 @@
 // RenderFrame: a frame from a description, with the extensions that are registered.
 #include "RecordingExtensions.h"
 
+#include "RenderGraphUtils.h"
+#include "UnrealClient.h"
+
 using namespace ExtensionTest;
 
 namespace
@@ -14,7 +17,54 @@ FFrameDesc MakeDesc()
 	return Desc;
 }
 
+/** Asks for the family's target, early too where it is told so, and draws over the final picture. */
+class FTargetExtension : public FSceneViewExtensionBase
+{
+public:
+	FTargetExtension(const FAutoRegister& AutoRegister, bool bInEarly)
+		: FSceneViewExtensionBase(AutoRegister)
+		, bEarly(bInEarly)
+	{
+	}
+
+	void SetupViewFamily(FSceneViewFamily&) override {}
+	void SetupView(FSceneViewFamily&, FSceneView&) override {}
+	void BeginRenderViewFamily(FSceneViewFamily& Family) override
+	{
+		Size = Family.RenderTarget->GetSizeXY();
+		Early = bEarly ? Family.RenderTarget->GetRenderTargetTexture() : nullptr;
+	}
+	void PostRenderView_RenderThread(FRDGBuilder& GraphBuilder, FSceneView& View) override
+	{
+		const FRenderTarget& Target = *View.Family->RenderTarget;
+		Late = Target.GetRenderTargetTexture();
+		FRDGTextureRef Texture = RegisterExternalTexture(GraphBuilder, Late, TEXT("Mine"));
+		EXPECT_STREQ(TEXT("ViewFamilyTexture"), Texture->Name);
+		EXPECT_EQ(Texture, Target.GetRenderTargetTexture(GraphBuilder));
+		AddClearRenderTargetPass(GraphBuilder, Texture, FLinearColor::Red);
+	}
+
+	const bool bEarly;
+	FIntPoint Size = FIntPoint(0, 0);
+	FTextureRHIRef Early;
+	FTextureRHIRef Late;
+};
+
 } // namespace
+
+TEST(RenderFrame, TheFamilysTargetIsTheFinalPicture)
+{
+	for (const bool bEarly : {false, true})
+	{
+		const auto Extension = FSceneViewExtensions::NewExtension<FTargetExtension>(bEarly);
+		const FFrameOutput Output = RenderFrame(MakeDesc());
+		EXPECT_EQ(FIntPoint(Width, Height), Extension->Size);
+		EXPECT_EQ(FIntPoint(Width, Height), Extension->Late->GetDesc().Extent);
+		EXPECT_TRUE(!bEarly || Extension->Early == Extension->Late);
+		EXPECT_EQ(FLinearColor(1.0f, 0.0f, 0.0f, 1.0f), Output.Color[0]);
+		EXPECT_EQ(FLinearColor(1.0f, 0.0f, 0.0f, 1.0f), Output.Color.Last());
+	}
+}
 
 TEST(RenderFrame, CallsEveryHookOnce)
 {
