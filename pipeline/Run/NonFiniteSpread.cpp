@@ -3,7 +3,6 @@
 
 #include "RenderGraphPass.h"
 #include "RenderGraphResources.h"
-#include "Run/RunResult.h"
 #include "Run/VariableTaps.h"
 #include "Text/ConfigErrors.h"
 #include "Text/Fmt.inl"
@@ -47,24 +46,6 @@ std::vector<FStep> FindLargestSteps(const FNonFiniteSpread& Spread)
 std::string FormatShare(uint64_t Pixels, uint64_t NumPixels)
 {
 	return fmt::format("{:.3g} %", 100.0 * static_cast<double>(Pixels) / static_cast<double>(NumPixels));
-}
-
-FNonFiniteCount CountNonFinite(const FPicture& Picture)
-{
-	FNonFiniteCount Found;
-	std::vector<float> Row(static_cast<size_t>(Picture.Width) * static_cast<size_t>(Picture.NumChannels));
-	for (int Y = 0; Y < Picture.Height && Picture.MayHoldNonFinite(); ++Y)
-	{
-		Picture.ReadRow(Y, Row.data());
-		for (size_t Index = 0; Index < Row.size(); ++Index)
-		{
-			if (!std::isfinite(Row[Index]))
-			{
-				Found.Add(static_cast<int>(Index) / Picture.NumChannels, Y);
-			}
-		}
-	}
-	return Found;
 }
 
 /** Of one pixel, alpha last. */
@@ -171,37 +152,34 @@ FDiagnostic DescribeSpread(const FNonFiniteSpread& Spread, const std::vector<FNo
 		.Where = std::move(Where)};
 }
 
-void ReportNonFinite(const std::vector<FNonFiniteChannel>& InFile, FRunResult& Result)
+FNonFiniteCount CountNonFinite(const FPicture& Picture)
 {
-	const bool bError = GetNonFinitePolicy() == ENonFinitePolicy::Error;
-	bool bFound = false;
-	const auto Report = [&](const FNonFiniteChannel& Channel, const std::string& File)
+	FNonFiniteCount Found;
+	std::vector<float> Row(static_cast<size_t>(Picture.Width) * static_cast<size_t>(Picture.NumChannels));
+	for (int Y = 0; Y < Picture.Height && Picture.MayHoldNonFinite(); ++Y)
 	{
-		const FNonFiniteCount& Found = Channel.Found;
-		if (Found.Count > 0)
+		Picture.ReadRow(Y, Row.data());
+		for (size_t Index = 0; Index < Row.size(); ++Index)
 		{
-			bFound = true;
-			Result.Diagnostics.push_back({.Severity = bError ? ESeverity::Error : ESeverity::Warning,
-				.Code = bError ? ErrorNonFinite : WarnNonFinite,
-				.Message = fmt::format("{} NaN or infinite, first at pixel ({}, {})",
-					Found.Count == 1 ? "1 value is" : fmt::format("{} values are", Found.Count), Found.FirstX,
-					Found.FirstY),
-				.File = File,
-				.Where = Channel.Where});
+			if (!std::isfinite(Row[Index]))
+			{
+				Found.Add(static_cast<int>(Index) / Picture.NumChannels, Y);
+			}
 		}
-	};
-	bool bColorInFile = false;
-	for (const FNonFiniteChannel& Channel : InFile)
-	{
-		Report(Channel, Result.Config.Resolve(Result.Config.Scene.File.Value));
-		bColorInFile = bColorInFile || Channel.Where == SceneColorWhere;
 	}
-	Report({SceneColorWhere, bColorInFile ? FNonFiniteCount() : CountNonFinite(Result.SceneLinear)}, "");
-	Report({"final picture", CountNonFinite(Result.Final)}, "");
-	if (bFound && bError)
-	{
-		throw FError(Result.Diagnostics, ExitPolicy);
-	}
+	return Found;
+}
+
+FDiagnostic DescribeNonFinite(const FNonFiniteChannel& Channel, const std::string& File)
+{
+	const FNonFiniteCount& Found = Channel.Found;
+	const bool bError = GetNonFinitePolicy() == ENonFinitePolicy::Error;
+	return {.Severity = bError ? ESeverity::Error : ESeverity::Warning,
+		.Code = bError ? ErrorNonFinite : WarnNonFinite,
+		.Message = fmt::format("{} NaN or infinite, first at pixel ({}, {})",
+			Found.Count == 1 ? "1 value is" : fmt::format("{} values are", Found.Count), Found.FirstX, Found.FirstY),
+		.File = File,
+		.Where = Channel.Where};
 }
 
 } // namespace Drydock

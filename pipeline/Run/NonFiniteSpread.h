@@ -16,8 +16,6 @@ class FRDGTexture;
 namespace Drydock
 {
 
-struct FRunResult;
-
 /** What a pass wrote that is not finite. */
 struct FNonFiniteFootprint
 {
@@ -62,8 +60,9 @@ FNonFiniteFinal CompareFinal(const FPicture& Final, const FPicture& WithZeros);
 /** The up to three passes that spread it most, and the final picture, in one warning. InFile: where it came from. */
 FDiagnostic DescribeSpread(const FNonFiniteSpread& Spread, const std::vector<FNonFiniteChannel>& InFile);
 
-/** A warning for each channel of the file, scene colour where the file's is finite, and the final picture; errors,
- * which are thrown, when that is the policy. */
-void ReportNonFinite(const std::vector<FNonFiniteChannel>& InFile, FRunResult& Result);
+FNonFiniteCount CountNonFinite(const FPicture& Picture);
+
+/** A warning, or an error when that is the policy. File: that it is of; empty: of none. */
+FDiagnostic DescribeNonFinite(const FNonFiniteChannel& Channel, const std::string& File);
 
 } // namespace Drydock

@@ -342,6 +342,31 @@ FPicture RenderWithZeros(const FRunOptions& Options, const FRunSetup& Setup, con
 	return Render(Plain, Setup, {Last, Caches}).Result.Final;
 }
 
+/** What the file's channels hold, scene colour where the file's is finite, and the final picture. */
+void ReportNonFinite(const std::vector<FNonFiniteChannel>& InFile, FRunResult& Result)
+{
+	const size_t NumBefore = Result.Diagnostics.size();
+	const auto Report = [&Result](const FNonFiniteChannel& Channel, const std::string& File)
+	{
+		if (Channel.Found.Count > 0)
+		{
+			Result.Diagnostics.push_back(DescribeNonFinite(Channel, File));
+		}
+	};
+	bool bColorInFile = false;
+	for (const FNonFiniteChannel& Channel : InFile)
+	{
+		Report(Channel, Result.Config.Resolve(Result.Config.Scene.File.Value));
+		bColorInFile = bColorInFile || Channel.Where == SceneColorWhere;
+	}
+	Report({SceneColorWhere, bColorInFile ? FNonFiniteCount() : CountNonFinite(Result.SceneLinear)}, "");
+	Report({"final picture", CountNonFinite(Result.Final)}, "");
+	if (Result.Diagnostics.size() > NumBefore && GetNonFinitePolicy() == ENonFinitePolicy::Error)
+	{
+		throw FError(Result.Diagnostics, ExitPolicy);
+	}
+}
+
 } // namespace
 
 FRunSession::FRunSession(const FRunOptions& InOptions)
