@@ -27,7 +27,7 @@ public:
 		}
 		else if (!Texture)
 		{
-			Texture = InGraph->HasRHI() ? InGraph->GetRHI() : Graph->ConvertToExternalTexture(InGraph)->GetRHI();
+			Texture = Graph->ConvertToExternalTexture(InGraph)->GetRHI();
 		}
 		return Texture;
 	}

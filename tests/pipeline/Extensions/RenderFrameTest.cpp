@@ -1,6 +1,8 @@
 // RenderFrame: a frame from a description, with the extensions that are registered.
 #include "RecordingExtensions.h"
 
+#include "HAL/ConsoleVariableTools.h"
+#include "RenderGraphBuilder.h"
 #include "RenderGraphUtils.h"
 #include "UnrealClient.h"
 
@@ -17,7 +19,7 @@ FFrameDesc MakeDesc()
 	return Desc;
 }
 
-/** Asks for the family's target, early too where it is told so, and draws over the final picture. */
+/** Asks for the family's target, before there is a graph too where it is told so, and draws over the final picture. */
 class FTargetExtension : public FSceneViewExtensionBase
 {
 public:
@@ -31,38 +33,40 @@ public:
 	void SetupView(FSceneViewFamily&, FSceneView&) override {}
 	void BeginRenderViewFamily(FSceneViewFamily& Family) override
 	{
-		Size = Family.RenderTarget->GetSizeXY();
-		Early = bEarly ? Family.RenderTarget->GetRenderTargetTexture() : nullptr;
+		EXPECT_EQ(FIntPoint(Width, Height), Family.RenderTarget->GetSizeXY());
+		Target = bEarly ? Family.RenderTarget->GetRenderTargetTexture() : nullptr;
 	}
 	void PostRenderView_RenderThread(FRDGBuilder& GraphBuilder, FSceneView& View) override
 	{
-		const FRenderTarget& Target = *View.Family->RenderTarget;
-		Late = Target.GetRenderTargetTexture();
-		FRDGTextureRef Texture = RegisterExternalTexture(GraphBuilder, Late, TEXT("Mine"));
+		const FRenderTarget& Family = *View.Family->RenderTarget;
+		EXPECT_TRUE(!bEarly || Target == Family.GetRenderTargetTexture());
+		Target = Family.GetRenderTargetTexture();
+		FRDGTextureRef Texture = RegisterExternalTexture(GraphBuilder, Target, TEXT("Mine"));
 		EXPECT_STREQ(TEXT("ViewFamilyTexture"), Texture->Name);
-		EXPECT_EQ(Texture, Target.GetRenderTargetTexture(GraphBuilder));
+		EXPECT_EQ(Texture, Family.GetRenderTargetTexture(GraphBuilder));
 		AddClearRenderTargetPass(GraphBuilder, Texture, FLinearColor::Red);
 	}
 
 	const bool bEarly;
-	FIntPoint Size = FIntPoint(0, 0);
-	FTextureRHIRef Early;
-	FTextureRHIRef Late;
+	FTextureRHIRef Target;
 };
 
 } // namespace
 
 TEST(RenderFrame, TheFamilysTargetIsTheFinalPicture)
 {
-	for (const bool bEarly : {false, true})
+	for (const int32 Immediate : {0, 1})
 	{
-		const auto Extension = FSceneViewExtensions::NewExtension<FTargetExtension>(bEarly);
-		const FFrameOutput Output = RenderFrame(MakeDesc());
-		EXPECT_EQ(FIntPoint(Width, Height), Extension->Size);
-		EXPECT_EQ(FIntPoint(Width, Height), Extension->Late->GetDesc().Extent);
-		EXPECT_TRUE(!bEarly || Extension->Early == Extension->Late);
-		EXPECT_EQ(FLinearColor(1.0f, 0.0f, 0.0f, 1.0f), Output.Color[0]);
-		EXPECT_EQ(FLinearColor(1.0f, 0.0f, 0.0f, 1.0f), Output.Color.Last());
+		const FScopedConsoleVariable Mode(TEXT("r.RDG.ImmediateMode"), Immediate);
+		for (const bool bEarly : {false, true})
+		{
+			const auto Extension = FSceneViewExtensions::NewExtension<FTargetExtension>(bEarly);
+			const FFrameOutput Output = RenderFrame(MakeDesc());
+			ASSERT_TRUE(Extension->Target.IsValid());
+			EXPECT_EQ(FIntPoint(Width, Height), Extension->Target->GetDesc().Extent);
+			EXPECT_EQ(FLinearColor(1.0f, 0.0f, 0.0f, 1.0f), Output.Color[0]) << Immediate << bEarly;
+			EXPECT_EQ(FLinearColor(1.0f, 0.0f, 0.0f, 1.0f), Output.Color.Last()) << Immediate << bEarly;
+		}
 	}
 }
 
