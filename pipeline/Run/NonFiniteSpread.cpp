@@ -137,7 +137,7 @@ FDiagnostic DescribeSpread(const FNonFiniteSpread& Spread, const std::vector<FNo
 	{
 		const FNonFiniteFinal& Final = *Spread.Final;
 		Message += fmt::format("; because of the file's, {} of {} pixels of the final picture ({}) are others than "
-							   "with 0 in their place (r.Drydock.NonFinite 1), {} ({}) are white and {} not finite",
+							   "with r.Drydock.NonFinite 1, {} ({}) are white and {} not finite",
 			Final.Changed, Final.NumPixels, FormatShare(Final.Changed, Final.NumPixels), Final.White,
 			FormatShare(Final.White, Final.NumPixels), Final.NotFinite);
 	}

@@ -13,7 +13,7 @@ namespace Drydock
 enum class ENonFinitePolicy : int32
 {
 	Propagate = 0, // as the engine does; counted and warned of
-	Zero = 1,      // what is not finite is loaded as 0
+	Zero = 1,      // what is not finite is loaded as 0, depth as the nearest one in its row
 	Error = 2,     // the run fails (exit code 1)
 };
 

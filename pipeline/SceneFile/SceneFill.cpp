@@ -72,18 +72,40 @@ private:
 			{
 				Value = std::copysign(Limit, Value);
 			}
-			if (!std::isfinite(Value) && !(bDepth && Value > 0.0f))
+			if (IsBad(Value))
 			{
 				Counts[Slot].Add(X, Y);
-				Value = bZero ? 0.0f : Value;
+				Value = !bZero ? Value : bDepth ? FindBeside(Slot, X, Y) : 0.0f;
 			}
 		}
+	}
+
+	/** Depth that is infinitely far is where nothing is. */
+	bool IsBad(float Value) const { return !std::isfinite(Value) && !(bDepth && Value > 0.0f); }
+
+	/** No depth is 0: the nearest in the row, left before right; infinitely far where there is none nearby. */
+	float FindBeside(size_t Slot, int X, int Y) const
+	{
+		constexpr int Farthest = 64; // pixels
+		for (int Distance = 1; Distance <= Farthest; ++Distance)
+		{
+			for (const int Other : {X - Distance, X + Distance})
+			{
+				const bool bInRow = Other >= 0 && Other < Inputs.Width;
+				const float Value = bInRow ? Inputs.Sources[Slot].Plane->Get(GetIndex(Other, Y)) : NAN;
+				if (!IsBad(Value))
+				{
+					return Value;
+				}
+			}
+		}
+		return HUGE_VALF;
 	}
 
 	const FSceneFillInputs& Inputs;
 	const float Limit;
 	const bool bZero;
-	const bool bDepth; // infinitely far is where nothing is
+	const bool bDepth;
 };
 
 /** The file's values at one pixel of a texture at another resolution. */
