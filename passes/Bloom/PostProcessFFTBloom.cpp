@@ -72,6 +72,7 @@ IMPLEMENT_GLOBAL_SHADER(FFFTBloomApplyPS, "/Engine/Private/PostProcessFFTBloom.u
 BEGIN_SHADER_PARAMETER_STRUCT(FFinalizeApplyConstantsParameters, )
 	RDG_TEXTURE_ACCESS(KernelSpectrum, ERHIAccess::SRVCompute)
 	RDG_BUFFER_ACCESS(KernelConstants, ERHIAccess::SRVCompute)
+	RDG_BUFFER_ACCESS(KernelSum, ERHIAccess::SRVCompute)
 	RDG_BUFFER_ACCESS(SceneColorApplyParameters, ERHIAccess::UAVCompute)
 	RDG_BUFFER_ACCESS(FFTMulParameters, ERHIAccess::UAVCompute)
 END_SHADER_PARAMETER_STRUCT()
@@ -92,10 +93,11 @@ FIntPoint GetImageSize(FIntPoint ViewSize, float Fraction)
 	return FIntPoint(Scale(ViewSize.X), Scale(ViewSize.Y));
 }
 
-/** The transform holds picture and padding, and the whole kernel. */
-Drydock::FFFTDomain GetDomain(
-	FIntPoint ImageSize, const FRHITexture& KernelTexture, const FFinalPostProcessSettings& Settings)
+/** The transform holds picture and padding, and the whole kernel; of both no more than what reaches from one end of the
+ * picture to the other. */
+void SetSizes(Drydock::FBloomFFTKernel& Wanted, FIntPoint ImageSize, const FFinalPostProcessSettings& Settings)
 {
+	const FRHITexture& KernelTexture = *Wanted.Texture;
 	const int32 Padding =
 		Drydock::ComputeFFTBloomPadding(ImageSize, Settings.BloomConvolutionSize, Settings.BloomConvolutionBufferScale);
 	const auto Pad = [&](int32 Size)
@@ -110,8 +112,14 @@ Drydock::FFFTDomain GetDomain(
 	{
 		return FMath::Max(Pad(Size), Drydock::ToCount(std::ceil(KernelSide), 1, LargestKernel));
 	};
-	return Drydock::FFFTDomain::Make(
-		ImageSize, FIntPoint(Hold(ImageSize.X, KernelSize.X), Hold(ImageSize.Y, KernelSize.Y)));
+	const FIntPoint Whole(Hold(ImageSize.X, KernelSize.X), Hold(ImageSize.Y, KernelSize.Y));
+	const auto Reach = [](int32 Held, int32 Size)
+	{
+		return FMath::Min(Held, 2 * Size - 1);
+	};
+	Wanted.WholeSize = Drydock::FFFTDomain::Make(ImageSize, Whole).FrequencySize;
+	Wanted.Domain =
+		Drydock::FFFTDomain::Make(ImageSize, FIntPoint(Reach(Whole.X, ImageSize.X), Reach(Whole.Y, ImageSize.Y)));
 }
 
 /** The smallest picture that has the resolution of the bloom. */
@@ -191,7 +199,8 @@ void FinalizeApplyConstants(const FFinalizeApplyConstantsParameters& Parameters,
 	const FVector4f Total = Constants[static_cast<uint32>(Drydock::EBloomKernelConstant::Total)];
 	const FVector4f Scatter = Constants[static_cast<uint32>(Drydock::EBloomKernelConstant::Scatter)];
 	// Frequency 0 is the sum.
-	const FVector4 Sum = Parameters.KernelSpectrum->GetRHI()->ReadTexelDouble(0, 0);
+	const FVector4 Sum = Parameters.KernelSum ? FVector4(GetEntries(Parameters.KernelSum)[0])
+											  : Parameters.KernelSpectrum->GetRHI()->ReadTexelDouble(0, 0);
 	const double MaxTotal = double(FMath::Max(Total.X, FMath::Max(Total.Y, Total.Z)));
 	const FApplyConstants R =
 		ComputeApplyConstants(double(Total.X), double(Scatter.X), MaxTotal, Sum.X, ScatterDispersion);
@@ -216,6 +225,7 @@ const FFinalizeApplyConstantsParameters* AddFinalizeApplyConstantsPass(
 	const FRDGBufferDesc Desc = FRDGBufferDesc::CreateStructuredDesc(sizeof(FVector4f), 1);
 	Parameters->KernelSpectrum = Kernel.Spectrum;
 	Parameters->KernelConstants = Kernel.Constants;
+	Parameters->KernelSum = Kernel.Sum;
 	Parameters->SceneColorApplyParameters = GraphBuilder.CreateBuffer(Desc, TEXT("Bloom.SceneColorApplyParameters"));
 	Parameters->FFTMulParameters = GraphBuilder.CreateBuffer(Desc, TEXT("Bloom.FFTMulParameters"));
 	GraphBuilder.AddPass(RDG_EVENT_NAME("FFTBloom.FinalizeApplyConstants"), Parameters, ERDGPassFlags::Compute,
@@ -304,7 +314,7 @@ FFFTBloomOutput AddFFTBloomPass(FRDGBuilder& GraphBuilder, const FViewInfo& View
 	Wanted.NumMips = KernelTexture->GetNumMips();
 	Wanted.Size = Settings.BloomConvolutionSize;
 	Wanted.CenterUV = Settings.BloomConvolutionCenterUV;
-	Wanted.Domain = GetDomain(ImageSize, *KernelTexture, Settings);
+	SetSizes(Wanted, ImageSize, Settings);
 	Wanted.Storage = IConsoleManager::Get().FindConsoleVariable(TEXT("r.Drydock.Storage"))->GetInt();
 	const Drydock::FBloomKernel Kernel = Drydock::FindOrAddBloomKernel(GraphBuilder, View, Wanted);
 	const FFinalizeApplyConstantsParameters* Constants = AddFinalizeApplyConstantsPass(GraphBuilder, View, Kernel);

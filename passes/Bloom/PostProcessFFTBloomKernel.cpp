@@ -48,6 +48,7 @@ public:
 		SHADER_PARAMETER(FIntPoint, OutputSize)
 		SHADER_PARAMETER(FVector2f, KernelCenterUV)
 		SHADER_PARAMETER(FVector2f, KernelSizeInverse)
+		SHADER_PARAMETER(FIntPoint, LargestOffset)
 		SHADER_PARAMETER_RDG_TEXTURE(Texture2D, InputTexture)
 		SHADER_PARAMETER_SAMPLER(SamplerState, InputSampler)
 		SHADER_PARAMETER_RDG_TEXTURE_UAV(RWTexture2D<float4>, OutputTexture)
@@ -216,6 +217,51 @@ FRDGBufferRef AddKernelSurvey(FRDGBuilder& GraphBuilder, FRDGTextureRef Kernel)
 	return Parameters->Output;
 }
 
+/** How often the texels of a line are read where NumPixels pixels take what ResizeKernelCS gives them. */
+std::vector<double> CountReads(int32 NumTexels, float CenterUV, float SizeInverse, int32 NumPixels)
+{
+	std::vector<double> Reads(static_cast<size_t>(NumTexels));
+	for (int32 Pixel = 0; Pixel < NumPixels; ++Pixel)
+	{
+		const float Forward = CenterUV + static_cast<float>(Pixel) * SizeInverse;
+		const float UV = Forward <= 1.0f ? Forward : CenterUV + static_cast<float>(Pixel - NumPixels) * SizeInverse;
+		if (UV >= 0.0f && UV <= 1.0f)
+		{
+			const double Place = FMath::Clamp(static_cast<double>(UV) * NumTexels - 0.5, 0.0, NumTexels - 1.0);
+			const int32 First = static_cast<int32>(Place);
+			Reads[static_cast<size_t>(First)] += 1.0 - (Place - First);
+			Reads[static_cast<size_t>(FMath::Min(First + 1, NumTexels - 1))] += Place - First;
+		}
+	}
+	return Reads;
+}
+
+/** Of the resized kernel as a whole, from what it is resized from. */
+FVector4f SumWholeKernel(FRHITexture& Texture, const FBloomFFTKernel& Wanted, FVector2f SizeInverse)
+{
+	const FIntPoint Size = Texture.GetSizeXY();
+	const std::vector<double> ReadsX =
+		CountReads(Size.X, static_cast<float>(Wanted.CenterUV.X), SizeInverse.X, Wanted.WholeSize.X);
+	const std::vector<double> ReadsY =
+		CountReads(Size.Y, static_cast<float>(Wanted.CenterUV.Y), SizeInverse.Y, Wanted.WholeSize.Y);
+	std::array<double, 3> Sum = {};
+	ForEachTexel(Texture,
+		[&](int32 X, int32 Y, const FKernelColor& Color)
+		{
+			for (size_t Channel = 0; Channel < Sum.size(); ++Channel)
+			{
+				Sum[Channel] += static_cast<double>(Color[Channel]) * ReadsX[static_cast<size_t>(X)] *
+								ReadsY[static_cast<size_t>(Y)];
+			}
+		});
+	return FVector4f(static_cast<float>(Sum[0]), static_cast<float>(Sum[1]), static_cast<float>(Sum[2]), 0.0f);
+}
+
+FVector2f InvertSize(FVector2D Size)
+{
+	return FVector2f(static_cast<float>(1.0 / Size.X), static_cast<float>(1.0 / Size.Y));
+}
+
 FRDGTextureRef CreateKernelTexture(FRDGBuilder& GraphBuilder, FIntPoint Extent, const TCHAR* Name)
 {
 	return GraphBuilder.CreateTexture(FRDGTextureDesc::Create2D(Extent, KernelFormat, FClearValueBinding::None,
@@ -264,8 +310,9 @@ FRDGTextureRef AddResizeKernelPass(FRDGBuilder& GraphBuilder, const FViewInfo& V
 	PassParameters->OutputSize = Extent;
 	PassParameters->KernelCenterUV =
 		FVector2f(static_cast<float>(Wanted.CenterUV.X), static_cast<float>(Wanted.CenterUV.Y));
-	PassParameters->KernelSizeInverse =
-		FVector2f(static_cast<float>(1.0 / KernelSize.X), static_cast<float>(1.0 / KernelSize.Y));
+	PassParameters->KernelSizeInverse = InvertSize(KernelSize);
+	PassParameters->LargestOffset = FIntPoint(Wanted.WholeSize.X > Extent.X ? Wanted.Domain.ImageSize.X - 1 : Extent.X,
+		Wanted.WholeSize.Y > Extent.Y ? Wanted.Domain.ImageSize.Y - 1 : Extent.Y);
 	PassParameters->InputTexture = Kernel;
 	PassParameters->InputSampler = TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
 	PassParameters->OutputTexture = GraphBuilder.CreateUAV(Output);
@@ -284,6 +331,13 @@ FBloomKernel AddBloomKernelPasses(FRDGBuilder& GraphBuilder, const FViewInfo& Vi
 	Kernel.Constants = AddKernelSurvey(GraphBuilder, Picture);
 	const FRDGTextureRef Clamped = AddClampKernelPass(GraphBuilder, View, Picture, Kernel.Constants);
 	const FRDGTextureRef Small = AddDownsampleKernelPasses(GraphBuilder, View, Clamped, KernelSize);
+	if (Wanted.IsCut())
+	{
+		Kernel.Sum = AddSurveyPass(GraphBuilder, RDG_EVENT_NAME("FFTBloom.SumWholeKernel"), TEXT("Bloom.KernelSum"),
+			Small, nullptr,
+			[Wanted, SizeInverse = InvertSize(KernelSize)](FRHITexture& Texture, const FVector4f&)
+			{ return SumWholeKernel(Texture, Wanted, SizeInverse); });
+	}
 	const FRDGTextureRef Resized = AddResizeKernelPass(GraphBuilder, View, Small, KernelSize, Wanted);
 	Kernel.Spectrum =
 		AddForwardFFTPasses(GraphBuilder, Wanted.Domain, FScreenPassTexture(Resized), TEXT("Bloom.KernelSpectrum"));
@@ -306,17 +360,23 @@ FBloomKernel FindOrAddBloomKernel(FRDGBuilder& GraphBuilder, const FViewInfo& Vi
 		return AddBloomKernelPasses(GraphBuilder, View, Wanted);
 	}
 	FBloomFFTKernel& Kept = ViewState->FindOrMakeCache<FBloomFFTKernel>();
-	if (Kept.IsMadeFrom(Wanted) && Kept.Spectrum && Kept.Constants)
+	if (Kept.IsMadeFrom(Wanted) && Kept.Spectrum && Kept.Constants && (Kept.Sum || !Kept.IsCut()))
 	{
 		return {GraphBuilder.RegisterExternalTexture(Kept.Spectrum, TEXT("Bloom.KernelSpectrum")),
-			GraphBuilder.RegisterExternalBuffer(Kept.Constants, TEXT("Bloom.KernelConstants"))};
+			GraphBuilder.RegisterExternalBuffer(Kept.Constants, TEXT("Bloom.KernelConstants")),
+			Kept.Sum ? GraphBuilder.RegisterExternalBuffer(Kept.Sum, TEXT("Bloom.KernelSum")) : nullptr};
 	}
 	Kept = Wanted;
 	Kept.Spectrum = nullptr;
 	Kept.Constants = nullptr;
+	Kept.Sum = nullptr;
 	const FBloomKernel Kernel = AddBloomKernelPasses(GraphBuilder, View, Wanted);
 	GraphBuilder.QueueTextureExtraction(Kernel.Spectrum, &Kept.Spectrum);
 	GraphBuilder.QueueBufferExtraction(Kernel.Constants, &Kept.Constants);
+	if (Kernel.Sum != nullptr)
+	{
+		GraphBuilder.QueueBufferExtraction(Kernel.Sum, &Kept.Sum);
+	}
 	return Kernel;
 }
 

@@ -28,6 +28,8 @@ struct FBloomKernel
 {
 	FRDGTextureRef Spectrum = nullptr;
 	FRDGBufferRef Constants = nullptr;
+	/** One float4, the sum of the whole kernel; null where the spectrum's frequency 0 is that. */
+	FRDGBufferRef Sum = nullptr;
 };
 
 /** The kernel, transformed, and what it was made from: a cache of the view (ViewCaches.h). */
@@ -39,17 +41,22 @@ struct FBloomFFTKernel
 	float Size = 0.0f;
 	FVector2D CenterUV = FVector2D(0.0, 0.0);
 	FFFTDomain Domain;
+	/** What holds all of the kernel. The domain is smaller where parts of it are too far away to reach the picture. */
+	FIntPoint WholeSize = FIntPoint(0, 0);
 	/** r.Drydock.Storage. */
 	int32 Storage = 0;
 
 	/** Written when the graph that makes them has run; null until then. */
 	TRefCountPtr<IPooledRenderTarget> Spectrum;
 	TRefCountPtr<FRDGPooledBuffer> Constants;
+	TRefCountPtr<FRDGPooledBuffer> Sum;
 
+	bool IsCut() const { return WholeSize != Domain.FrequencySize; }
 	bool IsMadeFrom(const FBloomFFTKernel& Other) const
 	{
 		return Texture == Other.Texture && NumMips == Other.NumMips && Size == Other.Size &&
-			   CenterUV == Other.CenterUV && Domain == Other.Domain && Storage == Other.Storage;
+			   CenterUV == Other.CenterUV && Domain == Other.Domain && WholeSize == Other.WholeSize &&
+			   Storage == Other.Storage;
 	}
 };
 

@@ -14,6 +14,7 @@
 #include "ShowFlags.h"
 #include "UniformBuffer.h"
 
+class FRenderTarget;
 class FSceneView;
 class FViewInfo; // SceneRendering.h
 class ISceneViewExtension;
@@ -124,6 +125,8 @@ class FSceneViewFamily
 public:
 	/** Not owned. */
 	TArray<const FSceneView*> Views;
+	/** Of the final picture; null outside of a frame. */
+	const FRenderTarget* RenderTarget = nullptr;
 	FEngineShowFlags EngineShowFlags;
 	/** The world's, in a frame. */
 	FSceneInterface* Scene = nullptr;

@@ -107,6 +107,12 @@ void UTextureRenderTarget2D::UpdateResourceImmediate(bool bClearRenderTarget)
 
 FRenderTarget::~FRenderTarget() = default;
 
+FRDGTextureRef FRenderTarget::GetRenderTargetTexture(FRDGBuilder& GraphBuilder) const
+{
+	const FTextureRHIRef& Texture = GetRenderTargetTexture();
+	return Texture ? RegisterExternalTexture(GraphBuilder, Texture, TEXT("RenderTarget")) : nullptr;
+}
+
 IBlendableInterface::~IBlendableInterface() = default;
 
 void IBlendableInterface::OverrideBlendableSettings(FSceneView&, float) const {}

@@ -3,6 +3,7 @@
 
 #include "CoreMinimal.h"
 #include "RHI.h"
+#include "RenderGraphFwd.h"
 
 class DRYDOCK_API FRenderTarget
 {
@@ -10,6 +11,9 @@ public:
 	virtual ~FRenderTarget();
 
 	virtual const FTextureRHIRef& GetRenderTargetTexture() const = 0;
+	/** Registered in a graph; null where there is no texture. */
+	FRDGTextureRef GetRenderTargetTexture(FRDGBuilder& GraphBuilder) const;
 	/** Texels. */
 	virtual FIntPoint GetSizeXY() const = 0;
+	virtual float GetDisplayGamma() const { return 2.2f; }
 };

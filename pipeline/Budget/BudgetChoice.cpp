@@ -1,4 +1,4 @@
-// Reads the files of a study and chooses the cheapest variant within the budget.
+// Reads the files of a study and chooses the variant that its budget allows.
 #include "Budget/BudgetChoice.h"
 
 #include "Config/ReadConfig.h"
@@ -22,14 +22,11 @@ namespace
 {
 
 /** One way, over all jobs of the study. */
-struct FCandidate
+struct FCandidate : FBudgetCandidate // Error: the worst of the jobs; times: their sums
 {
 	std::string Label;
 	std::vector<FStudyAssignment> Set;
-	bool bMeets = true;
-	double Milliseconds = 0.0;
-	double Worst = 0.0; // of the jobs, as GetErrorToRank has it
-	double WorstValue = 0.0;
+	double WorstValue = 0.0; // as the metric has it
 };
 
 std::optional<FJsonValue> ReadJsonFile(const std::filesystem::path& File)
@@ -74,12 +71,14 @@ std::vector<FCandidate> ReadCandidates(const FJsonValue& Study, const FJsonValue
 			FCandidate& Candidate = Candidates[Index];
 			const FImageError Error = ReadError(Variants[Index]);
 			Candidate.Label = Variants[Index].GetString("label");
-			Candidate.Milliseconds += TimedVariants[Index].GetNumber("medianMs", HUGE_VAL);
+			Candidate.Median += TimedVariants[Index].GetNumber("medianMs", HUGE_VAL);
+			Candidate.Low += TimedVariants[Index].GetNumber("lowMs", HUGE_VAL);
+			Candidate.High += TimedVariants[Index].GetNumber("highMs", HUGE_VAL);
 			Candidate.bMeets =
 				Candidate.bMeets && Variants[Index].GetString("excluded").empty() && MeetsBudget(Error, Budget);
-			if (GetErrorToRank(Error, Budget.Metric) >= Candidate.Worst)
+			if (GetErrorToRank(Error, Budget.Metric) >= Candidate.Error)
 			{
-				Candidate.Worst = GetErrorToRank(Error, Budget.Metric);
+				Candidate.Error = GetErrorToRank(Error, Budget.Metric);
 				Candidate.WorstValue = GetMetric(Error, Budget.Metric);
 			}
 			const FJsonValue* Set = Variants[Index].Find("set");
@@ -94,21 +93,9 @@ std::vector<FCandidate> ReadCandidates(const FJsonValue& Study, const FJsonValue
 	}
 	for (FCandidate& Candidate : Candidates)
 	{
-		Candidate.bMeets = Candidate.bMeets && (!Budget.Ms || Candidate.Milliseconds <= *Budget.Ms);
+		Candidate.bMeets = Candidate.bMeets && (!Budget.Ms || Candidate.Median <= *Budget.Ms);
 	}
 	return Candidates;
-}
-
-const FCandidate* Choose(const std::vector<FCandidate>& Candidates, const FStudyBudget& Budget)
-{
-	const FCandidate* Best = nullptr;
-	for (const FCandidate& Candidate : Candidates)
-	{
-		const bool bBetter = Best == nullptr ||
-							 (Budget.Max ? Candidate.Milliseconds < Best->Milliseconds : Candidate.Worst < Best->Worst);
-		Best = Candidate.bMeets && bBetter ? &Candidate : Best;
-	}
-	return Best;
 }
 
 FBudgetChoice KeepOwn(const std::string& Why, const FConfig& Config, std::vector<FDiagnostic>& Diagnostics)
@@ -158,15 +145,17 @@ std::optional<FBudgetChoice> ReadBudgetChoice(
 			"the study in " + Folder.string() + " is of an earlier form of this config", Config, Diagnostics);
 	}
 	const std::vector<FCandidate> Candidates = ReadCandidates(*Study, *Timing, Read->Budget);
-	const FCandidate* Best = Choose(Candidates, Read->Budget);
-	if (Best == nullptr)
+	const std::optional<size_t> Chosen =
+		ChooseWithinBudget(std::vector<FBudgetCandidate>(Candidates.begin(), Candidates.end()), Read->Budget);
+	if (!Chosen)
 	{
 		return KeepOwn("no variant of the study in " + Folder.string() + " meets the budget", Config, Diagnostics);
 	}
+	const FCandidate& Best = Candidates[*Chosen];
 	return FBudgetChoice{
-		Best->Set, fmt::format("{} ({} {:.3g}, {:.4g} ms) is the {} within the budget by the study in {}", Best->Label,
-					   Read->Budget.Metric, Best->WorstValue, Best->Milliseconds,
-					   Read->Budget.Max ? "cheapest" : "most exact", Folder.string())};
+		Best.Set, fmt::format("{} ({} {:.3g}, {:.4g} ms) is the {} within the budget by the study in {}", Best.Label,
+					  Read->Budget.Metric, Best.WorstValue, Best.Median,
+					  Read->Budget.Max ? "most exact of the cheapest" : "most exact", Folder.string())};
 }
 
 void ApplyBudgetChoice(const FBudgetChoice& Choice, FConfig& Config, FRunOptions& Options)

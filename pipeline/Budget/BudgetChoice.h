@@ -1,4 +1,5 @@
-// What a run takes from a study: with a budget in its config, the cheapest variant that the study found to meet it.
+// What a run takes from a study: with a budget in its config, the variant that
+// the study recommends by it.
 #pragma once
 
 #include "Budget/StudyConfig.h"

@@ -13,4 +13,22 @@ DRYDOCK_API double GetErrorToRank(const FImageError& Error, const std::string& M
 /** Whether an error meets the budget's max; always where there is none. */
 DRYDOCK_API bool MeetsBudget(const FImageError& Error, const FStudyBudget& Budget);
 
+/** A variant that may be chosen, or not. */
+struct FBudgetCandidate
+{
+	bool bMeets = true; // it ran, is what was asked for, and is within the bounds
+	double Error = 0.0; // as GetErrorToRank has it
+	double Median = 0.0;
+	double Low = 0.0; // quartiles of the times
+	double High = 0.0;
+
+	bool IsWithinNoiseOf(const FBudgetCandidate& Other) const { return Low <= Other.High && Other.Low <= High; }
+};
+
+/** The rule of `study` and of `run`: the cheapest, where the budget bounds the error, else the most exact; of those
+ * that are as cheap within noise the most exact; of those that are as exact, as variants with the same bits are, the
+ * first in the study's order, whatever the clock said of them. Empty where none meets the budget. */
+DRYDOCK_API std::optional<size_t> ChooseWithinBudget(
+	const std::vector<FBudgetCandidate>& Candidates, const FStudyBudget& Budget);
+
 } // namespace Drydock

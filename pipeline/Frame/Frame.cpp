@@ -6,6 +6,7 @@
 #include "Effects/Exposure.h"
 #include "Engine/BlendableInterface.h"
 #include "Extensions/ViewExtensions.h"
+#include "Frame/FamilyTarget.h"
 #include "Modules/ModuleManager.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphNotes.h"
@@ -173,6 +174,8 @@ private:
 	{
 		Family.EngineShowFlags = Inputs.ShowFlags;
 		Family.Scene = GWorld->Scene;
+		FamilyTarget.SetDesc(MakeTargetDesc());
+		Family.RenderTarget = &FamilyTarget;
 		Family.FrameNumber = Inputs.FrameNumber;
 		Family.FrameCounter = Inputs.FrameNumber;
 		Family.Time = Inputs.Time;
@@ -295,7 +298,12 @@ private:
 		Extensions.PreRenderBasePass(GraphBuilder);
 
 		FPostProcessingInputs PostProcessingInputs;
-		PostProcessingInputs.ViewFamilyTexture = CreateViewFamilyTexture(GraphBuilder);
+		PostProcessingInputs.ViewFamilyTexture = FamilyTarget.AddTo(GraphBuilder, MakeTargetDesc());
+		if (NamedViews.size() > 1 && NamedViews[0].View->bUseComputePasses)
+		{
+			// What lies between views; the first view's render pass clears it elsewhere.
+			AddClearRenderTargetPass(GraphBuilder, PostProcessingInputs.ViewFamilyTexture);
+		}
 		PostProcessingInputs.CustomDepthTexture = SceneTextures.CustomDepth;
 		if (!Extensions.IsEmpty())
 		{
@@ -332,22 +340,14 @@ private:
 		return View.SceneRect.Width() > 0 && View.SceneRect.Height() > 0 ? View.SceneRect : View.Rect;
 	}
 
-	FRDGTextureRef CreateViewFamilyTexture(FRDGBuilder& GraphBuilder) const
+	FRDGTextureDesc MakeTargetDesc() const
 	{
 		const FIntPoint Extent = Inputs.OutputExtent.X > 0 ? Inputs.OutputExtent : Inputs.Extent;
 		const EPixelFormat Format = GetDisplayFormat(GetTonemapperOutputDeviceParameters().OutputDevice);
 		// Compute entries write it where they are preferred; a swap chain's texture would not let them.
-		const bool bCompute = NamedViews[0].View->bUseComputePasses;
-		FRDGTextureRef Texture = GraphBuilder.CreateTexture(
-			FRDGTextureDesc::Create2D(Extent, Format, FClearValueBinding::Black,
-				TexCreate_RenderTargetable | TexCreate_ShaderResource | (bCompute ? TexCreate_UAV : TexCreate_None)),
-			TEXT("ViewFamilyTexture"));
-		if (bCompute && NamedViews.size() > 1)
-		{
-			// What lies between views; the first view's render pass clears it elsewhere.
-			AddClearRenderTargetPass(GraphBuilder, Texture);
-		}
-		return Texture;
+		const bool bCompute = NamedViews.empty() || NamedViews[0].View->bUseComputePasses;
+		return FRDGTextureDesc::Create2D(Extent, Format, FClearValueBinding::Black,
+			TexCreate_RenderTargetable | TexCreate_ShaderResource | (bCompute ? TexCreate_UAV : TexCreate_None));
 	}
 
 	void AddChain(FRDGBuilder& GraphBuilder, const FNamedView& NamedView, FViewOfFrame& Target,
@@ -461,6 +461,7 @@ private:
 	FFrameResult Result;
 	FViewExtensionFrame Extensions;
 	FFrameObserver Observer;
+	FFamilyTarget FamilyTarget;
 	FSceneViewFamily Family;
 	std::vector<std::unique_ptr<FViewOfFrame>> Views;
 	std::vector<FNamedView> NamedViews;

@@ -48,8 +48,8 @@ const FOutputNames& GetStudyOutputNames()
 	return Names;
 }
 
-/** A case for each variant, which fails where its picture has NaN or infinity that the reference lacks; and one for
- * each job's choice, which fails where no variant meets the budget. */
+/** A case for each variant, which fails where its picture has NaN or infinity that the reference lacks; and, where
+ * the config has a budget, one for each job's choice, which fails where no variant meets it. */
 std::vector<FJUnitCase> MakeStudyCases(const FStudyResult& Result)
 {
 	std::vector<FJUnitCase> Cases;
@@ -80,10 +80,13 @@ std::vector<FJUnitCase> MakeStudyCases(const FStudyResult& Result)
 			}
 			Cases.push_back(std::move(Case));
 		}
-		Cases.push_back({.Name = Prefix + "recommended",
-			.Outcome = bChosen ? EJUnitOutcome::Passed : EJUnitOutcome::Failed,
-			.Message = bChosen ? "" : Job.Recommendation,
-			.Output = bChosen ? Job.Recommendation : ""});
+		if (!Result.Study.Budget.bDefault)
+		{
+			Cases.push_back({.Name = Prefix + "recommended",
+				.Outcome = bChosen ? EJUnitOutcome::Passed : EJUnitOutcome::Failed,
+				.Message = bChosen ? "" : Job.Recommendation,
+				.Output = bChosen ? Job.Recommendation : ""});
+		}
 	}
 	return Cases;
 }
@@ -147,7 +150,7 @@ FVerbCall AddStudyOptions(FVerbOptions& Verb)
 	Verb.Add("--out", Options->OutputFolder, "Folder for tables and pictures; out/NAME of the config by default")
 		.SetType("DIR");
 	AddReport(Verb, Options->Report, "study.html, the chart with what lies behind its points");
-	AddJUnit(Verb, Options->JUnit, "a case for each variant, and one for the choice");
+	AddJUnit(Verb, Options->JUnit, "a case for each variant, and one for the choice by a budget");
 	Verb.AddFlag("--json", Options->bJson, "Print study.json instead of the table");
 	return [Options]
 	{

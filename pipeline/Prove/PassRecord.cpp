@@ -49,6 +49,8 @@ struct FCounted
 {
 	std::optional<FPixelDifference> First; // that counts
 	uint64_t NumValues = 0;                // that differ at all
+	uint64_t NumUnwritten = 0;             // pixels that were skipped
+	FIntPoint Unwritten = FIntPoint(0, 0); // the first of them
 };
 
 FCounted CountDifferences(const FPicture& Base, const FPicture& Other, const FComparison& Comparison)
@@ -81,6 +83,10 @@ FCounted CountDifferences(const FPicture& Base, const FPicture& Other, const FCo
 				Pixel.Base = TakePixel(RowA, X, NumChannels);
 				Pixel.Other = TakePixel(RowB, X, NumChannels);
 				bDiffers = !Comparison.bSkipUnwritten || !LooksUnwritten(Pixel);
+				if (!bDiffers && Counted.NumUnwritten++ == 0)
+				{
+					Counted.Unwritten = FIntPoint(X, Y);
+				}
 			}
 			if (bDiffers && !Counted.First)
 			{
@@ -164,6 +170,7 @@ void FPassRecord::Compare(const FPassWrites& Writes)
 		return;
 	}
 	const int Number = CountEarlier(Writes, ComparedByName);
+	std::map<std::string, std::string> Unwritten; // by texture: what a part of the threads left
 	for (const FWrittenMip& Mip : Writes.Mips)
 	{
 		const auto Known = Kept.find({Writes.Pass.GetName(), Number, Mip.Resource, Mip.Mip});
@@ -173,6 +180,7 @@ void FPassRecord::Compare(const FPassWrites& Writes)
 			continue; // it runs in this frame alone
 		}
 		const FPicture& Base = Known->second.Picture;
+		FCounted Counted;
 		FFirstDifference Found{Writes.Pass.GetName(), Writes.Pass.GetShader(), Writes.Pass.GetOwner().Plugin,
 			Mip.Resource, Mip.Mip, "", std::nullopt, {}};
 		if (Base.Width != Window.Width || Base.Height != Window.Height || Base.NumChannels != Window.NumChannels)
@@ -183,9 +191,9 @@ void FPassRecord::Compare(const FPassWrites& Writes)
 		}
 		else
 		{
-			Found.Pixel = CountDifferences(Base, Window,
-				{.bExact = Alike == EAlike::SameBits, .bSkipUnwritten = bClobbered && !Known->second.bRaster})
-							  .First;
+			Counted = CountDifferences(Base, Window,
+				{.bExact = Alike == EAlike::SameBits, .bSkipUnwritten = bClobbered && !Known->second.bRaster});
+			Found.Pixel = Counted.First;
 		}
 		if (Found.Pixel || !Found.Sizes.empty())
 		{
@@ -193,13 +201,19 @@ void FPassRecord::Compare(const FPassWrites& Writes)
 			NotePartlyDrawn(Writes);
 			return;
 		}
+		if (Counted.NumUnwritten > 0)
+		{
+			Unwritten[Mip.Resource] = "by pass " + Found.Pass + ", all but " + std::to_string(Counted.NumUnwritten) +
+									  " pixels (the first is (" + std::to_string(Counted.Unwritten.X) + ", " +
+									  std::to_string(Counted.Unwritten.Y) + "))";
+		}
 	}
 	for (const FWrittenMip& Mip : Writes.Mips)
 	{
 		const FIntPoint Size = Mip.Texture->GetSizeXY();
 		const bool bWhole = Mip.Mip > 0 || Mip.Window.Area() >= Size.X * Size.Y;
 		Partly[Mip.Resource] = bWhole
-								   ? ""
+								   ? Unwritten[Mip.Resource]
 								   : std::to_string(Mip.Window.Width()) + " x " + std::to_string(Mip.Window.Height()) +
 										 " of " + std::to_string(Size.X) + " x " + std::to_string(Size.Y);
 	}

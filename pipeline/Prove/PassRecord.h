@@ -40,7 +40,8 @@ struct FFirstDifference
 	int Mip = 0;
 	std::string Sizes;                     // where it drew another size: "32 x 8, and 64 x 8"; else empty
 	std::optional<FPixelDifference> Pixel; // else
-	std::vector<std::string> PartlyDrawn;  // what it reads and of which only a part was written: "Half: 3 x 5 of 6 x 5"
+	std::vector<std::string> PartlyDrawn; // what it reads and of which only a part was written: "Half: 3 x 5 of 6 x 5",
+										  // "Out: by pass P, all but 7 pixels (the first is (8, 0))"
 };
 
 /** One frame's passes, and in a second one the first that differs. */

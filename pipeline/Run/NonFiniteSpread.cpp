@@ -120,7 +120,7 @@ FNonFiniteFinal CompareFinal(const FPicture& Final, const FPicture& WithZeros)
 	return Found;
 }
 
-FDiagnostic DescribeSpread(const FNonFiniteSpread& Spread)
+FDiagnostic DescribeSpread(const FNonFiniteSpread& Spread, const std::vector<FNonFiniteChannel>& InFile)
 {
 	std::string Message;
 	for (const FStep& Step : FindLargestSteps(Spread))
@@ -137,14 +137,49 @@ FDiagnostic DescribeSpread(const FNonFiniteSpread& Spread)
 	{
 		const FNonFiniteFinal& Final = *Spread.Final;
 		Message += fmt::format("; because of the file's, {} of {} pixels of the final picture ({}) are others than "
-							   "with 0 in their place (r.Drydock.NonFinite 1), {} ({}) are white and {} not finite",
+							   "with r.Drydock.NonFinite 1, {} ({}) are white and {} not finite",
 			Final.Changed, Final.NumPixels, FormatShare(Final.Changed, Final.NumPixels), Final.White,
 			FormatShare(Final.White, Final.NumPixels), Final.NotFinite);
+	}
+	std::string Where;
+	for (const FNonFiniteChannel& Channel : InFile)
+	{
+		Where += (Where.empty() ? "" : ", ") + Channel.Where;
 	}
 	return {.Severity = ESeverity::Warning,
 		.Code = WarnNonFiniteSpread,
 		.Message = std::move(Message),
-		.Where = "scene colour"};
+		.Where = std::move(Where)};
+}
+
+FNonFiniteCount CountNonFinite(const FPicture& Picture)
+{
+	FNonFiniteCount Found;
+	std::vector<float> Row(static_cast<size_t>(Picture.Width) * static_cast<size_t>(Picture.NumChannels));
+	for (int Y = 0; Y < Picture.Height && Picture.MayHoldNonFinite(); ++Y)
+	{
+		Picture.ReadRow(Y, Row.data());
+		for (size_t Index = 0; Index < Row.size(); ++Index)
+		{
+			if (!std::isfinite(Row[Index]))
+			{
+				Found.Add(static_cast<int>(Index) / Picture.NumChannels, Y);
+			}
+		}
+	}
+	return Found;
+}
+
+FDiagnostic DescribeNonFinite(const FNonFiniteChannel& Channel, const std::string& File)
+{
+	const FNonFiniteCount& Found = Channel.Found;
+	const bool bError = GetNonFinitePolicy() == ENonFinitePolicy::Error;
+	return {.Severity = bError ? ESeverity::Error : ESeverity::Warning,
+		.Code = bError ? ErrorNonFinite : WarnNonFinite,
+		.Message = fmt::format("{} NaN or infinite, first at pixel ({}, {})",
+			Found.Count == 1 ? "1 value is" : fmt::format("{} values are", Found.Count), Found.FirstX, Found.FirstY),
+		.File = File,
+		.Where = Channel.Where};
 }
 
 } // namespace Drydock

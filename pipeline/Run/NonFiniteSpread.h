@@ -3,6 +3,7 @@
 
 #include "Diagnostics.h"
 #include "Picture/Picture.h"
+#include "SceneFile/NonFinite.h"
 
 #include <cstdint>
 #include <optional>
@@ -56,7 +57,12 @@ void AddFootprint(FNonFiniteSpread& Spread, FNonFiniteFootprint Footprint);
 /** Both of one size. */
 FNonFiniteFinal CompareFinal(const FPicture& Final, const FPicture& WithZeros);
 
-/** The up to three passes that spread it most, and the final picture, in one warning. */
-FDiagnostic DescribeSpread(const FNonFiniteSpread& Spread);
+/** The up to three passes that spread it most, and the final picture, in one warning. InFile: where it came from. */
+FDiagnostic DescribeSpread(const FNonFiniteSpread& Spread, const std::vector<FNonFiniteChannel>& InFile);
+
+FNonFiniteCount CountNonFinite(const FPicture& Picture);
+
+/** A warning, or an error when that is the policy. File: that it is of; empty: of none. */
+FDiagnostic DescribeNonFinite(const FNonFiniteChannel& Channel, const std::string& File);
 
 } // namespace Drydock

@@ -13,13 +13,11 @@
 #include "Run/RunSetup.h"
 #include "SceneFile/NonFinite.h"
 #include "SceneFile/SceneContent.h"
-#include "Text/ConfigErrors.h"
 #include "TileExecutor.h"
 #include "Tonemap/TonemapOutputDevice.h"
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <utility>
 
 namespace Drydock
@@ -48,46 +46,6 @@ FIntRect GetViewRect(const FConfigView& View, const FSceneFile& Scene)
 	const FIntRect Picture = Scene.GetPictureRect();
 	const std::array<int, 4>& Corners = View.Rect.Value;
 	return View.Rect.IsSet() ? FIntRect(Corners[0], Corners[1], Corners[2], Corners[3]) + Picture.Min : Picture;
-}
-
-FNonFiniteCount CountNonFinite(const FPicture& Picture)
-{
-	FNonFiniteCount Found;
-	std::vector<float> Row(static_cast<size_t>(Picture.Width) * static_cast<size_t>(Picture.NumChannels));
-	for (int Y = 0; Y < Picture.Height && Picture.MayHoldNonFinite(); ++Y)
-	{
-		Picture.ReadRow(Y, Row.data());
-		for (size_t Index = 0; Index < Row.size(); ++Index)
-		{
-			if (!std::isfinite(Row[Index]) && Found.Count++ == 0)
-			{
-				Found.FirstX = static_cast<int>(Index) / Picture.NumChannels;
-				Found.FirstY = Y;
-			}
-		}
-	}
-	return Found;
-}
-
-/** Warns, or fails the run when that is the policy. */
-void ReportNonFinite(const FNonFiniteCount& Found, const std::string& What, FRunResult& Result)
-{
-	if (Found.Count == 0)
-	{
-		return;
-	}
-	const ENonFinitePolicy Policy = GetNonFinitePolicy();
-	const bool bError = Policy == ENonFinitePolicy::Error;
-	Result.Diagnostics.push_back({.Severity = bError ? ESeverity::Error : ESeverity::Warning,
-		.Code = bError ? ErrorNonFinite : WarnNonFinite,
-		.Message = std::to_string(Found.Count) + (Found.Count == 1 ? " value is" : " values are") +
-				   " NaN or infinite, first at pixel (" + std::to_string(Found.FirstX) + ", " +
-				   std::to_string(Found.FirstY) + ")",
-		.Where = What});
-	if (bError)
-	{
-		throw FError(Result.Diagnostics, ExitPolicy);
-	}
 }
 
 /** What is known before the graph. */
@@ -338,7 +296,7 @@ void RunGraph(const FRunOptions& Options, const FRunSetup& Setup, FSceneFile& Sc
 struct FRendered
 {
 	FRunResult Result;
-	FNonFiniteCount NonFiniteInFile;
+	std::vector<FNonFiniteChannel> NonFiniteInFile;
 };
 
 /** Scene, frame and what they say. An error comes with what was known before. */
@@ -384,6 +342,31 @@ FPicture RenderWithZeros(const FRunOptions& Options, const FRunSetup& Setup, con
 	return Render(Plain, Setup, {Last, Caches}).Result.Final;
 }
 
+/** What the file's channels hold, scene colour where the file's is finite, and the final picture. */
+void ReportNonFinite(const std::vector<FNonFiniteChannel>& InFile, FRunResult& Result)
+{
+	const size_t NumBefore = Result.Diagnostics.size();
+	const auto Report = [&Result](const FNonFiniteChannel& Channel, const std::string& File)
+	{
+		if (Channel.Found.Count > 0)
+		{
+			Result.Diagnostics.push_back(DescribeNonFinite(Channel, File));
+		}
+	};
+	bool bColorInFile = false;
+	for (const FNonFiniteChannel& Channel : InFile)
+	{
+		Report(Channel, Result.Config.Resolve(Result.Config.Scene.File.Value));
+		bColorInFile = bColorInFile || Channel.Where == SceneColorWhere;
+	}
+	Report({SceneColorWhere, bColorInFile ? FNonFiniteCount() : CountNonFinite(Result.SceneLinear)}, "");
+	Report({"final picture", CountNonFinite(Result.Final)}, "");
+	if (Result.Diagnostics.size() > NumBefore && GetNonFinitePolicy() == ENonFinitePolicy::Error)
+	{
+		throw FError(Result.Diagnostics, ExitPolicy);
+	}
+}
+
 } // namespace
 
 FRunSession::FRunSession(const FRunOptions& InOptions)
@@ -412,16 +395,15 @@ FRunResult FRunSession::Run(std::optional<int> Frame, const std::vector<FViewHis
 	FRunResult& Result = Rendered.Result;
 	if (Options.bExecute)
 	{
-		const FNonFiniteCount& InFile = Rendered.NonFiniteInFile;
-		ReportNonFinite(InFile.Count > 0 ? InFile : CountNonFinite(Result.SceneLinear), "scene colour", Result);
-		ReportNonFinite(CountNonFinite(Result.Final), "final picture", Result);
-		if (InFile.Count > 0 && GetNonFinitePolicy() == ENonFinitePolicy::Propagate)
+		const std::vector<FNonFiniteChannel>& InFile = Rendered.NonFiniteInFile;
+		ReportNonFinite(InFile, Result);
+		if (!InFile.empty() && GetNonFinitePolicy() == ENonFinitePolicy::Propagate)
 		{
 			if (Setup->Config.Plugins.empty())
 			{
 				Result.NonFinite.Final = CompareFinal(Result.Final, RenderWithZeros(Options, *Setup, Last));
 			}
-			Result.Diagnostics.push_back(DescribeSpread(Result.NonFinite));
+			Result.Diagnostics.push_back(DescribeSpread(Result.NonFinite, InFile));
 		}
 	}
 	Result.RunJson = MakeRunJson(Result);

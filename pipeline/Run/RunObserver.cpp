@@ -136,7 +136,7 @@ void FRunObserver::OnPassExecuted(int32_t PassIndex, const FRDGPass& Pass, doubl
 		TellWrites(PassIndex, Pass, WrittenTextures);
 	}
 	// Looking costs as much as the pass, so only a scene that holds such values is looked at.
-	const bool bWatch = Scene.GetNonFinite().Count > 0 && GetNonFinitePolicy() == ENonFinitePolicy::Propagate;
+	const bool bWatch = !Scene.GetNonFinite().empty() && GetNonFinitePolicy() == ENonFinitePolicy::Propagate;
 	for (FRDGTexture* Texture : WrittenTextures)
 	{
 		if (bWatch)

@@ -12,7 +12,7 @@ namespace
 {
 
 TAutoConsoleVariable<int32> CVarNonFinite(TEXT("r.Drydock.NonFinite"), 0,
-	TEXT("NaN and infinities: 0 propagate (default), 1 load scene colour with 0 in their place, 2 fail the run."),
+	TEXT("NaN and infinities: 0 propagate (default), 1 load 0, and for depth what lies beside, 2 fail the run."),
 	ECVF_RenderThreadSafe);
 
 TAutoConsoleVariable<float> CVarSceneColorClamp(TEXT("r.Drydock.SceneColorClamp"), 0.0f,

@@ -341,10 +341,23 @@ void FSceneFile::Fill(const FFill& Fill, const FScenePackContext& Context)
 		Inputs.Sources.push_back(
 			{Source.FileChannel >= 0 ? Planes.at(Source.FileChannel).get() : nullptr, Source.Default});
 	}
-	const FNonFiniteCount Count = FillSceneTexture(*Fill.Texture, Inputs);
-	if (Fill.Packing == &GetScenePackings().front())
+	const FNonFiniteSlots Counts = FillSceneTexture(*Fill.Texture, Inputs);
+	FNonFiniteChannel Color{SceneColorWhere, {}};
+	for (size_t Slot = 0; Slot < Fill.Sources.size(); ++Slot)
 	{
-		NonFinite = Count;
+		if (Fill.Packing == &GetScenePackings().front())
+		{
+			Color.Found.Add(Counts[Slot]);
+		}
+		else if (Counts[Slot].Count > 0)
+		{
+			const size_t FileChannel = static_cast<size_t>(Fill.Sources[Slot].FileChannel);
+			NonFinite.push_back({"channel " + File.GetChannels()[FileChannel], Counts[Slot]});
+		}
+	}
+	if (Color.Found.Count > 0)
+	{
+		NonFinite.push_back(Color);
 	}
 }
 

@@ -86,8 +86,8 @@ public:
 	/** Loaded, or planned to be. */
 	bool IsFilled(const std::string& Texture) const;
 
-	/** What scene colour held that is not finite, before r.Drydock.NonFinite did anything about it. */
-	const FNonFiniteCount& GetNonFinite() const { return NonFinite; }
+	/** The channels that were loaded with what is not finite, before r.Drydock.NonFinite did anything about it. */
+	const std::vector<FNonFiniteChannel>& GetNonFinite() const { return NonFinite; }
 
 	/** All channels of the file. */
 	const std::vector<FSceneChannel>& GetChannels() const { return Channels; }
@@ -129,7 +129,7 @@ private:
 	std::map<std::string, TRefCountPtr<FRHITexture>> Textures;
 	std::map<std::string, bool> Filled;
 	FPlanes Planes; // read and not yet loaded
-	FNonFiniteCount NonFinite;
+	std::vector<FNonFiniteChannel> NonFinite;
 };
 
 } // namespace Drydock

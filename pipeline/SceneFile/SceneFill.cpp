@@ -22,11 +22,12 @@ public:
 		: Inputs(InInputs)
 		, Limit(&InInputs.Packing == &GetScenePackings().front() ? GetSceneColorClamp() : HUGE_VALF)
 		, bZero(GetNonFinitePolicy() == ENonFinitePolicy::Zero)
+		, bDepth(InInputs.Packing.Format == PF_DepthStencil)
 	{
 	}
 
-	/** Count: what is not finite is added. */
-	FScenePackValues Get(int X, int Y, FNonFiniteCount& Count) const
+	/** Counts: what is not finite is added. */
+	FScenePackValues Get(int X, int Y, FNonFiniteSlots& Counts) const
 	{
 		FScenePackValues Values = {};
 		for (size_t Slot = 0; Slot < Inputs.Sources.size(); ++Slot)
@@ -34,12 +35,12 @@ public:
 			const FSceneFillSource& Source = Inputs.Sources[Slot];
 			Values[Slot] = Source.Plane != nullptr ? Source.Plane->Get(GetIndex(X, Y)) : Source.Default;
 		}
-		Mend(Values, X, Y, Count);
+		Mend(Values, X, Y, Counts);
 		return Values;
 	}
 
 	/** Of the pixels from X on. */
-	void GetRow(int X, int Y, std::vector<FScenePackValues>& Row, FNonFiniteCount& Count) const
+	void GetRow(int X, int Y, std::vector<FScenePackValues>& Row, FNonFiniteSlots& Counts) const
 	{
 		for (size_t Slot = 0; Slot < Inputs.Sources.size(); ++Slot)
 		{
@@ -52,7 +53,7 @@ public:
 		}
 		for (size_t Index = 0; Index < Row.size(); ++Index)
 		{
-			Mend(Row[Index], X + static_cast<int>(Index), Y, Count);
+			Mend(Row[Index], X + static_cast<int>(Index), Y, Counts);
 		}
 	}
 
@@ -62,7 +63,7 @@ private:
 		return static_cast<size_t>(Y) * static_cast<size_t>(Inputs.Width) + static_cast<size_t>(X);
 	}
 
-	void Mend(FScenePackValues& Values, int X, int Y, FNonFiniteCount& Count) const
+	void Mend(FScenePackValues& Values, int X, int Y, FNonFiniteSlots& Counts) const
 	{
 		for (size_t Slot = 0; Slot < Inputs.Sources.size(); ++Slot)
 		{
@@ -71,17 +72,40 @@ private:
 			{
 				Value = std::copysign(Limit, Value);
 			}
-			if (!std::isfinite(Value))
+			if (IsBad(Value))
 			{
-				Count.Add(X, Y);
-				Value = bZero ? 0.0f : Value;
+				Counts[Slot].Add(X, Y);
+				Value = !bZero ? Value : bDepth ? FindBeside(Slot, X, Y) : 0.0f;
 			}
 		}
+	}
+
+	/** Depth that is infinitely far is where nothing is. */
+	bool IsBad(float Value) const { return !std::isfinite(Value) && !(bDepth && Value > 0.0f); }
+
+	/** No depth is 0: the nearest in the row, left before right; infinitely far where there is none nearby. */
+	float FindBeside(size_t Slot, int X, int Y) const
+	{
+		constexpr int Farthest = 64; // pixels
+		for (int Distance = 1; Distance <= Farthest; ++Distance)
+		{
+			for (const int Other : {X - Distance, X + Distance})
+			{
+				const bool bInRow = Other >= 0 && Other < Inputs.Width;
+				const float Value = bInRow ? Inputs.Sources[Slot].Plane->Get(GetIndex(Other, Y)) : NAN;
+				if (!IsBad(Value))
+				{
+					return Value;
+				}
+			}
+		}
+		return HUGE_VALF;
 	}
 
 	const FSceneFillInputs& Inputs;
 	const float Limit;
 	const bool bZero;
+	const bool bDepth;
 };
 
 /** The file's values at one pixel of a texture at another resolution. */
@@ -159,7 +183,7 @@ public:
 	}
 
 	/** Row: of the whole texture. */
-	void Fill(int32 Y, TArray<FLinearColor>& Row, FNonFiniteCount& Count) const
+	void Fill(int32 Y, TArray<FLinearColor>& Row, FNonFiniteSlots& Counts) const
 	{
 		for (size_t Index = 0; Index < Scaled.size(); ++Index)
 		{
@@ -173,14 +197,14 @@ public:
 			const int32 RowOfRegion = Y - Target.Min.Y;
 			if (Scaled[Index] == nullptr)
 			{
-				Values.GetRow(Region.Source.Min.X, Region.Source.Min.Y + RowOfRegion, Source, Count);
+				Values.GetRow(Region.Source.Min.X, Region.Source.Min.Y + RowOfRegion, Source, Counts);
 			}
 			else
 			{
 				for (int32 X = 0; X < Target.Width(); ++X)
 				{
 					Source[static_cast<size_t>(X)] = Scaled[Index]->Get(X, RowOfRegion,
-						[&](int32 SourceX, int32 SourceY) { return Values.Get(SourceX, SourceY, Count); });
+						[&](int32 SourceX, int32 SourceY) { return Values.Get(SourceX, SourceY, Counts); });
 				}
 			}
 			for (int32 X = 0; X < Target.Width(); ++X)
@@ -198,11 +222,11 @@ private:
 
 } // namespace
 
-FNonFiniteCount FillSceneTexture(FRHITexture& Texture, const FSceneFillInputs& Inputs)
+FNonFiniteSlots FillSceneTexture(FRHITexture& Texture, const FSceneFillInputs& Inputs)
 {
 	const FRowFill Rows(Inputs);
 	const FIntPoint Extent = Texture.GetSizeXY();
-	std::vector<FNonFiniteCount> RowCounts(static_cast<size_t>(Extent.Y));
+	std::vector<FNonFiniteSlots> RowCounts(static_cast<size_t>(Extent.Y));
 	Texture.EnsureMemory();
 	ForEachTile(FKernelTile{0, 0, 0, Extent.X, Extent.Y, 1}, FIntPoint(Extent.X, 16),
 		[&](const FKernelTile& Tile)
@@ -215,10 +239,13 @@ FNonFiniteCount FillSceneTexture(FRHITexture& Texture, const FSceneFillInputs& I
 				Texture.WriteRow(0, Y, Row);
 			}
 		});
-	FNonFiniteCount All;
-	for (const FNonFiniteCount& Count : RowCounts)
+	FNonFiniteSlots All;
+	for (const FNonFiniteSlots& Counts : RowCounts)
 	{
-		All = All.Count == 0 ? Count : FNonFiniteCount{All.Count + Count.Count, All.FirstX, All.FirstY};
+		for (size_t Slot = 0; Slot < All.size(); ++Slot)
+		{
+			All[Slot].Add(Counts[Slot]);
+		}
 	}
 	return All;
 }

@@ -7,6 +7,7 @@
 #include "SceneFile/SceneResolution.h"
 #include "SceneFile/SceneTexturePacking.h"
 
+#include <array>
 #include <vector>
 
 namespace Drydock
@@ -19,6 +20,8 @@ struct FSceneFillSource
 	float Default = 0.0f;
 };
 
+using FNonFiniteSlots = std::array<FNonFiniteCount, std::tuple_size_v<FScenePackValues>>;
+
 struct FSceneFillInputs
 {
 	const FScenePacking& Packing;
@@ -30,7 +33,8 @@ struct FSceneFillInputs
 };
 
 /** Writes every texel of the texture, under r.Drydock.NonFinite and, for scene colour, r.Drydock.SceneColorClamp.
- * Returns the values that are not finite, by pixels of the file. */
-FNonFiniteCount FillSceneTexture(FRHITexture& Texture, const FSceneFillInputs& Inputs);
+ * Returns the values that are not finite, by slot, in pixels of the file; depth that is infinitely far is not among
+ * them. */
+FNonFiniteSlots FillSceneTexture(FRHITexture& Texture, const FSceneFillInputs& Inputs);
 
 } // namespace Drydock

@@ -60,6 +60,11 @@ void Rank(FStudyResult& Result, const FStudyJob& Job, const FCost& Cost, FStudyR
 	}
 }
 
+FBudgetCandidate MakeCandidate(const FStudyVariant& Variant, const std::string& Metric)
+{
+	return {true, GetErrorToRank(Variant.Error, Metric), Variant.Time.Median, Variant.Time.Low, Variant.Time.High};
+}
+
 void FindNoise(FStudyResult& Result, const FStudyJob& Job)
 {
 	for (const size_t Index : Job.Variants)
@@ -69,8 +74,8 @@ void FindNoise(FStudyResult& Result, const FStudyJob& Job)
 		for (const size_t Other : Job.Variants)
 		{
 			const FStudyVariant& Rival = Result.Variants[Other];
-			if (Other != Index && Variant.Competes() && Rival.Competes() && Rival.Time.Low <= Variant.Time.High &&
-				Variant.Time.Low <= Rival.Time.High)
+			if (Other != Index && Variant.Competes() && Rival.Competes() &&
+				MakeCandidate(Variant, Result.GetMetric()).IsWithinNoiseOf(MakeCandidate(Rival, Result.GetMetric())))
 			{
 				Variant.WithinNoiseOf.push_back(Other);
 			}
@@ -96,45 +101,22 @@ std::string DescribeBudget(const FStudyBudget& Budget)
 void Recommend(FStudyResult& Result, FStudyJob& Job)
 {
 	const FStudyBudget& Budget = Result.Study.Budget;
-	const auto Error = [&](size_t Index)
-	{
-		return GetErrorToRank(Result.Variants[Index].Error, Result.GetMetric());
-	};
-	const auto Median = [&](size_t Index)
-	{
-		return Result.Variants[Index].Time.Median;
-	};
-	std::vector<size_t> Fit;
+	std::vector<FBudgetCandidate> Candidates;
 	for (const size_t Index : Job.Variants)
 	{
-		const FStudyVariant& Variant = Result.Variants[Index];
-		Result.Variants[Index].bRecommended = false;
-		if (Variant.Competes() && !Variant.bPlainCode && MeetsBudget(Variant.Error, Budget) &&
-			(!Budget.Ms || Variant.Time.Median <= *Budget.Ms))
-		{
-			Fit.push_back(Index);
-		}
+		FStudyVariant& Variant = Result.Variants[Index];
+		Variant.bRecommended = false;
+		Candidates.push_back(MakeCandidate(Variant, Result.GetMetric()));
+		Candidates.back().bMeets = Variant.Competes() && !Variant.bPlainCode && MeetsBudget(Variant.Error, Budget) &&
+								   (!Budget.Ms || Variant.Time.Median <= *Budget.Ms);
 	}
-	if (Fit.empty())
+	const std::optional<size_t> Choice = ChooseWithinBudget(Candidates, Budget);
+	if (!Choice)
 	{
 		Job.Recommendation = "no variant meets the budget (" + DescribeBudget(Budget) + ")";
 		return;
 	}
-	size_t Best = Fit[0];
-	for (const size_t Index : Fit)
-	{
-		const bool bBetter =
-			Budget.Max ? Median(Index) < Median(Best)
-					   : Error(Index) < Error(Best) || (Error(Index) == Error(Best) && Median(Index) < Median(Best));
-		Best = bBetter ? Index : Best;
-	}
-	const size_t Cheapest = Best;
-	for (const size_t Index : Fit)
-	{
-		const std::vector<size_t>& Noise = Result.Variants[Cheapest].WithinNoiseOf;
-		const bool bAsCheap = std::find(Noise.begin(), Noise.end(), Index) != Noise.end();
-		Best = Budget.Max && bAsCheap && Error(Index) < Error(Best) ? Index : Best;
-	}
+	const size_t Best = Job.Variants[*Choice];
 	FStudyVariant& Chosen = Result.Variants[Best];
 	Chosen.bRecommended = true;
 	Job.Recommendation = fmt::format("{}: {} {:.3g}, {:.3g} ms", Chosen.Label, Result.GetMetric(),

@@ -11,9 +11,8 @@ DRYDOCK_API FStudyTime SummarizeRuns(std::vector<double> Runs);
 
 /** Fills ranks, noise and recommendations of all jobs. Of each job: the front holds whom nobody dominates; A dominates
  * B when A is no worse in error and cost, and better in one; plain code does not dominate shaders, and is not
- * recommended, for it cannot run where they do. Recommended is the cheapest by time that meets the error
- * budget, of those that are as cheap within noise the most exact; with a budget of time the most exact within it; where
- * none meets it, none. */
+ * recommended, for it cannot run where they do. Recommended is what ChooseWithinBudget takes by
+ * time; where none meets the budget, none. */
 DRYDOCK_API void RankStudy(FStudyResult& Result);
 
 } // namespace Drydock

@@ -35,7 +35,7 @@ column): where it is green, the result is finite and what the page says. Picture
 the same program runs every cell; a cell that is missing there does not compile. Each pass states its contract in its header
 too. What a pass of your own makes of the hazards, `drydock hazards CONFIG --pass P` prints ([see-inside.md](see-inside.md)).
 
-**In a frame.** `r.Drydock.NonFinite` says what becomes of NaN and infinities in the scene's colour: 0 they pass on, as in
+**In a frame.** `r.Drydock.NonFinite` says what becomes of NaN and infinities in the scene's channels: 0 they pass on, as in
 the engine, and are counted (DD4001), with where they went (DD4003); 1 they are loaded as 0; 2 the run fails (DD4002).
 `r.Drydock.SceneColorClamp V`, off by default, comes first and loads red, green and blue within -V .. V, infinities too; NaN
 it leaves to the policy.

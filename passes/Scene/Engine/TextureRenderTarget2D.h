@@ -29,6 +29,7 @@ DRYDOCK_API EPixelFormat GetPixelFormatFromRenderTargetFormat(ETextureRenderTarg
 class DRYDOCK_API FTextureRenderTargetResource : public FTextureResource, public FRenderTarget
 {
 public:
+	using FRenderTarget::GetRenderTargetTexture;
 	const FTextureRHIRef& GetRenderTargetTexture() const override { return TextureRHI; }
 	FIntPoint GetSizeXY() const override
 	{

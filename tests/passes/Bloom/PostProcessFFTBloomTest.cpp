@@ -108,6 +108,22 @@ TEST_P(FFTBloom, EqualsTheDirectConvolution)
 	}
 }
 
+TEST_P(FFTBloom, EqualsTheDirectConvolutionWhereMostOfTheKernelReachesNoPixel)
+{
+	for (const int Height : {1, 2, 3, 9})
+	{
+		const FImage Picture = FImage::Noise(129, Height, 16.0), Kernel = MakeAsymmetricKernel(31, 61);
+		const FTestKernel Pixels(Kernel);
+		const FImage Expected = ConvolveDirectly(Picture, NormalizeKernel(Kernel), GetBloomEnergy(Kernel));
+		const FBloom Result = MakeBloom(Picture, MakeSettings(Picture, Kernel), GetParam());
+		EXPECT_LT(MaxDifference(Expected, Result.Bloom), 1e-5 * LargestOf(Expected)) << Height;
+		// A line of 31 texels and half of it: 256 wide. No offset is larger than the height less 1.
+		const int Lines = Height == 1 ? 2 : Height == 9 ? 32 : Height == 3 ? 8 : 4;
+		EXPECT_TRUE(Contains(Result.Passes, "FFTBloom.ResizeKernel 256x" + std::to_string(Lines) + " ")) << Height;
+		EXPECT_TRUE(Contains(Result.Passes, "FFTBloom.SumWholeKernel"));
+	}
+}
+
 TEST_P(FFTBloom, AnySize)
 {
 	for (const FIntPoint Size : {FIntPoint(1, 1), FIntPoint(2, 1), FIntPoint(1, 7), FIntPoint(3, 2), FIntPoint(31, 17),

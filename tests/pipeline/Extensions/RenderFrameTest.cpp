@@ -1,6 +1,11 @@
 // RenderFrame: a frame from a description, with the extensions that are registered.
 #include "RecordingExtensions.h"
 
+#include "HAL/ConsoleVariableTools.h"
+#include "RenderGraphBuilder.h"
+#include "RenderGraphUtils.h"
+#include "UnrealClient.h"
+
 using namespace ExtensionTest;
 
 namespace
@@ -14,7 +19,56 @@ FFrameDesc MakeDesc()
 	return Desc;
 }
 
+/** Asks for the family's target, before there is a graph too where it is told so, and draws over the final picture. */
+class FTargetExtension : public FSceneViewExtensionBase
+{
+public:
+	FTargetExtension(const FAutoRegister& AutoRegister, bool bInEarly)
+		: FSceneViewExtensionBase(AutoRegister)
+		, bEarly(bInEarly)
+	{
+	}
+
+	void SetupViewFamily(FSceneViewFamily&) override {}
+	void SetupView(FSceneViewFamily&, FSceneView&) override {}
+	void BeginRenderViewFamily(FSceneViewFamily& Family) override
+	{
+		EXPECT_EQ(FIntPoint(Width, Height), Family.RenderTarget->GetSizeXY());
+		Target = bEarly ? Family.RenderTarget->GetRenderTargetTexture() : nullptr;
+	}
+	void PostRenderView_RenderThread(FRDGBuilder& GraphBuilder, FSceneView& View) override
+	{
+		const FRenderTarget& Family = *View.Family->RenderTarget;
+		EXPECT_TRUE(!bEarly || Target == Family.GetRenderTargetTexture());
+		Target = Family.GetRenderTargetTexture();
+		FRDGTextureRef Texture = RegisterExternalTexture(GraphBuilder, Target, TEXT("Mine"));
+		EXPECT_STREQ(TEXT("ViewFamilyTexture"), Texture->Name);
+		EXPECT_EQ(Texture, Family.GetRenderTargetTexture(GraphBuilder));
+		AddClearRenderTargetPass(GraphBuilder, Texture, FLinearColor::Red);
+	}
+
+	const bool bEarly;
+	FTextureRHIRef Target;
+};
+
 } // namespace
+
+TEST(RenderFrame, TheFamilysTargetIsTheFinalPicture)
+{
+	for (const int32 Immediate : {0, 1})
+	{
+		const FScopedConsoleVariable Mode(TEXT("r.RDG.ImmediateMode"), Immediate);
+		for (const bool bEarly : {false, true})
+		{
+			const auto Extension = FSceneViewExtensions::NewExtension<FTargetExtension>(bEarly);
+			const FFrameOutput Output = RenderFrame(MakeDesc());
+			ASSERT_TRUE(Extension->Target.IsValid());
+			EXPECT_EQ(FIntPoint(Width, Height), Extension->Target->GetDesc().Extent);
+			EXPECT_EQ(FLinearColor(1.0f, 0.0f, 0.0f, 1.0f), Output.Color[0]) << Immediate << bEarly;
+			EXPECT_EQ(FLinearColor(1.0f, 0.0f, 0.0f, 1.0f), Output.Color.Last()) << Immediate << bEarly;
+		}
+	}
+}
 
 TEST(RenderFrame, CallsEveryHookOnce)
 {

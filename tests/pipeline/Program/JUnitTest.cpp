@@ -146,6 +146,10 @@ TEST_F(JUnit, StudyHasACaseForEachVariantAndTheChoice)
 	const FElement Strict = GetSuite("study strict.json", 0);
 	ASSERT_EQ("failure", GetOutcome(*FindCase(Strict, "recommended")));
 	EXPECT_THAT(FindCase(Strict, "recommended")->Children.at(0).Text, HasSubstr("no variant meets the budget"));
+	Folder.WriteFrame("free.json", Bloom + R"("study": {)" + Axes);
+	const FElement Free = GetSuite("study free.json", 0);
+	EXPECT_EQ(2u, Free.Children.size()); // nobody gave a budget
+	EXPECT_EQ("0", Free.Attributes.at("failures"));
 }
 
 TEST_F(JUnit, AFileThatCannotBeWrittenIsSaid)

@@ -74,6 +74,8 @@ TEST_F(BrokenPromises, WhatAComputeShaderDidNotStoreIsRead)
 	EXPECT_EQ("BrokenPromises", Found.at("firstPass").at("pass"));
 	EXPECT_EQ(1, Found.at("firstPass").at("pixel").at("x"));
 	EXPECT_EQ("nan", Found.at("firstPass").at("pixel").at("other").at(0));
+	EXPECT_EQ("BrokenHelper: by pass BrokenFillEven, all but 4096 pixels (the first is (1, 0))",
+		Found.at("firstPass").at("partlyDrawn").at(0));
 }
 
 TEST_F(BrokenPromises, MemoryIsKeptBeyondItsTime)

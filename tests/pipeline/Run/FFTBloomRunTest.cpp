@@ -81,6 +81,25 @@ TEST(FFTBloomRun, KernelsComeFromFiles)
 	EXPECT_TRUE(HasPass(Result.Graph, "FFTBloom.ClampKernel 5x3"));
 }
 
+TEST(FFTBloomRun, ALineTakesLittleMemory)
+{
+	const std::filesystem::path Folder = std::filesystem::temp_directory_path() / "FFTBloomRunTest";
+	std::filesystem::create_directories(Folder);
+	for (const FIntPoint Size : {FIntPoint(16384, 1), FIntPoint(1, 16384)})
+	{
+		WriteExr((Folder / "line.exr").string(), FImage{Size.X, Size.Y, 3, std::vector<double>(3 * 16384, 0.5)},
+			{"R", "G", "B"});
+		FRunOptions Options;
+		Options.ConfigFile = (Folder / "line.json").string();
+		Options.ConfigText = R"({"scene": {"file": "line.exr"}, "volumes": [{"bUnbound": true,
+			"Settings": {"BloomMethod": "BM_FFT", "BloomIntensity": 1}}]})";
+		const FRunResult Result = RunConfig(Options);
+		EXPECT_LT(Result.Graph.Memory.TransientPeakBytes, 8u << 20) << Size.X; // docs/fft-bloom.md
+		EXPECT_EQ(FIntPoint(Result.Final.Width, Result.Final.Height), Size);
+	}
+	std::filesystem::remove_all(Folder);
+}
+
 TEST(FFTBloomRun, AMissingFileIsAnError)
 {
 	try

@@ -181,6 +181,32 @@ TEST(StudyRank, OfThoseAsFastWithinNoiseTheMostExactIsRecommended)
 	EXPECT_NE(std::string::npos, MakeStudyTable(Result).find("within noise of one another: a and b"));
 }
 
+TEST(StudyBudget, CheapestWithinTheBoundThenMostExactThenFirst)
+{
+	using FOption = std::optional<size_t>;
+	const FStudyBudget Error = ErrorBudget(1.0); // what meets it is said by bMeets
+	FStudyBudget Time;
+	Time.Ms = 100.0;
+	const FBudgetCandidate Slow{true, 1e-5, 20, 19, 21}, Exact{true, 1e-4, 11, 10.5, 11.5},
+		Fast{true, 1e-3, 10, 9.5, 10.6};
+	EXPECT_EQ(FOption(1), ChooseWithinBudget({Slow, Exact, Fast}, Error));
+	EXPECT_EQ(FOption(0), ChooseWithinBudget({Slow, Exact, Fast}, Time));
+	FBudgetCandidate Out = Exact;
+	Out.bMeets = false;
+	EXPECT_EQ(FOption(2), ChooseWithinBudget({Slow, Out, Fast}, Error));
+	EXPECT_EQ(FOption(), ChooseWithinBudget({Out, Out}, Error));
+	EXPECT_EQ(FOption(), ChooseWithinBudget({}, Error));
+
+	// The same bits: whichever the clock favours, they are one variant, unless one is cheaper beyond noise.
+	const FBudgetCandidate Same{true, 1e-3, 10.1, 9.6, 10.7}, Cheap{true, 1e-3, 5, 4.9, 5.1};
+	for (const FStudyBudget& Budget : {Error, Time})
+	{
+		EXPECT_EQ(FOption(0), ChooseWithinBudget({Fast, Same}, Budget));
+		EXPECT_EQ(FOption(0), ChooseWithinBudget({Same, Fast}, Budget));
+		EXPECT_EQ(FOption(1), ChooseWithinBudget({Fast, Cheap}, Budget));
+	}
+}
+
 TEST(StudyRank, FrontsOfTwoRunsDifferOnlyAmongThoseSaidToBeWithinNoise)
 {
 	// Times of two runs of a study are drawn around the same true ones, some of which lie closer than the noise.

@@ -304,6 +304,38 @@ TEST_F(StudyFolder, RunTakesWhatTheBudgetAllows)
 	EXPECT_TRUE(Diagnostics.empty());
 }
 
+TEST_F(StudyFolder, RunTakesWhatTheStudyRecommends)
+{
+	const auto WithBudget = [&](const std::string& Budget)
+	{
+		return MakeOptions(
+			std::string(GFrameStudy) + R"(, "budget": {"study": ")" + Folder.string() + "\", " + Budget + "}");
+	};
+	for (const char* const Budget : {R"("max": 10)", R"("ms": 1000)"})
+	{
+		const FRunOptions Options = WithBudget(Budget);
+		FStudyResult Result = RunStudy(Options);
+		ASSERT_LE(2u, Result.Jobs[0].Variants.size());
+		for (const size_t Index : Result.Jobs[0].Variants)
+		{
+			// Each is a little cheaper than the one before it, within noise.
+			const double Median = 10.0 - 0.1 * static_cast<double>(Index);
+			Result.Variants[Index].Time = {{Median}, Median, Median - 1.0, Median + 1.0};
+		}
+		RankStudy(Result);
+		WriteTextFile((Folder / "study.json").string(), MakeStudyJson(Result));
+		WriteTextFile((Folder / "study_timing.json").string(), MakeStudyTimingJson(Result));
+		std::vector<FDiagnostic> Diagnostics;
+		const FConfig Config = ReadConfig(*Options.ConfigText, Options.ConfigFile, Diagnostics);
+		const std::string Reason = ReadBudgetChoice(Config, Options, Diagnostics)->Reason;
+		for (const size_t Index : Result.Jobs[0].Variants)
+		{
+			const FStudyVariant& Variant = Result.Variants[Index];
+			EXPECT_EQ(Variant.bRecommended, Reason.find(Variant.Label + " (rms ") == 0) << Budget << ": " << Reason;
+		}
+	}
+}
+
 TEST_F(StudyFolder, RunWithoutAStudySaysSoAndKeepsItsValues)
 {
 	FRunOptions Options =
