@@ -154,7 +154,10 @@ public:
 			BloomInputs.HalfResolution = HalfResolution;
 			BloomInputs.SceneDownsampleChain = &SceneDownsampleChain;
 			BloomInputs.EyeAdaptationBuffer = EyeAdaptationBuffer;
-			if (IsLocalExposureAppliedToBloom())
+			// One that runs without an effect (--no-skip) does not bring the setup pass, which ends at 65536.
+			const FFinalPostProcessSettings& Settings = View.FinalPostProcessSettings;
+			if (IsLocalExposureAppliedToBloom() &&
+				(IsLocalExposureEnabled(Settings) || Settings.BloomThreshold > -1.0f))
 			{
 				BloomInputs.LocalExposure = LocalExposure;
 			}

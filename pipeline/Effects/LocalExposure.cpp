@@ -28,9 +28,8 @@ FEffectDecision DecideLocalExposure(const FEffect&, const FEffectInputs& Inputs)
 		Decision.Reason = "ShowFlag.PostProcessing is off";
 		return Decision;
 	}
-	// At 1 the engine has none. To run it all the same changes no bit, unless it alone brings bloom's setup pass, which
-	// ends at 65536 and has a ramp in some versions.
-	const bool bForced = Inputs.Conditions.bNoSkip && bNamed && Inputs.Settings.BloomThreshold > -1.0f;
+	// At 1 the engine has none. To run it all the same changes no bit.
+	const bool bForced = Inputs.Conditions.bNoSkip && bNamed;
 	if (!IsLocalExposureEnabled(Values) && !bForced)
 	{
 		Decision.Reason = "its contrast scales and detail strength are 1" + Inputs.DescribeGate("LocalExposure");

@@ -104,7 +104,8 @@ struct FShaderReflection
 	bool bUsesDiscard = false;
 	bool bGroups = false;        // compute: threads of a group work together, see SpirvGroups.h
 	bool bGroupsInOrder = false; // compute: groups run one after the other
-	bool bQuads = false;         // pixel: 2 x 2 pixels run together, see SpirvQuads.h
+	std::string PartedBarrier; // compute: "X.usf:12" of a barrier that not all threads of a group come to; empty: none
+	bool bQuads = false;       // pixel: 2 x 2 pixels run together, see SpirvQuads.h
 	int32_t StaticSamples =
 		-1; // texture samples and loads per pixel where control flow is uniform and bounded, else -1
 };

@@ -197,6 +197,14 @@ void FRHIComputeCommandList::RunTiles(
 			"the text as shipped",
 			Shader.Edited, 0, 0, "shader class " + Shader.Name});
 	}
+	if (!Shader.GetReflection().PartedBarrier.empty())
+	{
+		Counters.AddRemark({Drydock::ESeverity::Warning, 6022,
+			"not all threads of a group come to the barrier of " + Shader.GetReflection().PartedBarrier +
+				": a branch, a loop or an early return parts them; this is undefined on GPUs, and here the others go "
+				"on",
+			{}, 0, 0, "shader class " + Shader.Name});
+	}
 	Counters.Pixels += Pixels;
 	Counters.Taps += StaticSamples >= 0 ? Pixels * uint64(StaticSamples) : MeasuredTaps.load();
 	Counters.TapCount = std::max(Counters.TapCount, StaticSamples >= 0        ? Drydock::ETapCount::Static

@@ -5,6 +5,7 @@
 #include "Diagnostics.h"
 #include "HlslCompiler.h"
 #include "KernelCompiler.h"
+#include "LintBarriers.h"
 #include "ShaderCache.h"
 #include "ShaderFrontEnd.h"
 #include "ShaderMessages.h"
@@ -200,6 +201,15 @@ auto ExplainSpirvErrors(const FShaderCompileRequest& Request, FWork Work)
 	}
 }
 
+/** For FShaderReflection::PartedBarrier. */
+std::string FindPartedBarrier(const FSpirvModule& Module, const FSpirvStructure& Structure)
+{
+	const std::vector<FDivergentBarrier> Found =
+		FindDivergentBarriers(Module, Structure, AnalyzeUniformity(Module, Structure));
+	return Found.empty() ? std::string()
+						 : Module.Files[Found[0].Barrier->File] + ":" + std::to_string(Found[0].Barrier->Line);
+}
+
 FAnalysedShader Analyse(
 	const std::vector<uint32_t>& Words, const FShaderSource& Source, const FShaderCompileRequest& Request)
 {
@@ -214,6 +224,10 @@ FAnalysedShader Analyse(
 			}
 			Result.Structure = BuildSpirvStructure(Result.Module);
 			Result.Reflection = ReflectSpirv(Result.Module, Result.Structure, Source.Text);
+			if (Result.Reflection.Reflection.bGroups)
+			{
+				Result.Reflection.Reflection.PartedBarrier = FindPartedBarrier(Result.Module, Result.Structure);
+			}
 			return Result;
 		});
 }

@@ -26,7 +26,7 @@ export async function stopBrowser() {
 
 /** Opens a file, calls the test, and fails where the page wrote to the console, threw, or asked for anything else. */
 export async function onPage(file, test, options = {}) {
-	const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, colorScheme: "light", ...options });
+	const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, colorScheme: "light", reducedMotion: "reduce", ...options });
 	const page = await context.newPage();
 	const faults = [];
 	const url = "file://" + file;

@@ -125,7 +125,8 @@ TEST_F(DrydockProgram, EveryVerbsFileIsInTheHelpAndOnThePageOfVerbs)
 			const std::string Above = (*Verb)[1];
 			const std::string Name = (*Verb)[2];
 			EXPECT_TRUE(Contains(Call(Above + "--help").Out, "\n  " + Name + " ")) << File << ": " << Name;
-			EXPECT_TRUE(Contains(Page, "\n| `" + Above + Name + " ")) << File << ": docs/verbs.md has no row of " << Name;
+			EXPECT_TRUE(Contains(Page, "\n| `" + Above + Name + " "))
+				<< File << ": docs/verbs.md has no row of " << Name;
 		}
 	}
 }

@@ -363,3 +363,18 @@ TEST(ShaderGroups, LimitsAreThoseOfDirect3D)
 	EXPECT_EQ("", ErrorOfBody("groupshared float4 S[2048];",
 					  "S[I] = I;\nGroupMemoryBarrierWithGroupSync();\nOut[I] = S[I ^ 1].x;"));
 }
+
+TEST(ShaderGroups, ABarrierThatSomeThreadsMissIsInTheReflection)
+{
+	const auto Reflect = [](const std::string& Body)
+	{
+		const std::string Text =
+			"groupshared uint S[64];\nRWBuffer<uint> Out;\n"
+			"[numthreads(64, 1, 1)] void MainCS(uint I : SV_GroupIndex, uint3 G : SV_GroupID)\n{\n" +
+			Body + "\nS[I] = I;\nGroupMemoryBarrierWithGroupSync();\nOut[I] = S[I ^ 1];\n}\n";
+		return ReflectShader(FShaderHarness(Text, "MainCS", EShaderStage::Compute).Request).PartedBarrier;
+	};
+	EXPECT_EQ("", Reflect(""));
+	EXPECT_EQ("", Reflect("if (G.x == 3) { return; }"));
+	EXPECT_EQ("/Test/Shader.usf:7", Reflect("if (I > 59) { return; }"));
+}
