@@ -10,7 +10,7 @@ namespace Drydock
 
 /** Part of every cache key. Bump it when the tier gives another result for the same text: other code, another layout,
  *  another message of the reflection. */
-constexpr int GShaderTierVersion = 10;
+constexpr int GShaderTierVersion = 11;
 
 /** Lanes 0 becomes the widest; throws FError DD6003 for a lane count that the type or the CPU does not have. */
 DRYDOCK_API FLaneConfig ResolveLanes(FLaneConfig Lanes);

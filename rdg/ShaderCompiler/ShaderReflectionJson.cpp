@@ -93,6 +93,7 @@ void Fields(TArchive A, FShaderReflection& R)
 	A("discard", R.bUsesDiscard);
 	A("groups", R.bGroups);
 	A("groupsInOrder", R.bGroupsInOrder);
+	A("partedBarrier", R.PartedBarrier);
 	A("quads", R.bQuads);
 	A("samples", R.StaticSamples);
 }

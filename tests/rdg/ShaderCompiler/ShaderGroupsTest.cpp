@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "ShaderForms.h"
+#include "ShaderCache.h"
 
 #include <algorithm>
 #include <cmath>
@@ -372,7 +373,10 @@ TEST(ShaderGroups, ABarrierThatSomeThreadsMissIsInTheReflection)
 			"groupshared uint S[64];\nRWBuffer<uint> Out;\n"
 			"[numthreads(64, 1, 1)] void MainCS(uint I : SV_GroupIndex, uint3 G : SV_GroupID)\n{\n" +
 			Body + "\nS[I] = I;\nGroupMemoryBarrierWithGroupSync();\nOut[I] = S[I ^ 1];\n}\n";
-		return ReflectShader(FShaderHarness(Text, "MainCS", EShaderStage::Compute).Request).PartedBarrier;
+		const FShaderReflection Reflection =
+			ReflectShader(FShaderHarness(Text, "MainCS", EShaderStage::Compute).Request);
+		const std::optional<FShaderReflection> FromCache = ReflectionFromJson(ReflectionToJson(Reflection));
+		return FromCache ? FromCache->PartedBarrier : "unreadable";
 	};
 	EXPECT_EQ("", Reflect(""));
 	EXPECT_EQ("", Reflect("if (G.x == 3) { return; }"));
