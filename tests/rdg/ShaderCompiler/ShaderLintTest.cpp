@@ -380,8 +380,9 @@ TEST(ShaderLint, DocIsMadeOfTheTable)
 {
 	std::string Page = R"(# The portability lint
 
-`drydock lint SHADER...` names what of a shader does not compile or run elsewhere: on Direct3D 11, with shader model 6, on
-Vulkan, Metal or phones. What it looks at is the SPIR-V that drydock runs, with the text where the front end lost something.
+`drydock lint SHADER...` reports shader code that will not compile or run on other platforms: Direct3D 11, shader model 6,
+Vulkan, Metal or phones. It analyses the SPIR-V that drydock runs. It also reads the text where the front end lost
+something.
 
 ```sh
 drydock lint /MyPlugin/Private/Tint.usf --platform d3d11    # every permutation of the classes that name the file
@@ -390,28 +391,30 @@ drydock lint configs/toon_bloom.json --json                 # the shaders of a f
 drydock lint --list                                         # the rules
 ```
 
-`FILE:LINE: error: WHAT: SENTENCE: WAY ROUND (PLATFORMS) [RULE]`; the exit code is 1 where an error was found. An error does
-not compile or run there, a warning is so on some of it, or not as it was meant. Limits of drydock's own are no findings:
-`check` names them. Permutations find the same once. A file that no shader class names is looked at by its entry points:
-functions with `[numthreads]`, and those that write `SV_Target`.
+A finding is printed as `FILE:LINE: error: WHAT: SENTENCE: WAY ROUND (PLATFORMS) [RULE]`. The exit code is 1 if an error was
+found. An *error* will not compile or run on that platform. A *warning* fails on some of its devices, or may behave
+differently there. `lint` does not report drydock's own limits; `check` does. A finding shared by several permutations is
+reported once. If no shader class names a file, `lint` checks the file's entry points: functions with `[numthreads]`, and
+functions that write `SV_Target`.
 
-A config's plugins are looked at whole, as `check` looks at them: each global shader class that they register, whether or not a
-pass of the frame uses it, in every permutation that `ShouldCompilePermutation` allows under the config's console variables. A
-pass that `AddPass` makes of a lambda does not tell its shader before it runs, but the class is among them. If a
-class has more than 256 permutations, 256 are looked at, spread over all dimensions; a note (DD6013) names the class and counts the
-rest.
-It also names a pass of a lambda whose plugin registers no shader class. A broken class ends `lint` and `check` with exit code
-2, though the frame may not use it. `lint` prints what it found in the other shaders all the same.
+`lint` checks the plugins of a config as `check` does. It checks each global shader class that they register, whether or not
+a pass of the frame uses it. It checks every permutation that `ShouldCompilePermutation` allows under the config's console
+variables. A pass that `AddPass` makes of a lambda does not name its shader before it runs, but the shader's class is among
+those checked. If a class has more than 256 permutations, `lint` checks 256 of them, spread over all dimensions. A note
+(DD6013) names the class and counts the rest. The note also names a pass of a lambda whose plugin registers no shader class.
+A broken class ends `lint` and `check` with exit code 2, even if the frame does not use it. `lint` still prints its findings
+in the other shaders.
 
-What a shader means to do it says in a comment, on the line of the finding or the one above it; for findings without a line
-anywhere in the file. `drydock lint` of the shaders that drydock ships finds nothing else.
+To suppress a finding that is intended, put a comment on its line or the line above. For a finding without a line, put the
+comment anywhere in the file. `drydock lint` finds nothing else in the shaders that drydock ships.
 
 ```hlsl
 // drydock-lint: allow threads-512: the article's blur has groups of 32 x 32 threads
 ```
 
-The table is that of `rdg/ShaderCompiler/LintRules.cpp`; `DRYDOCK_BLESS=1 build/release/bin/test_rdg_ShaderCompiler
---gtest_filter='ShaderLint.Doc*'` writes the page anew. Each rule is stated by the document that its name leads to.
+The table is made from `rdg/ShaderCompiler/LintRules.cpp`. To write the page anew, run
+`DRYDOCK_BLESS=1 build/release/bin/test_rdg_ShaderCompiler --gtest_filter='ShaderLint.Doc*'`. Each rule is stated by the
+document that its name links to.
 
 | rule | | platforms | what | way round |
 |---|---|---|---|---|
