@@ -155,7 +155,7 @@ FArgumentParser MakeProgram()
 					   (*GetCommit() != '\0' ? std::string(" (commit ") + GetCommit() + ")" : ""),
 			.Footer =
 				"Exit codes: 0 done, 1 a policy failed, 2 usage, config or graph error, 3 a file cannot be read or "
-				"written, 70 a fault of drydock's own, 71 one of a plugin's. `drydock VERB --help` explains a verb.",
+				"written, 70 a fault in drydock, 71 a fault in a plugin. `drydock VERB --help` explains a verb.",
 		},
 		GetVerbs());
 }

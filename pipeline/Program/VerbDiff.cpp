@@ -396,18 +396,18 @@ int Diff(const FDiffOptions& Options, FJUnitSuite& Suite)
 FVerbCall AddDiffOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FDiffOptions>();
-	Verb.Add("A", Options->A, "Image, or folder of a run").Require();
-	Verb.Add("B", Options->B, "What A is measured against: another one of the same kind and size").Require();
-	Verb.Add("--max", Options->Max, "Exit code 1 where a value differs by more than this")
+	Verb.Add("A", Options->A, "First image, or folder of a run").Require();
+	Verb.Add("B", Options->B, "Second image or folder, of the same kind and size").Require();
+	Verb.Add("--max", Options->Max, "Exit with code 1 if a value differs by more than this")
 		.RequireNonNegative()
 		.SetType("M");
 	Verb.Add("--heatmap", Options->HeatMap,
-			"PNG of where the error is, over four decades of it; of two runs a folder, with one of each picture")
+			"Write a PNG that shows the error, over four decades; for two runs a folder with a PNG for each picture")
 		.SetType("FILE");
 	Verb.Add("--out", Options->OutputFolder, "Folder for the page; out/diff by default").SetType("DIR");
-	AddReport(Verb, Options->Report, "diff.html, both pictures over each other and what differs in how they were made");
+	AddReport(Verb, Options->Report, "diff.html, both pictures over each other and the differences in their making");
 	AddJUnit(Verb, Options->JUnit, "a case for each pair of pictures");
-	Verb.AddFlag("--json", Options->bJson, "Print the figures as JSON");
+	Verb.AddFlag("--json", Options->bJson, "Print the error figures as JSON");
 	return [Options]
 	{
 		return CallWithJUnit(Options->JUnit, Options->A + " against " + Options->B,
@@ -419,7 +419,7 @@ const FVerbRegistration GDiffRegistration({
 	.Name = "diff",
 	.Place = 60,
 	.Group = EVerbGroup::Measure,
-	.Doc = "Print how far two images are apart, or two runs picture by picture",
+	.Doc = "Compare two images, or two runs picture by picture",
 	.AddOptions = AddDiffOptions,
 });
 
