@@ -172,7 +172,7 @@ private:
 		if (Item.Index >= 0)
 		{
 			OutProblem = {
-				ErrorTextIndex, Item.Offset, std::string(Field.OverrideName) + " is no array: it has no index"};
+				ErrorTextIndex, Item.Offset, std::string(Field.OverrideName) + " is not an array and has no index"};
 			return false;
 		}
 		if (Value.Kind != EEngineTextKind::Bool && !bDigit)

@@ -276,7 +276,7 @@ bool ReadSettingTextElement(const FSettingField& Field, int Index, const FEngine
 {
 	if (Field.Type != ESettingType::ColorArray)
 	{
-		return Refuse(OutProblem, ErrorTextIndex, Text, std::string(Field.Name) + " is no array: it has no index");
+		return Refuse(OutProblem, ErrorTextIndex, Text, std::string(Field.Name) + " is not an array and has no index");
 	}
 	if (Index >= GetNumTextElements(Field))
 	{

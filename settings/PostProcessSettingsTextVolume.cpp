@@ -213,8 +213,8 @@ std::optional<FVolumeTextBox> ReadBox(
 	}
 	if (!Brush.bBox)
 	{
-		Messages.Warn(
-			WarnTextShape, Actor.Offset, Where + "Brush", "the volume's brush is no box around its pivot: left out");
+		Messages.Warn(WarnTextShape, Actor.Offset, Where + "Brush",
+			"the volume's brush is not a box around its pivot; it is left out");
 	}
 	return Brush.bGiven && Brush.bBox ? std::optional(Box) : std::nullopt;
 }

@@ -75,7 +75,7 @@ public:
 		}
 		if (Axes != nullptr && Axes->Type == EJsonType::Array && Axes->Elements.empty())
 		{
-			Messages.Error(ErrorMissingKey, Value, "\"axes\" is missing: a study varies one thing at least");
+			Messages.Error(ErrorMissingKey, Value, "\"axes\" is missing: a study varies at least one thing");
 		}
 		ReadReference(Value);
 		ReadMetrics(Value);
@@ -162,7 +162,7 @@ private:
 		}
 		else if (At.Type != EJsonType::Number || !(At.Number >= 0.5) || At.Number > 1000.0)
 		{
-			Messages.Error(ErrorBadValue, At, "sigma is a number of pixels, 0.5 to 1000");
+			Messages.Error(ErrorBadValue, At, "sigma must be a number of pixels, 0.5 to 1000");
 		}
 	}
 
@@ -257,8 +257,8 @@ private:
 		if (Label == nullptr || Label->Type != EJsonType::String || Set == nullptr || Set->Type != EJsonType::Object ||
 			Value.Members.size() != 2)
 		{
-			Messages.Error(
-				ErrorWrongType, Value, "a value that sets several things is {\"label\": text, \"set\": {name: value}}");
+			Messages.Error(ErrorWrongType, Value,
+				"a value that sets several things must be {\"label\": text, \"set\": {name: value}}");
 			return {};
 		}
 		return {Label->String, ReadAssignments(*Set)};
@@ -274,7 +274,7 @@ private:
 		}
 		if (Values->Type != EJsonType::Array || Values->Elements.empty())
 		{
-			Messages.Error(ErrorWrongType, *Values, "\"values\" is an array of one value at least");
+			Messages.Error(ErrorWrongType, *Values, "\"values\" must be an array of at least one value");
 			return;
 		}
 		FStudyAxis Axis;
@@ -374,7 +374,8 @@ private:
 		if (Repetitions->Number != std::floor(Repetitions->Number) || Repetitions->Number < 1 ||
 			Repetitions->Number > MaxRepetitions)
 		{
-			Messages.Error(ErrorBadValue, *Repetitions, "repetitions is a whole number, 1 to 1000; 7 make a spread");
+			Messages.Error(ErrorBadValue, *Repetitions,
+				"repetitions must be a whole number, 1 to 1000; 7 are enough for a spread");
 			return;
 		}
 		Study.Repetitions = ToInteger<int>(Repetitions->Number);
@@ -397,7 +398,7 @@ private:
 			if (Number != std::floor(Number) || Number < 0.0 || Number > 65536.0)
 			{
 				Messages.Error(
-					ErrorBadValue, Region->Elements[Index], "a corner of the region is a whole number of pixels");
+					ErrorBadValue, Region->Elements[Index], "a corner of the region must be a whole number of pixels");
 				return;
 			}
 			Corners[Index] = ToInteger<int>(Number);
@@ -405,7 +406,7 @@ private:
 		if (Corners[0] >= Corners[2] || Corners[1] >= Corners[3])
 		{
 			Messages.Error(
-				ErrorBadValue, *Region, "the region is empty: it is [MinX, MinY, MaxX, MaxY] with Max above Min");
+				ErrorBadValue, *Region, "the region is empty: it must be [MinX, MinY, MaxX, MaxY] with Max above Min");
 			return;
 		}
 		Study.Region = Corners;

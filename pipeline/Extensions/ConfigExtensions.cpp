@@ -107,7 +107,7 @@ void ReadParameter(
 				 std::find(Spec.Choices.begin(), Spec.Choices.end(), Value.String) == Spec.Choices.end())
 		{
 			Messages.Error(ErrorUnknownValue, Value,
-				Spec.Name + ": \"" + Value.String + "\" is none of " + JoinText(Spec.Choices) +
+				Spec.Name + ": \"" + Value.String + "\" is not one of " + JoinText(Spec.Choices) +
 					Messages.Suggest(Value.String, Spec.Choices));
 		}
 		else

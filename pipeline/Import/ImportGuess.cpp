@@ -43,7 +43,7 @@ void AddCandidates(const FImportLayers& Layers, size_t Index, FCandidates& Candi
 	}
 	else if (Rule == nullptr)
 	{
-		Plan.LeftOut.push_back({Index, "no channel of a scene goes by such a name"});
+		Plan.LeftOut.push_back({Index, "no channel of a scene has such a name"});
 	}
 	else if (*Rule->Group == '\0')
 	{
@@ -202,7 +202,7 @@ private:
 		{
 			Diagnostics.push_back({.Severity = ESeverity::Warning,
 				.Code = WarnImportAmbiguous,
-				.Message = fmt::format("{} could be {} or {}: the first is taken; --map \"{}={}\" takes the other",
+				.Message = fmt::format("{} could be {} or {}: the first is used; --map \"{}={}\" selects the other",
 					Target.Group, Chosen, Other, Other, Target.Group)});
 		}
 	}

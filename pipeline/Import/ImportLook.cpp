@@ -89,8 +89,8 @@ void LookAtValues(
 				Encoding.Velocity = EImportVelocity::Ndc;
 				Diagnostics.push_back({.Severity = ESeverity::Warning,
 					.Code = WarnImportImplausible,
-					.Message = "velocity is not around 0.5, as Unreal's MotionVectors are: it is taken for screen "
-							   "positions (-2..2, y up); --velocity says otherwise"});
+					.Message = "velocity is not around 0.5, as Unreal's MotionVectors are: it is read as screen "
+							   "positions (-2..2, y up); --velocity overrides this"});
 			}
 			else if (Encoding.Velocity == EImportVelocity::Pixels && bHalf && Row.Origin == EImportOrigin::Plain)
 			{

@@ -63,7 +63,8 @@ void RequirePlugin(const std::string& Folder)
 	std::error_code Error;
 	if (!Files::is_directory(Folder, Error))
 	{
-		Fail(ErrorMatrixFolder, ExitUsage, Folder, "is no folder; expected a plugin's, with its .uplugin");
+		Fail(ErrorMatrixFolder, ExitUsage, Folder,
+			"is not a folder; expected the folder of a plugin, with its .uplugin");
 	}
 	for (Files::recursive_directory_iterator Entry(Folder, Error), End; !Error && Entry != End; Entry.increment(Error))
 	{

@@ -68,7 +68,8 @@ std::vector<FPatchFile> MakePatchFiles(const std::string& Name)
 	}
 	if (Project.empty())
 	{
-		Fail(ErrorFileMissing, ExitFiles, Template, "drydock's own templates are missing: is it installed completely?");
+		Fail(ErrorFileMissing, ExitFiles, Template,
+			"drydock's own templates are missing: is drydock installed completely?");
 	}
 	Project.push_back({"configs/scenes/room.exr", ReadFile(Root / "configs/scenes/moving_camera.0001.exr")});
 	Project.push_back({"configs/schema/drydock.schema.json", MakePublishedSchema()});

@@ -132,7 +132,7 @@ std::string FindPackage()
 	{
 		return DRYDOCK_BINARY_DIR;
 	}
-	Fail(ErrorBuildTools, "", "drydock's CMake package is nowhere: is it installed completely?");
+	Fail(ErrorBuildTools, "", "drydock's CMake package is missing: is drydock installed completely?");
 }
 
 std::string RunTool(const std::vector<std::string>& Arguments, int TimeLimitSeconds, bool& bOutSucceeded)
@@ -370,7 +370,7 @@ FBuiltPlugin BuildPlugin(FPluginBuild Build)
 	std::error_code Error;
 	if (!Files::is_directory(Folder, Error))
 	{
-		Fail(ErrorNoPlugin, Build.Folder, "is no folder; expected a plugin's, with its .uplugin");
+		Fail(ErrorNoPlugin, Build.Folder, "is not a folder; expected the folder of a plugin, with its .uplugin");
 	}
 	Build.Folder = (Folder.has_filename() ? Folder : Folder.parent_path()).string();
 	RequirePlainPath(Build.Folder);

@@ -183,7 +183,7 @@ FVerbOption FVerbOption::RequireOneOf(const std::vector<std::string>& Words) con
 			return std::string();
 		}
 		const std::string Nearest = FindNearestName(Word, Words);
-		return '"' + Word + "\" is none of " + JoinText(Words) +
+		return '"' + Word + "\" is not one of " + JoinText(Words) +
 			   (Nearest.empty() ? "" : "; did you mean " + Nearest + "?");
 	};
 	return FVerbOption(Option->check(Explain)->type_name(JoinText(Words, "|")));

@@ -116,7 +116,7 @@ void FlushOutput()
 	std::clearerr(stdout);
 	// Where it was an earlier writing that failed, one byte more asks for the reason.
 	const bool bKnown = errno != 0 || write(STDOUT_FILENO, "\n", 1) < 0;
-	throw MakeWriteError("standard output", bKnown ? std::generic_category().message(errno) : "some of it is lost");
+	throw MakeWriteError("standard output", bKnown ? std::generic_category().message(errno) : "part of it is lost");
 }
 
 void HoldStandardStreams()

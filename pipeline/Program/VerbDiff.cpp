@@ -267,7 +267,8 @@ FJUnitCase MakeCase(const FPair& Pair, const FDiffOptions& Options)
 	{
 		Case.Outcome = EJUnitOutcome::Failed;
 		Case.Message =
-			bBoth ? fmt::format("differs by {:.6g}, allowed are {:.6g}", Pair.Error.Max, *Options.Max) : Case.Output;
+			bBoth ? fmt::format("differs by {:.6g}, more than the allowed {:.6g}", Pair.Error.Max, *Options.Max)
+				  : Case.Output;
 	}
 	return Case;
 }
@@ -353,7 +354,7 @@ int Diff(const FDiffOptions& Options, FJUnitSuite& Suite)
 	if (bFolderA != bFolderB)
 	{
 		throw MakeError(ErrorImagesDiffer, bFolderA ? Options.B : Options.A,
-			"a folder of a run can be compared with another one only, an image with an image", ExitUsage);
+			"a run's folder can be compared only with a run's folder, an image only with an image", ExitUsage);
 	}
 	std::vector<FPair> Pairs =
 		bFolders ? PairRuns(Options.A, Options.B)

@@ -219,8 +219,7 @@ int RunOrWatch(const FRunVerbOptions& Options)
 	{
 		throw FError(
 			{.Code = ErrorBadArgument,
-				.Message =
-					"is about the frames of a sequence: name them with --frames, or in the config's scene.frames",
+				.Message = "needs the frames of a sequence: name them with --frames, or in the config's scene.frames",
 				.Where = Options.bRestart         ? "--restart"
 						 : !Options.Video.empty() ? "--video"
 												  : "--lead"},

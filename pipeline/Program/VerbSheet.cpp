@@ -93,7 +93,7 @@ int MakeSheet(const FSheetVerbOptions& Options)
 		Sheet.InsetGain = Numbers.size() == 5 ? Numbers[4] : 1.0;
 		if (!(Sheet.InsetGain > 0.0))
 		{
-			throw MakeArgumentError("--inset", "the gain is not above 0");
+			throw MakeArgumentError("--inset", "the gain must be above 0");
 		}
 	}
 	if (Options.Captions.size() > Options.Pictures.size())

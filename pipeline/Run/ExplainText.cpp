@@ -110,7 +110,7 @@ std::vector<std::string> MakePassRow(const FExplainedPass& Pass)
 {
 	return {std::to_string(Pass.Index), Pass.Name,
 		Pass.bExecutes ? fmt::format("{:.2f} ms", Pass.Milliseconds) : "culled",
-		Pass.bExecutes ? "read by " + List(Pass.Readers, "nobody in the graph: it is an output") : Pass.Reason};
+		Pass.bExecutes ? "read by " + List(Pass.Readers, "no pass of the graph: it is an output") : Pass.Reason};
 }
 
 [[noreturn]] void ThrowUnknown(const char* Thing, const std::string& Name, const std::vector<std::string>& Names)
@@ -176,10 +176,10 @@ std::string MakeExplainText(const FExplainReport& Report, bool bColorful, int Wi
 		Decoded += Channel.bDecoded ? (Decoded.empty() ? "" : ", ") + Channel.Name : "";
 	}
 	Text += fmt::format("\npasses   {} run, {} culled{}; {}\n", Report.Cost.NumPasses, NumCulled,
-		NumCulled > 0 ? " (explain --pass NAME says why)" : "", FormatMilliseconds(Report, Report.Cost.Milliseconds));
+		NumCulled > 0 ? " (explain --pass NAME shows why)" : "", FormatMilliseconds(Report, Report.Cost.Milliseconds));
 	if (!Extensions.empty())
 	{
-		Text += "others   passes of no effect, from view extensions or copies: " + Extensions + "\n";
+		Text += "others   passes that belong to no effect (view extensions, copies): " + Extensions + "\n";
 	}
 	Text += fmt::format("memory   {:.1f} MB transient, {:.1f} MB scene textures\n",
 		1e-6 * static_cast<double>(Report.Cost.TransientBytes), 1e-6 * static_cast<double>(Report.Cost.SceneBytes));
@@ -189,8 +189,8 @@ std::string MakeExplainText(const FExplainReport& Report, bool bColorful, int Wi
 	if (!Report.bMeasured && Report.NumUnknown > 0)
 	{
 		Text += Count(Report.NumUnknown, "pass") +
-				" never ran on this machine under these conditions: their time is a guess. A run teaches it; " +
-				"--measure measures.\n";
+				" never ran on this machine under these conditions: their times are guesses. A run or " +
+				"--measure replaces them with measured times.\n";
 	}
 	return Text;
 }
@@ -207,7 +207,7 @@ std::string MakePassText(const FExplainReport& Report, const std::string& Name)
 			continue;
 		}
 		Text += "pass " + std::to_string(Pass.Index) + ", " + Pass.Name + "\n";
-		Text += "  effect   " + (Pass.Effect.empty() ? "none: of a view extension, or a copy" : Pass.Effect) + "\n";
+		Text += "  effect   " + (Pass.Effect.empty() ? "none: a view extension's pass, or a copy" : Pass.Effect) + "\n";
 		Text += "  runs     " +
 				(Pass.bExecutes ? "yes, " + FormatMilliseconds(Report, Pass.Milliseconds) : "no: " + Pass.Reason) +
 				"\n";
@@ -219,7 +219,7 @@ std::string MakePassText(const FExplainReport& Report, const std::string& Name)
 		Text += Pass.MergedInto.empty() ? "" : "  merged   into the render pass of " + Pass.MergedInto + "\n";
 		Text += "  reads    " + List(Pass.Reads, "nothing") + "\n";
 		Text += "  writes   " + List(Pass.Writes, "nothing") + "\n";
-		Text += "  read by  " + List(Pass.Readers, "no pass: an output, or nobody") + "\n";
+		Text += "  read by  " + List(Pass.Readers, "no pass: it is an output, or unused") + "\n";
 	}
 	if (Text.empty())
 	{

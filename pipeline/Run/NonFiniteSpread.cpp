@@ -136,8 +136,8 @@ FDiagnostic DescribeSpread(const FNonFiniteSpread& Spread, const std::vector<FNo
 	if (Spread.Final)
 	{
 		const FNonFiniteFinal& Final = *Spread.Final;
-		Message += fmt::format("; because of the file's, {} of {} pixels of the final picture ({}) are others than "
-							   "with r.Drydock.NonFinite 1, {} ({}) are white and {} not finite",
+		Message += fmt::format("; because of those in the file, {} of {} pixels of the final picture ({}) differ from "
+							   "a run with r.Drydock.NonFinite 1, {} ({}) are white and {} not finite",
 			Final.Changed, Final.NumPixels, FormatShare(Final.Changed, Final.NumPixels), Final.White,
 			FormatShare(Final.White, Final.NumPixels), Final.NotFinite);
 	}

@@ -172,7 +172,7 @@ double WriteNewRunFolder(
 	const Files::path Target = Files::path(Folder).lexically_normal();
 	if (Files::exists(Target))
 	{
-		throw MakeWriteError(Target, "it is there already");
+		throw MakeWriteError(Target, "it already exists");
 	}
 	FAsideFile Aside(Target);
 	MakeFolder(Aside.GetPath());

@@ -205,7 +205,7 @@ std::optional<FSilentPass> FindSilentPass(
 
 std::string DescribeSilentPass(const FSilentPass& Silent)
 {
-	return "it wrote again what it read of " + Silent.Input + ", bit for bit: " + Silent.Because;
+	return "it wrote the same values as it read from " + Silent.Input + ", bit for bit: " + Silent.Because;
 }
 
 } // namespace Drydock

@@ -146,7 +146,7 @@ FError FSceneFile::MakeMissingChannel(const std::string& Channel, const FNeededS
 			Diagnostic.Message +=
 				". Part " + std::to_string(Part + 1) + " of the file" +
 				(Other.Name.empty() ? "" : ", \"" + Other.Name + "\",") +
-				" has it, and a scene is read from the first part: drydock import makes one part of all";
+				" has it, but drydock reads only the first part of a scene: drydock import merges all parts";
 			break;
 		}
 	}

@@ -81,7 +81,7 @@ std::string PipeToEncoder(const std::vector<std::string>& Pictures, double Frame
 	std::error_code Ignored;
 	if (pclose(Pipe) != 0 || !Files::exists(Aside.GetPath(), Ignored))
 	{
-		return "ffmpeg failed; what it said stands above";
+		return "ffmpeg failed; its messages are above";
 	}
 	Aside.PutInPlace();
 	return "";
@@ -93,7 +93,7 @@ std::string MakeVideo(const std::vector<std::string>& Pictures, double FramesPer
 {
 	if (!IsInstalled("ffmpeg"))
 	{
-		return "there is no ffmpeg on the PATH (Debian: apt install ffmpeg); the frames are there";
+		return "ffmpeg is not on the PATH (Debian: apt install ffmpeg); the frames are complete";
 	}
 	try
 	{
