@@ -38,8 +38,7 @@ std::string ExplainUnknown(const char* Kind, const std::string& Name, const std:
 	return std::string("there is no ") + Kind + " " + Name + (Nearest.empty() ? "" : "; did you mean " + Nearest + "?");
 }
 
-/** What is wrong with the arguments, in one sentence with the nearest verb or option where that is what was misspelt.
- */
+/** The mistake in the arguments, in one sentence, with the nearest verb or option for a misspelt one. */
 std::string ExplainMistake(
 	const FProgramModel& Program, const std::vector<std::string>& Arguments, const std::string& Otherwise)
 {
@@ -76,7 +75,7 @@ std::string ExplainMistake(
 	return Otherwise;
 }
 
-/** What help is as wide as: the terminal up to where lines are still read with ease, and 80 where there is none. */
+/** The width of help: the terminal's, up to a limit that keeps lines readable; 80 without a terminal. */
 int GetHelpWidth()
 {
 	constexpr int Otherwise = 80;

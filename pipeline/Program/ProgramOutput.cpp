@@ -114,7 +114,7 @@ void FlushOutput()
 		return;
 	}
 	std::clearerr(stdout);
-	// Where it was an earlier writing that failed, one byte more asks for the reason.
+	// If an earlier write failed, writing one more byte gets the reason.
 	const bool bKnown = errno != 0 || write(STDOUT_FILENO, "\n", 1) < 0;
 	throw MakeWriteError("standard output", bKnown ? std::generic_category().message(errno) : "part of it is lost");
 }

@@ -319,7 +319,7 @@ const FOutputNames& GetDiffOutputNames()
 	return Names;
 }
 
-/** Where nobody asked for the page, what is in its way is said, and the comparison goes on without: false. */
+/** If nobody asked for the page, an obstacle is only reported, and the comparison goes on without a page: false. */
 bool OpenPageFolder(const FDiffOptions& Options, std::optional<FOutputFolder>& Folder)
 {
 	try

@@ -46,7 +46,7 @@ uint8_t GetPlatforms(const FLintOptions& Options)
 	return Platforms != 0 ? Platforms : uint8_t(0xFF);
 }
 
-/** Where a file is mapped only to be looked at. */
+/** The virtual directory of a file that is mapped only for checking. */
 constexpr const char* OwnDirectory = "/Lint";
 
 /** A file as its user named it: by the engine's path where it has one, else by that on disk. */
@@ -70,14 +70,14 @@ std::vector<FDiagnostic> WithShownPaths(std::vector<FDiagnostic> Diagnostics)
 	return Diagnostics;
 }
 
-/** What was found, each once: permutations of one shader find the same. */
+/** The findings, each once: permutations of one shader share findings. */
 struct FFound
 {
 	std::set<FLintFinding> Findings;
 	size_t NumShaders = 0;
 	uint8_t Platforms = 0;
 
-	/** Of: the request's file, where more of its entry points follow. */
+	/** Checks a shader. If more entry points of its file follow, Of is the file's linter. */
 	void Look(const FShaderCompileRequest& Request, FFileLinter* Of = nullptr)
 	{
 		++NumShaders;

@@ -114,7 +114,7 @@ std::string GetListTypes()
 	return JoinText(GetLists(), "|");
 }
 
-/** Of all but settings and variables. */
+/** The table of every kind of list but settings and variables. */
 FListTable MakeListTable(const FListOptions& Options)
 {
 	if (Options.Things == "passes")
@@ -250,7 +250,7 @@ int PrintList(const FListOptions& Options)
 		std::vector<std::string> Names;
 		for (const std::vector<std::string>& Row : Table.Rows)
 		{
-			// Of a pass without its size: so it can be named on the command line.
+			// A pass is listed without its size, because that is its name on the command line.
 			Names.push_back(Options.Things == "passes" ? GetShortPassName(Row[0]) : Row[0]);
 		}
 		PrintNames(Names);

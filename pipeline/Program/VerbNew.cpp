@@ -60,7 +60,7 @@ std::string FindPrefix()
 	return Share.empty() ? std::string() : Files::path(Share).parent_path().parent_path().parent_path().string();
 }
 
-/** What to type next. */
+/** The commands to type next. */
 std::vector<std::string> GetCommands(const std::string& Folder, const std::string& Name)
 {
 	const std::string Prefix = FindPrefix();

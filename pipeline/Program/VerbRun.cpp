@@ -45,7 +45,7 @@ double GetStartMilliseconds()
 	return 1000.0 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/** Where the picture has NaN or infinity of the passes' own making, the messages name the line that made it. */
+/** If the passes themselves made NaN or infinity in the picture, the messages name the line that made it. */
 FRunResult RunToFirstCause(FRunSession& Session, const FRunOptions& Options)
 {
 	if (GetDispatchObserver())
@@ -138,7 +138,7 @@ void AddPlugin(const std::string& Path, FWatchedFiles& Files)
 	}
 }
 
-/** What a run of the config reads: itself, its scene, its plugins, and every shader file there is. */
+/** The files that a run reads: the config, its scene, its plugins, and every shader file. */
 FWatchedFiles GetWatchedFiles(const FRunVerbOptions& Options)
 {
 	FWatchedFiles Files;

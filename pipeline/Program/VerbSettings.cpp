@@ -119,7 +119,7 @@ std::vector<FVolumeText> CollectVolumes(
 	return Volumes;
 }
 
-/** What volumes and camera override at a place, with the values that render: one unbound volume. */
+/** The settings that volumes and camera override at a location, with their blended values, as one unbound volume. */
 std::vector<FVolumeText> BlendVolume(const FSettingsExportOptions& Options)
 {
 	FRunOptions RunOptions = Options.Run;
@@ -132,7 +132,7 @@ std::vector<FVolumeText> BlendVolume(const FSettingsExportOptions& Options)
 	Volume.Settings.Settings = Setup.Settings.Settings;
 	for (const FSettingField& Field : GetSettingFields())
 	{
-		// What nobody overrides is the project's: r.DefaultFeature and the like hold there too.
+		// A setting that nobody overrides is the project's: r.DefaultFeature and similar variables hold there too.
 		if (!Field.IsOverridden(Volume.Settings.Settings))
 		{
 			Field.Set(Volume.Settings.Settings, Field.Default);
