@@ -178,7 +178,7 @@ std::string FindFault(const FAddedSetting& Setting)
 	}
 	if (!(Setting.Min <= Setting.Max))
 	{
-		return "its range is empty: the least value is above the greatest, or one of them is no number";
+		return "its range is empty: the least value is above the greatest, or one of them is not a number";
 	}
 	for (int32 Index = 0; Index < CountComponents(Setting.Type); ++Index)
 	{

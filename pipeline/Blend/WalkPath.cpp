@@ -128,7 +128,7 @@ std::vector<FPathPoint> ReadScenePath(const FConfig& Config)
 {
 	if (Config.Scene.Sequence.empty())
 	{
-		ThrowNoScenePath(Config, "", "the scene is no sequence of frames: its file's name has no ####");
+		ThrowNoScenePath(Config, "", "the scene is not a sequence of frames: its file's name has no ####");
 	}
 	const std::vector<FSequenceFrame> Frames = FindSequenceFrames(Config.Resolve(Config.Scene.Sequence));
 	if (Frames.size() < 2)

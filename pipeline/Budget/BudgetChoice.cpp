@@ -100,7 +100,7 @@ std::vector<FCandidate> ReadCandidates(const FJsonValue& Study, const FJsonValue
 
 FBudgetChoice KeepOwn(const std::string& Why, const FConfig& Config, std::vector<FDiagnostic>& Diagnostics)
 {
-	const std::string Message = Why + "; the config's own values hold";
+	const std::string Message = Why + "; the config's own values are used";
 	Diagnostics.push_back({.Severity = ESeverity::Note,
 		.Code = NoteBudgetWithoutChoice,
 		.Message = Message,

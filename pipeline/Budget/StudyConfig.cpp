@@ -216,8 +216,8 @@ private:
 		{
 			Messages.Error(ErrorUnknownValue, At,
 				"\"" + Name + "\" is " +
-					(Study.bBlur ? "nothing that a study of blurs varies: " + JoinText(GBlurNames)
-								 : "no setting, no console variable, and neither precision nor storage") +
+					(Study.bBlur ? "not an axis of a study of blurs; there are " + JoinText(GBlurNames)
+								 : "not a setting, a console variable, precision or storage") +
 					Messages.Suggest(Name, Names));
 		}
 		return bKnown;
@@ -338,8 +338,9 @@ private:
 		else if (Reference->Type != EJsonType::String || Reference->String != Study.ReferenceName)
 		{
 			Messages.Error(ErrorUnknownValue, *Reference,
-				Study.bBlur ? "the reference of a study of blurs is \"exact\""
-							: "the reference of a study of frames is \"double\", or an object of what differs from it");
+				Study.bBlur
+					? "the reference of a study of blurs must be \"exact\""
+					: "the reference of a study of frames must be \"double\", or an object of what differs from it");
 		}
 	}
 

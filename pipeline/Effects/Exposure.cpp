@@ -41,7 +41,7 @@ std::string DescribeMask(const FFinalPostProcessSettings& Settings)
 {
 	const UTexture* const Mask = Settings.AutoExposureMeterMask;
 	const bool bMissing = Mask != nullptr && !FindTexturePixels(Mask);
-	return bMissing ? "; AutoExposureMeterMask is no image file and has no pixels here" : "";
+	return bMissing ? "; AutoExposureMeterMask is not an image file and has no pixels here" : "";
 }
 
 std::string DescribeExposureMethod(const FFinalPostProcessSettings& Settings)

@@ -168,7 +168,7 @@ bool CheckHook(const FConfig& Config, const FJsonValue& Value, const std::string
 	if (std::find(Allowed.begin(), Allowed.end(), Hook) == Allowed.end())
 	{
 		Messages.Error(ErrorUnknownValue, Value,
-			"\"" + Hook + "\" is no hook of " + Type + ": " + JoinText(Allowed) + Messages.Suggest(Hook, Allowed));
+			"\"" + Hook + "\" is not a hook of " + Type + ": " + JoinText(Allowed) + Messages.Suggest(Hook, Allowed));
 		return false;
 	}
 	const auto Pass = FindPassByName(Hook);

@@ -160,11 +160,11 @@ std::string ExplainBadPatchName(const std::string& Name, const std::set<std::str
 {
 	if (Name.empty() || !IsNameStart(Name.front()) || !std::all_of(Name.begin(), Name.end(), IsNamePart))
 	{
-		return "C++ classes bear it, so it must begin with a letter and consist of letters, digits and _";
+		return "C++ classes have this name, so it must begin with a letter and consist of letters, digits and _";
 	}
 	if (Name.find("__") != std::string::npos)
 	{
-		return "C++ keeps names with __ for itself";
+		return "C++ reserves names with __";
 	}
 	if (Name.size() > LongestName)
 	{

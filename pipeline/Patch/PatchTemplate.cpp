@@ -29,7 +29,7 @@ const std::string TemplateName = "MyPatch";
 
 std::string ReadFile(const Files::path& Path)
 {
-	return ReadTextFile(Path, "drydock's own file cannot be opened: is it installed completely?");
+	return ReadTextFile(Path, "drydock's own file cannot be opened: is drydock installed completely?");
 }
 
 } // namespace

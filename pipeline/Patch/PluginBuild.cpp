@@ -183,7 +183,7 @@ std::string TakeErrors(const std::string& Output, const std::string& LogFile)
 	}
 	const std::string More =
 		Count > MostErrorLines ? "\n  and " + std::to_string(Count - MostErrorLines) + " more" : std::string();
-	return Errors + More + AdviseOnMissingNames(Said) + "\n  all of it: " + LogFile;
+	return Errors + More + AdviseOnMissingNames(Said) + "\n  full log: " + LogFile;
 }
 
 /** CMake's own message, without its decoration. */
@@ -208,7 +208,7 @@ std::string TakeRefusal(const std::string& Output, const std::string& LogFile)
 			Text += (Text.empty() ? "" : " ") + Line.substr(Start);
 		}
 	}
-	return (Text.empty() ? "cmake failed" : Text) + "\n  all of it: " + LogFile;
+	return (Text.empty() ? "cmake failed" : Text) + "\n  full log: " + LogFile;
 }
 
 struct FAttempt

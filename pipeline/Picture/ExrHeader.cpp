@@ -169,7 +169,7 @@ bool ReadPart(FHeaderBytes& Bytes, FPart& Part)
 		ReadAttribute(Bytes, Name, Part);
 		if (!bFits || Bytes.GetPosition() > End || (Type == "chlist" && Bytes.GetPosition() != End))
 		{
-			Bytes.Fail("is corrupt: its attribute \"" + Name + "\" is of another size than it says");
+			Bytes.Fail("is corrupt: its attribute \"" + Name + "\" has another size than it states");
 		}
 		Bytes.SkipTo(End);
 	}

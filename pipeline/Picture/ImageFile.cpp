@@ -82,7 +82,7 @@ void CheckImagePart(const std::string& Path, const FImagePart& Part)
 	if (Part.Width > MaxImageSide || Part.Height > MaxImageSide || int64_t(Part.Width) * Part.Height > MaxImagePixels)
 	{
 		throw MakeImageError(ErrorImageTooLarge, Path,
-			fmt::format("the image file says {} x {} pixels; the largest frame is {} a side and {} in all", Part.Width,
+			fmt::format("the image file has {} x {} pixels; the largest frame is {} a side and {} in all", Part.Width,
 				Part.Height, MaxImageSide, MaxImagePixels));
 	}
 }
