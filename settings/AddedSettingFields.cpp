@@ -165,7 +165,7 @@ FSettingField MakeAddedField(uint32 Id, const FOwnedTexts& Texts)
 	};
 }
 
-/** What is wrong with the setting by itself; empty: nothing. */
+/** The mistake in the setting itself; empty if there is none. */
 std::string FindFault(const FAddedSetting& Setting)
 {
 	const std::string& Name = Setting.Name;

@@ -224,7 +224,7 @@ std::string WriteObject(const FSettingField& Field, const UObject* Object)
 									 GetObjectPath(Object) + "'");
 }
 
-/** What a float or double field holds after reading the text. */
+/** Stores the value that a float or double field holds after reading the text. */
 bool StoreFinite(const FSettingField& Field, const FSettingValue& Value, FSettingValue& OutValue)
 {
 	FPostProcessSettings Scratch;

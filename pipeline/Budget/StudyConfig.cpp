@@ -28,7 +28,7 @@ const std::vector<std::string> GResolutions = {"100", "50", "25", "12.5"};
 const std::vector<std::string> GPrecisions = {"float", "double"};
 const std::vector<std::string> GFrameStorages = {"native", "float32", "float64"};
 
-/** False: it is no number, text or truth, which is reported. */
+/** False if the value is not a number, a string, true or false, which is reported. */
 bool ReadValueText(const FJsonValue& Value, std::string& OutText, FConfigMessages& Messages)
 {
 	switch (Value.Type)

@@ -52,7 +52,7 @@ const char* DescribeType(const IConsoleVariable& Variable)
 	return Variable.IsVariableBool() ? "true or false" : Variable.IsVariableInt() ? "a whole number" : "a number";
 }
 
-/** What is to be set, run or printed; reports what cannot be. */
+/** Adds the input to the variables to set, run or print; reports mistakes. */
 void AddConsoleInput(FConfig& Config, const std::string& Input, FConfigMessages& Messages)
 {
 	FString Name;

@@ -49,7 +49,7 @@ bool ReadConfigRotator(const FJsonValue& Value, FConfigVector& OutRotator)
 namespace
 {
 
-/** What each shape must have; box: these, or min and max. */
+/** The required keys of each shape; a box may have min and max instead. */
 const std::map<std::string, std::vector<std::string>>& GetRequiredKeys()
 {
 	static const std::map<std::string, std::vector<std::string>> Keys = {

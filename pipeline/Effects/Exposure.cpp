@@ -36,7 +36,7 @@ std::string GetObstacle(const FViewConditions& Conditions)
 	return IsEyeAdaptationAllowed() ? "" : "r.EyeAdaptationQuality is 0";
 }
 
-/** What a mask that is asked for does not do, or nothing. */
+/** The reason why a requested mask has no effect, or nothing. */
 std::string DescribeMask(const FFinalPostProcessSettings& Settings)
 {
 	const UTexture* const Mask = Settings.AutoExposureMeterMask;

@@ -199,7 +199,7 @@ std::vector<std::string> GetInsertionHooks()
 	return Hooks;
 }
 
-/** What a pass is called of which the type is missing. */
+/** The name of a pass without a type. */
 const std::string NamelessPass = "pass";
 
 /** Names of the results of passes: those that stand before a pass in the config. */

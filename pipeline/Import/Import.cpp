@@ -111,7 +111,7 @@ std::vector<FImportJob> FindJobs(const FImportOptions& Options)
 	return Jobs;
 }
 
-/** What the first frame decides for all. */
+/** The decisions that the first frame makes for all frames. */
 struct FDecided
 {
 	FImportLayers Layers;

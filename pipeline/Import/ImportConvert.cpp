@@ -15,7 +15,7 @@ namespace
 {
 
 constexpr float ToonId = 8.0f;       // cloth, which marks toon shading
-constexpr float DefaultLitId = 1.0f; // where nothing else is said
+constexpr float DefaultLitId = 1.0f; // the default
 
 class FConversion
 {

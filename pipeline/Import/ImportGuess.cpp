@@ -25,7 +25,7 @@ struct FCandidate
 
 using FCandidates = std::map<std::string, std::vector<FCandidate>>; // by group
 
-/** Of a view layer or a camera: "ViewLayer" of "ViewLayer.Depth". */
+/** The view layer or camera of a name: "ViewLayer" of "ViewLayer.Depth". */
 std::string GetScope(const std::string& Name)
 {
 	const size_t Dot = Name.rfind('.');
@@ -197,7 +197,7 @@ private:
 		const std::string& Other = Layers.Layers[Candidate.Layer].Label;
 		const std::string& Chosen = GetLayer(Row).Label;
 		Plan.LeftOut.push_back({Candidate.Layer, fmt::format("{} is taken from {}", Target.Group, Chosen)});
-		// What --map asks for is no guess, and what ranks lower is no doubt.
+		// A layer that --map names is not a guess, and a layer of lower rank is not in doubt.
 		if (Taken != nullptr && Taken->Rank == Candidate.Rank)
 		{
 			Diagnostics.push_back({.Severity = ESeverity::Warning,

@@ -1,4 +1,4 @@
-// What only the numbers of a layer can tell of its encoding.
+// Finds the encoding of a layer from its values.
 #include "Import/ImportConvert.h"
 #include "Import/ImportErrors.h"
 

@@ -79,7 +79,7 @@ bool IsApiMacro(const std::string& Name)
 	return Name.size() > 4 && Name.compare(Name.size() - 4, 4, "_API") == 0;
 }
 
-/** What one line declares, or nothing. */
+/** The name that one line declares, or nothing. */
 std::string FindDeclaredName(std::string Line)
 {
 	if (Line.rfind("#define", 0) == 0)
@@ -107,7 +107,7 @@ std::string FindDeclaredName(std::string Line)
 	return bAlias && Line.rfind(" =", 0) != 0 ? std::string() : Name;
 }
 
-/** Where the headers lie: those of the storeys that bear the engine's names. */
+/** The folders of the headers that use the engine's names. */
 std::vector<Files::path> FindHeaderFolders()
 {
 	const std::string Installed = FindInstalled("include/drydock");

@@ -72,7 +72,7 @@ std::unique_ptr<IImageReader> OpenImage(const std::string& Path)
 	}
 }
 
-/** What is behind a part's header is as large as it says. */
+/** Checks that the data after a part's header have the size that the header states. */
 void CheckImagePart(const std::string& Path, const FImagePart& Part)
 {
 	if (Part.Width < 1 || Part.Height < 1 || Part.Channels.empty())

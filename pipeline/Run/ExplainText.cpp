@@ -1,4 +1,4 @@
-// What `drydock explain` prints.
+// The text that `drydock explain` prints.
 #include "Run/Explain.h"
 #include "Text/ConfigErrors.h"
 #include "Text/Fmt.inl"
@@ -27,7 +27,7 @@ std::string FormatMilliseconds(const FExplainReport& Report, double Milliseconds
 	return fmt::format("{}{:.1f} ms", Report.bMeasured ? "" : "about ", Milliseconds);
 }
 
-/** Of an effect or a plugin. */
+/** The row of an effect or a plugin. */
 template<typename TRow>
 std::vector<std::string> MakeRow(const std::string& Name, bool bRuns, const TRow& Row, const std::string& Why)
 {
@@ -36,7 +36,7 @@ std::vector<std::string> MakeRow(const std::string& Name, bool bRuns, const TRow
 		bAny ? fmt::format("{:.2f}", Row.Milliseconds) : "-", bAny ? fmt::format("{:.1f}", Row.Megabytes) : "-", Why};
 }
 
-/** What runs and why; what does not run is dim. */
+/** The effects with their reasons; effects that do not run are dim. */
 FTextTable MakeEffectTable(const FExplainReport& Report, bool bColorful)
 {
 	constexpr ETextColumn Number = ETextColumn::Number;
@@ -78,7 +78,7 @@ std::string FormatSavedTime(const FExplainReport& Report)
 		Report.Saved->Most, Report.Saved->NumPairs);
 }
 
-/** What is counted comes first: it is the same in every run. */
+/** Counts come first, because they are the same in every run. */
 std::string FormatSaved(const FExplainReport& Report)
 {
 	const FExplainedCost& With = Report.Cost;

@@ -48,7 +48,7 @@ std::string FormatShare(uint64_t Pixels, uint64_t NumPixels)
 	return fmt::format("{:.3g} %", 100.0 * static_cast<double>(Pixels) / static_cast<double>(NumPixels));
 }
 
-/** Of one pixel, alpha last. */
+/** Checks one pixel; alpha is last. */
 bool IsWhite(const float* Pixel)
 {
 	return std::all_of(Pixel, Pixel + 3, [](float Value) { return Value >= 1.0f; });

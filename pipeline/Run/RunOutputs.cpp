@@ -88,7 +88,7 @@ void AddDumps(const FRunResult& Result, const Files::path& Folder, EOutputKind K
 	}
 }
 
-/** All but timing.json. What takes longest goes first, side by side with the rest. */
+/** All but timing.json. The slowest file goes first, in parallel with the rest. */
 void WriteFiles(const FRunResult& Result, const Files::path& Folder)
 {
 	FJobs Jobs;

@@ -143,8 +143,8 @@ bool IsError(const FDiagnostic& Diagnostic)
 	return Diagnostic.Severity == ESeverity::Error;
 }
 
-/** Throws all that was found, in the order of the config; what two steps found is said once. Exit code 3 where files
- * are all that is wrong, else 2. */
+/** Throws all mistakes, in the order of the config; a mistake that two steps found is reported once. Exit code 3 if
+ * only files are wrong, else 2. */
 void ThrowErrors(const FConfig& Config, std::vector<FDiagnostic> Diagnostics)
 {
 	if (!HasErrors(Diagnostics))
@@ -167,7 +167,7 @@ void ThrowErrors(const FConfig& Config, std::vector<FDiagnostic> Diagnostics)
 	throw FError(Diagnostics, bFilesOnly ? ExitFiles : ExitUsage);
 }
 
-/** What is unknown may be a plugin's that could not be loaded. */
+/** An unknown name may belong to a plugin that could not be loaded. */
 void MentionPlugins(std::vector<FDiagnostic>& Diagnostics)
 {
 	for (FDiagnostic& Diagnostic : Diagnostics)

@@ -272,7 +272,7 @@ std::map<std::string, FChannelValues> FSceneFile::ReadChannels(const std::vector
 	return Values;
 }
 
-/** What is not filled yet; counts as filled from now on, and its channels as decoded. */
+/** The textures that are not filled yet. They count as filled from now on, and their channels as decoded. */
 std::vector<FSceneFile::FFill> FSceneFile::PlanFills(const std::vector<FNeededSceneTexture>& Needed)
 {
 	std::vector<FFill> Fills;

@@ -45,7 +45,7 @@ std::string Quote(const std::string& Text)
 	return Quoted + "'";
 }
 
-/** A program that goes away early is no reason to go away too. */
+/** Keeps drydock running when the encoder ends early. */
 class FBrokenPipesIgnored
 {
 public:
@@ -59,7 +59,7 @@ private:
 	void (*Before)(int);
 };
 
-/** What went wrong, or nothing. Throws FError where the file cannot be written. */
+/** Returns the problem, or nothing. Throws FError if the file cannot be written. */
 std::string PipeToEncoder(const std::vector<std::string>& Pictures, double FramesPerSecond, const std::string& File)
 {
 	FAsideFile Aside{Files::path(File)};
