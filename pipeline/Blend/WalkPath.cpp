@@ -142,7 +142,7 @@ std::vector<FPathPoint> ReadScenePath(const FConfig& Config)
 		const std::optional<FConfigVector> Location = ReadSuggestedLocation(File.GetAttribute("drydock:camera_json"));
 		if (!Location)
 		{
-			ThrowNoScenePath(Config, Frame.Path, "the frame does not say where its camera is (drydock:camera_json)");
+			ThrowNoScenePath(Config, Frame.Path, "the frame has no camera (drydock:camera_json)");
 		}
 		Points.push_back({ToLocation(*Location), std::to_string(Frame.Number)});
 	}

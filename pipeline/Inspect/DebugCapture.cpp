@@ -143,8 +143,8 @@ std::vector<FDiagnostic> FDebugCapture::GetDiagnostics() const
 	if (Passes.empty() && Problems.empty())
 	{
 		throw FError({.Code = ErrorBadArgument,
-						 .Message = "no pass of this run draws that pixel with a shader that fits '" + Request.Passes +
-									"'. There are: " + JoinNames(Others),
+						 .Message = "no pass of this run draws that pixel with a shader that matches '" +
+									Request.Passes + "'. There are: " + JoinNames(Others),
 						 .Where = "--debug-shaders"},
 			ExitUsage);
 	}

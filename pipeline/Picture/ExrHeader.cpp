@@ -224,7 +224,7 @@ void CheckExrHeader(FHeaderBytes& Bytes)
 	Bytes.SkipTo(0);
 	if (Bytes.Read<uint32_t>() != Magic)
 	{
-		Bytes.Fail("cannot be read: it is no OpenEXR file");
+		Bytes.Fail("cannot be read: it is not an OpenEXR file");
 	}
 	const bool bMultiPart = (Bytes.Read<uint32_t>() & MultiPartFlag) != 0;
 	std::vector<FPart> Parts;

@@ -70,7 +70,7 @@ std::vector<FProbePass> ProbeRun(const FRunOptions& Run, FProbeRequest Request)
 	if (Capture.GetPasses().empty())
 	{
 		throw FError({.Code = ErrorBadArgument,
-						 .Message = "no pass of this run that a shader draws fits '" + Request.Passes + "'",
+						 .Message = "no pass of this run that a shader draws matches '" + Request.Passes + "'",
 						 .Where = "--passes"},
 			ExitUsage);
 	}

@@ -286,7 +286,7 @@ TEST_F(DebuggedRun, WhatIsNotThereIsSaid)
 	EXPECT_THAT(Word.Printed, HasSubstr("'4,x' is not a pixel"));
 	const FOutcome Pass = Folder.Call(Run("--debug-shaders 4,3 --passes Tonemop"));
 	EXPECT_EQ(2, Pass.ExitCode);
-	EXPECT_THAT(Pass.Printed, HasSubstr("no pass of this run draws that pixel with a shader that fits 'Tonemop'"));
+	EXPECT_THAT(Pass.Printed, HasSubstr("no pass of this run draws that pixel with a shader that matches 'Tonemop'"));
 	EXPECT_THAT(Pass.Printed, HasSubstr("PlantedFaults"));
 }
 
