@@ -103,7 +103,7 @@ std::string MakeOverview()
 		Group = Verb.Group;
 		Text += "  " + Name + std::string(NameColumns - std::min(NameColumns, Name.size()), ' ') + Verb.Doc + "\n";
 	}
-	return Text + "\n`drydock VERB --help` explains a verb, `man drydock` all of them.\n";
+	return Text + "\n`drydock VERB --help` describes a verb, `man drydock` describes all.\n";
 }
 
 void PrintMessages(const std::vector<FDiagnostic>& Diagnostics)
@@ -154,7 +154,7 @@ FArgumentParser MakeProgram()
 					   (*GetCommit() != '\0' ? std::string(" (commit ") + GetCommit() + ")" : ""),
 			.Footer =
 				"Exit codes: 0 done, 1 a policy failed, 2 usage, config or graph error, 3 a file cannot be read or "
-				"written, 70 a fault in drydock, 71 a fault in a plugin. `drydock VERB --help` explains a verb.",
+				"written, 70 a fault in drydock, 71 a fault in a plugin. `drydock VERB --help` describes a verb.",
 		},
 		GetVerbs());
 }
