@@ -165,7 +165,7 @@ FSettingField MakeAddedField(uint32 Id, const FOwnedTexts& Texts)
 	};
 }
 
-/** What is wrong with the setting by itself; empty: nothing. */
+/** The mistake in the setting itself; empty if there is none. */
 std::string FindFault(const FAddedSetting& Setting)
 {
 	const std::string& Name = Setting.Name;
@@ -178,7 +178,7 @@ std::string FindFault(const FAddedSetting& Setting)
 	}
 	if (!(Setting.Min <= Setting.Max))
 	{
-		return "its range is empty: the least value is above the greatest, or one of them is no number";
+		return "its range is empty: the least value is above the greatest, or one of them is not a number";
 	}
 	for (int32 Index = 0; Index < CountComponents(Setting.Type); ++Index)
 	{

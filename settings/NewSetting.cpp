@@ -158,7 +158,7 @@ std::optional<FNewSetting> MakeNewSetting(
 	const std::vector<std::string>& Types = GetNewSettingTypes();
 	if (!IsEngineTextName(Name))
 	{
-		OutError = "\"" + Name + "\" is no name: letters, digits and underscores, no digit first";
+		OutError = "\"" + Name + "\" is not a name: use letters, digits and underscores, and no digit first";
 		return std::nullopt;
 	}
 	if (std::find(Types.begin(), Types.end(), Setting.Type) == Types.end())
@@ -174,7 +174,7 @@ std::optional<FNewSetting> MakeNewSetting(
 	Model.Default = FSettingValue{Model.Type};
 	if (!Default.empty() && !SettingFromText(Model, Default, Model.Default, OutError))
 	{
-		OutError = "the default " + Default + " is no " + Type + ": " + OutError;
+		OutError = "the default " + Default + " is not of type " + Type + ": " + OutError;
 		return std::nullopt;
 	}
 	Setting.Default = FormatDefault(Model, Setting.Type);

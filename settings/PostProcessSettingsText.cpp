@@ -17,7 +17,7 @@ namespace Drydock
 namespace
 {
 
-/** What a name of the text stands for, in any case. */
+/** The meaning of a name of the text, in any letter case. */
 struct FTextName
 {
 	const FSettingField* Field = nullptr;
@@ -85,7 +85,7 @@ bool IsNearly(const std::string& A, const std::string& B)
 	return std::max(A.size(), B.size()) - Prefix - Suffix <= 2;
 }
 
-/** Cheaper than FindNearestName and stricter: names of other engine versions are no mistakes. */
+/** Cheaper than FindNearestName and stricter: names of other engine versions are not mistakes. */
 std::string FindNearlySameName(const std::string& Name)
 {
 	const std::vector<FSettingField>& Fields = GetSettingFields();
@@ -172,7 +172,7 @@ private:
 		if (Item.Index >= 0)
 		{
 			OutProblem = {
-				ErrorTextIndex, Item.Offset, std::string(Field.OverrideName) + " is no array: it has no index"};
+				ErrorTextIndex, Item.Offset, std::string(Field.OverrideName) + " is not an array and has no index"};
 			return false;
 		}
 		if (Value.Kind != EEngineTextKind::Bool && !bDigit)
@@ -214,7 +214,7 @@ private:
 		return true;
 	}
 
-	/** What values and override bits have to say about each other, and what is unknown. */
+	/** Reports conflicts between values and override bits, and unknown names. */
 	void ReportPairs()
 	{
 		FSettingNameList Inert;

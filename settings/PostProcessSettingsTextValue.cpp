@@ -224,7 +224,7 @@ std::string WriteObject(const FSettingField& Field, const UObject* Object)
 									 GetObjectPath(Object) + "'");
 }
 
-/** What a float or double field holds after reading the text. */
+/** Stores the value that a float or double field holds after reading the text. */
 bool StoreFinite(const FSettingField& Field, const FSettingValue& Value, FSettingValue& OutValue)
 {
 	FPostProcessSettings Scratch;
@@ -276,7 +276,7 @@ bool ReadSettingTextElement(const FSettingField& Field, int Index, const FEngine
 {
 	if (Field.Type != ESettingType::ColorArray)
 	{
-		return Refuse(OutProblem, ErrorTextIndex, Text, std::string(Field.Name) + " is no array: it has no index");
+		return Refuse(OutProblem, ErrorTextIndex, Text, std::string(Field.Name) + " is not an array and has no index");
 	}
 	if (Index >= GetNumTextElements(Field))
 	{

@@ -173,7 +173,7 @@ void ReadBuilder(
 	}
 }
 
-/** Where an actor's brush is; empty with a warning when it is no box, without one when the text does not say. */
+/** The box of an actor's brush; empty with a warning if it is not a box, without a warning if the text has no brush. */
 std::optional<FVolumeTextBox> ReadBox(
 	const FEngineTextBlock& Actor, const std::string& Where, FSettingsTextMessages& Messages)
 {
@@ -213,8 +213,8 @@ std::optional<FVolumeTextBox> ReadBox(
 	}
 	if (!Brush.bBox)
 	{
-		Messages.Warn(
-			WarnTextShape, Actor.Offset, Where + "Brush", "the volume's brush is no box around its pivot: left out");
+		Messages.Warn(WarnTextShape, Actor.Offset, Where + "Brush",
+			"the volume's brush is not a box around its pivot; it is left out");
 	}
 	return Brush.bGiven && Brush.bBox ? std::optional(Box) : std::nullopt;
 }

@@ -17,7 +17,7 @@ FPassFactory MakeFactory(EUnityBloomPass Pass, const char* Doc, std::vector<FPar
 	Factory.Inputs = {{"Input", PictureResource, "The picture."}};
 	if (Pass == EUnityBloomPass::Composite)
 	{
-		Factory.Inputs.push_back({"Bloom", "", "What is added, of any size; stretched over the input."});
+		Factory.Inputs.push_back({"Bloom", "", "Picture to add, of any size; stretched over the input."});
 	}
 	Factory.Parameters = std::move(Parameters);
 	Factory.Add = [Pass, Read](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FPassArguments& Arguments)

@@ -177,7 +177,7 @@ const FPassFactoryRegistration GGaussianBlur({
 			FParameterSpec::Number("KernelSizePercent", 4.0, 0.0, 100.0,
 				"Diameter of the kernel in percent of the image's width; at most 63 texels."),
 			FParameterSpec::Color("Tint", FLinearColor(1.0f, 1.0f, 1.0f, 1.0f), "Multiplies the result, alpha too."),
-			FParameterSpec::Bool("Mirror", true, "What lies outside: the image's mirror, or black."),
+			FParameterSpec::Bool("Mirror", true, "Texels outside: the image's mirror, or black."),
 		},
 	.Add =
 		[](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FPassArguments& Arguments)

@@ -10,8 +10,7 @@ namespace Drydock
 /** "ExposureScale": above 0, 1 by default. */
 inline FParameterSpec MakeExposureScaleSpec()
 {
-	return FParameterSpec::Number(
-		"ExposureScale", 1.0, 1e-9, 1e9, "What scene colour is multiplied by to be display-referred.");
+	return FParameterSpec::Number("ExposureScale", 1.0, 1e-9, 1e9, "Factor that makes scene colour display-referred.");
 }
 
 /** Holds the "ExposureScale" of Values. */

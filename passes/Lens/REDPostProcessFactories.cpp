@@ -107,7 +107,7 @@ const FPassFactoryRegistration GDiffusionFilter(MakeFactory(
 
 const FPassFactoryRegistration GDiffusionFilter2(
 	MakeFactory(EREDPostProcessPass::DiffusionFilter2, "Combines a picture with its blur.",
-		{Positive("Intensity", 1, "Scales the blur."), Positive("Power", 1, "Of the combined picture."),
+		{Positive("Intensity", 1, "Scales the blur."), Positive("Power", 1, "Exponent of the combined picture."),
 			FParameterSpec::Text("Blend", "Screen", {"Screen", "Max"}, "How the two meet."),
 			FParameterSpec::Number("Sepia", 0, 0, 1, "Weight of the sepia picture."),
 			FParameterSpec::Color("SepiaTint", FLinearColor(1.0f, 0.82f, 0.6f, 1.0f), "Its colour."),

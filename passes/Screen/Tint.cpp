@@ -108,10 +108,10 @@ const std::vector<FParameterSpec>& GetParameters()
 {
 	static const std::vector<FParameterSpec> Parameters = {
 		FParameterSpec::Color("Color", FLinearColor(1.0f, 0.5f, 0.5f, 1.0f), "Factor of each channel; not of alpha."),
-		FParameterSpec::Number("Left", 0.0, 0.0, 1.0, "Where the area begins, as a fraction of the picture's width."),
-		FParameterSpec::Number("Top", 0.0, 0.0, 1.0, "Where it begins, of the height."),
-		FParameterSpec::Number("Right", 1.0, 0.0, 1.0, "Where it ends, of the width."),
-		FParameterSpec::Number("Bottom", 1.0, 0.0, 1.0, "Where it ends, of the height."),
+		FParameterSpec::Number("Left", 0.0, 0.0, 1.0, "Left edge of the area, as a fraction of the picture's width."),
+		FParameterSpec::Number("Top", 0.0, 0.0, 1.0, "Top edge, as a fraction of the height."),
+		FParameterSpec::Number("Right", 1.0, 0.0, 1.0, "Right edge, as a fraction of the width."),
+		FParameterSpec::Number("Bottom", 1.0, 0.0, 1.0, "Bottom edge, as a fraction of the height."),
 	};
 	return Parameters;
 }

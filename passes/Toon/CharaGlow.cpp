@@ -147,7 +147,7 @@ const FPassFactoryRegistration GCharaGlow({
 const FPassFactoryRegistration GCharaGlowComp({
 	.Type = "CharaGlowComp",
 	.Doc = "Adds the glow that a widened mask leaves outside the mask.",
-	.Inputs = {{"Input", PictureResource, "The picture."}, {"Widened", "", "What CharaGlow gave."}},
+	.Inputs = {{"Input", PictureResource, "The picture."}, {"Widened", "", "Result of CharaGlow."}},
 	.Parameters = {FParameterSpec::Color("Color", FLinearColor(1.0f, 1.0f, 1.0f, 1.0f), "Alpha is the strength.")},
 	.Add =
 		[](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FPassArguments& Arguments)

@@ -48,9 +48,9 @@ std::vector<FParameterSpec> MakeTextureBlurParameters()
 		FParameterSpec::Number("SizeScale", 1, 0, 64, "Multiplies every size."),
 		FParameterSpec::Integer("Quality", 5, 1, 5, "Stages that run, from the widest on: 3, 3, 4, 5 or 6."),
 		FParameterSpec::Bool("Normalize", true, "Divides the tints by their sum, so that a constant stays constant."),
-		FParameterSpec::Bool("Clamp", true, "What lies outside: the edge texel, or black."),
+		FParameterSpec::Bool("Clamp", true, "Texels outside: the edge texel, or black."),
 		FParameterSpec::Text("Format", "Input", {"Input", "PF_G8", "PF_R16F", "PF_FloatRGBA"},
-			"Of all temporaries; Input: that of the picture."),
+			"Format of all temporaries; Input: the picture's format."),
 	};
 	for (int32 Stage = 0; Stage < NumStages; ++Stage)
 	{
@@ -93,7 +93,7 @@ const FPassFactoryRegistration GToonShadowSetup({
 	.Type = "ToonShadowSetup",
 	.Doc = "The darker of the two toon shadows, in one channel.",
 	.Inputs = {{"Input", "ToonShadow", "R projected shadow, G self shadow; 1 is lit."}},
-	.Parameters = {FParameterSpec::Text("Format", "PF_R16F", {"PF_G8", "PF_R16F"}, "Of the result.")},
+	.Parameters = {FParameterSpec::Text("Format", "PF_R16F", {"PF_G8", "PF_R16F"}, "Format of the result.")},
 	.Add =
 		[](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FPassArguments& Arguments)
 	{
@@ -106,7 +106,7 @@ const FPassFactoryRegistration GToonShadowSetup({
 const FPassFactoryRegistration GTextureBlur({
 	.Type = "TextureBlur",
 	.Doc = "Half resolution, a downsample chain and the bloom's sum of Gaussians, of any texture.",
-	.Inputs = {{"Input", PictureResource, "What is blurred."}},
+	.Inputs = {{"Input", PictureResource, "Picture to blur."}},
 	.Parameters = MakeTextureBlurParameters(),
 	.Add =
 		[](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FPassArguments& Arguments)
@@ -123,7 +123,7 @@ const FPassFactoryRegistration GToonShadowCombine({
 	.Type = "ToonShadowCombine",
 	.Doc = "The toon shadows with their blur in A.",
 	.Inputs = {{"Input", "ToonShadow", "The shadows, which are kept."},
-		{"Blurred", "", "Of any size; its red is stretched over the shadows."}},
+		{"Blurred", "", "Picture of any size; its red is stretched over the shadows."}},
 	.Parameters = {GStore},
 	.Add =
 		[](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FPassArguments& Arguments)
@@ -137,11 +137,11 @@ const FPassFactoryRegistration GToonShadowLighting({
 	.Type = "ToonShadowLighting",
 	.Doc = "Lights the toon pixels of a picture by their blurred shadow.",
 	.Inputs = {{"Input", PictureResource, "The picture, lit already."},
-		{"Shadow", "", "What ToonShadowCombine gave, with the same Store."}},
+		{"Shadow", "", "Result of ToonShadowCombine, with the same Store."}},
 	.Parameters = {GStore, FParameterSpec::Number("Intensity", 1, 0, 1000, "Scales the light."),
 		FParameterSpec::Text("Blend", "Screen", {"Screen", "Max", "Add"}, "Max: by the brighter of the two shadows."),
 		FParameterSpec::Text("Ramp", "", {}, "Max: a picture from dark to lit; empty: each shadow is its own light."),
-		FParameterSpec::Color("LightColor", FLinearColor(1.0f, 1.0f, 1.0f, 1.0f), "Of the main light."),
+		FParameterSpec::Color("LightColor", FLinearColor(1.0f, 1.0f, 1.0f, 1.0f), "Colour of the main light."),
 		FParameterSpec::Bool("AsPrinted", false, "The article's form, with its faults.")},
 	.Add =
 		[](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FPassArguments& Arguments)

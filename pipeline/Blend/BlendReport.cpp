@@ -222,7 +222,7 @@ std::string PrintRest(const FBlendReport& Report, const std::vector<size_t>& Cha
 {
 	const size_t NumRest = GetSettingFields().size() - Changed.size();
 	const std::vector<std::string> Named = FindNamedOnly(Report, Changed);
-	std::string Text = fmt::format("{} {} at their defaults; --setting NAME tells of one, --json of all\n", NumRest,
+	std::string Text = fmt::format("{} {} at their defaults; --setting NAME shows one, --json shows all\n", NumRest,
 		Changed.empty() ? "settings: all" : "other settings");
 	if (!Named.empty())
 	{

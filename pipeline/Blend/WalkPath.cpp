@@ -128,7 +128,7 @@ std::vector<FPathPoint> ReadScenePath(const FConfig& Config)
 {
 	if (Config.Scene.Sequence.empty())
 	{
-		ThrowNoScenePath(Config, "", "the scene is no sequence of frames: its file's name has no ####");
+		ThrowNoScenePath(Config, "", "the scene is not a sequence of frames: its file's name has no ####");
 	}
 	const std::vector<FSequenceFrame> Frames = FindSequenceFrames(Config.Resolve(Config.Scene.Sequence));
 	if (Frames.size() < 2)
@@ -142,7 +142,7 @@ std::vector<FPathPoint> ReadScenePath(const FConfig& Config)
 		const std::optional<FConfigVector> Location = ReadSuggestedLocation(File.GetAttribute("drydock:camera_json"));
 		if (!Location)
 		{
-			ThrowNoScenePath(Config, Frame.Path, "the frame does not say where its camera is (drydock:camera_json)");
+			ThrowNoScenePath(Config, Frame.Path, "the frame has no camera (drydock:camera_json)");
 		}
 		Points.push_back({ToLocation(*Location), std::to_string(Frame.Number)});
 	}

@@ -100,7 +100,7 @@ std::vector<FCandidate> ReadCandidates(const FJsonValue& Study, const FJsonValue
 
 FBudgetChoice KeepOwn(const std::string& Why, const FConfig& Config, std::vector<FDiagnostic>& Diagnostics)
 {
-	const std::string Message = Why + "; the config's own values hold";
+	const std::string Message = Why + "; the config's own values are used";
 	Diagnostics.push_back({.Severity = ESeverity::Note,
 		.Code = NoteBudgetWithoutChoice,
 		.Message = Message,
@@ -128,7 +128,7 @@ std::optional<FBudgetChoice> ReadBudgetChoice(
 	}
 	if (Read->bBlur)
 	{
-		return KeepOwn("a study of blurs chooses nothing that a frame has a place for", Config, Diagnostics);
+		return KeepOwn("the choice of a study of blurs does not apply to a frame", Config, Diagnostics);
 	}
 	const std::string Given = Config.Budget.GetString("study");
 	const std::filesystem::path Folder = Given.empty() ? GetDefaultOutputFolder(Config.File) : Config.Resolve(Given);
@@ -142,7 +142,7 @@ std::optional<FBudgetChoice> ReadBudgetChoice(
 	if (Study->GetString("fingerprint") != GetStudyFingerprint(GetConfigText(Options)))
 	{
 		return KeepOwn(
-			"the study in " + Folder.string() + " is of an earlier form of this config", Config, Diagnostics);
+			"the study in " + Folder.string() + " was made from an earlier form of this config", Config, Diagnostics);
 	}
 	const std::vector<FCandidate> Candidates = ReadCandidates(*Study, *Timing, Read->Budget);
 	const std::optional<size_t> Chosen =

@@ -1,4 +1,4 @@
-// What a run takes from a study: with a budget in its config, the variant that
+// Chooses values for a run from a study: with a budget in its config, the variant that
 // the study recommends by it.
 #pragma once
 

@@ -28,7 +28,7 @@ const std::vector<std::string> GResolutions = {"100", "50", "25", "12.5"};
 const std::vector<std::string> GPrecisions = {"float", "double"};
 const std::vector<std::string> GFrameStorages = {"native", "float32", "float64"};
 
-/** False: it is no number, text or truth, which is reported. */
+/** False if the value is not a number, a string, true or false, which is reported. */
 bool ReadValueText(const FJsonValue& Value, std::string& OutText, FConfigMessages& Messages)
 {
 	switch (Value.Type)
@@ -75,7 +75,7 @@ public:
 		}
 		if (Axes != nullptr && Axes->Type == EJsonType::Array && Axes->Elements.empty())
 		{
-			Messages.Error(ErrorMissingKey, Value, "\"axes\" is missing: a study varies one thing at least");
+			Messages.Error(ErrorMissingKey, Value, "\"axes\" is missing: a study varies at least one thing");
 		}
 		ReadReference(Value);
 		ReadMetrics(Value);
@@ -162,7 +162,7 @@ private:
 		}
 		else if (At.Type != EJsonType::Number || !(At.Number >= 0.5) || At.Number > 1000.0)
 		{
-			Messages.Error(ErrorBadValue, At, "sigma is a number of pixels, 0.5 to 1000");
+			Messages.Error(ErrorBadValue, At, "sigma must be a number of pixels, 0.5 to 1000");
 		}
 	}
 
@@ -216,8 +216,8 @@ private:
 		{
 			Messages.Error(ErrorUnknownValue, At,
 				"\"" + Name + "\" is " +
-					(Study.bBlur ? "nothing that a study of blurs varies: " + JoinText(GBlurNames)
-								 : "no setting, no console variable, and neither precision nor storage") +
+					(Study.bBlur ? "not an axis of a study of blurs; there are " + JoinText(GBlurNames)
+								 : "not a setting, a console variable, precision or storage") +
 					Messages.Suggest(Name, Names));
 		}
 		return bKnown;
@@ -257,8 +257,8 @@ private:
 		if (Label == nullptr || Label->Type != EJsonType::String || Set == nullptr || Set->Type != EJsonType::Object ||
 			Value.Members.size() != 2)
 		{
-			Messages.Error(
-				ErrorWrongType, Value, "a value that sets several things is {\"label\": text, \"set\": {name: value}}");
+			Messages.Error(ErrorWrongType, Value,
+				"a value that sets several things must be {\"label\": text, \"set\": {name: value}}");
 			return {};
 		}
 		return {Label->String, ReadAssignments(*Set)};
@@ -274,7 +274,7 @@ private:
 		}
 		if (Values->Type != EJsonType::Array || Values->Elements.empty())
 		{
-			Messages.Error(ErrorWrongType, *Values, "\"values\" is an array of one value at least");
+			Messages.Error(ErrorWrongType, *Values, "\"values\" must be an array of at least one value");
 			return;
 		}
 		FStudyAxis Axis;
@@ -338,8 +338,9 @@ private:
 		else if (Reference->Type != EJsonType::String || Reference->String != Study.ReferenceName)
 		{
 			Messages.Error(ErrorUnknownValue, *Reference,
-				Study.bBlur ? "the reference of a study of blurs is \"exact\""
-							: "the reference of a study of frames is \"double\", or an object of what differs from it");
+				Study.bBlur
+					? "the reference of a study of blurs must be \"exact\""
+					: "the reference of a study of frames must be \"double\", or an object of what differs from it");
 		}
 	}
 
@@ -374,7 +375,8 @@ private:
 		if (Repetitions->Number != std::floor(Repetitions->Number) || Repetitions->Number < 1 ||
 			Repetitions->Number > MaxRepetitions)
 		{
-			Messages.Error(ErrorBadValue, *Repetitions, "repetitions is a whole number, 1 to 1000; 7 make a spread");
+			Messages.Error(ErrorBadValue, *Repetitions,
+				"repetitions must be a whole number, 1 to 1000; 7 are enough for a spread");
 			return;
 		}
 		Study.Repetitions = ToInteger<int>(Repetitions->Number);
@@ -397,7 +399,7 @@ private:
 			if (Number != std::floor(Number) || Number < 0.0 || Number > 65536.0)
 			{
 				Messages.Error(
-					ErrorBadValue, Region->Elements[Index], "a corner of the region is a whole number of pixels");
+					ErrorBadValue, Region->Elements[Index], "a corner of the region must be a whole number of pixels");
 				return;
 			}
 			Corners[Index] = ToInteger<int>(Number);
@@ -405,7 +407,7 @@ private:
 		if (Corners[0] >= Corners[2] || Corners[1] >= Corners[3])
 		{
 			Messages.Error(
-				ErrorBadValue, *Region, "the region is empty: it is [MinX, MinY, MaxX, MaxY] with Max above Min");
+				ErrorBadValue, *Region, "the region is empty: it must be [MinX, MinY, MaxX, MaxY] with Max above Min");
 			return;
 		}
 		Study.Region = Corners;

@@ -1,4 +1,4 @@
-// What a config knows of itself: where its paths lead.
+// Resolves the paths of a config.
 #include "Config/Config.h"
 
 #include <algorithm>

@@ -52,7 +52,7 @@ const char* DescribeType(const IConsoleVariable& Variable)
 	return Variable.IsVariableBool() ? "true or false" : Variable.IsVariableInt() ? "a whole number" : "a number";
 }
 
-/** What is to be set, run or printed; reports what cannot be. */
+/** Adds the input to the variables to set, run or print; reports mistakes. */
 void AddConsoleInput(FConfig& Config, const std::string& Input, FConfigMessages& Messages)
 {
 	FString Name;
@@ -85,12 +85,12 @@ void CheckVariable(const FConfigVariable& Variable, FConfigMessages& Messages)
 	else if (!DoesConsoleVariableTake(*Found, Variable.Value.c_str()))
 	{
 		Messages.Error(ErrorWrongType, Variable.Place,
-			Variable.Name + " is " + DescribeType(*Found) + ", not \"" + Variable.Value + "\"");
+			Variable.Name + " must be " + DescribeType(*Found) + ", but is \"" + Variable.Value + "\"");
 	}
 	else if (Found->TestFlags(ECVF_ScalabilityGroup) && !IsScalabilityLevel(Variable.Value))
 	{
 		Messages.Error(ErrorBadValue, Variable.Place,
-			Variable.Name + " is a level from 0 to " + std::to_string(NumScalabilityLevels - 1) + ", not " +
+			Variable.Name + " must be a level from 0 to " + std::to_string(NumScalabilityLevels - 1) + ", but is " +
 				Variable.Value);
 	}
 	else if (Found->TestFlags(ECVF_NotSimulated))
@@ -106,7 +106,7 @@ void SetEngineArgument(FConfig& Config, const std::string& Version, std::vector<
 	{
 		FConfigMessages(CommandLine, Diagnostics)
 			.Error(ErrorBadArgument, FConfigPlace{0, 0, "--engine"},
-				"\"" + Version + "\" is none of the versions " + ListEngineVersions(", "));
+				"\"" + Version + "\" is not one of the versions " + ListEngineVersions(", "));
 		return;
 	}
 	Config.Engine = {Version, {0, 0, "--engine"}};

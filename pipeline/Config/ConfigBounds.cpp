@@ -49,7 +49,7 @@ bool ReadConfigRotator(const FJsonValue& Value, FConfigVector& OutRotator)
 namespace
 {
 
-/** What each shape must have; box: these, or min and max. */
+/** The required keys of each shape; a box may have min and max instead. */
 const std::map<std::string, std::vector<std::string>>& GetRequiredKeys()
 {
 	static const std::map<std::string, std::vector<std::string>> Keys = {
@@ -87,7 +87,7 @@ bool ReadCorners(const FJsonValue& Value, FConfigBounds& Bounds, FConfigMessages
 	{
 		if (Min[Index] > Max[Index])
 		{
-			Messages.Error(ErrorBadValue, Value, "min lies above max in " + std::string(1, "XYZ"[Index]));
+			Messages.Error(ErrorBadValue, Value, "min must not be above max in " + std::string(1, "XYZ"[Index]));
 			return false;
 		}
 		Bounds.Center[Index] = 0.5 * (Min[Index] + Max[Index]);
@@ -159,7 +159,7 @@ std::optional<FConfigBounds> ReadConfigBounds(const FJsonValue& Value, FConfigMe
 						   Bounds.Extent[1] < 0.0 || Bounds.Extent[2] < 0.0;
 	if (bNegative)
 	{
-		Messages.Error(ErrorBadValue, Value, "a size of the bounds is negative");
+		Messages.Error(ErrorBadValue, Value, "the sizes of the bounds must not be negative");
 		return std::nullopt;
 	}
 	return Bounds;

@@ -27,7 +27,7 @@ bool ReadKeys(const FJsonValue& Keys, const std::string& Setting, FRichCurve& Cu
 						  IsFloatNumber(Element.Elements[0]) && IsFloatNumber(Element.Elements[1]);
 		if (!bKey)
 		{
-			Messages.Error(ErrorWrongType, Element, "a key of " + Setting + " is [time, value], two numbers");
+			Messages.Error(ErrorWrongType, Element, "a key of " + Setting + " must be [time, value], two numbers");
 			bRight = false;
 			continue;
 		}
@@ -57,7 +57,7 @@ std::optional<std::string> ReadConfigCurve(
 		if (Name != "keys" && Name != "interp")
 		{
 			Messages.ErrorAtKey(ErrorUnknownKey, Member,
-				"a curve has \"keys\" and \"interp\", and no \"" + Name + "\"" +
+				"a curve has only \"keys\" and \"interp\", not \"" + Name + "\"" +
 					Messages.Suggest(Name, {"keys", "interp"}));
 			bRight = false;
 		}
@@ -68,7 +68,7 @@ std::optional<std::string> ReadConfigCurve(
 	if (Found == Names.end())
 	{
 		Messages.Error(ErrorUnknownValue, *Interp,
-			"\"interp\" of " + Setting + " is linear, constant or cubic" + Messages.Suggest(Mode, Names));
+			"\"interp\" of " + Setting + " must be linear, constant or cubic" + Messages.Suggest(Mode, Names));
 		bRight = false;
 	}
 	if (Keys == nullptr)
@@ -78,7 +78,8 @@ std::optional<std::string> ReadConfigCurve(
 	}
 	if (Keys->Type != EJsonType::Array || Keys->Elements.empty())
 	{
-		Messages.Error(ErrorWrongType, *Keys, "\"keys\" of " + Setting + " is an array of one [time, value] at least");
+		Messages.Error(
+			ErrorWrongType, *Keys, "\"keys\" of " + Setting + " must be an array of at least one [time, value]");
 		return std::nullopt;
 	}
 	FRichCurve Curve;

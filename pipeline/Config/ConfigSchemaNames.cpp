@@ -13,7 +13,7 @@ namespace Drydock
 namespace
 {
 
-/** What a study varies. */
+/** The names that an axis of a study may have. */
 std::vector<std::string> GetAxisNames()
 {
 	std::vector<std::string> Names = {"algorithm", "sigma", "input", "storage", "precision", "resolution"};

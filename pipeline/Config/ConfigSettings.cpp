@@ -181,12 +181,12 @@ void ReadSetting(const std::string& Name, const FJsonValue& Value, FConfigSettin
 		const EConfigError Code = Suggestion.empty() && Value.Type != EJsonType::String ? ErrorWrongType
 								  : Field->Type == ESettingType::Enum                   ? ErrorUnknownValue
 																						: ErrorWrongType;
-		Messages.Error(Code, Value, Name + " is " + ExpectedText(*Field) + Suggestion);
+		Messages.Error(Code, Value, Name + " must be " + ExpectedText(*Field) + Suggestion);
 		return;
 	}
 	if (!FitsFloat(*Field, SettingValue))
 	{
-		Messages.Error(ErrorNumberNotFinite, Value, Name + " is a float: the number is too large for it");
+		Messages.Error(ErrorNumberNotFinite, Value, Name + " is a float, and the number is too large for it");
 		return;
 	}
 	if (!Field->IsInRange(SettingValue))
@@ -226,7 +226,7 @@ void ReadOverride(
 	}
 	else if (Value.Type != EJsonType::Bool)
 	{
-		Messages.Error(ErrorWrongType, Value, Name + " is true or false");
+		Messages.Error(ErrorWrongType, Value, Name + " must be true or false");
 	}
 	else if (!Value.Bool && Settings.Places.count(Setting) != 0)
 	{
@@ -270,7 +270,7 @@ void ReadBlendables(const FJsonValue& Value, FConfigSettings& Settings, FConfigM
 	{
 		Messages.Error(ErrorWrongType, At,
 			BlendablesName +
-				" is an array of objects and weights: [{\"Object\": \"/Game/Folder/Name.Name\", \"Weight\": 1}]");
+				" must be an array of objects and weights: [{\"Object\": \"/Game/Folder/Name.Name\", \"Weight\": 1}]");
 	};
 	if (Value.Type != EJsonType::Array)
 	{
@@ -293,8 +293,9 @@ void ReadBlendables(const FJsonValue& Value, FConfigSettings& Settings, FConfigM
 
 std::string FConfigMessages::SuggestSetting(const std::string& Name) const
 {
-	return Name == "ScreenPercentage" ? "; engine 5 has none of this name: set scene.screenPercentage of the config"
-									  : SuggestFrom(Name, GetSettingNames);
+	return Name == "ScreenPercentage"
+			   ? "; engine 5 has no setting of this name: set scene.screenPercentage of the config"
+			   : SuggestFrom(Name, GetSettingNames);
 }
 
 FConfigSettings ReadConfigSettings(const FJsonValue& Value, FConfigMessages& Messages)

@@ -224,7 +224,8 @@ private:
 		if (std::find(Allowed.begin(), Allowed.end(), Value.String) == Allowed.end())
 		{
 			Messages.Error(ErrorUnknownValue, Value,
-				"\"" + Value.String + "\" is none of " + JoinText(Allowed) + Messages.Suggest(Value.String, Allowed));
+				"\"" + Value.String + "\" is not one of " + JoinText(Allowed) +
+					Messages.Suggest(Value.String, Allowed));
 		}
 	}
 
@@ -262,7 +263,7 @@ private:
 		if (Key.Kind == EConfigKind::Rotator && Unknown != Value.Members.end() && Value.Find("X") == nullptr)
 		{
 			Messages.ErrorAtKey(ErrorUnknownKey, Unknown->Value,
-				"a rotation has Pitch, Yaw and Roll, and no \"" + Unknown->Key + "\"" +
+				"a rotation has only Pitch, Yaw and Roll, not \"" + Unknown->Key + "\"" +
 					Messages.Suggest(Unknown->Key, Angles));
 			return;
 		}

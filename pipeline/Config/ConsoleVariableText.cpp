@@ -25,7 +25,7 @@ std::vector<std::string> MakeRow(const FConsoleVariableInfo& Info)
 	return {*Info.Name, *Info.Type, Quote(Info, Info.Value), Quote(Info, Info.Default), *Info.SetBy};
 }
 
-/** Of help texts, on a terminal of that width. */
+/** The width of help texts, on a terminal of that width. */
 size_t GetHelpColumns(int Width)
 {
 	return Width > 0 ? std::min(static_cast<size_t>(Width), ConsoleListColumns) : ConsoleListColumns;

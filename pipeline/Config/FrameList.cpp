@@ -44,7 +44,7 @@ std::optional<FFrameRange> ParseRange(std::string_view Part, std::string& OutErr
 	const std::optional<int> Step = bStep ? TakeNumber(Part) : 1;
 	if (!First || !Last || !Step || !Part.empty())
 	{
-		OutError = "\"" + Name + "\" is no frame and no range of frames: expected all, 1-8, 1-9x2 or 1,3,5-8";
+		OutError = "\"" + Name + "\" is not a frame or a range of frames: expected all, 1-8, 1-9x2 or 1,3,5-8";
 		return std::nullopt;
 	}
 	if (*Last < *First || *Step < 1)

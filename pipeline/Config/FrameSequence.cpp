@@ -163,7 +163,7 @@ std::vector<FSequenceFrame> ChooseSequenceFrames(
 	const std::string& Pattern = Config.Scene.Sequence;
 	if (Pattern.empty())
 	{
-		Throw("the scene is no sequence: scene.file has no #### in its name");
+		Throw("the scene is not a sequence: scene.file has no #### in its name");
 	}
 	const std::vector<FSequenceFrame> Existing = FindFrames(Config, Pattern);
 	std::vector<int> Numbers;

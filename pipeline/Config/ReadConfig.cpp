@@ -42,7 +42,7 @@ FConfigVolume ReadVolume(const FJsonValue& Value, FConfigMessages& Messages)
 	else if (!Volume.bUnbound && Volume.BlendRadius < 0.0)
 	{
 		Messages.Warn(WarnOutOfRange, *Value.Find("BlendRadius"),
-			"BlendRadius is below 0: the volume acts nowhere, not even inside");
+			"BlendRadius is below 0, so the volume has no effect, not even inside");
 	}
 	return Volume;
 }

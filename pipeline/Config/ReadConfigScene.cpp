@@ -31,7 +31,7 @@ std::optional<int> ReadPaddingSide(const FJsonValue& Value, FConfigMessages& Mes
 	}
 	if (Value.Number != std::floor(Value.Number) || Value.Number < 0.0 || Value.Number > MaxPadding)
 	{
-		Messages.Error(ErrorBadValue, Value, "padding is a whole number of texels, 0 to 4096");
+		Messages.Error(ErrorBadValue, Value, "padding must be a whole number of texels, 0 to 4096");
 		return std::nullopt;
 	}
 	return ToInteger<int>(Value.Number);
@@ -80,7 +80,7 @@ void ReadFrames(const FJsonValue& Value, FConfigScene& Scene, FConfigMessages& M
 	}
 	else if (!IsFrameSequence(Scene.File.Value))
 	{
-		Messages.Error(ErrorBadValue, Value, "frames are those of a sequence, which scene.file names with ####");
+		Messages.Error(ErrorBadValue, Value, "frames need a sequence: scene.file must have #### in its name");
 	}
 	Scene.Frames = {Value.String, PlaceOf(Value)};
 }
@@ -105,7 +105,7 @@ void ReadRect(const FJsonValue& Value, FConfigView& View, FConfigMessages& Messa
 				if (Corner.Number != std::floor(Corner.Number) || Corner.Number < 0.0 || Corner.Number > MaxExtent)
 				{
 					Messages.Error(
-						ErrorBadValue, Corner, "a corner of the rect is a whole number of pixels, 0 or more");
+						ErrorBadValue, Corner, "a corner of the rect must be a whole number of pixels, 0 or more");
 					return;
 				}
 				Corners[Index] = ToInteger<int>(Corner.Number);
@@ -113,7 +113,7 @@ void ReadRect(const FJsonValue& Value, FConfigView& View, FConfigMessages& Messa
 			if (Corners[0] >= Corners[2] || Corners[1] >= Corners[3])
 			{
 				Messages.Error(
-					ErrorBadValue, Rect, "the rect is empty: it is [MinX, MinY, MaxX, MaxY] with Max above Min");
+					ErrorBadValue, Rect, "the rect is empty: it must be [MinX, MinY, MaxX, MaxY] with Max above Min");
 				return;
 			}
 			View.Rect = {Corners, PlaceOf(Rect)};
@@ -133,7 +133,7 @@ void ReadScene(const FJsonValue& Value, FConfigScene& Scene, FConfigMessages& Me
 		{
 			if (!(Fps.Number >= 0.01 && Fps.Number <= 10000.0))
 			{
-				Messages.Error(ErrorBadValue, Fps, "fps is 0.01 to 10000 frames per second");
+				Messages.Error(ErrorBadValue, Fps, "fps must be 0.01 to 10000 frames per second");
 				return;
 			}
 			Scene.Fps = {Fps.Number, PlaceOf(Fps)};
@@ -191,7 +191,7 @@ void ReadView(const FJsonValue& Value, FConfigView& View, FConfigMessages& Messa
 		{
 			if (!(Fov.Number >= 1.0 && Fov.Number <= 179.0))
 			{
-				Messages.Error(ErrorBadValue, Fov, "fov is an angle of 1 to 179 degrees");
+				Messages.Error(ErrorBadValue, Fov, "fov must be an angle of 1 to 179 degrees");
 				return;
 			}
 			View.Fov = {Fov.Number, PlaceOf(Fov)};
@@ -216,13 +216,14 @@ void ReadViews(const FJsonValue& Root, FConfig& Config, FConfigMessages& Message
 				ReadView(Value, View, Messages);
 				if (Views.Elements.size() > 1 && Value.Find("rect") == nullptr)
 				{
-					Messages.Error(ErrorMissingKey, Value, "\"rect\" is missing: each of several views has its own");
+					Messages.Error(ErrorMissingKey, Value, "\"rect\" is missing: each of several views must have one");
 				}
 				Config.Views.push_back(View);
 			}
 			if (Root.Find("view") != nullptr)
 			{
-				Messages.ErrorAtKey(ErrorBadValue, Views, "\"views\" stands in place of \"view\": give one of them");
+				Messages.ErrorAtKey(
+					ErrorBadValue, Views, "\"view\" and \"views\" exclude each other: give only one of them");
 			}
 			else if (!Config.Views.empty())
 			{

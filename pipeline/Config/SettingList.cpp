@@ -44,7 +44,7 @@ std::string FormatBound(double Bound)
 	return SettingToText(*FindSettingField("BloomIntensity"), {ESettingType::Float, {Bound}});
 }
 
-/** Where an enum's names and an object's class belong. */
+/** The type of a setting, with the class of an object. */
 std::string FormatType(const FSettingField& Field)
 {
 	return Field.Type == ESettingType::Object ? std::string("path of a ") + Field.ObjectClass : ToString(Field.Type);

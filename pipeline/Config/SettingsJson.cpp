@@ -161,8 +161,8 @@ FVolumeText MakeVolumeText(const FConfigVolume& Volume, const std::string& File,
 			continue;
 		}
 		Diagnostics.push_back({ESeverity::Error, ErrorTextSyntax,
-			"no engine text of a setting that drydock does not have: " + Setting.Key + "=" + Setting.Text, File,
-			Volume.Place.Line, Volume.Place.Column, Volume.Place.Pointer + "/unknownSettings"});
+			"this is not engine text for a setting that drydock does not have: " + Setting.Key + "=" + Setting.Text,
+			File, Volume.Place.Line, Volume.Place.Column, Volume.Place.Pointer + "/unknownSettings"});
 	}
 	if (Volume.Bounds && Volume.Bounds->Shape == EConfigShape::Box)
 	{
@@ -175,7 +175,7 @@ FVolumeText MakeVolumeText(const FConfigVolume& Volume, const std::string& File,
 	else if (Volume.Bounds)
 	{
 		Diagnostics.push_back({ESeverity::Warning, WarnTextShape,
-			"the volume's shape is no box, the only one that is written: give it in the editor", File,
+			"the volume's shape is not a box, and only boxes are exported: set the shape in the editor", File,
 			Volume.Place.Line, Volume.Place.Column, Volume.Place.Pointer});
 	}
 	return Text;

@@ -36,12 +36,12 @@ std::string GetObstacle(const FViewConditions& Conditions)
 	return IsEyeAdaptationAllowed() ? "" : "r.EyeAdaptationQuality is 0";
 }
 
-/** What a mask that is asked for does not do, or nothing. */
+/** The reason why a requested mask has no effect, or nothing. */
 std::string DescribeMask(const FFinalPostProcessSettings& Settings)
 {
 	const UTexture* const Mask = Settings.AutoExposureMeterMask;
 	const bool bMissing = Mask != nullptr && !FindTexturePixels(Mask);
-	return bMissing ? "; AutoExposureMeterMask is no image file and has no pixels here" : "";
+	return bMissing ? "; AutoExposureMeterMask is not an image file and has no pixels here" : "";
 }
 
 std::string DescribeExposureMethod(const FFinalPostProcessSettings& Settings)

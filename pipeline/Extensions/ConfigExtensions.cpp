@@ -107,7 +107,7 @@ void ReadParameter(
 				 std::find(Spec.Choices.begin(), Spec.Choices.end(), Value.String) == Spec.Choices.end())
 		{
 			Messages.Error(ErrorUnknownValue, Value,
-				Spec.Name + ": \"" + Value.String + "\" is none of " + JoinText(Spec.Choices) +
+				Spec.Name + ": \"" + Value.String + "\" is not one of " + JoinText(Spec.Choices) +
 					Messages.Suggest(Value.String, Spec.Choices));
 		}
 		else
@@ -168,7 +168,7 @@ bool CheckHook(const FConfig& Config, const FJsonValue& Value, const std::string
 	if (std::find(Allowed.begin(), Allowed.end(), Hook) == Allowed.end())
 	{
 		Messages.Error(ErrorUnknownValue, Value,
-			"\"" + Hook + "\" is no hook of " + Type + ": " + JoinText(Allowed) + Messages.Suggest(Hook, Allowed));
+			"\"" + Hook + "\" is not a hook of " + Type + ": " + JoinText(Allowed) + Messages.Suggest(Hook, Allowed));
 		return false;
 	}
 	const auto Pass = FindPassByName(Hook);
@@ -199,7 +199,7 @@ std::vector<std::string> GetInsertionHooks()
 	return Hooks;
 }
 
-/** What a pass is called of which the type is missing. */
+/** The name of a pass without a type. */
 const std::string NamelessPass = "pass";
 
 /** Names of the results of passes: those that stand before a pass in the config. */

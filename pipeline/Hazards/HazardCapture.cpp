@@ -358,7 +358,7 @@ const std::vector<FHazardRow>& FHazardCapture::GetRows() const
 	const std::string Nearest = FindNearestName(Wanted, bInput ? Inputs : Passes);
 	const std::string Message =
 		bInput ? "the pass reads no picture" + (Wanted.empty() ? std::string() : " '" + Wanted + "'")
-			   : "no pass of this run that a shader draws fits '" + Wanted + "'";
+			   : "no pass of this run that a shader draws matches '" + Wanted + "'";
 	throw FError({.Code = ErrorBadArgument,
 					 .Message = Message + (Nearest.empty() ? std::string() : "; did you mean " + Nearest + "?"),
 					 .Where = bInput ? "--input" : "--pass"},

@@ -81,7 +81,7 @@ std::vector<FImportJob> FindJobs(const FImportOptions& Options)
 	const std::vector<FSequenceFrame> Frames = FindSequenceFrames(*First);
 	if (Frames.empty())
 	{
-		throw MakeFramesError(*First, "no file goes by this name");
+		throw MakeFramesError(*First, "no file has this name");
 	}
 	std::vector<std::vector<FSequenceFrame>> AllFrames; // of each input
 	for (const std::string& Input : Options.Inputs)
@@ -111,7 +111,7 @@ std::vector<FImportJob> FindJobs(const FImportOptions& Options)
 	return Jobs;
 }
 
-/** What the first frame decides for all. */
+/** The decisions that the first frame makes for all frames. */
 struct FDecided
 {
 	FImportLayers Layers;
@@ -219,7 +219,7 @@ void WriteConfig(const FImportOptions& Options, const FImportScene& Scene, FImpo
 	{
 		Result.Diagnostics.push_back({.Severity = ESeverity::Note,
 			.Code = NoteImportConfigKept,
-			.Message = "is there already and stays as it is; --force writes it anew",
+			.Message = "already exists and is kept; --force replaces it",
 			.File = Path});
 		return;
 	}

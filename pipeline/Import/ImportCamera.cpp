@@ -22,7 +22,7 @@ std::optional<double> ParseNumber(const std::string& Text)
 	return Result.ec == std::errc() && std::isfinite(Number) ? std::optional(Number) : std::nullopt;
 }
 
-/** Of the first attribute of Unreal's that ends so. */
+/** The number of the first attribute of Unreal that ends with End. */
 std::optional<double> FindNumber(const std::map<std::string, std::string>& Attributes, const std::string& End)
 {
 	for (const auto& [Name, Text] : Attributes)

@@ -15,7 +15,7 @@ namespace
 {
 
 constexpr float ToonId = 8.0f;       // cloth, which marks toon shading
-constexpr float DefaultLitId = 1.0f; // where nothing else is said
+constexpr float DefaultLitId = 1.0f; // the default
 
 class FConversion
 {
@@ -123,7 +123,7 @@ private:
 		const bool bNoAlpha = std::all_of(Alpha.begin(), Alpha.end(), [](float Value) { return Value == 0.0f; });
 		if (bNoAlpha && Row.Encoding.Alpha == EImportAlpha::Premultiplied)
 		{
-			Note(Row, "alpha is 0 everywhere: 1 is taken");
+			Note(Row, "alpha is 0 everywhere: 1 is used");
 		}
 		if (bNoAlpha || Row.Encoding.Alpha == EImportAlpha::Opaque)
 		{
@@ -148,8 +148,8 @@ private:
 		if (Row.Encoding.Depth == EImportDepth::Ray && !Focal)
 		{
 			throw FError({.Code = ErrorImportOption,
-							 .Message = "distances from the camera's place need its field of view, which the file does "
-										"not say: --fov DEGREES",
+							 .Message = "distances from the camera need its field of view, which is not in the file: "
+										"pass --fov DEGREES",
 							 .Where = "--depth"},
 				ExitUsage);
 		}
@@ -178,8 +178,8 @@ private:
 		{
 			Diagnostics.push_back({.Severity = ESeverity::Warning,
 				.Code = WarnImportMissing,
-				.Message = "normals are in the camera's space, and nothing says how it is turned: it is taken to look "
-						   "along X; --rotation PITCH,YAW,ROLL says it"});
+				.Message = "normals are in the camera's space, but its rotation is unknown; drydock assumes that it "
+						   "looks along X; pass --rotation PITCH,YAW,ROLL"});
 		}
 		const std::array<double, 3> Rotation = Camera.Rotation.value_or(std::array<double, 3>());
 		std::array<std::vector<float>, 3> Normal;
@@ -241,7 +241,7 @@ private:
 			}
 			if (NumBroken > 0)
 			{
-				Note(Row, fmt::format("{} values are NaN or infinite: 0 is taken", NumBroken));
+				Note(Row, fmt::format("{} values are NaN or infinite: 0 is used", NumBroken));
 			}
 		}
 	}

@@ -121,7 +121,8 @@ void CheckColor(const FImportScene& Scene, std::vector<FDiagnostic>& Diagnostics
 	{
 		Warn(Diagnostics,
 			fmt::format(
-				"{} values of the colour are NaN or infinite: they stay, and a run says where they go", NumBroken));
+				"{} values of the colour are NaN or infinite: they are kept, and a run reports where they spread",
+				NumBroken));
 	}
 	if (Greatest <= 1.0)
 	{
@@ -140,24 +141,24 @@ void CheckDepth(const FImportScene& Scene, const FImportRow& Row, std::vector<FD
 	const std::string Unit = Row.Encoding.Unit;
 	if (Figures.Count == 0)
 	{
-		Warn(Diagnostics, fmt::format("{} has no surface anywhere", Row.Target->Group));
+		Warn(Diagnostics, fmt::format("{}: empty everywhere", Row.Target->Group));
 	}
 	else if (Figures.Greatest <= GetMetres(Unit) && Row.Encoding.Depth == EImportDepth::Distance && Unit == "m")
 	{
-		Warn(
-			Diagnostics, fmt::format("all of {} is within 0..1: is it a distance in metres? --depth inverse, device or "
-									 "mist take it otherwise",
-							 Row.Target->Group));
+		Warn(Diagnostics, fmt::format("all values of {} are within 0..1; if they are not distances in metres, pass "
+									  "--depth inverse, device or mist",
+							  Row.Target->Group));
 	}
 	else if (Figures.Mean < Nearest)
 	{
-		Warn(Diagnostics, fmt::format("{} is {:.3g} m on the mean, with \"{}\" for its unit; is it metres? --unit m",
-							  Row.Target->Group, Figures.Mean, Unit));
+		Warn(
+			Diagnostics, fmt::format("mean {} is {:.3g} m when read as \"{}\"; if the file is in metres, pass --unit m",
+							 Row.Target->Group, Figures.Mean, Unit));
 	}
 	else if (Figures.Mean > Farthest)
 	{
 		Warn(Diagnostics,
-			fmt::format("{} is {:.3g} m on the mean, with \"{}\" for its unit; is it centimetres? --unit cm",
+			fmt::format("mean {} is {:.3g} m when read as \"{}\"; if the file is in centimetres, pass --unit cm",
 				Row.Target->Group, Figures.Mean, Unit));
 	}
 }
@@ -185,11 +186,10 @@ void CheckNormal(const FImportPlanes& Planes, const FImportRow& Row, std::vector
 	}
 	if (GetPercent(NumOff, NumSome) > LargestShare)
 	{
-		Warn(
-			Diagnostics, fmt::format("{:.1f} % of the normals are not of length 1 when {}: --normals encoded or signed "
-									 "says how they are stored",
-							 GetPercent(NumOff, NumSome),
-							 Row.Encoding.bHalved ? "0..1 stands for -1..1" : "they are taken as they stand"));
+		Warn(Diagnostics, fmt::format("{:.1f} % of the normals are not of length 1 when {}; if they are stored "
+									  "otherwise, pass --normals encoded or signed",
+							  GetPercent(NumOff, NumSome),
+							  Row.Encoding.bHalved ? "0..1 stands for -1..1" : "they are read as they are"));
 	}
 }
 
@@ -200,7 +200,8 @@ void CheckVelocity(const FImportScene& Scene, const FImportPlanes& Planes, const
 	if (Figures.Greatest > std::hypot(Scene.Width, Scene.Height))
 	{
 		Warn(Diagnostics,
-			fmt::format("something moves by {:.4g} pixels in a picture of {} x {}: --velocity says how they are stored",
+			fmt::format(
+				"the largest movement is {:.4g} pixels in a picture of {} x {}; if that is wrong, pass --velocity",
 				Figures.Greatest, Scene.Width, Scene.Height));
 	}
 	const auto IsHalf = [](float Value)
@@ -213,8 +214,8 @@ void CheckVelocity(const FImportScene& Scene, const FImportPlanes& Planes, const
 	{
 		constexpr double HalfStep = 1.0 / 2048.0; // between halves from 0.5 on
 		Warn(Diagnostics,
-			fmt::format("velocity comes in half floats around 0.5, in steps of {:.2g} pixels: \"Use 32 Bit "
-						"Post Process Materials\" gives it whole",
+			fmt::format("velocity is stored in half floats around 0.5, in steps of {:.2g} pixels: \"Use 32 Bit "
+						"Post Process Materials\" gives full precision",
 				2.0 * Scene.Width * HalfStep));
 	}
 }
@@ -228,8 +229,7 @@ void CheckNumbers(const FImportPlanes& Planes, const FImportRow& Row, std::vecto
 	if (GetPercent(NumOff, Values.size()) > LargestShare)
 	{
 		Warn(Diagnostics,
-			fmt::format(
-				"{:.1f} % of {} are no whole numbers: colours of a visualisation, or antialiased; they are rounded",
+			fmt::format("{:.1f} % of {} are not whole numbers (a visualisation, or antialiased); they are rounded",
 				GetPercent(NumOff, Values.size()), Row.Target->Channels[0]));
 	}
 }

@@ -1,4 +1,4 @@
-// What came of an import, in numbers by which a wrong unit is seen at once, and what of it is hardly so in a frame.
+// The figures of an import, which make a wrong unit visible, and warnings about values that are unusual in a frame.
 #pragma once
 
 #include "Diagnostics.h"

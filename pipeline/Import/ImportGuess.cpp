@@ -25,7 +25,7 @@ struct FCandidate
 
 using FCandidates = std::map<std::string, std::vector<FCandidate>>; // by group
 
-/** Of a view layer or a camera: "ViewLayer" of "ViewLayer.Depth". */
+/** The view layer or camera of a name: "ViewLayer" of "ViewLayer.Depth". */
 std::string GetScope(const std::string& Name)
 {
 	const size_t Dot = Name.rfind('.');
@@ -43,7 +43,7 @@ void AddCandidates(const FImportLayers& Layers, size_t Index, FCandidates& Candi
 	}
 	else if (Rule == nullptr)
 	{
-		Plan.LeftOut.push_back({Index, "no channel of a scene goes by such a name"});
+		Plan.LeftOut.push_back({Index, "no channel of a scene has such a name"});
 	}
 	else if (*Rule->Group == '\0')
 	{
@@ -197,12 +197,12 @@ private:
 		const std::string& Other = Layers.Layers[Candidate.Layer].Label;
 		const std::string& Chosen = GetLayer(Row).Label;
 		Plan.LeftOut.push_back({Candidate.Layer, fmt::format("{} is taken from {}", Target.Group, Chosen)});
-		// What --map asks for is no guess, and what ranks lower is no doubt.
+		// A layer that --map names is not a guess, and a layer of lower rank is not in doubt.
 		if (Taken != nullptr && Taken->Rank == Candidate.Rank)
 		{
 			Diagnostics.push_back({.Severity = ESeverity::Warning,
 				.Code = WarnImportAmbiguous,
-				.Message = fmt::format("{} could be {} or {}: the first is taken; --map \"{}={}\" takes the other",
+				.Message = fmt::format("{} could be {} or {}: the first is used; --map \"{}={}\" selects the other",
 					Target.Group, Chosen, Other, Other, Target.Group)});
 		}
 	}

@@ -43,7 +43,7 @@ struct FImportPlan
 /** Whose layers a file has, by its header and their names. */
 DRYDOCK_API EImportOrigin FindImportOrigin(const FImportLayers& Layers, size_t File);
 
-/** What is doubtful is appended to Diagnostics. Throws FError (exit code 2): no layer is colour, layers of pictures of
+/** Doubts are appended to Diagnostics. Throws FError (exit code 2): no layer is colour, layers of pictures of
  * different sizes, options that name what is not there; all of these together. */
 DRYDOCK_API FImportPlan GuessImport(
 	const FImportLayers& Layers, const FImportAsked& Asked, std::vector<FDiagnostic>& Diagnostics);

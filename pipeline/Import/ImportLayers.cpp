@@ -18,7 +18,7 @@ namespace
 
 namespace Files = std::filesystem;
 
-/** -1 where it is no component. */
+/** -1 if the name is not a component. */
 int FindSlot(const std::string& Component)
 {
 	static const std::map<std::string, int> Slots = {{"r", 0}, {"g", 1}, {"b", 2}, {"a", 3}, {"x", 0}, {"y", 1},

@@ -1,4 +1,4 @@
-// What only the numbers of a layer can tell of its encoding.
+// Finds the encoding of a layer from its values.
 #include "Import/ImportConvert.h"
 #include "Import/ImportErrors.h"
 
@@ -89,8 +89,8 @@ void LookAtValues(
 				Encoding.Velocity = EImportVelocity::Ndc;
 				Diagnostics.push_back({.Severity = ESeverity::Warning,
 					.Code = WarnImportImplausible,
-					.Message = "velocity is not around 0.5, as Unreal's MotionVectors are: it is taken for screen "
-							   "positions (-2..2, y up); --velocity says otherwise"});
+					.Message = "velocity is not around 0.5, as Unreal's MotionVectors are: it is read as screen "
+							   "positions (-2..2, y up); --velocity overrides this"});
 			}
 			else if (Encoding.Velocity == EImportVelocity::Pixels && bHalf && Row.Origin == EImportOrigin::Plain)
 			{

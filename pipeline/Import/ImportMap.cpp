@@ -116,7 +116,7 @@ bool FImportMaps::Apply(const FImportTarget& Target, const FImportLayers& Layers
 	if (!Missing.empty())
 	{
 		Errors.push_back({.Code = ErrorImportOption,
-			.Message = fmt::format("{} needs all its channels, and nothing is named for {}", Target.Group, Missing),
+			.Message = fmt::format("{} needs all its channels, but --map names nothing for {}", Target.Group, Missing),
 			.Where = "--map"});
 	}
 	Sources = std::move(Asked);

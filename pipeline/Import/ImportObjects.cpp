@@ -66,7 +66,7 @@ std::map<std::string, uint32_t> ReadManifest(
 	{
 		Diagnostics.push_back({.Severity = ESeverity::Warning,
 			.Code = WarnImportImplausible,
-			.Message = "the list of objects' names in the header is none: objects cannot be chosen by name",
+			.Message = "the header has no list of object names: objects cannot be chosen by name",
 			.File = File});
 	}
 	return Objects;

@@ -105,8 +105,8 @@ void ReportWindow(const std::string& File, const FImportPart& Part, std::vector<
 			.Message =
 				fmt::format("the data window of {} x {} pixels at ({}, {}) is laid into the picture of {} x {}{}{}",
 					Part.Width, Part.Height, Part.Window.X, Part.Window.Y, Part.GetFullWidth(), Part.GetFullHeight(),
-					bOver ? "; what reaches over its edges is cut" : "",
-					bShort ? "; what is missing is 0, and infinitely far" : ""),
+					bOver ? "; parts outside the picture are cut" : "",
+					bShort ? "; missing pixels are 0, and infinitely far" : ""),
 			.File = File});
 	}
 }

@@ -26,7 +26,7 @@ std::string JoinChannels(const FImportTarget& Target)
 	return Text;
 }
 
-/** What --toon and --stencil chose. */
+/** The objects that --toon and --stencil chose. */
 std::string DescribeChoices(const std::vector<FImportChoice>& Choices)
 {
 	std::string Text;

@@ -1,4 +1,4 @@
-// What an import tells: which layer became which channel, and how, with figures; what was left out and what is missing.
+// The report of an import: layers and their channels, with encodings and figures; layers left out, missing channels.
 #pragma once
 
 #include "Import/ImportConvert.h"
@@ -8,7 +8,7 @@
 namespace Drydock
 {
 
-/** What a report is made of. */
+/** The contents of a report. */
 struct FImportStory
 {
 	const FImportLayers& Layers;

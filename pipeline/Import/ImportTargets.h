@@ -1,4 +1,4 @@
-// What a frame's layers can become: the channels of a scene in groups, each with one way of being encoded. Channels and
+// The possible targets of a frame's layers: the channels of a scene in groups, each with one encoding. Channels and
 // their units: configs/scenes/README.md.
 #pragma once
 

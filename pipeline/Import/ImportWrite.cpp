@@ -62,14 +62,14 @@ void CheckImportTarget(const std::string& Path, const std::vector<std::string>& 
 	{
 		throw FError(
 			{.Code = ErrorImportInTheWay,
-				.Message = "the scene would be written over the frame that it is made of; --out names another file",
+				.Message = "the scene would overwrite the frame that it is made from; pass another file to --out",
 				.File = Path},
 			ExitFiles);
 	}
 	if (!bForce && Files::exists(Path, Ignored) && !IsImportedScene(Path))
 	{
 		throw FError({.Code = ErrorImportInTheWay,
-						 .Message = "is there already, and drydock import did not write it; --force replaces it",
+						 .Message = "already exists, and drydock import did not write it; --force replaces it",
 						 .File = Path},
 			ExitFiles);
 	}
@@ -140,7 +140,7 @@ std::string MakeImportConfig(
 	Text += "\n  },\n\n";
 	Text += "  \"volumes\": [\n    {\n      \"name\": \"Base\",\n      \"bUnbound\": true,\n      \"Settings\": {\n"
 			"        \"BloomIntensity\": 1.5,\n        \"BloomThreshold\": -1,\n";
-	Text += bToon ? "        \"BloomToonIntensity\": 0.1    // what has shading model 8 blooms at a tenth\n"
+	Text += bToon ? "        \"BloomToonIntensity\": 0.1    // pixels of shading model 8 bloom at a tenth\n"
 				  : "        \"BloomToonIntensity\": 0.1    // no pixel has shading model 8 yet: drydock import --toon "
 					"OBJECT\n";
 	Text += "      }\n    }\n  ]\n}\n";

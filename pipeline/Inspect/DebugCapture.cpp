@@ -143,8 +143,8 @@ std::vector<FDiagnostic> FDebugCapture::GetDiagnostics() const
 	if (Passes.empty() && Problems.empty())
 	{
 		throw FError({.Code = ErrorBadArgument,
-						 .Message = "no pass of this run draws that pixel with a shader that fits '" + Request.Passes +
-									"'. There are: " + JoinNames(Others),
+						 .Message = "no pass of this run draws that pixel with a shader that matches '" +
+									Request.Passes + "'. There are: " + JoinNames(Others),
 						 .Where = "--debug-shaders"},
 			ExitUsage);
 	}
@@ -183,7 +183,7 @@ FDebugRequest MakeDebugRequest(const std::string& Pixel, const std::string& Pass
 	{
 		const std::string Size = std::to_string(Frame[0]) + " x " + std::to_string(Frame[1]);
 		throw FError({.Code = ErrorBadArgument,
-						 .Message = "'" + Pixel + "' is no pixel of the frame, which is " + Size +
+						 .Message = "'" + Pixel + "' is not a pixel of the frame, which is " + Size +
 									"; expected X,Y as in 100,50, or X,Y,Z of a compute thread",
 						 .Where = "--debug-shaders"},
 			ExitUsage);

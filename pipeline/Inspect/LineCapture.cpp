@@ -65,7 +65,7 @@ std::string FLineCapture::DescribeAbsence(size_t Index) const
 	{
 		Names += File.empty() ? std::string() : (Names.empty() ? "" : ", ") + File;
 	}
-	return Names.empty() ? "no pass ran that fits '" + Request.Passes + "'"
+	return Names.empty() ? "no pass ran that matches '" + Request.Passes + "'"
 						 : "no pass is made of " + Request.Show[Index].File + "; those that ran are made of " + Names;
 }
 

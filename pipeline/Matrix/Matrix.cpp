@@ -57,13 +57,14 @@ bool IsOfPlugin(const Files::path& File)
 	return Name.ends_with(".uplugin") || Name.ends_with(".Build.cs") || Name.ends_with(".cpp");
 }
 
-/** A folder that holds nothing to build is said before anything is written. */
+/** Reports a folder without anything to build before anything is written. */
 void RequirePlugin(const std::string& Folder)
 {
 	std::error_code Error;
 	if (!Files::is_directory(Folder, Error))
 	{
-		Fail(ErrorMatrixFolder, ExitUsage, Folder, "is no folder; expected a plugin's, with its .uplugin");
+		Fail(ErrorMatrixFolder, ExitUsage, Folder,
+			"is not a folder; expected the folder of a plugin, with its .uplugin");
 	}
 	for (Files::recursive_directory_iterator Entry(Folder, Error), End; !Error && Entry != End; Entry.increment(Error))
 	{
@@ -107,7 +108,7 @@ std::string FindStockConfig()
 	return Config.string();
 }
 
-/** What cannot be read at all is said before minutes of building. */
+/** Reports a config that cannot be read before minutes of building. */
 void RequireConfig(const std::string& Config)
 {
 	const FConfigDocument Document = LoadConfigDocument(Config);
@@ -148,7 +149,7 @@ FVersionMatrix PlanMatrix(const FMatrixRequest& Request)
 	return Matrix;
 }
 
-/** What the compiler said of all sources, those among them that were up to date. */
+/** The compiler's messages on all sources, including those that were up to date. */
 std::string RememberSteps(const Files::path& BuildFolder)
 {
 	const std::string Kept = (BuildFolder / "steps.log").string();
@@ -156,7 +157,7 @@ std::string RememberSteps(const Files::path& BuildFolder)
 	std::erase_if(Before,
 		[&BuildFolder](const FBuildStep& Step)
 		{
-			std::error_code Error; // a step whose output is gone was of a source that is no more
+			std::error_code Error; // the source of a step without output no longer exists
 			const std::string Made = Step.Name.substr(Step.Name.find_last_of(' ') + 1);
 			return !Files::exists(BuildFolder / "cmake" / Made, Error);
 		});

@@ -30,7 +30,8 @@ int ParseVersion(const std::string& Text)
 	const FEngineProfile* const Known = FindEngineProfile(Text);
 	if (Known == nullptr)
 	{
-		FailVersions("\"" + Text + "\" is no engine version that drydock knows: these are " + ListEngineVersions(", "));
+		FailVersions(
+			"\"" + Text + "\" is not an engine version that drydock knows: these are " + ListEngineVersions(", "));
 	}
 	return Known->Minor;
 }

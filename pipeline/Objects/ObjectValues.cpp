@@ -219,7 +219,7 @@ private:
 		{
 			Warn(GetLine(Section),
 				Wanted.empty()
-					? std::string(Class.Name) + " is no UCLASS(config=" + Category + "): nothing of it is read"
+					? std::string(Class.Name) + " is not a UCLASS(config=" + Category + "), so its values are not read"
 					: std::string(Class.Name) + " is a UCLASS(config=" + Wanted +
 						  "), whose values are read from Default" + Wanted + ".ini alone");
 			return;
@@ -243,7 +243,7 @@ private:
 		}
 		if (!Found.Property->bConfig)
 		{
-			Warn(Line, FullName + " is no UPROPERTY(config): it keeps its value");
+			Warn(Line, FullName + " is not a UPROPERTY(config), so it keeps its value");
 			return;
 		}
 		const std::optional<FPropertyValue> Value = ReadPropertyText(*Found.Property->Type, Key.Values);

@@ -79,7 +79,7 @@ bool IsApiMacro(const std::string& Name)
 	return Name.size() > 4 && Name.compare(Name.size() - 4, 4, "_API") == 0;
 }
 
-/** What one line declares, or nothing. */
+/** The name that one line declares, or nothing. */
 std::string FindDeclaredName(std::string Line)
 {
 	if (Line.rfind("#define", 0) == 0)
@@ -107,7 +107,7 @@ std::string FindDeclaredName(std::string Line)
 	return bAlias && Line.rfind(" =", 0) != 0 ? std::string() : Name;
 }
 
-/** Where the headers lie: those of the storeys that bear the engine's names. */
+/** The folders of the headers that use the engine's names. */
 std::vector<Files::path> FindHeaderFolders()
 {
 	const std::string Installed = FindInstalled("include/drydock");
@@ -160,11 +160,11 @@ std::string ExplainBadPatchName(const std::string& Name, const std::set<std::str
 {
 	if (Name.empty() || !IsNameStart(Name.front()) || !std::all_of(Name.begin(), Name.end(), IsNamePart))
 	{
-		return "C++ classes bear it, so it must begin with a letter and consist of letters, digits and _";
+		return "C++ classes have this name, so it must begin with a letter and consist of letters, digits and _";
 	}
 	if (Name.find("__") != std::string::npos)
 	{
-		return "C++ keeps names with __ for itself";
+		return "C++ reserves names with __";
 	}
 	if (Name.size() > LongestName)
 	{

@@ -29,7 +29,7 @@ const std::string TemplateName = "MyPatch";
 
 std::string ReadFile(const Files::path& Path)
 {
-	return ReadTextFile(Path, "drydock's own file cannot be opened: is it installed completely?");
+	return ReadTextFile(Path, "drydock's own file cannot be opened: is drydock installed completely?");
 }
 
 } // namespace
@@ -68,7 +68,8 @@ std::vector<FPatchFile> MakePatchFiles(const std::string& Name)
 	}
 	if (Project.empty())
 	{
-		Fail(ErrorFileMissing, ExitFiles, Template, "drydock's own templates are missing: is it installed completely?");
+		Fail(ErrorFileMissing, ExitFiles, Template,
+			"drydock's own templates are missing: is drydock installed completely?");
 	}
 	Project.push_back({"configs/scenes/room.exr", ReadFile(Root / "configs/scenes/moving_camera.0001.exr")});
 	Project.push_back({"configs/schema/drydock.schema.json", MakePublishedSchema()});

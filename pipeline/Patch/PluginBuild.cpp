@@ -1,4 +1,4 @@
-// Writes the project of a plugin, runs cmake on it, and says what it left out or what the compiler said.
+// Writes the project of a plugin, runs cmake on it, and reports the files left out or the compiler's errors.
 #include "Patch/PluginBuild.h"
 
 #include "ChildProcess.h"
@@ -63,7 +63,7 @@ Files::path FindByExtension(const Files::path& Folder, const char* Extension)
 	return Found.empty() ? Files::path() : Found.front();
 }
 
-/** Where the text goes on behind blanks and Wanted; npos where something else stands there. */
+/** The position after blanks and Wanted; npos if the text has something else there. */
 size_t SkipPast(const std::string& Text, size_t At, std::string_view Wanted)
 {
 	At = Text.find_first_not_of(" \t\r\n", At);
@@ -132,7 +132,7 @@ std::string FindPackage()
 	{
 		return DRYDOCK_BINARY_DIR;
 	}
-	Fail(ErrorBuildTools, "", "drydock's CMake package is nowhere: is it installed completely?");
+	Fail(ErrorBuildTools, "", "drydock's CMake package is missing: is drydock installed completely?");
 }
 
 std::string RunTool(const std::vector<std::string>& Arguments, int TimeLimitSeconds, bool& bOutSucceeded)
@@ -146,7 +146,7 @@ std::string RunTool(const std::vector<std::string>& Arguments, int TimeLimitSeco
 	return Result.Output + (Result.bTimedOut ? Result.Describe(TimeLimitSeconds) + "\n" : std::string());
 }
 
-/** The end of a message: it says what replaces the engine's names that the errors miss and drydock does not have. */
+/** The end of a message: replacements for the engine's names that the errors miss and drydock does not have. */
 std::string AdviseOnMissingNames(const std::vector<std::string>& Errors)
 {
 	std::string Advice;
@@ -164,7 +164,7 @@ std::string AdviseOnMissingNames(const std::vector<std::string>& Errors)
 	return Advice;
 }
 
-/** What a reader needs of what the compiler and the linker printed. */
+/** The errors among the output of the compiler and the linker. */
 std::string TakeErrors(const std::string& Output, const std::string& LogFile)
 {
 	std::string Errors;
@@ -183,7 +183,7 @@ std::string TakeErrors(const std::string& Output, const std::string& LogFile)
 	}
 	const std::string More =
 		Count > MostErrorLines ? "\n  and " + std::to_string(Count - MostErrorLines) + " more" : std::string();
-	return Errors + More + AdviseOnMissingNames(Said) + "\n  all of it: " + LogFile;
+	return Errors + More + AdviseOnMissingNames(Said) + "\n  full log: " + LogFile;
 }
 
 /** CMake's own message, without its decoration. */
@@ -208,7 +208,7 @@ std::string TakeRefusal(const std::string& Output, const std::string& LogFile)
 			Text += (Text.empty() ? "" : " ") + Line.substr(Start);
 		}
 	}
-	return (Text.empty() ? "cmake failed" : Text) + "\n  all of it: " + LogFile;
+	return (Text.empty() ? "cmake failed" : Text) + "\n  full log: " + LogFile;
 }
 
 struct FAttempt
@@ -370,7 +370,7 @@ FBuiltPlugin BuildPlugin(FPluginBuild Build)
 	std::error_code Error;
 	if (!Files::is_directory(Folder, Error))
 	{
-		Fail(ErrorNoPlugin, Build.Folder, "is no folder; expected a plugin's, with its .uplugin");
+		Fail(ErrorNoPlugin, Build.Folder, "is not a folder; expected the folder of a plugin, with its .uplugin");
 	}
 	Build.Folder = (Folder.has_filename() ? Folder : Folder.parent_path()).string();
 	RequirePlainPath(Build.Folder);

@@ -45,7 +45,7 @@ constexpr std::array<FFixedType, 24> FixedTypes = {{{"box2f", 16}, {"box2i", 16}
 	{"lineOrder", 1}, {"m33d", 72}, {"m33f", 36}, {"m44d", 128}, {"m44f", 64}, {"rational", 8}, {"tiledesc", 9},
 	{"timecode", 8}, {"v2d", 16}, {"v2f", 8}, {"v2i", 8}, {"v3d", 24}, {"v3f", 12}, {"v3i", 12}}};
 
-/** What memory depends on in the header of one part. */
+/** The fields of a part's header that determine the memory it needs. */
 struct FPart
 {
 	int64_t Width = 0;
@@ -169,7 +169,7 @@ bool ReadPart(FHeaderBytes& Bytes, FPart& Part)
 		ReadAttribute(Bytes, Name, Part);
 		if (!bFits || Bytes.GetPosition() > End || (Type == "chlist" && Bytes.GetPosition() != End))
 		{
-			Bytes.Fail("is corrupt: its attribute \"" + Name + "\" is of another size than it says");
+			Bytes.Fail("is corrupt: its attribute \"" + Name + "\" has another size than it states");
 		}
 		Bytes.SkipTo(End);
 	}
@@ -224,7 +224,7 @@ void CheckExrHeader(FHeaderBytes& Bytes)
 	Bytes.SkipTo(0);
 	if (Bytes.Read<uint32_t>() != Magic)
 	{
-		Bytes.Fail("cannot be read: it is no OpenEXR file");
+		Bytes.Fail("cannot be read: it is not an OpenEXR file");
 	}
 	const bool bMultiPart = (Bytes.Read<uint32_t>() & MultiPartFlag) != 0;
 	std::vector<FPart> Parts;

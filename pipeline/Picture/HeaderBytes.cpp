@@ -38,7 +38,7 @@ void FHeaderBytes::CheckSize(int64_t Width, int64_t Height) const
 	}
 	if (Width > MaxImageSide || Height > MaxImageSide || Width * Height > MaxImagePixels)
 	{
-		Fail(fmt::format("says {} x {} pixels; the largest frame is {} a side and {} in all", Width, Height,
+		Fail(fmt::format("has {} x {} pixels; the largest frame is {} a side and {} in all", Width, Height,
 				 MaxImageSide, MaxImagePixels),
 			ErrorImageTooLarge);
 	}

@@ -72,7 +72,7 @@ std::unique_ptr<IImageReader> OpenImage(const std::string& Path)
 	}
 }
 
-/** What is behind a part's header is as large as it says. */
+/** Checks that the data after a part's header have the size that the header states. */
 void CheckImagePart(const std::string& Path, const FImagePart& Part)
 {
 	if (Part.Width < 1 || Part.Height < 1 || Part.Channels.empty())
@@ -82,7 +82,7 @@ void CheckImagePart(const std::string& Path, const FImagePart& Part)
 	if (Part.Width > MaxImageSide || Part.Height > MaxImageSide || int64_t(Part.Width) * Part.Height > MaxImagePixels)
 	{
 		throw MakeImageError(ErrorImageTooLarge, Path,
-			fmt::format("the image file says {} x {} pixels; the largest frame is {} a side and {} in all", Part.Width,
+			fmt::format("the image file has {} x {} pixels; the largest frame is {} a side and {} in all", Part.Width,
 				Part.Height, MaxImageSide, MaxImagePixels));
 	}
 }

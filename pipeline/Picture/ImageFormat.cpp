@@ -127,7 +127,7 @@ FImageClaim ReadRadianceClaim(FHeaderBytes& Bytes)
 		int64_t Count = 0;
 		if (!(Lines >> Direction >> Count) || Direction.size() != 2)
 		{
-			Bytes.Fail("is corrupt: its header does not say how large it is");
+			Bytes.Fail("is corrupt: its header has no size");
 		}
 		(Direction[1] == 'X' ? Claim.Width : Claim.Height) = Count;
 	}

@@ -18,13 +18,13 @@ namespace Drydock
 namespace
 {
 
-/** An option's line has its value's type and nothing else: what excludes what is said where it is done. */
+/** Prints only the type of an option's value: exclusions are reported when they are violated. */
 class FHelpFormatter : public CLI::Formatter
 {
 public:
 	std::string make_option_opts(const CLI::Option* Option) const override
 	{
-		const bool bArgument = Option->get_positional(); // whose own name says what it is
+		const bool bArgument = Option->get_positional(); // its own name describes it
 		const std::string Type = Option->get_type_size() == 0 ? ""
 								 : bArgument                  ? get_label(Option->get_type_name())
 															  : Option->get_type_name();
@@ -183,7 +183,7 @@ FVerbOption FVerbOption::RequireOneOf(const std::vector<std::string>& Words) con
 			return std::string();
 		}
 		const std::string Nearest = FindNearestName(Word, Words);
-		return '"' + Word + "\" is none of " + JoinText(Words) +
+		return '"' + Word + "\" is not one of " + JoinText(Words) +
 			   (Nearest.empty() ? "" : "; did you mean " + Nearest + "?");
 	};
 	return FVerbOption(Option->check(Explain)->type_name(JoinText(Words, "|")));

@@ -23,7 +23,7 @@ namespace Drydock
 namespace
 {
 
-/** What a person sees at once: every point of the path with its weights. */
+/** The summary for a person: every point of the path with its weights. */
 std::string MakeWalkSummary(const FSettingsWalk& Walk, const std::string& MarkName)
 {
 	std::vector<std::vector<std::string>> Rows = {{MarkName, "cm"}};

@@ -38,8 +38,7 @@ std::string ExplainUnknown(const char* Kind, const std::string& Name, const std:
 	return std::string("there is no ") + Kind + " " + Name + (Nearest.empty() ? "" : "; did you mean " + Nearest + "?");
 }
 
-/** What is wrong with the arguments, in one sentence with the nearest verb or option where that is what was misspelt.
- */
+/** The mistake in the arguments, in one sentence, with the nearest verb or option for a misspelt one. */
 std::string ExplainMistake(
 	const FProgramModel& Program, const std::vector<std::string>& Arguments, const std::string& Otherwise)
 {
@@ -76,7 +75,7 @@ std::string ExplainMistake(
 	return Otherwise;
 }
 
-/** What help is as wide as: the terminal up to where lines are still read with ease, and 80 where there is none. */
+/** The width of help: the terminal's, up to a limit that keeps lines readable; 80 without a terminal. */
 int GetHelpWidth()
 {
 	constexpr int Otherwise = 80;
@@ -104,7 +103,7 @@ std::string MakeOverview()
 		Group = Verb.Group;
 		Text += "  " + Name + std::string(NameColumns - std::min(NameColumns, Name.size()), ' ') + Verb.Doc + "\n";
 	}
-	return Text + "\n`drydock VERB --help` explains a verb, `man drydock` all of them.\n";
+	return Text + "\n`drydock VERB --help` describes a verb, `man drydock` describes all.\n";
 }
 
 void PrintMessages(const std::vector<FDiagnostic>& Diagnostics)
@@ -155,7 +154,7 @@ FArgumentParser MakeProgram()
 					   (*GetCommit() != '\0' ? std::string(" (commit ") + GetCommit() + ")" : ""),
 			.Footer =
 				"Exit codes: 0 done, 1 a policy failed, 2 usage, config or graph error, 3 a file cannot be read or "
-				"written, 70 a fault of drydock's own, 71 one of a plugin's. `drydock VERB --help` explains a verb.",
+				"written, 70 a fault in drydock, 71 a fault in a plugin. `drydock VERB --help` describes a verb.",
 		},
 		GetVerbs());
 }

@@ -20,12 +20,12 @@ enum class EValue
 	Folder,
 	File,
 	Variable, // r.X, an = may follow
-	Setting,  // likewise
+	Setting,  // an = may follow
 	Effect,
 	Pass, // of the config on the line
 };
 
-/** What stands for an option's value, by the word that --help shows for it. */
+/** The kind of an option's value, by the word that --help shows for it. */
 EValue GetValue(const FVerbModel& Verb, const FOptionModel& Option)
 {
 	if (!Option.Words.empty())
@@ -88,7 +88,7 @@ std::string MakeBashValue(const FVerbModel& Verb, const FOptionModel& Option)
 	return ":";
 }
 
-/** Of the arguments only the first kind that can be completed matters: where there are two, both are files. */
+/** Uses only the first argument that can be completed: if there are two, both are files. */
 std::string MakeBashArguments(const FVerbModel& Verb)
 {
 	for (const FOptionModel& Option : Verb.Options)

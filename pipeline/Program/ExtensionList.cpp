@@ -58,7 +58,7 @@ FListTable ListExtensions()
 		if (!Factory->Passes.empty())
 		{
 			Table.Rows.push_back({Factory->Type, "parameter", "pass", "hook", Factory->Passes[0], "",
-				"Where it is called: " + JoinText(Factory->Passes) + "."});
+				"Called at: " + JoinText(Factory->Passes) + "."});
 		}
 		AddParameters(Factory->Type, Factory->Parameters, Table);
 	}

@@ -30,26 +30,23 @@ void AddInspection(FVerbOptions& Verb, FInspectVerbOptions& Options, const FVerb
 	{
 		return Option.SetGroup("Looking inside shaders (slow: they are interpreted)").Exclude(Frames);
 	};
-	const FVerbOption Check = Group(Verb.Add("--check", Options.Checks, "Say which line does something wrong")
-										.SplitAtCommas()
-										.SetType(ListChecks()));
+	const FVerbOption Check =
+		Group(Verb.Add("--check", Options.Checks, "Report the shader lines that do something wrong")
+				  .SplitAtCommas()
+				  .SetType(ListChecks()));
 	Group(Verb.AddRepeated("--show", "X.usf:LINE[:NAME]", Options.Show,
-		"Write what the line computes, or the variable there, as a picture of the whole frame; repeats"));
+		"Write the value that the line computes, or a variable there, as a picture of the whole frame; repeats"));
 	Group(Verb.AddFlag("--coverage", Options.bCoverage, "Count how many pixels ran each line"));
 	Group(Verb.AddFlag("--cost", Options.bCost, "Write taps and operations of each pixel as pictures"));
-	const FVerbOption Print =
-		Group(Verb.AddFlag("--print", Options.bPrint, "Print what shaders say by DrydockPrint and ShaderPrint"));
-	Group(Verb.Add("--at", Options.PrintAt, "Hear only this pixel of each pass")
-			  .SplitAtCommas(2)
-			  .SetType("X,Y")
-			  .Need(Print));
-	Group(
-		Verb.Add("--debug-shaders", Options.DebugPixel,
-				"Run the shaders of passes once more for this pixel of the frame, or this compute thread, so that gdb "
-				"can stop in their lines (docs/see-inside.md)")
-			.SetType("X,Y[,Z]")
-			.Exclude(Check));
-	Group(Verb.Add("--passes", Options.Passes, "Look only at these, by name or by their shader's class; with * and ?")
+	const FVerbOption Print = Group(
+		Verb.AddFlag("--print", Options.bPrint, "Print the values that shaders pass to DrydockPrint and ShaderPrint"));
+	Group(Verb.Add("--at", Options.PrintAt, "Print only for this pixel").SplitAtCommas(2).SetType("X,Y").Need(Print));
+	Group(Verb.Add("--debug-shaders", Options.DebugPixel,
+				  "Run the shaders again for this pixel of the frame, or this compute thread, so that gdb can stop in "
+				  "them (docs/see-inside.md)")
+			  .SetType("X,Y[,Z]")
+			  .Exclude(Check));
+	Group(Verb.Add("--passes", Options.Passes, "Look only at these passes, by name or shader class; with * and ?")
 			  .SetType("PATTERN"));
 }
 

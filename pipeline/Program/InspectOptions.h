@@ -21,7 +21,7 @@ struct FInspectVerbOptions : FInspectOptions
 void AddInspection(FVerbOptions& Verb, FInspectVerbOptions& Options, const FVerbOption& Frames);
 
 /** With what a debugger is to see, for which the run is planned once: its size is what the pixel counts in. Throws
- * FError (DD1020) where that is no pixel of it. */
+ * FError (DD1020) if the pixel is outside the frame. */
 FInspectOptions MakeInspectOptions(const FInspectVerbOptions& Options, const FRunOptions& Run);
 
 } // namespace Drydock

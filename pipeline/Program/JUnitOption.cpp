@@ -10,7 +10,7 @@ namespace Drydock
 
 void AddJUnit(FVerbOptions& Verb, std::string& File, const char* Cases)
 {
-	Verb.Add("--junit", File, std::string("Write JUnit XML for build servers: a suite, ") + Cases).SetType("FILE");
+	Verb.Add("--junit", File, std::string("Write JUnit XML for build servers: a suite with ") + Cases).SetType("FILE");
 }
 
 int CallWithJUnit(const std::string& File, const std::string& SuiteName, const std::function<int(FJUnitSuite&)>& Call)

@@ -111,7 +111,7 @@ std::string MakeManPage(const FProgramModel& Model)
 					   "run Unreal\\-style post\\-process passes on a rendered frame, on the CPU\n";
 	Text += ".SH SYNOPSIS\n\\fBdrydock\\fR \\fIVERB\\fR ...\n";
 	Text += ".SH DESCRIPTION\nVerbs read a config, a JSON file that names a scene, settings and passes. With "
-			"\\fB\\-\\-json\\fR they print JSON, a verb that fails the messages.\n";
+			"\\fB\\-\\-json\\fR they print JSON. A verb that fails prints its messages as JSON.\n";
 	for (const FOptionModel& Option : Model[0].Options)
 	{
 		Text += ".TP\n" + MakeTag(Option) + "\n" + Escape(Option.Doc) + ".\n";

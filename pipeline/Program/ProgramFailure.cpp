@@ -22,8 +22,10 @@ FError MakeInternalError(const std::string& What)
 
 FError MakeSystemError(const std::error_code& Code, const std::string& File)
 {
-	return FError(
-		{.Code = ErrorFileMissing, .Message = "the system refuses: " + Code.message(), .File = File}, ExitFiles);
+	return FError({.Code = ErrorFileMissing,
+					  .Message = (File.empty() ? "system error: " : "cannot access the file: ") + Code.message(),
+					  .File = File},
+		ExitFiles);
 }
 
 } // namespace
@@ -71,7 +73,7 @@ FError ExplainFailure(const std::exception_ptr& Thrown)
 	}
 	catch (...)
 	{
-		return MakeInternalError("something was thrown that is no exception");
+		return MakeInternalError("an object was thrown that is not an exception");
 	}
 }
 

@@ -114,9 +114,9 @@ void FlushOutput()
 		return;
 	}
 	std::clearerr(stdout);
-	// Where it was an earlier writing that failed, one byte more asks for the reason.
+	// If an earlier write failed, writing one more byte gets the reason.
 	const bool bKnown = errno != 0 || write(STDOUT_FILENO, "\n", 1) < 0;
-	throw MakeWriteError("standard output", bKnown ? std::generic_category().message(errno) : "some of it is lost");
+	throw MakeWriteError("standard output", bKnown ? std::generic_category().message(errno) : "part of it is lost");
 }
 
 void HoldStandardStreams()

@@ -1,4 +1,4 @@
-// What verbs say to a person or a script beside their results: messages, and which effects do not run.
+// The output of verbs beside their results: messages, and the effects that do not run.
 #pragma once
 
 #include "Diagnostics.h"

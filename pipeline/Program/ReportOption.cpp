@@ -13,7 +13,7 @@ namespace Drydock
 void AddReport(FVerbOptions& Verb, std::string& Word, const std::string& Page)
 {
 	Verb.Add("--report", Word,
-			"Write " + Page + ": on (where no word follows) or off; on by default where stdout is a terminal")
+			"Write " + Page + ": on or off; --report alone means on; the default is on at a terminal, otherwise off")
 		.SetValueWhereNoneFollows("on")
 		.RequireOneOf({"on", "off"});
 }

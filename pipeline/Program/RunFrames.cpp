@@ -57,13 +57,12 @@ std::string MakeSequenceSummary(const FSequenceResult& Result, const std::string
 	std::string Text = fmt::format("{}: frames {} to {}\n", ConfigFile, Result.Frames.front(), Result.Frames.back());
 	const std::string Rendered =
 		fmt::format("{} rendered in {:.1f} s, {:.2f} frames/s", Result.NumRendered, Result.Seconds, Rate);
-	const std::string There = fmt::format("{} were there already", NumThere);
+	const std::string There = fmt::format("{} already existed", NumThere);
 	Text += "frames   " + (Result.NumRendered == 0 ? There : Rendered + (NumThere > 0 ? ", " + There : "")) + "\n";
 	if (Result.NumRepeated > 0)
 	{
-		Text +=
-			fmt::format("history  {} of them computed again for the history that they leave; they are what they were\n",
-				Result.NumRepeated);
+		Text += fmt::format(
+			"history  {} of them computed again for their history, with the same result\n", Result.NumRepeated);
 	}
 	return Text + "folder   " + Folder + "\n";
 }

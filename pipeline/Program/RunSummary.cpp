@@ -19,14 +19,14 @@ std::string FormatMegabytes(uint64_t Bytes)
 	return fmt::format("{:.1f} MB", static_cast<double>(Bytes) / 1e6);
 }
 
-/** Where the time went, as a bar of at most ten characters. */
+/** A share of the time, as a bar of at most ten characters. */
 std::string MakeBar(double Part, double Largest)
 {
 	const int Length = Largest > 0.0 ? ToCount(Part / Largest * 10.0 + 0.5, 0, 10) : 0;
 	return std::string(static_cast<size_t>(Length), '#');
 }
 
-/** Of a pixel or thread; nothing where a pass reads no texture, or where nobody knows. */
+/** Taps of a pixel or thread; empty if the pass reads no texture; "? taps" if they are unknown. */
 std::string FormatTaps(const FRunPass& Pass)
 {
 	if (!Pass.Taps || *Pass.Taps == 0 || Pass.Counters.Pixels == 0)

@@ -1,4 +1,4 @@
-// What a person wants to know of a run once it is done.
+// The summary of a finished run, for a person.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What `drydock blend` says, for the verbs that say it too: the settings of a config at a place or along a path.
+// The output of `drydock blend`, for other verbs too: the settings of a config at a location or along a path.
 #pragma once
 
 #include "Budget/RunOptions.h"

@@ -39,13 +39,16 @@ FVerbCall AddBlendOptions(FVerbOptions& Verb)
 	const auto Options = std::make_shared<FBlendOptions>();
 	AddConfig(Verb, Options->Run);
 	const FVerbOption At =
-		Verb.Add("--at", Options->At, "Where, in cm; the view's location by default").SetType("X,Y,Z");
-	const FVerbOption Path = Verb.Add("--path", Options->Path,
-									 "Along these points: a JSON file, or \"scene\" for the cameras of the scene's "
-									 "frames")
-								 .SetType("FILE|scene")
-								 .Exclude(At);
-	Verb.Add("--steps", Options->Steps, "Places between two points of the path; some 240 in all by default")
+		Verb.Add("--at", Options->At, "Blend at this location, in cm; at the view's location by default")
+			.SetType("X,Y,Z");
+	const FVerbOption Path =
+		Verb.Add("--path", Options->Path,
+				"Blend along these points: a JSON file, or \"scene\" for the cameras of the scene's "
+				"frames")
+			.SetType("FILE|scene")
+			.Exclude(At);
+	Verb.Add(
+			"--steps", Options->Steps, "Number of locations between two points of the path; by default some 240 in all")
 		.RequireRange(0, 100000)
 		.SetType("N")
 		.Need(Path);
@@ -53,8 +56,8 @@ FVerbCall AddBlendOptions(FVerbOptions& Verb)
 		.SetType("DIR")
 		.Need(Path);
 	Verb.AddRepeated("--setting", "SETTING", Options->Names,
-		"Only these settings, with * and ?; repeats; by default those that changed");
-	Verb.AddFlag("--json", Options->bJson, "Print all settings with their whole ledger as JSON");
+		"Print only these settings, with * and ?; repeats; by default the changed ones");
+	Verb.AddFlag("--json", Options->bJson, "Print JSON: all settings, each with its whole ledger");
 	return [Options]
 	{
 		return Options->Path.empty() ? PrintSettingStory(*Options) : WalkAlongPath(*Options);
@@ -65,7 +68,7 @@ const FVerbRegistration GBlendRegistration({
 	.Name = "blend",
 	.Place = 30,
 	.Group = EVerbGroup::Ask,
-	.Doc = "Print the post-process settings at a place and how each came about",
+	.Doc = "Print the blended settings at a location and the origin of each",
 	.AddOptions = AddBlendOptions,
 });
 

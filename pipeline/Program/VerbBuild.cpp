@@ -61,16 +61,15 @@ FVerbCall AddBuildOptions(FVerbOptions& Verb)
 	const auto Options = std::make_shared<FBuildOptions>();
 	Verb.Add("PLUGIN_DIR", Options->Build.Folder, "Folder of a plugin, with its .uplugin").Require();
 	Verb.Add("--out", Options->Build.BuildFolder, "Folder of the build; build/NAME by default").SetType("DIR");
-	Verb.Add("--name", Options->Build.Name, "Name of the library; that of the .uplugin by default").SetType("NAME");
+	Verb.Add("--name", Options->Build.Name, "Name of the library; the name of the .uplugin by default").SetType("NAME");
 	Verb.Add("--engine-minor", Options->Build.EngineMinor,
-			"Engine 5.X that it is compiled for; by default the one that the .uplugin or .uproject names, "
-			"else 4")
+			"Compile for engine 5.X; by default for the version in the .uplugin or .uproject, else for 5.4")
 		.SetType("X")
 		.RequireRange(1, 99);
 	Verb.AddRepeated("--exclude", "PATTERN", Options->Build.Excludes,
-		"Leave out a file, folder or module: a path from PLUGIN_DIR on or a name, with * and ?");
+		"Leave out a file, folder or module: a path relative to PLUGIN_DIR, or a name; with * and ?");
 	Verb.Add("--compiler", Options->Build.Compiler, "C++ compiler; CMake's choice by default").SetType("PATH");
-	Verb.AddFlag("--json", Options->bJson, "Print name, engine, library and what was left out");
+	Verb.AddFlag("--json", Options->bJson, "Print JSON: name, engine, library and the files left out");
 	return [Options]
 	{
 		return Build(*Options);
@@ -81,7 +80,7 @@ const FVerbRegistration GBuildRegistration({
 	.Name = "build",
 	.Place = 115,
 	.Group = EVerbGroup::Patch,
-	.Doc = "Build a plugin's folder as it is, for the \"plugins\" of a config",
+	.Doc = "Build a plugin's folder as it is, for use in a config",
 	.AddOptions = AddBuildOptions,
 });
 

@@ -22,7 +22,7 @@ namespace
 FVerbCall AddCompletion(FVerbOptions& Verb)
 {
 	const auto Shell = std::make_shared<std::string>();
-	Verb.Add("SHELL", *Shell, "The shell").Require().RequireOneOf({"bash", "zsh"});
+	Verb.Add("SHELL", *Shell, "Name of the shell").Require().RequireOneOf({"bash", "zsh"});
 	return [Shell]
 	{
 		const FProgramModel Model = MakeProgramModel();
@@ -43,7 +43,7 @@ FVerbCall AddMan(FVerbOptions&)
 FVerbCall AddSchema(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FRunOptions>();
-	Verb.Add("CONFIG", Options->ConfigFile, "With the names that this config's plugins bring; none by default");
+	Verb.Add("CONFIG", Options->ConfigFile, "Add the names that this config's plugins bring; none by default");
 	AddTrust(Verb, *Options);
 	return [Options]
 	{
@@ -78,7 +78,7 @@ const FVerbRegistration GSchema({
 	.Name = "schema",
 	.Place = 132,
 	.Group = EVerbGroup::Shell,
-	.Doc = "Print the JSON schema of configs, by which editors complete them",
+	.Doc = "Print the JSON schema of configs, for completion in editors",
 	.AddOptions = AddSchema,
 });
 

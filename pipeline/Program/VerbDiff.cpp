@@ -267,7 +267,8 @@ FJUnitCase MakeCase(const FPair& Pair, const FDiffOptions& Options)
 	{
 		Case.Outcome = EJUnitOutcome::Failed;
 		Case.Message =
-			bBoth ? fmt::format("differs by {:.6g}, allowed are {:.6g}", Pair.Error.Max, *Options.Max) : Case.Output;
+			bBoth ? fmt::format("differs by {:.6g}, more than the allowed {:.6g}", Pair.Error.Max, *Options.Max)
+				  : Case.Output;
 	}
 	return Case;
 }
@@ -318,7 +319,7 @@ const FOutputNames& GetDiffOutputNames()
 	return Names;
 }
 
-/** Where nobody asked for the page, what is in its way is said, and the comparison goes on without: false. */
+/** If nobody asked for the page, an obstacle is only reported, and the comparison goes on without a page: false. */
 bool OpenPageFolder(const FDiffOptions& Options, std::optional<FOutputFolder>& Folder)
 {
 	try
@@ -353,7 +354,7 @@ int Diff(const FDiffOptions& Options, FJUnitSuite& Suite)
 	if (bFolderA != bFolderB)
 	{
 		throw MakeError(ErrorImagesDiffer, bFolderA ? Options.B : Options.A,
-			"a folder of a run can be compared with another one only, an image with an image", ExitUsage);
+			"a run's folder can be compared only with a run's folder, an image only with an image", ExitUsage);
 	}
 	std::vector<FPair> Pairs =
 		bFolders ? PairRuns(Options.A, Options.B)
@@ -396,18 +397,18 @@ int Diff(const FDiffOptions& Options, FJUnitSuite& Suite)
 FVerbCall AddDiffOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FDiffOptions>();
-	Verb.Add("A", Options->A, "Image, or folder of a run").Require();
-	Verb.Add("B", Options->B, "What A is measured against: another one of the same kind and size").Require();
-	Verb.Add("--max", Options->Max, "Exit code 1 where a value differs by more than this")
+	Verb.Add("A", Options->A, "First image, or folder of a run").Require();
+	Verb.Add("B", Options->B, "Second image or folder, of the same kind and size").Require();
+	Verb.Add("--max", Options->Max, "Exit with code 1 if a value differs by more than this")
 		.RequireNonNegative()
 		.SetType("M");
 	Verb.Add("--heatmap", Options->HeatMap,
-			"PNG of where the error is, over four decades of it; of two runs a folder, with one of each picture")
+			"Write a PNG that shows the error, over four decades; for two runs a folder with a PNG for each picture")
 		.SetType("FILE");
 	Verb.Add("--out", Options->OutputFolder, "Folder for the page; out/diff by default").SetType("DIR");
-	AddReport(Verb, Options->Report, "diff.html, both pictures over each other and what differs in how they were made");
+	AddReport(Verb, Options->Report, "diff.html, both pictures over each other and the differences in their making");
 	AddJUnit(Verb, Options->JUnit, "a case for each pair of pictures");
-	Verb.AddFlag("--json", Options->bJson, "Print the figures as JSON");
+	Verb.AddFlag("--json", Options->bJson, "Print the error figures as JSON");
 	return [Options]
 	{
 		return CallWithJUnit(Options->JUnit, Options->A + " against " + Options->B,
@@ -419,7 +420,7 @@ const FVerbRegistration GDiffRegistration({
 	.Name = "diff",
 	.Place = 60,
 	.Group = EVerbGroup::Measure,
-	.Doc = "Print how far two images are apart, or two runs picture by picture",
+	.Doc = "Compare two images, or two runs picture by picture",
 	.AddOptions = AddDiffOptions,
 });
 

@@ -149,17 +149,19 @@ FVerbCall AddExplainOptions(FVerbOptions& Verb)
 	const auto Options = std::make_shared<FExplainOptions>();
 	AddConfig(Verb, Options->Run);
 	AddArithmetic(Verb, Options->Run);
-	const FVerbOption Pass = Verb.Add("--pass", Options->Pass,
-									 "Only this pass, by name or index: what it reads and writes, who reads that, why "
-									 "it is culled")
-								 .SetType("PASS");
-	const FVerbOption Effect =
-		Verb.Add("--effect", Options->Effect, "Only this effect, with its passes").SetType("EFFECT").Exclude(Pass);
-	Verb.AddRepeated("--setting", "SETTING", Options->Names, "How this setting came about, as `drydock blend` says it")
+	const FVerbOption Pass =
+		Verb.Add("--pass", Options->Pass,
+				"Print only this pass, by name or index: its inputs and outputs, their readers, why it is culled")
+			.SetType("PASS");
+	const FVerbOption Effect = Verb.Add("--effect", Options->Effect, "Print only this effect, with its passes")
+								   .SetType("EFFECT")
+								   .Exclude(Pass);
+	Verb.AddRepeated(
+			"--setting", "SETTING", Options->Names, "Print the origin of this setting, as `drydock blend` does")
 		.Exclude(Pass)
 		.Exclude(Effect);
 	Verb.AddFlag("--measure", Options->bMeasure,
-		"Run the frame as it is and with --no-skip, interleaved, and give medians in place of estimates");
+		"Run the frame as it is and with --no-skip, interleaved, and print medians instead of estimates");
 	Verb.AddFlag("--json", Options->bJson, "Print effects, passes and costs as JSON");
 	return [Options]
 	{
@@ -171,7 +173,7 @@ const FVerbRegistration GExplainRegistration({
 	.Name = "explain",
 	.Place = 70,
 	.Group = EVerbGroup::Ask,
-	.Doc = "Print which effects and passes run, which do not and why",
+	.Doc = "List the effects and passes that run, and why others do not",
 	.AddOptions = AddExplainOptions,
 });
 

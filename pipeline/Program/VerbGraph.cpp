@@ -71,9 +71,9 @@ FVerbCall AddGraphOptions(FVerbOptions& Verb)
 	const auto Options = std::make_shared<FGraphOptions>();
 	AddConfig(Verb, Options->Run);
 	AddArithmetic(Verb, Options->Run);
-	Verb.Add("--format", Options->Format, "text by default; svg needs Graphviz")
+	Verb.Add("--format", Options->Format, "Format of the graph; text by default; svg needs Graphviz")
 		.RequireOneOf({"text", "dot", "svg", "json"});
-	Verb.AddFlag("--json", Options->bJson, "The same as --format json");
+	Verb.AddFlag("--json", Options->bJson, "Print JSON, as --format json does");
 	return [Options]
 	{
 		return PrintGraph(*Options);

@@ -96,15 +96,15 @@ FVerbCall AddHazardsOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FHazardsVerbOptions>();
 	AddConfig(Verb, Options->Run);
-	AddThreads(Verb, Options->Run, "Threads of the passes; 0: all cores");
-	Verb.Add("--pass", Options->Request.Pass, "The pass, or its shader's class; with * and ?")
+	AddThreads(Verb, Options->Run, "Number of threads for the passes; 0: all cores");
+	Verb.Add("--pass", Options->Request.Pass, "Choose the pass by its name or its shader's class; with * and ?")
 		.SetType("PATTERN")
 		.Require();
 	Verb.Add("--input", Options->Request.Input,
-			"The texture that hazards take the place of, as the shader calls it; the first with three channels by "
+			"Replace this texture, named as in the shader; the first with three channels by "
 			"default")
 		.SetType("NAME");
-	Verb.Add("--out", Options->Folder, "Write what the pass made of each hazard as PNG files into this folder")
+	Verb.Add("--out", Options->Folder, "Write the pass's output for each hazard as PNG files into this folder")
 		.SetType("DIR");
 	Verb.AddFlag("--json", Options->bJson, "Print JSON");
 	return [Options]
@@ -117,7 +117,7 @@ const FVerbRegistration GHazardsRegistration({
 	.Name = "hazards",
 	.Place = 46,
 	.Group = EVerbGroup::Measure,
-	.Doc = "Feed one pass NaN, infinities and the like: what becomes of them",
+	.Doc = "Test one pass with NaN, infinities and other extreme inputs",
 	.AddOptions = AddHazardsOptions,
 });
 

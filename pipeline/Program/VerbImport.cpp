@@ -47,10 +47,11 @@ void AddTriple(FVerbOptions& Verb, const char* Name, std::optional<std::array<do
 void AddEncodings(FVerbOptions& Verb, FImportAsked& Asked)
 {
 	AddWords(Verb, "--from", Asked.Origin, GetImportOriginWords(), "unreal|blender|drydock|plain",
-		"Whose conventions hold, in place of what headers and names say");
+		"Use these conventions instead of those that headers and names indicate");
 	Verb.Add("--unit", Asked.Unit, "Unit of depth").RequireOneOf(GetImportUnitWords()).SetType("m|cm|mm|km");
 	AddWords(Verb, "--depth", Asked.Depth, GetImportDepthWords(), "distance|ray|inverse|device|mist",
-		"Along the camera's axis, from its place, one by it, the engine's device depth, or mist");
+		"Depth holds the distance along the camera's axis, the distance from the camera, an inverse, device depth, or "
+		"mist");
 	Verb.Add(
 			"--mist",
 			[&Asked](const std::string& Text)
@@ -59,19 +60,19 @@ void AddEncodings(FVerbOptions& Verb, FImportAsked& Asked)
 					ParseNumbers("--mist", Text, 2, 2, "START,DEPTH in metres, as the world's mist settings have them");
 				Asked.Mist = {Numbers[0], Numbers[1]};
 			},
-			"Take depth from a mist pass of linear falloff, which begins at START and ends DEPTH behind it")
+			"Read depth from a linear mist pass, which begins at START and ends DEPTH behind it")
 		.SetType("START,DEPTH");
 	Verb.Add(
 			"--normals", [&Asked](const std::string& Word) { Asked.bHalved = Word == "encoded"; },
-			"Stored as -1..1, or as half of themselves and a half")
+			"Normals are stored as -1..1, or encoded in 0..1")
 		.RequireOneOf({"signed", "encoded"});
 	AddWords(Verb, "--normal-space", Asked.NormalSpace, GetImportNormalSpaceWords(), "unreal|world|y-up|camera",
 		"Axes of the normals: Unreal's, right-handed with Z or with Y up, or the camera's");
 	AddWords(Verb, "--velocity", Asked.Velocity, GetImportVelocityWords(), "pixels|pixels-up|ndc|unreal|blender",
-		"How movement is stored: pixels with y down or up, screen position, Unreal's or Blender's pass");
-	Verb.AddFlag("--flip-velocity", Asked.bFlipVelocity, "Movement points the other way");
+		"Storage of movement: pixels with y down or up, screen position, Unreal's or Blender's pass");
+	Verb.AddFlag("--flip-velocity", Asked.bFlipVelocity, "Reverse the direction of movement");
 	AddWords(Verb, "--alpha", Asked.Alpha, GetImportAlphaWords(), "premultiplied|straight|opaque",
-		"Colour is multiplied by alpha already (default), is to be, or alpha counts for nothing");
+		"Colour is already multiplied by alpha (default), must be multiplied, or alpha is ignored");
 }
 
 int Import(const FImportOptions& Options)
@@ -98,22 +99,23 @@ FVerbCall AddImportOptions(FVerbOptions& Verb)
 	const auto Options = std::make_shared<FImportOptions>();
 	FImportAsked& Asked = Options->Asked;
 	Verb.Add("FRAME", Options->Inputs,
-			"Files of one frame: multi-layer EXR, or one file to a pass; NAME.####.exr is a sequence")
+			"Files of one frame: multi-layer EXR, or one file for each pass; NAME.####.exr is a sequence")
 		.Require();
-	Verb.Add("--out", Options->OutputFile, "The scene to write; its config goes beside it").SetType("SCENE.exr");
+	Verb.Add("--out", Options->OutputFile, "Write the scene to this file, and its config beside it")
+		.SetType("SCENE.exr");
 	Verb.AddRepeated("--map", "LAYER=CHANNEL", Asked.Maps,
-		"What a layer, channel or file becomes, in place of the guess: depth, normal, R ...; none leaves it out; "
+		"Import a layer, channel or file as this, instead of the guess: depth, normal, R ...; none leaves it out; "
 		"repeats");
 	Verb.AddRepeated("--toon", "OBJECT", Asked.Toon,
-		"Objects that are toon-shaded, by name (with * and ?) or stencil value; repeats");
-	Verb.AddRepeated(
-		"--stencil", "OBJECT=VALUE", Asked.Stencil, "Custom stencil of objects, by name; repeats, and later ones win");
+		"Mark objects as toon-shaded, by name (with * and ?) or stencil value; repeats");
+	Verb.AddRepeated("--stencil", "OBJECT=VALUE", Asked.Stencil,
+		"Set the custom stencil of objects, by name; repeats; later values win");
 	AddEncodings(Verb, Asked);
 	Verb.Add("--fov", Asked.Fov, "Horizontal field of view of the camera").RequireRange(1.0, 170.0).SetType("DEGREES");
-	AddTriple(Verb, "--location", Asked.Location, "X,Y,Z", "X,Y,Z in cm", "Camera's place in Unreal's axes, cm");
+	AddTriple(Verb, "--location", Asked.Location, "X,Y,Z", "X,Y,Z in cm", "Camera's location in Unreal's axes, cm");
 	AddTriple(Verb, "--rotation", Asked.Rotation, "PITCH,YAW,ROLL", "PITCH,YAW,ROLL in degrees",
 		"Camera's rotation in Unreal's axes, degrees");
-	Verb.AddFlag("--dry-run", Options->bDryRun, "Print what would become what, and write nothing");
+	Verb.AddFlag("--dry-run", Options->bDryRun, "Print the table of layers and channels, and write nothing");
 	Verb.AddFlag("--force", Options->bForce, "Replace a scene that import did not write, and the config");
 	Verb.AddFlag("--json", Options->bJson, "Print the table as JSON");
 	return [Options]
@@ -127,7 +129,7 @@ const FVerbRegistration GImportRegistration({
 	.Name = "import",
 	.Place = 105,
 	.Group = EVerbGroup::Run,
-	.Doc = "Make a scene and a config of a frame of Unreal or Blender",
+	.Doc = "Make a scene and a config from a frame of Unreal or Blender",
 	.AddOptions = AddImportOptions,
 });
 

@@ -46,7 +46,7 @@ uint8_t GetPlatforms(const FLintOptions& Options)
 	return Platforms != 0 ? Platforms : uint8_t(0xFF);
 }
 
-/** Where a file is mapped only to be looked at. */
+/** The virtual directory of a file that is mapped only for checking. */
 constexpr const char* OwnDirectory = "/Lint";
 
 /** A file as its user named it: by the engine's path where it has one, else by that on disk. */
@@ -70,14 +70,14 @@ std::vector<FDiagnostic> WithShownPaths(std::vector<FDiagnostic> Diagnostics)
 	return Diagnostics;
 }
 
-/** What was found, each once: permutations of one shader find the same. */
+/** The findings, each once: permutations of one shader share findings. */
 struct FFound
 {
 	std::set<FLintFinding> Findings;
 	size_t NumShaders = 0;
 	uint8_t Platforms = 0;
 
-	/** Of: the request's file, where more of its entry points follow. */
+	/** Checks a shader. If more entry points of its file follow, Of is the file's linter. */
 	void Look(const FShaderCompileRequest& Request, FFileLinter* Of = nullptr)
 	{
 		++NumShaders;
@@ -315,13 +315,14 @@ FVerbCall AddLintOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FLintOptions>();
 	Verb.Add("SHADER", Options->Targets,
-		"Files (.usf, .spv), as they lie on disk or by their virtual path; or configs (.json), whose frame's shaders "
-		"are looked at, and all shader classes of their plugins");
-	Verb.AddRepeated("--platform", "", Options->Platforms, "Only what matters there; repeats; all by default")
+		"Shader files (.usf, .spv), by path or virtual path, or configs (.json): the shaders of their frames and all "
+		"shader classes of their plugins");
+	Verb.AddRepeated(
+			"--platform", "", Options->Platforms, "Report only findings for this platform; repeats; all by default")
 		.RequireOneOf(GetLintPlatforms());
-	Verb.Add("--entry", Options->Entry, "Only this entry point; all by default").SetType("NAME");
+	Verb.Add("--entry", Options->Entry, "Check only this entry point; all by default").SetType("NAME");
 	AddTrust(Verb, Options->Run);
-	Verb.AddFlag("--list", Options->bList, "Print the rules, each with the document that states it");
+	Verb.AddFlag("--list", Options->bList, "List the rules, each with its source document");
 	Verb.AddFlag("--json", Options->bJson, "Print JSON");
 	return [Options]
 	{
@@ -333,7 +334,7 @@ const FVerbRegistration GLintRegistration({
 	.Name = "lint",
 	.Place = 47,
 	.Group = EVerbGroup::Measure,
-	.Doc = "Name what of shaders fails on D3D11, SM6, Vulkan, Metal or mobile",
+	.Doc = "Report shader code that fails on D3D11, SM6, Vulkan, Metal, mobile",
 	.AddOptions = AddLintOptions,
 });
 

@@ -114,7 +114,7 @@ std::string GetListTypes()
 	return JoinText(GetLists(), "|");
 }
 
-/** Of all but settings and variables. */
+/** The table of every kind of list but settings and variables. */
 FListTable MakeListTable(const FListOptions& Options)
 {
 	if (Options.Things == "passes")
@@ -250,7 +250,7 @@ int PrintList(const FListOptions& Options)
 		std::vector<std::string> Names;
 		for (const std::vector<std::string>& Row : Table.Rows)
 		{
-			// Of a pass without its size: so it can be named on the command line.
+			// A pass is listed without its size, because that is its name on the command line.
 			Names.push_back(Options.Things == "passes" ? GetShortPassName(Row[0]) : Row[0]);
 		}
 		PrintNames(Names);
@@ -263,16 +263,16 @@ int PrintList(const FListOptions& Options)
 FVerbCall AddListOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FListOptions>();
-	Verb.Add("THINGS", Options->Things, "What is listed").Require().SetType(GetListTypes());
+	Verb.Add("THINGS", Options->Things, "Kind of things to list").Require().SetType(GetListTypes());
 	Verb.Add("FILTER", Options->Filter,
-		"Only names that contain this, or match it where it has * or ? (settings, cvars), ignoring case; for hooks a "
-		"config, whose chain is listed");
+		"List only names that contain this text, ignoring case; with * or ? only names that match it (settings, "
+		"cvars). For hooks: list the chain of this config");
 	Verb.Add("--config", Options->Run.ConfigFile,
-			"passes: those of this config's frame; cvars: as it sets them; settings: with those of its plugins")
+			"List the passes of this config's frame, its values of cvars, or the settings of its plugins too")
 		.SetType("CONFIG");
 	AddVariables(Verb, Options->Run);
 	AddTrust(Verb, Options->Run);
-	Verb.AddFlag("--names", Options->bNames, "Print names alone, one a line, as completion asks for them");
+	Verb.AddFlag("--names", Options->bNames, "Print only names, one a line, for shell completion");
 	Verb.AddFlag("--json", Options->bJson, "Print an array of objects");
 	return [Options]
 	{
@@ -284,7 +284,7 @@ const FVerbRegistration GListRegistration({
 	.Name = "list",
 	.Place = 80,
 	.Group = EVerbGroup::LookUp,
-	.Doc = "List what there is: passes, settings, cvars, effects, hooks, ...",
+	.Doc = "List passes, settings, console variables, effects, hooks, ...",
 	.AddOptions = AddListOptions,
 });
 

@@ -84,17 +84,17 @@ FVerbCall AddMatrixOptions(FVerbOptions& Verb)
 	FMatrixRequest& Request = Options->Request;
 	Verb.Add("PLUGIN_DIR", Request.Folder, "Folder of a plugin, with its .uplugin").Require();
 	Verb.Add("CONFIG", Request.Config,
-		"JSON config to run it in, which need not name the plugin; a small frame of drydock's own by default");
-	Verb.Add("--versions", Options->Versions, "Engine versions, such as 5.3-5.6,5.8; all that drydock knows by default")
+		"Run the plugin in this JSON config, which need not name it; in a small built-in frame by default");
+	Verb.Add("--versions", Options->Versions, "Engine versions, such as 5.3-5.6,5.8; all known versions by default")
 		.SetType("LIST");
 	Verb.Add("--out", Request.OutputFolder,
 			"Folder for builds, runs, matrix.txt, matrix.json and matrix.png; build/NAME-matrix by default")
 		.SetType("DIR");
 	Verb.AddRepeated("--exclude", "PATTERN", Request.Excludes,
-		"Leave out a file, folder or module: a path from PLUGIN_DIR on or a name, with * and ?");
+		"Leave out a file, folder or module: a path relative to PLUGIN_DIR, or a name; with * and ?");
 	Verb.Add("--compiler", Request.Compiler, "C++ compiler; CMake's choice by default").SetType("PATH");
-	AddReport(Verb, Options->Report, "matrix.html, the table with what lies behind its cells");
-	AddJUnit(Verb, Options->JUnit, "of each version the cases builds, runs and picture");
+	AddReport(Verb, Options->Report, "matrix.html, the table and the details of its cells");
+	AddJUnit(Verb, Options->JUnit, "the cases builds, runs and picture for each version");
 	Verb.AddFlag("--json", Options->bJson, "Print the table as JSON");
 	return [Options]
 	{

@@ -60,7 +60,7 @@ std::string FindPrefix()
 	return Share.empty() ? std::string() : Files::path(Share).parent_path().parent_path().parent_path().string();
 }
 
-/** What to type next. */
+/** The commands to type next. */
 std::vector<std::string> GetCommands(const std::string& Folder, const std::string& Name)
 {
 	const std::string Prefix = FindPrefix();
@@ -127,8 +127,9 @@ FVerbCall AddNewOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FNewPatchOptions>();
 	Verb.Add("NAME", Options->Name, "Name of the patch, such as MyPatch: a C++ identifier").Require();
-	Verb.Add("--dir", Options->Folder, "Folder that the folder NAME is made in; here by default").SetType("DIR");
-	Verb.AddFlag("--json", Options->bJson, "Print name, folder, files and the commands to go on with");
+	Verb.Add("--dir", Options->Folder, "Make the folder NAME in this folder; in the current one by default")
+		.SetType("DIR");
+	Verb.AddFlag("--json", Options->bJson, "Print JSON: name, folder, files and the next commands");
 	return [Options]
 	{
 		return MakePatch(*Options);
@@ -139,7 +140,7 @@ const FVerbRegistration GNewRegistration({
 	.Name = "new",
 	.Place = 110,
 	.Group = EVerbGroup::Patch,
-	.Doc = "Make a patch to begin with: sources, shader, config, test",
+	.Doc = "Make a new patch to start from: sources, shader, config, test",
 	.AddOptions = AddNewOptions,
 });
 

@@ -18,21 +18,21 @@ void AddVariables(FVerbOptions& Verb, FRunOptions& Options)
 {
 	Verb.AddInOrder(
 		"--set", "r.NAME=VALUE", [&Options](const std::string& Text) { Options.Variables.push_back(Text); },
-		"Set a console variable; repeats; beats the config");
+		"Set a console variable; repeats; overrides the config");
 	Verb.AddInOrder(
 		"--exec", "\"A 1, B\"",
 		[&Options](const std::string& Text) {
 			Options.Exec.push_back({Text, Options.Variables.size()});
 		},
-		"Tell the console: \"r.A 1, r.B=2, r.C\" sets two, prints the third; repeats; beats --set");
+		"Run console commands: \"r.A 1, r.B=2, r.C\" sets two and prints the third; repeats; overrides --set");
 }
 
 void AddTrust(FVerbOptions& Verb, FRunOptions& Options)
 {
-	Verb.AddFlag("--no-plugins", Options.bNoPlugins, "Refuse a config that names plugins: they are code that is run");
+	Verb.AddFlag("--no-plugins", Options.bNoPlugins, "Refuse a config that names plugins, because plugins are code");
 	Verb.AddFlag(
 		"--read-only-cache", [] { FShaderCache::SetUse(EShaderCacheUse::ReadOnly); },
-		"Write nothing to the shader cache; what it lacks is compiled for this run alone");
+		"Write nothing to the shader cache; missing shaders are compiled for this run only");
 }
 
 void AddConfig(FVerbOptions& Verb, FRunOptions& Options)
@@ -40,14 +40,14 @@ void AddConfig(FVerbOptions& Verb, FRunOptions& Options)
 	Verb.Add("CONFIG", Options.ConfigFile, "JSON config, such as configs/toon_bloom.json").Require();
 	AddVariables(Verb, Options);
 	Verb.AddRepeated(
-		"--pp", "SETTING=VALUE", Options.Settings, "Set a post-process setting; repeats; beats all volumes");
-	Verb.Add("--frame", Options.Frame, "Which frame of a sequence, by default the first; shaders see it too")
+		"--pp", "SETTING=VALUE", Options.Settings, "Set a post-process setting; repeats; overrides all volumes");
+	Verb.Add("--frame", Options.Frame, "Use this frame of a sequence, by default the first; shaders see the number too")
 		.RequireRange(0, 1 << 30)
 		.SetType("N");
-	Verb.Add("--engine", Options.Engine, "Engine version whose behaviour holds; beats the config's")
+	Verb.Add("--engine", Options.Engine, "Behave as this engine version; overrides the config")
 		.SetType(FindConfigKey("", "engine")->Of);
-	Verb.AddRepeated(
-		"--plugin", "FILE", Options.Plugins, "Load a plugin, in place of the config's of the same file name; repeats");
+	Verb.AddRepeated("--plugin", "FILE", Options.Plugins,
+		"Load a plugin; replaces the config's plugin of the same file name; repeats");
 	AddTrust(Verb, Options);
 }
 
@@ -60,22 +60,22 @@ void AddArithmetic(FVerbOptions& Verb, FRunOptions& Options)
 {
 	Verb.Add(
 			"--precision", [&Options](const std::string& Name) { Options.bDouble = Name == "double"; },
-			"Arithmetic of the shaders: float (default) or double, with 64-bit storage")
+			"Arithmetic of the shaders: float (default), or double with 64-bit storage")
 		.RequireOneOf({"float", "double"});
 	static const std::map<std::string, ERunStorage> Storages = {
 		{"native", ERunStorage::Native}, {"float32", ERunStorage::Float32}, {"float64", ERunStorage::Float64}};
 	Verb.Add(
 			"--storage", [&Options](const std::string& Name) { Options.Storage = Storages.at(Name); },
-			"Storage of textures: native (their own formats, default), float32, float64")
+			"Storage of textures: native (default; each its own format), float32, float64")
 		.RequireOneOf({"native", "float32", "float64"});
 	Verb.Add(
 			"--backend",
 			[&Options](const std::string& Name)
 			{ Options.Variables.push_back(Name == "vulkan" ? "r.Drydock.Backend=1" : "r.Drydock.Backend=0"); },
-			"What shaders run on: cpu (default), or vulkan, the driver that is there; VK_DRIVER_FILES names one "
-			"of several")
+			"Run shaders on the cpu (default), or on the installed vulkan driver; VK_DRIVER_FILES selects one of "
+			"several")
 		.RequireOneOf({"cpu", "vulkan"});
-	AddThreads(Verb, Options, "Threads; 0: all cores (default). The result is the same bits for any number");
+	AddThreads(Verb, Options, "Number of threads; 0: all cores (default). Every number gives the same bits");
 }
 
 std::array<double, 3> ParseLocation(const std::string& Text)

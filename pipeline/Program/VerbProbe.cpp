@@ -70,7 +70,7 @@ std::vector<FProbePass> ProbeRun(const FRunOptions& Run, FProbeRequest Request)
 	if (Capture.GetPasses().empty())
 	{
 		throw FError({.Code = ErrorBadArgument,
-						 .Message = "no pass of this run that a shader draws fits '" + Request.Passes + "'",
+						 .Message = "no pass of this run that a shader draws matches '" + Request.Passes + "'",
 						 .Where = "--passes"},
 			ExitUsage);
 	}
@@ -96,18 +96,18 @@ FVerbCall AddProbeOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FProbeVerbOptions>();
 	AddConfig(Verb, Options->Run);
-	AddThreads(Verb, Options->Run, "Threads of the passes; 0: all cores (default)");
-	Verb.Add("pixel", Options->Pixel, "The pixel, counted in the frame that comes out")
+	AddThreads(Verb, Options->Run, "Number of threads for the passes; 0: all cores (default)");
+	Verb.Add("pixel", Options->Pixel, "Pixel of the final frame").SplitAtCommas(2).SetType("X,Y").Require();
+	Verb.Add("--region", Options->Region, "Size of a region that begins at X,Y; 1,1 by default")
 		.SplitAtCommas(2)
-		.SetType("X,Y")
-		.Require();
-	Verb.Add("--region", Options->Region, "So many pixels from X,Y on; 1,1 by default").SplitAtCommas(2).SetType("W,H");
-	Verb.Add("--passes", Options->Request.Passes, "Only these, by name or by their shader's class; with * and ?")
+		.SetType("W,H");
+	Verb.Add("--passes", Options->Request.Passes, "Print only these passes, by name or shader class; with * and ?")
 		.SetType("PATTERN");
 	Verb.Add("--against", Options->Against,
-			"Run again with another config, setting (BloomIntensity=1) or variable (r.Name=1), and say where they part")
+			"Run again with another config, setting (BloomIntensity=1) or variable (r.Name=1), and show where the two "
+			"runs differ")
 		.SetType("WHAT");
-	Verb.AddFlag("--json", Options->bJson, "Print JSON, with all texels that were read");
+	Verb.AddFlag("--json", Options->bJson, "Print JSON, with all texels read");
 	return [Options]
 	{
 		return Probe(*Options);
@@ -118,7 +118,7 @@ const FVerbRegistration GProbeRegistration({
 	.Name = "probe",
 	.Place = 42,
 	.Group = EVerbGroup::Ask,
-	.Doc = "Print a pixel's value through all passes: read and written",
+	.Doc = "Print the values of a pixel that each pass reads and writes",
 	.AddOptions = AddProbeOptions,
 });
 

@@ -40,7 +40,7 @@ FVerbCall AddProveOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FProveVerbOptions>();
 	AddConfig(Verb, Options->Run);
-	Verb.Add("--only", Options->Only, "Only these equivalences, by name; with * and ?").SetType("PATTERN");
+	Verb.Add("--only", Options->Only, "Check only these equivalences, by name; with * and ?").SetType("PATTERN");
 	Verb.AddFlag("--json", Options->bJson, "Print JSON");
 	return [Options]
 	{
@@ -52,7 +52,7 @@ const FVerbRegistration GProveRegistration({
 	.Name = "prove",
 	.Place = 45,
 	.Group = EVerbGroup::Measure,
-	.Doc = "Run a config under every promised equivalence: threads, lanes, ...",
+	.Doc = "Check that threads, lanes, ... do not change a config's result",
 	.AddOptions = AddProveOptions,
 });
 

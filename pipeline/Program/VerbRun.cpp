@@ -45,7 +45,7 @@ double GetStartMilliseconds()
 	return 1000.0 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/** Where the picture has NaN or infinity of the passes' own making, the messages name the line that made it. */
+/** If the passes themselves made NaN or infinity in the picture, the messages name the line that made it. */
 FRunResult RunToFirstCause(FRunSession& Session, const FRunOptions& Options)
 {
 	if (GetDispatchObserver())
@@ -138,7 +138,7 @@ void AddPlugin(const std::string& Path, FWatchedFiles& Files)
 	}
 }
 
-/** What a run of the config reads: itself, its scene, its plugins, and every shader file there is. */
+/** The files that a run reads: the config, its scene, its plugins, and every shader file. */
 FWatchedFiles GetWatchedFiles(const FRunVerbOptions& Options)
 {
 	FWatchedFiles Files;
@@ -219,8 +219,7 @@ int RunOrWatch(const FRunVerbOptions& Options)
 	{
 		throw FError(
 			{.Code = ErrorBadArgument,
-				.Message =
-					"is about the frames of a sequence: name them with --frames, or in the config's scene.frames",
+				.Message = "needs the frames of a sequence: name them with --frames, or in the config's scene.frames",
 				.Where = Options.bRestart         ? "--restart"
 						 : !Options.Video.empty() ? "--video"
 												  : "--lead"},
@@ -245,36 +244,35 @@ FVerbCall AddRunOptions(FVerbOptions& Verb)
 	Verb.Add(
 			"--outputs",
 			[Options](const std::vector<std::string>& Names) { Options->Run.Write = MakeOutputKinds(Names); },
-			"What is written beside run.json: json is timing and trace, dot the graph; all by default, with "
-			"--watch png; beats the config's outputs.write")
+			"Write these beside run.json: json is timing and trace, dot the graph; all by default, only png with "
+			"--watch; overrides the config's outputs.write")
 		.RequireSomeOf(GetOutputKindNames());
 	Verb.AddRepeated("--dump", "PATTERN", Options->Run.Dump,
-		"Keep what matches: a pass, a resource or Pass.Resource, with * and ?; repeats");
+		"Keep the matching passes or resources: a pass, a resource or Pass.Resource, with * and ?; repeats");
 	Verb.AddFlag("--no-skip", Options->Run.bNoSkip,
-		"Leave nothing out because nobody needs it: slower, the same bits; what is switched off stays off");
+		"Run the passes that are not needed too: slower, the same bits; effects that are off stay off");
 	Verb.AddFlag("--measure-effects", Options->Run.bMeasureEffects,
-		"Measure what effects come to (bleed of toon bloom, banding of the toon shadow) and add it to run.json");
+		"Measure the effects (bleed of toon bloom, banding of the toon shadow) and add the figures to run.json");
 	Verb.AddFlag("--fingerprints", Options->Run.bFingerprints,
-		"Add to each pass of run.json a fingerprint of every texture that it wrote");
+		"Add to each pass in run.json a fingerprint of every texture that the pass wrote");
 	const FVerbOption Frames =
 		Verb.Add("--frames", Options->Frames,
-				"Frames of a sequence, each with what lives on from the one before: all, 1-8, 1-9x2 (every second) or "
-				"1,3,5-8; the config's scene.frames by default. A run that was stopped goes on where it stood")
+				"Render these frames of a sequence, each with the history of the frame before: all, 1-8, 1-9x2 (every "
+				"second) or 1,3,5-8; the config's scene.frames by default. A stopped run resumes")
 			.SetType("LIST")
 			.Exclude(Verb.Find("--frame"));
 	Verb.Add("--lead", Options->Lead,
-			"Frames before the first of --frames that are rendered for what lives on from them, and are not written")
+			"Render this many frames before the first of --frames for their history, and write none of them")
 		.RequireRange(0, 1000000)
 		.SetType("N");
-	Verb.AddFlag("--restart", Options->bRestart, "Render all frames again, whatever the folder holds");
-	Verb.Add("--video", Options->Video, "Video of the frames, such as walk.mp4; needs ffmpeg").SetType("FILE");
+	Verb.AddFlag("--restart", Options->bRestart, "Render all frames again, even those already in the folder");
+	Verb.Add("--video", Options->Video, "Write a video of the frames, such as walk.mp4; needs ffmpeg").SetType("FILE");
 	Verb.AddFlag("--watch", Options->bWatch, "Run again whenever the config, its scene, a plugin or a shader changes")
 		.Exclude(Frames);
 	Verb.Add("--report", Options->Report,
-			"Write report.html, the page to look at it all, of a sequence sequence.html: on (where no word "
-			"follows), "
-			"off, or full, with the values of all pictures of a frame; beats the config's outputs.report; on by "
-			"default where stdout is a terminal, not under --watch")
+			"Write report.html, or sequence.html for a sequence: on, off, or full, with the values of all pictures of "
+			"a frame; --report alone means on; overrides the config's outputs.report; the default is on at a terminal, "
+			"otherwise off, and off with --watch")
 		.SetValueWhereNoneFollows("on")
 		.RequireOneOf({"on", "off", "full"});
 	AddInspection(Verb, Options->Inspect, Frames);

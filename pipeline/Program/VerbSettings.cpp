@@ -119,7 +119,7 @@ std::vector<FVolumeText> CollectVolumes(
 	return Volumes;
 }
 
-/** What volumes and camera override at a place, with the values that render: one unbound volume. */
+/** The settings that volumes and camera override at a location, with their blended values, as one unbound volume. */
 std::vector<FVolumeText> BlendVolume(const FSettingsExportOptions& Options)
 {
 	FRunOptions RunOptions = Options.Run;
@@ -132,7 +132,7 @@ std::vector<FVolumeText> BlendVolume(const FSettingsExportOptions& Options)
 	Volume.Settings.Settings = Setup.Settings.Settings;
 	for (const FSettingField& Field : GetSettingFields())
 	{
-		// What nobody overrides is the project's: r.DefaultFeature and the like hold there too.
+		// A setting that nobody overrides is the project's: r.DefaultFeature and similar variables hold there too.
 		if (!Field.IsOverridden(Volume.Settings.Settings))
 		{
 			Field.Set(Volume.Settings.Settings, Field.Default);
@@ -228,10 +228,10 @@ const FVerbRegistration GSettingsRegistration({
 FVerbCall AddSettingsImportOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FSettingsImportOptions>();
-	Verb.Add("TEXT", Options->File, "File of engine text, or - for stdin").Require();
-	Verb.AddFlag("--upgrade", Options->bUpgrade,
-		"As the engine upgrades assets from before convolution bloom had an intensity: BM_FFT sets intensities to 1");
-	Verb.Add("--config", Options->Run.ConfigFile, "With the settings that this config's plugins add").SetType("CONFIG");
+	Verb.Add("TEXT", Options->File, "Read this file of engine text; - is stdin").Require();
+	Verb.AddFlag("--upgrade", Options->bUpgrade, "Upgrade old assets as the engine does: BM_FFT sets intensities to 1");
+	Verb.Add("--config", Options->Run.ConfigFile, "Accept the settings that this config's plugins add")
+		.SetType("CONFIG");
 	AddTrust(Verb, Options->Run);
 	Verb.AddFlag("--json", Options->bJson, "Print an object of volumes and messages");
 	return [Options]
@@ -244,7 +244,7 @@ const FVerbRegistration GSettingsImportRegistration({
 	.Name = "settings import",
 	.Place = 101,
 	.Group = EVerbGroup::LookUp,
-	.Doc = "Print the config's \"volumes\" of settings or actors copied in the editor",
+	.Doc = "Print text copied in the editor as the volumes of a config",
 	.AddOptions = AddSettingsImportOptions,
 });
 
@@ -252,12 +252,13 @@ FVerbCall AddSettingsExportOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FSettingsExportOptions>();
 	Verb.Add("CONFIG", Options->File, "JSON config").Require();
-	const FVerbOption Volume = Verb.Add("--volume", Options->Volume, "Only the volume of this name").SetType("NAME");
-	Verb.Add("--at", Options->At, "What all volumes and the camera come to at this place, cm, as one volume")
+	const FVerbOption Volume =
+		Verb.Add("--volume", Options->Volume, "Export only the volume of this name").SetType("NAME");
+	Verb.Add("--at", Options->At, "Export the blended settings at this location (cm) as one volume")
 		.SetType("X,Y,Z")
 		.Exclude(Volume);
-	Verb.AddFlag("--struct", Options->bStruct, "Only the settings (..), to paste into a volume's Settings");
-	Verb.AddFlag("--full", Options->bFull, "All settings, not only those that are overridden or changed");
+	Verb.AddFlag("--struct", Options->bStruct, "Export only the settings (..), to paste into a volume's Settings");
+	Verb.AddFlag("--full", Options->bFull, "Export all settings, not only those that are overridden or changed");
 	AddTrust(Verb, Options->Run);
 	return [Options]
 	{

@@ -82,12 +82,11 @@ int PrintPlan(const FSettingsPlanOptions& Options)
 FVerbCall AddSettingsPlanOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FSettingsPlanOptions>();
-	Verb.Add("SETTING", Options->Name, "Name, such as BloomToonIntensity").Require();
-	Verb.Add("--type", Options->Type, "Of a setting that is not in the table: float, bool, int, color, ...")
-		.SetType("TYPE");
-	Verb.Add("--default", Options->Default, "Likewise its default; 0 by default").SetType("VALUE");
-	Verb.Add("--category", Options->Category, "Likewise its category").SetType("A|B");
-	Verb.Add("--doc", Options->Doc, "Likewise its description").SetType("TEXT");
+	Verb.Add("SETTING", Options->Name, "Name of the setting, such as BloomToonIntensity").Require();
+	Verb.Add("--type", Options->Type, "Type of a new setting: float, bool, int, color, ...").SetType("TYPE");
+	Verb.Add("--default", Options->Default, "Default value of a new setting (0)").SetType("VALUE");
+	Verb.Add("--category", Options->Category, "Category of a new setting").SetType("A|B");
+	Verb.Add("--doc", Options->Doc, "Description of a new setting").SetType("TEXT");
 	Verb.AddFlag("--json", Options->bJson, "Print an array of places");
 	return [Options]
 	{
@@ -99,7 +98,7 @@ const FVerbRegistration GSettingsPlanRegistration({
 	.Name = "settings plan",
 	.Place = 103,
 	.Group = EVerbGroup::LookUp,
-	.Doc = "Print every place that an engine patch for one setting touches",
+	.Doc = "List every place that an engine patch for one setting changes",
 	.AddOptions = AddSettingsPlanOptions,
 });
 

@@ -93,7 +93,7 @@ int MakeSheet(const FSheetVerbOptions& Options)
 		Sheet.InsetGain = Numbers.size() == 5 ? Numbers[4] : 1.0;
 		if (!(Sheet.InsetGain > 0.0))
 		{
-			throw MakeArgumentError("--inset", "the gain is not above 0");
+			throw MakeArgumentError("--inset", "the gain must be above 0");
 		}
 	}
 	if (Options.Captions.size() > Options.Pictures.size())
@@ -127,18 +127,19 @@ int MakeSheet(const FSheetVerbOptions& Options)
 FVerbCall AddSheetOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FSheetVerbOptions>();
-	Verb.Add("PICTURE", Options->Pictures, "Pictures, or folders of runs, whose final.png it is").Require();
-	Verb.Add("--out", Options->OutputFile, "The picture to write").SetType("FILE.png").Require();
-	Verb.Add("--columns", Options->Columns, "Pictures in a row; by default as many as rows")
+	Verb.Add("PICTURE", Options->Pictures, "Pictures, or folders of runs; a folder stands for its final.png").Require();
+	Verb.Add("--out", Options->OutputFile, "Picture to write").SetType("FILE.png").Require();
+	Verb.Add("--columns", Options->Columns, "Number of pictures in a row; by default as many as rows")
 		.RequireRange(1, 100)
 		.SetType("N");
 	Verb.Add("--width", Options->TileWidth, "Width of each picture in pixels; 320 by default")
 		.RequireRange(16, 4096)
 		.SetType("N");
 	Verb.AddRepeated("--caption", "TEXT", Options->Captions,
-		"Of the first picture, then of the second ...; repeats; by default the name of file or folder");
-	Verb.Add("--crop", Options->Crop, "Only this part of each picture").SetType("X,Y,WIDTH,HEIGHT");
-	Verb.Add("--inset", Options->Inset, "This part once more beneath, enlarged, its light times GAIN")
+		"Caption of the first picture, then of the second, and so on; repeats; the name of the file or folder by "
+		"default");
+	Verb.Add("--crop", Options->Crop, "Show only this part of each picture").SetType("X,Y,WIDTH,HEIGHT");
+	Verb.Add("--inset", Options->Inset, "Show this part again below, enlarged, its light times GAIN")
 		.SetType("X,Y,WIDTH,HEIGHT[,GAIN]");
 	return [Options]
 	{

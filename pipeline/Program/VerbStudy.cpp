@@ -146,10 +146,10 @@ FVerbCall AddStudyOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FStudyOptions>();
 	AddConfig(Verb, Options->Run);
-	AddThreads(Verb, Options->Run, "Threads; 0: all cores (default)");
+	AddThreads(Verb, Options->Run, "Number of threads; 0: all cores (default)");
 	Verb.Add("--out", Options->OutputFolder, "Folder for tables and pictures; out/NAME of the config by default")
 		.SetType("DIR");
-	AddReport(Verb, Options->Report, "study.html, the chart with what lies behind its points");
+	AddReport(Verb, Options->Report, "study.html, the chart and the data behind its points");
 	AddJUnit(Verb, Options->JUnit, "a case for each variant, and one for the choice by a budget");
 	Verb.AddFlag("--json", Options->bJson, "Print study.json instead of the table");
 	return [Options]
@@ -163,7 +163,7 @@ const FVerbRegistration GStudyRegistration({
 	.Name = "study",
 	.Place = 50,
 	.Group = EVerbGroup::Measure,
-	.Doc = "Measure what accuracy costs: the variants of a config's study",
+	.Doc = "Measure the cost of accuracy: the variants of a config's study",
 	.AddOptions = AddStudyOptions,
 });
 

@@ -46,9 +46,10 @@ std::array<int32_t, 3> ParsePixel(const std::string& Text)
 		}
 		Next = Read.ptr + 1;
 	}
-	throw FError({.Code = ErrorBadArgument,
-					 .Message = "'" + Text + "' is no pixel; expected X,Y as in 100,50, or X,Y,Z of a compute thread",
-					 .Where = "--pixel"},
+	throw FError(
+		{.Code = ErrorBadArgument,
+			.Message = "'" + Text + "' is not a pixel; expected X,Y as in 100,50, or X,Y,Z of a compute thread",
+			.Where = "--pixel"},
 		ExitUsage);
 }
 
@@ -77,18 +78,19 @@ FVerbCall AddTraceOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FTraceVerbOptions>();
 	AddConfig(Verb, Options->Run);
-	AddThreads(Verb, Options->Run, "Threads of the passes before; 0: all cores");
-	Verb.Add("--pass", Options->Request.Pass, "The pass, or its shader's class; with * and ?")
+	AddThreads(Verb, Options->Run, "Number of threads for the passes before; 0: all cores");
+	Verb.Add("--pass", Options->Request.Pass, "Choose the pass by its name or its shader's class; with * and ?")
 		.SetType("PATTERN")
 		.Require();
 	Verb.Add("--pixel", Options->Pixel, "Pixel of the pass's render target, or X,Y,Z of a compute thread")
 		.SetType("X,Y")
 		.Require();
 	Verb.Add("--bound", Options->Request.Bound,
-			"Say where float and double part by more than this, of the value or of 1; 0.001 by default")
+			"Mark lines where float and double differ by more than this, relative to the value or to 1; 0.001 by "
+			"default")
 		.RequireNonNegative()
 		.SetType("X");
-	Verb.AddFlag("--json", Options->bJson, "Print JSON, with every round of every loop");
+	Verb.AddFlag("--json", Options->bJson, "Print JSON, with every iteration of every loop");
 	return [Options]
 	{
 		return Trace(*Options);
@@ -99,7 +101,7 @@ const FVerbRegistration GTraceRegistration({
 	.Name = "trace",
 	.Place = 44,
 	.Group = EVerbGroup::Ask,
-	.Doc = "Print what a pass's shader did for one pixel, line by line",
+	.Doc = "Print the computation of a pass's shader for one pixel, by line",
 	.AddOptions = AddTraceOptions,
 });
 

@@ -55,9 +55,9 @@ FVerbCall AddWarmOptions(FVerbOptions& Verb)
 	const auto Options = std::make_shared<FWarmOptions>();
 	Verb.Add("CONFIG", Options->Configs, "JSON configs").Require();
 	Verb.Add("--cache", Options->CacheFolder, "Folder of the cache; the usual one by default").SetType("DIR");
-	Verb.AddFlag("--no-plugins", Options->bNoPlugins, "Refuse a config that names plugins: they are code that is run");
+	Verb.AddFlag("--no-plugins", Options->bNoPlugins, "Refuse a config that names plugins, because plugins are code");
 	Verb.AddFlag("--all", Options->bAll,
-		"Also every shader class of their plugins: those that the frame does not use, up to 256 permutations of each");
+		"Compile every shader class of the plugins, even if the frame does not use it, up to 256 permutations each");
 	return [Options]
 	{
 		return Warm(*Options);

@@ -29,7 +29,7 @@ const char* ToString(EVerbGroup Group)
 	case EVerbGroup::Measure:
 		return "Measure and compare";
 	case EVerbGroup::LookUp:
-		return "Look up and carry over";
+		return "Look up, import and export";
 	case EVerbGroup::Patch:
 		return "Make patches and plugins";
 	case EVerbGroup::Shell:

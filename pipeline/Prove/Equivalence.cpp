@@ -60,7 +60,7 @@ std::vector<FEquivalence> MakeEquivalences()
 		Same("FourLanes", "four pixels at a time", {"r.Drydock.LaneWidth=4"}, Races),
 		Same("EightLanes", "eight pixels at a time", {"r.Drydock.LaneWidth=8"}, Races),
 		Same("ShadersOnly", "without hand-written kernels", {"r.Drydock.NativeKernels=0"},
-			"a hand-written kernel and the shader that it stands in for compute something else"),
+			"a hand-written kernel and the shader that it replaces compute different values"),
 		// TransientAllocator 0 puts every texture into memory of its own; ExtendResourceLifetimes keeps the heap,
 		// unshared.
 		Same("NoTransientHeap", "every texture in memory of its own", {"r.RDG.TransientAllocator=0"}, Memory),

@@ -47,7 +47,7 @@ std::string MakeReportPage(const std::string& Data, size_t MaxPlainBytes)
 {
 	const std::string Packed = Data.size() > MaxPlainBytes ? EncodeBase64(Deflate(Data)) : Data;
 	const std::string File = FindTemplate();
-	std::string Page = ReadTextFile(File, "drydock's own file cannot be opened: is it installed completely?");
+	std::string Page = ReadTextFile(File, "drydock's own file cannot be opened: is drydock installed completely?");
 	const size_t At = Page.find(Placeholder);
 	if (At == std::string::npos)
 	{

@@ -117,7 +117,7 @@ FExplainedPlugin& FindPlugin(FExplainReport& Report, const std::string& Name)
 	return Known != Report.Plugins.end() ? *Known : Report.Plugins.emplace_back(FExplainedPlugin{Name});
 }
 
-/** What else is known of a pass: values of its parameters, render pass, whether it did anything. */
+/** Adds more facts on a pass: values of its parameters, render pass, whether it did anything. */
 void AddDetails(const FRunResult& Frame, const FRDGCompiledPass& Pass, FExplainedPass& Explained)
 {
 	const auto Values = Frame.PassValues.find(Pass.Index);

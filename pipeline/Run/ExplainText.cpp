@@ -1,4 +1,4 @@
-// What `drydock explain` prints.
+// The text that `drydock explain` prints.
 #include "Run/Explain.h"
 #include "Text/ConfigErrors.h"
 #include "Text/Fmt.inl"
@@ -27,7 +27,7 @@ std::string FormatMilliseconds(const FExplainReport& Report, double Milliseconds
 	return fmt::format("{}{:.1f} ms", Report.bMeasured ? "" : "about ", Milliseconds);
 }
 
-/** Of an effect or a plugin. */
+/** The row of an effect or a plugin. */
 template<typename TRow>
 std::vector<std::string> MakeRow(const std::string& Name, bool bRuns, const TRow& Row, const std::string& Why)
 {
@@ -36,7 +36,7 @@ std::vector<std::string> MakeRow(const std::string& Name, bool bRuns, const TRow
 		bAny ? fmt::format("{:.2f}", Row.Milliseconds) : "-", bAny ? fmt::format("{:.1f}", Row.Megabytes) : "-", Why};
 }
 
-/** What runs and why; what does not run is dim. */
+/** The effects with their reasons; effects that do not run are dim. */
 FTextTable MakeEffectTable(const FExplainReport& Report, bool bColorful)
 {
 	constexpr ETextColumn Number = ETextColumn::Number;
@@ -78,7 +78,7 @@ std::string FormatSavedTime(const FExplainReport& Report)
 		Report.Saved->Most, Report.Saved->NumPairs);
 }
 
-/** What is counted comes first: it is the same in every run. */
+/** Counts come first, because they are the same in every run. */
 std::string FormatSaved(const FExplainReport& Report)
 {
 	const FExplainedCost& With = Report.Cost;
@@ -110,7 +110,7 @@ std::vector<std::string> MakePassRow(const FExplainedPass& Pass)
 {
 	return {std::to_string(Pass.Index), Pass.Name,
 		Pass.bExecutes ? fmt::format("{:.2f} ms", Pass.Milliseconds) : "culled",
-		Pass.bExecutes ? "read by " + List(Pass.Readers, "nobody in the graph: it is an output") : Pass.Reason};
+		Pass.bExecutes ? "read by " + List(Pass.Readers, "no pass of the graph: it is an output") : Pass.Reason};
 }
 
 [[noreturn]] void ThrowUnknown(const char* Thing, const std::string& Name, const std::vector<std::string>& Names)
@@ -176,10 +176,10 @@ std::string MakeExplainText(const FExplainReport& Report, bool bColorful, int Wi
 		Decoded += Channel.bDecoded ? (Decoded.empty() ? "" : ", ") + Channel.Name : "";
 	}
 	Text += fmt::format("\npasses   {} run, {} culled{}; {}\n", Report.Cost.NumPasses, NumCulled,
-		NumCulled > 0 ? " (explain --pass NAME says why)" : "", FormatMilliseconds(Report, Report.Cost.Milliseconds));
+		NumCulled > 0 ? " (explain --pass NAME shows why)" : "", FormatMilliseconds(Report, Report.Cost.Milliseconds));
 	if (!Extensions.empty())
 	{
-		Text += "others   passes of no effect, from view extensions or copies: " + Extensions + "\n";
+		Text += "others   passes that belong to no effect (view extensions, copies): " + Extensions + "\n";
 	}
 	Text += fmt::format("memory   {:.1f} MB transient, {:.1f} MB scene textures\n",
 		1e-6 * static_cast<double>(Report.Cost.TransientBytes), 1e-6 * static_cast<double>(Report.Cost.SceneBytes));
@@ -189,8 +189,8 @@ std::string MakeExplainText(const FExplainReport& Report, bool bColorful, int Wi
 	if (!Report.bMeasured && Report.NumUnknown > 0)
 	{
 		Text += Count(Report.NumUnknown, "pass") +
-				" never ran on this machine under these conditions: their time is a guess. A run teaches it; " +
-				"--measure measures.\n";
+				" never ran on this machine under these conditions: their times are guesses. A run or " +
+				"--measure replaces them with measured times.\n";
 	}
 	return Text;
 }
@@ -207,7 +207,7 @@ std::string MakePassText(const FExplainReport& Report, const std::string& Name)
 			continue;
 		}
 		Text += "pass " + std::to_string(Pass.Index) + ", " + Pass.Name + "\n";
-		Text += "  effect   " + (Pass.Effect.empty() ? "none: of a view extension, or a copy" : Pass.Effect) + "\n";
+		Text += "  effect   " + (Pass.Effect.empty() ? "none: a view extension's pass, or a copy" : Pass.Effect) + "\n";
 		Text += "  runs     " +
 				(Pass.bExecutes ? "yes, " + FormatMilliseconds(Report, Pass.Milliseconds) : "no: " + Pass.Reason) +
 				"\n";
@@ -219,7 +219,7 @@ std::string MakePassText(const FExplainReport& Report, const std::string& Name)
 		Text += Pass.MergedInto.empty() ? "" : "  merged   into the render pass of " + Pass.MergedInto + "\n";
 		Text += "  reads    " + List(Pass.Reads, "nothing") + "\n";
 		Text += "  writes   " + List(Pass.Writes, "nothing") + "\n";
-		Text += "  read by  " + List(Pass.Readers, "no pass: an output, or nobody") + "\n";
+		Text += "  read by  " + List(Pass.Readers, "no pass: it is an output, or unused") + "\n";
 	}
 	if (Text.empty())
 	{

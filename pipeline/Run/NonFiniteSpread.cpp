@@ -48,7 +48,7 @@ std::string FormatShare(uint64_t Pixels, uint64_t NumPixels)
 	return fmt::format("{:.3g} %", 100.0 * static_cast<double>(Pixels) / static_cast<double>(NumPixels));
 }
 
-/** Of one pixel, alpha last. */
+/** Checks one pixel; alpha is last. */
 bool IsWhite(const float* Pixel)
 {
 	return std::all_of(Pixel, Pixel + 3, [](float Value) { return Value >= 1.0f; });
@@ -136,8 +136,8 @@ FDiagnostic DescribeSpread(const FNonFiniteSpread& Spread, const std::vector<FNo
 	if (Spread.Final)
 	{
 		const FNonFiniteFinal& Final = *Spread.Final;
-		Message += fmt::format("; because of the file's, {} of {} pixels of the final picture ({}) are others than "
-							   "with r.Drydock.NonFinite 1, {} ({}) are white and {} not finite",
+		Message += fmt::format("; because of those in the file, {} of {} pixels of the final picture ({}) differ from "
+							   "a run with r.Drydock.NonFinite 1, {} ({}) are white and {} not finite",
 			Final.Changed, Final.NumPixels, FormatShare(Final.Changed, Final.NumPixels), Final.White,
 			FormatShare(Final.White, Final.NumPixels), Final.NotFinite);
 	}

@@ -1,4 +1,4 @@
-// Where a scene's NaN and infinities go: the passes that spread them, and what the final picture has of them.
+// Follows a scene's NaN and infinities: the passes that spread them, and their pixels in the final picture.
 #pragma once
 
 #include "Diagnostics.h"
@@ -16,7 +16,7 @@ class FRDGTexture;
 namespace Drydock
 {
 
-/** What a pass wrote that is not finite. */
+/** The values that a pass wrote and that are not finite. */
 struct FNonFiniteFootprint
 {
 	std::string Pass;

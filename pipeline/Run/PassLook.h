@@ -1,4 +1,4 @@
-// What a report shows of a pass beside its counters: a small picture of what it wrote.
+// The look of a pass in a report: a small picture of its output.
 #pragma once
 
 #include "Run/RunResult.h"

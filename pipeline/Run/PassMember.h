@@ -9,7 +9,7 @@
 namespace Drydock
 {
 
-/** Of a member that is an array or a vector: the value at Index. */
+/** The value at Index of a member that is an array or a vector. */
 template<typename T>
 T ReadMember(const FRDGPass& Pass, const FHlslMember& Member, size_t Index = 0)
 {

@@ -15,7 +15,7 @@ namespace Drydock
 namespace
 {
 
-/** What a viewport's parameters hold beside Extent, ViewportMin and ViewportMax, from which it follows. */
+/** True for parameters of a viewport that follow from Extent, ViewportMin and ViewportMax. */
 bool FollowsFromViewport(const std::string& Name)
 {
 	constexpr const char* Derived[] = {".ExtentInverse", ".ScreenPosToViewportScale", ".ScreenPosToViewportBias",

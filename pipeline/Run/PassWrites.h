@@ -1,4 +1,4 @@
-// What one pass of a run wrote, for those who look at passes while the run goes on (FRunOptions::OnPassExecuted).
+// The output of one pass, for callbacks during a run (FRunOptions::OnPassExecuted).
 #pragma once
 
 #include "RenderGraphCompiled.h"

@@ -96,8 +96,8 @@ FPluginShaders FindPluginShaders(const std::vector<std::string>& Plugins)
 			}
 			if (Looked.size() < Allowed.size())
 			{
-				Found.Notes.push_back(MakeNote(fmt::format("{} of its {} permutations are not looked at: of a class "
-														   "at most {} are, spread over all dimensions",
+				Found.Notes.push_back(MakeNote(fmt::format("{} of its {} permutations are not looked at: drydock looks "
+														   "at no more than {} of a class, spread over all dimensions",
 												   Allowed.size() - Looked.size(), Allowed.size(), Looked.size()),
 					fmt::format("plugin {}, shader class {}", Name, Type.GetName())));
 			}

@@ -22,7 +22,7 @@ bool IsScale(float Value)
 	return Value > 0.0f && std::isfinite(Value);
 }
 
-/** Of the frame before; empty where it had no automatic exposure, or there was none. */
+/** The exposure scale of the frame before; empty without automatic exposure or without such a frame. */
 std::optional<float> FindLastExposureScale(const std::vector<FViewHistory>& Last)
 {
 	if (Last.empty())

@@ -1,4 +1,4 @@
-// What scene colour is multiplied by before it is stored: a number, or the exposure that it follows.
+// The factor of stored scene colour: a number, or the exposure that it follows.
 #pragma once
 
 #include "SceneViewState.h"

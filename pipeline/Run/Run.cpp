@@ -48,7 +48,7 @@ FIntRect GetViewRect(const FConfigView& View, const FSceneFile& Scene)
 	return View.Rect.IsSet() ? FIntRect(Corners[0], Corners[1], Corners[2], Corners[3]) + Picture.Min : Picture;
 }
 
-/** What is known before the graph. */
+/** The part of the result that is known before the graph. */
 FRunResult MakeResult(const FRunSetup& Setup, const FSceneFile& Scene)
 {
 	const char* const StorageNames[] = {"native", "float32", "float64"};
@@ -100,7 +100,7 @@ FSceneCamera GetLens(const FConfigView& View, const FSceneFile& Scene)
 	return Lens;
 }
 
-/** Where each view's pixels of the file go in scene textures of another resolution; none: the file's own. */
+/** The regions of the views in scene textures of another resolution; empty: the file's own resolution. */
 std::vector<FSceneRegion> MakeRegions(const FRunSetup& Setup, const FSceneFile& Scene)
 {
 	const double Percentage = GetScreenPercentage(Setup.Settings);
@@ -150,7 +150,7 @@ FFrameView MakeFrameView(const FRunSetup& Setup, const FConfigView& ConfigView, 
 	return View;
 }
 
-/** Of a frame of a sequence, which begins at frame 0; a scene that is none knows no time. Last: the frame before. */
+/** The time of a frame of a sequence, which begins at frame 0; a single scene has no time. Last is the frame before. */
 FGameTime GetFrameTime(const FConfigScene& Config, const FSceneFile& Scene, const std::vector<FViewHistory>& Last)
 {
 	constexpr double DefaultFps = 24.0;
@@ -168,7 +168,7 @@ FGameTime GetFrameTime(const FConfigScene& Config, const FSceneFile& Scene, cons
 	return Time;
 }
 
-/** What a frame starts with beside its scene. */
+/** The state that a frame starts with beside its scene. */
 struct FBeforeFrame
 {
 	const std::vector<FViewHistory>& Last;
@@ -233,7 +233,7 @@ FFrameInputs MakeFrameInputs(const FRunOptions& Options, const FRunSetup& Setup,
 	return Inputs;
 }
 
-/** What Function returns; an error comes with the graph's warnings, if it got as far as that. */
+/** Returns the result of Function. An error carries the graph's warnings, if there are any yet. */
 template<typename TFunction>
 auto CallWithWarnings(TFunction Function, const FRunResult& Result)
 {
@@ -342,7 +342,8 @@ FPicture RenderWithZeros(const FRunOptions& Options, const FRunSetup& Setup, con
 	return Render(Plain, Setup, {Last, Caches}).Result.Final;
 }
 
-/** What the file's channels hold, scene colour where the file's is finite, and the final picture. */
+/** Reports values of the file's channels that are not finite, of scene colour if the file's is finite, and of the final
+ * picture. */
 void ReportNonFinite(const std::vector<FNonFiniteChannel>& InFile, FRunResult& Result)
 {
 	const size_t NumBefore = Result.Diagnostics.size();

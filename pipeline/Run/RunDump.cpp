@@ -133,8 +133,8 @@ std::vector<FDiagnostic> CheckDumpPatterns(
 		const FRDGCompiledPass* Culled = FindCulledMatch(Pattern.Value, Result.Graph);
 		const std::string Why =
 			Culled != nullptr
-				? "fits only culled passes: " + Culled->Name + " (" + Result.Graph.DescribeCulled(*Culled) + ")"
-				: "fits no pass and no resource" + Suggest(Pattern.Value, GetDumpCandidates(Result.Graph));
+				? "matches only culled passes: " + Culled->Name + " (" + Result.Graph.DescribeCulled(*Culled) + ")"
+				: "matches no pass and no resource" + Suggest(Pattern.Value, GetDumpCandidates(Result.Graph));
 		Messages.Warn(WarnNothingDumped, Pattern.Place, "dump pattern \"" + Pattern.Value + "\" " + Why);
 	}
 	return Diagnostics;

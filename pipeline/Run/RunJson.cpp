@@ -207,7 +207,7 @@ void WriteSize(FJsonWriter& Writer, const char* Name, std::initializer_list<int3
 	Writer.EndArray();
 }
 
-/** What "auto" came to; nothing for a number. */
+/** Writes the result of "auto"; nothing for a number. */
 void WriteExposure(FJsonWriter& Writer, const std::optional<FExposureReport>& Exposure)
 {
 	if (!Exposure)
@@ -237,7 +237,7 @@ void WriteExposure(FJsonWriter& Writer, const std::optional<FExposureReport>& Ex
 	}
 }
 
-/** Where there are several; settings and effects of the whole run are those of the first. */
+/** Writes several views; the settings and effects of the whole run are those of the first view. */
 void WriteViews(FJsonWriter& Writer, const FRunResult& Result)
 {
 	if (Result.Views.size() <= 1)
@@ -364,7 +364,7 @@ std::string MakeTimingJson(const FRunResult& Result, double SaveMs)
 	Writer.Member("saveMs", SaveMs);
 	const std::chrono::duration<double, std::milli> Wall = std::chrono::steady_clock::now() - Result.Times.Begin;
 	Writer.Member("wallMs", Result.Times.Start + Wall.count());
-	// Of the process: packs of lanes whose texels were read or written one by one.
+	// Counts for the process: packs of lanes whose texels were read or written one by one.
 	Writer.Key("scalarCalls").BeginObject(true);
 	for (uint8_t Index = 0; Index < uint8_t(EScalarCall::Count); ++Index)
 	{

@@ -254,7 +254,7 @@ std::vector<FNeededSceneTexture> FRunObserver::FindNeeded(const std::vector<FRDG
 
 void FRunObserver::ReportAbsent(const std::vector<FRDGExternalLoad>& Loads)
 {
-	// What stands in for them, as in the engine (SceneTextureParameters.cpp).
+	// Their replacements, as in the engine (SceneTextureParameters.cpp).
 	const std::pair<const char*, const char*> StandIns[] = {
 		{"DepthDummy", "customdepth.Z"}, {"StencilDummy", "customstencil.ID"}};
 	for (const FRDGExternalLoad& Load : Loads)

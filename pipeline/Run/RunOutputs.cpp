@@ -88,7 +88,7 @@ void AddDumps(const FRunResult& Result, const Files::path& Folder, EOutputKind K
 	}
 }
 
-/** All but timing.json. What takes longest goes first, side by side with the rest. */
+/** All but timing.json. The slowest file goes first, in parallel with the rest. */
 void WriteFiles(const FRunResult& Result, const Files::path& Folder)
 {
 	FJobs Jobs;
@@ -172,7 +172,7 @@ double WriteNewRunFolder(
 	const Files::path Target = Files::path(Folder).lexically_normal();
 	if (Files::exists(Target))
 	{
-		throw MakeWriteError(Target, "it is there already");
+		throw MakeWriteError(Target, "it already exists");
 	}
 	FAsideFile Aside(Target);
 	MakeFolder(Aside.GetPath());

@@ -55,7 +55,7 @@ void WarnOfMissingPictures(const FFinalPostProcessSettings& Settings, FConfigMes
 		{
 			Messages.Warn(WarnIneffectiveValue, FConfigPlace(),
 				std::string(Setting) + " " + GetObjectPath(Texture) +
-					" has no pixels here, and nothing is done with it: name an image file, relative to the config");
+					" has no pixels here and is ignored: name an image file, relative to the config");
 		}
 	};
 	if (Settings.BloomDirtMaskIntensity > 0.0f)
@@ -84,7 +84,7 @@ void WarnOfMissingKeys(const FViewSettings& View, FConfigMessages& Messages)
 	{
 		Messages.Warn(WarnIneffectiveValue, FConfigPlace(),
 			"AutoExposureBiasCurve " + GetObjectPath(Curve) +
-				" has no keys here, and nothing is done with it: give them, {\"keys\": [[EV100, EV], ...]}");
+				" has no keys here and is ignored: give the keys, {\"keys\": [[EV100, EV], ...]}");
 	}
 }
 
@@ -109,8 +109,8 @@ void WarnOfIneffectiveValues(const FConfig& Config, const FViewSettings& View, s
 	if (View.Settings.ToonShadowBlurRamp != nullptr && View.Settings.ToonShadowBlurIntensity > 0.0f &&
 		View.Settings.ToonShadowBlurBlend != EToonShadowBlurBlend::Max)
 	{
-		Messages.Warn(WarnIneffectiveValue, Nowhere,
-			"ToonShadowBlurRamp is read with ToonShadowBlurBlend Max only, and nothing is done with it");
+		Messages.Warn(
+			WarnIneffectiveValue, Nowhere, "ToonShadowBlurRamp is ignored: only ToonShadowBlurBlend Max reads it");
 	}
 	WarnOfMissingPictures(View.Settings, Messages);
 	WarnOfMissingKeys(View, Messages);
@@ -143,8 +143,8 @@ bool IsError(const FDiagnostic& Diagnostic)
 	return Diagnostic.Severity == ESeverity::Error;
 }
 
-/** Throws all that was found, in the order of the config; what two steps found is said once. Exit code 3 where files
- * are all that is wrong, else 2. */
+/** Throws all mistakes, in the order of the config; a mistake that two steps found is reported once. Exit code 3 if
+ * only files are wrong, else 2. */
 void ThrowErrors(const FConfig& Config, std::vector<FDiagnostic> Diagnostics)
 {
 	if (!HasErrors(Diagnostics))
@@ -167,7 +167,7 @@ void ThrowErrors(const FConfig& Config, std::vector<FDiagnostic> Diagnostics)
 	throw FError(Diagnostics, bFilesOnly ? ExitFiles : ExitUsage);
 }
 
-/** What is unknown may be a plugin's that could not be loaded. */
+/** An unknown name may belong to a plugin that could not be loaded. */
 void MentionPlugins(std::vector<FDiagnostic>& Diagnostics)
 {
 	for (FDiagnostic& Diagnostic : Diagnostics)
@@ -175,7 +175,7 @@ void MentionPlugins(std::vector<FDiagnostic>& Diagnostics)
 		if (Diagnostic.Code == ErrorUnknownVariable || Diagnostic.Code == ErrorUnknownExtension ||
 			Diagnostic.Code == ErrorUnknownPass || Diagnostic.Code == ErrorUnknownSetting)
 		{
-			Diagnostic.Message += " (or a plugin has it that could not be loaded)";
+			Diagnostic.Message += " (or a plugin that could not be loaded has it)";
 		}
 	}
 }

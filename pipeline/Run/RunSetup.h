@@ -56,15 +56,15 @@ struct DRYDOCK_API FRunSetup
 	 * one of before. Throws FError when there is no such frame, or something is wrong with it. */
 	void BeginFrame(std::optional<int> Frame);
 
-	/** Of all steps, in the order in which they are given. */
+	/** The messages of all steps, in their order. */
 	std::vector<FDiagnostic> Diagnostics;
 	/** Files of plugins, loaded before anything else is read. */
 	std::vector<std::string> Plugins;
-	/** Of this frame. */
+	/** The config of this frame. */
 	FConfig Config;
 	FViewSettings Settings;                      // at the view's location
 	std::vector<TConfigValue<std::string>> Dump; // of config and command line
-	FOutputKinds Write;                          // likewise
+	FOutputKinds Write;                          // of config and command line
 	std::string BudgetReason;                    // see FConfigOfRun
 
 private:

@@ -62,7 +62,7 @@ std::vector<FInput> FindInputs(const FRDGPass& Pass)
 	return Inputs;
 }
 
-/** Where inputs' viewports begin, and where the output's does. */
+/** The corners of the inputs' viewports and of the output's. */
 std::vector<FIntPoint> FindCorners(const FRDGPass& Pass, FIntPoint Output)
 {
 	std::vector<FIntPoint> Corners{Output};
@@ -76,7 +76,7 @@ std::vector<FIntPoint> FindCorners(const FRDGPass& Pass, FIntPoint Output)
 	return Corners;
 }
 
-/** What the pass drew of the texture, where that is known. */
+/** The rectangle of the texture that the pass drew, if it is known. */
 FIntRect FindDrawn(const FRDGPass& Pass, const FPassCounters& Counters, const FRHITexture& Texture)
 {
 	const FIntRect Whole(FIntPoint(0, 0), Texture.GetSizeXY());
@@ -126,7 +126,8 @@ bool IsOneColor(FRHITexture& Texture, const FIntRect& Rect)
 	return true;
 }
 
-/** Of the pass's own struct or one included in it; what lies deeper is of a part that may be off, or of a viewport. */
+/** Checks a name of the pass's own struct or one included in it. Deeper members belong to a part that may be off, or
+ * to a viewport. */
 bool IsStrength(std::string Name)
 {
 	if (std::count(Name.begin(), Name.end(), '.') > 1 || Name.find("Viewport") != std::string::npos)
@@ -205,7 +206,7 @@ std::optional<FSilentPass> FindSilentPass(
 
 std::string DescribeSilentPass(const FSilentPass& Silent)
 {
-	return "it wrote again what it read of " + Silent.Input + ", bit for bit: " + Silent.Because;
+	return "it wrote the same values as it read from " + Silent.Input + ", bit for bit: " + Silent.Because;
 }
 
 } // namespace Drydock

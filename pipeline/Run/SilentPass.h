@@ -25,7 +25,7 @@ struct FSilentPass
 std::optional<FSilentPass> FindSilentPass(
 	const FRDGPass& Pass, const FPassCounters& Counters, const std::vector<FRDGTexture*>& Written);
 
-/** "it wrote again what it read of SceneColor, bit for bit: Strength is 0" */
+/** "it wrote the same values as it read from SceneColor, bit for bit: Strength is 0" */
 std::string DescribeSilentPass(const FSilentPass& Silent);
 
 } // namespace Drydock

@@ -1,4 +1,4 @@
-// What a run does about NaN and infinities (r.Drydock.NonFinite) and about spikes (r.Drydock.SceneColorClamp) of the
+// The policies of a run for NaN and infinities (r.Drydock.NonFinite) and for spikes (r.Drydock.SceneColorClamp) of the
 // scene.
 #pragma once
 

@@ -146,7 +146,7 @@ FError FSceneFile::MakeMissingChannel(const std::string& Channel, const FNeededS
 			Diagnostic.Message +=
 				". Part " + std::to_string(Part + 1) + " of the file" +
 				(Other.Name.empty() ? "" : ", \"" + Other.Name + "\",") +
-				" has it, and a scene is read from the first part: drydock import makes one part of all";
+				" has it, but drydock reads only the first part of a scene: drydock import merges all parts";
 			break;
 		}
 	}
@@ -272,7 +272,7 @@ std::map<std::string, FChannelValues> FSceneFile::ReadChannels(const std::vector
 	return Values;
 }
 
-/** What is not filled yet; counts as filled from now on, and its channels as decoded. */
+/** The textures that are not filled yet. They count as filled from now on, and their channels as decoded. */
 std::vector<FSceneFile::FFill> FSceneFile::PlanFills(const std::vector<FNeededSceneTexture>& Needed)
 {
 	std::vector<FFill> Fills;

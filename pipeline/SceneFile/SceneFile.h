@@ -29,7 +29,7 @@ struct FNeededSceneTexture
 {
 	std::string Texture;
 	std::string Pass;
-	bool bIsRead = true; // false: the pass may leave it unread, so a missing channel is no error
+	bool bIsRead = true; // false: the pass may leave it unread, so a missing channel is not an error
 };
 
 class DRYDOCK_API FSceneFile
@@ -58,7 +58,7 @@ public:
 	/** Seconds from one frame to the next, from the same; empty when it does not say. */
 	const std::optional<double>& GetDeltaTime() const { return DeltaTime; }
 
-	/** Of the main light, relative, from the same; white when there is none (SceneLight.h). */
+	/** The colour of the main light, relative, from the same attribute; white without one (SceneLight.h). */
 	const FLinearColor& GetLightColor() const { return LightColor; }
 
 	/** Registers every texture that the packing table knows, optional ones where the file has something of them; none
@@ -80,7 +80,7 @@ public:
 	 * The values live until then. */
 	std::map<std::string, FChannelValues> ReadChannels(const std::vector<std::string>& Names);
 
-	/** Where the pixels of a view come from and go to; ViewRect in the scene textures. */
+	/** The source and target of a view's pixels; ViewRect is in the scene textures. */
 	FSceneRegion FindRegion(const FIntRect& ViewRect) const;
 
 	/** Loaded, or planned to be. */
@@ -93,7 +93,7 @@ public:
 	const std::vector<FSceneChannel>& GetChannels() const { return Channels; }
 
 private:
-	/** Where a channel of ours comes from: a plane of the file, or a constant. */
+	/** The source of one of our channels: a plane of the file, or a constant. */
 	struct FSource
 	{
 		int FileChannel = -1;

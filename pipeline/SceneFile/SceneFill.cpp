@@ -39,7 +39,7 @@ public:
 		return Values;
 	}
 
-	/** Of the pixels from X on. */
+	/** Reads a row of pixels from X on. */
 	void GetRow(int X, int Y, std::vector<FScenePackValues>& Row, FNonFiniteSlots& Counts) const
 	{
 		for (size_t Slot = 0; Slot < Inputs.Sources.size(); ++Slot)

@@ -153,7 +153,7 @@ private:
 		}
 		if (Json.empty())
 		{
-			Changes.emplace_back("its frames came without a sequence.json");
+			Changes.emplace_back("its frames have no sequence.json");
 		}
 		else
 		{
@@ -176,8 +176,8 @@ private:
 			const FFrameRecord Record = bAskedFor ? ReadRecord(There[At]) : FFrameRecord();
 			if (!bAskedFor || Record.After != GetNumberBefore(Index))
 			{
-				Changes.push_back("frame " + std::to_string(There[At]) +
-								  " is there, and the frames asked for do not begin like that");
+				Changes.push_back(
+					"frame " + std::to_string(There[At]) + " exists, but the requested frames begin differently");
 			}
 			else if (Record.FileFingerprint != FingerprintFile(Frame->Path))
 			{
@@ -231,7 +231,7 @@ private:
 		const bool bSaw = ReadRecord(Frames[Index].Number).Seen == Left;
 		if (!bSaw)
 		{
-			Report({DescribeDamage(Frames[Index].Number, "the frame before it is not what it was")});
+			Report({DescribeDamage(Frames[Index].Number, "the frame before it has changed")});
 		}
 		return bSaw;
 	}
@@ -275,8 +275,8 @@ private:
 		NumInHistory = Index + 1;
 		if (LastState != ReadRecord(Frame).State)
 		{
-			throw FError({.Code = ErrorStateBroken, .Message = "the state of a frame is another frame's", .File = File},
-				ExitFiles);
+			throw FError(
+				{.Code = ErrorStateBroken, .Message = "the state belongs to another frame", .File = File}, ExitFiles);
 		}
 	}
 
@@ -291,9 +291,8 @@ private:
 		if (Record != Before)
 		{
 			Throw(ErrorSequenceNotRepeatable, Folder.GetFramePath(Frame),
-				"computed again for the history that it leaves, the frame is not what it was: a plugin reckons with "
-				"more "
-				"than its inputs; --restart renders all frames again");
+				"the frame changed when it was computed again for its history: a plugin depends on more than its "
+				"inputs; --restart renders all frames again");
 		}
 		EndFrame(Result, Record);
 		++NumRepeated;
@@ -368,7 +367,7 @@ private:
 		}
 		if (!IsHistoryKnown())
 		{
-			Kept.insert("what its plugins keep");
+			Kept.insert("the state of its plugins");
 		}
 		if (Kept.empty())
 		{
@@ -382,8 +381,8 @@ private:
 				(Lead.empty() ? "no frame" : std::to_string(Lead.size()) + (Lead.size() == 1 ? " frame" : " frames")) +
 				", and " + Number + (Before.size() == 1 ? " is" : " are") + " before it (" +
 				JoinText({Kept.begin(), Kept.end()}, ", ") +
-				"): its picture, and those behind it, may differ from the whole sequence; --lead " + Number +
-				" gives the same",
+				"): its picture, and the pictures after it, may differ from the whole sequence; --lead " + Number +
+				" avoids this",
 			.File = Frames.front().Path}});
 	}
 

@@ -1,5 +1,5 @@
-// What the pictures of a sequence depend on besides its frames: while that is the same, a stopped run may go on; when
-// it is not, the frames that are there belong to another one.
+// The inputs of a sequence besides its frames. While they are the same, a stopped run may resume; if they differ, the
+// existing frames belong to another sequence.
 #pragma once
 
 #include "Budget/RunOptions.h"

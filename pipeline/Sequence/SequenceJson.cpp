@@ -66,9 +66,10 @@ FJsonValue Parse(const std::string& Text, const std::string& File, const char* W
 	FJsonValue Root = ParseJson(Text, File, Diagnostics, bSyntaxError);
 	if (bSyntaxError || Root.Type != EJsonType::Object)
 	{
-		throw FError({.Code = ErrorSequenceBroken,
-						 .Message = std::string("is no ") + What + " of drydock's: --restart renders all frames again",
-						 .File = File},
+		throw FError(
+			{.Code = ErrorSequenceBroken,
+				.Message = std::string("is not a ") + What + " of drydock's: --restart renders all frames again",
+				.File = File},
 			ExitFiles);
 	}
 	return Root;

@@ -45,7 +45,7 @@ std::string Quote(const std::string& Text)
 	return Quoted + "'";
 }
 
-/** A program that goes away early is no reason to go away too. */
+/** Keeps drydock running when the encoder ends early. */
 class FBrokenPipesIgnored
 {
 public:
@@ -59,7 +59,7 @@ private:
 	void (*Before)(int);
 };
 
-/** What went wrong, or nothing. Throws FError where the file cannot be written. */
+/** Returns the problem, or nothing. Throws FError if the file cannot be written. */
 std::string PipeToEncoder(const std::vector<std::string>& Pictures, double FramesPerSecond, const std::string& File)
 {
 	FAsideFile Aside{Files::path(File)};
@@ -81,7 +81,7 @@ std::string PipeToEncoder(const std::vector<std::string>& Pictures, double Frame
 	std::error_code Ignored;
 	if (pclose(Pipe) != 0 || !Files::exists(Aside.GetPath(), Ignored))
 	{
-		return "ffmpeg failed; what it said stands above";
+		return "ffmpeg failed; its messages are above";
 	}
 	Aside.PutInPlace();
 	return "";
@@ -93,7 +93,7 @@ std::string MakeVideo(const std::vector<std::string>& Pictures, double FramesPer
 {
 	if (!IsInstalled("ffmpeg"))
 	{
-		return "there is no ffmpeg on the PATH (Debian: apt install ffmpeg); the frames are there";
+		return "ffmpeg is not on the PATH (Debian: apt install ffmpeg); the frames are complete";
 	}
 	try
 	{

@@ -231,7 +231,7 @@ FHistoryTexture ReadHistoryTexture(FReader& Reader, const std::string& Name)
 	const uint64 Size = Reader.Get<uint64>();
 	if (!IsTexture(Desc, Kept.ViewRect))
 	{
-		Reader.Fail("has a texture that cannot be");
+		Reader.Fail("has an impossible texture");
 	}
 	if (FRHITexture::ComputeSize(Desc) != Size || static_cast<uint32>(GetTexelStorage(Desc)) != Storage)
 	{
@@ -263,7 +263,7 @@ TRefCountPtr<FRDGPooledBuffer> ReadBuffer(FReader& Reader, const std::string& Na
 	const size_t Size = static_cast<size_t>(Desc.BytesPerElement) * Desc.NumElements;
 	if (Size == 0 || Size > std::numeric_limits<uint32>::max())
 	{
-		Reader.Fail("has a buffer that cannot be");
+		Reader.Fail("has an impossible buffer");
 	}
 	Reader.Require(Size);
 	const TRefCountPtr<FRDGPooledBuffer> Buffer = GRenderGraphResourcePool.FindFreeBuffer(Desc, Intern(Name));
@@ -333,7 +333,7 @@ std::vector<FViewHistory> UnpackViewStates(const std::string& Bytes, const std::
 	Reader.GetBytes(Begin, sizeof(Begin));
 	if (std::memcmp(Begin, Magic, sizeof(Magic)) != 0)
 	{
-		Reader.Fail("is none, or of another version of drydock");
+		Reader.Fail("is not valid, or was written by another version of drydock");
 	}
 	if (Bytes.compare(End, FingerprintSize, FingerprintOf(Bytes.data(), End)) != 0)
 	{
@@ -362,7 +362,7 @@ std::vector<FViewHistory> UnpackViewStates(const std::string& Bytes, const std::
 	}
 	if (!Reader.IsAtEnd())
 	{
-		Reader.Fail("is longer than it says");
+		Reader.Fail("is longer than its header states");
 	}
 	return Views;
 }

@@ -1,4 +1,4 @@
-// What lives on between frames as bytes, exact to the bit: a run that was stopped goes on from them.
+// The history between frames as bytes, exact to the bit: a stopped run resumes from these bytes.
 #pragma once
 
 #include "SceneViewState.h"

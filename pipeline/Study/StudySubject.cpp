@@ -28,7 +28,7 @@ FImage LoadSceneColor(const FConfig& Config)
 {
 	if (!Config.Scene.File.IsSet())
 	{
-		throw MakeStudyError(ErrorMissingKey, Config, {}, "a study of blurs needs \"scene\": what is blurred");
+		throw MakeStudyError(ErrorMissingKey, Config, {}, "a study of blurs needs \"scene\", the picture to blur");
 	}
 	FImageFile File(Config.Resolve(Config.Scene.File.Value), EImageExtent::Display);
 	std::vector<int> Indices;

@@ -1,4 +1,4 @@
-// The numbers of the messages about limits: of what is read, and of what is said. docs/errors.md explains each one.
+// The numbers of the messages about limits of input and of messages. docs/errors.md explains each one.
 #pragma once
 
 #include "DiagnosticList.h"
@@ -11,7 +11,7 @@ enum ELimitError
 	ErrorTooManyValues = 1024, // JSON of more values than any config has
 	MoreMessages = 1025,       // how many more of a kind there are than are listed
 	ErrorTextTooLarge = 5007,  // a text of more than MaxTextBytes
-	ErrorOutOfMemory = 5008,   // the system gives no memory
+	ErrorOutOfMemory = 5008,   // out of memory
 };
 
 static_assert(MoreMessages == MoreDiagnosticsCode);

@@ -144,10 +144,10 @@ std::vector<FDiagnostic> SummarizeDiagnostics(const std::vector<FDiagnostic>& Di
 
 FError MakeMemoryError(const std::string& What, uint64_t NumBytes)
 {
-	std::string Message = "the system gives no memory";
+	std::string Message = "out of memory";
 	if (!What.empty())
 	{
-		Message += ": " + std::to_string(NumBytes) + " bytes are wanted for " + What;
+		Message += ": " + std::to_string(NumBytes) + " bytes are needed for " + What;
 	}
 	return FError(FDiagnostic{ESeverity::Error, 5008, Message}, ExitFiles);
 }

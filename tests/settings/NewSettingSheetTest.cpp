@@ -248,6 +248,7 @@ TEST(NewSetting, MistakesAreAnswered)
 {
 	EXPECT_EQ(
 		"there is no type real; there are float, bool, int, color, vector2, vector4", ErrorOf("Glow", "real", "0"));
-	EXPECT_EQ("the default high is no float: expected a number", ErrorOf("Glow", "float", "high"));
-	EXPECT_EQ("\"2Glow\" is no name: letters, digits and underscores, no digit first", ErrorOf("2Glow", "float", "0"));
+	EXPECT_EQ("the default high is not of type float: expected a number", ErrorOf("Glow", "float", "high"));
+	EXPECT_EQ("\"2Glow\" is not a name: use letters, digits and underscores, and no digit first",
+		ErrorOf("2Glow", "float", "0"));
 }

@@ -88,9 +88,10 @@ const FMistake GMistakes[] = {
 	{"NumberForObject", "(BloomDirtMask=5)",
 		"1:16: error DD3004 at BloomDirtMask: expected an object such as "
 		"/Script/Engine.Texture2D'/Game/Folder/Name.Name', or None, found 5"},
-	{"IndexOnNoArray", "(FilmToe[1]=0.5)", "1:13: error DD3007 at FilmToe[1]: FilmToe is no array: it has no index"},
+	{"IndexOnNoArray", "(FilmToe[1]=0.5)",
+		"1:13: error DD3007 at FilmToe[1]: FilmToe is not an array and has no index"},
 	{"IndexOnBit", "(bOverride_FilmToe[0]=True)",
-		"1:2: error DD3007 at bOverride_FilmToe[0]: bOverride_FilmToe is no array: it has no index"},
+		"1:2: error DD3007 at bOverride_FilmToe[0]: bOverride_FilmToe is not an array and has no index"},
 	{"IndexBeyondEnd", "(LensFlareTints[8]=(R=1))",
 		"1:20: error DD3007 at LensFlareTints[8]: LensFlareTints has indices 0 to 7"},
 	{"ArrayWithoutIndex", "(LensFlareTints=(R=1))",

@@ -151,7 +151,8 @@ TEST(VolumesText, OtherBrushesAreLeftOutAndReported)
 	{
 		const FRead Result = Read(Actor(std::string(Brush) + "bUnbound=True\n"));
 		ASSERT_EQ(1u, Result.Diagnostics.size());
-		EXPECT_EQ("clip.txt:1:1: warning DD3025 at A.Brush: the volume's brush is no box around its pivot: left out",
+		EXPECT_EQ(
+			"clip.txt:1:1: warning DD3025 at A.Brush: the volume's brush is not a box around its pivot; it is left out",
 			Result.Diagnostics[0].ToString());
 		EXPECT_FALSE(Result.Volumes.at(0).Box);
 	}

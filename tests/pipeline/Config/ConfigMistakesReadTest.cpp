@@ -17,7 +17,7 @@ TEST(ConfigMistakes, RotationsNameTheirAngles)
 	{
 		return OnlyText(R"({"view": {"rotation": )" + Rotation + "}}");
 	};
-	EXPECT_EQ("a rotation has Pitch, Yaw and Roll, and no \"Yow\"; did you mean Yaw?", Message(R"({"Yow": 20})"));
+	EXPECT_EQ("a rotation has only Pitch, Yaw and Roll, not \"Yow\"; did you mean Yaw?", Message(R"({"Yow": 20})"));
 	const std::string Expected =
 		"expected an angle each: [pitch, yaw, roll] or {\"Pitch\": p, \"Yaw\": y, \"Roll\": r}";
 	EXPECT_EQ(Expected + ", found an object", Message(R"({"Yaw": "20"})"));
@@ -35,17 +35,17 @@ TEST(ConfigMistakes, CurvesNameWhatIsWrongWithThem)
 			   " " + Result.Diagnostics[0].Message;
 	};
 	EXPECT_EQ(" \"keys\" is missing: AutoExposureBiasCurve is a curve through [time, value]", Message("{}"));
-	EXPECT_EQ("/keys \"keys\" of AutoExposureBiasCurve is an array of one [time, value] at least",
+	EXPECT_EQ("/keys \"keys\" of AutoExposureBiasCurve must be an array of at least one [time, value]",
 		Message(R"({"keys": []})"));
-	EXPECT_EQ(
-		"/keys/1 a key of AutoExposureBiasCurve is [time, value], two numbers", Message(R"({"keys": [[0, 1], [2]]})"));
-	EXPECT_EQ("/keys/0 a key of AutoExposureBiasCurve is [time, value], two numbers",
+	EXPECT_EQ("/keys/1 a key of AutoExposureBiasCurve must be [time, value], two numbers",
+		Message(R"({"keys": [[0, 1], [2]]})"));
+	EXPECT_EQ("/keys/0 a key of AutoExposureBiasCurve must be [time, value], two numbers",
 		Message(R"({"keys": [[0, 1e39], [2, 1]]})"));
 	EXPECT_EQ(
 		"/keys/1 the times of the keys of AutoExposureBiasCurve must ascend", Message(R"({"keys": [[0, 1], [0, 2]]})"));
-	EXPECT_EQ("/interp \"interp\" of AutoExposureBiasCurve is linear, constant or cubic; did you mean linear?",
+	EXPECT_EQ("/interp \"interp\" of AutoExposureBiasCurve must be linear, constant or cubic; did you mean linear?",
 		Message(R"({"keys": [[0, 1]], "interp": "linar"})"));
-	EXPECT_EQ("/key a curve has \"keys\" and \"interp\", and no \"key\"; did you mean keys?",
+	EXPECT_EQ("/key a curve has only \"keys\" and \"interp\", not \"key\"; did you mean keys?",
 		Message(R"({"key": [], "keys": [[0, 1]]})"));
 	EXPECT_EQ(0u, Message("5").find(" AutoExposureBiasCurve is keys, {\"keys\": ")) << Message("5");
 }
@@ -121,7 +121,7 @@ TEST(ConfigMistakes, WrongTypesSayWhatWasExpected)
 TEST(ConfigMistakes, UnknownTextNamesTheAllowedOnes)
 {
 	EXPECT_EQ("1007 error 1:12 /engine", Only(R"({"engine": "4.27"})"));
-	EXPECT_EQ("\"4.27\" is none of 5.1, 5.2, 5.3, 5.4, 5.5, 5.6, 5.7, 5.8", OnlyText(R"({"engine": "4.27"})"));
+	EXPECT_EQ("\"4.27\" is not one of 5.1, 5.2, 5.3, 5.4, 5.5, 5.6, 5.7, 5.8", OnlyText(R"({"engine": "4.27"})"));
 }
 
 TEST(ConfigMistakes, MissingKeyIsReportedAtItsObject)
@@ -158,10 +158,10 @@ TEST(ConfigMistakes, SettingOutsideItsRangeWarnsAndIsUsed)
 
 TEST(ConfigMistakes, SettingsOfWrongTypeSayWhatTheyAre)
 {
-	EXPECT_EQ("BloomIntensity is a number", OnlyText(Volume(R"("BloomIntensity": "1")")));
-	EXPECT_EQ(
-		"BloomMethod is one of BM_SOG, BM_FFT; did you mean BM_FFT?", OnlyText(Volume(R"("BloomMethod": "BM_FTT")")));
-	EXPECT_EQ("BloomMethod is one of BM_SOG, BM_FFT", OnlyText(Volume(R"("BloomMethod": 2)")));
+	EXPECT_EQ("BloomIntensity must be a number", OnlyText(Volume(R"("BloomIntensity": "1")")));
+	EXPECT_EQ("BloomMethod must be one of BM_SOG, BM_FFT; did you mean BM_FFT?",
+		OnlyText(Volume(R"("BloomMethod": "BM_FTT")")));
+	EXPECT_EQ("BloomMethod must be one of BM_SOG, BM_FFT", OnlyText(Volume(R"("BloomMethod": 2)")));
 	EXPECT_EQ("Bloom1Tint is a colour: [R, G, B], [R, G, B, A] or {\"R\": .., \"G\": .., \"B\": .., \"A\": ..}",
 		OnlyText(Volume(R"("Bloom1Tint": [1, 2])")));
 }
@@ -185,9 +185,10 @@ TEST(ConfigMistakes, UnknownVariableNamesTheNearest)
 
 TEST(ConfigMistakes, VariableOfAnotherTypeIsReported)
 {
-	EXPECT_EQ(
-		"r.Tonemapper.Quality is a whole number, not \"2.5\"", OnlyText(R"({"cvars": {"r.Tonemapper.Quality": 2.5}})"));
-	EXPECT_EQ("r.ExposureOffset is a number, not \"bright\"", OnlyText(R"({"cvars": {"r.ExposureOffset": "bright"}})"));
+	EXPECT_EQ("r.Tonemapper.Quality must be a whole number, but is \"2.5\"",
+		OnlyText(R"({"cvars": {"r.Tonemapper.Quality": 2.5}})"));
+	EXPECT_EQ("r.ExposureOffset must be a number, but is \"bright\"",
+		OnlyText(R"({"cvars": {"r.ExposureOffset": "bright"}})"));
 	EXPECT_EQ("1006 error 1:32 /cvars/r.ExposureOffset", Only(R"({"cvars": {"r.ExposureOffset": [1]}})"));
 }
 
@@ -252,6 +253,6 @@ TEST(ConfigMistakes, IncompleteBoundsNameWhatIsMissing)
 
 TEST(ConfigMistakes, BoundsUpsideDownAreRefused)
 {
-	EXPECT_EQ(
-		"min lies above max in Y", OnlyText(R"({"volumes": [{"bounds": {"min": [0, 5, 0], "max": [1, 1, 1]}}]})"));
+	EXPECT_EQ("min must not be above max in Y",
+		OnlyText(R"({"volumes": [{"bounds": {"min": [0, 5, 0], "max": [1, 1, 1]}}]})"));
 }

@@ -67,7 +67,7 @@ TEST_P(ConfigSettingField, WrongTypeIsAnError)
 	const FPostProcessSettings Settings = ReadValue(bCurve ? "1" : "{\"a\": 1}");
 	EXPECT_EQ(ErrorWrongType, Code());
 	EXPECT_FALSE(Field.IsOverridden(Settings));
-	EXPECT_EQ(0u, Diagnostics[0].Message.find(std::string(Field.Name) + " is "));
+	EXPECT_EQ(0u, Diagnostics[0].Message.find(std::string(Field.Name) + " must be "));
 }
 
 TEST_P(ConfigSettingField, NaNIsAnError)
@@ -128,5 +128,5 @@ TEST(ConfigSettings, WrongValuesSayWhatIsExpected)
 	EXPECT_EQ("LensFlareTints is eight colours: [[R, G, B, A], ...]", Diagnostics[1].Message);
 	EXPECT_EQ("ColorGain is four numbers: [X, Y, Z, W] or {\"X\": .., \"Y\": .., \"Z\": .., \"W\": ..}",
 		Diagnostics[2].Message);
-	EXPECT_EQ("MotionBlurTargetFPS is a whole number", Diagnostics[3].Message);
+	EXPECT_EQ("MotionBlurTargetFPS must be a whole number", Diagnostics[3].Message);
 }

@@ -288,9 +288,9 @@ TEST(Config, VariablesIgnoreCase)
 
 TEST(Config, BoolAndHugeVariablesAreChecked)
 {
-	EXPECT_EQ("r.Bloom.ApplyLocalExposure is true or false, not \"maybe\"",
+	EXPECT_EQ("r.Bloom.ApplyLocalExposure must be true or false, but is \"maybe\"",
 		OnlyText(R"({"cvars": {"r.Bloom.ApplyLocalExposure": "maybe"}})"));
-	EXPECT_EQ("r.BloomQuality is a whole number, not \"4294967296\"",
+	EXPECT_EQ("r.BloomQuality must be a whole number, but is \"4294967296\"",
 		OnlyText(R"({"cvars": {"r.BloomQuality": 4294967296}})"));
 }
 

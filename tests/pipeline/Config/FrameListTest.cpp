@@ -44,7 +44,7 @@ TEST(FrameList, GreatestNumberIsAFrame)
 
 TEST(FrameList, WhatIsNoneSaysWhatWasExpected)
 {
-	const std::string Expected = " is no frame and no range of frames: expected all, 1-8, 1-9x2 or 1,3,5-8";
+	const std::string Expected = " is not a frame or a range of frames: expected all, 1-8, 1-9x2 or 1,3,5-8";
 	for (const std::string Part : {"", "x", "-3", "1-", "1x2", "1-3x", "1-3y", "1 ", "1.5", "99999999999"})
 	{
 		EXPECT_EQ("\"" + Part + "\"" + Expected, ErrorOf(Part));

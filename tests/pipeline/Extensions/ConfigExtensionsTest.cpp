@@ -121,7 +121,7 @@ TEST(ConfigPasses, UnknownTypeInputAndResource)
 		"did you mean Input?"));
 	EXPECT_TRUE(Contains(OnlyMistake(Pass(R"("type": "Tint", "at": "MotionBlur", "inputs": {"Input": "SceneColour"})")),
 		"did you mean SceneColor?"));
-	EXPECT_TRUE(Contains(OnlyMistake(Pass(R"("type": "Tint", "at": "Bloom")")), "is no hook of Tint"));
+	EXPECT_TRUE(Contains(OnlyMistake(Pass(R"("type": "Tint", "at": "Bloom")")), "is not a hook of Tint"));
 	EXPECT_TRUE(Contains(
 		OnlyMistake(Pass(R"("type": "Tint", "at": "Tonemap", "parameters": {"Colr": 1})")), "did you mean Color?"));
 }

@@ -98,7 +98,7 @@ TEST_F(HazardsOfAPass, AMisspeltPassIsNamed)
 {
 	const FOutcome Outcome = Call("BrokenPromises", "--pass BrokenPromise");
 	EXPECT_EQ(2, Outcome.ExitCode);
-	EXPECT_THAT(Outcome.Printed, HasSubstr("fits 'BrokenPromise'; did you mean BrokenPromises?"));
+	EXPECT_THAT(Outcome.Printed, HasSubstr("matches 'BrokenPromise'; did you mean BrokenPromises?"));
 	EXPECT_THAT(
 		Call("BrokenPromises", "--pass BrokenPromises --input Sourc").Printed, HasSubstr("did you mean Source?"));
 }

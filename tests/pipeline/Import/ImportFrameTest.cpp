@@ -288,13 +288,13 @@ TEST_F(ImportWhole, WhatIsHardlySoIsSaid)
 	EXPECT_TRUE(Tells(Result, 1094, "above 1"));
 	EXPECT_TRUE(Tells(Result, 1094, "--unit m"));
 	EXPECT_TRUE(Tells(Result, 1094, "not of length 1"));
-	EXPECT_TRUE(Tells(Result, 1094, "no whole numbers"));
+	EXPECT_TRUE(Tells(Result, 1094, "not whole numbers"));
 	EXPECT_TRUE(Tells(Result, 1094, "not around 0.5"));
 	Part.Channels = Join({MakeLayer("", "RGB", {3}), {{"Z", Constant(NaN)}}});
 	Write("shot.exr", Part);
 	const FImportResult Broken = Import({"shot.exr"});
 	EXPECT_TRUE(Tells(Broken, 1098, "12 depths are NaN"));
-	EXPECT_TRUE(Tells(Broken, 1094, "no surface anywhere"));
+	EXPECT_TRUE(Tells(Broken, 1094, "empty everywhere"));
 }
 
 TEST_F(ImportWhole, OnePixelIsAFrame)
@@ -323,7 +323,7 @@ TEST_F(ImportWhole, NothingOfTheUsersIsOverwritten)
 	std::ofstream(PathOf("scene.json")) << "{}";
 	const FImportResult Kept = Import({"shot.exr"});
 	EXPECT_EQ("", Kept.Config);
-	EXPECT_TRUE(Tells(Kept, 1097, "stays"));
+	EXPECT_TRUE(Tells(Kept, 1097, "kept"));
 	std::filesystem::copy_file(
 		PathOf("shot.exr"), PathOf("scene.exr"), std::filesystem::copy_options::overwrite_existing);
 	EXPECT_EQ("5030 3", ErrorOfImport({"shot.exr"}));

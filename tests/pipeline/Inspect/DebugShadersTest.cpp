@@ -280,13 +280,13 @@ TEST_F(DebuggedRun, WhatIsNotThereIsSaid)
 {
 	const FOutcome Outside = Folder.Call(Run("--debug-shaders 6,3"));
 	EXPECT_EQ(2, Outside.ExitCode);
-	EXPECT_THAT(Outside.Printed, HasSubstr("'6,3' is no pixel of the frame, which is 6 x 5"));
+	EXPECT_THAT(Outside.Printed, HasSubstr("'6,3' is not a pixel of the frame, which is 6 x 5"));
 	const FOutcome Word = Folder.Call(Run("--debug-shaders 4,x"));
 	EXPECT_EQ(2, Word.ExitCode);
-	EXPECT_THAT(Word.Printed, HasSubstr("'4,x' is no pixel"));
+	EXPECT_THAT(Word.Printed, HasSubstr("'4,x' is not a pixel"));
 	const FOutcome Pass = Folder.Call(Run("--debug-shaders 4,3 --passes Tonemop"));
 	EXPECT_EQ(2, Pass.ExitCode);
-	EXPECT_THAT(Pass.Printed, HasSubstr("no pass of this run draws that pixel with a shader that fits 'Tonemop'"));
+	EXPECT_THAT(Pass.Printed, HasSubstr("no pass of this run draws that pixel with a shader that matches 'Tonemop'"));
 	EXPECT_THAT(Pass.Printed, HasSubstr("PlantedFaults"));
 }
 

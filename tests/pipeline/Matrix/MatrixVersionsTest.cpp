@@ -45,7 +45,7 @@ TEST(MatrixVersions, OfNothingAreAllThatThereAre)
 
 TEST(MatrixVersions, ThatAreUnknownAreAMistakeWithTheKnownOnes)
 {
-	EXPECT_THAT(Refuse("5.3,4.27"), testing::HasSubstr("\"4.27\" is no engine version"));
+	EXPECT_THAT(Refuse("5.3,4.27"), testing::HasSubstr("\"4.27\" is not an engine version"));
 	EXPECT_THAT(Refuse("5.9"), testing::HasSubstr("5.1, 5.2, 5.3, 5.4, 5.5, 5.6, 5.7, 5.8"));
 	EXPECT_THAT(Refuse("5.6-5.3"), testing::HasSubstr("\"5.6-5.3\" ends before it begins"));
 	for (const char* const Broken : {",", "5.3-", "-5.3", "5.3,,5.4", "5", "all", "5.3-5.4-5.5", "5.30"})

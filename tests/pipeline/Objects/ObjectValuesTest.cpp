@@ -183,7 +183,7 @@ TEST_F(ObjectValues, WithoutPluginsTheMessagesSayWhatIsNotKnown)
 	{
 		ASSERT_EQ(2u, Error.GetDiagnostics().size());
 		EXPECT_EQ(2079, Error.GetDiagnostics()[0].Code);
-		EXPECT_THAT(Error.GetDiagnostics()[1].Message, HasSubstr("(or a plugin has it that could not be loaded)"));
+		EXPECT_THAT(Error.GetDiagnostics()[1].Message, HasSubstr("(or a plugin that could not be loaded has it)"));
 	}
 }
 

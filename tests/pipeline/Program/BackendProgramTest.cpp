@@ -128,7 +128,7 @@ TEST_F(BackendProgram, AMisspeltBackendHasANearestName)
 	Folder.WriteFrame("a.json", "");
 	const FOutcome Outcome = Folder.Call("run a.json --backend vulcan --out out");
 	EXPECT_EQ(2, Outcome.ExitCode);
-	EXPECT_THAT(Outcome.Printed, HasSubstr("--backend: \"vulcan\" is none of cpu, vulkan; did you mean vulkan?"));
+	EXPECT_THAT(Outcome.Printed, HasSubstr("--backend: \"vulcan\" is not one of cpu, vulkan; did you mean vulkan?"));
 	EXPECT_FALSE(ProgramTest::Files::exists(Folder.Path / "out"));
 }
 

@@ -248,7 +248,7 @@ TEST_F(HostileFiles, APictureThatNoTextureHoldsIsRefusedAtItsHeader)
 				continue;
 			}
 			ExpectRefused(
-				Outcome, {"wide.exr: error DD5005: ", "says 16385 x 1 pixels; the largest frame is 16384 a side"});
+				Outcome, {"wide.exr: error DD5005: ", "has 16385 x 1 pixels; the largest frame is 16384 a side"});
 		}
 		Files::remove_all(Folder / "out");
 		Files::remove(Folder / "scene.exr");

@@ -120,7 +120,7 @@ TEST_F(JUnit, DiffHasACaseForEachPicture)
 	EXPECT_EQ("", GetOutcome(*FindCase(Same, "final")));
 	const FElement Other = GetSuite("diff out/a out/b --max 0.001", 1);
 	ASSERT_EQ("failure", GetOutcome(*FindCase(Other, "final")));
-	EXPECT_THAT(FindCase(Other, "final")->Children.at(0).Text, HasSubstr("allowed are 0.001"));
+	EXPECT_THAT(FindCase(Other, "final")->Children.at(0).Text, HasSubstr("more than the allowed 0.001"));
 	EXPECT_EQ("0", GetSuite("diff out/a out/b", 0).Attributes.at("failures")); // nothing is demanded
 }
 

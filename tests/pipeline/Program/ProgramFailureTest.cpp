@@ -33,18 +33,17 @@ TEST(ProgramFailure, WhatAVerbThrowsStaysAsItIs)
 TEST(ProgramFailure, FilesThatTheSystemRefusesAreNamed)
 {
 	const std::error_code Loop = std::make_error_code(std::errc::too_many_symbolic_link_levels);
-	EXPECT_EQ((FExplained{ExitFiles, "a/b: error DD5001: the system refuses: Too many levels of symbolic links"}),
+	EXPECT_EQ((FExplained{ExitFiles, "a/b: error DD5001: cannot access the file: Too many levels of symbolic links"}),
 		Explain(std::filesystem::filesystem_error("status", "a/b", Loop)));
 }
 
 TEST(ProgramFailure, ThreadsAndMemoryAreTheMachines)
 {
 	const std::error_code Again = std::make_error_code(std::errc::resource_unavailable_try_again);
-	EXPECT_EQ((FExplained{ExitFiles, "error DD5001: the system refuses: Resource temporarily unavailable"}),
+	EXPECT_EQ((FExplained{ExitFiles, "error DD5001: system error: Resource temporarily unavailable"}),
 		Explain(std::system_error(Again)));
-	EXPECT_EQ((FExplained{ExitFiles, "error DD5008: the system gives no memory"}), Explain(std::bad_alloc()));
-	EXPECT_EQ((FExplained{
-				  ExitFiles, "error DD5008: the system gives no memory: 64 bytes are wanted for the texture A, 4 x 4"}),
+	EXPECT_EQ((FExplained{ExitFiles, "error DD5008: out of memory"}), Explain(std::bad_alloc()));
+	EXPECT_EQ((FExplained{ExitFiles, "error DD5008: out of memory: 64 bytes are needed for the texture A, 4 x 4"}),
 		Explain(MakeMemoryError("the texture A, 4 x 4", 64)));
 }
 

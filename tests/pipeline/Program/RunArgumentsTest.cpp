@@ -73,7 +73,7 @@ TEST_F(RunArguments, AnEngineThatIsNoneIsAMistake)
 	Folder.WriteFrame("a.json", "");
 	const FOutcome Outcome = Folder.Call("run a.json --engine 4.27 --out out");
 	EXPECT_EQ(2, Outcome.ExitCode);
-	EXPECT_THAT(Outcome.Printed, HasSubstr("\"4.27\" is none of the versions 5.1, "));
+	EXPECT_THAT(Outcome.Printed, HasSubstr("\"4.27\" is not one of the versions 5.1, "));
 	EXPECT_FALSE(ProgramTest::Files::exists(Folder.Path / "out"));
 }
 

@@ -34,7 +34,7 @@ struct FMistake
 const FMistake GMistakes[] = {
 	{"", R"("volums": [])", "unknown key \"volums\""},
 	{"", R"("$schema": 5)", "expected a string, found a number"},
-	{"", R"("engine": "4.9")", "\"4.9\" is none of"},
+	{"", R"("engine": "4.9")", "\"4.9\" is not one of"},
 	{"plugins", R"("libNone.so")", "libNone.so does not exist", EScene::Any, true},
 	{"plugins", R"("scenes/two_boxes.exr")", "the plugin cannot be loaded"},
 	{"scene", R"("file": "scenes/none.exr")", "none.exr: error DD5001", EScene::Missing, true},
@@ -43,26 +43,26 @@ const FMistake GMistakes[] = {
 	{"scene.channels", R"("velocity.X": 5)", "at /scene/channels/velocity.X: expected a string"},
 	{"scene.defaults", R"("normal.W": 1)", "no pass knows a channel \"normal.W\""},
 	{"scene.defaults", R"("A": "1")", "expected a number, found a string"},
-	{"scene", R"("padding": -1)", "padding is a whole number of texels"},
+	{"scene", R"("padding": -1)", "padding must be a whole number of texels"},
 	{"scene", R"("screenPercentage": 0)", "screenPercentage must be above 0"},
-	{"scene", R"("fps": 0)", "fps is 0.01 to 10000"},
-	{"scene", R"("frames": "1-8")", "frames are those of a sequence"},
-	{"view", R"("fov": 200)", "fov is an angle"},
+	{"scene", R"("fps": 0)", "fps must be 0.01 to 10000"},
+	{"scene", R"("frames": "1-8")", "frames need a sequence"},
+	{"view", R"("fov": 200)", "fov must be an angle"},
 	{"view", R"("exposure": 0)", "exposure must be above 0"},
 	{"view", R"("rect": [0, 0, 9999, 10])", "the rect leaves the scene", EScene::Needed},
 	{"view", R"("location": [1, 2])", "expected three numbers, found 2"},
 	{"volumes", R"({"bUnbound": true, "Settings": {"BloomIntensty": 1}})", "did you mean BloomIntensity?"},
-	{"volumes", R"({"bUnbound": true, "Settings": {"BloomIntensity": "high"}})", "BloomIntensity is a number"},
+	{"volumes", R"({"bUnbound": true, "Settings": {"BloomIntensity": "high"}})", "BloomIntensity must be a number"},
 	{"volumes", R"({"bUnbound": true, "Settings": {"BloomThreshold": NaN}})", "DD1004"},
 	{"volumes", R"({"bUnbound": true, "Priority": 5, "Priority": 6})", "DD1003"},
 	{"volumes", R"({"bUnbound": true, "Settings": {"BloomDirtMask": "textures/none.png"}})",
 		"BloomDirtMask " DRYDOCK_TEST_SOURCE_DIR "/configs/textures/none.png", EScene::Any, true},
 	{"volumes", R"({"Settings": {}})", "has no \"bounds\" and is not bUnbound"},
-	{"volumes", R"({"bounds": {"min": [0, 0, 0], "max": [1, -1, 1]}})", "min lies above max in Y"},
+	{"volumes", R"({"bounds": {"min": [0, 0, 0], "max": [1, -1, 1]}})", "min must not be above max in Y"},
 	{"volumes", R"({"bUnbound": true, "Weight": 1})", "unknown key \"Weight\""},
 	{"camera.Settings", R"("bOverride_Bloom": true)", "at /camera/Settings/bOverride_Bloom: unknown setting"},
 	{"camera.Settings", R"("ScreenPercentage": 50)",
-		"unknown setting; engine 5 has none of this name: set scene.screenPercentage of the config"},
+		"unknown setting; engine 5 has no setting of this name: set scene.screenPercentage of the config"},
 	{"cvars", R"("r.BloomQualty": 1)", "did you mean r.BloomQuality?"},
 	{"cvars", R"("r.BloomQuality": [1])", "at /cvars/r.BloomQuality: expected a number"},
 	{"showFlags", R"("Blom": false)", "unknown show flag; did you mean Bloom?"},
@@ -82,10 +82,10 @@ const FMistake GMistakes[] = {
 	{"passes", R"({"type": "Tint", "at": "FXAA", "replace": 1})", "at /passes/"},
 	{"outputs", R"("dump": [5])", "at /outputs/dump/0: expected a string"},
 	{"study.axes", R"({"name": "r.BloomQualties", "values": [1]})", "did you mean r.BloomQuality?"},
-	{"study.axes", R"({"name": "BloomIntensity", "values": []})", "\"values\" is an array of one value at least"},
+	{"study.axes", R"({"name": "BloomIntensity", "values": []})", "\"values\" must be an array of at least one value"},
 	{"study.axes", R"({"name": "BloomIntensity", "values": ["much"]})", "expected a number, found \"much\""},
 	{"study", R"("metrics": [1])", "at /study/metrics/0: expected a string"},
-	{"study", R"("repetitions": 0)", "repetitions is a whole number"},
+	{"study", R"("repetitions": 0)", "repetitions must be a whole number"},
 	{"study", R"("region": [1, 2, 3, "4"])", "at /study/region/3: expected a number"},
 	{"study", R"("reference": "best")", "the reference of a study of frames"},
 	{"budget", R"("metric": "rmss")", "there is no metric \"rmss\""},
@@ -285,7 +285,7 @@ TEST(MistakesTogether, UnknownNamesMayBeThoseOfAPluginThatIsMissing)
 	Options.ConfigText = R"({"plugins": ["libNone.so"], "cvars": {"r.OfNone": 1}})";
 	const FSaid Said = Check(Options);
 	ASSERT_EQ(2u, Said.Errors.size());
-	EXPECT_TRUE(Said.Errors[1].ends_with(" (or a plugin has it that could not be loaded)")) << Said.Errors[1];
+	EXPECT_TRUE(Said.Errors[1].ends_with(" (or a plugin that could not be loaded has it)")) << Said.Errors[1];
 }
 
 TEST(MistakesTogether, ARunSaysThemAsACheckDoesAndThatThereIsNoScene)

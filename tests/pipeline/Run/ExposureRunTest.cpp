@@ -211,7 +211,7 @@ TEST(ExposureRun, TheMeterMaskIsAnImageFile)
 	std::filesystem::remove(Mask);
 	EXPECT_NE(std::string::npos,
 		GetReason(RunBoxes(Auto, R"("AutoExposureMeterMask": "/Game/Mask.Mask")", {}, false), "Exposure")
-			.find("AutoExposureMeterMask is no image file"));
+			.find("AutoExposureMeterMask is not an image file"));
 }
 
 TEST(ExposureRun, RunJsonTellsWhatWasMetered)

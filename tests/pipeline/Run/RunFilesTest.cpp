@@ -131,7 +131,7 @@ TEST(RunDumps, PatternsThatFitNothingWarn)
 	ASSERT_EQ(2u, Result.Diagnostics.size());
 	EXPECT_EQ(WarnNothingDumped, Result.Diagnostics[0].Code);
 	EXPECT_NE(std::string::npos, Result.Diagnostics[0].Message.find("did you mean HalfResolutionSceneColor?"));
-	EXPECT_NE(std::string::npos, Result.Diagnostics[1].Message.find("fits only culled passes"));
+	EXPECT_NE(std::string::npos, Result.Diagnostics[1].Message.find("matches only culled passes"));
 }
 
 TEST(RunDumps, ChangeNothing)

@@ -36,8 +36,9 @@ const std::string Broken = "--plugin " DRYDOCK_TEST_BINARY_DIR "/lib/libBrokenPr
 TEST_F(SilentPass, APluginThatDoesNothingIsNamed)
 {
 	EXPECT_THAT(Run("", Broken + "0").Printed,
-		HasSubstr("note DD4004 at pass BrokenPromises: it wrote again what it read of SceneColor, bit for bit: its "
-				  "parameters leave every pixel as it is"));
+		HasSubstr(
+			"note DD4004 at pass BrokenPromises: it wrote the same values as it read from SceneColor, bit for bit: its "
+			"parameters leave every pixel as it is"));
 	const nlohmann::json Report = nlohmann::json::parse(Folder.Read("out/run.json"));
 	bool bFound = false;
 	for (const nlohmann::json& Pass : Report.at("passes"))

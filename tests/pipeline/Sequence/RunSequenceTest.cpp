@@ -223,7 +223,7 @@ TEST_F(RunSequences, PartSaysThatItLacksHistoryAndLeadsIn)
 	};
 	EXPECT_THAT(RunPart("none", 0),
 		testing::AllOf(HasSubstr("frame 5 begins with the history of no frame, and 4 are before it"),
-			HasSubstr("CustomSSRInput"), HasSubstr("--lead 4 gives the same")));
+			HasSubstr("CustomSSRInput"), HasSubstr("--lead 4 avoids this")));
 	EXPECT_FALSE(IsWhole("none"));
 	EXPECT_THAT(RunPart("one", 1), HasSubstr("frame 5 begins with the history of 1 frame, and 4 are before it"));
 	EXPECT_TRUE(IsWhole("one")); // each frame shows the one before it, and no other
@@ -289,7 +289,7 @@ TEST_F(RunSequences, OtherInputsAreRefusedAndNamed)
 	FSequenceOptions Set = Ask("2");
 	Set.Run.Variables = {"r.BloomQuality=3"};
 	EXPECT_EQ(Begin + "the options were none and are --set r.BloomQuality=3" + End, ErrorOf(Set));
-	EXPECT_EQ(Begin + "frame 2 is there, and the frames asked for do not begin like that" + End, ErrorOf(Ask("1-2")));
+	EXPECT_EQ(Begin + "frame 2 exists, but the requested frames begin differently" + End, ErrorOf(Ask("1-2")));
 }
 
 TEST_F(RunSequences, ThreadsAreNoOtherInput)
@@ -320,12 +320,12 @@ TEST_F(RunSequences, DamagedStateIsNotGoneOnFrom)
 TEST_F(RunSequences, MistakesAreFoundBeforeAnythingIsWritten)
 {
 	EXPECT_EQ(
-		"1020 2 \"x\" is no frame and no range of frames: expected all, 1-8, 1-9x2 or 1,3,5-8", ErrorOf(Ask("x")));
+		"1020 2 \"x\" is not a frame or a range of frames: expected all, 1-8, 1-9x2 or 1,3,5-8", ErrorOf(Ask("x")));
 	EXPECT_EQ(
 		"5001 3 there is no frame 9 of " + Scenes + "moving_camera.####.exr: there are 1 to 8", ErrorOf(Ask("8-9")));
 	FSequenceOptions Options = Ask("1");
 	Options.Run.ConfigText = R"({"scene": {"file": ")" + Scenes + R"(two_boxes.exr"}})";
-	EXPECT_EQ("1020 2 the scene is no sequence: scene.file has no #### in its name", ErrorOf(Options));
+	EXPECT_EQ("1020 2 the scene is not a sequence: scene.file has no #### in its name", ErrorOf(Options));
 	EXPECT_FALSE(Files::exists(Temporary.Path / "out"));
 }
 
@@ -423,7 +423,7 @@ TEST_F(RunSequences, LaterFrameIsRenderedAgainWhereItsHistoryIsAnother)
 	Copy(2, 8);
 	Files::remove_all(Temporary.Path / "out/frames/2");
 	EXPECT_EQ((std::vector<std::string>{"frame 2 is rendered again: it is missing",
-				  "frame 3 is rendered again: the frame before it is not what it was"}),
+				  "frame 3 is rendered again: the frame before it has changed"}),
 		RunAgain(AskFor("out")));
 	RunSequence(AskFor("whole"));
 	EXPECT_TRUE(AreSameFolders(Temporary.Path / "whole", Temporary.Path / "out"));
@@ -495,7 +495,7 @@ TEST_F(RunSequences, StateOfAnotherFrameIsNotGoneOnFrom)
 	RunSequence(Ask("2"));
 	Files::copy_file(Temporary.Path / "other/frames/0001/view_state.bin",
 		Temporary.Path / "out/frames/0002/view_state.bin", Files::copy_options::overwrite_existing);
-	EXPECT_EQ("5020 3 the state of a frame is another frame's", ErrorOf(Ask("2-3")));
+	EXPECT_EQ("5020 3 the state belongs to another frame", ErrorOf(Ask("2-3")));
 }
 
 TEST_F(RunSequences, LostStateIsComputedAgain)

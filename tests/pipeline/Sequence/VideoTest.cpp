@@ -63,13 +63,13 @@ TEST_F(Video, RateIsTheScenes)
 
 TEST_F(Video, WithoutFfmpegOneSentenceSaysSo)
 {
-	EXPECT_EQ("there is no ffmpeg on the PATH (Debian: apt install ffmpeg); the frames are there", Make());
+	EXPECT_EQ("ffmpeg is not on the PATH (Debian: apt install ffmpeg); the frames are complete", Make());
 }
 
 TEST_F(Video, FailureLeavesNothingBehind)
 {
 	Install("echo half > \"$Last\"; exit 1");
-	EXPECT_EQ("ffmpeg failed; what it said stands above", Make());
+	EXPECT_EQ("ffmpeg failed; its messages are above", Make());
 	EXPECT_TRUE(Files::is_empty(Temporary.Path / "a b"));
 }
 

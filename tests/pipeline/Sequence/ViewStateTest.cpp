@@ -225,11 +225,11 @@ TEST(ViewStateFile, ForgedSizesAreRefusedBeforeMemoryIsTaken)
 	const std::string State = PackViewStates(MakeHistory());
 	const std::string Broken = "5020 the state of a frame ";
 	EXPECT_EQ("none", ErrorOf(Forge<uint32>(State, {4, 3}, {4, 3})));
-	EXPECT_EQ(Broken + "has a buffer that cannot be", ErrorOf(Forge<uint32>(State, {4, 3}, {4, 0})));
-	EXPECT_EQ(Broken + "has a buffer that cannot be", ErrorOf(Forge<uint32>(State, {4, 3}, {65536, 65536})));
+	EXPECT_EQ(Broken + "has an impossible buffer", ErrorOf(Forge<uint32>(State, {4, 3}, {4, 0})));
+	EXPECT_EQ(Broken + "has an impossible buffer", ErrorOf(Forge<uint32>(State, {4, 3}, {65536, 65536})));
 	EXPECT_EQ(Broken + "is cut short", ErrorOf(Forge<uint32>(State, {4, 3}, {1u << 30, 3})));
-	EXPECT_EQ(Broken + "has a texture that cannot be", ErrorOf(Forge<int32>(State, {1, 0, 3, 2}, {1, 0, 30, 2})));
-	EXPECT_EQ(Broken + "has a texture that cannot be", ErrorOf(Forge<int32>(State, {1, 0, 3, 2}, {-1, 0, 3, 2})));
+	EXPECT_EQ(Broken + "has an impossible texture", ErrorOf(Forge<int32>(State, {1, 0, 3, 2}, {1, 0, 30, 2})));
+	EXPECT_EQ(Broken + "has an impossible texture", ErrorOf(Forge<int32>(State, {1, 0, 3, 2}, {-1, 0, 3, 2})));
 
 	FRHITextureDesc Desc = MakeHistory()[0].Textures["Kept"].Target->GetRHI()->GetDesc();
 	const uint64 Size = FRHITexture::ComputeSize(Desc);

@@ -135,15 +135,14 @@ TEST(StudyConfig, MistakesAreNamedWithTheNearestName)
 		"1007 /study/axes/0/values/0: there is no algorithm \"DualKawaze\": Exact, Direct, Separable, GaussianSum, "
 		"Kawase, DualKawase, Pyramid, FFT, Boxes, Recursive; did you mean DualKawase?",
 		ErrorOf(R"("study": {"axes": [{"name": "algorithm", "values": ["DualKawaze"]}]})"));
-	EXPECT_EQ(
-		"1007 /study/axes/0/name: \"r.BloomQualty\" is no setting, no console variable, and neither precision nor "
-		"storage; did you mean r.BloomQuality?",
+	EXPECT_EQ("1007 /study/axes/0/name: \"r.BloomQualty\" is not a setting, a console variable, precision or storage; "
+			  "did you mean r.BloomQuality?",
 		ErrorOf(R"("study": {"axes": [{"name": "r.BloomQualty", "values": [1]}]})"));
 	EXPECT_EQ("1007 /study/metrics/0: there is no metric \"rsm\": max, rms, relative, psnr, ssim; did you mean rms?",
 		ErrorOf(R"("study": {"axes": [{"name": "r.BloomQuality", "values": [1]}], "metrics": ["rsm"]})"));
-	EXPECT_EQ("1006 /study/axes/0/values: \"values\" is an array of one value at least",
+	EXPECT_EQ("1006 /study/axes/0/values: \"values\" must be an array of at least one value",
 		ErrorOf(R"("study": {"axes": [{"name": "r.BloomQuality", "values": 3}]})"));
-	EXPECT_EQ("1010 /study/axes/1/values/0: sigma is a number of pixels, 0.5 to 1000",
+	EXPECT_EQ("1010 /study/axes/1/values/0: sigma must be a number of pixels, 0.5 to 1000",
 		ErrorOf(
 			R"("study": {"axes": [{"name": "algorithm", "values": ["Kawase"]}, {"name": "sigma", "values": [0]}]})"));
 	EXPECT_EQ("1008 /budget: the budget has neither \"max\" nor \"ms\"", ErrorOf(R"("budget": {"metric": "rms"})"));

@@ -74,7 +74,7 @@ TEST(ExtraSetting, ItsMistakesAreNamed)
 	Read("\"TestGlimer\": 1, \"TestGlimmer\": \"much\"", Diagnostics);
 	ASSERT_EQ(2u, Diagnostics.size());
 	EXPECT_EQ("unknown setting; did you mean TestGlimmer?", Diagnostics[0].Message);
-	EXPECT_EQ("TestGlimmer is a number", Diagnostics[1].Message);
+	EXPECT_EQ("TestGlimmer must be a number", Diagnostics[1].Message);
 }
 
 TEST(ExtraSetting, ItsRangeWarns)
