@@ -10,7 +10,7 @@
 namespace Drydock
 {
 
-/** What is said of a setting that is to be added. */
+/** The description of a setting that is to be added. */
 struct FAddedSetting
 {
 	std::string Name;

@@ -44,7 +44,7 @@ struct FNonFiniteSetting
 	std::string Setting;
 };
 
-/** Where a place is to a volume. */
+/** The relation of a place to a volume. */
 struct FVolumeAtPlace
 {
 	size_t Volume = 0;              // index in FBlendInputs::Volumes

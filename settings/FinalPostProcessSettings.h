@@ -41,8 +41,8 @@ DRYDOCK_API std::vector<FSettingGate> EndFinalPostProcessSettings(
 DRYDOCK_API std::vector<FSettingGate> ApplyShowFlags(
 	FFinalPostProcessSettings& Settings, const FEngineShowFlags& ShowFlags, FBlendLedger* Ledger = nullptr);
 
-/** What a view extension made of the settings in SetupView, after everything else. A value that is not finite is put
- * back to what it was. Returns what changed, and what was put back. */
+/** Records a view extension's changes of the settings in SetupView, after everything else. A value that is not finite
+ * is put back. Returns the values that changed, and those that were put back. */
 DRYDOCK_API std::vector<FSettingGate> RecordExtensionEdits(const FFinalPostProcessSettings& Before,
 	FFinalPostProcessSettings& After, const std::string& Extension, FBlendLedger* Ledger = nullptr);
 

@@ -20,7 +20,7 @@
 namespace Drydock
 {
 
-/** What may be said of a setting beside its name and default. */
+/** The optional description of a setting, beside its name and default. */
 struct FPostProcessSettingInfo
 {
 	double Min = -std::numeric_limits<double>::infinity(); // of each component; what passes it is warned of, not cut

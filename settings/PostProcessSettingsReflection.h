@@ -50,7 +50,7 @@ struct FSettingField
 	/** The object of a path, null for "None"; null pointer where ObjectClass is empty. */
 	UObject* (*FindOrAddObject)(const std::string& Path);
 
-	/** Of a setting that a plugin added (AddedSettings.h); 0: of the table. */
+	/** Id of a setting that a plugin added (AddedSettings.h); 0: the setting is in the table. */
 	uint32 AddedId = 0;
 
 	/** 1 for numbers, 4 for colours, ..., 0 for objects. */

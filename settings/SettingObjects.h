@@ -22,8 +22,8 @@ DRYDOCK_API UObject* FindOrAddObject(const std::string& Path);
 DRYDOCK_API std::string GetObjectPath(const UObject* Object);
 
 /** `/Game/A.A` as it is; `Texture2D'/Game/A.A'` and `/Script/Engine.Texture2D'"/Game/A.A"'` without their class, as the
- * engine writes references. White space and quotes around a path are no part of it; what comes back strips to itself.
- */
+ * engine writes references. White space and quotes around a path are not part of it; the result strips to itself.
+ * */
 DRYDOCK_API std::string StripObjectClass(const std::string& Reference);
 
 } // namespace Drydock
