@@ -1,13 +1,12 @@
 // Bloom setup: keeps what is bright enough to bloom. Source: engine file PostProcessBloomSetup.h; toon bloom: the
 // article's patch of it.
 //
-// Formula, per pixel: C = scene colour / PreExposure, C = min(C, 65536), L = luminance(C) * exposure scale,
-// amount = saturate((L - Threshold) / 2), or exactly 1 where Threshold <= -1 and the view's engine has no ramp then
-// (EngineProfile.h); result (amount * C * PreExposure, 0).
-// Local exposure multiplies C before the clamp.
-// Contract. Same extent, rect and format as the input. NaN becomes 65536 * PreExposure before the ramp (min takes the
-// other operand, as on a GPU), +Inf likewise; -Inf and negatives pass on until an unsigned store clips them. An input
-// without such values gives none.
+// Formula, per pixel: C = scene colour / PreExposure, C = min(C, 65536), L = luminance(C) * exposure scale, amount =
+// saturate((L - Threshold) / 2), or exactly 1 where Threshold <= -1 and the view's engine has no ramp then
+// (EngineProfile.h); result (amount * C * PreExposure, 0). Local exposure multiplies C before the clamp. Contract. Same
+// extent, rect and format as the input. NaN becomes 65536 * PreExposure before the ramp (min takes the other operand,
+// as on a GPU), and so does +Inf; -Inf and negatives pass on until an unsigned store clips them. An input without such
+// values gives none.
 //
 // Toon bloom (Toon given). Corrected: C of the result is that of the full-resolution colour whose toon pixels
 // are multiplied by ToonIntensity, downsampled like the input; the ramp stays that of the unmasked input. Without a

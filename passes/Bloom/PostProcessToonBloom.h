@@ -38,7 +38,8 @@ struct FToonBloomInputs
 	TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures = nullptr;
 	/** Factor of toon pixels. */
 	float ToonIntensity = 1.0f;
-	/** Where toon pixels can be, from the corner of SceneColor's rect; not set: anywhere. Read by the bloom setup. */
+	/** Bounds of the pixels that can be toon, from the corner of SceneColor's rect; not set: anywhere. Read by the
+	 * bloom setup. */
 	std::optional<FIntRect> ToonBounds = std::nullopt;
 };
 

@@ -35,8 +35,9 @@ constexpr double GSubtexelSteps = 256.0;
  * side stays at least 2. So Num() - 1 levels run, none on an image less than 3 pixels wide or high. */
 DRYDOCK_API TArray<FIntPoint> GetDualKawaseLevelSizes(FIntPoint Size, int32 PassNum);
 
-/** What the article's code renders, pass by pass: PassNum times down, the first at full size, halving (truncating)
- * after each pass; then PassNum times up, doubling before each. Fewer where a side would become 0. */
+/** The sizes that the article's code renders, pass by pass: PassNum times down, the first at full size, halving
+ * (truncating) after each pass; then PassNum times up, doubling before each. There are fewer passes if a side would
+ * become 0. */
 DRYDOCK_API TArray<FIntPoint> GetDualKawasePrintedSizes(FIntPoint Size, int32 PassNum);
 
 /** Columns and rows that the article's result lacks: 22 at 1366 pixels and 5 passes. */

@@ -39,7 +39,7 @@ struct FGaussianSumInputs
 	FLinearColor TintScale = FLinearColor(1.0f, 1.0f, 1.0f, 1.0f);
 	/** Sharpness of the centre: positive in both directions, negative in the vertical one only. */
 	float Cross = 0.0f;
-	/** What lies outside: the edge texel, or black (the engine's bloom). */
+	/** The texels outside: the edge texel (true), or black (the engine's bloom). */
 	bool bClampAddressing = false;
 };
 

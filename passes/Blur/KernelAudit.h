@@ -11,16 +11,16 @@ class FRDGBuilder;
 namespace Drydock
 {
 
-/** What the weights of one direction do. */
+/** Properties of the weights of one direction. */
 struct FKernelAudit
 {
-	/** What a pass multiplies the light by. */
+	/** The factor by which a pass multiplies the light. */
 	double Sum = 0.0;
 	bool bFinite = true;
 	bool bNegative = false;
 	/** Equal on both sides of the middle, within 1e-6 of the largest. */
 	bool bSymmetric = true;
-	/** Never rises away from the middle, likewise. */
+	/** Never rises away from the middle by more than 1e-6 of the largest. */
 	bool bOneLobe = true;
 
 	/** Finite, not negative, symmetric, one lobe, and a sum within 1e-3 of 1. */

@@ -22,7 +22,7 @@ struct FMatchedGaussianBlurInputs
 	/** Pixels, at least 0.5. */
 	double StandardDeviation = 1.0;
 
-	/** Where the taps end, in standard deviations, above 0. */
+	/** The distance where the taps end, in standard deviations, above 0. */
 	double ReachInDeviations = 3.0;
 
 	/** Rows, then columns, in two passes. Else in one, as the article does it: (2 R + 1)^2 taps, R standard deviations

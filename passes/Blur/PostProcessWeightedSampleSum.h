@@ -38,8 +38,8 @@ DRYDOCK_API int32 GetIntegerKernelRadius(int32 SampleCountMax, float KernelRadiu
 
 /** The kernel exp(-16.7 (x / R)^2), sigma 0.17303 R, sampled at the integers of the reach R' and folded two by two from
  *  -R' up: R' + 1 taps. CrossCenterWeight c sharpens the centre: 0 < c <= 1 blends with a triangle of half-width 1,
- * above 1 takes the triangle to the power c. Where both texels of a pair weigh nothing, the tap stays on its first
- * texel. Empty when KernelRadius is not a number. */
+ * above 1 takes the triangle to the power c. If both texels of a pair weigh nothing, the tap stays on its first texel.
+ * Empty when KernelRadius is not a number. */
 DRYDOCK_API TArray<FGaussianTap> ComputeGaussianKernel(
 	int32 SampleCountMax, float KernelRadius, float CrossCenterWeight = 0.0f);
 
@@ -72,7 +72,7 @@ struct FGaussianBlurInputs
 	/** Diameter of the kernel in percent of the filter's width. */
 	float KernelSizePercent = 0.0f;
 
-	/** What lies outside: the image's mirror, or black. */
+	/** Texels outside are the image's mirror (true), or black. */
 	bool UseMirrorAddressMode = false;
 
 	/** drydock: what lies outside is the edge texel, so that a constant stays constant; before the mirror. */

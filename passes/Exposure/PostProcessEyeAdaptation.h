@@ -39,7 +39,7 @@ DRYDOCK_API FRDGBufferRef CreateManualEyeAdaptationBuffer(
 
 } // namespace Drydock
 
-/** What both ways of metering start from. */
+/** The inputs of both ways of metering. */
 struct FEyeAdaptationInputs
 {
 	FEyeAdaptationParameters Parameters;

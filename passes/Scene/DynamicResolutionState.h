@@ -7,7 +7,7 @@
 namespace DynamicRenderScaling
 {
 
-/** What a fraction is counted against; its address is its name. */
+/** The budget that a fraction is counted against; its address is its name. */
 struct FBudget
 {
 };

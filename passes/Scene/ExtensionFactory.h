@@ -26,7 +26,7 @@ namespace Drydock
 /** Name of the hook that runs before the chain, beside those of EPostProcessingPass. */
 inline constexpr const char* PrePostProcessPassName = "PrePostProcessPass";
 
-/** What a factory makes an extension of. */
+/** The arguments from which a factory makes an extension. */
 struct FExtensionArguments
 {
 	/** A name of FExtensionFactory::Passes. */

@@ -25,7 +25,7 @@ struct FPassInputSpec
 	std::string Doc;
 };
 
-/** What a factory adds a pass of. */
+/** The arguments from which a factory adds a pass. */
 struct FPassArguments
 {
 	std::map<std::string, FScreenPassTexture> Inputs; // every one of the specs, valid

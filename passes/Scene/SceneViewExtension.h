@@ -42,7 +42,7 @@ struct FMobilePostProcessingInputs;
 struct FPostProcessMaterialInputs;
 struct FPostProcessingInputs;
 
-/** What an extension wants of the renderer. */
+/** The wishes of an extension to the renderer. */
 enum class ESceneViewExtensionFlags : uint32
 {
 	None = 0,
@@ -51,7 +51,7 @@ enum class ESceneViewExtensionFlags : uint32
 };
 ENUM_CLASS_FLAGS(ESceneViewExtensionFlags)
 
-/** What an extension is asked about when it says whether it is active. */
+/** The context that an extension is asked with whether it is active. */
 class FSceneViewExtensionContext
 {
 public:
@@ -66,7 +66,7 @@ public:
 	}
 	virtual ~FSceneViewExtensionContext() = default;
 
-	/** Of the scene; null without one. */
+	/** World of the scene; null without one. */
 	virtual UWorld* GetWorld() const { return Scene != nullptr ? Scene->GetWorld() : nullptr; }
 	bool IsHMDSupported() const { return false; }
 

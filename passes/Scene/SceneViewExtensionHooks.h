@@ -49,7 +49,7 @@ enum class EExtensionHook : uint8
 /** Engine minor version of extensions that follow whatever version a run chooses: those drydock ships. */
 constexpr int32 AnyEngineVersion = 0;
 
-/** What is known of a registered extension beyond its virtual functions. */
+/** The description of a registered extension beyond its virtual functions. */
 struct FExtensionInfo
 {
 	std::string Name;                         // its class, without namespaces

@@ -1,5 +1,5 @@
-// A part of a full-screen pass: where what a mask marks can reach. What lies outside is copied or left as it is. All
-// rects count from the corner of the view's rect until they are drawn.
+// Confines a full-screen pass to the part that a mask's pixels can reach. Pixels outside are copied or left as they
+// are. All rects count from the corner of the view's rect until they are drawn.
 #pragma once
 
 #include "CoreMinimal.h"

@@ -9,8 +9,8 @@
 namespace Drydock
 {
 
-/** Of this extent and format, readable by shaders; Rect in texels, inside the extent. Name is kept as a pointer.
- * bCompute: written by a compute shader, as a UAV, and not a render target. */
+/** Creates a target of this extent and format, readable by shaders; Rect in texels, inside the extent. Name is kept as
+ * a pointer. bCompute: written by a compute shader, as a UAV, and not a render target. */
 inline FScreenPassRenderTarget CreateScreenTarget(
 	FRDGBuilder& GraphBuilder, FRDGTextureDesc Desc, const FIntRect& Rect, const TCHAR* Name, bool bCompute)
 {
@@ -27,7 +27,7 @@ inline FScreenPassRenderTarget CreateRasterTarget(
 	return CreateScreenTarget(GraphBuilder, Desc, Rect, Name, false);
 }
 
-/** Of Like's extent and rect; PF_Unknown: of its format too. */
+/** Creates a target of Like's extent and rect; PF_Unknown: of its format too. */
 inline FScreenPassRenderTarget CreateRasterTargetLike(
 	FRDGBuilder& GraphBuilder, const FScreenPassTexture& Like, const TCHAR* Name, EPixelFormat Format = PF_Unknown)
 {

@@ -1,6 +1,6 @@
-// What colour grading is made of, out of the settings: white balance as a matrix, and for shadows, midtones and
-// highlights the five operations with the global ones in them. Pure functions. Source: engine file
-// PostProcessCombineLUTs.cpp (meaning); formulas: CIE 15 (daylight), Krystek 1985 (black body), Bradford adaptation.
+// Computes colour grading from the settings: white balance as a matrix, and the five operations for shadows, midtones
+// and highlights, each including the global one. Pure functions. Source: engine file PostProcessCombineLUTs.cpp
+// (meaning); formulas: CIE 15 (daylight), Krystek 1985 (black body), Bradford adaptation.
 #pragma once
 
 #include "CoreMinimal.h"
@@ -23,7 +23,7 @@ DRYDOCK_API FColorMatrix ComputeWhiteBalance(double Temperature, double Tint, ET
 struct FColorGrading
 {
 	FColorMatrix WhiteBalance = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-	// Of shadows, midtones, highlights.
+	// For shadows, midtones, highlights.
 	std::array<FVector3f, 3> Saturation;
 	std::array<FVector3f, 3> Contrast;
 	std::array<FVector3f, 3> Gamma;

@@ -27,7 +27,7 @@
 class FRDGBuilder;
 class FViewInfo;
 
-/** What PostProcessColorRemap.ush reads. */
+/** The parameters that PostProcessColorRemap.ush reads. */
 BEGIN_SHADER_PARAMETER_STRUCT(FColorRemapParameters, DRYDOCK_API)
 	SHADER_PARAMETER(FVector4f, FilmSlopeToeShoulderBlackClip)
 	SHADER_PARAMETER(float, FilmWhiteClip)

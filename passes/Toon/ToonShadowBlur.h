@@ -92,7 +92,7 @@ struct FToonShadowLightingInputs
 DRYDOCK_API FScreenPassTexture AddToonShadowLightingPass(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FToonShadowLightingInputs& Inputs);
 
-/** What A holds of a blurred shadow of 0..1, before rounding to 8 bit, and back. */
+/** The value of A for a blurred shadow of 0..1, before rounding to 8 bit, and back. */
 DRYDOCK_API float EncodeToonShadowBlur(float Blurred, EToonShadowBlurStore Store);
 DRYDOCK_API float DecodeToonShadowBlur(float Stored, EToonShadowBlurStore Store);
 

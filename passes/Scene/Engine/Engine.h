@@ -8,7 +8,7 @@
 
 class FSceneViewExtensions;
 
-/** What GetWorldFromContextObject does where an object has no world. */
+/** The action of GetWorldFromContextObject when an object has no world. */
 enum class EGetWorldErrorMode
 {
 	ReturnNull,

@@ -22,7 +22,7 @@ public:
 
 	virtual void BeginPlay() {}
 	virtual void EndPlay(const EEndPlayReason::Type) {}
-	/** Of Destroy, after EndPlay. */
+	/** Called by Destroy, after EndPlay. */
 	virtual void Destroyed() {}
 	virtual void OnConstruction(const FTransform&) {}
 	virtual void PostInitializeComponents() {}

@@ -1,4 +1,4 @@
-// What a post-processing callback is given. Source: engine file PostProcess/PostProcessMaterialInputs.h.
+// Declares the inputs of a post-processing callback. Source: engine file PostProcess/PostProcessMaterialInputs.h.
 #pragma once
 
 #include "CoreMinimal.h"
@@ -110,6 +110,7 @@ struct FPostProcessMaterialInputs
 	}
 
 private:
-	/** Of the textures, as code from engine 5.4 on reads them; null where a texture was set without a graph builder. */
+	/** Views of the textures, as code from engine 5.4 on reads them; null where a texture was set without a graph
+	 * builder. */
 	TStaticArray<FRDGTextureSRVRef, kPostProcessMaterialInputCountMax> Views = {};
 };
