@@ -1,4 +1,5 @@
-// What a run is asked for. Plain: needs none of the engine's headers, whose macros would break others'.
+// Holds the options of a run. The header is plain: it needs none of the engine's headers, whose macros would break
+// others'.
 #pragma once
 
 #include "Config/OutputKinds.h"
@@ -28,9 +29,8 @@ struct FPassWrites;
 struct FRunOptions
 {
 	std::string ConfigFile;
-	std::optional<std::string>
-		ConfigText;                     // read in place of the file; ConfigFile still says what paths are relative to
-	std::vector<std::string> Variables; // "r.Name=Value" (--set), beat the config's
+	std::optional<std::string> ConfigText; // read in place of the file; paths are still relative to ConfigFile
+	std::vector<std::string> Variables;    // "r.Name=Value" (--set), beat the config's
 	struct FExec
 	{
 		std::string Text;              // "r.A 1, r.B=2"
@@ -58,7 +58,8 @@ struct FRunOptions
 	bool bPlanLoads = false;    // of a graph that is not executed: find out which channels it would decode
 	bool bLookAtContent = true; // false: settings alone decide what runs, so that no picture is decoded for it
 	/** Nothing is left out because no output needs it: culled passes run, all channels are decoded, effects whose
-	 * values are neutral or whose input is empty run. What is switched off stays off. The outputs are the same bits. */
+	 * values are neutral or whose input is empty run. Effects that are switched off stay off. The outputs are the same
+	 * bits. */
 	bool bNoSkip = false;
 	bool bMeasureEffects = false;            // figures and pictures of effects (FEffect::Measure), after the frame
 	bool bFingerprints = false;              // of what each pass wrote, in run.json
@@ -69,7 +70,8 @@ struct FRunOptions
 	double StartMilliseconds = 0.0;          // that the process took before the run, for the run's times
 	/** Called before each pass that executes. */
 	std::function<void(int Done, int Total, const std::string& Pass)> Progress;
-	/** Called after each pass with what it wrote. What nobody has written is then 0, but for r.RDG.ClobberResources. */
+	/** Called after each pass with the textures that it wrote. Texels that nobody has written are then 0, but for
+	 * r.RDG.ClobberResources. */
 	std::function<void(const FPassWrites& Writes)> OnPassExecuted;
 };
 

@@ -1,4 +1,4 @@
-// What a study asks of a run: its assignments as options, and the hash by which a later run knows what was studied.
+// Turns a study's assignments into options of a run, and makes the hash by which a later run knows what was studied.
 #pragma once
 
 #include "Budget/RunOptions.h"
@@ -15,7 +15,7 @@ DRYDOCK_API std::string GetStudyFingerprint(const std::string& ConfigText);
 /** Text of the config that Options name. Throws FError (exit code 3) when it cannot be read. */
 DRYDOCK_API std::string GetConfigText(const FRunOptions& Options);
 
-/** What these assignments are to a run. */
+/** Sets these assignments as options of a run. */
 DRYDOCK_API void ApplyToRun(const std::vector<FStudyAssignment>& Set, FRunOptions& Options);
 
 } // namespace Drydock

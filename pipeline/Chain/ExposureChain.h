@@ -8,7 +8,7 @@
 class FRDGBuilder;
 class FViewInfo;
 
-/** What both are made of. */
+/** The inputs of metered and local exposure. */
 struct FExposureChainInputs
 {
 	/** The picture, downsampled, and from there down; may be missing where nothing is metered and bLocalExposure is

@@ -19,7 +19,7 @@
 namespace Drydock
 {
 
-/** Where a value stands; line 0: it does not, it is a default. */
+/** The place of a value in the text; line 0: the value is a default. */
 struct FConfigPlace
 {
 	int Line = 0;
@@ -161,9 +161,9 @@ struct FConfig
 	std::vector<FConfigVariable> Variables; // in the order in which they are set
 	std::vector<FConfigShowFlag> ShowFlags;
 	std::vector<FJsonValue> Extensions; // objects, as they stand: see ReadExtensionRequests
-	std::vector<FJsonValue> Passes;     // likewise: see ReadPassRequests
+	std::vector<FJsonValue> Passes;     // see ReadPassRequests
 	FJsonValue Study;                   // as it stands, null where there is none: see ReadStudy
-	FJsonValue Budget;                  // likewise
+	FJsonValue Budget;                  // as it stands
 	std::vector<TConfigValue<std::string>> Dump;
 	TConfigValue<std::string> Report;  // "off", "on", "full"; not set: as the program chooses
 	std::optional<FOutputKinds> Write; // what of its outputs a run writes; empty: the config does not say

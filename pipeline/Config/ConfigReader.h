@@ -66,7 +66,8 @@ public:
 	{
 		return Diagnostics.size() < MaxDiagnostics ? Drydock::Suggest(Name, GetCandidates()) : "";
 	}
-	/** The same for the name of a setting. For one that engine 4 had it says where that is set today. */
+	/** The same for the name of a setting. For a setting of engine 4 the suggestion is the place where it is set today.
+	 */
 	std::string SuggestSetting(const std::string& Name) const;
 	std::string Suggest(const std::string& Name, const std::vector<std::string>& Candidates) const
 	{
@@ -81,7 +82,7 @@ private:
 	std::vector<FDiagnostic>& Diagnostics;
 };
 
-/** Checks keys and types of a whole config against the list of keys, and says what is not built yet. */
+/** Checks keys and types of a whole config against the list of keys, and reports features that are not built yet. */
 void ValidateConfigShape(const FJsonValue& Root, FConfigMessages& Messages);
 
 /** The Settings of a volume or camera. Not an object: nothing (that has been reported). */
@@ -92,7 +93,7 @@ FConfigSettings ReadConfigSettings(const FJsonValue& Value, FConfigMessages& Mes
 std::optional<std::string> ReadConfigCurve(
 	const FJsonValue& Value, const std::string& Setting, FConfigMessages& Messages);
 
-/** Fields of engine text that drydock does not have. What has another shape is skipped (that has been reported). */
+/** Fields of engine text that drydock does not have. Values of another shape are skipped (they have been reported). */
 std::vector<FUnknownSetting> ReadConfigUnknownSettings(const FJsonValue& Value);
 
 /** The shape of a bounded volume; empty when it is incomplete, which is reported. */

@@ -1,4 +1,5 @@
-// What of its outputs a run writes: the config's outputs.write, --outputs, and the default of those who ask for less.
+// Chooses the outputs that a run writes: the config's outputs.write, --outputs, and the default of callers who ask for
+// less.
 #pragma once
 
 #include "DrydockAPI.h"
@@ -14,7 +15,7 @@ enum class EOutputKind
 {
 	Png,  // pictures to look at
 	Exr,  // pictures to compute with
-	Json, // timing.json and trace.json; run.json, which says what is there, is always written
+	Json, // timing.json and trace.json; run.json, which lists the files, is always written
 	Dot,  // the graph
 };
 
@@ -23,7 +24,7 @@ using FOutputKinds = std::set<EOutputKind>;
 /** "png", "exr", ...: in the order of EOutputKind. */
 DRYDOCK_API const std::vector<std::string>& GetOutputKindNames();
 
-/** Of names that exist (GetOutputKindNames); others count for nothing. */
+/** Makes the kinds from names that exist (GetOutputKindNames); others count for nothing. */
 DRYDOCK_API FOutputKinds MakeOutputKinds(const std::vector<std::string>& Names);
 
 DRYDOCK_API FOutputKinds GetAllOutputKinds();

@@ -15,7 +15,7 @@ namespace Drydock
  * `"bOverride_X": false`. */
 DRYDOCK_API void WriteVolumes(FJsonWriter& Writer, const std::vector<FVolumeText>& Volumes);
 
-/** A volume of a config. A shape that is no box is left out, with a warning that names File. */
+/** A volume of a config. A shape that is not a box is left out, with a warning that names File. */
 DRYDOCK_API FVolumeText MakeVolumeText(
 	const FConfigVolume& Volume, const std::string& File, std::vector<FDiagnostic>& Diagnostics);
 

@@ -13,7 +13,7 @@ namespace Drydock
 /** Steps between neighbours, in 1/255: none, up to 1/4, 1/2, 1, 2, 4, 8, and above. */
 constexpr std::array<double, 7> BandingStepBounds = {0.0, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0};
 
-/** Where a gradient is dark, for an eye and for these figures: below this. */
+/** A gradient below this counts as dark, for an eye and for these figures. */
 constexpr double DarkBelow = 0.05;
 
 struct FBandingFigures
@@ -28,7 +28,7 @@ struct FBandingFigures
 	std::array<uint64_t, BandingStepBounds.size() + 1> StepHistogram = {};
 };
 
-/** Of one channel. */
+/** Measures one channel. */
 DRYDOCK_API FBandingFigures MeasureBanding(const FImage& Image, int Channel);
 
 /** How far a stored gradient is from the exact one where that is dark (0 is: no gradient, and does not count), in steps
@@ -41,7 +41,7 @@ struct FDarkDeviation
 	uint64_t Texels = 0; // that count
 };
 
-/** Of one channel of two images of one size, both decoded to what lighting reads. */
+/** Measures one channel of two images of one size, both decoded to what lighting reads. */
 DRYDOCK_API FDarkDeviation MeasureDarkDeviation(const FImage& Stored, const FImage& Exact, int Channel);
 
 /** Red: the value steps here, green: it is as its neighbours and lies within a gradient, so that bands are green

@@ -21,7 +21,7 @@ DRYDOCK_API const FEffect* FindEffectByName(std::string_view Name);
 DRYDOCK_API std::vector<FEffectDecision> DecideBySettings(
 	const FEffectInputs& Inputs, FEffectTable Table = GetEffects());
 
-/** What of the scene is worth a look before the second step. With bNoSkip: nothing. */
+/** The contents of the scene that have to be looked at before the second step. With bNoSkip: none. */
 DRYDOCK_API FContentQuestions AskContent(const FEffectInputs& Inputs, const std::vector<FEffectDecision>& Decided);
 
 /** Second step: takes back what has nothing to do in the scene, and confines what has only in a part of it. */
@@ -44,7 +44,7 @@ DRYDOCK_API double GetScreenPercentage(const FViewConditions& Conditions);
 
 using FFiguresByEffect = std::map<EEffect, FEffectFigures>;
 
-/** What the active effects of an executed frame come to; those whose textures were not kept are left out. */
+/** Figures of the active effects of an executed frame; effects whose textures were not kept are left out. */
 DRYDOCK_API FFiguresByEffect MeasureEffects(const std::vector<FEffectDecision>& Effects, const FMeasureInputs& Inputs);
 
 /** The effect that owns a setting, by the longest claim on its name; null: no effect reads it. */

@@ -19,7 +19,7 @@ struct FHookVersions
 	const char* Signature;
 	int32 First;
 	int32 Last;
-	const char* Instead; // what those versions call that do not call this; empty: overriding it is no mistake
+	const char* Instead; // what those versions call that do not call this; empty: overriding it is not a mistake
 	const char* NeverHere = nullptr; // why drydock never calls it, whatever the version; goes on after "which "
 };
 

@@ -28,7 +28,7 @@ struct FFrameOutput
 	TArray<FLinearColor> Color;         // row-major, display-encoded
 };
 
-/** Calls every hook of every active extension, once, for one view. Needs no initialisation. What extensions do wrong is
+/** Calls every hook of every active extension, once, for one view. Needs no initialisation. Mistakes of extensions are
  * printed on stderr. Throws FError: a description that makes no sense, mistakes of the graph, and of extensions with
  * r.RDG.Validation 2. Not for two threads at once. */
 DRYDOCK_API FFrameOutput RenderFrame(const FFrameDesc& Desc);

@@ -7,8 +7,7 @@
 namespace Drydock
 {
 
-/** X(member of a row, group, title, what the case is). What a case of a picture is made of:
- * HazardPictures.cpp. */
+/** X(member of a row, group, title, what the case is). HazardPictures.cpp makes the picture of each case. */
 #define STABILITY_HAZARDS(X) \
 	X(NaN, Values, "NaN", "one pixel of a noise picture is NaN in red, green and blue") \
 	X(PlusInf, Values, "+Inf", "likewise +Inf") \

@@ -29,8 +29,8 @@ struct FImportResult
 	std::string Config;              // written; empty: there was one
 };
 
-/** Of a sequence the first frame is guessed from, the others follow it. Throws FError: the user's mistakes (exit code
- * 2), files that cannot be read or written (3). */
+/** The plan of a sequence is guessed from its first frame; the others follow it. Throws FError: the user's mistakes
+ * (exit code 2), files that cannot be read or written (3). */
 DRYDOCK_API FImportResult ImportFrame(const FImportOptions& Options);
 
 } // namespace Drydock

@@ -22,8 +22,8 @@ struct FImportCamera
 	std::string Json;                              // of a drydock scene: all it says
 };
 
-/** What the attributes say, and Asked in place of it. Keys differ between releases: any that begins with "unreal/" and
- * ends as expected is taken. */
+/** The camera of the attributes; values of Asked replace theirs. Keys differ between releases: any that begins with
+ * "unreal/" and ends as expected is taken. */
 DRYDOCK_API FImportCamera ReadImportCamera(
 	const std::map<std::string, std::string>& Attributes, const FImportAsked& Asked);
 

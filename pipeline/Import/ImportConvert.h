@@ -56,13 +56,13 @@ struct FImportScene
 	DRYDOCK_API const std::vector<float>* Find(const std::string& Name) const;
 };
 
-/** What of the encodings only numbers can tell: whether normals are halved, whether velocities are around 0.5. Asked
- * has the last word. */
+/** Decides by the numbers what names cannot show of encodings: whether normals are halved, whether velocities are
+ * around 0.5. Values in Asked take precedence. */
 DRYDOCK_API void LookAtValues(
 	FImportPlan& Plan, const FImportPlanes& Planes, const FImportAsked& Asked, std::vector<FDiagnostic>& Diagnostics);
 
-/** All channels. What had to be changed is appended to Diagnostics. Throws FError (exit code 2) where rays are asked
- * for and nothing says the field of view. */
+/** Converts all channels. Changes that were necessary are appended to Diagnostics. Throws FError (exit code 2) where
+ * rays are asked for and the field of view is not known. */
 DRYDOCK_API FImportScene ConvertImport(const FImportLayers& Layers, const FImportPlan& Plan,
 	const FImportPlanes& Planes, const FImportChoices& Choices, const FImportCamera& Camera,
 	std::vector<FDiagnostic>& Diagnostics);

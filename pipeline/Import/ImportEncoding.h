@@ -64,14 +64,14 @@ DRYDOCK_API const std::vector<std::string>& GetImportAlphaWords();
 DRYDOCK_API const std::vector<std::string>& GetImportUnitWords();
 DRYDOCK_API double GetMetres(const std::string& Unit);
 
-/** What the mist of Blender is made of, metres. */
+/** The inputs of Blender's mist, metres. */
 struct FImportMist
 {
 	double Start = 0.0;
 	double Depth = 25.0;
 };
 
-/** Of one row; what does not concern its channels has no effect. */
+/** Encoding of one row; members that do not concern its channels have no effect. */
 struct FImportEncoding
 {
 	std::string Unit = "m";
@@ -84,7 +84,7 @@ struct FImportEncoding
 	EImportAlpha Alpha = EImportAlpha::Premultiplied;
 };
 
-/** What options say in place of guesses. */
+/** Values that options give in place of guesses. */
 struct FImportAsked
 {
 	std::vector<std::string> Maps; // LAYER=CHANNEL

@@ -1,4 +1,5 @@
-// What came of an import, in numbers by which a wrong unit is seen at once, and what of it is hardly so in a frame.
+// Measures the result of an import, so that a wrong unit is seen at once, and warns of values that are unlikely in a
+// frame.
 #pragma once
 
 #include "Diagnostics.h"

@@ -43,8 +43,8 @@ struct FImportPlan
 /** Whose layers a file has, by its header and their names. */
 DRYDOCK_API EImportOrigin FindImportOrigin(const FImportLayers& Layers, size_t File);
 
-/** What is doubtful is appended to Diagnostics. Throws FError (exit code 2): no layer is colour, layers of pictures of
- * different sizes, options that name what is not there; all of these together. */
+/** Doubts are appended to Diagnostics. Throws FError (exit code 2): no layer is colour, layers of pictures of different
+ * sizes, options that name layers or channels that do not exist; all of these together. */
 DRYDOCK_API FImportPlan GuessImport(
 	const FImportLayers& Layers, const FImportAsked& Asked, std::vector<FDiagnostic>& Diagnostics);
 

@@ -26,7 +26,7 @@ struct FImportLayer
 	int Part = 0;
 	std::string Name;       // "FinalImageWorldNormal", "ViewLayer.Depth"; empty: the file's main picture
 	std::string Label = {}; // what it is called in messages and by --map: its name, or the file's
-	std::string Hint = {};  // what its meaning is guessed from: likewise, but for the number of a frame
+	std::string Hint = {};  // what its meaning is guessed from: its name, or the file's without the number of a frame
 	std::vector<FImportChannel> Channels = {}; // by slot, each once
 
 	/** Null where it has none there. */
@@ -39,7 +39,7 @@ struct FImportPart
 	int Height = 0;
 	FImageWindow Window;
 
-	/** Of the picture that the part stands for. */
+	/** Width of the picture that the part belongs to. */
 	int GetFullWidth() const { return Window.FullWidth > 0 ? Window.FullWidth : Width; }
 	int GetFullHeight() const { return Window.FullHeight > 0 ? Window.FullHeight : Height; }
 };
@@ -68,7 +68,7 @@ struct FImportSource
 	bool operator==(const FImportSource&) const = default;
 };
 
-/** A channel's name as its layer and its slot; -1 where the last word is no component's. */
+/** A channel's name as its layer and its slot; the slot is -1 where the last word is not a component. */
 struct FImportChannelName
 {
 	std::string Layer;
@@ -81,7 +81,7 @@ struct FImportChannelName
  * left out. */
 DRYDOCK_API FImportChannelName SplitChannelName(const std::string& Name);
 
-/** A file's name without folder, extension and a frame's number: what may say which pass it holds. */
+/** A file's name without folder, extension and a frame's number: it may name the pass that the file holds. */
 DRYDOCK_API std::string GetPassOfFile(const std::string& Path);
 
 /** Reads the headers. Throws FError (exit code 3) where a file cannot be read. */

@@ -1,4 +1,4 @@
-// What an import tells: which layer became which channel, and how, with figures; what was left out and what is missing.
+// Reports an import: which layer became which channel, and how, with figures; what was left out and what is missing.
 #pragma once
 
 #include "Import/ImportConvert.h"
@@ -8,7 +8,7 @@
 namespace Drydock
 {
 
-/** What a report is made of. */
+/** The data that a report is made of. */
 struct FImportStory
 {
 	const FImportLayers& Layers;

@@ -1,5 +1,5 @@
-// What a frame's layers can become: the channels of a scene in groups, each with one way of being encoded. Channels and
-// their units: configs/scenes/README.md.
+// Lists what a frame's layers can become: the channels of a scene in groups, each with one way of being encoded.
+// Channels and their units: configs/scenes/README.md.
 #pragma once
 
 #include "DrydockAPI.h"

@@ -59,7 +59,8 @@ private:
 	std::vector<std::string> Others; // passes that do not fit, or do not have the pixel
 };
 
-/** Of "X,Y" or "X,Y,Z" on the command line. Frame: size of the frame that comes out. Throws FError (DD1020). */
+/** Makes the request from "X,Y" or "X,Y,Z" on the command line. Frame: size of the resulting frame. Throws FError
+ * (DD1020). */
 DRYDOCK_API FDebugRequest MakeDebugRequest(
 	const std::string& Pixel, const std::string& Passes, const std::array<int32_t, 2>& Frame);
 

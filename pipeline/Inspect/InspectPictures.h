@@ -14,7 +14,7 @@ DRYDOCK_API FImage MakeMask(const FPassFinding& Finding);
 /** The values, NaN where the line did not run. */
 DRYDOCK_API FImage MakeValueImage(const FLineValues& Values);
 
-/** What a value picture says in words and how it is looked at. */
+/** The range of a value picture, for its description and its display. */
 struct FValueRange
 {
 	double Least = 0; // of all channels, what is finite

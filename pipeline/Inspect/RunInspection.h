@@ -1,4 +1,4 @@
-// What somebody wants to know about the shaders of a run, and the answers: findings, pictures, printed lines.
+// Inspects the shaders of a run as asked, and holds the answers: findings, pictures, printed lines.
 #pragma once
 
 #include "DispatchObserver.h"
@@ -42,7 +42,7 @@ public:
 	/** Nobody asked for anything. */
 	bool IsEmpty() const { return Options.IsEmpty(); }
 
-	/** What checks found, prints that nobody made, what a debugger does not get. */
+	/** The findings of checks, requested prints that no shader made, and what a debugger does not get. */
 	std::vector<FDiagnostic> GetDiagnostics() const;
 
 	/** Writes pictures and lists into Folder/inspect, and returns what is to be said of them, a line each. Throws

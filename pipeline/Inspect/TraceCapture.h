@@ -21,7 +21,7 @@ struct FTraceRequest
 	uint64_t MaxSteps = 1'000'000'000;
 };
 
-/** Where the float trace and the one in double say different things. */
+/** A place where the float trace and the one in double differ. */
 struct FTraceDifference
 {
 	size_t Line = 0;  // index into the lines of the float trace

@@ -1,4 +1,4 @@
-// What the compiler and the linker said, out of the text that cmake's build prints. Pure: texts in, data out.
+// Extracts the messages of compiler and linker from the text that cmake's build prints. Pure: texts in, data out.
 #pragma once
 
 #include "DrydockAPI.h"
@@ -19,8 +19,8 @@ struct FBuildStep
 	bool operator==(const FBuildStep&) const = default;
 };
 
-/** The steps of what ninja or make printed: each begins with a line "[2/5] NAME" or "[ 40%] NAME". What stands before
- * the first one is left out. */
+/** The steps of a log of ninja or make: each begins with a line "[2/5] NAME" or "[ 40%] NAME". Text before the first
+ * step is left out. */
 DRYDOCK_API std::vector<FBuildStep> ReadBuildSteps(const std::string& Log);
 
 /** A text that ReadBuildSteps reads as Steps. */

@@ -23,7 +23,7 @@ inline std::string CutLine(const std::string& Line)
 	return Line.substr(0, End);
 }
 
-/** 0 where the digits are no number of a line. */
+/** 0 where the digits are not the number of a line. */
 inline int ReadLineNumber(const std::string& Digits)
 {
 	int Number = 0;

@@ -1,4 +1,4 @@
-// What a matrix comes to: one sentence, what to do next, and the exit code. Pure: data in, text out.
+// Summarizes a matrix: one sentence, what to do next, and the exit code. Pure: data in, text out.
 #pragma once
 
 #include "DrydockAPI.h"
@@ -21,7 +21,7 @@ DRYDOCK_API std::string DescribeEnd(const FMatrixRun& Run);
  * (MyTint.cpp:41)." */
 DRYDOCK_API std::string SummarizeMatrix(const FVersionMatrix& Matrix);
 
-/** What its reader can do about it, a line each; none where all is well. */
+/** Advice to the matrix's reader, a line each; none where all is well. */
 DRYDOCK_API std::vector<std::string> AdviseOnMatrix(const FVersionMatrix& Matrix);
 
 /** EExitCode: done where every version builds and runs, files where nothing but those kept runs from running, else

@@ -47,7 +47,7 @@ public:
 	 * missing. */
 	void ReportUnknownClasses(bool bAllLoaded);
 
-	/** What ini files of all plugins set, in their order. */
+	/** The variables that ini files of all plugins set, in their order. */
 	const std::vector<FIniVariable>& GetVariables() const { return Variables; }
 
 private:
@@ -61,7 +61,7 @@ private:
 	std::vector<std::string> ClassNames;
 };
 
-/** Sets them; what cannot be set is said. */
+/** Sets the variables; those that cannot be set are reported. */
 DRYDOCK_API void ApplyIniVariables(const std::vector<FIniVariable>& Variables, std::vector<FDiagnostic>& Diagnostics);
 
 } // namespace Drydock

@@ -34,7 +34,7 @@ struct FBuiltPlugin
 /** The 5.x that the engine version in a plugin's .uplugin, or in a .uproject above it, means; 0 where neither says. */
 DRYDOCK_API int FindEngineMinor(const std::string& Folder);
 
-/** Of the library that is built of a plugin's folder: the .uplugin's name, else the folder's. */
+/** Name of the library that is built from a plugin's folder: the .uplugin's name, else the folder's. */
 DRYDOCK_API std::string FindPluginName(const std::string& Folder);
 
 /** The CMakeLists.txt that builds it. Package: folder of drydockConfig.cmake. */

@@ -7,7 +7,7 @@
 namespace Drydock
 {
 
-/** Of the module: Format is OpenImageIO's name of the reader; null with the reason in OutFault. */
+/** The function of the module: Format is OpenImageIO's name of the reader; null with the reason in OutFault. */
 using FMakeOpenImageIOReader = IImageReader* (*)(const char* Path, FImageBytesPointer Bytes, const char* Format,
 	std::string& OutFault);
 

@@ -18,7 +18,7 @@ using FTextColor = std::array<double, 3>;
 DRYDOCK_API double GetStrokeTextWidth(const std::string& Text, double CapHeight);
 
 /** Draws over a picture of three channels. X: left edge of the first letter; Baseline: where letters stand, downwards
- * from the top; both in pixels. What lies outside the picture is left out. Legible from a CapHeight of 7 on. */
+ * from the top; both in pixels. Parts outside the picture are left out. Legible from a CapHeight of 7 on. */
 DRYDOCK_API void DrawStrokeText(
 	FImage& Picture, double X, double Baseline, const std::string& Text, double CapHeight, const FTextColor& Color);
 

@@ -71,8 +71,8 @@ DRYDOCK_API std::string BeginSvg(
 /** The page that a drawing lies on. Radius: of its corners, pixels. */
 DRYDOCK_API std::string SvgPage(double Width, double Height, double Radius);
 
-/** Where ticks stand: multiples of 1, 2 or 5 times a power of ten, at most MaxTicks steps from Low to High (above Low).
- */
+/** The positions of ticks: multiples of 1, 2 or 5 times a power of ten, at most MaxTicks steps from Low to High (above
+ * Low). */
 struct DRYDOCK_API FAxisTicks
 {
 	FAxisTicks(double Low, double High, int MaxTicks);

@@ -1,5 +1,5 @@
-// What a verb says about its options, and the parser that reads them; the library that does it is seen by
-// ArgumentParser.cpp alone, because its header takes seconds to compile.
+// Declares the options of a verb and the parser that reads them. Only ArgumentParser.cpp includes the parser library,
+// because its header takes seconds to compile.
 #pragma once
 
 #include "Program/Verbs.h"
@@ -49,7 +49,7 @@ public:
 	/** Its variable is a list, whose values stand in one word with commas between. */
 	FVerbOption SplitAtCommas() const;
 
-	/** Likewise of exactly NumValues values. Commas or spaces stand between them. */
+	/** Takes exactly NumValues values. Commas or spaces stand between them. */
 	FVerbOption SplitAtCommas(int NumValues) const;
 
 	/** Whole numbers from Least to Most are taken, all else is a usage error. */
@@ -65,7 +65,7 @@ public:
 	 * type, "a|b", which --help shows and completion offers. */
 	FVerbOption RequireOneOf(const std::vector<std::string>& Words) const;
 
-	/** Likewise some of these words with commas between; the type is "a|b,...". */
+	/** Takes some of these words with commas between; the type is "a|b,...". */
 	FVerbOption RequireSomeOf(const std::vector<std::string>& Words) const;
 
 private:
@@ -101,7 +101,7 @@ public:
 	FVerbOption AddRepeated(
 		const std::string& Name, const std::string& Type, std::vector<std::string>& Values, const std::string& Doc);
 
-	/** Likewise, and Take is called with each value as it is read, in the order of the command line. */
+	/** Adds an option whose values Take is called with as each is read, in the order of the command line. */
 	FVerbOption AddInOrder(const std::string& Name, const std::string& Type,
 		const std::function<void(const std::string& Value)>& Take, const std::string& Doc);
 
@@ -137,7 +137,7 @@ enum class EParsed
 	Mistaken // the arguments do not fit
 };
 
-/** What came of the arguments. */
+/** The result of parsing the arguments. */
 struct FParsedArguments
 {
 	EParsed Parsed = EParsed::Called;

@@ -1,4 +1,4 @@
-// What `drydock list extensions` and `drydock list hooks` say.
+// Makes the text that `drydock list extensions` and `drydock list hooks` print.
 #pragma once
 
 #include "Budget/RunOptions.h"

@@ -1,4 +1,4 @@
-// What ended a verb as messages and an exit code: the one place that decides who is to blame.
+// Turns the failure that ended a verb into messages and an exit code: the one place that decides who is to blame.
 #pragma once
 
 #include "Diagnostics.h"

@@ -1,4 +1,4 @@
-// What the program's command line takes, as the parser holds it: completion, the man page and tests are made from it.
+// Describes the program's command line, as the parser holds it: completion, the man page and tests are made from it.
 #pragma once
 
 #include "DrydockAPI.h"

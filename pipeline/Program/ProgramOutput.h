@@ -1,4 +1,4 @@
-// What verbs say to a person or a script beside their results: messages, and which effects do not run.
+// Prints what verbs report to a person or a script beside their results: messages, and which effects do not run.
 #pragma once
 
 #include "Diagnostics.h"

@@ -17,7 +17,8 @@ void AddReport(FVerbOptions& Verb, std::string& Word, const std::string& Page);
 /** By the word of --report; where there is none, where stdout is a terminal and no JSON is printed. */
 bool WantsReport(const std::string& Word, bool bJson);
 
-/** Of a run: by the word of --report; where there is none, by the config's outputs.report; else on where bLookedAt. */
+/** Chooses the report of a run: by the word of --report; without one by the config's outputs.report; else it is on if
+ * bLookedAt. */
 EReport ChooseRunReport(const std::string& Word, const std::string& ConfigFile, bool bLookedAt);
 
 /** "page     FILE", as a line of what a verb prints. */

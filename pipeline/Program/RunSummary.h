@@ -1,4 +1,4 @@
-// What a person wants to know of a run once it is done.
+// Summarizes a finished run for people.
 #pragma once
 
 #include <string>

@@ -14,7 +14,7 @@ namespace Drydock
 /** --set and --exec, in the order in which they were given. */
 void AddVariables(FVerbOptions& Verb, FRunOptions& Options);
 
-/** What a config from a stranger is run with: --no-plugins and --read-only-cache. */
+/** Adds the options for a config from a stranger: --no-plugins and --read-only-cache. */
 void AddTrust(FVerbOptions& Verb, FRunOptions& Options);
 
 /** The config that the verb is about, with the options that change it (--set, --exec, --pp, --frame, --engine and

@@ -12,11 +12,11 @@ namespace Drydock
 
 class FVerbOptions;
 
-/** What a verb does once its options are read: the program's exit code. stdout is the result, stderr the log. Throws
+/** Runs a verb once its options are read; returns the program's exit code. stdout is the result, stderr the log. Throws
  * FError, which the program prints and whose exit code it ends with. */
 using FVerbCall = std::function<int()>;
 
-/** What a verb is for; verbs are listed by it. */
+/** The purpose of a verb, by which verbs are listed. */
 enum class EVerbGroup
 {
 	Run,

@@ -28,7 +28,7 @@ enum class EViewLayout
 	RightAndLeft, // both, the right one first
 };
 
-/** What a frame is run with beside what its user asked for. */
+/** The options of a frame's run, beside those that its user asked for. */
 struct FEquivalenceRun
 {
 	std::vector<std::string> Variables = {}; // "r.Name=Value"

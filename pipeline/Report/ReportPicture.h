@@ -13,7 +13,7 @@ namespace Drydock
 
 class FJsonWriter;
 
-/** What a picture's values are. */
+/** Figures of a picture's values. */
 struct FPictureFigures
 {
 	std::vector<double> Min; // by channel, of the finite values; NaN where there are none
@@ -22,7 +22,7 @@ struct FPictureFigures
 	uint64_t NumInfinite = 0;
 	uint64_t NumNegative = 0; // -infinity among them
 
-	/** What WritePreviewPng shows as it is. */
+	/** Whether WritePreviewPng shows the values unchanged. */
 	DRYDOCK_API bool IsInDisplayRange() const;
 };
 

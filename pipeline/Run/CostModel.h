@@ -1,5 +1,5 @@
-// What a pass costs on this machine, before it runs: nanoseconds for each texel it writes, learned from the runs there
-// were. Kept as costs.json beside the shader cache.
+// Predicts what a pass will cost on this machine: nanoseconds for each texel it writes, learned from earlier runs. Kept
+// as costs.json beside the shader cache.
 #pragma once
 
 #include "RenderGraphCompiled.h"
@@ -15,7 +15,7 @@ namespace Drydock
 class DRYDOCK_API FCostModel
 {
 public:
-	/** What a pass that never ran here is taken to cost, ns for each texel: about a filter of a few taps. */
+	/** The assumed cost of a pass that never ran here, ns for each texel: about that of a filter of a few taps. */
 	static constexpr double UnknownCost = 2.0;
 
 	/** The model as the cache has it; empty where there is none or it cannot be read. */
@@ -24,7 +24,7 @@ public:
 	/** Takes over what the passes of an executed run cost: the mean of old and new. */
 	void Learn(const FRunResult& Result);
 
-	/** Writes it aside and renames it. A cache that cannot be written is no error: the model is a convenience. */
+	/** Writes it aside and renames it. A cache that cannot be written is not an error: the model is a convenience. */
 	void Save() const;
 
 	/** Conditions: those of MakeCostConditions. */

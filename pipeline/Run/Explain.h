@@ -27,7 +27,7 @@ struct FExplainedPass
 	std::string MergedInto;           // the pass whose render pass it is part of; empty: none, or its own
 	std::string Silent;               // of a measured one: that it wrote again what it read, and why; empty: it did not
 	std::vector<std::string> Reads;   // resources
-	std::vector<std::string> Writes;  // likewise
+	std::vector<std::string> Writes;  // resources
 	std::vector<std::string> Readers; // surviving passes that read what it writes
 };
 
@@ -50,7 +50,7 @@ struct FExplainedPlugin
 	double Megabytes = 0.0;
 };
 
-/** What a frame comes to. */
+/** The cost of a frame. */
 struct FExplainedCost
 {
 	int NumPasses = 0;                // that execute
@@ -63,7 +63,7 @@ struct FExplainedCost
 	double Milliseconds = 0.0; // of all passes
 };
 
-/** Of what two frames, run in turn, differ by: milliseconds. */
+/** The difference between two frames, run in turn: milliseconds. */
 struct FMeasuredSaving
 {
 	double Least = 0.0;

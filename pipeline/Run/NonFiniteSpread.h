@@ -1,4 +1,5 @@
-// Where a scene's NaN and infinities go: the passes that spread them, and what the final picture has of them.
+// Follows a scene's NaN and infinities: the passes that spread them, and the pixels of the final picture that have
+// them.
 #pragma once
 
 #include "Diagnostics.h"
@@ -16,7 +17,7 @@ class FRDGTexture;
 namespace Drydock
 {
 
-/** What a pass wrote that is not finite. */
+/** The pixels of a pass that are not finite. */
 struct FNonFiniteFootprint
 {
 	std::string Pass;

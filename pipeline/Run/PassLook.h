@@ -1,4 +1,4 @@
-// What a report shows of a pass beside its counters: a small picture of what it wrote.
+// Makes the small picture that a report shows of a pass's result, beside its counters.
 #pragma once
 
 #include "Run/RunResult.h"

@@ -1,4 +1,4 @@
-// What one pass of a run wrote, for those who look at passes while the run goes on (FRunOptions::OnPassExecuted).
+// Holds the textures that one pass of a run wrote, for observers while the run goes on (FRunOptions::OnPassExecuted).
 #pragma once
 
 #include "RenderGraphCompiled.h"

@@ -40,7 +40,7 @@ public:
 
 private:
 	std::optional<std::chrono::steady_clock::time_point> Begin; // of the session, until its first frame counts it
-	double StartMilliseconds;                                   // likewise
+	double StartMilliseconds;                                   // of the session, until its first frame counts it
 	const FRunOptions Options;
 	const std::unique_ptr<FRunSetup> Setup;
 	std::vector<std::shared_ptr<FSceneViewState>> Caches; // by view

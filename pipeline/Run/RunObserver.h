@@ -1,4 +1,4 @@
-// What a run does while its graph is built and executed: loads the scene, keeps what is dumped, notes what passes cost.
+// Acts while a run's graph is built and executed: loads the scene, keeps dumped textures, records the cost of passes.
 #pragma once
 
 #include "RenderGraphObserver.h"
@@ -50,7 +50,7 @@ private:
 	const FRunSetup& Setup;
 	FSceneFile& Scene;
 	FRunResult& Result;
-	/** Of each texture that passes have written, by mip: the least rect around what they drew. */
+	/** The smallest rect around what passes drew, for each texture that they have written, by mip. */
 	std::map<const FRDGTexture*, std::vector<FIntRect>> Drawn;
 	/** Indices of the graph's passes that are not left out; empty while a graph runs in immediate mode. */
 	std::vector<size_t> ToExecute;

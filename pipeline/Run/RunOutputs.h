@@ -14,7 +14,8 @@ namespace Drydock
 {
 
 /** final.png, final.exr, scene_linear.exr, run.json, timing.json, graph.dot, trace.json, report.html and passes/, of
- * which FRunResult::Write says what is written; run.json always is. inspect/ holds what was asked of shaders. */
+ * which FRunResult::Write chooses those to write; run.json is always written. inspect/ holds the results of shader
+ * inspection. */
 DRYDOCK_API const FOutputNames& GetRunOutputNames();
 
 /** Called when all other files lie in Aside and writing them took SaveMs; what it writes there are outputs, too. */

@@ -1,4 +1,4 @@
-// What a run comes to: plain data, which reports, files and tests read.
+// Holds the result of a run: plain data, which reports, files and tests read.
 #pragma once
 
 #include "Config/Config.h"
@@ -35,7 +35,7 @@ struct FRunDump
 	std::vector<std::string> Channels; // "R", "G", ...: those the format has
 };
 
-/** What a texture was right after a pass. */
+/** Fingerprint of a texture right after a pass. */
 struct FRunFingerprint
 {
 	std::string Resource;

@@ -48,23 +48,23 @@ struct FRunExtensions
 struct DRYDOCK_API FRunSetup
 {
 	/** Throws FError with all mistakes of config, command line, plugins, extensions, study and budget, and of the scene
-	 * as far as it is needed; exit code 3 where files are all that is wrong, else 2. JSON that is none is all that is
-	 * said of it. */
+	 * as far as it is needed; exit code 3 where files are all that is wrong, else 2. A JSON syntax error is reported
+	 * alone. */
 	explicit FRunSetup(const FRunOptions& Options, ESceneNeed Need = ESceneNeed::None);
 
 	/** Before each frame. Frame: of a sequence, whose config and settings are as if it had been the first; empty: the
 	 * one of before. Throws FError when there is no such frame, or something is wrong with it. */
 	void BeginFrame(std::optional<int> Frame);
 
-	/** Of all steps, in the order in which they are given. */
+	/** Messages of all steps, in the order in which they are given. */
 	std::vector<FDiagnostic> Diagnostics;
 	/** Files of plugins, loaded before anything else is read. */
 	std::vector<std::string> Plugins;
-	/** Of this frame. */
+	/** The config of this frame. */
 	FConfig Config;
 	FViewSettings Settings;                      // at the view's location
 	std::vector<TConfigValue<std::string>> Dump; // of config and command line
-	FOutputKinds Write;                          // likewise
+	FOutputKinds Write;                          // of config and command line
 	std::string BudgetReason;                    // see FConfigOfRun
 
 private:

@@ -1,5 +1,4 @@
-// What a run does about NaN and infinities (r.Drydock.NonFinite) and about spikes (r.Drydock.SceneColorClamp) of the
-// scene.
+// Handles NaN and infinities (r.Drydock.NonFinite) and spikes (r.Drydock.SceneColorClamp) of a run's scene.
 #pragma once
 
 #include "CoreMinimal.h"

@@ -43,7 +43,7 @@ DRYDOCK_API FVector4f GetInvDeviceZToWorldZTransform();
 /** Device depth that ConvertFromDeviceZ turns back into Depth cm; never below 0. */
 DRYDOCK_API float MakeDeviceDepth(double Depth);
 
-/** What a view of Rect sees; its view rectangle is the same pixels in the scene textures, BufferRect. */
+/** The projection of a view of Rect; its view rectangle is the same pixels in the scene textures, BufferRect. */
 DRYDOCK_API FSceneViewProjectionData MakeProjectionData(
 	const FSceneCamera& Camera, FIntPoint PictureExtent, const FIntRect& Rect, const FIntRect& BufferRect);
 
@@ -52,12 +52,12 @@ DRYDOCK_API FSceneViewProjectionData MakeProjectionData(
 DRYDOCK_API void SetCameraParameters(
 	const FSceneViewProjectionData& ProjectionData, FViewUniformShaderParameters& Parameters);
 
-/** Fills the members that tell where the camera was in the previous frame. */
+/** Fills the members that hold the camera of the previous frame. */
 DRYDOCK_API void SetPrevCameraParameters(
 	const FSceneViewProjectionData& Previous, FViewUniformShaderParameters& Parameters);
 
-/** What projects a point of this frame's clip space to last frame's, where the world stood still; exactly the identity
- * where the camera did. */
+/** The matrix that projects a point of this frame's clip space to last frame's, for a static world; exactly the
+ * identity if the camera did not move. */
 DRYDOCK_API FMatrix44f MakeClipToPrevClip(
 	const FSceneViewProjectionData& Current, const FSceneViewProjectionData& Previous);
 

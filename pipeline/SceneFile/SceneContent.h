@@ -31,7 +31,7 @@ FIntRect FindBounds(const FIntRect& Area, const TPredicate& IsMarked)
 	return Bounds.Min.X < Bounds.Max.X ? Bounds : FIntRect(Area.Min, Area.Min);
 }
 
-/** Bounds in the file as bounds in the scene textures, both from the view's corner. Where the resolution differs, the
+/** Bounds in the file as bounds in the scene textures, both from the view's corner. If the resolution differs, the
  * whole view. */
 DRYDOCK_API FIntRect MapBounds(const FIntRect& Bounds, const FSceneRegion& Region);
 

@@ -29,7 +29,7 @@ struct FNeededSceneTexture
 {
 	std::string Texture;
 	std::string Pass;
-	bool bIsRead = true; // false: the pass may leave it unread, so a missing channel is no error
+	bool bIsRead = true; // false: the pass may leave it unread, so a missing channel is not an error
 };
 
 class DRYDOCK_API FSceneFile
@@ -58,7 +58,7 @@ public:
 	/** Seconds from one frame to the next, from the same; empty when it does not say. */
 	const std::optional<double>& GetDeltaTime() const { return DeltaTime; }
 
-	/** Of the main light, relative, from the same; white when there is none (SceneLight.h). */
+	/** Colour of the main light, relative, from the same header; white when there is none (SceneLight.h). */
 	const FLinearColor& GetLightColor() const { return LightColor; }
 
 	/** Registers every texture that the packing table knows, optional ones where the file has something of them; none
@@ -76,11 +76,11 @@ public:
 	void Plan(const std::vector<FNeededSceneTexture>& Needed);
 
 	/** Values of the channels named, by the names that passes know; one that the file lacks and that has no default is
-	 * left out. What is named counts as decoded, and is kept for Load with scene colour, which comes in the same read.
-	 * The values live until then. */
+	 * left out. The named channels count as decoded, and are kept for Load with scene colour, which comes in the same
+	 * read. The values live until then. */
 	std::map<std::string, FChannelValues> ReadChannels(const std::vector<std::string>& Names);
 
-	/** Where the pixels of a view come from and go to; ViewRect in the scene textures. */
+	/** Source and destination of a view's pixels; ViewRect in the scene textures. */
 	FSceneRegion FindRegion(const FIntRect& ViewRect) const;
 
 	/** Loaded, or planned to be. */
@@ -93,7 +93,7 @@ public:
 	const std::vector<FSceneChannel>& GetChannels() const { return Channels; }
 
 private:
-	/** Where a channel of ours comes from: a plane of the file, or a constant. */
+	/** Source of one of drydock's channels: a plane of the file, or a constant. */
 	struct FSource
 	{
 		int FileChannel = -1;

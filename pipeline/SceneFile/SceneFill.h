@@ -13,7 +13,7 @@
 namespace Drydock
 {
 
-/** What one slot of a packing is made of. */
+/** Source of one slot of a packing. */
 struct FSceneFillSource
 {
 	const FImagePlane* Plane = nullptr; // null: Default everywhere

@@ -28,7 +28,7 @@ struct FCoverage
 	std::vector<double> Parts;
 };
 
-/** Of target pixel Index of TargetSize, which cover SourceSize pixels evenly. */
+/** Coverage of target pixel Index of TargetSize, which cover SourceSize pixels evenly. */
 DRYDOCK_API FCoverage MakeCoverage(int SourceSize, int TargetSize, int Index);
 
 /** The source pixel that holds the centre of a target pixel. */

@@ -1,4 +1,4 @@
-// What a scene file's header says of its camera and of post-process volumes: the attribute drydock:camera_json,
+// Reads the camera and the post-process volumes from a scene file's header: the attribute drydock:camera_json,
 // described in configs/scenes/README.md.
 #pragma once
 

@@ -32,7 +32,7 @@ struct FSequenceOptions
 	int Lead = 0;          // so many frames before the first are rendered for their history, and not written
 	std::string Folder;    // of the sequence (SequenceFolder.h)
 	bool bRestart = false; // render all frames again, whatever the folder holds
-	/** Called before each pass and after each frame. Done and Total count frames; What: "frame 3: Tonemap". */
+	/** Called before each pass and after each frame. Done and Total count frames; the text is "frame 3: Tonemap". */
 	std::function<void(int Done, int Total, const std::string& What)> Progress;
 	/** Called with what each frame that is rendered reports, with why frames are rendered again (DD1073), and with what
 	 * the first frame lacks of its history (DD1074). */
@@ -41,7 +41,7 @@ struct FSequenceOptions
 	std::function<std::string(const FSequenceResult& Result)> MakePage;
 };
 
-/** Throws FError: as RunConfig; the scene is no sequence or a frame does not exist; the folder holds a sequence of
+/** Throws FError: as RunConfig; the scene is not a sequence or a frame does not exist; the folder holds a sequence of
  * other inputs (DD1070, exit code 2), is in use or cannot be written (3); a repeated frame is not what it was (DD1071,
  * 2). */
 DRYDOCK_API FSequenceResult RunSequence(const FSequenceOptions& Options);

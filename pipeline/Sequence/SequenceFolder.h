@@ -31,8 +31,8 @@ public:
 	/** "out/walk/frames/0003". */
 	std::string GetFramePath(int Frame) const;
 
-	/** What is wrong with the files of a frame that is there: "final.png is empty"; nothing where all but the state are
-	 * as they were written. Throws FError (exit code 3) when one cannot be read. */
+	/** The fault of the files of a frame in the folder: "final.png is empty"; nothing where all but the state are as
+	 * they were written. Throws FError (exit code 3) when a file cannot be read. */
 	std::string FindDamage(int Frame) const;
 
 	/** Throws FError (DD1080, exit code 2) when its folder holds more than drydock wrote. */
@@ -60,7 +60,7 @@ public:
 
 	/** sequence.html, which tells the time: no two are the same bytes. */
 	void WritePage(const std::string& Text);
-	/** Where it is there: it is of other frames. */
+	/** Removes the page if there is one: it is of other frames. */
 	void RemovePage();
 
 	/** Removes the frames and sequence.json. Throws FError: there is more in a frame's folder than drydock wrote (exit

@@ -1,5 +1,5 @@
-// What a sequence says of itself: frame.json of one frame, sequence.json of all. Nothing in them changes from one run
-// to the next of the same inputs.
+// Writes and reads the records of a sequence: frame.json of one frame, sequence.json of all. Nothing in them changes
+// from one run to the next of the same inputs.
 #pragma once
 
 #include "Run/Run.h"
@@ -26,7 +26,7 @@ struct FFrameRecord
 	bool operator==(const FFrameRecord&) const = default;
 };
 
-/** Of a frame that has run, without what was before it. Must be called while its session lives: weights depend on
+/** Record of a frame that has run, without its predecessors. Must be called while its session lives: weights depend on
  * console variables. */
 DRYDOCK_API FFrameRecord MakeFrameRecord(const FRunResult& Result, const std::string& FileFingerprint);
 
@@ -34,13 +34,13 @@ DRYDOCK_API FFrameRecord MakeFrameRecord(const FRunResult& Result, const std::st
  * state}. */
 DRYDOCK_API std::string MakeFrameJson(const FRunResult& Result, const FFrameRecord& Record);
 
-/** File names the text in messages. Throws FError (exit code 3) when it is no frame.json. */
+/** File names the text in messages. Throws FError (exit code 3) when the text is not a frame.json. */
 DRYDOCK_API FFrameRecord ReadFrameRecord(const std::string& FrameJson, const std::string& File);
 
 /** Before the first frame: {version, config, scene, complete: false, inputs}. */
 DRYDOCK_API std::string MakeSequenceHead(const FConfig& Config, const FSequenceInputs& Inputs);
 
-/** Of all frames, from their own files: the head, complete, and frames, each with the settings that vary. */
+/** Merges the files of all frames: the head, complete, and frames, each with the settings that vary. */
 DRYDOCK_API std::string MakeSequenceJson(const FConfig& Config, const FSequenceInputs& Inputs,
 	const FSequenceFolder& Folder, const std::vector<int>& Frames);
 
@@ -48,7 +48,7 @@ DRYDOCK_API std::string MakeSequenceJson(const FConfig& Config, const FSequenceI
 DRYDOCK_API bool IsSequenceComplete(
 	const std::string& SequenceJson, const std::string& File, const std::vector<int>& Frames);
 
-/** What a sequence.json was made of. Throws FError (exit code 3) when it is none. */
+/** The inputs that a sequence.json was made from. Throws FError (exit code 3) when the text is not a sequence.json. */
 DRYDOCK_API FSequenceInputs ReadSequenceInputs(const std::string& SequenceJson, const std::string& File);
 
 } // namespace Drydock

@@ -1,4 +1,4 @@
-// What lives on between frames as bytes, exact to the bit: a run that was stopped goes on from them.
+// Stores the state that lives on between frames as bytes, exact to the bit, so that a stopped run can go on from them.
 #pragma once
 
 #include "SceneViewState.h"

@@ -1,5 +1,5 @@
-// What a study says, as text for people and machines. What differs from run to run (times, and what follows from them)
-// is in texts of its own: the others are the same bytes on every run.
+// Writes the results of a study as text for people and machines. Times, and figures that follow from times, differ from
+// run to run and are in separate texts: the others are the same bytes on every run.
 #pragma once
 
 #include "Study/StudyResult.h"
@@ -23,7 +23,7 @@ DRYDOCK_API std::string MakeStudyJson(const FStudyResult& Result);
  */
 DRYDOCK_API std::string MakeStudyTimingJson(const FStudyResult& Result);
 
-/** study.csv: a line per variant, without times; study_timing.csv: likewise, with them. */
+/** study.csv: a line per variant, without times; study_timing.csv: a line per variant, with times. */
 DRYDOCK_API std::string MakeStudyCsv(const FStudyResult& Result, bool bTiming);
 
 /** "toon.exr, 641 x 359, errors of 512 x 288 at (64, 32)": what was studied. */

@@ -1,4 +1,4 @@
-// What a chart shows of a study: one of its costs against the metric that it ranks by. Inner to StudyChart.
+// Holds what a chart shows of a study: one of its costs against the metric that it ranks by. Inner to StudyChart.
 #pragma once
 
 #include "Study/StudyPanel.h"

@@ -43,12 +43,12 @@ public:
 	/** Ascending, each once. */
 	std::set<std::string> GetNames() const;
 
-	/** What is wrong with the file of this name beneath Folder: "is missing", "is empty", "is not as it was written",
-	 * "is not on the list", "is behind a symbolic link"; nothing where it is as the list has it. */
+	/** The fault of the file of this name beneath Folder: "is missing", "is empty", "is not as it was written", "is not
+	 * on the list", "is behind a symbolic link"; nothing where it is as the list has it. */
 	std::string FindFault(const std::filesystem::path& Folder, const std::string& Name) const;
 
-	/** What stands in Folder/Sub and is not on the list, by its name: "passes/Bloom.cpp". Folders that hold only listed
-	 * files are none of that. Empty: there is nothing else. Names that are in Besides count as listed. */
+	/** The first entry of Folder/Sub that is not on the list, by its name: "passes/Bloom.cpp". Folders that hold only
+	 * listed files do not count. Empty: there is no such entry. Names that are in Besides count as listed. */
 	std::string FindForeign(
 		const std::filesystem::path& Folder, const std::string& Sub, const std::set<std::string>& Besides = {}) const;
 
