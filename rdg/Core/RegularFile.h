@@ -20,8 +20,8 @@ constexpr size_t MaxTextBytes = size_t(16) << 20;
 class DRYDOCK_API FRegularFile
 {
 public:
-	/** Opens without waiting for anybody, and refuses what is no regular file once it is open: between a look and the
-	 * opening it could be replaced. */
+	/** Opens without waiting for anybody. A file that is not regular is refused once it is open, because it could be
+	 * replaced between a check and the opening. */
 	explicit FRegularFile(const std::string& Path);
 	~FRegularFile();
 	FRegularFile(const FRegularFile&) = delete;

@@ -23,7 +23,7 @@ struct FCodeOwner
 	DRYDOCK_API std::string Describe() const;
 };
 
-/** Of the innermost scope of this thread; null: none. */
+/** The code of the innermost scope of this thread; null: none. */
 DRYDOCK_API const FCodeOwner* GetRunningCode();
 
 /** A plugin's code runs on this thread. */
@@ -35,7 +35,7 @@ DRYDOCK_API FCodeOwner MakeCodeOwner(const std::string& Callback);
 /** Sets what GetRunningCode returns, and the words; returns what it was. For FCodeScope. */
 DRYDOCK_API const FCodeOwner* ExchangeRunningCode(const FCodeOwner* Owner);
 
-/** What a handler of signals may read: Describe() of the running code, outside any stack. */
+/** The text that a signal handler may read: Describe() of the running code, outside any stack. */
 struct FRunningWords
 {
 	bool bForeign = false;

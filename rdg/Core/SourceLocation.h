@@ -1,4 +1,4 @@
-// Where a call stands in the source.
+// Holds the place of a call in the source.
 #pragma once
 
 #include "CoreTypes.h"

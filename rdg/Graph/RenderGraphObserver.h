@@ -31,12 +31,13 @@ public:
 	virtual void OnGraphCompiled(const FRDGCompiledGraph&) {}
 
 	/** Registered textures that surviving passes use, before the first of these passes. Their RHI textures have no
-	 * memory unless somebody touched them: this is the moment to fill them. What a pass's uniform buffers name and its
-	 * shader does not read is left out. One that was announced with bIsRead false may come once more with true. */
+	 * memory unless somebody touched them: this is the moment to fill them. Textures that a pass's uniform buffers name
+	 * but its shader does not read are left out. One that was announced with bIsRead false may come once more with
+	 * true. */
 	virtual void OnLoadExternals(const std::vector<FRDGExternalLoad>&) {}
 
-	/** Of a graph that is discarded: what OnLoadExternals would have been told, for observers that want it. Shaders are
-	 * looked at, so they are compiled. */
+	/** Gives observers that want it the list that OnLoadExternals would have received, for a graph that is discarded.
+	 * The list depends on shaders, so they are compiled. */
 	virtual bool WantsPlannedExternals() const { return false; }
 	virtual void OnExternalsPlanned(const std::vector<FRDGExternalLoad>&) {}
 

@@ -19,7 +19,7 @@ struct FRDGUniformBufferResource
 	std::string HlslName; // "SceneTexturesStruct_GBufferBTexture"
 };
 
-/** What a pass's parameters refer to. */
+/** The resources that a pass's parameters refer to. */
 struct FRDGPassResources
 {
 	std::vector<FRDGViewableResource*> Viewables; // textures and buffers, each once, in the order of the parameters

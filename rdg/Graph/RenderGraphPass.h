@@ -36,7 +36,7 @@ public:
 	/** Position in FRDGCompiledGraph::Passes: the prologue is 0, the first pass 1. */
 	int32 GetIndex() const { return Index; }
 
-	/** Where AddPass was called. */
+	/** The place in the source that called AddPass. */
 	const Drydock::FSourceLocation& GetLocation() const { return Location; }
 
 	/** Null for a pass without parameters. */

@@ -115,7 +115,7 @@ DRYDOCK_API void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef Te
 
 // Readbacks ---------------------------------------------------------------------------------------------------------
 
-/** What the readback holds can be read right after Execute. */
+/** The readback's data can be read right after Execute. */
 DRYDOCK_API void AddEnqueueCopyPass(FRDGBuilder& GraphBuilder, FRHIGPUTextureReadback* Readback,
 	FRDGTextureRef SourceTexture, FResolveRect Rect = FResolveRect(),
 	Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current());
@@ -332,7 +332,7 @@ struct FComputeShaderUtils
 			RHICmdList, ComputeShader, Parameters, IndirectArgsBuffer->GetIndirectRHICallBuffer(), IndirectArgOffset);
 	}
 
-	/** Adds a pass that dispatches the shader. What it does not read of Parameters is dropped first. */
+	/** Adds a pass that dispatches the shader. Members of Parameters that it does not read are dropped first. */
 	template<typename TShaderClass>
 	static FRDGPassRef AddPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, ERDGPassFlags PassFlags,
 		const TShaderRef<TShaderClass>& ComputeShader, typename TShaderClass::FParameters* Parameters,

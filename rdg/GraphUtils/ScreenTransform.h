@@ -21,7 +21,7 @@ public:
 	{
 	}
 
-	/** What positions are measured in. Neighbours convert by one transform each; the order is the engine's. */
+	/** The unit that positions are measured in. Neighbours convert by one transform each; the order is the engine's. */
 	enum class ETextureBasis : uint8
 	{
 		ScreenPosition, // -1..1, y up, over the viewport

@@ -26,7 +26,8 @@ public:
 	/** Program outlives it. */
 	explicit FAuthorsNames(const FSpirvProgram& InProgram);
 
-	/** What a pointer is of: a variable or parameter, or part of one. Nothing where the front end made it up. */
+	/** The variable or parameter, or the part of one, that a pointer points to. Nothing where the front end made it up.
+	 */
 	std::optional<FNamedVariable> Find(uint32_t Pointer) const;
 
 	/** First word of the whole variable that a pointer points into while a thread runs; GNoSpirvWord: it is none. */

@@ -11,7 +11,7 @@
 namespace Drydock
 {
 
-/** What a thread did under the debugger. */
+/** The results of a thread under the debugger. */
 struct FDebuggedThread
 {
 	bool bDiscarded = false;

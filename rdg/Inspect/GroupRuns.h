@@ -37,7 +37,7 @@ public:
 
 	void SetRaceFinder(FRaceFinder* Races) { Group.SetRaceFinder(Races); }
 
-	/** What the group's stores do is done; of a quad, those of the pixels that are drawn: bit i for the i-th. */
+	/** Runs the group with its stores; of a quad, only those of the pixels that are drawn: bit i for the i-th. */
 	void Run(const FKernelArgs& Args, const std::array<int32_t, 3>& GroupId, uint64_t MaxSteps, uint32_t Drawn = ~0u)
 	{
 		const int32_t Id[3] = {GroupId[0], GroupId[1], GroupId[2]};

@@ -1,5 +1,5 @@
-// What goes wrong inside a shader: the first line of a dispatch that makes NaN or infinity of numbers, that a format
-// cannot hold, that reaches outside or uses what nothing wrote; and on which pixels.
+// Finds faults inside a shader: the first line of a dispatch that makes NaN or infinity from numbers, whose value a
+// format cannot hold, that reaches outside or reads what nothing wrote; and the pixels concerned.
 #pragma once
 
 #include "InspectedShader.h"

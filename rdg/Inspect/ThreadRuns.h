@@ -27,7 +27,7 @@ public:
 /** x first, then y, then z. */
 DRYDOCK_API std::vector<std::array<int32_t, 3>> ListThreads(const FKernelTile& Whole);
 
-/** Threads in pieces that may run side by side. Where threads see what others stored, there is one piece, in order. */
+/** Threads in pieces that may run side by side. If threads see the stores of others, there is one piece, in order. */
 class DRYDOCK_API FThreadRuns
 {
 public:
@@ -39,7 +39,8 @@ public:
 	const std::vector<std::array<int32_t, 3>>& GetThreads() const { return Threads; }
 
 	/** Runs all, on copies of what the shader writes, under the denormal mode of kernels; each piece is watched by its
-	 * own watcher. Which steps are shown is said by their hooks. Throws FSpirvError where a thread does not end. */
+	 * own watcher. The watchers' hooks choose the steps that are shown. Throws FSpirvError where a thread does not end.
+	 */
 	void Run(TFunctionRef<IThreadWatcher&(size_t Piece)> GetWatcher, bool bTrackUndefined = false) const;
 
 private:

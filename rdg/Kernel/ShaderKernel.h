@@ -207,7 +207,7 @@ struct FKernelTile
 
 using FKernelFunction = void (*)(const FKernelArgs& Args, const FKernelTile& Tile);
 
-/** What a compiled shader exports under the C name "DrydockShaderKernel". */
+/** The data that a compiled shader exports under the C name "DrydockShaderKernel". */
 struct FKernelModule
 {
 	uint32_t Version; // GShaderKernelVersion

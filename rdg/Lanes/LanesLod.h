@@ -78,8 +78,8 @@ DRYDOCK_LANES_INLINE T GradientLevelCube(
 	return GradientLevel(Texture, OnFace(DX), OnFace(DY));
 }
 
-/** A level that is not below a sample's own clamp once the sampler has added its bias: what Direct3D and Vulkan do with
- *  the clamp before the sampler's MaxLevel. Of a level that is not a number the clamp. */
+/** A level that is not below a sample's own clamp once the sampler has added its bias: Direct3D and Vulkan apply the
+ * clamp so, before the sampler's MaxLevel. A level that is not a number gives the clamp. */
 template<typename T>
 DRYDOCK_LANES_INLINE T ClampLevel(const FKernelSampler& Sampler, const T& Level, const T& Clamp)
 {

@@ -1,5 +1,5 @@
-// What becomes of a shader whose loop does not end: a GPU's driver takes the device away after two seconds, and a CPU
-// would hang for good. Here the program says which shader it is and ends.
+// Ends the program when a shader's loop does not end, with a message that names the shader. A GPU's driver removes the
+// device after two seconds; a CPU would hang for good.
 #pragma once
 
 #include "CoreMinimal.h"

@@ -1,5 +1,5 @@
-// What the renderer shows of itself: textures that outlive a graph, their description and their interface; the module.
-// Source: engine RendererInterface.h.
+// Declares the renderer's public interface: textures that outlive a graph, their description and their interface; the
+// module. Source: engine RendererInterface.h.
 #pragma once
 
 #include "Modules/ModuleInterface.h"

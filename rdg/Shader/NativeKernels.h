@@ -1,6 +1,6 @@
-// Hand-written kernels that stand in for a .usf where measurements say so. They are registered beside the shader class,
-// never instead of it: r.Drydock.NativeKernels 0 runs the .usf, and double precision always does. A kernel stands in
-// for the text that it was tested against, and for no other.
+// Registers hand-written kernels that replace a .usf where measurements show a gain. They are registered beside the
+// shader class, never instead of it: r.Drydock.NativeKernels 0 runs the .usf, and double precision always does. A
+// kernel replaces only the text that it was tested against.
 #pragma once
 
 #include "BoundShader.h"

@@ -27,8 +27,7 @@ enum EBindingError
 	MissingUniformBuffer = 6106,
 };
 
-/** Where values come from: the parameter struct itself (source 0) or a uniform buffer that one of its members refers
- * to. */
+/** Source of values: the parameter struct itself (source 0) or a uniform buffer that one of its members refers to. */
 struct FBindingSource
 {
 	const FShaderParametersMetadata* Metadata = nullptr;

@@ -17,7 +17,7 @@ namespace Drydock
 /** Arithmetic of the shaders from now on, from r.Drydock.Precision and r.Drydock.LaneWidth. */
 DRYDOCK_API FLaneConfig GetShaderLaneConfig();
 
-/** What the compiler is asked for a permutation: file, entry, stage, defines, uniform buffers named by Metadata. */
+/** The compiler's request for a permutation: file, entry, stage, defines, uniform buffers named by Metadata. */
 DRYDOCK_API FShaderCompileRequest MakeShaderCompileRequest(
 	const FShaderRef& Shader, const FShaderParametersMetadata* Metadata);
 
@@ -40,7 +40,8 @@ public:
  * Throws FError with the compiler's messages. */
 DRYDOCK_API std::shared_ptr<const FCompiledShader> GetCompiledShader(const FShaderRef& Shader, bool bQuads = false);
 
-/** What the shader reads; compiled code is not needed for it. Throws FError with the compiler's messages. */
+/** The parameters that the shader reads; compiled code is not needed for this. Throws FError with the compiler's
+ * messages. */
 DRYDOCK_API std::shared_ptr<const FShaderReflection> GetShaderReflection(const FShaderRef& Shader);
 
 /** Names the text of the shader as it is now (FingerprintShader). Throws FError with the messages about its files. */

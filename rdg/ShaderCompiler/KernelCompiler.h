@@ -41,9 +41,9 @@ std::string CompileKernel(const std::string& Cpp, const FTemporaryFolder& Folder
 FDebugKernelFunction CompileDebugKernel(
 	const std::string& Cpp, const FTemporaryFolder& Folder, const FShaderCompileRequest& Request);
 
-/** Loads a kernel and checks that it is what was asked for; null when it is not, and OutFault says why. It stays
- * loaded.
- */
+/** Loads a kernel and checks that it is what was asked for; null when it is not; OutFault is the reason. The kernel
+ * stays loaded.
+ * */
 FKernelFunction LoadKernel(const std::string& SharedObject, const FLaneConfig& Lanes, std::string& OutFault);
 
 } // namespace Drydock

@@ -1,4 +1,4 @@
-// What a shader says that the portability lint may leave out: "// drydock-lint: allow RULE: WHY".
+// Reads which findings a shader lets the portability lint leave out: "// drydock-lint: allow RULE: WHY".
 #pragma once
 
 #include "ShaderCompileRequest.h"

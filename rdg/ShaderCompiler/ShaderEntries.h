@@ -28,7 +28,7 @@ struct FShaderEntry
  * SPIR-V the module's. Request: its file and defines. */
 DRYDOCK_API std::vector<FShaderEntry> FindShaderEntries(const FShaderCompileRequest& Request);
 
-/** The text of a file for each of its entry points: without the others, of which nothing is said elsewhere. */
+/** The text of a file for each of its entry points, without the other entry points and what only they use. */
 class DRYDOCK_API FEntryTexts
 {
 public:

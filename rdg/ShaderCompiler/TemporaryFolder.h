@@ -15,7 +15,7 @@ DRYDOCK_API std::string MakeTemporaryName();
 /** Removes the folders of such names in Parent that dead processes have left. */
 DRYDOCK_API void RemoveTemporaryFolders(const std::string& Parent);
 
-/** Where temporary files go: TMPDIR, TMP, TEMP or TEMPDIR, the first that is set; else /tmp. */
+/** The folder of temporary files: TMPDIR, TMP, TEMP or TEMPDIR, the first that is set; else /tmp. */
 DRYDOCK_API std::string GetTemporaryParent();
 
 /** A folder drydock-PROCESS-RANDOM in GetTemporaryParent() that only the user can look into. */

@@ -1,6 +1,6 @@
-// What a value depends on: the pixel's column, its row, or anything else that may differ between pixels. A texture
-// coordinate that depends on the column alone is the same in all rows of a tile, however the shader computes it: what
-// was found out about it in one row holds in the others.
+// Finds what a value depends on: the pixel's column, its row, or anything else that may differ between pixels. A
+// texture coordinate that depends on the column alone is the same in all rows of a tile, however the shader computes
+// it: facts found in one row hold in the others.
 #pragma once
 
 #include "SpirvUniformity.h"

@@ -19,7 +19,7 @@ class DRYDOCK_API TSpirvGroup
 {
 public:
 	using FWord = TSpirvWord<Real>;
-	/** What a thread saw of others' work, to run it again alone: TSpirvThread::SetLog. */
+	/** The values that a thread read from others, to run it again alone: TSpirvThread::SetLog. */
 	using FLog = std::vector<FWord>;
 
 	/** Program and Order must outlive it. */
@@ -47,7 +47,7 @@ private:
 	void RunAll(const FKernelArgs& Args, const int32_t (&GroupId)[3], uint64_t MaxSteps);
 	/** Threads of [First, Last) go on until each has ended or waits at a barrier. */
 	void RunWave(uint32_t First, uint32_t Last, uint64_t MaxSteps);
-	/** Of those in [First, Last) that wait: the ones that are furthest behind, and at the same place. */
+	/** Those of the waiting threads in [First, Last) that are furthest behind, and at the same place. */
 	std::vector<uint32_t> FindLast(uint32_t First, uint32_t Last, bool bAtBarriers) const;
 
 	const FSpirvProgram& Program;

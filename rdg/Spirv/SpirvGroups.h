@@ -1,5 +1,5 @@
-// What the threads of a compute shader do together, and what that asks of whoever runs them: whole groups at once,
-// waves in step, groups one after the other.
+// Finds what the threads of a compute shader do together, and so how they must be run: whole groups at once, waves in
+// step, groups one after the other.
 #pragma once
 
 #include "SpirvStructure.h"

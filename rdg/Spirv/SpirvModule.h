@@ -267,7 +267,7 @@ constexpr bool IsSpirvAtomic(uint16_t Op)
 	return Op >= Spirv::OpAtomicLoad && Op <= Spirv::OpAtomicXor;
 }
 
-/** What the threads of a wave tell each other. Operands: scope first. */
+/** Operations by which the threads of a wave exchange values. Operands: scope first. */
 constexpr bool IsSpirvWave(uint16_t Op)
 {
 	return Op >= Spirv::OpGroupNonUniformElect && Op <= Spirv::OpGroupNonUniformQuadSwap;
@@ -279,7 +279,7 @@ constexpr bool ChoosesSpirvLevel(uint16_t Op)
 	return Op == Spirv::OpImageSampleImplicitLod || Op == Spirv::OpImageSampleDrefImplicitLod;
 }
 
-/** What a pixel asks the other three of its quad for, and no thread elsewhere. */
+/** Operations by which a pixel asks the other three of its quad, and no other thread. */
 constexpr bool IsSpirvDerivative(uint16_t Op)
 {
 	return (Op >= Spirv::OpDPdx && Op <= Spirv::OpFwidthCoarse) || Op == Spirv::OpImageQueryLod;

@@ -1,4 +1,4 @@
-// What somebody sees who watches the interpreter: steps, calls, and accesses that go wrong.
+// Declares the events that an observer of the interpreter receives: steps, calls, and accesses that go wrong.
 #pragma once
 
 #include "SpirvProgram.h"

@@ -7,14 +7,15 @@
 namespace Drydock
 {
 
-/** Of each block, by its index in the module. */
+/** The order of blocks, by the block's index in the module. */
 struct FSpirvOrder
 {
 	std::vector<uint32_t> Places;             // in the text: what comes later has the higher number
 	std::vector<std::vector<uint32_t>> Loops; // blocks of the headers of the loops around it, outermost first
 };
 
-/** Of all functions of the module, each for itself. Throws FSpirvError when control flow is not structured. */
+/** Finds the order of all functions of the module, each for itself. Throws FSpirvError when control flow is not
+ * structured. */
 DRYDOCK_API FSpirvOrder FindOrder(const FSpirvModule& Module);
 
 } // namespace Drydock

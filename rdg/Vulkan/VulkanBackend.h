@@ -12,7 +12,7 @@ class DRYDOCK_API FVulkanBackend final : public IDispatchBackend
 {
 public:
 	/** The device that Vulkan's loader finds, a graphics card first; VK_DRIVER_FILES names the driver's manifest where
-	 * there are several. Null: there is none, and OutFault says why. */
+	 * there are several. Null: there is none; OutFault is the reason. */
 	static std::unique_ptr<FVulkanBackend> Open(std::string& OutFault);
 
 	~FVulkanBackend() override;

@@ -102,7 +102,7 @@ public:
 		Result.Hash.RemoveAll([&Other](const T& Element) { return !Other.Contains(Element); });
 		return Result;
 	}
-	/** What is here and not in Other. */
+	/** The elements that are here and not in Other. */
 	TSet Difference(const TSet& Other) const
 	{
 		TSet Result = *this;

@@ -10,7 +10,7 @@ class TDelegate;
 template<typename Signature, typename UserPolicy = void>
 class TMulticastDelegate;
 
-/** What TDelegate and TMulticastDelegate share: the ways to make a bound delegate. */
+/** The part that TDelegate and TMulticastDelegate share: the ways to make a bound delegate. */
 template<typename DelegateType, typename ReturnType, typename... ArgumentTypes>
 class TDelegateFactory
 {

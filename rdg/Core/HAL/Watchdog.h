@@ -22,7 +22,7 @@ public:
 	/** From any thread. */
 	void IsAlive() { NumSigns.fetch_add(1, std::memory_order_relaxed); }
 
-	/** While suspended (it counts), silence is no fault of it. */
+	/** Silence is not a fault while suspended; calls nest. */
 	void Suspend() { NumSuspended.fetch_add(1, std::memory_order_relaxed); }
 	void Resume()
 	{

@@ -29,7 +29,8 @@ constexpr IntegerType ToInteger(RealType Value)
 	return Value < End ? static_cast<IntegerType>(Value) : FLimits::max();
 }
 
-/** Which of Count things, by a position among them: 0 .. Count - 1, NaN gives 0. Where there are none, 0. */
+/** Index among Count things, from a position among them: 0 .. Count - 1; NaN gives 0. If Count is 0, the result is 0.
+ */
 template<std::floating_point RealType>
 constexpr int32 ToIndex(RealType Position, int32 Count)
 {

@@ -273,7 +273,7 @@ class TSoftObjectPtr : public TObjectPtr<T>
 public:
 	using TObjectPtr<T>::TObjectPtr;
 	TSoftObjectPtr() = default;
-	/** What a path gives (null, as no asset is loaded), or an object of another static type. */
+	/** The object of a path (null, as no asset is loaded), or an object of another static type. */
 	explicit TSoftObjectPtr(UObject* Object) requires(!std::is_same_v<T, UObject>)
 		: TObjectPtr<T>(Cast<T>(Object))
 	{
