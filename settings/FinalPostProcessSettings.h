@@ -1,6 +1,7 @@
-// From settings objects to the settings a view renders with: the beginning, overriding by weight, and the last word of
-// console variables, show flags and view extensions. Source: engine FSceneView::StartFinalPostprocessSettings,
-// OverridePostProcessSettings and EndFinalPostprocessSettings; the record of what was changed is drydock's.
+// Turns settings objects into the settings a view renders with: the defaults, overriding by weight, and the final
+// changes of console variables, show flags and view extensions. Source: engine
+// FSceneView::StartFinalPostprocessSettings, OverridePostProcessSettings and EndFinalPostprocessSettings; the record of
+// what was changed is drydock's.
 #pragma once
 
 #include "EngineProfile.h"

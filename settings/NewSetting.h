@@ -1,4 +1,5 @@
-// A setting as its declaration in C++ needs it: from a line of the table, or one that is only thought of.
+// Describes a setting as its declaration in C++ needs it: from a line of the table, or a setting that does not exist
+// yet.
 #pragma once
 
 #include "PostProcessSettingsReflection.h"

@@ -1,5 +1,4 @@
-// A value of the settings table without its C++ type, and the names of what a field can be: its type, its way of
-// blending.
+// Holds a value of the settings table without its C++ type, and the names of a field's type and way of blending.
 #pragma once
 
 #include "CoreMinimal.h"

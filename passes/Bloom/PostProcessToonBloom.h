@@ -1,4 +1,4 @@
-// Toon bloom: what is shaded as cloth (the toon mark) blooms with a strength of its own. Switches, and the passes that
+// Toon bloom: pixels shaded as cloth (the toon mark) bloom with a strength of their own. Switches, and the passes that
 // the corrected form adds in front of the bloom setup. Source: the article's engine patch, and its correction
 // (drydock).
 //

@@ -1,5 +1,5 @@
-// How wide a dual Kawase blur is, and which number of levels and offset give a wanted width: pure functions in double,
-// no graph and no shader. Docs: docs/dual-kawase.md. The filter is Bjorge's, "Bandwidth-Efficient
+// Computes the width of a dual Kawase blur, and the number of levels and the offset for a wanted width: pure functions
+// in double, no graph and no shader. Docs: docs/dual-kawase.md. The filter is Bjorge's, "Bandwidth-Efficient
 // Rendering", SIGGRAPH 2015.
 //
 // Width is the standard deviation of the impulse response along one axis, in pixels of the blurred image, as the mean

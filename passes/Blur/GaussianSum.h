@@ -1,4 +1,4 @@
-// The bloom's sum of Gaussians made general: stages, sizes, tints and scale come from outside. Source: article
+// Generalizes the bloom's sum of Gaussians: the caller gives stages, sizes, tints and scale. Source: article
 // "Toon-shadow blur" (AddGaussianSumPasses, AddTextureGaussianSumPasses), after engine file PostProcessBloomSetup.cpp.
 //
 // From the coarsest level of a downsample chain to the finest: blur the level, times tint * TintScale, plus what came

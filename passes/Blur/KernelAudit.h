@@ -1,4 +1,4 @@
-// Whether the weights of a blur are those of a blur: a wrong table costs an evening in the engine and a look here.
+// Checks that the weights of a blur form a blur: a wrong table, hard to find in the engine, is reported here.
 #pragma once
 
 #include "DrydockAPI.h"

@@ -1,4 +1,4 @@
-// Reading luminance on the CPU as PostProcessHistogramCommon.ush does on lanes, in double. Source: engine file
+// Reads luminance on the CPU as PostProcessHistogramCommon.ush does on lanes, in double. Source: engine file
 // PostProcessHistogramCommon.ush (formulas).
 #pragma once
 

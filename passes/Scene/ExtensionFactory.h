@@ -1,4 +1,4 @@
-// View extensions by name: what `"extensions": [{"type": "Tint", "pass": "Tonemap", ...}]` in a config can make. A type
+// Makes view extensions by name, for `"extensions": [{"type": "Tint", "pass": "Tonemap", ...}]` in a config. A type
 // registers a factory for as long as its library is loaded:
 //
 //     const Drydock::FExtensionFactoryRegistration GTint({

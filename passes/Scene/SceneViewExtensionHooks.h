@@ -1,5 +1,5 @@
-// Which hooks of an extension's class are its own, found out when the class is registered and without calling any: so
-// that a hook the chosen engine version never calls can be reported.
+// Finds the hooks that an extension's class overrides, when the class is registered and without calling any, so that a
+// hook that the chosen engine version never calls can be reported.
 #pragma once
 
 #include "CoreMinimal.h"

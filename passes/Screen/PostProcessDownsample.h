@@ -1,5 +1,5 @@
-// Halving an image, and the chain of halved images that blurs, exposure and bloom share.
-// Source: engine file PostProcessDownsample.h.
+// Halves an image, and makes the chain of halved images that blurs, exposure and bloom share. Source: engine file
+// PostProcessDownsample.h.
 //
 // Contract. Output extent and rect are ceil-divided by two, never below 1x1. Every tap is clamped to the input's
 // bilinear rect, so nothing outside the rect is read and a constant stays constant to the edge.

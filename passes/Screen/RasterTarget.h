@@ -1,6 +1,6 @@
-// Textures that full-screen passes write: nothing of them is loaded or cleared, because the pass writes every texel of
-// the rect. Written after the engine's FScreenPassRenderTarget::CreateFromInput, which keeps the
-// flags and so may not be a render target.
+// Creates textures that full-screen passes write: they are not loaded or cleared, because the pass writes every texel
+// of the rect. Written after the engine's FScreenPassRenderTarget::CreateFromInput, which keeps the flags and so may
+// not be a render target.
 #pragma once
 
 #include "RenderGraphBuilder.h"

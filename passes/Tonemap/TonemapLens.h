@@ -1,4 +1,4 @@
-// Parameters of what lens and sensor do to the picture before the film curve. Pure functions from settings to what the
+// Holds the parameters of the lens and sensor effects before the film curve. Pure functions from settings to what the
 // shader reads. Source: engine file PostProcessTonemap.cpp.
 #pragma once
 

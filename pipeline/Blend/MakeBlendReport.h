@@ -1,4 +1,4 @@
-// Makes what `drydock blend` says of a config that is set up for a run.
+// Makes the report of `drydock blend` for a config that is set up for a run.
 #pragma once
 
 #include "Blend/BlendReport.h"

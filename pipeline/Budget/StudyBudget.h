@@ -1,4 +1,4 @@
-// How an error stands to the budget of a study.
+// Compares an error with the budget of a study.
 #pragma once
 
 #include "Budget/StudyConfig.h"

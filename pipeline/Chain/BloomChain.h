@@ -1,4 +1,4 @@
-// Bloom as the chain has it: the bloom setup where something calls for it, and the sum of Gaussians or the convolution.
+// Builds the bloom of the chain: the bloom setup where it is needed, and the sum of Gaussians or the convolution.
 // Source: engine PostProcess/PostProcessing.cpp.
 #pragma once
 

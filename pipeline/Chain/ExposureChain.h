@@ -1,5 +1,5 @@
-// Exposure and local exposure as the chain has them: metering, adaptation from last frame's buffer, the bilateral grid
-// and the blurred luminance. Source: engine PostProcess/PostProcessing.cpp.
+// Builds the exposure and local exposure of the chain: metering, adaptation from last frame's buffer, the bilateral
+// grid and the blurred luminance. Source: engine PostProcess/PostProcessing.cpp.
 #pragma once
 
 #include "Exposure/PostProcessEyeAdaptation.h"

@@ -1,5 +1,5 @@
-// The insertion points of one view's chain: who subscribed where, and the calls of view extensions in order. Source:
-// engine PostProcess/PostProcessing.cpp; the record of it is drydock's.
+// Holds the insertion points of one view's chain: the subscribers of each, and the calls of view extensions in order.
+// Source: engine PostProcess/PostProcessing.cpp; the record of it is drydock's.
 #pragma once
 
 #include "Chain/OverridePassSequence.h"

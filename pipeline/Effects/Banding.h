@@ -1,5 +1,5 @@
-// How smooth a gradient is after it has been stored: counts that order the pictures of one gradient in different
-// formats, and a map that shows where the bands lie.
+// Measures how smooth a gradient is after it has been stored: counts that order the pictures of one gradient in
+// different formats, and a map that shows where the bands lie.
 #pragma once
 
 #include "Picture/ImageFile.h"

@@ -1,5 +1,5 @@
-// The table of all effects, and what is asked of all of them: three straight steps from settings to decisions. Decide
-// looks at settings, Gate at what the scene holds, Complete at the outcome; none of them comes back to an earlier one.
+// Declares the table of all effects, and the three steps from settings to decisions. Decide looks at settings, Gate at
+// what the scene holds, Complete at the outcome; none of them comes back to an earlier one.
 #pragma once
 
 #include "Effects/Effect.h"

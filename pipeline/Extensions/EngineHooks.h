@@ -1,4 +1,4 @@
-// Which hooks and insertion points each engine version has: one table of hook signatures, one of insertion points. A
+// Lists the hooks and insertion points of each engine version: one table of hook signatures, one of insertion points. A
 // config's `engine` chooses the version of a run; a plugin's ENGINE_MINOR_VERSION which hooks it gets. Source: public
 // plugins that are written for several versions.
 #pragma once

@@ -1,5 +1,5 @@
-// Calls the hooks of the active view extensions, in the engine's order, and writes down what came of each call. The
-// order is the engine's.
+// Calls the hooks of the active view extensions, in the engine's order, and records the result of each call. The order
+// is the engine's.
 #pragma once
 
 #include "Extensions/EngineHooks.h"

@@ -1,4 +1,4 @@
-// The hazards: what breaks other programs, as numbers, sizes and parameters. Columns of docs/stability.md, and what
+// Lists the hazards: numbers, sizes and parameters that break other programs. Columns of docs/stability.md, and what
 // `drydock hazards` runs a pass with.
 #pragma once
 

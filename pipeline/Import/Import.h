@@ -1,4 +1,5 @@
-// A frame of one's own as a scene: layers read, meaning guessed, numbers converted, scene and config written.
+// Imports a frame of the user's as a scene: reads layers, guesses their meaning, converts numbers, and writes scene and
+// config.
 #pragma once
 
 #include "Diagnostics.h"

@@ -1,4 +1,4 @@
-// From a layer's numbers to a scene's: the formulas, one per kind of channel, and the scene that comes of a plan.
+// Converts a layer's numbers to a scene's: the formulas, one per kind of channel, and the scene that a plan gives.
 #pragma once
 
 #include "Diagnostics.h"

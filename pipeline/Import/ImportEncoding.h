@@ -1,4 +1,4 @@
-// How a layer's numbers stand for depth, normals or motion, and the words by which options name the ways.
+// Lists the encodings of depth, normals and motion in a layer's numbers, and the words by which options name them.
 #pragma once
 
 #include "DrydockAPI.h"

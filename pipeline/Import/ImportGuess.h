@@ -1,4 +1,4 @@
-// From layers to channels: which layer becomes what, by their names and by what the user asks for. No pixel is read.
+// Guesses which layer becomes which channel, by the layers' names and the user's options. No pixel is read.
 #pragma once
 
 #include "Diagnostics.h"

@@ -1,4 +1,4 @@
-// The layers of a frame's files, from their headers: which there are, whose they are, which channels they have. No
+// Reads the layers of a frame's files from their headers: their names, the files they belong to, and their channels. No
 // pixel is read.
 #pragma once
 

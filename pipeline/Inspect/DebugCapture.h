@@ -1,5 +1,5 @@
-// A debugger's stop in the shaders of a run: beside each pass its shader runs once more for one pixel, in a form that
-// gdb knows lines and variables of.
+// A debugger's stop in the shaders of a run: beside each pass its shader runs once more for one pixel, in a form whose
+// lines and variables gdb knows.
 #pragma once
 
 #include "DebuggedShader.h"

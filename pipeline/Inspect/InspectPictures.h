@@ -1,4 +1,4 @@
-// Pictures of what was found inside shaders: masks, values stretched to their range, cost.
+// Makes pictures of the values found inside shaders: masks, values stretched to their range, cost.
 #pragma once
 
 #include "Inspect/CheckCapture.h"

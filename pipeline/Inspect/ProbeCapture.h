@@ -1,4 +1,4 @@
-// A pixel's value through all passes of a run: what each read for it and what it wrote.
+// Follows a pixel through all passes of a run: the values that each pass read for it and wrote.
 #pragma once
 
 #include "DispatchObserver.h"

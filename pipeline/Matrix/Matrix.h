@@ -1,5 +1,5 @@
-// `drydock matrix`: one plugin compiled for and run under several engine versions, each in a process of its own, and
-// what came of it side by side.
+// `drydock matrix`: one plugin compiled for and run under several engine versions, each in a process of its own, with
+// the results side by side.
 #pragma once
 
 #include "DrydockAPI.h"

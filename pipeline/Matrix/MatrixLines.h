@@ -1,4 +1,4 @@
-// Lines of logs, as readers take them that look at them by regular expressions.
+// Splits logs into lines, for readers that search them by regular expressions.
 #pragma once
 
 #include <charconv>

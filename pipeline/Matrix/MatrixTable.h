@@ -1,5 +1,5 @@
-// A matrix as its reader sees it: a table with a row for each version, what was said, and what it comes to. Pure: data
-// in, text out.
+// Writes a matrix for its reader: a table with a row for each version, the messages, and the summary. Pure: data in,
+// text out.
 #pragma once
 
 #include "DrydockAPI.h"

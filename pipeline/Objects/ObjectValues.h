@@ -1,4 +1,4 @@
-// Values for a plugin's own objects: what the ini files in its folder Config say, then what the config says under
+// Gives a plugin's own objects their values: those of the ini files in its folder Config, then those of the config's
 // "objects". They reach a class's default object and its subsystem before the plugin's modules start, and every object
 // of the class that is made later. Source of the rules of ini files: Epic's page "Configuration Files".
 #pragma once

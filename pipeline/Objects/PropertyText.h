@@ -1,5 +1,5 @@
-// Values of an ini file as the property they are for wants them: numbers, True and False, names, and the engine's text
-// of structs and arrays, (X=1,Y=2) and (1,2,3).
+// Reads values of an ini file by the type of their property: numbers, True and False, names, and the engine's text of
+// structs and arrays, (X=1,Y=2) and (1,2,3).
 #pragma once
 
 #include "Objects/IniText.h"

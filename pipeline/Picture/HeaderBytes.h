@@ -1,4 +1,5 @@
-// The bytes of an image file for those who look at its header: read in order, from anywhere, and never behind the end.
+// Gives the bytes of an image file to code that checks its header: read in order, from anywhere, and never behind the
+// end.
 #pragma once
 
 #include "RHIDefinitions.h"

@@ -1,4 +1,4 @@
-// The image formats that are read, and a look at a file's header before a library that believes it.
+// Lists the image formats that are read, and checks a file's header before a library trusts it.
 #pragma once
 
 #include "DrydockAPI.h"

@@ -1,5 +1,5 @@
-// How far two images are apart: figures of error, and a map of where it is. All in double, summed in one order: equal
-// images give equal bits. Source of SSIM: Wang, Bovik, Sheikh, Simoncelli, "Image Quality Assessment: From Error
+// Measures the difference of two images: figures of error, and a map of the error. All in double, summed in one order:
+// equal images give equal bits. Source of SSIM: Wang, Bovik, Sheikh, Simoncelli, "Image Quality Assessment: From Error
 // Visibility to Structural Similarity", IEEE Transactions on Image Processing 13(4), 2004.
 #pragma once
 

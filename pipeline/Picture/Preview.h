@@ -1,5 +1,5 @@
-// PNG files of pictures to look at: of a final picture what an sRGB display can show, of any other values a preview.
-// Source of the transfer functions: SMPTE ST 2084, ITU-R BT.709, BT.2020, IEC 61966-2-1.
+// PNG files of pictures to look at: for a final picture the colours that an sRGB display can show, for any other values
+// a preview. Source of the transfer functions: SMPTE ST 2084, ITU-R BT.709, BT.2020, IEC 61966-2-1.
 #pragma once
 
 #include "Picture/Picture.h"

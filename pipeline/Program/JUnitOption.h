@@ -1,4 +1,4 @@
-// The option --junit FILE: what a verb found as JUnit XML, whatever else it prints.
+// Implements the option --junit FILE: a verb's findings as JUnit XML, whatever else it prints.
 #pragma once
 
 #include "Text/JUnit.h"

@@ -1,4 +1,5 @@
-// The option `--report` of the verbs that write a page, when the page is written, and how its place is told.
+// Implements the option `--report` of the verbs that write a page: when the page is written, and how its place is
+// reported.
 #pragma once
 
 #include "Report/RunReport.h"

@@ -1,4 +1,4 @@
-// The equivalences that drydock promises: ways of computing a frame that change how it is computed and not what it is.
+// Lists the equivalences that drydock promises: other ways of computing a frame that give the same picture.
 #pragma once
 
 #include "Budget/RunOptions.h"

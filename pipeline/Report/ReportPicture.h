@@ -1,4 +1,4 @@
-// A picture in a report: a PNG to look at, figures over its values, and where all of it is asked for the values.
+// Writes a picture of a report: a PNG to look at, figures over its values, and in a full report the values.
 #pragma once
 
 #include "Picture/Picture.h"

@@ -1,5 +1,5 @@
-// Why a frame does what it does and leaves out what it leaves out: effects, passes, channels, memory and time, beside
-// the same frame with nothing skipped.
+// Explains why a frame runs or leaves out effects, passes and channels, with memory and time, beside the same frame
+// with nothing skipped.
 #pragma once
 
 #include "Run/CostModel.h"

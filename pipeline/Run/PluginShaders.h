@@ -1,5 +1,5 @@
-// The global shader classes that plugins registered, whether or not a pass that uses them can be seen: a pass of a
-// lambda does not tell its shader before it runs.
+// The global shader classes that plugins registered, even if no known pass uses them: the shader of a lambda pass is
+// not known before it runs.
 #pragma once
 
 #include "RenderGraphCompiled.h"

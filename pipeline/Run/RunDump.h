@@ -1,4 +1,4 @@
-// Which resources a run keeps to look at, and what they hold. Dumping observes and never changes culling.
+// Keeps the resources of a run that are to be looked at, with their values. Dumping observes and never changes culling.
 #pragma once
 
 #include "Run/RunResult.h"

@@ -1,4 +1,4 @@
-// Writes what a run made into a folder. Everything is written aside first and renamed when it is complete, so that
+// Writes the outputs of a run into a folder. Everything is written aside first and renamed when it is complete, so that
 // nobody ever sees half a run.
 #pragma once
 

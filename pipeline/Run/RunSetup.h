@@ -1,5 +1,5 @@
-// The first half of a run: config and command line read, console variables set for its length, settings blended. Each
-// step takes what the one before made and returns what it makes.
+// Sets up a run: reads config and command line, sets console variables for its length, blends settings. Each step takes
+// what the one before made and returns what it makes.
 #pragma once
 
 #include "Budget/RunOptions.h"

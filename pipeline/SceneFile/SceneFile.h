@@ -1,5 +1,5 @@
-// The rendered frame that goes in. Its channels are registered as external textures without memory; after culling, one
-// read brings what surviving passes use. See configs/scenes/README.md.
+// Reads the rendered frame that a run starts from. Its channels are registered as external textures without memory;
+// after culling, one read brings what surviving passes use. See configs/scenes/README.md.
 #pragma once
 
 #include "Config/Config.h"

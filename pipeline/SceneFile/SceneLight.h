@@ -1,4 +1,4 @@
-// The colour of a rendered frame's main light, for what is lit after rendering. See configs/scenes/README.md.
+// Reads the colour of a rendered frame's main light, for lighting after rendering. See configs/scenes/README.md.
 #pragma once
 
 #include "CoreMinimal.h"

@@ -1,4 +1,4 @@
-// The frames of a sequence one after another, each in a folder of its own, with what lives on from one to the next. A
+// Runs the frames of a sequence one after another, each in a folder of its own, and hands on the state between them. A
 // run that was stopped, whenever it was, is taken up again where it stood: the finished frames stay as they are, those
 // that are not as they were written are rendered again, and the rest is bit for bit what an undisturbed run writes.
 #pragma once

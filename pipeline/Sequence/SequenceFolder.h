@@ -1,6 +1,7 @@
-// The folder of a sequence: frames/0001, frames/0002, ... each as a single run writes it and complete from the moment
-// it is there, with frame.json, what sequence.json will say of it, and a list of its files; the latest one holds what
-// the next frame needs of it, view_state.bin. One run at a time writes to a folder, and removes only what is on lists.
+// The folder of a sequence: frames/0001, frames/0002, ... each as a single run writes it, with frame.json (its part of
+// sequence.json) and a list of its files. A frame's folder is complete from the moment it exists. The latest one holds
+// the state that the next frame needs, view_state.bin. One run at a time writes to a folder, and removes only what is
+// on lists.
 #pragma once
 
 #include "Run/Run.h"

@@ -1,4 +1,5 @@
-// Who dominates whom, what is within noise, and what a budget recommends: pure, from figures to words.
+// Ranks the variants of a study: which dominate others, which differ only by noise, and which a budget recommends.
+// Pure: from figures to words.
 #pragma once
 
 #include "Study/StudyResult.h"

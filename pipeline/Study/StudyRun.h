@@ -1,5 +1,5 @@
-// Runs a study: everything in one process, all variants in turn again and again, so that what slows the machine down
-// for a while slows all of them.
+// Runs a study: everything in one process, all variants in turn again and again, so that a temporary slowdown of the
+// machine affects all of them.
 #pragma once
 
 #include "Study/StudyResult.h"

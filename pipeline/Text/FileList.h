@@ -1,5 +1,5 @@
-// The list of the files that drydock wrote into a folder, which stands in that folder: by it, and by nothing else, a
-// later run knows what it may replace and remove.
+// The list of the files that drydock wrote into a folder, which stands in that folder. Only by this list a later run
+// knows which files it may replace and remove.
 #pragma once
 
 #include "DrydockAPI.h"

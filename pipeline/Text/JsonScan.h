@@ -1,4 +1,4 @@
-// A first look over JSON text: where each key and value begins, and numbers that no parser can hold.
+// Scans JSON text before it is parsed: finds where each key and value begins, and numbers that no parser can hold.
 #pragma once
 
 #include "TextPositions.h"

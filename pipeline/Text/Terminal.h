@@ -1,4 +1,4 @@
-// How wide the terminal is that a text goes to, and fitting lines of prose to it.
+// Finds the width of the terminal that a text goes to, and fits lines of prose to it.
 #pragma once
 
 #include "DrydockAPI.h"

@@ -1,4 +1,4 @@
-// The numbers of the messages about a plugin's code that ends badly. A number never changes its meaning;
+// Numbers the messages about a plugin's code that crashes, hangs or exits. A number never changes its meaning;
 // docs/errors.md explains each one.
 #pragma once
 

@@ -1,5 +1,5 @@
-// Files that strangers name are read here: only regular files, and of these no more than somebody wants. A pipe would
-// wait for ever, a device may act on being read, and an endless file fills the memory.
+// Reads files that strangers name: only regular files, and no more bytes than the caller wants. A pipe would wait for
+// ever, a device may act on being read, and an endless file fills the memory.
 #pragma once
 
 #include "DrydockAPI.h"

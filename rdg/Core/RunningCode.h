@@ -1,5 +1,5 @@
-// Whose code runs on a thread, in words that are ready before anything can happen: for messages and for the handlers of
-// signals. CodeScope.h says it.
+// Describes whose code runs on a thread, in words that are prepared beforehand, for messages and for signal handlers.
+// CodeScope.h says it.
 #pragma once
 
 #include "CoreTypes.h"

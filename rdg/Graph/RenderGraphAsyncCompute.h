@@ -1,5 +1,5 @@
-// When an async-compute pass may start and has to be done, in graphics passes. On a CPU passes run one after the other;
-// the windows are recorded, and resources live through them as on a GPU. Source: engine RenderGraphBuilder.cpp,
+// Finds when an async-compute pass may start and must be done, in graphics passes. On a CPU passes run one after the
+// other; the windows are recorded, and resources live through them as on a GPU. Source: engine RenderGraphBuilder.cpp,
 // restated.
 #pragma once
 

@@ -1,5 +1,5 @@
-// From which pass to which a resource has to be in memory: from the first surviving pass that touches it to the last,
-// and as long as the window of an async pass that does. Source: engine RenderGraphBuilder.cpp, restated.
+// Finds the passes between which a resource has to be in memory: from the first surviving pass that touches it to the
+// last, and as long as the window of an async pass that does. Source: engine RenderGraphBuilder.cpp, restated.
 #pragma once
 
 #include "RenderGraphAsyncCompute.h"

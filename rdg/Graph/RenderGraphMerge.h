@@ -1,6 +1,6 @@
-// Which raster passes a GPU would run as one render pass: surviving neighbours with the same targets, where the later
-// one does not clear. A CPU runs them one by one with the same result; the decision and its reason are recorded.
-// Source: engine RenderGraphBuilder.cpp, restated; the reasons are drydock's.
+// Finds the raster passes that a GPU would run as one render pass: surviving neighbours with the same targets, where
+// the later one does not clear. A CPU runs them one by one with the same result; the decision and its reason are
+// recorded. Source: engine RenderGraphBuilder.cpp, restated; the reasons are drydock's.
 #pragma once
 
 #include "RenderGraphCompiled.h"

@@ -1,4 +1,4 @@
-// How the frame's host watches a graph: what was compiled, which external textures have to be filled, what each pass
+// Lets the frame's host watch a graph: what was compiled, which external textures have to be filled, what each pass
 // cost and wrote.
 #pragma once
 

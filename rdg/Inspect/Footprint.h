@@ -1,4 +1,4 @@
-// Which texels a sample is made of, and by which weights.
+// Finds the texels of a sample and their weights.
 #pragma once
 
 #include "DrydockAPI.h"

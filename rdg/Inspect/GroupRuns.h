@@ -1,5 +1,5 @@
-// Threads of groups, and pixels of quads, run once more one by one: each group is run as a whole first, and what its
-// threads saw of each other is kept.
+// Runs threads of groups, and pixels of quads, once more one by one. Each group is run as a whole first, and the values
+// that its threads read from each other are kept.
 #pragma once
 
 #include "InspectedShader.h"

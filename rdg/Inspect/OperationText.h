@@ -1,4 +1,4 @@
-// An instruction with its numbers, as somebody would write it: "pow(-0.25, 2.2)".
+// Writes an instruction with its numbers, as a person would: "pow(-0.25, 2.2)".
 #pragma once
 
 #include "SpirvObserver.h"

@@ -1,4 +1,4 @@
-// The threads of a draw or dispatch, run once more by the interpreter for somebody who watches them.
+// Runs the threads of a draw or dispatch once more by the interpreter, for a watcher.
 #pragma once
 
 #include "GroupRuns.h"

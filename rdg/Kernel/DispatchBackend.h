@@ -1,4 +1,4 @@
-// Somebody who runs shaders in place of their kernels: another device, which is given what a kernel would be given.
+// Declares a backend that runs shaders in place of their kernels: another device, which gets a kernel's arguments.
 #pragma once
 
 #include "BoundShader.h"

@@ -1,4 +1,4 @@
-// Somebody who looks at shaders while passes run: at what each was given, and at what it wrote.
+// Declares an observer of shaders while passes run: it sees each shader's arguments and results.
 #pragma once
 
 #include "BoundShader.h"

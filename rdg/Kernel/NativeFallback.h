@@ -1,4 +1,4 @@
-// The way back from a hand-written kernel to the shader that it stands in for, where it cannot keep its promise.
+// Runs the shader in place of its hand-written kernel, where the kernel cannot give the same result.
 #pragma once
 
 #include "DrydockAPI.h"

@@ -1,5 +1,5 @@
-// A vertex shader that is ready to run, one vertex after the other: what a draw gives it and what it gives back. Draws
-// of post-processing have three to six vertices, so nothing is compiled to machine code for them.
+// Holds a vertex shader that is ready to run, one vertex after the other: its inputs from a draw, and its outputs.
+// Draws of post-processing have three to six vertices, so nothing is compiled to machine code for them.
 #pragma once
 
 #include "DrydockAPI.h"

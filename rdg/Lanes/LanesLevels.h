@@ -1,4 +1,4 @@
-// Which mips a sample at a level of detail reads. Source: Direct3D 11.3 functional specification 7.18.
+// Finds the mips that a sample at a level of detail reads. Source: Direct3D 11.3 functional specification 7.18.
 #pragma once
 
 #include "Lanes.h"

@@ -1,5 +1,5 @@
-// Wave operations: what the running lanes of a wave tell each other. A wave is one pack of lanes. Sums and products go
-// from the lowest lane to the highest. A lane that does not run reads as 0. Included by generated code only.
+// Wave operations: the running lanes of a wave exchange values. A wave is one pack of lanes. Sums and products go from
+// the lowest lane to the highest. A lane that does not run reads as 0. Included by generated code only.
 #pragma once
 
 #include "Lanes.h"

@@ -1,4 +1,4 @@
-// The outcome of matching a shader with a parameter struct: which bytes and which resources go where. Made once,
+// Holds the result of matching a shader with a parameter struct: the destinations of bytes and resources. Made once,
 // followed by every pass. Used by this folder and its tests.
 #pragma once
 

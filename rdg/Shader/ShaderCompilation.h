@@ -1,5 +1,5 @@
-// From a permutation of a shader class to its compiled code and its reflection: what is asked of the shader compiler,
-// what is kept between passes, and how both are forgotten.
+// Gives the compiled code and the reflection of a shader class's permutation: makes the compiler's request, keeps
+// results between passes, and drops both.
 #pragma once
 
 #include "CoreMinimal.h"

@@ -1,5 +1,5 @@
-// The portability lint: what of a shader fails on platforms that drydock is not, from its SPIR-V, and from its text
-// where the front end lost it.
+// The portability lint: finds shader code that fails on other platforms than drydock, from its SPIR-V, and from its
+// text where the front end lost it.
 #pragma once
 
 #include "LintRules.h"

@@ -1,4 +1,5 @@
-// A folder for the files of one compilation, gone with its scope, and with the next run where the process was killed.
+// Makes a folder for the files of one compilation. It is removed with its scope, or by the next run if the process was
+// killed.
 #pragma once
 
 #include "DrydockAPI.h"

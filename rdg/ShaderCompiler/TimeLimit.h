@@ -1,4 +1,4 @@
-// How long something may take: a number of seconds that an environment variable can change.
+// Reads a time limit: a number of seconds that an environment variable can change.
 #pragma once
 
 #include <algorithm>

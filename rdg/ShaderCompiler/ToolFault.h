@@ -1,4 +1,4 @@
-// Tells a compiler that found a fault in its input from one that the machine kept from its work.
+// Distinguishes a compiler that found a fault in its input from one that the machine kept from its work.
 #pragma once
 
 #include "ChildProcess.h"

@@ -1,5 +1,5 @@
-// All threads of one group of a compute shader, or of a quad of pixels, run one after the other from one place where
-// they wait for each other to the next.
+// Runs all threads of one group of a compute shader, or of a quad of pixels, one after the other, from one waiting
+// place to the next.
 #pragma once
 
 #include "SpirvThread.h"

@@ -1,5 +1,5 @@
-// The order in which threads of a group come by: which of two that wait at different places has to go on first, so that
-// they meet again.
+// Orders the threads of a group: which of two threads that wait at different places has to go on first, so that they
+// meet again.
 #pragma once
 
 #include "SpirvStructure.h"

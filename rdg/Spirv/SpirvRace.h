@@ -1,5 +1,5 @@
-// Data races of the threads of a group: two of them touch one number of groupshared memory, one of them writes, and no
-// barrier is between.
+// Finds data races of the threads of a group: two threads access one number of groupshared memory, one of them writes,
+// and no barrier is between them.
 #pragma once
 
 #include "SpirvProgram.h"

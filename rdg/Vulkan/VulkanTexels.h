@@ -1,5 +1,5 @@
-// Texels on their way to a driver and back: as 32-bit channels, so that what is compared is the shader's arithmetic.
-// Reading and rounding a format stays drydock's own.
+// Converts texels for a driver and back: as 32-bit channels, so that only the shader's arithmetic is compared. Reading
+// and rounding a format stays drydock's own.
 #pragma once
 
 #include "SpirvModule.h"

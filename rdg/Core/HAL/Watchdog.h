@@ -1,4 +1,4 @@
-// Something that must not stay silent for too long: a shader's tiles, a plugin's function. One thread looks at all.
+// Watches code that must not stay silent for too long: a shader's tiles, a plugin's function. One thread looks at all.
 #pragma once
 
 #include "CoreTypes.h"

@@ -1,6 +1,5 @@
-// From floating numbers to whole ones, with a result for every number: what any index, count, size or bound of a loop
-// that was computed in floating point goes through. A plain cast of NaN or of what the integer cannot hold is
-// undefined.
+// Converts floating numbers to integers, with a result for every number. Every index, count, size or loop bound that
+// was computed in floating point goes through it. A plain cast of NaN or of what the integer cannot hold is undefined.
 #pragma once
 
 #include "CoreTypes.h"
