@@ -42,7 +42,7 @@ DRYDOCK_API FSettingsText ReadSettingsStruct(
 DRYDOCK_API FSettingsText ReadSettingsText(
 	const std::string& Text, const std::string& File, std::vector<FDiagnostic>& Diagnostics);
 
-/** Which fields are written. */
+/** The fields that are written. */
 enum class ESettingsTextForm
 {
 	Delta, // override bits that are on, with their values, and values that are not the defaults

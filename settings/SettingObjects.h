@@ -15,7 +15,7 @@ namespace Drydock
 DRYDOCK_API UTexture2D* FindOrAddTexture(const std::string& Path);
 DRYDOCK_API UTextureCube* FindOrAddTextureCube(const std::string& Path);
 DRYDOCK_API UCurveFloat* FindOrAddCurve(const std::string& Path);
-/** For blendables, which may be of any class. */
+/** Finds or adds an object for blendables, which may be of any class. */
 DRYDOCK_API UObject* FindOrAddObject(const std::string& Path);
 
 /** "None" for null; the name of an object that was not made here. Any thread. */

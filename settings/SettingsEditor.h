@@ -14,7 +14,7 @@
 namespace Drydock
 {
 
-/** Who changes a setting, and the words for it. */
+/** The source that changes a setting, and the words for it. */
 struct FSettingsEdit
 {
 	EBlendSource Kind;

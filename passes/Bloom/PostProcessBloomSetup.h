@@ -30,8 +30,8 @@ struct FBloomSetupInputs
 	FScreenPassTexture SceneColor;
 	/** [Required] Entry 0's x is the exposure scale. */
 	FRDGBufferRef EyeAdaptationBuffer = nullptr;
-	/** In exposed luminance; -1 and below: no threshold. -infinity, NaN: none in engines whose ramp acts all the same,
-	 * either. */
+	/** Threshold in exposed luminance; -1 and below: no threshold. -infinity and NaN: no threshold either, even in
+	 * engines whose ramp acts at -1. */
 	float Threshold = -1.0f;
 	/** Not valid: none. */
 	Drydock::FLocalExposureTextures LocalExposure;
@@ -40,7 +40,7 @@ struct FBloomSetupInputs
 	 * textures' colour at the view's rect. With ToonBounds only what toon pixels reach is masked and downsampled anew,
 	 * and SceneColor must be that picture itself, or its AddDownsamplePass. */
 	std::optional<Drydock::FToonBloomInputs> Toon;
-	/** How SceneColor was downsampled. */
+	/** The quality that SceneColor was downsampled with. */
 	EDownsampleQuality DownsampleQuality = EDownsampleQuality::Low;
 };
 

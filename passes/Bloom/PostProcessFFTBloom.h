@@ -50,7 +50,7 @@ struct FFFTBloomInputs
 
 struct FFFTBloomOutput
 {
-	/** For the tonemapper to add, energy applied. */
+	/** The bloom for the tonemapper to add, energy applied. */
 	FScreenPassTexture BloomTexture;
 	/** Entry 0's rgb multiplies scene colour. */
 	FRDGBufferRef SceneColorApplyParameters = nullptr;

@@ -90,7 +90,7 @@ struct FUnityBloomInputs
 	float Intensity = 1.0f;
 	bool bAsPrinted = false;
 
-	/** From the settings and r.UnityBloom.AsPrinted. */
+	/** Makes the inputs from the settings and r.UnityBloom.AsPrinted. */
 	DRYDOCK_API static FUnityBloomInputs FromSettings(
 		const FFinalPostProcessSettings& Settings, const FScreenPassTexture& SceneColor);
 };

@@ -29,7 +29,7 @@ public:
 	 * given ones. If the deviation cannot be reached, a remark on the graph reports it. */
 	void SetStandardDeviation(float InStandardDeviation) { StandardDeviation = InStandardDeviation; }
 
-	/** After which pass; the motion blur unless this is called. */
+	/** Sets the pass after which the blur runs; the motion blur unless this is called. */
 	void SetPass(EPostProcessingPass InPass) { Pass = InPass; }
 
 	void SubscribeToPostProcessingPass(

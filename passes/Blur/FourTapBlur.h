@@ -42,7 +42,8 @@ struct FPyramidSetting
 	double LowStandardDeviation = 0.0; // of the Gaussian, in texels of the coarsest level
 };
 
-/** As many levels as leave the Gaussian 3.5 texels of the coarsest one, one at least where it leaves 0.75. */
+/** The setting with as many levels as leave the Gaussian 3.5 texels of the coarsest one, one at least where it leaves
+ * 0.75. */
 DRYDOCK_API FPyramidSetting GetPyramidSetting(double StandardDeviation);
 
 /** The same for a given number of levels: fewer where they would be wider than wanted. */

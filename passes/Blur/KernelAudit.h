@@ -39,8 +39,8 @@ enum class EKernelFault
 	Printed, // it is faulty as its article prints it, and kept so
 };
 
-/** For passes that have a table of weights: refuses a faulty kernel (throws FError DD2101, exit code 2), or, where it
- * is declared, leaves a warning on the graph (DD2100). Name: "RED blur". */
+/** Checks the kernel of a pass that has a table of weights: refuses a faulty kernel (throws FError DD2101, exit code
+ * 2), or, where it is declared, leaves a warning on the graph (DD2100). Name: "RED blur". */
 DRYDOCK_API void CheckKernel(
 	FRDGBuilder& GraphBuilder, const std::string& Name, const std::vector<double>& Weights, EKernelFault Declared);
 

@@ -33,7 +33,7 @@ DRYDOCK_API int32 GetFilterSampleCountMax();
 /** The radius that sets the kernel's width, in texels: the wanted one within 1e-5 .. SampleCountMax - 1. */
 DRYDOCK_API float GetClampedKernelRadius(int32 SampleCountMax, float KernelRadius);
 
-/** How far taps reach: the clamped radius times r.Filter.SizeScale (0.1..10), rounded up. */
+/** The reach of taps: the clamped radius times r.Filter.SizeScale (0.1..10), rounded up. */
 DRYDOCK_API int32 GetIntegerKernelRadius(int32 SampleCountMax, float KernelRadius);
 
 /** The kernel exp(-16.7 (x / R)^2), sigma 0.17303 R, sampled at the integers of the reach R' and folded two by two from

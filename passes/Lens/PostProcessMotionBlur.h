@@ -53,7 +53,8 @@ struct FMotionBlurInputs
 	 */
 	float MaxLength = 0.0f;
 
-	/** From MotionBlurAmount, Max and TargetFPS; DeltaTime: of the frame, seconds; 0: that of the target. */
+	/** Makes the inputs from MotionBlurAmount, Max and TargetFPS; DeltaTime: of the frame, seconds; 0: that of the
+	 * target. */
 	DRYDOCK_API static FMotionBlurInputs FromSettings(
 		const FFinalPostProcessSettings& Settings, const FScreenPassTexture& SceneColor, float DeltaTime);
 };

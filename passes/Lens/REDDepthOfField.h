@@ -41,7 +41,7 @@ struct FREDDepthOfFieldInputs
 	float FarBlurSize = 1.0f;
 	bool bAsPrinted = false;
 
-	/** From the settings and r.RED.AsPrinted. */
+	/** Makes the inputs from the settings and r.RED.AsPrinted. */
 	DRYDOCK_API static FREDDepthOfFieldInputs FromSettings(
 		const FFinalPostProcessSettings& Settings, const FScreenPassTexture& SceneColor);
 };

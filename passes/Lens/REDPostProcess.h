@@ -52,7 +52,8 @@ enum class EREDPostProcessPass : uint8
 	MAX
 };
 
-/** How the article's blur weights are read: r.RED.Kernel, but for Printed, which r.RED.AsPrinted brings. */
+/** The readings of the article's blur weights: r.RED.Kernel chooses one, except for Printed, which r.RED.AsPrinted
+ * chooses. */
 enum class EREDBlurKernel : uint8
 {
 	SevenTaps,
@@ -85,7 +86,7 @@ struct FREDPostProcessParameters
 	bool bQuarterResolution = false;
 	bool bAsPrinted = false;
 
-	/** From the settings and the console variables r.RED.*. */
+	/** Makes the parameters from the settings and the console variables r.RED.*. */
 	DRYDOCK_API static FREDPostProcessParameters FromSettings(const FFinalPostProcessSettings& Settings);
 
 	bool WantsDiffusionFilter() const { return DiffusionFilterIntensity > 0.0f; }

@@ -98,8 +98,8 @@ using FAfterPassCallbackDelegateArray = FPostProcessingPassDelegateArray;
 class DRYDOCK_API ISceneViewExtension
 {
 public:
-	/** After which pass. Those that the run's engine version does not have are never asked for; numbers differ between
-	 * versions. */
+	/** The pass that a callback follows. Passes that the run's engine version does not have are never asked for;
+	 * numbers differ between versions. */
 	enum class EPostProcessingPass : uint32
 	{
 		BeforeDOF,            // 5.5
@@ -152,8 +152,8 @@ public:
 		FRDGBuilder& GraphBuilder, const FSceneView& View, const FPostProcessingInputs& Inputs);
 	virtual void PrePostProcessPassMobile_RenderThread(
 		FRDGBuilder& GraphBuilder, const FSceneView& View, const FMobilePostProcessingInputs& Inputs);
-	/** Once for each pass and view. bIsPassEnabled is information: a callback of a disabled pass runs all the same, but
-	 * what it returns after the last enabled pass is dropped. Up to 5.4. */
+	/** Called once for each pass and view. bIsPassEnabled is information: a callback of a disabled pass runs all the
+	 * same, but what it returns after the last enabled pass is dropped. Up to 5.4. */
 	virtual void SubscribeToPostProcessingPass(
 		EPostProcessingPass Pass, FAfterPassCallbackDelegateArray& InOutPassCallbacks, bool bIsPassEnabled);
 	/** From 5.5. */

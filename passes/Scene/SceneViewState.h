@@ -76,7 +76,8 @@ public:
 	FScreenPassTexture RegisterLastTexture(FRDGBuilder& GraphBuilder, const TCHAR* Name) const;
 	FRDGBufferRef RegisterLastBuffer(FRDGBuilder& GraphBuilder, const TCHAR* Name) const;
 
-	/** For the next frame. The graph must produce it. A second one of a name replaces the first. */
+	/** Keeps a texture for the next frame. The graph must produce it. A second texture of one name replaces the first.
+	 */
 	void KeepTexture(FRDGBuilder& GraphBuilder, const TCHAR* Name, const FScreenPassTexture& Texture);
 	void KeepBuffer(FRDGBuilder& GraphBuilder, const TCHAR* Name, FRDGBufferRef Buffer);
 

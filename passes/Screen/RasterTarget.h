@@ -20,7 +20,7 @@ inline FScreenPassRenderTarget CreateScreenTarget(
 	return FScreenPassRenderTarget(GraphBuilder.CreateTexture(Desc, Name), Rect, ERenderTargetLoadAction::ENoAction);
 }
 
-/** For a pass that draws. */
+/** Creates a target for a pass that draws. */
 inline FScreenPassRenderTarget CreateRasterTarget(
 	FRDGBuilder& GraphBuilder, const FRDGTextureDesc& Desc, const FIntRect& Rect, const TCHAR* Name)
 {

@@ -14,10 +14,10 @@ namespace Drydock
 /** Rows of a matrix on column vectors. */
 using FColorMatrix = std::array<std::array<double, 3>, 3>;
 
-/** On linear Rec.709. TEMP_WhiteBalance: a surface that looks white under a light of Temperature (K) and Tint comes out
- * white. TEMP_ColorTemperature: white comes out as that light. Tint moves along the line of equal temperature, 0.05 of
- * the CIE 1960 diagram for each 1; above 0 the light is more magenta. Below 4000 K the light is a black body, else
- * daylight; the temperature is kept in 1500..15000. 6500 K without tint is exactly the identity. */
+/** The matrix acts on linear Rec.709. TEMP_WhiteBalance: a surface that looks white under a light of Temperature (K)
+ * and Tint comes out white. TEMP_ColorTemperature: white comes out as that light. Tint moves along the line of equal
+ * temperature, 0.05 of the CIE 1960 diagram for each 1; above 0 the light is more magenta. Below 4000 K the light is a
+ * black body, else daylight; the temperature is kept in 1500..15000. 6500 K without tint is exactly the identity. */
 DRYDOCK_API FColorMatrix ComputeWhiteBalance(double Temperature, double Tint, ETemperatureMethod Method);
 
 struct FColorGrading

@@ -28,8 +28,9 @@ struct FTonemapperOutputDeviceParameters
 	EDisplayOutputFormat OutputDevice;
 };
 
-/** From r.HDR.Display.OutputDevice; r.TonemapperGamma above 0 puts a power in the place of the sRGB or Rec.709 curve.
- */
+/** The parameters by r.HDR.Display.OutputDevice; r.TonemapperGamma above 0 puts a power in the place of the sRGB or
+ * Rec.709 curve.
+ * */
 DRYDOCK_API FTonemapperOutputDeviceParameters GetTonemapperOutputDeviceParameters();
 
 namespace Drydock

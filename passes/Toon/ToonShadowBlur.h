@@ -50,7 +50,7 @@ struct FToonShadowBlurInputs
 	EToonShadowBlurStore Store = EToonShadowBlurStore::SqrtEightBit;
 	bool bAsPrinted = false;
 
-	/** From the settings and r.ToonShadowBlur.AsPrinted. */
+	/** Makes the inputs from the settings and r.ToonShadowBlur.AsPrinted. */
 	DRYDOCK_API static FToonShadowBlurInputs FromSettings(
 		const FFinalPostProcessSettings& Settings, const FScreenPassTexture& ToonShadow);
 };
@@ -72,7 +72,7 @@ DRYDOCK_API FScreenPassTexture AddToonShadowBlurPasses(
 struct FToonShadowLightingInputs
 {
 	FScreenPassTexture SceneColor;
-	/** With A filled. */
+	/** The toon shadow with A filled. */
 	FScreenPassTexture ToonShadow;
 	/** Base colour and shading model: only pixels of the toon model (SHADINGMODELID_CLOTH) change. */
 	TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures = nullptr;

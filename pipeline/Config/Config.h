@@ -121,7 +121,7 @@ struct FConfigCamera
 	FConfigSettings Settings;
 };
 
-/** Who sets a console variable; a later one beats an earlier one. */
+/** The source that sets a console variable; a later source beats an earlier one. */
 enum class EVariableSource
 {
 	Config,

@@ -31,7 +31,7 @@ public:
 	{
 	}
 
-	/** At a value. */
+	/** Reports an error at a value. */
 	void Error(int Code, const FJsonValue& At, const std::string& Message)
 	{
 		Add(ESeverity::Error, Code, At.Line, At.Column, At.Pointer, Message);
@@ -40,7 +40,7 @@ public:
 	{
 		Add(ESeverity::Warning, Code, At.Line, At.Column, At.Pointer, Message);
 	}
-	/** At the key of a member. */
+	/** Reports an error at the key of a member. */
 	void ErrorAtKey(int Code, const FJsonValue& At, const std::string& Message)
 	{
 		Add(ESeverity::Error, Code, At.KeyLine, At.KeyColumn, At.Pointer, Message);

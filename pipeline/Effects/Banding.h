@@ -31,9 +31,9 @@ struct FBandingFigures
 /** Measures one channel. */
 DRYDOCK_API FBandingFigures MeasureBanding(const FImage& Image, int Channel);
 
-/** How far a stored gradient is from the exact one where that is dark (0 is: no gradient, and does not count), in steps
- * of 1/255. Rounding to 8 bit gives an Rms of 1 / sqrt(12) = 0.29, rounding the root less; errors that pile up from
- * one rounded temporary to the next, or that a coarse one spreads over blocks of texels, more. */
+/** Deviation of a stored gradient from the exact one in its dark part (0 is not part of a gradient, and does not
+ * count), in steps of 1/255. Rounding to 8 bit gives an Rms of 1 / sqrt(12) = 0.29, rounding the root less; errors that
+ * pile up from one rounded temporary to the next, or that a coarse one spreads over blocks of texels, more. */
 struct FDarkDeviation
 {
 	double Rms = 0.0;

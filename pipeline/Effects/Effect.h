@@ -108,7 +108,7 @@ struct FEffectInputs
 		, Extensions(InExtensions)
 	{
 	}
-	/** Without a frame. */
+	/** Inputs without a frame. */
 	FEffectInputs(const FViewSettings& View)
 		: FEffectInputs(View.Settings, View)
 	{
@@ -205,7 +205,7 @@ struct FEffect
 	/** It may make a pixel of the scene's colour brighter before bloom sees it: bloom is then not left out for want of
 	 * bright pixels. */
 	TRequired<bool> bMayBrightenBeforeBloom;
-	/** From settings, show flags and console variables alone. */
+	/** Decides from settings, show flags and console variables alone. */
 	TRequired<FEffectDecision (*)(const FEffect& Effect, const FEffectInputs& Inputs)> Decide;
 	/** Asks which contents of the scene could leave the effect out or confine it. Called where the effect is active;
 	 * null: none. */

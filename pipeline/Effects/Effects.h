@@ -14,7 +14,7 @@ using FEffectTable = std::span<const FEffect* const>;
 /** Every effect there is, in the order of reports. */
 DRYDOCK_API FEffectTable GetEffects();
 
-/** By its name, as a config or the command line has it; null where there is none. */
+/** Finds an effect by its name, as a config or the command line has it; null where there is none. */
 DRYDOCK_API const FEffect* FindEffectByName(std::string_view Name);
 
 /** First step: one decision per effect of the table, in its order, from settings alone. Reasons are not complete. */
@@ -28,7 +28,8 @@ DRYDOCK_API FContentQuestions AskContent(const FEffectInputs& Inputs, const std:
 DRYDOCK_API std::vector<FEffectDecision> GateByContent(
 	const FEffectInputs& Inputs, const FViewContent& Content, const std::vector<FEffectDecision>& Decided);
 
-/** In place of the second step: says of each active effect that asks something why nobody looked. */
+/** Replaces the second step: adds to each active effect that asks for contents the reason why they were not examined.
+ */
 DRYDOCK_API std::vector<FEffectDecision> NoteContentUnseen(
 	const FEffectInputs& Inputs, const std::vector<FEffectDecision>& Decided, const std::string& Why);
 

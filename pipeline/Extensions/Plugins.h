@@ -26,7 +26,7 @@ DRYDOCK_API FLoadedPlugins LoadPlugins(const FConfig& Config, std::vector<FDiagn
 /** The ini files that a loaded plugin was given values from. Plugin: the path of its library. */
 DRYDOCK_API std::vector<std::string> FindPluginIniFiles(const std::string& Plugin);
 
-/** In place of that, for a config that is not trusted with code: each plugin that it names is an error. */
+/** Replaces LoadPlugins for a config that is not trusted with code: each plugin that it names is an error. */
 void RefusePlugins(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics);
 
 } // namespace Drydock

@@ -9,8 +9,8 @@
 namespace Drydock
 {
 
-/** With the types and parameters of the passes and extensions that are registered, those of loaded plugins too; hooks,
- * metrics and engine versions. A test holds the published file to it. */
+/** The schema with the types and parameters of the passes and extensions that are registered, those of loaded plugins
+ * too; hooks, metrics and engine versions. A test holds the published file to it. */
 DRYDOCK_API std::string MakePublishedSchema();
 
 } // namespace Drydock

@@ -16,7 +16,7 @@ struct FFrameDesc
 	TArray<FLinearColor> SceneColor;
 	/** Row-major, 0 to 15 (SHADINGMODELID_*); may be empty. Goes to GBufferB's alpha. */
 	TArray<uint8> ShadingModelID;
-	/** By name, "Bloom"; others are as in a game. */
+	/** Show flags by name, "Bloom"; others are as in a game. */
 	TMap<FString, bool> ShowFlags;
 	/** Version of engine 5 whose hooks are called; that of the code which fills this in. */
 	int32 EngineMinorVersion = ENGINE_MINOR_VERSION;

@@ -71,7 +71,7 @@ private:
 DRYDOCK_API std::string MakeHazardText(const FHazardRow& Row, int Width = 0);
 DRYDOCK_API std::string MakeHazardJson(const std::vector<FHazardRow>& Rows);
 
-/** In words: "spreads 2 pixels far: 25 of 4096 are NaN". */
+/** Describes a finding: "spreads 2 pixels far: 25 of 4096 are NaN". */
 DRYDOCK_API std::string DescribeFinding(const FHazardFinding& Finding);
 
 } // namespace Drydock

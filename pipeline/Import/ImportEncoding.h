@@ -11,7 +11,7 @@
 namespace Drydock
 {
 
-/** Whose conventions hold for a file's layers. */
+/** The origin of a file's layers, whose conventions hold for them. */
 enum class EImportOrigin
 {
 	Plain, // metres, world space with Z up, pixels

@@ -40,7 +40,7 @@ struct FImportPlan
 	DRYDOCK_API const FImportRow* Find(const std::string& Group) const;
 };
 
-/** Whose layers a file has, by its header and their names. */
+/** Finds the origin of a file's layers, by its header and their names. */
 DRYDOCK_API EImportOrigin FindImportOrigin(const FImportLayers& Layers, size_t File);
 
 /** Doubts are appended to Diagnostics. Throws FError (exit code 2): no layer is colour, layers of pictures of different

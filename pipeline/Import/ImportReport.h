@@ -21,7 +21,7 @@ struct FImportStory
 /** A row's layer with its components: "FinalImageWorldNormal.RGB". */
 DRYDOCK_API std::string DescribeSource(const FImportLayers& Layers, const FImportRow& Row);
 
-/** How a row's numbers are taken: "cm along the axis", "0..1, Unreal's world". */
+/** Describes how a row's numbers are read: "cm along the axis", "0..1, Unreal's world". */
 DRYDOCK_API std::string DescribeEncoding(const FImportRow& Row);
 
 DRYDOCK_API std::string FormatImportTable(const FImportStory& Story, int Width = 0);

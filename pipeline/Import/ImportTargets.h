@@ -25,14 +25,14 @@ struct FImportTarget
 	const char* Group; // as --map takes it; a channel's own name does too
 	std::vector<std::string> Channels;
 	EImportKind Kind;
-	/** How many of the channels, from the first, a layer has to give. */
+	/** Number of the channels, from the first, that a layer has to give. */
 	size_t NumNeeded;
 };
 
 /** Colour first. */
 DRYDOCK_API const std::vector<FImportTarget>& GetImportTargets();
 
-/** By group, or null. */
+/** Finds the target of a group, or null. */
 DRYDOCK_API const FImportTarget* FindImportTarget(const std::string& Group);
 
 /** A name for layers: the rule that it follows. */

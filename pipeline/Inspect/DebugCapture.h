@@ -52,7 +52,7 @@ private:
 	const FDebuggedShader* FindShader(const FBoundShader& Shader, const std::string& Pass);
 
 	const FDebugRequest Request;
-	/** By permutation, and whether it runs by quads. Null: it cannot be. */
+	/** Shaders by permutation, and whether they run by quads. Null: the shader cannot be debugged. */
 	std::map<std::pair<FShader*, bool>, std::unique_ptr<FDebuggedShader>> Shaders;
 	std::vector<FDebuggedPass> Passes;
 	std::vector<FDiagnostic> Problems;

@@ -31,7 +31,7 @@ DRYDOCK_API FImage MakeStretched(const FLineValues& Values, const FValueRange& R
 /** Taps and operations of each pixel, two channels. */
 DRYDOCK_API FImage MakeCostImage(const FCostMap& Map);
 
-/** To look at: black is nothing, pale yellow the dearest pixel by operations. */
+/** Makes a picture of the cost to look at: black means none, pale yellow the most expensive pixel by operations. */
 DRYDOCK_API FImage MakeCostPreview(const FCostMap& Map);
 
 } // namespace Drydock

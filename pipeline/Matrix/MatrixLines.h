@@ -7,8 +7,8 @@
 namespace Drydock
 {
 
-/** As much of a line as is looked at: std::regex calls itself for every character, and a line of some 20,000 fills the
- * stack. Compilers write such lines about templates. */
+/** Cuts a line to the length that is searched: std::regex calls itself for every character, and a line of some 20,000
+ * fills the stack. Compilers write such lines about templates. */
 inline std::string CutLine(const std::string& Line)
 {
 	size_t End = 2000;

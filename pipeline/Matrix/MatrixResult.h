@@ -57,7 +57,7 @@ struct FMatrixRun
 	bool Ran() const { return ExitCode == 0; }
 };
 
-/** How two pictures differ. */
+/** The difference of two pictures. */
 struct FPictureDifference
 {
 	bool bOtherSize = false; // then nothing else is known

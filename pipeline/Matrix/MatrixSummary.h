@@ -13,8 +13,8 @@ namespace Drydock
 /** "MyTint.cpp:41: text", "DD2086 at plugin libTint.so, SetupView of extension FTint: text". */
 DRYDOCK_API std::string DescribeMessage(const FMatrixMessage& Message);
 
-/** How a run ended that did not end well: "crashes: SetupView of extension FTint", "throws: ...", "hangs: ...",
- * "exit 2, DD2015". */
+/** Describes the end of a failed run: "crashes: SetupView of extension FTint", "throws: ...", "hangs: ...", "exit 2,
+ * DD2015". */
 DRYDOCK_API std::string DescribeEnd(const FMatrixRun& Run);
 
 /** "Builds, runs and draws the same under 5.3 to 5.8; 5.1 and 5.2: does not compile, 'X' was not declared in this scope

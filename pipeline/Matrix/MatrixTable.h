@@ -19,8 +19,9 @@ DRYDOCK_API std::string FormatMatrix(const FVersionMatrix& Matrix, int Width = 0
  * missing value is null. */
 DRYDOCK_API std::string MakeMatrixJson(const FVersionMatrix& Matrix);
 
-/** For JUnit: "5.3 builds", "5.3 runs" and "5.3 picture" of every version. A version that does not compile or run
- * fails. A picture that differs from the one before does not fail, but its case reports the difference. */
+/** Makes the cases for JUnit: "5.3 builds", "5.3 runs" and "5.3 picture" of every version. A version that does not
+ * compile or run fails. A picture that differs from the one before does not fail, but its case reports the difference.
+ */
 DRYDOCK_API std::vector<FJUnitCase> MakeMatrixCases(const FVersionMatrix& Matrix);
 
 } // namespace Drydock

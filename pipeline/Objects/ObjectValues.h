@@ -39,12 +39,12 @@ public:
 	 * an ini file a warning. */
 	void GiveTo(const std::string& Library);
 
-	/** Once the plugin's modules have started: those of its classes that "objects" names and that are actors are placed
-	 * in the world, with their values; where the plugin has spawned one itself, none. */
+	/** Places in the world, with their values, those of the plugin's classes that "objects" names and that are actors.
+	 * Called once the plugin's modules have started. A class that the plugin has spawned itself is left out. */
 	void PlaceActors(const std::string& Library) const;
 
-	/** Once all plugins are there: names of "objects" that none of them has are errors. bAllLoaded: no plugin is
-	 * missing. */
+	/** Called once all plugins are loaded: names of "objects" that none of them has are errors. bAllLoaded: no plugin
+	 * is missing. */
 	void ReportUnknownClasses(bool bAllLoaded);
 
 	/** The variables that ini files of all plugins set, in their order. */

@@ -30,7 +30,7 @@ struct FImage
 	}
 };
 
-/** Which pixels are the picture of a file. */
+/** The pixels that are the picture of a file. */
 enum class EImageExtent : uint8_t
 {
 	Stored, // those that the file holds

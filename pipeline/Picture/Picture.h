@@ -62,7 +62,8 @@ private:
 	FIntPoint Corner = FIntPoint(0, 0);
 };
 
-/** As WriteExr of an image: half floats where FitsHalf. As many names as the picture has channels. */
+/** Writes an EXR file as WriteExr of an image does: half floats where FitsHalf. As many names as the picture has
+ * channels. */
 DRYDOCK_API void WriteExr(const std::string& Path, const FPicture& Picture,
 	const std::vector<std::string>& ChannelNames, const std::map<std::string, std::string>& Attributes = {},
 	const FImageWindow& Window = {});

@@ -14,7 +14,8 @@ namespace Drydock
 /** Display-encoded red, green and blue, 0..1. */
 using FTextColor = std::array<double, 3>;
 
-/** From the left edge of the first letter to the right edge of the last, in pixels. CapHeight: of a capital letter. */
+/** Width from the left edge of the first letter to the right edge of the last, in pixels. CapHeight: of a capital
+ * letter. */
 DRYDOCK_API double GetStrokeTextWidth(const std::string& Text, double CapHeight);
 
 /** Draws over a picture of three channels. X: left edge of the first letter; Baseline: where letters stand, downwards

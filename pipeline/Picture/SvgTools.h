@@ -41,7 +41,7 @@ DRYDOCK_API std::string Px(double Number);
 /** Four significant digits. */
 DRYDOCK_API std::string ShortText(double Number);
 
-/** For text and attributes; control characters become blanks. */
+/** Escapes text for elements and attributes; control characters become blanks. */
 DRYDOCK_API std::string EscapeXml(const std::string& Text);
 
 /** A longer name ends in an ellipsis. UTF-8 stays whole. */
@@ -82,7 +82,7 @@ struct DRYDOCK_API FAxisTicks
 	std::vector<double> Values;
 };
 
-/** Without the points that lie on the line between those that stay, to a fiftieth of a pixel. */
+/** Drops the points that lie on the line between those that stay, to a fiftieth of a pixel. */
 DRYDOCK_API std::vector<FSvgPoint> SimplifyCurve(const std::vector<FSvgPoint>& Points);
 
 } // namespace Drydock

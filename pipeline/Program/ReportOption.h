@@ -15,7 +15,7 @@ class FVerbOptions;
 /** --report: on (where no word follows) or off. Page: what it is, "study.html, the chart ...". */
 void AddReport(FVerbOptions& Verb, std::string& Word, const std::string& Page);
 
-/** By the word of --report; where there is none, where stdout is a terminal and no JSON is printed. */
+/** Decides by the word of --report; without one a report is wanted if stdout is a terminal and no JSON is printed. */
 bool WantsReport(const std::string& Word, bool bJson);
 
 /** Chooses the report of a run: by the word of --report; without one by the config's outputs.report; else it is on if

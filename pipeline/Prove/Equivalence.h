@@ -9,7 +9,7 @@
 namespace Drydock
 {
 
-/** How alike two frames are promised to be. */
+/** The likeness that is promised for two frames. */
 enum class EAlike
 {
 	SameBits,
@@ -18,7 +18,7 @@ enum class EAlike
 	SameButForRounding,
 };
 
-/** Which part of the picture is a view. */
+/** The part of the picture that is a view. */
 enum class EViewLayout
 {
 	AsConfigured,

@@ -43,7 +43,7 @@ struct FPackedValues
 };
 DRYDOCK_API FPackedValues PackValues(const FPicture& Picture);
 
-/** How to get from the PNG's codes to values. */
+/** The way from the PNG's codes to values. */
 enum class EReportEncoding
 {
 	Display,    // the final picture: codes are its values, if it has 8 bits

@@ -30,7 +30,7 @@ public:
 		const std::vector<FRDGTexture*>& WrittenTextures) override;
 
 private:
-	/** Without skipping, every texture that the file can fill. */
+	/** Finds the needed textures; without skipping, every texture that the file can fill. */
 	std::vector<FNeededSceneTexture> FindNeeded(const std::vector<FRDGExternalLoad>& Loads) const;
 	/** Warns of shaders that read custom depth or stencil of a scene that has none. */
 	void ReportAbsent(const std::vector<FRDGExternalLoad>& Loads);
@@ -40,7 +40,7 @@ private:
 	/** Remarks on a pass that did nothing. */
 	void NoteSilence(
 		const FRDGPass& Pass, const FPassCounters& Counters, const std::vector<FRDGTexture*>& WrittenTextures);
-	/** To who asked for it (FRunOptions::OnPassExecuted). */
+	/** Gives a pass's writes to the caller that asked for them (FRunOptions::OnPassExecuted). */
 	void TellWrites(int PassIndex, const FRDGPass& Pass, const std::vector<FRDGTexture*>& WrittenTextures);
 	void KeepTexture(int PassIndex, const std::string& Pass, const std::string& Resource, FRHITexture& Texture,
 		const std::vector<FIntRect>& Windows);

@@ -20,10 +20,11 @@ namespace Drydock
 class DRYDOCK_API FRunVariables
 {
 public:
-	/** As an option of the program's own: beats everyone. The variable must exist (checked). */
+	/** Sets an option of the program's own, which beats every other source. The variable must exist (checked). */
 	void Set(const std::string& Name, const std::string& Value);
 
-	/** As its source may; Variable must be one that CheckVariable takes. One that is kept out is a warning. */
+	/** Sets a variable as far as its source may; Variable must be one that CheckVariable takes. A variable that is kept
+	 * out is a warning. */
 	void Apply(const FConfigVariable& Variable, const std::string& ConfigFile, std::vector<FDiagnostic>& Diagnostics);
 
 private:
@@ -52,8 +53,8 @@ struct DRYDOCK_API FRunSetup
 	 * alone. */
 	explicit FRunSetup(const FRunOptions& Options, ESceneNeed Need = ESceneNeed::None);
 
-	/** Before each frame. Frame: of a sequence, whose config and settings are as if it had been the first; empty: the
-	 * one of before. Throws FError when there is no such frame, or something is wrong with it. */
+	/** Called before each frame. Frame: of a sequence, whose config and settings are as if it had been the first;
+	 * empty: the one of before. Throws FError when there is no such frame, or something is wrong with it. */
 	void BeginFrame(std::optional<int> Frame);
 
 	/** Messages of all steps, in the order in which they are given. */

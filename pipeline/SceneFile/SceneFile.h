@@ -52,7 +52,7 @@ public:
 	/** The picture's pixels in the output. */
 	FIntRect GetPictureRect() const;
 
-	/** From the header's drydock:camera_json; empty when there is none. */
+	/** The camera of the header's drydock:camera_json; empty when there is none. */
 	const std::optional<FSceneCamera>& GetCamera() const { return Camera; }
 
 	/** Seconds from one frame to the next, from the same; empty when it does not say. */

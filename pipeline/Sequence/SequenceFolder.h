@@ -39,15 +39,15 @@ public:
 	/** Throws FError (DD1080, exit code 2) when its folder holds more than drydock wrote. */
 	void RequireOwnFrame(int Frame) const;
 
-	/** In place of what is there of this frame. Throws FError as WriteNewRunFolder. ViewState: empty, where it would
-	 * not help. */
+	/** Writes a frame's folder in place of the existing one. Throws FError as WriteNewRunFolder does. ViewState: empty
+	 * where it would not help. */
 	void WriteFrame(int Frame, const FRunResult& Result, const std::string& FrameJson, const std::string& ViewState);
 
 	std::string ReadFrameJson(int Frame) const;
 	bool HasViewState(int Frame) const;
 	std::string ReadViewState(int Frame) const;
 	std::string GetViewStatePath(int Frame) const;
-	/** For only the latest frame's is of use. */
+	/** Removes the view state of a frame: only the latest frame's is of use. */
 	void RemoveViewState(int Frame);
 
 	/** Empty where there is none. Throws FError (exit code 3) when it is not as it was written. */

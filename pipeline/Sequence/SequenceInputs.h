@@ -12,7 +12,7 @@
 namespace Drydock
 {
 
-/** By the input's name ("drydock", "config", "options", "shaders", "file PATH"): a fingerprint, or the text itself. The
+/** The inputs by name ("drydock", "config", "options", "shaders", "file PATH"): a fingerprint, or the text itself. The
  * number of threads is not an input. */
 using FSequenceInputs = std::map<std::string, std::string>;
 

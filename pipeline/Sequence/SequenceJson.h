@@ -37,7 +37,7 @@ DRYDOCK_API std::string MakeFrameJson(const FRunResult& Result, const FFrameReco
 /** File names the text in messages. Throws FError (exit code 3) when the text is not a frame.json. */
 DRYDOCK_API FFrameRecord ReadFrameRecord(const std::string& FrameJson, const std::string& File);
 
-/** Before the first frame: {version, config, scene, complete: false, inputs}. */
+/** The sequence.json before the first frame: {version, config, scene, complete: false, inputs}. */
 DRYDOCK_API std::string MakeSequenceHead(const FConfig& Config, const FSequenceInputs& Inputs);
 
 /** Merges the files of all frames: the head, complete, and frames, each with the settings that vary. */

@@ -13,7 +13,7 @@
 namespace Drydock
 {
 
-/** How the graph's algorithms compute and store; plain code in float32, but Exact in double. */
+/** The arithmetic and storage of the graph's algorithms; plain code runs in float32, but Exact in double. */
 struct FBlurArithmetic
 {
 	/** float32, float16, R11G11B10 or 8bit: format of all textures, the input's too. */

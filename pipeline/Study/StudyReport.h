@@ -7,7 +7,7 @@
 namespace Drydock
 {
 
-/** For the terminal: a table per job, with times. */
+/** Writes tables for the terminal: one per job, with times. */
 DRYDOCK_API std::string MakeStudyTable(const FStudyResult& Result, int Width = 0);
 
 /** study.json: {version, config, fingerprint, scene, size, region, subject, reference, metric, budget, axes: [{name,

@@ -35,7 +35,7 @@ public:
 
 	virtual FMeasured RunReference(const FStudySet& Case) = 0;
 	virtual FMeasured Run(const FStudySet& Set) = 0;
-	/** Before anything runs: what is known of a variant without running it, its exclusion included. */
+	/** Called before anything runs: fills in what is known of a variant without running it, its exclusion included. */
 	virtual void Prepare(const FStudySet& Set, FStudyVariant& Variant) = 0;
 	/** Key of the measured time: all sets of one key share one time, whatever their input; empty: each set has its own.
 	 * For a case alone it is the key of its reference. */

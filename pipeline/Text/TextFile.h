@@ -11,7 +11,7 @@
 namespace Drydock
 {
 
-/** For files of drydock's own that hold pictures or the state of views: 16 GB. */
+/** Limit for drydock's own files that hold pictures or the state of views: 16 GB. */
 constexpr size_t MaxBinaryBytes = size_t(1) << 34;
 
 /** All bytes of the file; nothing if it cannot be read, is not a regular file, or has more than MaxBytes. */

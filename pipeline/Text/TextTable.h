@@ -9,7 +9,7 @@
 namespace Drydock
 {
 
-/** How a column stands, and what gives way where the table is too wide. */
+/** The alignment of a column, and the way it gives way where the table is too wide. */
 enum class ETextColumn
 {
 	Number, // at the right, kept whole

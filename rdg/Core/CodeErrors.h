@@ -1,5 +1,5 @@
-// Numbers the messages about a plugin's code that crashes, hangs or exits. A number never changes its meaning;
-// docs/errors.md explains each one.
+// Numbers the messages about failures of a plugin's code. A number never changes its meaning; docs/errors.md explains
+// each one.
 #pragma once
 
 namespace Drydock

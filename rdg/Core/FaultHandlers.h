@@ -7,10 +7,10 @@
 namespace Drydock
 {
 
-/** From now on a fault (SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGABRT), std::terminate, and exit from inside a
- * plugin's code end the process with one line on stderr: exit code 71 where the running code (RunningCode.h) is a
- * plugin's, else 70. A core file is left if core files are enabled. Does nothing in builds with a sanitizer, which have
- * handlers of their own. */
+/** Installs handlers. A fault (SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGABRT), std::terminate, and exit from inside
+ * a plugin's code then end the process with one line on stderr: exit code 71 where the running code (RunningCode.h) is
+ * a plugin's, else 70. A core file is left if core files are enabled. Does nothing in builds with a sanitizer, which
+ * have handlers of their own. */
 DRYDOCK_API void InstallFaultHandlers();
 
 /** A fault is being told, or its core file written: nobody else has to end the process. */

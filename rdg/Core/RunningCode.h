@@ -9,7 +9,7 @@
 namespace Drydock
 {
 
-/** Whose code it is and from where it is called. */
+/** The owner of running code, and the place that called it. */
 struct FCodeOwner
 {
 	std::string Plugin = {};   // file name of the shared object; empty: drydock's own, or that of a program around it
@@ -43,8 +43,8 @@ struct FRunningWords
 };
 DRYDOCK_API const FRunningWords& GetRunningWords();
 
-/** For its scope this thread works for another, whose code and words (GetRunningCode, GetRunningWords) it takes over.
- * They must outlive it. */
+/** During its scope this thread works for another thread, whose code and words (GetRunningCode, GetRunningWords) it
+ * takes over. They must outlive it. */
 class DRYDOCK_API FBorrowedCode
 {
 public:

@@ -15,7 +15,8 @@ struct FRDGLifetime
 	std::vector<int32_t> CulledUsers; // of an unused resource: the passes that would have used it
 };
 
-/** By resource. bExtend (r.RDG.Debug.ExtendResourceLifetimes): used resources live for the whole graph. */
+/** Finds lifetimes, by resource. bExtend (r.RDG.Debug.ExtendResourceLifetimes): used resources live for the whole
+ * graph. */
 DRYDOCK_API std::vector<FRDGLifetime> FindLifetimes(const FRDGGraphDescription& Graph, const std::vector<bool>& bCulled,
 	const std::vector<FRDGAsyncWindow>& AsyncWindows, bool bExtend);
 

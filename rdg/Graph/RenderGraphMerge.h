@@ -15,7 +15,7 @@ struct FRDGRenderPass
 	std::string Reason; // why it was not merged into the raster pass before; empty for merged ones
 };
 
-/** By pass. bEnabled: r.RDG.MergeRenderPasses. */
+/** Finds the merged render passes, by pass. bEnabled: r.RDG.MergeRenderPasses. */
 DRYDOCK_API std::vector<FRDGRenderPass> MergeRenderPasses(
 	const FRDGGraphDescription& Graph, const std::vector<bool>& bCulled, bool bEnabled);
 

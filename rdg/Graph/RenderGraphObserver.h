@@ -26,8 +26,8 @@ class DRYDOCK_API IRDGObserver
 public:
 	virtual ~IRDGObserver();
 
-	/** Before anything is executed. Immediate mode: at the end, when all passes are known. An executed graph's stays
-	 * until its builder goes. */
+	/** Called before anything is executed; in immediate mode at the end, when all passes are known. The compiled data
+	 * of an executed graph stay until its builder goes. */
 	virtual void OnGraphCompiled(const FRDGCompiledGraph&) {}
 
 	/** Registered textures that surviving passes use, before the first of these passes. Their RHI textures have no
@@ -51,8 +51,8 @@ public:
 	/** Whether the observer shows the warnings that OnGraphCompiled brings, so that the graph prints none itself. */
 	virtual bool ShowsWarnings() const { return false; }
 
-	/** After each pass. PassIndex is its position in FRDGCompiledGraph::Passes; WrittenTextures may be read through
-	 *  FRDGTexture::GetRHI during the call. */
+	/** Called after each pass. PassIndex is its position in FRDGCompiledGraph::Passes; WrittenTextures may be read
+	 * through FRDGTexture::GetRHI during the call. */
 	virtual void OnPassExecuted(int32_t /*PassIndex*/, const FRDGPass&, double /*Milliseconds*/, const FPassCounters&,
 		const std::vector<FRDGTexture*>& /*WrittenTextures*/)
 	{

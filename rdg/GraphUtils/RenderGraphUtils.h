@@ -351,7 +351,7 @@ struct FComputeShaderUtils
 			GraphBuilder, MoveTemp(PassName), ERDGPassFlags::Compute, ComputeShader, Parameters, GroupCount, Location);
 	}
 
-	/** With the parameters' metadata given apart. */
+	/** The same with the parameters' metadata given apart. */
 	template<typename TShaderClass>
 	static FRDGPassRef AddPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, ERDGPassFlags PassFlags,
 		const TShaderRef<TShaderClass>& ComputeShader, const FShaderParametersMetadata* ParametersMetadata,
@@ -371,7 +371,7 @@ struct FComputeShaderUtils
 		return Pass;
 	}
 
-	/** With the group count known when the pass runs. */
+	/** The same with a group count that is known only when the pass runs. */
 	template<typename TShaderClass>
 	static FRDGPassRef AddPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName,
 		const TShaderRef<TShaderClass>& ComputeShader, typename TShaderClass::FParameters* Parameters,

@@ -16,8 +16,8 @@ struct FNamedVariable
 	uint32_t Type = 0; // numeric
 };
 
-/** By block of the program: whether the author wrote its function. Around the entry point the front end puts one of its
- * own, which has lines of the author's. */
+/** Whether the author wrote a block's function, by block of the program. The front end wraps the entry point in a
+ * function of its own, which has lines of the author's. */
 std::vector<bool> FindAuthorsBlocks(const FSpirvModule& Module);
 
 class FAuthorsNames

@@ -17,7 +17,7 @@ struct FGroupOfThreads
 	std::vector<size_t> Threads;
 };
 
-/** By z, y and x. */
+/** Sorts threads by their groups: by z, y and x. */
 DRYDOCK_API std::vector<FGroupOfThreads> SortByGroups(
 	const FInspectedShader& Shader, const std::vector<std::array<int32_t, 3>>& Threads);
 

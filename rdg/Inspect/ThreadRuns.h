@@ -19,7 +19,8 @@ public:
 	/** Index counts the threads of all pieces. */
 	virtual void BeginThread(size_t /*Index*/, TSpirvThread<float>&) {}
 	virtual void EndThread(size_t /*Index*/, TSpirvThread<float>&) {}
-	/** Who is told of groupshared memory while a group runs, before its threads are shown; and when that is over. */
+	/** The finder that sees accesses to groupshared memory while a group runs, before its threads are shown. EndGroup
+	 * is called when the group is over. */
 	virtual FRaceFinder* GetRaceFinder() { return nullptr; }
 	virtual void EndGroup(const std::array<int32_t, 3>& /*GroupId*/) {}
 };

@@ -19,7 +19,7 @@ public:
 /** Null: nobody looks. */
 DRYDOCK_API IDispatchObserver* GetDispatchObserver();
 
-/** For its scope the observer sees every dispatch of the process. One at a time. */
+/** During its scope the observer sees every dispatch of the process. There can be one at a time. */
 class DRYDOCK_API FScopedDispatchObserver
 {
 public:

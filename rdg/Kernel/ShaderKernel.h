@@ -11,7 +11,7 @@ namespace Drydock
 /** Bumped whenever a struct or a meaning below changes; part of the cache key of every compiled shader. */
 constexpr uint32_t GShaderKernelVersion = 2;
 
-/** How one texel lies in memory. A texture's storage follows from its EPixelFormat and from r.Drydock.Storage. */
+/** The layout of one texel in memory. A texture's storage follows from its EPixelFormat and from r.Drydock.Storage. */
 enum class ETexelStorage : uint8_t
 {
 	R8_UNORM,
@@ -169,7 +169,7 @@ struct FKernelCounters
 	uint64_t Stores;
 };
 
-/** How far a kernel may go, and whom it tells that it went further (KernelLimits.h). */
+/** The limits of a kernel, and the functions that it calls when it exceeds them (KernelLimits.h). */
 struct FKernelLimits
 {
 	uint32_t LoopTurns; // of a loop that the shader's text does not bound

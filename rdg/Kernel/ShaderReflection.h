@@ -42,7 +42,8 @@ enum class EShaderDimension : uint8_t
 	ByteAddressBuffer
 };
 
-/** Which flag the view of a hidden counter needs: any that gives it one, where the shader does not say. */
+/** The flag that the view of a hidden counter needs: any flag that gives it a counter, where the shader does not name
+ * one. */
 enum class EShaderCounter : uint8_t
 {
 	Any,

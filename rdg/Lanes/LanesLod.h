@@ -12,8 +12,8 @@ namespace Drydock::Lanes
 inline namespace DRYDOCK_LANES_SET
 {
 
-/** Which of a direction's components is the longest, z before y before x where they are equally long, and how the face
- *  of a cube there turns vectors. A direction that is not a number points at some face. */
+/** Finds the longest component of a direction (z before y before x where they are equally long), and how the cube's
+ * face there turns vectors. A direction that is not a number points at some face. */
 template<typename T>
 struct TCubeFrame
 {

@@ -48,7 +48,7 @@ public:
 	Drydock::TLazyResource<FRHIVertexDeclaration, &Drydock::GetTileVertexDeclaration> VertexDeclarationRHI;
 };
 
-/** For vertex shaders that need SV_VertexID only. */
+/** The declaration for vertex shaders that need SV_VertexID only. */
 class FEmptyVertexDeclaration : public FRenderResource
 {
 public:

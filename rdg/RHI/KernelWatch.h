@@ -11,8 +11,9 @@
 namespace Drydock
 {
 
-/** For its scope a kernel runs over tiles. Once no tile has ended for r.Drydock.ShaderSeconds (0: never), one message
- * DD6040 goes to stderr and the process ends with exit code 2: running kernels cannot be stopped in any other way. */
+/** Watches a kernel that runs over tiles, during its scope. Once no tile has ended for r.Drydock.ShaderSeconds (0:
+ * never), one message DD6040 goes to stderr and the process ends with exit code 2: running kernels cannot be stopped in
+ * any other way. */
 class DRYDOCK_API FKernelWatch
 {
 public:

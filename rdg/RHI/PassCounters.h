@@ -22,7 +22,7 @@ struct FTextureWrite
 	FIntRect Rect;
 };
 
-/** How taps are counted. */
+/** The ways of counting taps. */
 enum class ETapCount : uint8_t
 {
 	Static,   // so many in each thread, by the shader's text
@@ -30,7 +30,7 @@ enum class ETapCount : uint8_t
 	Unknown,  // a hand-written kernel ran in place of a shader whose threads differ
 };
 
-/** Who ran a pass's shaders; flags. */
+/** The runners of a pass's shaders; flags. */
 enum class EShaderRun : uint8_t
 {
 	None = 0,

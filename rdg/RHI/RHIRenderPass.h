@@ -185,7 +185,7 @@ struct FUpdateTextureRegion2D
 	uint32 Height = 0;
 };
 
-/** How ReadSurfaceData converts, and which mip and slice it reads. */
+/** The conversion of ReadSurfaceData, and the mip and slice that it reads. */
 class FReadSurfaceDataFlags
 {
 public:

@@ -46,7 +46,7 @@ struct FSceneRenderTargetItem
 	FTextureRHIRef ShaderResourceTexture;
 };
 
-/** How the engine's rectangle is cut into triangles: a rectangle is a rectangle here. */
+/** The ways in which the engine cuts a rectangle into triangles; here it is never cut. */
 enum EDrawRectangleFlags : int
 {
 	EDRF_Default,

@@ -20,7 +20,7 @@ struct FNativeKernel
 	std::string Fingerprint; // of the text that the kernel was tested against (FingerprintShader)
 };
 
-/** How the shader of a draw or dispatch is to run, so far as its text decides. */
+/** The way in which the shader of a draw or dispatch is to run, so far as its text decides. */
 enum class ENativeChoice : uint8_t
 {
 	Shader, // the class has no kernel, or r.Drydock.NativeKernels is 0, or r.Drydock.Precision is double
@@ -38,7 +38,8 @@ DRYDOCK_API ENativeChoice FindNativeKernel(const FShaderRef& Shader);
 /** All of them, by the name of their class. */
 DRYDOCK_API std::vector<FNativeKernel> GetNativeKernels();
 
-/** For its scope kernels stand in for any text: for the tests that hold them against their shaders. One at a time. */
+/** During its scope kernels replace any text, for tests that compare kernels with their shaders. There can be one at a
+ * time. */
 class DRYDOCK_API FScopedNativeKernelsForAnyText
 {
 public:

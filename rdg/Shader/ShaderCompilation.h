@@ -25,8 +25,8 @@ DRYDOCK_API FShaderCompileRequest MakeShaderCompileRequest(
 DRYDOCK_API FShaderCompileRequest MakeShaderCompileRequest(
 	const std::string& VirtualPath, const std::string& EntryPoint, EShaderStage Stage);
 
-/** For its scope Function is told what is asked of the compiler, before it is asked; from any thread, one at a time.
- * One of these at a time. */
+/** During its scope Function receives each request before the compiler does; from any thread, one call at a time. There
+ * can be one listener at a time. */
 class DRYDOCK_API FScopedCompileListener
 {
 public:

@@ -38,7 +38,7 @@ struct FLintRule
 	const char* Source; // address of the document that states it
 };
 
-/** By their ids. */
+/** All rules, sorted by their ids. */
 DRYDOCK_API const std::vector<FLintRule>& GetLintRules();
 
 } // namespace Drydock

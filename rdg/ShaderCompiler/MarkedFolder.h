@@ -1,5 +1,5 @@
-// Makes folders for files that are written aside. A mark in it proves whose it is, so that a later process can remove
-// what a killed one has left behind, and nothing else.
+// Makes folders for files that are written aside. A mark in the folder proves its owner, so that a later process can
+// remove what a killed one has left behind, and nothing else.
 #pragma once
 
 #include "DrydockAPI.h"

@@ -32,8 +32,8 @@ public:
 	/** A new file, for the user alone. Returns its path; throws FError (DD5004, exit code 3) unless all is written. */
 	std::string WriteFile(const std::string& Name, const std::string& Bytes) const;
 
-	/** After something else failed that should have written here. Throws FError (DD5004, exit code 3) when nothing can
-	 * be written, as on a full disk. */
+	/** Called after a program failed that should have written here. Throws FError (DD5004, exit code 3) when nothing
+	 * can be written, as on a full disk. */
 	void CheckSpace() const;
 
 private:

@@ -22,7 +22,7 @@ public:
 	 *  are interpolated are taken for a full-screen triangle's: x and z depend on the column, y and w on the row. */
 	uint8_t Get(uint32_t Value, uint32_t Scalar) const;
 	uint8_t GetAll(uint32_t Value) const;
-	/** How often the block runs for a pixel that comes to the loops around it is the same for all pixels. */
+	/** Whether the block runs equally often for all pixels that reach the loops around it. */
 	bool IsSteady(uint32_t Label) const { return !UnsteadyBlocks.count(Label); }
 
 private:

@@ -53,7 +53,7 @@ struct FEmitScalar
 	EEmitLevel Level = EEmitLevel::Tile; // of what cannot stand further out, beside its operands
 };
 
-/** Which of the values that an edge hands over. */
+/** The selection among the values that an edge hands over. */
 enum class EPhiCopies : uint8_t
 {
 	All,
@@ -106,7 +106,7 @@ private:
 	void CloseScope(const char* Tail = "}");
 	void EmitBlock(const FStructNode& Node);
 	bool Breaks(const FStructNode& Node) const;
-	/** In a long kernel: what is emitted from here on is in a function of its own, or is not. */
+	/** Opens or closes a function of its own for the text emitted from here on, in a long kernel. */
 	void SetPart(bool bOpen);
 
 	// Groups

@@ -34,13 +34,13 @@ public:
 	/** Pixels of a quad that are not drawn, from now on: bit i is the thread of index i. */
 	void SetHelpers(uint32_t InHelpers) { Helpers = InHelpers; }
 
-	/** Told of every group that runs from now on; null: nobody is. */
+	/** Sets the finder that sees every group that runs from now on; null: none. */
 	void SetRaceFinder(FRaceFinder* InRaces);
 
 	uint32_t GetNumThreads() const { return uint32_t(Threads.size()); }
 	/** As it was when the group had run. */
 	const TSpirvThread<Real>& GetThread(uint32_t Index) const { return *Threads.at(Index); }
-	/** To be observed from now on. */
+	/** The thread, to be observed from now on. */
 	TSpirvThread<Real>& GetThread(uint32_t Index) { return *Threads.at(Index); }
 
 private:

@@ -52,7 +52,7 @@ public:
 		Lane = InGroupIndex % InWaveSize;
 		WaveSize = InWaveSize;
 	}
-	/** Told of every access to groupshared memory; null: nobody is. */
+	/** Sets the finder that sees every access to groupshared memory; null: none. */
 	void SetRaceFinder(FRaceFinder* InRaces) { Races = InRaces; }
 	/** The pixel is not drawn, but run for its quad: it stores and counts nothing. Applies to the run that has been
 	 * started. */
@@ -66,7 +66,7 @@ public:
 	 * thread of a group that has run can be run again alone. Null: neither. */
 	void SetLog(std::vector<FWord>* InLog, bool bInReplay);
 
-	/** For who decides himself what comes next: the state before the first instruction, and one instruction that
+	/** For callers that choose the next instruction: the state before the first instruction, and one instruction that
 	 * neither calls a function of the module nor branches. False: it ended the thread. */
 	void Begin(const FKernelArgs& InArgs, const int32_t (&InPosition)[3], const FVertexInput* InVertex);
 	bool ExecuteStep(const FSpirvStep& Step);

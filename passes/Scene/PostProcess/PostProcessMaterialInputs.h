@@ -15,9 +15,9 @@ enum class EPostProcessMaterialInput : uint32
 	SeparateTranslucency = 1,
 	/** Bloom, where the tonemapper is replaced. */
 	CombinedBloom = 2,
-	/** After the tonemapper: what it read. */
+	/** The tonemapper's input; for callbacks after it. */
 	PreTonemapHDRColor = 2,
-	/** After the tonemapper: what it wrote. */
+	/** The tonemapper's output; for callbacks after it. */
 	PostTonemapHDRColor = 3,
 	Velocity = 4
 };
@@ -60,7 +60,7 @@ struct FPostProcessMaterialInputs
 	/** Valid for the last callback of the last pass: it must draw into it, over its whole ViewRect, and return it. */
 	FScreenPassRenderTarget OverrideOutput;
 
-	/** By EPostProcessMaterialInput; as code up to engine 5.3 reads them. */
+	/** The textures, by EPostProcessMaterialInput; as code up to engine 5.3 reads them. */
 	TStaticArray<FScreenPassTexture, kPostProcessMaterialInputCountMax> Textures;
 
 	/** Format of a new output; PF_Unknown: the input's. */

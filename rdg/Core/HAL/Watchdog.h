@@ -9,8 +9,8 @@
 namespace Drydock
 {
 
-/** For its scope it is watched: once nothing was heard of it for Limit seconds, Report is called, from another thread,
- * and ends the process, unless something else does. */
+/** Watches code during its scope: once no sign of life has come for Limit seconds, Report is called from another
+ * thread, and ends the process, unless something else does. */
 class DRYDOCK_API FWatchdog
 {
 public:

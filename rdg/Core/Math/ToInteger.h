@@ -36,7 +36,7 @@ constexpr int32 ToIndex(RealType Position, int32 Count)
 	return std::max(0, std::min(ToInteger<int32>(Position), Count - 1));
 }
 
-/** How many, or how far: the number without its fraction, within Least .. Most; NaN counts as 0. */
+/** Converts a count or a distance: the number without its fraction, within Least .. Most; NaN counts as 0. */
 template<std::floating_point RealType>
 constexpr int32 ToCount(RealType Number, int32 Least, int32 Most)
 {

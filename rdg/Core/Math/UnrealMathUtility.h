@@ -74,7 +74,7 @@ struct FMath
 	{
 		return Max(Min(Value, High), Low);
 	}
-	/** To 0..1. */
+	/** Clamps to 0..1. */
 	template<typename T>
 	static constexpr T Saturate(const T& Value)
 	{

@@ -33,7 +33,8 @@ enum class EPropertyKind : uint8
 	Other,  // an array of fixed length and the like
 };
 
-/** How values of a type are read and written. Address is that of the value; of a bit field that of the object. */
+/** The functions that read and write values of a type. Address is that of the value; of a bit field that of the object.
+ */
 struct FPropertyType
 {
 	EPropertyKind Kind = EPropertyKind::Other;
@@ -130,7 +131,7 @@ public:
 
 	void Register(const FReflectedStruct& Struct);
 	void Register(const FReflectedEnum& Enum);
-	/** With the values that were given to it. */
+	/** Unregisters a struct, with the values that were given to it. */
 	void Unregister(const FReflectedStruct& Struct);
 	void Unregister(const FReflectedEnum& Enum);
 
