@@ -23,7 +23,7 @@ struct FSettingGate
 	std::string Reason;  // "ShowFlag.Bloom is off"
 };
 
-/** Defaults, with what r.DefaultFeature.* says of them in this version of the engine. Overrides nothing. */
+/** Defaults, with the values of r.DefaultFeature.* in this version of the engine. Overrides nothing. */
 DRYDOCK_API FFinalPostProcessSettings StartFinalPostProcessSettings(
 	FBlendLedger* Ledger = nullptr, const FEngineProfile& Engine = GetDefaultEngineProfile());
 

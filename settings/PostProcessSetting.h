@@ -59,7 +59,7 @@ public:
 	TPostProcessSetting(const TPostProcessSetting&) = delete;
 	TPostProcessSetting& operator=(const TPostProcessSetting&) = delete;
 
-	/** The default where nobody gave a value. */
+	/** The setting's value; the default if none was given. */
 	T Get(const FPostProcessSettings& Settings) const
 	{
 		const FAddedSettings::FEntry* const Entry = Settings.AddedSettings.Find(Id);

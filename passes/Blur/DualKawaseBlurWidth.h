@@ -26,7 +26,7 @@ constexpr int32 GDualKawaseMaxPasses = 8;
 constexpr double GDualKawaseBlockyOffset = 2.0;
 /** Largest offset that matching a width uses, where no more levels are to be had. */
 constexpr double GDualKawaseMaxOffset = 4.0;
-/** Steps of a texel that a bilinear sampler tells apart. */
+/** Steps of a texel that a bilinear sampler distinguishes. */
 constexpr double GSubtexelSteps = 256.0;
 
 // Sizes -------------------------------------------------------------------------------------------------------------

@@ -69,7 +69,7 @@ DRYDOCK_API FScreenPassTexture AddPyramidBlurPasses(FRDGBuilder& GraphBuilder, c
 DRYDOCK_API FScreenPassTexture AddPyramidBlurPasses(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& Input, double StandardDeviation);
 
-/** Stretches Input's rect over a rect of this size by one bilinear tap, as who reads a coarse level does. */
+/** Stretches Input's rect over a rect of this size by one bilinear tap, as readers of a coarse level do. */
 DRYDOCK_API FScreenPassTexture AddBilinearStretchPass(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& Input, const FScreenPassTexture& Like);
 

@@ -30,9 +30,9 @@ struct FMatchedGaussianBlurInputs
 	bool bSeparable = false;
 };
 
-/** The Gaussian to compare with: its taps at texel centres, reach 3 standard deviations unless told, the variance that
- * the cut tails lack made up for; clamp addressing. Extent, rect, format and the rules for constants, NaN and
- * infinities are those of the corrected blur. */
+/** The Gaussian to compare with: its taps at texel centres, reach 3 standard deviations by default, corrected for the
+ * variance of the cut tails; clamp addressing. Extent, rect, format and the rules for constants, NaN and infinities are
+ * those of the corrected blur. */
 DRYDOCK_API FScreenPassTexture AddMatchedGaussianBlurPasses(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FMatchedGaussianBlurInputs& Inputs);
 

@@ -20,7 +20,7 @@ class FViewInfo;
 namespace Drydock
 {
 
-/** One bilinear tap that stands for two neighbouring texels. */
+/** One bilinear tap that replaces two neighbouring texels. */
 struct FGaussianTap
 {
 	double Offset = 0.0; // in texels; never NaN

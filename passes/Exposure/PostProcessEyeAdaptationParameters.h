@@ -54,7 +54,7 @@ DRYDOCK_API float GetEyeAdaptationLuminanceMax();
 /** The EV100 of a luminance in scene units. */
 DRYDOCK_API float LuminanceToEV100(float Luminance);
 
-/** 2 to what AutoExposureBiasCurve says at the EV100 of an average luminance; 1 where the curve has no keys
+/** 2 to the power of AutoExposureBiasCurve at the EV100 of an average luminance; 1 where the curve has no keys
  * (CurveKeys.h) or the luminance is not above 0. Above 0 and finite. */
 DRYDOCK_API float GetExposureCompensationFromCurve(const FFinalPostProcessSettings& Settings, float AverageLuminance);
 

@@ -15,7 +15,7 @@
 namespace Drydock
 {
 
-/** The input that is the picture at the hook unless the config says otherwise. */
+/** The input that is the picture at the hook, unless the config names another. */
 inline constexpr const char* PictureResource = "SceneColor";
 
 struct FPassInputSpec

@@ -196,8 +196,8 @@ public:
 
 	FVector ViewLocation = FVector(0.0, 0.0, 0.0);
 
-	/** The camera's fade, after the film curve, on display-linear light: the picture times ColorScale, then as much of
-	 * OverlayColor as its alpha says. */
+	/** The camera's fade, after the film curve, on display-linear light: the picture times ColorScale, then blended
+	 * with OverlayColor by its alpha. */
 	FLinearColor ColorScale = FLinearColor(1.0f, 1.0f, 1.0f, 1.0f);
 	FLinearColor OverlayColor = FLinearColor(0.0f, 0.0f, 0.0f, 0.0f);
 

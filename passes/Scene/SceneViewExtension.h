@@ -281,7 +281,7 @@ FExtensionInfo DescribeExtension(int32 EngineMinor)
 class DRYDOCK_API FSceneViewExtensions
 {
 public:
-	/** Makes an extension and registers it for as long as somebody holds it. */
+	/** Makes an extension and registers it for as long as a reference to it exists. */
 	template<typename ExtensionType, typename... ArgumentTypes>
 	static TSharedRef<ExtensionType, ESPMode::ThreadSafe> NewExtension(ArgumentTypes&&... Arguments)
 	{
@@ -301,7 +301,7 @@ public:
 	/** Null for an extension that NewExtension did not make. */
 	const Drydock::FExtensionInfo* FindInfo(const ISceneViewExtension& Extension) const;
 
-	/** Changes what FindInfo says. */
+	/** Changes the result of FindInfo. */
 	void SetInfo(const ISceneViewExtension& Extension, const Drydock::FExtensionInfo& Info);
 
 	/** Number of the next registration; they only go up. */

@@ -46,8 +46,8 @@ struct FRunOptions
 	std::optional<std::array<double, 3>> Location;     // of the view, cm; beats the config's and the scene's
 	std::optional<std::array<int, 4>> Padding;         // left, top, right, bottom, texels; beats the config's
 	std::optional<double> ScreenPercentage;            // above 0; beats the config's
-	/** Rects of the views, in pixels of the picture, in place of the config's view or views, whose first says all else;
-	 * empty: the config's. */
+	/** Rects of the views, in pixels of the picture, in place of the config's view or views, the first of which gives
+	 * all else; empty: the config's. */
 	std::vector<std::array<int, 4>> ViewRects;
 	std::optional<int> Frame;   // which of a sequence, the lowest by default; shaders see it as View.FrameNumber
 	std::optional<int> Threads; // 0: all cores

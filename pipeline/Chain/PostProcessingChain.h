@@ -21,7 +21,7 @@ struct FPostProcessingChainInputs
 	float ExposureScale = 1.0f;
 	/** The settings expose in its place. */
 	bool bAutoExposure = false;
-	/** Null where nobody reads scene textures. */
+	/** Null if scene textures are not read. */
 	TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures = nullptr;
 	/** Colour of the main light, relative, for ToonShadowBlur. */
 	FLinearColor LightColor = FLinearColor(1.0f, 1.0f, 1.0f, 1.0f);

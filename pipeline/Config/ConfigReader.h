@@ -88,8 +88,8 @@ void ValidateConfigShape(const FJsonValue& Root, FConfigMessages& Messages);
 /** The Settings of a volume or camera. Not an object: nothing (that has been reported). */
 FConfigSettings ReadConfigSettings(const FJsonValue& Value, FConfigMessages& Messages);
 
-/** Keys of a setting's curve as the text that stands for it (CurveKeys.h); empty when something is wrong with them,
- * which is reported. Value: an object. */
+/** Keys of a setting's curve as the text that names it (CurveKeys.h); empty when something is wrong with them, which is
+ * reported. Value: an object. */
 std::optional<std::string> ReadConfigCurve(
 	const FJsonValue& Value, const std::string& Setting, FConfigMessages& Messages);
 

@@ -32,7 +32,7 @@ struct FFrameList
  * OutError is the fault, in a sentence without a full stop. */
 DRYDOCK_API std::optional<FFrameList> ParseFrameList(const std::string& Text, std::string& OutError);
 
-/** The numbers, ascending. Existing: those that "all" stands for. */
+/** The numbers, ascending. Existing: the numbers that "all" means. */
 DRYDOCK_API std::vector<int> ListFrames(const FFrameList& List, const std::vector<int>& Existing);
 
 } // namespace Drydock

@@ -14,7 +14,7 @@
 namespace Drydock
 {
 
-/** Metres that stand for no surface in depth.Z: the greatest half. */
+/** Metres that mean "no surface" in depth.Z: the greatest half. */
 constexpr float NoSurfaceDepth = 65504.0f;
 
 struct FImportPixel

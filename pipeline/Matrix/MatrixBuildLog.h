@@ -26,8 +26,8 @@ DRYDOCK_API std::vector<FBuildStep> ReadBuildSteps(const std::string& Log);
 /** A text that ReadBuildSteps reads as Steps. */
 DRYDOCK_API std::string WriteBuildSteps(const std::vector<FBuildStep>& Steps);
 
-/** A build does again only what is out of date, and says nothing of the rest: the steps of Before that Now does not
- * have, then those of Now. */
+/** Merges the steps of two builds, because a build repeats and prints only steps that are out of date: the steps of
+ * Before that Now does not have, then those of Now. */
 DRYDOCK_API std::vector<FBuildStep> MergeBuildSteps(
 	const std::vector<FBuildStep>& Before, const std::vector<FBuildStep>& Now);
 

@@ -12,8 +12,8 @@
 namespace Drydock
 {
 
-/** The value for a property of that type; nothing where the text is of no form that it could have. Whether the property
- * takes the value, WriteProperty says. */
+/** The value for a property of that type; nothing if the text has no form of such a value. WriteProperty decides
+ * whether the property takes the value. */
 DRYDOCK_API std::optional<FPropertyValue> ReadPropertyText(
 	const FPropertyType& Type, const std::vector<FIniValue>& Values);
 

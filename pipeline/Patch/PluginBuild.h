@@ -31,7 +31,8 @@ struct FBuiltPlugin
 	std::vector<std::string> Notes; // what was left out and why, a line each
 };
 
-/** The 5.x that the engine version in a plugin's .uplugin, or in a .uproject above it, means; 0 where neither says. */
+/** The 5.x that the engine version in a plugin's .uplugin, or in a .uproject above it, means; 0 if neither has a
+ * version. */
 DRYDOCK_API int FindEngineMinor(const std::string& Folder);
 
 /** Name of the library that is built from a plugin's folder: the .uplugin's name, else the folder's. */

@@ -16,7 +16,8 @@ namespace Drydock
 constexpr int64_t MaxImageSide = GMaxTextureDimensions;
 constexpr int64_t MaxImagePixels = int64_t(1) << 28;
 
-/** Multi-byte numbers are read as they lie in memory, least byte first, unless a name says otherwise. */
+/** Multi-byte numbers are read as they lie in memory, least byte first, unless a function's name states another order.
+ */
 class FHeaderBytes
 {
 public:

@@ -47,7 +47,7 @@ DRYDOCK_API std::string EscapeXml(const std::string& Text);
 /** A longer name ends in an ellipsis. UTF-8 stays whole. */
 DRYDOCK_API std::string ShortenText(const std::string& Text, size_t MaxCharacters);
 
-/** Text whose base line begins, or is aligned as the class says, at X, Y. Class: empty for none. */
+/** Text whose base line begins at X, Y, or is aligned there by its class. Class: empty for none. */
 DRYDOCK_API std::string SvgText(double X, double Y, const std::string& Class, const std::string& Text);
 
 /** The same with markup inside, such as <tspan>. */
@@ -64,7 +64,7 @@ DRYDOCK_API std::string SvgPathData(const std::vector<FSvgPoint>& Points);
 DRYDOCK_API std::string SvgPath(const std::vector<FSvgPoint>& Points, const std::string& Class);
 
 /** Opens a drawing of that size in pixels, with its style sheet: the font, then the classes of Light, then those of
- * Dark for readers who prefer a dark page. Title: for who cannot see it. */
+ * Dark for readers who prefer a dark page. Title: for readers who cannot see the drawing. */
 DRYDOCK_API std::string BeginSvg(
 	double Width, double Height, const std::string& Title, const char* Light, const char* Dark);
 

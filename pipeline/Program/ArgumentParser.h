@@ -21,8 +21,8 @@ namespace Drydock
 
 struct FVerbModel;
 
-/** One option of a verb, or one argument. Copies stand for the same option, which lives as long as the parser. Each
- * function returns the option, so that calls follow each other. */
+/** One option of a verb, or one argument. Copies mean the same option, which lives as long as the parser. Each function
+ * returns the option, so that calls follow each other. */
 class FVerbOption
 {
 public:
@@ -72,9 +72,9 @@ private:
 	CLI::Option* Option;
 };
 
-/** The options of one verb. Name: "--out", or "CONFIG" of an argument that is told by its place. Doc: its line in
- * --help. A variable keeps its value where its option is not given; it lives until the verb is called, as those of the
- * call that FVerb::AddOptions returns do. A value that is not of the variable's type is a usage error. */
+/** The options of one verb. Name: "--out", or "CONFIG" for an argument that is recognised by its place. Doc: its line
+ * in --help. A variable keeps its value where its option is not given; it lives until the verb is called, as those of
+ * the call that FVerb::AddOptions returns do. A value that is not of the variable's type is a usage error. */
 class FVerbOptions
 {
 public:

@@ -48,8 +48,9 @@ struct FFirstDifference
 class DRYDOCK_API FPassRecord
 {
 public:
-	/** Alike: of the frames; of what passes write in between, values alone are judged, not how many differ. bClobbered:
-	 * the second frame's memory is filled, so that what nobody wrote differs. */
+	/** Alike: the likeness of the frames; for textures that passes write in between only the size of differences is
+	 * judged, not their number. bClobbered: the second frame's memory is filled, so that texels that no pass wrote
+	 * differ. */
 	FPassRecord(EAlike InAlike, bool bInClobbered);
 
 	/** Called with the passes of the base frame. */

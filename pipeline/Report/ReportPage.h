@@ -11,7 +11,7 @@ namespace Drydock
 {
 
 /** JSON that may stand in a script element: no "<" is left in it, so that nothing closes the element or opens a
- * comment. It says the same. */
+ * comment. The data are the same. */
 DRYDOCK_API std::string EscapeForScript(const std::string& Json);
 
 /** UTC, "2025-01-31T12:00:00Z". */

@@ -42,7 +42,7 @@ struct FRunFingerprint
 	std::string Fingerprint; // FFingerprint of size and values of all mips
 };
 
-/** A texture right after a pass, small: what a glance tells. */
+/** A texture right after a pass, small, for a quick look. */
 struct FRunThumbnail
 {
 	std::string Resource;

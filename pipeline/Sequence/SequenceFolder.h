@@ -59,7 +59,7 @@ public:
 	/** Throws FError as WriteSequenceSheet. */
 	void WriteSheet(const std::vector<int>& Frames, const std::vector<std::string>& Pictures);
 
-	/** sequence.html, which tells the time: no two are the same bytes. */
+	/** Writes sequence.html, which contains the time, so that no two have the same bytes. */
 	void WritePage(const std::string& Text);
 	/** Removes the page if there is one: it is of other frames. */
 	void RemovePage();

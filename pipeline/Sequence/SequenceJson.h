@@ -12,7 +12,7 @@
 namespace Drydock
 {
 
-/** The frame of a sequence, and what its pictures are told by. */
+/** The frame of a sequence, and the fingerprints by which its pictures are recognised. */
 struct FFrameRecord
 {
 	int Frame = 0;

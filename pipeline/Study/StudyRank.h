@@ -12,7 +12,7 @@ DRYDOCK_API FStudyTime SummarizeRuns(std::vector<double> Runs);
 
 /** Fills ranks, noise and recommendations of all jobs. The front of a job holds the variants that no other dominates. A
  * dominates B when A is not worse in error and cost, and better in one; plain code does not dominate shaders, and is
- * not recommended, for it cannot run where they do. The recommended variant is the choice of ChooseWithinBudget by
+ * not recommended, because it cannot run where they do. The recommended variant is the choice of ChooseWithinBudget by
  * time; if none meets the budget, there is none. */
 DRYDOCK_API void RankStudy(FStudyResult& Result);
 

@@ -29,7 +29,7 @@ DRYDOCK_API std::string MakeStudyCsv(const FStudyResult& Result, bool bTiming);
 /** "toon.exr, 641 x 359, errors of 512 x 288 at (64, 32)": what was studied. */
 DRYDOCK_API std::string DescribeStudied(const FStudyResult& Result);
 
-/** "RMS error", ...: what an axis of a drawing says. */
+/** "RMS error", ...: the title of an axis of a drawing. */
 DRYDOCK_API std::string GetErrorTitle(const std::string& Metric);
 
 } // namespace Drydock

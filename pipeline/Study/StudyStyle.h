@@ -14,7 +14,8 @@ constexpr double StudyAxisBottom = 48.0; // of a panel: names and ticks of its c
 constexpr double StudyPanelTitle = 30.0;
 constexpr double StudyPanelGap = 18.0;
 
-/** Opens a drawing of that height, in pixels, with page and style sheet. Title: for who cannot see it. */
+/** Opens a drawing of that height, in pixels, with page and style sheet. Title: for readers who cannot see the drawing.
+ */
 std::string BeginStudySvg(double Height, const std::string& Title);
 
 /** "3": the fourth choice has the classes f3 (filled) and s3 (stroked). */

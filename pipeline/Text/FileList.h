@@ -19,9 +19,10 @@ public:
 	 * is cut short, changed, of another version, or has names that lead out of the folder. */
 	static FFileList Read(const std::filesystem::path& File);
 
-	/** All files in Folder and beneath it. Unsteady: names of those whose bytes differ from run to run, which are told
-	 * by their names alone, so that equal runs give equal lists. Throws FError (exit code 3) when one cannot be read.
-	 */
+	/** All files in Folder and beneath it. Unsteady: names of those whose bytes differ from run to run, which are
+	 * identified by their names alone, so that equal runs give equal lists. Throws FError (exit code 3) when one cannot
+	 * be read.
+	 * */
 	static FFileList Make(const std::filesystem::path& Folder, const std::set<std::string>& Unsteady);
 
 	/** One line for each file, and a fingerprint of them all. */

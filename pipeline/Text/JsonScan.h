@@ -25,7 +25,7 @@ struct FJsonScan
 	std::string Text;
 };
 
-/** Looks no further than MaxTokens keys and values: nobody asks for those behind. */
+/** Stops after MaxTokens keys and values: those behind are not needed. */
 FJsonScan ScanJson(const std::string& Text, size_t MaxTokens);
 
 } // namespace Drydock

@@ -31,8 +31,8 @@ DRYDOCK_API void AddNewDiagnostics(std::vector<FDiagnostic>& Diagnostics, const 
 DRYDOCK_API std::vector<FDiagnostic> LimitDiagnostics(const std::vector<FDiagnostic>& Diagnostics);
 
 /** Shortens a list of any length for people. A kind with more than MaxListedAlike messages keeps the first
- * NumListedOfMany, then a message counts the rest. Messages that stand for others count as those. A message of more
- * than 2000 bytes is cut. */
+ * NumListedOfMany, then a message counts the rest. A message that represents several counts as that many. A message of
+ * more than 2000 bytes is cut. */
 DRYDOCK_API std::vector<FDiagnostic> SummarizeDiagnostics(const std::vector<FDiagnostic>& Diagnostics);
 
 /** The error to throw when memory is refused: DD5008, exit code 3. The argument What names the memory's use, "the

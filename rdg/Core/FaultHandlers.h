@@ -13,11 +13,11 @@ namespace Drydock
  * have handlers of their own. */
 DRYDOCK_API void InstallFaultHandlers();
 
-/** A fault is being told, or its core file written: nobody else has to end the process. */
+/** A fault is being reported, or its core file written: no other code has to end the process. */
 DRYDOCK_API bool IsEndingByFault();
 
 /** Gives this thread a stack for the handlers of its signals, once they are installed: without one, an overflow of its
- * own stack could not be told. */
+ * own stack could not be reported. */
 DRYDOCK_API void EnsureFaultStack();
 
 } // namespace Drydock

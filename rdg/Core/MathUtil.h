@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-/** Angles are radians unless a name says degrees. */
+/** Angles are in radians unless a function's name contains "degrees". */
 template<typename RealType>
 class TMathUtil
 {

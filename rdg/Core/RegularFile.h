@@ -30,7 +30,7 @@ public:
 	/** Why it cannot be read, "Permission denied" or "it is a folder"; empty while all is well. */
 	const std::string& GetProblem() const { return Problem; }
 
-	/** Bytes, as the system says; files of /proc have more than their 0. */
+	/** Bytes, as the system reports them; files of /proc have more than the reported 0. */
 	uint64_t GetSize() const { return Size; }
 
 	/** The number of bytes read: fewer than Count at the end of the file, or where reading fails, which is a problem.

@@ -353,7 +353,8 @@ private:
 namespace Drydock
 {
 
-/** Says whose passes are added until the end of the block; null or empty: nobody's, as those of a view extension. */
+/** Names the effect whose passes are added until the end of the block; null or empty: no effect's, as those of a view
+ * extension. */
 class DRYDOCK_API FRDGEffectScope
 {
 public:

@@ -16,7 +16,8 @@ struct FRDGExternalLoad
 {
 	FRDGTexture* Texture = nullptr;
 	const FRDGPass* Pass = nullptr; // the first that uses it
-	/** False where only a uniform buffer names it and the pass has not said which shader it runs: it may go unread. */
+	/** False if only a uniform buffer names the texture and the pass has not named its shader: the texture may go
+	 * unread. */
 	bool bIsRead = true;
 };
 
@@ -44,8 +45,8 @@ public:
 	/** Each pass of a graph that is discarded, in their order: its parameters may be read. */
 	virtual void OnPassPlanned(int32_t /*PassIndex*/, const FRDGPass&) {}
 
-	/** Whether what nobody has written yet is 0 in every texture that the graph makes, not what the memory held before:
-	 *  for observers that show textures beyond what passes wrote. Always the same answer. */
+	/** Whether texels that no pass has written yet are 0 in every texture that the graph makes, instead of the memory's
+	 * old contents: for observers that show textures beyond what passes wrote. Always the same answer. */
 	virtual bool WantsZeroedTextures() const { return false; }
 
 	/** Whether the observer shows the warnings that OnGraphCompiled brings, so that the graph prints none itself. */

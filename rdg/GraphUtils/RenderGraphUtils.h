@@ -209,8 +209,9 @@ inline FRHIBuffer* TryGetRHI(FRDGBufferRef Buffer)
 	return Buffer ? Buffer->GetRHI() : nullptr;
 }
 
-/** Textures of another pass's parameters that are bound as targets or views can be null; this tells the binding of one.
- */
+/** Textures of another pass's parameters that are bound as targets or views can be null; this reports whether the
+ * binding has one.
+ * */
 inline bool HasBeenProduced(const FRenderTargetBinding& Binding)
 {
 	return Binding.GetTexture() && Binding.GetTexture()->HasBeenProduced();

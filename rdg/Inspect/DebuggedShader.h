@@ -16,7 +16,7 @@ struct FDebuggedThread
 {
 	bool bDiscarded = false;
 	std::vector<std::vector<double>> Targets; // by SV_Target: what was written, before the format rounds it
-	/** The thread that somebody asked for in the debugger, by DrydockDebugPixel. */
+	/** The thread that the user asked for in the debugger, by DrydockDebugPixel. */
 	std::optional<std::array<int32_t, 3>> Next;
 };
 

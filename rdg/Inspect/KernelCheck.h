@@ -33,7 +33,7 @@ struct FCheckSet
 	std::array<bool, size_t(ECheck::Count)> bOn{};
 
 	bool operator[](ECheck Check) const { return bOn[size_t(Check)]; }
-	/** Whether all threads have to be looked at: no stored texel tells of these. */
+	/** Whether all threads have to be examined, because stored texels do not show the faults in question. */
 	bool NeedsEveryThread() const
 	{
 		return (*this)[ECheck::Bounds] || (*this)[ECheck::Uninitialized] || (*this)[ECheck::Overlap] ||

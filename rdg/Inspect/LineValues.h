@@ -8,7 +8,7 @@
 namespace Drydock
 {
 
-/** A line as somebody types it: "Bloom.usf:41" or "Bloom.usf:41:Weight". */
+/** A line as a user types it: "Bloom.usf:41" or "Bloom.usf:41:Weight". */
 struct FLinePlace
 {
 	std::string File; // a virtual path, or the end of one
@@ -33,7 +33,7 @@ struct FLineValues
 	std::vector<uint8_t> bReached; // by thread: 1 where the line ran
 };
 
-/** Whether a virtual path is the file that somebody names. */
+/** Whether a virtual path is the file that a user names. */
 DRYDOCK_API bool IsFileNamed(const std::string& Path, const std::string& Name);
 
 /** The value that the line gives, or that the variable has there; in a loop, the value of the last round. Nothing if

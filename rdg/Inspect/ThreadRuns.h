@@ -11,7 +11,7 @@
 namespace Drydock
 {
 
-/** Somebody who watches threads one after the other. */
+/** An observer that watches threads one after the other. */
 class DRYDOCK_API IThreadWatcher : public ISpirvObserver
 {
 public:

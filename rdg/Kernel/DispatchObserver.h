@@ -7,7 +7,7 @@ namespace Drydock
 {
 
 /** Calls come from the thread that executes the graph, around all tiles of one draw or dispatch. Textures and buffers
- * may be read during a call; who wants to run the shader himself does so on copies of what it writes. */
+ * may be read during a call; an observer that wants to run the shader itself does so on copies of what it writes. */
 class DRYDOCK_API IDispatchObserver
 {
 public:
@@ -16,7 +16,7 @@ public:
 	virtual void AfterDispatch(const FBoundShader&, const FKernelArgs&, const FKernelTile& /*Whole*/) {}
 };
 
-/** Null: nobody looks. */
+/** Null: there is no observer. */
 DRYDOCK_API IDispatchObserver* GetDispatchObserver();
 
 /** During its scope the observer sees every dispatch of the process. There can be one at a time. */

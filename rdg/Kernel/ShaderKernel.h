@@ -161,7 +161,7 @@ struct FKernelInterpolant
 	double DY[4];
 };
 
-/** Counters of one run of a kernel over one tile; null when nobody counts. */
+/** Counters of one run of a kernel over one tile; null when nothing is counted. */
 struct FKernelCounters
 {
 	uint64_t Samples;

@@ -126,7 +126,7 @@ DRYDOCK_LANES_INLINE TUint<N> ElementOffset(
 	return ElementOffset(Buffer, AsUint(Index), Stride, Member);
 }
 
-/** Adds the lanes of the mask to one counter, when somebody counts. */
+/** Adds the lanes of the mask to one counter, if the run counts. */
 template<int N>
 DRYDOCK_LANES_INLINE void CountLanesOf(const FKernelArgs& Args, uint64_t FKernelCounters::*Counter, TMask<N> Mask)
 {

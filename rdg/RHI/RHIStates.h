@@ -112,7 +112,7 @@ struct FRasterizerStateInitializerRHI
 	bool bEnableLineAA = false;
 };
 
-/** Draws are rectangles that face the camera, whatever it says. */
+/** Draws are rectangles that face the camera, whatever this state is. */
 class DRYDOCK_API FRHIRasterizerState final : public FRHIResource
 {
 public:

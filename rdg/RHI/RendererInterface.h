@@ -64,7 +64,7 @@ public:
 	virtual uint32 Release() = 0;
 	virtual uint32 GetRefCount() const = 0;
 
-	/** Nobody but the pool holds it. */
+	/** Whether only the pool holds it. */
 	virtual bool IsFree() const = 0;
 
 	/** The pool will hand it out again. */

@@ -40,7 +40,7 @@ private:
 /** r.Drydock.StoreOverflow: a finite value too large for half is stored as 65504 instead of infinity. */
 DRYDOCK_API bool IsStoreOverflowSaturated();
 
-/** The storage the format (and, for 8-bit formats, the sRGB flag) stands for. */
+/** The storage of a format (and, for 8-bit formats, of the sRGB flag). */
 DRYDOCK_API ETexelStorage GetNativeTexelStorage(const FRHITextureDesc& Desc);
 
 /** The storage a texture created now would get. Integer and depth-stencil formats are never widened. */

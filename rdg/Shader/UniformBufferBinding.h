@@ -57,7 +57,7 @@ using FUniformBufferRHIRef = TRefCountPtr<FRHIUniformBuffer>;
 namespace Drydock
 {
 
-/** Makes a uniform buffer with a copy of Contents, which is laid out as Metadata says. */
+/** Makes a uniform buffer with a copy of Contents, which is laid out by Metadata. */
 DRYDOCK_API FUniformBufferRHIRef CreateUniformBuffer(const FShaderParametersMetadata& Metadata, const void* Contents);
 
 } // namespace Drydock

@@ -35,7 +35,7 @@ public:
 	/** Flattens the file, of any of its entry points; throws as FlattenShader does. */
 	explicit FEntryTexts(const FShaderCompileRequest& Request);
 
-	/** Empty: no such entry point can be told from the others. */
+	/** Empty: no such entry point can be distinguished from the others. */
 	std::string GetText(const std::string& Entry) const;
 
 private:

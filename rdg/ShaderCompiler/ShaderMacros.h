@@ -62,8 +62,8 @@ public:
 	}
 
 	/** Replaces every macro in Tokens. Problem becomes the first thing that is wrong (number of arguments, endless
-	 * growth), and is left alone when nothing is. Unless bComplete says that no text follows, bNeedsMore becomes true
-	 * when a call may go on in that text: the result is then of no use. */
+	 * growth), and is left alone when nothing is. Unless bComplete, which means that no text follows, bNeedsMore
+	 * becomes true when a call may go on in that text: the result is then of no use. */
 	FShaderTokens Expand(const FShaderTokens& Tokens, bool bComplete, std::string& Problem, bool& bNeedsMore) const;
 
 	/** Limits on the tokens that one call of Expand, and all calls together, may work on: a line whose call goes on in

@@ -26,7 +26,7 @@ public:
 	/** Throws FError (DD5004, exit code 3) with the folder that does not take it. */
 	FTemporaryFolder();
 
-	/** The path of a file or folder that somebody is to make here; no other name in it is removed. */
+	/** The path of a file or folder that the caller is to make here; no other name in it is removed. */
 	std::string Reserve(const std::string& Name) const;
 
 	/** A new file, for the user alone. Returns its path; throws FError (DD5004, exit code 3) unless all is written. */

@@ -18,7 +18,7 @@
 namespace Drydock
 {
 
-/** The file of functions that the source pass adds: what they do stands on the line of who calls them. */
+/** The file of functions that the source pass adds: their work counts as that of the calling line. */
 inline constexpr const char* GSpirvFileOfCallers = "/Drydock/Callers";
 
 /** A module that cannot be used: garbage, or something the CPU tier does not do. File and Line are the .usf's where
@@ -285,7 +285,7 @@ constexpr bool IsSpirvDerivative(uint16_t Op)
 	return (Op >= Spirv::OpDPdx && Op <= Spirv::OpFwidthCoarse) || Op == Spirv::OpImageQueryLod;
 }
 
-/** A wave operation whose first operand behind the scope says: of all threads, or of those before each one. */
+/** A wave operation whose first operand behind the scope selects all threads, or those before each one. */
 constexpr bool HasGroupOperation(uint16_t Op)
 {
 	return Op == Spirv::OpGroupNonUniformBallotBitCount ||

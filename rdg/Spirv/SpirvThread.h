@@ -57,7 +57,7 @@ public:
 	/** The pixel is not drawn, but run for its quad: it stores and counts nothing. Applies to the run that has been
 	 * started. */
 	void SetHelper(bool bInHelper) { bHelper = bInHelper; }
-	/** Groupshared memory, of as many words as the program says; null: the thread's own. */
+	/** Sets groupshared memory of the program's number of words; null: the thread's own. */
 	void SetGroupshared(FWord* Memory) { Groupshared = Memory; }
 	/** Turns of each loop around the place where the thread waits, by Order; and where it is. */
 	void SetOrder(const FSpirvOrder* InOrder);
@@ -70,7 +70,7 @@ public:
 	 * neither calls a function of the module nor branches. False: it ended the thread. */
 	void Begin(const FKernelArgs& InArgs, const int32_t (&InPosition)[3], const FVertexInput* InVertex);
 	bool ExecuteStep(const FSpirvStep& Step);
-	/** Control comes to the header of a loop that may not end: throws where that is one turn too many. */
+	/** Counts a turn when control reaches the header of a loop that may not end; throws if it is one turn too many. */
 	void CountTurn(uint32_t To, uint32_t FromBlock);
 	FWord* GetWords() { return Words.data(); }
 

@@ -33,7 +33,7 @@ public:
 	const T* begin() const { return Hash.GetData(); }
 	const T* end() const { return Hash.GetData() + Num(); }
 
-	/** Adds unless it is there already, which *bOutAlreadyThere tells. */
+	/** Adds the element unless it is there already; *bOutAlreadyThere reports that. */
 	void Add(T Element, bool* bOutAlreadyThere = nullptr)
 	{
 		const bool bThere = Contains(Element);

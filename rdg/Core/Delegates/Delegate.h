@@ -33,7 +33,7 @@ public:
 	{
 		return Make(nullptr, nullptr, BindFunctor(Function, std::move(Payload)...));
 	}
-	/** Bound as long as somebody owns the object. */
+	/** Bound as long as the object has an owner. */
 	template<typename ObjectType, ESPMode Mode, typename MethodClass, typename MethodType, typename... PayloadTypes>
 	static DelegateType CreateSP(
 		const TSharedRef<ObjectType, Mode>& Object, MethodType MethodClass::*Method, PayloadTypes... Payload)

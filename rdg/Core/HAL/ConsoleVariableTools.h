@@ -42,7 +42,7 @@ DRYDOCK_API FString DescribeConsoleVariable(const TCHAR* Name, const IConsoleVar
  */
 DRYDOCK_API void SplitConsoleInput(const TCHAR* Input, FString& OutName, FString& OutValue);
 
-/** Every variable back to its default, as if nobody had set any. */
+/** Resets every variable to its default, as if none had ever been set. */
 DRYDOCK_API void ResetConsoleVariables();
 
 /** "Constructor", "Scalability", ... "Console" for the priority in Flags. */

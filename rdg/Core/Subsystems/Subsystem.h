@@ -110,8 +110,8 @@ private:
 	FSubsystems() = default;
 };
 
-/** Registers a class of a plugin for as long as the plugin is loaded; says nothing for classes that nobody makes by
- * itself. Generated code has one for each UCLASS. */
+/** Registers a class of a plugin for as long as the plugin is loaded; does nothing for classes that are not made by
+ * themselves. Generated code has one for each UCLASS. */
 template<typename T>
 class TClassRegistration
 {

@@ -69,7 +69,7 @@ public:
 	virtual void PostEditChangeProperty(FPropertyChangedEvent&) {}
 	/** Null for an object that was made without one. */
 	UObject* GetOuter() const { return Outer; }
-	/** Ours: NewObject tells it. */
+	/** Ours: called by NewObject. */
 	void SetOuter(UObject* InOuter) { Outer = InOuter; }
 	/** A part of this object, destroyed with it. */
 	template<typename T>
